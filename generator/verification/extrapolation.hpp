@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "generator/expression/high_precision.hpp"
+
+namespace torsor {
+
+/// Right-hand side f of y' = f(t, y).
+using DifferentialEquation = std::function<std::vector<Real>(const Real& t, const std::vector<Real>& y)>;
+
+/// How an extrapolation integration is done.
+struct ExtrapolationOptions {
+  int columns = 14;                ///< columns K of the tableau: order 2K, K² + 1 evaluations of f a step
+  int tolerance_digits = 40;       ///< local error below 10^-tolerance_digits · max(1, |y_i|)
+  int work_digits = 60;            ///< precision of the arithmetic; the tableau itself costs some 5 digits
+  long maximum_step_count = 100000;
+};
+
+/// A solution with the digits that two integrations of different order and tolerance have in common.
+struct ConvergedSolution {
+  std::vector<std::vector<Real>> values;  ///< one state per asked time
+  std::vector<int> agreed_digits;         ///< per time: both agree to 10^-agreed_digits · max(1, |y_i|) everywhere
+  int worst_agreed_digits = 0;
+};
+
+/// y at each of `times` (monotonic, in either direction from t0; the integration lands on each of them exactly).
+/// Gragg-Bulirsch-Stoer: explicit midpoint rule without smoothing over 2, 4, ..., 2K sub-steps, extrapolated in h², own
+/// step control (Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, II.9, (9.8), (9.13), (9.20)-(9.22)).
+/// While f runs, Real::working_digits() is work_digits. Errors: UsageError for options or times that make no sense; Error naming t where
+/// f is not a number, the step vanishes or there are too many steps.
+std::vector<std::vector<Real>> integrate(const DifferentialEquation& f, const std::vector<Real>& y0, const Real& t0,
+                                         const std::vector<Real>& times, const ExtrapolationOptions& options);
+
+/// The same, and once more with three columns and three digits of tolerance less; the values are those of the first.
+ConvergedSolution integrate_converged(const DifferentialEquation& f, const std::vector<Real>& y0, const Real& t0,
+                                      const std::vector<Real>& times, const ExtrapolationOptions& options);
+
+}  // namespace torsor

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Include this after a generated header: that header declares the template which is specialised here.
+#ifndef TORSOR_KERNEL_SUPPORT
+#error "include a generated header before generator/verification/real_scalar_traits.hpp"
+#endif
+
+#include "generator/expression/high_precision.hpp"
+
+namespace torsor {
+
+/// Lets a generated kernel run on Real. A constant comes from its exact text at Real::working_digits(); its double and
+/// float literals are not looked at.
+template <>
+struct scalar_traits<Real> {
+  static Real constant(double, float, const char* exact) noexcept { return Real::constant(exact); }
+  static Real select(bool condition, const Real& if_true, const Real& if_false) noexcept {
+    return condition ? if_true : if_false;
+  }
+  static void sincos(const Real& angle, Real& sine, Real& cosine) noexcept { torsor::sincos(angle, sine, cosine); }
+  static Real sqrt(const Real& x) noexcept { return torsor::sqrt(x); }
+  static bool regular(const Real& pivot, const Real& diagonal) noexcept {
+    return pivot > pivot.epsilon() * torsor::abs(diagonal);
+  }
+};
+
+}  // namespace torsor
