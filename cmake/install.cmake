@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: MIT
+# Two export sets, so that who embeds a header with the runtime (MIT) needs neither the generator nor GiNaC.
+if(NOT TORSOR_INSTALL)
+  return()
+endif()
+include(CMakePackageConfigHelpers)
+set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/torsor")
+
+install(TARGETS torsor_generator EXPORT torsorGeneratorTargets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+install(TARGETS torsor_runtime EXPORT torsorRuntimeTargets)
+foreach(part Generator Runtime)
+  install(EXPORT torsor${part}Targets NAMESPACE torsor:: DESTINATION "${package_dir}")
+  export(EXPORT torsor${part}Targets NAMESPACE torsor:: FILE "${PROJECT_BINARY_DIR}/torsor${part}Targets.cmake")
+endforeach()
+
+foreach(folder generator runtime)
+  if(EXISTS "${PROJECT_SOURCE_DIR}/${folder}")
+    install(DIRECTORY "${folder}" DESTINATION "${TORSOR_INCLUDE_DIR}" FILES_MATCHING PATTERN "*.hpp")
+  endif()
+endforeach()
+
+configure_package_config_file(cmake/torsorConfig.cmake.in "${PROJECT_BINARY_DIR}/torsorConfig.cmake"
+  INSTALL_DESTINATION "${package_dir}")
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/torsorConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
+# Beside the configuration in the build tree too, where find_package(torsor) with torsor_DIR finds it.
+file(COPY_FILE "${PROJECT_SOURCE_DIR}/cmake/torsor_add_mechanism.cmake"
+  "${PROJECT_BINARY_DIR}/torsor_add_mechanism.cmake" ONLY_IF_DIFFERENT)
+install(FILES "${PROJECT_BINARY_DIR}/torsorConfig.cmake" "${PROJECT_BINARY_DIR}/torsorConfigVersion.cmake"
+  cmake/torsor_add_mechanism.cmake DESTINATION "${package_dir}")
+install(DIRECTORY LICENSES/ DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/torsor/LICENSES")
