@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <cmath>
+#include <vector>
+namespace torsor {
+template <class Scalar>
+struct scalar_traits {};
+}  // namespace torsor
+
+namespace case_under_test {
+template <class Scalar>
+struct Mechanism {
+  struct State {
+    std::array<Scalar, 2> q;
+  };
+  static Scalar energy(const State& state) noexcept {
+    return state.q[0];
+  }
+};
+}  // namespace case_under_test

@@ -1,0 +1,71 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# check_sources.sh ROOT: the rules of the layout that a compiler does not check. Prints each violation and fails.
+#  * a file of generator/ includes its own floor or a lower one; runtime/ and examples' mains never include generator/;
+#  * a generated header includes <array> and <cmath> only;
+#  * the SPDX line near the top names the licence of the folder;
+#  * no source is above 500 lines (what is generated may be).
+set -euo pipefail
+cd "$1"
+
+find . \( -path ./build -o -path './.*' \) -prune -o -type f \
+  \( -name '*.cpp' -o -name '*.hpp' -o -name '*.h' -o -name '*.cmake' -o -name '*.cmake.in' -o -name '*.sh' \
+     -o -name CMakeLists.txt -o -path './templates/*' -o -path './scripts/*' \) -printf '%P\n' | LC_ALL=C sort |
+awk '
+  BEGIN {
+    floors = "expression 0 geometry 1 mechanics 2 dynamics 3 import 3 emission 4 reading 4 verification 5 cli 6"
+    count = split(floors, word, " ")
+    for (i = 1; i < count; i += 2) height[word[i]] = word[i + 1]
+    split("runtime templates cmake examples generated", list, " ")
+    for (i in list) mit[list[i]] = 1
+  }
+  function violation(text) { print text; bad = 1 }
+  function included(line,   path) {
+    if (line !~ /^[ \t]*#[ \t]*include[ \t]*["<]/) return ""
+    path = line
+    sub(/^[^"<]*["<]/, "", path)
+    sub(/[">].*$/, "", path)
+    return path
+  }
+  function check(file,   part, folder, line, number, licence, spdx, path, piece, code) {
+    split(file, part, "/")
+    folder = file ~ /\// ? part[1] : ""
+    licence = folder in mit ? "MIT" : "GPL-3.0-or-later"
+    code = file ~ /\.(cpp|hpp|h)$/
+    number = 0
+    spdx = ""
+    while ((getline line < file) > 0) {
+      ++number
+      if (number <= 3 && line ~ /SPDX-License-Identifier: /) {
+        spdx = line
+        sub(/^.*SPDX-License-Identifier: */, "", spdx)
+        sub(/[ \t*\/#>-]*$/, "", spdx)
+      }
+      path = code ? included(line) : ""
+      if (path == "") continue
+      split(path, piece, "/")
+      if (folder == "generator" && piece[1] == "generator") {
+        if (!(part[2] in height)) violation(file ": generator/" part[2] " is no floor; the floors are " floors)
+        else if (!(piece[2] in height)) violation(file ":" number ": generator/" piece[2] " is no floor")
+        else if (height[piece[2]] > height[part[2]])
+          violation(file ":" number ": floor " part[2] " includes the higher floor " piece[2] " (" path ")")
+      }
+      if (folder == "generator" && piece[1] == "runtime") violation(file ":" number ": generator includes runtime (" path ")")
+      if (folder == "runtime" && piece[1] == "generator") violation(file ":" number ": runtime includes generator (" path ")")
+      if (file ~ /^examples\/[^\/]*\/main/ && piece[1] == "generator")
+        violation(file ":" number ": a main includes generator (" path "); only its scene may")
+      if (folder == "generated" && path != "array" && path != "cmath")
+        violation(file ":" number ": a generated header includes <" path ">; only <array> and <cmath> are allowed")
+    }
+    close(file)
+    if (spdx != licence)
+      violation(file ": the SPDX line of its first three lines must read " licence ", not \"" spdx "\"")
+    if (number > 500 && folder != "generated") violation(file ": " number " lines; split it, 500 is the most")
+  }
+  { check($0); ++checked }
+  END {
+    print checked " files checked"
+    if (checked < 10 && !bad) { print "that is too few to be this repository"; bad = 1 }
+    exit bad
+  }
+'

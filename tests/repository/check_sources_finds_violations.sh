@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# check_sources_finds_violations.sh CHECK: the check must pass a clean tree and name each violation put into it.
+set -euo pipefail
+check="$1"
+tree="$(mktemp -d)"
+trap 'rm -rf "$tree"' EXIT
+cd "$tree"
+
+gpl='// SPDX-License-Identifier: GPL-3.0-or-later'
+mit='// SPDX-License-Identifier: MIT'
+put() {  # put FILE LINE...
+  mkdir -p "$(dirname "$1")"
+  printf '%s\n' "${@:2}" > "$1"
+}
+for i in 1 2 3 4 5 6; do put "generator/expression/file_$i.hpp" "$gpl"; done
+put generator/mechanics/body.hpp "$gpl" '#include "generator/expression/file_1.hpp"'
+put generator/dynamics/lagrange.hpp "$gpl" '#include "generator/mechanics/body.hpp"'
+put runtime/solve.hpp "$mit" '#include <Eigen/Dense>'
+put generated/arm.hpp "$mit" '#include <array>' '#include <cmath>'
+put scripts/run '#!/bin/sh' '# SPDX-License-Identifier: GPL-3.0-or-later'
+bash "$check" "$tree" || { echo "a clean tree was refused"; exit 1; }
+
+expect() {  # expect TEXT FILE LINE...: with that file the check must fail and print the text
+  local text="$1" file="$2" before="" output
+  [ -f "$file" ] && before="$(cat "$file")"
+  put "${@:2}"
+  if output="$(bash "$check" "$tree")"; then echo "not refused: $file"; exit 1; fi
+  grep -qF -- "$text" <<< "$output" || { echo "$file: expected '$text', got: $output"; exit 1; }
+  if [ -n "$before" ]; then printf '%s\n' "$before" > "$file"; else rm "$file"; fi
+}
+expect 'includes the higher floor dynamics' generator/mechanics/x.cpp "$gpl" '#include "generator/dynamics/lagrange.hpp"'
+expect 'includes the higher floor cli' generator/verification/x.hpp "$gpl" '#  include "generator/cli/main.hpp"'
+expect 'generator includes runtime' generator/cli/x.cpp "$gpl" '#include "runtime/solve.hpp"'
+expect 'is no floor' generator/misc/x.cpp "$gpl" '#include "generator/mechanics/body.hpp"'
+expect 'runtime includes generator' runtime/x.hpp "$mit" '#include "generator/expression/file_1.hpp"'
+expect 'a main includes generator' examples/arm/main.cpp "$mit" '#include "generator/mechanics/body.hpp"'
+expect 'only <array> and <cmath>' generated/x.hpp "$mit" '#include <vector>'
+expect 'must read MIT' runtime/x.hpp "$gpl"
+expect 'must read GPL-3.0-or-later' generator/cli/x.cpp "$mit"
+expect 'must read GPL-3.0-or-later' tests/x.cpp '// nothing'
+expect 'must read GPL-3.0-or-later' scripts/run '#!/bin/sh'
+mapfile -t long < <(yes 'int x;' | head -n 500)
+expect '501 lines' generator/cli/long.cpp "$gpl" "${long[@]}"
+echo "each violation was found"
