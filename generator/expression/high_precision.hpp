@@ -26,8 +26,7 @@ class Real {
   Real() = default;
   /// Exact integer at the working precision.
   template <std::integral Integer>
-    requires(!std::same_as<Integer, bool>)
-  explicit Real(Integer value) : Real(Number(value), working_digits()) {}
+  requires(!std::same_as<Integer, bool>) explicit Real(Integer value) : Real(Number(value), working_digits()) {}
   template <std::floating_point Float>
   Real(Float) = delete;
   /// Nearest value of that precision, rounded once.

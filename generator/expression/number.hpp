@@ -23,8 +23,7 @@ class Number {
  public:
   Number() = default;
   template <std::integral Integer>
-    requires(!std::same_as<Integer, bool>)
-  Number(Integer value) : parts_{cln::cl_RA(cln::cl_I(value)), 0, 0, 0} {}
+  requires(!std::same_as<Integer, bool>) Number(Integer value) : parts_{cln::cl_RA(cln::cl_I(value)), 0, 0, 0} {}
   Number(const cln::cl_RA& value) : parts_{value, 0, 0, 0} {}
   template <std::floating_point Float>
   Number(Float) = delete;

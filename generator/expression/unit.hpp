@@ -7,24 +7,25 @@
 #include <string>
 #include <string_view>
 
+#include "generator/expression/error.hpp"
+
 namespace torsor {
 
 /// A dimension of the SI: product of powers of kg, m, s, A, K, mol, cd. Exponents are multiples of 1/2 (a root of a
-/// mass is met on the way to a frequency). Radian and steradian are dimensionless. There are no scaled units: a value is
-/// always in the base unit.
+/// mass is met on the way to a frequency). Radian and steradian are dimensionless. There are no scaled units: a value
+/// is always in the base unit.
 class Unit {
  public:
   static constexpr int base_count = 7;
 
   /// Dimensionless.
   constexpr Unit() = default;
-  /// kg^mass m^length s^time A^current K^temperature mol^amount cd^intensity, whole exponents.
+  /// kg^mass m^length s^time A^current K^temperature mol^amount cd^intensity, whole exponents within ±63 (else
+  /// UnitError).
   constexpr explicit Unit(int mass, int length = 0, int time = 0, int current = 0, int temperature = 0, int amount = 0,
                           int intensity = 0)
-      : halves_{static_cast<std::int8_t>(2 * mass),        static_cast<std::int8_t>(2 * length),
-                static_cast<std::int8_t>(2 * time),        static_cast<std::int8_t>(2 * current),
-                static_cast<std::int8_t>(2 * temperature), static_cast<std::int8_t>(2 * amount),
-                static_cast<std::int8_t>(2 * intensity)} {}
+      : halves_{halves(mass),        halves(length), halves(time),     halves(current),
+                halves(temperature), halves(amount), halves(intensity)} {}
 
   /// Reads "kg m^2/s^2", "N*m", "N·m", "N s/m", "rad/s", "J/(kg K)", "m^(1/2)", "1". Factors are joined by a space, '*'
   /// or '·'; each '/' divides by the one factor or parenthesis after it. A product after a '/' ("J/kg K") has two
@@ -49,6 +50,11 @@ class Unit {
   std::string to_string() const;
 
  private:
+  static constexpr std::int8_t halves(int exponent) {
+    if (exponent > 63 || exponent < -63) throw UnitError("a unit's exponent lies beyond 63: check its powers");
+    return static_cast<std::int8_t>(2 * exponent);
+  }
+
   std::array<std::int8_t, base_count> halves_{};
 };
 

@@ -7,8 +7,8 @@
 
 namespace torsor {
 
-/// P S A = L U of a dense square matrix: Gaussian elimination with partial pivoting after scaling each row by a power of
-/// two, so that rows of different units compete fairly (Golub & Van Loan, Matrix Computations, 3.4 and 3.5.2).
+/// P S A = L U of a dense square matrix: Gaussian elimination with partial pivoting after scaling each row by a power
+/// of two, so that rows of different units compete fairly (Golub & Van Loan, Matrix Computations, 3.4 and 3.5.2).
 class LuFactorisation {
  public:
   /// `column_major` holds size×size entries, entry (i, j) at i + j·size. Throws Error naming the pivot when the matrix
@@ -21,9 +21,9 @@ class LuFactorisation {
 
  private:
   int size_;
-  std::vector<Real> factors_;        // L below the diagonal (ones left out), U on and above it
-  std::vector<int> row_exponents_;   // row i of A was multiplied by 2^row_exponents_[i]
-  std::vector<int> permutation_;     // row k of the factors is row permutation_[k] of A
+  std::vector<Real> factors_;       // L below the diagonal (ones left out), U on and above it
+  std::vector<int> row_exponents_;  // row i of A was multiplied by 2^row_exponents_[i]
+  std::vector<int> permutation_;    // row k of the factors is row permutation_[k] of A
 };
 
 /// x with A x = b for one right-hand side; errors as above.

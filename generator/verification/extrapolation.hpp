@@ -13,9 +13,9 @@ using DifferentialEquation = std::function<std::vector<Real>(const Real& t, cons
 
 /// How an extrapolation integration is done.
 struct ExtrapolationOptions {
-  int columns = 14;                ///< columns K of the tableau: order 2K, K² + 1 evaluations of f a step
-  int tolerance_digits = 40;       ///< local error below 10^-tolerance_digits · max(1, |y_i|)
-  int work_digits = 60;            ///< precision of the arithmetic; the tableau itself costs some 5 digits
+  int columns = 14;           ///< columns K of the tableau: order 2K, K² + 1 evaluations of f a step
+  int tolerance_digits = 40;  ///< local error below 10^-tolerance_digits · max(1, |y_i|)
+  int work_digits = 60;       ///< precision of the arithmetic; the tableau itself costs some 5 digits
   long maximum_step_count = 100000;
 };
 
@@ -28,8 +28,9 @@ struct ConvergedSolution {
 
 /// y at each of `times` (monotonic, in either direction from t0; the integration lands on each of them exactly).
 /// Gragg-Bulirsch-Stoer: explicit midpoint rule without smoothing over 2, 4, ..., 2K sub-steps, extrapolated in h², own
-/// step control (Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, II.9, (9.8), (9.13), (9.20)-(9.22)).
-/// While f runs, Real::working_digits() is work_digits. Errors: UsageError for options or times that make no sense; Error naming t where
+/// step control (Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, II.9, (9.10) and (9.13)).
+/// While f runs, Real::working_digits() is work_digits; give y0 and the times with at least as many digits. Errors:
+/// UsageError for options or times that make no sense; Error naming t where
 /// f is not a number, the step vanishes or there are too many steps.
 std::vector<std::vector<Real>> integrate(const DifferentialEquation& f, const std::vector<Real>& y0, const Real& t0,
                                          const std::vector<Real>& times, const ExtrapolationOptions& options);

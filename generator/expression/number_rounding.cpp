@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Correct rounding of exact numbers to binary floating point.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "generator/expression/number.hpp"
+
+namespace torsor {
+namespace {
+
+/// Nearest Float to a positive rational: the quotient is cut after the bits the format has at that magnitude, and the
+/// remainder decides the rounding, ties to even (IEEE 754-2019, 4.3.1).
+template <class Float>
+Float round_positive(const cln::cl_RA& value) {
+  using Limits = std::numeric_limits<Float>;
+  cln::cl_I numerator = cln::numerator(value);
+  cln::cl_I denominator = cln::denominator(value);
+  const long exponent =  // 2^(exponent-1) < value < 2^(exponent+1)
+      static_cast<long>(cln::integer_length(numerator)) - static_cast<long>(cln::integer_length(denominator));
+  if (exponent > Limits::max_exponent + 1) return Limits::infinity();
+  if (exponent < Limits::min_exponent - Limits::digits - 2) return Float(0);
+  const long smallest_unit = Limits::min_exponent - Limits::digits;  // exponent of the smallest subnormal
+  const auto reaches = [&](long power) {                             // value >= 2^power
+    return power >= 0 ? numerator >= (denominator << power) : (numerator << -power) >= denominator;
+  };
+  const long top = reaches(exponent) ? exponent : exponent - 1;  // 2^top <= value < 2^(top+1)
+  const long unit = std::max(top - Limits::digits + 1, smallest_unit);
+  if (unit > 0) {
+    denominator = denominator << unit;
+  } else {
+    numerator = numerator << -unit;
+  }
+  const cln::cl_I_div_t division = cln::floor2(numerator, denominator);
+  cln::cl_I mantissa = division.quotient;
+  const auto half = cln::compare(division.remainder << 1, denominator);
+  if (half > 0 || (half == 0 && cln::oddp(mantissa))) mantissa = mantissa + 1;
+  // The mantissa is at most 2^digits and the unit no smaller than that of subnormals: exact, or infinite.
+  return std::ldexp(static_cast<Float>(cln::cl_I_to_long(mantissa)), static_cast<int>(unit));
+}
+
+template <class Float>
+Float round_rational(const cln::cl_RA& value) {
+  if (cln::zerop(value)) return Float(0);
+  return cln::minusp(value) ? -round_positive<Float>(-value) : round_positive<Float>(value);
+}
+
+/// An irrational number is never halfway between two floats: a narrow enough enclosure has both ends on one side.
+template <class Float>
+Float round_number(const Number& number) {
+  if (number.is_rational()) return round_rational<Float>(number.part(0));
+  for (int bits = 128;; bits *= 2) {
+    const auto [lower, upper] = number.enclosure(bits);
+    const Float low = round_rational<Float>(lower);
+    const Float high = round_rational<Float>(upper);
+    if (low == high && (low != 0 || std::signbit(low) == std::signbit(high))) return low;
+  }
+}
+
+}  // namespace
+
+std::pair<cln::cl_RA, cln::cl_RA> Number::enclosure(int bits) const {
+  cln::cl_RA lower = parts_[0];
+  cln::cl_RA upper = parts_[0];
+  for (int index = 1; index < 4; ++index) {
+    const cln::cl_RA& coefficient = parts_[index];
+    if (cln::zerop(coefficient)) continue;
+    // Four guard bits and those of the coefficient keep the sum of three widths below 2^-bits.
+    const long magnitude = static_cast<long>(cln::integer_length(cln::numerator(coefficient))) -
+                           static_cast<long>(cln::integer_length(cln::denominator(coefficient))) + 1;
+    const long shift = std::max(0L, bits + 4L + magnitude);
+    constexpr int radicands[] = {1, 2, 3, 6};
+    const cln::cl_I floor = cln::isqrt(cln::cl_I(radicands[index]) << (2 * shift));
+    const cln::cl_I scale = cln::cl_I(1) << shift;
+    const cln::cl_RA below = coefficient * (cln::cl_RA(floor) / scale);
+    const cln::cl_RA above = coefficient * (cln::cl_RA(floor + 1) / scale);
+    const bool negative = cln::minusp(coefficient);
+    lower = lower + (negative ? above : below);
+    upper = upper + (negative ? below : above);
+  }
+  return {lower, upper};
+}
+
+double Number::to_double() const { return round_number<double>(*this); }
+float Number::to_float() const { return round_number<float>(*this); }
+
+}  // namespace torsor
