@@ -75,7 +75,10 @@ Real::Real(const Number& value, int digits) : value_(round_to(value, format_for(
 
 Real Real::from_double(double value, int digits) {
   if (!std::isfinite(value)) return not_a_number();
-  return Real(cln::cl_float(cln::cl_F(value), format_for(digits)));
+  // By its mantissa of 53 bits: CLN's own conversion throws on subnormals.
+  int exponent = 0;
+  const auto mantissa = static_cast<long>(std::ldexp(std::frexp(value, &exponent), 53));
+  return Real(cln::scale_float(cln::cl_float(cln::cl_I(mantissa), format_for(digits)), exponent - 53));
 }
 
 Real Real::parse(std::string_view text, int digits) { return Real(parse_decimal(text), digits); }

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "generator/dynamics/actions.hpp"
+#include "generator/dynamics/constraints.hpp"
+#include "generator/dynamics/forward_dynamics.hpp"
+#include "generator/dynamics/virtual_power.hpp"
+
+namespace torsor {
+
+/// The equations of one scene in one program, each part derived when first asked for:
+/// M q̈ + h = E u + Aᵀ λ, A q̈ + γ = 0.
+class Equations {
+ public:
+  explicit Equations(const Scene& scene, const ModelOptions& options = {});
+
+  const Scene& scene() const { return scene_; }
+  Program& program() const { return *program_; }
+  const Model& model() const { return model_; }
+
+  const AppliedActions& actions() const;
+  const std::vector<ConstraintRow>& constraints() const;
+  const ValueMatrix& mass() const;                       ///< unknowns only
+  const std::vector<Value>& bias() const;                ///< h_i, every coordinate (released ones last)
+  const std::vector<Value>& inverse_dynamics() const;    ///< M q̈ + h − Σ λ_j column_j, every coordinate
+  const ForwardSolution& forward() const;                ///< unknowns only
+
+ private:
+  std::vector<Value> inertia_and_passive(AccelerationInput input) const;
+
+  Scene scene_;
+  std::unique_ptr<Program> program_;
+  Model model_;
+  mutable std::optional<AppliedActions> actions_;
+  mutable std::optional<std::vector<ConstraintRow>> constraints_;
+  mutable std::optional<ValueMatrix> mass_;
+  mutable std::optional<std::vector<Value>> bias_, inverse_;
+  mutable std::optional<ForwardSolution> forward_;
+};
+
+}  // namespace torsor

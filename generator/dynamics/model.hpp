@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "generator/expression/program.hpp"
+#include "generator/geometry/vector.hpp"
+#include "generator/mechanics/scene.hpp"
+
+namespace torsor {
+
+/// How a scene's symbols enter a program.
+struct ModelOptions {
+  bool symbolic_parameters = false;       ///< keep every parameter as a symbol (printed equations)
+  bool all_run_time = false;              ///< the same for kernels: `--run-time all`
+  std::set<std::string> run_time;         ///< further parameters that stay symbols
+  bool hold_released = true;              ///< released coordinates and their rates are zero; off: they are coordinates
+  bool regroup = true;                    ///< move inertia across joints where it has the same effect (exact)
+};
+
+/// Inertia of what is attached to one link: mass [kg], first moment h = m OG [kg m] and operator about the link's
+/// origin [kg m²], in the link's axes.
+struct MassProperties {
+  Value mass;
+  Vector first_moment;
+  Matrix inertia;  ///< symmetric
+};
+
+/// A frame that moves relative to its parent; everything welded to it is gathered in it. Link 0 is the ground.
+struct Link {
+  std::string name;
+  int parent = -1;
+  Rotation placement_rotation;  ///< from the joint's fixed axes to the parent link's
+  Vector placement_origin;      ///< of the joint, in the parent link's axes
+  JointKind joint = JointKind::weld;
+  Vector axis;                  ///< unit vector, the same components on both sides of the joint
+  int aligned = -1;             ///< 0, 1, 2 when the axis is ± x, y, z, else -1
+  Value displacement, rate, acceleration;  ///< s [rad or m], ds/dt, d²s/dt²
+  Value sine, cosine;                      ///< of the angle, sign of the axis included when it is aligned
+  Matrix rotation;                         ///< child to parent, for an axis that is not aligned
+  std::vector<std::pair<int, Value>> partials;  ///< (i, ∂s/∂q_i), not zero
+  MassProperties mass;       ///< of the bodies attached
+  MassProperties effective;  ///< after regrouping: other numbers, same equations of motion
+};
+
+/// Where a frame of the scene went: a constant placement in a link.
+struct FramePlace {
+  int link = 0;
+  Rotation rotation;
+  Vector origin;
+};
+
+/// A scene in a program: links, coordinates and what they need. The base of every derivation.
+class Model {
+ public:
+  Model(const Scene& scene, Program& program, const ModelOptions& options = {});
+
+  /// The resolver a program for this scene must be made with.
+  static Program::Resolver resolver(const Scene& scene, const ModelOptions& options);
+
+  const SceneContent& scene() const { return *scene_; }
+  Program& program() const { return *program_; }
+  const std::vector<Link>& links() const { return links_; }
+  const FramePlace& place(const FrameReference& frame, const std::string& user) const;
+
+  /// The unknowns q_i, in order of declaration, then the released coordinates.
+  const std::vector<CoordinateContent>& coordinates() const { return coordinates_; }
+  int unknown_count() const { return unknown_count_; }
+  int released_count() const { return static_cast<int>(coordinates_.size()) - unknown_count_; }
+  std::vector<SymbolPointer> inputs() const;
+
+  Value q(int i) const { return program_->symbol(coordinates_[static_cast<std::size_t>(i)].q); }
+  Value v(int i) const { return program_->symbol(coordinates_[static_cast<std::size_t>(i)].v); }
+  Value a(int i) const { return program_->symbol(coordinates_[static_cast<std::size_t>(i)].a); }
+
+  /// Components of a vector in the axes of another link.
+  Vector express(const Vector& v, int from, int to) const;
+  /// Components of a point (from one link's origin) seen from another link's origin, in that link's axes.
+  Vector locate(const Vector& p, int from, int to) const;
+  /// A point of the scene in the axes of a link.
+  Vector locate(const PointReference& point, int link, const std::string& user) const;
+  /// A direction given in a frame of the scene, in the axes of a link.
+  Vector express(const Triple& direction, const FrameReference& axes, int link, const std::string& user) const;
+
+  /// Components in the parent link's axes of a vector given in the link's own, and the way back.
+  Vector to_parent(const Link& link, const Vector& v) const;
+  Vector from_parent(const Link& link, const Vector& v) const;
+  /// Origin of the link in its parent, in the parent's axes.
+  Vector origin_in_parent(const Link& link) const;
+  /// Axis of the joint in the parent link's axes.
+  Vector axis_in_parent(const Link& link) const;
+  /// Chain of links from the first after the ground down to `link`.
+  std::vector<int> chain(int link) const;
+
+ private:
+  void add_coordinates(const ModelOptions& options);
+  void add_links(const ModelOptions& options);
+  void set_motion(Link& link, const FrameContent& frame, const ModelOptions& options);
+  void add_bodies();
+
+  const SceneContent* scene_;
+  Program* program_;
+  std::vector<CoordinateContent> coordinates_;
+  int unknown_count_ = 0;
+  std::vector<Link> links_;
+  std::vector<FramePlace> places_;  ///< by frame of the scene
+};
+
+/// Moves to the parent the part of each link's inertia that a turn about its axis leaves alone (a mass distributed on
+/// the axis), and for a prismatic joint the whole operator: the equations of motion stay the same and lose operations
+/// (Gautier & Khalil, Direct calculation of minimum set of inertial parameters of serial robots, 1990).
+void regroup_inertia(const Model& model, std::vector<Link>& links);
+
+/// Adds the mass properties of a part placed in the link by a constant rotation and origin (generalised Huygens).
+void add_placed(Program& program, MassProperties& sum, const MassProperties& part, const Rotation& rotation,
+                const Vector& origin);
+
+}  // namespace torsor

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/dynamics/motion.hpp"
+
+#include "generator/expression/derivative.hpp"
+
+namespace torsor {
+
+Value reciprocal_product(const Wrench& wrench, const Twist& twist) {
+  const Value linear = dot(wrench.resultant, twist.linear);
+  const Value angular = dot(wrench.moment, twist.angular);
+  return linear + angular;
+}
+Value reciprocal_product(const MomentumScrew& momentum, const Twist& twist) {
+  const Value linear = dot(momentum.resultant, twist.linear);
+  const Value angular = dot(momentum.moment, twist.angular);
+  return linear + angular;
+}
+
+std::vector<Twist> twists(const Model& model) {
+  Program& program = model.program();
+  std::vector<Twist> all(model.links().size());
+  for (std::size_t k = 1; k < all.size(); ++k) {
+    const Link& link = model.links()[k];
+    const Twist& parent = all[static_cast<std::size_t>(link.parent)];
+    const Vector origin = model.origin_in_parent(link);
+    Vector linear = bound(program, parent.linear + cross(parent.angular, bound(program, origin)));
+    Vector angular = model.from_parent(link, parent.angular);
+    linear = model.from_parent(link, linear);
+    const Vector joint = link.rate * link.axis;
+    (link.joint == JointKind::revolute ? angular : linear) += joint;
+    all[k].angular = bound(program, angular, "angular velocity of " + link.name);
+    all[k].linear = bound(program, linear, "velocity of " + link.name);
+  }
+  return all;
+}
+
+MomentumScrew momentum(const MassProperties& body, const Twist& twist) {
+  MomentumScrew screw;
+  screw.resultant = body.mass * twist.linear;
+  screw.resultant += cross(twist.angular, body.first_moment);
+  screw.moment = body.inertia * twist.angular;
+  screw.moment += cross(body.first_moment, twist.linear);
+  return screw;
+}
+
+Acceleration::Acceleration(Program& program, std::string name, Vector omega, Vector angular, Vector linear)
+    : program_(&program),
+      name_(std::move(name)),
+      omega_(std::move(omega)),
+      angular_(std::move(angular)),
+      linear_(std::move(linear)) {}
+
+Value Acceleration::product(int i, int j) { return program_->bind(omega_[i] * omega_[j]); }
+
+const Value& Acceleration::u(int i, int j) {
+  std::optional<Value>& entry = u_[static_cast<std::size_t>(3 * i + j)];
+  if (!entry) {
+    Value value;
+    if (i == j) {
+      const Value first = product((i + 1) % 3, (i + 1) % 3);
+      const Value second = product((i + 2) % 3, (i + 2) % 3);
+      value = -(first + second);
+    } else {
+      const int k = 3 - i - j;
+      const bool positive = (j - i + 3) % 3 == 2;  // [Ω̇]_ij = −Ω̇_k for (i, j) in cyclic order
+      value = product(i, j) + Number(positive ? 1 : -1) * angular_[k];
+    }
+    entry = program_->bind(value);
+  }
+  return *entry;
+}
+
+Vector Acceleration::u_times(const Vector& v) {
+  Vector product;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      if (!v[j].is_zero()) product[i] += u(i, j) * v[j];
+    }
+  }
+  return product;
+}
+
+std::vector<Acceleration> accelerations(const Model& model, AccelerationInput input) {
+  Program& program = model.program();
+  Substitution at_rest(program, [&](const SymbolPointer& symbol) -> std::optional<Value> {
+    if (symbol->kind != SymbolKind::acceleration) return std::nullopt;
+    return program.number(Number(), symbol->unit);
+  });
+  std::vector<Acceleration> all;
+  all.reserve(model.links().size());
+  const Vector gravity = lower(program, model.scene().gravity);
+  all.emplace_back(program, "ground", Vector(), Vector(), -gravity);
+  for (std::size_t k = 1; k < model.links().size(); ++k) {
+    const Link& link = model.links()[k];
+    Acceleration& parent = all[static_cast<std::size_t>(link.parent)];
+    const Value s_dot = link.rate;
+    const Value s_ddot = input == AccelerationInput::zero ? at_rest(link.acceleration) : link.acceleration;
+    const Vector origin = bound(program, model.origin_in_parent(link));
+    Vector linear = parent.linear() + parent.u_times(origin);
+    Vector omega = model.from_parent(link, parent.omega());
+    Vector angular = model.from_parent(link, parent.angular());
+    if (link.joint == JointKind::prismatic) {
+      const Vector axis = model.axis_in_parent(link);
+      linear += Number(2) * s_dot * cross(parent.omega(), axis);
+      linear += s_ddot * axis;
+    }
+    linear = model.from_parent(link, bound(program, linear));
+    if (link.joint == JointKind::revolute) {
+      // Ω̇ = Ω̇_parent + s̈ n + ṡ Ω_parent ∧ n: the turn of the axis with the parent.
+      angular += s_dot * cross(omega, link.axis);
+      angular += s_ddot * link.axis;
+      omega += s_dot * link.axis;
+    }
+    all.emplace_back(program, link.name, bound(program, omega, "angular velocity of " + link.name),
+                     bound(program, angular, "angular acceleration of " + link.name),
+                     bound(program, linear, "acceleration of " + link.name));
+  }
+  return all;
+}
+
+}  // namespace torsor

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "generator/dynamics/model.hpp"
+
+namespace torsor {
+
+/// Twist of a link relative to the ground, reduced at the link's origin O, in the link's axes.
+struct Twist {
+  Vector angular;  ///< Ω [rad/s]
+  Vector linear;   ///< V(O) [m/s]
+};
+
+/// Wrench on a link reduced at the link's origin, in the link's axes. Never added to a twist: another type.
+struct Wrench {
+  Vector resultant;  ///< [N]
+  Vector moment;     ///< [N m]
+};
+
+/// Momentum screw {m V_G, σ_O} of what is attached to a link, in the link's axes.
+struct MomentumScrew {
+  Vector resultant;  ///< [kg m/s]
+  Vector moment;     ///< [kg m²/s]
+};
+
+/// Reciprocal product (power) of a wrench and a twist reduced at the same point: R·V + M·Ω.
+Value reciprocal_product(const Wrench& wrench, const Twist& twist);
+Value reciprocal_product(const MomentumScrew& momentum, const Twist& twist);
+
+/// Twists of all links by composition along the chains, one joint at a time; each result is bound.
+std::vector<Twist> twists(const Model& model);
+
+/// Momentum screw at O: {m V_O + Ω ∧ h, J Ω + h ∧ V_O}, h = m OG.
+MomentumScrew momentum(const MassProperties& body, const Twist& twist);
+
+/// Accelerations of one link: Ω̇ and Γ(O) − g, in the link's axes, and the array U = [Ω̇] + [Ω][Ω] that gives the
+/// acceleration of any point P of the link: Γ(P) = Γ(O) + U OP. Entries of U are made when first wanted.
+class Acceleration {
+ public:
+  Acceleration() = default;
+  Acceleration(Program& program, std::string name, Vector omega, Vector angular, Vector linear);
+
+  const Vector& omega() const { return omega_; }
+  const Vector& angular() const { return angular_; }
+  const Vector& linear() const { return linear_; }
+  const Value& u(int row, int column);
+  Vector u_times(const Vector& v);
+
+ private:
+  Value product(int i, int j);  ///< ω_i ω_j
+
+  Program* program_ = nullptr;
+  std::string name_;
+  Vector omega_, angular_, linear_;
+  std::array<std::optional<Value>, 9> u_;
+};
+
+/// Which accelerations q̈ the recursion is run with.
+enum class AccelerationInput {
+  symbols,  ///< q̈ as symbols
+  zero,     ///< q̈ = 0: what remains is the bias
+};
+
+/// Accelerations of all links at (q, q̇, q̈), gravity included as an upward acceleration of the ground.
+std::vector<Acceleration> accelerations(const Model& model, AccelerationInput input);
+
+}  // namespace torsor

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "generator/dynamics/equations.hpp"
+
+namespace torsor {
+
+/// One member of a result structure: a scalar, or a matrix stored column by column.
+struct Member {
+  std::string name;
+  int rows = 1;
+  int columns = 1;
+  std::string documentation;  ///< meaning, frame and unit, e.g. "kinetic energy T [J]"
+  bool scalar = true;         ///< false: std::array<Scalar, rows * columns>
+};
+
+/// A structure of the generated header that one kernel brings along.
+struct Structure {
+  std::string name;
+  std::string documentation;
+  std::vector<Member> members;
+};
+
+/// What a kernel reads besides `precomputed` and `state`.
+enum class Argument { accelerations, multipliers, inputs };
+
+/// What a kernel writes: a reference parameter `type& name`.
+struct Result {
+  std::string type;  ///< "GeneralizedForces", "std::array<Scalar, 4>", or the name of a structure of the kernel
+  std::string name;
+};
+
+/// `target = value`, e.g. {"mass[2]", M_01}. The same value may go to several targets.
+struct Assignment {
+  std::string target;
+  Value value;
+};
+
+/// A kernel as data: emitters print it, counters count it, checkers evaluate it.
+struct Kernel {
+  std::string name;
+  std::string documentation;  ///< one or more lines: equation, layout, units
+  std::vector<Argument> arguments;
+  std::vector<Structure> structures;
+  std::vector<Result> results;
+  std::vector<Assignment> assignments;
+  std::vector<std::pair<Value, Value>> pivots;  ///< (pivot, diagonal): not empty means the kernel returns a Status
+  std::string skipped;  ///< not empty: why there is nothing to compute; the kernel is absent from the header
+
+  std::vector<Value> values() const;  ///< everything that must be computed, pivots included
+};
+
+/// Names of all kernels, in the order of the header.
+const std::vector<std::string>& kernel_names();
+
+/// Builds a kernel on the equations' program. Throws UsageError naming an unknown kernel and listing the known ones.
+Kernel make_kernel(const std::string& name, const Equations& equations);
+
+/// Splits a comma-separated list, "all" meaning every kernel; checks the names and removes repetitions.
+std::vector<std::string> parse_kernel_list(const std::string& list);
+
+}  // namespace torsor

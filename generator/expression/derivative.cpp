@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/expression/derivative.hpp"
+
+#include <map>
+
+#include <fmt/format.h>
+
+#include "generator/expression/error.hpp"
+
+namespace torsor {
+namespace {
+
+/// coefficient · exponent · monomial / atom: the partial derivative of a term with respect to one of its factors.
+Term partial_of_term(const Term& term, const Factor& factor) {
+  return {term.monomial * Monomial{{factor.atom, -1}}, term.coefficient * Number(factor.exponent)};
+}
+
+/// ∂f(x)/∂x for the atom f(x).
+Value slope(Program& program, Atom atom) {
+  const Definition definition = program[atom];
+  const Value self = program.atom_value(atom);
+  switch (*definition.function) {
+    case Function::sin: return program.atom_value(definition.partner);
+    case Function::cos: return -program.atom_value(definition.partner);
+    case Function::exp: return self;
+    case Function::log: return pow(program.atom_value(definition.argument), -1);
+    case Function::sqrt: return Number::rational(1, 2) * pow(self, -1);
+  }
+  return {};
+}
+
+/// The memo of an atom; the table grows with the program.
+std::optional<Value>& slot(std::vector<std::optional<Value>>& table, Atom atom) {
+  const auto index = static_cast<std::size_t>(atom);
+  if (table.size() <= index) table.resize(index + 1);
+  return table[index];
+}
+
+}  // namespace
+
+Derivation::Derivation(Program& program, Seed seed, Unit variable)
+    : program_(&program), seed_(std::move(seed)), variable_(variable) {}
+
+Value Derivation::operator()(const Value& value) { return of_polynomial(value.polynomial(), value.unit()); }
+
+Value Derivation::of_polynomial(const Polynomial& polynomial, const Unit& unit) {
+  Value sum(*program_, Polynomial(), unit / variable_);
+  for (const Term& term : polynomial.terms()) {
+    for (const Factor& factor : term.monomial) {
+      const Value inner = of_atom(factor.atom);
+      if (inner.is_zero()) continue;
+      const Value outer(*program_, Polynomial(partial_of_term(term, factor)), unit / (*program_)[factor.atom].unit);
+      sum += outer * inner;
+    }
+  }
+  return sum;
+}
+
+Value Derivation::of_atom(Atom atom) {
+  if (const auto& known = slot(known_, atom)) return *known;
+  const Definition definition = (*program_)[atom];  // a copy: the program grows below
+  Value derivative;
+  if (definition.symbol) {
+    derivative = seed_(definition.symbol);
+  } else if (definition.function) {
+    const Value inner = of_atom(definition.argument);
+    if (!inner.is_zero()) derivative = program_->bind(slope(*program_, atom) * inner);
+  } else {
+    derivative = program_->bind(of_polynomial(definition.polynomial, definition.unit));
+  }
+  slot(known_, atom) = derivative;
+  return derivative;
+}
+
+Derivation partial_derivation(Program& program, const SymbolPointer& symbol) {
+  return {program,
+          [&program, symbol](const SymbolPointer& other) {
+            return other == symbol ? program.number(Number(1)) : Value();
+          },
+          symbol->unit};
+}
+
+Derivation time_derivation(Program& program) {
+  const auto seed = [&program](const SymbolPointer& symbol) -> Value {
+    switch (symbol->kind) {
+      case SymbolKind::time: return program.number(Number(1));
+      case SymbolKind::pi:
+      case SymbolKind::parameter: return {};
+      default: break;
+    }
+    if (!symbol->rate) {
+      throw SceneError(fmt::format("'{}' has no known time derivative: only time, parameters, coordinates and their "
+                                   "velocities may stand under d/dt",
+                                   symbol->name));
+    }
+    return program.symbol(symbol->rate);
+  };
+  return {program, seed, Unit::parse("s")};
+}
+
+Value time_derivative(const Value& value) {
+  if (value.is_constant()) return {*value.program(), Polynomial(), value.unit() / Unit::parse("s")};
+  Derivation derivation = time_derivation(*value.program());
+  return derivation(value);
+}
+
+std::vector<Value> gradient(const Value& value, const std::vector<SymbolPointer>& symbols) {
+  Program& program = *value.program();
+  std::map<Atom, Value> adjoints;  // ordered by atom: the sweep goes from the last definition to the first
+  const auto spread = [&](const Polynomial& polynomial, const Unit& unit, const Value& adjoint) {
+    for (const Term& term : polynomial.terms()) {
+      for (const Factor& factor : term.monomial) {
+        const Value partial(program, Polynomial(partial_of_term(term, factor)), unit / program[factor.atom].unit);
+        adjoints[factor.atom] += partial * adjoint;
+      }
+    }
+  };
+  spread(value.polynomial(), value.unit(), program.number(Number(1)));
+  std::map<const Symbol*, Value> found;
+  while (!adjoints.empty()) {
+    const auto last = std::prev(adjoints.end());
+    const Atom atom = last->first;
+    const Definition definition = program[atom];
+    const Value adjoint = program.bind(last->second);
+    adjoints.erase(last);
+    if (adjoint.is_zero()) continue;
+    if (definition.symbol) {
+      found[definition.symbol.get()] = adjoint;
+    } else if (definition.function) {
+      adjoints[definition.argument] += slope(program, atom) * adjoint;
+    } else {
+      spread(definition.polynomial, definition.unit, adjoint);
+    }
+  }
+  std::vector<Value> result;
+  result.reserve(symbols.size());
+  for (const SymbolPointer& symbol : symbols) {
+    const auto place = found.find(symbol.get());
+    result.push_back(place != found.end() ? place->second
+                                          : Value(program, Polynomial(), value.unit() / symbol->unit));
+  }
+  return result;
+}
+
+Substitution::Substitution(Program& program, Replacement replacement)
+    : program_(&program), replacement_(std::move(replacement)) {}
+
+Value Substitution::operator()(const Value& value) {
+  Value sum(*program_, Polynomial(), value.unit());
+  for (const Term& term : value.polynomial().terms()) {
+    Value product = program_->number(term.coefficient);
+    for (const Factor& factor : term.monomial) product = product * pow(of_atom(factor.atom), factor.exponent);
+    // A literal may carry a unit that its atoms do not show; the sum's own unit is the right one.
+    sum += Value(*program_, product.polynomial(), value.unit());
+  }
+  return sum;
+}
+
+Value Substitution::of_atom(Atom atom) {
+  if (const auto& known = slot(known_, atom)) return *known;
+  const Definition definition = (*program_)[atom];
+  Value result;
+  if (definition.symbol) {
+    result = replacement_(definition.symbol).value_or(program_->atom_value(atom));
+  } else if (definition.function) {
+    result = program_->apply(*definition.function, of_atom(definition.argument));
+  } else {
+    result = program_->bind((*this)(Value(*program_, definition.polynomial, definition.unit)), definition.name);
+  }
+  slot(known_, atom) = result;
+  return result;
+}
+
+}  // namespace torsor

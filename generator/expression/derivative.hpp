@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "generator/expression/program.hpp"
+
+namespace torsor {
+
+/// A derivation of a program: D(f g) = D(f) g + f D(g), fixed by what it does to symbols.
+///
+/// Taken definition by definition with the chain rule, memoised, each result bound: linear in the size of the program
+/// (forward differentiation, Griewank & Walther, Evaluating Derivatives, 2nd ed., §3.1). The unit of the independent
+/// variable divides that of the result.
+class Derivation {
+ public:
+  /// D of a symbol; return an empty Value for zero.
+  using Seed = std::function<Value(const SymbolPointer&)>;
+
+  Derivation(Program& program, Seed seed, Unit variable);
+
+  Value operator()(const Value& value);
+
+ private:
+  Value of_atom(Atom atom);
+  Value of_polynomial(const Polynomial& polynomial, const Unit& unit);
+
+  Program* program_;
+  Seed seed_;
+  Unit variable_;
+  std::vector<std::optional<Value>> known_;
+};
+
+/// ∂/∂symbol: every other symbol is constant.
+Derivation partial_derivation(Program& program, const SymbolPointer& symbol);
+
+/// d/dt: 1 for time, q̇ for q, q̈ for q̇, 0 for parameters. Other symbols throw SceneError.
+Derivation time_derivation(Program& program);
+Value time_derivative(const Value& value);
+
+/// Gradient of one value with respect to many symbols by one reverse sweep: its cost is a small multiple of the
+/// value's own, whatever the number of symbols (Griewank & Walther, §3.2).
+std::vector<Value> gradient(const Value& value, const std::vector<SymbolPointer>& symbols);
+
+/// Replaces symbols throughout, rebuilding what depends on them; an empty optional leaves a symbol as it is.
+class Substitution {
+ public:
+  using Replacement = std::function<std::optional<Value>(const SymbolPointer&)>;
+  Substitution(Program& program, Replacement replacement);
+  Value operator()(const Value& value);
+
+ private:
+  Value of_atom(Atom atom);
+
+  Program* program_;
+  Replacement replacement_;
+  std::vector<std::optional<Value>> known_;
+};
+
+}  // namespace torsor

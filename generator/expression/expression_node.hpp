@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "generator/expression/expression.hpp"
+#include "generator/expression/number.hpp"
+
+namespace torsor {
+
+/// The inside of an Expression, for those who lower or print it.
+struct Expression::Node {
+  struct Sum { Expression left, right; };
+  struct Product { Expression left, right; };
+  struct Power { Expression base; int exponent; };
+  struct Apply { Function function; Expression argument; };
+  struct Rate { Expression formula; };
+
+  std::variant<Number, SymbolPointer, Sum, Product, Power, Apply, Rate> content;
+  Unit unit;
+};
+
+}  // namespace torsor

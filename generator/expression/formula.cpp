@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/expression/formula.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace torsor {
+namespace {
+
+/// coefficient · monomial as a product, or a quotient when atoms divide.
+Formula of_term(const Monomial& monomial, const Number& size) {
+  Formula numerator;
+  numerator.kind = Formula::Kind::product;
+  Formula denominator = numerator;
+  if (!size.is_one()) numerator.children.push_back(Formula::of_number(size));
+  for (const Factor& factor : monomial) {
+    Formula& side = factor.exponent > 0 ? numerator : denominator;
+    for (int k = 0; k < std::abs(factor.exponent); ++k) side.children.push_back(Formula::of_atom(factor.atom));
+  }
+  const auto collapse = [](Formula product) {
+    if (product.children.empty()) return Formula::of_number(Number(1));
+    return product.children.size() == 1 ? product.children[0] : product;
+  };
+  if (denominator.children.empty()) return collapse(numerator);
+  Formula quotient;
+  quotient.kind = Formula::Kind::quotient;
+  quotient.children = {collapse(numerator), collapse(denominator)};
+  return quotient;
+}
+
+/// The atom that stands, with a positive exponent, in most terms; at least in two. Ties go to the earliest atom.
+std::optional<Atom> most_shared_atom(const Polynomial& polynomial, int& uses) {
+  std::map<Atom, int> counts;
+  for (const Term& term : polynomial.terms()) {
+    for (const Factor& factor : term.monomial) {
+      if (factor.exponent > 0) ++counts[factor.atom];
+    }
+  }
+  std::optional<Atom> best;
+  uses = 1;
+  for (const auto& [atom, count] : counts) {
+    if (count > uses) best = atom, uses = count;
+  }
+  return best;
+}
+
+std::optional<Number> most_shared_size(const Polynomial& polynomial, int& uses) {
+  std::optional<Number> best;
+  uses = 1;
+  for (const Term& term : polynomial.terms()) {
+    const Number size = term.coefficient.abs();
+    if (size.is_one()) continue;
+    const auto same = std::count_if(polynomial.terms().begin(), polynomial.terms().end(),
+                                    [&](const Term& other) { return other.coefficient.abs() == size; });
+    if (same > uses) best = size, uses = static_cast<int>(same);
+  }
+  return best;
+}
+
+Formula multiplied(const Formula& factor, Formula rest) {
+  Formula product;
+  product.kind = Formula::Kind::product;
+  product.children.push_back(factor);
+  if (rest.kind == Formula::Kind::product) {
+    product.children.insert(product.children.end(), rest.children.begin(), rest.children.end());
+  } else {
+    product.children.push_back(std::move(rest));
+  }
+  return product;
+}
+
+/// Appends the terms of a sum, flattening nested sums.
+void append(Formula& sum, Formula part, bool negative) {
+  if (part.kind == Formula::Kind::sum) {
+    for (std::size_t i = 0; i < part.children.size(); ++i) {
+      sum.children.push_back(std::move(part.children[i]));
+      sum.negative.push_back(part.negative[i] != negative);
+    }
+    return;
+  }
+  sum.children.push_back(std::move(part));
+  sum.negative.push_back(negative);
+}
+
+}  // namespace
+
+Formula Formula::of_atom(Atom atom) {
+  Formula formula;
+  formula.kind = Kind::atom;
+  formula.atom = atom;
+  return formula;
+}
+
+Formula Formula::of_number(const Number& number) {
+  Formula formula;
+  formula.number = number;
+  return formula;
+}
+
+Formula factored(const Polynomial& polynomial) {
+  const std::vector<Term>& terms = polynomial.terms();
+  if (terms.empty()) return Formula::of_number(Number());
+  if (terms.size() == 1 && terms[0].coefficient.sign() > 0) return of_term(terms[0].monomial, terms[0].coefficient);
+
+  Formula sum;
+  sum.kind = Formula::Kind::sum;
+  int atom_uses = 0;
+  int size_uses = 0;
+  const std::optional<Atom> atom = most_shared_atom(polynomial, atom_uses);
+  const std::optional<Number> size = most_shared_size(polynomial, size_uses);
+  if (atom || size) {
+    Polynomial inside;
+    Polynomial outside;
+    const bool by_atom = atom && (!size || atom_uses >= size_uses);
+    for (const Term& term : terms) {
+      const bool shares = by_atom ? std::any_of(term.monomial.begin(), term.monomial.end(),
+                                                [&](const Factor& f) { return f.atom == *atom && f.exponent > 0; })
+                                  : term.coefficient.abs() == *size;
+      if (!shares) {
+        outside.add(term);
+      } else if (by_atom) {
+        inside.add({term.monomial * Monomial{{*atom, -1}}, term.coefficient});
+      } else {
+        inside.add({term.monomial, Number(term.coefficient.sign())});
+      }
+    }
+    const bool negative = inside.sign() < 0;
+    if (negative) inside *= Number(-1);
+    const Formula factor = by_atom ? Formula::of_atom(*atom) : Formula::of_number(*size);
+    append(sum, multiplied(factor, factored(inside)), negative);
+    if (!outside.is_zero()) append(sum, factored(outside), false);
+  } else {
+    for (const Term& term : terms) {
+      append(sum, of_term(term.monomial, term.coefficient.abs()), term.coefficient.sign() < 0);
+    }
+  }
+  if (sum.children.size() == 1 && !sum.negative[0]) return sum.children[0];
+  return sum;
+}
+
+Formula formula(const Definition& definition) {
+  if (!definition.function) return factored(definition.polynomial);
+  Formula call;
+  call.kind = Formula::Kind::function;
+  call.function = *definition.function;
+  call.atom = definition.argument;
+  return call;
+}
+
+OperationCount& OperationCount::operator+=(const OperationCount& other) {
+  additions += other.additions;
+  multiplications += other.multiplications;
+  divisions += other.divisions;
+  square_roots += other.square_roots;
+  sincos_pairs += other.sincos_pairs;
+  others += other.others;
+  return *this;
+}
+
+OperationCount count(const Formula& formula) {
+  OperationCount total;
+  for (const Formula& child : formula.children) total += count(child);
+  const int joints = static_cast<int>(formula.children.size()) - 1;
+  switch (formula.kind) {
+    case Formula::Kind::sum: total.additions += joints; break;
+    case Formula::Kind::product: total.multiplications += joints; break;
+    case Formula::Kind::quotient: total.divisions += 1; break;
+    case Formula::Kind::function:
+      if (formula.function == Function::sqrt) total.square_roots += 1;
+      // Sines and cosines are counted by pair, where the program is known.
+      if (formula.function == Function::exp || formula.function == Function::log) total.others += 1;
+      break;
+    case Formula::Kind::atom:
+    case Formula::Kind::constant: break;
+  }
+  return total;
+}
+
+OperationCount count(const Program& program, const std::vector<Value>& outputs) {
+  OperationCount total;
+  std::vector<Atom> angles;
+  for (const Atom atom : program.live(outputs)) {
+    const Definition& definition = program[atom];
+    if (definition.symbol || definition.stage == Stage::generation) continue;
+    const bool trigonometric = definition.function == Function::sin || definition.function == Function::cos;
+    if (trigonometric) {
+      if (std::find(angles.begin(), angles.end(), definition.argument) == angles.end()) {
+        angles.push_back(definition.argument);
+        total.sincos_pairs += 1;
+      }
+      continue;
+    }
+    total += count(formula(definition));
+  }
+  std::vector<Polynomial> seen;
+  for (const Value& output : outputs) {
+    Polynomial positive = output.polynomial();
+    if (positive.sign() < 0) positive *= Number(-1);
+    if (std::find(seen.begin(), seen.end(), positive) != seen.end()) continue;
+    total += count(factored(positive));
+    seen.push_back(std::move(positive));
+  }
+  return total;
+}
+
+}  // namespace torsor

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "generator/expression/polynomial.hpp"
+#include "generator/expression/program.hpp"
+
+namespace torsor {
+
+/// How the right-hand side of a definition is computed: the tree that emitters print and that is counted.
+struct Formula {
+  enum class Kind { atom, constant, sum, product, quotient, function };
+
+  Kind kind = Kind::constant;
+  Atom atom = -1;                  ///< of an atom; of a function: its argument
+  Number number;                   ///< of a constant
+  Function function{};             ///< of a function
+  std::vector<Formula> children;   ///< of sums, products and quotients (numerator, denominator)
+  std::vector<bool> negative;      ///< of a sum: which children are subtracted
+
+  static Formula of_atom(Atom atom);
+  static Formula of_number(const Number& number);
+};
+
+/// Factors a flat sum: again and again the factor that most terms share (an atom or the size of a coefficient) is taken
+/// out. Exact; it only regroups.
+Formula factored(const Polynomial& polynomial);
+
+/// The right-hand side of a definition (not of a symbol).
+Formula formula(const Definition& definition);
+
+/// Operation counts under the project's rules: additions and subtractions, multiplications (xⁿ its multiplications),
+/// divisions and square roots 1, a sine-cosine pair 2, other functions 1; sign changes and copies nothing.
+struct OperationCount {
+  int additions = 0;
+  int multiplications = 0;
+  int divisions = 0;
+  int square_roots = 0;
+  int sincos_pairs = 0;
+  int others = 0;
+  int total() const { return additions + multiplications + divisions + square_roots + 2 * sincos_pairs + others; }
+  OperationCount& operator+=(const OperationCount& other);
+};
+
+OperationCount count(const Formula& formula);
+
+/// Counts everything that is needed for some outputs: every live definition once, then each output's own formula.
+/// Outputs that are equal up to sign are computed once.
+OperationCount count(const Program& program, const std::vector<Value>& outputs);
+
+}  // namespace torsor

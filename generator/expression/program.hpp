@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "generator/expression/expression.hpp"
+#include "generator/expression/polynomial.hpp"
+#include "generator/expression/symbol.hpp"
+#include "generator/expression/unit.hpp"
+
+namespace torsor {
+
+class Program;
+
+/// When the value of a definition is known; a kernel computes each at the earliest stage it can.
+enum class Stage { generation, parameters, configuration, state, call };
+
+/// A quantity inside a program: a flat sum of monomials in the program's atoms, with its unit.
+///
+/// `+ - * /` are exact and stay flat: a sum is bound to a definition before it enters a product or a function. Adding
+/// different units throws UnitError. Zero fits any unit.
+class Value {
+ public:
+  Value() = default;  ///< zero, tied to no program
+  Value(Program& program, Polynomial polynomial, Unit unit);
+
+  bool is_zero() const { return polynomial_.is_zero(); }
+  bool is_constant() const { return polynomial_.is_constant(); }
+  bool is_number(int value) const { return is_constant() && polynomial_.constant() == Number(value); }
+  const Polynomial& polynomial() const { return polynomial_; }
+  const Unit& unit() const { return unit_; }
+  Program* program() const { return program_; }
+  std::optional<Atom> atom() const;  ///< the atom when the value is exactly one
+
+  Value& operator+=(const Value& other);
+  Value& operator-=(const Value& other);
+  friend Value operator+(Value a, const Value& b) { return a += b; }
+  friend Value operator-(Value a, const Value& b) { return a -= b; }
+  friend Value operator-(Value a);
+  friend Value operator*(const Value& a, const Value& b);
+  friend Value operator*(const Number& a, Value b);
+  friend Value operator/(const Value& a, const Value& b) { return a * pow(b, -1); }
+  friend Value pow(const Value& base, int exponent);
+
+ private:
+  Program* program_ = nullptr;
+  Polynomial polynomial_;
+  Unit unit_;
+};
+
+/// One entry of a program: a symbol of the scene, a flat sum, or a function of one earlier atom.
+struct Definition {
+  SymbolPointer symbol;              ///< set for symbols
+  Polynomial polynomial;             ///< set for sums
+  std::optional<Function> function;  ///< set for functions, with
+  Atom argument = -1;                ///< the atom it is applied to
+  Atom partner = -1;                 ///< cosine of the same argument for a sine, and the other way round
+  Unit unit;
+  Stage stage = Stage::generation;
+  std::string name;                  ///< what it means, for the reader of the emitted text; may be empty
+};
+
+/// The straight-line program under everything: an ordered list of definitions z_k = flat sum or function of earlier
+/// atoms, hash-consed up to sign. Everything that is derived appends to it; nothing walks an expanded tree.
+///
+/// Determinism: atoms are numbered in order of creation and every order used anywhere is that order. Hash tables are
+/// looked up, never iterated.
+class Program {
+ public:
+  /// Replaces symbols when formulas are lowered: the value of a folded parameter, the law of a driven coordinate.
+  /// Returns nothing for a symbol that stays.
+  using Resolver = std::function<std::optional<Expression>(const SymbolPointer&)>;
+
+  explicit Program(Resolver resolver = {});
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  Value lower(const Expression& formula);
+  Value symbol(const SymbolPointer& symbol);
+  Value number(const Number& value, const Unit& unit = Unit());
+  Value pi() { return lower(torsor::pi()); }
+
+  /// Gives a sum or product a definition of its own, so that users of the value see one symbol. Numbers and single
+  /// symbols are returned as they are. The name tells a reader what it is.
+  Value bind(const Value& value, const std::string& name = {});
+  Value atom_value(Atom atom);  ///< the atom as a value
+
+  Value apply(Function function, const Value& argument);
+  Value sin(const Value& angle) { return apply(Function::sin, angle); }
+  Value cos(const Value& angle) { return apply(Function::cos, angle); }
+  Value sqrt(const Value& x) { return apply(Function::sqrt, x); }
+
+  std::size_t size() const { return definitions_.size(); }
+  const Definition& operator[](Atom atom) const { return definitions_[static_cast<std::size_t>(atom)]; }
+  std::optional<Atom> find(const SymbolPointer& symbol) const;
+
+  /// Every atom the values depend on, directly or not, in creation order: the live part of the program.
+  std::vector<Atom> live(const std::vector<Value>& outputs) const;
+  Stage stage(const Value& value) const;
+
+  /// Uses sin² + cos² = 1 where both squares stand with one coefficient.
+  void simplify(Polynomial& polynomial) const;
+
+ private:
+  Atom append(Definition definition);
+  Atom function_atom(Function function, Atom argument);
+  Value apply_to_number(Function function, const Value& argument);
+  Value shifted_angle(Function function, const Value& angle);
+  Stage stage_of(const Polynomial& polynomial) const;
+
+  Resolver resolver_;
+  std::vector<Definition> definitions_;
+  std::unordered_map<const Symbol*, Atom> symbols_;
+  std::unordered_map<std::size_t, std::vector<Atom>> sums_;  ///< by hash of the polynomial
+  std::vector<std::vector<std::pair<Function, Atom>>> functions_;  ///< by argument
+  std::unordered_map<const Symbol*, Value> resolved_;
+};
+
+/// What a reader calls an atom: the symbol's name, else the definition's name, else z<k>.
+std::string label(const Program& program, Atom atom);
+std::string to_string(const Value& value);
+
+}  // namespace torsor

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "generator/expression/unit.hpp"
+
+namespace torsor {
+
+/// What a symbol stands for. The kind fixes its time derivative and the earliest stage at which its value is known.
+enum class SymbolKind {
+  pi,            ///< the constant π, the only named number
+  time,          ///< t
+  parameter,     ///< constant in time; folded to its value unless it is a run-time parameter
+  coordinate,    ///< q_i; its rate is a velocity
+  velocity,      ///< dq_i/dt; its rate is an acceleration
+  acceleration,  ///< d²q_i/dt²
+  input,         ///< force or torque of a motor, set from outside at each call
+  multiplier,    ///< λ_j of a constraint, or the intensity of the reaction that enforces it
+};
+
+/// A named quantity of a scene. Symbols are compared by identity: two scenes never share one.
+struct Symbol {
+  std::string name;                             ///< as the user wrote it, e.g. "theta_1"
+  Unit unit;                                    ///< SI dimensions; radians are dimensionless
+  SymbolKind kind = SymbolKind::parameter;      ///< decides derivative and stage
+  int index = 0;                                ///< order of creation in its scene: the canonical order of everything
+  std::shared_ptr<const Symbol> rate;           ///< dq/dt of a coordinate, d²q/dt² of a velocity, else null
+};
+
+using SymbolPointer = std::shared_ptr<const Symbol>;
+
+}  // namespace torsor

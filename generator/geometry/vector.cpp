@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/geometry/vector.hpp"
+
+namespace torsor {
+namespace {
+constexpr const char* suffix[3] = {", x", ", y", ", z"};
+}
+
+Vector& Vector::operator+=(const Vector& other) {
+  for (int i = 0; i < 3; ++i) (*this)[i] += other[i];
+  return *this;
+}
+Vector operator-(const Vector& a) { return {-a[0], -a[1], -a[2]}; }
+Vector operator-(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Vector operator*(const Value& k, const Vector& v) {
+  Vector product;
+  for (int i = 0; i < 3; ++i) product[i] = k * v[i];  // one by one: a product may create definitions
+  return product;
+}
+
+Value dot(const Vector& a, const Vector& b) {
+  Value sum;
+  for (int i = 0; i < 3; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+Vector cross(const Vector& a, const Vector& b) {
+  Vector product;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const int k = (i + 2) % 3;
+    product[i] = a[j] * b[k];
+    product[i] -= a[k] * b[j];
+  }
+  return product;
+}
+
+Vector operator*(const Rotation& r, const Vector& v) {
+  Vector product;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      if (!r(i, j).is_zero()) product[i] += r(i, j) * v[j];
+    }
+  }
+  return product;
+}
+
+Vector lower(Program& program, const Triple& triple) {
+  Vector v;
+  for (int i = 0; i < 3; ++i) v[i] = program.lower(triple[static_cast<std::size_t>(i)]);
+  return v;
+}
+
+Vector bound(Program& program, const Vector& v, const std::string& name) {
+  Vector bound;
+  for (int i = 0; i < 3; ++i) bound[i] = program.bind(v[i], name.empty() ? name : name + suffix[i]);
+  return bound;
+}
+
+Vector operator*(const Matrix& m, const Vector& v) {
+  Vector product;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      if (!m(i, j).is_zero()) product[i] += m(i, j) * v[j];
+    }
+  }
+  return product;
+}
+
+Matrix operator*(const Matrix& a, const Matrix& b) {
+  Matrix product;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      for (int k = 0; k < 3; ++k) {
+        if (!a(i, k).is_zero() && !b(k, j).is_zero()) product(i, j) += a(i, k) * b(k, j);
+      }
+    }
+  }
+  return product;
+}
+
+Matrix transpose(const Matrix& m) {
+  Matrix result;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) result(i, j) = m(j, i);
+  }
+  return result;
+}
+
+Matrix constant_matrix(Program& program, const Rotation& rotation) {
+  Matrix result;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) result(i, j) = program.number(rotation(i, j));
+  }
+  return result;
+}
+
+Matrix bound(Program& program, const Matrix& m, const std::string& name) {
+  Matrix result;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      result(i, j) = program.bind(m(i, j), name.empty() ? name : name + suffix[i] + (suffix[j] + 1));
+    }
+  }
+  return result;
+}
+
+}  // namespace torsor
