@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+#include "runtime/status.hpp"
+#include "runtime/system.hpp"
+
+namespace torsor::runtime {
+
+/// One integration with a fixed step: the part that the midpoint method and Runge-Kutta share. `Formula` has
+/// `step(f, t, h, y, next) -> bool`, false when the model failed.
+///
+/// An interval is cut into the fewest steps of equal length that do not exceed the step asked for, so that its end is
+/// hit exactly without a short last step. Times are start + k h, hence free of accumulated rounding.
+template <class Formula, class S, class Scalar, std::size_t size>
+class FixedStepRun {
+ public:
+  using Vector = std::array<Scalar, size>;
+
+  FixedStepRun(S& system, Vector& y, Scalar t, double step) noexcept : f_(system), y_(y), step_(step) {
+    result_.time = t;
+  }
+
+  template <class Observer>
+  void advance(Scalar end, Observer& observer) {
+    if (result_.status != IntegrationStatus::reached_end || !accept_interval(end)) return;
+    const Scalar start = result_.time;
+    const std::int64_t count = count_of(start, end);
+    if (count == 0) return;
+    const Wide wide_h = (static_cast<Wide>(end) - static_cast<Wide>(start)) / static_cast<Wide>(count);
+    const Scalar h = static_cast<Scalar>(wide_h);
+    if (!(std::abs(h) > resolution(start, end))) result_.status = IntegrationStatus::step_too_small;
+    Vector next;
+    for (std::int64_t k = 1; k <= count && result_.status == IntegrationStatus::reached_end; ++k) {
+      if (!Formula::step(f_, result_.time, h, y_, next)) return fail(f_.evaluation);
+      if (!all_finite(next)) return fail(Evaluation::not_finite);
+      y_ = next;
+      result_.time = k == count ? end : static_cast<Scalar>(static_cast<Wide>(start) + static_cast<Wide>(k) * wide_h);
+      ++result_.statistics.accepted;
+      if (!notify(observer, result_.time, y_)) stop();
+    }
+  }
+
+  void stop() noexcept { result_.status = IntegrationStatus::stopped_by_observer; }
+
+  [[nodiscard]] Result<Scalar> result() const noexcept {
+    Result<Scalar> result = result_;
+    result.statistics.calls = f_.calls;
+    return result;
+  }
+
+ private:
+  using Wide = std::common_type_t<double, Scalar>;  // a float could not count its steps beyond 2^24
+  static constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
+  static constexpr double most_steps = 1e15;  // below 2^53, so that k is exact in Wide
+
+  static Scalar resolution(Scalar start, Scalar end) noexcept {
+    return epsilon * std::max(std::abs(start), std::abs(end));
+  }
+
+  bool accept_interval(Scalar end) noexcept {
+    if (!(step_ > 0.0) || !std::isfinite(step_) || !std::isfinite(end) || !std::isfinite(result_.time) ||
+        !all_finite(y_)) {
+      result_.status = IntegrationStatus::invalid_options;
+    } else if (!(std::abs(static_cast<double>(end) - static_cast<double>(result_.time)) / step_ < most_steps)) {
+      result_.status = IntegrationStatus::step_too_small;
+    }
+    return result_.status == IntegrationStatus::reached_end;
+  }
+
+  // A quotient that exceeds a whole number by rounding alone (0.3 of a float over 0.1) must not cost one more step.
+  std::int64_t count_of(Scalar start, Scalar end) const noexcept {
+    const double quotient = std::abs(static_cast<double>(end) - static_cast<double>(start)) / step_;
+    return static_cast<std::int64_t>(std::ceil(quotient * (1.0 - 4.0 * static_cast<double>(epsilon))));
+  }
+
+  void fail(Evaluation evaluation) noexcept {
+    result_.status = IntegrationStatus::model_failure;
+    result_.evaluation = evaluation;
+  }
+
+  CheckedSystem<S, Scalar, size> f_;
+  Vector& y_;
+  double step_;
+  Result<Scalar> result_;
+};
+
+}  // namespace torsor::runtime

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+#include "runtime/status.hpp"
+
+namespace torsor::runtime {
+
+/// The scalar of a generated mechanism.
+template <class M>
+using ScalarOf = std::remove_cvref_t<decltype(std::declval<const typename M::State&>().time)>;
+
+/// What the runtime needs of every generated `Mechanism<Scalar>`, whatever kernels were asked for.
+template <class M>
+concept MechanismModel = requires(const typename M::Parameters& parameters, const typename M::State& state) {
+  requires M::coordinate_count >
+  0 && M::velocity_count > 0 && M::input_count >= 0 && M::multiplier_count >= 0;
+  typename M::Accelerations;
+  typename M::GeneralizedForces;
+  typename M::Inputs;
+  typename M::Multipliers;
+  { M::default_parameters() } -> std::same_as<typename M::Parameters>;
+  { M::precompute(parameters) } -> std::same_as<typename M::Precomputed>;
+  { M::initial_state() } -> std::same_as<typename M::State>;
+  { state.q[0] } -> std::convertible_to<ScalarOf<M>>;
+  { state.v[0] } -> std::convertible_to<ScalarOf<M>>;
+};
+
+/// A mechanism generated with the kernel `forward_dynamics`.
+template <class M>
+concept HasForwardDynamics = MechanismModel<M> &&
+    requires(const typename M::Precomputed& precomputed, const typename M::State& state,
+             const typename M::Inputs& inputs, typename M::Accelerations& a, typename M::Multipliers& lambda) {
+  M::forward_dynamics(precomputed, state, inputs, a, lambda);
+};
+
+/// A mechanism whose dq/dt is not v (quaternions) says how they are related.
+template <class M>
+concept HasCoordinateRates = MechanismModel<M> &&
+    requires(const typename M::Precomputed& precomputed, const typename M::State& state,
+             std::array<ScalarOf<M>, std::size_t(M::coordinate_count)>& rates) {
+  M::coordinate_rates(precomputed, state, rates);
+};
+
+template <MechanismModel M>
+inline constexpr std::size_t coordinates_of = static_cast<std::size_t>(M::coordinate_count);
+template <MechanismModel M>
+inline constexpr std::size_t velocities_of = static_cast<std::size_t>(M::velocity_count);
+
+/// y = [q; v], the unknown of y' = f(t, y).
+template <MechanismModel M>
+using StateVector = std::array<ScalarOf<M>, coordinates_of<M> + velocities_of<M>>;
+
+template <MechanismModel M>
+[[nodiscard]] StateVector<M> pack(const typename M::State& state) noexcept {
+  StateVector<M> y;
+  for (std::size_t i = 0; i < coordinates_of<M>; ++i) y[i] = state.q[static_cast<int>(i)];
+  for (std::size_t i = 0; i < velocities_of<M>; ++i) y[coordinates_of<M> + i] = state.v[static_cast<int>(i)];
+  return y;
+}
+
+template <MechanismModel M>
+[[nodiscard]] typename M::State unpack(const ScalarOf<M>& time, const StateVector<M>& y) noexcept {
+  typename M::State state{};
+  state.time = time;
+  for (std::size_t i = 0; i < coordinates_of<M>; ++i) state.q[static_cast<int>(i)] = y[i];
+  for (std::size_t i = 0; i < velocities_of<M>; ++i) state.v[static_cast<int>(i)] = y[coordinates_of<M> + i];
+  return state;
+}
+
+/// dq/dt at a state, the first part of dy/dt: v itself unless the mechanism has a map of its own.
+template <MechanismModel M>
+void write_coordinate_rates(const typename M::Precomputed& precomputed, const typename M::State& state,
+                            StateVector<M>& dydt) noexcept {
+  if constexpr (HasCoordinateRates<M>) {
+    std::array<ScalarOf<M>, coordinates_of<M>> rates;
+    M::coordinate_rates(precomputed, state, rates);
+    for (std::size_t i = 0; i < coordinates_of<M>; ++i) dydt[i] = rates[i];
+  } else {
+    static_assert(coordinates_of<M> == velocities_of<M>,
+                  "a mechanism with more coordinates than velocities must supply coordinate_rates");
+    for (std::size_t i = 0; i < coordinates_of<M>; ++i) dydt[i] = state.v[static_cast<int>(i)];
+  }
+}
+
+/// The input law of a mechanism left to itself.
+template <MechanismModel M>
+struct NoInputs {
+  [[nodiscard]] typename M::Inputs operator()(const typename M::State&) const noexcept {
+    typename M::Inputs inputs{};
+    if constexpr (M::input_count > 0) {
+      for (int i = 0; i < M::input_count; ++i) inputs[i] = ScalarOf<M>(0);
+    }
+    return inputs;
+  }
+};
+
+/// y' = f(t, y) of a mechanism: dq/dt = v and dv/dt = a, where M a + h = Q(inputs) + Aᵀλ is solved by the generated
+/// kernel `forward_dynamics` and the inputs come from a law `law(state) -> Inputs`.
+/// Returns the kernel's status; dydt is meaningful only when it is `ok`.
+template <HasForwardDynamics M, class InputLaw = NoInputs<M>>
+class EquationsOfMotion {
+ public:
+  using Scalar = ScalarOf<M>;
+  using Vector = StateVector<M>;
+
+  explicit EquationsOfMotion(const typename M::Parameters& parameters = M::default_parameters(),
+                             InputLaw law = InputLaw{}) noexcept
+      : precomputed_(M::precompute(parameters)), law_(std::move(law)) {}
+
+  [[nodiscard]] Evaluation operator()(const Scalar& t, const Vector& y, Vector& dydt) const noexcept {
+    const typename M::State state = unpack<M>(t, y);
+    typename M::Accelerations a{};
+    typename M::Multipliers lambda{};
+    const Evaluation evaluation = accelerations(state, a, lambda);
+    write_coordinate_rates<M>(precomputed_, state, dydt);
+    for (std::size_t i = 0; i < velocities_of<M>; ++i) dydt[coordinates_of<M> + i] = a[static_cast<int>(i)];
+    return evaluation;
+  }
+
+  /// Accelerations and multipliers at a state, under the input law.
+  [[nodiscard]] Evaluation accelerations(const typename M::State& state, typename M::Accelerations& a,
+                                         typename M::Multipliers& lambda) const noexcept {
+    return to_evaluation(M::forward_dynamics(precomputed_, state, law_(state), a, lambda));
+  }
+
+  /// The state the scene starts from, as y, and its time.
+  [[nodiscard]] Vector initial() const noexcept { return pack<M>(M::initial_state()); }
+  [[nodiscard]] Scalar initial_time() const noexcept { return M::initial_state().time; }
+
+  [[nodiscard]] const typename M::Precomputed& precomputed() const noexcept { return precomputed_; }
+  [[nodiscard]] const InputLaw& input_law() const noexcept { return law_; }
+
+ private:
+  typename M::Precomputed precomputed_;
+  InputLaw law_;
+};
+
+/// `auto motion = equations_of_motion<Mechanism<double>>();`, or with parameters, or with parameters and an input law.
+template <HasForwardDynamics M>
+[[nodiscard]] EquationsOfMotion<M> equations_of_motion(
+    const typename M::Parameters& parameters = M::default_parameters()) noexcept {
+  return EquationsOfMotion<M>(parameters);
+}
+
+template <HasForwardDynamics M, std::invocable<const typename M::State&> InputLaw>
+[[nodiscard]] EquationsOfMotion<M, InputLaw> equations_of_motion(const typename M::Parameters& parameters,
+                                                                 InputLaw law) noexcept {
+  return EquationsOfMotion<M, InputLaw>(parameters, std::move(law));
+}
+
+}  // namespace torsor::runtime

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+#include "runtime/status.hpp"
+
+namespace torsor::runtime {
+
+/// y' = f(t, y): a callable `system(t, y, dydt)` that writes the derivative and returns an enumeration, 0 if it could.
+template <class S, class Scalar, std::size_t size>
+concept System = std::floating_point<Scalar> &&
+    requires(S& system, const Scalar& t, const std::array<Scalar, size>& y, std::array<Scalar, size>& dydt) {
+  requires std::is_enum_v<std::remove_cvref_t<decltype(system(t, y, dydt))>>;
+};
+
+template <class Scalar, std::size_t size>
+[[nodiscard]] bool all_finite(const std::array<Scalar, size>& values) noexcept {
+  bool finite = true;
+  for (const Scalar& value : values) finite = finite && std::isfinite(value);
+  return finite;
+}
+
+/// A system that counts its calls and takes no derivative for granted: a value that is not finite is a failure even
+/// when the system itself reports none.
+template <class S, class Scalar, std::size_t size>
+class CheckedSystem {
+ public:
+  explicit CheckedSystem(S& system) noexcept : system_(system) {}
+
+  /// False when the model failed; `evaluation` then says how.
+  [[nodiscard]] bool operator()(Scalar t, const std::array<Scalar, size>& y,
+                                std::array<Scalar, size>& dydt) noexcept(noexcept(std::declval<S&>()(t, y, dydt))) {
+    ++calls;
+    evaluation = to_evaluation(system_(t, y, dydt));
+    if (evaluation == Evaluation::ok && !all_finite(dydt)) evaluation = Evaluation::not_finite;
+    return evaluation == Evaluation::ok;
+  }
+
+  std::int64_t calls = 0;
+  Evaluation evaluation = Evaluation::ok;
+
+ private:
+  S& system_;
+};
+
+/// The observer of those who want none.
+struct IgnoreSteps {
+  template <class... Anything>
+  constexpr void operator()(const Anything&...) const noexcept {}
+};
+
+/// Calls the observer; one that returns a bool stops the integration by false, any other goes on.
+template <class Observer, class... Arguments>
+[[nodiscard]] bool notify(Observer& observer, const Arguments&... arguments) noexcept(
+    std::is_nothrow_invocable_v<Observer&, const Arguments&...>) {
+  if constexpr (std::is_same_v<std::invoke_result_t<Observer&, const Arguments&...>, bool>) {
+    return observer(arguments...);
+  } else {
+    observer(arguments...);
+    return true;
+  }
+}
+
+}  // namespace torsor::runtime

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Eigen allocates by malloc, past operator new: its own guard asserts on each attempt, which is counted here.
+namespace {
+long eigen_complaints = 0;
+}
+#define EIGEN_RUNTIME_NO_MALLOC
+#define eigen_assert(condition) ((condition) ? (void)0 : (void)++eigen_complaints)
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdlib>
+#include <new>
+#include <vector>
+
+#include "runtime/dormand_prince_54.hpp"
+#include "runtime/linear_solve.hpp"
+#include "runtime/mechanism.hpp"
+#include "runtime/midpoint.hpp"
+#include "runtime/observers.hpp"
+#include "runtime/reference.hpp"
+#include "runtime/runge_kutta_4.hpp"
+#include "runtime/trajectory.hpp"
+#include "tests/runtime/mechanisms.hpp"
+
+namespace {
+long allocations = 0;
+}
+
+// Not inlined: g++ 12 would see free() meet operator new and warn, which is the purpose here.
+#define NOT_INLINED __attribute__((noinline))
+NOT_INLINED void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+NOT_INLINED void* operator new[](std::size_t size) { return operator new(size); }
+NOT_INLINED void operator delete(void* memory) noexcept { std::free(memory); }
+NOT_INLINED void operator delete[](void* memory) noexcept { std::free(memory); }
+NOT_INLINED void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+NOT_INLINED void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace {
+
+using namespace torsor::runtime;
+using CartesianPendulum = mechanisms::CartesianPendulum<double>;
+
+template <class Action>
+long allocations_during(Action&& action) {
+  const long before = allocations;
+  eigen_complaints = 0;
+  Eigen::internal::set_is_malloc_allowed(false);
+  action();
+  Eigen::internal::set_is_malloc_allowed(true);
+  return allocations - before + eigen_complaints;
+}
+
+TEST(Allocations, AreCounted) {
+  EXPECT_GT(allocations_during([] { std::vector<int>(3).swap(*std::make_unique<std::vector<int>>()); }), 0);
+  EXPECT_GT(allocations_during([] { Eigen::MatrixXd::Zero(40, 40).eval(); }), 0);
+}
+
+template <class Method>
+void expect_none(const Method& method, double end, std::int64_t steps) {
+  const auto motion = equations_of_motion<mechanisms::Pendulum<double>>();
+  auto y = motion.initial();
+  Result<double> result;
+  double last = 0.0;
+  EXPECT_EQ(allocations_during([&] {
+              result =
+                  integrate(motion, y, 0.0, end, method, [&](double t, const std::array<double, 2>&) { last = t; });
+            }),
+            0);
+  EXPECT_TRUE(result) << describe(result);
+  EXPECT_EQ(last, end);
+  EXPECT_GE(result.statistics.accepted, steps);
+}
+
+TEST(Allocations, AreNoneInAHundredThousandStepsOfEachMethod) {
+  expect_none(Midpoint{.step = 1e-3}, 100.0, 100'000);
+  expect_none(RungeKutta4{.step = 1e-3}, 100.0, 100'000);
+  expect_none(DormandPrince54{.largest_step = 1e-3}, 100.0, 100'000);
+}
+
+TEST(Allocations, AreNoneWhileRecordingThroughTheInterpolantAndComparing) {
+  const auto motion = equations_of_motion<CartesianPendulum>();
+  auto y = motion.initial();
+  std::vector<Sample<double, 4>> storage(1001);
+  Trajectory<double, 4> trajectory(storage, {"x", "y", "x'", "y'"});
+  EquallySpaced observer(0.0, 0.01, trajectory);
+  Reference<double> reference{"", {"x", "y", "x'", "y'"}, {0.0, 10.0}, std::vector<double>(8)};
+  ReferenceErrors<double, 4> errors(reference);
+  EXPECT_EQ(allocations_during([&] {
+              EXPECT_TRUE(integrate(motion, y, 0, 10, DormandPrince54{}, observer));
+              y = motion.initial();
+              EXPECT_TRUE(integrate_through(motion, y, 0.0, reference.times, DormandPrince54{}, errors));
+            }),
+            0);
+  EXPECT_EQ(trajectory.samples().size(), 1001U);
+  EXPECT_EQ(errors.compared(), 2U);
+}
+
+// Large enough for Eigen's blocked kernels, which take their workspace from the heap when sizes are not fixed.
+TEST(Allocations, AreNoneInTheLinearSolves) {
+  constexpr std::size_t nv = 24, m = 10;
+  std::array<double, nv * nv> mass{};
+  std::array<double, m * nv> jacobian{};
+  std::array<double, nv> r{}, a{};
+  std::array<double, m> gamma{}, lambda{};
+  for (std::size_t i = 0; i < nv; ++i) {
+    mass[i * nv + i] = 2.0;
+    jacobian[i * m + i % m] = 1.0;
+    r[i] = 1.0;
+  }
+  EXPECT_EQ(allocations_during([&] {
+              for (int i = 0; i < 100; ++i) {
+                EXPECT_EQ(solve_dynamics(mass, r, a), Evaluation::ok);
+                EXPECT_EQ(solve_constrained_dynamics(mass, jacobian, r, gamma, a, lambda), Evaluation::ok);
+              }
+            }),
+            0);
+}
+
+}  // namespace

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "runtime/linear_solve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+
+namespace {
+
+using namespace torsor::runtime;
+using Matrix3 = std::array<double, 9>;
+using Vector3 = std::array<double, 3>;
+
+// Positive definite, condition below 10: solutions of small integers come back within some ten roundings.
+constexpr Matrix3 mass{4, 1, 0, 1, 3, 1, 0, 1, 2};
+constexpr double rounding = 1e-14;
+
+TEST(SolveDynamics, SolvesAMassMatrix) {
+  Vector3 a{};
+  ASSERT_EQ(solve_dynamics(mass, Vector3{6, 10, 8}, a), Evaluation::ok);  // M (1, 2, 3)
+  EXPECT_NEAR(a[0], 1, rounding);
+  EXPECT_NEAR(a[1], 2, rounding);
+  EXPECT_NEAR(a[2], 3, rounding);
+}
+
+TEST(SolveDynamics, SolvesWithConstraints) {
+  // A, 2 x 3 by columns, of full rank; a = (1, 2, 3), λ = (1, -2): γ = -A a, r = M a - Aᵀ λ.
+  const std::array<double, 6> A{1, 0, 1, 1, 0, 2};
+  const std::array<double, 2> gamma{-3, -8};
+  const Vector3 r{6 - 1, 10 - (1 - 2), 8 + 4};
+  Vector3 a{};
+  std::array<double, 2> lambda{};
+  ASSERT_EQ(solve_constrained_dynamics(mass, A, r, gamma, a, lambda), Evaluation::ok);
+  EXPECT_NEAR(a[0], 1, rounding);
+  EXPECT_NEAR(a[1], 2, rounding);
+  EXPECT_NEAR(a[2], 3, rounding);
+  EXPECT_NEAR(lambda[0], 1, 10 * rounding);  // by the complement, whose condition is that of M times that of A
+  EXPECT_NEAR(lambda[1], -2, 10 * rounding);
+}
+
+TEST(SolveDynamics, SolvesWithOneConstraintInFloat) {
+  const std::array<float, 4> unit{1, 0, 0, 1};
+  std::array<float, 2> a{};
+  std::array<float, 1> lambda{};
+  // x = y held on a line, gravity -10 along y: a = (-5, -5), λ = -5 with A = (1, -1): a_x = λ, a_y = -10 - λ.
+  ASSERT_EQ(solve_constrained_dynamics(unit, std::array<float, 2>{1, -1}, std::array<float, 2>{0, -10},
+                                       std::array<float, 1>{0}, a, lambda),
+            Evaluation::ok);
+  EXPECT_FLOAT_EQ(a[0], -5);
+  EXPECT_FLOAT_EQ(a[1], -5);
+  EXPECT_FLOAT_EQ(lambda[0], -5);
+}
+
+TEST(SolveDynamics, CallsAMassMatrixOfLowerRankSingularAndLeavesTheResultAlone) {
+  Vector3 a{7, 7, 7};
+  EXPECT_EQ(solve_dynamics(Matrix3{1, 1, 0, 1, 1, 0, 0, 0, 1}, Vector3{1, 1, 1}, a), Evaluation::singular);
+  EXPECT_EQ(solve_dynamics(Matrix3{1, 0, 0, 0, 0, 0, 0, 0, 1}, Vector3{1, 1, 1}, a), Evaluation::singular);
+  EXPECT_EQ(solve_dynamics(Matrix3{1, 2, 0, 2, 1, 0, 0, 0, 1}, Vector3{1, 1, 1}, a), Evaluation::singular);
+  EXPECT_EQ(a, (Vector3{7, 7, 7}));
+}
+
+TEST(SolveDynamics, CallsDependentConstraintsSingular) {
+  const std::array<double, 6> twice_the_same{1, 2, 1, 2, 1, 2};
+  Vector3 a{};
+  std::array<double, 2> lambda{};
+  EXPECT_EQ(solve_constrained_dynamics(mass, twice_the_same, Vector3{}, std::array<double, 2>{}, a, lambda),
+            Evaluation::singular);
+}
+
+TEST(SolveDynamics, DoesNotMindUnits) {
+  // The same matrix with its second coordinate in units 1e9 times smaller: regular, with the same answer rescaled.
+  const double s = 1e9;
+  Vector3 a{};
+  ASSERT_EQ(solve_dynamics(Matrix3{4, 1 * s, 0, 1 * s, 3 * s * s, 1 * s, 0, 1 * s, 2}, Vector3{6, 10 * s, 8}, a),
+            Evaluation::ok);
+  EXPECT_NEAR(a[0], 1, rounding);
+  EXPECT_NEAR(a[1] * s, 2, rounding);
+  EXPECT_NEAR(a[2], 3, rounding);
+}
+
+TEST(SolveDynamics, ReportsNumbersThatAreNotFinite) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  Vector3 a{};
+  Matrix3 broken = mass;
+  broken[0] = nan;
+  EXPECT_EQ(solve_dynamics(broken, Vector3{1, 1, 1}, a), Evaluation::not_finite);
+  broken = mass;
+  broken[1] = broken[3] = nan;
+  EXPECT_EQ(solve_dynamics(broken, Vector3{1, 1, 1}, a), Evaluation::not_finite);
+  EXPECT_EQ(solve_dynamics(mass, Vector3{1, nan, 1}, a), Evaluation::not_finite);
+}
+
+}  // namespace

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "runtime/table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "tests/runtime/temporary_folder.hpp"
+
+namespace {
+
+using namespace torsor::runtime;
+
+TEST(Table, AlignsTextLeftAndNumbersRightCountingCharacters) {
+  Table table({"method", "error", "time"});
+  table.add({"Nørsett", scientific(1.25e-9), "12 µs"});
+  table.add({"Runge-Kutta 4", scientific(0.5, 1), "3 µs"});
+  std::ostringstream text;
+  text << table;
+  EXPECT_EQ(text.str(),
+            "method            error   time\n"
+            "------------------------------\n"
+            "Nørsett        1.25e-09  12 µs\n"
+            "Runge-Kutta 4   5.0e-01   3 µs\n");
+}
+
+TEST(Table, RefusesARowOfAnotherLength) {
+  Table table({"a", "b"});
+  const std::string error = error_of<std::invalid_argument>([&] { table.add({"1"}); });
+  EXPECT_TRUE(mentions(error, {"1 cells for 2 columns"}));
+}
+
+class TableFile : public TemporaryFolder {};
+
+TEST_F(TableFile, IsAlsoWrittenAsCommaSeparatedValues) {
+  Table table({"steps", "error"});
+  table.add({"100", "1e-3"});
+  table.write_csv(folder / "table.csv");
+  EXPECT_EQ(contents(folder / "table.csv"), "steps,error\n100,1e-3\n");
+}
+
+}  // namespace
