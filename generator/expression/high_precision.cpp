@@ -218,7 +218,14 @@ void sincos(const Real& angle, Real& sine, Real& cosine) {
   cosine = Real(cln::cl_float(both.cos, cln::float_format(argument)));
 }
 
-Real pi(int digits) { return Real(cln::pi(format_for(digits))); }
+Real exp(const Real& x) { return x.is_nan() ? x : Real(cln::exp(with_own_precision(x.raw()))); }
+
+Real log(const Real& x) {
+  if (x.is_nan() || !(cln::plusp(x.raw()))) return Real::not_a_number();
+  return Real(cln::ln(with_own_precision(x.raw())));
+}
+
+Real Real::pi(int digits) { return Real(cln::pi(format_for(digits))); }
 
 Real pow(const Real& x, int exponent) {
   Real result(Number(1), std::max(x.digits(), least_digits));

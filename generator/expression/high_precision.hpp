@@ -41,6 +41,8 @@ class Real {
   /// generated kernel asks for the same few constants at every call.
   static Real constant(std::string_view exact);
   static Real not_a_number();
+  /// π at that precision.
+  static Real pi(int digits = working_digits());
 
   /// Precision used where none is given: 50 unless a WorkingDigits of this thread says otherwise.
   static int working_digits() noexcept;
@@ -83,12 +85,12 @@ class Real {
 
 Real abs(const Real& x);
 Real sqrt(const Real& x);
+Real exp(const Real& x);
+Real log(const Real& x);  ///< not a number unless x > 0
 Real sin(const Real& angle);
 Real cos(const Real& angle);
 /// Both at once, for the cost of little more than one.
 void sincos(const Real& angle, Real& sine, Real& cosine);
-/// π at that precision.
-Real pi(int digits = Real::working_digits());
 /// x to an integer power by repeated squaring.
 Real pow(const Real& x, int exponent);
 

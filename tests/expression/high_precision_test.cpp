@@ -28,6 +28,8 @@ namespace {
 constexpr const char* pi_60 = "3.14159265358979323846264338327950288419716939937510582097494";
 constexpr const char* sin_1 = "0.841470984807896506652502321630298999622563060798371065672752";
 constexpr const char* cos_1 = "0.540302305868139717400936607442976603732310420617922227670097";
+constexpr const char* e_60 = "2.71828182845904523536028747135266249775724709369995957496697";
+constexpr const char* log_2 = "0.693147180559945309417232121458176568075500134360255254120680";
 constexpr const char* sqrt_2 = "1.41421356237309504880168872420969807856967187537694807317668";
 
 /// 10^-digits, the bound of a difference that agrees to that many places.
@@ -68,6 +70,7 @@ TEST(HighPrecision, AdoptsAPrecisionWhenDefaultConstructed) {
   EXPECT_TRUE((third - third).is_zero());
   EXPECT_EQ((third - third).digits(), third.digits());
   EXPECT_EQ(cos(Real()), Real(1));
+  EXPECT_EQ(exp(Real()), Real(1));
   EXPECT_EQ(cos(Real()).digits(), Real(1).digits());
 }
 
@@ -90,9 +93,11 @@ TEST(HighPrecision, TakesItsPrecisionFromTheInnermostBlock) {
 
 TEST(HighPrecision, MatchesTabulatedConstants) {
   // The tables are cut after 59 or 60 places.
-  expect_near(pi(60), Real::parse(pi_60, 60), place(58));
+  expect_near(Real::pi(60), Real::parse(pi_60, 60), place(58));
   expect_near(sin(Real(Number(1), 60)), Real::parse(sin_1, 60), place(59));
   expect_near(cos(Real(Number(1), 60)), Real::parse(cos_1, 60), place(59));
+  expect_near(exp(Real(Number(1), 60)), Real::parse(e_60, 60), place(58));
+  expect_near(log(Real(Number(2), 60)), Real::parse(log_2, 60), place(59));
   expect_near(sqrt(Real(Number(2), 60)), Real::parse(sqrt_2, 60), place(58));
   expect_near(Real(Number::sqrt2(), 60), Real::parse(sqrt_2, 60), place(58));
 }
@@ -112,6 +117,8 @@ TEST(HighPrecision, KeepsTheIdentitiesOfItsFunctions) {
     expect_near(sine * sine + cosine * cosine, Real(1), bound);
     expect_near(sin(x + y), sine * cos(y) + cosine * sin(y), bound);
     expect_near(sqrt(x * x), abs(x), bound * abs(x));
+    expect_near(exp(x) * exp(y), exp(x + y), bound * exp(x + y));
+    expect_near(log(exp(x)), x, bound);
     if (!y.is_zero()) expect_near(x / y * y, x, bound * abs(x));
     expect_near((x + y) * (x - y), x * x - y * y, bound * (x * x + y * y));
   }
@@ -137,8 +144,8 @@ TEST(HighPrecision, AllowsAnArgumentToBeAResult) {
 
 TEST(HighPrecision, IsQuietlyUndefinedWhereMathematicsIs) {
   const Real nan = Real(1) / Real(0);
-  for (const Real& value :
-       {nan, sqrt(Real(-1)), nan + Real(1), -nan, nan * Real(0), sin(nan), abs(nan), pow(Real(0), -1)}) {
+  for (const Real& value : {nan, sqrt(Real(-1)), log(Real(-1)), log(Real(0)), exp(nan), nan + Real(1), -nan,
+                            nan * Real(0), sin(nan), abs(nan), pow(Real(0), -1)}) {
     EXPECT_TRUE(value.is_nan());
     EXPECT_FALSE(value == value);
     EXPECT_FALSE(value < Real(1));
@@ -177,7 +184,7 @@ TEST(HighPrecision, RoundsAnExactNumberToTheNearestValue) {
 
 TEST(HighPrecision, GivesTheNearestDouble) {
   EXPECT_EQ(Real(Number::rational(1, 3), 50).to_double(), 1.0 / 3.0);
-  EXPECT_EQ(pi(50).to_double(), 3.14159265358979323846);
+  EXPECT_EQ(Real::pi(50).to_double(), 3.14159265358979323846);
   EXPECT_EQ((-Real::parse("1e-400")).to_double(), 0.0);
   EXPECT_EQ(Real::parse("-1e400").to_double(), -std::numeric_limits<double>::infinity());
   EXPECT_EQ(Real::parse("5e-324").to_double(), 5e-324);

@@ -127,7 +127,7 @@ TEST(Extrapolation, StopsAtASingularityAndNamesTheTime) {
   options.work_digits = 25;
   options.maximum_step_count = 2000;
   const std::string message = error_of([&] { integrate(f, {Real(1)}, Real(0), {Real(2)}, options); });
-  EXPECT_NE(message.find("the extrapolation integration stops at t = "), std::string::npos) << message;
+  EXPECT_NE(message.find("stops at t = 1.0000000: the step has become "), std::string::npos) << message;
 }
 
 TEST(Extrapolation, ShortensAStepThatLeavesTheDomain) {
@@ -153,9 +153,9 @@ TEST(Extrapolation, NamesTheTimeWhereTheRightHandSideIsUndefined) {
   const auto f = [](const Real& t, const Vector&) { return Vector{sqrt(Real(1) - t)}; };
   EXPECT_EQ(error_of([&] { integrate(f, {Real(0)}, decimal("1.5"), {decimal("2")}, {}); }),
             "the extrapolation integration stops at t = 1.5000000: the right-hand side is not a number");
-  // From inside, the steps shrink towards the border until nothing is left of them.
+  // From inside, the integration ends at the border.
   const std::string message = error_of([&] { integrate(f, {Real(0)}, Real(0), {decimal("2")}, {}); });
-  EXPECT_NE(message.find("stops at t = 1.0000000: the step has become "), std::string::npos) << message;
+  EXPECT_EQ(message.substr(0, 54), "the extrapolation integration stops at t = 1.0000000: ") << message;
 }
 
 TEST(Extrapolation, RefusesWhatMakesNoSense) {
