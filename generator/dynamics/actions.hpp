@@ -10,13 +10,14 @@ namespace torsor {
 
 /// What the actions of a scene do, gravity apart (the recursions carry it).
 struct AppliedActions {
-  /// Generalised forces Q_i of springs and dampers, for every coordinate of the model (released ones last).
+  /// Generalised forces Q_i of springs and dampers that work on a formula (an elongation), for every coordinate of the
+  /// model (released ones last). Springs and dampers between two points are in `wrenches`.
   std::vector<Value> passive;
   /// ∂(displacement of motor k)/∂q_i: Q_i = Σ_k inputs[k][i] u_k. One list per input.
   std::vector<std::vector<Value>> inputs;
-  /// Given wrenches by link, in the link's axes at its origin.
-  std::map<int, Wrench> given;
-  /// Force function of the springs, U_s (potential energy −U_s).
+  /// Wrenches on links, in the link's axes at its origin: point springs and dampers, given forces and torques.
+  std::map<int, Wrench> wrenches;
+  /// Force function of all springs, U_s (potential energy −U_s).
   Value spring_force_function;
   /// Power of what has no force function: dampers, given forces and torques, motors.
   Value power;
@@ -26,7 +27,8 @@ struct AppliedActions {
 
 AppliedActions applied_actions(const Model& model);
 
-/// |AB| with A and B points of the scene, and the vector AB in ground axes.
-Vector separation(const Model& model, const PointReference& a, const PointReference& b, const std::string& user);
+/// Q_i of everything but gravity, motors and multipliers: `passive` + Σ wrench · partial twist. For readers and checks;
+/// the kernels' recursions take the wrenches directly.
+std::vector<Value> applied_forces(const Model& model, const AppliedActions& actions);
 
 }  // namespace torsor

@@ -5,8 +5,9 @@
 
 namespace torsor {
 
-/// M ε̈ + C ε̇ + K ε = F + E u about a state (q, q̇, q̈ = 0 unless accelerations are kept), ε = deviation from it:
-/// C = ∂h/∂q̇, K = ∂(M q̈ + h − Aᵀλ)/∂q, F = −(h at the state), E = ∂Q/∂u.
+/// M ε̈ + C ε̇ + K ε = F + E δu about any state (q, q̇, q̈, λ, u), ε and δu deviations from it. With the residual
+/// r = M q̈ + h − Aᵀλ − E u: C = ∂r/∂q̇, K = ∂r/∂q, F = −r, E = ∂Q/∂u; q̈ = 0 gives the expansion about a rest or any
+/// other state with its own F.
 struct Linearisation {
   ValueMatrix M, C, K, E;
   std::vector<Value> F;

@@ -35,15 +35,15 @@ Program::Resolver Model::resolver(const Scene& scene, const ModelOptions& option
 }
 
 Model::Model(const Scene& scene, Program& program, const ModelOptions& options)
-    : scene_(&scene.content()), program_(&program) {
-  add_coordinates(options);
-  add_links(options);
+    : scene_(&scene.content()), program_(&program), options_(options) {
+  add_coordinates();
+  add_links();
   add_bodies();
   for (Link& link : links_) link.effective = link.mass;
   if (options.regroup) regroup_inertia(*this, links_);
 }
 
-void Model::add_coordinates(const ModelOptions&) {
+void Model::add_coordinates() {
   for (const CoordinateContent& c : scene_->coordinates) {
     if (c.unknown()) coordinates_.push_back(c);
   }
@@ -53,7 +53,7 @@ void Model::add_coordinates(const ModelOptions&) {
   }
 }
 
-void Model::set_motion(Link& link, const FrameContent& frame, const ModelOptions& options) {
+void Model::set_motion(Link& link, const FrameContent& frame) {
   Program& program = *program_;
   const Vector axis = lower(program, frame.axis);
   const Value square = dot(axis, axis);
@@ -95,20 +95,26 @@ void Model::set_motion(Link& link, const FrameContent& frame, const ModelOptions
       }
     }
   }
-  // ∂s/∂q is taken before released coordinates are held at zero.
-  for (std::size_t i = 0; i < coordinates_.size(); ++i) {
-    const CoordinateContent& c = coordinates_[i];
-    Value partial;
-    if (c.released && options.hold_released) {
-      partial = frame.displacement.as_symbol() == c.q ? program.number(Number(1)) : Value();
-    } else {
-      partial = partial_derivation(program, c.q)(link.displacement);
-    }
-    if (!partial.is_zero()) link.partials.emplace_back(static_cast<int>(i), program.bind(partial));
+  const std::vector<Value> all = partials(frame.displacement);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!all[i].is_zero()) link.partials.emplace_back(static_cast<int>(i), program.bind(all[i]));
   }
 }
 
-void Model::add_links(const ModelOptions& options) {
+std::vector<Value> Model::partials(const Expression& e) const {
+  const Value value = program_->lower(e);
+  std::vector<Value> result;
+  for (const CoordinateContent& c : coordinates_) {
+    if (c.released && options_.hold_released) {
+      result.push_back(e.as_symbol() == c.q ? program_->number(Number(1)) : Value());
+    } else {
+      result.push_back(partial_derivation(*program_, c.q)(value));
+    }
+  }
+  return result;
+}
+
+void Model::add_links() {
   const auto& frames = scene_->frames;
   places_.resize(frames.size());
   std::vector<bool> done(frames.size(), false);
@@ -134,7 +140,7 @@ void Model::add_links(const ModelOptions& options) {
         link.parent = here.link;
         link.placement_rotation = here.rotation;
         link.placement_origin = here.origin;
-        set_motion(link, frame, options);
+        set_motion(link, frame);
         links_.push_back(link);
         here = {static_cast<int>(links_.size()) - 1, Rotation(), Vector()};
       }
@@ -157,12 +163,14 @@ void add_placed(Program& program, MassProperties& sum, const MassProperties& par
   const Vector h = rotation * part.first_moment;
   const Matrix turned = r * part.inertia * transpose(r);
   // About the new origin: J + 2 (p·h) 1 − p hᵀ − h pᵀ + m (p² 1 − p pᵀ)
-  const Value scalar = Number(2) * dot(origin, h) + part.mass * dot(origin, origin);
+  Value scalar = Number(2) * dot(origin, h);
+  scalar += part.mass * dot(origin, origin);
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
       Value entry = turned(i, j);
       if (i == j) entry += scalar;
-      entry -= origin[i] * h[j] + h[i] * origin[j];
+      entry -= origin[i] * h[j];
+      entry -= h[i] * origin[j];
       entry -= part.mass * (origin[i] * origin[j]);
       sum.inertia(i, j) = program.bind(sum.inertia(i, j) + entry);
     }

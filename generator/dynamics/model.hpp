@@ -76,6 +76,9 @@ class Model {
   Value v(int i) const { return program_->symbol(coordinates_[static_cast<std::size_t>(i)].v); }
   Value a(int i) const { return program_->symbol(coordinates_[static_cast<std::size_t>(i)].a); }
 
+  /// ∂e/∂q_i for every coordinate; a released one counts when e is that coordinate itself.
+  std::vector<Value> partials(const Expression& e) const;
+
   /// Components of a vector in the axes of another link.
   Vector express(const Vector& v, int from, int to) const;
   /// Components of a point (from one link's origin) seen from another link's origin, in that link's axes.
@@ -96,13 +99,14 @@ class Model {
   std::vector<int> chain(int link) const;
 
  private:
-  void add_coordinates(const ModelOptions& options);
-  void add_links(const ModelOptions& options);
-  void set_motion(Link& link, const FrameContent& frame, const ModelOptions& options);
+  void add_coordinates();
+  void add_links();
+  void set_motion(Link& link, const FrameContent& frame);
   void add_bodies();
 
   const SceneContent* scene_;
   Program* program_;
+  ModelOptions options_;
   std::vector<CoordinateContent> coordinates_;
   int unknown_count_ = 0;
   std::vector<Link> links_;

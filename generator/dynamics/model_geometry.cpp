@@ -75,7 +75,8 @@ Vector Model::locate(const Vector& p, int from, int to) const {
   Vector w = p;
   for (int k = from; k != top;) {
     const Link& link = links_[static_cast<std::size_t>(k)];
-    w = bound(*program_, origin_in_parent(link) + to_parent(link, bound(*program_, w)));
+    const Vector turned = to_parent(link, bound(*program_, w));
+    w = bound(*program_, turned + origin_in_parent(link));
     k = link.parent;
   }
   for (const int k : chain(to)) {

@@ -19,13 +19,15 @@ Wrench dynamic_screw(Program& program, Acceleration& motion, const MassPropertie
     n += j(x, x) * motion.angular()[x];
     const Value difference = j(z, z) - j(y, y);
     if (!difference.is_zero()) {
-      n += program.bind(difference) * program.bind(motion.omega()[y] * motion.omega()[z]);
+      const Value spread = program.bind(difference);
+      n += spread * program.bind(motion.omega()[y] * motion.omega()[z]);
     }
     if (!j(x, y).is_zero()) n -= j(x, y) * motion.u(z, x);
     if (!j(x, z).is_zero()) n += j(x, z) * motion.u(y, x);
     if (!j(y, z).is_zero()) {
-      const Value spread = motion.u(z, z) - motion.u(y, y);
-      n += j(y, z) * program.bind(spread);
+      const Value u_zz = motion.u(z, z);
+      const Value spread = program.bind(u_zz - motion.u(y, y));
+      n += j(y, z) * spread;
     }
   }
   screw.moment += cross(body.first_moment, motion.linear());
@@ -34,7 +36,7 @@ Wrench dynamic_screw(Program& program, Acceleration& motion, const MassPropertie
 
 }  // namespace
 
-std::vector<Value> inertia_forces(const Model& model, AccelerationInput input, const std::map<int, Wrench>& given) {
+std::vector<Value> inertia_forces(const Model& model, AccelerationInput input, const std::map<int, Wrench>& wrenches) {
   Program& program = model.program();
   std::vector<Acceleration> motion = accelerations(model, input);
   const auto& links = model.links();
@@ -45,7 +47,7 @@ std::vector<Value> inertia_forces(const Model& model, AccelerationInput input, c
     const Wrench own = dynamic_screw(program, motion[k], link.effective);
     load[k].resultant += own.resultant;
     load[k].moment += own.moment;
-    if (const auto wrench = given.find(static_cast<int>(k)); wrench != given.end()) {
+    if (const auto wrench = wrenches.find(static_cast<int>(k)); wrench != wrenches.end()) {
       load[k].resultant += -wrench->second.resultant;
       load[k].moment += -wrench->second.moment;
     }

@@ -12,8 +12,8 @@ namespace torsor {
 /// virtual power: P_i − Q_i(gravity, given wrenches) = Σ_S (dynamic screw of S − wrench on S) · partial twist of S,
 /// accumulated from the tips to the ground (mechanics: second derivation of Lagrange's equations; recursion of
 /// Luh, Walker & Paul, On-line computational scheme for mechanical manipulators, 1980).
-/// `given`: wrenches of given actions by link, in the link's axes at its origin.
-std::vector<Value> inertia_forces(const Model& model, AccelerationInput input, const std::map<int, Wrench>& given);
+/// `wrenches`: applied wrenches by link, in the link's axes at its origin.
+std::vector<Value> inertia_forces(const Model& model, AccelerationInput input, const std::map<int, Wrench>& wrenches);
 
 /// Mass matrix M (row by row, symmetric) of the unknowns by composite bodies (Walker & Orin, 1982).
 std::vector<std::vector<Value>> mass_matrix(const Model& model);

@@ -83,7 +83,6 @@ class Program {
   Value lower(const Expression& formula);
   Value symbol(const SymbolPointer& symbol);
   Value number(const Number& value, const Unit& unit = Unit());
-  Value pi() { return lower(torsor::pi()); }
 
   /// Gives a sum or product a definition of its own, so that users of the value see one symbol. Numbers and single
   /// symbols are returned as they are. The name tells a reader what it is.

@@ -181,6 +181,7 @@ PointHandle Scene::point(const std::string& name, const FrameReference& frame, c
 }
 
 void Scene::body(const std::string& name, const FrameReference& frame, const Inertia& inertia) {
+  require_identifier(name, "body");
   claim(name, "body");
   content_.bodies.push_back({name, frame, inertia});
 }

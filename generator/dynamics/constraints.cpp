@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/dynamics/constraints.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "generator/expression/derivative.hpp"
+#include "generator/expression/error.hpp"
+
+namespace torsor {
+namespace {
+
+class RowBuilder {
+ public:
+  RowBuilder(const Model& model, const std::string& user, ConstraintRow& row)
+      : model_(model), program_(model.program()), user_(user), row_(row) {}
+
+  void operator()(const HolonomicFormula& law) { holonomic(program_.lower(law.f)); }
+
+  void operator()(const Closure& law) {
+    const Vector a = model_.locate(law.a, 0, user_);
+    const Vector b = model_.locate(law.b, 0, user_);
+    const Vector ab = bound(program_, b - a);
+    holonomic(dot(ab, lower(program_, law.direction)));
+  }
+
+  void operator()(const NonholonomicFormula& law) {
+    row_.rate = program_.bind(program_.lower(law.left_side));
+    for (const CoordinateContent& c : model_.coordinates()) {
+      row_.jacobian.push_back(program_.bind(partial_derivation(program_, c.v)(row_.rate)));
+    }
+    for (const Value& entry : row_.jacobian) {
+      if (program_.stage(entry) <= Stage::configuration) continue;
+      throw SceneError(fmt::format("{} is not linear in the velocities: its left-hand side must be Σ a(q, t) q̇ − b(q, t)",
+                                   user_));
+    }
+  }
+
+  void operator()(const NoSlip& law) {
+    const int axes = model_.place(law.axes, user_).link;
+    const int link = model_.place(law.body, user_).link;
+    const Vector point = bound(program_, model_.locate(law.contact, axes, user_));
+    const Vector direction = model_.express(law.direction, law.axes, axes, user_);
+    row_.jacobian = partial_velocities(model_, link, point, direction, axes);
+    // Each joint contributes its own rate: laws of time included.
+    row_.rate = Value();
+    for (const int k : model_.chain(link)) {
+      const Link& joint = model_.links()[static_cast<std::size_t>(k)];
+      row_.rate += joint_velocity(joint, point, direction, axes) * joint.rate;
+    }
+    row_.rate = program_.bind(row_.rate);
+  }
+
+  /// Velocity of the point along the direction for a unit rate of one joint.
+  Value joint_velocity(const Link& joint, const Vector& point, const Vector& direction, int axes) const {
+    const Vector axis = model_.express(model_.axis_in_parent(joint), joint.parent, axes);
+    if (joint.joint == JointKind::prismatic) return program_.bind(dot(axis, direction));
+    const Vector origin = model_.locate(model_.origin_in_parent(joint), joint.parent, axes);
+    const Vector arm = bound(program_, point - origin);
+    return program_.bind(dot(bound(program_, cross(axis, arm)), direction));
+  }
+
+ private:
+  void holonomic(const Value& f) {
+    row_.holonomic = true;
+    row_.value = program_.bind(f);
+    row_.rate = program_.bind(time_derivative(row_.value));
+    for (const CoordinateContent& c : model_.coordinates()) {
+      row_.jacobian.push_back(program_.bind(partial_derivation(program_, c.q)(row_.value)));
+    }
+  }
+
+  const Model& model_;
+  Program& program_;
+  std::string user_;
+  ConstraintRow& row_;
+};
+
+}  // namespace
+
+std::vector<Value> partial_velocities(const Model& model, int link, const Vector& point, const Vector& direction,
+                                      int axes) {
+  Program& program = model.program();
+  ConstraintRow unused;
+  const RowBuilder builder(model, "partial velocity", unused);
+  std::vector<Value> partials(model.coordinates().size());
+  for (const int k : model.chain(link)) {
+    const Link& joint = model.links()[static_cast<std::size_t>(k)];
+    if (joint.partials.empty()) continue;
+    const Value velocity = builder.joint_velocity(joint, point, direction, axes);
+    for (const auto& [i, partial] : joint.partials) partials[static_cast<std::size_t>(i)] += velocity * partial;
+  }
+  for (Value& partial : partials) partial = program.bind(partial);
+  return partials;
+}
+
+std::vector<ConstraintRow> constraint_rows(const Model& model) {
+  Program& program = model.program();
+  std::vector<ConstraintRow> rows;
+  for (const ConstraintContent& constraint : model.scene().constraints) {
+    const std::string user = "constraint '" + constraint.name + "'";
+    ConstraintRow row;
+    row.name = constraint.name;
+    row.multiplier = constraint.multiplier;
+    std::visit(RowBuilder(model, user, row), constraint.law);
+    const auto unknowns = row.jacobian.begin() + model.unknown_count();
+    if (std::all_of(row.jacobian.begin(), unknowns, [](const Value& a) { return a.is_zero(); })) {
+      throw SceneError(fmt::format("{} involves no coordinate: no motion can satisfy or violate it; drop it or write it "
+                                   "with the scene's coordinates",
+                                   user));
+    }
+    // γ = d(rate)/dt with q̈ = 0: differentiate with velocities held.
+    Derivation at_constant_velocity(
+        program,
+        [&](const SymbolPointer& symbol) -> Value {
+          if (symbol->kind == SymbolKind::time) return program.number(Number(1));
+          if (symbol->kind == SymbolKind::coordinate) return program.symbol(symbol->rate);
+          return {};
+        },
+        units::second);
+    row.gamma = program.bind(at_constant_velocity(row.rate));
+    row.column = row.jacobian;
+    if (const auto& reaction = constraint.reaction) {
+      const std::string who = "reaction '" + reaction->name + "'";
+      const int axes = model.place(reaction->axes, who).link;
+      const Vector point = bound(program, model.locate(reaction->contact, axes, who));
+      const Vector direction = model.express(reaction->direction, reaction->axes, axes, who);
+      row.column = partial_velocities(model, model.place(reaction->body, who).link, point, direction, axes);
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace torsor

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/dynamics/forward_dynamics.hpp"
+
+namespace torsor {
+
+Factorisation::Factorisation(Program& program, const ValueMatrix& symmetric) : program_(&program) {
+  // From the last row to the first (M = Lᵀ D L): on a tree the parents' pivots come last and no entry fills in
+  // (Featherstone, Rigid Body Dynamics Algorithms, 2008, §6.5).
+  const std::size_t n = symmetric.size();
+  ValueMatrix rest = symmetric;
+  lower_.assign(n, std::vector<Value>(n));
+  inverse_pivots_.resize(n);
+  pivots_.resize(n);
+  for (std::size_t k = n; k-- > 0;) {
+    const Value pivot = program.bind(rest[k][k], "pivot");
+    pivots_[k] = {pivot, symmetric[k][k]};
+    if (pivot.is_zero()) continue;  // identically singular: the caller's test of the pivot fails
+    inverse_pivots_[k] = program.bind(pow(pivot, -1));
+    for (std::size_t i = 0; i < k; ++i) {
+      if (!rest[k][i].is_zero()) lower_[k][i] = program.bind(rest[k][i] * inverse_pivots_[k]);
+    }
+    for (std::size_t i = 0; i < k; ++i) {
+      if (lower_[k][i].is_zero()) continue;
+      for (std::size_t j = 0; j <= i; ++j) {
+        if (rest[k][j].is_zero()) continue;
+        rest[i][j] = program.bind(rest[i][j] - lower_[k][i] * rest[k][j]);
+      }
+    }
+  }
+}
+
+std::vector<Value> Factorisation::solve(const std::vector<Value>& right_side) const {
+  const std::size_t n = right_side.size();
+  std::vector<Value> x = right_side;
+  for (std::size_t k = n; k-- > 0;) {
+    x[k] = program_->bind(x[k]);
+    for (std::size_t i = 0; i < k; ++i) {
+      if (!lower_[k][i].is_zero() && !x[k].is_zero()) x[i] -= lower_[k][i] * x[k];
+    }
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    Value sum = x[k] * inverse_pivots_[k];
+    for (std::size_t i = 0; i < k; ++i) {
+      if (!lower_[k][i].is_zero() && !x[i].is_zero()) sum -= lower_[k][i] * x[i];
+    }
+    x[k] = program_->bind(sum);
+  }
+  return x;
+}
+
+ForwardSolution solve_forward(Program& program, const ValueMatrix& mass, const std::vector<Value>& force,
+                              const ValueMatrix& jacobian, const ValueMatrix& columns,
+                              const std::vector<Value>& gamma) {
+  const Factorisation factorisation(program, mass);
+  ForwardSolution solution;
+  solution.accelerations = factorisation.solve(force);
+  solution.pivots = factorisation.pivots();
+  const std::size_t m = jacobian.size();
+  if (m == 0) return solution;
+  // S = A M⁻¹ B, S λ = −(A a0 + γ), a = a0 + M⁻¹ B λ.
+  ValueMatrix effects;
+  for (const auto& column : columns) effects.push_back(factorisation.solve(column));
+  const auto along = [](const std::vector<Value>& row, const std::vector<Value>& x) {
+    Value sum;
+    for (std::size_t i = 0; i < x.size(); ++i) sum += row[i] * x[i];
+    return sum;
+  };
+  ValueMatrix schur(m, std::vector<Value>(m));
+  std::vector<Value> right_side(m);
+  for (std::size_t j = 0; j < m; ++j) {
+    for (std::size_t k = 0; k <= j; ++k) schur[j][k] = schur[k][j] = program.bind(along(jacobian[j], effects[k]));
+    right_side[j] = program.bind(-(along(jacobian[j], solution.accelerations) + gamma[j]));
+  }
+  const Factorisation reduced(program, schur);
+  solution.multipliers = reduced.solve(right_side);
+  for (const auto& pivot : reduced.pivots()) solution.pivots.push_back(pivot);
+  for (std::size_t i = 0; i < solution.accelerations.size(); ++i) {
+    Value& a = solution.accelerations[i];
+    for (std::size_t j = 0; j < m; ++j) a += effects[j][i] * solution.multipliers[j];
+    a = program.bind(a);
+  }
+  return solution;
+}
+
+}  // namespace torsor

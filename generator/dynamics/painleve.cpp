@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/dynamics/painleve.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "generator/dynamics/energy.hpp"
+#include "generator/expression/derivative.hpp"
+#include "generator/expression/evaluation.hpp"
+
+namespace torsor {
+namespace {
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "'" : ", '") + name + "'";
+  return text;
+}
+
+/// Momenta of cyclic coordinates.
+void add_momenta(const Equations& equations, const std::vector<Value>& momenta, const std::vector<Value>& along_q,
+                 PainleveReport& report) {
+  const Model& model = equations.model();
+  const std::vector<Value> applied = applied_forces(model, equations.actions());
+  const Value gravity = gravity_force_function(model);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(model.unknown_count()); ++i) {
+    const SymbolPointer& q = model.coordinates()[i].q;
+    const auto& inputs = equations.actions().inputs;
+    const auto& rows = equations.constraints();
+    const bool worked_on =
+        std::any_of(inputs.begin(), inputs.end(), [i](const auto& input) { return !input[i].is_zero(); }) ||
+        std::any_of(rows.begin(), rows.end(), [i](const ConstraintRow& row) { return !vanishes(row.column[i]); });
+    if (worked_on || !vanishes(along_q[i]) || momenta[i].is_zero()) continue;
+    Value force = applied[i];
+    if (!gravity.is_zero()) force += partial_derivation(model.program(), q)(gravity);
+    if (!vanishes(force)) continue;
+    const Unit unit = units::joule / model.coordinates()[i].v->unit;
+    report.first_integrals.push_back({"momentum_" + q->name,
+                                      fmt::format("dT/d{}' of the cyclic coordinate '{}' [{}]", q->name, q->name,
+                                                  unit.to_string()),
+                                      momenta[i]});
+  }
+}
+
+}  // namespace
+
+PainleveReport painleve(const Equations& equations) {
+  const Model& model = equations.model();
+  Program& program = model.program();
+  const Value t = kinetic_energy(model);
+  std::vector<SymbolPointer> positions;
+  std::vector<SymbolPointer> velocities;
+  for (int i = 0; i < model.unknown_count(); ++i) {
+    positions.push_back(model.coordinates()[static_cast<std::size_t>(i)].q);
+    velocities.push_back(model.coordinates()[static_cast<std::size_t>(i)].v);
+  }
+  PainleveReport report;
+  if (t.is_zero()) {
+    report.failing_conditions.push_back("nothing has mass");
+    return report;
+  }
+  const std::vector<Value> momenta = gradient(t, velocities);
+  const std::vector<Value> along_q = gradient(t, positions);
+  bool driven = false;
+  for (const CoordinateContent& c : equations.scene().content().coordinates) driven = driven || c.law.has_value();
+  const SymbolPointer& time = equations.scene().content().time;
+  Derivation by_time = partial_derivation(program, time);
+  report.explicit_rate = by_time(t);
+  driven = driven || !report.explicit_rate.is_zero();
+
+  Value doubled;
+  for (int i = 0; i < model.unknown_count(); ++i) doubled += momenta[static_cast<std::size_t>(i)] * model.v(i);
+  report.t2_minus_t0 = driven ? doubled - t : t;
+
+  Value u = gravity_force_function(model);
+  u += equations.actions().spring_force_function;
+  if (!equations.actions().without_force_function.empty()) {
+    report.failing_conditions.push_back(
+        fmt::format("{} {} no force function", joined(equations.actions().without_force_function),
+                    equations.actions().without_force_function.size() == 1 ? "has" : "have"));
+  }
+  if (!vanishes(report.explicit_rate)) report.failing_conditions.emplace_back("T depends on time explicitly");
+  if (!u.is_zero() && !vanishes(by_time(u))) {
+    report.failing_conditions.emplace_back("the force function U depends on time explicitly");
+  }
+  Substitution at_rest(program, [&](const SymbolPointer& symbol) -> std::optional<Value> {
+    if (symbol->kind != SymbolKind::velocity) return std::nullopt;
+    return program.number(Number(), symbol->unit);
+  });
+  for (const ConstraintRow& row : equations.constraints()) {
+    if (vanishes(at_rest(row.rate))) continue;
+    report.failing_conditions.push_back(fmt::format("constraint '{}' imposes a velocity (b is not zero)", row.name));
+  }
+  if (report.failing_conditions.empty()) {
+    Value integral = report.t2_minus_t0;
+    integral -= u;
+    report.first_integrals.push_back(driven ? FirstIntegral{"painleve", "T2 - T0 - U [J]", integral}
+                                            : FirstIntegral{"energy", "T - U [J]", integral});
+  }
+  add_momenta(equations, momenta, along_q, report);
+  return report;
+}
+
+}  // namespace torsor

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "generator/expression/formula.hpp"
+#include "generator/expression/program.hpp"
+
+namespace torsor {
+
+/// Prints formulas as C++: the very trees that are counted, so that each operator of the text is one operation.
+/// Numbers become names, gathered in order of first use; the caller declares them.
+class FormulaPrinter {
+ public:
+  explicit FormulaPrinter(const Program& program) : program_(&program) {}
+
+  std::string print(const Formula& formula);
+  /// −formula, with the signs of a sum turned round instead of a minus before it.
+  std::string print_negated(const Formula& formula);
+  /// Name of a number; from then on it is in the list.
+  std::string name(const Number& number);
+
+  struct Constant {
+    Number number;
+    std::string name;
+  };
+  const std::vector<Constant>& constants() const { return constants_; }
+
+ private:
+  std::string print_sum(const Formula& sum, bool negated);
+  std::string print_factor(const Formula& formula);
+
+  const Program* program_;
+  std::vector<Constant> constants_;
+  std::unordered_map<Number, std::size_t> places_;  ///< looked up only
+};
+
+/// Shortest decimal that reads back as the same double ("9.81", "2.0", "1e+20").
+std::string literal(double value);
+/// The same for float ("9.81f").
+std::string literal(float value);
+
+/// `traits::constant(9.81, 9.81f, "981/100")`, rounded once for each format.
+std::string constant_call(const Number& number);
+
+/// Breaks a line of code longer than 120 columns before operators or after commas; later lines are indented further.
+std::string wrapped(const std::string& line, std::size_t indentation);
+
+}  // namespace torsor

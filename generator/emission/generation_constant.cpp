@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/emission/generation_constant.hpp"
+
+#include <fmt/format.h>
+
+#include "generator/expression/error.hpp"
+#include "generator/expression/evaluation.hpp"
+
+namespace torsor {
+namespace {
+
+Real evaluated(const Program& program, Atom atom) {
+  Evaluator<Real> evaluate(program, [&program, atom](const SymbolPointer& symbol) {
+    if (symbol->kind == SymbolKind::pi) return Real::pi(Real::working_digits());
+    throw Error(fmt::format("'{}' depends on '{}': its value is not known when the header is generated",
+                            label(program, atom), symbol->name));
+  });
+  const Definition& definition = program[atom];
+  return evaluate(Value(const_cast<Program&>(program), Polynomial(atom), definition.unit));
+}
+
+}  // namespace
+
+RoundedConstant rounded_constant(const Program& program, Atom atom) {
+  constexpr int most_digits = 1280;
+  for (int digits = 40;; digits *= 2) {
+    const auto at = [&](int precision) {
+      const WorkingDigits working(precision);
+      return evaluated(program, atom);
+    };
+    const Real coarse = at(digits);
+    const Real fine = at(2 * digits);
+    if (fine.is_nan() || coarse.is_nan()) {
+      throw Error(fmt::format("the constant '{}' of the scene has no value: it divides by zero, or takes the root or "
+                              "logarithm of a negative number",
+                              label(program, atom)));
+    }
+    // A value known to 30 digits rounds to 53 bits at once, unless it lies within 1e-30 of a half: then two
+    // precisions give two results.
+    const bool agree = abs(fine - coarse) <= Real(Number(10).pow(-30), 2 * digits) * abs(fine);
+    const Number exact = fine.to_number();
+    const Number near = coarse.to_number();
+    const RoundedConstant rounded{exact.to_double(), exact.to_float()};
+    if (agree && rounded.in_double == near.to_double() && rounded.in_float == near.to_float()) return rounded;
+    if (digits >= most_digits) return abs(fine) < Real(Number(10).pow(-500), digits) ? RoundedConstant{} : rounded;
+  }
+}
+
+}  // namespace torsor

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/emission/kernel.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include <fmt/format.h>
+
+#include "generator/dynamics/energy.hpp"
+#include "generator/dynamics/linearisation.hpp"
+#include "generator/dynamics/painleve.hpp"
+#include "generator/emission/kernel_kinematics.hpp"
+#include "generator/expression/derivative.hpp"
+#include "generator/expression/error.hpp"
+
+namespace torsor {
+namespace {
+
+std::string element(const std::string& array, std::size_t index) { return fmt::format("{}[{}]", array, index); }
+
+std::string array_type(std::size_t size) { return fmt::format("std::array<Scalar, {}>", size); }
+
+/// Appends a matrix, column by column.
+void assign_matrix(Kernel& kernel, const std::string& target, const ValueMatrix& matrix, std::size_t columns) {
+  for (std::size_t j = 0; j < columns; ++j) {
+    for (std::size_t i = 0; i < matrix.size(); ++i) {
+      kernel.assignments.push_back({element(target, j * matrix.size() + i), matrix[i][j]});
+    }
+  }
+}
+
+Member matrix_member(const std::string& name, std::size_t rows, std::size_t columns, const std::string& text) {
+  return {name, static_cast<int>(rows), static_cast<int>(columns), text, false};
+}
+
+/// Assigns one value per unknown to a vector of the header.
+void assign_vector(Kernel& kernel, const std::string& target, const std::vector<Value>& values, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i) kernel.assignments.push_back({element(target, i), values[i]});
+}
+
+std::size_t unknowns(const Equations& equations) { return static_cast<std::size_t>(equations.model().unknown_count()); }
+
+Kernel make_mass_matrix(const Equations& equations) {
+  const std::size_t n = unknowns(equations);
+  Kernel kernel;
+  kernel.documentation = "Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.";
+  kernel.results = {{array_type(n * n), "mass"}};
+  assign_matrix(kernel, "mass", equations.mass(), n);
+  return kernel;
+}
+
+Kernel make_bias(const Equations& equations) {
+  Kernel kernel;
+  kernel.documentation =
+      "Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive\n"
+      "actions included. M a + h = E u + A' lambda.";
+  kernel.results = {{"GeneralizedForces", "forces"}};
+  assign_vector(kernel, "forces", equations.bias(), unknowns(equations));
+  return kernel;
+}
+
+Kernel make_inverse_dynamics(const Equations& equations) {
+  Kernel kernel;
+  kernel.documentation =
+      "Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.";
+  kernel.arguments = {Argument::accelerations, Argument::multipliers};
+  kernel.results = {{"GeneralizedForces", "forces"}};
+  assign_vector(kernel, "forces", equations.inverse_dynamics(), unknowns(equations));
+  return kernel;
+}
+
+Kernel make_forward_dynamics(const Equations& equations) {
+  const ForwardSolution& solution = equations.forward();
+  Kernel kernel;
+  kernel.documentation =
+      "Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by an\n"
+      "unrolled L D L' of M and of the Schur complement A M^-1 A'. Returns singular when a pivot is not positive\n"
+      "relative to its diagonal entry.";
+  kernel.arguments = {Argument::inputs};
+  kernel.results = {{"Accelerations", "accelerations"}, {"Multipliers", "multipliers"}};
+  assign_vector(kernel, "accelerations", solution.accelerations, solution.accelerations.size());
+  assign_vector(kernel, "multipliers", solution.multipliers, solution.multipliers.size());
+  kernel.pivots = solution.pivots;
+  return kernel;
+}
+
+Kernel make_energy(const Equations& equations) {
+  Kernel kernel;
+  kernel.documentation = "Kinetic energy, force function (potential energy = -U) and power of what has no force function.";
+  kernel.arguments = {Argument::inputs};
+  kernel.structures = {{"Energy",
+                        "Energies of the mechanism.",
+                        {{"kinetic", 1, 1, "kinetic energy T [J]", true},
+                         {"force_function", 1, 1, "force function U of gravity and springs [J]", true},
+                         {"power", 1, 1, "power of dampers, given forces and motors [W]", true}}}};
+  kernel.results = {{"Energy", "result"}};
+  const Value kinetic = kinetic_energy(equations.model());
+  Value force_function = gravity_force_function(equations.model());
+  force_function += equations.actions().spring_force_function;
+  kernel.assignments = {{"result.kinetic", kinetic},
+                        {"result.force_function", force_function},
+                        {"result.power", equations.actions().power}};
+  return kernel;
+}
+
+Kernel make_first_integrals(const Equations& equations) {
+  Kernel kernel;
+  const PainleveReport report = painleve(equations);
+  kernel.documentation = report.first_integrals.empty() ? "" : "First integrals: constant along every motion.";
+  std::string reasons;
+  for (const std::string& reason : report.failing_conditions) reasons += (reasons.empty() ? "" : "; ") + reason;
+  if (report.first_integrals.empty()) {
+    kernel.skipped = reasons;
+    return kernel;
+  }
+  Structure structure{"FirstIntegrals", "Quantities that every motion conserves.", {}};
+  for (const FirstIntegral& integral : report.first_integrals) {
+    structure.members.push_back({integral.name, 1, 1, integral.documentation, true});
+    kernel.assignments.push_back({"result." + integral.name, integral.value});
+  }
+  kernel.structures = {structure};
+  kernel.results = {{"FirstIntegrals", "result"}};
+  return kernel;
+}
+
+Kernel make_constraints(const Equations& equations) {
+  Kernel kernel;
+  const std::vector<ConstraintRow>& rows = equations.constraints();
+  if (rows.empty()) {
+    kernel.skipped = "the scene has no constraints";
+    return kernel;
+  }
+  const std::size_t m = rows.size();
+  const std::size_t n = unknowns(equations);
+  kernel.documentation = "Constraints A(q, t) v - b(q, t) = 0, in the order of the multipliers.";
+  kernel.structures = {{"Constraints",
+                        "Constraints and their derivatives, one entry per multiplier.",
+                        {matrix_member("value", m, 1, "f(q, t) of holonomic constraints, 0 for the others"),
+                         matrix_member("rate", m, 1, "A v - b, df/dt for holonomic ones"),
+                         matrix_member("jacobian", m, n, "A, stored column by column"),
+                         matrix_member("gamma", m, 1, "d(A v - b)/dt at zero acceleration: A a + gamma = 0")}}};
+  kernel.results = {{"Constraints", "result"}};
+  ValueMatrix jacobian;
+  for (std::size_t j = 0; j < m; ++j) {
+    kernel.assignments.push_back({element("result.value", j), rows[j].value});
+    kernel.assignments.push_back({element("result.rate", j), rows[j].rate});
+    kernel.assignments.push_back({element("result.gamma", j), rows[j].gamma});
+    jacobian.push_back(rows[j].jacobian);
+  }
+  assign_matrix(kernel, "result.jacobian", jacobian, n);
+  return kernel;
+}
+
+Kernel make_reactions(const Equations& equations) {
+  Kernel kernel;
+  const Model& model = equations.model();
+  if (model.released_count() == 0) {
+    kernel.skipped = "the scene releases no joint direction (released_coordinate)";
+    return kernel;
+  }
+  kernel.documentation =
+      "Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released\n"
+      "direction, at accelerations, multipliers and inputs that belong to the motion.";
+  kernel.arguments = {Argument::accelerations, Argument::multipliers, Argument::inputs};
+  Structure structure{"Reactions", "Reactions of joints along released directions.", {}};
+  const std::vector<SymbolPointer> inputs = model.inputs();
+  for (std::size_t i = unknowns(equations); i < model.coordinates().size(); ++i) {
+    const SymbolPointer& q = model.coordinates()[i].q;
+    Value reaction = equations.inverse_dynamics()[i];
+    for (std::size_t k = 0; k < inputs.size(); ++k) {
+      const Value& partial = equations.actions().inputs[k][i];
+      if (!partial.is_zero()) reaction -= partial * equations.program().symbol(inputs[k]);
+    }
+    const Unit unit = units::joule / q->unit;
+    structure.members.push_back({q->name, 1, 1, fmt::format("reaction along '{}' [{}]", q->name, unit.to_string()), true});
+    kernel.assignments.push_back({"result." + q->name, reaction});
+  }
+  kernel.structures = {structure};
+  kernel.results = {{"Reactions", "result"}};
+  return kernel;
+}
+
+Kernel make_linearisation(const Equations& equations) {
+  Kernel kernel;
+  const std::size_t n = unknowns(equations);
+  const Linearisation linear = linearisation(equations);
+  const std::size_t inputs = equations.model().inputs().size();
+  kernel.documentation =
+      "Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the\n"
+      "inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.";
+  kernel.arguments = {Argument::accelerations, Argument::multipliers, Argument::inputs};
+  Structure structure{"Linearisation",
+                      "Matrices of the linearised equations, stored column by column.",
+                      {matrix_member("M", n, n, "mass matrix"), matrix_member("C", n, n, "damping and gyroscopic terms"),
+                       matrix_member("K", n, n, "stiffness"), matrix_member("F", n, 1, "right-hand side")}};
+  assign_matrix(kernel, "result.M", linear.M, n);
+  assign_matrix(kernel, "result.C", linear.C, n);
+  assign_matrix(kernel, "result.K", linear.K, n);
+  assign_vector(kernel, "result.F", linear.F, n);
+  if (inputs > 0) {
+    structure.members.push_back(matrix_member("E", n, inputs, "effect of the inputs"));
+    assign_matrix(kernel, "result.E", linear.E, inputs);
+  }
+  // State matrices only where the coordinates are independent: x = (e, e'), x' = A x + B du.
+  if (equations.constraints().empty()) {
+    Program& program = equations.program();
+    const Factorisation factorisation(program, linear.M);
+    ValueMatrix a(2 * n, std::vector<Value>(2 * n));
+    ValueMatrix b(2 * n, std::vector<Value>(inputs));
+    const auto column_of = [n](const ValueMatrix& matrix, std::size_t j) {
+      std::vector<Value> column;
+      for (std::size_t i = 0; i < n; ++i) column.push_back(matrix[i][j]);
+      return column;
+    };
+    for (std::size_t j = 0; j < n; ++j) {
+      a[j][n + j] = program.number(Number(1));
+      const std::vector<Value> stiffness = factorisation.solve(column_of(linear.K, j));
+      const std::vector<Value> damping = factorisation.solve(column_of(linear.C, j));
+      for (std::size_t i = 0; i < n; ++i) {
+        a[n + i][j] = -stiffness[i];
+        a[n + i][n + j] = -damping[i];
+      }
+    }
+    for (std::size_t k = 0; k < inputs; ++k) {
+      const std::vector<Value> effect = factorisation.solve(column_of(linear.E, k));
+      for (std::size_t i = 0; i < n; ++i) b[n + i][k] = effect[i];
+    }
+    structure.members.push_back(matrix_member("A", 2 * n, 2 * n, "state matrix of x = (e, e'): x' = A x + B du"));
+    assign_matrix(kernel, "result.A", a, 2 * n);
+    if (inputs > 0) {
+      structure.members.push_back(matrix_member("B", 2 * n, inputs, "input matrix"));
+      assign_matrix(kernel, "result.B", b, inputs);
+    }
+    kernel.pivots = factorisation.pivots();
+  }
+  kernel.structures = {structure};
+  kernel.results = {{"Linearisation", "result"}};
+  return kernel;
+}
+
+struct Entry {
+  std::string name;
+  std::function<Kernel(const Equations&)> make;
+};
+
+const std::vector<Entry>& entries() {
+  static const std::vector<Entry> all{{"kinematics", make_kinematics},
+                                      {"mass_matrix", make_mass_matrix},
+                                      {"bias", make_bias},
+                                      {"inverse_dynamics", make_inverse_dynamics},
+                                      {"forward_dynamics", make_forward_dynamics},
+                                      {"energy", make_energy},
+                                      {"first_integrals", make_first_integrals},
+                                      {"constraints", make_constraints},
+                                      {"reactions", make_reactions},
+                                      {"linearisation", make_linearisation}};
+  return all;
+}
+
+std::string known_names() {
+  std::string known;
+  for (const Entry& entry : entries()) known += (known.empty() ? "" : ", ") + entry.name;
+  return known;
+}
+
+}  // namespace
+
+std::vector<Value> Kernel::values() const {
+  std::vector<Value> all;
+  for (const Assignment& assignment : assignments) all.push_back(assignment.value);
+  for (const auto& [pivot, diagonal] : pivots) {
+    all.push_back(pivot);
+    all.push_back(diagonal);
+  }
+  return all;
+}
+
+const std::vector<std::string>& kernel_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const Entry& entry : entries()) all.push_back(entry.name);
+    return all;
+  }();
+  return names;
+}
+
+Kernel make_kernel(const std::string& name, const Equations& equations) {
+  for (const Entry& entry : entries()) {
+    if (entry.name != name) continue;
+    Kernel kernel = entry.make(equations);
+    kernel.name = name;
+    return kernel;
+  }
+  throw UsageError(fmt::format("unknown kernel '{}': known are {}", name, known_names()));
+}
+
+std::vector<std::string> parse_kernel_list(const std::string& list) {
+  std::vector<std::string> names;
+  for (std::size_t begin = 0; begin <= list.size();) {
+    const std::size_t end = std::min(list.find(',', begin), list.size());
+    const std::string name = list.substr(begin, end - begin);
+    begin = end + 1;
+    if (name == "all") {
+      for (const std::string& each : kernel_names()) names.push_back(each);
+      continue;
+    }
+    const auto& known = kernel_names();
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      throw UsageError(fmt::format("unknown kernel '{}': known are {}, or all", name, known_names()));
+    }
+    names.push_back(name);
+  }
+  std::vector<std::string> ordered;  // in the order of the header, each once
+  for (const std::string& name : kernel_names()) {
+    if (std::find(names.begin(), names.end(), name) != names.end()) ordered.push_back(name);
+  }
+  return ordered;
+}
+
+}  // namespace torsor

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/emission/kernel_kinematics.hpp"
+
+#include <fmt/format.h>
+
+namespace torsor {
+namespace {
+
+/// Fills the structure `Kinematics` member by member.
+class KinematicsBuilder {
+ public:
+  explicit KinematicsBuilder(const Equations& equations)
+      : model_(equations.model()), program_(model_.program()), twists_(twists(model_)) {}
+
+  void body(const BodyContent& body) {
+    const FramePlace& at = model_.place(body.frame, "body '" + body.name + "'");
+    const Vector center = bound(program_, at.origin + at.rotation * lower(program_, body.inertia.center));
+    const Twist& twist = twists_[static_cast<std::size_t>(at.link)];
+    add_vector(body.name + "_position", "centre of mass of " + body.name + " [m]", model_.locate(center, at.link, 0));
+    Matrix rotation;
+    for (int j = 0; j < 3; ++j) {
+      Vector axis;
+      for (int i = 0; i < 3; ++i) axis[i] = program_.number(at.rotation(i, j));
+      const Vector seen = model_.express(axis, at.link, 0);
+      for (int i = 0; i < 3; ++i) rotation(i, j) = seen[i];
+    }
+    add_rotation(body.name + "_rotation", "from the axes of " + body.name + " to the ground's", rotation);
+    add_vector(body.name + "_velocity", "velocity of the centre of mass of " + body.name + " [m/s]",
+               velocity_of(twist, center, at.link));
+    add_vector(body.name + "_angular_velocity", "angular velocity of " + body.name + " [rad/s]",
+               model_.express(twist.angular, at.link, 0));
+  }
+
+  void point(const PointContent& point, int index) {
+    const std::string user = "point '" + point.name + "'";
+    const int link = model_.place(point.frame, user).link;
+    const Vector place = bound(program_, model_.locate(PointHandle{index}, link, user));
+    add_vector(point.name + "_position", "position of " + point.name + " [m]", model_.locate(place, link, 0));
+    add_vector(point.name + "_velocity", "velocity of the material point at " + point.name + " [m/s]",
+               velocity_of(twists_[static_cast<std::size_t>(link)], place, link));
+    const Vector in_ground = bound(program_, model_.locate(place, link, 0));
+    const auto n = static_cast<std::size_t>(model_.unknown_count());
+    const std::string member = point.name + "_jacobian";
+    structure_.members.push_back({member, 3, static_cast<int>(n), "partial velocities of " + point.name, false});
+    for (int i = 0; i < 3; ++i) {
+      Vector direction;
+      direction[i] = program_.number(Number(1));
+      const std::vector<Value> row = partial_velocities(model_, link, in_ground, direction, 0);
+      for (std::size_t j = 0; j < n; ++j) assign(member, 3 * j + static_cast<std::size_t>(i), row[j]);
+    }
+  }
+
+  Kernel take() {
+    Kernel kernel;
+    kernel.documentation =
+        "Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;\n"
+        "matrices column by column.";
+    kernel.structures = {structure_};
+    kernel.results = {{"Kinematics", "result"}};
+    kernel.assignments = assignments_;
+    return kernel;
+  }
+
+ private:
+  Vector velocity_of(const Twist& twist, const Vector& place, int link) {
+    const Vector local = bound(program_, twist.linear + cross(twist.angular, place));
+    return model_.express(local, link, 0);
+  }
+
+  void assign(const std::string& member, std::size_t index, const Value& value) {
+    assignments_.push_back({fmt::format("result.{}[{}]", member, index), value});
+  }
+
+  void add_vector(const std::string& name, const std::string& text, const Vector& v) {
+    structure_.members.push_back({name, 3, 1, text, false});
+    for (int i = 0; i < 3; ++i) assign(name, static_cast<std::size_t>(i), v[i]);
+  }
+
+  void add_rotation(const std::string& name, const std::string& text, const Matrix& m) {
+    structure_.members.push_back({name, 3, 3, text, false});
+    for (int j = 0; j < 3; ++j) {
+      for (int i = 0; i < 3; ++i) assign(name, static_cast<std::size_t>(3 * j + i), m(i, j));
+    }
+  }
+
+  const Model& model_;
+  Program& program_;
+  std::vector<Twist> twists_;
+  Structure structure_{"Kinematics", "Poses, twists and named points in ground axes.", {}};
+  std::vector<Assignment> assignments_;
+};
+
+}  // namespace
+
+Kernel make_kinematics(const Equations& equations) {
+  KinematicsBuilder builder(equations);
+  const SceneContent& scene = equations.model().scene();
+  for (const BodyContent& body : scene.bodies) builder.body(body);
+  for (std::size_t i = 0; i < scene.points.size(); ++i) builder.point(scene.points[i], static_cast<int>(i));
+  return builder.take();
+}
+
+}  // namespace torsor

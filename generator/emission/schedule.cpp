@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/emission/schedule.hpp"
+
+#include "generator/expression/formula.hpp"
+
+namespace torsor {
+namespace {
+
+/// Goes backwards through the program from some sums and stops at what is given.
+template <class IsGiven>
+Block collect(const Program& program, const std::vector<Polynomial>& roots, const IsGiven& is_given) {
+  std::vector<bool> needed(program.size(), false);
+  const auto mark = [&needed](const Polynomial& polynomial) {
+    for (const Term& term : polynomial.terms()) {
+      for (const Factor& factor : term.monomial) needed[static_cast<std::size_t>(factor.atom)] = true;
+    }
+  };
+  for (const Polynomial& root : roots) mark(root);
+  for (std::size_t k = program.size(); k-- > 0;) {
+    const auto atom = static_cast<Atom>(k);
+    if (!needed[k] || is_given(atom)) continue;
+    mark(program[atom].polynomial);
+    if (program[atom].function) needed[static_cast<std::size_t>(program[atom].argument)] = true;
+  }
+  Block block;
+  for (std::size_t k = 0; k < program.size(); ++k) {
+    const auto atom = static_cast<Atom>(k);
+    if (!needed[k]) continue;
+    const SymbolPointer& symbol = program[atom].symbol;
+    if (symbol && symbol->kind != SymbolKind::pi) block.symbols.push_back(atom);
+    else if (is_given(atom)) block.given.push_back(atom);
+    else block.definitions.push_back(atom);
+  }
+  return block;
+}
+
+Stage stage_of(const Program& program, const Polynomial& polynomial) {
+  Stage latest = Stage::generation;
+  for (const Term& term : polynomial.terms()) {
+    for (const Factor& factor : term.monomial) latest = std::max(latest, program[factor.atom].stage);
+  }
+  return latest;
+}
+
+}  // namespace
+
+std::pair<Polynomial, bool> without_sign(const Polynomial& polynomial) {
+  if (polynomial.sign() >= 0) return {polynomial, false};
+  Polynomial positive = polynomial;
+  positive *= Number(-1);
+  return {std::move(positive), true};
+}
+
+std::optional<std::size_t> SumTable::find(const Polynomial& sum) const {
+  const auto bucket = by_hash_.find(sum.hash());
+  if (bucket == by_hash_.end()) return std::nullopt;
+  for (const std::size_t place : bucket->second) {
+    if (sums_[place] == sum) return place;
+  }
+  return std::nullopt;
+}
+
+std::pair<std::size_t, bool> SumTable::add(const Polynomial& sum) {
+  if (const std::optional<std::size_t> known = find(sum)) return {*known, false};
+  by_hash_[sum.hash()].push_back(sums_.size());
+  sums_.push_back(sum);
+  return {sums_.size() - 1, true};
+}
+
+Block whole_block(const Program& program, const std::vector<Polynomial>& sums) {
+  return collect(program, sums, [](Atom) { return false; });
+}
+
+Schedule make_schedule(const Program& program, const std::vector<Kernel>& kernels) {
+  Schedule schedule;
+  std::vector<bool> read(program.size(), false);
+  const auto is_precomputed = [&program](Atom atom) {
+    return !program[atom].symbol && program[atom].stage == Stage::parameters;
+  };
+  for (const Kernel& kernel : kernels) {
+    std::vector<Polynomial> roots;
+    for (const Value& value : kernel.values()) {
+      auto [sum, negative] = without_sign(value.polynomial());
+      const bool once = stage_of(program, sum) == Stage::parameters && count(factored(sum)).total() > 0;
+      if (once) schedule.results.add(sum);
+      else roots.push_back(std::move(sum));
+    }
+    schedule.kernels.push_back(collect(program, roots, is_precomputed));
+    for (const Atom atom : schedule.kernels.back().given) read[static_cast<std::size_t>(atom)] = true;
+  }
+  std::vector<Polynomial> roots = schedule.results.sums();
+  for (std::size_t k = 0; k < program.size(); ++k) {
+    if (!read[k]) continue;
+    schedule.members.push_back(static_cast<Atom>(k));
+    roots.emplace_back(static_cast<Atom>(k));
+  }
+  schedule.precompute = whole_block(program, roots);
+  return schedule;
+}
+
+}  // namespace torsor

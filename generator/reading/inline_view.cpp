@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/reading/inline_view.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include "generator/expression/error.hpp"
+#include "generator/reading/trigonometry.hpp"
+
+namespace torsor::reading {
+namespace {
+
+template <class T>
+std::optional<T>& slot(std::vector<std::optional<T>>& table, Atom atom) {
+  const auto index = static_cast<std::size_t>(atom);
+  if (table.size() <= index) table.resize(index + 1);
+  return table[index];
+}
+
+cln::cl_RA rational(const GiNaC::numeric& number) { return cln::the<cln::cl_RA>(number.to_cl_N()); }
+
+}  // namespace
+
+GiNaC::ex to_ginac(const Number& number) {
+  const auto part = [&number](int i) { return GiNaC::ex(GiNaC::numeric(number.part(i))); };
+  if (number.is_rational()) return part(0);
+  const GiNaC::ex half = GiNaC::numeric(1, 2);
+  const GiNaC::ex root_2 = GiNaC::power(GiNaC::ex(2), half);
+  const GiNaC::ex root_3 = GiNaC::power(GiNaC::ex(3), half);
+  return part(0) + part(1) * root_2 + part(2) * root_3 + part(3) * root_2 * root_3;
+}
+
+GiNaC::ex apply(Function function, const GiNaC::ex& argument) {
+  switch (function) {
+    case Function::sin: return GiNaC::sin(argument);
+    case Function::cos: return GiNaC::cos(argument);
+    case Function::sqrt: return GiNaC::power(argument, GiNaC::numeric(1, 2));
+    case Function::exp: return GiNaC::exp(argument);
+    case Function::log: return GiNaC::log(argument);
+  }
+  return argument;
+}
+
+double InlineView::term_bound(const Value& value) { return term_bound(value.polynomial()); }
+
+double InlineView::term_bound(const Polynomial& polynomial) {
+  double sum = 0;
+  for (const Term& term : polynomial.terms()) {
+    double product = 1;
+    for (const Factor& factor : term.monomial) {
+      if (factor.exponent > 0) product *= std::pow(term_bound(factor.atom), factor.exponent);
+    }
+    sum += product;
+  }
+  return sum;
+}
+
+double InlineView::term_bound(Atom atom) {
+  if (const auto& known = slot(bounds_, atom)) return *known;
+  const Definition& definition = (*program_)[atom];
+  double bound = 1;
+  if (definition.function) {
+    // What stands in the argument is written as often as the function.
+    bound = std::max(1.0, term_bound(definition.argument) / limits_.terms);
+  } else if (!definition.symbol) {
+    bound = std::max(1.0, term_bound(definition.polynomial));
+  }
+  slot(bounds_, atom) = bound;
+  return bound;
+}
+
+GiNaC::ex InlineView::symbol(const SymbolPointer& symbol) {
+  if (symbol->kind == SymbolKind::pi) {
+    if (symbols_.empty() || numbers_.find(symbol.get()) == numbers_.end()) {
+      numbers_.emplace(symbol.get(), symbols_.size());
+      symbols_.push_back(symbol);
+      ginac_symbols_.push_back(GiNaC::Pi);
+    }
+    return GiNaC::Pi;
+  }
+  const auto [place, added] = numbers_.emplace(symbol.get(), symbols_.size());
+  if (added) {
+    symbols_.push_back(symbol);
+    ginac_symbols_.push_back(GiNaC::symbol(std::to_string(place->second)));
+  }
+  return ginac_symbols_[place->second];
+}
+
+GiNaC::ex InlineView::of_polynomial(const Polynomial& polynomial) {
+  GiNaC::exvector sum;
+  for (const Term& term : polynomial.terms()) {
+    GiNaC::exvector product{to_ginac(term.coefficient)};
+    for (const Factor& factor : term.monomial) {
+      product.push_back(GiNaC::power(of_atom(factor.atom), factor.exponent));
+    }
+    sum.push_back(GiNaC::mul(product));
+  }
+  return GiNaC::add(sum);
+}
+
+GiNaC::ex InlineView::of_atom(Atom atom) {
+  if (const auto& known = slot(atoms_, atom)) return *known;
+  const Definition& definition = (*program_)[atom];
+  GiNaC::ex result;
+  if (definition.symbol) {
+    result = symbol(definition.symbol);
+  } else if (definition.function) {
+    result = apply(*definition.function, of_atom(definition.argument));
+  } else {
+    result = of_polynomial(definition.polynomial);
+  }
+  slot(atoms_, atom) = result;
+  return result;
+}
+
+std::optional<GiNaC::ex> InlineView::expression(const Value& value) {
+  if (!(term_bound(value) <= limits_.expansion)) return std::nullopt;
+  return of_polynomial(value.polynomial());
+}
+
+Sum InlineView::canonical_power(const GiNaC::ex& expression) {
+  const GiNaC::ex& exponent = expression.op(1);
+  if (!GiNaC::is_a<GiNaC::numeric>(exponent)) throw Error("a printed equation has an exponent that is not a number");
+  const GiNaC::numeric halves = GiNaC::ex_to<GiNaC::numeric>(exponent) * GiNaC::numeric(2);
+  if (!halves.is_integer()) throw Error("a printed equation has a power that is neither whole nor a root");
+  return power(canonical(expression.op(0)), halves.to_int());
+}
+
+Sum InlineView::canonical(const GiNaC::ex& e) {
+  if (GiNaC::is_a<GiNaC::numeric>(e)) {
+    const auto& number = GiNaC::ex_to<GiNaC::numeric>(e);
+    if (!number.is_rational()) throw Error("a printed equation has a number that is not exact");
+    return Sum(Number(rational(number)));
+  }
+  if (GiNaC::is_a<GiNaC::symbol>(e)) {
+    const std::string name = GiNaC::ex_to<GiNaC::symbol>(e).get_name();
+    return Sum::symbol(symbols_[static_cast<std::size_t>(std::stoul(name))]);
+  }
+  if (GiNaC::is_a<GiNaC::constant>(e)) return Sum::symbol(pi().as_symbol());
+  if (GiNaC::is_a<GiNaC::add>(e)) {
+    Sum sum;
+    for (std::size_t i = 0; i < e.nops(); ++i) sum += canonical(e.op(i));
+    return sum;
+  }
+  if (GiNaC::is_a<GiNaC::mul>(e)) {
+    Sum product{Number(1)};
+    for (std::size_t i = 0; i < e.nops(); ++i) product = product * canonical(e.op(i));
+    return product;
+  }
+  if (GiNaC::is_a<GiNaC::power>(e)) return canonical_power(e);
+  const auto call = [&](Function function) { return Sum::function(function, simplified(canonical(e.op(0)))); };
+  if (GiNaC::is_ex_the_function(e, sin)) return call(Function::sin);
+  if (GiNaC::is_ex_the_function(e, cos)) return call(Function::cos);
+  if (GiNaC::is_ex_the_function(e, exp)) return call(Function::exp);
+  if (GiNaC::is_ex_the_function(e, log)) return call(Function::log);
+  throw Error("a printed equation has a function that cannot be printed");
+}
+
+Sum InlineView::sum(const GiNaC::ex& expression) { return simplified(canonical(expression.expand())); }
+
+std::optional<Sum> InlineView::bounded_sum(const GiNaC::ex& expression) {
+  Sum result = sum(expression);
+  if (static_cast<int>(result.size()) > limits_.terms) return std::nullopt;
+  return result;
+}
+
+std::optional<Sum> InlineView::sum(const Value& value) {
+  const std::optional<GiNaC::ex> written = expression(value);
+  if (!written) return std::nullopt;
+  return bounded_sum(*written);
+}
+
+GiNaC::ex InlineView::expression(const Sum& sum) {
+  GiNaC::exvector terms;
+  for (const auto& [product, coefficient] : sum.terms()) {
+    GiNaC::exvector factors{to_ginac(coefficient)};
+    for (const Power& power : product) {
+      GiNaC::ex base;
+      switch (power.base->kind) {
+        case Base::Kind::symbol: base = symbol(power.base->symbol); break;
+        case Base::Kind::function: base = apply(power.base->function, expression(power.base->inside)); break;
+        case Base::Kind::group: base = expression(power.base->inside); break;
+        case Base::Kind::definition: throw Error("a named definition has no inline form");
+      }
+      factors.push_back(GiNaC::power(base, GiNaC::numeric(power.halves, 2)));
+    }
+    terms.push_back(GiNaC::mul(factors));
+  }
+  return GiNaC::add(terms);
+}
+
+}  // namespace torsor::reading

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include <ginac/ginac.h>
+
+#include "generator/expression/program.hpp"
+#include "generator/reading/canonical_sum.hpp"
+
+namespace torsor::reading {
+
+/// When a quantity is written out and when it is given by named definitions instead.
+struct InlineLimits {
+  int terms = 400;        ///< of a sum that a person may be asked to read
+  int expansion = 20000;  ///< terms before anything cancels, estimated, that are multiplied out at all
+};
+
+/// Values of a program written out: definitions are substituted back into one GiNaC expression, symbols one to one.
+/// One view serves one program; it keeps what it has converted.
+class InlineView {
+ public:
+  InlineView(const Program& program, const InlineLimits& limits) : program_(&program), limits_(limits) {}
+
+  const InlineLimits& limits() const { return limits_; }
+
+  /// Upper bound of the number of terms after multiplying out, before anything cancels; infinite when it overflows.
+  double term_bound(const Value& value);
+
+  /// The value as one GiNaC expression, not multiplied out; nothing when its term bound is past limits().expansion.
+  std::optional<GiNaC::ex> expression(const Value& value);
+
+  /// Multiplied out by GiNaC, put in canonical order and simplified; nothing when it is past a limit.
+  std::optional<Sum> sum(const Value& value);
+  /// The same for any expression made of this view's symbols. Not bounded.
+  Sum sum(const GiNaC::ex& expression);
+  std::optional<Sum> bounded_sum(const GiNaC::ex& expression);
+
+  GiNaC::ex expression(const Sum& sum);
+  GiNaC::ex symbol(const SymbolPointer& symbol);
+
+ private:
+  double term_bound(const Polynomial& polynomial);
+  double term_bound(Atom atom);
+  GiNaC::ex of_polynomial(const Polynomial& polynomial);
+  GiNaC::ex of_atom(Atom atom);
+  Sum canonical(const GiNaC::ex& expression);
+  Sum canonical_power(const GiNaC::ex& expression);
+
+  const Program* program_;
+  InlineLimits limits_;
+  std::vector<std::optional<double>> bounds_;
+  std::vector<std::optional<GiNaC::ex>> atoms_;
+  std::vector<SymbolPointer> symbols_;       ///< by the number that is the name of the GiNaC symbol
+  std::vector<GiNaC::ex> ginac_symbols_;
+  std::unordered_map<const Symbol*, std::size_t> numbers_;  ///< looked up, never iterated
+};
+
+GiNaC::ex to_ginac(const Number& number);
+GiNaC::ex apply(Function function, const GiNaC::ex& argument);
+
+}  // namespace torsor::reading
