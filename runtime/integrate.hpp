@@ -5,10 +5,18 @@
 #include <span>
 #include <type_traits>
 
+#include "runtime/dense_step.hpp"
 #include "runtime/status.hpp"
 #include "runtime/system.hpp"
 
 namespace torsor::runtime {
+
+/// Whether an integration can throw at all: only a system or an observer that is not `noexcept` makes it so.
+template <class S, class Observer, class Scalar, std::size_t size>
+inline constexpr bool never_throws =
+    std::is_nothrow_invocable_v<S&, const Scalar&, const std::array<Scalar, size>&, std::array<Scalar, size>&> &&
+    (std::is_nothrow_invocable_v<Observer&, const Scalar&, const std::array<Scalar, size>&> ||
+     std::is_nothrow_invocable_v<Observer&, const DenseStep<Scalar, size>&>);
 
 /// Integrates y' = f(t, y) from t0 to t1, forwards or backwards, and leaves y at t1, which is hit exactly.
 ///
@@ -19,9 +27,9 @@ namespace torsor::runtime {
 /// Nothing is allocated. Errors come back in the result; y is then the last good state, at `result.time`.
 template <class S, class Scalar, std::size_t size, class Method, class Observer = IgnoreSteps>
 requires System<S, Scalar, size>
-[[nodiscard]] Result<Scalar> integrate(S&& system, std::array<Scalar, size>& y, std::type_identity_t<Scalar> t0,
-                                       std::type_identity_t<Scalar> t1, const Method& method,
-                                       Observer&& observer = Observer{}) {
+[[nodiscard]] Result<Scalar> integrate(
+    S&& system, std::array<Scalar, size>& y, std::type_identity_t<Scalar> t0, std::type_identity_t<Scalar> t1,
+    const Method& method, Observer&& observer = Observer{}) noexcept(never_throws<S, Observer, Scalar, size>) {
   auto run = method.start(system, y, t0);
   if constexpr (std::is_invocable_v<Observer&, const Scalar&, const std::array<Scalar, size>&>) {
     if (!notify(observer, t0, y)) run.stop();
@@ -36,7 +44,8 @@ template <class S, class Scalar, std::size_t size, class Method, class Observer>
 requires System<S, Scalar, size>
 [[nodiscard]] Result<Scalar> integrate_through(S&& system, std::array<Scalar, size>& y, std::type_identity_t<Scalar> t0,
                                                std::type_identity_t<std::span<const Scalar>> times,
-                                               const Method& method, Observer&& observer) {
+                                               const Method& method,
+                                               Observer&& observer) noexcept(never_throws<S, Observer, Scalar, size>) {
   auto run = method.start(system, y, t0);
   const IgnoreSteps ignore;
   for (const Scalar& t : times) {

@@ -136,6 +136,16 @@ TEST(DormandPrince54, KeepsTheErrorProportionalToTheTolerance) {
   EXPECT_LT(ratio, 2000.0);
 }
 
+TEST(Integrate, PromisesNotToThrowWhenTheModelAndTheObserverDo) {
+  const auto motion = equations_of_motion<Pendulum>();
+  State<double> y = from_2.start;
+  const auto quiet = [](double, const State<double>&) noexcept {};
+  const auto loud = [](double, const State<double>&) {};
+  static_assert(noexcept(integrate(motion, y, 0, 1, DormandPrince54{}, quiet)));
+  static_assert(!noexcept(integrate(motion, y, 0, 1, DormandPrince54{}, loud)));
+  EXPECT_THROW((void)integrate(motion, y, 0, 1, DormandPrince54{}, [](double, const State<double>&) { throw 1; }), int);
+}
+
 TEST(Integrate, WorksInFloat) {
   // Rounding of a float, 6e-8 × |y| up to 7 a step, as a random walk of 1,000 steps (× 32), amplified by κ = 17 and
   // doubled: 5e-4. The methods' own errors at these settings are 6e-6 and 2e-4 (measured in double).
