@@ -163,9 +163,13 @@ class Collector {
 
 }  // namespace
 
-AppliedActions applied_actions(const Model& model) {
+AppliedActions applied_actions(const Model& model, ActionKind kind) {
   Collector collector(model);
-  for (const ActionContent& action : model.scene().actions) std::visit(collector, action);
+  for (const ActionContent& action : model.scene().actions) {
+    const bool spring = std::holds_alternative<ElongationSpring>(action) || std::holds_alternative<PointSpring>(action);
+    if (spring && kind == ActionKind::without_force_function) continue;
+    std::visit(collector, action);
+  }
   return collector.take();
 }
 

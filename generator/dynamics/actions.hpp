@@ -25,7 +25,10 @@ struct AppliedActions {
   std::vector<std::string> without_force_function;
 };
 
-AppliedActions applied_actions(const Model& model);
+/// Which actions are looked at.
+enum class ActionKind { all, without_force_function };
+
+AppliedActions applied_actions(const Model& model, ActionKind kind = ActionKind::all);
 
 /// Q_i of everything but gravity, motors and multipliers: `passive` + Σ wrench · partial twist. For readers and checks;
 /// the kernels' recursions take the wrenches directly.

@@ -6,7 +6,7 @@ namespace {
 
 /// Dynamic screw of a link at its origin minus gravity: {m (Γ − g) + U h, δ_O}. The moment J Ω̇ + Ω ∧ J Ω is written
 /// with U = [Ω̇] + [Ω][Ω], whose entries the resultant needs anyhow:
-/// N_x = J_xx Ω̇_x + (J_zz − J_yy) Ω_y Ω_z − J_xy U_zx + J_xz U_yx + J_yz (U_zz − U_yy), and so on cyclically.
+/// N_x = J_xx Ω̇_x + (J_zz − J_yy) Ω_y Ω_z − J_xy U_zx + J_xz U_yx + J_yz (U_yy − U_zz), and so on cyclically.
 Wrench dynamic_screw(Program& program, Acceleration& motion, const MassProperties& body) {
   Wrench screw;
   screw.resultant = body.mass * motion.linear();
@@ -25,8 +25,8 @@ Wrench dynamic_screw(Program& program, Acceleration& motion, const MassPropertie
     if (!j(x, y).is_zero()) n -= j(x, y) * motion.u(z, x);
     if (!j(x, z).is_zero()) n += j(x, z) * motion.u(y, x);
     if (!j(y, z).is_zero()) {
-      const Value u_zz = motion.u(z, z);
-      const Value spread = program.bind(u_zz - motion.u(y, y));
+      const Value u_yy = motion.u(y, y);
+      const Value spread = program.bind(u_yy - motion.u(z, z));
       n += j(y, z) * spread;
     }
   }

@@ -6,12 +6,14 @@
 #include <optional>
 #include <vector>
 
+#include "generator/expression/formula.hpp"
 #include "generator/expression/high_precision.hpp"
 #include "generator/expression/program.hpp"
 
 namespace torsor {
 
-/// Evaluates values of a program in `double` or `Real`, each definition once. Exact constants are rounded once.
+/// Evaluates values of a program in `double` or `Real`, each definition once, with the formulas that are emitted: the
+/// same factoring and the same constants, rounded once. `move_to` evaluates at another state without new formulas.
 template <class Scalar>
 class Evaluator {
  public:
@@ -21,7 +23,24 @@ class Evaluator {
   Evaluator(const Program& program, SymbolValue symbol_value)
       : program_(&program), symbol_value_(std::move(symbol_value)) {}
 
-  Scalar operator()(const Value& value) { return of_polynomial(value.polynomial()); }
+  void move_to(SymbolValue symbol_value) {
+    symbol_value_ = std::move(symbol_value);
+    known_.assign(known_.size(), std::nullopt);
+  }
+
+  Scalar operator()(const Value& value) {
+    grow();
+    const std::optional<Atom> atom = value.atom();
+    return atom ? of_atom(*atom) : of_formula(factored(value.polynomial()));
+  }
+
+  /// All of them, in order.
+  std::vector<Scalar> operator()(const std::vector<Value>& values) {
+    std::vector<Scalar> results;
+    results.reserve(values.size());
+    for (const Value& value : values) results.push_back((*this)(value));
+    return results;
+  }
 
  private:
   static Scalar constant(const Number& number) {
@@ -44,42 +63,54 @@ class Evaluator {
     return x;
   }
 
-  Scalar power(const Scalar& x, int exponent) {
-    Scalar result = constant(Number(1));
-    for (int k = 0; k < std::abs(exponent); ++k) result = result * x;
-    return exponent < 0 ? constant(Number(1)) / result : result;
+  void grow() {
+    known_.resize(program_->size());
+    formulas_.resize(program_->size());
   }
 
-  Scalar of_polynomial(const Polynomial& polynomial) {
-    Scalar sum = constant(Number());
-    for (const Term& term : polynomial.terms()) {
-      Scalar product = constant(term.coefficient);
-      for (const Factor& factor : term.monomial) product = product * power(of_atom(factor.atom), factor.exponent);
-      sum = sum + product;
+  Scalar of_formula(const Formula& formula) {
+    switch (formula.kind) {
+      case Formula::Kind::constant: return constant(formula.number);
+      case Formula::Kind::atom: return of_atom(formula.atom);
+      case Formula::Kind::function: return apply(formula.function, of_atom(formula.atom));
+      case Formula::Kind::quotient: {
+        const Scalar numerator = of_formula(formula.children[0]);
+        return numerator / of_formula(formula.children[1]);
+      }
+      case Formula::Kind::sum:
+      case Formula::Kind::product: break;
     }
-    return sum;
+    const bool sum = formula.kind == Formula::Kind::sum;
+    Scalar result = of_formula(formula.children[0]);
+    if (sum && formula.negative[0]) result = -result;
+    for (std::size_t i = 1; i < formula.children.size(); ++i) {
+      const Scalar next = of_formula(formula.children[i]);
+      if (!sum) {
+        result = result * next;
+      } else {
+        result = formula.negative[i] ? result - next : result + next;
+      }
+    }
+    return result;
   }
 
   Scalar of_atom(Atom atom) {
     const auto index = static_cast<std::size_t>(atom);
-    if (known_.size() <= index) known_.resize(program_->size());
     if (known_[index]) return *known_[index];
     const Definition& definition = (*program_)[atom];
-    Scalar value = constant(Number());
     if (definition.symbol) {
-      value = symbol_value_(definition.symbol);
-    } else if (definition.function) {
-      value = apply(*definition.function, of_atom(definition.argument));
+      known_[index] = symbol_value_(definition.symbol);
     } else {
-      value = of_polynomial(definition.polynomial);
+      if (!formulas_[index]) formulas_[index] = formula(definition);
+      known_[index] = of_formula(*formulas_[index]);
     }
-    known_[index] = value;
-    return value;
+    return *known_[index];
   }
 
   const Program* program_;
   SymbolValue symbol_value_;
   std::vector<std::optional<Scalar>> known_;
+  std::vector<std::optional<Formula>> formulas_;
 };
 
 /// Whether a value vanishes identically: exactly when it has no term, else tested at three pseudo-random states with

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// All that the author of a scene needs: describe the mechanism in a function, give it a main with TORSOR_SCENE.
+
+#include "generator/cli/scene_program.hpp"
+#include "generator/mechanics/scene.hpp"

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/verification/check.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "generator/dynamics/painleve.hpp"
+#include "generator/expression/derivative.hpp"
+#include "generator/verification/check_kernels.hpp"
+#include "generator/verification/lagrange_road.hpp"
+#include "generator/verification/random_state.hpp"
+
+namespace torsor {
+namespace {
+
+/// Largest relative difference seen so far of quantities compared one by one.
+class Worst {
+ public:
+  /// |x − y| relative to a scale that is not zero unless both vanish.
+  void compare(const Real& x, const Real& y, const Real& scale) {
+    const double difference = abs(x - y).to_double();
+    const double size = std::max(abs(x).to_double(), abs(scale).to_double());
+    const double relative = difference == 0 ? 0 : difference / size;
+    if (!(relative <= worst_)) worst_ = relative;  // a NaN stays
+  }
+  double value() const { return worst_; }
+
+ private:
+  double worst_ = 0;
+};
+
+Real sum_of_sizes(const std::vector<Real>& terms) {
+  Real sum = Real(0);
+  for (const Real& term : terms) sum += abs(term);
+  return sum;
+}
+
+/// Smallest pivot of a symmetric matrix relative to its diagonal entry; positive when it is positive definite.
+double smallest_relative_pivot(std::vector<std::vector<Real>> m) {
+  double smallest = 1;
+  const std::size_t n = m.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const double relative = (m[k][k]).to_double();
+    if (!(relative > 0)) return relative;
+    for (std::size_t i = k + 1; i < n; ++i) {
+      const Real factor = m[i][k] / m[k][k];
+      for (std::size_t j = k; j < n; ++j) m[i][j] -= factor * m[k][j];
+    }
+    smallest = std::min(smallest, relative);
+  }
+  return smallest;
+}
+
+class SceneCheck {
+ public:
+  SceneCheck(const Scene& scene, const CheckOptions& options)
+      : scene_(scene), options_(options), precision_(options.digits + 10), kernels_(scene), road_(scene) {}
+
+  std::vector<CheckResult> run() {
+    const Program& program = kernels_.program();
+    Program& road_program = road_.equations().program();
+    const Model& model = kernels_.model();
+    const auto n = static_cast<std::size_t>(model.unknown_count());
+    const std::size_t all = model.coordinates().size();
+    const ForwardSolution& forward = kernels_.forward();
+    const std::vector<Value>& inverse = kernels_.inverse_dynamics();
+    const PainleveReport report = painleve(kernels_);
+    const Value power = report.t2_minus_t0.is_zero() ? Value() : time_derivative(report.t2_minus_t0);
+
+    for (int k = 0; k < options_.states; ++k) {
+      const RandomState state(scene_, static_cast<std::uint64_t>(k) + 1);
+      Evaluator<Real> here(program, state.in_real());
+      // On the Lagrange road the released coordinates are symbols: held at zero there too.
+      Evaluator<Real> there(road_program, [&](const SymbolPointer& symbol) {
+        for (std::size_t i = n; i < all; ++i) {
+          const CoordinateContent& c = model.coordinates()[i];
+          if (symbol == c.q || symbol == c.v || symbol == c.a) return Real(0);
+        }
+        return state.in_real()(symbol);
+      });
+
+      // 1. Lagrange's operator on T against virtual power.
+      for (std::size_t i = 0; i < all; ++i) {
+        const Real operator_side = there(road_.operators()[i]);
+        const Real force_side = there(road_.forces()[i]);
+        std::vector<Real> terms{operator_side, force_side};
+        Real left = operator_side - force_side;
+        for (std::size_t j = 0; j < kernels_.constraints().size(); ++j) {
+          const ConstraintRow& row = road_.equations().constraints()[j];
+          const Real reaction = there(row.column[i]) * there(road_program.symbol(row.multiplier));
+          left -= reaction;
+          terms.push_back(reaction);
+        }
+        derivations_.compare(here(inverse[i]), left, sum_of_sizes(terms));
+      }
+
+      // 2. Mass matrices: composite bodies against ∂P_i/∂q̈_j; symmetry of the latter; positiveness.
+      std::vector<std::vector<Real>> m(n, std::vector<Real>(n));
+      for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j < n; ++j) m[i][j] = there(road_.mass()[i][j]);
+      }
+      for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j < n; ++j) {
+          const Real scale = sqrt(abs(m[i][i] * m[j][j]));
+          masses_.compare(here(kernels_.mass()[i][j]), m[i][j], scale);
+          symmetry_.compare(m[i][j], m[j][i], scale);
+        }
+      }
+      if (!(smallest_relative_pivot(m) > 0)) ++not_positive_;
+
+      // 3. Forward dynamics put back into the equations: M a + h − E u − Aᵀλ = 0 and A a + γ = 0.
+      const std::vector<Real> a = here(forward.accelerations);
+      const std::vector<Real> lambda = here(forward.multipliers);
+      check_forward(here, a, lambda);
+
+      // 4. Energy theorem in Painlevé's form: d(T2 − T0)/dt + ∂T/∂t = Σ (Q_i + Σ λ_j a_ji) q̇_i.
+      if (power.program() != nullptr) {
+        Evaluator<Real> moving(program, [&](const SymbolPointer& symbol) {
+          for (std::size_t i = 0; i < n; ++i) {
+            if (symbol == model.coordinates()[i].a) return a[i];
+          }
+          return state.in_real()(symbol);
+        });
+        check_energy(here, moving, power, report.explicit_rate, lambda, there);
+      }
+    }
+    std::vector<CheckResult> results = collect();
+    for (CheckResult& result : check_kernels(scene_, options_)) results.push_back(std::move(result));
+    return results;
+  }
+
+ private:
+  void check_forward(Evaluator<Real>& here, const std::vector<Real>& a, const std::vector<Real>& lambda) {
+    const auto& inputs = kernels_.model().inputs();
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      std::vector<Real> terms{here(kernels_.bias()[i])};
+      for (std::size_t j = 0; j < a.size(); ++j) terms.push_back(here(kernels_.mass()[i][j]) * a[j]);
+      for (std::size_t k = 0; k < inputs.size(); ++k) {
+        terms.push_back(-(here(kernels_.actions().inputs[k][i]) * here(kernels_.program().symbol(inputs[k]))));
+      }
+      for (std::size_t j = 0; j < lambda.size(); ++j) terms.push_back(-(here(kernels_.constraints()[j].column[i]) * lambda[j]));
+      Real sum = Real(0);
+      for (const Real& term : terms) sum += term;
+      forward_.compare(sum, Real(0), sum_of_sizes(terms));
+    }
+    for (const ConstraintRow& row : kernels_.constraints()) {
+      std::vector<Real> terms{here(row.gamma)};
+      std::vector<Real> gradient;
+      for (std::size_t i = 0; i < a.size(); ++i) {
+        gradient.push_back(here(row.jacobian[i]));
+        terms.push_back(gradient[i] * a[i]);
+      }
+      const Real size = sum_of_sizes(gradient);
+      for (std::size_t i = 0; i < a.size(); ++i) columns_.compare(here(row.column[i]), gradient[i], size);
+      Real sum = Real(0);
+      for (const Real& term : terms) sum += term;
+      constraints_.compare(sum, Real(0), sum_of_sizes(terms));
+    }
+  }
+
+  void check_energy(Evaluator<Real>& here, Evaluator<Real>& moving, const Value& power, const Value& explicit_rate,
+                    const std::vector<Real>& lambda, Evaluator<Real>& there) {
+    const Model& model = kernels_.model();
+    const auto& inputs = model.inputs();
+    std::vector<Real> terms{moving(power), moving(explicit_rate)};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(model.unknown_count()); ++i) {
+      const Real v = here(model.v(static_cast<int>(i)));
+      terms.push_back(-(there(road_.forces()[i]) * v));
+      for (std::size_t k = 0; k < inputs.size(); ++k) {
+        terms.push_back(-(here(kernels_.actions().inputs[k][i]) * here(kernels_.program().symbol(inputs[k])) * v));
+      }
+      for (std::size_t j = 0; j < lambda.size(); ++j) {
+        terms.push_back(-(here(kernels_.constraints()[j].column[i]) * lambda[j] * v));
+      }
+    }
+    Real sum = Real(0);
+    for (const Real& term : terms) sum += term;
+    energy_.compare(sum, Real(0), sum_of_sizes(terms));
+  }
+
+  std::vector<CheckResult> collect() const {
+    const double bound = std::pow(10.0, 5 - options_.digits);  // five digits for rounding and cancellation
+    std::vector<CheckResult> results{
+        {"derivations", "Lagrange's operator on T against virtual power", derivations_.value(), bound},
+        {"mass_matrix", "second derivatives of T against composite bodies", masses_.value(), bound},
+        {"symmetry", "symmetry of the mass matrix", symmetry_.value(), bound},
+        {"positiveness", "states where the mass matrix is not positive definite", not_positive_, 0},
+        {"forward_dynamics", "accelerations and multipliers put back into the equations", forward_.value(), bound},
+        {"energy_theorem", "d(T2 - T0)/dt + dT/dt|explicit against the power of all forces", energy_.value(), bound}};
+    if (!kernels_.constraints().empty()) {
+      results.push_back({"constraints", "acceleration form of the constraints", constraints_.value(), bound});
+      results.push_back({"reactions", "generalised forces of reactions against constraint gradients", columns_.value(),
+                         bound});
+    }
+    return results;
+  }
+
+  const Scene& scene_;
+  CheckOptions options_;
+  WorkingDigits precision_;
+  Equations kernels_;
+  LagrangeRoad road_;
+  Worst derivations_, masses_, symmetry_, forward_, energy_, constraints_, columns_;
+  double not_positive_ = 0;
+};
+
+}  // namespace
+
+std::vector<CheckResult> check_scene(const Scene& scene, const CheckOptions& options) {
+  return SceneCheck(scene, options).run();
+}
+
+}  // namespace torsor

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/mechanics/scene.hpp"
+
+namespace torsor {
+
+/// One comparison, at its worst over all states.
+struct CheckResult {
+  std::string name;
+  std::string description;
+  double worst = 0;   ///< relative difference, or a count of failures
+  double bound = 0;   ///< passes when worst <= bound
+  bool passed() const { return worst <= bound; }  // false for NaN
+};
+
+struct CheckOptions {
+  int digits = 50;
+  int states = 20;
+};
+
+/// Checks a scene against itself at pseudo-random states (fixed seeds, so that a failure repeats):
+/// the two derivations of Lagrange's equations, symmetry and positiveness of M, both mass matrices, the energy theorem,
+/// constraints and their reactions, forward against inverse dynamics, and the double kernels against CLN.
+/// A relative difference is ‖x − y‖ over the size of what was added to make x, never below ‖x‖.
+std::vector<CheckResult> check_scene(const Scene& scene, const CheckOptions& options);
+
+}  // namespace torsor

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/verification/random_state.hpp"
+
+#include <fmt/format.h>
+
+#include "generator/expression/error.hpp"
+
+namespace torsor {
+
+RandomState::RandomState(const Scene& scene, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto uniform = [&random](double low, double high) {
+    constexpr double steps = 1048576;  // 2^20: few bits, so that the number is the same in every format
+    return low + (high - low) * static_cast<double>(random() >> 44U) / steps;
+  };
+  const SceneContent& content = scene.content();
+  values_[content.time.get()] = uniform(0, 2);
+  Program program;
+  for (const ParameterContent& parameter : content.parameters) {
+    double scale = 1;
+    if (parameter.value) {
+      Evaluator<double> evaluate(program, [this](const SymbolPointer& s) { return value(s); });
+      scale = evaluate(program.lower(*parameter.value));
+    }
+    values_[parameter.symbol.get()] = scale * uniform(0.5, 1.5);
+  }
+  for (const CoordinateContent& c : content.coordinates) {
+    for (const SymbolPointer& symbol : {c.q, c.v, c.a}) values_[symbol.get()] = uniform(-2, 2);
+  }
+  for (const ActionContent& action : content.actions) {
+    if (const auto* motor = std::get_if<Motor>(&action)) values_[motor->input.get()] = uniform(-2, 2);
+  }
+  for (const ConstraintContent& constraint : content.constraints) {
+    values_[constraint.multiplier.get()] = uniform(-2, 2);
+  }
+}
+
+double RandomState::value(const SymbolPointer& symbol) const {
+  const auto place = values_.find(symbol.get());
+  if (place == values_.end()) throw Error(fmt::format("no value for the symbol '{}' at a random state", symbol->name));
+  return place->second;
+}
+
+Evaluator<double>::SymbolValue RandomState::in_double() const {
+  return [this](const SymbolPointer& symbol) {
+    return symbol->kind == SymbolKind::pi ? 3.14159265358979323846 : value(symbol);
+  };
+}
+
+Evaluator<Real>::SymbolValue RandomState::in_real() const {
+  return [this](const SymbolPointer& symbol) {
+    return symbol->kind == SymbolKind::pi ? Real::pi() : Real::from_double(value(symbol));
+  };
+}
+
+}  // namespace torsor
