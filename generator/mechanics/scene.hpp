@@ -20,7 +20,7 @@ namespace torsor {
 /// Names are unique in a scene. Frames are tied by joints: the child's axes coincide with the parent's when the joint's
 /// coordinate is zero, apart from the joint's placement. A joint's coordinate may be any formula of coordinates and
 /// time, so that absolute angles, mimic joints and motions imposed by a law of time need nothing special. `validate`
-/// looks at the whole scene; every program calls it before deriving anything.
+/// (dynamics/validation.hpp) looks at the whole scene; every program calls it before deriving anything.
 class Scene {
  public:
   explicit Scene(std::string name, std::string title = {});
@@ -97,9 +97,6 @@ class Scene {
   /// `direction` (components in `axes`). Its multiplier is then that intensity [N].
   void reaction(const ConstraintHandle& constraint, const std::string& name, const FrameReference& body,
                 const PointReference& contact, const Triple& direction, const FrameReference& axes);
-
-  /// Throws SceneError with one clear line about the first thing that is wrong.
-  void validate() const;
 
   const SceneContent& content() const { return content_; }
   const std::string& name() const { return content_.name; }

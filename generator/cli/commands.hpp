@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "generator/dynamics/equations.hpp"
+#include "generator/expression/formula.hpp"
+#include "generator/verification/check.hpp"
+
+namespace torsor {
+
+// What the commands of a scene program print. Each returns the text; the caller writes it.
+
+/// Operation counts of one scene: each kernel on its own, and all asked for as one program.
+struct SceneCounts {
+  std::string name;
+  std::vector<std::pair<std::string, OperationCount>> kernels;
+  OperationCount joint;
+};
+
+SceneCounts count_scene(const Scene& scene, const std::vector<std::string>& kernels, const ModelOptions& options);
+
+std::string counts_table(const std::vector<SceneCounts>& scenes);
+/// {"name", "kernels": {kernel: {...}}, "joint": {...}} for one scene, a list of those under "models" for several.
+std::string counts_json(const std::vector<SceneCounts>& scenes);
+
+std::string check_table(const std::string& scene, const std::vector<CheckResult>& results);
+std::string check_json(const std::string& scene, const std::vector<CheckResult>& results);
+
+/// What the scene contains and which kernels it offers.
+std::string list_text(const Scene& scene);
+std::string list_json(const Scene& scene);
+
+/// The generated header for some kernels.
+std::string generate_header(const Scene& scene, const std::vector<std::string>& kernels, const ModelOptions& options);
+
+}  // namespace torsor

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <functional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "generator/cli/commands.hpp"
+#include "generator/emission/kernel.hpp"
+
+namespace torsor {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string action_name(const ActionContent& action) {
+  return std::visit([](const auto& content) { return content.name; }, action);
+}
+
+const char* role(const CoordinateContent& c) { return c.law ? "driven" : c.released ? "released" : "unknown"; }
+
+Json content_json(const Scene& scene) {
+  const SceneContent& content = scene.content();
+  Json json{{"name", content.name}, {"title", content.title}};
+  const auto list = [&json](const char* key) -> Json& { return json[key] = Json::array(); };
+  Json& parameters = list("parameters");
+  for (const ParameterContent& p : content.parameters) {
+    parameters.push_back({{"name", p.symbol->name},
+                          {"unit", p.symbol->unit.to_string()},
+                          {"value", p.value ? Json(p.value->to_string()) : Json()},
+                          {"run_time", p.run_time}});
+  }
+  Json& coordinates = list("coordinates");
+  for (const CoordinateContent& c : content.coordinates) {
+    coordinates.push_back({{"name", c.q->name}, {"unit", c.q->unit.to_string()}, {"role", role(c)}});
+  }
+  Json& frames = list("frames");
+  for (const FrameContent& f : content.frames) frames.push_back(f.name);
+  Json& bodies = list("bodies");
+  for (const BodyContent& b : content.bodies) bodies.push_back(b.name);
+  Json& points = list("points");
+  for (const PointContent& p : content.points) points.push_back(p.name);
+  Json& actions = list("actions");
+  for (const ActionContent& a : content.actions) actions.push_back(action_name(a));
+  Json& constraints = list("constraints");
+  for (const ConstraintContent& c : content.constraints) {
+    constraints.push_back({{"name", c.name}, {"multiplier", c.multiplier->name}});
+  }
+  const Equations equations(scene);
+  Json& kernels = list("kernels");
+  for (const std::string& name : kernel_names()) {
+    const std::string skipped = make_kernel(name, equations).skipped;
+    Json kernel{{"name", name}, {"available", skipped.empty()}};
+    if (!skipped.empty()) kernel["why_not"] = skipped;
+    kernels.push_back(std::move(kernel));
+  }
+  return json;
+}
+
+std::string line(const std::string& title, const Json& items, const std::function<std::string(const Json&)>& text) {
+  std::string joined;
+  for (const Json& item : items) joined += (joined.empty() ? "" : ", ") + text(item);
+  return joined.empty() ? "" : fmt::format("{:<14}{}\n", title, joined);
+}
+
+}  // namespace
+
+std::string list_json(const Scene& scene) { return content_json(scene).dump(2) + "\n"; }
+
+std::string list_text(const Scene& scene) {
+  const Json json = content_json(scene);
+  const auto plain = [](const Json& item) { return item.get<std::string>(); };
+  const auto text = [](const Json& value) { return value.get<std::string>(); };
+  std::string out = scene.content().title.empty() ? scene.name() + "\n"
+                                                  : fmt::format("{}: {}\n", scene.name(), scene.content().title);
+  out += line("parameters", json["parameters"], [&](const Json& p) {
+    const std::string value = p["value"].is_null() ? "given at run time" : text(p["value"]);
+    return fmt::format("{} = {} [{}]{}", text(p["name"]), value, text(p["unit"]),
+                       p["run_time"].get<bool>() && !p["value"].is_null() ? " (run time)" : "");
+  });
+  out += line("coordinates", json["coordinates"], [&](const Json& c) {
+    return fmt::format("{} [{}]{}", text(c["name"]), text(c["unit"]),
+                       c["role"] == "unknown" ? "" : " (" + text(c["role"]) + ")");
+  });
+  for (const char* key : {"frames", "bodies", "points", "actions"}) out += line(key, json[key], plain);
+  out += line("constraints", json["constraints"],
+              [&](const Json& c) { return fmt::format("{} ({})", text(c["name"]), text(c["multiplier"])); });
+  for (const Json& kernel : json["kernels"]) {
+    out += fmt::format("{:<14}{}{}\n", &kernel == &json["kernels"][0] ? "kernels" : "", text(kernel["name"]),
+                       kernel["available"].get<bool>() ? "" : " (absent: " + text(kernel["why_not"]) + ")");
+  }
+  return out;
+}
+
+}  // namespace torsor

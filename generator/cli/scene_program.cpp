@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/cli/scene_program.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <new>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "generator/cli/commands.hpp"
+#include "generator/dynamics/validation.hpp"
+#include "generator/emission/kernel.hpp"
+#include "generator/emission/output_file.hpp"
+#include "generator/expression/error.hpp"
+#include "generator/reading/print_equations.hpp"
+#include "generator/verification/reference.hpp"
+
+namespace torsor {
+namespace {
+
+constexpr int check_failed = 1;
+constexpr int bad_usage = 2;
+constexpr int bad_scene_or_file = 3;
+
+/// What the command line asked for.
+struct Request {
+  std::string format = "text";
+  std::string kernels = "all";
+  std::string output;
+  std::string run_time;
+  std::vector<std::string> about;
+  std::vector<std::string> times;
+  int digits = 50;
+  int states = 20;
+  bool json = false;
+  bool document = false;
+};
+
+void write(const std::string& output, const std::string& text) {
+  if (output.empty() || output == "-") {
+    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
+      throw FileError("cannot write to the standard output: is the disk full or the reader gone?");
+    }
+    return;
+  }
+  write_file_if_changed(output, text);
+}
+
+ModelOptions model_options(const Scene& scene, const Request& request) {
+  ModelOptions options;
+  if (request.run_time == "all") {
+    options.all_run_time = true;
+    return options;
+  }
+  for (std::size_t begin = 0; begin < request.run_time.size();) {
+    const std::size_t end = std::min(request.run_time.find(',', begin), request.run_time.size());
+    const std::string name = request.run_time.substr(begin, end - begin);
+    begin = end + 1;
+    const auto& parameters = scene.content().parameters;
+    if (std::none_of(parameters.begin(), parameters.end(), [&](const auto& p) { return p.symbol->name == name; })) {
+      std::string known;
+      for (const auto& p : parameters) known += (known.empty() ? "" : ", ") + p.symbol->name;
+      throw UsageError(fmt::format("unknown parameter '{}' in --run-time: the scene '{}' has {}", name, scene.name(),
+                                   known.empty() ? "none" : known));
+    }
+    options.run_time.insert(name);
+  }
+  return options;
+}
+
+/// "theta=0" -> {"theta", "0"}
+std::pair<std::string, std::string> split_assignment(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos) {
+    throw UsageError(fmt::format("--about takes NAME=VALUE, e.g. theta=0, and got '{}'", text));
+  }
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+int equations(const Scene& scene, const Request& request) {
+  PrintOptions options;
+  const Format format = parse_format(request.format);
+  options.document = request.document;
+  for (const std::string& about : request.about) options.about.push_back(split_assignment(about));
+  write(request.output, print_equations(scene, format, options));
+  return 0;
+}
+
+int generate(const Scene& scene, const Request& request) {
+  write(request.output, generate_header(scene, parse_kernel_list(request.kernels), model_options(scene, request)));
+  return 0;
+}
+
+int counts(const Scene& scene, const Request& request) {
+  const SceneCounts counted = count_scene(scene, parse_kernel_list(request.kernels), model_options(scene, request));
+  write(request.output, request.json ? counts_json({counted}) : counts_table({counted}));
+  return 0;
+}
+
+int check(const Scene& scene, const Request& request) {
+  const std::vector<CheckResult> results = check_scene(scene, {request.digits, request.states});
+  write(request.output, request.json ? check_json(scene.name(), results) : check_table(scene.name(), results));
+  const bool passed = std::all_of(results.begin(), results.end(), [](const CheckResult& r) { return r.passed(); });
+  return passed ? 0 : check_failed;
+}
+
+int reference(const Scene& scene, const Request& request) {
+  write(request.output, reference_csv(scene, {request.digits, request.times}));
+  return 0;
+}
+
+int list(const Scene& scene, const Request& request) {
+  write(request.output, request.json ? list_json(scene) : list_text(scene));
+  return 0;
+}
+
+using Command = int (*)(const Scene&, const Request&);
+
+/// Declares the commands; the chosen one is left in `chosen`.
+void declare(CLI::App& app, Request& request, Command& chosen) {
+  app.require_subcommand(1);
+  const auto add = [&](const char* name, const char* text, Command command) {
+    CLI::App* sub = app.add_subcommand(name, text);
+    sub->callback([&chosen, command] { chosen = command; });
+    sub->add_option("-o,--output", request.output, "file to write; the standard output when absent or -");
+    return sub;
+  };
+  const auto with_kernels = [&](CLI::App* sub) {
+    sub->add_option("--kernels", request.kernels,
+                    fmt::format("comma-separated list, or all (the default): {}", fmt::join(kernel_names(), ", ")));
+    sub->add_option("--run-time", request.run_time, "parameters that stay symbols, comma-separated, or all");
+    return sub;
+  };
+  const auto with_json = [&](CLI::App* sub) { sub->add_flag("--json", request.json, "print JSON"); };
+
+  CLI::App* sub = add("equations", "print T, U, Lagrange's equations, constraints, linearisation", equations);
+  sub->add_option("--format", request.format, "text or latex")->capture_default_str();
+  sub->add_option("--about", request.about, "state of the linearisation, NAME=VALUE, e.g. theta=0; repeatable");
+  sub->add_flag("--document", request.document, "LaTeX: a whole document");
+  sub = with_kernels(add("generate", "write the specialised C++17 header", generate));
+  sub->get_option("--output")->required();
+  with_json(with_kernels(add("counts", "count the operations of the emitted kernels", counts)));
+  sub = add("check", "compare independent derivations at random states", check);
+  sub->add_option("--digits", request.digits, "digits of the comparison")->capture_default_str()->check(CLI::Range(20, 1000));
+  sub->add_option("--states", request.states, "number of states")->capture_default_str()->check(CLI::Range(1, 1000000));
+  with_json(sub);
+  sub = add("reference", "integrate the motion in high precision by an independent road", reference);
+  sub->add_option("--digits", request.digits, "digits of the result")->capture_default_str()->check(CLI::Range(10, 1000));
+  sub->add_option("--times", request.times, "comma-separated times in seconds, increasing")->required()->delimiter(',');
+  with_json(add("list", "print what the scene contains and the kernels it offers", list));
+}
+
+}  // namespace
+
+int run_scene_program(int argc, const char* const* argv, Scene (*make_scene)()) {
+  const auto fail = [argv](const std::string& message, int code) {
+    std::fprintf(stderr, "%s: %s\n", argv[0], message.c_str());
+    return code;
+  };
+  CLI::App app{"Equations of motion and specialised kernels of one mechanism."};
+  Request request;
+  Command chosen = nullptr;
+  try {
+    declare(app, request, chosen);
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp& help) {
+    return app.exit(help);
+  } catch (const CLI::CallForAllHelp& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    return fail(fmt::format("{}; see --help", error.what()), bad_usage);
+  }
+  try {
+    if (request.kernels != "all") parse_kernel_list(request.kernels);  // before the scene is even built
+    const Scene scene = make_scene();
+    validate(scene);
+    return chosen(scene, request);
+  } catch (const UsageError& error) {
+    return fail(error.what(), bad_usage);
+  } catch (const Error& error) {
+    return fail(error.what(), bad_scene_or_file);
+  } catch (const std::exception& error) {
+    return fail(fmt::format("unexpected failure: {}", error.what()), bad_scene_or_file);
+  }
+}
+
+}  // namespace torsor

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/verification/reference.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "generator/dynamics/validation.hpp"
+#include "generator/expression/decimal.hpp"
+#include "generator/expression/error.hpp"
+#include "generator/expression/evaluation.hpp"
+#include "generator/verification/dense_linear.hpp"
+#include "generator/verification/extrapolation.hpp"
+#include "generator/verification/lagrange_road.hpp"
+
+namespace torsor {
+namespace {
+
+/// y = (q, q̇) -> (q̇, q̈) by the Lagrange road.
+class Motion {
+ public:
+  explicit Motion(const Scene& scene) : road_(scene), evaluate_(road_.equations().program(), {}) {}
+
+  std::vector<Real> operator()(const Real& t, const std::vector<Real>& y) {
+    const Model& model = road_.equations().model();
+    const auto n = static_cast<std::size_t>(model.unknown_count());
+    evaluate_.move_to([&](const SymbolPointer& symbol) {
+      if (symbol->kind == SymbolKind::pi) return Real::pi();
+      if (symbol->kind == SymbolKind::time) return t;
+      for (std::size_t i = 0; i < n; ++i) {
+        const CoordinateContent& c = model.coordinates()[i];
+        if (symbol == c.q) return y[i];
+        if (symbol == c.v) return y[n + i];
+      }
+      for (const ParameterContent& p : model.scene().parameters) {
+        if (p.symbol == symbol && p.value) return constant(*p.value);
+      }
+      return Real(0);  // released coordinates, inputs
+    });
+    const auto& rows = road_.equations().constraints();
+    const std::size_t size = n + rows.size();
+    std::vector<Real> matrix(size * size, Real(0));
+    std::vector<Real> right_side(size);
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < n; ++j) matrix[i + j * size] = evaluate_(road_.mass()[i][j]);
+      right_side[i] = evaluate_(road_.forces()[i]) - evaluate_(road_.operators_at_rest()[i]);
+    }
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      for (std::size_t i = 0; i < n; ++i) {
+        matrix[n + k + i * size] = evaluate_(rows[k].jacobian[i]);
+        matrix[i + (n + k) * size] = -evaluate_(rows[k].column[i]);
+      }
+      right_side[n + k] = -evaluate_(rows[k].gamma);
+    }
+    const std::vector<Real> solution = solve_dense(std::move(matrix), right_side);
+    std::vector<Real> rate(y.begin() + static_cast<std::ptrdiff_t>(n), y.end());
+    rate.insert(rate.end(), solution.begin(), solution.begin() + static_cast<std::ptrdiff_t>(n));
+    return rate;
+  }
+
+ private:
+  Real constant(const Expression& formula) {
+    Program program;
+    Evaluator<Real> evaluate(program, [](const SymbolPointer&) { return Real::pi(); });
+    return evaluate(program.lower(formula));
+  }
+
+  LagrangeRoad road_;
+  Evaluator<Real> evaluate_;
+};
+
+}  // namespace
+
+std::string reference_csv(const Scene& scene, const ReferenceOptions& options) {
+  constexpr int spare_digits = 15;
+  const int work_digits = options.digits + spare_digits;
+  const WorkingDigits precision(work_digits);
+  const std::vector<Real> start = initial_state(scene);
+  if (start.empty()) {
+    throw SceneError(fmt::format("the scene '{}' has parameters without a value: a reference needs all of them",
+                                 scene.name()));
+  }
+  std::vector<Real> times;
+  for (const std::string& time : options.times) times.emplace_back(parse_decimal(time), work_digits);
+  Motion motion(scene);
+  ExtrapolationOptions integrator;
+  integrator.tolerance_digits = options.digits + 5;
+  integrator.work_digits = work_digits;
+  const ConvergedSolution solution = integrate_converged(
+      [&motion](const Real& t, const std::vector<Real>& y) { return motion(t, y); }, start, Real(0), times, integrator);
+  const auto worst = std::min_element(solution.agreed_digits.begin(), solution.agreed_digits.end());
+  if (*worst < options.digits) {
+    throw Error(fmt::format("the reference of '{}' converged to {} digits at t = {}, fewer than the {} asked for: ask "
+                            "for fewer digits or a shorter time",
+                            scene.name(), *worst, options.times[static_cast<std::size_t>(worst - solution.agreed_digits.begin())],
+                            options.digits));
+  }
+  std::string text = fmt::format(
+      "# Reference motion of the scene {}: Lagrange's operator on T in {}-digit arithmetic, extrapolation at two orders\n"
+      "# that agree to {} digits; inputs zero, run-time parameters at their defaults.\n"
+      "# regenerate: {}_scene reference --digits {} --times {} --output {}.reference.csv\n",
+      scene.name(), work_digits, options.digits, scene.name(), options.digits, fmt::join(options.times, ","), scene.name());
+  text += "time";
+  for (const char* mark : {"", "'"}) {
+    for (const CoordinateContent& c : scene.content().coordinates) {
+      if (c.unknown()) text += fmt::format(",{}{}", c.q->name, mark);
+    }
+  }
+  text += "\n";
+  for (std::size_t row = 0; row < times.size(); ++row) {
+    text += options.times[row];
+    for (const Real& value : solution.values[row]) text += "," + value.to_string(options.digits);
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace torsor
