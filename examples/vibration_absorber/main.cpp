@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "generated/vibration_absorber.hpp"
+#include "runtime/demonstration.hpp"
+#include "runtime/mechanism.hpp"
+#include "runtime/plot.hpp"
+#include "runtime/trajectory.hpp"
+#include "runtime/work_precision.hpp"
+
+namespace {
+
+using namespace torsor::runtime;
+using Absorber = vibration_absorber::Mechanism<double>;
+
+/// The two pendulums that are compared: g / d = omega^2 at 10 rad/s, and half as long again.
+constexpr double design_speed = 10.0, tuned_length = 0.0981, detuned_length = 0.15;
+
+/// Support at the spring's rest length, pendulum hanging: the rest about which everything is linearised.
+constexpr double rest_position = 0.1;
+
+/// Steady forced motion of the linearised equations, (X - X0, theta) = amplitude * sin(omega t): K - omega^2 M times
+/// the amplitude is the amplitude of F, which the unbalance reaches a quarter of a turn after t = 0. Without friction
+/// the amplitudes are in phase with the force or opposed to it.
+std::array<double, 2> steady_amplitude(double length, double speed) {
+  Absorber::Parameters parameters = Absorber::default_parameters();
+  parameters.d = length;
+  parameters.omega = speed;
+  Absorber::State state{};
+  state.time = std::numbers::pi / (2.0 * speed);
+  state.q.X = rest_position;
+  Absorber::Linearisation linear{};
+  const torsor::Status status = Absorber::linearisation(Absorber::precompute(parameters), state, {}, {}, {}, linear);
+  if (status != torsor::Status::ok) return {NAN, NAN};
+  std::array<double, 4> a{};
+  for (std::size_t i = 0; i < 4; ++i) a[i] = linear.K[i] - speed * speed * linear.M[i];
+  const double determinant = a[0] * a[3] - a[1] * a[2];
+  return {(a[3] * linear.F[0] - a[2] * linear.F[1]) / determinant,
+          (a[0] * linear.F[1] - a[1] * linear.F[0]) / determinant};
+}
+
+/// The support's amplitude against the speed of the rotor, for both pendulums.
+std::filesystem::path plot_amplitudes() {
+  Table sweep({"speed", "tuned", "detuned"});
+  for (int i = 0; i < 1500; ++i) {
+    const double speed = 5.005 + 0.01 * i;  // 10 rad/s itself, where the logarithm of 0 has no place, is stepped over
+    const auto millimetres = [speed](double length) {
+      return scientific(1e3 * std::abs(steady_amplitude(length, speed)[0]), 9);
+    };
+    sweep.add({scientific(speed, 9), millimetres(tuned_length), millimetres(detuned_length)});
+  }
+  const std::filesystem::path csv = "vibration_absorber_amplitude.csv", picture = "vibration_absorber_amplitude.svg";
+  sweep.write_csv(csv);
+  Plot plot{.title = "Amplitude of the support against the speed of the rotor",
+            .x_title = "speed of the rotor, omega [rad/s]",
+            .y_title = "amplitude of the support [mm]",
+            .curves = {{csv, "speed", "tuned", "pendulum tuned to 10 rad/s: g / d = omega^2"},
+                       {csv, "speed", "detuned", "pendulum half as long again"}}};
+  plot.log_y = true;
+  write_plot(plot, picture);
+  return picture;
+}
+
+/// The motion with one pendulum, by the full equations, started on the steady motion of the linearised ones; one sample
+/// every 5 ms. Returns the largest |X - X0|.
+double record_motion(double length, std::vector<double>& positions) {
+  Absorber::Parameters parameters = Absorber::default_parameters();
+  parameters.d = length;
+  parameters.omega = design_speed;
+  const auto motion = equations_of_motion<Absorber>(parameters);
+  const std::array<double, 2> amplitude = steady_amplitude(length, design_speed);
+  StateVector<Absorber> y{rest_position, 0.0, design_speed * amplitude[0], design_speed * amplitude[1]};
+  std::vector<double> times;
+  for (int i = 0; i <= 2000; ++i) times.push_back(0.005 * i);
+  double largest = 0.0;
+  const auto result = integrate_through(motion, y, 0.0, times, DormandPrince54{.relative_tolerance = 1e-10},
+                                        [&](double, const StateVector<Absorber>& state) {
+                                          const double displacement = state[0] - rest_position;
+                                          largest = std::fmax(largest, std::abs(displacement));
+                                          positions.push_back(1e3 * displacement);
+                                        });
+  if (!result) throw FileError(describe(result));
+  return largest;
+}
+
+std::filesystem::path plot_motions(Table& table) {
+  std::vector<double> tuned, detuned;
+  for (const double length : {tuned_length, detuned_length}) {
+    const double largest = record_motion(length, length == tuned_length ? tuned : detuned);
+    table.add({length == tuned_length ? "tuned" : "detuned", std::to_string(length) + " m",
+               scientific(1e3 * std::abs(steady_amplitude(length, design_speed)[0])) + " mm",
+               scientific(1e3 * largest) + " mm"});
+  }
+  std::vector<Sample<double, 2>> storage(tuned.size());
+  Trajectory<double, 2> motion(storage, {"tuned", "detuned"});
+  for (std::size_t i = 0; i < tuned.size(); ++i) motion(0.005 * static_cast<double>(i), {tuned[i], detuned[i]});
+  const std::filesystem::path csv = "vibration_absorber_motion.csv", picture = "vibration_absorber_motion.svg";
+  motion.write_csv(csv);
+  write_plot({.title = "Motion of the support, rotor at 10 rad/s",
+              .x_title = "time [s]",
+              .y_title = "displacement of the support [mm]",
+              .curves = {{csv, "time", "detuned", "pendulum half as long again"},
+                         {csv, "time", "tuned", "pendulum tuned: g / d = omega^2"}}},
+             picture);
+  return picture;
+}
+
+void show(const Reference<double>& reference) {
+  std::cout << "Vibration absorber, pendulum released from 0.3 rad\n\n"
+            << work_precision(equations_of_motion<Absorber>(), reference, Midpoint{.step = 1e-3},
+                              Midpoint{.step = 1e-4}, RungeKutta4{.step = 1e-2}, RungeKutta4{.step = 1e-3},
+                              DormandPrince54{.relative_tolerance = 1e-6, .absolute_tolerance = 1e-8},
+                              DormandPrince54{.relative_tolerance = 1e-9, .absolute_tolerance = 1e-11},
+                              DormandPrince54{.relative_tolerance = 1e-12, .absolute_tolerance = 1e-14});
+  const std::filesystem::path amplitudes = plot_amplitudes();
+  Table table({"pendulum", "length d", "amplitude, linearised", "largest |X - X0| in 10 s"});
+  const std::filesystem::path motions = plot_motions(table);
+  std::cout << "\nThe support with the rotor at 10 rad/s\n\n" << table;
+  std::cout << "\nplot: " << std::filesystem::absolute(amplitudes).string()
+            << "\nplot: " << std::filesystem::absolute(motions).string() << '\n';
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return demonstrate(argc, argv, "vibration_absorber",
+                     "a pendulum keeps an unbalanced machine still: reference, amplitudes, plots", show);
+}
