@@ -12,11 +12,14 @@ namespace torsor {
 namespace {
 
 constexpr std::string_view keywords =
-    " alignas alignof and and_eq asm auto bitand bitor bool break case catch char char8_t char16_t char32_t class co_await "
-    "co_return co_yield compl concept const const_cast consteval constexpr constinit continue decltype default delete do "
+    " alignas alignof and and_eq asm auto bitand bitor bool break case catch char char8_t char16_t char32_t class "
+    "co_await "
+    "co_return co_yield compl concept const const_cast consteval constexpr constinit continue decltype default delete "
+    "do "
     "double dynamic_cast else enum explicit export extern false float for friend goto if inline int long mutable "
     "namespace new noexcept not not_eq nullptr operator or or_eq private protected public register reinterpret_cast "
-    "requires return short signed sizeof static static_assert static_cast struct switch template this thread_local throw "
+    "requires return short signed sizeof static static_assert static_cast struct switch template this thread_local "
+    "throw "
     "true try typedef typeid typename union unsigned using virtual void volatile wchar_t while xor xor_eq ";
 
 constexpr std::string_view macros =
@@ -26,14 +29,18 @@ constexpr std::string_view macros =
     "TORSOR_KERNEL_SUPPORT ";
 
 constexpr std::string_view types =
-    " Scalar Mechanism Parameters Precomputed Coordinates Velocities Accelerations GeneralizedForces Inputs Multipliers "
+    " Scalar Mechanism Parameters Precomputed Coordinates Velocities Accelerations GeneralizedForces Inputs "
+    "Multipliers "
     "State size ";
 
 // A namespace cannot share its name with a function that <cmath> or <cstdlib> may declare globally.
 constexpr std::string_view library =
-    " std torsor main abs acos acosh asin asinh atan atan2 atanh atof atoi atol cbrt ceil copysign cos cosh div drem erf "
-    "erfc exp exp2 exp10 expm1 fabs fdim finite floor fma fmax fmin fmod frexp gamma hypot ilogb index isinf isnan j0 j1 "
-    "jn labs ldexp lgamma log log10 log1p log2 logb lrint lround modf nan nearbyint nextafter pow rand random remainder "
+    " std torsor main abs acos acosh asin asinh atan atan2 atanh atof atoi atol cbrt ceil copysign cos cosh div drem "
+    "erf "
+    "erfc exp exp2 exp10 expm1 fabs fdim finite floor fma fmax fmin fmod frexp gamma hypot ilogb index isinf isnan j0 "
+    "j1 "
+    "jn labs ldexp lgamma log log10 log1p log2 logb lrint lround modf nan nearbyint nextafter pow rand random "
+    "remainder "
     "remquo rint round scalb select signal signgam significand sin sincos sinh sqrt srand system tan tanh tgamma time "
     "trunc y0 y1 yn ";
 
@@ -50,14 +57,22 @@ std::string local_name(const Program& program, Atom atom) {
   if (definition.symbol) {
     const std::string name = member_name(*definition.symbol);
     switch (definition.symbol->kind) {
-      case SymbolKind::pi: return "pi";
-      case SymbolKind::time: return "t";
-      case SymbolKind::parameter: return "p_" + name;
-      case SymbolKind::coordinate: return "q_" + name;
-      case SymbolKind::velocity: return "v_" + name;
-      case SymbolKind::acceleration: return "a_" + name;
-      case SymbolKind::input: return "u_" + name;
-      case SymbolKind::multiplier: return "l_" + name;
+      case SymbolKind::pi:
+        return "pi";
+      case SymbolKind::time:
+        return "t";
+      case SymbolKind::parameter:
+        return "p_" + name;
+      case SymbolKind::coordinate:
+        return "q_" + name;
+      case SymbolKind::velocity:
+        return "v_" + name;
+      case SymbolKind::acceleration:
+        return "a_" + name;
+      case SymbolKind::input:
+        return "u_" + name;
+      case SymbolKind::multiplier:
+        return "l_" + name;
     }
   }
   if (definition.function == Function::sin || definition.function == Function::cos) {
@@ -72,14 +87,22 @@ std::string local_name(const Program& program, Atom atom) {
 std::string symbol_access(const Symbol& symbol, const std::string& parameters) {
   const std::string name = member_name(symbol);
   switch (symbol.kind) {
-    case SymbolKind::pi: return "traits::pi()";
-    case SymbolKind::time: return "state.time";
-    case SymbolKind::parameter: return parameters + name;
-    case SymbolKind::coordinate: return "state.q." + name;
-    case SymbolKind::velocity: return "state.v." + name;
-    case SymbolKind::acceleration: return "accelerations." + name;
-    case SymbolKind::input: return "inputs." + name;
-    case SymbolKind::multiplier: return "multipliers." + name;
+    case SymbolKind::pi:
+      return "traits::pi()";
+    case SymbolKind::time:
+      return "state.time";
+    case SymbolKind::parameter:
+      return parameters + name;
+    case SymbolKind::coordinate:
+      return "state.q." + name;
+    case SymbolKind::velocity:
+      return "state.v." + name;
+    case SymbolKind::acceleration:
+      return "accelerations." + name;
+    case SymbolKind::input:
+      return "inputs." + name;
+    case SymbolKind::multiplier:
+      return "multipliers." + name;
   }
   return name;
 }
@@ -105,6 +128,13 @@ std::string constant_name(const Number& number, std::size_t index) {
 
 void require_cpp_name(const std::string& name, const std::string& what) {
   const char* reason = nullptr;
+  const bool is_word = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  });
+  if (!is_word || (name[0] >= '0' && name[0] <= '9') || name[0] == '_' || name.back() == '_' ||
+      name.find("__") != std::string::npos) {
+    reason = "is not made of letters, digits and single inner underscores, a letter first,";
+  }
   if (contains(keywords, name)) reason = "is a C++ keyword";
   if (contains(macros, name)) reason = "is a macro of the standard library";
   if (contains(types, name)) reason = "is used by the header itself";
@@ -116,7 +146,8 @@ void require_cpp_name(const std::string& name, const std::string& what) {
 
 std::string comment_text(const std::string& text) {
   std::string safe = text;
-  std::replace_if(safe.begin(), safe.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+  std::replace_if(
+      safe.begin(), safe.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
   std::replace(safe.begin(), safe.end(), '\\', '/');
   return safe;
 }

@@ -21,6 +21,13 @@ std::string shortest(Float value) {
   return text;
 }
 
+/// Whether the blank at this place has a binary operator after it.
+bool stands_before_operator(std::string_view text, std::size_t blank) {
+  const std::string_view after = text.substr(blank + 1);
+  return after.starts_with("&& ") ||
+         (after.size() > 2 && after[1] == ' ' && std::string_view("+-*/").find(after[0]) != std::string_view::npos);
+}
+
 }  // namespace
 
 std::string literal(double value) {
@@ -45,11 +52,12 @@ std::string wrapped(const std::string& line, std::size_t indentation) {
   std::size_t room = columns - indentation;
   while (rest.size() > room) {
     std::size_t cut = std::string::npos;
+    int template_arguments = 0;  // never broken
     for (std::size_t at = 1; at < rest.size() && (at <= room || cut == std::string::npos); ++at) {
-      if (rest[at] != ' ') continue;
-      const bool before_operator =
-          at + 2 < rest.size() && std::string_view("+-*/").find(rest[at + 1]) != std::string_view::npos && rest[at + 2] == ' ';
-      if (before_operator || rest[at - 1] == ',') cut = at;
+      if (rest[at] == '<') ++template_arguments;
+      if (rest[at] == '>' && rest[at - 1] != '-') --template_arguments;
+      if (rest[at] == ' ' && template_arguments == 0 && (rest[at - 1] == ',' || stands_before_operator(rest, at)))
+        cut = at;
     }
     if (cut == std::string::npos) break;
     result += rest.substr(0, cut) + "\n    ";
@@ -83,10 +91,12 @@ std::string FormulaPrinter::print_factor(const Formula& formula) {
 
 std::string FormulaPrinter::print(const Formula& formula) {
   switch (formula.kind) {
-    case Formula::Kind::atom: return local_name(*program_, formula.atom);
+    case Formula::Kind::atom:
+      return local_name(*program_, formula.atom);
     case Formula::Kind::constant:
       return formula.number.sign() < 0 ? "-" + name(-formula.number) : name(formula.number);
-    case Formula::Kind::sum: return print_sum(formula, false);
+    case Formula::Kind::sum:
+      return print_sum(formula, false);
     case Formula::Kind::product: {
       std::string text;
       for (const Formula& child : formula.children) text += (text.empty() ? "" : " * ") + print_factor(child);

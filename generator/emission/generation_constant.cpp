@@ -9,19 +9,18 @@
 namespace torsor {
 namespace {
 
-Real evaluated(const Program& program, Atom atom) {
+Real evaluated(Program& program, Atom atom) {
   Evaluator<Real> evaluate(program, [&program, atom](const SymbolPointer& symbol) {
     if (symbol->kind == SymbolKind::pi) return Real::pi(Real::working_digits());
     throw Error(fmt::format("'{}' depends on '{}': its value is not known when the header is generated",
                             label(program, atom), symbol->name));
   });
-  const Definition& definition = program[atom];
-  return evaluate(Value(const_cast<Program&>(program), Polynomial(atom), definition.unit));
+  return evaluate(program.atom_value(atom));
 }
 
 }  // namespace
 
-RoundedConstant rounded_constant(const Program& program, Atom atom) {
+RoundedConstant rounded_constant(Program& program, Atom atom) {
   constexpr int most_digits = 1280;
   for (int digits = 40;; digits *= 2) {
     const auto at = [&](int precision) {
@@ -31,9 +30,10 @@ RoundedConstant rounded_constant(const Program& program, Atom atom) {
     const Real coarse = at(digits);
     const Real fine = at(2 * digits);
     if (fine.is_nan() || coarse.is_nan()) {
-      throw Error(fmt::format("the constant '{}' of the scene has no value: it divides by zero, or takes the root or "
-                              "logarithm of a negative number",
-                              label(program, atom)));
+      throw Error(
+          fmt::format("the constant '{}' of the scene has no value: it divides by zero, or takes the root or "
+                      "logarithm of a negative number",
+                      label(program, atom)));
     }
     // A value known to 30 digits rounds to 53 bits at once, unless it lies within 1e-30 of a half: then two
     // precisions give two results.

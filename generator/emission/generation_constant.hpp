@@ -15,6 +15,6 @@ struct RoundedConstant {
 /// two evaluations, at d and 2 d digits, agree beyond what rounding needs. What stays below 1e-500 is taken for zero.
 /// Throws Error for an atom of a later stage, and when there is no value (0 in a denominator, a root or logarithm of a
 /// negative number), naming the definition.
-RoundedConstant rounded_constant(const Program& program, Atom atom);
+RoundedConstant rounded_constant(Program& program, Atom atom);
 
 }  // namespace torsor

@@ -28,15 +28,24 @@ namespace fs = std::filesystem;
   const char* remedy = "check the path and its permissions";
   switch (reason) {
     case ENOENT:
-    case ENOTDIR: remedy = "create the folder first, or choose another one"; break;
+    case ENOTDIR:
+      remedy = "create the folder first, or choose another one";
+      break;
     case EACCES:
     case EPERM:
-    case EROFS: remedy = "ask for the right to write there, or choose another place"; break;
+    case EROFS:
+      remedy = "ask for the right to write there, or choose another place";
+      break;
     case ENOSPC:
     case EDQUOT:
-    case EFBIG: remedy = "make room, or choose another disk"; break;
-    case EISDIR: remedy = "name a file in it"; break;
-    default: break;
+    case EFBIG:
+      remedy = "make room, or choose another disk";
+      break;
+    case EISDIR:
+      remedy = "name a file in it";
+      break;
+    default:
+      break;
   }
   throw FileError(fmt::format("cannot write '{}': {}; {}", path, std::strerror(reason), remedy));
 }

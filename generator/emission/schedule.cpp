@@ -27,9 +27,12 @@ Block collect(const Program& program, const std::vector<Polynomial>& roots, cons
     const auto atom = static_cast<Atom>(k);
     if (!needed[k]) continue;
     const SymbolPointer& symbol = program[atom].symbol;
-    if (symbol && symbol->kind != SymbolKind::pi) block.symbols.push_back(atom);
-    else if (is_given(atom)) block.given.push_back(atom);
-    else block.definitions.push_back(atom);
+    if (symbol && symbol->kind != SymbolKind::pi)
+      block.symbols.push_back(atom);
+    else if (is_given(atom))
+      block.given.push_back(atom);
+    else
+      block.definitions.push_back(atom);
   }
   return block;
 }
@@ -82,8 +85,10 @@ Schedule make_schedule(const Program& program, const std::vector<Kernel>& kernel
     for (const Value& value : kernel.values()) {
       auto [sum, negative] = without_sign(value.polynomial());
       const bool once = stage_of(program, sum) == Stage::parameters && count(factored(sum)).total() > 0;
-      if (once) schedule.results.add(sum);
-      else roots.push_back(std::move(sum));
+      if (once)
+        schedule.results.add(sum);
+      else
+        roots.push_back(std::move(sum));
     }
     schedule.kernels.push_back(collect(program, roots, is_precomputed));
     for (const Atom atom : schedule.kernels.back().given) read[static_cast<std::size_t>(atom)] = true;

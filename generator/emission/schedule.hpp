@@ -37,9 +37,9 @@ std::pair<Polynomial, bool> without_sign(const Polynomial& polynomial);
 /// Distributes the work of several kernels: what depends on parameters only is done once, in `precompute`.
 struct Schedule {
   Block precompute;
-  std::vector<Atom> members;        ///< definitions that kernels read from Precomputed
-  SumTable results;                 ///< results of kernels that depend on parameters only: more members of Precomputed
-  std::vector<Block> kernels;       ///< one for each
+  std::vector<Atom> members;   ///< definitions that kernels read from Precomputed
+  SumTable results;            ///< results of kernels that depend on parameters only: more members of Precomputed
+  std::vector<Block> kernels;  ///< one for each
 };
 Schedule make_schedule(const Program& program, const std::vector<Kernel>& kernels);
 

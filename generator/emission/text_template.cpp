@@ -24,14 +24,16 @@ Placeholder placeholder_at(std::string_view name, std::string_view line, std::si
         return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
       });
   if (!well_formed) {
-    throw Error(fmt::format("template '{}', line {}: the '@' in \"{}\" begins no placeholder; write @name@ with "
-                            "lower-case letters, digits and underscores",
-                            name, line_number, line));
+    throw Error(
+        fmt::format("template '{}', line {}: the '@' in \"{}\" begins no placeholder; write @name@ with "
+                    "lower-case letters, digits and underscores",
+                    name, line_number, line));
   }
   return {std::string(word), end + 1};
 }
 
-/// Every line of the text behind the indentation; empty lines stay empty.
+}  // namespace
+
 std::string indented(const std::string& text, std::string_view indentation) {
   std::string result;
   for (std::size_t begin = 0; begin < text.size();) {
@@ -43,8 +45,6 @@ std::string indented(const std::string& text, std::string_view indentation) {
   return result;
 }
 
-}  // namespace
-
 std::string fill_template(std::string_view name, std::string_view text,
                           const std::map<std::string, std::string>& values) {
   std::string result;
@@ -53,9 +53,10 @@ std::string fill_template(std::string_view name, std::string_view text,
   const auto text_of = [&](const Placeholder& placeholder) -> const std::string& {
     const auto found = values.find(placeholder.name);
     if (found == values.end()) {
-      throw Error(fmt::format("template '{}', line {}: nothing is given for the placeholder @{}@; give it a text or "
-                              "take it out of the template",
-                              name, line_number, placeholder.name));
+      throw Error(
+          fmt::format("template '{}', line {}: nothing is given for the placeholder @{}@; give it a text or "
+                      "take it out of the template",
+                      name, line_number, placeholder.name));
     }
     used.insert(placeholder.name);
     return found->second;
@@ -85,9 +86,10 @@ std::string fill_template(std::string_view name, std::string_view text,
   }
   for (const auto& [key, value] : values) {
     if (!used.contains(key)) {
-      throw Error(fmt::format("template '{}' has no placeholder @{}@ for the text that is given: add it to the template "
-                              "or do not give it",
-                              name, key));
+      throw Error(
+          fmt::format("template '{}' has no placeholder @{}@ for the text that is given: add it to the template "
+                      "or do not give it",
+                      name, key));
     }
   }
   return result;

@@ -16,4 +16,7 @@ namespace torsor {
 std::string fill_template(std::string_view name, std::string_view text,
                           const std::map<std::string, std::string>& values);
 
+/// Every line of a text behind the indentation, each ended; empty lines stay empty.
+std::string indented(const std::string& text, std::string_view indentation);
+
 }  // namespace torsor

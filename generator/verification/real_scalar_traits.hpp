@@ -15,11 +15,18 @@ namespace torsor {
 template <>
 struct scalar_traits<Real> {
   static Real constant(double, float, const char* exact) noexcept { return Real::constant(exact); }
+  template <class Callable>
+  static Real formula(double, float, const Callable& callable) noexcept {
+    return callable();
+  }
+  static Real pi() noexcept { return Real::pi(); }
   static Real select(bool condition, const Real& if_true, const Real& if_false) noexcept {
     return condition ? if_true : if_false;
   }
   static void sincos(const Real& angle, Real& sine, Real& cosine) noexcept { torsor::sincos(angle, sine, cosine); }
   static Real sqrt(const Real& x) noexcept { return torsor::sqrt(x); }
+  static Real exp(const Real& x) noexcept { return torsor::exp(x); }
+  static Real log(const Real& x) noexcept { return torsor::log(x); }
   static bool regular(const Real& pivot, const Real& diagonal) noexcept {
     return pivot > pivot.epsilon() * torsor::abs(diagonal);
   }

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/emission/cpp_emitter.hpp"
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+
+#include <fmt/format.h>
+
+#include "generator/emission/cpp_names.hpp"
+#include "generator/emission/generation_constant.hpp"
+#include "generator/emission/text_template.hpp"
+#include "generator/expression/error.hpp"
+
+namespace torsor {
+namespace {
+
+constexpr std::size_t function_indentation = 4;
+
+bool is_trigonometric(const Definition& definition) {
+  return definition.function == Function::sin || definition.function == Function::cos;
+}
+
+struct ArgumentText {
+  Argument argument;
+  SymbolKind kind;
+  const char* type;
+  const char* name;
+};
+constexpr std::array<ArgumentText, 3> argument_texts{
+    {{Argument::accelerations, SymbolKind::acceleration, "Accelerations", "accelerations"},
+     {Argument::multipliers, SymbolKind::multiplier, "Multipliers", "multipliers"},
+     {Argument::inputs, SymbolKind::input, "Inputs", "inputs"}}};
+
+const ArgumentText& argument_text(Argument argument) {
+  return *std::find_if(argument_texts.begin(), argument_texts.end(),
+                       [&](const ArgumentText& each) { return each.argument == argument; });
+}
+
+/// A kernel can only read what it is given.
+void check_symbols(const Program& program, const Kernel& kernel, const Block& block,
+                   const std::vector<Structure>& structures) {
+  for (const Atom atom : block.symbols) {
+    const Symbol& symbol = *program[atom].symbol;
+    if (symbol.kind == SymbolKind::time) continue;
+    std::string type = "Parameters";
+    if (symbol.kind == SymbolKind::coordinate) type = "Coordinates";
+    if (symbol.kind == SymbolKind::velocity) type = "Velocities";
+    bool passed = true;
+    for (const ArgumentText& each : argument_texts) {
+      if (each.kind != symbol.kind) continue;
+      type = each.type;
+      passed = std::find(kernel.arguments.begin(), kernel.arguments.end(), each.argument) != kernel.arguments.end();
+    }
+    const auto structure =
+        std::find_if(structures.begin(), structures.end(), [&](const Structure& each) { return each.name == type; });
+    const bool known = structure != structures.end() &&
+                       std::any_of(structure->members.begin(), structure->members.end(),
+                                   [&](const Member& member) { return member.name == member_name(symbol); });
+    if (passed && known) continue;
+    throw Error(fmt::format("the kernel '{}' needs '{}', which is not among its arguments ({})", kernel.name,
+                            symbol.name, type));
+  }
+}
+
+}  // namespace
+
+void FunctionEmitter::provide(const SumTable& ready, const std::string& prefix) {
+  ready_ = &ready;
+  ready_prefix_ = prefix;
+}
+
+void FunctionEmitter::line(const std::string& code) { code_ += wrapped(code, function_indentation) + "\n"; }
+
+void FunctionEmitter::statement(const std::string& code, const std::string& meaning) {
+  const std::string text = wrapped(code, function_indentation);
+  if (meaning.empty()) {
+    code_ += text + "\n";
+    return;
+  }
+  const std::string comment = "// " + comment_text(meaning);
+  const bool fits = text.find('\n') == std::string::npos && text.size() + comment.size() + 6 <= 120;
+  code_ += fits ? text + "  " + comment + "\n" : comment + "\n" + text + "\n";
+}
+
+void FunctionEmitter::compute(const Block& block) {
+  for (const Atom atom : block.symbols) {
+    const Symbol& symbol = *(*program_)[atom].symbol;
+    bindings_ +=
+        fmt::format("const Scalar {} = {};\n", local_name(*program_, atom), symbol_access(symbol, parameters_));
+  }
+  for (const Atom atom : block.given) {
+    const std::string name = local_name(*program_, atom);
+    bindings_ += fmt::format("const Scalar {} = precomputed.{};\n", name, name);
+  }
+  done_.assign(program_->size(), false);
+  for (const Atom atom : block.definitions) define(atom);
+}
+
+void FunctionEmitter::define(Atom atom) {
+  if (done_[static_cast<std::size_t>(atom)]) return;
+  const Definition& definition = (*program_)[atom];
+  if (definition.stage == Stage::generation) return define_constant(atom);
+  if (is_trigonometric(definition)) return define_sine_and_cosine(atom);
+  const Formula tree = formula(definition);
+  operations_ += count(tree);
+  statement(fmt::format("const Scalar {} = {};", local_name(*program_, atom), printer_.print(tree)), definition.name);
+}
+
+void FunctionEmitter::define_constant(Atom atom) {
+  const Definition& definition = (*program_)[atom];
+  const std::string name = local_name(*program_, atom);
+  if (definition.symbol) return line(fmt::format("const Scalar {} = traits::pi();", name));
+  if (!definition.function && definition.polynomial.is_constant()) {
+    return line(fmt::format("const Scalar {} = {};", name, printer_.print(formula(definition))));
+  }
+  const RoundedConstant rounded = rounded_constant(*program_, atom);
+  line(fmt::format("const Scalar {} = traits::formula({}, {}, [&]() -> Scalar {{", name, literal(rounded.in_double),
+                   literal(rounded.in_float)));
+  if (is_trigonometric(definition)) {
+    line("  Scalar sine, cosine;");
+    line(fmt::format("  traits::sincos({}, sine, cosine);", local_name(*program_, definition.argument)));
+    line(fmt::format("  return {};", definition.function == Function::sin ? "sine" : "cosine"));
+  } else {
+    line(fmt::format("  return {};", printer_.print(formula(definition))));
+  }
+  statement("});", definition.name);
+}
+
+void FunctionEmitter::define_sine_and_cosine(Atom atom) {
+  const Definition& definition = (*program_)[atom];
+  const bool is_sine = definition.function == Function::sin;
+  const std::string sine = local_name(*program_, is_sine ? atom : definition.partner);
+  const std::string cosine = local_name(*program_, is_sine ? definition.partner : atom);
+  const std::string angle = local_name(*program_, definition.argument);
+  line(fmt::format("Scalar {}, {};", sine, cosine));
+  statement(fmt::format("traits::sincos({}, {}, {});", angle, sine, cosine), definition.name);
+  operations_.sincos_pairs += 1;
+  done_[static_cast<std::size_t>(definition.partner)] = true;
+}
+
+/// The text that gives a value; a formula that costs something is remembered under the target it is about to be
+/// assigned to.
+std::string FunctionEmitter::text_of(const Value& value, const std::string& target) {
+  const auto [sum, negative] = without_sign(value.polynomial());
+  const auto signed_name = [](const std::string& name, bool minus) { return minus ? "-" + name : name; };
+  const Formula tree = factored(sum);
+  const OperationCount cost = count(tree);
+  if (cost.total() > 0) {
+    if (const auto place = ready_ != nullptr ? ready_->find(sum) : std::nullopt) {
+      reads_ready_ = true;
+      return signed_name(fmt::format("{}{}", ready_prefix_, *place), negative);
+    }
+    const auto [place, added] = written_.add(sum);
+    if (!added) return signed_name(places_[place], negative != place_negative_[place]);
+    places_.push_back(target);
+    place_negative_.push_back(negative);
+    operations_ += cost;
+  }
+  return negative ? printer_.print_negated(tree) : printer_.print(tree);
+}
+
+void FunctionEmitter::assign(const std::string& target, const Value& value) {
+  line(fmt::format("{} = {};", target, text_of(value, target)));
+  if (!value.is_constant()) results_.push_back(target);
+}
+
+void FunctionEmitter::return_status(const std::vector<std::pair<Value, Value>>& pivots) {
+  const auto operand = [this](const Value& value) {
+    const std::size_t before = places_.size();
+    const std::string local = fmt::format("y{}", before);
+    const std::string text = text_of(value, local);
+    if (places_.size() == before) return text;
+    line(fmt::format("const Scalar {} = {};", local, text));
+    return local;
+  };
+  std::string condition;
+  for (const auto& [pivot, diagonal] : pivots) {
+    const std::string d = operand(pivot);
+    const std::string m = operand(diagonal);
+    condition += fmt::format("{}traits::regular({}, {})", condition.empty() ? "" : " && ", d, m);
+  }
+  line(fmt::format("if (!({})) return torsor::Status::singular;", condition));
+  if (!results_.empty()) {
+    std::string difference;
+    for (const std::string& result : results_) {
+      difference += fmt::format("{}({} - {})", difference.empty() ? "" : " + ", result, result);
+    }
+    line("// x - x is 0 for every finite x and not a number for any other.");
+    line(fmt::format("const Scalar zero = {};", difference));
+    line(fmt::format("if (!traits::regular({}, zero)) return torsor::Status::not_finite;", name(Number(1))));
+  }
+  line("return torsor::Status::ok;");
+}
+
+FunctionText FunctionEmitter::take() {
+  std::string constants;
+  for (const FormulaPrinter::Constant& constant : printer_.constants()) {
+    constants += wrapped(fmt::format("const Scalar {} = {};", constant.name, constant_call(constant.number)),
+                         function_indentation) +
+                 "\n";
+  }
+  return {constants + bindings_ + code_, operations_};
+}
+
+std::string named_target(const std::string& target, const Kernel& kernel, const std::vector<Structure>& structures) {
+  const std::size_t bracket = target.find('[');
+  if (bracket == std::string::npos) return target;
+  const std::string name = target.substr(0, bracket);
+  const auto result =
+      std::find_if(kernel.results.begin(), kernel.results.end(), [&](const Result& each) { return each.name == name; });
+  if (result == kernel.results.end()) return target;
+  const auto structure = std::find_if(structures.begin(), structures.end(),
+                                      [&](const Structure& each) { return each.name == result->type; });
+  if (structure == structures.end()) return target;
+  return name + "." + structure->members.at(static_cast<std::size_t>(std::stoi(target.substr(bracket + 1)))).name;
+}
+
+FunctionText kernel_function(Program& program, const Kernel& kernel, const Block& block, const SumTable& ready,
+                             const std::vector<Structure>& structures) {
+  check_symbols(program, kernel, block, structures);
+  FunctionEmitter emitter(program, "precomputed.parameters.");
+  emitter.provide(ready, "precomputed.y");
+  emitter.compute(block);
+  for (const Assignment& assignment : kernel.assignments) {
+    emitter.assign(named_target(assignment.target, kernel, structures), assignment.value);
+  }
+  if (!kernel.pivots.empty()) emitter.return_status(kernel.pivots);
+  const FunctionText function = emitter.take();
+
+  // An argument that this scene does not need has no name, so that nobody looks for it and no compiler warns.
+  const auto reads = [&](std::initializer_list<SymbolKind> kinds) {
+    return std::any_of(block.symbols.begin(), block.symbols.end(), [&](Atom atom) {
+      return std::find(kinds.begin(), kinds.end(), program[atom].symbol->kind) != kinds.end();
+    });
+  };
+  const auto parameter = [](const std::string& type, const std::string& name, bool used) {
+    return used ? type + " " + name : type;
+  };
+  std::string signature =
+      fmt::format("TORSOR_DEVICE static {} {}(", kernel.pivots.empty() ? "void" : "torsor::Status", kernel.name);
+  signature += parameter("const Precomputed&", "precomputed",
+                         emitter.reads_ready() || !block.given.empty() || reads({SymbolKind::parameter}));
+  signature += ", " + parameter("const State&", "state",
+                                reads({SymbolKind::time, SymbolKind::coordinate, SymbolKind::velocity}));
+  for (const Argument argument : kernel.arguments) {
+    const ArgumentText& given = argument_text(argument);
+    signature += ", " + parameter(fmt::format("const {}&", given.type), given.name, reads({given.kind}));
+  }
+  for (const Result& result : kernel.results) {
+    const bool used = std::any_of(kernel.assignments.begin(), kernel.assignments.end(), [&](const Assignment& each) {
+      return each.target.starts_with(result.name + "[") || each.target.starts_with(result.name + ".");
+    });
+    signature += ", " + parameter(result.type + "&", result.name, used);
+  }
+  signature += ") noexcept {";
+
+  std::string text;
+  for (std::size_t begin = 0; begin < kernel.documentation.size();) {
+    const std::size_t end = std::min(kernel.documentation.find('\n', begin), kernel.documentation.size());
+    text += "/// " + comment_text(kernel.documentation.substr(begin, end - begin)) + "\n";
+    begin = end + 1;
+  }
+  text += wrapped(signature, 2) + "\n" + indented(function.body, "  ");
+  return {text + "}\n", function.operations};
+}
+
+}  // namespace torsor

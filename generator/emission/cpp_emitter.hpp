@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/emission/formula_printer.hpp"
+#include "generator/emission/kernel.hpp"
+#include "generator/emission/schedule.hpp"
+#include "generator/expression/formula.hpp"
+
+namespace torsor {
+
+/// A function of a header: the lines of its body without indentation, and the operations they state.
+struct FunctionText {
+  std::string body;
+  OperationCount operations;
+};
+
+/// Writes the body of one function: declares the numbers, gives what it reads local names, then computes the
+/// definitions of a block and assigns results. It optimises nothing: each definition is one statement, each operator of
+/// the formula trees one operator of the text. Results that are equal up to sign are computed once.
+class FunctionEmitter {
+ public:
+  /// `parameters` is where parameters are read from: "precomputed.parameters." or "parameters.".
+  FunctionEmitter(Program& program, std::string parameters)
+      : program_(&program), printer_(program), parameters_(std::move(parameters)) {}
+
+  /// Sums that stand ready under a name, e.g. precomputed.y0.
+  void provide(const SumTable& ready, const std::string& prefix);
+  void compute(const Block& block);
+  void assign(const std::string& target, const Value& value);
+  /// Returns Status::singular when a pivot is not regular, not_finite when an assigned result is not, else ok.
+  void return_status(const std::vector<std::pair<Value, Value>>& pivots);
+  void line(const std::string& code);
+  std::string name(const Number& number) { return printer_.name(number); }
+
+  bool reads_ready() const { return reads_ready_; }
+
+  FunctionText take();
+
+ private:
+  void define(Atom atom);
+  void define_constant(Atom atom);
+  void define_sine_and_cosine(Atom atom);
+  void statement(const std::string& code, const std::string& meaning);
+  std::string text_of(const Value& value, const std::string& target);
+
+  Program* program_;
+  FormulaPrinter printer_;
+  std::string parameters_;
+  const SumTable* ready_ = nullptr;
+  std::string ready_prefix_;
+  std::vector<bool> done_;            ///< sines and cosines that came with their partner
+  SumTable written_;                  ///< results that cost something, with
+  std::vector<std::string> places_;   ///< where each was written
+  std::vector<bool> place_negative_;  ///< and whether with the other sign
+  std::vector<std::string> results_;  ///< targets of results that could be not finite
+  std::string bindings_, code_;
+  bool reads_ready_ = false;
+  OperationCount operations_;
+};
+
+/// A result of a named vector by name: accelerations.theta_1 for "accelerations[0]".
+std::string named_target(const std::string& target, const Kernel& kernel, const std::vector<Structure>& structures);
+
+/// The whole function of a kernel with its documentation. Throws Error when the kernel reads a symbol it is not given.
+FunctionText kernel_function(Program& program, const Kernel& kernel, const Block& block, const SumTable& ready,
+                             const std::vector<Structure>& structures);
+
+}  // namespace torsor

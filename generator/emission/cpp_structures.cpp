@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/emission/cpp_structures.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "generator/emission/cpp_names.hpp"
+#include "generator/emission/formula_printer.hpp"
+#include "generator/emission/text_template.hpp"
+#include "generator/expression/error.hpp"
+
+namespace torsor {
+namespace {
+
+Member scalar(const Symbol& symbol, const std::string& meaning, const Unit& unit) {
+  return {member_name(symbol), 1, 1, fmt::format("{} [{}]", meaning, unit_text(unit)), true};
+}
+
+void check_names(const Structure& structure) {
+  std::set<std::string> names;
+  const std::string what = fmt::format("member of {}", structure.name);
+  for (const Member& member : structure.members) {
+    require_cpp_name(member.name, what);
+    if (member.name == structure.name || !names.insert(member.name).second) {
+      throw SceneError(
+          fmt::format("two things would be called '{}' in the structure {} of the generated header: choose "
+                      "another name for one",
+                      member.name, structure.name));
+    }
+  }
+}
+
+std::string element_access(const Structure& structure) {
+  const std::string pointer = fmt::format("Scalar {}::*", structure.name);
+  std::string table;
+  for (const Member& member : structure.members) {
+    table += fmt::format("{}&{}::{}", table.empty() ? "" : ", ", structure.name, member.name);
+  }
+  std::string text = fmt::format("  static constexpr int size = {};\n", structure.members.size());
+  text += "  TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }\n";
+  text += "  TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }\n";
+  text += fmt::format("\n private:\n  TORSOR_DEVICE static constexpr {}member_(int i_) noexcept {{\n", pointer);
+  const std::string declaration = fmt::format("constexpr {}members_[] = {{{}}};", pointer, table);
+  text += indented(wrapped(declaration, 6), "    ");
+  text += "    return members_[i_];\n  }\n";
+  return text;
+}
+
+}  // namespace
+
+std::string unit_text(const Unit& unit) {
+  struct Name {
+    Unit unit;
+    const char* text;
+  };
+  const Unit per_second = Unit() / units::second;
+  const Name names[] = {{Unit(), "rad or 1"},
+                        {per_second, "rad/s"},
+                        {per_second.pow(2), "rad/s^2"},
+                        {units::metre_per_second, "m/s"},
+                        {units::metre_per_second_squared, "m/s^2"},
+                        {units::newton, "N"},
+                        {units::newton_metre, "N m"},
+                        {units::newton / units::metre, "N/m"},
+                        {units::newton / units::metre_per_second, "N s/m"},
+                        {units::newton_metre / per_second, "N m s"},
+                        {units::watt, "W"},
+                        {units::kilogram_metre_squared, "kg m^2"}};
+  for (const Name& name : names) {
+    if (name.unit == unit) return name.text;
+  }
+  return unit.to_string();
+}
+
+std::vector<Structure> common_structures(const Equations& equations, const std::vector<SymbolPointer>& parameters) {
+  const Model& model = equations.model();
+  Structure given{"Parameters", "Parameters that are set at run time.", {}};
+  for (const SymbolPointer& symbol : parameters) given.members.push_back(scalar(*symbol, "parameter", symbol->unit));
+  Structure q{"Coordinates", "Generalised coordinates q.", {}};
+  Structure v{"Velocities", "Generalised velocities v = dq/dt.", {}};
+  Structure a{"Accelerations", "Generalised accelerations dv/dt.", {}};
+  Structure forces{"GeneralizedForces", "Generalised forces, one along each coordinate.", {}};
+  for (int i = 0; i < model.unknown_count(); ++i) {
+    const CoordinateContent& coordinate = model.coordinates()[static_cast<std::size_t>(i)];
+    const std::string& name = coordinate.q->name;
+    q.members.push_back(scalar(*coordinate.q, "coordinate", coordinate.q->unit));
+    v.members.push_back(scalar(*coordinate.v, "its rate", coordinate.v->unit));
+    a.members.push_back(scalar(*coordinate.a, "its second rate", coordinate.a->unit));
+    forces.members.push_back(
+        scalar(*coordinate.q, "works with the rate of " + name, units::joule / coordinate.q->unit));
+  }
+  Structure inputs{"Inputs", "Forces and torques of motors, set at each call.", {}};
+  for (const SymbolPointer& symbol : model.inputs()) inputs.members.push_back(scalar(*symbol, "motor", symbol->unit));
+  Structure multipliers{"Multipliers", "Multipliers of the constraints, or the reactions that enforce them.", {}};
+  for (const ConstraintContent& constraint : model.scene().constraints) {
+    const Symbol& symbol = *constraint.multiplier;
+    multipliers.members.push_back(scalar(symbol, "of the constraint " + constraint.name, symbol.unit));
+  }
+  return {given, q, v, a, forces, inputs, multipliers};
+}
+
+std::string structure_text(const Structure& structure) {
+  check_names(structure);
+  std::string text = fmt::format("/// {}\n", comment_text(structure.documentation));
+  if (structure.members.empty()) {
+    return text + fmt::format("struct {} {{\n  static constexpr int size = 0;\n}};\n", structure.name);
+  }
+  text += fmt::format("struct {} {{\n", structure.name);
+  for (const Member& member : structure.members) {
+    const std::string type =
+        member.scalar ? "Scalar" : fmt::format("std::array<Scalar, {}>", member.rows * member.columns);
+    const std::string shape =
+        member.scalar || member.columns == 1 ? "" : fmt::format(" ({} x {})", member.rows, member.columns);
+    text += fmt::format("  {} {};  ///< {}{}\n", type, member.name, comment_text(member.documentation), shape);
+  }
+  const bool indexed = std::all_of(structure.members.begin(), structure.members.end(),
+                                   [](const Member& member) { return member.scalar; });
+  if (indexed) text += element_access(structure);
+  return text + "};\n";
+}
+
+}  // namespace torsor

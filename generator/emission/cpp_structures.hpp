@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/emission/kernel.hpp"
+
+namespace torsor {
+
+/// Unit as a reader expects it behind a quantity of mechanics: "[N m]" for kg m² s⁻², "[rad/s]" for s⁻¹, else base
+/// units.
+std::string unit_text(const Unit& unit);
+
+/// The structures every header has, in its order: Parameters, Coordinates, Velocities, Accelerations,
+/// GeneralizedForces, Inputs, Multipliers.
+std::vector<Structure> common_structures(const Equations& equations, const std::vector<SymbolPointer>& parameters);
+
+/// A structure in C++. When all members are scalars it has `size` and `operator[]`, through a constexpr table of member
+/// pointers. Throws SceneError for a member's name that cannot stand in C++ or comes twice.
+std::string structure_text(const Structure& structure);
+
+}  // namespace torsor

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/emission/header.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "generator/emission/cpp_emitter.hpp"
+#include "generator/emission/cpp_names.hpp"
+#include "generator/emission/cpp_structures.hpp"
+#include "generator/emission/embedded_templates.hpp"
+#include "generator/emission/provenance.hpp"
+#include "generator/emission/start_values.hpp"
+#include "generator/emission/text_template.hpp"
+#include "generator/expression/error.hpp"
+
+namespace torsor {
+namespace {
+
+std::string precomputed_structure(const Program& program, const Schedule& schedule) {
+  std::string text;
+  for (const Atom atom : schedule.members) {
+    const std::string& name = program[atom].name;
+    text +=
+        fmt::format("Scalar {};{}\n", local_name(program, atom), name.empty() ? "" : "  ///< " + comment_text(name));
+  }
+  for (std::size_t k = 0; k < schedule.results.sums().size(); ++k) text += fmt::format("Scalar y{};\n", k);
+  return text;
+}
+
+FunctionText precompute_body(Program& program, const Schedule& schedule) {
+  FunctionEmitter emitter(program, "parameters.");
+  emitter.compute(schedule.precompute);
+  for (const Atom atom : schedule.members) {
+    const std::string name = local_name(program, atom);
+    emitter.line(fmt::format("precomputed.{} = {};", name, name));
+  }
+  for (std::size_t k = 0; k < schedule.results.sums().size(); ++k) {
+    emitter.assign(fmt::format("precomputed.y{}", k), Value(program, schedule.results.sums()[k], Unit()));
+  }
+  return emitter.take();
+}
+
+/// Structures of all kernels; two kernels may share one when it is the same.
+std::vector<Structure> kernel_structures(const std::vector<Kernel>& kernels) {
+  std::vector<Structure> all;
+  for (const Kernel& kernel : kernels) {
+    for (const Structure& structure : kernel.structures) {
+      const bool known =
+          std::any_of(all.begin(), all.end(), [&](const Structure& each) { return each.name == structure.name; });
+      if (!known) all.push_back(structure);
+    }
+  }
+  return all;
+}
+
+std::string blocks_text(const std::vector<std::string>& blocks) {
+  std::string text;
+  for (const std::string& block : blocks) text += (text.empty() ? "" : "\n") + block;
+  return text;
+}
+
+}  // namespace
+
+std::vector<SymbolPointer> run_time_parameters(const Scene& scene, const ModelOptions& options) {
+  std::vector<SymbolPointer> symbols;
+  for (const ParameterContent& parameter : scene.content().parameters) {
+    const bool kept = parameter.run_time || !parameter.value || options.all_run_time || options.symbolic_parameters ||
+                      options.run_time.contains(parameter.symbol->name);
+    if (kept) symbols.push_back(parameter.symbol);
+  }
+  return symbols;
+}
+
+std::string emit_header(const Equations& equations, const std::vector<Kernel>& kernels, const HeaderOptions& options) {
+  const Scene& scene = equations.scene();
+  Program& program = equations.program();
+  require_cpp_name(scene.name(), "scene");
+  const std::vector<SymbolPointer> parameters = run_time_parameters(scene, options.model);
+  std::vector<Kernel> present;
+  std::copy_if(kernels.begin(), kernels.end(), std::back_inserter(present),
+               [](const Kernel& kernel) { return kernel.skipped.empty(); });
+
+  std::vector<Structure> structures = common_structures(equations, parameters);
+  std::vector<std::string> common_text;
+  for (const Structure& structure : structures) common_text.push_back(structure_text(structure));
+  std::vector<std::string> structure_texts;
+  for (const Structure& structure : kernel_structures(present)) {
+    std::string text = structure_text(structure);
+    if (structure.name == "FirstIntegrals") {
+      text += fmt::format("static constexpr int first_integral_count = {};\n", structure.members.size());
+    }
+    structure_texts.push_back(std::move(text));
+    structures.push_back(structure);
+  }
+
+  const Schedule schedule = make_schedule(program, present);
+  const FunctionText precompute = precompute_body(program, schedule);
+  Provenance provenance{&scene, options.model, kernels, parameters, {}};
+  if (precompute.operations.total() > 0) provenance.operations.emplace_back("precompute", precompute.operations);
+  std::vector<std::string> functions;
+  for (std::size_t k = 0; k < present.size(); ++k) {
+    FunctionText function = kernel_function(program, present[k], schedule.kernels[k], schedule.results, structures);
+    provenance.operations.emplace_back(present[k].name, function.operations);
+    functions.push_back(std::move(function.body));
+  }
+
+  const InitialState start = initial_state(equations, options.model);
+  const SceneContent& content = scene.content();
+  const auto size = [](std::size_t count) { return std::to_string(count); };
+  const std::string degrees = std::to_string(equations.model().unknown_count());
+  return fill_template("mechanism.hpp.in", embedded_template("mechanism.hpp.in"),
+                       {{"provenance", provenance_comment(provenance)},
+                        {"scene_name", scene.name()},
+                        {"coordinate_count", degrees},
+                        {"velocity_count", degrees},
+                        {"input_count", size(equations.model().inputs().size())},
+                        {"parameter_count", size(parameters.size())},
+                        {"multiplier_count", size(content.constraints.size())},
+                        {"structures", blocks_text(common_text)},
+                        {"precomputed_members", precomputed_structure(program, schedule)},
+                        {"default_parameters", default_parameters_body(scene, parameters)},
+                        {"precompute", precompute.body},
+                        {"initial_parameters", start.reads_parameters ? " parameters" : ""},
+                        {"initial_state", start.body},
+                        {"kernel_structures", structure_texts.empty() ? "" : blocks_text(structure_texts) + "\n"},
+                        {"kernels", blocks_text(functions)}});
+}
+
+}  // namespace torsor

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/emission/provenance.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "generator/emission/cpp_names.hpp"
+#include "generator/emission/schedule.hpp"
+
+namespace torsor {
+namespace {
+
+template <class List, class Name>
+std::string joined(const List& list, const std::string& separator, const Name& name) {
+  std::string text;
+  for (const auto& entry : list) text += (text.empty() ? "" : separator) + name(entry);
+  return text.empty() ? "none" : text;
+}
+
+std::string operations_table(const Provenance& provenance) {
+  std::size_t width = 8;
+  for (const auto& [name, operations] : provenance.operations) width = std::max(width, name.size());
+  std::string text =
+      fmt::format("  {:<{}}  {:>9}  {:>15}  {:>9}  {:>12}  {:>17}  {:>6}  {:>5}\n", "function", width, "additions",
+                  "multiplications", "divisions", "square roots", "sine-cosine pairs", "others", "total");
+  for (const auto& [name, each] : provenance.operations) {
+    text += fmt::format("  {:<{}}  {:>9}  {:>15}  {:>9}  {:>12}  {:>17}  {:>6}  {:>5}\n", name, width, each.additions,
+                        each.multiplications, each.divisions, each.square_roots, each.sincos_pairs, each.others,
+                        each.total());
+  }
+  return text;
+}
+
+/// What the mechanism made unnecessary, kernel by kernel.
+std::string skipped(const Provenance& provenance) {
+  std::string text;
+  for (const Kernel& kernel : provenance.kernels) {
+    if (!kernel.skipped.empty()) {
+      text += fmt::format("  {}: left out, {}\n", kernel.name, kernel.skipped);
+      continue;
+    }
+    int zeros = 0;
+    int repeated = 0;
+    SumTable seen;
+    for (const Assignment& assignment : kernel.assignments) {
+      const Polynomial sum = without_sign(assignment.value.polynomial()).first;
+      if (sum.is_zero())
+        ++zeros;
+      else if (!sum.is_constant() && !seen.add(sum).second)
+        ++repeated;
+    }
+    if (zeros == 0 && repeated == 0) continue;
+    std::string what;
+    if (zeros > 0) what = fmt::format("{} vanish identically", zeros);
+    if (repeated > 0) what += fmt::format("{}{} repeat another up to sign", what.empty() ? "" : ", ", repeated);
+    text += fmt::format("  {}: of {} results {}\n", kernel.name, kernel.assignments.size(), what);
+  }
+  return text.empty() ? "  nothing\n" : text;
+}
+
+}  // namespace
+
+std::string regeneration_command(const Provenance& provenance) {
+  const std::string& scene = provenance.scene->name();
+  std::string command = fmt::format("{}_scene generate --kernels {}", scene,
+                                    joined(provenance.kernels, ",", [](const Kernel& kernel) { return kernel.name; }));
+  if (provenance.options.all_run_time || provenance.options.symbolic_parameters) {
+    command += " --run-time all";
+  } else if (!provenance.options.run_time.empty()) {
+    command += " --run-time " + joined(provenance.options.run_time, ",", [](const std::string& name) { return name; });
+  }
+  return command + fmt::format(" --output {}.hpp", scene);
+}
+
+std::string provenance_comment(const Provenance& provenance) {
+  const SceneContent& scene = provenance.scene->content();
+  std::string text =
+      fmt::format("{}{}\nMade by torsor {}; change the scene and write the file again, do not edit it.\n", scene.name,
+                  scene.title.empty() ? "" : ": " + scene.title, TORSOR_VERSION);
+  text += "Free to embed under the MIT licence.\n\n";
+  std::vector<std::string> present;
+  for (const Kernel& kernel : provenance.kernels) {
+    if (kernel.skipped.empty()) present.push_back(kernel.name);
+  }
+  const auto itself = [](const std::string& name) { return name; };
+  text += "Kernels: " + joined(present, ", ", itself) + "\n";
+  text += "Parameters set at run time: " +
+          joined(provenance.parameters, ", ", [](const SymbolPointer& symbol) { return symbol->name; }) + "\n\n";
+  text += "Operations in the text of each function (a sine-cosine pair counts 2 in the total):\n";
+  text += operations_table(provenance) + "\n";
+  text += "Not computed because this mechanism does not need it:\n" + skipped(provenance) + "\n";
+  text += "To write this file again:\n  " + regeneration_command(provenance) + "\n";
+
+  std::string comment;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = text.find('\n', begin);
+    const std::string line = comment_text(text.substr(begin, end - begin));
+    comment += line.empty() ? "//\n" : "// " + line + "\n";
+    begin = end + 1;
+  }
+  return comment;
+}
+
+}  // namespace torsor

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "generator/emission/header.hpp"
+#include "generator/expression/formula.hpp"
+
+namespace torsor {
+
+/// What the head comment of a generated header tells about it.
+struct Provenance {
+  const Scene* scene = nullptr;
+  ModelOptions options;
+  std::vector<Kernel> kernels;                                     ///< all that were asked for, skipped ones included
+  std::vector<SymbolPointer> parameters;                           ///< set at run time
+  std::vector<std::pair<std::string, OperationCount>> operations;  ///< of each function of the text
+};
+
+/// The head comment: scene, version, licence, kernels, operations, what was skipped and why, how to regenerate. No
+/// date, no path: the same bytes each time.
+std::string provenance_comment(const Provenance& provenance);
+
+/// The command that writes the header again, e.g. "hoop_scene generate --kernels bias --output hoop.hpp".
+std::string regeneration_command(const Provenance& provenance);
+
+}  // namespace torsor

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/emission/header.hpp"
+
+#include <regex>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "generator/emission/kernel.hpp"
+#include "generator/expression/error.hpp"
+#include "generator/expression/formula.hpp"
+#include "tests/emission/golden_scene.hpp"
+
+namespace torsor {
+namespace {
+
+using testing_scenes::kernels_of;
+
+Scene spatial_arm() {
+  using Q = Expression;
+  Scene scene("spatial_arm");
+  const Q a = scene.coordinate("a", "rad");
+  const Q b = scene.coordinate("b", "rad");
+  const Q slide = scene.coordinate("slide", "m");
+  const Placement offset{{Q(0), Q::quantity("0.4", "m"), Q(0)}, {}};
+  const FrameHandle first = scene.revolute("first", scene.ground(), axis::z, a);
+  const FrameHandle second = scene.revolute("second", first, axis::x, b, offset);
+  const FrameHandle third = scene.prismatic("third", second, axis::y, slide, offset);
+  const Inertia inertia =
+      Inertia::box(Q::quantity("3", "kg"), Q::quantity("0.1", "m"), Q::quantity("0.5", "m"), Q::quantity("0.2", "m"))
+          .at({Q(0), Q::quantity("0.3", "m"), Q::quantity("0.05", "m")});
+  scene.body("upper", first, inertia);
+  scene.body("lower", second, inertia);
+  scene.body("tool", third, inertia);
+  scene.gravity({Q(0), Q(0), -Q::quantity("9.81", "m/s^2")});
+  scene.motor("drive", a);
+  return scene;
+}
+
+/// The lines between the function's head and its end.
+std::string body_of(const std::string& header, const std::string& function) {
+  const std::size_t head = header.find(" " + function + "(");
+  const std::size_t begin = header.find("noexcept {\n", head) + 11;
+  return header.substr(begin, header.find("\n  }\n", begin) - begin);
+}
+
+/// Operators in the statements of a body up to the checks of its status.
+OperationCount operators_in(const std::string& body) {
+  const std::string text = body.substr(0, body.find("    if (!("));
+  const auto occurrences = [&text](const std::string& pattern) {
+    const std::regex regex(pattern);
+    return static_cast<int>(std::distance(std::sregex_iterator(text.begin(), text.end(), regex), {}));
+  };
+  OperationCount count;
+  count.additions = occurrences("[a-z0-9_)\\]]\\s+[+-] ");
+  count.multiplications = occurrences("\\s\\* ");
+  count.divisions = occurrences("\\s/ ");
+  count.square_roots = occurrences("traits::sqrt\\(");
+  count.sincos_pairs = occurrences("traits::sincos\\(");
+  return count;
+}
+
+void expect_equal(const OperationCount& text, const OperationCount& counted, const std::string& what) {
+  EXPECT_EQ(text.additions, counted.additions) << what;
+  EXPECT_EQ(text.multiplications, counted.multiplications) << what;
+  EXPECT_EQ(text.divisions, counted.divisions) << what;
+  EXPECT_EQ(text.square_roots, counted.square_roots) << what;
+  EXPECT_EQ(text.sincos_pairs, counted.sincos_pairs) << what;
+}
+
+TEST(Header, StatesExactlyTheOperationsThatAreCounted) {
+  const Equations equations(spatial_arm());
+  const std::vector<Kernel> kernels =
+      kernels_of(equations, "kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,linearisation");
+  const std::string header = emit_header(equations, kernels);
+  for (const Kernel& kernel : kernels) {
+    const OperationCount counted = count(equations.program(), kernel.values());
+    ASSERT_GT(counted.total(), 0) << kernel.name;
+    expect_equal(operators_in(body_of(header, kernel.name)), counted, kernel.name);
+    // The head comment tells the same.
+    const std::regex row("// +" + kernel.name + " .* " + std::to_string(counted.total()) + "\n");
+    EXPECT_TRUE(std::regex_search(header, row)) << kernel.name;
+  }
+}
+
+TEST(Header, DoesOnceWhatDependsOnParametersOnly) {
+  const Equations equations(testing_scenes::golden_pendulum());
+  const std::vector<Kernel> kernels = kernels_of(equations, "mass_matrix");
+  const std::string header = emit_header(equations, kernels);
+  // M = m l²: nothing is left to the kernel.
+  EXPECT_EQ(operators_in(body_of(header, "mass_matrix")).total(), 0);
+  expect_equal(operators_in(body_of(header, "precompute")), count(equations.program(), kernels[0].values()), "M");
+}
+
+TEST(Header, IsTheSameForTheSameScene) {
+  const auto header = [] {
+    const Equations equations(spatial_arm());
+    return emit_header(equations, kernels_of(equations, "all"));
+  };
+  const std::string first = header();
+  const std::vector<std::string> disturbance(1000, std::string(100, 'x'));  // other addresses for the second
+  EXPECT_EQ(first, header());
+}
+
+TEST(Header, HasOnlyTheKernelsAskedFor) {
+  const Equations equations(spatial_arm());
+  const std::string header = emit_header(equations, kernels_of(equations, "bias,constraints"));
+  EXPECT_NE(header.find("static void bias("), std::string::npos);
+  EXPECT_EQ(header.find("mass_matrix"), std::string::npos);
+  EXPECT_EQ(header.find("struct Constraints"), std::string::npos);
+  EXPECT_NE(header.find("//   constraints: left out, the scene has no constraints\n"), std::string::npos);
+  EXPECT_NE(header.find("//   spatial_arm_scene generate --kernels bias,constraints --output spatial_arm.hpp\n"),
+            std::string::npos);
+}
+
+TEST(Header, KeepsTheParametersItIsAskedToKeep) {
+  ModelOptions options;
+  options.run_time = {"mass"};
+  const Equations some(testing_scenes::golden_pendulum(), options);
+  const std::string with_mass = emit_header(some, kernels_of(some, "bias"), {options});
+  EXPECT_NE(with_mass.find("// Parameters set at run time: length, friction, mass\n"), std::string::npos);
+  EXPECT_NE(with_mass.find("--kernels bias --run-time mass --output"), std::string::npos);
+  EXPECT_NE(with_mass.find("= parameters.mass;"), std::string::npos);
+
+  ModelOptions everything;
+  everything.all_run_time = true;
+  const Equations all(testing_scenes::golden_pendulum(), everything);
+  const std::string with_all = emit_header(all, kernels_of(all, "bias"), {everything});
+  EXPECT_NE(with_all.find("parameter_count = 4;"), std::string::npos);
+  EXPECT_NE(with_all.find("--run-time all"), std::string::npos);
+}
+
+TEST(Header, LeavesArgumentsWithoutUseUnnamed) {
+  const Equations equations(testing_scenes::golden_pendulum());
+  const std::string header = emit_header(equations, kernels_of(equations, "mass_matrix"));
+  EXPECT_NE(header.find("mass_matrix(const Precomputed& precomputed, const State&,\n"
+                        "      std::array<Scalar, 1>& mass) noexcept"),
+            std::string::npos);
+}
+
+TEST(Header, RefusesNamesThatCppDoesNotTake) {
+  const auto message_of = [](const std::string& scene_name, const std::string& coordinate) -> std::string {
+    Scene scene(scene_name);
+    const Expression q = scene.coordinate(coordinate, "m");
+    scene.body("block", scene.prismatic("slide", scene.ground(), axis::x, q),
+               Inertia::point(Expression::quantity("1", "kg")));
+    const Equations equations(scene);
+    try {
+      emit_header(equations, kernels_of(equations, "mass_matrix"));
+    } catch (const SceneError& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  EXPECT_EQ(message_of("block", "x"), "no error");
+  EXPECT_NE(message_of("gamma", "x").find("the name 'gamma' of a scene belongs to the C library"), std::string::npos);
+  EXPECT_NE(message_of("block", "Scalar").find("the name 'Scalar' of a member of Coordinates is used by the header"),
+            std::string::npos);
+}
+
+TEST(Header, RefusesAKernelThatReadsWhatItIsNotGiven) {
+  const Equations equations(spatial_arm());
+  Kernel kernel = make_kernel("inverse_dynamics", equations);
+  kernel.arguments.clear();
+  try {
+    emit_header(equations, {kernel});
+    FAIL() << "the accelerations are not among the arguments";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("the kernel 'inverse_dynamics' needs"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace torsor
