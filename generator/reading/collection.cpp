@@ -74,18 +74,31 @@ Product inverse(Product product) {
   return product;
 }
 
-/// Greatest rational common to all coefficients, with the sign of the first; 1 when there are surds.
-Number common_number(const Sum& sum) {
-  const Number& first = sum.terms().begin()->second;
-  const Number sign(first.sign());
+bool is_short(const Number& number) {
+  return number.is_rational() && cln::abs(cln::numerator(number.part(0))) <= 100 &&
+         cln::denominator(number.part(0)) <= 12;
+}
+
+/// The greatest rational that all coefficients share, if it is short; positive.
+Number shared_number(const Sum& sum) {
   cln::cl_I numerators = 0;
   cln::cl_I denominators = 1;
   for (const auto& [product, coefficient] : sum.terms()) {
-    if (!coefficient.is_rational()) return sign;
+    if (!coefficient.is_rational()) return Number(1);
     numerators = cln::gcd(numerators, cln::numerator(coefficient.part(0)));
     denominators = cln::lcm(denominators, cln::denominator(coefficient.part(0)));
   }
-  return sign * Number(numerators / denominators);
+  const Number shared(numerators / denominators);
+  return is_short(shared) ? shared : Number(1);
+}
+
+/// The number to take out of a sum, with the sign of its first term: of parameters the greatest rational that all
+/// coefficients share, of coordinates the first coefficient, so that X − X0 stays what it is. Only short numbers.
+Number common_number(const Sum& sum) {
+  const Number& first = sum.terms().begin()->second;
+  const Number sign(first.sign());
+  if (level(sum) >= Level::configuration) return is_short(first) ? first : sign;
+  return sign * shared_number(sum);
 }
 
 /// The base that most terms share, at least two and not all; among equals the one created last: lengths are shared
@@ -117,6 +130,7 @@ WrittenTerm as_term(const Sum& sum);
 
 /// A sum of parameters: terms that share a parameter are put together.
 Written factored(const Sum& sum) {
+  if (sum.size() > 1 && !common_factor(sum).empty()) return {as_term(sum)};
   if (sum.size() < 3) return plain(sum);
   const BasePointer shared = most_shared(sum);
   if (!shared) return plain(sum);
@@ -127,9 +141,9 @@ Written factored(const Sum& sum) {
                                  [&](const Power& p) { return p.halves >= 2 && compare(*p.base, *shared) == 0; });
     (has ? inside : outside).add(product, coefficient);
   }
-  if (outside.is_zero()) return {as_term(sum)};
-  Written result{as_term(inside)};
-  for (WrittenTerm& term : factored(outside)) result.push_back(std::move(term));
+  Written result = factored(outside);
+  const bool leads = compare(inside.terms().begin()->first, sum.terms().begin()->first) == 0;
+  result.insert(leads ? result.begin() : result.end(), as_term(inside));
   return result;
 }
 
@@ -151,6 +165,27 @@ std::tuple<Level, int, int> place(const WrittenFactor& factor) {
   return highest;
 }
 
+/// The sum whose square this is, with a plus in front; nothing when there is none.
+std::optional<Sum> square_root(const Sum& sum) {
+  if (sum.size() < 3) return std::nullopt;
+  Sum root;
+  for (const auto& [product, coefficient] : sum.terms()) {
+    const bool square = std::all_of(product.begin(), product.end(), [](const Power& p) { return p.halves % 4 == 0; });
+    const std::optional<Number> size = square && coefficient.sign() > 0 ? coefficient.square_root() : std::nullopt;
+    if (!size) continue;
+    Product half = product;
+    for (Power& power : half) power.halves /= 2;
+    int sign = 1;
+    if (!root.is_zero()) {
+      const auto cross = sum.terms().find(half * root.terms().begin()->first);
+      if (cross == sum.terms().end()) return std::nullopt;
+      sign = cross->second.sign();
+    }
+    root.add(half, Number(sign) * *size);
+  }
+  return compare(root * root, sum) == 0 ? std::optional<Sum>(root) : std::nullopt;
+}
+
 WrittenTerm as_term(const Sum& sum) {
   if (sum.size() == 1) return plain(sum)[0];
   const Number number = common_number(sum);
@@ -158,7 +193,9 @@ WrittenTerm as_term(const Sum& sum) {
   Sum rest;
   for (const auto& [product, coefficient] : sum.terms()) rest.add(product * inverse(common), coefficient / number);
   WrittenTerm term{number, written(common)};
-  term.factors.push_back(parenthesised(factored(rest)));
+  const std::optional<Sum> root = square_root(rest);
+  term.factors.push_back(parenthesised(factored(root.value_or(rest))));
+  if (root) term.factors.back().halves = 4;
   std::stable_sort(term.factors.begin(), term.factors.end(),
                    [](const WrittenFactor& a, const WrittenFactor& b) { return place(a) < place(b); });
   return term;
@@ -182,43 +219,62 @@ Groups by_configuration(const Sum& sum) {
   return groups;
 }
 
-/// Takes a spring's k (x − l) out of the part without velocities: a parameter shared by a constant and by terms that
-/// are linear in coordinates.
-std::optional<Sum> take_elongation(Sum& rest) {
-  const auto polynomial = [](const Product& product) {
-    return std::all_of(product.begin(), product.end(), [](const Power& power) {
-      return power.halves >= 2 && power.base->kind == Base::Kind::symbol;
-    });
-  };
-  const auto has = [](const Product& product, const BasePointer& base) {
-    return std::any_of(product.begin(), product.end(), [&](const Power& p) { return compare(*p.base, *base) == 0; });
-  };
-  for (const auto& [constant, number] : rest.terms()) {
-    if (level(constant) > Level::parameter || !polynomial(constant)) continue;
-    for (auto power = constant.rbegin(); power != constant.rend(); ++power) {
-      Sum shared;
-      bool moves = false;
-      for (const auto& [product, coefficient] : rest.terms()) {
-        if (!polynomial(product) || !has(product, power->base)) continue;
-        shared.add(product, coefficient);
-        moves = moves || level(product) >= Level::configuration;
-      }
-      if (!moves || shared.size() < 2) continue;
-      for (const auto& [product, coefficient] : shared.terms()) rest.add(product, -coefficient);
-      return shared;
-    }
+bool has(const Product& product, const BasePointer& base) {
+  return std::any_of(product.begin(), product.end(), [&](const Power& p) { return compare(*p.base, *base) == 0; });
+}
+bool is_polynomial(const Product& product) {
+  return std::all_of(product.begin(), product.end(), [](const Power& power) {
+    return power.halves >= 2 && power.base->kind == Base::Kind::symbol;
+  });
+}
+/// A stretch or its square, once the common factor is taken out: linear in the coordinates, with a constant or with
+/// nothing but coordinates.
+bool is_stretch(const Sum& sum, bool has_constant) {
+  const Product common = common_factor(sum);
+  Sum rest;
+  for (const auto& [product, coefficient] : sum.terms()) {
+    rest.add(product * inverse(common), coefficient / sum.terms().begin()->second);
   }
-  return std::nullopt;
+  if (square_root(rest)) return true;
+  return std::all_of(rest.terms().begin(), rest.terms().end(), [&](const auto& term) {
+    const bool constant = level(term.first) < Level::configuration;
+    if (constant) return has_constant;
+    return term.first.size() == 1 && term.first[0].halves == 2;
+  });
 }
 
-Written coefficient_of_motion(const Sum& sum) {
+/// Takes k (x − l) or k (x − y) out of the part without velocities: terms in plain coordinates that share a parameter,
+/// the one that most of them share.
+std::optional<Sum> take_elongation(Sum& rest) {
+  Sum best;
+  for (const auto& [product, number] : rest.terms()) {
+    if (!is_polynomial(product)) continue;
+    for (const Power& power : product) {
+      if (power.base->level != Level::parameter) continue;
+      Sum shared;
+      bool moves = false;
+      bool constant = false;
+      for (const auto& [other, coefficient] : rest.terms()) {
+        if (!is_polynomial(other) || !has(other, power.base)) continue;
+        shared.add(other, coefficient);
+        (level(other) >= Level::configuration ? moves : constant) = true;
+      }
+      const bool wanted = moves && shared.size() >= 2 && is_stretch(shared, constant);
+      if (wanted && shared.size() > best.size()) best = shared;
+    }
+  }
+  if (best.is_zero()) return std::nullopt;
+  rest += Number(-1) * best;
+  return best;
+}
+
+/// Groups by what depends on the configuration, constants first.
+Written by_groups(const Sum& sum) {
   Groups groups = by_configuration(sum);
   Written result;
   const auto constant = groups.find(Product());
   if (constant != groups.end()) {
-    for (WrittenTerm& term : groups.size() == 1 ? Written{as_term(constant->second)} : factored(constant->second)) {
-      result.push_back(std::move(term));
-    }
+    result = groups.size() == 1 ? Written{as_term(constant->second)} : factored(constant->second);
     groups.erase(constant);
   }
   for (const auto& [product, coefficient] : groups) result.push_back(times(as_term(coefficient), product));
@@ -228,14 +284,8 @@ Written coefficient_of_motion(const Sum& sum) {
 Written without_motion(Sum rest) {
   Written springs;
   while (const std::optional<Sum> spring = take_elongation(rest)) springs.push_back(as_term(*spring));
-  Written result;
-  for (const auto& [product, coefficient] : by_configuration(rest)) {
-    if (product.empty()) {
-      for (WrittenTerm& term : factored(coefficient)) result.push_back(std::move(term));
-    } else {
-      result.push_back(times(as_term(coefficient), product));
-    }
-  }
+  Written result = rest.is_zero() ? Written() : by_groups(rest);
+  if (springs.empty()) return result;
   result.insert(result.begin(), springs.begin(), springs.end());
   return result;
 }
@@ -256,16 +306,29 @@ std::tuple<int, int> rank(const Product& motion, const Layout& layout) {
   return {group, degree};
 }
 
-/// number · (coefficient) · motion; the parentheses fall where there is one term.
-WrittenTerm group_term(Written coefficient, const Product& motion) {
-  if (coefficient.size() == 1) return times(std::move(coefficient[0]), motion);
-  WrittenTerm term;
-  if (coefficient[0].coefficient.sign() < 0) {
-    term.coefficient = Number(-1);
-    for (WrittenTerm& inner : coefficient) inner.coefficient = -inner.coefficient;
+/// number · common factors · (what remains) · motion.
+WrittenTerm group_term(const Sum& coefficient, const Product& motion) {
+  Written groups = by_groups(coefficient);
+  if (groups.size() == 1) return times(std::move(groups[0]), motion);
+  const Product common = common_factor(coefficient);
+  const Number number = shared_number(coefficient);
+  Sum rest;
+  for (const auto& [product, value] : coefficient.terms()) rest.add(product * inverse(common), value / number);
+  WrittenTerm term{number, written(common)};
+  groups = by_groups(rest);
+  if (groups[0].coefficient.sign() < 0) {
+    term.coefficient = -term.coefficient;
+    for (WrittenTerm& group : groups) group.coefficient = -group.coefficient;
   }
-  term.factors.push_back(parenthesised(std::move(coefficient)));
+  term.factors.push_back(parenthesised(std::move(groups)));
   return times(std::move(term), motion);
+}
+
+/// A lone sum needs no parentheses.
+Written unwrapped(Written written) {
+  if (written.size() != 1 || !written[0].coefficient.is_one() || written[0].factors.size() != 1) return written;
+  const WrittenFactor& factor = written[0].factors[0];
+  return factor.base || factor.halves != 2 ? written : factor.inside;
 }
 
 }  // namespace
@@ -285,37 +348,10 @@ Written collected(const Sum& sum, const Layout& layout) {
     if (motion.empty()) {
       for (WrittenTerm& term : without_motion(coefficient)) result.push_back(std::move(term));
     } else {
-      result.push_back(group_term(coefficient_of_motion(coefficient), motion));
+      result.push_back(group_term(coefficient, motion));
     }
   }
-  return result;
-}
-
-Real evaluate(const Written& written, const std::function<Real(const SymbolPointer&)>& value_of, int digits) {
-  Real sum(Number(0), digits);
-  for (const WrittenTerm& term : written) {
-    Real product(term.coefficient, digits);
-    for (const WrittenFactor& factor : term.factors) {
-      Real base;
-      if (!factor.base) {
-        base = evaluate(factor.inside, value_of, digits);
-      } else if (factor.base->kind == Base::Kind::function) {
-        base = apply(factor.base->function, evaluate(factor.inside, value_of, digits));
-      } else if (factor.base->kind == Base::Kind::symbol) {
-        base = value_of(factor.base->symbol);
-      } else {
-        throw Error("a named definition has no value of its own: evaluate the program instead");
-      }
-      const int whole = factor.halves / 2;
-      product *= pow(base, whole);
-      if (factor.halves % 2 != 0) {
-        const Real root = sqrt(base);
-        product = factor.halves > 0 ? product * root : product / root;
-      }
-    }
-    sum += product;
-  }
-  return sum;
+  return unwrapped(std::move(result));
 }
 
 }  // namespace torsor::reading

@@ -150,10 +150,10 @@ Sum InlineView::canonical(const GiNaC::ex& e) {
   }
   if (GiNaC::is_a<GiNaC::power>(e)) return canonical_power(e);
   const auto call = [&](Function function) { return Sum::function(function, simplified(canonical(e.op(0)))); };
-  if (GiNaC::is_ex_the_function(e, sin)) return call(Function::sin);
-  if (GiNaC::is_ex_the_function(e, cos)) return call(Function::cos);
-  if (GiNaC::is_ex_the_function(e, exp)) return call(Function::exp);
-  if (GiNaC::is_ex_the_function(e, log)) return call(Function::log);
+  if (GiNaC::is_the_function<GiNaC::sin_SERIAL>(e)) return call(Function::sin);
+  if (GiNaC::is_the_function<GiNaC::cos_SERIAL>(e)) return call(Function::cos);
+  if (GiNaC::is_the_function<GiNaC::exp_SERIAL>(e)) return call(Function::exp);
+  if (GiNaC::is_the_function<GiNaC::log_SERIAL>(e)) return call(Function::log);
   throw Error("a printed equation has a function that cannot be printed");
 }
 

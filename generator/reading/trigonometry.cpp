@@ -73,6 +73,20 @@ bool complement(Sum& sum, const Product& product, const Number& a) {
   return false;
 }
 
+/// a m cos² − a m sin² = a m cos of the double angle.
+bool double_angle(Sum& sum, const Product& product, const Number& a) {
+  for (const Power& power : product) {
+    if (!is(power, Function::cos) || power.halves < 4) continue;
+    const Product common = without(product, power, 4);
+    const Product mate = common * twin(power, 4);
+    const std::optional<Number> b = coefficient(sum, mate);
+    if (!b || *b != -a) continue;
+    merge(sum, product, mate, common, a, Sum::function(Function::cos, Number(2) * power.base->inside));
+    return true;
+  }
+  return false;
+}
+
 /// cos a cos b ± sin a sin b = cos(a ∓ b) and sin a cos b ± cos a sin b = sin(a ± b), each with a common factor.
 bool addition(Sum& sum, const Product& product, const Number& a) {
   for (std::size_t i = 0; i < product.size(); ++i) {
@@ -123,6 +137,7 @@ Sum greedy(Sum sum) {
     exhaust(sum, pythagoras);
     again = exhaust(sum, addition);
     again = exhaust(sum, complement) || again;
+    again = exhaust(sum, double_angle) || again;
   }
   return sum;
 }

@@ -35,6 +35,9 @@ struct Layout {
 /// depends on the configuration; parameters gather in the coefficients. A sum in parentheses starts with a plus.
 Written collected(const Sum& sum, const Layout& layout = {});
 
+/// f(argument) at the argument's precision.
+Real apply(Function function, const Real& argument);
+
 /// Value of what is written, for values of the symbols. Definitions throw Error.
 Real evaluate(const Written& written, const std::function<Real(const SymbolPointer&)>& value_of, int digits);
 

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/reading/definitions_view.hpp"
+
+namespace torsor::reading {
+
+DefinitionsView::DefinitionsView(const Program& program, const std::vector<Value>& results) : program_(&program) {
+  for (const Atom atom : program.live(results)) {
+    const Definition& definition = program[atom];
+    if (definition.symbol) {
+      atoms_.emplace(atom, Sum::symbol(definition.symbol));
+    } else if (definition.function) {
+      // A function is written where it is used: cos(theta) says more than a number.
+      atoms_.emplace(atom, Sum::function(*definition.function, atoms_.at(definition.argument)));
+    } else {
+      const int number = static_cast<int>(lines_.size()) + 1;
+      lines_.push_back({number, collected(of_polynomial(definition.polynomial)), definition.name});
+      atoms_.emplace(atom, Sum::definition(number));
+    }
+  }
+}
+
+Sum DefinitionsView::of_polynomial(const Polynomial& polynomial) const {
+  Sum sum;
+  for (const Term& term : polynomial.terms()) {
+    Sum product{term.coefficient};
+    for (const Factor& factor : term.monomial) product = product * power(atoms_.at(factor.atom), 2 * factor.exponent);
+    sum += product;
+  }
+  return sum;
+}
+
+}  // namespace torsor::reading
