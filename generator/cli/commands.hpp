@@ -18,6 +18,7 @@ struct SceneCounts {
   std::string name;
   std::vector<std::pair<std::string, OperationCount>> kernels;
   OperationCount joint;
+  OperationCount precompute;  ///< once for a set of run-time parameters, all kernels together
 };
 
 SceneCounts count_scene(const Scene& scene, const std::vector<std::string>& kernels, const ModelOptions& options);

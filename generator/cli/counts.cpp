@@ -23,7 +23,7 @@ std::string row(const std::string& name, const OperationCount& c) {
 }  // namespace
 
 SceneCounts count_scene(const Scene& scene, const std::vector<std::string>& names, const ModelOptions& options) {
-  SceneCounts counts{scene.name(), {}, {}};
+  SceneCounts counts{scene.name(), {}, {}, {}};
   const Equations equations(scene, options);
   std::vector<Value> all;
   for (const std::string& name : names) {
@@ -32,6 +32,7 @@ SceneCounts count_scene(const Scene& scene, const std::vector<std::string>& name
     all.insert(all.end(), values.begin(), values.end());
   }
   counts.joint = count(equations.program(), all);
+  counts.precompute = count(equations.program(), all, Occasion::parameters);
   return counts;
 }
 
@@ -41,6 +42,7 @@ std::string counts_table(const std::vector<SceneCounts>& scenes) {
     text += fmt::format("{}{}\n{:<24}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}\n", text.empty() ? "" : "\n", scene.name,
                         "kernel", "add", "multiply", "divide", "sqrt", "sincos", "others", "total");
     for (const auto& [name, count] : scene.kernels) text += row(name, count);
+    if (scene.precompute.total() > 0) text += row("precompute, once", scene.precompute);
     if (scene.kernels.size() > 1) text += row("all in one program", scene.joint);
   }
   return text;
@@ -52,6 +54,7 @@ std::string counts_json(const std::vector<SceneCounts>& scenes) {
     nlohmann::ordered_json model{{"name", scene.name}, {"kernels", nlohmann::ordered_json::object()}};
     for (const auto& [name, count] : scene.kernels) model["kernels"][name] = to_json(count);
     model["joint"] = to_json(scene.joint);
+    if (scene.precompute.total() > 0) model["precompute"] = to_json(scene.precompute);
     models.push_back(std::move(model));
   }
   return (models.size() == 1 ? models[0] : nlohmann::ordered_json{{"models", models}}).dump(2) + "\n";

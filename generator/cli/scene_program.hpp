@@ -13,7 +13,7 @@ int run_scene_program(int argc, const char* const* argv, Scene (*make_scene)());
 
 /// Gives a scene function a main, unless TORSOR_NO_MAIN is defined (for programs that use the function themselves).
 #ifdef TORSOR_NO_MAIN
-#define TORSOR_SCENE(function) static_assert(true)
+#define TORSOR_SCENE(function) static_assert(true, "");
 #else
 #define TORSOR_SCENE(function) \
   int main(int argc, char** argv) { return torsor::run_scene_program(argc, argv, function); }

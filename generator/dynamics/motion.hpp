@@ -49,10 +49,9 @@ class Acceleration {
   const Vector& linear() const { return linear_; }
   const Value& u(int row, int column);
   Vector u_times(const Vector& v);
+  Value product(int i, int j);  ///< Ω_i Ω_j
 
  private:
-  Value product(int i, int j);  ///< ω_i ω_j
-
   Program* program_ = nullptr;
   std::string name_;
   Vector omega_, angular_, linear_;

@@ -6,7 +6,7 @@ namespace {
 
 /// Dynamic screw of a link at its origin minus gravity: {m (Γ − g) + U h, δ_O}. The moment J Ω̇ + Ω ∧ J Ω is written
 /// with U = [Ω̇] + [Ω][Ω], whose entries the resultant needs anyhow:
-/// N_x = J_xx Ω̇_x + (J_zz − J_yy) Ω_y Ω_z − J_xy U_zx + J_xz U_yx + J_yz (U_yy − U_zz), and so on cyclically.
+/// N_x = J_xx Ω̇_x + (J_zz − J_yy) Ω_y Ω_z − J_xy U_zx + J_xz U_yx + J_yz (Ω_y² − Ω_z²), and so on cyclically.
 Wrench dynamic_screw(Program& program, Acceleration& motion, const MassProperties& body) {
   Wrench screw;
   screw.resultant = body.mass * motion.linear();
@@ -20,13 +20,13 @@ Wrench dynamic_screw(Program& program, Acceleration& motion, const MassPropertie
     const Value difference = j(z, z) - j(y, y);
     if (!difference.is_zero()) {
       const Value spread = program.bind(difference);
-      n += spread * program.bind(motion.omega()[y] * motion.omega()[z]);
+      n += spread * motion.product(y, z);
     }
     if (!j(x, y).is_zero()) n -= j(x, y) * motion.u(z, x);
     if (!j(x, z).is_zero()) n += j(x, z) * motion.u(y, x);
     if (!j(y, z).is_zero()) {
-      const Value u_yy = motion.u(y, y);
-      const Value spread = program.bind(u_yy - motion.u(z, z));
+      const Value square = motion.product(y, y);
+      const Value spread = program.bind(square - motion.product(z, z));
       n += j(y, z) * spread;
     }
   }

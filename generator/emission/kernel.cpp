@@ -7,38 +7,14 @@
 #include <fmt/format.h>
 
 #include "generator/dynamics/energy.hpp"
-#include "generator/dynamics/linearisation.hpp"
 #include "generator/dynamics/painleve.hpp"
 #include "generator/emission/kernel_kinematics.hpp"
-#include "generator/expression/derivative.hpp"
+#include "generator/emission/kernel_linearisation.hpp"
+#include "generator/emission/kernel_parts.hpp"
 #include "generator/expression/error.hpp"
 
 namespace torsor {
 namespace {
-
-std::string element(const std::string& array, std::size_t index) { return fmt::format("{}[{}]", array, index); }
-
-std::string array_type(std::size_t size) { return fmt::format("std::array<Scalar, {}>", size); }
-
-/// Appends a matrix, column by column.
-void assign_matrix(Kernel& kernel, const std::string& target, const ValueMatrix& matrix, std::size_t columns) {
-  for (std::size_t j = 0; j < columns; ++j) {
-    for (std::size_t i = 0; i < matrix.size(); ++i) {
-      kernel.assignments.push_back({element(target, j * matrix.size() + i), matrix[i][j]});
-    }
-  }
-}
-
-Member matrix_member(const std::string& name, std::size_t rows, std::size_t columns, const std::string& text) {
-  return {name, static_cast<int>(rows), static_cast<int>(columns), text, false};
-}
-
-/// Assigns one value per unknown to a vector of the header.
-void assign_vector(Kernel& kernel, const std::string& target, const std::vector<Value>& values, std::size_t n) {
-  for (std::size_t i = 0; i < n; ++i) kernel.assignments.push_back({element(target, i), values[i]});
-}
-
-std::size_t unknowns(const Equations& equations) { return static_cast<std::size_t>(equations.model().unknown_count()); }
 
 Kernel make_mass_matrix(const Equations& equations) {
   const std::size_t n = unknowns(equations);
@@ -177,64 +153,6 @@ Kernel make_reactions(const Equations& equations) {
   }
   kernel.structures = {structure};
   kernel.results = {{"Reactions", "result"}};
-  return kernel;
-}
-
-Kernel make_linearisation(const Equations& equations) {
-  Kernel kernel;
-  const std::size_t n = unknowns(equations);
-  const Linearisation linear = linearisation(equations);
-  const std::size_t inputs = equations.model().inputs().size();
-  kernel.documentation =
-      "Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the\n"
-      "inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.";
-  kernel.arguments = {Argument::accelerations, Argument::multipliers, Argument::inputs};
-  Structure structure{"Linearisation",
-                      "Matrices of the linearised equations, stored column by column.",
-                      {matrix_member("M", n, n, "mass matrix"), matrix_member("C", n, n, "damping and gyroscopic terms"),
-                       matrix_member("K", n, n, "stiffness"), matrix_member("F", n, 1, "right-hand side")}};
-  assign_matrix(kernel, "result.M", linear.M, n);
-  assign_matrix(kernel, "result.C", linear.C, n);
-  assign_matrix(kernel, "result.K", linear.K, n);
-  assign_vector(kernel, "result.F", linear.F, n);
-  if (inputs > 0) {
-    structure.members.push_back(matrix_member("E", n, inputs, "effect of the inputs"));
-    assign_matrix(kernel, "result.E", linear.E, inputs);
-  }
-  // State matrices only where the coordinates are independent: x = (e, e'), x' = A x + B du.
-  if (equations.constraints().empty()) {
-    Program& program = equations.program();
-    const Factorisation factorisation(program, linear.M);
-    ValueMatrix a(2 * n, std::vector<Value>(2 * n));
-    ValueMatrix b(2 * n, std::vector<Value>(inputs));
-    const auto column_of = [n](const ValueMatrix& matrix, std::size_t j) {
-      std::vector<Value> column;
-      for (std::size_t i = 0; i < n; ++i) column.push_back(matrix[i][j]);
-      return column;
-    };
-    for (std::size_t j = 0; j < n; ++j) {
-      a[j][n + j] = program.number(Number(1));
-      const std::vector<Value> stiffness = factorisation.solve(column_of(linear.K, j));
-      const std::vector<Value> damping = factorisation.solve(column_of(linear.C, j));
-      for (std::size_t i = 0; i < n; ++i) {
-        a[n + i][j] = -stiffness[i];
-        a[n + i][n + j] = -damping[i];
-      }
-    }
-    for (std::size_t k = 0; k < inputs; ++k) {
-      const std::vector<Value> effect = factorisation.solve(column_of(linear.E, k));
-      for (std::size_t i = 0; i < n; ++i) b[n + i][k] = effect[i];
-    }
-    structure.members.push_back(matrix_member("A", 2 * n, 2 * n, "state matrix of x = (e, e'): x' = A x + B du"));
-    assign_matrix(kernel, "result.A", a, 2 * n);
-    if (inputs > 0) {
-      structure.members.push_back(matrix_member("B", 2 * n, inputs, "input matrix"));
-      assign_matrix(kernel, "result.B", b, inputs);
-    }
-    kernel.pivots = factorisation.pivots();
-  }
-  kernel.structures = {structure};
-  kernel.results = {{"Linearisation", "result"}};
   return kernel;
 }
 

@@ -123,7 +123,7 @@ std::vector<Value> gradient(const Value& value, const std::vector<SymbolPointer>
     const Definition definition = program[atom];
     const Value adjoint = program.bind(last->second);
     adjoints.erase(last);
-    if (adjoint.is_zero()) continue;
+    if (adjoint.is_zero() || definition.stage == Stage::generation) continue;
     if (definition.symbol) {
       found[definition.symbol.get()] = adjoint;
     } else if (definition.function) {

@@ -176,12 +176,16 @@ OperationCount count(const Formula& formula) {
   return total;
 }
 
-OperationCount count(const Program& program, const std::vector<Value>& outputs) {
+OperationCount count(const Program& program, const std::vector<Value>& outputs, Occasion occasion) {
+  const auto belongs = [occasion](Stage stage) {
+    if (stage == Stage::generation) return false;
+    return (stage == Stage::parameters) == (occasion == Occasion::parameters);
+  };
   OperationCount total;
   std::vector<Atom> angles;
   for (const Atom atom : program.live(outputs)) {
     const Definition& definition = program[atom];
-    if (definition.symbol || definition.stage == Stage::generation) continue;
+    if (definition.symbol || !belongs(definition.stage)) continue;
     const bool trigonometric = definition.function == Function::sin || definition.function == Function::cos;
     if (trigonometric) {
       if (std::find(angles.begin(), angles.end(), definition.argument) == angles.end()) {
@@ -194,6 +198,7 @@ OperationCount count(const Program& program, const std::vector<Value>& outputs) 
   }
   std::vector<Polynomial> seen;
   for (const Value& output : outputs) {
+    if (output.is_zero() || !belongs(program.stage(output))) continue;
     Polynomial positive = output.polynomial();
     if (positive.sign() < 0) positive *= Number(-1);
     if (std::find(seen.begin(), seen.end(), positive) != seen.end()) continue;

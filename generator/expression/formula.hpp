@@ -45,8 +45,11 @@ struct OperationCount {
 
 OperationCount count(const Formula& formula);
 
-/// Counts everything that is needed for some outputs: every live definition once, then each output's own formula.
-/// Outputs that are equal up to sign are computed once.
-OperationCount count(const Program& program, const std::vector<Value>& outputs);
+/// When operations are done: once for a set of parameters, or at every state.
+enum class Occasion { parameters, state };
+
+/// Counts what one occasion costs for some outputs: every live definition once, then each output's own formula; outputs
+/// that are equal up to sign are computed once. What is known when the program is generated costs nothing.
+OperationCount count(const Program& program, const std::vector<Value>& outputs, Occasion occasion = Occasion::state);
 
 }  // namespace torsor

@@ -130,6 +130,11 @@ Atom Program::function_atom(Function function, Atom argument) {
   if (function == Function::sqrt) definition.unit = (*this)[argument].unit.root();
   const Atom atom = append(std::move(definition));
   functions_[static_cast<std::size_t>(argument)].emplace_back(function, atom);
+  if (function == Function::sin || function == Function::cos) {  // they come as a pair and are computed together
+    const Atom other = function_atom(function == Function::sin ? Function::cos : Function::sin, argument);
+    definitions_[static_cast<std::size_t>(atom)].partner = other;
+    definitions_[static_cast<std::size_t>(other)].partner = atom;
+  }
   return atom;
 }
 
@@ -206,11 +211,6 @@ Value Program::apply(Function function, const Value& argument) {
     bound = atom_value(append(std::move(negated)));
   }
   const Atom atom = function_atom(function, *bound.atom());
-  if (odd_or_even) {  // sine and cosine of one angle always come as a pair: they are computed together
-    const Atom other = function_atom(function == Function::sin ? Function::cos : Function::sin, *bound.atom());
-    definitions_[static_cast<std::size_t>(atom)].partner = other;
-    definitions_[static_cast<std::size_t>(other)].partner = atom;
-  }
   return {*this, Polynomial(atom), function == Function::sqrt ? argument.unit().root() : Unit()};
 }
 

@@ -12,12 +12,16 @@
 namespace torsor {
 namespace {
 
-constexpr std::array<std::string_view, 49> reserved{
-    "alignas",  "alignof", "and",    "asm",      "auto",    "bool",     "break",    "case",   "catch",  "char",
-    "class",    "const",   "default", "delete",  "do",      "double",   "else",     "enum",   "explicit", "export",
-    "extern",   "false",   "float",  "for",      "friend",  "goto",     "if",       "inline", "int",    "long",
-    "new",      "not",     "or",     "private",  "public",  "register", "return",   "short",  "signed", "static",
-    "struct",   "switch",  "this",   "true",     "typename", "union",   "using",    "void",   "while"};
+constexpr std::array<std::string_view, 92> reserved{
+    "alignas", "alignof", "and", "and_eq", "asm", "auto", "bitand", "bitor", "bool", "break", "case", "catch",
+    "char", "char8_t", "char16_t", "char32_t", "class", "compl", "concept", "const", "consteval", "constexpr",
+    "constinit", "const_cast", "continue", "co_await", "co_return", "co_yield", "decltype", "default", "delete",
+    "do", "double", "dynamic_cast", "else", "enum", "explicit", "export", "extern", "false", "float", "for",
+    "friend", "goto", "if", "inline", "int", "long", "mutable", "namespace", "new", "noexcept", "not", "not_eq",
+    "nullptr", "operator", "or", "or_eq", "private", "protected", "public", "register", "reinterpret_cast",
+    "requires", "return", "short", "signed", "sizeof", "static", "static_assert", "static_cast", "struct",
+    "switch", "template", "this", "thread_local", "throw", "true", "try", "typedef", "typeid", "typename", "union",
+    "unsigned", "using", "virtual", "void", "volatile", "wchar_t", "while", "xor", "xor_eq"};
 
 void require_identifier(const std::string& name, const std::string& what) {
   const auto is_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
@@ -229,6 +233,7 @@ void Scene::torque(const std::string& name, const FrameReference& body, const Tr
 ConstraintHandle Scene::add_constraint(ConstraintContent constraint) {
   require_identifier(constraint.name, "constraint");
   claim(constraint.name, "constraint");
+  claim(constraint.multiplier->name, "multiplier");
   content_.constraints.push_back(std::move(constraint));
   return {static_cast<int>(content_.constraints.size()) - 1};
 }

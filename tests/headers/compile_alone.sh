@@ -45,6 +45,6 @@ for level in -O0 -O2; do
   done
 done
 # At -O0 and -O2 both scalars must be there, or nothing was looked at.
-nm -C --defined-only "$object" | grep -q 'Mechanism<double>::' || { echo "$header: no kernel was compiled"; exit 1; }
-nm -C --defined-only "$object" | grep -q 'Mechanism<float>::' || { echo "$header: no float kernel was compiled"; exit 1; }
+nm -C --defined-only "$object" | grep -c 'Mechanism<double>::' > /dev/null || { echo "$header: no kernel was compiled"; exit 1; }
+nm -C --defined-only "$object" | grep -c 'Mechanism<float>::' > /dev/null || { echo "$header: no float kernel was compiled"; exit 1; }
 echo "$(nm -C --defined-only "$object" | grep -c 'Mechanism<') functions of $mechanism compiled alone with $compiler"
