@@ -27,10 +27,10 @@ torsor::Scene satellite_arms_scene() {
   const Expression A3 = scene.parameter("A3", "kg m^2", 0.18_r);
   const Expression B3 = scene.parameter("B3", "kg m^2", 0.176_r);
   const Expression C3 = scene.parameter("C3", "kg m^2", 0.005_r);
-  const Expression K2 = scene.parameter("K2", "N m", 3);
-  const Expression K3 = scene.parameter("K3", "N m", 3.5_r);
-  const Expression v2 = scene.parameter("v2", "N m s", 0.6_r);
-  const Expression v3 = scene.parameter("v3", "N m s", 0.7_r);
+  const Expression K2 = scene.parameter("K2", "N m", 30);
+  const Expression K3 = scene.parameter("K3", "N m", 35);
+  const Expression v2 = scene.parameter("v2", "N m s", 5);
+  const Expression v3 = scene.parameter("v3", "N m s", 6);
   const Expression g = scene.parameter("g", "m/s^2", 9.81_r);
 
   const Expression psi = scene.coordinate("psi", "rad");
