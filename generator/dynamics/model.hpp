@@ -91,6 +91,9 @@ class Model {
   /// Components in the parent link's axes of a vector given in the link's own, and the way back.
   Vector to_parent(const Link& link, const Vector& v) const;
   Vector from_parent(const Link& link, const Vector& v) const;
+  /// The same without the joint's turn: between the parent's axes and the joint's fixed ones.
+  Vector to_joint(const Link& link, const Vector& v) const;
+  Vector from_joint(const Link& link, const Vector& v) const { return link.placement_rotation * v; }
   /// Origin of the link in its parent, in the parent's axes.
   Vector origin_in_parent(const Link& link) const;
   /// Axis of the joint in the parent link's axes.

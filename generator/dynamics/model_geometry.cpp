@@ -27,9 +27,12 @@ Vector Model::to_parent(const Link& link, const Vector& v) const {
   return link.placement_rotation * turn(*program_, link, v, false);
 }
 
+Vector Model::to_joint(const Link& link, const Vector& v) const {
+  return bound(*program_, link.placement_rotation.transpose() * v);
+}
+
 Vector Model::from_parent(const Link& link, const Vector& v) const {
-  const Vector placed = link.placement_rotation.transpose() * v;
-  return turn(*program_, link, bound(*program_, placed), true);
+  return turn(*program_, link, to_joint(link, v), true);
 }
 
 Vector Model::axis_in_parent(const Link& link) const { return link.placement_rotation * link.axis; }

@@ -80,8 +80,11 @@ Vector Acceleration::u_times(const Vector& v) {
   return product;
 }
 
-std::vector<Acceleration> accelerations(const Model& model, AccelerationInput input) {
+std::vector<Acceleration> accelerations(const Model& model, AccelerationInput input, const std::vector<Axes>& axes) {
   Program& program = model.program();
+  const auto from_parent = [&](std::size_t k, const Vector& v) {
+    return axes[k] == Axes::own ? model.from_parent(model.links()[k], v) : model.to_joint(model.links()[k], v);
+  };
   Substitution at_rest(program, [&](const SymbolPointer& symbol) -> std::optional<Value> {
     if (symbol->kind != SymbolKind::acceleration) return std::nullopt;
     return program.number(Number(), symbol->unit);
@@ -97,14 +100,14 @@ std::vector<Acceleration> accelerations(const Model& model, AccelerationInput in
     const Value s_ddot = input == AccelerationInput::zero ? at_rest(link.acceleration) : link.acceleration;
     const Vector origin = bound(program, model.origin_in_parent(link));
     Vector linear = parent.linear() + parent.u_times(origin);
-    Vector omega = model.from_parent(link, parent.omega());
-    Vector angular = model.from_parent(link, parent.angular());
+    Vector omega = from_parent(k, parent.omega());
+    Vector angular = from_parent(k, parent.angular());
     if (link.joint == JointKind::prismatic) {
       const Vector axis = model.axis_in_parent(link);
       linear += Number(2) * s_dot * cross(parent.omega(), axis);
       linear += s_ddot * axis;
     }
-    linear = model.from_parent(link, bound(program, linear));
+    linear = from_parent(k, bound(program, linear));
     if (link.joint == JointKind::revolute) {
       // Ω̇ = Ω̇_parent + s̈ n + ṡ Ω_parent ∧ n: the turn of the axis with the parent.
       angular += s_dot * cross(omega, link.axis);

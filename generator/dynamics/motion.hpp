@@ -64,7 +64,11 @@ enum class AccelerationInput {
   zero,     ///< q̈ = 0: what remains is the bias
 };
 
-/// Accelerations of all links at (q, q̇, q̈), gravity included as an upward acceleration of the ground.
-std::vector<Acceleration> accelerations(const Model& model, AccelerationInput input);
+/// Axes in which a link's vectors are written: its own, or its joint's fixed axes, which do not turn with the angle.
+enum class Axes { own, unturned };
+
+/// Accelerations of all links at (q, q̇, q̈), gravity included as an upward acceleration of the ground; `axes` of each
+/// link (only a link without children may have unturned ones).
+std::vector<Acceleration> accelerations(const Model& model, AccelerationInput input, const std::vector<Axes>& axes);
 
 }  // namespace torsor

@@ -9,6 +9,7 @@
 #include "generator/dynamics/equations.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/expression/evaluation.hpp"
+#include "generator/mechanics/parameter_value.hpp"
 
 namespace torsor {
 namespace {
@@ -130,37 +131,21 @@ bool lacks_values(const Scene& scene) {
   return std::any_of(parameters.begin(), parameters.end(), [](const auto& p) { return !p.value; });
 }
 
-/// Values of all symbols at t = 0.
-class InitialValues {
- public:
-  explicit InitialValues(const Scene& scene) : content_(scene.content()), program_(Model::resolver(scene, {})) {}
-
-  Real operator()(const SymbolPointer& symbol) {
-    if (symbol->kind == SymbolKind::pi) return Real::pi(digits);
-    for (const ParameterContent& p : content_.parameters) {
-      if (p.symbol == symbol && p.value) return of(*p.value);
-    }
-    for (const CoordinateContent& c : content_.coordinates) {
-      if (c.q == symbol) return c.initial_value ? of(*c.initial_value) : Real(0);
-      if (c.v == symbol) return c.initial_rate ? of(*c.initial_rate) : Real(0);
-    }
-    return Real(0);  // t = 0, no inputs
+/// Value of a symbol at t = 0, without inputs.
+Real initial_value(const SceneContent& scene, const SymbolPointer& symbol) {
+  if (symbol->kind == SymbolKind::pi || symbol->kind == SymbolKind::parameter) return parameter_value(scene, symbol);
+  for (const CoordinateContent& c : scene.coordinates) {
+    if (c.q == symbol && c.initial_value) return parameter_value(scene, *c.initial_value);
+    if (c.v == symbol && c.initial_rate) return parameter_value(scene, *c.initial_rate);
   }
-
- private:
-  Real of(const Expression& formula) {
-    Evaluator<Real> evaluate(program_, [this](const SymbolPointer& symbol) { return (*this)(symbol); });
-    return evaluate(program_.lower(formula));
-  }
-
-  const SceneContent& content_;
-  Program program_;
-};
+  return Real(0);
+}
 
 void check_initial_state(const Equations& equations) {
   if (equations.constraints().empty() || lacks_values(equations.scene())) return;
-  InitialValues values(equations.scene());
-  Evaluator<Real> evaluate(equations.program(), [&values](const SymbolPointer& symbol) { return values(symbol); });
+  Evaluator<Real> evaluate(equations.program(), [&equations](const SymbolPointer& symbol) {
+    return initial_value(equations.scene().content(), symbol);
+  });
   for (const ConstraintRow& row : equations.constraints()) {
     // Decimals given for irrational positions carry some twelve digits.
     constexpr double tolerance = 1e-9;
@@ -195,11 +180,10 @@ void validate(const Scene& scene) {
 
 std::vector<Real> initial_state(const Scene& scene) {
   if (lacks_values(scene)) return {};
-  InitialValues values(scene);
   std::vector<Real> state;
   for (const bool rates : {false, true}) {
     for (const CoordinateContent& c : scene.content().coordinates) {
-      if (c.unknown()) state.push_back(values(rates ? c.v : c.q));
+      if (c.unknown()) state.push_back(initial_value(scene.content(), rates ? c.v : c.q));
     }
   }
   return state;

@@ -34,12 +34,34 @@ Wrench dynamic_screw(Program& program, Acceleration& motion, const MassPropertie
   return screw;
 }
 
+/// A tip that looks the same at every angle (a wheel, a rotor): inertia about its axis only, once regrouped. Written in
+/// unturned axes it needs neither sine nor cosine of its angle.
+bool looks_the_same_turned(const Model& model, std::size_t k, const std::map<int, Wrench>& wrenches) {
+  const Link& link = model.links()[k];
+  if (link.joint != JointKind::revolute || link.aligned < 0 || wrenches.contains(static_cast<int>(k))) return false;
+  for (const Link& other : model.links()) {
+    if (other.parent == static_cast<int>(k)) return false;
+  }
+  const MassProperties& body = link.effective;
+  bool symmetric = body.mass.is_zero() && body.first_moment.is_zero();
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      symmetric = symmetric && (body.inertia(i, j).is_zero() || (i == link.aligned && j == link.aligned));
+    }
+  }
+  return symmetric;
+}
+
 }  // namespace
 
 std::vector<Value> inertia_forces(const Model& model, AccelerationInput input, const std::map<int, Wrench>& wrenches) {
   Program& program = model.program();
-  std::vector<Acceleration> motion = accelerations(model, input);
   const auto& links = model.links();
+  std::vector<Axes> axes(links.size(), Axes::own);
+  for (std::size_t k = 1; k < links.size(); ++k) {
+    if (looks_the_same_turned(model, k, wrenches)) axes[k] = Axes::unturned;
+  }
+  std::vector<Acceleration> motion = accelerations(model, input, axes);
   std::vector<Wrench> load(links.size());
   std::vector<Value> forces(model.coordinates().size());
   for (std::size_t k = links.size(); k-- > 1;) {
@@ -57,11 +79,14 @@ std::vector<Value> inertia_forces(const Model& model, AccelerationInput input, c
     const Value effort = program.bind(dot(link.axis, revolute ? moment : force));
     for (const auto& [i, partial] : link.partials) forces[static_cast<std::size_t>(i)] += partial * effort;
     if (link.parent == 0) continue;
+    const auto to_parent = [&](const Vector& v) {
+      return axes[k] == Axes::own ? model.to_parent(link, v) : model.from_joint(link, v);
+    };
     Wrench& parent = load[static_cast<std::size_t>(link.parent)];
-    const Vector turned = model.to_parent(link, force);
+    const Vector turned = to_parent(force);
     const Vector origin = bound(program, model.origin_in_parent(link));
     parent.resultant += turned;
-    parent.moment += model.to_parent(link, moment);
+    parent.moment += to_parent(moment);
     parent.moment += cross(origin, turned);
   }
   return forces;

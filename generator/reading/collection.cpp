@@ -268,13 +268,13 @@ std::optional<Sum> take_elongation(Sum& rest) {
   return best;
 }
 
-/// Groups by what depends on the configuration, constants first.
-Written by_groups(const Sum& sum) {
+/// Groups by what depends on the configuration, constants first. `one_term`: a lone sum of parameters is to be a factor.
+Written by_groups(const Sum& sum, bool one_term) {
   Groups groups = by_configuration(sum);
   Written result;
   const auto constant = groups.find(Product());
   if (constant != groups.end()) {
-    result = groups.size() == 1 ? Written{as_term(constant->second)} : factored(constant->second);
+    result = one_term && groups.size() == 1 ? Written{as_term(constant->second)} : factored(constant->second);
     groups.erase(constant);
   }
   for (const auto& [product, coefficient] : groups) result.push_back(times(as_term(coefficient), product));
@@ -284,7 +284,7 @@ Written by_groups(const Sum& sum) {
 Written without_motion(Sum rest) {
   Written springs;
   while (const std::optional<Sum> spring = take_elongation(rest)) springs.push_back(as_term(*spring));
-  Written result = rest.is_zero() ? Written() : by_groups(rest);
+  Written result = rest.is_zero() ? Written() : by_groups(rest, false);
   if (springs.empty()) return result;
   result.insert(result.begin(), springs.begin(), springs.end());
   return result;
@@ -308,14 +308,14 @@ std::tuple<int, int> rank(const Product& motion, const Layout& layout) {
 
 /// number · common factors · (what remains) · motion.
 WrittenTerm group_term(const Sum& coefficient, const Product& motion) {
-  Written groups = by_groups(coefficient);
+  Written groups = by_groups(coefficient, true);
   if (groups.size() == 1) return times(std::move(groups[0]), motion);
   const Product common = common_factor(coefficient);
   const Number number = shared_number(coefficient);
   Sum rest;
   for (const auto& [product, value] : coefficient.terms()) rest.add(product * inverse(common), value / number);
   WrittenTerm term{number, written(common)};
-  groups = by_groups(rest);
+  groups = by_groups(rest, true);
   if (groups[0].coefficient.sign() < 0) {
     term.coefficient = -term.coefficient;
     for (WrittenTerm& group : groups) group.coefficient = -group.coefficient;

@@ -41,7 +41,7 @@ std::string term_text(const WrittenTerm& term) {
   }
   if (!size.is_one() || numerator.empty()) {
     std::string number = coefficient_text(size);
-    const bool sum = number.find(' ') != std::string::npos;
+    const bool sum = number.find(" + ") != std::string::npos || number.find(" - ") != std::string::npos;
     if (sum && !term.factors.empty()) number = fmt::format("({})", number);
     numerator = numerator.empty() ? number : fmt::format("{} {}", number, numerator);
   }
@@ -97,7 +97,9 @@ std::string text_lines(const Written& written, std::size_t first_column, const s
 
 std::string coefficient_text(const Number& number) {
   const bool ugly = number.is_rational() && cln::denominator(number.part(0)) > 1000;
-  return ugly ? decimal_text(number) : number.to_string();
+  std::string result = ugly ? decimal_text(number) : number.to_string();
+  std::replace(result.begin(), result.end(), '*', ' ');  // 1/2 sqrt(3)
+  return result;
 }
 
 std::string decimal_text(const Number& number) {

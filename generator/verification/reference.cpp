@@ -9,6 +9,7 @@
 #include "generator/expression/decimal.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/expression/evaluation.hpp"
+#include "generator/mechanics/parameter_value.hpp"
 #include "generator/verification/dense_linear.hpp"
 #include "generator/verification/extrapolation.hpp"
 #include "generator/verification/lagrange_road.hpp"
@@ -33,7 +34,7 @@ class Motion {
         if (symbol == c.v) return y[n + i];
       }
       for (const ParameterContent& p : model.scene().parameters) {
-        if (p.symbol == symbol && p.value) return constant(*p.value);
+        if (p.symbol == symbol && p.value) return parameter_value(model.scene(), *p.value);
       }
       return Real(0);  // released coordinates, inputs
     });
@@ -59,12 +60,6 @@ class Motion {
   }
 
  private:
-  Real constant(const Expression& formula) {
-    Program program;
-    Evaluator<Real> evaluate(program, [](const SymbolPointer&) { return Real::pi(); });
-    return evaluate(program.lower(formula));
-  }
-
   LagrangeRoad road_;
   Evaluator<Real> evaluate_;
 };
