@@ -64,7 +64,11 @@ Value Derivation::of_atom(Atom atom) {
     derivative = seed_(definition.symbol);
   } else if (definition.function) {
     const Value inner = of_atom(definition.argument);
-    if (!inner.is_zero()) derivative = program_->bind(slope(*program_, atom) * inner);
+    if (!inner.is_zero()) {
+      const Value product = program_->bind(slope(*program_, atom) * inner);
+      // The argument may be a definition met first under another unit (a folded factor of 1 m hides one).
+      derivative = {*program_, product.polynomial(), definition.unit / variable_};
+    }
   } else {
     derivative = program_->bind(of_polynomial(definition.polynomial, definition.unit));
   }
@@ -127,7 +131,9 @@ std::vector<Value> gradient(const Value& value, const std::vector<SymbolPointer>
     if (definition.symbol) {
       found[definition.symbol.get()] = adjoint;
     } else if (definition.function) {
-      adjoints[definition.argument] += slope(program, atom) * adjoint;
+      const Value product = slope(program, atom) * adjoint;
+      adjoints[definition.argument] +=
+          Value(program, product.polynomial(), value.unit() / program[definition.argument].unit);
     } else {
       spread(definition.polynomial, definition.unit, adjoint);
     }
@@ -163,7 +169,9 @@ Value Substitution::of_atom(Atom atom) {
   if (definition.symbol) {
     result = replacement_(definition.symbol).value_or(program_->atom_value(atom));
   } else if (definition.function) {
-    result = program_->apply(*definition.function, of_atom(definition.argument));
+    const Unit unit = *definition.function == Function::sqrt ? definition.unit.pow(2) : Unit();
+    const Value argument = of_atom(definition.argument);
+    result = program_->apply(*definition.function, Value(*program_, argument.polynomial(), unit));
   } else {
     result = program_->bind((*this)(Value(*program_, definition.polynomial, definition.unit)), definition.name);
   }

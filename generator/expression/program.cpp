@@ -153,17 +153,17 @@ Value Program::apply_to_number(Function function, const Value& argument) {
   }
   if (value.sign() < 0 && function == Function::sin) return -apply(function, -argument);
   if (value.sign() < 0 && function == Function::cos) return apply(function, -argument);
+  const Unit unit = function == Function::sqrt ? argument.unit().root() : Unit();
   Definition constant;  // a named definition of the generation stage: its function has no exact value
   constant.polynomial = argument.polynomial();
   constant.unit = argument.unit();
   std::vector<Atom>& bucket = sums_[constant.polynomial.hash()];
   for (const Atom atom : bucket) {
-    if ((*this)[atom].polynomial == constant.polynomial) return atom_value(function_atom(function, atom));
+    if ((*this)[atom].polynomial == constant.polynomial) return {*this, Polynomial(function_atom(function, atom)), unit};
   }
   const Atom atom = append(std::move(constant));
   sums_[(*this)[atom].polynomial.hash()].push_back(atom);
-  return {*this, Polynomial(function_atom(function, atom)),
-          function == Function::sqrt ? argument.unit().root() : Unit()};
+  return {*this, Polynomial(function_atom(function, atom)), unit};
 }
 
 Value Program::shifted_angle(Function function, const Value& angle) {
