@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/expression/expression.hpp"
+
+#include <gtest/gtest.h>
+
+#include "generator/expression/expression_node.hpp"
+#include "tests/expression/test_symbols.hpp"
+
+namespace torsor {
+namespace {
+
+using namespace testing_symbols;
+using namespace literals;
+
+Number number_of(const Expression& expression) { return std::get<Number>(expression.node().content); }
+
+TEST(Expression, ReadsADoubleAsItsShortestDecimal) {
+  EXPECT_EQ(number_of(0.1), Number::rational(1, 10));
+  EXPECT_EQ(number_of(-2.5e-3), Number::rational(-25, 10000));
+  EXPECT_EQ(number_of(1.0 / 3.0), Number::rational(3333333333333333, 10000000000000000));
+}
+
+TEST(Expression, ReadsALiteralExactly) {
+  EXPECT_EQ(number_of(9.81_r), Number::rational(981, 100));
+  EXPECT_EQ(number_of(0.1000000000000000000000001_r) - Number::rational(1, 10), Number(10).pow(-25));
+}
+
+TEST(Expression, RefusesASumOfDifferentUnitsAndNamesBothTerms) {
+  const Expression mass = make_symbol("mass", "kg");
+  const Expression length = make_symbol("length", "m");
+  EXPECT_EQ(error_of<UnitError>([&] { mass + length; }),
+            "cannot add mass [kg] and length [m]: both terms of a sum need the same unit");
+  EXPECT_EQ(error_of<UnitError>([&] { length - mass * length; }),
+            "cannot add length [m] and mass*length [kg m]: both terms of a sum need the same unit");
+  EXPECT_EQ(error_of<UnitError>([&] { length + 1; }),
+            "cannot add length [m] and 1 [1]: both terms of a sum need the same unit");
+}
+
+TEST(Expression, RefusesAFunctionOfAQuantityWithAUnitAndNamesIt) {
+  const Expression length = make_symbol("length", "m");
+  for (const Function function : {Function::sin, Function::cos, Function::exp, Function::log}) {
+    const std::string text = error_of<UnitError>([&] { apply(function, 2 * length); });
+    EXPECT_EQ(text, "the argument of " + std::string(to_string(function)) +
+                        "(2*length) has the unit m and must be dimensionless: divide it by a quantity of that unit");
+  }
+  EXPECT_EQ(error_of([&] { sin(length / length); }), "no error");
+}
+
+TEST(Expression, LetsZeroFitAnyUnit) {
+  const Expression length = make_symbol("length", "m");
+  EXPECT_EQ((length + 0).unit(), units::metre);
+  EXPECT_EQ((0 + length).unit(), units::metre);
+  EXPECT_EQ((0 - length).unit(), units::metre);
+  EXPECT_EQ(error_of([&] { sin(Expression::quantity("0", "m")); }), "no error");
+}
+
+TEST(Expression, CarriesUnitsThroughProductsPowersRootsAndRates) {
+  const Expression mass = make_symbol("mass", "kg");
+  const Expression x = TestCoordinate("x", units::metre).q;
+  EXPECT_EQ((mass * pow(rate(x), 2)).unit(), units::joule);
+  EXPECT_EQ((mass * rate(rate(x))).unit(), units::newton);
+  EXPECT_EQ(sqrt(mass * x / mass / x).unit(), units::one);
+  EXPECT_EQ(sqrt(x * x).unit(), units::metre);
+  EXPECT_EQ((1 / x).unit(), units::metre.pow(-1));
+  EXPECT_EQ(tan(x / x).unit(), units::one);
+  EXPECT_THROW(sqrt(sqrt(x)), UnitError);  // a quarter of an exponent has no place
+}
+
+TEST(Expression, RefusesToDivideByTheLiteralZero) {
+  EXPECT_THROW(Expression(1) / Expression(0), Error);
+  EXPECT_THROW(pow(Expression(0), -2), Error);
+}
+
+TEST(Expression, IsASymbolOnlyWhenItIsNothingElse) {
+  const SymbolPointer symbol = make_symbol("k");
+  EXPECT_EQ(Expression(symbol).as_symbol(), symbol);
+  EXPECT_EQ((-Expression(symbol)).as_symbol(), nullptr);
+  EXPECT_EQ(Expression(2).as_symbol(), nullptr);
+}
+
+}  // namespace
+}  // namespace torsor
