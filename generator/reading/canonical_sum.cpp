@@ -15,14 +15,21 @@ namespace {
 
 Level level_of(SymbolKind kind) {
   switch (kind) {
-    case SymbolKind::pi: return Level::constant;
-    case SymbolKind::parameter: return Level::parameter;
+    case SymbolKind::pi:
+      return Level::constant;
+    case SymbolKind::parameter:
+      return Level::parameter;
     case SymbolKind::time:
-    case SymbolKind::coordinate: return Level::configuration;
-    case SymbolKind::velocity: return Level::velocity;
-    case SymbolKind::acceleration: return Level::acceleration;
-    case SymbolKind::input: return Level::input;
-    case SymbolKind::multiplier: return Level::multiplier;
+    case SymbolKind::coordinate:
+      return Level::configuration;
+    case SymbolKind::velocity:
+      return Level::velocity;
+    case SymbolKind::acceleration:
+      return Level::acceleration;
+    case SymbolKind::input:
+      return Level::input;
+    case SymbolKind::multiplier:
+      return Level::multiplier;
   }
   return Level::constant;
 }
@@ -100,20 +107,23 @@ std::strong_ordering compare(const Base& a, const Base& b) {
   if (a.level != b.level) return b.level <=> a.level;
   if (a.kind != b.kind) return a.kind <=> b.kind;
   switch (a.kind) {
-    case Base::Kind::symbol: return a.symbol->index <=> b.symbol->index;
-    case Base::Kind::definition: return a.definition <=> b.definition;
+    case Base::Kind::symbol:
+      return a.symbol->index <=> b.symbol->index;
+    case Base::Kind::definition:
+      return a.definition <=> b.definition;
     case Base::Kind::function:
       if (a.function != b.function) return b.function <=> a.function;
       break;
-    case Base::Kind::group: break;
+    case Base::Kind::group:
+      break;
   }
   return compare(a.inside, b.inside);
 }
 
 std::strong_ordering compare(const Product& a, const Product& b) {
   for (std::size_t i = 0; i < a.size() && i < b.size(); ++i) {
-    const std::strong_ordering bases = a[i].base == b[i].base ? std::strong_ordering::equal
-                                                              : compare(*a[i].base, *b[i].base);
+    const std::strong_ordering bases =
+        a[i].base == b[i].base ? std::strong_ordering::equal : compare(*a[i].base, *b[i].base);
     if (bases != 0) return bases;
     if (a[i].halves != b[i].halves) return b[i].halves <=> a[i].halves;
   }

@@ -11,8 +11,9 @@
 #include "generator/expression/number.hpp"
 #include "generator/expression/symbol.hpp"
 
-// The inline view of a quantity in an order of our own. GiNaC orders terms, and chooses some signs, by addresses; what a
-// person reads must be the same in every run, so whatever GiNaC returns is brought into this form before it is printed.
+// The inline view of a quantity in an order of our own. GiNaC orders terms, and chooses some signs, by addresses; what
+// a person reads must be the same in every run, so whatever GiNaC returns is brought into this form before it is
+// printed.
 
 namespace torsor::reading {
 
@@ -78,10 +79,10 @@ struct Base {
 
   Kind kind = Kind::symbol;
   Level level = Level::constant;
-  SymbolPointer symbol;   ///< of a symbol
-  int definition = 0;     ///< number of a definition
-  Function function{};    ///< of a function
-  Sum inside;             ///< argument of a function, the sum of a group
+  SymbolPointer symbol;  ///< of a symbol
+  int definition = 0;    ///< number of a definition
+  Function function{};   ///< of a function
+  Sum inside;            ///< argument of a function, the sum of a group
 };
 
 /// The highest level in a product or a sum; constant for a number.

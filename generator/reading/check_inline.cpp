@@ -27,7 +27,8 @@ class RandomState {
     const long draw = static_cast<long>(engine_() >> 34U);  // below 2^30
     // Parameters between 1/2 and 3/2, everything else between -1 and 1.
     const bool positive = symbol->kind == SymbolKind::parameter;
-    const Number value = positive ? Number::rational(draw + scale / 2, scale) : Number::rational(2 * draw - scale, scale);
+    const Number value =
+        positive ? Number::rational(draw + scale / 2, scale) : Number::rational(2 * draw - scale, scale);
     return values_.emplace(symbol->name, Real(value, digits_)).first->second;
   }
 

@@ -3,7 +3,7 @@
 
 namespace torsor::reading {
 
-DefinitionsView::DefinitionsView(const Program& program, const std::vector<Value>& results) : program_(&program) {
+DefinitionsView::DefinitionsView(const Program& program, const std::vector<Value>& results) {
   for (const Atom atom : program.live(results)) {
     const Definition& definition = program[atom];
     if (definition.symbol) {

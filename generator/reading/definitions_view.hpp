@@ -29,7 +29,6 @@ class DefinitionsView {
  private:
   Sum of_polynomial(const Polynomial& polynomial) const;
 
-  const Program* program_;
   std::unordered_map<Atom, Sum> atoms_;  ///< looked up, never iterated
   std::vector<Line> lines_;
 };

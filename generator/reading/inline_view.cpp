@@ -33,11 +33,16 @@ GiNaC::ex to_ginac(const Number& number) {
 
 GiNaC::ex apply(Function function, const GiNaC::ex& argument) {
   switch (function) {
-    case Function::sin: return GiNaC::sin(argument);
-    case Function::cos: return GiNaC::cos(argument);
-    case Function::sqrt: return GiNaC::power(argument, GiNaC::numeric(1, 2));
-    case Function::exp: return GiNaC::exp(argument);
-    case Function::log: return GiNaC::log(argument);
+    case Function::sin:
+      return GiNaC::sin(argument);
+    case Function::cos:
+      return GiNaC::cos(argument);
+    case Function::sqrt:
+      return GiNaC::power(argument, GiNaC::numeric(1, 2));
+    case Function::exp:
+      return GiNaC::exp(argument);
+    case Function::log:
+      return GiNaC::log(argument);
   }
   return argument;
 }
@@ -178,10 +183,17 @@ GiNaC::ex InlineView::expression(const Sum& sum) {
     for (const Power& power : product) {
       GiNaC::ex base;
       switch (power.base->kind) {
-        case Base::Kind::symbol: base = symbol(power.base->symbol); break;
-        case Base::Kind::function: base = apply(power.base->function, expression(power.base->inside)); break;
-        case Base::Kind::group: base = expression(power.base->inside); break;
-        case Base::Kind::definition: throw Error("a named definition has no inline form");
+        case Base::Kind::symbol:
+          base = symbol(power.base->symbol);
+          break;
+        case Base::Kind::function:
+          base = apply(power.base->function, expression(power.base->inside));
+          break;
+        case Base::Kind::group:
+          base = expression(power.base->inside);
+          break;
+        case Base::Kind::definition:
+          throw Error("a named definition has no inline form");
       }
       factors.push_back(GiNaC::power(base, GiNaC::numeric(power.halves, 2)));
     }

@@ -53,7 +53,7 @@ class InlineView {
   InlineLimits limits_;
   std::vector<std::optional<double>> bounds_;
   std::vector<std::optional<GiNaC::ex>> atoms_;
-  std::vector<SymbolPointer> symbols_;       ///< by the number that is the name of the GiNaC symbol
+  std::vector<SymbolPointer> symbols_;  ///< by the number that is the name of the GiNaC symbol
   std::vector<GiNaC::ex> ginac_symbols_;
   std::unordered_map<const Symbol*, std::size_t> numbers_;  ///< looked up, never iterated
 };

@@ -75,8 +75,8 @@ void LagrangeEquations::derive_equation(std::size_t i, const std::optional<GiNaC
   if (c.released) {
     const Unit unit = Unit::parse("J") / c.q->unit;
     const int index = model.scene().symbol_count + static_cast<int>(i);
-    equation.reaction = std::make_shared<const Symbol>(
-        Symbol{"reaction_" + c.q->name, unit, SymbolKind::multiplier, index, nullptr});
+    equation.reaction =
+        std::make_shared<const Symbol>(Symbol{"reaction_" + c.q->name, unit, SymbolKind::multiplier, index, nullptr});
   }
   if (kinetic && work) {
     const GiNaC::ex momentum = partial(*kinetic, view_.symbol(c.v));

@@ -64,7 +64,7 @@ class LagrangeEquations {
   Equations open_;         ///< released coordinates are coordinates
   Equations definitions_;  ///< released coordinates are held at zero
   InlineView view_;
-  GiNaC::exmap released_;  ///< applied, never iterated
+  GiNaC::exmap released_;                      ///< applied, never iterated
   std::vector<Value> without_force_function_;  ///< Q_i of dampers, given forces and torques
   Quantity kinetic_energy_, force_function_;
   std::vector<LagrangeEquation> equations_;

@@ -20,9 +20,10 @@ SymbolPointer state_symbol(const Scene& scene, const std::string& name) {
     if (!known.empty()) known += ", ";
     known += c.q->name;
   }
-  throw UsageError(fmt::format("'{}' is no coordinate or velocity to linearise about: the unknowns are {} (a velocity "
-                               "is written with a prime)",
-                               name, known));
+  throw UsageError(
+      fmt::format("'{}' is no coordinate or velocity to linearise about: the unknowns are {} (a velocity "
+                  "is written with a prime)",
+                  name, known));
 }
 
 /// What replaces the symbols of the state; accelerations vanish unless they are given.

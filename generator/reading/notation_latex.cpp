@@ -12,9 +12,9 @@ namespace torsor::reading {
 namespace {
 
 constexpr std::array<std::string_view, 33> greek{
-    "alpha", "beta",  "gamma", "delta", "epsilon", "zeta",  "eta",   "theta", "iota",    "kappa", "lambda",
-    "mu",    "nu",    "xi",    "pi",    "rho",     "sigma", "tau",   "upsilon", "phi",   "chi",   "psi",
-    "omega", "Gamma", "Delta", "Theta", "Lambda",  "Xi",    "Pi",    "Sigma", "Phi",     "Psi",   "Omega"};
+    "alpha", "beta",  "gamma", "delta", "epsilon", "zeta",  "eta", "theta",   "iota", "kappa", "lambda",
+    "mu",    "nu",    "xi",    "pi",    "rho",     "sigma", "tau", "upsilon", "phi",  "chi",   "psi",
+    "omega", "Gamma", "Delta", "Theta", "Lambda",  "Xi",    "Pi",  "Sigma",   "Phi",  "Psi",   "Omega"};
 
 bool is_greek(const std::string& word) { return std::find(greek.begin(), greek.end(), word) != greek.end(); }
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
@@ -63,8 +63,8 @@ std::string factor_latex(const WrittenFactor& factor, int halves) {
                                : halves % 2 == 0          ? fmt::format("^{{{}}}", halves / 2)
                                                           : fmt::format("^{{{}/2}}", halves);
   if (call) {
-    const std::string call_of = fmt::format("\\{}{}\\left({}\\right)", to_string(factor.base->function), exponent,
-                                            latex(factor.inside));
+    const std::string call_of =
+        fmt::format("\\{}{}\\left({}\\right)", to_string(factor.base->function), exponent, latex(factor.inside));
     return halves == 1 ? fmt::format("\\sqrt{{{}}}", call_of) : call_of;
   }
   std::string base;

@@ -17,9 +17,15 @@ std::string factor_text(const WrittenFactor& factor, int halves) {
     base = fmt::format("({})", base);
   } else {
     switch (factor.base->kind) {
-      case Base::Kind::symbol: base = factor.base->symbol->name; break;
-      case Base::Kind::definition: base = fmt::format("z{}", factor.base->definition); break;
-      default: base = fmt::format("{}({})", to_string(factor.base->function), text(factor.inside)); break;
+      case Base::Kind::symbol:
+        base = factor.base->symbol->name;
+        break;
+      case Base::Kind::definition:
+        base = fmt::format("z{}", factor.base->definition);
+        break;
+      default:
+        base = fmt::format("{}({})", to_string(factor.base->function), text(factor.inside));
+        break;
     }
     if (halves == 1) return fmt::format("sqrt({})", base);
   }
@@ -66,8 +72,7 @@ std::string text(const Written& written) {
   return result.empty() ? "0" : result;
 }
 
-std::string text_lines(const Written& written, std::size_t first_column, const std::string& indent,
-                       std::size_t width) {
+std::string text_lines(const Written& written, std::size_t first_column, const std::string& indent, std::size_t width) {
   std::string result;
   std::size_t column = first_column;
   const auto put = [&](const std::string& piece) {

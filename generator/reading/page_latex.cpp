@@ -67,7 +67,8 @@ class LatexPage final : public Page {
     } else if (left_size < 20) {
       row(fmt::format("{} &= {}{}", latex(left), latex_lines(right, line_width), end));
     } else {
-      row(fmt::format("&{} \\\\\n  &\\quad = {}{}", latex_lines(left, line_width), latex_lines(right, line_width), end));
+      row(fmt::format("&{} \\\\\n  &\\quad = {}{}", latex_lines(left, line_width), latex_lines(right, line_width),
+                      end));
     }
   }
   void matrix(const std::string& name, const std::vector<std::vector<Written>>& rows) override {

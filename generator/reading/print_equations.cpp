@@ -60,9 +60,10 @@ class Printer {
   }
 
   void say_too_long(const std::string& what, const Quantity& quantity) {
-    page_.note(fmt::format("{} too long to be written out (up to {:.2g} terms before anything cancels; limits: {} of "
-                           "those, {} to be read): named definitions are at the end.",
-                           what, quantity.terms, options_.expansion, options_.terms));
+    page_.note(
+        fmt::format("{} too long to be written out (up to {:.2g} terms before anything cancels; limits: {} of "
+                    "those, {} to be read): named definitions are at the end.",
+                    what, quantity.terms, options_.expansion, options_.terms));
   }
 
   void parameters() {
@@ -167,15 +168,17 @@ class Printer {
   void linearisation() {
     page_.section("Linearised equations");
     if (!equations_.written_out()) {
-      page_.note("Not printed, because the equations are too long to be written out: generate the kernel linearisation.");
+      page_.note(
+          "Not printed, because the equations are too long to be written out: generate the kernel linearisation.");
       return;
     }
     std::size_t terms = 0;
     for (const LagrangeEquation& equation : equations_.equations()) terms += equation.inertia.sum->size();
     if (options_.about.empty() && static_cast<int>(terms) > options_.terms) {
-      page_.note(fmt::format("Not printed about any state, because the equations have {} terms together (limit {}): name "
-                             "a state, or generate the kernel linearisation.",
-                             terms, options_.terms));
+      page_.note(
+          fmt::format("Not printed about any state, because the equations have {} terms together (limit {}): name "
+                      "a state, or generate the kernel linearisation.",
+                      terms, options_.terms));
       return;
     }
     const LinearisedEquations linear = linearised(equations_, scene_, options_.about);

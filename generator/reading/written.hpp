@@ -15,9 +15,9 @@ struct WrittenTerm;
 using Written = std::vector<WrittenTerm>;
 
 struct WrittenFactor {
-  BasePointer base;     ///< a symbol, a definition or a function; null for a sum in parentheses
-  Written inside;       ///< argument of a function, or the sum in parentheses
-  int halves = 2;       ///< the factor stands to the power halves/2
+  BasePointer base;  ///< a symbol, a definition or a function; null for a sum in parentheses
+  Written inside;    ///< argument of a function, or the sum in parentheses
+  int halves = 2;    ///< the factor stands to the power halves/2
 };
 
 /// coefficient · factors, in the order of writing.

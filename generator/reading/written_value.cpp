@@ -8,11 +8,13 @@ namespace {
 Real of_factor(const WrittenFactor& factor, const std::function<Real(const SymbolPointer&)>& value_of, int digits) {
   if (!factor.base) return evaluate(factor.inside, value_of, digits);
   switch (factor.base->kind) {
-    case Base::Kind::function: return apply(factor.base->function, evaluate(factor.inside, value_of, digits));
+    case Base::Kind::function:
+      return apply(factor.base->function, evaluate(factor.inside, value_of, digits));
     case Base::Kind::symbol:
       if (factor.base->symbol->kind == SymbolKind::pi) return Real::pi(digits);
       return value_of(factor.base->symbol);
-    default: throw Error("a named definition has no value of its own: evaluate the program instead");
+    default:
+      throw Error("a named definition has no value of its own: evaluate the program instead");
   }
 }
 
@@ -20,11 +22,16 @@ Real of_factor(const WrittenFactor& factor, const std::function<Real(const Symbo
 
 Real apply(Function function, const Real& argument) {
   switch (function) {
-    case Function::sin: return sin(argument);
-    case Function::cos: return cos(argument);
-    case Function::sqrt: return sqrt(argument);
-    case Function::exp: return exp(argument);
-    case Function::log: return log(argument);
+    case Function::sin:
+      return sin(argument);
+    case Function::cos:
+      return cos(argument);
+    case Function::sqrt:
+      return sqrt(argument);
+    case Function::exp:
+      return exp(argument);
+    case Function::log:
+      return log(argument);
   }
   return Real::not_a_number();
 }
