@@ -1,0 +1,606 @@
+// SPDX-License-Identifier: MIT
+// double_pendulum: Planar double pendulum with absolute angles
+// Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
+// Free to embed under the MIT licence.
+//
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, linearisation
+// Parameters set at run time: none
+//
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total):
+//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total
+//   kinematics               11               20          0             0                  2       0     35
+//   mass_matrix               7                2          0             0                  1       0     11
+//   bias                      6                8          0             0                  2       0     18
+//   inverse_dynamics         10                9          0             0                  2       0     23
+//   forward_dynamics         15               14          1             0                  2       0     34
+//   energy                    7               10          0             0                  2       0     21
+//   first_integrals           8               10          0             0                  2       0     22
+//   linearisation            32               34          1             0                  2       0     71
+//
+// Not computed because this mechanism does not need it:
+//   kinematics: of 36 results 16 vanish identically, 6 repeat another up to sign
+//   mass_matrix: of 4 results 1 repeat another up to sign
+//   energy: of 3 results 1 vanish identically
+//   constraints: left out, the scene has no constraints
+//   reactions: left out, the scene releases no joint direction (released_coordinate)
+//   linearisation: of 30 results 8 vanish identically, 1 repeat another up to sign
+//
+// To write this file again:
+//   double_pendulum_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output double_pendulum.hpp
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#ifndef TORSOR_KERNEL_SUPPORT
+#define TORSOR_KERNEL_SUPPORT 1
+// Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
+#ifndef TORSOR_DEVICE
+#define TORSOR_DEVICE
+#endif
+
+namespace torsor {
+
+/// What a kernel says about its results; the larger, the worse.
+enum class Status : int { ok = 0, singular = 1, not_finite = 2 };
+
+/// What a kernel needs of its scalar. This one serves float and double; specialise it, once a header is included, for
+/// any other (a pack of several states, a high-precision number).
+template <class Scalar>
+struct scalar_traits {
+  static_assert(sizeof(Scalar) == sizeof(float) || sizeof(Scalar) == sizeof(double),
+                "specialise torsor::scalar_traits for a scalar that is neither float nor double");
+  static constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+
+  /// A number, rounded for either format. `exact` is "num/den", or "a;b;c;d" for a + b sqrt(2) + c sqrt(3) + d sqrt(6).
+  TORSOR_DEVICE static constexpr Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    return is_float ? static_cast<Scalar>(in_float) : static_cast<Scalar>(in_double);
+  }
+  /// The same for a number that is no such sum: a callable computes it where literals are not precise enough.
+  template <class Callable>
+  TORSOR_DEVICE static constexpr Scalar formula(double in_double, float in_float, const Callable&) noexcept {
+    return constant(in_double, in_float, nullptr);
+  }
+  TORSOR_DEVICE static constexpr Scalar pi() noexcept { return constant(3.141592653589793, 3.1415927f, nullptr); }
+  TORSOR_DEVICE static constexpr Scalar select(bool condition, Scalar if_true, Scalar if_false) noexcept {
+    return condition ? if_true : if_false;
+  }
+  TORSOR_DEVICE static void sincos(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
+    sine = std::sin(angle);
+    cosine = std::cos(angle);
+  }
+  TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
+  TORSOR_DEVICE static Scalar exp(const Scalar& x) noexcept { return std::exp(x); }
+  TORSOR_DEVICE static Scalar log(const Scalar& x) noexcept { return std::log(x); }
+  /// Whether a pivot is positive beyond the rounding of the diagonal entry it came from; not when it is not a number.
+  TORSOR_DEVICE static bool regular(const Scalar& pivot, const Scalar& diagonal) noexcept {
+    return pivot > constant(0x1p-52, 0x1p-23f, nullptr) * std::abs(diagonal);
+  }
+};
+
+}  // namespace torsor
+#elif TORSOR_KERNEL_SUPPORT != 1
+#error "headers of incompatible versions of torsor meet here: write them again with one version"
+#endif
+
+namespace double_pendulum {
+
+/// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
+/// M a + h = E u + A' lambda and A a + gamma = 0, with a the accelerations and u the inputs; units are SI.
+template <class Scalar>
+struct Mechanism {
+  using traits = torsor::scalar_traits<Scalar>;
+
+  static constexpr const char* name = "double_pendulum";
+  static constexpr int coordinate_count = 2;
+  static constexpr int velocity_count = 2;
+  static constexpr int input_count = 0;
+  static constexpr int parameter_count = 0;
+  static constexpr int multiplier_count = 0;
+
+  /// Parameters that are set at run time.
+  struct Parameters {
+    static constexpr int size = 0;
+  };
+
+  /// Generalised coordinates q.
+  struct Coordinates {
+    Scalar theta_1;  ///< coordinate [rad or 1]
+    Scalar theta_2;  ///< coordinate [rad or 1]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Coordinates::*member_(int i_) noexcept {
+      constexpr Scalar Coordinates::*members_[] = {&Coordinates::theta_1, &Coordinates::theta_2};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised velocities v = dq/dt.
+  struct Velocities {
+    Scalar theta_1;  ///< its rate [rad/s]
+    Scalar theta_2;  ///< its rate [rad/s]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Velocities::*member_(int i_) noexcept {
+      constexpr Scalar Velocities::*members_[] = {&Velocities::theta_1, &Velocities::theta_2};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised accelerations dv/dt.
+  struct Accelerations {
+    Scalar theta_1;  ///< its second rate [rad/s^2]
+    Scalar theta_2;  ///< its second rate [rad/s^2]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Accelerations::*member_(int i_) noexcept {
+      constexpr Scalar Accelerations::*members_[] = {&Accelerations::theta_1, &Accelerations::theta_2};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised forces, one along each coordinate.
+  struct GeneralizedForces {
+    Scalar theta_1;  ///< works with the rate of theta_1 [N m]
+    Scalar theta_2;  ///< works with the rate of theta_2 [N m]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar GeneralizedForces::*member_(int i_) noexcept {
+      constexpr Scalar GeneralizedForces::*members_[] = {&GeneralizedForces::theta_1, &GeneralizedForces::theta_2};
+      return members_[i_];
+    }
+  };
+
+  /// Forces and torques of motors, set at each call.
+  struct Inputs {
+    static constexpr int size = 0;
+  };
+
+  /// Multipliers of the constraints, or the reactions that enforce them.
+  struct Multipliers {
+    static constexpr int size = 0;
+  };
+
+  /// Time [s], coordinates and velocities.
+  struct State {
+    Scalar time;
+    Coordinates q;
+    Velocities v;
+  };
+
+  /// Parameters and what depends on them only: built once for each set of parameters.
+  struct Precomputed {
+    Parameters parameters;
+  };
+
+  /// Values of the scene.
+  TORSOR_DEVICE static Parameters default_parameters() noexcept {
+    Parameters parameters{};
+    return parameters;
+  }
+
+  /// To be called again when a parameter changes.
+  TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
+    Precomputed precomputed{};
+    precomputed.parameters = parameters;
+    return precomputed;
+  }
+
+  /// The state the scene starts from, for these parameters.
+  TORSOR_DEVICE static State initial_state(const Parameters&) noexcept {
+    State state{};
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n2_5 = traits::constant(2.5, 2.5f, "5/2");
+    state.time = n0;
+    state.q.theta_1 = n2;
+    state.q.theta_2 = n2_5;
+    state.v.theta_1 = n0;
+    state.v.theta_2 = n0;
+    return state;
+  }
+  TORSOR_DEVICE static State initial_state() noexcept { return initial_state(default_parameters()); }
+
+  /// Poses, twists and named points in ground axes.
+  struct Kinematics {
+    std::array<Scalar, 3> first_mass_position;  ///< centre of mass of first_mass [m]
+    std::array<Scalar, 9> first_mass_rotation;  ///< from the axes of first_mass to the ground's (3 x 3)
+    std::array<Scalar, 3> first_mass_velocity;  ///< velocity of the centre of mass of first_mass [m/s]
+    std::array<Scalar, 3> first_mass_angular_velocity;  ///< angular velocity of first_mass [rad/s]
+    std::array<Scalar, 3> second_mass_position;  ///< centre of mass of second_mass [m]
+    std::array<Scalar, 9> second_mass_rotation;  ///< from the axes of second_mass to the ground's (3 x 3)
+    std::array<Scalar, 3> second_mass_velocity;  ///< velocity of the centre of mass of second_mass [m/s]
+    std::array<Scalar, 3> second_mass_angular_velocity;  ///< angular velocity of second_mass [rad/s]
+  };
+
+  /// Energies of the mechanism.
+  struct Energy {
+    Scalar kinetic;  ///< kinetic energy T [J]
+    Scalar force_function;  ///< force function U of gravity and springs [J]
+    Scalar power;  ///< power of dampers, given forces and motors [W]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Energy::*member_(int i_) noexcept {
+      constexpr Scalar Energy::*members_[] = {&Energy::kinetic, &Energy::force_function, &Energy::power};
+      return members_[i_];
+    }
+  };
+
+  /// Quantities that every motion conserves.
+  struct FirstIntegrals {
+    Scalar energy;  ///< T - U [J]
+    static constexpr int size = 1;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar FirstIntegrals::*member_(int i_) noexcept {
+      constexpr Scalar FirstIntegrals::*members_[] = {&FirstIntegrals::energy};
+      return members_[i_];
+    }
+  };
+  static constexpr int first_integral_count = 1;
+
+  /// Matrices of the linearised equations, stored column by column.
+  struct Linearisation {
+    std::array<Scalar, 4> M;  ///< mass matrix (2 x 2)
+    std::array<Scalar, 4> C;  ///< damping and gyroscopic terms (2 x 2)
+    std::array<Scalar, 4> K;  ///< stiffness (2 x 2)
+    std::array<Scalar, 2> F;  ///< right-hand side
+    std::array<Scalar, 16> A;  ///< state matrix of x = (e, e'): x' = A x + B du (4 x 4)
+  };
+
+  /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
+  /// matrices column by column.
+  TORSOR_DEVICE static void kinematics(const Precomputed&, const State& state, Kinematics& result) noexcept {
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_theta_1 = state.q.theta_1;
+    const Scalar v_theta_1 = state.v.theta_1;
+    const Scalar q_theta_2 = state.q.theta_2;
+    const Scalar v_theta_2 = state.v.theta_2;
+    Scalar s_theta_1, c_theta_1;
+    traits::sincos(q_theta_1, s_theta_1, c_theta_1);
+    const Scalar z8 = q_theta_1 - q_theta_2;
+    Scalar z9, z10;
+    traits::sincos(z8, z9, z10);
+    const Scalar z11 = v_theta_1 * z10;
+    const Scalar z12 = v_theta_1 * z9;
+    const Scalar z13 = v_theta_1 * c_theta_1;
+    const Scalar z14 = v_theta_1 * s_theta_1;
+    const Scalar z15 = n1 + z10;
+    const Scalar z16 = s_theta_1 * z15 - c_theta_1 * z9;
+    const Scalar z17 = s_theta_1 * z9 + c_theta_1 * z15;
+    const Scalar z18 = s_theta_1 * z9 + c_theta_1 * z10;
+    const Scalar z19 = s_theta_1 * z10 - c_theta_1 * z9;
+    const Scalar z20 = v_theta_2 + z11;
+    const Scalar z21 = z9 * z12 + z10 * z20;
+    const Scalar z22 = z9 * z20 - z10 * z12;
+    const Scalar z23 = s_theta_1 * z22 + c_theta_1 * z21;
+    const Scalar z24 = s_theta_1 * z21 - c_theta_1 * z22;
+    result.first_mass_position[0] = s_theta_1;
+    result.first_mass_position[1] = -c_theta_1;
+    result.first_mass_position[2] = n0;
+    result.first_mass_rotation[0] = c_theta_1;
+    result.first_mass_rotation[1] = s_theta_1;
+    result.first_mass_rotation[2] = n0;
+    result.first_mass_rotation[3] = -s_theta_1;
+    result.first_mass_rotation[4] = c_theta_1;
+    result.first_mass_rotation[5] = n0;
+    result.first_mass_rotation[6] = n0;
+    result.first_mass_rotation[7] = n0;
+    result.first_mass_rotation[8] = n1;
+    result.first_mass_velocity[0] = z13;
+    result.first_mass_velocity[1] = z14;
+    result.first_mass_velocity[2] = n0;
+    result.first_mass_angular_velocity[0] = n0;
+    result.first_mass_angular_velocity[1] = n0;
+    result.first_mass_angular_velocity[2] = v_theta_1;
+    result.second_mass_position[0] = z16;
+    result.second_mass_position[1] = -z17;
+    result.second_mass_position[2] = n0;
+    result.second_mass_rotation[0] = z18;
+    result.second_mass_rotation[1] = z19;
+    result.second_mass_rotation[2] = n0;
+    result.second_mass_rotation[3] = -z19;
+    result.second_mass_rotation[4] = z18;
+    result.second_mass_rotation[5] = n0;
+    result.second_mass_rotation[6] = n0;
+    result.second_mass_rotation[7] = n0;
+    result.second_mass_rotation[8] = n1;
+    result.second_mass_velocity[0] = z23;
+    result.second_mass_velocity[1] = z24;
+    result.second_mass_velocity[2] = n0;
+    result.second_mass_angular_velocity[0] = n0;
+    result.second_mass_angular_velocity[1] = n0;
+    result.second_mass_angular_velocity[2] = v_theta_2;
+  }
+
+  /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
+  TORSOR_DEVICE static void mass_matrix(const Precomputed&, const State& state, std::array<Scalar, 4>& mass) noexcept {
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar q_theta_1 = state.q.theta_1;
+    const Scalar q_theta_2 = state.q.theta_2;
+    const Scalar z8 = q_theta_1 - q_theta_2;
+    Scalar z9, z10;
+    traits::sincos(z8, z9, z10);
+    const Scalar z15 = n1 + z10;
+    const Scalar z30 = n1 + n2 * z10;
+    const Scalar z33 = n2 + z30;
+    const Scalar z34 = n1 - n2 * z15 + z33;
+    const Scalar z35 = n1 - z15;
+    mass[0] = z34;
+    mass[1] = -z35;
+    mass[2] = -z35;
+    mass[3] = n1;
+  }
+
+  /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
+  /// actions included. M a + h = E u + A' lambda.
+  TORSOR_DEVICE static void bias(const Precomputed&, const State& state, GeneralizedForces& forces) noexcept {
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar q_theta_1 = state.q.theta_1;
+    const Scalar v_theta_1 = state.v.theta_1;
+    const Scalar q_theta_2 = state.q.theta_2;
+    const Scalar v_theta_2 = state.v.theta_2;
+    Scalar s_theta_1, c_theta_1;
+    traits::sincos(q_theta_1, s_theta_1, c_theta_1);
+    const Scalar z8 = q_theta_1 - q_theta_2;
+    Scalar z9, z10;
+    traits::sincos(z8, z9, z10);
+    const Scalar z36 = n9_81 * s_theta_1;
+    const Scalar z37 = n9_81 * c_theta_1;
+    const Scalar z38 = v_theta_1 * v_theta_1;
+    const Scalar z39 = z37 + z38;
+    const Scalar z40 = z9 * z39 - z10 * z36;
+    const Scalar z42 = v_theta_2 * v_theta_2;
+    const Scalar z43 = z9 * z42;
+    const Scalar z46 = n2 * z36 - z40 + z43;  // moment on upper, z
+    const Scalar z47 = z40 + z46;
+    forces.theta_1 = z47;
+    forces.theta_2 = -z40;
+  }
+
+  /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
+  TORSOR_DEVICE static void inverse_dynamics(const Precomputed&, const State& state, const Accelerations& accelerations,
+      const Multipliers&, GeneralizedForces& forces) noexcept {
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar q_theta_1 = state.q.theta_1;
+    const Scalar v_theta_1 = state.v.theta_1;
+    const Scalar a_theta_1 = accelerations.theta_1;
+    const Scalar q_theta_2 = state.q.theta_2;
+    const Scalar v_theta_2 = state.v.theta_2;
+    const Scalar a_theta_2 = accelerations.theta_2;
+    Scalar s_theta_1, c_theta_1;
+    traits::sincos(q_theta_1, s_theta_1, c_theta_1);
+    const Scalar z8 = q_theta_1 - q_theta_2;
+    Scalar z9, z10;
+    traits::sincos(z8, z9, z10);
+    const Scalar z36 = n9_81 * s_theta_1;
+    const Scalar z37 = n9_81 * c_theta_1;
+    const Scalar z38 = v_theta_1 * v_theta_1;
+    const Scalar z39 = z37 + z38;
+    const Scalar z42 = v_theta_2 * v_theta_2;
+    const Scalar z48 = a_theta_1 + z36;
+    const Scalar z49 = z9 * z39 - z10 * z48;
+    const Scalar z51 = a_theta_2 - z49;  // moment on lower, z
+    const Scalar z52 = a_theta_2 * z10 + z9 * z42;
+    const Scalar z56 = n2 * (a_theta_1 + z36) + z51 + z52;  // moment on upper, z
+    const Scalar z57 = z51 - z56;
+    forces.theta_1 = -z57;
+    forces.theta_2 = z51;
+  }
+
+  /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by an
+  /// unrolled L D L' of M and of the Schur complement A M^-1 A'. Returns singular when a pivot is not positive
+  /// relative to its diagonal entry.
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs&,
+      Accelerations& accelerations, Multipliers&) noexcept {
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar q_theta_1 = state.q.theta_1;
+    const Scalar v_theta_1 = state.v.theta_1;
+    const Scalar q_theta_2 = state.q.theta_2;
+    const Scalar v_theta_2 = state.v.theta_2;
+    Scalar s_theta_1, c_theta_1;
+    traits::sincos(q_theta_1, s_theta_1, c_theta_1);
+    const Scalar z8 = q_theta_1 - q_theta_2;
+    Scalar z9, z10;
+    traits::sincos(z8, z9, z10);
+    const Scalar z15 = n1 + z10;
+    const Scalar z30 = n1 + n2 * z10;
+    const Scalar z33 = n2 + z30;
+    const Scalar z34 = n1 - n2 * z15 + z33;
+    const Scalar z35 = n1 - z15;
+    const Scalar z36 = n9_81 * s_theta_1;
+    const Scalar z37 = n9_81 * c_theta_1;
+    const Scalar z38 = v_theta_1 * v_theta_1;
+    const Scalar z39 = z37 + z38;
+    const Scalar z40 = z9 * z39 - z10 * z36;
+    const Scalar z42 = v_theta_2 * v_theta_2;
+    const Scalar z43 = z9 * z42;
+    const Scalar z46 = n2 * z36 - z40 + z43;  // moment on upper, z
+    const Scalar z47 = z40 + z46;
+    const Scalar z58 = z34 - z35 * z35;
+    const Scalar z59 = n1 / z58;
+    const Scalar z60 = z35 * z40 - z47;
+    const Scalar z61 = z59 * z60;
+    const Scalar z62 = z35 * z61 + z40;
+    accelerations.theta_1 = z61;
+    accelerations.theta_2 = z62;
+    if (!(traits::regular(z58, z34) && traits::regular(n1, n1))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (accelerations.theta_1 - accelerations.theta_1) + (accelerations.theta_2
+        - accelerations.theta_2);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
+  TORSOR_DEVICE static void energy(const Precomputed&, const State& state, const Inputs&, Energy& result) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n19_62 = traits::constant(19.62, 19.62f, "981/50");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_theta_1 = state.q.theta_1;
+    const Scalar v_theta_1 = state.v.theta_1;
+    const Scalar q_theta_2 = state.q.theta_2;
+    const Scalar v_theta_2 = state.v.theta_2;
+    Scalar s_theta_1, c_theta_1;
+    traits::sincos(q_theta_1, s_theta_1, c_theta_1);
+    const Scalar z8 = q_theta_1 - q_theta_2;
+    Scalar z9, z10;
+    traits::sincos(z8, z9, z10);
+    const Scalar z11 = v_theta_1 * z10;
+    const Scalar z12 = v_theta_1 * z9;
+    const Scalar z18 = s_theta_1 * z9 + c_theta_1 * z10;
+    const Scalar z20 = v_theta_2 + z11;
+    result.kinetic = n0_5 * (z20 * (v_theta_2 + z11) + v_theta_1 * v_theta_1 + z12 * z12);
+    result.force_function = n19_62 * c_theta_1 + n9_81 * z18;
+    result.power = n0;
+  }
+
+  /// First integrals: constant along every motion.
+  TORSOR_DEVICE static void first_integrals(const Precomputed&, const State& state, FirstIntegrals& result) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n19_62 = traits::constant(19.62, 19.62f, "981/50");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar q_theta_1 = state.q.theta_1;
+    const Scalar v_theta_1 = state.v.theta_1;
+    const Scalar q_theta_2 = state.q.theta_2;
+    const Scalar v_theta_2 = state.v.theta_2;
+    Scalar s_theta_1, c_theta_1;
+    traits::sincos(q_theta_1, s_theta_1, c_theta_1);
+    const Scalar z8 = q_theta_1 - q_theta_2;
+    Scalar z9, z10;
+    traits::sincos(z8, z9, z10);
+    const Scalar z11 = v_theta_1 * z10;
+    const Scalar z12 = v_theta_1 * z9;
+    const Scalar z18 = s_theta_1 * z9 + c_theta_1 * z10;
+    const Scalar z20 = v_theta_2 + z11;
+    result.energy = n0_5 * (z20 * (v_theta_2 + z11) + v_theta_1 * v_theta_1 + z12 * z12) - n19_62 * c_theta_1 - n9_81
+        * z18;
+  }
+
+  /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
+  /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
+  TORSOR_DEVICE static torsor::Status linearisation(const Precomputed&, const State& state,
+      const Accelerations& accelerations, const Multipliers&, const Inputs&, Linearisation& result) noexcept {
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_theta_1 = state.q.theta_1;
+    const Scalar v_theta_1 = state.v.theta_1;
+    const Scalar a_theta_1 = accelerations.theta_1;
+    const Scalar q_theta_2 = state.q.theta_2;
+    const Scalar v_theta_2 = state.v.theta_2;
+    const Scalar a_theta_2 = accelerations.theta_2;
+    Scalar s_theta_1, c_theta_1;
+    traits::sincos(q_theta_1, s_theta_1, c_theta_1);
+    const Scalar z8 = q_theta_1 - q_theta_2;
+    Scalar z9, z10;
+    traits::sincos(z8, z9, z10);
+    const Scalar z15 = n1 + z10;
+    const Scalar z30 = n1 + n2 * z10;
+    const Scalar z33 = n2 + z30;
+    const Scalar z34 = n1 - n2 * z15 + z33;
+    const Scalar z35 = n1 - z15;
+    const Scalar z36 = n9_81 * s_theta_1;
+    const Scalar z37 = n9_81 * c_theta_1;
+    const Scalar z38 = v_theta_1 * v_theta_1;
+    const Scalar z39 = z37 + z38;
+    const Scalar z42 = v_theta_2 * v_theta_2;
+    const Scalar z48 = a_theta_1 + z36;
+    const Scalar z49 = z9 * z39 - z10 * z48;
+    const Scalar z50 = z9 * z48 + z10 * z39;
+    const Scalar z51 = a_theta_2 - z49;  // moment on lower, z
+    const Scalar z52 = a_theta_2 * z10 + z9 * z42;
+    const Scalar z53 = a_theta_2 * z9 - z10 * z42;
+    const Scalar z56 = n2 * (a_theta_1 + z36) + z51 + z52;  // moment on upper, z
+    const Scalar z57 = z51 - z56;
+    const Scalar z58 = z34 - z35 * z35;
+    const Scalar z59 = n1 / z58;
+    const Scalar z69 = n2 * v_theta_1;
+    const Scalar z70 = z9 * z69;
+    const Scalar z71 = z9 * (z36 - z48) + z10 * (z37 - z39);
+    const Scalar z72 = n2 * z37 - z53 + z71;
+    const Scalar z73 = z71 - z72;
+    const Scalar z74 = n2 * v_theta_2;
+    const Scalar z75 = z9 * z74;
+    const Scalar z76 = z50 + z53;
+    const Scalar z77 = z50 - z76;
+    const Scalar z78 = z35 * z71 - z73;
+    const Scalar z79 = z59 * z78;
+    const Scalar z80 = z35 * z79 + z71;
+    const Scalar z81 = z35 * z70;
+    const Scalar z82 = z59 * z81;
+    const Scalar z83 = z35 * z82 + z70;
+    const Scalar z84 = z35 * z50 - z77;
+    const Scalar z85 = z59 * z84;
+    const Scalar z86 = z35 * z85 + z50;
+    const Scalar z87 = z59 * z75;
+    const Scalar z88 = z35 * z87;
+    result.M[0] = z34;
+    result.M[1] = -z35;
+    result.M[2] = -z35;
+    result.M[3] = n1;
+    result.C[0] = n0;
+    result.C[1] = -z70;
+    result.C[2] = z75;
+    result.C[3] = n0;
+    result.K[0] = -z73;
+    result.K[1] = z71;
+    result.K[2] = -z77;
+    result.K[3] = z50;
+    result.F[0] = z57;
+    result.F[1] = -z51;
+    result.A[0] = n0;
+    result.A[1] = n0;
+    result.A[2] = -z79;
+    result.A[3] = -z80;
+    result.A[4] = n0;
+    result.A[5] = n0;
+    result.A[6] = -z85;
+    result.A[7] = -z86;
+    result.A[8] = n1;
+    result.A[9] = n0;
+    result.A[10] = z82;
+    result.A[11] = z83;
+    result.A[12] = n0;
+    result.A[13] = n1;
+    result.A[14] = -z87;
+    result.A[15] = -z88;
+    if (!(traits::regular(z58, z34) && traits::regular(n1, n1))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (result.M[0] - result.M[0]) + (result.M[1] - result.M[1]) + (result.M[2] - result.M[2])
+        + (result.C[1] - result.C[1]) + (result.C[2] - result.C[2]) + (result.K[0] - result.K[0]) + (result.K[1]
+        - result.K[1]) + (result.K[2] - result.K[2]) + (result.K[3] - result.K[3]) + (result.F[0] - result.F[0])
+        + (result.F[1] - result.F[1]) + (result.A[2] - result.A[2]) + (result.A[3] - result.A[3]) + (result.A[6]
+        - result.A[6]) + (result.A[7] - result.A[7]) + (result.A[10] - result.A[10]) + (result.A[11] - result.A[11])
+        + (result.A[14] - result.A[14]) + (result.A[15] - result.A[15]);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+};
+
+}  // namespace double_pendulum

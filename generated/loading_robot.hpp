@@ -1,0 +1,966 @@
+// SPDX-License-Identifier: MIT
+// loading_robot: Press-loading robot: motor actions and the transverse reaction Y12
+// Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
+// Free to embed under the MIT licence.
+//
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, reactions, linearisation
+// Parameters set at run time: none
+//
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total):
+//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total
+//   kinematics               25               43          0             0                  2       0     72
+//   mass_matrix               9                7          0             0                  1       0     18
+//   bias                     13               22          0             0                  2       0     39
+//   inverse_dynamics         22               30          0             0                  2       0     56
+//   forward_dynamics         35               45          2             0                  2       0     86
+//   energy                   22               39          0             0                  2       0     65
+//   reactions                 8               13          0             0                  2       0     25
+//   linearisation           102              154          2             0                  2       0    262
+//
+// Not computed because this mechanism does not need it:
+//   kinematics: of 54 results 24 vanish identically, 9 repeat another up to sign
+//   mass_matrix: of 9 results 3 repeat another up to sign
+//   first_integrals: left out, 'C01', 'F12', 'C23' have no force function
+//   constraints: left out, the scene has no constraints
+//   linearisation: of 93 results 32 vanish identically, 4 repeat another up to sign
+//
+// To write this file again:
+//   loading_robot_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output loading_robot.hpp
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#ifndef TORSOR_KERNEL_SUPPORT
+#define TORSOR_KERNEL_SUPPORT 1
+// Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
+#ifndef TORSOR_DEVICE
+#define TORSOR_DEVICE
+#endif
+
+namespace torsor {
+
+/// What a kernel says about its results; the larger, the worse.
+enum class Status : int { ok = 0, singular = 1, not_finite = 2 };
+
+/// What a kernel needs of its scalar. This one serves float and double; specialise it, once a header is included, for
+/// any other (a pack of several states, a high-precision number).
+template <class Scalar>
+struct scalar_traits {
+  static_assert(sizeof(Scalar) == sizeof(float) || sizeof(Scalar) == sizeof(double),
+                "specialise torsor::scalar_traits for a scalar that is neither float nor double");
+  static constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+
+  /// A number, rounded for either format. `exact` is "num/den", or "a;b;c;d" for a + b sqrt(2) + c sqrt(3) + d sqrt(6).
+  TORSOR_DEVICE static constexpr Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    return is_float ? static_cast<Scalar>(in_float) : static_cast<Scalar>(in_double);
+  }
+  /// The same for a number that is no such sum: a callable computes it where literals are not precise enough.
+  template <class Callable>
+  TORSOR_DEVICE static constexpr Scalar formula(double in_double, float in_float, const Callable&) noexcept {
+    return constant(in_double, in_float, nullptr);
+  }
+  TORSOR_DEVICE static constexpr Scalar pi() noexcept { return constant(3.141592653589793, 3.1415927f, nullptr); }
+  TORSOR_DEVICE static constexpr Scalar select(bool condition, Scalar if_true, Scalar if_false) noexcept {
+    return condition ? if_true : if_false;
+  }
+  TORSOR_DEVICE static void sincos(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
+    sine = std::sin(angle);
+    cosine = std::cos(angle);
+  }
+  TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
+  TORSOR_DEVICE static Scalar exp(const Scalar& x) noexcept { return std::exp(x); }
+  TORSOR_DEVICE static Scalar log(const Scalar& x) noexcept { return std::log(x); }
+  /// Whether a pivot is positive beyond the rounding of the diagonal entry it came from; not when it is not a number.
+  TORSOR_DEVICE static bool regular(const Scalar& pivot, const Scalar& diagonal) noexcept {
+    return pivot > constant(0x1p-52, 0x1p-23f, nullptr) * std::abs(diagonal);
+  }
+};
+
+}  // namespace torsor
+#elif TORSOR_KERNEL_SUPPORT != 1
+#error "headers of incompatible versions of torsor meet here: write them again with one version"
+#endif
+
+namespace loading_robot {
+
+/// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
+/// M a + h = E u + A' lambda and A a + gamma = 0, with a the accelerations and u the inputs; units are SI.
+template <class Scalar>
+struct Mechanism {
+  using traits = torsor::scalar_traits<Scalar>;
+
+  static constexpr const char* name = "loading_robot";
+  static constexpr int coordinate_count = 3;
+  static constexpr int velocity_count = 3;
+  static constexpr int input_count = 3;
+  static constexpr int parameter_count = 0;
+  static constexpr int multiplier_count = 0;
+
+  /// Parameters that are set at run time.
+  struct Parameters {
+    static constexpr int size = 0;
+  };
+
+  /// Generalised coordinates q.
+  struct Coordinates {
+    Scalar alpha;  ///< coordinate [rad or 1]
+    Scalar x;  ///< coordinate [m]
+    Scalar beta;  ///< coordinate [rad or 1]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Coordinates::*member_(int i_) noexcept {
+      constexpr Scalar Coordinates::*members_[] = {&Coordinates::alpha, &Coordinates::x, &Coordinates::beta};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised velocities v = dq/dt.
+  struct Velocities {
+    Scalar alpha;  ///< its rate [rad/s]
+    Scalar x;  ///< its rate [m/s]
+    Scalar beta;  ///< its rate [rad/s]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Velocities::*member_(int i_) noexcept {
+      constexpr Scalar Velocities::*members_[] = {&Velocities::alpha, &Velocities::x, &Velocities::beta};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised accelerations dv/dt.
+  struct Accelerations {
+    Scalar alpha;  ///< its second rate [rad/s^2]
+    Scalar x;  ///< its second rate [m/s^2]
+    Scalar beta;  ///< its second rate [rad/s^2]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Accelerations::*member_(int i_) noexcept {
+      constexpr Scalar Accelerations::*members_[] = {&Accelerations::alpha, &Accelerations::x, &Accelerations::beta};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised forces, one along each coordinate.
+  struct GeneralizedForces {
+    Scalar alpha;  ///< works with the rate of alpha [N m]
+    Scalar x;  ///< works with the rate of x [N]
+    Scalar beta;  ///< works with the rate of beta [N m]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar GeneralizedForces::*member_(int i_) noexcept {
+      constexpr Scalar GeneralizedForces::*members_[] = {&GeneralizedForces::alpha, &GeneralizedForces::x,
+          &GeneralizedForces::beta};
+      return members_[i_];
+    }
+  };
+
+  /// Forces and torques of motors, set at each call.
+  struct Inputs {
+    Scalar C01;  ///< motor [N m]
+    Scalar F12;  ///< motor [N]
+    Scalar C23;  ///< motor [N m]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Inputs::*member_(int i_) noexcept {
+      constexpr Scalar Inputs::*members_[] = {&Inputs::C01, &Inputs::F12, &Inputs::C23};
+      return members_[i_];
+    }
+  };
+
+  /// Multipliers of the constraints, or the reactions that enforce them.
+  struct Multipliers {
+    static constexpr int size = 0;
+  };
+
+  /// Time [s], coordinates and velocities.
+  struct State {
+    Scalar time;
+    Coordinates q;
+    Velocities v;
+  };
+
+  /// Parameters and what depends on them only: built once for each set of parameters.
+  struct Precomputed {
+    Parameters parameters;
+  };
+
+  /// Values of the scene.
+  TORSOR_DEVICE static Parameters default_parameters() noexcept {
+    Parameters parameters{};
+    return parameters;
+  }
+
+  /// To be called again when a parameter changes.
+  TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
+    Precomputed precomputed{};
+    precomputed.parameters = parameters;
+    return precomputed;
+  }
+
+  /// The state the scene starts from, for these parameters.
+  TORSOR_DEVICE static State initial_state(const Parameters&) noexcept {
+    State state{};
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n0_6 = traits::constant(0.6, 0.6f, "3/5");
+    const Scalar n0_7 = traits::constant(0.7, 0.7f, "7/10");
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    state.time = n0;
+    state.q.alpha = n0_4;
+    state.q.x = n0_6;
+    state.q.beta = n0_7;
+    state.v.alpha = n0_2;
+    state.v.x = -n0_1;
+    state.v.beta = n0;
+    return state;
+  }
+  TORSOR_DEVICE static State initial_state() noexcept { return initial_state(default_parameters()); }
+
+  /// Poses, twists and named points in ground axes.
+  struct Kinematics {
+    std::array<Scalar, 3> S1_position;  ///< centre of mass of S1 [m]
+    std::array<Scalar, 9> S1_rotation;  ///< from the axes of S1 to the ground's (3 x 3)
+    std::array<Scalar, 3> S1_velocity;  ///< velocity of the centre of mass of S1 [m/s]
+    std::array<Scalar, 3> S1_angular_velocity;  ///< angular velocity of S1 [rad/s]
+    std::array<Scalar, 3> S2_position;  ///< centre of mass of S2 [m]
+    std::array<Scalar, 9> S2_rotation;  ///< from the axes of S2 to the ground's (3 x 3)
+    std::array<Scalar, 3> S2_velocity;  ///< velocity of the centre of mass of S2 [m/s]
+    std::array<Scalar, 3> S2_angular_velocity;  ///< angular velocity of S2 [rad/s]
+    std::array<Scalar, 3> S3_position;  ///< centre of mass of S3 [m]
+    std::array<Scalar, 9> S3_rotation;  ///< from the axes of S3 to the ground's (3 x 3)
+    std::array<Scalar, 3> S3_velocity;  ///< velocity of the centre of mass of S3 [m/s]
+    std::array<Scalar, 3> S3_angular_velocity;  ///< angular velocity of S3 [rad/s]
+  };
+
+  /// Energies of the mechanism.
+  struct Energy {
+    Scalar kinetic;  ///< kinetic energy T [J]
+    Scalar force_function;  ///< force function U of gravity and springs [J]
+    Scalar power;  ///< power of dampers, given forces and motors [W]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Energy::*member_(int i_) noexcept {
+      constexpr Scalar Energy::*members_[] = {&Energy::kinetic, &Energy::force_function, &Energy::power};
+      return members_[i_];
+    }
+  };
+
+  /// Reactions of joints along released directions.
+  struct Reactions {
+    Scalar Y12;  ///< reaction along 'Y12' [kg m s^-2]
+    static constexpr int size = 1;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Reactions::*member_(int i_) noexcept {
+      constexpr Scalar Reactions::*members_[] = {&Reactions::Y12};
+      return members_[i_];
+    }
+  };
+
+  /// Matrices of the linearised equations, stored column by column.
+  struct Linearisation {
+    std::array<Scalar, 9> M;  ///< mass matrix (3 x 3)
+    std::array<Scalar, 9> C;  ///< damping and gyroscopic terms (3 x 3)
+    std::array<Scalar, 9> K;  ///< stiffness (3 x 3)
+    std::array<Scalar, 3> F;  ///< right-hand side
+    std::array<Scalar, 9> E;  ///< effect of the inputs (3 x 3)
+    std::array<Scalar, 36> A;  ///< state matrix of x = (e, e'): x' = A x + B du (6 x 6)
+    std::array<Scalar, 18> B;  ///< input matrix (6 x 3)
+  };
+
+  /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
+  /// matrices column by column.
+  TORSOR_DEVICE static void kinematics(const Precomputed&, const State& state, Kinematics& result) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar v_alpha = state.v.alpha;
+    const Scalar q_x = state.q.x;
+    const Scalar v_x = state.v.x;
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z13 = n0_5 * v_alpha;
+    const Scalar z14 = v_alpha * q_x;
+    const Scalar z15 = v_x - z13;  // velocity of S2, x
+    const Scalar z16 = s_beta * z14 + c_beta * z15;
+    const Scalar z17 = s_beta * z15 - c_beta * z14;
+    const Scalar z18 = v_alpha + v_beta;  // angular velocity of S3, z
+    const Scalar z19 = n0_5 * s_alpha - n0_3 * c_alpha;
+    const Scalar z20 = n0_3 * s_alpha + n0_5 * c_alpha;
+    const Scalar z21 = n0_3 * v_alpha;
+    const Scalar z22 = s_alpha * z21 + c_alpha * z13;
+    const Scalar z23 = s_alpha * z13 - c_alpha * z21;
+    const Scalar z24 = n0_4 + q_x;
+    const Scalar z25 = n0_5 * s_alpha - c_alpha * z24;
+    const Scalar z26 = s_alpha * z24 + n0_5 * c_alpha;
+    const Scalar z27 = n0_4 * v_alpha + z14;
+    const Scalar z28 = s_alpha * z27 - c_alpha * z15;
+    const Scalar z29 = s_alpha * z15 + c_alpha * z27;
+    const Scalar z30 = n0_2 * c_beta;
+    const Scalar z31 = n0_2 * s_beta;
+    const Scalar z32 = q_x - z30;
+    const Scalar z33 = n0_5 - z31;
+    const Scalar z34 = s_alpha * z33 - c_alpha * z32;
+    const Scalar z35 = s_alpha * z32 + c_alpha * z33;
+    const Scalar z36 = s_alpha * s_beta - c_alpha * c_beta;
+    const Scalar z37 = s_alpha * c_beta + c_alpha * s_beta;
+    const Scalar z38 = z17 + n0_2 * z18;
+    const Scalar z39 = s_beta * z38 + c_beta * z16;
+    const Scalar z40 = s_beta * z16 - c_beta * z38;
+    const Scalar z41 = s_alpha * z40 - c_alpha * z39;
+    const Scalar z42 = s_alpha * z39 + c_alpha * z40;
+    result.S1_position[0] = -z19;
+    result.S1_position[1] = z20;
+    result.S1_position[2] = n0;
+    result.S1_rotation[0] = c_alpha;
+    result.S1_rotation[1] = s_alpha;
+    result.S1_rotation[2] = n0;
+    result.S1_rotation[3] = -s_alpha;
+    result.S1_rotation[4] = c_alpha;
+    result.S1_rotation[5] = n0;
+    result.S1_rotation[6] = n0;
+    result.S1_rotation[7] = n0;
+    result.S1_rotation[8] = n1;
+    result.S1_velocity[0] = -z22;
+    result.S1_velocity[1] = -z23;
+    result.S1_velocity[2] = n0;
+    result.S1_angular_velocity[0] = n0;
+    result.S1_angular_velocity[1] = n0;
+    result.S1_angular_velocity[2] = v_alpha;
+    result.S2_position[0] = -z25;
+    result.S2_position[1] = z26;
+    result.S2_position[2] = n0;
+    result.S2_rotation[0] = c_alpha;
+    result.S2_rotation[1] = s_alpha;
+    result.S2_rotation[2] = n0;
+    result.S2_rotation[3] = -s_alpha;
+    result.S2_rotation[4] = c_alpha;
+    result.S2_rotation[5] = n0;
+    result.S2_rotation[6] = n0;
+    result.S2_rotation[7] = n0;
+    result.S2_rotation[8] = n1;
+    result.S2_velocity[0] = -z28;
+    result.S2_velocity[1] = z29;
+    result.S2_velocity[2] = n0;
+    result.S2_angular_velocity[0] = n0;
+    result.S2_angular_velocity[1] = n0;
+    result.S2_angular_velocity[2] = v_alpha;
+    result.S3_position[0] = -z34;
+    result.S3_position[1] = z35;
+    result.S3_position[2] = n0;
+    result.S3_rotation[0] = -z36;
+    result.S3_rotation[1] = z37;
+    result.S3_rotation[2] = n0;
+    result.S3_rotation[3] = -z37;
+    result.S3_rotation[4] = -z36;
+    result.S3_rotation[5] = n0;
+    result.S3_rotation[6] = n0;
+    result.S3_rotation[7] = n0;
+    result.S3_rotation[8] = n1;
+    result.S3_velocity[0] = -z41;
+    result.S3_velocity[1] = z42;
+    result.S3_velocity[2] = n0;
+    result.S3_angular_velocity[0] = n0;
+    result.S3_angular_velocity[1] = n0;
+    result.S3_angular_velocity[2] = z18;
+  }
+
+  /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
+  TORSOR_DEVICE static void mass_matrix(const Precomputed&, const State& state, std::array<Scalar, 9>& mass) noexcept {
+    const Scalar n1_6 = traits::constant(1.6, 1.6f, "8/5");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n10 = traits::constant(10.0, 10.0f, "10/1");
+    const Scalar n16_5 = traits::constant(16.5, 16.5f, "33/2");
+    const Scalar n33 = traits::constant(33.0, 33.0f, "33/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n8_25 = traits::constant(8.25, 8.25f, "33/4");
+    const Scalar n36 = traits::constant(36.0, 36.0f, "36/1");
+    const Scalar q_x = state.q.x;
+    const Scalar q_beta = state.q.beta;
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z43 = n1_6 * s_beta;
+    const Scalar z44 = n1_6 * c_beta;
+    const Scalar z45 = n0_5 - q_x * z44;
+    const Scalar z46 = n0_5 * z43 - z45;
+    const Scalar z51 = n10 - z44;
+    const Scalar z52 = n16_5 - z43;
+    const Scalar z55 = q_x * (n33 * q_x + n2 * z51) + n0_5;
+    const Scalar z59 = n8_25 - z43 + z55;
+    const Scalar z64 = n36 + z59;
+    mass[0] = z64;
+    mass[1] = -z52;
+    mass[2] = -z46;
+    mass[3] = -z52;
+    mass[4] = n33;
+    mass[5] = z43;
+    mass[6] = -z46;
+    mass[7] = z43;
+    mass[8] = n0_5;
+  }
+
+  /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
+  /// actions included. M a + h = E u + A' lambda.
+  TORSOR_DEVICE static void bias(const Precomputed&, const State& state, GeneralizedForces& forces) noexcept {
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1_6 = traits::constant(1.6, 1.6f, "8/5");
+    const Scalar n10 = traits::constant(10.0, 10.0f, "10/1");
+    const Scalar n33 = traits::constant(33.0, 33.0f, "33/1");
+    const Scalar n30 = traits::constant(30.0, 30.0f, "30/1");
+    const Scalar n18 = traits::constant(18.0, 18.0f, "18/1");
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar v_alpha = state.v.alpha;
+    const Scalar q_x = state.q.x;
+    const Scalar v_x = state.v.x;
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z18 = v_alpha + v_beta;  // angular velocity of S3, z
+    const Scalar z68 = n9_81 * s_alpha;
+    const Scalar z69 = n9_81 * c_alpha;
+    const Scalar z70 = v_alpha * v_alpha;
+    const Scalar z71 = z69 - n0_5 * z70;
+    const Scalar z72 = q_x * z70 - z68;
+    const Scalar z73 = n2 * v_alpha * v_x + z71;
+    const Scalar z75 = s_beta * z72 + c_beta * z73;
+    const Scalar z76 = z18 * z18;
+    const Scalar z77 = n1_6 * z76;  // force on S3, x
+    const Scalar z78 = n1_6 * z75;  // moment on S3, z
+    const Scalar z79 = c_beta * z77;
+    const Scalar z80 = s_beta * z77;
+    const Scalar z81 = n10 * z70 + n33 * z72 - z79;  // force on S2, x
+    const Scalar z82 = n33 * z73 + z80;  // force on S2, y
+    const Scalar z83 = n10 * z73 - z78;  // moment on S2, z
+    const Scalar z84 = q_x * z82 + z83;  // moment on guide, z
+    const Scalar z87 = n30 * z68 - n18 * z69 - n0_5 * z81 - z84;  // moment on S1, z
+    forces.alpha = -z87;
+    forces.x = -z81;
+    forces.beta = -z78;
+  }
+
+  /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
+  TORSOR_DEVICE static void inverse_dynamics(const Precomputed&, const State& state, const Accelerations& accelerations,
+      const Multipliers&, GeneralizedForces& forces) noexcept {
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n1_6 = traits::constant(1.6, 1.6f, "8/5");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n10 = traits::constant(10.0, 10.0f, "10/1");
+    const Scalar n33 = traits::constant(33.0, 33.0f, "33/1");
+    const Scalar n36 = traits::constant(36.0, 36.0f, "36/1");
+    const Scalar n30 = traits::constant(30.0, 30.0f, "30/1");
+    const Scalar n18 = traits::constant(18.0, 18.0f, "18/1");
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar v_alpha = state.v.alpha;
+    const Scalar a_alpha = accelerations.alpha;
+    const Scalar q_x = state.q.x;
+    const Scalar v_x = state.v.x;
+    const Scalar a_x = accelerations.x;
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    const Scalar a_beta = accelerations.beta;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z18 = v_alpha + v_beta;  // angular velocity of S3, z
+    const Scalar z68 = n9_81 * s_alpha;
+    const Scalar z69 = n9_81 * c_alpha;
+    const Scalar z70 = v_alpha * v_alpha;
+    const Scalar z71 = z69 - n0_5 * z70;
+    const Scalar z76 = z18 * z18;
+    const Scalar z77 = n1_6 * z76;  // force on S3, x
+    const Scalar z88 = n0_5 * a_alpha - z68;
+    const Scalar z89 = q_x * z70 - a_x + z88;
+    const Scalar z90 = n2 * v_alpha * v_x + a_alpha * q_x + z71;
+    const Scalar z92 = s_beta * z89 + c_beta * z90;
+    const Scalar z93 = a_alpha + a_beta;  // angular acceleration of S3, z
+    const Scalar z94 = n1_6 * z93;  // force on S3, y
+    const Scalar z95 = n1_6 * z92 - n0_5 * z93;  // moment on S3, z
+    const Scalar z96 = s_beta * z94 + c_beta * z77;
+    const Scalar z97 = s_beta * z77 - c_beta * z94;
+    const Scalar z98 = n10 * z70 + n33 * z89 - z96;  // force on S2, x
+    const Scalar z99 = n10 * a_alpha + n33 * z90 + z97;  // force on S2, y
+    const Scalar z100 = n10 * z90 - z95;  // moment on S2, z
+    const Scalar z101 = q_x * z99 + z100;  // moment on guide, z
+    const Scalar z104 = n36 * a_alpha - n30 * z68 + n18 * z69 + n0_5 * z98 + z101;  // moment on S1, z
+    forces.alpha = z104;
+    forces.x = -z98;
+    forces.beta = -z95;
+  }
+
+  /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by an
+  /// unrolled L D L' of M and of the Schur complement A M^-1 A'. Returns singular when a pivot is not positive
+  /// relative to its diagonal entry.
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs& inputs,
+      Accelerations& accelerations, Multipliers&) noexcept {
+    const Scalar n1_6 = traits::constant(1.6, 1.6f, "8/5");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n10 = traits::constant(10.0, 10.0f, "10/1");
+    const Scalar n16_5 = traits::constant(16.5, 16.5f, "33/2");
+    const Scalar n33 = traits::constant(33.0, 33.0f, "33/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n8_25 = traits::constant(8.25, 8.25f, "33/4");
+    const Scalar n36 = traits::constant(36.0, 36.0f, "36/1");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n30 = traits::constant(30.0, 30.0f, "30/1");
+    const Scalar n18 = traits::constant(18.0, 18.0f, "18/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar v_alpha = state.v.alpha;
+    const Scalar q_x = state.q.x;
+    const Scalar v_x = state.v.x;
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    const Scalar u_C01 = inputs.C01;
+    const Scalar u_F12 = inputs.F12;
+    const Scalar u_C23 = inputs.C23;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z18 = v_alpha + v_beta;  // angular velocity of S3, z
+    const Scalar z43 = n1_6 * s_beta;
+    const Scalar z44 = n1_6 * c_beta;
+    const Scalar z45 = n0_5 - q_x * z44;
+    const Scalar z46 = n0_5 * z43 - z45;
+    const Scalar z51 = n10 - z44;
+    const Scalar z52 = n16_5 - z43;
+    const Scalar z55 = q_x * (n33 * q_x + n2 * z51) + n0_5;
+    const Scalar z59 = n8_25 - z43 + z55;
+    const Scalar z64 = n36 + z59;
+    const Scalar z68 = n9_81 * s_alpha;
+    const Scalar z69 = n9_81 * c_alpha;
+    const Scalar z70 = v_alpha * v_alpha;
+    const Scalar z71 = z69 - n0_5 * z70;
+    const Scalar z72 = q_x * z70 - z68;
+    const Scalar z73 = n2 * v_alpha * v_x + z71;
+    const Scalar z75 = s_beta * z72 + c_beta * z73;
+    const Scalar z76 = z18 * z18;
+    const Scalar z77 = n1_6 * z76;  // force on S3, x
+    const Scalar z78 = n1_6 * z75;  // moment on S3, z
+    const Scalar z79 = c_beta * z77;
+    const Scalar z80 = s_beta * z77;
+    const Scalar z81 = n10 * z70 + n33 * z72 - z79;  // force on S2, x
+    const Scalar z82 = n33 * z73 + z80;  // force on S2, y
+    const Scalar z83 = n10 * z73 - z78;  // moment on S2, z
+    const Scalar z84 = q_x * z82 + z83;  // moment on guide, z
+    const Scalar z87 = n30 * z68 - n18 * z69 - n0_5 * z81 - z84;  // moment on S1, z
+    const Scalar z105 = u_C01 + z87;
+    const Scalar z106 = u_F12 + z81;
+    const Scalar z107 = u_C23 + z78;
+    const Scalar z108 = n2 * z46;
+    const Scalar z109 = n2 * z43;
+    const Scalar z110 = z46 * z108 - z64;
+    const Scalar z111 = z46 * z109 - z52;
+    const Scalar z112 = n33 - z43 * z109;
+    const Scalar z113 = n1 / z112;
+    const Scalar z114 = z111 * z113;
+    const Scalar z115 = z110 + z111 * z114;
+    const Scalar z116 = n1 / z115;
+    const Scalar z117 = z106 - z107 * z109;
+    const Scalar z118 = z105 + z107 * z108 - z114 * z117;
+    const Scalar z119 = z116 * z118;
+    const Scalar z120 = z113 * z117 + z114 * z119;
+    const Scalar z121 = n2 * z107 - z108 * z119 - z109 * z120;
+    accelerations.alpha = -z119;
+    accelerations.x = z120;
+    accelerations.beta = z121;
+    if (!(traits::regular(-z115, z64) && traits::regular(z112, n33) && traits::regular(n0_5,
+        n0_5))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (accelerations.alpha - accelerations.alpha) + (accelerations.x - accelerations.x)
+        + (accelerations.beta - accelerations.beta);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
+  TORSOR_DEVICE static void energy(const Precomputed&, const State& state, const Inputs& inputs,
+      Energy& result) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n1_6 = traits::constant(1.6, 1.6f, "8/5");
+    const Scalar n10 = traits::constant(10.0, 10.0f, "10/1");
+    const Scalar n25 = traits::constant(25.0, 25.0f, "25/1");
+    const Scalar n6 = traits::constant(6.0, 6.0f, "6/1");
+    const Scalar n8 = traits::constant(8.0, 8.0f, "8/1");
+    const Scalar n18 = traits::constant(18.0, 18.0f, "18/1");
+    const Scalar n30 = traits::constant(30.0, 30.0f, "30/1");
+    const Scalar n15 = traits::constant(15.0, 15.0f, "15/1");
+    const Scalar n12_5 = traits::constant(12.5, 12.5f, "25/2");
+    const Scalar n4 = traits::constant(4.0, 4.0f, "4/1");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n323_73 = traits::constant(323.73, 323.73f, "32373/100");
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar v_alpha = state.v.alpha;
+    const Scalar q_x = state.q.x;
+    const Scalar v_x = state.v.x;
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    const Scalar u_C01 = inputs.C01;
+    const Scalar u_F12 = inputs.F12;
+    const Scalar u_C23 = inputs.C23;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z13 = n0_5 * v_alpha;
+    const Scalar z14 = v_alpha * q_x;
+    const Scalar z15 = v_x - z13;  // velocity of S2, x
+    const Scalar z16 = s_beta * z14 + c_beta * z15;
+    const Scalar z17 = s_beta * z15 - c_beta * z14;
+    const Scalar z18 = v_alpha + v_beta;  // angular velocity of S3, z
+    const Scalar z43 = n1_6 * s_beta;
+    const Scalar z44 = n1_6 * c_beta;
+    const Scalar z122 = n10 * v_alpha + n25 * z14;
+    const Scalar z123 = n6 * v_alpha + n10 * z14;
+    const Scalar z124 = n8 * z17 + n1_6 * z18;
+    const Scalar z125 = n1_6 * z17 + n0_5 * z18;
+    const Scalar z127 = n18 * s_alpha + n30 * c_alpha;
+    const Scalar z131 = s_alpha * q_x + n0_5 * c_alpha;
+    const Scalar z133 = n10 * s_alpha;
+    const Scalar z135 = s_alpha * z44 + c_alpha * z43;
+    result.kinetic = n0_5 * (v_alpha * z123 + z14 * z122 + z17 * z124 + z18 * z125) + n15 * v_alpha * v_alpha + n12_5
+        * z15 * z15 + n4 * z16 * z16;
+    result.force_function = -n9_81 * (z127 + z133 - z135) - n323_73 * z131;
+    result.power = v_alpha * u_C01 + v_x * u_F12 + v_beta * u_C23;
+  }
+
+  /// Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released
+  /// direction, at accelerations, multipliers and inputs that belong to the motion.
+  TORSOR_DEVICE static void reactions(const Precomputed&, const State& state, const Accelerations& accelerations,
+      const Multipliers&, const Inputs&, Reactions& result) noexcept {
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n1_6 = traits::constant(1.6, 1.6f, "8/5");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n10 = traits::constant(10.0, 10.0f, "10/1");
+    const Scalar n33 = traits::constant(33.0, 33.0f, "33/1");
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar v_alpha = state.v.alpha;
+    const Scalar a_alpha = accelerations.alpha;
+    const Scalar q_x = state.q.x;
+    const Scalar v_x = state.v.x;
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    const Scalar a_beta = accelerations.beta;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z18 = v_alpha + v_beta;  // angular velocity of S3, z
+    const Scalar z69 = n9_81 * c_alpha;
+    const Scalar z70 = v_alpha * v_alpha;
+    const Scalar z71 = z69 - n0_5 * z70;
+    const Scalar z76 = z18 * z18;
+    const Scalar z77 = n1_6 * z76;  // force on S3, x
+    const Scalar z90 = n2 * v_alpha * v_x + a_alpha * q_x + z71;
+    const Scalar z93 = a_alpha + a_beta;  // angular acceleration of S3, z
+    const Scalar z94 = n1_6 * z93;  // force on S3, y
+    const Scalar z97 = s_beta * z77 - c_beta * z94;
+    const Scalar z99 = n10 * a_alpha + n33 * z90 + z97;  // force on S2, y
+    result.Y12 = z99;
+  }
+
+  /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
+  /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
+  TORSOR_DEVICE static torsor::Status linearisation(const Precomputed&, const State& state,
+      const Accelerations& accelerations, const Multipliers&, const Inputs& inputs, Linearisation& result) noexcept {
+    const Scalar n1_6 = traits::constant(1.6, 1.6f, "8/5");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n10 = traits::constant(10.0, 10.0f, "10/1");
+    const Scalar n16_5 = traits::constant(16.5, 16.5f, "33/2");
+    const Scalar n33 = traits::constant(33.0, 33.0f, "33/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n8_25 = traits::constant(8.25, 8.25f, "33/4");
+    const Scalar n36 = traits::constant(36.0, 36.0f, "36/1");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n30 = traits::constant(30.0, 30.0f, "30/1");
+    const Scalar n18 = traits::constant(18.0, 18.0f, "18/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar v_alpha = state.v.alpha;
+    const Scalar a_alpha = accelerations.alpha;
+    const Scalar q_x = state.q.x;
+    const Scalar v_x = state.v.x;
+    const Scalar a_x = accelerations.x;
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    const Scalar a_beta = accelerations.beta;
+    const Scalar u_C01 = inputs.C01;
+    const Scalar u_F12 = inputs.F12;
+    const Scalar u_C23 = inputs.C23;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z18 = v_alpha + v_beta;  // angular velocity of S3, z
+    const Scalar z43 = n1_6 * s_beta;
+    const Scalar z44 = n1_6 * c_beta;
+    const Scalar z45 = n0_5 - q_x * z44;
+    const Scalar z46 = n0_5 * z43 - z45;
+    const Scalar z51 = n10 - z44;
+    const Scalar z52 = n16_5 - z43;
+    const Scalar z55 = q_x * (n33 * q_x + n2 * z51) + n0_5;
+    const Scalar z59 = n8_25 - z43 + z55;
+    const Scalar z64 = n36 + z59;
+    const Scalar z68 = n9_81 * s_alpha;
+    const Scalar z69 = n9_81 * c_alpha;
+    const Scalar z70 = v_alpha * v_alpha;
+    const Scalar z71 = z69 - n0_5 * z70;
+    const Scalar z76 = z18 * z18;
+    const Scalar z77 = n1_6 * z76;  // force on S3, x
+    const Scalar z88 = n0_5 * a_alpha - z68;
+    const Scalar z89 = q_x * z70 - a_x + z88;
+    const Scalar z90 = n2 * v_alpha * v_x + a_alpha * q_x + z71;
+    const Scalar z91 = s_beta * z90 - c_beta * z89;
+    const Scalar z92 = s_beta * z89 + c_beta * z90;
+    const Scalar z93 = a_alpha + a_beta;  // angular acceleration of S3, z
+    const Scalar z94 = n1_6 * z93;  // force on S3, y
+    const Scalar z95 = n1_6 * z92 - n0_5 * z93;  // moment on S3, z
+    const Scalar z96 = s_beta * z94 + c_beta * z77;
+    const Scalar z97 = s_beta * z77 - c_beta * z94;
+    const Scalar z98 = n10 * z70 + n33 * z89 - z96;  // force on S2, x
+    const Scalar z99 = n10 * a_alpha + n33 * z90 + z97;  // force on S2, y
+    const Scalar z100 = n10 * z90 - z95;  // moment on S2, z
+    const Scalar z101 = q_x * z99 + z100;  // moment on guide, z
+    const Scalar z104 = n36 * a_alpha - n30 * z68 + n18 * z69 + n0_5 * z98 + z101;  // moment on S1, z
+    const Scalar z108 = n2 * z46;
+    const Scalar z109 = n2 * z43;
+    const Scalar z110 = z46 * z108 - z64;
+    const Scalar z111 = z46 * z109 - z52;
+    const Scalar z112 = n33 - z43 * z109;
+    const Scalar z113 = n1 / z112;
+    const Scalar z114 = z111 * z113;
+    const Scalar z115 = z110 + z111 * z114;
+    const Scalar z116 = n1 / z115;
+    const Scalar z149 = n2 * v_alpha;
+    const Scalar z150 = q_x * z149;
+    const Scalar z151 = n2 * z18;
+    const Scalar z152 = n1_6 * z151;
+    const Scalar z153 = c_beta * z152;
+    const Scalar z154 = n10 * z149 + n33 * z150 - z153;
+    const Scalar z155 = n0_5 * z149;
+    const Scalar z156 = n2 * v_x - z155;
+    const Scalar z157 = s_beta * z152;
+    const Scalar z158 = n33 * z156 + z157;
+    const Scalar z159 = s_beta * z150 + c_beta * z156;
+    const Scalar z160 = n1_6 * z159;
+    const Scalar z161 = n10 * z156 - z160;
+    const Scalar z162 = q_x * z158 + z161;
+    const Scalar z163 = n0_5 * z154 + z162;
+    const Scalar z164 = n33 * z69;
+    const Scalar z165 = n33 * z68;
+    const Scalar z166 = s_beta * z69 + c_beta * z68;
+    const Scalar z167 = n1_6 * z166;
+    const Scalar z168 = n10 * z68 - z167;
+    const Scalar z169 = q_x * z165 + z168;
+    const Scalar z170 = n18 * z68 + n30 * z69 + n0_5 * z164 + z169;
+    const Scalar z171 = n33 * z149;
+    const Scalar z172 = c_beta * z149;
+    const Scalar z173 = n1_6 * z172;
+    const Scalar z174 = n10 * z149 - z173;
+    const Scalar z175 = q_x * z171 + z174;
+    const Scalar z176 = n33 * z70;
+    const Scalar z177 = n33 * a_alpha;
+    const Scalar z178 = a_alpha * c_beta + s_beta * z70;
+    const Scalar z179 = n1_6 * z178;
+    const Scalar z180 = n10 * a_alpha - z179;
+    const Scalar z181 = q_x * z177 + z99 + z180;
+    const Scalar z182 = n0_5 * z176 + z181;
+    const Scalar z183 = q_x * z157;
+    const Scalar z184 = n0_5 * z153 - z183;
+    const Scalar z185 = n1_6 * z91;
+    const Scalar z186 = q_x * z96 + z185;
+    const Scalar z187 = n0_5 * z97 + z186;
+    const Scalar z188 = z109 * z167 - z164;
+    const Scalar z189 = z108 * z167 + z114 * z188 - z170;
+    const Scalar z190 = z116 * z189;
+    const Scalar z191 = z113 * z188 - z114 * z190;
+    const Scalar z192 = z108 * z190 - z109 * z191 - n2 * z167;
+    const Scalar z193 = z109 * z160 - z154;
+    const Scalar z194 = z108 * z160 + z114 * z193 - z163;
+    const Scalar z195 = z116 * z194;
+    const Scalar z196 = z113 * z193 - z114 * z195;
+    const Scalar z197 = z108 * z195 - z109 * z196 - n2 * z160;
+    const Scalar z198 = z109 * z179 - z176;
+    const Scalar z199 = z108 * z179 + z114 * z198 - z182;
+    const Scalar z200 = z116 * z199;
+    const Scalar z201 = z113 * z198 - z114 * z200;
+    const Scalar z202 = z108 * z200 - z109 * z201 - n2 * z179;
+    const Scalar z203 = z109 * z173;
+    const Scalar z204 = z108 * z173 + z114 * z203 - z175;
+    const Scalar z205 = z116 * z204;
+    const Scalar z206 = z113 * z203 - z114 * z205;
+    const Scalar z207 = z108 * z205 - z109 * z206 - n2 * z173;
+    const Scalar z208 = z97 + z109 * z185;
+    const Scalar z209 = z108 * z185 + z114 * z208 + z187;
+    const Scalar z210 = z116 * z209;
+    const Scalar z211 = z113 * z208 - z114 * z210;
+    const Scalar z212 = z108 * z210 - z109 * z211 - n2 * z185;
+    const Scalar z213 = z114 * z153 + z184;
+    const Scalar z214 = z116 * z213;
+    const Scalar z215 = z113 * z153 - z114 * z214;
+    const Scalar z216 = z108 * z214 - z109 * z215;
+    const Scalar z217 = z114 * z116;
+    const Scalar z218 = z108 * z116 + z109 * z217;
+    const Scalar z219 = z113 - z114 * z217;
+    const Scalar z220 = z108 * z217 - z109 * z219;
+    const Scalar z221 = z108 + z109 * z114;
+    const Scalar z222 = z116 * z221;
+    const Scalar z223 = z109 * z113 - z114 * z222;
+    const Scalar z224 = n2 - z108 * z222 + z109 * z223;
+    result.M[0] = z64;
+    result.M[1] = -z52;
+    result.M[2] = -z46;
+    result.M[3] = -z52;
+    result.M[4] = n33;
+    result.M[5] = z43;
+    result.M[6] = -z46;
+    result.M[7] = z43;
+    result.M[8] = n0_5;
+    result.C[0] = z163;
+    result.C[1] = -z154;
+    result.C[2] = -z160;
+    result.C[3] = z175;
+    result.C[4] = n0;
+    result.C[5] = -z173;
+    result.C[6] = -z184;
+    result.C[7] = z153;
+    result.C[8] = n0;
+    result.K[0] = -z170;
+    result.K[1] = z164;
+    result.K[2] = z167;
+    result.K[3] = z182;
+    result.K[4] = -z176;
+    result.K[5] = -z179;
+    result.K[6] = z187;
+    result.K[7] = -z97;
+    result.K[8] = z185;
+    result.F[0] = u_C01 - z104;
+    result.F[1] = u_F12 + z98;
+    result.F[2] = u_C23 + z95;
+    result.E[0] = n1;
+    result.E[1] = n0;
+    result.E[2] = n0;
+    result.E[3] = n0;
+    result.E[4] = n1;
+    result.E[5] = n0;
+    result.E[6] = n0;
+    result.E[7] = n0;
+    result.E[8] = n1;
+    result.A[0] = n0;
+    result.A[1] = n0;
+    result.A[2] = n0;
+    result.A[3] = z190;
+    result.A[4] = z191;
+    result.A[5] = z192;
+    result.A[6] = n0;
+    result.A[7] = n0;
+    result.A[8] = n0;
+    result.A[9] = -z200;
+    result.A[10] = -z201;
+    result.A[11] = -z202;
+    result.A[12] = n0;
+    result.A[13] = n0;
+    result.A[14] = n0;
+    result.A[15] = z210;
+    result.A[16] = z211;
+    result.A[17] = z212;
+    result.A[18] = n1;
+    result.A[19] = n0;
+    result.A[20] = n0;
+    result.A[21] = -z195;
+    result.A[22] = -z196;
+    result.A[23] = -z197;
+    result.A[24] = n0;
+    result.A[25] = n1;
+    result.A[26] = n0;
+    result.A[27] = -z205;
+    result.A[28] = -z206;
+    result.A[29] = -z207;
+    result.A[30] = n0;
+    result.A[31] = n0;
+    result.A[32] = n1;
+    result.A[33] = -z214;
+    result.A[34] = -z215;
+    result.A[35] = -z216;
+    result.B[0] = n0;
+    result.B[1] = n0;
+    result.B[2] = n0;
+    result.B[3] = -z116;
+    result.B[4] = z217;
+    result.B[5] = -z218;
+    result.B[6] = n0;
+    result.B[7] = n0;
+    result.B[8] = n0;
+    result.B[9] = z217;
+    result.B[10] = z219;
+    result.B[11] = z220;
+    result.B[12] = n0;
+    result.B[13] = n0;
+    result.B[14] = n0;
+    result.B[15] = -z222;
+    result.B[16] = -z223;
+    result.B[17] = z224;
+    if (!(traits::regular(-z115, z64) && traits::regular(z112, n33) && traits::regular(n0_5,
+        n0_5))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (result.M[0] - result.M[0]) + (result.M[1] - result.M[1]) + (result.M[2] - result.M[2])
+        + (result.M[3] - result.M[3]) + (result.M[5] - result.M[5]) + (result.M[6] - result.M[6]) + (result.M[7]
+        - result.M[7]) + (result.C[0] - result.C[0]) + (result.C[1] - result.C[1]) + (result.C[2] - result.C[2])
+        + (result.C[3] - result.C[3]) + (result.C[5] - result.C[5]) + (result.C[6] - result.C[6]) + (result.C[7]
+        - result.C[7]) + (result.K[0] - result.K[0]) + (result.K[1] - result.K[1]) + (result.K[2] - result.K[2])
+        + (result.K[3] - result.K[3]) + (result.K[4] - result.K[4]) + (result.K[5] - result.K[5]) + (result.K[6]
+        - result.K[6]) + (result.K[7] - result.K[7]) + (result.K[8] - result.K[8]) + (result.F[0] - result.F[0])
+        + (result.F[1] - result.F[1]) + (result.F[2] - result.F[2]) + (result.A[3] - result.A[3]) + (result.A[4]
+        - result.A[4]) + (result.A[5] - result.A[5]) + (result.A[9] - result.A[9]) + (result.A[10] - result.A[10])
+        + (result.A[11] - result.A[11]) + (result.A[15] - result.A[15]) + (result.A[16] - result.A[16]) + (result.A[17]
+        - result.A[17]) + (result.A[21] - result.A[21]) + (result.A[22] - result.A[22]) + (result.A[23] - result.A[23])
+        + (result.A[27] - result.A[27]) + (result.A[28] - result.A[28]) + (result.A[29] - result.A[29]) + (result.A[33]
+        - result.A[33]) + (result.A[34] - result.A[34]) + (result.A[35] - result.A[35]) + (result.B[3] - result.B[3])
+        + (result.B[4] - result.B[4]) + (result.B[5] - result.B[5]) + (result.B[9] - result.B[9]) + (result.B[10]
+        - result.B[10]) + (result.B[11] - result.B[11]) + (result.B[15] - result.B[15]) + (result.B[16] - result.B[16])
+        + (result.B[17] - result.B[17]);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+};
+
+}  // namespace loading_robot

@@ -1,0 +1,971 @@
+// SPDX-License-Identifier: MIT
+// rolling_hoop: Hoop rolling without slipping: five coordinates, two multipliers
+// Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
+// Free to embed under the MIT licence.
+//
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, constraints, linearisation
+// Parameters set at run time: A, C
+//
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total):
+//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total
+//   precompute                1                0          1             0                  0       0      2
+//   kinematics               37               69          0             0                  3       0    112
+//   mass_matrix               2                4          0             0                  1       0      8
+//   bias                      6               18          0             0                  1       0     26
+//   inverse_dynamics         19               27          0             0                  2       0     50
+//   forward_dynamics         28               54          4             0                  2       0     90
+//   energy                   14               29          0             0                  3       0     49
+//   first_integrals          15               29          0             0                  3       0     50
+//   constraints               9               16          0             0                  2       0     29
+//   linearisation            44               76          0             0                  2       0    124
+//
+// Not computed because this mechanism does not need it:
+//   kinematics: of 39 results 9 vanish identically, 2 repeat another up to sign
+//   mass_matrix: of 25 results 18 vanish identically, 1 repeat another up to sign
+//   bias: of 5 results 2 vanish identically
+//   energy: of 3 results 1 vanish identically
+//   constraints: of 16 results 5 vanish identically, 2 repeat another up to sign
+//   reactions: left out, the scene releases no joint direction (released_coordinate)
+//   linearisation: of 80 results 55 vanish identically, 2 repeat another up to sign
+//
+// To write this file again:
+//   rolling_hoop_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output rolling_hoop.hpp
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#ifndef TORSOR_KERNEL_SUPPORT
+#define TORSOR_KERNEL_SUPPORT 1
+// Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
+#ifndef TORSOR_DEVICE
+#define TORSOR_DEVICE
+#endif
+
+namespace torsor {
+
+/// What a kernel says about its results; the larger, the worse.
+enum class Status : int { ok = 0, singular = 1, not_finite = 2 };
+
+/// What a kernel needs of its scalar. This one serves float and double; specialise it, once a header is included, for
+/// any other (a pack of several states, a high-precision number).
+template <class Scalar>
+struct scalar_traits {
+  static_assert(sizeof(Scalar) == sizeof(float) || sizeof(Scalar) == sizeof(double),
+                "specialise torsor::scalar_traits for a scalar that is neither float nor double");
+  static constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+
+  /// A number, rounded for either format. `exact` is "num/den", or "a;b;c;d" for a + b sqrt(2) + c sqrt(3) + d sqrt(6).
+  TORSOR_DEVICE static constexpr Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    return is_float ? static_cast<Scalar>(in_float) : static_cast<Scalar>(in_double);
+  }
+  /// The same for a number that is no such sum: a callable computes it where literals are not precise enough.
+  template <class Callable>
+  TORSOR_DEVICE static constexpr Scalar formula(double in_double, float in_float, const Callable&) noexcept {
+    return constant(in_double, in_float, nullptr);
+  }
+  TORSOR_DEVICE static constexpr Scalar pi() noexcept { return constant(3.141592653589793, 3.1415927f, nullptr); }
+  TORSOR_DEVICE static constexpr Scalar select(bool condition, Scalar if_true, Scalar if_false) noexcept {
+    return condition ? if_true : if_false;
+  }
+  TORSOR_DEVICE static void sincos(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
+    sine = std::sin(angle);
+    cosine = std::cos(angle);
+  }
+  TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
+  TORSOR_DEVICE static Scalar exp(const Scalar& x) noexcept { return std::exp(x); }
+  TORSOR_DEVICE static Scalar log(const Scalar& x) noexcept { return std::log(x); }
+  /// Whether a pivot is positive beyond the rounding of the diagonal entry it came from; not when it is not a number.
+  TORSOR_DEVICE static bool regular(const Scalar& pivot, const Scalar& diagonal) noexcept {
+    return pivot > constant(0x1p-52, 0x1p-23f, nullptr) * std::abs(diagonal);
+  }
+};
+
+}  // namespace torsor
+#elif TORSOR_KERNEL_SUPPORT != 1
+#error "headers of incompatible versions of torsor meet here: write them again with one version"
+#endif
+
+namespace rolling_hoop {
+
+/// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
+/// M a + h = E u + A' lambda and A a + gamma = 0, with a the accelerations and u the inputs; units are SI.
+template <class Scalar>
+struct Mechanism {
+  using traits = torsor::scalar_traits<Scalar>;
+
+  static constexpr const char* name = "rolling_hoop";
+  static constexpr int coordinate_count = 5;
+  static constexpr int velocity_count = 5;
+  static constexpr int input_count = 0;
+  static constexpr int parameter_count = 2;
+  static constexpr int multiplier_count = 2;
+
+  /// Parameters that are set at run time.
+  struct Parameters {
+    Scalar A;  ///< parameter [kg m^2]
+    Scalar C;  ///< parameter [kg m^2]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Parameters::*member_(int i_) noexcept {
+      constexpr Scalar Parameters::*members_[] = {&Parameters::A, &Parameters::C};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised coordinates q.
+  struct Coordinates {
+    Scalar x;  ///< coordinate [m]
+    Scalar y;  ///< coordinate [m]
+    Scalar psi;  ///< coordinate [rad or 1]
+    Scalar theta;  ///< coordinate [rad or 1]
+    Scalar phi;  ///< coordinate [rad or 1]
+    static constexpr int size = 5;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Coordinates::*member_(int i_) noexcept {
+      constexpr Scalar Coordinates::*members_[] = {&Coordinates::x, &Coordinates::y, &Coordinates::psi,
+          &Coordinates::theta, &Coordinates::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised velocities v = dq/dt.
+  struct Velocities {
+    Scalar x;  ///< its rate [m/s]
+    Scalar y;  ///< its rate [m/s]
+    Scalar psi;  ///< its rate [rad/s]
+    Scalar theta;  ///< its rate [rad/s]
+    Scalar phi;  ///< its rate [rad/s]
+    static constexpr int size = 5;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Velocities::*member_(int i_) noexcept {
+      constexpr Scalar Velocities::*members_[] = {&Velocities::x, &Velocities::y, &Velocities::psi, &Velocities::theta,
+          &Velocities::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised accelerations dv/dt.
+  struct Accelerations {
+    Scalar x;  ///< its second rate [m/s^2]
+    Scalar y;  ///< its second rate [m/s^2]
+    Scalar psi;  ///< its second rate [rad/s^2]
+    Scalar theta;  ///< its second rate [rad/s^2]
+    Scalar phi;  ///< its second rate [rad/s^2]
+    static constexpr int size = 5;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Accelerations::*member_(int i_) noexcept {
+      constexpr Scalar Accelerations::*members_[] = {&Accelerations::x, &Accelerations::y, &Accelerations::psi,
+          &Accelerations::theta, &Accelerations::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised forces, one along each coordinate.
+  struct GeneralizedForces {
+    Scalar x;  ///< works with the rate of x [N]
+    Scalar y;  ///< works with the rate of y [N]
+    Scalar psi;  ///< works with the rate of psi [N m]
+    Scalar theta;  ///< works with the rate of theta [N m]
+    Scalar phi;  ///< works with the rate of phi [N m]
+    static constexpr int size = 5;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar GeneralizedForces::*member_(int i_) noexcept {
+      constexpr Scalar GeneralizedForces::*members_[] = {&GeneralizedForces::x, &GeneralizedForces::y,
+          &GeneralizedForces::psi, &GeneralizedForces::theta, &GeneralizedForces::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Forces and torques of motors, set at each call.
+  struct Inputs {
+    static constexpr int size = 0;
+  };
+
+  /// Multipliers of the constraints, or the reactions that enforce them.
+  struct Multipliers {
+    Scalar lambda_along_x1;  ///< of the constraint along_x1 [N]
+    Scalar lambda_along_y1;  ///< of the constraint along_y1 [N]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Multipliers::*member_(int i_) noexcept {
+      constexpr Scalar Multipliers::*members_[] = {&Multipliers::lambda_along_x1, &Multipliers::lambda_along_y1};
+      return members_[i_];
+    }
+  };
+
+  /// Time [s], coordinates and velocities.
+  struct State {
+    Scalar time;
+    Coordinates q;
+    Velocities v;
+  };
+
+  /// Parameters and what depends on them only: built once for each set of parameters.
+  struct Precomputed {
+    Parameters parameters;
+    Scalar z79;
+    Scalar z153;
+  };
+
+  /// Values of the scene.
+  TORSOR_DEVICE static Parameters default_parameters() noexcept {
+    Parameters parameters{};
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    parameters.A = n0_5;
+    parameters.C = n1;
+    return parameters;
+  }
+
+  /// To be called again when a parameter changes.
+  TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
+    Precomputed precomputed{};
+    precomputed.parameters = parameters;
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar p_A = parameters.A;
+    const Scalar p_C = parameters.C;
+    const Scalar z79 = p_A - p_C;
+    const Scalar z153 = n1 / p_C;
+    precomputed.z79 = z79;
+    precomputed.z153 = z153;
+    return precomputed;
+  }
+
+  /// The state the scene starts from, for these parameters.
+  TORSOR_DEVICE static State initial_state(const Parameters&) noexcept {
+    State state{};
+    const Scalar n1_2 = traits::constant(1.2, 1.2f, "6/5");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n4 = traits::constant(4.0, 4.0f, "4/1");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar z0 = n1_2;
+    const Scalar z1 = traits::formula(0.36235775447667357, 0.36235777f, [&]() -> Scalar {
+      Scalar sine, cosine;
+      traits::sincos(z0, sine, cosine);
+      return cosine;
+    });
+    const Scalar z2 = traits::formula(0.9320390859672264, 0.9320391f, [&]() -> Scalar {
+      Scalar sine, cosine;
+      traits::sincos(z0, sine, cosine);
+      return sine;
+    });
+    state.time = n0;
+    state.q.x = n0;
+    state.q.y = z1;
+    state.q.psi = n0;
+    state.q.theta = n1_2;
+    state.q.phi = n0;
+    state.v.x = n4 - n0_5 * z1;
+    state.v.y = n0_3 * z2;
+    state.v.psi = n0_5;
+    state.v.theta = -n0_3;
+    state.v.phi = -n4;
+    return state;
+  }
+  TORSOR_DEVICE static State initial_state() noexcept { return initial_state(default_parameters()); }
+
+  /// Poses, twists and named points in ground axes.
+  struct Kinematics {
+    std::array<Scalar, 3> hoop_position;  ///< centre of mass of hoop [m]
+    std::array<Scalar, 9> hoop_rotation;  ///< from the axes of hoop to the ground's (3 x 3)
+    std::array<Scalar, 3> hoop_velocity;  ///< velocity of the centre of mass of hoop [m/s]
+    std::array<Scalar, 3> hoop_angular_velocity;  ///< angular velocity of hoop [rad/s]
+    std::array<Scalar, 3> I_position;  ///< position of I [m]
+    std::array<Scalar, 3> I_velocity;  ///< velocity of the material point at I [m/s]
+    std::array<Scalar, 15> I_jacobian;  ///< partial velocities of I (3 x 5)
+  };
+
+  /// Energies of the mechanism.
+  struct Energy {
+    Scalar kinetic;  ///< kinetic energy T [J]
+    Scalar force_function;  ///< force function U of gravity and springs [J]
+    Scalar power;  ///< power of dampers, given forces and motors [W]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Energy::*member_(int i_) noexcept {
+      constexpr Scalar Energy::*members_[] = {&Energy::kinetic, &Energy::force_function, &Energy::power};
+      return members_[i_];
+    }
+  };
+
+  /// Quantities that every motion conserves.
+  struct FirstIntegrals {
+    Scalar energy;  ///< T - U [J]
+    static constexpr int size = 1;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar FirstIntegrals::*member_(int i_) noexcept {
+      constexpr Scalar FirstIntegrals::*members_[] = {&FirstIntegrals::energy};
+      return members_[i_];
+    }
+  };
+  static constexpr int first_integral_count = 1;
+
+  /// Constraints and their derivatives, one entry per multiplier.
+  struct Constraints {
+    std::array<Scalar, 2> value;  ///< f(q, t) of holonomic constraints, 0 for the others
+    std::array<Scalar, 2> rate;  ///< A v - b, df/dt for holonomic ones
+    std::array<Scalar, 10> jacobian;  ///< A, stored column by column (2 x 5)
+    std::array<Scalar, 2> gamma;  ///< d(A v - b)/dt at zero acceleration: A a + gamma = 0
+  };
+
+  /// Matrices of the linearised equations, stored column by column.
+  struct Linearisation {
+    std::array<Scalar, 25> M;  ///< mass matrix (5 x 5)
+    std::array<Scalar, 25> C;  ///< damping and gyroscopic terms (5 x 5)
+    std::array<Scalar, 25> K;  ///< stiffness (5 x 5)
+    std::array<Scalar, 5> F;  ///< right-hand side
+  };
+
+  /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
+  /// matrices column by column.
+  TORSOR_DEVICE static void kinematics(const Precomputed&, const State& state, Kinematics& result) noexcept {
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar q_x = state.q.x;
+    const Scalar v_x = state.v.x;
+    const Scalar q_y = state.q.y;
+    const Scalar v_y = state.v.y;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z10 = c_theta * v_theta;
+    Scalar s_psi, c_psi;
+    traits::sincos(q_psi, s_psi, c_psi);
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z26 = v_x * c_psi + v_y * s_psi;
+    const Scalar z27 = v_x * s_psi - v_y * c_psi;
+    const Scalar z28 = s_theta * v_psi;
+    const Scalar z29 = c_theta * v_psi;
+    const Scalar z30 = s_theta * z10 - c_theta * z27;
+    const Scalar z31 = s_theta * z27 + c_theta * z10;
+    const Scalar z32 = v_theta * c_phi + s_phi * z28;
+    const Scalar z33 = v_theta * s_phi - c_phi * z28;
+    const Scalar z34 = s_phi * z30 + c_phi * z26;
+    const Scalar z35 = s_phi * z26 - c_phi * z30;
+    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
+    const Scalar z37 = c_theta * s_phi;
+    const Scalar z38 = s_theta * s_phi;
+    const Scalar z39 = s_psi * z37 - c_psi * c_phi;
+    const Scalar z40 = s_psi * c_phi + c_psi * z37;
+    const Scalar z41 = c_theta * c_phi;
+    const Scalar z42 = s_theta * c_phi;
+    const Scalar z43 = s_psi * z41 + c_psi * s_phi;
+    const Scalar z44 = s_psi * s_phi - c_psi * z41;
+    const Scalar z45 = s_theta * s_psi;
+    const Scalar z46 = s_theta * c_psi;
+    const Scalar z47 = s_phi * z35 + c_phi * z34;
+    const Scalar z48 = s_phi * z34 - c_phi * z35;
+    const Scalar z49 = s_theta * z31 - c_theta * z48;
+    const Scalar z50 = s_theta * z48 + c_theta * z31;
+    const Scalar z51 = s_psi * z49 + c_psi * z47;
+    const Scalar z52 = s_psi * z47 - c_psi * z49;
+    const Scalar z53 = s_phi * z33 + c_phi * z32;
+    const Scalar z54 = s_phi * z32 - c_phi * z33;
+    const Scalar z55 = s_theta * z36 - c_theta * z54;
+    const Scalar z56 = s_theta * z54 + c_theta * z36;
+    const Scalar z57 = s_psi * z55 + c_psi * z53;
+    const Scalar z58 = s_psi * z53 - c_psi * z55;
+    const Scalar z59 = c_theta * s_psi;
+    const Scalar z60 = c_theta * c_psi;
+    const Scalar z61 = q_y - z60;
+    const Scalar z62 = q_x + z59;
+    const Scalar z63 = z26 + z29;
+    const Scalar z64 = v_theta - z31;
+    const Scalar z65 = s_theta * z64 + c_theta * z30;
+    const Scalar z66 = s_theta * z30 - c_theta * z64;
+    const Scalar z67 = s_psi * z65 - c_psi * z63;
+    const Scalar z68 = s_psi * z63 + c_psi * z65;
+    const Scalar z69 = q_x - z62;
+    const Scalar z70 = q_y - z61;
+    const Scalar z71 = s_psi * z69 - c_psi * z70;
+    const Scalar z72 = c_theta + z71;
+    result.hoop_position[0] = q_x;
+    result.hoop_position[1] = q_y;
+    result.hoop_position[2] = s_theta;
+    result.hoop_rotation[0] = -z39;
+    result.hoop_rotation[1] = z40;
+    result.hoop_rotation[2] = z38;
+    result.hoop_rotation[3] = -z43;
+    result.hoop_rotation[4] = -z44;
+    result.hoop_rotation[5] = z42;
+    result.hoop_rotation[6] = z45;
+    result.hoop_rotation[7] = -z46;
+    result.hoop_rotation[8] = c_theta;
+    result.hoop_velocity[0] = z51;
+    result.hoop_velocity[1] = z52;
+    result.hoop_velocity[2] = z50;
+    result.hoop_angular_velocity[0] = z57;
+    result.hoop_angular_velocity[1] = z58;
+    result.hoop_angular_velocity[2] = z56;
+    result.I_position[0] = z62;
+    result.I_position[1] = z61;
+    result.I_position[2] = n0;
+    result.I_velocity[0] = -z67;
+    result.I_velocity[1] = z68;
+    result.I_velocity[2] = z66;
+    result.I_jacobian[0] = n1;
+    result.I_jacobian[3] = n0;
+    result.I_jacobian[6] = z70;
+    result.I_jacobian[9] = -z45;
+    result.I_jacobian[12] = n0;
+    result.I_jacobian[1] = n0;
+    result.I_jacobian[4] = n1;
+    result.I_jacobian[7] = -z69;
+    result.I_jacobian[10] = z46;
+    result.I_jacobian[13] = n0;
+    result.I_jacobian[2] = n0;
+    result.I_jacobian[5] = n0;
+    result.I_jacobian[8] = n0;
+    result.I_jacobian[11] = z72;
+    result.I_jacobian[14] = n0;
+  }
+
+  /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
+  TORSOR_DEVICE static void mass_matrix(const Precomputed& precomputed, const State& state,
+      std::array<Scalar, 25>& mass) noexcept {
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_theta = state.q.theta;
+    const Scalar p_A = precomputed.parameters.A;
+    const Scalar p_C = precomputed.parameters.C;
+    const Scalar z79 = precomputed.z79;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z74 = c_theta * p_C;
+    const Scalar z80 = s_theta * z79;
+    const Scalar z81 = s_theta * z80;
+    const Scalar z83 = p_C + z81;
+    const Scalar z98 = c_theta * c_theta + p_A;
+    mass[0] = n1;
+    mass[1] = n0;
+    mass[2] = n0;
+    mass[3] = n0;
+    mass[4] = n0;
+    mass[5] = n0;
+    mass[6] = n1;
+    mass[7] = n0;
+    mass[8] = n0;
+    mass[9] = n0;
+    mass[10] = n0;
+    mass[11] = n0;
+    mass[12] = z83;
+    mass[13] = n0;
+    mass[14] = z74;
+    mass[15] = n0;
+    mass[16] = n0;
+    mass[17] = n0;
+    mass[18] = z98;
+    mass[19] = n0;
+    mass[20] = n0;
+    mass[21] = n0;
+    mass[22] = z74;
+    mass[23] = n0;
+    mass[24] = p_C;
+  }
+
+  /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
+  /// actions included. M a + h = E u + A' lambda.
+  TORSOR_DEVICE static void bias(const Precomputed& precomputed, const State& state,
+      GeneralizedForces& forces) noexcept {
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar v_psi = state.v.psi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar p_A = precomputed.parameters.A;
+    const Scalar p_C = precomputed.parameters.C;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z11 = s_theta * v_theta;
+    const Scalar z28 = s_theta * v_psi;
+    const Scalar z29 = c_theta * v_psi;
+    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
+    const Scalar z99 = v_theta * z11;
+    const Scalar z100 = n9_81 - z99;
+    const Scalar z103 = v_theta * z29;  // angular acceleration of hoop.2, y
+    const Scalar z104 = v_theta * z28;  // angular acceleration of hoop.2, z
+    const Scalar z107 = z28 * z36;
+    const Scalar z108 = v_theta * z36;
+    const Scalar z109 = p_C * z107;  // moment on hoop, x
+    const Scalar z110 = p_C * z108;  // moment on hoop, y
+    const Scalar z111 = p_C * z104;  // moment on hoop, z
+    const Scalar z112 = z28 * z29;
+    const Scalar z113 = p_A * z112 - z109;  // moment on hoop.2, x
+    const Scalar z114 = n2 * p_A * z103 - z110;  // moment on hoop.2, y
+    const Scalar z116 = s_theta * z114 - c_theta * z111;
+    const Scalar z120 = c_theta * z100 - z113;
+    forces.x = n0;
+    forces.y = n0;
+    forces.psi = z116;
+    forces.theta = z120;
+    forces.phi = -z111;
+  }
+
+  /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
+  TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State& state,
+      const Accelerations& accelerations, const Multipliers& multipliers, GeneralizedForces& forces) noexcept {
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar a_x = accelerations.x;
+    const Scalar a_y = accelerations.y;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar a_theta = accelerations.theta;
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar a_psi = accelerations.psi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar a_phi = accelerations.phi;
+    const Scalar p_A = precomputed.parameters.A;
+    const Scalar p_C = precomputed.parameters.C;
+    const Scalar l_lambda_along_x1 = multipliers.lambda_along_x1;
+    const Scalar l_lambda_along_y1 = multipliers.lambda_along_y1;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z11 = s_theta * v_theta;
+    const Scalar z13 = c_theta * a_theta - v_theta * z11;
+    Scalar s_psi, c_psi;
+    traits::sincos(q_psi, s_psi, c_psi);
+    const Scalar z28 = s_theta * v_psi;
+    const Scalar z29 = c_theta * v_psi;
+    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
+    const Scalar z103 = v_theta * z29;  // angular acceleration of hoop.2, y
+    const Scalar z107 = z28 * z36;
+    const Scalar z108 = v_theta * z36;
+    const Scalar z109 = p_C * z107;  // moment on hoop, x
+    const Scalar z110 = p_C * z108;  // moment on hoop, y
+    const Scalar z112 = z28 * z29;
+    const Scalar z121 = n9_81 + z13;
+    const Scalar z124 = s_theta * a_psi;
+    const Scalar z125 = c_theta * a_psi;
+    const Scalar z128 = v_theta * z29 + z124;  // angular acceleration of hoop.2, y
+    const Scalar z129 = v_theta * z28 - z125;  // angular acceleration of hoop.2, z
+    const Scalar z132 = a_phi - z129;  // angular acceleration of hoop, z
+    const Scalar z133 = p_C * z132;  // moment on hoop, z
+    const Scalar z134 = p_A * (a_theta - z112) + z109;  // moment on hoop.2, x
+    const Scalar z135 = p_A * (z103 + z128) - z110;  // moment on hoop.2, y
+    const Scalar z137 = s_theta * z135 + c_theta * z133;
+    const Scalar z144 = c_theta * z121 + z134;
+    forces.x = a_x + s_psi * l_lambda_along_y1 - c_psi * l_lambda_along_x1;
+    forces.y = a_y - s_psi * l_lambda_along_x1 - c_psi * l_lambda_along_y1;
+    forces.psi = -c_theta * l_lambda_along_x1 + z137;
+    forces.theta = -s_theta * l_lambda_along_y1 + z144;
+    forces.phi = z133 - l_lambda_along_x1;
+  }
+
+  /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by an
+  /// unrolled L D L' of M and of the Schur complement A M^-1 A'. Returns singular when a pivot is not positive
+  /// relative to its diagonal entry.
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
+      const Inputs&, Accelerations& accelerations, Multipliers& multipliers) noexcept {
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar v_x = state.v.x;
+    const Scalar v_y = state.v.y;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar p_A = precomputed.parameters.A;
+    const Scalar p_C = precomputed.parameters.C;
+    const Scalar z79 = precomputed.z79;
+    const Scalar z153 = precomputed.z153;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z10 = c_theta * v_theta;
+    const Scalar z11 = s_theta * v_theta;
+    Scalar s_psi, c_psi;
+    traits::sincos(q_psi, s_psi, c_psi);
+    const Scalar z28 = s_theta * v_psi;
+    const Scalar z29 = c_theta * v_psi;
+    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
+    const Scalar z74 = c_theta * p_C;
+    const Scalar z80 = s_theta * z79;
+    const Scalar z81 = s_theta * z80;
+    const Scalar z83 = p_C + z81;
+    const Scalar z98 = c_theta * c_theta + p_A;
+    const Scalar z99 = v_theta * z11;
+    const Scalar z100 = n9_81 - z99;
+    const Scalar z103 = v_theta * z29;  // angular acceleration of hoop.2, y
+    const Scalar z104 = v_theta * z28;  // angular acceleration of hoop.2, z
+    const Scalar z107 = z28 * z36;
+    const Scalar z108 = v_theta * z36;
+    const Scalar z109 = p_C * z107;  // moment on hoop, x
+    const Scalar z110 = p_C * z108;  // moment on hoop, y
+    const Scalar z111 = p_C * z104;  // moment on hoop, z
+    const Scalar z112 = z28 * z29;
+    const Scalar z113 = p_A * z112 - z109;  // moment on hoop.2, x
+    const Scalar z114 = n2 * p_A * z103 - z110;  // moment on hoop.2, y
+    const Scalar z116 = s_theta * z114 - c_theta * z111;
+    const Scalar z120 = c_theta * z100 - z113;
+    const Scalar z146 = v_psi * s_psi;
+    const Scalar z147 = v_psi * c_psi;
+    const Scalar z148 = v_x * z146 - v_y * z147 + z11 * v_psi;
+    const Scalar z150 = v_x * z147 + v_y * z146 - v_theta * z10;
+    const Scalar z154 = z74 * z153;
+    const Scalar z155 = z74 * z154 - z83;
+    const Scalar z156 = n1 / z98;
+    const Scalar z157 = n1 / z155;
+    const Scalar z158 = z111 * z154 + z116;
+    const Scalar z159 = z157 * z158;
+    const Scalar z160 = z120 * z156;
+    const Scalar z161 = z111 * z153 - z154 * z159;
+    const Scalar z162 = c_theta - z154;
+    const Scalar z163 = z157 * z162;
+    const Scalar z164 = z153 + z154 * z163;
+    const Scalar z165 = s_theta * z156;
+    const Scalar z166 = n1 - c_theta * z163 + z164;
+    const Scalar z167 = c_theta * z159 - z148 + z161;
+    const Scalar z168 = n1 + s_theta * z165;
+    const Scalar z169 = s_theta * z160 + z150;
+    const Scalar z170 = n1 / z168;
+    const Scalar z171 = n1 / z166;
+    const Scalar z172 = z167 * z171;
+    const Scalar z173 = z169 * z170;
+    const Scalar z174 = s_psi * z173 + c_psi * z172;
+    const Scalar z175 = s_psi * z172 - c_psi * z173;
+    const Scalar z176 = z159 + z163 * z172;
+    const Scalar z177 = z160 - z165 * z173;
+    const Scalar z178 = z161 - z164 * z172;
+    accelerations.x = -z174;
+    accelerations.y = -z175;
+    accelerations.psi = z176;
+    accelerations.theta = -z177;
+    accelerations.phi = z178;
+    multipliers.lambda_along_x1 = -z172;
+    multipliers.lambda_along_y1 = z173;
+    if (!(traits::regular(n1, n1) && traits::regular(n1, n1) && traits::regular(-z155, z83) && traits::regular(z98, z98)
+        && traits::regular(p_C, p_C) && traits::regular(z166, z166) && traits::regular(z168,
+        z168))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (accelerations.x - accelerations.x) + (accelerations.y - accelerations.y) + (accelerations.psi
+        - accelerations.psi) + (accelerations.theta - accelerations.theta) + (accelerations.phi - accelerations.phi)
+        + (multipliers.lambda_along_x1 - multipliers.lambda_along_x1) + (multipliers.lambda_along_y1
+        - multipliers.lambda_along_y1);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
+  TORSOR_DEVICE static void energy(const Precomputed& precomputed, const State& state, const Inputs&,
+      Energy& result) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar v_x = state.v.x;
+    const Scalar v_y = state.v.y;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar p_A = precomputed.parameters.A;
+    const Scalar p_C = precomputed.parameters.C;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z10 = c_theta * v_theta;
+    Scalar s_psi, c_psi;
+    traits::sincos(q_psi, s_psi, c_psi);
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z26 = v_x * c_psi + v_y * s_psi;
+    const Scalar z27 = v_x * s_psi - v_y * c_psi;
+    const Scalar z28 = s_theta * v_psi;
+    const Scalar z29 = c_theta * v_psi;
+    const Scalar z30 = s_theta * z10 - c_theta * z27;
+    const Scalar z31 = s_theta * z27 + c_theta * z10;
+    const Scalar z32 = v_theta * c_phi + s_phi * z28;
+    const Scalar z33 = v_theta * s_phi - c_phi * z28;
+    const Scalar z34 = s_phi * z30 + c_phi * z26;
+    const Scalar z35 = s_phi * z26 - c_phi * z30;
+    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
+    result.kinetic = n0_5 * (p_A * (z32 * z32 + z33 * z33) + p_C * z36 * z36 + z31 * z31 + z34 * z34 + z35 * z35);
+    result.force_function = -n9_81 * s_theta;
+    result.power = n0;
+  }
+
+  /// First integrals: constant along every motion.
+  TORSOR_DEVICE static void first_integrals(const Precomputed& precomputed, const State& state,
+      FirstIntegrals& result) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar v_x = state.v.x;
+    const Scalar v_y = state.v.y;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar p_A = precomputed.parameters.A;
+    const Scalar p_C = precomputed.parameters.C;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z10 = c_theta * v_theta;
+    Scalar s_psi, c_psi;
+    traits::sincos(q_psi, s_psi, c_psi);
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z26 = v_x * c_psi + v_y * s_psi;
+    const Scalar z27 = v_x * s_psi - v_y * c_psi;
+    const Scalar z28 = s_theta * v_psi;
+    const Scalar z29 = c_theta * v_psi;
+    const Scalar z30 = s_theta * z10 - c_theta * z27;
+    const Scalar z31 = s_theta * z27 + c_theta * z10;
+    const Scalar z32 = v_theta * c_phi + s_phi * z28;
+    const Scalar z33 = v_theta * s_phi - c_phi * z28;
+    const Scalar z34 = s_phi * z30 + c_phi * z26;
+    const Scalar z35 = s_phi * z26 - c_phi * z30;
+    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
+    result.energy = n0_5 * (p_A * (z32 * z32 + z33 * z33) + p_C * z36 * z36 + z31 * z31 + z34 * z34 + z35 * z35) + n9_81
+        * s_theta;
+  }
+
+  /// Constraints A(q, t) v - b(q, t) = 0, in the order of the multipliers.
+  TORSOR_DEVICE static void constraints(const Precomputed&, const State& state, Constraints& result) noexcept {
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar v_x = state.v.x;
+    const Scalar v_y = state.v.y;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar v_phi = state.v.phi;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z10 = c_theta * v_theta;
+    const Scalar z11 = s_theta * v_theta;
+    Scalar s_psi, c_psi;
+    traits::sincos(q_psi, s_psi, c_psi);
+    const Scalar z145 = v_x * c_psi + v_y * s_psi + c_theta * v_psi + v_phi;
+    const Scalar z146 = v_psi * s_psi;
+    const Scalar z147 = v_psi * c_psi;
+    const Scalar z148 = v_x * z146 - v_y * z147 + z11 * v_psi;
+    const Scalar z149 = v_x * s_psi - v_y * c_psi - s_theta * v_theta;
+    const Scalar z150 = v_x * z147 + v_y * z146 - v_theta * z10;
+    result.value[0] = n0;
+    result.rate[0] = z145;
+    result.gamma[0] = -z148;
+    result.value[1] = n0;
+    result.rate[1] = -z149;
+    result.gamma[1] = -z150;
+    result.jacobian[0] = c_psi;
+    result.jacobian[1] = -s_psi;
+    result.jacobian[2] = s_psi;
+    result.jacobian[3] = c_psi;
+    result.jacobian[4] = c_theta;
+    result.jacobian[5] = n0;
+    result.jacobian[6] = n0;
+    result.jacobian[7] = s_theta;
+    result.jacobian[8] = n1;
+    result.jacobian[9] = n0;
+  }
+
+  /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
+  /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
+  TORSOR_DEVICE static void linearisation(const Precomputed& precomputed, const State& state,
+      const Accelerations& accelerations, const Multipliers& multipliers, const Inputs&,
+      Linearisation& result) noexcept {
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar a_x = accelerations.x;
+    const Scalar a_y = accelerations.y;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar a_theta = accelerations.theta;
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar a_psi = accelerations.psi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar a_phi = accelerations.phi;
+    const Scalar p_A = precomputed.parameters.A;
+    const Scalar p_C = precomputed.parameters.C;
+    const Scalar l_lambda_along_x1 = multipliers.lambda_along_x1;
+    const Scalar l_lambda_along_y1 = multipliers.lambda_along_y1;
+    const Scalar z79 = precomputed.z79;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z10 = c_theta * v_theta;
+    const Scalar z11 = s_theta * v_theta;
+    const Scalar z13 = c_theta * a_theta - v_theta * z11;
+    Scalar s_psi, c_psi;
+    traits::sincos(q_psi, s_psi, c_psi);
+    const Scalar z28 = s_theta * v_psi;
+    const Scalar z29 = c_theta * v_psi;
+    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
+    const Scalar z74 = c_theta * p_C;
+    const Scalar z80 = s_theta * z79;
+    const Scalar z81 = s_theta * z80;
+    const Scalar z83 = p_C + z81;
+    const Scalar z98 = c_theta * c_theta + p_A;
+    const Scalar z103 = v_theta * z29;  // angular acceleration of hoop.2, y
+    const Scalar z104 = v_theta * z28;  // angular acceleration of hoop.2, z
+    const Scalar z107 = z28 * z36;
+    const Scalar z108 = v_theta * z36;
+    const Scalar z109 = p_C * z107;  // moment on hoop, x
+    const Scalar z110 = p_C * z108;  // moment on hoop, y
+    const Scalar z111 = p_C * z104;  // moment on hoop, z
+    const Scalar z112 = z28 * z29;
+    const Scalar z121 = n9_81 + z13;
+    const Scalar z124 = s_theta * a_psi;
+    const Scalar z125 = c_theta * a_psi;
+    const Scalar z128 = v_theta * z29 + z124;  // angular acceleration of hoop.2, y
+    const Scalar z129 = v_theta * z28 - z125;  // angular acceleration of hoop.2, z
+    const Scalar z132 = a_phi - z129;  // angular acceleration of hoop, z
+    const Scalar z133 = p_C * z132;  // moment on hoop, z
+    const Scalar z134 = p_A * (a_theta - z112) + z109;  // moment on hoop.2, x
+    const Scalar z135 = p_A * (z103 + z128) - z110;  // moment on hoop.2, y
+    const Scalar z137 = s_theta * z135 + c_theta * z133;
+    const Scalar z144 = c_theta * z121 + z134;
+    const Scalar z179 = p_C * z36;
+    const Scalar z196 = s_psi * l_lambda_along_x1 + c_psi * l_lambda_along_y1;
+    const Scalar z197 = s_psi * l_lambda_along_y1 - c_psi * l_lambda_along_x1;
+    const Scalar z198 = z10 * p_C;
+    const Scalar z199 = n2 * z10 * p_A - z198;
+    const Scalar z200 = z11 * p_C;
+    const Scalar z201 = s_theta * z199 - c_theta * z200;
+    const Scalar z202 = s_theta * z29 + c_theta * z28;
+    const Scalar z203 = s_theta * z36 + c_theta * z28;
+    const Scalar z204 = p_C * z203;
+    const Scalar z205 = p_A * z202 - z204;
+    const Scalar z206 = n2 * p_A * z29 - z179;
+    const Scalar z207 = p_C * z28;
+    const Scalar z208 = s_theta * z206 - c_theta * z207;
+    const Scalar z209 = p_A * (z104 + z129) - z111;
+    const Scalar z210 = p_C * z128;
+    const Scalar z211 = s_theta * (z133 + z209) - c_theta * (z135 - z210);
+    const Scalar z212 = s_theta * l_lambda_along_x1 - z211;
+    const Scalar z213 = s_theta * v_theta + z11;
+    const Scalar z214 = c_theta * z213;
+    const Scalar z215 = s_theta * a_theta + v_theta * z10;
+    const Scalar z216 = z28 * z28 - z29 * z29;
+    const Scalar z217 = z28 * z28 - z29 * z36;
+    const Scalar z218 = p_C * z217;
+    const Scalar z219 = p_A * z216 - z218;
+    const Scalar z220 = s_theta * z121 + c_theta * z215 - z219;
+    const Scalar z221 = c_theta * l_lambda_along_y1 + z220;
+    const Scalar z222 = v_theta * p_C;
+    const Scalar z223 = s_theta * z222;
+    result.M[0] = n1;
+    result.M[1] = n0;
+    result.M[2] = n0;
+    result.M[3] = n0;
+    result.M[4] = n0;
+    result.M[5] = n0;
+    result.M[6] = n1;
+    result.M[7] = n0;
+    result.M[8] = n0;
+    result.M[9] = n0;
+    result.M[10] = n0;
+    result.M[11] = n0;
+    result.M[12] = z83;
+    result.M[13] = n0;
+    result.M[14] = z74;
+    result.M[15] = n0;
+    result.M[16] = n0;
+    result.M[17] = n0;
+    result.M[18] = z98;
+    result.M[19] = n0;
+    result.M[20] = n0;
+    result.M[21] = n0;
+    result.M[22] = z74;
+    result.M[23] = n0;
+    result.M[24] = p_C;
+    result.C[0] = n0;
+    result.C[1] = n0;
+    result.C[2] = n0;
+    result.C[3] = n0;
+    result.C[4] = n0;
+    result.C[5] = n0;
+    result.C[6] = n0;
+    result.C[7] = n0;
+    result.C[8] = n0;
+    result.C[9] = n0;
+    result.C[10] = n0;
+    result.C[11] = n0;
+    result.C[12] = z201;
+    result.C[13] = -z205;
+    result.C[14] = -z200;
+    result.C[15] = n0;
+    result.C[16] = n0;
+    result.C[17] = z208;
+    result.C[18] = -z214;
+    result.C[19] = -z207;
+    result.C[20] = n0;
+    result.C[21] = n0;
+    result.C[22] = -z223;
+    result.C[23] = z207;
+    result.C[24] = n0;
+    result.K[0] = n0;
+    result.K[1] = n0;
+    result.K[2] = n0;
+    result.K[3] = n0;
+    result.K[4] = n0;
+    result.K[5] = n0;
+    result.K[6] = n0;
+    result.K[7] = n0;
+    result.K[8] = n0;
+    result.K[9] = n0;
+    result.K[10] = z196;
+    result.K[11] = z197;
+    result.K[12] = n0;
+    result.K[13] = n0;
+    result.K[14] = n0;
+    result.K[15] = n0;
+    result.K[16] = n0;
+    result.K[17] = z212;
+    result.K[18] = -z221;
+    result.K[19] = -z210;
+    result.K[20] = n0;
+    result.K[21] = n0;
+    result.K[22] = n0;
+    result.K[23] = n0;
+    result.K[24] = n0;
+    result.F[0] = -a_x - s_psi * l_lambda_along_y1 + c_psi * l_lambda_along_x1;
+    result.F[1] = -a_y + s_psi * l_lambda_along_x1 + c_psi * l_lambda_along_y1;
+    result.F[2] = c_theta * l_lambda_along_x1 - z137;
+    result.F[3] = s_theta * l_lambda_along_y1 - z144;
+    result.F[4] = -z133 + l_lambda_along_x1;
+  }
+};
+
+}  // namespace rolling_hoop

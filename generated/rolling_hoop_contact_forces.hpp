@@ -1,0 +1,1097 @@
+// SPDX-License-Identifier: MIT
+// rolling_hoop_contact_forces: Hoop rolling without slipping: six coordinates, the three contact forces
+// Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
+// Free to embed under the MIT licence.
+//
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, constraints, linearisation
+// Parameters set at run time: A, C
+//
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total):
+//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total
+//   precompute                1                0          2             0                  0       0      3
+//   kinematics               38               70          0             0                  3       0    114
+//   mass_matrix               1                3          0             0                  1       0      6
+//   bias                      4               15          0             0                  1       0     21
+//   inverse_dynamics         26               33          0             0                  2       0     63
+//   forward_dynamics         42               76          4             0                  2       0    126
+//   energy                   14               28          0             0                  3       0     48
+//   first_integrals          15               28          0             0                  3       0     49
+//   constraints              11               17          0             0                  2       0     32
+//   linearisation            56               88          0             0                  2       0    148
+//
+// Not computed because this mechanism does not need it:
+//   kinematics: of 42 results 10 vanish identically
+//   mass_matrix: of 36 results 28 vanish identically, 1 repeat another up to sign
+//   bias: of 6 results 2 vanish identically
+//   energy: of 3 results 1 vanish identically
+//   constraints: of 27 results 11 vanish identically, 3 repeat another up to sign
+//   reactions: left out, the scene releases no joint direction (released_coordinate)
+//   linearisation: of 114 results 86 vanish identically, 2 repeat another up to sign
+//
+// To write this file again:
+//   rolling_hoop_contact_forces_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output rolling_hoop_contact_forces.hpp
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#ifndef TORSOR_KERNEL_SUPPORT
+#define TORSOR_KERNEL_SUPPORT 1
+// Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
+#ifndef TORSOR_DEVICE
+#define TORSOR_DEVICE
+#endif
+
+namespace torsor {
+
+/// What a kernel says about its results; the larger, the worse.
+enum class Status : int { ok = 0, singular = 1, not_finite = 2 };
+
+/// What a kernel needs of its scalar. This one serves float and double; specialise it, once a header is included, for
+/// any other (a pack of several states, a high-precision number).
+template <class Scalar>
+struct scalar_traits {
+  static_assert(sizeof(Scalar) == sizeof(float) || sizeof(Scalar) == sizeof(double),
+                "specialise torsor::scalar_traits for a scalar that is neither float nor double");
+  static constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+
+  /// A number, rounded for either format. `exact` is "num/den", or "a;b;c;d" for a + b sqrt(2) + c sqrt(3) + d sqrt(6).
+  TORSOR_DEVICE static constexpr Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    return is_float ? static_cast<Scalar>(in_float) : static_cast<Scalar>(in_double);
+  }
+  /// The same for a number that is no such sum: a callable computes it where literals are not precise enough.
+  template <class Callable>
+  TORSOR_DEVICE static constexpr Scalar formula(double in_double, float in_float, const Callable&) noexcept {
+    return constant(in_double, in_float, nullptr);
+  }
+  TORSOR_DEVICE static constexpr Scalar pi() noexcept { return constant(3.141592653589793, 3.1415927f, nullptr); }
+  TORSOR_DEVICE static constexpr Scalar select(bool condition, Scalar if_true, Scalar if_false) noexcept {
+    return condition ? if_true : if_false;
+  }
+  TORSOR_DEVICE static void sincos(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
+    sine = std::sin(angle);
+    cosine = std::cos(angle);
+  }
+  TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
+  TORSOR_DEVICE static Scalar exp(const Scalar& x) noexcept { return std::exp(x); }
+  TORSOR_DEVICE static Scalar log(const Scalar& x) noexcept { return std::log(x); }
+  /// Whether a pivot is positive beyond the rounding of the diagonal entry it came from; not when it is not a number.
+  TORSOR_DEVICE static bool regular(const Scalar& pivot, const Scalar& diagonal) noexcept {
+    return pivot > constant(0x1p-52, 0x1p-23f, nullptr) * std::abs(diagonal);
+  }
+};
+
+}  // namespace torsor
+#elif TORSOR_KERNEL_SUPPORT != 1
+#error "headers of incompatible versions of torsor meet here: write them again with one version"
+#endif
+
+namespace rolling_hoop_contact_forces {
+
+/// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
+/// M a + h = E u + A' lambda and A a + gamma = 0, with a the accelerations and u the inputs; units are SI.
+template <class Scalar>
+struct Mechanism {
+  using traits = torsor::scalar_traits<Scalar>;
+
+  static constexpr const char* name = "rolling_hoop_contact_forces";
+  static constexpr int coordinate_count = 6;
+  static constexpr int velocity_count = 6;
+  static constexpr int input_count = 0;
+  static constexpr int parameter_count = 2;
+  static constexpr int multiplier_count = 3;
+
+  /// Parameters that are set at run time.
+  struct Parameters {
+    Scalar A;  ///< parameter [kg m^2]
+    Scalar C;  ///< parameter [kg m^2]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Parameters::*member_(int i_) noexcept {
+      constexpr Scalar Parameters::*members_[] = {&Parameters::A, &Parameters::C};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised coordinates q.
+  struct Coordinates {
+    Scalar x;  ///< coordinate [m]
+    Scalar y;  ///< coordinate [m]
+    Scalar z;  ///< coordinate [m]
+    Scalar psi;  ///< coordinate [rad or 1]
+    Scalar theta;  ///< coordinate [rad or 1]
+    Scalar phi;  ///< coordinate [rad or 1]
+    static constexpr int size = 6;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Coordinates::*member_(int i_) noexcept {
+      constexpr Scalar Coordinates::*members_[] = {&Coordinates::x, &Coordinates::y, &Coordinates::z, &Coordinates::psi,
+          &Coordinates::theta, &Coordinates::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised velocities v = dq/dt.
+  struct Velocities {
+    Scalar x;  ///< its rate [m/s]
+    Scalar y;  ///< its rate [m/s]
+    Scalar z;  ///< its rate [m/s]
+    Scalar psi;  ///< its rate [rad/s]
+    Scalar theta;  ///< its rate [rad/s]
+    Scalar phi;  ///< its rate [rad/s]
+    static constexpr int size = 6;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Velocities::*member_(int i_) noexcept {
+      constexpr Scalar Velocities::*members_[] = {&Velocities::x, &Velocities::y, &Velocities::z, &Velocities::psi,
+          &Velocities::theta, &Velocities::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised accelerations dv/dt.
+  struct Accelerations {
+    Scalar x;  ///< its second rate [m/s^2]
+    Scalar y;  ///< its second rate [m/s^2]
+    Scalar z;  ///< its second rate [m/s^2]
+    Scalar psi;  ///< its second rate [rad/s^2]
+    Scalar theta;  ///< its second rate [rad/s^2]
+    Scalar phi;  ///< its second rate [rad/s^2]
+    static constexpr int size = 6;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Accelerations::*member_(int i_) noexcept {
+      constexpr Scalar Accelerations::*members_[] = {&Accelerations::x, &Accelerations::y, &Accelerations::z,
+          &Accelerations::psi, &Accelerations::theta, &Accelerations::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised forces, one along each coordinate.
+  struct GeneralizedForces {
+    Scalar x;  ///< works with the rate of x [N]
+    Scalar y;  ///< works with the rate of y [N]
+    Scalar z;  ///< works with the rate of z [N]
+    Scalar psi;  ///< works with the rate of psi [N m]
+    Scalar theta;  ///< works with the rate of theta [N m]
+    Scalar phi;  ///< works with the rate of phi [N m]
+    static constexpr int size = 6;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar GeneralizedForces::*member_(int i_) noexcept {
+      constexpr Scalar GeneralizedForces::*members_[] = {&GeneralizedForces::x, &GeneralizedForces::y,
+          &GeneralizedForces::z, &GeneralizedForces::psi, &GeneralizedForces::theta, &GeneralizedForces::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Forces and torques of motors, set at each call.
+  struct Inputs {
+    static constexpr int size = 0;
+  };
+
+  /// Multipliers of the constraints, or the reactions that enforce them.
+  struct Multipliers {
+    Scalar X_F;  ///< of the constraint along_x1 [N]
+    Scalar Y_F;  ///< of the constraint along_y1 [N]
+    Scalar N;  ///< of the constraint touching [N]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Multipliers::*member_(int i_) noexcept {
+      constexpr Scalar Multipliers::*members_[] = {&Multipliers::X_F, &Multipliers::Y_F, &Multipliers::N};
+      return members_[i_];
+    }
+  };
+
+  /// Time [s], coordinates and velocities.
+  struct State {
+    Scalar time;
+    Coordinates q;
+    Velocities v;
+  };
+
+  /// Parameters and what depends on them only: built once for each set of parameters.
+  struct Precomputed {
+    Parameters parameters;
+    Scalar z82;
+    Scalar z159;
+    Scalar z162;
+  };
+
+  /// Values of the scene.
+  TORSOR_DEVICE static Parameters default_parameters() noexcept {
+    Parameters parameters{};
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    parameters.A = n0_5;
+    parameters.C = n1;
+    return parameters;
+  }
+
+  /// To be called again when a parameter changes.
+  TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
+    Precomputed precomputed{};
+    precomputed.parameters = parameters;
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar p_A = parameters.A;
+    const Scalar p_C = parameters.C;
+    const Scalar z82 = p_A - p_C;
+    const Scalar z159 = n1 / p_C;
+    const Scalar z162 = n1 / p_A;
+    precomputed.z82 = z82;
+    precomputed.z159 = z159;
+    precomputed.z162 = z162;
+    return precomputed;
+  }
+
+  /// The state the scene starts from, for these parameters.
+  TORSOR_DEVICE static State initial_state(const Parameters&) noexcept {
+    State state{};
+    const Scalar n1_2 = traits::constant(1.2, 1.2f, "6/5");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n4 = traits::constant(4.0, 4.0f, "4/1");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar z0 = n1_2;
+    const Scalar z1 = traits::formula(0.36235775447667357, 0.36235777f, [&]() -> Scalar {
+      Scalar sine, cosine;
+      traits::sincos(z0, sine, cosine);
+      return cosine;
+    });
+    const Scalar z2 = traits::formula(0.9320390859672264, 0.9320391f, [&]() -> Scalar {
+      Scalar sine, cosine;
+      traits::sincos(z0, sine, cosine);
+      return sine;
+    });
+    state.time = n0;
+    state.q.x = n0;
+    state.q.y = z1;
+    state.q.z = z2;
+    state.q.psi = n0;
+    state.q.theta = n1_2;
+    state.q.phi = n0;
+    state.v.x = n4 - n0_5 * z1;
+    state.v.y = n0_3 * z2;
+    state.v.z = -n0_3 * z1;
+    state.v.psi = n0_5;
+    state.v.theta = -n0_3;
+    state.v.phi = -n4;
+    return state;
+  }
+  TORSOR_DEVICE static State initial_state() noexcept { return initial_state(default_parameters()); }
+
+  /// Poses, twists and named points in ground axes.
+  struct Kinematics {
+    std::array<Scalar, 3> hoop_position;  ///< centre of mass of hoop [m]
+    std::array<Scalar, 9> hoop_rotation;  ///< from the axes of hoop to the ground's (3 x 3)
+    std::array<Scalar, 3> hoop_velocity;  ///< velocity of the centre of mass of hoop [m/s]
+    std::array<Scalar, 3> hoop_angular_velocity;  ///< angular velocity of hoop [rad/s]
+    std::array<Scalar, 3> I_position;  ///< position of I [m]
+    std::array<Scalar, 3> I_velocity;  ///< velocity of the material point at I [m/s]
+    std::array<Scalar, 18> I_jacobian;  ///< partial velocities of I (3 x 6)
+  };
+
+  /// Energies of the mechanism.
+  struct Energy {
+    Scalar kinetic;  ///< kinetic energy T [J]
+    Scalar force_function;  ///< force function U of gravity and springs [J]
+    Scalar power;  ///< power of dampers, given forces and motors [W]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Energy::*member_(int i_) noexcept {
+      constexpr Scalar Energy::*members_[] = {&Energy::kinetic, &Energy::force_function, &Energy::power};
+      return members_[i_];
+    }
+  };
+
+  /// Quantities that every motion conserves.
+  struct FirstIntegrals {
+    Scalar energy;  ///< T - U [J]
+    static constexpr int size = 1;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar FirstIntegrals::*member_(int i_) noexcept {
+      constexpr Scalar FirstIntegrals::*members_[] = {&FirstIntegrals::energy};
+      return members_[i_];
+    }
+  };
+  static constexpr int first_integral_count = 1;
+
+  /// Constraints and their derivatives, one entry per multiplier.
+  struct Constraints {
+    std::array<Scalar, 3> value;  ///< f(q, t) of holonomic constraints, 0 for the others
+    std::array<Scalar, 3> rate;  ///< A v - b, df/dt for holonomic ones
+    std::array<Scalar, 18> jacobian;  ///< A, stored column by column (3 x 6)
+    std::array<Scalar, 3> gamma;  ///< d(A v - b)/dt at zero acceleration: A a + gamma = 0
+  };
+
+  /// Matrices of the linearised equations, stored column by column.
+  struct Linearisation {
+    std::array<Scalar, 36> M;  ///< mass matrix (6 x 6)
+    std::array<Scalar, 36> C;  ///< damping and gyroscopic terms (6 x 6)
+    std::array<Scalar, 36> K;  ///< stiffness (6 x 6)
+    std::array<Scalar, 6> F;  ///< right-hand side
+  };
+
+  /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
+  /// matrices column by column.
+  TORSOR_DEVICE static void kinematics(const Precomputed&, const State& state, Kinematics& result) noexcept {
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_x = state.q.x;
+    const Scalar v_x = state.v.x;
+    const Scalar q_y = state.q.y;
+    const Scalar v_y = state.v.y;
+    const Scalar q_z = state.q.z;
+    const Scalar v_z = state.v.z;
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    Scalar s_psi, c_psi;
+    traits::sincos(q_psi, s_psi, c_psi);
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z26 = v_x * c_psi + v_y * s_psi;
+    const Scalar z27 = v_x * s_psi - v_y * c_psi;
+    const Scalar z28 = v_psi * s_theta;
+    const Scalar z29 = v_psi * c_theta;
+    const Scalar z30 = v_z * s_theta - c_theta * z27;
+    const Scalar z31 = v_z * c_theta + s_theta * z27;
+    const Scalar z32 = v_theta * c_phi + s_phi * z28;
+    const Scalar z33 = v_theta * s_phi - c_phi * z28;
+    const Scalar z34 = s_phi * z30 + c_phi * z26;
+    const Scalar z35 = s_phi * z26 - c_phi * z30;
+    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
+    const Scalar z37 = c_theta * s_phi;
+    const Scalar z38 = s_theta * s_phi;
+    const Scalar z39 = s_psi * z37 - c_psi * c_phi;
+    const Scalar z40 = s_psi * c_phi + c_psi * z37;
+    const Scalar z41 = c_theta * c_phi;
+    const Scalar z42 = s_theta * c_phi;
+    const Scalar z43 = s_psi * z41 + c_psi * s_phi;
+    const Scalar z44 = s_psi * s_phi - c_psi * z41;
+    const Scalar z45 = s_psi * s_theta;
+    const Scalar z46 = c_psi * s_theta;
+    const Scalar z47 = s_phi * z35 + c_phi * z34;
+    const Scalar z48 = s_phi * z34 - c_phi * z35;
+    const Scalar z49 = s_theta * z31 - c_theta * z48;
+    const Scalar z50 = s_theta * z48 + c_theta * z31;
+    const Scalar z51 = s_psi * z49 + c_psi * z47;
+    const Scalar z52 = s_psi * z47 - c_psi * z49;
+    const Scalar z53 = s_phi * z33 + c_phi * z32;
+    const Scalar z54 = s_phi * z32 - c_phi * z33;
+    const Scalar z55 = s_theta * z36 - c_theta * z54;
+    const Scalar z56 = s_theta * z54 + c_theta * z36;
+    const Scalar z57 = s_psi * z55 + c_psi * z53;
+    const Scalar z58 = s_psi * z53 - c_psi * z55;
+    const Scalar z59 = s_psi * c_theta;
+    const Scalar z60 = c_psi * c_theta;
+    const Scalar z61 = q_z - s_theta;
+    const Scalar z62 = q_y - z60;
+    const Scalar z63 = q_x + z59;
+    const Scalar z64 = z26 + z29;
+    const Scalar z65 = v_theta - z31;
+    const Scalar z66 = s_theta * z65 + c_theta * z30;
+    const Scalar z67 = s_theta * z30 - c_theta * z65;
+    const Scalar z68 = s_psi * z66 - c_psi * z64;
+    const Scalar z69 = s_psi * z64 + c_psi * z66;
+    const Scalar z70 = q_x - z63;
+    const Scalar z71 = q_y - z62;
+    const Scalar z72 = q_z - z61;
+    const Scalar z73 = s_psi * z72;
+    const Scalar z74 = c_psi * z72;
+    const Scalar z75 = s_psi * z70 - c_psi * z71;
+    result.hoop_position[0] = q_x;
+    result.hoop_position[1] = q_y;
+    result.hoop_position[2] = q_z;
+    result.hoop_rotation[0] = -z39;
+    result.hoop_rotation[1] = z40;
+    result.hoop_rotation[2] = z38;
+    result.hoop_rotation[3] = -z43;
+    result.hoop_rotation[4] = -z44;
+    result.hoop_rotation[5] = z42;
+    result.hoop_rotation[6] = z45;
+    result.hoop_rotation[7] = -z46;
+    result.hoop_rotation[8] = c_theta;
+    result.hoop_velocity[0] = z51;
+    result.hoop_velocity[1] = z52;
+    result.hoop_velocity[2] = z50;
+    result.hoop_angular_velocity[0] = z57;
+    result.hoop_angular_velocity[1] = z58;
+    result.hoop_angular_velocity[2] = z56;
+    result.I_position[0] = z63;
+    result.I_position[1] = z62;
+    result.I_position[2] = z61;
+    result.I_velocity[0] = -z68;
+    result.I_velocity[1] = z69;
+    result.I_velocity[2] = z67;
+    result.I_jacobian[0] = n1;
+    result.I_jacobian[3] = n0;
+    result.I_jacobian[6] = n0;
+    result.I_jacobian[9] = z71;
+    result.I_jacobian[12] = -z73;
+    result.I_jacobian[15] = n0;
+    result.I_jacobian[1] = n0;
+    result.I_jacobian[4] = n1;
+    result.I_jacobian[7] = n0;
+    result.I_jacobian[10] = -z70;
+    result.I_jacobian[13] = z74;
+    result.I_jacobian[16] = n0;
+    result.I_jacobian[2] = n0;
+    result.I_jacobian[5] = n0;
+    result.I_jacobian[8] = n1;
+    result.I_jacobian[11] = n0;
+    result.I_jacobian[14] = z75;
+    result.I_jacobian[17] = n0;
+  }
+
+  /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
+  TORSOR_DEVICE static void mass_matrix(const Precomputed& precomputed, const State& state,
+      std::array<Scalar, 36>& mass) noexcept {
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_theta = state.q.theta;
+    const Scalar p_A = precomputed.parameters.A;
+    const Scalar p_C = precomputed.parameters.C;
+    const Scalar z82 = precomputed.z82;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z77 = c_theta * p_C;
+    const Scalar z83 = s_theta * z82;
+    const Scalar z84 = s_theta * z83;
+    const Scalar z86 = p_C + z84;
+    mass[0] = n1;
+    mass[1] = n0;
+    mass[2] = n0;
+    mass[3] = n0;
+    mass[4] = n0;
+    mass[5] = n0;
+    mass[6] = n0;
+    mass[7] = n1;
+    mass[8] = n0;
+    mass[9] = n0;
+    mass[10] = n0;
+    mass[11] = n0;
+    mass[12] = n0;
+    mass[13] = n0;
+    mass[14] = n1;
+    mass[15] = n0;
+    mass[16] = n0;
+    mass[17] = n0;
+    mass[18] = n0;
+    mass[19] = n0;
+    mass[20] = n0;
+    mass[21] = z86;
+    mass[22] = n0;
+    mass[23] = z77;
+    mass[24] = n0;
+    mass[25] = n0;
+    mass[26] = n0;
+    mass[27] = n0;
+    mass[28] = p_A;
+    mass[29] = n0;
+    mass[30] = n0;
+    mass[31] = n0;
+    mass[32] = n0;
+    mass[33] = z77;
+    mass[34] = n0;
+    mass[35] = p_C;
+  }
+
+  /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
+  /// actions included. M a + h = E u + A' lambda.
+  TORSOR_DEVICE static void bias(const Precomputed& precomputed, const State& state,
+      GeneralizedForces& forces) noexcept {
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar v_phi = state.v.phi;
+    const Scalar p_A = precomputed.parameters.A;
+    const Scalar p_C = precomputed.parameters.C;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z28 = v_psi * s_theta;
+    const Scalar z29 = v_psi * c_theta;
+    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
+    const Scalar z103 = v_theta * z29;  // angular acceleration of hoop.2, y
+    const Scalar z104 = v_theta * z28;  // angular acceleration of hoop.2, z
+    const Scalar z107 = z28 * z36;
+    const Scalar z108 = v_theta * z36;
+    const Scalar z109 = p_C * z107;  // moment on hoop, x
+    const Scalar z110 = p_C * z108;  // moment on hoop, y
+    const Scalar z111 = p_C * z104;  // moment on hoop, z
+    const Scalar z112 = z28 * z29;
+    const Scalar z113 = p_A * z112 - z109;  // moment on hoop.2, x
+    const Scalar z114 = n2 * p_A * z103 - z110;  // moment on hoop.2, y
+    const Scalar z116 = s_theta * z114 - c_theta * z111;
+    forces.x = n0;
+    forces.y = n0;
+    forces.z = n9_81;
+    forces.psi = z116;
+    forces.theta = -z113;
+    forces.phi = -z111;
+  }
+
+  /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
+  TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State& state,
+      const Accelerations& accelerations, const Multipliers& multipliers, GeneralizedForces& forces) noexcept {
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar q_x = state.q.x;
+    const Scalar a_x = accelerations.x;
+    const Scalar q_y = state.q.y;
+    const Scalar a_y = accelerations.y;
+    const Scalar a_z = accelerations.z;
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar a_psi = accelerations.psi;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar a_theta = accelerations.theta;
+    const Scalar v_phi = state.v.phi;
+    const Scalar a_phi = accelerations.phi;
+    const Scalar p_A = precomputed.parameters.A;
+    const Scalar p_C = precomputed.parameters.C;
+    const Scalar l_X_F = multipliers.X_F;
+    const Scalar l_Y_F = multipliers.Y_F;
+    const Scalar l_N = multipliers.N;
+    Scalar s_psi, c_psi;
+    traits::sincos(q_psi, s_psi, c_psi);
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z28 = v_psi * s_theta;
+    const Scalar z29 = v_psi * c_theta;
+    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
+    const Scalar z45 = s_psi * s_theta;
+    const Scalar z46 = c_psi * s_theta;
+    const Scalar z59 = s_psi * c_theta;
+    const Scalar z60 = c_psi * c_theta;
+    const Scalar z62 = q_y - z60;
+    const Scalar z63 = q_x + z59;
+    const Scalar z70 = q_x - z63;
+    const Scalar z71 = q_y - z62;
+    const Scalar z75 = s_psi * z70 - c_psi * z71;
+    const Scalar z103 = v_theta * z29;  // angular acceleration of hoop.2, y
+    const Scalar z107 = z28 * z36;
+    const Scalar z108 = v_theta * z36;
+    const Scalar z109 = p_C * z107;  // moment on hoop, x
+    const Scalar z110 = p_C * z108;  // moment on hoop, y
+    const Scalar z112 = z28 * z29;
+    const Scalar z120 = n9_81 + a_z;
+    const Scalar z123 = a_psi * s_theta;
+    const Scalar z124 = a_psi * c_theta;
+    const Scalar z127 = v_theta * z29 + z123;  // angular acceleration of hoop.2, y
+    const Scalar z128 = v_theta * z28 - z124;  // angular acceleration of hoop.2, z
+    const Scalar z131 = a_phi - z128;  // angular acceleration of hoop, z
+    const Scalar z132 = p_C * z131;  // moment on hoop, z
+    const Scalar z133 = p_A * (a_theta - z112) + z109;  // moment on hoop.2, x
+    const Scalar z134 = p_A * (z103 + z127) - z110;  // moment on hoop.2, y
+    const Scalar z136 = s_theta * z134 + c_theta * z132;
+    const Scalar z155 = z45 * z71 + z46 * z70;
+    forces.x = a_x + s_psi * l_Y_F - c_psi * l_X_F;
+    forces.y = a_y - s_psi * l_X_F - c_psi * l_Y_F;
+    forces.z = z120 - l_N;
+    forces.psi = -c_theta * l_X_F + z136;
+    forces.theta = -s_theta * l_Y_F - z75 * l_N + z133;
+    forces.phi = z132 + z155 * l_N - l_X_F;
+  }
+
+  /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by an
+  /// unrolled L D L' of M and of the Schur complement A M^-1 A'. Returns singular when a pivot is not positive
+  /// relative to its diagonal entry.
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
+      const Inputs&, Accelerations& accelerations, Multipliers& multipliers) noexcept {
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar q_x = state.q.x;
+    const Scalar v_x = state.v.x;
+    const Scalar q_y = state.q.y;
+    const Scalar v_y = state.v.y;
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar v_phi = state.v.phi;
+    const Scalar p_A = precomputed.parameters.A;
+    const Scalar p_C = precomputed.parameters.C;
+    const Scalar z82 = precomputed.z82;
+    const Scalar z159 = precomputed.z159;
+    const Scalar z162 = precomputed.z162;
+    Scalar s_psi, c_psi;
+    traits::sincos(q_psi, s_psi, c_psi);
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z28 = v_psi * s_theta;
+    const Scalar z29 = v_psi * c_theta;
+    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
+    const Scalar z45 = s_psi * s_theta;
+    const Scalar z46 = c_psi * s_theta;
+    const Scalar z59 = s_psi * c_theta;
+    const Scalar z60 = c_psi * c_theta;
+    const Scalar z62 = q_y - z60;
+    const Scalar z63 = q_x + z59;
+    const Scalar z70 = q_x - z63;
+    const Scalar z71 = q_y - z62;
+    const Scalar z75 = s_psi * z70 - c_psi * z71;
+    const Scalar z77 = c_theta * p_C;
+    const Scalar z83 = s_theta * z82;
+    const Scalar z84 = s_theta * z83;
+    const Scalar z86 = p_C + z84;
+    const Scalar z103 = v_theta * z29;  // angular acceleration of hoop.2, y
+    const Scalar z104 = v_theta * z28;  // angular acceleration of hoop.2, z
+    const Scalar z107 = z28 * z36;
+    const Scalar z108 = v_theta * z36;
+    const Scalar z109 = p_C * z107;  // moment on hoop, x
+    const Scalar z110 = p_C * z108;  // moment on hoop, y
+    const Scalar z111 = p_C * z104;  // moment on hoop, z
+    const Scalar z112 = z28 * z29;
+    const Scalar z113 = p_A * z112 - z109;  // moment on hoop.2, x
+    const Scalar z114 = n2 * p_A * z103 - z110;  // moment on hoop.2, y
+    const Scalar z116 = s_theta * z114 - c_theta * z111;
+    const Scalar z144 = v_psi * s_psi;
+    const Scalar z145 = v_psi * c_psi;
+    const Scalar z146 = v_theta * s_theta;
+    const Scalar z147 = v_x * z144 - v_y * z145 + v_psi * z146;
+    const Scalar z149 = v_theta * c_theta;
+    const Scalar z150 = v_x * z145 + v_y * z144 - v_theta * z149;
+    const Scalar z152 = v_theta * z146;
+    const Scalar z155 = z45 * z71 + z46 * z70;
+    const Scalar z160 = z77 * z159;
+    const Scalar z161 = z77 * z160 - z86;
+    const Scalar z163 = n1 / z161;
+    const Scalar z164 = z111 * z160 + z116;
+    const Scalar z165 = z163 * z164;
+    const Scalar z166 = z113 * z162;
+    const Scalar z167 = z111 * z159 - z160 * z165;
+    const Scalar z168 = c_theta - z160;
+    const Scalar z169 = z163 * z168;
+    const Scalar z170 = z159 + z160 * z169;
+    const Scalar z171 = s_theta * z162;
+    const Scalar z172 = z155 * z160;
+    const Scalar z173 = z163 * z172;
+    const Scalar z174 = z75 * z162;
+    const Scalar z175 = z155 * z159 - z160 * z173;
+    const Scalar z176 = n1 - c_theta * z169 + z170;
+    const Scalar z177 = c_theta * z165 - z147 + z167;
+    const Scalar z178 = n1 + s_theta * z171;
+    const Scalar z179 = s_theta * z166 - z150;
+    const Scalar z180 = c_theta * z171;
+    const Scalar z181 = n1 - c_theta * z174;
+    const Scalar z182 = n9_81 + c_theta * z166 - z152;
+    const Scalar z183 = n1 / z181;
+    const Scalar z184 = z180 * z183;
+    const Scalar z185 = z178 - z180 * z184;
+    const Scalar z186 = n1 / z185;
+    const Scalar z187 = n1 / z176;
+    const Scalar z188 = z179 - z182 * z184;
+    const Scalar z189 = z177 * z187;
+    const Scalar z190 = z186 * z188;
+    const Scalar z191 = z182 * z183 - z184 * z190;
+    const Scalar z192 = s_psi * z190 - c_psi * z189;
+    const Scalar z193 = s_psi * z189 + c_psi * z190;
+    const Scalar z194 = n9_81 - z191;
+    const Scalar z195 = z165 + z169 * z189 - z173 * z191;
+    const Scalar z196 = z166 - z171 * z190 + z174 * z191;
+    const Scalar z197 = z167 - z170 * z189 - z175 * z191;
+    accelerations.x = z192;
+    accelerations.y = -z193;
+    accelerations.z = -z194;
+    accelerations.psi = z195;
+    accelerations.theta = z196;
+    accelerations.phi = z197;
+    multipliers.X_F = -z189;
+    multipliers.Y_F = -z190;
+    multipliers.N = z191;
+    if (!(traits::regular(n1, n1) && traits::regular(n1, n1) && traits::regular(n1, n1) && traits::regular(-z161, z86)
+        && traits::regular(p_A, p_A) && traits::regular(p_C, p_C) && traits::regular(z176, z176)
+        && traits::regular(z185, z178) && traits::regular(z181, z181))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (accelerations.x - accelerations.x) + (accelerations.y - accelerations.y) + (accelerations.z
+        - accelerations.z) + (accelerations.psi - accelerations.psi) + (accelerations.theta - accelerations.theta)
+        + (accelerations.phi - accelerations.phi) + (multipliers.X_F - multipliers.X_F) + (multipliers.Y_F
+        - multipliers.Y_F) + (multipliers.N - multipliers.N);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
+  TORSOR_DEVICE static void energy(const Precomputed& precomputed, const State& state, const Inputs&,
+      Energy& result) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar v_x = state.v.x;
+    const Scalar v_y = state.v.y;
+    const Scalar q_z = state.q.z;
+    const Scalar v_z = state.v.z;
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar p_A = precomputed.parameters.A;
+    const Scalar p_C = precomputed.parameters.C;
+    Scalar s_psi, c_psi;
+    traits::sincos(q_psi, s_psi, c_psi);
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z26 = v_x * c_psi + v_y * s_psi;
+    const Scalar z27 = v_x * s_psi - v_y * c_psi;
+    const Scalar z28 = v_psi * s_theta;
+    const Scalar z29 = v_psi * c_theta;
+    const Scalar z30 = v_z * s_theta - c_theta * z27;
+    const Scalar z31 = v_z * c_theta + s_theta * z27;
+    const Scalar z32 = v_theta * c_phi + s_phi * z28;
+    const Scalar z33 = v_theta * s_phi - c_phi * z28;
+    const Scalar z34 = s_phi * z30 + c_phi * z26;
+    const Scalar z35 = s_phi * z26 - c_phi * z30;
+    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
+    result.kinetic = n0_5 * (p_A * (z32 * z32 + z33 * z33) + p_C * z36 * z36 + z31 * z31 + z34 * z34 + z35 * z35);
+    result.force_function = -n9_81 * q_z;
+    result.power = n0;
+  }
+
+  /// First integrals: constant along every motion.
+  TORSOR_DEVICE static void first_integrals(const Precomputed& precomputed, const State& state,
+      FirstIntegrals& result) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar v_x = state.v.x;
+    const Scalar v_y = state.v.y;
+    const Scalar q_z = state.q.z;
+    const Scalar v_z = state.v.z;
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar p_A = precomputed.parameters.A;
+    const Scalar p_C = precomputed.parameters.C;
+    Scalar s_psi, c_psi;
+    traits::sincos(q_psi, s_psi, c_psi);
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z26 = v_x * c_psi + v_y * s_psi;
+    const Scalar z27 = v_x * s_psi - v_y * c_psi;
+    const Scalar z28 = v_psi * s_theta;
+    const Scalar z29 = v_psi * c_theta;
+    const Scalar z30 = v_z * s_theta - c_theta * z27;
+    const Scalar z31 = v_z * c_theta + s_theta * z27;
+    const Scalar z32 = v_theta * c_phi + s_phi * z28;
+    const Scalar z33 = v_theta * s_phi - c_phi * z28;
+    const Scalar z34 = s_phi * z30 + c_phi * z26;
+    const Scalar z35 = s_phi * z26 - c_phi * z30;
+    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
+    result.energy = n0_5 * (p_A * (z32 * z32 + z33 * z33) + p_C * z36 * z36 + z31 * z31 + z34 * z34 + z35 * z35) + n9_81
+        * q_z;
+  }
+
+  /// Constraints A(q, t) v - b(q, t) = 0, in the order of the multipliers.
+  TORSOR_DEVICE static void constraints(const Precomputed&, const State& state, Constraints& result) noexcept {
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar v_x = state.v.x;
+    const Scalar v_y = state.v.y;
+    const Scalar q_z = state.q.z;
+    const Scalar v_z = state.v.z;
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar v_phi = state.v.phi;
+    Scalar s_psi, c_psi;
+    traits::sincos(q_psi, s_psi, c_psi);
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z61 = q_z - s_theta;
+    const Scalar z143 = v_x * c_psi + v_y * s_psi + v_psi * c_theta + v_phi;
+    const Scalar z144 = v_psi * s_psi;
+    const Scalar z145 = v_psi * c_psi;
+    const Scalar z146 = v_theta * s_theta;
+    const Scalar z147 = v_x * z144 - v_y * z145 + v_psi * z146;
+    const Scalar z148 = v_x * s_psi - v_y * c_psi - v_theta * s_theta;
+    const Scalar z149 = v_theta * c_theta;
+    const Scalar z150 = v_x * z145 + v_y * z144 - v_theta * z149;
+    const Scalar z151 = v_z - z149;
+    const Scalar z152 = v_theta * z146;
+    result.value[0] = n0;
+    result.rate[0] = z143;
+    result.gamma[0] = -z147;
+    result.value[1] = n0;
+    result.rate[1] = -z148;
+    result.gamma[1] = -z150;
+    result.value[2] = z61;
+    result.rate[2] = z151;
+    result.gamma[2] = z152;
+    result.jacobian[0] = c_psi;
+    result.jacobian[1] = -s_psi;
+    result.jacobian[2] = n0;
+    result.jacobian[3] = s_psi;
+    result.jacobian[4] = c_psi;
+    result.jacobian[5] = n0;
+    result.jacobian[6] = n0;
+    result.jacobian[7] = n0;
+    result.jacobian[8] = n1;
+    result.jacobian[9] = c_theta;
+    result.jacobian[10] = n0;
+    result.jacobian[11] = n0;
+    result.jacobian[12] = n0;
+    result.jacobian[13] = s_theta;
+    result.jacobian[14] = -c_theta;
+    result.jacobian[15] = n1;
+    result.jacobian[16] = n0;
+    result.jacobian[17] = n0;
+  }
+
+  /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
+  /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
+  TORSOR_DEVICE static void linearisation(const Precomputed& precomputed, const State& state,
+      const Accelerations& accelerations, const Multipliers& multipliers, const Inputs&,
+      Linearisation& result) noexcept {
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_x = state.q.x;
+    const Scalar a_x = accelerations.x;
+    const Scalar q_y = state.q.y;
+    const Scalar a_y = accelerations.y;
+    const Scalar a_z = accelerations.z;
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar a_psi = accelerations.psi;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar a_theta = accelerations.theta;
+    const Scalar v_phi = state.v.phi;
+    const Scalar a_phi = accelerations.phi;
+    const Scalar p_A = precomputed.parameters.A;
+    const Scalar p_C = precomputed.parameters.C;
+    const Scalar l_X_F = multipliers.X_F;
+    const Scalar l_Y_F = multipliers.Y_F;
+    const Scalar l_N = multipliers.N;
+    const Scalar z82 = precomputed.z82;
+    Scalar s_psi, c_psi;
+    traits::sincos(q_psi, s_psi, c_psi);
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z28 = v_psi * s_theta;
+    const Scalar z29 = v_psi * c_theta;
+    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
+    const Scalar z45 = s_psi * s_theta;
+    const Scalar z46 = c_psi * s_theta;
+    const Scalar z59 = s_psi * c_theta;
+    const Scalar z60 = c_psi * c_theta;
+    const Scalar z62 = q_y - z60;
+    const Scalar z63 = q_x + z59;
+    const Scalar z70 = q_x - z63;
+    const Scalar z71 = q_y - z62;
+    const Scalar z75 = s_psi * z70 - c_psi * z71;
+    const Scalar z77 = c_theta * p_C;
+    const Scalar z83 = s_theta * z82;
+    const Scalar z84 = s_theta * z83;
+    const Scalar z86 = p_C + z84;
+    const Scalar z103 = v_theta * z29;  // angular acceleration of hoop.2, y
+    const Scalar z104 = v_theta * z28;  // angular acceleration of hoop.2, z
+    const Scalar z107 = z28 * z36;
+    const Scalar z108 = v_theta * z36;
+    const Scalar z109 = p_C * z107;  // moment on hoop, x
+    const Scalar z110 = p_C * z108;  // moment on hoop, y
+    const Scalar z111 = p_C * z104;  // moment on hoop, z
+    const Scalar z112 = z28 * z29;
+    const Scalar z120 = n9_81 + a_z;
+    const Scalar z123 = a_psi * s_theta;
+    const Scalar z124 = a_psi * c_theta;
+    const Scalar z127 = v_theta * z29 + z123;  // angular acceleration of hoop.2, y
+    const Scalar z128 = v_theta * z28 - z124;  // angular acceleration of hoop.2, z
+    const Scalar z131 = a_phi - z128;  // angular acceleration of hoop, z
+    const Scalar z132 = p_C * z131;  // moment on hoop, z
+    const Scalar z133 = p_A * (a_theta - z112) + z109;  // moment on hoop.2, x
+    const Scalar z134 = p_A * (z103 + z127) - z110;  // moment on hoop.2, y
+    const Scalar z136 = s_theta * z134 + c_theta * z132;
+    const Scalar z146 = v_theta * s_theta;
+    const Scalar z149 = v_theta * c_theta;
+    const Scalar z155 = z45 * z71 + z46 * z70;
+    const Scalar z198 = p_C * z36;
+    const Scalar z215 = s_psi * l_X_F + c_psi * l_Y_F;
+    const Scalar z216 = s_psi * l_Y_F - c_psi * l_X_F;
+    const Scalar z217 = p_C * z149;
+    const Scalar z218 = n2 * p_A * z149 - z217;
+    const Scalar z219 = p_C * z146;
+    const Scalar z220 = s_theta * z218 - c_theta * z219;
+    const Scalar z221 = s_theta * z29 + c_theta * z28;
+    const Scalar z222 = s_theta * z36 + c_theta * z28;
+    const Scalar z223 = p_C * z222;
+    const Scalar z224 = p_A * z221 - z223;
+    const Scalar z225 = s_psi * (z60 - z71) - c_psi * (z59 + z70);
+    const Scalar z226 = l_N * z225;
+    const Scalar z227 = z45 * (z59 + z70) + z46 * (z60 - z71);
+    const Scalar z228 = l_N * z227;
+    const Scalar z229 = n2 * p_A * z29 - z198;
+    const Scalar z230 = p_C * z28;
+    const Scalar z231 = s_theta * z229 - c_theta * z230;
+    const Scalar z232 = p_A * (z104 + z128) - z111;
+    const Scalar z233 = p_C * z127;
+    const Scalar z234 = s_theta * (z132 + z232) - c_theta * (z134 - z233);
+    const Scalar z235 = s_theta * l_X_F - z234;
+    const Scalar z236 = s_psi * z45 + c_psi * z46;
+    const Scalar z237 = z28 * z28 - z29 * z29;
+    const Scalar z238 = z28 * z28 - z29 * z36;
+    const Scalar z239 = p_C * z238;
+    const Scalar z240 = p_A * z237 - z239;
+    const Scalar z241 = c_theta * l_Y_F + l_N * z236 - z240;
+    const Scalar z242 = z59 * z71 + z60 * z70;
+    const Scalar z243 = l_N * z242 - z233;
+    const Scalar z244 = v_theta * p_C;
+    const Scalar z245 = s_theta * z244;
+    result.M[0] = n1;
+    result.M[1] = n0;
+    result.M[2] = n0;
+    result.M[3] = n0;
+    result.M[4] = n0;
+    result.M[5] = n0;
+    result.M[6] = n0;
+    result.M[7] = n1;
+    result.M[8] = n0;
+    result.M[9] = n0;
+    result.M[10] = n0;
+    result.M[11] = n0;
+    result.M[12] = n0;
+    result.M[13] = n0;
+    result.M[14] = n1;
+    result.M[15] = n0;
+    result.M[16] = n0;
+    result.M[17] = n0;
+    result.M[18] = n0;
+    result.M[19] = n0;
+    result.M[20] = n0;
+    result.M[21] = z86;
+    result.M[22] = n0;
+    result.M[23] = z77;
+    result.M[24] = n0;
+    result.M[25] = n0;
+    result.M[26] = n0;
+    result.M[27] = n0;
+    result.M[28] = p_A;
+    result.M[29] = n0;
+    result.M[30] = n0;
+    result.M[31] = n0;
+    result.M[32] = n0;
+    result.M[33] = z77;
+    result.M[34] = n0;
+    result.M[35] = p_C;
+    result.C[0] = n0;
+    result.C[1] = n0;
+    result.C[2] = n0;
+    result.C[3] = n0;
+    result.C[4] = n0;
+    result.C[5] = n0;
+    result.C[6] = n0;
+    result.C[7] = n0;
+    result.C[8] = n0;
+    result.C[9] = n0;
+    result.C[10] = n0;
+    result.C[11] = n0;
+    result.C[12] = n0;
+    result.C[13] = n0;
+    result.C[14] = n0;
+    result.C[15] = n0;
+    result.C[16] = n0;
+    result.C[17] = n0;
+    result.C[18] = n0;
+    result.C[19] = n0;
+    result.C[20] = n0;
+    result.C[21] = z220;
+    result.C[22] = -z224;
+    result.C[23] = -z219;
+    result.C[24] = n0;
+    result.C[25] = n0;
+    result.C[26] = n0;
+    result.C[27] = z231;
+    result.C[28] = n0;
+    result.C[29] = -z230;
+    result.C[30] = n0;
+    result.C[31] = n0;
+    result.C[32] = n0;
+    result.C[33] = -z245;
+    result.C[34] = z230;
+    result.C[35] = n0;
+    result.K[0] = n0;
+    result.K[1] = n0;
+    result.K[2] = n0;
+    result.K[3] = n0;
+    result.K[4] = n0;
+    result.K[5] = n0;
+    result.K[6] = n0;
+    result.K[7] = n0;
+    result.K[8] = n0;
+    result.K[9] = n0;
+    result.K[10] = n0;
+    result.K[11] = n0;
+    result.K[12] = n0;
+    result.K[13] = n0;
+    result.K[14] = n0;
+    result.K[15] = n0;
+    result.K[16] = n0;
+    result.K[17] = n0;
+    result.K[18] = z215;
+    result.K[19] = z216;
+    result.K[20] = n0;
+    result.K[21] = n0;
+    result.K[22] = z226;
+    result.K[23] = -z228;
+    result.K[24] = n0;
+    result.K[25] = n0;
+    result.K[26] = n0;
+    result.K[27] = z235;
+    result.K[28] = -z241;
+    result.K[29] = z243;
+    result.K[30] = n0;
+    result.K[31] = n0;
+    result.K[32] = n0;
+    result.K[33] = n0;
+    result.K[34] = n0;
+    result.K[35] = n0;
+    result.F[0] = -a_x - s_psi * l_Y_F + c_psi * l_X_F;
+    result.F[1] = -a_y + s_psi * l_X_F + c_psi * l_Y_F;
+    result.F[2] = -z120 + l_N;
+    result.F[3] = c_theta * l_X_F - z136;
+    result.F[4] = s_theta * l_Y_F + z75 * l_N - z133;
+    result.F[5] = -z132 - z155 * l_N + l_X_F;
+  }
+};
+
+}  // namespace rolling_hoop_contact_forces

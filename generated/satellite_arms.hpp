@@ -1,0 +1,1072 @@
+// SPDX-License-Identifier: MIT
+// satellite_arms: Deployment of the arms of a satellite
+// Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
+// Free to embed under the MIT licence.
+//
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, linearisation
+// Parameters set at run time: none
+//
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total):
+//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total
+//   kinematics               16               54          0             0                  3       0     76
+//   mass_matrix               6                7          0             0                  2       0     17
+//   bias                     15               39          0             0                  2       0     58
+//   inverse_dynamics         28               53          0             0                  2       0     85
+//   forward_dynamics         23               49          1             0                  2       0     77
+//   energy                   21               39          0             0                  2       0     64
+//   first_integrals          18               35          0             0                  2       0     57
+//   linearisation            69              135          1             0                  2       0    209
+//
+// Not computed because this mechanism does not need it:
+//   kinematics: of 54 results 13 vanish identically, 6 repeat another up to sign
+//   mass_matrix: of 9 results 6 vanish identically
+//   constraints: left out, the scene has no constraints
+//   reactions: left out, the scene releases no joint direction (released_coordinate)
+//   linearisation: of 84 results 49 vanish identically
+//
+// To write this file again:
+//   satellite_arms_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output satellite_arms.hpp
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#ifndef TORSOR_KERNEL_SUPPORT
+#define TORSOR_KERNEL_SUPPORT 1
+// Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
+#ifndef TORSOR_DEVICE
+#define TORSOR_DEVICE
+#endif
+
+namespace torsor {
+
+/// What a kernel says about its results; the larger, the worse.
+enum class Status : int { ok = 0, singular = 1, not_finite = 2 };
+
+/// What a kernel needs of its scalar. This one serves float and double; specialise it, once a header is included, for
+/// any other (a pack of several states, a high-precision number).
+template <class Scalar>
+struct scalar_traits {
+  static_assert(sizeof(Scalar) == sizeof(float) || sizeof(Scalar) == sizeof(double),
+                "specialise torsor::scalar_traits for a scalar that is neither float nor double");
+  static constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+
+  /// A number, rounded for either format. `exact` is "num/den", or "a;b;c;d" for a + b sqrt(2) + c sqrt(3) + d sqrt(6).
+  TORSOR_DEVICE static constexpr Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    return is_float ? static_cast<Scalar>(in_float) : static_cast<Scalar>(in_double);
+  }
+  /// The same for a number that is no such sum: a callable computes it where literals are not precise enough.
+  template <class Callable>
+  TORSOR_DEVICE static constexpr Scalar formula(double in_double, float in_float, const Callable&) noexcept {
+    return constant(in_double, in_float, nullptr);
+  }
+  TORSOR_DEVICE static constexpr Scalar pi() noexcept { return constant(3.141592653589793, 3.1415927f, nullptr); }
+  TORSOR_DEVICE static constexpr Scalar select(bool condition, Scalar if_true, Scalar if_false) noexcept {
+    return condition ? if_true : if_false;
+  }
+  TORSOR_DEVICE static void sincos(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
+    sine = std::sin(angle);
+    cosine = std::cos(angle);
+  }
+  TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
+  TORSOR_DEVICE static Scalar exp(const Scalar& x) noexcept { return std::exp(x); }
+  TORSOR_DEVICE static Scalar log(const Scalar& x) noexcept { return std::log(x); }
+  /// Whether a pivot is positive beyond the rounding of the diagonal entry it came from; not when it is not a number.
+  TORSOR_DEVICE static bool regular(const Scalar& pivot, const Scalar& diagonal) noexcept {
+    return pivot > constant(0x1p-52, 0x1p-23f, nullptr) * std::abs(diagonal);
+  }
+};
+
+}  // namespace torsor
+#elif TORSOR_KERNEL_SUPPORT != 1
+#error "headers of incompatible versions of torsor meet here: write them again with one version"
+#endif
+
+namespace satellite_arms {
+
+/// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
+/// M a + h = E u + A' lambda and A a + gamma = 0, with a the accelerations and u the inputs; units are SI.
+template <class Scalar>
+struct Mechanism {
+  using traits = torsor::scalar_traits<Scalar>;
+
+  static constexpr const char* name = "satellite_arms";
+  static constexpr int coordinate_count = 3;
+  static constexpr int velocity_count = 3;
+  static constexpr int input_count = 2;
+  static constexpr int parameter_count = 0;
+  static constexpr int multiplier_count = 0;
+
+  /// Parameters that are set at run time.
+  struct Parameters {
+    static constexpr int size = 0;
+  };
+
+  /// Generalised coordinates q.
+  struct Coordinates {
+    Scalar psi;  ///< coordinate [rad or 1]
+    Scalar theta_2;  ///< coordinate [rad or 1]
+    Scalar theta_3;  ///< coordinate [rad or 1]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Coordinates::*member_(int i_) noexcept {
+      constexpr Scalar Coordinates::*members_[] = {&Coordinates::psi, &Coordinates::theta_2, &Coordinates::theta_3};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised velocities v = dq/dt.
+  struct Velocities {
+    Scalar psi;  ///< its rate [rad/s]
+    Scalar theta_2;  ///< its rate [rad/s]
+    Scalar theta_3;  ///< its rate [rad/s]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Velocities::*member_(int i_) noexcept {
+      constexpr Scalar Velocities::*members_[] = {&Velocities::psi, &Velocities::theta_2, &Velocities::theta_3};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised accelerations dv/dt.
+  struct Accelerations {
+    Scalar psi;  ///< its second rate [rad/s^2]
+    Scalar theta_2;  ///< its second rate [rad/s^2]
+    Scalar theta_3;  ///< its second rate [rad/s^2]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Accelerations::*member_(int i_) noexcept {
+      constexpr Scalar Accelerations::*members_[] = {&Accelerations::psi, &Accelerations::theta_2,
+          &Accelerations::theta_3};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised forces, one along each coordinate.
+  struct GeneralizedForces {
+    Scalar psi;  ///< works with the rate of psi [N m]
+    Scalar theta_2;  ///< works with the rate of theta_2 [N m]
+    Scalar theta_3;  ///< works with the rate of theta_3 [N m]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar GeneralizedForces::*member_(int i_) noexcept {
+      constexpr Scalar GeneralizedForces::*members_[] = {&GeneralizedForces::psi, &GeneralizedForces::theta_2,
+          &GeneralizedForces::theta_3};
+      return members_[i_];
+    }
+  };
+
+  /// Forces and torques of motors, set at each call.
+  struct Inputs {
+    Scalar Cm2;  ///< motor [N m]
+    Scalar Cm3;  ///< motor [N m]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Inputs::*member_(int i_) noexcept {
+      constexpr Scalar Inputs::*members_[] = {&Inputs::Cm2, &Inputs::Cm3};
+      return members_[i_];
+    }
+  };
+
+  /// Multipliers of the constraints, or the reactions that enforce them.
+  struct Multipliers {
+    static constexpr int size = 0;
+  };
+
+  /// Time [s], coordinates and velocities.
+  struct State {
+    Scalar time;
+    Coordinates q;
+    Velocities v;
+  };
+
+  /// Parameters and what depends on them only: built once for each set of parameters.
+  struct Precomputed {
+    Parameters parameters;
+  };
+
+  /// Values of the scene.
+  TORSOR_DEVICE static Parameters default_parameters() noexcept {
+    Parameters parameters{};
+    return parameters;
+  }
+
+  /// To be called again when a parameter changes.
+  TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
+    Precomputed precomputed{};
+    precomputed.parameters = parameters;
+    return precomputed;
+  }
+
+  /// The state the scene starts from, for these parameters.
+  TORSOR_DEVICE static State initial_state(const Parameters&) noexcept {
+    State state{};
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    state.time = n0;
+    state.q.psi = n0;
+    state.q.theta_2 = n0_05;
+    state.q.theta_3 = -n0_05;
+    state.v.psi = n3;
+    state.v.theta_2 = n0;
+    state.v.theta_3 = n0;
+    return state;
+  }
+  TORSOR_DEVICE static State initial_state() noexcept { return initial_state(default_parameters()); }
+
+  /// Poses, twists and named points in ground axes.
+  struct Kinematics {
+    std::array<Scalar, 3> S1_position;  ///< centre of mass of S1 [m]
+    std::array<Scalar, 9> S1_rotation;  ///< from the axes of S1 to the ground's (3 x 3)
+    std::array<Scalar, 3> S1_velocity;  ///< velocity of the centre of mass of S1 [m/s]
+    std::array<Scalar, 3> S1_angular_velocity;  ///< angular velocity of S1 [rad/s]
+    std::array<Scalar, 3> S2_position;  ///< centre of mass of S2 [m]
+    std::array<Scalar, 9> S2_rotation;  ///< from the axes of S2 to the ground's (3 x 3)
+    std::array<Scalar, 3> S2_velocity;  ///< velocity of the centre of mass of S2 [m/s]
+    std::array<Scalar, 3> S2_angular_velocity;  ///< angular velocity of S2 [rad/s]
+    std::array<Scalar, 3> S3_position;  ///< centre of mass of S3 [m]
+    std::array<Scalar, 9> S3_rotation;  ///< from the axes of S3 to the ground's (3 x 3)
+    std::array<Scalar, 3> S3_velocity;  ///< velocity of the centre of mass of S3 [m/s]
+    std::array<Scalar, 3> S3_angular_velocity;  ///< angular velocity of S3 [rad/s]
+  };
+
+  /// Energies of the mechanism.
+  struct Energy {
+    Scalar kinetic;  ///< kinetic energy T [J]
+    Scalar force_function;  ///< force function U of gravity and springs [J]
+    Scalar power;  ///< power of dampers, given forces and motors [W]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Energy::*member_(int i_) noexcept {
+      constexpr Scalar Energy::*members_[] = {&Energy::kinetic, &Energy::force_function, &Energy::power};
+      return members_[i_];
+    }
+  };
+
+  /// Quantities that every motion conserves.
+  struct FirstIntegrals {
+    Scalar momentum_psi;  ///< dT/dpsi' of the cyclic coordinate 'psi' [kg m^2 s^-1]
+    static constexpr int size = 1;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar FirstIntegrals::*member_(int i_) noexcept {
+      constexpr Scalar FirstIntegrals::*members_[] = {&FirstIntegrals::momentum_psi};
+      return members_[i_];
+    }
+  };
+  static constexpr int first_integral_count = 1;
+
+  /// Matrices of the linearised equations, stored column by column.
+  struct Linearisation {
+    std::array<Scalar, 9> M;  ///< mass matrix (3 x 3)
+    std::array<Scalar, 9> C;  ///< damping and gyroscopic terms (3 x 3)
+    std::array<Scalar, 9> K;  ///< stiffness (3 x 3)
+    std::array<Scalar, 3> F;  ///< right-hand side
+    std::array<Scalar, 6> E;  ///< effect of the inputs (3 x 2)
+    std::array<Scalar, 36> A;  ///< state matrix of x = (e, e'): x' = A x + B du (6 x 6)
+    std::array<Scalar, 12> B;  ///< input matrix (6 x 2)
+  };
+
+  /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
+  /// matrices column by column.
+  TORSOR_DEVICE static void kinematics(const Precomputed&, const State& state, Kinematics& result) noexcept {
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n0_35 = traits::constant(0.35, 0.35f, "7/20");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n0_45 = traits::constant(0.45, 0.45f, "9/20");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_theta_2 = state.q.theta_2;
+    const Scalar v_theta_2 = state.v.theta_2;
+    const Scalar q_theta_3 = state.q.theta_3;
+    const Scalar v_theta_3 = state.v.theta_3;
+    Scalar s_psi, c_psi;
+    traits::sincos(q_psi, s_psi, c_psi);
+    Scalar s_theta_2, c_theta_2;
+    traits::sincos(q_theta_2, s_theta_2, c_theta_2);
+    Scalar s_theta_3, c_theta_3;
+    traits::sincos(q_theta_3, s_theta_3, c_theta_3);
+    const Scalar z15 = n0_3 * v_psi;
+    const Scalar z16 = v_psi * s_theta_2;
+    const Scalar z17 = v_psi * c_theta_2;
+    const Scalar z18 = n0_35 * v_psi;
+    const Scalar z19 = v_psi * s_theta_3;
+    const Scalar z20 = v_psi * c_theta_3;
+    const Scalar z21 = n0_5 * s_theta_2;
+    const Scalar z22 = n0_5 * c_theta_2;
+    const Scalar z23 = n0_3 + z21;
+    const Scalar z24 = c_psi * z23;
+    const Scalar z25 = s_psi * z23;
+    const Scalar z26 = c_psi * c_theta_2;
+    const Scalar z27 = s_psi * c_theta_2;
+    const Scalar z28 = c_psi * s_theta_2;
+    const Scalar z29 = s_psi * s_theta_2;
+    const Scalar z30 = n0_5 * v_theta_2;
+    const Scalar z31 = z15 + n0_5 * z16;
+    const Scalar z32 = c_theta_2 * z30;
+    const Scalar z33 = s_theta_2 * z30;
+    const Scalar z34 = s_psi * z31 - c_psi * z32;
+    const Scalar z35 = s_psi * z32 + c_psi * z31;
+    const Scalar z36 = s_theta_2 * z17 - c_theta_2 * z16;
+    const Scalar z37 = s_theta_2 * z16 + c_theta_2 * z17;
+    const Scalar z38 = s_psi * v_theta_2 - c_psi * z36;
+    const Scalar z39 = s_psi * z36 + c_psi * v_theta_2;
+    const Scalar z40 = n0_45 * s_theta_3;
+    const Scalar z41 = n0_45 * c_theta_3;
+    const Scalar z42 = n0_35 - z40;
+    const Scalar z43 = c_psi * z42;
+    const Scalar z44 = s_psi * z42;
+    const Scalar z45 = c_psi * c_theta_3;
+    const Scalar z46 = s_psi * c_theta_3;
+    const Scalar z47 = c_psi * s_theta_3;
+    const Scalar z48 = s_psi * s_theta_3;
+    const Scalar z49 = n0_45 * v_theta_3;
+    const Scalar z50 = z18 - n0_45 * z19;
+    const Scalar z51 = c_theta_3 * z49;
+    const Scalar z52 = s_theta_3 * z49;
+    const Scalar z53 = s_psi * z50 + c_psi * z51;
+    const Scalar z54 = s_psi * z51 - c_psi * z50;
+    const Scalar z55 = s_theta_3 * z20 - c_theta_3 * z19;
+    const Scalar z56 = s_theta_3 * z19 + c_theta_3 * z20;
+    const Scalar z57 = s_psi * v_theta_3 - c_psi * z55;
+    const Scalar z58 = s_psi * z55 + c_psi * v_theta_3;
+    result.S1_position[0] = n0;
+    result.S1_position[1] = n0;
+    result.S1_position[2] = n0_1;
+    result.S1_rotation[0] = c_psi;
+    result.S1_rotation[1] = s_psi;
+    result.S1_rotation[2] = n0;
+    result.S1_rotation[3] = -s_psi;
+    result.S1_rotation[4] = c_psi;
+    result.S1_rotation[5] = n0;
+    result.S1_rotation[6] = n0;
+    result.S1_rotation[7] = n0;
+    result.S1_rotation[8] = n1;
+    result.S1_velocity[0] = n0;
+    result.S1_velocity[1] = n0;
+    result.S1_velocity[2] = n0;
+    result.S1_angular_velocity[0] = n0;
+    result.S1_angular_velocity[1] = n0;
+    result.S1_angular_velocity[2] = v_psi;
+    result.S2_position[0] = z24;
+    result.S2_position[1] = z25;
+    result.S2_position[2] = z22;
+    result.S2_rotation[0] = z26;
+    result.S2_rotation[1] = z27;
+    result.S2_rotation[2] = -s_theta_2;
+    result.S2_rotation[3] = -s_psi;
+    result.S2_rotation[4] = c_psi;
+    result.S2_rotation[5] = n0;
+    result.S2_rotation[6] = z28;
+    result.S2_rotation[7] = z29;
+    result.S2_rotation[8] = c_theta_2;
+    result.S2_velocity[0] = -z34;
+    result.S2_velocity[1] = z35;
+    result.S2_velocity[2] = -z33;
+    result.S2_angular_velocity[0] = -z38;
+    result.S2_angular_velocity[1] = z39;
+    result.S2_angular_velocity[2] = z37;
+    result.S3_position[0] = -z43;
+    result.S3_position[1] = -z44;
+    result.S3_position[2] = z41;
+    result.S3_rotation[0] = z45;
+    result.S3_rotation[1] = z46;
+    result.S3_rotation[2] = -s_theta_3;
+    result.S3_rotation[3] = -s_psi;
+    result.S3_rotation[4] = c_psi;
+    result.S3_rotation[5] = n0;
+    result.S3_rotation[6] = z47;
+    result.S3_rotation[7] = z48;
+    result.S3_rotation[8] = c_theta_3;
+    result.S3_velocity[0] = z53;
+    result.S3_velocity[1] = z54;
+    result.S3_velocity[2] = -z52;
+    result.S3_angular_velocity[0] = -z57;
+    result.S3_angular_velocity[1] = z58;
+    result.S3_angular_velocity[2] = z56;
+  }
+
+  /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
+  TORSOR_DEVICE static void mass_matrix(const Precomputed&, const State& state, std::array<Scalar, 9>& mass) noexcept {
+    const Scalar n1_125 = traits::constant(1.125, 1.125f, "9/8");
+    const Scalar n109_over_160 = traits::constant(0.68125, 0.68125f, "109/160");
+    const Scalar n0_7 = traits::constant(0.7, 0.7f, "7/10");
+    const Scalar n2_7425 = traits::constant(2.7425, 2.7425f, "1097/400");
+    const Scalar n0_666 = traits::constant(0.666, 0.666f, "333/500");
+    const Scalar n0_6 = traits::constant(0.6, 0.6f, "3/5");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n0_668 = traits::constant(0.668, 0.668f, "167/250");
+    const Scalar k8 = traits::constant(0.68225, 0.68225f, "2729/4000");
+    const Scalar q_theta_2 = state.q.theta_2;
+    const Scalar q_theta_3 = state.q.theta_3;
+    Scalar s_theta_2, c_theta_2;
+    traits::sincos(q_theta_2, s_theta_2, c_theta_2);
+    Scalar s_theta_3, c_theta_3;
+    traits::sincos(q_theta_3, s_theta_3, c_theta_3);
+    const Scalar z60 = n1_125 * s_theta_3;
+    const Scalar z61 = n109_over_160 * s_theta_3;
+    const Scalar z62 = s_theta_3 * z61;
+    const Scalar z63 = n109_over_160 - z62;
+    const Scalar z67 = n0_7 * z60 + z63;
+    const Scalar z70 = n2_7425 - z67;
+    const Scalar z71 = n0_666 * s_theta_2;
+    const Scalar z72 = s_theta_2 * z71;
+    const Scalar z73 = n0_666 - z72;
+    const Scalar z77 = n0_6 * s_theta_2 - z73;
+    const Scalar z83 = z70 + z77;
+    mass[0] = z83;
+    mass[1] = n0;
+    mass[2] = n0;
+    mass[3] = n0;
+    mass[4] = n0_668;
+    mass[5] = n0;
+    mass[6] = n0;
+    mass[7] = n0;
+    mass[8] = k8;
+  }
+
+  /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
+  /// actions included. M a + h = E u + A' lambda.
+  TORSOR_DEVICE static void bias(const Precomputed&, const State& state, GeneralizedForces& forces) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n30 = traits::constant(30.0, 30.0f, "30/1");
+    const Scalar n35 = traits::constant(35.0, 35.0f, "35/1");
+    const Scalar n5 = traits::constant(5.0, 5.0f, "5/1");
+    const Scalar n6 = traits::constant(6.0, 6.0f, "6/1");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0_35 = traits::constant(0.35, 0.35f, "7/20");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1_125 = traits::constant(1.125, 1.125f, "9/8");
+    const Scalar n1_3635 = traits::constant(1.3635, 1.3635f, "2727/2000");
+    const Scalar n109_over_160 = traits::constant(0.68125, 0.68125f, "109/160");
+    const Scalar n0_001 = traits::constant(0.001, 0.001f, "1/1000");
+    const Scalar n1_334 = traits::constant(1.334, 1.334f, "667/500");
+    const Scalar n0_666 = traits::constant(0.666, 0.666f, "333/500");
+    const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_theta_2 = state.q.theta_2;
+    const Scalar v_theta_2 = state.v.theta_2;
+    const Scalar q_theta_3 = state.q.theta_3;
+    const Scalar v_theta_3 = state.v.theta_3;
+    Scalar s_theta_2, c_theta_2;
+    traits::sincos(q_theta_2, s_theta_2, c_theta_2);
+    Scalar s_theta_3, c_theta_3;
+    traits::sincos(q_theta_3, s_theta_3, c_theta_3);
+    const Scalar z16 = v_psi * s_theta_2;
+    const Scalar z17 = v_psi * c_theta_2;
+    const Scalar z19 = v_psi * s_theta_3;
+    const Scalar z20 = v_psi * c_theta_3;
+    const Scalar pi = traits::pi();
+    const Scalar z85 = q_theta_2 - n0_5 * pi;
+    const Scalar z86 = n30 * z85;
+    const Scalar z87 = q_theta_3 + n0_5 * pi;
+    const Scalar z88 = n35 * z87;
+    const Scalar z89 = n5 * v_theta_2;
+    const Scalar z90 = n6 * v_theta_3;
+    const Scalar z93 = v_psi * v_psi;
+    const Scalar z94 = n0_3 * z93;
+    const Scalar z95 = n9_81 * s_theta_2 + c_theta_2 * z94;
+    const Scalar z97 = v_theta_2 * z17;  // angular acceleration of S2, x
+    const Scalar z98 = v_theta_2 * z16;  // angular acceleration of S2, z
+    const Scalar z99 = n0_35 * z93;
+    const Scalar z100 = n9_81 * s_theta_3 - c_theta_3 * z99;
+    const Scalar z102 = v_theta_3 * z20;  // angular acceleration of S3, x
+    const Scalar z103 = v_theta_3 * z19;  // angular acceleration of S3, z
+    const Scalar z104 = z19 * z20;
+    const Scalar z105 = n2 * z102;
+    const Scalar z110 = n1_125 * z105;  // force on S3, y
+    const Scalar z112 = n1_3635 * z102;  // moment on S3, x
+    const Scalar z113 = n1_125 * z100 + n109_over_160 * z104;  // moment on S3, y
+    const Scalar z114 = n0_001 * z103;  // moment on S3, z
+    const Scalar z118 = s_theta_3 * z112 - c_theta_3 * z114;
+    const Scalar z119 = z16 * z17;
+    const Scalar z120 = n2 * z97;
+    const Scalar z124 = n1_334 * z97;  // moment on S2, x
+    const Scalar z125 = z95 + n0_666 * z119;  // moment on S2, y
+    const Scalar z126 = n0_002 * z98;  // moment on S2, z
+    const Scalar z130 = s_theta_2 * z124 - c_theta_2 * z126;
+    const Scalar z136 = n0_35 * z110 - z118 - n0_3 * z120 - z130;  // moment on S1, z
+    const Scalar z137 = z86 + z89 - z125;
+    const Scalar z138 = z88 + z90 - z113;
+    forces.psi = -z136;
+    forces.theta_2 = z137;
+    forces.theta_3 = z138;
+  }
+
+  /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
+  TORSOR_DEVICE static void inverse_dynamics(const Precomputed&, const State& state, const Accelerations& accelerations,
+      const Multipliers&, GeneralizedForces& forces) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n30 = traits::constant(30.0, 30.0f, "30/1");
+    const Scalar n35 = traits::constant(35.0, 35.0f, "35/1");
+    const Scalar n5 = traits::constant(5.0, 5.0f, "5/1");
+    const Scalar n6 = traits::constant(6.0, 6.0f, "6/1");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0_35 = traits::constant(0.35, 0.35f, "7/20");
+    const Scalar n1_125 = traits::constant(1.125, 1.125f, "9/8");
+    const Scalar n1_3635 = traits::constant(1.3635, 1.3635f, "2727/2000");
+    const Scalar k10 = traits::constant(0.68225, 0.68225f, "2729/4000");
+    const Scalar n109_over_160 = traits::constant(0.68125, 0.68125f, "109/160");
+    const Scalar n1_334 = traits::constant(1.334, 1.334f, "667/500");
+    const Scalar n0_668 = traits::constant(0.668, 0.668f, "167/250");
+    const Scalar n0_666 = traits::constant(0.666, 0.666f, "333/500");
+    const Scalar n2_7425 = traits::constant(2.7425, 2.7425f, "1097/400");
+    const Scalar v_psi = state.v.psi;
+    const Scalar a_psi = accelerations.psi;
+    const Scalar q_theta_2 = state.q.theta_2;
+    const Scalar v_theta_2 = state.v.theta_2;
+    const Scalar a_theta_2 = accelerations.theta_2;
+    const Scalar q_theta_3 = state.q.theta_3;
+    const Scalar v_theta_3 = state.v.theta_3;
+    const Scalar a_theta_3 = accelerations.theta_3;
+    Scalar s_theta_2, c_theta_2;
+    traits::sincos(q_theta_2, s_theta_2, c_theta_2);
+    Scalar s_theta_3, c_theta_3;
+    traits::sincos(q_theta_3, s_theta_3, c_theta_3);
+    const Scalar z16 = v_psi * s_theta_2;
+    const Scalar z17 = v_psi * c_theta_2;
+    const Scalar z19 = v_psi * s_theta_3;
+    const Scalar z20 = v_psi * c_theta_3;
+    const Scalar pi = traits::pi();
+    const Scalar z85 = q_theta_2 - n0_5 * pi;
+    const Scalar z86 = n30 * z85;
+    const Scalar z87 = q_theta_3 + n0_5 * pi;
+    const Scalar z88 = n35 * z87;
+    const Scalar z89 = n5 * v_theta_2;
+    const Scalar z90 = n6 * v_theta_3;
+    const Scalar z93 = v_psi * v_psi;
+    const Scalar z94 = n0_3 * z93;
+    const Scalar z95 = n9_81 * s_theta_2 + c_theta_2 * z94;
+    const Scalar z97 = v_theta_2 * z17;  // angular acceleration of S2, x
+    const Scalar z98 = v_theta_2 * z16;  // angular acceleration of S2, z
+    const Scalar z99 = n0_35 * z93;
+    const Scalar z100 = n9_81 * s_theta_3 - c_theta_3 * z99;
+    const Scalar z102 = v_theta_3 * z20;  // angular acceleration of S3, x
+    const Scalar z103 = v_theta_3 * z19;  // angular acceleration of S3, z
+    const Scalar z104 = z19 * z20;
+    const Scalar z119 = z16 * z17;
+    const Scalar z139 = a_psi * s_theta_2;
+    const Scalar z140 = a_psi * c_theta_2;
+    const Scalar z141 = n0_3 * a_psi;
+    const Scalar z142 = v_theta_2 * z17 + z139;  // angular acceleration of S2, x
+    const Scalar z143 = v_theta_2 * z16 - z140;  // angular acceleration of S2, z
+    const Scalar z144 = a_psi * s_theta_3;
+    const Scalar z145 = a_psi * c_theta_3;
+    const Scalar z146 = n0_35 * a_psi;
+    const Scalar z147 = v_theta_3 * z20 + z144;  // angular acceleration of S3, x
+    const Scalar z148 = v_theta_3 * z19 - z145;  // angular acceleration of S3, z
+    const Scalar z150 = z102 + z147;
+    const Scalar z152 = n1_125 * z150;  // force on S3, y
+    const Scalar z153 = n1_3635 * z102 - n1_125 * z146;  // moment on S3, x
+    const Scalar z154 = k10 * a_theta_3 - n1_125 * z100 - n109_over_160 * z104;  // moment on S3, y
+    const Scalar z155 = k10 * z103 - n109_over_160 * z148;  // moment on S3, z
+    const Scalar z159 = s_theta_3 * z153 - c_theta_3 * z155;
+    const Scalar z161 = z97 + z142;
+    const Scalar z162 = n1_334 * z97 + z141;  // moment on S2, x
+    const Scalar z163 = n0_668 * a_theta_2 - z95 - n0_666 * z119;  // moment on S2, y
+    const Scalar z164 = n0_668 * z98 - n0_666 * z143;  // moment on S2, z
+    const Scalar z168 = s_theta_2 * z162 - c_theta_2 * z164;
+    const Scalar z174 = n2_7425 * a_psi - n0_35 * z152 + z159 + n0_3 * z161 + z168;  // moment on S1, z
+    const Scalar z175 = z86 + z89 + z163;
+    const Scalar z176 = z88 + z90 + z154;
+    forces.psi = z174;
+    forces.theta_2 = z175;
+    forces.theta_3 = z176;
+  }
+
+  /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by an
+  /// unrolled L D L' of M and of the Schur complement A M^-1 A'. Returns singular when a pivot is not positive
+  /// relative to its diagonal entry.
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs& inputs,
+      Accelerations& accelerations, Multipliers&) noexcept {
+    const Scalar n1_125 = traits::constant(1.125, 1.125f, "9/8");
+    const Scalar n109_over_160 = traits::constant(0.68125, 0.68125f, "109/160");
+    const Scalar n0_7 = traits::constant(0.7, 0.7f, "7/10");
+    const Scalar n2_7425 = traits::constant(2.7425, 2.7425f, "1097/400");
+    const Scalar n0_666 = traits::constant(0.666, 0.666f, "333/500");
+    const Scalar n0_6 = traits::constant(0.6, 0.6f, "3/5");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n30 = traits::constant(30.0, 30.0f, "30/1");
+    const Scalar n35 = traits::constant(35.0, 35.0f, "35/1");
+    const Scalar n5 = traits::constant(5.0, 5.0f, "5/1");
+    const Scalar n6 = traits::constant(6.0, 6.0f, "6/1");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0_35 = traits::constant(0.35, 0.35f, "7/20");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1_3635 = traits::constant(1.3635, 1.3635f, "2727/2000");
+    const Scalar n0_001 = traits::constant(0.001, 0.001f, "1/1000");
+    const Scalar n1_334 = traits::constant(1.334, 1.334f, "667/500");
+    const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n250_over_167 = traits::constant(1.4970059880239521, 1.4970059f, "250/167");
+    const Scalar k21 = traits::constant(1.4657383657017222, 1.4657384f, "4000/2729");
+    const Scalar n0_668 = traits::constant(0.668, 0.668f, "167/250");
+    const Scalar k23 = traits::constant(0.68225, 0.68225f, "2729/4000");
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_theta_2 = state.q.theta_2;
+    const Scalar v_theta_2 = state.v.theta_2;
+    const Scalar q_theta_3 = state.q.theta_3;
+    const Scalar v_theta_3 = state.v.theta_3;
+    const Scalar u_Cm2 = inputs.Cm2;
+    const Scalar u_Cm3 = inputs.Cm3;
+    Scalar s_theta_2, c_theta_2;
+    traits::sincos(q_theta_2, s_theta_2, c_theta_2);
+    Scalar s_theta_3, c_theta_3;
+    traits::sincos(q_theta_3, s_theta_3, c_theta_3);
+    const Scalar z16 = v_psi * s_theta_2;
+    const Scalar z17 = v_psi * c_theta_2;
+    const Scalar z19 = v_psi * s_theta_3;
+    const Scalar z20 = v_psi * c_theta_3;
+    const Scalar z60 = n1_125 * s_theta_3;
+    const Scalar z61 = n109_over_160 * s_theta_3;
+    const Scalar z62 = s_theta_3 * z61;
+    const Scalar z63 = n109_over_160 - z62;
+    const Scalar z67 = n0_7 * z60 + z63;
+    const Scalar z70 = n2_7425 - z67;
+    const Scalar z71 = n0_666 * s_theta_2;
+    const Scalar z72 = s_theta_2 * z71;
+    const Scalar z73 = n0_666 - z72;
+    const Scalar z77 = n0_6 * s_theta_2 - z73;
+    const Scalar z83 = z70 + z77;
+    const Scalar pi = traits::pi();
+    const Scalar z85 = q_theta_2 - n0_5 * pi;
+    const Scalar z86 = n30 * z85;
+    const Scalar z87 = q_theta_3 + n0_5 * pi;
+    const Scalar z88 = n35 * z87;
+    const Scalar z89 = n5 * v_theta_2;
+    const Scalar z90 = n6 * v_theta_3;
+    const Scalar z93 = v_psi * v_psi;
+    const Scalar z94 = n0_3 * z93;
+    const Scalar z95 = n9_81 * s_theta_2 + c_theta_2 * z94;
+    const Scalar z97 = v_theta_2 * z17;  // angular acceleration of S2, x
+    const Scalar z98 = v_theta_2 * z16;  // angular acceleration of S2, z
+    const Scalar z99 = n0_35 * z93;
+    const Scalar z100 = n9_81 * s_theta_3 - c_theta_3 * z99;
+    const Scalar z102 = v_theta_3 * z20;  // angular acceleration of S3, x
+    const Scalar z103 = v_theta_3 * z19;  // angular acceleration of S3, z
+    const Scalar z104 = z19 * z20;
+    const Scalar z105 = n2 * z102;
+    const Scalar z110 = n1_125 * z105;  // force on S3, y
+    const Scalar z112 = n1_3635 * z102;  // moment on S3, x
+    const Scalar z113 = n1_125 * z100 + n109_over_160 * z104;  // moment on S3, y
+    const Scalar z114 = n0_001 * z103;  // moment on S3, z
+    const Scalar z118 = s_theta_3 * z112 - c_theta_3 * z114;
+    const Scalar z119 = z16 * z17;
+    const Scalar z120 = n2 * z97;
+    const Scalar z124 = n1_334 * z97;  // moment on S2, x
+    const Scalar z125 = z95 + n0_666 * z119;  // moment on S2, y
+    const Scalar z126 = n0_002 * z98;  // moment on S2, z
+    const Scalar z130 = s_theta_2 * z124 - c_theta_2 * z126;
+    const Scalar z136 = n0_35 * z110 - z118 - n0_3 * z120 - z130;  // moment on S1, z
+    const Scalar z137 = z86 + z89 - z125;
+    const Scalar z138 = z88 + z90 - z113;
+    const Scalar z177 = u_Cm2 - z137;
+    const Scalar z178 = u_Cm3 - z138;
+    const Scalar z179 = n1 / z83;
+    const Scalar z180 = z136 * z179;
+    const Scalar z181 = n250_over_167 * z177;
+    const Scalar z182 = k21 * z178;
+    accelerations.psi = z180;
+    accelerations.theta_2 = z181;
+    accelerations.theta_3 = z182;
+    if (!(traits::regular(z83, z83) && traits::regular(n0_668, n0_668) && traits::regular(k23,
+        k23))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (accelerations.psi - accelerations.psi) + (accelerations.theta_2 - accelerations.theta_2)
+        + (accelerations.theta_3 - accelerations.theta_3);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
+  TORSOR_DEVICE static void energy(const Precomputed&, const State& state, const Inputs& inputs,
+      Energy& result) noexcept {
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n0_35 = traits::constant(0.35, 0.35f, "7/20");
+    const Scalar n1_125 = traits::constant(1.125, 1.125f, "9/8");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n5 = traits::constant(5.0, 5.0f, "5/1");
+    const Scalar n6 = traits::constant(6.0, 6.0f, "6/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n0_67 = traits::constant(0.67, 0.67f, "67/100");
+    const Scalar n2_5 = traits::constant(2.5, 2.5f, "5/2");
+    const Scalar n549_over_800 = traits::constant(0.68625, 0.68625f, "549/800");
+    const Scalar n0_45 = traits::constant(0.45, 0.45f, "9/20");
+    const Scalar n0_334 = traits::constant(0.334, 0.334f, "167/500");
+    const Scalar k12 = traits::constant(0.341125, 0.341125f, "2729/8000");
+    const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
+    const Scalar n0_0025 = traits::constant(0.0025, 0.0025f, "1/400");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n19_62 = traits::constant(19.62, 19.62f, "981/50");
+    const Scalar n15 = traits::constant(15.0, 15.0f, "15/1");
+    const Scalar n17_5 = traits::constant(17.5, 17.5f, "35/2");
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_theta_2 = state.q.theta_2;
+    const Scalar v_theta_2 = state.v.theta_2;
+    const Scalar q_theta_3 = state.q.theta_3;
+    const Scalar v_theta_3 = state.v.theta_3;
+    const Scalar u_Cm2 = inputs.Cm2;
+    const Scalar u_Cm3 = inputs.Cm3;
+    Scalar s_theta_2, c_theta_2;
+    traits::sincos(q_theta_2, s_theta_2, c_theta_2);
+    Scalar s_theta_3, c_theta_3;
+    traits::sincos(q_theta_3, s_theta_3, c_theta_3);
+    const Scalar z15 = n0_3 * v_psi;
+    const Scalar z16 = v_psi * s_theta_2;
+    const Scalar z17 = v_psi * c_theta_2;
+    const Scalar z18 = n0_35 * v_psi;
+    const Scalar z19 = v_psi * s_theta_3;
+    const Scalar z20 = v_psi * c_theta_3;
+    const Scalar z59 = n1_125 * c_theta_3;
+    const Scalar pi = traits::pi();
+    const Scalar z85 = q_theta_2 - n0_5 * pi;
+    const Scalar z87 = q_theta_3 + n0_5 * pi;
+    const Scalar z89 = n5 * v_theta_2;
+    const Scalar z90 = n6 * v_theta_3;
+    const Scalar z183 = n2 * z15 + z16;
+    const Scalar z184 = z15 + n0_67 * z16;
+    const Scalar z185 = n2_5 * z18 - n1_125 * z19;
+    const Scalar z186 = n1_125 * z18 - n549_over_800 * z19;
+    result.kinetic = n0_5 * (z15 * z183 + z16 * z184 + z18 * z185 - z19 * z186) + n0_45 * v_psi * v_psi + n0_334
+        * v_theta_2 * v_theta_2 + k12 * v_theta_3 * v_theta_3 + n0_002 * z17 * z17 + n0_0025 * z20 * z20;
+    result.force_function = -n9_81 * (c_theta_2 + z59) - n19_62 - n15 * z85 * z85 - n17_5 * z87 * z87;
+    result.power = -v_theta_2 * (z89 - u_Cm2) - v_theta_3 * (z90 - u_Cm3);
+  }
+
+  /// First integrals: constant along every motion.
+  TORSOR_DEVICE static void first_integrals(const Precomputed&, const State& state, FirstIntegrals& result) noexcept {
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n0_35 = traits::constant(0.35, 0.35f, "7/20");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n0_67 = traits::constant(0.67, 0.67f, "67/100");
+    const Scalar n2_5 = traits::constant(2.5, 2.5f, "5/2");
+    const Scalar n1_125 = traits::constant(1.125, 1.125f, "9/8");
+    const Scalar n549_over_800 = traits::constant(0.68625, 0.68625f, "549/800");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n0_005 = traits::constant(0.005, 0.005f, "1/200");
+    const Scalar n0_004 = traits::constant(0.004, 0.004f, "1/250");
+    const Scalar n0_9 = traits::constant(0.9, 0.9f, "9/10");
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_theta_2 = state.q.theta_2;
+    const Scalar q_theta_3 = state.q.theta_3;
+    Scalar s_theta_2, c_theta_2;
+    traits::sincos(q_theta_2, s_theta_2, c_theta_2);
+    Scalar s_theta_3, c_theta_3;
+    traits::sincos(q_theta_3, s_theta_3, c_theta_3);
+    const Scalar z15 = n0_3 * v_psi;
+    const Scalar z16 = v_psi * s_theta_2;
+    const Scalar z17 = v_psi * c_theta_2;
+    const Scalar z18 = n0_35 * v_psi;
+    const Scalar z19 = v_psi * s_theta_3;
+    const Scalar z20 = v_psi * c_theta_3;
+    const Scalar z183 = n2 * z15 + z16;
+    const Scalar z184 = z15 + n0_67 * z16;
+    const Scalar z185 = n2_5 * z18 - n1_125 * z19;
+    const Scalar z186 = n1_125 * z18 - n549_over_800 * z19;
+    const Scalar z193 = n0_5 * z19;
+    const Scalar z194 = n0_5 * z18;
+    const Scalar z195 = n0_5 * z16;
+    const Scalar z196 = n0_5 * z15;
+    const Scalar z197 = n0_005 * z20;
+    const Scalar z198 = n0_5 * z186 - n549_over_800 * z193 + n1_125 * z194;
+    const Scalar z199 = n0_5 * z185 - n1_125 * z193 + n2_5 * z194;
+    const Scalar z200 = n0_004 * z17;
+    const Scalar z201 = n0_5 * z184 + n0_67 * z195 + z196;
+    const Scalar z202 = n0_5 * z183 + z195 + n2 * z196;
+    const Scalar z211 = n0_9 * v_psi + s_theta_2 * z201 + c_theta_2 * z200 - s_theta_3 * z198 + c_theta_3 * z197 + n0_35
+        * z199 + n0_3 * z202;
+    result.momentum_psi = z211;
+  }
+
+  /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
+  /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
+  TORSOR_DEVICE static torsor::Status linearisation(const Precomputed&, const State& state,
+      const Accelerations& accelerations, const Multipliers&, const Inputs& inputs, Linearisation& result) noexcept {
+    const Scalar n1_125 = traits::constant(1.125, 1.125f, "9/8");
+    const Scalar n109_over_160 = traits::constant(0.68125, 0.68125f, "109/160");
+    const Scalar n0_7 = traits::constant(0.7, 0.7f, "7/10");
+    const Scalar n2_7425 = traits::constant(2.7425, 2.7425f, "1097/400");
+    const Scalar n0_666 = traits::constant(0.666, 0.666f, "333/500");
+    const Scalar n0_6 = traits::constant(0.6, 0.6f, "3/5");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n30 = traits::constant(30.0, 30.0f, "30/1");
+    const Scalar n35 = traits::constant(35.0, 35.0f, "35/1");
+    const Scalar n5 = traits::constant(5.0, 5.0f, "5/1");
+    const Scalar n6 = traits::constant(6.0, 6.0f, "6/1");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0_35 = traits::constant(0.35, 0.35f, "7/20");
+    const Scalar n1_3635 = traits::constant(1.3635, 1.3635f, "2727/2000");
+    const Scalar k15 = traits::constant(0.68225, 0.68225f, "2729/4000");
+    const Scalar n1_334 = traits::constant(1.334, 1.334f, "667/500");
+    const Scalar n0_668 = traits::constant(0.668, 0.668f, "167/250");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n0_001 = traits::constant(0.001, 0.001f, "1/1000");
+    const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
+    const Scalar n250_over_167 = traits::constant(1.4970059880239521, 1.4970059f, "250/167");
+    const Scalar k23 = traits::constant(1.4657383657017222, 1.4657384f, "4000/2729");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar k25 = traits::constant(7.485029940119761, 7.48503f, "1250/167");
+    const Scalar k26 = traits::constant(8.794430194210333, 8.79443f, "24000/2729");
+    const Scalar v_psi = state.v.psi;
+    const Scalar a_psi = accelerations.psi;
+    const Scalar q_theta_2 = state.q.theta_2;
+    const Scalar v_theta_2 = state.v.theta_2;
+    const Scalar a_theta_2 = accelerations.theta_2;
+    const Scalar q_theta_3 = state.q.theta_3;
+    const Scalar v_theta_3 = state.v.theta_3;
+    const Scalar a_theta_3 = accelerations.theta_3;
+    const Scalar u_Cm2 = inputs.Cm2;
+    const Scalar u_Cm3 = inputs.Cm3;
+    Scalar s_theta_2, c_theta_2;
+    traits::sincos(q_theta_2, s_theta_2, c_theta_2);
+    Scalar s_theta_3, c_theta_3;
+    traits::sincos(q_theta_3, s_theta_3, c_theta_3);
+    const Scalar z16 = v_psi * s_theta_2;
+    const Scalar z17 = v_psi * c_theta_2;
+    const Scalar z19 = v_psi * s_theta_3;
+    const Scalar z20 = v_psi * c_theta_3;
+    const Scalar z60 = n1_125 * s_theta_3;
+    const Scalar z61 = n109_over_160 * s_theta_3;
+    const Scalar z62 = s_theta_3 * z61;
+    const Scalar z63 = n109_over_160 - z62;
+    const Scalar z67 = n0_7 * z60 + z63;
+    const Scalar z70 = n2_7425 - z67;
+    const Scalar z71 = n0_666 * s_theta_2;
+    const Scalar z72 = s_theta_2 * z71;
+    const Scalar z73 = n0_666 - z72;
+    const Scalar z77 = n0_6 * s_theta_2 - z73;
+    const Scalar z83 = z70 + z77;
+    const Scalar pi = traits::pi();
+    const Scalar z85 = q_theta_2 - n0_5 * pi;
+    const Scalar z86 = n30 * z85;
+    const Scalar z87 = q_theta_3 + n0_5 * pi;
+    const Scalar z88 = n35 * z87;
+    const Scalar z89 = n5 * v_theta_2;
+    const Scalar z90 = n6 * v_theta_3;
+    const Scalar z93 = v_psi * v_psi;
+    const Scalar z94 = n0_3 * z93;
+    const Scalar z95 = n9_81 * s_theta_2 + c_theta_2 * z94;
+    const Scalar z96 = s_theta_2 * z94 - n9_81 * c_theta_2;
+    const Scalar z97 = v_theta_2 * z17;  // angular acceleration of S2, x
+    const Scalar z98 = v_theta_2 * z16;  // angular acceleration of S2, z
+    const Scalar z99 = n0_35 * z93;
+    const Scalar z100 = n9_81 * s_theta_3 - c_theta_3 * z99;
+    const Scalar z101 = s_theta_3 * z99 + n9_81 * c_theta_3;
+    const Scalar z102 = v_theta_3 * z20;  // angular acceleration of S3, x
+    const Scalar z103 = v_theta_3 * z19;  // angular acceleration of S3, z
+    const Scalar z104 = z19 * z20;
+    const Scalar z119 = z16 * z17;
+    const Scalar z139 = a_psi * s_theta_2;
+    const Scalar z140 = a_psi * c_theta_2;
+    const Scalar z141 = n0_3 * a_psi;
+    const Scalar z142 = v_theta_2 * z17 + z139;  // angular acceleration of S2, x
+    const Scalar z143 = v_theta_2 * z16 - z140;  // angular acceleration of S2, z
+    const Scalar z144 = a_psi * s_theta_3;
+    const Scalar z145 = a_psi * c_theta_3;
+    const Scalar z146 = n0_35 * a_psi;
+    const Scalar z147 = v_theta_3 * z20 + z144;  // angular acceleration of S3, x
+    const Scalar z148 = v_theta_3 * z19 - z145;  // angular acceleration of S3, z
+    const Scalar z150 = z102 + z147;
+    const Scalar z152 = n1_125 * z150;  // force on S3, y
+    const Scalar z153 = n1_3635 * z102 - n1_125 * z146;  // moment on S3, x
+    const Scalar z154 = k15 * a_theta_3 - n1_125 * z100 - n109_over_160 * z104;  // moment on S3, y
+    const Scalar z155 = k15 * z103 - n109_over_160 * z148;  // moment on S3, z
+    const Scalar z159 = s_theta_3 * z153 - c_theta_3 * z155;
+    const Scalar z161 = z97 + z142;
+    const Scalar z162 = n1_334 * z97 + z141;  // moment on S2, x
+    const Scalar z163 = n0_668 * a_theta_2 - z95 - n0_666 * z119;  // moment on S2, y
+    const Scalar z164 = n0_668 * z98 - n0_666 * z143;  // moment on S2, z
+    const Scalar z168 = s_theta_2 * z162 - c_theta_2 * z164;
+    const Scalar z174 = n2_7425 * a_psi - n0_35 * z152 + z159 + n0_3 * z161 + z168;  // moment on S1, z
+    const Scalar z175 = z86 + z89 + z163;
+    const Scalar z176 = z88 + z90 + z154;
+    const Scalar z179 = n1 / z83;
+    const Scalar z212 = v_theta_3 * c_theta_3;
+    const Scalar z213 = n2 * z212;
+    const Scalar z214 = n1_125 * z213;
+    const Scalar z215 = n1_3635 * z212;
+    const Scalar z216 = v_theta_3 * s_theta_3;
+    const Scalar z217 = n0_001 * z216;
+    const Scalar z218 = s_theta_3 * z215 - c_theta_3 * z217;
+    const Scalar z219 = v_theta_2 * c_theta_2;
+    const Scalar z220 = n2 * z219;
+    const Scalar z221 = n1_334 * z219;
+    const Scalar z222 = v_theta_2 * s_theta_2;
+    const Scalar z223 = n0_002 * z222;
+    const Scalar z224 = s_theta_2 * z221 - c_theta_2 * z223;
+    const Scalar z225 = n0_35 * z214 - z218 - n0_3 * z220 - z224;
+    const Scalar z226 = n2 * v_psi;
+    const Scalar z227 = n0_3 * z226;
+    const Scalar z228 = c_theta_2 * z227;
+    const Scalar z229 = s_theta_2 * z17 + c_theta_2 * z16;
+    const Scalar z230 = z228 + n0_666 * z229;
+    const Scalar z231 = n0_35 * z226;
+    const Scalar z232 = c_theta_3 * z231;
+    const Scalar z233 = s_theta_3 * z20 + c_theta_3 * z19;
+    const Scalar z234 = n1_125 * z232 - n109_over_160 * z233;
+    const Scalar z235 = n2 * z17;
+    const Scalar z236 = n1_334 * z17;
+    const Scalar z237 = n0_002 * z16;
+    const Scalar z238 = s_theta_2 * z236 - c_theta_2 * z237;
+    const Scalar z239 = n0_3 * z235 + z238;
+    const Scalar z240 = z98 + z143;
+    const Scalar z241 = n1_334 * z98;
+    const Scalar z242 = n0_668 * z97 - n0_666 * z142;
+    const Scalar z243 = s_theta_2 * (z164 - z241) + c_theta_2 * (z162 - z242);
+    const Scalar z244 = n0_3 * z240 - z243;
+    const Scalar z245 = z16 * z16 - z17 * z17;
+    const Scalar z246 = z96 + n0_666 * z245;
+    const Scalar z247 = n30 + z246;
+    const Scalar z248 = n2 * z20;
+    const Scalar z249 = n1_125 * z248;
+    const Scalar z250 = n1_3635 * z20;
+    const Scalar z251 = n0_001 * z19;
+    const Scalar z252 = s_theta_3 * z250 - c_theta_3 * z251;
+    const Scalar z253 = n0_35 * z249 - z252;
+    const Scalar z254 = z103 + z148;
+    const Scalar z255 = n1_125 * z254;
+    const Scalar z256 = n1_3635 * z103;
+    const Scalar z257 = k15 * z102 - n109_over_160 * z147;
+    const Scalar z258 = s_theta_3 * (z155 - z256) + c_theta_3 * (z153 - z257);
+    const Scalar z259 = n0_35 * z255 + z258;
+    const Scalar z260 = z19 * z19 - z20 * z20;
+    const Scalar z261 = n1_125 * z101 - n109_over_160 * z260;
+    const Scalar z262 = n35 - z261;
+    const Scalar z263 = z179 * z225;
+    const Scalar z264 = n250_over_167 * z230;
+    const Scalar z265 = k23 * z234;
+    const Scalar z266 = z179 * z244;
+    const Scalar z267 = n250_over_167 * z247;
+    const Scalar z268 = z179 * z239;
+    const Scalar z269 = z179 * z259;
+    const Scalar z270 = k23 * z262;
+    const Scalar z271 = z179 * z253;
+    result.M[0] = z83;
+    result.M[1] = n0;
+    result.M[2] = n0;
+    result.M[3] = n0;
+    result.M[4] = n0_668;
+    result.M[5] = n0;
+    result.M[6] = n0;
+    result.M[7] = n0;
+    result.M[8] = k15;
+    result.C[0] = -z225;
+    result.C[1] = -z230;
+    result.C[2] = z234;
+    result.C[3] = z239;
+    result.C[4] = n5;
+    result.C[5] = n0;
+    result.C[6] = -z253;
+    result.C[7] = n0;
+    result.C[8] = n6;
+    result.K[0] = n0;
+    result.K[1] = n0;
+    result.K[2] = n0;
+    result.K[3] = -z244;
+    result.K[4] = z247;
+    result.K[5] = n0;
+    result.K[6] = z259;
+    result.K[7] = n0;
+    result.K[8] = z262;
+    result.F[0] = -z174;
+    result.F[1] = u_Cm2 - z175;
+    result.F[2] = u_Cm3 - z176;
+    result.E[0] = n0;
+    result.E[1] = n1;
+    result.E[2] = n0;
+    result.E[3] = n0;
+    result.E[4] = n0;
+    result.E[5] = n1;
+    result.A[0] = n0;
+    result.A[1] = n0;
+    result.A[2] = n0;
+    result.A[3] = n0;
+    result.A[4] = n0;
+    result.A[5] = n0;
+    result.A[6] = n0;
+    result.A[7] = n0;
+    result.A[8] = n0;
+    result.A[9] = z266;
+    result.A[10] = -z267;
+    result.A[11] = n0;
+    result.A[12] = n0;
+    result.A[13] = n0;
+    result.A[14] = n0;
+    result.A[15] = -z269;
+    result.A[16] = n0;
+    result.A[17] = -z270;
+    result.A[18] = n1;
+    result.A[19] = n0;
+    result.A[20] = n0;
+    result.A[21] = z263;
+    result.A[22] = z264;
+    result.A[23] = -z265;
+    result.A[24] = n0;
+    result.A[25] = n1;
+    result.A[26] = n0;
+    result.A[27] = -z268;
+    result.A[28] = -k25;
+    result.A[29] = n0;
+    result.A[30] = n0;
+    result.A[31] = n0;
+    result.A[32] = n1;
+    result.A[33] = z271;
+    result.A[34] = n0;
+    result.A[35] = -k26;
+    result.B[0] = n0;
+    result.B[1] = n0;
+    result.B[2] = n0;
+    result.B[3] = n0;
+    result.B[4] = n250_over_167;
+    result.B[5] = n0;
+    result.B[6] = n0;
+    result.B[7] = n0;
+    result.B[8] = n0;
+    result.B[9] = n0;
+    result.B[10] = n0;
+    result.B[11] = k23;
+    if (!(traits::regular(z83, z83) && traits::regular(n0_668, n0_668) && traits::regular(k15,
+        k15))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (result.M[0] - result.M[0]) + (result.C[0] - result.C[0]) + (result.C[1] - result.C[1])
+        + (result.C[2] - result.C[2]) + (result.C[3] - result.C[3]) + (result.C[6] - result.C[6]) + (result.K[3]
+        - result.K[3]) + (result.K[4] - result.K[4]) + (result.K[6] - result.K[6]) + (result.K[8] - result.K[8])
+        + (result.F[0] - result.F[0]) + (result.F[1] - result.F[1]) + (result.F[2] - result.F[2]) + (result.A[9]
+        - result.A[9]) + (result.A[10] - result.A[10]) + (result.A[15] - result.A[15]) + (result.A[17] - result.A[17])
+        + (result.A[21] - result.A[21]) + (result.A[22] - result.A[22]) + (result.A[23] - result.A[23]) + (result.A[27]
+        - result.A[27]) + (result.A[33] - result.A[33]);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+};
+
+}  // namespace satellite_arms

@@ -1,0 +1,652 @@
+// SPDX-License-Identifier: MIT
+// vibration_absorber: Vibration absorber: unbalanced machine on a spring, with a pendulum
+// Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
+// Free to embed under the MIT licence.
+//
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, linearisation
+// Parameters set at run time: d, omega
+//
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total):
+//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total
+//   precompute                0                3          1             0                  0       0      4
+//   kinematics                8               19          0             0                  2       0     31
+//   mass_matrix               0                1          0             0                  1       0      3
+//   bias                      3                8          0             0                  2       0     15
+//   inverse_dynamics          7               13          0             0                  2       0     24
+//   forward_dynamics          6               15          1             0                  2       0     26
+//   energy                   13               27          0             0                  2       0     44
+//   linearisation            12               32          1             0                  2       0     49
+//
+// Not computed because this mechanism does not need it:
+//   kinematics: of 54 results 29 vanish identically, 4 repeat another up to sign
+//   mass_matrix: of 4 results 1 repeat another up to sign
+//   energy: of 3 results 1 vanish identically
+//   first_integrals: left out, T depends on time explicitly; the force function U depends on time explicitly
+//   constraints: left out, the scene has no constraints
+//   reactions: left out, the scene releases no joint direction (released_coordinate)
+//   linearisation: of 30 results 12 vanish identically, 1 repeat another up to sign
+//
+// To write this file again:
+//   vibration_absorber_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output vibration_absorber.hpp
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#ifndef TORSOR_KERNEL_SUPPORT
+#define TORSOR_KERNEL_SUPPORT 1
+// Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
+#ifndef TORSOR_DEVICE
+#define TORSOR_DEVICE
+#endif
+
+namespace torsor {
+
+/// What a kernel says about its results; the larger, the worse.
+enum class Status : int { ok = 0, singular = 1, not_finite = 2 };
+
+/// What a kernel needs of its scalar. This one serves float and double; specialise it, once a header is included, for
+/// any other (a pack of several states, a high-precision number).
+template <class Scalar>
+struct scalar_traits {
+  static_assert(sizeof(Scalar) == sizeof(float) || sizeof(Scalar) == sizeof(double),
+                "specialise torsor::scalar_traits for a scalar that is neither float nor double");
+  static constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+
+  /// A number, rounded for either format. `exact` is "num/den", or "a;b;c;d" for a + b sqrt(2) + c sqrt(3) + d sqrt(6).
+  TORSOR_DEVICE static constexpr Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    return is_float ? static_cast<Scalar>(in_float) : static_cast<Scalar>(in_double);
+  }
+  /// The same for a number that is no such sum: a callable computes it where literals are not precise enough.
+  template <class Callable>
+  TORSOR_DEVICE static constexpr Scalar formula(double in_double, float in_float, const Callable&) noexcept {
+    return constant(in_double, in_float, nullptr);
+  }
+  TORSOR_DEVICE static constexpr Scalar pi() noexcept { return constant(3.141592653589793, 3.1415927f, nullptr); }
+  TORSOR_DEVICE static constexpr Scalar select(bool condition, Scalar if_true, Scalar if_false) noexcept {
+    return condition ? if_true : if_false;
+  }
+  TORSOR_DEVICE static void sincos(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
+    sine = std::sin(angle);
+    cosine = std::cos(angle);
+  }
+  TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
+  TORSOR_DEVICE static Scalar exp(const Scalar& x) noexcept { return std::exp(x); }
+  TORSOR_DEVICE static Scalar log(const Scalar& x) noexcept { return std::log(x); }
+  /// Whether a pivot is positive beyond the rounding of the diagonal entry it came from; not when it is not a number.
+  TORSOR_DEVICE static bool regular(const Scalar& pivot, const Scalar& diagonal) noexcept {
+    return pivot > constant(0x1p-52, 0x1p-23f, nullptr) * std::abs(diagonal);
+  }
+};
+
+}  // namespace torsor
+#elif TORSOR_KERNEL_SUPPORT != 1
+#error "headers of incompatible versions of torsor meet here: write them again with one version"
+#endif
+
+namespace vibration_absorber {
+
+/// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
+/// M a + h = E u + A' lambda and A a + gamma = 0, with a the accelerations and u the inputs; units are SI.
+template <class Scalar>
+struct Mechanism {
+  using traits = torsor::scalar_traits<Scalar>;
+
+  static constexpr const char* name = "vibration_absorber";
+  static constexpr int coordinate_count = 2;
+  static constexpr int velocity_count = 2;
+  static constexpr int input_count = 0;
+  static constexpr int parameter_count = 2;
+  static constexpr int multiplier_count = 0;
+
+  /// Parameters that are set at run time.
+  struct Parameters {
+    Scalar d;  ///< parameter [m]
+    Scalar omega;  ///< parameter [rad/s]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Parameters::*member_(int i_) noexcept {
+      constexpr Scalar Parameters::*members_[] = {&Parameters::d, &Parameters::omega};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised coordinates q.
+  struct Coordinates {
+    Scalar X;  ///< coordinate [m]
+    Scalar theta;  ///< coordinate [rad or 1]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Coordinates::*member_(int i_) noexcept {
+      constexpr Scalar Coordinates::*members_[] = {&Coordinates::X, &Coordinates::theta};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised velocities v = dq/dt.
+  struct Velocities {
+    Scalar X;  ///< its rate [m/s]
+    Scalar theta;  ///< its rate [rad/s]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Velocities::*member_(int i_) noexcept {
+      constexpr Scalar Velocities::*members_[] = {&Velocities::X, &Velocities::theta};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised accelerations dv/dt.
+  struct Accelerations {
+    Scalar X;  ///< its second rate [m/s^2]
+    Scalar theta;  ///< its second rate [rad/s^2]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Accelerations::*member_(int i_) noexcept {
+      constexpr Scalar Accelerations::*members_[] = {&Accelerations::X, &Accelerations::theta};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised forces, one along each coordinate.
+  struct GeneralizedForces {
+    Scalar X;  ///< works with the rate of X [N]
+    Scalar theta;  ///< works with the rate of theta [N m]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar GeneralizedForces::*member_(int i_) noexcept {
+      constexpr Scalar GeneralizedForces::*members_[] = {&GeneralizedForces::X, &GeneralizedForces::theta};
+      return members_[i_];
+    }
+  };
+
+  /// Forces and torques of motors, set at each call.
+  struct Inputs {
+    static constexpr int size = 0;
+  };
+
+  /// Multipliers of the constraints, or the reactions that enforce them.
+  struct Multipliers {
+    static constexpr int size = 0;
+  };
+
+  /// Time [s], coordinates and velocities.
+  struct State {
+    Scalar time;
+    Coordinates q;
+    Velocities v;
+  };
+
+  /// Parameters and what depends on them only: built once for each set of parameters.
+  struct Precomputed {
+    Parameters parameters;
+    Scalar z14;
+    Scalar z54;  ///< force on rotor, z
+    Scalar z81;
+  };
+
+  /// Values of the scene.
+  TORSOR_DEVICE static Parameters default_parameters() noexcept {
+    Parameters parameters{};
+    const Scalar n0_0981 = traits::constant(0.0981, 0.0981f, "981/10000");
+    const Scalar n10 = traits::constant(10.0, 10.0f, "10/1");
+    parameters.d = n0_0981;
+    parameters.omega = n10;
+    return parameters;
+  }
+
+  /// To be called again when a parameter changes.
+  TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
+    Precomputed precomputed{};
+    precomputed.parameters = parameters;
+    const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar p_omega = parameters.omega;
+    const Scalar p_d = parameters.d;
+    const Scalar z14 = p_d * p_d;
+    const Scalar z53 = p_omega * p_omega;
+    const Scalar z54 = n0_002 * z53;  // force on rotor, z
+    const Scalar z81 = n1 / z14;
+    precomputed.z14 = z14;
+    precomputed.z54 = z54;
+    precomputed.z81 = z81;
+    return precomputed;
+  }
+
+  /// The state the scene starts from, for these parameters.
+  TORSOR_DEVICE static State initial_state(const Parameters&) noexcept {
+    State state{};
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n0_11 = traits::constant(0.11, 0.11f, "11/100");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    state.time = n0;
+    state.q.X = n0_11;
+    state.q.theta = n0_3;
+    state.v.X = n0;
+    state.v.theta = n0;
+    return state;
+  }
+  TORSOR_DEVICE static State initial_state() noexcept { return initial_state(default_parameters()); }
+
+  /// Poses, twists and named points in ground axes.
+  struct Kinematics {
+    std::array<Scalar, 3> support_position;  ///< centre of mass of support [m]
+    std::array<Scalar, 9> support_rotation;  ///< from the axes of support to the ground's (3 x 3)
+    std::array<Scalar, 3> support_velocity;  ///< velocity of the centre of mass of support [m/s]
+    std::array<Scalar, 3> support_angular_velocity;  ///< angular velocity of support [rad/s]
+    std::array<Scalar, 3> pendulum_position;  ///< centre of mass of pendulum [m]
+    std::array<Scalar, 9> pendulum_rotation;  ///< from the axes of pendulum to the ground's (3 x 3)
+    std::array<Scalar, 3> pendulum_velocity;  ///< velocity of the centre of mass of pendulum [m/s]
+    std::array<Scalar, 3> pendulum_angular_velocity;  ///< angular velocity of pendulum [rad/s]
+    std::array<Scalar, 3> unbalance_position;  ///< centre of mass of unbalance [m]
+    std::array<Scalar, 9> unbalance_rotation;  ///< from the axes of unbalance to the ground's (3 x 3)
+    std::array<Scalar, 3> unbalance_velocity;  ///< velocity of the centre of mass of unbalance [m/s]
+    std::array<Scalar, 3> unbalance_angular_velocity;  ///< angular velocity of unbalance [rad/s]
+  };
+
+  /// Energies of the mechanism.
+  struct Energy {
+    Scalar kinetic;  ///< kinetic energy T [J]
+    Scalar force_function;  ///< force function U of gravity and springs [J]
+    Scalar power;  ///< power of dampers, given forces and motors [W]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Energy::*member_(int i_) noexcept {
+      constexpr Scalar Energy::*members_[] = {&Energy::kinetic, &Energy::force_function, &Energy::power};
+      return members_[i_];
+    }
+  };
+
+  /// Matrices of the linearised equations, stored column by column.
+  struct Linearisation {
+    std::array<Scalar, 4> M;  ///< mass matrix (2 x 2)
+    std::array<Scalar, 4> C;  ///< damping and gyroscopic terms (2 x 2)
+    std::array<Scalar, 4> K;  ///< stiffness (2 x 2)
+    std::array<Scalar, 2> F;  ///< right-hand side
+    std::array<Scalar, 16> A;  ///< state matrix of x = (e, e'): x' = A x + B du (4 x 4)
+  };
+
+  /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
+  /// matrices column by column.
+  TORSOR_DEVICE static void kinematics(const Precomputed& precomputed, const State& state,
+      Kinematics& result) noexcept {
+    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar q_X = state.q.X;
+    const Scalar v_X = state.v.X;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar p_omega = precomputed.parameters.omega;
+    const Scalar t = state.time;
+    const Scalar p_d = precomputed.parameters.d;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z10 = p_omega * t;
+    Scalar z11, z12;
+    traits::sincos(z10, z11, z12);
+    const Scalar z16 = v_X * c_theta;
+    const Scalar z17 = v_X * s_theta;
+    const Scalar z18 = v_X * z12;
+    const Scalar z19 = v_X * z11;
+    const Scalar z20 = s_theta * p_d;
+    const Scalar z21 = c_theta * p_d;
+    const Scalar z22 = q_X + z20;
+    const Scalar z23 = v_theta * p_d + z16;
+    const Scalar z24 = s_theta * z17 + c_theta * z23;
+    const Scalar z25 = s_theta * z23 - c_theta * z17;
+    const Scalar z26 = n0_02 * z11;
+    const Scalar z27 = n0_02 * z12;
+    const Scalar z28 = q_X + z26;
+    const Scalar z29 = n0_02 * p_omega + z18;
+    const Scalar z30 = z11 * z19 + z12 * z29;
+    const Scalar z31 = z11 * z29 - z12 * z19;
+    result.support_position[0] = q_X;
+    result.support_position[1] = n0;
+    result.support_position[2] = n0;
+    result.support_rotation[0] = n1;
+    result.support_rotation[1] = n0;
+    result.support_rotation[2] = n0;
+    result.support_rotation[3] = n0;
+    result.support_rotation[4] = n1;
+    result.support_rotation[5] = n0;
+    result.support_rotation[6] = n0;
+    result.support_rotation[7] = n0;
+    result.support_rotation[8] = n1;
+    result.support_velocity[0] = v_X;
+    result.support_velocity[1] = n0;
+    result.support_velocity[2] = n0;
+    result.support_angular_velocity[0] = n0;
+    result.support_angular_velocity[1] = n0;
+    result.support_angular_velocity[2] = n0;
+    result.pendulum_position[0] = z22;
+    result.pendulum_position[1] = n0;
+    result.pendulum_position[2] = z21;
+    result.pendulum_rotation[0] = c_theta;
+    result.pendulum_rotation[1] = n0;
+    result.pendulum_rotation[2] = -s_theta;
+    result.pendulum_rotation[3] = n0;
+    result.pendulum_rotation[4] = n1;
+    result.pendulum_rotation[5] = n0;
+    result.pendulum_rotation[6] = s_theta;
+    result.pendulum_rotation[7] = n0;
+    result.pendulum_rotation[8] = c_theta;
+    result.pendulum_velocity[0] = z24;
+    result.pendulum_velocity[1] = n0;
+    result.pendulum_velocity[2] = -z25;
+    result.pendulum_angular_velocity[0] = n0;
+    result.pendulum_angular_velocity[1] = v_theta;
+    result.pendulum_angular_velocity[2] = n0;
+    result.unbalance_position[0] = z28;
+    result.unbalance_position[1] = n0;
+    result.unbalance_position[2] = z27;
+    result.unbalance_rotation[0] = z12;
+    result.unbalance_rotation[1] = n0;
+    result.unbalance_rotation[2] = -z11;
+    result.unbalance_rotation[3] = n0;
+    result.unbalance_rotation[4] = n1;
+    result.unbalance_rotation[5] = n0;
+    result.unbalance_rotation[6] = z11;
+    result.unbalance_rotation[7] = n0;
+    result.unbalance_rotation[8] = z12;
+    result.unbalance_velocity[0] = z30;
+    result.unbalance_velocity[1] = n0;
+    result.unbalance_velocity[2] = -z31;
+    result.unbalance_angular_velocity[0] = n0;
+    result.unbalance_angular_velocity[1] = p_omega;
+    result.unbalance_angular_velocity[2] = n0;
+  }
+
+  /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
+  TORSOR_DEVICE static void mass_matrix(const Precomputed& precomputed, const State& state,
+      std::array<Scalar, 4>& mass) noexcept {
+    const Scalar n11_1 = traits::constant(11.1, 11.1f, "111/10");
+    const Scalar q_theta = state.q.theta;
+    const Scalar p_d = precomputed.parameters.d;
+    const Scalar z14 = precomputed.z14;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z21 = c_theta * p_d;
+    mass[0] = n11_1;
+    mass[1] = z21;
+    mass[2] = z21;
+    mass[3] = z14;
+  }
+
+  /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
+  /// actions included. M a + h = E u + A' lambda.
+  TORSOR_DEVICE static void bias(const Precomputed& precomputed, const State& state,
+      GeneralizedForces& forces) noexcept {
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar n1000 = traits::constant(1000.0, 1000.0f, "1000/1");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar q_X = state.q.X;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar p_omega = precomputed.parameters.omega;
+    const Scalar t = state.time;
+    const Scalar p_d = precomputed.parameters.d;
+    const Scalar z54 = precomputed.z54;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z10 = p_omega * t;
+    Scalar z11, z12;
+    traits::sincos(z10, z11, z12);
+    const Scalar z47 = n0_1 - q_X;
+    const Scalar z48 = n1000 * z47;
+    const Scalar z49 = n9_81 * s_theta;
+    const Scalar z56 = z11 * z54;
+    const Scalar z58 = v_theta * v_theta;
+    const Scalar z60 = p_d * z58;  // force on pendulum, z
+    const Scalar z61 = p_d * z49;  // moment on pendulum, y
+    const Scalar z62 = s_theta * z60;
+    const Scalar z64 = z56 + z62;  // force on support, x
+    const Scalar z67 = z48 + z64;
+    forces.X = -z67;
+    forces.theta = z61;
+  }
+
+  /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
+  TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State& state,
+      const Accelerations& accelerations, const Multipliers&, GeneralizedForces& forces) noexcept {
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar n1000 = traits::constant(1000.0, 1000.0f, "1000/1");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n11_1 = traits::constant(11.1, 11.1f, "111/10");
+    const Scalar q_X = state.q.X;
+    const Scalar a_X = accelerations.X;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar a_theta = accelerations.theta;
+    const Scalar p_omega = precomputed.parameters.omega;
+    const Scalar t = state.time;
+    const Scalar p_d = precomputed.parameters.d;
+    const Scalar z14 = precomputed.z14;
+    const Scalar z54 = precomputed.z54;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z10 = p_omega * t;
+    Scalar z11, z12;
+    traits::sincos(z10, z11, z12);
+    const Scalar z47 = n0_1 - q_X;
+    const Scalar z48 = n1000 * z47;
+    const Scalar z56 = z11 * z54;
+    const Scalar z58 = v_theta * v_theta;
+    const Scalar z60 = p_d * z58;  // force on pendulum, z
+    const Scalar z68 = a_X * c_theta + n9_81 * s_theta;
+    const Scalar z73 = a_theta * p_d;  // force on pendulum, x
+    const Scalar z74 = a_theta * z14 + p_d * z68;  // moment on pendulum, y
+    const Scalar z75 = s_theta * z60 - c_theta * z73;
+    const Scalar z77 = n11_1 * a_X - z56 - z75;  // force on support, x
+    const Scalar z80 = z48 - z77;
+    forces.X = -z80;
+    forces.theta = z74;
+  }
+
+  /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by an
+  /// unrolled L D L' of M and of the Schur complement A M^-1 A'. Returns singular when a pivot is not positive
+  /// relative to its diagonal entry.
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
+      const Inputs&, Accelerations& accelerations, Multipliers&) noexcept {
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar n1000 = traits::constant(1000.0, 1000.0f, "1000/1");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n11_1 = traits::constant(11.1, 11.1f, "111/10");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar q_X = state.q.X;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar p_omega = precomputed.parameters.omega;
+    const Scalar t = state.time;
+    const Scalar p_d = precomputed.parameters.d;
+    const Scalar z14 = precomputed.z14;
+    const Scalar z54 = precomputed.z54;
+    const Scalar z81 = precomputed.z81;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z10 = p_omega * t;
+    Scalar z11, z12;
+    traits::sincos(z10, z11, z12);
+    const Scalar z21 = c_theta * p_d;
+    const Scalar z47 = n0_1 - q_X;
+    const Scalar z48 = n1000 * z47;
+    const Scalar z49 = n9_81 * s_theta;
+    const Scalar z56 = z11 * z54;
+    const Scalar z58 = v_theta * v_theta;
+    const Scalar z60 = p_d * z58;  // force on pendulum, z
+    const Scalar z61 = p_d * z49;  // moment on pendulum, y
+    const Scalar z62 = s_theta * z60;
+    const Scalar z64 = z56 + z62;  // force on support, x
+    const Scalar z67 = z48 + z64;
+    const Scalar z82 = z21 * z81;
+    const Scalar z83 = n11_1 - z21 * z82;
+    const Scalar z84 = n1 / z83;
+    const Scalar z85 = z61 * z82 + z67;
+    const Scalar z86 = z84 * z85;
+    const Scalar z87 = z61 * z81 + z82 * z86;
+    accelerations.X = z86;
+    accelerations.theta = -z87;
+    if (!(traits::regular(z83, n11_1) && traits::regular(z14, z14))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (accelerations.X - accelerations.X) + (accelerations.theta - accelerations.theta);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
+  TORSOR_DEVICE static void energy(const Precomputed& precomputed, const State& state, const Inputs&,
+      Energy& result) noexcept {
+    const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar k2 = traits::constant(4e-05, 4e-05f, "1/25000");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n5 = traits::constant(5.0, 5.0f, "5/1");
+    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n500 = traits::constant(500.0, 500.0f, "500/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_X = state.q.X;
+    const Scalar v_X = state.v.X;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar p_omega = precomputed.parameters.omega;
+    const Scalar t = state.time;
+    const Scalar p_d = precomputed.parameters.d;
+    const Scalar z14 = precomputed.z14;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z10 = p_omega * t;
+    Scalar z11, z12;
+    traits::sincos(z10, z11, z12);
+    const Scalar z16 = v_X * c_theta;
+    const Scalar z17 = v_X * s_theta;
+    const Scalar z18 = v_X * z12;
+    const Scalar z19 = v_X * z11;
+    const Scalar z21 = c_theta * p_d;
+    const Scalar z23 = v_theta * p_d + z16;
+    const Scalar z32 = n0_002 * z12;
+    const Scalar z47 = n0_1 - q_X;
+    const Scalar z88 = v_theta * z14 + p_d * z16;
+    const Scalar z89 = n0_002 * p_omega + n0_1 * z18;
+    const Scalar z90 = k2 * p_omega + n0_002 * z18;
+    result.kinetic = n0_5 * (v_theta * z88 + p_omega * z90 + z16 * z23 + z17 * z17 + z18 * z89) + n5 * v_X * v_X + n0_05
+        * z19 * z19;
+    result.force_function = n9_81 * (z21 + z32) - n500 * z47 * z47;
+    result.power = n0;
+  }
+
+  /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
+  /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
+  TORSOR_DEVICE static torsor::Status linearisation(const Precomputed& precomputed, const State& state,
+      const Accelerations& accelerations, const Multipliers&, const Inputs&, Linearisation& result) noexcept {
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar n1000 = traits::constant(1000.0, 1000.0f, "1000/1");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n11_1 = traits::constant(11.1, 11.1f, "111/10");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_X = state.q.X;
+    const Scalar a_X = accelerations.X;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar a_theta = accelerations.theta;
+    const Scalar p_omega = precomputed.parameters.omega;
+    const Scalar t = state.time;
+    const Scalar p_d = precomputed.parameters.d;
+    const Scalar z14 = precomputed.z14;
+    const Scalar z54 = precomputed.z54;
+    const Scalar z81 = precomputed.z81;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z10 = p_omega * t;
+    Scalar z11, z12;
+    traits::sincos(z10, z11, z12);
+    const Scalar z21 = c_theta * p_d;
+    const Scalar z47 = n0_1 - q_X;
+    const Scalar z48 = n1000 * z47;
+    const Scalar z56 = z11 * z54;
+    const Scalar z58 = v_theta * v_theta;
+    const Scalar z60 = p_d * z58;  // force on pendulum, z
+    const Scalar z68 = a_X * c_theta + n9_81 * s_theta;
+    const Scalar z69 = a_X * s_theta - n9_81 * c_theta;
+    const Scalar z73 = a_theta * p_d;  // force on pendulum, x
+    const Scalar z74 = a_theta * z14 + p_d * z68;  // moment on pendulum, y
+    const Scalar z75 = s_theta * z60 - c_theta * z73;
+    const Scalar z76 = s_theta * z73 + c_theta * z60;
+    const Scalar z77 = n11_1 * a_X - z56 - z75;  // force on support, x
+    const Scalar z80 = z48 - z77;
+    const Scalar z82 = z21 * z81;
+    const Scalar z83 = n11_1 - z21 * z82;
+    const Scalar z84 = n1 / z83;
+    const Scalar z117 = n2 * v_theta;
+    const Scalar z118 = p_d * z117;
+    const Scalar z119 = s_theta * z118;
+    const Scalar z120 = p_d * z69;
+    const Scalar z121 = n1000 * z84;
+    const Scalar z122 = z82 * z121;
+    const Scalar z123 = z76 - z82 * z120;
+    const Scalar z124 = z84 * z123;
+    const Scalar z125 = z81 * z120 - z82 * z124;
+    const Scalar z126 = z84 * z119;
+    const Scalar z127 = z82 * z126;
+    result.M[0] = n11_1;
+    result.M[1] = z21;
+    result.M[2] = z21;
+    result.M[3] = z14;
+    result.C[0] = n0;
+    result.C[1] = n0;
+    result.C[2] = -z119;
+    result.C[3] = n0;
+    result.K[0] = n1000;
+    result.K[1] = n0;
+    result.K[2] = -z76;
+    result.K[3] = -z120;
+    result.F[0] = z80;
+    result.F[1] = -z74;
+    result.A[0] = n0;
+    result.A[1] = n0;
+    result.A[2] = -z121;
+    result.A[3] = z122;
+    result.A[4] = n0;
+    result.A[5] = n0;
+    result.A[6] = z124;
+    result.A[7] = z125;
+    result.A[8] = n1;
+    result.A[9] = n0;
+    result.A[10] = n0;
+    result.A[11] = n0;
+    result.A[12] = n0;
+    result.A[13] = n1;
+    result.A[14] = z126;
+    result.A[15] = -z127;
+    if (!(traits::regular(z83, n11_1) && traits::regular(z14, z14))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (result.M[1] - result.M[1]) + (result.M[2] - result.M[2]) + (result.M[3] - result.M[3])
+        + (result.C[2] - result.C[2]) + (result.K[2] - result.K[2]) + (result.K[3] - result.K[3]) + (result.F[0]
+        - result.F[0]) + (result.F[1] - result.F[1]) + (result.A[2] - result.A[2]) + (result.A[3] - result.A[3])
+        + (result.A[6] - result.A[6]) + (result.A[7] - result.A[7]) + (result.A[14] - result.A[14]) + (result.A[15]
+        - result.A[15]);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+};
+
+}  // namespace vibration_absorber
