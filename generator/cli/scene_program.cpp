@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <new>
 #include <string>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "generator/cli/commands.hpp"
 #include "generator/dynamics/validation.hpp"
@@ -30,6 +31,7 @@ struct Request {
   std::string kernels = "all";
   std::string output;
   std::string run_time;
+  ForwardMethod forward = ForwardMethod::cheapest;
   std::vector<std::string> about;
   std::vector<std::string> times;
   int digits = 50;
@@ -50,6 +52,7 @@ void write(const std::string& output, const std::string& text) {
 
 ModelOptions model_options(const Scene& scene, const Request& request) {
   ModelOptions options;
+  options.forward = request.forward;
   if (request.run_time == "all") {
     options.all_run_time = true;
     return options;
@@ -131,6 +134,12 @@ void declare(CLI::App& app, Request& request, Command& chosen) {
     sub->add_option("--kernels", request.kernels,
                     fmt::format("comma-separated list, or all (the default): {}", fmt::join(kernel_names(), ", ")));
     sub->add_option("--run-time", request.run_time, "parameters that stay symbols, comma-separated, or all");
+    static const std::map<std::string, ForwardMethod> methods{{"cheapest", ForwardMethod::cheapest},
+                                                              {"factorisation", ForwardMethod::factorisation},
+                                                              {"articulated_body", ForwardMethod::articulated_body}};
+    sub->add_option("--forward", request.forward,
+                    "method of forward_dynamics: cheapest (the default), factorisation, articulated_body")
+        ->transform(CLI::CheckedTransformer(methods));
     return sub;
   };
   const auto with_json = [&](CLI::App* sub) { sub->add_flag("--json", request.json, "print JSON"); };
@@ -143,11 +152,15 @@ void declare(CLI::App& app, Request& request, Command& chosen) {
   sub->get_option("--output")->required();
   with_json(with_kernels(add("counts", "count the operations of the emitted kernels", counts)));
   sub = add("check", "compare independent derivations at random states", check);
-  sub->add_option("--digits", request.digits, "digits of the comparison")->capture_default_str()->check(CLI::Range(20, 1000));
+  sub->add_option("--digits", request.digits, "digits of the comparison")
+      ->capture_default_str()
+      ->check(CLI::Range(20, 1000));
   sub->add_option("--states", request.states, "number of states")->capture_default_str()->check(CLI::Range(1, 1000000));
   with_json(sub);
   sub = add("reference", "integrate the motion in high precision by an independent road", reference);
-  sub->add_option("--digits", request.digits, "digits of the result")->capture_default_str()->check(CLI::Range(10, 1000));
+  sub->add_option("--digits", request.digits, "digits of the result")
+      ->capture_default_str()
+      ->check(CLI::Range(10, 1000));
   sub->add_option("--times", request.times, "comma-separated times in seconds, increasing")->required()->delimiter(',');
   with_json(add("list", "print what the scene contains and the kernels it offers", list));
 }

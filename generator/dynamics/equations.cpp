@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/dynamics/equations.hpp"
 
+#include <fmt/format.h>
+
+#include "generator/dynamics/articulated_body.hpp"
+#include "generator/expression/error.hpp"
+#include "generator/expression/formula.hpp"
+
 namespace torsor {
 
 Equations::Equations(const Scene& scene, const ModelOptions& options)
@@ -51,32 +57,56 @@ const std::vector<Value>& Equations::inverse_dynamics() const {
   return *inverse_;
 }
 
-const ForwardSolution& Equations::forward() const {
-  if (!forward_) {
-    const auto n = static_cast<std::size_t>(model_.unknown_count());
-    const auto unknowns = [n](const std::vector<Value>& all) {
-      return std::vector<Value>(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n));
-    };
-    std::vector<Value> force = unknowns(bias());
-    const std::vector<SymbolPointer> inputs = model_.inputs();
-    for (std::size_t i = 0; i < n; ++i) {
-      force[i] = -force[i];
-      for (std::size_t k = 0; k < inputs.size(); ++k) {
-        const Value& partial = actions().inputs[k][i];
-        if (!partial.is_zero()) force[i] += partial * program_->symbol(inputs[k]);
-      }
-      force[i] = program_->bind(force[i]);
+std::vector<Value> Equations::of_inputs() const {
+  std::vector<Value> forces(static_cast<std::size_t>(model_.unknown_count()));
+  const std::vector<SymbolPointer> inputs = model_.inputs();
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    for (std::size_t k = 0; k < inputs.size(); ++k) {
+      const Value& partial = actions().inputs[k][i];
+      if (!partial.is_zero()) forces[i] += partial * program_->symbol(inputs[k]);
     }
-    ValueMatrix jacobian, columns;
-    std::vector<Value> gamma;
-    for (const ConstraintRow& row : constraints()) {
-      jacobian.push_back(unknowns(row.jacobian));
-      columns.push_back(unknowns(row.column));
-      gamma.push_back(row.gamma);
-    }
-    forward_ = solve_forward(*program_, mass(), force, jacobian, columns, gamma);
   }
-  return *forward_;
+  return forces;
+}
+
+const ForwardSolution& Equations::forward() const {
+  if (forward_) return *forward_;
+  const ForwardMethod method = model_.options().forward;
+  const bool recursion_possible = constraints().empty() && has_simple_joints(model_);
+  if (method == ForwardMethod::articulated_body && !recursion_possible) {
+    throw UsageError(
+        fmt::format("the articulated-body recursion does not fit the scene '{}': it needs a tree without "
+                    "constraints in which each coordinate is the displacement of one joint",
+                    scene_.name()));
+  }
+  std::optional<ForwardSolution> recursive;
+  if (recursion_possible && method != ForwardMethod::factorisation) {
+    std::vector<Value> efforts = of_inputs();
+    for (std::size_t i = 0; i < efforts.size(); ++i) efforts[i] = program_->bind(efforts[i] + actions().passive[i]);
+    recursive = articulated_forward(model_, efforts, actions().wrenches);
+  }
+  if (method == ForwardMethod::articulated_body) return *(forward_ = std::move(recursive));
+  ForwardSolution factored = forward_by_factorisation();
+  const auto cost = [this](const ForwardSolution& s) { return count(*program_, s.accelerations).total(); };
+  if (recursive && cost(*recursive) < cost(factored)) return *(forward_ = std::move(recursive));
+  return *(forward_ = std::move(factored));
+}
+
+ForwardSolution Equations::forward_by_factorisation() const {
+  const auto n = static_cast<std::size_t>(model_.unknown_count());
+  const auto unknowns = [n](const std::vector<Value>& all) {
+    return std::vector<Value>(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n));
+  };
+  std::vector<Value> force = of_inputs();
+  for (std::size_t i = 0; i < n; ++i) force[i] = program_->bind(force[i] - bias()[i]);
+  ValueMatrix jacobian, columns;
+  std::vector<Value> gamma;
+  for (const ConstraintRow& row : constraints()) {
+    jacobian.push_back(unknowns(row.jacobian));
+    columns.push_back(unknowns(row.column));
+    gamma.push_back(row.gamma);
+  }
+  return solve_forward(*program_, mass(), force, jacobian, columns, gamma);
 }
 
 }  // namespace torsor

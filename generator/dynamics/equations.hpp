@@ -27,10 +27,14 @@ class Equations {
   const ValueMatrix& mass() const;                       ///< unknowns only
   const std::vector<Value>& bias() const;                ///< h_i, every coordinate (released ones last)
   const std::vector<Value>& inverse_dynamics() const;    ///< M q̈ + h − Σ λ_j column_j, every coordinate
-  const ForwardSolution& forward() const;                ///< unknowns only
+  /// Unknowns only: L D Lᵀ of the mass matrix or the articulated-body recursion, whichever has fewer operations or the
+  /// options ask for.
+  const ForwardSolution& forward() const;
 
  private:
   std::vector<Value> inertia_and_passive(AccelerationInput input) const;
+  std::vector<Value> of_inputs() const;
+  ForwardSolution forward_by_factorisation() const;
 
   Scene scene_;
   std::unique_ptr<Program> program_;

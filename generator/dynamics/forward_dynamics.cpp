@@ -56,6 +56,7 @@ ForwardSolution solve_forward(Program& program, const ValueMatrix& mass, const s
   solution.accelerations = factorisation.solve(force);
   solution.pivots = factorisation.pivots();
   const std::size_t m = jacobian.size();
+  solution.method = m == 0 ? "an unrolled L D L' of M" : "an unrolled L D L' of M and of the Schur complement A M^-1 A'";
   if (m == 0) return solution;
   // S = A M⁻¹ B, S λ = −(A a0 + γ), a = a0 + M⁻¹ B λ.
   ValueMatrix effects;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct ForwardSolution {
   std::vector<Value> accelerations;
   std::vector<Value> multipliers;
   std::vector<std::pair<Value, Value>> pivots;  ///< of M, then of the Schur complement
+  std::string method;                           ///< how it was solved, in words
 };
 ForwardSolution solve_forward(Program& program, const ValueMatrix& mass, const std::vector<Value>& force,
                               const ValueMatrix& jacobian, const ValueMatrix& columns,

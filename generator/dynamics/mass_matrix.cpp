@@ -4,37 +4,11 @@
 namespace torsor {
 namespace {
 
-/// R J Rᵀ for the joint's turn. About an aligned axis z, with d = J_xx − J_yy and u = s d + 2 c J_xy:
-/// J'_xx = J_xx − s u, J'_yy = J_yy + s u, J'_xy = c u − J_xy, and (J_xz, J_yz) turns as a vector. 16 operations.
-Matrix turned_about_axis(Program& program, const Link& link, const Matrix& j) {
-  if (link.joint != JointKind::revolute) return j;
-  if (link.aligned < 0) return bound(program, bound(program, link.rotation * j) * transpose(link.rotation));
-  const int z = link.aligned;
-  const int x = (z + 1) % 3;
-  const int y = (z + 2) % 3;
-  const Value difference = program.bind(j(x, x) - j(y, y));
-  Value u = link.sine * difference;
-  u += link.cosine * program.bind(Number(2) * j(x, y));
-  u = program.bind(u);
-  const Value change = program.bind(link.sine * u);
-  Matrix turned = j;
-  turned(x, x) = program.bind(j(x, x) - change);
-  turned(y, y) = program.bind(j(y, y) + change);
-  turned(x, y) = turned(y, x) = program.bind(link.cosine * u - j(x, y));
-  const Value xz = link.cosine * j(x, z) - link.sine * j(y, z);
-  const Value yz = link.sine * j(x, z) + link.cosine * j(y, z);
-  turned(x, z) = turned(z, x) = program.bind(xz);
-  turned(y, z) = turned(z, y) = program.bind(yz);
-  return turned;
-}
-
 /// Mass properties of a composite seen from its parent link: turned by the joint, moved by the joint's origin.
 MassProperties in_parent(const Model& model, const Link& link, const MassProperties& body) {
   Program& program = model.program();
   const Vector h = bound(program, model.to_parent(link, body.first_moment));
-  const Matrix in_joint = turned_about_axis(program, link, body.inertia);
-  const Matrix placement = constant_matrix(program, link.placement_rotation);
-  const Matrix turned = bound(program, placement * in_joint * transpose(placement));
+  const Matrix turned = model.to_parent(link, body.inertia);
   MassProperties placed;
   placed.mass = body.mass;
   placed.first_moment = h;

@@ -12,12 +12,16 @@
 
 namespace torsor {
 
+/// How forward dynamics is solved.
+enum class ForwardMethod { cheapest, factorisation, articulated_body };
+
 /// How a scene's symbols enter a program.
 struct ModelOptions {
   bool symbolic_parameters = false;       ///< keep every parameter as a symbol (printed equations)
   bool all_run_time = false;              ///< the same for kernels: `--run-time all`
   std::set<std::string> run_time;         ///< further parameters that stay symbols
   bool hold_released = true;              ///< released coordinates and their rates are zero; off: they are coordinates
+  ForwardMethod forward = ForwardMethod::cheapest;
   bool regroup = true;                    ///< move inertia across joints where it has the same effect (exact)
 };
 
@@ -63,6 +67,7 @@ class Model {
 
   const SceneContent& scene() const { return *scene_; }
   Program& program() const { return *program_; }
+  const ModelOptions& options() const { return options_; }
   const std::vector<Link>& links() const { return links_; }
   const FramePlace& place(const FrameReference& frame, const std::string& user) const;
 
@@ -91,6 +96,8 @@ class Model {
   /// Components in the parent link's axes of a vector given in the link's own, and the way back.
   Vector to_parent(const Link& link, const Vector& v) const;
   Vector from_parent(const Link& link, const Vector& v) const;
+  /// R J Rᵀ, any 3 x 3 array of components.
+  Matrix to_parent(const Link& link, const Matrix& j) const;
   /// The same without the joint's turn: between the parent's axes and the joint's fixed ones.
   Vector to_joint(const Link& link, const Vector& v) const;
   Vector from_joint(const Link& link, const Vector& v) const { return link.placement_rotation * v; }

@@ -21,7 +21,48 @@ Vector turn(Program& program, const Link& link, const Vector& v, bool inverse) {
   return bound(program, turned);
 }
 
+/// R J Rᵀ for a turn about an aligned axis z. With d = J_xx − J_yy, e = J_xy + J_yx and u = s d + c e:
+/// J'_xx = J_xx − s u, J'_yy = J_yy + s u, J'_xy = c u − J_yx, J'_yx = c u − J_xy, and (J_xz, J_yz), (J_zx, J_zy) turn as
+/// vectors. 16 operations for a symmetric array where two general products take 27.
+Matrix turn(Program& program, const Link& link, const Matrix& j) {
+  if (link.joint != JointKind::revolute) return j;
+  if (link.aligned < 0) {
+    const Matrix half = bound(program, link.rotation * j);
+    return bound(program, half * transpose(link.rotation));
+  }
+  const int z = link.aligned;
+  const int x = (z + 1) % 3;
+  const int y = (z + 2) % 3;
+  const Value difference = program.bind(j(x, x) - j(y, y));
+  const Value sum = program.bind(j(x, y) + j(y, x));
+  Value u = link.sine * difference;
+  u += link.cosine * sum;
+  u = program.bind(u);
+  const Value change = program.bind(link.sine * u);
+  const Value mixed = link.cosine * u;
+  const Vector column = turn(program, link, {j(0, z), j(1, z), j(2, z)}, false);
+  const Vector row = turn(program, link, {j(z, 0), j(z, 1), j(z, 2)}, false);
+  Matrix turned;
+  turned(x, x) = program.bind(j(x, x) - change);
+  turned(y, y) = program.bind(j(y, y) + change);
+  turned(x, y) = program.bind(mixed - j(y, x));
+  turned(y, x) = program.bind(mixed - j(x, y));
+  for (const int i : {x, y}) {
+    turned(i, z) = column[i];
+    turned(z, i) = row[i];
+  }
+  turned(z, z) = j(z, z);
+  return turned;
+}
+
 }  // namespace
+
+Matrix Model::to_parent(const Link& link, const Matrix& j) const {
+  const Matrix turned = turn(*program_, link, j);
+  if (link.placement_rotation.is_identity()) return turned;
+  const Matrix placement = constant_matrix(*program_, link.placement_rotation);
+  return bound(*program_, placement * turned * transpose(placement));
+}
 
 Vector Model::to_parent(const Link& link, const Vector& v) const {
   return link.placement_rotation * turn(*program_, link, v, false);

@@ -67,7 +67,12 @@ PainleveReport painleve(const Equations& equations) {
   const SymbolPointer& time = equations.scene().content().time;
   Derivation by_time = partial_derivation(program, time);
   report.explicit_rate = by_time(t);
-  driven = driven || !report.explicit_rate.is_zero();
+  Substitution at_rest(program, [&](const SymbolPointer& symbol) -> std::optional<Value> {
+    if (symbol->kind != SymbolKind::velocity) return std::nullopt;
+    return program.number(Number(), symbol->unit);
+  });
+  // A joint may follow a law of time without a driven coordinate; T0 shows it even where T does not depend on time.
+  driven = driven || !report.explicit_rate.is_zero() || !vanishes(at_rest(t));
 
   Value doubled;
   for (int i = 0; i < model.unknown_count(); ++i) doubled += momenta[static_cast<std::size_t>(i)] * model.v(i);
@@ -84,10 +89,6 @@ PainleveReport painleve(const Equations& equations) {
   if (!u.is_zero() && !vanishes(by_time(u))) {
     report.failing_conditions.emplace_back("the force function U depends on time explicitly");
   }
-  Substitution at_rest(program, [&](const SymbolPointer& symbol) -> std::optional<Value> {
-    if (symbol->kind != SymbolKind::velocity) return std::nullopt;
-    return program.number(Number(), symbol->unit);
-  });
   for (const ConstraintRow& row : equations.constraints()) {
     if (vanishes(at_rest(row.rate))) continue;
     report.failing_conditions.push_back(fmt::format("constraint '{}' imposes a velocity (b is not zero)", row.name));

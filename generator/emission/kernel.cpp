@@ -48,10 +48,11 @@ Kernel make_inverse_dynamics(const Equations& equations) {
 Kernel make_forward_dynamics(const Equations& equations) {
   const ForwardSolution& solution = equations.forward();
   Kernel kernel;
-  kernel.documentation =
-      "Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by an\n"
-      "unrolled L D L' of M and of the Schur complement A M^-1 A'. Returns singular when a pivot is not positive\n"
-      "relative to its diagonal entry.";
+  kernel.documentation = fmt::format(
+      "Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by\n"
+      "{}. Returns singular when a pivot is not\n"
+      "positive relative to its diagonal entry.",
+      solution.method);
   kernel.arguments = {Argument::inputs};
   kernel.results = {{"Accelerations", "accelerations"}, {"Multipliers", "multipliers"}};
   assign_vector(kernel, "accelerations", solution.accelerations, solution.accelerations.size());

@@ -70,6 +70,8 @@ std::string regeneration_command(const Provenance& provenance) {
   } else if (!provenance.options.run_time.empty()) {
     command += " --run-time " + joined(provenance.options.run_time, ",", [](const std::string& name) { return name; });
   }
+  if (provenance.options.forward == ForwardMethod::factorisation) command += " --forward factorisation";
+  if (provenance.options.forward == ForwardMethod::articulated_body) command += " --forward articulated_body";
   return command + fmt::format(" --output {}.hpp", scene);
 }
 

@@ -70,6 +70,12 @@ Expression Scene::parameter(const std::string& name, std::string_view unit) {
 
 Expression Scene::parameter(const std::string& name, std::string_view unit, const Expression& value) {
   const Expression symbol = parameter(name, unit);
+  if (!value.unit().is_dimensionless() && !(value.unit() == symbol.unit())) {
+    throw UnitError(fmt::format("parameter '{}' [{}] is given the value {} [{}]: the units differ; give a plain number or "
+                                "one in {}",
+                                name, symbol.unit().to_string(), value.to_string(), value.unit().to_string(),
+                                symbol.unit().to_string()));
+  }
   content_.parameters.back().value = value;
   content_.parameters.back().run_time = false;
   return symbol;

@@ -19,7 +19,7 @@ RandomState::RandomState(const Scene& scene, std::uint64_t seed) {
   for (const ParameterContent& parameter : content.parameters) {
     double scale = 1;
     if (parameter.value) {
-      Evaluator<double> evaluate(program, [this](const SymbolPointer& s) { return value(s); });
+      Evaluator<double> evaluate(program, in_double());
       scale = evaluate(program.lower(*parameter.value));
     }
     values_[parameter.symbol.get()] = scale * uniform(0.5, 1.5);
