@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generated/loading_robot.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "runtime/mechanism.hpp"
+#include "runtime/reference.hpp"
+#include "tests/examples/motion.hpp"
+
+namespace {
+
+using namespace torsor::runtime;
+using Robot = loading_robot::Mechanism<double>;
+
+// The values of the scene.
+constexpr double h = 0.5, L1 = 0.3, L2 = 0.4, L3 = 0.2, m1 = 60.0, m2 = 25.0, m3 = 8.0, I1 = 30.0, I2 = 6.0, I3 = 0.5,
+                 g = 9.81;
+
+struct Efforts {
+  double C01, F12, C23, Y12;
+};
+
+// By the theorems of Newton and Euler, in the plane, with complex numbers for the vectors of the plane: x1 is the
+// factor e^{i alpha}, y1 is i e^{i alpha}; J a + w . velocity terms follow from differentiating positions twice.
+//
+// Positions seen from Oo along x1, y1, so that p = (u + i v) e^{i alpha}:
+//   G1 = L1 + i h,   G2 = x + L2 + i h,   O2 = x + i h,   G3 = O2 - L3 e^{i beta}.
+// With w = alpha', a point c(t) e^{i alpha} has the acceleration (c'' + 2 i w c' + (i w' - w^2) c) e^{i alpha}, whose
+// components along x1 and y1 are the real and imaginary part of the bracket:
+//   G2: c' = x', c'' = x'':
+//       a2x = x'' - w' h - w^2 (x + L2),                 a2y = 2 w x' + w' (x + L2) - w^2 h
+//   O2: aOx = x'' - w' h - w^2 x,                        aOy = 2 w x' + w' x - w^2 h
+//   G3 = O2 - L3 x3, and x3 turns at W = alpha' + beta': a3 = aO - L3 (W' y3 - W^2 x3), so with
+//   x3 = (cos b, sin b), y3 = (-sin b, cos b) in x1, y1:
+//       a3x = aOx + L3 (W' sin b + W^2 cos b),           a3y = aOy - L3 (W' cos b - W^2 sin b).
+// Gravity is -g y0 with y0 = sin(alpha) x1 + cos(alpha) y1; a - g_vector adds g sin(alpha) to every x component and
+// g cos(alpha) to every y component: call the sums "loads".
+//
+// S3 alone, moments about O2, which moves: d/dt of the moment of momentum about G3 + O2G3 ^ m3 a3 = C23 - moment of
+// weight. With IG3 = I3 - m3 L3^2 and O2G3 = -L3 (cos b, sin b):
+//   C23 = IG3 W' + m3 (-L3) (cos b load3y - sin b load3x).
+// S2 and S3, along x1 (S1 gives no force along x1 but the motor's, the slide being ideal) and along y1:
+//   F12 = m2 load2x + m3 load3x,     Y12 = m2 load2y + m3 load3y.
+// The whole robot, moments about the fixed Oo, where only C01 and the weights have one:
+//   S1: I1 w' + m1 g times the horizontal arm of G1, L1 cos(alpha) - h sin(alpha);
+//   S2: IG2 w' + (OoG2 ^ m2 load2),  IG2 = I2 - m2 L2^2;   S3: IG3 W' + (OoG3 ^ m3 load3).
+Efforts by_newton_and_euler(const Robot::State& s, const Robot::Accelerations& a) {
+  const double w = s.v.alpha, dw = a.alpha, W = w + s.v.beta, dW = dw + a.beta;
+  const double x = s.q.x, dx = s.v.x, ddx = a.x;
+  const double sine = std::sin(s.q.beta), cosine = std::cos(s.q.beta);
+  const double gx = g * std::sin(s.q.alpha), gy = g * std::cos(s.q.alpha);
+  const double aOx = ddx - dw * h - w * w * x, aOy = 2.0 * w * dx + dw * x - w * w * h;
+  const double load2x = aOx - w * w * L2 + gx, load2y = aOy + dw * L2 + gy;
+  const double load3x = aOx + L3 * (dW * sine + W * W * cosine) + gx;
+  const double load3y = aOy - L3 * (dW * cosine - W * W * sine) + gy;
+  const double IG2 = I2 - m2 * L2 * L2, IG3 = I3 - m3 * L3 * L3;
+  Efforts efforts{};
+  efforts.C23 = IG3 * dW - m3 * L3 * (cosine * load3y - sine * load3x);
+  efforts.F12 = m2 * load2x + m3 * load3x;
+  efforts.Y12 = m2 * load2y + m3 * load3y;
+  const double G3x = x - L3 * cosine, G3y = h - L3 * sine;
+  efforts.C01 = I1 * dw + m1 * (L1 * gy - h * gx) + IG2 * dw + m2 * ((x + L2) * load2y - h * load2x) + IG3 * dW +
+                m3 * (G3x * load3y - G3y * load3x);
+  return efforts;
+}
+
+struct Sample {
+  Robot::State state{};
+  Robot::Accelerations a{};
+};
+
+std::array<Sample, 50> samples() {
+  std::mt19937 random(20);
+  std::uniform_real_distribution<double> uniform(-2.0, 2.0);
+  std::array<Sample, 50> all;
+  for (Sample& sample : all) {
+    for (int i = 0; i < 3; ++i) {
+      sample.state.q[i] = uniform(random);
+      sample.state.v[i] = uniform(random);
+      sample.a[i] = uniform(random);
+    }
+  }
+  return all;
+}
+
+// Loads up to 60 m/s^2 on 93 kg with arms up to 3 m: terms below 2e4, of which some twenty roundings remain.
+constexpr double tolerance = 20 * 2e4 * 1.1e-16;
+
+TEST(LoadingRobot, HasTheMotorActionsOfNewtonAndEuler) {
+  const auto precomputed = Robot::precompute({});
+  for (const auto& [state, a] : samples()) {
+    const Efforts expected = by_newton_and_euler(state, a);
+    Robot::GeneralizedForces forces{};
+    Robot::inverse_dynamics(precomputed, state, a, {}, forces);
+    EXPECT_NEAR(forces.alpha, expected.C01, tolerance);
+    EXPECT_NEAR(forces.x, expected.F12, tolerance);
+    EXPECT_NEAR(forces.beta, expected.C23, tolerance);
+  }
+}
+
+TEST(LoadingRobot, HasTheReactionAcrossTheSlide) {
+  const auto precomputed = Robot::precompute({});
+  for (const auto& [state, a] : samples()) {
+    Robot::Reactions reactions{};
+    // The motors act along other directions: whatever they do, Y12 follows from the motion.
+    Robot::reactions(precomputed, state, a, {}, {3.0, -5.0, 7.0}, reactions);
+    EXPECT_NEAR(reactions.Y12, by_newton_and_euler(state, a).Y12, tolerance);
+  }
+}
+
+// The same unknowns the other way round. The mass matrix has a condition number below 1e3 here.
+TEST(LoadingRobot, MovesAsItsMotorsDemand) {
+  const auto precomputed = Robot::precompute({});
+  for (const auto& [state, a] : samples()) {
+    const Efforts efforts = by_newton_and_euler(state, a);
+    Robot::Accelerations found{};
+    Robot::Multipliers none{};
+    ASSERT_EQ(Robot::forward_dynamics(precomputed, state, {efforts.C01, efforts.F12, efforts.C23}, found, none),
+              torsor::Status::ok);
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(found[i], a[i], 1e3 * tolerance);
+  }
+}
+
+// Roundings of a thousand steps a second, times what the flow amplifies.
+TEST(LoadingRobot, MeetsItsCommittedReference) {
+  const auto reference = read_reference<double>(TORSOR_SOURCE_DIR "/generated/loading_robot.reference.csv");
+  const auto motion = equations_of_motion<Robot>();
+  for (std::size_t row = 0; row < reference.rows(); ++row) {
+    const double time = reference.times[row];
+    const auto end = examples::state_at(motion, motion.initial(), 0.0, time,
+                                        DormandPrince54{.relative_tolerance = 1e-14, .absolute_tolerance = 1e-14});
+    const double allowed = 1e-13 * examples::amplification(motion, motion.initial(), 0.0, time);
+    EXPECT_LE(examples::largest_difference(end, reference.state<6>(row)), allowed) << "at t = " << time;
+  }
+}
+
+}  // namespace
