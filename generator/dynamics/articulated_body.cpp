@@ -265,6 +265,8 @@ bool has_simple_joints(const Model& model) {
     for (const auto& [i, partial] : link.partials) {
       if (i >= model.unknown_count()) continue;
       if (!partial.is_number(1)) return false;
+      // A displacement q + f(t) has another second derivative than q.
+      if (!(link.acceleration - model.a(i)).is_zero()) return false;
       ++unknowns;
       ++uses[static_cast<std::size_t>(i)];
     }
