@@ -22,7 +22,14 @@ class RowBuilder {
     const Vector a = model_.locate(law.a, 0, user_);
     const Vector b = model_.locate(law.b, 0, user_);
     const Vector ab = bound(program_, b - a);
-    holonomic(dot(ab, lower(program_, law.direction)));
+    const Vector direction = lower(program_, law.direction);
+    holonomic(dot(ab, direction));
+    // A released coordinate is held at zero and cannot be differentiated by: its joint's own twist moves the ends.
+    const std::vector<Value> of_a = partial_velocities(model_, link_of(law.a), a, direction, 0);
+    const std::vector<Value> of_b = partial_velocities(model_, link_of(law.b), b, direction, 0);
+    for (auto i = static_cast<std::size_t>(model_.unknown_count()); i < of_a.size(); ++i) {
+      row_.jacobian[i] = program_.bind(of_b[i] - of_a[i]);
+    }
   }
 
   void operator()(const NonholonomicFormula& law) {
@@ -62,6 +69,11 @@ class RowBuilder {
   }
 
  private:
+  int link_of(const PointReference& point) const {
+    const SceneContent& scene = model_.scene();
+    return model_.place(scene.points[static_cast<std::size_t>(scene.point_index(point, user_))].frame, user_).link;
+  }
+
   void holonomic(const Value& f) {
     row_.holonomic = true;
     row_.value = program_.bind(f);
