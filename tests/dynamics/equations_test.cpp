@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/dynamics/equations.hpp"
+
+#include <gtest/gtest.h>
+
+#include "generator/dynamics/linearisation.hpp"
+#include "generator/verification/random_state.hpp"
+#include "tests/dynamics/random_mechanism.hpp"
+#include "tests/expression/test_symbols.hpp"
+
+namespace torsor {
+namespace {
+
+using namespace testing_symbols;
+using testing_mechanisms::random_mechanism;
+
+class RandomEquations : public ::testing::TestWithParam<unsigned> {
+ protected:
+  const WorkingDigits precision{60};
+};
+
+/// ‖x − y‖ / ‖y‖ over all entries.
+double distance(const std::vector<Real>& x, const std::vector<Real>& y) {
+  Real difference(0);
+  Real size(0);
+  for (std::size_t i = 0; i < y.size(); ++i) difference += abs(x[i] - y[i]), size += abs(y[i]);
+  return difference.is_zero() ? 0 : (difference / size).to_double();
+}
+
+TEST_P(RandomEquations, AreTheSameWithAndWithoutRegroupedInertia) {
+  const Scene scene = random_mechanism(GetParam());
+  ModelOptions as_given;
+  as_given.regroup = false;
+  const Equations regrouped(scene);
+  const Equations plain(scene, as_given);
+  const RandomState state(scene, 5);
+  Evaluator<Real> first(regrouped.program(), state.in_real());
+  Evaluator<Real> second(plain.program(), state.in_real());
+  EXPECT_LT(distance(first(regrouped.inverse_dynamics()), second(plain.inverse_dynamics())), 1e-45);
+  EXPECT_LT(distance(first(regrouped.bias()), second(plain.bias())), 1e-45);
+  for (std::size_t i = 0; i < plain.mass().size(); ++i) {
+    EXPECT_LT(distance(first(regrouped.mass()[i]), second(plain.mass()[i])), 1e-45);
+  }
+}
+
+TEST_P(RandomEquations, GiveBackTheAccelerationsWhoseForcesTheMotorsSupply) {
+  const Scene scene = random_mechanism(GetParam(), {.motors = true, .constraints = false});
+  const Equations equations(scene);
+  const Model& model = equations.model();
+  const RandomState state(scene, 6);
+  const auto n = static_cast<std::size_t>(model.unknown_count());
+  const std::vector<SymbolPointer> inputs = model.inputs();
+  ASSERT_EQ(inputs.size(), n);  // motor k works with the unknown k
+  Evaluator<Real> evaluate(equations.program(), state.in_real());
+  std::vector<Real> forces = evaluate(equations.inverse_dynamics());
+  Evaluator<Real> driven(equations.program(), [&](const SymbolPointer& symbol) {
+    for (std::size_t k = 0; k < n; ++k) {
+      if (symbol == inputs[k]) return forces[k];
+    }
+    return state.in_real()(symbol);
+  });
+  std::vector<Real> wanted;
+  for (std::size_t i = 0; i < n; ++i) wanted.push_back(evaluate(model.a(static_cast<int>(i))));
+  // Rounding of 60 digits times the condition of M, which stays below 1e8 for these.
+  EXPECT_LT(distance(driven(equations.forward().accelerations), wanted), 1e-48);
+}
+
+TEST_P(RandomEquations, AreLinearInAccelerationsWithTheMassMatrixAndTheBias) {
+  const Scene scene = random_mechanism(GetParam(), {.constraints = false});
+  const Equations equations(scene);
+  const Model& model = equations.model();
+  const RandomState state(scene, 8);
+  Evaluator<Real> evaluate(equations.program(), state.in_real());
+  const auto n = static_cast<std::size_t>(model.unknown_count());
+  std::vector<Real> sums, whole;
+  for (std::size_t i = 0; i < n; ++i) {
+    Real sum = evaluate(equations.bias()[i]);
+    for (std::size_t j = 0; j < n; ++j) sum += evaluate(equations.mass()[i][j]) * evaluate(model.a(static_cast<int>(j)));
+    sums.push_back(sum);
+    whole.push_back(evaluate(equations.inverse_dynamics()[i]));
+  }
+  EXPECT_LT(distance(sums, whole), 1e-45);
+}
+
+/// Central differences of the residual r = M q̈ + h − Aᵀλ − E u, step 1e-20: truncation and rounding leave 1e-38.
+TEST_P(RandomEquations, HaveTheLinearisationOfTheirFiniteDifferences) {
+  const Scene scene = random_mechanism(GetParam());
+  const Equations equations(scene);
+  const Model& model = equations.model();
+  const Linearisation linear = linearisation(equations);
+  const auto n = static_cast<std::size_t>(model.unknown_count());
+  const RandomState state(scene, 9);
+  const Real h = power_of_ten(-20);
+  const std::vector<SymbolPointer> inputs = model.inputs();
+  const auto residual = [&](const SymbolPointer& moved, const Real& by) {
+    Evaluator<Real> evaluate(equations.program(), [&](const SymbolPointer& symbol) {
+      const Real value = state.in_real()(symbol);
+      return symbol == moved ? value + by : value;
+    });
+    std::vector<Real> r;
+    for (std::size_t i = 0; i < n; ++i) {
+      Real sum = evaluate(equations.inverse_dynamics()[i]);
+      for (std::size_t k = 0; k < inputs.size(); ++k) {
+        sum -= evaluate(equations.actions().inputs[k][i]) * evaluate(equations.program().symbol(inputs[k]));
+      }
+      r.push_back(sum);
+    }
+    return r;
+  };
+  Evaluator<Real> here(equations.program(), state.in_real());
+  const std::vector<Real> r0 = residual(nullptr, Real(0));
+  const auto column = [&](const SymbolPointer& symbol) {
+    std::vector<Real> differences = residual(symbol, h);
+    const std::vector<Real> below = residual(symbol, -h);
+    for (std::size_t i = 0; i < n; ++i) differences[i] = (differences[i] - below[i]) / (h + h);
+    return differences;
+  };
+  const auto expect_column = [&](const ValueMatrix& matrix, std::size_t j, const std::vector<Real>& differences, int sign) {
+    for (std::size_t i = 0; i < n; ++i) {
+      const Real slope = Real(sign) * here(matrix[i][j]);
+      EXPECT_LT(relative_difference(differences[i], slope), 1e-30) << i << ", " << j;
+    }
+  };
+  for (std::size_t j = 0; j < n; ++j) {
+    const CoordinateContent& c = model.coordinates()[j];
+    expect_column(linear.M, j, column(c.a), 1);
+    expect_column(linear.C, j, column(c.v), 1);
+    expect_column(linear.K, j, column(c.q), 1);
+  }
+  for (std::size_t k = 0; k < inputs.size(); ++k) expect_column(linear.E, k, column(inputs[k]), -1);
+  for (std::size_t i = 0; i < n; ++i) EXPECT_LT(relative_difference(here(linear.F[i]), -r0[i]), 1e-45);
+}
+
+TEST_P(RandomEquations, HaveASymmetricMassMatrixEvenAsFormulas) {
+  const Equations equations(random_mechanism(GetParam()));
+  const ValueMatrix& mass = equations.mass();
+  for (std::size_t i = 0; i < mass.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) EXPECT_EQ(mass[i][j].polynomial(), mass[j][i].polynomial());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomEquations, ::testing::Range(200U, 230U));
+
+}  // namespace
+}  // namespace torsor

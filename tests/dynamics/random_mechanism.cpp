@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/dynamics/random_mechanism.hpp"
+
+#include <random>
+#include <string>
+
+#include "generator/dynamics/equations.hpp"
+#include "generator/expression/error.hpp"
+
+namespace torsor::testing_mechanisms {
+namespace {
+
+/// Builds one mechanism; draws numbers in a fixed order, one statement each.
+class Builder {
+ public:
+  Builder(unsigned seed, const RandomMechanismOptions& options)
+      : random_(seed), options_(options), scene_("random_mechanism") {}
+
+  Scene build() {
+    gravity_ = scene_.parameter("gravity", "m/s^2", fraction());
+    const int bodies = 1 + below(5);
+    frames_.push_back(scene_.ground());
+    for (int k = 0; k < bodies; ++k) add_body(k);
+    // A simple pendulum at the root keeps the first coordinate heavy whatever else was drawn.
+    const Expression g = gravity_;
+    scene_.gravity({0, g / 3, -g});
+    if (options_.released) release();
+    add_points();
+    if (options_.actions) add_actions();
+    add_motors();
+    if (options_.constraints) add_constraints();
+    return scene_;
+  }
+
+ private:
+  int below(int bound) { return static_cast<int>(random_() % static_cast<unsigned>(bound)); }
+  bool one_in(int n) { return below(n) == 0; }
+  /// A fraction in (0.2, 1.8) with a prime denominator.
+  Number fraction() {
+    static constexpr int primes[] = {11, 13, 17, 19, 23};
+    const int denominator = primes[below(5)];
+    return Number::rational(denominator / 3 + below(denominator + denominator / 3), denominator);
+  }
+  Number signed_fraction() {
+    const Number size = fraction();
+    return one_in(2) ? size : -size;
+  }
+  Expression quantity(const char* unit) { return Expression::quantity(fraction(), Unit::parse(unit)); }
+  Triple vector(const char* unit) {
+    Triple v;
+    for (Expression& component : v) {
+      const Number number = one_in(4) ? Number() : signed_fraction();
+      component = Expression::quantity(number, Unit::parse(unit));
+    }
+    return v;
+  }
+
+  Triple axis() {
+    switch (below(6)) {
+      case 0: return axis::x;
+      case 1: return -axis::y;
+      case 2: return axis::z;
+      case 3: return {Number::rational(2, 3), Number::rational(-1, 3), Number::rational(2, 3)};  // exact unit vector
+      case 4: return {1, 1, 0};
+      default: return {1, -2, 3};  // its length is an irrational root
+    }
+  }
+
+  Placement placement() {
+    Placement place;
+    place.origin = vector("m");
+    const int first = below(3);
+    const int angle = below(24);
+    place.rotation = Rotation::about(first, angle);
+    if (one_in(2)) place.rotation = place.rotation * Rotation::about((first + 1) % 3, below(24));
+    return place;
+  }
+
+  /// A joint's displacement: mostly a coordinate of its own, sometimes a formula of several, or of time.
+  Expression displacement(int k, bool angle) {
+    const std::string name = "q" + std::to_string(k);
+    const Expression own = scene_.coordinate(name, angle ? "rad" : "m");
+    auto& same = angle ? angles_ : lengths_;
+    Expression result = own;
+    const int kind = below(8);
+    if (kind == 0 && !same.empty()) result = own - Expression(fraction()) * same.back();
+    if (kind == 1) result = own + Expression::quantity(fraction(), angle ? Unit() : units::metre);
+    if (kind == 2 && options_.driven) {
+      const Expression phase = quantity("rad/s") * scene_.time();
+      result = own + Expression::quantity(fraction(), angle ? Unit() : units::metre) * sin(phase);
+    }
+    if (kind == 3 && options_.driven && k > 0) {
+      const Expression s = scene_.time() / Expression::quantity("1", "s");
+      scene_.drive(own, Expression::quantity(fraction(), angle ? Unit() : units::metre) * (s + s * s / 3));
+      return own;
+    }
+    same.push_back(own);
+    unknowns_.push_back(own);
+    return result;
+  }
+
+  void add_body(int k) {
+    const std::string name = "body" + std::to_string(k);
+    const FrameHandle parent = frames_[static_cast<std::size_t>(below(static_cast<int>(frames_.size())))];
+    const bool angle = !one_in(3);
+    const Expression s = displacement(k, angle);
+    const Triple n = axis();
+    const Placement place = placement();
+    const FrameHandle frame = angle ? scene_.revolute(name, parent, n, s, place) : scene_.prismatic(name, parent, n, s, place);
+    frames_.push_back(frame);
+    attach(name, frame);
+    if (one_in(4)) attach(name + "_flange", scene_.weld(name + "_flange", frame, placement()));
+  }
+
+  void attach(const std::string& name, const FrameHandle& frame) {
+    const Expression mass = scene_.parameter("m_" + name, "kg", fraction());
+    // A solid box of these edges, so that the operator is that of a true body; products of inertia by its own axes.
+    const Inertia box = Inertia::box(mass, quantity("m"), quantity("m"), quantity("m"));
+    if (one_in(3)) {
+      scene_.body(name, frame, Inertia::general(mass, box.xx, box.yy, box.zz, box.xx / 7, -box.yy / 9, box.zz / 11)
+                                   .at(vector("m")));
+    } else {
+      scene_.body(name, frame, box.at(vector("m")));
+    }
+  }
+
+  void release() {
+    if (!one_in(2)) return;
+    const FrameHandle parent = frames_.back();
+    const bool angle = one_in(2);
+    const Expression held = scene_.released_coordinate("held", angle ? "rad" : "m");
+    const FrameHandle frame = angle ? scene_.revolute("released", parent, axis(), held, placement())
+                                    : scene_.prismatic("released", parent, axis(), held, placement());
+    attach("released", frame);
+    frames_.push_back(frame);
+  }
+
+  void add_points() {
+    for (std::size_t k = 0; k < frames_.size(); ++k) {
+      scene_.point("P" + std::to_string(k), frames_[k], vector("m"));
+      scene_.point("Q" + std::to_string(k), frames_[k], vector("m"));
+    }
+  }
+
+  std::string random_point(char family) { return family + std::to_string(below(static_cast<int>(frames_.size()))); }
+
+  void add_actions() {
+    const Expression first = unknowns_[0];
+    const bool angle = first.unit().is_dimensionless();
+    if (one_in(2)) scene_.spring("spring", first, quantity(angle ? "N m" : "N/m"));
+    if (one_in(2)) scene_.damper("damper", unknowns_.back(), quantity(unknowns_.back().unit().is_dimensionless() ? "N m s" : "N s/m"));
+    const std::string tip = std::to_string(frames_.size() - 1);
+    if (one_in(2)) scene_.spring("tie", "P0", "P" + tip, quantity("N/m"), quantity("m"));
+    if (one_in(3)) scene_.spring("zero_tie", "Q0", "Q" + tip, quantity("N/m"));
+    if (one_in(3)) scene_.damper("brake", "Q0", "P" + tip, quantity("N s/m"));
+    if (one_in(2)) scene_.force("push", frames_.back(), PointReference("P" + tip), vector("N"), frames_[0]);
+    if (one_in(3)) scene_.torque("twist", frames_[1], vector("N m"), frames_.back());
+  }
+
+  void add_motors() {
+    for (std::size_t k = 0; k < unknowns_.size(); ++k) {
+      const bool wanted = options_.motors || one_in(3);
+      if (wanted) scene_.motor("u" + std::to_string(k), unknowns_[k]);
+    }
+  }
+
+  void add_constraints() {
+    if (unknowns_.size() < 3) return;
+    // Dimensionless combinations of the unknowns, independent of one another.
+    const auto scaled = [&](std::size_t k) {
+      const Expression q = unknowns_[k];
+      return q.unit().is_dimensionless() ? q : q / Expression::quantity("1", "m");
+    };
+    if (one_in(2)) {
+      scene_.holonomic("tied", sin(scaled(0)) + Expression(fraction()) * scaled(1) -
+                                   quantity("rad/s") * scene_.time());
+    }
+    if (one_in(3)) {
+      scene_.nonholonomic("rolling", rate(scaled(2)) - cos(scaled(0)) * rate(scaled(1)) / 3 - quantity("rad/s"));
+      return;
+    }
+    const std::string tip = std::to_string(frames_.size() - 1);
+    const bool loop = one_in(2);
+    Scene constrained = scene_;
+    if (loop) {
+      constrained.closure("loop", "P0", "P" + tip, {1, 0, 2});
+    } else {
+      constrained.no_slip("rolling", frames_.back(), "P" + tip, axis::x, frames_[0]);
+    }
+    // The direction may be one in which the tip never moves: then there is nothing to constrain.
+    try {
+      Equations(constrained).constraints();
+      scene_ = constrained;
+    } catch (const SceneError&) {
+    }
+  }
+
+  std::mt19937 random_;
+  RandomMechanismOptions options_;
+  Scene scene_;
+  Expression gravity_;
+  std::vector<FrameHandle> frames_;
+  std::vector<Expression> angles_, lengths_, unknowns_;
+};
+
+}  // namespace
+
+Scene random_mechanism(unsigned seed, const RandomMechanismOptions& options) { return Builder(seed, options).build(); }
+
+}  // namespace torsor::testing_mechanisms

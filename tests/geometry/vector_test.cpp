@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/geometry/vector.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/expression/test_symbols.hpp"
+
+namespace torsor {
+namespace {
+
+using namespace testing_symbols;
+
+class VectorTest : public ::testing::Test {
+ protected:
+  Vector symbols(const std::string& name, const std::string& unit = "1") {
+    Vector v;
+    for (int i = 0; i < 3; ++i) v[i] = program.lower(make_symbol(name + "xyz"[i], unit));
+    return v;
+  }
+  static bool vanish(const Vector& v) { return vanishes(v[0]) && vanishes(v[1]) && vanishes(v[2]); }
+
+  Program program;
+  Vector a = symbols("a"), b = symbols("b"), c = symbols("c");
+};
+
+using VectorIdentity = VectorTest;
+
+TEST_F(VectorIdentity, CrossProductsOfTheAxesAreCyclic) {
+  for (int i = 0; i < 3; ++i) {
+    Vector first, second, third;
+    first[i] = second[(i + 1) % 3] = third[(i + 2) % 3] = program.number(Number(1));
+    EXPECT_TRUE(vanish(cross(first, second) - third));
+    EXPECT_TRUE(vanish(cross(second, first) + third));
+  }
+}
+
+TEST_F(VectorIdentity, MixedProductIsCyclicAndAlternating) {
+  EXPECT_TRUE(vanishes(dot(a, cross(b, c)) - dot(b, cross(c, a))));
+  EXPECT_TRUE(vanishes(dot(a, cross(b, c)) + dot(b, cross(a, c))));
+  EXPECT_TRUE(vanishes(dot(a, cross(a, c))));
+  EXPECT_FALSE(vanishes(dot(a, cross(b, c))));
+}
+
+TEST_F(VectorIdentity, DoubleCrossProductExpands) {
+  const Vector left = cross(a, bound(program, cross(b, c)));
+  const Vector right = dot(a, c) * b - dot(a, b) * c;
+  EXPECT_TRUE(vanish(left - right));
+}
+
+TEST_F(VectorIdentity, SquaresOfBothProductsAddUp) {
+  const Vector product = cross(a, b);
+  EXPECT_TRUE(vanishes(dot(product, product) + pow(dot(a, b), 2) - dot(a, a) * dot(b, b)));  // Lagrange's identity
+}
+
+TEST_F(VectorIdentity, RotationsKeepBothProducts) {
+  const Rotation r = Rotation::about(0, 5) * Rotation::about(2, 1) * Rotation::about(1, -2);
+  EXPECT_TRUE(vanishes(dot(r * a, r * b) - dot(a, b)));
+  EXPECT_TRUE(vanish(cross(r * a, r * b) - r * cross(a, b)));
+}
+
+TEST_F(VectorIdentity, MatricesActLikeTheRotationsTheyHold) {
+  const Rotation r = Rotation::about(1, 7) * Rotation::about(0, 3);
+  const Rotation s = Rotation::about(2, -5);
+  const Matrix product = constant_matrix(program, r) * constant_matrix(program, s);
+  EXPECT_TRUE(vanish(product * a - (r * s) * a));
+  EXPECT_TRUE(vanish(transpose(product) * a - (r * s).transpose() * a));
+  EXPECT_TRUE(vanish(bound(program, product) * a - r * (s * a)));
+}
+
+using VectorUnits = VectorTest;
+
+TEST_F(VectorUnits, MultiplyInProductsAndMustAgreeInSums) {
+  const Vector arm = symbols("p", "m");
+  const Vector force = symbols("f", "N");
+  EXPECT_EQ(cross(arm, force)[0].unit(), units::newton_metre);
+  EXPECT_EQ(dot(arm, force).unit(), units::joule);
+  EXPECT_THROW(arm + force, UnitError);
+  EXPECT_THROW(arm - force, UnitError);
+}
+
+TEST_F(VectorUnits, ComponentsCarryTheirAxisInTheirName) {
+  const Vector sum = bound(program, a + b, "arm");
+  EXPECT_EQ(label(program, *sum[0].atom()), "arm, x");
+  EXPECT_EQ(label(program, *sum[2].atom()), "arm, z");
+}
+
+}  // namespace
+}  // namespace torsor

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/mechanics/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/expression/test_symbols.hpp"
+
+namespace torsor {
+namespace {
+
+using namespace testing_symbols;
+using namespace literals;
+
+class SceneTest : public ::testing::Test {
+ protected:
+  Scene scene{"machine"};
+};
+
+using SceneNames = SceneTest;
+
+TEST_F(SceneNames, AreUniqueAmongWhatBecomesASymbol) {
+  scene.coordinate("theta", "rad");
+  const std::string expected =
+      "duplicate name 'theta': the scene 'machine' already has a coordinate of that name; choose another name for the "
+      "new parameter";
+  EXPECT_EQ(error_of<SceneError>([&] { scene.parameter("theta", "kg", 1); }), expected);
+  EXPECT_NE(error_of<SceneError>([&] { scene.coordinate("theta", "rad"); }), "no error");
+  EXPECT_NE(error_of<SceneError>([&] { scene.motor("theta", scene.coordinate("x", "m")); }), "no error");
+}
+
+TEST_F(SceneNames, AreUniqueAmongFramesBodiesPointsActionsAndConstraints) {
+  const Expression x = scene.coordinate("x", "m");
+  const FrameHandle slide = scene.prismatic("slide", scene.ground(), axis::x, x);
+  scene.body("slide", slide, Inertia::point(1));  // a frame and its body are often namesakes
+  scene.point("end", slide, {0, 0, 0});
+  scene.spring("end", x, 1);
+  scene.holonomic("end", x);
+  const auto refused = [](const auto& action) { return error_of<SceneError>(action).starts_with("duplicate name"); };
+  EXPECT_TRUE(refused([&] { scene.weld("slide", "ground", {}); }));
+  EXPECT_TRUE(refused([&] { scene.weld("ground", "slide", {}); }));
+  EXPECT_TRUE(refused([&] { scene.body("slide", slide, Inertia::point(1)); }));
+  EXPECT_TRUE(refused([&] { scene.point("end", slide, {0, 0, 0}); }));
+  EXPECT_TRUE(refused([&] { scene.damper("end", x, 1); }));
+  EXPECT_TRUE(refused([&] { scene.holonomic("end", x); }));
+}
+
+TEST_F(SceneNames, AreNamesInGeneratedCode) {
+  for (const char* bad : {"", "1st", "a b", "double", "_x", "x_", "a__b", "mass-1", "size"}) {
+    const std::string text = error_of<SceneError>([&] { scene.coordinate(bad, "m"); });
+    EXPECT_TRUE(text.starts_with("the name '" + std::string(bad) + "' of a coordinate cannot be a name")) << text;
+  }
+  EXPECT_THROW(Scene("class"), SceneError);
+}
+
+using SceneCoordinates = SceneTest;
+
+TEST_F(SceneCoordinates, BringTheirVelocityAndAccelerationAlong) {
+  const SymbolPointer q = scene.coordinate("x", "m").as_symbol();
+  ASSERT_TRUE(q && q->rate && q->rate->rate);
+  EXPECT_EQ(q->kind, SymbolKind::coordinate);
+  EXPECT_EQ(q->rate->name, "x'");
+  EXPECT_EQ(q->rate->unit, units::metre_per_second);
+  EXPECT_EQ(q->rate->rate->unit, units::metre_per_second_squared);
+  EXPECT_EQ(q->rate->rate->kind, SymbolKind::acceleration);
+}
+
+TEST_F(SceneCoordinates, FollowOneLawOfTimeInTheirOwnUnit) {
+  const Expression x = scene.coordinate("x", "m");
+  EXPECT_EQ(error_of<UnitError>([&] { scene.drive(x, scene.time()); }),
+            "coordinate 'x' [m] cannot follow the law t [s]: the units differ");
+  scene.drive(x, scene.time() * Expression::quantity("2", "m/s"));
+  EXPECT_EQ(error_of<SceneError>([&] { scene.drive(x, 0); }),
+            "coordinate 'x' is driven twice: keep one law of time");
+  EXPECT_EQ(error_of<SceneError>([&] { scene.drive(2 * x, 0); }),
+            "drive needs a coordinate of the scene 'machine' and got 2*x: pass what coordinate(...) returned");
+}
+
+TEST_F(SceneCoordinates, StartInTheirOwnUnit) {
+  const Expression x = scene.coordinate("x", "m");
+  scene.initial(x, 1);
+  scene.initial(x, Expression::quantity("1", "m"), Expression::quantity("1", "m/s"));
+  EXPECT_EQ(error_of<UnitError>([&] { scene.initial(x, Expression::quantity("1", "kg")); }),
+            "initial value of 'x' is given in kg and must be in m");
+  EXPECT_EQ(error_of<UnitError>([&] { scene.initial(x, 0, Expression::quantity("1", "m")); }),
+            "initial rate of 'x' is given in m and must be in m s^-1");
+}
+
+using SceneUnits = SceneTest;
+
+TEST_F(SceneUnits, OfJointsAreAnglesAndLengths) {
+  const Expression x = scene.coordinate("x", "m");
+  const Expression theta = scene.coordinate("theta", "rad");
+  EXPECT_EQ(error_of<UnitError>([&] { scene.revolute("arm", scene.ground(), axis::z, x); }),
+            "the angle x of the revolute joint 'arm' has the unit m and must be in rad");
+  EXPECT_EQ(error_of<UnitError>([&] { scene.prismatic("slide", scene.ground(), axis::z, theta); }),
+            "the displacement theta of the prismatic joint 'slide' has the unit 1 and must be in m");
+}
+
+TEST_F(SceneUnits, OfAParametersValueAreItsOwnOrNone) {
+  scene.parameter("plain", "kg", 3);
+  scene.parameter("same", "kg", Expression::quantity("3", "kg"));
+  EXPECT_EQ(error_of<UnitError>([&] { scene.run_time_parameter("d", "m", Expression::quantity("3", "kg")); }),
+            "parameter 'd' [m] is given the value 3 [kg]: the units differ; give a plain number or one in m");
+  EXPECT_THROW(scene.parameter("e", "m", scene.time()), UnitError);
+}
+
+TEST_F(SceneUnits, OfMotorsMakeTheirPowerAPower) {
+  EXPECT_EQ(scene.motor("pull", scene.coordinate("x", "m")).unit(), units::newton);
+  EXPECT_EQ(scene.motor("turn", scene.coordinate("theta", "rad")).unit(), units::newton_metre);
+}
+
+TEST_F(SceneUnits, OfMultipliersMakeTheirForcesGeneralisedForces) {
+  const Expression x = scene.coordinate("x", "m");
+  const Expression theta = scene.coordinate("theta", "rad");
+  scene.holonomic("length", x);
+  scene.holonomic("angle", theta);
+  scene.nonholonomic("speed", rate(theta));
+  const auto& constraints = scene.content().constraints;
+  EXPECT_EQ(constraints[0].multiplier->unit, units::newton);
+  EXPECT_EQ(constraints[1].multiplier->unit, units::newton_metre);
+  EXPECT_EQ(constraints[2].multiplier->unit, units::newton_metre);
+}
+
+TEST(SceneFree, MovesInThreeDirectionsThenTurnsAboutThreeAxesOfItsSequence) {
+  Scene scene("floating");
+  Triple position, angles;
+  for (std::size_t i = 0; i < 3; ++i) {
+    position[i] = scene.coordinate(std::string("p") + "xyz"[i], "m");
+    angles[i] = scene.coordinate(std::string("a") + "123"[i], "rad");
+  }
+  scene.free("euler", scene.ground(), AngleSequence::euler, position, angles);
+  scene.free("cardan", scene.ground(), AngleSequence::cardan, position, angles);
+  const auto& frames = scene.content().frames;
+  ASSERT_EQ(frames.size(), 13U);
+  const auto axis_of = [&](std::size_t frame) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!frames[frame].axis[i].is_zero()) return static_cast<int>(i);
+    }
+    return -1;
+  };
+  const std::vector<int> axes{0, 1, 2, 2, 0, 2, 0, 1, 2, 0, 1, 2};
+  for (std::size_t k = 0; k < axes.size(); ++k) EXPECT_EQ(axis_of(k + 1), axes[k]) << frames[k + 1].name;
+  EXPECT_EQ(frames[5].name, "euler.2");
+  EXPECT_EQ(frames[6].name, "euler");
+}
+
+using SceneReactions = SceneTest;
+
+TEST_F(SceneReactions, EnforceOneConstraintEach) {
+  const Expression x = scene.coordinate("x", "m");
+  const FrameHandle slide = scene.prismatic("slide", scene.ground(), axis::x, x);
+  const PointHandle point = scene.point("P", slide, {0, 0, 0});
+  const ConstraintHandle stop = scene.holonomic("stop", x);
+  scene.reaction(stop, "N", slide, point, axis::x, "ground");
+  EXPECT_EQ(scene.content().constraints[0].multiplier->name, "N");
+  EXPECT_EQ(error_of<SceneError>([&] { scene.reaction(stop, "R", slide, point, axis::x, "ground"); }),
+            "constraint 'stop' already has the reaction 'N': one multiplier enforces one constraint");
+}
+
+}  // namespace
+}  // namespace torsor
