@@ -31,8 +31,6 @@ class Page {
   virtual void equation(const std::string& label, const Written& left, const Written& right,
                         const std::string& remark) = 0;
   virtual void matrix(const std::string& name, const std::vector<std::vector<Written>>& rows) = 0;
-  /// Text that is already in the format.
-  virtual void verbatim(const std::string& text) = 0;
   virtual std::string finish() = 0;
 };
 

@@ -87,11 +87,6 @@ class LatexPage final : public Page {
     }
     row(body + "\n  \\end{pmatrix}");
   }
-  void verbatim(const std::string& text) override {
-    close();
-    out_ += "\n" + text;
-    if (text.empty() || text.back() != '\n') out_ += "\n";
-  }
   std::string finish() override {
     close();
     if (document_) out_ += "\\end{document}\n";

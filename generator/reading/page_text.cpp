@@ -74,10 +74,6 @@ class TextPage final : public Page {
       }
     }
   }
-  void verbatim(const std::string& text) override {
-    out_ += "\n" + text;
-    if (text.empty() || text.back() != '\n') out_ += "\n";
-  }
   std::string finish() override { return std::move(out_); }
 
  private:

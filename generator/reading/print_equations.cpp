@@ -9,6 +9,7 @@
 #include "generator/dynamics/validation.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/reading/definitions_view.hpp"
+#include "generator/reading/first_integrals.hpp"
 #include "generator/reading/lagrange_equations.hpp"
 #include "generator/reading/linearised_equations.hpp"
 #include "generator/reading/page.hpp"
@@ -32,9 +33,9 @@ class Printer {
     energies();
     lagrange();
     constraints();
+    write_first_integrals(equations_.definitions(), {options_.terms, options_.expansion}, page_);
     if (options_.linearisation) linearisation();
     definitions();
-    for (const std::string& section : options_.sections) page_.verbatim(section);
   }
 
  private:

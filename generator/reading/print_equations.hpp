@@ -21,8 +21,6 @@ struct PrintOptions {
   /// the scene's parameters, e.g. {"X", "X0"}, {"theta", "pi/2"}. Empty: a symbolic state. When it is not empty,
   /// velocities and accelerations that are not named are zero and coordinates that are not named stay symbols.
   std::vector<std::pair<std::string, std::string>> about{};
-  /// Further paragraphs, already in the format, put after the equations.
-  std::vector<std::string> sections{};
   int terms = 400;        ///< what has more terms is given by named definitions instead
   int expansion = 20000;  ///< what would have more terms before anything cancels is not even multiplied out
 };

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "generator/dynamics/equations.hpp"
+#include "generator/reading/inline_view.hpp"
+#include "generator/reading/page.hpp"
+
+namespace torsor::reading {
+
+/// Painlevé's equation, the first integrals that were found and, where T2 − T0 − U is not conserved, which of its
+/// conditions fails.
+void write_first_integrals(const Equations& equations, const InlineLimits& limits, Page& page);
+
+}  // namespace torsor::reading
