@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The instances for Real, thousands of calls in one function, cost an optimiser minutes. Rounding is the same without.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize("O0")
+#endif
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <string>
+
+#include "generated/arm7.hpp"
+#include "generated/double_pendulum.hpp"
+#include "generated/loading_robot.hpp"
+#include "generated/rolling_hoop.hpp"
+#include "generated/rolling_hoop_contact_forces.hpp"
+#include "generated/satellite_arms.hpp"
+#include "generated/vibration_absorber.hpp"
+#include "generator/expression/number.hpp"
+#include "tests/examples/kernel_comparison.hpp"
+
+namespace {
+
+using examples::Evaluated;
+using examples::worst_difference;
+using torsor::Real;
+using torsor::WorkingDigits;
+
+constexpr unsigned states = 20;
+
+/// Runs one check over all mechanisms; the letters tell the units of their coordinates, the number their bodies.
+template <class Check>
+void for_all_mechanisms(const Check& check) {
+  check.template operator()<arm7::Mechanism>("rrrrrrr", 7);
+  check.template operator()<double_pendulum::Mechanism>("rr", 2);
+  check.template operator()<loading_robot::Mechanism>("rmr", 3);
+  check.template operator()<rolling_hoop::Mechanism>("mmrrr", 1);
+  check.template operator()<rolling_hoop_contact_forces::Mechanism>("mmmrrr", 1);
+  check.template operator()<satellite_arms::Mechanism>("rrr", 3);
+  check.template operator()<vibration_absorber::Mechanism>("mr", 3);
+}
+
+/// Kernels on a machine number against the same kernels on Real at the same inputs. A kernel computes sums of products
+/// whose terms may exceed the result by some tens; 450 roundings are allowed, and 45 times the condition of the mass
+/// matrix where equations are solved: in double 1e-13 and 1e-14 cond(M).
+template <class Scalar>
+void expect_close_to_real() {
+  const double rounding = std::numeric_limits<Scalar>::epsilon() / 2.220446049250313e-16;
+  for_all_mechanisms([rounding]<template <class> class Mechanism>(const char* units, int bodies) {
+    for (unsigned seed = 1; seed <= states; ++seed) {
+      const Evaluated<Mechanism, Real> truth(units, bodies, seed);
+      const Evaluated<Mechanism, Scalar> found(units, bodies, seed);
+      const std::string name = Mechanism<Scalar>::name;
+      std::string where;
+      EXPECT_LE(worst_difference(found.direct, truth.direct, where), 1e-13 * rounding) << name << ", " << where;
+      const double cond = examples::condition(truth.mass, Mechanism<Scalar>::velocity_count);
+      EXPECT_LE(worst_difference(found.solved, truth.solved, where), 1e-14 * rounding * cond)
+          << name << ", " << where << ", condition " << cond;
+    }
+  });
+}
+
+TEST(GeneratedHeaders, AreRightToRoundingInDouble) { expect_close_to_real<double>(); }
+
+TEST(GeneratedHeaders, AreRightToRoundingInFloat) { expect_close_to_real<float>(); }
+
+// A double that hid in the instance for Real would be the same wrong number at both precisions, but not agree with the
+// constants that are not: 70 digits against 50 would then agree to 16. What 50 digits lose by cancellation is allowed.
+TEST(GeneratedHeaders, HideNoDoubleInTheInstanceForReal) {
+  for_all_mechanisms([]<template <class> class Mechanism>(const char* units, int bodies) {
+    const auto at = [units, bodies](int digits, unsigned seed) {
+      const WorkingDigits working(digits);
+      return Evaluated<Mechanism, Real>(units, bodies, seed);
+    };
+    for (unsigned seed = 1; seed <= 3; ++seed) {
+      const auto coarse = at(50, seed), fine = at(70, seed);
+      std::string where;
+      EXPECT_LE(worst_difference(coarse.direct, fine.direct, where), 1e-48) << Mechanism<Real>::name << ", " << where;
+      const double cond = examples::condition(fine.mass, Mechanism<Real>::velocity_count);
+      EXPECT_LE(worst_difference(coarse.solved, fine.solved, where), 1e-48 * cond)
+          << Mechanism<Real>::name << ", " << where;
+    }
+  });
+}
+
+// Every literal of every header is the number beside it, rounded once for each of the two formats.
+TEST(GeneratedHeaders, HaveCorrectlyRoundedLiterals) {
+  const std::regex constant(R"re(traits::constant\(([^,]+), ([^,]+)f, "([^"]+)"\))re");
+  int headers = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(TORSOR_SOURCE_DIR "/generated")) {
+    if (entry.path().extension() != ".hpp") continue;
+    ++headers;
+    std::ifstream stream(entry.path());
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    int constants = 0;
+    for (std::sregex_iterator match(text.begin(), text.end(), constant), end; match != end; ++match, ++constants) {
+      const torsor::Number exact = torsor::Number::from_exact(match->str(3));
+      EXPECT_EQ(std::stod(match->str(1)), exact.to_double()) << entry.path().filename() << ": " << match->str();
+      EXPECT_EQ(std::stof(match->str(2)), exact.to_float()) << entry.path().filename() << ": " << match->str();
+    }
+    EXPECT_GT(constants, 20) << entry.path().filename();
+  }
+  EXPECT_EQ(headers, 7);
+}
+
+}  // namespace
