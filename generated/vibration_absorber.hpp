@@ -460,9 +460,9 @@ struct Mechanism {
     forces.theta = z74;
   }
 
-  /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by an
-  /// unrolled L D L' of M and of the Schur complement A M^-1 A'. Returns singular when a pivot is not positive
-  /// relative to its diagonal entry.
+  /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
+  /// an unrolled L D L' of M. Returns singular when a pivot is not
+  /// positive relative to its diagonal entry.
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
       const Inputs&, Accelerations& accelerations, Multipliers&) noexcept {
     const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
@@ -495,15 +495,15 @@ struct Mechanism {
     const Scalar z62 = s_theta * z60;
     const Scalar z64 = z56 + z62;  // force on support, x
     const Scalar z67 = z48 + z64;
-    const Scalar z82 = z21 * z81;
-    const Scalar z83 = n11_1 - z21 * z82;
-    const Scalar z84 = n1 / z83;
-    const Scalar z85 = z61 * z82 + z67;
-    const Scalar z86 = z84 * z85;
-    const Scalar z87 = z61 * z81 + z82 * z86;
-    accelerations.X = z86;
-    accelerations.theta = -z87;
-    if (!(traits::regular(z83, n11_1) && traits::regular(z14, z14))) return torsor::Status::singular;
+    const Scalar z100 = z21 * z81;
+    const Scalar z101 = n11_1 - z21 * z100;
+    const Scalar z102 = n1 / z101;
+    const Scalar z103 = z61 * z100 + z67;
+    const Scalar z104 = z102 * z103;
+    const Scalar z105 = z61 * z81 + z100 * z104;
+    accelerations.X = z104;
+    accelerations.theta = -z105;
+    if (!(traits::regular(z101, n11_1) && traits::regular(z14, z14))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.X - accelerations.X) + (accelerations.theta - accelerations.theta);
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -543,11 +543,11 @@ struct Mechanism {
     const Scalar z23 = v_theta * p_d + z16;
     const Scalar z32 = n0_002 * z12;
     const Scalar z47 = n0_1 - q_X;
-    const Scalar z88 = v_theta * z14 + p_d * z16;
-    const Scalar z89 = n0_002 * p_omega + n0_1 * z18;
-    const Scalar z90 = k2 * p_omega + n0_002 * z18;
-    result.kinetic = n0_5 * (v_theta * z88 + p_omega * z90 + z16 * z23 + z17 * z17 + z18 * z89) + n5 * v_X * v_X + n0_05
-        * z19 * z19;
+    const Scalar z106 = v_theta * z14 + p_d * z16;
+    const Scalar z107 = n0_002 * p_omega + n0_1 * z18;
+    const Scalar z108 = k2 * p_omega + n0_002 * z18;
+    result.kinetic = n0_5 * (v_theta * z106 + p_omega * z108 + z16 * z23 + z17 * z17 + z18 * z107) + n5 * v_X * v_X
+        + n0_05 * z19 * z19;
     result.force_function = n9_81 * (z21 + z32) - n500 * z47 * z47;
     result.power = n0;
   }
@@ -593,51 +593,51 @@ struct Mechanism {
     const Scalar z76 = s_theta * z73 + c_theta * z60;
     const Scalar z77 = n11_1 * a_X - z56 - z75;  // force on support, x
     const Scalar z80 = z48 - z77;
-    const Scalar z82 = z21 * z81;
-    const Scalar z83 = n11_1 - z21 * z82;
-    const Scalar z84 = n1 / z83;
-    const Scalar z117 = n2 * v_theta;
-    const Scalar z118 = p_d * z117;
-    const Scalar z119 = s_theta * z118;
-    const Scalar z120 = p_d * z69;
-    const Scalar z121 = n1000 * z84;
-    const Scalar z122 = z82 * z121;
-    const Scalar z123 = z76 - z82 * z120;
-    const Scalar z124 = z84 * z123;
-    const Scalar z125 = z81 * z120 - z82 * z124;
-    const Scalar z126 = z84 * z119;
-    const Scalar z127 = z82 * z126;
+    const Scalar z100 = z21 * z81;
+    const Scalar z101 = n11_1 - z21 * z100;
+    const Scalar z102 = n1 / z101;
+    const Scalar z135 = n2 * v_theta;
+    const Scalar z136 = p_d * z135;
+    const Scalar z137 = s_theta * z136;
+    const Scalar z138 = p_d * z69;
+    const Scalar z139 = n1000 * z102;
+    const Scalar z140 = z100 * z139;
+    const Scalar z141 = z76 - z100 * z138;
+    const Scalar z142 = z102 * z141;
+    const Scalar z143 = z81 * z138 - z100 * z142;
+    const Scalar z144 = z102 * z137;
+    const Scalar z145 = z100 * z144;
     result.M[0] = n11_1;
     result.M[1] = z21;
     result.M[2] = z21;
     result.M[3] = z14;
     result.C[0] = n0;
     result.C[1] = n0;
-    result.C[2] = -z119;
+    result.C[2] = -z137;
     result.C[3] = n0;
     result.K[0] = n1000;
     result.K[1] = n0;
     result.K[2] = -z76;
-    result.K[3] = -z120;
+    result.K[3] = -z138;
     result.F[0] = z80;
     result.F[1] = -z74;
     result.A[0] = n0;
     result.A[1] = n0;
-    result.A[2] = -z121;
-    result.A[3] = z122;
+    result.A[2] = -z139;
+    result.A[3] = z140;
     result.A[4] = n0;
     result.A[5] = n0;
-    result.A[6] = z124;
-    result.A[7] = z125;
+    result.A[6] = z142;
+    result.A[7] = z143;
     result.A[8] = n1;
     result.A[9] = n0;
     result.A[10] = n0;
     result.A[11] = n0;
     result.A[12] = n0;
     result.A[13] = n1;
-    result.A[14] = z126;
-    result.A[15] = -z127;
-    if (!(traits::regular(z83, n11_1) && traits::regular(z14, z14))) return torsor::Status::singular;
+    result.A[14] = z144;
+    result.A[15] = -z145;
+    if (!(traits::regular(z101, n11_1) && traits::regular(z14, z14))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.M[1] - result.M[1]) + (result.M[2] - result.M[2]) + (result.M[3] - result.M[3])
         + (result.C[2] - result.C[2]) + (result.K[2] - result.K[2]) + (result.K[3] - result.K[3]) + (result.F[0]
