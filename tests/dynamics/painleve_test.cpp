@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/dynamics/painleve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "generator/verification/extrapolation.hpp"
+#include "tests/dynamics/simple_scenes.hpp"
+
+namespace torsor {
+namespace {
+
+using namespace testing_symbols;
+using namespace testing_mechanisms;
+using namespace literals;
+
+std::vector<std::string> names(const PainleveReport& report) {
+  std::vector<std::string> all;
+  for (const FirstIntegral& integral : report.first_integrals) all.push_back(integral.name);
+  return all;
+}
+
+PainleveReport report_of(const Scene& scene) { return painleve(Equations(scene)); }
+// The values of a report live in its equations' program; this one is for names and conditions only.
+
+/// Integrates the forward dynamics in CLN and returns how much each first integral moves over 2 s, relative to its size.
+std::vector<double> drift(const Scene& scene, const std::vector<Real>& start) {
+  const Equations equations(scene);
+  const PainleveReport report = painleve(equations);
+  const Model& model = equations.model();
+  const auto n = static_cast<std::size_t>(model.unknown_count());
+  const std::vector<Value> accelerations = equations.forward().accelerations;
+  const auto values = [&](const Real& t, const std::vector<Real>& y) -> Evaluator<Real>::SymbolValue {
+    return [&, t](const SymbolPointer& symbol) {
+      if (symbol->kind == SymbolKind::pi) return Real::pi();
+      if (symbol->kind == SymbolKind::time) return t;
+      for (std::size_t i = 0; i < n; ++i) {
+        if (symbol == model.coordinates()[i].q) return y[i];
+        if (symbol == model.coordinates()[i].v) return y[n + i];
+      }
+      return Real(0);
+    };
+  };
+  Evaluator<Real> evaluate(equations.program(), {});
+  const auto f = [&](const Real& t, const std::vector<Real>& y) {
+    evaluate.move_to(values(t, y));
+    std::vector<Real> slope(y.begin() + static_cast<std::ptrdiff_t>(n), y.end());
+    for (const Value& a : accelerations) slope.push_back(evaluate(a));
+    return slope;
+  };
+  const std::vector<std::vector<Real>> end =
+      integrate(f, start, Real(0), {Real(1), Real(2)}, {.columns = 12, .tolerance_digits = 45, .work_digits = 65});
+  std::vector<double> drifts;
+  for (const FirstIntegral& integral : report.first_integrals) {
+    evaluate.move_to(values(Real(0), start));
+    const Real before = evaluate(integral.value);
+    double worst = 0;
+    for (std::size_t k = 0; k < end.size(); ++k) {
+      evaluate.move_to(values(Real(static_cast<int>(k) + 1), end[k]));
+      worst = std::max(worst, relative_difference(evaluate(integral.value), before));
+    }
+    drifts.push_back(worst);
+  }
+  return drifts;
+}
+
+TEST(FirstIntegrals, OfAPendulumAreItsEnergyAlone) {
+  EXPECT_EQ(names(report_of(pendulum())), std::vector<std::string>{"energy"});
+  EXPECT_TRUE(report_of(pendulum()).failing_conditions.empty());
+}
+
+/// Spherical pendulum on a turntable with springs: energy and one momentum.
+Scene spherical_pendulum() {
+  Scene scene("spherical_pendulum");
+  const Expression psi = scene.coordinate("psi", "rad");
+  const Expression theta = scene.coordinate("theta", "rad");
+  const FrameHandle turn = scene.revolute("turn", scene.ground(), axis::z, psi);
+  const FrameHandle arm = scene.revolute("arm", turn, axis::x, theta, {.origin = {0, metres("0.3"), 0}});
+  scene.body("table", turn, Inertia::disk(kilograms("3"), metres("0.5"), 2));
+  scene.body("bob", arm, Inertia::solid_sphere(kilograms("2"), metres("0.1")).at({0, 0, metres("-1")}));
+  scene.spring("spring", theta, Expression::quantity("4", "N m"), 0.2_r);
+  scene.gravity({0, 0, Expression::quantity("-9.81", "m/s^2")});
+  return scene;
+}
+
+TEST(FirstIntegrals, StayConstantAlongAnIntegrationInFiftyDigits) {
+  const WorkingDigits precision(65);
+  EXPECT_EQ(names(report_of(spherical_pendulum())), (std::vector<std::string>{"energy", "momentum_psi"}));
+  const std::vector<Real> start{Real(0), rational(4, 5), Real(2), rational(-1, 2)};
+  for (const double change : drift(spherical_pendulum(), start)) EXPECT_LT(change, 1e-42);  // 45 digits a step
+}
+
+/// A bead on a rod that turns at constant speed: the energy changes, T2 − T0 − U does not.
+Scene bead(bool by_law) {
+  Scene scene("bead");
+  const Expression r = scene.coordinate("r", "m");
+  const Expression angle = Expression::quantity("2", "rad/s") * scene.time();
+  Expression turned = angle;
+  if (by_law) {
+    turned = scene.coordinate("phi", "rad");
+    scene.drive(turned, angle);
+  }
+  const FrameHandle rod = scene.revolute("rod", scene.ground(), axis::z, turned);
+  const FrameHandle slide = scene.prismatic("slide", rod, axis::x, r);
+  scene.body("bead", slide, Inertia::point(kilograms("1.5")));
+  scene.spring("spring", r, Expression::quantity("9", "N/m"), metres("0.4"));
+  return scene;
+}
+
+TEST(FirstIntegrals, OfABeadOnARotatingRodAreThoseOfPainleveWhicheverWayTheRotationIsWritten) {
+  const WorkingDigits precision(65);
+  for (const bool by_law : {true, false}) {
+    EXPECT_EQ(names(report_of(bead(by_law))), std::vector<std::string>{"painleve"});
+    const std::vector<double> change = drift(bead(by_law), {rational(1, 2), rational(1, 3)});
+    ASSERT_EQ(change.size(), 1U);
+    EXPECT_LT(change[0], 1e-42);
+  }
+  // T2 − T0 = ½ m (ṙ² − ω² r²).
+  const Equations equations(bead(true));
+  NamedState state(equations, {{"r", Real(2)}, {"r'", Real(3)}});
+  EXPECT_EQ(state.in_double(painleve(equations).t2_minus_t0), 0.5 * 1.5 * (9 - 4 * 4));
+}
+
+std::vector<std::string> failing(const Scene& scene) { return report_of(scene).failing_conditions; }
+
+TEST(FailingConditions, SayWhichConditionFails) {
+  Scene damped = pendulum();
+  const SymbolPointer theta = damped.content().coordinates[0].q;
+  damped.damper("friction", theta, Expression::quantity("1", "N m s"));
+  EXPECT_EQ(failing(damped), std::vector<std::string>{"'friction' has no force function"});
+  EXPECT_TRUE(names(report_of(damped)).empty());
+  damped.motor("torque", theta);
+  EXPECT_EQ(failing(damped), std::vector<std::string>{"'friction', 'torque' have no force function"});
+
+  Scene accelerated("accelerated");
+  const Expression r = accelerated.coordinate("r", "m");
+  const Expression t = accelerated.time();
+  const FrameHandle rod =
+      accelerated.revolute("rod", accelerated.ground(), axis::z, Expression::quantity("1", "rad/s^2") * t * t);
+  accelerated.body("bead", accelerated.prismatic("slide", rod, axis::x, r), Inertia::point(kilograms("1")));
+  EXPECT_EQ(failing(accelerated), std::vector<std::string>{"T depends on time explicitly"});
+  accelerated.gravity({0, Expression::quantity("-9.81", "m/s^2"), 0});
+  EXPECT_EQ(failing(accelerated),
+            (std::vector<std::string>{"T depends on time explicitly", "the force function U depends on time explicitly"}));
+
+  Scene pushed = pendulum();
+  pushed.nonholonomic("imposed", rate(Expression(pushed.content().coordinates[0].q)) - Expression::quantity("1", "rad/s"));
+  EXPECT_EQ(failing(pushed), std::vector<std::string>{"constraint 'imposed' imposes a velocity (b is not zero)"});
+}
+
+TEST(CyclicCoordinate, IsNoneWhenSomethingWorksOnIt) {
+  const auto with = [](const auto& add) {
+    Scene scene = spherical_pendulum();
+    add(scene, Expression(scene.content().coordinates[0].q), Expression(scene.content().coordinates[1].q));
+    const std::vector<std::string> all = names(report_of(scene));
+    return std::find(all.begin(), all.end(), "momentum_psi") != all.end();
+  };
+  EXPECT_TRUE(with([](Scene&, const Expression&, const Expression&) {}));
+  EXPECT_TRUE(with([](Scene& s, const Expression&, const Expression& theta) { s.motor("u", theta); }));
+  EXPECT_FALSE(with([](Scene& s, const Expression& psi, const Expression&) { s.motor("u", psi); }));
+  EXPECT_FALSE(with([](Scene& s, const Expression& psi, const Expression&) {
+    s.spring("w", psi, Expression::quantity("1", "N m"));
+  }));
+  EXPECT_FALSE(with([](Scene& s, const Expression& psi, const Expression&) {
+    s.damper("w", psi, Expression::quantity("1", "N m s"));
+  }));
+  EXPECT_FALSE(with([](Scene& s, const Expression&, const Expression&) {
+    s.gravity({Expression::quantity("1", "m/s^2"), 0, 0});
+  }));
+  EXPECT_FALSE(with([](Scene& s, const Expression& psi, const Expression& theta) { s.holonomic("tied", psi - theta); }));
+}
+
+TEST(CyclicCoordinate, HasItsMomentumAsFirstIntegral) {
+  const Equations equations(spherical_pendulum());
+  const PainleveReport report = painleve(equations);
+  NamedState state(equations, {{"psi'", Real(3)}, {"theta'", Real(7)}, {"theta", Real(0)}});
+  // At θ = 0: J = ½ 3 0.25 + 2 0.3² + 2/5 2 0.01 about z, times ψ̇.
+  EXPECT_NEAR(state.in_double(report.first_integrals[1].value), (0.375 + 0.18 + 0.008) * 3, 1e-14);
+}
+
+}  // namespace
+}  // namespace torsor

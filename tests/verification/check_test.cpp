@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/verification/check.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "tests/dynamics/simple_scenes.hpp"
+
+namespace torsor {
+namespace {
+
+using namespace testing_mechanisms;
+
+const CheckResult& named(const std::vector<CheckResult>& results, const std::string& name) {
+  const auto place = std::find_if(results.begin(), results.end(), [&](const CheckResult& r) { return r.name == name; });
+  if (place == results.end()) throw std::out_of_range("no check " + name);
+  return *place;
+}
+
+TEST(Check, PassesAtItsBoundAndFailsBeyondAndForNaN) {
+  EXPECT_TRUE((CheckResult{"", "", 1e-45, 1e-45}.passed()));
+  EXPECT_FALSE((CheckResult{"", "", 2e-45, 1e-45}.passed()));
+  EXPECT_FALSE((CheckResult{"", "", std::numeric_limits<double>::quiet_NaN(), 1e-45}.passed()));
+}
+
+TEST(Check, PassesAGoodSceneAtEveryPrecision) {
+  for (const int digits : {30, 80}) {
+    for (const CheckResult& result : check_scene(pendulum(), {.digits = digits, .states = 3})) {
+      EXPECT_TRUE(result.passed()) << result.name << ": " << result.worst;
+      if (result.name == "derivations") {
+        EXPECT_LT(result.worst, std::pow(10.0, 5 - digits));
+        EXPECT_LE(result.bound, std::pow(10.0, 6 - digits));
+      }
+    }
+  }
+}
+
+TEST(Check, ComparesEveryKernelInDoubleAndRepeatsItself) {
+  const std::vector<CheckResult> first = check_scene(pendulum(), {.digits = 30, .states = 2});
+  const std::vector<CheckResult> second = check_scene(pendulum(), {.digits = 30, .states = 2});
+  for (const char* kernel : {"mass_matrix", "bias", "inverse_dynamics", "forward_dynamics", "energy", "linearisation"}) {
+    EXPECT_EQ(named(first, "double." + std::string(kernel)).worst, named(second, "double." + std::string(kernel)).worst);
+  }
+}
+
+/// A reaction that pushes along the wrong direction is caught by the gradient of its constraint.
+TEST(Check, FailsWhereAReactionDoesNotEnforceItsConstraint) {
+  Scene scene("block");
+  const Expression x = scene.coordinate("x", "m");
+  const Expression y = scene.coordinate("y", "m");
+  const FrameHandle slide = scene.prismatic("slide", scene.ground(), axis::x, x);
+  const FrameHandle block = scene.prismatic("block", slide, axis::y, y);
+  scene.body("block", block, Inertia::point(kilograms("1")));
+  scene.point("P", block, {0, 0, 0});
+  scene.reaction(scene.holonomic("floor", y + x / 100), "N", block, "P", axis::y, scene.ground());
+  const std::vector<CheckResult> results = check_scene(scene, {.digits = 30, .states = 2});
+  EXPECT_FALSE(named(results, "reactions").passed());
+  EXPECT_GT(named(results, "reactions").worst, 1e-3);
+}
+
+/// A mass below zero makes the mass matrix indefinite.
+TEST(Check, CountsTheStatesWhereTheMassMatrixIsNotPositive) {
+  Scene scene("levitating");
+  const FrameHandle slide = scene.prismatic("slide", scene.ground(), axis::x, scene.coordinate("x", "m"));
+  scene.body("block", slide, Inertia::point(kilograms("-1")));
+  const std::vector<CheckResult> results = check_scene(scene, {.digits = 30, .states = 3});
+  EXPECT_EQ(named(results, "positiveness").worst, 3);
+  EXPECT_FALSE(named(results, "positiveness").passed());
+}
+
+}  // namespace
+}  // namespace torsor
