@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <memory>
 #include <new>
 
 #include "generated/rolling_hoop.hpp"
@@ -34,7 +33,7 @@ using Hoop = rolling_hoop::Mechanism<double>;
 
 TEST(Allocations, AreCountedInThisProgram) {
   const long before = allocations;
-  EXPECT_NE(std::make_unique<int>(3), nullptr);
+  ::operator delete(::operator new(8));  // called like this, the pair may not be left out
   EXPECT_GT(allocations, before);
 }
 
