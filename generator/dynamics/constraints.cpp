@@ -16,7 +16,10 @@ class RowBuilder {
   RowBuilder(const Model& model, const std::string& user, ConstraintRow& row)
       : model_(model), program_(model.program()), user_(user), row_(row) {}
 
-  void operator()(const HolonomicFormula& law) { holonomic(program_.lower(law.f)); }
+  void operator()(const HolonomicFormula& law) {
+    refuse_released(law.f);
+    holonomic(program_.lower(law.f));
+  }
 
   void operator()(const Closure& law) {
     const Vector a = model_.locate(law.a, 0, user_);
@@ -33,6 +36,7 @@ class RowBuilder {
   }
 
   void operator()(const NonholonomicFormula& law) {
+    refuse_released(law.left_side);
     row_.rate = program_.bind(program_.lower(law.left_side));
     for (const CoordinateContent& c : model_.coordinates()) {
       row_.jacobian.push_back(program_.bind(partial_derivation(program_, c.v)(row_.rate)));
@@ -69,6 +73,16 @@ class RowBuilder {
   }
 
  private:
+  /// A released coordinate is zero in every formula: its part of a constraint would be lost without a word.
+  void refuse_released(const Expression& formula) const {
+    for (const CoordinateContent& c : model_.coordinates()) {
+      if (!c.released || !(formula.depends_on(c.q) || formula.depends_on(c.v))) continue;
+      throw SceneError(fmt::format("{} names the released coordinate '{}', which its joint holds at zero: write the "
+                                   "constraint without it",
+                                   user_, c.q->name));
+    }
+  }
+
   int link_of(const PointReference& point) const {
     const SceneContent& scene = model_.scene();
     return model_.place(scene.points[static_cast<std::size_t>(scene.point_index(point, user_))].frame, user_).link;

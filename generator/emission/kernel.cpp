@@ -12,6 +12,7 @@
 #include "generator/emission/kernel_linearisation.hpp"
 #include "generator/emission/kernel_parts.hpp"
 #include "generator/expression/error.hpp"
+#include "generator/expression/evaluation.hpp"
 
 namespace torsor {
 namespace {
@@ -157,6 +158,17 @@ Kernel make_reactions(const Equations& equations) {
   return kernel;
 }
 
+/// Results that vanish identically although their definitions do not show it (terms that cancel across definitions) are
+/// set to zero: they cost nothing and carry no rounding.
+void clear_vanishing(Kernel& kernel) {
+  std::vector<Value> values;
+  for (const Assignment& assignment : kernel.assignments) values.push_back(assignment.value);
+  const std::vector<bool> zero = vanish(values);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (zero[i]) kernel.assignments[i].value = Value();
+  }
+}
+
 struct Entry {
   std::string name;
   std::function<Kernel(const Equations&)> make;
@@ -208,6 +220,7 @@ Kernel make_kernel(const std::string& name, const Equations& equations) {
     if (entry.name != name) continue;
     Kernel kernel = entry.make(equations);
     kernel.name = name;
+    clear_vanishing(kernel);
     return kernel;
   }
   throw UsageError(fmt::format("unknown kernel '{}': known are {}", name, known_names()));

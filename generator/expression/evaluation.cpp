@@ -6,25 +6,37 @@
 
 namespace torsor {
 
-bool vanishes(const Value& value) {
-  if (value.is_zero()) return true;
-  if (value.is_constant()) return false;
+std::vector<bool> vanish(const std::vector<Value>& values) {
+  std::vector<bool> result;
+  for (const Value& value : values) result.push_back(value.is_zero() || !value.is_constant());
+  const auto with_program =
+      std::find_if(values.begin(), values.end(), [](const Value& v) { return v.program() != nullptr && !v.is_zero(); });
+  if (with_program == values.end()) return result;
   constexpr int digits = 60;
   const WorkingDigits precision(digits);
+  const Real smallest(Number(10).pow(-40), digits);
   std::mt19937_64 random(20240229);  // any fixed seed: the answer must not change from run to run
   for (int trial = 0; trial < 3; ++trial) {
     std::unordered_map<const Symbol*, Real> state;
-    Evaluator<Real> evaluate(*value.program(), [&](const SymbolPointer& symbol) {
+    Evaluator<Real> evaluate(*with_program->program(), [&](const SymbolPointer& symbol) {
       if (symbol->kind == SymbolKind::pi) return Real::pi(digits);
       const auto [place, added] = state.try_emplace(symbol.get());
       // Positive numbers around one: lengths and masses stay meaningful.
       if (added) place->second = Real(Number::rational(static_cast<long>(random() % 9000U) + 1000, 7919), digits);
       return place->second;
     });
-    const Real result = evaluate(value);
-    if (result.is_nan() || abs(result) > Real(Number(10).pow(-40), digits)) return false;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (!result[i] || values[i].is_zero()) continue;
+      const Real number = evaluate(values[i]);
+      result[i] = !number.is_nan() && abs(number) <= smallest;
+    }
   }
-  return true;
+  return result;
+}
+
+bool vanishes(const Value& value) {
+  if (value.is_zero()) return true;
+  return !value.is_constant() && vanish({value})[0];
 }
 
 }  // namespace torsor

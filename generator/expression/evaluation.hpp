@@ -116,5 +116,7 @@ class Evaluator {
 /// Whether a value vanishes identically: exactly when it has no term, else tested at three pseudo-random states with
 /// 60 digits (an identity of analytic functions fails at a random point with probability one).
 bool vanishes(const Value& value);
+/// The same for many values of one program, whose definitions are evaluated once for all.
+std::vector<bool> vanish(const std::vector<Value>& values);
 
 }  // namespace torsor

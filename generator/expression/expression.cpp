@@ -70,6 +70,19 @@ SymbolPointer Expression::as_symbol() const {
   return symbol == nullptr ? nullptr : *symbol;
 }
 
+bool Expression::depends_on(const SymbolPointer& symbol) const {
+  return std::visit(Overloaded{
+                        [](const Number&) { return false; },
+                        [&](const SymbolPointer& own) { return own == symbol; },
+                        [&](const Node::Sum& s) { return s.left.depends_on(symbol) || s.right.depends_on(symbol); },
+                        [&](const Node::Product& p) { return p.left.depends_on(symbol) || p.right.depends_on(symbol); },
+                        [&](const Node::Power& p) { return p.base.depends_on(symbol); },
+                        [&](const Node::Apply& call) { return call.argument.depends_on(symbol); },
+                        [&](const Node::Rate& rate) { return rate.formula.depends_on(symbol); },
+                    },
+                    node_->content);
+}
+
 Expression operator+(const Expression& a, const Expression& b) {
   require_same_unit(a, b);
   if (a.is_zero()) return b;

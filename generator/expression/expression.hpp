@@ -42,6 +42,7 @@ class Expression {
   bool is_zero() const;              ///< the literal 0 (a formula that only evaluates to 0 is not recognised here)
   SymbolPointer as_symbol() const;   ///< the symbol when the formula is just one, else null
   std::string to_string() const;     ///< plain text for messages
+  bool depends_on(const SymbolPointer& symbol) const;
   const Node& node() const { return *node_; }
 
   friend Expression operator+(const Expression& a, const Expression& b);
