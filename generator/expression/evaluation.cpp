@@ -21,8 +21,14 @@ std::vector<bool> vanish(const std::vector<Value>& values) {
     Evaluator<Real> evaluate(*with_program->program(), [&](const SymbolPointer& symbol) {
       if (symbol->kind == SymbolKind::pi) return Real::pi(digits);
       const auto [place, added] = state.try_emplace(symbol.get());
-      // Positive numbers around one: lengths and masses stay meaningful.
-      if (added) place->second = Real(Number::rational(static_cast<long>(random() % 9000U) + 1000, 7919), digits);
+      if (added) {
+        // Around one, so that lengths and masses stay meaningful. What moves is positive, then negative, then either:
+        // sqrt(x^2) is not x.
+        const bool moves = symbol->kind != SymbolKind::parameter && symbol->kind != SymbolKind::time;
+        const long size = static_cast<long>(random() % 9000U) + 1000;
+        const bool negative = moves && (trial == 1 || (trial == 2 && size % 2 == 0));
+        place->second = Real(Number::rational(negative ? -size : size, 7919), digits);
+      }
       return place->second;
     });
     for (std::size_t i = 0; i < values.size(); ++i) {
