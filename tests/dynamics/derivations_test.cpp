@@ -12,8 +12,7 @@ using testing_mechanisms::random_mechanism;
 /// All comparisons of check_scene on a random mechanism: Lagrange's operator on T against virtual power, both mass
 /// matrices, symmetry, positiveness, forward against inverse dynamics, the energy theorem, constraints, all to
 /// 10^(5 - 50), and the double kernels against CLN. At a random state the terms of a kernel may cancel to a hundredth of
-/// their size, hence 1e-11 for those. Outputs that vanish in truth have no relative error: what rounding leaves of them
-/// in double is 1e40 times what it leaves of them in CLN, and nothing else is so large.
+/// their size, hence 1e-11 for those.
 class RandomMechanism : public ::testing::TestWithParam<unsigned> {};
 
 TEST_P(RandomMechanism, HasOneSetOfEquationsByEveryRoad) {
@@ -21,7 +20,6 @@ TEST_P(RandomMechanism, HasOneSetOfEquationsByEveryRoad) {
   const std::vector<CheckResult> results = check_scene(scene, {.digits = 50, .states = 1});
   EXPECT_GE(results.size(), 6U);
   for (const CheckResult& result : results) {
-    if (result.name.starts_with("double.") && result.worst > 1e30) continue;
     const double bound = result.name.starts_with("double.") ? 1e-11 : result.bound;
     EXPECT_LE(result.worst, bound) << result.name;
   }

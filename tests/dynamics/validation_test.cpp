@@ -118,6 +118,15 @@ TEST(Validation, NamesAConstraintThatIsNotLinearInTheVelocities) {
                             "b(q, t)");
 }
 
+TEST(Validation, NamesAConstraintOnACoordinateThatIsHeldAtZero) {
+  Scene scene = pendulum();
+  const Expression held = scene.released_coordinate("held", "rad");
+  scene.body("hand", scene.revolute("hand", "arm", axis::z, held), Inertia::disk(kilograms("1"), metres("1"), 2));
+  scene.holonomic("tied", Expression(scene.content().coordinates[0].q) - held);
+  EXPECT_EQ(refusal(scene), "constraint 'tied' names the released coordinate 'held', which its joint holds at zero: write "
+                            "the constraint without it");
+}
+
 TEST(Validation, NamesAReactionThatDoesNotEnforceItsConstraint) {
   Scene scene("block");
   const Expression x = scene.coordinate("x", "m");

@@ -80,5 +80,25 @@ TEST(Vanishes, IsNotFooledBySmallOrUndefinedValues) {
   EXPECT_FALSE(zero(sqrt(-x - 1)));  // not a number anywhere
 }
 
+TEST(Vanishes, LooksAtBothSignsOfWhatMoves) {
+  Program program;
+  const Expression x = TestCoordinate("x").q;
+  const Expression length = make_symbol("length");
+  EXPECT_FALSE(vanishes(program.lower(sqrt(x * x) - x)));
+  EXPECT_FALSE(vanishes(program.lower(sqrt(x * x) + x)));
+  EXPECT_TRUE(vanishes(program.lower(sqrt(x * x) * sqrt(x * x) - x * x)));
+  EXPECT_TRUE(vanishes(program.lower(sqrt(length * length) - length)));  // parameters are taken for sizes
+}
+
+TEST(Vanishes, AnswersForManyValuesAtOnce) {
+  Program program;
+  const Expression x = make_symbol("x");
+  const std::vector<Value> values{program.lower(sin(2 * x) - 2 * sin(x) * cos(x)), Value(), program.lower(x),
+                                  program.lower(3), program.lower(exp(x) * exp(-x) - 1)};
+  EXPECT_EQ(vanish(values), (std::vector<bool>{true, true, false, false, true}));
+  EXPECT_EQ(vanish({}), std::vector<bool>{});
+  EXPECT_EQ(vanish({Value()}), std::vector<bool>{true});
+}
+
 }  // namespace
 }  // namespace torsor

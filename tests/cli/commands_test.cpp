@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <nlohmann/json.hpp>
+
+#include "generator/expression/error.hpp"
+#include "tests/cli/scene_runner.hpp"
+
+namespace torsor {
+namespace {
+
+using namespace testing_programs;
+using nlohmann::json;
+
+TEST(SceneProgram, ListsWhatTheSceneContains) {
+  const Outcome text = run(pendulum, {"list"});
+  EXPECT_EQ(text.code, 0);
+  EXPECT_EQ(text.err, "");
+  EXPECT_NE(text.out.find("pendulum: Pendulum with a motor"), std::string::npos);
+  EXPECT_NE(text.out.find("length = 3/2 [m] (run time)"), std::string::npos) << text.out;
+
+  const Outcome data = run(pendulum, {"list", "--json"});
+  EXPECT_EQ(data.code, 0);
+  const json list = json::parse(data.out);
+  EXPECT_EQ(list.at("name"), "pendulum");
+  EXPECT_EQ(list.at("coordinates").at(0).at("name"), "theta");
+  EXPECT_EQ(list.at("coordinates").at(0).at("role"), "unknown");
+  EXPECT_EQ(list.at("frames"), (json{"ground", "arm"}));
+  EXPECT_EQ(list.at("actions"), json::array({"torque"}));
+  for (const json& kernel : list.at("kernels")) {
+    const bool absent = kernel.at("name") == "constraints" || kernel.at("name") == "reactions" ||
+                        kernel.at("name") == "first_integrals";
+    EXPECT_EQ(kernel.at("available"), !absent) << kernel;
+    EXPECT_EQ(kernel.contains("why_not"), absent) << kernel;
+  }
+}
+
+TEST(SceneProgram, CountsTheKernelsAskedForInTheOrderOfTheHeader) {
+  const Outcome data = run(pendulum, {"counts", "--json", "--kernels", "energy,mass_matrix,energy"});
+  EXPECT_EQ(data.code, 0);
+  const json counts = json::parse(data.out);
+  const json& kernels = counts.at("kernels");
+  EXPECT_EQ(kernels.size(), 2U);
+  for (const char* kernel : {"mass_matrix", "energy"}) {
+    const json& count = kernels.at(kernel);
+    const int total = count.at("additions").get<int>() + count.at("multiplications").get<int>() +
+                      count.at("divisions").get<int>() + count.at("square_roots").get<int>() +
+                      2 * count.at("sincos_pairs").get<int>() + count.at("others").get<int>();
+    EXPECT_EQ(count.at("total"), total);
+  }
+  EXPECT_EQ(kernels.at("energy").at("sincos_pairs"), 1);
+  EXPECT_EQ(kernels.at("mass_matrix").at("sincos_pairs"), 0);
+  const Outcome table = run(pendulum, {"counts", "--kernels", "energy,mass_matrix"});
+  EXPECT_EQ(table.code, 0);
+  EXPECT_LT(table.out.find("mass_matrix"), table.out.find("energy"));
+}
+
+TEST(SceneProgram, KeepsParametersThatAreAskedToStaySymbols) {
+  const auto multiplications = [](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"counts", "--json", "--kernels", "energy"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = run(pendulum, arguments);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return json::parse(outcome.out).at("kernels").at("energy").dump();
+  };
+  EXPECT_EQ(multiplications({"--run-time", "mass"}), multiplications({"--run-time", "all"}));
+  expect_failure(run(pendulum, {"counts", "--run-time", "mas"}), 2,
+                 "unknown parameter 'mas' in --run-time: the scene 'pendulum' has mass, length");
+}
+
+TEST(SceneProgram, ChecksTheSceneAndReportsEachComparison) {
+  const Outcome data = run(pendulum, {"check", "--digits", "30", "--states", "2", "--json"});
+  EXPECT_EQ(data.code, 0);
+  const json check = json::parse(data.out);
+  EXPECT_TRUE(check.at("passed"));
+  EXPECT_GT(check.at("checks").size(), 10U);
+  for (const json& result : check.at("checks")) {
+    EXPECT_TRUE(result.at("passed"));
+    EXPECT_LE(result.at("worst").get<double>(), result.at("bound").get<double>());
+  }
+  const Outcome text = run(pendulum, {"check", "--digits", "30", "--states", "2"});
+  EXPECT_NE(text.out.find("ok    derivations"), std::string::npos) << text.out;
+}
+
+/// A spring so long that its force and the force that balances it leave nothing of x in a double.
+Scene ill_conditioned() {
+  Scene scene("ill_conditioned");
+  const Expression x = scene.coordinate("x", "m");
+  const FrameHandle slide = scene.prismatic("slide", scene.ground(), axis::x, x);
+  scene.body("block", slide, Inertia::point(Expression::quantity("1", "kg")));
+  scene.point("G", slide, {0, 0, 0});
+  scene.spring("spring", x, Expression::quantity("1", "N/m"), Expression::quantity("1e18", "m"));
+  scene.force("balance", slide, "G", {Expression::quantity("-1e18", "N"), 0, 0}, scene.ground());
+  return scene;
+}
+
+TEST(SceneProgram, ExitsWithOneWhenACheckFails) {
+  const Outcome data = run(ill_conditioned, {"check", "--states", "2", "--json"});
+  EXPECT_EQ(data.code, 1);
+  EXPECT_EQ(data.err, "");
+  const json check = json::parse(data.out);
+  EXPECT_FALSE(check.at("passed"));
+  for (const json& result : check.at("checks")) {
+    if (result.at("name") != "derivations" && result.at("name") != "double.bias") continue;
+    EXPECT_EQ(result.at("passed"), result.at("name") == "derivations") << result;
+  }
+  EXPECT_NE(run(ill_conditioned, {"check", "--states", "1"}).out.find("FAIL  double.bias"), std::string::npos);
+}
+
+TEST(SceneProgram, PrintsEquationsAsTextAndAsLatex) {
+  const Outcome text = run(pendulum, {"equations"});
+  EXPECT_EQ(text.code, 0);
+  EXPECT_NE(text.out.find("theta"), std::string::npos);
+  const Outcome latex = run(pendulum, {"equations", "--format", "latex"});
+  EXPECT_EQ(latex.code, 0);
+  EXPECT_NE(latex.out.find("\\theta"), std::string::npos);
+  EXPECT_EQ(run(pendulum, {"equations", "--format", "html"}).code, 2);
+  expect_failure_beginning(run(pendulum, {"equations", "--about", "theta"}), 2,
+                           "--about takes NAME=VALUE, e.g. theta=0, and got 'theta'");
+}
+
+TEST(SceneProgram, IntegratesAReference) {
+  const Outcome outcome = run(pendulum, {"reference", "--digits", "20", "--times", "0.1,0.2"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_NE(outcome.out.find("\ntime,theta,theta'\n0.1,0.4"), std::string::npos) << outcome.out;
+  EXPECT_EQ(run(pendulum, {"reference"}).code, 2);
+  EXPECT_NE(run(pendulum, {"reference", "--times", "soon"}).code, 0);
+}
+
+TEST(SceneProgram, HelpsEverywhere) {
+  const Outcome help = run(pendulum, {"--help"});
+  EXPECT_EQ(help.code, 0);
+  for (const char* command : {"equations", "generate", "counts", "check", "reference", "list"}) {
+    EXPECT_NE(help.out.find(command), std::string::npos) << command;
+    const Outcome one = run(pendulum, {command, "--help"});
+    EXPECT_EQ(one.code, 0) << command;
+    EXPECT_EQ(one.err, "") << command;
+    EXPECT_NE(one.out.find("--output"), std::string::npos) << command;
+  }
+  EXPECT_NE(run(pendulum, {"generate", "--help"}).out.find("forward_dynamics"), std::string::npos);
+}
+
+TEST(SceneProgram, HelpsBeforeTheSceneIsBuilt) {
+  const auto broken = []() -> Scene { throw SceneError("this scene cannot be built"); };
+  EXPECT_EQ(run(broken, {"check", "--help"}).code, 0);
+  expect_failure(run(broken, {"list"}), 3, "this scene cannot be built");
+}
+
+TEST(SceneProgram, RefusesWhatItDoesNotUnderstand) {
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {}, {"lst"}, {"list", "--jsn"}, {"list", "more"}, {"check", "--digits", "5"}, {"check", "--states", "many"},
+           {"generate"}, {"list", "--output"}}) {
+    const Outcome outcome = run(pendulum, arguments);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_TRUE(outcome.err.starts_with("scene: ")) << outcome.err;
+    EXPECT_TRUE(outcome.err.ends_with("; see --help\n")) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
+}
+
+TEST(SceneProgram, NamesAnUnknownKernelAndTheKnownOnes) {
+  for (const char* command : {"counts", "generate"}) {
+    expect_failure(run(pendulum, {command, "--output", "/nowhere/x", "--kernels", "mass_matrix,masses"}), 2,
+                   "unknown kernel 'masses': known are kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, "
+                   "energy, first_integrals, constraints, reactions, linearisation, or all");
+  }
+}
+
+}  // namespace
+}  // namespace torsor

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include "tests/cli/scene_runner.hpp"
+
+namespace torsor {
+namespace {
+
+using namespace testing_programs;
+namespace fs = std::filesystem;
+
+class SceneProgramOutput : public testing::Test {
+ protected:
+  void SetUp() override { ASSERT_NE(mkdtemp(folder_.data()), nullptr); }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return folder_ + "/" + name; }
+  std::string text(const std::string& name) const {
+    std::ifstream file(path(name), std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  }
+  /// Files in the folder: one half-written or temporary would be seen.
+  long entries() const { return std::distance(fs::directory_iterator(folder_), fs::directory_iterator()); }
+
+  std::string folder_ = (fs::temp_directory_path() / "torsor_cli_XXXXXX").string();
+};
+
+TEST_F(SceneProgramOutput, IsTheSameInAFileAndOnTheStandardOutput) {
+  const std::vector<std::vector<std::string>> commands{
+      {"list"}, {"counts"}, {"counts", "--json"}, {"equations"}, {"generate", "--kernels", "energy"}};
+  for (std::vector<std::string> command : commands) {
+    command.push_back("--output");
+    command.push_back("-");
+    const Outcome shown = run(pendulum, command);
+    EXPECT_EQ(shown.code, 0);
+    EXPECT_GT(shown.out.size(), 100U);
+    command.back() = path("file");
+    const Outcome written = run(pendulum, command);
+    EXPECT_EQ(written.code, 0);
+    EXPECT_EQ(written.out, "");
+    EXPECT_EQ(text("file"), shown.out);
+    EXPECT_EQ(entries(), 1);
+  }
+}
+
+TEST_F(SceneProgramOutput, OfGenerateIsAHeaderThatIsNotTouchedWhenNothingChanges) {
+  const std::vector<std::string> command{"generate", "--kernels", "mass_matrix,bias", "-o", path("pendulum.hpp")};
+  EXPECT_EQ(run(pendulum, command).code, 0);
+  EXPECT_NE(text("pendulum.hpp").find("struct Mechanism"), std::string::npos);
+  const auto long_ago = fs::last_write_time(path("pendulum.hpp")) - std::chrono::hours(1);
+  fs::last_write_time(path("pendulum.hpp"), long_ago);
+  EXPECT_EQ(run(pendulum, command).code, 0);
+  EXPECT_EQ(fs::last_write_time(path("pendulum.hpp")), long_ago);
+}
+
+TEST_F(SceneProgramOutput, IntoAMissingFolderFails) {
+  const std::string file = path("missing/pendulum.hpp");
+  expect_failure(run(pendulum, {"generate", "--output", file}), 3,
+                 "cannot write '" + file + "': No such file or directory; create the folder first, or choose another one");
+  EXPECT_EQ(entries(), 0);
+}
+
+TEST_F(SceneProgramOutput, OntoAFolderFails) {
+  expect_failure(run(pendulum, {"generate", "--output", folder_}), 3,
+                 "cannot write '" + folder_ + "': Is a directory; name a file in it");
+}
+
+TEST_F(SceneProgramOutput, OntoAFullDeviceFails) {
+  expect_failure(run(pendulum, {"generate", "--output", "/dev/full"}), 3,
+                 "cannot write '/dev/full': No space left on device; make room, or choose another disk");
+}
+
+TEST_F(SceneProgramOutput, OntoAFullStandardOutputFails) {
+  const int full = ::open("/dev/full", O_WRONLY);
+  ASSERT_GE(full, 0);
+  std::fflush(stdout);
+  const int saved = ::dup(STDOUT_FILENO);
+  ::dup2(full, STDOUT_FILENO);
+  testing::internal::CaptureStderr();
+  const char* argv[] = {"scene", "list"};
+  const int code = run_scene_program(2, argv, pendulum);
+  const std::string err = testing::internal::GetCapturedStderr();
+  std::clearerr(stdout);
+  ::dup2(saved, STDOUT_FILENO);
+  ::close(saved);
+  ::close(full);
+  EXPECT_EQ(code, 3);
+  EXPECT_EQ(err, "scene: cannot write to the standard output: is the disk full or the reader gone?\n");
+}
+
+/// A limit on the size of files stands for a disk that fills up half-way.
+TEST_F(SceneProgramOutput, OnADiskThatFillsUpLeavesWhatWasThereAndNothingElse) {
+  std::ofstream(path("pendulum.hpp")) << "old";
+  struct rlimit before {};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  struct rlimit small = before;
+  small.rlim_cur = 2048;  // less than a header, more than a message
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  const Outcome outcome = run(pendulum, {"generate", "--output", path("pendulum.hpp")});
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  expect_failure(outcome, 3,
+                 "cannot write '" + path("pendulum.hpp") + "': File too large; make room, or choose another disk");
+  EXPECT_EQ(text("pendulum.hpp"), "old");
+  EXPECT_EQ(entries(), 1);
+}
+
+/// Another user than root for as long as this lives: permissions mean nothing to root.
+class Unprivileged {
+ public:
+  Unprivileged() {
+    if (::geteuid() == 0) switched_ = ::seteuid(65534) == 0;
+  }
+  ~Unprivileged() {
+    if (switched_ && ::seteuid(0) != 0) std::abort();
+  }
+  Unprivileged(const Unprivileged&) = delete;
+  Unprivileged& operator=(const Unprivileged&) = delete;
+
+ private:
+  bool switched_ = false;
+};
+
+TEST_F(SceneProgramOutput, IntoAFolderThatMayNotBeWrittenFails) {
+  fs::permissions(folder_, fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read | fs::perms::others_exec);
+  Outcome outcome;
+  {
+    const Unprivileged user;
+    if (::access(folder_.c_str(), W_OK) == 0 && ::geteuid() == 0) GTEST_SKIP() << "cannot give up being root here";
+    outcome = run(pendulum, {"generate", "--output", path("pendulum.hpp")});
+  }
+  expect_failure(outcome, 3,
+                 "cannot write '" + path("pendulum.hpp") +
+                     "': Permission denied; ask for the right to write there, or choose another place");
+  EXPECT_EQ(entries(), 0);
+  fs::permissions(folder_, fs::perms::owner_all);
+}
+
+}  // namespace
+}  // namespace torsor

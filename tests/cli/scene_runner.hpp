@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "generator/cli/scene_program.hpp"
+
+namespace torsor::testing_programs {
+
+/// What a scene program did.
+struct Outcome {
+  int code = 0;
+  std::string out, err;
+};
+
+/// Runs a scene program in this process, as `scene <arguments>`.
+inline Outcome run(Scene (*make_scene)(), const std::vector<std::string>& arguments) {
+  std::vector<const char*> argv{"scene"};
+  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  Outcome outcome;
+  outcome.code = run_scene_program(static_cast<int>(argv.size()), argv.data(), make_scene);
+  outcome.out = testing::internal::GetCapturedStdout();
+  outcome.err = testing::internal::GetCapturedStderr();
+  return outcome;
+}
+
+/// One clear line on stderr, nothing on stdout, that exit code.
+inline void expect_failure(const Outcome& outcome, int code, const std::string& message) {
+  EXPECT_EQ(outcome.code, code);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err, "scene: " + message + "\n");
+}
+
+/// The same where only the beginning of the message is worth fixing.
+inline void expect_failure_beginning(const Outcome& outcome, int code, const std::string& beginning) {
+  EXPECT_EQ(outcome.code, code);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_TRUE(outcome.err.starts_with("scene: " + beginning)) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+}
+
+/// A pendulum with a motor.
+inline Scene pendulum() {
+  Scene scene("pendulum", "Pendulum with a motor");
+  const Expression mass = scene.parameter("mass", "kg", 2);
+  const Expression length = scene.run_time_parameter("length", "m", Expression::quantity("1.5", "m"));
+  const Expression theta = scene.coordinate("theta", "rad");
+  const FrameHandle arm = scene.revolute("arm", scene.ground(), axis::z, theta);
+  scene.body("bob", arm, Inertia::point(mass).at({0, -length, 0}));
+  scene.gravity({0, Expression::quantity("-9.81", "m/s^2"), 0});
+  scene.motor("torque", theta);
+  scene.initial(theta, Expression(Number::rational(1, 2)));
+  return scene;
+}
+
+}  // namespace torsor::testing_programs
