@@ -8,7 +8,7 @@
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total):
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total
-//   kinematics              398              700          0             0                  7       0   1112
+//   kinematics              379              674          0             0                  7       0   1067
 //   mass_matrix             162              197          0             0                  6       0    371
 //   bias                    271              307          0             0                  6       0    590
 //   inverse_dynamics        291              316          0             0                  6       0    619
@@ -17,7 +17,7 @@
 //   linearisation          3355             4068          6             0                  6       0   7441
 //
 // Not computed because this mechanism does not need it:
-//   kinematics: of 153 results 9 vanish identically, 21 repeat another up to sign
+//   kinematics: of 153 results 12 vanish identically, 21 repeat another up to sign
 //   mass_matrix: of 49 results 21 repeat another up to sign
 //   first_integrals: left out, 'tau1', 'tau2', 'tau3', 'tau4', 'tau5', 'tau6', 'tau7' have no force function
 //   constraints: left out, the scene has no constraints
@@ -798,29 +798,6 @@ struct Mechanism {
     const Scalar z439 = z196 * z434 + z198 * z435;
     const Scalar z440 = z196 * z433 + z197 * z435;
     const Scalar z441 = z197 * z434 - z198 * z433;
-    const Scalar z442 = n0_088 * c_q6;
-    const Scalar z443 = n0_088 * s_q6;
-    const Scalar z444 = c_q5 * z442;
-    const Scalar z445 = s_q5 * z442;
-    const Scalar z446 = n0_0825 - z444;
-    const Scalar z447 = n0_384 + z443;
-    const Scalar z448 = s_q4 * z447 + c_q4 * z446;
-    const Scalar z449 = s_q4 * z446 - c_q4 * z447;
-    const Scalar z450 = n0_0825 - z448;
-    const Scalar z451 = s_q3 * z445 - c_q3 * z450;
-    const Scalar z452 = s_q3 * z450 + c_q3 * z445;
-    const Scalar z453 = n0_316 - z449;
-    const Scalar z454 = s_q2 * z453 - c_q2 * z451;
-    const Scalar z455 = s_q2 * z451 + c_q2 * z453;
-    const Scalar z456 = s_q1 * z452 - c_q1 * z454;
-    const Scalar z457 = s_q1 * z454 + c_q1 * z452;
-    const Scalar z458 = n0_333 + z455;
-    const Scalar z459 = z375 - z456;
-    const Scalar z460 = z376 - z457;
-    const Scalar z461 = z377 - z458;
-    const Scalar z462 = z256 * z460 - z258 * z461;
-    const Scalar z463 = z256 * z459 - z257 * z461;
-    const Scalar z464 = z257 * z460 - z258 * z459;
     result.link1_position[0] = -z71;
     result.link1_position[1] = z72;
     result.link1_position[2] = n0_158;
@@ -959,21 +936,21 @@ struct Mechanism {
     result.tip_jacobian[9] = z419;
     result.tip_jacobian[12] = -z436;
     result.tip_jacobian[15] = z439;
-    result.tip_jacobian[18] = -z462;
+    result.tip_jacobian[18] = n0;
     result.tip_jacobian[1] = -z375;
     result.tip_jacobian[4] = -z396;
     result.tip_jacobian[7] = -z407;
     result.tip_jacobian[10] = z420;
     result.tip_jacobian[13] = -z437;
     result.tip_jacobian[16] = z440;
-    result.tip_jacobian[19] = -z463;
+    result.tip_jacobian[19] = n0;
     result.tip_jacobian[2] = n0;
     result.tip_jacobian[5] = -z397;
     result.tip_jacobian[8] = z408;
     result.tip_jacobian[11] = z421;
     result.tip_jacobian[14] = z438;
     result.tip_jacobian[17] = -z441;
-    result.tip_jacobian[20] = -z464;
+    result.tip_jacobian[20] = n0;
   }
 
   /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.

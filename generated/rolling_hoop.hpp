@@ -9,7 +9,7 @@
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total):
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total
 //   precompute                1                0          1             0                  0       0      2
-//   kinematics               37               69          0             0                  3       0    112
+//   kinematics               34               65          0             0                  3       0    105
 //   mass_matrix               2                4          0             0                  1       0      8
 //   bias                      6               18          0             0                  1       0     26
 //   inverse_dynamics         19               27          0             0                  2       0     50
@@ -20,7 +20,7 @@
 //   linearisation            44               76          0             0                  2       0    124
 //
 // Not computed because this mechanism does not need it:
-//   kinematics: of 39 results 9 vanish identically, 2 repeat another up to sign
+//   kinematics: of 39 results 11 vanish identically, 2 repeat another up to sign
 //   mass_matrix: of 25 results 18 vanish identically, 1 repeat another up to sign
 //   bias: of 5 results 2 vanish identically
 //   energy: of 3 results 1 vanish identically
@@ -404,13 +404,10 @@ struct Mechanism {
     const Scalar z63 = z26 + z29;
     const Scalar z64 = v_theta - z31;
     const Scalar z65 = s_theta * z64 + c_theta * z30;
-    const Scalar z66 = s_theta * z30 - c_theta * z64;
     const Scalar z67 = s_psi * z65 - c_psi * z63;
     const Scalar z68 = s_psi * z63 + c_psi * z65;
     const Scalar z69 = q_x - z62;
     const Scalar z70 = q_y - z61;
-    const Scalar z71 = s_psi * z69 - c_psi * z70;
-    const Scalar z72 = c_theta + z71;
     result.hoop_position[0] = q_x;
     result.hoop_position[1] = q_y;
     result.hoop_position[2] = s_theta;
@@ -434,7 +431,7 @@ struct Mechanism {
     result.I_position[2] = n0;
     result.I_velocity[0] = -z67;
     result.I_velocity[1] = z68;
-    result.I_velocity[2] = z66;
+    result.I_velocity[2] = n0;
     result.I_jacobian[0] = n1;
     result.I_jacobian[3] = n0;
     result.I_jacobian[6] = z70;
@@ -448,7 +445,7 @@ struct Mechanism {
     result.I_jacobian[2] = n0;
     result.I_jacobian[5] = n0;
     result.I_jacobian[8] = n0;
-    result.I_jacobian[11] = z72;
+    result.I_jacobian[11] = n0;
     result.I_jacobian[14] = n0;
   }
 

@@ -17,7 +17,7 @@
 //   energy                   14               28          0             0                  3       0     48
 //   first_integrals          15               28          0             0                  3       0     49
 //   constraints              11               17          0             0                  2       0     32
-//   linearisation            56               88          0             0                  2       0    148
+//   linearisation            50               82          0             0                  2       0    136
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 42 results 10 vanish identically
@@ -26,7 +26,7 @@
 //   energy: of 3 results 1 vanish identically
 //   constraints: of 27 results 11 vanish identically, 3 repeat another up to sign
 //   reactions: left out, the scene releases no joint direction (released_coordinate)
-//   linearisation: of 114 results 86 vanish identically, 2 repeat another up to sign
+//   linearisation: of 114 results 88 vanish identically, 2 repeat another up to sign
 //
 // To write this file again:
 //   rolling_hoop_contact_forces_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output rolling_hoop_contact_forces.hpp
@@ -956,10 +956,6 @@ struct Mechanism {
     const Scalar z222 = s_theta * z36 + c_theta * z28;
     const Scalar z223 = p_C * z222;
     const Scalar z224 = p_A * z221 - z223;
-    const Scalar z225 = s_psi * (z60 - z71) - c_psi * (z59 + z70);
-    const Scalar z226 = l_N * z225;
-    const Scalar z227 = z45 * (z59 + z70) + z46 * (z60 - z71);
-    const Scalar z228 = l_N * z227;
     const Scalar z229 = n2 * p_A * z29 - z198;
     const Scalar z230 = p_C * z28;
     const Scalar z231 = s_theta * z229 - c_theta * z230;
@@ -1071,8 +1067,8 @@ struct Mechanism {
     result.K[19] = z216;
     result.K[20] = n0;
     result.K[21] = n0;
-    result.K[22] = z226;
-    result.K[23] = -z228;
+    result.K[22] = n0;
+    result.K[23] = n0;
     result.K[24] = n0;
     result.K[25] = n0;
     result.K[26] = n0;

@@ -89,7 +89,7 @@ TEST(Header, DoesOnceWhatDependsOnParametersOnly) {
   const std::string header = emit_header(equations, kernels);
   // M = m l²: nothing is left to the kernel.
   EXPECT_EQ(operators_in(body_of(header, "mass_matrix")).total(), 0);
-  expect_equal(operators_in(body_of(header, "precompute")), count(equations.program(), kernels[0].values()), "M");
+  expect_equal(operators_in(body_of(header, "precompute")), count(equations.program(), kernels[0].values(), Occasion::parameters), "M");
 }
 
 TEST(Header, IsTheSameForTheSameScene) {
