@@ -8,8 +8,8 @@ using namespace testing_programs;
 
 /// Every command looks at the whole scene first: each gives the same single line.
 void expect_refused(Scene (*make_scene)(), const std::string& message) {
-  for (const std::vector<std::string>& arguments :
-       std::vector<std::vector<std::string>>{{"list"}, {"equations"}, {"counts"}, {"check"}, {"reference", "--times", "1"}}) {
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {"list"}, {"equations"}, {"counts"}, {"check"}, {"reference", "--times", "1"}}) {
     expect_failure(run(make_scene, arguments), 3, message);
   }
 }
@@ -21,7 +21,8 @@ TEST(BadScene, WithADuplicateNameIsRefused) {
         scene.coordinate("theta", "rad");
         return scene;
       },
-      "duplicate name 'theta': the scene 'pendulum' already has a coordinate of that name; choose another name for the new "
+      "duplicate name 'theta': the scene 'pendulum' already has a coordinate of that name; choose another name for the "
+      "new "
       "coordinate");
 }
 
@@ -43,7 +44,8 @@ TEST(BadScene, WithABodyWithoutMassThatMustAccelerateIsRefused) {
         scene.body("sleeve", slide, Inertia::point(0));
         return scene;
       },
-      "coordinate 'x' must accelerate but has no inertia: it moves body 'sleeve' with zero mass; give a mass, or drive the "
+      "coordinate 'x' must accelerate but has no inertia: it moves body 'sleeve' with zero mass; give a mass, or drive "
+      "the "
       "coordinate by a law of time");
 }
 
@@ -74,7 +76,8 @@ TEST(BadScene, WithADrivenCoordinateThatIsAlsoAnUnknownIsRefused) {
         scene.drive(phi, Expression::quantity("3", "rad/s") * scene.time());
         return scene;
       },
-      "coordinate 'phi' is driven by the law 3*t and cannot also be an unknown with an initial value: drop initial('phi') "
+      "coordinate 'phi' is driven by the law 3*t and cannot also be an unknown with an initial value: drop "
+      "initial('phi') "
       "or drive('phi')");
 }
 
@@ -87,7 +90,8 @@ TEST(BadScene, WithAConstraintThatInvolvesNoCoordinateIsRefused) {
         scene.closure("bar", "A", "B", axis::x);
         return scene;
       },
-      "constraint 'bar' involves no coordinate: no motion can satisfy or violate it; drop it or write it with the scene's "
+      "constraint 'bar' involves no coordinate: no motion can satisfy or violate it; drop it or write it with the "
+      "scene's "
       "coordinates");
 }
 

@@ -145,9 +145,14 @@ TEST(SceneProgram, HelpsBeforeTheSceneIsBuilt) {
 }
 
 TEST(SceneProgram, RefusesWhatItDoesNotUnderstand) {
-  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
-           {}, {"lst"}, {"list", "--jsn"}, {"list", "more"}, {"check", "--digits", "5"}, {"check", "--states", "many"},
-           {"generate"}, {"list", "--output"}}) {
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{{},
+                                                                                         {"lst"},
+                                                                                         {"list", "--jsn"},
+                                                                                         {"list", "more"},
+                                                                                         {"check", "--digits", "5"},
+                                                                                         {"check", "--states", "many"},
+                                                                                         {"generate"},
+                                                                                         {"list", "--output"}}) {
     const Outcome outcome = run(pendulum, arguments);
     EXPECT_EQ(outcome.code, 2);
     EXPECT_EQ(outcome.out, "");
@@ -159,9 +164,10 @@ TEST(SceneProgram, RefusesWhatItDoesNotUnderstand) {
 
 TEST(SceneProgram, NamesAnUnknownKernelAndTheKnownOnes) {
   for (const char* command : {"counts", "generate"}) {
-    expect_failure(run(pendulum, {command, "--output", "/nowhere/x", "--kernels", "mass_matrix,masses"}), 2,
-                   "unknown kernel 'masses': known are kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, "
-                   "energy, first_integrals, constraints, reactions, linearisation, or all");
+    expect_failure(
+        run(pendulum, {command, "--output", "/nowhere/x", "--kernels", "mass_matrix,masses"}), 2,
+        "unknown kernel 'masses': known are kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, "
+        "energy, first_integrals, constraints, reactions, linearisation, or all");
   }
 }
 

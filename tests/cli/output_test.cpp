@@ -63,8 +63,9 @@ TEST_F(SceneProgramOutput, OfGenerateIsAHeaderThatIsNotTouchedWhenNothingChanges
 
 TEST_F(SceneProgramOutput, IntoAMissingFolderFails) {
   const std::string file = path("missing/pendulum.hpp");
-  expect_failure(run(pendulum, {"generate", "--output", file}), 3,
-                 "cannot write '" + file + "': No such file or directory; create the folder first, or choose another one");
+  expect_failure(
+      run(pendulum, {"generate", "--output", file}), 3,
+      "cannot write '" + file + "': No such file or directory; create the folder first, or choose another one");
   EXPECT_EQ(entries(), 0);
 }
 
@@ -131,7 +132,8 @@ class Unprivileged {
 };
 
 TEST_F(SceneProgramOutput, IntoAFolderThatMayNotBeWrittenFails) {
-  fs::permissions(folder_, fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read | fs::perms::others_exec);
+  fs::permissions(folder_,
+                  fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read | fs::perms::others_exec);
   Outcome outcome;
   {
     const Unprivileged user;

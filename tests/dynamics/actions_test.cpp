@@ -63,7 +63,8 @@ TEST_F(TiedBob, LosesPowerInADamperAlongItsLengthOnly) {
 
 TEST_F(TiedBob, WorksWithGivenForcesAndMotors) {
   const Expression push = scene.motor("push", x);
-  scene.force("wind", bob, center, {Expression::quantity("1.5", "N"), Expression::quantity("-2", "N"), 0}, scene.ground());
+  scene.force("wind", bob, center, {Expression::quantity("1.5", "N"), Expression::quantity("-2", "N"), 0},
+              scene.ground());
   const Equations equations(scene);
   ASSERT_EQ(push.as_symbol()->kind, SymbolKind::input);
   NamedState state(equations, {{"x'", Real(2)}, {"y'", Real(3)}, {"push", Real(11)}});
@@ -95,7 +96,9 @@ TEST_F(TiedBob, RefusesActionsThatCannotAct) {
     add(bad);
     return error_of<SceneError>([&] { Equations(bad).actions(); });
   };
-  EXPECT_EQ(refusal([&](Scene& s) { s.force("f", s.ground(), "O", {Expression::quantity("1", "N"), 0, 0}, s.ground()); }),
+  EXPECT_EQ(refusal([&](Scene& s) {
+              s.force("f", s.ground(), "O", {Expression::quantity("1", "N"), 0, 0}, s.ground());
+            }),
             "action 'f' is applied to the ground, which it cannot move");
   EXPECT_EQ(refusal([&](Scene& s) {
               s.point("H", bob, {metres("1"), 0, 0});

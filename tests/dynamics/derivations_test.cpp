@@ -11,8 +11,8 @@ using testing_mechanisms::random_mechanism;
 
 /// All comparisons of check_scene on a random mechanism: Lagrange's operator on T against virtual power, both mass
 /// matrices, symmetry, positiveness, forward against inverse dynamics, the energy theorem, constraints, all to
-/// 10^(5 - 50), and the double kernels against CLN. At a random state the terms of a kernel may cancel to a hundredth of
-/// their size, hence 1e-11 for those.
+/// 10^(5 - 50), and the double kernels against CLN. At a random state the terms of a kernel may cancel to a hundredth
+/// of their size, hence 1e-11 for those.
 class RandomMechanism : public ::testing::TestWithParam<unsigned> {};
 
 TEST_P(RandomMechanism, HasOneSetOfEquationsByEveryRoad) {

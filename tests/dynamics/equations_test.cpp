@@ -75,7 +75,8 @@ TEST_P(RandomEquations, AreLinearInAccelerationsWithTheMassMatrixAndTheBias) {
   std::vector<Real> sums, whole;
   for (std::size_t i = 0; i < n; ++i) {
     Real sum = evaluate(equations.bias()[i]);
-    for (std::size_t j = 0; j < n; ++j) sum += evaluate(equations.mass()[i][j]) * evaluate(model.a(static_cast<int>(j)));
+    for (std::size_t j = 0; j < n; ++j)
+      sum += evaluate(equations.mass()[i][j]) * evaluate(model.a(static_cast<int>(j)));
     sums.push_back(sum);
     whole.push_back(evaluate(equations.inverse_dynamics()[i]));
   }
@@ -115,7 +116,8 @@ TEST_P(RandomEquations, HaveTheLinearisationOfTheirFiniteDifferences) {
     for (std::size_t i = 0; i < n; ++i) differences[i] = (differences[i] - below[i]) / (h + h);
     return differences;
   };
-  const auto expect_column = [&](const ValueMatrix& matrix, std::size_t j, const std::vector<Real>& differences, int sign) {
+  const auto expect_column = [&](const ValueMatrix& matrix, std::size_t j, const std::vector<Real>& differences,
+                                 int sign) {
     for (std::size_t i = 0; i < n; ++i) {
       const Real slope = Real(sign) * here(matrix[i][j]);
       EXPECT_LT(relative_difference(differences[i], slope), 1e-30) << i << ", " << j;
@@ -158,7 +160,8 @@ TEST(ForwardDynamics, IsTheSameByFactorisationAndByTheArticulatedBodyRecursion) 
     const RandomState state(scene, 4);
     Evaluator<Real> first(recursive.program(), state.in_real());
     Evaluator<Real> second(factored.program(), state.in_real());
-    EXPECT_LT(distance(first(recursive.forward().accelerations), second(factored.forward().accelerations)), 1e-48) << seed;
+    EXPECT_LT(distance(first(recursive.forward().accelerations), second(factored.forward().accelerations)), 1e-48)
+        << seed;
   }
   EXPECT_GT(trees, 10);
 }
@@ -171,14 +174,14 @@ TEST(ForwardDynamics, KeepsTheRecursionForScenesThatItFits) {
   scene.body("arm", arm, Inertia::disk(Expression::quantity("1", "kg"), Expression::quantity("1", "m"), 2));
   ModelOptions options;
   options.forward = ForwardMethod::articulated_body;
-  EXPECT_EQ(error_of<UsageError>([&] { Equations(scene, options).forward(); }),
-            "the articulated-body recursion does not fit the scene 'swung': it needs a tree without constraints in which "
-            "each coordinate is the displacement of one joint");
+  EXPECT_EQ(
+      error_of<UsageError>([&] { Equations(scene, options).forward(); }),
+      "the articulated-body recursion does not fit the scene 'swung': it needs a tree without constraints in which "
+      "each coordinate is the displacement of one joint");
   // Free of forces the disk keeps its speed: q'' = −d²(sin 2t)/dt² = 4 sin 2t.
   const Equations equations(scene);
-  Evaluator<double> evaluate(equations.program(), [](const SymbolPointer& symbol) {
-    return symbol->kind == SymbolKind::time ? 0.7 : 0.0;
-  });
+  Evaluator<double> evaluate(equations.program(),
+                             [](const SymbolPointer& symbol) { return symbol->kind == SymbolKind::time ? 0.7 : 0.0; });
   EXPECT_NEAR(evaluate(equations.forward().accelerations[0]), 4 * std::sin(1.4), 1e-14);
 }
 

@@ -19,9 +19,13 @@ using testing_mechanisms::random_mechanism;
 
 // Distinct types: what must not be added or multiplied does not compile.
 template <class A, class B>
-concept Addable = requires(A a, B b) { a + b; };
+concept Addable = requires(A a, B b) {
+  a + b;
+};
 template <class A, class B>
-concept ReciprocalProduct = requires(A a, B b) { reciprocal_product(a, b); };
+concept ReciprocalProduct = requires(A a, B b) {
+  reciprocal_product(a, b);
+};
 static_assert(Addable<Vector, Vector>);
 static_assert(!Addable<Twist, Wrench> && !Addable<Wrench, Twist>);
 static_assert(!Addable<Twist, MomentumScrew> && !Addable<Wrench, MomentumScrew>);
@@ -121,14 +125,17 @@ TEST(MomentumScrew, IsThatOfTheBodysPoints) {
   const FrameHandle second = scene.prismatic("second", first, axis::x, q2);
   const FrameHandle third = scene.revolute("third", second, {1, 2, 2}, q3, {.origin = {0, m("0.3"), 0}});
   scene.body("box", third,
-             Inertia::box(Expression::quantity("1.5", "kg"), m("0.4"), m("0.6"), m("1.0")).at({m("0.1"), m("-0.2"), m("0.5")}));
+             Inertia::box(Expression::quantity("1.5", "kg"), m("0.4"), m("0.6"), m("1.0"))
+                 .at({m("0.1"), m("-0.2"), m("0.5")}));
   const Equations equations(scene);
   const RandomState state(scene, 3);
   Evaluator<double> evaluate(equations.program(), state.in_double());
   const Twist twist = twists(equations.model())[3];
   const MomentumScrew screw = momentum(equations.model().links()[3].mass, twist);
 
-  const auto triple = [&](const Vector& v) { return std::array<double, 3>{evaluate(v[0]), evaluate(v[1]), evaluate(v[2])}; };
+  const auto triple = [&](const Vector& v) {
+    return std::array<double, 3>{evaluate(v[0]), evaluate(v[1]), evaluate(v[2])};
+  };
   const std::array<double, 3> omega = triple(twist.angular);
   const std::array<double, 3> linear = triple(twist.linear);
   const auto wedge = [](const std::array<double, 3>& a, const std::array<double, 3>& b) {

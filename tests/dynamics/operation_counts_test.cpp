@@ -56,8 +56,8 @@ Scene spatial_chain() {
     };
     const std::string name = "link" + std::to_string(i);
     const Expression length = number(50, 5, 100, "m");
-    parent = scene.revolute(name, parent, i % 2 == 1 ? axis::z : axis::x, scene.coordinate("q" + std::to_string(i), "rad"),
-                            {.origin = origin});
+    parent = scene.revolute(name, parent, i % 2 == 1 ? axis::z : axis::x,
+                            scene.coordinate("q" + std::to_string(i), "rad"), {.origin = origin});
     scene.body(name, parent,
                Inertia::general(number(10, 1, 10, "kg"), number(10, 1, 1000, "kg m^2"), number(20, 1, 10000, "kg m^2"),
                                 number(11, 1, 1000, "kg m^2"))
@@ -79,8 +79,7 @@ TEST(OperationCounts, OfStructuralZerosAreZero) {
   // A planar mechanism pays nothing for the third dimension: a point pendulum needs sin and one multiplication.
   Scene scene("pendulum");
   const FrameHandle arm = scene.revolute("arm", scene.ground(), axis::z, scene.coordinate("theta", "rad"));
-  scene.body("bob", arm,
-             Inertia::point(Expression::quantity("2", "kg")).at({0, Expression::quantity("-1.5", "m"), 0}));
+  scene.body("bob", arm, Inertia::point(Expression::quantity("2", "kg")).at({0, Expression::quantity("-1.5", "m"), 0}));
   scene.gravity({0, Expression::quantity("-9.81", "m/s^2"), 0});
   const Equations equations(scene);
   const OperationCount bias = count(equations.program(), equations.bias());

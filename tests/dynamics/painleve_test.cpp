@@ -24,7 +24,8 @@ std::vector<std::string> names(const PainleveReport& report) {
 PainleveReport report_of(const Scene& scene) { return painleve(Equations(scene)); }
 // The values of a report live in its equations' program; this one is for names and conditions only.
 
-/// Integrates the forward dynamics in CLN and returns how much each first integral moves over 2 s, relative to its size.
+/// Integrates the forward dynamics in CLN and returns how much each first integral moves over 2 s, relative to its
+/// size.
 std::vector<double> drift(const Scene& scene, const std::vector<Real>& start) {
   const Equations equations(scene);
   const PainleveReport report = painleve(equations);
@@ -141,11 +142,12 @@ TEST(FailingConditions, SayWhichConditionFails) {
   accelerated.body("bead", accelerated.prismatic("slide", rod, axis::x, r), Inertia::point(kilograms("1")));
   EXPECT_EQ(failing(accelerated), std::vector<std::string>{"T depends on time explicitly"});
   accelerated.gravity({0, Expression::quantity("-9.81", "m/s^2"), 0});
-  EXPECT_EQ(failing(accelerated),
-            (std::vector<std::string>{"T depends on time explicitly", "the force function U depends on time explicitly"}));
+  EXPECT_EQ(failing(accelerated), (std::vector<std::string>{"T depends on time explicitly",
+                                                            "the force function U depends on time explicitly"}));
 
   Scene pushed = pendulum();
-  pushed.nonholonomic("imposed", rate(Expression(pushed.content().coordinates[0].q)) - Expression::quantity("1", "rad/s"));
+  pushed.nonholonomic("imposed",
+                      rate(Expression(pushed.content().coordinates[0].q)) - Expression::quantity("1", "rad/s"));
   EXPECT_EQ(failing(pushed), std::vector<std::string>{"constraint 'imposed' imposes a velocity (b is not zero)"});
 }
 
@@ -168,7 +170,8 @@ TEST(CyclicCoordinate, IsNoneWhenSomethingWorksOnIt) {
   EXPECT_FALSE(with([](Scene& s, const Expression&, const Expression&) {
     s.gravity({Expression::quantity("1", "m/s^2"), 0, 0});
   }));
-  EXPECT_FALSE(with([](Scene& s, const Expression& psi, const Expression& theta) { s.holonomic("tied", psi - theta); }));
+  EXPECT_FALSE(
+      with([](Scene& s, const Expression& psi, const Expression& theta) { s.holonomic("tied", psi - theta); }));
 }
 
 TEST(CyclicCoordinate, HasItsMomentumAsFirstIntegral) {

@@ -57,12 +57,18 @@ class Builder {
 
   Triple axis() {
     switch (below(6)) {
-      case 0: return axis::x;
-      case 1: return -axis::y;
-      case 2: return axis::z;
-      case 3: return {Number::rational(2, 3), Number::rational(-1, 3), Number::rational(2, 3)};  // exact unit vector
-      case 4: return {1, 1, 0};
-      default: return {1, -2, 3};  // its length is an irrational root
+      case 0:
+        return axis::x;
+      case 1:
+        return -axis::y;
+      case 2:
+        return axis::z;
+      case 3:
+        return {Number::rational(2, 3), Number::rational(-1, 3), Number::rational(2, 3)};  // exact unit vector
+      case 4:
+        return {1, 1, 0};
+      default:
+        return {1, -2, 3};  // its length is an irrational root
     }
   }
 
@@ -106,7 +112,8 @@ class Builder {
     const Expression s = displacement(k, angle);
     const Triple n = axis();
     const Placement place = placement();
-    const FrameHandle frame = angle ? scene_.revolute(name, parent, n, s, place) : scene_.prismatic(name, parent, n, s, place);
+    const FrameHandle frame =
+        angle ? scene_.revolute(name, parent, n, s, place) : scene_.prismatic(name, parent, n, s, place);
     frames_.push_back(frame);
     attach(name, frame);
     if (one_in(4)) attach(name + "_flange", scene_.weld(name + "_flange", frame, placement()));
@@ -117,8 +124,8 @@ class Builder {
     // A solid box of these edges, so that the operator is that of a true body; products of inertia by its own axes.
     const Inertia box = Inertia::box(mass, quantity("m"), quantity("m"), quantity("m"));
     if (one_in(3)) {
-      scene_.body(name, frame, Inertia::general(mass, box.xx, box.yy, box.zz, box.xx / 7, -box.yy / 9, box.zz / 11)
-                                   .at(vector("m")));
+      scene_.body(name, frame,
+                  Inertia::general(mass, box.xx, box.yy, box.zz, box.xx / 7, -box.yy / 9, box.zz / 11).at(vector("m")));
     } else {
       scene_.body(name, frame, box.at(vector("m")));
     }
@@ -148,7 +155,9 @@ class Builder {
     const Expression first = unknowns_[0];
     const bool angle = first.unit().is_dimensionless();
     if (one_in(2)) scene_.spring("spring", first, quantity(angle ? "N m" : "N/m"));
-    if (one_in(2)) scene_.damper("damper", unknowns_.back(), quantity(unknowns_.back().unit().is_dimensionless() ? "N m s" : "N s/m"));
+    if (one_in(2))
+      scene_.damper("damper", unknowns_.back(),
+                    quantity(unknowns_.back().unit().is_dimensionless() ? "N m s" : "N s/m"));
     const std::string tip = std::to_string(frames_.size() - 1);
     if (one_in(2)) scene_.spring("tie", "P0", "P" + tip, quantity("N/m"), quantity("m"));
     if (one_in(3)) scene_.spring("zero_tie", "Q0", "Q" + tip, quantity("N/m"));
@@ -172,8 +181,7 @@ class Builder {
       return q.unit().is_dimensionless() ? q : q / Expression::quantity("1", "m");
     };
     if (one_in(2)) {
-      scene_.holonomic("tied", sin(scaled(0)) + Expression(fraction()) * scaled(1) -
-                                   quantity("rad/s") * scene_.time());
+      scene_.holonomic("tied", sin(scaled(0)) + Expression(fraction()) * scaled(1) - quantity("rad/s") * scene_.time());
     }
     if (one_in(3)) {
       scene_.nonholonomic("rolling", rate(scaled(2)) - cos(scaled(0)) * rate(scaled(1)) / 3 - quantity("rad/s"));

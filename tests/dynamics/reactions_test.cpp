@@ -28,7 +28,8 @@ TEST(ReleasedCoordinate, GivesTheTensionInTheRodOfAPendulum) {
   const Equations equations(scene);
   ASSERT_EQ(equations.model().unknown_count(), 1);
   ASSERT_EQ(equations.model().released_count(), 1);
-  for (const auto& [angle, rate] : {std::pair(rational(1, 3), rational(7, 5)), std::pair(rational(-9, 4), rational(2, 9))}) {
+  for (const auto& [angle, rate] :
+       {std::pair(rational(1, 3), rational(7, 5)), std::pair(rational(-9, 4), rational(2, 9))}) {
     NamedState state(equations, {{"theta", angle}, {"theta'", rate}, {"theta''", acceleration(angle)}});
     // The reaction along the outward direction is that of the rod on the bob, inwards: −tension.
     EXPECT_LT(relative_difference(state(equations.inverse_dynamics()[1]), -tension(angle, rate)), 1e-45);
@@ -46,7 +47,11 @@ TEST(ReleasedCoordinate, GivesTheForceThatNewtonGivesForTheIsolatedChain) {
   FrameHandle frame = scene.ground();
   for (std::size_t i = 0; i < 3; ++i) {
     slides[i] = scene.released_coordinate(std::string("R") + "xyz"[i], "m");
-    frame = scene.prismatic("slide" + std::to_string(i), frame, i == 0 ? axis::x : i == 1 ? axis::y : axis::z, slides[i]);
+    frame = scene.prismatic("slide" + std::to_string(i), frame,
+                            i == 0   ? axis::x
+                            : i == 1 ? axis::y
+                                     : axis::z,
+                            slides[i]);
   }
   const Expression q1 = scene.coordinate("q1", "rad");
   const Expression q2 = scene.coordinate("q2", "rad");
@@ -100,10 +105,12 @@ TEST(Multiplier, OfAUnitGradientIsTheForceItself) {
   const ForwardSolution& forward = equations.forward();
   EXPECT_LT(relative_difference(state(forward.multipliers[0]), tension(angle, rate)), 1e-45);
   const Real s_ddot = length * acceleration(angle);
-  EXPECT_LT(relative_difference(state(forward.accelerations[0]), s_ddot * cos(angle) - length * rate * rate * sin(angle)),
-            1e-45);
-  EXPECT_LT(relative_difference(state(forward.accelerations[1]), s_ddot * sin(angle) + length * rate * rate * cos(angle)),
-            1e-45);
+  EXPECT_LT(
+      relative_difference(state(forward.accelerations[0]), s_ddot * cos(angle) - length * rate * rate * sin(angle)),
+      1e-45);
+  EXPECT_LT(
+      relative_difference(state(forward.accelerations[1]), s_ddot * sin(angle) + length * rate * rate * cos(angle)),
+      1e-45);
 }
 
 TEST(Multiplier, IsTheIntensityOfItsNamedReaction) {
@@ -151,12 +158,14 @@ TEST(Constraint, HasTheRateAndTheDriftOfItsValueAlongAMotion) {
   const Real now = rational(1, 2);
   const Real h = power_of_ten(-15);
   for (const ConstraintRow& row : equations.constraints()) {
-    NamedState before(equations, state_at(now - h)), here(equations, state_at(now)), after(equations, state_at(now + h));
+    NamedState before(equations, state_at(now - h)), here(equations, state_at(now)),
+        after(equations, state_at(now + h));
     const Real rate = (after(row.value) - before(row.value)) / (h + h);
     const Real drift = (after(row.rate) - before(row.rate)) / (h + h);
     // Differences of step 1e-15: truncation 1e-30, rounding 1e-50/1e-15.
     EXPECT_LT(relative_difference(here(row.rate), rate), 1e-27) << row.name;
-    const Real accelerated = here(row.jacobian[0]) * rational(-2, 5) + here(row.jacobian[1]) * rational(2, 3) + here(row.gamma);
+    const Real accelerated =
+        here(row.jacobian[0]) * rational(-2, 5) + here(row.jacobian[1]) * rational(2, 3) + here(row.gamma);
     EXPECT_LT(relative_difference(accelerated, drift), 1e-27) << row.name;
   }
   // The closure starts from true positions: AB · y of the two points by hand at a = b = 0.

@@ -34,23 +34,26 @@ TEST(Validation, NamesAFrameThatHangsOnItself) {
   Scene scene = pendulum();
   scene.weld("a", "b", {});
   scene.weld("b", "a", {});
-  EXPECT_EQ(refusal(scene), "frame 'a' hangs on itself: its chain of parents never reaches the ground; close a loop with "
-                            "a constraint instead");
+  EXPECT_EQ(refusal(scene),
+            "frame 'a' hangs on itself: its chain of parents never reaches the ground; close a loop with "
+            "a constraint instead");
 }
 
 TEST(Validation, NamesTheCoordinateThatMustAccelerateWithoutMass) {
   Scene scene = pendulum();
   scene.revolute("hand", "arm", axis::z, scene.coordinate("phi", "rad"));
-  EXPECT_EQ(refusal(scene), "coordinate 'phi' must accelerate but has no inertia: it moves frames without any body with "
-                            "zero mass; give a mass, or drive the coordinate by a law of time");
+  EXPECT_EQ(refusal(scene),
+            "coordinate 'phi' must accelerate but has no inertia: it moves frames without any body with "
+            "zero mass; give a mass, or drive the coordinate by a law of time");
 }
 
 TEST(Validation, NamesTheBodyThatHasNoInertiaAboutItsAxis) {
   Scene scene = pendulum();
   const FrameHandle wheel = scene.revolute("wheel", "arm", axis::z, scene.coordinate("phi", "rad"));
   scene.body("wheel", wheel, Inertia::general(0, 0, 0, 0));
-  EXPECT_EQ(refusal(scene), "coordinate 'phi' must accelerate but has no inertia: it moves body 'wheel' with zero mass; "
-                            "give a mass, or drive the coordinate by a law of time");
+  EXPECT_EQ(refusal(scene),
+            "coordinate 'phi' must accelerate but has no inertia: it moves body 'wheel' with zero mass; "
+            "give a mass, or drive the coordinate by a law of time");
 }
 
 TEST(Validation, NamesARedundantCoordinate) {
@@ -84,8 +87,9 @@ TEST(Validation, NamesADrivenCoordinateThatIsAskedAsUnknownToo) {
   const Expression phi = scene.coordinate("phi", "rad");
   scene.drive(phi, Expression::quantity("2", "rad/s") * scene.time());
   scene.initial(phi, 1);
-  EXPECT_EQ(refusal(scene), "coordinate 'phi' is driven by the law 2*t and cannot also be an unknown with an initial value: "
-                            "drop initial('phi') or drive('phi')");
+  EXPECT_EQ(refusal(scene),
+            "coordinate 'phi' is driven by the law 2*t and cannot also be an unknown with an initial value: "
+            "drop initial('phi') or drive('phi')");
 }
 
 TEST(Validation, NamesACoordinateThatMovesNothing) {
@@ -99,23 +103,26 @@ TEST(Validation, NamesACoordinateThatMovesNothing) {
 }
 
 TEST(Validation, NamesASceneWithoutUnknowns) {
-  EXPECT_EQ(refusal(Scene("empty")), "the scene 'empty' has no unknown coordinate: nothing is left to derive; add "
-                                     "coordinate(...) and use it in a joint");
+  EXPECT_EQ(refusal(Scene("empty")),
+            "the scene 'empty' has no unknown coordinate: nothing is left to derive; add "
+            "coordinate(...) and use it in a joint");
 }
 
 TEST(Validation, NamesAConstraintThatInvolvesNoCoordinate) {
   Scene scene = pendulum();
   scene.holonomic("nothing", scene.time() - Expression::quantity("1", "s"));
-  EXPECT_EQ(refusal(scene), "constraint 'nothing' involves no coordinate: no motion can satisfy or violate it; drop it or "
-                            "write it with the scene's coordinates");
+  EXPECT_EQ(refusal(scene),
+            "constraint 'nothing' involves no coordinate: no motion can satisfy or violate it; drop it or "
+            "write it with the scene's coordinates");
 }
 
 TEST(Validation, NamesAConstraintThatIsNotLinearInTheVelocities) {
   Scene scene = pendulum();
-  scene.nonholonomic("square", pow(rate(Expression(scene.content().coordinates[0].q)), 2) -
-                                   Expression::quantity("1", "rad^2/s^2"));
-  EXPECT_EQ(refusal(scene), "constraint 'square' is not linear in the velocities: its left-hand side must be Σ a(q, t) q̇ − "
-                            "b(q, t)");
+  scene.nonholonomic(
+      "square", pow(rate(Expression(scene.content().coordinates[0].q)), 2) - Expression::quantity("1", "rad^2/s^2"));
+  EXPECT_EQ(refusal(scene),
+            "constraint 'square' is not linear in the velocities: its left-hand side must be Σ a(q, t) q̇ − "
+            "b(q, t)");
 }
 
 TEST(Validation, NamesAConstraintOnACoordinateThatIsHeldAtZero) {
@@ -123,8 +130,9 @@ TEST(Validation, NamesAConstraintOnACoordinateThatIsHeldAtZero) {
   const Expression held = scene.released_coordinate("held", "rad");
   scene.body("hand", scene.revolute("hand", "arm", axis::z, held), Inertia::disk(kilograms("1"), metres("1"), 2));
   scene.holonomic("tied", Expression(scene.content().coordinates[0].q) - held);
-  EXPECT_EQ(refusal(scene), "constraint 'tied' names the released coordinate 'held', which its joint holds at zero: write "
-                            "the constraint without it");
+  EXPECT_EQ(refusal(scene),
+            "constraint 'tied' names the released coordinate 'held', which its joint holds at zero: write "
+            "the constraint without it");
 }
 
 TEST(Validation, NamesAReactionThatDoesNotEnforceItsConstraint) {
@@ -155,11 +163,13 @@ class ConstrainedPair : public ::testing::Test {
 
 TEST_F(ConstrainedPair, MustStartOnItsConstraintsInPositionAndInVelocity) {
   scene.initial(x, 1);
-  EXPECT_EQ(refusal(scene), "inconsistent initial state: constraint 'tied' has the value 1 m at t = 0 and must have 0; "
-                            "correct initial(...) of the coordinates it ties");
+  EXPECT_EQ(refusal(scene),
+            "inconsistent initial state: constraint 'tied' has the value 1 m at t = 0 and must have 0; "
+            "correct initial(...) of the coordinates it ties");
   scene.initial(y, 0.5_r, 0.25_r);
-  EXPECT_EQ(refusal(scene), "inconsistent initial state: constraint 'tied' has the rate -0.5 m s^-1 at t = 0 and must have "
-                            "0; correct initial(...) of the coordinates it ties");
+  EXPECT_EQ(refusal(scene),
+            "inconsistent initial state: constraint 'tied' has the rate -0.5 m s^-1 at t = 0 and must have "
+            "0; correct initial(...) of the coordinates it ties");
   scene.initial(x, 1, 0.5_r);
   EXPECT_EQ(refusal(scene), "no error");
   const std::vector<Real> state = initial_state(scene);

@@ -102,15 +102,23 @@ Expression random_formula(std::mt19937& random, const std::vector<Expression>& s
   const auto sub = [&] { return random_formula(random, symbols, depth - 1); };
   const Expression a = sub();
   switch (random() % 9U) {
-    case 0: return a + sub();
-    case 1: return a - sub();
+    case 0:
+      return a + sub();
+    case 1:
+      return a - sub();
     case 2:
-    case 3: return a * sub();
-    case 4: return a / (2 + pow(sin(sub()), 2));
-    case 5: return sin(a);
-    case 6: return cos(a);
-    case 7: return sqrt(1 + a * a);
-    default: return random() % 2U == 0 ? exp(sin(a)) : log(2 + cos(a));
+    case 3:
+      return a * sub();
+    case 4:
+      return a / (2 + pow(sin(sub()), 2));
+    case 5:
+      return sin(a);
+    case 6:
+      return cos(a);
+    case 7:
+      return sqrt(1 + a * a);
+    default:
+      return random() % 2U == 0 ? exp(sin(a)) : log(2 + cos(a));
   }
 }
 
@@ -204,7 +212,8 @@ TEST(TimeDerivative, FollowsFormulasOfTimeAndPosition) {
   const Real first = (value_at(value, now + h) - value_at(value, now - h)) / (h + h);
   // Truncation h² f'''/6 with derivatives below 1e3: 1e-27.
   EXPECT_LT(relative_difference(value_at(rate_value, now), first), 1e-26);
-  const Real curvature = (value_at(value, now + h) - Real(2) * value_at(value, now) + value_at(value, now - h)) / (h * h);
+  const Real curvature =
+      (value_at(value, now + h) - Real(2) * value_at(value, now) + value_at(value, now - h)) / (h * h);
   EXPECT_LT(relative_difference(value_at(second, now), curvature), 1e-25);
 }
 

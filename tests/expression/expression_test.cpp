@@ -30,7 +30,7 @@ TEST(Expression, RefusesASumOfDifferentUnitsAndNamesBothTerms) {
   const Expression length = make_symbol("length", "m");
   EXPECT_EQ(error_of<UnitError>([&] { mass + length; }),
             "cannot add mass [kg] and length [m]: both terms of a sum need the same unit");
-  EXPECT_EQ(error_of<UnitError>([&] { length - mass * length; }),
+  EXPECT_EQ(error_of<UnitError>([&] { length - mass* length; }),
             "cannot add length [m] and mass*length [kg m]: both terms of a sum need the same unit");
   EXPECT_EQ(error_of<UnitError>([&] { length + 1; }),
             "cannot add length [m] and 1 [1]: both terms of a sum need the same unit");

@@ -16,9 +16,12 @@ using namespace literals;
 /// Exact value at atom k = k + 2.
 Number value_of(const Formula& formula) {
   switch (formula.kind) {
-    case Formula::Kind::atom: return Number(formula.atom + 2);
-    case Formula::Kind::constant: return formula.number;
-    case Formula::Kind::quotient: return value_of(formula.children[0]) / value_of(formula.children[1]);
+    case Formula::Kind::atom:
+      return Number(formula.atom + 2);
+    case Formula::Kind::constant:
+      return formula.number;
+    case Formula::Kind::quotient:
+      return value_of(formula.children[0]) / value_of(formula.children[1]);
     case Formula::Kind::product: {
       Number product(1);
       for (const Formula& child : formula.children) product *= value_of(child);
@@ -31,7 +34,8 @@ Number value_of(const Formula& formula) {
       }
       return sum;
     }
-    case Formula::Kind::function: break;
+    case Formula::Kind::function:
+      break;
   }
   ADD_FAILURE() << "a function inside a sum";
   return {};
@@ -112,10 +116,10 @@ TEST_F(FormulaCount, CountsASineAndACosineOfOneAngleAsOnePairOfTwo) {
 }
 
 TEST_F(FormulaCount, CountsASharedDefinitionOnceAndADeadOneNever) {
-  const Value shared = program.bind(program.lower(a * b + c));               // 1 addition, 1 multiplication
-  program.bind(program.lower(a * b * c * d));                                // dead
-  const Value first = shared * shared;                                       // 1 multiplication
-  const Value second = shared * program.lower(d);                            // 1 multiplication
+  const Value shared = program.bind(program.lower(a * b + c));  // 1 addition, 1 multiplication
+  program.bind(program.lower(a * b * c * d));                   // dead
+  const Value first = shared * shared;                          // 1 multiplication
+  const Value second = shared * program.lower(d);               // 1 multiplication
   const OperationCount total = count(program, {first, second});
   EXPECT_EQ(total.additions, 1);
   EXPECT_EQ(total.multiplications, 3);

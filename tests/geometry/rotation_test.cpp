@@ -53,8 +53,9 @@ TEST(Rotation, IsBuiltFromExactlyOrthonormalColumnsOnly) {
     Rotation::matrix({r(1, 2), 0, 0, 0, 1, 0, 0, 0, 1});
     FAIL();
   } catch (const SceneError& error) {
-    EXPECT_STREQ(error.what(), "the matrix with first row (1/2, 0, 0) is not a rotation: its columns must be orthonormal "
-                               "and its determinant 1, exactly");
+    EXPECT_STREQ(error.what(),
+                 "the matrix with first row (1/2, 0, 0) is not a rotation: its columns must be orthonormal "
+                 "and its determinant 1, exactly");
   }
 }
 

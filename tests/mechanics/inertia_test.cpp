@@ -25,8 +25,8 @@ std::array<double, 6> operator_of(const Inertia& inertia) {
   Program program;
   Evaluator<double> evaluate(program, {});
   const auto value = [&](const Expression& entry) { return evaluate(program.lower(entry)); };
-  return {value(inertia.xx), value(inertia.yy), value(inertia.zz), value(inertia.xy), value(inertia.xz),
-          value(inertia.yz)};
+  return {value(inertia.xx), value(inertia.yy), value(inertia.zz),
+          value(inertia.xy), value(inertia.xz), value(inertia.yz)};
 }
 
 /// Places (a, b, c) with c along the axis and a, b along the two that follow it.

@@ -69,8 +69,7 @@ TEST_F(SceneCoordinates, FollowOneLawOfTimeInTheirOwnUnit) {
   EXPECT_EQ(error_of<UnitError>([&] { scene.drive(x, scene.time()); }),
             "coordinate 'x' [m] cannot follow the law t [s]: the units differ");
   scene.drive(x, scene.time() * Expression::quantity("2", "m/s"));
-  EXPECT_EQ(error_of<SceneError>([&] { scene.drive(x, 0); }),
-            "coordinate 'x' is driven twice: keep one law of time");
+  EXPECT_EQ(error_of<SceneError>([&] { scene.drive(x, 0); }), "coordinate 'x' is driven twice: keep one law of time");
   EXPECT_EQ(error_of<SceneError>([&] { scene.drive(2 * x, 0); }),
             "drive needs a coordinate of the scene 'machine' and got 2*x: pass what coordinate(...) returned");
 }

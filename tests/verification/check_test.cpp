@@ -40,8 +40,10 @@ TEST(Check, PassesAGoodSceneAtEveryPrecision) {
 TEST(Check, ComparesEveryKernelInDoubleAndRepeatsItself) {
   const std::vector<CheckResult> first = check_scene(pendulum(), {.digits = 30, .states = 2});
   const std::vector<CheckResult> second = check_scene(pendulum(), {.digits = 30, .states = 2});
-  for (const char* kernel : {"mass_matrix", "bias", "inverse_dynamics", "forward_dynamics", "energy", "linearisation"}) {
-    EXPECT_EQ(named(first, "double." + std::string(kernel)).worst, named(second, "double." + std::string(kernel)).worst);
+  for (const char* kernel :
+       {"mass_matrix", "bias", "inverse_dynamics", "forward_dynamics", "energy", "linearisation"}) {
+    EXPECT_EQ(named(first, "double." + std::string(kernel)).worst,
+              named(second, "double." + std::string(kernel)).worst);
   }
 }
 

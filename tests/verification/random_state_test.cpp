@@ -57,7 +57,8 @@ TEST(RandomState, KeepsParametersNearTheirValues) {
 TEST(RandomState, NamesASymbolItDoesNotKnow) {
   const Scene scene = pendulum();  // alive, so that no other symbol can take the place of one of its own
   const RandomState state(scene, 1);
-  EXPECT_EQ(error_of([&] { state.value(make_symbol("stranger")); }), "no value for the symbol 'stranger' at a random state");
+  EXPECT_EQ(error_of([&] { state.value(make_symbol("stranger")); }),
+            "no value for the symbol 'stranger' at a random state");
 }
 
 }  // namespace

@@ -55,8 +55,9 @@ TEST(Reference, FollowsTheClosedFormToItsDigits) {
 TEST(Reference, SaysHowItWasMade) {
   const std::string text = reference_csv(oscillator(), {20, {"1"}});
   EXPECT_TRUE(text.starts_with("# Reference motion of the scene oscillator: "));
-  EXPECT_NE(text.find("# regenerate: oscillator_scene reference --digits 20 --times 1 --output oscillator.reference.csv"),
-            std::string::npos);
+  EXPECT_NE(
+      text.find("# regenerate: oscillator_scene reference --digits 20 --times 1 --output oscillator.reference.csv"),
+      std::string::npos);
 }
 
 /// With a constraint: a pendulum in Cartesian coordinates moves like the one of one angle.
@@ -82,7 +83,9 @@ TEST(Reference, IsTheSameForTwoParametrisations) {
 TEST(Reference, NeedsAValueForEveryParameter) {
   Scene scene = oscillator();
   scene.parameter("unknown", "m");
-  EXPECT_EQ(error_of<SceneError>([&] { reference_csv(scene, {20, {"1"}}); }),
+  EXPECT_EQ(error_of<SceneError>([&] {
+              reference_csv(scene, {20, {"1"}});
+            }),
             "the scene 'oscillator' has parameters without a value: a reference needs all of them");
 }
 
