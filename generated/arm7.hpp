@@ -6,15 +6,16 @@
 // Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, linearisation
 // Parameters set at run time: none
 //
-// Operations in the text of each function (a sine-cosine pair counts 2 in the total):
-//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total
-//   kinematics              379              674          0             0                  7       0   1067
-//   mass_matrix             162              197          0             0                  6       0    371
-//   bias                    271              307          0             0                  6       0    590
-//   inverse_dynamics        291              316          0             0                  6       0    619
-//   forward_dynamics        538              630          6             0                  6       0   1186
-//   energy                  221              307          0             0                  6       0    540
-//   linearisation          3355             4068          6             0                  6       0   7441
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
+// moved across joints, factoring, and what is done once for a set of parameters:
+//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   kinematics              379              674          0             0                  7       0   1067    1067
+//   mass_matrix             162              197          0             0                  6       0    371     395
+//   bias                    271              307          0             0                  6       0    590     684
+//   inverse_dynamics        291              316          0             0                  6       0    619     715
+//   forward_dynamics        538              630          6             0                  6       0   1186    1304
+//   energy                  221              307          0             0                  6       0    540     577
+//   linearisation          3355             4068          6             0                  6       0   7441    8315
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 153 results 12 vanish identically, 21 repeat another up to sign
@@ -2529,8 +2530,8 @@ struct Mechanism {
     accelerations.q6 = -z1725;
     accelerations.q7 = z1726;
     if (!(traits::regular(-z1712, z669) && traits::regular(-z1709, z651) && traits::regular(-z1703, z625)
-        && traits::regular(-z1693, z592) && traits::regular(-z1678, z550) && traits::regular(-z1657, z509)
-        && traits::regular(k4, k4))) return torsor::Status::singular;
+        && traits::regular(-z1693, z592) && traits::regular(-z1678, z550) && traits::regular(-z1657,
+        z509))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.q1 - accelerations.q1) + (accelerations.q2 - accelerations.q2)
         + (accelerations.q3 - accelerations.q3) + (accelerations.q4 - accelerations.q4) + (accelerations.q5
@@ -5730,8 +5731,8 @@ struct Mechanism {
     result.B[96] = -z3668;
     result.B[97] = z3669;
     if (!(traits::regular(-z1712, z669) && traits::regular(-z1709, z651) && traits::regular(-z1703, z625)
-        && traits::regular(-z1693, z592) && traits::regular(-z1678, z550) && traits::regular(-z1657, z509)
-        && traits::regular(k4, k4))) return torsor::Status::singular;
+        && traits::regular(-z1693, z592) && traits::regular(-z1678, z550) && traits::regular(-z1657,
+        z509))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.M[0] - result.M[0]) + (result.M[1] - result.M[1]) + (result.M[2] - result.M[2])
         + (result.M[3] - result.M[3]) + (result.M[4] - result.M[4]) + (result.M[5] - result.M[5]) + (result.M[6]

@@ -6,16 +6,17 @@
 // Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, linearisation
 // Parameters set at run time: none
 //
-// Operations in the text of each function (a sine-cosine pair counts 2 in the total):
-//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total
-//   kinematics               11               20          0             0                  2       0     35
-//   mass_matrix               7                2          0             0                  1       0     11
-//   bias                      6                8          0             0                  2       0     18
-//   inverse_dynamics         10                9          0             0                  2       0     23
-//   forward_dynamics         15               14          1             0                  2       0     34
-//   energy                    7               10          0             0                  2       0     21
-//   first_integrals           8               10          0             0                  2       0     22
-//   linearisation            32               34          1             0                  2       0     71
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
+// moved across joints, factoring, and what is done once for a set of parameters:
+//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   kinematics                7               12          0             0                  3       0     25      25
+//   mass_matrix               7                2          0             0                  1       0     11      11
+//   bias                      6                8          0             0                  2       0     18      23
+//   inverse_dynamics         10                9          0             0                  2       0     23      26
+//   forward_dynamics         15               14          1             0                  2       0     34      39
+//   energy                    6                8          0             0                  3       0     20      24
+//   first_integrals           7                8          0             0                  3       0     21      25
+//   linearisation            32               34          1             0                  2       0     71      97
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 36 results 16 vanish identically, 6 repeat another up to sign
@@ -286,13 +287,11 @@ struct Mechanism {
     const Scalar z15 = n1 + z10;
     const Scalar z16 = s_theta_1 * z15 - c_theta_1 * z9;
     const Scalar z17 = s_theta_1 * z9 + c_theta_1 * z15;
-    const Scalar z18 = s_theta_1 * z9 + c_theta_1 * z10;
-    const Scalar z19 = s_theta_1 * z10 - c_theta_1 * z9;
+    Scalar s_theta_2, c_theta_2;
+    traits::sincos(q_theta_2, s_theta_2, c_theta_2);
     const Scalar z20 = v_theta_2 + z11;
-    const Scalar z21 = z9 * z12 + z10 * z20;
-    const Scalar z22 = z9 * z20 - z10 * z12;
-    const Scalar z23 = s_theta_1 * z22 + c_theta_1 * z21;
-    const Scalar z24 = s_theta_1 * z21 - c_theta_1 * z22;
+    const Scalar z21 = z12 * s_theta_2 - c_theta_2 * z20;
+    const Scalar z22 = z12 * c_theta_2 + s_theta_2 * z20;
     result.first_mass_position[0] = s_theta_1;
     result.first_mass_position[1] = -c_theta_1;
     result.first_mass_position[2] = n0;
@@ -314,17 +313,17 @@ struct Mechanism {
     result.second_mass_position[0] = z16;
     result.second_mass_position[1] = -z17;
     result.second_mass_position[2] = n0;
-    result.second_mass_rotation[0] = z18;
-    result.second_mass_rotation[1] = z19;
+    result.second_mass_rotation[0] = c_theta_2;
+    result.second_mass_rotation[1] = s_theta_2;
     result.second_mass_rotation[2] = n0;
-    result.second_mass_rotation[3] = -z19;
-    result.second_mass_rotation[4] = z18;
+    result.second_mass_rotation[3] = -s_theta_2;
+    result.second_mass_rotation[4] = c_theta_2;
     result.second_mass_rotation[5] = n0;
     result.second_mass_rotation[6] = n0;
     result.second_mass_rotation[7] = n0;
     result.second_mass_rotation[8] = n1;
-    result.second_mass_velocity[0] = z23;
-    result.second_mass_velocity[1] = z24;
+    result.second_mass_velocity[0] = -z21;
+    result.second_mass_velocity[1] = z22;
     result.second_mass_velocity[2] = n0;
     result.second_mass_angular_velocity[0] = n0;
     result.second_mass_angular_velocity[1] = n0;
@@ -341,13 +340,13 @@ struct Mechanism {
     Scalar z9, z10;
     traits::sincos(z8, z9, z10);
     const Scalar z15 = n1 + z10;
-    const Scalar z30 = n1 + n2 * z10;
-    const Scalar z33 = n2 + z30;
-    const Scalar z34 = n1 - n2 * z15 + z33;
-    const Scalar z35 = n1 - z15;
-    mass[0] = z34;
-    mass[1] = -z35;
-    mass[2] = -z35;
+    const Scalar z28 = n1 + n2 * z10;
+    const Scalar z31 = n2 + z28;
+    const Scalar z32 = n1 - n2 * z15 + z31;
+    const Scalar z33 = n1 - z15;
+    mass[0] = z32;
+    mass[1] = -z33;
+    mass[2] = -z33;
     mass[3] = n1;
   }
 
@@ -365,17 +364,17 @@ struct Mechanism {
     const Scalar z8 = q_theta_1 - q_theta_2;
     Scalar z9, z10;
     traits::sincos(z8, z9, z10);
-    const Scalar z36 = n9_81 * s_theta_1;
-    const Scalar z37 = n9_81 * c_theta_1;
-    const Scalar z38 = v_theta_1 * v_theta_1;
-    const Scalar z39 = z37 + z38;
-    const Scalar z40 = z9 * z39 - z10 * z36;
-    const Scalar z42 = v_theta_2 * v_theta_2;
-    const Scalar z43 = z9 * z42;
-    const Scalar z46 = n2 * z36 - z40 + z43;  // moment on upper, z
-    const Scalar z47 = z40 + z46;
-    forces.theta_1 = z47;
-    forces.theta_2 = -z40;
+    const Scalar z34 = n9_81 * s_theta_1;
+    const Scalar z35 = n9_81 * c_theta_1;
+    const Scalar z36 = v_theta_1 * v_theta_1;
+    const Scalar z37 = z35 + z36;
+    const Scalar z38 = z9 * z37 - z10 * z34;
+    const Scalar z40 = v_theta_2 * v_theta_2;
+    const Scalar z41 = z9 * z40;
+    const Scalar z44 = n2 * z34 - z38 + z41;  // moment on upper, z
+    const Scalar z45 = z38 + z44;
+    forces.theta_1 = z45;
+    forces.theta_2 = -z38;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -394,19 +393,19 @@ struct Mechanism {
     const Scalar z8 = q_theta_1 - q_theta_2;
     Scalar z9, z10;
     traits::sincos(z8, z9, z10);
-    const Scalar z36 = n9_81 * s_theta_1;
-    const Scalar z37 = n9_81 * c_theta_1;
-    const Scalar z38 = v_theta_1 * v_theta_1;
-    const Scalar z39 = z37 + z38;
-    const Scalar z42 = v_theta_2 * v_theta_2;
-    const Scalar z48 = a_theta_1 + z36;
-    const Scalar z49 = z9 * z39 - z10 * z48;
-    const Scalar z51 = a_theta_2 - z49;  // moment on lower, z
-    const Scalar z52 = a_theta_2 * z10 + z9 * z42;
-    const Scalar z56 = n2 * (a_theta_1 + z36) + z51 + z52;  // moment on upper, z
-    const Scalar z57 = z51 - z56;
-    forces.theta_1 = -z57;
-    forces.theta_2 = z51;
+    const Scalar z34 = n9_81 * s_theta_1;
+    const Scalar z35 = n9_81 * c_theta_1;
+    const Scalar z36 = v_theta_1 * v_theta_1;
+    const Scalar z37 = z35 + z36;
+    const Scalar z40 = v_theta_2 * v_theta_2;
+    const Scalar z46 = a_theta_1 + z34;
+    const Scalar z47 = z9 * z37 - z10 * z46;
+    const Scalar z49 = a_theta_2 - z47;  // moment on lower, z
+    const Scalar z50 = a_theta_2 * z10 + z9 * z40;
+    const Scalar z54 = n2 * (a_theta_1 + z34) + z49 + z50;  // moment on upper, z
+    const Scalar z55 = z49 - z54;
+    forces.theta_1 = -z55;
+    forces.theta_2 = z49;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -427,27 +426,27 @@ struct Mechanism {
     Scalar z9, z10;
     traits::sincos(z8, z9, z10);
     const Scalar z15 = n1 + z10;
-    const Scalar z30 = n1 + n2 * z10;
-    const Scalar z33 = n2 + z30;
-    const Scalar z34 = n1 - n2 * z15 + z33;
-    const Scalar z35 = n1 - z15;
-    const Scalar z36 = n9_81 * s_theta_1;
-    const Scalar z37 = n9_81 * c_theta_1;
-    const Scalar z38 = v_theta_1 * v_theta_1;
-    const Scalar z39 = z37 + z38;
-    const Scalar z40 = z9 * z39 - z10 * z36;
-    const Scalar z42 = v_theta_2 * v_theta_2;
-    const Scalar z43 = z9 * z42;
-    const Scalar z46 = n2 * z36 - z40 + z43;  // moment on upper, z
-    const Scalar z47 = z40 + z46;
-    const Scalar z58 = z34 - z35 * z35;
-    const Scalar z59 = n1 / z58;
-    const Scalar z60 = z35 * z40 - z47;
-    const Scalar z61 = z59 * z60;
-    const Scalar z62 = z35 * z61 + z40;
-    accelerations.theta_1 = z61;
-    accelerations.theta_2 = z62;
-    if (!(traits::regular(z58, z34) && traits::regular(n1, n1))) return torsor::Status::singular;
+    const Scalar z28 = n1 + n2 * z10;
+    const Scalar z31 = n2 + z28;
+    const Scalar z32 = n1 - n2 * z15 + z31;
+    const Scalar z33 = n1 - z15;
+    const Scalar z34 = n9_81 * s_theta_1;
+    const Scalar z35 = n9_81 * c_theta_1;
+    const Scalar z36 = v_theta_1 * v_theta_1;
+    const Scalar z37 = z35 + z36;
+    const Scalar z38 = z9 * z37 - z10 * z34;
+    const Scalar z40 = v_theta_2 * v_theta_2;
+    const Scalar z41 = z9 * z40;
+    const Scalar z44 = n2 * z34 - z38 + z41;  // moment on upper, z
+    const Scalar z45 = z38 + z44;
+    const Scalar z56 = z32 - z33 * z33;
+    const Scalar z57 = n1 / z56;
+    const Scalar z58 = z33 * z38 - z45;
+    const Scalar z59 = z57 * z58;
+    const Scalar z60 = z33 * z59 + z38;
+    accelerations.theta_1 = z59;
+    accelerations.theta_2 = z60;
+    if (!(traits::regular(z56, z32))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.theta_1 - accelerations.theta_1) + (accelerations.theta_2
         - accelerations.theta_2);
@@ -472,10 +471,11 @@ struct Mechanism {
     traits::sincos(z8, z9, z10);
     const Scalar z11 = v_theta_1 * z10;
     const Scalar z12 = v_theta_1 * z9;
-    const Scalar z18 = s_theta_1 * z9 + c_theta_1 * z10;
+    Scalar s_theta_2, c_theta_2;
+    traits::sincos(q_theta_2, s_theta_2, c_theta_2);
     const Scalar z20 = v_theta_2 + z11;
     result.kinetic = n0_5 * (z20 * (v_theta_2 + z11) + v_theta_1 * v_theta_1 + z12 * z12);
-    result.force_function = n19_62 * c_theta_1 + n9_81 * z18;
+    result.force_function = n19_62 * c_theta_1 + n9_81 * c_theta_2;
     result.power = n0;
   }
 
@@ -495,10 +495,11 @@ struct Mechanism {
     traits::sincos(z8, z9, z10);
     const Scalar z11 = v_theta_1 * z10;
     const Scalar z12 = v_theta_1 * z9;
-    const Scalar z18 = s_theta_1 * z9 + c_theta_1 * z10;
+    Scalar s_theta_2, c_theta_2;
+    traits::sincos(q_theta_2, s_theta_2, c_theta_2);
     const Scalar z20 = v_theta_2 + z11;
     result.energy = n0_5 * (z20 * (v_theta_2 + z11) + v_theta_1 * v_theta_1 + z12 * z12) - n19_62 * c_theta_1 - n9_81
-        * z18;
+        * c_theta_2;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -521,76 +522,76 @@ struct Mechanism {
     Scalar z9, z10;
     traits::sincos(z8, z9, z10);
     const Scalar z15 = n1 + z10;
-    const Scalar z30 = n1 + n2 * z10;
-    const Scalar z33 = n2 + z30;
-    const Scalar z34 = n1 - n2 * z15 + z33;
-    const Scalar z35 = n1 - z15;
-    const Scalar z36 = n9_81 * s_theta_1;
-    const Scalar z37 = n9_81 * c_theta_1;
-    const Scalar z38 = v_theta_1 * v_theta_1;
-    const Scalar z39 = z37 + z38;
-    const Scalar z42 = v_theta_2 * v_theta_2;
-    const Scalar z48 = a_theta_1 + z36;
-    const Scalar z49 = z9 * z39 - z10 * z48;
-    const Scalar z50 = z9 * z48 + z10 * z39;
-    const Scalar z51 = a_theta_2 - z49;  // moment on lower, z
-    const Scalar z52 = a_theta_2 * z10 + z9 * z42;
-    const Scalar z53 = a_theta_2 * z9 - z10 * z42;
-    const Scalar z56 = n2 * (a_theta_1 + z36) + z51 + z52;  // moment on upper, z
-    const Scalar z57 = z51 - z56;
-    const Scalar z58 = z34 - z35 * z35;
-    const Scalar z59 = n1 / z58;
-    const Scalar z69 = n2 * v_theta_1;
-    const Scalar z70 = z9 * z69;
-    const Scalar z71 = z9 * (z36 - z48) + z10 * (z37 - z39);
-    const Scalar z72 = n2 * z37 - z53 + z71;
-    const Scalar z73 = z71 - z72;
-    const Scalar z74 = n2 * v_theta_2;
-    const Scalar z75 = z9 * z74;
-    const Scalar z76 = z50 + z53;
-    const Scalar z77 = z50 - z76;
-    const Scalar z78 = z35 * z71 - z73;
-    const Scalar z79 = z59 * z78;
-    const Scalar z80 = z35 * z79 + z71;
-    const Scalar z81 = z35 * z70;
-    const Scalar z82 = z59 * z81;
-    const Scalar z83 = z35 * z82 + z70;
-    const Scalar z84 = z35 * z50 - z77;
-    const Scalar z85 = z59 * z84;
-    const Scalar z86 = z35 * z85 + z50;
-    const Scalar z87 = z59 * z75;
-    const Scalar z88 = z35 * z87;
-    result.M[0] = z34;
-    result.M[1] = -z35;
-    result.M[2] = -z35;
+    const Scalar z28 = n1 + n2 * z10;
+    const Scalar z31 = n2 + z28;
+    const Scalar z32 = n1 - n2 * z15 + z31;
+    const Scalar z33 = n1 - z15;
+    const Scalar z34 = n9_81 * s_theta_1;
+    const Scalar z35 = n9_81 * c_theta_1;
+    const Scalar z36 = v_theta_1 * v_theta_1;
+    const Scalar z37 = z35 + z36;
+    const Scalar z40 = v_theta_2 * v_theta_2;
+    const Scalar z46 = a_theta_1 + z34;
+    const Scalar z47 = z9 * z37 - z10 * z46;
+    const Scalar z48 = z9 * z46 + z10 * z37;
+    const Scalar z49 = a_theta_2 - z47;  // moment on lower, z
+    const Scalar z50 = a_theta_2 * z10 + z9 * z40;
+    const Scalar z51 = a_theta_2 * z9 - z10 * z40;
+    const Scalar z54 = n2 * (a_theta_1 + z34) + z49 + z50;  // moment on upper, z
+    const Scalar z55 = z49 - z54;
+    const Scalar z56 = z32 - z33 * z33;
+    const Scalar z57 = n1 / z56;
+    const Scalar z67 = n2 * v_theta_1;
+    const Scalar z68 = z9 * z67;
+    const Scalar z69 = z9 * (z34 - z46) + z10 * (z35 - z37);
+    const Scalar z70 = n2 * z35 - z51 + z69;
+    const Scalar z71 = z69 - z70;
+    const Scalar z72 = n2 * v_theta_2;
+    const Scalar z73 = z9 * z72;
+    const Scalar z74 = z48 + z51;
+    const Scalar z75 = z48 - z74;
+    const Scalar z76 = z33 * z69 - z71;
+    const Scalar z77 = z57 * z76;
+    const Scalar z78 = z33 * z77 + z69;
+    const Scalar z79 = z33 * z68;
+    const Scalar z80 = z57 * z79;
+    const Scalar z81 = z33 * z80 + z68;
+    const Scalar z82 = z33 * z48 - z75;
+    const Scalar z83 = z57 * z82;
+    const Scalar z84 = z33 * z83 + z48;
+    const Scalar z85 = z57 * z73;
+    const Scalar z86 = z33 * z85;
+    result.M[0] = z32;
+    result.M[1] = -z33;
+    result.M[2] = -z33;
     result.M[3] = n1;
     result.C[0] = n0;
-    result.C[1] = -z70;
-    result.C[2] = z75;
+    result.C[1] = -z68;
+    result.C[2] = z73;
     result.C[3] = n0;
-    result.K[0] = -z73;
-    result.K[1] = z71;
-    result.K[2] = -z77;
-    result.K[3] = z50;
-    result.F[0] = z57;
-    result.F[1] = -z51;
+    result.K[0] = -z71;
+    result.K[1] = z69;
+    result.K[2] = -z75;
+    result.K[3] = z48;
+    result.F[0] = z55;
+    result.F[1] = -z49;
     result.A[0] = n0;
     result.A[1] = n0;
-    result.A[2] = -z79;
-    result.A[3] = -z80;
+    result.A[2] = -z77;
+    result.A[3] = -z78;
     result.A[4] = n0;
     result.A[5] = n0;
-    result.A[6] = -z85;
-    result.A[7] = -z86;
+    result.A[6] = -z83;
+    result.A[7] = -z84;
     result.A[8] = n1;
     result.A[9] = n0;
-    result.A[10] = z82;
-    result.A[11] = z83;
+    result.A[10] = z80;
+    result.A[11] = z81;
     result.A[12] = n0;
     result.A[13] = n1;
-    result.A[14] = -z87;
-    result.A[15] = -z88;
-    if (!(traits::regular(z58, z34) && traits::regular(n1, n1))) return torsor::Status::singular;
+    result.A[14] = -z85;
+    result.A[15] = -z86;
+    if (!(traits::regular(z56, z32))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.M[0] - result.M[0]) + (result.M[1] - result.M[1]) + (result.M[2] - result.M[2])
         + (result.C[1] - result.C[1]) + (result.C[2] - result.C[2]) + (result.K[0] - result.K[0]) + (result.K[1]

@@ -6,16 +6,17 @@
 // Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, reactions, linearisation
 // Parameters set at run time: none
 //
-// Operations in the text of each function (a sine-cosine pair counts 2 in the total):
-//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total
-//   kinematics               25               43          0             0                  2       0     72
-//   mass_matrix               9                7          0             0                  1       0     18
-//   bias                     13               22          0             0                  2       0     39
-//   inverse_dynamics         22               30          0             0                  2       0     56
-//   forward_dynamics         35               45          2             0                  2       0     86
-//   energy                   22               39          0             0                  2       0     65
-//   reactions                 8               13          0             0                  2       0     25
-//   linearisation           102              154          2             0                  2       0    262
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
+// moved across joints, factoring, and what is done once for a set of parameters:
+//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   kinematics               25               43          0             0                  2       0     72      72
+//   mass_matrix               9                7          0             0                  1       0     18      19
+//   bias                     13               22          0             0                  2       0     39      49
+//   inverse_dynamics         22               30          0             0                  2       0     56      65
+//   forward_dynamics         35               45          2             0                  2       0     86      97
+//   energy                   22               39          0             0                  2       0     65      70
+//   reactions                 8               13          0             0                  2       0     25      41
+//   linearisation           102              154          2             0                  2       0    262     337
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 54 results 24 vanish identically, 9 repeat another up to sign
@@ -601,8 +602,7 @@ struct Mechanism {
     accelerations.alpha = -z119;
     accelerations.x = z120;
     accelerations.beta = z121;
-    if (!(traits::regular(-z115, z64) && traits::regular(z112, n33) && traits::regular(n0_5,
-        n0_5))) return torsor::Status::singular;
+    if (!(traits::regular(-z115, z64) && traits::regular(z112, n33))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.alpha - accelerations.alpha) + (accelerations.x - accelerations.x)
         + (accelerations.beta - accelerations.beta);
@@ -939,8 +939,7 @@ struct Mechanism {
     result.B[15] = -z222;
     result.B[16] = -z223;
     result.B[17] = z224;
-    if (!(traits::regular(-z115, z64) && traits::regular(z112, n33) && traits::regular(n0_5,
-        n0_5))) return torsor::Status::singular;
+    if (!(traits::regular(-z115, z64) && traits::regular(z112, n33))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.M[0] - result.M[0]) + (result.M[1] - result.M[1]) + (result.M[2] - result.M[2])
         + (result.M[3] - result.M[3]) + (result.M[5] - result.M[5]) + (result.M[6] - result.M[6]) + (result.M[7]

@@ -6,18 +6,19 @@
 // Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, constraints, linearisation
 // Parameters set at run time: A, C
 //
-// Operations in the text of each function (a sine-cosine pair counts 2 in the total):
-//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total
-//   precompute                1                0          2             0                  0       0      3
-//   kinematics               38               70          0             0                  3       0    114
-//   mass_matrix               1                3          0             0                  1       0      6
-//   bias                      4               15          0             0                  1       0     21
-//   inverse_dynamics         26               33          0             0                  2       0     63
-//   forward_dynamics         42               76          4             0                  2       0    126
-//   energy                   14               28          0             0                  3       0     48
-//   first_integrals          15               28          0             0                  3       0     49
-//   constraints              11               17          0             0                  2       0     32
-//   linearisation            50               82          0             0                  2       0    136
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
+// moved across joints, factoring, and what is done once for a set of parameters:
+//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   precompute                1                0          2             0                  0       0      3       -
+//   kinematics               38               70          0             0                  3       0    114     114
+//   mass_matrix               1                3          0             0                  1       0      6       7
+//   bias                      4               15          0             0                  1       0     21      50
+//   inverse_dynamics         26               33          0             0                  2       0     63     120
+//   forward_dynamics         42               76          4             0                  2       0    126     179
+//   energy                   14               28          0             0                  3       0     48      54
+//   first_integrals          15               28          0             0                  3       0     49      55
+//   constraints              11               17          0             0                  2       0     32      32
+//   linearisation            50               82          0             0                  2       0    136     275
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 42 results 10 vanish identically
@@ -729,9 +730,8 @@ struct Mechanism {
     multipliers.X_F = -z189;
     multipliers.Y_F = -z190;
     multipliers.N = z191;
-    if (!(traits::regular(n1, n1) && traits::regular(n1, n1) && traits::regular(n1, n1) && traits::regular(-z161, z86)
-        && traits::regular(p_A, p_A) && traits::regular(p_C, p_C) && traits::regular(z176, z176)
-        && traits::regular(z185, z178) && traits::regular(z181, z181))) return torsor::Status::singular;
+    if (!(traits::regular(-z161, z86) && traits::regular(p_A, p_A) && traits::regular(p_C, p_C) && traits::regular(z176,
+        z176) && traits::regular(z185, z178) && traits::regular(z181, z181))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.x - accelerations.x) + (accelerations.y - accelerations.y) + (accelerations.z
         - accelerations.z) + (accelerations.psi - accelerations.psi) + (accelerations.theta - accelerations.theta)
@@ -878,6 +878,8 @@ struct Mechanism {
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
   /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
+  /// At fixed multipliers and in all coordinates: A' dlambda and the linearised constraints come beside it, and the
+  /// state matrices, which need independent coordinates, are left out.
   TORSOR_DEVICE static void linearisation(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Multipliers& multipliers, const Inputs&,
       Linearisation& result) noexcept {

@@ -6,16 +6,17 @@
 // Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, linearisation
 // Parameters set at run time: d, omega
 //
-// Operations in the text of each function (a sine-cosine pair counts 2 in the total):
-//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total
-//   precompute                0                3          1             0                  0       0      4
-//   kinematics                8               19          0             0                  2       0     31
-//   mass_matrix               0                1          0             0                  1       0      3
-//   bias                      3                8          0             0                  2       0     15
-//   inverse_dynamics          7               13          0             0                  2       0     24
-//   forward_dynamics          6               15          1             0                  2       0     26
-//   energy                   13               27          0             0                  2       0     44
-//   linearisation            12               32          1             0                  2       0     49
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
+// moved across joints, factoring, and what is done once for a set of parameters:
+//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   precompute                0                3          1             0                  0       0      4       -
+//   kinematics                8               19          0             0                  2       0     31      31
+//   mass_matrix               0                1          0             0                  1       0      3       4
+//   bias                      3                8          0             0                  2       0     15      28
+//   inverse_dynamics          7               13          0             0                  2       0     24      43
+//   forward_dynamics          6               15          1             0                  2       0     26      35
+//   energy                   13               27          0             0                  2       0     44      50
+//   linearisation            12               32          1             0                  2       0     49      70
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 54 results 29 vanish identically, 4 repeat another up to sign

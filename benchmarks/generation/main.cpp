@@ -37,7 +37,7 @@ void row(const char* step, double seconds, double size, const char* unit) {
 int main() {
   fmt::print("arm7, all kernels\n{:<36}{:>12}{:>14} {:<12}{:>10}\n", "step", "seconds", "size", "", "peak MB");
   const auto start = Clock::now();
-  const torsor::Scene scene = arm7();
+  const torsor::Scene scene = arm7_scene();
   const torsor::Equations equations(scene);
   std::vector<torsor::Kernel> kernels;
   for (const std::string& name : torsor::kernel_names()) {

@@ -22,7 +22,9 @@ int run(const std::string& path, const std::string& kernels, const std::string& 
   }
   if (counts.empty()) throw torsor::UsageError(fmt::format("'{}' has no model '{}'", path, only));
   const std::string text = json ? torsor::counts_json(counts) : torsor::counts_table(counts);
-  std::fwrite(text.data(), 1, text.size(), stdout);
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
+    throw torsor::FileError("cannot write to the standard output: is the disk full or the reader gone?");
+  }
   return 0;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "benchmarks/model_counts/models.hpp"
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 
@@ -58,17 +59,22 @@ std::vector<Scene> read_models(const std::string& path) {
   std::ifstream file(path);
   if (!file) throw FileError(fmt::format("cannot read '{}': does the file exist?", path));
   std::vector<Scene> scenes;
-  std::string name = "?";
+  std::string name;
+  const auto where = [&] { return name.empty() ? fmt::format("'{}'", path) : fmt::format("'{}', model '{}'", path, name); };
   try {
     const Json json = Json::parse(file);
+    if (!json.is_object() || !json.contains("gravity") || !json.contains("models")) {
+      throw FileError(fmt::format("'{}' needs an object with 'gravity' and 'models'", path));
+    }
     for (const Json& model : json.at("models")) {
       name = model.at("name").get<std::string>();
       scenes.push_back(chain(model, json.at("gravity")));
     }
   } catch (const Json::exception& error) {
-    throw FileError(fmt::format("'{}', model '{}': {}", path, name, error.what()));
+    const std::string text = error.what();  // "[json.exception.kind.number] what"
+    throw FileError(fmt::format("{}: {}", where(), text.substr(std::min(text.size(), text.find(']') + 2))));
   } catch (const SceneError& error) {
-    throw SceneError(fmt::format("'{}', model '{}': {}", path, name, error.what()));
+    throw SceneError(fmt::format("{}: {}", where(), error.what()));
   }
   return scenes;
 }

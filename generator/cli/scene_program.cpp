@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <map>
 #include <new>
 #include <string>
 
@@ -14,6 +13,7 @@
 #include "generator/dynamics/validation.hpp"
 #include "generator/emission/kernel.hpp"
 #include "generator/emission/output_file.hpp"
+#include "generator/expression/decimal.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/reading/print_equations.hpp"
 #include "generator/verification/reference.hpp"
@@ -29,9 +29,9 @@ constexpr int bad_scene_or_file = 3;
 struct Request {
   std::string format = "text";
   std::string kernels = "all";
-  std::string output;
+  std::string output = "-";
   std::string run_time;
-  ForwardMethod forward = ForwardMethod::cheapest;
+  std::string forward = "cheapest";
   std::vector<std::string> about;
   std::vector<std::string> times;
   int digits = 50;
@@ -41,7 +41,7 @@ struct Request {
 };
 
 void write(const std::string& output, const std::string& text) {
-  if (output.empty() || output == "-") {
+  if (output == "-") {
     if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
       throw FileError("cannot write to the standard output: is the disk full or the reader gone?");
     }
@@ -50,9 +50,33 @@ void write(const std::string& output, const std::string& text) {
   write_file_if_changed(output, text);
 }
 
+ForwardMethod forward_method(const std::string& name) {
+  if (name == "cheapest") return ForwardMethod::cheapest;
+  if (name == "factorisation") return ForwardMethod::factorisation;
+  if (name == "articulated_body") return ForwardMethod::articulated_body;
+  throw UsageError(fmt::format("unknown method '{}' in --forward: use cheapest, factorisation or articulated_body", name));
+}
+
+/// Times are positive and increase; what is wrong is quoted as the user wrote it.
+void check_times(const std::vector<std::string>& times) {
+  Number before;
+  for (const std::string& text : times) {
+    Number time;
+    try {
+      time = parse_decimal(text);
+    } catch (const Error& error) {
+      throw UsageError(fmt::format("--times: {}", error.what()));
+    }
+    if (!(before < time)) {
+      throw UsageError(fmt::format("--times: '{}' does not come after what is before it: times are positive and increase", text));
+    }
+    before = time;
+  }
+}
+
 ModelOptions model_options(const Scene& scene, const Request& request) {
   ModelOptions options;
-  options.forward = request.forward;
+  options.forward = forward_method(request.forward);
   if (request.run_time == "all") {
     options.all_run_time = true;
     return options;
@@ -91,7 +115,18 @@ int equations(const Scene& scene, const Request& request) {
   return 0;
 }
 
+/// A kernel that was asked for by name and is absent deserves a word; `all` means all that there are.
+void tell_absent(const Scene& scene, const Request& request) {
+  if (request.kernels == "all") return;
+  const Equations equations(scene);
+  for (const std::string& name : parse_kernel_list(request.kernels)) {
+    const std::string skipped = make_kernel(name, equations).skipped;
+    if (!skipped.empty()) std::fprintf(stderr, "note: the kernel %s is absent: %s\n", name.c_str(), skipped.c_str());
+  }
+}
+
 int generate(const Scene& scene, const Request& request) {
+  tell_absent(scene, request);
   write(request.output, generate_header(scene, parse_kernel_list(request.kernels), model_options(scene, request)));
   return 0;
 }
@@ -110,6 +145,7 @@ int check(const Scene& scene, const Request& request) {
 }
 
 int reference(const Scene& scene, const Request& request) {
+  check_times(request.times);
   write(request.output, reference_csv(scene, {request.digits, request.times}));
   return 0;
 }
@@ -134,12 +170,9 @@ void declare(CLI::App& app, Request& request, Command& chosen) {
     sub->add_option("--kernels", request.kernels,
                     fmt::format("comma-separated list, or all (the default): {}", fmt::join(kernel_names(), ", ")));
     sub->add_option("--run-time", request.run_time, "parameters that stay symbols, comma-separated, or all");
-    static const std::map<std::string, ForwardMethod> methods{{"cheapest", ForwardMethod::cheapest},
-                                                              {"factorisation", ForwardMethod::factorisation},
-                                                              {"articulated_body", ForwardMethod::articulated_body}};
     sub->add_option("--forward", request.forward,
-                    "method of forward_dynamics: cheapest (the default), factorisation, articulated_body")
-        ->transform(CLI::CheckedTransformer(methods));
+                    "method of forward_dynamics: cheapest, factorisation or articulated_body")
+        ->capture_default_str();
     return sub;
   };
   const auto with_json = [&](CLI::App* sub) { sub->add_flag("--json", request.json, "print JSON"); };
@@ -149,7 +182,7 @@ void declare(CLI::App& app, Request& request, Command& chosen) {
   sub->add_option("--about", request.about, "state of the linearisation, NAME=VALUE, e.g. theta=0; repeatable");
   sub->add_flag("--document", request.document, "LaTeX: a whole document");
   sub = with_kernels(add("generate", "write the specialised C++17 header", generate));
-  sub->get_option("--output")->required();
+  sub->get_option("--output")->required()->description("file to write; - for the standard output");
   with_json(with_kernels(add("counts", "count the operations of the emitted kernels", counts)));
   sub = add("check", "compare independent derivations at random states", check);
   sub->add_option("--digits", request.digits, "digits of the comparison")
@@ -177,6 +210,13 @@ int run_scene_program(int argc, const char* const* argv, Scene (*make_scene)()) 
   Command chosen = nullptr;
   try {
     declare(app, request, chosen);
+    const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
+    const auto is_first_word = [argv](const CLI::App* command) { return command->get_name() == argv[1]; };
+    if (argc > 1 && argv[1][0] != '-' && std::none_of(commands.begin(), commands.end(), is_first_word)) {
+      return fail(fmt::format("unknown command '{}': use equations, generate, counts, check, reference or list; see --help",
+                              argv[1]),
+                  bad_usage);
+    }
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp& help) {
     return app.exit(help);

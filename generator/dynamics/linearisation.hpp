@@ -7,7 +7,8 @@ namespace torsor {
 
 /// M ε̈ + C ε̇ + K ε = F + E δu about any state (q, q̇, q̈, λ, u), ε and δu deviations from it. With the residual
 /// r = M q̈ + h − Aᵀλ − E u: C = ∂r/∂q̇, K = ∂r/∂q, F = −r, E = ∂Q/∂u; q̈ = 0 gives the expansion about a rest or any
-/// other state with its own F.
+/// other state with its own F. With constraints this is the expansion at fixed multipliers, in all coordinates: A' δλ
+/// and the linearised constraints come beside it.
 struct Linearisation {
   ValueMatrix M, C, K, E;
   std::vector<Value> F;

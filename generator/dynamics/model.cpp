@@ -74,21 +74,20 @@ void Model::set_motion(Link& link, const FrameContent& frame) {
   link.rate = time_derivative(link.displacement.program() ? link.displacement : program.number(Number()));
   link.acceleration = time_derivative(link.rate);
   if (frame.joint == JointKind::revolute) {
-    const Value sine = program.sin(link.displacement);
-    const Value cosine = program.cos(link.displacement);
-    link.sine = Number(negative) * sine;
-    link.cosine = cosine;
+    link.angle = Number(negative) * link.displacement;
+    link.sine = program.sin(link.angle);
+    link.cosine = program.cos(link.angle);
     if (link.aligned < 0) {  // Rodrigues: R = c 1 + s [n] + (1 - c) n nᵀ
       const Value one = program.number(Number(1));
       for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) {
           const Value nn = link.axis[i] * link.axis[j];
-          Value entry = nn - nn * cosine;
-          if (i == j) entry += cosine;
+          Value entry = nn - nn * link.cosine;
+          if (i == j) entry += link.cosine;
           if (i != j) {
             const int k = 3 - i - j;
             const bool positive = (j - i + 3) % 3 == 2;  // [n]_ij = -n_k for (i, j) in cyclic order
-            entry += Number(positive ? 1 : -1) * (link.axis[k] * sine);
+            entry += Number(positive ? 1 : -1) * (link.axis[k] * link.sine);
           }
           link.rotation(i, j) = program.bind(entry);
         }

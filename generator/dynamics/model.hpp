@@ -43,7 +43,8 @@ struct Link {
   Vector axis;                  ///< unit vector, the same components on both sides of the joint
   int aligned = -1;             ///< 0, 1, 2 when the axis is ± x, y, z, else -1
   Value displacement, rate, acceleration;  ///< s [rad or m], ds/dt, d²s/dt²
-  Value sine, cosine;                      ///< of the angle, sign of the axis included when it is aligned
+  Value angle;                             ///< about +x, +y or +z when the axis is aligned
+  Value sine, cosine;                      ///< of that angle; of the displacement when the axis is not aligned
   Matrix rotation;                         ///< child to parent, for an axis that is not aligned
   std::vector<std::pair<int, Value>> partials;  ///< (i, ∂s/∂q_i), not zero
   MassProperties mass;       ///< of the bodies attached
@@ -109,6 +110,7 @@ class Model {
   std::vector<int> chain(int link) const;
 
  private:
+  std::vector<Link> runs(int link, int top) const;
   void add_coordinates();
   void add_links();
   void set_motion(Link& link, const FrameContent& frame);

@@ -101,16 +101,37 @@ int common_ancestor(const std::vector<Link>& links, int a, int b) {
 }
 }  // namespace
 
+/// The joints from a link up to just below `top`; neighbours that turn about one axis become a single joint by the sum
+/// of their angles, so that absolute angles come out as they are and relative ones are turned by once.
+std::vector<Link> Model::runs(int link, int top) const {
+  std::vector<Link> all;
+  for (int k = link; k != top;) {
+    Link run = links_[static_cast<std::size_t>(k)];
+    bool merged = false;
+    for (k = run.parent; k != top; k = run.parent) {
+      Link outer = links_[static_cast<std::size_t>(k)];
+      const bool parallel = run.joint == JointKind::revolute && outer.joint == JointKind::revolute &&
+                            run.aligned >= 0 && run.aligned == outer.aligned && run.placement_rotation.is_identity();
+      if (!parallel) break;
+      outer.angle += run.angle;
+      run = outer;
+      merged = true;
+    }
+    if (merged) {
+      run.sine = program_->sin(run.angle);
+      run.cosine = program_->cos(run.angle);
+    }
+    all.push_back(std::move(run));
+  }
+  return all;
+}
+
 Vector Model::express(const Vector& v, int from, int to) const {
   const int top = common_ancestor(links_, from, to);
   Vector w = v;
-  for (int k = from; k != top; k = links_[static_cast<std::size_t>(k)].parent) {
-    w = to_parent(links_[static_cast<std::size_t>(k)], w);
-  }
-  const std::vector<int> down = chain(to);
-  for (const int k : down) {
-    if (k > top) w = from_parent(links_[static_cast<std::size_t>(k)], w);
-  }
+  for (const Link& run : runs(from, top)) w = to_parent(run, w);
+  const std::vector<Link> down = runs(to, top);
+  for (auto run = down.rbegin(); run != down.rend(); ++run) w = from_parent(*run, w);
   return w;
 }
 

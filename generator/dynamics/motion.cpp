@@ -114,9 +114,11 @@ std::vector<Acceleration> accelerations(const Model& model, AccelerationInput in
       angular += s_ddot * link.axis;
       omega += s_dot * link.axis;
     }
-    all.emplace_back(program, link.name, bound(program, omega, "angular velocity of " + link.name),
-                     bound(program, angular, "angular acceleration of " + link.name),
-                     bound(program, linear, "acceleration of " + link.name));
+    // One by one: compilers evaluate arguments in different orders.
+    omega = bound(program, omega, "angular velocity of " + link.name);
+    angular = bound(program, angular, "angular acceleration of " + link.name);
+    linear = bound(program, linear, "acceleration of " + link.name);
+    all.emplace_back(program, link.name, omega, angular, linear);
   }
   return all;
 }

@@ -153,9 +153,10 @@ void check_initial_state(const Equations& equations) {
     for (const auto& [residual, what] : residuals) {
       const double size = evaluate(*residual).to_double();
       if (std::abs(size) <= tolerance) continue;
-      throw SceneError(fmt::format("inconsistent initial state: constraint '{}' has the {} {:.6g} {} at t = 0 and must "
+      const Unit& unit = residual->unit();
+      throw SceneError(fmt::format("inconsistent initial state: constraint '{}' has the {} {:.6g}{} at t = 0 and must "
                                    "have 0; correct initial(...) of the coordinates it ties",
-                                   row.name, what, size, residual->unit().to_string()));
+                                   row.name, what, size, unit.is_dimensionless() ? "" : " " + unit.to_string()));
     }
   }
 }

@@ -176,11 +176,12 @@ void FunctionEmitter::return_status(const std::vector<std::pair<Value, Value>>& 
   };
   std::string condition;
   for (const auto& [pivot, diagonal] : pivots) {
+    if (pivot.is_constant() && pivot.polynomial().constant().sign() > 0) continue;  // regular once and for all
     const std::string d = operand(pivot);
     const std::string m = operand(diagonal);
     condition += fmt::format("{}traits::regular({}, {})", condition.empty() ? "" : " && ", d, m);
   }
-  line(fmt::format("if (!({})) return torsor::Status::singular;", condition));
+  if (!condition.empty()) line(fmt::format("if (!({})) return torsor::Status::singular;", condition));
   if (!results_.empty()) {
     std::string difference;
     for (const std::string& result : results_) {

@@ -97,11 +97,19 @@ std::string emit_header(const Equations& equations, const std::vector<Kernel>& k
   const Schedule schedule = make_schedule(program, present);
   const FunctionText precompute = precompute_body(program, schedule);
   Provenance provenance{&scene, options.model, kernels, parameters, {}};
-  if (precompute.operations.total() > 0) provenance.operations.emplace_back("precompute", precompute.operations);
+  if (precompute.operations.total() > 0) {
+    provenance.operations.push_back({"precompute", precompute.operations, std::nullopt});
+  }
+  // Before: no inertia moved across joints, no factoring, nothing done once for a set of parameters.
+  ModelOptions plain = options.model;
+  plain.regroup = false;
+  const Equations unoptimised(scene, plain);
   std::vector<std::string> functions;
   for (std::size_t k = 0; k < present.size(); ++k) {
     FunctionText function = kernel_function(program, present[k], schedule.kernels[k], schedule.results, structures);
-    provenance.operations.emplace_back(present[k].name, function.operations);
+    const std::vector<Value> before = make_kernel(present[k].name, unoptimised).values();
+    provenance.operations.push_back(
+        {present[k].name, function.operations, count_unoptimised(unoptimised.program(), before).total()});
     functions.push_back(std::move(function.body));
   }
 

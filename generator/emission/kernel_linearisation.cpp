@@ -14,6 +14,11 @@ Kernel make_linearisation(const Equations& equations) {
   kernel.documentation =
       "Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the\n"
       "inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.";
+  if (!equations.constraints().empty()) {
+    kernel.documentation +=
+        "\nAt fixed multipliers and in all coordinates: A' dlambda and the linearised constraints come beside it, and the\n"
+        "state matrices, which need independent coordinates, are left out.";
+  }
   kernel.arguments = {Argument::accelerations, Argument::multipliers, Argument::inputs};
   Structure structure{"Linearisation",
                       "Matrices of the linearised equations, stored column by column.",

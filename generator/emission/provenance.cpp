@@ -20,14 +20,14 @@ std::string joined(const List& list, const std::string& separator, const Name& n
 
 std::string operations_table(const Provenance& provenance) {
   std::size_t width = 8;
-  for (const auto& [name, operations] : provenance.operations) width = std::max(width, name.size());
+  for (const FunctionOperations& function : provenance.operations) width = std::max(width, function.name.size());
   std::string text =
-      fmt::format("  {:<{}}  {:>9}  {:>15}  {:>9}  {:>12}  {:>17}  {:>6}  {:>5}\n", "function", width, "additions",
-                  "multiplications", "divisions", "square roots", "sine-cosine pairs", "others", "total");
-  for (const auto& [name, each] : provenance.operations) {
-    text += fmt::format("  {:<{}}  {:>9}  {:>15}  {:>9}  {:>12}  {:>17}  {:>6}  {:>5}\n", name, width, each.additions,
-                        each.multiplications, each.divisions, each.square_roots, each.sincos_pairs, each.others,
-                        each.total());
+      fmt::format("  {:<{}}  {:>9}  {:>15}  {:>9}  {:>12}  {:>17}  {:>6}  {:>5}  {:>6}\n", "function", width, "additions",
+                  "multiplications", "divisions", "square roots", "sine-cosine pairs", "others", "total", "before");
+  for (const auto& [name, each, before] : provenance.operations) {
+    text += fmt::format("  {:<{}}  {:>9}  {:>15}  {:>9}  {:>12}  {:>17}  {:>6}  {:>5}  {:>6}\n", name, width,
+                        each.additions, each.multiplications, each.divisions, each.square_roots, each.sincos_pairs,
+                        each.others, each.total(), before ? std::to_string(*before) : "-");
   }
   return text;
 }
@@ -89,7 +89,8 @@ std::string provenance_comment(const Provenance& provenance) {
   text += "Kernels: " + joined(present, ", ", itself) + "\n";
   text += "Parameters set at run time: " +
           joined(provenance.parameters, ", ", [](const SymbolPointer& symbol) { return symbol->name; }) + "\n\n";
-  text += "Operations in the text of each function (a sine-cosine pair counts 2 in the total):\n";
+  text += "Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia\n";
+  text += "moved across joints, factoring, and what is done once for a set of parameters:\n";
   text += operations_table(provenance) + "\n";
   text += "Not computed because this mechanism does not need it:\n" + skipped(provenance) + "\n";
   text += "To write this file again:\n  " + regeneration_command(provenance) + "\n";

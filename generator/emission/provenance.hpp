@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,13 +11,20 @@
 
 namespace torsor {
 
+/// Operations that the text of one function states, and their number before anything was optimised.
+struct FunctionOperations {
+  std::string name;
+  OperationCount after;
+  std::optional<int> before;  ///< none for what exists only because of the optimisation
+};
+
 /// What the head comment of a generated header tells about it.
 struct Provenance {
   const Scene* scene = nullptr;
   ModelOptions options;
   std::vector<Kernel> kernels;                                     ///< all that were asked for, skipped ones included
   std::vector<SymbolPointer> parameters;                           ///< set at run time
-  std::vector<std::pair<std::string, OperationCount>> operations;  ///< of each function of the text
+  std::vector<FunctionOperations> operations;                      ///< of each function of the text
 };
 
 /// The head comment: scene, version, licence, kernels, operations, what was skipped and why, how to regenerate. No

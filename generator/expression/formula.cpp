@@ -138,6 +138,16 @@ Formula factored(const Polynomial& polynomial) {
   return sum;
 }
 
+Formula expanded(const Polynomial& polynomial) {
+  if (polynomial.is_zero()) return Formula::of_number(Number());
+  Formula sum;
+  sum.kind = Formula::Kind::sum;
+  for (const Term& term : polynomial.terms()) {
+    append(sum, of_term(term.monomial, term.coefficient.abs()), term.coefficient.sign() < 0);
+  }
+  return sum;
+}
+
 Formula formula(const Definition& definition) {
   if (!definition.function) return factored(definition.polynomial);
   Formula call;
@@ -162,25 +172,32 @@ OperationCount count(const Formula& formula) {
   for (const Formula& child : formula.children) total += count(child);
   const int joints = static_cast<int>(formula.children.size()) - 1;
   switch (formula.kind) {
-    case Formula::Kind::sum: total.additions += joints; break;
-    case Formula::Kind::product: total.multiplications += joints; break;
-    case Formula::Kind::quotient: total.divisions += 1; break;
+    case Formula::Kind::sum:
+      total.additions += joints;
+      break;
+    case Formula::Kind::product:
+      total.multiplications += joints;
+      break;
+    case Formula::Kind::quotient:
+      total.divisions += 1;
+      break;
     case Formula::Kind::function:
       if (formula.function == Function::sqrt) total.square_roots += 1;
       // Sines and cosines are counted by pair, where the program is known.
       if (formula.function == Function::exp || formula.function == Function::log) total.others += 1;
       break;
     case Formula::Kind::atom:
-    case Formula::Kind::constant: break;
+    case Formula::Kind::constant:
+      break;
   }
   return total;
 }
 
-OperationCount count(const Program& program, const std::vector<Value>& outputs, Occasion occasion) {
-  const auto belongs = [occasion](Stage stage) {
-    if (stage == Stage::generation) return false;
-    return (stage == Stage::parameters) == (occasion == Occasion::parameters);
-  };
+namespace {
+
+/// Counts the definitions and outputs of the stages that `belongs` picks, with right-hand sides made by `shape`.
+template <class Belongs, class Shape>
+OperationCount count_live(const Program& program, const std::vector<Value>& outputs, Belongs belongs, Shape shape) {
   OperationCount total;
   std::vector<Atom> angles;
   for (const Atom atom : program.live(outputs)) {
@@ -194,7 +211,7 @@ OperationCount count(const Program& program, const std::vector<Value>& outputs, 
       }
       continue;
     }
-    total += count(formula(definition));
+    total += count(definition.function ? formula(definition) : shape(definition.polynomial));
   }
   std::vector<Polynomial> seen;
   for (const Value& output : outputs) {
@@ -202,10 +219,25 @@ OperationCount count(const Program& program, const std::vector<Value>& outputs, 
     Polynomial positive = output.polynomial();
     if (positive.sign() < 0) positive *= Number(-1);
     if (std::find(seen.begin(), seen.end(), positive) != seen.end()) continue;
-    total += count(factored(positive));
+    total += count(shape(positive));
     seen.push_back(std::move(positive));
   }
   return total;
+}
+
+}  // namespace
+
+OperationCount count(const Program& program, const std::vector<Value>& outputs, Occasion occasion) {
+  const auto belongs = [occasion](Stage stage) {
+    if (stage == Stage::generation) return false;
+    return (stage == Stage::parameters) == (occasion == Occasion::parameters);
+  };
+  return count_live(program, outputs, belongs, factored);
+}
+
+OperationCount count_unoptimised(const Program& program, const std::vector<Value>& outputs) {
+  return count_live(
+      program, outputs, [](Stage stage) { return stage != Stage::generation; }, expanded);
 }
 
 }  // namespace torsor

@@ -27,6 +27,9 @@ struct Formula {
 /// out. Exact; it only regroups.
 Formula factored(const Polynomial& polynomial);
 
+/// The same sum term by term, nothing taken out.
+Formula expanded(const Polynomial& polynomial);
+
 /// The right-hand side of a definition (not of a symbol).
 Formula formula(const Definition& definition);
 
@@ -51,5 +54,8 @@ enum class Occasion { parameters, state };
 /// Counts what one occasion costs for some outputs: every live definition once, then each output's own formula; outputs
 /// that are equal up to sign are computed once. What is known when the program is generated costs nothing.
 OperationCount count(const Program& program, const std::vector<Value>& outputs, Occasion occasion = Occasion::state);
+
+/// What the outputs would cost at every state without factoring and without doing anything once for all states.
+OperationCount count_unoptimised(const Program& program, const std::vector<Value>& outputs);
 
 }  // namespace torsor

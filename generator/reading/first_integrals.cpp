@@ -28,8 +28,8 @@ void write_first_integrals(const Equations& equations, const InlineLimits& limit
     Written difference = named("T2");
     difference.push_back(named("T0")[0]);
     difference.back().coefficient = Number(-1);
-    write(difference, report.t2_minus_t0, "[J]");
-    if (!report.explicit_rate.is_zero()) write(named("dT/dt"), report.explicit_rate, "[W]");
+    write(difference, report.t2_minus_t0, "in J");
+    if (!report.explicit_rate.is_zero()) write(named("dT/dt"), report.explicit_rate, "partial derivative at constant q and q', in W");
     std::string reasons;
     for (const std::string& reason : report.failing_conditions) reasons += (reasons.empty() ? "" : "; ") + reason;
     page.note("T2 - T0 - U is not conserved: " + reasons + ".");

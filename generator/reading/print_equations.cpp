@@ -196,6 +196,9 @@ class Printer {
       state += "; velocities and accelerations not named are zero.";
     }
     page_.note(state);
+    if (!equations_.constraints().empty()) {
+      page_.note("At fixed multipliers, in all coordinates: A' dlambda and the linearised constraints come beside it.");
+    }
     matrix("M", linear.M);
     matrix("C", linear.C);
     matrix("K", linear.K);

@@ -102,7 +102,7 @@ TEST(BadScene, WithAnInconsistentInitialStateIsRefused) {
         scene.holonomic("straight", Expression(scene.content().coordinates[0].q) - Expression(Number::rational(1, 4)));
         return scene;
       },
-      "inconsistent initial state: constraint 'straight' has the value 0.25 1 at t = 0 and must have 0; correct "
+      "inconsistent initial state: constraint 'straight' has the value 0.25 at t = 0 and must have 0; correct "
       "initial(...) of the coordinates it ties");
 }
 

@@ -60,8 +60,8 @@ Lagrange's equations
 
 Painleve's equation and first integrals
   d(T2 - T0)/dt + dT/dt = sum_i Q_i q_i', dT/dt at constant q and q'.
-  T2 - T0 = 1/2 (M1 + M2 + M3) X'^2 + M2 d cos(theta) X' theta' + 1/2 M2 d^2 theta'^2 - 1/2 M3 R^2 omega^2    ([J])
-  dT/dt = -M3 R omega^2 sin(omega t) X'    ([W])
+  T2 - T0 = 1/2 (M1 + M2 + M3) X'^2 + M2 d cos(theta) X' theta' + 1/2 M2 d^2 theta'^2 - 1/2 M3 R^2 omega^2    (in J)
+  dT/dt = -M3 R omega^2 sin(omega t) X'    (partial derivative at constant q and q', in W)
   T2 - T0 - U is not conserved: T depends on time explicitly; the force function U depends on time explicitly.
 
 Linearised equations

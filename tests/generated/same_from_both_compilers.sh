@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# same_from_both_compilers.sh FOLDER FOLDER PROGRAM...: the programs of both folders write the same header for each kernel
+# alone. Exits with 77 when the first folder lacks a program.
+set -euo pipefail
+first="$1" second="$2"
+shift 2
+kernels="kinematics mass_matrix bias inverse_dynamics forward_dynamics energy first_integrals constraints reactions linearisation"
+compared=0
+for program in "$@"; do
+  [ -x "$first/$program" ] || { echo "$first/$program is not there: build the preset release first"; exit 77; }
+  for kernel in $kernels; do
+    "$first/$program" generate --kernels "$kernel" --output - > /tmp/first.$$ 2> /dev/null
+    "$second/$program" generate --kernels "$kernel" --output - > /tmp/second.$$ 2> /dev/null
+    cmp /tmp/first.$$ /tmp/second.$$ || { echo "$program: the kernel $kernel differs"; exit 1; }
+    compared=$((compared + 1))
+  done
+done
+rm -f /tmp/first.$$ /tmp/second.$$
+echo "$compared headers, the same bytes"
