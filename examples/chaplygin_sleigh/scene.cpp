@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "generator/torsor.hpp"
+
+/// Chaplygin's sleigh: a body slides on a horizontal plane without friction, on a knife edge at C that lets it run
+/// along the blade x1 but not across it. The centre of mass lies a x1 ahead of C.
+torsor::Scene chaplygin_sleigh_scene() {
+  using namespace torsor;
+  using namespace torsor::literals;
+  Scene scene("chaplygin_sleigh", "Chaplygin's sleigh: a knife edge on a smooth plane");
+
+  const Expression m = scene.parameter("m", "kg", 1);
+  const Expression J = scene.parameter("J", "kg m^2", 0.5_r);  // about the vertical through the centre of mass
+  const Expression a = scene.parameter("a", "m", 0.5_r);
+
+  const Expression x = scene.coordinate("x", "m");
+  const Expression y = scene.coordinate("y", "m");
+  const Expression phi = scene.coordinate("phi", "rad");
+  scene.initial(phi, 0, Expression::quantity("2", "rad/s"));
+
+  const FrameHandle along_x = scene.prismatic("along_x", scene.ground(), axis::x, x);
+  const FrameHandle along_y = scene.prismatic("along_y", along_x, axis::y, y);
+  const FrameHandle sleigh = scene.revolute("sleigh", along_y, axis::z, phi);
+  const PointHandle C = scene.point("C", sleigh, {0, 0, 0});
+  // In a plane motion nothing but the moment about z matters.
+  scene.body("sleigh", sleigh, Inertia::general(m, 0, 0, J).at({a, 0, 0}));
+  const ConstraintHandle edge = scene.no_slip("knife_edge", sleigh, C, axis::y, sleigh);
+  scene.reaction(edge, "N", sleigh, C, axis::y, sleigh);
+  return scene;
+}
+
+TORSOR_SCENE(chaplygin_sleigh_scene)

@@ -1,0 +1,608 @@
+// SPDX-License-Identifier: MIT
+// chaplygin_sleigh: Chaplygin's sleigh: a knife edge on a smooth plane
+// Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
+// Free to embed under the MIT licence.
+//
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, constraints, linearisation
+// Parameters set at run time: none
+//
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
+// moved across joints, factoring, and what is done once for a set of parameters:
+//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   kinematics                9               15          0             0                  1       0     26      26
+//   mass_matrix               0                2          0             0                  1       0      4       4
+//   bias                      0                4          0             0                  1       0      6       6
+//   inverse_dynamics          8               13          0             0                  1       0     23      26
+//   forward_dynamics         16               37          3             0                  1       0     58      58
+//   energy                    6               11          0             0                  1       0     19      21
+//   first_integrals           6               11          0             0                  1       0     19      21
+//   constraints               2                6          0             0                  1       0     10      10
+//   linearisation            11               24          0             0                  1       0     37      51
+//
+// Not computed because this mechanism does not need it:
+//   kinematics: of 33 results 17 vanish identically, 2 repeat another up to sign
+//   mass_matrix: of 9 results 2 vanish identically, 2 repeat another up to sign
+//   bias: of 3 results 1 vanish identically
+//   energy: of 3 results 2 vanish identically
+//   constraints: of 6 results 2 vanish identically
+//   reactions: left out, the scene releases no joint direction (released_coordinate)
+//   linearisation: of 30 results 15 vanish identically, 2 repeat another up to sign
+//
+// To write this file again:
+//   chaplygin_sleigh_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output chaplygin_sleigh.hpp
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#ifndef TORSOR_KERNEL_SUPPORT
+#define TORSOR_KERNEL_SUPPORT 1
+// Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
+#ifndef TORSOR_DEVICE
+#define TORSOR_DEVICE
+#endif
+
+namespace torsor {
+
+/// What a kernel says about its results; the larger, the worse.
+enum class Status : int { ok = 0, singular = 1, not_finite = 2 };
+
+/// What a kernel needs of its scalar. This one serves float and double; specialise it, once a header is included, for
+/// any other (a pack of several states, a high-precision number).
+template <class Scalar>
+struct scalar_traits {
+  static_assert(sizeof(Scalar) == sizeof(float) || sizeof(Scalar) == sizeof(double),
+                "specialise torsor::scalar_traits for a scalar that is neither float nor double");
+  static constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+
+  /// A number, rounded for either format. `exact` is "num/den", or "a;b;c;d" for a + b sqrt(2) + c sqrt(3) + d sqrt(6).
+  TORSOR_DEVICE static constexpr Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    return is_float ? static_cast<Scalar>(in_float) : static_cast<Scalar>(in_double);
+  }
+  /// The same for a number that is no such sum: a callable computes it where literals are not precise enough.
+  template <class Callable>
+  TORSOR_DEVICE static constexpr Scalar formula(double in_double, float in_float, const Callable&) noexcept {
+    return constant(in_double, in_float, nullptr);
+  }
+  TORSOR_DEVICE static constexpr Scalar pi() noexcept { return constant(3.141592653589793, 3.1415927f, nullptr); }
+  TORSOR_DEVICE static constexpr Scalar select(bool condition, Scalar if_true, Scalar if_false) noexcept {
+    return condition ? if_true : if_false;
+  }
+  TORSOR_DEVICE static void sincos(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
+    sine = std::sin(angle);
+    cosine = std::cos(angle);
+  }
+  TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
+  TORSOR_DEVICE static Scalar exp(const Scalar& x) noexcept { return std::exp(x); }
+  TORSOR_DEVICE static Scalar log(const Scalar& x) noexcept { return std::log(x); }
+  /// Whether a pivot is positive beyond the rounding of the diagonal entry it came from; not when it is not a number.
+  TORSOR_DEVICE static bool regular(const Scalar& pivot, const Scalar& diagonal) noexcept {
+    return pivot > constant(0x1p-52, 0x1p-23f, nullptr) * std::abs(diagonal);
+  }
+};
+
+}  // namespace torsor
+#elif TORSOR_KERNEL_SUPPORT != 1
+#error "headers of incompatible versions of torsor meet here: write them again with one version"
+#endif
+
+namespace chaplygin_sleigh {
+
+/// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
+/// M a + h = E u + A' lambda and A a + gamma = 0, with a the accelerations and u the inputs; units are SI.
+template <class Scalar>
+struct Mechanism {
+  using traits = torsor::scalar_traits<Scalar>;
+
+  static constexpr const char* name = "chaplygin_sleigh";
+  static constexpr int coordinate_count = 3;
+  static constexpr int velocity_count = 3;
+  static constexpr int input_count = 0;
+  static constexpr int parameter_count = 0;
+  static constexpr int multiplier_count = 1;
+
+  /// Parameters that are set at run time.
+  struct Parameters {
+    static constexpr int size = 0;
+  };
+
+  /// Generalised coordinates q.
+  struct Coordinates {
+    Scalar x;  ///< coordinate [m]
+    Scalar y;  ///< coordinate [m]
+    Scalar phi;  ///< coordinate [rad or 1]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Coordinates::*member_(int i_) noexcept {
+      constexpr Scalar Coordinates::*members_[] = {&Coordinates::x, &Coordinates::y, &Coordinates::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised velocities v = dq/dt.
+  struct Velocities {
+    Scalar x;  ///< its rate [m/s]
+    Scalar y;  ///< its rate [m/s]
+    Scalar phi;  ///< its rate [rad/s]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Velocities::*member_(int i_) noexcept {
+      constexpr Scalar Velocities::*members_[] = {&Velocities::x, &Velocities::y, &Velocities::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised accelerations dv/dt.
+  struct Accelerations {
+    Scalar x;  ///< its second rate [m/s^2]
+    Scalar y;  ///< its second rate [m/s^2]
+    Scalar phi;  ///< its second rate [rad/s^2]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Accelerations::*member_(int i_) noexcept {
+      constexpr Scalar Accelerations::*members_[] = {&Accelerations::x, &Accelerations::y, &Accelerations::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised forces, one along each coordinate.
+  struct GeneralizedForces {
+    Scalar x;  ///< works with the rate of x [N]
+    Scalar y;  ///< works with the rate of y [N]
+    Scalar phi;  ///< works with the rate of phi [N m]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar GeneralizedForces::*member_(int i_) noexcept {
+      constexpr Scalar GeneralizedForces::*members_[] = {&GeneralizedForces::x, &GeneralizedForces::y,
+          &GeneralizedForces::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Forces and torques of motors, set at each call.
+  struct Inputs {
+    static constexpr int size = 0;
+  };
+
+  /// Multipliers of the constraints, or the reactions that enforce them.
+  struct Multipliers {
+    Scalar N;  ///< of the constraint knife_edge [N]
+    static constexpr int size = 1;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Multipliers::*member_(int i_) noexcept {
+      constexpr Scalar Multipliers::*members_[] = {&Multipliers::N};
+      return members_[i_];
+    }
+  };
+
+  /// Time [s], coordinates and velocities.
+  struct State {
+    Scalar time;
+    Coordinates q;
+    Velocities v;
+  };
+
+  /// Parameters and what depends on them only: built once for each set of parameters.
+  struct Precomputed {
+    Parameters parameters;
+  };
+
+  /// Values of the scene.
+  TORSOR_DEVICE static Parameters default_parameters() noexcept {
+    Parameters parameters{};
+    return parameters;
+  }
+
+  /// To be called again when a parameter changes.
+  TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
+    Precomputed precomputed{};
+    precomputed.parameters = parameters;
+    return precomputed;
+  }
+
+  /// The state the scene starts from, for these parameters.
+  TORSOR_DEVICE static State initial_state(const Parameters&) noexcept {
+    State state{};
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    state.time = n0;
+    state.q.x = n0;
+    state.q.y = n0;
+    state.q.phi = n0;
+    state.v.x = n0;
+    state.v.y = n0;
+    state.v.phi = n2;
+    return state;
+  }
+  TORSOR_DEVICE static State initial_state() noexcept { return initial_state(default_parameters()); }
+
+  /// Poses, twists and named points in ground axes.
+  struct Kinematics {
+    std::array<Scalar, 3> sleigh_position;  ///< centre of mass of sleigh [m]
+    std::array<Scalar, 9> sleigh_rotation;  ///< from the axes of sleigh to the ground's (3 x 3)
+    std::array<Scalar, 3> sleigh_velocity;  ///< velocity of the centre of mass of sleigh [m/s]
+    std::array<Scalar, 3> sleigh_angular_velocity;  ///< angular velocity of sleigh [rad/s]
+    std::array<Scalar, 3> C_position;  ///< position of C [m]
+    std::array<Scalar, 3> C_velocity;  ///< velocity of the material point at C [m/s]
+    std::array<Scalar, 9> C_jacobian;  ///< partial velocities of C (3 x 3)
+  };
+
+  /// Energies of the mechanism.
+  struct Energy {
+    Scalar kinetic;  ///< kinetic energy T [J]
+    Scalar force_function;  ///< force function U of gravity and springs [J]
+    Scalar power;  ///< power of dampers, given forces and motors [W]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Energy::*member_(int i_) noexcept {
+      constexpr Scalar Energy::*members_[] = {&Energy::kinetic, &Energy::force_function, &Energy::power};
+      return members_[i_];
+    }
+  };
+
+  /// Quantities that every motion conserves.
+  struct FirstIntegrals {
+    Scalar energy;  ///< T - U [J]
+    static constexpr int size = 1;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar FirstIntegrals::*member_(int i_) noexcept {
+      constexpr Scalar FirstIntegrals::*members_[] = {&FirstIntegrals::energy};
+      return members_[i_];
+    }
+  };
+  static constexpr int first_integral_count = 1;
+
+  /// Constraints and their derivatives, one entry per multiplier.
+  struct Constraints {
+    std::array<Scalar, 1> value;  ///< f(q, t) of holonomic constraints, 0 for the others
+    std::array<Scalar, 1> rate;  ///< A v - b, df/dt for holonomic ones
+    std::array<Scalar, 3> jacobian;  ///< A, stored column by column (1 x 3)
+    std::array<Scalar, 1> gamma;  ///< d(A v - b)/dt at zero acceleration: A a + gamma = 0
+  };
+
+  /// Matrices of the linearised equations, stored column by column.
+  struct Linearisation {
+    std::array<Scalar, 9> M;  ///< mass matrix (3 x 3)
+    std::array<Scalar, 9> C;  ///< damping and gyroscopic terms (3 x 3)
+    std::array<Scalar, 9> K;  ///< stiffness (3 x 3)
+    std::array<Scalar, 3> F;  ///< right-hand side
+  };
+
+  /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
+  /// matrices column by column.
+  TORSOR_DEVICE static void kinematics(const Precomputed&, const State& state, Kinematics& result) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar q_x = state.q.x;
+    const Scalar v_x = state.v.x;
+    const Scalar q_y = state.q.y;
+    const Scalar v_y = state.v.y;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z11 = v_x * c_phi + v_y * s_phi;
+    const Scalar z12 = v_x * s_phi - v_y * c_phi;
+    const Scalar z13 = n0_5 * c_phi;
+    const Scalar z14 = n0_5 * s_phi;
+    const Scalar z15 = q_y + z14;
+    const Scalar z16 = q_x + z13;
+    const Scalar z17 = n0_5 * v_phi - z12;
+    const Scalar z18 = s_phi * z17 - c_phi * z11;
+    const Scalar z19 = s_phi * z11 + c_phi * z17;
+    const Scalar z20 = s_phi * z12 + c_phi * z11;
+    const Scalar z21 = s_phi * z11 - c_phi * z12;
+    result.sleigh_position[0] = z16;
+    result.sleigh_position[1] = z15;
+    result.sleigh_position[2] = n0;
+    result.sleigh_rotation[0] = c_phi;
+    result.sleigh_rotation[1] = s_phi;
+    result.sleigh_rotation[2] = n0;
+    result.sleigh_rotation[3] = -s_phi;
+    result.sleigh_rotation[4] = c_phi;
+    result.sleigh_rotation[5] = n0;
+    result.sleigh_rotation[6] = n0;
+    result.sleigh_rotation[7] = n0;
+    result.sleigh_rotation[8] = n1;
+    result.sleigh_velocity[0] = -z18;
+    result.sleigh_velocity[1] = z19;
+    result.sleigh_velocity[2] = n0;
+    result.sleigh_angular_velocity[0] = n0;
+    result.sleigh_angular_velocity[1] = n0;
+    result.sleigh_angular_velocity[2] = v_phi;
+    result.C_position[0] = q_x;
+    result.C_position[1] = q_y;
+    result.C_position[2] = n0;
+    result.C_velocity[0] = z20;
+    result.C_velocity[1] = z21;
+    result.C_velocity[2] = n0;
+    result.C_jacobian[0] = n1;
+    result.C_jacobian[3] = n0;
+    result.C_jacobian[6] = n0;
+    result.C_jacobian[1] = n0;
+    result.C_jacobian[4] = n1;
+    result.C_jacobian[7] = n0;
+    result.C_jacobian[2] = n0;
+    result.C_jacobian[5] = n0;
+    result.C_jacobian[8] = n0;
+  }
+
+  /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
+  TORSOR_DEVICE static void mass_matrix(const Precomputed&, const State& state, std::array<Scalar, 9>& mass) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
+    const Scalar q_phi = state.q.phi;
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z13 = n0_5 * c_phi;
+    const Scalar z14 = n0_5 * s_phi;
+    mass[0] = n1;
+    mass[1] = n0;
+    mass[2] = -z14;
+    mass[3] = n0;
+    mass[4] = n1;
+    mass[5] = z13;
+    mass[6] = -z14;
+    mass[7] = z13;
+    mass[8] = n0_75;
+  }
+
+  /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
+  /// actions included. M a + h = E u + A' lambda.
+  TORSOR_DEVICE static void bias(const Precomputed&, const State& state, GeneralizedForces& forces) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z29 = v_phi * v_phi;
+    const Scalar z30 = n0_5 * z29;  // force on sleigh, x
+    const Scalar z31 = c_phi * z30;
+    const Scalar z32 = s_phi * z30;
+    forces.x = -z31;
+    forces.y = -z32;
+    forces.phi = n0;
+  }
+
+  /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
+  TORSOR_DEVICE static void inverse_dynamics(const Precomputed&, const State& state, const Accelerations& accelerations,
+      const Multipliers& multipliers, GeneralizedForces& forces) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
+    const Scalar a_x = accelerations.x;
+    const Scalar a_y = accelerations.y;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar a_phi = accelerations.phi;
+    const Scalar l_N = multipliers.N;
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z29 = v_phi * v_phi;
+    const Scalar z30 = n0_5 * z29;  // force on sleigh, x
+    const Scalar z35 = a_x * s_phi - a_y * c_phi;
+    const Scalar z36 = n0_5 * a_phi;  // force on sleigh, y
+    const Scalar z37 = n0_75 * a_phi - n0_5 * z35;  // moment on sleigh, z
+    const Scalar z38 = s_phi * z36 + c_phi * z30;
+    const Scalar z39 = s_phi * z30 - c_phi * z36;
+    const Scalar z40 = a_x - z38;  // force on along_y, x
+    const Scalar z41 = a_y - z39;  // force on along_y, y
+    forces.x = s_phi * l_N + z40;
+    forces.y = -c_phi * l_N + z41;
+    forces.phi = z37;
+  }
+
+  /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
+  /// an unrolled L D L' of M and of the Schur complement A M^-1 A'. Returns singular when a pivot is not
+  /// positive relative to its diagonal entry.
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs&,
+      Accelerations& accelerations, Multipliers& multipliers) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n4_over_3 = traits::constant(1.3333333333333333, 1.3333334f, "4/3");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar v_x = state.v.x;
+    const Scalar v_y = state.v.y;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z13 = n0_5 * c_phi;
+    const Scalar z14 = n0_5 * s_phi;
+    const Scalar z29 = v_phi * v_phi;
+    const Scalar z30 = n0_5 * z29;  // force on sleigh, x
+    const Scalar z31 = c_phi * z30;
+    const Scalar z32 = s_phi * z30;
+    const Scalar z43 = v_phi * c_phi;
+    const Scalar z44 = v_phi * s_phi;
+    const Scalar z45 = v_x * z43 + v_y * z44;
+    const Scalar z47 = n4_over_3 * z14;
+    const Scalar z48 = n4_over_3 * z13;
+    const Scalar z49 = n1 - z14 * z47;
+    const Scalar z50 = z14 * z48;
+    const Scalar z51 = n1 - z13 * z48;
+    const Scalar z52 = n1 / z51;
+    const Scalar z53 = z50 * z52;
+    const Scalar z54 = z49 - z50 * z53;
+    const Scalar z55 = n1 / z54;
+    const Scalar z56 = z31 - z32 * z53;
+    const Scalar z57 = z55 * z56;
+    const Scalar z58 = z32 * z52 - z53 * z57;
+    const Scalar z59 = z47 * z57 - z48 * z58;
+    const Scalar z60 = s_phi + c_phi * z53;
+    const Scalar z61 = z55 * z60;
+    const Scalar z62 = c_phi * z52 + z53 * z61;
+    const Scalar z63 = z47 * z61 + z48 * z62;
+    const Scalar z64 = s_phi * z61 + c_phi * z62;
+    const Scalar z65 = s_phi * z57 - c_phi * z58 + z45;
+    const Scalar z66 = n1 / z64;
+    const Scalar z67 = z65 * z66;
+    const Scalar z68 = z57 - z61 * z67;
+    const Scalar z69 = z58 + z62 * z67;
+    const Scalar z70 = z59 - z63 * z67;
+    accelerations.x = z68;
+    accelerations.y = z69;
+    accelerations.phi = z70;
+    multipliers.N = z67;
+    if (!(traits::regular(z54, n1) && traits::regular(z51, n1) && traits::regular(z64,
+        z64))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (accelerations.x - accelerations.x) + (accelerations.y - accelerations.y) + (accelerations.phi
+        - accelerations.phi) + (multipliers.N - multipliers.N);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
+  TORSOR_DEVICE static void energy(const Precomputed&, const State& state, const Inputs&, Energy& result) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar v_x = state.v.x;
+    const Scalar v_y = state.v.y;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z11 = v_x * c_phi + v_y * s_phi;
+    const Scalar z12 = v_x * s_phi - v_y * c_phi;
+    const Scalar z17 = n0_5 * v_phi - z12;
+    const Scalar z71 = n0_75 * v_phi - n0_5 * z12;
+    result.kinetic = n0_5 * (v_phi * z71 + z11 * z11 - z12 * z17);
+    result.force_function = n0;
+    result.power = n0;
+  }
+
+  /// First integrals: constant along every motion.
+  TORSOR_DEVICE static void first_integrals(const Precomputed&, const State& state, FirstIntegrals& result) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
+    const Scalar v_x = state.v.x;
+    const Scalar v_y = state.v.y;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z11 = v_x * c_phi + v_y * s_phi;
+    const Scalar z12 = v_x * s_phi - v_y * c_phi;
+    const Scalar z17 = n0_5 * v_phi - z12;
+    const Scalar z71 = n0_75 * v_phi - n0_5 * z12;
+    result.energy = n0_5 * (v_phi * z71 + z11 * z11 - z12 * z17);
+  }
+
+  /// Constraints A(q, t) v - b(q, t) = 0, in the order of the multipliers.
+  TORSOR_DEVICE static void constraints(const Precomputed&, const State& state, Constraints& result) noexcept {
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar v_x = state.v.x;
+    const Scalar v_y = state.v.y;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z12 = v_x * s_phi - v_y * c_phi;
+    const Scalar z43 = v_phi * c_phi;
+    const Scalar z44 = v_phi * s_phi;
+    const Scalar z45 = v_x * z43 + v_y * z44;
+    result.value[0] = n0;
+    result.rate[0] = -z12;
+    result.gamma[0] = -z45;
+    result.jacobian[0] = -s_phi;
+    result.jacobian[1] = c_phi;
+    result.jacobian[2] = n0;
+  }
+
+  /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
+  /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
+  /// At fixed multipliers and in all coordinates: A' dlambda and the linearised constraints come beside it, and the
+  /// state matrices, which need independent coordinates, are left out.
+  TORSOR_DEVICE static void linearisation(const Precomputed&, const State& state, const Accelerations& accelerations,
+      const Multipliers& multipliers, const Inputs&, Linearisation& result) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar a_x = accelerations.x;
+    const Scalar a_y = accelerations.y;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar a_phi = accelerations.phi;
+    const Scalar l_N = multipliers.N;
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z13 = n0_5 * c_phi;
+    const Scalar z14 = n0_5 * s_phi;
+    const Scalar z29 = v_phi * v_phi;
+    const Scalar z30 = n0_5 * z29;  // force on sleigh, x
+    const Scalar z34 = a_x * c_phi + a_y * s_phi;
+    const Scalar z35 = a_x * s_phi - a_y * c_phi;
+    const Scalar z36 = n0_5 * a_phi;  // force on sleigh, y
+    const Scalar z37 = n0_75 * a_phi - n0_5 * z35;  // moment on sleigh, z
+    const Scalar z38 = s_phi * z36 + c_phi * z30;
+    const Scalar z39 = s_phi * z30 - c_phi * z36;
+    const Scalar z40 = a_x - z38;  // force on along_y, x
+    const Scalar z41 = a_y - z39;  // force on along_y, y
+    const Scalar z81 = n2 * v_phi;
+    const Scalar z82 = n0_5 * z81;
+    const Scalar z83 = c_phi * z82;
+    const Scalar z84 = c_phi * l_N + z39;
+    const Scalar z85 = s_phi * z82;
+    const Scalar z86 = s_phi * l_N - z38;
+    const Scalar z87 = n0_5 * z34;
+    result.M[0] = n1;
+    result.M[1] = n0;
+    result.M[2] = -z14;
+    result.M[3] = n0;
+    result.M[4] = n1;
+    result.M[5] = z13;
+    result.M[6] = -z14;
+    result.M[7] = z13;
+    result.M[8] = n0_75;
+    result.C[0] = n0;
+    result.C[1] = n0;
+    result.C[2] = n0;
+    result.C[3] = n0;
+    result.C[4] = n0;
+    result.C[5] = n0;
+    result.C[6] = -z83;
+    result.C[7] = -z85;
+    result.C[8] = n0;
+    result.K[0] = n0;
+    result.K[1] = n0;
+    result.K[2] = n0;
+    result.K[3] = n0;
+    result.K[4] = n0;
+    result.K[5] = n0;
+    result.K[6] = z84;
+    result.K[7] = z86;
+    result.K[8] = -z87;
+    result.F[0] = -s_phi * l_N - z40;
+    result.F[1] = c_phi * l_N - z41;
+    result.F[2] = -z37;
+  }
+};
+
+}  // namespace chaplygin_sleigh

@@ -1,0 +1,1530 @@
+// SPDX-License-Identifier: MIT
+// flyball_governor: Stiff flyball governor (IFToMM benchmark A05)
+// Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
+// Free to embed under the MIT licence.
+//
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, linearisation
+// Parameters set at run time: none
+//
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
+// moved across joints, factoring, and what is done once for a set of parameters:
+//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   kinematics               36               81          0             0                  3       0    123     123
+//   mass_matrix               6                8          0             0                  2       0     18      21
+//   bias                     34               77          4             2                  2       0    121     126
+//   inverse_dynamics         46               88          4             2                  2       0    144     159
+//   forward_dynamics         40               89          5             2                  2       0    140     148
+//   energy                   32               66          2             2                  2       0    106     116
+//   first_integrals          17               33          0             0                  2       0     54      56
+//   linearisation           129              292         25             2                  2       0    452     495
+//
+// Not computed because this mechanism does not need it:
+//   kinematics: of 180 results 57 vanish identically, 61 repeat another up to sign
+//   mass_matrix: of 16 results 12 vanish identically
+//   constraints: left out, the scene has no constraints
+//   reactions: left out, the scene releases no joint direction (released_coordinate)
+//   linearisation: of 116 results 62 vanish identically
+//
+// To write this file again:
+//   flyball_governor_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output flyball_governor.hpp
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#ifndef TORSOR_KERNEL_SUPPORT
+#define TORSOR_KERNEL_SUPPORT 1
+// Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
+#ifndef TORSOR_DEVICE
+#define TORSOR_DEVICE
+#endif
+
+namespace torsor {
+
+/// What a kernel says about its results; the larger, the worse.
+enum class Status : int { ok = 0, singular = 1, not_finite = 2 };
+
+/// What a kernel needs of its scalar. This one serves float and double; specialise it, once a header is included, for
+/// any other (a pack of several states, a high-precision number).
+template <class Scalar>
+struct scalar_traits {
+  static_assert(sizeof(Scalar) == sizeof(float) || sizeof(Scalar) == sizeof(double),
+                "specialise torsor::scalar_traits for a scalar that is neither float nor double");
+  static constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+
+  /// A number, rounded for either format. `exact` is "num/den", or "a;b;c;d" for a + b sqrt(2) + c sqrt(3) + d sqrt(6).
+  TORSOR_DEVICE static constexpr Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    return is_float ? static_cast<Scalar>(in_float) : static_cast<Scalar>(in_double);
+  }
+  /// The same for a number that is no such sum: a callable computes it where literals are not precise enough.
+  template <class Callable>
+  TORSOR_DEVICE static constexpr Scalar formula(double in_double, float in_float, const Callable&) noexcept {
+    return constant(in_double, in_float, nullptr);
+  }
+  TORSOR_DEVICE static constexpr Scalar pi() noexcept { return constant(3.141592653589793, 3.1415927f, nullptr); }
+  TORSOR_DEVICE static constexpr Scalar select(bool condition, Scalar if_true, Scalar if_false) noexcept {
+    return condition ? if_true : if_false;
+  }
+  TORSOR_DEVICE static void sincos(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
+    sine = std::sin(angle);
+    cosine = std::cos(angle);
+  }
+  TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
+  TORSOR_DEVICE static Scalar exp(const Scalar& x) noexcept { return std::exp(x); }
+  TORSOR_DEVICE static Scalar log(const Scalar& x) noexcept { return std::log(x); }
+  /// Whether a pivot is positive beyond the rounding of the diagonal entry it came from; not when it is not a number.
+  TORSOR_DEVICE static bool regular(const Scalar& pivot, const Scalar& diagonal) noexcept {
+    return pivot > constant(0x1p-52, 0x1p-23f, nullptr) * std::abs(diagonal);
+  }
+};
+
+}  // namespace torsor
+#elif TORSOR_KERNEL_SUPPORT != 1
+#error "headers of incompatible versions of torsor meet here: write them again with one version"
+#endif
+
+namespace flyball_governor {
+
+/// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
+/// M a + h = E u + A' lambda and A a + gamma = 0, with a the accelerations and u the inputs; units are SI.
+template <class Scalar>
+struct Mechanism {
+  using traits = torsor::scalar_traits<Scalar>;
+
+  static constexpr const char* name = "flyball_governor";
+  static constexpr int coordinate_count = 4;
+  static constexpr int velocity_count = 4;
+  static constexpr int input_count = 0;
+  static constexpr int parameter_count = 0;
+  static constexpr int multiplier_count = 0;
+
+  /// Parameters that are set at run time.
+  struct Parameters {
+    static constexpr int size = 0;
+  };
+
+  /// Generalised coordinates q.
+  struct Coordinates {
+    Scalar psi;  ///< coordinate [rad or 1]
+    Scalar s;  ///< coordinate [m]
+    Scalar beta_1;  ///< coordinate [rad or 1]
+    Scalar beta_2;  ///< coordinate [rad or 1]
+    static constexpr int size = 4;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Coordinates::*member_(int i_) noexcept {
+      constexpr Scalar Coordinates::*members_[] = {&Coordinates::psi, &Coordinates::s, &Coordinates::beta_1,
+          &Coordinates::beta_2};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised velocities v = dq/dt.
+  struct Velocities {
+    Scalar psi;  ///< its rate [rad/s]
+    Scalar s;  ///< its rate [m/s]
+    Scalar beta_1;  ///< its rate [rad/s]
+    Scalar beta_2;  ///< its rate [rad/s]
+    static constexpr int size = 4;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Velocities::*member_(int i_) noexcept {
+      constexpr Scalar Velocities::*members_[] = {&Velocities::psi, &Velocities::s, &Velocities::beta_1,
+          &Velocities::beta_2};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised accelerations dv/dt.
+  struct Accelerations {
+    Scalar psi;  ///< its second rate [rad/s^2]
+    Scalar s;  ///< its second rate [m/s^2]
+    Scalar beta_1;  ///< its second rate [rad/s^2]
+    Scalar beta_2;  ///< its second rate [rad/s^2]
+    static constexpr int size = 4;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Accelerations::*member_(int i_) noexcept {
+      constexpr Scalar Accelerations::*members_[] = {&Accelerations::psi, &Accelerations::s, &Accelerations::beta_1,
+          &Accelerations::beta_2};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised forces, one along each coordinate.
+  struct GeneralizedForces {
+    Scalar psi;  ///< works with the rate of psi [N m]
+    Scalar s;  ///< works with the rate of s [N]
+    Scalar beta_1;  ///< works with the rate of beta_1 [N m]
+    Scalar beta_2;  ///< works with the rate of beta_2 [N m]
+    static constexpr int size = 4;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar GeneralizedForces::*member_(int i_) noexcept {
+      constexpr Scalar GeneralizedForces::*members_[] = {&GeneralizedForces::psi, &GeneralizedForces::s,
+          &GeneralizedForces::beta_1, &GeneralizedForces::beta_2};
+      return members_[i_];
+    }
+  };
+
+  /// Forces and torques of motors, set at each call.
+  struct Inputs {
+    static constexpr int size = 0;
+  };
+
+  /// Multipliers of the constraints, or the reactions that enforce them.
+  struct Multipliers {
+    static constexpr int size = 0;
+  };
+
+  /// Time [s], coordinates and velocities.
+  struct State {
+    Scalar time;
+    Coordinates q;
+    Velocities v;
+  };
+
+  /// Parameters and what depends on them only: built once for each set of parameters.
+  struct Precomputed {
+    Parameters parameters;
+  };
+
+  /// Values of the scene.
+  TORSOR_DEVICE static Parameters default_parameters() noexcept {
+    Parameters parameters{};
+    return parameters;
+  }
+
+  /// To be called again when a parameter changes.
+  TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
+    Precomputed precomputed{};
+    precomputed.parameters = parameters;
+    return precomputed;
+  }
+
+  /// The state the scene starts from, for these parameters.
+  TORSOR_DEVICE static State initial_state(const Parameters&) noexcept {
+    State state{};
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n1_over_6 = traits::constant(0.16666666666666666, 0.16666667f, "1/6");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar pi = traits::pi();
+    state.time = n0;
+    state.q.psi = n0;
+    state.q.s = n0_5;
+    state.q.beta_1 = n1_over_6 * pi;
+    state.q.beta_2 = state.q.beta_1;
+    state.v.psi = n2 * pi;
+    state.v.s = n0;
+    state.v.beta_1 = n0;
+    state.v.beta_2 = n0;
+    return state;
+  }
+  TORSOR_DEVICE static State initial_state() noexcept { return initial_state(default_parameters()); }
+
+  /// Poses, twists and named points in ground axes.
+  struct Kinematics {
+    std::array<Scalar, 3> shaft_position;  ///< centre of mass of shaft [m]
+    std::array<Scalar, 9> shaft_rotation;  ///< from the axes of shaft to the ground's (3 x 3)
+    std::array<Scalar, 3> shaft_velocity;  ///< velocity of the centre of mass of shaft [m/s]
+    std::array<Scalar, 3> shaft_angular_velocity;  ///< angular velocity of shaft [rad/s]
+    std::array<Scalar, 3> slider_position;  ///< centre of mass of slider [m]
+    std::array<Scalar, 9> slider_rotation;  ///< from the axes of slider to the ground's (3 x 3)
+    std::array<Scalar, 3> slider_velocity;  ///< velocity of the centre of mass of slider [m/s]
+    std::array<Scalar, 3> slider_angular_velocity;  ///< angular velocity of slider [rad/s]
+    std::array<Scalar, 3> rod_1_position;  ///< centre of mass of rod_1 [m]
+    std::array<Scalar, 9> rod_1_rotation;  ///< from the axes of rod_1 to the ground's (3 x 3)
+    std::array<Scalar, 3> rod_1_velocity;  ///< velocity of the centre of mass of rod_1 [m/s]
+    std::array<Scalar, 3> rod_1_angular_velocity;  ///< angular velocity of rod_1 [rad/s]
+    std::array<Scalar, 3> ball_1_position;  ///< centre of mass of ball_1 [m]
+    std::array<Scalar, 9> ball_1_rotation;  ///< from the axes of ball_1 to the ground's (3 x 3)
+    std::array<Scalar, 3> ball_1_velocity;  ///< velocity of the centre of mass of ball_1 [m/s]
+    std::array<Scalar, 3> ball_1_angular_velocity;  ///< angular velocity of ball_1 [rad/s]
+    std::array<Scalar, 3> rod_2_position;  ///< centre of mass of rod_2 [m]
+    std::array<Scalar, 9> rod_2_rotation;  ///< from the axes of rod_2 to the ground's (3 x 3)
+    std::array<Scalar, 3> rod_2_velocity;  ///< velocity of the centre of mass of rod_2 [m/s]
+    std::array<Scalar, 3> rod_2_angular_velocity;  ///< angular velocity of rod_2 [rad/s]
+    std::array<Scalar, 3> ball_2_position;  ///< centre of mass of ball_2 [m]
+    std::array<Scalar, 9> ball_2_rotation;  ///< from the axes of ball_2 to the ground's (3 x 3)
+    std::array<Scalar, 3> ball_2_velocity;  ///< velocity of the centre of mass of ball_2 [m/s]
+    std::array<Scalar, 3> ball_2_angular_velocity;  ///< angular velocity of ball_2 [rad/s]
+    std::array<Scalar, 3> middle_1_position;  ///< position of middle_1 [m]
+    std::array<Scalar, 3> middle_1_velocity;  ///< velocity of the material point at middle_1 [m/s]
+    std::array<Scalar, 12> middle_1_jacobian;  ///< partial velocities of middle_1 (3 x 4)
+    std::array<Scalar, 3> ear_1_position;  ///< position of ear_1 [m]
+    std::array<Scalar, 3> ear_1_velocity;  ///< velocity of the material point at ear_1 [m/s]
+    std::array<Scalar, 12> ear_1_jacobian;  ///< partial velocities of ear_1 (3 x 4)
+    std::array<Scalar, 3> middle_2_position;  ///< position of middle_2 [m]
+    std::array<Scalar, 3> middle_2_velocity;  ///< velocity of the material point at middle_2 [m/s]
+    std::array<Scalar, 12> middle_2_jacobian;  ///< partial velocities of middle_2 (3 x 4)
+    std::array<Scalar, 3> ear_2_position;  ///< position of ear_2 [m]
+    std::array<Scalar, 3> ear_2_velocity;  ///< velocity of the material point at ear_2 [m/s]
+    std::array<Scalar, 12> ear_2_jacobian;  ///< partial velocities of ear_2 (3 x 4)
+  };
+
+  /// Energies of the mechanism.
+  struct Energy {
+    Scalar kinetic;  ///< kinetic energy T [J]
+    Scalar force_function;  ///< force function U of gravity and springs [J]
+    Scalar power;  ///< power of dampers, given forces and motors [W]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Energy::*member_(int i_) noexcept {
+      constexpr Scalar Energy::*members_[] = {&Energy::kinetic, &Energy::force_function, &Energy::power};
+      return members_[i_];
+    }
+  };
+
+  /// Quantities that every motion conserves.
+  struct FirstIntegrals {
+    Scalar momentum_psi;  ///< dT/dpsi' of the cyclic coordinate 'psi' [kg m^2 s^-1]
+    static constexpr int size = 1;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar FirstIntegrals::*member_(int i_) noexcept {
+      constexpr Scalar FirstIntegrals::*members_[] = {&FirstIntegrals::momentum_psi};
+      return members_[i_];
+    }
+  };
+  static constexpr int first_integral_count = 1;
+
+  /// Matrices of the linearised equations, stored column by column.
+  struct Linearisation {
+    std::array<Scalar, 16> M;  ///< mass matrix (4 x 4)
+    std::array<Scalar, 16> C;  ///< damping and gyroscopic terms (4 x 4)
+    std::array<Scalar, 16> K;  ///< stiffness (4 x 4)
+    std::array<Scalar, 4> F;  ///< right-hand side
+    std::array<Scalar, 64> A;  ///< state matrix of x = (e, e'): x' = A x + B du (8 x 8)
+  };
+
+  /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
+  /// matrices column by column.
+  TORSOR_DEVICE static void kinematics(const Precomputed&, const State& state, Kinematics& result) noexcept {
+    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_s = state.q.s;
+    const Scalar v_s = state.v.s;
+    const Scalar q_beta_1 = state.q.beta_1;
+    const Scalar v_beta_1 = state.v.beta_1;
+    const Scalar q_beta_2 = state.q.beta_2;
+    const Scalar v_beta_2 = state.v.beta_2;
+    Scalar s_psi, c_psi;
+    traits::sincos(q_psi, s_psi, c_psi);
+    Scalar s_beta_1, c_beta_1;
+    traits::sincos(q_beta_1, s_beta_1, c_beta_1);
+    Scalar s_beta_2, c_beta_2;
+    traits::sincos(q_beta_2, s_beta_2, c_beta_2);
+    const Scalar z18 = n0_05 * v_psi;
+    const Scalar z19 = v_psi * s_beta_1;
+    const Scalar z20 = v_psi * c_beta_1;
+    const Scalar z21 = v_psi * s_beta_2;
+    const Scalar z22 = v_psi * c_beta_2;
+    const Scalar z23 = n0_5 * c_beta_1;
+    const Scalar z24 = n0_5 * s_beta_1;
+    const Scalar z25 = n0_05 + z23;
+    const Scalar z26 = n1 - z24;
+    const Scalar z27 = c_psi * z25;
+    const Scalar z28 = s_psi * z25;
+    const Scalar z29 = c_psi * c_beta_1;
+    const Scalar z30 = s_psi * c_beta_1;
+    const Scalar z31 = c_psi * s_beta_1;
+    const Scalar z32 = s_psi * s_beta_1;
+    const Scalar z33 = z18 + n0_5 * z20;
+    const Scalar z34 = n0_5 * v_beta_1;
+    const Scalar z35 = s_beta_1 * z34;
+    const Scalar z36 = c_beta_1 * z34;
+    const Scalar z37 = s_psi * z33 + c_psi * z35;
+    const Scalar z38 = s_psi * z35 - c_psi * z33;
+    const Scalar z39 = s_beta_1 * z20 - c_beta_1 * z19;
+    const Scalar z40 = s_beta_1 * z19 + c_beta_1 * z20;
+    const Scalar z41 = s_psi * v_beta_1 - c_psi * z39;
+    const Scalar z42 = s_psi * z39 + c_psi * v_beta_1;
+    const Scalar z43 = n0_05 + c_beta_1;
+    const Scalar z44 = n1 - s_beta_1;
+    const Scalar z45 = c_psi * z43;
+    const Scalar z46 = s_psi * z43;
+    const Scalar z47 = z18 + z20;
+    const Scalar z48 = v_beta_1 * s_beta_1;
+    const Scalar z49 = v_beta_1 * c_beta_1;
+    const Scalar z50 = s_psi * z47 + c_psi * z48;
+    const Scalar z51 = s_psi * z48 - c_psi * z47;
+    const Scalar z52 = n0_5 * c_beta_2;
+    const Scalar z53 = n0_5 * s_beta_2;
+    const Scalar z54 = n0_05 + z52;
+    const Scalar z55 = n1 - z53;
+    const Scalar z56 = c_psi * z54;
+    const Scalar z57 = s_psi * z54;
+    const Scalar z58 = c_psi * c_beta_2;
+    const Scalar z59 = s_psi * c_beta_2;
+    const Scalar z60 = c_psi * s_beta_2;
+    const Scalar z61 = s_psi * s_beta_2;
+    const Scalar z62 = z18 + n0_5 * z22;
+    const Scalar z63 = n0_5 * v_beta_2;
+    const Scalar z64 = s_beta_2 * z63;
+    const Scalar z65 = c_beta_2 * z63;
+    const Scalar z66 = s_psi * z62 + c_psi * z64;
+    const Scalar z67 = s_psi * z64 - c_psi * z62;
+    const Scalar z68 = s_beta_2 * z22 - c_beta_2 * z21;
+    const Scalar z69 = s_beta_2 * z21 + c_beta_2 * z22;
+    const Scalar z70 = s_psi * v_beta_2 - c_psi * z68;
+    const Scalar z71 = s_psi * z68 + c_psi * v_beta_2;
+    const Scalar z72 = n0_05 + c_beta_2;
+    const Scalar z73 = n1 - s_beta_2;
+    const Scalar z74 = c_psi * z72;
+    const Scalar z75 = s_psi * z72;
+    const Scalar z76 = z18 + z22;
+    const Scalar z77 = v_beta_2 * s_beta_2;
+    const Scalar z78 = v_beta_2 * c_beta_2;
+    const Scalar z79 = s_psi * z76 + c_psi * z77;
+    const Scalar z80 = s_psi * z77 - c_psi * z76;
+    const Scalar z81 = n0_05 * c_psi;
+    const Scalar z82 = n0_05 * s_psi;
+    const Scalar z83 = z27 - z81;
+    const Scalar z84 = z28 - z82;
+    const Scalar z85 = n1 - z26;
+    const Scalar z86 = c_psi * z85;
+    const Scalar z87 = s_psi * z85;
+    const Scalar z88 = s_psi * z84 + c_psi * z83;
+    const Scalar z89 = s_psi * z18;
+    const Scalar z90 = c_psi * z18;
+    const Scalar z91 = z56 - z81;
+    const Scalar z92 = z57 - z82;
+    const Scalar z93 = n1 - z55;
+    const Scalar z94 = c_psi * z93;
+    const Scalar z95 = s_psi * z93;
+    const Scalar z96 = s_psi * z92 + c_psi * z91;
+    result.shaft_position[0] = n0;
+    result.shaft_position[1] = n0;
+    result.shaft_position[2] = n0_5;
+    result.shaft_rotation[0] = c_psi;
+    result.shaft_rotation[1] = s_psi;
+    result.shaft_rotation[2] = n0;
+    result.shaft_rotation[3] = -s_psi;
+    result.shaft_rotation[4] = c_psi;
+    result.shaft_rotation[5] = n0;
+    result.shaft_rotation[6] = n0;
+    result.shaft_rotation[7] = n0;
+    result.shaft_rotation[8] = n1;
+    result.shaft_velocity[0] = n0;
+    result.shaft_velocity[1] = n0;
+    result.shaft_velocity[2] = n0;
+    result.shaft_angular_velocity[0] = n0;
+    result.shaft_angular_velocity[1] = n0;
+    result.shaft_angular_velocity[2] = v_psi;
+    result.slider_position[0] = n0;
+    result.slider_position[1] = n0;
+    result.slider_position[2] = q_s;
+    result.slider_rotation[0] = c_psi;
+    result.slider_rotation[1] = s_psi;
+    result.slider_rotation[2] = n0;
+    result.slider_rotation[3] = -s_psi;
+    result.slider_rotation[4] = c_psi;
+    result.slider_rotation[5] = n0;
+    result.slider_rotation[6] = n0;
+    result.slider_rotation[7] = n0;
+    result.slider_rotation[8] = n1;
+    result.slider_velocity[0] = n0;
+    result.slider_velocity[1] = n0;
+    result.slider_velocity[2] = v_s;
+    result.slider_angular_velocity[0] = n0;
+    result.slider_angular_velocity[1] = n0;
+    result.slider_angular_velocity[2] = v_psi;
+    result.rod_1_position[0] = z27;
+    result.rod_1_position[1] = z28;
+    result.rod_1_position[2] = z26;
+    result.rod_1_rotation[0] = z29;
+    result.rod_1_rotation[1] = z30;
+    result.rod_1_rotation[2] = -s_beta_1;
+    result.rod_1_rotation[3] = -s_psi;
+    result.rod_1_rotation[4] = c_psi;
+    result.rod_1_rotation[5] = n0;
+    result.rod_1_rotation[6] = z31;
+    result.rod_1_rotation[7] = z32;
+    result.rod_1_rotation[8] = c_beta_1;
+    result.rod_1_velocity[0] = -z37;
+    result.rod_1_velocity[1] = -z38;
+    result.rod_1_velocity[2] = -z36;
+    result.rod_1_angular_velocity[0] = -z41;
+    result.rod_1_angular_velocity[1] = z42;
+    result.rod_1_angular_velocity[2] = z40;
+    result.ball_1_position[0] = z45;
+    result.ball_1_position[1] = z46;
+    result.ball_1_position[2] = z44;
+    result.ball_1_rotation[0] = z29;
+    result.ball_1_rotation[1] = z30;
+    result.ball_1_rotation[2] = -s_beta_1;
+    result.ball_1_rotation[3] = -s_psi;
+    result.ball_1_rotation[4] = c_psi;
+    result.ball_1_rotation[5] = n0;
+    result.ball_1_rotation[6] = z31;
+    result.ball_1_rotation[7] = z32;
+    result.ball_1_rotation[8] = c_beta_1;
+    result.ball_1_velocity[0] = -z50;
+    result.ball_1_velocity[1] = -z51;
+    result.ball_1_velocity[2] = -z49;
+    result.ball_1_angular_velocity[0] = -z41;
+    result.ball_1_angular_velocity[1] = z42;
+    result.ball_1_angular_velocity[2] = z40;
+    result.rod_2_position[0] = -z56;
+    result.rod_2_position[1] = -z57;
+    result.rod_2_position[2] = z55;
+    result.rod_2_rotation[0] = z58;
+    result.rod_2_rotation[1] = z59;
+    result.rod_2_rotation[2] = s_beta_2;
+    result.rod_2_rotation[3] = -s_psi;
+    result.rod_2_rotation[4] = c_psi;
+    result.rod_2_rotation[5] = n0;
+    result.rod_2_rotation[6] = -z60;
+    result.rod_2_rotation[7] = -z61;
+    result.rod_2_rotation[8] = c_beta_2;
+    result.rod_2_velocity[0] = z66;
+    result.rod_2_velocity[1] = z67;
+    result.rod_2_velocity[2] = -z65;
+    result.rod_2_angular_velocity[0] = z70;
+    result.rod_2_angular_velocity[1] = -z71;
+    result.rod_2_angular_velocity[2] = z69;
+    result.ball_2_position[0] = -z74;
+    result.ball_2_position[1] = -z75;
+    result.ball_2_position[2] = z73;
+    result.ball_2_rotation[0] = z58;
+    result.ball_2_rotation[1] = z59;
+    result.ball_2_rotation[2] = s_beta_2;
+    result.ball_2_rotation[3] = -s_psi;
+    result.ball_2_rotation[4] = c_psi;
+    result.ball_2_rotation[5] = n0;
+    result.ball_2_rotation[6] = -z60;
+    result.ball_2_rotation[7] = -z61;
+    result.ball_2_rotation[8] = c_beta_2;
+    result.ball_2_velocity[0] = z79;
+    result.ball_2_velocity[1] = z80;
+    result.ball_2_velocity[2] = -z78;
+    result.ball_2_angular_velocity[0] = z70;
+    result.ball_2_angular_velocity[1] = -z71;
+    result.ball_2_angular_velocity[2] = z69;
+    result.middle_1_position[0] = z27;
+    result.middle_1_position[1] = z28;
+    result.middle_1_position[2] = z26;
+    result.middle_1_velocity[0] = -z37;
+    result.middle_1_velocity[1] = -z38;
+    result.middle_1_velocity[2] = -z36;
+    result.middle_1_jacobian[0] = -z28;
+    result.middle_1_jacobian[3] = n0;
+    result.middle_1_jacobian[6] = -z86;
+    result.middle_1_jacobian[9] = n0;
+    result.middle_1_jacobian[1] = z27;
+    result.middle_1_jacobian[4] = n0;
+    result.middle_1_jacobian[7] = -z87;
+    result.middle_1_jacobian[10] = n0;
+    result.middle_1_jacobian[2] = n0;
+    result.middle_1_jacobian[5] = n0;
+    result.middle_1_jacobian[8] = -z88;
+    result.middle_1_jacobian[11] = n0;
+    result.ear_1_position[0] = z81;
+    result.ear_1_position[1] = z82;
+    result.ear_1_position[2] = q_s;
+    result.ear_1_velocity[0] = -z89;
+    result.ear_1_velocity[1] = z90;
+    result.ear_1_velocity[2] = v_s;
+    result.ear_1_jacobian[0] = -z82;
+    result.ear_1_jacobian[3] = n0;
+    result.ear_1_jacobian[6] = n0;
+    result.ear_1_jacobian[9] = n0;
+    result.ear_1_jacobian[1] = z81;
+    result.ear_1_jacobian[4] = n0;
+    result.ear_1_jacobian[7] = n0;
+    result.ear_1_jacobian[10] = n0;
+    result.ear_1_jacobian[2] = n0;
+    result.ear_1_jacobian[5] = n1;
+    result.ear_1_jacobian[8] = n0;
+    result.ear_1_jacobian[11] = n0;
+    result.middle_2_position[0] = -z56;
+    result.middle_2_position[1] = -z57;
+    result.middle_2_position[2] = z55;
+    result.middle_2_velocity[0] = z66;
+    result.middle_2_velocity[1] = z67;
+    result.middle_2_velocity[2] = -z65;
+    result.middle_2_jacobian[0] = z57;
+    result.middle_2_jacobian[3] = n0;
+    result.middle_2_jacobian[6] = n0;
+    result.middle_2_jacobian[9] = z94;
+    result.middle_2_jacobian[1] = -z56;
+    result.middle_2_jacobian[4] = n0;
+    result.middle_2_jacobian[7] = n0;
+    result.middle_2_jacobian[10] = z95;
+    result.middle_2_jacobian[2] = n0;
+    result.middle_2_jacobian[5] = n0;
+    result.middle_2_jacobian[8] = n0;
+    result.middle_2_jacobian[11] = -z96;
+    result.ear_2_position[0] = -z81;
+    result.ear_2_position[1] = -z82;
+    result.ear_2_position[2] = q_s;
+    result.ear_2_velocity[0] = z89;
+    result.ear_2_velocity[1] = -z90;
+    result.ear_2_velocity[2] = v_s;
+    result.ear_2_jacobian[0] = z82;
+    result.ear_2_jacobian[3] = n0;
+    result.ear_2_jacobian[6] = n0;
+    result.ear_2_jacobian[9] = n0;
+    result.ear_2_jacobian[1] = -z81;
+    result.ear_2_jacobian[4] = n0;
+    result.ear_2_jacobian[7] = n0;
+    result.ear_2_jacobian[10] = n0;
+    result.ear_2_jacobian[2] = n0;
+    result.ear_2_jacobian[5] = n1;
+    result.ear_2_jacobian[8] = n0;
+    result.ear_2_jacobian[11] = n0;
+  }
+
+  /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
+  TORSOR_DEVICE static void mass_matrix(const Precomputed&, const State& state, std::array<Scalar, 16>& mass) noexcept {
+    const Scalar n5_15 = traits::constant(5.15, 5.15f, "103/20");
+    const Scalar k1 = traits::constant(5.0999975, 5.0999975f, "2039999/400000");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar k3 = traits::constant(0.031515, 0.031515f, "6303/200000");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    const Scalar k6 = traits::constant(5.1000025, 5.1000023f, "2040001/400000");
+    const Scalar q_beta_1 = state.q.beta_1;
+    const Scalar q_beta_2 = state.q.beta_2;
+    Scalar s_beta_1, c_beta_1;
+    traits::sincos(q_beta_1, s_beta_1, c_beta_1);
+    Scalar s_beta_2, c_beta_2;
+    traits::sincos(q_beta_2, s_beta_2, c_beta_2);
+    const Scalar z98 = n5_15 * c_beta_2;
+    const Scalar z99 = k1 * s_beta_2;
+    const Scalar z100 = s_beta_2 * z99;
+    const Scalar z101 = k1 - z100;
+    const Scalar z106 = n0_1 * z98 + z101;
+    const Scalar z108 = k3 + z106;
+    const Scalar z110 = n5_15 * c_beta_1;
+    const Scalar z111 = k1 * s_beta_1;
+    const Scalar z112 = s_beta_1 * z111;
+    const Scalar z113 = k1 - z112;
+    const Scalar z118 = n0_1 * z110 + z113;
+    const Scalar z124 = z108 + z118;
+    mass[0] = z124;
+    mass[1] = n0;
+    mass[2] = n0;
+    mass[3] = n0;
+    mass[4] = n0;
+    mass[5] = n3;
+    mass[6] = n0;
+    mass[7] = n0;
+    mass[8] = n0;
+    mass[9] = n0;
+    mass[10] = k6;
+    mass[11] = n0;
+    mass[12] = n0;
+    mass[13] = n0;
+    mass[14] = n0;
+    mass[15] = k6;
+  }
+
+  /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
+  /// actions included. M a + h = E u + A' lambda.
+  TORSOR_DEVICE static void bias(const Precomputed&, const State& state, GeneralizedForces& forces) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n800000 = traits::constant(8e+05, 8e+05f, "800000/1");
+    const Scalar n400000 = traits::constant(4e+05, 4e+05f, "400000/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n40000 = traits::constant(40000.0, 40000.0f, "40000/1");
+    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n5_15 = traits::constant(5.15, 5.15f, "103/20");
+    const Scalar k9 = traits::constant(5e-06, 5e-06f, "1/200000");
+    const Scalar k10 = traits::constant(5.0999975, 5.0999975f, "2039999/400000");
+    const Scalar n10_2 = traits::constant(10.2, 10.2f, "51/5");
+    const Scalar n29_43 = traits::constant(29.43, 29.43f, "2943/100");
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_s = state.q.s;
+    const Scalar v_s = state.v.s;
+    const Scalar q_beta_1 = state.q.beta_1;
+    const Scalar v_beta_1 = state.v.beta_1;
+    const Scalar q_beta_2 = state.q.beta_2;
+    const Scalar v_beta_2 = state.v.beta_2;
+    Scalar s_beta_1, c_beta_1;
+    traits::sincos(q_beta_1, s_beta_1, c_beta_1);
+    Scalar s_beta_2, c_beta_2;
+    traits::sincos(q_beta_2, s_beta_2, c_beta_2);
+    const Scalar z19 = v_psi * s_beta_1;
+    const Scalar z20 = v_psi * c_beta_1;
+    const Scalar z21 = v_psi * s_beta_2;
+    const Scalar z22 = v_psi * c_beta_2;
+    const Scalar z24 = n0_5 * s_beta_1;
+    const Scalar z26 = n1 - z24;
+    const Scalar z48 = v_beta_1 * s_beta_1;
+    const Scalar z49 = v_beta_1 * c_beta_1;
+    const Scalar z53 = n0_5 * s_beta_2;
+    const Scalar z55 = n1 - z53;
+    const Scalar z77 = v_beta_2 * s_beta_2;
+    const Scalar z78 = v_beta_2 * c_beta_2;
+    const Scalar z130 = n1 - q_s;
+    const Scalar z131 = s_beta_1 * z130;
+    const Scalar z132 = c_beta_1 * z130;
+    const Scalar z133 = n0_5 - z131;
+    const Scalar z134 = q_s - z26;
+    const Scalar z136 = z132 * z132 + z133 * z133;
+    const Scalar z137 = traits::sqrt(z136);
+    const Scalar z138 = n1 / z137;
+    const Scalar z139 = n800000 - n400000 * z138;
+    const Scalar z142 = z132 * z139;
+    const Scalar z144 = z134 * z139;
+    const Scalar z145 = v_s * c_beta_1 + z48 * z130;
+    const Scalar z146 = v_s * s_beta_1 - z49 * z130;
+    const Scalar z147 = n2 * (z132 * z145 - z133 * z146);
+    const Scalar z148 = n0_5 * z147;
+    const Scalar z149 = n40000 * z148 / z136;
+    const Scalar z151 = z132 * z149;
+    const Scalar z153 = z134 * z149;
+    const Scalar z154 = s_beta_2 * z130;
+    const Scalar z155 = c_beta_2 * z130;
+    const Scalar z156 = n0_5 - z154;
+    const Scalar z157 = q_s - z55;
+    const Scalar z159 = z155 * z155 + z156 * z156;
+    const Scalar z160 = traits::sqrt(z159);
+    const Scalar z161 = n1 / z160;
+    const Scalar z162 = n800000 - n400000 * z161;
+    const Scalar z165 = z155 * z162;
+    const Scalar z167 = z157 * z162;
+    const Scalar z168 = v_s * c_beta_2 + z77 * z130;
+    const Scalar z169 = v_s * s_beta_2 - z78 * z130;
+    const Scalar z170 = n2 * (z155 * z168 - z156 * z169);
+    const Scalar z171 = n0_5 * z170;
+    const Scalar z172 = n40000 * z171 / z159;
+    const Scalar z174 = z155 * z172;
+    const Scalar z176 = z157 * z172;
+    const Scalar z178 = z144 - z153 + z167 - z176;
+    const Scalar z182 = n0_5 * (z142 - z151);
+    const Scalar z185 = n0_5 * (z165 - z174);
+    const Scalar z186 = v_psi * v_psi;
+    const Scalar z187 = n0_05 * z186;
+    const Scalar z189 = s_beta_1 * z187 - n9_81 * c_beta_1;
+    const Scalar z190 = v_beta_1 * z20;  // angular acceleration of rod_1, x
+    const Scalar z191 = v_beta_1 * z19;  // angular acceleration of rod_1, z
+    const Scalar z193 = s_beta_2 * z187 - n9_81 * c_beta_2;
+    const Scalar z194 = v_beta_2 * z22;  // angular acceleration of rod_2, x
+    const Scalar z195 = v_beta_2 * z21;  // angular acceleration of rod_2, z
+    const Scalar z199 = n2 * z195;
+    const Scalar z200 = z21 * z22;
+    const Scalar z202 = n5_15 * z199;  // force on rod_2, y
+    const Scalar z204 = k9 * z194;  // moment on rod_2, x
+    const Scalar z205 = z185 - n5_15 * z193 - k10 * z200;  // moment on rod_2, y
+    const Scalar z206 = n10_2 * z195;  // moment on rod_2, z
+    const Scalar z210 = s_beta_2 * z204 - c_beta_2 * z206;
+    const Scalar z214 = n2 * z191;
+    const Scalar z215 = z19 * z20;
+    const Scalar z217 = n5_15 * z214;  // force on rod_1, y
+    const Scalar z219 = k9 * z190;  // moment on rod_1, x
+    const Scalar z220 = z182 - n5_15 * z189 - k10 * z215;  // moment on rod_1, y
+    const Scalar z221 = n10_2 * z191;  // moment on rod_1, z
+    const Scalar z225 = s_beta_1 * z219 - c_beta_1 * z221;
+    const Scalar z226 = n29_43 + z178;  // force on slider, z
+    const Scalar z232 = n0_05 * (z202 + z217) - z210 - z225;  // moment on shaft, z
+    forces.psi = -z232;
+    forces.s = z226;
+    forces.beta_1 = -z220;
+    forces.beta_2 = -z205;
+  }
+
+  /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
+  TORSOR_DEVICE static void inverse_dynamics(const Precomputed&, const State& state, const Accelerations& accelerations,
+      const Multipliers&, GeneralizedForces& forces) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n800000 = traits::constant(8e+05, 8e+05f, "800000/1");
+    const Scalar n400000 = traits::constant(4e+05, 4e+05f, "400000/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n40000 = traits::constant(40000.0, 40000.0f, "40000/1");
+    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar k8 = traits::constant(5e-06, 5e-06f, "1/200000");
+    const Scalar n5_15 = traits::constant(5.15, 5.15f, "103/20");
+    const Scalar k10 = traits::constant(5.1000025, 5.1000023f, "2040001/400000");
+    const Scalar k11 = traits::constant(5.0999975, 5.0999975f, "2039999/400000");
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    const Scalar k13 = traits::constant(0.031515, 0.031515f, "6303/200000");
+    const Scalar v_psi = state.v.psi;
+    const Scalar a_psi = accelerations.psi;
+    const Scalar q_s = state.q.s;
+    const Scalar v_s = state.v.s;
+    const Scalar a_s = accelerations.s;
+    const Scalar q_beta_1 = state.q.beta_1;
+    const Scalar v_beta_1 = state.v.beta_1;
+    const Scalar a_beta_1 = accelerations.beta_1;
+    const Scalar q_beta_2 = state.q.beta_2;
+    const Scalar v_beta_2 = state.v.beta_2;
+    const Scalar a_beta_2 = accelerations.beta_2;
+    Scalar s_beta_1, c_beta_1;
+    traits::sincos(q_beta_1, s_beta_1, c_beta_1);
+    Scalar s_beta_2, c_beta_2;
+    traits::sincos(q_beta_2, s_beta_2, c_beta_2);
+    const Scalar z19 = v_psi * s_beta_1;
+    const Scalar z20 = v_psi * c_beta_1;
+    const Scalar z21 = v_psi * s_beta_2;
+    const Scalar z22 = v_psi * c_beta_2;
+    const Scalar z24 = n0_5 * s_beta_1;
+    const Scalar z26 = n1 - z24;
+    const Scalar z48 = v_beta_1 * s_beta_1;
+    const Scalar z49 = v_beta_1 * c_beta_1;
+    const Scalar z53 = n0_5 * s_beta_2;
+    const Scalar z55 = n1 - z53;
+    const Scalar z77 = v_beta_2 * s_beta_2;
+    const Scalar z78 = v_beta_2 * c_beta_2;
+    const Scalar z130 = n1 - q_s;
+    const Scalar z131 = s_beta_1 * z130;
+    const Scalar z132 = c_beta_1 * z130;
+    const Scalar z133 = n0_5 - z131;
+    const Scalar z134 = q_s - z26;
+    const Scalar z136 = z132 * z132 + z133 * z133;
+    const Scalar z137 = traits::sqrt(z136);
+    const Scalar z138 = n1 / z137;
+    const Scalar z139 = n800000 - n400000 * z138;
+    const Scalar z142 = z132 * z139;
+    const Scalar z144 = z134 * z139;
+    const Scalar z145 = v_s * c_beta_1 + z48 * z130;
+    const Scalar z146 = v_s * s_beta_1 - z49 * z130;
+    const Scalar z147 = n2 * (z132 * z145 - z133 * z146);
+    const Scalar z148 = n0_5 * z147;
+    const Scalar z149 = n40000 * z148 / z136;
+    const Scalar z151 = z132 * z149;
+    const Scalar z153 = z134 * z149;
+    const Scalar z154 = s_beta_2 * z130;
+    const Scalar z155 = c_beta_2 * z130;
+    const Scalar z156 = n0_5 - z154;
+    const Scalar z157 = q_s - z55;
+    const Scalar z159 = z155 * z155 + z156 * z156;
+    const Scalar z160 = traits::sqrt(z159);
+    const Scalar z161 = n1 / z160;
+    const Scalar z162 = n800000 - n400000 * z161;
+    const Scalar z165 = z155 * z162;
+    const Scalar z167 = z157 * z162;
+    const Scalar z168 = v_s * c_beta_2 + z77 * z130;
+    const Scalar z169 = v_s * s_beta_2 - z78 * z130;
+    const Scalar z170 = n2 * (z155 * z168 - z156 * z169);
+    const Scalar z171 = n0_5 * z170;
+    const Scalar z172 = n40000 * z171 / z159;
+    const Scalar z174 = z155 * z172;
+    const Scalar z176 = z157 * z172;
+    const Scalar z178 = z144 - z153 + z167 - z176;
+    const Scalar z182 = n0_5 * (z142 - z151);
+    const Scalar z185 = n0_5 * (z165 - z174);
+    const Scalar z186 = v_psi * v_psi;
+    const Scalar z187 = n0_05 * z186;
+    const Scalar z189 = s_beta_1 * z187 - n9_81 * c_beta_1;
+    const Scalar z190 = v_beta_1 * z20;  // angular acceleration of rod_1, x
+    const Scalar z191 = v_beta_1 * z19;  // angular acceleration of rod_1, z
+    const Scalar z193 = s_beta_2 * z187 - n9_81 * c_beta_2;
+    const Scalar z194 = v_beta_2 * z22;  // angular acceleration of rod_2, x
+    const Scalar z195 = v_beta_2 * z21;  // angular acceleration of rod_2, z
+    const Scalar z200 = z21 * z22;
+    const Scalar z204 = k8 * z194;  // moment on rod_2, x
+    const Scalar z215 = z19 * z20;
+    const Scalar z219 = k8 * z190;  // moment on rod_1, x
+    const Scalar z233 = n9_81 + a_s;
+    const Scalar z235 = a_psi * c_beta_1;
+    const Scalar z236 = n0_05 * a_psi;
+    const Scalar z238 = v_beta_1 * z19 - z235;  // angular acceleration of rod_1, z
+    const Scalar z240 = a_psi * c_beta_2;
+    const Scalar z242 = v_beta_2 * z21 - z240;  // angular acceleration of rod_2, z
+    const Scalar z243 = z195 + z242;
+    const Scalar z245 = n5_15 * z243;  // force on rod_2, y
+    const Scalar z247 = k10 * a_beta_2 - z185 + n5_15 * z193 + k11 * z200;  // moment on rod_2, y
+    const Scalar z248 = k10 * z195 - n5_15 * z236 + k11 * z242;  // moment on rod_2, z
+    const Scalar z252 = s_beta_2 * z204 - c_beta_2 * z248;
+    const Scalar z253 = z191 + z238;
+    const Scalar z255 = n5_15 * z253;  // force on rod_1, y
+    const Scalar z257 = k10 * a_beta_1 - z182 + n5_15 * z189 + k11 * z215;  // moment on rod_1, y
+    const Scalar z258 = k10 * z191 - n5_15 * z236 + k11 * z238;  // moment on rod_1, z
+    const Scalar z262 = s_beta_1 * z219 - c_beta_1 * z258;
+    const Scalar z263 = z178 + n3 * z233;  // force on slider, z
+    const Scalar z269 = -n0_05 * (z245 + z255) + k13 * a_psi + z252 + z262;  // moment on shaft, z
+    forces.psi = z269;
+    forces.s = z263;
+    forces.beta_1 = z257;
+    forces.beta_2 = z247;
+  }
+
+  /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
+  /// an unrolled L D L' of M. Returns singular when a pivot is not
+  /// positive relative to its diagonal entry.
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs&,
+      Accelerations& accelerations, Multipliers&) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n5_15 = traits::constant(5.15, 5.15f, "103/20");
+    const Scalar k3 = traits::constant(5.0999975, 5.0999975f, "2039999/400000");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar k5 = traits::constant(0.031515, 0.031515f, "6303/200000");
+    const Scalar n800000 = traits::constant(8e+05, 8e+05f, "800000/1");
+    const Scalar n400000 = traits::constant(4e+05, 4e+05f, "400000/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n40000 = traits::constant(40000.0, 40000.0f, "40000/1");
+    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar k12 = traits::constant(5e-06, 5e-06f, "1/200000");
+    const Scalar n10_2 = traits::constant(10.2, 10.2f, "51/5");
+    const Scalar n29_43 = traits::constant(29.43, 29.43f, "2943/100");
+    const Scalar n1_over_3 = traits::constant(0.3333333333333333, 0.33333334f, "1/3");
+    const Scalar k16 = traits::constant(0.19607833525571802, 0.19607833f, "400000/2040001");
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_s = state.q.s;
+    const Scalar v_s = state.v.s;
+    const Scalar q_beta_1 = state.q.beta_1;
+    const Scalar v_beta_1 = state.v.beta_1;
+    const Scalar q_beta_2 = state.q.beta_2;
+    const Scalar v_beta_2 = state.v.beta_2;
+    Scalar s_beta_1, c_beta_1;
+    traits::sincos(q_beta_1, s_beta_1, c_beta_1);
+    Scalar s_beta_2, c_beta_2;
+    traits::sincos(q_beta_2, s_beta_2, c_beta_2);
+    const Scalar z19 = v_psi * s_beta_1;
+    const Scalar z20 = v_psi * c_beta_1;
+    const Scalar z21 = v_psi * s_beta_2;
+    const Scalar z22 = v_psi * c_beta_2;
+    const Scalar z24 = n0_5 * s_beta_1;
+    const Scalar z26 = n1 - z24;
+    const Scalar z48 = v_beta_1 * s_beta_1;
+    const Scalar z49 = v_beta_1 * c_beta_1;
+    const Scalar z53 = n0_5 * s_beta_2;
+    const Scalar z55 = n1 - z53;
+    const Scalar z77 = v_beta_2 * s_beta_2;
+    const Scalar z78 = v_beta_2 * c_beta_2;
+    const Scalar z98 = n5_15 * c_beta_2;
+    const Scalar z99 = k3 * s_beta_2;
+    const Scalar z100 = s_beta_2 * z99;
+    const Scalar z101 = k3 - z100;
+    const Scalar z106 = n0_1 * z98 + z101;
+    const Scalar z108 = k5 + z106;
+    const Scalar z110 = n5_15 * c_beta_1;
+    const Scalar z111 = k3 * s_beta_1;
+    const Scalar z112 = s_beta_1 * z111;
+    const Scalar z113 = k3 - z112;
+    const Scalar z118 = n0_1 * z110 + z113;
+    const Scalar z124 = z108 + z118;
+    const Scalar z130 = n1 - q_s;
+    const Scalar z131 = s_beta_1 * z130;
+    const Scalar z132 = c_beta_1 * z130;
+    const Scalar z133 = n0_5 - z131;
+    const Scalar z134 = q_s - z26;
+    const Scalar z136 = z132 * z132 + z133 * z133;
+    const Scalar z137 = traits::sqrt(z136);
+    const Scalar z138 = n1 / z137;
+    const Scalar z139 = n800000 - n400000 * z138;
+    const Scalar z142 = z132 * z139;
+    const Scalar z144 = z134 * z139;
+    const Scalar z145 = v_s * c_beta_1 + z48 * z130;
+    const Scalar z146 = v_s * s_beta_1 - z49 * z130;
+    const Scalar z147 = n2 * (z132 * z145 - z133 * z146);
+    const Scalar z148 = n0_5 * z147;
+    const Scalar z149 = n40000 * z148 / z136;
+    const Scalar z151 = z132 * z149;
+    const Scalar z153 = z134 * z149;
+    const Scalar z154 = s_beta_2 * z130;
+    const Scalar z155 = c_beta_2 * z130;
+    const Scalar z156 = n0_5 - z154;
+    const Scalar z157 = q_s - z55;
+    const Scalar z159 = z155 * z155 + z156 * z156;
+    const Scalar z160 = traits::sqrt(z159);
+    const Scalar z161 = n1 / z160;
+    const Scalar z162 = n800000 - n400000 * z161;
+    const Scalar z165 = z155 * z162;
+    const Scalar z167 = z157 * z162;
+    const Scalar z168 = v_s * c_beta_2 + z77 * z130;
+    const Scalar z169 = v_s * s_beta_2 - z78 * z130;
+    const Scalar z170 = n2 * (z155 * z168 - z156 * z169);
+    const Scalar z171 = n0_5 * z170;
+    const Scalar z172 = n40000 * z171 / z159;
+    const Scalar z174 = z155 * z172;
+    const Scalar z176 = z157 * z172;
+    const Scalar z178 = z144 - z153 + z167 - z176;
+    const Scalar z182 = n0_5 * (z142 - z151);
+    const Scalar z185 = n0_5 * (z165 - z174);
+    const Scalar z186 = v_psi * v_psi;
+    const Scalar z187 = n0_05 * z186;
+    const Scalar z189 = s_beta_1 * z187 - n9_81 * c_beta_1;
+    const Scalar z190 = v_beta_1 * z20;  // angular acceleration of rod_1, x
+    const Scalar z191 = v_beta_1 * z19;  // angular acceleration of rod_1, z
+    const Scalar z193 = s_beta_2 * z187 - n9_81 * c_beta_2;
+    const Scalar z194 = v_beta_2 * z22;  // angular acceleration of rod_2, x
+    const Scalar z195 = v_beta_2 * z21;  // angular acceleration of rod_2, z
+    const Scalar z199 = n2 * z195;
+    const Scalar z200 = z21 * z22;
+    const Scalar z202 = n5_15 * z199;  // force on rod_2, y
+    const Scalar z204 = k12 * z194;  // moment on rod_2, x
+    const Scalar z205 = z185 - n5_15 * z193 - k3 * z200;  // moment on rod_2, y
+    const Scalar z206 = n10_2 * z195;  // moment on rod_2, z
+    const Scalar z210 = s_beta_2 * z204 - c_beta_2 * z206;
+    const Scalar z214 = n2 * z191;
+    const Scalar z215 = z19 * z20;
+    const Scalar z217 = n5_15 * z214;  // force on rod_1, y
+    const Scalar z219 = k12 * z190;  // moment on rod_1, x
+    const Scalar z220 = z182 - n5_15 * z189 - k3 * z215;  // moment on rod_1, y
+    const Scalar z221 = n10_2 * z191;  // moment on rod_1, z
+    const Scalar z225 = s_beta_1 * z219 - c_beta_1 * z221;
+    const Scalar z226 = n29_43 + z178;  // force on slider, z
+    const Scalar z232 = n0_05 * (z202 + z217) - z210 - z225;  // moment on shaft, z
+    const Scalar z337 = n1 / z124;
+    const Scalar z339 = n1_over_3 * z226;  // acceleration of joint slider
+    const Scalar z362 = z232 * z337;
+    const Scalar z363 = k16 * z220;
+    const Scalar z364 = k16 * z205;
+    accelerations.psi = z362;
+    accelerations.s = -z339;
+    accelerations.beta_1 = z363;
+    accelerations.beta_2 = z364;
+    if (!(traits::regular(z124, z124))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (accelerations.psi - accelerations.psi) + (accelerations.s - accelerations.s)
+        + (accelerations.beta_1 - accelerations.beta_1) + (accelerations.beta_2 - accelerations.beta_2);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
+  TORSOR_DEVICE static void energy(const Precomputed&, const State& state, const Inputs&, Energy& result) noexcept {
+    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
+    const Scalar n5_15 = traits::constant(5.15, 5.15f, "103/20");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n40000 = traits::constant(40000.0, 40000.0f, "40000/1");
+    const Scalar n5_3 = traits::constant(5.3, 5.3f, "53/10");
+    const Scalar k7 = traits::constant(5.1000025, 5.1000023f, "2040001/400000");
+    const Scalar k8 = traits::constant(2.55000125, 2.5500011f, "2040001/800000");
+    const Scalar k9 = traits::constant(2.5e-06, 2.5e-06f, "1/400000");
+    const Scalar k10 = traits::constant(0.0025025, 0.0025025f, "1001/400000");
+    const Scalar n1_5 = traits::constant(1.5, 1.5f, "3/2");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n400000 = traits::constant(4e+05, 4e+05f, "400000/1");
+    const Scalar n105_4575 = traits::constant(105.4575, 105.4575f, "42183/400");
+    const Scalar n29_43 = traits::constant(29.43, 29.43f, "2943/100");
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_s = state.q.s;
+    const Scalar v_s = state.v.s;
+    const Scalar q_beta_1 = state.q.beta_1;
+    const Scalar v_beta_1 = state.v.beta_1;
+    const Scalar q_beta_2 = state.q.beta_2;
+    const Scalar v_beta_2 = state.v.beta_2;
+    Scalar s_beta_1, c_beta_1;
+    traits::sincos(q_beta_1, s_beta_1, c_beta_1);
+    Scalar s_beta_2, c_beta_2;
+    traits::sincos(q_beta_2, s_beta_2, c_beta_2);
+    const Scalar z18 = n0_05 * v_psi;
+    const Scalar z19 = v_psi * s_beta_1;
+    const Scalar z20 = v_psi * c_beta_1;
+    const Scalar z21 = v_psi * s_beta_2;
+    const Scalar z22 = v_psi * c_beta_2;
+    const Scalar z48 = v_beta_1 * s_beta_1;
+    const Scalar z49 = v_beta_1 * c_beta_1;
+    const Scalar z77 = v_beta_2 * s_beta_2;
+    const Scalar z78 = v_beta_2 * c_beta_2;
+    const Scalar z97 = n5_15 * s_beta_2;
+    const Scalar z109 = n5_15 * s_beta_1;
+    const Scalar z130 = n1 - q_s;
+    const Scalar z131 = s_beta_1 * z130;
+    const Scalar z132 = c_beta_1 * z130;
+    const Scalar z133 = n0_5 - z131;
+    const Scalar z136 = z132 * z132 + z133 * z133;
+    const Scalar z137 = traits::sqrt(z136);
+    const Scalar z140 = n0_5 - z137;
+    const Scalar z145 = v_s * c_beta_1 + z48 * z130;
+    const Scalar z146 = v_s * s_beta_1 - z49 * z130;
+    const Scalar z147 = n2 * (z132 * z145 - z133 * z146);
+    const Scalar z148 = n0_5 * z147;
+    const Scalar z149 = n40000 * z148 / z136;
+    const Scalar z154 = s_beta_2 * z130;
+    const Scalar z155 = c_beta_2 * z130;
+    const Scalar z156 = n0_5 - z154;
+    const Scalar z159 = z155 * z155 + z156 * z156;
+    const Scalar z160 = traits::sqrt(z159);
+    const Scalar z163 = n0_5 - z160;
+    const Scalar z168 = v_s * c_beta_2 + z77 * z130;
+    const Scalar z169 = v_s * s_beta_2 - z78 * z130;
+    const Scalar z170 = n2 * (z155 * z168 - z156 * z169);
+    const Scalar z171 = n0_5 * z170;
+    const Scalar z172 = n40000 * z171 / z159;
+    const Scalar z365 = n5_3 * z18 + n5_15 * z20;
+    const Scalar z366 = n5_15 * z18 + k7 * z20;
+    const Scalar z367 = n5_3 * z18 + n5_15 * z22;
+    const Scalar z368 = n5_15 * z18 + k7 * z22;
+    result.kinetic = n0_5 * (z18 * (z365 + z367) + z20 * z366 + z22 * z368) + k8 * (v_beta_1 * v_beta_1 + v_beta_2
+        * v_beta_2) + k9 * (z19 * z19 + z21 * z21) + k10 * v_psi * v_psi + n1_5 * v_s * v_s;
+    result.force_function = n9_81 * (z97 + z109) - n400000 * (z140 * z140 + z163 * z163) - n105_4575 - n29_43 * q_s;
+    result.power = -z148 * z149 - z171 * z172;
+  }
+
+  /// First integrals: constant along every motion.
+  TORSOR_DEVICE static void first_integrals(const Precomputed&, const State& state, FirstIntegrals& result) noexcept {
+    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
+    const Scalar n5_3 = traits::constant(5.3, 5.3f, "53/10");
+    const Scalar n5_15 = traits::constant(5.15, 5.15f, "103/20");
+    const Scalar k3 = traits::constant(5.1000025, 5.1000023f, "2040001/400000");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar k5 = traits::constant(5e-06, 5e-06f, "1/200000");
+    const Scalar n10_6 = traits::constant(10.6, 10.6f, "53/5");
+    const Scalar k7 = traits::constant(0.005005, 0.005005f, "1001/200000");
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_beta_1 = state.q.beta_1;
+    const Scalar q_beta_2 = state.q.beta_2;
+    Scalar s_beta_1, c_beta_1;
+    traits::sincos(q_beta_1, s_beta_1, c_beta_1);
+    Scalar s_beta_2, c_beta_2;
+    traits::sincos(q_beta_2, s_beta_2, c_beta_2);
+    const Scalar z18 = n0_05 * v_psi;
+    const Scalar z19 = v_psi * s_beta_1;
+    const Scalar z20 = v_psi * c_beta_1;
+    const Scalar z21 = v_psi * s_beta_2;
+    const Scalar z22 = v_psi * c_beta_2;
+    const Scalar z365 = n5_3 * z18 + n5_15 * z20;
+    const Scalar z366 = n5_15 * z18 + k3 * z20;
+    const Scalar z367 = n5_3 * z18 + n5_15 * z22;
+    const Scalar z368 = n5_15 * z18 + k3 * z22;
+    const Scalar z373 = n0_5 * z22;
+    const Scalar z374 = n0_5 * z18;
+    const Scalar z375 = n0_5 * z20;
+    const Scalar z376 = n0_5 * z368 + k3 * z373 + n5_15 * z374;
+    const Scalar z377 = k5 * z21;
+    const Scalar z378 = n0_5 * z366 + n5_15 * z374 + k3 * z375;
+    const Scalar z379 = k5 * z19;
+    const Scalar z380 = n0_5 * (z365 + z367) + n5_15 * (z373 + z375) + n10_6 * z374;
+    const Scalar z390 = k7 * v_psi + s_beta_1 * z379 + c_beta_1 * z378 + s_beta_2 * z377 + c_beta_2 * z376 + n0_05
+        * z380;
+    result.momentum_psi = z390;
+  }
+
+  /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
+  /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
+  TORSOR_DEVICE static torsor::Status linearisation(const Precomputed&, const State& state,
+      const Accelerations& accelerations, const Multipliers&, const Inputs&, Linearisation& result) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n5_15 = traits::constant(5.15, 5.15f, "103/20");
+    const Scalar k3 = traits::constant(5.0999975, 5.0999975f, "2039999/400000");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar k5 = traits::constant(0.031515, 0.031515f, "6303/200000");
+    const Scalar n800000 = traits::constant(8e+05, 8e+05f, "800000/1");
+    const Scalar n400000 = traits::constant(4e+05, 4e+05f, "400000/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n40000 = traits::constant(40000.0, 40000.0f, "40000/1");
+    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar k12 = traits::constant(5e-06, 5e-06f, "1/200000");
+    const Scalar k13 = traits::constant(5.1000025, 5.1000023f, "2040001/400000");
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    const Scalar n10_2 = traits::constant(10.2, 10.2f, "51/5");
+    const Scalar k16 = traits::constant(0.19607833525571802, 0.19607833f, "400000/2040001");
+    const Scalar n1_over_3 = traits::constant(0.3333333333333333, 0.33333334f, "1/3");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar v_psi = state.v.psi;
+    const Scalar a_psi = accelerations.psi;
+    const Scalar q_s = state.q.s;
+    const Scalar v_s = state.v.s;
+    const Scalar a_s = accelerations.s;
+    const Scalar q_beta_1 = state.q.beta_1;
+    const Scalar v_beta_1 = state.v.beta_1;
+    const Scalar a_beta_1 = accelerations.beta_1;
+    const Scalar q_beta_2 = state.q.beta_2;
+    const Scalar v_beta_2 = state.v.beta_2;
+    const Scalar a_beta_2 = accelerations.beta_2;
+    Scalar s_beta_1, c_beta_1;
+    traits::sincos(q_beta_1, s_beta_1, c_beta_1);
+    Scalar s_beta_2, c_beta_2;
+    traits::sincos(q_beta_2, s_beta_2, c_beta_2);
+    const Scalar z19 = v_psi * s_beta_1;
+    const Scalar z20 = v_psi * c_beta_1;
+    const Scalar z21 = v_psi * s_beta_2;
+    const Scalar z22 = v_psi * c_beta_2;
+    const Scalar z23 = n0_5 * c_beta_1;
+    const Scalar z24 = n0_5 * s_beta_1;
+    const Scalar z26 = n1 - z24;
+    const Scalar z48 = v_beta_1 * s_beta_1;
+    const Scalar z49 = v_beta_1 * c_beta_1;
+    const Scalar z52 = n0_5 * c_beta_2;
+    const Scalar z53 = n0_5 * s_beta_2;
+    const Scalar z55 = n1 - z53;
+    const Scalar z77 = v_beta_2 * s_beta_2;
+    const Scalar z78 = v_beta_2 * c_beta_2;
+    const Scalar z98 = n5_15 * c_beta_2;
+    const Scalar z99 = k3 * s_beta_2;
+    const Scalar z100 = s_beta_2 * z99;
+    const Scalar z101 = k3 - z100;
+    const Scalar z106 = n0_1 * z98 + z101;
+    const Scalar z108 = k5 + z106;
+    const Scalar z110 = n5_15 * c_beta_1;
+    const Scalar z111 = k3 * s_beta_1;
+    const Scalar z112 = s_beta_1 * z111;
+    const Scalar z113 = k3 - z112;
+    const Scalar z118 = n0_1 * z110 + z113;
+    const Scalar z124 = z108 + z118;
+    const Scalar z130 = n1 - q_s;
+    const Scalar z131 = s_beta_1 * z130;
+    const Scalar z132 = c_beta_1 * z130;
+    const Scalar z133 = n0_5 - z131;
+    const Scalar z134 = q_s - z26;
+    const Scalar z136 = z132 * z132 + z133 * z133;
+    const Scalar z137 = traits::sqrt(z136);
+    const Scalar z138 = n1 / z137;
+    const Scalar z139 = n800000 - n400000 * z138;
+    const Scalar z142 = z132 * z139;
+    const Scalar z144 = z134 * z139;
+    const Scalar z145 = v_s * c_beta_1 + z48 * z130;
+    const Scalar z146 = v_s * s_beta_1 - z49 * z130;
+    const Scalar z147 = n2 * (z132 * z145 - z133 * z146);
+    const Scalar z148 = n0_5 * z147;
+    const Scalar z149 = n40000 * z148 / z136;
+    const Scalar z151 = z132 * z149;
+    const Scalar z153 = z134 * z149;
+    const Scalar z154 = s_beta_2 * z130;
+    const Scalar z155 = c_beta_2 * z130;
+    const Scalar z156 = n0_5 - z154;
+    const Scalar z157 = q_s - z55;
+    const Scalar z159 = z155 * z155 + z156 * z156;
+    const Scalar z160 = traits::sqrt(z159);
+    const Scalar z161 = n1 / z160;
+    const Scalar z162 = n800000 - n400000 * z161;
+    const Scalar z165 = z155 * z162;
+    const Scalar z167 = z157 * z162;
+    const Scalar z168 = v_s * c_beta_2 + z77 * z130;
+    const Scalar z169 = v_s * s_beta_2 - z78 * z130;
+    const Scalar z170 = n2 * (z155 * z168 - z156 * z169);
+    const Scalar z171 = n0_5 * z170;
+    const Scalar z172 = n40000 * z171 / z159;
+    const Scalar z174 = z155 * z172;
+    const Scalar z176 = z157 * z172;
+    const Scalar z178 = z144 - z153 + z167 - z176;
+    const Scalar z182 = n0_5 * (z142 - z151);
+    const Scalar z185 = n0_5 * (z165 - z174);
+    const Scalar z186 = v_psi * v_psi;
+    const Scalar z187 = n0_05 * z186;
+    const Scalar z188 = n9_81 * s_beta_1 + c_beta_1 * z187;
+    const Scalar z189 = s_beta_1 * z187 - n9_81 * c_beta_1;
+    const Scalar z190 = v_beta_1 * z20;  // angular acceleration of rod_1, x
+    const Scalar z191 = v_beta_1 * z19;  // angular acceleration of rod_1, z
+    const Scalar z192 = n9_81 * s_beta_2 + c_beta_2 * z187;
+    const Scalar z193 = s_beta_2 * z187 - n9_81 * c_beta_2;
+    const Scalar z194 = v_beta_2 * z22;  // angular acceleration of rod_2, x
+    const Scalar z195 = v_beta_2 * z21;  // angular acceleration of rod_2, z
+    const Scalar z200 = z21 * z22;
+    const Scalar z204 = k12 * z194;  // moment on rod_2, x
+    const Scalar z215 = z19 * z20;
+    const Scalar z219 = k12 * z190;  // moment on rod_1, x
+    const Scalar z233 = n9_81 + a_s;
+    const Scalar z234 = a_psi * s_beta_1;
+    const Scalar z235 = a_psi * c_beta_1;
+    const Scalar z236 = n0_05 * a_psi;
+    const Scalar z237 = v_beta_1 * z20 + z234;  // angular acceleration of rod_1, x
+    const Scalar z238 = v_beta_1 * z19 - z235;  // angular acceleration of rod_1, z
+    const Scalar z239 = a_psi * s_beta_2;
+    const Scalar z240 = a_psi * c_beta_2;
+    const Scalar z241 = v_beta_2 * z22 + z239;  // angular acceleration of rod_2, x
+    const Scalar z242 = v_beta_2 * z21 - z240;  // angular acceleration of rod_2, z
+    const Scalar z243 = z195 + z242;
+    const Scalar z245 = n5_15 * z243;  // force on rod_2, y
+    const Scalar z247 = k13 * a_beta_2 - z185 + n5_15 * z193 + k3 * z200;  // moment on rod_2, y
+    const Scalar z248 = k13 * z195 - n5_15 * z236 + k3 * z242;  // moment on rod_2, z
+    const Scalar z252 = s_beta_2 * z204 - c_beta_2 * z248;
+    const Scalar z253 = z191 + z238;
+    const Scalar z255 = n5_15 * z253;  // force on rod_1, y
+    const Scalar z257 = k13 * a_beta_1 - z182 + n5_15 * z189 + k3 * z215;  // moment on rod_1, y
+    const Scalar z258 = k13 * z191 - n5_15 * z236 + k3 * z238;  // moment on rod_1, z
+    const Scalar z262 = s_beta_1 * z219 - c_beta_1 * z258;
+    const Scalar z263 = z178 + n3 * z233;  // force on slider, z
+    const Scalar z269 = -n0_05 * (z245 + z255) + k5 * a_psi + z252 + z262;  // moment on shaft, z
+    const Scalar z337 = n1 / z124;
+    const Scalar z391 = n2 * z77;
+    const Scalar z392 = n5_15 * z391;
+    const Scalar z393 = k12 * z78;
+    const Scalar z394 = n10_2 * z77;
+    const Scalar z395 = s_beta_2 * z393 - c_beta_2 * z394;
+    const Scalar z396 = n2 * z48;
+    const Scalar z397 = n5_15 * z396;
+    const Scalar z398 = k12 * z49;
+    const Scalar z399 = n10_2 * z48;
+    const Scalar z400 = s_beta_1 * z398 - c_beta_1 * z399;
+    const Scalar z401 = n0_05 * (z392 + z397) - z395 - z400;
+    const Scalar z402 = n2 * v_psi;
+    const Scalar z403 = n0_05 * z402;
+    const Scalar z404 = s_beta_1 * z403;
+    const Scalar z405 = s_beta_1 * z20 + c_beta_1 * z19;
+    const Scalar z406 = n5_15 * z404 + k3 * z405;
+    const Scalar z407 = s_beta_2 * z403;
+    const Scalar z408 = s_beta_2 * z22 + c_beta_2 * z21;
+    const Scalar z409 = n5_15 * z407 + k3 * z408;
+    const Scalar z410 = n2 * (s_beta_1 * z133 - c_beta_1 * z132);
+    const Scalar z411 = n0_5 * z410;
+    const Scalar z412 = n40000 * z411 / z136;
+    const Scalar z413 = z134 * z412;
+    const Scalar z414 = n2 * (s_beta_2 * z156 - c_beta_2 * z155);
+    const Scalar z415 = n0_5 * z414;
+    const Scalar z416 = n40000 * z415 / z159;
+    const Scalar z417 = z157 * z416;
+    const Scalar z418 = z413 + z417;
+    const Scalar z419 = n0_5 * z410 / z137;
+    const Scalar z420 = z419 / (z137 * z137);
+    const Scalar z421 = n400000 * z420;
+    const Scalar z422 = z134 * z421 + z139;
+    const Scalar z423 = n2 * (s_beta_1 * z146 + c_beta_1 * z145 + z48 * z132 + z49 * z133);
+    const Scalar z424 = n0_5 * z423;
+    const Scalar z425 = n40000 * (z148 * z410 / (z136 * z136) + z424 / z136);
+    const Scalar z426 = z134 * z425 - z149;
+    const Scalar z427 = n0_5 * z414 / z160;
+    const Scalar z428 = z427 / (z160 * z160);
+    const Scalar z429 = n400000 * z428;
+    const Scalar z430 = z157 * z429 + z162;
+    const Scalar z431 = n2 * (s_beta_2 * z169 + c_beta_2 * z168 + z77 * z155 + z78 * z156);
+    const Scalar z432 = n0_5 * z431;
+    const Scalar z433 = n40000 * (z171 * z414 / (z159 * z159) + z432 / z159);
+    const Scalar z434 = z157 * z433 - z172;
+    const Scalar z435 = z422 + z426 + z430 + z434;
+    const Scalar z436 = z132 * z412;
+    const Scalar z437 = n0_5 * z436;
+    const Scalar z438 = c_beta_1 * z139 - z132 * z421;
+    const Scalar z439 = c_beta_1 * z149 + z132 * z425;
+    const Scalar z440 = n0_5 * (z438 - z439);
+    const Scalar z441 = z155 * z416;
+    const Scalar z442 = n0_5 * z441;
+    const Scalar z443 = c_beta_2 * z162 - z155 * z429;
+    const Scalar z444 = c_beta_2 * z172 + z155 * z433;
+    const Scalar z445 = n0_5 * (z443 - z444);
+    const Scalar z446 = n2 * z19;
+    const Scalar z447 = n5_15 * z446;
+    const Scalar z448 = k12 * z20;
+    const Scalar z449 = n10_2 * z19;
+    const Scalar z450 = s_beta_1 * z448 - c_beta_1 * z449;
+    const Scalar z451 = n0_05 * z447 - z450;
+    const Scalar z452 = z190 + z237;
+    const Scalar z453 = n5_15 * z452;
+    const Scalar z454 = k12 * z191;
+    const Scalar z455 = k13 * z190 + k3 * z237;
+    const Scalar z456 = s_beta_1 * (z258 - z454) + c_beta_1 * (z219 - z455);
+    const Scalar z457 = n0_05 * z453 - z456;
+    const Scalar z458 = z132 * n2 * (z131 + z133);
+    const Scalar z459 = n0_5 * z458;
+    const Scalar z460 = n40000 * z459 / z136;
+    const Scalar z461 = z134 * z460;
+    const Scalar z462 = n0_5 * z458 / z137;
+    const Scalar z463 = z462 / (z137 * z137);
+    const Scalar z464 = n400000 * z463;
+    const Scalar z465 = z23 * z139 - z134 * z464;
+    const Scalar z466 = z145 * n2 * (z131 + z133);
+    const Scalar z467 = n0_5 * z466;
+    const Scalar z468 = n40000 * (z148 * z458 / (z136 * z136) - z467 / z136);
+    const Scalar z469 = z23 * z149 + z134 * z468;
+    const Scalar z470 = z465 - z469;
+    const Scalar z471 = z132 * z460;
+    const Scalar z472 = n0_5 * z471;
+    const Scalar z473 = z131 * z139 + z132 * z464;
+    const Scalar z474 = z131 * z149 - z132 * z468;
+    const Scalar z475 = n0_5 * (z473 - z474);
+    const Scalar z476 = z19 * z19 - z20 * z20;
+    const Scalar z477 = n5_15 * z188 + z475 - k3 * z476;
+    const Scalar z478 = n2 * z21;
+    const Scalar z479 = n5_15 * z478;
+    const Scalar z480 = k12 * z22;
+    const Scalar z481 = n10_2 * z21;
+    const Scalar z482 = s_beta_2 * z480 - c_beta_2 * z481;
+    const Scalar z483 = n0_05 * z479 - z482;
+    const Scalar z484 = z194 + z241;
+    const Scalar z485 = n5_15 * z484;
+    const Scalar z486 = k12 * z195;
+    const Scalar z487 = k13 * z194 + k3 * z241;
+    const Scalar z488 = s_beta_2 * (z248 - z486) + c_beta_2 * (z204 - z487);
+    const Scalar z489 = n0_05 * z485 - z488;
+    const Scalar z490 = z155 * n2 * (z154 + z156);
+    const Scalar z491 = n0_5 * z490;
+    const Scalar z492 = n40000 * z491 / z159;
+    const Scalar z493 = z157 * z492;
+    const Scalar z494 = n0_5 * z490 / z160;
+    const Scalar z495 = z494 / (z160 * z160);
+    const Scalar z496 = n400000 * z495;
+    const Scalar z497 = z52 * z162 - z157 * z496;
+    const Scalar z498 = z168 * n2 * (z154 + z156);
+    const Scalar z499 = n0_5 * z498;
+    const Scalar z500 = n40000 * (z171 * z490 / (z159 * z159) - z499 / z159);
+    const Scalar z501 = z52 * z172 + z157 * z500;
+    const Scalar z502 = z497 - z501;
+    const Scalar z503 = z155 * z492;
+    const Scalar z504 = n0_5 * z503;
+    const Scalar z505 = z154 * z162 + z155 * z496;
+    const Scalar z506 = z154 * z172 - z155 * z500;
+    const Scalar z507 = n0_5 * (z505 - z506);
+    const Scalar z508 = z21 * z21 - z22 * z22;
+    const Scalar z509 = n5_15 * z192 + z507 - k3 * z508;
+    const Scalar z510 = z337 * z401;
+    const Scalar z511 = k16 * z406;
+    const Scalar z512 = k16 * z409;
+    const Scalar z513 = n1_over_3 * z435;
+    const Scalar z514 = k16 * z440;
+    const Scalar z515 = k16 * z445;
+    const Scalar z516 = n1_over_3 * z418;
+    const Scalar z517 = k16 * z437;
+    const Scalar z518 = k16 * z442;
+    const Scalar z519 = z337 * z457;
+    const Scalar z520 = n1_over_3 * z470;
+    const Scalar z521 = k16 * z477;
+    const Scalar z522 = z337 * z451;
+    const Scalar z523 = n1_over_3 * z461;
+    const Scalar z524 = k16 * z472;
+    const Scalar z525 = z337 * z489;
+    const Scalar z526 = n1_over_3 * z502;
+    const Scalar z527 = k16 * z509;
+    const Scalar z528 = z337 * z483;
+    const Scalar z529 = n1_over_3 * z493;
+    const Scalar z530 = k16 * z504;
+    result.M[0] = z124;
+    result.M[1] = n0;
+    result.M[2] = n0;
+    result.M[3] = n0;
+    result.M[4] = n0;
+    result.M[5] = n3;
+    result.M[6] = n0;
+    result.M[7] = n0;
+    result.M[8] = n0;
+    result.M[9] = n0;
+    result.M[10] = k13;
+    result.M[11] = n0;
+    result.M[12] = n0;
+    result.M[13] = n0;
+    result.M[14] = n0;
+    result.M[15] = k13;
+    result.C[0] = -z401;
+    result.C[1] = n0;
+    result.C[2] = z406;
+    result.C[3] = z409;
+    result.C[4] = n0;
+    result.C[5] = z418;
+    result.C[6] = -z437;
+    result.C[7] = -z442;
+    result.C[8] = -z451;
+    result.C[9] = -z461;
+    result.C[10] = z472;
+    result.C[11] = n0;
+    result.C[12] = -z483;
+    result.C[13] = -z493;
+    result.C[14] = n0;
+    result.C[15] = z504;
+    result.K[0] = n0;
+    result.K[1] = n0;
+    result.K[2] = n0;
+    result.K[3] = n0;
+    result.K[4] = n0;
+    result.K[5] = z435;
+    result.K[6] = z440;
+    result.K[7] = z445;
+    result.K[8] = -z457;
+    result.K[9] = z470;
+    result.K[10] = z477;
+    result.K[11] = n0;
+    result.K[12] = -z489;
+    result.K[13] = z502;
+    result.K[14] = n0;
+    result.K[15] = z509;
+    result.F[0] = -z269;
+    result.F[1] = -z263;
+    result.F[2] = -z257;
+    result.F[3] = -z247;
+    result.A[0] = n0;
+    result.A[1] = n0;
+    result.A[2] = n0;
+    result.A[3] = n0;
+    result.A[4] = n0;
+    result.A[5] = n0;
+    result.A[6] = n0;
+    result.A[7] = n0;
+    result.A[8] = n0;
+    result.A[9] = n0;
+    result.A[10] = n0;
+    result.A[11] = n0;
+    result.A[12] = n0;
+    result.A[13] = -z513;
+    result.A[14] = -z514;
+    result.A[15] = -z515;
+    result.A[16] = n0;
+    result.A[17] = n0;
+    result.A[18] = n0;
+    result.A[19] = n0;
+    result.A[20] = z519;
+    result.A[21] = -z520;
+    result.A[22] = -z521;
+    result.A[23] = n0;
+    result.A[24] = n0;
+    result.A[25] = n0;
+    result.A[26] = n0;
+    result.A[27] = n0;
+    result.A[28] = z525;
+    result.A[29] = -z526;
+    result.A[30] = n0;
+    result.A[31] = -z527;
+    result.A[32] = n1;
+    result.A[33] = n0;
+    result.A[34] = n0;
+    result.A[35] = n0;
+    result.A[36] = z510;
+    result.A[37] = n0;
+    result.A[38] = -z511;
+    result.A[39] = -z512;
+    result.A[40] = n0;
+    result.A[41] = n1;
+    result.A[42] = n0;
+    result.A[43] = n0;
+    result.A[44] = n0;
+    result.A[45] = -z516;
+    result.A[46] = z517;
+    result.A[47] = z518;
+    result.A[48] = n0;
+    result.A[49] = n0;
+    result.A[50] = n1;
+    result.A[51] = n0;
+    result.A[52] = z522;
+    result.A[53] = z523;
+    result.A[54] = -z524;
+    result.A[55] = n0;
+    result.A[56] = n0;
+    result.A[57] = n0;
+    result.A[58] = n0;
+    result.A[59] = n1;
+    result.A[60] = z528;
+    result.A[61] = z529;
+    result.A[62] = n0;
+    result.A[63] = -z530;
+    if (!(traits::regular(z124, z124))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (result.M[0] - result.M[0]) + (result.C[0] - result.C[0]) + (result.C[2] - result.C[2])
+        + (result.C[3] - result.C[3]) + (result.C[5] - result.C[5]) + (result.C[6] - result.C[6]) + (result.C[7]
+        - result.C[7]) + (result.C[8] - result.C[8]) + (result.C[9] - result.C[9]) + (result.C[10] - result.C[10])
+        + (result.C[12] - result.C[12]) + (result.C[13] - result.C[13]) + (result.C[15] - result.C[15]) + (result.K[5]
+        - result.K[5]) + (result.K[6] - result.K[6]) + (result.K[7] - result.K[7]) + (result.K[8] - result.K[8])
+        + (result.K[9] - result.K[9]) + (result.K[10] - result.K[10]) + (result.K[12] - result.K[12]) + (result.K[13]
+        - result.K[13]) + (result.K[15] - result.K[15]) + (result.F[0] - result.F[0]) + (result.F[1] - result.F[1])
+        + (result.F[2] - result.F[2]) + (result.F[3] - result.F[3]) + (result.A[13] - result.A[13]) + (result.A[14]
+        - result.A[14]) + (result.A[15] - result.A[15]) + (result.A[20] - result.A[20]) + (result.A[21] - result.A[21])
+        + (result.A[22] - result.A[22]) + (result.A[28] - result.A[28]) + (result.A[29] - result.A[29]) + (result.A[31]
+        - result.A[31]) + (result.A[36] - result.A[36]) + (result.A[38] - result.A[38]) + (result.A[39] - result.A[39])
+        + (result.A[45] - result.A[45]) + (result.A[46] - result.A[46]) + (result.A[47] - result.A[47]) + (result.A[52]
+        - result.A[52]) + (result.A[53] - result.A[53]) + (result.A[54] - result.A[54]) + (result.A[60] - result.A[60])
+        + (result.A[61] - result.A[61]) + (result.A[63] - result.A[63]);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+};
+
+}  // namespace flyball_governor

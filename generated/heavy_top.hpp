@@ -1,0 +1,765 @@
+// SPDX-License-Identifier: MIT
+// heavy_top: Fast symmetric top about a fixed point
+// Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
+// Free to embed under the MIT licence.
+//
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, linearisation
+// Parameters set at run time: none
+//
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
+// moved across joints, factoring, and what is done once for a set of parameters:
+//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   kinematics               27               62          0             0                  3       0     95      95
+//   mass_matrix               1                3          0             0                  1       0      6       6
+//   bias                      7               20          0             0                  2       0     31      56
+//   inverse_dynamics         12               23          0             0                  2       0     39      65
+//   forward_dynamics         11               30          1             0                  2       0     46      56
+//   energy                    6               16          0             0                  3       0     28      29
+//   first_integrals           7               17          0             0                  3       0     30      31
+//   linearisation            37               87          1             0                  2       0    129     218
+//
+// Not computed because this mechanism does not need it:
+//   kinematics: of 18 results 1 repeat another up to sign
+//   mass_matrix: of 9 results 4 vanish identically, 1 repeat another up to sign
+//   energy: of 3 results 1 vanish identically
+//   constraints: left out, the scene has no constraints
+//   reactions: left out, the scene releases no joint direction (released_coordinate)
+//   linearisation: of 66 results 29 vanish identically, 2 repeat another up to sign
+//
+// To write this file again:
+//   heavy_top_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output heavy_top.hpp
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#ifndef TORSOR_KERNEL_SUPPORT
+#define TORSOR_KERNEL_SUPPORT 1
+// Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
+#ifndef TORSOR_DEVICE
+#define TORSOR_DEVICE
+#endif
+
+namespace torsor {
+
+/// What a kernel says about its results; the larger, the worse.
+enum class Status : int { ok = 0, singular = 1, not_finite = 2 };
+
+/// What a kernel needs of its scalar. This one serves float and double; specialise it, once a header is included, for
+/// any other (a pack of several states, a high-precision number).
+template <class Scalar>
+struct scalar_traits {
+  static_assert(sizeof(Scalar) == sizeof(float) || sizeof(Scalar) == sizeof(double),
+                "specialise torsor::scalar_traits for a scalar that is neither float nor double");
+  static constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+
+  /// A number, rounded for either format. `exact` is "num/den", or "a;b;c;d" for a + b sqrt(2) + c sqrt(3) + d sqrt(6).
+  TORSOR_DEVICE static constexpr Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    return is_float ? static_cast<Scalar>(in_float) : static_cast<Scalar>(in_double);
+  }
+  /// The same for a number that is no such sum: a callable computes it where literals are not precise enough.
+  template <class Callable>
+  TORSOR_DEVICE static constexpr Scalar formula(double in_double, float in_float, const Callable&) noexcept {
+    return constant(in_double, in_float, nullptr);
+  }
+  TORSOR_DEVICE static constexpr Scalar pi() noexcept { return constant(3.141592653589793, 3.1415927f, nullptr); }
+  TORSOR_DEVICE static constexpr Scalar select(bool condition, Scalar if_true, Scalar if_false) noexcept {
+    return condition ? if_true : if_false;
+  }
+  TORSOR_DEVICE static void sincos(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
+    sine = std::sin(angle);
+    cosine = std::cos(angle);
+  }
+  TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
+  TORSOR_DEVICE static Scalar exp(const Scalar& x) noexcept { return std::exp(x); }
+  TORSOR_DEVICE static Scalar log(const Scalar& x) noexcept { return std::log(x); }
+  /// Whether a pivot is positive beyond the rounding of the diagonal entry it came from; not when it is not a number.
+  TORSOR_DEVICE static bool regular(const Scalar& pivot, const Scalar& diagonal) noexcept {
+    return pivot > constant(0x1p-52, 0x1p-23f, nullptr) * std::abs(diagonal);
+  }
+};
+
+}  // namespace torsor
+#elif TORSOR_KERNEL_SUPPORT != 1
+#error "headers of incompatible versions of torsor meet here: write them again with one version"
+#endif
+
+namespace heavy_top {
+
+/// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
+/// M a + h = E u + A' lambda and A a + gamma = 0, with a the accelerations and u the inputs; units are SI.
+template <class Scalar>
+struct Mechanism {
+  using traits = torsor::scalar_traits<Scalar>;
+
+  static constexpr const char* name = "heavy_top";
+  static constexpr int coordinate_count = 3;
+  static constexpr int velocity_count = 3;
+  static constexpr int input_count = 0;
+  static constexpr int parameter_count = 0;
+  static constexpr int multiplier_count = 0;
+
+  /// Parameters that are set at run time.
+  struct Parameters {
+    static constexpr int size = 0;
+  };
+
+  /// Generalised coordinates q.
+  struct Coordinates {
+    Scalar alpha;  ///< coordinate [rad or 1]
+    Scalar beta;  ///< coordinate [rad or 1]
+    Scalar gamma;  ///< coordinate [rad or 1]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Coordinates::*member_(int i_) noexcept {
+      constexpr Scalar Coordinates::*members_[] = {&Coordinates::alpha, &Coordinates::beta, &Coordinates::gamma};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised velocities v = dq/dt.
+  struct Velocities {
+    Scalar alpha;  ///< its rate [rad/s]
+    Scalar beta;  ///< its rate [rad/s]
+    Scalar gamma;  ///< its rate [rad/s]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Velocities::*member_(int i_) noexcept {
+      constexpr Scalar Velocities::*members_[] = {&Velocities::alpha, &Velocities::beta, &Velocities::gamma};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised accelerations dv/dt.
+  struct Accelerations {
+    Scalar alpha;  ///< its second rate [rad/s^2]
+    Scalar beta;  ///< its second rate [rad/s^2]
+    Scalar gamma;  ///< its second rate [rad/s^2]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Accelerations::*member_(int i_) noexcept {
+      constexpr Scalar Accelerations::*members_[] = {&Accelerations::alpha, &Accelerations::beta,
+          &Accelerations::gamma};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised forces, one along each coordinate.
+  struct GeneralizedForces {
+    Scalar alpha;  ///< works with the rate of alpha [N m]
+    Scalar beta;  ///< works with the rate of beta [N m]
+    Scalar gamma;  ///< works with the rate of gamma [N m]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar GeneralizedForces::*member_(int i_) noexcept {
+      constexpr Scalar GeneralizedForces::*members_[] = {&GeneralizedForces::alpha, &GeneralizedForces::beta,
+          &GeneralizedForces::gamma};
+      return members_[i_];
+    }
+  };
+
+  /// Forces and torques of motors, set at each call.
+  struct Inputs {
+    static constexpr int size = 0;
+  };
+
+  /// Multipliers of the constraints, or the reactions that enforce them.
+  struct Multipliers {
+    static constexpr int size = 0;
+  };
+
+  /// Time [s], coordinates and velocities.
+  struct State {
+    Scalar time;
+    Coordinates q;
+    Velocities v;
+  };
+
+  /// Parameters and what depends on them only: built once for each set of parameters.
+  struct Precomputed {
+    Parameters parameters;
+  };
+
+  /// Values of the scene.
+  TORSOR_DEVICE static Parameters default_parameters() noexcept {
+    Parameters parameters{};
+    return parameters;
+  }
+
+  /// To be called again when a parameter changes.
+  TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
+    Precomputed precomputed{};
+    precomputed.parameters = parameters;
+    return precomputed;
+  }
+
+  /// The state the scene starts from, for these parameters.
+  TORSOR_DEVICE static State initial_state(const Parameters&) noexcept {
+    State state{};
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n1_over_6 = traits::constant(0.16666666666666666, 0.16666667f, "1/6");
+    const Scalar k2 = traits::constant(2.30769, 2.30769f, "230769/100000");
+    const Scalar k3 = traits::constant(3.9970363281186225, 3.9970362f, "0;0;230769/100000;0");
+    const Scalar n150 = traits::constant(150.0, 150.0f, "150/1");
+    const Scalar pi = traits::pi();
+    state.time = n0;
+    state.q.alpha = n0;
+    state.q.beta = n0;
+    state.q.gamma = -n1_over_6 * pi;
+    state.v.alpha = k2;
+    state.v.beta = -k3;
+    state.v.gamma = n150;
+    return state;
+  }
+  TORSOR_DEVICE static State initial_state() noexcept { return initial_state(default_parameters()); }
+
+  /// Poses, twists and named points in ground axes.
+  struct Kinematics {
+    std::array<Scalar, 3> top_position;  ///< centre of mass of top [m]
+    std::array<Scalar, 9> top_rotation;  ///< from the axes of top to the ground's (3 x 3)
+    std::array<Scalar, 3> top_velocity;  ///< velocity of the centre of mass of top [m/s]
+    std::array<Scalar, 3> top_angular_velocity;  ///< angular velocity of top [rad/s]
+  };
+
+  /// Energies of the mechanism.
+  struct Energy {
+    Scalar kinetic;  ///< kinetic energy T [J]
+    Scalar force_function;  ///< force function U of gravity and springs [J]
+    Scalar power;  ///< power of dampers, given forces and motors [W]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Energy::*member_(int i_) noexcept {
+      constexpr Scalar Energy::*members_[] = {&Energy::kinetic, &Energy::force_function, &Energy::power};
+      return members_[i_];
+    }
+  };
+
+  /// Quantities that every motion conserves.
+  struct FirstIntegrals {
+    Scalar energy;  ///< T - U [J]
+    Scalar momentum_gamma;  ///< dT/dgamma' of the cyclic coordinate 'gamma' [kg m^2 s^-1]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar FirstIntegrals::*member_(int i_) noexcept {
+      constexpr Scalar FirstIntegrals::*members_[] = {&FirstIntegrals::energy, &FirstIntegrals::momentum_gamma};
+      return members_[i_];
+    }
+  };
+  static constexpr int first_integral_count = 2;
+
+  /// Matrices of the linearised equations, stored column by column.
+  struct Linearisation {
+    std::array<Scalar, 9> M;  ///< mass matrix (3 x 3)
+    std::array<Scalar, 9> C;  ///< damping and gyroscopic terms (3 x 3)
+    std::array<Scalar, 9> K;  ///< stiffness (3 x 3)
+    std::array<Scalar, 3> F;  ///< right-hand side
+    std::array<Scalar, 36> A;  ///< state matrix of x = (e, e'): x' = A x + B du (6 x 6)
+  };
+
+  /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
+  /// matrices column by column.
+  TORSOR_DEVICE static void kinematics(const Precomputed&, const State& state, Kinematics& result) noexcept {
+    const Scalar k0 = traits::constant(0.8660254037844386, 0.8660254f, "0;0;1/2;0");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar v_alpha = state.v.alpha;
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    const Scalar q_gamma = state.q.gamma;
+    const Scalar v_gamma = state.v.gamma;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    Scalar s_gamma, c_gamma;
+    traits::sincos(q_gamma, s_gamma, c_gamma);
+    const Scalar z15 = v_alpha * c_beta;
+    const Scalar z16 = v_alpha * s_beta;
+    const Scalar z17 = v_beta * s_gamma - c_gamma * z15;
+    const Scalar z18 = v_beta * c_gamma + s_gamma * z15;
+    const Scalar z19 = v_gamma - z16;  // angular velocity of top, y
+    const Scalar z20 = c_alpha * c_beta;
+    const Scalar z21 = s_alpha * c_beta;
+    const Scalar z22 = k0 * s_beta - n0_5 * z21;
+    const Scalar z23 = n0_5 * s_beta + k0 * z21;
+    const Scalar z24 = c_beta * c_gamma;
+    const Scalar z25 = s_beta * c_gamma;
+    const Scalar z26 = s_alpha * s_gamma + c_alpha * z25;
+    const Scalar z27 = s_alpha * z25 - c_alpha * s_gamma;
+    const Scalar z28 = c_beta * s_gamma;
+    const Scalar z29 = s_beta * s_gamma;
+    const Scalar z30 = s_alpha * c_gamma - c_alpha * z29;
+    const Scalar z31 = s_alpha * z29 + c_alpha * c_gamma;
+    const Scalar z32 = s_gamma * z17 + c_gamma * z18;
+    const Scalar z33 = s_gamma * z18 - c_gamma * z17;
+    const Scalar z34 = c_beta * z32;
+    const Scalar z35 = s_beta * z32;
+    const Scalar z36 = s_alpha * z33 + c_alpha * z35;
+    const Scalar z37 = s_alpha * z35 - c_alpha * z33;
+    const Scalar z38 = s_beta * z19 - c_beta * z33;
+    const Scalar z39 = s_beta * z33 + c_beta * z19;
+    const Scalar z40 = s_alpha * z32 - c_alpha * z39;
+    const Scalar z41 = s_alpha * z39 + c_alpha * z32;
+    result.top_position[0] = -z22;
+    result.top_position[1] = z20;
+    result.top_position[2] = z23;
+    result.top_rotation[0] = k0 * z24 + n0_5 * z27;
+    result.top_rotation[1] = z26;
+    result.top_rotation[2] = -n0_5 * z24 + k0 * z27;
+    result.top_rotation[3] = -k0 * s_beta + n0_5 * z21;
+    result.top_rotation[4] = z20;
+    result.top_rotation[5] = n0_5 * s_beta + k0 * z21;
+    result.top_rotation[6] = k0 * z28 + n0_5 * z31;
+    result.top_rotation[7] = -z30;
+    result.top_rotation[8] = -n0_5 * z28 + k0 * z31;
+    result.top_velocity[0] = -k0 * z34 - n0_5 * z37;
+    result.top_velocity[1] = -z36;
+    result.top_velocity[2] = n0_5 * z34 - k0 * z37;
+    result.top_angular_velocity[0] = -k0 * z38 + n0_5 * z41;
+    result.top_angular_velocity[1] = -z40;
+    result.top_angular_velocity[2] = n0_5 * z38 + k0 * z41;
+  }
+
+  /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
+  TORSOR_DEVICE static void mass_matrix(const Precomputed&, const State& state, std::array<Scalar, 9>& mass) noexcept {
+    const Scalar n15_over_32 = traits::constant(0.46875, 0.46875f, "15/32");
+    const Scalar n945_over_64 = traits::constant(14.765625, 14.765625f, "945/64");
+    const Scalar n975_over_64 = traits::constant(15.234375, 15.234375f, "975/64");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_beta = state.q.beta;
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z42 = n15_over_32 * s_beta;
+    const Scalar z46 = n945_over_64 * s_beta;
+    const Scalar z47 = s_beta * z46;
+    const Scalar z48 = n975_over_64 - z47;
+    mass[0] = z48;
+    mass[1] = n0;
+    mass[2] = -z42;
+    mass[3] = n0;
+    mass[4] = n975_over_64;
+    mass[5] = n0;
+    mass[6] = -z42;
+    mass[7] = n0;
+    mass[8] = n15_over_32;
+  }
+
+  /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
+  /// actions included. M a + h = E u + A' lambda.
+  TORSOR_DEVICE static void bias(const Precomputed&, const State& state, GeneralizedForces& forces) noexcept {
+    const Scalar k0 = traits::constant(8.495709211125343, 8.495709f, "0;0;981/200;0");
+    const Scalar n4_905 = traits::constant(4.905, 4.905f, "981/200");
+    const Scalar n15_over_32 = traits::constant(0.46875, 0.46875f, "15/32");
+    const Scalar n15 = traits::constant(15.0, 15.0f, "15/1");
+    const Scalar n975_over_32 = traits::constant(30.46875, 30.46875f, "975/32");
+    const Scalar n975_over_64 = traits::constant(15.234375, 15.234375f, "975/64");
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar v_alpha = state.v.alpha;
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    const Scalar v_gamma = state.v.gamma;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z15 = v_alpha * c_beta;
+    const Scalar z16 = v_alpha * s_beta;
+    const Scalar z19 = v_gamma - z16;  // angular velocity of top, y
+    const Scalar z51 = k0 * s_alpha;
+    const Scalar z52 = k0 * c_alpha;
+    const Scalar z53 = s_beta * z51 - n4_905 * c_beta;
+    const Scalar z55 = v_beta * z16;  // angular acceleration of second, x
+    const Scalar z56 = v_beta * z15;  // angular acceleration of second, y
+    const Scalar z59 = v_beta * z19;
+    const Scalar z60 = z15 * z19;
+    const Scalar z61 = n15_over_32 * z59;  // moment on top, x
+    const Scalar z62 = n15_over_32 * z56;  // moment on top, y
+    const Scalar z63 = n15_over_32 * z60;  // moment on top, z
+    const Scalar z64 = z15 * z16;
+    const Scalar z72 = n15 * z52 - n975_over_32 * z55 - z61;  // moment on second, x
+    const Scalar z73 = n15 * z53 - z63 - n975_over_64 * z64;  // moment on second, z
+    const Scalar z76 = s_beta * z62 + c_beta * z72;
+    forces.alpha = z76;
+    forces.beta = -z73;
+    forces.gamma = -z62;
+  }
+
+  /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
+  TORSOR_DEVICE static void inverse_dynamics(const Precomputed&, const State& state, const Accelerations& accelerations,
+      const Multipliers&, GeneralizedForces& forces) noexcept {
+    const Scalar k0 = traits::constant(8.495709211125343, 8.495709f, "0;0;981/200;0");
+    const Scalar n4_905 = traits::constant(4.905, 4.905f, "981/200");
+    const Scalar n15_over_32 = traits::constant(0.46875, 0.46875f, "15/32");
+    const Scalar n975_over_64 = traits::constant(15.234375, 15.234375f, "975/64");
+    const Scalar n15 = traits::constant(15.0, 15.0f, "15/1");
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar v_alpha = state.v.alpha;
+    const Scalar a_alpha = accelerations.alpha;
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    const Scalar a_beta = accelerations.beta;
+    const Scalar v_gamma = state.v.gamma;
+    const Scalar a_gamma = accelerations.gamma;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z15 = v_alpha * c_beta;
+    const Scalar z16 = v_alpha * s_beta;
+    const Scalar z19 = v_gamma - z16;  // angular velocity of top, y
+    const Scalar z51 = k0 * s_alpha;
+    const Scalar z52 = k0 * c_alpha;
+    const Scalar z53 = s_beta * z51 - n4_905 * c_beta;
+    const Scalar z55 = v_beta * z16;  // angular acceleration of second, x
+    const Scalar z59 = v_beta * z19;
+    const Scalar z60 = z15 * z19;
+    const Scalar z61 = n15_over_32 * z59;  // moment on top, x
+    const Scalar z63 = n15_over_32 * z60;  // moment on top, z
+    const Scalar z64 = z15 * z16;
+    const Scalar z78 = a_alpha * c_beta;
+    const Scalar z79 = a_alpha * s_beta;
+    const Scalar z80 = v_beta * z16 - z78;  // angular acceleration of second, x
+    const Scalar z81 = v_beta * z15 + z79;  // angular acceleration of second, y
+    const Scalar z83 = a_gamma - z81;  // angular acceleration of top, y
+    const Scalar z85 = n15_over_32 * z83;  // moment on top, y
+    const Scalar z90 = -n975_over_64 * (z55 + z80) + n15 * z52 - z61;  // moment on second, x
+    const Scalar z91 = n975_over_64 * (a_beta + z64) - n15 * z53 + z63;  // moment on second, z
+    const Scalar z94 = s_beta * z85 - c_beta * z90;
+    forces.alpha = -z94;
+    forces.beta = z91;
+    forces.gamma = z85;
+  }
+
+  /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
+  /// an unrolled L D L' of M. Returns singular when a pivot is not
+  /// positive relative to its diagonal entry.
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs&,
+      Accelerations& accelerations, Multipliers&) noexcept {
+    const Scalar n15_over_32 = traits::constant(0.46875, 0.46875f, "15/32");
+    const Scalar n945_over_64 = traits::constant(14.765625, 14.765625f, "945/64");
+    const Scalar n975_over_64 = traits::constant(15.234375, 15.234375f, "975/64");
+    const Scalar k3 = traits::constant(8.495709211125343, 8.495709f, "0;0;981/200;0");
+    const Scalar n4_905 = traits::constant(4.905, 4.905f, "981/200");
+    const Scalar n15 = traits::constant(15.0, 15.0f, "15/1");
+    const Scalar n975_over_32 = traits::constant(30.46875, 30.46875f, "975/32");
+    const Scalar n32_over_15 = traits::constant(2.1333333333333333, 2.1333334f, "32/15");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n64_over_975 = traits::constant(0.06564102564102564, 0.06564102f, "64/975");
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar v_alpha = state.v.alpha;
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    const Scalar v_gamma = state.v.gamma;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z15 = v_alpha * c_beta;
+    const Scalar z16 = v_alpha * s_beta;
+    const Scalar z19 = v_gamma - z16;  // angular velocity of top, y
+    const Scalar z42 = n15_over_32 * s_beta;
+    const Scalar z46 = n945_over_64 * s_beta;
+    const Scalar z47 = s_beta * z46;
+    const Scalar z48 = n975_over_64 - z47;
+    const Scalar z51 = k3 * s_alpha;
+    const Scalar z52 = k3 * c_alpha;
+    const Scalar z53 = s_beta * z51 - n4_905 * c_beta;
+    const Scalar z55 = v_beta * z16;  // angular acceleration of second, x
+    const Scalar z56 = v_beta * z15;  // angular acceleration of second, y
+    const Scalar z59 = v_beta * z19;
+    const Scalar z60 = z15 * z19;
+    const Scalar z61 = n15_over_32 * z59;  // moment on top, x
+    const Scalar z62 = n15_over_32 * z56;  // moment on top, y
+    const Scalar z63 = n15_over_32 * z60;  // moment on top, z
+    const Scalar z64 = z15 * z16;
+    const Scalar z72 = n15 * z52 - n975_over_32 * z55 - z61;  // moment on second, x
+    const Scalar z73 = n15 * z53 - z63 - n975_over_64 * z64;  // moment on second, z
+    const Scalar z76 = s_beta * z62 + c_beta * z72;
+    const Scalar z144 = n32_over_15 * z42;
+    const Scalar z145 = z42 * z144 - z48;
+    const Scalar z146 = n1 / z145;
+    const Scalar z147 = z62 * z144 - z76;
+    const Scalar z148 = z146 * z147;
+    const Scalar z149 = n64_over_975 * z73;
+    const Scalar z150 = n32_over_15 * z62 - z144 * z148;
+    accelerations.alpha = -z148;
+    accelerations.beta = z149;
+    accelerations.gamma = z150;
+    if (!(traits::regular(-z145, z48))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (accelerations.alpha - accelerations.alpha) + (accelerations.beta - accelerations.beta)
+        + (accelerations.gamma - accelerations.gamma);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
+  TORSOR_DEVICE static void energy(const Precomputed&, const State& state, const Inputs&, Energy& result) noexcept {
+    const Scalar n15 = traits::constant(15.0, 15.0f, "15/1");
+    const Scalar n975_over_128 = traits::constant(7.6171875, 7.6171875f, "975/128");
+    const Scalar n15_over_64 = traits::constant(0.234375, 0.234375f, "15/64");
+    const Scalar n4_905 = traits::constant(4.905, 4.905f, "981/200");
+    const Scalar k4 = traits::constant(8.495709211125343, 8.495709f, "0;0;981/200;0");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar v_alpha = state.v.alpha;
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    const Scalar q_gamma = state.q.gamma;
+    const Scalar v_gamma = state.v.gamma;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    Scalar s_gamma, c_gamma;
+    traits::sincos(q_gamma, s_gamma, c_gamma);
+    const Scalar z15 = v_alpha * c_beta;
+    const Scalar z16 = v_alpha * s_beta;
+    const Scalar z17 = v_beta * s_gamma - c_gamma * z15;
+    const Scalar z18 = v_beta * c_gamma + s_gamma * z15;
+    const Scalar z19 = v_gamma - z16;  // angular velocity of top, y
+    const Scalar z44 = n15 * c_beta;
+    const Scalar z45 = n15 * s_beta;
+    const Scalar z152 = s_alpha * z44;
+    result.kinetic = n975_over_128 * (z17 * z17 + z18 * z18) + n15_over_64 * z19 * z19;
+    result.force_function = -n4_905 * z45 - k4 * z152;
+    result.power = n0;
+  }
+
+  /// First integrals: constant along every motion.
+  TORSOR_DEVICE static void first_integrals(const Precomputed&, const State& state, FirstIntegrals& result) noexcept {
+    const Scalar n15 = traits::constant(15.0, 15.0f, "15/1");
+    const Scalar n15_over_32 = traits::constant(0.46875, 0.46875f, "15/32");
+    const Scalar n975_over_128 = traits::constant(7.6171875, 7.6171875f, "975/128");
+    const Scalar n15_over_64 = traits::constant(0.234375, 0.234375f, "15/64");
+    const Scalar n4_905 = traits::constant(4.905, 4.905f, "981/200");
+    const Scalar k5 = traits::constant(8.495709211125343, 8.495709f, "0;0;981/200;0");
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar v_alpha = state.v.alpha;
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    const Scalar q_gamma = state.q.gamma;
+    const Scalar v_gamma = state.v.gamma;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    Scalar s_gamma, c_gamma;
+    traits::sincos(q_gamma, s_gamma, c_gamma);
+    const Scalar z15 = v_alpha * c_beta;
+    const Scalar z16 = v_alpha * s_beta;
+    const Scalar z17 = v_beta * s_gamma - c_gamma * z15;
+    const Scalar z18 = v_beta * c_gamma + s_gamma * z15;
+    const Scalar z19 = v_gamma - z16;  // angular velocity of top, y
+    const Scalar z44 = n15 * c_beta;
+    const Scalar z45 = n15 * s_beta;
+    const Scalar z152 = s_alpha * z44;
+    const Scalar z153 = n15_over_32 * z19;
+    result.energy = n975_over_128 * (z17 * z17 + z18 * z18) + n15_over_64 * z19 * z19 + n4_905 * z45 + k5 * z152;
+    result.momentum_gamma = z153;
+  }
+
+  /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
+  /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
+  TORSOR_DEVICE static torsor::Status linearisation(const Precomputed&, const State& state,
+      const Accelerations& accelerations, const Multipliers&, const Inputs&, Linearisation& result) noexcept {
+    const Scalar n15_over_32 = traits::constant(0.46875, 0.46875f, "15/32");
+    const Scalar n945_over_64 = traits::constant(14.765625, 14.765625f, "945/64");
+    const Scalar n975_over_64 = traits::constant(15.234375, 15.234375f, "975/64");
+    const Scalar k3 = traits::constant(8.495709211125343, 8.495709f, "0;0;981/200;0");
+    const Scalar n4_905 = traits::constant(4.905, 4.905f, "981/200");
+    const Scalar n15 = traits::constant(15.0, 15.0f, "15/1");
+    const Scalar n32_over_15 = traits::constant(2.1333333333333333, 2.1333334f, "32/15");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n975_over_32 = traits::constant(30.46875, 30.46875f, "975/32");
+    const Scalar n64_over_975 = traits::constant(0.06564102564102564, 0.06564102f, "64/975");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar v_alpha = state.v.alpha;
+    const Scalar a_alpha = accelerations.alpha;
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    const Scalar a_beta = accelerations.beta;
+    const Scalar v_gamma = state.v.gamma;
+    const Scalar a_gamma = accelerations.gamma;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z15 = v_alpha * c_beta;
+    const Scalar z16 = v_alpha * s_beta;
+    const Scalar z19 = v_gamma - z16;  // angular velocity of top, y
+    const Scalar z42 = n15_over_32 * s_beta;
+    const Scalar z46 = n945_over_64 * s_beta;
+    const Scalar z47 = s_beta * z46;
+    const Scalar z48 = n975_over_64 - z47;
+    const Scalar z51 = k3 * s_alpha;
+    const Scalar z52 = k3 * c_alpha;
+    const Scalar z53 = s_beta * z51 - n4_905 * c_beta;
+    const Scalar z54 = n4_905 * s_beta + c_beta * z51;
+    const Scalar z55 = v_beta * z16;  // angular acceleration of second, x
+    const Scalar z56 = v_beta * z15;  // angular acceleration of second, y
+    const Scalar z59 = v_beta * z19;
+    const Scalar z60 = z15 * z19;
+    const Scalar z61 = n15_over_32 * z59;  // moment on top, x
+    const Scalar z62 = n15_over_32 * z56;  // moment on top, y
+    const Scalar z63 = n15_over_32 * z60;  // moment on top, z
+    const Scalar z64 = z15 * z16;
+    const Scalar z78 = a_alpha * c_beta;
+    const Scalar z79 = a_alpha * s_beta;
+    const Scalar z80 = v_beta * z16 - z78;  // angular acceleration of second, x
+    const Scalar z81 = v_beta * z15 + z79;  // angular acceleration of second, y
+    const Scalar z83 = a_gamma - z81;  // angular acceleration of top, y
+    const Scalar z85 = n15_over_32 * z83;  // moment on top, y
+    const Scalar z90 = -n975_over_64 * (z55 + z80) + n15 * z52 - z61;  // moment on second, x
+    const Scalar z91 = n975_over_64 * (a_beta + z64) - n15 * z53 + z63;  // moment on second, z
+    const Scalar z94 = s_beta * z85 - c_beta * z90;
+    const Scalar z144 = n32_over_15 * z42;
+    const Scalar z145 = z42 * z144 - z48;
+    const Scalar z146 = n1 / z145;
+    const Scalar z153 = n15_over_32 * z19;
+    const Scalar z165 = v_beta * c_beta;
+    const Scalar z166 = n15_over_32 * z165;
+    const Scalar z167 = v_beta * s_beta;
+    const Scalar z168 = n15_over_32 * z167;
+    const Scalar z169 = n975_over_32 * z167 - z168;
+    const Scalar z170 = s_beta * z166 - c_beta * z169;
+    const Scalar z171 = n15 * z51;
+    const Scalar z172 = c_beta * z171;
+    const Scalar z173 = s_beta * z15 - c_beta * z19;
+    const Scalar z174 = n15_over_32 * z173;
+    const Scalar z175 = s_beta * z15 + c_beta * z16;
+    const Scalar z176 = z174 - n975_over_64 * z175;
+    const Scalar z177 = s_beta * z52;
+    const Scalar z178 = n15 * z177;
+    const Scalar z179 = n15_over_32 * z15;
+    const Scalar z180 = n975_over_32 * z16 + z153;
+    const Scalar z181 = s_beta * z179 - c_beta * z180;
+    const Scalar z182 = n15_over_32 * z80;
+    const Scalar z183 = n975_over_64 * (z56 + z81) - z62;
+    const Scalar z184 = s_beta * (z90 + z182) + c_beta * (z85 + z183);
+    const Scalar z185 = z15 * z15 + z16 * z19;
+    const Scalar z186 = n15_over_32 * z185;
+    const Scalar z187 = z15 * z15 - z16 * z16;
+    const Scalar z188 = n15 * z54 + z186 - n975_over_64 * z187;
+    const Scalar z189 = n15_over_32 * v_beta;
+    const Scalar z190 = c_beta * z189;
+    const Scalar z191 = z146 * z172;
+    const Scalar z192 = n64_over_975 * z178;
+    const Scalar z193 = z144 * z191;
+    const Scalar z194 = z144 * z166 - z170;
+    const Scalar z195 = z146 * z194;
+    const Scalar z196 = n64_over_975 * z176;
+    const Scalar z197 = z144 * z195 - n32_over_15 * z166;
+    const Scalar z198 = z144 * z182 - z184;
+    const Scalar z199 = z146 * z198;
+    const Scalar z200 = n64_over_975 * z188;
+    const Scalar z201 = z144 * z199 - n32_over_15 * z182;
+    const Scalar z202 = z144 * z179 - z181;
+    const Scalar z203 = z146 * z202;
+    const Scalar z204 = z144 * z203 - n32_over_15 * z179;
+    const Scalar z205 = z146 * z190;
+    const Scalar z206 = n64_over_975 * z179;
+    const Scalar z207 = z144 * z205;
+    result.M[0] = z48;
+    result.M[1] = n0;
+    result.M[2] = -z42;
+    result.M[3] = n0;
+    result.M[4] = n975_over_64;
+    result.M[5] = n0;
+    result.M[6] = -z42;
+    result.M[7] = n0;
+    result.M[8] = n15_over_32;
+    result.C[0] = z170;
+    result.C[1] = -z176;
+    result.C[2] = -z166;
+    result.C[3] = z181;
+    result.C[4] = n0;
+    result.C[5] = -z179;
+    result.C[6] = -z190;
+    result.C[7] = z179;
+    result.C[8] = n0;
+    result.K[0] = -z172;
+    result.K[1] = -z178;
+    result.K[2] = n0;
+    result.K[3] = -z184;
+    result.K[4] = -z188;
+    result.K[5] = z182;
+    result.K[6] = n0;
+    result.K[7] = n0;
+    result.K[8] = n0;
+    result.F[0] = z94;
+    result.F[1] = -z91;
+    result.F[2] = -z85;
+    result.A[0] = n0;
+    result.A[1] = n0;
+    result.A[2] = n0;
+    result.A[3] = -z191;
+    result.A[4] = z192;
+    result.A[5] = -z193;
+    result.A[6] = n0;
+    result.A[7] = n0;
+    result.A[8] = n0;
+    result.A[9] = z199;
+    result.A[10] = z200;
+    result.A[11] = z201;
+    result.A[12] = n0;
+    result.A[13] = n0;
+    result.A[14] = n0;
+    result.A[15] = n0;
+    result.A[16] = n0;
+    result.A[17] = n0;
+    result.A[18] = n1;
+    result.A[19] = n0;
+    result.A[20] = n0;
+    result.A[21] = -z195;
+    result.A[22] = z196;
+    result.A[23] = -z197;
+    result.A[24] = n0;
+    result.A[25] = n1;
+    result.A[26] = n0;
+    result.A[27] = -z203;
+    result.A[28] = n0;
+    result.A[29] = -z204;
+    result.A[30] = n0;
+    result.A[31] = n0;
+    result.A[32] = n1;
+    result.A[33] = -z205;
+    result.A[34] = -z206;
+    result.A[35] = -z207;
+    if (!(traits::regular(-z145, z48))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (result.M[0] - result.M[0]) + (result.M[2] - result.M[2]) + (result.M[6] - result.M[6])
+        + (result.C[0] - result.C[0]) + (result.C[1] - result.C[1]) + (result.C[2] - result.C[2]) + (result.C[3]
+        - result.C[3]) + (result.C[5] - result.C[5]) + (result.C[6] - result.C[6]) + (result.C[7] - result.C[7])
+        + (result.K[0] - result.K[0]) + (result.K[1] - result.K[1]) + (result.K[3] - result.K[3]) + (result.K[4]
+        - result.K[4]) + (result.K[5] - result.K[5]) + (result.F[0] - result.F[0]) + (result.F[1] - result.F[1])
+        + (result.F[2] - result.F[2]) + (result.A[3] - result.A[3]) + (result.A[4] - result.A[4]) + (result.A[5]
+        - result.A[5]) + (result.A[9] - result.A[9]) + (result.A[10] - result.A[10]) + (result.A[11] - result.A[11])
+        + (result.A[21] - result.A[21]) + (result.A[22] - result.A[22]) + (result.A[23] - result.A[23]) + (result.A[27]
+        - result.A[27]) + (result.A[29] - result.A[29]) + (result.A[33] - result.A[33]) + (result.A[34] - result.A[34])
+        + (result.A[35] - result.A[35]);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+};
+
+}  // namespace heavy_top
