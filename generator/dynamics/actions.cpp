@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/dynamics/actions.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
+#include "generator/dynamics/relative_motion.hpp"
 #include "generator/expression/derivative.hpp"
 #include "generator/expression/error.hpp"
 
@@ -74,7 +77,7 @@ class Collector {
   void operator()(const GivenForce& force) {
     const std::string user = "force '" + force.name + "'";
     const int link = model_.place(force.body, user).link;
-    const Vector f = bound(program_, model_.express(force.components, force.axes, link, user));
+    const Vector f = components(force.components, force.axes, link, user);
     const Vector point = bound(program_, model_.locate(force.point, link, user));
     apply(link, {f, cross(point, f)}, force.name);
   }
@@ -82,7 +85,87 @@ class Collector {
   void operator()(const GivenTorque& torque) {
     const std::string user = "torque '" + torque.name + "'";
     const int link = model_.place(torque.body, user).link;
-    apply(link, {Vector(), bound(program_, model_.express(torque.components, torque.axes, link, user))}, torque.name);
+    apply(link, {Vector(), components(torque.components, torque.axes, link, user)}, torque.name);
+  }
+
+  void operator()(const GivenForceFunction& given) {
+    const std::string user = "force function '" + given.name + "'";
+    refuse_released(given.force_function, user);
+    const Value u = program_.lower(given.force_function);
+    if (program_.stage(u) > Stage::configuration) {
+      throw SceneError(
+          fmt::format("{} depends on more than coordinates, time and parameters: an action that depends on "
+                      "velocities has no force function; use effort(...)",
+                      user));
+    }
+    result_.spring_force_function += u;
+    std::vector<SymbolPointer> positions;
+    for (const CoordinateContent& c : model_.coordinates()) positions.push_back(c.q);
+    const std::vector<Value> forces = gradient(u, positions);
+    if (std::all_of(forces.begin(), forces.end(), [](const Value& force) { return force.is_zero(); })) {
+      throw SceneError(fmt::format("{} depends on no unknown coordinate: it makes no force; drop it", user));
+    }
+    for (std::size_t i = 0; i < forces.size(); ++i) result_.passive[i] += forces[i];
+  }
+
+  void operator()(const Effort& effort) {
+    const std::string user = "effort '" + effort.name + "'";
+    refuse_released(effort.displacement, user);
+    const Value force = program_.bind(of_state(effort.force, user));
+    work_with(effort.displacement, force, result_.passive);
+    const Value speed = program_.bind(time_derivative(program_.lower(effort.displacement)));
+    dissipative(effort.name, force * speed);
+  }
+
+  void operator()(const Gravitation& attraction) {
+    const std::string user = "gravitation '" + attraction.name + "'";
+    const Value k = of_state(attraction.strength, user);
+    const auto [at_a, at_b] = pair_of_places(attraction.a, attraction.b, user);
+    const Value distance = program_.sqrt(program_.bind(dot(at_a.to_other, at_a.to_other)));
+    const Value inverse = program_.bind(pow(distance, -1));
+    result_.spring_force_function += k * inverse;
+    const Value by_length = program_.bind(k * pow(inverse, 3));
+    pull(at_a, by_length);
+    pull(at_b, by_length);
+  }
+
+  void operator()(const GivenWrench& given) {
+    const std::string user = "wrench '" + given.name + "'";
+    const int link = model_.place(given.body, user).link;
+    const Vector force = components(given.force, given.axes, link, user);
+    const Vector moment = components(given.moment, given.axes, link, user);
+    const Vector point = bound(program_, model_.locate(given.point, link, user));
+    apply(link, {force, moment + cross(point, force)}, given.name);
+  }
+
+  void operator()(const Drag& drag) {
+    const std::string user = "drag '" + drag.name + "'";
+    const auto [link, other] = pair_of_links(drag.body, drag.relative_to, drag.name, user);
+    const Vector point = bound(program_, model_.locate(drag.point, link, user));
+    const Vector velocity = RelativeMotion(model_, link, other, point, link).twist().linear;
+    const Vector force = bound(program_, -(of_state(drag.coefficient, user) * velocity));
+    exert(link, other, {force, cross(point, force)});
+    dissipative(drag.name, dot(force, velocity));
+  }
+
+  void operator()(const RotationalDrag& drag) {
+    const std::string user = "rotational drag '" + drag.name + "'";
+    const auto [link, other] = pair_of_links(drag.body, drag.relative_to, drag.name, user);
+    const Vector turning = RelativeMotion(model_, link, other, Vector(), link).twist().angular;
+    const Vector torque = bound(program_, -(of_state(drag.coefficient, user) * turning));
+    exert(link, other, {Vector(), torque});
+    dissipative(drag.name, dot(torque, turning));
+  }
+
+  void operator()(const MutualAction& action) {
+    const std::string user = "action '" + action.name + "'";
+    const auto [link, other] = pair_of_links(action.a, action.b, action.name, user);
+    const Vector given = components(action.components, action.axes, link, user);
+    Vector point;
+    if (action.point) point = bound(program_, model_.locate(*action.point, link, user));
+    const Twist moving = RelativeMotion(model_, link, other, point, link).twist();
+    exert(link, other, action.point ? Wrench{given, cross(point, given)} : Wrench{Vector(), given});
+    dissipative(action.name, dot(given, action.point ? moving.linear : moving.angular));
   }
 
   AppliedActions take() {
@@ -107,9 +190,10 @@ class Collector {
     end.place = bound(program_, model_.locate(own, end.link, user));
     for (int i = 0; i < 3; ++i) {
       if (end.place[i].is_zero() || program_.stage(end.place[i]) <= Stage::parameters) continue;
-      throw SceneError(fmt::format("{} is attached to point '{}', which moves in its frame: attach it to a point with "
-                                   "constant components",
-                                   user, point.name));
+      throw SceneError(
+          fmt::format("{} is attached to point '{}', which moves in its frame: attach it to a point with "
+                      "constant components",
+                      user, point.name));
     }
     end.to_other = bound(program_, model_.locate(other, end.link, user) - end.place);
     return end;
@@ -122,6 +206,53 @@ class Collector {
       throw SceneError(fmt::format("{} ties two points of one rigid body: its length never changes", user));
     }
     return {std::move(at_a), std::move(at_b)};
+  }
+
+  /// A formula of coordinates, velocities, time and parameters.
+  Value of_state(const Expression& formula, const std::string& user) {
+    const Value value = program_.lower(formula);
+    if (value.is_zero() || program_.stage(value) <= Stage::state) return value;
+    throw SceneError(
+        fmt::format("{} depends on accelerations, inputs or multipliers through {}: give a formula of "
+                    "coordinates, their rates, time and parameters",
+                    user, formula.to_string()));
+  }
+
+  Vector components(const Triple& given, const FrameReference& axes, int link, const std::string& user) {
+    for (const Expression& component : given) of_state(component, user);
+    return bound(program_, model_.express(given, axes, link, user));
+  }
+
+  /// What a released coordinate would contribute to a formula's derivatives is lost: it is zero there.
+  void refuse_released(const Expression& formula, const std::string& user) const {
+    for (const CoordinateContent& c : model_.coordinates()) {
+      if (!c.released || formula.as_symbol() == c.q || !(formula.depends_on(c.q) || formula.depends_on(c.v))) continue;
+      throw SceneError(
+          fmt::format("{} names the released coordinate '{}', which its joint holds at zero: write it "
+                      "without, or between points",
+                      user, c.q->name));
+    }
+  }
+
+  std::pair<int, int> pair_of_links(const FrameReference& body, const FrameReference& other, const std::string& name,
+                                    const std::string& user) const {
+    const int link = model_.place(body, user).link;
+    const int other_link = model_.place(other, user).link;
+    if (link == 0) throw SceneError(fmt::format("action '{}' is applied to the ground, which it cannot move", name));
+    if (link == other_link) {
+      throw SceneError(fmt::format("{} acts between two frames of one rigid body: nothing moves between them", user));
+    }
+    return {link, other_link};
+  }
+
+  /// A wrench on a link, in its axes at its origin, and the opposite on another.
+  void exert(int link, int other, const Wrench& wrench) {
+    add(link, wrench);
+    if (other == 0) return;
+    const Vector origin = bound(program_, model_.locate(Vector(), link, other));
+    const Vector force = bound(program_, model_.express(bound(program_, -wrench.resultant), link, other));
+    const Vector moment = model_.express(bound(program_, -wrench.moment), link, other);
+    add(other, {force, moment + cross(origin, force)});
   }
 
   void pull(const End& end, const Value& tension_by_length) {
@@ -163,14 +294,26 @@ class Collector {
 
 }  // namespace
 
-AppliedActions applied_actions(const Model& model, ActionKind kind) {
+bool has_force_function(const ActionContent& action) {
+  return std::holds_alternative<ElongationSpring>(action) || std::holds_alternative<PointSpring>(action) ||
+         std::holds_alternative<GivenForceFunction>(action) || std::holds_alternative<Gravitation>(action);
+}
+
+AppliedActions applied_actions(const Model& model, const std::function<bool(const ActionContent&)>& wanted) {
   Collector collector(model);
   for (const ActionContent& action : model.scene().actions) {
-    const bool spring = std::holds_alternative<ElongationSpring>(action) || std::holds_alternative<PointSpring>(action);
-    if (spring && kind == ActionKind::without_force_function) continue;
-    std::visit(collector, action);
+    if (wanted(action)) std::visit(collector, action);
   }
   return collector.take();
+}
+
+AppliedActions applied_actions(const Model& model, ActionKind kind) {
+  AppliedActions actions = applied_actions(
+      model, [kind](const ActionContent& action) { return kind == ActionKind::all || !has_force_function(action); });
+  for (const ContactFriction& friction : model.scene().frictions) {
+    actions.without_force_function.push_back(friction.name);
+  }
+  return actions;
 }
 
 std::vector<Value> applied_forces(const Model& model, const AppliedActions& actions) {

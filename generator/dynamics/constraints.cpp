@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "generator/dynamics/friction.hpp"
 #include "generator/expression/derivative.hpp"
 #include "generator/expression/error.hpp"
 
@@ -153,9 +154,16 @@ std::vector<ConstraintRow> constraint_rows(const Model& model) {
       const Vector point = bound(program, model.locate(reaction->contact, axes, who));
       const Vector direction = model.express(reaction->direction, reaction->axes, axes, who);
       row.column = partial_velocities(model, model.place(reaction->body, who).link, point, direction, axes);
+      const int other = model.place(reaction->other, who).link;
+      const std::vector<Value> opposite = partial_velocities(model, other, point, direction, axes);
+      for (std::size_t i = 0; other != 0 && i < opposite.size(); ++i) {
+        row.column[i] = program.bind(row.column[i] - opposite[i]);
+      }
     }
+    row.ideal = row.column;
     rows.push_back(std::move(row));
   }
+  add_friction(model, rows);
   return rows;
 }
 

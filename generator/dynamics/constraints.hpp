@@ -16,7 +16,10 @@ struct ConstraintRow {
   Value rate;                   ///< Σ a_i q̇_i − b
   std::vector<Value> jacobian;  ///< a_i, for every coordinate of the model
   Value gamma;                  ///< d(rate)/dt at q̈ = 0: the acceleration equation is Σ a_i q̈_i + γ = 0
-  std::vector<Value> column;    ///< generalised forces of a unit multiplier; equal to a_i for an ideal constraint
+  std::vector<Value> ideal;     ///< generalised forces of a unit multiplier without friction: equal to a_i
+  std::vector<Value> column;    ///< with friction, which works with the multiplier too; `ideal` without any
+  bool friction = false;        ///< whether there is any
+  Value friction_power;         ///< of the friction, for a unit multiplier
   SymbolPointer multiplier;
 };
 

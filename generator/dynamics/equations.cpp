@@ -92,6 +92,15 @@ const ForwardSolution& Equations::forward() const {
   return *(forward_ = std::move(factored));
 }
 
+Value Equations::power() const {
+  Value sum = actions().power;
+  for (std::size_t j = 0; j < constraints().size(); ++j) {
+    const ConstraintRow& row = constraints()[j];
+    if (row.friction) sum += forward().multipliers[j] * row.friction_power;
+  }
+  return sum;
+}
+
 ForwardSolution Equations::forward_by_factorisation() const {
   const auto n = static_cast<std::size_t>(model_.unknown_count());
   const auto unknowns = [n](const std::vector<Value>& all) {
@@ -101,12 +110,14 @@ ForwardSolution Equations::forward_by_factorisation() const {
   for (std::size_t i = 0; i < n; ++i) force[i] = program_->bind(force[i] - bias()[i]);
   ValueMatrix jacobian, columns;
   std::vector<Value> gamma;
+  bool friction = false;
   for (const ConstraintRow& row : constraints()) {
+    friction = friction || row.friction;
     jacobian.push_back(unknowns(row.jacobian));
     columns.push_back(unknowns(row.column));
     gamma.push_back(row.gamma);
   }
-  return solve_forward(*program_, mass(), force, jacobian, columns, gamma);
+  return solve_forward(*program_, mass(), force, jacobian, columns, gamma, friction);
 }
 
 }  // namespace torsor

@@ -13,7 +13,7 @@
 namespace torsor {
 
 /// The equations of one scene in one program, each part derived when first asked for:
-/// M q̈ + h = E u + Aᵀ λ, A q̈ + γ = 0.
+/// M q̈ + h = E u + B λ, A q̈ + γ = 0, with B = Aᵀ unless contacts have friction.
 class Equations {
  public:
   explicit Equations(const Scene& scene, const ModelOptions& options = {});
@@ -30,6 +30,9 @@ class Equations {
   /// Unknowns only: L D Lᵀ of the mass matrix or the articulated-body recursion, whichever has fewer operations or the
   /// options ask for.
   const ForwardSolution& forward() const;
+  /// Power [W] of everything that has no force function. That of friction is N times a velocity, N being the multiplier
+  /// of the motion: forward().multipliers, at the inputs.
+  Value power() const;
 
  private:
   std::vector<Value> inertia_and_passive(AccelerationInput input) const;

@@ -48,15 +48,54 @@ std::vector<Value> Factorisation::solve(const std::vector<Value>& right_side) co
   return x;
 }
 
+UnsymmetricFactorisation::UnsymmetricFactorisation(Program& program, const ValueMatrix& matrix) : program_(&program) {
+  const std::size_t n = matrix.size();
+  upper_ = matrix;
+  lower_.assign(n, std::vector<Value>(n));
+  inverse_pivots_.resize(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const Value pivot = program.bind(upper_[k][k], "pivot");
+    pivots_.emplace_back(pivot, matrix[k][k]);
+    if (pivot.is_zero()) continue;  // identically singular: the caller's test of the pivot fails
+    inverse_pivots_[k] = program.bind(pow(pivot, -1));
+    for (std::size_t i = k + 1; i < n; ++i) {
+      if (upper_[i][k].is_zero()) continue;
+      lower_[i][k] = program.bind(upper_[i][k] * inverse_pivots_[k]);
+      for (std::size_t j = k + 1; j < n; ++j) {
+        if (!upper_[k][j].is_zero()) upper_[i][j] = program.bind(upper_[i][j] - lower_[i][k] * upper_[k][j]);
+      }
+    }
+  }
+}
+
+std::vector<Value> UnsymmetricFactorisation::solve(const std::vector<Value>& right_side) const {
+  const std::size_t n = right_side.size();
+  std::vector<Value> x = right_side;
+  for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t i = 0; i < k; ++i) {
+      if (!lower_[k][i].is_zero()) x[k] -= lower_[k][i] * x[i];
+    }
+    x[k] = program_->bind(x[k]);
+  }
+  for (std::size_t k = n; k-- > 0;) {
+    for (std::size_t j = k + 1; j < n; ++j) {
+      if (!upper_[k][j].is_zero()) x[k] -= upper_[k][j] * x[j];
+    }
+    x[k] = program_->bind(program_->bind(x[k]) * inverse_pivots_[k]);
+  }
+  return x;
+}
+
 ForwardSolution solve_forward(Program& program, const ValueMatrix& mass, const std::vector<Value>& force,
                               const ValueMatrix& jacobian, const ValueMatrix& columns,
-                              const std::vector<Value>& gamma) {
+                              const std::vector<Value>& gamma, bool friction) {
   const Factorisation factorisation(program, mass);
   ForwardSolution solution;
   solution.accelerations = factorisation.solve(force);
   solution.pivots = factorisation.pivots();
   const std::size_t m = jacobian.size();
   solution.method = m == 0 ? "an unrolled L D L' of M" : "an unrolled L D L' of M and of the Schur complement A M^-1 A'";
+  if (friction) solution.method = "an unrolled L D L' of M and L U of the Schur complement A M^-1 B";
   if (m == 0) return solution;
   // S = A M⁻¹ B, S λ = −(A a0 + γ), a = a0 + M⁻¹ B λ.
   ValueMatrix effects;
@@ -69,12 +108,24 @@ ForwardSolution solve_forward(Program& program, const ValueMatrix& mass, const s
   ValueMatrix schur(m, std::vector<Value>(m));
   std::vector<Value> right_side(m);
   for (std::size_t j = 0; j < m; ++j) {
-    for (std::size_t k = 0; k <= j; ++k) schur[j][k] = schur[k][j] = program.bind(along(jacobian[j], effects[k]));
+    for (std::size_t k = 0; k < m; ++k) {
+      if (friction) {
+        schur[j][k] = program.bind(along(jacobian[j], effects[k]));
+      } else if (k <= j) {
+        schur[j][k] = schur[k][j] = program.bind(along(jacobian[j], effects[k]));
+      }
+    }
     right_side[j] = program.bind(-(along(jacobian[j], solution.accelerations) + gamma[j]));
   }
-  const Factorisation reduced(program, schur);
-  solution.multipliers = reduced.solve(right_side);
-  for (const auto& pivot : reduced.pivots()) solution.pivots.push_back(pivot);
+  const auto reduce = [&](const auto& reduced) {
+    solution.multipliers = reduced.solve(right_side);
+    for (const auto& pivot : reduced.pivots()) solution.pivots.push_back(pivot);
+  };
+  if (friction) {
+    reduce(UnsymmetricFactorisation(program, schur));
+  } else {
+    reduce(Factorisation(program, schur));
+  }
   for (std::size_t i = 0; i < solution.accelerations.size(); ++i) {
     Value& a = solution.accelerations[i];
     for (std::size_t j = 0; j < m; ++j) a += effects[j][i] * solution.multipliers[j];

@@ -26,7 +26,24 @@ class Factorisation {
   std::vector<std::pair<Value, Value>> pivots_;
 };
 
+/// L U of a matrix that need not be symmetric, unrolled, without exchange of rows. Where the pivots must be positive it
+/// is enough: they are when all principal minors are, which is what a motion with friction needs to exist and be unique
+/// (P-matrix; Painlevé's paradox otherwise).
+class UnsymmetricFactorisation {
+ public:
+  UnsymmetricFactorisation(Program& program, const ValueMatrix& matrix);
+  std::vector<Value> solve(const std::vector<Value>& right_side) const;
+  const std::vector<std::pair<Value, Value>>& pivots() const { return pivots_; }
+
+ private:
+  Program* program_;
+  ValueMatrix lower_, upper_;
+  std::vector<Value> inverse_pivots_;
+  std::vector<std::pair<Value, Value>> pivots_;
+};
+
 /// Solution of M a = f + Σ_j λ_j column_j, Σ a_ji a_i + γ_j = 0 through the Schur complement A M⁻¹ B.
+/// It is symmetric when every column equals its row of A, and is then solved by L D Lᵀ; with friction by L U.
 struct ForwardSolution {
   std::vector<Value> accelerations;
   std::vector<Value> multipliers;
@@ -35,6 +52,6 @@ struct ForwardSolution {
 };
 ForwardSolution solve_forward(Program& program, const ValueMatrix& mass, const std::vector<Value>& force,
                               const ValueMatrix& jacobian, const ValueMatrix& columns,
-                              const std::vector<Value>& gamma);
+                              const std::vector<Value>& gamma, bool friction = false);
 
 }  // namespace torsor

@@ -114,13 +114,13 @@ void check_reactions(const Equations& equations) {
     const auto& reaction = equations.scene().content().constraints[j].reaction;
     if (!reaction) continue;
     for (int i = 0; i < equations.model().unknown_count(); ++i) {
-      Value difference = row.column[static_cast<std::size_t>(i)];
+      Value difference = row.ideal[static_cast<std::size_t>(i)];
       difference -= row.jacobian[static_cast<std::size_t>(i)];
       if (vanishes(difference)) continue;
       throw SceneError(fmt::format("reaction '{}' does not enforce constraint '{}': along coordinate '{}' its power is "
                                    "{} and the constraint needs {}; check the point and the direction",
                                    reaction->name, row.name, equations.model().coordinates()[static_cast<std::size_t>(i)].q->name,
-                                   to_string(row.column[static_cast<std::size_t>(i)]),
+                                   to_string(row.ideal[static_cast<std::size_t>(i)]),
                                    to_string(row.jacobian[static_cast<std::size_t>(i)])));
     }
   }

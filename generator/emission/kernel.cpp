@@ -77,7 +77,7 @@ Kernel make_energy(const Equations& equations) {
   force_function += equations.actions().spring_force_function;
   kernel.assignments = {{"result.kinetic", kinetic},
                         {"result.force_function", force_function},
-                        {"result.power", equations.actions().power}};
+                        {"result.power", equations.power()}};
   return kernel;
 }
 

@@ -196,7 +196,8 @@ ConstraintHandle Scene::closure(const std::string& name, const PointReference& a
 }
 
 void Scene::reaction(const ConstraintHandle& handle, const std::string& name, const FrameReference& body,
-                     const PointReference& contact, const Triple& direction, const FrameReference& axes) {
+                     const PointReference& contact, const Triple& direction, const FrameReference& axes,
+                     const FrameReference& other) {
   require_identifier(name, "reaction");
   claim(name, "reaction");
   ConstraintContent& constraint = content_.constraints.at(static_cast<std::size_t>(handle.index));
@@ -204,7 +205,7 @@ void Scene::reaction(const ConstraintHandle& handle, const std::string& name, co
     throw SceneError(fmt::format("constraint '{}' already has the reaction '{}': one multiplier enforces one constraint",
                                  constraint.name, constraint.reaction->name));
   }
-  constraint.reaction = ReactionContent{name, body, contact, direction, axes};
+  constraint.reaction = ReactionContent{name, body, contact, direction, axes, other};
   constraint.multiplier = add_symbol(name, Unit::parse("N"), SymbolKind::multiplier);
 }
 

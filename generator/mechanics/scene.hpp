@@ -81,6 +81,52 @@ class Scene {
   /// A given torque on a body, components along the axes of `axes` [N m].
   void torque(const std::string& name, const FrameReference& body, const Triple& components,
               const FrameReference& axes);
+  /// A conservative action given by its force function U(q, t) [J]: Q_i = ∂U/∂q_i. U is part of the force function of
+  /// the energy; its power is that of these Q_i.
+  void force_function(const std::string& name, const Expression& u);
+  /// An action of intensity F working with the displacement e: Q_i = F ∂e/∂q_i, power F ė. F is any formula of q, q̇ and
+  /// t [J over the unit of e]: a non-linear damper, a belt, the law of a controller. It has no force function.
+  void effort(const std::string& name, const Expression& displacement, const Expression& force);
+  /// Mutual attraction of two points at the distance d: U = k/d, k = 𝒢 m1 m2 [N m²]; forces k/d² towards each other
+  /// (course, §5.2.4).
+  void gravitation(const std::string& name, const PointReference& a, const PointReference& b,
+                   const Expression& strength);
+  /// A given wrench on a body reduced at a point: force [N] and moment at that point [N m], along the axes of `axes`.
+  void wrench(const std::string& name, const FrameReference& body, const PointReference& point, const Triple& force,
+              const Triple& moment, const FrameReference& axes);
+  /// Viscous drag at a point P of a body: the force −c V(P ∈ body/relative_to), c [N s/m]; the opposite acts on
+  /// `relative_to` when it is not the ground. Power −c V².
+  void drag(const std::string& name, const FrameReference& body, const PointReference& point,
+            const Expression& coefficient, const FrameReference& relative_to = "ground");
+  /// Viscous drag against turning: the torque −c Ω(body/relative_to), c [N m s], and its opposite. Power −c Ω².
+  void rotational_drag(const std::string& name, const FrameReference& body, const Expression& coefficient,
+                       const FrameReference& relative_to = "ground");
+  /// A force of body b on body a at a point [N], components along the axes of `axes`, and the opposite of a on b at the
+  /// same point. Its power F · V(P ∈ a/b) is the same in every frame of reference.
+  void force_between(const std::string& name, const FrameReference& a, const FrameReference& b,
+                     const PointReference& point, const Triple& components, const FrameReference& axes);
+  /// A torque of body b on body a [N m] and the opposite of a on b; power C · Ω(a/b).
+  void torque_between(const std::string& name, const FrameReference& a, const FrameReference& b,
+                      const Triple& components, const FrameReference& axes);
+
+  // --- contact laws in an assumed regime ----------------------------------------------------------------------------
+  // Each uses the multiplier N of `normal` as the normal force N = n · R(other → body) ≥ 0 [N]: give that constraint as
+  // a distance, or name its reaction along n. Nothing watches the regime: N < 0 (the contact opens) and a slip that
+  // stops are for the caller to see (runtime/contact_regime.hpp). Adhering is a no_slip constraint, without friction.
+  /// Coulomb's law while sliding: at `point` of `body` the force T = −f N G/|G|, and the opposite on `other`. `direction`
+  /// is G, of any length: the velocity of slip of body on other or a direction known beforehand (course, §6.2.3, whose
+  /// printed T lacks the division by |G|).
+  void sliding_friction(const std::string& name, const ConstraintHandle& normal, const Expression& f,
+                        const FrameReference& body, const PointReference& point, const Triple& direction,
+                        const FrameReference& axes, const FrameReference& other = "ground");
+  /// Resistance to rolling: the moment −h N R12/|R12| on `body`, h [m], R12 the rolling part of Ω(body/other).
+  void rolling_resistance(const std::string& name, const ConstraintHandle& normal, const Expression& h,
+                          const FrameReference& body, const Triple& direction, const FrameReference& axes,
+                          const FrameReference& other = "ground");
+  /// Resistance to spinning: the moment −k N n on `body`, k [m], n the normal turned the way of the spin P12.
+  void spinning_resistance(const std::string& name, const ConstraintHandle& normal, const Expression& k,
+                           const FrameReference& body, const Triple& direction, const FrameReference& axes,
+                           const FrameReference& other = "ground");
 
   // --- constraints --------------------------------------------------------------------------------------------------
   /// f(q, t) = 0.
@@ -94,9 +140,10 @@ class Scene {
   ConstraintHandle closure(const std::string& name, const PointReference& a, const PointReference& b,
                            const Triple& direction);
   /// Names the reaction that enforces a constraint: a force of unknown intensity on `body` at `contact` along
-  /// `direction` (components in `axes`). Its multiplier is then that intensity [N].
+  /// `direction` (components in `axes`), and the opposite on `other`. Its multiplier is then that intensity [N].
   void reaction(const ConstraintHandle& constraint, const std::string& name, const FrameReference& body,
-                const PointReference& contact, const Triple& direction, const FrameReference& axes);
+                const PointReference& contact, const Triple& direction, const FrameReference& axes,
+                const FrameReference& other = "ground");
 
   const SceneContent& content() const { return content_; }
   const std::string& name() const { return content_.name; }
@@ -106,6 +153,7 @@ class Scene {
   void claim(const std::string& name, const std::string& what);
   FrameHandle add_frame(FrameContent frame);
   ConstraintHandle add_constraint(ConstraintContent constraint);
+  void add_friction(ContactFriction friction);
   CoordinateContent& coordinate_of(const Expression& coordinate, const std::string& purpose);
 
   SceneContent content_;

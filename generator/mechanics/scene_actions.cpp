@@ -1,8 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include "generator/expression/error.hpp"
 #include "generator/mechanics/identifier.hpp"
 #include "generator/mechanics/scene.hpp"
 
 namespace torsor {
+namespace {
+
+/// `whose` names the action and the quantity; zero fits any unit.
+void require_unit(const Expression& given, const Unit& unit, const std::string& whose) {
+  if (given.is_zero() || given.unit() == unit) return;
+  throw UnitError(fmt::format("{} is {} [{}] and must be in {}", whose, given.to_string(), given.unit().to_string(),
+                              unit.is_dimensionless() ? "plain numbers" : unit.to_string()));
+}
+void require_unit(const Triple& given, const Unit& unit, const std::string& whose) {
+  for (const Expression& component : given) require_unit(component, unit, whose);
+}
+
+}  // namespace
 
 void Scene::gravity(const Triple& acceleration) { content_.gravity = acceleration; }
 
@@ -42,6 +58,84 @@ void Scene::torque(const std::string& name, const FrameReference& body, const Tr
                    const FrameReference& axes) {
   claim(name, "action");
   content_.actions.emplace_back(GivenTorque{name, body, components, axes});
+}
+void Scene::force_function(const std::string& name, const Expression& u) {
+  require_unit(u, units::joule, fmt::format("force function '{}'", name));
+  claim(name, "action");
+  content_.actions.emplace_back(GivenForceFunction{name, u});
+}
+void Scene::effort(const std::string& name, const Expression& displacement, const Expression& force) {
+  require_unit(force, units::joule / displacement.unit(),
+               fmt::format("the intensity of the effort '{}' on {} [{}]", name, displacement.to_string(),
+                           displacement.unit().to_string()));
+  claim(name, "action");
+  content_.actions.emplace_back(Effort{name, displacement, force});
+}
+void Scene::gravitation(const std::string& name, const PointReference& a, const PointReference& b,
+                        const Expression& strength) {
+  require_unit(strength, units::joule * units::metre, fmt::format("the strength of the gravitation '{}'", name));
+  claim(name, "action");
+  content_.actions.emplace_back(Gravitation{name, a, b, strength});
+}
+void Scene::wrench(const std::string& name, const FrameReference& body, const PointReference& point,
+                   const Triple& force, const Triple& moment, const FrameReference& axes) {
+  require_unit(force, units::newton, fmt::format("a force component of the wrench '{}'", name));
+  require_unit(moment, units::newton_metre, fmt::format("a moment component of the wrench '{}'", name));
+  claim(name, "action");
+  content_.actions.emplace_back(GivenWrench{name, body, point, force, moment, axes});
+}
+void Scene::drag(const std::string& name, const FrameReference& body, const PointReference& point,
+                 const Expression& coefficient, const FrameReference& relative_to) {
+  require_unit(coefficient, units::newton / units::metre_per_second,
+               fmt::format("the coefficient of the drag '{}'", name));
+  claim(name, "action");
+  content_.actions.emplace_back(Drag{name, body, point, coefficient, relative_to});
+}
+void Scene::rotational_drag(const std::string& name, const FrameReference& body, const Expression& coefficient,
+                            const FrameReference& relative_to) {
+  require_unit(coefficient, units::newton_metre / units::radian_per_second,
+               fmt::format("the coefficient of the rotational drag '{}'", name));
+  claim(name, "action");
+  content_.actions.emplace_back(RotationalDrag{name, body, coefficient, relative_to});
+}
+void Scene::force_between(const std::string& name, const FrameReference& a, const FrameReference& b,
+                          const PointReference& point, const Triple& components, const FrameReference& axes) {
+  require_unit(components, units::newton, fmt::format("a component of the force '{}'", name));
+  claim(name, "action");
+  content_.actions.emplace_back(MutualAction{name, a, b, point, components, axes});
+}
+void Scene::torque_between(const std::string& name, const FrameReference& a, const FrameReference& b,
+                           const Triple& components, const FrameReference& axes) {
+  require_unit(components, units::newton_metre, fmt::format("a component of the torque '{}'", name));
+  claim(name, "action");
+  content_.actions.emplace_back(MutualAction{name, a, b, std::nullopt, components, axes});
+}
+
+void Scene::add_friction(ContactFriction friction) {
+  if (friction.constraint < 0 || friction.constraint >= static_cast<int>(content_.constraints.size())) {
+    throw SceneError(fmt::format("friction '{}' is tied to constraint number {}, which belongs to another scene",
+                                 friction.name, friction.constraint));
+  }
+  claim(friction.name, "action");
+  content_.frictions.push_back(std::move(friction));
+}
+void Scene::sliding_friction(const std::string& name, const ConstraintHandle& normal, const Expression& f,
+                             const FrameReference& body, const PointReference& point, const Triple& direction,
+                             const FrameReference& axes, const FrameReference& other) {
+  require_unit(f, Unit(), fmt::format("the coefficient of the friction '{}'", name));
+  add_friction({name, normal.index, f, body, point, direction, axes, other});
+}
+void Scene::rolling_resistance(const std::string& name, const ConstraintHandle& normal, const Expression& h,
+                               const FrameReference& body, const Triple& direction, const FrameReference& axes,
+                               const FrameReference& other) {
+  require_unit(h, units::metre, fmt::format("the length of the rolling resistance '{}'", name));
+  add_friction({name, normal.index, h, body, std::nullopt, direction, axes, other});
+}
+void Scene::spinning_resistance(const std::string& name, const ConstraintHandle& normal, const Expression& k,
+                                const FrameReference& body, const Triple& direction, const FrameReference& axes,
+                                const FrameReference& other) {
+  require_unit(k, units::metre, fmt::format("the length of the spinning resistance '{}'", name));
+  add_friction({name, normal.index, k, body, std::nullopt, direction, axes, other});
 }
 
 }  // namespace torsor

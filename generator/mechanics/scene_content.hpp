@@ -79,7 +79,35 @@ struct PointDamper { std::string name; PointReference a, b; Expression damping; 
 struct Motor { std::string name; SymbolPointer input; Expression displacement; };
 struct GivenForce { std::string name; FrameReference body; PointReference point; Triple components; FrameReference axes; };
 struct GivenTorque { std::string name; FrameReference body; Triple components; FrameReference axes; };
-using ActionContent = std::variant<ElongationSpring, ElongationDamper, PointSpring, PointDamper, Motor, GivenForce, GivenTorque>;
+struct GivenForceFunction { std::string name; Expression force_function; };
+struct Effort { std::string name; Expression displacement, force; };
+struct Gravitation { std::string name; PointReference a, b; Expression strength; };
+struct GivenWrench { std::string name; FrameReference body; PointReference point; Triple force, moment; FrameReference axes; };
+struct Drag { std::string name; FrameReference body; PointReference point; Expression coefficient; FrameReference relative_to; };
+struct RotationalDrag { std::string name; FrameReference body; Expression coefficient; FrameReference relative_to; };
+/// Force at a point (none: a torque) of b on a, with the opposite of a on b.
+struct MutualAction {
+  std::string name;
+  FrameReference a, b;
+  std::optional<PointReference> point;
+  Triple components;
+  FrameReference axes;
+};
+using ActionContent =
+    std::variant<ElongationSpring, ElongationDamper, PointSpring, PointDamper, Motor, GivenForce, GivenTorque,
+                 GivenForceFunction, Effort, Gravitation, GivenWrench, Drag, RotationalDrag, MutualAction>;
+
+/// Coulomb's laws in an assumed regime, tied to the multiplier N of a normal constraint: the force −f N d at the point,
+/// or without a point the moment −h N d, on `body`, and the opposite on `other`; d = direction/|direction|.
+struct ContactFriction {
+  std::string name;
+  int constraint = 0;
+  Expression coefficient;
+  FrameReference body;
+  std::optional<PointReference> point;
+  Triple direction;
+  FrameReference axes, other;
+};
 
 struct HolonomicFormula { Expression f; };
 struct NonholonomicFormula { Expression left_side; };
@@ -92,6 +120,7 @@ struct ReactionContent {
   PointReference contact;
   Triple direction;
   FrameReference axes;
+  FrameReference other = "ground";  ///< the body that exerts it, and feels the opposite
 };
 struct ConstraintContent {
   std::string name;
@@ -111,6 +140,7 @@ struct SceneContent {
   std::vector<PointContent> points;
   std::vector<BodyContent> bodies;
   std::vector<ActionContent> actions;
+  std::vector<ContactFriction> frictions;
   std::vector<ConstraintContent> constraints;
   Triple gravity{Expression(0), Expression(0), Expression(0)};
 

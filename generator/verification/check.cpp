@@ -153,7 +153,7 @@ class SceneCheck {
         terms.push_back(gradient[i] * a[i]);
       }
       const Real size = sum_of_sizes(gradient);
-      for (std::size_t i = 0; i < a.size(); ++i) columns_.compare(here(row.column[i]), gradient[i], size);
+      for (std::size_t i = 0; i < a.size(); ++i) columns_.compare(here(row.ideal[i]), gradient[i], size);
       Real sum = Real(0);
       for (const Real& term : terms) sum += term;
       constraints_.compare(sum, Real(0), sum_of_sizes(terms));
