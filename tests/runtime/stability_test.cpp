@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "runtime/stability.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "tests/runtime/linear_systems.hpp"
+
+namespace {
+
+using namespace torsor::runtime;
+using namespace linear_systems;
+using Eigen::MatrixXd;
+
+LinearSystem one_degree(double c, double k) {
+  LinearSystem system = undamped(MatrixXd::Identity(1, 1), MatrixXd::Constant(1, 1, k));
+  system.C(0, 0) = c;
+  return system;
+}
+
+// m = l = 1, g = 10, a torsion spring k upright: K = k − m g l.
+TEST(Stability, OfAnInvertedPendulumIsDecidedByItsSpring) {
+  const LinearSystem held = one_degree(0, 12 - 10.0), falling = one_degree(0, 8 - 10.0), critical = one_degree(0, 0);
+  EXPECT_EQ(stability_by_lejeune_dirichlet(held.K).verdict, Stability::stable);
+  EXPECT_EQ(stability_by_lejeune_dirichlet(falling.K).verdict, Stability::cannot_conclude);
+  EXPECT_EQ(stability_by_lejeune_dirichlet(critical.K).verdict, Stability::cannot_conclude);
+  EXPECT_EQ(stability_by_eigenvalues(held).verdict, Stability::cannot_conclude);  // ± i sqrt(2)
+  EXPECT_EQ(stability_by_eigenvalues(falling).verdict, Stability::unstable);
+  EXPECT_EQ(stability_by_eigenvalues(critical).verdict, Stability::cannot_conclude);
+  EXPECT_EQ(stability_by_eigenvalues(one_degree(0.3, 2)).verdict, Stability::asymptotically_stable);
+  EXPECT_EQ(stability_by_routh(held).verdict, Stability::cannot_conclude);
+  EXPECT_EQ(stability_by_routh(falling).verdict, Stability::unstable);
+  EXPECT_EQ(stability_by_routh(critical).verdict, Stability::cannot_conclude);
+  EXPECT_EQ(stability_by_routh(one_degree(0.3, 2)).verdict, Stability::asymptotically_stable);
+}
+
+// Both stiffnesses below Ω²: −(U + T0) has a maximum, the Coriolis forces hold the mass (Kelvin). Lejeune-Dirichlet and
+// Liapunov say that they cannot conclude; friction in the turning axes makes it unstable (Kelvin, Tait, Chetaev).
+TEST(Stability, OfAGyroscopicallyHeldMassIsNotForLejeuneDirichletToSay) {
+  const double square = 1.5 * 1.5;
+  LinearSystem system = rotating_mass(square - 0.2, square - 0.3, 1.5);  // K = diag(-0.2, -0.3), 4 Ω² = 9
+  EXPECT_EQ(stability_by_lejeune_dirichlet(system.K).verdict, Stability::cannot_conclude);
+  const StabilityReport linear = stability_by_eigenvalues(system);
+  EXPECT_EQ(linear.verdict, Stability::cannot_conclude) << linear.reason;
+  EXPECT_EQ(stability_by_routh(system).verdict, Stability::cannot_conclude);
+  system.C += 0.05 * MatrixXd::Identity(2, 2);
+  EXPECT_EQ(stability_by_eigenvalues(system).verdict, Stability::unstable);
+  EXPECT_EQ(stability_by_routh(system).verdict, Stability::unstable);
+}
+
+// Ziegler's column with a follower load P (k = m = l = 1, masses 2 and 1): it flutters above 7/2 − sqrt(2) without
+// damping, and already above 41/28 + c²/2 with equal dampers c in both hinges (the course of Routh's condition on
+// 2 s⁴ + 7 c s³ + (7 + c² − 2P) s² + 2 c s + 1).
+LinearSystem ziegler(double load, double c) {
+  LinearSystem system = undamped(MatrixXd::Zero(2, 2), MatrixXd::Zero(2, 2));
+  system.M << 3, 1, 1, 1;
+  system.C << 2 * c, -c, -c, c;
+  system.K << 2 - load, load - 1, -1, 1;
+  return system;
+}
+
+TEST(Stability, OfZieglersColumnIsLostByFlutterAndByDamping) {
+  const double flutter = 3.5 - std::sqrt(2.0);
+  EXPECT_EQ(stability_by_eigenvalues(ziegler(flutter - 1e-6, 0)).verdict, Stability::cannot_conclude);
+  EXPECT_EQ(stability_by_eigenvalues(ziegler(flutter + 1e-6, 0)).verdict, Stability::unstable);
+  for (const double c : {0.01, 0.3}) {
+    const double critical = 41.0 / 28.0 + 0.5 * c * c;
+    for (const double change : {-1e-4, 1e-4}) {
+      const Stability expected = change < 0 ? Stability::asymptotically_stable : Stability::unstable;
+      EXPECT_EQ(stability_by_eigenvalues(ziegler(critical + change, c)).verdict, expected);
+      EXPECT_EQ(stability_by_routh(ziegler(critical + change, c)).verdict, expected);
+    }
+  }
+  const StabilityReport report = stability_by_lejeune_dirichlet(ziegler(1.0, 0.1).K);
+  EXPECT_EQ(report.verdict, Stability::cannot_conclude);
+  EXPECT_NE(report.reason.find("not symmetric"), std::string::npos);
+}
+
+TEST(Stability, IsUnstableEvenIfOtherRootsAreImaginary) {
+  LinearSystem system = undamped(MatrixXd::Identity(2, 2), Eigen::Vector2d(4, -1).asDiagonal());
+  EXPECT_EQ(stability_by_eigenvalues(system).verdict, Stability::unstable);
+  EXPECT_EQ(stability_by_routh(system).verdict, Stability::unstable);
+}
+
+TEST(Stability, ByRouthAgreesWithTheEigenvalues) {
+  int stable = 0, unstable = 0;
+  for (int seed = 1; seed <= 200; ++seed) {
+    LinearSystem system = random_system(3, seed);
+    system.C = random_matrix(3, seed + 1000) + 0.8 * MatrixXd::Identity(3, 3);
+    system.K += 0.3 * random_matrix(3, seed + 2000);
+    const Stability verdict = stability_by_eigenvalues(system).verdict;
+    EXPECT_EQ(stability_by_routh(system).verdict, verdict) << seed;
+    stable += verdict == Stability::asymptotically_stable;
+    unstable += verdict == Stability::unstable;
+  }
+  EXPECT_GT(stable, 20);
+  EXPECT_GT(unstable, 20);
+}
+
+// Definiteness does not depend on units: x in metres, y in nanometres.
+TEST(LejeuneDirichlet, DoesNotMindUnits) {
+  LinearSystem system = undamped(Eigen::Vector2d(1, 1e-18).asDiagonal(), MatrixXd::Zero(2, 2));
+  system.K << 2, 1e-9, 1e-9, 1e-18;
+  EXPECT_EQ(stability_by_lejeune_dirichlet(system).verdict, Stability::stable);
+  system.K << 1, 2e-9, 2e-9, 1e-18;
+  EXPECT_EQ(stability_by_lejeune_dirichlet(system).verdict, Stability::cannot_conclude);
+}
+
+TEST(LejeuneDirichlet, NeedsAStrictMinimum) {
+  MatrixXd hessian(2, 2);
+  hessian << 2, 1, 1, 1;
+  EXPECT_EQ(stability_by_lejeune_dirichlet(hessian).verdict, Stability::stable);
+  hessian << 1, 1, 1, 1;
+  EXPECT_EQ(stability_by_lejeune_dirichlet(hessian).verdict, Stability::cannot_conclude);
+  EXPECT_EQ(stability_by_lejeune_dirichlet(MatrixXd::Zero(2, 2)).verdict, Stability::cannot_conclude);
+  EXPECT_THROW((void)stability_by_lejeune_dirichlet(MatrixXd::Zero(2, 3)), std::invalid_argument);
+}
+
+TEST(Stability, HasWordsForEveryVerdict) {
+  EXPECT_EQ(describe(Stability::stable), "stable");
+  EXPECT_EQ(describe(Stability::asymptotically_stable), "asymptotically stable");
+  EXPECT_EQ(describe(Stability::unstable), "unstable");
+  EXPECT_EQ(describe(Stability::cannot_conclude), "cannot conclude");
+}
+
+}  // namespace
