@@ -29,6 +29,10 @@ class Builder {
     if (options_.actions) add_actions();
     add_motors();
     if (options_.constraints) add_constraints();
+    // Drawn last, so that a seed keeps what it had.
+    if (options_.actions) add_formulas();
+    if (options_.actions) add_mutual_actions();
+    if (options_.actions && options_.constraints) add_friction();
     return scene_;
   }
 
@@ -200,6 +204,43 @@ class Builder {
       Equations(constrained).constraints();
       scene_ = constrained;
     } catch (const SceneError&) {
+    }
+  }
+
+  void add_formulas() {
+    const Expression last = unknowns_.back();
+    const bool angle = last.unit().is_dimensionless();
+    const Expression scale = angle ? Expression(1) : Expression::quantity("1", "m");
+    if (one_in(4)) scene_.force_function("field", quantity("J") * sin(2 * last / scale));
+    if (one_in(4)) {
+      const Expression speed = rate(last) / scale;
+      scene_.effort("cubic_damper", last, -quantity("J s^3") * speed * speed * speed / scale);
+    }
+  }
+
+  void add_mutual_actions() {
+    const FrameHandle body = frames_.back();
+    const std::string tip = std::to_string(frames_.size() - 1);
+    const FrameHandle other = frames_[static_cast<std::size_t>(below(static_cast<int>(frames_.size()) - 1))];
+    if (one_in(4)) scene_.gravitation("attraction", "P0", "Q" + tip, quantity("N m^2"));
+    if (one_in(4)) scene_.wrench("wrench", body, PointReference("Q" + tip), vector("N"), vector("N m"), frames_[1]);
+    if (one_in(4)) scene_.drag("drag", body, PointReference("P" + tip), quantity("N s/m"), other);
+    if (one_in(4)) scene_.rotational_drag("turning_drag", body, quantity("N m s"), other);
+    if (one_in(4)) scene_.force_between("mutual_force", body, other, PointReference("P" + tip), vector("N"), other);
+    if (one_in(4)) scene_.torque_between("mutual_torque", body, other, vector("N m"), frames_[0]);
+  }
+
+  void add_friction() {
+    const auto& constraints = scene_.content().constraints;
+    const bool wanted = one_in(2);
+    for (std::size_t j = 0; wanted && j < constraints.size(); ++j) {
+      if (!(constraints[j].multiplier->unit == units::newton)) continue;
+      const std::string tip = std::to_string(frames_.size() - 1);
+      const ConstraintHandle normal{static_cast<int>(j)};
+      scene_.sliding_friction("friction", normal, Expression(fraction()) / 10, frames_.back(),
+                              PointReference("Q" + tip), axis(), frames_[0]);
+      scene_.rolling_resistance("resistance", normal, quantity("m") / 10, frames_.back(), axis(), frames_.back());
+      return;
     }
   }
 
