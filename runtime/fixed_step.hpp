@@ -40,6 +40,7 @@ class FixedStepRun {
     for (std::int64_t k = 1; k <= count && result_.status == IntegrationStatus::reached_end; ++k) {
       if (!Formula::step(f_, result_.time, h, y_, next)) return fail(f_.evaluation);
       if (!all_finite(next)) return fail(Evaluation::not_finite);
+      f_.settle(next);
       y_ = next;
       result_.time = k == count ? end : static_cast<Scalar>(static_cast<Wide>(start) + static_cast<Wide>(k) * wide_h);
       ++result_.statistics.accepted;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <type_traits>
@@ -45,6 +46,10 @@ concept HasCoordinateRates = MechanismModel<M> &&
              std::array<ScalarOf<M>, std::size_t(M::coordinate_count)>& rates) {
   M::coordinate_rates(precomputed, state, rates);
 };
+
+/// A mechanism with unit quaternions (w, x, y, z) among its coordinates says where each begins.
+template <class M>
+concept HasQuaternions = MechanismModel<M> && requires { requires M::quaternion_count > 0; M::quaternions[0]; };
 
 template <MechanismModel M>
 inline constexpr std::size_t coordinates_of = static_cast<std::size_t>(M::coordinate_count);
@@ -126,6 +131,16 @@ class EquationsOfMotion {
   [[nodiscard]] Evaluation accelerations(const typename M::State& state, typename M::Accelerations& a,
                                          typename M::Multipliers& lambda) const noexcept {
     return to_evaluation(M::forward_dynamics(precomputed_, state, law_(state), a, lambda));
+  }
+
+  /// Gives the unit quaternions among the coordinates their norm back.
+  void project(Vector& y) const noexcept requires HasQuaternions<M> {
+    for (const int first : M::quaternions) {
+      const auto w = static_cast<std::size_t>(first);
+      const Scalar square = y[w] * y[w] + y[w + 1] * y[w + 1] + y[w + 2] * y[w + 2] + y[w + 3] * y[w + 3];
+      const Scalar scale = Scalar(1) / std::sqrt(square);
+      for (std::size_t k = 0; k < 4; ++k) y[w + k] *= scale;
+    }
   }
 
   /// The state the scene starts from, as y, and its time.

@@ -12,6 +12,8 @@
 namespace torsor::runtime {
 
 /// y' = f(t, y): a callable `system(t, y, dydt)` that writes the derivative and returns an enumeration, 0 if it could.
+/// It may have a member `project(y)` too, noexcept, which removes what a step's error moved off an invariant (the norm of
+/// a quaternion); every method calls it once after each step kept.
 template <class S, class Scalar, std::size_t size>
 concept System = std::floating_point<Scalar> &&
     requires(S& system, const Scalar& t, const std::array<Scalar, size>& y, std::array<Scalar, size>& dydt) {
@@ -39,6 +41,11 @@ class CheckedSystem {
     evaluation = to_evaluation(system_(t, y, dydt));
     if (evaluation == Evaluation::ok && !all_finite(dydt)) evaluation = Evaluation::not_finite;
     return evaluation == Evaluation::ok;
+  }
+
+  /// Puts a state back where it belongs, after each step kept, if the system says how (`system.project(y)`).
+  void settle(std::array<Scalar, size>& y) const noexcept {
+    if constexpr (requires { system_.project(y); }) system_.project(y);
   }
 
   std::int64_t calls = 0;

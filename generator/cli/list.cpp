@@ -16,7 +16,7 @@ std::string action_name(const ActionContent& action) {
   return std::visit([](const auto& content) { return content.name; }, action);
 }
 
-const char* role(const CoordinateContent& c) { return c.law ? "driven" : c.released ? "released" : "unknown"; }
+const char* role(const CoordinateContent& c) { return c.attitude >= 0 ? "quasi-velocity" : c.law ? "driven" : c.released ? "released" : "unknown"; }
 
 Json content_json(const Scene& scene) {
   const SceneContent& content = scene.content();
@@ -30,6 +30,11 @@ Json content_json(const Scene& scene) {
                           {"run_time", p.run_time}});
   }
   Json& coordinates = list("coordinates");
+  for (const AttitudeContent& attitude : content.attitudes) {
+    for (const SymbolPointer& e : attitude.symbols->e) {
+      coordinates.push_back({{"name", e->name}, {"unit", e->unit.to_string()}, {"role", "quaternion"}});
+    }
+  }
   for (const CoordinateContent& c : content.coordinates) {
     coordinates.push_back({{"name", c.q->name}, {"unit", c.q->unit.to_string()}, {"role", role(c)}});
   }

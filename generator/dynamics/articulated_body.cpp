@@ -67,6 +67,7 @@ class Recursion {
 
   void gather_velocities() {
     omega_.resize(links_.size());
+    Vector carried;  // Ω of the parent of a quaternion's links, in their axes
     for (std::size_t k = 1; k < links_.size(); ++k) {
       const Link& link = links_[k];
       const Vector& parent = omega_[static_cast<std::size_t>(link.parent)];
@@ -81,7 +82,8 @@ class Recursion {
       }
       Vector angular;
       if (link.joint == JointKind::revolute) {
-        angular = link.rate * cross(omega, link.axis);
+        if (link.in_group == 0) carried = omega;
+        angular = link.rate * cross(carried, link.axis);
         if (!is_unknown(k)) angular += link.acceleration * link.axis;
         omega += link.rate * link.axis;
       }

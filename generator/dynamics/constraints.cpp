@@ -28,12 +28,9 @@ class RowBuilder {
     const Vector ab = bound(program_, b - a);
     const Vector direction = lower(program_, law.direction);
     holonomic(dot(ab, direction));
-    // A released coordinate is held at zero and cannot be differentiated by: its joint's own twist moves the ends.
     const std::vector<Value> of_a = partial_velocities(model_, link_of(law.a), a, direction, 0);
     const std::vector<Value> of_b = partial_velocities(model_, link_of(law.b), b, direction, 0);
-    for (auto i = static_cast<std::size_t>(model_.unknown_count()); i < of_a.size(); ++i) {
-      row_.jacobian[i] = program_.bind(of_b[i] - of_a[i]);
-    }
+    fill_released(of_b, of_a);
   }
 
   void operator()(const NonholonomicFormula& law) {
@@ -54,14 +51,75 @@ class RowBuilder {
     const int link = model_.place(law.body, user_).link;
     const Vector point = bound(program_, model_.locate(law.contact, axes, user_));
     const Vector direction = model_.express(law.direction, law.axes, axes, user_);
+    const int on = model_.place(law.on, user_).link;
     row_.jacobian = partial_velocities(model_, link, point, direction, axes);
+    if (on != 0) subtract(row_.jacobian, partial_velocities(model_, on, point, direction, axes));
     // Each joint contributes its own rate: laws of time included.
-    row_.rate = Value();
+    Value rate = velocity(link, point, direction, axes);
+    if (on != 0) rate -= velocity(on, point, direction, axes);
+    row_.rate = program_.bind(rate);
+  }
+
+  void operator()(const PointInPlane& law) {
+    const FramePlace& at = model_.place(law.plane, user_);
+    const Vector normal = bound(program_, model_.express(axis::z, law.plane, at.link, user_));
+    const Vector point = bound(program_, model_.locate(law.point, at.link, user_));
+    const Vector height = bound(program_, point - at.origin);
+    holonomic(dot(height, normal));
+    release(link_of(law.point), at.link, point, normal, at.link);
+  }
+
+  void operator()(const JointClosure& law) {
+    const FramePlace& at_a = model_.place(law.a, user_);
+    const FramePlace& at_b = model_.place(law.b, user_);
+    const int axes = at_a.link;
+    const auto axis_of = [&](const FramePlace& at, int i) {
+      Vector unit;
+      for (int k = 0; k < 3; ++k) unit[k] = program_.number(at.rotation(k, i));
+      return bound(program_, model_.express(unit, at.link, axes));
+    };
+    const Vector b = bound(program_, model_.locate(at_b.origin, at_b.link, axes));
+    const Vector ab = bound(program_, b - at_a.origin);
+    const Vector a_i = axis_of(at_a, law.i);
+    switch (law.kind) {
+      case JointClosure::Kind::offset:
+        holonomic(dot(ab, a_i));
+        release(at_b.link, at_a.link, b, a_i, axes);
+        return;
+      case JointClosure::Kind::alignment: {
+        const Vector b_j = axis_of(at_b, law.j);
+        holonomic(Number(law.sign) * dot(a_i, b_j));
+        const Vector moment = cross(b_j, a_i);
+        release_turn(at_b.link, at_a.link, bound(program_, law.sign > 0 ? moment : -moment), axes);
+        return;
+      }
+      case JointClosure::Kind::screw: {
+        const Value pitch = program_.lower(law.pitch);
+        const Value angle = program_.bind(dot(ab, a_i) / pitch);
+        const Value sine = program_.sin(angle);
+        const Value cosine = program_.cos(angle);
+        const Vector b_y = axis_of(at_b, 1);
+        const Value along_y = program_.bind(dot(axis_of(at_a, 1), b_y));
+        const Value along_z = program_.bind(dot(axis_of(at_a, 2), b_y));
+        const Value difference = program_.bind(sine * along_y - cosine * along_z);
+        holonomic(pitch * difference);
+        // At the closure: dAB · a_x − p dθ.
+        release(at_b.link, at_a.link, b, a_i, axes);
+        release_turn(at_b.link, at_a.link, bound(program_, -(pitch * a_i)), axes);
+        return;
+      }
+    }
+  }
+
+  /// Velocity along a direction of the point of a link that is there, all joints at their rates.
+  Value velocity(int link, const Vector& point, const Vector& direction, int axes) const {
+    Value sum;
     for (const int k : model_.chain(link)) {
       const Link& joint = model_.links()[static_cast<std::size_t>(k)];
-      row_.rate += joint_velocity(joint, point, direction, axes) * joint.rate;
+      const Value part = joint_velocity(joint, point, direction, axes);
+      sum += part * joint.rate;
     }
-    row_.rate = program_.bind(row_.rate);
+    return sum;
   }
 
   /// Velocity of the point along the direction for a unit rate of one joint.
@@ -89,12 +147,38 @@ class RowBuilder {
     return model_.place(scene.points[static_cast<std::size_t>(scene.point_index(point, user_))].frame, user_).link;
   }
 
+  void subtract(std::vector<Value>& a, const std::vector<Value>& b) const {
+    for (std::size_t i = 0; i < a.size(); ++i) a[i] = program_.bind(a[i] - b[i]);
+  }
+
+  /// A released coordinate is held at zero and cannot be differentiated by: its joint's own twist moves the ends.
+  void fill_released(const std::vector<Value>& of_b, const std::vector<Value>& of_a) {
+    for (auto i = static_cast<std::size_t>(model_.unknown_count()); i < of_a.size(); ++i) {
+      row_.jacobian[i] = program_.bind(row_.jacobian[i] + of_b[i] - of_a[i]);
+    }
+  }
+
+  void release(int b, int a, const Vector& point, const Vector& direction, int axes) {
+    if (model_.released_count() == 0) return;
+    const std::vector<Value> of_b = partial_velocities(model_, b, point, direction, axes);
+    const std::vector<Value> of_a = partial_velocities(model_, a, point, direction, axes);
+    fill_released(of_b, of_a);
+  }
+
+  void release_turn(int b, int a, const Vector& moment, int axes) {
+    if (model_.released_count() == 0) return;
+    const std::vector<Value> of_b = partial_turns(model_, b, moment, axes);
+    const std::vector<Value> of_a = partial_turns(model_, a, moment, axes);
+    fill_released(of_b, of_a);
+  }
+
   void holonomic(const Value& f) {
     row_.holonomic = true;
     row_.value = program_.bind(f);
     row_.rate = program_.bind(time_derivative(row_.value));
-    for (const CoordinateContent& c : model_.coordinates()) {
-      row_.jacobian.push_back(program_.bind(partial_derivation(program_, c.q)(row_.value)));
+    for (std::size_t i = 0; i < model_.coordinates().size(); ++i) {
+      Derivation along = model_.along(static_cast<int>(i));
+      row_.jacobian.push_back(program_.bind(along(row_.value)));
     }
   }
 
@@ -122,6 +206,20 @@ std::vector<Value> partial_velocities(const Model& model, int link, const Vector
   return partials;
 }
 
+std::vector<Value> partial_turns(const Model& model, int link, const Vector& moment, int axes) {
+  Program& program = model.program();
+  std::vector<Value> partials(model.coordinates().size());
+  for (const int k : model.chain(link)) {
+    const Link& joint = model.links()[static_cast<std::size_t>(k)];
+    if (joint.partials.empty() || joint.joint != JointKind::revolute) continue;
+    const Vector axis = model.express(model.axis_in_parent(joint), joint.parent, axes);
+    const Value turn = program.bind(dot(axis, moment));
+    for (const auto& [i, partial] : joint.partials) partials[static_cast<std::size_t>(i)] += turn * partial;
+  }
+  for (Value& partial : partials) partial = program.bind(partial);
+  return partials;
+}
+
 std::vector<ConstraintRow> constraint_rows(const Model& model) {
   Program& program = model.program();
   std::vector<ConstraintRow> rows;
@@ -142,7 +240,7 @@ std::vector<ConstraintRow> constraint_rows(const Model& model) {
         program,
         [&](const SymbolPointer& symbol) -> Value {
           if (symbol->kind == SymbolKind::time) return program.number(Number(1));
-          if (symbol->kind == SymbolKind::coordinate) return program.symbol(symbol->rate);
+          if (symbol->kind == SymbolKind::coordinate) return rate_of(program, symbol);
           return {};
         },
         units::second);

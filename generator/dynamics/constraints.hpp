@@ -32,4 +32,7 @@ std::vector<ConstraintRow> constraint_rows(const Model& model);
 std::vector<Value> partial_velocities(const Model& model, int link, const Vector& point, const Vector& direction,
                                       int axes);
 
+/// ∂Ω(link)/∂q̇_i · moment for every coordinate, the same for turns: generalised forces of a unit couple.
+std::vector<Value> partial_turns(const Model& model, int link, const Vector& moment, int axes);
+
 }  // namespace torsor

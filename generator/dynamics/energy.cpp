@@ -60,19 +60,30 @@ Value kinetic_energy_from_positions(const Model& model) {
   return Number::rational(1, 2) * doubled;
 }
 
-std::vector<Value> lagrange_operator(const Model& model, const Value& kinetic_energy) {
-  std::vector<SymbolPointer> positions;
-  std::vector<SymbolPointer> velocities;
-  for (const CoordinateContent& c : model.coordinates()) {
-    positions.push_back(c.q);
-    velocities.push_back(c.v);
+std::vector<Value> turning_terms(const Model& model, const std::vector<Value>& momenta) {
+  std::vector<Value> terms(momenta.size());
+  for (std::size_t i = 0; i + 2 < momenta.size(); ++i) {
+    const int attitude = model.coordinates()[i].attitude;
+    if (attitude < 0 || (i > 0 && model.coordinates()[i - 1].attitude == attitude)) continue;
+    const int first = static_cast<int>(i);
+    const Vector omega{model.v(first), model.v(first + 1), model.v(first + 2)};
+    const Vector bound_momenta = bound(model.program(), Vector{momenta[i], momenta[i + 1], momenta[i + 2]});
+    const Vector term = cross(omega, bound_momenta);
+    for (int k = 0; k < 3; ++k) terms[i + static_cast<std::size_t>(k)] = term[k];
   }
-  if (kinetic_energy.is_zero()) return std::vector<Value>(positions.size());
-  const std::vector<Value> along_q = gradient(kinetic_energy, positions);
+  return terms;
+}
+
+std::vector<Value> lagrange_operator(const Model& model, const Value& kinetic_energy) {
+  std::vector<SymbolPointer> velocities;
+  for (const CoordinateContent& c : model.coordinates()) velocities.push_back(c.v);
+  if (kinetic_energy.is_zero()) return std::vector<Value>(velocities.size());
+  const std::vector<Value> along_q = gradient_along(kinetic_energy, velocities);
   const std::vector<Value> momenta = gradient(kinetic_energy, velocities);
   Derivation rate = time_derivation(model.program());
   std::vector<Value> result;
-  for (std::size_t i = 0; i < positions.size(); ++i) result.push_back(rate(momenta[i]) - along_q[i]);
+  const std::vector<Value> turning = turning_terms(model, momenta);
+  for (std::size_t i = 0; i < velocities.size(); ++i) result.push_back(rate(momenta[i]) - along_q[i] + turning[i]);
   return result;
 }
 

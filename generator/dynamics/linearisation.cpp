@@ -24,7 +24,7 @@ Linearisation linearisation(const Equations& equations) {
   result.K = result.C;
   for (std::size_t j = 0; j < n; ++j) {
     Derivation by_velocity = partial_derivation(program, model.coordinates()[j].v);
-    Derivation by_position = partial_derivation(program, model.coordinates()[j].q);
+    Derivation by_position = model.along(static_cast<int>(j));
     for (std::size_t i = 0; i < n; ++i) {
       result.C[i][j] = program.bind(by_velocity(bias[i]));
       result.K[i][j] = program.bind(by_position(residual[i]));

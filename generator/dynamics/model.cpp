@@ -74,6 +74,7 @@ void Model::set_motion(Link& link, const FrameContent& frame) {
   link.rate = time_derivative(link.displacement.program() ? link.displacement : program.number(Number()));
   link.acceleration = time_derivative(link.rate);
   if (frame.joint == JointKind::revolute) {
+    link.turn = link.aligned < 0 ? Turn::general : Turn::aligned;
     link.angle = Number(negative) * link.displacement;
     link.sine = program.sin(link.angle);
     link.cosine = program.cos(link.angle);
@@ -100,6 +101,67 @@ void Model::set_motion(Link& link, const FrameContent& frame) {
   }
 }
 
+void Model::add_attitude(const FrameContent& frame, const FramePlace& at) {
+  Program& program = *program_;
+  const Value one = program.number(Number(1));
+  const auto& e = scene_->attitudes[static_cast<std::size_t>(frame.attitude)].symbols->e;
+  const auto twice = [&](std::size_t i, std::size_t j) {
+    return program.bind(Number(2) * program.symbol(e[i]) * program.symbol(e[j]));
+  };
+  Matrix rotation;  // R_ii = 1 − 2 (e_j² + e_k²), R_ij = 2 (e_i e_j ∓ e_w e_k)
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const int k = (i + 2) % 3;
+    const auto ui = static_cast<std::size_t>(i) + 1;
+    const auto uj = static_cast<std::size_t>(j) + 1;
+    const auto uk = static_cast<std::size_t>(k) + 1;
+    const Value jj = twice(uj, uj);
+    const Value kk = twice(uk, uk);
+    const Value ij = twice(ui, uj);
+    const Value wk = twice(0, uk);
+    rotation(i, i) = program.bind(one - jj - kk);
+    rotation(i, j) = program.bind(ij - wk);
+    rotation(j, i) = program.bind(ij + wk);
+  }
+  int component = 0;
+  for (std::size_t i = 0; i < coordinates_.size(); ++i) {
+    const CoordinateContent& c = coordinates_[i];
+    if (c.attitude != frame.attitude) continue;
+    Link link;
+    link.name = component == 2 ? frame.name : c.q->name;
+    link.joint = JointKind::revolute;
+    link.axis[component] = one;
+    link.aligned = component;
+    link.in_group = component;
+    link.rate = program.symbol(c.v);
+    link.acceleration = program.symbol(c.a);
+    link.partials.emplace_back(static_cast<int>(i), one);
+    link.parent = component == 0 ? at.link : static_cast<int>(links_.size()) - 1;
+    if (component == 0) {
+      link.placement_rotation = at.rotation;
+      link.placement_origin = at.origin;
+      link.turn = Turn::general;
+      link.rotation = rotation;
+    }
+    links_.push_back(link);
+    ++component;
+  }
+}
+
+std::vector<SymbolPointer> Model::positions() const {
+  std::vector<SymbolPointer> symbols;
+  int last = -1;
+  for (int i = 0; i < unknown_count_; ++i) {
+    const CoordinateContent& c = coordinates_[static_cast<std::size_t>(i)];
+    if (c.attitude < 0) symbols.push_back(c.q);
+    if (c.attitude < 0 || c.attitude == last) continue;
+    last = c.attitude;
+    const auto& e = scene_->attitudes[static_cast<std::size_t>(last)].symbols->e;
+    symbols.insert(symbols.end(), e.begin(), e.end());
+  }
+  return symbols;
+}
+
 std::vector<Value> Model::partials(const Expression& e) const {
   const Value value = program_->lower(e);
   std::vector<Value> result;
@@ -107,7 +169,7 @@ std::vector<Value> Model::partials(const Expression& e) const {
     if (c.released && options_.hold_released) {
       result.push_back(e.as_symbol() == c.q ? program_->number(Number(1)) : Value());
     } else {
-      result.push_back(partial_derivation(*program_, c.q)(value));
+      result.push_back(derivation_along(*program_, c.v)(value));
     }
   }
   return result;
@@ -133,7 +195,10 @@ void Model::add_links() {
       here.link = base.link;
       here.rotation = base.rotation * frame.placement.rotation;
       here.origin = base.origin + base.rotation * lower(*program_, frame.placement.origin);
-      if (frame.joint != JointKind::weld) {
+      if (frame.joint == JointKind::attitude) {
+        add_attitude(frame, here);
+        here = {static_cast<int>(links_.size()) - 1, Rotation(), Vector()};
+      } else if (frame.joint != JointKind::weld) {
         Link link;
         link.name = frame.name;
         link.parent = here.link;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "generator/expression/derivative.hpp"
 #include "generator/expression/program.hpp"
 #include "generator/geometry/vector.hpp"
 #include "generator/mechanics/scene.hpp"
@@ -33,7 +34,18 @@ struct MassProperties {
   Matrix inertia;  ///< symmetric
 };
 
+/// How the axes of a link turn in those of its parent.
+enum class Turn {
+  none,     ///< not at all
+  aligned,  ///< by an angle about ± x, y or z
+  general,  ///< by an array of nine entries
+};
+
 /// A frame that moves relative to its parent; everything welded to it is gathered in it. Link 0 is the ground.
+///
+/// A rotation by a unit quaternion is three links that share their axes: the first carries the whole turn R(e), and each
+/// has one component of the relative angular velocity ω as the rate of its own axis. Those axes turn with the last of
+/// the three, so that d(ω_i n_i)/dt = ω̇_i n_i + ω_i Ω_p ∧ n_i with Ω_p of the parent of all three (`in_group` counts them).
 struct Link {
   std::string name;
   int parent = -1;
@@ -42,10 +54,12 @@ struct Link {
   JointKind joint = JointKind::weld;
   Vector axis;                  ///< unit vector, the same components on both sides of the joint
   int aligned = -1;             ///< 0, 1, 2 when the axis is ± x, y, z, else -1
+  Turn turn = Turn::none;
+  int in_group = 0;             ///< 0, 1, 2 among the links of a quaternion, 0 of any other
   Value displacement, rate, acceleration;  ///< s [rad or m], ds/dt, d²s/dt²
   Value angle;                             ///< about +x, +y or +z when the axis is aligned
   Value sine, cosine;                      ///< of that angle; of the displacement when the axis is not aligned
-  Matrix rotation;                         ///< child to parent, for an axis that is not aligned
+  Matrix rotation;                         ///< child to parent, of a general turn
   std::vector<std::pair<int, Value>> partials;  ///< (i, ∂s/∂q_i), not zero
   MassProperties mass;       ///< of the bodies attached
   MassProperties effective;  ///< after regrouping: other numbers, same equations of motion
@@ -77,10 +91,17 @@ class Model {
   int unknown_count() const { return unknown_count_; }
   int released_count() const { return static_cast<int>(coordinates_.size()) - unknown_count_; }
   std::vector<SymbolPointer> inputs() const;
+  /// What positions are functions of: the unknown coordinates, and the four components of each unit quaternion.
+  std::vector<SymbolPointer> positions() const;
 
   Value q(int i) const { return program_->symbol(coordinates_[static_cast<std::size_t>(i)].q); }
   Value v(int i) const { return program_->symbol(coordinates_[static_cast<std::size_t>(i)].v); }
   Value a(int i) const { return program_->symbol(coordinates_[static_cast<std::size_t>(i)].a); }
+
+  /// Derivative with respect to the configuration along freedom i.
+  Derivation along(int i) const {
+    return derivation_along(*program_, coordinates_[static_cast<std::size_t>(i)].v);
+  }
 
   /// ∂e/∂q_i for every coordinate; a released one counts when e is that coordinate itself.
   std::vector<Value> partials(const Expression& e) const;
@@ -114,6 +135,8 @@ class Model {
   void add_coordinates();
   void add_links();
   void set_motion(Link& link, const FrameContent& frame);
+  void add_attitude(const FrameContent& frame, const FramePlace& at);
+  Vector lowest(const PointContent& point, int link, const std::string& user) const;
   void add_bodies();
 
   const SceneContent* scene_;

@@ -8,8 +8,8 @@ namespace {
 
 /// R v for a rotation by the link's angle (its transpose for the inverse turn).
 Vector turn(Program& program, const Link& link, const Vector& v, bool inverse) {
-  if (link.joint != JointKind::revolute) return v;
-  if (link.aligned < 0) return bound(program, (inverse ? transpose(link.rotation) : link.rotation) * v);
+  if (link.turn == Turn::none) return v;
+  if (link.turn == Turn::general) return bound(program, (inverse ? transpose(link.rotation) : link.rotation) * v);
   const int a = (link.aligned + 1) % 3;
   const int b = (link.aligned + 2) % 3;
   const Value sine = inverse ? -link.sine : link.sine;
@@ -25,8 +25,8 @@ Vector turn(Program& program, const Link& link, const Vector& v, bool inverse) {
 /// J'_xx = J_xx − s u, J'_yy = J_yy + s u, J'_xy = c u − J_yx, J'_yx = c u − J_xy, and (J_xz, J_yz), (J_zx, J_zy) turn as
 /// vectors. 16 operations for a symmetric array where two general products take 27.
 Matrix turn(Program& program, const Link& link, const Matrix& j) {
-  if (link.joint != JointKind::revolute) return j;
-  if (link.aligned < 0) {
+  if (link.turn == Turn::none) return j;
+  if (link.turn == Turn::general) {
     const Matrix half = bound(program, link.rotation * j);
     return bound(program, half * transpose(link.rotation));
   }
@@ -76,7 +76,11 @@ Vector Model::from_parent(const Link& link, const Vector& v) const {
   return turn(*program_, link, to_joint(link, v), true);
 }
 
-Vector Model::axis_in_parent(const Link& link) const { return link.placement_rotation * link.axis; }
+Vector Model::axis_in_parent(const Link& link) const {
+  // Axes of a quaternion's links turn with them; any other turn leaves its axis alone.
+  const bool moves = link.turn == Turn::general && link.aligned >= 0;
+  return moves ? to_parent(link, link.axis) : link.placement_rotation * link.axis;
+}
 
 Vector Model::origin_in_parent(const Link& link) const {
   if (link.joint != JointKind::prismatic) return link.placement_origin;
@@ -110,8 +114,8 @@ std::vector<Link> Model::runs(int link, int top) const {
     bool merged = false;
     for (k = run.parent; k != top; k = run.parent) {
       Link outer = links_[static_cast<std::size_t>(k)];
-      const bool parallel = run.joint == JointKind::revolute && outer.joint == JointKind::revolute &&
-                            run.aligned >= 0 && run.aligned == outer.aligned && run.placement_rotation.is_identity();
+      const bool parallel = run.turn == Turn::aligned && outer.turn == Turn::aligned && run.aligned == outer.aligned &&
+                            run.placement_rotation.is_identity();
       if (!parallel) break;
       outer.angle += run.angle;
       run = outer;
@@ -154,8 +158,26 @@ Vector Model::locate(const Vector& p, int from, int to) const {
 
 Vector Model::locate(const PointReference& reference, int link, const std::string& user) const {
   const PointContent& point = scene_->points[static_cast<std::size_t>(scene_->point_index(reference, user))];
+  if (point.lowest) return lowest(point, link, user);
   const FramePlace& at = place(point.frame, "point '" + point.name + "'");
   return locate(at.origin + at.rotation * lower(*program_, point.components), at.link, link);
+}
+
+Vector Model::lowest(const PointContent& point, int link, const std::string& user) const {
+  Program& program = *program_;
+  const FramePlace& at = place(point.frame, "point '" + point.name + "'");
+  const Vector center = locate(at.origin, at.link, link);
+  Vector down = bound(program, -express(axis::z, point.lowest->plane, link, user));
+  const Value radius = program.lower(point.lowest->radius);
+  if (point.lowest->axis) {
+    const Vector k = bound(program, express(*point.lowest->axis, point.frame, link, user));
+    const Value along = program.bind(dot(down, k));
+    down = bound(program, down - along * k);
+    const Value square = dot(down, down);
+    const Value scale = program.bind(radius / program.sqrt(square));
+    return center + scale * down;
+  }
+  return center + radius * down;
 }
 
 Vector Model::express(const Triple& direction, const FrameReference& axes, int link, const std::string& user) const {

@@ -89,6 +89,7 @@ std::vector<Acceleration> accelerations(const Model& model, AccelerationInput in
     if (symbol->kind != SymbolKind::acceleration) return std::nullopt;
     return program.number(Number(), symbol->unit);
   });
+  Vector carried;  // Ω of the parent of a quaternion's links, in their axes
   std::vector<Acceleration> all;
   all.reserve(model.links().size());
   const Vector gravity = lower(program, model.scene().gravity);
@@ -110,7 +111,8 @@ std::vector<Acceleration> accelerations(const Model& model, AccelerationInput in
     linear = from_parent(k, bound(program, linear));
     if (link.joint == JointKind::revolute) {
       // Ω̇ = Ω̇_parent + s̈ n + ṡ Ω_parent ∧ n: the turn of the axis with the parent.
-      angular += s_dot * cross(omega, link.axis);
+      if (link.in_group == 0) carried = omega;
+      angular += s_dot * cross(carried, link.axis);
       angular += s_ddot * link.axis;
       omega += s_dot * link.axis;
     }

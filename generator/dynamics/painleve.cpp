@@ -24,6 +24,7 @@ void add_momenta(const Equations& equations, const std::vector<Value>& momenta, 
   const Model& model = equations.model();
   const std::vector<Value> applied = applied_forces(model, equations.actions());
   const Value gravity = gravity_force_function(model);
+  const std::vector<Value> turning = turning_terms(model, momenta);
   for (std::size_t i = 0; i < static_cast<std::size_t>(model.unknown_count()); ++i) {
     const SymbolPointer& q = model.coordinates()[i].q;
     const auto& inputs = equations.actions().inputs;
@@ -33,7 +34,8 @@ void add_momenta(const Equations& equations, const std::vector<Value>& momenta, 
         std::any_of(rows.begin(), rows.end(), [i](const ConstraintRow& row) { return !vanishes(row.column[i]); });
     if (worked_on || !vanishes(along_q[i]) || momenta[i].is_zero()) continue;
     Value force = applied[i];
-    if (!gravity.is_zero()) force += partial_derivation(model.program(), q)(gravity);
+    if (!gravity.is_zero()) force += model.along(static_cast<int>(i))(gravity);
+    force -= turning[i];
     if (!vanishes(force)) continue;
     const Unit unit = units::joule / model.coordinates()[i].v->unit;
     report.first_integrals.push_back({"momentum_" + q->name,
@@ -49,10 +51,8 @@ PainleveReport painleve(const Equations& equations) {
   const Model& model = equations.model();
   Program& program = model.program();
   const Value t = kinetic_energy(model);
-  std::vector<SymbolPointer> positions;
   std::vector<SymbolPointer> velocities;
   for (int i = 0; i < model.unknown_count(); ++i) {
-    positions.push_back(model.coordinates()[static_cast<std::size_t>(i)].q);
     velocities.push_back(model.coordinates()[static_cast<std::size_t>(i)].v);
   }
   PainleveReport report;
@@ -61,7 +61,7 @@ PainleveReport painleve(const Equations& equations) {
     return report;
   }
   const std::vector<Value> momenta = gradient(t, velocities);
-  const std::vector<Value> along_q = gradient(t, positions);
+  const std::vector<Value> along_q = gradient_along(t, velocities);
   bool driven = false;
   for (const CoordinateContent& c : equations.scene().content().coordinates) driven = driven || c.law.has_value();
   const SymbolPointer& time = equations.scene().content().time;

@@ -9,7 +9,7 @@ void regroup_inertia(const Model& model, std::vector<Link>& links) {
     Link& link = links[k];
     MassProperties& own = link.effective;
     MassProperties moved;
-    if (link.joint == JointKind::revolute && link.aligned >= 0) {
+    if (link.turn == Turn::aligned) {
       // Mass spread on the axis z: m, h_z and an equal amount of J_xx and J_yy feel no turn about z.
       const int z = link.aligned;
       const int x = (z + 1) % 3;

@@ -27,6 +27,19 @@ Evaluator<Real>::SymbolValue generic_state(int trial) {
 
 void check_coordinates(const Scene& scene) {
   const SceneContent& content = scene.content();
+  for (const AttitudeContent& attitude : content.attitudes) {
+    if (attitude.frame.empty()) {
+      throw SceneError(fmt::format("attitude '{}' turns nothing: give it to a spherical, point_contact, "
+                                   "sphere_in_cylinder or free joint",
+                                   attitude.name));
+    }
+    if (attitude.initial && std::all_of(attitude.initial->begin(), attitude.initial->end(),
+                                        [](const Expression& e) { return e.is_zero(); })) {
+      throw SceneError(fmt::format("attitude '{}' starts from the null quaternion, which is no orientation: start from "
+                                   "(1, 0, 0, 0)",
+                                   attitude.name));
+    }
+  }
   for (const CoordinateContent& c : content.coordinates) {
     if (c.law && (c.initial_value || c.initial_rate)) {
       throw SceneError(fmt::format("coordinate '{}' is driven by the law {} and cannot also be an unknown with an "
@@ -134,6 +147,9 @@ bool lacks_values(const Scene& scene) {
 /// Value of a symbol at t = 0, without inputs.
 Real initial_value(const SceneContent& scene, const SymbolPointer& symbol) {
   if (symbol->kind == SymbolKind::pi || symbol->kind == SymbolKind::parameter) return parameter_value(scene, symbol);
+  if (const auto component = scene.quaternion_component(symbol)) {
+    return parameter_value(scene, initial_component(scene.attitudes[component->first], component->second));
+  }
   for (const CoordinateContent& c : scene.coordinates) {
     if (c.q == symbol && c.initial_value) return parameter_value(scene, *c.initial_value);
     if (c.v == symbol && c.initial_rate) return parameter_value(scene, *c.initial_rate);
@@ -182,10 +198,11 @@ void validate(const Scene& scene) {
 std::vector<Real> initial_state(const Scene& scene) {
   if (lacks_values(scene)) return {};
   std::vector<Real> state;
-  for (const bool rates : {false, true}) {
-    for (const CoordinateContent& c : scene.content().coordinates) {
-      if (c.unknown()) state.push_back(initial_value(scene.content(), rates ? c.v : c.q));
-    }
+  Program program(Model::resolver(scene, {}));
+  const Model model(scene, program);
+  for (const SymbolPointer& q : model.positions()) state.push_back(initial_value(scene.content(), q));
+  for (int i = 0; i < model.unknown_count(); ++i) {
+    state.push_back(initial_value(scene.content(), model.coordinates()[static_cast<std::size_t>(i)].v));
   }
   return state;
 }

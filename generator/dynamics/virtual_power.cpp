@@ -38,7 +38,7 @@ Wrench dynamic_screw(Program& program, Acceleration& motion, const MassPropertie
 /// unturned axes it needs neither sine nor cosine of its angle.
 bool looks_the_same_turned(const Model& model, std::size_t k, const std::map<int, Wrench>& wrenches) {
   const Link& link = model.links()[k];
-  if (link.joint != JointKind::revolute || link.aligned < 0 || wrenches.contains(static_cast<int>(k))) return false;
+  if (link.turn != Turn::aligned || wrenches.contains(static_cast<int>(k))) return false;
   for (const Link& other : model.links()) {
     if (other.parent == static_cast<int>(k)) return false;
   }

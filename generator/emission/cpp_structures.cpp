@@ -79,17 +79,25 @@ std::vector<Structure> common_structures(const Equations& equations, const std::
   Structure given{"Parameters", "Parameters that are set at run time.", {}};
   for (const SymbolPointer& symbol : parameters) given.members.push_back(scalar(*symbol, "parameter", symbol->unit));
   Structure q{"Coordinates", "Generalised coordinates q.", {}};
-  Structure v{"Velocities", "Generalised velocities v = dq/dt.", {}};
+  for (const SymbolPointer& symbol : model.positions()) {
+    const bool quaternion = !symbol->attitude.expired();
+    q.members.push_back(scalar(*symbol, quaternion ? "component of a unit quaternion" : "coordinate", symbol->unit));
+  }
+  const bool quasi_velocities = model.positions().size() != static_cast<std::size_t>(model.unknown_count());
+  Structure v{"Velocities",
+              quasi_velocities ? "Generalised velocities v; coordinate_rates gives dq/dt."
+                               : "Generalised velocities v = dq/dt.",
+              {}};
   Structure a{"Accelerations", "Generalised accelerations dv/dt.", {}};
   Structure forces{"GeneralizedForces", "Generalised forces, one along each coordinate.", {}};
   for (int i = 0; i < model.unknown_count(); ++i) {
     const CoordinateContent& coordinate = model.coordinates()[static_cast<std::size_t>(i)];
     const std::string& name = coordinate.q->name;
-    q.members.push_back(scalar(*coordinate.q, "coordinate", coordinate.q->unit));
-    v.members.push_back(scalar(*coordinate.v, "its rate", coordinate.v->unit));
-    a.members.push_back(scalar(*coordinate.a, "its second rate", coordinate.a->unit));
-    forces.members.push_back(
-        scalar(*coordinate.q, "works with the rate of " + name, units::joule / coordinate.q->unit));
+    const bool quasi = coordinate.attitude >= 0;
+    v.members.push_back(scalar(*coordinate.v, quasi ? "angular velocity, in moving axes" : "its rate", coordinate.v->unit));
+    a.members.push_back(scalar(*coordinate.a, quasi ? "its rate" : "its second rate", coordinate.a->unit));
+    forces.members.push_back(scalar(*coordinate.q, (quasi ? "works with " : "works with the rate of ") + name,
+                                    units::joule / coordinate.q->unit));
   }
   Structure inputs{"Inputs", "Forces and torques of motors, set at each call.", {}};
   for (const SymbolPointer& symbol : model.inputs()) inputs.members.push_back(scalar(*symbol, "motor", symbol->unit));

@@ -9,6 +9,7 @@
 #include "generator/emission/cpp_names.hpp"
 #include "generator/emission/cpp_structures.hpp"
 #include "generator/emission/embedded_templates.hpp"
+#include "generator/emission/kernel_kinematics.hpp"
 #include "generator/emission/provenance.hpp"
 #include "generator/emission/start_values.hpp"
 #include "generator/emission/text_template.hpp"
@@ -54,6 +55,24 @@ std::vector<Structure> kernel_structures(const std::vector<Kernel>& kernels) {
   return all;
 }
 
+/// Where the quaternions lie among the coordinates, for the runtime, which keeps their norm.
+std::string quaternion_table(const Model& model) {
+  std::string first;
+  int count = 0;
+  const std::vector<SymbolPointer> positions = model.positions();
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const auto attitude = positions[i]->attitude.lock();
+    if (!attitude || attitude->e[0] != positions[i]) continue;
+    first += (first.empty() ? "" : ", ") + std::to_string(i);
+    ++count;
+  }
+  if (count == 0) return "";
+  return fmt::format(
+      "/// Indices in q of the first components (w) of the unit quaternions (w, x, y, z).\n"
+      "static constexpr int quaternion_count = {};\nstatic constexpr int quaternions[] = {{{}}};\n",
+      count, first);
+}
+
 std::string blocks_text(const std::vector<std::string>& blocks) {
   std::string text;
   for (const std::string& block : blocks) text += (text.empty() ? "" : "\n") + block;
@@ -78,6 +97,7 @@ std::string emit_header(const Equations& equations, const std::vector<Kernel>& k
   require_cpp_name(scene.name(), "scene");
   const std::vector<SymbolPointer> parameters = run_time_parameters(scene, options.model);
   std::vector<Kernel> present;
+  if (has_quaternions(equations.model())) present.push_back(make_coordinate_rates(equations));
   std::copy_if(kernels.begin(), kernels.end(), std::back_inserter(present),
                [](const Kernel& kernel) { return kernel.skipped.empty(); });
 
@@ -107,9 +127,11 @@ std::string emit_header(const Equations& equations, const std::vector<Kernel>& k
   std::vector<std::string> functions;
   for (std::size_t k = 0; k < present.size(); ++k) {
     FunctionText function = kernel_function(program, present[k], schedule.kernels[k], schedule.results, structures);
-    const std::vector<Value> before = make_kernel(present[k].name, unoptimised).values();
-    provenance.operations.push_back(
-        {present[k].name, function.operations, count_unoptimised(unoptimised.program(), before).total()});
+    if (present[k].name != "coordinate_rates") {
+      const std::vector<Value> before = make_kernel(present[k].name, unoptimised).values();
+      provenance.operations.push_back(
+          {present[k].name, function.operations, count_unoptimised(unoptimised.program(), before).total()});
+    }
     functions.push_back(std::move(function.body));
   }
 
@@ -120,11 +142,12 @@ std::string emit_header(const Equations& equations, const std::vector<Kernel>& k
   return fill_template("mechanism.hpp.in", embedded_template("mechanism.hpp.in"),
                        {{"provenance", provenance_comment(provenance)},
                         {"scene_name", scene.name()},
-                        {"coordinate_count", degrees},
+                        {"coordinate_count", size(equations.model().positions().size())},
                         {"velocity_count", degrees},
                         {"input_count", size(equations.model().inputs().size())},
                         {"parameter_count", size(parameters.size())},
                         {"multiplier_count", size(content.constraints.size())},
+                        {"quaternions", quaternion_table(equations.model())},
                         {"structures", blocks_text(common_text)},
                         {"precomputed_members", precomputed_structure(program, schedule)},
                         {"default_parameters", default_parameters_body(scene, parameters)},

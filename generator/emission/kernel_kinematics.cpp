@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "generator/emission/kernel_parts.hpp"
+
 namespace torsor {
 namespace {
 
@@ -98,6 +100,24 @@ Kernel make_kinematics(const Equations& equations) {
   for (const BodyContent& body : scene.bodies) builder.body(body);
   for (std::size_t i = 0; i < scene.points.size(); ++i) builder.point(scene.points[i], static_cast<int>(i));
   return builder.take();
+}
+
+bool has_quaternions(const Model& model) {
+  return model.positions().size() != static_cast<std::size_t>(model.unknown_count());
+}
+
+Kernel make_coordinate_rates(const Equations& equations) {
+  const std::vector<SymbolPointer> positions = equations.model().positions();
+  Kernel kernel;
+  kernel.name = "coordinate_rates";
+  kernel.documentation =
+      "dq/dt from v: the velocity itself for a coordinate, 1/2 e (0, omega) for a unit quaternion e with the angular\n"
+      "velocity omega in moving axes.";
+  kernel.results = {{array_type(positions.size()), "rates"}};
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    kernel.assignments.push_back({element("rates", i), rate_of(equations.program(), positions[i])});
+  }
+  return kernel;
 }
 
 }  // namespace torsor

@@ -63,13 +63,22 @@ InitialState initial_state(const Equations& equations, const ModelOptions& optio
   Program program(Model::resolver(equations.scene(), options));
   std::vector<Entry> entries;
   const Model& model = equations.model();
-  for (const bool rates : {false, true}) {
-    for (int i = 0; i < model.unknown_count(); ++i) {
-      const CoordinateContent& coordinate = model.coordinates()[static_cast<std::size_t>(i)];
-      const std::optional<Expression>& given = rates ? coordinate.initial_rate : coordinate.initial_value;
-      const std::string target = fmt::format("state.{}.{}", rates ? "v" : "q", coordinate.q->name);
-      entries.push_back({target, given ? program.lower(*given) : program.number(Number())});
+  const SceneContent& content = equations.scene().content();
+  const auto add = [&](const std::string& target, const std::optional<Expression>& given) {
+    entries.push_back({target, given ? program.lower(*given) : program.number(Number())});
+  };
+  for (const SymbolPointer& position : model.positions()) {
+    const std::string target = "state.q." + position->name;
+    if (const auto component = content.quaternion_component(position)) {
+      add(target, initial_component(content.attitudes[component->first], component->second));
     }
+    for (const CoordinateContent& c : model.coordinates()) {
+      if (c.q == position) add(target, c.initial_value);
+    }
+  }
+  for (int i = 0; i < model.unknown_count(); ++i) {
+    const CoordinateContent& c = model.coordinates()[static_cast<std::size_t>(i)];
+    add("state.v." + c.q->name, c.initial_rate);
   }
   const Block block = block_of(program, entries);
   for (const Atom atom : block.symbols) {

@@ -84,6 +84,52 @@ Derivation partial_derivation(Program& program, const SymbolPointer& symbol) {
           symbol->unit};
 }
 
+namespace {
+
+/// ∂ė_k/∂ω_i = ± ½ e_j: j and the sign.
+struct QuaternionRate {
+  std::size_t j;
+  int sign;
+};
+constexpr QuaternionRate quaternion_rates[4][3] = {
+    {{1, -1}, {2, -1}, {3, -1}}, {{0, 1}, {3, -1}, {2, 1}}, {{3, 1}, {0, 1}, {1, -1}}, {{2, -1}, {1, 1}, {0, 1}}};
+
+}  // namespace
+
+Value rate_along(Program& program, const SymbolPointer& coordinate, const SymbolPointer& velocity) {
+  if (coordinate->rate == velocity) return program.number(Number(1));
+  const auto attitude = coordinate->attitude.lock();
+  if (!attitude) return {};
+  for (std::size_t k = 0; k < 4; ++k) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (attitude->e[k] != coordinate || attitude->omega[i] != velocity) continue;
+      const auto [j, sign] = quaternion_rates[k][i];
+      return Number::rational(sign, 2) * program.symbol(attitude->e[j]);
+    }
+  }
+  return {};
+}
+
+Value rate_of(Program& program, const SymbolPointer& coordinate) {
+  const auto attitude = coordinate->attitude.lock();
+  if (!attitude) return program.symbol(coordinate->rate);
+  Value sum;
+  for (const SymbolPointer& omega : attitude->omega) {
+    const Value entry = rate_along(program, coordinate, omega);
+    sum += entry * program.symbol(omega);
+  }
+  return program.bind(sum);
+}
+
+Derivation derivation_along(Program& program, const SymbolPointer& velocity) {
+  return {program,
+          [&program, velocity](const SymbolPointer& symbol) -> Value {
+            if (symbol->kind != SymbolKind::coordinate) return {};
+            return rate_along(program, symbol, velocity);
+          },
+          velocity->unit * units::second};
+}
+
 Derivation time_derivation(Program& program) {
   const auto seed = [&program](const SymbolPointer& symbol) -> Value {
     switch (symbol->kind) {
@@ -92,6 +138,7 @@ Derivation time_derivation(Program& program) {
       case SymbolKind::parameter: return {};
       default: break;
     }
+    if (!symbol->attitude.expired()) return rate_of(program, symbol);
     if (!symbol->rate) {
       throw SceneError(fmt::format("'{}' has no known time derivative: only time, parameters, coordinates and their "
                                    "velocities may stand under d/dt",
@@ -108,7 +155,10 @@ Value time_derivative(const Value& value) {
   return derivation(value);
 }
 
-std::vector<Value> gradient(const Value& value, const std::vector<SymbolPointer>& symbols) {
+namespace {
+
+/// Adjoints of all symbols that the value depends on, in order of creation.
+std::map<Atom, Value> adjoints_of_symbols(const Value& value) {
   Program& program = *value.program();
   std::map<Atom, Value> adjoints;  // ordered by atom: the sweep goes from the last definition to the first
   const auto spread = [&](const Polynomial& polynomial, const Unit& unit, const Value& adjoint) {
@@ -120,7 +170,7 @@ std::vector<Value> gradient(const Value& value, const std::vector<SymbolPointer>
     }
   };
   spread(value.polynomial(), value.unit(), program.number(Number(1)));
-  std::map<const Symbol*, Value> found;
+  std::map<Atom, Value> found;
   while (!adjoints.empty()) {
     const auto last = std::prev(adjoints.end());
     const Atom atom = last->first;
@@ -129,7 +179,7 @@ std::vector<Value> gradient(const Value& value, const std::vector<SymbolPointer>
     adjoints.erase(last);
     if (adjoint.is_zero() || definition.stage == Stage::generation) continue;
     if (definition.symbol) {
-      found[definition.symbol.get()] = adjoint;
+      found[atom] = adjoint;
     } else if (definition.function) {
       const Value product = slope(program, atom) * adjoint;
       adjoints[definition.argument] +=
@@ -138,12 +188,37 @@ std::vector<Value> gradient(const Value& value, const std::vector<SymbolPointer>
       spread(definition.polynomial, definition.unit, adjoint);
     }
   }
+  return found;
+}
+
+}  // namespace
+
+std::vector<Value> gradient(const Value& value, const std::vector<SymbolPointer>& symbols) {
+  Program& program = *value.program();
+  const std::map<Atom, Value> found = adjoints_of_symbols(value);
   std::vector<Value> result;
   result.reserve(symbols.size());
   for (const SymbolPointer& symbol : symbols) {
-    const auto place = found.find(symbol.get());
+    const std::optional<Atom> atom = program.find(symbol);
+    const auto place = atom ? found.find(*atom) : found.end();
     result.push_back(place != found.end() ? place->second
                                           : Value(program, Polynomial(), value.unit() / symbol->unit));
+  }
+  return result;
+}
+
+std::vector<Value> gradient_along(const Value& value, const std::vector<SymbolPointer>& velocities) {
+  Program& program = *value.program();
+  const std::map<Atom, Value> found = adjoints_of_symbols(value);
+  std::vector<Value> result;
+  result.reserve(velocities.size());
+  for (const SymbolPointer& velocity : velocities) {
+    Value sum(program, Polynomial(), value.unit() / (velocity->unit * units::second));
+    for (const auto& [atom, adjoint] : found) {
+      const SymbolPointer symbol = program[atom].symbol;
+      if (symbol->kind == SymbolKind::coordinate) sum += rate_along(program, symbol, velocity) * adjoint;
+    }
+    result.push_back(sum);
   }
   return result;
 }

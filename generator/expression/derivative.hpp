@@ -36,6 +36,15 @@ class Derivation {
 /// ∂/∂symbol: every other symbol is constant.
 Derivation partial_derivation(Program& program, const SymbolPointer& symbol);
 
+/// ∂q̇/∂v for a coordinate and a velocity: 1 or 0, or an entry of the map from angular velocity to quaternion rates.
+Value rate_along(Program& program, const SymbolPointer& coordinate, const SymbolPointer& velocity);
+/// q̇ of a coordinate as a value: its velocity, or the rate of a quaternion's component.
+Value rate_of(Program& program, const SymbolPointer& coordinate);
+
+/// Derivative with respect to configuration along the freedom of a velocity: ∂/∂q where v = q̇, and for a component of
+/// an angular velocity Σ_k (∂ė_k/∂ω_i) ∂/∂e_k (the derivative along a quasi-coordinate).
+Derivation derivation_along(Program& program, const SymbolPointer& velocity);
+
 /// d/dt: 1 for time, q̇ for q, q̈ for q̇, 0 for parameters. Other symbols throw SceneError.
 Derivation time_derivation(Program& program);
 Value time_derivative(const Value& value);
@@ -43,6 +52,9 @@ Value time_derivative(const Value& value);
 /// Gradient of one value with respect to many symbols by one reverse sweep: its cost is a small multiple of the
 /// value's own, whatever the number of symbols (Griewank & Walther, §3.2).
 std::vector<Value> gradient(const Value& value, const std::vector<SymbolPointer>& symbols);
+
+/// The same along freedoms: Σ_k (∂q̇_k/∂v_i) ∂/∂q_k.
+std::vector<Value> gradient_along(const Value& value, const std::vector<SymbolPointer>& velocities);
 
 /// Replaces symbols throughout, rebuilding what depends on them; an empty optional leaves a symbol as it is.
 class Substitution {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,6 +22,8 @@ enum class SymbolKind {
   multiplier,    ///< λ_j of a constraint, or the intensity of the reaction that enforces it
 };
 
+struct AttitudeSymbols;
+
 /// A named quantity of a scene. Symbols are compared by identity: two scenes never share one.
 struct Symbol {
   std::string name;                             ///< as the user wrote it, e.g. "theta_1"
@@ -28,8 +31,16 @@ struct Symbol {
   SymbolKind kind = SymbolKind::parameter;      ///< decides derivative and stage
   int index = 0;                                ///< order of creation in its scene: the canonical order of everything
   std::shared_ptr<const Symbol> rate;           ///< dq/dt of a coordinate, d²q/dt² of a velocity, else null
+  std::weak_ptr<const AttitudeSymbols> attitude{};  ///< of a component of a unit quaternion: where its rate comes from
 };
 
 using SymbolPointer = std::shared_ptr<const Symbol>;
+
+/// A unit quaternion e = (w, x, y, z) and the angular velocity ω in moving axes that turns it, kept by the scene:
+/// ė_w = −½ (e_x ω_x + e_y ω_y + e_z ω_z), ė_x = ½ (e_w ω_x + e_y ω_z − e_z ω_y), and so on cyclically.
+struct AttitudeSymbols {
+  std::array<SymbolPointer, 4> e;
+  std::array<SymbolPointer, 3> omega;
+};
 
 }  // namespace torsor

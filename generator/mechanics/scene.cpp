@@ -18,7 +18,8 @@ Scene::Scene(std::string name, std::string title) {
 
 void Scene::claim(const std::string& name, const std::string& what) {
   // Frames and bodies are often namesakes; all that becomes a symbol shares one space.
-  const bool own_space = what == "frame" || what == "body" || what == "point" || what == "constraint" || what == "action";
+  const bool own_space = what == "frame" || what == "body" || what == "point" || what == "constraint" ||
+                         what == "action" || what == "joint";
   const std::string key = (own_space ? what : "symbol") + " " + name;
   const auto [place, added] = content_.names.emplace(key, what);
   if (!added) {
@@ -82,7 +83,7 @@ Expression Scene::time() const { return content_.time; }
 CoordinateContent& Scene::coordinate_of(const Expression& formula, const std::string& purpose) {
   const SymbolPointer symbol = formula.as_symbol();
   for (CoordinateContent& coordinate : content_.coordinates) {
-    if (symbol && coordinate.q == symbol) return coordinate;
+    if (symbol && coordinate.q == symbol && coordinate.attitude < 0) return coordinate;
   }
   throw SceneError(fmt::format("{} needs a coordinate of the scene '{}' and got {}: pass what coordinate(...) returned",
                                purpose, content_.name, formula.to_string()));
@@ -115,98 +116,63 @@ void Scene::initial(const Expression& formula, const Expression& value, const Ex
   coordinate.initial_rate = rate;
 }
 
-FrameHandle Scene::ground() const { return {0}; }
-
-FrameHandle Scene::add_frame(FrameContent frame) {
-  claim(frame.name, "frame");
-  content_.frames.push_back(std::move(frame));
-  return {static_cast<int>(content_.frames.size()) - 1};
-}
-
-FrameHandle Scene::weld(const std::string& name, const FrameReference& parent, const Placement& placement) {
-  return add_frame({name, parent, placement, JointKind::weld, {}, 0});
-}
-FrameHandle Scene::revolute(const std::string& name, const FrameReference& parent, const Triple& axis,
-                            const Expression& angle, const Placement& placement) {
-  if (!angle.is_zero() && !(angle.unit() == Unit())) {
-    throw UnitError(fmt::format("the angle {} of the revolute joint '{}' has the unit {} and must be in rad",
-                                angle.to_string(), name, angle.unit().to_string()));
+AttitudeHandle Scene::attitude(const std::string& name) {
+  require_identifier(name, "attitude");
+  const int index = static_cast<int>(content_.attitudes.size());
+  const Unit per_second = Unit() / units::second;
+  const auto symbols = std::make_shared<AttitudeSymbols>();
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::string component = name + "_" + "wxyz"[k];
+    claim(component, "coordinate");
+    symbols->e[k] = std::make_shared<const Symbol>(
+        Symbol{component, Unit(), SymbolKind::coordinate, content_.symbol_count++, nullptr, symbols});
   }
-  return add_frame({name, parent, placement, JointKind::revolute, axis, angle});
-}
-FrameHandle Scene::prismatic(const std::string& name, const FrameReference& parent, const Triple& axis,
-                             const Expression& displacement, const Placement& placement) {
-  if (!displacement.is_zero() && !(displacement.unit() == Unit::parse("m"))) {
-    throw UnitError(fmt::format("the displacement {} of the prismatic joint '{}' has the unit {} and must be in m",
-                                displacement.to_string(), name, displacement.unit().to_string()));
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::string component = name + "_omega_" + "xyz"[k];
+    claim(component, "velocity");
+    CoordinateContent freedom;
+    freedom.a = add_symbol(component + "'", per_second / units::second, SymbolKind::acceleration);
+    freedom.v = add_symbol(component, per_second, SymbolKind::velocity, freedom.a);
+    // Nothing is a function of this coordinate, which does not exist: it lends its name to the freedom.
+    freedom.q = add_symbol(component, Unit(), SymbolKind::coordinate, freedom.v);
+    freedom.attitude = index;
+    symbols->omega[k] = freedom.v;
+    content_.coordinates.push_back(freedom);
   }
-  return add_frame({name, parent, placement, JointKind::prismatic, axis, displacement});
+  content_.attitudes.push_back({name, symbols, {}, std::nullopt});
+  return {index};
 }
 
-FrameHandle Scene::free(const std::string& name, const FrameReference& parent, AngleSequence sequence,
-                        const Triple& position, const Triple& angles) {
-  const FrameHandle x = prismatic(name + ".x", parent, axis::x, position[0]);
-  const FrameHandle y = prismatic(name + ".y", x, axis::y, position[1]);
-  const FrameHandle z = prismatic(name + ".z", y, axis::z, position[2]);
-  const bool euler = sequence == AngleSequence::euler;
-  const FrameHandle first = revolute(name + ".1", z, euler ? axis::z : axis::x, angles[0]);
-  const FrameHandle second_frame = revolute(name + ".2", first, euler ? axis::x : axis::y, angles[1]);
-  return revolute(name, second_frame, axis::z, angles[2]);
+void Scene::initial(AttitudeHandle handle, const std::array<Expression, 4>& quaternion, const Triple& rates) {
+  content_.attitudes.at(static_cast<std::size_t>(handle.index)).initial = quaternion;
+  int k = 0;
+  for (CoordinateContent& freedom : content_.coordinates) {
+    if (freedom.attitude == handle.index) freedom.initial_rate = rates[static_cast<std::size_t>(k++)];
+  }
 }
 
-PointHandle Scene::point(const std::string& name, const FrameReference& frame, const Triple& components) {
-  require_identifier(name, "point");
-  claim(name, "point");
-  content_.points.push_back({name, frame, components});
+PointHandle Scene::add_point(PointContent point) {
+  require_identifier(point.name, "point");
+  claim(point.name, "point");
+  content_.points.push_back(std::move(point));
   return {static_cast<int>(content_.points.size()) - 1};
+}
+PointHandle Scene::point(const std::string& name, const FrameReference& frame, const Triple& components) {
+  return add_point({name, frame, components});
+}
+PointHandle Scene::disc_contact(const std::string& name, const FrameReference& frame, const Triple& axis,
+                                const Expression& radius, const FrameReference& plane) {
+  return add_point({name, frame, {}, LowestPoint{axis, radius, plane}});
+}
+PointHandle Scene::sphere_contact(const std::string& name, const FrameReference& frame, const Expression& radius,
+                                  const FrameReference& plane) {
+  return add_point({name, frame, {}, LowestPoint{std::nullopt, radius, plane}});
 }
 
 void Scene::body(const std::string& name, const FrameReference& frame, const Inertia& inertia) {
   require_identifier(name, "body");
   claim(name, "body");
   content_.bodies.push_back({name, frame, inertia});
-}
-
-ConstraintHandle Scene::add_constraint(ConstraintContent constraint) {
-  require_identifier(constraint.name, "constraint");
-  claim(constraint.name, "constraint");
-  claim(constraint.multiplier->name, "multiplier");
-  content_.constraints.push_back(std::move(constraint));
-  return {static_cast<int>(content_.constraints.size()) - 1};
-}
-
-ConstraintHandle Scene::holonomic(const std::string& name, const Expression& f) {
-  // λ works with ∂f/∂q_i: its unit is that of an energy over that of f.
-  const auto multiplier = add_symbol("lambda_" + name, Unit::parse("J") / f.unit(), SymbolKind::multiplier);
-  return add_constraint({name, HolonomicFormula{f}, multiplier, std::nullopt});
-}
-ConstraintHandle Scene::nonholonomic(const std::string& name, const Expression& left_side) {
-  const auto multiplier = add_symbol("lambda_" + name, Unit::parse("W") / left_side.unit(), SymbolKind::multiplier);
-  return add_constraint({name, NonholonomicFormula{left_side}, multiplier, std::nullopt});
-}
-ConstraintHandle Scene::no_slip(const std::string& name, const FrameReference& body, const PointReference& contact,
-                                const Triple& direction, const FrameReference& axes) {
-  const auto multiplier = add_symbol("lambda_" + name, Unit::parse("N"), SymbolKind::multiplier);
-  return add_constraint({name, NoSlip{body, contact, direction, axes}, multiplier, std::nullopt});
-}
-ConstraintHandle Scene::closure(const std::string& name, const PointReference& a, const PointReference& b,
-                                const Triple& direction) {
-  const auto multiplier = add_symbol("lambda_" + name, Unit::parse("N"), SymbolKind::multiplier);
-  return add_constraint({name, Closure{a, b, direction}, multiplier, std::nullopt});
-}
-
-void Scene::reaction(const ConstraintHandle& handle, const std::string& name, const FrameReference& body,
-                     const PointReference& contact, const Triple& direction, const FrameReference& axes,
-                     const FrameReference& other) {
-  require_identifier(name, "reaction");
-  claim(name, "reaction");
-  ConstraintContent& constraint = content_.constraints.at(static_cast<std::size_t>(handle.index));
-  if (constraint.reaction) {
-    throw SceneError(fmt::format("constraint '{}' already has the reaction '{}': one multiplier enforces one constraint",
-                                 constraint.name, constraint.reaction->name));
-  }
-  constraint.reaction = ReactionContent{name, body, contact, direction, axes, other};
-  constraint.multiplier = add_symbol(name, Unit::parse("N"), SymbolKind::multiplier);
 }
 
 }  // namespace torsor

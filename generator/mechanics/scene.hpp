@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "generator/expression/expression.hpp"
@@ -36,6 +37,9 @@ class Scene {
   /// A coordinate that the joints hold at zero: it exists so that the reaction against it can be asked for
   /// (incompatible parametrisation). The reaction has the coordinate's name: P_q − Q_q at q = 0.
   Expression released_coordinate(const std::string& name, std::string_view unit);
+  /// An orientation by a unit quaternion: coordinates <name>_w, _x, _y, _z and three velocities <name>_omega_x, _y, _z,
+  /// the components of the relative angular velocity in the axes of the frame it turns. Use it in exactly one joint.
+  AttitudeHandle attitude(const std::string& name);
   /// t [s].
   Expression time() const;
 
@@ -43,8 +47,13 @@ class Scene {
   void drive(const Expression& coordinate, const Expression& law);
   /// State at t = 0; whatever is not given is zero.
   void initial(const Expression& coordinate, const Expression& value, const Expression& rate = 0);
+  /// (w, x, y, z), normalised when it is used; an attitude that is given none starts at (1, 0, 0, 0).
+  void initial(AttitudeHandle attitude, const std::array<Expression, 4>& quaternion,
+               const Triple& angular_velocity = {Expression(0), Expression(0), Expression(0)});
 
-  // --- geometry -----------------------------------------------------------------------------------------------------
+  // --- the tree of joints -------------------------------------------------------------------------------------------
+  // Each joint is placed in its parent by a constant origin and rotation (`placement`); `axis` is a direction in the
+  // placed axes. A joint of several freedoms makes intermediate frames <name>.1, <name>.2 and so on.
   FrameHandle ground() const;
   FrameHandle weld(const std::string& name, const FrameReference& parent, const Placement& placement);
   /// Rotation by `angle` about the unit vector `axis` (components in the placed parent axes).
@@ -52,12 +61,60 @@ class Scene {
                        const Expression& angle, const Placement& placement = {});
   FrameHandle prismatic(const std::string& name, const FrameReference& parent, const Triple& axis,
                         const Expression& displacement, const Placement& placement = {});
+  /// Turns by `angle` and advances by `pitch` [m/rad] times it (the lead of the screw over 2π).
+  FrameHandle helical(const std::string& name, const FrameReference& parent, const Triple& axis,
+                      const Expression& angle, const Expression& pitch, const Placement& placement = {});
+  /// Slides along the axis, then turns about it.
+  FrameHandle cylindrical(const std::string& name, const FrameReference& parent, const Triple& axis,
+                          const Expression& displacement, const Expression& angle, const Placement& placement = {});
+  /// Turns about `first`, fixed in the parent, then about `second`, which turns along; perpendicular directions.
+  FrameHandle universal(const std::string& name, const FrameReference& parent, const Triple& first,
+                        const Expression& first_angle, const Triple& second, const Expression& second_angle,
+                        const Placement& placement = {});
+  /// Three plane rotations about the joint's origin. Singular where the first and the last axis are parallel.
+  FrameHandle spherical(const std::string& name, const FrameReference& parent, const AngleSequence& sequence,
+                        const Triple& angles, const Placement& placement = {});
+  /// The same freedom without any singular orientation.
+  FrameHandle spherical(const std::string& name, const FrameReference& parent, AttitudeHandle attitude,
+                        const Placement& placement = {});
+  /// Slides by (x, y) in the plane z = 0 of the placed axes, then turns about z.
+  FrameHandle planar(const std::string& name, const FrameReference& parent, const Expression& x, const Expression& y,
+                     const Expression& angle, const Placement& placement = {});
+  /// The line x of the frame stays in the plane z = 0: slides by (x, y), turns by `yaw` about z, then by `roll` about x.
+  FrameHandle line_contact(const std::string& name, const FrameReference& parent, const Expression& x,
+                           const Expression& y, const Expression& yaw, const Expression& roll,
+                           const Placement& placement = {});
+  /// The origin of the frame slides along `axis`; the frame turns in any way about it.
+  FrameHandle sphere_in_cylinder(const std::string& name, const FrameReference& parent, const Triple& axis,
+                                 const Expression& displacement, const AngleSequence& sequence, const Triple& angles,
+                                 const Placement& placement = {});
+  FrameHandle sphere_in_cylinder(const std::string& name, const FrameReference& parent, const Triple& axis,
+                                 const Expression& displacement, AttitudeHandle attitude,
+                                 const Placement& placement = {});
+  /// The origin of the frame slides by (x, y) in the plane z = 0; the frame turns in any way about it.
+  FrameHandle point_contact(const std::string& name, const FrameReference& parent, const Expression& x,
+                            const Expression& y, const AngleSequence& sequence, const Triple& angles,
+                            const Placement& placement = {});
+  FrameHandle point_contact(const std::string& name, const FrameReference& parent, const Expression& x,
+                            const Expression& y, AttitudeHandle attitude, const Placement& placement = {});
   /// Six degrees of freedom: translation (x, y, z) in the parent's axes, then three plane rotations. The intermediate
   /// frames are named <name>.x, .y, .z, .1 and .2, e.g. "hoop.2" after two rotations of Euler's sequence.
-  FrameHandle free(const std::string& name, const FrameReference& parent, AngleSequence sequence,
+  FrameHandle free(const std::string& name, const FrameReference& parent, const AngleSequence& sequence,
                    const Triple& position, const Triple& angles);
+  FrameHandle free(const std::string& name, const FrameReference& parent, const Triple& position,
+                   AttitudeHandle attitude);
+
+  // --- points and bodies --------------------------------------------------------------------------------------------
   /// A point given by its components in a frame; they may depend on the coordinates (a contact point moves).
   PointHandle point(const std::string& name, const FrameReference& frame, const Triple& components);
+  /// The point of the rim of a thin disc that lies lowest along the normal z of `plane`: where a wheel touches it. The
+  /// disc is centred at the origin of `frame`, its unit `axis` and its radius are given there. With n the normal and k
+  /// the axis: P = C − r (n − (n·k) k)/√(1 − (n·k)²); not defined for a disc lying flat.
+  PointHandle disc_contact(const std::string& name, const FrameReference& frame, const Triple& axis,
+                           const Expression& radius, const FrameReference& plane);
+  /// The same of a sphere: P = C − r n.
+  PointHandle sphere_contact(const std::string& name, const FrameReference& frame, const Expression& radius,
+                             const FrameReference& plane);
   void body(const std::string& name, const FrameReference& frame, const Inertia& inertia);
 
   // --- actions ------------------------------------------------------------------------------------------------------
@@ -136,9 +193,24 @@ class Scene {
   /// No slip: the velocity of the body's material point at `contact`, along `direction` (components in `axes`), is 0.
   ConstraintHandle no_slip(const std::string& name, const FrameReference& body, const PointReference& contact,
                            const Triple& direction, const FrameReference& axes);
+  /// The same relative to another body: V(P ∈ body / on) · direction = 0.
+  ConstraintHandle no_slip(const std::string& name, const FrameReference& body, const PointReference& contact,
+                           const Triple& direction, const FrameReference& axes, const FrameReference& on);
+  /// Rolls without slipping: V(P ∈ body / on) vanishes along x and y of `tangents`, whose z is the normal of contact.
+  /// Two constraints, <name>_x and <name>_y. That the bodies touch is another condition: built into the coordinates, or
+  /// a `contact`.
+  std::vector<ConstraintHandle> rolling(const std::string& name, const FrameReference& body, const FrameReference& on,
+                                        const PointReference& contact, const FrameReference& tangents);
+  /// The point stays in the plane z = 0 of a frame; its multiplier is the normal force on the point's body.
+  ConstraintHandle contact(const std::string& name, const PointReference& point, const FrameReference& plane);
   /// Closes a loop: AB · direction = 0, direction given in the ground frame.
   ConstraintHandle closure(const std::string& name, const PointReference& a, const PointReference& b,
                            const Triple& direction);
+  /// Closes a loop by an ideal joint between two frames: one constraint for each locked direction, <name>_x, _y, _z for
+  /// AB along the axes of a (multipliers are components of the force on b) and <name>_rx, _ry, _rz for the orientation
+  /// (multipliers are components of the moment on b about the axes of a). `pitch` is a helical joint's [m/rad].
+  std::vector<ConstraintHandle> close(const std::string& name, JointType type, const FrameReference& a,
+                                      const FrameReference& b, const Expression& pitch = 0);
   /// Names the reaction that enforces a constraint: a force of unknown intensity on `body` at `contact` along
   /// `direction` (components in `axes`), and the opposite on `other`. Its multiplier is then that intensity [N].
   void reaction(const ConstraintHandle& constraint, const std::string& name, const FrameReference& body,
@@ -152,8 +224,17 @@ class Scene {
   SymbolPointer add_symbol(const std::string& name, const Unit& unit, SymbolKind kind, SymbolPointer rate = nullptr);
   void claim(const std::string& name, const std::string& what);
   FrameHandle add_frame(FrameContent frame);
+  PointHandle add_point(PointContent point);
+  struct Step { std::string suffix; JointKind kind; Triple axis; Expression displacement; int attitude = -1; };
+  FrameHandle add_joint(const std::string& name, JointType type, const FrameReference& parent,
+                        const Placement& placement, const std::vector<Step>& steps);
+  static std::vector<Step> turns(const AngleSequence& sequence, const Triple& angles);
+  static std::vector<Step> turn(AttitudeHandle attitude);
+  static std::vector<Step> slides(const std::vector<std::pair<Triple, Expression>>& slides,
+                                  const std::vector<Step>& then);
   ConstraintHandle add_constraint(ConstraintContent constraint);
   void add_friction(ContactFriction friction);
+  ConstraintHandle add_constraint(const std::string& name, ConstraintLaw law, const Unit& multiplier);
   CoordinateContent& coordinate_of(const Expression& coordinate, const std::string& purpose);
 
   SceneContent content_;

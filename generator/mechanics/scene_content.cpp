@@ -34,4 +34,21 @@ int SceneContent::point_index(const PointReference& reference, const std::string
   return find_index(points, reference.target, "point", user);
 }
 
+Expression initial_component(const AttitudeContent& attitude, std::size_t k) {
+  if (!attitude.initial) return k == 0 ? 1 : 0;
+  Expression square = 0;
+  for (const Expression& e : *attitude.initial) square = square + e * e;
+  return (*attitude.initial)[k] / sqrt(square);
+}
+
+std::optional<std::pair<std::size_t, std::size_t>> SceneContent::quaternion_component(
+    const SymbolPointer& symbol) const {
+  for (std::size_t i = 0; i < attitudes.size(); ++i) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (attitudes[i].symbols->e[k] == symbol) return std::pair(i, k);
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace torsor

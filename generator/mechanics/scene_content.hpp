@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include "generator/geometry/rotation.hpp"
 #include "generator/geometry/triple.hpp"
 #include "generator/mechanics/inertia.hpp"
+#include "generator/mechanics/joint.hpp"
 
 namespace torsor {
 
@@ -41,13 +43,22 @@ struct Placement {
   Rotation rotation{};
 };
 
-/// Orders of three plane rotations, each about an axis of the frame that the one before has turned.
-enum class AngleSequence {
-  euler,   ///< ψ, θ, φ about z, x, z
-  cardan,  ///< α, β, γ about x, y, z
+/// Axes (0, 1, 2 for x, y, z) of three plane rotations, each about an axis of the frame that the one before has turned.
+struct AngleSequence {
+  std::array<int, 3> axes;
+  static const AngleSequence euler;   ///< ψ, θ, φ about z, x, z
+  static const AngleSequence cardan;  ///< α, β, γ about x, y, z
 };
+inline constexpr AngleSequence AngleSequence::euler{{2, 0, 2}};
+inline constexpr AngleSequence AngleSequence::cardan{{0, 1, 2}};
 
-enum class JointKind { weld, revolute, prismatic };
+/// A unit quaternion as a scene's unknown: the orientation of a frame relative to its parent, by four coordinates e
+/// whose rates come from the components ω of the relative angular velocity in the moving frame's axes (quasi-velocities):
+/// ė_w = −½ (e_x ω_x + e_y ω_y + e_z ω_z), ė_x = ½ (e_w ω_x + e_y ω_z − e_z ω_y) and so on cyclically.
+struct AttitudeHandle { int index = 0; };
+
+/// How one frame of the tree moves in its parent. `attitude` is a rotation by a unit quaternion.
+enum class JointKind { weld, revolute, prismatic, attitude };
 
 struct FrameContent {
   std::string name;
@@ -56,15 +67,44 @@ struct FrameContent {
   JointKind joint = JointKind::weld;
   Triple axis{};
   Expression displacement;  ///< angle [rad] or distance [m] as a formula of coordinates and time
+  int attitude = -1;        ///< index of the scene's attitude that turns the frame
 };
 
-struct PointContent { std::string name; FrameReference frame; Triple components; };
+/// A joint as its author named it, made of the frames `first` to `last` of the scene's tree, or closing a loop.
+struct JointContent {
+  std::string name;
+  JointType type = JointType::free;
+  FrameReference a, b;        ///< the frames it joins: parent and child in the tree
+  Placement placement;        ///< of the joint's axes in a; the tree's only
+  bool closes_loop = false;   ///< held by constraints, not by the tree
+  int first = 0, last = -1;   ///< frames of the tree that realise it
+  Expression pitch;           ///< of a helical joint that closes a loop [m/rad]
+};
+
+/// The point of a disc's rim, or of a sphere (no axis), that lies lowest along the normal z of a plane.
+struct LowestPoint { std::optional<Triple> axis; Expression radius; FrameReference plane; };
+
+/// A point by its components in a frame, or (`lowest`) a point of contact around the frame's origin.
+struct PointContent { std::string name; FrameReference frame; Triple components; std::optional<LowestPoint> lowest = std::nullopt; };
 struct BodyContent { std::string name; FrameReference frame; Inertia inertia; };
 
 struct ParameterContent { SymbolPointer symbol; std::optional<Expression> value; bool run_time = false; };
 
+/// An orientation by a unit quaternion.
+struct AttitudeContent {
+  std::string name;
+  std::shared_ptr<const AttitudeSymbols> symbols;
+  std::string frame;  ///< the frame it turns
+  std::optional<std::array<Expression, 4>> initial;  ///< normalised when it is used
+};
+
+/// Component k of the unit quaternion at t = 0.
+Expression initial_component(const AttitudeContent& attitude, std::size_t k);
+
+/// A freedom of the mechanism: a coordinate q, or one of the three of an attitude, whose q is only a name.
 struct CoordinateContent {
   SymbolPointer q, v, a;
+  int attitude = -1;                        ///< of quasi-velocities: index of the attitude
   std::optional<Expression> law;            ///< imposed by time
   bool released = false;                    ///< held at zero, its reaction can be asked for
   std::optional<Expression> initial_value;  ///< at t = 0
@@ -111,8 +151,31 @@ struct ContactFriction {
 
 struct HolonomicFormula { Expression f; };
 struct NonholonomicFormula { Expression left_side; };
-struct NoSlip { FrameReference body; PointReference contact; Triple direction; FrameReference axes; };
+struct NoSlip {
+  FrameReference body;
+  PointReference contact;
+  Triple direction;
+  FrameReference axes;
+  FrameReference on = FrameHandle{0};  ///< the body it does not slip on
+};
 struct Closure { PointReference a, b; Triple direction; };
+/// The point stays in the plane x, y of a frame.
+struct PointInPlane { PointReference point; FrameReference plane; };
+/// One locked direction of a joint that closes a loop between frames a and b with origins A and B.
+struct JointClosure {
+  enum class Kind {
+    offset,     ///< AB · a_i = 0
+    alignment,  ///< a_i · b_j = 0
+    screw,      ///< p sin(AB · a_x / p − θ) = 0, θ the turn of b about a_x
+  };
+  Kind kind = Kind::offset;
+  FrameReference a, b;
+  int i = 0, j = 0;
+  int sign = 1;  ///< of the whole condition
+  Expression pitch;
+};
+
+using ConstraintLaw = std::variant<HolonomicFormula, NonholonomicFormula, NoSlip, Closure, PointInPlane, JointClosure>;
 
 struct ReactionContent {
   std::string name;
@@ -124,7 +187,7 @@ struct ReactionContent {
 };
 struct ConstraintContent {
   std::string name;
-  std::variant<HolonomicFormula, NonholonomicFormula, NoSlip, Closure> law;
+  ConstraintLaw law;
   SymbolPointer multiplier;
   std::optional<ReactionContent> reaction;
 };
@@ -136,6 +199,8 @@ struct SceneContent {
   SymbolPointer time;
   std::vector<ParameterContent> parameters;
   std::vector<CoordinateContent> coordinates;
+  std::vector<AttitudeContent> attitudes;
+  std::vector<JointContent> joints;
   std::vector<FrameContent> frames;  ///< parents may come later when they are named by text
   std::vector<PointContent> points;
   std::vector<BodyContent> bodies;
@@ -147,6 +212,8 @@ struct SceneContent {
   /// Index of a frame or point; throws SceneError that names the unknown one and lists the known ones.
   int frame_index(const FrameReference& reference, const std::string& user) const;
   int point_index(const PointReference& reference, const std::string& user) const;
+  /// The attitude and the component that a symbol stands for; none for any other symbol.
+  std::optional<std::pair<std::size_t, std::size_t>> quaternion_component(const SymbolPointer& symbol) const;
 };
 
 }  // namespace torsor

@@ -47,10 +47,38 @@ GiNaC::ex LagrangeEquations::time_derivative(const GiNaC::ex& expression) {
   const Model& model = open_.model();
   GiNaC::ex result = partial(expression, view_.symbol(model.scene().time));
   for (const CoordinateContent& c : model.coordinates()) {
-    result += partial(expression, view_.symbol(c.q)) * view_.symbol(c.v);
+    if (c.attitude < 0) result += partial(expression, view_.symbol(c.q)) * view_.symbol(c.v);
     result += partial(expression, view_.symbol(c.v)) * view_.symbol(c.a);
   }
+  for (const AttitudeContent& attitude : model.scene().attitudes) {
+    for (const SymbolPointer& e : attitude.symbols->e) {
+      result += partial(expression, view_.symbol(e)) * *view_.expression(rate_of(open_.program(), e));
+    }
+  }
   return result;
+}
+
+GiNaC::ex LagrangeEquations::along(const GiNaC::ex& expression, const CoordinateContent& c) {
+  if (c.attitude < 0) return partial(expression, view_.symbol(c.q));
+  GiNaC::ex result = 0;
+  const auto& attitude = open_.scene().content().attitudes[static_cast<std::size_t>(c.attitude)];
+  for (const SymbolPointer& e : attitude.symbols->e) {
+    const Value rate = rate_along(open_.program(), e, c.v);
+    if (!rate.is_zero()) result += partial(expression, view_.symbol(e)) * *view_.expression(rate);
+  }
+  return result;
+}
+
+GiNaC::ex LagrangeEquations::turning_term(const GiNaC::ex& kinetic, const CoordinateContent& c) {
+  if (c.attitude < 0) return 0;
+  const auto& omega = open_.scene().content().attitudes[static_cast<std::size_t>(c.attitude)].symbols->omega;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (omega[i] != c.v) continue;
+    const GiNaC::ex second = view_.symbol(omega[(i + 1) % 3]);
+    const GiNaC::ex third = view_.symbol(omega[(i + 2) % 3]);
+    return second * partial(kinetic, third) - third * partial(kinetic, second);
+  }
+  return 0;
 }
 
 Value LagrangeEquations::other_forces(std::size_t i) const {
@@ -81,12 +109,12 @@ void LagrangeEquations::derive_equation(std::size_t i, const std::optional<GiNaC
   if (kinetic && work) {
     const GiNaC::ex momentum = partial(*kinetic, view_.symbol(c.v));
     const GiNaC::ex rate = time_derivative(momentum);
-    const GiNaC::ex along_q = partial(*kinetic, view_.symbol(c.q));
-    equation.inertia.sum = view_.bounded_sum(at_rest(rate - along_q));
+    const GiNaC::ex along_q = along(*kinetic, c);
+    equation.inertia.sum = view_.bounded_sum(at_rest(rate - along_q + turning_term(*kinetic, c)));
     const Value rest = other_forces(i);
     equation.force.terms = view_.term_bound(rest);
     if (const auto others = view_.expression(rest)) {
-      equation.force.sum = view_.bounded_sum(at_rest(partial(*work, view_.symbol(c.q)) + *others));
+      equation.force.sum = view_.bounded_sum(at_rest(along(*work, c) + *others));
     }
   }
   if (!equation.written_out()) {

@@ -53,11 +53,16 @@ class LagrangeEquations {
   /// The program of the view, for formulas that are to be written out with it.
   Program& program() const { return open_.program(); }
 
+  /// Derivative with respect to the configuration along a freedom.
+  GiNaC::ex along(const GiNaC::ex& expression, const CoordinateContent& c);
+
  private:
   void derive();
   Quantity quantity(const Value& open, const Value& closed);
   GiNaC::ex at_rest(const GiNaC::ex& expression) const;
   GiNaC::ex time_derivative(const GiNaC::ex& expression);
+  /// (ω ∧ ∂T/∂ω)_i of a quasi-velocity, zero of any other.
+  GiNaC::ex turning_term(const GiNaC::ex& kinetic, const CoordinateContent& c);
   void derive_equation(std::size_t i, const std::optional<GiNaC::ex>& kinetic, const std::optional<GiNaC::ex>& work);
   Value other_forces(std::size_t i) const;
 

@@ -77,7 +77,7 @@ LinearisedEquations linearised(LagrangeEquations& equations, const Scene& scene,
       if (column.coordinate.released) continue;
       m.push_back(partial(residual, view.symbol(column.coordinate.a)));
       c.push_back(partial(residual, view.symbol(column.coordinate.v)));
-      k.push_back(partial(residual, view.symbol(column.coordinate.q)));
+      k.push_back(view.sum(equations.along(residual, column.coordinate).subs(at)));
     }
     for (const GiNaC::ex& input : inputs) e.push_back(partial(-residual, input));
     result.M.push_back(std::move(m));

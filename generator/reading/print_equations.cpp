@@ -85,8 +85,14 @@ class Printer {
   void coordinates() {
     const SceneContent& scene = scene_.content();
     page_.section("Coordinates");
+    for (const AttitudeContent& attitude : scene.attitudes) {
+      for (const SymbolPointer& e : attitude.symbols->e) page_.symbol(*e, "component of a unit quaternion");
+    }
     for (const CoordinateContent& c : scene.coordinates) {
-      if (c.law) continue;
+      if (c.attitude >= 0) page_.symbol(*c.v, "angular velocity in moving axes");
+    }
+    for (const CoordinateContent& c : scene.coordinates) {
+      if (c.law || c.attitude >= 0) continue;
       page_.symbol(*c.q, c.released ? "released: held at zero by the joint, its reaction is asked for" : "");
     }
     for (const CoordinateContent& c : scene.coordinates) {

@@ -20,11 +20,11 @@ LagrangeRoad::LagrangeRoad(const Scene& scene, ModelOptions options)
   const AppliedActions& actions = equations_.actions();
 
   // Springs and gravity by the gradient of U, the rest by virtual power.
-  std::vector<SymbolPointer> positions;
-  for (const CoordinateContent& c : model.coordinates()) positions.push_back(c.q);
+  std::vector<SymbolPointer> velocities;
+  for (const CoordinateContent& c : model.coordinates()) velocities.push_back(c.v);
   Value u = gravity_force_function(model);
   u += actions.spring_force_function;
-  forces_ = u.is_zero() ? std::vector<Value>(positions.size()) : gradient(u, positions);
+  forces_ = u.is_zero() ? std::vector<Value>(velocities.size()) : gradient_along(u, velocities);
   const std::vector<Value> rest = applied_forces(model, applied_actions(model, ActionKind::without_force_function));
   for (std::size_t i = 0; i < forces_.size(); ++i) forces_[i] += rest[i];
 

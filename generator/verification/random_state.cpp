@@ -27,6 +27,9 @@ RandomState::RandomState(const Scene& scene, std::uint64_t seed) {
   for (const CoordinateContent& c : content.coordinates) {
     for (const SymbolPointer& symbol : {c.q, c.v, c.a}) values_[symbol.get()] = uniform(-2, 2);
   }
+  for (const AttitudeContent& attitude : content.attitudes) {
+    for (const SymbolPointer& e : attitude.symbols->e) values_[e.get()] = uniform(-1, 1);
+  }
   for (const ActionContent& action : content.actions) {
     if (const auto* motor = std::get_if<Motor>(&action)) values_[motor->input.get()] = uniform(-2, 2);
   }
@@ -43,13 +46,21 @@ double RandomState::value(const SymbolPointer& symbol) const {
 
 Evaluator<double>::SymbolValue RandomState::in_double() const {
   return [this](const SymbolPointer& symbol) {
-    return symbol->kind == SymbolKind::pi ? 3.14159265358979323846 : value(symbol);
+    if (symbol->kind == SymbolKind::pi) return 3.14159265358979323846;
+    if (!symbol->attitude.expired()) return in_real()(symbol).to_double();
+    return value(symbol);
   };
 }
 
 Evaluator<Real>::SymbolValue RandomState::in_real() const {
   return [this](const SymbolPointer& symbol) {
-    return symbol->kind == SymbolKind::pi ? Real::pi() : Real::from_double(value(symbol));
+    if (symbol->kind == SymbolKind::pi) return Real::pi();
+    const Real here = Real::from_double(value(symbol));
+    const auto attitude = symbol->attitude.lock();
+    if (!attitude) return here;
+    Real square = Real(0);
+    for (const SymbolPointer& e : attitude->e) square += Real::from_double(value(e)) * Real::from_double(value(e));
+    return here / sqrt(square);
   };
 }
 

@@ -20,7 +20,11 @@ namespace {
 /// y = (q, q̇) -> (q̇, q̈) by the Lagrange road.
 class Motion {
  public:
-  explicit Motion(const Scene& scene) : road_(scene), evaluate_(road_.equations().program(), {}) {}
+  explicit Motion(const Scene& scene) : road_(scene), evaluate_(road_.equations().program(), {}) {
+    const Model& model = road_.equations().model();
+    positions_ = model.positions();
+    for (const SymbolPointer& q : positions_) rates_.push_back(rate_of(model.program(), q));
+  }
 
   std::vector<Real> operator()(const Real& t, const std::vector<Real>& y) {
     const Model& model = road_.equations().model();
@@ -28,10 +32,11 @@ class Motion {
     evaluate_.move_to([&](const SymbolPointer& symbol) {
       if (symbol->kind == SymbolKind::pi) return Real::pi();
       if (symbol->kind == SymbolKind::time) return t;
+      for (std::size_t i = 0; i < positions_.size(); ++i) {
+        if (symbol == positions_[i]) return y[i];
+      }
       for (std::size_t i = 0; i < n; ++i) {
-        const CoordinateContent& c = model.coordinates()[i];
-        if (symbol == c.q) return y[i];
-        if (symbol == c.v) return y[n + i];
+        if (symbol == model.coordinates()[i].v) return y[positions_.size() + i];
       }
       for (const ParameterContent& p : model.scene().parameters) {
         if (p.symbol == symbol && p.value) return parameter_value(model.scene(), *p.value);
@@ -54,14 +59,19 @@ class Motion {
       right_side[n + k] = -evaluate_(rows[k].gamma);
     }
     const std::vector<Real> solution = solve_dense(std::move(matrix), right_side);
-    std::vector<Real> rate(y.begin() + static_cast<std::ptrdiff_t>(n), y.end());
+    std::vector<Real> rate;
+    for (const Value& value : rates_) rate.push_back(evaluate_(value));
     rate.insert(rate.end(), solution.begin(), solution.begin() + static_cast<std::ptrdiff_t>(n));
     return rate;
   }
 
+  const std::vector<SymbolPointer>& positions() const { return positions_; }
+
  private:
   LagrangeRoad road_;
   Evaluator<Real> evaluate_;
+  std::vector<SymbolPointer> positions_;
+  std::vector<Value> rates_;
 };
 
 }  // namespace
@@ -96,10 +106,9 @@ std::string reference_csv(const Scene& scene, const ReferenceOptions& options) {
       "# regenerate: {}_scene reference --digits {} --times {} --output {}.reference.csv\n",
       scene.name(), work_digits, options.digits, scene.name(), options.digits, fmt::join(options.times, ","), scene.name());
   text += "time";
-  for (const char* mark : {"", "'"}) {
-    for (const CoordinateContent& c : scene.content().coordinates) {
-      if (c.unknown()) text += fmt::format(",{}{}", c.q->name, mark);
-    }
+  for (const SymbolPointer& q : motion.positions()) text += "," + q->name;
+  for (const CoordinateContent& c : scene.content().coordinates) {
+    if (c.unknown()) text += "," + c.v->name;
   }
   text += "\n";
   for (std::size_t row = 0; row < times.size(); ++row) {

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "generator/expression/error.hpp"
+#include "generator/mechanics/identifier.hpp"
+#include "generator/mechanics/scene.hpp"
+
+namespace torsor {
+namespace {
+
+using Kind = JointClosure::Kind;
+
+/// A locked direction: suffix of its name, what vanishes, and its sign, chosen so that the multiplier is a component of
+/// the force or the moment on b.
+struct Locked {
+  const char* suffix;
+  Kind kind;
+  int i, j, sign;
+};
+
+// δ(a_i · b_j) = δθ · (b_j ∧ a_i), δθ the turn of b in a.
+constexpr Locked x{"x", Kind::offset, 0, 0, 1}, y{"y", Kind::offset, 1, 0, 1}, z{"z", Kind::offset, 2, 0, 1};
+constexpr Locked b_like_a_x{"rx", Kind::alignment, 2, 1, 1}, b_like_a_y{"ry", Kind::alignment, 0, 2, 1},
+    b_like_a_z{"rz", Kind::alignment, 1, 0, 1};
+constexpr Locked parallel_x_y{"ry", Kind::alignment, 2, 0, -1}, parallel_x_z{"rz", Kind::alignment, 1, 0, 1};
+constexpr Locked parallel_z_x{"rx", Kind::alignment, 1, 2, -1}, parallel_z_y{"ry", Kind::alignment, 0, 2, 1};
+constexpr Locked cross{"r", Kind::alignment, 0, 1, -1}, line{"ry", Kind::alignment, 2, 0, -1};
+constexpr Locked screw{"x", Kind::screw, 0, 0, 1};
+
+std::vector<Locked> locked_directions(JointType type) {
+  switch (type) {
+    case JointType::weld: return {x, y, z, b_like_a_x, b_like_a_y, b_like_a_z};
+    case JointType::revolute: return {x, y, z, parallel_x_y, parallel_x_z};
+    case JointType::prismatic: return {y, z, b_like_a_x, b_like_a_y, b_like_a_z};
+    case JointType::helical: return {screw, y, z, parallel_x_y, parallel_x_z};
+    case JointType::cylindrical: return {y, z, parallel_x_y, parallel_x_z};
+    case JointType::universal: return {x, y, z, cross};
+    case JointType::spherical: return {x, y, z};
+    case JointType::planar: return {z, parallel_z_x, parallel_z_y};
+    case JointType::line_contact: return {z, line};
+    case JointType::sphere_in_cylinder: return {y, z};
+    case JointType::point_contact: return {z};
+    case JointType::free: return {};
+  }
+  return {};
+}
+
+}  // namespace
+
+ConstraintHandle Scene::add_constraint(ConstraintContent constraint) {
+  require_identifier(constraint.name, "constraint");
+  claim(constraint.name, "constraint");
+  claim(constraint.multiplier->name, "multiplier");
+  content_.constraints.push_back(std::move(constraint));
+  return {static_cast<int>(content_.constraints.size()) - 1};
+}
+
+ConstraintHandle Scene::add_constraint(const std::string& name, ConstraintLaw law, const Unit& multiplier) {
+  const SymbolPointer symbol = add_symbol("lambda_" + name, multiplier, SymbolKind::multiplier);
+  return add_constraint({name, std::move(law), symbol, std::nullopt});
+}
+
+ConstraintHandle Scene::holonomic(const std::string& name, const Expression& f) {
+  // λ works with ∂f/∂q_i: its unit is that of an energy over that of f.
+  return add_constraint(name, HolonomicFormula{f}, units::joule / f.unit());
+}
+ConstraintHandle Scene::nonholonomic(const std::string& name, const Expression& left_side) {
+  return add_constraint(name, NonholonomicFormula{left_side}, units::watt / left_side.unit());
+}
+ConstraintHandle Scene::no_slip(const std::string& name, const FrameReference& body, const PointReference& contact,
+                                const Triple& direction, const FrameReference& axes) {
+  return no_slip(name, body, contact, direction, axes, ground());
+}
+ConstraintHandle Scene::no_slip(const std::string& name, const FrameReference& body, const PointReference& contact,
+                                const Triple& direction, const FrameReference& axes, const FrameReference& on) {
+  return add_constraint(name, NoSlip{body, contact, direction, axes, on}, units::newton);
+}
+std::vector<ConstraintHandle> Scene::rolling(const std::string& name, const FrameReference& body,
+                                             const FrameReference& on, const PointReference& contact,
+                                             const FrameReference& tangents) {
+  const ConstraintHandle along_x = no_slip(name + "_x", body, contact, axis::x, tangents, on);
+  const ConstraintHandle along_y = no_slip(name + "_y", body, contact, axis::y, tangents, on);
+  return {along_x, along_y};
+}
+ConstraintHandle Scene::contact(const std::string& name, const PointReference& point, const FrameReference& plane) {
+  return add_constraint(name, PointInPlane{point, plane}, units::newton);
+}
+ConstraintHandle Scene::closure(const std::string& name, const PointReference& a, const PointReference& b,
+                                const Triple& direction) {
+  return add_constraint(name, Closure{a, b, direction}, units::newton);
+}
+
+std::vector<ConstraintHandle> Scene::close(const std::string& name, JointType type, const FrameReference& a,
+                                           const FrameReference& b, const Expression& pitch) {
+  if (type == JointType::free) {
+    throw SceneError(fmt::format("joint '{}' cannot close a loop: a free joint holds nothing; leave it out", name));
+  }
+  if ((type == JointType::helical) == pitch.is_zero()) {
+    throw SceneError(fmt::format("joint '{}' is {} and {}", name, to_string(type),
+                                 pitch.is_zero() ? "needs its pitch [m/rad]" : "has no pitch: leave it out"));
+  }
+  if (!pitch.is_zero() && !(pitch.unit() == units::metre)) {
+    throw UnitError(fmt::format("the pitch {} of joint '{}' has the unit {} and must be in m (per radian)",
+                                pitch.to_string(), name, pitch.unit().to_string()));
+  }
+  claim(name, "joint");
+  content_.joints.push_back({name, type, a, b, {}, true, 0, -1, pitch});
+  std::vector<ConstraintHandle> handles;
+  for (const Locked& locked : locked_directions(type)) {
+    const JointClosure law{locked.kind, a, b, locked.i, locked.j, locked.sign, pitch};
+    const Unit unit = locked.kind == Kind::alignment ? units::newton_metre : units::newton;
+    handles.push_back(add_constraint(name + "_" + locked.suffix, law, unit));
+  }
+  return handles;
+}
+
+void Scene::reaction(const ConstraintHandle& handle, const std::string& name, const FrameReference& body,
+                     const PointReference& contact, const Triple& direction, const FrameReference& axes,
+                     const FrameReference& other) {
+  require_identifier(name, "reaction");
+  claim(name, "reaction");
+  ConstraintContent& constraint = content_.constraints.at(static_cast<std::size_t>(handle.index));
+  if (constraint.reaction) {
+    throw SceneError(fmt::format("constraint '{}' already has the reaction '{}': one multiplier enforces one constraint",
+                                 constraint.name, constraint.reaction->name));
+  }
+  constraint.reaction = ReactionContent{name, body, contact, direction, axes, other};
+  constraint.multiplier = add_symbol(name, units::newton, SymbolKind::multiplier);
+}
+
+}  // namespace torsor

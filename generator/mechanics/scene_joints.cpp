@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+
+#include <fmt/format.h>
+
+#include "generator/expression/error.hpp"
+#include "generator/mechanics/scene.hpp"
+
+namespace torsor {
+namespace {
+
+constexpr std::array<const Triple*, 3> unit_axes{&axis::x, &axis::y, &axis::z};
+
+const Triple& unit_axis(int i) { return *unit_axes.at(static_cast<std::size_t>(i)); }
+
+void require_unit(const std::string& joint, const std::string& what, const Expression& given, const Unit& unit,
+                  const std::string& unit_name) {
+  if (given.is_zero() || given.unit() == unit) return;
+  throw UnitError(fmt::format("the {} {} of the joint '{}' has the unit {} and must be in {}", what, given.to_string(),
+                              joint, given.unit().to_string(), unit_name));
+}
+
+}  // namespace
+
+FrameHandle Scene::ground() const { return {0}; }
+
+FrameHandle Scene::add_frame(FrameContent frame) {
+  claim(frame.name, "frame");
+  content_.frames.push_back(std::move(frame));
+  return {static_cast<int>(content_.frames.size()) - 1};
+}
+
+FrameHandle Scene::add_joint(const std::string& name, JointType type, const FrameReference& parent,
+                             const Placement& placement, const std::vector<Step>& steps) {
+  for (const Step& step : steps) {
+    if (step.kind == JointKind::revolute) require_unit(name, "angle", step.displacement, Unit(), "rad");
+    if (step.kind == JointKind::prismatic) require_unit(name, "displacement", step.displacement, units::metre, "m");
+    if (step.attitude < 0) continue;
+    AttitudeContent& attitude = content_.attitudes.at(static_cast<std::size_t>(step.attitude));
+    if (!attitude.frame.empty()) {
+      throw SceneError(fmt::format("the attitude '{}' turns the frame '{}' and cannot turn '{}' too: declare another one",
+                                   attitude.name, attitude.frame, name));
+    }
+    attitude.frame = name;
+  }
+  FrameReference at = parent;
+  const int first = static_cast<int>(content_.frames.size());
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    const Step& step = steps[k];
+    const bool last = k + 1 == steps.size();
+    at = add_frame({last ? name : name + "." + step.suffix, at, k == 0 ? placement : Placement(), step.kind, step.axis,
+                    step.displacement, step.attitude});
+  }
+  const int end = static_cast<int>(content_.frames.size()) - 1;
+  content_.joints.push_back({name, type, parent, FrameHandle{end}, placement, false, first, end, 0});
+  return {end};
+}
+
+FrameHandle Scene::weld(const std::string& name, const FrameReference& parent, const Placement& placement) {
+  return add_frame({name, parent, placement, JointKind::weld, {}, 0});
+}
+
+FrameHandle Scene::revolute(const std::string& name, const FrameReference& parent, const Triple& axis,
+                            const Expression& angle, const Placement& placement) {
+  return add_joint(name, JointType::revolute, parent, placement, {{"1", JointKind::revolute, axis, angle}});
+}
+
+FrameHandle Scene::prismatic(const std::string& name, const FrameReference& parent, const Triple& axis,
+                             const Expression& displacement, const Placement& placement) {
+  return add_joint(name, JointType::prismatic, parent, placement, {{"1", JointKind::prismatic, axis, displacement}});
+}
+
+FrameHandle Scene::helical(const std::string& name, const FrameReference& parent, const Triple& axis,
+                           const Expression& angle, const Expression& pitch, const Placement& placement) {
+  return add_joint(name, JointType::helical, parent, placement,
+                   {{"1", JointKind::prismatic, axis, pitch * angle}, {"2", JointKind::revolute, axis, angle}});
+}
+
+FrameHandle Scene::cylindrical(const std::string& name, const FrameReference& parent, const Triple& axis,
+                               const Expression& displacement, const Expression& angle, const Placement& placement) {
+  return add_joint(name, JointType::cylindrical, parent, placement,
+                   {{"1", JointKind::prismatic, axis, displacement}, {"2", JointKind::revolute, axis, angle}});
+}
+
+FrameHandle Scene::universal(const std::string& name, const FrameReference& parent, const Triple& first,
+                             const Expression& first_angle, const Triple& second, const Expression& second_angle,
+                             const Placement& placement) {
+  return add_joint(name, JointType::universal, parent, placement,
+                   {{"1", JointKind::revolute, first, first_angle}, {"2", JointKind::revolute, second, second_angle}});
+}
+
+std::vector<Scene::Step> Scene::turns(const AngleSequence& sequence, const Triple& angles) {
+  std::vector<Step> steps;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const int about = sequence.axes[k];
+    if (about < 0 || about > 2 || (k > 0 && about == sequence.axes[k - 1])) {
+      throw SceneError(fmt::format("the sequence of plane rotations about axes {}, {}, {} describes no orientation: give "
+                                   "0, 1 or 2 for x, y, z, neighbours different",
+                                   sequence.axes[0], sequence.axes[1], sequence.axes[2]));
+    }
+    steps.push_back({std::to_string(k + 1), JointKind::revolute, unit_axis(about), angles[k]});
+  }
+  return steps;
+}
+
+std::vector<Scene::Step> Scene::turn(AttitudeHandle attitude) {
+  return {{"1", JointKind::attitude, {}, 0, attitude.index}};
+}
+
+std::vector<Scene::Step> Scene::slides(const std::vector<std::pair<Triple, Expression>>& slides,
+                                       const std::vector<Step>& then) {
+  static constexpr std::array<const char*, 3> names{"x", "y", "z"};
+  std::vector<Step> steps;
+  for (std::size_t k = 0; k < slides.size(); ++k) {
+    steps.push_back({names.at(k), JointKind::prismatic, slides[k].first, slides[k].second});
+  }
+  steps.insert(steps.end(), then.begin(), then.end());
+  return steps;
+}
+
+FrameHandle Scene::spherical(const std::string& name, const FrameReference& parent, const AngleSequence& sequence,
+                             const Triple& angles, const Placement& placement) {
+  return add_joint(name, JointType::spherical, parent, placement, turns(sequence, angles));
+}
+FrameHandle Scene::spherical(const std::string& name, const FrameReference& parent, AttitudeHandle attitude,
+                             const Placement& placement) {
+  return add_joint(name, JointType::spherical, parent, placement, turn(attitude));
+}
+
+FrameHandle Scene::planar(const std::string& name, const FrameReference& parent, const Expression& x,
+                          const Expression& y, const Expression& angle, const Placement& placement) {
+  return add_joint(name, JointType::planar, parent, placement,
+                   slides({{axis::x, x}, {axis::y, y}}, {{"1", JointKind::revolute, axis::z, angle}}));
+}
+
+FrameHandle Scene::line_contact(const std::string& name, const FrameReference& parent, const Expression& x,
+                                const Expression& y, const Expression& yaw, const Expression& roll,
+                                const Placement& placement) {
+  return add_joint(name, JointType::line_contact, parent, placement,
+                   slides({{axis::x, x}, {axis::y, y}},
+                          {{"1", JointKind::revolute, axis::z, yaw}, {"2", JointKind::revolute, axis::x, roll}}));
+}
+
+FrameHandle Scene::sphere_in_cylinder(const std::string& name, const FrameReference& parent, const Triple& axis,
+                                      const Expression& displacement, const AngleSequence& sequence,
+                                      const Triple& angles, const Placement& placement) {
+  return add_joint(name, JointType::sphere_in_cylinder, parent, placement,
+                   slides({{axis, displacement}}, turns(sequence, angles)));
+}
+FrameHandle Scene::sphere_in_cylinder(const std::string& name, const FrameReference& parent, const Triple& axis,
+                                      const Expression& displacement, AttitudeHandle attitude,
+                                      const Placement& placement) {
+  return add_joint(name, JointType::sphere_in_cylinder, parent, placement,
+                   slides({{axis, displacement}}, turn(attitude)));
+}
+
+FrameHandle Scene::point_contact(const std::string& name, const FrameReference& parent, const Expression& x,
+                                 const Expression& y, const AngleSequence& sequence, const Triple& angles,
+                                 const Placement& placement) {
+  return add_joint(name, JointType::point_contact, parent, placement,
+                   slides({{axis::x, x}, {axis::y, y}}, turns(sequence, angles)));
+}
+FrameHandle Scene::point_contact(const std::string& name, const FrameReference& parent, const Expression& x,
+                                 const Expression& y, AttitudeHandle attitude, const Placement& placement) {
+  return add_joint(name, JointType::point_contact, parent, placement,
+                   slides({{axis::x, x}, {axis::y, y}}, turn(attitude)));
+}
+
+FrameHandle Scene::free(const std::string& name, const FrameReference& parent, const AngleSequence& sequence,
+                        const Triple& position, const Triple& angles) {
+  return add_joint(
+      name, JointType::free, parent, {},
+      slides({{axis::x, position[0]}, {axis::y, position[1]}, {axis::z, position[2]}}, turns(sequence, angles)));
+}
+FrameHandle Scene::free(const std::string& name, const FrameReference& parent, const Triple& position,
+                        AttitudeHandle attitude) {
+  return add_joint(
+      name, JointType::free, parent, {},
+      slides({{axis::x, position[0]}, {axis::y, position[1]}, {axis::z, position[2]}}, turn(attitude)));
+}
+
+}  // namespace torsor
