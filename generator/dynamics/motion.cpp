@@ -5,17 +5,6 @@
 
 namespace torsor {
 
-Value reciprocal_product(const Wrench& wrench, const Twist& twist) {
-  const Value linear = dot(wrench.resultant, twist.linear);
-  const Value angular = dot(wrench.moment, twist.angular);
-  return linear + angular;
-}
-Value reciprocal_product(const MomentumScrew& momentum, const Twist& twist) {
-  const Value linear = dot(momentum.resultant, twist.linear);
-  const Value angular = dot(momentum.moment, twist.angular);
-  return linear + angular;
-}
-
 std::vector<Twist> twists(const Model& model) {
   Program& program = model.program();
   std::vector<Twist> all(model.links().size());

@@ -6,30 +6,9 @@
 #include <vector>
 
 #include "generator/dynamics/model.hpp"
+#include "generator/mechanics/screw.hpp"
 
 namespace torsor {
-
-/// Twist of a link relative to the ground, reduced at the link's origin O, in the link's axes.
-struct Twist {
-  Vector angular;  ///< Ω [rad/s]
-  Vector linear;   ///< V(O) [m/s]
-};
-
-/// Wrench on a link reduced at the link's origin, in the link's axes. Never added to a twist: another type.
-struct Wrench {
-  Vector resultant;  ///< [N]
-  Vector moment;     ///< [N m]
-};
-
-/// Momentum screw {m V_G, σ_O} of what is attached to a link, in the link's axes.
-struct MomentumScrew {
-  Vector resultant;  ///< [kg m/s]
-  Vector moment;     ///< [kg m²/s]
-};
-
-/// Reciprocal product (power) of a wrench and a twist reduced at the same point: R·V + M·Ω.
-Value reciprocal_product(const Wrench& wrench, const Twist& twist);
-Value reciprocal_product(const MomentumScrew& momentum, const Twist& twist);
 
 /// Twists of all links by composition along the chains, one joint at a time; each result is bound.
 std::vector<Twist> twists(const Model& model);

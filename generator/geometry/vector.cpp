@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/geometry/vector.hpp"
 
+#include "generator/expression/derivative.hpp"
+#include "generator/expression/evaluation.hpp"
+
 namespace torsor {
 namespace {
 constexpr const char* suffix[3] = {", x", ", y", ", z"};
@@ -51,10 +54,42 @@ Vector lower(Program& program, const Triple& triple) {
   return v;
 }
 
+Vector time_derivative(const Vector& v) {
+  Vector rates;
+  for (int i = 0; i < 3; ++i) {
+    if (!v[i].is_zero()) rates[i] = time_derivative(v[i]);
+  }
+  return rates;
+}
+
+bool vanishes(const Vector& v) {
+  const std::vector<bool> zero = vanish({v[0], v[1], v[2]});
+  return zero[0] && zero[1] && zero[2];
+}
+
 Vector bound(Program& program, const Vector& v, const std::string& name) {
   Vector bound;
   for (int i = 0; i < 3; ++i) bound[i] = program.bind(v[i], name.empty() ? name : name + suffix[i]);
   return bound;
+}
+
+Matrix& Matrix::operator+=(const Matrix& other) {
+  for (std::size_t i = 0; i < 9; ++i) entries_[i] += other.entries_[i];
+  return *this;
+}
+
+Matrix operator-(const Matrix& a, const Matrix& b) {
+  Matrix difference = a;
+  for (std::size_t i = 0; i < 9; ++i) difference.entries_[i] -= b.entries_[i];
+  return difference;
+}
+
+Matrix operator*(const Value& k, const Matrix& m) {
+  Matrix product;
+  for (std::size_t i = 0; i < 9; ++i) {
+    if (!m.entries_[i].is_zero()) product.entries_[i] = k * m.entries_[i];
+  }
+  return product;
 }
 
 Vector operator*(const Matrix& m, const Vector& v) {
@@ -86,6 +121,10 @@ Matrix transpose(const Matrix& m) {
   }
   return result;
 }
+
+Value trace(const Matrix& m) { return m(0, 0) + m(1, 1) + m(2, 2); }
+
+Matrix identity(Program& program) { return constant_matrix(program, Rotation()); }
 
 Matrix constant_matrix(Program& program, const Rotation& rotation) {
   Matrix result;

@@ -36,6 +36,12 @@ Vector operator*(const Rotation& r, const Vector& v);
 
 Vector lower(Program& program, const Triple& triple);
 
+/// Rates of the components: the derivative of the vector in the frame along whose axes they are given.
+Vector time_derivative(const Vector& v);
+
+/// Whether all components vanish identically.
+bool vanishes(const Vector& v);
+
 /// Binds each component; the name gets the suffix ", x" and so on.
 Vector bound(Program& program, const Vector& v, const std::string& name = {});
 
@@ -44,6 +50,10 @@ class Matrix {
  public:
   const Value& operator()(int row, int column) const { return entries_[static_cast<std::size_t>(3 * row + column)]; }
   Value& operator()(int row, int column) { return entries_[static_cast<std::size_t>(3 * row + column)]; }
+  Matrix& operator+=(const Matrix& other);
+  friend Matrix operator+(Matrix a, const Matrix& b) { return a += b; }
+  friend Matrix operator-(const Matrix& a, const Matrix& b);
+  friend Matrix operator*(const Value& k, const Matrix& m);
   friend Vector operator*(const Matrix& m, const Vector& v);
 
  private:
@@ -52,6 +62,8 @@ class Matrix {
 
 Matrix operator*(const Matrix& a, const Matrix& b);
 Matrix transpose(const Matrix& m);
+Value trace(const Matrix& m);
+Matrix identity(Program& program);
 Matrix constant_matrix(Program& program, const Rotation& rotation);
 Matrix bound(Program& program, const Matrix& m, const std::string& name = {});
 

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/geometry/vector_division.hpp"
+
+#include <fmt/format.h>
+
+#include "generator/expression/error.hpp"
+#include "generator/expression/evaluation.hpp"
+
+namespace torsor {
+
+VectorQuotient divide(const Vector& b, const Vector& a) {
+  if (vanishes(a)) {
+    throw SceneError("A ∧ X = B: cannot divide by A, which is the null vector; every X gives 0");
+  }
+  const Value along = dot(a, b);
+  if (!vanishes(along)) {
+    throw SceneError(
+        fmt::format("A ∧ X = B has no solution: A·B = {} must vanish, since A ∧ X is orthogonal to A; take "
+                    "the part of B along A away first",
+                    to_string(along)));
+  }
+  const Value square = dot(a, a);
+  const Vector turned = cross(b, a);
+  return {pow(square, -1) * turned, a};
+}
+
+}  // namespace torsor
