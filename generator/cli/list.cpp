@@ -46,6 +46,7 @@ Json content_json(const Scene& scene) {
   for (const PointContent& p : content.points) points.push_back(p.name);
   Json& actions = list("actions");
   for (const ActionContent& a : content.actions) actions.push_back(action_name(a));
+  for (const ContactFriction& f : content.frictions) actions.push_back(f.name);
   Json& constraints = list("constraints");
   for (const ConstraintContent& c : content.constraints) {
     constraints.push_back({{"name", c.name}, {"multiplier", c.multiplier->name}});

@@ -15,6 +15,7 @@
 #include "generator/emission/output_file.hpp"
 #include "generator/expression/decimal.hpp"
 #include "generator/expression/error.hpp"
+#include "generator/reading/force_function_text.hpp"
 #include "generator/reading/print_equations.hpp"
 #include "generator/verification/reference.hpp"
 
@@ -34,6 +35,7 @@ struct Request {
   std::string forward = "cheapest";
   std::vector<std::string> about;
   std::vector<std::string> times;
+  std::vector<std::string> actions, bodies;
   int digits = 50;
   int states = 20;
   bool json = false;
@@ -155,6 +157,11 @@ int list(const Scene& scene, const Request& request) {
   return 0;
 }
 
+int force_function(const Scene& scene, const Request& request) {
+  write(request.output, force_function_text(scene, {request.actions, request.bodies}));
+  return 0;
+}
+
 using Command = int (*)(const Scene&, const Request&);
 
 /// Declares the commands; the chosen one is left in `chosen`.
@@ -195,6 +202,11 @@ void declare(CLI::App& app, Request& request, Command& chosen) {
       ->capture_default_str()
       ->check(CLI::Range(10, 1000));
   sub->add_option("--times", request.times, "comma-separated times in seconds, increasing")->required()->delimiter(',');
+  sub = add("force-function", "tell whether actions have a potential energy, a force function or neither", force_function);
+  sub->add_option("--actions", request.actions, "names, comma-separated; gravity is the weight; all when absent")
+      ->delimiter(',');
+  sub->add_option("--bodies", request.bodies, "bodies on which they are counted; both ends of all when absent")
+      ->delimiter(',');
   with_json(add("list", "print what the scene contains and the kernels it offers", list));
 }
 
@@ -213,7 +225,7 @@ int run_scene_program(int argc, const char* const* argv, Scene (*make_scene)()) 
     const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
     const auto is_first_word = [argv](const CLI::App* command) { return command->get_name() == argv[1]; };
     if (argc > 1 && argv[1][0] != '-' && std::none_of(commands.begin(), commands.end(), is_first_word)) {
-      return fail(fmt::format("unknown command '{}': use equations, generate, counts, check, reference or list; see --help",
+      return fail(fmt::format("unknown command '{}': use equations, generate, counts, check, reference, force-function or list; see --help",
                               argv[1]),
                   bad_usage);
     }

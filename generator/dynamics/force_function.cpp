@@ -48,10 +48,7 @@ class Classifier {
     look_at_frictions();
     look_at_velocities();
     look_at_cross_derivatives();
-    if (!report_.reasons.empty()) {
-      report_.remark = "no force function exists";
-      return std::move(report_);
-    }
+    if (!report_.reasons.empty()) return std::move(report_);
     look_at_power();
     report_.kind = report_.reasons.empty() ? ForceFunctionCase::potential_energy : ForceFunctionCase::force_function;
     find_force_function();

@@ -34,7 +34,7 @@ struct Shaker {
 
 Point at_time(const Real& t) { return {{"t", t}, {"y", rational(4, 5)}, {"y'", rational(2, 3)}}; }
 
-TEST(Shaker, HasAPotentialEnergyWhenBothEndsOfTheSpringAreSeen) {
+TEST(ShakenSpring, HasAPotentialEnergyWhenBothEndsOfTheSpringAreSeen) {
   const Shaker it;
   const Equations equations(it.scene);
   const ForceFunctionReport report = classify_force_function(equations, {{"spring"}, {}});
@@ -52,7 +52,7 @@ TEST(Shaker, HasAPotentialEnergyWhenBothEndsOfTheSpringAreSeen) {
   EXPECT_LT(relative_difference(here(report.power), Real(-5) * stretch * (rational(2, 3) - support_rate)), exact);
 }
 
-TEST(Shaker, HasAForceFunctionAndNoPotentialEnergySeenFromTheMassAlone) {
+TEST(ShakenSpring, HasAForceFunctionAndNoPotentialEnergySeenFromTheMassAlone) {
   const Shaker it;
   const Equations equations(it.scene);
   const ForceFunctionReport report = classify_force_function(equations, {{"spring"}, {"M"}});
@@ -67,7 +67,7 @@ TEST(Shaker, HasAForceFunctionAndNoPotentialEnergySeenFromTheMassAlone) {
   EXPECT_LT(relative_difference(here(*report.force_function), rational(-5, 2) * stretch * stretch), exact);
 }
 
-TEST(Shaker, HasNoForceFunctionWithADamper) {
+TEST(ShakenSpring, HasNoForceFunctionWithADamper) {
   Shaker it;
   it.scene.damper("damper", "A", "B", Expression::quantity("2", "N s/m"));
   const Equations equations(it.scene);
@@ -79,7 +79,7 @@ TEST(Shaker, HasNoForceFunctionWithADamper) {
   EXPECT_EQ(classify_force_function(equations, {{"spring"}, {}}).kind, ForceFunctionCase::potential_energy);
 }
 
-TEST(Shaker, HasAPotentialEnergyInTheCoordinateRelativeToTheSupport) {
+TEST(ShakenSpring, HasAPotentialEnergyInTheCoordinateRelativeToTheSupport) {
   Scene scene("relative");
   const Expression x = scene.coordinate("x", "m");
   const FrameHandle support = scene.prismatic("support", scene.ground(), axis::y,

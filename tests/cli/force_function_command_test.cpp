@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/cli/scene_runner.hpp"
+
+namespace torsor {
+namespace {
+
+using namespace testing_programs;
+
+TEST(ForceFunctionCommand, SaysWhichOfTheThreeCasesItIsAndWhy) {
+  const Outcome weight = run(pendulum, {"force-function", "--actions", "gravity"});
+  EXPECT_EQ(weight.code, 0);
+  EXPECT_EQ(weight.out,
+            "pendulum: gravity, wherever they act\n"
+            "  Q_theta = -981/100 mass length sin(theta)\n"
+            "  power = -981/100 mass length sin(theta) theta'\n"
+            "  potential energy\n"
+            "  U = 981/100 mass length cos(theta)\n"
+            "    U of the springs, attractions, given functions and weight\n");
+  const Outcome all = run(pendulum, {"force-function"});
+  EXPECT_EQ(all.code, 0);
+  EXPECT_EQ(all.out,
+            "pendulum: all actions, wherever they act\n"
+            "  Q_theta = -981/100 mass length sin(theta) + torque\n"
+            "  power = -981/100 mass length sin(theta) theta' + theta' torque\n"
+            "  no force function\n"
+            "    Q_theta depends on the input torque\n");
+}
+
+TEST(ForceFunctionCommand, RefusesUnknownNames) {
+  expect_failure(run(pendulum, {"force-function", "--bodies", "bib"}), 3,
+                 "unknown body 'bib' in a selection of actions: the scene has bob");
+}
+
+}  // namespace
+}  // namespace torsor
