@@ -9,6 +9,7 @@
 #include "generator/dynamics/equations.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/expression/evaluation.hpp"
+#include "generator/mechanics/inertia_validity.hpp"
 #include "generator/mechanics/parameter_value.hpp"
 
 namespace torsor {
@@ -182,6 +183,7 @@ void check_initial_state(const Equations& equations) {
 void validate(const Scene& scene) {
   const WorkingDigits precision(digits);
   check_coordinates(scene);
+  for (const BodyContent& body : scene.content().bodies) check_inertia(scene.content(), body);
   const Equations equations(scene);
   check_joints(equations.model());
   equations.actions();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "generator/expression/expression.hpp"
+#include "generator/geometry/rotation.hpp"
 #include "generator/geometry/triple.hpp"
 
 namespace torsor {
@@ -27,6 +28,20 @@ struct Inertia {
   static Inertia ring(const Expression& mass, const Expression& radius, int axis);
   /// Solid cylinder: m (3 r² + h²)/12 across, m r²/2 along its axis.
   static Inertia cylinder(const Expression& mass, const Expression& radius, const Expression& height, int axis);
+  /// Thick tube between the radii r < R, its ends open or closed makes no difference: m (3 (R² + r²) + h²)/12 across,
+  /// m (R² + r²)/2 along its axis.
+  static Inertia hollow_cylinder(const Expression& mass, const Expression& outer_radius, const Expression& inner_radius,
+                                 const Expression& height, int axis);
+  /// Thin cylindrical shell without its ends: m (6 r² + h²)/12 across, m r² along its axis.
+  static Inertia cylindrical_shell(const Expression& mass, const Expression& radius, const Expression& height,
+                                   int axis);
+  /// Solid cone about its centre of mass, which is h/4 from the base and 3 h/4 from the apex: 3 m (4 r² + h²)/80 across,
+  /// 3 m r²/10 along its axis.
+  static Inertia cone(const Expression& mass, const Expression& base_radius, const Expression& height, int axis);
+  /// Thin conical shell without its base about its centre of mass, which is h/3 from the base: m (9 r² + 2 h²)/36 across,
+  /// m r²/2 along its axis.
+  static Inertia conical_shell(const Expression& mass, const Expression& base_radius, const Expression& height,
+                               int axis);
   /// Solid sphere: 2 m r²/5.
   static Inertia solid_sphere(const Expression& mass, const Expression& radius);
   /// Thin spherical shell: 2 m r²/3.
@@ -36,8 +51,26 @@ struct Inertia {
   /// Thin rectangular plate a × b in the x, y plane: m b²/12, m a²/12, m (a² + b²)/12.
   static Inertia plate(const Expression& mass, const Expression& a, const Expression& b);
 
+  /// Thin half disk with normal `axis`; its diameter is centred at the origin along the next axis (x for axis 2) and
+  /// the half that exists lies on the positive side of the one after (y): centre of mass at 4 r/(3π) there. About the
+  /// origin: m r²/4, m r²/4, m r²/2, no product.
+  static Inertia half_disk(const Expression& mass, const Expression& radius, int axis);
+  /// Thin quarter disk with normal `axis`, its corner at the origin and its edges along the two axes that follow, on
+  /// their positive sides (x and y for axis 2): centre of mass at 4 r/(3π) along both. About the corner: m r²/4,
+  /// m r²/4, m r²/2 and the product −m r²/(2π) (course, exercise 8.2.1).
+  static Inertia quarter_disk(const Expression& mass, const Expression& radius, int axis);
+  /// Thin triangular plate with its corners at a, b, c [m], anywhere in space: the operator of three masses m/12 at the
+  /// corners and one of 3 m/4 at the centre of mass (a + b + c)/3.
+  static Inertia triangle(const Expression& mass, const Triple& a, const Triple& b, const Triple& c);
+
   /// The same body with its centre of mass at another place of the frame.
   Inertia at(const Triple& new_center) const;
+  /// The body turned about the frame's origin: a vector of it with components v gets components R v, its operator is
+  /// R J Rᵀ and its centre of mass goes round. Equally: a body given in a frame turned by R, seen in the outer axes.
+  Inertia rotated(const Rotation& rotation) const;
+  /// Turned about the frame's origin by an angle [rad] about an axis (components along the frame's axes, any length),
+  /// e.g. a blade by its pitch. The angle may be a formula of parameters; a motion needs a joint.
+  Inertia rotated(const Triple& axis, const Expression& angle) const;
 };
 
 }  // namespace torsor
