@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <array>
+#include <cmath>
+
+#include "tests/runtime/mechanisms.hpp"
+
+// Mechanisms for statics, written by hand to the contract of generated headers.
+namespace mechanisms {
+
+/// What all of them share; n coordinates, m multipliers.
+template <int n, int m>
+struct Contract {
+  static constexpr int coordinate_count = n, velocity_count = n, multiplier_count = m;
+  using Coordinates = Values<double, n>;
+  using Velocities = Values<double, n>;
+  using Accelerations = Values<double, n>;
+  using GeneralizedForces = Values<double, n>;
+  using Multipliers = Values<double, m>;
+  struct State {
+    double time;
+    Coordinates q;
+    Velocities v;
+  };
+  struct Linearisation {
+    std::array<double, static_cast<std::size_t>(n*n)> M, C, K;
+    std::array<double, static_cast<std::size_t>(n)> F;
+  };
+  static State initial_state() noexcept { return {}; }
+};
+
+/// A pendulum (m = L = 1) hinged at the distance a from a vertical axis about which all turns at omega, in its plane,
+/// theta from the downward vertical outwards: T0 = ½ ω² (a + sin θ)², U = g cos θ, friction c. a = 0 is a bead on a
+/// hoop.
+struct ArmPendulum : Contract<1, 0> {
+  static constexpr int input_count = 0, parameter_count = 3;
+  using Inputs = Nothing;
+  struct Parameters {
+    double omega, arm, friction;
+  };
+  struct Precomputed {
+    Parameters parameters;
+  };
+  static Parameters default_parameters() noexcept { return {0, 0, 0}; }
+  static Precomputed precompute(const Parameters& p) noexcept { return {p}; }
+  static void inverse_dynamics(const Precomputed& p, const State& s, const Accelerations& a, const Multipliers&,
+                               GeneralizedForces& r) noexcept {
+    const auto& [omega, arm, friction] = p.parameters;
+    r[0] = a[0] + friction * s.v[0] + gravity<double> * std::sin(s.q[0]) -
+           omega * omega * (arm + std::sin(s.q[0])) * std::cos(s.q[0]);
+  }
+  static void linearisation(const Precomputed& p, const State& s, const Accelerations& a, const Multipliers& lambda,
+                            const Inputs&, Linearisation& linear) noexcept {
+    const auto& [omega, arm, friction] = p.parameters;
+    GeneralizedForces r{};
+    inverse_dynamics(p, s, a, lambda, r);
+    linear.M = {1.0};
+    linear.C = {friction};
+    linear.K = {gravity<double> * std::cos(s.q[0]) - omega * omega * std::cos(2 * s.q[0]) +
+                omega * omega * arm * std::sin(s.q[0])};
+    linear.F = {-r[0]};
+  }
+};
+
+/// A point mass (m = 1) on a curve f(x, y) = 0 under gravity along -y, one multiplier; an input pushes along x.
+/// Without the kernel `linearisation`: the search takes central differences.
+template <class Curve>
+struct PointOnCurve : Contract<2, 1> {
+  static constexpr int input_count = 0, parameter_count = 0;
+  using Inputs = Nothing;
+  using Parameters = Nothing;
+  struct Precomputed {
+    Parameters parameters;
+  };
+  struct Constraints {
+    std::array<double, 1> value, rate;
+    std::array<double, 2> jacobian;
+    std::array<double, 1> gamma;
+  };
+  static Parameters default_parameters() noexcept { return {}; }
+  static Precomputed precompute(const Parameters& p) noexcept { return {p}; }
+  static void constraints(const Precomputed&, const State& s, Constraints& c) noexcept {
+    const auto d = Curve::derivatives(s.q[0], s.q[1]);
+    c.value[0] = d.value;
+    c.jacobian = {d.x, d.y};
+    c.rate[0] = d.x * s.v[0] + d.y * s.v[1];
+    c.gamma[0] = d.xx * s.v[0] * s.v[0] + 2 * d.xy * s.v[0] * s.v[1] + d.yy * s.v[1] * s.v[1];
+  }
+  static void inverse_dynamics(const Precomputed&, const State& s, const Accelerations& a, const Multipliers& lambda,
+                               GeneralizedForces& r) noexcept {
+    const auto d = Curve::derivatives(s.q[0], s.q[1]);
+    r[0] = a[0] - lambda[0] * d.x;
+    r[1] = a[1] + gravity<double> - lambda[0] * d.y;
+  }
+};
+
+/// The same with the kernel `linearisation`.
+template <class Curve>
+struct LinearisedPointOnCurve : PointOnCurve<Curve> {
+  using Base = PointOnCurve<Curve>;
+  static void linearisation(const typename Base::Precomputed& p, const typename Base::State& s,
+                            const typename Base::Accelerations& a, const typename Base::Multipliers& lambda,
+                            const typename Base::Inputs&, typename Base::Linearisation& linear) noexcept {
+    const auto d = Curve::derivatives(s.q[0], s.q[1]);
+    typename Base::GeneralizedForces r{};
+    Base::inverse_dynamics(p, s, a, lambda, r);
+    linear.M = {1, 0, 0, 1};
+    linear.C = {0, 0, 0, 0};
+    linear.K = {-lambda[0] * d.xx, -lambda[0] * d.xy, -lambda[0] * d.xy, -lambda[0] * d.yy};
+    linear.F = {-r[0], -r[1]};
+  }
+};
+
+struct CurveDerivatives {
+  double value, x, y, xx, xy, yy;
+};
+/// x² + y² = 1, halved.
+struct Circle {
+  static CurveDerivatives derivatives(double x, double y) noexcept {
+    return {0.5 * (x * x + y * y - 1), x, y, 1, 0, 1};
+  }
+};
+/// y = x⁴ − x²: a bump between two valleys.
+struct DoubleWell {
+  static CurveDerivatives derivatives(double x, double y) noexcept {
+    return {y - x * x * x * x + x * x, -4 * x * x * x + 2 * x, 1, -12 * x * x + 2, 0, 0};
+  }
+};
+
+/// A mass (m = 1) on a spring k = 4 from x = 0 with a motor's force u, and a cyclic turn about the axis x runs away
+/// from: T = ½ (x'² + (1 + x²) ψ'²), friction c ψ' on the turn.
+struct TurningSlider : Contract<2, 0> {
+  static constexpr int input_count = 1, parameter_count = 1;
+  using Inputs = Values<double, 1>;
+  struct Parameters {
+    double friction;
+  };
+  struct Precomputed {
+    Parameters parameters;
+  };
+  static Parameters default_parameters() noexcept { return {0.5}; }
+  static Precomputed precompute(const Parameters& p) noexcept { return {p}; }
+  static void linearisation(const Precomputed& p, const State& s, const Accelerations& a, const Multipliers&,
+                            const Inputs& u, Linearisation& linear) noexcept {
+    const double x = s.q[0], turn = s.v[1], c = p.parameters.friction;
+    linear.M = {1, 0, 0, 1 + x * x};
+    linear.C = {0, 2 * x * turn, -2 * x * turn, 2 * x * s.v[0] + c};
+    linear.K = {4 - turn * turn, 2 * s.v[0] * turn + 2 * x * a[1], 0, 0};
+    linear.F = {-(a[0] - x * turn * turn + 4 * x - u[0]), -((1 + x * x) * a[1] + 2 * x * s.v[0] * turn + c * turn)};
+  }
+};
+
+}  // namespace mechanisms

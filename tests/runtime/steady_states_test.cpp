@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "runtime/steady_states.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "runtime/equilibrium_stability.hpp"
+#include "tests/runtime/static_mechanisms.hpp"
+
+namespace {
+
+using namespace torsor::runtime;
+using namespace mechanisms;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+
+constexpr double pi = std::numbers::pi, g = gravity<double>;
+constexpr double rounding = 1e-13;  // Newton's last step on equations of the size of 10
+
+const CoordinateBox turn{VectorXd::Constant(1, -pi + 0.1), VectorXd::Constant(1, pi + 0.1), {0}};
+
+StateSearch<ArmPendulum> equilibria(double omega, double arm = 0.0) {
+  return find_equilibria<ArmPendulum>(ArmPendulum::precompute({omega, arm, 0.0}), turn);
+}
+
+StabilityReport verdict(double omega, const FoundState<ArmPendulum>& s) {
+  return stability(linearised_at<ArmPendulum>(ArmPendulum::precompute({omega, 0.0, 0.0}), s), true);
+}
+
+// Bead on a vertical hoop, R = 1: the bottom is left at omega = sqrt(g/R) for cos(theta0) = g / omega².
+TEST(Equilibria, OfABeadOnATurningHoopBranchAtItsCriticalSpeed) {
+  const auto slow = equilibria(2.0);
+  ASSERT_EQ(slow.found.size(), 2U);
+  EXPECT_NEAR(slow.found[0].state.q[0], 0.0, rounding);
+  EXPECT_NEAR(slow.found[1].state.q[0], pi, rounding);
+  EXPECT_EQ(verdict(2.0, slow.found[0]).verdict, Stability::stable);
+  EXPECT_EQ(verdict(2.0, slow.found[1]).verdict, Stability::unstable);
+  const auto fast = equilibria(5.0);
+  ASSERT_EQ(fast.found.size(), 4U);
+  EXPECT_NEAR(fast.found[0].state.q[0], -1.167556903805042963872909, rounding);
+  EXPECT_NEAR(fast.found[2].state.q[0], 1.167556903805042963872909, rounding);
+  EXPECT_EQ(verdict(5.0, fast.found[0]).verdict, Stability::stable);
+  EXPECT_EQ(verdict(5.0, fast.found[1]).verdict, Stability::unstable);  // the bottom
+  EXPECT_EQ(verdict(5.0, fast.found[2]).verdict, Stability::stable);
+  EXPECT_EQ(verdict(5.0, fast.found[3]).verdict, Stability::unstable);
+  EXPECT_TRUE(fast.failures.empty());
+}
+
+TEST(Equilibria, OfABeadOnATurningHoopHaveThePublishedFrequencies) {
+  const auto frequency = [](double omega, const FoundState<ArmPendulum>& s) {
+    return natural_modes(linearised_at<ArmPendulum>(ArmPendulum::precompute({omega, 0, 0}), s)).angular_frequency(0);
+  };
+  EXPECT_NEAR(frequency(5.0, equilibria(5.0).found[2]), 4.598973363697598107670683, rounding);
+  EXPECT_NEAR(frequency(2.0, equilibria(2.0).found[0]), 2.410394158638789930968615, rounding);
+}
+
+// At the critical speed the three roots are one, where the second order of −(U + T0) vanishes.
+TEST(Equilibria, AtTheCriticalSpeedAreNotIsolatedAndNobodyConcludes) {
+  const double critical = std::sqrt(g);
+  const auto search = equilibria(critical);
+  ASSERT_EQ(search.found.size(), 2U);
+  EXPECT_NEAR(search.found[0].state.q[0], 0.0, 1e-3);
+  EXPECT_FALSE(search.found[0].isolated);
+  EXPECT_TRUE(search.found[1].isolated);
+  FoundState<ArmPendulum> bottom = search.found[0];
+  bottom.state.q[0] = 0.0;
+  const StabilityReport report = verdict(critical, bottom);
+  EXPECT_EQ(report.verdict, Stability::cannot_conclude);
+  EXPECT_NE(report.reason.find("Lejeune-Dirichlet"), std::string::npos);
+  EXPECT_NE(report.reason.find("Liapunov"), std::string::npos);
+}
+
+// Hinged away from the axis: tan θ = ω² (a + sin θ) / g. Two equilibria below the fold, four above it; counted here by
+// the changes of sign of the equation over a fine grid.
+TEST(Equilibria, OfAPendulumOnATurningArmAreAsManyAsItsEquationHas) {
+  const double arm = 0.3;
+  int counts[2] = {0, 0};
+  for (const double omega : {1.0, 2.0, 3.0, 4.0, 4.5, 5.0, 7.0}) {
+    const auto equation = [omega, arm](double theta) {
+      return g * std::sin(theta) - omega * omega * (arm + std::sin(theta)) * std::cos(theta);
+    };
+    std::size_t expected = 0;
+    for (int k = 0; k < 100000; ++k) {
+      const double theta = -pi + 0.1 + 2 * pi * k / 100000.0;
+      expected += (equation(theta) < 0) != (equation(theta + 2 * pi / 100000.0) < 0);
+    }
+    const auto search = equilibria(omega, arm);
+    EXPECT_EQ(search.found.size(), expected) << omega;
+    for (const auto& s : search.found) EXPECT_NEAR(equation(s.state.q[0]), 0.0, 1e-12 * (g + omega * omega));
+    ++counts[expected == 4U];
+  }
+  EXPECT_GT(counts[0], 0);
+  EXPECT_GT(counts[1], 0);
+}
+
+TEST(Equilibria, WithFrictionAreAsymptoticallyStable) {
+  const auto precomputed = ArmPendulum::precompute({2.0, 0.0, 0.1});
+  const auto search = find_equilibria<ArmPendulum>(precomputed, turn);
+  EXPECT_EQ(stability(linearised_at<ArmPendulum>(precomputed, search.found[0]), true).verdict,
+            Stability::asymptotically_stable);
+}
+
+// x = 0, y = ∓1 with the tension as multiplier: g − λ y = 0.
+TEST(Equilibria, WithAMultiplierComeWithTheReaction) {
+  using OnCircle = LinearisedPointOnCurve<Circle>;
+  const CoordinateBox box{Vector2d(-1.5, -1.5), Vector2d(1.5, 1.5)};
+  const auto search = find_equilibria<OnCircle>({}, box);
+  ASSERT_EQ(search.found.size(), 2U);
+  const auto& top = search.found[search.found[0].state.q[1] > 0 ? 0 : 1];
+  const auto& bottom = search.found[search.found[0].state.q[1] > 0 ? 1 : 0];
+  EXPECT_NEAR(bottom.state.q[0], 0.0, 1e-11);
+  EXPECT_NEAR(bottom.state.q[1], -1.0, 1e-11);
+  EXPECT_NEAR(bottom.multipliers[0], -g, 1e-9);
+  EXPECT_NEAR(top.multipliers[0], g, 1e-9);
+  EXPECT_TRUE(top.isolated && bottom.isolated);
+  const LinearSystem small = linearised_at<OnCircle>({}, bottom);
+  ASSERT_EQ(small.size(), 1);  // the pendulum itself: g/L
+  EXPECT_NEAR(natural_modes(small).squared_frequencies(0), g, 1e-9);
+  EXPECT_EQ(stability(small, true).verdict, Stability::stable);
+  EXPECT_EQ(stability(linearised_at<OnCircle>({}, top), true).verdict, Stability::unstable);
+}
+
+// y = x⁴ − x²: rest at x = 0 and ± sqrt(1/2); ω² = g y''/(1 + y'²) = 4 g in the valleys.
+TEST(Equilibria, OnADoubleWellAreThreeByDifferencesAsByDerivatives) {
+  const CoordinateBox box{Vector2d(-2, -2), Vector2d(2, 2)};
+  const auto by_differences = find_equilibria<PointOnCurve<DoubleWell>>({}, box);
+  const auto search = find_equilibria<LinearisedPointOnCurve<DoubleWell>>({}, box);
+  ASSERT_EQ(search.found.size(), 3U);
+  ASSERT_EQ(by_differences.found.size(), 3U);
+  const double expected[3] = {-std::sqrt(0.5), 0.0, std::sqrt(0.5)};
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_NEAR(search.found[k].state.q[0], expected[k], 1e-11);
+    EXPECT_NEAR(by_differences.found[k].state.q[0], expected[k], 1e-11);
+    EXPECT_NEAR(search.found[k].multipliers[0], g, 1e-9);
+  }
+  const auto system = linearised_at<LinearisedPointOnCurve<DoubleWell>>({}, search.found[2]);
+  EXPECT_NEAR(natural_modes(system).squared_frequencies(0), 4 * g, 1e-8);
+}
+
+// With the force u on the slider, x (4 − ψ'²) = u at the rate ψ'; the friction of the turn asks for c ψ'.
+TEST(SteadyMotions, HaveTheCyclicRateThatWasGivenAndTheEffortThatKeepsIt) {
+  const auto precomputed = TurningSlider::precompute({0.5});
+  TurningSlider::State state{};
+  state.v[1] = 1.5;
+  const CoordinateBox box{VectorXd::Constant(1, -3), VectorXd::Constant(1, 3)};
+  const auto search = find_steady_motions<TurningSlider>(precomputed, state, {1}, box, {}, {{3.5}});
+  ASSERT_EQ(search.found.size(), 1U);
+  EXPECT_NEAR(search.found[0].state.q[0], 3.5 / (4 - 1.5 * 1.5), rounding);
+  EXPECT_EQ(search.found[0].state.v[1], 1.5);
+  EXPECT_NEAR(search.found[0].efforts[1], 0.75, rounding);
+  EXPECT_EQ(search.found[0].efforts[0], 0.0);
+}
+
+// The rate that holds the slider at x = 1: ψ'² = 4 − u/x, the friction being carried by the motor of the turn.
+TEST(States, MayAskForVelocities) {
+  const auto precomputed = TurningSlider::precompute({0.0});
+  StateProblem<TurningSlider> problem;
+  problem.state.q[0] = 1.0;
+  problem.inputs[0] = 3.0;
+  problem.velocities = {1};
+  problem.lower = VectorXd::Constant(1, -5);
+  problem.upper = VectorXd::Constant(1, 5);
+  const auto search = find_states<TurningSlider>(precomputed, problem);
+  ASSERT_EQ(search.found.size(), 2U);
+  EXPECT_NEAR(search.found[0].state.v[1], -1.0, rounding);
+  EXPECT_NEAR(search.found[1].state.v[1], 1.0, rounding);
+}
+
+TEST(States, RefuseBoundsAndIndicesThatDoNotFit) {
+  StateProblem<TurningSlider> problem;
+  problem.coordinates = {0};
+  EXPECT_THROW((void)find_states<TurningSlider>(TurningSlider::precompute({0}), problem), std::invalid_argument);
+  problem.coordinates = {2};
+  problem.lower = problem.upper = VectorXd::Constant(1, 1);
+  EXPECT_THROW((void)find_states<TurningSlider>(TurningSlider::precompute({0}), problem), std::invalid_argument);
+  FoundState<LinearisedPointOnCurve<Circle>> moving;
+  moving.state.q[1] = -1.0;
+  moving.state.v[0] = 1.0;
+  EXPECT_THROW((void)linearised_at<LinearisedPointOnCurve<Circle>>({}, moving), std::invalid_argument);
+}
+
+}  // namespace
