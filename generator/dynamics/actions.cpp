@@ -99,9 +99,9 @@ class Collector {
                       user));
     }
     result_.spring_force_function += u;
-    std::vector<SymbolPointer> positions;
-    for (const CoordinateContent& c : model_.coordinates()) positions.push_back(c.q);
-    const std::vector<Value> forces = gradient(u, positions);
+    std::vector<SymbolPointer> velocities;
+    for (const CoordinateContent& c : model_.coordinates()) velocities.push_back(c.v);
+    const std::vector<Value> forces = gradient_along(u, velocities);
     if (std::all_of(forces.begin(), forces.end(), [](const Value& force) { return force.is_zero(); })) {
       throw SceneError(fmt::format("{} depends on no unknown coordinate: it makes no force; drop it", user));
     }

@@ -153,6 +153,7 @@ class RowBuilder {
 
   /// A released coordinate is held at zero and cannot be differentiated by: its joint's own twist moves the ends.
   void fill_released(const std::vector<Value>& of_b, const std::vector<Value>& of_a) {
+    if (!model_.options().hold_released) return;  // a coordinate like any other, differentiated by already
     for (auto i = static_cast<std::size_t>(model_.unknown_count()); i < of_a.size(); ++i) {
       row_.jacobian[i] = program_.bind(row_.jacobian[i] + of_b[i] - of_a[i]);
     }

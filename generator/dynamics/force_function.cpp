@@ -87,18 +87,30 @@ class Classifier {
 
   void look_at_cross_derivatives() {
     std::vector<Derivation> along;
-    for (std::size_t j = 0; j < count(); ++j) along.push_back(partial_derivation(program_, model_.coordinates()[j].q));
+    for (std::size_t j = 0; j < count(); ++j) along.push_back(model_.along(static_cast<int>(j)));
     std::vector<Value> differences;
     std::vector<std::string> sentences;
     for (std::size_t i = 0; i < count(); ++i) {
       for (std::size_t j = i + 1; j < count(); ++j) {
         const Value first = along[j](actions_.forces[i]);
         const Value second = along[i](actions_.forces[j]);
-        differences.push_back(first - second);
+        differences.push_back(first - second + of_commutator(i, j));
         sentences.push_back(fmt::format("dQ_{}/d{} is not dQ_{}/d{}", name(i), name(j), name(j), name(i)));
       }
     }
     say_where_not_zero(differences, sentences);
+  }
+
+  /// Derivatives along the components of an angular velocity do not commute: with ω in the axes of the body,
+  /// X_i X_j U − X_j X_i U = ε_ijk X_k U. Zero for any other pair.
+  Value of_commutator(std::size_t i, std::size_t j) const {
+    const auto& all = model_.coordinates();
+    if (all[i].attitude < 0 || all[i].attitude != all[j].attitude) return {};
+    std::size_t first = i;
+    while (first > 0 && all[first - 1].attitude == all[i].attitude) --first;
+    const std::size_t k = 3 - (i - first) - (j - first);
+    const Value& force = actions_.forces[first + k];
+    return j - i == 1 ? force : -force;
   }
 
   /// R = P − Σ Q_i q̇_i must be ∂U/∂t for some U with these Q_i.
@@ -111,7 +123,7 @@ class Classifier {
     std::vector<Value> differences;
     std::vector<std::string> sentences;
     for (std::size_t i = 0; i < count(); ++i) {
-      Derivation by_position = partial_derivation(program_, model_.coordinates()[i].q);
+      Derivation by_position = model_.along(static_cast<int>(i));
       Derivation by_velocity = partial_derivation(program_, model_.coordinates()[i].v);
       const Value explicit_rate = by_time(actions_.forces[i]);
       differences.push_back(explicit_rate - by_position(rest_));
@@ -137,9 +149,10 @@ class Classifier {
   }
 
   bool has_these_forces(const Value& u) const {
-    std::vector<SymbolPointer> positions;
-    for (std::size_t i = 0; i < count(); ++i) positions.push_back(model_.coordinates()[i].q);
-    std::vector<Value> differences = u.program() == nullptr ? std::vector<Value>(count()) : gradient(u, positions);
+    std::vector<SymbolPointer> velocities;
+    for (std::size_t i = 0; i < count(); ++i) velocities.push_back(model_.coordinates()[i].v);
+    std::vector<Value> differences =
+        u.program() == nullptr ? std::vector<Value>(count()) : gradient_along(u, velocities);
     for (std::size_t i = 0; i < count(); ++i) differences[i] -= actions_.forces[i];
     const std::vector<bool> zero = vanish(differences);
     return std::all_of(zero.begin(), zero.end(), [](bool z) { return z; });
@@ -163,7 +176,8 @@ class Classifier {
   void find_force_function() {
     const Value own = program_.bind(actions_.force_function);
     if (has_these_forces(own)) return found(own, "U of the springs, attractions, given functions and weight");
-    for (int n = 1; n <= 9; ++n) {
+    const bool quaternions = model_.positions().size() != count();
+    for (int n = 1; n <= 9 && !quaternions; ++n) {
       const Value u = along_straight_lines(n);
       if (has_these_forces(u)) return found(u, "U by integration along straight lines from q = 0");
     }

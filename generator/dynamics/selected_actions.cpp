@@ -79,11 +79,11 @@ class Gatherer {
   }
 
   std::vector<Value> along_coordinates(const Value& u) const {
-    std::vector<SymbolPointer> positions;
+    std::vector<SymbolPointer> velocities;
     for (int i = 0; i < model_.unknown_count(); ++i) {
-      positions.push_back(model_.coordinates()[static_cast<std::size_t>(i)].q);
+      velocities.push_back(model_.coordinates()[static_cast<std::size_t>(i)].v);
     }
-    return u.program() == nullptr ? std::vector<Value>(positions.size()) : gradient(u, positions);
+    return u.program() == nullptr ? std::vector<Value>(velocities.size()) : gradient_along(u, velocities);
   }
 
   static Value rate(const Value& u) { return u.program() == nullptr ? Value() : time_derivative(u); }

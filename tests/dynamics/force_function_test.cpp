@@ -174,6 +174,23 @@ TEST(ForceFunction, DoesNotExistForMotorsAndFriction) {
                                                       "Q_x depends on the input push"}));
 }
 
+TEST(ForceFunction, IsRecognisedAlongQuasiVelocities) {
+  // Along the components of an angular velocity cross derivatives differ although U exists: the weight of a body off
+  // its pivot. A constant moment in the body's axes has none: it does work around closed paths.
+  Scene scene("top");
+  const AttitudeHandle attitude = scene.attitude("e");
+  const FrameHandle top = scene.spherical("top", scene.ground(), attitude);
+  scene.body("top", top,
+             Inertia::box(kilograms("1"), metres("1"), metres("2"), metres("3")).at({metres("0.3"), 0, metres("1")}));
+  scene.gravity(
+      {Expression::quantity("1", "m/s^2"), Expression::quantity("2", "m/s^2"), Expression::quantity("-9", "m/s^2")});
+  EXPECT_EQ(classify_force_function(Equations(scene)).kind, ForceFunctionCase::potential_energy);
+  scene.torque("motor", top, {0, 0, Expression::quantity("2", "N m")}, top);
+  const ForceFunctionReport report = classify_force_function(Equations(scene), {{"motor"}, {}});
+  EXPECT_EQ(report.kind, ForceFunctionCase::none);
+  EXPECT_EQ(report.reasons.size(), 1U);
+}
+
 TEST(ForceFunction, GivenByFormulaWithTimeIsNoPotentialEnergy) {
   FreePoint it;
   it.scene.force_function(
