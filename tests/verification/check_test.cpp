@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "generator/verification/random_state.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
 namespace torsor {
@@ -45,6 +47,26 @@ TEST(Check, ComparesEveryKernelInDoubleAndRepeatsItself) {
     EXPECT_EQ(named(first, "double." + std::string(kernel)).worst,
               named(second, "double." + std::string(kernel)).worst);
   }
+}
+
+/// At the first random state a spring is stretched by 1e-9 m only, the difference of two lengths of a metre: the
+/// roundings of these are no fault of the kernels.
+TEST(Check, MeasuresDoublesAgainstTheTermsThatCancel) {
+  const auto scale = [](const Expression& rest) {
+    Scene scene("scale");
+    const Expression x = scene.coordinate("x", "m");
+    const FrameHandle pan = scene.prismatic("pan", scene.ground(), axis::x, x);
+    scene.body("pan", pan, Inertia::point(kilograms("1")));
+    scene.spring("spring", x, Expression::quantity("1", "N/m"), rest);
+    return scene;
+  };
+  const Scene any = scale(Expression::quantity("1", "m"));
+  const double x = RandomState(any, 1).value(any.content().coordinates[0].q);
+  ASSERT_GT(std::abs(x), 0.01);
+  const Expression rest = Expression(x) * Expression::quantity("1", "m") + Expression::quantity("1e-9", "m");
+  const std::vector<CheckResult> results = check_scene(scale(rest), {.digits = 30, .states = 1});
+  EXPECT_LT(named(results, "double.bias").worst, 1e-15);
+  EXPECT_GT(named(results, "double.bias").worst, 0.0);
 }
 
 /// A reaction that pushes along the wrong direction is caught by the gradient of its constraint.

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "generator/torsor.hpp"
+
+/// Plate of any shape with its straight edge AB on a smooth level plane (Pommier, 8.3.2 exercise 1). alpha turns it
+/// about the vertical, beta about its edge: beta is the angle of its plane with the ground (of its normal z with z_g);
+/// the centre of mass is at HG = b y from the edge, at the height b sin(beta). x and y are the horizontal coordinates
+/// of G. The released coordinates lift the edge off the plane, and tilt it: the reactions are the force N of the plane
+/// and its moment about the horizontal through H normal to AB. As it stands, a right-angled triangle, its right angle
+/// at A.
+torsor::Scene falling_plate_scene() {
+  using namespace torsor;
+  using namespace torsor::literals;
+  Scene scene("falling_plate", "A plate falls with its edge on a smooth plane");
+
+  const Expression M = scene.parameter("M", "kg", 1);
+  const Expression edge = scene.parameter("edge", "m", 0.6_r);      // AB
+  const Expression height = scene.parameter("height", "m", 0.9_r);  // of the triangle
+  const Expression g = scene.parameter("g", "m/s^2", 9.81_r);
+  const Expression b = scene.run_time_parameter("b", "m", height / 3);
+  // Inertia operator at G in the plate's axes: [A F 0; F B 0; 0 0 A+B], F = -integral of x y dm.
+  const Expression A = scene.run_time_parameter("A", "kg m^2", M * height * height / 18);
+  const Expression B = scene.run_time_parameter("B", "kg m^2", M * edge * edge / 18);
+  const Expression F = scene.run_time_parameter("F", "kg m^2", M * edge * height / 36);
+
+  const Expression x = scene.coordinate("x", "m");
+  const Expression y = scene.coordinate("y", "m");
+  const Expression alpha = scene.coordinate("alpha", "rad");
+  const Expression beta = scene.coordinate("beta", "rad");
+  const Expression N = scene.released_coordinate("N", "m");
+  const Expression moment = scene.released_coordinate("moment", "rad");
+  scene.initial(beta, 1.4_r);
+
+  const FrameHandle along_x = scene.prismatic("along_x", scene.ground(), axis::x, x);
+  const FrameHandle along_y = scene.prismatic("along_y", along_x, axis::y, y);
+  const FrameHandle lift = scene.prismatic("lift", along_y, axis::z, N);
+  const FrameHandle turned = scene.revolute("turned", lift, axis::z, alpha);
+  // The foot H of G on the plane's edge: -b cos(beta) along the horizontal normal to the edge.
+  const FrameHandle foot = scene.prismatic("foot", turned, axis::y, -b * cos(beta));
+  const FrameHandle tilted = scene.revolute("tilted", foot, axis::y, moment);
+  const FrameHandle plate = scene.revolute("plate", tilted, axis::x, beta);
+  scene.body("plate", plate, Inertia::general(M, A, B, A + B, F).at({0, b, 0}));
+  scene.gravity({0, 0, -g});
+  return scene;
+}
+
+TORSOR_SCENE(falling_plate_scene)

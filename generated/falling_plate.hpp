@@ -1,0 +1,1142 @@
+// SPDX-License-Identifier: MIT
+// falling_plate: A plate falls with its edge on a smooth plane
+// Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
+// Free to embed under the MIT licence.
+//
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, reactions, linearisation
+// Parameters set at run time: b, A, B, F
+//
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
+// moved across joints, factoring, and what is done once for a set of parameters:
+//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   precompute                5                2          0             0                  0       0      7       -
+//   kinematics               17               38          0             0                  2       0     59      59
+//   mass_matrix               4                9          0             0                  1       0     15      21
+//   bias                     15               38          0             0                  1       0     55      70
+//   inverse_dynamics         31               55          0             0                  2       0     90     102
+//   forward_dynamics         42               85          4             0                  2       0    135     150
+//   energy                   15               30          0             0                  2       0     49      59
+//   first_integrals          29               54          0             0                  2       0     87      97
+//   reactions                14               30          0             0                  2       0     48      79
+//   linearisation           133              224          4             0                  2       0    365     401
+//
+// Not computed because this mechanism does not need it:
+//   kinematics: of 18 results 1 vanish identically
+//   mass_matrix: of 16 results 10 vanish identically, 1 repeat another up to sign
+//   bias: of 4 results 2 vanish identically
+//   forward_dynamics: of 4 results 2 vanish identically
+//   energy: of 3 results 1 vanish identically
+//   constraints: left out, the scene has no constraints
+//   linearisation: of 116 results 90 vanish identically, 1 repeat another up to sign
+//
+// To write this file again:
+//   falling_plate_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output falling_plate.hpp
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#ifndef TORSOR_KERNEL_SUPPORT
+#define TORSOR_KERNEL_SUPPORT 1
+// Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
+#ifndef TORSOR_DEVICE
+#define TORSOR_DEVICE
+#endif
+
+namespace torsor {
+
+/// What a kernel says about its results; the larger, the worse.
+enum class Status : int { ok = 0, singular = 1, not_finite = 2 };
+
+/// What a kernel needs of its scalar. This one serves float and double; specialise it, once a header is included, for
+/// any other (a pack of several states, a high-precision number).
+template <class Scalar>
+struct scalar_traits {
+  static_assert(sizeof(Scalar) == sizeof(float) || sizeof(Scalar) == sizeof(double),
+                "specialise torsor::scalar_traits for a scalar that is neither float nor double");
+  static constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+
+  /// A number, rounded for either format. `exact` is "num/den", or "a;b;c;d" for a + b sqrt(2) + c sqrt(3) + d sqrt(6).
+  TORSOR_DEVICE static constexpr Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    return is_float ? static_cast<Scalar>(in_float) : static_cast<Scalar>(in_double);
+  }
+  /// The same for a number that is no such sum: a callable computes it where literals are not precise enough.
+  template <class Callable>
+  TORSOR_DEVICE static constexpr Scalar formula(double in_double, float in_float, const Callable&) noexcept {
+    return constant(in_double, in_float, nullptr);
+  }
+  TORSOR_DEVICE static constexpr Scalar pi() noexcept { return constant(3.141592653589793, 3.1415927f, nullptr); }
+  TORSOR_DEVICE static constexpr Scalar select(bool condition, Scalar if_true, Scalar if_false) noexcept {
+    return condition ? if_true : if_false;
+  }
+  TORSOR_DEVICE static void sincos(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
+    sine = std::sin(angle);
+    cosine = std::cos(angle);
+  }
+  TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
+  TORSOR_DEVICE static Scalar exp(const Scalar& x) noexcept { return std::exp(x); }
+  TORSOR_DEVICE static Scalar log(const Scalar& x) noexcept { return std::log(x); }
+  /// Whether a pivot is positive beyond the rounding of the diagonal entry it came from; not when it is not a number.
+  TORSOR_DEVICE static bool regular(const Scalar& pivot, const Scalar& diagonal) noexcept {
+    return pivot > constant(0x1p-52, 0x1p-23f, nullptr) * std::abs(diagonal);
+  }
+};
+
+}  // namespace torsor
+#elif TORSOR_KERNEL_SUPPORT != 1
+#error "headers of incompatible versions of torsor meet here: write them again with one version"
+#endif
+
+namespace falling_plate {
+
+/// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
+/// M a + h = E u + A' lambda and A a + gamma = 0, with a the accelerations and u the inputs; units are SI.
+template <class Scalar>
+struct Mechanism {
+  using traits = torsor::scalar_traits<Scalar>;
+
+  static constexpr const char* name = "falling_plate";
+  static constexpr int coordinate_count = 4;
+  static constexpr int velocity_count = 4;
+  static constexpr int input_count = 0;
+  static constexpr int parameter_count = 4;
+  static constexpr int multiplier_count = 0;
+
+  /// Parameters that are set at run time.
+  struct Parameters {
+    Scalar b;  ///< parameter [m]
+    Scalar A;  ///< parameter [kg m^2]
+    Scalar B;  ///< parameter [kg m^2]
+    Scalar F;  ///< parameter [kg m^2]
+    static constexpr int size = 4;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Parameters::*member_(int i_) noexcept {
+      constexpr Scalar Parameters::*members_[] = {&Parameters::b, &Parameters::A, &Parameters::B, &Parameters::F};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised coordinates q.
+  struct Coordinates {
+    Scalar x;  ///< coordinate [m]
+    Scalar y;  ///< coordinate [m]
+    Scalar alpha;  ///< coordinate [rad or 1]
+    Scalar beta;  ///< coordinate [rad or 1]
+    static constexpr int size = 4;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Coordinates::*member_(int i_) noexcept {
+      constexpr Scalar Coordinates::*members_[] = {&Coordinates::x, &Coordinates::y, &Coordinates::alpha,
+          &Coordinates::beta};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised velocities v = dq/dt.
+  struct Velocities {
+    Scalar x;  ///< its rate [m/s]
+    Scalar y;  ///< its rate [m/s]
+    Scalar alpha;  ///< its rate [rad/s]
+    Scalar beta;  ///< its rate [rad/s]
+    static constexpr int size = 4;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Velocities::*member_(int i_) noexcept {
+      constexpr Scalar Velocities::*members_[] = {&Velocities::x, &Velocities::y, &Velocities::alpha,
+          &Velocities::beta};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised accelerations dv/dt.
+  struct Accelerations {
+    Scalar x;  ///< its second rate [m/s^2]
+    Scalar y;  ///< its second rate [m/s^2]
+    Scalar alpha;  ///< its second rate [rad/s^2]
+    Scalar beta;  ///< its second rate [rad/s^2]
+    static constexpr int size = 4;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Accelerations::*member_(int i_) noexcept {
+      constexpr Scalar Accelerations::*members_[] = {&Accelerations::x, &Accelerations::y, &Accelerations::alpha,
+          &Accelerations::beta};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised forces, one along each coordinate.
+  struct GeneralizedForces {
+    Scalar x;  ///< works with the rate of x [N]
+    Scalar y;  ///< works with the rate of y [N]
+    Scalar alpha;  ///< works with the rate of alpha [N m]
+    Scalar beta;  ///< works with the rate of beta [N m]
+    static constexpr int size = 4;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar GeneralizedForces::*member_(int i_) noexcept {
+      constexpr Scalar GeneralizedForces::*members_[] = {&GeneralizedForces::x, &GeneralizedForces::y,
+          &GeneralizedForces::alpha, &GeneralizedForces::beta};
+      return members_[i_];
+    }
+  };
+
+  /// Forces and torques of motors, set at each call.
+  struct Inputs {
+    static constexpr int size = 0;
+  };
+
+  /// Multipliers of the constraints, or the reactions that enforce them.
+  struct Multipliers {
+    static constexpr int size = 0;
+  };
+
+  /// Time [s], coordinates and velocities.
+  struct State {
+    Scalar time;
+    Coordinates q;
+    Velocities v;
+  };
+
+  /// Parameters and what depends on them only: built once for each set of parameters.
+  struct Precomputed {
+    Parameters parameters;
+    Scalar z24;
+    Scalar z25;
+    Scalar z26;
+    Scalar z104;
+  };
+
+  /// Values of the scene.
+  TORSOR_DEVICE static Parameters default_parameters() noexcept {
+    Parameters parameters{};
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n0_045 = traits::constant(0.045, 0.045f, "9/200");
+    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
+    const Scalar n0_015 = traits::constant(0.015, 0.015f, "3/200");
+    parameters.b = n0_3;
+    parameters.A = n0_045;
+    parameters.B = n0_02;
+    parameters.F = n0_015;
+    return parameters;
+  }
+
+  /// To be called again when a parameter changes.
+  TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
+    Precomputed precomputed{};
+    precomputed.parameters = parameters;
+    const Scalar p_b = parameters.b;
+    const Scalar p_A = parameters.A;
+    const Scalar p_B = parameters.B;
+    const Scalar z24 = p_b * p_b + p_A;
+    const Scalar z25 = p_b * p_b + p_A + p_B;
+    const Scalar z26 = p_B - z25;
+    const Scalar z104 = z24 - z26;
+    precomputed.z24 = z24;
+    precomputed.z25 = z25;
+    precomputed.z26 = z26;
+    precomputed.z104 = z104;
+    return precomputed;
+  }
+
+  /// The state the scene starts from, for these parameters.
+  TORSOR_DEVICE static State initial_state(const Parameters&) noexcept {
+    State state{};
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n1_4 = traits::constant(1.4, 1.4f, "7/5");
+    state.time = n0;
+    state.q.x = n0;
+    state.q.y = n0;
+    state.q.alpha = n0;
+    state.q.beta = n1_4;
+    state.v.x = n0;
+    state.v.y = n0;
+    state.v.alpha = n0;
+    state.v.beta = n0;
+    return state;
+  }
+  TORSOR_DEVICE static State initial_state() noexcept { return initial_state(default_parameters()); }
+
+  /// Poses, twists and named points in ground axes.
+  struct Kinematics {
+    std::array<Scalar, 3> plate_position;  ///< centre of mass of plate [m]
+    std::array<Scalar, 9> plate_rotation;  ///< from the axes of plate to the ground's (3 x 3)
+    std::array<Scalar, 3> plate_velocity;  ///< velocity of the centre of mass of plate [m/s]
+    std::array<Scalar, 3> plate_angular_velocity;  ///< angular velocity of plate [rad/s]
+  };
+
+  /// Energies of the mechanism.
+  struct Energy {
+    Scalar kinetic;  ///< kinetic energy T [J]
+    Scalar force_function;  ///< force function U of gravity and springs [J]
+    Scalar power;  ///< power of dampers, given forces and motors [W]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Energy::*member_(int i_) noexcept {
+      constexpr Scalar Energy::*members_[] = {&Energy::kinetic, &Energy::force_function, &Energy::power};
+      return members_[i_];
+    }
+  };
+
+  /// Quantities that every motion conserves.
+  struct FirstIntegrals {
+    Scalar energy;  ///< T - U [J]
+    Scalar momentum_x;  ///< dT/dx' of the cyclic coordinate 'x' [kg m s^-1]
+    Scalar momentum_y;  ///< dT/dy' of the cyclic coordinate 'y' [kg m s^-1]
+    Scalar momentum_alpha;  ///< dT/dalpha' of the cyclic coordinate 'alpha' [kg m^2 s^-1]
+    static constexpr int size = 4;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar FirstIntegrals::*member_(int i_) noexcept {
+      constexpr Scalar FirstIntegrals::*members_[] = {&FirstIntegrals::energy, &FirstIntegrals::momentum_x,
+          &FirstIntegrals::momentum_y, &FirstIntegrals::momentum_alpha};
+      return members_[i_];
+    }
+  };
+  static constexpr int first_integral_count = 4;
+
+  /// Reactions of joints along released directions.
+  struct Reactions {
+    Scalar N;  ///< reaction along 'N' [kg m s^-2]
+    Scalar moment;  ///< reaction along 'moment' [kg m^2 s^-2]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Reactions::*member_(int i_) noexcept {
+      constexpr Scalar Reactions::*members_[] = {&Reactions::N, &Reactions::moment};
+      return members_[i_];
+    }
+  };
+
+  /// Matrices of the linearised equations, stored column by column.
+  struct Linearisation {
+    std::array<Scalar, 16> M;  ///< mass matrix (4 x 4)
+    std::array<Scalar, 16> C;  ///< damping and gyroscopic terms (4 x 4)
+    std::array<Scalar, 16> K;  ///< stiffness (4 x 4)
+    std::array<Scalar, 4> F;  ///< right-hand side
+    std::array<Scalar, 64> A;  ///< state matrix of x = (e, e'): x' = A x + B du (8 x 8)
+  };
+
+  /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
+  /// matrices column by column.
+  TORSOR_DEVICE static void kinematics(const Precomputed& precomputed, const State& state,
+      Kinematics& result) noexcept {
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_x = state.q.x;
+    const Scalar v_x = state.v.x;
+    const Scalar q_y = state.q.y;
+    const Scalar v_y = state.v.y;
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar v_alpha = state.v.alpha;
+    const Scalar p_b = precomputed.parameters.b;
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z16 = s_beta * v_beta;
+    const Scalar z20 = p_b * s_beta;
+    const Scalar z27 = v_x * c_alpha + v_y * s_alpha;
+    const Scalar z28 = v_x * s_alpha - v_y * c_alpha;
+    const Scalar z29 = p_b * c_beta;
+    const Scalar z30 = v_alpha * z29 + z27;
+    const Scalar z31 = p_b * z16 - z28;  // velocity of foot, y
+    const Scalar z32 = v_alpha * s_beta;
+    const Scalar z33 = v_alpha * c_beta;
+    const Scalar z34 = c_beta * z31;
+    const Scalar z35 = s_beta * z31;
+    const Scalar z36 = p_b * c_beta - z29;
+    const Scalar z37 = s_alpha * z36;
+    const Scalar z38 = c_alpha * z36;
+    const Scalar z39 = q_y - z38;
+    const Scalar z40 = q_x + z37;
+    const Scalar z41 = s_alpha * c_beta;
+    const Scalar z42 = c_alpha * c_beta;
+    const Scalar z43 = s_alpha * s_beta;
+    const Scalar z44 = c_alpha * s_beta;
+    const Scalar z45 = p_b * z33 - z30;
+    const Scalar z46 = p_b * v_beta - z35;
+    const Scalar z47 = c_beta * z34 - s_beta * z46;
+    const Scalar z48 = c_beta * z46 + s_beta * z34;
+    const Scalar z49 = s_alpha * z47 + c_alpha * z45;
+    const Scalar z50 = s_alpha * z45 - c_alpha * z47;
+    const Scalar z51 = c_beta * z32 - s_beta * z33;
+    const Scalar z52 = c_beta * z33 + s_beta * z32;
+    const Scalar z53 = s_alpha * z51 - c_alpha * v_beta;
+    const Scalar z54 = s_alpha * v_beta + c_alpha * z51;
+    result.plate_position[0] = z40;
+    result.plate_position[1] = z39;
+    result.plate_position[2] = z20;
+    result.plate_rotation[0] = c_alpha;
+    result.plate_rotation[1] = s_alpha;
+    result.plate_rotation[2] = n0;
+    result.plate_rotation[3] = -z41;
+    result.plate_rotation[4] = z42;
+    result.plate_rotation[5] = s_beta;
+    result.plate_rotation[6] = z43;
+    result.plate_rotation[7] = -z44;
+    result.plate_rotation[8] = c_beta;
+    result.plate_velocity[0] = -z49;
+    result.plate_velocity[1] = -z50;
+    result.plate_velocity[2] = z48;
+    result.plate_angular_velocity[0] = -z53;
+    result.plate_angular_velocity[1] = z54;
+    result.plate_angular_velocity[2] = z52;
+  }
+
+  /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
+  TORSOR_DEVICE static void mass_matrix(const Precomputed& precomputed, const State& state,
+      std::array<Scalar, 16>& mass) noexcept {
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar p_b = precomputed.parameters.b;
+    const Scalar q_beta = state.q.beta;
+    const Scalar p_F = precomputed.parameters.F;
+    const Scalar z24 = precomputed.z24;
+    const Scalar z25 = precomputed.z25;
+    const Scalar z26 = precomputed.z26;
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z20 = p_b * s_beta;
+    const Scalar z29 = p_b * c_beta;
+    const Scalar z56 = s_beta * p_F;
+    const Scalar z57 = z20 * z20;
+    const Scalar z63 = s_beta * z26;
+    const Scalar z64 = s_beta * z63;
+    const Scalar z68 = z25 + z64;
+    const Scalar z75 = z29 * z29 - z68;
+    const Scalar z90 = z20 * z20 + z24 - n2 * z57;
+    mass[0] = n1;
+    mass[1] = n0;
+    mass[2] = n0;
+    mass[3] = n0;
+    mass[4] = n0;
+    mass[5] = n1;
+    mass[6] = n0;
+    mass[7] = n0;
+    mass[8] = n0;
+    mass[9] = n0;
+    mass[10] = -z75;
+    mass[11] = z56;
+    mass[12] = n0;
+    mass[13] = n0;
+    mass[14] = z56;
+    mass[15] = z90;
+  }
+
+  /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
+  /// actions included. M a + h = E u + A' lambda.
+  TORSOR_DEVICE static void bias(const Precomputed& precomputed, const State& state,
+      GeneralizedForces& forces) noexcept {
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar v_alpha = state.v.alpha;
+    const Scalar p_b = precomputed.parameters.b;
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    const Scalar p_F = precomputed.parameters.F;
+    const Scalar z24 = precomputed.z24;
+    const Scalar z26 = precomputed.z26;
+    const Scalar z104 = precomputed.z104;
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z16 = s_beta * v_beta;
+    const Scalar z17 = c_beta * v_beta;
+    const Scalar z20 = p_b * s_beta;
+    const Scalar z29 = p_b * c_beta;
+    const Scalar z32 = v_alpha * s_beta;
+    const Scalar z33 = v_alpha * c_beta;
+    const Scalar z91 = v_beta * z17;
+    const Scalar z92 = v_alpha * v_alpha;
+    const Scalar z93 = n2 * v_alpha * p_b * z16;
+    const Scalar z94 = p_b * z91 + z29 * z92;
+    const Scalar z96 = n9_81 * c_beta - s_beta * z94;
+    const Scalar z97 = v_beta * z33;  // angular acceleration of plate, y
+    const Scalar z98 = v_beta * z32;  // angular acceleration of plate, z
+    const Scalar z99 = n2 * z98;
+    const Scalar z100 = z33 * z33;
+    const Scalar z101 = v_beta * v_beta;
+    const Scalar z102 = z100 + z101;
+    const Scalar z103 = z32 * z33;
+    const Scalar z105 = z32 * z32;
+    const Scalar z106 = z101 - z105;
+    const Scalar z107 = p_b * z99;  // force on plate, x
+    const Scalar z108 = p_b * z102;  // force on plate, y
+    const Scalar z109 = p_b * z103;  // force on plate, z
+    const Scalar z110 = p_b * z96 - z26 * z103;  // moment on plate, x
+    const Scalar z111 = z97 * (z24 + z26) + p_F * z103;  // moment on plate, y
+    const Scalar z112 = p_b * z93 + p_F * z106 - z98 * z104;  // moment on plate, z
+    const Scalar z113 = c_beta * z108 + s_beta * z109;
+    const Scalar z116 = c_beta * z112 + s_beta * z111;
+    const Scalar z117 = z93 - z107;  // force on foot, x
+    const Scalar z118 = z94 - z113;  // force on foot, y
+    const Scalar z121 = z29 * z117 - z116;  // moment on turned, z
+    const Scalar z128 = z20 * z118 + z110;
+    forces.x = n0;
+    forces.y = n0;
+    forces.alpha = -z121;
+    forces.beta = z128;
+  }
+
+  /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
+  TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State& state,
+      const Accelerations& accelerations, const Multipliers&, GeneralizedForces& forces) noexcept {
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar a_x = accelerations.x;
+    const Scalar a_y = accelerations.y;
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar v_alpha = state.v.alpha;
+    const Scalar a_alpha = accelerations.alpha;
+    const Scalar p_b = precomputed.parameters.b;
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    const Scalar a_beta = accelerations.beta;
+    const Scalar p_F = precomputed.parameters.F;
+    const Scalar z24 = precomputed.z24;
+    const Scalar z25 = precomputed.z25;
+    const Scalar z26 = precomputed.z26;
+    const Scalar z104 = precomputed.z104;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z16 = s_beta * v_beta;
+    const Scalar z17 = c_beta * v_beta;
+    const Scalar z19 = s_beta * a_beta + v_beta * z17;
+    const Scalar z20 = p_b * s_beta;
+    const Scalar z29 = p_b * c_beta;
+    const Scalar z32 = v_alpha * s_beta;
+    const Scalar z33 = v_alpha * c_beta;
+    const Scalar z92 = v_alpha * v_alpha;
+    const Scalar z97 = v_beta * z33;  // angular acceleration of plate, y
+    const Scalar z98 = v_beta * z32;  // angular acceleration of plate, z
+    const Scalar z100 = z33 * z33;
+    const Scalar z101 = v_beta * v_beta;
+    const Scalar z102 = z100 + z101;
+    const Scalar z103 = z32 * z33;
+    const Scalar z105 = z32 * z32;
+    const Scalar z106 = z101 - z105;
+    const Scalar z108 = p_b * z102;  // force on plate, y
+    const Scalar z129 = a_x * c_alpha + a_y * s_alpha;
+    const Scalar z130 = a_x * s_alpha - a_y * c_alpha;
+    const Scalar z131 = n2 * v_alpha * p_b * z16 - a_alpha * z29 - z129;
+    const Scalar z132 = p_b * z19 + z29 * z92 - z130;
+    const Scalar z133 = a_alpha * s_beta;
+    const Scalar z134 = a_alpha * c_beta;
+    const Scalar z136 = n9_81 * c_beta - s_beta * z132;
+    const Scalar z137 = v_beta * z33 + z133;  // angular acceleration of plate, y
+    const Scalar z138 = v_beta * z32 - z134;  // angular acceleration of plate, z
+    const Scalar z139 = z98 + z138;
+    const Scalar z140 = a_beta + z103;
+    const Scalar z141 = z97 - z137;
+    const Scalar z142 = p_b * z139;  // force on plate, x
+    const Scalar z143 = p_b * z140;  // force on plate, z
+    const Scalar z144 = p_b * z136 + a_beta * z24 - p_F * z141 - z26 * z103;  // moment on plate, x
+    const Scalar z145 = p_F * z140 + z24 * z97 + z26 * z137;  // moment on plate, y
+    const Scalar z146 = p_b * z131 + p_F * z106 - z98 * z104;  // moment on plate, z
+    const Scalar z147 = c_beta * z108 + s_beta * z143;
+    const Scalar z150 = c_beta * z146 + s_beta * z145;
+    const Scalar z151 = a_alpha * z25 + z150;  // moment on tilted, z
+    const Scalar z152 = z131 - z142;  // force on foot, x
+    const Scalar z153 = z132 - z147;  // force on foot, y
+    const Scalar z156 = z29 * z152 - z151;  // moment on turned, z
+    const Scalar z157 = s_alpha * z153 + c_alpha * z152;
+    const Scalar z158 = s_alpha * z152 - c_alpha * z153;
+    const Scalar z163 = z20 * z153 + z144;
+    forces.x = -z157;
+    forces.y = -z158;
+    forces.alpha = -z156;
+    forces.beta = z163;
+  }
+
+  /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
+  /// an unrolled L D L' of M. Returns singular when a pivot is not
+  /// positive relative to its diagonal entry.
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
+      const Inputs&, Accelerations& accelerations, Multipliers&) noexcept {
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar v_alpha = state.v.alpha;
+    const Scalar p_b = precomputed.parameters.b;
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    const Scalar p_F = precomputed.parameters.F;
+    const Scalar z24 = precomputed.z24;
+    const Scalar z25 = precomputed.z25;
+    const Scalar z26 = precomputed.z26;
+    const Scalar z104 = precomputed.z104;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z16 = s_beta * v_beta;
+    const Scalar z17 = c_beta * v_beta;
+    const Scalar z20 = p_b * s_beta;
+    const Scalar z29 = p_b * c_beta;
+    const Scalar z32 = v_alpha * s_beta;
+    const Scalar z33 = v_alpha * c_beta;
+    const Scalar z56 = s_beta * p_F;
+    const Scalar z57 = z20 * z20;
+    const Scalar z58 = s_alpha * z20;
+    const Scalar z59 = c_alpha * z20;
+    const Scalar z63 = s_beta * z26;
+    const Scalar z64 = s_beta * z63;
+    const Scalar z68 = z25 + z64;
+    const Scalar z75 = z29 * z29 - z68;
+    const Scalar z88 = s_alpha * z20 - z58;
+    const Scalar z89 = c_alpha * z20 - z59;
+    const Scalar z90 = z20 * z20 + z24 - n2 * z57;
+    const Scalar z91 = v_beta * z17;
+    const Scalar z92 = v_alpha * v_alpha;
+    const Scalar z93 = n2 * v_alpha * p_b * z16;
+    const Scalar z94 = p_b * z91 + z29 * z92;
+    const Scalar z96 = n9_81 * c_beta - s_beta * z94;
+    const Scalar z97 = v_beta * z33;  // angular acceleration of plate, y
+    const Scalar z98 = v_beta * z32;  // angular acceleration of plate, z
+    const Scalar z99 = n2 * z98;
+    const Scalar z100 = z33 * z33;
+    const Scalar z101 = v_beta * v_beta;
+    const Scalar z102 = z100 + z101;
+    const Scalar z103 = z32 * z33;
+    const Scalar z105 = z32 * z32;
+    const Scalar z106 = z101 - z105;
+    const Scalar z107 = p_b * z99;  // force on plate, x
+    const Scalar z108 = p_b * z102;  // force on plate, y
+    const Scalar z109 = p_b * z103;  // force on plate, z
+    const Scalar z110 = p_b * z96 - z26 * z103;  // moment on plate, x
+    const Scalar z111 = z97 * (z24 + z26) + p_F * z103;  // moment on plate, y
+    const Scalar z112 = p_b * z93 + p_F * z106 - z98 * z104;  // moment on plate, z
+    const Scalar z113 = c_beta * z108 + s_beta * z109;
+    const Scalar z116 = c_beta * z112 + s_beta * z111;
+    const Scalar z117 = z93 - z107;  // force on foot, x
+    const Scalar z118 = z94 - z113;  // force on foot, y
+    const Scalar z121 = z29 * z117 - z116;  // moment on turned, z
+    const Scalar z122 = s_alpha * z118 + c_alpha * z117;
+    const Scalar z123 = s_alpha * z117 - c_alpha * z118;
+    const Scalar z128 = z20 * z118 + z110;
+    const Scalar z164 = n1 / z90;
+    const Scalar z165 = z88 * z164;
+    const Scalar z166 = z89 * z164;
+    const Scalar z167 = z56 * z164;
+    const Scalar z168 = n1 - z88 * z165;
+    const Scalar z169 = z88 * z166;
+    const Scalar z170 = n1 - z89 * z166;
+    const Scalar z171 = z88 * z167;
+    const Scalar z172 = z89 * z167;
+    const Scalar z173 = z56 * z167 + z75;
+    const Scalar z174 = n1 / z173;
+    const Scalar z175 = z171 * z174;
+    const Scalar z176 = z172 * z174;
+    const Scalar z177 = z168 + z171 * z175;
+    const Scalar z178 = z169 - z171 * z176;
+    const Scalar z179 = z170 + z172 * z176;
+    const Scalar z180 = n1 / z179;
+    const Scalar z181 = z178 * z180;
+    const Scalar z182 = z177 - z178 * z181;
+    const Scalar z183 = n1 / z182;
+    const Scalar z184 = z121 + z128 * z167;
+    const Scalar z185 = z123 + z128 * z166 - z176 * z184;
+    const Scalar z186 = z122 - z128 * z165 + z175 * z184 - z181 * z185;
+    const Scalar z187 = z183 * z186;
+    const Scalar z188 = z180 * z185 - z181 * z187;
+    const Scalar z189 = z174 * z184 - z175 * z187 + z176 * z188;
+    const Scalar z190 = z128 * z164 - z165 * z187 + z166 * z188 - z167 * z189;
+    accelerations.x = n0;
+    accelerations.y = n0;
+    accelerations.alpha = -z189;
+    accelerations.beta = -z190;
+    if (!(traits::regular(z182, n1) && traits::regular(z179, n1) && traits::regular(-z173, -z75) && traits::regular(z90,
+        z90))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (accelerations.alpha - accelerations.alpha) + (accelerations.beta - accelerations.beta);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
+  TORSOR_DEVICE static void energy(const Precomputed& precomputed, const State& state, const Inputs&,
+      Energy& result) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar v_x = state.v.x;
+    const Scalar v_y = state.v.y;
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar v_alpha = state.v.alpha;
+    const Scalar p_b = precomputed.parameters.b;
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    const Scalar p_F = precomputed.parameters.F;
+    const Scalar p_B = precomputed.parameters.B;
+    const Scalar z24 = precomputed.z24;
+    const Scalar z25 = precomputed.z25;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z16 = s_beta * v_beta;
+    const Scalar z20 = p_b * s_beta;
+    const Scalar z27 = v_x * c_alpha + v_y * s_alpha;
+    const Scalar z28 = v_x * s_alpha - v_y * c_alpha;
+    const Scalar z29 = p_b * c_beta;
+    const Scalar z30 = v_alpha * z29 + z27;
+    const Scalar z31 = p_b * z16 - z28;  // velocity of foot, y
+    const Scalar z32 = v_alpha * s_beta;
+    const Scalar z33 = v_alpha * c_beta;
+    const Scalar z34 = c_beta * z31;
+    const Scalar z35 = s_beta * z31;
+    const Scalar z45 = p_b * z33 - z30;
+    const Scalar z46 = p_b * v_beta - z35;
+    const Scalar z191 = p_b * z35 - v_beta * z24 - p_F * z32;
+    const Scalar z192 = v_beta * p_F + p_B * z32;
+    const Scalar z193 = p_b * z30 - z25 * z33;
+    result.kinetic = -n0_5 * (v_beta * z191 + z30 * z45 - z32 * z192 + z33 * z193 - z34 * z34 + z35 * z46);
+    result.force_function = -n9_81 * z20;
+    result.power = n0;
+  }
+
+  /// First integrals: constant along every motion.
+  TORSOR_DEVICE static void first_integrals(const Precomputed& precomputed, const State& state,
+      FirstIntegrals& result) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar v_x = state.v.x;
+    const Scalar v_y = state.v.y;
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar v_alpha = state.v.alpha;
+    const Scalar p_b = precomputed.parameters.b;
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    const Scalar p_F = precomputed.parameters.F;
+    const Scalar p_B = precomputed.parameters.B;
+    const Scalar z24 = precomputed.z24;
+    const Scalar z25 = precomputed.z25;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z16 = s_beta * v_beta;
+    const Scalar z20 = p_b * s_beta;
+    const Scalar z27 = v_x * c_alpha + v_y * s_alpha;
+    const Scalar z28 = v_x * s_alpha - v_y * c_alpha;
+    const Scalar z29 = p_b * c_beta;
+    const Scalar z30 = v_alpha * z29 + z27;
+    const Scalar z31 = p_b * z16 - z28;  // velocity of foot, y
+    const Scalar z32 = v_alpha * s_beta;
+    const Scalar z33 = v_alpha * c_beta;
+    const Scalar z34 = c_beta * z31;
+    const Scalar z35 = s_beta * z31;
+    const Scalar z45 = p_b * z33 - z30;
+    const Scalar z46 = p_b * v_beta - z35;
+    const Scalar z191 = p_b * z35 - v_beta * z24 - p_F * z32;
+    const Scalar z192 = v_beta * p_F + p_B * z32;
+    const Scalar z193 = p_b * z30 - z25 * z33;
+    const Scalar z198 = n0_5 * z33;
+    const Scalar z199 = n0_5 * z32;
+    const Scalar z200 = n0_5 * v_beta;
+    const Scalar z201 = n0_5 * z35;
+    const Scalar z202 = n0_5 * z30;
+    const Scalar z203 = p_b * z200 + n0_5 * z46 - z201;
+    const Scalar z204 = p_b * z202 - z25 * z198 + n0_5 * z193;
+    const Scalar z205 = p_F * z200 + p_B * z199 + n0_5 * z192;
+    const Scalar z206 = c_beta * z34 - s_beta * z203;
+    const Scalar z207 = p_b * z198 + n0_5 * z45 - z202;
+    const Scalar z222 = c_beta * z204 - s_beta * z205 + z29 * z207;
+    const Scalar z224 = s_alpha * z207 - c_alpha * z206;
+    const Scalar z225 = s_alpha * z206 + c_alpha * z207;
+    result.energy = -n0_5 * (v_beta * z191 + z30 * z45 - z32 * z192 + z33 * z193 - z34 * z34 + z35 * z46) + n9_81 * z20;
+    result.momentum_x = -z225;
+    result.momentum_y = -z224;
+    result.momentum_alpha = -z222;
+  }
+
+  /// Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released
+  /// direction, at accelerations, multipliers and inputs that belong to the motion.
+  TORSOR_DEVICE static void reactions(const Precomputed& precomputed, const State& state,
+      const Accelerations& accelerations, const Multipliers&, const Inputs&, Reactions& result) noexcept {
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar a_x = accelerations.x;
+    const Scalar a_y = accelerations.y;
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar v_alpha = state.v.alpha;
+    const Scalar a_alpha = accelerations.alpha;
+    const Scalar p_b = precomputed.parameters.b;
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    const Scalar a_beta = accelerations.beta;
+    const Scalar p_F = precomputed.parameters.F;
+    const Scalar z24 = precomputed.z24;
+    const Scalar z26 = precomputed.z26;
+    const Scalar z104 = precomputed.z104;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z16 = s_beta * v_beta;
+    const Scalar z29 = p_b * c_beta;
+    const Scalar z32 = v_alpha * s_beta;
+    const Scalar z33 = v_alpha * c_beta;
+    const Scalar z97 = v_beta * z33;  // angular acceleration of plate, y
+    const Scalar z98 = v_beta * z32;  // angular acceleration of plate, z
+    const Scalar z100 = z33 * z33;
+    const Scalar z101 = v_beta * v_beta;
+    const Scalar z102 = z100 + z101;
+    const Scalar z103 = z32 * z33;
+    const Scalar z105 = z32 * z32;
+    const Scalar z106 = z101 - z105;
+    const Scalar z108 = p_b * z102;  // force on plate, y
+    const Scalar z129 = a_x * c_alpha + a_y * s_alpha;
+    const Scalar z131 = n2 * v_alpha * p_b * z16 - a_alpha * z29 - z129;
+    const Scalar z133 = a_alpha * s_beta;
+    const Scalar z137 = v_beta * z33 + z133;  // angular acceleration of plate, y
+    const Scalar z140 = a_beta + z103;
+    const Scalar z143 = p_b * z140;  // force on plate, z
+    const Scalar z145 = p_F * z140 + z24 * z97 + z26 * z137;  // moment on plate, y
+    const Scalar z146 = p_b * z131 + p_F * z106 - z98 * z104;  // moment on plate, z
+    const Scalar z148 = c_beta * z143 - s_beta * z108;
+    const Scalar z149 = c_beta * z145 - s_beta * z146;
+    const Scalar z154 = n9_81 + z148;  // force on foot, z
+    result.N = z154;
+    result.moment = z149;
+  }
+
+  /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
+  /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
+  TORSOR_DEVICE static torsor::Status linearisation(const Precomputed& precomputed, const State& state,
+      const Accelerations& accelerations, const Multipliers&, const Inputs&, Linearisation& result) noexcept {
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar a_x = accelerations.x;
+    const Scalar a_y = accelerations.y;
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar v_alpha = state.v.alpha;
+    const Scalar a_alpha = accelerations.alpha;
+    const Scalar p_b = precomputed.parameters.b;
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    const Scalar a_beta = accelerations.beta;
+    const Scalar p_F = precomputed.parameters.F;
+    const Scalar z24 = precomputed.z24;
+    const Scalar z25 = precomputed.z25;
+    const Scalar z26 = precomputed.z26;
+    const Scalar z104 = precomputed.z104;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z16 = s_beta * v_beta;
+    const Scalar z17 = c_beta * v_beta;
+    const Scalar z19 = s_beta * a_beta + v_beta * z17;
+    const Scalar z20 = p_b * s_beta;
+    const Scalar z29 = p_b * c_beta;
+    const Scalar z32 = v_alpha * s_beta;
+    const Scalar z33 = v_alpha * c_beta;
+    const Scalar z56 = s_beta * p_F;
+    const Scalar z57 = z20 * z20;
+    const Scalar z58 = s_alpha * z20;
+    const Scalar z59 = c_alpha * z20;
+    const Scalar z63 = s_beta * z26;
+    const Scalar z64 = s_beta * z63;
+    const Scalar z68 = z25 + z64;
+    const Scalar z75 = z29 * z29 - z68;
+    const Scalar z88 = s_alpha * z20 - z58;
+    const Scalar z89 = c_alpha * z20 - z59;
+    const Scalar z90 = z20 * z20 + z24 - n2 * z57;
+    const Scalar z92 = v_alpha * v_alpha;
+    const Scalar z97 = v_beta * z33;  // angular acceleration of plate, y
+    const Scalar z98 = v_beta * z32;  // angular acceleration of plate, z
+    const Scalar z100 = z33 * z33;
+    const Scalar z101 = v_beta * v_beta;
+    const Scalar z102 = z100 + z101;
+    const Scalar z103 = z32 * z33;
+    const Scalar z105 = z32 * z32;
+    const Scalar z106 = z101 - z105;
+    const Scalar z108 = p_b * z102;  // force on plate, y
+    const Scalar z129 = a_x * c_alpha + a_y * s_alpha;
+    const Scalar z130 = a_x * s_alpha - a_y * c_alpha;
+    const Scalar z131 = n2 * v_alpha * p_b * z16 - a_alpha * z29 - z129;
+    const Scalar z132 = p_b * z19 + z29 * z92 - z130;
+    const Scalar z133 = a_alpha * s_beta;
+    const Scalar z134 = a_alpha * c_beta;
+    const Scalar z136 = n9_81 * c_beta - s_beta * z132;
+    const Scalar z137 = v_beta * z33 + z133;  // angular acceleration of plate, y
+    const Scalar z138 = v_beta * z32 - z134;  // angular acceleration of plate, z
+    const Scalar z139 = z98 + z138;
+    const Scalar z140 = a_beta + z103;
+    const Scalar z141 = z97 - z137;
+    const Scalar z142 = p_b * z139;  // force on plate, x
+    const Scalar z143 = p_b * z140;  // force on plate, z
+    const Scalar z144 = p_b * z136 + a_beta * z24 - p_F * z141 - z26 * z103;  // moment on plate, x
+    const Scalar z145 = p_F * z140 + z24 * z97 + z26 * z137;  // moment on plate, y
+    const Scalar z146 = p_b * z131 + p_F * z106 - z98 * z104;  // moment on plate, z
+    const Scalar z147 = c_beta * z108 + s_beta * z143;
+    const Scalar z150 = c_beta * z146 + s_beta * z145;
+    const Scalar z151 = a_alpha * z25 + z150;  // moment on tilted, z
+    const Scalar z152 = z131 - z142;  // force on foot, x
+    const Scalar z153 = z132 - z147;  // force on foot, y
+    const Scalar z156 = z29 * z152 - z151;  // moment on turned, z
+    const Scalar z157 = s_alpha * z153 + c_alpha * z152;
+    const Scalar z158 = s_alpha * z152 - c_alpha * z153;
+    const Scalar z163 = z20 * z153 + z144;
+    const Scalar z164 = n1 / z90;
+    const Scalar z165 = z88 * z164;
+    const Scalar z166 = z89 * z164;
+    const Scalar z167 = z56 * z164;
+    const Scalar z168 = n1 - z88 * z165;
+    const Scalar z169 = z88 * z166;
+    const Scalar z170 = n1 - z89 * z166;
+    const Scalar z171 = z88 * z167;
+    const Scalar z172 = z89 * z167;
+    const Scalar z173 = z56 * z167 + z75;
+    const Scalar z174 = n1 / z173;
+    const Scalar z175 = z171 * z174;
+    const Scalar z176 = z172 * z174;
+    const Scalar z177 = z168 + z171 * z175;
+    const Scalar z178 = z169 - z171 * z176;
+    const Scalar z179 = z170 + z172 * z176;
+    const Scalar z180 = n1 / z179;
+    const Scalar z181 = z178 * z180;
+    const Scalar z182 = z177 - z178 * z181;
+    const Scalar z183 = n1 / z182;
+    const Scalar z226 = n2 * v_alpha;
+    const Scalar z227 = z29 * z226;
+    const Scalar z228 = n2 * c_beta * z33;
+    const Scalar z229 = p_b * z228;
+    const Scalar z230 = c_beta * z32 + s_beta * z33;
+    const Scalar z231 = p_b * z230;
+    const Scalar z232 = c_beta * z229 + s_beta * z231;
+    const Scalar z233 = z227 - z232;
+    const Scalar z234 = n2 * p_b * z16;
+    const Scalar z235 = n2 * z16;
+    const Scalar z236 = p_b * z235;
+    const Scalar z237 = z234 - z236;
+    const Scalar z238 = s_alpha * z233 + c_alpha * z237;
+    const Scalar z240 = s_alpha * z237 - c_alpha * z233;
+    const Scalar z242 = n2 * s_beta * z32;
+    const Scalar z243 = p_b * z234 - z16 * z104 - p_F * z242;
+    const Scalar z244 = z17 * (z24 + z26) + p_F * z230;
+    const Scalar z245 = c_beta * z243 + s_beta * z244;
+    const Scalar z246 = z29 * z237 - z245;
+    const Scalar z250 = s_beta * z227;
+    const Scalar z251 = p_b * z250 + z26 * z230;
+    const Scalar z252 = z20 * z233 - z251;
+    const Scalar z256 = c_beta * v_beta + z17;
+    const Scalar z257 = p_b * z256;
+    const Scalar z258 = n2 * v_beta;
+    const Scalar z259 = p_b * z258;
+    const Scalar z260 = c_beta * z259;
+    const Scalar z261 = z257 - z260;
+    const Scalar z262 = n2 * v_alpha * p_b * s_beta;
+    const Scalar z263 = n2 * z32;
+    const Scalar z264 = p_b * z263;
+    const Scalar z265 = z262 - z264;
+    const Scalar z266 = s_alpha * z261 + c_alpha * z265;
+    const Scalar z267 = c_beta * a_beta - v_beta * z16;
+    const Scalar z268 = p_b * z267 - z20 * z92;
+    const Scalar z269 = n2 * z32 * z33;
+    const Scalar z270 = p_b * z269;
+    const Scalar z271 = z32 * z32 - z33 * z33;
+    const Scalar z272 = p_b * z271;
+    const Scalar z273 = c_beta * (z143 - z270) - s_beta * (z108 + z272);
+    const Scalar z274 = z268 - z273;
+    const Scalar z275 = n2 * v_alpha * p_b * z17 + a_alpha * z20;
+    const Scalar z276 = z97 + z137;
+    const Scalar z277 = p_b * z276;
+    const Scalar z278 = z275 - z277;
+    const Scalar z279 = s_alpha * z274 + c_alpha * z278;
+    const Scalar z280 = s_alpha * z265 - c_alpha * z261;
+    const Scalar z281 = s_alpha * z278 - c_alpha * z274;
+    const Scalar z282 = p_b * z262 + p_F * z258 - z32 * z104;
+    const Scalar z283 = z33 * (z24 + z26);
+    const Scalar z284 = c_beta * z282 + s_beta * z283;
+    const Scalar z285 = z29 * z265 - z284;
+    const Scalar z286 = p_b * z275 - p_F * z269 - z97 * z104;
+    const Scalar z287 = p_F * z271 + z24 * z98 + z26 * z138;
+    const Scalar z288 = c_beta * (z145 + z286) - s_beta * (z146 + z287);
+    const Scalar z289 = z20 * z152 - z29 * z278 + z288;
+    const Scalar z290 = s_beta * z257;
+    const Scalar z291 = p_b * z290;
+    const Scalar z292 = z20 * z261 - z291;
+    const Scalar z293 = s_beta * (n9_81 + z268) + c_beta * z132;
+    const Scalar z294 = z98 - z138;
+    const Scalar z295 = p_b * z293 - p_F * z294 - z26 * z271;
+    const Scalar z296 = z20 * z274 + z29 * z153 - z295;
+    const Scalar z304 = z167 * z252 + z246;
+    const Scalar z305 = z166 * z252 - z176 * z304 + z240;
+    const Scalar z306 = z165 * z252 - z175 * z304 + z181 * z305 - z238;
+    const Scalar z307 = z183 * z306;
+    const Scalar z308 = z180 * z305 + z181 * z307;
+    const Scalar z309 = z174 * z304 + z175 * z307 + z176 * z308;
+    const Scalar z310 = z164 * z252 + z165 * z307 + z166 * z308 - z167 * z309;
+    const Scalar z311 = z167 * z296 - z289;
+    const Scalar z312 = z166 * z296 - z176 * z311 + z281;
+    const Scalar z313 = z165 * z296 - z175 * z311 + z181 * z312 - z279;
+    const Scalar z314 = z183 * z313;
+    const Scalar z315 = z180 * z312 + z181 * z314;
+    const Scalar z316 = z174 * z311 + z175 * z314 + z176 * z315;
+    const Scalar z317 = z164 * z296 + z165 * z314 + z166 * z315 - z167 * z316;
+    const Scalar z318 = z167 * z292 + z285;
+    const Scalar z319 = z166 * z292 - z176 * z318 + z280;
+    const Scalar z320 = z165 * z292 - z175 * z318 + z181 * z319 - z266;
+    const Scalar z321 = z183 * z320;
+    const Scalar z322 = z180 * z319 + z181 * z321;
+    const Scalar z323 = z174 * z318 + z175 * z321 + z176 * z322;
+    const Scalar z324 = z164 * z292 + z165 * z321 + z166 * z322 - z167 * z323;
+    result.M[0] = n1;
+    result.M[1] = n0;
+    result.M[2] = n0;
+    result.M[3] = n0;
+    result.M[4] = n0;
+    result.M[5] = n1;
+    result.M[6] = n0;
+    result.M[7] = n0;
+    result.M[8] = n0;
+    result.M[9] = n0;
+    result.M[10] = -z75;
+    result.M[11] = z56;
+    result.M[12] = n0;
+    result.M[13] = n0;
+    result.M[14] = z56;
+    result.M[15] = z90;
+    result.C[0] = n0;
+    result.C[1] = n0;
+    result.C[2] = n0;
+    result.C[3] = n0;
+    result.C[4] = n0;
+    result.C[5] = n0;
+    result.C[6] = n0;
+    result.C[7] = n0;
+    result.C[8] = n0;
+    result.C[9] = n0;
+    result.C[10] = -z246;
+    result.C[11] = z252;
+    result.C[12] = n0;
+    result.C[13] = n0;
+    result.C[14] = -z285;
+    result.C[15] = z292;
+    result.K[0] = n0;
+    result.K[1] = n0;
+    result.K[2] = n0;
+    result.K[3] = n0;
+    result.K[4] = n0;
+    result.K[5] = n0;
+    result.K[6] = n0;
+    result.K[7] = n0;
+    result.K[8] = n0;
+    result.K[9] = n0;
+    result.K[10] = n0;
+    result.K[11] = n0;
+    result.K[12] = n0;
+    result.K[13] = n0;
+    result.K[14] = z289;
+    result.K[15] = z296;
+    result.F[0] = z157;
+    result.F[1] = z158;
+    result.F[2] = z156;
+    result.F[3] = -z163;
+    result.A[0] = n0;
+    result.A[1] = n0;
+    result.A[2] = n0;
+    result.A[3] = n0;
+    result.A[4] = n0;
+    result.A[5] = n0;
+    result.A[6] = n0;
+    result.A[7] = n0;
+    result.A[8] = n0;
+    result.A[9] = n0;
+    result.A[10] = n0;
+    result.A[11] = n0;
+    result.A[12] = n0;
+    result.A[13] = n0;
+    result.A[14] = n0;
+    result.A[15] = n0;
+    result.A[16] = n0;
+    result.A[17] = n0;
+    result.A[18] = n0;
+    result.A[19] = n0;
+    result.A[20] = n0;
+    result.A[21] = n0;
+    result.A[22] = n0;
+    result.A[23] = n0;
+    result.A[24] = n0;
+    result.A[25] = n0;
+    result.A[26] = n0;
+    result.A[27] = n0;
+    result.A[28] = n0;
+    result.A[29] = n0;
+    result.A[30] = -z316;
+    result.A[31] = -z317;
+    result.A[32] = n1;
+    result.A[33] = n0;
+    result.A[34] = n0;
+    result.A[35] = n0;
+    result.A[36] = n0;
+    result.A[37] = n0;
+    result.A[38] = n0;
+    result.A[39] = n0;
+    result.A[40] = n0;
+    result.A[41] = n1;
+    result.A[42] = n0;
+    result.A[43] = n0;
+    result.A[44] = n0;
+    result.A[45] = n0;
+    result.A[46] = n0;
+    result.A[47] = n0;
+    result.A[48] = n0;
+    result.A[49] = n0;
+    result.A[50] = n1;
+    result.A[51] = n0;
+    result.A[52] = n0;
+    result.A[53] = n0;
+    result.A[54] = -z309;
+    result.A[55] = -z310;
+    result.A[56] = n0;
+    result.A[57] = n0;
+    result.A[58] = n0;
+    result.A[59] = n1;
+    result.A[60] = n0;
+    result.A[61] = n0;
+    result.A[62] = -z323;
+    result.A[63] = -z324;
+    if (!(traits::regular(z182, n1) && traits::regular(z179, n1) && traits::regular(-z173, -z75) && traits::regular(z90,
+        z90))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (result.M[10] - result.M[10]) + (result.M[11] - result.M[11]) + (result.M[14] - result.M[14])
+        + (result.M[15] - result.M[15]) + (result.C[10] - result.C[10]) + (result.C[11] - result.C[11]) + (result.C[14]
+        - result.C[14]) + (result.C[15] - result.C[15]) + (result.K[14] - result.K[14]) + (result.K[15] - result.K[15])
+        + (result.F[0] - result.F[0]) + (result.F[1] - result.F[1]) + (result.F[2] - result.F[2]) + (result.F[3]
+        - result.F[3]) + (result.A[30] - result.A[30]) + (result.A[31] - result.A[31]) + (result.A[54] - result.A[54])
+        + (result.A[55] - result.A[55]) + (result.A[62] - result.A[62]) + (result.A[63] - result.A[63]);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+};
+
+}  // namespace falling_plate

@@ -1,0 +1,988 @@
+// SPDX-License-Identifier: MIT
+// nose_radar: Radar on the nose of an aircraft
+// Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
+// Free to embed under the MIT licence.
+//
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, reactions, linearisation
+// Parameters set at run time: none
+//
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
+// moved across joints, factoring, and what is done once for a set of parameters:
+//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   kinematics               14               35          0             0                  2       0     53      53
+//   mass_matrix               5                7          0             0                  2       0     16      16
+//   bias                      8               28          0             0                  2       0     40      40
+//   inverse_dynamics         19               38          0             0                  2       0     61      63
+//   forward_dynamics         22               46          2             0                  2       0     74      74
+//   energy                   14               31          0             0                  2       0     49      52
+//   reactions                11               25          0             0                  2       0     40      40
+//   linearisation            76              156          2             0                  2       0    238     244
+//
+// Not computed because this mechanism does not need it:
+//   kinematics: of 54 results 24 vanish identically, 5 repeat another up to sign
+//   mass_matrix: of 9 results 2 vanish identically, 2 repeat another up to sign
+//   energy: of 3 results 1 vanish identically
+//   first_integrals: left out, 'thrust', 'azimuth', 'elevation' have no force function
+//   constraints: left out, the scene has no constraints
+//   linearisation: of 93 results 45 vanish identically, 4 repeat another up to sign
+//
+// To write this file again:
+//   nose_radar_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output nose_radar.hpp
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#ifndef TORSOR_KERNEL_SUPPORT
+#define TORSOR_KERNEL_SUPPORT 1
+// Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
+#ifndef TORSOR_DEVICE
+#define TORSOR_DEVICE
+#endif
+
+namespace torsor {
+
+/// What a kernel says about its results; the larger, the worse.
+enum class Status : int { ok = 0, singular = 1, not_finite = 2 };
+
+/// What a kernel needs of its scalar. This one serves float and double; specialise it, once a header is included, for
+/// any other (a pack of several states, a high-precision number).
+template <class Scalar>
+struct scalar_traits {
+  static_assert(sizeof(Scalar) == sizeof(float) || sizeof(Scalar) == sizeof(double),
+                "specialise torsor::scalar_traits for a scalar that is neither float nor double");
+  static constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+
+  /// A number, rounded for either format. `exact` is "num/den", or "a;b;c;d" for a + b sqrt(2) + c sqrt(3) + d sqrt(6).
+  TORSOR_DEVICE static constexpr Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    return is_float ? static_cast<Scalar>(in_float) : static_cast<Scalar>(in_double);
+  }
+  /// The same for a number that is no such sum: a callable computes it where literals are not precise enough.
+  template <class Callable>
+  TORSOR_DEVICE static constexpr Scalar formula(double in_double, float in_float, const Callable&) noexcept {
+    return constant(in_double, in_float, nullptr);
+  }
+  TORSOR_DEVICE static constexpr Scalar pi() noexcept { return constant(3.141592653589793, 3.1415927f, nullptr); }
+  TORSOR_DEVICE static constexpr Scalar select(bool condition, Scalar if_true, Scalar if_false) noexcept {
+    return condition ? if_true : if_false;
+  }
+  TORSOR_DEVICE static void sincos(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
+    sine = std::sin(angle);
+    cosine = std::cos(angle);
+  }
+  TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
+  TORSOR_DEVICE static Scalar exp(const Scalar& x) noexcept { return std::exp(x); }
+  TORSOR_DEVICE static Scalar log(const Scalar& x) noexcept { return std::log(x); }
+  /// Whether a pivot is positive beyond the rounding of the diagonal entry it came from; not when it is not a number.
+  TORSOR_DEVICE static bool regular(const Scalar& pivot, const Scalar& diagonal) noexcept {
+    return pivot > constant(0x1p-52, 0x1p-23f, nullptr) * std::abs(diagonal);
+  }
+};
+
+}  // namespace torsor
+#elif TORSOR_KERNEL_SUPPORT != 1
+#error "headers of incompatible versions of torsor meet here: write them again with one version"
+#endif
+
+namespace nose_radar {
+
+/// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
+/// M a + h = E u + A' lambda and A a + gamma = 0, with a the accelerations and u the inputs; units are SI.
+template <class Scalar>
+struct Mechanism {
+  using traits = torsor::scalar_traits<Scalar>;
+
+  static constexpr const char* name = "nose_radar";
+  static constexpr int coordinate_count = 3;
+  static constexpr int velocity_count = 3;
+  static constexpr int input_count = 3;
+  static constexpr int parameter_count = 0;
+  static constexpr int multiplier_count = 0;
+
+  /// Parameters that are set at run time.
+  struct Parameters {
+    static constexpr int size = 0;
+  };
+
+  /// Generalised coordinates q.
+  struct Coordinates {
+    Scalar x;  ///< coordinate [m]
+    Scalar alpha;  ///< coordinate [rad or 1]
+    Scalar beta;  ///< coordinate [rad or 1]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Coordinates::*member_(int i_) noexcept {
+      constexpr Scalar Coordinates::*members_[] = {&Coordinates::x, &Coordinates::alpha, &Coordinates::beta};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised velocities v = dq/dt.
+  struct Velocities {
+    Scalar x;  ///< its rate [m/s]
+    Scalar alpha;  ///< its rate [rad/s]
+    Scalar beta;  ///< its rate [rad/s]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Velocities::*member_(int i_) noexcept {
+      constexpr Scalar Velocities::*members_[] = {&Velocities::x, &Velocities::alpha, &Velocities::beta};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised accelerations dv/dt.
+  struct Accelerations {
+    Scalar x;  ///< its second rate [m/s^2]
+    Scalar alpha;  ///< its second rate [rad/s^2]
+    Scalar beta;  ///< its second rate [rad/s^2]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Accelerations::*member_(int i_) noexcept {
+      constexpr Scalar Accelerations::*members_[] = {&Accelerations::x, &Accelerations::alpha, &Accelerations::beta};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised forces, one along each coordinate.
+  struct GeneralizedForces {
+    Scalar x;  ///< works with the rate of x [N]
+    Scalar alpha;  ///< works with the rate of alpha [N m]
+    Scalar beta;  ///< works with the rate of beta [N m]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar GeneralizedForces::*member_(int i_) noexcept {
+      constexpr Scalar GeneralizedForces::*members_[] = {&GeneralizedForces::x, &GeneralizedForces::alpha,
+          &GeneralizedForces::beta};
+      return members_[i_];
+    }
+  };
+
+  /// Forces and torques of motors, set at each call.
+  struct Inputs {
+    Scalar thrust;  ///< motor [N]
+    Scalar azimuth;  ///< motor [N m]
+    Scalar elevation;  ///< motor [N m]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Inputs::*member_(int i_) noexcept {
+      constexpr Scalar Inputs::*members_[] = {&Inputs::thrust, &Inputs::azimuth, &Inputs::elevation};
+      return members_[i_];
+    }
+  };
+
+  /// Multipliers of the constraints, or the reactions that enforce them.
+  struct Multipliers {
+    static constexpr int size = 0;
+  };
+
+  /// Time [s], coordinates and velocities.
+  struct State {
+    Scalar time;
+    Coordinates q;
+    Velocities v;
+  };
+
+  /// Parameters and what depends on them only: built once for each set of parameters.
+  struct Precomputed {
+    Parameters parameters;
+  };
+
+  /// Values of the scene.
+  TORSOR_DEVICE static Parameters default_parameters() noexcept {
+    Parameters parameters{};
+    return parameters;
+  }
+
+  /// To be called again when a parameter changes.
+  TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
+    Precomputed precomputed{};
+    precomputed.parameters = parameters;
+    return precomputed;
+  }
+
+  /// The state the scene starts from, for these parameters.
+  TORSOR_DEVICE static State initial_state(const Parameters&) noexcept {
+    State state{};
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n200 = traits::constant(200.0, 200.0f, "200/1");
+    const Scalar n1_5 = traits::constant(1.5, 1.5f, "3/2");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    state.time = n0;
+    state.q.x = n0;
+    state.q.alpha = n0_3;
+    state.q.beta = -n0_4;
+    state.v.x = n200;
+    state.v.alpha = n1_5;
+    state.v.beta = n2;
+    return state;
+  }
+  TORSOR_DEVICE static State initial_state() noexcept { return initial_state(default_parameters()); }
+
+  /// Poses, twists and named points in ground axes.
+  struct Kinematics {
+    std::array<Scalar, 3> aircraft_position;  ///< centre of mass of aircraft [m]
+    std::array<Scalar, 9> aircraft_rotation;  ///< from the axes of aircraft to the ground's (3 x 3)
+    std::array<Scalar, 3> aircraft_velocity;  ///< velocity of the centre of mass of aircraft [m/s]
+    std::array<Scalar, 3> aircraft_angular_velocity;  ///< angular velocity of aircraft [rad/s]
+    std::array<Scalar, 3> unit_1_position;  ///< centre of mass of unit_1 [m]
+    std::array<Scalar, 9> unit_1_rotation;  ///< from the axes of unit_1 to the ground's (3 x 3)
+    std::array<Scalar, 3> unit_1_velocity;  ///< velocity of the centre of mass of unit_1 [m/s]
+    std::array<Scalar, 3> unit_1_angular_velocity;  ///< angular velocity of unit_1 [rad/s]
+    std::array<Scalar, 3> antenna_position;  ///< centre of mass of antenna [m]
+    std::array<Scalar, 9> antenna_rotation;  ///< from the axes of antenna to the ground's (3 x 3)
+    std::array<Scalar, 3> antenna_velocity;  ///< velocity of the centre of mass of antenna [m/s]
+    std::array<Scalar, 3> antenna_angular_velocity;  ///< angular velocity of antenna [rad/s]
+  };
+
+  /// Energies of the mechanism.
+  struct Energy {
+    Scalar kinetic;  ///< kinetic energy T [J]
+    Scalar force_function;  ///< force function U of gravity and springs [J]
+    Scalar power;  ///< power of dampers, given forces and motors [W]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Energy::*member_(int i_) noexcept {
+      constexpr Scalar Energy::*members_[] = {&Energy::kinetic, &Energy::force_function, &Energy::power};
+      return members_[i_];
+    }
+  };
+
+  /// Reactions of joints along released directions.
+  struct Reactions {
+    Scalar F_x;  ///< reaction along 'F_x' [kg m s^-2]
+    Scalar F_x2;  ///< reaction along 'F_x2' [kg m s^-2]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Reactions::*member_(int i_) noexcept {
+      constexpr Scalar Reactions::*members_[] = {&Reactions::F_x, &Reactions::F_x2};
+      return members_[i_];
+    }
+  };
+
+  /// Matrices of the linearised equations, stored column by column.
+  struct Linearisation {
+    std::array<Scalar, 9> M;  ///< mass matrix (3 x 3)
+    std::array<Scalar, 9> C;  ///< damping and gyroscopic terms (3 x 3)
+    std::array<Scalar, 9> K;  ///< stiffness (3 x 3)
+    std::array<Scalar, 3> F;  ///< right-hand side
+    std::array<Scalar, 9> E;  ///< effect of the inputs (3 x 3)
+    std::array<Scalar, 36> A;  ///< state matrix of x = (e, e'): x' = A x + B du (6 x 6)
+    std::array<Scalar, 18> B;  ///< input matrix (6 x 3)
+  };
+
+  /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
+  /// matrices column by column.
+  TORSOR_DEVICE static void kinematics(const Precomputed&, const State& state, Kinematics& result) noexcept {
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar q_x = state.q.x;
+    const Scalar v_x = state.v.x;
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar v_alpha = state.v.alpha;
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z13 = v_x * c_alpha;
+    const Scalar z14 = v_x * s_alpha;
+    const Scalar z15 = n0_4 * v_alpha - z14;
+    const Scalar z16 = v_alpha * s_beta;
+    const Scalar z17 = v_alpha * c_beta;
+    const Scalar z18 = c_beta * z13;
+    const Scalar z19 = s_beta * z13;
+    const Scalar z20 = s_alpha * z14 + c_alpha * z13;
+    const Scalar z22 = n0_25 * c_beta;
+    const Scalar z23 = n0_25 * s_beta;
+    const Scalar z24 = n0_4 + z22;
+    const Scalar z25 = c_alpha * z24;
+    const Scalar z26 = s_alpha * z24;
+    const Scalar z27 = q_x + z25;
+    const Scalar z28 = c_alpha * c_beta;
+    const Scalar z29 = s_alpha * c_beta;
+    const Scalar z30 = c_alpha * s_beta;
+    const Scalar z31 = s_alpha * s_beta;
+    const Scalar z32 = z15 + n0_25 * z17;
+    const Scalar z33 = n0_25 * v_beta - z19;
+    const Scalar z34 = s_beta * z33 - c_beta * z18;
+    const Scalar z35 = s_beta * z18 + c_beta * z33;
+    const Scalar z36 = s_alpha * z32 + c_alpha * z34;
+    const Scalar z37 = s_alpha * z34 - c_alpha * z32;
+    const Scalar z38 = s_beta * z17 - c_beta * z16;
+    const Scalar z39 = s_beta * z16 + c_beta * z17;
+    const Scalar z40 = s_alpha * v_beta - c_alpha * z38;
+    const Scalar z41 = s_alpha * z38 + c_alpha * v_beta;
+    result.aircraft_position[0] = q_x;
+    result.aircraft_position[1] = n0;
+    result.aircraft_position[2] = n0;
+    result.aircraft_rotation[0] = n1;
+    result.aircraft_rotation[1] = n0;
+    result.aircraft_rotation[2] = n0;
+    result.aircraft_rotation[3] = n0;
+    result.aircraft_rotation[4] = n1;
+    result.aircraft_rotation[5] = n0;
+    result.aircraft_rotation[6] = n0;
+    result.aircraft_rotation[7] = n0;
+    result.aircraft_rotation[8] = n1;
+    result.aircraft_velocity[0] = v_x;
+    result.aircraft_velocity[1] = n0;
+    result.aircraft_velocity[2] = n0;
+    result.aircraft_angular_velocity[0] = n0;
+    result.aircraft_angular_velocity[1] = n0;
+    result.aircraft_angular_velocity[2] = n0;
+    result.unit_1_position[0] = q_x;
+    result.unit_1_position[1] = n0;
+    result.unit_1_position[2] = n0;
+    result.unit_1_rotation[0] = c_alpha;
+    result.unit_1_rotation[1] = s_alpha;
+    result.unit_1_rotation[2] = n0;
+    result.unit_1_rotation[3] = -s_alpha;
+    result.unit_1_rotation[4] = c_alpha;
+    result.unit_1_rotation[5] = n0;
+    result.unit_1_rotation[6] = n0;
+    result.unit_1_rotation[7] = n0;
+    result.unit_1_rotation[8] = n1;
+    result.unit_1_velocity[0] = z20;
+    result.unit_1_velocity[1] = n0;
+    result.unit_1_velocity[2] = n0;
+    result.unit_1_angular_velocity[0] = n0;
+    result.unit_1_angular_velocity[1] = n0;
+    result.unit_1_angular_velocity[2] = v_alpha;
+    result.antenna_position[0] = z27;
+    result.antenna_position[1] = z26;
+    result.antenna_position[2] = -z23;
+    result.antenna_rotation[0] = z28;
+    result.antenna_rotation[1] = z29;
+    result.antenna_rotation[2] = -s_beta;
+    result.antenna_rotation[3] = -s_alpha;
+    result.antenna_rotation[4] = c_alpha;
+    result.antenna_rotation[5] = n0;
+    result.antenna_rotation[6] = z30;
+    result.antenna_rotation[7] = z31;
+    result.antenna_rotation[8] = c_beta;
+    result.antenna_velocity[0] = -z36;
+    result.antenna_velocity[1] = -z37;
+    result.antenna_velocity[2] = -z35;
+    result.antenna_angular_velocity[0] = -z40;
+    result.antenna_angular_velocity[1] = z41;
+    result.antenna_angular_velocity[2] = z39;
+  }
+
+  /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
+  TORSOR_DEVICE static void mass_matrix(const Precomputed&, const State& state, std::array<Scalar, 9>& mass) noexcept {
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    const Scalar n0_35 = traits::constant(0.35, 0.35f, "7/20");
+    const Scalar n1_92 = traits::constant(1.92, 1.92f, "48/25");
+    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
+    const Scalar n4_8 = traits::constant(4.8, 4.8f, "24/5");
+    const Scalar n1_2 = traits::constant(1.2, 1.2f, "6/5");
+    const Scalar n9012 = traits::constant(9012.0, 9012.0f, "9012/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n1_25 = traits::constant(1.25, 1.25f, "5/4");
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar q_beta = state.q.beta;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z49 = n3 * s_beta;
+    const Scalar z50 = n3 * c_beta;
+    const Scalar z51 = c_alpha * z49;
+    const Scalar z56 = n0_35 * s_beta;
+    const Scalar z57 = s_beta * z56;
+    const Scalar z58 = n0_35 - z57;
+    const Scalar z62 = n1_92 + n0_8 * z50 + z58;
+    const Scalar z63 = n4_8 + z50;
+    const Scalar z65 = n1_2 + z62;
+    const Scalar z66 = s_alpha * z63;
+    mass[0] = n9012;
+    mass[1] = -z66;
+    mass[2] = -z51;
+    mass[3] = -z66;
+    mass[4] = z65;
+    mass[5] = n0;
+    mass[6] = -z51;
+    mass[7] = n0;
+    mass[8] = n1_25;
+  }
+
+  /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
+  /// actions included. M a + h = E u + A' lambda.
+  TORSOR_DEVICE static void bias(const Precomputed&, const State& state, GeneralizedForces& forces) noexcept {
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n12 = traits::constant(12.0, 12.0f, "12/1");
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    const Scalar n0_9 = traits::constant(0.9, 0.9f, "9/10");
+    const Scalar n0_35 = traits::constant(0.35, 0.35f, "7/20");
+    const Scalar n1_6 = traits::constant(1.6, 1.6f, "8/5");
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar v_alpha = state.v.alpha;
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z16 = v_alpha * s_beta;
+    const Scalar z17 = v_alpha * c_beta;
+    const Scalar z79 = v_alpha * v_alpha;
+    const Scalar z80 = n0_4 * z79;
+    const Scalar z81 = c_beta * z80;
+    const Scalar z82 = s_beta * z80;
+    const Scalar z83 = v_beta * z17;  // angular acceleration of hinge, x
+    const Scalar z84 = v_beta * z16;  // angular acceleration of hinge, z
+    const Scalar z85 = v_beta * v_beta;
+    const Scalar z86 = z17 * z17;
+    const Scalar z87 = z85 + z86;
+    const Scalar z88 = n2 * z84;
+    const Scalar z89 = z16 * z17;
+    const Scalar z90 = n12 * z81 + n3 * z87;  // force on antenna, x
+    const Scalar z91 = n3 * z88;  // force on antenna, y
+    const Scalar z92 = n12 * z82 + n3 * z89;  // force on antenna, z
+    const Scalar z93 = n3 * z82;  // moment on antenna, y
+    const Scalar z94 = n0_9 * z83;  // moment on hinge, x
+    const Scalar z95 = n0_35 * z89 + z93;  // moment on hinge, y
+    const Scalar z96 = n1_6 * z84;  // moment on hinge, z
+    const Scalar z97 = s_beta * z92 + c_beta * z90;
+    const Scalar z100 = s_beta * z94 - c_beta * z96;
+    const Scalar z102 = n0_4 * z91 - z100;  // moment on unit_1, z
+    const Scalar z103 = s_alpha * z91 - c_alpha * z97;
+    forces.x = z103;
+    forces.alpha = -z102;
+    forces.beta = z95;
+  }
+
+  /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
+  TORSOR_DEVICE static void inverse_dynamics(const Precomputed&, const State& state, const Accelerations& accelerations,
+      const Multipliers&, GeneralizedForces& forces) noexcept {
+    const Scalar n0_9 = traits::constant(0.9, 0.9f, "9/10");
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    const Scalar n12 = traits::constant(12.0, 12.0f, "12/1");
+    const Scalar n1_25 = traits::constant(1.25, 1.25f, "5/4");
+    const Scalar n0_35 = traits::constant(0.35, 0.35f, "7/20");
+    const Scalar n1_2 = traits::constant(1.2, 1.2f, "6/5");
+    const Scalar n9000 = traits::constant(9000.0, 9000.0f, "9000/1");
+    const Scalar a_x = accelerations.x;
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar v_alpha = state.v.alpha;
+    const Scalar a_alpha = accelerations.alpha;
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    const Scalar a_beta = accelerations.beta;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z16 = v_alpha * s_beta;
+    const Scalar z17 = v_alpha * c_beta;
+    const Scalar z79 = v_alpha * v_alpha;
+    const Scalar z83 = v_beta * z17;  // angular acceleration of hinge, x
+    const Scalar z84 = v_beta * z16;  // angular acceleration of hinge, z
+    const Scalar z85 = v_beta * v_beta;
+    const Scalar z86 = z17 * z17;
+    const Scalar z87 = z85 + z86;
+    const Scalar z89 = z16 * z17;
+    const Scalar z94 = n0_9 * z83;  // moment on hinge, x
+    const Scalar z107 = a_x * c_alpha;
+    const Scalar z108 = a_x * s_alpha;
+    const Scalar z110 = a_alpha * c_beta;
+    const Scalar z111 = n0_4 * z79 - z107;
+    const Scalar z112 = n0_4 * a_alpha - z108;
+    const Scalar z113 = c_beta * z111;
+    const Scalar z114 = s_beta * z111;
+    const Scalar z116 = v_beta * z16 - z110;  // angular acceleration of hinge, z
+    const Scalar z117 = z84 + z116;
+    const Scalar z118 = a_beta + z89;
+    const Scalar z119 = n3 * z87 + n12 * z113;  // force on antenna, x
+    const Scalar z120 = n12 * z112 - n3 * z117;  // force on antenna, y
+    const Scalar z121 = n12 * z114 + n3 * z118;  // force on antenna, z
+    const Scalar z122 = n3 * z114;  // moment on antenna, y
+    const Scalar z123 = n3 * z112;  // moment on antenna, z
+    const Scalar z124 = n1_25 * a_beta + n0_35 * z89 + z122;  // moment on hinge, y
+    const Scalar z125 = n1_25 * z84 + n0_35 * z116 - z123;  // moment on hinge, z
+    const Scalar z126 = s_beta * z121 + c_beta * z119;
+    const Scalar z129 = s_beta * z94 - c_beta * z125;
+    const Scalar z131 = n1_2 * a_alpha + n0_4 * z120 + z129;  // moment on unit_1, z
+    const Scalar z132 = s_alpha * z120 + c_alpha * z126;
+    const Scalar z136 = n9000 * a_x - z132;  // force on aircraft, x
+    forces.x = z136;
+    forces.alpha = z131;
+    forces.beta = z124;
+  }
+
+  /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
+  /// an unrolled L D L' of M. Returns singular when a pivot is not
+  /// positive relative to its diagonal entry.
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs& inputs,
+      Accelerations& accelerations, Multipliers&) noexcept {
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    const Scalar n0_35 = traits::constant(0.35, 0.35f, "7/20");
+    const Scalar n1_92 = traits::constant(1.92, 1.92f, "48/25");
+    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
+    const Scalar n4_8 = traits::constant(4.8, 4.8f, "24/5");
+    const Scalar n1_2 = traits::constant(1.2, 1.2f, "6/5");
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n12 = traits::constant(12.0, 12.0f, "12/1");
+    const Scalar n0_9 = traits::constant(0.9, 0.9f, "9/10");
+    const Scalar n1_6 = traits::constant(1.6, 1.6f, "8/5");
+    const Scalar n9012 = traits::constant(9012.0, 9012.0f, "9012/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar v_alpha = state.v.alpha;
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    const Scalar u_thrust = inputs.thrust;
+    const Scalar u_azimuth = inputs.azimuth;
+    const Scalar u_elevation = inputs.elevation;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z16 = v_alpha * s_beta;
+    const Scalar z17 = v_alpha * c_beta;
+    const Scalar z49 = n3 * s_beta;
+    const Scalar z50 = n3 * c_beta;
+    const Scalar z51 = c_alpha * z49;
+    const Scalar z56 = n0_35 * s_beta;
+    const Scalar z57 = s_beta * z56;
+    const Scalar z58 = n0_35 - z57;
+    const Scalar z62 = n1_92 + n0_8 * z50 + z58;
+    const Scalar z63 = n4_8 + z50;
+    const Scalar z65 = n1_2 + z62;
+    const Scalar z66 = s_alpha * z63;
+    const Scalar z79 = v_alpha * v_alpha;
+    const Scalar z80 = n0_4 * z79;
+    const Scalar z81 = c_beta * z80;
+    const Scalar z82 = s_beta * z80;
+    const Scalar z83 = v_beta * z17;  // angular acceleration of hinge, x
+    const Scalar z84 = v_beta * z16;  // angular acceleration of hinge, z
+    const Scalar z85 = v_beta * v_beta;
+    const Scalar z86 = z17 * z17;
+    const Scalar z87 = z85 + z86;
+    const Scalar z88 = n2 * z84;
+    const Scalar z89 = z16 * z17;
+    const Scalar z90 = n12 * z81 + n3 * z87;  // force on antenna, x
+    const Scalar z91 = n3 * z88;  // force on antenna, y
+    const Scalar z92 = n12 * z82 + n3 * z89;  // force on antenna, z
+    const Scalar z93 = n3 * z82;  // moment on antenna, y
+    const Scalar z94 = n0_9 * z83;  // moment on hinge, x
+    const Scalar z95 = n0_35 * z89 + z93;  // moment on hinge, y
+    const Scalar z96 = n1_6 * z84;  // moment on hinge, z
+    const Scalar z97 = s_beta * z92 + c_beta * z90;
+    const Scalar z100 = s_beta * z94 - c_beta * z96;
+    const Scalar z102 = n0_4 * z91 - z100;  // moment on unit_1, z
+    const Scalar z103 = s_alpha * z91 - c_alpha * z97;
+    const Scalar z137 = u_thrust - z103;
+    const Scalar z138 = u_azimuth + z102;
+    const Scalar z139 = u_elevation - z95;
+    const Scalar z140 = n0_8 * z51;
+    const Scalar z141 = n9012 - z51 * z140;
+    const Scalar z142 = n1 / z65;
+    const Scalar z143 = z66 * z142;
+    const Scalar z144 = z66 * z143 - z141;
+    const Scalar z145 = n1 / z144;
+    const Scalar z146 = z137 + z138 * z143 + z139 * z140;
+    const Scalar z147 = z145 * z146;
+    const Scalar z148 = z138 * z142 - z143 * z147;
+    const Scalar z149 = n0_8 * z139 - z140 * z147;
+    accelerations.x = -z147;
+    accelerations.alpha = z148;
+    accelerations.beta = z149;
+    if (!(traits::regular(-z144, n9012) && traits::regular(z65, z65))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (accelerations.x - accelerations.x) + (accelerations.alpha - accelerations.alpha)
+        + (accelerations.beta - accelerations.beta);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
+  TORSOR_DEVICE static void energy(const Precomputed&, const State& state, const Inputs& inputs,
+      Energy& result) noexcept {
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n12 = traits::constant(12.0, 12.0f, "12/1");
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    const Scalar n1_25 = traits::constant(1.25, 1.25f, "5/4");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n4500 = traits::constant(4500.0, 4500.0f, "4500/1");
+    const Scalar n0_15 = traits::constant(0.15, 0.15f, "3/20");
+    const Scalar n0_45 = traits::constant(0.45, 0.45f, "9/20");
+    const Scalar n6 = traits::constant(6.0, 6.0f, "6/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar v_x = state.v.x;
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar v_alpha = state.v.alpha;
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    const Scalar u_thrust = inputs.thrust;
+    const Scalar u_azimuth = inputs.azimuth;
+    const Scalar u_elevation = inputs.elevation;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z13 = v_x * c_alpha;
+    const Scalar z14 = v_x * s_alpha;
+    const Scalar z15 = n0_4 * v_alpha - z14;
+    const Scalar z16 = v_alpha * s_beta;
+    const Scalar z17 = v_alpha * c_beta;
+    const Scalar z18 = c_beta * z13;
+    const Scalar z19 = s_beta * z13;
+    const Scalar z150 = n12 * z15 + n3 * z17;
+    const Scalar z151 = n3 * v_beta - n12 * z19;
+    const Scalar z152 = n1_25 * v_beta - n3 * z19;
+    const Scalar z153 = n3 * z15 + n1_25 * z17;
+    result.kinetic = n0_5 * (v_beta * z152 + z15 * z150 + z17 * z153 - z19 * z151) + n4500 * v_x * v_x + n0_15 * v_alpha
+        * v_alpha + n0_45 * z16 * z16 + n6 * z18 * z18;
+    result.force_function = n0;
+    result.power = v_x * u_thrust + v_alpha * u_azimuth + v_beta * u_elevation;
+  }
+
+  /// Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released
+  /// direction, at accelerations, multipliers and inputs that belong to the motion.
+  TORSOR_DEVICE static void reactions(const Precomputed&, const State& state, const Accelerations& accelerations,
+      const Multipliers&, const Inputs&, Reactions& result) noexcept {
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    const Scalar n12 = traits::constant(12.0, 12.0f, "12/1");
+    const Scalar a_x = accelerations.x;
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar v_alpha = state.v.alpha;
+    const Scalar a_alpha = accelerations.alpha;
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    const Scalar a_beta = accelerations.beta;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z16 = v_alpha * s_beta;
+    const Scalar z17 = v_alpha * c_beta;
+    const Scalar z79 = v_alpha * v_alpha;
+    const Scalar z84 = v_beta * z16;  // angular acceleration of hinge, z
+    const Scalar z85 = v_beta * v_beta;
+    const Scalar z86 = z17 * z17;
+    const Scalar z87 = z85 + z86;
+    const Scalar z89 = z16 * z17;
+    const Scalar z107 = a_x * c_alpha;
+    const Scalar z108 = a_x * s_alpha;
+    const Scalar z110 = a_alpha * c_beta;
+    const Scalar z111 = n0_4 * z79 - z107;
+    const Scalar z112 = n0_4 * a_alpha - z108;
+    const Scalar z113 = c_beta * z111;
+    const Scalar z114 = s_beta * z111;
+    const Scalar z116 = v_beta * z16 - z110;  // angular acceleration of hinge, z
+    const Scalar z117 = z84 + z116;
+    const Scalar z118 = a_beta + z89;
+    const Scalar z119 = n3 * z87 + n12 * z113;  // force on antenna, x
+    const Scalar z120 = n12 * z112 - n3 * z117;  // force on antenna, y
+    const Scalar z121 = n12 * z114 + n3 * z118;  // force on antenna, z
+    const Scalar z126 = s_beta * z121 + c_beta * z119;
+    const Scalar z132 = s_alpha * z120 + c_alpha * z126;
+    result.F_x = -z132;
+    result.F_x2 = -z119;
+  }
+
+  /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
+  /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
+  TORSOR_DEVICE static torsor::Status linearisation(const Precomputed&, const State& state,
+      const Accelerations& accelerations, const Multipliers&, const Inputs& inputs, Linearisation& result) noexcept {
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    const Scalar n0_35 = traits::constant(0.35, 0.35f, "7/20");
+    const Scalar n1_92 = traits::constant(1.92, 1.92f, "48/25");
+    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
+    const Scalar n4_8 = traits::constant(4.8, 4.8f, "24/5");
+    const Scalar n1_2 = traits::constant(1.2, 1.2f, "6/5");
+    const Scalar n0_9 = traits::constant(0.9, 0.9f, "9/10");
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n12 = traits::constant(12.0, 12.0f, "12/1");
+    const Scalar n1_25 = traits::constant(1.25, 1.25f, "5/4");
+    const Scalar n9000 = traits::constant(9000.0, 9000.0f, "9000/1");
+    const Scalar n9012 = traits::constant(9012.0, 9012.0f, "9012/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1_6 = traits::constant(1.6, 1.6f, "8/5");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar a_x = accelerations.x;
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar v_alpha = state.v.alpha;
+    const Scalar a_alpha = accelerations.alpha;
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    const Scalar a_beta = accelerations.beta;
+    const Scalar u_thrust = inputs.thrust;
+    const Scalar u_azimuth = inputs.azimuth;
+    const Scalar u_elevation = inputs.elevation;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z16 = v_alpha * s_beta;
+    const Scalar z17 = v_alpha * c_beta;
+    const Scalar z49 = n3 * s_beta;
+    const Scalar z50 = n3 * c_beta;
+    const Scalar z51 = c_alpha * z49;
+    const Scalar z56 = n0_35 * s_beta;
+    const Scalar z57 = s_beta * z56;
+    const Scalar z58 = n0_35 - z57;
+    const Scalar z62 = n1_92 + n0_8 * z50 + z58;
+    const Scalar z63 = n4_8 + z50;
+    const Scalar z65 = n1_2 + z62;
+    const Scalar z66 = s_alpha * z63;
+    const Scalar z79 = v_alpha * v_alpha;
+    const Scalar z83 = v_beta * z17;  // angular acceleration of hinge, x
+    const Scalar z84 = v_beta * z16;  // angular acceleration of hinge, z
+    const Scalar z85 = v_beta * v_beta;
+    const Scalar z86 = z17 * z17;
+    const Scalar z87 = z85 + z86;
+    const Scalar z89 = z16 * z17;
+    const Scalar z94 = n0_9 * z83;  // moment on hinge, x
+    const Scalar z107 = a_x * c_alpha;
+    const Scalar z108 = a_x * s_alpha;
+    const Scalar z109 = a_alpha * s_beta;
+    const Scalar z110 = a_alpha * c_beta;
+    const Scalar z111 = n0_4 * z79 - z107;
+    const Scalar z112 = n0_4 * a_alpha - z108;
+    const Scalar z113 = c_beta * z111;
+    const Scalar z114 = s_beta * z111;
+    const Scalar z115 = v_beta * z17 + z109;  // angular acceleration of hinge, x
+    const Scalar z116 = v_beta * z16 - z110;  // angular acceleration of hinge, z
+    const Scalar z117 = z84 + z116;
+    const Scalar z118 = a_beta + z89;
+    const Scalar z119 = n3 * z87 + n12 * z113;  // force on antenna, x
+    const Scalar z120 = n12 * z112 - n3 * z117;  // force on antenna, y
+    const Scalar z121 = n12 * z114 + n3 * z118;  // force on antenna, z
+    const Scalar z122 = n3 * z114;  // moment on antenna, y
+    const Scalar z123 = n3 * z112;  // moment on antenna, z
+    const Scalar z124 = n1_25 * a_beta + n0_35 * z89 + z122;  // moment on hinge, y
+    const Scalar z125 = n1_25 * z84 + n0_35 * z116 - z123;  // moment on hinge, z
+    const Scalar z126 = s_beta * z121 + c_beta * z119;
+    const Scalar z129 = s_beta * z94 - c_beta * z125;
+    const Scalar z131 = n1_2 * a_alpha + n0_4 * z120 + z129;  // moment on unit_1, z
+    const Scalar z132 = s_alpha * z120 + c_alpha * z126;
+    const Scalar z136 = n9000 * a_x - z132;  // force on aircraft, x
+    const Scalar z140 = n0_8 * z51;
+    const Scalar z141 = n9012 - z51 * z140;
+    const Scalar z142 = n1 / z65;
+    const Scalar z143 = z66 * z142;
+    const Scalar z144 = z66 * z143 - z141;
+    const Scalar z145 = n1 / z144;
+    const Scalar z178 = v_beta * s_beta;
+    const Scalar z179 = n2 * z178;
+    const Scalar z180 = n3 * z179;
+    const Scalar z181 = n2 * v_alpha;
+    const Scalar z182 = n0_4 * z181;
+    const Scalar z183 = s_beta * z182;
+    const Scalar z184 = s_beta * z17 + c_beta * z16;
+    const Scalar z185 = n12 * z183 + n3 * z184;
+    const Scalar z186 = c_beta * z182;
+    const Scalar z187 = n2 * c_beta * z17;
+    const Scalar z188 = n12 * z186 + n3 * z187;
+    const Scalar z189 = s_beta * z185 + c_beta * z188;
+    const Scalar z190 = s_alpha * z180 - c_alpha * z189;
+    const Scalar z191 = n12 * z107;
+    const Scalar z192 = s_beta * z108;
+    const Scalar z193 = n12 * z192;
+    const Scalar z194 = c_beta * z108;
+    const Scalar z195 = n12 * z194;
+    const Scalar z196 = s_beta * z193 + c_beta * z195;
+    const Scalar z197 = s_alpha * (z126 + z191) - c_alpha * (z120 + z196);
+    const Scalar z198 = v_beta * c_beta;
+    const Scalar z199 = n0_9 * z198;
+    const Scalar z200 = n1_6 * z178;
+    const Scalar z201 = s_beta * z199 - c_beta * z200;
+    const Scalar z202 = n0_4 * z180 - z201;
+    const Scalar z203 = n3 * z107;
+    const Scalar z204 = c_beta * z203;
+    const Scalar z205 = n0_4 * z191 + z204;
+    const Scalar z206 = n3 * z183;
+    const Scalar z207 = n0_35 * z184 + z206;
+    const Scalar z208 = n3 * z192;
+    const Scalar z209 = n2 * z16;
+    const Scalar z210 = n3 * z209;
+    const Scalar z211 = n2 * v_beta;
+    const Scalar z212 = n3 * z211;
+    const Scalar z213 = c_beta * z212;
+    const Scalar z214 = s_alpha * z210 - c_alpha * z213;
+    const Scalar z215 = z83 + z115;
+    const Scalar z216 = n3 * z215;
+    const Scalar z217 = z16 * z16 - z17 * z17;
+    const Scalar z218 = n12 * z113 - n3 * z217;
+    const Scalar z219 = n2 * z16 * z17;
+    const Scalar z220 = n12 * z114 + n3 * z219;
+    const Scalar z221 = s_beta * (z119 - z218) - c_beta * (z121 - z220);
+    const Scalar z222 = s_alpha * z216 + c_alpha * z221;
+    const Scalar z223 = n0_9 * z17;
+    const Scalar z224 = n1_6 * z16;
+    const Scalar z225 = s_beta * z223 - c_beta * z224;
+    const Scalar z226 = n0_4 * z210 - z225;
+    const Scalar z227 = n0_9 * z84;
+    const Scalar z228 = n1_25 * z83 + n0_35 * z115;
+    const Scalar z229 = s_beta * (z125 - z227) + c_beta * (z94 - z228);
+    const Scalar z230 = n0_4 * z216 - z229;
+    const Scalar z231 = n3 * z113;
+    const Scalar z232 = n0_35 * z217 - z231;
+    const Scalar z233 = z140 * z208 - z143 * z205 + z197;
+    const Scalar z234 = z145 * z233;
+    const Scalar z235 = z142 * z205 + z143 * z234;
+    const Scalar z236 = z140 * z234 - n0_8 * z208;
+    const Scalar z237 = z140 * z207 - z143 * z202 + z190;
+    const Scalar z238 = z145 * z237;
+    const Scalar z239 = z142 * z202 + z143 * z238;
+    const Scalar z240 = z140 * z238 - n0_8 * z207;
+    const Scalar z241 = z140 * z232 + z143 * z230 - z222;
+    const Scalar z242 = z145 * z241;
+    const Scalar z243 = z142 * z230 - z143 * z242;
+    const Scalar z244 = z140 * z242 - n0_8 * z232;
+    const Scalar z245 = z143 * z226 - z214;
+    const Scalar z246 = z145 * z245;
+    const Scalar z247 = z142 * z226 - z143 * z246;
+    const Scalar z248 = z140 * z246;
+    const Scalar z249 = z143 * z145;
+    const Scalar z250 = z140 * z145;
+    const Scalar z251 = z142 - z143 * z249;
+    const Scalar z252 = z140 * z249;
+    const Scalar z253 = z143 * z250;
+    const Scalar z254 = n0_8 - z140 * z250;
+    result.M[0] = n9012;
+    result.M[1] = -z66;
+    result.M[2] = -z51;
+    result.M[3] = -z66;
+    result.M[4] = z65;
+    result.M[5] = n0;
+    result.M[6] = -z51;
+    result.M[7] = n0;
+    result.M[8] = n1_25;
+    result.C[0] = n0;
+    result.C[1] = n0;
+    result.C[2] = n0;
+    result.C[3] = z190;
+    result.C[4] = -z202;
+    result.C[5] = z207;
+    result.C[6] = z214;
+    result.C[7] = -z226;
+    result.C[8] = n0;
+    result.K[0] = n0;
+    result.K[1] = n0;
+    result.K[2] = n0;
+    result.K[3] = z197;
+    result.K[4] = -z205;
+    result.K[5] = z208;
+    result.K[6] = z222;
+    result.K[7] = -z230;
+    result.K[8] = -z232;
+    result.F[0] = u_thrust - z136;
+    result.F[1] = u_azimuth - z131;
+    result.F[2] = u_elevation - z124;
+    result.E[0] = n1;
+    result.E[1] = n0;
+    result.E[2] = n0;
+    result.E[3] = n0;
+    result.E[4] = n1;
+    result.E[5] = n0;
+    result.E[6] = n0;
+    result.E[7] = n0;
+    result.E[8] = n1;
+    result.A[0] = n0;
+    result.A[1] = n0;
+    result.A[2] = n0;
+    result.A[3] = n0;
+    result.A[4] = n0;
+    result.A[5] = n0;
+    result.A[6] = n0;
+    result.A[7] = n0;
+    result.A[8] = n0;
+    result.A[9] = z234;
+    result.A[10] = z235;
+    result.A[11] = z236;
+    result.A[12] = n0;
+    result.A[13] = n0;
+    result.A[14] = n0;
+    result.A[15] = -z242;
+    result.A[16] = z243;
+    result.A[17] = -z244;
+    result.A[18] = n1;
+    result.A[19] = n0;
+    result.A[20] = n0;
+    result.A[21] = n0;
+    result.A[22] = n0;
+    result.A[23] = n0;
+    result.A[24] = n0;
+    result.A[25] = n1;
+    result.A[26] = n0;
+    result.A[27] = z238;
+    result.A[28] = z239;
+    result.A[29] = z240;
+    result.A[30] = n0;
+    result.A[31] = n0;
+    result.A[32] = n1;
+    result.A[33] = -z246;
+    result.A[34] = z247;
+    result.A[35] = -z248;
+    result.B[0] = n0;
+    result.B[1] = n0;
+    result.B[2] = n0;
+    result.B[3] = -z145;
+    result.B[4] = -z249;
+    result.B[5] = -z250;
+    result.B[6] = n0;
+    result.B[7] = n0;
+    result.B[8] = n0;
+    result.B[9] = -z249;
+    result.B[10] = z251;
+    result.B[11] = -z252;
+    result.B[12] = n0;
+    result.B[13] = n0;
+    result.B[14] = n0;
+    result.B[15] = -z250;
+    result.B[16] = -z253;
+    result.B[17] = z254;
+    if (!(traits::regular(-z144, n9012) && traits::regular(z65, z65))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (result.M[1] - result.M[1]) + (result.M[2] - result.M[2]) + (result.M[3] - result.M[3])
+        + (result.M[4] - result.M[4]) + (result.M[6] - result.M[6]) + (result.C[3] - result.C[3]) + (result.C[4]
+        - result.C[4]) + (result.C[5] - result.C[5]) + (result.C[6] - result.C[6]) + (result.C[7] - result.C[7])
+        + (result.K[3] - result.K[3]) + (result.K[4] - result.K[4]) + (result.K[5] - result.K[5]) + (result.K[6]
+        - result.K[6]) + (result.K[7] - result.K[7]) + (result.K[8] - result.K[8]) + (result.F[0] - result.F[0])
+        + (result.F[1] - result.F[1]) + (result.F[2] - result.F[2]) + (result.A[9] - result.A[9]) + (result.A[10]
+        - result.A[10]) + (result.A[11] - result.A[11]) + (result.A[15] - result.A[15]) + (result.A[16] - result.A[16])
+        + (result.A[17] - result.A[17]) + (result.A[27] - result.A[27]) + (result.A[28] - result.A[28]) + (result.A[29]
+        - result.A[29]) + (result.A[33] - result.A[33]) + (result.A[34] - result.A[34]) + (result.A[35] - result.A[35])
+        + (result.B[3] - result.B[3]) + (result.B[4] - result.B[4]) + (result.B[5] - result.B[5]) + (result.B[9]
+        - result.B[9]) + (result.B[10] - result.B[10]) + (result.B[11] - result.B[11]) + (result.B[15] - result.B[15])
+        + (result.B[16] - result.B[16]) + (result.B[17] - result.B[17]);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+};
+
+}  // namespace nose_radar

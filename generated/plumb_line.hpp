@@ -1,0 +1,1044 @@
+// SPDX-License-Identifier: MIT
+// plumb_line: Plumb line on the turning earth
+// Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
+// Free to embed under the MIT licence.
+//
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, reactions, linearisation
+// Parameters set at run time: r, latitude
+//
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
+// moved across joints, factoring, and what is done once for a set of parameters:
+//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   precompute                1                9          0             0                  1       0     12       -
+//   kinematics               36               72          0             0                  4       0    116     124
+//   mass_matrix               1                1          0             0                  1       0      4       4
+//   bias                     24               47          1             1                  3       0     79      82
+//   inverse_dynamics         27               48          1             1                  3       0     83      85
+//   forward_dynamics         25               49          2             1                  3       0     83      86
+//   energy                   16               28          1             1                  3       0     52      62
+//   first_integrals          21               33          1             1                  3       0     62      73
+//   reactions                17               32          1             1                  3       0     57      66
+//   linearisation            69              131          6             1                  3       0    213     203
+//
+// Not computed because this mechanism does not need it:
+//   kinematics: of 42 results 12 vanish identically, 6 repeat another up to sign
+//   mass_matrix: of 4 results 2 vanish identically
+//   energy: of 3 results 1 vanish identically
+//   constraints: left out, the scene has no constraints
+//   linearisation: of 30 results 10 vanish identically, 3 repeat another up to sign
+//
+// To write this file again:
+//   plumb_line_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output plumb_line.hpp
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#ifndef TORSOR_KERNEL_SUPPORT
+#define TORSOR_KERNEL_SUPPORT 1
+// Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
+#ifndef TORSOR_DEVICE
+#define TORSOR_DEVICE
+#endif
+
+namespace torsor {
+
+/// What a kernel says about its results; the larger, the worse.
+enum class Status : int { ok = 0, singular = 1, not_finite = 2 };
+
+/// What a kernel needs of its scalar. This one serves float and double; specialise it, once a header is included, for
+/// any other (a pack of several states, a high-precision number).
+template <class Scalar>
+struct scalar_traits {
+  static_assert(sizeof(Scalar) == sizeof(float) || sizeof(Scalar) == sizeof(double),
+                "specialise torsor::scalar_traits for a scalar that is neither float nor double");
+  static constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+
+  /// A number, rounded for either format. `exact` is "num/den", or "a;b;c;d" for a + b sqrt(2) + c sqrt(3) + d sqrt(6).
+  TORSOR_DEVICE static constexpr Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    return is_float ? static_cast<Scalar>(in_float) : static_cast<Scalar>(in_double);
+  }
+  /// The same for a number that is no such sum: a callable computes it where literals are not precise enough.
+  template <class Callable>
+  TORSOR_DEVICE static constexpr Scalar formula(double in_double, float in_float, const Callable&) noexcept {
+    return constant(in_double, in_float, nullptr);
+  }
+  TORSOR_DEVICE static constexpr Scalar pi() noexcept { return constant(3.141592653589793, 3.1415927f, nullptr); }
+  TORSOR_DEVICE static constexpr Scalar select(bool condition, Scalar if_true, Scalar if_false) noexcept {
+    return condition ? if_true : if_false;
+  }
+  TORSOR_DEVICE static void sincos(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
+    sine = std::sin(angle);
+    cosine = std::cos(angle);
+  }
+  TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
+  TORSOR_DEVICE static Scalar exp(const Scalar& x) noexcept { return std::exp(x); }
+  TORSOR_DEVICE static Scalar log(const Scalar& x) noexcept { return std::log(x); }
+  /// Whether a pivot is positive beyond the rounding of the diagonal entry it came from; not when it is not a number.
+  TORSOR_DEVICE static bool regular(const Scalar& pivot, const Scalar& diagonal) noexcept {
+    return pivot > constant(0x1p-52, 0x1p-23f, nullptr) * std::abs(diagonal);
+  }
+};
+
+}  // namespace torsor
+#elif TORSOR_KERNEL_SUPPORT != 1
+#error "headers of incompatible versions of torsor meet here: write them again with one version"
+#endif
+
+namespace plumb_line {
+
+/// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
+/// M a + h = E u + A' lambda and A a + gamma = 0, with a the accelerations and u the inputs; units are SI.
+template <class Scalar>
+struct Mechanism {
+  using traits = torsor::scalar_traits<Scalar>;
+
+  static constexpr const char* name = "plumb_line";
+  static constexpr int coordinate_count = 2;
+  static constexpr int velocity_count = 2;
+  static constexpr int input_count = 0;
+  static constexpr int parameter_count = 2;
+  static constexpr int multiplier_count = 0;
+
+  /// Parameters that are set at run time.
+  struct Parameters {
+    Scalar r;  ///< parameter [m]
+    Scalar latitude;  ///< parameter [rad or 1]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Parameters::*member_(int i_) noexcept {
+      constexpr Scalar Parameters::*members_[] = {&Parameters::r, &Parameters::latitude};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised coordinates q.
+  struct Coordinates {
+    Scalar delta;  ///< coordinate [rad or 1]
+    Scalar epsilon;  ///< coordinate [rad or 1]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Coordinates::*member_(int i_) noexcept {
+      constexpr Scalar Coordinates::*members_[] = {&Coordinates::delta, &Coordinates::epsilon};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised velocities v = dq/dt.
+  struct Velocities {
+    Scalar delta;  ///< its rate [rad/s]
+    Scalar epsilon;  ///< its rate [rad/s]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Velocities::*member_(int i_) noexcept {
+      constexpr Scalar Velocities::*members_[] = {&Velocities::delta, &Velocities::epsilon};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised accelerations dv/dt.
+  struct Accelerations {
+    Scalar delta;  ///< its second rate [rad/s^2]
+    Scalar epsilon;  ///< its second rate [rad/s^2]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Accelerations::*member_(int i_) noexcept {
+      constexpr Scalar Accelerations::*members_[] = {&Accelerations::delta, &Accelerations::epsilon};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised forces, one along each coordinate.
+  struct GeneralizedForces {
+    Scalar delta;  ///< works with the rate of delta [N m]
+    Scalar epsilon;  ///< works with the rate of epsilon [N m]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar GeneralizedForces::*member_(int i_) noexcept {
+      constexpr Scalar GeneralizedForces::*members_[] = {&GeneralizedForces::delta, &GeneralizedForces::epsilon};
+      return members_[i_];
+    }
+  };
+
+  /// Forces and torques of motors, set at each call.
+  struct Inputs {
+    static constexpr int size = 0;
+  };
+
+  /// Multipliers of the constraints, or the reactions that enforce them.
+  struct Multipliers {
+    static constexpr int size = 0;
+  };
+
+  /// Time [s], coordinates and velocities.
+  struct State {
+    Scalar time;
+    Coordinates q;
+    Velocities v;
+  };
+
+  /// Parameters and what depends on them only: built once for each set of parameters.
+  struct Precomputed {
+    Parameters parameters;
+    Scalar s_latitude;
+    Scalar c_latitude;
+    Scalar z19;
+    Scalar z21;
+    Scalar z22;
+    Scalar z23;
+    Scalar z64;
+    Scalar z65;
+    Scalar z135;
+    Scalar z136;
+  };
+
+  /// Values of the scene.
+  TORSOR_DEVICE static Parameters default_parameters() noexcept {
+    Parameters parameters{};
+    const Scalar k0 = traits::constant(6371000.0, 6371000.0f, "6371000/1");
+    const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
+    const Scalar pi = traits::pi();
+    parameters.r = k0;
+    parameters.latitude = n0_25 * pi;
+    return parameters;
+  }
+
+  /// To be called again when a parameter changes.
+  TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
+    Precomputed precomputed{};
+    precomputed.parameters = parameters;
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar k1 = traits::constant(2.3148148148148147e-05, 2.3148148e-05f, "1/43200");
+    const Scalar p_latitude = parameters.latitude;
+    const Scalar p_r = parameters.r;
+    const Scalar pi = traits::pi();
+    Scalar s_latitude, c_latitude;
+    traits::sincos(p_latitude, s_latitude, c_latitude);
+    const Scalar z19 = n1 + p_r;
+    const Scalar z20 = traits::formula(7.27220521664304e-05, 7.2722054e-05f, [&]() -> Scalar {
+      return k1 * pi;
+    });  // angular velocity of globe, z
+    const Scalar z21 = s_latitude * z20;
+    const Scalar z22 = c_latitude * z20;
+    const Scalar z23 = z19 * z22;
+    const Scalar z64 = c_latitude * z19;
+    const Scalar z65 = s_latitude * z19;
+    const Scalar z133 = z22 * z22;
+    const Scalar z134 = z21 * z22;
+    const Scalar z135 = z19 * z133;
+    const Scalar z136 = z19 * z134;
+    precomputed.s_latitude = s_latitude;
+    precomputed.c_latitude = c_latitude;
+    precomputed.z19 = z19;
+    precomputed.z21 = z21;
+    precomputed.z22 = z22;
+    precomputed.z23 = z23;
+    precomputed.z64 = z64;
+    precomputed.z65 = z65;
+    precomputed.z135 = z135;
+    precomputed.z136 = z136;
+    return precomputed;
+  }
+
+  /// The state the scene starts from, for these parameters.
+  TORSOR_DEVICE static State initial_state(const Parameters&) noexcept {
+    State state{};
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    state.time = n0;
+    state.q.delta = n0_1;
+    state.q.epsilon = n0;
+    state.v.delta = n0;
+    state.v.epsilon = n0;
+    return state;
+  }
+  TORSOR_DEVICE static State initial_state() noexcept { return initial_state(default_parameters()); }
+
+  /// Poses, twists and named points in ground axes.
+  struct Kinematics {
+    std::array<Scalar, 3> bob_position;  ///< centre of mass of bob [m]
+    std::array<Scalar, 9> bob_rotation;  ///< from the axes of bob to the ground's (3 x 3)
+    std::array<Scalar, 3> bob_velocity;  ///< velocity of the centre of mass of bob [m/s]
+    std::array<Scalar, 3> bob_angular_velocity;  ///< angular velocity of bob [rad/s]
+    std::array<Scalar, 3> O_position;  ///< position of O [m]
+    std::array<Scalar, 3> O_velocity;  ///< velocity of the material point at O [m/s]
+    std::array<Scalar, 6> O_jacobian;  ///< partial velocities of O (3 x 2)
+    std::array<Scalar, 3> G_position;  ///< position of G [m]
+    std::array<Scalar, 3> G_velocity;  ///< velocity of the material point at G [m/s]
+    std::array<Scalar, 6> G_jacobian;  ///< partial velocities of G (3 x 2)
+  };
+
+  /// Energies of the mechanism.
+  struct Energy {
+    Scalar kinetic;  ///< kinetic energy T [J]
+    Scalar force_function;  ///< force function U of gravity and springs [J]
+    Scalar power;  ///< power of dampers, given forces and motors [W]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Energy::*member_(int i_) noexcept {
+      constexpr Scalar Energy::*members_[] = {&Energy::kinetic, &Energy::force_function, &Energy::power};
+      return members_[i_];
+    }
+  };
+
+  /// Quantities that every motion conserves.
+  struct FirstIntegrals {
+    Scalar painleve;  ///< T2 - T0 - U [J]
+    static constexpr int size = 1;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar FirstIntegrals::*member_(int i_) noexcept {
+      constexpr Scalar FirstIntegrals::*members_[] = {&FirstIntegrals::painleve};
+      return members_[i_];
+    }
+  };
+  static constexpr int first_integral_count = 1;
+
+  /// Reactions of joints along released directions.
+  struct Reactions {
+    Scalar tension;  ///< reaction along 'tension' [kg m s^-2]
+    static constexpr int size = 1;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Reactions::*member_(int i_) noexcept {
+      constexpr Scalar Reactions::*members_[] = {&Reactions::tension};
+      return members_[i_];
+    }
+  };
+
+  /// Matrices of the linearised equations, stored column by column.
+  struct Linearisation {
+    std::array<Scalar, 4> M;  ///< mass matrix (2 x 2)
+    std::array<Scalar, 4> C;  ///< damping and gyroscopic terms (2 x 2)
+    std::array<Scalar, 4> K;  ///< stiffness (2 x 2)
+    std::array<Scalar, 2> F;  ///< right-hand side
+    std::array<Scalar, 16> A;  ///< state matrix of x = (e, e'): x' = A x + B du (4 x 4)
+  };
+
+  /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
+  /// matrices column by column.
+  TORSOR_DEVICE static void kinematics(const Precomputed& precomputed, const State& state,
+      Kinematics& result) noexcept {
+    const Scalar k0 = traits::constant(2.3148148148148147e-05, 2.3148148e-05f, "1/43200");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar t = state.time;
+    const Scalar p_latitude = precomputed.parameters.latitude;
+    const Scalar p_r = precomputed.parameters.r;
+    const Scalar q_delta = state.q.delta;
+    const Scalar v_delta = state.v.delta;
+    const Scalar q_epsilon = state.q.epsilon;
+    const Scalar v_epsilon = state.v.epsilon;
+    const Scalar s_latitude = precomputed.s_latitude;
+    const Scalar c_latitude = precomputed.c_latitude;
+    const Scalar z21 = precomputed.z21;
+    const Scalar z22 = precomputed.z22;
+    const Scalar z23 = precomputed.z23;
+    const Scalar z64 = precomputed.z64;
+    const Scalar z65 = precomputed.z65;
+    const Scalar pi = traits::pi();
+    const Scalar z2 = k0 * pi * t;
+    Scalar z3, z4;
+    traits::sincos(z2, z3, z4);
+    Scalar s_delta, c_delta;
+    traits::sincos(q_delta, s_delta, c_delta);
+    Scalar s_epsilon, c_epsilon;
+    traits::sincos(q_epsilon, s_epsilon, c_epsilon);
+    const Scalar z24 = s_delta * z22 - c_delta * z21;
+    const Scalar z25 = s_delta * z21 + c_delta * z22;
+    const Scalar z26 = v_delta * s_epsilon - c_epsilon * z24;
+    const Scalar z27 = v_delta * c_epsilon + s_epsilon * z24;
+    const Scalar z28 = s_epsilon * z23;
+    const Scalar z29 = c_epsilon * z23;
+    const Scalar z30 = v_epsilon + z25;  // angular velocity of thread, z
+    const Scalar z31 = c_delta * c_epsilon;
+    const Scalar z32 = s_delta * c_epsilon;
+    const Scalar z33 = n1 + p_r - z31;
+    const Scalar z34 = s_latitude * z32 - c_latitude * z33;
+    const Scalar z35 = s_latitude * z33 + c_latitude * z32;
+    const Scalar z36 = z3 * s_epsilon - z4 * z34;
+    const Scalar z37 = z3 * z34 + z4 * s_epsilon;
+    const Scalar z38 = p_latitude - q_delta;
+    Scalar z39, z40;
+    traits::sincos(z38, z39, z40);
+    const Scalar z41 = c_epsilon * z40;
+    const Scalar z42 = c_epsilon * z39;
+    const Scalar z43 = z3 * s_epsilon - z4 * z41;
+    const Scalar z44 = z3 * z41 + z4 * s_epsilon;
+    const Scalar z45 = s_epsilon * z40;
+    const Scalar z46 = s_epsilon * z39;
+    const Scalar z47 = z3 * c_epsilon + z4 * z45;
+    const Scalar z48 = z3 * z45 - z4 * c_epsilon;
+    const Scalar z49 = z4 * z39;
+    const Scalar z50 = z3 * z39;
+    const Scalar z51 = z29 - z30;
+    const Scalar z52 = s_epsilon * z51 - c_epsilon * z28;
+    const Scalar z53 = s_epsilon * z28 + c_epsilon * z51;
+    const Scalar z54 = z27 * z39 + z40 * z52;
+    const Scalar z55 = z27 * z40 - z39 * z52;
+    const Scalar z56 = z3 * z53 + z4 * z54;
+    const Scalar z57 = z3 * z54 - z4 * z53;
+    const Scalar z58 = s_epsilon * z27 - c_epsilon * z26;
+    const Scalar z59 = s_epsilon * z26 + c_epsilon * z27;
+    const Scalar z60 = z30 * z39 + z40 * z58;
+    const Scalar z61 = z30 * z40 - z39 * z58;
+    const Scalar z62 = z3 * z59 + z4 * z60;
+    const Scalar z63 = z3 * z60 - z4 * z59;
+    const Scalar z66 = z4 * z64;
+    const Scalar z67 = z3 * z64;
+    const Scalar z68 = z36 - z66;
+    const Scalar z69 = z37 + z67;
+    const Scalar z70 = z35 - z65;
+    const Scalar z71 = z4 * z70;
+    const Scalar z72 = z3 * z70;
+    const Scalar z73 = z3 * z69 - z4 * z68;
+    const Scalar z74 = z40 * z69 - z50 * z70;
+    const Scalar z75 = z40 * z68 + z49 * z70;
+    const Scalar z76 = z49 * z69 + z50 * z68;
+    result.bob_position[0] = z36;
+    result.bob_position[1] = -z37;
+    result.bob_position[2] = z35;
+    result.bob_rotation[0] = -z43;
+    result.bob_rotation[1] = z44;
+    result.bob_rotation[2] = z42;
+    result.bob_rotation[3] = -z47;
+    result.bob_rotation[4] = -z48;
+    result.bob_rotation[5] = -z46;
+    result.bob_rotation[6] = -z49;
+    result.bob_rotation[7] = -z50;
+    result.bob_rotation[8] = z40;
+    result.bob_velocity[0] = -z56;
+    result.bob_velocity[1] = -z57;
+    result.bob_velocity[2] = z55;
+    result.bob_angular_velocity[0] = -z62;
+    result.bob_angular_velocity[1] = -z63;
+    result.bob_angular_velocity[2] = z61;
+    result.O_position[0] = n0;
+    result.O_position[1] = n0;
+    result.O_position[2] = n0;
+    result.O_velocity[0] = n0;
+    result.O_velocity[1] = n0;
+    result.O_velocity[2] = n0;
+    result.O_jacobian[0] = n0;
+    result.O_jacobian[3] = n0;
+    result.O_jacobian[1] = n0;
+    result.O_jacobian[4] = n0;
+    result.O_jacobian[2] = n0;
+    result.O_jacobian[5] = n0;
+    result.G_position[0] = z36;
+    result.G_position[1] = -z37;
+    result.G_position[2] = z35;
+    result.G_velocity[0] = -z56;
+    result.G_velocity[1] = -z57;
+    result.G_velocity[2] = z55;
+    result.G_jacobian[0] = z71;
+    result.G_jacobian[3] = z74;
+    result.G_jacobian[1] = z72;
+    result.G_jacobian[4] = z75;
+    result.G_jacobian[2] = z73;
+    result.G_jacobian[5] = z76;
+  }
+
+  /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
+  TORSOR_DEVICE static void mass_matrix(const Precomputed&, const State& state, std::array<Scalar, 4>& mass) noexcept {
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_epsilon = state.q.epsilon;
+    Scalar s_epsilon, c_epsilon;
+    traits::sincos(q_epsilon, s_epsilon, c_epsilon);
+    const Scalar z91 = s_epsilon * s_epsilon;
+    const Scalar z92 = n1 - z91;
+    mass[0] = z92;
+    mass[1] = n0;
+    mass[2] = n0;
+    mass[3] = n1;
+  }
+
+  /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
+  /// actions included. M a + h = E u + A' lambda.
+  TORSOR_DEVICE static void bias(const Precomputed& precomputed, const State& state,
+      GeneralizedForces& forces) noexcept {
+    const Scalar k0 = traits::constant(2.3148148148148147e-05, 2.3148148e-05f, "1/43200");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar k2 = traits::constant(3.9847914e+14, 3.9847915e+14f, "398479140000000/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar t = state.time;
+    const Scalar p_r = precomputed.parameters.r;
+    const Scalar q_delta = state.q.delta;
+    const Scalar v_delta = state.v.delta;
+    const Scalar q_epsilon = state.q.epsilon;
+    const Scalar v_epsilon = state.v.epsilon;
+    const Scalar s_latitude = precomputed.s_latitude;
+    const Scalar c_latitude = precomputed.c_latitude;
+    const Scalar z19 = precomputed.z19;
+    const Scalar z21 = precomputed.z21;
+    const Scalar z22 = precomputed.z22;
+    const Scalar z135 = precomputed.z135;
+    const Scalar z136 = precomputed.z136;
+    const Scalar pi = traits::pi();
+    const Scalar z2 = k0 * pi * t;
+    Scalar z3, z4;
+    traits::sincos(z2, z3, z4);
+    Scalar s_delta, c_delta;
+    traits::sincos(q_delta, s_delta, c_delta);
+    Scalar s_epsilon, c_epsilon;
+    traits::sincos(q_epsilon, s_epsilon, c_epsilon);
+    const Scalar z24 = s_delta * z22 - c_delta * z21;
+    const Scalar z25 = s_delta * z21 + c_delta * z22;
+    const Scalar z26 = v_delta * s_epsilon - c_epsilon * z24;
+    const Scalar z27 = v_delta * c_epsilon + s_epsilon * z24;
+    const Scalar z30 = v_epsilon + z25;  // angular velocity of thread, z
+    const Scalar z31 = c_delta * c_epsilon;
+    const Scalar z32 = s_delta * c_epsilon;
+    const Scalar z33 = n1 + p_r - z31;
+    const Scalar z34 = s_latitude * z32 - c_latitude * z33;
+    const Scalar z35 = s_latitude * z33 + c_latitude * z32;
+    const Scalar z36 = z3 * s_epsilon - z4 * z34;
+    const Scalar z37 = z3 * z34 + z4 * s_epsilon;
+    const Scalar z121 = c_delta * z19;
+    const Scalar z122 = s_delta * z19;
+    const Scalar z124 = s_epsilon * z121;
+    const Scalar z126 = z35 * z35 + z36 * z36 + z37 * z37;
+    const Scalar z127 = traits::sqrt(z126);
+    const Scalar z128 = n1 / z127;
+    const Scalar z129 = k2 * z128 * z128 * z128;
+    const Scalar z131 = z124 * z129;
+    const Scalar z132 = z122 * z129;
+    const Scalar z137 = s_delta * z136 + c_delta * z135;
+    const Scalar z138 = s_delta * z135 - c_delta * z136;
+    const Scalar z139 = v_delta * z25;  // angular acceleration of meridian, x
+    const Scalar z140 = v_delta * z24;  // angular acceleration of meridian, z
+    const Scalar z141 = c_epsilon * z139;
+    const Scalar z144 = s_epsilon * z137;
+    const Scalar z145 = v_epsilon * z27 - z141;  // angular acceleration of thread, x
+    const Scalar z150 = z26 * z27;
+    const Scalar z152 = z26 * z30;
+    const Scalar z157 = z132 - z138;  // moment on bob, y
+    const Scalar z158 = z131 - z144;  // moment on bob, z
+    const Scalar z159 = z27 * z30;
+    const Scalar z160 = z145 - z159;  // moment on thread, x
+    const Scalar z161 = n2 * z152 - z157;  // moment on thread, y
+    const Scalar z162 = z140 - z150 - z158;  // moment on thread, z
+    const Scalar z166 = s_epsilon * z160 + c_epsilon * z161;
+    const Scalar z167 = z24 * z25;
+    const Scalar z169 = z166 + z167;  // moment on meridian, y
+    forces.delta = -z169;
+    forces.epsilon = -z162;
+  }
+
+  /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
+  TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State& state,
+      const Accelerations& accelerations, const Multipliers&, GeneralizedForces& forces) noexcept {
+    const Scalar k0 = traits::constant(2.3148148148148147e-05, 2.3148148e-05f, "1/43200");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar k2 = traits::constant(3.9847914e+14, 3.9847915e+14f, "398479140000000/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar t = state.time;
+    const Scalar p_r = precomputed.parameters.r;
+    const Scalar q_delta = state.q.delta;
+    const Scalar v_delta = state.v.delta;
+    const Scalar a_delta = accelerations.delta;
+    const Scalar q_epsilon = state.q.epsilon;
+    const Scalar v_epsilon = state.v.epsilon;
+    const Scalar a_epsilon = accelerations.epsilon;
+    const Scalar s_latitude = precomputed.s_latitude;
+    const Scalar c_latitude = precomputed.c_latitude;
+    const Scalar z19 = precomputed.z19;
+    const Scalar z21 = precomputed.z21;
+    const Scalar z22 = precomputed.z22;
+    const Scalar z135 = precomputed.z135;
+    const Scalar z136 = precomputed.z136;
+    const Scalar pi = traits::pi();
+    const Scalar z2 = k0 * pi * t;
+    Scalar z3, z4;
+    traits::sincos(z2, z3, z4);
+    Scalar s_delta, c_delta;
+    traits::sincos(q_delta, s_delta, c_delta);
+    Scalar s_epsilon, c_epsilon;
+    traits::sincos(q_epsilon, s_epsilon, c_epsilon);
+    const Scalar z24 = s_delta * z22 - c_delta * z21;
+    const Scalar z25 = s_delta * z21 + c_delta * z22;
+    const Scalar z26 = v_delta * s_epsilon - c_epsilon * z24;
+    const Scalar z27 = v_delta * c_epsilon + s_epsilon * z24;
+    const Scalar z30 = v_epsilon + z25;  // angular velocity of thread, z
+    const Scalar z31 = c_delta * c_epsilon;
+    const Scalar z32 = s_delta * c_epsilon;
+    const Scalar z33 = n1 + p_r - z31;
+    const Scalar z34 = s_latitude * z32 - c_latitude * z33;
+    const Scalar z35 = s_latitude * z33 + c_latitude * z32;
+    const Scalar z36 = z3 * s_epsilon - z4 * z34;
+    const Scalar z37 = z3 * z34 + z4 * s_epsilon;
+    const Scalar z121 = c_delta * z19;
+    const Scalar z122 = s_delta * z19;
+    const Scalar z124 = s_epsilon * z121;
+    const Scalar z126 = z35 * z35 + z36 * z36 + z37 * z37;
+    const Scalar z127 = traits::sqrt(z126);
+    const Scalar z128 = n1 / z127;
+    const Scalar z129 = k2 * z128 * z128 * z128;
+    const Scalar z131 = z124 * z129;
+    const Scalar z132 = z122 * z129;
+    const Scalar z137 = s_delta * z136 + c_delta * z135;
+    const Scalar z138 = s_delta * z135 - c_delta * z136;
+    const Scalar z139 = v_delta * z25;  // angular acceleration of meridian, x
+    const Scalar z140 = v_delta * z24;  // angular acceleration of meridian, z
+    const Scalar z144 = s_epsilon * z137;
+    const Scalar z150 = z26 * z27;
+    const Scalar z152 = z26 * z30;
+    const Scalar z157 = z132 - z138;  // moment on bob, y
+    const Scalar z158 = z131 - z144;  // moment on bob, z
+    const Scalar z159 = z27 * z30;
+    const Scalar z161 = n2 * z152 - z157;  // moment on thread, y
+    const Scalar z167 = z24 * z25;
+    const Scalar z180 = a_delta * s_epsilon - c_epsilon * z139;
+    const Scalar z182 = v_epsilon * z27 + z180;  // angular acceleration of thread, x
+    const Scalar z184 = a_epsilon - z140;  // angular acceleration of thread, z
+    const Scalar z189 = z159 - z182;  // moment on thread, x
+    const Scalar z190 = z150 + z158 + z184;  // moment on thread, z
+    const Scalar z194 = s_epsilon * z189 - c_epsilon * z161;
+    const Scalar z196 = a_delta - z167 + z194;  // moment on meridian, y
+    forces.delta = z196;
+    forces.epsilon = z190;
+  }
+
+  /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
+  /// an unrolled L D L' of M. Returns singular when a pivot is not
+  /// positive relative to its diagonal entry.
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
+      const Inputs&, Accelerations& accelerations, Multipliers&) noexcept {
+    const Scalar k0 = traits::constant(2.3148148148148147e-05, 2.3148148e-05f, "1/43200");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar k2 = traits::constant(3.9847914e+14, 3.9847915e+14f, "398479140000000/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar t = state.time;
+    const Scalar p_r = precomputed.parameters.r;
+    const Scalar q_delta = state.q.delta;
+    const Scalar v_delta = state.v.delta;
+    const Scalar q_epsilon = state.q.epsilon;
+    const Scalar v_epsilon = state.v.epsilon;
+    const Scalar s_latitude = precomputed.s_latitude;
+    const Scalar c_latitude = precomputed.c_latitude;
+    const Scalar z19 = precomputed.z19;
+    const Scalar z21 = precomputed.z21;
+    const Scalar z22 = precomputed.z22;
+    const Scalar z135 = precomputed.z135;
+    const Scalar z136 = precomputed.z136;
+    const Scalar pi = traits::pi();
+    const Scalar z2 = k0 * pi * t;
+    Scalar z3, z4;
+    traits::sincos(z2, z3, z4);
+    Scalar s_delta, c_delta;
+    traits::sincos(q_delta, s_delta, c_delta);
+    Scalar s_epsilon, c_epsilon;
+    traits::sincos(q_epsilon, s_epsilon, c_epsilon);
+    const Scalar z24 = s_delta * z22 - c_delta * z21;
+    const Scalar z25 = s_delta * z21 + c_delta * z22;
+    const Scalar z26 = v_delta * s_epsilon - c_epsilon * z24;
+    const Scalar z27 = v_delta * c_epsilon + s_epsilon * z24;
+    const Scalar z30 = v_epsilon + z25;  // angular velocity of thread, z
+    const Scalar z31 = c_delta * c_epsilon;
+    const Scalar z32 = s_delta * c_epsilon;
+    const Scalar z33 = n1 + p_r - z31;
+    const Scalar z34 = s_latitude * z32 - c_latitude * z33;
+    const Scalar z35 = s_latitude * z33 + c_latitude * z32;
+    const Scalar z36 = z3 * s_epsilon - z4 * z34;
+    const Scalar z37 = z3 * z34 + z4 * s_epsilon;
+    const Scalar z91 = s_epsilon * s_epsilon;
+    const Scalar z92 = n1 - z91;
+    const Scalar z121 = c_delta * z19;
+    const Scalar z122 = s_delta * z19;
+    const Scalar z124 = s_epsilon * z121;
+    const Scalar z126 = z35 * z35 + z36 * z36 + z37 * z37;
+    const Scalar z127 = traits::sqrt(z126);
+    const Scalar z128 = n1 / z127;
+    const Scalar z129 = k2 * z128 * z128 * z128;
+    const Scalar z131 = z124 * z129;
+    const Scalar z132 = z122 * z129;
+    const Scalar z137 = s_delta * z136 + c_delta * z135;
+    const Scalar z138 = s_delta * z135 - c_delta * z136;
+    const Scalar z139 = v_delta * z25;  // angular acceleration of meridian, x
+    const Scalar z140 = v_delta * z24;  // angular acceleration of meridian, z
+    const Scalar z141 = c_epsilon * z139;
+    const Scalar z144 = s_epsilon * z137;
+    const Scalar z145 = v_epsilon * z27 - z141;  // angular acceleration of thread, x
+    const Scalar z150 = z26 * z27;
+    const Scalar z152 = z26 * z30;
+    const Scalar z157 = z132 - z138;  // moment on bob, y
+    const Scalar z158 = z131 - z144;  // moment on bob, z
+    const Scalar z159 = z27 * z30;
+    const Scalar z160 = z145 - z159;  // moment on thread, x
+    const Scalar z161 = n2 * z152 - z157;  // moment on thread, y
+    const Scalar z162 = z140 - z150 - z158;  // moment on thread, z
+    const Scalar z166 = s_epsilon * z160 + c_epsilon * z161;
+    const Scalar z167 = z24 * z25;
+    const Scalar z169 = z166 + z167;  // moment on meridian, y
+    const Scalar z207 = n1 / z92;
+    const Scalar z208 = z169 * z207;
+    accelerations.delta = z208;
+    accelerations.epsilon = z162;
+    if (!(traits::regular(z92, z92))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (accelerations.delta - accelerations.delta) + (accelerations.epsilon - accelerations.epsilon);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
+  TORSOR_DEVICE static void energy(const Precomputed& precomputed, const State& state, const Inputs&,
+      Energy& result) noexcept {
+    const Scalar k0 = traits::constant(2.3148148148148147e-05, 2.3148148e-05f, "1/43200");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar k3 = traits::constant(3.9847914e+14, 3.9847915e+14f, "398479140000000/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar t = state.time;
+    const Scalar p_r = precomputed.parameters.r;
+    const Scalar q_delta = state.q.delta;
+    const Scalar v_delta = state.v.delta;
+    const Scalar q_epsilon = state.q.epsilon;
+    const Scalar v_epsilon = state.v.epsilon;
+    const Scalar s_latitude = precomputed.s_latitude;
+    const Scalar c_latitude = precomputed.c_latitude;
+    const Scalar z21 = precomputed.z21;
+    const Scalar z22 = precomputed.z22;
+    const Scalar z23 = precomputed.z23;
+    const Scalar pi = traits::pi();
+    const Scalar z2 = k0 * pi * t;
+    Scalar z3, z4;
+    traits::sincos(z2, z3, z4);
+    Scalar s_delta, c_delta;
+    traits::sincos(q_delta, s_delta, c_delta);
+    Scalar s_epsilon, c_epsilon;
+    traits::sincos(q_epsilon, s_epsilon, c_epsilon);
+    const Scalar z24 = s_delta * z22 - c_delta * z21;
+    const Scalar z25 = s_delta * z21 + c_delta * z22;
+    const Scalar z27 = v_delta * c_epsilon + s_epsilon * z24;
+    const Scalar z28 = s_epsilon * z23;
+    const Scalar z29 = c_epsilon * z23;
+    const Scalar z30 = v_epsilon + z25;  // angular velocity of thread, z
+    const Scalar z31 = c_delta * c_epsilon;
+    const Scalar z32 = s_delta * c_epsilon;
+    const Scalar z33 = n1 + p_r - z31;
+    const Scalar z34 = s_latitude * z32 - c_latitude * z33;
+    const Scalar z35 = s_latitude * z33 + c_latitude * z32;
+    const Scalar z36 = z3 * s_epsilon - z4 * z34;
+    const Scalar z37 = z3 * z34 + z4 * s_epsilon;
+    const Scalar z51 = z29 - z30;
+    const Scalar z126 = z35 * z35 + z36 * z36 + z37 * z37;
+    const Scalar z127 = traits::sqrt(z126);
+    const Scalar z128 = n1 / z127;
+    result.kinetic = n0_5 * (z51 * (z29 - z30) + z27 * z27 + z28 * z28);
+    result.force_function = k3 * z128;
+    result.power = n0;
+  }
+
+  /// First integrals: constant along every motion.
+  TORSOR_DEVICE static void first_integrals(const Precomputed& precomputed, const State& state,
+      FirstIntegrals& result) noexcept {
+    const Scalar k0 = traits::constant(2.3148148148148147e-05, 2.3148148e-05f, "1/43200");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar k3 = traits::constant(3.9847914e+14, 3.9847915e+14f, "398479140000000/1");
+    const Scalar t = state.time;
+    const Scalar p_r = precomputed.parameters.r;
+    const Scalar q_delta = state.q.delta;
+    const Scalar v_delta = state.v.delta;
+    const Scalar q_epsilon = state.q.epsilon;
+    const Scalar v_epsilon = state.v.epsilon;
+    const Scalar s_latitude = precomputed.s_latitude;
+    const Scalar c_latitude = precomputed.c_latitude;
+    const Scalar z21 = precomputed.z21;
+    const Scalar z22 = precomputed.z22;
+    const Scalar z23 = precomputed.z23;
+    const Scalar pi = traits::pi();
+    const Scalar z2 = k0 * pi * t;
+    Scalar z3, z4;
+    traits::sincos(z2, z3, z4);
+    Scalar s_delta, c_delta;
+    traits::sincos(q_delta, s_delta, c_delta);
+    Scalar s_epsilon, c_epsilon;
+    traits::sincos(q_epsilon, s_epsilon, c_epsilon);
+    const Scalar z24 = s_delta * z22 - c_delta * z21;
+    const Scalar z25 = s_delta * z21 + c_delta * z22;
+    const Scalar z27 = v_delta * c_epsilon + s_epsilon * z24;
+    const Scalar z28 = s_epsilon * z23;
+    const Scalar z29 = c_epsilon * z23;
+    const Scalar z30 = v_epsilon + z25;  // angular velocity of thread, z
+    const Scalar z31 = c_delta * c_epsilon;
+    const Scalar z32 = s_delta * c_epsilon;
+    const Scalar z33 = n1 + p_r - z31;
+    const Scalar z34 = s_latitude * z32 - c_latitude * z33;
+    const Scalar z35 = s_latitude * z33 + c_latitude * z32;
+    const Scalar z36 = z3 * s_epsilon - z4 * z34;
+    const Scalar z37 = z3 * z34 + z4 * s_epsilon;
+    const Scalar z51 = z29 - z30;
+    const Scalar z126 = z35 * z35 + z36 * z36 + z37 * z37;
+    const Scalar z127 = traits::sqrt(z126);
+    const Scalar z128 = n1 / z127;
+    const Scalar z209 = n0_5 * (z29 - z30);
+    const Scalar z210 = n0_5 * z51 + z209;
+    const Scalar z222 = c_epsilon * z27;
+    result.painleve = -n0_5 * (z51 * (z29 - z30) + z27 * z27 + z28 * z28) + v_delta * z222 - v_epsilon * z210 - k3
+        * z128;
+  }
+
+  /// Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released
+  /// direction, at accelerations, multipliers and inputs that belong to the motion.
+  TORSOR_DEVICE static void reactions(const Precomputed& precomputed, const State& state, const Accelerations&,
+      const Multipliers&, const Inputs&, Reactions& result) noexcept {
+    const Scalar k0 = traits::constant(2.3148148148148147e-05, 2.3148148e-05f, "1/43200");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar k2 = traits::constant(3.9847914e+14, 3.9847915e+14f, "398479140000000/1");
+    const Scalar t = state.time;
+    const Scalar p_r = precomputed.parameters.r;
+    const Scalar q_delta = state.q.delta;
+    const Scalar v_delta = state.v.delta;
+    const Scalar q_epsilon = state.q.epsilon;
+    const Scalar v_epsilon = state.v.epsilon;
+    const Scalar s_latitude = precomputed.s_latitude;
+    const Scalar c_latitude = precomputed.c_latitude;
+    const Scalar z19 = precomputed.z19;
+    const Scalar z21 = precomputed.z21;
+    const Scalar z22 = precomputed.z22;
+    const Scalar z135 = precomputed.z135;
+    const Scalar z136 = precomputed.z136;
+    const Scalar pi = traits::pi();
+    const Scalar z2 = k0 * pi * t;
+    Scalar z3, z4;
+    traits::sincos(z2, z3, z4);
+    Scalar s_delta, c_delta;
+    traits::sincos(q_delta, s_delta, c_delta);
+    Scalar s_epsilon, c_epsilon;
+    traits::sincos(q_epsilon, s_epsilon, c_epsilon);
+    const Scalar z24 = s_delta * z22 - c_delta * z21;
+    const Scalar z25 = s_delta * z21 + c_delta * z22;
+    const Scalar z27 = v_delta * c_epsilon + s_epsilon * z24;
+    const Scalar z30 = v_epsilon + z25;  // angular velocity of thread, z
+    const Scalar z31 = c_delta * c_epsilon;
+    const Scalar z32 = s_delta * c_epsilon;
+    const Scalar z33 = n1 + p_r - z31;
+    const Scalar z34 = s_latitude * z32 - c_latitude * z33;
+    const Scalar z35 = s_latitude * z33 + c_latitude * z32;
+    const Scalar z36 = z3 * s_epsilon - z4 * z34;
+    const Scalar z37 = z3 * z34 + z4 * s_epsilon;
+    const Scalar z121 = c_delta * z19;
+    const Scalar z123 = c_epsilon * z121;
+    const Scalar z125 = n1 - z123;
+    const Scalar z126 = z35 * z35 + z36 * z36 + z37 * z37;
+    const Scalar z127 = traits::sqrt(z126);
+    const Scalar z128 = n1 / z127;
+    const Scalar z129 = k2 * z128 * z128 * z128;
+    const Scalar z130 = z125 * z129;
+    const Scalar z137 = s_delta * z136 + c_delta * z135;
+    const Scalar z143 = c_epsilon * z137;
+    const Scalar z147 = z27 * z27;
+    const Scalar z148 = z30 * z30;
+    const Scalar z149 = z147 + z148;
+    const Scalar z154 = z130 + z143 - z149;  // force on bob, x
+    result.tension = -z154;
+  }
+
+  /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
+  /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
+  TORSOR_DEVICE static torsor::Status linearisation(const Precomputed& precomputed, const State& state,
+      const Accelerations& accelerations, const Multipliers&, const Inputs&, Linearisation& result) noexcept {
+    const Scalar k0 = traits::constant(2.3148148148148147e-05, 2.3148148e-05f, "1/43200");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar k2 = traits::constant(3.9847914e+14, 3.9847915e+14f, "398479140000000/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar k5 = traits::constant(1.19543742e+15, 1.1954374e+15f, "1195437420000000/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar t = state.time;
+    const Scalar p_r = precomputed.parameters.r;
+    const Scalar q_delta = state.q.delta;
+    const Scalar v_delta = state.v.delta;
+    const Scalar a_delta = accelerations.delta;
+    const Scalar q_epsilon = state.q.epsilon;
+    const Scalar v_epsilon = state.v.epsilon;
+    const Scalar a_epsilon = accelerations.epsilon;
+    const Scalar s_latitude = precomputed.s_latitude;
+    const Scalar c_latitude = precomputed.c_latitude;
+    const Scalar z19 = precomputed.z19;
+    const Scalar z21 = precomputed.z21;
+    const Scalar z22 = precomputed.z22;
+    const Scalar z135 = precomputed.z135;
+    const Scalar z136 = precomputed.z136;
+    const Scalar pi = traits::pi();
+    const Scalar z2 = k0 * pi * t;
+    Scalar z3, z4;
+    traits::sincos(z2, z3, z4);
+    Scalar s_delta, c_delta;
+    traits::sincos(q_delta, s_delta, c_delta);
+    Scalar s_epsilon, c_epsilon;
+    traits::sincos(q_epsilon, s_epsilon, c_epsilon);
+    const Scalar z24 = s_delta * z22 - c_delta * z21;
+    const Scalar z25 = s_delta * z21 + c_delta * z22;
+    const Scalar z26 = v_delta * s_epsilon - c_epsilon * z24;
+    const Scalar z27 = v_delta * c_epsilon + s_epsilon * z24;
+    const Scalar z30 = v_epsilon + z25;  // angular velocity of thread, z
+    const Scalar z31 = c_delta * c_epsilon;
+    const Scalar z32 = s_delta * c_epsilon;
+    const Scalar z33 = n1 + p_r - z31;
+    const Scalar z34 = s_latitude * z32 - c_latitude * z33;
+    const Scalar z35 = s_latitude * z33 + c_latitude * z32;
+    const Scalar z36 = z3 * s_epsilon - z4 * z34;
+    const Scalar z37 = z3 * z34 + z4 * s_epsilon;
+    const Scalar z78 = s_latitude * z32 + c_latitude * z31;
+    const Scalar z79 = s_latitude * z31 - c_latitude * z32;
+    const Scalar z83 = c_delta * s_epsilon;
+    const Scalar z84 = s_delta * s_epsilon;
+    const Scalar z86 = s_latitude * z84 + c_latitude * z83;
+    const Scalar z87 = s_latitude * z83 - c_latitude * z84;
+    const Scalar z91 = s_epsilon * s_epsilon;
+    const Scalar z92 = n1 - z91;
+    const Scalar z121 = c_delta * z19;
+    const Scalar z122 = s_delta * z19;
+    const Scalar z123 = c_epsilon * z121;
+    const Scalar z124 = s_epsilon * z121;
+    const Scalar z126 = z35 * z35 + z36 * z36 + z37 * z37;
+    const Scalar z127 = traits::sqrt(z126);
+    const Scalar z128 = n1 / z127;
+    const Scalar z129 = k2 * z128 * z128 * z128;
+    const Scalar z131 = z124 * z129;
+    const Scalar z132 = z122 * z129;
+    const Scalar z137 = s_delta * z136 + c_delta * z135;
+    const Scalar z138 = s_delta * z135 - c_delta * z136;
+    const Scalar z139 = v_delta * z25;  // angular acceleration of meridian, x
+    const Scalar z140 = v_delta * z24;  // angular acceleration of meridian, z
+    const Scalar z143 = c_epsilon * z137;
+    const Scalar z144 = s_epsilon * z137;
+    const Scalar z150 = z26 * z27;
+    const Scalar z152 = z26 * z30;
+    const Scalar z157 = z132 - z138;  // moment on bob, y
+    const Scalar z158 = z131 - z144;  // moment on bob, z
+    const Scalar z159 = z27 * z30;
+    const Scalar z161 = n2 * z152 - z157;  // moment on thread, y
+    const Scalar z167 = z24 * z25;
+    const Scalar z180 = a_delta * s_epsilon - c_epsilon * z139;
+    const Scalar z181 = a_delta * c_epsilon + s_epsilon * z139;
+    const Scalar z182 = v_epsilon * z27 + z180;  // angular acceleration of thread, x
+    const Scalar z183 = v_epsilon * z26 - z181;  // angular acceleration of thread, y
+    const Scalar z184 = a_epsilon - z140;  // angular acceleration of thread, z
+    const Scalar z189 = z159 - z182;  // moment on thread, x
+    const Scalar z190 = z150 + z158 + z184;  // moment on thread, z
+    const Scalar z194 = s_epsilon * z189 - c_epsilon * z161;
+    const Scalar z196 = a_delta - z167 + z194;  // moment on meridian, y
+    const Scalar z207 = n1 / z92;
+    const Scalar z234 = c_epsilon * z25;
+    const Scalar z235 = v_epsilon * c_epsilon - z234;
+    const Scalar z236 = c_epsilon * z30;
+    const Scalar z237 = z235 - z236;
+    const Scalar z238 = s_epsilon * z30;
+    const Scalar z239 = n2 * z238;
+    const Scalar z240 = s_epsilon * z237 + c_epsilon * z239;
+    const Scalar z241 = z24 * z24 - z25 * z25;
+    const Scalar z242 = s_epsilon * z25;
+    const Scalar z243 = z24 * z27 - z30 * z242;
+    const Scalar z244 = c_epsilon * z140;
+    const Scalar z245 = v_epsilon * z242 + z244;
+    const Scalar z246 = z243 + z245;
+    const Scalar z247 = z24 * z26 + z30 * z234;
+    const Scalar z248 = z4 * z79;
+    const Scalar z249 = z3 * z79;
+    const Scalar z250 = n2 * (z35 * z78 - z36 * z248 + z37 * z249);
+    const Scalar z251 = n0_5 * z250 / z127;
+    const Scalar z252 = z251 / (z127 * z127);
+    const Scalar z253 = k5 * z128 * z128 * z252;
+    const Scalar z254 = z121 * z129 - z122 * z253;
+    const Scalar z255 = z137 - z254;
+    const Scalar z256 = n2 * z247 - z255;
+    const Scalar z257 = s_epsilon * z246 - c_epsilon * z256;
+    const Scalar z258 = z241 - z257;
+    const Scalar z259 = s_epsilon * z27 + c_epsilon * z26;
+    const Scalar z260 = z24 - z259;
+    const Scalar z261 = z26 * z242 - z27 * z234;
+    const Scalar z262 = s_epsilon * z122;
+    const Scalar z263 = z124 * z253 + z129 * z262;
+    const Scalar z264 = s_epsilon * z138;
+    const Scalar z265 = z263 - z264;
+    const Scalar z266 = z139 - z261 + z265;
+    const Scalar z267 = n2 * z26;
+    const Scalar z268 = c_epsilon * z267;
+    const Scalar z269 = z152 - z183;
+    const Scalar z270 = z3 * c_epsilon + z4 * z86;
+    const Scalar z271 = z3 * z86 - z4 * c_epsilon;
+    const Scalar z272 = n2 * (z35 * z87 + z36 * z270 - z37 * z271);
+    const Scalar z273 = n0_5 * z272 / z127;
+    const Scalar z274 = z273 / (z127 * z127);
+    const Scalar z275 = k5 * z128 * z128 * z274;
+    const Scalar z276 = z122 * z275;
+    const Scalar z277 = n2 * z159 + z276;
+    const Scalar z278 = s_epsilon * (z161 - z269) + c_epsilon * (z189 - z277);
+    const Scalar z279 = z26 * z26 - z27 * z27;
+    const Scalar z280 = z123 * z129 - z124 * z275;
+    const Scalar z281 = z143 - z280;
+    const Scalar z282 = z279 + z281;
+    const Scalar z283 = z207 * z258;
+    const Scalar z284 = z207 * z240;
+    const Scalar z285 = z207 * z278;
+    const Scalar z286 = z207 * z268;
+    result.M[0] = z92;
+    result.M[1] = n0;
+    result.M[2] = n0;
+    result.M[3] = n1;
+    result.C[0] = -z240;
+    result.C[1] = -z260;
+    result.C[2] = -z268;
+    result.C[3] = n0;
+    result.K[0] = z258;
+    result.K[1] = -z266;
+    result.K[2] = z278;
+    result.K[3] = -z282;
+    result.F[0] = -z196;
+    result.F[1] = -z190;
+    result.A[0] = n0;
+    result.A[1] = n0;
+    result.A[2] = -z283;
+    result.A[3] = z266;
+    result.A[4] = n0;
+    result.A[5] = n0;
+    result.A[6] = -z285;
+    result.A[7] = z282;
+    result.A[8] = n1;
+    result.A[9] = n0;
+    result.A[10] = z284;
+    result.A[11] = z260;
+    result.A[12] = n0;
+    result.A[13] = n1;
+    result.A[14] = z286;
+    result.A[15] = n0;
+    if (!(traits::regular(z92, z92))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (result.M[0] - result.M[0]) + (result.C[0] - result.C[0]) + (result.C[1] - result.C[1])
+        + (result.C[2] - result.C[2]) + (result.K[0] - result.K[0]) + (result.K[1] - result.K[1]) + (result.K[2]
+        - result.K[2]) + (result.K[3] - result.K[3]) + (result.F[0] - result.F[0]) + (result.F[1] - result.F[1])
+        + (result.A[2] - result.A[2]) + (result.A[3] - result.A[3]) + (result.A[6] - result.A[6]) + (result.A[7]
+        - result.A[7]) + (result.A[10] - result.A[10]) + (result.A[11] - result.A[11]) + (result.A[14] - result.A[14]);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+};
+
+}  // namespace plumb_line

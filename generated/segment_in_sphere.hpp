@@ -1,0 +1,921 @@
+// SPDX-License-Identifier: MIT
+// segment_in_sphere: A rod slides inside a sphere
+// Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
+// Free to embed under the MIT licence.
+//
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, linearisation
+// Parameters set at run time: none
+//
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
+// moved across joints, factoring, and what is done once for a set of parameters:
+//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   kinematics               47              115          0             0                  3       0    168     168
+//   mass_matrix               5                7          0             0                  2       0     16      15
+//   bias                     12               27          0             0                  2       0     43      49
+//   inverse_dynamics         18               31          0             0                  2       0     53      58
+//   forward_dynamics         23               45          2             0                  2       0     74      75
+//   energy                    5               14          0             0                  2       0     23      23
+//   first_integrals           8               21          0             0                  2       0     33      33
+//   linearisation            90              159          2             0                  2       0    255     273
+//
+// Not computed because this mechanism does not need it:
+//   kinematics: of 48 results 2 vanish identically, 4 repeat another up to sign
+//   mass_matrix: of 9 results 2 vanish identically, 2 repeat another up to sign
+//   energy: of 3 results 1 vanish identically
+//   constraints: left out, the scene has no constraints
+//   reactions: left out, the scene releases no joint direction (released_coordinate)
+//   linearisation: of 66 results 24 vanish identically, 2 repeat another up to sign
+//
+// To write this file again:
+//   segment_in_sphere_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output segment_in_sphere.hpp
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#ifndef TORSOR_KERNEL_SUPPORT
+#define TORSOR_KERNEL_SUPPORT 1
+// Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
+#ifndef TORSOR_DEVICE
+#define TORSOR_DEVICE
+#endif
+
+namespace torsor {
+
+/// What a kernel says about its results; the larger, the worse.
+enum class Status : int { ok = 0, singular = 1, not_finite = 2 };
+
+/// What a kernel needs of its scalar. This one serves float and double; specialise it, once a header is included, for
+/// any other (a pack of several states, a high-precision number).
+template <class Scalar>
+struct scalar_traits {
+  static_assert(sizeof(Scalar) == sizeof(float) || sizeof(Scalar) == sizeof(double),
+                "specialise torsor::scalar_traits for a scalar that is neither float nor double");
+  static constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+
+  /// A number, rounded for either format. `exact` is "num/den", or "a;b;c;d" for a + b sqrt(2) + c sqrt(3) + d sqrt(6).
+  TORSOR_DEVICE static constexpr Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    return is_float ? static_cast<Scalar>(in_float) : static_cast<Scalar>(in_double);
+  }
+  /// The same for a number that is no such sum: a callable computes it where literals are not precise enough.
+  template <class Callable>
+  TORSOR_DEVICE static constexpr Scalar formula(double in_double, float in_float, const Callable&) noexcept {
+    return constant(in_double, in_float, nullptr);
+  }
+  TORSOR_DEVICE static constexpr Scalar pi() noexcept { return constant(3.141592653589793, 3.1415927f, nullptr); }
+  TORSOR_DEVICE static constexpr Scalar select(bool condition, Scalar if_true, Scalar if_false) noexcept {
+    return condition ? if_true : if_false;
+  }
+  TORSOR_DEVICE static void sincos(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
+    sine = std::sin(angle);
+    cosine = std::cos(angle);
+  }
+  TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
+  TORSOR_DEVICE static Scalar exp(const Scalar& x) noexcept { return std::exp(x); }
+  TORSOR_DEVICE static Scalar log(const Scalar& x) noexcept { return std::log(x); }
+  /// Whether a pivot is positive beyond the rounding of the diagonal entry it came from; not when it is not a number.
+  TORSOR_DEVICE static bool regular(const Scalar& pivot, const Scalar& diagonal) noexcept {
+    return pivot > constant(0x1p-52, 0x1p-23f, nullptr) * std::abs(diagonal);
+  }
+};
+
+}  // namespace torsor
+#elif TORSOR_KERNEL_SUPPORT != 1
+#error "headers of incompatible versions of torsor meet here: write them again with one version"
+#endif
+
+namespace segment_in_sphere {
+
+/// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
+/// M a + h = E u + A' lambda and A a + gamma = 0, with a the accelerations and u the inputs; units are SI.
+template <class Scalar>
+struct Mechanism {
+  using traits = torsor::scalar_traits<Scalar>;
+
+  static constexpr const char* name = "segment_in_sphere";
+  static constexpr int coordinate_count = 3;
+  static constexpr int velocity_count = 3;
+  static constexpr int input_count = 0;
+  static constexpr int parameter_count = 0;
+  static constexpr int multiplier_count = 0;
+
+  /// Parameters that are set at run time.
+  struct Parameters {
+    static constexpr int size = 0;
+  };
+
+  /// Generalised coordinates q.
+  struct Coordinates {
+    Scalar psi;  ///< coordinate [rad or 1]
+    Scalar theta;  ///< coordinate [rad or 1]
+    Scalar phi;  ///< coordinate [rad or 1]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Coordinates::*member_(int i_) noexcept {
+      constexpr Scalar Coordinates::*members_[] = {&Coordinates::psi, &Coordinates::theta, &Coordinates::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised velocities v = dq/dt.
+  struct Velocities {
+    Scalar psi;  ///< its rate [rad/s]
+    Scalar theta;  ///< its rate [rad/s]
+    Scalar phi;  ///< its rate [rad/s]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Velocities::*member_(int i_) noexcept {
+      constexpr Scalar Velocities::*members_[] = {&Velocities::psi, &Velocities::theta, &Velocities::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised accelerations dv/dt.
+  struct Accelerations {
+    Scalar psi;  ///< its second rate [rad/s^2]
+    Scalar theta;  ///< its second rate [rad/s^2]
+    Scalar phi;  ///< its second rate [rad/s^2]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Accelerations::*member_(int i_) noexcept {
+      constexpr Scalar Accelerations::*members_[] = {&Accelerations::psi, &Accelerations::theta, &Accelerations::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised forces, one along each coordinate.
+  struct GeneralizedForces {
+    Scalar psi;  ///< works with the rate of psi [N m]
+    Scalar theta;  ///< works with the rate of theta [N m]
+    Scalar phi;  ///< works with the rate of phi [N m]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar GeneralizedForces::*member_(int i_) noexcept {
+      constexpr Scalar GeneralizedForces::*members_[] = {&GeneralizedForces::psi, &GeneralizedForces::theta,
+          &GeneralizedForces::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Forces and torques of motors, set at each call.
+  struct Inputs {
+    static constexpr int size = 0;
+  };
+
+  /// Multipliers of the constraints, or the reactions that enforce them.
+  struct Multipliers {
+    static constexpr int size = 0;
+  };
+
+  /// Time [s], coordinates and velocities.
+  struct State {
+    Scalar time;
+    Coordinates q;
+    Velocities v;
+  };
+
+  /// Parameters and what depends on them only: built once for each set of parameters.
+  struct Precomputed {
+    Parameters parameters;
+  };
+
+  /// Values of the scene.
+  TORSOR_DEVICE static Parameters default_parameters() noexcept {
+    Parameters parameters{};
+    return parameters;
+  }
+
+  /// To be called again when a parameter changes.
+  TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
+    Precomputed precomputed{};
+    precomputed.parameters = parameters;
+    return precomputed;
+  }
+
+  /// The state the scene starts from, for these parameters.
+  TORSOR_DEVICE static State initial_state(const Parameters&) noexcept {
+    State state{};
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    state.time = n0;
+    state.q.psi = n0;
+    state.q.theta = n2;
+    state.q.phi = n0_5;
+    state.v.psi = n1;
+    state.v.theta = n0;
+    state.v.phi = n3;
+    return state;
+  }
+  TORSOR_DEVICE static State initial_state() noexcept { return initial_state(default_parameters()); }
+
+  /// Poses, twists and named points in ground axes.
+  struct Kinematics {
+    std::array<Scalar, 3> rod_position;  ///< centre of mass of rod [m]
+    std::array<Scalar, 9> rod_rotation;  ///< from the axes of rod to the ground's (3 x 3)
+    std::array<Scalar, 3> rod_velocity;  ///< velocity of the centre of mass of rod [m/s]
+    std::array<Scalar, 3> rod_angular_velocity;  ///< angular velocity of rod [rad/s]
+    std::array<Scalar, 3> A_position;  ///< position of A [m]
+    std::array<Scalar, 3> A_velocity;  ///< velocity of the material point at A [m/s]
+    std::array<Scalar, 9> A_jacobian;  ///< partial velocities of A (3 x 3)
+    std::array<Scalar, 3> B_position;  ///< position of B [m]
+    std::array<Scalar, 3> B_velocity;  ///< velocity of the material point at B [m/s]
+    std::array<Scalar, 9> B_jacobian;  ///< partial velocities of B (3 x 3)
+  };
+
+  /// Energies of the mechanism.
+  struct Energy {
+    Scalar kinetic;  ///< kinetic energy T [J]
+    Scalar force_function;  ///< force function U of gravity and springs [J]
+    Scalar power;  ///< power of dampers, given forces and motors [W]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Energy::*member_(int i_) noexcept {
+      constexpr Scalar Energy::*members_[] = {&Energy::kinetic, &Energy::force_function, &Energy::power};
+      return members_[i_];
+    }
+  };
+
+  /// Quantities that every motion conserves.
+  struct FirstIntegrals {
+    Scalar energy;  ///< T - U [J]
+    Scalar momentum_psi;  ///< dT/dpsi' of the cyclic coordinate 'psi' [kg m^2 s^-1]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar FirstIntegrals::*member_(int i_) noexcept {
+      constexpr Scalar FirstIntegrals::*members_[] = {&FirstIntegrals::energy, &FirstIntegrals::momentum_psi};
+      return members_[i_];
+    }
+  };
+  static constexpr int first_integral_count = 2;
+
+  /// Matrices of the linearised equations, stored column by column.
+  struct Linearisation {
+    std::array<Scalar, 9> M;  ///< mass matrix (3 x 3)
+    std::array<Scalar, 9> C;  ///< damping and gyroscopic terms (3 x 3)
+    std::array<Scalar, 9> K;  ///< stiffness (3 x 3)
+    std::array<Scalar, 3> F;  ///< right-hand side
+    std::array<Scalar, 36> A;  ///< state matrix of x = (e, e'): x' = A x + B du (6 x 6)
+  };
+
+  /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
+  /// matrices column by column.
+  TORSOR_DEVICE static void kinematics(const Precomputed&, const State& state, Kinematics& result) noexcept {
+    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
+    const Scalar n0_6 = traits::constant(0.6, 0.6f, "3/5");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    Scalar s_psi, c_psi;
+    traits::sincos(q_psi, s_psi, c_psi);
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z15 = v_psi * s_theta;
+    const Scalar z16 = v_psi * c_theta;
+    const Scalar z17 = v_theta * c_phi + s_phi * z15;
+    const Scalar z18 = v_theta * s_phi - c_phi * z15;
+    const Scalar z19 = v_phi + z16;  // angular velocity of rod, z
+    const Scalar z20 = n0_8 * s_theta;
+    const Scalar z21 = n0_8 * c_theta;
+    const Scalar z22 = s_psi * z20;
+    const Scalar z23 = c_psi * z20;
+    const Scalar z24 = c_theta * s_phi;
+    const Scalar z25 = s_theta * s_phi;
+    const Scalar z26 = s_psi * z24 - c_psi * c_phi;
+    const Scalar z27 = s_psi * c_phi + c_psi * z24;
+    const Scalar z28 = c_theta * c_phi;
+    const Scalar z29 = s_theta * c_phi;
+    const Scalar z30 = s_psi * z28 + c_psi * s_phi;
+    const Scalar z31 = s_psi * s_phi - c_psi * z28;
+    const Scalar z32 = s_psi * s_theta;
+    const Scalar z33 = c_psi * s_theta;
+    const Scalar z34 = n0_8 * z18;
+    const Scalar z35 = n0_8 * z17;
+    const Scalar z36 = s_phi * z35 - c_phi * z34;
+    const Scalar z37 = s_phi * z34 + c_phi * z35;
+    const Scalar z38 = c_theta * z37;
+    const Scalar z39 = s_theta * z37;
+    const Scalar z40 = s_psi * z38 + c_psi * z36;
+    const Scalar z41 = s_psi * z36 - c_psi * z38;
+    const Scalar z42 = s_phi * z18 + c_phi * z17;
+    const Scalar z43 = s_phi * z17 - c_phi * z18;
+    const Scalar z44 = s_theta * z19 - c_theta * z43;
+    const Scalar z45 = s_theta * z43 + c_theta * z19;
+    const Scalar z46 = s_psi * z44 + c_psi * z42;
+    const Scalar z47 = s_psi * z42 - c_psi * z44;
+    const Scalar z48 = n0_6 * c_phi;
+    const Scalar z49 = n0_6 * s_phi;
+    const Scalar z50 = n0_8 * s_theta + c_theta * z49;
+    const Scalar z51 = s_theta * z49 - n0_8 * c_theta;
+    const Scalar z52 = s_psi * z50 - c_psi * z48;
+    const Scalar z53 = s_psi * z48 + c_psi * z50;
+    const Scalar z54 = n0_8 * z17 + n0_6 * z19;
+    const Scalar z55 = n0_6 * z18;
+    const Scalar z56 = s_phi * z54 - c_phi * z34;
+    const Scalar z57 = s_phi * z34 + c_phi * z54;
+    const Scalar z58 = s_theta * z55 - c_theta * z57;
+    const Scalar z59 = s_theta * z57 + c_theta * z55;
+    const Scalar z60 = s_psi * z58 - c_psi * z56;
+    const Scalar z61 = s_psi * z56 + c_psi * z58;
+    const Scalar z62 = s_psi * z51;
+    const Scalar z63 = c_psi * z51;
+    const Scalar z64 = s_psi * z52 + c_psi * z53;
+    const Scalar z65 = c_theta * z53 + z33 * z51;
+    const Scalar z66 = c_theta * z52 + z32 * z51;
+    const Scalar z67 = z32 * z53 - z33 * z52;
+    const Scalar z68 = n0_8 * s_theta - c_theta * z49;
+    const Scalar z69 = s_theta * z49 + n0_8 * c_theta;
+    const Scalar z70 = s_psi * z68 + c_psi * z48;
+    const Scalar z71 = s_psi * z48 - c_psi * z68;
+    const Scalar z72 = n0_8 * z17 - n0_6 * z19;
+    const Scalar z73 = s_phi * z72 - c_phi * z34;
+    const Scalar z74 = s_phi * z34 + c_phi * z72;
+    const Scalar z75 = s_theta * z55 + c_theta * z74;
+    const Scalar z76 = s_theta * z74 - c_theta * z55;
+    const Scalar z77 = s_psi * z75 + c_psi * z73;
+    const Scalar z78 = s_psi * z73 - c_psi * z75;
+    const Scalar z79 = s_psi * z69;
+    const Scalar z80 = c_psi * z69;
+    const Scalar z81 = s_psi * z70 - c_psi * z71;
+    const Scalar z82 = c_theta * z71 + z33 * z69;
+    const Scalar z83 = c_theta * z70 - z32 * z69;
+    const Scalar z84 = z32 * z71 + z33 * z70;
+    result.rod_position[0] = z22;
+    result.rod_position[1] = -z23;
+    result.rod_position[2] = z21;
+    result.rod_rotation[0] = -z26;
+    result.rod_rotation[1] = z27;
+    result.rod_rotation[2] = z25;
+    result.rod_rotation[3] = -z30;
+    result.rod_rotation[4] = -z31;
+    result.rod_rotation[5] = z29;
+    result.rod_rotation[6] = z32;
+    result.rod_rotation[7] = -z33;
+    result.rod_rotation[8] = c_theta;
+    result.rod_velocity[0] = z40;
+    result.rod_velocity[1] = z41;
+    result.rod_velocity[2] = -z39;
+    result.rod_angular_velocity[0] = z46;
+    result.rod_angular_velocity[1] = z47;
+    result.rod_angular_velocity[2] = z45;
+    result.A_position[0] = z52;
+    result.A_position[1] = -z53;
+    result.A_position[2] = -z51;
+    result.A_velocity[0] = -z60;
+    result.A_velocity[1] = z61;
+    result.A_velocity[2] = -z59;
+    result.A_jacobian[0] = z53;
+    result.A_jacobian[3] = -z62;
+    result.A_jacobian[6] = z65;
+    result.A_jacobian[1] = z52;
+    result.A_jacobian[4] = z63;
+    result.A_jacobian[7] = z66;
+    result.A_jacobian[2] = n0;
+    result.A_jacobian[5] = -z64;
+    result.A_jacobian[8] = -z67;
+    result.B_position[0] = z70;
+    result.B_position[1] = z71;
+    result.B_position[2] = z69;
+    result.B_velocity[0] = z77;
+    result.B_velocity[1] = z78;
+    result.B_velocity[2] = -z76;
+    result.B_jacobian[0] = -z71;
+    result.B_jacobian[3] = z79;
+    result.B_jacobian[6] = -z82;
+    result.B_jacobian[1] = z70;
+    result.B_jacobian[4] = -z80;
+    result.B_jacobian[7] = z83;
+    result.B_jacobian[2] = n0;
+    result.B_jacobian[5] = -z81;
+    result.B_jacobian[8] = z84;
+  }
+
+  /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
+  TORSOR_DEVICE static void mass_matrix(const Precomputed&, const State& state, std::array<Scalar, 9>& mass) noexcept {
+    const Scalar n0_12 = traits::constant(0.12, 0.12f, "3/25");
+    const Scalar n0_76 = traits::constant(0.76, 0.76f, "19/25");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_theta = state.q.theta;
+    const Scalar q_phi = state.q.phi;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z86 = n0_12 * c_theta;
+    const Scalar z87 = n0_12 * s_phi;
+    const Scalar z88 = s_phi * z87;
+    const Scalar z89 = n0_12 - z88;
+    const Scalar z90 = c_phi * z87;
+    const Scalar z91 = n0_76 - z89;
+    const Scalar z92 = n0_76 - z88;
+    const Scalar z94 = s_theta * z90;
+    const Scalar z95 = n0_12 - z92;
+    const Scalar z96 = s_theta * z95;
+    const Scalar z97 = s_theta * z96;
+    const Scalar z99 = n0_12 - z97;
+    mass[0] = z99;
+    mass[1] = -z94;
+    mass[2] = z86;
+    mass[3] = -z94;
+    mass[4] = z91;
+    mass[5] = n0;
+    mass[6] = z86;
+    mass[7] = n0;
+    mass[8] = n0_12;
+  }
+
+  /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
+  /// actions included. M a + h = E u + A' lambda.
+  TORSOR_DEVICE static void bias(const Precomputed&, const State& state, GeneralizedForces& forces) noexcept {
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0_12 = traits::constant(0.12, 0.12f, "3/25");
+    const Scalar n0_24 = traits::constant(0.24, 0.24f, "6/25");
+    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
+    const Scalar n0_76 = traits::constant(0.76, 0.76f, "19/25");
+    const Scalar n1_52 = traits::constant(1.52, 1.52f, "38/25");
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z15 = v_psi * s_theta;
+    const Scalar z16 = v_psi * c_theta;
+    const Scalar z17 = v_theta * c_phi + s_phi * z15;
+    const Scalar z18 = v_theta * s_phi - c_phi * z15;
+    const Scalar z19 = v_phi + z16;  // angular velocity of rod, z
+    const Scalar z101 = n9_81 * s_theta;
+    const Scalar z103 = v_theta * z16;  // angular acceleration of second, y
+    const Scalar z104 = v_theta * z15;  // angular acceleration of second, z
+    const Scalar z105 = s_phi * z103;
+    const Scalar z109 = v_phi * z18 - z105;  // angular acceleration of rod, x
+    const Scalar z111 = z18 * z19;
+    const Scalar z112 = z17 * z19;
+    const Scalar z113 = z17 * z18;
+    const Scalar z114 = n0_12 * (z109 - z111);  // moment on rod, x
+    const Scalar z115 = n0_24 * z112;  // moment on rod, y
+    const Scalar z116 = n0_12 * (z104 + z113);  // moment on rod, z
+    const Scalar z117 = s_phi * z115 + c_phi * z114;
+    const Scalar z118 = s_phi * z114 - c_phi * z115;
+    const Scalar z120 = z15 * z16;
+    const Scalar z127 = n0_8 * z101 - z117 + n0_76 * z120;  // moment on second, x
+    const Scalar z128 = n1_52 * z103 + z118;  // moment on second, y
+    const Scalar z132 = s_theta * z128 - c_theta * z116;
+    forces.psi = z132;
+    forces.theta = -z127;
+    forces.phi = -z116;
+  }
+
+  /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
+  TORSOR_DEVICE static void inverse_dynamics(const Precomputed&, const State& state, const Accelerations& accelerations,
+      const Multipliers&, GeneralizedForces& forces) noexcept {
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0_24 = traits::constant(0.24, 0.24f, "6/25");
+    const Scalar n0_12 = traits::constant(0.12, 0.12f, "3/25");
+    const Scalar n0_76 = traits::constant(0.76, 0.76f, "19/25");
+    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
+    const Scalar v_psi = state.v.psi;
+    const Scalar a_psi = accelerations.psi;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar a_theta = accelerations.theta;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar a_phi = accelerations.phi;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z15 = v_psi * s_theta;
+    const Scalar z16 = v_psi * c_theta;
+    const Scalar z17 = v_theta * c_phi + s_phi * z15;
+    const Scalar z18 = v_theta * s_phi - c_phi * z15;
+    const Scalar z19 = v_phi + z16;  // angular velocity of rod, z
+    const Scalar z101 = n9_81 * s_theta;
+    const Scalar z103 = v_theta * z16;  // angular acceleration of second, y
+    const Scalar z111 = z18 * z19;
+    const Scalar z112 = z17 * z19;
+    const Scalar z113 = z17 * z18;
+    const Scalar z115 = n0_24 * z112;  // moment on rod, y
+    const Scalar z120 = z15 * z16;
+    const Scalar z133 = a_psi * s_theta;
+    const Scalar z134 = a_psi * c_theta;
+    const Scalar z135 = v_theta * z16 + z133;  // angular acceleration of second, y
+    const Scalar z136 = v_theta * z15 - z134;  // angular acceleration of second, z
+    const Scalar z137 = a_theta * c_phi + s_phi * z135;
+    const Scalar z139 = v_phi * z18 - z137;  // angular acceleration of rod, x
+    const Scalar z141 = a_phi - z136;  // angular acceleration of rod, z
+    const Scalar z142 = n0_12 * (z111 - z139);  // moment on rod, x
+    const Scalar z143 = n0_12 * (z113 - z141);  // moment on rod, z
+    const Scalar z144 = s_phi * z115 - c_phi * z142;
+    const Scalar z145 = s_phi * z142 + c_phi * z115;
+    const Scalar z150 = n0_76 * (a_theta - z120) - n0_8 * z101 + z144;  // moment on second, x
+    const Scalar z151 = n0_76 * (z103 + z135) - z145;  // moment on second, y
+    const Scalar z155 = s_theta * z151 - c_theta * z143;
+    forces.psi = z155;
+    forces.theta = z150;
+    forces.phi = -z143;
+  }
+
+  /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
+  /// an unrolled L D L' of M. Returns singular when a pivot is not
+  /// positive relative to its diagonal entry.
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs&,
+      Accelerations& accelerations, Multipliers&) noexcept {
+    const Scalar n0_12 = traits::constant(0.12, 0.12f, "3/25");
+    const Scalar n0_76 = traits::constant(0.76, 0.76f, "19/25");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0_24 = traits::constant(0.24, 0.24f, "6/25");
+    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
+    const Scalar n1_52 = traits::constant(1.52, 1.52f, "38/25");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n25_over_3 = traits::constant(8.333333333333334, 8.333333f, "25/3");
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z15 = v_psi * s_theta;
+    const Scalar z16 = v_psi * c_theta;
+    const Scalar z17 = v_theta * c_phi + s_phi * z15;
+    const Scalar z18 = v_theta * s_phi - c_phi * z15;
+    const Scalar z19 = v_phi + z16;  // angular velocity of rod, z
+    const Scalar z86 = n0_12 * c_theta;
+    const Scalar z87 = n0_12 * s_phi;
+    const Scalar z88 = s_phi * z87;
+    const Scalar z89 = n0_12 - z88;
+    const Scalar z90 = c_phi * z87;
+    const Scalar z91 = n0_76 - z89;
+    const Scalar z92 = n0_76 - z88;
+    const Scalar z94 = s_theta * z90;
+    const Scalar z95 = n0_12 - z92;
+    const Scalar z96 = s_theta * z95;
+    const Scalar z97 = s_theta * z96;
+    const Scalar z99 = n0_12 - z97;
+    const Scalar z101 = n9_81 * s_theta;
+    const Scalar z103 = v_theta * z16;  // angular acceleration of second, y
+    const Scalar z104 = v_theta * z15;  // angular acceleration of second, z
+    const Scalar z105 = s_phi * z103;
+    const Scalar z109 = v_phi * z18 - z105;  // angular acceleration of rod, x
+    const Scalar z111 = z18 * z19;
+    const Scalar z112 = z17 * z19;
+    const Scalar z113 = z17 * z18;
+    const Scalar z114 = n0_12 * (z109 - z111);  // moment on rod, x
+    const Scalar z115 = n0_24 * z112;  // moment on rod, y
+    const Scalar z116 = n0_12 * (z104 + z113);  // moment on rod, z
+    const Scalar z117 = s_phi * z115 + c_phi * z114;
+    const Scalar z118 = s_phi * z114 - c_phi * z115;
+    const Scalar z120 = z15 * z16;
+    const Scalar z127 = n0_8 * z101 - z117 + n0_76 * z120;  // moment on second, x
+    const Scalar z128 = n1_52 * z103 + z118;  // moment on second, y
+    const Scalar z132 = s_theta * z128 - c_theta * z116;
+    const Scalar z170 = n1 / z91;
+    const Scalar z213 = n25_over_3 * z86;
+    const Scalar z214 = z86 * z213 - z99;
+    const Scalar z215 = z94 * z170;
+    const Scalar z216 = z94 * z215 + z214;
+    const Scalar z217 = n1 / z216;
+    const Scalar z218 = z116 * z213 - z127 * z215 + z132;
+    const Scalar z219 = z217 * z218;
+    const Scalar z220 = z127 * z170 + z215 * z219;
+    const Scalar z221 = n25_over_3 * z116 - z213 * z219;
+    accelerations.psi = z219;
+    accelerations.theta = z220;
+    accelerations.phi = z221;
+    if (!(traits::regular(-z216, z99) && traits::regular(z91, z91))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (accelerations.psi - accelerations.psi) + (accelerations.theta - accelerations.theta)
+        + (accelerations.phi - accelerations.phi);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
+  TORSOR_DEVICE static void energy(const Precomputed&, const State& state, const Inputs&, Energy& result) noexcept {
+    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
+    const Scalar n0_32 = traits::constant(0.32, 0.32f, "8/25");
+    const Scalar n0_38 = traits::constant(0.38, 0.38f, "19/50");
+    const Scalar n0_06 = traits::constant(0.06, 0.06f, "3/50");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z15 = v_psi * s_theta;
+    const Scalar z16 = v_psi * c_theta;
+    const Scalar z17 = v_theta * c_phi + s_phi * z15;
+    const Scalar z18 = v_theta * s_phi - c_phi * z15;
+    const Scalar z19 = v_phi + z16;  // angular velocity of rod, z
+    const Scalar z21 = n0_8 * c_theta;
+    result.kinetic = n0_32 * z17 * z17 + n0_38 * z18 * z18 + n0_06 * z19 * z19;
+    result.force_function = -n9_81 * z21;
+    result.power = n0;
+  }
+
+  /// First integrals: constant along every motion.
+  TORSOR_DEVICE static void first_integrals(const Precomputed&, const State& state, FirstIntegrals& result) noexcept {
+    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
+    const Scalar n0_12 = traits::constant(0.12, 0.12f, "3/25");
+    const Scalar n0_76 = traits::constant(0.76, 0.76f, "19/25");
+    const Scalar n0_64 = traits::constant(0.64, 0.64f, "16/25");
+    const Scalar n0_32 = traits::constant(0.32, 0.32f, "8/25");
+    const Scalar n0_38 = traits::constant(0.38, 0.38f, "19/50");
+    const Scalar n0_06 = traits::constant(0.06, 0.06f, "3/50");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z15 = v_psi * s_theta;
+    const Scalar z16 = v_psi * c_theta;
+    const Scalar z17 = v_theta * c_phi + s_phi * z15;
+    const Scalar z18 = v_theta * s_phi - c_phi * z15;
+    const Scalar z19 = v_phi + z16;  // angular velocity of rod, z
+    const Scalar z21 = n0_8 * c_theta;
+    const Scalar z222 = n0_12 * z19;
+    const Scalar z223 = n0_76 * z18;
+    const Scalar z224 = n0_64 * z17;
+    const Scalar z225 = s_phi * z224 - c_phi * z223;
+    const Scalar z233 = s_theta * z225 + c_theta * z222;
+    result.energy = n0_32 * z17 * z17 + n0_38 * z18 * z18 + n0_06 * z19 * z19 + n9_81 * z21;
+    result.momentum_psi = z233;
+  }
+
+  /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
+  /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
+  TORSOR_DEVICE static torsor::Status linearisation(const Precomputed&, const State& state,
+      const Accelerations& accelerations, const Multipliers&, const Inputs&, Linearisation& result) noexcept {
+    const Scalar n0_12 = traits::constant(0.12, 0.12f, "3/25");
+    const Scalar n0_76 = traits::constant(0.76, 0.76f, "19/25");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0_24 = traits::constant(0.24, 0.24f, "6/25");
+    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n25_over_3 = traits::constant(8.333333333333334, 8.333333f, "25/3");
+    const Scalar n1_52 = traits::constant(1.52, 1.52f, "38/25");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar v_psi = state.v.psi;
+    const Scalar a_psi = accelerations.psi;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar a_theta = accelerations.theta;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar a_phi = accelerations.phi;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z15 = v_psi * s_theta;
+    const Scalar z16 = v_psi * c_theta;
+    const Scalar z17 = v_theta * c_phi + s_phi * z15;
+    const Scalar z18 = v_theta * s_phi - c_phi * z15;
+    const Scalar z19 = v_phi + z16;  // angular velocity of rod, z
+    const Scalar z25 = s_theta * s_phi;
+    const Scalar z29 = s_theta * c_phi;
+    const Scalar z86 = n0_12 * c_theta;
+    const Scalar z87 = n0_12 * s_phi;
+    const Scalar z88 = s_phi * z87;
+    const Scalar z89 = n0_12 - z88;
+    const Scalar z90 = c_phi * z87;
+    const Scalar z91 = n0_76 - z89;
+    const Scalar z92 = n0_76 - z88;
+    const Scalar z94 = s_theta * z90;
+    const Scalar z95 = n0_12 - z92;
+    const Scalar z96 = s_theta * z95;
+    const Scalar z97 = s_theta * z96;
+    const Scalar z99 = n0_12 - z97;
+    const Scalar z101 = n9_81 * s_theta;
+    const Scalar z102 = n9_81 * c_theta;
+    const Scalar z103 = v_theta * z16;  // angular acceleration of second, y
+    const Scalar z104 = v_theta * z15;  // angular acceleration of second, z
+    const Scalar z111 = z18 * z19;
+    const Scalar z112 = z17 * z19;
+    const Scalar z113 = z17 * z18;
+    const Scalar z115 = n0_24 * z112;  // moment on rod, y
+    const Scalar z120 = z15 * z16;
+    const Scalar z133 = a_psi * s_theta;
+    const Scalar z134 = a_psi * c_theta;
+    const Scalar z135 = v_theta * z16 + z133;  // angular acceleration of second, y
+    const Scalar z136 = v_theta * z15 - z134;  // angular acceleration of second, z
+    const Scalar z137 = a_theta * c_phi + s_phi * z135;
+    const Scalar z138 = a_theta * s_phi - c_phi * z135;
+    const Scalar z139 = v_phi * z18 - z137;  // angular acceleration of rod, x
+    const Scalar z140 = v_phi * z17 + z138;  // angular acceleration of rod, y
+    const Scalar z141 = a_phi - z136;  // angular acceleration of rod, z
+    const Scalar z142 = n0_12 * (z111 - z139);  // moment on rod, x
+    const Scalar z143 = n0_12 * (z113 - z141);  // moment on rod, z
+    const Scalar z144 = s_phi * z115 - c_phi * z142;
+    const Scalar z145 = s_phi * z142 + c_phi * z115;
+    const Scalar z150 = n0_76 * (a_theta - z120) - n0_8 * z101 + z144;  // moment on second, x
+    const Scalar z151 = n0_76 * (z103 + z135) - z145;  // moment on second, y
+    const Scalar z155 = s_theta * z151 - c_theta * z143;
+    const Scalar z170 = n1 / z91;
+    const Scalar z213 = n25_over_3 * z86;
+    const Scalar z214 = z86 * z213 - z99;
+    const Scalar z215 = z94 * z170;
+    const Scalar z216 = z94 * z215 + z214;
+    const Scalar z217 = n1 / z216;
+    const Scalar z234 = v_theta * c_theta;
+    const Scalar z235 = s_phi * z234;
+    const Scalar z236 = v_phi * z29 + z235;
+    const Scalar z237 = c_theta * z18 - z19 * z29;
+    const Scalar z238 = n0_12 * (z236 + z237);
+    const Scalar z239 = c_theta * z17 + z19 * z25;
+    const Scalar z240 = n0_24 * z239;
+    const Scalar z241 = s_phi * z238 + c_phi * z240;
+    const Scalar z242 = n1_52 * z234 - z241;
+    const Scalar z243 = v_theta * s_theta;
+    const Scalar z244 = z17 * z29 - z18 * z25;
+    const Scalar z245 = n0_12 * (z243 - z244);
+    const Scalar z246 = s_theta * z242 - c_theta * z245;
+    const Scalar z247 = s_phi * z240 - c_phi * z238;
+    const Scalar z248 = s_theta * z16 + c_theta * z15;
+    const Scalar z249 = z247 - n0_76 * z248;
+    const Scalar z250 = s_phi * z16;
+    const Scalar z251 = v_phi * s_phi - z250;
+    const Scalar z252 = s_phi * z19;
+    const Scalar z253 = n0_12 * (z251 - z252);
+    const Scalar z254 = c_phi * z19;
+    const Scalar z255 = n0_24 * z254;
+    const Scalar z256 = s_phi * z253 - c_phi * z255;
+    const Scalar z257 = n1_52 * z16 + z256;
+    const Scalar z258 = s_phi * z17 + c_phi * z18;
+    const Scalar z259 = n0_12 * (z15 + z258);
+    const Scalar z260 = s_theta * z257 - c_theta * z259;
+    const Scalar z261 = c_phi * z16;
+    const Scalar z262 = z15 * z18 + z19 * z261;
+    const Scalar z263 = s_phi * z136;
+    const Scalar z264 = v_phi * z261 - z263;
+    const Scalar z265 = n0_12 * (z262 - z264);
+    const Scalar z266 = z15 * z17 - z19 * z250;
+    const Scalar z267 = n0_24 * z266;
+    const Scalar z268 = s_phi * z265 + c_phi * z267;
+    const Scalar z269 = n0_76 * (z104 + z136) - z268;
+    const Scalar z270 = z17 * z261 - z18 * z250;
+    const Scalar z271 = n0_12 * (z135 - z270);
+    const Scalar z272 = s_theta * (z143 - z269) + c_theta * (z151 - z271);
+    const Scalar z273 = s_phi * z255 + c_phi * z253;
+    const Scalar z274 = z15 * z15 - z16 * z16;
+    const Scalar z275 = s_phi * z267 - c_phi * z265;
+    const Scalar z276 = n0_8 * z102 - n0_76 * z274 + z275;
+    const Scalar z277 = n0_24 * z17;
+    const Scalar z278 = c_phi * z277;
+    const Scalar z279 = s_theta * z278;
+    const Scalar z280 = n0_12 * (z112 - z140);
+    const Scalar z281 = n0_24 * z111;
+    const Scalar z282 = s_phi * (z115 - z280) - c_phi * (z142 - z281);
+    const Scalar z283 = z17 * z17 - z18 * z18;
+    const Scalar z284 = n0_12 * z283;
+    const Scalar z285 = s_theta * z282 - c_theta * z284;
+    const Scalar z286 = s_phi * z277;
+    const Scalar z287 = s_phi * (z142 - z281) + c_phi * (z115 - z280);
+    const Scalar z288 = z213 * z245 + z215 * z249 + z246;
+    const Scalar z289 = z217 * z288;
+    const Scalar z290 = z170 * z249 - z215 * z289;
+    const Scalar z291 = z213 * z289 - n25_over_3 * z245;
+    const Scalar z292 = z213 * z271 - z215 * z276 + z272;
+    const Scalar z293 = z217 * z292;
+    const Scalar z294 = z170 * z276 + z215 * z293;
+    const Scalar z295 = z213 * z293 - n25_over_3 * z271;
+    const Scalar z296 = z213 * z259 + z215 * z273 + z260;
+    const Scalar z297 = z217 * z296;
+    const Scalar z298 = z170 * z273 - z215 * z297;
+    const Scalar z299 = z213 * z297 - n25_over_3 * z259;
+    const Scalar z300 = z213 * z284 + z215 * z287 + z285;
+    const Scalar z301 = z217 * z300;
+    const Scalar z302 = z170 * z287 - z215 * z301;
+    const Scalar z303 = z213 * z301 - n25_over_3 * z284;
+    const Scalar z304 = z215 * z286 - z279;
+    const Scalar z305 = z217 * z304;
+    const Scalar z306 = z170 * z286 - z215 * z305;
+    const Scalar z307 = z213 * z305;
+    result.M[0] = z99;
+    result.M[1] = -z94;
+    result.M[2] = z86;
+    result.M[3] = -z94;
+    result.M[4] = z91;
+    result.M[5] = n0;
+    result.M[6] = z86;
+    result.M[7] = n0;
+    result.M[8] = n0_12;
+    result.C[0] = z246;
+    result.C[1] = z249;
+    result.C[2] = -z245;
+    result.C[3] = z260;
+    result.C[4] = z273;
+    result.C[5] = -z259;
+    result.C[6] = -z279;
+    result.C[7] = z286;
+    result.C[8] = n0;
+    result.K[0] = n0;
+    result.K[1] = n0;
+    result.K[2] = n0;
+    result.K[3] = z272;
+    result.K[4] = -z276;
+    result.K[5] = -z271;
+    result.K[6] = z285;
+    result.K[7] = z287;
+    result.K[8] = -z284;
+    result.F[0] = -z155;
+    result.F[1] = -z150;
+    result.F[2] = z143;
+    result.A[0] = n0;
+    result.A[1] = n0;
+    result.A[2] = n0;
+    result.A[3] = n0;
+    result.A[4] = n0;
+    result.A[5] = n0;
+    result.A[6] = n0;
+    result.A[7] = n0;
+    result.A[8] = n0;
+    result.A[9] = z293;
+    result.A[10] = z294;
+    result.A[11] = -z295;
+    result.A[12] = n0;
+    result.A[13] = n0;
+    result.A[14] = n0;
+    result.A[15] = z301;
+    result.A[16] = -z302;
+    result.A[17] = -z303;
+    result.A[18] = n1;
+    result.A[19] = n0;
+    result.A[20] = n0;
+    result.A[21] = z289;
+    result.A[22] = -z290;
+    result.A[23] = -z291;
+    result.A[24] = n0;
+    result.A[25] = n1;
+    result.A[26] = n0;
+    result.A[27] = z297;
+    result.A[28] = -z298;
+    result.A[29] = -z299;
+    result.A[30] = n0;
+    result.A[31] = n0;
+    result.A[32] = n1;
+    result.A[33] = z305;
+    result.A[34] = -z306;
+    result.A[35] = -z307;
+    if (!(traits::regular(-z216, z99) && traits::regular(z91, z91))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (result.M[0] - result.M[0]) + (result.M[1] - result.M[1]) + (result.M[2] - result.M[2])
+        + (result.M[3] - result.M[3]) + (result.M[4] - result.M[4]) + (result.M[6] - result.M[6]) + (result.C[0]
+        - result.C[0]) + (result.C[1] - result.C[1]) + (result.C[2] - result.C[2]) + (result.C[3] - result.C[3])
+        + (result.C[4] - result.C[4]) + (result.C[5] - result.C[5]) + (result.C[6] - result.C[6]) + (result.C[7]
+        - result.C[7]) + (result.K[3] - result.K[3]) + (result.K[4] - result.K[4]) + (result.K[5] - result.K[5])
+        + (result.K[6] - result.K[6]) + (result.K[7] - result.K[7]) + (result.K[8] - result.K[8]) + (result.F[0]
+        - result.F[0]) + (result.F[1] - result.F[1]) + (result.F[2] - result.F[2]) + (result.A[9] - result.A[9])
+        + (result.A[10] - result.A[10]) + (result.A[11] - result.A[11]) + (result.A[15] - result.A[15]) + (result.A[16]
+        - result.A[16]) + (result.A[17] - result.A[17]) + (result.A[21] - result.A[21]) + (result.A[22] - result.A[22])
+        + (result.A[23] - result.A[23]) + (result.A[27] - result.A[27]) + (result.A[28] - result.A[28]) + (result.A[29]
+        - result.A[29]) + (result.A[33] - result.A[33]) + (result.A[34] - result.A[34]) + (result.A[35] - result.A[35]);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+};
+
+}  // namespace segment_in_sphere

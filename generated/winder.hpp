@@ -1,0 +1,767 @@
+// SPDX-License-Identifier: MIT
+// winder: Winder: a bobbin on a turning arm
+// Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
+// Free to embed under the MIT licence.
+//
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, reactions, linearisation
+// Parameters set at run time: omega, slope
+//
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
+// moved across joints, factoring, and what is done once for a set of parameters:
+//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   precompute                1               15          0             0                  1       0     18       -
+//   kinematics               22               52          0             0                  2       0     78      85
+//   mass_matrix               0                0          0             0                  0       0      0       0
+//   bias                      3                3          0             0                  0       0      6      12
+//   inverse_dynamics          4                4          0             0                  0       0      8      14
+//   forward_dynamics          3                4          0             0                  0       0      7      13
+//   energy                   16               28          0             0                  1       0     46      58
+//   first_integrals          19               32          0             0                  1       0     53      65
+//   reactions                18               33          0             0                  1       0     53      77
+//   linearisation             4                4          0             0                  0       0      8      17
+//
+// Not computed because this mechanism does not need it:
+//   kinematics: of 60 results 26 vanish identically, 11 repeat another up to sign
+//   mass_matrix: of 4 results 2 vanish identically
+//   bias: of 2 results 1 vanish identically
+//   forward_dynamics: of 2 results 1 vanish identically
+//   energy: of 3 results 1 vanish identically
+//   constraints: left out, the scene has no constraints
+//   linearisation: of 30 results 22 vanish identically
+//
+// To write this file again:
+//   winder_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output winder.hpp
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#ifndef TORSOR_KERNEL_SUPPORT
+#define TORSOR_KERNEL_SUPPORT 1
+// Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
+#ifndef TORSOR_DEVICE
+#define TORSOR_DEVICE
+#endif
+
+namespace torsor {
+
+/// What a kernel says about its results; the larger, the worse.
+enum class Status : int { ok = 0, singular = 1, not_finite = 2 };
+
+/// What a kernel needs of its scalar. This one serves float and double; specialise it, once a header is included, for
+/// any other (a pack of several states, a high-precision number).
+template <class Scalar>
+struct scalar_traits {
+  static_assert(sizeof(Scalar) == sizeof(float) || sizeof(Scalar) == sizeof(double),
+                "specialise torsor::scalar_traits for a scalar that is neither float nor double");
+  static constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+
+  /// A number, rounded for either format. `exact` is "num/den", or "a;b;c;d" for a + b sqrt(2) + c sqrt(3) + d sqrt(6).
+  TORSOR_DEVICE static constexpr Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    return is_float ? static_cast<Scalar>(in_float) : static_cast<Scalar>(in_double);
+  }
+  /// The same for a number that is no such sum: a callable computes it where literals are not precise enough.
+  template <class Callable>
+  TORSOR_DEVICE static constexpr Scalar formula(double in_double, float in_float, const Callable&) noexcept {
+    return constant(in_double, in_float, nullptr);
+  }
+  TORSOR_DEVICE static constexpr Scalar pi() noexcept { return constant(3.141592653589793, 3.1415927f, nullptr); }
+  TORSOR_DEVICE static constexpr Scalar select(bool condition, Scalar if_true, Scalar if_false) noexcept {
+    return condition ? if_true : if_false;
+  }
+  TORSOR_DEVICE static void sincos(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
+    sine = std::sin(angle);
+    cosine = std::cos(angle);
+  }
+  TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
+  TORSOR_DEVICE static Scalar exp(const Scalar& x) noexcept { return std::exp(x); }
+  TORSOR_DEVICE static Scalar log(const Scalar& x) noexcept { return std::log(x); }
+  /// Whether a pivot is positive beyond the rounding of the diagonal entry it came from; not when it is not a number.
+  TORSOR_DEVICE static bool regular(const Scalar& pivot, const Scalar& diagonal) noexcept {
+    return pivot > constant(0x1p-52, 0x1p-23f, nullptr) * std::abs(diagonal);
+  }
+};
+
+}  // namespace torsor
+#elif TORSOR_KERNEL_SUPPORT != 1
+#error "headers of incompatible versions of torsor meet here: write them again with one version"
+#endif
+
+namespace winder {
+
+/// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
+/// M a + h = E u + A' lambda and A a + gamma = 0, with a the accelerations and u the inputs; units are SI.
+template <class Scalar>
+struct Mechanism {
+  using traits = torsor::scalar_traits<Scalar>;
+
+  static constexpr const char* name = "winder";
+  static constexpr int coordinate_count = 2;
+  static constexpr int velocity_count = 2;
+  static constexpr int input_count = 0;
+  static constexpr int parameter_count = 2;
+  static constexpr int multiplier_count = 0;
+
+  /// Parameters that are set at run time.
+  struct Parameters {
+    Scalar omega;  ///< parameter [rad/s]
+    Scalar slope;  ///< parameter [rad or 1]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Parameters::*member_(int i_) noexcept {
+      constexpr Scalar Parameters::*members_[] = {&Parameters::omega, &Parameters::slope};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised coordinates q.
+  struct Coordinates {
+    Scalar lambda;  ///< coordinate [m]
+    Scalar phi;  ///< coordinate [rad or 1]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Coordinates::*member_(int i_) noexcept {
+      constexpr Scalar Coordinates::*members_[] = {&Coordinates::lambda, &Coordinates::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised velocities v = dq/dt.
+  struct Velocities {
+    Scalar lambda;  ///< its rate [m/s]
+    Scalar phi;  ///< its rate [rad/s]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Velocities::*member_(int i_) noexcept {
+      constexpr Scalar Velocities::*members_[] = {&Velocities::lambda, &Velocities::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised accelerations dv/dt.
+  struct Accelerations {
+    Scalar lambda;  ///< its second rate [m/s^2]
+    Scalar phi;  ///< its second rate [rad/s^2]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Accelerations::*member_(int i_) noexcept {
+      constexpr Scalar Accelerations::*members_[] = {&Accelerations::lambda, &Accelerations::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised forces, one along each coordinate.
+  struct GeneralizedForces {
+    Scalar lambda;  ///< works with the rate of lambda [N]
+    Scalar phi;  ///< works with the rate of phi [N m]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar GeneralizedForces::*member_(int i_) noexcept {
+      constexpr Scalar GeneralizedForces::*members_[] = {&GeneralizedForces::lambda, &GeneralizedForces::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Forces and torques of motors, set at each call.
+  struct Inputs {
+    static constexpr int size = 0;
+  };
+
+  /// Multipliers of the constraints, or the reactions that enforce them.
+  struct Multipliers {
+    static constexpr int size = 0;
+  };
+
+  /// Time [s], coordinates and velocities.
+  struct State {
+    Scalar time;
+    Coordinates q;
+    Velocities v;
+  };
+
+  /// Parameters and what depends on them only: built once for each set of parameters.
+  struct Precomputed {
+    Parameters parameters;
+    Scalar s_slope;
+    Scalar c_slope;
+    Scalar z17;
+    Scalar z18;
+    Scalar z19;
+    Scalar z20;
+    Scalar z97;
+    Scalar z98;
+    Scalar z111;
+    Scalar z112;
+    Scalar z113;
+    Scalar z114;
+    Scalar z115;
+    Scalar z186;
+    Scalar z187;
+  };
+
+  /// Values of the scene.
+  TORSOR_DEVICE static Parameters default_parameters() noexcept {
+    Parameters parameters{};
+    const Scalar n10 = traits::constant(10.0, 10.0f, "10/1");
+    const Scalar n1_over_3 = traits::constant(0.3333333333333333, 0.33333334f, "1/3");
+    const Scalar pi = traits::pi();
+    parameters.omega = n10;
+    parameters.slope = n1_over_3 * pi;
+    return parameters;
+  }
+
+  /// To be called again when a parameter changes.
+  TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
+    Precomputed precomputed{};
+    precomputed.parameters = parameters;
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n200 = traits::constant(200.0, 200.0f, "200/1");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar p_omega = parameters.omega;
+    const Scalar p_slope = parameters.slope;
+    Scalar s_slope, c_slope;
+    traits::sincos(p_slope, s_slope, c_slope);
+    const Scalar z16 = n0_2 * p_omega;
+    const Scalar z17 = p_omega * s_slope;
+    const Scalar z18 = p_omega * c_slope;
+    const Scalar z19 = c_slope * z16;
+    const Scalar z20 = s_slope * z16;
+    const Scalar z97 = n0_3 * s_slope;
+    const Scalar z98 = n0_3 * c_slope;
+    const Scalar z110 = p_omega * p_omega;
+    const Scalar z111 = n0_2 * z110;
+    const Scalar z112 = n9_81 * s_slope;
+    const Scalar z113 = n9_81 * c_slope;
+    const Scalar z114 = z17 * z18;
+    const Scalar z115 = z17 * z17;
+    const Scalar z186 = n200 - n0_5 * z115;
+    const Scalar z187 = n2 * z186;
+    precomputed.s_slope = s_slope;
+    precomputed.c_slope = c_slope;
+    precomputed.z17 = z17;
+    precomputed.z18 = z18;
+    precomputed.z19 = z19;
+    precomputed.z20 = z20;
+    precomputed.z97 = z97;
+    precomputed.z98 = z98;
+    precomputed.z111 = z111;
+    precomputed.z112 = z112;
+    precomputed.z113 = z113;
+    precomputed.z114 = z114;
+    precomputed.z115 = z115;
+    precomputed.z186 = z186;
+    precomputed.z187 = z187;
+    return precomputed;
+  }
+
+  /// The state the scene starts from, for these parameters.
+  TORSOR_DEVICE static State initial_state(const Parameters&) noexcept {
+    State state{};
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
+    const Scalar n5 = traits::constant(5.0, 5.0f, "5/1");
+    state.time = n0;
+    state.q.lambda = n0_05;
+    state.q.phi = n0;
+    state.v.lambda = n0;
+    state.v.phi = n5;
+    return state;
+  }
+  TORSOR_DEVICE static State initial_state() noexcept { return initial_state(default_parameters()); }
+
+  /// Poses, twists and named points in ground axes.
+  struct Kinematics {
+    std::array<Scalar, 3> Sigma_position;  ///< centre of mass of Sigma [m]
+    std::array<Scalar, 9> Sigma_rotation;  ///< from the axes of Sigma to the ground's (3 x 3)
+    std::array<Scalar, 3> Sigma_velocity;  ///< velocity of the centre of mass of Sigma [m/s]
+    std::array<Scalar, 3> Sigma_angular_velocity;  ///< angular velocity of Sigma [rad/s]
+    std::array<Scalar, 3> S_position;  ///< centre of mass of S [m]
+    std::array<Scalar, 9> S_rotation;  ///< from the axes of S to the ground's (3 x 3)
+    std::array<Scalar, 3> S_velocity;  ///< velocity of the centre of mass of S [m/s]
+    std::array<Scalar, 3> S_angular_velocity;  ///< angular velocity of S [rad/s]
+    std::array<Scalar, 3> G_position;  ///< position of G [m]
+    std::array<Scalar, 3> G_velocity;  ///< velocity of the material point at G [m/s]
+    std::array<Scalar, 6> G_jacobian;  ///< partial velocities of G (3 x 2)
+    std::array<Scalar, 3> fixed_position;  ///< position of fixed [m]
+    std::array<Scalar, 3> fixed_velocity;  ///< velocity of the material point at fixed [m/s]
+    std::array<Scalar, 6> fixed_jacobian;  ///< partial velocities of fixed (3 x 2)
+  };
+
+  /// Energies of the mechanism.
+  struct Energy {
+    Scalar kinetic;  ///< kinetic energy T [J]
+    Scalar force_function;  ///< force function U of gravity and springs [J]
+    Scalar power;  ///< power of dampers, given forces and motors [W]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Energy::*member_(int i_) noexcept {
+      constexpr Scalar Energy::*members_[] = {&Energy::kinetic, &Energy::force_function, &Energy::power};
+      return members_[i_];
+    }
+  };
+
+  /// Quantities that every motion conserves.
+  struct FirstIntegrals {
+    Scalar painleve;  ///< T2 - T0 - U [J]
+    Scalar momentum_phi;  ///< dT/dphi' of the cyclic coordinate 'phi' [kg m^2 s^-1]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar FirstIntegrals::*member_(int i_) noexcept {
+      constexpr Scalar FirstIntegrals::*members_[] = {&FirstIntegrals::painleve, &FirstIntegrals::momentum_phi};
+      return members_[i_];
+    }
+  };
+  static constexpr int first_integral_count = 2;
+
+  /// Reactions of joints along released directions.
+  struct Reactions {
+    Scalar motor;  ///< reaction along 'motor' [kg m^2 s^-2]
+    static constexpr int size = 1;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Reactions::*member_(int i_) noexcept {
+      constexpr Scalar Reactions::*members_[] = {&Reactions::motor};
+      return members_[i_];
+    }
+  };
+
+  /// Matrices of the linearised equations, stored column by column.
+  struct Linearisation {
+    std::array<Scalar, 4> M;  ///< mass matrix (2 x 2)
+    std::array<Scalar, 4> C;  ///< damping and gyroscopic terms (2 x 2)
+    std::array<Scalar, 4> K;  ///< stiffness (2 x 2)
+    std::array<Scalar, 2> F;  ///< right-hand side
+    std::array<Scalar, 16> A;  ///< state matrix of x = (e, e'): x' = A x + B du (4 x 4)
+  };
+
+  /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
+  /// matrices column by column.
+  TORSOR_DEVICE static void kinematics(const Precomputed& precomputed, const State& state,
+      Kinematics& result) noexcept {
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar p_omega = precomputed.parameters.omega;
+    const Scalar t = state.time;
+    const Scalar q_lambda = state.q.lambda;
+    const Scalar v_lambda = state.v.lambda;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar s_slope = precomputed.s_slope;
+    const Scalar c_slope = precomputed.c_slope;
+    const Scalar z17 = precomputed.z17;
+    const Scalar z18 = precomputed.z18;
+    const Scalar z19 = precomputed.z19;
+    const Scalar z20 = precomputed.z20;
+    const Scalar z2 = p_omega * t;
+    Scalar z3, z4;
+    traits::sincos(z2, z3, z4);
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z21 = q_lambda * z17;
+    const Scalar z22 = v_lambda - z20;  // velocity of slide, z
+    const Scalar z23 = s_phi * z17;
+    const Scalar z24 = c_phi * z17;
+    const Scalar z25 = s_phi * z19 + c_phi * z21;
+    const Scalar z26 = s_phi * z21 - c_phi * z19;
+    const Scalar z27 = v_phi + z18;  // angular velocity of S, z
+    const Scalar z28 = s_slope * q_lambda;
+    const Scalar z29 = c_slope * q_lambda;
+    const Scalar z30 = z3 * z28 + n0_2 * z4;
+    const Scalar z31 = n0_2 * z3 - z4 * z28;
+    const Scalar z32 = c_slope * s_phi;
+    const Scalar z33 = s_slope * s_phi;
+    const Scalar z34 = z3 * z32 - z4 * c_phi;
+    const Scalar z35 = z3 * c_phi + z4 * z32;
+    const Scalar z36 = c_slope * c_phi;
+    const Scalar z37 = s_slope * c_phi;
+    const Scalar z38 = z3 * z36 + z4 * s_phi;
+    const Scalar z39 = z3 * s_phi - z4 * z36;
+    const Scalar z40 = z3 * s_slope;
+    const Scalar z41 = z4 * s_slope;
+    const Scalar z42 = s_phi * z26 + c_phi * z25;
+    const Scalar z43 = s_phi * z25 - c_phi * z26;
+    const Scalar z44 = s_slope * z22 - c_slope * z43;
+    const Scalar z45 = s_slope * z43 + c_slope * z22;
+    const Scalar z46 = z3 * z44 + z4 * z42;
+    const Scalar z47 = z3 * z42 - z4 * z44;
+    const Scalar z48 = s_phi * z24 - c_phi * z23;
+    const Scalar z49 = s_phi * z23 + c_phi * z24;
+    const Scalar z50 = s_slope * z27 - c_slope * z49;
+    const Scalar z51 = s_slope * z49 + c_slope * z27;
+    const Scalar z52 = z3 * z50 - z4 * z48;
+    const Scalar z53 = z3 * z48 + z4 * z50;
+    result.Sigma_position[0] = n0;
+    result.Sigma_position[1] = n0;
+    result.Sigma_position[2] = n0;
+    result.Sigma_rotation[0] = z4;
+    result.Sigma_rotation[1] = z3;
+    result.Sigma_rotation[2] = n0;
+    result.Sigma_rotation[3] = -z3;
+    result.Sigma_rotation[4] = z4;
+    result.Sigma_rotation[5] = n0;
+    result.Sigma_rotation[6] = n0;
+    result.Sigma_rotation[7] = n0;
+    result.Sigma_rotation[8] = n1;
+    result.Sigma_velocity[0] = n0;
+    result.Sigma_velocity[1] = n0;
+    result.Sigma_velocity[2] = n0;
+    result.Sigma_angular_velocity[0] = n0;
+    result.Sigma_angular_velocity[1] = n0;
+    result.Sigma_angular_velocity[2] = p_omega;
+    result.S_position[0] = z30;
+    result.S_position[1] = z31;
+    result.S_position[2] = z29;
+    result.S_rotation[0] = -z34;
+    result.S_rotation[1] = z35;
+    result.S_rotation[2] = z33;
+    result.S_rotation[3] = -z38;
+    result.S_rotation[4] = -z39;
+    result.S_rotation[5] = z37;
+    result.S_rotation[6] = z40;
+    result.S_rotation[7] = -z41;
+    result.S_rotation[8] = c_slope;
+    result.S_velocity[0] = z46;
+    result.S_velocity[1] = z47;
+    result.S_velocity[2] = z45;
+    result.S_angular_velocity[0] = z52;
+    result.S_angular_velocity[1] = -z53;
+    result.S_angular_velocity[2] = z51;
+    result.G_position[0] = z30;
+    result.G_position[1] = z31;
+    result.G_position[2] = z29;
+    result.G_velocity[0] = z46;
+    result.G_velocity[1] = z47;
+    result.G_velocity[2] = z45;
+    result.G_jacobian[0] = z40;
+    result.G_jacobian[3] = n0;
+    result.G_jacobian[1] = -z41;
+    result.G_jacobian[4] = n0;
+    result.G_jacobian[2] = c_slope;
+    result.G_jacobian[5] = n0;
+    result.fixed_position[0] = n0;
+    result.fixed_position[1] = n0;
+    result.fixed_position[2] = n0_3;
+    result.fixed_velocity[0] = n0;
+    result.fixed_velocity[1] = n0;
+    result.fixed_velocity[2] = n0;
+    result.fixed_jacobian[0] = n0;
+    result.fixed_jacobian[3] = n0;
+    result.fixed_jacobian[1] = n0;
+    result.fixed_jacobian[4] = n0;
+    result.fixed_jacobian[2] = n0;
+    result.fixed_jacobian[5] = n0;
+  }
+
+  /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
+  TORSOR_DEVICE static void mass_matrix(const Precomputed&, const State&, std::array<Scalar, 4>& mass) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
+    mass[0] = n0_5;
+    mass[1] = n0;
+    mass[2] = n0;
+    mass[3] = n0_0005;
+  }
+
+  /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
+  /// actions included. M a + h = E u + A' lambda.
+  TORSOR_DEVICE static void bias(const Precomputed& precomputed, const State& state,
+      GeneralizedForces& forces) noexcept {
+    const Scalar n200 = traits::constant(200.0, 200.0f, "200/1");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_lambda = state.q.lambda;
+    const Scalar z98 = precomputed.z98;
+    const Scalar z113 = precomputed.z113;
+    const Scalar z115 = precomputed.z115;
+    const Scalar z99 = q_lambda - z98;
+    const Scalar z106 = n200 * z99;
+    const Scalar z118 = q_lambda * z115 - z113;
+    const Scalar z133 = z106 - n0_5 * z118;  // force on slide, z
+    forces.lambda = z133;
+    forces.phi = n0;
+  }
+
+  /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
+  TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State& state,
+      const Accelerations& accelerations, const Multipliers&, GeneralizedForces& forces) noexcept {
+    const Scalar n200 = traits::constant(200.0, 200.0f, "200/1");
+    const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar q_lambda = state.q.lambda;
+    const Scalar a_lambda = accelerations.lambda;
+    const Scalar a_phi = accelerations.phi;
+    const Scalar z98 = precomputed.z98;
+    const Scalar z113 = precomputed.z113;
+    const Scalar z115 = precomputed.z115;
+    const Scalar z99 = q_lambda - z98;
+    const Scalar z106 = n200 * z99;
+    const Scalar z150 = q_lambda * z115 - a_lambda - z113;
+    const Scalar z151 = n0_0005 * a_phi;  // moment on S, z
+    const Scalar z152 = z106 - n0_5 * z150;  // force on slide, z
+    forces.lambda = z152;
+    forces.phi = z151;
+  }
+
+  /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
+  /// an unrolled L D L' of M. Returns singular when a pivot is not
+  /// positive relative to its diagonal entry.
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
+      const Inputs&, Accelerations& accelerations, Multipliers&) noexcept {
+    const Scalar n200 = traits::constant(200.0, 200.0f, "200/1");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar q_lambda = state.q.lambda;
+    const Scalar z98 = precomputed.z98;
+    const Scalar z113 = precomputed.z113;
+    const Scalar z115 = precomputed.z115;
+    const Scalar z99 = q_lambda - z98;
+    const Scalar z106 = n200 * z99;
+    const Scalar z118 = q_lambda * z115 - z113;
+    const Scalar z133 = z106 - n0_5 * z118;  // force on slide, z
+    const Scalar z165 = n2 * z133;
+    accelerations.lambda = -z165;
+    accelerations.phi = n0;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (accelerations.lambda - accelerations.lambda);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
+  TORSOR_DEVICE static void energy(const Precomputed& precomputed, const State& state, const Inputs&,
+      Energy& result) noexcept {
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
+    const Scalar n0_0004 = traits::constant(4e-04, 4e-04f, "1/2500");
+    const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
+    const Scalar k4 = traits::constant(0.00025, 0.00025f, "1/4000");
+    const Scalar n4_905 = traits::constant(4.905, 4.905f, "981/200");
+    const Scalar n100 = traits::constant(100.0, 100.0f, "100/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar p_omega = precomputed.parameters.omega;
+    const Scalar q_lambda = state.q.lambda;
+    const Scalar v_lambda = state.v.lambda;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar c_slope = precomputed.c_slope;
+    const Scalar z17 = precomputed.z17;
+    const Scalar z18 = precomputed.z18;
+    const Scalar z19 = precomputed.z19;
+    const Scalar z20 = precomputed.z20;
+    const Scalar z97 = precomputed.z97;
+    const Scalar z98 = precomputed.z98;
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z21 = q_lambda * z17;
+    const Scalar z22 = v_lambda - z20;  // velocity of slide, z
+    const Scalar z23 = s_phi * z17;
+    const Scalar z24 = c_phi * z17;
+    const Scalar z25 = s_phi * z19 + c_phi * z21;
+    const Scalar z26 = s_phi * z21 - c_phi * z19;
+    const Scalar z27 = v_phi + z18;  // angular velocity of S, z
+    const Scalar z29 = c_slope * q_lambda;
+    const Scalar z99 = q_lambda - z98;
+    const Scalar z100 = s_phi * z97 - n0_2 * c_phi;
+    const Scalar z101 = n0_2 * s_phi + c_phi * z97;
+    const Scalar z103 = z99 * z99 + z100 * z100 + z101 * z101;
+    result.kinetic = n0_25 * (z22 * z22 + z25 * z25 + z26 * z26) + n0_0004 * (z23 * z23 + z24 * z24) + n0_01 * p_omega
+        * p_omega + k4 * z27 * z27;
+    result.force_function = -n4_905 * z29 - n100 * z103;
+    result.power = n0;
+  }
+
+  /// First integrals: constant along every motion.
+  TORSOR_DEVICE static void first_integrals(const Precomputed& precomputed, const State& state,
+      FirstIntegrals& result) noexcept {
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
+    const Scalar n0_0004 = traits::constant(4e-04, 4e-04f, "1/2500");
+    const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
+    const Scalar k6 = traits::constant(0.00025, 0.00025f, "1/4000");
+    const Scalar n4_905 = traits::constant(4.905, 4.905f, "981/200");
+    const Scalar n100 = traits::constant(100.0, 100.0f, "100/1");
+    const Scalar p_omega = precomputed.parameters.omega;
+    const Scalar q_lambda = state.q.lambda;
+    const Scalar v_lambda = state.v.lambda;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar c_slope = precomputed.c_slope;
+    const Scalar z17 = precomputed.z17;
+    const Scalar z18 = precomputed.z18;
+    const Scalar z19 = precomputed.z19;
+    const Scalar z20 = precomputed.z20;
+    const Scalar z97 = precomputed.z97;
+    const Scalar z98 = precomputed.z98;
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z21 = q_lambda * z17;
+    const Scalar z22 = v_lambda - z20;  // velocity of slide, z
+    const Scalar z23 = s_phi * z17;
+    const Scalar z24 = c_phi * z17;
+    const Scalar z25 = s_phi * z19 + c_phi * z21;
+    const Scalar z26 = s_phi * z21 - c_phi * z19;
+    const Scalar z27 = v_phi + z18;  // angular velocity of S, z
+    const Scalar z29 = c_slope * q_lambda;
+    const Scalar z99 = q_lambda - z98;
+    const Scalar z100 = s_phi * z97 - n0_2 * c_phi;
+    const Scalar z101 = n0_2 * s_phi + c_phi * z97;
+    const Scalar z103 = z99 * z99 + z100 * z100 + z101 * z101;
+    const Scalar z168 = n0_0005 * z27;
+    const Scalar z173 = n0_5 * z22;
+    result.painleve = -n0_25 * (z22 * z22 + z25 * z25 + z26 * z26) - n0_0004 * (z23 * z23 + z24 * z24) - n0_01 * p_omega
+        * p_omega + v_lambda * z173 + v_phi * z168 - k6 * z27 * z27 + n4_905 * z29 + n100 * z103;
+    result.momentum_phi = z168;
+  }
+
+  /// Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released
+  /// direction, at accelerations, multipliers and inputs that belong to the motion.
+  TORSOR_DEVICE static void reactions(const Precomputed& precomputed, const State& state,
+      const Accelerations& accelerations, const Multipliers&, const Inputs&, Reactions& result) noexcept {
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    const Scalar n200 = traits::constant(200.0, 200.0f, "200/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar q_lambda = state.q.lambda;
+    const Scalar v_lambda = state.v.lambda;
+    const Scalar a_lambda = accelerations.lambda;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar a_phi = accelerations.phi;
+    const Scalar s_slope = precomputed.s_slope;
+    const Scalar c_slope = precomputed.c_slope;
+    const Scalar z17 = precomputed.z17;
+    const Scalar z18 = precomputed.z18;
+    const Scalar z97 = precomputed.z97;
+    const Scalar z98 = precomputed.z98;
+    const Scalar z111 = precomputed.z111;
+    const Scalar z112 = precomputed.z112;
+    const Scalar z113 = precomputed.z113;
+    const Scalar z114 = precomputed.z114;
+    const Scalar z115 = precomputed.z115;
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z23 = s_phi * z17;
+    const Scalar z24 = c_phi * z17;
+    const Scalar z27 = v_phi + z18;  // angular velocity of S, z
+    const Scalar z99 = q_lambda - z98;
+    const Scalar z100 = s_phi * z97 - n0_2 * c_phi;
+    const Scalar z101 = n0_2 * s_phi + c_phi * z97;
+    const Scalar z104 = n200 * z100;
+    const Scalar z105 = n200 * z101;
+    const Scalar z106 = n200 * z99;
+    const Scalar z116 = n2 * v_lambda * z17 - z111;
+    const Scalar z117 = q_lambda * z114 + z112;
+    const Scalar z123 = z24 * z27;
+    const Scalar z124 = z23 * z27;
+    const Scalar z125 = n0_0005 * z123;  // moment on S, x
+    const Scalar z126 = n0_0005 * z124;  // moment on S, y
+    const Scalar z127 = s_phi * z105 - c_phi * z104;
+    const Scalar z128 = s_phi * z104 + c_phi * z105;
+    const Scalar z130 = s_phi * z125 - c_phi * z126;
+    const Scalar z131 = n0_5 * z116 + z127;  // force on slide, x
+    const Scalar z132 = n0_5 * z117 - z128;  // force on slide, y
+    const Scalar z135 = q_lambda * z131 + z130;  // moment on holder, y
+    const Scalar z150 = q_lambda * z115 - a_lambda - z113;
+    const Scalar z151 = n0_0005 * a_phi;  // moment on S, z
+    const Scalar z152 = z106 - n0_5 * z150;  // force on slide, z
+    const Scalar z153 = s_slope * z152 - c_slope * z132;
+    const Scalar z156 = s_slope * z135 + c_slope * z151;
+    const Scalar z160 = n0_2 * z153 - z156;  // moment on Sigma, z
+    result.motor = -z160;
+  }
+
+  /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
+  /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
+  TORSOR_DEVICE static torsor::Status linearisation(const Precomputed& precomputed, const State& state,
+      const Accelerations& accelerations, const Multipliers&, const Inputs&, Linearisation& result) noexcept {
+    const Scalar n200 = traits::constant(200.0, 200.0f, "200/1");
+    const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar q_lambda = state.q.lambda;
+    const Scalar a_lambda = accelerations.lambda;
+    const Scalar a_phi = accelerations.phi;
+    const Scalar z98 = precomputed.z98;
+    const Scalar z113 = precomputed.z113;
+    const Scalar z115 = precomputed.z115;
+    const Scalar z186 = precomputed.z186;
+    const Scalar z187 = precomputed.z187;
+    const Scalar z99 = q_lambda - z98;
+    const Scalar z106 = n200 * z99;
+    const Scalar z150 = q_lambda * z115 - a_lambda - z113;
+    const Scalar z151 = n0_0005 * a_phi;  // moment on S, z
+    const Scalar z152 = z106 - n0_5 * z150;  // force on slide, z
+    result.M[0] = n0_5;
+    result.M[1] = n0;
+    result.M[2] = n0;
+    result.M[3] = n0_0005;
+    result.C[0] = n0;
+    result.C[1] = n0;
+    result.C[2] = n0;
+    result.C[3] = n0;
+    result.K[0] = z186;
+    result.K[1] = n0;
+    result.K[2] = n0;
+    result.K[3] = n0;
+    result.F[0] = -z152;
+    result.F[1] = -z151;
+    result.A[0] = n0;
+    result.A[1] = n0;
+    result.A[2] = -z187;
+    result.A[3] = n0;
+    result.A[4] = n0;
+    result.A[5] = n0;
+    result.A[6] = n0;
+    result.A[7] = n0;
+    result.A[8] = n1;
+    result.A[9] = n0;
+    result.A[10] = n0;
+    result.A[11] = n0;
+    result.A[12] = n0;
+    result.A[13] = n1;
+    result.A[14] = n0;
+    result.A[15] = n0;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (result.K[0] - result.K[0]) + (result.F[0] - result.F[0]) + (result.F[1] - result.F[1])
+        + (result.A[2] - result.A[2]);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+};
+
+}  // namespace winder
