@@ -1,0 +1,963 @@
+// SPDX-License-Identifier: MIT
+// mutual_gravitation: Two masses under their mutual gravitation
+// Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
+// Free to embed under the MIT licence.
+//
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, linearisation
+// Parameters set at run time: none
+//
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
+// moved across joints, factoring, and what is done once for a set of parameters:
+//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   kinematics               18               26          0             0                  1       0     46      46
+//   mass_matrix               1                5          0             0                  0       0      6       6
+//   bias                      6               23          1             1                  0       0     31      31
+//   inverse_dynamics         20               35          1             1                  1       0     59      59
+//   forward_dynamics         30               65          4             1                  1       0    102     102
+//   energy                   10               19          1             1                  1       0     33      35
+//   first_integrals          16               27          1             1                  1       0     47      49
+//   linearisation            76              142          6             1                  1       0    227     227
+//
+// Not computed because this mechanism does not need it:
+//   kinematics: of 72 results 32 vanish identically, 15 repeat another up to sign
+//   mass_matrix: of 16 results 12 vanish identically
+//   bias: of 4 results 2 vanish identically
+//   forward_dynamics: of 4 results 2 vanish identically
+//   energy: of 3 results 1 vanish identically
+//   constraints: left out, the scene has no constraints
+//   reactions: left out, the scene releases no joint direction (released_coordinate)
+//   linearisation: of 116 results 94 vanish identically
+//
+// To write this file again:
+//   mutual_gravitation_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output mutual_gravitation.hpp
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#ifndef TORSOR_KERNEL_SUPPORT
+#define TORSOR_KERNEL_SUPPORT 1
+// Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
+#ifndef TORSOR_DEVICE
+#define TORSOR_DEVICE
+#endif
+
+namespace torsor {
+
+/// What a kernel says about its results; the larger, the worse.
+enum class Status : int { ok = 0, singular = 1, not_finite = 2 };
+
+/// What a kernel needs of its scalar. This one serves float and double; specialise it, once a header is included, for
+/// any other (a pack of several states, a high-precision number).
+template <class Scalar>
+struct scalar_traits {
+  static_assert(sizeof(Scalar) == sizeof(float) || sizeof(Scalar) == sizeof(double),
+                "specialise torsor::scalar_traits for a scalar that is neither float nor double");
+  static constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+
+  /// A number, rounded for either format. `exact` is "num/den", or "a;b;c;d" for a + b sqrt(2) + c sqrt(3) + d sqrt(6).
+  TORSOR_DEVICE static constexpr Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    return is_float ? static_cast<Scalar>(in_float) : static_cast<Scalar>(in_double);
+  }
+  /// The same for a number that is no such sum: a callable computes it where literals are not precise enough.
+  template <class Callable>
+  TORSOR_DEVICE static constexpr Scalar formula(double in_double, float in_float, const Callable&) noexcept {
+    return constant(in_double, in_float, nullptr);
+  }
+  TORSOR_DEVICE static constexpr Scalar pi() noexcept { return constant(3.141592653589793, 3.1415927f, nullptr); }
+  TORSOR_DEVICE static constexpr Scalar select(bool condition, Scalar if_true, Scalar if_false) noexcept {
+    return condition ? if_true : if_false;
+  }
+  TORSOR_DEVICE static void sincos(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
+    sine = std::sin(angle);
+    cosine = std::cos(angle);
+  }
+  TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
+  TORSOR_DEVICE static Scalar exp(const Scalar& x) noexcept { return std::exp(x); }
+  TORSOR_DEVICE static Scalar log(const Scalar& x) noexcept { return std::log(x); }
+  /// Whether a pivot is positive beyond the rounding of the diagonal entry it came from; not when it is not a number.
+  TORSOR_DEVICE static bool regular(const Scalar& pivot, const Scalar& diagonal) noexcept {
+    return pivot > constant(0x1p-52, 0x1p-23f, nullptr) * std::abs(diagonal);
+  }
+};
+
+}  // namespace torsor
+#elif TORSOR_KERNEL_SUPPORT != 1
+#error "headers of incompatible versions of torsor meet here: write them again with one version"
+#endif
+
+namespace mutual_gravitation {
+
+/// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
+/// M a + h = E u + A' lambda and A a + gamma = 0, with a the accelerations and u the inputs; units are SI.
+template <class Scalar>
+struct Mechanism {
+  using traits = torsor::scalar_traits<Scalar>;
+
+  static constexpr const char* name = "mutual_gravitation";
+  static constexpr int coordinate_count = 4;
+  static constexpr int velocity_count = 4;
+  static constexpr int input_count = 0;
+  static constexpr int parameter_count = 0;
+  static constexpr int multiplier_count = 0;
+
+  /// Parameters that are set at run time.
+  struct Parameters {
+    static constexpr int size = 0;
+  };
+
+  /// Generalised coordinates q.
+  struct Coordinates {
+    Scalar X;  ///< coordinate [m]
+    Scalar Y;  ///< coordinate [m]
+    Scalar r;  ///< coordinate [m]
+    Scalar phi;  ///< coordinate [rad or 1]
+    static constexpr int size = 4;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Coordinates::*member_(int i_) noexcept {
+      constexpr Scalar Coordinates::*members_[] = {&Coordinates::X, &Coordinates::Y, &Coordinates::r,
+          &Coordinates::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised velocities v = dq/dt.
+  struct Velocities {
+    Scalar X;  ///< its rate [m/s]
+    Scalar Y;  ///< its rate [m/s]
+    Scalar r;  ///< its rate [m/s]
+    Scalar phi;  ///< its rate [rad/s]
+    static constexpr int size = 4;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Velocities::*member_(int i_) noexcept {
+      constexpr Scalar Velocities::*members_[] = {&Velocities::X, &Velocities::Y, &Velocities::r, &Velocities::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised accelerations dv/dt.
+  struct Accelerations {
+    Scalar X;  ///< its second rate [m/s^2]
+    Scalar Y;  ///< its second rate [m/s^2]
+    Scalar r;  ///< its second rate [m/s^2]
+    Scalar phi;  ///< its second rate [rad/s^2]
+    static constexpr int size = 4;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Accelerations::*member_(int i_) noexcept {
+      constexpr Scalar Accelerations::*members_[] = {&Accelerations::X, &Accelerations::Y, &Accelerations::r,
+          &Accelerations::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised forces, one along each coordinate.
+  struct GeneralizedForces {
+    Scalar X;  ///< works with the rate of X [N]
+    Scalar Y;  ///< works with the rate of Y [N]
+    Scalar r;  ///< works with the rate of r [N]
+    Scalar phi;  ///< works with the rate of phi [N m]
+    static constexpr int size = 4;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar GeneralizedForces::*member_(int i_) noexcept {
+      constexpr Scalar GeneralizedForces::*members_[] = {&GeneralizedForces::X, &GeneralizedForces::Y,
+          &GeneralizedForces::r, &GeneralizedForces::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Forces and torques of motors, set at each call.
+  struct Inputs {
+    static constexpr int size = 0;
+  };
+
+  /// Multipliers of the constraints, or the reactions that enforce them.
+  struct Multipliers {
+    static constexpr int size = 0;
+  };
+
+  /// Time [s], coordinates and velocities.
+  struct State {
+    Scalar time;
+    Coordinates q;
+    Velocities v;
+  };
+
+  /// Parameters and what depends on them only: built once for each set of parameters.
+  struct Precomputed {
+    Parameters parameters;
+  };
+
+  /// Values of the scene.
+  TORSOR_DEVICE static Parameters default_parameters() noexcept {
+    Parameters parameters{};
+    return parameters;
+  }
+
+  /// To be called again when a parameter changes.
+  TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
+    Precomputed precomputed{};
+    precomputed.parameters = parameters;
+    return precomputed;
+  }
+
+  /// The state the scene starts from, for these parameters.
+  TORSOR_DEVICE static State initial_state(const Parameters&) noexcept {
+    State state{};
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
+    const Scalar n0_125 = traits::constant(0.125, 0.125f, "1/8");
+    const Scalar n10 = traits::constant(10.0, 10.0f, "10/1");
+    state.time = n0;
+    state.q.X = n0;
+    state.q.Y = n0;
+    state.q.r = n0_4;
+    state.q.phi = n0;
+    state.v.X = n0_25;
+    state.v.Y = -n0_125;
+    state.v.r = n0;
+    state.v.phi = n10;
+    return state;
+  }
+  TORSOR_DEVICE static State initial_state() noexcept { return initial_state(default_parameters()); }
+
+  /// Poses, twists and named points in ground axes.
+  struct Kinematics {
+    std::array<Scalar, 3> first_position;  ///< centre of mass of first [m]
+    std::array<Scalar, 9> first_rotation;  ///< from the axes of first to the ground's (3 x 3)
+    std::array<Scalar, 3> first_velocity;  ///< velocity of the centre of mass of first [m/s]
+    std::array<Scalar, 3> first_angular_velocity;  ///< angular velocity of first [rad/s]
+    std::array<Scalar, 3> second_position;  ///< centre of mass of second [m]
+    std::array<Scalar, 9> second_rotation;  ///< from the axes of second to the ground's (3 x 3)
+    std::array<Scalar, 3> second_velocity;  ///< velocity of the centre of mass of second [m/s]
+    std::array<Scalar, 3> second_angular_velocity;  ///< angular velocity of second [rad/s]
+    std::array<Scalar, 3> P1_position;  ///< position of P1 [m]
+    std::array<Scalar, 3> P1_velocity;  ///< velocity of the material point at P1 [m/s]
+    std::array<Scalar, 12> P1_jacobian;  ///< partial velocities of P1 (3 x 4)
+    std::array<Scalar, 3> P2_position;  ///< position of P2 [m]
+    std::array<Scalar, 3> P2_velocity;  ///< velocity of the material point at P2 [m/s]
+    std::array<Scalar, 12> P2_jacobian;  ///< partial velocities of P2 (3 x 4)
+  };
+
+  /// Energies of the mechanism.
+  struct Energy {
+    Scalar kinetic;  ///< kinetic energy T [J]
+    Scalar force_function;  ///< force function U of gravity and springs [J]
+    Scalar power;  ///< power of dampers, given forces and motors [W]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Energy::*member_(int i_) noexcept {
+      constexpr Scalar Energy::*members_[] = {&Energy::kinetic, &Energy::force_function, &Energy::power};
+      return members_[i_];
+    }
+  };
+
+  /// Quantities that every motion conserves.
+  struct FirstIntegrals {
+    Scalar energy;  ///< T - U [J]
+    Scalar momentum_X;  ///< dT/dX' of the cyclic coordinate 'X' [kg m s^-1]
+    Scalar momentum_Y;  ///< dT/dY' of the cyclic coordinate 'Y' [kg m s^-1]
+    Scalar momentum_phi;  ///< dT/dphi' of the cyclic coordinate 'phi' [kg m^2 s^-1]
+    static constexpr int size = 4;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar FirstIntegrals::*member_(int i_) noexcept {
+      constexpr Scalar FirstIntegrals::*members_[] = {&FirstIntegrals::energy, &FirstIntegrals::momentum_X,
+          &FirstIntegrals::momentum_Y, &FirstIntegrals::momentum_phi};
+      return members_[i_];
+    }
+  };
+  static constexpr int first_integral_count = 4;
+
+  /// Matrices of the linearised equations, stored column by column.
+  struct Linearisation {
+    std::array<Scalar, 16> M;  ///< mass matrix (4 x 4)
+    std::array<Scalar, 16> C;  ///< damping and gyroscopic terms (4 x 4)
+    std::array<Scalar, 16> K;  ///< stiffness (4 x 4)
+    std::array<Scalar, 4> F;  ///< right-hand side
+    std::array<Scalar, 64> A;  ///< state matrix of x = (e, e'): x' = A x + B du (8 x 8)
+  };
+
+  /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
+  /// matrices column by column.
+  TORSOR_DEVICE static void kinematics(const Precomputed&, const State& state, Kinematics& result) noexcept {
+    const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
+    const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar q_X = state.q.X;
+    const Scalar v_X = state.v.X;
+    const Scalar q_Y = state.q.Y;
+    const Scalar v_Y = state.v.Y;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar q_r = state.q.r;
+    const Scalar v_r = state.v.r;
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z14 = v_X * c_phi + v_Y * s_phi;
+    const Scalar z15 = v_X * s_phi - v_Y * c_phi;
+    const Scalar z16 = n0_25 * q_r;
+    const Scalar z17 = v_phi * z16 + z15;
+    const Scalar z18 = n0_25 * v_r - z14;  // velocity of first, x
+    const Scalar z19 = n0_75 * q_r;
+    const Scalar z20 = v_phi * z19 - z15;
+    const Scalar z21 = n0_75 * v_r + z14;  // velocity of second, x
+    const Scalar z22 = c_phi * z16;
+    const Scalar z23 = s_phi * z16;
+    const Scalar z24 = q_Y - z23;
+    const Scalar z25 = q_X - z22;
+    const Scalar z26 = s_phi * z17 - c_phi * z18;
+    const Scalar z27 = s_phi * z18 + c_phi * z17;
+    const Scalar z28 = c_phi * z19;
+    const Scalar z29 = s_phi * z19;
+    const Scalar z30 = q_Y + z29;
+    const Scalar z31 = q_X + z28;
+    const Scalar z32 = s_phi * z20 - c_phi * z21;
+    const Scalar z33 = s_phi * z21 + c_phi * z20;
+    const Scalar z34 = q_X - z25;
+    const Scalar z35 = q_Y - z24;
+    const Scalar z36 = n0_25 * c_phi;
+    const Scalar z37 = n0_25 * s_phi;
+    const Scalar z38 = q_X - z31;
+    const Scalar z39 = q_Y - z30;
+    const Scalar z40 = n0_75 * c_phi;
+    const Scalar z41 = n0_75 * s_phi;
+    result.first_position[0] = z25;
+    result.first_position[1] = z24;
+    result.first_position[2] = n0;
+    result.first_rotation[0] = c_phi;
+    result.first_rotation[1] = s_phi;
+    result.first_rotation[2] = n0;
+    result.first_rotation[3] = -s_phi;
+    result.first_rotation[4] = c_phi;
+    result.first_rotation[5] = n0;
+    result.first_rotation[6] = n0;
+    result.first_rotation[7] = n0;
+    result.first_rotation[8] = n1;
+    result.first_velocity[0] = z26;
+    result.first_velocity[1] = -z27;
+    result.first_velocity[2] = n0;
+    result.first_angular_velocity[0] = n0;
+    result.first_angular_velocity[1] = n0;
+    result.first_angular_velocity[2] = v_phi;
+    result.second_position[0] = z31;
+    result.second_position[1] = z30;
+    result.second_position[2] = n0;
+    result.second_rotation[0] = c_phi;
+    result.second_rotation[1] = s_phi;
+    result.second_rotation[2] = n0;
+    result.second_rotation[3] = -s_phi;
+    result.second_rotation[4] = c_phi;
+    result.second_rotation[5] = n0;
+    result.second_rotation[6] = n0;
+    result.second_rotation[7] = n0;
+    result.second_rotation[8] = n1;
+    result.second_velocity[0] = -z32;
+    result.second_velocity[1] = z33;
+    result.second_velocity[2] = n0;
+    result.second_angular_velocity[0] = n0;
+    result.second_angular_velocity[1] = n0;
+    result.second_angular_velocity[2] = v_phi;
+    result.P1_position[0] = z25;
+    result.P1_position[1] = z24;
+    result.P1_position[2] = n0;
+    result.P1_velocity[0] = z26;
+    result.P1_velocity[1] = -z27;
+    result.P1_velocity[2] = n0;
+    result.P1_jacobian[0] = n1;
+    result.P1_jacobian[3] = n0;
+    result.P1_jacobian[6] = -z36;
+    result.P1_jacobian[9] = z35;
+    result.P1_jacobian[1] = n0;
+    result.P1_jacobian[4] = n1;
+    result.P1_jacobian[7] = -z37;
+    result.P1_jacobian[10] = -z34;
+    result.P1_jacobian[2] = n0;
+    result.P1_jacobian[5] = n0;
+    result.P1_jacobian[8] = n0;
+    result.P1_jacobian[11] = n0;
+    result.P2_position[0] = z31;
+    result.P2_position[1] = z30;
+    result.P2_position[2] = n0;
+    result.P2_velocity[0] = -z32;
+    result.P2_velocity[1] = z33;
+    result.P2_velocity[2] = n0;
+    result.P2_jacobian[0] = n1;
+    result.P2_jacobian[3] = n0;
+    result.P2_jacobian[6] = z40;
+    result.P2_jacobian[9] = z39;
+    result.P2_jacobian[1] = n0;
+    result.P2_jacobian[4] = n1;
+    result.P2_jacobian[7] = z41;
+    result.P2_jacobian[10] = -z38;
+    result.P2_jacobian[2] = n0;
+    result.P2_jacobian[5] = n0;
+    result.P2_jacobian[8] = n0;
+    result.P2_jacobian[11] = n0;
+  }
+
+  /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
+  TORSOR_DEVICE static void mass_matrix(const Precomputed&, const State& state, std::array<Scalar, 16>& mass) noexcept {
+    const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
+    const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    const Scalar n4 = traits::constant(4.0, 4.0f, "4/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_r = state.q.r;
+    const Scalar z16 = n0_25 * q_r;
+    const Scalar z19 = n0_75 * q_r;
+    const Scalar z42 = z19 * z19;
+    const Scalar z45 = n3 * z16 * z16;
+    const Scalar z48 = z42 + z45;
+    mass[0] = n4;
+    mass[1] = n0;
+    mass[2] = n0;
+    mass[3] = n0;
+    mass[4] = n0;
+    mass[5] = n4;
+    mass[6] = n0;
+    mass[7] = n0;
+    mass[8] = n0;
+    mass[9] = n0;
+    mass[10] = n0_75;
+    mass[11] = n0;
+    mass[12] = n0;
+    mass[13] = n0;
+    mass[14] = n0;
+    mass[15] = z48;
+  }
+
+  /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
+  /// actions included. M a + h = E u + A' lambda.
+  TORSOR_DEVICE static void bias(const Precomputed&, const State& state, GeneralizedForces& forces) noexcept {
+    const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
+    const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n1_5 = traits::constant(1.5, 1.5f, "3/2");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar v_phi = state.v.phi;
+    const Scalar q_r = state.q.r;
+    const Scalar v_r = state.v.r;
+    const Scalar z16 = n0_25 * q_r;
+    const Scalar z19 = n0_75 * q_r;
+    const Scalar z61 = n0_25 * q_r + z19;
+    const Scalar z62 = n0_75 * q_r + z16;
+    const Scalar z63 = z61 * z61;
+    const Scalar z64 = traits::sqrt(z63);
+    const Scalar z65 = n1 / z64;
+    const Scalar z66 = n3 * z65 * z65 * z65;
+    const Scalar z67 = z61 * z66;
+    const Scalar z68 = z62 * z66;
+    const Scalar z69 = v_phi * v_phi;
+    const Scalar z70 = z16 * z69;
+    const Scalar z71 = n0_5 * v_phi * v_r;
+    const Scalar z72 = z19 * z69;
+    const Scalar z73 = n1_5 * v_phi * v_r;
+    const Scalar z74 = z68 - z72;  // force on second, x
+    const Scalar z75 = z67 - n3 * z70;  // force on first, x
+    const Scalar z76 = n3 * z71;  // force on first, y
+    const Scalar z79 = z16 * z76 + z19 * z73;  // moment on line, z
+    const Scalar z83 = n0_75 * z74 + n0_25 * z75;
+    forces.X = n0;
+    forces.Y = n0;
+    forces.r = z83;
+    forces.phi = z79;
+  }
+
+  /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
+  TORSOR_DEVICE static void inverse_dynamics(const Precomputed&, const State& state, const Accelerations& accelerations,
+      const Multipliers&, GeneralizedForces& forces) noexcept {
+    const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
+    const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n1_5 = traits::constant(1.5, 1.5f, "3/2");
+    const Scalar a_X = accelerations.X;
+    const Scalar a_Y = accelerations.Y;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar a_phi = accelerations.phi;
+    const Scalar q_r = state.q.r;
+    const Scalar v_r = state.v.r;
+    const Scalar a_r = accelerations.r;
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z16 = n0_25 * q_r;
+    const Scalar z19 = n0_75 * q_r;
+    const Scalar z61 = n0_25 * q_r + z19;
+    const Scalar z62 = n0_75 * q_r + z16;
+    const Scalar z63 = z61 * z61;
+    const Scalar z64 = traits::sqrt(z63);
+    const Scalar z65 = n1 / z64;
+    const Scalar z66 = n3 * z65 * z65 * z65;
+    const Scalar z67 = z61 * z66;
+    const Scalar z68 = z62 * z66;
+    const Scalar z69 = v_phi * v_phi;
+    const Scalar z84 = a_X * c_phi + a_Y * s_phi;
+    const Scalar z85 = a_X * s_phi - a_Y * c_phi;
+    const Scalar z86 = n0_25 * a_r - z16 * z69 - z84;
+    const Scalar z87 = n0_5 * v_phi * v_r + a_phi * z16 + z85;
+    const Scalar z88 = n0_75 * a_r - z19 * z69 + z84;
+    const Scalar z89 = n1_5 * v_phi * v_r + a_phi * z19 - z85;
+    const Scalar z90 = z68 + z88;  // force on second, x
+    const Scalar z91 = z67 + n3 * z86;  // force on first, x
+    const Scalar z92 = n3 * z87;  // force on first, y
+    const Scalar z93 = z90 - z91;  // force on line, x
+    const Scalar z94 = z89 - z92;  // force on line, y
+    const Scalar z95 = z16 * z92 + z19 * z89;  // moment on line, z
+    const Scalar z96 = s_phi * z94 - c_phi * z93;
+    const Scalar z97 = s_phi * z93 + c_phi * z94;
+    const Scalar z99 = n0_75 * z90 + n0_25 * z91;
+    forces.X = -z96;
+    forces.Y = z97;
+    forces.r = z99;
+    forces.phi = z95;
+  }
+
+  /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
+  /// an unrolled L D L' of M. Returns singular when a pivot is not
+  /// positive relative to its diagonal entry.
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs&,
+      Accelerations& accelerations, Multipliers&) noexcept {
+    const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
+    const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n1_5 = traits::constant(1.5, 1.5f, "3/2");
+    const Scalar n4 = traits::constant(4.0, 4.0f, "4/1");
+    const Scalar n4_over_3 = traits::constant(1.3333333333333333, 1.3333334f, "4/3");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar q_r = state.q.r;
+    const Scalar v_r = state.v.r;
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z16 = n0_25 * q_r;
+    const Scalar z19 = n0_75 * q_r;
+    const Scalar z42 = z19 * z19;
+    const Scalar z43 = n3 * c_phi;
+    const Scalar z44 = n3 * s_phi;
+    const Scalar z45 = n3 * z16 * z16;
+    const Scalar z46 = n3 * z16;
+    const Scalar z47 = z19 - z46;
+    const Scalar z48 = z42 + z45;
+    const Scalar z49 = s_phi * z47;
+    const Scalar z50 = c_phi * z47;
+    const Scalar z59 = n0_75 * c_phi - n0_25 * z43;
+    const Scalar z60 = n0_75 * s_phi - n0_25 * z44;
+    const Scalar z61 = n0_25 * q_r + z19;
+    const Scalar z62 = n0_75 * q_r + z16;
+    const Scalar z63 = z61 * z61;
+    const Scalar z64 = traits::sqrt(z63);
+    const Scalar z65 = n1 / z64;
+    const Scalar z66 = n3 * z65 * z65 * z65;
+    const Scalar z67 = z61 * z66;
+    const Scalar z68 = z62 * z66;
+    const Scalar z69 = v_phi * v_phi;
+    const Scalar z70 = z16 * z69;
+    const Scalar z71 = n0_5 * v_phi * v_r;
+    const Scalar z72 = z19 * z69;
+    const Scalar z73 = n1_5 * v_phi * v_r;
+    const Scalar z74 = z68 - z72;  // force on second, x
+    const Scalar z75 = z67 - n3 * z70;  // force on first, x
+    const Scalar z76 = n3 * z71;  // force on first, y
+    const Scalar z77 = z74 - z75;  // force on line, x
+    const Scalar z78 = z73 - z76;  // force on line, y
+    const Scalar z79 = z16 * z76 + z19 * z73;  // moment on line, z
+    const Scalar z80 = s_phi * z78 - c_phi * z77;
+    const Scalar z81 = s_phi * z77 + c_phi * z78;
+    const Scalar z83 = n0_75 * z74 + n0_25 * z75;
+    const Scalar z100 = n1 / z48;
+    const Scalar z101 = z49 * z100;
+    const Scalar z102 = z50 * z100;
+    const Scalar z103 = n4 - z49 * z101;
+    const Scalar z104 = z49 * z102;
+    const Scalar z105 = n4 - z50 * z102;
+    const Scalar z106 = n4_over_3 * z59;
+    const Scalar z107 = n4_over_3 * z60;
+    const Scalar z108 = z59 * z106 - z103;
+    const Scalar z109 = z59 * z107 - z104;
+    const Scalar z110 = z60 * z107 - z105;
+    const Scalar z111 = n1 / z110;
+    const Scalar z112 = z109 * z111;
+    const Scalar z113 = z108 - z109 * z112;
+    const Scalar z114 = n1 / z113;
+    const Scalar z115 = z79 * z102 - z81 + z83 * z107;
+    const Scalar z116 = z79 * z101 - z80 - z83 * z106 + z112 * z115;
+    const Scalar z117 = z114 * z116;
+    const Scalar z118 = z111 * z115 + z112 * z117;
+    const Scalar z119 = n4_over_3 * z83 + z106 * z117 - z107 * z118;
+    const Scalar z120 = z79 * z100 - z101 * z117 - z102 * z118;
+    accelerations.X = n0;
+    accelerations.Y = n0;
+    accelerations.r = -z119;
+    accelerations.phi = -z120;
+    if (!(traits::regular(-z113, n4) && traits::regular(-z110, n4) && traits::regular(z48,
+        z48))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (accelerations.r - accelerations.r) + (accelerations.phi - accelerations.phi);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
+  TORSOR_DEVICE static void energy(const Precomputed&, const State& state, const Inputs&, Energy& result) noexcept {
+    const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
+    const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n1_5 = traits::constant(1.5, 1.5f, "3/2");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar v_X = state.v.X;
+    const Scalar v_Y = state.v.Y;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar q_r = state.q.r;
+    const Scalar v_r = state.v.r;
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z14 = v_X * c_phi + v_Y * s_phi;
+    const Scalar z15 = v_X * s_phi - v_Y * c_phi;
+    const Scalar z16 = n0_25 * q_r;
+    const Scalar z17 = v_phi * z16 + z15;
+    const Scalar z18 = n0_25 * v_r - z14;  // velocity of first, x
+    const Scalar z19 = n0_75 * q_r;
+    const Scalar z20 = v_phi * z19 - z15;
+    const Scalar z21 = n0_75 * v_r + z14;  // velocity of second, x
+    const Scalar z61 = n0_25 * q_r + z19;
+    const Scalar z63 = z61 * z61;
+    const Scalar z64 = traits::sqrt(z63);
+    const Scalar z65 = n1 / z64;
+    result.kinetic = n1_5 * (z17 * z17 + z18 * z18) + n0_5 * (z20 * z20 + z21 * z21);
+    result.force_function = n3 * z65;
+    result.power = n0;
+  }
+
+  /// First integrals: constant along every motion.
+  TORSOR_DEVICE static void first_integrals(const Precomputed&, const State& state, FirstIntegrals& result) noexcept {
+    const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
+    const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    const Scalar n1_5 = traits::constant(1.5, 1.5f, "3/2");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar v_X = state.v.X;
+    const Scalar v_Y = state.v.Y;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar q_r = state.q.r;
+    const Scalar v_r = state.v.r;
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z14 = v_X * c_phi + v_Y * s_phi;
+    const Scalar z15 = v_X * s_phi - v_Y * c_phi;
+    const Scalar z16 = n0_25 * q_r;
+    const Scalar z17 = v_phi * z16 + z15;
+    const Scalar z18 = n0_25 * v_r - z14;  // velocity of first, x
+    const Scalar z19 = n0_75 * q_r;
+    const Scalar z20 = v_phi * z19 - z15;
+    const Scalar z21 = n0_75 * v_r + z14;  // velocity of second, x
+    const Scalar z61 = n0_25 * q_r + z19;
+    const Scalar z63 = z61 * z61;
+    const Scalar z64 = traits::sqrt(z63);
+    const Scalar z65 = n1 / z64;
+    const Scalar z122 = n3 * z18;
+    const Scalar z123 = n3 * z17;
+    const Scalar z125 = z20 - z123;
+    const Scalar z126 = z21 - z122;
+    const Scalar z131 = z16 * z123 + z19 * z20;
+    const Scalar z133 = s_phi * z126 + c_phi * z125;
+    const Scalar z134 = s_phi * z125 - c_phi * z126;
+    result.energy = n1_5 * (z17 * z17 + z18 * z18) + n0_5 * (z20 * z20 + z21 * z21) - n3 * z65;
+    result.momentum_X = -z134;
+    result.momentum_Y = z133;
+    result.momentum_phi = z131;
+  }
+
+  /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
+  /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
+  TORSOR_DEVICE static torsor::Status linearisation(const Precomputed&, const State& state,
+      const Accelerations& accelerations, const Multipliers&, const Inputs&, Linearisation& result) noexcept {
+    const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
+    const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n1_5 = traits::constant(1.5, 1.5f, "3/2");
+    const Scalar n4 = traits::constant(4.0, 4.0f, "4/1");
+    const Scalar n4_over_3 = traits::constant(1.3333333333333333, 1.3333334f, "4/3");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n9 = traits::constant(9.0, 9.0f, "9/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar a_X = accelerations.X;
+    const Scalar a_Y = accelerations.Y;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar a_phi = accelerations.phi;
+    const Scalar q_r = state.q.r;
+    const Scalar v_r = state.v.r;
+    const Scalar a_r = accelerations.r;
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z16 = n0_25 * q_r;
+    const Scalar z19 = n0_75 * q_r;
+    const Scalar z42 = z19 * z19;
+    const Scalar z43 = n3 * c_phi;
+    const Scalar z44 = n3 * s_phi;
+    const Scalar z45 = n3 * z16 * z16;
+    const Scalar z46 = n3 * z16;
+    const Scalar z47 = z19 - z46;
+    const Scalar z48 = z42 + z45;
+    const Scalar z49 = s_phi * z47;
+    const Scalar z50 = c_phi * z47;
+    const Scalar z59 = n0_75 * c_phi - n0_25 * z43;
+    const Scalar z60 = n0_75 * s_phi - n0_25 * z44;
+    const Scalar z61 = n0_25 * q_r + z19;
+    const Scalar z62 = n0_75 * q_r + z16;
+    const Scalar z63 = z61 * z61;
+    const Scalar z64 = traits::sqrt(z63);
+    const Scalar z65 = n1 / z64;
+    const Scalar z66 = n3 * z65 * z65 * z65;
+    const Scalar z67 = z61 * z66;
+    const Scalar z68 = z62 * z66;
+    const Scalar z69 = v_phi * v_phi;
+    const Scalar z84 = a_X * c_phi + a_Y * s_phi;
+    const Scalar z85 = a_X * s_phi - a_Y * c_phi;
+    const Scalar z86 = n0_25 * a_r - z16 * z69 - z84;
+    const Scalar z87 = n0_5 * v_phi * v_r + a_phi * z16 + z85;
+    const Scalar z88 = n0_75 * a_r - z19 * z69 + z84;
+    const Scalar z89 = n1_5 * v_phi * v_r + a_phi * z19 - z85;
+    const Scalar z90 = z68 + z88;  // force on second, x
+    const Scalar z91 = z67 + n3 * z86;  // force on first, x
+    const Scalar z92 = n3 * z87;  // force on first, y
+    const Scalar z93 = z90 - z91;  // force on line, x
+    const Scalar z94 = z89 - z92;  // force on line, y
+    const Scalar z95 = z16 * z92 + z19 * z89;  // moment on line, z
+    const Scalar z96 = s_phi * z94 - c_phi * z93;
+    const Scalar z97 = s_phi * z93 + c_phi * z94;
+    const Scalar z99 = n0_75 * z90 + n0_25 * z91;
+    const Scalar z100 = n1 / z48;
+    const Scalar z101 = z49 * z100;
+    const Scalar z102 = z50 * z100;
+    const Scalar z103 = n4 - z49 * z101;
+    const Scalar z104 = z49 * z102;
+    const Scalar z105 = n4 - z50 * z102;
+    const Scalar z106 = n4_over_3 * z59;
+    const Scalar z107 = n4_over_3 * z60;
+    const Scalar z108 = z59 * z106 - z103;
+    const Scalar z109 = z59 * z107 - z104;
+    const Scalar z110 = z60 * z107 - z105;
+    const Scalar z111 = n1 / z110;
+    const Scalar z112 = z109 * z111;
+    const Scalar z113 = z108 - z109 * z112;
+    const Scalar z114 = n1 / z113;
+    const Scalar z135 = n1_5 * v_phi;
+    const Scalar z136 = n0_5 * v_phi;
+    const Scalar z137 = n3 * z136;
+    const Scalar z138 = z135 - z137;
+    const Scalar z139 = s_phi * z138;
+    const Scalar z140 = n0_75 * a_phi;
+    const Scalar z141 = n0_25 * a_phi;
+    const Scalar z142 = n3 * z141;
+    const Scalar z143 = z140 - z142;
+    const Scalar z144 = n2 * z61;
+    const Scalar z145 = n0_5 * z144 / z64;
+    const Scalar z146 = z145 / (z64 * z64);
+    const Scalar z147 = n9 * z65 * z65 * z146;
+    const Scalar z148 = z62 * z147 - z66;
+    const Scalar z149 = n0_75 * z69;
+    const Scalar z150 = z148 + z149;
+    const Scalar z151 = z61 * z147 - z66;
+    const Scalar z152 = n0_25 * z69;
+    const Scalar z153 = z151 + n3 * z152;
+    const Scalar z154 = z150 - z153;
+    const Scalar z155 = s_phi * z143 + c_phi * z154;
+    const Scalar z156 = c_phi * z138;
+    const Scalar z157 = s_phi * z154 - c_phi * z143;
+    const Scalar z158 = n0_75 * z150 + n0_25 * z153;
+    const Scalar z159 = z16 * z137 + z19 * z135;
+    const Scalar z160 = z16 * z142 + z19 * z140 + n0_75 * z89 + n0_25 * z92;
+    const Scalar z161 = n1_5 * v_r;
+    const Scalar z162 = n0_5 * v_r;
+    const Scalar z163 = n3 * z162;
+    const Scalar z164 = z161 - z163;
+    const Scalar z165 = n2 * v_phi;
+    const Scalar z166 = z19 * z165;
+    const Scalar z167 = z16 * z165;
+    const Scalar z168 = n3 * z167;
+    const Scalar z169 = z166 - z168;
+    const Scalar z170 = s_phi * z164 + c_phi * z169;
+    const Scalar z176 = s_phi * z169 - c_phi * z164;
+    const Scalar z178 = n0_75 * z166 + n0_25 * z168;
+    const Scalar z180 = z16 * z163 + z19 * z161;
+    const Scalar z182 = z102 * z160 - z107 * z158 + z157;
+    const Scalar z183 = z101 * z160 + z106 * z158 + z112 * z182 - z155;
+    const Scalar z184 = z114 * z183;
+    const Scalar z185 = z111 * z182 + z112 * z184;
+    const Scalar z186 = z106 * z184 - z107 * z185 - n4_over_3 * z158;
+    const Scalar z187 = z100 * z160 - z101 * z184 - z102 * z185;
+    const Scalar z188 = z102 * z159 - z156;
+    const Scalar z189 = z101 * z159 + z112 * z188 - z139;
+    const Scalar z190 = z114 * z189;
+    const Scalar z191 = z111 * z188 + z112 * z190;
+    const Scalar z193 = z100 * z159 - z101 * z190 - z102 * z191;
+    const Scalar z200 = z102 * z180 - z107 * z178 + z176;
+    const Scalar z201 = z101 * z180 + z106 * z178 + z112 * z200 - z170;
+    const Scalar z202 = z114 * z201;
+    const Scalar z203 = z111 * z200 + z112 * z202;
+    const Scalar z204 = z106 * z202 - z107 * z203 - n4_over_3 * z178;
+    const Scalar z205 = z100 * z180 - z101 * z202 - z102 * z203;
+    result.M[0] = n4;
+    result.M[1] = n0;
+    result.M[2] = n0;
+    result.M[3] = n0;
+    result.M[4] = n0;
+    result.M[5] = n4;
+    result.M[6] = n0;
+    result.M[7] = n0;
+    result.M[8] = n0;
+    result.M[9] = n0;
+    result.M[10] = n0_75;
+    result.M[11] = n0;
+    result.M[12] = n0;
+    result.M[13] = n0;
+    result.M[14] = n0;
+    result.M[15] = z48;
+    result.C[0] = n0;
+    result.C[1] = n0;
+    result.C[2] = n0;
+    result.C[3] = n0;
+    result.C[4] = n0;
+    result.C[5] = n0;
+    result.C[6] = n0;
+    result.C[7] = n0;
+    result.C[8] = n0;
+    result.C[9] = n0;
+    result.C[10] = n0;
+    result.C[11] = z159;
+    result.C[12] = n0;
+    result.C[13] = n0;
+    result.C[14] = -z178;
+    result.C[15] = z180;
+    result.K[0] = n0;
+    result.K[1] = n0;
+    result.K[2] = n0;
+    result.K[3] = n0;
+    result.K[4] = n0;
+    result.K[5] = n0;
+    result.K[6] = n0;
+    result.K[7] = n0;
+    result.K[8] = n0;
+    result.K[9] = n0;
+    result.K[10] = -z158;
+    result.K[11] = z160;
+    result.K[12] = n0;
+    result.K[13] = n0;
+    result.K[14] = n0;
+    result.K[15] = n0;
+    result.F[0] = z96;
+    result.F[1] = -z97;
+    result.F[2] = -z99;
+    result.F[3] = -z95;
+    result.A[0] = n0;
+    result.A[1] = n0;
+    result.A[2] = n0;
+    result.A[3] = n0;
+    result.A[4] = n0;
+    result.A[5] = n0;
+    result.A[6] = n0;
+    result.A[7] = n0;
+    result.A[8] = n0;
+    result.A[9] = n0;
+    result.A[10] = n0;
+    result.A[11] = n0;
+    result.A[12] = n0;
+    result.A[13] = n0;
+    result.A[14] = n0;
+    result.A[15] = n0;
+    result.A[16] = n0;
+    result.A[17] = n0;
+    result.A[18] = n0;
+    result.A[19] = n0;
+    result.A[20] = n0;
+    result.A[21] = n0;
+    result.A[22] = -z186;
+    result.A[23] = -z187;
+    result.A[24] = n0;
+    result.A[25] = n0;
+    result.A[26] = n0;
+    result.A[27] = n0;
+    result.A[28] = n0;
+    result.A[29] = n0;
+    result.A[30] = n0;
+    result.A[31] = n0;
+    result.A[32] = n1;
+    result.A[33] = n0;
+    result.A[34] = n0;
+    result.A[35] = n0;
+    result.A[36] = n0;
+    result.A[37] = n0;
+    result.A[38] = n0;
+    result.A[39] = n0;
+    result.A[40] = n0;
+    result.A[41] = n1;
+    result.A[42] = n0;
+    result.A[43] = n0;
+    result.A[44] = n0;
+    result.A[45] = n0;
+    result.A[46] = n0;
+    result.A[47] = n0;
+    result.A[48] = n0;
+    result.A[49] = n0;
+    result.A[50] = n1;
+    result.A[51] = n0;
+    result.A[52] = n0;
+    result.A[53] = n0;
+    result.A[54] = n0;
+    result.A[55] = -z193;
+    result.A[56] = n0;
+    result.A[57] = n0;
+    result.A[58] = n0;
+    result.A[59] = n1;
+    result.A[60] = n0;
+    result.A[61] = n0;
+    result.A[62] = -z204;
+    result.A[63] = -z205;
+    if (!(traits::regular(-z113, n4) && traits::regular(-z110, n4) && traits::regular(z48,
+        z48))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (result.M[15] - result.M[15]) + (result.C[11] - result.C[11]) + (result.C[14] - result.C[14])
+        + (result.C[15] - result.C[15]) + (result.K[10] - result.K[10]) + (result.K[11] - result.K[11]) + (result.F[0]
+        - result.F[0]) + (result.F[1] - result.F[1]) + (result.F[2] - result.F[2]) + (result.F[3] - result.F[3])
+        + (result.A[22] - result.A[22]) + (result.A[23] - result.A[23]) + (result.A[55] - result.A[55]) + (result.A[62]
+        - result.A[62]) + (result.A[63] - result.A[63]);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+};
+
+}  // namespace mutual_gravitation
