@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "generator/dynamics/point_motion.hpp"
 #include "generator/emission/kernel_parts.hpp"
 
 namespace torsor {
@@ -40,6 +41,12 @@ class KinematicsBuilder {
     add_vector(point.name + "_position", "position of " + point.name + " [m]", model_.locate(place, link, 0));
     add_vector(point.name + "_velocity", "velocity of the material point at " + point.name + " [m/s]",
                velocity_of(twists_[static_cast<std::size_t>(link)], place, link));
+    const Vector moved = time_derivative(place);
+    if (!moved.is_zero()) {
+      add_vector(point.name + "_geometric_velocity",
+                 "velocity of the point " + point.name + " itself, which moves in its frame [m/s]",
+                 model_.express(velocity(model_, {link, place}, 0), link, 0));
+    }
     const Vector in_ground = bound(program_, model_.locate(place, link, 0));
     const auto n = static_cast<std::size_t>(model_.unknown_count());
     const std::string member = point.name + "_jacobian";

@@ -109,6 +109,43 @@ TEST_P(RandomFrames, HaveAnAccelerationFieldThatIsTheSecondDerivativeOfPositions
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomFrames, ::testing::Range(300U, 312U));
 
+/// A ball joint between two arms, its orientation a unit quaternion: angular velocities there are quasi-velocities.
+TEST(FramesOfAQuaternion, MoveAsTheirPositionsDifferentiated) {
+  const WorkingDigits precision(50);
+  Scene scene("ball_joint");
+  const FrameHandle base = scene.revolute("base", scene.ground(), axis::x, scene.coordinate("a", "rad"));
+  const FrameHandle ball = scene.spherical("ball", base, scene.attitude("e"), {.origin = {0, metres("0.7"), 0}});
+  const FrameHandle tip =
+      scene.revolute("tip", ball, axis::y, scene.coordinate("b", "rad"), {.origin = {metres("0.4"), 0, 0}});
+  scene.body("tip", tip, Inertia::point(Expression::quantity("1", "kg")).at({0, 0, metres("0.2")}));
+  const Equations equations(scene);
+  const Model& model = equations.model();
+  Program& program = equations.program();
+  const RandomState state(scene, 17);
+  Evaluator<Real> evaluate(program, state.in_real());
+  const auto size = [&](const Vector& v) {
+    double sum = 0;
+    for (int i = 0; i < 3; ++i) sum += abs(evaluate(v[i])).to_double();
+    return sum;
+  };
+  const Vector place(program.number(Number::rational(1, 3), units::metre), Value(),
+                     program.number(Number::rational(4, 5), units::metre));
+  const int links = static_cast<int>(model.links().size());
+  for (int link = 0; link < links; ++link) {
+    for (int reference = 0; reference < links; ++reference) {
+      const BodyMotion motion = body_motion(model, link, reference);
+      const Vector position = bound(program, model.locate(place, link, reference));
+      const Vector velocity = bound(program, time_derivative(position));
+      const Vector v = model.express(bound(program, motion.velocity_at(place)), link, reference);
+      const Vector gamma = model.express(bound(program, motion.acceleration_at(place)), link, reference);
+      // Everything is of order ten: 50 digits leave far less than 1e-45.
+      EXPECT_LT(size(v - velocity), 1e-45) << link << " in " << reference;
+      EXPECT_LT(size(gamma - time_derivative(velocity)), 1e-45) << link << " in " << reference;
+    }
+  }
+  EXPECT_EQ(recognise_motion(model, model.place(ball, "test").link, 1).kind, MotionKind::rotation);
+}
+
 /// Two arms in a plane, a slide across the second, and a screw that advances 0.3 m per radian.
 class NamedMotions : public ::testing::Test {
  protected:
