@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every joint twice: as coordinates of a tree, and as constraints on a free body. Both must move alike.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "generator/dynamics/equations.hpp"
+#include "generator/dynamics/validation.hpp"
+#include "generator/expression/error.hpp"
+#include "generator/expression/evaluation.hpp"
+#include "generator/mechanics/scene.hpp"
+
+namespace {
+
+using namespace torsor;
+using namespace torsor::literals;
+
+constexpr int digits = 60;
+using Numbers = std::array<Real, 3>;
+
+Number pitch_value() { return Number::rational(3, 17); }
+Expression pitch() { return Expression::quantity(pitch_value(), units::metre); }
+
+Placement placement() {
+  const auto metres = [](int numerator) { return Expression::quantity(Number::rational(numerator, 7), units::metre); };
+  return {{metres(2), metres(-3), metres(5)}, Rotation::about(0, 5) * Rotation::about(2, 3)};
+}
+
+void add_body(Scene& scene) {
+  const auto kg = [](int n) { return Expression::quantity(Number::rational(n, 11), units::kilogram_metre_squared); };
+  const auto metres = [](int numerator) { return Expression::quantity(Number::rational(numerator, 9), units::metre); };
+  const Expression mass = Expression::quantity(Number::rational(13, 10), units::kilogram);
+  scene.body("body", "b", Inertia::general(mass, kg(20), kg(23), kg(29), kg(1), kg(-2), kg(3)).at({metres(1), metres(-2), metres(4)}));
+  const auto gravity = [](int n) { return Expression::quantity(Number::rational(n, 3), units::metre_per_second_squared); };
+  scene.gravity({gravity(2), gravity(-5), gravity(-27)});
+}
+
+Scene tree(JointType type) {
+  Scene s("tree");
+  const FrameHandle ground = s.ground();
+  const Placement at = placement();
+  const auto length = [&s](const char* name) { return s.coordinate(name, "m"); };
+  const auto angle = [&s](const char* name) { return s.coordinate(name, "rad"); };
+  switch (type) {
+    case JointType::revolute: s.revolute("b", ground, axis::x, angle("a"), at); break;
+    case JointType::prismatic: s.prismatic("b", ground, axis::x, length("x"), at); break;
+    case JointType::helical: s.helical("b", ground, axis::x, angle("a"), pitch(), at); break;
+    case JointType::cylindrical: {
+      const Expression x = length("x");
+      s.cylindrical("b", ground, axis::x, x, angle("a"), at);
+      break;
+    }
+    case JointType::universal: {
+      const Expression a = angle("a");
+      s.universal("b", ground, axis::x, a, axis::y, angle("b"), at);
+      break;
+    }
+    case JointType::spherical: {
+      const Expression a = angle("a");
+      const Expression b = angle("b");
+      s.spherical("b", ground, AngleSequence{{2, 1, 0}}, {a, b, angle("c")}, at);
+      break;
+    }
+    case JointType::planar: {
+      const Expression x = length("x");
+      const Expression y = length("y");
+      s.planar("b", ground, x, y, angle("a"), at);
+      break;
+    }
+    case JointType::line_contact: {
+      const Expression x = length("x");
+      const Expression y = length("y");
+      const Expression a = angle("a");
+      s.line_contact("b", ground, x, y, a, angle("b"), at);
+      break;
+    }
+    case JointType::sphere_in_cylinder: {
+      const Expression x = length("x");
+      s.sphere_in_cylinder("b", ground, axis::x, x, s.attitude("turn"), at);
+      break;
+    }
+    case JointType::point_contact: {
+      const Expression x = length("x");
+      const Expression y = length("y");
+      const Expression a = angle("a");
+      const Expression b = angle("b");
+      s.point_contact("b", ground, x, y, AngleSequence::cardan, {a, b, angle("c")}, at);
+      break;
+    }
+    case JointType::weld:
+    case JointType::free: break;
+  }
+  add_body(s);
+  return s;
+}
+
+Scene closed(JointType type) {
+  Scene s("closed");
+  const Expression x = s.coordinate("x", "m");
+  const Expression y = s.coordinate("y", "m");
+  const Expression z = s.coordinate("z", "m");
+  s.free("b", s.ground(), {x, y, z}, s.attitude("turn"));
+  s.weld("a", s.ground(), placement());
+  s.close("joint", type, "a", "b", type == JointType::helical ? pitch() : Expression(0));
+  add_body(s);
+  return s;
+}
+
+/// Symbols by name.
+class State {
+ public:
+  void set(const std::string& name, const Real& value) { values_.insert_or_assign(name, value); }
+  Evaluator<Real>::SymbolValue reader() const {
+    return [this](const SymbolPointer& symbol) {
+      if (symbol->kind == SymbolKind::pi) return Real::pi();
+      return values_.at(symbol->name);
+    };
+  }
+
+ private:
+  std::map<std::string, Real> values_;
+};
+
+Numbers evaluate(Evaluator<Real>& at, const Vector& v) { return {at(v[0]), at(v[1]), at(v[2])}; }
+
+/// A unit quaternion of the rotation whose columns are given, by its largest component.
+std::array<Real, 4> quaternion(const std::array<Numbers, 3>& column) {
+  const auto r = [&](std::size_t i, std::size_t j) { return column[j][i]; };
+  const Real one(1);
+  const std::array<Real, 4> squares{one + r(0, 0) + r(1, 1) + r(2, 2), one + r(0, 0) - r(1, 1) - r(2, 2),
+                                    one - r(0, 0) + r(1, 1) - r(2, 2), one - r(0, 0) - r(1, 1) + r(2, 2)};
+  std::size_t k = 0;
+  for (std::size_t i = 1; i < 4; ++i) {
+    if (squares[i] > squares[k]) k = i;
+  }
+  const Real big = sqrt(squares[k]);
+  const Real wx = r(2, 1) - r(1, 2), wy = r(0, 2) - r(2, 0), wz = r(1, 0) - r(0, 1);
+  const Real xy = r(0, 1) + r(1, 0), yz = r(1, 2) + r(2, 1), zx = r(2, 0) + r(0, 2);
+  const std::array<std::array<Real, 4>, 4> products{{{big * big, wx, wy, wz}, {wx, big * big, xy, zx}, {wy, xy, big * big, yz}, {wz, zx, yz, big * big}}};
+  std::array<Real, 4> e;
+  for (std::size_t i = 0; i < 4; ++i) e[i] = products[k][i] / (Real(2) * big);
+  return e;
+}
+
+class EveryJoint : public ::testing::TestWithParam<JointType> {};
+
+TEST_P(EveryJoint, HasAsManyFreedomsInTheTreeAsTheTableSays) {
+  const Scene scene = tree(GetParam());
+  EXPECT_EQ(Equations(scene).model().unknown_count(), freedom_count(GetParam()));
+  EXPECT_EQ(closed(GetParam()).content().constraints.size(), static_cast<std::size_t>(6 - freedom_count(GetParam())));
+  EXPECT_NO_THROW(validate(scene));
+}
+
+TEST_P(EveryJoint, MovesTheSameAsCoordinatesAndAsConstraints) {
+  const WorkingDigits precision(digits);
+  const Equations one(tree(GetParam()));
+  const Model& model = one.model();
+  Program& program = one.program();
+
+  // Any state of the tree; angles of some tenths keep clear of singular sequences.
+  State state;
+  int k = 0;
+  for (const SymbolPointer& q : model.positions()) state.set(q->name, Real(Number::rational(2 + 3 * k++, 11), digits));
+  for (const auto& attitude : model.scene().attitudes) {
+    const std::array<int, 4> e{1, 3, -5, 1};  // norm 6
+    for (std::size_t i = 0; i < 4; ++i) state.set(attitude.symbols->e[i]->name, Real(Number::rational(e[i], 6), digits));
+  }
+  for (int i = 0; i < model.unknown_count(); ++i) {
+    state.set(model.coordinates()[static_cast<std::size_t>(i)].v->name, Real(Number::rational(7 - 4 * i, 5), digits));
+  }
+  Evaluator<Real> still(program, state.reader());
+  const std::vector<Real> rates = still(one.forward().accelerations);
+  for (std::size_t i = 0; i < rates.size(); ++i) state.set(model.coordinates()[i].a->name, rates[i]);
+  Evaluator<Real> here(program, state.reader());
+
+  // Pose, twist and accelerations of the body's frame.
+  const int link = model.place("b", "test").link;
+  std::array<Numbers, 3> columns;
+  for (int i = 0; i < 3; ++i) {
+    Vector axis;
+    axis[i] = program.number(Number(1));
+    columns[static_cast<std::size_t>(i)] = evaluate(here, model.express(axis, link, 0));
+  }
+  const Numbers position = evaluate(here, model.locate(Vector(), link, 0));
+  const Twist twist = twists(model)[static_cast<std::size_t>(link)];
+  const Numbers velocity = evaluate(here, model.express(twist.linear, link, 0));
+  const Numbers omega = evaluate(here, twist.angular);
+  const std::vector<Axes> axes(model.links().size(), Axes::own);
+  std::vector<Acceleration> all = accelerations(model, AccelerationInput::symbols, axes);
+  const Acceleration& motion = all[static_cast<std::size_t>(link)];
+  Numbers linear = evaluate(here, model.express(motion.linear(), link, 0));
+  const Numbers gravity = evaluate(here, lower(program, model.scene().gravity));
+  for (std::size_t i = 0; i < 3; ++i) linear[i] += gravity[i];
+  const Numbers angular = evaluate(here, motion.angular());
+
+  // The same state of the free body.
+  const Equations two(closed(GetParam()));
+  State free;
+  const std::array<Real, 4> e = quaternion(columns);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::string letter(1, "xyz"[i]);
+    free.set(letter, position[i]);
+    free.set(letter + "'", velocity[i]);
+    free.set("turn_omega_" + letter, omega[i]);
+    free.set("turn_" + letter, e[i + 1]);
+  }
+  free.set("turn_w", e[0]);
+  Evaluator<Real> there(two.program(), free.reader());
+  for (const ConstraintRow& row : two.constraints()) {
+    EXPECT_LT(abs(there(row.value)).to_double(), 1e-50) << row.name;
+    EXPECT_LT(abs(there(row.rate)).to_double(), 1e-50) << row.name;
+  }
+  const std::vector<Real> found = there(two.forward().accelerations);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_LT(abs(found[i] - linear[i]).to_double(), 1e-45) << "acceleration " << i;
+    EXPECT_LT(abs(found[i + 3] - angular[i]).to_double(), 1e-45) << "angular acceleration " << i;
+  }
+}
+
+std::string name_of(const ::testing::TestParamInfo<JointType>& info) {
+  std::string name(to_string(info.param));
+  for (char& c : name) {
+    if (c == ' ') c = '_';
+  }
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, EveryJoint,
+                         ::testing::Values(JointType::revolute, JointType::prismatic, JointType::helical,
+                                           JointType::cylindrical, JointType::universal, JointType::spherical,
+                                           JointType::planar, JointType::line_contact, JointType::sphere_in_cylinder,
+                                           JointType::point_contact),
+                         name_of);
+
+// Multipliers of a closing joint are components of the force and of the moment on b: a welded body at rest hangs on the
+// opposite of its weight and of its moment about the joint.
+TEST(ClosingJoint, HasMultipliersThatAreComponentsOfItsWrench) {
+  const WorkingDigits precision(digits);
+  Scene s("hung");
+  const Expression x = s.coordinate("x", "m");
+  const Expression y = s.coordinate("y", "m");
+  const Expression z = s.coordinate("z", "m");
+  s.free("b", s.ground(), {x, y, z}, s.attitude("turn"));
+  s.close("joint", JointType::weld, s.ground(), "b");
+  add_body(s);
+  const Equations equations(s);
+  State state;
+  for (const char* name : {"x", "y", "z", "x'", "y'", "z'", "turn_x", "turn_y", "turn_z", "turn_omega_x",
+                           "turn_omega_y", "turn_omega_z"}) {
+    state.set(name, Real(0));
+  }
+  state.set("turn_w", Real(1));
+  Evaluator<Real> at(equations.program(), state.reader());
+  for (const Real& a : at(equations.forward().accelerations)) EXPECT_LT(abs(a).to_double(), 1e-45);
+  const std::vector<Real> wrench = at(equations.forward().multipliers);
+  // m = 13/10, g = (2, -5, -27)/3, centre (1, -2, 4)/9: force -m g, moment -c x m g.
+  const Number m = Number::rational(13, 10);
+  const std::array<Number, 3> f{Number::rational(-2, 3) * m, Number::rational(5, 3) * m, Number(9) * m};
+  const std::array<Number, 3> c{Number::rational(1, 9), Number::rational(-2, 9), Number::rational(4, 9)};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    EXPECT_LT(abs(wrench[i] - Real(f[i], digits)).to_double(), 1e-45) << i;
+    EXPECT_LT(abs(wrench[i + 3] - Real(c[j] * f[k] - c[k] * f[j], digits)).to_double(), 1e-45) << i;
+  }
+}
+
+TEST(ClosingJoint, AsksForAPitchWhereThereIsOne) {
+  Scene s("wrong");
+  const FrameHandle b = s.revolute("b", s.ground(), axis::x, s.coordinate("a", "rad"));
+  EXPECT_THROW(s.close("screw", JointType::helical, s.ground(), b), SceneError);
+  EXPECT_THROW(s.close("hinge", JointType::revolute, s.ground(), b, pitch()), SceneError);
+  EXPECT_THROW(s.close("nothing", JointType::free, s.ground(), b), SceneError);
+  EXPECT_THROW(s.close("screw", JointType::helical, s.ground(), b, Expression::quantity("1", "s")), UnitError);
+}
+
+TEST(Attitude, IsRefusedInTwoJoints) {
+  Scene s("twice");
+  const AttitudeHandle turn = s.attitude("turn");
+  s.spherical("b", s.ground(), turn);
+  EXPECT_THROW(s.spherical("c", s.ground(), turn), SceneError);
+}
+
+TEST(Attitude, IsRefusedWhenItTurnsNothing) {
+  Scene s("idle");
+  const Expression a = s.coordinate("a", "rad");
+  s.revolute("b", s.ground(), axis::x, a);
+  s.attitude("turn");
+  add_body(s);
+  EXPECT_THROW(validate(s), SceneError);
+}
+
+}  // namespace
