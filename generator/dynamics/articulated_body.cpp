@@ -266,7 +266,7 @@ bool has_simple_joints(const Model& model) {
     std::size_t unknowns = 0;
     for (const auto& [i, partial] : link.partials) {
       if (i >= model.unknown_count()) continue;
-      if (!partial.is_number(1)) return false;
+      if (!partial.is_number(1) || !partial.unit().is_dimensionless()) return false;  // a pitch of 1 m is none
       // A displacement q + f(t) has another second derivative than q.
       if (!(link.acceleration - model.a(i)).is_zero()) return false;
       ++unknowns;

@@ -126,9 +126,7 @@ class SceneCheck {
         check_energy(here, moving, power, report.explicit_rate, lambda, there);
       }
     }
-    std::vector<CheckResult> results = collect();
-    for (CheckResult& result : check_kernels(scene_, options_)) results.push_back(std::move(result));
-    return results;
+    return collect();
   }
 
  private:
@@ -208,8 +206,14 @@ class SceneCheck {
 
 }  // namespace
 
-std::vector<CheckResult> check_scene(const Scene& scene, const CheckOptions& options) {
+std::vector<CheckResult> check_derivations(const Scene& scene, const CheckOptions& options) {
   return SceneCheck(scene, options).run();
+}
+
+std::vector<CheckResult> check_scene(const Scene& scene, const CheckOptions& options) {
+  std::vector<CheckResult> results = check_derivations(scene, options);
+  for (CheckResult& result : check_kernels(scene, options)) results.push_back(std::move(result));
+  return results;
 }
 
 }  // namespace torsor

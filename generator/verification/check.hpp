@@ -27,5 +27,7 @@ struct CheckOptions {
 /// constraints and their reactions, forward against inverse dynamics, and the double kernels against CLN.
 /// A relative difference is ‖x − y‖ over the size of what was added to make x, never below ‖x‖.
 std::vector<CheckResult> check_scene(const Scene& scene, const CheckOptions& options);
+/// The same without the double kernels.
+std::vector<CheckResult> check_derivations(const Scene& scene, const CheckOptions& options);
 
 }  // namespace torsor

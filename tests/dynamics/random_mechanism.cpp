@@ -18,9 +18,16 @@ class Builder {
 
   Scene build() {
     gravity_ = scene_.parameter("gravity", "m/s^2", fraction());
-    const int bodies = 1 + below(5);
+    const int bodies = 1 + below(options_.most_bodies);
     frames_.push_back(scene_.ground());
-    for (int k = 0; k < bodies; ++k) add_body(k);
+    for (int k = 0; k < bodies; ++k) {
+      if (options_.joints && k > 0 && one_in(2)) {
+        add_body_on_any_joint(k);
+      } else {
+        add_body(k);
+      }
+    }
+    if (options_.loops) add_loop();
     // A simple pendulum at the root keeps the first coordinate heavy whatever else was drawn.
     const Expression g = gravity_;
     scene_.gravity({0, g / 3, -g});
@@ -123,6 +130,85 @@ class Builder {
     if (one_in(4)) attach(name + "_flange", scene_.weld(name + "_flange", frame, placement()));
   }
 
+  /// A body on a joint of several freedoms, each a coordinate of its own.
+  void add_body_on_any_joint(int k) {
+    const std::string name = "body" + std::to_string(k);
+    const FrameHandle parent = frames_[static_cast<std::size_t>(below(static_cast<int>(frames_.size())))];
+    const Placement place = placement();
+    int count = 0;
+    const auto fresh = [&](const char* unit) {
+      const Expression q = scene_.coordinate("q" + std::to_string(k) + "_" + std::to_string(count++), unit);
+      unknowns_.push_back(q);
+      return q;
+    };
+    const auto attitude = [&] { return scene_.attitude("turn" + std::to_string(k)); };
+    FrameHandle frame;
+    switch (below(8)) {
+      case 0: {
+        const Expression angle = fresh("rad");
+        const Expression pitch = quantity("m");
+        frame = scene_.helical(name, parent, axis(), angle, pitch, place);
+        break;
+      }
+      case 1: {
+        const Expression x = fresh("m");
+        const Expression angle = fresh("rad");
+        frame = scene_.cylindrical(name, parent, axis(), x, angle, place);
+        break;
+      }
+      case 2: {
+        const Expression first = fresh("rad");
+        const Expression second = fresh("rad");
+        frame = scene_.universal(name, parent, axis::z, first, axis::x, second, place);
+        break;
+      }
+      case 3: frame = scene_.spherical(name, parent, attitude(), place); break;
+      case 4: {
+        const Expression x = fresh("m");
+        const Expression y = fresh("m");
+        const Expression angle = fresh("rad");
+        frame = scene_.planar(name, parent, x, y, angle, place);
+        break;
+      }
+      case 5: {
+        const Expression x = fresh("m");
+        const Expression y = fresh("m");
+        const Expression yaw = fresh("rad");
+        const Expression roll = fresh("rad");
+        frame = scene_.line_contact(name, parent, x, y, yaw, roll, place);
+        break;
+      }
+      case 6: {
+        const Expression x = fresh("m");
+        frame = scene_.sphere_in_cylinder(name, parent, axis(), x, attitude(), place);
+        break;
+      }
+      default: {
+        const Expression x = fresh("m");
+        const Expression y = fresh("m");
+        frame = scene_.point_contact(name, parent, x, y, attitude(), place);
+        break;
+      }
+    }
+    frames_.push_back(frame);
+    attach(name, frame);
+  }
+
+  /// Constraints of one joint on the six freedoms of a free body are independent whatever it is tied to.
+  void add_loop() {
+    if (!one_in(2)) return;
+    const Expression x = scene_.coordinate("loop_x", "m");
+    const Expression y = scene_.coordinate("loop_y", "m");
+    const Expression z = scene_.coordinate("loop_z", "m");
+    const FrameHandle frame = scene_.free("looped", scene_.ground(), {x, y, z}, scene_.attitude("loop_turn"));
+    attach("looped", frame);
+    const FrameHandle near = scene_.weld("near", frame, placement());
+    const FrameHandle far = scene_.weld("far", frames_.back(), placement());
+    const JointType type = static_cast<JointType>(1 + below(10));  // revolute to point contact
+    const Expression pitch = type == JointType::helical ? quantity("m") : Expression(0);
+    scene_.close("loop_joint", type, far, near, pitch);
+  }
+
   void attach(const std::string& name, const FrameHandle& frame) {
     const Expression mass = scene_.parameter("m_" + name, "kg", fraction());
     // A solid box of these edges, so that the operator is that of a true body; products of inertia by its own axes.
@@ -139,7 +225,9 @@ class Builder {
     if (!one_in(2)) return;
     const FrameHandle parent = frames_.back();
     const bool angle = one_in(2);
-    const Expression held = scene_.released_coordinate("held", angle ? "rad" : "m");
+    const char* unit = angle ? "rad" : "m";
+    const Expression held = options_.held ? scene_.coordinate("held", unit) : scene_.released_coordinate("held", unit);
+    if (options_.held) scene_.holonomic("hold", held);
     const FrameHandle frame = angle ? scene_.revolute("released", parent, axis(), held, placement())
                                     : scene_.prismatic("released", parent, axis(), held, placement());
     attach("released", frame);

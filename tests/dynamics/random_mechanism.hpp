@@ -12,6 +12,10 @@ struct RandomMechanismOptions {
   bool driven = true;       ///< laws of time
   bool released = true;     ///< a released coordinate
   bool constraints = true;  ///< holonomic, non-holonomic and closure constraints
+  bool joints = false;      ///< every joint of the table instead of revolute and prismatic ones, quaternions included
+  bool loops = false;       ///< a free body tied to another one by a joint of the table
+  bool held = false;        ///< a constraint holds what `released` would release: the same mechanism by another road
+  int most_bodies = 5;
 };
 
 /// A tree of one to five bodies with random joints (revolute and prismatic, aligned and skew axes, some displaced by
