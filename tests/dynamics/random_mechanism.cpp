@@ -322,7 +322,7 @@ class Builder {
     const auto& constraints = scene_.content().constraints;
     const bool wanted = one_in(2);
     for (std::size_t j = 0; wanted && j < constraints.size(); ++j) {
-      if (!(constraints[j].multiplier->unit == units::newton)) continue;
+      if (!(constraints[j].multiplier->unit == units::newton) || constraints[j].name == "hold") continue;
       const std::string tip = std::to_string(frames_.size() - 1);
       const ConstraintHandle normal{static_cast<int>(j)};
       scene_.sliding_friction("friction", normal, Expression(fraction()) / 10, frames_.back(),
