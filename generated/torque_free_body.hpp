@@ -1,0 +1,649 @@
+// SPDX-License-Identifier: MIT
+// torque_free_body: Rigid body without any torque
+// Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
+// Free to embed under the MIT licence.
+//
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, linearisation
+// Parameters set at run time: I1, I2, I3
+//
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
+// moved across joints, factoring, and what is done once for a set of parameters:
+//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   precompute                3                0          3             0                  0       0      6       -
+//   kinematics               18               27          0             0                  0       0     45      45
+//   mass_matrix               0                0          0             0                  0       0      0       0
+//   bias                      0                6          0             0                  0       0      6       9
+//   inverse_dynamics          3                9          0             0                  0       0     12      15
+//   forward_dynamics          0                9          0             0                  0       0      9      15
+//   energy                    2                7          0             0                  0       0      9      11
+//   first_integrals           2                7          0             0                  0       0      9      11
+//   linearisation             3               21          0             0                  0       0     24      30
+//
+// Not computed because this mechanism does not need it:
+//   kinematics: of 18 results 6 vanish identically
+//   mass_matrix: of 9 results 6 vanish identically
+//   energy: of 3 results 2 vanish identically
+//   constraints: left out, the scene has no constraints
+//   reactions: left out, the scene releases no joint direction (released_coordinate)
+//   linearisation: of 66 results 45 vanish identically
+//
+// To write this file again:
+//   torque_free_body_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output torque_free_body.hpp
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#ifndef TORSOR_KERNEL_SUPPORT
+#define TORSOR_KERNEL_SUPPORT 1
+// Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
+#ifndef TORSOR_DEVICE
+#define TORSOR_DEVICE
+#endif
+
+namespace torsor {
+
+/// What a kernel says about its results; the larger, the worse.
+enum class Status : int { ok = 0, singular = 1, not_finite = 2 };
+
+/// What a kernel needs of its scalar. This one serves float and double; specialise it, once a header is included, for
+/// any other (a pack of several states, a high-precision number).
+template <class Scalar>
+struct scalar_traits {
+  static_assert(sizeof(Scalar) == sizeof(float) || sizeof(Scalar) == sizeof(double),
+                "specialise torsor::scalar_traits for a scalar that is neither float nor double");
+  static constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+
+  /// A number, rounded for either format. `exact` is "num/den", or "a;b;c;d" for a + b sqrt(2) + c sqrt(3) + d sqrt(6).
+  TORSOR_DEVICE static constexpr Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    return is_float ? static_cast<Scalar>(in_float) : static_cast<Scalar>(in_double);
+  }
+  /// The same for a number that is no such sum: a callable computes it where literals are not precise enough.
+  template <class Callable>
+  TORSOR_DEVICE static constexpr Scalar formula(double in_double, float in_float, const Callable&) noexcept {
+    return constant(in_double, in_float, nullptr);
+  }
+  TORSOR_DEVICE static constexpr Scalar pi() noexcept { return constant(3.141592653589793, 3.1415927f, nullptr); }
+  TORSOR_DEVICE static constexpr Scalar select(bool condition, Scalar if_true, Scalar if_false) noexcept {
+    return condition ? if_true : if_false;
+  }
+  TORSOR_DEVICE static void sincos(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
+    sine = std::sin(angle);
+    cosine = std::cos(angle);
+  }
+  TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
+  TORSOR_DEVICE static Scalar exp(const Scalar& x) noexcept { return std::exp(x); }
+  TORSOR_DEVICE static Scalar log(const Scalar& x) noexcept { return std::log(x); }
+  /// Whether a pivot is positive beyond the rounding of the diagonal entry it came from; not when it is not a number.
+  TORSOR_DEVICE static bool regular(const Scalar& pivot, const Scalar& diagonal) noexcept {
+    return pivot > constant(0x1p-52, 0x1p-23f, nullptr) * std::abs(diagonal);
+  }
+};
+
+}  // namespace torsor
+#elif TORSOR_KERNEL_SUPPORT != 1
+#error "headers of incompatible versions of torsor meet here: write them again with one version"
+#endif
+
+namespace torque_free_body {
+
+/// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
+/// M a + h = E u + A' lambda and A a + gamma = 0, with a the accelerations and u the inputs; units are SI.
+template <class Scalar>
+struct Mechanism {
+  using traits = torsor::scalar_traits<Scalar>;
+
+  static constexpr const char* name = "torque_free_body";
+  static constexpr int coordinate_count = 4;
+  static constexpr int velocity_count = 3;
+  static constexpr int input_count = 0;
+  static constexpr int parameter_count = 3;
+  static constexpr int multiplier_count = 0;
+  /// Indices in q of the first components (w) of the unit quaternions (w, x, y, z).
+  static constexpr int quaternion_count = 1;
+  static constexpr int quaternions[] = {0};
+
+  /// Parameters that are set at run time.
+  struct Parameters {
+    Scalar I1;  ///< parameter [kg m^2]
+    Scalar I2;  ///< parameter [kg m^2]
+    Scalar I3;  ///< parameter [kg m^2]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Parameters::*member_(int i_) noexcept {
+      constexpr Scalar Parameters::*members_[] = {&Parameters::I1, &Parameters::I2, &Parameters::I3};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised coordinates q.
+  struct Coordinates {
+    Scalar e_w;  ///< component of a unit quaternion [rad or 1]
+    Scalar e_x;  ///< component of a unit quaternion [rad or 1]
+    Scalar e_y;  ///< component of a unit quaternion [rad or 1]
+    Scalar e_z;  ///< component of a unit quaternion [rad or 1]
+    static constexpr int size = 4;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Coordinates::*member_(int i_) noexcept {
+      constexpr Scalar Coordinates::*members_[] = {&Coordinates::e_w, &Coordinates::e_x, &Coordinates::e_y,
+          &Coordinates::e_z};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised velocities v; coordinate_rates gives dq/dt.
+  struct Velocities {
+    Scalar e_omega_x;  ///< angular velocity, in moving axes [rad/s]
+    Scalar e_omega_y;  ///< angular velocity, in moving axes [rad/s]
+    Scalar e_omega_z;  ///< angular velocity, in moving axes [rad/s]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Velocities::*member_(int i_) noexcept {
+      constexpr Scalar Velocities::*members_[] = {&Velocities::e_omega_x, &Velocities::e_omega_y,
+          &Velocities::e_omega_z};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised accelerations dv/dt.
+  struct Accelerations {
+    Scalar e_omega_x;  ///< its rate [rad/s^2]
+    Scalar e_omega_y;  ///< its rate [rad/s^2]
+    Scalar e_omega_z;  ///< its rate [rad/s^2]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Accelerations::*member_(int i_) noexcept {
+      constexpr Scalar Accelerations::*members_[] = {&Accelerations::e_omega_x, &Accelerations::e_omega_y,
+          &Accelerations::e_omega_z};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised forces, one along each coordinate.
+  struct GeneralizedForces {
+    Scalar e_omega_x;  ///< works with e_omega_x [N m]
+    Scalar e_omega_y;  ///< works with e_omega_y [N m]
+    Scalar e_omega_z;  ///< works with e_omega_z [N m]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar GeneralizedForces::*member_(int i_) noexcept {
+      constexpr Scalar GeneralizedForces::*members_[] = {&GeneralizedForces::e_omega_x, &GeneralizedForces::e_omega_y,
+          &GeneralizedForces::e_omega_z};
+      return members_[i_];
+    }
+  };
+
+  /// Forces and torques of motors, set at each call.
+  struct Inputs {
+    static constexpr int size = 0;
+  };
+
+  /// Multipliers of the constraints, or the reactions that enforce them.
+  struct Multipliers {
+    static constexpr int size = 0;
+  };
+
+  /// Time [s], coordinates and velocities.
+  struct State {
+    Scalar time;
+    Coordinates q;
+    Velocities v;
+  };
+
+  /// Parameters and what depends on them only: built once for each set of parameters.
+  struct Precomputed {
+    Parameters parameters;
+    Scalar z34;
+    Scalar z36;
+    Scalar z38;
+    Scalar z46;
+    Scalar z49;
+    Scalar z52;
+  };
+
+  /// Values of the scene.
+  TORSOR_DEVICE static Parameters default_parameters() noexcept {
+    Parameters parameters{};
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    parameters.I1 = n1;
+    parameters.I2 = n2;
+    parameters.I3 = n3;
+    return parameters;
+  }
+
+  /// To be called again when a parameter changes.
+  TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
+    Precomputed precomputed{};
+    precomputed.parameters = parameters;
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar p_I1 = parameters.I1;
+    const Scalar p_I2 = parameters.I2;
+    const Scalar p_I3 = parameters.I3;
+    const Scalar z34 = p_I2 - p_I3;
+    const Scalar z36 = p_I1 - p_I3;
+    const Scalar z38 = p_I1 - p_I2;
+    const Scalar z46 = n1 / p_I3;
+    const Scalar z49 = n1 / p_I2;
+    const Scalar z52 = n1 / p_I1;
+    precomputed.z34 = z34;
+    precomputed.z36 = z36;
+    precomputed.z38 = z38;
+    precomputed.z46 = z46;
+    precomputed.z49 = z49;
+    precomputed.z52 = z52;
+    return precomputed;
+  }
+
+  /// The state the scene starts from, for these parameters.
+  TORSOR_DEVICE static State initial_state(const Parameters&) noexcept {
+    State state{};
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    state.time = n0;
+    state.q.e_w = n1;
+    state.q.e_x = n0;
+    state.q.e_y = n0;
+    state.q.e_z = n0;
+    state.v.e_omega_x = n1;
+    state.v.e_omega_y = n0;
+    state.v.e_omega_z = n1;
+    return state;
+  }
+  TORSOR_DEVICE static State initial_state() noexcept { return initial_state(default_parameters()); }
+
+  /// Poses, twists and named points in ground axes.
+  struct Kinematics {
+    std::array<Scalar, 3> body_position;  ///< centre of mass of body [m]
+    std::array<Scalar, 9> body_rotation;  ///< from the axes of body to the ground's (3 x 3)
+    std::array<Scalar, 3> body_velocity;  ///< velocity of the centre of mass of body [m/s]
+    std::array<Scalar, 3> body_angular_velocity;  ///< angular velocity of body [rad/s]
+  };
+
+  /// Energies of the mechanism.
+  struct Energy {
+    Scalar kinetic;  ///< kinetic energy T [J]
+    Scalar force_function;  ///< force function U of gravity and springs [J]
+    Scalar power;  ///< power of dampers, given forces and motors [W]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Energy::*member_(int i_) noexcept {
+      constexpr Scalar Energy::*members_[] = {&Energy::kinetic, &Energy::force_function, &Energy::power};
+      return members_[i_];
+    }
+  };
+
+  /// Quantities that every motion conserves.
+  struct FirstIntegrals {
+    Scalar energy;  ///< T - U [J]
+    static constexpr int size = 1;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar FirstIntegrals::*member_(int i_) noexcept {
+      constexpr Scalar FirstIntegrals::*members_[] = {&FirstIntegrals::energy};
+      return members_[i_];
+    }
+  };
+  static constexpr int first_integral_count = 1;
+
+  /// Matrices of the linearised equations, stored column by column.
+  struct Linearisation {
+    std::array<Scalar, 9> M;  ///< mass matrix (3 x 3)
+    std::array<Scalar, 9> C;  ///< damping and gyroscopic terms (3 x 3)
+    std::array<Scalar, 9> K;  ///< stiffness (3 x 3)
+    std::array<Scalar, 3> F;  ///< right-hand side
+    std::array<Scalar, 36> A;  ///< state matrix of x = (e, e'): x' = A x + B du (6 x 6)
+  };
+
+  /// dq/dt from v: the velocity itself for a coordinate, 1/2 e (0, omega) for a unit quaternion e with the angular
+  /// velocity omega in moving axes.
+  TORSOR_DEVICE static void coordinate_rates(const Precomputed&, const State& state,
+      std::array<Scalar, 4>& rates) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar q_e_y = state.q.e_y;
+    const Scalar q_e_z = state.q.e_z;
+    const Scalar q_e_x = state.q.e_x;
+    const Scalar q_e_w = state.q.e_w;
+    const Scalar v_e_omega_x = state.v.e_omega_x;
+    const Scalar v_e_omega_y = state.v.e_omega_y;
+    const Scalar v_e_omega_z = state.v.e_omega_z;
+    const Scalar z72 = n0_5 * (q_e_y * v_e_omega_y + q_e_z * v_e_omega_z + q_e_x * v_e_omega_x);
+    const Scalar z73 = n0_5 * (q_e_y * v_e_omega_z - q_e_z * v_e_omega_y + q_e_w * v_e_omega_x);
+    const Scalar z74 = n0_5 * (q_e_z * v_e_omega_x - q_e_x * v_e_omega_z + q_e_w * v_e_omega_y);
+    const Scalar z75 = n0_5 * (q_e_y * v_e_omega_x - q_e_x * v_e_omega_y - q_e_w * v_e_omega_z);
+    rates[0] = -z72;
+    rates[1] = z73;
+    rates[2] = z74;
+    rates[3] = -z75;
+  }
+
+  /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
+  /// matrices column by column.
+  TORSOR_DEVICE static void kinematics(const Precomputed&, const State& state, Kinematics& result) noexcept {
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_e_y = state.q.e_y;
+    const Scalar q_e_z = state.q.e_z;
+    const Scalar q_e_x = state.q.e_x;
+    const Scalar q_e_w = state.q.e_w;
+    const Scalar v_e_omega_x = state.v.e_omega_x;
+    const Scalar v_e_omega_y = state.v.e_omega_y;
+    const Scalar v_e_omega_z = state.v.e_omega_z;
+    const Scalar z1 = n2 * q_e_y * q_e_y;
+    const Scalar z3 = n2 * q_e_z * q_e_z;
+    const Scalar z5 = n2 * q_e_y * q_e_x;
+    const Scalar z7 = n2 * q_e_z * q_e_w;
+    const Scalar z8 = n1 - z1 - z3;
+    const Scalar z9 = z5 - z7;
+    const Scalar z10 = z5 + z7;
+    const Scalar z11 = n2 * q_e_x * q_e_x;
+    const Scalar z12 = n2 * q_e_y * q_e_z;
+    const Scalar z13 = n2 * q_e_x * q_e_w;
+    const Scalar z14 = n1 - z3 - z11;
+    const Scalar z15 = z12 - z13;
+    const Scalar z16 = z12 + z13;
+    const Scalar z17 = n2 * q_e_z * q_e_x;
+    const Scalar z18 = n2 * q_e_y * q_e_w;
+    const Scalar z19 = n1 - z1 - z11;
+    const Scalar z20 = z17 - z18;
+    const Scalar z21 = z17 + z18;
+    const Scalar z31 = z8 * v_e_omega_x + z9 * v_e_omega_y + z21 * v_e_omega_z;
+    const Scalar z32 = z10 * v_e_omega_x + z14 * v_e_omega_y + z15 * v_e_omega_z;
+    const Scalar z33 = z16 * v_e_omega_y + z19 * v_e_omega_z + z20 * v_e_omega_x;
+    result.body_position[0] = n0;
+    result.body_position[1] = n0;
+    result.body_position[2] = n0;
+    result.body_rotation[0] = z8;
+    result.body_rotation[1] = z10;
+    result.body_rotation[2] = z20;
+    result.body_rotation[3] = z9;
+    result.body_rotation[4] = z14;
+    result.body_rotation[5] = z16;
+    result.body_rotation[6] = z21;
+    result.body_rotation[7] = z15;
+    result.body_rotation[8] = z19;
+    result.body_velocity[0] = n0;
+    result.body_velocity[1] = n0;
+    result.body_velocity[2] = n0;
+    result.body_angular_velocity[0] = z31;
+    result.body_angular_velocity[1] = z32;
+    result.body_angular_velocity[2] = z33;
+  }
+
+  /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
+  TORSOR_DEVICE static void mass_matrix(const Precomputed& precomputed, const State&,
+      std::array<Scalar, 9>& mass) noexcept {
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar p_I1 = precomputed.parameters.I1;
+    const Scalar p_I2 = precomputed.parameters.I2;
+    const Scalar p_I3 = precomputed.parameters.I3;
+    mass[0] = p_I1;
+    mass[1] = n0;
+    mass[2] = n0;
+    mass[3] = n0;
+    mass[4] = p_I2;
+    mass[5] = n0;
+    mass[6] = n0;
+    mass[7] = n0;
+    mass[8] = p_I3;
+  }
+
+  /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
+  /// actions included. M a + h = E u + A' lambda.
+  TORSOR_DEVICE static void bias(const Precomputed& precomputed, const State& state,
+      GeneralizedForces& forces) noexcept {
+    const Scalar v_e_omega_x = state.v.e_omega_x;
+    const Scalar v_e_omega_y = state.v.e_omega_y;
+    const Scalar v_e_omega_z = state.v.e_omega_z;
+    const Scalar z34 = precomputed.z34;
+    const Scalar z36 = precomputed.z36;
+    const Scalar z38 = precomputed.z38;
+    const Scalar z35 = v_e_omega_y * v_e_omega_z;
+    const Scalar z37 = v_e_omega_x * v_e_omega_z;
+    const Scalar z39 = v_e_omega_x * v_e_omega_y;
+    const Scalar z40 = z34 * z35;  // moment on body, x
+    const Scalar z41 = z36 * z37;  // moment on body, y
+    const Scalar z42 = z38 * z39;  // moment on body, z
+    forces.e_omega_x = -z40;
+    forces.e_omega_y = z41;
+    forces.e_omega_z = -z42;
+  }
+
+  /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
+  TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State& state,
+      const Accelerations& accelerations, const Multipliers&, GeneralizedForces& forces) noexcept {
+    const Scalar v_e_omega_x = state.v.e_omega_x;
+    const Scalar a_e_omega_x = accelerations.e_omega_x;
+    const Scalar v_e_omega_y = state.v.e_omega_y;
+    const Scalar a_e_omega_y = accelerations.e_omega_y;
+    const Scalar v_e_omega_z = state.v.e_omega_z;
+    const Scalar a_e_omega_z = accelerations.e_omega_z;
+    const Scalar p_I1 = precomputed.parameters.I1;
+    const Scalar p_I2 = precomputed.parameters.I2;
+    const Scalar p_I3 = precomputed.parameters.I3;
+    const Scalar z34 = precomputed.z34;
+    const Scalar z36 = precomputed.z36;
+    const Scalar z38 = precomputed.z38;
+    const Scalar z35 = v_e_omega_y * v_e_omega_z;
+    const Scalar z37 = v_e_omega_x * v_e_omega_z;
+    const Scalar z39 = v_e_omega_x * v_e_omega_y;
+    const Scalar z43 = a_e_omega_x * p_I1 - z34 * z35;  // moment on body, x
+    const Scalar z44 = a_e_omega_y * p_I2 + z36 * z37;  // moment on body, y
+    const Scalar z45 = a_e_omega_z * p_I3 - z38 * z39;  // moment on body, z
+    forces.e_omega_x = z43;
+    forces.e_omega_y = z44;
+    forces.e_omega_z = z45;
+  }
+
+  /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
+  /// an unrolled L D L' of M. Returns singular when a pivot is not
+  /// positive relative to its diagonal entry.
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
+      const Inputs&, Accelerations& accelerations, Multipliers&) noexcept {
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar v_e_omega_x = state.v.e_omega_x;
+    const Scalar v_e_omega_y = state.v.e_omega_y;
+    const Scalar v_e_omega_z = state.v.e_omega_z;
+    const Scalar p_I1 = precomputed.parameters.I1;
+    const Scalar p_I2 = precomputed.parameters.I2;
+    const Scalar p_I3 = precomputed.parameters.I3;
+    const Scalar z34 = precomputed.z34;
+    const Scalar z36 = precomputed.z36;
+    const Scalar z38 = precomputed.z38;
+    const Scalar z46 = precomputed.z46;
+    const Scalar z49 = precomputed.z49;
+    const Scalar z52 = precomputed.z52;
+    const Scalar z35 = v_e_omega_y * v_e_omega_z;
+    const Scalar z37 = v_e_omega_x * v_e_omega_z;
+    const Scalar z39 = v_e_omega_x * v_e_omega_y;
+    const Scalar z40 = z34 * z35;  // moment on body, x
+    const Scalar z41 = z36 * z37;  // moment on body, y
+    const Scalar z42 = z38 * z39;  // moment on body, z
+    const Scalar z47 = z42 * z46;
+    const Scalar z50 = z41 * z49;
+    const Scalar z53 = z40 * z52;  // acceleration of joint e_omega_x
+    accelerations.e_omega_x = z53;
+    accelerations.e_omega_y = -z50;
+    accelerations.e_omega_z = z47;
+    if (!(traits::regular(p_I1, p_I1) && traits::regular(p_I2, p_I2) && traits::regular(p_I3,
+        p_I3))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (accelerations.e_omega_x - accelerations.e_omega_x) + (accelerations.e_omega_y
+        - accelerations.e_omega_y) + (accelerations.e_omega_z - accelerations.e_omega_z);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
+  TORSOR_DEVICE static void energy(const Precomputed& precomputed, const State& state, const Inputs&,
+      Energy& result) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar v_e_omega_x = state.v.e_omega_x;
+    const Scalar v_e_omega_y = state.v.e_omega_y;
+    const Scalar v_e_omega_z = state.v.e_omega_z;
+    const Scalar p_I1 = precomputed.parameters.I1;
+    const Scalar p_I2 = precomputed.parameters.I2;
+    const Scalar p_I3 = precomputed.parameters.I3;
+    result.kinetic = n0_5 * (v_e_omega_x * v_e_omega_x * p_I1 + v_e_omega_y * v_e_omega_y * p_I2 + v_e_omega_z
+        * v_e_omega_z * p_I3);
+    result.force_function = n0;
+    result.power = n0;
+  }
+
+  /// First integrals: constant along every motion.
+  TORSOR_DEVICE static void first_integrals(const Precomputed& precomputed, const State& state,
+      FirstIntegrals& result) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar v_e_omega_x = state.v.e_omega_x;
+    const Scalar v_e_omega_y = state.v.e_omega_y;
+    const Scalar v_e_omega_z = state.v.e_omega_z;
+    const Scalar p_I1 = precomputed.parameters.I1;
+    const Scalar p_I2 = precomputed.parameters.I2;
+    const Scalar p_I3 = precomputed.parameters.I3;
+    result.energy = n0_5 * (v_e_omega_x * v_e_omega_x * p_I1 + v_e_omega_y * v_e_omega_y * p_I2 + v_e_omega_z
+        * v_e_omega_z * p_I3);
+  }
+
+  /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
+  /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
+  TORSOR_DEVICE static torsor::Status linearisation(const Precomputed& precomputed, const State& state,
+      const Accelerations& accelerations, const Multipliers&, const Inputs&, Linearisation& result) noexcept {
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar v_e_omega_x = state.v.e_omega_x;
+    const Scalar a_e_omega_x = accelerations.e_omega_x;
+    const Scalar v_e_omega_y = state.v.e_omega_y;
+    const Scalar a_e_omega_y = accelerations.e_omega_y;
+    const Scalar v_e_omega_z = state.v.e_omega_z;
+    const Scalar a_e_omega_z = accelerations.e_omega_z;
+    const Scalar p_I1 = precomputed.parameters.I1;
+    const Scalar p_I2 = precomputed.parameters.I2;
+    const Scalar p_I3 = precomputed.parameters.I3;
+    const Scalar z34 = precomputed.z34;
+    const Scalar z36 = precomputed.z36;
+    const Scalar z38 = precomputed.z38;
+    const Scalar z46 = precomputed.z46;
+    const Scalar z49 = precomputed.z49;
+    const Scalar z52 = precomputed.z52;
+    const Scalar z35 = v_e_omega_y * v_e_omega_z;
+    const Scalar z37 = v_e_omega_x * v_e_omega_z;
+    const Scalar z39 = v_e_omega_x * v_e_omega_y;
+    const Scalar z43 = a_e_omega_x * p_I1 - z34 * z35;  // moment on body, x
+    const Scalar z44 = a_e_omega_y * p_I2 + z36 * z37;  // moment on body, y
+    const Scalar z45 = a_e_omega_z * p_I3 - z38 * z39;  // moment on body, z
+    const Scalar z60 = v_e_omega_z * z36;
+    const Scalar z61 = v_e_omega_y * z38;
+    const Scalar z62 = v_e_omega_z * z34;
+    const Scalar z63 = v_e_omega_x * z38;
+    const Scalar z64 = v_e_omega_y * z34;
+    const Scalar z65 = v_e_omega_x * z36;
+    const Scalar z66 = z49 * z60;
+    const Scalar z67 = z46 * z61;
+    const Scalar z68 = z52 * z62;
+    const Scalar z69 = z46 * z63;
+    const Scalar z70 = z52 * z64;
+    const Scalar z71 = z49 * z65;
+    result.M[0] = p_I1;
+    result.M[1] = n0;
+    result.M[2] = n0;
+    result.M[3] = n0;
+    result.M[4] = p_I2;
+    result.M[5] = n0;
+    result.M[6] = n0;
+    result.M[7] = n0;
+    result.M[8] = p_I3;
+    result.C[0] = n0;
+    result.C[1] = z60;
+    result.C[2] = -z61;
+    result.C[3] = -z62;
+    result.C[4] = n0;
+    result.C[5] = -z63;
+    result.C[6] = -z64;
+    result.C[7] = z65;
+    result.C[8] = n0;
+    result.K[0] = n0;
+    result.K[1] = n0;
+    result.K[2] = n0;
+    result.K[3] = n0;
+    result.K[4] = n0;
+    result.K[5] = n0;
+    result.K[6] = n0;
+    result.K[7] = n0;
+    result.K[8] = n0;
+    result.F[0] = -z43;
+    result.F[1] = -z44;
+    result.F[2] = -z45;
+    result.A[0] = n0;
+    result.A[1] = n0;
+    result.A[2] = n0;
+    result.A[3] = n0;
+    result.A[4] = n0;
+    result.A[5] = n0;
+    result.A[6] = n0;
+    result.A[7] = n0;
+    result.A[8] = n0;
+    result.A[9] = n0;
+    result.A[10] = n0;
+    result.A[11] = n0;
+    result.A[12] = n0;
+    result.A[13] = n0;
+    result.A[14] = n0;
+    result.A[15] = n0;
+    result.A[16] = n0;
+    result.A[17] = n0;
+    result.A[18] = n1;
+    result.A[19] = n0;
+    result.A[20] = n0;
+    result.A[21] = n0;
+    result.A[22] = -z66;
+    result.A[23] = z67;
+    result.A[24] = n0;
+    result.A[25] = n1;
+    result.A[26] = n0;
+    result.A[27] = z68;
+    result.A[28] = n0;
+    result.A[29] = z69;
+    result.A[30] = n0;
+    result.A[31] = n0;
+    result.A[32] = n1;
+    result.A[33] = z70;
+    result.A[34] = -z71;
+    result.A[35] = n0;
+    if (!(traits::regular(p_I1, p_I1) && traits::regular(p_I2, p_I2) && traits::regular(p_I3,
+        p_I3))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (result.M[0] - result.M[0]) + (result.M[4] - result.M[4]) + (result.M[8] - result.M[8])
+        + (result.C[1] - result.C[1]) + (result.C[2] - result.C[2]) + (result.C[3] - result.C[3]) + (result.C[5]
+        - result.C[5]) + (result.C[6] - result.C[6]) + (result.C[7] - result.C[7]) + (result.F[0] - result.F[0])
+        + (result.F[1] - result.F[1]) + (result.F[2] - result.F[2]) + (result.A[22] - result.A[22]) + (result.A[23]
+        - result.A[23]) + (result.A[27] - result.A[27]) + (result.A[29] - result.A[29]) + (result.A[33] - result.A[33])
+        + (result.A[34] - result.A[34]);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+};
+
+}  // namespace torque_free_body
