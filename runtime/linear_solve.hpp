@@ -2,6 +2,7 @@
 #pragma once
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <Eigen/LU>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -115,6 +116,48 @@ template <class Scalar, std::size_t nv, std::size_t m, std::size_t nv_squared, s
   return Evaluation::ok;
 }
 
+/// The same where friction works with the multipliers too: M a - B λ = r, A a = -γ, B nv x m and column-major, by
+/// (A M⁻¹ B) λ = -γ - A M⁻¹ r with exchange of rows. `singular` too when that matrix is, to within roundings of its
+/// largest entry: a contact jams or leaves more than one motion (Painlevé's paradox lies beyond).
+template <class Scalar, std::size_t nv, std::size_t m, std::size_t nv_squared, std::size_t m_nv>
+[[nodiscard]] Evaluation solve_constrained_dynamics(const std::array<Scalar, nv_squared>& mass,
+                                                    const std::array<Scalar, m_nv>& jacobian,
+                                                    const std::array<Scalar, m_nv>& columns,
+                                                    const std::array<Scalar, nv>& r, const std::array<Scalar, m>& gamma,
+                                                    std::array<Scalar, nv>& a, std::array<Scalar, m>& lambda) noexcept {
+  static_assert(nv_squared == nv * nv, "the mass matrix must have nv x nv entries");
+  static_assert(m > 0 && m <= nv, "independent constraints are at least one and at most as many as velocities");
+  static_assert(m_nv == m * nv, "the Jacobian of the constraints must have m x nv entries");
+  constexpr int n = static_cast<int>(nv);
+  constexpr int rows = static_cast<int>(m);
+  using Jacobian = Eigen::Matrix<Scalar, rows, n, rows == 1 ? Eigen::RowMajor : Eigen::ColMajor>;
+  using Columns = Eigen::Matrix<Scalar, n, rows>;
+  using Column = Eigen::Matrix<Scalar, n, 1>;
+  using Multipliers = Eigen::Matrix<Scalar, rows, 1>;
+  const Eigen::Map<const Eigen::Matrix<Scalar, n, n>> M(mass.data());
+  const Eigen::Map<const Jacobian> A(jacobian.data());
+  const Eigen::Map<const Columns> B(columns.data());
+  const Eigen::Map<const Column> right(r.data());
+  const Eigen::Map<const Multipliers> g(gamma.data());
+
+  SymmetricSolver<Scalar, n> by_mass;
+  if (const Evaluation evaluation = by_mass.factorise(M); evaluation != Evaluation::ok) return evaluation;
+  const Eigen::Matrix<Scalar, n, rows> forces = B;
+  const Eigen::Matrix<Scalar, n, rows> response = by_mass.template solve<rows>(forces);  // M⁻¹ B
+  const Column free = by_mass.template solve<1>(right);                                  // M⁻¹ r
+  const Eigen::Matrix<Scalar, rows, rows> complement = A.lazyProduct(response);
+  if (!complement.allFinite()) return Evaluation::not_finite;
+  const Eigen::FullPivLU<Eigen::Matrix<Scalar, rows, rows>> by_complement(complement);
+  if (!by_complement.isInvertible()) return Evaluation::singular;
+  const Multipliers wanted = -g - A.lazyProduct(free);
+  const Multipliers multipliers = by_complement.solve(wanted);
+  const Column accelerations = free + response.lazyProduct(multipliers);
+  if (!accelerations.allFinite() || !multipliers.allFinite()) return Evaluation::not_finite;
+  Eigen::Map<Column>(a.data()) = accelerations;
+  Eigen::Map<Multipliers>(lambda.data()) = multipliers;
+  return Evaluation::ok;
+}
+
 /// A mechanism generated with the kernel `constraints`.
 template <class M>
 concept HasConstraints = MechanismModel<M> &&
@@ -155,7 +198,12 @@ template <HasDynamicsMatrices M>
     typename M::Constraints constraints{};
     M::constraints(precomputed, state, constraints);
     std::array<Scalar, static_cast<std::size_t>(M::multiplier_count)> multipliers;
-    evaluation = solve_constrained_dynamics(mass, constraints.jacobian, r, constraints.gamma, solution, multipliers);
+    if constexpr (requires { constraints.columns; }) {  // friction
+      evaluation = solve_constrained_dynamics(mass, constraints.jacobian, constraints.columns, r, constraints.gamma,
+                                              solution, multipliers);
+    } else {
+      evaluation = solve_constrained_dynamics(mass, constraints.jacobian, r, constraints.gamma, solution, multipliers);
+    }
     if (evaluation == Evaluation::ok) {
       for (int j = 0; j < M::multiplier_count; ++j) lambda[j] = multipliers[static_cast<std::size_t>(j)];
     }

@@ -27,6 +27,12 @@ Linearisation linearisation(const Equations& equations) {
     Derivation by_position = model.along(static_cast<int>(j));
     for (std::size_t i = 0; i < n; ++i) {
       result.C[i][j] = program.bind(by_velocity(bias[i]));
+      // Friction may follow the direction of the slip.
+      for (const ConstraintRow& row : equations.constraints()) {
+        if (!row.friction) continue;
+        const Value along_velocity = by_velocity(row.column[i]);
+        result.C[i][j] = program.bind(result.C[i][j] - along_velocity * program.symbol(row.multiplier));
+      }
       result.K[i][j] = program.bind(by_position(residual[i]));
     }
   }

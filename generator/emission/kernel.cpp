@@ -17,6 +17,11 @@
 namespace torsor {
 namespace {
 
+bool has_friction(const Equations& equations) { return !equations.scene().content().frictions.empty(); }
+
+/// What multiplies lambda in the equations of motion: A', unless friction works with the multipliers too.
+std::string multiplied(const Equations& equations) { return has_friction(equations) ? "B lambda" : "A' lambda"; }
+
 Kernel make_mass_matrix(const Equations& equations) {
   const std::size_t n = unknowns(equations);
   Kernel kernel;
@@ -30,7 +35,8 @@ Kernel make_bias(const Equations& equations) {
   Kernel kernel;
   kernel.documentation =
       "Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive\n"
-      "actions included. M a + h = E u + A' lambda.";
+      "actions included. M a + h = E u + " +
+      multiplied(equations) + ".";
   kernel.results = {{"GeneralizedForces", "forces"}};
   assign_vector(kernel, "forces", equations.bias(), unknowns(equations));
   return kernel;
@@ -39,7 +45,8 @@ Kernel make_bias(const Equations& equations) {
 Kernel make_inverse_dynamics(const Equations& equations) {
   Kernel kernel;
   kernel.documentation =
-      "Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.";
+      "Inverse dynamics: the generalised forces M a + h - " + multiplied(equations) +
+      " that motors must supply for the accelerations a.";
   kernel.arguments = {Argument::accelerations, Argument::multipliers};
   kernel.results = {{"GeneralizedForces", "forces"}};
   assign_vector(kernel, "forces", equations.inverse_dynamics(), unknowns(equations));
@@ -50,10 +57,10 @@ Kernel make_forward_dynamics(const Equations& equations) {
   const ForwardSolution& solution = equations.forward();
   Kernel kernel;
   kernel.documentation = fmt::format(
-      "Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by\n"
+      "Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + {}, A a + gamma = 0, by\n"
       "{}. Returns singular when a pivot is not\n"
       "positive relative to its diagonal entry.",
-      solution.method);
+      multiplied(equations), solution.method);
   kernel.arguments = {Argument::inputs};
   kernel.results = {{"Accelerations", "accelerations"}, {"Multipliers", "multipliers"}};
   assign_vector(kernel, "accelerations", solution.accelerations, solution.accelerations.size());
@@ -66,11 +73,14 @@ Kernel make_energy(const Equations& equations) {
   Kernel kernel;
   kernel.documentation = "Kinetic energy, force function (potential energy = -U) and power of what has no force function.";
   kernel.arguments = {Argument::inputs};
+  const std::string power = has_friction(equations) ? "power of friction (by the multipliers of the motion), dampers, given "
+                                                      "forces and motors [W]"
+                                                    : "power of dampers, given forces and motors [W]";
   kernel.structures = {{"Energy",
                         "Energies of the mechanism.",
                         {{"kinetic", 1, 1, "kinetic energy T [J]", true},
                          {"force_function", 1, 1, "force function U of gravity and springs [J]", true},
-                         {"power", 1, 1, "power of dampers, given forces and motors [W]", true}}}};
+                         {"power", 1, 1, power, true}}}};
   kernel.results = {{"Energy", "result"}};
   const Value kinetic = kinetic_energy(equations.model());
   Value force_function = gravity_force_function(equations.model());
@@ -126,6 +136,15 @@ Kernel make_constraints(const Equations& equations) {
     jacobian.push_back(rows[j].jacobian);
   }
   assign_matrix(kernel, "result.jacobian", jacobian, n);
+  if (has_friction(equations)) {
+    kernel.structures[0].members.push_back(
+        matrix_member("columns", n, m, "B, generalised forces of unit multipliers with their friction, column by column"));
+    ValueMatrix columns(n, std::vector<Value>(m));
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < m; ++j) columns[i][j] = rows[j].column[i];
+    }
+    assign_matrix(kernel, "result.columns", columns, m);
+  }
   return kernel;
 }
 

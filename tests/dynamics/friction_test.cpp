@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include "generator/dynamics/linearisation.hpp"
 #include "generator/dynamics/painleve.hpp"
 #include "generator/dynamics/validation.hpp"
 #include "generator/verification/check.hpp"
@@ -62,6 +63,18 @@ TEST(SlidingFriction, IsFTimesTheNormalForceAgainstTheSlipWhateverItsSpeed) {
     EXPECT_LT(relative_difference(here(equations.power()), -rational(1, 4) * normal * Real(5 * speed)), exact);
   }
   expect_all_checks(it.scene);
+}
+
+TEST(SlidingFriction, DampsWhatIsAcrossTheSlipWhenLinearised) {
+  // −∂T_x/∂x' = f N y'²/|G|³ and −∂T_x/∂y' = −f N x' y'/|G|³ for T = −f N G/|G|.
+  Block it;
+  it.scene.sliding_friction("slide", it.floor, 0.25_r, it.block, it.contact, {rate(it.x), rate(it.y), 0},
+                            it.scene.ground());
+  const Equations equations(it.scene);
+  const Linearisation linear = linearisation(equations);
+  NamedState here(equations, {{"x'", Real(3)}, {"y'", Real(-4)}, {"N", Real(7)}});
+  EXPECT_LT(relative_difference(here(linear.C[0][0]), rational(7, 4) * rational(16, 125)), exact);
+  EXPECT_LT(relative_difference(here(linear.C[0][1]), rational(7, 4) * rational(12, 125)), exact);
 }
 
 TEST(SlidingFriction, OfAKnownDirectionTakesADirectionOfAnyLength) {

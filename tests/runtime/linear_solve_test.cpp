@@ -39,6 +39,23 @@ TEST(SolveDynamics, SolvesWithConstraints) {
   EXPECT_NEAR(lambda[1], -2, 10 * rounding);
 }
 
+TEST(SolveDynamics, SolvesWithFrictionThatWorksWithTheMultipliers) {
+  // A as above, B another 3 x 2 by columns; a = (1, 2, 3), λ = (1, -2): γ = -A a, r = M a - B λ.
+  const std::array<double, 6> A{1, 0, 1, 1, 0, 2};
+  const std::array<double, 6> B{1, 0.5, 0.25, 0, 1, 2};
+  const std::array<double, 2> gamma{-3, -8};
+  const Vector3 r{6 - 1, 10 - (0.5 - 2), 8 - (0.25 - 4)};
+  Vector3 a{};
+  std::array<double, 2> lambda{};
+  ASSERT_EQ(solve_constrained_dynamics(mass, A, B, r, gamma, a, lambda), Evaluation::ok);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(a[i], static_cast<double>(i + 1), rounding);
+  EXPECT_NEAR(lambda[0], 1, 10 * rounding);
+  EXPECT_NEAR(lambda[1], -2, 10 * rounding);
+  // Forces that cannot act on the constraints: the second column is such that A M⁻¹ B loses rank.
+  const std::array<double, 6> useless{1, 0.5, 0.25, 2, 1, 0.5};
+  EXPECT_EQ(solve_constrained_dynamics(mass, A, useless, r, gamma, a, lambda), Evaluation::singular);
+}
+
 TEST(SolveDynamics, SolvesWithOneConstraintInFloat) {
   const std::array<float, 4> unit{1, 0, 0, 1};
   std::array<float, 2> a{};
