@@ -73,13 +73,19 @@ Kernel make_energy(const Equations& equations) {
   Kernel kernel;
   kernel.documentation = "Kinetic energy, force function (potential energy = -U) and power of what has no force function.";
   kernel.arguments = {Argument::inputs};
+  const auto& actions = equations.scene().content().actions;
+  const bool further = std::any_of(actions.begin(), actions.end(), [](const ActionContent& action) {
+    return std::holds_alternative<GivenForceFunction>(action) || std::holds_alternative<Gravitation>(action);
+  });
+  const std::string u = further ? "force function U of gravity, springs, attractions and given functions [J]"
+                                : "force function U of gravity and springs [J]";
   const std::string power = has_friction(equations) ? "power of friction (by the multipliers of the motion), dampers, given "
                                                       "forces and motors [W]"
                                                     : "power of dampers, given forces and motors [W]";
   kernel.structures = {{"Energy",
                         "Energies of the mechanism.",
                         {{"kinetic", 1, 1, "kinetic energy T [J]", true},
-                         {"force_function", 1, 1, "force function U of gravity and springs [J]", true},
+                         {"force_function", 1, 1, u, true},
                          {"power", 1, 1, power, true}}}};
   kernel.results = {{"Energy", "result"}};
   const Value kinetic = kinetic_energy(equations.model());
