@@ -1,0 +1,547 @@
+// SPDX-License-Identifier: MIT
+// friction_wheels: Two friction wheels rolling on each other without slipping
+// Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
+// Free to embed under the MIT licence.
+//
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, constraints, linearisation
+// Parameters set at run time: none
+//
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
+// moved across joints, factoring, and what is done once for a set of parameters:
+//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   kinematics                6               16          0             0                  2       0     26      26
+//   mass_matrix               0                0          0             0                  0       0      0       0
+//   bias                      0                1          0             0                  0       0      1       1
+//   inverse_dynamics          3                5          0             0                  0       0      8       8
+//   forward_dynamics          3                8          0             0                  0       0     11      11
+//   energy                    2                7          0             0                  0       0      9       9
+//   constraints               1                2          0             0                  0       0      3       3
+//   linearisation             4                5          0             0                  0       0      9       9
+//
+// Not computed because this mechanism does not need it:
+//   kinematics: of 78 results 58 vanish identically, 5 repeat another up to sign
+//   mass_matrix: of 4 results 2 vanish identically
+//   bias: of 2 results 1 vanish identically
+//   energy: of 3 results 1 vanish identically
+//   first_integrals: left out, 'C1', 'load' have no force function
+//   constraints: of 5 results 2 vanish identically
+//   reactions: left out, the scene releases no joint direction (released_coordinate)
+//   linearisation: of 16 results 10 vanish identically
+//
+// To write this file again:
+//   friction_wheels_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output friction_wheels.hpp
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#ifndef TORSOR_KERNEL_SUPPORT
+#define TORSOR_KERNEL_SUPPORT 1
+// Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
+#ifndef TORSOR_DEVICE
+#define TORSOR_DEVICE
+#endif
+
+namespace torsor {
+
+/// What a kernel says about its results; the larger, the worse.
+enum class Status : int { ok = 0, singular = 1, not_finite = 2 };
+
+/// What a kernel needs of its scalar. This one serves float and double; specialise it, once a header is included, for
+/// any other (a pack of several states, a high-precision number).
+template <class Scalar>
+struct scalar_traits {
+  static_assert(sizeof(Scalar) == sizeof(float) || sizeof(Scalar) == sizeof(double),
+                "specialise torsor::scalar_traits for a scalar that is neither float nor double");
+  static constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+
+  /// A number, rounded for either format. `exact` is "num/den", or "a;b;c;d" for a + b sqrt(2) + c sqrt(3) + d sqrt(6).
+  TORSOR_DEVICE static constexpr Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    return is_float ? static_cast<Scalar>(in_float) : static_cast<Scalar>(in_double);
+  }
+  /// The same for a number that is no such sum: a callable computes it where literals are not precise enough.
+  template <class Callable>
+  TORSOR_DEVICE static constexpr Scalar formula(double in_double, float in_float, const Callable&) noexcept {
+    return constant(in_double, in_float, nullptr);
+  }
+  TORSOR_DEVICE static constexpr Scalar pi() noexcept { return constant(3.141592653589793, 3.1415927f, nullptr); }
+  TORSOR_DEVICE static constexpr Scalar select(bool condition, Scalar if_true, Scalar if_false) noexcept {
+    return condition ? if_true : if_false;
+  }
+  TORSOR_DEVICE static void sincos(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
+    sine = std::sin(angle);
+    cosine = std::cos(angle);
+  }
+  TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
+  TORSOR_DEVICE static Scalar exp(const Scalar& x) noexcept { return std::exp(x); }
+  TORSOR_DEVICE static Scalar log(const Scalar& x) noexcept { return std::log(x); }
+  /// Whether a pivot is positive beyond the rounding of the diagonal entry it came from; not when it is not a number.
+  TORSOR_DEVICE static bool regular(const Scalar& pivot, const Scalar& diagonal) noexcept {
+    return pivot > constant(0x1p-52, 0x1p-23f, nullptr) * std::abs(diagonal);
+  }
+};
+
+}  // namespace torsor
+#elif TORSOR_KERNEL_SUPPORT != 1
+#error "headers of incompatible versions of torsor meet here: write them again with one version"
+#endif
+
+namespace friction_wheels {
+
+/// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
+/// M a + h = E u + A' lambda and A a + gamma = 0, with a the accelerations and u the inputs; units are SI.
+template <class Scalar>
+struct Mechanism {
+  using traits = torsor::scalar_traits<Scalar>;
+
+  static constexpr const char* name = "friction_wheels";
+  static constexpr int coordinate_count = 2;
+  static constexpr int velocity_count = 2;
+  static constexpr int input_count = 1;
+  static constexpr int parameter_count = 0;
+  static constexpr int multiplier_count = 1;
+
+  /// Parameters that are set at run time.
+  struct Parameters {
+    static constexpr int size = 0;
+  };
+
+  /// Generalised coordinates q.
+  struct Coordinates {
+    Scalar theta_1;  ///< coordinate [rad or 1]
+    Scalar theta_2;  ///< coordinate [rad or 1]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Coordinates::*member_(int i_) noexcept {
+      constexpr Scalar Coordinates::*members_[] = {&Coordinates::theta_1, &Coordinates::theta_2};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised velocities v = dq/dt.
+  struct Velocities {
+    Scalar theta_1;  ///< its rate [rad/s]
+    Scalar theta_2;  ///< its rate [rad/s]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Velocities::*member_(int i_) noexcept {
+      constexpr Scalar Velocities::*members_[] = {&Velocities::theta_1, &Velocities::theta_2};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised accelerations dv/dt.
+  struct Accelerations {
+    Scalar theta_1;  ///< its second rate [rad/s^2]
+    Scalar theta_2;  ///< its second rate [rad/s^2]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Accelerations::*member_(int i_) noexcept {
+      constexpr Scalar Accelerations::*members_[] = {&Accelerations::theta_1, &Accelerations::theta_2};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised forces, one along each coordinate.
+  struct GeneralizedForces {
+    Scalar theta_1;  ///< works with the rate of theta_1 [N m]
+    Scalar theta_2;  ///< works with the rate of theta_2 [N m]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar GeneralizedForces::*member_(int i_) noexcept {
+      constexpr Scalar GeneralizedForces::*members_[] = {&GeneralizedForces::theta_1, &GeneralizedForces::theta_2};
+      return members_[i_];
+    }
+  };
+
+  /// Forces and torques of motors, set at each call.
+  struct Inputs {
+    Scalar C1;  ///< motor [N m]
+    static constexpr int size = 1;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Inputs::*member_(int i_) noexcept {
+      constexpr Scalar Inputs::*members_[] = {&Inputs::C1};
+      return members_[i_];
+    }
+  };
+
+  /// Multipliers of the constraints, or the reactions that enforce them.
+  struct Multipliers {
+    Scalar T;  ///< of the constraint rolling [N]
+    static constexpr int size = 1;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Multipliers::*member_(int i_) noexcept {
+      constexpr Scalar Multipliers::*members_[] = {&Multipliers::T};
+      return members_[i_];
+    }
+  };
+
+  /// Time [s], coordinates and velocities.
+  struct State {
+    Scalar time;
+    Coordinates q;
+    Velocities v;
+  };
+
+  /// Parameters and what depends on them only: built once for each set of parameters.
+  struct Precomputed {
+    Parameters parameters;
+  };
+
+  /// Values of the scene.
+  TORSOR_DEVICE static Parameters default_parameters() noexcept {
+    Parameters parameters{};
+    return parameters;
+  }
+
+  /// To be called again when a parameter changes.
+  TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
+    Precomputed precomputed{};
+    precomputed.parameters = parameters;
+    return precomputed;
+  }
+
+  /// The state the scene starts from, for these parameters.
+  TORSOR_DEVICE static State initial_state(const Parameters&) noexcept {
+    State state{};
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n6 = traits::constant(6.0, 6.0f, "6/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    state.time = n0;
+    state.q.theta_1 = n0;
+    state.q.theta_2 = n0;
+    state.v.theta_1 = n6;
+    state.v.theta_2 = -n2;
+    return state;
+  }
+  TORSOR_DEVICE static State initial_state() noexcept { return initial_state(default_parameters()); }
+
+  /// Poses, twists and named points in ground axes.
+  struct Kinematics {
+    std::array<Scalar, 3> S1_position;  ///< centre of mass of S1 [m]
+    std::array<Scalar, 9> S1_rotation;  ///< from the axes of S1 to the ground's (3 x 3)
+    std::array<Scalar, 3> S1_velocity;  ///< velocity of the centre of mass of S1 [m/s]
+    std::array<Scalar, 3> S1_angular_velocity;  ///< angular velocity of S1 [rad/s]
+    std::array<Scalar, 3> S2_position;  ///< centre of mass of S2 [m]
+    std::array<Scalar, 9> S2_rotation;  ///< from the axes of S2 to the ground's (3 x 3)
+    std::array<Scalar, 3> S2_velocity;  ///< velocity of the centre of mass of S2 [m/s]
+    std::array<Scalar, 3> S2_angular_velocity;  ///< angular velocity of S2 [rad/s]
+    std::array<Scalar, 3> I_position;  ///< position of I [m]
+    std::array<Scalar, 3> I_velocity;  ///< velocity of the material point at I [m/s]
+    std::array<Scalar, 6> I_jacobian;  ///< partial velocities of I (3 x 2)
+    std::array<Scalar, 3> I1_position;  ///< position of I1 [m]
+    std::array<Scalar, 3> I1_velocity;  ///< velocity of the material point at I1 [m/s]
+    std::array<Scalar, 3> I1_geometric_velocity;  ///< velocity of the point I1 itself, which moves in its frame [m/s]
+    std::array<Scalar, 6> I1_jacobian;  ///< partial velocities of I1 (3 x 2)
+    std::array<Scalar, 3> I2_position;  ///< position of I2 [m]
+    std::array<Scalar, 3> I2_velocity;  ///< velocity of the material point at I2 [m/s]
+    std::array<Scalar, 3> I2_geometric_velocity;  ///< velocity of the point I2 itself, which moves in its frame [m/s]
+    std::array<Scalar, 6> I2_jacobian;  ///< partial velocities of I2 (3 x 2)
+  };
+
+  /// Energies of the mechanism.
+  struct Energy {
+    Scalar kinetic;  ///< kinetic energy T [J]
+    Scalar force_function;  ///< force function U of gravity and springs [J]
+    Scalar power;  ///< power of dampers, given forces and motors [W]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Energy::*member_(int i_) noexcept {
+      constexpr Scalar Energy::*members_[] = {&Energy::kinetic, &Energy::force_function, &Energy::power};
+      return members_[i_];
+    }
+  };
+
+  /// Constraints and their derivatives, one entry per multiplier.
+  struct Constraints {
+    std::array<Scalar, 1> value;  ///< f(q, t) of holonomic constraints, 0 for the others
+    std::array<Scalar, 1> rate;  ///< A v - b, df/dt for holonomic ones
+    std::array<Scalar, 2> jacobian;  ///< A, stored column by column (1 x 2)
+    std::array<Scalar, 1> gamma;  ///< d(A v - b)/dt at zero acceleration: A a + gamma = 0
+  };
+
+  /// Matrices of the linearised equations, stored column by column.
+  struct Linearisation {
+    std::array<Scalar, 4> M;  ///< mass matrix (2 x 2)
+    std::array<Scalar, 4> C;  ///< damping and gyroscopic terms (2 x 2)
+    std::array<Scalar, 4> K;  ///< stiffness (2 x 2)
+    std::array<Scalar, 2> F;  ///< right-hand side
+    std::array<Scalar, 2> E;  ///< effect of the inputs
+  };
+
+  /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
+  /// matrices column by column.
+  TORSOR_DEVICE static void kinematics(const Precomputed&, const State& state, Kinematics& result) noexcept {
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar q_theta_1 = state.q.theta_1;
+    const Scalar v_theta_1 = state.v.theta_1;
+    const Scalar q_theta_2 = state.q.theta_2;
+    const Scalar v_theta_2 = state.v.theta_2;
+    Scalar s_theta_1, c_theta_1;
+    traits::sincos(q_theta_1, s_theta_1, c_theta_1);
+    Scalar s_theta_2, c_theta_2;
+    traits::sincos(q_theta_2, s_theta_2, c_theta_2);
+    const Scalar z10 = n0_1 * s_theta_1;
+    const Scalar z11 = n0_1 * c_theta_1;
+    const Scalar z13 = s_theta_1 * z10 + c_theta_1 * z11;
+    const Scalar z14 = v_theta_1 * z11;
+    const Scalar z15 = v_theta_1 * z10;
+    const Scalar z16 = s_theta_1 * z15 + c_theta_1 * z14;
+    const Scalar z26 = n0_3 * s_theta_2;
+    const Scalar z27 = n0_3 * c_theta_2;
+    const Scalar z29 = s_theta_2 * z26 + c_theta_2 * z27;
+    const Scalar z30 = n0_4 - z29;
+    const Scalar z31 = v_theta_2 * z27;
+    const Scalar z32 = v_theta_2 * z26;
+    const Scalar z33 = s_theta_2 * z32 + c_theta_2 * z31;
+    const Scalar z43 = n0_4 - z30;
+    result.S1_position[0] = n0;
+    result.S1_position[1] = n0;
+    result.S1_position[2] = n0;
+    result.S1_rotation[0] = c_theta_1;
+    result.S1_rotation[1] = s_theta_1;
+    result.S1_rotation[2] = n0;
+    result.S1_rotation[3] = -s_theta_1;
+    result.S1_rotation[4] = c_theta_1;
+    result.S1_rotation[5] = n0;
+    result.S1_rotation[6] = n0;
+    result.S1_rotation[7] = n0;
+    result.S1_rotation[8] = n1;
+    result.S1_velocity[0] = n0;
+    result.S1_velocity[1] = n0;
+    result.S1_velocity[2] = n0;
+    result.S1_angular_velocity[0] = n0;
+    result.S1_angular_velocity[1] = n0;
+    result.S1_angular_velocity[2] = v_theta_1;
+    result.S2_position[0] = n0;
+    result.S2_position[1] = n0_4;
+    result.S2_position[2] = n0;
+    result.S2_rotation[0] = c_theta_2;
+    result.S2_rotation[1] = s_theta_2;
+    result.S2_rotation[2] = n0;
+    result.S2_rotation[3] = -s_theta_2;
+    result.S2_rotation[4] = c_theta_2;
+    result.S2_rotation[5] = n0;
+    result.S2_rotation[6] = n0;
+    result.S2_rotation[7] = n0;
+    result.S2_rotation[8] = n1;
+    result.S2_velocity[0] = n0;
+    result.S2_velocity[1] = n0;
+    result.S2_velocity[2] = n0;
+    result.S2_angular_velocity[0] = n0;
+    result.S2_angular_velocity[1] = n0;
+    result.S2_angular_velocity[2] = v_theta_2;
+    result.I_position[0] = n0;
+    result.I_position[1] = n0_1;
+    result.I_position[2] = n0;
+    result.I_velocity[0] = n0;
+    result.I_velocity[1] = n0;
+    result.I_velocity[2] = n0;
+    result.I_jacobian[0] = n0;
+    result.I_jacobian[3] = n0;
+    result.I_jacobian[1] = n0;
+    result.I_jacobian[4] = n0;
+    result.I_jacobian[2] = n0;
+    result.I_jacobian[5] = n0;
+    result.I1_position[0] = n0;
+    result.I1_position[1] = z13;
+    result.I1_position[2] = n0;
+    result.I1_velocity[0] = -z16;
+    result.I1_velocity[1] = n0;
+    result.I1_velocity[2] = n0;
+    result.I1_geometric_velocity[0] = n0;
+    result.I1_geometric_velocity[1] = n0;
+    result.I1_geometric_velocity[2] = n0;
+    result.I1_jacobian[0] = -z13;
+    result.I1_jacobian[3] = n0;
+    result.I1_jacobian[1] = n0;
+    result.I1_jacobian[4] = n0;
+    result.I1_jacobian[2] = n0;
+    result.I1_jacobian[5] = n0;
+    result.I2_position[0] = n0;
+    result.I2_position[1] = z30;
+    result.I2_position[2] = n0;
+    result.I2_velocity[0] = z33;
+    result.I2_velocity[1] = n0;
+    result.I2_velocity[2] = n0;
+    result.I2_geometric_velocity[0] = n0;
+    result.I2_geometric_velocity[1] = n0;
+    result.I2_geometric_velocity[2] = n0;
+    result.I2_jacobian[0] = n0;
+    result.I2_jacobian[3] = z43;
+    result.I2_jacobian[1] = n0;
+    result.I2_jacobian[4] = n0;
+    result.I2_jacobian[2] = n0;
+    result.I2_jacobian[5] = n0;
+  }
+
+  /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
+  TORSOR_DEVICE static void mass_matrix(const Precomputed&, const State&, std::array<Scalar, 4>& mass) noexcept {
+    const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n0_81 = traits::constant(0.81, 0.81f, "81/100");
+    mass[0] = n0_01;
+    mass[1] = n0;
+    mass[2] = n0;
+    mass[3] = n0_81;
+  }
+
+  /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
+  /// actions included. M a + h = E u + A' lambda.
+  TORSOR_DEVICE static void bias(const Precomputed&, const State& state, GeneralizedForces& forces) noexcept {
+    const Scalar n0_9 = traits::constant(0.9, 0.9f, "9/10");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar v_theta_2 = state.v.theta_2;
+    const Scalar z45 = n0_9 * v_theta_2;
+    forces.theta_1 = n0;
+    forces.theta_2 = z45;
+  }
+
+  /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
+  TORSOR_DEVICE static void inverse_dynamics(const Precomputed&, const State& state, const Accelerations& accelerations,
+      const Multipliers& multipliers, GeneralizedForces& forces) noexcept {
+    const Scalar n0_9 = traits::constant(0.9, 0.9f, "9/10");
+    const Scalar n0_81 = traits::constant(0.81, 0.81f, "81/100");
+    const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar a_theta_1 = accelerations.theta_1;
+    const Scalar v_theta_2 = state.v.theta_2;
+    const Scalar a_theta_2 = accelerations.theta_2;
+    const Scalar l_T = multipliers.T;
+    const Scalar z45 = n0_9 * v_theta_2;
+    const Scalar z46 = n0_81 * a_theta_2 + z45;  // moment on S2, z
+    const Scalar z47 = n0_01 * a_theta_1;  // moment on S1, z
+    forces.theta_1 = z47 + n0_1 * l_T;
+    forces.theta_2 = z46 + n0_3 * l_T;
+  }
+
+  /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
+  /// an unrolled L D L' of M and of the Schur complement A M^-1 A'. Returns singular when a pivot is not
+  /// positive relative to its diagonal entry.
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs& inputs,
+      Accelerations& accelerations, Multipliers& multipliers) noexcept {
+    const Scalar n0_9 = traits::constant(0.9, 0.9f, "9/10");
+    const Scalar n100 = traits::constant(100.0, 100.0f, "100/1");
+    const Scalar n100_over_81 = traits::constant(1.2345679012345678, 1.2345679f, "100/81");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n10 = traits::constant(10.0, 10.0f, "10/1");
+    const Scalar n10_over_27 = traits::constant(0.37037037037037035, 0.37037036f, "10/27");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar v_theta_2 = state.v.theta_2;
+    const Scalar u_C1 = inputs.C1;
+    const Scalar z45 = n0_9 * v_theta_2;
+    const Scalar z50 = n100 * u_C1;
+    const Scalar z51 = n100_over_81 * z45;
+    const Scalar z52 = n0_1 * z50 - n0_3 * z51;
+    const Scalar z53 = n0_9 * z52;
+    const Scalar z54 = z50 - n10 * z53;
+    const Scalar z55 = z51 + n10_over_27 * z53;
+    accelerations.theta_1 = z54;
+    accelerations.theta_2 = -z55;
+    multipliers.T = z53;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (accelerations.theta_1 - accelerations.theta_1) + (accelerations.theta_2
+        - accelerations.theta_2) + (multipliers.T - multipliers.T);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
+  TORSOR_DEVICE static void energy(const Precomputed&, const State& state, const Inputs& inputs,
+      Energy& result) noexcept {
+    const Scalar n0_9 = traits::constant(0.9, 0.9f, "9/10");
+    const Scalar n0_005 = traits::constant(0.005, 0.005f, "1/200");
+    const Scalar n0_405 = traits::constant(0.405, 0.405f, "81/200");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar v_theta_1 = state.v.theta_1;
+    const Scalar v_theta_2 = state.v.theta_2;
+    const Scalar u_C1 = inputs.C1;
+    const Scalar z45 = n0_9 * v_theta_2;
+    result.kinetic = n0_005 * v_theta_1 * v_theta_1 + n0_405 * v_theta_2 * v_theta_2;
+    result.force_function = n0;
+    result.power = v_theta_1 * u_C1 - v_theta_2 * z45;
+  }
+
+  /// Constraints A(q, t) v - b(q, t) = 0, in the order of the multipliers.
+  TORSOR_DEVICE static void constraints(const Precomputed&, const State& state, Constraints& result) noexcept {
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar v_theta_1 = state.v.theta_1;
+    const Scalar v_theta_2 = state.v.theta_2;
+    const Scalar z48 = n0_1 * v_theta_1 + n0_3 * v_theta_2;
+    result.value[0] = n0;
+    result.rate[0] = -z48;
+    result.gamma[0] = n0;
+    result.jacobian[0] = -n0_1;
+    result.jacobian[1] = -n0_3;
+  }
+
+  /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
+  /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
+  /// At fixed multipliers and in all coordinates: A' dlambda and the linearised constraints come beside it, and the
+  /// state matrices, which need independent coordinates, are left out.
+  TORSOR_DEVICE static void linearisation(const Precomputed&, const State& state, const Accelerations& accelerations,
+      const Multipliers& multipliers, const Inputs& inputs, Linearisation& result) noexcept {
+    const Scalar n0_9 = traits::constant(0.9, 0.9f, "9/10");
+    const Scalar n0_81 = traits::constant(0.81, 0.81f, "81/100");
+    const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar a_theta_1 = accelerations.theta_1;
+    const Scalar v_theta_2 = state.v.theta_2;
+    const Scalar a_theta_2 = accelerations.theta_2;
+    const Scalar u_C1 = inputs.C1;
+    const Scalar l_T = multipliers.T;
+    const Scalar z45 = n0_9 * v_theta_2;
+    const Scalar z46 = n0_81 * a_theta_2 + z45;  // moment on S2, z
+    const Scalar z47 = n0_01 * a_theta_1;  // moment on S1, z
+    result.M[0] = n0_01;
+    result.M[1] = n0;
+    result.M[2] = n0;
+    result.M[3] = n0_81;
+    result.C[0] = n0;
+    result.C[1] = n0;
+    result.C[2] = n0;
+    result.C[3] = n0_9;
+    result.K[0] = n0;
+    result.K[1] = n0;
+    result.K[2] = n0;
+    result.K[3] = n0;
+    result.F[0] = u_C1 - z47 - n0_1 * l_T;
+    result.F[1] = -z46 - n0_3 * l_T;
+    result.E[0] = n1;
+    result.E[1] = n0;
+  }
+};
+
+}  // namespace friction_wheels

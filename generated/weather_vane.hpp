@@ -1,0 +1,451 @@
+// SPDX-License-Identifier: MIT
+// weather_vane: Weather vane: a quarter disk turning about one of its radii
+// Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
+// Free to embed under the MIT licence.
+//
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, reactions, linearisation
+// Parameters set at run time: none
+//
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
+// moved across joints, factoring, and what is done once for a set of parameters:
+//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   kinematics                0                5          0             0                  1       0      7       7
+//   mass_matrix               0                0          0             0                  0       0      0       0
+//   bias                      1                2          0             0                  1       0      5       5
+//   inverse_dynamics          2                3          0             0                  1       0      7       7
+//   forward_dynamics          1                3          0             0                  1       0      6       6
+//   energy                    0                5          0             0                  1       0      7       7
+//   reactions                 4               13          0             0                  1       0     19      19
+//   linearisation             2                5          0             0                  1       0      9       9
+//
+// Not computed because this mechanism does not need it:
+//   kinematics: of 18 results 7 vanish identically, 2 repeat another up to sign
+//   first_integrals: left out, 'hinge' has no force function
+//   constraints: left out, the scene has no constraints
+//   reactions: of 5 results 1 vanish identically
+//   linearisation: of 8 results 1 vanish identically
+//
+// To write this file again:
+//   weather_vane_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output weather_vane.hpp
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#ifndef TORSOR_KERNEL_SUPPORT
+#define TORSOR_KERNEL_SUPPORT 1
+// Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
+#ifndef TORSOR_DEVICE
+#define TORSOR_DEVICE
+#endif
+
+namespace torsor {
+
+/// What a kernel says about its results; the larger, the worse.
+enum class Status : int { ok = 0, singular = 1, not_finite = 2 };
+
+/// What a kernel needs of its scalar. This one serves float and double; specialise it, once a header is included, for
+/// any other (a pack of several states, a high-precision number).
+template <class Scalar>
+struct scalar_traits {
+  static_assert(sizeof(Scalar) == sizeof(float) || sizeof(Scalar) == sizeof(double),
+                "specialise torsor::scalar_traits for a scalar that is neither float nor double");
+  static constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+
+  /// A number, rounded for either format. `exact` is "num/den", or "a;b;c;d" for a + b sqrt(2) + c sqrt(3) + d sqrt(6).
+  TORSOR_DEVICE static constexpr Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    return is_float ? static_cast<Scalar>(in_float) : static_cast<Scalar>(in_double);
+  }
+  /// The same for a number that is no such sum: a callable computes it where literals are not precise enough.
+  template <class Callable>
+  TORSOR_DEVICE static constexpr Scalar formula(double in_double, float in_float, const Callable&) noexcept {
+    return constant(in_double, in_float, nullptr);
+  }
+  TORSOR_DEVICE static constexpr Scalar pi() noexcept { return constant(3.141592653589793, 3.1415927f, nullptr); }
+  TORSOR_DEVICE static constexpr Scalar select(bool condition, Scalar if_true, Scalar if_false) noexcept {
+    return condition ? if_true : if_false;
+  }
+  TORSOR_DEVICE static void sincos(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
+    sine = std::sin(angle);
+    cosine = std::cos(angle);
+  }
+  TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
+  TORSOR_DEVICE static Scalar exp(const Scalar& x) noexcept { return std::exp(x); }
+  TORSOR_DEVICE static Scalar log(const Scalar& x) noexcept { return std::log(x); }
+  /// Whether a pivot is positive beyond the rounding of the diagonal entry it came from; not when it is not a number.
+  TORSOR_DEVICE static bool regular(const Scalar& pivot, const Scalar& diagonal) noexcept {
+    return pivot > constant(0x1p-52, 0x1p-23f, nullptr) * std::abs(diagonal);
+  }
+};
+
+}  // namespace torsor
+#elif TORSOR_KERNEL_SUPPORT != 1
+#error "headers of incompatible versions of torsor meet here: write them again with one version"
+#endif
+
+namespace weather_vane {
+
+/// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
+/// M a + h = E u + A' lambda and A a + gamma = 0, with a the accelerations and u the inputs; units are SI.
+template <class Scalar>
+struct Mechanism {
+  using traits = torsor::scalar_traits<Scalar>;
+
+  static constexpr const char* name = "weather_vane";
+  static constexpr int coordinate_count = 1;
+  static constexpr int velocity_count = 1;
+  static constexpr int input_count = 0;
+  static constexpr int parameter_count = 0;
+  static constexpr int multiplier_count = 0;
+
+  /// Parameters that are set at run time.
+  struct Parameters {
+    static constexpr int size = 0;
+  };
+
+  /// Generalised coordinates q.
+  struct Coordinates {
+    Scalar theta;  ///< coordinate [rad or 1]
+    static constexpr int size = 1;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Coordinates::*member_(int i_) noexcept {
+      constexpr Scalar Coordinates::*members_[] = {&Coordinates::theta};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised velocities v = dq/dt.
+  struct Velocities {
+    Scalar theta;  ///< its rate [rad/s]
+    static constexpr int size = 1;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Velocities::*member_(int i_) noexcept {
+      constexpr Scalar Velocities::*members_[] = {&Velocities::theta};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised accelerations dv/dt.
+  struct Accelerations {
+    Scalar theta;  ///< its second rate [rad/s^2]
+    static constexpr int size = 1;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Accelerations::*member_(int i_) noexcept {
+      constexpr Scalar Accelerations::*members_[] = {&Accelerations::theta};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised forces, one along each coordinate.
+  struct GeneralizedForces {
+    Scalar theta;  ///< works with the rate of theta [N m]
+    static constexpr int size = 1;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar GeneralizedForces::*member_(int i_) noexcept {
+      constexpr Scalar GeneralizedForces::*members_[] = {&GeneralizedForces::theta};
+      return members_[i_];
+    }
+  };
+
+  /// Forces and torques of motors, set at each call.
+  struct Inputs {
+    static constexpr int size = 0;
+  };
+
+  /// Multipliers of the constraints, or the reactions that enforce them.
+  struct Multipliers {
+    static constexpr int size = 0;
+  };
+
+  /// Time [s], coordinates and velocities.
+  struct State {
+    Scalar time;
+    Coordinates q;
+    Velocities v;
+  };
+
+  /// Parameters and what depends on them only: built once for each set of parameters.
+  struct Precomputed {
+    Parameters parameters;
+  };
+
+  /// Values of the scene.
+  TORSOR_DEVICE static Parameters default_parameters() noexcept {
+    Parameters parameters{};
+    return parameters;
+  }
+
+  /// To be called again when a parameter changes.
+  TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
+    Precomputed precomputed{};
+    precomputed.parameters = parameters;
+    return precomputed;
+  }
+
+  /// The state the scene starts from, for these parameters.
+  TORSOR_DEVICE static State initial_state(const Parameters&) noexcept {
+    State state{};
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    state.time = n0;
+    state.q.theta = n2;
+    state.v.theta = n1;
+    return state;
+  }
+  TORSOR_DEVICE static State initial_state() noexcept { return initial_state(default_parameters()); }
+
+  /// Poses, twists and named points in ground axes.
+  struct Kinematics {
+    std::array<Scalar, 3> vane_position;  ///< centre of mass of vane [m]
+    std::array<Scalar, 9> vane_rotation;  ///< from the axes of vane to the ground's (3 x 3)
+    std::array<Scalar, 3> vane_velocity;  ///< velocity of the centre of mass of vane [m/s]
+    std::array<Scalar, 3> vane_angular_velocity;  ///< angular velocity of vane [rad/s]
+  };
+
+  /// Energies of the mechanism.
+  struct Energy {
+    Scalar kinetic;  ///< kinetic energy T [J]
+    Scalar force_function;  ///< force function U of gravity and springs [J]
+    Scalar power;  ///< power of dampers, given forces and motors [W]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Energy::*member_(int i_) noexcept {
+      constexpr Scalar Energy::*members_[] = {&Energy::kinetic, &Energy::force_function, &Energy::power};
+      return members_[i_];
+    }
+  };
+
+  /// Reactions of joints along released directions.
+  struct Reactions {
+    Scalar X;  ///< reaction along 'X' [kg m s^-2]
+    Scalar Y;  ///< reaction along 'Y' [kg m s^-2]
+    Scalar Z;  ///< reaction along 'Z' [kg m s^-2]
+    Scalar M_y;  ///< reaction along 'M_y' [kg m^2 s^-2]
+    Scalar M_z;  ///< reaction along 'M_z' [kg m^2 s^-2]
+    static constexpr int size = 5;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Reactions::*member_(int i_) noexcept {
+      constexpr Scalar Reactions::*members_[] = {&Reactions::X, &Reactions::Y, &Reactions::Z, &Reactions::M_y,
+          &Reactions::M_z};
+      return members_[i_];
+    }
+  };
+
+  /// Matrices of the linearised equations, stored column by column.
+  struct Linearisation {
+    std::array<Scalar, 1> M;  ///< mass matrix
+    std::array<Scalar, 1> C;  ///< damping and gyroscopic terms
+    std::array<Scalar, 1> K;  ///< stiffness
+    std::array<Scalar, 1> F;  ///< right-hand side
+    std::array<Scalar, 4> A;  ///< state matrix of x = (e, e'): x' = A x + B du (2 x 2)
+  };
+
+  /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
+  /// matrices column by column.
+  TORSOR_DEVICE static void kinematics(const Precomputed&, const State& state, Kinematics& result) noexcept {
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar pi = traits::pi();
+    const Scalar z8 = traits::formula(0.12732395447351627, 0.12732396f, [&]() -> Scalar {
+      return n0_4 / pi;
+    });
+    const Scalar z9 = c_theta * z8;
+    const Scalar z10 = s_theta * z8;
+    const Scalar z11 = v_theta * z8;
+    const Scalar z12 = s_theta * z11;
+    const Scalar z13 = c_theta * z11;
+    result.vane_position[0] = z8;
+    result.vane_position[1] = z9;
+    result.vane_position[2] = z10;
+    result.vane_rotation[0] = n1;
+    result.vane_rotation[1] = n0;
+    result.vane_rotation[2] = n0;
+    result.vane_rotation[3] = n0;
+    result.vane_rotation[4] = c_theta;
+    result.vane_rotation[5] = s_theta;
+    result.vane_rotation[6] = n0;
+    result.vane_rotation[7] = -s_theta;
+    result.vane_rotation[8] = c_theta;
+    result.vane_velocity[0] = n0;
+    result.vane_velocity[1] = -z12;
+    result.vane_velocity[2] = z13;
+    result.vane_angular_velocity[0] = v_theta;
+    result.vane_angular_velocity[1] = n0;
+    result.vane_angular_velocity[2] = n0;
+  }
+
+  /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
+  TORSOR_DEVICE static void mass_matrix(const Precomputed&, const State&, std::array<Scalar, 1>& mass) noexcept {
+    const Scalar n0_045 = traits::constant(0.045, 0.045f, "9/200");
+    mass[0] = n0_045;
+  }
+
+  /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
+  /// actions included. M a + h = E u + A' lambda.
+  TORSOR_DEVICE static void bias(const Precomputed&, const State& state, GeneralizedForces& forces) noexcept {
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z31 = n0_4 * s_theta;
+    const Scalar z32 = n0_02 * v_theta;
+    const Scalar z40 = z31 + z32;
+    forces.theta = z40;
+  }
+
+  /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
+  TORSOR_DEVICE static void inverse_dynamics(const Precomputed&, const State& state, const Accelerations& accelerations,
+      const Multipliers&, GeneralizedForces& forces) noexcept {
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
+    const Scalar n0_045 = traits::constant(0.045, 0.045f, "9/200");
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar a_theta = accelerations.theta;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z31 = n0_4 * s_theta;
+    const Scalar z32 = n0_02 * v_theta;
+    const Scalar z42 = n0_045 * a_theta;  // moment on vane, x
+    const Scalar z48 = z31 + z32 + z42;
+    forces.theta = z48;
+  }
+
+  /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
+  /// an unrolled L D L' of M. Returns singular when a pivot is not
+  /// positive relative to its diagonal entry.
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs&,
+      Accelerations& accelerations, Multipliers&) noexcept {
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
+    const Scalar n200_over_9 = traits::constant(22.22222222222222, 22.222221f, "200/9");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z31 = n0_4 * s_theta;
+    const Scalar z32 = n0_02 * v_theta;
+    const Scalar z40 = z31 + z32;
+    const Scalar z49 = n200_over_9 * z40;
+    accelerations.theta = -z49;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (accelerations.theta - accelerations.theta);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
+  TORSOR_DEVICE static void energy(const Precomputed&, const State& state, const Inputs&, Energy& result) noexcept {
+    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
+    const Scalar n0_0225 = traits::constant(0.0225, 0.0225f, "9/400");
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z32 = n0_02 * v_theta;
+    result.kinetic = n0_0225 * v_theta * v_theta;
+    result.force_function = n0_4 * c_theta;
+    result.power = -v_theta * z32;
+  }
+
+  /// Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released
+  /// direction, at accelerations, multipliers and inputs that belong to the motion.
+  TORSOR_DEVICE static void reactions(const Precomputed&, const State& state, const Accelerations& accelerations,
+      const Multipliers&, const Inputs&, Reactions& result) noexcept {
+    const Scalar n0_09 = traits::constant(0.09, 0.09f, "9/100");
+    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar a_theta = accelerations.theta;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar pi = traits::pi();
+    const Scalar z6 = traits::formula(0.02864788975654116, 0.02864789f, [&]() -> Scalar {
+      return n0_09 / pi;
+    });
+    const Scalar z7 = traits::formula(0.25464790894703254, 0.2546479f, [&]() -> Scalar {
+      return n0_8 / pi;
+    });
+    const Scalar z33 = v_theta * v_theta;
+    const Scalar z34 = z7 * z33;  // force on vane, y
+    const Scalar z35 = z6 * z33;  // moment on vane, z
+    const Scalar z41 = a_theta * z7;  // force on vane, z
+    const Scalar z43 = a_theta * z6;  // moment on vane, y
+    const Scalar z44 = s_theta * z41 + c_theta * z34;
+    const Scalar z45 = s_theta * z34 - c_theta * z41;
+    const Scalar z46 = s_theta * z35 - c_theta * z43;
+    const Scalar z47 = s_theta * z43 + c_theta * z35;
+    result.X = n0;
+    result.Y = -z44;
+    result.Z = -z45;
+    result.M_y = z46;
+    result.M_z = -z47;
+  }
+
+  /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
+  /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
+  TORSOR_DEVICE static torsor::Status linearisation(const Precomputed&, const State& state,
+      const Accelerations& accelerations, const Multipliers&, const Inputs&, Linearisation& result) noexcept {
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
+    const Scalar n0_045 = traits::constant(0.045, 0.045f, "9/200");
+    const Scalar n200_over_9 = traits::constant(22.22222222222222, 22.222221f, "200/9");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n4_over_9 = traits::constant(0.4444444444444444, 0.44444445f, "4/9");
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar a_theta = accelerations.theta;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z31 = n0_4 * s_theta;
+    const Scalar z32 = n0_02 * v_theta;
+    const Scalar z42 = n0_045 * a_theta;  // moment on vane, x
+    const Scalar z48 = z31 + z32 + z42;
+    const Scalar z51 = n0_4 * c_theta;
+    const Scalar z52 = n200_over_9 * z51;
+    result.M[0] = n0_045;
+    result.C[0] = n0_02;
+    result.K[0] = z51;
+    result.F[0] = -z48;
+    result.A[0] = n0;
+    result.A[1] = -z52;
+    result.A[2] = n1;
+    result.A[3] = -n4_over_9;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (result.K[0] - result.K[0]) + (result.F[0] - result.F[0]) + (result.A[1] - result.A[1]);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+};
+
+}  // namespace weather_vane
