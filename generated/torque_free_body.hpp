@@ -121,10 +121,10 @@ struct Mechanism {
 
   /// Generalised coordinates q.
   struct Coordinates {
-    Scalar e_w;  ///< component of a unit quaternion [rad or 1]
-    Scalar e_x;  ///< component of a unit quaternion [rad or 1]
-    Scalar e_y;  ///< component of a unit quaternion [rad or 1]
-    Scalar e_z;  ///< component of a unit quaternion [rad or 1]
+    Scalar e_w;  ///< component of a unit quaternion [1]
+    Scalar e_x;  ///< component of a unit quaternion [1]
+    Scalar e_y;  ///< component of a unit quaternion [1]
+    Scalar e_z;  ///< component of a unit quaternion [1]
     static constexpr int size = 4;
     TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
     TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }

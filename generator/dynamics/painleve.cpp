@@ -38,10 +38,11 @@ void add_momenta(const Equations& equations, const std::vector<Value>& momenta, 
     force -= turning[i];
     if (!vanishes(force)) continue;
     const Unit unit = units::joule / model.coordinates()[i].v->unit;
-    report.first_integrals.push_back({"momentum_" + q->name,
-                                      fmt::format("dT/d{}' of the cyclic coordinate '{}' [{}]", q->name, q->name,
-                                                  unit.to_string()),
-                                      momenta[i]});
+    const std::string meaning = model.coordinates()[i].attitude < 0
+                                    ? fmt::format("dT/d{}' of the cyclic coordinate '{}'", q->name, q->name)
+                                    : fmt::format("dT/d{}, constant in the moving axes", q->name);
+    report.first_integrals.push_back(
+        {"momentum_" + q->name, fmt::format("{} [{}]", meaning, unit.to_string()), momenta[i]});
   }
 }
 

@@ -81,7 +81,8 @@ std::vector<Structure> common_structures(const Equations& equations, const std::
   Structure q{"Coordinates", "Generalised coordinates q.", {}};
   for (const SymbolPointer& symbol : model.positions()) {
     const bool quaternion = !symbol->attitude.expired();
-    q.members.push_back(scalar(*symbol, quaternion ? "component of a unit quaternion" : "coordinate", symbol->unit));
+    q.members.push_back(scalar(*symbol, "coordinate", symbol->unit));
+    if (quaternion) q.members.back().documentation = "component of a unit quaternion [1]";
   }
   const bool quasi_velocities = model.positions().size() != static_cast<std::size_t>(model.unknown_count());
   Structure v{"Velocities",

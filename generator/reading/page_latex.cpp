@@ -46,7 +46,8 @@ class LatexPage final : public Page {
   }
   void symbol(const Symbol& symbol, const std::string& remark) override {
     close();
-    const bool angle = symbol.kind == SymbolKind::coordinate && symbol.unit.is_dimensionless();
+    const bool angle =
+        symbol.kind == SymbolKind::coordinate && symbol.unit.is_dimensionless() && symbol.attitude.expired();
     out_ += fmt::format("${}$ [${}$] {}\\par\n", latex_name(symbol.name),
                         angle ? "\\mathrm{rad}" : latex_unit(symbol.unit), latex_escaped(remark));
   }

@@ -17,9 +17,10 @@ std::string value_text(const Written& value) {
   return number ? decimal_text(value[0].coefficient) : text(value);
 }
 
-/// A coordinate without dimension is an angle.
+/// A coordinate without dimension is an angle, unless it is a quaternion's.
 std::string unit_text(const Symbol& symbol) {
-  const bool angle = symbol.kind == SymbolKind::coordinate && symbol.unit.is_dimensionless();
+  const bool angle =
+      symbol.kind == SymbolKind::coordinate && symbol.unit.is_dimensionless() && symbol.attitude.expired();
   return angle ? "rad" : symbol.unit.to_string();
 }
 

@@ -142,6 +142,14 @@ class Printer {
         fmt::format("$P_i = \\frac{{\\mathrm{{d}}}}{{\\mathrm{{d}}t}}\\frac{{\\partial T}}{{\\partial \\dot{{q}}_i}} - "
                     "\\frac{{\\partial T}}{{\\partial q_i}}$ on the left, the generalised forces $Q_i{}$ on the right.",
                     multipliers ? " + \\sum_j \\lambda_j a_{ji}" : ""));
+    if (!scene_.content().attitudes.empty()) {
+      page_.formula(
+          "Along the angular velocity w of an attitude, P = d/dt(dT/dw) + w x dT/dw, less the derivative of T along the "
+          "same turn.",
+          "Along the angular velocity $\\omega$ of an attitude, $P = \\frac{\\mathrm{d}}{\\mathrm{d}t}\\frac{\\partial "
+          "T}{\\partial \\omega} + \\omega \\wedge \\frac{\\partial T}{\\partial \\omega}$, less the derivative of "
+          "$T$ along the same turn.");
+    }
     bool said = false;
     for (std::size_t i = 0; i < equations_.equations().size(); ++i) {
       const LagrangeEquation& equation = equations_.equations()[i];

@@ -37,6 +37,18 @@ Real sum_of_sizes(const std::vector<Real>& terms) {
   return sum;
 }
 
+/// For each size the largest of the same unit: components of one unit share a scale, for one of them may vanish
+/// identically and be nothing but rounding.
+std::vector<Real> largest_of_unit(const std::vector<Real>& sizes, const std::vector<Unit>& units) {
+  std::vector<Real> result = sizes;
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    for (std::size_t j = 0; j < sizes.size(); ++j) {
+      if (units[i] == units[j] && sizes[j] > result[i]) result[i] = sizes[j];
+    }
+  }
+  return result;
+}
+
 /// Smallest pivot of a symmetric matrix relative to its diagonal entry; positive when it is positive definite.
 double smallest_relative_pivot(std::vector<std::vector<Real>> m) {
   double smallest = 1;
@@ -88,6 +100,8 @@ class SceneCheck {
       });
 
       // 1. Lagrange's operator on T against virtual power.
+      std::vector<Real> lefts, sizes;
+      std::vector<Unit> units;
       for (std::size_t i = 0; i < all; ++i) {
         const Real operator_side = there(road_.operators()[i]);
         const Real force_side = there(road_.forces()[i]);
@@ -99,8 +113,12 @@ class SceneCheck {
           left -= reaction;
           terms.push_back(reaction);
         }
-        derivations_.compare(here(inverse[i]), left, sum_of_sizes(terms));
+        lefts.push_back(left);
+        sizes.push_back(sum_of_sizes(terms));
+        units.push_back(model.coordinates()[i].q->unit);
       }
+      sizes = largest_of_unit(sizes, units);
+      for (std::size_t i = 0; i < all; ++i) derivations_.compare(here(inverse[i]), lefts[i], sizes[i]);
 
       // 2. Mass matrices: composite bodies against ∂P_i/∂q̈_j; symmetry of the latter; positiveness.
       std::vector<std::vector<Real>> m(n, std::vector<Real>(n));
@@ -153,6 +171,8 @@ class SceneCheck {
       for (const Real& term : terms) sum += term;
       forward_.compare(sum, Real(0), sum_of_sizes(terms));
     }
+    std::vector<Real> lefts, sizes;
+    std::vector<Unit> units;
     for (const ConstraintRow& row : kernels_.constraints()) {
       std::vector<Real> terms{here(row.gamma)};
       std::vector<Real> gradient;
@@ -164,8 +184,12 @@ class SceneCheck {
       for (std::size_t i = 0; i < a.size(); ++i) columns_.compare(here(row.ideal[i]), gradient[i], size);
       Real sum = Real(0);
       for (const Real& term : terms) sum += term;
-      constraints_.compare(sum, Real(0), sum_of_sizes(terms));
+      lefts.push_back(sum);
+      sizes.push_back(sum_of_sizes(terms));
+      units.push_back(row.multiplier->unit);
     }
+    sizes = largest_of_unit(sizes, units);
+    for (std::size_t j = 0; j < lefts.size(); ++j) constraints_.compare(lefts[j], Real(0), sizes[j]);
   }
 
   void check_energy(Evaluator<Real>& here, Evaluator<Real>& moving, const Value& power, const Value& explicit_rate,

@@ -37,4 +37,14 @@ inline Scene pendulum() {
   return scene;
 }
 
+/// A body of the moments 1, 2, 3 kg m² turning about its centre of mass, placed by the unit quaternion e.
+inline Scene torque_free_body() {
+  Scene scene("torque_free_body");
+  const AttitudeHandle e = scene.attitude("e");
+  const FrameHandle body = scene.spherical("body", scene.ground(), e);
+  const auto moment = [](const char* value) { return Expression::quantity(value, "kg m^2"); };
+  scene.body("body", body, Inertia::general(kilograms("1"), moment("1"), moment("2"), moment("3")));
+  return scene;
+}
+
 }  // namespace torsor::testing_mechanisms

@@ -9,6 +9,7 @@
 #include "generator/emission/kernel.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/expression/formula.hpp"
+#include "tests/dynamics/simple_scenes.hpp"
 #include "tests/emission/golden_scene.hpp"
 
 namespace torsor {
@@ -158,6 +159,13 @@ TEST(Header, RefusesNamesThatCppDoesNotTake) {
   EXPECT_NE(message_of("gamma", "x").find("the name 'gamma' of a scene belongs to the C library"), std::string::npos);
   EXPECT_NE(message_of("block", "Scalar").find("the name 'Scalar' of a member of Coordinates is used by the header"),
             std::string::npos);
+}
+
+TEST(Header, GivesAQuaternionsComponentsNoUnitOfAnAngle) {
+  const Equations equations(testing_mechanisms::torque_free_body());
+  const std::string header = emit_header(equations, kernels_of(equations, "mass_matrix"));
+  EXPECT_NE(header.find("    Scalar e_w;  ///< component of a unit quaternion [1]\n"), std::string::npos) << header;
+  EXPECT_NE(header.find("    Scalar e_omega_x;  ///< angular velocity, in moving axes [rad/s]\n"), std::string::npos);
 }
 
 TEST(Header, RefusesAKernelThatReadsWhatItIsNotGiven) {

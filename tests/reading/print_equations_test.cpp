@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "generator/expression/error.hpp"
+#include "tests/dynamics/simple_scenes.hpp"
 #include "tests/reading/scenes.hpp"
 
 namespace torsor {
@@ -193,6 +194,19 @@ TEST(PrintEquations, TellsTheFirstIntegralOrTheConditionThatFails) {
   EXPECT_NE(pendulum.find("\n  constant = 1/2 (m_1 + m_2) l_1^2 theta_1'^2"), std::string::npos) << pendulum;
   const std::string absorber = print(test::absorber());
   EXPECT_NE(absorber.find("T2 - T0 - U is not conserved: T depends on time explicitly"), std::string::npos) << absorber;
+}
+
+// Euler's equations. A quaternion's components have no unit, least of all that of an angle.
+TEST(PrintEquations, WritesEulersEquationsOfABodyPlacedByAQuaternion) {
+  const std::string text = print(testing_mechanisms::torque_free_body());
+  EXPECT_NE(text.find("\n  e_w [1]  component of a unit quaternion\n"), std::string::npos) << text;
+  EXPECT_EQ(section(text, "Lagrange's equations"),
+            R"(  P_i = d/dt(dT/dq_i') - dT/dq_i on the left, the generalised forces Q_i on the right.
+  Along the angular velocity w of an attitude, P = d/dt(dT/dw) + w x dT/dw, less the derivative of T along the same turn.
+  e_omega_x:  e_omega_x' + e_omega_y e_omega_z = 0
+  e_omega_y:  2 e_omega_y' - 2 e_omega_x e_omega_z = 0
+  e_omega_z:  3 e_omega_z' + e_omega_x e_omega_y = 0
+)");
 }
 
 TEST(PrintEquations, PrintsTheSameBytesFromFreshSymbolsAtOtherAddresses) {

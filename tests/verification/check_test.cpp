@@ -39,6 +39,23 @@ TEST(Check, PassesAGoodSceneAtEveryPrecision) {
   }
 }
 
+// A sphere's contact with a plane: that z'' = 0 is nothing but rounding, and is measured against the rolling beside it.
+TEST(Check, MeasuresWhatVanishesIdenticallyAgainstItsNeighbours) {
+  Scene scene("ball");
+  const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m"), z = scene.coordinate("z", "m");
+  const FrameHandle ball = scene.free("ball", scene.ground(), {x, y, z}, scene.attitude("e"));
+  scene.initial(z, metres("0.5"));
+  const PointHandle contact = scene.sphere_contact("contact", ball, metres("0.5"), scene.ground());
+  const Expression moment = Expression::quantity("1", "kg m^2");
+  scene.body("ball", ball, Inertia::general(kilograms("2"), moment, moment, moment).at({0, 0, metres("0.1")}));
+  scene.gravity({0, 0, Expression::quantity("-9.81", "m/s^2")});
+  scene.contact("floor", contact, scene.ground());
+  scene.rolling("rolling", ball, scene.ground(), contact, scene.ground());
+  for (const CheckResult& result : check_scene(scene, {.digits = 30, .states = 3})) {
+    EXPECT_TRUE(result.passed()) << result.name << ": " << result.worst;
+  }
+}
+
 TEST(Check, ComparesEveryKernelInDoubleAndRepeatsItself) {
   const std::vector<CheckResult> first = check_scene(pendulum(), {.digits = 30, .states = 2});
   const std::vector<CheckResult> second = check_scene(pendulum(), {.digits = 30, .states = 2});
