@@ -9,9 +9,9 @@ namespace torsor {
 
 /// How a screw of bodies is asked for.
 struct ScrewQuery {
-  PointReference point;               ///< A, where it is reduced: a geometric point, it may move in its frame
-  FrameReference axes = "ground";     ///< along whose axes its components are given
-  FrameReference observer = "ground"; ///< R, relative to which motion is seen
+  PointReference point;                ///< A, where it is reduced: a geometric point, it may move in its frame
+  FrameReference axes = "ground";      ///< along whose axes its components are given
+  FrameReference observer = "ground";  ///< R, relative to which motion is seen
 };
 
 /// Momentum screw of bodies relative to R, {m V_G, σ_A}: σ_A = ∫ AP ∧ V(P/R) dm, for one body

@@ -26,16 +26,14 @@ std::vector<int> body_indices(const Model& model, const BodyNames& names, const 
   for (const std::string& name : names) {
     const auto place = std::find(known.begin(), known.end(), name);
     if (place == known.end()) {
-      throw SceneError(
-          fmt::format("unknown body '{}' in {}: the scene has {}", name, user, fmt::join(known, ", ")));
+      throw SceneError(fmt::format("unknown body '{}' in {}: the scene has {}", name, user, fmt::join(known, ", ")));
     }
     indices.push_back(static_cast<int>(place - known.begin()));
   }
   std::sort(indices.begin(), indices.end());
   const auto twice = std::adjacent_find(indices.begin(), indices.end());
   if (twice != indices.end()) {
-    throw SceneError(
-        fmt::format("{} names the body '{}' twice", user, known[static_cast<std::size_t>(*twice)]));
+    throw SceneError(fmt::format("{} names the body '{}' twice", user, known[static_cast<std::size_t>(*twice)]));
   }
   return indices;
 }

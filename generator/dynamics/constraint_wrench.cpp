@@ -46,7 +46,9 @@ class WrenchOfLaw {
     const Vector b = bound(program_, model_.locate(at_b.origin, at_b.link, axes));
     Wrench unit;
     switch (law.kind) {
-      case JointClosure::Kind::offset: unit.resultant = a_i; break;
+      case JointClosure::Kind::offset:
+        unit.resultant = a_i;
+        break;
       case JointClosure::Kind::alignment: {  // d(a_i · b_j) = Ω(b/a) · (b_j ∧ a_i)
         const Vector b_j = axis_of(at_b, law.j, axes);
         const Vector couple = cross(b_j, a_i);

@@ -81,7 +81,8 @@ class Balance {
       } else if (inside(parent)) {  // the opposite acts on the parent, at its own point there
         const Twist child = relative_twist(model_, link, observer_);
         const Twist joint = relative_twist(model_, link, parent);
-        external_ -= reciprocal_product(transmitted[k], Twist{child.angular - joint.angular, child.linear - joint.linear});
+        external_ -=
+            reciprocal_product(transmitted[k], Twist{child.angular - joint.angular, child.linear - joint.linear});
       }
     }
   }
@@ -146,8 +147,7 @@ Value action_power(const Equations& equations, const std::string& name, const Fr
   if (action == actions.end()) {
     std::string known;
     for (const ActionContent& any : actions) known += (known.empty() ? "" : ", ") + name_of(any);
-    throw SceneError(
-        fmt::format("unknown action '{}': the scene has {}", name, known.empty() ? "none" : known));
+    throw SceneError(fmt::format("unknown action '{}': the scene has {}", name, known.empty() ? "none" : known));
   }
   const int reference = model.place(observer, user).link;
   const AppliedActions one = applied_actions(model, [&](const ActionContent& other) { return &other == &*action; });

@@ -36,7 +36,8 @@ class ComponentRows {
     const Vector at = bound(program, model.locate(Vector(), connection.bottom, connection.top));
     for (int i = 0; i < 6; ++i) {
       Wrench unit;
-      (i < 3 ? unit.resultant : unit.moment)[i % 3] = program.number(Number(1), i < 3 ? units::newton : units::newton_metre);
+      (i < 3 ? unit.resultant : unit.moment)[i % 3] =
+          program.number(Number(1), i < 3 ? units::newton : units::newton_metre);
       const Wrench at_top = reduced_at(unit, -at);  // as_asked starts from the origin of the link
       const Wrench asked = as_asked(model, at_top, connection.top, query);
       rows_[static_cast<std::size_t>(i)] = evaluated(evaluate, asked);
@@ -108,9 +109,9 @@ IsolationReport isolation_report(const Equations& equations, const BodyNames& bo
     for (const IsolationUnknown& unknown : report.unknowns) {
       if (unknown.enters[i]) names.push_back(unknown.name);
     }
-    report.text +=
-        fmt::format("  {}: {}\n", equations_names[i],
-                    names.empty() ? "no unknown component, an equation of motion" : fmt::format("{}", fmt::join(names, ", ")));
+    report.text += fmt::format(
+        "  {}: {}\n", equations_names[i],
+        names.empty() ? "no unknown component, an equation of motion" : fmt::format("{}", fmt::join(names, ", ")));
   }
   return report;
 }

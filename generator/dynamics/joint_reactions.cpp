@@ -11,8 +11,8 @@ namespace {
 constexpr int digits = 50;
 using Row = std::vector<Real>;
 
-/// Basis of {x : rows x = 0}, one vector for each column without a pivot, 1 there and 0 at the others; pivots are sought
-/// in the columns in the given order.
+/// Basis of {x : rows x = 0}, one vector for each column without a pivot, 1 there and 0 at the others; pivots are
+/// sought in the columns in the given order.
 std::vector<Row> null_space(std::vector<Row> rows, const std::vector<std::size_t>& columns) {
   std::vector<std::size_t> pivots;
   std::size_t done = 0;

@@ -17,7 +17,8 @@ struct ReactionComponent {
   std::array<Real, 6> direction;  ///< resultant [N], then moment [N m]
 };
 
-/// What ties a body to the one before it in the tree: one link's joint, or those of several links in a row without mass.
+/// What ties a body to the one before it in the tree: one link's joint, or those of several links in a row without
+/// mass.
 struct Connection {
   std::string name;  ///< the joint's, as its author named it, else that of the frame it carries
   int top = 0;       ///< first link after `from`; components are along its axes

@@ -61,9 +61,10 @@ std::vector<bool> isolated_links(const Model& model, const BodyNames& names, con
     const std::size_t link = link_of(bodies[b]);
     massive[link] = true;
     if (!inside[link] || std::binary_search(asked.begin(), asked.end(), static_cast<int>(b))) continue;
-    throw SceneError(fmt::format("{} isolates part of a rigid body: '{}' is fixed to what is asked for; name it too, or "
-                                 "put a joint with a released coordinate between them",
-                                 user, bodies[b].name));
+    throw SceneError(
+        fmt::format("{} isolates part of a rigid body: '{}' is fixed to what is asked for; name it too, or "
+                    "put a joint with a released coordinate between them",
+                    user, bodies[b].name));
   }
   if (inside[0]) throw SceneError(fmt::format("{} isolates the ground, which nothing moves: drop its bodies", user));
   // A link without mass goes with all it carries; one that carries nothing goes with what carries it.
@@ -89,7 +90,8 @@ NewtonEuler newton_euler(const Equations& equations, const BodyNames& bodies, co
   NewtonEuler theorem;
   theorem.dynamic = dynamic_screw(model, bodies, query);
   WrenchOnLinks weights;
-  for (const auto& [link, mass] : mass_by_link(model, bodies, user)) weights[link] = weight_at_origin(model, link, mass);
+  for (const auto& [link, mass] : mass_by_link(model, bodies, user))
+    weights[link] = weight_at_origin(model, link, mass);
   theorem.weight = sum_as_asked(model, weights, inside, query);
   theorem.applied = sum_as_asked(model, equations.actions().wrenches, inside, query);
   if (model.place(query.observer, user).link != 0) {
@@ -98,8 +100,8 @@ NewtonEuler newton_euler(const Equations& equations, const BodyNames& bodies, co
   }
   theorem.constraints = sum_as_asked(model, constraint_wrenches(equations), inside, query);
   const Wrench known = theorem.weight + theorem.applied + theorem.inertia + theorem.constraints;
-  theorem.transmitted = bound_screw(
-      program, Wrench{theorem.dynamic.resultant - known.resultant, theorem.dynamic.moment - known.moment});
+  theorem.transmitted =
+      bound_screw(program, Wrench{theorem.dynamic.resultant - known.resultant, theorem.dynamic.moment - known.moment});
   return theorem;
 }
 

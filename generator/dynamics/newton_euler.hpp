@@ -11,11 +11,12 @@ namespace torsor {
 struct NewtonEuler {
   DynamicScrew dynamic;  ///< of the bodies relative to the query's observer R
   Wrench weight;
-  Wrench applied;        ///< known actions from outside; those between the bodies cancel
-  Wrench inertia;        ///< transport and Coriolis wrenches when R moves; else null
-  Wrench constraints;    ///< Σ λ_j × wrench of a unit multiplier, friction included
+  Wrench applied;      ///< known actions from outside; those between the bodies cancel
+  Wrench inertia;      ///< transport and Coriolis wrenches when R moves; else null
+  Wrench constraints;  ///< Σ λ_j × wrench of a unit multiplier, friction included
   /// What the joints across the boundary transmit to the bodies: dynamic less all the others. In it is what works on a
-  /// formula of coordinates (motors, springs and dampers on an elongation, formulas as constraints): these act in joints.
+  /// formula of coordinates (motors, springs and dampers on an elongation, formulas as constraints): these act in
+  /// joints.
   Wrench transmitted;
 };
 
@@ -38,8 +39,8 @@ struct NewtonEulerEquation {
 NewtonEulerEquation newton_euler(const Equations& equations, const BodyNames& bodies, const ScrewQuery& query,
                                  Theorem theorem, const Triple& direction);
 
-/// For each link the wrench that its parent exerts on it through the joint (and through what works on a formula), in the
-/// link's axes at its origin: Newton-Euler for the isolated sub-tree, from the tips to the ground. Entry 0 is null.
+/// For each link the wrench that its parent exerts on it through the joint (and through what works on a formula), in
+/// the link's axes at its origin: Newton-Euler for the isolated sub-tree, from the tips to the ground. Entry 0 is null.
 std::vector<Wrench> transmitted_wrenches(const Equations& equations);
 
 /// The same for the joint that carries a frame, reduced and written as asked. Throws SceneError for the ground.

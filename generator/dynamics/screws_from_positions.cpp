@@ -30,8 +30,8 @@ class FromPositions {
     screw.resultant = bound(program_, mass.mass * velocity + h_rate);
     screw.moment = cross(bound(program_, origin - point_), screw.resultant);
     screw.moment += cross(bound(program_, h), velocity);
-    const Value half_trace = program_.bind(
-        Number::rational(1, 2) * (mass.inertia(0, 0) + mass.inertia(1, 1) + mass.inertia(2, 2)));
+    const Value half_trace =
+        program_.bind(Number::rational(1, 2) * (mass.inertia(0, 0) + mass.inertia(1, 1) + mass.inertia(2, 2)));
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j) {
         Value second = -mass.inertia(i, j);  // ∫ x_i x_j dm = ½ tr(J) δ_ij − J_ij

@@ -50,8 +50,9 @@ std::string unknowns_report(const Equations& equations) {
   text += fmt::format("  {} unknowns: {} components in joints, {} multipliers, {} accelerations\n", components + m + n,
                       components, m, n);
   if (components + n > theorems) {
-    text += fmt::format("  {} more say that joints tied by formulas of shared coordinates transmit power without loss\n",
-                        components + n - theorems);
+    text +=
+        fmt::format("  {} more say that joints tied by formulas of shared coordinates transmit power without loss\n",
+                    components + n - theorems);
   }
   text += "Lagrange\n";
   text += fmt::format("  {} equations: {} of motion and {} of constraint, for {} accelerations and {} multipliers\n",
@@ -61,13 +62,15 @@ std::string unknowns_report(const Equations& equations) {
   }
   text += "The choice\n";
   if (m > 0) {
-    text += fmt::format("  with {} independent coordinates instead of {} there are no multipliers, and the reactions of "
-                        "the {} constraints stay unknown\n",
-                        static_cast<long>(n) - static_cast<long>(m), n, m);
+    text += fmt::format(
+        "  with {} independent coordinates instead of {} there are no multipliers, and the reactions of "
+        "the {} constraints stay unknown\n",
+        static_cast<long>(n) - static_cast<long>(m), n, m);
   }
-  text += fmt::format("  each of the {} components in joints comes from Newton-Euler for isolated bodies, or from one more "
-                      "released coordinate and its equation\n",
-                      components);
+  text += fmt::format(
+      "  each of the {} components in joints comes from Newton-Euler for isolated bodies, or from one more "
+      "released coordinate and its equation\n",
+      components);
   return text;
 }
 

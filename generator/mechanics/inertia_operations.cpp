@@ -44,17 +44,17 @@ Inertia operator-(const Inertia& body) {
 }
 
 Inertia operator+(const Inertia& a, const Inertia& b) {
-  Inertia sum{a.mass + b.mass, a.center,    a.xx + b.xx, a.yy + b.yy,
-              a.zz + b.zz,     a.xy + b.xy, a.xz + b.xz, a.yz + b.yz};
+  Inertia sum{a.mass + b.mass, a.center, a.xx + b.xx, a.yy + b.yy, a.zz + b.zz, a.xy + b.xy, a.xz + b.xz, a.yz + b.yz};
   if (b.mass.is_zero()) return sum;
   if (a.mass.is_zero()) {
     sum.center = b.center;
     return sum;
   }
   if (cancels(sum.mass)) {
-    throw SceneError(fmt::format("the masses {} and {} of an assembly cancel: it has no centre of mass; a hole must be "
-                                 "lighter than what it is cut from",
-                                 a.mass.to_string(), b.mass.to_string()));
+    throw SceneError(
+        fmt::format("the masses {} and {} of an assembly cancel: it has no centre of mass; a hole must be "
+                    "lighter than what it is cut from",
+                    a.mass.to_string(), b.mass.to_string()));
   }
   const Triple d = b.center - a.center;
   const Expression share = b.mass / sum.mass;

@@ -25,8 +25,8 @@ Inertia from_operator_about(const Expression& mass, const Triple& center, const 
 Inertia operator-(const Inertia& body);
 
 /// Two bodies fixed to one another, both given in one frame: masses add, OG = (m1 OG1 + m2 OG2)/(m1 + m2) and
-/// J = J1 + J2 + m1 m2/(m1 + m2) (d² 1 − d dᵀ) with d = G1G2. A hole is subtracted. Massless operators (a flywheel's) are
-/// added too. Throws SceneError when the masses cancel identically and only then.
+/// J = J1 + J2 + m1 m2/(m1 + m2) (d² 1 − d dᵀ) with d = G1G2. A hole is subtracted. Massless operators (a flywheel's)
+/// are added too. Throws SceneError when the masses cancel identically and only then.
 Inertia operator+(const Inertia& a, const Inertia& b);
 Inertia operator-(const Inertia& a, const Inertia& b);
 

@@ -80,16 +80,13 @@ Inertia with_symmetry(const Inertia& body, MaterialSymmetry symmetry, int axis) 
 }
 
 bool is_spherical(const Inertia& body) {
-  return all_vanish(
-      {body.xy, body.xz, body.yz, difference(body.xx, body.yy), difference(body.yy, body.zz)});
+  return all_vanish({body.xy, body.xz, body.yz, difference(body.xx, body.yy), difference(body.yy, body.zz)});
 }
 
 bool is_of_revolution(const Inertia& body, int axis) {
   return allows(body.at({0, 0, 0}), MaterialSymmetry::revolution, axis);
 }
 
-bool is_principal(const Inertia& body, int axis) {
-  return allows(body.at({0, 0, 0}), MaterialSymmetry::plane, axis);
-}
+bool is_principal(const Inertia& body, int axis) { return allows(body.at({0, 0, 0}), MaterialSymmetry::plane, axis); }
 
 }  // namespace torsor

@@ -24,9 +24,10 @@ void check_constant(const SceneContent& scene, const BodyContent& body) {
   for (const Expression* entry : entries(body.inertia)) {
     const auto refuse = [&](const SymbolPointer& symbol) {
       if (!symbol || !entry->depends_on(symbol)) return;
-      throw SceneError(fmt::format("the inertia of body '{}' depends on '{}', which changes in time: a body's mass and "
-                                   "shape are constant in its frame; use a joint for what moves",
-                                   body.name, symbol->name));
+      throw SceneError(
+          fmt::format("the inertia of body '{}' depends on '{}', which changes in time: a body's mass and "
+                      "shape are constant in its frame; use a joint for what moves",
+                      body.name, symbol->name));
     };
     refuse(scene.time);
     for (const CoordinateContent& c : scene.coordinates) {
@@ -81,9 +82,10 @@ void check_inertia(const SceneContent& scene, const BodyContent& body) {
   const auto known = [&](const Expression* entry) { return !depends_on_unknown_parameter(scene, *entry); };
   const auto value = [&](const Expression& entry) { return parameter_value(scene, entry).to_double(); };
   if (known(&inertia.mass) && value(inertia.mass) < 0) {
-    throw SceneError(fmt::format("body '{}' has the mass {:.6g} kg: a mass is never negative; subtract a hole from the "
-                                 "body it is cut from, as in Inertia::box(...) - Inertia::cylinder(...)",
-                                 body.name, value(inertia.mass)));
+    throw SceneError(
+        fmt::format("body '{}' has the mass {:.6g} kg: a mass is never negative; subtract a hole from the "
+                    "body it is cut from, as in Inertia::box(...) - Inertia::cylinder(...)",
+                    body.name, value(inertia.mass)));
   }
   const auto all = entries(inertia);
   if (!std::all_of(all.begin() + 4, all.end(), known)) return;
@@ -98,11 +100,12 @@ void check_inertia(const SceneContent& scene, const BodyContent& body) {
   const bool complete = !inertia.xx.is_zero() && !inertia.yy.is_zero() && !inertia.zz.is_zero();
   const bool negative = moments[0] < -slack;
   if (!negative && (!complete || moments[0] + moments[1] >= moments[2] - slack)) return;
-  throw SceneError(fmt::format("body '{}' has the principal moments of inertia {:.6g}, {:.6g} and {:.6g} kg m^2 about its "
-                               "centre of mass: of no matter is one larger than the sum of the others, or negative; "
-                               "check the entries, the sign of the products (xy = -int x y dm) and that the operator "
-                               "is about the centre of mass",
-                               body.name, moments[0], moments[1], moments[2]));
+  throw SceneError(
+      fmt::format("body '{}' has the principal moments of inertia {:.6g}, {:.6g} and {:.6g} kg m^2 about its "
+                  "centre of mass: of no matter is one larger than the sum of the others, or negative; "
+                  "check the entries, the sign of the products (xy = -int x y dm) and that the operator "
+                  "is about the centre of mass",
+                  body.name, moments[0], moments[1], moments[2]));
 }
 
 }  // namespace torsor

@@ -79,8 +79,8 @@ TEST_P(RandomScrews, AreTheSameFromTwistsAndFromPositions) {
   const RandomState state(scene, 5);
   Evaluator<Real> evaluate(equations.program(), state.in_real());
   const BodyNames bodies = all_bodies(model);
-  for (const ScrewQuery& query : {ScrewQuery{"X", axes, "ground"}, ScrewQuery{"Q0", "ground", observer},
-                                  ScrewQuery{"X", observer, observer}}) {
+  for (const ScrewQuery& query :
+       {ScrewQuery{"X", axes, "ground"}, ScrewQuery{"Q0", "ground", observer}, ScrewQuery{"X", observer, observer}}) {
     const MomentumScrew momentum = momentum_screw(model, bodies, query);
     const MomentumScrew momentum_again = momentum_screw_from_positions(model, bodies, query);
     EXPECT_LT(distance(columns(evaluate, momentum.resultant), columns(evaluate, momentum_again.resultant)), 1e-44);
@@ -99,8 +99,8 @@ TEST_P(RandomScrews, AreTheSameFromTwistsAndFromPositions) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomScrews, ::testing::Range(300U, 308U));
 
-/// An eccentric disk of radius r on a horizontal line; x and φ are independent, so that it may slip. The contact I is at
-/// (x, 0): its velocity ẋ is not that of the disk's own point there, ẋ + r φ̇.
+/// An eccentric disk of radius r on a horizontal line; x and φ are independent, so that it may slip. The contact I is
+/// at (x, 0): its velocity ẋ is not that of the disk's own point there, ẋ + r φ̇.
 struct EccentricDisk {
   EccentricDisk() {
     const auto metre = [](const char* value) { return Expression::quantity(value, "m"); };
@@ -122,12 +122,9 @@ TEST(DynamicScrew, TakesTheVelocityOfTheGeometricPointOfContact) {
   const Model& model = equations.model();
   const Real m(3), r = rational(1, 2), e = rational(1, 5), J = rational(2, 5), phi = rational(7, 10);
   const Real dx = rational(6, 5), dphi = rational(-9, 4), ddx = rational(3, 7), ddphi = rational(5, 3);
-  Evaluator<Real> evaluate(equations.program(), at({{"x", rational(1, 3)},
-                                                    {"phi", phi},
-                                                    {"x'", dx},
-                                                    {"phi'", dphi},
-                                                    {"x''", ddx},
-                                                    {"phi''", ddphi}}));
+  Evaluator<Real> evaluate(
+      equations.program(),
+      at({{"x", rational(1, 3)}, {"phi", phi}, {"x'", dx}, {"phi'", dphi}, {"x''", ddx}, {"phi''", ddphi}}));
   // G = (x + e cos φ, r + e sin φ) by hand.
   const Column IG{e * cos(phi), r + e * sin(phi), Real(0)};
   const Column VG{dx - e * sin(phi) * dphi, e * cos(phi) * dphi, Real(0)};
@@ -151,15 +148,15 @@ TEST(DynamicScrew, TakesTheVelocityOfTheGeometricPointOfContact) {
   EXPECT_GT(relative_difference(sigma_rate + cross(own_point, m * VG)[2], delta), 1e-2);
 }
 
-/// The course's summary prints J_G for J_Q in 2T = m V_Q² + Ω·J_Q Ω + 2 m V_Q·(Ω ∧ QG): at Q ≠ G that is another number.
+/// The course's summary prints J_G for J_Q in 2T = m V_Q² + Ω·J_Q Ω + 2 m V_Q·(Ω ∧ QG): at Q ≠ G that is another
+/// number.
 TEST(KineticEnergy, NeedsTheOperatorAtThePointItIsWrittenAt) {
   const WorkingDigits precision(50);
   const EccentricDisk given;
   const Equations equations(given.scene);
   const Real m(3), r = rational(1, 2), e = rational(1, 5), J = rational(2, 5), phi = rational(7, 10);
   const Real dx = rational(6, 5), dphi = rational(-9, 4);
-  Evaluator<Real> evaluate(equations.program(),
-                           at({{"x", rational(1, 3)}, {"phi", phi}, {"x'", dx}, {"phi'", dphi}}));
+  Evaluator<Real> evaluate(equations.program(), at({{"x", rational(1, 3)}, {"phi", phi}, {"x'", dx}, {"phi'", dphi}}));
   const Column IG{e * cos(phi), r + e * sin(phi), Real(0)};
   const Column VG{dx - e * sin(phi) * dphi, e * cos(phi) * dphi, Real(0)};
   const Real doubled = m * dot(VG, VG) + J * dphi * dphi;  // König
@@ -179,11 +176,15 @@ TEST(BodyScrews, NameWhatIsAskedWrongly) {
   const Model& model = equations.model();
   EXPECT_EQ(error_of<SceneError>([&] { momentum_screw(model, {"moon"}, {"X"}); }),
             "unknown body 'moon' in a momentum screw: the scene has cloud, weight");
-  EXPECT_EQ(error_of<SceneError>([&] { dynamic_screw(model, {"cloud", "weight", "cloud"}, {"X"}); }),
+  EXPECT_EQ(error_of<SceneError>([&] {
+              dynamic_screw(model, {"cloud", "weight", "cloud"}, {"X"});
+            }),
             "a dynamic screw names the body 'cloud' twice");
   EXPECT_EQ(error_of<SceneError>([&] { dynamic_screw(model, {}, {"X"}); }),
             "a dynamic screw is asked for no body: name at least one of cloud, weight");
-  EXPECT_EQ(error_of<SceneError>([&] { kinetic_energy_at(model, {"cloud", "weight"}, "X"); }),
+  EXPECT_EQ(error_of<SceneError>([&] {
+              kinetic_energy_at(model, {"cloud", "weight"}, "X");
+            }),
             "the kinetic energy at a point is that of one rigid body, and the bodies asked for move on 2 links (R, S, "
             "...): ask for each, or for kinetic_energy");
 }

@@ -41,8 +41,8 @@ TEST_P(RandomEnergyTheorem, HoldsForAnyBodiesInAnyFrame) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomEnergyTheorem, ::testing::Range(600U, 615U));
 
-/// Two masses on rails with a spring between them and one to the ground, drag on each other and a given force, seen from
-/// the ground and from a turntable that does not carry them.
+/// Two masses on rails with a spring between them and one to the ground, drag on each other and a given force, seen
+/// from the ground and from a turntable that does not carry them.
 struct Rails {
   Rails() {
     const auto newton = [](const char* value) { return Expression::quantity(value, "N"); };

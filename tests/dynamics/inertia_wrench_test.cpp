@@ -69,8 +69,8 @@ std::pair<Column, Column> printed_transport(const Model& model, Evaluator<Real>&
   const auto [link, mass] = mass_by_link(model, {body}, "test")[0];
   const int R = model.place(observer, "test").link;
   const Vector center = bound(program, pow(mass.mass, -1) * mass.first_moment);
-  const Column AG = columns(evaluate, model.locate(center, link, 0)) -
-                    columns(evaluate, model.locate(point, 0, "test"));
+  const Column AG =
+      columns(evaluate, model.locate(center, link, 0)) - columns(evaluate, model.locate(point, 0, "test"));
   const Column force = columns(evaluate, rates_of(rates_of(model.locate(center, link, 0))));
   const Column m_gamma = evaluate(mass.mass) * force;
   Matrix central = mass.inertia;  // J_G = J_O − m (OG² 1 − OG OGᵀ)
@@ -92,8 +92,9 @@ TEST(InertiaWrench, IsThePrintedOneOnlyForABodyFixedInTheFrame) {
   const BodyOnCarrier given;
   Scene scene = given.scene;
   const auto metre = [](const char* value) { return Expression::quantity(value, "m"); };
-  scene.body("fixed", "R", Inertia::box(Expression::quantity("2", "kg"), metre("0.3"), metre("0.4"), metre("0.9"))
-                               .at({metre("0.2"), metre("0.5"), 0}));
+  scene.body("fixed", "R",
+             Inertia::box(Expression::quantity("2", "kg"), metre("0.3"), metre("0.4"), metre("0.9"))
+                 .at({metre("0.2"), metre("0.5"), 0}));
   const Equations equations(scene);
   const Model& model = equations.model();
   const RandomState state(scene, 11);

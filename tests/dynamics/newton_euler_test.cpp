@@ -32,8 +32,8 @@ BodyNames bodies_beyond(const Model& model, std::size_t top) {
 
 class RandomNewtonEuler : public ::testing::TestWithParam<unsigned> {};
 
-/// Along each freedom the joints transmit the generalised force that Lagrange's equation wants there: that of the inertia
-/// forces by virtual power, less what acts on the bodies themselves.
+/// Along each freedom the joints transmit the generalised force that Lagrange's equation wants there: that of the
+/// inertia forces by virtual power, less what acts on the bodies themselves.
 TEST_P(RandomNewtonEuler, TransmitsTheGeneralisedForcesThroughTheJoints) {
   const WorkingDigits precision(50);
   const Scene scene = random_mechanism(GetParam());
@@ -123,8 +123,8 @@ TEST(TransmittedWrench, HasTheReactionsFoundWithReleasedCoordinates) {
   const WorkingDigits precision(50);
   const Elbow closed(false), open(true);
   const Equations of_closed(closed.scene), of_open(open.scene);
-  const Point point{{"q1", rational(3, 7)},   {"q2", rational(-8, 5)},  {"q1'", rational(9, 4)}, {"q2'", rational(5, 3)},
-                    {"q1''", rational(1, 3)}, {"q2''", rational(-7, 2)}};
+  const Point point{{"q1", rational(3, 7)},  {"q2", rational(-8, 5)},  {"q1'", rational(9, 4)},
+                    {"q2'", rational(5, 3)}, {"q1''", rational(1, 3)}, {"q2''", rational(-7, 2)}};
   NamedState state(of_closed, point), state_open(of_open, point);
   const Wrench wrench = transmitted_wrench(of_closed, "forearm", {"E", "fixed"});
   const std::vector<Value>& forces = of_open.inverse_dynamics();  // q1, q2, then X, Y, Z, L, M
@@ -166,9 +166,10 @@ TEST(NewtonEuler, IsolatesWholeRigidBodiesOnly) {
   scene.body("paint", "arm", Inertia::point(kilograms("0.1")));
   scene.body("pillar", scene.ground(), Inertia::point(kilograms("10")));
   const Equations equations(scene);
-  EXPECT_EQ(error_of<SceneError>([&] { newton_euler(equations, {"bob"}, {"O"}); }),
-            "Newton-Euler's theorem isolates part of a rigid body: 'paint' is fixed to what is asked for; name it too, or "
-            "put a joint with a released coordinate between them");
+  EXPECT_EQ(
+      error_of<SceneError>([&] { newton_euler(equations, {"bob"}, {"O"}); }),
+      "Newton-Euler's theorem isolates part of a rigid body: 'paint' is fixed to what is asked for; name it too, or "
+      "put a joint with a released coordinate between them");
   EXPECT_EQ(error_of<SceneError>([&] { newton_euler(equations, {"pillar"}, {"O"}); }),
             "Newton-Euler's theorem isolates the ground, which nothing moves: drop its bodies");
   EXPECT_EQ(error_of<SceneError>([&] { transmitted_wrench(equations, "ground"); }),

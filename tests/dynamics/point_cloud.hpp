@@ -39,9 +39,9 @@ inline Vector rates_of(const Vector& v) {
   return result;
 }
 
-/// A body that moves on a carrier which itself moves: a carrier that slides along x and turns about a skew axis, on it a
-/// body that turns about y and slides along z. The body's matter is eight points of mass m/8 at center + (±a, ±b, ±c),
-/// so that every integral over it is a sum of eight terms. X moves in the carrier; it belongs to no body.
+/// A body that moves on a carrier which itself moves: a carrier that slides along x and turns about a skew axis, on it
+/// a body that turns about y and slides along z. The body's matter is eight points of mass m/8 at center + (±a, ±b,
+/// ±c), so that every integral over it is a sum of eight terms. X moves in the carrier; it belongs to no body.
 struct BodyOnCarrier {
   BodyOnCarrier() {
     const auto m = [](const char* value) { return Expression::quantity(value, "m"); };
@@ -51,14 +51,14 @@ struct BodyOnCarrier {
     const Expression q4 = scene.coordinate("q4", "m");
     const FrameHandle slide = scene.prismatic("slide", scene.ground(), axis::x, q1);
     const FrameHandle R = scene.revolute("R", slide, {1, 2, 2}, q2 + q1 / m("3"), {.origin = {m("0.2"), 0, m("-0.1")}});
-    const FrameHandle arm =
-        scene.revolute("arm", R, axis::y, q3,
-                       {.origin = {m("0.3"), m("0.4"), m("0.1")}, .rotation = Rotation::about(0, 5)});
+    const FrameHandle arm = scene.revolute(
+        "arm", R, axis::y, q3, {.origin = {m("0.3"), m("0.4"), m("0.1")}, .rotation = Rotation::about(0, 5)});
     const FrameHandle S = scene.prismatic("S", arm, axis::z, q4 + m("0.2") * sin(q3), {.origin = {m("0.5"), 0, 0}});
     for (const char* name : {"x", "y", "z"}) frozen.push_back(scene.parameter(std::string("frozen_") + name, "m"));
     const Expression mass = Expression::quantity("2.5", "kg");
     const Expression a = m("0.2"), b = m("0.3"), c = m("0.5");
-    const Inertia cloud = Inertia::general(mass, mass * (b * b + c * c), mass * (a * a + c * c), mass * (a * a + b * b));
+    const Inertia cloud =
+        Inertia::general(mass, mass * (b * b + c * c), mass * (a * a + c * c), mass * (a * a + b * b));
     scene.body("cloud", S, cloud.at({m("0.1"), m("-0.2"), m("0.4")}));
     scene.body("weight", R, Inertia::point(Expression::quantity("0.7", "kg")).at({m("0.6"), 0, m("0.2")}));
     scene.point("X", R, {q4 + m("0.3"), m("0.2") * cos(q3), q1 - q4});

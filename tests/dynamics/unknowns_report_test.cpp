@@ -38,8 +38,7 @@ TEST(Connection, TransmitsTheIdealWrenchOfItsJoint) {
   };
   const FrameHandle ground{0};
   using E = Expression;
-  EXPECT_EQ(scene_with([&](Scene& s, E q, E, Triple) { return s.revolute("j", ground, axis::x, q); }),
-            "X, Y, Z, M, N");
+  EXPECT_EQ(scene_with([&](Scene& s, E q, E, Triple) { return s.revolute("j", ground, axis::x, q); }), "X, Y, Z, M, N");
   EXPECT_EQ(scene_with([&](Scene& s, E, E x, Triple) { return s.prismatic("j", ground, axis::x, x); }),
             "Y, Z, L, M, N");
   const E pitch = Expression::quantity("0.01", "m");
@@ -47,18 +46,13 @@ TEST(Connection, TransmitsTheIdealWrenchOfItsJoint) {
             "X - 0.01 L, Y, Z, M, N");
   EXPECT_EQ(scene_with([&](Scene& s, E q, E x, Triple) { return s.cylindrical("j", ground, axis::x, x, q); }),
             "Y, Z, M, N");
-  EXPECT_EQ(
-      scene_with([&](Scene& s, E q, E, Triple a) { return s.universal("j", ground, axis::x, q, axis::y, a[1]); }),
-      "X, Y, Z, N");
+  EXPECT_EQ(scene_with([&](Scene& s, E q, E, Triple a) { return s.universal("j", ground, axis::x, q, axis::y, a[1]); }),
+            "X, Y, Z, N");
   EXPECT_EQ(scene_with([&](Scene& s, E, E, Triple a) { return s.spherical("j", ground, AngleSequence::euler, a); }),
             "X, Y, Z");
-  EXPECT_EQ(scene_with([&](Scene& s, E, E, Triple) {
-              return s.spherical("j", ground, s.attitude("turn"));
-            }),
+  EXPECT_EQ(scene_with([&](Scene& s, E, E, Triple) { return s.spherical("j", ground, s.attitude("turn")); }),
             "X, Y, Z");
-  EXPECT_EQ(scene_with([&](Scene& s, E q, E x, Triple) {
-              return s.planar("j", ground, x, s.coordinate("y", "m"), q);
-            }),
+  EXPECT_EQ(scene_with([&](Scene& s, E q, E x, Triple) { return s.planar("j", ground, x, s.coordinate("y", "m"), q); }),
             "Z, L, M");
   EXPECT_EQ(scene_with([&](Scene& s, E, E x, Triple a) {
               return s.free("j", ground, AngleSequence::cardan, {x, s.coordinate("y", "m"), s.coordinate("z", "m")}, a);
@@ -94,8 +88,8 @@ INSTANTIATE_TEST_SUITE_P(Seeds, RandomConnections, ::testing::Range(700U, 715U))
 Scene two_bars() {
   Scene scene("two_bars");
   const FrameHandle arm = scene.revolute("shoulder", scene.ground(), axis::z, scene.coordinate("q1", "rad"));
-  const FrameHandle forearm = scene.revolute("elbow", arm, axis::z, scene.coordinate("q2", "rad"),
-                                             {.origin = {metres("0.7"), 0, 0}});
+  const FrameHandle forearm =
+      scene.revolute("elbow", arm, axis::z, scene.coordinate("q2", "rad"), {.origin = {metres("0.7"), 0, 0}});
   scene.body("arm", arm, box().at({metres("0.35"), 0, 0}));
   scene.body("forearm", forearm, box().at({metres("0.3"), 0, 0}));
   scene.point("E", forearm, {0, 0, 0});
@@ -134,7 +128,8 @@ TEST(IsolationReport, CountsTheMultipliersAcrossTheBoundary) {
   Scene scene = two_bars();
   scene.point("rail", scene.ground(), {metres("0.9"), 0, 0});
   scene.closure("guide", "rail", "tip", axis::y);
-  scene.holonomic("gear", Expression(scene.content().coordinates[0].q) + 2 * Expression(scene.content().coordinates[1].q));
+  scene.holonomic("gear",
+                  Expression(scene.content().coordinates[0].q) + 2 * Expression(scene.content().coordinates[1].q));
   const Equations equations(scene);
   const IsolationReport report = isolation_report(equations, {"forearm"}, {"tip", "ground"});
   ASSERT_EQ(report.unknowns.size(), 6U);
@@ -149,34 +144,36 @@ TEST(UnknownsReport, CountsUnknownsAgainstEquations) {
   const Expression held = scene.released_coordinate("held", "m");
   const FrameHandle slide = scene.prismatic("pin", "elbow", axis::z, held);
   scene.body("hand", slide, box());
-  EXPECT_EQ(unknowns_report(Equations(scene)),
-            "Unknowns and equations of two_bars\n"
-            "  unknown coordinates: 2 (q1, q2)\n"
-            "  driven by a law of time: none\n"
-            "  released, held at zero: 1 (held)\n"
-            "  constraints: 1 (guide)\n"
-            "  degrees of freedom, the constraints being independent: 1\n"
-            "  joint shoulder on ground: X, Y, Z, L, M\n"
-            "  joint elbow on shoulder: X, Y, Z, L, M\n"
-            "  joint pin on elbow: X, Y, Z, L, M, N\n"
-            "Newton-Euler\n"
-            "  19 equations: 6 for each of 3 bodies and 1 of constraint\n"
-            "  19 unknowns: 16 components in joints, 1 multipliers, 2 accelerations\n"
-            "Lagrange\n"
-            "  3 equations: 2 of motion and 1 of constraint, for 2 accelerations and 1 multipliers\n"
-            "  1 more, one for each released coordinate, give the reaction against it\n"
-            "The choice\n"
-            "  with 1 independent coordinates instead of 2 there are no multipliers, and the reactions of the 1 "
-            "constraints stay unknown\n"
-            "  each of the 16 components in joints comes from Newton-Euler for isolated bodies, or from one more released "
-            "coordinate and its equation\n");
+  EXPECT_EQ(
+      unknowns_report(Equations(scene)),
+      "Unknowns and equations of two_bars\n"
+      "  unknown coordinates: 2 (q1, q2)\n"
+      "  driven by a law of time: none\n"
+      "  released, held at zero: 1 (held)\n"
+      "  constraints: 1 (guide)\n"
+      "  degrees of freedom, the constraints being independent: 1\n"
+      "  joint shoulder on ground: X, Y, Z, L, M\n"
+      "  joint elbow on shoulder: X, Y, Z, L, M\n"
+      "  joint pin on elbow: X, Y, Z, L, M, N\n"
+      "Newton-Euler\n"
+      "  19 equations: 6 for each of 3 bodies and 1 of constraint\n"
+      "  19 unknowns: 16 components in joints, 1 multipliers, 2 accelerations\n"
+      "Lagrange\n"
+      "  3 equations: 2 of motion and 1 of constraint, for 2 accelerations and 1 multipliers\n"
+      "  1 more, one for each released coordinate, give the reaction against it\n"
+      "The choice\n"
+      "  with 1 independent coordinates instead of 2 there are no multipliers, and the reactions of the 1 "
+      "constraints stay unknown\n"
+      "  each of the 16 components in joints comes from Newton-Euler for isolated bodies, or from one more released "
+      "coordinate and its equation\n");
 }
 
 TEST(UnknownsReport, SaysWhenJointsShareACoordinate) {
   Scene scene("gears");
   const Expression q = scene.coordinate("q", "rad");
   scene.body("first", scene.revolute("first", scene.ground(), axis::z, q), box());
-  scene.body("second", scene.revolute("second", scene.ground(), axis::z, -3 * q, {.origin = {metres("1"), 0, 0}}), box());
+  scene.body("second", scene.revolute("second", scene.ground(), axis::z, -3 * q, {.origin = {metres("1"), 0, 0}}),
+             box());
   const std::string text = unknowns_report(Equations(scene));
   EXPECT_NE(text.find("12 equations: 6 for each of 2 bodies and 0 of constraint"), std::string::npos) << text;
   EXPECT_NE(text.find("13 unknowns: 12 components in joints"), std::string::npos) << text;

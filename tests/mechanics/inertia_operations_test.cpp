@@ -50,14 +50,15 @@ const Place place_double{0.5, -0.2, 0.3};
 TEST(InertiaOperations, TurnABodyAsItsPointsTurn) {
   const Inertia body = Inertia::box(m, a, b, c).at(place);
   const Points points = box(2.5, place_double);
-  for (const auto& [axis, n] : {std::pair<Triple, Place>(axis::x, {1, 0, 0}), {-axis::y, {0, -1, 0}},
-                                {axis::z, {0, 0, 1}}, {{1, 2, 2}, {1. / 3, 2. / 3, 2. / 3}}}) {
+  for (const auto& [axis, n] : {std::pair<Triple, Place>(axis::x, {1, 0, 0}),
+                                {-axis::y, {0, -1, 0}},
+                                {axis::z, {0, 0, 1}},
+                                {{1, 2, 2}, {1. / 3, 2. / 3, 2. / 3}}}) {
     expect_body(body.rotated(axis, Expression(0.7)), turned_about(n, 0.7, points));
   }
   const Triple irrational{1, -2, 3};
   const double norm = std::sqrt(14.0);
-  expect_body(body.rotated(irrational, Expression(-1.9)),
-              turned_about({1 / norm, -2 / norm, 3 / norm}, -1.9, points));
+  expect_body(body.rotated(irrational, Expression(-1.9)), turned_about({1 / norm, -2 / norm, 3 / norm}, -1.9, points));
 }
 
 TEST(InertiaOperations, TurnByAConstantRotationAsByItsAngle) {
@@ -89,7 +90,9 @@ TEST(InertiaOperations, PitchABladeByASymbol) {
 }
 
 TEST(InertiaOperations, RefuseTheNullAxis) {
-  EXPECT_EQ(error_of<SceneError>([] { Inertia::box(m, a, b, c).rotated({0, 0, 0}, Expression(0.3)); }),
+  EXPECT_EQ(error_of<SceneError>([] {
+              Inertia::box(m, a, b, c).rotated({0, 0, 0}, Expression(0.3));
+            }),
             "a body cannot be turned about the null vector: give the axis a direction");
 }
 
@@ -97,8 +100,8 @@ TEST(InertiaOperations, AssembleBodiesAsTheirPoints) {
   const Inertia first = Inertia::box(m, a, b, c);
   const Inertia second = Inertia::box(in_unit(1.2, "kg"), a, b, c).rotated({1, 2, 2}, Expression(0.7)).at(place);
   const Inertia third = Inertia::box(in_unit(0.7, "kg"), a, b, c).at({c, b, -a});
-  Points points = together(box(2.5, {}), seen_from({-0.5, 0.2, -0.3},
-                                                   turned_about({1. / 3, 2. / 3, 2. / 3}, 0.7, box(1.2, {}))));
+  Points points =
+      together(box(2.5, {}), seen_from({-0.5, 0.2, -0.3}, turned_about({1. / 3, 2. / 3, 2. / 3}, 0.7, box(1.2, {}))));
   expect_body(first + second, points);
   expect_body(second + first, points);
   points = together(points, box(0.7, {1.1, 0.6, -0.4}));
@@ -125,9 +128,8 @@ TEST(InertiaOperations, CutAHole) {
       Inertia::cylinder(mass_of(b), b, c, 1).at(place) - Inertia::cylinder(mass_of(a), a, c, 1).at(place);
   const Inertia expected = Inertia::hollow_cylinder(mass_of(b) - mass_of(a), b, a, c, 1).at(place);
   Program program;
-  for (const auto& [entry, value] :
-       {std::pair(tube.mass, expected.mass), std::pair(tube.xx, expected.xx), std::pair(tube.yy, expected.yy),
-        std::pair(tube.center[2], expected.center[2])}) {
+  for (const auto& [entry, value] : {std::pair(tube.mass, expected.mass), std::pair(tube.xx, expected.xx),
+                                     std::pair(tube.yy, expected.yy), std::pair(tube.center[2], expected.center[2])}) {
     EXPECT_TRUE(vanishes(program.lower(entry - value)));
   }
   // A hole beside the centre moves it: the rest, put together with the core again, is the whole.
@@ -157,9 +159,11 @@ TEST(InertiaOperations, MakeTwoQuartersAHalf) {
   const Inertia half = quarter + quarter.rotated(Rotation::about(2, 6));
   const Inertia expected = Inertia::half_disk(m, c, 2);
   Program program;
-  const std::vector<std::pair<Expression, Expression>> pairs{
-      {half.xx, expected.xx}, {half.yy, expected.yy}, {half.zz, expected.zz},
-      {half.center[0], expected.center[0]}, {half.center[1], expected.center[1]}};
+  const std::vector<std::pair<Expression, Expression>> pairs{{half.xx, expected.xx},
+                                                             {half.yy, expected.yy},
+                                                             {half.zz, expected.zz},
+                                                             {half.center[0], expected.center[0]},
+                                                             {half.center[1], expected.center[1]}};
   for (const auto& [entry, value] : pairs) EXPECT_TRUE(vanishes(program.lower(entry - value)));
   EXPECT_TRUE(vanishes(program.lower(half.xy)));
 }

@@ -21,8 +21,7 @@ TEST(InertiaShapes, IntegrateASolidConeAndAConicalShell) {
       for (const auto& [s, v] : gauss_legendre(20, 0, 1)) {  // s from the apex to the base
         const double wide = radius * s;
         const double height = (1 - s) * length;  // above the base
-        shell.push_back(
-            {w * v * s, along(axis, wide * std::cos(angle), wide * std::sin(angle), height - length / 3)});
+        shell.push_back({w * v * s, along(axis, wide * std::cos(angle), wide * std::sin(angle), height - length / 3)});
         for (const auto& [rho, u] : gauss_legendre(20, 0, wide)) {
           solid.push_back(
               {w * v * u * rho, along(axis, rho * std::cos(angle), rho * std::sin(angle), height - length / 4)});

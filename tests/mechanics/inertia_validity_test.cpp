@@ -53,9 +53,10 @@ TEST(InertiaValidity, NamesTheBodyWhoseMomentsNoMatterHas) {
 }
 
 TEST(InertiaValidity, NamesANegativeMass) {
-  EXPECT_EQ(refusal(-Inertia::rod(kilogram("2"), metre("1"), 0)),
-            "body 'plank' has the mass -2 kg: a mass is never negative; subtract a hole from the body it is cut from, as "
-            "in Inertia::box(...) - Inertia::cylinder(...)");
+  EXPECT_EQ(
+      refusal(-Inertia::rod(kilogram("2"), metre("1"), 0)),
+      "body 'plank' has the mass -2 kg: a mass is never negative; subtract a hole from the body it is cut from, as "
+      "in Inertia::box(...) - Inertia::cylinder(...)");
 }
 
 TEST(InertiaValidity, UsesTheValuesOfParameters) {
