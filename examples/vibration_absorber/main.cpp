@@ -9,8 +9,11 @@
 
 #include "generated/vibration_absorber.hpp"
 #include "runtime/demonstration.hpp"
+#include "runtime/equilibrium_stability.hpp"
+#include "runtime/forced_response.hpp"
 #include "runtime/mechanism.hpp"
 #include "runtime/plot.hpp"
+#include "runtime/steady_states.hpp"
 #include "runtime/trajectory.hpp"
 #include "runtime/work_precision.hpp"
 
@@ -25,24 +28,50 @@ constexpr double design_speed = 10.0, tuned_length = 0.0981, detuned_length = 0.
 /// Support at the spring's rest length, pendulum hanging: the rest about which everything is linearised.
 constexpr double rest_position = 0.1;
 
-/// Steady forced motion of the linearised equations, (X - X0, theta) = amplitude * sin(omega t): K - omega^2 M times
-/// the amplitude is the amplitude of F, which the unbalance reaches a quarter of a turn after t = 0. Without friction
-/// the amplitudes are in phase with the force or opposed to it.
-std::array<double, 2> steady_amplitude(double length, double speed) {
+Absorber::Parameters parameters_with(double length, double speed) {
   Absorber::Parameters parameters = Absorber::default_parameters();
   parameters.d = length;
   parameters.omega = speed;
-  Absorber::State state{};
-  state.time = std::numbers::pi / (2.0 * speed);
-  state.q.X = rest_position;
-  Absorber::Linearisation linear{};
-  const torsor::Status status = Absorber::linearisation(Absorber::precompute(parameters), state, {}, {}, {}, linear);
-  if (status != torsor::Status::ok) return {NAN, NAN};
-  std::array<double, 4> a{};
-  for (std::size_t i = 0; i < 4; ++i) a[i] = linear.K[i] - speed * speed * linear.M[i];
-  const double determinant = a[0] * a[3] - a[1] * a[2];
-  return {(a[3] * linear.F[0] - a[2] * linear.F[1]) / determinant,
-          (a[0] * linear.F[1] - a[1] * linear.F[0]) / determinant};
+  return parameters;
+}
+
+/// M x'' + K x = F sin(omega t) about the hanging rest: the unbalance reaches its largest force, F, a quarter of a turn
+/// after t = 0.
+LinearSystem about_rest(double length, double speed) {
+  FoundState<Absorber> rest;
+  rest.state.time = std::numbers::pi / (2.0 * speed);
+  rest.state.q.X = rest_position;
+  return linearised_at<Absorber>(Absorber::precompute(parameters_with(length, speed)), rest);
+}
+
+/// Steady forced motion of the linearised equations, (X - X0, theta) = amplitude * sin(omega t). Without friction the
+/// amplitudes are in phase with the force or opposed to it.
+std::array<double, 2> steady_amplitude(double length, double speed) {
+  const LinearSystem system = about_rest(length, speed);
+  const auto amplitude = FrequencyResponse(system, system.F)(speed);
+  if (!amplitude) return {NAN, NAN};
+  return {(*amplitude)(0).real(), (*amplitude)(1).real()};
+}
+
+/// Where the machine can stand when the rotor does not turn, and whether it stays there.
+Table rests() {
+  Table table({"rest", "X", "theta", "verdict", "roots"});
+  const Absorber::Precomputed precomputed = Absorber::precompute(parameters_with(tuned_length, 0.0));
+  const CoordinateBox box{Eigen::Vector2d(0.0, -1.0), Eigen::Vector2d(1.0, 5.0), {1}};
+  for (const FoundState<Absorber>& rest : find_equilibria<Absorber>(precomputed, box).found) {
+    const LinearSystem system = linearised_at<Absorber>(precomputed, rest);
+    std::string roots;
+    for (const DampedMode& mode : damped_modes(system)) {
+      if (mode.eigenvalue.imag() < 0.0) continue;
+      const bool turns = mode.eigenvalue.imag() > 0.0;
+      roots += (roots.empty() ? "" : ", ") + scientific(turns ? mode.eigenvalue.imag() : mode.eigenvalue.real(), 4) +
+               (turns ? " i" : "");
+    }
+    table.add({std::cos(rest.state.q.theta) > 0.0 ? "hanging" : "upside down", scientific(rest.state.q.X) + " m",
+               scientific(rest.state.q.theta, 4) + " rad", std::string(describe(stability(system, true).verdict)),
+               roots});
+  }
+  return table;
 }
 
 /// The support's amplitude against the speed of the rotor, for both pendulums.
@@ -70,10 +99,7 @@ std::filesystem::path plot_amplitudes() {
 /// The motion with one pendulum, by the full equations, started on the steady motion of the linearised ones; one sample
 /// every 5 ms. Returns the largest |X - X0|.
 double record_motion(double length, std::vector<double>& positions) {
-  Absorber::Parameters parameters = Absorber::default_parameters();
-  parameters.d = length;
-  parameters.omega = design_speed;
-  const auto motion = equations_of_motion<Absorber>(parameters);
+  const auto motion = equations_of_motion<Absorber>(parameters_with(length, design_speed));
   const std::array<double, 2> amplitude = steady_amplitude(length, design_speed);
   StateVector<Absorber> y{rest_position, 0.0, design_speed * amplitude[0], design_speed * amplitude[1]};
   std::vector<double> times;
@@ -118,6 +144,11 @@ void show(const Reference<double>& reference) {
                               DormandPrince54{.relative_tolerance = 1e-6, .absolute_tolerance = 1e-8},
                               DormandPrince54{.relative_tolerance = 1e-9, .absolute_tolerance = 1e-11},
                               DormandPrince54{.relative_tolerance = 1e-12, .absolute_tolerance = 1e-14});
+  std::cout << "\nThe machine with the rotor stopped, pendulum of " << tuned_length << " m\n\n" << rests();
+  const LinearSystem tuned = about_rest(tuned_length, design_speed);
+  for (const double still : antiresonances(tuned, tuned.F, 0)) {
+    std::cout << "\nThe support stands still at " << still << " rad/s.\n";
+  }
   const std::filesystem::path amplitudes = plot_amplitudes();
   Table table({"pendulum", "length d", "amplitude, linearised", "largest |X - X0| in 10 s"});
   const std::filesystem::path motions = plot_motions(table);

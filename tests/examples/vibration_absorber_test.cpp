@@ -7,9 +7,14 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
+#include "runtime/equilibrium_stability.hpp"
+#include "runtime/forced_response.hpp"
 #include "runtime/mechanism.hpp"
 #include "runtime/reference.hpp"
+#include "runtime/steady_states.hpp"
+#include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
 #define TORSOR_NO_MAIN
@@ -189,6 +194,81 @@ TEST(VibrationAbsorber, KeepsTheSupportStillInTheFullMotionToo) {
   const double detuned = largest_displacement(0.15);
   EXPECT_NEAR(detuned, std::abs(steady_amplitude(0.15)[0]), 0.01 * detuned);
   EXPECT_LT(largest_displacement(tuned), 0.01 * detuned);
+}
+
+// The answers by the runtime's search, without being told where the rests are.
+TEST(VibrationAbsorber, RestsHangingOrUpsideDownAndNowhereElse) {
+  for (const double d : {tuned, 0.15}) {
+    const auto precomputed = absorber(d, 0.0);
+    const CoordinateBox box{Eigen::Vector2d(-1.0, -1.0), Eigen::Vector2d(1.0, 5.0), {1}};
+    const auto search = find_equilibria<Absorber>(precomputed, box);
+    ASSERT_EQ(search.found.size(), 2U);
+    for (const auto& rest : search.found) {
+      EXPECT_NEAR(rest.state.q.X, X0, 1e-13);
+      EXPECT_TRUE(rest.isolated);
+      EXPECT_LE(rest.residual, 1e-12);
+    }
+    const auto& hanging = search.found[std::cos(search.found[0].state.q.theta) > 0.0 ? 0 : 1];
+    const auto& upright = search.found[std::cos(search.found[0].state.q.theta) > 0.0 ? 1 : 0];
+    EXPECT_NEAR(hanging.state.q.theta, 0.0, 1e-12);
+    EXPECT_NEAR(upright.state.q.theta, pi, 1e-12);
+    const LinearSystem about_hanging = linearised_at<Absorber>(precomputed, hanging);
+    const LinearSystem about_upright = linearised_at<Absorber>(precomputed, upright);
+    EXPECT_EQ(stability_by_lejeune_dirichlet(about_hanging).verdict, Stability::stable);
+    EXPECT_EQ(stability_by_eigenvalues(about_hanging).verdict, Stability::cannot_conclude);
+    EXPECT_EQ(stability_by_routh(about_hanging).verdict, Stability::cannot_conclude);
+    EXPECT_EQ(stability_by_lejeune_dirichlet(about_upright).verdict, Stability::cannot_conclude);
+    EXPECT_EQ(stability_by_eigenvalues(about_upright).verdict, Stability::unstable);
+    EXPECT_EQ(stability_by_routh(about_upright).verdict, Stability::unstable);
+    // The equations linearised where the search stopped, within 1e-12 rad: squares to 1e-10 and their own roundings.
+    const NaturalModes modes = natural_modes(about_hanging);
+    const auto squares = squared_frequencies(d, 1.0);
+    EXPECT_NEAR(modes.squared_frequencies(0), squares[0], 1e-10);
+    EXPECT_NEAR(modes.squared_frequencies(1), squares[1], 1e-10);
+  }
+}
+
+// Between the resonances X vanishes at omega² = g / d, whatever the masses and the spring.
+TEST(VibrationAbsorber, HasItsAntiresonanceAtThePendulumsOwnFrequency) {
+  for (const double d : {tuned, 0.15}) {
+    FoundState<Absorber> rest;
+    rest.state = rest_at(X0, 0.0);
+    const LinearSystem system = linearised_at<Absorber>(absorber(d), rest);
+    const std::vector<double> still = antiresonances(system, Eigen::Vector2d(1.0, 0.0), 0);
+    ASSERT_EQ(still.size(), 1U);
+    EXPECT_NEAR(still[0], std::sqrt(g / d), 1e-12);
+    const auto squares = squared_frequencies(d, 1.0);
+    EXPECT_LT(squares[0], still[0] * still[0]);
+    EXPECT_GT(squares[1], still[0] * still[0]);
+    const auto amplitude = FrequencyResponse(system, Eigen::Vector2cd(1.0, 0.0))(still[0]);
+    ASSERT_TRUE(amplitude);
+    EXPECT_LE(std::abs((*amplitude)(0)), 1e-15);
+  }
+}
+
+// The course's P_X begins with M1 X'' although its T holds all three masses; with M_11 = M1 alone the fast mode would
+// lie where it does not.
+TEST(VibrationAbsorber, MovesAllThreeMassesWithItsSupport) {
+  FoundState<Absorber> rest;
+  rest.state = rest_at(X0, 0.0);
+  LinearSystem printed = linearised_at<Absorber>(absorber(tuned), rest);
+  const double right = natural_modes(printed).squared_frequencies(1);
+  printed.M(0, 0) = M1;
+  EXPECT_NEAR(right, squared_frequencies(tuned, 1.0)[1], square_tolerance);
+  EXPECT_GT(std::abs(natural_modes(printed).squared_frequencies(1) - right), 1.0);
+}
+
+// The motor that keeps the rotor's speed gives the torque M3 R (X'' cos φ + g sin φ), by the moment of the unbalance's
+// inertia about the axle.
+TEST(VibrationAbsorber, ObeysTheEnergyTheorem) {
+  const auto motion = equations_of_motion<Absorber>();
+  const auto motor = [](const Absorber::State& s, const Absorber::Accelerations& a, const auto&) {
+    const double turned = omega * s.time;
+    return omega * M3 * R * (a.X * std::cos(turned) + g * std::sin(turned));
+  };
+  const auto balance = examples::energy_balance<Absorber>(motion, 5.0, 1e-10, motor);
+  EXPECT_LE(balance.imbalance, balance.allowed);
+  EXPECT_GT(balance.work, 1e4 * balance.allowed);
 }
 
 // Steps of 1.5 ms whose local errors, below 1e-14 (1 + |y|), and roundings add up; the flow amplifies them little.
