@@ -90,9 +90,9 @@ TEST_F(SceneUnits, OfJointsAreAnglesAndLengths) {
   const Expression x = scene.coordinate("x", "m");
   const Expression theta = scene.coordinate("theta", "rad");
   EXPECT_EQ(error_of<UnitError>([&] { scene.revolute("arm", scene.ground(), axis::z, x); }),
-            "the angle x of the revolute joint 'arm' has the unit m and must be in rad");
+            "the angle x of the joint 'arm' has the unit m and must be in rad");
   EXPECT_EQ(error_of<UnitError>([&] { scene.prismatic("slide", scene.ground(), axis::z, theta); }),
-            "the displacement theta of the prismatic joint 'slide' has the unit 1 and must be in m");
+            "the displacement theta of the joint 'slide' has the unit 1 and must be in m");
 }
 
 TEST_F(SceneUnits, OfAParametersValueAreItsOwnOrNone) {
