@@ -2,6 +2,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -33,14 +34,14 @@ concept HasLinearisation = MechanismModel<M> &&
 };
 
 /// What the equations of a state can be written with: `inverse_dynamics`, or `linearisation` where inputs act, and
-/// `constraints` where there are any. One velocity a coordinate.
+/// `constraints` where there are any.
 template <class M>
 concept HasStateEquations = (HasInverseDynamics<M> || HasLinearisation<M>)&&(M::multiplier_count == 0 ||
-                                                                             HasConstraints<M>)&&M::coordinate_count
-                            == M::velocity_count;
+                                                                             HasConstraints<M>);
 
 /// A search for states that satisfy the equations of motion  M a + h − Aᵀλ = Q(u),  f(q, t) = 0,  A v = b,  A a + γ = 0
-/// at one time: which of q, v, a are unknown, in which box, and what the others are. Multipliers are always unknown.
+/// at one time: which of q, v, a are unknown, in which box, and what the others are. Multipliers are always unknown;
+/// unit quaternions among the coordinates are held to their norm (their box is [-1, 1] each).
 template <MechanismModel M>
 struct StateProblem {
   typename M::State state{};                  ///< time, and the values of what is not unknown
@@ -81,18 +82,18 @@ template <HasStateEquations M>
 class StateEquations {
  public:
   static constexpr Eigen::Index n = M::velocity_count, m = M::multiplier_count;
+  static constexpr Eigen::Index quaternions = [] {
+    if constexpr (HasQuaternions<M>) return Eigen::Index(M::quaternion_count);
+    return Eigen::Index(0);
+  }();
 
   StateEquations(const typename M::Precomputed& precomputed, const StateProblem<M>& problem)
       : precomputed_(precomputed), problem_(problem) {
-    for (const auto* list : {&problem.coordinates, &problem.velocities, &problem.accelerations_unknown,
-                             &problem.supplied, &problem.angles}) {
-      for (const int i : *list) {
-        if (i < 0 || i >= M::velocity_count) {
-          throw std::invalid_argument("coordinate " + std::to_string(i) + " is listed, of " +
-                                      std::to_string(M::velocity_count) + " that the mechanism has");
-        }
-      }
-    }
+    check(problem.coordinates, M::coordinate_count);
+    check(problem.angles, M::coordinate_count);
+    check(problem.velocities, M::velocity_count);
+    check(problem.accelerations_unknown, M::velocity_count);
+    check(problem.supplied, M::velocity_count);
     for (int i = 0; i < M::velocity_count; ++i) {
       bool supplied = false;
       for (const int k : problem.supplied) supplied = supplied || k == i;
@@ -136,9 +137,16 @@ class StateEquations {
   [[nodiscard]] Eigen::VectorXd operator()(const Eigen::VectorXd& x) const {
     const FoundState<M> s = at(x);
     const Eigen::VectorXd all = forces(s);
-    Eigen::VectorXd result(static_cast<Eigen::Index>(kept_.size()) + 3 * m);
+    Eigen::VectorXd result(static_cast<Eigen::Index>(kept_.size()) + 3 * m + quaternions);
     Eigen::Index row = 0;
     for (const int i : kept_) result(row++) = all(i);
+    if constexpr (HasQuaternions<M>) {
+      for (const int first : M::quaternions) {
+        double square = 0.0;
+        for (int i = first; i < first + 4; ++i) square += s.state.q[i] * s.state.q[i];
+        result(row++) = square - 1.0;
+      }
+    }
     if constexpr (m > 0) {
       typename M::Constraints c{};
       M::constraints(precomputed_, s.state, c);
@@ -157,7 +165,7 @@ class StateEquations {
 
   /// By the kernel `linearisation` where coordinates are independent, else by central differences.
   [[nodiscard]] Eigen::MatrixXd derivative(const Eigen::VectorXd& x) const {
-    if constexpr (HasLinearisation<M> && m == 0) {
+    if constexpr (HasLinearisation<M> && m == 0 && quaternions == 0) {
       const FoundState<M> s = at(x);
       typename M::Linearisation linear{};
       M::linearisation(precomputed_, s.state, s.accelerations, s.multipliers, problem_.inputs, linear);
@@ -180,10 +188,43 @@ class StateEquations {
   }
 
  private:
+  static void check(const std::vector<int>& list, int count) {
+    for (const int i : list) {
+      if (i < 0 || i >= count) {
+        throw std::invalid_argument("coordinate " + std::to_string(i) + " is listed, of " + std::to_string(count) +
+                                    " that the mechanism has");
+      }
+    }
+  }
+
   const typename M::Precomputed& precomputed_;
   const StateProblem<M>& problem_;
   std::vector<int> kept_;
 };
+
+/// A quaternion and its opposite are one attitude: its largest component is made positive.
+template <class M>
+void choose_signs([[maybe_unused]] typename M::State& state) {
+  if constexpr (HasQuaternions<M>) {
+    for (const int first : M::quaternions) {
+      int largest = first;
+      for (int i = first; i < first + 4; ++i) {
+        if (std::abs(state.q[i]) > std::abs(state.q[largest]) + 1e-9) largest = i;
+      }
+      if (state.q[largest] > 0) continue;
+      for (int i = first; i < first + 4; ++i) state.q[i] = -state.q[i];
+    }
+  }
+}
+
+template <class M>
+[[nodiscard]] double largest_difference_of_coordinates(const typename M::State& a, const typename M::State& b) {
+  double largest = 0.0;
+  for (int i = 0; i < M::coordinate_count; ++i) {
+    largest = std::max(largest, std::abs(static_cast<double>(a.q[i] - b.q[i])));
+  }
+  return largest;
+}
 
 }  // namespace detail
 
@@ -216,6 +257,16 @@ template <HasStateEquations M>
     state.residual = root.residual;
     state.isolated = root.isolated;
     state.found = root.found;
+    if constexpr (HasQuaternions<M>) {
+      detail::choose_signs<M>(state.state);
+      const auto known = std::find_if(result.found.begin(), result.found.end(), [&](const FoundState<M>& other) {
+        return detail::largest_difference_of_coordinates<M>(state.state, other.state) <= 2 * problem.options.merge;
+      });
+      if (known != result.found.end()) {
+        known->found += state.found;
+        continue;
+      }
+    }
     result.found.push_back(state);
   }
   return result;
@@ -258,6 +309,7 @@ template <HasStateEquations M>
   StateProblem<M> problem;
   problem.state = state;
   problem.inputs = inputs;
+  static_assert(M::coordinate_count == M::velocity_count, "with quaternions, say by find_states what is unknown");
   for (int i = 0; i < M::coordinate_count; ++i) {
     if (std::find(cyclic.begin(), cyclic.end(), i) != cyclic.end()) continue;
     problem.coordinates.push_back(i);

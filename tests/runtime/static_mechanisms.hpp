@@ -150,4 +150,41 @@ struct TurningSlider : Contract<2, 0> {
   }
 };
 
+/// A body about a fixed point, its attitude a unit quaternion (body to ground axes), pulled by two constant fields:
+/// the body's z towards the ground's -z with the moment 3, its x towards the ground's x with the moment 1, so that
+/// U = x·R x − 3 z·R z. J = 1.
+struct HeldBody {
+  static constexpr int coordinate_count = 4, velocity_count = 3, multiplier_count = 0, input_count = 0,
+                       parameter_count = 0, quaternion_count = 1;
+  static constexpr int quaternions[] = {0};
+  using Coordinates = Values<double, 4>;
+  using Velocities = Values<double, 3>;
+  using Accelerations = Values<double, 3>;
+  using GeneralizedForces = Values<double, 3>;
+  using Inputs = Nothing;
+  using Multipliers = Nothing;
+  using Parameters = Nothing;
+  struct State {
+    double time;
+    Coordinates q;
+    Velocities v;
+  };
+  struct Precomputed {
+    Parameters parameters;
+  };
+  static Parameters default_parameters() noexcept { return {}; }
+  static Precomputed precompute(const Parameters& p) noexcept { return {p}; }
+  static State initial_state() noexcept { return {0, {{1, 0, 0, 0}}, {}}; }
+  static void inverse_dynamics(const Precomputed&, const State& s, const Accelerations& a, const Multipliers&,
+                               GeneralizedForces& r) noexcept {
+    const double w = s.q[0], x = s.q[1], y = s.q[2], z = s.q[3];
+    const std::array<double, 3> along_x{w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)};
+    const std::array<double, 3> along_z{2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z};
+    // Moments x ∧ Rᵀx and −3 z ∧ Rᵀz in body axes.
+    r[0] = a[0] - 3 * along_z[1];
+    r[1] = a[1] + 3 * along_z[0] + along_x[2];
+    r[2] = a[2] - along_x[1];
+  }
+};
+
 }  // namespace mechanisms

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "runtime/cyclic_reduction.hpp"
 #include "runtime/equilibrium_stability.hpp"
 #include "tests/runtime/static_mechanisms.hpp"
 
@@ -180,6 +181,67 @@ TEST(States, RefuseBoundsAndIndicesThatDoNotFit) {
   moving.state.q[1] = -1.0;
   moving.state.v[0] = 1.0;
   EXPECT_THROW((void)linearised_at<LinearisedPointOnCurve<Circle>>({}, moving), std::invalid_argument);
+}
+
+// U has its stationary points where R is diagonal: the identity and the half turns about the three axes. Each is found
+// once although the opposite quaternion says the same.
+TEST(Equilibria, OfABodyWithAQuaternionAreItsFourAttitudes) {
+  const CoordinateBox box{-VectorXd::Ones(4), VectorXd::Ones(4)};
+  const auto search = find_equilibria<HeldBody>({}, box);
+  ASSERT_EQ(search.found.size(), 4U);
+  bool seen[4] = {false, false, false, false};
+  for (const auto& s : search.found) {
+    EXPECT_TRUE(s.isolated);
+    for (int i = 0; i < 4; ++i) {
+      if (std::abs(s.state.q[i]) < 0.5) continue;
+      EXPECT_NEAR(s.state.q[i], 1.0, 1e-11);
+      seen[i] = true;
+    }
+  }
+  EXPECT_TRUE(seen[0] && seen[1] && seen[2] && seen[3]);
+}
+
+LinearSystem turning_slider(double rate) {
+  StateProblem<TurningSlider> problem;
+  problem.state.v[1] = rate;
+  problem.coordinates = {0};
+  problem.supplied = {1};
+  problem.inputs[0] = 3.0;
+  problem.lower = VectorXd::Constant(1, -10);
+  problem.upper = VectorXd::Constant(1, 10);
+  const auto precomputed = TurningSlider::precompute({0.0});
+  const auto search = find_states<TurningSlider>(precomputed, problem);
+  EXPECT_EQ(search.found.size(), 1U);
+  return linearised_at<TurningSlider>(precomputed, search.found[0], problem.inputs);
+}
+
+// At x = 3/(4 − ψ'²). At the rate ψ' the stiffness is 4 − ψ'²; at the momentum p = (1 + x²) ψ' it is the second
+// derivative of 2x² − 3x + p²/(2(1 + x²)): 4 − ψ'² (1 − 3x²)/(1 + x²).
+TEST(CyclicReduction, IsThatOfTheReducedPotential) {
+  const double rate = 1.5, x = 3.0 / (4.0 - rate * rate);
+  const LinearSystem whole = turning_slider(rate);
+  EXPECT_EQ(stability_by_eigenvalues(whole).verdict, Stability::cannot_conclude);
+  EXPECT_EQ(stability_by_lejeune_dirichlet(whole).verdict, Stability::cannot_conclude);
+  const LinearSystem at_rate = reduced_at_constant_rate(whole, {1});
+  const LinearSystem at_momentum = reduced_at_constant_momentum(whole, {1});
+  EXPECT_NEAR(at_rate.K(0, 0), 4 - rate * rate, rounding);
+  EXPECT_NEAR(at_momentum.K(0, 0), 4 - rate * rate * (1 - 3 * x * x) / (1 + x * x), rounding);
+  EXPECT_EQ(at_momentum.M(0, 0), 1.0);
+  EXPECT_EQ(at_momentum.C(0, 0), 0.0);
+  EXPECT_EQ(stability(at_momentum, true).verdict, Stability::stable);
+  // Faster than the spring holds, the slider stays where the force draws it as long as the momentum is kept.
+  EXPECT_EQ(stability(reduced_at_constant_rate(turning_slider(2.2), {1}), true).verdict, Stability::unstable);
+  EXPECT_EQ(stability(reduced_at_constant_momentum(turning_slider(2.2), {1}), true).verdict, Stability::stable);
+}
+
+TEST(CyclicReduction, RefusesWhatIsNotCyclic) {
+  const LinearSystem whole = turning_slider(1.0);
+  EXPECT_THROW((void)reduced_at_constant_momentum(whole, {0}), std::invalid_argument);
+  EXPECT_THROW((void)reduced_at_constant_rate(whole, {2}), std::invalid_argument);
+  EXPECT_THROW((void)reduced_at_constant_rate(whole, {0, 1}), std::invalid_argument);
+  LinearSystem braked = whole;
+  braked.C(1, 1) = 0.1;
+  EXPECT_THROW((void)reduced_at_constant_momentum(braked, {1}), std::invalid_argument);
 }
 
 }  // namespace
