@@ -32,14 +32,17 @@ void show(const Reference<double>& reference) {
     Wheels::Accelerations unused{};
     Wheels::Multipliers force{};
     (void)motion.accelerations(state, unused, force);
-    table.add({scientific(t), scientific(at.I_velocity[0], 1),
-               scientific(at.I1_velocity[0], 6), scientific(at.I2_velocity[0], 6), scientific(-0.1 * state.v.theta_1, 6), scientific(0.3 * state.v.theta_2, 6), scientific(force.T)});
+    table.add({scientific(t), scientific(at.I_velocity[0], 1), scientific(at.I1_velocity[0], 6),
+               scientific(at.I2_velocity[0], 6), scientific(-0.1 * state.v.theta_1, 6),
+               scientific(0.3 * state.v.theta_2, 6), scientific(force.T)});
   }
-  std::cout << "\nThe point of contact is at rest, the points of the wheels that meet there are not (along x)\n\n" << table;
+  std::cout << "\nThe point of contact is at rest, the points of the wheels that meet there are not (along x)\n\n"
+            << table;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "friction_wheels", "two wheels rolling on each other, and the point where they meet", show);
+  return demonstrate(argc, argv, "friction_wheels", "two wheels rolling on each other, and the point where they meet",
+                     show);
 }

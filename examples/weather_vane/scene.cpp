@@ -2,8 +2,8 @@
 #include "generator/torsor.hpp"
 
 /// Weather vane (Pommier, 8.2 exercise 1): a thin quarter disk in the plane x, y1 of its axes turns by theta about
-/// (O, x), one of the two radii that bound it; x is vertical. A wind along y turns it round and the hinge holds it back a
-/// little. The other five directions of the hinge are released virtually: nothing else acts on the plate, so that the
+/// (O, x), one of the two radii that bound it; x is vertical. A wind along y turns it round and the hinge holds it back
+/// a little. The other five directions of the hinge are released virtually: nothing else acts on the plate, so that the
 /// hinge's reactions in them are the components of the dynamic screw in O.
 torsor::Scene weather_vane_scene() {
   using namespace torsor;

@@ -69,9 +69,13 @@ TEST(FrictionWheels, MoveTheirMaterialPointsOnCircles) {
   const double x1 = r1 * std::sin(s.q.theta_1), y1 = r1 * std::cos(s.q.theta_1);
   const double x2 = -r2 * std::sin(s.q.theta_2), y2 = -r2 * std::cos(s.q.theta_2);
   for (std::size_t k = 0; k < 2; ++k) {
-    EXPECT_NEAR((position(x1, y1, s.q.theta_1 + s.v.theta_1 * h, 0)[k] - position(x1, y1, s.q.theta_1 - s.v.theta_1 * h, 0)[k]) / (2 * h),
+    EXPECT_NEAR((position(x1, y1, s.q.theta_1 + s.v.theta_1 * h, 0)[k] -
+                 position(x1, y1, s.q.theta_1 - s.v.theta_1 * h, 0)[k]) /
+                    (2 * h),
                 at.I1_velocity[k], 1e-7);
-    EXPECT_NEAR((position(x2, y2, s.q.theta_2 + s.v.theta_2 * h, r1 + r2)[k] - position(x2, y2, s.q.theta_2 - s.v.theta_2 * h, r1 + r2)[k]) / (2 * h),
+    EXPECT_NEAR((position(x2, y2, s.q.theta_2 + s.v.theta_2 * h, r1 + r2)[k] -
+                 position(x2, y2, s.q.theta_2 - s.v.theta_2 * h, r1 + r2)[k]) /
+                    (2 * h),
                 at.I2_velocity[k], 1e-7);
   }
 }

@@ -19,8 +19,8 @@ using State = StateVector<Passenger>;
 
 constexpr DormandPrince54 precise{.relative_tolerance = 1e-13, .absolute_tolerance = 1e-13};
 // The values of the scene.
-constexpr double V = 15, a = 0.8, b = 0.5, l = 0.6, m1 = 40, m2 = 5, c1 = 0.35, c2 = 0.15, J1 = 1.5, J2 = 0.03, k1 = 600,
-                 k2 = 40, d1 = 25, d2 = 0.6, g = 9.81;
+constexpr double V = 15, a = 0.8, b = 0.5, l = 0.6, m1 = 40, m2 = 5, c1 = 0.35, c2 = 0.15, J1 = 1.5, J2 = 0.03,
+                 k1 = 600, k2 = 40, d1 = 25, d2 = 0.6, g = 9.81;
 
 Passenger::State some_state(int i) {
   Passenger::State s{};
@@ -52,7 +52,8 @@ TEST(PassengerInVehicle, HasTheTwistsOfTrunkAndHead) {
   for (int i = 0; i < 10; ++i) {
     const auto s = some_state(i);
     const auto at = kinematics(s);
-    const std::array<double, 3> V_K{V - l * s.v.theta_1 * std::cos(s.q.theta_1), -l * s.v.theta_1 * std::sin(s.q.theta_1), 0.0};
+    const std::array<double, 3> V_K{V - l * s.v.theta_1 * std::cos(s.q.theta_1),
+                                    -l * s.v.theta_1 * std::sin(s.q.theta_1), 0.0};
     const std::array<double, 3> V_I{V, 0.0, 0.0};
     for (std::size_t k = 0; k < 3; ++k) {
       EXPECT_NEAR(at.I_velocity[k], V_I[k], 1e-13);

@@ -26,9 +26,10 @@ struct Screw {
   Three resultant{}, moment{};
 };
 
-/// Sums over the plate cut into rings and sectors, each piece a mass point of the plane x, y1 at theta: an integral that
-/// knows no catalogue. Gauss's rule of three points in the radius (times r, a polynomial) and the midpoint rule in the
-/// angle, whose error for cos, sin and their products over a quarter of a turn is (pi/2)²/(24 n²) relative: 1e-7 here.
+/// Sums over the plate cut into rings and sectors, each piece a mass point of the plane x, y1 at theta: an integral
+/// that knows no catalogue. Gauss's rule of three points in the radius (times r, a polynomial) and the midpoint rule in
+/// the angle, whose error for cos, sin and their products over a quarter of a turn is (pi/2)²/(24 n²) relative: 1e-7
+/// here.
 template <class Quantity>
 Screw over_the_plate(const Quantity& quantity) {
   constexpr int n = 1000;

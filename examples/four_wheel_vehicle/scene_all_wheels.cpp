@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#include "examples/four_wheel_vehicle/vehicle.hpp"
+
+/// All eight conditions of rolling without slipping, for any steering: their rank says whether the vehicle can move.
+torsor::Scene four_wheel_vehicle_all_wheels_scene() {
+  using namespace torsor;
+  Scene scene("four_wheel_vehicle_all_wheels", "Four-wheel vehicle: the eight conditions of its four wheels");
+  const auto vehicle = four_wheel_vehicle_scenes::add_vehicle(scene);
+  const auto& [alpha, phi, steered, wheel, P] = vehicle;
+  for (std::size_t i = 0; i < 4; ++i) {
+    scene.rolling("wheel_" + std::to_string(i + 1), wheel[i], scene.ground(), P[i], steered[i]);
+  }
+  return scene;
+}
+
+TORSOR_SCENE(four_wheel_vehicle_all_wheels_scene)

@@ -1,0 +1,814 @@
+// SPDX-License-Identifier: MIT
+// disk_in_a_circle: Disk rolling without slipping while its centre goes round a circle
+// Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
+// Free to embed under the MIT licence.
+//
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, constraints
+// Parameters set at run time: rho
+//
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
+// moved across joints, factoring, and what is done once for a set of parameters:
+//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   precompute                1                4          2             0                  0       0      7       -
+//   kinematics               38               74          0             0                  3       0    118     118
+//   mass_matrix               1                3          0             0                  1       0      6      11
+//   bias                      4               15          0             0                  1       0     21      54
+//   inverse_dynamics         20               29          0             0                  2       0     53     114
+//   forward_dynamics         38               78          4             0                  2       0    124     181
+//   energy                   14               28          0             0                  3       0     48      58
+//   constraints              16               30          0             0                  2       0     50      50
+//
+// Not computed because this mechanism does not need it:
+//   kinematics: of 42 results 10 vanish identically
+//   mass_matrix: of 36 results 28 vanish identically, 1 repeat another up to sign
+//   bias: of 6 results 2 vanish identically
+//   energy: of 3 results 1 vanish identically
+//   constraints: of 27 results 11 vanish identically, 3 repeat another up to sign
+//
+// To write this file again:
+//   disk_in_a_circle_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,constraints --output disk_in_a_circle.hpp
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#ifndef TORSOR_KERNEL_SUPPORT
+#define TORSOR_KERNEL_SUPPORT 1
+// Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
+#ifndef TORSOR_DEVICE
+#define TORSOR_DEVICE
+#endif
+
+namespace torsor {
+
+/// What a kernel says about its results; the larger, the worse.
+enum class Status : int { ok = 0, singular = 1, not_finite = 2 };
+
+/// What a kernel needs of its scalar. This one serves float and double; specialise it, once a header is included, for
+/// any other (a pack of several states, a high-precision number).
+template <class Scalar>
+struct scalar_traits {
+  static_assert(sizeof(Scalar) == sizeof(float) || sizeof(Scalar) == sizeof(double),
+                "specialise torsor::scalar_traits for a scalar that is neither float nor double");
+  static constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+
+  /// A number, rounded for either format. `exact` is "num/den", or "a;b;c;d" for a + b sqrt(2) + c sqrt(3) + d sqrt(6).
+  TORSOR_DEVICE static constexpr Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    return is_float ? static_cast<Scalar>(in_float) : static_cast<Scalar>(in_double);
+  }
+  /// The same for a number that is no such sum: a callable computes it where literals are not precise enough.
+  template <class Callable>
+  TORSOR_DEVICE static constexpr Scalar formula(double in_double, float in_float, const Callable&) noexcept {
+    return constant(in_double, in_float, nullptr);
+  }
+  TORSOR_DEVICE static constexpr Scalar pi() noexcept { return constant(3.141592653589793, 3.1415927f, nullptr); }
+  TORSOR_DEVICE static constexpr Scalar select(bool condition, Scalar if_true, Scalar if_false) noexcept {
+    return condition ? if_true : if_false;
+  }
+  TORSOR_DEVICE static void sincos(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
+    sine = std::sin(angle);
+    cosine = std::cos(angle);
+  }
+  TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
+  TORSOR_DEVICE static Scalar exp(const Scalar& x) noexcept { return std::exp(x); }
+  TORSOR_DEVICE static Scalar log(const Scalar& x) noexcept { return std::log(x); }
+  /// Whether a pivot is positive beyond the rounding of the diagonal entry it came from; not when it is not a number.
+  TORSOR_DEVICE static bool regular(const Scalar& pivot, const Scalar& diagonal) noexcept {
+    return pivot > constant(0x1p-52, 0x1p-23f, nullptr) * std::abs(diagonal);
+  }
+};
+
+}  // namespace torsor
+#elif TORSOR_KERNEL_SUPPORT != 1
+#error "headers of incompatible versions of torsor meet here: write them again with one version"
+#endif
+
+namespace disk_in_a_circle {
+
+/// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
+/// M a + h = E u + A' lambda and A a + gamma = 0, with a the accelerations and u the inputs; units are SI.
+template <class Scalar>
+struct Mechanism {
+  using traits = torsor::scalar_traits<Scalar>;
+
+  static constexpr const char* name = "disk_in_a_circle";
+  static constexpr int coordinate_count = 6;
+  static constexpr int velocity_count = 6;
+  static constexpr int input_count = 0;
+  static constexpr int parameter_count = 1;
+  static constexpr int multiplier_count = 3;
+
+  /// Parameters that are set at run time.
+  struct Parameters {
+    Scalar rho;  ///< parameter [m]
+    static constexpr int size = 1;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Parameters::*member_(int i_) noexcept {
+      constexpr Scalar Parameters::*members_[] = {&Parameters::rho};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised coordinates q.
+  struct Coordinates {
+    Scalar x;  ///< coordinate [m]
+    Scalar y;  ///< coordinate [m]
+    Scalar z;  ///< coordinate [m]
+    Scalar psi;  ///< coordinate [rad or 1]
+    Scalar theta;  ///< coordinate [rad or 1]
+    Scalar phi;  ///< coordinate [rad or 1]
+    static constexpr int size = 6;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Coordinates::*member_(int i_) noexcept {
+      constexpr Scalar Coordinates::*members_[] = {&Coordinates::x, &Coordinates::y, &Coordinates::z, &Coordinates::psi,
+          &Coordinates::theta, &Coordinates::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised velocities v = dq/dt.
+  struct Velocities {
+    Scalar x;  ///< its rate [m/s]
+    Scalar y;  ///< its rate [m/s]
+    Scalar z;  ///< its rate [m/s]
+    Scalar psi;  ///< its rate [rad/s]
+    Scalar theta;  ///< its rate [rad/s]
+    Scalar phi;  ///< its rate [rad/s]
+    static constexpr int size = 6;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Velocities::*member_(int i_) noexcept {
+      constexpr Scalar Velocities::*members_[] = {&Velocities::x, &Velocities::y, &Velocities::z, &Velocities::psi,
+          &Velocities::theta, &Velocities::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised accelerations dv/dt.
+  struct Accelerations {
+    Scalar x;  ///< its second rate [m/s^2]
+    Scalar y;  ///< its second rate [m/s^2]
+    Scalar z;  ///< its second rate [m/s^2]
+    Scalar psi;  ///< its second rate [rad/s^2]
+    Scalar theta;  ///< its second rate [rad/s^2]
+    Scalar phi;  ///< its second rate [rad/s^2]
+    static constexpr int size = 6;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Accelerations::*member_(int i_) noexcept {
+      constexpr Scalar Accelerations::*members_[] = {&Accelerations::x, &Accelerations::y, &Accelerations::z,
+          &Accelerations::psi, &Accelerations::theta, &Accelerations::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised forces, one along each coordinate.
+  struct GeneralizedForces {
+    Scalar x;  ///< works with the rate of x [N]
+    Scalar y;  ///< works with the rate of y [N]
+    Scalar z;  ///< works with the rate of z [N]
+    Scalar psi;  ///< works with the rate of psi [N m]
+    Scalar theta;  ///< works with the rate of theta [N m]
+    Scalar phi;  ///< works with the rate of phi [N m]
+    static constexpr int size = 6;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar GeneralizedForces::*member_(int i_) noexcept {
+      constexpr Scalar GeneralizedForces::*members_[] = {&GeneralizedForces::x, &GeneralizedForces::y,
+          &GeneralizedForces::z, &GeneralizedForces::psi, &GeneralizedForces::theta, &GeneralizedForces::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Forces and torques of motors, set at each call.
+  struct Inputs {
+    static constexpr int size = 0;
+  };
+
+  /// Multipliers of the constraints, or the reactions that enforce them.
+  struct Multipliers {
+    Scalar N;  ///< of the constraint contact [N]
+    Scalar X;  ///< of the constraint rolling_x [N]
+    Scalar Y;  ///< of the constraint rolling_y [N]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Multipliers::*member_(int i_) noexcept {
+      constexpr Scalar Multipliers::*members_[] = {&Multipliers::N, &Multipliers::X, &Multipliers::Y};
+      return members_[i_];
+    }
+  };
+
+  /// Time [s], coordinates and velocities.
+  struct State {
+    Scalar time;
+    Coordinates q;
+    Velocities v;
+  };
+
+  /// Parameters and what depends on them only: built once for each set of parameters.
+  struct Precomputed {
+    Parameters parameters;
+    Scalar z25;
+    Scalar z26;
+    Scalar z85;
+    Scalar z164;
+    Scalar z167;
+  };
+
+  /// Values of the scene.
+  TORSOR_DEVICE static Parameters default_parameters() noexcept {
+    Parameters parameters{};
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    parameters.rho = n2;
+    return parameters;
+  }
+
+  /// To be called again when a parameter changes.
+  TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
+    Precomputed precomputed{};
+    precomputed.parameters = parameters;
+    const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar p_rho = parameters.rho;
+    const Scalar z25 = n0_25 * p_rho * p_rho;
+    const Scalar z26 = n0_5 * p_rho * p_rho;
+    const Scalar z85 = z25 - z26;
+    const Scalar z164 = n1 / z26;
+    const Scalar z167 = n1 / z25;
+    precomputed.z25 = z25;
+    precomputed.z26 = z26;
+    precomputed.z85 = z85;
+    precomputed.z164 = z164;
+    precomputed.z167 = z167;
+    return precomputed;
+  }
+
+  /// The state the scene starts from, for these parameters.
+  TORSOR_DEVICE static State initial_state(const Parameters& parameters) noexcept {
+    State state{};
+    const Scalar n60 = traits::constant(60.0, 60.0f, "60/1");
+    const Scalar k1 = traits::constant(0.8660254037844386, 0.8660254f, "0;0;1/2;0");
+    const Scalar k2 = traits::constant(67.96567368900274, 67.965675f, "0;0;981/25;0");
+    const Scalar n10 = traits::constant(10.0, 10.0f, "10/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n1_over_6 = traits::constant(0.16666666666666666, 0.16666667f, "1/6");
+    const Scalar p_rho = parameters.rho;
+    const Scalar pi = traits::pi();
+    const Scalar z2 = n60 + k1 * p_rho;
+    const Scalar z3 = k2 / z2;
+    const Scalar z4 = traits::sqrt(z3);
+    const Scalar z5 = n10 + k1 * p_rho;
+    state.time = n0;
+    state.q.x = n0;
+    state.q.y = -n10;
+    state.q.z = n0_5 * p_rho;
+    state.q.psi = n0;
+    state.q.theta = n1_over_6 * pi;
+    state.q.phi = n0;
+    state.v.x = n10 * z4;
+    state.v.y = n0;
+    state.v.z = n0;
+    state.v.psi = z4;
+    state.v.theta = n0;
+    state.v.phi = -z4 * z5 / p_rho;
+    return state;
+  }
+  TORSOR_DEVICE static State initial_state() noexcept { return initial_state(default_parameters()); }
+
+  /// Poses, twists and named points in ground axes.
+  struct Kinematics {
+    std::array<Scalar, 3> disk_position;  ///< centre of mass of disk [m]
+    std::array<Scalar, 9> disk_rotation;  ///< from the axes of disk to the ground's (3 x 3)
+    std::array<Scalar, 3> disk_velocity;  ///< velocity of the centre of mass of disk [m/s]
+    std::array<Scalar, 3> disk_angular_velocity;  ///< angular velocity of disk [rad/s]
+    std::array<Scalar, 3> I_position;  ///< position of I [m]
+    std::array<Scalar, 3> I_velocity;  ///< velocity of the material point at I [m/s]
+    std::array<Scalar, 18> I_jacobian;  ///< partial velocities of I (3 x 6)
+  };
+
+  /// Energies of the mechanism.
+  struct Energy {
+    Scalar kinetic;  ///< kinetic energy T [J]
+    Scalar force_function;  ///< force function U of gravity and springs [J]
+    Scalar power;  ///< power of dampers, given forces and motors [W]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Energy::*member_(int i_) noexcept {
+      constexpr Scalar Energy::*members_[] = {&Energy::kinetic, &Energy::force_function, &Energy::power};
+      return members_[i_];
+    }
+  };
+
+  /// Constraints and their derivatives, one entry per multiplier.
+  struct Constraints {
+    std::array<Scalar, 3> value;  ///< f(q, t) of holonomic constraints, 0 for the others
+    std::array<Scalar, 3> rate;  ///< A v - b, df/dt for holonomic ones
+    std::array<Scalar, 18> jacobian;  ///< A, stored column by column (3 x 6)
+    std::array<Scalar, 3> gamma;  ///< d(A v - b)/dt at zero acceleration: A a + gamma = 0
+  };
+
+  /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
+  /// matrices column by column.
+  TORSOR_DEVICE static void kinematics(const Precomputed& precomputed, const State& state,
+      Kinematics& result) noexcept {
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_x = state.q.x;
+    const Scalar v_x = state.v.x;
+    const Scalar q_y = state.q.y;
+    const Scalar v_y = state.v.y;
+    const Scalar q_z = state.q.z;
+    const Scalar v_z = state.v.z;
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar p_rho = precomputed.parameters.rho;
+    Scalar s_psi, c_psi;
+    traits::sincos(q_psi, s_psi, c_psi);
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z27 = v_x * c_psi + v_y * s_psi;
+    const Scalar z28 = v_x * s_psi - v_y * c_psi;
+    const Scalar z29 = v_psi * s_theta;
+    const Scalar z30 = v_psi * c_theta;
+    const Scalar z31 = v_z * s_theta - c_theta * z28;
+    const Scalar z32 = v_z * c_theta + s_theta * z28;
+    const Scalar z33 = v_theta * c_phi + s_phi * z29;
+    const Scalar z34 = v_theta * s_phi - c_phi * z29;
+    const Scalar z35 = s_phi * z31 + c_phi * z27;
+    const Scalar z36 = s_phi * z27 - c_phi * z31;
+    const Scalar z37 = v_phi + z30;  // angular velocity of disk, z
+    const Scalar z38 = c_theta * s_phi;
+    const Scalar z39 = s_theta * s_phi;
+    const Scalar z40 = s_psi * z38 - c_psi * c_phi;
+    const Scalar z41 = s_psi * c_phi + c_psi * z38;
+    const Scalar z42 = c_theta * c_phi;
+    const Scalar z43 = s_theta * c_phi;
+    const Scalar z44 = s_psi * z42 + c_psi * s_phi;
+    const Scalar z45 = s_psi * s_phi - c_psi * z42;
+    const Scalar z46 = s_psi * s_theta;
+    const Scalar z47 = c_psi * s_theta;
+    const Scalar z48 = s_phi * z36 + c_phi * z35;
+    const Scalar z49 = s_phi * z35 - c_phi * z36;
+    const Scalar z50 = s_theta * z32 - c_theta * z49;
+    const Scalar z51 = s_theta * z49 + c_theta * z32;
+    const Scalar z52 = s_psi * z50 + c_psi * z48;
+    const Scalar z53 = s_psi * z48 - c_psi * z50;
+    const Scalar z54 = s_phi * z34 + c_phi * z33;
+    const Scalar z55 = s_phi * z33 - c_phi * z34;
+    const Scalar z56 = s_theta * z37 - c_theta * z55;
+    const Scalar z57 = s_theta * z55 + c_theta * z37;
+    const Scalar z58 = s_psi * z56 + c_psi * z54;
+    const Scalar z59 = s_psi * z54 - c_psi * z56;
+    const Scalar z60 = c_theta * p_rho;
+    const Scalar z61 = s_theta * p_rho;
+    const Scalar z62 = s_psi * z60;
+    const Scalar z63 = c_psi * z60;
+    const Scalar z64 = q_z - z61;
+    const Scalar z65 = q_y - z63;
+    const Scalar z66 = q_x + z62;
+    const Scalar z67 = p_rho * z30 + z27;
+    const Scalar z68 = v_theta * p_rho - z32;
+    const Scalar z69 = s_theta * z68 + c_theta * z31;
+    const Scalar z70 = s_theta * z31 - c_theta * z68;
+    const Scalar z71 = s_psi * z69 - c_psi * z67;
+    const Scalar z72 = s_psi * z67 + c_psi * z69;
+    const Scalar z73 = q_x - z66;
+    const Scalar z74 = q_y - z65;
+    const Scalar z75 = q_z - z64;
+    const Scalar z76 = s_psi * z75;
+    const Scalar z77 = c_psi * z75;
+    const Scalar z78 = s_psi * z73 - c_psi * z74;
+    result.disk_position[0] = q_x;
+    result.disk_position[1] = q_y;
+    result.disk_position[2] = q_z;
+    result.disk_rotation[0] = -z40;
+    result.disk_rotation[1] = z41;
+    result.disk_rotation[2] = z39;
+    result.disk_rotation[3] = -z44;
+    result.disk_rotation[4] = -z45;
+    result.disk_rotation[5] = z43;
+    result.disk_rotation[6] = z46;
+    result.disk_rotation[7] = -z47;
+    result.disk_rotation[8] = c_theta;
+    result.disk_velocity[0] = z52;
+    result.disk_velocity[1] = z53;
+    result.disk_velocity[2] = z51;
+    result.disk_angular_velocity[0] = z58;
+    result.disk_angular_velocity[1] = z59;
+    result.disk_angular_velocity[2] = z57;
+    result.I_position[0] = z66;
+    result.I_position[1] = z65;
+    result.I_position[2] = z64;
+    result.I_velocity[0] = -z71;
+    result.I_velocity[1] = z72;
+    result.I_velocity[2] = z70;
+    result.I_jacobian[0] = n1;
+    result.I_jacobian[3] = n0;
+    result.I_jacobian[6] = n0;
+    result.I_jacobian[9] = z74;
+    result.I_jacobian[12] = -z76;
+    result.I_jacobian[15] = n0;
+    result.I_jacobian[1] = n0;
+    result.I_jacobian[4] = n1;
+    result.I_jacobian[7] = n0;
+    result.I_jacobian[10] = -z73;
+    result.I_jacobian[13] = z77;
+    result.I_jacobian[16] = n0;
+    result.I_jacobian[2] = n0;
+    result.I_jacobian[5] = n0;
+    result.I_jacobian[8] = n1;
+    result.I_jacobian[11] = n0;
+    result.I_jacobian[14] = z78;
+    result.I_jacobian[17] = n0;
+  }
+
+  /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
+  TORSOR_DEVICE static void mass_matrix(const Precomputed& precomputed, const State& state,
+      std::array<Scalar, 36>& mass) noexcept {
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_theta = state.q.theta;
+    const Scalar z25 = precomputed.z25;
+    const Scalar z26 = precomputed.z26;
+    const Scalar z85 = precomputed.z85;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z80 = c_theta * z26;
+    const Scalar z86 = s_theta * z85;
+    const Scalar z87 = s_theta * z86;
+    const Scalar z89 = z26 + z87;
+    mass[0] = n1;
+    mass[1] = n0;
+    mass[2] = n0;
+    mass[3] = n0;
+    mass[4] = n0;
+    mass[5] = n0;
+    mass[6] = n0;
+    mass[7] = n1;
+    mass[8] = n0;
+    mass[9] = n0;
+    mass[10] = n0;
+    mass[11] = n0;
+    mass[12] = n0;
+    mass[13] = n0;
+    mass[14] = n1;
+    mass[15] = n0;
+    mass[16] = n0;
+    mass[17] = n0;
+    mass[18] = n0;
+    mass[19] = n0;
+    mass[20] = n0;
+    mass[21] = z89;
+    mass[22] = n0;
+    mass[23] = z80;
+    mass[24] = n0;
+    mass[25] = n0;
+    mass[26] = n0;
+    mass[27] = n0;
+    mass[28] = z25;
+    mass[29] = n0;
+    mass[30] = n0;
+    mass[31] = n0;
+    mass[32] = n0;
+    mass[33] = z80;
+    mass[34] = n0;
+    mass[35] = z26;
+  }
+
+  /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
+  /// actions included. M a + h = E u + A' lambda.
+  TORSOR_DEVICE static void bias(const Precomputed& precomputed, const State& state,
+      GeneralizedForces& forces) noexcept {
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar v_phi = state.v.phi;
+    const Scalar z25 = precomputed.z25;
+    const Scalar z26 = precomputed.z26;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z29 = v_psi * s_theta;
+    const Scalar z30 = v_psi * c_theta;
+    const Scalar z37 = v_phi + z30;  // angular velocity of disk, z
+    const Scalar z106 = v_theta * z30;  // angular acceleration of disk.2, y
+    const Scalar z107 = v_theta * z29;  // angular acceleration of disk.2, z
+    const Scalar z110 = z29 * z37;
+    const Scalar z111 = v_theta * z37;
+    const Scalar z112 = z26 * z110;  // moment on disk, x
+    const Scalar z113 = z26 * z111;  // moment on disk, y
+    const Scalar z114 = z26 * z107;  // moment on disk, z
+    const Scalar z115 = z29 * z30;
+    const Scalar z116 = z25 * z115 - z112;  // moment on disk.2, x
+    const Scalar z117 = n2 * z25 * z106 - z113;  // moment on disk.2, y
+    const Scalar z119 = s_theta * z117 - c_theta * z114;
+    forces.x = n0;
+    forces.y = n0;
+    forces.z = n9_81;
+    forces.psi = z119;
+    forces.theta = -z116;
+    forces.phi = -z114;
+  }
+
+  /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
+  TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State& state,
+      const Accelerations& accelerations, const Multipliers& multipliers, GeneralizedForces& forces) noexcept {
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar a_x = accelerations.x;
+    const Scalar a_y = accelerations.y;
+    const Scalar a_z = accelerations.z;
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar a_psi = accelerations.psi;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar a_theta = accelerations.theta;
+    const Scalar v_phi = state.v.phi;
+    const Scalar a_phi = accelerations.phi;
+    const Scalar p_rho = precomputed.parameters.rho;
+    const Scalar l_N = multipliers.N;
+    const Scalar l_X = multipliers.X;
+    const Scalar l_Y = multipliers.Y;
+    const Scalar z25 = precomputed.z25;
+    const Scalar z26 = precomputed.z26;
+    Scalar s_psi, c_psi;
+    traits::sincos(q_psi, s_psi, c_psi);
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z29 = v_psi * s_theta;
+    const Scalar z30 = v_psi * c_theta;
+    const Scalar z37 = v_phi + z30;  // angular velocity of disk, z
+    const Scalar z60 = c_theta * p_rho;
+    const Scalar z61 = s_theta * p_rho;
+    const Scalar z106 = v_theta * z30;  // angular acceleration of disk.2, y
+    const Scalar z110 = z29 * z37;
+    const Scalar z111 = v_theta * z37;
+    const Scalar z112 = z26 * z110;  // moment on disk, x
+    const Scalar z113 = z26 * z111;  // moment on disk, y
+    const Scalar z115 = z29 * z30;
+    const Scalar z123 = n9_81 + a_z;
+    const Scalar z126 = a_psi * s_theta;
+    const Scalar z127 = a_psi * c_theta;
+    const Scalar z130 = v_theta * z30 + z126;  // angular acceleration of disk.2, y
+    const Scalar z131 = v_theta * z29 - z127;  // angular acceleration of disk.2, z
+    const Scalar z134 = a_phi - z131;  // angular acceleration of disk, z
+    const Scalar z135 = z26 * z134;  // moment on disk, z
+    const Scalar z136 = z25 * (a_theta - z115) + z112;  // moment on disk.2, x
+    const Scalar z137 = z25 * (z106 + z130) - z113;  // moment on disk.2, y
+    const Scalar z139 = s_theta * z137 + c_theta * z135;
+    const Scalar z152 = s_theta * z61 + c_theta * z60;
+    forces.x = a_x + s_psi * l_Y - c_psi * l_X;
+    forces.y = a_y - s_psi * l_X - c_psi * l_Y;
+    forces.z = z123 - l_N;
+    forces.psi = -z60 * l_X + z139;
+    forces.theta = z60 * l_N - z61 * l_Y + z136;
+    forces.phi = z135 - z152 * l_X;
+  }
+
+  /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
+  /// an unrolled L D L' of M and of the Schur complement A M^-1 A'. Returns singular when a pivot is not
+  /// positive relative to its diagonal entry.
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
+      const Inputs&, Accelerations& accelerations, Multipliers& multipliers) noexcept {
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar v_x = state.v.x;
+    const Scalar v_y = state.v.y;
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar v_phi = state.v.phi;
+    const Scalar p_rho = precomputed.parameters.rho;
+    const Scalar z25 = precomputed.z25;
+    const Scalar z26 = precomputed.z26;
+    const Scalar z85 = precomputed.z85;
+    const Scalar z164 = precomputed.z164;
+    const Scalar z167 = precomputed.z167;
+    Scalar s_psi, c_psi;
+    traits::sincos(q_psi, s_psi, c_psi);
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z29 = v_psi * s_theta;
+    const Scalar z30 = v_psi * c_theta;
+    const Scalar z37 = v_phi + z30;  // angular velocity of disk, z
+    const Scalar z60 = c_theta * p_rho;
+    const Scalar z61 = s_theta * p_rho;
+    const Scalar z80 = c_theta * z26;
+    const Scalar z86 = s_theta * z85;
+    const Scalar z87 = s_theta * z86;
+    const Scalar z89 = z26 + z87;
+    const Scalar z106 = v_theta * z30;  // angular acceleration of disk.2, y
+    const Scalar z107 = v_theta * z29;  // angular acceleration of disk.2, z
+    const Scalar z110 = z29 * z37;
+    const Scalar z111 = v_theta * z37;
+    const Scalar z112 = z26 * z110;  // moment on disk, x
+    const Scalar z113 = z26 * z111;  // moment on disk, y
+    const Scalar z114 = z26 * z107;  // moment on disk, z
+    const Scalar z115 = z29 * z30;
+    const Scalar z116 = z25 * z115 - z112;  // moment on disk.2, x
+    const Scalar z117 = n2 * z25 * z106 - z113;  // moment on disk.2, y
+    const Scalar z119 = s_theta * z117 - c_theta * z114;
+    const Scalar z146 = v_theta * c_theta;
+    const Scalar z147 = p_rho * z146;
+    const Scalar z149 = v_theta * s_theta;
+    const Scalar z150 = v_theta * z149;
+    const Scalar z151 = p_rho * z150;
+    const Scalar z152 = s_theta * z61 + c_theta * z60;
+    const Scalar z154 = v_psi * s_psi;
+    const Scalar z155 = v_psi * c_psi;
+    const Scalar z156 = p_rho * z149;
+    const Scalar z157 = s_theta * z147 - c_theta * z156 - z60 * z149 + z61 * z146;
+    const Scalar z158 = v_x * z154 - v_y * z155 + v_psi * z156 - v_phi * z157;
+    const Scalar z160 = v_x * z155 + v_y * z154 - v_theta * z147;
+    const Scalar z165 = z80 * z164;
+    const Scalar z166 = z80 * z165 - z89;
+    const Scalar z168 = n1 / z166;
+    const Scalar z169 = z114 * z165 + z119;
+    const Scalar z170 = z168 * z169;
+    const Scalar z171 = z116 * z167;
+    const Scalar z172 = z114 * z164 - z165 * z170;
+    const Scalar z173 = z60 * z167;
+    const Scalar z174 = z60 - z152 * z165;
+    const Scalar z175 = z168 * z174;
+    const Scalar z176 = z152 * z164 + z165 * z175;
+    const Scalar z177 = z61 * z167;
+    const Scalar z178 = n1 + z60 * z173;
+    const Scalar z179 = n9_81 + z60 * z171 - z151;
+    const Scalar z180 = n1 - z60 * z175 + z152 * z176;
+    const Scalar z181 = z60 * z170 + z152 * z172 - z158;
+    const Scalar z182 = z61 * z173;
+    const Scalar z183 = n1 + z61 * z177;
+    const Scalar z184 = z61 * z171 - z160;
+    const Scalar z185 = n1 / z183;
+    const Scalar z186 = z182 * z185;
+    const Scalar z187 = z178 - z182 * z186;
+    const Scalar z188 = n1 / z180;
+    const Scalar z189 = n1 / z187;
+    const Scalar z190 = z179 - z184 * z186;
+    const Scalar z191 = z189 * z190;
+    const Scalar z192 = z181 * z188;
+    const Scalar z193 = z184 * z185 - z186 * z191;
+    const Scalar z194 = s_psi * z193 - c_psi * z192;
+    const Scalar z195 = s_psi * z192 + c_psi * z193;
+    const Scalar z196 = n9_81 - z191;
+    const Scalar z197 = z170 + z175 * z192;
+    const Scalar z198 = z171 - z173 * z191 - z177 * z193;
+    const Scalar z199 = z172 - z176 * z192;
+    accelerations.x = z194;
+    accelerations.y = -z195;
+    accelerations.z = -z196;
+    accelerations.psi = z197;
+    accelerations.theta = z198;
+    accelerations.phi = z199;
+    multipliers.N = z191;
+    multipliers.X = -z192;
+    multipliers.Y = -z193;
+    if (!(traits::regular(-z166, z89) && traits::regular(z25, z25) && traits::regular(z26, z26) && traits::regular(z187,
+        z178) && traits::regular(z180, z180) && traits::regular(z183, z183))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (accelerations.x - accelerations.x) + (accelerations.y - accelerations.y) + (accelerations.z
+        - accelerations.z) + (accelerations.psi - accelerations.psi) + (accelerations.theta - accelerations.theta)
+        + (accelerations.phi - accelerations.phi) + (multipliers.N - multipliers.N) + (multipliers.X - multipliers.X)
+        + (multipliers.Y - multipliers.Y);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
+  TORSOR_DEVICE static void energy(const Precomputed& precomputed, const State& state, const Inputs&,
+      Energy& result) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar v_x = state.v.x;
+    const Scalar v_y = state.v.y;
+    const Scalar q_z = state.q.z;
+    const Scalar v_z = state.v.z;
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar z25 = precomputed.z25;
+    const Scalar z26 = precomputed.z26;
+    Scalar s_psi, c_psi;
+    traits::sincos(q_psi, s_psi, c_psi);
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z27 = v_x * c_psi + v_y * s_psi;
+    const Scalar z28 = v_x * s_psi - v_y * c_psi;
+    const Scalar z29 = v_psi * s_theta;
+    const Scalar z30 = v_psi * c_theta;
+    const Scalar z31 = v_z * s_theta - c_theta * z28;
+    const Scalar z32 = v_z * c_theta + s_theta * z28;
+    const Scalar z33 = v_theta * c_phi + s_phi * z29;
+    const Scalar z34 = v_theta * s_phi - c_phi * z29;
+    const Scalar z35 = s_phi * z31 + c_phi * z27;
+    const Scalar z36 = s_phi * z27 - c_phi * z31;
+    const Scalar z37 = v_phi + z30;  // angular velocity of disk, z
+    result.kinetic = n0_5 * (z25 * (z33 * z33 + z34 * z34) + z26 * z37 * z37 + z32 * z32 + z35 * z35 + z36 * z36);
+    result.force_function = -n9_81 * q_z;
+    result.power = n0;
+  }
+
+  /// Constraints A(q, t) v - b(q, t) = 0, in the order of the multipliers.
+  TORSOR_DEVICE static void constraints(const Precomputed& precomputed, const State& state,
+      Constraints& result) noexcept {
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar v_x = state.v.x;
+    const Scalar v_y = state.v.y;
+    const Scalar q_z = state.q.z;
+    const Scalar v_z = state.v.z;
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar v_phi = state.v.phi;
+    const Scalar p_rho = precomputed.parameters.rho;
+    Scalar s_psi, c_psi;
+    traits::sincos(q_psi, s_psi, c_psi);
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z60 = c_theta * p_rho;
+    const Scalar z61 = s_theta * p_rho;
+    const Scalar z64 = q_z - z61;
+    const Scalar z146 = v_theta * c_theta;
+    const Scalar z147 = p_rho * z146;
+    const Scalar z148 = v_z - z147;
+    const Scalar z149 = v_theta * s_theta;
+    const Scalar z150 = v_theta * z149;
+    const Scalar z151 = p_rho * z150;
+    const Scalar z152 = s_theta * z61 + c_theta * z60;
+    const Scalar z153 = v_x * c_psi + v_y * s_psi + v_psi * z60 + v_phi * z152;
+    const Scalar z154 = v_psi * s_psi;
+    const Scalar z155 = v_psi * c_psi;
+    const Scalar z156 = p_rho * z149;
+    const Scalar z157 = s_theta * z147 - c_theta * z156 - z60 * z149 + z61 * z146;
+    const Scalar z158 = v_x * z154 - v_y * z155 + v_psi * z156 - v_phi * z157;
+    const Scalar z159 = v_x * s_psi - v_y * c_psi - v_theta * z61;
+    const Scalar z160 = v_x * z155 + v_y * z154 - v_theta * z147;
+    result.value[0] = z64;
+    result.rate[0] = z148;
+    result.gamma[0] = z151;
+    result.value[1] = n0;
+    result.rate[1] = z153;
+    result.gamma[1] = -z158;
+    result.value[2] = n0;
+    result.rate[2] = -z159;
+    result.gamma[2] = -z160;
+    result.jacobian[0] = n0;
+    result.jacobian[1] = c_psi;
+    result.jacobian[2] = -s_psi;
+    result.jacobian[3] = n0;
+    result.jacobian[4] = s_psi;
+    result.jacobian[5] = c_psi;
+    result.jacobian[6] = n1;
+    result.jacobian[7] = n0;
+    result.jacobian[8] = n0;
+    result.jacobian[9] = n0;
+    result.jacobian[10] = z60;
+    result.jacobian[11] = n0;
+    result.jacobian[12] = -z60;
+    result.jacobian[13] = n0;
+    result.jacobian[14] = z61;
+    result.jacobian[15] = n0;
+    result.jacobian[16] = z152;
+    result.jacobian[17] = n0;
+  }
+};
+
+}  // namespace disk_in_a_circle

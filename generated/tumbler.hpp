@@ -1,0 +1,1000 @@
+// SPDX-License-Identifier: MIT
+// tumbler: Tumbler: a weighted half sphere rolling on a table
+// Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
+// Free to embed under the MIT licence.
+//
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, constraints
+// Parameters set at run time: a
+//
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
+// moved across joints, factoring, and what is done once for a set of parameters:
+//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   precompute                2                3          1             0                  0       0      6       -
+//   kinematics               73              130          0             0                  3       0    209     209
+//   mass_matrix               1                9          0             0                  2       0     14      19
+//   bias                     11               31          0             0                  2       0     46      86
+//   inverse_dynamics         34               51          0             0                  2       0     89     129
+//   forward_dynamics        125              213          7             0                  2       0    349     390
+//   energy                   19               38          0             0                  3       0     63      70
+//   constraints              10               25          0             0                  2       0     39      39
+//
+// Not computed because this mechanism does not need it:
+//   kinematics: of 45 results 11 vanish identically
+//   mass_matrix: of 36 results 18 vanish identically, 6 repeat another up to sign
+//   forward_dynamics: of 9 results 1 vanish identically
+//   energy: of 3 results 1 vanish identically
+//   constraints: of 27 results 14 vanish identically
+//
+// To write this file again:
+//   tumbler_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,constraints --output tumbler.hpp
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#ifndef TORSOR_KERNEL_SUPPORT
+#define TORSOR_KERNEL_SUPPORT 1
+// Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
+#ifndef TORSOR_DEVICE
+#define TORSOR_DEVICE
+#endif
+
+namespace torsor {
+
+/// What a kernel says about its results; the larger, the worse.
+enum class Status : int { ok = 0, singular = 1, not_finite = 2 };
+
+/// What a kernel needs of its scalar. This one serves float and double; specialise it, once a header is included, for
+/// any other (a pack of several states, a high-precision number).
+template <class Scalar>
+struct scalar_traits {
+  static_assert(sizeof(Scalar) == sizeof(float) || sizeof(Scalar) == sizeof(double),
+                "specialise torsor::scalar_traits for a scalar that is neither float nor double");
+  static constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+
+  /// A number, rounded for either format. `exact` is "num/den", or "a;b;c;d" for a + b sqrt(2) + c sqrt(3) + d sqrt(6).
+  TORSOR_DEVICE static constexpr Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    return is_float ? static_cast<Scalar>(in_float) : static_cast<Scalar>(in_double);
+  }
+  /// The same for a number that is no such sum: a callable computes it where literals are not precise enough.
+  template <class Callable>
+  TORSOR_DEVICE static constexpr Scalar formula(double in_double, float in_float, const Callable&) noexcept {
+    return constant(in_double, in_float, nullptr);
+  }
+  TORSOR_DEVICE static constexpr Scalar pi() noexcept { return constant(3.141592653589793, 3.1415927f, nullptr); }
+  TORSOR_DEVICE static constexpr Scalar select(bool condition, Scalar if_true, Scalar if_false) noexcept {
+    return condition ? if_true : if_false;
+  }
+  TORSOR_DEVICE static void sincos(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
+    sine = std::sin(angle);
+    cosine = std::cos(angle);
+  }
+  TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
+  TORSOR_DEVICE static Scalar exp(const Scalar& x) noexcept { return std::exp(x); }
+  TORSOR_DEVICE static Scalar log(const Scalar& x) noexcept { return std::log(x); }
+  /// Whether a pivot is positive beyond the rounding of the diagonal entry it came from; not when it is not a number.
+  TORSOR_DEVICE static bool regular(const Scalar& pivot, const Scalar& diagonal) noexcept {
+    return pivot > constant(0x1p-52, 0x1p-23f, nullptr) * std::abs(diagonal);
+  }
+};
+
+}  // namespace torsor
+#elif TORSOR_KERNEL_SUPPORT != 1
+#error "headers of incompatible versions of torsor meet here: write them again with one version"
+#endif
+
+namespace tumbler {
+
+/// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
+/// M a + h = E u + A' lambda and A a + gamma = 0, with a the accelerations and u the inputs; units are SI.
+template <class Scalar>
+struct Mechanism {
+  using traits = torsor::scalar_traits<Scalar>;
+
+  static constexpr const char* name = "tumbler";
+  static constexpr int coordinate_count = 6;
+  static constexpr int velocity_count = 6;
+  static constexpr int input_count = 0;
+  static constexpr int parameter_count = 1;
+  static constexpr int multiplier_count = 3;
+
+  /// Parameters that are set at run time.
+  struct Parameters {
+    Scalar a;  ///< parameter [m]
+    static constexpr int size = 1;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Parameters::*member_(int i_) noexcept {
+      constexpr Scalar Parameters::*members_[] = {&Parameters::a};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised coordinates q.
+  struct Coordinates {
+    Scalar x;  ///< coordinate [m]
+    Scalar y;  ///< coordinate [m]
+    Scalar z;  ///< coordinate [m]
+    Scalar psi;  ///< coordinate [rad or 1]
+    Scalar theta;  ///< coordinate [rad or 1]
+    Scalar phi;  ///< coordinate [rad or 1]
+    static constexpr int size = 6;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Coordinates::*member_(int i_) noexcept {
+      constexpr Scalar Coordinates::*members_[] = {&Coordinates::x, &Coordinates::y, &Coordinates::z, &Coordinates::psi,
+          &Coordinates::theta, &Coordinates::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised velocities v = dq/dt.
+  struct Velocities {
+    Scalar x;  ///< its rate [m/s]
+    Scalar y;  ///< its rate [m/s]
+    Scalar z;  ///< its rate [m/s]
+    Scalar psi;  ///< its rate [rad/s]
+    Scalar theta;  ///< its rate [rad/s]
+    Scalar phi;  ///< its rate [rad/s]
+    static constexpr int size = 6;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Velocities::*member_(int i_) noexcept {
+      constexpr Scalar Velocities::*members_[] = {&Velocities::x, &Velocities::y, &Velocities::z, &Velocities::psi,
+          &Velocities::theta, &Velocities::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised accelerations dv/dt.
+  struct Accelerations {
+    Scalar x;  ///< its second rate [m/s^2]
+    Scalar y;  ///< its second rate [m/s^2]
+    Scalar z;  ///< its second rate [m/s^2]
+    Scalar psi;  ///< its second rate [rad/s^2]
+    Scalar theta;  ///< its second rate [rad/s^2]
+    Scalar phi;  ///< its second rate [rad/s^2]
+    static constexpr int size = 6;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Accelerations::*member_(int i_) noexcept {
+      constexpr Scalar Accelerations::*members_[] = {&Accelerations::x, &Accelerations::y, &Accelerations::z,
+          &Accelerations::psi, &Accelerations::theta, &Accelerations::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised forces, one along each coordinate.
+  struct GeneralizedForces {
+    Scalar x;  ///< works with the rate of x [N]
+    Scalar y;  ///< works with the rate of y [N]
+    Scalar z;  ///< works with the rate of z [N]
+    Scalar psi;  ///< works with the rate of psi [N m]
+    Scalar theta;  ///< works with the rate of theta [N m]
+    Scalar phi;  ///< works with the rate of phi [N m]
+    static constexpr int size = 6;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar GeneralizedForces::*member_(int i_) noexcept {
+      constexpr Scalar GeneralizedForces::*members_[] = {&GeneralizedForces::x, &GeneralizedForces::y,
+          &GeneralizedForces::z, &GeneralizedForces::psi, &GeneralizedForces::theta, &GeneralizedForces::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Forces and torques of motors, set at each call.
+  struct Inputs {
+    static constexpr int size = 0;
+  };
+
+  /// Multipliers of the constraints, or the reactions that enforce them.
+  struct Multipliers {
+    Scalar N;  ///< of the constraint contact [N]
+    Scalar X;  ///< of the constraint rolling_x [N]
+    Scalar Y;  ///< of the constraint rolling_y [N]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Multipliers::*member_(int i_) noexcept {
+      constexpr Scalar Multipliers::*members_[] = {&Multipliers::N, &Multipliers::X, &Multipliers::Y};
+      return members_[i_];
+    }
+  };
+
+  /// Time [s], coordinates and velocities.
+  struct State {
+    Scalar time;
+    Coordinates q;
+    Velocities v;
+  };
+
+  /// Parameters and what depends on them only: built once for each set of parameters.
+  struct Precomputed {
+    Parameters parameters;
+    Scalar z25;
+    Scalar z26;
+    Scalar z129;
+    Scalar z246;
+  };
+
+  /// Values of the scene.
+  TORSOR_DEVICE static Parameters default_parameters() noexcept {
+    Parameters parameters{};
+    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
+    parameters.a = n0_02;
+    return parameters;
+  }
+
+  /// To be called again when a parameter changes.
+  TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
+    Precomputed precomputed{};
+    precomputed.parameters = parameters;
+    const Scalar n0_0002 = traits::constant(2e-04, 2e-04f, "1/5000");
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    const Scalar k2 = traits::constant(0.00015, 0.00015f, "3/20000");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar p_a = parameters.a;
+    const Scalar z25 = n0_0002 + n0_2 * p_a * p_a;
+    const Scalar z26 = n0_2 * p_a;
+    const Scalar z129 = k2 - z25;
+    const Scalar z246 = n1 / z25;
+    precomputed.z25 = z25;
+    precomputed.z26 = z26;
+    precomputed.z129 = z129;
+    precomputed.z246 = z246;
+    return precomputed;
+  }
+
+  /// The state the scene starts from, for these parameters.
+  TORSOR_DEVICE static State initial_state(const Parameters&) noexcept {
+    State state{};
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
+    const Scalar n0_15 = traits::constant(0.15, 0.15f, "3/20");
+    const Scalar n5 = traits::constant(5.0, 5.0f, "5/1");
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    const Scalar z0 = n1;
+    const Scalar z1 = traits::formula(0.8414709848078965, 0.84147096f, [&]() -> Scalar {
+      Scalar sine, cosine;
+      traits::sincos(z0, sine, cosine);
+      return sine;
+    });
+    state.time = n0;
+    state.q.x = n0;
+    state.q.y = n0;
+    state.q.z = n0_05;
+    state.q.psi = n0;
+    state.q.theta = n1;
+    state.q.phi = n0;
+    state.v.x = -n0_15 * z1;
+    state.v.y = n0;
+    state.v.z = n0;
+    state.v.psi = n5;
+    state.v.theta = n0;
+    state.v.phi = n3;
+    return state;
+  }
+  TORSOR_DEVICE static State initial_state() noexcept { return initial_state(default_parameters()); }
+
+  /// Poses, twists and named points in ground axes.
+  struct Kinematics {
+    std::array<Scalar, 3> tumbler_position;  ///< centre of mass of tumbler [m]
+    std::array<Scalar, 9> tumbler_rotation;  ///< from the axes of tumbler to the ground's (3 x 3)
+    std::array<Scalar, 3> tumbler_velocity;  ///< velocity of the centre of mass of tumbler [m/s]
+    std::array<Scalar, 3> tumbler_angular_velocity;  ///< angular velocity of tumbler [rad/s]
+    std::array<Scalar, 3> I_position;  ///< position of I [m]
+    std::array<Scalar, 3> I_velocity;  ///< velocity of the material point at I [m/s]
+    std::array<Scalar, 3> I_geometric_velocity;  ///< velocity of the point I itself, which moves in its frame [m/s]
+    std::array<Scalar, 18> I_jacobian;  ///< partial velocities of I (3 x 6)
+  };
+
+  /// Energies of the mechanism.
+  struct Energy {
+    Scalar kinetic;  ///< kinetic energy T [J]
+    Scalar force_function;  ///< force function U of gravity and springs [J]
+    Scalar power;  ///< power of dampers, given forces and motors [W]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Energy::*member_(int i_) noexcept {
+      constexpr Scalar Energy::*members_[] = {&Energy::kinetic, &Energy::force_function, &Energy::power};
+      return members_[i_];
+    }
+  };
+
+  /// Constraints and their derivatives, one entry per multiplier.
+  struct Constraints {
+    std::array<Scalar, 3> value;  ///< f(q, t) of holonomic constraints, 0 for the others
+    std::array<Scalar, 3> rate;  ///< A v - b, df/dt for holonomic ones
+    std::array<Scalar, 18> jacobian;  ///< A, stored column by column (3 x 6)
+    std::array<Scalar, 3> gamma;  ///< d(A v - b)/dt at zero acceleration: A a + gamma = 0
+  };
+
+  /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
+  /// matrices column by column.
+  TORSOR_DEVICE static void kinematics(const Precomputed& precomputed, const State& state,
+      Kinematics& result) noexcept {
+    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_x = state.q.x;
+    const Scalar v_x = state.v.x;
+    const Scalar q_y = state.q.y;
+    const Scalar v_y = state.v.y;
+    const Scalar q_z = state.q.z;
+    const Scalar v_z = state.v.z;
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar p_a = precomputed.parameters.a;
+    Scalar s_psi, c_psi;
+    traits::sincos(q_psi, s_psi, c_psi);
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z27 = v_x * c_psi + v_y * s_psi;
+    const Scalar z28 = v_x * s_psi - v_y * c_psi;
+    const Scalar z29 = v_psi * s_theta;
+    const Scalar z30 = v_psi * c_theta;
+    const Scalar z31 = v_z * s_theta - c_theta * z28;
+    const Scalar z32 = v_z * c_theta + s_theta * z28;
+    const Scalar z33 = v_theta * c_phi + s_phi * z29;
+    const Scalar z34 = v_theta * s_phi - c_phi * z29;
+    const Scalar z35 = s_phi * z31 + c_phi * z27;
+    const Scalar z36 = s_phi * z27 - c_phi * z31;
+    const Scalar z37 = v_phi + z30;  // angular velocity of tumbler, z
+    const Scalar z38 = s_theta * p_a;
+    const Scalar z39 = c_theta * p_a;
+    const Scalar z40 = s_psi * z38;
+    const Scalar z41 = c_psi * z38;
+    const Scalar z42 = q_z - z39;
+    const Scalar z43 = q_y + z41;
+    const Scalar z44 = q_x - z40;
+    const Scalar z45 = c_theta * s_phi;
+    const Scalar z46 = s_theta * s_phi;
+    const Scalar z47 = s_psi * z45 - c_psi * c_phi;
+    const Scalar z48 = s_psi * c_phi + c_psi * z45;
+    const Scalar z49 = c_theta * c_phi;
+    const Scalar z50 = s_theta * c_phi;
+    const Scalar z51 = s_psi * z49 + c_psi * s_phi;
+    const Scalar z52 = s_psi * s_phi - c_psi * z49;
+    const Scalar z53 = s_psi * s_theta;
+    const Scalar z54 = c_psi * s_theta;
+    const Scalar z55 = p_a * z34 + z35;
+    const Scalar z56 = p_a * z33 - z36;
+    const Scalar z57 = s_phi * z56 - c_phi * z55;
+    const Scalar z58 = s_phi * z55 + c_phi * z56;
+    const Scalar z59 = s_theta * z32 - c_theta * z58;
+    const Scalar z60 = s_theta * z58 + c_theta * z32;
+    const Scalar z61 = s_psi * z59 - c_psi * z57;
+    const Scalar z62 = s_psi * z57 + c_psi * z59;
+    const Scalar z63 = s_phi * z34 + c_phi * z33;
+    const Scalar z64 = s_phi * z33 - c_phi * z34;
+    const Scalar z65 = s_theta * z37 - c_theta * z64;
+    const Scalar z66 = s_theta * z64 + c_theta * z37;
+    const Scalar z67 = s_psi * z65 + c_psi * z63;
+    const Scalar z68 = s_psi * z63 - c_psi * z65;
+    const Scalar z69 = n0_05 * z46;
+    const Scalar z70 = n0_05 * z50;
+    const Scalar z71 = n0_05 * c_theta;
+    const Scalar z72 = s_phi * z70 - c_phi * z69;
+    const Scalar z73 = s_phi * z69 + c_phi * z70;
+    const Scalar z74 = s_theta * z71 - c_theta * z73;
+    const Scalar z75 = s_theta * z73 + c_theta * z71;
+    const Scalar z76 = s_psi * z74 - c_psi * z72;
+    const Scalar z77 = s_psi * z72 + c_psi * z74;
+    const Scalar z78 = q_z - z75;
+    const Scalar z79 = q_y + z77;
+    const Scalar z80 = q_x - z76;
+    const Scalar z81 = z34 * z71 + z35 + z37 * z70;
+    const Scalar z82 = z33 * z71 - z36 - z37 * z69;
+    const Scalar z83 = z32 - z33 * z70 - z34 * z69;
+    const Scalar z84 = s_phi * z82 - c_phi * z81;
+    const Scalar z85 = s_phi * z81 + c_phi * z82;
+    const Scalar z86 = s_theta * z83 - c_theta * z85;
+    const Scalar z87 = s_theta * z85 + c_theta * z83;
+    const Scalar z88 = s_psi * z86 - c_psi * z84;
+    const Scalar z89 = s_psi * z84 + c_psi * z86;
+    const Scalar z90 = v_theta * c_theta;
+    const Scalar z91 = v_phi * c_phi;
+    const Scalar z92 = s_theta * z91 + s_phi * z90;
+    const Scalar z93 = n0_05 * z92;
+    const Scalar z94 = v_phi * s_phi;
+    const Scalar z95 = s_theta * z94 - c_phi * z90;
+    const Scalar z96 = n0_05 * z95;
+    const Scalar z97 = v_theta * s_theta;
+    const Scalar z98 = n0_05 * z97;
+    const Scalar z99 = z34 * z71 + z35 + z37 * z70 - z93;
+    const Scalar z100 = z33 * z71 - z36 - z37 * z69 + z96;
+    const Scalar z101 = z32 - z33 * z70 - z34 * z69 + z98;
+    const Scalar z102 = s_phi * z100 - c_phi * z99;
+    const Scalar z103 = s_phi * z99 + c_phi * z100;
+    const Scalar z104 = s_theta * z101 - c_theta * z103;
+    const Scalar z105 = s_theta * z103 + c_theta * z101;
+    const Scalar z106 = s_psi * z104 - c_psi * z102;
+    const Scalar z107 = s_psi * z102 + c_psi * z104;
+    const Scalar z108 = q_x - z80;
+    const Scalar z109 = q_y - z79;
+    const Scalar z110 = q_z - z78;
+    const Scalar z111 = s_psi * z110;
+    const Scalar z112 = c_psi * z110;
+    const Scalar z114 = c_theta * z109 + z54 * z110;
+    const Scalar z115 = c_theta * z108 - z53 * z110;
+    result.tumbler_position[0] = z44;
+    result.tumbler_position[1] = z43;
+    result.tumbler_position[2] = z42;
+    result.tumbler_rotation[0] = -z47;
+    result.tumbler_rotation[1] = z48;
+    result.tumbler_rotation[2] = z46;
+    result.tumbler_rotation[3] = -z51;
+    result.tumbler_rotation[4] = -z52;
+    result.tumbler_rotation[5] = z50;
+    result.tumbler_rotation[6] = z53;
+    result.tumbler_rotation[7] = -z54;
+    result.tumbler_rotation[8] = c_theta;
+    result.tumbler_velocity[0] = z61;
+    result.tumbler_velocity[1] = -z62;
+    result.tumbler_velocity[2] = z60;
+    result.tumbler_angular_velocity[0] = z67;
+    result.tumbler_angular_velocity[1] = z68;
+    result.tumbler_angular_velocity[2] = z66;
+    result.I_position[0] = z80;
+    result.I_position[1] = z79;
+    result.I_position[2] = z78;
+    result.I_velocity[0] = z88;
+    result.I_velocity[1] = -z89;
+    result.I_velocity[2] = z87;
+    result.I_geometric_velocity[0] = z106;
+    result.I_geometric_velocity[1] = -z107;
+    result.I_geometric_velocity[2] = z105;
+    result.I_jacobian[0] = n1;
+    result.I_jacobian[3] = n0;
+    result.I_jacobian[6] = n0;
+    result.I_jacobian[9] = n0;
+    result.I_jacobian[12] = -z111;
+    result.I_jacobian[15] = z114;
+    result.I_jacobian[1] = n0;
+    result.I_jacobian[4] = n1;
+    result.I_jacobian[7] = n0;
+    result.I_jacobian[10] = n0;
+    result.I_jacobian[13] = z112;
+    result.I_jacobian[16] = -z115;
+    result.I_jacobian[2] = n0;
+    result.I_jacobian[5] = n0;
+    result.I_jacobian[8] = n1;
+    result.I_jacobian[11] = n0;
+    result.I_jacobian[14] = n0;
+    result.I_jacobian[17] = n0;
+  }
+
+  /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
+  TORSOR_DEVICE static void mass_matrix(const Precomputed& precomputed, const State& state,
+      std::array<Scalar, 36>& mass) noexcept {
+    const Scalar k0 = traits::constant(0.00015, 0.00015f, "3/20000");
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_psi = state.q.psi;
+    const Scalar q_theta = state.q.theta;
+    const Scalar z25 = precomputed.z25;
+    const Scalar z26 = precomputed.z26;
+    const Scalar z129 = precomputed.z129;
+    Scalar s_psi, c_psi;
+    traits::sincos(q_psi, s_psi, c_psi);
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z118 = k0 * c_theta;
+    const Scalar z121 = c_theta * z26;
+    const Scalar z122 = s_theta * z26;
+    const Scalar z123 = s_psi * z121;
+    const Scalar z124 = c_psi * z121;
+    const Scalar z130 = s_theta * z129;
+    const Scalar z131 = s_theta * z130;
+    const Scalar z133 = k0 - z131;
+    const Scalar z135 = c_psi * z122;
+    const Scalar z136 = s_psi * z122;
+    mass[0] = n0_2;
+    mass[1] = n0;
+    mass[2] = n0;
+    mass[3] = -z135;
+    mass[4] = -z123;
+    mass[5] = n0;
+    mass[6] = n0;
+    mass[7] = n0_2;
+    mass[8] = n0;
+    mass[9] = -z136;
+    mass[10] = z124;
+    mass[11] = n0;
+    mass[12] = n0;
+    mass[13] = n0;
+    mass[14] = n0_2;
+    mass[15] = n0;
+    mass[16] = z122;
+    mass[17] = n0;
+    mass[18] = -z135;
+    mass[19] = -z136;
+    mass[20] = n0;
+    mass[21] = z133;
+    mass[22] = n0;
+    mass[23] = z118;
+    mass[24] = -z123;
+    mass[25] = z124;
+    mass[26] = z122;
+    mass[27] = n0;
+    mass[28] = z25;
+    mass[29] = n0;
+    mass[30] = n0;
+    mass[31] = n0;
+    mass[32] = n0;
+    mass[33] = z118;
+    mass[34] = n0;
+    mass[35] = k0;
+  }
+
+  /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
+  /// actions included. M a + h = E u + A' lambda.
+  TORSOR_DEVICE static void bias(const Precomputed& precomputed, const State& state,
+      GeneralizedForces& forces) noexcept {
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar k1 = traits::constant(0.00015, 0.00015f, "3/20000");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1_962 = traits::constant(1.962, 1.962f, "981/500");
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar v_phi = state.v.phi;
+    const Scalar z25 = precomputed.z25;
+    const Scalar z26 = precomputed.z26;
+    Scalar s_psi, c_psi;
+    traits::sincos(q_psi, s_psi, c_psi);
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z29 = v_psi * s_theta;
+    const Scalar z30 = v_psi * c_theta;
+    const Scalar z37 = v_phi + z30;  // angular velocity of tumbler, z
+    const Scalar z155 = n9_81 * s_theta;
+    const Scalar z157 = v_theta * z30;  // angular acceleration of tumbler.2, y
+    const Scalar z158 = v_theta * z29;  // angular acceleration of tumbler.2, z
+    const Scalar z161 = z29 * z37;
+    const Scalar z162 = v_theta * z37;
+    const Scalar z163 = k1 * z161;  // moment on tumbler, x
+    const Scalar z164 = k1 * z162;  // moment on tumbler, y
+    const Scalar z165 = k1 * z158;  // moment on tumbler, z
+    const Scalar z166 = n2 * z157;
+    const Scalar z167 = z29 * z30;
+    const Scalar z168 = v_theta * v_theta;
+    const Scalar z169 = z29 * z29;
+    const Scalar z170 = z168 + z169;
+    const Scalar z171 = z26 * z166;  // force on tumbler.2, x
+    const Scalar z172 = z26 * z167;  // force on tumbler.2, y
+    const Scalar z173 = z26 * z170;  // force on tumbler.2, z
+    const Scalar z174 = z25 * z167 - z26 * z155 - z163;  // moment on tumbler.2, x
+    const Scalar z175 = n2 * z25 * z157 - z164;  // moment on tumbler.2, y
+    const Scalar z176 = s_theta * z173 + c_theta * z172;
+    const Scalar z177 = s_theta * z172 - c_theta * z173;
+    const Scalar z179 = s_theta * z175 - c_theta * z165;
+    const Scalar z180 = s_psi * z176 - c_psi * z171;
+    const Scalar z181 = s_psi * z171 + c_psi * z176;
+    const Scalar z184 = n1_962 - z177;  // force on tumbler.z, z
+    forces.x = z180;
+    forces.y = -z181;
+    forces.z = z184;
+    forces.psi = z179;
+    forces.theta = -z174;
+    forces.phi = -z165;
+  }
+
+  /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
+  TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State& state,
+      const Accelerations& accelerations, const Multipliers& multipliers, GeneralizedForces& forces) noexcept {
+    const Scalar k0 = traits::constant(0.00015, 0.00015f, "3/20000");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
+    const Scalar a_x = accelerations.x;
+    const Scalar a_y = accelerations.y;
+    const Scalar q_z = state.q.z;
+    const Scalar a_z = accelerations.z;
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar a_psi = accelerations.psi;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar a_theta = accelerations.theta;
+    const Scalar v_phi = state.v.phi;
+    const Scalar a_phi = accelerations.phi;
+    const Scalar l_N = multipliers.N;
+    const Scalar l_X = multipliers.X;
+    const Scalar l_Y = multipliers.Y;
+    const Scalar z25 = precomputed.z25;
+    const Scalar z26 = precomputed.z26;
+    Scalar s_psi, c_psi;
+    traits::sincos(q_psi, s_psi, c_psi);
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z29 = v_psi * s_theta;
+    const Scalar z30 = v_psi * c_theta;
+    const Scalar z37 = v_phi + z30;  // angular velocity of tumbler, z
+    const Scalar z53 = s_psi * s_theta;
+    const Scalar z54 = c_psi * s_theta;
+    const Scalar z157 = v_theta * z30;  // angular acceleration of tumbler.2, y
+    const Scalar z161 = z29 * z37;
+    const Scalar z162 = v_theta * z37;
+    const Scalar z163 = k0 * z161;  // moment on tumbler, x
+    const Scalar z164 = k0 * z162;  // moment on tumbler, y
+    const Scalar z167 = z29 * z30;
+    const Scalar z168 = v_theta * v_theta;
+    const Scalar z169 = z29 * z29;
+    const Scalar z170 = z168 + z169;
+    const Scalar z173 = z26 * z170;  // force on tumbler.2, z
+    const Scalar z189 = n9_81 + a_z;
+    const Scalar z190 = a_x * c_psi + a_y * s_psi;
+    const Scalar z191 = a_x * s_psi - a_y * c_psi;
+    const Scalar z192 = a_psi * s_theta;
+    const Scalar z193 = a_psi * c_theta;
+    const Scalar z194 = s_theta * z189 - c_theta * z191;
+    const Scalar z196 = v_theta * z30 + z192;  // angular acceleration of tumbler.2, y
+    const Scalar z197 = v_theta * z29 - z193;  // angular acceleration of tumbler.2, z
+    const Scalar z200 = a_phi - z197;  // angular acceleration of tumbler, z
+    const Scalar z201 = k0 * z200;  // moment on tumbler, z
+    const Scalar z202 = z157 + z196;
+    const Scalar z203 = a_theta - z167;
+    const Scalar z204 = z26 * z202;  // force on tumbler.2, x
+    const Scalar z205 = z26 * z203;  // force on tumbler.2, y
+    const Scalar z206 = z25 * (a_theta - z167) + z26 * z194 + z163;  // moment on tumbler.2, x
+    const Scalar z207 = z25 * (z157 + z196) - z26 * z190 - z164;  // moment on tumbler.2, y
+    const Scalar z208 = s_theta * z173 - c_theta * z205;
+    const Scalar z209 = s_theta * z205 + c_theta * z173;
+    const Scalar z211 = s_theta * z207 + c_theta * z201;
+    const Scalar z212 = s_psi * z208 - c_psi * z204;
+    const Scalar z213 = s_psi * z204 + c_psi * z208;
+    const Scalar z216 = n0_2 * a_x + z212;  // force on tumbler.z, x
+    const Scalar z217 = n0_2 * a_y - z213;  // force on tumbler.z, y
+    const Scalar z218 = n0_2 * z189 + z209;  // force on tumbler.z, z
+    const Scalar z223 = n0_05 - q_z;
+    const Scalar z224 = q_z + z223;
+    const Scalar z225 = s_psi * z224;
+    const Scalar z226 = c_psi * z224;
+    const Scalar z227 = z54 * z224;
+    const Scalar z228 = z53 * z224;
+    forces.x = z216 - l_X;
+    forces.y = z217 - l_Y;
+    forces.z = z218 - l_N;
+    forces.psi = z211;
+    forces.theta = z206 + z225 * l_X - z226 * l_Y;
+    forces.phi = z201 - z227 * l_X - z228 * l_Y;
+  }
+
+  /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
+  /// an unrolled L D L' of M and of the Schur complement A M^-1 A'. Returns singular when a pivot is not
+  /// positive relative to its diagonal entry.
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
+      const Inputs&, Accelerations& accelerations, Multipliers& multipliers) noexcept {
+    const Scalar k0 = traits::constant(0.00015, 0.00015f, "3/20000");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1_962 = traits::constant(1.962, 1.962f, "981/500");
+    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
+    const Scalar k5 = traits::constant(6666.666666666667, 6666.6665f, "20000/3");
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_z = state.q.z;
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar v_phi = state.v.phi;
+    const Scalar z25 = precomputed.z25;
+    const Scalar z26 = precomputed.z26;
+    const Scalar z129 = precomputed.z129;
+    const Scalar z246 = precomputed.z246;
+    Scalar s_psi, c_psi;
+    traits::sincos(q_psi, s_psi, c_psi);
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z29 = v_psi * s_theta;
+    const Scalar z30 = v_psi * c_theta;
+    const Scalar z37 = v_phi + z30;  // angular velocity of tumbler, z
+    const Scalar z53 = s_psi * s_theta;
+    const Scalar z54 = c_psi * s_theta;
+    const Scalar z90 = v_theta * c_theta;
+    const Scalar z118 = k0 * c_theta;
+    const Scalar z121 = c_theta * z26;
+    const Scalar z122 = s_theta * z26;
+    const Scalar z123 = s_psi * z121;
+    const Scalar z124 = c_psi * z121;
+    const Scalar z130 = s_theta * z129;
+    const Scalar z131 = s_theta * z130;
+    const Scalar z133 = k0 - z131;
+    const Scalar z135 = c_psi * z122;
+    const Scalar z136 = s_psi * z122;
+    const Scalar z155 = n9_81 * s_theta;
+    const Scalar z157 = v_theta * z30;  // angular acceleration of tumbler.2, y
+    const Scalar z158 = v_theta * z29;  // angular acceleration of tumbler.2, z
+    const Scalar z161 = z29 * z37;
+    const Scalar z162 = v_theta * z37;
+    const Scalar z163 = k0 * z161;  // moment on tumbler, x
+    const Scalar z164 = k0 * z162;  // moment on tumbler, y
+    const Scalar z165 = k0 * z158;  // moment on tumbler, z
+    const Scalar z166 = n2 * z157;
+    const Scalar z167 = z29 * z30;
+    const Scalar z168 = v_theta * v_theta;
+    const Scalar z169 = z29 * z29;
+    const Scalar z170 = z168 + z169;
+    const Scalar z171 = z26 * z166;  // force on tumbler.2, x
+    const Scalar z172 = z26 * z167;  // force on tumbler.2, y
+    const Scalar z173 = z26 * z170;  // force on tumbler.2, z
+    const Scalar z174 = z25 * z167 - z26 * z155 - z163;  // moment on tumbler.2, x
+    const Scalar z175 = n2 * z25 * z157 - z164;  // moment on tumbler.2, y
+    const Scalar z176 = s_theta * z173 + c_theta * z172;
+    const Scalar z177 = s_theta * z172 - c_theta * z173;
+    const Scalar z179 = s_theta * z175 - c_theta * z165;
+    const Scalar z180 = s_psi * z176 - c_psi * z171;
+    const Scalar z181 = s_psi * z171 + c_psi * z176;
+    const Scalar z184 = n1_962 - z177;  // force on tumbler.z, z
+    const Scalar z223 = n0_05 - q_z;
+    const Scalar z224 = q_z + z223;
+    const Scalar z225 = s_psi * z224;
+    const Scalar z226 = c_psi * z224;
+    const Scalar z227 = z54 * z224;
+    const Scalar z228 = z53 * z224;
+    const Scalar z230 = v_psi * c_psi;
+    const Scalar z231 = z224 * z230;
+    const Scalar z232 = v_psi * s_psi;
+    const Scalar z233 = c_psi * z90 - s_theta * z232;
+    const Scalar z234 = z224 * z233;
+    const Scalar z235 = v_theta * z231 - v_phi * z234;
+    const Scalar z237 = z224 * z232;
+    const Scalar z238 = s_psi * z90 + s_theta * z230;
+    const Scalar z239 = z224 * z238;
+    const Scalar z240 = v_theta * z237 - v_phi * z239;
+    const Scalar z244 = k5 * z118;
+    const Scalar z245 = z118 * z244 - z133;
+    const Scalar z247 = z123 * z246;
+    const Scalar z248 = z124 * z246;
+    const Scalar z249 = z122 * z246;
+    const Scalar z250 = n0_2 - z123 * z247;
+    const Scalar z251 = z123 * z248;
+    const Scalar z252 = n0_2 - z124 * z248;
+    const Scalar z253 = z123 * z249;
+    const Scalar z254 = z124 * z249;
+    const Scalar z255 = n0_2 - z122 * z249;
+    const Scalar z256 = n1 / z245;
+    const Scalar z257 = z135 * z256;
+    const Scalar z258 = z136 * z256;
+    const Scalar z259 = z135 * z257 + z250;
+    const Scalar z260 = z135 * z258 + z251;
+    const Scalar z261 = z136 * z258 + z252;
+    const Scalar z262 = n1 / z255;
+    const Scalar z263 = z253 * z262;
+    const Scalar z264 = z254 * z262;
+    const Scalar z265 = z253 * z263 - z259;
+    const Scalar z266 = z253 * z264 + z260;
+    const Scalar z267 = z254 * z264 - z261;
+    const Scalar z268 = n1 / z267;
+    const Scalar z269 = z266 * z268;
+    const Scalar z270 = z265 - z266 * z269;
+    const Scalar z271 = n1 / z270;
+    const Scalar z272 = z165 * z244 + z179;
+    const Scalar z273 = z174 * z249 + z184;
+    const Scalar z274 = z174 * z248 - z181 - z258 * z272 + z264 * z273;
+    const Scalar z275 = z174 * z247 - z180 + z257 * z272 + z263 * z273 - z269 * z274;
+    const Scalar z276 = z271 * z275;
+    const Scalar z277 = z268 * z274 - z269 * z276;
+    const Scalar z278 = z262 * z273 - z263 * z276 - z264 * z277;
+    const Scalar z279 = z256 * z272 + z257 * z276 - z258 * z277;
+    const Scalar z280 = z174 * z246 - z247 * z276 - z248 * z277 + z249 * z278;
+    const Scalar z281 = k5 * z165 - z244 * z279;
+    const Scalar z282 = z263 - z264 * z269;
+    const Scalar z283 = z271 * z282;
+    const Scalar z284 = z264 * z268 - z269 * z283;
+    const Scalar z285 = z262 - z263 * z283 - z264 * z284;
+    const Scalar z286 = z257 * z283 - z258 * z284;
+    const Scalar z287 = z247 * z283 + z248 * z284 - z249 * z285;
+    const Scalar z288 = z244 * z286;
+    const Scalar z289 = z227 * z244;
+    const Scalar z290 = z225 * z249;
+    const Scalar z291 = z225 * z248 + z258 * z289 + z264 * z290;
+    const Scalar z292 = n1 - z225 * z247 + z257 * z289 - z263 * z290 + z269 * z291;
+    const Scalar z293 = z271 * z292;
+    const Scalar z294 = z268 * z291 + z269 * z293;
+    const Scalar z295 = z262 * z290 + z263 * z293 - z264 * z294;
+    const Scalar z296 = z256 * z289 + z257 * z293 + z258 * z294;
+    const Scalar z297 = z225 * z246 + z247 * z293 - z248 * z294 + z249 * z295;
+    const Scalar z298 = k5 * z227 - z244 * z296;
+    const Scalar z299 = z228 * z244;
+    const Scalar z300 = z226 * z249;
+    const Scalar z301 = n1 - z226 * z248 + z258 * z299 - z264 * z300;
+    const Scalar z302 = z226 * z247 + z257 * z299 + z263 * z300 + z269 * z301;
+    const Scalar z303 = z271 * z302;
+    const Scalar z304 = z268 * z301 + z269 * z303;
+    const Scalar z305 = z262 * z300 - z263 * z303 + z264 * z304;
+    const Scalar z306 = z256 * z299 + z257 * z303 + z258 * z304;
+    const Scalar z307 = z226 * z246 - z247 * z303 + z248 * z304 + z249 * z305;
+    const Scalar z308 = k5 * z228 - z244 * z306;
+    const Scalar z309 = z225 * z287 - z227 * z288 - z283;
+    const Scalar z310 = z225 * z297 + z227 * z298 - z293;
+    const Scalar z311 = z225 * z280 - z227 * z281 + z235 + z276;
+    const Scalar z312 = z226 * z287 + z228 * z288 - z284;
+    const Scalar z313 = z226 * z297 - z228 * z298 + z294;
+    const Scalar z314 = z226 * z307 + z228 * z308 - z304;
+    const Scalar z315 = z226 * z280 + z228 * z281 - z240 + z277;
+    const Scalar z316 = n1 / z314;
+    const Scalar z317 = z312 * z316;
+    const Scalar z318 = z313 * z316;
+    const Scalar z319 = z285 - z312 * z317;
+    const Scalar z320 = z309 - z312 * z318;
+    const Scalar z321 = z310 - z313 * z318;
+    const Scalar z322 = n1 / z321;
+    const Scalar z323 = z320 * z322;
+    const Scalar z324 = z319 - z320 * z323;
+    const Scalar z325 = n1 / z324;
+    const Scalar z326 = z311 - z315 * z318;
+    const Scalar z327 = z278 + z315 * z317 + z323 * z326;
+    const Scalar z328 = z325 * z327;
+    const Scalar z329 = z322 * z326 + z323 * z328;
+    const Scalar z330 = z315 * z316 + z317 * z328 - z318 * z329;
+    const Scalar z331 = z276 - z283 * z328 + z293 * z329 - z303 * z330;
+    const Scalar z332 = z277 - z284 * z328 - z294 * z329 + z304 * z330;
+    const Scalar z334 = z279 - z286 * z328 + z296 * z329 - z306 * z330;
+    const Scalar z335 = z280 + z287 * z328 - z297 * z329 - z307 * z330;
+    const Scalar z336 = z281 + z288 * z328 + z298 * z329 - z308 * z330;
+    accelerations.x = -z331;
+    accelerations.y = z332;
+    accelerations.z = n0;
+    accelerations.psi = z334;
+    accelerations.theta = z335;
+    accelerations.phi = z336;
+    multipliers.N = z328;
+    multipliers.X = z329;
+    multipliers.Y = -z330;
+    if (!(traits::regular(-z270, n0_2) && traits::regular(-z267, n0_2) && traits::regular(z255, n0_2)
+        && traits::regular(-z245, z133) && traits::regular(z25, z25) && traits::regular(z324, z285)
+        && traits::regular(z321, z310) && traits::regular(z314, z314))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (accelerations.x - accelerations.x) + (accelerations.y - accelerations.y) + (accelerations.psi
+        - accelerations.psi) + (accelerations.theta - accelerations.theta) + (accelerations.phi - accelerations.phi)
+        + (multipliers.N - multipliers.N) + (multipliers.X - multipliers.X) + (multipliers.Y - multipliers.Y);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
+  TORSOR_DEVICE static void energy(const Precomputed& precomputed, const State& state, const Inputs&,
+      Energy& result) noexcept {
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar k3 = traits::constant(7.5e-05, 7.5e-05f, "3/40000");
+    const Scalar n1_962 = traits::constant(1.962, 1.962f, "981/500");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar v_x = state.v.x;
+    const Scalar v_y = state.v.y;
+    const Scalar q_z = state.q.z;
+    const Scalar v_z = state.v.z;
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar z25 = precomputed.z25;
+    const Scalar z26 = precomputed.z26;
+    Scalar s_psi, c_psi;
+    traits::sincos(q_psi, s_psi, c_psi);
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z27 = v_x * c_psi + v_y * s_psi;
+    const Scalar z28 = v_x * s_psi - v_y * c_psi;
+    const Scalar z29 = v_psi * s_theta;
+    const Scalar z30 = v_psi * c_theta;
+    const Scalar z31 = v_z * s_theta - c_theta * z28;
+    const Scalar z32 = v_z * c_theta + s_theta * z28;
+    const Scalar z33 = v_theta * c_phi + s_phi * z29;
+    const Scalar z34 = v_theta * s_phi - c_phi * z29;
+    const Scalar z35 = s_phi * z31 + c_phi * z27;
+    const Scalar z36 = s_phi * z27 - c_phi * z31;
+    const Scalar z37 = v_phi + z30;  // angular velocity of tumbler, z
+    const Scalar z121 = c_theta * z26;
+    const Scalar z337 = z26 * z34 + n0_2 * z35;
+    const Scalar z338 = z26 * z33 - n0_2 * z36;
+    const Scalar z339 = z25 * z33 - z26 * z36;
+    const Scalar z340 = z25 * z34 + z26 * z35;
+    result.kinetic = n0_5 * (z33 * z339 + z34 * z340 + z35 * z337 - z36 * z338) + n0_1 * z32 * z32 + k3 * z37 * z37;
+    result.force_function = -n1_962 * q_z + n9_81 * z121;
+    result.power = n0;
+  }
+
+  /// Constraints A(q, t) v - b(q, t) = 0, in the order of the multipliers.
+  TORSOR_DEVICE static void constraints(const Precomputed&, const State& state, Constraints& result) noexcept {
+    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar v_x = state.v.x;
+    const Scalar v_y = state.v.y;
+    const Scalar q_z = state.q.z;
+    const Scalar v_z = state.v.z;
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar v_phi = state.v.phi;
+    Scalar s_psi, c_psi;
+    traits::sincos(q_psi, s_psi, c_psi);
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z53 = s_psi * s_theta;
+    const Scalar z54 = c_psi * s_theta;
+    const Scalar z90 = v_theta * c_theta;
+    const Scalar z223 = n0_05 - q_z;
+    const Scalar z224 = q_z + z223;
+    const Scalar z225 = s_psi * z224;
+    const Scalar z226 = c_psi * z224;
+    const Scalar z227 = z54 * z224;
+    const Scalar z228 = z53 * z224;
+    const Scalar z229 = v_x - v_theta * z225 + v_phi * z227;
+    const Scalar z230 = v_psi * c_psi;
+    const Scalar z231 = z224 * z230;
+    const Scalar z232 = v_psi * s_psi;
+    const Scalar z233 = c_psi * z90 - s_theta * z232;
+    const Scalar z234 = z224 * z233;
+    const Scalar z235 = v_theta * z231 - v_phi * z234;
+    const Scalar z236 = v_y + v_theta * z226 + v_phi * z228;
+    const Scalar z237 = z224 * z232;
+    const Scalar z238 = s_psi * z90 + s_theta * z230;
+    const Scalar z239 = z224 * z238;
+    const Scalar z240 = v_theta * z237 - v_phi * z239;
+    result.value[0] = -z223;
+    result.rate[0] = v_z;
+    result.gamma[0] = n0;
+    result.value[1] = n0;
+    result.rate[1] = z229;
+    result.gamma[1] = -z235;
+    result.value[2] = n0;
+    result.rate[2] = z236;
+    result.gamma[2] = -z240;
+    result.jacobian[0] = n0;
+    result.jacobian[1] = n1;
+    result.jacobian[2] = n0;
+    result.jacobian[3] = n0;
+    result.jacobian[4] = n0;
+    result.jacobian[5] = n1;
+    result.jacobian[6] = n1;
+    result.jacobian[7] = n0;
+    result.jacobian[8] = n0;
+    result.jacobian[9] = n0;
+    result.jacobian[10] = n0;
+    result.jacobian[11] = n0;
+    result.jacobian[12] = n0;
+    result.jacobian[13] = -z225;
+    result.jacobian[14] = z226;
+    result.jacobian[15] = n0;
+    result.jacobian[16] = z227;
+    result.jacobian[17] = z228;
+  }
+};
+
+}  // namespace tumbler
