@@ -20,6 +20,7 @@ struct Locked {
   int i, j, sign;
 };
 
+namespace locked {
 // δ(a_i · b_j) = δθ · (b_j ∧ a_i), δθ the turn of b in a.
 constexpr Locked x{"x", Kind::offset, 0, 0, 1}, y{"y", Kind::offset, 1, 0, 1}, z{"z", Kind::offset, 2, 0, 1};
 constexpr Locked b_like_a_x{"rx", Kind::alignment, 2, 1, 1}, b_like_a_y{"ry", Kind::alignment, 0, 2, 1},
@@ -28,8 +29,10 @@ constexpr Locked parallel_x_y{"ry", Kind::alignment, 2, 0, -1}, parallel_x_z{"rz
 constexpr Locked parallel_z_x{"rx", Kind::alignment, 1, 2, -1}, parallel_z_y{"ry", Kind::alignment, 0, 2, 1};
 constexpr Locked cross{"r", Kind::alignment, 0, 1, -1}, line{"ry", Kind::alignment, 2, 0, -1};
 constexpr Locked screw{"x", Kind::screw, 0, 0, 1};
+}  // namespace locked
 
 std::vector<Locked> locked_directions(JointType type) {
+  using namespace locked;
   switch (type) {
     case JointType::weld: return {x, y, z, b_like_a_x, b_like_a_y, b_like_a_z};
     case JointType::revolute: return {x, y, z, parallel_x_y, parallel_x_z};
@@ -108,10 +111,10 @@ std::vector<ConstraintHandle> Scene::close(const std::string& name, JointType ty
   claim(name, "joint");
   content_.joints.push_back({name, type, a, b, {}, true, 0, -1, pitch});
   std::vector<ConstraintHandle> handles;
-  for (const Locked& locked : locked_directions(type)) {
-    const JointClosure law{locked.kind, a, b, locked.i, locked.j, locked.sign, pitch};
-    const Unit unit = locked.kind == Kind::alignment ? units::newton_metre : units::newton;
-    handles.push_back(add_constraint(name + "_" + locked.suffix, law, unit));
+  for (const Locked& direction : locked_directions(type)) {
+    const JointClosure law{direction.kind, a, b, direction.i, direction.j, direction.sign, pitch};
+    const Unit unit = direction.kind == Kind::alignment ? units::newton_metre : units::newton;
+    handles.push_back(add_constraint(name + "_" + direction.suffix, law, unit));
   }
   return handles;
 }
