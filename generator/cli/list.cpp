@@ -12,10 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string action_name(const ActionContent& action) {
-  return std::visit([](const auto& content) { return content.name; }, action);
-}
-
 const char* role(const CoordinateContent& c) { return c.attitude >= 0 ? "quasi-velocity" : c.law ? "driven" : c.released ? "released" : "unknown"; }
 
 Json content_json(const Scene& scene) {
@@ -45,7 +41,7 @@ Json content_json(const Scene& scene) {
   Json& points = list("points");
   for (const PointContent& p : content.points) points.push_back(p.name);
   Json& actions = list("actions");
-  for (const ActionContent& a : content.actions) actions.push_back(action_name(a));
+  for (const ActionContent& a : content.actions) actions.push_back(name_of(a));
   for (const ContactFriction& f : content.frictions) actions.push_back(f.name);
   Json& constraints = list("constraints");
   for (const ConstraintContent& c : content.constraints) {

@@ -13,10 +13,6 @@
 namespace torsor {
 namespace {
 
-const std::string& name_of(const ActionContent& action) {
-  return std::visit([](const auto& any) -> const std::string& { return any.name; }, action);
-}
-
 /// Wrenches of one action, the ground's share of a mutual one included.
 WrenchOnLinks wrenches_of(const Model& model, const ActionContent& action) {
   const AppliedActions one = applied_actions(model, [&](const ActionContent& other) { return &other == &action; });

@@ -13,10 +13,6 @@ namespace {
 
 constexpr const char* weight = "gravity";
 
-std::string name_of(const ActionContent& action) {
-  return std::visit([](const auto& content) { return content.name; }, action);
-}
-
 /// Whether an action is made of wrenches on bodies, so that each body's share is known.
 bool has_ends(const ActionContent& action) {
   return !std::holds_alternative<ElongationSpring>(action) && !std::holds_alternative<ElongationDamper>(action) &&

@@ -15,14 +15,14 @@
 namespace torsor {
 namespace {
 
-constexpr int digits = 50;
+constexpr int generic_digits = 50;
 
 /// Pseudo-random but fixed values for every symbol: a generic state.
 Evaluator<Real>::SymbolValue generic_state(int trial) {
   return [trial](const SymbolPointer& symbol) {
-    if (symbol->kind == SymbolKind::pi) return Real::pi(digits);
+    if (symbol->kind == SymbolKind::pi) return Real::pi(generic_digits);
     const long scrambled = (symbol->index + 1) * 7919L * (trial + 3) % 4007;
-    return Real(Number::rational(1000 + scrambled, 3001), digits);
+    return Real(Number::rational(1000 + scrambled, 3001), generic_digits);
   };
 }
 
@@ -105,7 +105,7 @@ void check_masses(const Equations& equations) {
     std::vector<std::vector<Real>> m;
     for (const auto& row : mass) m.push_back(evaluate(row));
     for (std::size_t k = 0; k < n; ++k) {
-      const Real floor = abs(evaluate(mass[k][k])) * Real(Number(10).pow(-30), digits);
+      const Real floor = abs(evaluate(mass[k][k])) * Real(Number(10).pow(-30), generic_digits);
       if (!(m[k][k] > floor)) break;
       regular[k] = true;
       for (std::size_t i = k + 1; i < n; ++i) {
@@ -181,7 +181,7 @@ void check_initial_state(const Equations& equations) {
 }  // namespace
 
 void validate(const Scene& scene) {
-  const WorkingDigits precision(digits);
+  const WorkingDigits precision(generic_digits);
   check_coordinates(scene);
   for (const BodyContent& body : scene.content().bodies) check_inertia(scene.content(), body);
   const Equations equations(scene);

@@ -12,14 +12,14 @@
 namespace torsor {
 namespace {
 
-struct Entry {
+struct StartValue {
   std::string target;
   Value value;
 };
 
-Block block_of(const Program& program, const std::vector<Entry>& entries) {
+Block block_of(const Program& program, const std::vector<StartValue>& entries) {
   std::vector<Polynomial> sums;
-  for (const Entry& entry : entries) sums.push_back(without_sign(entry.value.polynomial()).first);
+  for (const StartValue& entry : entries) sums.push_back(without_sign(entry.value.polynomial()).first);
   return whole_block(program, sums);
 }
 
@@ -39,7 +39,7 @@ std::string default_parameters_body(const Scene& scene, const std::vector<Symbol
     if (found == all.end() || !found->value) return std::nullopt;
     return value_in_unit(*found);
   });
-  std::vector<Entry> given;
+  std::vector<StartValue> given;
   std::vector<std::string> missing;
   for (const SymbolPointer& symbol : parameters) {
     const Value value = program.symbol(symbol);
@@ -51,7 +51,7 @@ std::string default_parameters_body(const Scene& scene, const std::vector<Symbol
   }
   FunctionEmitter emitter(program, "parameters.");
   emitter.compute(block_of(program, given));
-  for (const Entry& entry : given) emitter.assign(entry.target, entry.value);
+  for (const StartValue& entry : given) emitter.assign(entry.target, entry.value);
   const std::string zero = missing.empty() ? "" : emitter.name(Number());
   for (const std::string& target : missing) {
     emitter.line(fmt::format("{} = {} / {};  // has no default: not a number until it is set", target, zero, zero));
@@ -61,7 +61,7 @@ std::string default_parameters_body(const Scene& scene, const std::vector<Symbol
 
 InitialState initial_state(const Equations& equations, const ModelOptions& options) {
   Program program(Model::resolver(equations.scene(), options));
-  std::vector<Entry> entries;
+  std::vector<StartValue> entries;
   const Model& model = equations.model();
   const SceneContent& content = equations.scene().content();
   const auto add = [&](const std::string& target, const std::optional<Expression>& given) {
@@ -90,7 +90,7 @@ InitialState initial_state(const Equations& equations, const ModelOptions& optio
   FunctionEmitter emitter(program, "parameters.");
   emitter.compute(block);
   emitter.line(fmt::format("state.time = {};", emitter.name(Number())));
-  for (const Entry& entry : entries) emitter.assign(entry.target, entry.value);
+  for (const StartValue& entry : entries) emitter.assign(entry.target, entry.value);
   return {emitter.take().body, !block.symbols.empty()};
 }
 

@@ -11,12 +11,12 @@
 namespace torsor {
 namespace {
 
-struct Turn {
+struct PlaneTurn {
   Value sine, one_minus_cosine, cosine;
 };
 
-Turn turn_by(Program& program, const Value& angle) {
-  Turn turn;
+PlaneTurn turn_by(Program& program, const Value& angle) {
+  PlaneTurn turn;
   turn.sine = program.sin(angle);
   turn.cosine = program.cos(angle);
   turn.one_minus_cosine = program.number(Number(1)) - turn.cosine;
@@ -83,7 +83,7 @@ void check_unit_axis(Program& program, const Vector& axis) {
 
 Matrix rotation_matrix(Program& program, const AxisAngle& turn) {
   check_unit_axis(program, turn.axis);
-  const Turn t = turn_by(program, turn.angle);
+  const PlaneTurn t = turn_by(program, turn.angle);
   Matrix m = t.cosine * identity(program);
   m += t.one_minus_cosine * dyad(turn.axis, turn.axis);
   m += t.sine * cross_operator(turn.axis);
@@ -92,7 +92,7 @@ Matrix rotation_matrix(Program& program, const AxisAngle& turn) {
 
 Vector angular_velocity(Program& program, const AxisAngle& turn) {
   check_unit_axis(program, turn.axis);
-  const Turn t = turn_by(program, turn.angle);
+  const PlaneTurn t = turn_by(program, turn.angle);
   const Vector moved = time_derivative(turn.axis);
   Vector sum = rate_of(turn.angle) * turn.axis;
   sum += t.sine * moved;

@@ -10,8 +10,6 @@
 namespace torsor {
 namespace {
 
-Expression difference(const Expression& a, const Expression& b) { return b.is_zero() ? a : a - b; }
-
 bool cancels(const Expression& formula) {
   Program program;
   return vanishes(program.lower(formula));

@@ -7,6 +7,7 @@
 
 #include "generator/expression/error.hpp"
 #include "generator/expression/evaluation.hpp"
+#include "generator/mechanics/triple_algebra.hpp"
 
 namespace torsor {
 namespace {
@@ -39,8 +40,6 @@ bool all_vanish(const std::vector<Expression>& formulas) {
   return std::all_of(formulas.begin(), formulas.end(),
                      [&program](const Expression& formula) { return vanishes(program.lower(formula)); });
 }
-
-Expression difference(const Expression& a, const Expression& b) { return b.is_zero() ? a : a - b; }
 
 }  // namespace
 

@@ -34,6 +34,10 @@ int SceneContent::point_index(const PointReference& reference, const std::string
   return find_index(points, reference.target, "point", user);
 }
 
+const std::string& name_of(const ActionContent& action) {
+  return std::visit([](const auto& any) -> const std::string& { return any.name; }, action);
+}
+
 Expression initial_component(const AttitudeContent& attitude, std::size_t k) {
   if (!attitude.initial) return k == 0 ? 1 : 0;
   Expression square = 0;

@@ -149,6 +149,8 @@ struct ContactFriction {
   FrameReference axes, other;
 };
 
+const std::string& name_of(const ActionContent& action);
+
 struct HolonomicFormula { Expression f; };
 struct NonholonomicFormula { Expression left_side; };
 struct NoSlip {

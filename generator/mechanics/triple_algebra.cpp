@@ -90,4 +90,6 @@ Tableau rotation_about(const Triple& axis, const Expression& angle) {
   return r;
 }
 
+Expression difference(const Expression& a, const Expression& b) { return b.is_zero() ? a : a - b; }
+
 }  // namespace torsor

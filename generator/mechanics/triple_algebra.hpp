@@ -29,4 +29,7 @@ Tableau operator_of_point(const Expression& k, const Triple& v);
 /// axis is null.
 Tableau rotation_about(const Triple& axis, const Expression& angle);
 
+/// a − b, a itself when b is the literal zero, whatever its unit.
+Expression difference(const Expression& a, const Expression& b);
+
 }  // namespace torsor
