@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "generator/cli/commands.hpp"
+#include "generator/dynamics/unknowns_report.hpp"
 #include "generator/dynamics/validation.hpp"
 #include "generator/emission/kernel.hpp"
 #include "generator/emission/output_file.hpp"
@@ -36,6 +37,8 @@ struct Request {
   std::vector<std::string> about;
   std::vector<std::string> times;
   std::vector<std::string> actions, bodies;
+  std::string point;
+  std::string axes = "ground";
   int digits = 50;
   int states = 20;
   bool json = false;
@@ -162,6 +165,19 @@ int force_function(const Scene& scene, const Request& request) {
   return 0;
 }
 
+int unknowns(const Scene& scene, const Request& request) {
+  if (request.bodies.empty() != request.point.empty()) {
+    throw UsageError("--isolate BODIES and --at POINT go together: the point at which moments are taken");
+  }
+  ModelOptions options;
+  options.symbolic_parameters = true;
+  const Equations equations(scene, options);
+  std::string text = unknowns_report(equations);
+  if (!request.bodies.empty()) text += isolation_report(equations, request.bodies, {request.point, request.axes}).text;
+  write(request.output, text);
+  return 0;
+}
+
 using Command = int (*)(const Scene&, const Request&);
 
 /// Declares the commands; the chosen one is left in `chosen`.
@@ -207,6 +223,10 @@ void declare(CLI::App& app, Request& request, Command& chosen) {
       ->delimiter(',');
   sub->add_option("--bodies", request.bodies, "bodies on which they are counted; both ends of all when absent")
       ->delimiter(',');
+  sub = add("unknowns", "count unknowns against equations, and tell which theorem gives which reaction", unknowns);
+  sub->add_option("--isolate", request.bodies, "bodies to isolate, comma-separated")->delimiter(',');
+  sub->add_option("--at", request.point, "point at which their moments are taken");
+  sub->add_option("--axes", request.axes, "frame along whose axes the theorems are written")->capture_default_str();
   with_json(add("list", "print what the scene contains and the kernels it offers", list));
 }
 
@@ -225,7 +245,7 @@ int run_scene_program(int argc, const char* const* argv, Scene (*make_scene)()) 
     const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
     const auto is_first_word = [argv](const CLI::App* command) { return command->get_name() == argv[1]; };
     if (argc > 1 && argv[1][0] != '-' && std::none_of(commands.begin(), commands.end(), is_first_word)) {
-      return fail(fmt::format("unknown command '{}': use equations, generate, counts, check, reference, force-function or list; see --help",
+      return fail(fmt::format("unknown command '{}': use equations, generate, counts, check, reference, force-function, unknowns or list; see --help",
                               argv[1]),
                   bad_usage);
     }

@@ -13,6 +13,10 @@ std::string listed(const std::vector<std::string>& names) {
   return names.empty() ? "none" : fmt::format("{} ({})", names.size(), fmt::join(names, ", "));
 }
 
+std::string counted(std::size_t n, const std::string& noun) {
+  return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
+}
+
 }  // namespace
 
 std::string unknowns_report(const Equations& equations) {
@@ -45,32 +49,33 @@ std::string unknowns_report(const Equations& equations) {
                         names.empty() ? "nothing unknown" : fmt::format("{}", fmt::join(names, ", ")));
   }
   const std::size_t theorems = 6 * joints.size();
+  const auto freedoms = static_cast<long>(n) - static_cast<long>(m);
   text += "Newton-Euler\n";
-  text += fmt::format("  {} equations: 6 for each of {} bodies and {} of constraint\n", theorems + m, joints.size(), m);
-  text += fmt::format("  {} unknowns: {} components in joints, {} multipliers, {} accelerations\n", components + m + n,
-                      components, m, n);
+  text += fmt::format("  {}: 6 for each of {} and {} of constraint\n", counted(theorems + m, "equation"),
+                      joints.size() == 1 ? "1 body" : fmt::format("{} bodies", joints.size()), m);
+  text += fmt::format("  {}: {} in joints, {}, {}\n", counted(components + m + n, "unknown"),
+                      counted(components, "component"), counted(m, "multiplier"), counted(n, "acceleration"));
   if (components + n > theorems) {
-    text +=
-        fmt::format("  {} more say that joints tied by formulas of shared coordinates transmit power without loss\n",
-                    components + n - theorems);
+    text += fmt::format("  {} more: joints tied by formulas of shared coordinates transmit power without loss\n",
+                        counted(components + n - theorems, "equation"));
   }
   text += "Lagrange\n";
-  text += fmt::format("  {} equations: {} of motion and {} of constraint, for {} accelerations and {} multipliers\n",
-                      n + m, n, m, n, m);
+  text += fmt::format("  {}: {} of motion and {} of constraint, for {} and {}\n", counted(n + m, "equation"), n, m,
+                      counted(n, "acceleration"), counted(m, "multiplier"));
   if (!released.empty()) {
-    text += fmt::format("  {} more, one for each released coordinate, give the reaction against it\n", released.size());
+    text += fmt::format("  {} more, of the released coordinates, for the reactions against them\n",
+                        counted(released.size(), "equation"));
   }
   text += "The choice\n";
   if (m > 0) {
     text += fmt::format(
-        "  with {} independent coordinates instead of {} there are no multipliers, and the reactions of "
-        "the {} constraints stay unknown\n",
-        static_cast<long>(n) - static_cast<long>(m), n, m);
+        "  with {} independent instead of {} coordinates there is no multiplier, and what the "
+        "constraints transmit stays unknown\n",
+        freedoms, n);
   }
-  text += fmt::format(
-      "  each of the {} components in joints comes from Newton-Euler for isolated bodies, or from one more "
-      "released coordinate and its equation\n",
-      components);
+  text +=
+      "  each component in a joint comes from Newton-Euler for isolated bodies, or from one more released coordinate "
+      "and its equation\n";
   return text;
 }
 

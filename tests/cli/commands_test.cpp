@@ -33,6 +33,20 @@ TEST(SceneProgram, ListsWhatTheSceneContains) {
   }
 }
 
+TEST(SceneProgram, CountsUnknownsAndIsolatesBodies) {
+  const Outcome report = run(pendulum, {"unknowns"});
+  EXPECT_EQ(report.code, 0);
+  EXPECT_NE(report.out.find("  6 unknowns: 5 components in joints, 0 multipliers, 1 accelerations\n"),
+            std::string::npos)
+      << report.out;
+  const Outcome wrong = run(pendulum, {"unknowns", "--isolate", "moon", "--at", "nowhere"});
+  EXPECT_EQ(wrong.code, 3);
+  EXPECT_NE(wrong.err.find("unknown body 'moon' in a report on isolated bodies"), std::string::npos) << wrong.err;
+  const Outcome half = run(pendulum, {"unknowns", "--isolate", "bob"});
+  EXPECT_EQ(half.code, 2);
+  EXPECT_NE(half.err.find("--isolate BODIES and --at POINT go together"), std::string::npos) << half.err;
+}
+
 TEST(SceneProgram, CountsTheKernelsAskedForInTheOrderOfTheHeader) {
   const Outcome data = run(pendulum, {"counts", "--json", "--kernels", "energy,mass_matrix,energy"});
   EXPECT_EQ(data.code, 0);
