@@ -36,8 +36,7 @@ TEST(SceneProgram, ListsWhatTheSceneContains) {
 TEST(SceneProgram, CountsUnknownsAndIsolatesBodies) {
   const Outcome report = run(pendulum, {"unknowns"});
   EXPECT_EQ(report.code, 0);
-  EXPECT_NE(report.out.find("  6 unknowns: 5 components in joints, 0 multipliers, 1 accelerations\n"),
-            std::string::npos)
+  EXPECT_NE(report.out.find("  6 unknowns: 5 components in joints, 0 multipliers, 1 acceleration\n"), std::string::npos)
       << report.out;
   const Outcome wrong = run(pendulum, {"unknowns", "--isolate", "moon", "--at", "nowhere"});
   EXPECT_EQ(wrong.code, 3);

@@ -157,15 +157,15 @@ TEST(UnknownsReport, CountsUnknownsAgainstEquations) {
       "  joint pin on elbow: X, Y, Z, L, M, N\n"
       "Newton-Euler\n"
       "  19 equations: 6 for each of 3 bodies and 1 of constraint\n"
-      "  19 unknowns: 16 components in joints, 1 multipliers, 2 accelerations\n"
+      "  19 unknowns: 16 components in joints, 1 multiplier, 2 accelerations\n"
       "Lagrange\n"
-      "  3 equations: 2 of motion and 1 of constraint, for 2 accelerations and 1 multipliers\n"
-      "  1 more, one for each released coordinate, give the reaction against it\n"
+      "  3 equations: 2 of motion and 1 of constraint, for 2 accelerations and 1 multiplier\n"
+      "  1 equation more, of the released coordinates, for the reactions against them\n"
       "The choice\n"
-      "  with 1 independent coordinates instead of 2 there are no multipliers, and the reactions of the 1 "
-      "constraints stay unknown\n"
-      "  each of the 16 components in joints comes from Newton-Euler for isolated bodies, or from one more released "
-      "coordinate and its equation\n");
+      "  with 1 independent instead of 2 coordinates there is no multiplier, and what the constraints transmit stays "
+      "unknown\n"
+      "  each component in a joint comes from Newton-Euler for isolated bodies, or from one more released coordinate "
+      "and its equation\n");
 }
 
 TEST(UnknownsReport, SaysWhenJointsShareACoordinate) {
@@ -177,7 +177,7 @@ TEST(UnknownsReport, SaysWhenJointsShareACoordinate) {
   const std::string text = unknowns_report(Equations(scene));
   EXPECT_NE(text.find("12 equations: 6 for each of 2 bodies and 0 of constraint"), std::string::npos) << text;
   EXPECT_NE(text.find("13 unknowns: 12 components in joints"), std::string::npos) << text;
-  EXPECT_NE(text.find("1 more say that joints tied by formulas of shared coordinates transmit power without loss"),
+  EXPECT_NE(text.find("1 equation more: joints tied by formulas of shared coordinates transmit power without loss"),
             std::string::npos)
       << text;
 }
