@@ -24,6 +24,7 @@ void add_steering(Table& table, const std::string& name, const std::array<double
   for (int i = 0; i < 4; ++i) parameters[i] = degrees[static_cast<std::size_t>(i)] * std::numbers::pi / 180.0;
   AllWheels::Constraints conditions{};
   AllWheels::constraints(AllWheels::precompute(parameters), {}, conditions);
+  // Column by column, those of the wheels' sliding last: none slides.
   const Eigen::Map<const Eigen::Matrix<double, 8, 7>> rows(conditions.jacobian.data());
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeFullV);
   const auto smallest = svd.singularValues()[6];

@@ -8,7 +8,7 @@ torsor::Scene four_wheel_vehicle_scene() {
   using namespace torsor;
   using namespace torsor::literals;
   Scene scene("four_wheel_vehicle", "Four-wheel vehicle whose wheels roll without slipping");
-  const auto vehicle = four_wheel_vehicle_scenes::add_vehicle(scene);
+  const auto vehicle = four_wheel_vehicle_scenes::add_vehicle(scene, false);
   const Expression c = scene.parameter("c", "N m s", 3);
   const auto& [alpha, phi, steered, wheel, P] = vehicle;
   scene.rolling("wheel_1", wheel[0], scene.ground(), P[0], steered[0]);

@@ -19,7 +19,8 @@ struct Vehicle {
 
 /// As the angles stand, the axes of the wheels meet at (b + b sqrt(3), -b): pi/4 and pi/6 in front, rear wheels
 /// straight, a = b (sqrt(3) - 1).
-inline Vehicle add_vehicle(torsor::Scene& scene) {
+/// With `sliding` wheels each may slide by s_i along its axis, so that the vehicle moves whatever the steering.
+inline Vehicle add_vehicle(torsor::Scene& scene, bool sliding) {
   using namespace torsor;
   using namespace torsor::literals;
   const Expression b = scene.parameter("b", "m", 1);
@@ -49,11 +50,15 @@ inline Vehicle add_vehicle(torsor::Scene& scene) {
   const FrameHandle S = scene.planar("S", scene.ground(), x, y, psi, {.origin = {0, 0, r}});
   scene.body("chassis", S, Inertia::general(M, 0, 0, J));
   const std::array<std::array<Expression, 2>, 4> O{{{a, b}, {-a, b}, {-a, -b}, {a, -b}}};
+  for (std::size_t i = 0; i < 4; ++i) vehicle.phi[i] = scene.coordinate("phi_" + std::to_string(i + 1), "rad");
   for (std::size_t i = 0; i < 4; ++i) {
     const std::string number = std::to_string(i + 1);
-    vehicle.phi[i] = scene.coordinate("phi_" + number, "rad");
     vehicle.steered[i] =
         scene.revolute("steered_" + number, S, axis::z, vehicle.alpha[i], {.origin = {O[i][0], O[i][1], 0}});
+    if (sliding) {
+      const Expression s = scene.coordinate("s_" + number, "m");
+      vehicle.steered[i] = scene.prismatic("axle_" + number, vehicle.steered[i], axis::x, s);
+    }
     vehicle.wheel[i] = scene.revolute("wheel_" + number, vehicle.steered[i], axis::x, vehicle.phi[i]);
     scene.body("wheel_" + number, vehicle.wheel[i], Inertia::general(m, C, A, A));
     vehicle.P[i] = scene.point("P" + number, vehicle.steered[i], {0, 0, -r});

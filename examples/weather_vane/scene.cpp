@@ -31,11 +31,7 @@ torsor::Scene weather_vane_scene() {
   const FrameHandle about_z = scene.revolute("about_z", about_y, axis::z, M_z);
   const FrameHandle vane = scene.revolute("vane", about_z, axis::x, theta);
 
-  // About the corner O: m R^2/4 along x and y1, product of inertia -m R^2/(2 pi); OG = 4 R/(3 pi) (x + y1).
-  const Expression at_G = 4 * R / (3 * pi());
-  const Expression across = m * (R * R / 4 - at_G * at_G), product = m * (at_G * at_G - R * R / (2 * pi()));
-  const Inertia quarter = Inertia::general(m, across, across, 2 * across, product).at({at_G, at_G, 0});
-  scene.body("vane", vane, quarter);
+  scene.body("vane", vane, Inertia::quarter_disk(m, R, 2));
   // The wind would have the plate along y: U = C cos(theta).
   scene.force_function("wind", C * cos(theta));
   scene.damper("hinge", theta, c);

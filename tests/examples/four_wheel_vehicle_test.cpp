@@ -35,6 +35,7 @@ AllWheels::Constraints conditions(const Angles& alpha, const AllWheels::State& s
   AllWheels::constraints(AllWheels::precompute(parameters), s, result);
   return result;
 }
+/// The columns of the seven rates x', y', psi', phi_i'; those of the wheels' sliding come after them.
 using Decomposition = Eigen::JacobiSVD<Eigen::MatrixXd>;
 Decomposition decomposed(const Angles& alpha, double psi) {
   AllWheels::State s{};
@@ -54,7 +55,7 @@ Angles towards(double x, double y) {
 TEST(FourWheelVehicle, HasTheConditionsOfNoSlipOfItsWheels) {
   for (int k = 0; k < 6; ++k) {
     AllWheels::State s{};
-    for (int i = 0; i < 7; ++i) {
+    for (int i = 0; i < 7; ++i) {  // s_i and its rate are 0
       s.q[i] = 0.3 * i - 0.2 * k;
       s.v[i] = 1.0 - 0.4 * i + 0.3 * k;
     }

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <iostream>
+#include <numbers>
+#include <string>
+
+#include "generated/graham_variator.hpp"
+#include "runtime/demonstration.hpp"
+#include "runtime/mechanism.hpp"
+#include "runtime/work_precision.hpp"
+
+namespace {
+
+using namespace torsor::runtime;
+using Variator = graham_variator::Mechanism<double>;
+
+/// The ratio that the two conditions of no slip leave for a place d of the ring: the rates that they allow, from their
+/// coefficients, with omega1 = 1.
+double ratio(const Variator::Parameters& parameters) {
+  Variator::Constraints slip{};
+  Variator::constraints(Variator::precompute(parameters), {}, slip);
+  const auto entry = [&](int row, int column) { return slip.jacobian[static_cast<std::size_t>(row + 2 * column)]; };
+  const double beta = -entry(0, 0) / entry(0, 1);
+  return -(entry(1, 0) + entry(1, 1) * beta) / entry(1, 2);
+}
+
+void show(const Reference<double>& reference) {
+  std::cout << "Graham variator\n\n"
+            << work_precision(equations_of_motion<Variator>(), reference, Midpoint{.step = 1e-4},
+                              RungeKutta4{.step = 1e-3},
+                              DormandPrince54{.relative_tolerance = 1e-9, .absolute_tolerance = 1e-9},
+                              DormandPrince54{.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12});
+  constexpr double c = 0.1, l = 0.03, p = 0.02, delta = std::numbers::pi / 12.0;
+  const double r3 = c - l * std::sin(delta) + p * std::cos(delta);
+  Table table({"d [m]", "omega3 / omega1", "formula", "omega1 / omega3", "alpha'' of C1 = 1 N m [rad/s^2]", "T_A [N]",
+               "T_E [N]"});
+  for (const double d : {0.05, 0.06, 0.0669102, 0.08, 0.1, 0.14}) {
+    Variator::Parameters parameters = Variator::default_parameters();
+    parameters.d = d;
+    const auto motion = equations_of_motion<Variator>(parameters, [](const Variator::State&) {
+      return Variator::Inputs{1.0, 0.0};
+    });
+    Variator::Accelerations a{};
+    Variator::Multipliers force{};
+    (void)motion.accelerations(Variator::initial_state(parameters), a, force);
+    const double found = ratio(parameters);
+    table.add({scientific(d), scientific(found, 6), scientific(1.0 - c * p / (r3 * d * std::tan(delta)), 6),
+               scientific(1.0 / found), scientific(a.alpha, 4), scientific(force.T_A), scientific(force.T_E)});
+  }
+  std::cout << "\nSliding the ring sets the ratio, through a standstill of S3\n\n" << table;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return demonstrate(argc, argv, "graham_variator", "a ratio set by where a cone rolls in a ring", show);
+}

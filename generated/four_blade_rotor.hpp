@@ -1,0 +1,1041 @@
+// SPDX-License-Identifier: MIT
+// four_blade_rotor: Rotor of four blades set at a pitch, turning about its centre
+// Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
+// Free to embed under the MIT licence.
+//
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, linearisation
+// Parameters set at run time: alpha
+//
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
+// moved across joints, factoring, and what is done once for a set of parameters:
+//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   precompute               12                2          2             0                  1       0     18       -
+//   kinematics               96              188          0             0                  0       0    284     286
+//   mass_matrix               0                0          0             0                  0       0      0      14
+//   bias                     20               52          0             0                  0       0     72      68
+//   inverse_dynamics         42               69          0             0                  0       0    111     131
+//   forward_dynamics         20               54          0             0                  0       0     74      84
+//   energy                   17               29          0             0                  0       0     46      55
+//   first_integrals          24               39          0             0                  0       0     63      78
+//   linearisation            70              131          0             0                  0       0    201     227
+//
+// Not computed because this mechanism does not need it:
+//   kinematics: of 72 results 12 repeat another up to sign
+//   mass_matrix: of 9 results 6 vanish identically
+//   bias: of 3 results 1 vanish identically
+//   forward_dynamics: of 3 results 1 vanish identically
+//   energy: of 3 results 2 vanish identically
+//   constraints: left out, the scene has no constraints
+//   reactions: left out, the scene releases no joint direction (released_coordinate)
+//   linearisation: of 66 results 49 vanish identically
+//
+// To write this file again:
+//   four_blade_rotor_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output four_blade_rotor.hpp
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#ifndef TORSOR_KERNEL_SUPPORT
+#define TORSOR_KERNEL_SUPPORT 1
+// Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
+#ifndef TORSOR_DEVICE
+#define TORSOR_DEVICE
+#endif
+
+namespace torsor {
+
+/// What a kernel says about its results; the larger, the worse.
+enum class Status : int { ok = 0, singular = 1, not_finite = 2 };
+
+/// What a kernel needs of its scalar. This one serves float and double; specialise it, once a header is included, for
+/// any other (a pack of several states, a high-precision number).
+template <class Scalar>
+struct scalar_traits {
+  static_assert(sizeof(Scalar) == sizeof(float) || sizeof(Scalar) == sizeof(double),
+                "specialise torsor::scalar_traits for a scalar that is neither float nor double");
+  static constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+
+  /// A number, rounded for either format. `exact` is "num/den", or "a;b;c;d" for a + b sqrt(2) + c sqrt(3) + d sqrt(6).
+  TORSOR_DEVICE static constexpr Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    return is_float ? static_cast<Scalar>(in_float) : static_cast<Scalar>(in_double);
+  }
+  /// The same for a number that is no such sum: a callable computes it where literals are not precise enough.
+  template <class Callable>
+  TORSOR_DEVICE static constexpr Scalar formula(double in_double, float in_float, const Callable&) noexcept {
+    return constant(in_double, in_float, nullptr);
+  }
+  TORSOR_DEVICE static constexpr Scalar pi() noexcept { return constant(3.141592653589793, 3.1415927f, nullptr); }
+  TORSOR_DEVICE static constexpr Scalar select(bool condition, Scalar if_true, Scalar if_false) noexcept {
+    return condition ? if_true : if_false;
+  }
+  TORSOR_DEVICE static void sincos(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
+    sine = std::sin(angle);
+    cosine = std::cos(angle);
+  }
+  TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
+  TORSOR_DEVICE static Scalar exp(const Scalar& x) noexcept { return std::exp(x); }
+  TORSOR_DEVICE static Scalar log(const Scalar& x) noexcept { return std::log(x); }
+  /// Whether a pivot is positive beyond the rounding of the diagonal entry it came from; not when it is not a number.
+  TORSOR_DEVICE static bool regular(const Scalar& pivot, const Scalar& diagonal) noexcept {
+    return pivot > constant(0x1p-52, 0x1p-23f, nullptr) * std::abs(diagonal);
+  }
+};
+
+}  // namespace torsor
+#elif TORSOR_KERNEL_SUPPORT != 1
+#error "headers of incompatible versions of torsor meet here: write them again with one version"
+#endif
+
+namespace four_blade_rotor {
+
+/// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
+/// M a + h = E u + A' lambda and A a + gamma = 0, with a the accelerations and u the inputs; units are SI.
+template <class Scalar>
+struct Mechanism {
+  using traits = torsor::scalar_traits<Scalar>;
+
+  static constexpr const char* name = "four_blade_rotor";
+  static constexpr int coordinate_count = 4;
+  static constexpr int velocity_count = 3;
+  static constexpr int input_count = 0;
+  static constexpr int parameter_count = 1;
+  static constexpr int multiplier_count = 0;
+  /// Indices in q of the first components (w) of the unit quaternions (w, x, y, z).
+  static constexpr int quaternion_count = 1;
+  static constexpr int quaternions[] = {0};
+
+  /// Parameters that are set at run time.
+  struct Parameters {
+    Scalar alpha;  ///< parameter [rad or 1]
+    static constexpr int size = 1;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Parameters::*member_(int i_) noexcept {
+      constexpr Scalar Parameters::*members_[] = {&Parameters::alpha};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised coordinates q.
+  struct Coordinates {
+    Scalar e_w;  ///< component of a unit quaternion [1]
+    Scalar e_x;  ///< component of a unit quaternion [1]
+    Scalar e_y;  ///< component of a unit quaternion [1]
+    Scalar e_z;  ///< component of a unit quaternion [1]
+    static constexpr int size = 4;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Coordinates::*member_(int i_) noexcept {
+      constexpr Scalar Coordinates::*members_[] = {&Coordinates::e_w, &Coordinates::e_x, &Coordinates::e_y,
+          &Coordinates::e_z};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised velocities v; coordinate_rates gives dq/dt.
+  struct Velocities {
+    Scalar e_omega_x;  ///< angular velocity, in moving axes [rad/s]
+    Scalar e_omega_y;  ///< angular velocity, in moving axes [rad/s]
+    Scalar e_omega_z;  ///< angular velocity, in moving axes [rad/s]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Velocities::*member_(int i_) noexcept {
+      constexpr Scalar Velocities::*members_[] = {&Velocities::e_omega_x, &Velocities::e_omega_y,
+          &Velocities::e_omega_z};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised accelerations dv/dt.
+  struct Accelerations {
+    Scalar e_omega_x;  ///< its rate [rad/s^2]
+    Scalar e_omega_y;  ///< its rate [rad/s^2]
+    Scalar e_omega_z;  ///< its rate [rad/s^2]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Accelerations::*member_(int i_) noexcept {
+      constexpr Scalar Accelerations::*members_[] = {&Accelerations::e_omega_x, &Accelerations::e_omega_y,
+          &Accelerations::e_omega_z};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised forces, one along each coordinate.
+  struct GeneralizedForces {
+    Scalar e_omega_x;  ///< works with e_omega_x [N m]
+    Scalar e_omega_y;  ///< works with e_omega_y [N m]
+    Scalar e_omega_z;  ///< works with e_omega_z [N m]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar GeneralizedForces::*member_(int i_) noexcept {
+      constexpr Scalar GeneralizedForces::*members_[] = {&GeneralizedForces::e_omega_x, &GeneralizedForces::e_omega_y,
+          &GeneralizedForces::e_omega_z};
+      return members_[i_];
+    }
+  };
+
+  /// Forces and torques of motors, set at each call.
+  struct Inputs {
+    static constexpr int size = 0;
+  };
+
+  /// Multipliers of the constraints, or the reactions that enforce them.
+  struct Multipliers {
+    static constexpr int size = 0;
+  };
+
+  /// Time [s], coordinates and velocities.
+  struct State {
+    Scalar time;
+    Coordinates q;
+    Velocities v;
+  };
+
+  /// Parameters and what depends on them only: built once for each set of parameters.
+  struct Precomputed {
+    Parameters parameters;
+    Scalar s_alpha;
+    Scalar c_alpha;
+    Scalar z129;
+    Scalar z130;
+    Scalar z131;
+    Scalar z212;
+    Scalar z215;
+  };
+
+  /// Values of the scene.
+  TORSOR_DEVICE static Parameters default_parameters() noexcept {
+    Parameters parameters{};
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    parameters.alpha = n0_2;
+    return parameters;
+  }
+
+  /// To be called again when a parameter changes.
+  TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
+    Precomputed precomputed{};
+    precomputed.parameters = parameters;
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n665_8 = traits::constant(665.8, 665.8f, "3329/5");
+    const Scalar n1331_6 = traits::constant(1331.6, 1331.6f, "6658/5");
+    const Scalar n666_2 = traits::constant(666.2, 666.2f, "3331/5");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar p_alpha = parameters.alpha;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(p_alpha, s_alpha, c_alpha);
+    const Scalar z117 = n0_4 * s_alpha;
+    const Scalar z118 = s_alpha * z117;
+    const Scalar z119 = n0_4 - z118;
+    const Scalar z121 = n665_8 - z119;
+    const Scalar z122 = n1331_6 - z118;
+    const Scalar z123 = n0_4 + z121;
+    const Scalar z124 = n666_2 - z119;
+    const Scalar z125 = z118 - z122;
+    const Scalar z126 = z119 - z123;
+    const Scalar z127 = n0_4 + z124;
+    const Scalar z128 = z118 + z125;
+    const Scalar z129 = n0_4 - z126;
+    const Scalar z130 = z119 - z127;
+    const Scalar z131 = z118 + z128;
+    const Scalar z212 = n1 / z130;
+    const Scalar z215 = n1 / z129;
+    precomputed.s_alpha = s_alpha;
+    precomputed.c_alpha = c_alpha;
+    precomputed.z129 = z129;
+    precomputed.z130 = z130;
+    precomputed.z131 = z131;
+    precomputed.z212 = z212;
+    precomputed.z215 = z215;
+    return precomputed;
+  }
+
+  /// The state the scene starts from, for these parameters.
+  TORSOR_DEVICE static State initial_state(const Parameters&) noexcept {
+    State state{};
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n5 = traits::constant(5.0, 5.0f, "5/1");
+    state.time = n0;
+    state.q.e_w = n1;
+    state.q.e_x = n0;
+    state.q.e_y = n0;
+    state.q.e_z = n0;
+    state.v.e_omega_x = n0_4;
+    state.v.e_omega_y = n0_3;
+    state.v.e_omega_z = n5;
+    return state;
+  }
+  TORSOR_DEVICE static State initial_state() noexcept { return initial_state(default_parameters()); }
+
+  /// Poses, twists and named points in ground axes.
+  struct Kinematics {
+    std::array<Scalar, 3> blade_1_position;  ///< centre of mass of blade_1 [m]
+    std::array<Scalar, 9> blade_1_rotation;  ///< from the axes of blade_1 to the ground's (3 x 3)
+    std::array<Scalar, 3> blade_1_velocity;  ///< velocity of the centre of mass of blade_1 [m/s]
+    std::array<Scalar, 3> blade_1_angular_velocity;  ///< angular velocity of blade_1 [rad/s]
+    std::array<Scalar, 3> blade_2_position;  ///< centre of mass of blade_2 [m]
+    std::array<Scalar, 9> blade_2_rotation;  ///< from the axes of blade_2 to the ground's (3 x 3)
+    std::array<Scalar, 3> blade_2_velocity;  ///< velocity of the centre of mass of blade_2 [m/s]
+    std::array<Scalar, 3> blade_2_angular_velocity;  ///< angular velocity of blade_2 [rad/s]
+    std::array<Scalar, 3> blade_3_position;  ///< centre of mass of blade_3 [m]
+    std::array<Scalar, 9> blade_3_rotation;  ///< from the axes of blade_3 to the ground's (3 x 3)
+    std::array<Scalar, 3> blade_3_velocity;  ///< velocity of the centre of mass of blade_3 [m/s]
+    std::array<Scalar, 3> blade_3_angular_velocity;  ///< angular velocity of blade_3 [rad/s]
+    std::array<Scalar, 3> blade_4_position;  ///< centre of mass of blade_4 [m]
+    std::array<Scalar, 9> blade_4_rotation;  ///< from the axes of blade_4 to the ground's (3 x 3)
+    std::array<Scalar, 3> blade_4_velocity;  ///< velocity of the centre of mass of blade_4 [m/s]
+    std::array<Scalar, 3> blade_4_angular_velocity;  ///< angular velocity of blade_4 [rad/s]
+  };
+
+  /// Energies of the mechanism.
+  struct Energy {
+    Scalar kinetic;  ///< kinetic energy T [J]
+    Scalar force_function;  ///< force function U of gravity and springs [J]
+    Scalar power;  ///< power of dampers, given forces and motors [W]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Energy::*member_(int i_) noexcept {
+      constexpr Scalar Energy::*members_[] = {&Energy::kinetic, &Energy::force_function, &Energy::power};
+      return members_[i_];
+    }
+  };
+
+  /// Quantities that every motion conserves.
+  struct FirstIntegrals {
+    Scalar energy;  ///< T - U [J]
+    Scalar momentum_e_omega_z;  ///< dT/de_omega_z, constant in the moving axes [kg m^2 s^-1]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar FirstIntegrals::*member_(int i_) noexcept {
+      constexpr Scalar FirstIntegrals::*members_[] = {&FirstIntegrals::energy, &FirstIntegrals::momentum_e_omega_z};
+      return members_[i_];
+    }
+  };
+  static constexpr int first_integral_count = 2;
+
+  /// Matrices of the linearised equations, stored column by column.
+  struct Linearisation {
+    std::array<Scalar, 9> M;  ///< mass matrix (3 x 3)
+    std::array<Scalar, 9> C;  ///< damping and gyroscopic terms (3 x 3)
+    std::array<Scalar, 9> K;  ///< stiffness (3 x 3)
+    std::array<Scalar, 3> F;  ///< right-hand side
+    std::array<Scalar, 36> A;  ///< state matrix of x = (e, e'): x' = A x + B du (6 x 6)
+  };
+
+  /// dq/dt from v: the velocity itself for a coordinate, 1/2 e (0, omega) for a unit quaternion e with the angular
+  /// velocity omega in moving axes.
+  TORSOR_DEVICE static void coordinate_rates(const Precomputed&, const State& state,
+      std::array<Scalar, 4>& rates) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar q_e_y = state.q.e_y;
+    const Scalar q_e_z = state.q.e_z;
+    const Scalar q_e_x = state.q.e_x;
+    const Scalar q_e_w = state.q.e_w;
+    const Scalar v_e_omega_x = state.v.e_omega_x;
+    const Scalar v_e_omega_y = state.v.e_omega_y;
+    const Scalar v_e_omega_z = state.v.e_omega_z;
+    const Scalar z312 = n0_5 * (q_e_y * v_e_omega_y + q_e_z * v_e_omega_z + q_e_x * v_e_omega_x);
+    const Scalar z313 = n0_5 * (q_e_y * v_e_omega_z - q_e_z * v_e_omega_y + q_e_w * v_e_omega_x);
+    const Scalar z314 = n0_5 * (q_e_z * v_e_omega_x - q_e_x * v_e_omega_z + q_e_w * v_e_omega_y);
+    const Scalar z315 = n0_5 * (q_e_y * v_e_omega_x - q_e_x * v_e_omega_y - q_e_w * v_e_omega_z);
+    rates[0] = -z312;
+    rates[1] = z313;
+    rates[2] = z314;
+    rates[3] = -z315;
+  }
+
+  /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
+  /// matrices column by column.
+  TORSOR_DEVICE static void kinematics(const Precomputed& precomputed, const State& state,
+      Kinematics& result) noexcept {
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    const Scalar q_e_y = state.q.e_y;
+    const Scalar q_e_z = state.q.e_z;
+    const Scalar q_e_x = state.q.e_x;
+    const Scalar q_e_w = state.q.e_w;
+    const Scalar v_e_omega_x = state.v.e_omega_x;
+    const Scalar v_e_omega_y = state.v.e_omega_y;
+    const Scalar v_e_omega_z = state.v.e_omega_z;
+    const Scalar s_alpha = precomputed.s_alpha;
+    const Scalar c_alpha = precomputed.c_alpha;
+    const Scalar z1 = n2 * q_e_y * q_e_y;
+    const Scalar z3 = n2 * q_e_z * q_e_z;
+    const Scalar z5 = n2 * q_e_y * q_e_x;
+    const Scalar z7 = n2 * q_e_z * q_e_w;
+    const Scalar z8 = n1 - z1 - z3;
+    const Scalar z9 = z5 - z7;
+    const Scalar z10 = z5 + z7;
+    const Scalar z11 = n2 * q_e_x * q_e_x;
+    const Scalar z12 = n2 * q_e_y * q_e_z;
+    const Scalar z13 = n2 * q_e_x * q_e_w;
+    const Scalar z14 = n1 - z3 - z11;
+    const Scalar z15 = z12 - z13;
+    const Scalar z16 = z12 + z13;
+    const Scalar z17 = n2 * q_e_z * q_e_x;
+    const Scalar z18 = n2 * q_e_y * q_e_w;
+    const Scalar z19 = n1 - z1 - z11;
+    const Scalar z20 = z17 - z18;
+    const Scalar z21 = z17 + z18;
+    const Scalar z31 = v_e_omega_y * c_alpha + v_e_omega_z * s_alpha;
+    const Scalar z32 = v_e_omega_y * s_alpha - v_e_omega_z * c_alpha;
+    const Scalar z33 = v_e_omega_x * c_alpha - v_e_omega_z * s_alpha;
+    const Scalar z34 = v_e_omega_x * s_alpha + v_e_omega_z * c_alpha;
+    const Scalar z35 = v_e_omega_y * c_alpha - v_e_omega_z * s_alpha;
+    const Scalar z36 = v_e_omega_y * s_alpha + v_e_omega_z * c_alpha;
+    const Scalar z37 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
+    const Scalar z38 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
+    const Scalar z39 = n3 * z8;
+    const Scalar z40 = n3 * z10;
+    const Scalar z41 = n3 * z20;
+    const Scalar z42 = z9 * c_alpha + z21 * s_alpha;
+    const Scalar z43 = z14 * c_alpha + z15 * s_alpha;
+    const Scalar z44 = z16 * c_alpha + z19 * s_alpha;
+    const Scalar z45 = z9 * s_alpha - z21 * c_alpha;
+    const Scalar z46 = z14 * s_alpha - z15 * c_alpha;
+    const Scalar z47 = z16 * s_alpha - z19 * c_alpha;
+    const Scalar z48 = n3 * z32;
+    const Scalar z49 = n3 * z31;
+    const Scalar z50 = s_alpha * z49 - c_alpha * z48;
+    const Scalar z51 = s_alpha * z48 + c_alpha * z49;
+    const Scalar z52 = z9 * z50 - z21 * z51;
+    const Scalar z53 = z14 * z50 - z15 * z51;
+    const Scalar z54 = z16 * z50 - z19 * z51;
+    const Scalar z55 = s_alpha * z32 + c_alpha * z31;
+    const Scalar z56 = s_alpha * z31 - c_alpha * z32;
+    const Scalar z57 = z8 * v_e_omega_x + z9 * z55 + z21 * z56;
+    const Scalar z58 = z10 * v_e_omega_x + z14 * z55 + z15 * z56;
+    const Scalar z59 = z16 * z55 + z19 * z56 + z20 * v_e_omega_x;
+    const Scalar z60 = n3 * z9;
+    const Scalar z61 = n3 * z14;
+    const Scalar z62 = n3 * z16;
+    const Scalar z63 = z8 * c_alpha - z21 * s_alpha;
+    const Scalar z64 = z10 * c_alpha - z15 * s_alpha;
+    const Scalar z65 = z19 * s_alpha - z20 * c_alpha;
+    const Scalar z66 = z8 * s_alpha + z21 * c_alpha;
+    const Scalar z67 = z10 * s_alpha + z15 * c_alpha;
+    const Scalar z68 = z19 * c_alpha + z20 * s_alpha;
+    const Scalar z69 = n3 * z34;
+    const Scalar z70 = n3 * z33;
+    const Scalar z71 = s_alpha * z70 - c_alpha * z69;
+    const Scalar z72 = s_alpha * z69 + c_alpha * z70;
+    const Scalar z73 = z8 * z71 + z21 * z72;
+    const Scalar z74 = z10 * z71 + z15 * z72;
+    const Scalar z75 = z19 * z72 + z20 * z71;
+    const Scalar z76 = s_alpha * z34 + c_alpha * z33;
+    const Scalar z77 = s_alpha * z33 - c_alpha * z34;
+    const Scalar z78 = z8 * z76 + z9 * v_e_omega_y - z21 * z77;
+    const Scalar z79 = z10 * z76 + z14 * v_e_omega_y - z15 * z77;
+    const Scalar z80 = z16 * v_e_omega_y - z19 * z77 + z20 * z76;
+    const Scalar z81 = z9 * c_alpha - z21 * s_alpha;
+    const Scalar z82 = z14 * c_alpha - z15 * s_alpha;
+    const Scalar z83 = z16 * c_alpha - z19 * s_alpha;
+    const Scalar z84 = z9 * s_alpha + z21 * c_alpha;
+    const Scalar z85 = z14 * s_alpha + z15 * c_alpha;
+    const Scalar z86 = z16 * s_alpha + z19 * c_alpha;
+    const Scalar z87 = n3 * z36;
+    const Scalar z88 = n3 * z35;
+    const Scalar z89 = s_alpha * z88 - c_alpha * z87;
+    const Scalar z90 = s_alpha * z87 + c_alpha * z88;
+    const Scalar z91 = z9 * z89 + z21 * z90;
+    const Scalar z92 = z14 * z89 + z15 * z90;
+    const Scalar z93 = z16 * z89 + z19 * z90;
+    const Scalar z94 = s_alpha * z36 + c_alpha * z35;
+    const Scalar z95 = s_alpha * z35 - c_alpha * z36;
+    const Scalar z96 = z8 * v_e_omega_x + z9 * z94 - z21 * z95;
+    const Scalar z97 = z10 * v_e_omega_x + z14 * z94 - z15 * z95;
+    const Scalar z98 = z16 * z94 - z19 * z95 + z20 * v_e_omega_x;
+    const Scalar z99 = z8 * c_alpha + z21 * s_alpha;
+    const Scalar z100 = z10 * c_alpha + z15 * s_alpha;
+    const Scalar z101 = z19 * s_alpha + z20 * c_alpha;
+    const Scalar z102 = z8 * s_alpha - z21 * c_alpha;
+    const Scalar z103 = z10 * s_alpha - z15 * c_alpha;
+    const Scalar z104 = z19 * c_alpha - z20 * s_alpha;
+    const Scalar z105 = n3 * z38;
+    const Scalar z106 = n3 * z37;
+    const Scalar z107 = s_alpha * z106 - c_alpha * z105;
+    const Scalar z108 = s_alpha * z105 + c_alpha * z106;
+    const Scalar z109 = z8 * z107 - z21 * z108;
+    const Scalar z110 = z10 * z107 - z15 * z108;
+    const Scalar z111 = z19 * z108 - z20 * z107;
+    const Scalar z112 = s_alpha * z38 + c_alpha * z37;
+    const Scalar z113 = s_alpha * z37 - c_alpha * z38;
+    const Scalar z114 = z8 * z112 + z9 * v_e_omega_y + z21 * z113;
+    const Scalar z115 = z10 * z112 + z14 * v_e_omega_y + z15 * z113;
+    const Scalar z116 = z16 * v_e_omega_y + z19 * z113 + z20 * z112;
+    result.blade_1_position[0] = z39;
+    result.blade_1_position[1] = z40;
+    result.blade_1_position[2] = z41;
+    result.blade_1_rotation[0] = z8;
+    result.blade_1_rotation[1] = z10;
+    result.blade_1_rotation[2] = z20;
+    result.blade_1_rotation[3] = z42;
+    result.blade_1_rotation[4] = z43;
+    result.blade_1_rotation[5] = z44;
+    result.blade_1_rotation[6] = -z45;
+    result.blade_1_rotation[7] = -z46;
+    result.blade_1_rotation[8] = -z47;
+    result.blade_1_velocity[0] = z52;
+    result.blade_1_velocity[1] = z53;
+    result.blade_1_velocity[2] = z54;
+    result.blade_1_angular_velocity[0] = z57;
+    result.blade_1_angular_velocity[1] = z58;
+    result.blade_1_angular_velocity[2] = z59;
+    result.blade_2_position[0] = z60;
+    result.blade_2_position[1] = z61;
+    result.blade_2_position[2] = z62;
+    result.blade_2_rotation[0] = z9;
+    result.blade_2_rotation[1] = z14;
+    result.blade_2_rotation[2] = z16;
+    result.blade_2_rotation[3] = -z63;
+    result.blade_2_rotation[4] = -z64;
+    result.blade_2_rotation[5] = z65;
+    result.blade_2_rotation[6] = z66;
+    result.blade_2_rotation[7] = z67;
+    result.blade_2_rotation[8] = z68;
+    result.blade_2_velocity[0] = z73;
+    result.blade_2_velocity[1] = z74;
+    result.blade_2_velocity[2] = z75;
+    result.blade_2_angular_velocity[0] = z78;
+    result.blade_2_angular_velocity[1] = z79;
+    result.blade_2_angular_velocity[2] = z80;
+    result.blade_3_position[0] = -z39;
+    result.blade_3_position[1] = -z40;
+    result.blade_3_position[2] = -z41;
+    result.blade_3_rotation[0] = -z8;
+    result.blade_3_rotation[1] = -z10;
+    result.blade_3_rotation[2] = -z20;
+    result.blade_3_rotation[3] = -z81;
+    result.blade_3_rotation[4] = -z82;
+    result.blade_3_rotation[5] = -z83;
+    result.blade_3_rotation[6] = z84;
+    result.blade_3_rotation[7] = z85;
+    result.blade_3_rotation[8] = z86;
+    result.blade_3_velocity[0] = z91;
+    result.blade_3_velocity[1] = z92;
+    result.blade_3_velocity[2] = z93;
+    result.blade_3_angular_velocity[0] = z96;
+    result.blade_3_angular_velocity[1] = z97;
+    result.blade_3_angular_velocity[2] = z98;
+    result.blade_4_position[0] = -z60;
+    result.blade_4_position[1] = -z61;
+    result.blade_4_position[2] = -z62;
+    result.blade_4_rotation[0] = -z9;
+    result.blade_4_rotation[1] = -z14;
+    result.blade_4_rotation[2] = -z16;
+    result.blade_4_rotation[3] = z99;
+    result.blade_4_rotation[4] = z100;
+    result.blade_4_rotation[5] = z101;
+    result.blade_4_rotation[6] = -z102;
+    result.blade_4_rotation[7] = -z103;
+    result.blade_4_rotation[8] = z104;
+    result.blade_4_velocity[0] = z109;
+    result.blade_4_velocity[1] = z110;
+    result.blade_4_velocity[2] = -z111;
+    result.blade_4_angular_velocity[0] = z114;
+    result.blade_4_angular_velocity[1] = z115;
+    result.blade_4_angular_velocity[2] = z116;
+  }
+
+  /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
+  TORSOR_DEVICE static void mass_matrix(const Precomputed& precomputed, const State&,
+      std::array<Scalar, 9>& mass) noexcept {
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar z129 = precomputed.z129;
+    const Scalar z130 = precomputed.z130;
+    const Scalar z131 = precomputed.z131;
+    mass[0] = z129;
+    mass[1] = n0;
+    mass[2] = n0;
+    mass[3] = n0;
+    mass[4] = -z130;
+    mass[5] = n0;
+    mass[6] = n0;
+    mass[7] = n0;
+    mass[8] = -z131;
+  }
+
+  /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
+  /// actions included. M a + h = E u + A' lambda.
+  TORSOR_DEVICE static void bias(const Precomputed& precomputed, const State& state,
+      GeneralizedForces& forces) noexcept {
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
+    const Scalar n665_8 = traits::constant(665.8, 665.8f, "3329/5");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar v_e_omega_x = state.v.e_omega_x;
+    const Scalar v_e_omega_y = state.v.e_omega_y;
+    const Scalar v_e_omega_z = state.v.e_omega_z;
+    const Scalar s_alpha = precomputed.s_alpha;
+    const Scalar c_alpha = precomputed.c_alpha;
+    const Scalar z31 = v_e_omega_y * c_alpha + v_e_omega_z * s_alpha;
+    const Scalar z32 = v_e_omega_y * s_alpha - v_e_omega_z * c_alpha;
+    const Scalar z33 = v_e_omega_x * c_alpha - v_e_omega_z * s_alpha;
+    const Scalar z34 = v_e_omega_x * s_alpha + v_e_omega_z * c_alpha;
+    const Scalar z35 = v_e_omega_y * c_alpha - v_e_omega_z * s_alpha;
+    const Scalar z36 = v_e_omega_y * s_alpha + v_e_omega_z * c_alpha;
+    const Scalar z37 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
+    const Scalar z38 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
+    const Scalar z132 = z37 * z38;
+    const Scalar z133 = v_e_omega_y * z38;
+    const Scalar z134 = v_e_omega_y * z37;
+    const Scalar z135 = n0_4 * z132;  // moment on blade_4, x
+    const Scalar z136 = n0_4 * z133;  // moment on blade_4, y
+    const Scalar z137 = n0_8 * z134;  // moment on blade_4, z
+    const Scalar z138 = s_alpha * z137 - c_alpha * z136;
+    const Scalar z140 = z35 * z36;
+    const Scalar z141 = v_e_omega_x * z36;
+    const Scalar z142 = v_e_omega_x * z35;
+    const Scalar z143 = n0_4 * z140;  // moment on blade_3, x
+    const Scalar z144 = n0_4 * z141;  // moment on blade_3, y
+    const Scalar z145 = n0_8 * z142;  // moment on blade_3, z
+    const Scalar z146 = s_alpha * z145 - c_alpha * z144;
+    const Scalar z148 = z33 * z34;
+    const Scalar z149 = v_e_omega_y * z34;
+    const Scalar z150 = v_e_omega_y * z33;
+    const Scalar z151 = n0_4 * z148;  // moment on blade_2, x
+    const Scalar z152 = n0_4 * z149;  // moment on blade_2, y
+    const Scalar z153 = n0_8 * z150;  // moment on blade_2, z
+    const Scalar z154 = s_alpha * z153 - c_alpha * z152;
+    const Scalar z156 = z31 * z32;
+    const Scalar z157 = v_e_omega_x * z32;
+    const Scalar z158 = v_e_omega_x * z31;
+    const Scalar z159 = n0_4 * z156;  // moment on blade_1, x
+    const Scalar z160 = n0_4 * z157;  // moment on blade_1, y
+    const Scalar z161 = n0_8 * z158;  // moment on blade_1, z
+    const Scalar z162 = s_alpha * z161 - c_alpha * z160;
+    const Scalar z164 = v_e_omega_y * v_e_omega_z;
+    const Scalar z165 = v_e_omega_x * v_e_omega_z;
+    const Scalar z166 = z138 - z143 - z154 + z159 - n665_8 * z164;  // moment on rotor, x
+    const Scalar z167 = z135 - z146 - z151 + z162 - n665_8 * z165;  // moment on rotor, y
+    forces.e_omega_x = -z166;
+    forces.e_omega_y = z167;
+    forces.e_omega_z = n0;
+  }
+
+  /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
+  TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State& state,
+      const Accelerations& accelerations, const Multipliers&, GeneralizedForces& forces) noexcept {
+    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n665_8 = traits::constant(665.8, 665.8f, "3329/5");
+    const Scalar n1331_6 = traits::constant(1331.6, 1331.6f, "6658/5");
+    const Scalar v_e_omega_x = state.v.e_omega_x;
+    const Scalar a_e_omega_x = accelerations.e_omega_x;
+    const Scalar v_e_omega_y = state.v.e_omega_y;
+    const Scalar a_e_omega_y = accelerations.e_omega_y;
+    const Scalar v_e_omega_z = state.v.e_omega_z;
+    const Scalar a_e_omega_z = accelerations.e_omega_z;
+    const Scalar s_alpha = precomputed.s_alpha;
+    const Scalar c_alpha = precomputed.c_alpha;
+    const Scalar z31 = v_e_omega_y * c_alpha + v_e_omega_z * s_alpha;
+    const Scalar z32 = v_e_omega_y * s_alpha - v_e_omega_z * c_alpha;
+    const Scalar z33 = v_e_omega_x * c_alpha - v_e_omega_z * s_alpha;
+    const Scalar z34 = v_e_omega_x * s_alpha + v_e_omega_z * c_alpha;
+    const Scalar z35 = v_e_omega_y * c_alpha - v_e_omega_z * s_alpha;
+    const Scalar z36 = v_e_omega_y * s_alpha + v_e_omega_z * c_alpha;
+    const Scalar z37 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
+    const Scalar z38 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
+    const Scalar z132 = z37 * z38;
+    const Scalar z133 = v_e_omega_y * z38;
+    const Scalar z134 = v_e_omega_y * z37;
+    const Scalar z137 = n0_8 * z134;  // moment on blade_4, z
+    const Scalar z140 = z35 * z36;
+    const Scalar z141 = v_e_omega_x * z36;
+    const Scalar z142 = v_e_omega_x * z35;
+    const Scalar z145 = n0_8 * z142;  // moment on blade_3, z
+    const Scalar z148 = z33 * z34;
+    const Scalar z149 = v_e_omega_y * z34;
+    const Scalar z150 = v_e_omega_y * z33;
+    const Scalar z153 = n0_8 * z150;  // moment on blade_2, z
+    const Scalar z156 = z31 * z32;
+    const Scalar z157 = v_e_omega_x * z32;
+    const Scalar z158 = v_e_omega_x * z31;
+    const Scalar z161 = n0_8 * z158;  // moment on blade_1, z
+    const Scalar z164 = v_e_omega_y * v_e_omega_z;
+    const Scalar z165 = v_e_omega_x * v_e_omega_z;
+    const Scalar z169 = a_e_omega_y * c_alpha + a_e_omega_z * s_alpha;
+    const Scalar z171 = a_e_omega_x * c_alpha - a_e_omega_z * s_alpha;
+    const Scalar z173 = a_e_omega_y * c_alpha - a_e_omega_z * s_alpha;
+    const Scalar z175 = a_e_omega_x * c_alpha + a_e_omega_z * s_alpha;
+    const Scalar z177 = n0_4 * (a_e_omega_y + z132);  // moment on blade_4, x
+    const Scalar z178 = n0_4 * (z133 - z175);  // moment on blade_4, y
+    const Scalar z179 = s_alpha * z137 - c_alpha * z178;
+    const Scalar z180 = s_alpha * z178 + c_alpha * z137;
+    const Scalar z181 = n0_4 * (a_e_omega_x + z140);  // moment on blade_3, x
+    const Scalar z182 = n0_4 * (z141 - z173);  // moment on blade_3, y
+    const Scalar z183 = s_alpha * z145 - c_alpha * z182;
+    const Scalar z184 = s_alpha * z182 + c_alpha * z145;
+    const Scalar z185 = n0_4 * (a_e_omega_y - z148);  // moment on blade_2, x
+    const Scalar z186 = n0_4 * (z149 + z171);  // moment on blade_2, y
+    const Scalar z187 = s_alpha * z153 - c_alpha * z186;
+    const Scalar z188 = s_alpha * z186 + c_alpha * z153;
+    const Scalar z189 = n0_4 * (a_e_omega_x - z156);  // moment on blade_1, x
+    const Scalar z190 = n0_4 * (z157 + z169);  // moment on blade_1, y
+    const Scalar z191 = s_alpha * z161 - c_alpha * z190;
+    const Scalar z192 = s_alpha * z190 + c_alpha * z161;
+    const Scalar z193 = n665_8 * (a_e_omega_x + z164) - z179 + z181 + z187 + z189;  // moment on rotor, x
+    const Scalar z194 = n665_8 * (a_e_omega_y - z165) + z177 - z183 + z185 + z191;  // moment on rotor, y
+    const Scalar z195 = n1331_6 * a_e_omega_z + z180 - z184 + z188 - z192;  // moment on rotor, z
+    forces.e_omega_x = z193;
+    forces.e_omega_y = z194;
+    forces.e_omega_z = z195;
+  }
+
+  /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
+  /// an unrolled L D L' of M. Returns singular when a pivot is not
+  /// positive relative to its diagonal entry.
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
+      const Inputs&, Accelerations& accelerations, Multipliers&) noexcept {
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
+    const Scalar n665_8 = traits::constant(665.8, 665.8f, "3329/5");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar v_e_omega_x = state.v.e_omega_x;
+    const Scalar v_e_omega_y = state.v.e_omega_y;
+    const Scalar v_e_omega_z = state.v.e_omega_z;
+    const Scalar s_alpha = precomputed.s_alpha;
+    const Scalar c_alpha = precomputed.c_alpha;
+    const Scalar z129 = precomputed.z129;
+    const Scalar z130 = precomputed.z130;
+    const Scalar z131 = precomputed.z131;
+    const Scalar z212 = precomputed.z212;
+    const Scalar z215 = precomputed.z215;
+    const Scalar z31 = v_e_omega_y * c_alpha + v_e_omega_z * s_alpha;
+    const Scalar z32 = v_e_omega_y * s_alpha - v_e_omega_z * c_alpha;
+    const Scalar z33 = v_e_omega_x * c_alpha - v_e_omega_z * s_alpha;
+    const Scalar z34 = v_e_omega_x * s_alpha + v_e_omega_z * c_alpha;
+    const Scalar z35 = v_e_omega_y * c_alpha - v_e_omega_z * s_alpha;
+    const Scalar z36 = v_e_omega_y * s_alpha + v_e_omega_z * c_alpha;
+    const Scalar z37 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
+    const Scalar z38 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
+    const Scalar z132 = z37 * z38;
+    const Scalar z133 = v_e_omega_y * z38;
+    const Scalar z134 = v_e_omega_y * z37;
+    const Scalar z135 = n0_4 * z132;  // moment on blade_4, x
+    const Scalar z136 = n0_4 * z133;  // moment on blade_4, y
+    const Scalar z137 = n0_8 * z134;  // moment on blade_4, z
+    const Scalar z138 = s_alpha * z137 - c_alpha * z136;
+    const Scalar z140 = z35 * z36;
+    const Scalar z141 = v_e_omega_x * z36;
+    const Scalar z142 = v_e_omega_x * z35;
+    const Scalar z143 = n0_4 * z140;  // moment on blade_3, x
+    const Scalar z144 = n0_4 * z141;  // moment on blade_3, y
+    const Scalar z145 = n0_8 * z142;  // moment on blade_3, z
+    const Scalar z146 = s_alpha * z145 - c_alpha * z144;
+    const Scalar z148 = z33 * z34;
+    const Scalar z149 = v_e_omega_y * z34;
+    const Scalar z150 = v_e_omega_y * z33;
+    const Scalar z151 = n0_4 * z148;  // moment on blade_2, x
+    const Scalar z152 = n0_4 * z149;  // moment on blade_2, y
+    const Scalar z153 = n0_8 * z150;  // moment on blade_2, z
+    const Scalar z154 = s_alpha * z153 - c_alpha * z152;
+    const Scalar z156 = z31 * z32;
+    const Scalar z157 = v_e_omega_x * z32;
+    const Scalar z158 = v_e_omega_x * z31;
+    const Scalar z159 = n0_4 * z156;  // moment on blade_1, x
+    const Scalar z160 = n0_4 * z157;  // moment on blade_1, y
+    const Scalar z161 = n0_8 * z158;  // moment on blade_1, z
+    const Scalar z162 = s_alpha * z161 - c_alpha * z160;
+    const Scalar z164 = v_e_omega_y * v_e_omega_z;
+    const Scalar z165 = v_e_omega_x * v_e_omega_z;
+    const Scalar z166 = z138 - z143 - z154 + z159 - n665_8 * z164;  // moment on rotor, x
+    const Scalar z167 = z135 - z146 - z151 + z162 - n665_8 * z165;  // moment on rotor, y
+    const Scalar z225 = z166 * z215;
+    const Scalar z226 = z167 * z212;
+    accelerations.e_omega_x = z225;
+    accelerations.e_omega_y = z226;
+    accelerations.e_omega_z = n0;
+    if (!(traits::regular(z129, z129) && traits::regular(-z130, -z130) && traits::regular(-z131,
+        -z131))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (accelerations.e_omega_x - accelerations.e_omega_x) + (accelerations.e_omega_y
+        - accelerations.e_omega_y);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
+  TORSOR_DEVICE static void energy(const Precomputed& precomputed, const State& state, const Inputs&,
+      Energy& result) noexcept {
+    const Scalar n166_25 = traits::constant(166.25, 166.25f, "665/4");
+    const Scalar n166_45 = traits::constant(166.45, 166.45f, "3329/20");
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar v_e_omega_x = state.v.e_omega_x;
+    const Scalar v_e_omega_y = state.v.e_omega_y;
+    const Scalar v_e_omega_z = state.v.e_omega_z;
+    const Scalar s_alpha = precomputed.s_alpha;
+    const Scalar c_alpha = precomputed.c_alpha;
+    const Scalar z31 = v_e_omega_y * c_alpha + v_e_omega_z * s_alpha;
+    const Scalar z32 = v_e_omega_y * s_alpha - v_e_omega_z * c_alpha;
+    const Scalar z33 = v_e_omega_x * c_alpha - v_e_omega_z * s_alpha;
+    const Scalar z34 = v_e_omega_x * s_alpha + v_e_omega_z * c_alpha;
+    const Scalar z35 = v_e_omega_y * c_alpha - v_e_omega_z * s_alpha;
+    const Scalar z36 = v_e_omega_y * s_alpha + v_e_omega_z * c_alpha;
+    const Scalar z37 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
+    const Scalar z38 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
+    result.kinetic = n166_25 * (z31 * z31 + z33 * z33 + z35 * z35 + z37 * z37) + n166_45 * (z32 * z32 + z34 * z34 + z36
+        * z36 + z38 * z38) + n0_4 * (v_e_omega_x * v_e_omega_x + v_e_omega_y * v_e_omega_y);
+    result.force_function = n0;
+    result.power = n0;
+  }
+
+  /// First integrals: constant along every motion.
+  TORSOR_DEVICE static void first_integrals(const Precomputed& precomputed, const State& state,
+      FirstIntegrals& result) noexcept {
+    const Scalar n332_9 = traits::constant(332.9, 332.9f, "3329/10");
+    const Scalar n332_5 = traits::constant(332.5, 332.5f, "665/2");
+    const Scalar n166_25 = traits::constant(166.25, 166.25f, "665/4");
+    const Scalar n166_45 = traits::constant(166.45, 166.45f, "3329/20");
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar v_e_omega_x = state.v.e_omega_x;
+    const Scalar v_e_omega_y = state.v.e_omega_y;
+    const Scalar v_e_omega_z = state.v.e_omega_z;
+    const Scalar s_alpha = precomputed.s_alpha;
+    const Scalar c_alpha = precomputed.c_alpha;
+    const Scalar z31 = v_e_omega_y * c_alpha + v_e_omega_z * s_alpha;
+    const Scalar z32 = v_e_omega_y * s_alpha - v_e_omega_z * c_alpha;
+    const Scalar z33 = v_e_omega_x * c_alpha - v_e_omega_z * s_alpha;
+    const Scalar z34 = v_e_omega_x * s_alpha + v_e_omega_z * c_alpha;
+    const Scalar z35 = v_e_omega_y * c_alpha - v_e_omega_z * s_alpha;
+    const Scalar z36 = v_e_omega_y * s_alpha + v_e_omega_z * c_alpha;
+    const Scalar z37 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
+    const Scalar z38 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
+    const Scalar z234 = n332_9 * z38;
+    const Scalar z235 = n332_5 * z37;
+    const Scalar z236 = n332_9 * z36;
+    const Scalar z237 = n332_5 * z35;
+    const Scalar z238 = n332_9 * z34;
+    const Scalar z239 = n332_5 * z33;
+    const Scalar z240 = n332_9 * z32;
+    const Scalar z241 = n332_5 * z31;
+    const Scalar z245 = s_alpha * (z235 - z237 - z239 + z241) - c_alpha * (z234 - z236 - z238 + z240);
+    result.energy = n166_25 * (z31 * z31 + z33 * z33 + z35 * z35 + z37 * z37) + n166_45 * (z32 * z32 + z34 * z34 + z36
+        * z36 + z38 * z38) + n0_4 * (v_e_omega_x * v_e_omega_x + v_e_omega_y * v_e_omega_y);
+    result.momentum_e_omega_z = z245;
+  }
+
+  /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
+  /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
+  TORSOR_DEVICE static torsor::Status linearisation(const Precomputed& precomputed, const State& state,
+      const Accelerations& accelerations, const Multipliers&, const Inputs&, Linearisation& result) noexcept {
+    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n665_8 = traits::constant(665.8, 665.8f, "3329/5");
+    const Scalar n1331_6 = traits::constant(1331.6, 1331.6f, "6658/5");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar v_e_omega_x = state.v.e_omega_x;
+    const Scalar a_e_omega_x = accelerations.e_omega_x;
+    const Scalar v_e_omega_y = state.v.e_omega_y;
+    const Scalar a_e_omega_y = accelerations.e_omega_y;
+    const Scalar v_e_omega_z = state.v.e_omega_z;
+    const Scalar a_e_omega_z = accelerations.e_omega_z;
+    const Scalar s_alpha = precomputed.s_alpha;
+    const Scalar c_alpha = precomputed.c_alpha;
+    const Scalar z129 = precomputed.z129;
+    const Scalar z130 = precomputed.z130;
+    const Scalar z131 = precomputed.z131;
+    const Scalar z212 = precomputed.z212;
+    const Scalar z215 = precomputed.z215;
+    const Scalar z31 = v_e_omega_y * c_alpha + v_e_omega_z * s_alpha;
+    const Scalar z32 = v_e_omega_y * s_alpha - v_e_omega_z * c_alpha;
+    const Scalar z33 = v_e_omega_x * c_alpha - v_e_omega_z * s_alpha;
+    const Scalar z34 = v_e_omega_x * s_alpha + v_e_omega_z * c_alpha;
+    const Scalar z35 = v_e_omega_y * c_alpha - v_e_omega_z * s_alpha;
+    const Scalar z36 = v_e_omega_y * s_alpha + v_e_omega_z * c_alpha;
+    const Scalar z37 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
+    const Scalar z38 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
+    const Scalar z132 = z37 * z38;
+    const Scalar z133 = v_e_omega_y * z38;
+    const Scalar z134 = v_e_omega_y * z37;
+    const Scalar z137 = n0_8 * z134;  // moment on blade_4, z
+    const Scalar z140 = z35 * z36;
+    const Scalar z141 = v_e_omega_x * z36;
+    const Scalar z142 = v_e_omega_x * z35;
+    const Scalar z145 = n0_8 * z142;  // moment on blade_3, z
+    const Scalar z148 = z33 * z34;
+    const Scalar z149 = v_e_omega_y * z34;
+    const Scalar z150 = v_e_omega_y * z33;
+    const Scalar z153 = n0_8 * z150;  // moment on blade_2, z
+    const Scalar z156 = z31 * z32;
+    const Scalar z157 = v_e_omega_x * z32;
+    const Scalar z158 = v_e_omega_x * z31;
+    const Scalar z161 = n0_8 * z158;  // moment on blade_1, z
+    const Scalar z164 = v_e_omega_y * v_e_omega_z;
+    const Scalar z165 = v_e_omega_x * v_e_omega_z;
+    const Scalar z169 = a_e_omega_y * c_alpha + a_e_omega_z * s_alpha;
+    const Scalar z171 = a_e_omega_x * c_alpha - a_e_omega_z * s_alpha;
+    const Scalar z173 = a_e_omega_y * c_alpha - a_e_omega_z * s_alpha;
+    const Scalar z175 = a_e_omega_x * c_alpha + a_e_omega_z * s_alpha;
+    const Scalar z177 = n0_4 * (a_e_omega_y + z132);  // moment on blade_4, x
+    const Scalar z178 = n0_4 * (z133 - z175);  // moment on blade_4, y
+    const Scalar z179 = s_alpha * z137 - c_alpha * z178;
+    const Scalar z180 = s_alpha * z178 + c_alpha * z137;
+    const Scalar z181 = n0_4 * (a_e_omega_x + z140);  // moment on blade_3, x
+    const Scalar z182 = n0_4 * (z141 - z173);  // moment on blade_3, y
+    const Scalar z183 = s_alpha * z145 - c_alpha * z182;
+    const Scalar z184 = s_alpha * z182 + c_alpha * z145;
+    const Scalar z185 = n0_4 * (a_e_omega_y - z148);  // moment on blade_2, x
+    const Scalar z186 = n0_4 * (z149 + z171);  // moment on blade_2, y
+    const Scalar z187 = s_alpha * z153 - c_alpha * z186;
+    const Scalar z188 = s_alpha * z186 + c_alpha * z153;
+    const Scalar z189 = n0_4 * (a_e_omega_x - z156);  // moment on blade_1, x
+    const Scalar z190 = n0_4 * (z157 + z169);  // moment on blade_1, y
+    const Scalar z191 = s_alpha * z161 - c_alpha * z190;
+    const Scalar z192 = s_alpha * z190 + c_alpha * z161;
+    const Scalar z193 = n665_8 * (a_e_omega_x + z164) - z179 + z181 + z187 + z189;  // moment on rotor, x
+    const Scalar z194 = n665_8 * (a_e_omega_y - z165) + z177 - z183 + z185 + z191;  // moment on rotor, y
+    const Scalar z195 = n1331_6 * a_e_omega_z + z180 - z184 + z188 - z192;  // moment on rotor, z
+    const Scalar z248 = v_e_omega_y * c_alpha;
+    const Scalar z250 = v_e_omega_y * s_alpha;
+    const Scalar z253 = s_alpha * z37 + c_alpha * z38;
+    const Scalar z254 = n0_4 * z253;
+    const Scalar z255 = n0_8 * z35;
+    const Scalar z256 = n0_4 * z36;
+    const Scalar z257 = s_alpha * z255 - c_alpha * z256;
+    const Scalar z258 = s_alpha * z33 + c_alpha * z34;
+    const Scalar z259 = n0_4 * z258;
+    const Scalar z260 = n0_8 * z31;
+    const Scalar z261 = n0_4 * z32;
+    const Scalar z262 = s_alpha * z260 - c_alpha * z261;
+    const Scalar z263 = n665_8 * v_e_omega_z - z254 + z257 + z259 - z262;
+    const Scalar z268 = n0_8 * z37;
+    const Scalar z269 = n0_4 * z38;
+    const Scalar z270 = s_alpha * z268 - c_alpha * z269;
+    const Scalar z271 = s_alpha * z35 + c_alpha * z36;
+    const Scalar z272 = n0_4 * z271;
+    const Scalar z273 = n0_8 * z33;
+    const Scalar z274 = n0_4 * z34;
+    const Scalar z275 = s_alpha * z273 - c_alpha * z274;
+    const Scalar z276 = s_alpha * z31 + c_alpha * z32;
+    const Scalar z277 = n0_4 * z276;
+    const Scalar z278 = n665_8 * v_e_omega_z - z270 + z272 + z275 - z277;
+    const Scalar z279 = v_e_omega_x * c_alpha;
+    const Scalar z281 = v_e_omega_x * s_alpha;
+    const Scalar z288 = n0_8 * z250;
+    const Scalar z289 = n0_4 * z248;
+    const Scalar z290 = s_alpha * z288 + c_alpha * z289;
+    const Scalar z291 = s_alpha * z36 - c_alpha * z35;
+    const Scalar z292 = n0_4 * z291;
+    const Scalar z293 = s_alpha * z32 - c_alpha * z31;
+    const Scalar z294 = n0_4 * z293;
+    const Scalar z295 = n665_8 * v_e_omega_y - n2 * z290 - z292 - z294;
+    const Scalar z296 = s_alpha * z38 - c_alpha * z37;
+    const Scalar z297 = n0_4 * z296;
+    const Scalar z298 = n0_8 * z281;
+    const Scalar z299 = n0_4 * z279;
+    const Scalar z300 = s_alpha * z298 + c_alpha * z299;
+    const Scalar z301 = s_alpha * z34 - c_alpha * z33;
+    const Scalar z302 = n0_4 * z301;
+    const Scalar z303 = n665_8 * v_e_omega_x - z297 - n2 * z300 - z302;
+    const Scalar z306 = z212 * z263;
+    const Scalar z308 = z215 * z278;
+    const Scalar z310 = z215 * z295;
+    const Scalar z311 = z212 * z303;
+    result.M[0] = z129;
+    result.M[1] = n0;
+    result.M[2] = n0;
+    result.M[3] = n0;
+    result.M[4] = -z130;
+    result.M[5] = n0;
+    result.M[6] = n0;
+    result.M[7] = n0;
+    result.M[8] = -z131;
+    result.C[0] = n0;
+    result.C[1] = -z263;
+    result.C[2] = n0;
+    result.C[3] = z278;
+    result.C[4] = n0;
+    result.C[5] = n0;
+    result.C[6] = z295;
+    result.C[7] = -z303;
+    result.C[8] = n0;
+    result.K[0] = n0;
+    result.K[1] = n0;
+    result.K[2] = n0;
+    result.K[3] = n0;
+    result.K[4] = n0;
+    result.K[5] = n0;
+    result.K[6] = n0;
+    result.K[7] = n0;
+    result.K[8] = n0;
+    result.F[0] = -z193;
+    result.F[1] = -z194;
+    result.F[2] = -z195;
+    result.A[0] = n0;
+    result.A[1] = n0;
+    result.A[2] = n0;
+    result.A[3] = n0;
+    result.A[4] = n0;
+    result.A[5] = n0;
+    result.A[6] = n0;
+    result.A[7] = n0;
+    result.A[8] = n0;
+    result.A[9] = n0;
+    result.A[10] = n0;
+    result.A[11] = n0;
+    result.A[12] = n0;
+    result.A[13] = n0;
+    result.A[14] = n0;
+    result.A[15] = n0;
+    result.A[16] = n0;
+    result.A[17] = n0;
+    result.A[18] = n1;
+    result.A[19] = n0;
+    result.A[20] = n0;
+    result.A[21] = n0;
+    result.A[22] = -z306;
+    result.A[23] = n0;
+    result.A[24] = n0;
+    result.A[25] = n1;
+    result.A[26] = n0;
+    result.A[27] = -z308;
+    result.A[28] = n0;
+    result.A[29] = n0;
+    result.A[30] = n0;
+    result.A[31] = n0;
+    result.A[32] = n1;
+    result.A[33] = -z310;
+    result.A[34] = -z311;
+    result.A[35] = n0;
+    if (!(traits::regular(z129, z129) && traits::regular(-z130, -z130) && traits::regular(-z131,
+        -z131))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (result.M[0] - result.M[0]) + (result.M[4] - result.M[4]) + (result.M[8] - result.M[8])
+        + (result.C[1] - result.C[1]) + (result.C[3] - result.C[3]) + (result.C[6] - result.C[6]) + (result.C[7]
+        - result.C[7]) + (result.F[0] - result.F[0]) + (result.F[1] - result.F[1]) + (result.F[2] - result.F[2])
+        + (result.A[22] - result.A[22]) + (result.A[27] - result.A[27]) + (result.A[33] - result.A[33]) + (result.A[34]
+        - result.A[34]);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+};
+
+}  // namespace four_blade_rotor

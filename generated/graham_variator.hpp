@@ -1,0 +1,828 @@
+// SPDX-License-Identifier: MIT
+// graham_variator: Graham variator: a cone rolling in a ring drives a third body
+// Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
+// Free to embed under the MIT licence.
+//
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, constraints, linearisation
+// Parameters set at run time: d
+//
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
+// moved across joints, factoring, and what is done once for a set of parameters:
+//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   precompute               10               17          1             0                  0       0     28       -
+//   kinematics               21               58          0             0                  3       0     85      93
+//   mass_matrix               0                0          0             0                  0       0      0       0
+//   bias                      1                4          0             0                  1       0      7      50
+//   inverse_dynamics         12               18          0             0                  1       0     32      87
+//   forward_dynamics         12               20          0             0                  1       0     34     106
+//   energy                   13               29          0             0                  2       0     46      50
+//   constraints               3                4          0             0                  0       0      7      20
+//   linearisation            15               22          0             0                  1       0     39     107
+//
+// Not computed because this mechanism does not need it:
+//   kinematics: of 84 results 41 vanish identically, 8 repeat another up to sign
+//   mass_matrix: of 9 results 4 vanish identically
+//   bias: of 3 results 2 vanish identically
+//   first_integrals: left out, 'C1', 'C3' have no force function
+//   constraints: of 12 results 5 vanish identically
+//   reactions: left out, the scene releases no joint direction (released_coordinate)
+//   linearisation: of 36 results 25 vanish identically
+//
+// To write this file again:
+//   graham_variator_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output graham_variator.hpp
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#ifndef TORSOR_KERNEL_SUPPORT
+#define TORSOR_KERNEL_SUPPORT 1
+// Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
+#ifndef TORSOR_DEVICE
+#define TORSOR_DEVICE
+#endif
+
+namespace torsor {
+
+/// What a kernel says about its results; the larger, the worse.
+enum class Status : int { ok = 0, singular = 1, not_finite = 2 };
+
+/// What a kernel needs of its scalar. This one serves float and double; specialise it, once a header is included, for
+/// any other (a pack of several states, a high-precision number).
+template <class Scalar>
+struct scalar_traits {
+  static_assert(sizeof(Scalar) == sizeof(float) || sizeof(Scalar) == sizeof(double),
+                "specialise torsor::scalar_traits for a scalar that is neither float nor double");
+  static constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+
+  /// A number, rounded for either format. `exact` is "num/den", or "a;b;c;d" for a + b sqrt(2) + c sqrt(3) + d sqrt(6).
+  TORSOR_DEVICE static constexpr Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    return is_float ? static_cast<Scalar>(in_float) : static_cast<Scalar>(in_double);
+  }
+  /// The same for a number that is no such sum: a callable computes it where literals are not precise enough.
+  template <class Callable>
+  TORSOR_DEVICE static constexpr Scalar formula(double in_double, float in_float, const Callable&) noexcept {
+    return constant(in_double, in_float, nullptr);
+  }
+  TORSOR_DEVICE static constexpr Scalar pi() noexcept { return constant(3.141592653589793, 3.1415927f, nullptr); }
+  TORSOR_DEVICE static constexpr Scalar select(bool condition, Scalar if_true, Scalar if_false) noexcept {
+    return condition ? if_true : if_false;
+  }
+  TORSOR_DEVICE static void sincos(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
+    sine = std::sin(angle);
+    cosine = std::cos(angle);
+  }
+  TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
+  TORSOR_DEVICE static Scalar exp(const Scalar& x) noexcept { return std::exp(x); }
+  TORSOR_DEVICE static Scalar log(const Scalar& x) noexcept { return std::log(x); }
+  /// Whether a pivot is positive beyond the rounding of the diagonal entry it came from; not when it is not a number.
+  TORSOR_DEVICE static bool regular(const Scalar& pivot, const Scalar& diagonal) noexcept {
+    return pivot > constant(0x1p-52, 0x1p-23f, nullptr) * std::abs(diagonal);
+  }
+};
+
+}  // namespace torsor
+#elif TORSOR_KERNEL_SUPPORT != 1
+#error "headers of incompatible versions of torsor meet here: write them again with one version"
+#endif
+
+namespace graham_variator {
+
+/// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
+/// M a + h = E u + A' lambda and A a + gamma = 0, with a the accelerations and u the inputs; units are SI.
+template <class Scalar>
+struct Mechanism {
+  using traits = torsor::scalar_traits<Scalar>;
+
+  static constexpr const char* name = "graham_variator";
+  static constexpr int coordinate_count = 3;
+  static constexpr int velocity_count = 3;
+  static constexpr int input_count = 2;
+  static constexpr int parameter_count = 1;
+  static constexpr int multiplier_count = 2;
+
+  /// Parameters that are set at run time.
+  struct Parameters {
+    Scalar d;  ///< parameter [m]
+    static constexpr int size = 1;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Parameters::*member_(int i_) noexcept {
+      constexpr Scalar Parameters::*members_[] = {&Parameters::d};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised coordinates q.
+  struct Coordinates {
+    Scalar alpha;  ///< coordinate [rad or 1]
+    Scalar beta;  ///< coordinate [rad or 1]
+    Scalar gamma;  ///< coordinate [rad or 1]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Coordinates::*member_(int i_) noexcept {
+      constexpr Scalar Coordinates::*members_[] = {&Coordinates::alpha, &Coordinates::beta, &Coordinates::gamma};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised velocities v = dq/dt.
+  struct Velocities {
+    Scalar alpha;  ///< its rate [rad/s]
+    Scalar beta;  ///< its rate [rad/s]
+    Scalar gamma;  ///< its rate [rad/s]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Velocities::*member_(int i_) noexcept {
+      constexpr Scalar Velocities::*members_[] = {&Velocities::alpha, &Velocities::beta, &Velocities::gamma};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised accelerations dv/dt.
+  struct Accelerations {
+    Scalar alpha;  ///< its second rate [rad/s^2]
+    Scalar beta;  ///< its second rate [rad/s^2]
+    Scalar gamma;  ///< its second rate [rad/s^2]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Accelerations::*member_(int i_) noexcept {
+      constexpr Scalar Accelerations::*members_[] = {&Accelerations::alpha, &Accelerations::beta,
+          &Accelerations::gamma};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised forces, one along each coordinate.
+  struct GeneralizedForces {
+    Scalar alpha;  ///< works with the rate of alpha [N m]
+    Scalar beta;  ///< works with the rate of beta [N m]
+    Scalar gamma;  ///< works with the rate of gamma [N m]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar GeneralizedForces::*member_(int i_) noexcept {
+      constexpr Scalar GeneralizedForces::*members_[] = {&GeneralizedForces::alpha, &GeneralizedForces::beta,
+          &GeneralizedForces::gamma};
+      return members_[i_];
+    }
+  };
+
+  /// Forces and torques of motors, set at each call.
+  struct Inputs {
+    Scalar C1;  ///< motor [N m]
+    Scalar C3;  ///< motor [N m]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Inputs::*member_(int i_) noexcept {
+      constexpr Scalar Inputs::*members_[] = {&Inputs::C1, &Inputs::C3};
+      return members_[i_];
+    }
+  };
+
+  /// Multipliers of the constraints, or the reactions that enforce them.
+  struct Multipliers {
+    Scalar T_A;  ///< of the constraint rolling_A [N]
+    Scalar T_E;  ///< of the constraint rolling_E [N]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Multipliers::*member_(int i_) noexcept {
+      constexpr Scalar Multipliers::*members_[] = {&Multipliers::T_A, &Multipliers::T_E};
+      return members_[i_];
+    }
+  };
+
+  /// Time [s], coordinates and velocities.
+  struct State {
+    Scalar time;
+    Coordinates q;
+    Velocities v;
+  };
+
+  /// Parameters and what depends on them only: built once for each set of parameters.
+  struct Precomputed {
+    Parameters parameters;
+    Scalar z51;
+    Scalar z52;
+    Scalar z54;
+    Scalar z103;
+    Scalar z113;
+    Scalar z114;
+    Scalar z115;
+    Scalar z119;
+    Scalar z120;
+    Scalar z121;
+  };
+
+  /// Values of the scene.
+  TORSOR_DEVICE static Parameters default_parameters() noexcept {
+    Parameters parameters{};
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    parameters.d = n0_1;
+    return parameters;
+  }
+
+  /// To be called again when a parameter changes.
+  TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
+    Precomputed precomputed{};
+    precomputed.parameters = parameters;
+    const Scalar k0 = traits::constant(0.2679491924311227, 0.2679492f, "2;0;-1;0");
+    const Scalar k1 = traits::constant(0.9659258262890683, 0.9659258f, "0;1/4;0;1/4");
+    const Scalar k2 = traits::constant(0.25881904510252074, 0.25881904f, "0;-1/4;0;1/4");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar k4 = traits::constant(58.17702669501042, 58.177025f,
+        "10423180000/199644649;-1286500000/199644649;-606230000/598933947;1372100000/199644649");
+    const Scalar k5 = traits::constant(3333.3333333333335, 3333.3333f, "10000/3");
+    const Scalar k6 = traits::constant(0.11155394517270574, 0.111553945f, "1/10;1/80;0;-1/400");
+    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
+    const Scalar k8 = traits::constant(0.4080831129300902, 0.4080831f,
+        "81606996074311354948800/187435544049510497429929;-4833141400108286640000/187435544049510497429929;-670503431205999804000/187435544049510497429929;1175234291156953584000/187435544049510497429929");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar p_d = parameters.d;
+    const Scalar z51 = k0 * p_d;
+    const Scalar z52 = k1 * p_d + k2 * z51;
+    const Scalar z53 = k2 * p_d - k1 * z51;
+    const Scalar z54 = n0_1 - z53;
+    const Scalar z102 = n0_1 - z54;
+    const Scalar z103 = k2 * z52 - k1 * z102;
+    const Scalar z112 = z54 - k1 * z103;
+    const Scalar z113 = k4 * z112;
+    const Scalar z114 = k5 * z103 - k1 * z113;
+    const Scalar z115 = z54 * z113 + z103 * z114;
+    const Scalar z117 = k6 * z113 + n0_02 * z114;
+    const Scalar z119 = k8 * z117;
+    const Scalar z120 = z115 - z117 * z119;
+    const Scalar z121 = n1 / z120;
+    precomputed.z51 = z51;
+    precomputed.z52 = z52;
+    precomputed.z54 = z54;
+    precomputed.z103 = z103;
+    precomputed.z113 = z113;
+    precomputed.z114 = z114;
+    precomputed.z115 = z115;
+    precomputed.z119 = z119;
+    precomputed.z120 = z120;
+    precomputed.z121 = z121;
+    return precomputed;
+  }
+
+  /// The state the scene starts from, for these parameters.
+  TORSOR_DEVICE static State initial_state(const Parameters& parameters) noexcept {
+    State state{};
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n20 = traits::constant(20.0, 20.0f, "20/1");
+    const Scalar k2 = traits::constant(7.464101615137754, 7.464102f, "4;0;2;0");
+    const Scalar k3 = traits::constant(1.3382048664584603, 1.3382049f,
+        "121120/148921;-10628/148921;60160/148921;-4492/148921");
+    const Scalar p_d = parameters.d;
+    state.time = n0;
+    state.q.alpha = n0;
+    state.q.beta = n0;
+    state.q.gamma = n0;
+    state.v.alpha = n20;
+    state.v.beta = -k2 / p_d;
+    state.v.gamma = n20 - k3 / p_d;
+    return state;
+  }
+  TORSOR_DEVICE static State initial_state() noexcept { return initial_state(default_parameters()); }
+
+  /// Poses, twists and named points in ground axes.
+  struct Kinematics {
+    std::array<Scalar, 3> S1_position;  ///< centre of mass of S1 [m]
+    std::array<Scalar, 9> S1_rotation;  ///< from the axes of S1 to the ground's (3 x 3)
+    std::array<Scalar, 3> S1_velocity;  ///< velocity of the centre of mass of S1 [m/s]
+    std::array<Scalar, 3> S1_angular_velocity;  ///< angular velocity of S1 [rad/s]
+    std::array<Scalar, 3> S2_position;  ///< centre of mass of S2 [m]
+    std::array<Scalar, 9> S2_rotation;  ///< from the axes of S2 to the ground's (3 x 3)
+    std::array<Scalar, 3> S2_velocity;  ///< velocity of the centre of mass of S2 [m/s]
+    std::array<Scalar, 3> S2_angular_velocity;  ///< angular velocity of S2 [rad/s]
+    std::array<Scalar, 3> S3_position;  ///< centre of mass of S3 [m]
+    std::array<Scalar, 9> S3_rotation;  ///< from the axes of S3 to the ground's (3 x 3)
+    std::array<Scalar, 3> S3_velocity;  ///< velocity of the centre of mass of S3 [m/s]
+    std::array<Scalar, 3> S3_angular_velocity;  ///< angular velocity of S3 [rad/s]
+    std::array<Scalar, 3> A_position;  ///< position of A [m]
+    std::array<Scalar, 3> A_velocity;  ///< velocity of the material point at A [m/s]
+    std::array<Scalar, 9> A_jacobian;  ///< partial velocities of A (3 x 3)
+    std::array<Scalar, 3> E_position;  ///< position of E [m]
+    std::array<Scalar, 3> E_velocity;  ///< velocity of the material point at E [m/s]
+    std::array<Scalar, 9> E_jacobian;  ///< partial velocities of E (3 x 3)
+  };
+
+  /// Energies of the mechanism.
+  struct Energy {
+    Scalar kinetic;  ///< kinetic energy T [J]
+    Scalar force_function;  ///< force function U of gravity and springs [J]
+    Scalar power;  ///< power of dampers, given forces and motors [W]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Energy::*member_(int i_) noexcept {
+      constexpr Scalar Energy::*members_[] = {&Energy::kinetic, &Energy::force_function, &Energy::power};
+      return members_[i_];
+    }
+  };
+
+  /// Constraints and their derivatives, one entry per multiplier.
+  struct Constraints {
+    std::array<Scalar, 2> value;  ///< f(q, t) of holonomic constraints, 0 for the others
+    std::array<Scalar, 2> rate;  ///< A v - b, df/dt for holonomic ones
+    std::array<Scalar, 6> jacobian;  ///< A, stored column by column (2 x 3)
+    std::array<Scalar, 2> gamma;  ///< d(A v - b)/dt at zero acceleration: A a + gamma = 0
+  };
+
+  /// Matrices of the linearised equations, stored column by column.
+  struct Linearisation {
+    std::array<Scalar, 9> M;  ///< mass matrix (3 x 3)
+    std::array<Scalar, 9> C;  ///< damping and gyroscopic terms (3 x 3)
+    std::array<Scalar, 9> K;  ///< stiffness (3 x 3)
+    std::array<Scalar, 3> F;  ///< right-hand side
+    std::array<Scalar, 6> E;  ///< effect of the inputs (3 x 2)
+  };
+
+  /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
+  /// matrices column by column.
+  TORSOR_DEVICE static void kinematics(const Precomputed& precomputed, const State& state,
+      Kinematics& result) noexcept {
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar k1 = traits::constant(0.9659258262890683, 0.9659258f, "0;1/4;0;1/4");
+    const Scalar k2 = traits::constant(0.25881904510252074, 0.25881904f, "0;-1/4;0;1/4");
+    const Scalar k3 = traits::constant(0.08447085729384876, 0.08447086f, "1/10;3/200;0;-3/200");
+    const Scalar n0_06 = traits::constant(0.06, 0.06f, "3/50");
+    const Scalar k5 = traits::constant(0.11155394517270574, 0.111553945f, "1/10;1/80;0;-1/400");
+    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
+    const Scalar n0_03 = traits::constant(0.03, 0.03f, "3/100");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar k10 = traits::constant(0.0579555495773441, 0.05795555f, "0;3/200;0;3/200");
+    const Scalar k11 = traits::constant(0.034154155690722464, 0.034154154f, "0;1/400;0;1/80");
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar v_alpha = state.v.alpha;
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    const Scalar q_gamma = state.q.gamma;
+    const Scalar v_gamma = state.v.gamma;
+    const Scalar p_d = precomputed.parameters.d;
+    const Scalar z51 = precomputed.z51;
+    const Scalar z52 = precomputed.z52;
+    const Scalar z54 = precomputed.z54;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    Scalar s_gamma, c_gamma;
+    traits::sincos(q_gamma, s_gamma, c_gamma);
+    const Scalar z16 = n0_1 * v_alpha;
+    const Scalar z17 = k1 * v_alpha;
+    const Scalar z18 = k2 * v_alpha;
+    const Scalar z19 = c_beta * z18;
+    const Scalar z20 = s_beta * z18;
+    const Scalar z21 = s_beta * z16;
+    const Scalar z22 = c_beta * z16;
+    const Scalar z23 = v_beta + z17;  // angular velocity of S2, x
+    const Scalar z24 = k3 * c_alpha;
+    const Scalar z25 = k3 * s_alpha;
+    const Scalar z26 = k2 * c_alpha;
+    const Scalar z27 = k2 * s_alpha;
+    const Scalar z28 = k2 * c_beta;
+    const Scalar z29 = k1 * c_beta;
+    const Scalar z30 = s_alpha * s_beta - c_alpha * z29;
+    const Scalar z31 = s_alpha * z29 + c_alpha * s_beta;
+    const Scalar z32 = k2 * s_beta;
+    const Scalar z33 = k1 * s_beta;
+    const Scalar z34 = s_alpha * c_beta + c_alpha * z33;
+    const Scalar z35 = s_alpha * z33 - c_alpha * c_beta;
+    const Scalar z36 = n0_06 * z20 - z21;
+    const Scalar z37 = n0_06 * z19 - z22;
+    const Scalar z38 = s_beta * z37 - c_beta * z36;
+    const Scalar z39 = s_beta * z36 + c_beta * z37;
+    const Scalar z41 = k1 * z38;
+    const Scalar z42 = s_alpha * z39 + c_alpha * z41;
+    const Scalar z43 = s_alpha * z41 - c_alpha * z39;
+    const Scalar z44 = s_beta * z20 + c_beta * z19;
+    const Scalar z45 = s_beta * z19 - c_beta * z20;
+    const Scalar z46 = k1 * z23 + k2 * z44;
+    const Scalar z47 = k2 * z23 - k1 * z44;
+    const Scalar z48 = s_alpha * z45 + c_alpha * z47;
+    const Scalar z49 = s_alpha * z47 - c_alpha * z45;
+    const Scalar z55 = c_alpha * z54;
+    const Scalar z56 = s_alpha * z54;
+    const Scalar z57 = z16 + z17 * z51 - z18 * p_d;
+    const Scalar z58 = s_alpha * z57;
+    const Scalar z59 = c_alpha * z57;
+    const Scalar z60 = k5 * c_alpha;
+    const Scalar z61 = k5 * s_alpha;
+    const Scalar z62 = z16 + n0_02 * z17 - n0_03 * z18;
+    const Scalar z63 = s_alpha * z62;
+    const Scalar z64 = c_alpha * z62;
+    result.S1_position[0] = n0;
+    result.S1_position[1] = n0;
+    result.S1_position[2] = n0;
+    result.S1_rotation[0] = n1;
+    result.S1_rotation[1] = n0;
+    result.S1_rotation[2] = n0;
+    result.S1_rotation[3] = n0;
+    result.S1_rotation[4] = c_alpha;
+    result.S1_rotation[5] = s_alpha;
+    result.S1_rotation[6] = n0;
+    result.S1_rotation[7] = -s_alpha;
+    result.S1_rotation[8] = c_alpha;
+    result.S1_velocity[0] = n0;
+    result.S1_velocity[1] = n0;
+    result.S1_velocity[2] = n0;
+    result.S1_angular_velocity[0] = v_alpha;
+    result.S1_angular_velocity[1] = n0;
+    result.S1_angular_velocity[2] = n0;
+    result.S2_position[0] = -k10;
+    result.S2_position[1] = z24;
+    result.S2_position[2] = z25;
+    result.S2_rotation[0] = k1;
+    result.S2_rotation[1] = z26;
+    result.S2_rotation[2] = z27;
+    result.S2_rotation[3] = -z28;
+    result.S2_rotation[4] = -z30;
+    result.S2_rotation[5] = z31;
+    result.S2_rotation[6] = z32;
+    result.S2_rotation[7] = -z34;
+    result.S2_rotation[8] = -z35;
+    result.S2_velocity[0] = n0;
+    result.S2_velocity[1] = z42;
+    result.S2_velocity[2] = z43;
+    result.S2_angular_velocity[0] = z46;
+    result.S2_angular_velocity[1] = z48;
+    result.S2_angular_velocity[2] = z49;
+    result.S3_position[0] = n0;
+    result.S3_position[1] = n0;
+    result.S3_position[2] = n0;
+    result.S3_rotation[0] = n1;
+    result.S3_rotation[1] = n0;
+    result.S3_rotation[2] = n0;
+    result.S3_rotation[3] = n0;
+    result.S3_rotation[4] = c_gamma;
+    result.S3_rotation[5] = s_gamma;
+    result.S3_rotation[6] = n0;
+    result.S3_rotation[7] = -s_gamma;
+    result.S3_rotation[8] = c_gamma;
+    result.S3_velocity[0] = n0;
+    result.S3_velocity[1] = n0;
+    result.S3_velocity[2] = n0;
+    result.S3_angular_velocity[0] = v_gamma;
+    result.S3_angular_velocity[1] = n0;
+    result.S3_angular_velocity[2] = n0;
+    result.A_position[0] = -z52;
+    result.A_position[1] = z55;
+    result.A_position[2] = z56;
+    result.A_velocity[0] = n0;
+    result.A_velocity[1] = -z58;
+    result.A_velocity[2] = z59;
+    result.A_jacobian[0] = n0;
+    result.A_jacobian[3] = n0;
+    result.A_jacobian[6] = n0;
+    result.A_jacobian[1] = -z56;
+    result.A_jacobian[4] = n0;
+    result.A_jacobian[7] = n0;
+    result.A_jacobian[2] = z55;
+    result.A_jacobian[5] = n0;
+    result.A_jacobian[8] = n0;
+    result.E_position[0] = -k11;
+    result.E_position[1] = z60;
+    result.E_position[2] = z61;
+    result.E_velocity[0] = n0;
+    result.E_velocity[1] = -z63;
+    result.E_velocity[2] = z64;
+    result.E_jacobian[0] = n0;
+    result.E_jacobian[3] = n0;
+    result.E_jacobian[6] = n0;
+    result.E_jacobian[1] = -z61;
+    result.E_jacobian[4] = n0;
+    result.E_jacobian[7] = n0;
+    result.E_jacobian[2] = z60;
+    result.E_jacobian[5] = n0;
+    result.E_jacobian[8] = n0;
+  }
+
+  /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
+  TORSOR_DEVICE static void mass_matrix(const Precomputed&, const State&, std::array<Scalar, 9>& mass) noexcept {
+    const Scalar k0 = traits::constant(0.017468819381011653, 0.01746882f, "447/20000;3/1000;-41/40000;-3/1000");
+    const Scalar k1 = traits::constant(0.0002897777478867205, 0.00028977776f, "0;3/40000;0;3/40000");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n0_0003 = traits::constant(3e-04, 3e-04f, "3/10000");
+    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
+    mass[0] = k0;
+    mass[1] = k1;
+    mass[2] = n0;
+    mass[3] = k1;
+    mass[4] = n0_0003;
+    mass[5] = n0;
+    mass[6] = n0;
+    mass[7] = n0;
+    mass[8] = n0_02;
+  }
+
+  /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
+  /// actions included. M a + h = E u + A' lambda.
+  TORSOR_DEVICE static void bias(const Precomputed&, const State& state, GeneralizedForces& forces) noexcept {
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0_06 = traits::constant(0.06, 0.06f, "3/50");
+    const Scalar k2 = traits::constant(0.25881904510252074, 0.25881904f, "0;-1/4;0;1/4");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_alpha = state.q.alpha;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    const Scalar z68 = n9_81 * s_alpha;
+    const Scalar z80 = n0_06 * z68;  // moment on inclined, y
+    const Scalar z84 = k2 * z80;
+    const Scalar z87 = n0_1 * z68 - z84;  // moment on S1, x
+    forces.alpha = -z87;
+    forces.beta = n0;
+    forces.gamma = n0;
+  }
+
+  /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
+  TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State& state,
+      const Accelerations& accelerations, const Multipliers& multipliers, GeneralizedForces& forces) noexcept {
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar k1 = traits::constant(0.9659258262890683, 0.9659258f, "0;1/4;0;1/4");
+    const Scalar k2 = traits::constant(0.25881904510252074, 0.25881904f, "0;-1/4;0;1/4");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
+    const Scalar n0_0003 = traits::constant(3e-04, 3e-04f, "3/10000");
+    const Scalar n0_06 = traits::constant(0.06, 0.06f, "3/50");
+    const Scalar n0_0044 = traits::constant(0.0044, 0.0044f, "11/2500");
+    const Scalar n0_0244 = traits::constant(0.0244, 0.0244f, "61/2500");
+    const Scalar k9 = traits::constant(0.11155394517270574, 0.111553945f, "1/10;1/80;0;-1/400");
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar a_alpha = accelerations.alpha;
+    const Scalar a_beta = accelerations.beta;
+    const Scalar a_gamma = accelerations.gamma;
+    const Scalar l_T_A = multipliers.T_A;
+    const Scalar l_T_E = multipliers.T_E;
+    const Scalar z54 = precomputed.z54;
+    const Scalar z103 = precomputed.z103;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    const Scalar z68 = n9_81 * s_alpha;
+    const Scalar z89 = k1 * a_alpha;
+    const Scalar z90 = k2 * a_alpha;
+    const Scalar z91 = n0_1 * a_alpha - z68;
+    const Scalar z92 = a_beta + z89;  // angular acceleration of S2, x
+    const Scalar z93 = n0_02 * a_gamma;  // moment on S3, x
+    const Scalar z94 = n0_0003 * z92;  // moment on S2, x
+    const Scalar z95 = n0_06 * z90;  // force on inclined, z
+    const Scalar z96 = n0_0044 * z89 - z94;  // moment on inclined, x
+    const Scalar z97 = n0_06 * z91;  // moment on inclined, y
+    const Scalar z98 = k1 * z96 + k2 * z97;
+    const Scalar z101 = -n0_1 * (z68 + z95) + n0_0244 * a_alpha - z98;  // moment on S1, x
+    forces.alpha = -z54 * l_T_A + z101 - k9 * l_T_E;
+    forces.beta = z94 - z103 * l_T_A - n0_02 * l_T_E;
+    forces.gamma = z93 + k9 * l_T_E;
+  }
+
+  /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
+  /// an unrolled L D L' of M and of the Schur complement A M^-1 A'. Returns singular when a pivot is not
+  /// positive relative to its diagonal entry.
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
+      const Inputs& inputs, Accelerations& accelerations, Multipliers& multipliers) noexcept {
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0_06 = traits::constant(0.06, 0.06f, "3/50");
+    const Scalar k2 = traits::constant(0.25881904510252074, 0.25881904f, "0;-1/4;0;1/4");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar k4 = traits::constant(58.17702669501042, 58.177025f,
+        "10423180000/199644649;-1286500000/199644649;-606230000/598933947;1372100000/199644649");
+    const Scalar k5 = traits::constant(0.9659258262890683, 0.9659258f, "0;1/4;0;1/4");
+    const Scalar n50 = traits::constant(50.0, 50.0f, "50/1");
+    const Scalar k7 = traits::constant(0.11155394517270574, 0.111553945f, "1/10;1/80;0;-1/400");
+    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
+    const Scalar k9 = traits::constant(0.4080831129300902, 0.4080831f,
+        "81606996074311354948800/187435544049510497429929;-4833141400108286640000/187435544049510497429929;-670503431205999804000/187435544049510497429929;1175234291156953584000/187435544049510497429929");
+    const Scalar k10 = traits::constant(5.365982994617848, 5.365983f,
+        "961276000/199644649;-45929425/199644649;59014000/598933947;57520575/199644649");
+    const Scalar k11 = traits::constant(61.48352510873733, 61.483524f,
+        "39738981350/598933947;-255072500/199644649;-5795575/199644649;-735710500/598933947");
+    const Scalar k12 = traits::constant(5.577697258635287, 5.5776973f, "5;5/8;0;-1/8");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar u_C1 = inputs.C1;
+    const Scalar u_C3 = inputs.C3;
+    const Scalar z54 = precomputed.z54;
+    const Scalar z103 = precomputed.z103;
+    const Scalar z113 = precomputed.z113;
+    const Scalar z114 = precomputed.z114;
+    const Scalar z115 = precomputed.z115;
+    const Scalar z119 = precomputed.z119;
+    const Scalar z120 = precomputed.z120;
+    const Scalar z121 = precomputed.z121;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    const Scalar z68 = n9_81 * s_alpha;
+    const Scalar z80 = n0_06 * z68;  // moment on inclined, y
+    const Scalar z84 = k2 * z80;
+    const Scalar z87 = n0_1 * z68 - z84;  // moment on S1, x
+    const Scalar z108 = u_C1 + z87;
+    const Scalar z109 = k4 * z108;
+    const Scalar z110 = k5 * z109;
+    const Scalar z111 = n50 * u_C3;
+    const Scalar z116 = z54 * z109 - z103 * z110;
+    const Scalar z118 = k7 * (z109 - z111) - n0_02 * z110;
+    const Scalar z122 = z116 - z118 * z119;
+    const Scalar z123 = z121 * z122;
+    const Scalar z124 = k9 * z118 - z119 * z123;
+    const Scalar z125 = z109 - z113 * z123 - k10 * z124;
+    const Scalar z126 = z110 + z114 * z123 + k11 * z124;
+    const Scalar z127 = z111 + k12 * z124;
+    accelerations.alpha = z125;
+    accelerations.beta = -z126;
+    accelerations.gamma = z127;
+    multipliers.T_A = -z123;
+    multipliers.T_E = -z124;
+    if (!(traits::regular(z120, z115))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (accelerations.alpha - accelerations.alpha) + (accelerations.beta - accelerations.beta)
+        + (accelerations.gamma - accelerations.gamma) + (multipliers.T_A - multipliers.T_A) + (multipliers.T_E
+        - multipliers.T_E);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
+  TORSOR_DEVICE static void energy(const Precomputed&, const State& state, const Inputs& inputs,
+      Energy& result) noexcept {
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar k1 = traits::constant(0.9659258262890683, 0.9659258f, "0;1/4;0;1/4");
+    const Scalar k2 = traits::constant(0.25881904510252074, 0.25881904f, "0;-1/4;0;1/4");
+    const Scalar n0_06 = traits::constant(0.06, 0.06f, "3/50");
+    const Scalar n0_0044 = traits::constant(0.0044, 0.0044f, "11/2500");
+    const Scalar k5 = traits::constant(0.015529142706151246, 0.015529143f, "0;-3/200;0;3/200");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n0_005 = traits::constant(0.005, 0.005f, "1/200");
+    const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
+    const Scalar k9 = traits::constant(0.00015, 0.00015f, "3/20000");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar v_alpha = state.v.alpha;
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    const Scalar v_gamma = state.v.gamma;
+    const Scalar u_C1 = inputs.C1;
+    const Scalar u_C3 = inputs.C3;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z16 = n0_1 * v_alpha;
+    const Scalar z17 = k1 * v_alpha;
+    const Scalar z18 = k2 * v_alpha;
+    const Scalar z19 = c_beta * z18;
+    const Scalar z20 = s_beta * z18;
+    const Scalar z21 = s_beta * z16;
+    const Scalar z22 = c_beta * z16;
+    const Scalar z23 = v_beta + z17;  // angular velocity of S2, x
+    const Scalar z36 = n0_06 * z20 - z21;
+    const Scalar z37 = n0_06 * z19 - z22;
+    const Scalar z128 = n0_0044 * z19 - n0_06 * z22;
+    const Scalar z129 = n0_0044 * z20 - n0_06 * z21;
+    const Scalar z130 = n0_1 * c_alpha;
+    const Scalar z132 = k5 * c_alpha;
+    result.kinetic = n0_5 * (z19 * z128 + z20 * z129 - z21 * z36 - z22 * z37) + n0_005 * v_alpha * v_alpha + n0_01
+        * v_gamma * v_gamma + k9 * z23 * z23;
+    result.force_function = -n9_81 * (z130 - z132);
+    result.power = v_alpha * u_C1 + v_gamma * u_C3;
+  }
+
+  /// Constraints A(q, t) v - b(q, t) = 0, in the order of the multipliers.
+  TORSOR_DEVICE static void constraints(const Precomputed& precomputed, const State& state,
+      Constraints& result) noexcept {
+    const Scalar k0 = traits::constant(0.11155394517270574, 0.111553945f, "1/10;1/80;0;-1/400");
+    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar v_alpha = state.v.alpha;
+    const Scalar v_beta = state.v.beta;
+    const Scalar v_gamma = state.v.gamma;
+    const Scalar z54 = precomputed.z54;
+    const Scalar z103 = precomputed.z103;
+    const Scalar z104 = v_alpha * z54 + v_beta * z103;
+    const Scalar z105 = k0 * (v_alpha - v_gamma) + n0_02 * v_beta;
+    result.value[0] = n0;
+    result.rate[0] = z104;
+    result.gamma[0] = n0;
+    result.value[1] = n0;
+    result.rate[1] = z105;
+    result.gamma[1] = n0;
+    result.jacobian[0] = z54;
+    result.jacobian[1] = k0;
+    result.jacobian[2] = z103;
+    result.jacobian[3] = n0_02;
+    result.jacobian[4] = n0;
+    result.jacobian[5] = -k0;
+  }
+
+  /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
+  /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
+  /// At fixed multipliers and in all coordinates: A' dlambda and the linearised constraints come beside it, and the
+  /// state matrices, which need independent coordinates, are left out.
+  TORSOR_DEVICE static void linearisation(const Precomputed& precomputed, const State& state,
+      const Accelerations& accelerations, const Multipliers& multipliers, const Inputs& inputs,
+      Linearisation& result) noexcept {
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar k1 = traits::constant(0.9659258262890683, 0.9659258f, "0;1/4;0;1/4");
+    const Scalar k2 = traits::constant(0.25881904510252074, 0.25881904f, "0;-1/4;0;1/4");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
+    const Scalar n0_0003 = traits::constant(3e-04, 3e-04f, "3/10000");
+    const Scalar n0_06 = traits::constant(0.06, 0.06f, "3/50");
+    const Scalar n0_0044 = traits::constant(0.0044, 0.0044f, "11/2500");
+    const Scalar n0_0244 = traits::constant(0.0244, 0.0244f, "61/2500");
+    const Scalar k9 = traits::constant(0.017468819381011653, 0.01746882f, "447/20000;3/1000;-41/40000;-3/1000");
+    const Scalar k10 = traits::constant(0.0002897777478867205, 0.00028977776f, "0;3/40000;0;3/40000");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar k12 = traits::constant(0.11155394517270574, 0.111553945f, "1/10;1/80;0;-1/400");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar a_alpha = accelerations.alpha;
+    const Scalar a_beta = accelerations.beta;
+    const Scalar a_gamma = accelerations.gamma;
+    const Scalar u_C1 = inputs.C1;
+    const Scalar u_C3 = inputs.C3;
+    const Scalar l_T_A = multipliers.T_A;
+    const Scalar l_T_E = multipliers.T_E;
+    const Scalar z54 = precomputed.z54;
+    const Scalar z103 = precomputed.z103;
+    Scalar s_alpha, c_alpha;
+    traits::sincos(q_alpha, s_alpha, c_alpha);
+    const Scalar z67 = n9_81 * c_alpha;
+    const Scalar z68 = n9_81 * s_alpha;
+    const Scalar z89 = k1 * a_alpha;
+    const Scalar z90 = k2 * a_alpha;
+    const Scalar z91 = n0_1 * a_alpha - z68;
+    const Scalar z92 = a_beta + z89;  // angular acceleration of S2, x
+    const Scalar z93 = n0_02 * a_gamma;  // moment on S3, x
+    const Scalar z94 = n0_0003 * z92;  // moment on S2, x
+    const Scalar z95 = n0_06 * z90;  // force on inclined, z
+    const Scalar z96 = n0_0044 * z89 - z94;  // moment on inclined, x
+    const Scalar z97 = n0_06 * z91;  // moment on inclined, y
+    const Scalar z98 = k1 * z96 + k2 * z97;
+    const Scalar z101 = -n0_1 * (z68 + z95) + n0_0244 * a_alpha - z98;  // moment on S1, x
+    const Scalar z150 = n0_06 * z67;
+    const Scalar z151 = k2 * z150;
+    const Scalar z152 = n0_1 * z67 - z151;
+    result.M[0] = k9;
+    result.M[1] = k10;
+    result.M[2] = n0;
+    result.M[3] = k10;
+    result.M[4] = n0_0003;
+    result.M[5] = n0;
+    result.M[6] = n0;
+    result.M[7] = n0;
+    result.M[8] = n0_02;
+    result.C[0] = n0;
+    result.C[1] = n0;
+    result.C[2] = n0;
+    result.C[3] = n0;
+    result.C[4] = n0;
+    result.C[5] = n0;
+    result.C[6] = n0;
+    result.C[7] = n0;
+    result.C[8] = n0;
+    result.K[0] = -z152;
+    result.K[1] = n0;
+    result.K[2] = n0;
+    result.K[3] = n0;
+    result.K[4] = n0;
+    result.K[5] = n0;
+    result.K[6] = n0;
+    result.K[7] = n0;
+    result.K[8] = n0;
+    result.F[0] = z54 * l_T_A + u_C1 - z101 + k12 * l_T_E;
+    result.F[1] = -z94 + z103 * l_T_A + n0_02 * l_T_E;
+    result.F[2] = u_C3 - z93 - k12 * l_T_E;
+    result.E[0] = n1;
+    result.E[1] = n0;
+    result.E[2] = n0;
+    result.E[3] = n0;
+    result.E[4] = n0;
+    result.E[5] = n1;
+  }
+};
+
+}  // namespace graham_variator

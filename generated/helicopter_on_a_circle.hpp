@@ -1,0 +1,1055 @@
+// SPDX-License-Identifier: MIT
+// helicopter_on_a_circle: Rotor of a helicopter that goes round a circle
+// Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
+// Free to embed under the MIT licence.
+//
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, reactions, linearisation
+// Parameters set at run time: theta, omega, alpha
+//
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
+// moved across joints, factoring, and what is done once for a set of parameters:
+//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   precompute                4                9          1             0                  2       0     18       -
+//   kinematics              147              310          0             0                  2       0    461     468
+//   mass_matrix               0                0          0             0                  0       0      0       9
+//   bias                      0                0          0             0                  0       0      0       0
+//   inverse_dynamics         25               53          0             0                  1       0     80      62
+//   forward_dynamics         21               47          0             0                  1       0     70      60
+//   energy                   13               26          0             0                  1       0     41      53
+//   reactions                43               76          0             0                  1       0    121     128
+//   linearisation            26               53          0             0                  1       0     81      71
+//
+// Not computed because this mechanism does not need it:
+//   kinematics: of 153 results 13 vanish identically, 58 repeat another up to sign
+//   bias: of 1 results 1 vanish identically
+//   energy: of 3 results 1 vanish identically
+//   first_integrals: left out, 'C' has no force function
+//   constraints: left out, the scene has no constraints
+//   reactions: of 6 results 3 vanish identically
+//   linearisation: of 11 results 6 vanish identically
+//
+// To write this file again:
+//   helicopter_on_a_circle_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output helicopter_on_a_circle.hpp
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#ifndef TORSOR_KERNEL_SUPPORT
+#define TORSOR_KERNEL_SUPPORT 1
+// Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
+#ifndef TORSOR_DEVICE
+#define TORSOR_DEVICE
+#endif
+
+namespace torsor {
+
+/// What a kernel says about its results; the larger, the worse.
+enum class Status : int { ok = 0, singular = 1, not_finite = 2 };
+
+/// What a kernel needs of its scalar. This one serves float and double; specialise it, once a header is included, for
+/// any other (a pack of several states, a high-precision number).
+template <class Scalar>
+struct scalar_traits {
+  static_assert(sizeof(Scalar) == sizeof(float) || sizeof(Scalar) == sizeof(double),
+                "specialise torsor::scalar_traits for a scalar that is neither float nor double");
+  static constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+
+  /// A number, rounded for either format. `exact` is "num/den", or "a;b;c;d" for a + b sqrt(2) + c sqrt(3) + d sqrt(6).
+  TORSOR_DEVICE static constexpr Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    return is_float ? static_cast<Scalar>(in_float) : static_cast<Scalar>(in_double);
+  }
+  /// The same for a number that is no such sum: a callable computes it where literals are not precise enough.
+  template <class Callable>
+  TORSOR_DEVICE static constexpr Scalar formula(double in_double, float in_float, const Callable&) noexcept {
+    return constant(in_double, in_float, nullptr);
+  }
+  TORSOR_DEVICE static constexpr Scalar pi() noexcept { return constant(3.141592653589793, 3.1415927f, nullptr); }
+  TORSOR_DEVICE static constexpr Scalar select(bool condition, Scalar if_true, Scalar if_false) noexcept {
+    return condition ? if_true : if_false;
+  }
+  TORSOR_DEVICE static void sincos(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
+    sine = std::sin(angle);
+    cosine = std::cos(angle);
+  }
+  TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
+  TORSOR_DEVICE static Scalar exp(const Scalar& x) noexcept { return std::exp(x); }
+  TORSOR_DEVICE static Scalar log(const Scalar& x) noexcept { return std::log(x); }
+  /// Whether a pivot is positive beyond the rounding of the diagonal entry it came from; not when it is not a number.
+  TORSOR_DEVICE static bool regular(const Scalar& pivot, const Scalar& diagonal) noexcept {
+    return pivot > constant(0x1p-52, 0x1p-23f, nullptr) * std::abs(diagonal);
+  }
+};
+
+}  // namespace torsor
+#elif TORSOR_KERNEL_SUPPORT != 1
+#error "headers of incompatible versions of torsor meet here: write them again with one version"
+#endif
+
+namespace helicopter_on_a_circle {
+
+/// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
+/// M a + h = E u + A' lambda and A a + gamma = 0, with a the accelerations and u the inputs; units are SI.
+template <class Scalar>
+struct Mechanism {
+  using traits = torsor::scalar_traits<Scalar>;
+
+  static constexpr const char* name = "helicopter_on_a_circle";
+  static constexpr int coordinate_count = 1;
+  static constexpr int velocity_count = 1;
+  static constexpr int input_count = 1;
+  static constexpr int parameter_count = 3;
+  static constexpr int multiplier_count = 0;
+
+  /// Parameters that are set at run time.
+  struct Parameters {
+    Scalar theta;  ///< parameter [rad or 1]
+    Scalar omega;  ///< parameter [rad/s]
+    Scalar alpha;  ///< parameter [rad or 1]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Parameters::*member_(int i_) noexcept {
+      constexpr Scalar Parameters::*members_[] = {&Parameters::theta, &Parameters::omega, &Parameters::alpha};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised coordinates q.
+  struct Coordinates {
+    Scalar phi;  ///< coordinate [rad or 1]
+    static constexpr int size = 1;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Coordinates::*member_(int i_) noexcept {
+      constexpr Scalar Coordinates::*members_[] = {&Coordinates::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised velocities v = dq/dt.
+  struct Velocities {
+    Scalar phi;  ///< its rate [rad/s]
+    static constexpr int size = 1;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Velocities::*member_(int i_) noexcept {
+      constexpr Scalar Velocities::*members_[] = {&Velocities::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised accelerations dv/dt.
+  struct Accelerations {
+    Scalar phi;  ///< its second rate [rad/s^2]
+    static constexpr int size = 1;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Accelerations::*member_(int i_) noexcept {
+      constexpr Scalar Accelerations::*members_[] = {&Accelerations::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised forces, one along each coordinate.
+  struct GeneralizedForces {
+    Scalar phi;  ///< works with the rate of phi [N m]
+    static constexpr int size = 1;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar GeneralizedForces::*member_(int i_) noexcept {
+      constexpr Scalar GeneralizedForces::*members_[] = {&GeneralizedForces::phi};
+      return members_[i_];
+    }
+  };
+
+  /// Forces and torques of motors, set at each call.
+  struct Inputs {
+    Scalar C;  ///< motor [N m]
+    static constexpr int size = 1;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Inputs::*member_(int i_) noexcept {
+      constexpr Scalar Inputs::*members_[] = {&Inputs::C};
+      return members_[i_];
+    }
+  };
+
+  /// Multipliers of the constraints, or the reactions that enforce them.
+  struct Multipliers {
+    static constexpr int size = 0;
+  };
+
+  /// Time [s], coordinates and velocities.
+  struct State {
+    Scalar time;
+    Coordinates q;
+    Velocities v;
+  };
+
+  /// Parameters and what depends on them only: built once for each set of parameters.
+  struct Precomputed {
+    Parameters parameters;
+    Scalar s_theta;
+    Scalar c_theta;
+    Scalar s_alpha;
+    Scalar c_alpha;
+    Scalar z16;
+    Scalar z17;
+    Scalar z18;
+    Scalar z220;
+    Scalar z312;
+    Scalar z318;  ///< force on upwards, x
+    Scalar z350;
+  };
+
+  /// Values of the scene.
+  TORSOR_DEVICE static Parameters default_parameters() noexcept {
+    Parameters parameters{};
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    parameters.theta = n0_3;
+    parameters.omega = n0_2;
+    parameters.alpha = n0_2;
+    return parameters;
+  }
+
+  /// To be called again when a parameter changes.
+  TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
+    Precomputed precomputed{};
+    precomputed.parameters = parameters;
+    const Scalar n100 = traits::constant(100.0, 100.0f, "100/1");
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n1331_6 = traits::constant(1331.6, 1331.6f, "6658/5");
+    const Scalar n120 = traits::constant(120.0, 120.0f, "120/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar p_omega = parameters.omega;
+    const Scalar p_theta = parameters.theta;
+    const Scalar p_alpha = parameters.alpha;
+    Scalar s_theta, c_theta;
+    traits::sincos(p_theta, s_theta, c_theta);
+    Scalar s_alpha, c_alpha;
+    traits::sincos(p_alpha, s_alpha, c_alpha);
+    const Scalar z16 = n100 * p_omega;
+    const Scalar z17 = p_omega * s_theta;
+    const Scalar z18 = p_omega * c_theta;
+    const Scalar z206 = n0_4 * s_alpha;
+    const Scalar z207 = s_alpha * z206;
+    const Scalar z210 = n1331_6 - z207;
+    const Scalar z214 = z207 - z210;
+    const Scalar z217 = z207 + z214;
+    const Scalar z220 = z207 + z217;
+    const Scalar z253 = p_omega * p_omega;
+    const Scalar z254 = n100 * z253;
+    const Scalar z312 = z17 * z18;
+    const Scalar z318 = n120 * z254;  // force on upwards, x
+    const Scalar z350 = n1 / z220;
+    precomputed.s_theta = s_theta;
+    precomputed.c_theta = c_theta;
+    precomputed.s_alpha = s_alpha;
+    precomputed.c_alpha = c_alpha;
+    precomputed.z16 = z16;
+    precomputed.z17 = z17;
+    precomputed.z18 = z18;
+    precomputed.z220 = z220;
+    precomputed.z312 = z312;
+    precomputed.z318 = z318;
+    precomputed.z350 = z350;
+    return precomputed;
+  }
+
+  /// The state the scene starts from, for these parameters.
+  TORSOR_DEVICE static State initial_state(const Parameters&) noexcept {
+    State state{};
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n30 = traits::constant(30.0, 30.0f, "30/1");
+    state.time = n0;
+    state.q.phi = n0;
+    state.v.phi = n30;
+    return state;
+  }
+  TORSOR_DEVICE static State initial_state() noexcept { return initial_state(default_parameters()); }
+
+  /// Poses, twists and named points in ground axes.
+  struct Kinematics {
+    std::array<Scalar, 3> span_1_position;  ///< centre of mass of span_1 [m]
+    std::array<Scalar, 9> span_1_rotation;  ///< from the axes of span_1 to the ground's (3 x 3)
+    std::array<Scalar, 3> span_1_velocity;  ///< velocity of the centre of mass of span_1 [m/s]
+    std::array<Scalar, 3> span_1_angular_velocity;  ///< angular velocity of span_1 [rad/s]
+    std::array<Scalar, 3> blade_1_position;  ///< centre of mass of blade_1 [m]
+    std::array<Scalar, 9> blade_1_rotation;  ///< from the axes of blade_1 to the ground's (3 x 3)
+    std::array<Scalar, 3> blade_1_velocity;  ///< velocity of the centre of mass of blade_1 [m/s]
+    std::array<Scalar, 3> blade_1_angular_velocity;  ///< angular velocity of blade_1 [rad/s]
+    std::array<Scalar, 3> span_2_position;  ///< centre of mass of span_2 [m]
+    std::array<Scalar, 9> span_2_rotation;  ///< from the axes of span_2 to the ground's (3 x 3)
+    std::array<Scalar, 3> span_2_velocity;  ///< velocity of the centre of mass of span_2 [m/s]
+    std::array<Scalar, 3> span_2_angular_velocity;  ///< angular velocity of span_2 [rad/s]
+    std::array<Scalar, 3> blade_2_position;  ///< centre of mass of blade_2 [m]
+    std::array<Scalar, 9> blade_2_rotation;  ///< from the axes of blade_2 to the ground's (3 x 3)
+    std::array<Scalar, 3> blade_2_velocity;  ///< velocity of the centre of mass of blade_2 [m/s]
+    std::array<Scalar, 3> blade_2_angular_velocity;  ///< angular velocity of blade_2 [rad/s]
+    std::array<Scalar, 3> span_3_position;  ///< centre of mass of span_3 [m]
+    std::array<Scalar, 9> span_3_rotation;  ///< from the axes of span_3 to the ground's (3 x 3)
+    std::array<Scalar, 3> span_3_velocity;  ///< velocity of the centre of mass of span_3 [m/s]
+    std::array<Scalar, 3> span_3_angular_velocity;  ///< angular velocity of span_3 [rad/s]
+    std::array<Scalar, 3> blade_3_position;  ///< centre of mass of blade_3 [m]
+    std::array<Scalar, 9> blade_3_rotation;  ///< from the axes of blade_3 to the ground's (3 x 3)
+    std::array<Scalar, 3> blade_3_velocity;  ///< velocity of the centre of mass of blade_3 [m/s]
+    std::array<Scalar, 3> blade_3_angular_velocity;  ///< angular velocity of blade_3 [rad/s]
+    std::array<Scalar, 3> span_4_position;  ///< centre of mass of span_4 [m]
+    std::array<Scalar, 9> span_4_rotation;  ///< from the axes of span_4 to the ground's (3 x 3)
+    std::array<Scalar, 3> span_4_velocity;  ///< velocity of the centre of mass of span_4 [m/s]
+    std::array<Scalar, 3> span_4_angular_velocity;  ///< angular velocity of span_4 [rad/s]
+    std::array<Scalar, 3> blade_4_position;  ///< centre of mass of blade_4 [m]
+    std::array<Scalar, 9> blade_4_rotation;  ///< from the axes of blade_4 to the ground's (3 x 3)
+    std::array<Scalar, 3> blade_4_velocity;  ///< velocity of the centre of mass of blade_4 [m/s]
+    std::array<Scalar, 3> blade_4_angular_velocity;  ///< angular velocity of blade_4 [rad/s]
+    std::array<Scalar, 3> A_position;  ///< position of A [m]
+    std::array<Scalar, 3> A_velocity;  ///< velocity of the material point at A [m/s]
+    std::array<Scalar, 3> A_jacobian;  ///< partial velocities of A
+  };
+
+  /// Energies of the mechanism.
+  struct Energy {
+    Scalar kinetic;  ///< kinetic energy T [J]
+    Scalar force_function;  ///< force function U of gravity and springs [J]
+    Scalar power;  ///< power of dampers, given forces and motors [W]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Energy::*member_(int i_) noexcept {
+      constexpr Scalar Energy::*members_[] = {&Energy::kinetic, &Energy::force_function, &Energy::power};
+      return members_[i_];
+    }
+  };
+
+  /// Reactions of joints along released directions.
+  struct Reactions {
+    Scalar X;  ///< reaction along 'X' [kg m s^-2]
+    Scalar Y;  ///< reaction along 'Y' [kg m s^-2]
+    Scalar Z;  ///< reaction along 'Z' [kg m s^-2]
+    Scalar M_x;  ///< reaction along 'M_x' [kg m^2 s^-2]
+    Scalar M_y;  ///< reaction along 'M_y' [kg m^2 s^-2]
+    Scalar M_z;  ///< reaction along 'M_z' [kg m^2 s^-2]
+    static constexpr int size = 6;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Reactions::*member_(int i_) noexcept {
+      constexpr Scalar Reactions::*members_[] = {&Reactions::X, &Reactions::Y, &Reactions::Z, &Reactions::M_x,
+          &Reactions::M_y, &Reactions::M_z};
+      return members_[i_];
+    }
+  };
+
+  /// Matrices of the linearised equations, stored column by column.
+  struct Linearisation {
+    std::array<Scalar, 1> M;  ///< mass matrix
+    std::array<Scalar, 1> C;  ///< damping and gyroscopic terms
+    std::array<Scalar, 1> K;  ///< stiffness
+    std::array<Scalar, 1> F;  ///< right-hand side
+    std::array<Scalar, 1> E;  ///< effect of the inputs
+    std::array<Scalar, 4> A;  ///< state matrix of x = (e, e'): x' = A x + B du (2 x 2)
+    std::array<Scalar, 2> B;  ///< input matrix
+  };
+
+  /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
+  /// matrices column by column.
+  TORSOR_DEVICE static void kinematics(const Precomputed& precomputed, const State& state,
+      Kinematics& result) noexcept {
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    const Scalar n100 = traits::constant(100.0, 100.0f, "100/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar p_omega = precomputed.parameters.omega;
+    const Scalar t = state.time;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar s_theta = precomputed.s_theta;
+    const Scalar c_theta = precomputed.c_theta;
+    const Scalar s_alpha = precomputed.s_alpha;
+    const Scalar c_alpha = precomputed.c_alpha;
+    const Scalar z16 = precomputed.z16;
+    const Scalar z17 = precomputed.z17;
+    const Scalar z18 = precomputed.z18;
+    const Scalar z2 = p_omega * t;
+    Scalar z3, z4;
+    traits::sincos(z2, z3, z4);
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z19 = c_phi * z17;
+    const Scalar z20 = s_phi * z17;
+    const Scalar z21 = s_phi * z16;
+    const Scalar z22 = c_phi * z16;
+    const Scalar z23 = v_phi + z18;  // angular velocity of rotor, z
+    const Scalar z24 = s_alpha * z23 - c_alpha * z20;
+    const Scalar z25 = s_alpha * z20 + c_alpha * z23;
+    const Scalar z26 = c_alpha * z22;
+    const Scalar z27 = s_alpha * z22;
+    const Scalar z28 = s_alpha * z23 - c_alpha * z19;
+    const Scalar z29 = s_alpha * z19 + c_alpha * z23;
+    const Scalar z30 = c_alpha * z21;
+    const Scalar z31 = s_alpha * z21;
+    const Scalar z32 = s_alpha * z23 + c_alpha * z20;
+    const Scalar z33 = s_alpha * z20 - c_alpha * z23;
+    const Scalar z34 = s_alpha * z23 + c_alpha * z19;
+    const Scalar z35 = s_alpha * z19 - c_alpha * z23;
+    const Scalar z36 = n3 * c_phi;
+    const Scalar z37 = n3 * s_phi;
+    const Scalar z38 = c_theta * z36;
+    const Scalar z39 = s_theta * z36;
+    const Scalar z40 = n100 + z38;
+    const Scalar z41 = z3 * z37 - z4 * z40;
+    const Scalar z42 = z3 * z40 + z4 * z37;
+    const Scalar z43 = c_theta * c_phi;
+    const Scalar z44 = s_theta * c_phi;
+    const Scalar z45 = z3 * s_phi - z4 * z43;
+    const Scalar z46 = z3 * z43 + z4 * s_phi;
+    const Scalar z47 = c_theta * s_phi;
+    const Scalar z48 = s_theta * s_phi;
+    const Scalar z49 = z3 * c_phi + z4 * z47;
+    const Scalar z50 = z3 * z47 - z4 * c_phi;
+    const Scalar z51 = z4 * s_theta;
+    const Scalar z52 = z3 * s_theta;
+    const Scalar z53 = z22 + n3 * z23;
+    const Scalar z54 = n3 * z20;
+    const Scalar z55 = s_phi * z53 - c_phi * z21;
+    const Scalar z56 = s_phi * z21 + c_phi * z53;
+    const Scalar z57 = s_theta * z54 + c_theta * z55;
+    const Scalar z58 = s_theta * z55 - c_theta * z54;
+    const Scalar z59 = z3 * z56 + z4 * z57;
+    const Scalar z60 = z3 * z57 - z4 * z56;
+    const Scalar z61 = s_phi * z20 + c_phi * z19;
+    const Scalar z62 = s_phi * z19 - c_phi * z20;
+    const Scalar z63 = s_theta * z23 - c_theta * z61;
+    const Scalar z64 = s_theta * z61 + c_theta * z23;
+    const Scalar z65 = z3 * z62 + z4 * z63;
+    const Scalar z66 = z3 * z63 - z4 * z62;
+    const Scalar z67 = n100 * z4;
+    const Scalar z68 = n100 * z3;
+    const Scalar z69 = s_phi * c_alpha;
+    const Scalar z70 = c_phi * c_alpha;
+    const Scalar z71 = s_theta * s_alpha + c_theta * z69;
+    const Scalar z72 = s_theta * z69 - c_theta * s_alpha;
+    const Scalar z73 = z3 * z70 + z4 * z71;
+    const Scalar z74 = z3 * z71 - z4 * z70;
+    const Scalar z75 = s_phi * s_alpha;
+    const Scalar z76 = c_phi * s_alpha;
+    const Scalar z77 = s_theta * c_alpha - c_theta * z75;
+    const Scalar z78 = s_theta * z75 + c_theta * c_alpha;
+    const Scalar z79 = z3 * z76 - z4 * z77;
+    const Scalar z80 = z3 * z77 + z4 * z76;
+    const Scalar z81 = s_alpha * z27 + c_alpha * z26;
+    const Scalar z82 = s_alpha * z26 - c_alpha * z27;
+    const Scalar z83 = s_phi * z81 - c_phi * z21;
+    const Scalar z84 = s_phi * z21 + c_phi * z81;
+    const Scalar z85 = s_theta * z82 + c_theta * z83;
+    const Scalar z87 = z3 * z84 + z4 * z85;
+    const Scalar z88 = z3 * z85 - z4 * z84;
+    const Scalar z89 = s_alpha * z25 - c_alpha * z24;
+    const Scalar z90 = s_alpha * z24 + c_alpha * z25;
+    const Scalar z91 = s_phi * z89 + c_phi * z19;
+    const Scalar z92 = s_phi * z19 - c_phi * z89;
+    const Scalar z93 = s_theta * z90 - c_theta * z91;
+    const Scalar z94 = s_theta * z91 + c_theta * z90;
+    const Scalar z95 = z3 * z92 + z4 * z93;
+    const Scalar z96 = z3 * z93 - z4 * z92;
+    const Scalar z97 = c_theta * z37;
+    const Scalar z98 = s_theta * z37;
+    const Scalar z99 = n100 - z97;
+    const Scalar z100 = z3 * z36 - z4 * z99;
+    const Scalar z101 = z3 * z99 + z4 * z36;
+    const Scalar z102 = z21 - n3 * z23;
+    const Scalar z103 = n3 * z19;
+    const Scalar z104 = s_phi * z22 - c_phi * z102;
+    const Scalar z105 = s_phi * z102 + c_phi * z22;
+    const Scalar z106 = s_theta * z103 + c_theta * z104;
+    const Scalar z107 = s_theta * z104 - c_theta * z103;
+    const Scalar z108 = z3 * z105 + z4 * z106;
+    const Scalar z109 = z3 * z106 - z4 * z105;
+    const Scalar z110 = s_theta * s_alpha + c_theta * z70;
+    const Scalar z111 = s_theta * z70 - c_theta * s_alpha;
+    const Scalar z112 = z3 * z69 - z4 * z110;
+    const Scalar z113 = z3 * z110 + z4 * z69;
+    const Scalar z114 = s_theta * c_alpha - c_theta * z76;
+    const Scalar z115 = s_theta * z76 + c_theta * c_alpha;
+    const Scalar z116 = z3 * z75 + z4 * z114;
+    const Scalar z117 = z3 * z114 - z4 * z75;
+    const Scalar z118 = s_alpha * z31 + c_alpha * z30;
+    const Scalar z119 = s_alpha * z30 - c_alpha * z31;
+    const Scalar z120 = s_phi * z22 - c_phi * z118;
+    const Scalar z121 = s_phi * z118 + c_phi * z22;
+    const Scalar z122 = s_theta * z119 - c_theta * z120;
+    const Scalar z124 = z3 * z121 - z4 * z122;
+    const Scalar z125 = z3 * z122 + z4 * z121;
+    const Scalar z126 = s_alpha * z29 - c_alpha * z28;
+    const Scalar z127 = s_alpha * z28 + c_alpha * z29;
+    const Scalar z128 = s_phi * z20 + c_phi * z126;
+    const Scalar z129 = s_phi * z126 - c_phi * z20;
+    const Scalar z130 = s_theta * z127 - c_theta * z128;
+    const Scalar z131 = s_theta * z128 + c_theta * z127;
+    const Scalar z132 = z3 * z129 + z4 * z130;
+    const Scalar z133 = z3 * z130 - z4 * z129;
+    const Scalar z134 = n100 - z38;
+    const Scalar z135 = z3 * z37 + z4 * z134;
+    const Scalar z136 = z3 * z134 - z4 * z37;
+    const Scalar z137 = z22 - n3 * z23;
+    const Scalar z138 = s_phi * z137 - c_phi * z21;
+    const Scalar z139 = s_phi * z21 + c_phi * z137;
+    const Scalar z140 = s_theta * z54 - c_theta * z138;
+    const Scalar z141 = s_theta * z138 + c_theta * z54;
+    const Scalar z142 = z3 * z139 - z4 * z140;
+    const Scalar z143 = z3 * z140 + z4 * z139;
+    const Scalar z144 = s_theta * s_alpha - c_theta * z69;
+    const Scalar z145 = s_theta * z69 + c_theta * s_alpha;
+    const Scalar z146 = z3 * z70 - z4 * z144;
+    const Scalar z147 = z3 * z144 + z4 * z70;
+    const Scalar z148 = s_theta * c_alpha + c_theta * z75;
+    const Scalar z149 = s_theta * z75 - c_theta * c_alpha;
+    const Scalar z150 = z3 * z76 + z4 * z148;
+    const Scalar z151 = z3 * z148 - z4 * z76;
+    const Scalar z152 = s_theta * z82 - c_theta * z83;
+    const Scalar z154 = z3 * z84 - z4 * z152;
+    const Scalar z155 = z3 * z152 + z4 * z84;
+    const Scalar z156 = s_alpha * z33 + c_alpha * z32;
+    const Scalar z157 = s_alpha * z32 - c_alpha * z33;
+    const Scalar z158 = s_phi * z156 + c_phi * z19;
+    const Scalar z159 = s_phi * z19 - c_phi * z156;
+    const Scalar z160 = s_theta * z157 - c_theta * z158;
+    const Scalar z161 = s_theta * z158 + c_theta * z157;
+    const Scalar z162 = z3 * z159 + z4 * z160;
+    const Scalar z163 = z3 * z160 - z4 * z159;
+    const Scalar z164 = n100 + z97;
+    const Scalar z165 = z3 * z36 + z4 * z164;
+    const Scalar z166 = z3 * z164 - z4 * z36;
+    const Scalar z167 = z21 + n3 * z23;
+    const Scalar z168 = s_phi * z22 - c_phi * z167;
+    const Scalar z169 = s_phi * z167 + c_phi * z22;
+    const Scalar z170 = s_theta * z103 - c_theta * z168;
+    const Scalar z171 = s_theta * z168 + c_theta * z103;
+    const Scalar z172 = z3 * z169 - z4 * z170;
+    const Scalar z173 = z3 * z170 + z4 * z169;
+    const Scalar z174 = s_theta * s_alpha - c_theta * z70;
+    const Scalar z175 = s_theta * z70 + c_theta * s_alpha;
+    const Scalar z176 = z3 * z69 + z4 * z174;
+    const Scalar z177 = z3 * z174 - z4 * z69;
+    const Scalar z178 = s_theta * c_alpha + c_theta * z76;
+    const Scalar z179 = s_theta * z76 - c_theta * c_alpha;
+    const Scalar z180 = z3 * z75 - z4 * z178;
+    const Scalar z181 = z3 * z178 + z4 * z75;
+    const Scalar z182 = s_theta * z119 + c_theta * z120;
+    const Scalar z184 = z3 * z121 + z4 * z182;
+    const Scalar z185 = z3 * z182 - z4 * z121;
+    const Scalar z186 = s_alpha * z35 + c_alpha * z34;
+    const Scalar z187 = s_alpha * z34 - c_alpha * z35;
+    const Scalar z188 = s_phi * z20 + c_phi * z186;
+    const Scalar z189 = s_phi * z186 - c_phi * z20;
+    const Scalar z190 = s_theta * z187 - c_theta * z188;
+    const Scalar z191 = s_theta * z188 + c_theta * z187;
+    const Scalar z192 = z3 * z189 + z4 * z190;
+    const Scalar z193 = z3 * z190 - z4 * z189;
+    const Scalar z194 = s_phi * z22 - c_phi * z21;
+    const Scalar z195 = s_phi * z21 + c_phi * z22;
+    const Scalar z196 = c_theta * z194;
+    const Scalar z198 = z3 * z195 + z4 * z196;
+    const Scalar z199 = z3 * z196 - z4 * z195;
+    result.span_1_position[0] = -z41;
+    result.span_1_position[1] = z42;
+    result.span_1_position[2] = z39;
+    result.span_1_rotation[0] = -z45;
+    result.span_1_rotation[1] = z46;
+    result.span_1_rotation[2] = z44;
+    result.span_1_rotation[3] = -z49;
+    result.span_1_rotation[4] = -z50;
+    result.span_1_rotation[5] = -z48;
+    result.span_1_rotation[6] = -z51;
+    result.span_1_rotation[7] = -z52;
+    result.span_1_rotation[8] = c_theta;
+    result.span_1_velocity[0] = -z59;
+    result.span_1_velocity[1] = -z60;
+    result.span_1_velocity[2] = -z58;
+    result.span_1_angular_velocity[0] = -z65;
+    result.span_1_angular_velocity[1] = -z66;
+    result.span_1_angular_velocity[2] = z64;
+    result.blade_1_position[0] = z67;
+    result.blade_1_position[1] = z68;
+    result.blade_1_position[2] = n0;
+    result.blade_1_rotation[0] = -z45;
+    result.blade_1_rotation[1] = z46;
+    result.blade_1_rotation[2] = z44;
+    result.blade_1_rotation[3] = -z73;
+    result.blade_1_rotation[4] = -z74;
+    result.blade_1_rotation[5] = -z72;
+    result.blade_1_rotation[6] = z79;
+    result.blade_1_rotation[7] = -z80;
+    result.blade_1_rotation[8] = z78;
+    result.blade_1_velocity[0] = -z87;
+    result.blade_1_velocity[1] = -z88;
+    result.blade_1_velocity[2] = n0;
+    result.blade_1_angular_velocity[0] = -z95;
+    result.blade_1_angular_velocity[1] = -z96;
+    result.blade_1_angular_velocity[2] = z94;
+    result.span_2_position[0] = -z100;
+    result.span_2_position[1] = z101;
+    result.span_2_position[2] = -z98;
+    result.span_2_rotation[0] = -z49;
+    result.span_2_rotation[1] = -z50;
+    result.span_2_rotation[2] = -z48;
+    result.span_2_rotation[3] = z45;
+    result.span_2_rotation[4] = -z46;
+    result.span_2_rotation[5] = -z44;
+    result.span_2_rotation[6] = -z51;
+    result.span_2_rotation[7] = -z52;
+    result.span_2_rotation[8] = c_theta;
+    result.span_2_velocity[0] = -z108;
+    result.span_2_velocity[1] = -z109;
+    result.span_2_velocity[2] = -z107;
+    result.span_2_angular_velocity[0] = -z65;
+    result.span_2_angular_velocity[1] = -z66;
+    result.span_2_angular_velocity[2] = z64;
+    result.blade_2_position[0] = z67;
+    result.blade_2_position[1] = z68;
+    result.blade_2_position[2] = n0;
+    result.blade_2_rotation[0] = -z49;
+    result.blade_2_rotation[1] = -z50;
+    result.blade_2_rotation[2] = -z48;
+    result.blade_2_rotation[3] = z112;
+    result.blade_2_rotation[4] = -z113;
+    result.blade_2_rotation[5] = -z111;
+    result.blade_2_rotation[6] = -z116;
+    result.blade_2_rotation[7] = -z117;
+    result.blade_2_rotation[8] = z115;
+    result.blade_2_velocity[0] = -z124;
+    result.blade_2_velocity[1] = z125;
+    result.blade_2_velocity[2] = n0;
+    result.blade_2_angular_velocity[0] = -z132;
+    result.blade_2_angular_velocity[1] = -z133;
+    result.blade_2_angular_velocity[2] = z131;
+    result.span_3_position[0] = z135;
+    result.span_3_position[1] = z136;
+    result.span_3_position[2] = -z39;
+    result.span_3_rotation[0] = z45;
+    result.span_3_rotation[1] = -z46;
+    result.span_3_rotation[2] = -z44;
+    result.span_3_rotation[3] = z49;
+    result.span_3_rotation[4] = z50;
+    result.span_3_rotation[5] = z48;
+    result.span_3_rotation[6] = -z51;
+    result.span_3_rotation[7] = -z52;
+    result.span_3_rotation[8] = c_theta;
+    result.span_3_velocity[0] = -z142;
+    result.span_3_velocity[1] = z143;
+    result.span_3_velocity[2] = -z141;
+    result.span_3_angular_velocity[0] = -z65;
+    result.span_3_angular_velocity[1] = -z66;
+    result.span_3_angular_velocity[2] = z64;
+    result.blade_3_position[0] = z67;
+    result.blade_3_position[1] = z68;
+    result.blade_3_position[2] = n0;
+    result.blade_3_rotation[0] = z45;
+    result.blade_3_rotation[1] = -z46;
+    result.blade_3_rotation[2] = -z44;
+    result.blade_3_rotation[3] = z146;
+    result.blade_3_rotation[4] = -z147;
+    result.blade_3_rotation[5] = z145;
+    result.blade_3_rotation[6] = -z150;
+    result.blade_3_rotation[7] = -z151;
+    result.blade_3_rotation[8] = -z149;
+    result.blade_3_velocity[0] = -z154;
+    result.blade_3_velocity[1] = z155;
+    result.blade_3_velocity[2] = n0;
+    result.blade_3_angular_velocity[0] = -z162;
+    result.blade_3_angular_velocity[1] = -z163;
+    result.blade_3_angular_velocity[2] = z161;
+    result.span_4_position[0] = z165;
+    result.span_4_position[1] = z166;
+    result.span_4_position[2] = z98;
+    result.span_4_rotation[0] = z49;
+    result.span_4_rotation[1] = z50;
+    result.span_4_rotation[2] = z48;
+    result.span_4_rotation[3] = -z45;
+    result.span_4_rotation[4] = z46;
+    result.span_4_rotation[5] = z44;
+    result.span_4_rotation[6] = -z51;
+    result.span_4_rotation[7] = -z52;
+    result.span_4_rotation[8] = c_theta;
+    result.span_4_velocity[0] = -z172;
+    result.span_4_velocity[1] = z173;
+    result.span_4_velocity[2] = -z171;
+    result.span_4_angular_velocity[0] = -z65;
+    result.span_4_angular_velocity[1] = -z66;
+    result.span_4_angular_velocity[2] = z64;
+    result.blade_4_position[0] = z67;
+    result.blade_4_position[1] = z68;
+    result.blade_4_position[2] = n0;
+    result.blade_4_rotation[0] = z49;
+    result.blade_4_rotation[1] = z50;
+    result.blade_4_rotation[2] = z48;
+    result.blade_4_rotation[3] = -z176;
+    result.blade_4_rotation[4] = -z177;
+    result.blade_4_rotation[5] = z175;
+    result.blade_4_rotation[6] = z180;
+    result.blade_4_rotation[7] = -z181;
+    result.blade_4_rotation[8] = -z179;
+    result.blade_4_velocity[0] = -z184;
+    result.blade_4_velocity[1] = -z185;
+    result.blade_4_velocity[2] = n0;
+    result.blade_4_angular_velocity[0] = -z192;
+    result.blade_4_angular_velocity[1] = -z193;
+    result.blade_4_angular_velocity[2] = z191;
+    result.A_position[0] = z67;
+    result.A_position[1] = z68;
+    result.A_position[2] = n0;
+    result.A_velocity[0] = -z198;
+    result.A_velocity[1] = -z199;
+    result.A_velocity[2] = n0;
+    result.A_jacobian[0] = n0;
+    result.A_jacobian[1] = n0;
+    result.A_jacobian[2] = n0;
+  }
+
+  /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
+  TORSOR_DEVICE static void mass_matrix(const Precomputed& precomputed, const State&,
+      std::array<Scalar, 1>& mass) noexcept {
+    const Scalar z220 = precomputed.z220;
+    mass[0] = -z220;
+  }
+
+  /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
+  /// actions included. M a + h = E u + A' lambda.
+  TORSOR_DEVICE static void bias(const Precomputed&, const State&, GeneralizedForces& forces) noexcept {
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    forces.phi = n0;
+  }
+
+  /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
+  TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State& state,
+      const Accelerations& accelerations, const Multipliers&, GeneralizedForces& forces) noexcept {
+    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n1331_6 = traits::constant(1331.6, 1331.6f, "6658/5");
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar a_phi = accelerations.phi;
+    const Scalar s_alpha = precomputed.s_alpha;
+    const Scalar c_alpha = precomputed.c_alpha;
+    const Scalar z17 = precomputed.z17;
+    const Scalar z18 = precomputed.z18;
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z19 = c_phi * z17;
+    const Scalar z20 = s_phi * z17;
+    const Scalar z23 = v_phi + z18;  // angular velocity of rotor, z
+    const Scalar z24 = s_alpha * z23 - c_alpha * z20;
+    const Scalar z25 = s_alpha * z20 + c_alpha * z23;
+    const Scalar z28 = s_alpha * z23 - c_alpha * z19;
+    const Scalar z29 = s_alpha * z19 + c_alpha * z23;
+    const Scalar z32 = s_alpha * z23 + c_alpha * z20;
+    const Scalar z33 = s_alpha * z20 - c_alpha * z23;
+    const Scalar z34 = s_alpha * z23 + c_alpha * z19;
+    const Scalar z35 = s_alpha * z19 - c_alpha * z23;
+    const Scalar z259 = v_phi * z20;  // angular acceleration of rotor, x
+    const Scalar z260 = v_phi * z19;  // angular acceleration of rotor, y
+    const Scalar z274 = z20 * z35;
+    const Scalar z275 = z20 * z34;
+    const Scalar z278 = n0_8 * z275;  // moment on blade_4, z
+    const Scalar z282 = z19 * z33;
+    const Scalar z283 = z19 * z32;
+    const Scalar z286 = n0_8 * z283;  // moment on blade_3, z
+    const Scalar z290 = z20 * z29;
+    const Scalar z291 = z20 * z28;
+    const Scalar z294 = n0_8 * z291;  // moment on blade_2, z
+    const Scalar z298 = z19 * z25;
+    const Scalar z299 = z19 * z24;
+    const Scalar z302 = n0_8 * z299;  // moment on blade_1, z
+    const Scalar z319 = a_phi * s_alpha - c_alpha * z260;
+    const Scalar z321 = a_phi * s_alpha + c_alpha * z259;
+    const Scalar z323 = a_phi * s_alpha + c_alpha * z260;
+    const Scalar z325 = a_phi * s_alpha - c_alpha * z259;
+    const Scalar z327 = n0_4 * (z274 + z325);  // moment on blade_4, y
+    const Scalar z329 = s_alpha * z327 + c_alpha * z278;
+    const Scalar z330 = n0_4 * (z282 - z323);  // moment on blade_3, y
+    const Scalar z332 = s_alpha * z330 + c_alpha * z286;
+    const Scalar z333 = n0_4 * (z290 + z321);  // moment on blade_2, y
+    const Scalar z335 = s_alpha * z333 - c_alpha * z294;
+    const Scalar z336 = n0_4 * (z298 - z319);  // moment on blade_1, y
+    const Scalar z338 = s_alpha * z336 - c_alpha * z302;
+    const Scalar z341 = n1331_6 * a_phi - z329 + z332 - z335 + z338;  // moment on rotor, z
+    forces.phi = z341;
+  }
+
+  /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
+  /// an unrolled L D L' of M. Returns singular when a pivot is not
+  /// positive relative to its diagonal entry.
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
+      const Inputs& inputs, Accelerations& accelerations, Multipliers&) noexcept {
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar u_C = inputs.C;
+    const Scalar s_alpha = precomputed.s_alpha;
+    const Scalar c_alpha = precomputed.c_alpha;
+    const Scalar z17 = precomputed.z17;
+    const Scalar z18 = precomputed.z18;
+    const Scalar z220 = precomputed.z220;
+    const Scalar z350 = precomputed.z350;
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z19 = c_phi * z17;
+    const Scalar z20 = s_phi * z17;
+    const Scalar z23 = v_phi + z18;  // angular velocity of rotor, z
+    const Scalar z24 = s_alpha * z23 - c_alpha * z20;
+    const Scalar z25 = s_alpha * z20 + c_alpha * z23;
+    const Scalar z28 = s_alpha * z23 - c_alpha * z19;
+    const Scalar z29 = s_alpha * z19 + c_alpha * z23;
+    const Scalar z32 = s_alpha * z23 + c_alpha * z20;
+    const Scalar z33 = s_alpha * z20 - c_alpha * z23;
+    const Scalar z34 = s_alpha * z23 + c_alpha * z19;
+    const Scalar z35 = s_alpha * z19 - c_alpha * z23;
+    const Scalar z259 = v_phi * z20;  // angular acceleration of rotor, x
+    const Scalar z260 = v_phi * z19;  // angular acceleration of rotor, y
+    const Scalar z261 = c_alpha * z260;
+    const Scalar z265 = c_alpha * z259;
+    const Scalar z274 = z20 * z35;
+    const Scalar z275 = z20 * z34;
+    const Scalar z277 = n0_4 * (z265 - z274);  // moment on blade_4, y
+    const Scalar z278 = n0_8 * z275;  // moment on blade_4, z
+    const Scalar z280 = s_alpha * z277 - c_alpha * z278;
+    const Scalar z282 = z19 * z33;
+    const Scalar z283 = z19 * z32;
+    const Scalar z285 = n0_4 * (z261 - z282);  // moment on blade_3, y
+    const Scalar z286 = n0_8 * z283;  // moment on blade_3, z
+    const Scalar z288 = s_alpha * z285 - c_alpha * z286;
+    const Scalar z290 = z20 * z29;
+    const Scalar z291 = z20 * z28;
+    const Scalar z293 = n0_4 * (z265 + z290);  // moment on blade_2, y
+    const Scalar z294 = n0_8 * z291;  // moment on blade_2, z
+    const Scalar z296 = s_alpha * z293 - c_alpha * z294;
+    const Scalar z298 = z19 * z25;
+    const Scalar z299 = z19 * z24;
+    const Scalar z301 = n0_4 * (z261 + z298);  // moment on blade_1, y
+    const Scalar z302 = n0_8 * z299;  // moment on blade_1, z
+    const Scalar z304 = s_alpha * z301 - c_alpha * z302;
+    const Scalar z309 = z280 - z288 - z296 + z304;  // moment on rotor, z
+    const Scalar z349 = u_C - z309;
+    const Scalar z351 = z349 * z350;
+    accelerations.phi = -z351;
+    if (!(traits::regular(-z220, -z220))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (accelerations.phi - accelerations.phi);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
+  TORSOR_DEVICE static void energy(const Precomputed& precomputed, const State& state, const Inputs& inputs,
+      Energy& result) noexcept {
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    const Scalar n332_9 = traits::constant(332.9, 332.9f, "3329/10");
+    const Scalar n60 = traits::constant(60.0, 60.0f, "60/1");
+    const Scalar n665 = traits::constant(665.0, 665.0f, "665/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar u_C = inputs.C;
+    const Scalar s_alpha = precomputed.s_alpha;
+    const Scalar c_alpha = precomputed.c_alpha;
+    const Scalar z16 = precomputed.z16;
+    const Scalar z17 = precomputed.z17;
+    const Scalar z18 = precomputed.z18;
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z19 = c_phi * z17;
+    const Scalar z20 = s_phi * z17;
+    const Scalar z21 = s_phi * z16;
+    const Scalar z22 = c_phi * z16;
+    const Scalar z23 = v_phi + z18;  // angular velocity of rotor, z
+    const Scalar z25 = s_alpha * z20 + c_alpha * z23;
+    const Scalar z29 = s_alpha * z19 + c_alpha * z23;
+    const Scalar z33 = s_alpha * z20 - c_alpha * z23;
+    const Scalar z35 = s_alpha * z19 - c_alpha * z23;
+    result.kinetic = n0_2 * (z25 * z25 + z29 * z29 + z33 * z33 + z35 * z35) + n332_9 * (z19 * z19 + z20 * z20) + n60
+        * (z21 * z21 + z22 * z22) + n665 * z23 * z23;
+    result.force_function = n0;
+    result.power = v_phi * u_C;
+  }
+
+  /// Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released
+  /// direction, at accelerations, multipliers and inputs that belong to the motion.
+  TORSOR_DEVICE static void reactions(const Precomputed& precomputed, const State& state,
+      const Accelerations& accelerations, const Multipliers&, const Inputs&, Reactions& result) noexcept {
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
+    const Scalar n1331_6 = traits::constant(1331.6, 1331.6f, "6658/5");
+    const Scalar n665_8 = traits::constant(665.8, 665.8f, "3329/5");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar a_phi = accelerations.phi;
+    const Scalar s_alpha = precomputed.s_alpha;
+    const Scalar c_alpha = precomputed.c_alpha;
+    const Scalar z17 = precomputed.z17;
+    const Scalar z18 = precomputed.z18;
+    const Scalar z312 = precomputed.z312;
+    const Scalar z318 = precomputed.z318;
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z19 = c_phi * z17;
+    const Scalar z20 = s_phi * z17;
+    const Scalar z23 = v_phi + z18;  // angular velocity of rotor, z
+    const Scalar z24 = s_alpha * z23 - c_alpha * z20;
+    const Scalar z25 = s_alpha * z20 + c_alpha * z23;
+    const Scalar z28 = s_alpha * z23 - c_alpha * z19;
+    const Scalar z29 = s_alpha * z19 + c_alpha * z23;
+    const Scalar z32 = s_alpha * z23 + c_alpha * z20;
+    const Scalar z33 = s_alpha * z20 - c_alpha * z23;
+    const Scalar z34 = s_alpha * z23 + c_alpha * z19;
+    const Scalar z35 = s_alpha * z19 - c_alpha * z23;
+    const Scalar z259 = v_phi * z20;  // angular acceleration of rotor, x
+    const Scalar z260 = v_phi * z19;  // angular acceleration of rotor, y
+    const Scalar z273 = z34 * z35;
+    const Scalar z274 = z20 * z35;
+    const Scalar z275 = z20 * z34;
+    const Scalar z276 = n0_4 * (z260 - z273);  // moment on blade_4, x
+    const Scalar z278 = n0_8 * z275;  // moment on blade_4, z
+    const Scalar z281 = z32 * z33;
+    const Scalar z282 = z19 * z33;
+    const Scalar z283 = z19 * z32;
+    const Scalar z284 = n0_4 * (z259 - z281);  // moment on blade_3, x
+    const Scalar z286 = n0_8 * z283;  // moment on blade_3, z
+    const Scalar z289 = z28 * z29;
+    const Scalar z290 = z20 * z29;
+    const Scalar z291 = z20 * z28;
+    const Scalar z292 = n0_4 * (z260 - z289);  // moment on blade_2, x
+    const Scalar z294 = n0_8 * z291;  // moment on blade_2, z
+    const Scalar z297 = z24 * z25;
+    const Scalar z298 = z19 * z25;
+    const Scalar z299 = z19 * z24;
+    const Scalar z300 = n0_4 * (z259 - z297);  // moment on blade_1, x
+    const Scalar z302 = n0_8 * z299;  // moment on blade_1, z
+    const Scalar z305 = z20 * z23;
+    const Scalar z306 = z19 * z23;
+    const Scalar z319 = a_phi * s_alpha - c_alpha * z260;
+    const Scalar z321 = a_phi * s_alpha + c_alpha * z259;
+    const Scalar z323 = a_phi * s_alpha + c_alpha * z260;
+    const Scalar z325 = a_phi * s_alpha - c_alpha * z259;
+    const Scalar z327 = n0_4 * (z274 + z325);  // moment on blade_4, y
+    const Scalar z328 = s_alpha * z278 - c_alpha * z327;
+    const Scalar z329 = s_alpha * z327 + c_alpha * z278;
+    const Scalar z330 = n0_4 * (z282 - z323);  // moment on blade_3, y
+    const Scalar z331 = s_alpha * z286 - c_alpha * z330;
+    const Scalar z332 = s_alpha * z330 + c_alpha * z286;
+    const Scalar z333 = n0_4 * (z290 + z321);  // moment on blade_2, y
+    const Scalar z334 = s_alpha * z294 + c_alpha * z333;
+    const Scalar z335 = s_alpha * z333 - c_alpha * z294;
+    const Scalar z336 = n0_4 * (z298 - z319);  // moment on blade_1, y
+    const Scalar z337 = s_alpha * z302 + c_alpha * z336;
+    const Scalar z338 = s_alpha * z336 - c_alpha * z302;
+    const Scalar z339 = z284 + z300 + n1331_6 * z305 - z328 - z334;  // moment on rotor, x
+    const Scalar z340 = z276 + z292 + n1331_6 * z306 - z331 - z337;  // moment on rotor, y
+    const Scalar z341 = n1331_6 * a_phi - z329 + z332 - z335 + z338;  // moment on rotor, z
+    const Scalar z343 = s_phi * z339 + c_phi * z340;
+    const Scalar z344 = n665_8 * z312 - z343;  // moment on pitch, y
+    result.X = -z318;
+    result.Y = n0;
+    result.Z = n0;
+    result.M_x = n0;
+    result.M_y = z344;
+    result.M_z = z341;
+  }
+
+  /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
+  /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
+  TORSOR_DEVICE static torsor::Status linearisation(const Precomputed& precomputed, const State& state,
+      const Accelerations& accelerations, const Multipliers&, const Inputs& inputs, Linearisation& result) noexcept {
+    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n1331_6 = traits::constant(1331.6, 1331.6f, "6658/5");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar a_phi = accelerations.phi;
+    const Scalar u_C = inputs.C;
+    const Scalar s_alpha = precomputed.s_alpha;
+    const Scalar c_alpha = precomputed.c_alpha;
+    const Scalar z17 = precomputed.z17;
+    const Scalar z18 = precomputed.z18;
+    const Scalar z220 = precomputed.z220;
+    const Scalar z350 = precomputed.z350;
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z19 = c_phi * z17;
+    const Scalar z20 = s_phi * z17;
+    const Scalar z23 = v_phi + z18;  // angular velocity of rotor, z
+    const Scalar z24 = s_alpha * z23 - c_alpha * z20;
+    const Scalar z25 = s_alpha * z20 + c_alpha * z23;
+    const Scalar z28 = s_alpha * z23 - c_alpha * z19;
+    const Scalar z29 = s_alpha * z19 + c_alpha * z23;
+    const Scalar z32 = s_alpha * z23 + c_alpha * z20;
+    const Scalar z33 = s_alpha * z20 - c_alpha * z23;
+    const Scalar z34 = s_alpha * z23 + c_alpha * z19;
+    const Scalar z35 = s_alpha * z19 - c_alpha * z23;
+    const Scalar z259 = v_phi * z20;  // angular acceleration of rotor, x
+    const Scalar z260 = v_phi * z19;  // angular acceleration of rotor, y
+    const Scalar z274 = z20 * z35;
+    const Scalar z275 = z20 * z34;
+    const Scalar z278 = n0_8 * z275;  // moment on blade_4, z
+    const Scalar z282 = z19 * z33;
+    const Scalar z283 = z19 * z32;
+    const Scalar z286 = n0_8 * z283;  // moment on blade_3, z
+    const Scalar z290 = z20 * z29;
+    const Scalar z291 = z20 * z28;
+    const Scalar z294 = n0_8 * z291;  // moment on blade_2, z
+    const Scalar z298 = z19 * z25;
+    const Scalar z299 = z19 * z24;
+    const Scalar z302 = n0_8 * z299;  // moment on blade_1, z
+    const Scalar z319 = a_phi * s_alpha - c_alpha * z260;
+    const Scalar z321 = a_phi * s_alpha + c_alpha * z259;
+    const Scalar z323 = a_phi * s_alpha + c_alpha * z260;
+    const Scalar z325 = a_phi * s_alpha - c_alpha * z259;
+    const Scalar z327 = n0_4 * (z274 + z325);  // moment on blade_4, y
+    const Scalar z329 = s_alpha * z327 + c_alpha * z278;
+    const Scalar z330 = n0_4 * (z282 - z323);  // moment on blade_3, y
+    const Scalar z332 = s_alpha * z330 + c_alpha * z286;
+    const Scalar z333 = n0_4 * (z290 + z321);  // moment on blade_2, y
+    const Scalar z335 = s_alpha * z333 - c_alpha * z294;
+    const Scalar z336 = n0_4 * (z298 - z319);  // moment on blade_1, y
+    const Scalar z338 = s_alpha * z336 - c_alpha * z302;
+    const Scalar z341 = n1331_6 * a_phi - z329 + z332 - z335 + z338;  // moment on rotor, z
+    result.M[0] = -z220;
+    result.C[0] = n0;
+    result.K[0] = n0;
+    result.F[0] = u_C - z341;
+    result.E[0] = n1;
+    result.A[0] = n0;
+    result.A[1] = n0;
+    result.A[2] = n1;
+    result.A[3] = n0;
+    result.B[0] = n0;
+    result.B[1] = -z350;
+    if (!(traits::regular(-z220, -z220))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (result.M[0] - result.M[0]) + (result.F[0] - result.F[0]) + (result.B[1] - result.B[1]);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+};
+
+}  // namespace helicopter_on_a_circle

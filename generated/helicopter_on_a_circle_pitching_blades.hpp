@@ -1,0 +1,1411 @@
+// SPDX-License-Identifier: MIT
+// helicopter_on_a_circle_pitching_blades: The helicopter's rotor with blades of variable pitch
+// Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
+// Free to embed under the MIT licence.
+//
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, reactions
+// Parameters set at run time: theta, omega, alpha, alpha_c, k, c
+//
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
+// moved across joints, factoring, and what is done once for a set of parameters:
+//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   precompute                0                7          0             0                  1       0      9       -
+//   kinematics              159              342          0             0                  6       0    513     518
+//   mass_matrix               4                8          0             0                  4       0     20      24
+//   bias                     60               81          0             0                  5       0    151     160
+//   inverse_dynamics         69               86          0             0                  5       0    165     174
+//   forward_dynamics         65               94          1             0                  5       0    170     183
+//   energy                   40               54          0             0                  5       0    104     124
+//   reactions                56               82          0             0                  5       0    148     153
+//
+// Not computed because this mechanism does not need it:
+//   kinematics: of 165 results 25 vanish identically, 58 repeat another up to sign
+//   mass_matrix: of 25 results 20 vanish identically
+//   reactions: of 6 results 2 vanish identically
+//
+// To write this file again:
+//   helicopter_on_a_circle_pitching_blades_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,reactions --output helicopter_on_a_circle_pitching_blades.hpp
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#ifndef TORSOR_KERNEL_SUPPORT
+#define TORSOR_KERNEL_SUPPORT 1
+// Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
+#ifndef TORSOR_DEVICE
+#define TORSOR_DEVICE
+#endif
+
+namespace torsor {
+
+/// What a kernel says about its results; the larger, the worse.
+enum class Status : int { ok = 0, singular = 1, not_finite = 2 };
+
+/// What a kernel needs of its scalar. This one serves float and double; specialise it, once a header is included, for
+/// any other (a pack of several states, a high-precision number).
+template <class Scalar>
+struct scalar_traits {
+  static_assert(sizeof(Scalar) == sizeof(float) || sizeof(Scalar) == sizeof(double),
+                "specialise torsor::scalar_traits for a scalar that is neither float nor double");
+  static constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+
+  /// A number, rounded for either format. `exact` is "num/den", or "a;b;c;d" for a + b sqrt(2) + c sqrt(3) + d sqrt(6).
+  TORSOR_DEVICE static constexpr Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    return is_float ? static_cast<Scalar>(in_float) : static_cast<Scalar>(in_double);
+  }
+  /// The same for a number that is no such sum: a callable computes it where literals are not precise enough.
+  template <class Callable>
+  TORSOR_DEVICE static constexpr Scalar formula(double in_double, float in_float, const Callable&) noexcept {
+    return constant(in_double, in_float, nullptr);
+  }
+  TORSOR_DEVICE static constexpr Scalar pi() noexcept { return constant(3.141592653589793, 3.1415927f, nullptr); }
+  TORSOR_DEVICE static constexpr Scalar select(bool condition, Scalar if_true, Scalar if_false) noexcept {
+    return condition ? if_true : if_false;
+  }
+  TORSOR_DEVICE static void sincos(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
+    sine = std::sin(angle);
+    cosine = std::cos(angle);
+  }
+  TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
+  TORSOR_DEVICE static Scalar exp(const Scalar& x) noexcept { return std::exp(x); }
+  TORSOR_DEVICE static Scalar log(const Scalar& x) noexcept { return std::log(x); }
+  /// Whether a pivot is positive beyond the rounding of the diagonal entry it came from; not when it is not a number.
+  TORSOR_DEVICE static bool regular(const Scalar& pivot, const Scalar& diagonal) noexcept {
+    return pivot > constant(0x1p-52, 0x1p-23f, nullptr) * std::abs(diagonal);
+  }
+};
+
+}  // namespace torsor
+#elif TORSOR_KERNEL_SUPPORT != 1
+#error "headers of incompatible versions of torsor meet here: write them again with one version"
+#endif
+
+namespace helicopter_on_a_circle_pitching_blades {
+
+/// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
+/// M a + h = E u + A' lambda and A a + gamma = 0, with a the accelerations and u the inputs; units are SI.
+template <class Scalar>
+struct Mechanism {
+  using traits = torsor::scalar_traits<Scalar>;
+
+  static constexpr const char* name = "helicopter_on_a_circle_pitching_blades";
+  static constexpr int coordinate_count = 5;
+  static constexpr int velocity_count = 5;
+  static constexpr int input_count = 1;
+  static constexpr int parameter_count = 6;
+  static constexpr int multiplier_count = 0;
+
+  /// Parameters that are set at run time.
+  struct Parameters {
+    Scalar theta;  ///< parameter [rad or 1]
+    Scalar omega;  ///< parameter [rad/s]
+    Scalar alpha;  ///< parameter [rad or 1]
+    Scalar alpha_c;  ///< parameter [rad or 1]
+    Scalar k;  ///< parameter [N m]
+    Scalar c;  ///< parameter [N m s]
+    static constexpr int size = 6;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Parameters::*member_(int i_) noexcept {
+      constexpr Scalar Parameters::*members_[] = {&Parameters::theta, &Parameters::omega, &Parameters::alpha,
+          &Parameters::alpha_c, &Parameters::k, &Parameters::c};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised coordinates q.
+  struct Coordinates {
+    Scalar phi;  ///< coordinate [rad or 1]
+    Scalar alpha_1;  ///< coordinate [rad or 1]
+    Scalar alpha_2;  ///< coordinate [rad or 1]
+    Scalar alpha_3;  ///< coordinate [rad or 1]
+    Scalar alpha_4;  ///< coordinate [rad or 1]
+    static constexpr int size = 5;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Coordinates::*member_(int i_) noexcept {
+      constexpr Scalar Coordinates::*members_[] = {&Coordinates::phi, &Coordinates::alpha_1, &Coordinates::alpha_2,
+          &Coordinates::alpha_3, &Coordinates::alpha_4};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised velocities v = dq/dt.
+  struct Velocities {
+    Scalar phi;  ///< its rate [rad/s]
+    Scalar alpha_1;  ///< its rate [rad/s]
+    Scalar alpha_2;  ///< its rate [rad/s]
+    Scalar alpha_3;  ///< its rate [rad/s]
+    Scalar alpha_4;  ///< its rate [rad/s]
+    static constexpr int size = 5;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Velocities::*member_(int i_) noexcept {
+      constexpr Scalar Velocities::*members_[] = {&Velocities::phi, &Velocities::alpha_1, &Velocities::alpha_2,
+          &Velocities::alpha_3, &Velocities::alpha_4};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised accelerations dv/dt.
+  struct Accelerations {
+    Scalar phi;  ///< its second rate [rad/s^2]
+    Scalar alpha_1;  ///< its second rate [rad/s^2]
+    Scalar alpha_2;  ///< its second rate [rad/s^2]
+    Scalar alpha_3;  ///< its second rate [rad/s^2]
+    Scalar alpha_4;  ///< its second rate [rad/s^2]
+    static constexpr int size = 5;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Accelerations::*member_(int i_) noexcept {
+      constexpr Scalar Accelerations::*members_[] = {&Accelerations::phi, &Accelerations::alpha_1,
+          &Accelerations::alpha_2, &Accelerations::alpha_3, &Accelerations::alpha_4};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised forces, one along each coordinate.
+  struct GeneralizedForces {
+    Scalar phi;  ///< works with the rate of phi [N m]
+    Scalar alpha_1;  ///< works with the rate of alpha_1 [N m]
+    Scalar alpha_2;  ///< works with the rate of alpha_2 [N m]
+    Scalar alpha_3;  ///< works with the rate of alpha_3 [N m]
+    Scalar alpha_4;  ///< works with the rate of alpha_4 [N m]
+    static constexpr int size = 5;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar GeneralizedForces::*member_(int i_) noexcept {
+      constexpr Scalar GeneralizedForces::*members_[] = {&GeneralizedForces::phi, &GeneralizedForces::alpha_1,
+          &GeneralizedForces::alpha_2, &GeneralizedForces::alpha_3, &GeneralizedForces::alpha_4};
+      return members_[i_];
+    }
+  };
+
+  /// Forces and torques of motors, set at each call.
+  struct Inputs {
+    Scalar C;  ///< motor [N m]
+    static constexpr int size = 1;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Inputs::*member_(int i_) noexcept {
+      constexpr Scalar Inputs::*members_[] = {&Inputs::C};
+      return members_[i_];
+    }
+  };
+
+  /// Multipliers of the constraints, or the reactions that enforce them.
+  struct Multipliers {
+    static constexpr int size = 0;
+  };
+
+  /// Time [s], coordinates and velocities.
+  struct State {
+    Scalar time;
+    Coordinates q;
+    Velocities v;
+  };
+
+  /// Parameters and what depends on them only: built once for each set of parameters.
+  struct Precomputed {
+    Parameters parameters;
+    Scalar s_theta;
+    Scalar c_theta;
+    Scalar z33;
+    Scalar z34;
+    Scalar z35;
+    Scalar z416;
+    Scalar z422;  ///< force on upwards, x
+  };
+
+  /// Values of the scene.
+  TORSOR_DEVICE static Parameters default_parameters() noexcept {
+    Parameters parameters{};
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar n4000 = traits::constant(4000.0, 4000.0f, "4000/1");
+    const Scalar n8 = traits::constant(8.0, 8.0f, "8/1");
+    parameters.theta = n0_3;
+    parameters.omega = n0_2;
+    parameters.alpha = n0_2;
+    parameters.alpha_c = n0_1;
+    parameters.k = n4000;
+    parameters.c = n8;
+    return parameters;
+  }
+
+  /// To be called again when a parameter changes.
+  TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
+    Precomputed precomputed{};
+    precomputed.parameters = parameters;
+    const Scalar n100 = traits::constant(100.0, 100.0f, "100/1");
+    const Scalar n120 = traits::constant(120.0, 120.0f, "120/1");
+    const Scalar p_omega = parameters.omega;
+    const Scalar p_theta = parameters.theta;
+    Scalar s_theta, c_theta;
+    traits::sincos(p_theta, s_theta, c_theta);
+    const Scalar z33 = n100 * p_omega;
+    const Scalar z34 = p_omega * s_theta;
+    const Scalar z35 = p_omega * c_theta;
+    const Scalar z345 = p_omega * p_omega;
+    const Scalar z346 = n100 * z345;
+    const Scalar z416 = z34 * z35;
+    const Scalar z422 = n120 * z346;  // force on upwards, x
+    precomputed.s_theta = s_theta;
+    precomputed.c_theta = c_theta;
+    precomputed.z33 = z33;
+    precomputed.z34 = z34;
+    precomputed.z35 = z35;
+    precomputed.z416 = z416;
+    precomputed.z422 = z422;
+    return precomputed;
+  }
+
+  /// The state the scene starts from, for these parameters.
+  TORSOR_DEVICE static State initial_state(const Parameters& parameters) noexcept {
+    State state{};
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n30 = traits::constant(30.0, 30.0f, "30/1");
+    const Scalar p_alpha = parameters.alpha;
+    const Scalar p_alpha_c = parameters.alpha_c;
+    state.time = n0;
+    state.q.phi = n0;
+    state.q.alpha_1 = p_alpha + p_alpha_c;
+    state.q.alpha_2 = p_alpha;
+    state.q.alpha_3 = p_alpha - p_alpha_c;
+    state.q.alpha_4 = p_alpha;
+    state.v.phi = n30;
+    state.v.alpha_1 = n0;
+    state.v.alpha_2 = -n30 * p_alpha_c;
+    state.v.alpha_3 = n0;
+    state.v.alpha_4 = -state.v.alpha_2;
+    return state;
+  }
+  TORSOR_DEVICE static State initial_state() noexcept { return initial_state(default_parameters()); }
+
+  /// Poses, twists and named points in ground axes.
+  struct Kinematics {
+    std::array<Scalar, 3> span_1_position;  ///< centre of mass of span_1 [m]
+    std::array<Scalar, 9> span_1_rotation;  ///< from the axes of span_1 to the ground's (3 x 3)
+    std::array<Scalar, 3> span_1_velocity;  ///< velocity of the centre of mass of span_1 [m/s]
+    std::array<Scalar, 3> span_1_angular_velocity;  ///< angular velocity of span_1 [rad/s]
+    std::array<Scalar, 3> blade_1_position;  ///< centre of mass of blade_1 [m]
+    std::array<Scalar, 9> blade_1_rotation;  ///< from the axes of blade_1 to the ground's (3 x 3)
+    std::array<Scalar, 3> blade_1_velocity;  ///< velocity of the centre of mass of blade_1 [m/s]
+    std::array<Scalar, 3> blade_1_angular_velocity;  ///< angular velocity of blade_1 [rad/s]
+    std::array<Scalar, 3> span_2_position;  ///< centre of mass of span_2 [m]
+    std::array<Scalar, 9> span_2_rotation;  ///< from the axes of span_2 to the ground's (3 x 3)
+    std::array<Scalar, 3> span_2_velocity;  ///< velocity of the centre of mass of span_2 [m/s]
+    std::array<Scalar, 3> span_2_angular_velocity;  ///< angular velocity of span_2 [rad/s]
+    std::array<Scalar, 3> blade_2_position;  ///< centre of mass of blade_2 [m]
+    std::array<Scalar, 9> blade_2_rotation;  ///< from the axes of blade_2 to the ground's (3 x 3)
+    std::array<Scalar, 3> blade_2_velocity;  ///< velocity of the centre of mass of blade_2 [m/s]
+    std::array<Scalar, 3> blade_2_angular_velocity;  ///< angular velocity of blade_2 [rad/s]
+    std::array<Scalar, 3> span_3_position;  ///< centre of mass of span_3 [m]
+    std::array<Scalar, 9> span_3_rotation;  ///< from the axes of span_3 to the ground's (3 x 3)
+    std::array<Scalar, 3> span_3_velocity;  ///< velocity of the centre of mass of span_3 [m/s]
+    std::array<Scalar, 3> span_3_angular_velocity;  ///< angular velocity of span_3 [rad/s]
+    std::array<Scalar, 3> blade_3_position;  ///< centre of mass of blade_3 [m]
+    std::array<Scalar, 9> blade_3_rotation;  ///< from the axes of blade_3 to the ground's (3 x 3)
+    std::array<Scalar, 3> blade_3_velocity;  ///< velocity of the centre of mass of blade_3 [m/s]
+    std::array<Scalar, 3> blade_3_angular_velocity;  ///< angular velocity of blade_3 [rad/s]
+    std::array<Scalar, 3> span_4_position;  ///< centre of mass of span_4 [m]
+    std::array<Scalar, 9> span_4_rotation;  ///< from the axes of span_4 to the ground's (3 x 3)
+    std::array<Scalar, 3> span_4_velocity;  ///< velocity of the centre of mass of span_4 [m/s]
+    std::array<Scalar, 3> span_4_angular_velocity;  ///< angular velocity of span_4 [rad/s]
+    std::array<Scalar, 3> blade_4_position;  ///< centre of mass of blade_4 [m]
+    std::array<Scalar, 9> blade_4_rotation;  ///< from the axes of blade_4 to the ground's (3 x 3)
+    std::array<Scalar, 3> blade_4_velocity;  ///< velocity of the centre of mass of blade_4 [m/s]
+    std::array<Scalar, 3> blade_4_angular_velocity;  ///< angular velocity of blade_4 [rad/s]
+    std::array<Scalar, 3> A_position;  ///< position of A [m]
+    std::array<Scalar, 3> A_velocity;  ///< velocity of the material point at A [m/s]
+    std::array<Scalar, 15> A_jacobian;  ///< partial velocities of A (3 x 5)
+  };
+
+  /// Energies of the mechanism.
+  struct Energy {
+    Scalar kinetic;  ///< kinetic energy T [J]
+    Scalar force_function;  ///< force function U of gravity and springs [J]
+    Scalar power;  ///< power of dampers, given forces and motors [W]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Energy::*member_(int i_) noexcept {
+      constexpr Scalar Energy::*members_[] = {&Energy::kinetic, &Energy::force_function, &Energy::power};
+      return members_[i_];
+    }
+  };
+
+  /// Reactions of joints along released directions.
+  struct Reactions {
+    Scalar X;  ///< reaction along 'X' [kg m s^-2]
+    Scalar Y;  ///< reaction along 'Y' [kg m s^-2]
+    Scalar Z;  ///< reaction along 'Z' [kg m s^-2]
+    Scalar M_x;  ///< reaction along 'M_x' [kg m^2 s^-2]
+    Scalar M_y;  ///< reaction along 'M_y' [kg m^2 s^-2]
+    Scalar M_z;  ///< reaction along 'M_z' [kg m^2 s^-2]
+    static constexpr int size = 6;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Reactions::*member_(int i_) noexcept {
+      constexpr Scalar Reactions::*members_[] = {&Reactions::X, &Reactions::Y, &Reactions::Z, &Reactions::M_x,
+          &Reactions::M_y, &Reactions::M_z};
+      return members_[i_];
+    }
+  };
+
+  /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
+  /// matrices column by column.
+  TORSOR_DEVICE static void kinematics(const Precomputed& precomputed, const State& state,
+      Kinematics& result) noexcept {
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    const Scalar n100 = traits::constant(100.0, 100.0f, "100/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar p_omega = precomputed.parameters.omega;
+    const Scalar t = state.time;
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar q_alpha_1 = state.q.alpha_1;
+    const Scalar v_alpha_1 = state.v.alpha_1;
+    const Scalar q_alpha_2 = state.q.alpha_2;
+    const Scalar v_alpha_2 = state.v.alpha_2;
+    const Scalar q_alpha_3 = state.q.alpha_3;
+    const Scalar v_alpha_3 = state.v.alpha_3;
+    const Scalar q_alpha_4 = state.q.alpha_4;
+    const Scalar v_alpha_4 = state.v.alpha_4;
+    const Scalar s_theta = precomputed.s_theta;
+    const Scalar c_theta = precomputed.c_theta;
+    const Scalar z33 = precomputed.z33;
+    const Scalar z34 = precomputed.z34;
+    const Scalar z35 = precomputed.z35;
+    const Scalar z2 = p_omega * t;
+    Scalar z3, z4;
+    traits::sincos(z2, z3, z4);
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    Scalar s_alpha_1, c_alpha_1;
+    traits::sincos(q_alpha_1, s_alpha_1, c_alpha_1);
+    Scalar s_alpha_2, c_alpha_2;
+    traits::sincos(q_alpha_2, s_alpha_2, c_alpha_2);
+    Scalar s_alpha_3, c_alpha_3;
+    traits::sincos(q_alpha_3, s_alpha_3, c_alpha_3);
+    Scalar s_alpha_4, c_alpha_4;
+    traits::sincos(q_alpha_4, s_alpha_4, c_alpha_4);
+    const Scalar z36 = c_phi * z34;
+    const Scalar z37 = s_phi * z34;
+    const Scalar z38 = s_phi * z33;
+    const Scalar z39 = c_phi * z33;
+    const Scalar z40 = v_phi + z35;  // angular velocity of rotor, z
+    const Scalar z41 = s_alpha_1 * z40 - c_alpha_1 * z37;
+    const Scalar z42 = s_alpha_1 * z37 + c_alpha_1 * z40;
+    const Scalar z43 = c_alpha_1 * z39;
+    const Scalar z44 = s_alpha_1 * z39;
+    const Scalar z45 = v_alpha_1 + z36;  // angular velocity of blade_1, x
+    const Scalar z46 = s_alpha_2 * z40 - c_alpha_2 * z36;
+    const Scalar z47 = s_alpha_2 * z36 + c_alpha_2 * z40;
+    const Scalar z48 = c_alpha_2 * z38;
+    const Scalar z49 = s_alpha_2 * z38;
+    const Scalar z50 = v_alpha_2 - z37;  // angular velocity of blade_2, x
+    const Scalar z51 = s_alpha_3 * z40 + c_alpha_3 * z37;
+    const Scalar z52 = s_alpha_3 * z37 - c_alpha_3 * z40;
+    const Scalar z53 = c_alpha_3 * z39;
+    const Scalar z54 = s_alpha_3 * z39;
+    const Scalar z55 = v_alpha_3 - z36;  // angular velocity of blade_3, x
+    const Scalar z56 = s_alpha_4 * z40 + c_alpha_4 * z36;
+    const Scalar z57 = s_alpha_4 * z36 - c_alpha_4 * z40;
+    const Scalar z58 = c_alpha_4 * z38;
+    const Scalar z59 = s_alpha_4 * z38;
+    const Scalar z60 = v_alpha_4 + z37;  // angular velocity of blade_4, x
+    const Scalar z61 = n3 * c_phi;
+    const Scalar z62 = n3 * s_phi;
+    const Scalar z63 = c_theta * z61;
+    const Scalar z64 = s_theta * z61;
+    const Scalar z65 = n100 + z63;
+    const Scalar z66 = z3 * z62 - z4 * z65;
+    const Scalar z67 = z3 * z65 + z4 * z62;
+    const Scalar z68 = c_theta * c_phi;
+    const Scalar z69 = s_theta * c_phi;
+    const Scalar z70 = z3 * s_phi - z4 * z68;
+    const Scalar z71 = z3 * z68 + z4 * s_phi;
+    const Scalar z72 = c_theta * s_phi;
+    const Scalar z73 = s_theta * s_phi;
+    const Scalar z74 = z3 * c_phi + z4 * z72;
+    const Scalar z75 = z3 * z72 - z4 * c_phi;
+    const Scalar z76 = z4 * s_theta;
+    const Scalar z77 = z3 * s_theta;
+    const Scalar z78 = z39 + n3 * z40;
+    const Scalar z79 = n3 * z37;
+    const Scalar z80 = s_phi * z78 - c_phi * z38;
+    const Scalar z81 = s_phi * z38 + c_phi * z78;
+    const Scalar z82 = s_theta * z79 + c_theta * z80;
+    const Scalar z83 = s_theta * z80 - c_theta * z79;
+    const Scalar z84 = z3 * z81 + z4 * z82;
+    const Scalar z85 = z3 * z82 - z4 * z81;
+    const Scalar z86 = s_phi * z37 + c_phi * z36;
+    const Scalar z87 = s_phi * z36 - c_phi * z37;
+    const Scalar z88 = s_theta * z40 - c_theta * z86;
+    const Scalar z89 = s_theta * z86 + c_theta * z40;
+    const Scalar z90 = z3 * z87 + z4 * z88;
+    const Scalar z91 = z3 * z88 - z4 * z87;
+    const Scalar z92 = n100 * z4;
+    const Scalar z93 = n100 * z3;
+    const Scalar z94 = s_phi * c_alpha_1;
+    const Scalar z95 = c_phi * c_alpha_1;
+    const Scalar z96 = s_theta * s_alpha_1 + c_theta * z94;
+    const Scalar z97 = s_theta * z94 - c_theta * s_alpha_1;
+    const Scalar z98 = z3 * z95 + z4 * z96;
+    const Scalar z99 = z3 * z96 - z4 * z95;
+    const Scalar z100 = s_phi * s_alpha_1;
+    const Scalar z101 = c_phi * s_alpha_1;
+    const Scalar z102 = s_theta * c_alpha_1 - c_theta * z100;
+    const Scalar z103 = s_theta * z100 + c_theta * c_alpha_1;
+    const Scalar z104 = z3 * z101 - z4 * z102;
+    const Scalar z105 = z3 * z102 + z4 * z101;
+    const Scalar z106 = s_alpha_1 * z44 + c_alpha_1 * z43;
+    const Scalar z107 = s_alpha_1 * z43 - c_alpha_1 * z44;
+    const Scalar z108 = s_phi * z106 - c_phi * z38;
+    const Scalar z109 = s_phi * z38 + c_phi * z106;
+    const Scalar z110 = s_theta * z107 + c_theta * z108;
+    const Scalar z112 = z3 * z109 + z4 * z110;
+    const Scalar z113 = z3 * z110 - z4 * z109;
+    const Scalar z114 = s_alpha_1 * z42 - c_alpha_1 * z41;
+    const Scalar z115 = s_alpha_1 * z41 + c_alpha_1 * z42;
+    const Scalar z116 = s_phi * z114 + c_phi * z45;
+    const Scalar z117 = s_phi * z45 - c_phi * z114;
+    const Scalar z118 = s_theta * z115 - c_theta * z116;
+    const Scalar z119 = s_theta * z116 + c_theta * z115;
+    const Scalar z120 = z3 * z117 + z4 * z118;
+    const Scalar z121 = z3 * z118 - z4 * z117;
+    const Scalar z122 = c_theta * z62;
+    const Scalar z123 = s_theta * z62;
+    const Scalar z124 = n100 - z122;
+    const Scalar z125 = z3 * z61 - z4 * z124;
+    const Scalar z126 = z3 * z124 + z4 * z61;
+    const Scalar z127 = z38 - n3 * z40;
+    const Scalar z128 = n3 * z36;
+    const Scalar z129 = s_phi * z39 - c_phi * z127;
+    const Scalar z130 = s_phi * z127 + c_phi * z39;
+    const Scalar z131 = s_theta * z128 + c_theta * z129;
+    const Scalar z132 = s_theta * z129 - c_theta * z128;
+    const Scalar z133 = z3 * z130 + z4 * z131;
+    const Scalar z134 = z3 * z131 - z4 * z130;
+    const Scalar z135 = c_phi * c_alpha_2;
+    const Scalar z136 = s_phi * c_alpha_2;
+    const Scalar z137 = s_theta * s_alpha_2 + c_theta * z135;
+    const Scalar z138 = s_theta * z135 - c_theta * s_alpha_2;
+    const Scalar z139 = z3 * z136 - z4 * z137;
+    const Scalar z140 = z3 * z137 + z4 * z136;
+    const Scalar z141 = c_phi * s_alpha_2;
+    const Scalar z142 = s_phi * s_alpha_2;
+    const Scalar z143 = s_theta * c_alpha_2 - c_theta * z141;
+    const Scalar z144 = s_theta * z141 + c_theta * c_alpha_2;
+    const Scalar z145 = z3 * z142 + z4 * z143;
+    const Scalar z146 = z3 * z143 - z4 * z142;
+    const Scalar z147 = s_alpha_2 * z49 + c_alpha_2 * z48;
+    const Scalar z148 = s_alpha_2 * z48 - c_alpha_2 * z49;
+    const Scalar z149 = s_phi * z39 - c_phi * z147;
+    const Scalar z150 = s_phi * z147 + c_phi * z39;
+    const Scalar z151 = s_theta * z148 - c_theta * z149;
+    const Scalar z153 = z3 * z150 - z4 * z151;
+    const Scalar z154 = z3 * z151 + z4 * z150;
+    const Scalar z155 = s_alpha_2 * z47 - c_alpha_2 * z46;
+    const Scalar z156 = s_alpha_2 * z46 + c_alpha_2 * z47;
+    const Scalar z157 = s_phi * z50 - c_phi * z155;
+    const Scalar z158 = s_phi * z155 + c_phi * z50;
+    const Scalar z159 = s_theta * z156 + c_theta * z157;
+    const Scalar z160 = s_theta * z157 - c_theta * z156;
+    const Scalar z161 = z3 * z158 + z4 * z159;
+    const Scalar z162 = z3 * z159 - z4 * z158;
+    const Scalar z163 = n100 - z63;
+    const Scalar z164 = z3 * z62 + z4 * z163;
+    const Scalar z165 = z3 * z163 - z4 * z62;
+    const Scalar z166 = z39 - n3 * z40;
+    const Scalar z167 = s_phi * z166 - c_phi * z38;
+    const Scalar z168 = s_phi * z38 + c_phi * z166;
+    const Scalar z169 = s_theta * z79 - c_theta * z167;
+    const Scalar z170 = s_theta * z167 + c_theta * z79;
+    const Scalar z171 = z3 * z168 - z4 * z169;
+    const Scalar z172 = z3 * z169 + z4 * z168;
+    const Scalar z173 = s_phi * c_alpha_3;
+    const Scalar z174 = c_phi * c_alpha_3;
+    const Scalar z175 = s_theta * s_alpha_3 - c_theta * z173;
+    const Scalar z176 = s_theta * z173 + c_theta * s_alpha_3;
+    const Scalar z177 = z3 * z174 - z4 * z175;
+    const Scalar z178 = z3 * z175 + z4 * z174;
+    const Scalar z179 = s_phi * s_alpha_3;
+    const Scalar z180 = c_phi * s_alpha_3;
+    const Scalar z181 = s_theta * c_alpha_3 + c_theta * z179;
+    const Scalar z182 = s_theta * z179 - c_theta * c_alpha_3;
+    const Scalar z183 = z3 * z180 + z4 * z181;
+    const Scalar z184 = z3 * z181 - z4 * z180;
+    const Scalar z185 = s_alpha_3 * z54 + c_alpha_3 * z53;
+    const Scalar z186 = s_alpha_3 * z53 - c_alpha_3 * z54;
+    const Scalar z187 = s_phi * z185 - c_phi * z38;
+    const Scalar z188 = s_phi * z38 + c_phi * z185;
+    const Scalar z189 = s_theta * z186 - c_theta * z187;
+    const Scalar z191 = z3 * z188 - z4 * z189;
+    const Scalar z192 = z3 * z189 + z4 * z188;
+    const Scalar z193 = s_alpha_3 * z52 + c_alpha_3 * z51;
+    const Scalar z194 = s_alpha_3 * z51 - c_alpha_3 * z52;
+    const Scalar z195 = s_phi * z193 - c_phi * z55;
+    const Scalar z196 = s_phi * z55 + c_phi * z193;
+    const Scalar z197 = s_theta * z194 - c_theta * z195;
+    const Scalar z198 = s_theta * z195 + c_theta * z194;
+    const Scalar z199 = z3 * z196 - z4 * z197;
+    const Scalar z200 = z3 * z197 + z4 * z196;
+    const Scalar z201 = n100 + z122;
+    const Scalar z202 = z3 * z61 + z4 * z201;
+    const Scalar z203 = z3 * z201 - z4 * z61;
+    const Scalar z204 = z38 + n3 * z40;
+    const Scalar z205 = s_phi * z39 - c_phi * z204;
+    const Scalar z206 = s_phi * z204 + c_phi * z39;
+    const Scalar z207 = s_theta * z128 - c_theta * z205;
+    const Scalar z208 = s_theta * z205 + c_theta * z128;
+    const Scalar z209 = z3 * z206 - z4 * z207;
+    const Scalar z210 = z3 * z207 + z4 * z206;
+    const Scalar z211 = c_phi * c_alpha_4;
+    const Scalar z212 = s_phi * c_alpha_4;
+    const Scalar z213 = s_theta * s_alpha_4 - c_theta * z211;
+    const Scalar z214 = s_theta * z211 + c_theta * s_alpha_4;
+    const Scalar z215 = z3 * z212 + z4 * z213;
+    const Scalar z216 = z3 * z213 - z4 * z212;
+    const Scalar z217 = c_phi * s_alpha_4;
+    const Scalar z218 = s_phi * s_alpha_4;
+    const Scalar z219 = s_theta * c_alpha_4 + c_theta * z217;
+    const Scalar z220 = s_theta * z217 - c_theta * c_alpha_4;
+    const Scalar z221 = z3 * z218 - z4 * z219;
+    const Scalar z222 = z3 * z219 + z4 * z218;
+    const Scalar z223 = s_alpha_4 * z59 + c_alpha_4 * z58;
+    const Scalar z224 = s_alpha_4 * z58 - c_alpha_4 * z59;
+    const Scalar z225 = s_phi * z39 - c_phi * z223;
+    const Scalar z226 = s_phi * z223 + c_phi * z39;
+    const Scalar z227 = s_theta * z224 + c_theta * z225;
+    const Scalar z229 = z3 * z226 + z4 * z227;
+    const Scalar z230 = z3 * z227 - z4 * z226;
+    const Scalar z231 = s_alpha_4 * z57 + c_alpha_4 * z56;
+    const Scalar z232 = s_alpha_4 * z56 - c_alpha_4 * z57;
+    const Scalar z233 = s_phi * z60 + c_phi * z231;
+    const Scalar z234 = s_phi * z231 - c_phi * z60;
+    const Scalar z235 = s_theta * z232 - c_theta * z233;
+    const Scalar z236 = s_theta * z233 + c_theta * z232;
+    const Scalar z237 = z3 * z234 + z4 * z235;
+    const Scalar z238 = z3 * z235 - z4 * z234;
+    const Scalar z239 = s_phi * z39 - c_phi * z38;
+    const Scalar z240 = s_phi * z38 + c_phi * z39;
+    const Scalar z241 = c_theta * z239;
+    const Scalar z243 = z3 * z240 + z4 * z241;
+    const Scalar z244 = z3 * z241 - z4 * z240;
+    result.span_1_position[0] = -z66;
+    result.span_1_position[1] = z67;
+    result.span_1_position[2] = z64;
+    result.span_1_rotation[0] = -z70;
+    result.span_1_rotation[1] = z71;
+    result.span_1_rotation[2] = z69;
+    result.span_1_rotation[3] = -z74;
+    result.span_1_rotation[4] = -z75;
+    result.span_1_rotation[5] = -z73;
+    result.span_1_rotation[6] = -z76;
+    result.span_1_rotation[7] = -z77;
+    result.span_1_rotation[8] = c_theta;
+    result.span_1_velocity[0] = -z84;
+    result.span_1_velocity[1] = -z85;
+    result.span_1_velocity[2] = -z83;
+    result.span_1_angular_velocity[0] = -z90;
+    result.span_1_angular_velocity[1] = -z91;
+    result.span_1_angular_velocity[2] = z89;
+    result.blade_1_position[0] = z92;
+    result.blade_1_position[1] = z93;
+    result.blade_1_position[2] = n0;
+    result.blade_1_rotation[0] = -z70;
+    result.blade_1_rotation[1] = z71;
+    result.blade_1_rotation[2] = z69;
+    result.blade_1_rotation[3] = -z98;
+    result.blade_1_rotation[4] = -z99;
+    result.blade_1_rotation[5] = -z97;
+    result.blade_1_rotation[6] = z104;
+    result.blade_1_rotation[7] = -z105;
+    result.blade_1_rotation[8] = z103;
+    result.blade_1_velocity[0] = -z112;
+    result.blade_1_velocity[1] = -z113;
+    result.blade_1_velocity[2] = n0;
+    result.blade_1_angular_velocity[0] = -z120;
+    result.blade_1_angular_velocity[1] = -z121;
+    result.blade_1_angular_velocity[2] = z119;
+    result.span_2_position[0] = -z125;
+    result.span_2_position[1] = z126;
+    result.span_2_position[2] = -z123;
+    result.span_2_rotation[0] = -z74;
+    result.span_2_rotation[1] = -z75;
+    result.span_2_rotation[2] = -z73;
+    result.span_2_rotation[3] = z70;
+    result.span_2_rotation[4] = -z71;
+    result.span_2_rotation[5] = -z69;
+    result.span_2_rotation[6] = -z76;
+    result.span_2_rotation[7] = -z77;
+    result.span_2_rotation[8] = c_theta;
+    result.span_2_velocity[0] = -z133;
+    result.span_2_velocity[1] = -z134;
+    result.span_2_velocity[2] = -z132;
+    result.span_2_angular_velocity[0] = -z90;
+    result.span_2_angular_velocity[1] = -z91;
+    result.span_2_angular_velocity[2] = z89;
+    result.blade_2_position[0] = z92;
+    result.blade_2_position[1] = z93;
+    result.blade_2_position[2] = n0;
+    result.blade_2_rotation[0] = -z74;
+    result.blade_2_rotation[1] = -z75;
+    result.blade_2_rotation[2] = -z73;
+    result.blade_2_rotation[3] = z139;
+    result.blade_2_rotation[4] = -z140;
+    result.blade_2_rotation[5] = -z138;
+    result.blade_2_rotation[6] = -z145;
+    result.blade_2_rotation[7] = -z146;
+    result.blade_2_rotation[8] = z144;
+    result.blade_2_velocity[0] = -z153;
+    result.blade_2_velocity[1] = z154;
+    result.blade_2_velocity[2] = n0;
+    result.blade_2_angular_velocity[0] = -z161;
+    result.blade_2_angular_velocity[1] = -z162;
+    result.blade_2_angular_velocity[2] = -z160;
+    result.span_3_position[0] = z164;
+    result.span_3_position[1] = z165;
+    result.span_3_position[2] = -z64;
+    result.span_3_rotation[0] = z70;
+    result.span_3_rotation[1] = -z71;
+    result.span_3_rotation[2] = -z69;
+    result.span_3_rotation[3] = z74;
+    result.span_3_rotation[4] = z75;
+    result.span_3_rotation[5] = z73;
+    result.span_3_rotation[6] = -z76;
+    result.span_3_rotation[7] = -z77;
+    result.span_3_rotation[8] = c_theta;
+    result.span_3_velocity[0] = -z171;
+    result.span_3_velocity[1] = z172;
+    result.span_3_velocity[2] = -z170;
+    result.span_3_angular_velocity[0] = -z90;
+    result.span_3_angular_velocity[1] = -z91;
+    result.span_3_angular_velocity[2] = z89;
+    result.blade_3_position[0] = z92;
+    result.blade_3_position[1] = z93;
+    result.blade_3_position[2] = n0;
+    result.blade_3_rotation[0] = z70;
+    result.blade_3_rotation[1] = -z71;
+    result.blade_3_rotation[2] = -z69;
+    result.blade_3_rotation[3] = z177;
+    result.blade_3_rotation[4] = -z178;
+    result.blade_3_rotation[5] = z176;
+    result.blade_3_rotation[6] = -z183;
+    result.blade_3_rotation[7] = -z184;
+    result.blade_3_rotation[8] = -z182;
+    result.blade_3_velocity[0] = -z191;
+    result.blade_3_velocity[1] = z192;
+    result.blade_3_velocity[2] = n0;
+    result.blade_3_angular_velocity[0] = z199;
+    result.blade_3_angular_velocity[1] = -z200;
+    result.blade_3_angular_velocity[2] = z198;
+    result.span_4_position[0] = z202;
+    result.span_4_position[1] = z203;
+    result.span_4_position[2] = z123;
+    result.span_4_rotation[0] = z74;
+    result.span_4_rotation[1] = z75;
+    result.span_4_rotation[2] = z73;
+    result.span_4_rotation[3] = -z70;
+    result.span_4_rotation[4] = z71;
+    result.span_4_rotation[5] = z69;
+    result.span_4_rotation[6] = -z76;
+    result.span_4_rotation[7] = -z77;
+    result.span_4_rotation[8] = c_theta;
+    result.span_4_velocity[0] = -z209;
+    result.span_4_velocity[1] = z210;
+    result.span_4_velocity[2] = -z208;
+    result.span_4_angular_velocity[0] = -z90;
+    result.span_4_angular_velocity[1] = -z91;
+    result.span_4_angular_velocity[2] = z89;
+    result.blade_4_position[0] = z92;
+    result.blade_4_position[1] = z93;
+    result.blade_4_position[2] = n0;
+    result.blade_4_rotation[0] = z74;
+    result.blade_4_rotation[1] = z75;
+    result.blade_4_rotation[2] = z73;
+    result.blade_4_rotation[3] = -z215;
+    result.blade_4_rotation[4] = -z216;
+    result.blade_4_rotation[5] = z214;
+    result.blade_4_rotation[6] = z221;
+    result.blade_4_rotation[7] = -z222;
+    result.blade_4_rotation[8] = -z220;
+    result.blade_4_velocity[0] = -z229;
+    result.blade_4_velocity[1] = -z230;
+    result.blade_4_velocity[2] = n0;
+    result.blade_4_angular_velocity[0] = -z237;
+    result.blade_4_angular_velocity[1] = -z238;
+    result.blade_4_angular_velocity[2] = z236;
+    result.A_position[0] = z92;
+    result.A_position[1] = z93;
+    result.A_position[2] = n0;
+    result.A_velocity[0] = -z243;
+    result.A_velocity[1] = -z244;
+    result.A_velocity[2] = n0;
+    result.A_jacobian[0] = n0;
+    result.A_jacobian[3] = n0;
+    result.A_jacobian[6] = n0;
+    result.A_jacobian[9] = n0;
+    result.A_jacobian[12] = n0;
+    result.A_jacobian[1] = n0;
+    result.A_jacobian[4] = n0;
+    result.A_jacobian[7] = n0;
+    result.A_jacobian[10] = n0;
+    result.A_jacobian[13] = n0;
+    result.A_jacobian[2] = n0;
+    result.A_jacobian[5] = n0;
+    result.A_jacobian[8] = n0;
+    result.A_jacobian[11] = n0;
+    result.A_jacobian[14] = n0;
+  }
+
+  /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
+  TORSOR_DEVICE static void mass_matrix(const Precomputed&, const State& state, std::array<Scalar, 25>& mass) noexcept {
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n1331_6 = traits::constant(1331.6, 1331.6f, "6658/5");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_alpha_1 = state.q.alpha_1;
+    const Scalar q_alpha_2 = state.q.alpha_2;
+    const Scalar q_alpha_3 = state.q.alpha_3;
+    const Scalar q_alpha_4 = state.q.alpha_4;
+    Scalar s_alpha_1, c_alpha_1;
+    traits::sincos(q_alpha_1, s_alpha_1, c_alpha_1);
+    Scalar s_alpha_2, c_alpha_2;
+    traits::sincos(q_alpha_2, s_alpha_2, c_alpha_2);
+    Scalar s_alpha_3, c_alpha_3;
+    traits::sincos(q_alpha_3, s_alpha_3, c_alpha_3);
+    Scalar s_alpha_4, c_alpha_4;
+    traits::sincos(q_alpha_4, s_alpha_4, c_alpha_4);
+    const Scalar z251 = n0_4 * s_alpha_4;
+    const Scalar z252 = s_alpha_4 * z251;
+    const Scalar z255 = n1331_6 - z252;
+    const Scalar z258 = n0_4 * s_alpha_3;
+    const Scalar z259 = s_alpha_3 * z258;
+    const Scalar z264 = z255 - z259;
+    const Scalar z265 = n0_4 * s_alpha_2;
+    const Scalar z266 = s_alpha_2 * z265;
+    const Scalar z272 = z264 - z266;
+    const Scalar z273 = n0_4 * s_alpha_1;
+    const Scalar z274 = s_alpha_1 * z273;
+    const Scalar z280 = z272 - z274;
+    mass[0] = z280;
+    mass[1] = n0;
+    mass[2] = n0;
+    mass[3] = n0;
+    mass[4] = n0;
+    mass[5] = n0;
+    mass[6] = n0_4;
+    mass[7] = n0;
+    mass[8] = n0;
+    mass[9] = n0;
+    mass[10] = n0;
+    mass[11] = n0;
+    mass[12] = n0_4;
+    mass[13] = n0;
+    mass[14] = n0;
+    mass[15] = n0;
+    mass[16] = n0;
+    mass[17] = n0;
+    mass[18] = n0_4;
+    mass[19] = n0;
+    mass[20] = n0;
+    mass[21] = n0;
+    mass[22] = n0;
+    mass[23] = n0;
+    mass[24] = n0_4;
+  }
+
+  /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
+  /// actions included. M a + h = E u + A' lambda.
+  TORSOR_DEVICE static void bias(const Precomputed& precomputed, const State& state,
+      GeneralizedForces& forces) noexcept {
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar q_alpha_1 = state.q.alpha_1;
+    const Scalar v_alpha_1 = state.v.alpha_1;
+    const Scalar q_alpha_2 = state.q.alpha_2;
+    const Scalar v_alpha_2 = state.v.alpha_2;
+    const Scalar q_alpha_3 = state.q.alpha_3;
+    const Scalar v_alpha_3 = state.v.alpha_3;
+    const Scalar q_alpha_4 = state.q.alpha_4;
+    const Scalar v_alpha_4 = state.v.alpha_4;
+    const Scalar p_k = precomputed.parameters.k;
+    const Scalar p_alpha_c = precomputed.parameters.alpha_c;
+    const Scalar p_alpha = precomputed.parameters.alpha;
+    const Scalar p_c = precomputed.parameters.c;
+    const Scalar z34 = precomputed.z34;
+    const Scalar z35 = precomputed.z35;
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    Scalar s_alpha_1, c_alpha_1;
+    traits::sincos(q_alpha_1, s_alpha_1, c_alpha_1);
+    Scalar s_alpha_2, c_alpha_2;
+    traits::sincos(q_alpha_2, s_alpha_2, c_alpha_2);
+    Scalar s_alpha_3, c_alpha_3;
+    traits::sincos(q_alpha_3, s_alpha_3, c_alpha_3);
+    Scalar s_alpha_4, c_alpha_4;
+    traits::sincos(q_alpha_4, s_alpha_4, c_alpha_4);
+    const Scalar z36 = c_phi * z34;
+    const Scalar z37 = s_phi * z34;
+    const Scalar z40 = v_phi + z35;  // angular velocity of rotor, z
+    const Scalar z41 = s_alpha_1 * z40 - c_alpha_1 * z37;
+    const Scalar z42 = s_alpha_1 * z37 + c_alpha_1 * z40;
+    const Scalar z45 = v_alpha_1 + z36;  // angular velocity of blade_1, x
+    const Scalar z46 = s_alpha_2 * z40 - c_alpha_2 * z36;
+    const Scalar z47 = s_alpha_2 * z36 + c_alpha_2 * z40;
+    const Scalar z50 = v_alpha_2 - z37;  // angular velocity of blade_2, x
+    const Scalar z51 = s_alpha_3 * z40 + c_alpha_3 * z37;
+    const Scalar z52 = s_alpha_3 * z37 - c_alpha_3 * z40;
+    const Scalar z55 = v_alpha_3 - z36;  // angular velocity of blade_3, x
+    const Scalar z56 = s_alpha_4 * z40 + c_alpha_4 * z36;
+    const Scalar z57 = s_alpha_4 * z36 - c_alpha_4 * z40;
+    const Scalar z60 = v_alpha_4 + z37;  // angular velocity of blade_4, x
+    const Scalar z326 = c_phi * p_alpha_c - q_alpha_1 + p_alpha;
+    const Scalar z327 = p_k * z326;
+    const Scalar z328 = v_phi * s_phi;
+    const Scalar z329 = v_alpha_1 + p_alpha_c * z328;
+    const Scalar z331 = z329 * p_c;
+    const Scalar z332 = s_phi * p_alpha_c + q_alpha_2 - p_alpha;
+    const Scalar z333 = p_k * z332;
+    const Scalar z334 = v_phi * c_phi;
+    const Scalar z335 = v_alpha_2 + p_alpha_c * z334;
+    const Scalar z336 = p_c * z335;
+    const Scalar z337 = c_phi * p_alpha_c + q_alpha_3 - p_alpha;
+    const Scalar z338 = p_k * z337;
+    const Scalar z339 = v_alpha_3 - p_alpha_c * z328;
+    const Scalar z340 = p_c * z339;
+    const Scalar z341 = s_phi * p_alpha_c - q_alpha_4 + p_alpha;
+    const Scalar z342 = p_k * z341;
+    const Scalar z343 = v_alpha_4 - p_alpha_c * z334;
+    const Scalar z344 = p_c * z343;
+    const Scalar z351 = v_phi * z37;  // angular acceleration of rotor, x
+    const Scalar z352 = v_phi * z36;  // angular acceleration of rotor, y
+    const Scalar z353 = c_alpha_1 * z352;
+    const Scalar z357 = v_alpha_1 * z42 - z353;  // angular acceleration of blade_1, y
+    const Scalar z359 = c_alpha_2 * z351;
+    const Scalar z363 = v_alpha_2 * z47 + z359;  // angular acceleration of blade_2, y
+    const Scalar z365 = c_alpha_3 * z352;
+    const Scalar z369 = v_alpha_3 * z52 - z365;  // angular acceleration of blade_3, y
+    const Scalar z371 = c_alpha_4 * z351;
+    const Scalar z375 = v_alpha_4 * z57 + z371;  // angular acceleration of blade_4, y
+    const Scalar z377 = z56 * z57;
+    const Scalar z378 = z57 * z60;
+    const Scalar z379 = z56 * z60;
+    const Scalar z380 = n0_4 * (z352 - z377);  // moment on blade_4, x
+    const Scalar z381 = n0_4 * (z375 - z378);  // moment on blade_4, y
+    const Scalar z382 = n0_8 * z379;  // moment on blade_4, z
+    const Scalar z384 = s_alpha_4 * z381 - c_alpha_4 * z382;
+    const Scalar z385 = z51 * z52;
+    const Scalar z386 = z52 * z55;
+    const Scalar z387 = z51 * z55;
+    const Scalar z388 = n0_4 * (z351 - z385);  // moment on blade_3, x
+    const Scalar z389 = n0_4 * (z369 - z386);  // moment on blade_3, y
+    const Scalar z390 = n0_8 * z387;  // moment on blade_3, z
+    const Scalar z392 = s_alpha_3 * z389 - c_alpha_3 * z390;
+    const Scalar z393 = z46 * z47;
+    const Scalar z394 = z47 * z50;
+    const Scalar z395 = z46 * z50;
+    const Scalar z396 = n0_4 * (z352 - z393);  // moment on blade_2, x
+    const Scalar z397 = n0_4 * (z363 - z394);  // moment on blade_2, y
+    const Scalar z398 = n0_8 * z395;  // moment on blade_2, z
+    const Scalar z400 = s_alpha_2 * z397 + c_alpha_2 * z398;
+    const Scalar z401 = z41 * z42;
+    const Scalar z402 = z42 * z45;
+    const Scalar z403 = z41 * z45;
+    const Scalar z404 = n0_4 * (z351 - z401);  // moment on blade_1, x
+    const Scalar z405 = n0_4 * (z357 - z402);  // moment on blade_1, y
+    const Scalar z406 = n0_8 * z403;  // moment on blade_1, z
+    const Scalar z408 = s_alpha_1 * z405 + c_alpha_1 * z406;
+    const Scalar z413 = z384 + z392 - z400 - z408;  // moment on rotor, z
+    const Scalar z423 = p_alpha_c * (s_phi * (z327 - z331 + z338 + z340) - c_phi * (z333 + z336 + z342 - z344)) - z413;
+    const Scalar z424 = z327 - z331 + z404;
+    const Scalar z425 = z333 + z336 - z396;
+    const Scalar z426 = z338 + z340 + z388;
+    const Scalar z427 = z342 - z344 - z380;
+    forces.phi = -z423;
+    forces.alpha_1 = -z424;
+    forces.alpha_2 = z425;
+    forces.alpha_3 = z426;
+    forces.alpha_4 = -z427;
+  }
+
+  /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
+  TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State& state,
+      const Accelerations& accelerations, const Multipliers&, GeneralizedForces& forces) noexcept {
+    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n1331_6 = traits::constant(1331.6, 1331.6f, "6658/5");
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar a_phi = accelerations.phi;
+    const Scalar q_alpha_1 = state.q.alpha_1;
+    const Scalar v_alpha_1 = state.v.alpha_1;
+    const Scalar a_alpha_1 = accelerations.alpha_1;
+    const Scalar q_alpha_2 = state.q.alpha_2;
+    const Scalar v_alpha_2 = state.v.alpha_2;
+    const Scalar a_alpha_2 = accelerations.alpha_2;
+    const Scalar q_alpha_3 = state.q.alpha_3;
+    const Scalar v_alpha_3 = state.v.alpha_3;
+    const Scalar a_alpha_3 = accelerations.alpha_3;
+    const Scalar q_alpha_4 = state.q.alpha_4;
+    const Scalar v_alpha_4 = state.v.alpha_4;
+    const Scalar a_alpha_4 = accelerations.alpha_4;
+    const Scalar p_k = precomputed.parameters.k;
+    const Scalar p_alpha_c = precomputed.parameters.alpha_c;
+    const Scalar p_alpha = precomputed.parameters.alpha;
+    const Scalar p_c = precomputed.parameters.c;
+    const Scalar z34 = precomputed.z34;
+    const Scalar z35 = precomputed.z35;
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    Scalar s_alpha_1, c_alpha_1;
+    traits::sincos(q_alpha_1, s_alpha_1, c_alpha_1);
+    Scalar s_alpha_2, c_alpha_2;
+    traits::sincos(q_alpha_2, s_alpha_2, c_alpha_2);
+    Scalar s_alpha_3, c_alpha_3;
+    traits::sincos(q_alpha_3, s_alpha_3, c_alpha_3);
+    Scalar s_alpha_4, c_alpha_4;
+    traits::sincos(q_alpha_4, s_alpha_4, c_alpha_4);
+    const Scalar z36 = c_phi * z34;
+    const Scalar z37 = s_phi * z34;
+    const Scalar z40 = v_phi + z35;  // angular velocity of rotor, z
+    const Scalar z41 = s_alpha_1 * z40 - c_alpha_1 * z37;
+    const Scalar z42 = s_alpha_1 * z37 + c_alpha_1 * z40;
+    const Scalar z45 = v_alpha_1 + z36;  // angular velocity of blade_1, x
+    const Scalar z46 = s_alpha_2 * z40 - c_alpha_2 * z36;
+    const Scalar z47 = s_alpha_2 * z36 + c_alpha_2 * z40;
+    const Scalar z50 = v_alpha_2 - z37;  // angular velocity of blade_2, x
+    const Scalar z51 = s_alpha_3 * z40 + c_alpha_3 * z37;
+    const Scalar z52 = s_alpha_3 * z37 - c_alpha_3 * z40;
+    const Scalar z55 = v_alpha_3 - z36;  // angular velocity of blade_3, x
+    const Scalar z56 = s_alpha_4 * z40 + c_alpha_4 * z36;
+    const Scalar z57 = s_alpha_4 * z36 - c_alpha_4 * z40;
+    const Scalar z60 = v_alpha_4 + z37;  // angular velocity of blade_4, x
+    const Scalar z326 = c_phi * p_alpha_c - q_alpha_1 + p_alpha;
+    const Scalar z327 = p_k * z326;
+    const Scalar z328 = v_phi * s_phi;
+    const Scalar z329 = v_alpha_1 + p_alpha_c * z328;
+    const Scalar z331 = z329 * p_c;
+    const Scalar z332 = s_phi * p_alpha_c + q_alpha_2 - p_alpha;
+    const Scalar z333 = p_k * z332;
+    const Scalar z334 = v_phi * c_phi;
+    const Scalar z335 = v_alpha_2 + p_alpha_c * z334;
+    const Scalar z336 = p_c * z335;
+    const Scalar z337 = c_phi * p_alpha_c + q_alpha_3 - p_alpha;
+    const Scalar z338 = p_k * z337;
+    const Scalar z339 = v_alpha_3 - p_alpha_c * z328;
+    const Scalar z340 = p_c * z339;
+    const Scalar z341 = s_phi * p_alpha_c - q_alpha_4 + p_alpha;
+    const Scalar z342 = p_k * z341;
+    const Scalar z343 = v_alpha_4 - p_alpha_c * z334;
+    const Scalar z344 = p_c * z343;
+    const Scalar z351 = v_phi * z37;  // angular acceleration of rotor, x
+    const Scalar z352 = v_phi * z36;  // angular acceleration of rotor, y
+    const Scalar z377 = z56 * z57;
+    const Scalar z378 = z57 * z60;
+    const Scalar z379 = z56 * z60;
+    const Scalar z382 = n0_8 * z379;  // moment on blade_4, z
+    const Scalar z385 = z51 * z52;
+    const Scalar z386 = z52 * z55;
+    const Scalar z387 = z51 * z55;
+    const Scalar z390 = n0_8 * z387;  // moment on blade_3, z
+    const Scalar z393 = z46 * z47;
+    const Scalar z394 = z47 * z50;
+    const Scalar z395 = z46 * z50;
+    const Scalar z398 = n0_8 * z395;  // moment on blade_2, z
+    const Scalar z401 = z41 * z42;
+    const Scalar z402 = z42 * z45;
+    const Scalar z403 = z41 * z45;
+    const Scalar z406 = n0_8 * z403;  // moment on blade_1, z
+    const Scalar z428 = a_phi * s_alpha_1 - c_alpha_1 * z352;
+    const Scalar z430 = a_alpha_1 - z351;  // angular acceleration of blade_1, x
+    const Scalar z431 = v_alpha_1 * z42 + z428;  // angular acceleration of blade_1, y
+    const Scalar z433 = a_phi * s_alpha_2 + c_alpha_2 * z351;
+    const Scalar z435 = a_alpha_2 - z352;  // angular acceleration of blade_2, x
+    const Scalar z436 = v_alpha_2 * z47 + z433;  // angular acceleration of blade_2, y
+    const Scalar z438 = a_phi * s_alpha_3 + c_alpha_3 * z352;
+    const Scalar z440 = a_alpha_3 + z351;  // angular acceleration of blade_3, x
+    const Scalar z441 = v_alpha_3 * z52 - z438;  // angular acceleration of blade_3, y
+    const Scalar z443 = a_phi * s_alpha_4 - c_alpha_4 * z351;
+    const Scalar z445 = a_alpha_4 + z352;  // angular acceleration of blade_4, x
+    const Scalar z446 = v_alpha_4 * z57 - z443;  // angular acceleration of blade_4, y
+    const Scalar z448 = n0_4 * (z377 - z445);  // moment on blade_4, x
+    const Scalar z449 = n0_4 * (z378 - z446);  // moment on blade_4, y
+    const Scalar z451 = s_alpha_4 * z449 + c_alpha_4 * z382;
+    const Scalar z452 = n0_4 * (z385 - z440);  // moment on blade_3, x
+    const Scalar z453 = n0_4 * (z386 - z441);  // moment on blade_3, y
+    const Scalar z455 = s_alpha_3 * z453 + c_alpha_3 * z390;
+    const Scalar z456 = n0_4 * (z393 + z435);  // moment on blade_2, x
+    const Scalar z457 = n0_4 * (z394 - z436);  // moment on blade_2, y
+    const Scalar z459 = s_alpha_2 * z457 - c_alpha_2 * z398;
+    const Scalar z460 = n0_4 * (z401 + z430);  // moment on blade_1, x
+    const Scalar z461 = n0_4 * (z402 - z431);  // moment on blade_1, y
+    const Scalar z463 = s_alpha_1 * z461 - c_alpha_1 * z406;
+    const Scalar z466 = n1331_6 * a_phi - z451 - z455 + z459 + z463;  // moment on rotor, z
+    const Scalar z474 = p_alpha_c * (s_phi * (z327 - z331 + z338 + z340) - c_phi * (z333 + z336 + z342 - z344)) - z466;
+    const Scalar z475 = z327 - z331 - z460;
+    const Scalar z476 = z333 + z336 + z456;
+    const Scalar z477 = z338 + z340 - z452;
+    const Scalar z478 = z342 - z344 + z448;
+    forces.phi = -z474;
+    forces.alpha_1 = -z475;
+    forces.alpha_2 = z476;
+    forces.alpha_3 = z477;
+    forces.alpha_4 = -z478;
+  }
+
+  /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
+  /// an unrolled L D L' of M. Returns singular when a pivot is not
+  /// positive relative to its diagonal entry.
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
+      const Inputs& inputs, Accelerations& accelerations, Multipliers&) noexcept {
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n1331_6 = traits::constant(1331.6, 1331.6f, "6658/5");
+    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n2_5 = traits::constant(2.5, 2.5f, "5/2");
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar q_alpha_1 = state.q.alpha_1;
+    const Scalar v_alpha_1 = state.v.alpha_1;
+    const Scalar q_alpha_2 = state.q.alpha_2;
+    const Scalar v_alpha_2 = state.v.alpha_2;
+    const Scalar q_alpha_3 = state.q.alpha_3;
+    const Scalar v_alpha_3 = state.v.alpha_3;
+    const Scalar q_alpha_4 = state.q.alpha_4;
+    const Scalar v_alpha_4 = state.v.alpha_4;
+    const Scalar u_C = inputs.C;
+    const Scalar p_k = precomputed.parameters.k;
+    const Scalar p_alpha_c = precomputed.parameters.alpha_c;
+    const Scalar p_alpha = precomputed.parameters.alpha;
+    const Scalar p_c = precomputed.parameters.c;
+    const Scalar z34 = precomputed.z34;
+    const Scalar z35 = precomputed.z35;
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    Scalar s_alpha_1, c_alpha_1;
+    traits::sincos(q_alpha_1, s_alpha_1, c_alpha_1);
+    Scalar s_alpha_2, c_alpha_2;
+    traits::sincos(q_alpha_2, s_alpha_2, c_alpha_2);
+    Scalar s_alpha_3, c_alpha_3;
+    traits::sincos(q_alpha_3, s_alpha_3, c_alpha_3);
+    Scalar s_alpha_4, c_alpha_4;
+    traits::sincos(q_alpha_4, s_alpha_4, c_alpha_4);
+    const Scalar z36 = c_phi * z34;
+    const Scalar z37 = s_phi * z34;
+    const Scalar z40 = v_phi + z35;  // angular velocity of rotor, z
+    const Scalar z41 = s_alpha_1 * z40 - c_alpha_1 * z37;
+    const Scalar z42 = s_alpha_1 * z37 + c_alpha_1 * z40;
+    const Scalar z45 = v_alpha_1 + z36;  // angular velocity of blade_1, x
+    const Scalar z46 = s_alpha_2 * z40 - c_alpha_2 * z36;
+    const Scalar z47 = s_alpha_2 * z36 + c_alpha_2 * z40;
+    const Scalar z50 = v_alpha_2 - z37;  // angular velocity of blade_2, x
+    const Scalar z51 = s_alpha_3 * z40 + c_alpha_3 * z37;
+    const Scalar z52 = s_alpha_3 * z37 - c_alpha_3 * z40;
+    const Scalar z55 = v_alpha_3 - z36;  // angular velocity of blade_3, x
+    const Scalar z56 = s_alpha_4 * z40 + c_alpha_4 * z36;
+    const Scalar z57 = s_alpha_4 * z36 - c_alpha_4 * z40;
+    const Scalar z60 = v_alpha_4 + z37;  // angular velocity of blade_4, x
+    const Scalar z251 = n0_4 * s_alpha_4;
+    const Scalar z252 = s_alpha_4 * z251;
+    const Scalar z255 = n1331_6 - z252;
+    const Scalar z258 = n0_4 * s_alpha_3;
+    const Scalar z259 = s_alpha_3 * z258;
+    const Scalar z264 = z255 - z259;
+    const Scalar z265 = n0_4 * s_alpha_2;
+    const Scalar z266 = s_alpha_2 * z265;
+    const Scalar z272 = z264 - z266;
+    const Scalar z273 = n0_4 * s_alpha_1;
+    const Scalar z274 = s_alpha_1 * z273;
+    const Scalar z280 = z272 - z274;
+    const Scalar z326 = c_phi * p_alpha_c - q_alpha_1 + p_alpha;
+    const Scalar z327 = p_k * z326;
+    const Scalar z328 = v_phi * s_phi;
+    const Scalar z329 = v_alpha_1 + p_alpha_c * z328;
+    const Scalar z331 = z329 * p_c;
+    const Scalar z332 = s_phi * p_alpha_c + q_alpha_2 - p_alpha;
+    const Scalar z333 = p_k * z332;
+    const Scalar z334 = v_phi * c_phi;
+    const Scalar z335 = v_alpha_2 + p_alpha_c * z334;
+    const Scalar z336 = p_c * z335;
+    const Scalar z337 = c_phi * p_alpha_c + q_alpha_3 - p_alpha;
+    const Scalar z338 = p_k * z337;
+    const Scalar z339 = v_alpha_3 - p_alpha_c * z328;
+    const Scalar z340 = p_c * z339;
+    const Scalar z341 = s_phi * p_alpha_c - q_alpha_4 + p_alpha;
+    const Scalar z342 = p_k * z341;
+    const Scalar z343 = v_alpha_4 - p_alpha_c * z334;
+    const Scalar z344 = p_c * z343;
+    const Scalar z351 = v_phi * z37;  // angular acceleration of rotor, x
+    const Scalar z352 = v_phi * z36;  // angular acceleration of rotor, y
+    const Scalar z353 = c_alpha_1 * z352;
+    const Scalar z357 = v_alpha_1 * z42 - z353;  // angular acceleration of blade_1, y
+    const Scalar z359 = c_alpha_2 * z351;
+    const Scalar z363 = v_alpha_2 * z47 + z359;  // angular acceleration of blade_2, y
+    const Scalar z365 = c_alpha_3 * z352;
+    const Scalar z369 = v_alpha_3 * z52 - z365;  // angular acceleration of blade_3, y
+    const Scalar z371 = c_alpha_4 * z351;
+    const Scalar z375 = v_alpha_4 * z57 + z371;  // angular acceleration of blade_4, y
+    const Scalar z377 = z56 * z57;
+    const Scalar z378 = z57 * z60;
+    const Scalar z379 = z56 * z60;
+    const Scalar z380 = n0_4 * (z352 - z377);  // moment on blade_4, x
+    const Scalar z381 = n0_4 * (z375 - z378);  // moment on blade_4, y
+    const Scalar z382 = n0_8 * z379;  // moment on blade_4, z
+    const Scalar z384 = s_alpha_4 * z381 - c_alpha_4 * z382;
+    const Scalar z385 = z51 * z52;
+    const Scalar z386 = z52 * z55;
+    const Scalar z387 = z51 * z55;
+    const Scalar z388 = n0_4 * (z351 - z385);  // moment on blade_3, x
+    const Scalar z389 = n0_4 * (z369 - z386);  // moment on blade_3, y
+    const Scalar z390 = n0_8 * z387;  // moment on blade_3, z
+    const Scalar z392 = s_alpha_3 * z389 - c_alpha_3 * z390;
+    const Scalar z393 = z46 * z47;
+    const Scalar z394 = z47 * z50;
+    const Scalar z395 = z46 * z50;
+    const Scalar z396 = n0_4 * (z352 - z393);  // moment on blade_2, x
+    const Scalar z397 = n0_4 * (z363 - z394);  // moment on blade_2, y
+    const Scalar z398 = n0_8 * z395;  // moment on blade_2, z
+    const Scalar z400 = s_alpha_2 * z397 + c_alpha_2 * z398;
+    const Scalar z401 = z41 * z42;
+    const Scalar z402 = z42 * z45;
+    const Scalar z403 = z41 * z45;
+    const Scalar z404 = n0_4 * (z351 - z401);  // moment on blade_1, x
+    const Scalar z405 = n0_4 * (z357 - z402);  // moment on blade_1, y
+    const Scalar z406 = n0_8 * z403;  // moment on blade_1, z
+    const Scalar z408 = s_alpha_1 * z405 + c_alpha_1 * z406;
+    const Scalar z413 = z384 + z392 - z400 - z408;  // moment on rotor, z
+    const Scalar z423 = p_alpha_c * (s_phi * (z327 - z331 + z338 + z340) - c_phi * (z333 + z336 + z342 - z344)) - z413;
+    const Scalar z424 = z327 - z331 + z404;
+    const Scalar z425 = z333 + z336 - z396;
+    const Scalar z426 = z338 + z340 + z388;
+    const Scalar z427 = z342 - z344 - z380;
+    const Scalar z479 = u_C + z423;
+    const Scalar z480 = n1 / z280;
+    const Scalar z481 = z479 * z480;
+    const Scalar z482 = n2_5 * z424;
+    const Scalar z483 = n2_5 * z425;
+    const Scalar z484 = n2_5 * z426;
+    const Scalar z485 = n2_5 * z427;
+    accelerations.phi = z481;
+    accelerations.alpha_1 = z482;
+    accelerations.alpha_2 = -z483;
+    accelerations.alpha_3 = -z484;
+    accelerations.alpha_4 = z485;
+    if (!(traits::regular(z280, z280))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (accelerations.phi - accelerations.phi) + (accelerations.alpha_1 - accelerations.alpha_1)
+        + (accelerations.alpha_2 - accelerations.alpha_2) + (accelerations.alpha_3 - accelerations.alpha_3)
+        + (accelerations.alpha_4 - accelerations.alpha_4);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
+  TORSOR_DEVICE static void energy(const Precomputed& precomputed, const State& state, const Inputs& inputs,
+      Energy& result) noexcept {
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    const Scalar n332_5 = traits::constant(332.5, 332.5f, "665/2");
+    const Scalar n60 = traits::constant(60.0, 60.0f, "60/1");
+    const Scalar n665 = traits::constant(665.0, 665.0f, "665/1");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar q_alpha_1 = state.q.alpha_1;
+    const Scalar v_alpha_1 = state.v.alpha_1;
+    const Scalar q_alpha_2 = state.q.alpha_2;
+    const Scalar v_alpha_2 = state.v.alpha_2;
+    const Scalar q_alpha_3 = state.q.alpha_3;
+    const Scalar v_alpha_3 = state.v.alpha_3;
+    const Scalar q_alpha_4 = state.q.alpha_4;
+    const Scalar v_alpha_4 = state.v.alpha_4;
+    const Scalar u_C = inputs.C;
+    const Scalar p_k = precomputed.parameters.k;
+    const Scalar p_alpha_c = precomputed.parameters.alpha_c;
+    const Scalar p_alpha = precomputed.parameters.alpha;
+    const Scalar p_c = precomputed.parameters.c;
+    const Scalar z33 = precomputed.z33;
+    const Scalar z34 = precomputed.z34;
+    const Scalar z35 = precomputed.z35;
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    Scalar s_alpha_1, c_alpha_1;
+    traits::sincos(q_alpha_1, s_alpha_1, c_alpha_1);
+    Scalar s_alpha_2, c_alpha_2;
+    traits::sincos(q_alpha_2, s_alpha_2, c_alpha_2);
+    Scalar s_alpha_3, c_alpha_3;
+    traits::sincos(q_alpha_3, s_alpha_3, c_alpha_3);
+    Scalar s_alpha_4, c_alpha_4;
+    traits::sincos(q_alpha_4, s_alpha_4, c_alpha_4);
+    const Scalar z36 = c_phi * z34;
+    const Scalar z37 = s_phi * z34;
+    const Scalar z38 = s_phi * z33;
+    const Scalar z39 = c_phi * z33;
+    const Scalar z40 = v_phi + z35;  // angular velocity of rotor, z
+    const Scalar z42 = s_alpha_1 * z37 + c_alpha_1 * z40;
+    const Scalar z45 = v_alpha_1 + z36;  // angular velocity of blade_1, x
+    const Scalar z47 = s_alpha_2 * z36 + c_alpha_2 * z40;
+    const Scalar z50 = v_alpha_2 - z37;  // angular velocity of blade_2, x
+    const Scalar z52 = s_alpha_3 * z37 - c_alpha_3 * z40;
+    const Scalar z55 = v_alpha_3 - z36;  // angular velocity of blade_3, x
+    const Scalar z57 = s_alpha_4 * z36 - c_alpha_4 * z40;
+    const Scalar z60 = v_alpha_4 + z37;  // angular velocity of blade_4, x
+    const Scalar z326 = c_phi * p_alpha_c - q_alpha_1 + p_alpha;
+    const Scalar z328 = v_phi * s_phi;
+    const Scalar z329 = v_alpha_1 + p_alpha_c * z328;
+    const Scalar z331 = z329 * p_c;
+    const Scalar z332 = s_phi * p_alpha_c + q_alpha_2 - p_alpha;
+    const Scalar z334 = v_phi * c_phi;
+    const Scalar z335 = v_alpha_2 + p_alpha_c * z334;
+    const Scalar z336 = p_c * z335;
+    const Scalar z337 = c_phi * p_alpha_c + q_alpha_3 - p_alpha;
+    const Scalar z339 = v_alpha_3 - p_alpha_c * z328;
+    const Scalar z340 = p_c * z339;
+    const Scalar z341 = s_phi * p_alpha_c - q_alpha_4 + p_alpha;
+    const Scalar z343 = v_alpha_4 - p_alpha_c * z334;
+    const Scalar z344 = p_c * z343;
+    result.kinetic = n0_2 * (z42 * z42 + z45 * z45 + z47 * z47 + z50 * z50 + z52 * z52 + z55 * z55 + z57 * z57 + z60
+        * z60) + n332_5 * (z36 * z36 + z37 * z37) + n60 * (z38 * z38 + z39 * z39) + n665 * z40 * z40;
+    result.force_function = -p_k * n0_5 * (z326 * z326 + z332 * z332 + z337 * z337 + z341 * z341);
+    result.power = v_phi * u_C - z329 * z331 - z335 * z336 - z339 * z340 - z343 * z344;
+  }
+
+  /// Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released
+  /// direction, at accelerations, multipliers and inputs that belong to the motion.
+  TORSOR_DEVICE static void reactions(const Precomputed& precomputed, const State& state,
+      const Accelerations& accelerations, const Multipliers&, const Inputs&, Reactions& result) noexcept {
+    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n1331_6 = traits::constant(1331.6, 1331.6f, "6658/5");
+    const Scalar n665_8 = traits::constant(665.8, 665.8f, "3329/5");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_phi = state.q.phi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar a_phi = accelerations.phi;
+    const Scalar q_alpha_1 = state.q.alpha_1;
+    const Scalar v_alpha_1 = state.v.alpha_1;
+    const Scalar a_alpha_1 = accelerations.alpha_1;
+    const Scalar q_alpha_2 = state.q.alpha_2;
+    const Scalar v_alpha_2 = state.v.alpha_2;
+    const Scalar a_alpha_2 = accelerations.alpha_2;
+    const Scalar q_alpha_3 = state.q.alpha_3;
+    const Scalar v_alpha_3 = state.v.alpha_3;
+    const Scalar a_alpha_3 = accelerations.alpha_3;
+    const Scalar q_alpha_4 = state.q.alpha_4;
+    const Scalar v_alpha_4 = state.v.alpha_4;
+    const Scalar a_alpha_4 = accelerations.alpha_4;
+    const Scalar z34 = precomputed.z34;
+    const Scalar z35 = precomputed.z35;
+    const Scalar z416 = precomputed.z416;
+    const Scalar z422 = precomputed.z422;
+    Scalar s_phi, c_phi;
+    traits::sincos(q_phi, s_phi, c_phi);
+    Scalar s_alpha_1, c_alpha_1;
+    traits::sincos(q_alpha_1, s_alpha_1, c_alpha_1);
+    Scalar s_alpha_2, c_alpha_2;
+    traits::sincos(q_alpha_2, s_alpha_2, c_alpha_2);
+    Scalar s_alpha_3, c_alpha_3;
+    traits::sincos(q_alpha_3, s_alpha_3, c_alpha_3);
+    Scalar s_alpha_4, c_alpha_4;
+    traits::sincos(q_alpha_4, s_alpha_4, c_alpha_4);
+    const Scalar z36 = c_phi * z34;
+    const Scalar z37 = s_phi * z34;
+    const Scalar z40 = v_phi + z35;  // angular velocity of rotor, z
+    const Scalar z41 = s_alpha_1 * z40 - c_alpha_1 * z37;
+    const Scalar z42 = s_alpha_1 * z37 + c_alpha_1 * z40;
+    const Scalar z45 = v_alpha_1 + z36;  // angular velocity of blade_1, x
+    const Scalar z46 = s_alpha_2 * z40 - c_alpha_2 * z36;
+    const Scalar z47 = s_alpha_2 * z36 + c_alpha_2 * z40;
+    const Scalar z50 = v_alpha_2 - z37;  // angular velocity of blade_2, x
+    const Scalar z51 = s_alpha_3 * z40 + c_alpha_3 * z37;
+    const Scalar z52 = s_alpha_3 * z37 - c_alpha_3 * z40;
+    const Scalar z55 = v_alpha_3 - z36;  // angular velocity of blade_3, x
+    const Scalar z56 = s_alpha_4 * z40 + c_alpha_4 * z36;
+    const Scalar z57 = s_alpha_4 * z36 - c_alpha_4 * z40;
+    const Scalar z60 = v_alpha_4 + z37;  // angular velocity of blade_4, x
+    const Scalar z351 = v_phi * z37;  // angular acceleration of rotor, x
+    const Scalar z352 = v_phi * z36;  // angular acceleration of rotor, y
+    const Scalar z377 = z56 * z57;
+    const Scalar z378 = z57 * z60;
+    const Scalar z379 = z56 * z60;
+    const Scalar z382 = n0_8 * z379;  // moment on blade_4, z
+    const Scalar z385 = z51 * z52;
+    const Scalar z386 = z52 * z55;
+    const Scalar z387 = z51 * z55;
+    const Scalar z390 = n0_8 * z387;  // moment on blade_3, z
+    const Scalar z393 = z46 * z47;
+    const Scalar z394 = z47 * z50;
+    const Scalar z395 = z46 * z50;
+    const Scalar z398 = n0_8 * z395;  // moment on blade_2, z
+    const Scalar z401 = z41 * z42;
+    const Scalar z402 = z42 * z45;
+    const Scalar z403 = z41 * z45;
+    const Scalar z406 = n0_8 * z403;  // moment on blade_1, z
+    const Scalar z409 = z37 * z40;
+    const Scalar z410 = z36 * z40;
+    const Scalar z428 = a_phi * s_alpha_1 - c_alpha_1 * z352;
+    const Scalar z430 = a_alpha_1 - z351;  // angular acceleration of blade_1, x
+    const Scalar z431 = v_alpha_1 * z42 + z428;  // angular acceleration of blade_1, y
+    const Scalar z433 = a_phi * s_alpha_2 + c_alpha_2 * z351;
+    const Scalar z435 = a_alpha_2 - z352;  // angular acceleration of blade_2, x
+    const Scalar z436 = v_alpha_2 * z47 + z433;  // angular acceleration of blade_2, y
+    const Scalar z438 = a_phi * s_alpha_3 + c_alpha_3 * z352;
+    const Scalar z440 = a_alpha_3 + z351;  // angular acceleration of blade_3, x
+    const Scalar z441 = v_alpha_3 * z52 - z438;  // angular acceleration of blade_3, y
+    const Scalar z443 = a_phi * s_alpha_4 - c_alpha_4 * z351;
+    const Scalar z445 = a_alpha_4 + z352;  // angular acceleration of blade_4, x
+    const Scalar z446 = v_alpha_4 * z57 - z443;  // angular acceleration of blade_4, y
+    const Scalar z448 = n0_4 * (z377 - z445);  // moment on blade_4, x
+    const Scalar z449 = n0_4 * (z378 - z446);  // moment on blade_4, y
+    const Scalar z450 = s_alpha_4 * z382 - c_alpha_4 * z449;
+    const Scalar z451 = s_alpha_4 * z449 + c_alpha_4 * z382;
+    const Scalar z452 = n0_4 * (z385 - z440);  // moment on blade_3, x
+    const Scalar z453 = n0_4 * (z386 - z441);  // moment on blade_3, y
+    const Scalar z454 = s_alpha_3 * z390 - c_alpha_3 * z453;
+    const Scalar z455 = s_alpha_3 * z453 + c_alpha_3 * z390;
+    const Scalar z456 = n0_4 * (z393 + z435);  // moment on blade_2, x
+    const Scalar z457 = n0_4 * (z394 - z436);  // moment on blade_2, y
+    const Scalar z458 = s_alpha_2 * z398 + c_alpha_2 * z457;
+    const Scalar z459 = s_alpha_2 * z457 - c_alpha_2 * z398;
+    const Scalar z460 = n0_4 * (z401 + z430);  // moment on blade_1, x
+    const Scalar z461 = n0_4 * (z402 - z431);  // moment on blade_1, y
+    const Scalar z462 = s_alpha_1 * z406 + c_alpha_1 * z461;
+    const Scalar z463 = s_alpha_1 * z461 - c_alpha_1 * z406;
+    const Scalar z464 = n1331_6 * z409 - z450 - z452 + z458 - z460;  // moment on rotor, x
+    const Scalar z465 = n1331_6 * z410 - z448 + z454 - z456 - z462;  // moment on rotor, y
+    const Scalar z466 = n1331_6 * a_phi - z451 - z455 + z459 + z463;  // moment on rotor, z
+    const Scalar z467 = s_phi * z465 - c_phi * z464;
+    const Scalar z468 = s_phi * z464 + c_phi * z465;
+    const Scalar z469 = n665_8 * z416 - z468;  // moment on pitch, y
+    result.X = -z422;
+    result.Y = n0;
+    result.Z = n0;
+    result.M_x = z467;
+    result.M_y = z469;
+    result.M_z = z466;
+  }
+};
+
+}  // namespace helicopter_on_a_circle_pitching_blades
