@@ -9,7 +9,7 @@
 namespace torsor::reading {
 namespace {
 
-constexpr std::size_t line_width = 160;
+constexpr std::size_t page_width = 160;
 
 /// A lone number as a decimal, anything else as a formula.
 std::string value_text(const Written& value) {
@@ -45,13 +45,13 @@ class TextPage final : public Page {
                 const std::string& remark) override {
     const std::string start = label.empty() ? "  " : fmt::format("  {}:  ", label);
     std::string line = start + text(left) + " = " + text(right);
-    if (line.size() > line_width) {
+    if (line.size() > page_width) {
       const std::string indent(start.size() + 2, ' ');
-      line = start + text_lines(left, start.size(), indent, line_width);
+      line = start + text_lines(left, start.size(), indent, page_width);
       const bool short_left = line.size() < start.size() + 20;
       line += short_left ? " = " : fmt::format("\n{}= ", indent);
       const std::size_t column = short_left ? line.size() : indent.size() + 2;
-      line += text_lines(right, column, indent + "  ", line_width);
+      line += text_lines(right, column, indent + "  ", page_width);
     }
     out_ += remark.empty() ? fmt::format("{}\n", line) : fmt::format("{}    ({})\n", line, remark);
   }
@@ -63,7 +63,7 @@ class TextPage final : public Page {
       for (const auto& row : rows) widths[j] = std::max(widths[j], text(row[j]).size());
       total += widths[j] + 3;
     }
-    if (total > line_width) {
+    if (total > page_width) {
       entries(name, rows);
       return;
     }
@@ -88,7 +88,7 @@ class TextPage final : public Page {
         const bool column = rows[i].size() == 1;
         const std::string head =
             column ? fmt::format("  {}[{}] = ", name, i + 1) : fmt::format("  {}[{},{}] = ", name, i + 1, j + 1);
-        out_ += head + text_lines(rows[i][j], head.size(), std::string(head.size(), ' '), line_width) + "\n";
+        out_ += head + text_lines(rows[i][j], head.size(), std::string(head.size(), ' '), page_width) + "\n";
       }
     }
     if (zeros) out_ += fmt::format("  The other entries of {} are zero.\n", name);
