@@ -5,6 +5,7 @@
 #include <string>
 
 #include "generated/disk_in_a_circle.hpp"
+#include "runtime/contact_regime.hpp"
 #include "runtime/demonstration.hpp"
 #include "runtime/mechanism.hpp"
 #include "runtime/work_precision.hpp"
@@ -44,7 +45,7 @@ void add_circle(Table& table, double rho, double R, double h) {
   const double slope = lean_acceleration(rho, R, h, 1.0, reaction) - at_rest;
   const double turning = std::sqrt(-at_rest / slope), d = std::sqrt(rho * rho - h * h);
   const double rest = lean_acceleration(rho, R, h, turning, reaction);
-  const double f = std::hypot(reaction.X, reaction.Y) / reaction.N;
+  const double f = required_friction(reaction.N, tangential(reaction.X, reaction.Y));
   table.add({scientific(rho, 1), scientific(R, 1), scientific(h, 1), scientific(R * turning, 6),
              scientific(R * std::sqrt(4.0 * g * d / (h * (6.0 * R + d))), 6), scientific(reaction.N, 4),
              scientific(f, 6), scientific(4.0 * R * d / (h * (6.0 * R + d)), 6), scientific(rest, 0)});

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "generated/tumbler.hpp"
+#include "runtime/contact_regime.hpp"
 #include "runtime/demonstration.hpp"
 #include "runtime/mechanism.hpp"
 #include "runtime/work_precision.hpp"
@@ -34,7 +35,8 @@ void show_motion() {
     Tumbler::Energy energy{};
     Tumbler::energy(motion.precomputed(), state, {}, energy);
     table.add({scientific(t, 1), scientific(state.q.x, 6), scientific(state.q.y, 6), scientific(state.q.theta, 6),
-               scientific(reaction.N, 4), scientific(std::hypot(reaction.X, reaction.Y) / reaction.N, 4),
+               scientific(reaction.N, 4),
+               scientific(required_friction(reaction.N, tangential(reaction.X, reaction.Y)), 4),
                scientific(std::hypot(at.I_velocity[0], at.I_velocity[1]), 0),
                scientific(energy.kinetic - energy.force_function, 12)});
   }

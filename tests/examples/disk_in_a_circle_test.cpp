@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "runtime/contact_regime.hpp"
 #include "runtime/mechanism.hpp"
 #include "runtime/reference.hpp"
 #include "tests/examples/energy_theorem.hpp"
@@ -82,7 +83,7 @@ TEST(DiskInACircle, NeedsTheFrictionOfTheReactionComputed) {
     EXPECT_NEAR(reaction.X, 0.0, 1e-10);
     EXPECT_NEAR(reaction.Y, m * circle.R * w * w, 1e-10);
     const double d = circle.d(), needed = 4 * circle.R * d / (circle.h * (6 * circle.R + d));
-    EXPECT_NEAR(std::hypot(reaction.X, reaction.Y) / reaction.N, needed, 1e-11);
+    EXPECT_NEAR(required_friction(reaction.N, tangential(reaction.X, reaction.Y)), needed, 1e-11);
   }
   const Circle exercise = circles[0];
   EXPECT_NEAR(exercise.R * exercise.turning(), 10.493, 5e-4);
