@@ -78,7 +78,7 @@ struct JointContent {
   Placement placement;        ///< of the joint's axes in a; the tree's only
   bool closes_loop = false;   ///< held by constraints, not by the tree
   int first = 0, last = -1;   ///< frames of the tree that realise it
-  Expression pitch;           ///< of a helical joint that closes a loop [m/rad]
+  Expression pitch;           ///< of a helical joint [m/rad]
 };
 
 /// The point of a disc's rim, or of a sphere (no axis), that lies lowest along the normal z of a plane.

@@ -72,8 +72,11 @@ FrameHandle Scene::prismatic(const std::string& name, const FrameReference& pare
 
 FrameHandle Scene::helical(const std::string& name, const FrameReference& parent, const Triple& axis,
                            const Expression& angle, const Expression& pitch, const Placement& placement) {
-  return add_joint(name, JointType::helical, parent, placement,
-                   {{"1", JointKind::prismatic, axis, pitch * angle}, {"2", JointKind::revolute, axis, angle}});
+  const FrameHandle frame =
+      add_joint(name, JointType::helical, parent, placement,
+                {{"1", JointKind::prismatic, axis, pitch * angle}, {"2", JointKind::revolute, axis, angle}});
+  content_.joints.back().pitch = pitch;
+  return frame;
 }
 
 FrameHandle Scene::cylindrical(const std::string& name, const FrameReference& parent, const Triple& axis,

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "generator/mechanics/scene.hpp"
+#include "tests/dynamics/simple_scenes.hpp"
+
+namespace torsor::testing_mechanisms {
+
+/// x along the old z, for joints whose axis x is to lie along z.
+inline Placement x_along_z(const Triple& origin) { return {origin, Rotation::about(1, -6)}; }
+
+/// Four links in a plane, revolute joints along z; lengths crank, coupler, rocker, ground in metres.
+inline Scene four_bar(int crank_length, int coupler_length, int rocker_length, int ground_length,
+                      const std::array<Expression, 3>& angles) {
+  Scene scene("four_bar");
+  const auto metre = [](int n) { return Expression::quantity(Number(n), units::metre); };
+  std::array<Expression, 3> q;
+  for (std::size_t i = 0; i < 3; ++i) {
+    q[i] = scene.coordinate("theta_" + std::to_string(i + 1), "rad");
+    scene.initial(q[i], angles[i]);
+  }
+  const FrameHandle crank = scene.revolute("crank", scene.ground(), axis::z, q[0]);
+  const FrameHandle coupler = scene.revolute("coupler", crank, axis::z, q[1], {{metre(crank_length), 0, 0}, {}});
+  const FrameHandle rocker = scene.revolute("rocker", scene.ground(), axis::z, q[2], {{metre(ground_length), 0, 0}, {}});
+  const FrameHandle end = scene.weld("coupler_end", coupler, x_along_z({metre(coupler_length), 0, 0}));
+  const FrameHandle rocker_end = scene.weld("rocker_end", rocker, x_along_z({metre(rocker_length), 0, 0}));
+  scene.close("knee", JointType::revolute, end, rocker_end);
+  return scene;
+}
+
+/// Bennett's linkage: four skew revolute axes, opposite links alike, lengths a and b, twists α and β with
+/// a / sin α = b / sin β: 1 m and 30°, 2 m and 90°. It moves although 4 − 6 freedoms are left by counting.
+inline Scene bennett() {
+  Scene scene("bennett");
+  const Placement along_a{{metres("1"), 0, 0}, Rotation::about(0, 2)}, along_b{{metres("2"), 0, 0}, Rotation::about(0, 6)};
+  // tan(θ1/2) tan(θ2/2) = sin((β + α)/2) / sin((β − α)/2) = √3.
+  const std::array<Expression, 3> start{pi() / Expression(2), Expression(2) * pi() / Expression(3), -pi() / Expression(2)};
+  std::array<Expression, 3> q;
+  for (std::size_t i = 0; i < 3; ++i) {
+    q[i] = scene.coordinate("theta_" + std::to_string(i + 1), "rad");
+    scene.initial(q[i], start[i]);
+  }
+  const FrameHandle first = scene.revolute("first", scene.ground(), axis::z, q[0]);
+  const FrameHandle second = scene.revolute("second", first, axis::z, q[1], along_a);
+  const FrameHandle third = scene.revolute("third", second, axis::z, q[2], along_b);
+  const FrameHandle end = scene.weld("end", third, along_a);
+  // The ground is the fourth link: from the last axis along x by b, and turned by β, lies the first one.
+  const Rotation back = Rotation::about(0, 6).transpose();
+  const FrameHandle last_axis =
+      scene.weld("last_axis", scene.ground(), {{-metres("2"), 0, 0}, back});
+  const FrameHandle end_x = scene.weld("end_x", end, x_along_z({0, 0, 0}));
+  const FrameHandle last_x = scene.weld("last_x", last_axis, x_along_z({0, 0, 0}));
+  scene.close("last", JointType::revolute, last_x, end_x);
+  return scene;
+}
+
+/// Sarrus' linkage: two chains of three parallel revolute joints, along y and along x, guide a plate straight up.
+inline Scene sarrus() {
+  Scene scene("sarrus");
+  const Expression third = pi() / Expression(3);
+  const auto angle = [&scene](const std::string& name, const Expression& start) {
+    const Expression q = scene.coordinate(name, "rad");
+    scene.initial(q, start);
+    return q;
+  };
+  const Triple two_x{metres("2"), 0, 0}, two_y{0, metres("2"), 0};
+  const Expression a_1 = angle("a_1", -third), a_2 = angle("a_2", -third), a_3 = angle("a_3", Expression(2) * third);
+  const FrameHandle A_1 = scene.revolute("A_1", scene.ground(), axis::y, a_1, {two_x, {}});
+  const FrameHandle A_2 = scene.revolute("A_2", A_1, axis::y, a_2, {two_x, {}});
+  const FrameHandle plate = scene.revolute("plate", A_2, axis::y, a_3, {two_x, {}});
+  const Expression b_1 = angle("b_1", third), b_2 = angle("b_2", third);
+  const FrameHandle B_1 = scene.revolute("B_1", scene.ground(), axis::x, b_1, {two_y, {}});
+  const FrameHandle B_2 = scene.revolute("B_2", B_1, axis::x, b_2, {two_y, {}});
+  const FrameHandle end = scene.weld("B_end", B_2, {two_y, {}});
+  const FrameHandle corner = scene.weld("corner", plate, {{metres("-2"), metres("2"), 0}, {}});
+  scene.close("hinge", JointType::revolute, corner, end);
+  return scene;
+}
+
+/// Slider-crank without a redundant condition: revolute crank, spherical crank pin, revolute gudgeon pin, cylindrical
+/// piston: 1 + 3 + 1 + 2 freedoms, six conditions. At rest with the crank straight up.
+inline Scene isostatic_slider_crank() {
+  Scene scene("slider_crank");
+  const auto coordinate = [&scene](const std::string& name, const std::string& unit, const Expression& start = 0) {
+    const Expression q = scene.coordinate(name, unit);
+    scene.initial(q, start);
+    return q;
+  };
+  const Expression theta = coordinate("theta", "rad", pi() / Expression(2));
+  const Expression s = coordinate("s", "m", 4), turn = coordinate("turn", "rad");
+  const Expression pin = coordinate("pin", "rad", 0.6);
+  const FrameHandle crank = scene.revolute("crank", scene.ground(), axis::z, theta);
+  const FrameHandle piston = scene.cylindrical("piston", scene.ground(), axis::x, s, turn);
+  const FrameHandle rod = scene.revolute("rod", piston, axis::z, pin);
+  const FrameHandle crank_end = scene.weld("crank_end", crank, {{metres("3"), 0, 0}, {}});
+  const FrameHandle rod_end = scene.weld("rod_end", rod, {{metres("-5"), 0, 0}, {}});
+  scene.close("crank_pin", JointType::spherical, crank_end, rod_end);
+  return scene;
+}
+
+/// Support on a slide, with a pendulum and a driven rotor on it: an open chain.
+inline Scene absorber() {
+  Scene scene("absorber");
+  const Expression X = scene.coordinate("X", "m"), theta = scene.coordinate("theta", "rad");
+  const Expression phi = scene.coordinate("phi", "rad");
+  scene.drive(phi, scene.parameter("omega", "rad/s") * scene.time());
+  const FrameHandle support = scene.prismatic("support", scene.ground(), axis::x, X);
+  scene.revolute("pendulum", support, axis::y, theta);
+  scene.revolute("rotor", support, axis::y, phi);
+  return scene;
+}
+
+}  // namespace torsor::testing_mechanisms

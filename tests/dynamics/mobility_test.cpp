@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/dynamics/mobility.hpp"
+
+#include <gtest/gtest.h>
+
+#include "generator/expression/error.hpp"
+#include "tests/dynamics/loop_mechanisms.hpp"
+
+namespace torsor {
+namespace {
+
+using namespace testing_mechanisms;
+
+struct Expected {
+  int bodies, joints, loops, parameters, rank, mobility, redundancy;
+};
+
+void expect(const MobilityCount& count, const Expected& expected) {
+  EXPECT_EQ(count.bodies, expected.bodies);
+  EXPECT_EQ(count.joints, expected.joints);
+  EXPECT_EQ(count.loops, expected.loops);
+  EXPECT_EQ(count.parameters, expected.parameters);
+  EXPECT_EQ(count.equations, 6 * expected.loops);
+  EXPECT_EQ(count.rank, expected.rank);
+  EXPECT_EQ(count.mobility, expected.mobility);
+  EXPECT_EQ(count.redundancy, expected.redundancy);
+}
+
+std::vector<std::string> components(const Mobility& mobility, const std::string& joint) {
+  for (const IndeterminateReaction& each : mobility.indeterminate) {
+    if (each.joint == joint) return each.components;
+  }
+  return {};
+}
+
+using Names = std::vector<std::string>;
+
+// Three of six equations say again that the mechanism is plane.
+TEST(Mobility, OfThePlaneFourBarIsOneWithThreeRedundantEquations) {
+  const Scene scene = four_bar(1, 3, 2, 3, {0.5, 0.4, 1.9});
+  const Mobility mobility = analyse_mobility(scene);
+  EXPECT_TRUE(mobility.moved_to_close);
+  EXPECT_FALSE(mobility.singular);
+  expect(mobility.given, {4, 4, 1, 4, 3, 1, 3});
+  expect(mobility.generic, {4, 4, 1, 4, 3, 1, 3});
+  EXPECT_EQ(mobility.given.internal, 0);
+  for (const char* joint : {"crank", "coupler", "rocker"}) {
+    EXPECT_EQ(components(mobility, joint), (Names{"F_z", "M_x", "M_y"})) << joint;
+  }
+  EXPECT_EQ(components(mobility, "knee"), (Names{"F_x", "M_y", "M_z"}));  // its axis x lies along z
+  EXPECT_EQ(mobility.redundant, (Names{"loop 1: Omega_x", "loop 1: Omega_y", "loop 1: V_z"}));
+}
+
+// All links on one line: a parallelogram may leave that position as one, or crossed.
+TEST(Mobility, OfAFlatParallelogramIsSingular) {
+  const Mobility mobility = analyse_mobility(four_bar(1, 2, 1, 2, {0, 0, 0}));
+  EXPECT_FALSE(mobility.moved_to_close);
+  EXPECT_TRUE(mobility.singular);
+  expect(mobility.given, {4, 4, 1, 4, 2, 2, 4});
+  expect(mobility.generic, {4, 4, 1, 4, 3, 1, 3});
+}
+
+// 1 + 2 = 3: the links reach just so far, and what turns infinitesimally cannot turn further.
+TEST(Mobility, OfLinksThatOnlyJustReachIsInfinitesimal) {
+  const Mobility mobility = analyse_mobility(four_bar(1, 1, 1, 3, {0, 0, pi()}));
+  expect(mobility.given, {4, 4, 1, 4, 2, 2, 4});
+  EXPECT_TRUE(mobility.immobile);
+}
+
+TEST(Mobility, OfBennettsLinkageIsOneAgainstTheCount) {
+  const Mobility mobility = analyse_mobility(bennett());
+  EXPECT_FALSE(mobility.moved_to_close);
+  EXPECT_FALSE(mobility.singular);
+  expect(mobility.generic, {4, 4, 1, 4, 3, 1, 3});
+}
+
+TEST(Mobility, OfSarrusLinkageIsOneAlthoughSixRevoluteJointsLeaveNoneByCounting) {
+  const Mobility mobility = analyse_mobility(sarrus());
+  EXPECT_FALSE(mobility.moved_to_close);
+  EXPECT_FALSE(mobility.singular);
+  expect(mobility.generic, {6, 6, 1, 6, 5, 1, 1});
+  // The two directions of turning, x and y, leave out z: the couple M_z runs around the loop.
+  EXPECT_EQ(mobility.redundant, (Names{"loop 1: Omega_z"}));
+  EXPECT_EQ(components(mobility, "hinge"), (Names{"M_z"}));
+}
+
+TEST(Mobility, OfTheIsostaticSliderCrankLeavesNothingUndetermined) {
+  const Mobility mobility = analyse_mobility(isostatic_slider_crank());
+  EXPECT_TRUE(mobility.moved_to_close);
+  expect(mobility.given, {4, 4, 1, 7, 6, 1, 0});
+  EXPECT_FALSE(mobility.singular);
+  EXPECT_TRUE(mobility.indeterminate.empty());
+  EXPECT_TRUE(mobility.redundant.empty());
+}
+
+TEST(Mobility, OfTheAbsorberIsThreeOfWhichOneIsDriven) {
+  const Scene scene = absorber();
+  const Mobility mobility = analyse_mobility(scene);
+  expect(mobility.generic, {4, 3, 0, 3, 0, 3, 0});
+  const SceneFreedoms freedoms = scene_freedoms(scene);
+  EXPECT_EQ(freedoms.coordinates, 2);
+  EXPECT_EQ(freedoms.driven, 1);
+}
+
+// With input and output named, the pendulum alone is internal.
+TEST(Mobility, IsUsefulWhereTheNamedJointsAre) {
+  MobilityOptions options;
+  options.inputs_outputs = {"support", "rotor"};
+  const Mobility mobility = analyse_mobility(absorber(), options);
+  EXPECT_EQ(mobility.generic.useful, 2);
+  EXPECT_EQ(mobility.generic.internal, 1);
+  ASSERT_EQ(mobility.internal.size(), 1U);
+  EXPECT_EQ(mobility.internal[0].bodies, (Names{"pendulum"}));
+  EXPECT_EQ(mobility.internal[0].text, "turns about y");
+  EXPECT_EQ(mobility.internal_freedoms, (Names{"pendulum: turn about y"}));
+  options.inputs_outputs = {"wheel"};
+  EXPECT_THROW(analyse_mobility(absorber(), options), UsageError);
+}
+
+// The same number by another road: rank of the constraints' Jacobian, which is derived from the closures as functions
+// of the coordinates, instead of twists around loops.
+TEST(Mobility, IsWhatTheConstraintsOfTheSceneLeave) {
+  for (const Scene& scene : {bennett(), sarrus()}) {
+    EXPECT_EQ(scene_freedoms(scene).freedoms(), analyse_mobility(scene).given.mobility) << scene.name();
+  }
+}
+
+TEST(Mobility, RefusesLoopsThatCannotBeClosed) {
+  const Scene scene = four_bar(1, 1, 1, 9, {0.5, 0.4, 1.9});
+  EXPECT_THROW(analyse_mobility(scene), SceneError);
+}
+
+}  // namespace
+}  // namespace torsor
