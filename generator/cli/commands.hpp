@@ -34,6 +34,15 @@ std::string check_json(const std::string& scene, const std::vector<CheckResult>&
 std::string list_text(const Scene& scene);
 std::string list_json(const Scene& scene);
 
+/// Loops, ranks, mobility, redundancy, internal motions, indeterminate reactions and the reduced graph of the scene's
+/// joints. `inputs_outputs` names the joints that count as those with the outside; empty: those of the ground.
+std::string structure_text(const Scene& scene, const std::vector<std::string>& inputs_outputs);
+std::string structure_json(const Scene& scene, const std::vector<std::string>& inputs_outputs);
+
+/// The graph of kind structure, analysis or reduced, as dot or svg; any other word is a UsageError.
+std::string graph_text(const Scene& scene, const std::string& format, const std::string& kind,
+                       const std::vector<std::string>& inputs_outputs);
+
 /// The generated header for some kernels.
 std::string generate_header(const Scene& scene, const std::vector<std::string>& kernels, const ModelOptions& options);
 

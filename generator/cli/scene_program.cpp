@@ -39,6 +39,9 @@ struct Request {
   std::vector<std::string> actions, bodies;
   std::string point;
   std::string axes = "ground";
+  std::vector<std::string> inputs_outputs;
+  std::string graph = "structure";
+  std::string graph_format = "dot";
   int digits = 50;
   int states = 20;
   bool json = false;
@@ -178,6 +181,17 @@ int unknowns(const Scene& scene, const Request& request) {
   return 0;
 }
 
+int structure(const Scene& scene, const Request& request) {
+  write(request.output, request.json ? structure_json(scene, request.inputs_outputs)
+                                     : structure_text(scene, request.inputs_outputs));
+  return 0;
+}
+
+int graph(const Scene& scene, const Request& request) {
+  write(request.output, graph_text(scene, request.graph_format, request.graph, request.inputs_outputs));
+  return 0;
+}
+
 using Command = int (*)(const Scene&, const Request&);
 
 /// Declares the commands; the chosen one is left in `chosen`.
@@ -227,6 +241,17 @@ void declare(CLI::App& app, Request& request, Command& chosen) {
   sub->add_option("--isolate", request.bodies, "bodies to isolate, comma-separated")->delimiter(',');
   sub->add_option("--at", request.point, "point at which their moments are taken");
   sub->add_option("--axes", request.axes, "frame along whose axes the theorems are written")->capture_default_str();
+  const auto with_inputs = [&](CLI::App* command) {
+    command->add_option("--inputs-outputs", request.inputs_outputs,
+                        "joints that count as those with the outside, comma-separated; those of the ground when absent")
+        ->delimiter(',');
+    return command;
+  };
+  with_json(with_inputs(add("structure", "count loops, mobility and redundancy; name what is internal or indeterminate",
+                            structure)));
+  sub = with_inputs(add("graph", "draw the graph of bodies and joints", graph));
+  sub->add_option("--format", request.graph_format, "dot (for Graphviz) or svg")->capture_default_str();
+  sub->add_option("--of", request.graph, "structure, analysis (with constraints and actions) or reduced")->capture_default_str();
   with_json(add("list", "print what the scene contains and the kernels it offers", list));
 }
 
@@ -245,7 +270,7 @@ int run_scene_program(int argc, const char* const* argv, Scene (*make_scene)()) 
     const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
     const auto is_first_word = [argv](const CLI::App* command) { return command->get_name() == argv[1]; };
     if (argc > 1 && argv[1][0] != '-' && std::none_of(commands.begin(), commands.end(), is_first_word)) {
-      return fail(fmt::format("unknown command '{}': use equations, generate, counts, check, reference, force-function, unknowns or list; see --help",
+      return fail(fmt::format("unknown command '{}': use equations, generate, counts, check, reference, force-function, unknowns, structure, graph or list; see --help",
                               argv[1]),
                   bad_usage);
     }

@@ -8,6 +8,7 @@
 #include "generator/dynamics/friction.hpp"
 #include "generator/expression/derivative.hpp"
 #include "generator/expression/error.hpp"
+#include "generator/expression/evaluation.hpp"
 
 namespace torsor {
 namespace {
@@ -232,9 +233,14 @@ std::vector<ConstraintRow> constraint_rows(const Model& model) {
     std::visit(RowBuilder(model, user, row), constraint.law);
     const auto unknowns = row.jacobian.begin() + model.unknown_count();
     if (std::all_of(row.jacobian.begin(), unknowns, [](const Value& a) { return a.is_zero(); })) {
-      throw SceneError(fmt::format("{} involves no coordinate: no motion can satisfy or violate it; drop it or write it "
-                                   "with the scene's coordinates",
-                                   user));
+      // A joint that closes a loop may lock what the mechanism locks already; a formula is a mistake.
+      const bool formula = std::holds_alternative<HolonomicFormula>(constraint.law) ||
+                           std::holds_alternative<NonholonomicFormula>(constraint.law);
+      if (formula || !vanishes(row.value) || !vanishes(row.rate)) {
+        throw SceneError(fmt::format("{} involves no coordinate: no motion can satisfy or violate it; drop it or write "
+                                     "it with the scene's coordinates",
+                                     user));
+      }
     }
     // γ = d(rate)/dt with q̈ = 0: differentiate with velocities held.
     Derivation at_constant_velocity(

@@ -13,6 +13,8 @@ namespace {
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
+Real power_of_ten(int exponent) { return Real(Number(10).pow(exponent), Real::working_digits()); }
+
 RealRow row_of(const RealVector& angular, const RealVector& linear) {
   return {angular[0], angular[1], angular[2], linear[0], linear[1], linear[2]};
 }
@@ -46,7 +48,7 @@ RealRotation rotation_of(const std::array<Real, 4>& e) {
 
 std::string direction_text(const RealVector& direction) {
   const RealVector unit = (Real(1) / norm(direction)) * direction;
-  const Real small(Number(10).pow(-20), Real::working_digits());
+  const Real small = power_of_ten(-20);
   for (std::size_t i = 0; i < 3; ++i) {
     if (abs(unit[(i + 1) % 3]) <= small && abs(unit[(i + 2) % 3]) <= small) return std::string(1, "xyz"[i]);
   }
@@ -198,7 +200,8 @@ std::vector<JointTwists> JointSpace::twists() const {
       const bool slide = norm(angular).is_zero();
       const RealVector direction = slide ? RealVector{twist[3], twist[4], twist[5]} : angular;
       here.twists.push_back(twist);
-      here.names.push_back((slide ? "slide along " : "turn about ") + direction_text(direction));
+      const bool screw = abs(dot(angular, RealVector{twist[3], twist[4], twist[5]})) > power_of_ten(-20);
+      here.names.push_back((slide ? "slide along " : screw ? "screw along " : "turn about ") + direction_text(direction));
     };
     int last = -1;
     for (const int f : joint.frames) {
@@ -297,7 +300,7 @@ RealRows JointSpace::closure_jacobian() const {
 
 bool JointSpace::close(int largest_rank, const Real& small) {
   const JointSpace before = *this;
-  const Real tolerance(Number(10).pow(-20), Real::working_digits());
+  const Real tolerance = power_of_ten(-20);
   const Real longest(Number::rational(1, 2), Real::working_digits());  // a turn of half a radian
   for (int iteration = 0; iteration < 100; ++iteration) {
     const RealRow errors = closure_errors();

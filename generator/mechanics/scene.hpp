@@ -103,6 +103,8 @@ class Scene {
                    const Triple& position, const Triple& angles);
   FrameHandle free(const std::string& name, const FrameReference& parent, const Triple& position,
                    AttitudeHandle attitude);
+  /// Names the joint that moves a frame, where its own name is to be another one than the frame's (in graphs).
+  void name_joint(const FrameHandle& frame, const std::string& name);
 
   // --- points and bodies --------------------------------------------------------------------------------------------
   /// A point given by its components in a frame; they may depend on the coordinates (a contact point moves).

@@ -182,4 +182,15 @@ FrameHandle Scene::free(const std::string& name, const FrameReference& parent, c
       slides({{axis::x, position[0]}, {axis::y, position[1]}, {axis::z, position[2]}}, turn(attitude)));
 }
 
+void Scene::name_joint(const FrameHandle& frame, const std::string& name) {
+  for (JointContent& joint : content_.joints) {
+    if (joint.closes_loop || joint.last != frame.index) continue;
+    claim(name, "joint");
+    joint.name = name;
+    return;
+  }
+  throw SceneError(fmt::format("no joint to be named '{}': frame number {} is not what a joint of the tree moves", name,
+                               frame.index));
+}
+
 }  // namespace torsor

@@ -99,8 +99,13 @@ class Builder {
     return static_cast<int>(place - roots_.begin());
   }
 
-  /// Of the frames of a body, the first that is not inside a joint has the name its author gave.
+  /// Of the frames of a body, one that shares its name with an inertia has the body's; else the first that is not
+  /// inside a joint has a name its author gave.
   std::string name_of(int of_root) const {
+    for (const BodyContent& each : scene_.bodies) {
+      const int at = frame(each.frame);
+      if (of_root > 0 && root(at) == of_root && scene_.frames[index(at)].name == each.name) return each.name;
+    }
     for (std::size_t f = 0; f < group_.size(); ++f) {
       const std::string& name = scene_.frames[f].name;
       if (root(static_cast<int>(f)) == of_root && name.find('.') == std::string::npos) return name;

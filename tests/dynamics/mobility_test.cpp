@@ -120,7 +120,7 @@ TEST(Mobility, IsUsefulWhereTheNamedJointsAre) {
 // The same number by another road: rank of the constraints' Jacobian, which is derived from the closures as functions
 // of the coordinates, instead of twists around loops.
 TEST(Mobility, IsWhatTheConstraintsOfTheSceneLeave) {
-  for (const Scene& scene : {bennett(), sarrus()}) {
+  for (const Scene& scene : {four_bar(1, 2, 1, 2, {0, 0, 0}), bennett(), sarrus()}) {
     EXPECT_EQ(scene_freedoms(scene).freedoms(), analyse_mobility(scene).given.mobility) << scene.name();
   }
 }

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "generator/cli/commands.hpp"
+#include "generator/dynamics/mobility.hpp"
+#include "generator/dynamics/reduced_graph.hpp"
+#include "generator/emission/graph_printer.hpp"
+#include "generator/expression/error.hpp"
+
+namespace torsor {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string type_text(const GraphJoint& joint) {
+  return joint.type ? std::string(to_string(*joint.type)) : "no joint of the table";
+}
+
+std::string joined(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
+
+std::string count_text(const MobilityCount& count) {
+  return fmt::format(
+      "  bodies {}, joints {}: independent loops mu = {}\n"
+      "  freedoms of the joints n_p = {}, closure equations 6 mu = {} of rank r = {}\n"
+      "  mobility m = n_p - r = {}: {} useful, {} internal\n"
+      "  degree of redundancy h = 6 mu - r = {}\n",
+      count.bodies, count.joints, count.loops, count.parameters, count.equations, count.rank, count.mobility, count.useful,
+      count.internal, count.redundancy);
+}
+
+Json count_json(const MobilityCount& count) {
+  return {{"bodies", count.bodies},       {"joints", count.joints},     {"loops", count.loops},
+          {"parameters", count.parameters}, {"equations", count.equations}, {"rank", count.rank},
+          {"mobility", count.mobility},   {"useful", count.useful},     {"internal", count.internal},
+          {"redundancy", count.redundancy}};
+}
+
+/// Counting the scene's own constraints needs them to be good ones; the graph does not.
+std::string scene_text(const Scene& scene) {
+  const SceneFreedoms own = scene_freedoms(scene);
+  return fmt::format("\nThe scene as it is written: {} unknown coordinate{}, {} driven, {} constraint{} of rank {} at the "
+                     "initial configuration: {} freedom{}\n",
+                     own.coordinates, own.coordinates == 1 ? "" : "s", own.driven, own.constraints,
+                     own.constraints == 1 ? "" : "s", own.rank, own.freedoms(), own.freedoms() == 1 ? "" : "s");
+}
+
+}  // namespace
+
+std::string structure_text(const Scene& scene, const std::vector<std::string>& inputs_outputs) {
+  const Mobility mobility = analyse_mobility(scene, {inputs_outputs});
+  const StructureGraph& graph = mobility.graph;
+  std::string text = scene.content().title.empty() ? scene.name() + "\n"
+                                                   : fmt::format("{}: {}\n", scene.name(), scene.content().title);
+  text += "\nJoints (* with the outside)\n";
+  for (std::size_t j = 0; j < graph.joints.size(); ++j) {
+    const GraphJoint& joint = graph.joints[j];
+    const auto& names = (mobility.singular ? mobility.generic_edges : mobility.given_edges)[j].motion.names;
+    text += fmt::format("  {}{:<16}{} - {}: {}, {} freedom{}{}{}\n", mobility.outside[j] ? "*" : " ", joint.name,
+                        graph.bodies[static_cast<std::size_t>(joint.a)].name,
+                        graph.bodies[static_cast<std::size_t>(joint.b)].name, type_text(joint), joint.freedoms,
+                        joint.freedoms == 1 ? "" : "s", names.empty() ? "" : " (" + joined(names) + ")",
+                        joint.closes_loop ? ", closes a loop" : "");
+  }
+  text += "\nStructure graph\n" + count_text(mobility.singular ? mobility.generic : mobility.given);
+  if (mobility.moved_to_close) text += "  (the initial values do not close the loops exactly: taken from the nearest ones that do)\n";
+  if (mobility.singular) {
+    text += fmt::format("  warning: the initial configuration is singular: r = {}, m = {}, h = {} there\n",
+                        mobility.given.rank, mobility.given.mobility, mobility.given.redundancy);
+  }
+  if (mobility.immobile) {
+    text += "  warning: no other configuration was found near the initial one: its freedoms may be infinitesimal only\n";
+  }
+  for (const InternalMotion& motion : mobility.internal) {
+    text += fmt::format("  internal: {} {}{}\n", joined(motion.bodies), motion.text,
+                        motion.freedoms == 1 ? "" : fmt::format(" ({} freedoms)", motion.freedoms));
+  }
+  if (!mobility.internal_freedoms.empty()) {
+    text += fmt::format("  freedoms in internal motions: {}\n", joined(mobility.internal_freedoms));
+  }
+  if (!mobility.loops.empty()) text += "\nClosures (P(b/a): components along a into components along b)\n";
+  for (std::size_t l = 0; l < mobility.loops.size(); ++l) {
+    std::vector<std::string> names;
+    for (const auto& [joint, sense] : mobility.loops[l].joints) names.push_back(graph.joints[static_cast<std::size_t>(joint)].name);
+    text += fmt::format("  loop {} ({})\n    {}\n    {}\n    {}\n", l + 1, joined(names), orientation_closure(graph, mobility.loops[l]),
+                        position_closure(graph, mobility.loops[l]), twist_closure(graph, mobility.loops[l]));
+  }
+  if (!mobility.redundant.empty()) {
+    text += fmt::format("  redundant, each on its own: {}\n", joined(mobility.redundant));
+    text += "\nReactions that equilibrium does not determine (components along the joint's axes)\n";
+    for (const IndeterminateReaction& reaction : mobility.indeterminate) {
+      text += fmt::format("  {:<16}{}\n", reaction.joint, joined(reaction.components));
+    }
+  } else if (!mobility.loops.empty()) {
+    text += "\nEquilibrium determines all reactions of the joints\n";
+  }
+  const ReducedGraph reduced = reduced_graph(mobility);
+  if (!reduced.steps.empty()) {
+    text += "\nReduced graph\n";
+    for (const ReductionStep& step : reduced.steps) {
+      text += fmt::format("  {}{}{}\n", step.text, step.redundant > 0 ? fmt::format("; redundant equations: {} fewer", step.redundant) : "",
+                          step.internal > 0 ? fmt::format("; internal freedoms: {} fewer", step.internal) : "");
+    }
+    text += count_text(reduced.count);
+    for (const EquivalentJoint& joint : reduced.joints) {
+      text += fmt::format("  {:<17}{} - {}: {}\n", joint.edge.name, reduced.bodies[static_cast<std::size_t>(joint.edge.a)],
+                          reduced.bodies[static_cast<std::size_t>(joint.edge.b)], joint.allows.text());
+    }
+    if (reduced.special) text += "  (at a generic configuration: the initial one is special)\n";
+  }
+  return text + scene_text(scene);
+}
+
+std::string structure_json(const Scene& scene, const std::vector<std::string>& inputs_outputs) {
+  const Mobility mobility = analyse_mobility(scene, {inputs_outputs});
+  const StructureGraph& graph = mobility.graph;
+  const auto body = [&graph](int i) { return graph.bodies[static_cast<std::size_t>(i)].name; };
+  Json json{{"name", scene.name()}, {"bodies", Json::array()}, {"joints", Json::array()}, {"links", Json::array()}};
+  for (const GraphBody& each : graph.bodies) json["bodies"].push_back({{"name", each.name}, {"parts", each.parts}});
+  for (std::size_t j = 0; j < graph.joints.size(); ++j) {
+    const GraphJoint& joint = graph.joints[j];
+    json["joints"].push_back({{"name", joint.name},
+                              {"type", type_text(joint)},
+                              {"freedoms", joint.freedoms},
+                              {"between", {body(joint.a), body(joint.b)}},
+                              {"closes_loop", joint.closes_loop},
+                              {"outside", static_cast<bool>(mobility.outside[j])}});
+  }
+  for (const AnalysisLink& link : analysis_links(scene, graph)) {
+    Json bodies = Json::array();
+    for (const int i : link.bodies) bodies.push_back(body(i));
+    json["links"].push_back({{"name", link.name},
+                             {"kind", link.kind == AnalysisLink::Kind::action ? "action" : "constraint"},
+                             {"what", link.what},
+                             {"between", bodies}});
+  }
+  json["given"] = count_json(mobility.given);
+  json["generic"] = count_json(mobility.generic);
+  json["singular"] = mobility.singular;
+  json["immobile"] = mobility.immobile;
+  json["internal"] = Json::array();
+  for (const InternalMotion& motion : mobility.internal) {
+    json["internal"].push_back({{"bodies", motion.bodies}, {"freedoms", motion.freedoms}, {"motion", motion.text}});
+  }
+  json["internal_freedoms"] = mobility.internal_freedoms;
+  json["redundant_equations"] = mobility.redundant;
+  json["indeterminate_reactions"] = Json::object();
+  for (const IndeterminateReaction& reaction : mobility.indeterminate) {
+    json["indeterminate_reactions"][reaction.joint] = reaction.components;
+  }
+  const ReducedGraph reduced = reduced_graph(mobility);
+  Json joints = Json::array();
+  for (const EquivalentJoint& joint : reduced.joints) {
+    joints.push_back({{"name", joint.edge.name},
+                      {"type", joint.allows.type ? std::string(to_string(*joint.allows.type)) : "no joint of the table"},
+                      {"freedoms", joint.allows.freedoms},
+                      {"between", {reduced.bodies[static_cast<std::size_t>(joint.edge.a)],
+                                   reduced.bodies[static_cast<std::size_t>(joint.edge.b)]}}});
+  }
+  json["reduced"] = {{"bodies", reduced.bodies}, {"joints", joints}, {"count", count_json(reduced.count)}};
+  return json.dump(2) + "\n";
+}
+
+std::string graph_text(const Scene& scene, const std::string& format, const std::string& kind,
+                       const std::vector<std::string>& inputs_outputs) {
+  if (format != "dot" && format != "svg") {
+    throw UsageError(fmt::format("unknown format '{}' of a graph: use dot (Graphviz draws it) or svg", format));
+  }
+  GraphDrawing drawing;
+  if (kind == "structure") {
+    drawing = draw_structure(scene, structure_graph(scene));
+  } else if (kind == "analysis") {
+    const StructureGraph graph = structure_graph(scene);
+    drawing = draw_analysis(scene, graph, analysis_links(scene, graph));
+  } else if (kind == "reduced") {
+    drawing = draw_reduced(scene, reduced_graph(analyse_mobility(scene, {inputs_outputs})));
+  } else {
+    throw UsageError(fmt::format("unknown graph '{}': use structure, analysis or reduced", kind));
+  }
+  return format == "dot" ? graph_dot(drawing) : graph_svg(drawing);
+}
+
+}  // namespace torsor

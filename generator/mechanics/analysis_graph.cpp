@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/mechanics/analysis_graph.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "generator/expression/program.hpp"
+
+namespace torsor {
+namespace {
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+class Linker {
+ public:
+  Linker(const Scene& scene, const StructureGraph& graph) : scene_(scene.content()), graph_(graph) {}
+
+  std::vector<AnalysisLink> all() {
+    for (const ConstraintContent& constraint : scene_.constraints) {
+      name_ = constraint.name;
+      std::visit([this](const auto& law) { tie(law); }, constraint.law);
+    }
+    if (std::any_of(scene_.gravity.begin(), scene_.gravity.end(), [](const Expression& g) { return !g.is_zero(); })) {
+      std::set<int> heavy;
+      for (const BodyContent& body : scene_.bodies) heavy.insert(body_of(body.frame));
+      heavy.erase(0);
+      for (const int body : heavy) add(AnalysisLink::Kind::action, "gravity", "gravity", {0, body});
+    }
+    for (const ActionContent& action : scene_.actions) std::visit([this](const auto& content) { tie(content); }, action);
+    for (const ContactFriction& friction : scene_.frictions) {
+      add(AnalysisLink::Kind::action, friction.name, friction.point ? "friction" : "resistance to turning",
+          {body_of(friction.body), body_of(friction.other)});
+    }
+    return std::move(links_);
+  }
+
+ private:
+  void add(AnalysisLink::Kind kind, const std::string& name, const std::string& what, std::vector<int> bodies) {
+    std::sort(bodies.begin(), bodies.end());
+    bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+    // The two directions of one contact are one link.
+    const auto twin = std::find_if(links_.begin(), links_.end(), [&](const AnalysisLink& link) {
+      return kind == AnalysisLink::Kind::constraint && link.kind == kind && link.what == what && link.bodies == bodies;
+    });
+    if (twin != links_.end()) {
+      twin->name += ", " + name;
+      return;
+    }
+    links_.push_back({kind, name, what, std::move(bodies)});
+  }
+  void constraint(const std::string& what, std::vector<int> bodies) {
+    add(AnalysisLink::Kind::constraint, name_, what, std::move(bodies));
+  }
+  void action(const std::string& name, const std::string& what, std::vector<int> bodies) {
+    add(AnalysisLink::Kind::action, name, what, std::move(bodies));
+  }
+
+  int body_of(const FrameReference& frame) const {
+    return graph_.body_of_frame[index(scene_.frame_index(frame, "the analysis graph"))];
+  }
+  int body_of(const PointReference& point) const {
+    return body_of(scene_.points[index(scene_.point_index(point, "the analysis graph"))].frame);
+  }
+
+  void tie(const HolonomicFormula& law) { constraint("holonomic relation", moved_by(law.f)); }
+  void tie(const NonholonomicFormula& law) { constraint("non-holonomic relation", moved_by(law.left_side)); }
+  void tie(const NoSlip& law) { constraint("no slip", {body_of(law.body), body_of(law.on)}); }
+  void tie(const Closure& law) { constraint("closure of points", {body_of(law.a), body_of(law.b)}); }
+  void tie(const PointInPlane& law) { constraint("contact", {body_of(law.point), body_of(law.plane)}); }
+  void tie(const JointClosure&) {}
+
+  void tie(const ElongationSpring& a) { action(a.name, "spring", displaced_by(a.elongation)); }
+  void tie(const ElongationDamper& a) { action(a.name, "damper", displaced_by(a.elongation)); }
+  void tie(const PointSpring& a) { action(a.name, "spring", {body_of(a.a), body_of(a.b)}); }
+  void tie(const PointDamper& a) { action(a.name, "damper", {body_of(a.a), body_of(a.b)}); }
+  void tie(const Motor& a) { action(a.name, "motor", displaced_by(a.displacement)); }
+  void tie(const GivenForce& a) { action(a.name, "force", {0, body_of(a.body)}); }
+  void tie(const GivenTorque& a) { action(a.name, "torque", {0, body_of(a.body)}); }
+  void tie(const GivenForceFunction& a) { action(a.name, "force function", moved_by(a.force_function)); }
+  void tie(const Effort& a) { action(a.name, "effort", displaced_by(a.displacement)); }
+  void tie(const Gravitation& a) { action(a.name, "gravitation", {body_of(a.a), body_of(a.b)}); }
+  void tie(const GivenWrench& a) { action(a.name, "wrench", {0, body_of(a.body)}); }
+  void tie(const Drag& a) { action(a.name, "drag", {body_of(a.body), body_of(a.relative_to)}); }
+  void tie(const RotationalDrag& a) { action(a.name, "rotational drag", {body_of(a.body), body_of(a.relative_to)}); }
+  void tie(const MutualAction& a) {
+    action(a.name, a.point ? "mutual force" : "mutual torque", {body_of(a.a), body_of(a.b)});
+  }
+
+  /// The frame that moves with a body, and those it hangs on.
+  std::vector<int> moving_chain(int frame) const {
+    std::vector<int> chain;
+    for (; frame > 0; frame = scene_.frame_index(*scene_.frames[index(frame)].parent, "the analysis graph")) {
+      if (scene_.frames[index(frame)].joint != JointKind::weld) chain.push_back(frame);
+    }
+    return chain;
+  }
+
+  /// Bodies of the joints that the coordinates of a formula move.
+  std::vector<int> moved_by(const Expression& formula) const {
+    std::vector<int> bodies;
+    for (const GraphJoint& joint : graph_.joints) {
+      for (const int f : joint.frames) {
+        if (shares_a_coordinate(formula, scene_.frames[index(f)])) bodies.insert(bodies.end(), {joint.a, joint.b});
+      }
+    }
+    return bodies;
+  }
+
+  bool shares_a_coordinate(const Expression& formula, const FrameContent& frame) const {
+    for (const CoordinateContent& c : scene_.coordinates) {
+      const bool here = frame.joint == JointKind::attitude ? c.attitude == frame.attitude : frame.displacement.depends_on(c.q);
+      if (here && (formula.depends_on(c.q) || formula.depends_on(c.v))) return true;
+    }
+    if (frame.joint != JointKind::attitude) return false;
+    for (const SymbolPointer& e : scene_.attitudes[index(frame.attitude)].symbols->e) {
+      if (formula.depends_on(e)) return true;
+    }
+    return false;
+  }
+
+  /// The ends of a stretch of one chain of frames whose displacements, all turns or all slides, add up to ± the
+  /// formula, constants aside; the shortest that begins nearest to the ground.
+  std::vector<int> displaced_by(const Expression& formula) const {
+    Program program;
+    const Value wanted = program.lower(formula);
+    std::optional<std::pair<int, int>> best;
+    std::size_t best_length = 0;
+    for (std::size_t f = 0; f < scene_.frames.size(); ++f) {
+      if (scene_.frames[f].joint != JointKind::revolute && scene_.frames[f].joint != JointKind::prismatic) continue;
+      const std::vector<int> chain = moving_chain(static_cast<int>(f));
+      Value sum;
+      for (std::size_t k = 0; k < chain.size() && scene_.frames[index(chain[k])].joint == scene_.frames[f].joint; ++k) {
+        const FrameContent& frame = scene_.frames[index(chain[k])];
+        const Value part = program.lower(frame.displacement);
+        const bool fits = part.is_zero() || part.unit() == wanted.unit();
+        if (!fits) break;
+        sum += part;
+        const Value difference = sum - wanted, total = sum + wanted;
+        if (!difference.is_constant() && !total.is_constant() && !difference.is_zero() && !total.is_zero()) continue;
+        if (best && best_length <= k + 1) continue;
+        best = {graph_.body_of_frame[f], body_of(*frame.parent)};
+        best_length = k + 1;
+      }
+    }
+    if (best && best->first != best->second) return {best->first, best->second};
+    return moved_by(formula);
+  }
+
+  const SceneContent& scene_;
+  const StructureGraph& graph_;
+  std::string name_;
+  std::vector<AnalysisLink> links_;
+};
+
+}  // namespace
+
+std::vector<AnalysisLink> analysis_links(const Scene& scene, const StructureGraph& graph) {
+  return Linker(scene, graph).all();
+}
+
+}  // namespace torsor

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/scene_runner.hpp"
+
+namespace torsor {
+namespace {
+
+using namespace testing_programs;
+using nlohmann::json;
+
+/// A slide block that two columns guide, as a press has them.
+Scene guided() {
+  Scene scene("guided");
+  const Expression z = scene.coordinate("z", "m"), a = scene.coordinate("a", "rad");
+  const Expression metre = Expression::quantity("1", "m"), kilogram = Expression::quantity("1", "kg");
+  const FrameHandle block = scene.cylindrical("block", scene.ground(), axis::x, z, a);
+  const FrameHandle ring = scene.weld("ring", block, {{0, metre, 0}, {}});
+  const FrameHandle column = scene.weld("column", scene.ground(), {{0, metre, 0}, {}});
+  scene.close("guide", JointType::cylindrical, column, ring);
+  const Expression J = Expression::quantity("1", "kg m^2");
+  scene.body("block", block, Inertia::general(kilogram, J, J, J));
+  return scene;
+}
+
+TEST(StructureCommand, CountsAndNames) {
+  const Outcome outcome = run(guided, {"structure"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out,
+            "guided\n"
+            "\n"
+            "Joints (* with the outside)\n"
+            "  *block           ground - block: cylindrical, 2 freedoms (slide along x, turn about x)\n"
+            "  *guide           ground - block: cylindrical, 2 freedoms (turn about x, slide along x), closes a loop\n"
+            "\n"
+            "Structure graph\n"
+            "  bodies 2, joints 2: independent loops mu = 1\n"
+            "  freedoms of the joints n_p = 4, closure equations 6 mu = 6 of rank r = 3\n"
+            "  mobility m = n_p - r = 1: 1 useful, 0 internal\n"
+            "  degree of redundancy h = 6 mu - r = 3\n"
+            "\n"
+            "Closures (P(b/a): components along a into components along b)\n"
+            "  loop 1 (guide, block)\n"
+            "    P(ground/block)·P(block/ground) = I\n"
+            "    O_ground O_block + O_block O_ground = 0\n"
+            "    {V(block/ground)} + {V(ground/block)} = 0\n"
+            "  redundant, each on its own: loop 1: Omega_y, loop 1: Omega_z, loop 1: V_y\n"
+            "\n"
+            "Reactions that equilibrium does not determine (components along the joint's axes)\n"
+            "  block           F_y, M_y, M_z\n"
+            "  guide           F_y, M_y, M_z\n"
+            "\n"
+            "Reduced graph\n"
+            "  block and guide in parallel between ground and block: prismatic along x; redundant equations: 3 fewer\n"
+            "  bodies 2, joints 1: independent loops mu = 0\n"
+            "  freedoms of the joints n_p = 1, closure equations 6 mu = 0 of rank r = 0\n"
+            "  mobility m = n_p - r = 1: 1 useful, 0 internal\n"
+            "  degree of redundancy h = 6 mu - r = 0\n"
+            "  block//guide     ground - block: prismatic along x\n"
+            "\n"
+            "The scene as it is written: 2 unknown coordinates, 0 driven, 4 constraints of rank 1 at the initial "
+            "configuration: 1 freedom\n");
+}
+
+TEST(StructureCommand, WritesJson) {
+  const json data = json::parse(run(guided, {"structure", "--json", "--inputs-outputs", "guide"}).out);
+  EXPECT_EQ(data.at("generic").at("mobility"), 1);
+  EXPECT_EQ(data.at("generic").at("redundancy"), 3);
+  EXPECT_EQ(data.at("joints").at(0).at("outside"), false);
+  EXPECT_EQ(data.at("joints").at(1).at("between"), (json{"ground", "block"}));
+  EXPECT_EQ(data.at("reduced").at("joints").at(0).at("type"), "prismatic");
+}
+
+TEST(StructureCommand, DrawsGraphs) {
+  for (const char* kind : {"structure", "analysis", "reduced"}) {
+    EXPECT_TRUE(run(guided, {"graph", "--of", kind}).out.starts_with("graph \"guided\" {\n")) << kind;
+    EXPECT_TRUE(run(guided, {"graph", "--of", kind, "--format", "svg"}).out.starts_with("<svg ")) << kind;
+  }
+}
+
+TEST(StructureCommand, RefusesWhatItDoesNotKnow) {
+  expect_failure(run(guided, {"graph", "--format", "png"}), 2, "unknown format 'png' of a graph: use dot (Graphviz draws it) or svg");
+  expect_failure(run(guided, {"graph", "--of", "tree"}), 2, "unknown graph 'tree': use structure, analysis or reduced");
+  expect_failure(run(guided, {"structure", "--inputs-outputs", "wheel"}), 2, "unknown joint 'wheel': the scene has block, guide");
+}
+
+}  // namespace
+}  // namespace torsor
