@@ -25,24 +25,25 @@ std::string count_text(const MobilityCount& count) {
       "  freedoms of the joints n_p = {}, closure equations 6 mu = {} of rank r = {}\n"
       "  mobility m = n_p - r = {}: {} useful, {} internal\n"
       "  degree of redundancy h = 6 mu - r = {}\n",
-      count.bodies, count.joints, count.loops, count.parameters, count.equations, count.rank, count.mobility, count.useful,
-      count.internal, count.redundancy);
+      count.bodies, count.joints, count.loops, count.parameters, count.equations, count.rank, count.mobility,
+      count.useful, count.internal, count.redundancy);
 }
 
 Json count_json(const MobilityCount& count) {
-  return {{"bodies", count.bodies},       {"joints", count.joints},     {"loops", count.loops},
+  return {{"bodies", count.bodies},         {"joints", count.joints},       {"loops", count.loops},
           {"parameters", count.parameters}, {"equations", count.equations}, {"rank", count.rank},
-          {"mobility", count.mobility},   {"useful", count.useful},     {"internal", count.internal},
+          {"mobility", count.mobility},     {"useful", count.useful},       {"internal", count.internal},
           {"redundancy", count.redundancy}};
 }
 
 /// Counting the scene's own constraints needs them to be good ones; the graph does not.
 std::string scene_text(const Scene& scene) {
   const SceneFreedoms own = scene_freedoms(scene);
-  return fmt::format("\nThe scene as it is written: {} unknown coordinate{}, {} driven, {} constraint{} of rank {} at the "
-                     "initial configuration: {} freedom{}\n",
-                     own.coordinates, own.coordinates == 1 ? "" : "s", own.driven, own.constraints,
-                     own.constraints == 1 ? "" : "s", own.rank, own.freedoms(), own.freedoms() == 1 ? "" : "s");
+  return fmt::format(
+      "\nThe scene as it is written: {} unknown coordinate{}, {} driven, {} constraint{} of rank {} at the "
+      "initial configuration: {} freedom{}\n",
+      own.coordinates, own.coordinates == 1 ? "" : "s", own.driven, own.constraints, own.constraints == 1 ? "" : "s",
+      own.rank, own.freedoms(), own.freedoms() == 1 ? "" : "s");
 }
 
 }  // namespace
@@ -63,13 +64,15 @@ std::string structure_text(const Scene& scene, const std::vector<std::string>& i
                         joint.closes_loop ? ", closes a loop" : "");
   }
   text += "\nStructure graph\n" + count_text(mobility.singular ? mobility.generic : mobility.given);
-  if (mobility.moved_to_close) text += "  (the initial values do not close the loops exactly: taken from the nearest ones that do)\n";
+  if (mobility.moved_to_close)
+    text += "  (the initial values do not close the loops exactly: taken from the nearest ones that do)\n";
   if (mobility.singular) {
     text += fmt::format("  warning: the initial configuration is singular: r = {}, m = {}, h = {} there\n",
                         mobility.given.rank, mobility.given.mobility, mobility.given.redundancy);
   }
   if (mobility.immobile) {
-    text += "  warning: no other configuration was found near the initial one: its freedoms may be infinitesimal only\n";
+    text +=
+        "  warning: no other configuration was found near the initial one: its freedoms may be infinitesimal only\n";
   }
   for (const InternalMotion& motion : mobility.internal) {
     text += fmt::format("  internal: {} {}{}\n", joined(motion.bodies), motion.text,
@@ -81,9 +84,11 @@ std::string structure_text(const Scene& scene, const std::vector<std::string>& i
   if (!mobility.loops.empty()) text += "\nClosures (P(b/a): components along a into components along b)\n";
   for (std::size_t l = 0; l < mobility.loops.size(); ++l) {
     std::vector<std::string> names;
-    for (const auto& [joint, sense] : mobility.loops[l].joints) names.push_back(graph.joints[static_cast<std::size_t>(joint)].name);
-    text += fmt::format("  loop {} ({})\n    {}\n    {}\n    {}\n", l + 1, joined(names), orientation_closure(graph, mobility.loops[l]),
-                        position_closure(graph, mobility.loops[l]), twist_closure(graph, mobility.loops[l]));
+    for (const auto& [joint, sense] : mobility.loops[l].joints)
+      names.push_back(graph.joints[static_cast<std::size_t>(joint)].name);
+    text += fmt::format("  loop {} ({})\n    {}\n    {}\n    {}\n", l + 1, joined(names),
+                        orientation_closure(graph, mobility.loops[l]), position_closure(graph, mobility.loops[l]),
+                        twist_closure(graph, mobility.loops[l]));
   }
   if (!mobility.redundant.empty()) {
     text += fmt::format("  redundant, each on its own: {}\n", joined(mobility.redundant));
@@ -98,13 +103,15 @@ std::string structure_text(const Scene& scene, const std::vector<std::string>& i
   if (!reduced.steps.empty()) {
     text += "\nReduced graph\n";
     for (const ReductionStep& step : reduced.steps) {
-      text += fmt::format("  {}{}{}\n", step.text, step.redundant > 0 ? fmt::format("; redundant equations: {} fewer", step.redundant) : "",
+      text += fmt::format("  {}{}{}\n", step.text,
+                          step.redundant > 0 ? fmt::format("; redundant equations: {} fewer", step.redundant) : "",
                           step.internal > 0 ? fmt::format("; internal freedoms: {} fewer", step.internal) : "");
     }
     text += count_text(reduced.count);
     for (const EquivalentJoint& joint : reduced.joints) {
-      text += fmt::format("  {:<17}{} - {}: {}\n", joint.edge.name, reduced.bodies[static_cast<std::size_t>(joint.edge.a)],
-                          reduced.bodies[static_cast<std::size_t>(joint.edge.b)], joint.allows.text());
+      text +=
+          fmt::format("  {:<17}{} - {}: {}\n", joint.edge.name, reduced.bodies[static_cast<std::size_t>(joint.edge.a)],
+                      reduced.bodies[static_cast<std::size_t>(joint.edge.b)], joint.allows.text());
     }
     if (reduced.special) text += "  (at a generic configuration: the initial one is special)\n";
   }
@@ -151,11 +158,13 @@ std::string structure_json(const Scene& scene, const std::vector<std::string>& i
   const ReducedGraph reduced = reduced_graph(mobility);
   Json joints = Json::array();
   for (const EquivalentJoint& joint : reduced.joints) {
-    joints.push_back({{"name", joint.edge.name},
-                      {"type", joint.allows.type ? std::string(to_string(*joint.allows.type)) : "no joint of the table"},
-                      {"freedoms", joint.allows.freedoms},
-                      {"between", {reduced.bodies[static_cast<std::size_t>(joint.edge.a)],
-                                   reduced.bodies[static_cast<std::size_t>(joint.edge.b)]}}});
+    joints.push_back(
+        {{"name", joint.edge.name},
+         {"type", joint.allows.type ? std::string(to_string(*joint.allows.type)) : "no joint of the table"},
+         {"freedoms", joint.allows.freedoms},
+         {"between",
+          {reduced.bodies[static_cast<std::size_t>(joint.edge.a)],
+           reduced.bodies[static_cast<std::size_t>(joint.edge.b)]}}});
   }
   json["reduced"] = {{"bodies", reduced.bodies}, {"joints", joints}, {"count", count_json(reduced.count)}};
   return json.dump(2) + "\n";

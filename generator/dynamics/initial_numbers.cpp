@@ -35,8 +35,10 @@ std::optional<Expression> InitialNumbers::resolve(const SymbolPointer& symbol) c
     return initial_component(scene_.attitudes[component->first], component->second);
   }
   for (const CoordinateContent& c : scene_.coordinates) {
-    if (c.q == symbol) return c.law ? *c.law : c.initial_value ? in_unit(*c.initial_value, symbol->unit) : Expression(0);
-    if (c.v == symbol) return c.law ? rate(*c.law) : c.initial_rate ? in_unit(*c.initial_rate, symbol->unit) : Expression(0);
+    if (c.q == symbol)
+      return c.law ? *c.law : c.initial_value ? in_unit(*c.initial_value, symbol->unit) : Expression(0);
+    if (c.v == symbol)
+      return c.law ? rate(*c.law) : c.initial_rate ? in_unit(*c.initial_rate, symbol->unit) : Expression(0);
   }
   return std::nullopt;
 }

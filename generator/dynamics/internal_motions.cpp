@@ -58,11 +58,16 @@ std::string motion_text(const RealRows& twists) {
   const TwistClass found = recognise_twists(twists);
   if (!found.type) return fmt::format("moves with {} freedoms", found.freedoms);
   switch (*found.type) {
-    case JointType::revolute: return "turns about " + direction_text(*found.direction);
-    case JointType::prismatic: return "slides along " + direction_text(*found.direction);
-    case JointType::helical: return "screws along " + direction_text(*found.direction);
-    case JointType::spherical: return "turns about a point";
-    default: return fmt::format("moves as in a joint: {}", found.text());
+    case JointType::revolute:
+      return "turns about " + direction_text(*found.direction);
+    case JointType::prismatic:
+      return "slides along " + direction_text(*found.direction);
+    case JointType::helical:
+      return "screws along " + direction_text(*found.direction);
+    case JointType::spherical:
+      return "turns about a point";
+    default:
+      return fmt::format("moves as in a joint: {}", found.text());
   }
 }
 
@@ -121,8 +126,8 @@ void describe_internal_motions(Mobility& mobility, const std::vector<TwistEdge>&
   if (together == 0) return;
   InternalMotion rest{{}, together, "move together"};
   for (std::size_t body = 1; body < twists.size(); ++body) {
-    const bool moves = std::any_of(motions.begin(), motions.end(),
-                                   [&](const RealRow& x) { return !is_zero(times(twists[body], x)); });
+    const bool moves =
+        std::any_of(motions.begin(), motions.end(), [&](const RealRow& x) { return !is_zero(times(twists[body], x)); });
     if (moves && !moves_alone[body]) rest.bodies.push_back(mobility.graph.bodies[body].name);
   }
   mobility.internal.push_back(std::move(rest));
@@ -133,8 +138,7 @@ void describe_indeterminate(Mobility& mobility, const std::vector<TwistEdge>& ed
   const int equations = static_cast<int>(matrix.size());
   if (equations == 0) return;
   const std::size_t columns = matrix[0].size();
-  const RealRows stresses =
-      kernel(transposed(matrix, static_cast<int>(columns)), equations, twist_tolerance());
+  const RealRows stresses = kernel(transposed(matrix, static_cast<int>(columns)), equations, twist_tolerance());
   if (stresses.empty()) return;
   for (std::size_t e = 0; e < matrix.size(); ++e) {
     if (std::all_of(stresses.begin(), stresses.end(), [e](const RealRow& y) { return is_small(y[e]); })) continue;

@@ -78,7 +78,8 @@ JointSpace::JointSpace(const Scene& scene, const StructureGraph& graph)
     frame.displacement = Real(0);
     if (frame.kind == JointKind::attitude) {
       std::array<Real, 4> e;
-      for (std::size_t k = 0; k < 4; ++k) e[k] = number(initial_component(scene_->attitudes[index(content.attitude)], k));
+      for (std::size_t k = 0; k < 4; ++k)
+        e[k] = number(initial_component(scene_->attitudes[index(content.attitude)], k));
       frame.turned = rotation_of(e);
     } else if (frame.kind != JointKind::weld) {
       frame.axis = numbers(content.axis);
@@ -201,7 +202,10 @@ std::vector<JointTwists> JointSpace::twists() const {
       const RealVector direction = slide ? RealVector{twist[3], twist[4], twist[5]} : angular;
       here.twists.push_back(twist);
       const bool screw = abs(dot(angular, RealVector{twist[3], twist[4], twist[5]})) > power_of_ten(-20);
-      here.names.push_back((slide ? "slide along " : screw ? "screw along " : "turn about ") + direction_text(direction));
+      here.names.push_back((slide   ? "slide along "
+                            : screw ? "screw along "
+                                    : "turn about ") +
+                           direction_text(direction));
     };
     int last = -1;
     for (const int f : joint.frames) {
@@ -254,7 +258,8 @@ RealRow JointSpace::closure_errors() const {
       Real sine, cosine;
       sincos(dot(ab, a_i) / pitches_[c], sine, cosine);
       const RealVector b_y = column(b.rotation, 1);
-      errors.push_back(pitches_[c] * (sine * dot(column(a.rotation, 1), b_y) - cosine * dot(column(a.rotation, 2), b_y)));
+      errors.push_back(pitches_[c] *
+                       (sine * dot(column(a.rotation, 1), b_y) - cosine * dot(column(a.rotation, 2), b_y)));
     }
   }
   return errors;

@@ -17,8 +17,8 @@ struct RealPose {
   RealVector origin;
 };
 
-/// The freedoms of one joint of the graph, as unit twists {Ω, V_O} of its b relative to its a, at the ground's origin and
-/// along its axes: rows of six numbers.
+/// The freedoms of one joint of the graph, as unit twists {Ω, V_O} of its b relative to its a, at the ground's origin
+/// and along its axes: rows of six numbers.
 struct JointTwists {
   RealRows twists;
   std::vector<std::string> names;  ///< "turn about z"
@@ -36,7 +36,8 @@ class JointSpace {
   int variable_count() const { return variables_; }
   /// Adds to the variables; an orientation by a quaternion turns by the vector of its three.
   void move(const RealRow& by);
-  /// Largest difference of a joint's displacement, or of an entry of an attitude's rotation, from another configuration.
+  /// Largest difference of a joint's displacement, or of an entry of an attitude's rotation, from another
+  /// configuration.
   Real distance_from(const JointSpace& other) const;
 
   /// Twists of all joints of the graph, in its order.
@@ -59,8 +60,8 @@ class JointSpace {
     JointKind kind = JointKind::weld;
     RealVector axis;
     Real displacement;
-    RealRotation turned;  ///< of an attitude
-    int variable = -1;    ///< the first of three for an attitude
+    RealRotation turned;            ///< of an attitude
+    int variable = -1;              ///< the first of three for an attitude
     bool slides_with_turn = false;  ///< the slide of a helical joint, which shares the variable of its turn
     Real per_variable;              ///< 1, or the pitch for that slide
   };

@@ -47,12 +47,14 @@ std::vector<bool> outside_joints(const StructureGraph& graph, const std::vector<
       known += (known.empty() ? "" : ", ") + graph.joints[j].name;
       if (graph.joints[j].name == name) outside[j] = found = true;
     }
-    if (!found) throw UsageError(fmt::format("unknown joint '{}': the scene has {}", name, known.empty() ? "none" : known));
+    if (!found)
+      throw UsageError(fmt::format("unknown joint '{}': the scene has {}", name, known.empty() ? "none" : known));
   }
   return outside;
 }
 
-std::vector<TwistEdge> edges_at(const JointSpace& space, const StructureGraph& graph, const std::vector<bool>& outside) {
+std::vector<TwistEdge> edges_at(const JointSpace& space, const StructureGraph& graph,
+                                const std::vector<bool>& outside) {
   std::vector<TwistEdge> edges;
   std::vector<JointTwists> twists = space.twists();
   for (std::size_t j = 0; j < graph.joints.size(); ++j) {
@@ -71,11 +73,12 @@ bool close_initially(JointSpace& space) {
   for (int conditions = most; conditions > 0; --conditions) {
     if (space.close(conditions, small)) return true;
   }
-  const auto worst = std::max_element(errors.begin(), errors.end(),
-                                      [](const Real& a, const Real& b) { return abs(a) < abs(b); });
-  throw SceneError(fmt::format("the joints that close loops cannot all be closed near the initial values: they are off by "
-                               "{} of the mechanism's size; give the joints' coordinates initial values that close them",
-                               abs(*worst).to_string(3)));
+  const auto worst =
+      std::max_element(errors.begin(), errors.end(), [](const Real& a, const Real& b) { return abs(a) < abs(b); });
+  throw SceneError(
+      fmt::format("the joints that close loops cannot all be closed near the initial values: they are off by "
+                  "{} of the mechanism's size; give the joints' coordinates initial values that close them",
+                  abs(*worst).to_string(3)));
 }
 
 /// A configuration near the given one, reached along its freedoms, that has the rank of almost all configurations.
@@ -149,7 +152,8 @@ MobilityCount count_mobility(int bodies, const std::vector<TwistEdge>& edges) {
   count.rank = rank(matrix, count.parameters, twist_tolerance());
   count.mobility = count.parameters - count.rank;
   count.redundancy = count.equations - count.rank;
-  count.internal = static_cast<int>(kernel(without_columns(matrix, outside), inner_count(outside), twist_tolerance()).size());
+  count.internal =
+      static_cast<int>(kernel(without_columns(matrix, outside), inner_count(outside), twist_tolerance()).size());
   count.useful = count.mobility - count.internal;
   return count;
 }

@@ -27,14 +27,14 @@ RealRows closure_matrix(const std::vector<TwistEdge>& edges, const std::vector<G
 /// Numbers of a mechanism (Pommier, Dynamique des systèmes de solides, §3.5.4).
 struct MobilityCount {
   int bodies = 0, joints = 0;
-  int loops = 0;              ///< cyclomatic number μ = joints − bodies + 1
-  int parameters = 0;         ///< n_p, sum of the joints' freedoms
-  int equations = 0;          ///< 6 μ
-  int rank = 0;               ///< r of the closure equations
-  int mobility = 0;           ///< m = n_p − r
-  int redundancy = 0;         ///< degree of over-constraint h = 6 μ − r
-  int internal = 0;           ///< mobility that is left when the joints with the outside are blocked
-  int useful = 0;             ///< m − internal
+  int loops = 0;       ///< cyclomatic number μ = joints − bodies + 1
+  int parameters = 0;  ///< n_p, sum of the joints' freedoms
+  int equations = 0;   ///< 6 μ
+  int rank = 0;        ///< r of the closure equations
+  int mobility = 0;    ///< m = n_p − r
+  int redundancy = 0;  ///< degree of over-constraint h = 6 μ − r
+  int internal = 0;    ///< mobility that is left when the joints with the outside are blocked
+  int useful = 0;      ///< m − internal
 };
 MobilityCount count_mobility(int bodies, const std::vector<TwistEdge>& edges);
 
@@ -42,7 +42,7 @@ MobilityCount count_mobility(int bodies, const std::vector<TwistEdge>& edges);
 struct InternalMotion {
   std::vector<std::string> bodies;  ///< that move in it: one, or several that cannot do so alone
   int freedoms = 1;
-  std::string text;                 ///< "turns about z"
+  std::string text;  ///< "turns about z"
 };
 
 /// Components of a joint's reaction that equilibrium leaves undetermined: "F_x", ... "M_z" along the axes of the joint
@@ -60,12 +60,12 @@ struct MobilityOptions {
 struct Mobility {
   StructureGraph graph;
   std::vector<GraphLoop> loops;
-  std::vector<bool> outside;  ///< by joint
+  std::vector<bool> outside;    ///< by joint
   bool moved_to_close = false;  ///< the scene's initial values did not close the loops: nearby ones that do were taken
   MobilityCount given;          ///< at the initial configuration
   MobilityCount generic;        ///< at a configuration near it that is not special
   bool singular = false;        ///< the rank at the initial configuration is below the generic one
-  bool immobile = false;        ///< the freedoms at the initial configuration are infinitesimal only: no other one is near
+  bool immobile = false;  ///< the freedoms at the initial configuration are infinitesimal only: no other one is near
   std::vector<InternalMotion> internal;
   std::vector<std::string> internal_freedoms;  ///< "spin: turn about z" of joints
   std::vector<IndeterminateReaction> indeterminate;
@@ -73,20 +73,20 @@ struct Mobility {
   std::vector<TwistEdge> given_edges, generic_edges;
 };
 
-/// Counts, ranks and what follows from them. The closures are those of the joints alone; what ties their freedoms beyond
-/// (contacts, rolling, formulas of coordinates) is counted by `scene_freedoms`.
+/// Counts, ranks and what follows from them. The closures are those of the joints alone; what ties their freedoms
+/// beyond (contacts, rolling, formulas of coordinates) is counted by `scene_freedoms`.
 ///
-/// Ranks are decided in 50 digits by elimination with complete pivoting and a tolerance of 1e-20 relative to the largest
-/// entry, lengths divided by the size of the mechanism. The generic configuration is reached by a pseudo-random move
-/// along the freedoms and Newton's method back onto the closures (to 1e-40). Names of directions, internal motions and
-/// reactions are those at the initial configuration, or at the generic one when the initial one is singular.
+/// Ranks are decided in 50 digits by elimination with complete pivoting and a tolerance of 1e-20 relative to the
+/// largest entry, lengths divided by the size of the mechanism. The generic configuration is reached by a pseudo-random
+/// move along the freedoms and Newton's method back onto the closures (to 1e-40). Names of directions, internal motions
+/// and reactions are those at the initial configuration, or at the generic one when the initial one is singular.
 ///
 /// Throws SceneError when the loops cannot be closed near the initial values, or for an unknown joint in
 /// `inputs_outputs`.
 Mobility analyse_mobility(const Scene& scene, const MobilityOptions& options = {});
 
-/// Freedoms of the scene as it is written, at its initial configuration: coordinates that are not driven, less the rank of
-/// all constraints, those without joint included.
+/// Freedoms of the scene as it is written, at its initial configuration: coordinates that are not driven, less the rank
+/// of all constraints, those without joint included.
 struct SceneFreedoms {
   int coordinates = 0;  ///< unknown ones, a quaternion counting three
   int driven = 0;

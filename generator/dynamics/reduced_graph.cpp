@@ -52,11 +52,13 @@ class Reduction {
       const std::string name = joints_[j].edge.name;
       joints_.erase(joints_.begin() + static_cast<std::ptrdiff_t>(j));
       if (gone == keep) {
-        steps_.push_back({ReductionStep::Kind::weld, fmt::format("{} holds {} to itself", name, bodies_[index(keep)]), 6, 0});
+        steps_.push_back(
+            {ReductionStep::Kind::weld, fmt::format("{} holds {} to itself", name, bodies_[index(keep)]), 6, 0});
         return true;
       }
       steps_.push_back({ReductionStep::Kind::weld,
-                        fmt::format("{} holds {} to {}: one body", name, bodies_[index(gone)], bodies_[index(keep)]), 0, 0});
+                        fmt::format("{} holds {} to {}: one body", name, bodies_[index(gone)], bodies_[index(keep)]), 0,
+                        0});
       alive_[index(gone)] = false;
       for (EquivalentJoint& joint : joints_) {
         if (joint.edge.a == gone) joint.edge.a = keep;

@@ -10,7 +10,7 @@ namespace torsor {
 
 /// A joint of the reduced graph: one of the mechanism, or what is equivalent to several of them.
 struct EquivalentJoint {
-  TwistEdge edge;     ///< bodies by index in ReducedGraph::bodies; named "L1//L2" in parallel, "L4-L3" in series
+  TwistEdge edge;  ///< bodies by index in ReducedGraph::bodies; named "L1//L2" in parallel, "L4-L3" in series
   TwistClass allows;
   bool made_of_one = true;
 };

@@ -119,7 +119,8 @@ TwistClass four_freedoms(const Screws& wrenches) {
     const RealVector normal = wrenches.direction(), couple = wrenches.pure_direction();
     // A couple across the normal, and a force that is a sliding vector: its line meets the line of contact.
     const RealRow& pushing = is_small(norm(first(wrenches.all[0]))) ? wrenches.all[1] : wrenches.all[0];
-    if (is_small(dot(normal, couple)) && is_small(invariant(pushing))) return {4, JointType::line_contact, normal, std::nullopt};
+    if (is_small(dot(normal, couple)) && is_small(invariant(pushing)))
+      return {4, JointType::line_contact, normal, std::nullopt};
   } else if (wrenches.pure.empty()) {
     if (const auto centre = wrenches.common_point()) {
       return {4, JointType::sphere_in_cylinder, cross(wrenches.direction(0), wrenches.direction(1)), centre};
@@ -177,13 +178,20 @@ RealRows reciprocal_to(const RealRows& twists) {
 TwistClass recognise_twists(const RealRows& rows) {
   const Screws twists(rows);
   switch (twists.all.size()) {
-    case 0: return {0, JointType::weld, std::nullopt, std::nullopt};
-    case 1: return one_freedom(twists);
-    case 2: return two_freedoms(twists);
-    case 3: return three_freedoms(twists);
-    case 4: return four_freedoms(Screws(reciprocal_to(rows)));
-    case 5: return five_freedoms(Screws(reciprocal_to(rows)));
-    default: return {6, JointType::free, std::nullopt, std::nullopt};
+    case 0:
+      return {0, JointType::weld, std::nullopt, std::nullopt};
+    case 1:
+      return one_freedom(twists);
+    case 2:
+      return two_freedoms(twists);
+    case 3:
+      return three_freedoms(twists);
+    case 4:
+      return four_freedoms(Screws(reciprocal_to(rows)));
+    case 5:
+      return five_freedoms(Screws(reciprocal_to(rows)));
+    default:
+      return {6, JointType::free, std::nullopt, std::nullopt};
   }
 }
 
@@ -191,8 +199,8 @@ std::string TwistClass::text() const {
   if (!type) return fmt::format("{} freedoms, no joint of the table", freedoms);
   std::string text(to_string(*type));
   if (!direction) return text;
-  const bool normal = *type == JointType::planar || *type == JointType::line_contact || *type == JointType::point_contact ||
-                      *type == JointType::universal;
+  const bool normal = *type == JointType::planar || *type == JointType::line_contact ||
+                      *type == JointType::point_contact || *type == JointType::universal;
   return text + (normal ? " of normal " : " along ") + direction_text(*direction);
 }
 

@@ -10,7 +10,9 @@ using Line = GraphDrawing::Line;
 
 std::string freedoms_text(int freedoms) { return fmt::format("{} freedom{}", freedoms, freedoms == 1 ? "" : "s"); }
 
-std::string what(const GraphJoint& joint) { return joint.type ? std::string(to_string(*joint.type)) : freedoms_text(joint.freedoms); }
+std::string what(const GraphJoint& joint) {
+  return joint.type ? std::string(to_string(*joint.type)) : freedoms_text(joint.freedoms);
+}
 
 std::string quoted(const std::string& text) {
   std::string result = "\"";
@@ -23,9 +25,12 @@ std::string quoted(const std::string& text) {
 
 const char* style(Line line) {
   switch (line) {
-    case Line::joint: return "";
-    case Line::constraint: return ", style=dotted, color=\"#a03000\", fontcolor=\"#a03000\"";
-    case Line::action: return ", style=dashed, color=\"#0050a0\", fontcolor=\"#0050a0\"";
+    case Line::joint:
+      return "";
+    case Line::constraint:
+      return ", style=dotted, color=\"#a03000\", fontcolor=\"#a03000\"";
+    case Line::action:
+      return ", style=dashed, color=\"#0050a0\", fontcolor=\"#0050a0\"";
   }
   return "";
 }
@@ -68,14 +73,18 @@ GraphDrawing draw_reduced(const Scene& scene, const ReducedGraph& graph) {
 }
 
 std::string graph_dot(const GraphDrawing& drawing) {
-  std::string text = fmt::format("graph {} {{\n  label={};\n  node [shape=ellipse, fontname=\"sans-serif\"];\n"
-                                 "  edge [fontname=\"sans-serif\", fontsize=11];\n",
-                                 quoted(drawing.name), quoted(drawing.title));
+  std::string text = fmt::format(
+      "graph {} {{\n  label={};\n  node [shape=ellipse, fontname=\"sans-serif\"];\n"
+      "  edge [fontname=\"sans-serif\", fontsize=11];\n",
+      quoted(drawing.name), quoted(drawing.title));
   for (std::size_t n = 0; n < drawing.nodes.size(); ++n) {
     const GraphDrawing::Node& node = drawing.nodes[n];
-    text += fmt::format("  n{} [label={}{}{}];\n", n, quoted(node.label),
-                        node.ground ? ", shape=box, style=filled" : node.link ? ", shape=plaintext" : "",
-                        node.link ? (node.line == Line::action ? ", fontcolor=\"#0050a0\"" : ", fontcolor=\"#a03000\"") : "");
+    text += fmt::format(
+        "  n{} [label={}{}{}];\n", n, quoted(node.label),
+        node.ground ? ", shape=box, style=filled"
+        : node.link ? ", shape=plaintext"
+                    : "",
+        node.link ? (node.line == Line::action ? ", fontcolor=\"#0050a0\"" : ", fontcolor=\"#a03000\"") : "");
   }
   for (const GraphDrawing::Edge& edge : drawing.edges) {
     const std::string gap = edge.name.empty() || edge.what.empty() ? "" : "\\n";

@@ -75,7 +75,9 @@ const char* colour(Line line) {
   return line == Line::joint ? "#202020" : line == Line::constraint ? "#a03000" : "#0050a0";
 }
 const char* dashes(Line line) {
-  return line == Line::joint ? "" : line == Line::constraint ? " stroke-dasharray=\"2 4\"" : " stroke-dasharray=\"7 4\"";
+  return line == Line::joint        ? ""
+         : line == Line::constraint ? " stroke-dasharray=\"2 4\""
+                                    : " stroke-dasharray=\"7 4\"";
 }
 
 std::string escaped(const std::string& text) {
@@ -123,8 +125,9 @@ std::string graph_svg(const GraphDrawing& drawing) {
     const double dx = b.x - a.x, dy = b.y - a.y, length = std::hypot(dx, dy) + 1e-9;
     const Place middle{(a.x + b.x) / 2 - across * dy / length, (a.y + b.y) / 2 + across * dx / length};
     const Place control{2 * middle.x - (a.x + b.x) / 2, 2 * middle.y - (a.y + b.y) / 2};
-    lines += fmt::format("  <path d=\"M {} {} Q {} {} {} {}\" fill=\"none\" stroke=\"{}\"{}/>\n", whole(a.x),
-                         whole(a.y), whole(control.x), whole(control.y), whole(b.x), whole(b.y), colour(edge.line), dashes(edge.line));
+    lines +=
+        fmt::format("  <path d=\"M {} {} Q {} {} {} {}\" fill=\"none\" stroke=\"{}\"{}/>\n", whole(a.x), whole(a.y),
+                    whole(control.x), whole(control.y), whole(b.x), whole(b.y), colour(edge.line), dashes(edge.line));
     make_room(middle, text_width(std::max(edge.name.size(), edge.what.size())) / 2 + 5, 25);
     const std::string fill = fmt::format(" class=\"edge\" fill=\"{}\"", colour(edge.line));
     labels += text_at({middle.x, middle.y - 3}, edge.name, fill);
@@ -137,11 +140,14 @@ std::string graph_svg(const GraphDrawing& drawing) {
     const Place& p = places[n];
     make_room(p, width / 2 + 5, 25);
     if (!node.link) {
-      bodies += fmt::format("  <rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"28\" rx=\"{}\" fill=\"{}\" "
-                            "stroke=\"#202020\"/>\n",
-                            whole(p.x - width / 2), whole(p.y - 14), whole(width), node.ground ? 0 : 14, node.ground ? "#d8d8d8" : "#ffffff");
+      bodies += fmt::format(
+          "  <rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"28\" rx=\"{}\" fill=\"{}\" "
+          "stroke=\"#202020\"/>\n",
+          whole(p.x - width / 2), whole(p.y - 14), whole(width), node.ground ? 0 : 14,
+          node.ground ? "#d8d8d8" : "#ffffff");
     }
-    bodies += text_at({p.x, p.y + 4}, node.label, node.link ? fmt::format(" class=\"edge\" fill=\"{}\"", colour(node.line)) : "");
+    bodies += text_at({p.x, p.y + 4}, node.label,
+                      node.link ? fmt::format(" class=\"edge\" fill=\"{}\"", colour(node.line)) : "");
   }
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{2}\" height=\"{3}\" viewBox=\"{0} {1} {2} "
@@ -149,7 +155,8 @@ std::string graph_svg(const GraphDrawing& drawing) {
       "  <style>text {{ font: 13px sans-serif; text-anchor: middle; }} .edge {{ font-size: 11px; paint-order: stroke; "
       "stroke: #ffffff; stroke-width: 4px; }}</style>\n"
       "  <rect x=\"{0}\" y=\"{1}\" width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n{5}{6}{7}</svg>\n",
-      whole(low.x), whole(low.y), whole(high.x - low.x), whole(high.y - low.y), escaped(drawing.title), lines, labels, bodies);
+      whole(low.x), whole(low.y), whole(high.x - low.x), whole(high.y - low.y), escaped(drawing.title), lines, labels,
+      bodies);
 }
 
 }  // namespace torsor

@@ -93,8 +93,8 @@ std::optional<RealRow> solution(const RealRows& rows, const RealRow& right_side,
   RealRows both = rows;
   for (std::size_t i = 0; i < both.size(); ++i) both[i].push_back(right_side[i]);
   const Elimination found = eliminate(both, columns + 1, tolerance);
-  // A combination that vanishes on the left only is a row (0 … 0 | 1): the right side's column is then in the span of no
-  // others, which the ranks tell whatever pivots were taken.
+  // A combination that vanishes on the left only is a row (0 … 0 | 1): the right side's column is then in the span of
+  // no others, which the ranks tell whatever pivots were taken.
   if (found.rank != rank(rows, columns, tolerance)) return std::nullopt;
   return least_norm_solution(rows, right_side, columns, tolerance);
 }
@@ -107,7 +107,8 @@ RealRow least_norm_solution(const RealRows& rows, const RealRow& right_side, int
   RealRows normal(n, RealRow(n + 1));
   for (std::size_t i = 0; i < n; ++i) {
     const auto row = static_cast<std::size_t>(found.pivot_rows[i]);
-    for (std::size_t j = 0; j < n; ++j) normal[i][j] = product(rows[row], rows[static_cast<std::size_t>(found.pivot_rows[j])]);
+    for (std::size_t j = 0; j < n; ++j)
+      normal[i][j] = product(rows[row], rows[static_cast<std::size_t>(found.pivot_rows[j])]);
     normal[i][n] = right_side[row];
   }
   RealRow x(static_cast<std::size_t>(columns), Real(0));

@@ -12,8 +12,12 @@ using RealVector = std::array<Real, 3>;
 /// Rows of numbers of one length.
 using RealRotation = std::array<RealVector, 3>;
 
-inline RealVector operator+(const RealVector& a, const RealVector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-inline RealVector operator-(const RealVector& a, const RealVector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+inline RealVector operator+(const RealVector& a, const RealVector& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+inline RealVector operator-(const RealVector& a, const RealVector& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
 inline RealVector operator*(const Real& k, const RealVector& v) { return {k * v[0], k * v[1], k * v[2]}; }
 inline Real dot(const RealVector& a, const RealVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 inline RealVector cross(const RealVector& a, const RealVector& b) {
@@ -21,7 +25,9 @@ inline RealVector cross(const RealVector& a, const RealVector& b) {
 }
 inline Real norm(const RealVector& v) { return sqrt(dot(v, v)); }
 
-inline RealVector operator*(const RealRotation& r, const RealVector& v) { return {dot(r[0], v), dot(r[1], v), dot(r[2], v)}; }
+inline RealVector operator*(const RealRotation& r, const RealVector& v) {
+  return {dot(r[0], v), dot(r[1], v), dot(r[2], v)};
+}
 inline RealVector column(const RealRotation& r, int j) {
   const auto k = static_cast<std::size_t>(j);
   return {r[0][k], r[1][k], r[2][k]};

@@ -27,7 +27,8 @@ class Linker {
       heavy.erase(0);
       for (const int body : heavy) add(AnalysisLink::Kind::action, "gravity", "gravity", {0, body});
     }
-    for (const ActionContent& action : scene_.actions) std::visit([this](const auto& content) { tie(content); }, action);
+    for (const ActionContent& action : scene_.actions)
+      std::visit([this](const auto& content) { tie(content); }, action);
     for (const ContactFriction& friction : scene_.frictions) {
       add(AnalysisLink::Kind::action, friction.name, friction.point ? "friction" : "resistance to turning",
           {body_of(friction.body), body_of(friction.other)});
@@ -109,7 +110,8 @@ class Linker {
 
   bool shares_a_coordinate(const Expression& formula, const FrameContent& frame) const {
     for (const CoordinateContent& c : scene_.coordinates) {
-      const bool here = frame.joint == JointKind::attitude ? c.attitude == frame.attitude : frame.displacement.depends_on(c.q);
+      const bool here =
+          frame.joint == JointKind::attitude ? c.attitude == frame.attitude : frame.displacement.depends_on(c.q);
       if (here && (formula.depends_on(c.q) || formula.depends_on(c.v))) return true;
     }
     if (frame.joint != JointKind::attitude) return false;

@@ -44,8 +44,14 @@ class Builder {
     for (std::size_t j = 0; j < scene_.joints.size(); ++j) {
       const JointContent& joint = scene_.joints[j];
       if (!joint.closes_loop) continue;
-      graph.joints.push_back({joint.name, joint.type, freedom_count(joint.type), body(joint.a), body(joint.b), true,
-                              static_cast<int>(j), {}});
+      graph.joints.push_back({joint.name,
+                              joint.type,
+                              freedom_count(joint.type),
+                              body(joint.a),
+                              body(joint.b),
+                              true,
+                              static_cast<int>(j),
+                              {}});
     }
     for (const BodyContent& each : scene_.bodies) graph.bodies[index(body(each.frame))].parts.push_back(each.name);
     graph.body_of_frame = body_of_frame_;

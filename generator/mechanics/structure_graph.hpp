@@ -21,10 +21,10 @@ struct GraphJoint {
   std::string name;
   std::optional<JointType> type;  ///< none for a piece of a joint, or one with a part held fixed
   int freedoms = 0;
-  int a = 0, b = 0;               ///< bodies
+  int a = 0, b = 0;  ///< bodies
   bool closes_loop = false;
-  int scene_joint = 0;            ///< index in SceneContent::joints
-  std::vector<int> frames;        ///< of the tree: those that move, in order
+  int scene_joint = 0;      ///< index in SceneContent::joints
+  std::vector<int> frames;  ///< of the tree: those that move, in order
 };
 
 /// A loop of the graph: joints with the sense (+1 from a to b) in which it runs through them, and the bodies it visits,

@@ -79,9 +79,11 @@ TEST(StructureCommand, DrawsGraphs) {
 }
 
 TEST(StructureCommand, RefusesWhatItDoesNotKnow) {
-  expect_failure(run(guided, {"graph", "--format", "png"}), 2, "unknown format 'png' of a graph: use dot (Graphviz draws it) or svg");
+  expect_failure(run(guided, {"graph", "--format", "png"}), 2,
+                 "unknown format 'png' of a graph: use dot (Graphviz draws it) or svg");
   expect_failure(run(guided, {"graph", "--of", "tree"}), 2, "unknown graph 'tree': use structure, analysis or reduced");
-  expect_failure(run(guided, {"structure", "--inputs-outputs", "wheel"}), 2, "unknown joint 'wheel': the scene has block, guide");
+  expect_failure(run(guided, {"structure", "--inputs-outputs", "wheel"}), 2,
+                 "unknown joint 'wheel': the scene has block, guide");
 }
 
 }  // namespace

@@ -21,7 +21,8 @@ inline Scene four_bar(int crank_length, int coupler_length, int rocker_length, i
   }
   const FrameHandle crank = scene.revolute("crank", scene.ground(), axis::z, q[0]);
   const FrameHandle coupler = scene.revolute("coupler", crank, axis::z, q[1], {{metre(crank_length), 0, 0}, {}});
-  const FrameHandle rocker = scene.revolute("rocker", scene.ground(), axis::z, q[2], {{metre(ground_length), 0, 0}, {}});
+  const FrameHandle rocker =
+      scene.revolute("rocker", scene.ground(), axis::z, q[2], {{metre(ground_length), 0, 0}, {}});
   const FrameHandle end = scene.weld("coupler_end", coupler, x_along_z({metre(coupler_length), 0, 0}));
   const FrameHandle rocker_end = scene.weld("rocker_end", rocker, x_along_z({metre(rocker_length), 0, 0}));
   scene.close("knee", JointType::revolute, end, rocker_end);
@@ -32,9 +33,11 @@ inline Scene four_bar(int crank_length, int coupler_length, int rocker_length, i
 /// a / sin α = b / sin β: 1 m and 30°, 2 m and 90°. It moves although 4 − 6 freedoms are left by counting.
 inline Scene bennett() {
   Scene scene("bennett");
-  const Placement along_a{{metres("1"), 0, 0}, Rotation::about(0, 2)}, along_b{{metres("2"), 0, 0}, Rotation::about(0, 6)};
+  const Placement along_a{{metres("1"), 0, 0}, Rotation::about(0, 2)},
+      along_b{{metres("2"), 0, 0}, Rotation::about(0, 6)};
   // tan(θ1/2) tan(θ2/2) = sin((β + α)/2) / sin((β − α)/2) = √3.
-  const std::array<Expression, 3> start{pi() / Expression(2), Expression(2) * pi() / Expression(3), -pi() / Expression(2)};
+  const std::array<Expression, 3> start{pi() / Expression(2), Expression(2) * pi() / Expression(3),
+                                        -pi() / Expression(2)};
   std::array<Expression, 3> q;
   for (std::size_t i = 0; i < 3; ++i) {
     q[i] = scene.coordinate("theta_" + std::to_string(i + 1), "rad");
@@ -46,8 +49,7 @@ inline Scene bennett() {
   const FrameHandle end = scene.weld("end", third, along_a);
   // The ground is the fourth link: from the last axis along x by b, and turned by β, lies the first one.
   const Rotation back = Rotation::about(0, 6).transpose();
-  const FrameHandle last_axis =
-      scene.weld("last_axis", scene.ground(), {{-metres("2"), 0, 0}, back});
+  const FrameHandle last_axis = scene.weld("last_axis", scene.ground(), {{-metres("2"), 0, 0}, back});
   const FrameHandle end_x = scene.weld("end_x", end, x_along_z({0, 0, 0}));
   const FrameHandle last_x = scene.weld("last_x", last_axis, x_along_z({0, 0, 0}));
   scene.close("last", JointType::revolute, last_x, end_x);

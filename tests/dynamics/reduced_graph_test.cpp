@@ -81,7 +81,8 @@ TEST_F(TwistSpace, OfParallelJointsIsWhatBothAllow) {
   EXPECT_EQ(parallel(JointType::sphere_in_cylinder, JointType::sphere_in_cylinder, from_point(3, 0, 0)),
             JointType::cylindrical);
   // A third point off the line of the two others: a plane rests on three points.
-  const RealRows line = intersection_of(at(JointType::point_contact), at(JointType::point_contact, from_point(1, 0, 0)));
+  const RealRows line =
+      intersection_of(at(JointType::point_contact), at(JointType::point_contact, from_point(1, 0, 0)));
   EXPECT_EQ(recognise_twists(intersection_of(line, at(JointType::point_contact, from_point(0, 1, 0)))).type,
             JointType::planar);
 }

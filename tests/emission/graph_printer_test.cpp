@@ -23,7 +23,7 @@ Scene cart() {
   scene.body("bob", lower, Inertia::point(kilograms("1")));
   scene.gravity({0, Expression::quantity("-9.81", "m/s^2"), 0});
   scene.spring("k", x, Expression::quantity("1", "N/m"));
-  scene.motor("M", b);      // the absolute angle of the lower arm: from the cart
+  scene.motor("M", b);  // the absolute angle of the lower arm: from the cart
   scene.damper("d", b - a, Expression::quantity("1", "N m s"));
   const PointHandle tip = scene.point("tip", lower, {metres("1"), 0, 0});
   const FrameHandle floor = scene.weld("floor", scene.ground(), {{}, Rotation::about(0, -6)});
@@ -65,8 +65,9 @@ TEST(GraphPrinter, WritesTextForGraphviz) {
             "  n2 -- n3 [label=\"lower\\nrevolute\"];\n"
             "}\n");
   const std::string analysis = graph_dot(draw_analysis(scene, graph, analysis_links(scene, graph)));
-  for (const char* line : {"n0 -- n1 [label=\"k\\nspring\", style=dashed", "n1 -- n3 [label=\"M\\nmotor\", style=dashed",
-                           "n0 -- n3 [label=\"gravity\", style=dashed", "n0 -- n3 [label=\"touch\\ncontact\", style=dotted"}) {
+  for (const char* line :
+       {"n0 -- n1 [label=\"k\\nspring\", style=dashed", "n1 -- n3 [label=\"M\\nmotor\", style=dashed",
+        "n0 -- n3 [label=\"gravity\", style=dashed", "n0 -- n3 [label=\"touch\\ncontact\", style=dotted"}) {
     EXPECT_NE(analysis.find(line), std::string::npos) << line << " is missing from\n" << analysis;
   }
 }

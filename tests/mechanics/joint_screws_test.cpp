@@ -13,8 +13,8 @@ namespace {
 using namespace testing_symbols;
 
 constexpr std::array<JointType, 12> table{
-    JointType::weld,      JointType::revolute,  JointType::prismatic, JointType::helical,
-    JointType::cylindrical, JointType::universal, JointType::spherical, JointType::planar,
+    JointType::weld,         JointType::revolute,           JointType::prismatic,     JointType::helical,
+    JointType::cylindrical,  JointType::universal,          JointType::spherical,     JointType::planar,
     JointType::line_contact, JointType::sphere_in_cylinder, JointType::point_contact, JointType::free};
 
 class JointScrews : public ::testing::TestWithParam<JointType> {
@@ -92,29 +92,48 @@ TEST_P(JointScrews, HaveTheWrenchOfTheCourse) {
     const auto zero = [](const Vector& v, std::initializer_list<int> components) {
       for (const int i : components) EXPECT_TRUE(vanishes(v[i])) << i;
     };
-    const Vector x_b{program.cos(angle), program.sin(angle), Value()};     // of a line contact
-    const Vector y_b{Value(), program.cos(angle), program.sin(angle)};     // of a universal joint
+    const Vector x_b{program.cos(angle), program.sin(angle), Value()};  // of a line contact
+    const Vector y_b{Value(), program.cos(angle), program.sin(angle)};  // of a universal joint
     const Vector across{-program.sin(angle), program.cos(angle), Value()};
     switch (GetParam()) {
-      case JointType::weld: break;
-      case JointType::revolute: zero(M, {0}); break;
-      case JointType::prismatic: zero(R, {0}); break;
-      case JointType::helical: EXPECT_TRUE(vanishes(M[0] + pitch * R[0])); break;
-      case JointType::cylindrical: zero(M, {0}), zero(R, {0}); break;
+      case JointType::weld:
+        break;
+      case JointType::revolute:
+        zero(M, {0});
+        break;
+      case JointType::prismatic:
+        zero(R, {0});
+        break;
+      case JointType::helical:
+        EXPECT_TRUE(vanishes(M[0] + pitch * R[0]));
+        break;
+      case JointType::cylindrical:
+        zero(M, {0}), zero(R, {0});
+        break;
       case JointType::universal:
         zero(M, {0});
         EXPECT_TRUE(vanishes(dot(M, y_b)));
         break;
-      case JointType::spherical: zero(M, {0, 1, 2}); break;
-      case JointType::planar: zero(R, {0, 1}), zero(M, {2}); break;
+      case JointType::spherical:
+        zero(M, {0, 1, 2});
+        break;
+      case JointType::planar:
+        zero(R, {0, 1}), zero(M, {2});
+        break;
       case JointType::line_contact:
         zero(R, {0, 1}), zero(M, {2});
         EXPECT_TRUE(vanishes(dot(M, x_b)));
         EXPECT_TRUE(vanishes(cross(M, across)));
         break;
-      case JointType::sphere_in_cylinder: zero(M, {0, 1, 2}), zero(R, {0}); break;
-      case JointType::point_contact: zero(M, {0, 1, 2}), zero(R, {0, 1}); break;
-      case JointType::free: FAIL() << "a free joint transmits nothing"; break;
+      case JointType::sphere_in_cylinder:
+        zero(M, {0, 1, 2}), zero(R, {0});
+        break;
+      case JointType::point_contact:
+        zero(M, {0, 1, 2}), zero(R, {0, 1});
+        break;
+      case JointType::free:
+        FAIL() << "a free joint transmits nothing";
+        break;
     }
   }
 }

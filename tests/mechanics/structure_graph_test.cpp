@@ -97,7 +97,8 @@ TEST(StructureGraph, WritesTheClosureOfALoopInTheOrderThatCloses) {
   const std::vector<GraphLoop> loops = independent_loops(4, graph.edges());
   ASSERT_EQ(loops.size(), 1U);
   EXPECT_EQ(orientation_closure(graph, loops[0]), "P(ground/piston)·P(piston/rod)·P(rod/crank)·P(crank/ground) = I");
-  EXPECT_EQ(position_closure(graph, loops[0]), "O_ground O_crank + O_crank O_rod + O_rod O_piston + O_piston O_ground = 0");
+  EXPECT_EQ(position_closure(graph, loops[0]),
+            "O_ground O_crank + O_crank O_rod + O_rod O_piston + O_piston O_ground = 0");
   EXPECT_EQ(twist_closure(graph, loops[0]),
             "{V(crank/ground)} + {V(rod/crank)} + {V(piston/rod)} + {V(ground/piston)} = 0");
 }
