@@ -5,15 +5,13 @@
 
 #include <fmt/format.h>
 
+#include "generator/expression/as_index.hpp"
+
 namespace torsor {
 namespace {
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-bool is_small(const Real& x) { return abs(x) <= twist_tolerance(); }
-
-constexpr const char* directions[] = {"Omega_x", "Omega_y", "Omega_z", "V_x", "V_y", "V_z"};
-constexpr const char* components[] = {"F_x", "F_y", "F_z", "M_x", "M_y", "M_z"};
+constexpr const char* twist_components[] = {"Omega_x", "Omega_y", "Omega_z", "V_x", "V_y", "V_z"};
+constexpr const char* wrench_components[] = {"F_x", "F_y", "F_z", "M_x", "M_y", "M_z"};
 
 /// Six rows for each body: its twist relative to the ground from the freedoms that are left.
 std::vector<RealRows> body_twists(const Mobility& mobility, const std::vector<TwistEdge>& edges,
@@ -28,9 +26,9 @@ std::vector<RealRows> body_twists(const Mobility& mobility, const std::vector<Tw
     for (const TwistEdge& edge : edges) {
       const std::size_t first = column;
       column += edge.motion.twists.size();
-      if (reached[index(edge.a)] == reached[index(edge.b)]) continue;
-      const bool down = reached[index(edge.a)];
-      const std::size_t from = index(down ? edge.a : edge.b), to = index(down ? edge.b : edge.a);
+      if (reached[as_index(edge.a)] == reached[as_index(edge.b)]) continue;
+      const bool down = reached[as_index(edge.a)];
+      const std::size_t from = as_index(down ? edge.a : edge.b), to = as_index(down ? edge.b : edge.a);
       twists[to] = twists[from];
       for (std::size_t c = 0; c < edge.motion.twists.size(); ++c) {
         for (std::size_t k = 0; k < 6; ++k) twists[to][k][first + c] += Real(down ? 1 : -1) * edge.motion.twists[c][k];
@@ -142,7 +140,7 @@ void describe_indeterminate(Mobility& mobility, const std::vector<TwistEdge>& ed
   if (stresses.empty()) return;
   for (std::size_t e = 0; e < matrix.size(); ++e) {
     if (std::all_of(stresses.begin(), stresses.end(), [e](const RealRow& y) { return is_small(y[e]); })) continue;
-    mobility.redundant.push_back(fmt::format("loop {}: {}", e / 6 + 1, directions[e % 6]));
+    mobility.redundant.push_back(fmt::format("loop {}: {}", e / 6 + 1, twist_components[e % 6]));
   }
   for (std::size_t j = 0; j < edges.size(); ++j) {
     const RealPose place = space.place(mobility.graph.joints[j]);
@@ -160,13 +158,13 @@ void describe_indeterminate(Mobility& mobility, const std::vector<TwistEdge>& ed
       }
       moment = moment + cross(force, place.origin);
       for (int k = 0; k < 3; ++k) {
-        felt[index(k)] = felt[index(k)] || !is_small(dot(force, column(place.rotation, k)));
-        felt[index(k + 3)] = felt[index(k + 3)] || !is_small(dot(moment, column(place.rotation, k)));
+        felt[as_index(k)] = felt[as_index(k)] || !is_small(dot(force, column(place.rotation, k)));
+        felt[as_index(k + 3)] = felt[as_index(k + 3)] || !is_small(dot(moment, column(place.rotation, k)));
       }
     }
     IndeterminateReaction reaction{mobility.graph.joints[j].name, {}};
     for (std::size_t k = 0; k < 6; ++k) {
-      if (felt[k]) reaction.components.emplace_back(components[k]);
+      if (felt[k]) reaction.components.emplace_back(wrench_components[k]);
     }
     if (!reaction.components.empty()) mobility.indeterminate.push_back(std::move(reaction));
   }

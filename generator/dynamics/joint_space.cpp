@@ -6,14 +6,11 @@
 
 #include <fmt/format.h>
 
+#include "generator/expression/as_index.hpp"
 #include "generator/mechanics/joint_screws.hpp"
 
 namespace torsor {
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-Real power_of_ten(int exponent) { return Real(Number(10).pow(exponent), Real::working_digits()); }
 
 RealRow row_of(const RealVector& angular, const RealVector& linear) {
   return {angular[0], angular[1], angular[2], linear[0], linear[1], linear[2]};
@@ -79,7 +76,7 @@ JointSpace::JointSpace(const Scene& scene, const StructureGraph& graph)
     if (frame.kind == JointKind::attitude) {
       std::array<Real, 4> e;
       for (std::size_t k = 0; k < 4; ++k)
-        e[k] = number(initial_component(scene_->attitudes[index(content.attitude)], k));
+        e[k] = number(initial_component(scene_->attitudes[as_index(content.attitude)], k));
       frame.turned = rotation_of(e);
     } else if (frame.kind != JointKind::weld) {
       frame.axis = numbers(content.axis);
@@ -97,11 +94,11 @@ JointSpace::JointSpace(const Scene& scene, const StructureGraph& graph)
   }
   for (const GraphJoint& joint : graph.joints) {
     for (const int f : joint.frames) {
-      const JointContent& content = scene_->joints[index(joint.scene_joint)];
-      Frame& frame = frames_[index(f)];
+      const JointContent& content = scene_->joints[as_index(joint.scene_joint)];
+      Frame& frame = frames_[as_index(f)];
       frame.slides_with_turn = content.type == JointType::helical && frame.kind == JointKind::prismatic;
       frame.variable = variables_;
-      frame.per_variable = frame.slides_with_turn ? joint_pitches_[index(joint.scene_joint)] : Real(1);
+      frame.per_variable = frame.slides_with_turn ? joint_pitches_[as_index(joint.scene_joint)] : Real(1);
       if (!frame.slides_with_turn) variables_ += frame.kind == JointKind::attitude ? 3 : 1;
     }
   }
@@ -130,8 +127,8 @@ void JointSpace::place_frames() {
   for (std::size_t remaining = frames_.size() - 1; remaining > 0;) {
     for (std::size_t f = 1; f < frames_.size(); ++f) {
       const Frame& frame = frames_[f];
-      if (done[f] || !done[index(frame.parent)]) continue;
-      const RealPose& parent = poses_[index(frame.parent)];
+      if (done[f] || !done[as_index(frame.parent)]) continue;
+      const RealPose& parent = poses_[as_index(frame.parent)];
       RealPose& pose = poses_[f];
       pose.origin = parent.origin + parent.rotation * frame.placement.origin;
       pose.rotation = parent.rotation * frame.placement.rotation;
@@ -151,7 +148,7 @@ void JointSpace::place_frames() {
 void JointSpace::move(const RealRow& by) {
   for (Frame& frame : frames_) {
     if (frame.variable < 0) continue;
-    const std::size_t v = index(frame.variable);
+    const std::size_t v = as_index(frame.variable);
     if (frame.kind == JointKind::attitude) {
       frame.turned = frame.turned * rotation_by({by[v], by[v + 1], by[v + 2]});
     } else {
@@ -209,22 +206,22 @@ std::vector<JointTwists> JointSpace::twists() const {
     };
     int last = -1;
     for (const int f : joint.frames) {
-      const Frame& frame = frames_[index(f)];
+      const Frame& frame = frames_[as_index(f)];
       if (frame.variable == last) continue;  // both frames of a helical joint are one freedom
       last = frame.variable;
       for (int k = 0; k < (frame.kind == JointKind::attitude ? 3 : 1); ++k) add(variable_twist(frame.variable + k));
     }
     if (joint.closes_loop) {
-      const JointContent& content = scene_->joints[index(joint.scene_joint)];
-      const RealPose& a = poses_[index(scene_->frame_index(content.a, joint.name))];
-      const RealPose& b = poses_[index(scene_->frame_index(content.b, joint.name))];
+      const JointContent& content = scene_->joints[as_index(joint.scene_joint)];
+      const RealPose& a = poses_[as_index(scene_->frame_index(content.a, joint.name))];
+      const RealPose& b = poses_[as_index(scene_->frame_index(content.b, joint.name))];
       PlacedJoint<RealVector, Real> placed;
       for (int i = 0; i < 3; ++i) {
-        placed.a[index(i)] = column(a.rotation, i);
-        placed.b[index(i)] = column(b.rotation, i);
+        placed.a[as_index(i)] = column(a.rotation, i);
+        placed.b[as_index(i)] = column(b.rotation, i);
       }
       placed.point = b.origin;
-      placed.pitch = joint_pitches_[index(joint.scene_joint)];
+      placed.pitch = joint_pitches_[as_index(joint.scene_joint)];
       for (const JointFreedom& freedom : freedoms(content.type)) {
         const auto [angular, linear] = twist_of(freedom, placed);
         add(row_of(angular, linear));
@@ -236,21 +233,21 @@ std::vector<JointTwists> JointSpace::twists() const {
 }
 
 RealPose JointSpace::place(const GraphJoint& joint) const {
-  const JointContent& content = scene_->joints[index(joint.scene_joint)];
+  const JointContent& content = scene_->joints[as_index(joint.scene_joint)];
   if (joint.closes_loop) {
-    return {poses_[index(scene_->frame_index(content.a, joint.name))].rotation,
-            poses_[index(scene_->frame_index(content.b, joint.name))].origin};
+    return {poses_[as_index(scene_->frame_index(content.a, joint.name))].rotation,
+            poses_[as_index(scene_->frame_index(content.b, joint.name))].origin};
   }
-  const Frame& first = frames_[index(joint.frames.front())];
-  return {poses_[index(first.parent)].rotation * first.placement.rotation, poses_[index(joint.frames.back())].origin};
+  const Frame& first = frames_[as_index(joint.frames.front())];
+  return {poses_[as_index(first.parent)].rotation * first.placement.rotation, poses_[as_index(joint.frames.back())].origin};
 }
 
 RealRow JointSpace::closure_errors() const {
   RealRow errors;
   for (std::size_t c = 0; c < closures_.size(); ++c) {
     const Closure& law = closures_[c];
-    const RealPose& a = poses_[index(scene_->frame_index(law.a, "a closure"))];
-    const RealPose& b = poses_[index(scene_->frame_index(law.b, "a closure"))];
+    const RealPose& a = poses_[as_index(scene_->frame_index(law.a, "a closure"))];
+    const RealPose& b = poses_[as_index(scene_->frame_index(law.b, "a closure"))];
     const RealVector a_i = column(a.rotation, law.i), ab = b.origin - a.origin;
     if (law.kind == Closure::Kind::offset) errors.push_back(dot(ab, a_i));
     if (law.kind == Closure::Kind::alignment) errors.push_back(dot(a_i, column(b.rotation, law.j)));
@@ -270,12 +267,12 @@ RealRows JointSpace::closure_jacobian() const {
   for (int v = 0; v < variables_; ++v) twists.push_back(variable_twist(v));
   // +1 for what moves b, −1 for what moves a, 0 for what moves both.
   const auto add = [this](std::vector<int>& sides, int f, int side) {
-    for (; f > 0; f = frames_[index(f)].parent) {
-      const Frame& frame = frames_[index(f)];
+    for (; f > 0; f = frames_[as_index(f)].parent) {
+      const Frame& frame = frames_[as_index(f)];
       if (frame.variable < 0) continue;
       // A helical joint's two frames are both in the chain or both out of it.
       for (int k = 0; k < (frame.kind == JointKind::attitude ? 3 : 1) && !frame.slides_with_turn; ++k) {
-        sides[index(frame.variable + k)] += side;
+        sides[as_index(frame.variable + k)] += side;
       }
     }
   };
@@ -283,11 +280,11 @@ RealRows JointSpace::closure_jacobian() const {
   for (std::size_t c = 0; c < closures_.size(); ++c) {
     const Closure& law = closures_[c];
     const int frame_a = scene_->frame_index(law.a, "a closure"), frame_b = scene_->frame_index(law.b, "a closure");
-    std::vector<int> sides(index(variables_), 0);
+    std::vector<int> sides(as_index(variables_), 0);
     add(sides, frame_b, 1);
     add(sides, frame_a, -1);
-    const RealPose& a = poses_[index(frame_a)];
-    const RealPose& b = poses_[index(frame_b)];
+    const RealPose& a = poses_[as_index(frame_a)];
+    const RealPose& b = poses_[as_index(frame_b)];
     const RealVector a_i = column(a.rotation, law.i);
     RealRow row;
     for (std::size_t v = 0; v < twists.size(); ++v) {

@@ -8,16 +8,11 @@
 
 #include "generator/dynamics/constraints.hpp"
 #include "generator/dynamics/internal_motions.hpp"
+#include "generator/expression/as_index.hpp"
 #include "generator/expression/error.hpp"
 
 namespace torsor {
 namespace {
-
-constexpr int digits = 50;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-Real power_of_ten(int exponent) { return Real(Number(10).pow(exponent), digits); }
 
 /// Bodies that are one with the ground: joints without freedom change nothing.
 std::vector<bool> fixed_bodies(const StructureGraph& graph) {
@@ -26,8 +21,8 @@ std::vector<bool> fixed_bodies(const StructureGraph& graph) {
   for (bool changed = true; changed;) {
     changed = false;
     for (const GraphJoint& joint : graph.joints) {
-      if (joint.freedoms > 0 || fixed[index(joint.a)] == fixed[index(joint.b)]) continue;
-      fixed[index(joint.a)] = fixed[index(joint.b)] = true;
+      if (joint.freedoms > 0 || fixed[as_index(joint.a)] == fixed[as_index(joint.b)]) continue;
+      fixed[as_index(joint.a)] = fixed[as_index(joint.b)] = true;
       changed = true;
     }
   }
@@ -38,7 +33,7 @@ std::vector<bool> outside_joints(const StructureGraph& graph, const std::vector<
   std::vector<bool> outside(graph.joints.size(), false);
   const std::vector<bool> fixed = fixed_bodies(graph);
   for (std::size_t j = 0; j < outside.size() && names.empty(); ++j) {
-    outside[j] = fixed[index(graph.joints[j].a)] || fixed[index(graph.joints[j].b)];
+    outside[j] = fixed[as_index(graph.joints[j].a)] || fixed[as_index(graph.joints[j].b)];
   }
   for (const std::string& name : names) {
     std::string known;
@@ -93,10 +88,10 @@ std::optional<JointSpace> generic_near(const JointSpace& given, std::uint64_t se
   int best_rank = -1;
   std::mt19937_64 random(seed);
   for (int attempt = 0; attempt < 4; ++attempt) {
-    RealRow by(index(given.variable_count()), Real(0));
+    RealRow by(as_index(given.variable_count()), Real(0));
     for (const RealRow& freedom : freedoms) {
       const long parts = static_cast<long>(random() % 2001U) - 1000;
-      const Real amount(Number::rational(parts, attempt < 2 ? 4000 : 40000), digits);
+      const Real amount(Number::rational(parts, attempt < 2 ? 4000 : 40000), rank_digits);
       for (std::size_t v = 0; v < by.size(); ++v) by[v] += amount * freedom[v];
     }
     for (int conditions = rank_here; conditions <= most; ++conditions) {
@@ -125,9 +120,9 @@ RealRows closure_matrix(const std::vector<TwistEdge>& edges, const std::vector<G
   RealRows matrix(6 * loops.size(), RealRow(columns, Real(0)));
   for (std::size_t l = 0; l < loops.size(); ++l) {
     for (const auto& [joint, sense] : loops[l].joints) {
-      const RealRows& twists = edges[index(joint)].motion.twists;
+      const RealRows& twists = edges[as_index(joint)].motion.twists;
       for (std::size_t c = 0; c < twists.size(); ++c) {
-        for (std::size_t k = 0; k < 6; ++k) matrix[6 * l + k][first[index(joint)] + c] = Real(sense) * twists[c][k];
+        for (std::size_t k = 0; k < 6; ++k) matrix[6 * l + k][first[as_index(joint)] + c] = Real(sense) * twists[c][k];
       }
     }
   }
@@ -159,7 +154,7 @@ MobilityCount count_mobility(int bodies, const std::vector<TwistEdge>& edges) {
 }
 
 Mobility analyse_mobility(const Scene& scene, const MobilityOptions& options) {
-  const WorkingDigits precision(digits);
+  const WorkingDigits precision(rank_digits);
   Mobility result;
   result.graph = structure_graph(scene);
   const StructureGraph& graph = result.graph;
@@ -183,7 +178,7 @@ Mobility analyse_mobility(const Scene& scene, const MobilityOptions& options) {
 }
 
 SceneFreedoms scene_freedoms(const Scene& scene) {
-  const WorkingDigits precision(digits);
+  const WorkingDigits precision(rank_digits);
   Program program(Model::resolver(scene, {}));
   const Model model(scene, program);
   InitialNumbers number(scene);
@@ -195,7 +190,7 @@ SceneFreedoms scene_freedoms(const Scene& scene) {
   for (const ConstraintRow& row : constraint_rows(model)) {
     rows.emplace_back();
     for (int i = 0; i < result.coordinates; ++i) {
-      const Value& entry = row.jacobian[index(i)];
+      const Value& entry = row.jacobian[as_index(i)];
       rows.back().push_back(entry.is_zero() ? Real(0) : evaluate(entry));
     }
   }

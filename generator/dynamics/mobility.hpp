@@ -12,6 +12,9 @@
 
 namespace torsor {
 
+/// Digits in which ranks of mechanisms are decided.
+constexpr int rank_digits = 50;
+
 /// A joint of a graph with the twists it allows, whatever it is made of.
 struct TwistEdge {
   std::string name;

@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "generator/expression/as_index.hpp"
+
 namespace torsor {
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 std::string in_brackets(const std::string& name) {
   return name.find_first_of("/-") == std::string::npos ? name : "(" + name + ")";
@@ -33,8 +33,8 @@ class Reduction {
     }
     std::vector<TwistEdge> edges;
     for (EquivalentJoint& joint : joints_) {
-      joint.edge.a = place[index(joint.edge.a)];
-      joint.edge.b = place[index(joint.edge.b)];
+      joint.edge.a = place[as_index(joint.edge.a)];
+      joint.edge.b = place[as_index(joint.edge.b)];
       edges.push_back(joint.edge);
     }
     result.joints = joints_;
@@ -53,13 +53,13 @@ class Reduction {
       joints_.erase(joints_.begin() + static_cast<std::ptrdiff_t>(j));
       if (gone == keep) {
         steps_.push_back(
-            {ReductionStep::Kind::weld, fmt::format("{} holds {} to itself", name, bodies_[index(keep)]), 6, 0});
+            {ReductionStep::Kind::weld, fmt::format("{} holds {} to itself", name, bodies_[as_index(keep)]), 6, 0});
         return true;
       }
       steps_.push_back({ReductionStep::Kind::weld,
-                        fmt::format("{} holds {} to {}: one body", name, bodies_[index(gone)], bodies_[index(keep)]), 0,
+                        fmt::format("{} holds {} to {}: one body", name, bodies_[as_index(gone)], bodies_[as_index(keep)]), 0,
                         0});
-      alive_[index(gone)] = false;
+      alive_[as_index(gone)] = false;
       for (EquivalentJoint& joint : joints_) {
         if (joint.edge.a == gone) joint.edge.a = keep;
         if (joint.edge.b == gone) joint.edge.b = keep;
@@ -79,8 +79,8 @@ class Reduction {
         const RealRows common = intersection_of(first.motion.twists, second.motion.twists);
         const RealRows together = span_of(first.motion.twists, second.motion.twists);
         merge(i, j, common, "//", ReductionStep::Kind::parallel,
-              fmt::format("{} and {} in parallel between {} and {}", first.name, second.name, bodies_[index(first.a)],
-                          bodies_[index(first.b)]),
+              fmt::format("{} and {} in parallel between {} and {}", first.name, second.name, bodies_[as_index(first.a)],
+                          bodies_[as_index(first.b)]),
               6 - static_cast<int>(together.size()), 0);
         return true;
       }
@@ -133,7 +133,7 @@ class Reduction {
     for (const EquivalentJoint& joint : joints_) ends.emplace_back(joint.edge.a, joint.edge.b);
     std::vector<bool> in_loop(joints_.size(), false);
     for (const GraphLoop& loop : independent_loops(static_cast<int>(bodies_.size()), ends)) {
-      for (const auto& step : loop.joints) in_loop[index(step.first)] = true;
+      for (const auto& step : loop.joints) in_loop[as_index(step.first)] = true;
     }
     return in_loop;
   }
@@ -163,7 +163,7 @@ ReducedGraph reduce(const std::vector<std::string>& bodies, const std::vector<Tw
 }
 
 ReducedGraph reduced_graph(const Mobility& mobility) {
-  const WorkingDigits precision(50);
+  const WorkingDigits precision(rank_digits);
   std::vector<std::string> bodies;
   for (const GraphBody& body : mobility.graph.bodies) bodies.push_back(body.name);
   ReducedGraph given = reduce(bodies, mobility.given_edges);

@@ -16,8 +16,6 @@ RealVector first(const RealRow& screw) { return {screw[0], screw[1], screw[2]}; 
 RealVector last(const RealRow& screw) { return {screw[3], screw[4], screw[5]}; }
 RealRow as_row(const RealVector& v) { return {v[0], v[1], v[2]}; }
 
-bool is_small(const Real& x) { return abs(x) <= twist_tolerance(); }
-
 /// Rounding must not be taken for a small screw: entries below the tolerance are set to zero.
 RealRows chopped(RealRows rows) {
   Real largest;
@@ -140,7 +138,8 @@ TwistClass five_freedoms(const Screws& wrenches) {
 
 }  // namespace
 
-Real twist_tolerance() { return Real(Number(10).pow(-20), Real::working_digits()); }
+Real twist_tolerance() { return power_of_ten(-20); }
+bool is_small(const Real& entry) { return abs(entry) <= twist_tolerance(); }
 
 RealRows span_of(const RealRows& a, const RealRows& b) {
   RealRows both = a;

@@ -16,6 +16,8 @@ namespace torsor {
 
 /// Ranks of twists are decided by elimination with this tolerance, relative to the largest entry.
 Real twist_tolerance();
+/// The same for a single entry of order 1.
+bool is_small(const Real& entry);
 
 /// Independent rows that span what the rows of both span.
 RealRows span_of(const RealRows& a, const RealRows& b);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "generator/emission/graph_printer.hpp"
+#include "generator/expression/as_index.hpp"
 
 namespace torsor {
 namespace {
@@ -18,14 +19,12 @@ struct Place {
   double x = 0, y = 0;
 };
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 /// Pairs of edges that cross when vertices lie on a circle at their positions, then the length along the circle.
 std::pair<int, int> cost(const std::vector<int>& position, const std::vector<GraphDrawing::Edge>& edges) {
   const int n = static_cast<int>(position.size());
   int crossings = 0, length = 0;
   const auto chord = [&](const GraphDrawing::Edge& edge) {
-    return std::minmax(position[index(edge.a)], position[index(edge.b)]);
+    return std::minmax(position[as_index(edge.a)], position[as_index(edge.b)]);
   };
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const auto [a, b] = chord(edges[i]);
@@ -119,8 +118,8 @@ std::string graph_svg(const GraphDrawing& drawing) {
   for (const auto& edge : drawing.edges) {
     const auto [from, to] = std::minmax(edge.a, edge.b);
     const int of = parallel[{from, to}], number = drawn[{from, to}]++;
-    const Place& a = places[index(from)];
-    const Place& b = places[index(to)];
+    const Place& a = places[as_index(from)];
+    const Place& b = places[as_index(to)];
     const double across = (number - (of - 1) / 2.0) * 64;
     const double dx = b.x - a.x, dy = b.y - a.y, length = std::hypot(dx, dy) + 1e-9;
     const Place middle{(a.x + b.x) / 2 - across * dy / length, (a.y + b.y) / 2 + across * dx / length};

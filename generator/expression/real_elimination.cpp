@@ -23,6 +23,8 @@ Real product(const RealRow& a, const RealRow& b) {
 
 }  // namespace
 
+Real power_of_ten(int exponent) { return Real(Number(10).pow(exponent), Real::working_digits()); }
+
 Elimination eliminate(RealRows rows, int columns, const Real& tolerance, int largest_rank) {
   Elimination result;
   const Real floor = largest_entry(rows) * tolerance;

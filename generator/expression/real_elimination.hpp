@@ -11,6 +11,9 @@ namespace torsor {
 using RealRow = std::vector<Real>;
 using RealRows = std::vector<RealRow>;
 
+/// 10^exponent at the working precision.
+Real power_of_ten(int exponent);
+
 /// What Gauss-Jordan elimination with complete pivoting finds: the largest entry left is the next pivot, and
 /// elimination stops when it is not above `tolerance` times the largest entry of the whole array. (Golub & Van Loan,
 /// Matrix Computations, 3.4.8.) Ranks are as sure as the gap between what was kept and what was dropped.

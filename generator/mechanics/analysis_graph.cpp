@@ -5,12 +5,11 @@
 #include <optional>
 #include <set>
 
+#include "generator/expression/as_index.hpp"
 #include "generator/expression/program.hpp"
 
 namespace torsor {
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 class Linker {
  public:
@@ -58,10 +57,10 @@ class Linker {
   }
 
   int body_of(const FrameReference& frame) const {
-    return graph_.body_of_frame[index(scene_.frame_index(frame, "the analysis graph"))];
+    return graph_.body_of_frame[as_index(scene_.frame_index(frame, "the analysis graph"))];
   }
   int body_of(const PointReference& point) const {
-    return body_of(scene_.points[index(scene_.point_index(point, "the analysis graph"))].frame);
+    return body_of(scene_.points[as_index(scene_.point_index(point, "the analysis graph"))].frame);
   }
 
   void tie(const HolonomicFormula& law) { constraint("holonomic relation", moved_by(law.f)); }
@@ -91,8 +90,8 @@ class Linker {
   /// The frame that moves with a body, and those it hangs on.
   std::vector<int> moving_chain(int frame) const {
     std::vector<int> chain;
-    for (; frame > 0; frame = scene_.frame_index(*scene_.frames[index(frame)].parent, "the analysis graph")) {
-      if (scene_.frames[index(frame)].joint != JointKind::weld) chain.push_back(frame);
+    for (; frame > 0; frame = scene_.frame_index(*scene_.frames[as_index(frame)].parent, "the analysis graph")) {
+      if (scene_.frames[as_index(frame)].joint != JointKind::weld) chain.push_back(frame);
     }
     return chain;
   }
@@ -102,7 +101,7 @@ class Linker {
     std::vector<int> bodies;
     for (const GraphJoint& joint : graph_.joints) {
       for (const int f : joint.frames) {
-        if (shares_a_coordinate(formula, scene_.frames[index(f)])) bodies.insert(bodies.end(), {joint.a, joint.b});
+        if (shares_a_coordinate(formula, scene_.frames[as_index(f)])) bodies.insert(bodies.end(), {joint.a, joint.b});
       }
     }
     return bodies;
@@ -115,7 +114,7 @@ class Linker {
       if (here && (formula.depends_on(c.q) || formula.depends_on(c.v))) return true;
     }
     if (frame.joint != JointKind::attitude) return false;
-    for (const SymbolPointer& e : scene_.attitudes[index(frame.attitude)].symbols->e) {
+    for (const SymbolPointer& e : scene_.attitudes[as_index(frame.attitude)].symbols->e) {
       if (formula.depends_on(e)) return true;
     }
     return false;
@@ -132,8 +131,8 @@ class Linker {
       if (scene_.frames[f].joint != JointKind::revolute && scene_.frames[f].joint != JointKind::prismatic) continue;
       const std::vector<int> chain = moving_chain(static_cast<int>(f));
       Value sum;
-      for (std::size_t k = 0; k < chain.size() && scene_.frames[index(chain[k])].joint == scene_.frames[f].joint; ++k) {
-        const FrameContent& frame = scene_.frames[index(chain[k])];
+      for (std::size_t k = 0; k < chain.size() && scene_.frames[as_index(chain[k])].joint == scene_.frames[f].joint; ++k) {
+        const FrameContent& frame = scene_.frames[as_index(chain[k])];
         const Value part = program.lower(frame.displacement);
         const bool fits = part.is_zero() || part.unit() == wanted.unit();
         if (!fits) break;

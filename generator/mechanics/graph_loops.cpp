@@ -4,12 +4,11 @@
 
 #include <fmt/format.h>
 
+#include "generator/expression/as_index.hpp"
 #include "generator/mechanics/structure_graph.hpp"
 
 namespace torsor {
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// Spanning trees of the components: for each body the joint towards the root, and its distance from it.
 struct Forest {
@@ -19,32 +18,32 @@ struct Forest {
 };
 
 Forest span(int bodies, const std::vector<GraphEdge>& edges) {
-  std::vector<int> component(index(bodies));
+  std::vector<int> component(as_index(bodies));
   std::iota(component.begin(), component.end(), 0);
   const auto root = [&](int body) {
-    while (component[index(body)] != body) body = component[index(body)];
+    while (component[as_index(body)] != body) body = component[as_index(body)];
     return body;
   };
-  Forest forest{std::vector<int>(index(bodies), -1), std::vector<int>(index(bodies), -1),
+  Forest forest{std::vector<int>(as_index(bodies), -1), std::vector<int>(as_index(bodies), -1),
                 std::vector<bool>(edges.size(), false), bodies};
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const int a = root(edges[e].first), b = root(edges[e].second);
     if (a == b) continue;
-    component[index(std::max(a, b))] = std::min(a, b);
+    component[as_index(std::max(a, b))] = std::min(a, b);
     forest.in_tree[e] = true;
     --forest.components;
   }
   for (int body = 0; body < bodies; ++body) {
-    if (root(body) == body) forest.depth[index(body)] = 0;
+    if (root(body) == body) forest.depth[as_index(body)] = 0;
   }
   for (bool changed = true; changed;) {
     changed = false;
     for (std::size_t e = 0; e < edges.size(); ++e) {
       if (!forest.in_tree[e]) continue;
       const auto hang = [&](int parent, int child) {
-        if (forest.depth[index(parent)] < 0 || forest.depth[index(child)] >= 0) return;
-        forest.depth[index(child)] = forest.depth[index(parent)] + 1;
-        forest.joint[index(child)] = static_cast<int>(e);
+        if (forest.depth[as_index(parent)] < 0 || forest.depth[as_index(child)] >= 0) return;
+        forest.depth[as_index(child)] = forest.depth[as_index(parent)] + 1;
+        forest.joint[as_index(child)] = static_cast<int>(e);
         changed = true;
       };
       hang(edges[e].first, edges[e].second);
@@ -55,7 +54,7 @@ Forest span(int bodies, const std::vector<GraphEdge>& edges) {
 }
 
 int parent_of(const Forest& forest, const std::vector<GraphEdge>& edges, int body) {
-  const auto& [a, b] = edges[index(forest.joint[index(body)])];
+  const auto& [a, b] = edges[as_index(forest.joint[as_index(body)])];
   return a == body ? b : a;
 }
 
@@ -71,7 +70,7 @@ std::vector<int> path_up(const Forest& forest, const std::vector<GraphEdge>& edg
 
 int meeting(const Forest& forest, const std::vector<GraphEdge>& edges, int a, int b) {
   while (a != b) {
-    int& lower = forest.depth[index(a)] > forest.depth[index(b)] ? a : b;
+    int& lower = forest.depth[as_index(a)] > forest.depth[as_index(b)] ? a : b;
     lower = parent_of(forest, edges, lower);
   }
   return a;
@@ -96,15 +95,15 @@ std::vector<GraphLoop> independent_loops(int bodies, const std::vector<GraphEdge
     std::vector<int> down = path_up(forest, edges, a, top);
     std::reverse(down.begin(), down.end());
     const auto step = [&](int from, int to, int joint) {
-      loop.joints.emplace_back(joint, edges[index(joint)].first == from ? 1 : -1);
+      loop.joints.emplace_back(joint, edges[as_index(joint)].first == from ? 1 : -1);
       loop.bodies.push_back(to);
     };
     loop.bodies.push_back(top);
-    for (std::size_t k = 1; k < down.size(); ++k) step(down[k - 1], down[k], forest.joint[index(down[k])]);
+    for (std::size_t k = 1; k < down.size(); ++k) step(down[k - 1], down[k], forest.joint[as_index(down[k])]);
     loop.joints.emplace_back(static_cast<int>(e), 1);
     loop.bodies.push_back(b);
     const std::vector<int> up = path_up(forest, edges, b, top);
-    for (std::size_t k = 1; k < up.size(); ++k) step(up[k - 1], up[k], forest.joint[index(up[k - 1])]);
+    for (std::size_t k = 1; k < up.size(); ++k) step(up[k - 1], up[k], forest.joint[as_index(up[k - 1])]);
     loops.push_back(std::move(loop));
   }
   return loops;
@@ -113,8 +112,8 @@ std::vector<GraphLoop> independent_loops(int bodies, const std::vector<GraphEdge
 std::string orientation_closure(const StructureGraph& graph, const GraphLoop& loop) {
   std::string text;
   for (std::size_t k = loop.bodies.size() - 1; k > 0; --k) {
-    text += fmt::format("{}P({}/{})", text.empty() ? "" : "·", graph.bodies[index(loop.bodies[k])].name,
-                        graph.bodies[index(loop.bodies[k - 1])].name);
+    text += fmt::format("{}P({}/{})", text.empty() ? "" : "·", graph.bodies[as_index(loop.bodies[k])].name,
+                        graph.bodies[as_index(loop.bodies[k - 1])].name);
   }
   return text + " = I";
 }
@@ -122,8 +121,8 @@ std::string orientation_closure(const StructureGraph& graph, const GraphLoop& lo
 std::string position_closure(const StructureGraph& graph, const GraphLoop& loop) {
   std::string text;
   for (std::size_t k = 1; k < loop.bodies.size(); ++k) {
-    text += fmt::format("{}O_{} O_{}", text.empty() ? "" : " + ", graph.bodies[index(loop.bodies[k - 1])].name,
-                        graph.bodies[index(loop.bodies[k])].name);
+    text += fmt::format("{}O_{} O_{}", text.empty() ? "" : " + ", graph.bodies[as_index(loop.bodies[k - 1])].name,
+                        graph.bodies[as_index(loop.bodies[k])].name);
   }
   return text + " = 0";
 }
@@ -131,8 +130,8 @@ std::string position_closure(const StructureGraph& graph, const GraphLoop& loop)
 std::string twist_closure(const StructureGraph& graph, const GraphLoop& loop) {
   std::string text;
   for (std::size_t k = 1; k < loop.bodies.size(); ++k) {
-    text += fmt::format("{}{{V({}/{})}}", text.empty() ? "" : " + ", graph.bodies[index(loop.bodies[k])].name,
-                        graph.bodies[index(loop.bodies[k - 1])].name);
+    text += fmt::format("{}{{V({}/{})}}", text.empty() ? "" : " + ", graph.bodies[as_index(loop.bodies[k])].name,
+                        graph.bodies[as_index(loop.bodies[k - 1])].name);
   }
   return text + " = 0";
 }

@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "generator/expression/as_index.hpp"
+
 namespace torsor {
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// Whether a frame moves in its parent: its displacement is a function of time or of a coordinate that is not released.
 bool moves(const SceneContent& scene, const FrameContent& frame) {
@@ -53,17 +53,17 @@ class Builder {
                               static_cast<int>(j),
                               {}});
     }
-    for (const BodyContent& each : scene_.bodies) graph.bodies[index(body(each.frame))].parts.push_back(each.name);
+    for (const BodyContent& each : scene_.bodies) graph.bodies[as_index(body(each.frame))].parts.push_back(each.name);
     graph.body_of_frame = body_of_frame_;
     return graph;
   }
 
  private:
   int frame(const FrameReference& reference) const { return scene_.frame_index(reference, "the structure graph"); }
-  int body(const FrameReference& reference) const { return body_of_frame_[index(frame(reference))]; }
+  int body(const FrameReference& reference) const { return body_of_frame_[as_index(frame(reference))]; }
 
   int root(int f) const {
-    while (group_[index(f)] != f) f = group_[index(f)];
+    while (group_[as_index(f)] != f) f = group_[as_index(f)];
     return f;
   }
 
@@ -79,7 +79,7 @@ class Builder {
   /// Groups at the end of a joint are bodies; those inside one are when something is attached to them.
   void find_bodies() {
     std::vector<bool> is_body(group_.size(), false);
-    const auto attach = [&](int f) { is_body[index(root(f))] = true; };
+    const auto attach = [&](int f) { is_body[as_index(root(f))] = true; };
     attach(0);
     for (const BodyContent& each : scene_.bodies) attach(frame(each.frame));
     end_of_.resize(group_.size());
@@ -91,8 +91,8 @@ class Builder {
     for (const JointContent& joint : scene_.joints) {
       int end = joint.last;
       for (int f = joint.last; f >= joint.first && !joint.closes_loop; --f) {
-        if (is_body[index(root(f))]) end = f;
-        end_of_[index(root(f))] = root(end);
+        if (is_body[as_index(root(f))]) end = f;
+        end_of_[as_index(root(f))] = root(end);
       }
     }
     for (std::size_t f = 0; f < group_.size(); ++f) {
@@ -101,7 +101,7 @@ class Builder {
   }
 
   int body_of(int f) const {
-    const auto place = std::find(roots_.begin(), roots_.end(), end_of_[index(root(f))]);
+    const auto place = std::find(roots_.begin(), roots_.end(), end_of_[as_index(root(f))]);
     return static_cast<int>(place - roots_.begin());
   }
 
@@ -110,23 +110,23 @@ class Builder {
   std::string name_of(int of_root) const {
     for (const BodyContent& each : scene_.bodies) {
       const int at = frame(each.frame);
-      if (of_root > 0 && root(at) == of_root && scene_.frames[index(at)].name == each.name) return each.name;
+      if (of_root > 0 && root(at) == of_root && scene_.frames[as_index(at)].name == each.name) return each.name;
     }
     for (std::size_t f = 0; f < group_.size(); ++f) {
       const std::string& name = scene_.frames[f].name;
       if (root(static_cast<int>(f)) == of_root && name.find('.') == std::string::npos) return name;
     }
-    return scene_.frames[index(of_root)].name;
+    return scene_.frames[as_index(of_root)].name;
   }
 
   int freedoms_of(const JointContent& joint, int f) const {
     if (joint.type == JointType::helical && f != joint.last) return 0;  // the slide follows the turn
-    return scene_.frames[index(f)].joint == JointKind::attitude ? 3 : 1;
+    return scene_.frames[as_index(f)].joint == JointKind::attitude ? 3 : 1;
   }
 
   /// One joint of the graph for each stretch between bodies.
   void add_pieces(StructureGraph& graph, int j) const {
-    const JointContent& joint = scene_.joints[index(j)];
+    const JointContent& joint = scene_.joints[as_index(j)];
     std::vector<GraphJoint> pieces;
     int from = body(joint.a);
     GraphJoint piece;
@@ -140,17 +140,17 @@ class Builder {
       piece.freedoms += freedoms_of(joint, f);
       if (!is_end(f)) continue;
       piece.a = from;
-      piece.b = from = body_of_frame_[index(f)];
+      piece.b = from = body_of_frame_[as_index(f)];
       pieces.push_back(piece);
       piece = {};
     }
     for (GraphJoint& each : pieces) {
       each.scene_joint = j;
-      each.name = pieces.size() == 1 ? joint.name : scene_.frames[index(each.frames.back())].name;
+      each.name = pieces.size() == 1 ? joint.name : scene_.frames[as_index(each.frames.back())].name;
       if (pieces.size() == 1 && whole) {
         each.type = joint.type;
       } else if (each.frames.size() == 1) {
-        const JointKind kind = scene_.frames[index(each.frames[0])].joint;
+        const JointKind kind = scene_.frames[as_index(each.frames[0])].joint;
         each.type = kind == JointKind::revolute    ? JointType::revolute
                     : kind == JointKind::prismatic ? JointType::prismatic
                                                    : JointType::spherical;
