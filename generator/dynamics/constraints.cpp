@@ -65,8 +65,16 @@ class RowBuilder {
     const FramePlace& at = model_.place(law.plane, user_);
     const Vector normal = bound(program_, model_.express(axis::z, law.plane, at.link, user_));
     const Vector point = bound(program_, model_.locate(law.point, at.link, user_));
-    const Vector height = bound(program_, point - at.origin);
-    holonomic(dot(height, normal));
+    const SceneContent& scene = model_.scene();
+    const PointContent& content = scene.points[static_cast<std::size_t>(scene.point_index(law.point, user_))];
+    const bool own_plane =
+        content.lowest && scene.frame_index(content.lowest->plane, user_) == scene.frame_index(law.plane, user_);
+    if (own_plane) {
+      holonomic(model_.lowest_height(content, at.link, user_));
+    } else {
+      const Vector height = bound(program_, point - at.origin);
+      holonomic(dot(height, normal));
+    }
     release(link_of(law.point), at.link, point, normal, at.link);
   }
 

@@ -24,6 +24,11 @@ const std::vector<ConstraintRow>& Equations::constraints() const {
   return *constraints_;
 }
 
+const ConstraintRank& Equations::redundancy() const {
+  if (!redundancy_) redundancy_ = scene_.content().constraints.empty() ? ConstraintRank{} : constraint_rank(scene_);
+  return *redundancy_;
+}
+
 const ValueMatrix& Equations::mass() const {
   if (!mass_) mass_ = mass_matrix(model_);
   return *mass_;
@@ -111,13 +116,19 @@ ForwardSolution Equations::forward_by_factorisation() const {
   ValueMatrix jacobian, columns;
   std::vector<Value> gamma;
   bool friction = false;
-  for (const ConstraintRow& row : constraints()) {
+  const std::vector<std::size_t>& kept = redundancy().kept;
+  for (const std::size_t j : kept) {
+    const ConstraintRow& row = constraints()[j];
     friction = friction || row.friction;
     jacobian.push_back(unknowns(row.jacobian));
     columns.push_back(unknowns(row.column));
     gamma.push_back(row.gamma);
   }
-  return solve_forward(*program_, mass(), force, jacobian, columns, gamma, friction);
+  ForwardSolution solution = solve_forward(*program_, mass(), force, jacobian, columns, gamma, friction);
+  std::vector<Value> multipliers(constraints().size());  // zero where a constraint repeats others
+  for (std::size_t k = 0; k < kept.size(); ++k) multipliers[kept[k]] = solution.multipliers[k];
+  solution.multipliers = std::move(multipliers);
+  return solution;
 }
 
 }  // namespace torsor

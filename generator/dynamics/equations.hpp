@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "generator/dynamics/actions.hpp"
+#include "generator/dynamics/constraint_rank.hpp"
 #include "generator/dynamics/constraints.hpp"
 #include "generator/dynamics/forward_dynamics.hpp"
 #include "generator/dynamics/virtual_power.hpp"
@@ -24,6 +25,8 @@ class Equations {
 
   const AppliedActions& actions() const;
   const std::vector<ConstraintRow>& constraints() const;
+  /// Which constraints repeat others: `forward` leaves those out and takes their multipliers as zero.
+  const ConstraintRank& redundancy() const;
   const ValueMatrix& mass() const;                       ///< unknowns only
   const std::vector<Value>& bias() const;                ///< h_i, every coordinate (released ones last)
   const std::vector<Value>& inverse_dynamics() const;    ///< M q̈ + h − Σ λ_j column_j, every coordinate
@@ -44,6 +47,7 @@ class Equations {
   Model model_;
   mutable std::optional<AppliedActions> actions_;
   mutable std::optional<std::vector<ConstraintRow>> constraints_;
+  mutable std::optional<ConstraintRank> redundancy_;
   mutable std::optional<ValueMatrix> mass_;
   mutable std::optional<std::vector<Value>> bias_, inverse_;
   mutable std::optional<ForwardSolution> forward_;

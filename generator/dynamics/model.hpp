@@ -112,6 +112,9 @@ class Model {
   Vector locate(const Vector& p, int from, int to) const;
   /// A point of the scene in the axes of a link.
   Vector locate(const PointReference& point, int link, const std::string& user) const;
+  /// Height of a point of contact (PointContent::lowest) over the plane it was found for: that of the centre C less
+  /// r √(1 − (n·k)²), or r for a sphere; the point itself, whose own formula cancels where a disc lies flat, is not used.
+  Value lowest_height(const PointContent& point, int link, const std::string& user) const;
   /// A direction given in a frame of the scene, in the axes of a link.
   Vector express(const Triple& direction, const FrameReference& axes, int link, const std::string& user) const;
 

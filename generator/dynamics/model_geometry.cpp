@@ -180,6 +180,22 @@ Vector Model::lowest(const PointContent& point, int link, const std::string& use
   return center + radius * down;
 }
 
+Value Model::lowest_height(const PointContent& point, int link, const std::string& user) const {
+  Program& program = *program_;
+  const FramePlace& at = place(point.frame, "point '" + point.name + "'");
+  const FramePlace& plane = place(point.lowest->plane, user);
+  const Vector normal = bound(program, express(axis::z, point.lowest->plane, link, user));
+  const Vector center = locate(at.origin, at.link, link);
+  const Vector origin = locate(plane.origin, plane.link, link);
+  const Value height = program.bind(dot(bound(program, center - origin), normal));
+  const Value radius = program.lower(point.lowest->radius);
+  if (!point.lowest->axis) return height - radius;
+  const Vector k = bound(program, express(*point.lowest->axis, point.frame, link, user));
+  const Value along = program.bind(dot(normal, k));
+  const Vector rest = bound(program, normal - along * k);
+  return height - radius * program.sqrt(dot(rest, rest));
+}
+
 Vector Model::express(const Triple& direction, const FrameReference& axes, int link, const std::string& user) const {
   const FramePlace& at = place(axes, user);
   return express(at.rotation * lower(*program_, direction), at.link, link);

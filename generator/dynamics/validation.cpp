@@ -17,13 +17,9 @@ namespace {
 
 constexpr int generic_digits = 50;
 
-/// Pseudo-random but fixed values for every symbol: a generic state.
+/// A generic state.
 Evaluator<Real>::SymbolValue generic_state(int trial) {
-  return [trial](const SymbolPointer& symbol) {
-    if (symbol->kind == SymbolKind::pi) return Real::pi(generic_digits);
-    const long scrambled = (symbol->index + 1) * 7919L * (trial + 3) % 4007;
-    return Real(Number::rational(1000 + scrambled, 3001), generic_digits);
-  };
+  return [trial](const SymbolPointer& symbol) { return generic_value(symbol, trial); };
 }
 
 void check_coordinates(const Scene& scene) {
@@ -145,19 +141,6 @@ bool lacks_values(const Scene& scene) {
   return std::any_of(parameters.begin(), parameters.end(), [](const auto& p) { return !p.value; });
 }
 
-/// Value of a symbol at t = 0, without inputs.
-Real initial_value(const SceneContent& scene, const SymbolPointer& symbol) {
-  if (symbol->kind == SymbolKind::pi || symbol->kind == SymbolKind::parameter) return parameter_value(scene, symbol);
-  if (const auto component = scene.quaternion_component(symbol)) {
-    return parameter_value(scene, initial_component(scene.attitudes[component->first], component->second));
-  }
-  for (const CoordinateContent& c : scene.coordinates) {
-    if (c.q == symbol && c.initial_value) return parameter_value(scene, *c.initial_value);
-    if (c.v == symbol && c.initial_rate) return parameter_value(scene, *c.initial_rate);
-  }
-  return Real(0);
-}
-
 void check_initial_state(const Equations& equations) {
   if (equations.constraints().empty() || lacks_values(equations.scene())) return;
   Evaluator<Real> evaluate(equations.program(), [&equations](const SymbolPointer& symbol) {
@@ -195,6 +178,7 @@ void validate(const Scene& scene) {
     equations.model().locate(PointHandle{static_cast<int>(i)}, 0, "point '" + scene.content().points[i].name + "'");
   }
   check_initial_state(equations);
+  equations.redundancy();
 }
 
 std::vector<Real> initial_state(const Scene& scene) {

@@ -103,9 +103,12 @@ std::vector<Structure> common_structures(const Equations& equations, const std::
   Structure inputs{"Inputs", "Forces and torques of motors, set at each call.", {}};
   for (const SymbolPointer& symbol : model.inputs()) inputs.members.push_back(scalar(*symbol, "motor", symbol->unit));
   Structure multipliers{"Multipliers", "Multipliers of the constraints, or the reactions that enforce them.", {}};
-  for (const ConstraintContent& constraint : model.scene().constraints) {
+  for (std::size_t j = 0; j < model.scene().constraints.size(); ++j) {
+    const ConstraintContent& constraint = model.scene().constraints[j];
     const Symbol& symbol = *constraint.multiplier;
-    multipliers.members.push_back(scalar(symbol, "of the constraint " + constraint.name, symbol.unit));
+    const bool determinate = equations.redundancy().determinate[j];
+    multipliers.members.push_back(scalar(
+        symbol, (determinate ? "of the constraint " : "indeterminate, of the constraint ") + constraint.name, symbol.unit));
   }
   return {given, q, v, a, forces, inputs, multipliers};
 }

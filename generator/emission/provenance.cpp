@@ -93,6 +93,11 @@ std::string provenance_comment(const Provenance& provenance) {
   text += "moved across joints, factoring, and what is done once for a set of parameters:\n";
   text += operations_table(provenance) + "\n";
   text += "Not computed because this mechanism does not need it:\n" + skipped(provenance) + "\n";
+  if (!provenance.notes.empty()) {
+    text += "Constraints:\n";
+    for (const std::string& note : provenance.notes) text += "  " + note + "\n";
+    text += "\n";
+  }
   text += "To write this file again:\n  " + regeneration_command(provenance) + "\n";
 
   std::string comment;

@@ -25,6 +25,7 @@ struct Provenance {
   std::vector<Kernel> kernels;                                     ///< all that were asked for, skipped ones included
   std::vector<SymbolPointer> parameters;                           ///< set at run time
   std::vector<FunctionOperations> operations;                      ///< of each function of the text
+  std::vector<std::string> notes{};                                ///< on the constraints, a sentence each
 };
 
 /// The head comment: scene, version, licence, kernels, operations, what was skipped and why, how to regenerate. No

@@ -8,16 +8,39 @@
 
 namespace torsor {
 
-Real parameter_value(const SceneContent& scene, const Expression& formula) {
+Real parameter_value(const SceneContent& scene, const Expression& formula, bool invent) {
   Program program;
-  Evaluator<Real> evaluate(program, [&scene](const SymbolPointer& symbol) {
+  Evaluator<Real> evaluate(program, [&scene, invent](const SymbolPointer& symbol) {
     if (symbol->kind == SymbolKind::pi) return Real::pi();
     for (const ParameterContent& parameter : scene.parameters) {
-      if (parameter.symbol == symbol && parameter.value) return parameter_value(scene, *parameter.value);
+      if (parameter.symbol != symbol) continue;
+      if (parameter.value) return parameter_value(scene, *parameter.value, invent);
+      if (invent) return generic_value(symbol, 0);
     }
     throw SceneError(fmt::format("'{}' has no value: give the parameter one", symbol->name));
   });
   return evaluate(program.lower(formula));
+}
+
+Real initial_value(const SceneContent& scene, const SymbolPointer& symbol, bool invent) {
+  if (symbol->kind == SymbolKind::pi || symbol->kind == SymbolKind::parameter) {
+    return parameter_value(scene, symbol, invent);
+  }
+  if (const auto component = scene.quaternion_component(symbol)) {
+    return parameter_value(scene, initial_component(scene.attitudes[component->first], component->second), invent);
+  }
+  for (const CoordinateContent& c : scene.coordinates) {
+    if (c.q == symbol && c.initial_value) return parameter_value(scene, *c.initial_value, invent);
+    if (c.q == symbol && invent && c.unknown()) return generic_value(symbol, 0);
+    if (c.v == symbol && c.initial_rate) return parameter_value(scene, *c.initial_rate, invent);
+  }
+  return Real(0);
+}
+
+Real generic_value(const SymbolPointer& symbol, int trial) {
+  if (symbol->kind == SymbolKind::pi) return Real::pi();
+  const long scrambled = (symbol->index + 1) * 7919L * (trial + 3) % 4007;
+  return Real(Number::rational(1000 + scrambled, 3001), Real::working_digits());
 }
 
 }  // namespace torsor

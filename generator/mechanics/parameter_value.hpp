@@ -7,7 +7,16 @@
 namespace torsor {
 
 /// Value of a formula of parameters, each at its own value (run-time parameters at their default), at the working
-/// precision. Throws SceneError naming a parameter without a value or a symbol that is no parameter.
-Real parameter_value(const SceneContent& scene, const Expression& formula);
+/// precision. Throws SceneError naming a parameter without a value, unless one is to be invented (generic_value), or a
+/// symbol that is no parameter.
+Real parameter_value(const SceneContent& scene, const Expression& formula, bool invent = false);
+
+/// Value of a symbol at t = 0, without inputs: parameters at their values, coordinates and velocities as `initial` sets
+/// them, everything else zero. `invent` is for a scene that leaves parameters open: those, and coordinates that are
+/// given no initial value, get generic ones.
+Real initial_value(const SceneContent& scene, const SymbolPointer& symbol, bool invent = false);
+
+/// A pseudo-random but fixed value for every symbol, between 1/3 and 5/3 (π is π): a generic state.
+Real generic_value(const SymbolPointer& symbol, int trial);
 
 }  // namespace torsor

@@ -107,6 +107,9 @@ class Printer {
     for (const ConstraintEquation& constraint : equations_.constraints()) {
       page_.symbol(*constraint.multiplier, "of the constraint " + constraint.name);
     }
+    const Equations& equations = equations_.definitions();
+    if (equations.constraints().empty()) return;
+    for (const std::string& sentence : notes(equations.redundancy(), scene_)) page_.note(sentence);
   }
 
   void energies() {

@@ -173,7 +173,8 @@ class SceneCheck {
     }
     std::vector<Real> lefts, sizes;
     std::vector<Unit> units;
-    for (const ConstraintRow& row : kernels_.constraints()) {
+    for (const std::size_t j : kernels_.redundancy().kept) {  // a random state violates constraints that repeat others
+      const ConstraintRow& row = kernels_.constraints()[j];
       std::vector<Real> terms{here(row.gamma)};
       std::vector<Real> gradient;
       for (std::size_t i = 0; i < a.size(); ++i) {

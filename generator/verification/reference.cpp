@@ -43,20 +43,21 @@ class Motion {
       }
       return Real(0);  // released coordinates, inputs
     });
-    const auto& rows = road_.equations().constraints();
-    const std::size_t size = n + rows.size();
+    const std::vector<std::size_t>& kept = road_.equations().redundancy().kept;
+    const std::size_t size = n + kept.size();
     std::vector<Real> matrix(size * size, Real(0));
     std::vector<Real> right_side(size);
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t j = 0; j < n; ++j) matrix[i + j * size] = evaluate_(road_.mass()[i][j]);
       right_side[i] = evaluate_(road_.forces()[i]) - evaluate_(road_.operators_at_rest()[i]);
     }
-    for (std::size_t k = 0; k < rows.size(); ++k) {
+    for (std::size_t k = 0; k < kept.size(); ++k) {
+      const ConstraintRow& row = road_.equations().constraints()[kept[k]];
       for (std::size_t i = 0; i < n; ++i) {
-        matrix[n + k + i * size] = evaluate_(rows[k].jacobian[i]);
-        matrix[i + (n + k) * size] = -evaluate_(rows[k].column[i]);
+        matrix[n + k + i * size] = evaluate_(row.jacobian[i]);
+        matrix[i + (n + k) * size] = -evaluate_(row.column[i]);
       }
-      right_side[n + k] = -evaluate_(rows[k].gamma);
+      right_side[n + k] = -evaluate_(row.gamma);
     }
     const std::vector<Real> solution = solve_dense(std::move(matrix), right_side);
     std::vector<Real> rate;

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/dynamics/constraint_rank.hpp"
+
+#include <gtest/gtest.h>
+
+#include "generator/dynamics/validation.hpp"
+#include "tests/dynamics/constrained_motion.hpp"
+#include "tests/dynamics/simple_scenes.hpp"
+
+namespace torsor {
+namespace {
+
+using namespace testing_symbols;
+using namespace testing_mechanisms;
+using namespace literals;
+using Indices = std::vector<std::size_t>;
+using Flags = std::vector<bool>;
+
+// Values of sixty digits: what is equal is equal to 1e-45.
+constexpr double exact = 1e-45;
+
+Expression unit(const char* value, const char* name) { return Expression::quantity(value, name); }
+
+/// Crank, coupler and rocker of 1, 2 and 3/2 m over a base of 2 m, gravity in their plane.
+struct FourBar {
+  Scene scene;
+  Expression a, b, c;
+  FrameHandle crank, coupler, rocker;
+
+  explicit FourBar(const std::string& name)
+      : scene(name),
+        a(scene.coordinate("a", "rad")),
+        b(scene.coordinate("b", "rad")),
+        c(scene.coordinate("c", "rad")),
+        crank(scene.revolute("crank", scene.ground(), axis::z, a)),
+        coupler(scene.revolute("coupler", crank, axis::z, b, {{metres("1"), 0, 0}})),
+        rocker(scene.revolute("rocker", scene.ground(), axis::z, c, {{metres("2"), 0, 0}})) {
+    scene.body("crank", crank, Inertia::rod(kilograms("1"), metres("1"), 0).at({metres("0.5"), 0, 0}));
+    scene.body("coupler", coupler, Inertia::rod(kilograms("2"), metres("2"), 0).at({metres("1"), 0, 0}));
+    scene.body("rocker", rocker, Inertia::rod(kilograms("1.5"), metres("1.5"), 0).at({metres("0.75"), 0, 0}));
+    scene.gravity({0, unit("-9.81", "m/s^2"), 0});
+    scene.initial(a, 1);
+    scene.initial(b, unit("-0.701107141659005", "rad"));
+    scene.initial(c, unit("1.264965395965706", "rad"));
+  }
+
+  /// Frames at the ends of coupler and rocker whose x is along the pin.
+  std::pair<FrameHandle, FrameHandle> ends() {
+    const Rotation x_up = Rotation::about(1, -6);  // x of the frame along z of the link
+    return {scene.weld("tip", coupler, {{metres("2"), 0, 0}, x_up}),
+            scene.weld("end", rocker, {{metres("1.5"), 0, 0}, x_up})};
+  }
+};
+
+TEST(ConstraintRank, KeepsAllRowsOfALoopThatNeedsThem) {
+  FourBar bars("planar");
+  const PointHandle tip = bars.scene.point("tip", bars.coupler, {metres("2"), 0, 0});
+  const PointHandle end = bars.scene.point("end", bars.rocker, {metres("1.5"), 0, 0});
+  bars.scene.closure("x", tip, end, axis::x);
+  bars.scene.closure("y", tip, end, axis::y);
+  const ConstraintRank rank = constraint_rank(bars.scene);
+  EXPECT_EQ(rank.kept, (Indices{0, 1}));
+  EXPECT_FALSE(rank.redundant());
+  EXPECT_EQ(rank.determinate, (Flags{true, true}));
+  EXPECT_FALSE(rank.singular_start());
+}
+
+// A spatial revolute joint holds five directions of a loop whose plane holds three of them already: h = 3.
+TEST(ConstraintRank, MovesFourBarsClosedByASpatialPinAsByAPlanarOne) {
+  const WorkingDigits precision(60);
+  FourBar planar("planar");
+  const PointHandle tip = planar.scene.point("tip", planar.coupler, {metres("2"), 0, 0});
+  const PointHandle end = planar.scene.point("end", planar.rocker, {metres("1.5"), 0, 0});
+  planar.scene.closure("x", tip, end, axis::x);
+  planar.scene.closure("y", tip, end, axis::y);
+  FourBar spatial("spatial");
+  const auto ends = spatial.ends();
+  spatial.scene.close("pin", JointType::revolute, ends.first, ends.second);
+  EXPECT_EQ(error_of([&] { validate(spatial.scene); }), "no error");
+
+  const Equations one(planar.scene), other(spatial.scene);
+  const ConstraintRank& rank = other.redundancy();
+  ASSERT_EQ(other.constraints().size(), 5U);  // pin_x along the pin, y and z across it, ry and rz
+  EXPECT_EQ(rank.kept, (Indices{1, 2}));
+  EXPECT_EQ(rank.dropped, (Indices{0, 3, 4}));
+  EXPECT_EQ(rank.determinate, (Flags{false, true, true, false, false}));
+  EXPECT_FALSE(rank.singular_start());
+
+  const ConstrainedMotion motion(one);
+  ConstrainedMotion::State state{
+      {rational(6, 5), rational(-4, 5), rational(13, 10)}, {rational(7, 5), Real(0), Real(0)}, {}};
+  motion.satisfy(state, {0, 1}, {1, 2}, {0, 1}, {1, 2});
+  Evaluator<Real> first = motion.at(state);
+  const ConstrainedMotion same(other);
+  Evaluator<Real> second = same.at(state);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_LT(relative_difference(second(other.forward().accelerations[i]), first(one.forward().accelerations[i])),
+              exact);
+  }
+  // The force on the rocker, in ground axes and along the axes of the coupler's end: y_tip = y, z_tip = −x of the link.
+  const Real x = first(one.forward().multipliers[0]), y = first(one.forward().multipliers[1]);
+  const Real angle = state.q[0] + state.q[1];
+  const std::vector<Real> pin = second(other.forward().multipliers);
+  EXPECT_LT(relative_difference(pin[1], cos(angle) * y - sin(angle) * x), exact);
+  EXPECT_LT(relative_difference(abs(pin[2]), abs(cos(angle) * x + sin(angle) * y)), exact);
+  for (const std::size_t j : {0U, 3U, 4U}) EXPECT_TRUE(pin[j].is_zero());
+}
+
+/// A door free in space, held by joints at two places of its axis z, with gravity aslant.
+struct Door {
+  Scene scene;
+  FrameHandle door, lower, upper, lower_frame, upper_frame;
+
+  Door(const std::string& name, JointType lower_type, JointType upper_type) : scene(name) {
+    const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m"), z = scene.coordinate("z", "m");
+    const Expression p = scene.coordinate("p", "rad"), r = scene.coordinate("r", "rad"),
+                     q = scene.coordinate("q", "rad");
+    door = scene.free("door", scene.ground(), AngleSequence{{0, 1, 2}}, {x, y, z}, {p, r, q});
+    scene.body("door", door,
+               Inertia::general(kilograms("20"), unit("8", "kg m^2"), unit("7", "kg m^2"), unit("2", "kg m^2"),
+                                unit("0.2", "kg m^2"), unit("0.3", "kg m^2"))
+                   .at({metres("0.4"), metres("0.1"), metres("0.9")}));
+    scene.gravity({unit("3", "m/s^2"), unit("1", "m/s^2"), unit("-9", "m/s^2")});
+    const Rotation x_up = Rotation::about(1, -6);
+    const Triple high{0, 0, metres("2")};
+    lower_frame = scene.weld("lower_frame", scene.ground(), {{0, 0, 0}, x_up});
+    upper_frame = scene.weld("upper_frame", scene.ground(), {high, x_up});
+    lower = scene.weld("lower", door, {{0, 0, 0}, x_up});
+    upper = scene.weld("upper", door, {high, x_up});
+    scene.close("low", lower_type, lower_frame, lower);
+    scene.close("high", upper_type, upper_frame, upper);
+    scene.initial(q, 0, unit("0.7", "rad/s"));
+  }
+};
+
+/// Acceleration of a door on one hinge: J q̈ = m z · (OG ∧ g), J about the axis, at the angle q.
+Real door_acceleration(const Real& q) {
+  const Real x = rational(4, 10), y = rational(1, 10), m = Real(20);
+  const Real inertia = Real(2) + m * (x * x + y * y);
+  const Real gx = cos(q) * x - sin(q) * y, gy = sin(q) * x + cos(q) * y;
+  return m * (gx * Real(1) - gy * Real(3)) / inertia;
+}
+
+ConstrainedMotion::State turned_door() {
+  return {{Real(0), Real(0), Real(0), Real(0), Real(0), rational(3, 5)},
+          {Real(0), Real(0), Real(0), Real(0), Real(0), rational(9, 10)},
+          {}};
+}
+
+TEST(ConstraintRank, OpensADoorOnTwoHinges) {
+  const WorkingDigits precision(60);
+  const Door door("door", JointType::revolute, JointType::revolute);
+  EXPECT_EQ(error_of([&] { validate(door.scene); }), "no error");
+  const Equations equations(door.scene);
+  EXPECT_EQ(equations.redundancy().kept, (Indices{0, 1, 2, 3, 4}));
+  EXPECT_EQ(equations.redundancy().dropped, (Indices{5, 6, 7, 8, 9}));
+  // Either hinge could hold the door alone: nothing about them is determinate.
+  EXPECT_EQ(equations.redundancy().determinate, Flags(10, false));
+  const ConstrainedMotion motion(equations);
+  const auto state = turned_door();
+  Evaluator<Real> here = motion.at(state);
+  const std::vector<Real> a = here(equations.forward().accelerations);
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_LT(abs(a[i]).to_double(), exact) << i;
+  EXPECT_LT(relative_difference(a[5], door_acceleration(state.q[5])), exact);
+}
+
+// Two ball joints leave the door its turn and share only the force along the axis as they like.
+TEST(ConstraintRank, FindsTheOneIndeterminateForceOfADoorOnTwoBalls) {
+  const WorkingDigits precision(60);
+  const Door balls("balls", JointType::spherical, JointType::spherical);
+  const Door slider("slider", JointType::spherical, JointType::sphere_in_cylinder);
+  const Equations two(balls.scene), minimal(slider.scene);
+  EXPECT_FALSE(minimal.redundancy().redundant());
+  EXPECT_EQ(two.redundancy().kept, (Indices{0, 1, 2, 4, 5}));
+  EXPECT_EQ(two.redundancy().dropped, (Indices{3}));  // high_x, along the axis
+  EXPECT_EQ(two.redundancy().determinate, (Flags{false, true, true, false, true, true}));
+  const auto state = turned_door();
+  const ConstrainedMotion of_two(two), of_minimal(minimal);
+  Evaluator<Real> first = of_two.at(state), second = of_minimal.at(state);
+  const std::vector<Real> shared = first(two.forward().multipliers), alone = second(minimal.forward().multipliers);
+  for (const auto& [i, j] : std::vector<std::pair<std::size_t, std::size_t>>{{0, 0}, {1, 1}, {2, 2}, {4, 3}, {5, 4}}) {
+    EXPECT_LT(relative_difference(shared[i], alone[j]), exact) << i;
+  }
+  EXPECT_TRUE(shared[3].is_zero());
+}
+
+/// Bennett's linkage: four links of lengths 1, 2, 1, 2 m between axes twisted by 30°, 90°, 30°, 90°, so that
+/// sin α / a is the same for all. Six times one freedom and a closed loop: it should not move, and does.
+TEST(ConstraintRank, MovesBennettsLinkage) {
+  const WorkingDigits precision(60);
+  Scene scene("bennett");
+  const Expression q1 = scene.coordinate("q1", "rad"), q2 = scene.coordinate("q2", "rad"),
+                   q3 = scene.coordinate("q3", "rad");
+  const Expression a = metres("1"), b = metres("2");
+  const FrameHandle first = scene.revolute("first", scene.ground(), axis::z, q1);
+  const FrameHandle second = scene.revolute("second", first, axis::z, q2, {{a, 0, 0}, Rotation::about(0, 2)});
+  const FrameHandle third = scene.revolute("third", second, axis::z, q3, {{b, 0, 0}, Rotation::about(0, 6)});
+  const Rotation x_up = Rotation::about(1, -6);
+  const FrameHandle hand = scene.weld("hand", third, {{a, 0, 0}, Rotation::about(0, 2) * x_up});
+  const FrameHandle pin = scene.weld("pin", scene.ground(), {{-b, 0, 0}, Rotation::about(0, -6) * x_up});
+  for (const auto& [name, frame] :
+       std::vector<std::pair<std::string, FrameHandle>>{{"s1", first}, {"s2", second}, {"s3", third}}) {
+    scene.body(name, frame, Inertia::solid_sphere(kilograms("1"), metres("0.2")).at({metres("0.5"), metres("0.1"), 0}));
+  }
+  scene.gravity({0, unit("2", "m/s^2"), unit("-9", "m/s^2")});
+  scene.close("loop", JointType::revolute, pin, hand);
+  // tan(q1/2) tan(q2/2) = sin((β + α)/2) / sin((β − α)/2) = √3, q3 = −q1.
+  scene.initial(q1, pi() / 2);
+  scene.initial(q2, Expression(2) * pi() / 3);
+  scene.initial(q3, -pi() / 2);
+  EXPECT_EQ(error_of([&] { validate(scene); }), "no error");
+  const Equations equations(scene);
+  EXPECT_EQ(equations.redundancy().kept.size(), 2U);
+  EXPECT_EQ(equations.redundancy().dropped.size(), 3U);
+
+  // On the way: every row holds, those left out too, and so do their accelerations.
+  const ConstrainedMotion motion(equations);
+  const Real angle = rational(9, 5);
+  ConstrainedMotion::State state{{angle, rational(19, 10), -angle}, {rational(11, 10), Real(0), Real(0)}, {}};
+  const Indices kept = equations.redundancy().kept;
+  motion.satisfy(state, kept, {1, 2}, kept, {1, 2});
+  EXPECT_LT(relative_difference(state.q[2], -angle), exact);
+  const auto tangent = [](const Real& x) { return sin(x) / cos(x); };
+  EXPECT_LT(relative_difference(tangent(state.q[0] / Real(2)) * tangent(state.q[1] / Real(2)), sqrt(Real(3))), exact);
+  Evaluator<Real> here = motion.at(state);
+  const std::vector<Real> accelerations = here(equations.forward().accelerations);
+  for (const ConstraintRow& row : equations.constraints()) {
+    EXPECT_LT(abs(here(row.value)).to_double(), exact) << row.name;
+    EXPECT_LT(abs(here(row.rate)).to_double(), exact) << row.name;
+    Real sum = here(row.gamma);
+    for (std::size_t i = 0; i < 3; ++i) sum += here(row.jacobian[i]) * accelerations[i];
+    EXPECT_LT(abs(sum).to_double(), exact) << row.name;
+  }
+  EXPECT_LT(relative_difference(accelerations[2], -accelerations[0]), exact);
+}
+
+// A parallelogram laid flat can go on as one or as a crossed one: a change point.
+TEST(ConstraintRank, ReportsAStartWhereTheLoopBranches) {
+  Scene scene("parallelogram");
+  const Expression a = scene.coordinate("a", "rad"), b = scene.coordinate("b", "rad"), c = scene.coordinate("c", "rad");
+  const FrameHandle crank = scene.revolute("crank", scene.ground(), axis::z, a);
+  const FrameHandle coupler = scene.revolute("coupler", crank, axis::z, b, {{metres("1"), 0, 0}});
+  const FrameHandle rocker = scene.revolute("rocker", scene.ground(), axis::z, c, {{metres("2"), 0, 0}});
+  for (const auto& [name, frame] :
+       std::vector<std::pair<std::string, FrameHandle>>{{"s1", crank}, {"s2", coupler}, {"s3", rocker}}) {
+    scene.body(name, frame, Inertia::rod(kilograms("1"), metres("1"), 0));
+  }
+  scene.closure("x", scene.point("tip", coupler, {metres("2"), 0, 0}), scene.point("end", rocker, {metres("1"), 0, 0}),
+                axis::x);
+  scene.closure("y", "tip", "end", axis::y);
+  const ConstraintRank rank = constraint_rank(scene);
+  EXPECT_EQ(rank.rank_at_start, 1U);
+  EXPECT_EQ(rank.kept, (Indices{0, 1}));
+  EXPECT_TRUE(rank.singular_start());
+}
+
+Scene two_laws(const Expression& second, bool as_rate) {
+  Scene scene("laws");
+  const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m");
+  const FrameHandle cart = scene.prismatic("cart", scene.prismatic("slide", scene.ground(), axis::x, x), axis::y, y);
+  scene.body("cart", cart, Inertia::point(kilograms("1")));
+  const Expression t = scene.time(), law = x - unit("2", "m/s") * t;
+  scene.initial(x, 0, unit("2", "m/s"));
+  scene.holonomic("first", law);
+  const Expression more = second * t * t * t;
+  if (as_rate)
+    scene.nonholonomic("second", rate(x) - unit("2", "m/s") + second * t * t);
+  else
+    scene.holonomic("second", Expression(3) * law + more);
+  return scene;
+}
+
+TEST(ConstraintRank, RefusesConstraintsThatContradictEachOther) {
+  const Expression none = unit("0", "m/s^3"), some = unit("0.5", "m/s^3");
+  EXPECT_EQ(constraint_rank(two_laws(none, false)).dropped, (Indices{1}));
+  EXPECT_EQ(constraint_rank(two_laws(none, true)).dropped, (Indices{1}));
+  EXPECT_EQ(
+      error_of<SceneError>([&] { constraint_rank(two_laws(some, false)); }),
+      "constraint 'second' depends on those before it at the initial configuration, and no neighbouring "
+      "configuration satisfies them all: it contradicts them, or the closed loop cannot move; drop it, or correct "
+      "the dimensions");
+  EXPECT_EQ(
+      error_of<SceneError>([&] { constraint_rank(two_laws(some, true)); }),
+      "constraint 'second' asks for a velocity that contradicts the constraints it depends on: no motion satisfies "
+      "them all; drop it or correct its law of time");
+}
+
+TEST(ConstraintRank, RefusesAPinThatMissesThePlaneOfItsLoop) {
+  FourBar bars("bent");
+  const Rotation x_up = Rotation::about(1, -6);
+  const FrameHandle tip = bars.scene.weld("tip", bars.coupler, {{metres("2"), 0, metres("0.1")}, x_up});
+  const FrameHandle end = bars.scene.weld("end", bars.rocker, {{metres("1.5"), 0, 0}, x_up});
+  bars.scene.close("pin", JointType::revolute, tip, end);
+  EXPECT_EQ(
+      error_of<SceneError>([&] { validate(bars.scene); }),
+      "constraint 'pin_x' involves no coordinate: no motion can satisfy or violate it; drop it or write it with the "
+      "scene's coordinates");
+}
+
+TEST(ConstraintRank, RefusesFrictionOfAnIndeterminateNormal) {
+  Scene scene("table");
+  const Expression x = scene.coordinate("x", "m"), z = scene.coordinate("z", "m");
+  const FrameHandle block = scene.prismatic("block", scene.prismatic("slide", scene.ground(), axis::x, x), axis::z, z);
+  scene.body("block", block, Inertia::point(kilograms("1")));
+  const PointHandle left = scene.point("left", block, {0, 0, 0}),
+                    right = scene.point("right", block, {metres("1"), 0, 0});
+  const ConstraintHandle first = scene.contact("first", left, scene.ground());
+  scene.contact("second", right, scene.ground());
+  scene.sliding_friction("friction", first, Expression(1) / 5, block, left, axis::x, scene.ground());
+  EXPECT_EQ(error_of<SceneError>([&] { constraint_rank(scene); }),
+            "constraint 'first' carries friction but repeats other constraints: its normal force is indeterminate, and "
+            "the motion with it; release one of the constraints");
+}
+
+}  // namespace
+}  // namespace torsor
