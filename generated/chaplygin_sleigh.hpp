@@ -17,7 +17,7 @@
 //   energy                    6               11          0             0                  1       0     19      21
 //   first_integrals           6               11          0             0                  1       0     19      21
 //   constraints               2                6          0             0                  1       0     10      10
-//   linearisation            11               24          0             0                  1       0     37      51
+//   linearisation            39               73          2             0                  1       0    116     130
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 33 results 17 vanish identically, 2 repeat another up to sign
@@ -26,7 +26,7 @@
 //   energy: of 3 results 2 vanish identically
 //   constraints: of 6 results 2 vanish identically
 //   reactions: left out, the scene releases no joint direction (released_coordinate)
-//   linearisation: of 30 results 15 vanish identically, 2 repeat another up to sign
+//   linearisation: of 71 results 36 vanish identically, 2 repeat another up to sign
 //
 // To write this file again:
 //   chaplygin_sleigh_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output chaplygin_sleigh.hpp
@@ -287,7 +287,18 @@ struct Mechanism {
     std::array<Scalar, 9> C;  ///< damping and gyroscopic terms (3 x 3)
     std::array<Scalar, 9> K;  ///< stiffness (3 x 3)
     std::array<Scalar, 3> F;  ///< right-hand side
+    std::array<Scalar, 4> M_r;  ///< reduced mass matrix (2 x 2)
+    std::array<Scalar, 4> C_r;  ///< reduced damping and gyroscopic terms (2 x 2)
+    std::array<Scalar, 6> K_r;  ///< reduced stiffness (2 x 3)
+    std::array<Scalar, 2> F_r;  ///< reduced right-hand side
+    std::array<Scalar, 25> A;  ///< state matrix of x = (e, w): x' = A x + B du (5 x 5)
   };
+  /// Freedoms that e of the linearisation runs along: places in v (and in q, but for attitudes).
+  static constexpr int independent_coordinate_count = 3;
+  static constexpr int independent_coordinates[] = {0, 1, 2};
+  /// Velocities that w of the linearisation deviates: places in v.
+  static constexpr int independent_velocity_count = 2;
+  static constexpr int independent_velocities[] = {0, 2};
 
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
   /// matrices column by column.
@@ -534,18 +545,24 @@ struct Mechanism {
     result.jacobian[2] = n0;
   }
 
-  /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
-  /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
-  /// At fixed multipliers and in all coordinates: A' dlambda and the linearised constraints come beside it, and the
-  /// state matrices, which need independent coordinates, are left out.
-  TORSOR_DEVICE static void linearisation(const Precomputed&, const State& state, const Accelerations& accelerations,
-      const Multipliers& multipliers, const Inputs&, Linearisation& result) noexcept {
+  /// Linearisation about a state that satisfies the constraints. M d'' + C d' + K d = F + E du in all freedoms d, at
+  /// fixed multipliers: A' dlambda and the linearised constraints come beside it. Reduced to independent freedoms:
+  /// M_r w' + C_r w + K_r e = F_r + E_r du, e the deviations of x, y, phi,
+  /// w those of the rates of x, phi;
+  /// the dependent freedoms follow, to first order. At the accelerations and multipliers of the motion F_r vanishes.
+  /// Returns singular where the constraints do not determine the dependent freedoms.
+  TORSOR_DEVICE static torsor::Status linearisation(const Precomputed&, const State& state,
+      const Accelerations& accelerations, const Multipliers& multipliers, const Inputs&,
+      Linearisation& result) noexcept {
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n4_over_3 = traits::constant(1.3333333333333333, 1.3333334f, "4/3");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar v_x = state.v.x;
     const Scalar a_x = accelerations.x;
+    const Scalar v_y = state.v.y;
     const Scalar a_y = accelerations.y;
     const Scalar q_phi = state.q.phi;
     const Scalar v_phi = state.v.phi;
@@ -553,6 +570,7 @@ struct Mechanism {
     const Scalar l_N = multipliers.N;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
+    const Scalar z11 = v_x * c_phi + v_y * s_phi;
     const Scalar z13 = n0_5 * c_phi;
     const Scalar z14 = n0_5 * s_phi;
     const Scalar z29 = v_phi * v_phi;
@@ -565,6 +583,9 @@ struct Mechanism {
     const Scalar z39 = s_phi * z30 - c_phi * z36;
     const Scalar z40 = a_x - z38;  // force on along_y, x
     const Scalar z41 = a_y - z39;  // force on along_y, y
+    const Scalar z43 = v_phi * c_phi;
+    const Scalar z44 = v_phi * s_phi;
+    const Scalar z45 = v_x * z43 + v_y * z44;
     const Scalar z81 = n2 * v_phi;
     const Scalar z82 = n0_5 * z81;
     const Scalar z83 = c_phi * z82;
@@ -572,6 +593,50 @@ struct Mechanism {
     const Scalar z85 = s_phi * z82;
     const Scalar z86 = s_phi * l_N - z38;
     const Scalar z87 = n0_5 * z34;
+    const Scalar z88 = a_x * s_phi - a_y * c_phi + z45;
+    const Scalar z89 = v_x * z44 - v_y * z43;
+    const Scalar z90 = a_x * c_phi + a_y * s_phi - z89;
+    const Scalar z91 = n1 / c_phi;
+    const Scalar z92 = c_phi * c_phi;
+    const Scalar z93 = s_phi * z91;
+    const Scalar z94 = z11 * z91;
+    const Scalar z95 = z43 + z44 * z93;
+    const Scalar z96 = z91 * z95;
+    const Scalar z97 = z44 * z94;
+    const Scalar z98 = z90 + z97;
+    const Scalar z99 = z91 * z98;
+    const Scalar z100 = z88 * z91;
+    const Scalar z101 = z13 * z93 - z14;
+    const Scalar z102 = n1 + z93 * z93;
+    const Scalar z103 = z93 * z96;
+    const Scalar z104 = z93 * z94;
+    const Scalar z105 = z13 * z96;
+    const Scalar z106 = z13 * z94;
+    const Scalar z107 = z83 + z85 * z93;
+    const Scalar z108 = z104 - z107;
+    const Scalar z109 = z93 * z99;
+    const Scalar z110 = z13 * z99;
+    const Scalar z111 = z84 + z86 * z93;
+    const Scalar z112 = z109 + z111;
+    const Scalar z113 = z87 - z110;
+    const Scalar z114 = c_phi * l_N - z41;
+    const Scalar z115 = s_phi * l_N + z40 - z93 * z114;
+    const Scalar z116 = z93 * z100;
+    const Scalar z117 = z13 * z100;
+    const Scalar z118 = z115 + z116;
+    const Scalar z119 = z37 + z117;
+    const Scalar z120 = n4_over_3 * z101;
+    const Scalar z121 = z101 * z120 - z102;
+    const Scalar z122 = n1 / z121;
+    const Scalar z123 = z103 - z105 * z120;
+    const Scalar z124 = z122 * z123;
+    const Scalar z125 = n4_over_3 * z105 + z120 * z124;
+    const Scalar z126 = z106 * z120 - z108;
+    const Scalar z127 = z122 * z126;
+    const Scalar z128 = n4_over_3 * z106 - z120 * z127;
+    const Scalar z129 = z112 + z113 * z120;
+    const Scalar z130 = z122 * z129;
+    const Scalar z131 = n4_over_3 * z113 - z120 * z130;
     result.M[0] = n1;
     result.M[1] = n0;
     result.M[2] = -z14;
@@ -602,6 +667,60 @@ struct Mechanism {
     result.F[0] = -s_phi * l_N - z40;
     result.F[1] = c_phi * l_N - z41;
     result.F[2] = -z37;
+    result.M_r[0] = z102;
+    result.M_r[1] = n0;
+    result.M_r[2] = n0;
+    result.M_r[3] = n0_75;
+    result.C_r[0] = z103;
+    result.C_r[1] = z105;
+    result.C_r[2] = z108;
+    result.C_r[3] = z106;
+    result.K_r[0] = n0;
+    result.K_r[1] = n0;
+    result.K_r[2] = n0;
+    result.K_r[3] = n0;
+    result.K_r[4] = z112;
+    result.K_r[5] = -z113;
+    result.F_r[0] = -z118;
+    result.F_r[1] = -z119;
+    result.A[0] = n0;
+    result.A[1] = n0;
+    result.A[2] = n0;
+    result.A[3] = n0;
+    result.A[4] = n0;
+    result.A[5] = n0;
+    result.A[6] = n0;
+    result.A[7] = n0;
+    result.A[8] = n0;
+    result.A[9] = n0;
+    result.A[10] = n0;
+    result.A[11] = z94;
+    result.A[12] = n0;
+    result.A[13] = z130;
+    result.A[14] = z131;
+    result.A[15] = n1;
+    result.A[16] = z93;
+    result.A[17] = n0;
+    result.A[18] = z124;
+    result.A[19] = -z125;
+    result.A[20] = n0;
+    result.A[21] = n0;
+    result.A[22] = n1;
+    result.A[23] = -z127;
+    result.A[24] = -z128;
+    if (!(traits::regular(z92, n1) && traits::regular(-z121, z102))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (result.M[2] - result.M[2]) + (result.M[5] - result.M[5]) + (result.M[6] - result.M[6])
+        + (result.M[7] - result.M[7]) + (result.C[6] - result.C[6]) + (result.C[7] - result.C[7]) + (result.K[6]
+        - result.K[6]) + (result.K[7] - result.K[7]) + (result.K[8] - result.K[8]) + (result.F[0] - result.F[0])
+        + (result.F[1] - result.F[1]) + (result.F[2] - result.F[2]) + (result.M_r[0] - result.M_r[0]) + (result.C_r[0]
+        - result.C_r[0]) + (result.C_r[1] - result.C_r[1]) + (result.C_r[2] - result.C_r[2]) + (result.C_r[3]
+        - result.C_r[3]) + (result.K_r[4] - result.K_r[4]) + (result.K_r[5] - result.K_r[5]) + (result.F_r[0]
+        - result.F_r[0]) + (result.F_r[1] - result.F_r[1]) + (result.A[11] - result.A[11]) + (result.A[13]
+        - result.A[13]) + (result.A[14] - result.A[14]) + (result.A[16] - result.A[16]) + (result.A[18] - result.A[18])
+        + (result.A[19] - result.A[19]) + (result.A[23] - result.A[23]) + (result.A[24] - result.A[24]);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
   }
 };
 

@@ -16,7 +16,7 @@
 //   forward_dynamics          3                8          0             0                  0       0     11      11
 //   energy                    2                7          0             0                  0       0      9       9
 //   constraints               1                2          0             0                  0       0      3       3
-//   linearisation             4                5          0             0                  0       0      9       9
+//   linearisation             8               10          0             0                  0       0     18      19
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 78 results 58 vanish identically, 5 repeat another up to sign
@@ -26,7 +26,7 @@
 //   first_integrals: left out, 'C1', 'load' have no force function
 //   constraints: of 5 results 2 vanish identically
 //   reactions: left out, the scene releases no joint direction (released_coordinate)
-//   linearisation: of 16 results 10 vanish identically
+//   linearisation: of 34 results 20 vanish identically
 //
 // To write this file again:
 //   friction_wheels_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output friction_wheels.hpp
@@ -288,7 +288,20 @@ struct Mechanism {
     std::array<Scalar, 4> K;  ///< stiffness (2 x 2)
     std::array<Scalar, 2> F;  ///< right-hand side
     std::array<Scalar, 2> E;  ///< effect of the inputs
+    std::array<Scalar, 1> M_r;  ///< reduced mass matrix
+    std::array<Scalar, 1> C_r;  ///< reduced damping and gyroscopic terms
+    std::array<Scalar, 2> K_r;  ///< reduced stiffness (1 x 2)
+    std::array<Scalar, 1> F_r;  ///< reduced right-hand side
+    std::array<Scalar, 1> E_r;  ///< reduced effect of the inputs
+    std::array<Scalar, 9> A;  ///< state matrix of x = (e, w): x' = A x + B du (3 x 3)
+    std::array<Scalar, 3> B;  ///< input matrix
   };
+  /// Freedoms that e of the linearisation runs along: places in v (and in q, but for attitudes).
+  static constexpr int independent_coordinate_count = 2;
+  static constexpr int independent_coordinates[] = {0, 1};
+  /// Velocities that w of the linearisation deviates: places in v.
+  static constexpr int independent_velocity_count = 1;
+  static constexpr int independent_velocities[] = {1};
 
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
   /// matrices column by column.
@@ -504,19 +517,26 @@ struct Mechanism {
     result.jacobian[1] = -n0_3;
   }
 
-  /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
-  /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
-  /// At fixed multipliers and in all coordinates: A' dlambda and the linearised constraints come beside it, and the
-  /// state matrices, which need independent coordinates, are left out.
-  TORSOR_DEVICE static void linearisation(const Precomputed&, const State& state, const Accelerations& accelerations,
-      const Multipliers& multipliers, const Inputs& inputs, Linearisation& result) noexcept {
+  /// Linearisation about a state that satisfies the constraints. M d'' + C d' + K d = F + E du in all freedoms d, at
+  /// fixed multipliers: A' dlambda and the linearised constraints come beside it. Reduced to independent freedoms:
+  /// M_r w' + C_r w + K_r e = F_r + E_r du, e the deviations of theta_1, theta_2,
+  /// w those of the rates of theta_2;
+  /// the dependent freedoms follow, to first order. At the accelerations and multipliers of the motion F_r vanishes.
+  /// Returns singular where the constraints do not determine the dependent freedoms.
+  TORSOR_DEVICE static torsor::Status linearisation(const Precomputed&, const State& state,
+      const Accelerations& accelerations, const Multipliers& multipliers, const Inputs& inputs,
+      Linearisation& result) noexcept {
     const Scalar n0_9 = traits::constant(0.9, 0.9f, "9/10");
     const Scalar n0_81 = traits::constant(0.81, 0.81f, "81/100");
     const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
-    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
     const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n10 = traits::constant(10.0, 10.0f, "10/1");
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    const Scalar n0_03 = traits::constant(0.03, 0.03f, "3/100");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n10_over_3 = traits::constant(3.3333333333333335, 3.3333333f, "10/3");
     const Scalar a_theta_1 = accelerations.theta_1;
     const Scalar v_theta_2 = state.v.theta_2;
     const Scalar a_theta_2 = accelerations.theta_2;
@@ -525,6 +545,11 @@ struct Mechanism {
     const Scalar z45 = n0_9 * v_theta_2;
     const Scalar z46 = n0_81 * a_theta_2 + z45;  // moment on S2, z
     const Scalar z47 = n0_01 * a_theta_1;  // moment on S1, z
+    const Scalar z58 = n0_1 * a_theta_1 + n0_3 * a_theta_2;
+    const Scalar z59 = n10 * z58;
+    const Scalar z60 = n3 * (u_C1 - z47) + z46;
+    const Scalar z61 = n0_03 * z59;
+    const Scalar z62 = z60 + z61;
     result.M[0] = n0_01;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -541,6 +566,28 @@ struct Mechanism {
     result.F[1] = -z46 - n0_3 * l_T;
     result.E[0] = n1;
     result.E[1] = n0;
+    result.M_r[0] = n0_9;
+    result.C_r[0] = n0_9;
+    result.K_r[0] = n0;
+    result.K_r[1] = n0;
+    result.F_r[0] = -z62;
+    result.E_r[0] = -n3;
+    result.A[0] = n0;
+    result.A[1] = n0;
+    result.A[2] = n0;
+    result.A[3] = n0;
+    result.A[4] = n0;
+    result.A[5] = n0;
+    result.A[6] = -n3;
+    result.A[7] = n1;
+    result.A[8] = -n1;
+    result.B[0] = n0;
+    result.B[1] = n0;
+    result.B[2] = -n10_over_3;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (result.F[0] - result.F[0]) + (result.F[1] - result.F[1]) + (result.F_r[0] - result.F_r[0]);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
   }
 };
 

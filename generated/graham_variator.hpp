@@ -9,7 +9,7 @@
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
 // moved across joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   precompute               10               17          1             0                  0       0     28       -
+//   precompute               16               33          3             0                  0       0     52       -
 //   kinematics               21               58          0             0                  3       0     85      93
 //   mass_matrix               0                0          0             0                  0       0      0       0
 //   bias                      1                4          0             0                  1       0      7      50
@@ -17,7 +17,7 @@
 //   forward_dynamics         12               20          0             0                  1       0     34     106
 //   energy                   13               29          0             0                  2       0     46      50
 //   constraints               3                4          0             0                  0       0      7      20
-//   linearisation            15               22          0             0                  1       0     39     107
+//   linearisation            30               39          0             0                  1       0     71     164
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 84 results 41 vanish identically, 8 repeat another up to sign
@@ -26,7 +26,7 @@
 //   first_integrals: left out, 'C1', 'C3' have no force function
 //   constraints: of 12 results 5 vanish identically
 //   reactions: left out, the scene releases no joint direction (released_coordinate)
-//   linearisation: of 36 results 25 vanish identically
+//   linearisation: of 68 results 46 vanish identically, 2 repeat another up to sign
 //
 // To write this file again:
 //   graham_variator_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output graham_variator.hpp
@@ -231,6 +231,17 @@ struct Mechanism {
     Scalar z119;
     Scalar z120;
     Scalar z121;
+    Scalar z155;
+    Scalar z156;
+    Scalar z157;
+    Scalar z159;
+    Scalar z161;
+    Scalar z162;
+    Scalar z167;
+    Scalar z168;
+    Scalar z169;
+    Scalar z175;
+    Scalar z177;
   };
 
   /// Values of the scene.
@@ -257,6 +268,13 @@ struct Mechanism {
     const Scalar k8 = traits::constant(0.4080831129300902, 0.4080831f,
         "81606996074311354948800/187435544049510497429929;-4833141400108286640000/187435544049510497429929;-670503431205999804000/187435544049510497429929;1175234291156953584000/187435544049510497429929");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar k10 = traits::constant(57.244853140274905, 57.244854f,
+        "2729353520000/52676627161;-342376000000/52676627161;-189457160000/158029881483;359131200000/52676627161");
+    const Scalar n0_0003 = traits::constant(3e-04, 3e-04f, "3/10000");
+    const Scalar k12 = traits::constant(8.96427283187357, 8.9642725f,
+        "1544000/148921;-194500/148921;-20000/148921;41100/148921");
+    const Scalar k13 = traits::constant(0.017468819381011653, 0.01746882f, "447/20000;3/1000;-41/40000;-3/1000");
+    const Scalar k14 = traits::constant(0.0002897777478867205, 0.00028977776f, "0;3/40000;0;3/40000");
     const Scalar p_d = parameters.d;
     const Scalar z51 = k0 * p_d;
     const Scalar z52 = k1 * p_d + k2 * z51;
@@ -272,6 +290,20 @@ struct Mechanism {
     const Scalar z119 = k8 * z117;
     const Scalar z120 = z115 - z117 * z119;
     const Scalar z121 = n1 / z120;
+    const Scalar z155 = n1 / z103;
+    const Scalar z156 = n0_02 * z155;
+    const Scalar z157 = z103 * z103;
+    const Scalar z158 = k10 * z54 * z54 + k5 * z103 * z103;
+    const Scalar z159 = n0_0003 * z158;
+    const Scalar z160 = k6 - z54 * z156;
+    const Scalar z161 = k12 * z160;
+    const Scalar z162 = z54 * z155;
+    const Scalar z166 = k13 - k14 * z162;
+    const Scalar z167 = k14 - n0_0003 * z162;
+    const Scalar z168 = n0_02 * z161;
+    const Scalar z169 = z161 * z168 - z162 * z167 + z166;
+    const Scalar z175 = n1 / z169;
+    const Scalar z177 = z161 * z175;
     precomputed.z51 = z51;
     precomputed.z52 = z52;
     precomputed.z54 = z54;
@@ -282,6 +314,17 @@ struct Mechanism {
     precomputed.z119 = z119;
     precomputed.z120 = z120;
     precomputed.z121 = z121;
+    precomputed.z155 = z155;
+    precomputed.z156 = z156;
+    precomputed.z157 = z157;
+    precomputed.z159 = z159;
+    precomputed.z161 = z161;
+    precomputed.z162 = z162;
+    precomputed.z167 = z167;
+    precomputed.z168 = z168;
+    precomputed.z169 = z169;
+    precomputed.z175 = z175;
+    precomputed.z177 = z177;
     return precomputed;
   }
 
@@ -358,7 +401,20 @@ struct Mechanism {
     std::array<Scalar, 9> K;  ///< stiffness (3 x 3)
     std::array<Scalar, 3> F;  ///< right-hand side
     std::array<Scalar, 6> E;  ///< effect of the inputs (3 x 2)
+    std::array<Scalar, 1> M_r;  ///< reduced mass matrix
+    std::array<Scalar, 1> C_r;  ///< reduced damping and gyroscopic terms
+    std::array<Scalar, 3> K_r;  ///< reduced stiffness (1 x 3)
+    std::array<Scalar, 1> F_r;  ///< reduced right-hand side
+    std::array<Scalar, 2> E_r;  ///< reduced effect of the inputs (1 x 2)
+    std::array<Scalar, 16> A;  ///< state matrix of x = (e, w): x' = A x + B du (4 x 4)
+    std::array<Scalar, 8> B;  ///< input matrix (4 x 2)
   };
+  /// Freedoms that e of the linearisation runs along: places in v (and in q, but for attitudes).
+  static constexpr int independent_coordinate_count = 3;
+  static constexpr int independent_coordinates[] = {0, 1, 2};
+  /// Velocities that w of the linearisation deviates: places in v.
+  static constexpr int independent_velocity_count = 1;
+  static constexpr int independent_velocities[] = {0};
 
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
   /// matrices column by column.
@@ -737,11 +793,13 @@ struct Mechanism {
     result.jacobian[5] = -k0;
   }
 
-  /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
-  /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
-  /// At fixed multipliers and in all coordinates: A' dlambda and the linearised constraints come beside it, and the
-  /// state matrices, which need independent coordinates, are left out.
-  TORSOR_DEVICE static void linearisation(const Precomputed& precomputed, const State& state,
+  /// Linearisation about a state that satisfies the constraints. M d'' + C d' + K d = F + E du in all freedoms d, at
+  /// fixed multipliers: A' dlambda and the linearised constraints come beside it. Reduced to independent freedoms:
+  /// M_r w' + C_r w + K_r e = F_r + E_r du, e the deviations of alpha, beta, gamma,
+  /// w those of the rates of alpha;
+  /// the dependent freedoms follow, to first order. At the accelerations and multipliers of the motion F_r vanishes.
+  /// Returns singular where the constraints do not determine the dependent freedoms.
+  TORSOR_DEVICE static torsor::Status linearisation(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Multipliers& multipliers, const Inputs& inputs,
       Linearisation& result) noexcept {
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
@@ -753,10 +811,12 @@ struct Mechanism {
     const Scalar n0_06 = traits::constant(0.06, 0.06f, "3/50");
     const Scalar n0_0044 = traits::constant(0.0044, 0.0044f, "11/2500");
     const Scalar n0_0244 = traits::constant(0.0244, 0.0244f, "61/2500");
-    const Scalar k9 = traits::constant(0.017468819381011653, 0.01746882f, "447/20000;3/1000;-41/40000;-3/1000");
-    const Scalar k10 = traits::constant(0.0002897777478867205, 0.00028977776f, "0;3/40000;0;3/40000");
+    const Scalar k9 = traits::constant(0.11155394517270574, 0.111553945f, "1/10;1/80;0;-1/400");
+    const Scalar k10 = traits::constant(8.96427283187357, 8.9642725f,
+        "1544000/148921;-194500/148921;-20000/148921;41100/148921");
+    const Scalar k11 = traits::constant(0.017468819381011653, 0.01746882f, "447/20000;3/1000;-41/40000;-3/1000");
+    const Scalar k12 = traits::constant(0.0002897777478867205, 0.00028977776f, "0;3/40000;0;3/40000");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
-    const Scalar k12 = traits::constant(0.11155394517270574, 0.111553945f, "1/10;1/80;0;-1/400");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar q_alpha = state.q.alpha;
     const Scalar a_alpha = accelerations.alpha;
@@ -768,6 +828,17 @@ struct Mechanism {
     const Scalar l_T_E = multipliers.T_E;
     const Scalar z54 = precomputed.z54;
     const Scalar z103 = precomputed.z103;
+    const Scalar z155 = precomputed.z155;
+    const Scalar z156 = precomputed.z156;
+    const Scalar z157 = precomputed.z157;
+    const Scalar z159 = precomputed.z159;
+    const Scalar z161 = precomputed.z161;
+    const Scalar z162 = precomputed.z162;
+    const Scalar z167 = precomputed.z167;
+    const Scalar z168 = precomputed.z168;
+    const Scalar z169 = precomputed.z169;
+    const Scalar z175 = precomputed.z175;
+    const Scalar z177 = precomputed.z177;
     Scalar s_alpha, c_alpha;
     traits::sincos(q_alpha, s_alpha, c_alpha);
     const Scalar z67 = n9_81 * c_alpha;
@@ -786,10 +857,21 @@ struct Mechanism {
     const Scalar z150 = n0_06 * z67;
     const Scalar z151 = k2 * z150;
     const Scalar z152 = n0_1 * z67 - z151;
-    result.M[0] = k9;
-    result.M[1] = k10;
+    const Scalar z153 = a_alpha * z54 + a_beta * z103;
+    const Scalar z154 = k9 * (a_alpha - a_gamma) + n0_02 * a_beta;
+    const Scalar z163 = z153 * z156 - z154;
+    const Scalar z164 = k10 * z163;
+    const Scalar z165 = z153 * z155;
+    const Scalar z170 = z94 - z103 * l_T_A - n0_02 * l_T_E;
+    const Scalar z171 = u_C3 - z93 - k9 * l_T_E;
+    const Scalar z172 = z54 * l_T_A + u_C1 - z101 + k9 * l_T_E + z161 * z171 + z162 * z170;
+    const Scalar z173 = z164 * z168 + z165 * z167;
+    const Scalar z174 = z172 + z173;
+    const Scalar z176 = z152 * z175;
+    result.M[0] = k11;
+    result.M[1] = k12;
     result.M[2] = n0;
-    result.M[3] = k10;
+    result.M[3] = k12;
     result.M[4] = n0_0003;
     result.M[5] = n0;
     result.M[6] = n0;
@@ -813,15 +895,56 @@ struct Mechanism {
     result.K[6] = n0;
     result.K[7] = n0;
     result.K[8] = n0;
-    result.F[0] = z54 * l_T_A + u_C1 - z101 + k12 * l_T_E;
+    result.F[0] = z54 * l_T_A + u_C1 - z101 + k9 * l_T_E;
     result.F[1] = -z94 + z103 * l_T_A + n0_02 * l_T_E;
-    result.F[2] = u_C3 - z93 - k12 * l_T_E;
+    result.F[2] = u_C3 - z93 - k9 * l_T_E;
     result.E[0] = n1;
     result.E[1] = n0;
     result.E[2] = n0;
     result.E[3] = n0;
     result.E[4] = n0;
     result.E[5] = n1;
+    result.M_r[0] = z169;
+    result.C_r[0] = n0;
+    result.K_r[0] = -z152;
+    result.K_r[1] = n0;
+    result.K_r[2] = n0;
+    result.F_r[0] = z174;
+    result.E_r[0] = n1;
+    result.E_r[1] = z161;
+    result.A[0] = n0;
+    result.A[1] = n0;
+    result.A[2] = n0;
+    result.A[3] = z176;
+    result.A[4] = n0;
+    result.A[5] = n0;
+    result.A[6] = n0;
+    result.A[7] = n0;
+    result.A[8] = n0;
+    result.A[9] = n0;
+    result.A[10] = n0;
+    result.A[11] = n0;
+    result.A[12] = n1;
+    result.A[13] = -z162;
+    result.A[14] = z161;
+    result.A[15] = n0;
+    result.B[0] = n0;
+    result.B[1] = n0;
+    result.B[2] = n0;
+    result.B[3] = z175;
+    result.B[4] = n0;
+    result.B[5] = n0;
+    result.B[6] = n0;
+    result.B[7] = z177;
+    if (!(traits::regular(z157, z159) && traits::regular(z169, z169))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (result.K[0] - result.K[0]) + (result.F[0] - result.F[0]) + (result.F[1] - result.F[1])
+        + (result.F[2] - result.F[2]) + (result.M_r[0] - result.M_r[0]) + (result.K_r[0] - result.K_r[0])
+        + (result.F_r[0] - result.F_r[0]) + (result.E_r[1] - result.E_r[1]) + (result.A[3] - result.A[3])
+        + (result.A[13] - result.A[13]) + (result.A[14] - result.A[14]) + (result.B[3] - result.B[3]) + (result.B[7]
+        - result.B[7]);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
   }
 };
 

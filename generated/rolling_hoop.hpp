@@ -18,7 +18,7 @@
 //   energy                   14               29          0             0                  3       0     49      55
 //   first_integrals          15               29          0             0                  3       0     50      56
 //   constraints               9               16          0             0                  2       0     29      29
-//   linearisation            44               76          0             0                  2       0    124     299
+//   linearisation           213              313          8             0                  2       0    538     713
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 39 results 11 vanish identically, 2 repeat another up to sign
@@ -27,7 +27,7 @@
 //   energy: of 3 results 1 vanish identically
 //   constraints: of 16 results 5 vanish identically, 2 repeat another up to sign
 //   reactions: left out, the scene releases no joint direction (released_coordinate)
-//   linearisation: of 80 results 55 vanish identically, 2 repeat another up to sign
+//   linearisation: of 180 results 100 vanish identically, 5 repeat another up to sign
 //
 // To write this file again:
 //   rolling_hoop_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output rolling_hoop.hpp
@@ -341,7 +341,18 @@ struct Mechanism {
     std::array<Scalar, 25> C;  ///< damping and gyroscopic terms (5 x 5)
     std::array<Scalar, 25> K;  ///< stiffness (5 x 5)
     std::array<Scalar, 5> F;  ///< right-hand side
+    std::array<Scalar, 9> M_r;  ///< reduced mass matrix (3 x 3)
+    std::array<Scalar, 9> C_r;  ///< reduced damping and gyroscopic terms (3 x 3)
+    std::array<Scalar, 15> K_r;  ///< reduced stiffness (3 x 5)
+    std::array<Scalar, 3> F_r;  ///< reduced right-hand side
+    std::array<Scalar, 64> A;  ///< state matrix of x = (e, w): x' = A x + B du (8 x 8)
   };
+  /// Freedoms that e of the linearisation runs along: places in v (and in q, but for attitudes).
+  static constexpr int independent_coordinate_count = 5;
+  static constexpr int independent_coordinates[] = {0, 1, 2, 3, 4};
+  /// Velocities that w of the linearisation deviates: places in v.
+  static constexpr int independent_velocity_count = 3;
+  static constexpr int independent_velocities[] = {1, 2, 4};
 
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
   /// matrices column by column.
@@ -795,18 +806,22 @@ struct Mechanism {
     result.jacobian[9] = n0;
   }
 
-  /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
-  /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
-  /// At fixed multipliers and in all coordinates: A' dlambda and the linearised constraints come beside it, and the
-  /// state matrices, which need independent coordinates, are left out.
-  TORSOR_DEVICE static void linearisation(const Precomputed& precomputed, const State& state,
+  /// Linearisation about a state that satisfies the constraints. M d'' + C d' + K d = F + E du in all freedoms d, at
+  /// fixed multipliers: A' dlambda and the linearised constraints come beside it. Reduced to independent freedoms:
+  /// M_r w' + C_r w + K_r e = F_r + E_r du, e the deviations of x, y, psi, theta, phi,
+  /// w those of the rates of y, psi, phi;
+  /// the dependent freedoms follow, to first order. At the accelerations and multipliers of the motion F_r vanishes.
+  /// Returns singular where the constraints do not determine the dependent freedoms.
+  TORSOR_DEVICE static torsor::Status linearisation(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Multipliers& multipliers, const Inputs&,
       Linearisation& result) noexcept {
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar v_x = state.v.x;
     const Scalar a_x = accelerations.x;
+    const Scalar v_y = state.v.y;
     const Scalar a_y = accelerations.y;
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
@@ -828,6 +843,8 @@ struct Mechanism {
     const Scalar z13 = c_theta * a_theta - v_theta * z11;
     Scalar s_psi, c_psi;
     traits::sincos(q_psi, s_psi, c_psi);
+    const Scalar z26 = v_x * c_psi + v_y * s_psi;
+    const Scalar z27 = v_x * s_psi - v_y * c_psi;
     const Scalar z28 = s_theta * v_psi;
     const Scalar z29 = c_theta * v_psi;
     const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
@@ -836,6 +853,7 @@ struct Mechanism {
     const Scalar z81 = s_theta * z80;
     const Scalar z83 = p_C + z81;
     const Scalar z98 = c_theta * c_theta + p_A;
+    const Scalar z99 = v_theta * z11;
     const Scalar z103 = v_theta * z29;  // angular acceleration of hoop.2, y
     const Scalar z104 = v_theta * z28;  // angular acceleration of hoop.2, z
     const Scalar z107 = z28 * z36;
@@ -855,6 +873,10 @@ struct Mechanism {
     const Scalar z135 = p_A * (z103 + z128) - z110;  // moment on hoop.2, y
     const Scalar z137 = s_theta * z135 + c_theta * z133;
     const Scalar z144 = c_theta * z121 + z134;
+    const Scalar z146 = v_psi * s_psi;
+    const Scalar z147 = v_psi * c_psi;
+    const Scalar z148 = v_x * z146 - v_y * z147 + z11 * v_psi;
+    const Scalar z150 = v_x * z147 + v_y * z146 - v_theta * z10;
     const Scalar z179 = p_C * z36;
     const Scalar z196 = s_psi * l_lambda_along_x1 + c_psi * l_lambda_along_y1;
     const Scalar z197 = s_psi * l_lambda_along_y1 - c_psi * l_lambda_along_x1;
@@ -884,6 +906,187 @@ struct Mechanism {
     const Scalar z221 = c_theta * l_lambda_along_y1 + z220;
     const Scalar z222 = v_theta * p_C;
     const Scalar z223 = s_theta * z222;
+    const Scalar z224 = a_x * s_psi - a_y * c_psi - s_theta * a_theta + z150;
+    const Scalar z225 = a_x * c_psi + a_y * s_psi + c_theta * a_psi + a_phi - z148;
+    const Scalar z226 = v_x * z146 - v_y * z147;
+    const Scalar z227 = a_x * c_psi + a_y * s_psi - z226;
+    const Scalar z228 = v_x * s_psi - v_y * c_psi + z11;
+    const Scalar z229 = v_x * z147 + v_y * z146;
+    const Scalar z230 = a_x * s_psi - a_y * c_psi + z229;
+    const Scalar z231 = c_theta * v_theta + z10;
+    const Scalar z232 = c_theta * a_theta - z99;
+    const Scalar z233 = z10 * v_psi;
+    const Scalar z234 = s_theta * a_psi + z233;
+    const Scalar z235 = n1 / s_theta;
+    const Scalar z236 = n1 / c_psi;
+    const Scalar z237 = s_theta * s_theta;
+    const Scalar z238 = n1 + s_theta * s_theta / z98;
+    const Scalar z239 = z98 * z238;
+    const Scalar z240 = c_psi * c_psi;
+    const Scalar z241 = n1 + c_theta * c_theta / z83 + n1 / p_C;
+    const Scalar z242 = s_psi * z236;
+    const Scalar z243 = s_psi * z242 + c_psi;
+    const Scalar z244 = z235 * z243;
+    const Scalar z245 = c_theta * z236;
+    const Scalar z246 = s_psi * z245;
+    const Scalar z247 = z235 * z246;
+    const Scalar z248 = z235 * z242;
+    const Scalar z249 = z27 * z236;
+    const Scalar z250 = s_psi * z249 + z26;
+    const Scalar z251 = z235 * z250;
+    const Scalar z252 = z28 * z236;
+    const Scalar z253 = z10 - s_psi * z252;
+    const Scalar z254 = z235 * z253;
+    const Scalar z255 = z28 * z244 + z146 * z242 + z147;
+    const Scalar z256 = z28 * z247 + z146 * z245 - z228;
+    const Scalar z257 = z28 * z248 + z146 * z236;
+    const Scalar z258 = z146 - z147 * z242 + z231 * z244;
+    const Scalar z259 = z26 - z147 * z245 + z231 * z247;
+    const Scalar z260 = z147 * z236 - z231 * z248;
+    const Scalar z261 = z236 * z255;
+    const Scalar z262 = s_psi * z261 - z258;
+    const Scalar z263 = z235 * z262;
+    const Scalar z264 = z236 * z256;
+    const Scalar z265 = s_psi * z264 - z259;
+    const Scalar z266 = z235 * z265;
+    const Scalar z267 = z236 * z257;
+    const Scalar z268 = s_psi * z267 + z260;
+    const Scalar z269 = z235 * z268;
+    const Scalar z270 = z28 * z251 + z146 * z249;
+    const Scalar z271 = z28 * z254 - z146 * z252;
+    const Scalar z272 = z147 * z249 - z231 * z251;
+    const Scalar z273 = z147 * z252 + z231 * z254;
+    const Scalar z274 = z230 + z270;
+    const Scalar z275 = z234 - z271;
+    const Scalar z276 = z227 + z272;
+    const Scalar z277 = z232 - z273;
+    const Scalar z278 = z236 * z274;
+    const Scalar z279 = s_psi * z278 + z276;
+    const Scalar z280 = z235 * z279;
+    const Scalar z281 = z236 * z275;
+    const Scalar z282 = s_psi * z281 - z277;
+    const Scalar z283 = z235 * z282;
+    const Scalar z284 = z225 * z236;
+    const Scalar z285 = s_psi * z284 - z224;
+    const Scalar z286 = z235 * z285;
+    const Scalar z287 = z98 * z244;
+    const Scalar z288 = z98 * z247;
+    const Scalar z289 = z98 * z248;
+    const Scalar z290 = n1 + z242 * z242 + z244 * z287;
+    const Scalar z291 = z242 * z245 + z247 * z287;
+    const Scalar z292 = z236 * z242 + z248 * z287;
+    const Scalar z294 = z83 + z245 * z245 + z247 * z288;
+    const Scalar z295 = z74 + z236 * z245 + z248 * z288;
+    const Scalar z298 = p_C + z236 * z236 + z248 * z289;
+    const Scalar z299 = z242 * z261 + z263 * z287;
+    const Scalar z300 = z242 * z264 + z266 * z287;
+    const Scalar z301 = z242 * z267 + z269 * z287;
+    const Scalar z302 = z245 * z261 + z263 * z288;
+    const Scalar z303 = z245 * z264 + z266 * z288;
+    const Scalar z304 = z245 * z267 + z269 * z288;
+    const Scalar z305 = z236 * z261 + z263 * z289;
+    const Scalar z306 = z236 * z264 + z266 * z289;
+    const Scalar z307 = z236 * z267 + z269 * z289;
+    const Scalar z308 = z208 * z244;
+    const Scalar z309 = z201 - z208 * z247;
+    const Scalar z310 = z208 * z248 + z223;
+    const Scalar z311 = z214 * z244;
+    const Scalar z312 = z205 - z214 * z247;
+    const Scalar z313 = z207 + z214 * z248;
+    const Scalar z314 = z207 * z244;
+    const Scalar z315 = z200 - z207 * z247;
+    const Scalar z316 = z207 * z248;
+    const Scalar z317 = z244 * z311;
+    const Scalar z318 = z244 * z312;
+    const Scalar z319 = z244 * z313;
+    const Scalar z320 = z247 * z311 + z308;
+    const Scalar z321 = z247 * z312 + z309;
+    const Scalar z322 = z247 * z313 + z310;
+    const Scalar z323 = z248 * z311 - z314;
+    const Scalar z324 = z248 * z312 - z315;
+    const Scalar z325 = z248 * z313 - z316;
+    const Scalar z326 = z299 - z317;
+    const Scalar z327 = z300 + z318;
+    const Scalar z328 = z301 - z319;
+    const Scalar z329 = z302 - z320;
+    const Scalar z330 = z303 + z321;
+    const Scalar z331 = z304 - z322;
+    const Scalar z332 = z305 - z323;
+    const Scalar z333 = z306 + z324;
+    const Scalar z334 = z307 - z325;
+    const Scalar z335 = z242 * z278 + z280 * z287;
+    const Scalar z336 = z242 * z281 + z283 * z287;
+    const Scalar z337 = z245 * z278 + z280 * z288;
+    const Scalar z338 = z245 * z281 + z283 * z288;
+    const Scalar z339 = z236 * z278 + z280 * z289;
+    const Scalar z340 = z236 * z281 + z283 * z289;
+    const Scalar z341 = z208 * z251;
+    const Scalar z342 = z208 * z254;
+    const Scalar z343 = z214 * z251;
+    const Scalar z344 = z214 * z254;
+    const Scalar z345 = z207 * z251;
+    const Scalar z346 = z207 * z254;
+    const Scalar z347 = z212 - z342;
+    const Scalar z348 = z221 - z344;
+    const Scalar z349 = z210 - z346;
+    const Scalar z350 = z196 * z242 - z197 - z244 * z343;
+    const Scalar z351 = z244 * z348;
+    const Scalar z352 = z196 * z245 - z247 * z343 - z341;
+    const Scalar z353 = z247 * z348 + z347;
+    const Scalar z354 = z196 * z236 - z248 * z343 + z345;
+    const Scalar z355 = z248 * z348 - z349;
+    const Scalar z356 = z335 + z350;
+    const Scalar z357 = z336 - z351;
+    const Scalar z358 = z337 + z352;
+    const Scalar z359 = z338 - z353;
+    const Scalar z360 = z339 + z354;
+    const Scalar z361 = z340 - z355;
+    const Scalar z362 = a_x + s_psi * l_lambda_along_y1 - c_psi * l_lambda_along_x1;
+    const Scalar z363 = s_theta * l_lambda_along_y1 - z144;
+    const Scalar z364 = a_y - s_psi * l_lambda_along_x1 - c_psi * l_lambda_along_y1 - z242 * z362 + z244 * z363;
+    const Scalar z365 = c_theta * l_lambda_along_x1 - z137 + z245 * z362 - z247 * z363;
+    const Scalar z366 = z133 - l_lambda_along_x1 - z236 * z362 + z248 * z363;
+    const Scalar z367 = z242 * z284 + z286 * z287;
+    const Scalar z368 = z245 * z284 + z286 * z288;
+    const Scalar z369 = z236 * z284 + z286 * z289;
+    const Scalar z370 = z364 + z367;
+    const Scalar z371 = z365 - z368;
+    const Scalar z372 = z366 + z369;
+    const Scalar z373 = n1 / z298;
+    const Scalar z374 = z292 * z373;
+    const Scalar z375 = z295 * z373;
+    const Scalar z376 = z290 - z292 * z374;
+    const Scalar z377 = z291 - z292 * z375;
+    const Scalar z378 = z294 - z295 * z375;
+    const Scalar z379 = n1 / z378;
+    const Scalar z380 = z377 * z379;
+    const Scalar z381 = z376 - z377 * z380;
+    const Scalar z382 = n1 / z381;
+    const Scalar z383 = z329 - z332 * z375;
+    const Scalar z384 = z326 - z332 * z374 - z380 * z383;
+    const Scalar z385 = z382 * z384;
+    const Scalar z386 = z379 * z383 - z380 * z385;
+    const Scalar z387 = z332 * z373 - z374 * z385 - z375 * z386;
+    const Scalar z388 = z330 - z333 * z375;
+    const Scalar z389 = z327 - z333 * z374 - z380 * z388;
+    const Scalar z390 = z382 * z389;
+    const Scalar z391 = z379 * z388 - z380 * z390;
+    const Scalar z392 = z333 * z373 - z374 * z390 - z375 * z391;
+    const Scalar z393 = z358 - z360 * z375;
+    const Scalar z394 = z356 - z360 * z374 - z380 * z393;
+    const Scalar z395 = z382 * z394;
+    const Scalar z396 = z379 * z393 - z380 * z395;
+    const Scalar z397 = z360 * z373 - z374 * z395 - z375 * z396;
+    const Scalar z398 = z331 - z334 * z375;
+    const Scalar z399 = z328 - z334 * z374 - z380 * z398;
+    const Scalar z400 = z382 * z399;
+    const Scalar z401 = z379 * z398 - z380 * z400;
+    const Scalar z402 = z334 * z373 - z374 * z400 - z375 * z401;
+    const Scalar z403 = z359 - z361 * z375;
+    const Scalar z404 = z357 - z361 * z374 - z380 * z403;
+    const Scalar z405 = z382 * z404;
+    const Scalar z406 = z379 * z403 - z380 * z405;
+    const Scalar z407 = z361 * z373 - z374 * z405 - z375 * z406;
     result.M[0] = n1;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -964,6 +1167,134 @@ struct Mechanism {
     result.F[2] = c_theta * l_lambda_along_x1 - z137;
     result.F[3] = s_theta * l_lambda_along_y1 - z144;
     result.F[4] = -z133 + l_lambda_along_x1;
+    result.M_r[0] = z290;
+    result.M_r[1] = z291;
+    result.M_r[2] = z292;
+    result.M_r[3] = z291;
+    result.M_r[4] = z294;
+    result.M_r[5] = z295;
+    result.M_r[6] = z292;
+    result.M_r[7] = z295;
+    result.M_r[8] = z298;
+    result.C_r[0] = z326;
+    result.C_r[1] = z329;
+    result.C_r[2] = z332;
+    result.C_r[3] = z327;
+    result.C_r[4] = z330;
+    result.C_r[5] = z333;
+    result.C_r[6] = z328;
+    result.C_r[7] = z331;
+    result.C_r[8] = z334;
+    result.K_r[0] = n0;
+    result.K_r[1] = n0;
+    result.K_r[2] = n0;
+    result.K_r[3] = n0;
+    result.K_r[4] = n0;
+    result.K_r[5] = n0;
+    result.K_r[6] = -z356;
+    result.K_r[7] = -z358;
+    result.K_r[8] = -z360;
+    result.K_r[9] = -z357;
+    result.K_r[10] = -z359;
+    result.K_r[11] = -z361;
+    result.K_r[12] = n0;
+    result.K_r[13] = n0;
+    result.K_r[14] = n0;
+    result.F_r[0] = -z370;
+    result.F_r[1] = z371;
+    result.F_r[2] = -z372;
+    result.A[0] = n0;
+    result.A[1] = n0;
+    result.A[2] = n0;
+    result.A[3] = n0;
+    result.A[4] = n0;
+    result.A[5] = n0;
+    result.A[6] = n0;
+    result.A[7] = n0;
+    result.A[8] = n0;
+    result.A[9] = n0;
+    result.A[10] = n0;
+    result.A[11] = n0;
+    result.A[12] = n0;
+    result.A[13] = n0;
+    result.A[14] = n0;
+    result.A[15] = n0;
+    result.A[16] = z249;
+    result.A[17] = n0;
+    result.A[18] = n0;
+    result.A[19] = z251;
+    result.A[20] = n0;
+    result.A[21] = z395;
+    result.A[22] = z396;
+    result.A[23] = z397;
+    result.A[24] = z252;
+    result.A[25] = n0;
+    result.A[26] = n0;
+    result.A[27] = -z254;
+    result.A[28] = n0;
+    result.A[29] = z405;
+    result.A[30] = z406;
+    result.A[31] = z407;
+    result.A[32] = n0;
+    result.A[33] = n0;
+    result.A[34] = n0;
+    result.A[35] = n0;
+    result.A[36] = n0;
+    result.A[37] = n0;
+    result.A[38] = n0;
+    result.A[39] = n0;
+    result.A[40] = -z242;
+    result.A[41] = n1;
+    result.A[42] = n0;
+    result.A[43] = -z244;
+    result.A[44] = n0;
+    result.A[45] = -z385;
+    result.A[46] = -z386;
+    result.A[47] = -z387;
+    result.A[48] = -z245;
+    result.A[49] = n0;
+    result.A[50] = n1;
+    result.A[51] = -z247;
+    result.A[52] = n0;
+    result.A[53] = -z390;
+    result.A[54] = -z391;
+    result.A[55] = -z392;
+    result.A[56] = -z236;
+    result.A[57] = n0;
+    result.A[58] = n0;
+    result.A[59] = -z248;
+    result.A[60] = n1;
+    result.A[61] = -z400;
+    result.A[62] = -z401;
+    result.A[63] = -z402;
+    if (!(traits::regular(z237, z239) && traits::regular(z240, z241) && traits::regular(z381, z290)
+        && traits::regular(z378, z294) && traits::regular(z298, z298))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (result.M[12] - result.M[12]) + (result.M[14] - result.M[14]) + (result.M[18] - result.M[18])
+        + (result.M[22] - result.M[22]) + (result.M[24] - result.M[24]) + (result.C[12] - result.C[12]) + (result.C[13]
+        - result.C[13]) + (result.C[14] - result.C[14]) + (result.C[17] - result.C[17]) + (result.C[18] - result.C[18])
+        + (result.C[19] - result.C[19]) + (result.C[22] - result.C[22]) + (result.C[23] - result.C[23]) + (result.K[10]
+        - result.K[10]) + (result.K[11] - result.K[11]) + (result.K[17] - result.K[17]) + (result.K[18] - result.K[18])
+        + (result.K[19] - result.K[19]) + (result.F[0] - result.F[0]) + (result.F[1] - result.F[1]) + (result.F[2]
+        - result.F[2]) + (result.F[3] - result.F[3]) + (result.F[4] - result.F[4]) + (result.M_r[0] - result.M_r[0])
+        + (result.M_r[1] - result.M_r[1]) + (result.M_r[2] - result.M_r[2]) + (result.M_r[3] - result.M_r[3])
+        + (result.M_r[4] - result.M_r[4]) + (result.M_r[5] - result.M_r[5]) + (result.M_r[6] - result.M_r[6])
+        + (result.M_r[7] - result.M_r[7]) + (result.M_r[8] - result.M_r[8]) + (result.C_r[0] - result.C_r[0])
+        + (result.C_r[1] - result.C_r[1]) + (result.C_r[2] - result.C_r[2]) + (result.C_r[3] - result.C_r[3])
+        + (result.C_r[4] - result.C_r[4]) + (result.C_r[5] - result.C_r[5]) + (result.C_r[6] - result.C_r[6])
+        + (result.C_r[7] - result.C_r[7]) + (result.C_r[8] - result.C_r[8]) + (result.K_r[6] - result.K_r[6])
+        + (result.K_r[7] - result.K_r[7]) + (result.K_r[8] - result.K_r[8]) + (result.K_r[9] - result.K_r[9])
+        + (result.K_r[10] - result.K_r[10]) + (result.K_r[11] - result.K_r[11]) + (result.F_r[0] - result.F_r[0])
+        + (result.F_r[1] - result.F_r[1]) + (result.F_r[2] - result.F_r[2]) + (result.A[16] - result.A[16])
+        + (result.A[19] - result.A[19]) + (result.A[21] - result.A[21]) + (result.A[22] - result.A[22]) + (result.A[23]
+        - result.A[23]) + (result.A[24] - result.A[24]) + (result.A[27] - result.A[27]) + (result.A[29] - result.A[29])
+        + (result.A[30] - result.A[30]) + (result.A[31] - result.A[31]) + (result.A[40] - result.A[40]) + (result.A[43]
+        - result.A[43]) + (result.A[45] - result.A[45]) + (result.A[46] - result.A[46]) + (result.A[47] - result.A[47])
+        + (result.A[48] - result.A[48]) + (result.A[51] - result.A[51]) + (result.A[53] - result.A[53]) + (result.A[54]
+        - result.A[54]) + (result.A[55] - result.A[55]) + (result.A[56] - result.A[56]) + (result.A[59] - result.A[59])
+        + (result.A[61] - result.A[61]) + (result.A[62] - result.A[62]) + (result.A[63] - result.A[63]);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
   }
 };
 

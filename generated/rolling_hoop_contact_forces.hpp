@@ -18,7 +18,7 @@
 //   energy                   14               28          0             0                  3       0     48      54
 //   first_integrals          15               28          0             0                  3       0     49      55
 //   constraints              11               17          0             0                  2       0     32      32
-//   linearisation            50               82          0             0                  2       0    136     275
+//   linearisation           251              354          8             0                  2       0    617     757
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 42 results 10 vanish identically
@@ -27,7 +27,7 @@
 //   energy: of 3 results 1 vanish identically
 //   constraints: of 27 results 11 vanish identically, 3 repeat another up to sign
 //   reactions: left out, the scene releases no joint direction (released_coordinate)
-//   linearisation: of 114 results 88 vanish identically, 2 repeat another up to sign
+//   linearisation: of 214 results 133 vanish identically, 5 repeat another up to sign
 //
 // To write this file again:
 //   rolling_hoop_contact_forces_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output rolling_hoop_contact_forces.hpp
@@ -351,7 +351,18 @@ struct Mechanism {
     std::array<Scalar, 36> C;  ///< damping and gyroscopic terms (6 x 6)
     std::array<Scalar, 36> K;  ///< stiffness (6 x 6)
     std::array<Scalar, 6> F;  ///< right-hand side
+    std::array<Scalar, 9> M_r;  ///< reduced mass matrix (3 x 3)
+    std::array<Scalar, 9> C_r;  ///< reduced damping and gyroscopic terms (3 x 3)
+    std::array<Scalar, 15> K_r;  ///< reduced stiffness (3 x 5)
+    std::array<Scalar, 3> F_r;  ///< reduced right-hand side
+    std::array<Scalar, 64> A;  ///< state matrix of x = (e, w): x' = A x + B du (8 x 8)
   };
+  /// Freedoms that e of the linearisation runs along: places in v (and in q, but for attitudes).
+  static constexpr int independent_coordinate_count = 5;
+  static constexpr int independent_coordinates[] = {0, 1, 3, 4, 5};
+  /// Velocities that w of the linearisation deviates: places in v.
+  static constexpr int independent_velocity_count = 3;
+  static constexpr int independent_velocities[] = {1, 3, 5};
 
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
   /// matrices column by column.
@@ -876,11 +887,13 @@ struct Mechanism {
     result.jacobian[17] = n0;
   }
 
-  /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
-  /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
-  /// At fixed multipliers and in all coordinates: A' dlambda and the linearised constraints come beside it, and the
-  /// state matrices, which need independent coordinates, are left out.
-  TORSOR_DEVICE static void linearisation(const Precomputed& precomputed, const State& state,
+  /// Linearisation about a state that satisfies the constraints. M d'' + C d' + K d = F + E du in all freedoms d, at
+  /// fixed multipliers: A' dlambda and the linearised constraints come beside it. Reduced to independent freedoms:
+  /// M_r w' + C_r w + K_r e = F_r + E_r du, e the deviations of x, y, psi, theta, phi,
+  /// w those of the rates of y, psi, phi;
+  /// the dependent freedoms follow, to first order. At the accelerations and multipliers of the motion F_r vanishes.
+  /// Returns singular where the constraints do not determine the dependent freedoms.
+  TORSOR_DEVICE static torsor::Status linearisation(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Multipliers& multipliers, const Inputs&,
       Linearisation& result) noexcept {
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
@@ -888,8 +901,10 @@ struct Mechanism {
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_x = state.q.x;
+    const Scalar v_x = state.v.x;
     const Scalar a_x = accelerations.x;
     const Scalar q_y = state.q.y;
+    const Scalar v_y = state.v.y;
     const Scalar a_y = accelerations.y;
     const Scalar a_z = accelerations.z;
     const Scalar q_psi = state.q.psi;
@@ -910,6 +925,8 @@ struct Mechanism {
     traits::sincos(q_psi, s_psi, c_psi);
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z26 = v_x * c_psi + v_y * s_psi;
+    const Scalar z27 = v_x * s_psi - v_y * c_psi;
     const Scalar z28 = v_psi * s_theta;
     const Scalar z29 = v_psi * c_theta;
     const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
@@ -944,8 +961,13 @@ struct Mechanism {
     const Scalar z133 = p_A * (a_theta - z112) + z109;  // moment on hoop.2, x
     const Scalar z134 = p_A * (z103 + z127) - z110;  // moment on hoop.2, y
     const Scalar z136 = s_theta * z134 + c_theta * z132;
+    const Scalar z144 = v_psi * s_psi;
+    const Scalar z145 = v_psi * c_psi;
     const Scalar z146 = v_theta * s_theta;
+    const Scalar z147 = v_x * z144 - v_y * z145 + v_psi * z146;
     const Scalar z149 = v_theta * c_theta;
+    const Scalar z150 = v_x * z145 + v_y * z144 - v_theta * z149;
+    const Scalar z152 = v_theta * z146;
     const Scalar z155 = z45 * z71 + z46 * z70;
     const Scalar z198 = p_C * z36;
     const Scalar z215 = s_psi * l_X_F + c_psi * l_Y_F;
@@ -975,6 +997,196 @@ struct Mechanism {
     const Scalar z243 = l_N * z242 - z233;
     const Scalar z244 = v_theta * p_C;
     const Scalar z245 = s_theta * z244;
+    const Scalar z246 = a_z - a_theta * c_theta + z152;
+    const Scalar z247 = a_x * s_psi - a_y * c_psi - a_theta * s_theta + z150;
+    const Scalar z248 = a_x * c_psi + a_y * s_psi + a_psi * c_theta + a_phi - z147;
+    const Scalar z249 = v_x * z144 - v_y * z145;
+    const Scalar z250 = a_x * c_psi + a_y * s_psi - z249;
+    const Scalar z251 = v_x * s_psi - v_y * c_psi + z146;
+    const Scalar z252 = v_x * z145 + v_y * z144;
+    const Scalar z253 = a_x * s_psi - a_y * c_psi + z252;
+    const Scalar z254 = v_theta * s_theta + z146;
+    const Scalar z255 = v_theta * z149;
+    const Scalar z256 = a_theta * s_theta + z255;
+    const Scalar z257 = v_theta * c_theta + z149;
+    const Scalar z258 = a_theta * c_theta - z152;
+    const Scalar z259 = v_psi * z149;
+    const Scalar z260 = a_psi * s_theta + z259;
+    const Scalar z261 = n1 / s_theta;
+    const Scalar z262 = n1 / c_psi;
+    const Scalar z263 = s_theta * s_theta;
+    const Scalar z264 = n1 + s_theta * s_theta / p_A;
+    const Scalar z265 = p_A * z264;
+    const Scalar z266 = c_psi * c_psi;
+    const Scalar z267 = n1 + c_theta * c_theta / z86 + n1 / p_C;
+    const Scalar z268 = s_psi * z262;
+    const Scalar z269 = s_psi * z268 + c_psi;
+    const Scalar z270 = z261 * z269;
+    const Scalar z271 = c_theta * z270;
+    const Scalar z272 = c_theta * z262;
+    const Scalar z273 = s_psi * z272;
+    const Scalar z274 = z261 * z273;
+    const Scalar z275 = c_theta * z274;
+    const Scalar z276 = z261 * z268;
+    const Scalar z277 = c_theta * z276;
+    const Scalar z278 = z27 * z262;
+    const Scalar z279 = s_psi * z278 + z26;
+    const Scalar z280 = z261 * z279;
+    const Scalar z282 = z28 * z262;
+    const Scalar z283 = s_psi * z282 - z149;
+    const Scalar z284 = z261 * z283;
+    const Scalar z286 = z28 * z270 + z144 * z268 + z145;
+    const Scalar z287 = z28 * z274 + z144 * z272 - z251;
+    const Scalar z288 = z28 * z276 + z144 * z262;
+    const Scalar z289 = z144 - z145 * z268 + z257 * z270;
+    const Scalar z290 = z26 - z145 * z272 + z257 * z274;
+    const Scalar z291 = z145 * z262 - z257 * z276;
+    const Scalar z292 = z254 * z270;
+    const Scalar z293 = z254 * z274;
+    const Scalar z294 = z254 * z276;
+    const Scalar z295 = z262 * z286;
+    const Scalar z296 = s_psi * z295 - z289;
+    const Scalar z297 = z261 * z296;
+    const Scalar z298 = c_theta * z297 - z292;
+    const Scalar z299 = z262 * z287;
+    const Scalar z300 = s_psi * z299 - z290;
+    const Scalar z301 = z261 * z300;
+    const Scalar z302 = c_theta * z301 - z293;
+    const Scalar z303 = z262 * z288;
+    const Scalar z304 = s_psi * z303 + z291;
+    const Scalar z305 = z261 * z304;
+    const Scalar z306 = c_theta * z305 - z294;
+    const Scalar z307 = z28 * z280 + z144 * z278;
+    const Scalar z308 = z28 * z284 + z144 * z282;
+    const Scalar z309 = z145 * z278 - z257 * z280;
+    const Scalar z310 = z145 * z282 - z257 * z284;
+    const Scalar z311 = z254 * z280;
+    const Scalar z312 = z254 * z284;
+    const Scalar z313 = z253 + z307;
+    const Scalar z314 = z260 + z308;
+    const Scalar z315 = z250 + z309;
+    const Scalar z316 = z258 - z310;
+    const Scalar z317 = z256 + z312;
+    const Scalar z318 = z262 * z313;
+    const Scalar z319 = s_psi * z318 + z315;
+    const Scalar z320 = z261 * z319;
+    const Scalar z321 = c_theta * z320 - z311;
+    const Scalar z322 = z262 * z314;
+    const Scalar z323 = s_psi * z322 - z316;
+    const Scalar z324 = z261 * z323;
+    const Scalar z325 = c_theta * z324 - z317;
+    const Scalar z326 = z248 * z262;
+    const Scalar z327 = s_psi * z326 - z247;
+    const Scalar z328 = z261 * z327;
+    const Scalar z329 = c_theta * z328 + z246;
+    const Scalar z330 = p_A * z270;
+    const Scalar z331 = p_A * z274;
+    const Scalar z332 = p_A * z276;
+    const Scalar z333 = n1 + z268 * z268 + z270 * z330 + z271 * z271;
+    const Scalar z334 = z268 * z272 + z271 * z275 + z274 * z330;
+    const Scalar z335 = z262 * z268 + z271 * z277 + z276 * z330;
+    const Scalar z337 = z86 + z272 * z272 + z274 * z331 + z275 * z275;
+    const Scalar z338 = z77 + z262 * z272 + z275 * z277 + z276 * z331;
+    const Scalar z341 = p_C + z262 * z262 + z276 * z332 + z277 * z277;
+    const Scalar z342 = z268 * z295 + z271 * z298 + z297 * z330;
+    const Scalar z343 = z268 * z299 + z271 * z302 + z301 * z330;
+    const Scalar z344 = z268 * z303 + z271 * z306 + z305 * z330;
+    const Scalar z345 = z272 * z295 + z275 * z298 + z297 * z331;
+    const Scalar z346 = z272 * z299 + z275 * z302 + z301 * z331;
+    const Scalar z347 = z272 * z303 + z275 * z306 + z305 * z331;
+    const Scalar z348 = z262 * z295 + z277 * z298 + z297 * z332;
+    const Scalar z349 = z262 * z299 + z277 * z302 + z301 * z332;
+    const Scalar z350 = z262 * z303 + z277 * z306 + z305 * z332;
+    const Scalar z351 = z231 * z270;
+    const Scalar z352 = z220 - z231 * z274;
+    const Scalar z353 = z231 * z276 + z245;
+    const Scalar z354 = z230 * z270;
+    const Scalar z355 = z219 - z230 * z274;
+    const Scalar z356 = z230 * z276;
+    const Scalar z357 = z224 * z270;
+    const Scalar z358 = z224 * z274 + z352;
+    const Scalar z359 = z230 * z274 + z353;
+    const Scalar z360 = z224 * z276 - z355;
+    const Scalar z361 = z230 * z276 - z356;
+    const Scalar z362 = z343 + z357;
+    const Scalar z363 = z344 - z354;
+    const Scalar z364 = z345 - z351;
+    const Scalar z365 = z346 + z358;
+    const Scalar z366 = z347 - z359;
+    const Scalar z367 = z348 + z354;
+    const Scalar z368 = z349 + z360;
+    const Scalar z369 = z350 - z361;
+    const Scalar z370 = z268 * z318 + z271 * z321 + z320 * z330;
+    const Scalar z371 = z268 * z322 + z271 * z325 + z324 * z330;
+    const Scalar z372 = z272 * z318 + z275 * z321 + z320 * z331;
+    const Scalar z373 = z272 * z322 + z275 * z325 + z324 * z331;
+    const Scalar z374 = z262 * z318 + z277 * z321 + z320 * z332;
+    const Scalar z375 = z262 * z322 + z277 * z325 + z324 * z332;
+    const Scalar z376 = z231 * z280;
+    const Scalar z377 = z231 * z284;
+    const Scalar z378 = z230 * z280;
+    const Scalar z379 = z230 * z284;
+    const Scalar z380 = z235 + z377;
+    const Scalar z381 = z243 - z379;
+    const Scalar z382 = z215 * z268 - z216;
+    const Scalar z383 = z241 * z270;
+    const Scalar z384 = z215 * z272 - z376;
+    const Scalar z385 = z241 * z274 + z380;
+    const Scalar z386 = z215 * z262 + z378;
+    const Scalar z387 = z241 * z276 + z381;
+    const Scalar z388 = z370 + z382;
+    const Scalar z389 = z371 - z383;
+    const Scalar z390 = z372 + z384;
+    const Scalar z391 = z373 - z385;
+    const Scalar z392 = z374 + z386;
+    const Scalar z393 = z375 - z387;
+    const Scalar z394 = a_x + s_psi * l_Y_F - c_psi * l_X_F;
+    const Scalar z395 = z120 - l_N;
+    const Scalar z396 = s_theta * l_Y_F + z75 * l_N - z133;
+    const Scalar z397 = a_y - s_psi * l_X_F - c_psi * l_Y_F - z268 * z394 + z270 * z396 - z271 * z395;
+    const Scalar z398 = c_theta * l_X_F - z136 + z272 * z394 - z274 * z396 + z275 * z395;
+    const Scalar z399 = z132 + z155 * l_N - l_X_F - z262 * z394 + z276 * z396 - z277 * z395;
+    const Scalar z400 = z268 * z326 + z271 * z329 + z328 * z330;
+    const Scalar z401 = z272 * z326 + z275 * z329 + z328 * z331;
+    const Scalar z402 = z262 * z326 + z277 * z329 + z328 * z332;
+    const Scalar z403 = z397 + z400;
+    const Scalar z404 = z398 - z401;
+    const Scalar z405 = z399 + z402;
+    const Scalar z406 = n1 / z341;
+    const Scalar z407 = z335 * z406;
+    const Scalar z408 = z338 * z406;
+    const Scalar z409 = z333 - z335 * z407;
+    const Scalar z410 = z334 - z335 * z408;
+    const Scalar z411 = z337 - z338 * z408;
+    const Scalar z412 = n1 / z411;
+    const Scalar z413 = z410 * z412;
+    const Scalar z414 = z409 - z410 * z413;
+    const Scalar z415 = n1 / z414;
+    const Scalar z416 = z364 - z367 * z408;
+    const Scalar z417 = z342 - z367 * z407 - z413 * z416;
+    const Scalar z418 = z415 * z417;
+    const Scalar z419 = z412 * z416 - z413 * z418;
+    const Scalar z420 = z367 * z406 - z407 * z418 - z408 * z419;
+    const Scalar z421 = z365 - z368 * z408;
+    const Scalar z422 = z362 - z368 * z407 - z413 * z421;
+    const Scalar z423 = z415 * z422;
+    const Scalar z424 = z412 * z421 - z413 * z423;
+    const Scalar z425 = z368 * z406 - z407 * z423 - z408 * z424;
+    const Scalar z426 = z390 - z392 * z408;
+    const Scalar z427 = z388 - z392 * z407 - z413 * z426;
+    const Scalar z428 = z415 * z427;
+    const Scalar z429 = z412 * z426 - z413 * z428;
+    const Scalar z430 = z392 * z406 - z407 * z428 - z408 * z429;
+    const Scalar z431 = z366 - z369 * z408;
+    const Scalar z432 = z363 - z369 * z407 - z413 * z431;
+    const Scalar z433 = z415 * z432;
+    const Scalar z434 = z412 * z431 - z413 * z433;
+    const Scalar z435 = z369 * z406 - z407 * z433 - z408 * z434;
+    const Scalar z436 = z391 - z393 * z408;
+    const Scalar z437 = z389 - z393 * z407 - z413 * z436;
+    const Scalar z438 = z415 * z437;
+    const Scalar z439 = z412 * z436 - z413 * z438;
+    const Scalar z440 = z393 * z406 - z407 * z438 - z408 * z439;
     result.M[0] = n1;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -1089,6 +1301,134 @@ struct Mechanism {
     result.F[3] = c_theta * l_X_F - z136;
     result.F[4] = s_theta * l_Y_F + z75 * l_N - z133;
     result.F[5] = -z132 - z155 * l_N + l_X_F;
+    result.M_r[0] = z333;
+    result.M_r[1] = z334;
+    result.M_r[2] = z335;
+    result.M_r[3] = z334;
+    result.M_r[4] = z337;
+    result.M_r[5] = z338;
+    result.M_r[6] = z335;
+    result.M_r[7] = z338;
+    result.M_r[8] = z341;
+    result.C_r[0] = z342;
+    result.C_r[1] = z364;
+    result.C_r[2] = z367;
+    result.C_r[3] = z362;
+    result.C_r[4] = z365;
+    result.C_r[5] = z368;
+    result.C_r[6] = z363;
+    result.C_r[7] = z366;
+    result.C_r[8] = z369;
+    result.K_r[0] = n0;
+    result.K_r[1] = n0;
+    result.K_r[2] = n0;
+    result.K_r[3] = n0;
+    result.K_r[4] = n0;
+    result.K_r[5] = n0;
+    result.K_r[6] = -z388;
+    result.K_r[7] = -z390;
+    result.K_r[8] = -z392;
+    result.K_r[9] = -z389;
+    result.K_r[10] = -z391;
+    result.K_r[11] = -z393;
+    result.K_r[12] = n0;
+    result.K_r[13] = n0;
+    result.K_r[14] = n0;
+    result.F_r[0] = -z403;
+    result.F_r[1] = z404;
+    result.F_r[2] = -z405;
+    result.A[0] = n0;
+    result.A[1] = n0;
+    result.A[2] = n0;
+    result.A[3] = n0;
+    result.A[4] = n0;
+    result.A[5] = n0;
+    result.A[6] = n0;
+    result.A[7] = n0;
+    result.A[8] = n0;
+    result.A[9] = n0;
+    result.A[10] = n0;
+    result.A[11] = n0;
+    result.A[12] = n0;
+    result.A[13] = n0;
+    result.A[14] = n0;
+    result.A[15] = n0;
+    result.A[16] = z278;
+    result.A[17] = n0;
+    result.A[18] = n0;
+    result.A[19] = z280;
+    result.A[20] = n0;
+    result.A[21] = z428;
+    result.A[22] = z429;
+    result.A[23] = z430;
+    result.A[24] = z282;
+    result.A[25] = n0;
+    result.A[26] = n0;
+    result.A[27] = z284;
+    result.A[28] = n0;
+    result.A[29] = z438;
+    result.A[30] = z439;
+    result.A[31] = z440;
+    result.A[32] = n0;
+    result.A[33] = n0;
+    result.A[34] = n0;
+    result.A[35] = n0;
+    result.A[36] = n0;
+    result.A[37] = n0;
+    result.A[38] = n0;
+    result.A[39] = n0;
+    result.A[40] = -z268;
+    result.A[41] = n1;
+    result.A[42] = n0;
+    result.A[43] = -z270;
+    result.A[44] = n0;
+    result.A[45] = -z418;
+    result.A[46] = -z419;
+    result.A[47] = -z420;
+    result.A[48] = -z272;
+    result.A[49] = n0;
+    result.A[50] = n1;
+    result.A[51] = -z274;
+    result.A[52] = n0;
+    result.A[53] = -z423;
+    result.A[54] = -z424;
+    result.A[55] = -z425;
+    result.A[56] = -z262;
+    result.A[57] = n0;
+    result.A[58] = n0;
+    result.A[59] = -z276;
+    result.A[60] = n1;
+    result.A[61] = -z433;
+    result.A[62] = -z434;
+    result.A[63] = -z435;
+    if (!(traits::regular(z263, z265) && traits::regular(z266, z267) && traits::regular(z414, z333)
+        && traits::regular(z411, z337) && traits::regular(z341, z341))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (result.M[21] - result.M[21]) + (result.M[23] - result.M[23]) + (result.M[28] - result.M[28])
+        + (result.M[33] - result.M[33]) + (result.M[35] - result.M[35]) + (result.C[21] - result.C[21]) + (result.C[22]
+        - result.C[22]) + (result.C[23] - result.C[23]) + (result.C[27] - result.C[27]) + (result.C[29] - result.C[29])
+        + (result.C[33] - result.C[33]) + (result.C[34] - result.C[34]) + (result.K[18] - result.K[18]) + (result.K[19]
+        - result.K[19]) + (result.K[27] - result.K[27]) + (result.K[28] - result.K[28]) + (result.K[29] - result.K[29])
+        + (result.F[0] - result.F[0]) + (result.F[1] - result.F[1]) + (result.F[2] - result.F[2]) + (result.F[3]
+        - result.F[3]) + (result.F[4] - result.F[4]) + (result.F[5] - result.F[5]) + (result.M_r[0] - result.M_r[0])
+        + (result.M_r[1] - result.M_r[1]) + (result.M_r[2] - result.M_r[2]) + (result.M_r[3] - result.M_r[3])
+        + (result.M_r[4] - result.M_r[4]) + (result.M_r[5] - result.M_r[5]) + (result.M_r[6] - result.M_r[6])
+        + (result.M_r[7] - result.M_r[7]) + (result.M_r[8] - result.M_r[8]) + (result.C_r[0] - result.C_r[0])
+        + (result.C_r[1] - result.C_r[1]) + (result.C_r[2] - result.C_r[2]) + (result.C_r[3] - result.C_r[3])
+        + (result.C_r[4] - result.C_r[4]) + (result.C_r[5] - result.C_r[5]) + (result.C_r[6] - result.C_r[6])
+        + (result.C_r[7] - result.C_r[7]) + (result.C_r[8] - result.C_r[8]) + (result.K_r[6] - result.K_r[6])
+        + (result.K_r[7] - result.K_r[7]) + (result.K_r[8] - result.K_r[8]) + (result.K_r[9] - result.K_r[9])
+        + (result.K_r[10] - result.K_r[10]) + (result.K_r[11] - result.K_r[11]) + (result.F_r[0] - result.F_r[0])
+        + (result.F_r[1] - result.F_r[1]) + (result.F_r[2] - result.F_r[2]) + (result.A[16] - result.A[16])
+        + (result.A[19] - result.A[19]) + (result.A[21] - result.A[21]) + (result.A[22] - result.A[22]) + (result.A[23]
+        - result.A[23]) + (result.A[24] - result.A[24]) + (result.A[27] - result.A[27]) + (result.A[29] - result.A[29])
+        + (result.A[30] - result.A[30]) + (result.A[31] - result.A[31]) + (result.A[40] - result.A[40]) + (result.A[43]
+        - result.A[43]) + (result.A[45] - result.A[45]) + (result.A[46] - result.A[46]) + (result.A[47] - result.A[47])
+        + (result.A[48] - result.A[48]) + (result.A[51] - result.A[51]) + (result.A[53] - result.A[53]) + (result.A[54]
+        - result.A[54]) + (result.A[55] - result.A[55]) + (result.A[56] - result.A[56]) + (result.A[59] - result.A[59])
+        + (result.A[61] - result.A[61]) + (result.A[62] - result.A[62]) + (result.A[63] - result.A[63]);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
   }
 };
 

@@ -25,7 +25,8 @@ struct LinearSystem {
   return {M, Eigen::MatrixXd::Zero(M.rows(), M.cols()), K, Eigen::VectorXd::Zero(M.rows())};
 }
 
-/// The result of the generated kernel `linearisation` as matrices: M, C, K are n x n, stored column by column.
+/// The result of the generated kernel `linearisation` as matrices: M, C, K are n x n, stored column by column. With
+/// constraints these are the equations in all freedoms, at fixed multipliers.
 template <class Linearisation>
 [[nodiscard]] LinearSystem linear_system(const Linearisation& linear) {
   const auto n = static_cast<Eigen::Index>(linear.F.size());

@@ -110,6 +110,7 @@ std::string emit_header(const Equations& equations, const std::vector<Kernel>& k
     if (structure.name == "FirstIntegrals") {
       text += fmt::format("static constexpr int first_integral_count = {};\n", structure.members.size());
     }
+    text += structure.tables;
     structure_texts.push_back(std::move(text));
     structures.push_back(structure);
   }
@@ -117,6 +118,7 @@ std::string emit_header(const Equations& equations, const std::vector<Kernel>& k
   const Schedule schedule = make_schedule(program, present);
   const FunctionText precompute = precompute_body(program, schedule);
   Provenance provenance{&scene, options.model, kernels, parameters, {}};
+  provenance.notes = notes(equations.redundancy(), scene);
   if (precompute.operations.total() > 0) {
     provenance.operations.push_back({"precompute", precompute.operations, std::nullopt});
   }

@@ -23,6 +23,7 @@ struct Structure {
   std::string name;
   std::string documentation;
   std::vector<Member> members;
+  std::string tables{};  ///< declarations that come along with it: constants, tables of indices
 };
 
 /// What a kernel reads besides `precomputed` and `state`.

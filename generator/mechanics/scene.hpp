@@ -219,6 +219,10 @@ class Scene {
                 const PointReference& contact, const Triple& direction, const FrameReference& axes,
                 const FrameReference& other = "ground");
 
+  /// Names coordinates that shall be independent where constraints are eliminated (linearisation), the most wanted
+  /// first: those the constraints allow stay, the generator chooses the rest. An attitude's freedoms cannot be named.
+  void independent(const std::vector<Expression>& coordinates);
+
   const SceneContent& content() const { return content_; }
   const std::string& name() const { return content_.name; }
 

@@ -119,6 +119,17 @@ std::vector<ConstraintHandle> Scene::close(const std::string& name, JointType ty
   return handles;
 }
 
+void Scene::independent(const std::vector<Expression>& coordinates) {
+  for (const Expression& wanted : coordinates) {
+    const CoordinateContent& coordinate = coordinate_of(wanted, "independent");
+    if (!coordinate.unknown()) {
+      throw SceneError(fmt::format("coordinate '{}' is {} and cannot be independent: name an unknown one",
+                                   coordinate.q->name, coordinate.released ? "released" : "driven"));
+    }
+    content_.independent.push_back(coordinate.q);
+  }
+}
+
 void Scene::reaction(const ConstraintHandle& handle, const std::string& name, const FrameReference& body,
                      const PointReference& contact, const Triple& direction, const FrameReference& axes,
                      const FrameReference& other) {

@@ -209,6 +209,7 @@ struct SceneContent {
   std::vector<ActionContent> actions;
   std::vector<ContactFriction> frictions;
   std::vector<ConstraintContent> constraints;
+  std::vector<SymbolPointer> independent;  ///< coordinates wanted independent, the most wanted first
   Triple gravity{Expression(0), Expression(0), Expression(0)};
 
   /// Index of a frame or point; throws SceneError that names the unknown one and lists the known ones.

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/dynamics/reduction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "generator/dynamics/validation.hpp"
+#include "generator/emission/kernel.hpp"
+#include "tests/dynamics/constrained_motion.hpp"
+#include "tests/dynamics/random_mechanism.hpp"
+#include "tests/dynamics/simple_scenes.hpp"
+
+namespace torsor {
+namespace {
+
+using namespace testing_symbols;
+using namespace testing_mechanisms;
+using namespace literals;
+using State = ConstrainedMotion::State;
+
+/// An entry of a matrix of the kernel, stored by columns.
+Value entry(const Kernel& kernel, const std::string& name, std::size_t rows, std::size_t i, std::size_t j) {
+  const std::string target = "result." + name + "[" + std::to_string(j * rows + i) + "]";
+  for (const Assignment& assignment : kernel.assignments) {
+    if (assignment.target == target) return assignment.value;
+  }
+  ADD_FAILURE() << "no entry " << target;
+  return {};
+}
+
+/// State matrices of the kernel `linearisation` against central differences of the forward dynamics along the
+/// constraints, about the state given once its dependent parts are made to satisfy them. Step 1e-18 in 60 digits: the
+/// truncation is some 1e-36, the rounding 1e-42 times what differences amplify.
+/// False, without a comparison, when Newton's method finds no state that satisfies the constraints.
+bool expect_the_flow(const Scene& scene, State state) {
+  const WorkingDigits precision(60);
+  const Equations equations(scene);
+  const Kernel kernel = make_kernel("linearisation", equations);
+  const ConstrainedMotion motion(equations);
+  const std::size_t n = motion.freedoms();
+  IndependentFreedoms freedoms;
+  if (equations.constraints().empty()) {
+    for (std::size_t i = 0; i < n; ++i) freedoms.coordinates.push_back(i), freedoms.velocities.push_back(i);
+  } else {
+    freedoms = independent_freedoms(equations);
+  }
+  std::vector<std::size_t> rows, holonomic, dependent_q, dependent_v;
+  for (std::size_t k = 0; k < freedoms.pivots.size(); ++k) {
+    rows.push_back(freedoms.pivots[k].row);
+    dependent_v.push_back(freedoms.pivots[k].freedom);
+    if (k >= freedoms.holonomic) continue;
+    holonomic.push_back(freedoms.pivots[k].row);
+    dependent_q.push_back(freedoms.pivots[k].freedom);
+  }
+  state.q.resize(motion.positions().size(), Real(0));
+  state.v.resize(n, Real(0));
+  state.u.resize(equations.model().inputs().size(), Real(0));
+  motion.satisfy(state, holonomic, dependent_q, rows, dependent_v);
+  Evaluator<Real> here = motion.at(state);
+  for (const std::size_t j : rows) {
+    for (const Value& residual : {equations.constraints()[j].value, equations.constraints()[j].rate}) {
+      if (!(abs(here(residual)) < power_of_ten(-50))) return false;
+    }
+  }
+  const std::vector<Real> a = here(equations.forward().accelerations), lambda = here(equations.forward().multipliers);
+  Evaluator<Real> linear = motion.at(state, a, lambda);
+
+  const std::size_t k = freedoms.coordinates.size(), p = freedoms.velocities.size();
+  const auto flow = [&](const State& at) {
+    const std::vector<Real> rates = motion.rates_of_deviation(state, at);
+    Evaluator<Real> there = motion.at(at);
+    const std::vector<Real> accelerations = there(equations.forward().accelerations);
+    std::vector<Real> f;
+    for (const std::size_t i : freedoms.coordinates) f.push_back(rates[i]);
+    for (const std::size_t i : freedoms.velocities) f.push_back(accelerations[i]);
+    return f;
+  };
+  const Real h = power_of_ten(-18);
+  const auto compare = [&](const std::string& matrix, std::size_t column, const auto& move) {
+    std::vector<std::vector<Real>> sides;
+    for (const Real& step : {h, -h}) {
+      State moved = state;
+      move(moved, step);
+      motion.satisfy(moved, holonomic, dependent_q, rows, dependent_v);
+      sides.push_back(flow(moved));
+    }
+    for (std::size_t i = 0; i < k + p; ++i) {
+      const Real difference = (sides[0][i] - sides[1][i]) / (h + h);
+      const Real found = linear(entry(kernel, matrix, k + p, i, column));
+      EXPECT_LT(relative_difference(found, difference), 1e-28)
+          << scene.name() << ": " << matrix << "(" << i << ", " << column << ") = " << found.to_string(12) << ", flow "
+          << difference.to_string(12);
+    }
+  };
+  for (std::size_t j = 0; j < k; ++j) {
+    compare("A", j, [&](State& s, const Real& step) { motion.displace(s, freedoms.coordinates[j], step); });
+  }
+  for (std::size_t j = 0; j < p; ++j) {
+    compare("A", k + j, [&](State& s, const Real& step) { s.v[freedoms.velocities[j]] += step; });
+  }
+  for (std::size_t j = 0; j < state.u.size(); ++j) {
+    compare("B", j, [&](State& s, const Real& step) { s.u[j] += step; });
+  }
+  for (std::size_t i = 0; i < p; ++i) {
+    EXPECT_LT(relative_difference(linear(entry(kernel, rows.empty() ? "F" : "F_r", p, i, 0)), Real(0)), 1e-40)
+        << "F of the motion itself";
+  }
+  return true;
+}
+
+Expression unit(const char* value, const char* name) { return Expression::quantity(value, name); }
+
+/// Four bars in a plane with a spring, a damper and a motor; closed at the start only to twelve digits.
+Scene four_bar() {
+  Scene scene("four_bar");
+  const Expression a = scene.coordinate("a", "rad"), b = scene.coordinate("b", "rad"), c = scene.coordinate("c", "rad");
+  const FrameHandle crank = scene.revolute("crank", scene.ground(), axis::z, a);
+  const FrameHandle coupler = scene.revolute("coupler", crank, axis::z, b, {{metres("1"), 0, 0}});
+  const FrameHandle rocker = scene.revolute("rocker", scene.ground(), axis::z, c, {{metres("2"), 0, 0}});
+  scene.body("crank", crank, Inertia::rod(kilograms("1"), metres("1"), 0).at({metres("0.5"), 0, 0}));
+  scene.body("coupler", coupler, Inertia::rod(kilograms("2"), metres("2"), 0).at({metres("1"), 0, 0}));
+  scene.body("rocker", rocker, Inertia::rod(kilograms("1.5"), metres("1.5"), 0).at({metres("0.75"), 0, 0}));
+  scene.gravity({0, unit("-9.81", "m/s^2"), 0});
+  const PointHandle tip = scene.point("tip", coupler, {metres("2"), 0, 0});
+  const PointHandle end = scene.point("end", rocker, {metres("1.5"), 0, 0});
+  scene.closure("x", tip, end, axis::x);
+  scene.closure("y", tip, end, axis::y);
+  scene.spring("spring", c, unit("3", "N m"), unit("1", "1"));
+  scene.damper("damper", b, unit("0.2", "N m s"));
+  scene.motor("u", a);
+  // The triangle over the crank by the cosine rule.
+  scene.initial(a, 1);
+  scene.initial(b, unit("-0.701107141659005", "rad"));
+  scene.initial(c, unit("1.264965395965706", "rad"));
+  return scene;
+}
+
+TEST(ReducedLinearisation, IsTheDerivativeOfTheFlowOfALoop) {
+  EXPECT_TRUE(expect_the_flow(
+      four_bar(), {{rational(1, 1), rational(-3, 10), rational(17, 10)}, {rational(3, 2)}, {rational(2, 5)}}));
+}
+
+/// A thin disc free by a quaternion, touching and rolling; a torque about its axis.
+Scene rolling_disc() {
+  Scene scene("rolling_disc");
+  const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m"), z = scene.coordinate("z", "m");
+  const AttitudeHandle e = scene.attitude("e");
+  const FrameHandle disc = scene.free("disc", scene.ground(), {x, y, z}, e);
+  scene.body("disc", disc, Inertia::disk(kilograms("2"), metres("0.5"), 2));
+  scene.gravity({0, 0, unit("-9.81", "m/s^2")});
+  const PointHandle touch = scene.disc_contact("touch", disc, axis::z, metres("0.5"), scene.ground());
+  scene.contact("touches", touch, scene.ground());
+  scene.rolling("rolls", disc, scene.ground(), touch, scene.ground());
+  scene.torque("wind", disc, {unit("0.1", "N m"), 0, unit("0.3", "N m")}, disc);
+  // Upright: turned by a right angle about x.
+  scene.initial(e, {1, 1, 0, 0});
+  scene.initial(z, metres("0.5"));
+  return scene;
+}
+
+TEST(ReducedLinearisation, IsTheDerivativeOfTheFlowOfARollingDiscByQuaternion) {
+  State state;
+  // Leaning and turning: (8, 5, 3, 1)/sqrt(99).
+  const Real norm = sqrt(Real(99));
+  state.q = {Real(0), Real(0), rational(2, 5), Real(8) / norm, Real(5) / norm, Real(3) / norm, Real(1) / norm};
+  state.v = {Real(0), Real(0), Real(0), rational(1, 3), rational(-2, 5), rational(7, 2)};
+  EXPECT_TRUE(expect_the_flow(rolling_disc(), state));
+}
+
+TEST(Linearisation, AlongAnAttitudeIsTheDerivativeOfTheFlow) {
+  Scene scene("top");
+  const AttitudeHandle e = scene.attitude("e");
+  const FrameHandle top = scene.spherical("top", scene.ground(), e);
+  scene.body("top", top,
+             Inertia::general(kilograms("2"), unit("0.3", "kg m^2"), unit("0.4", "kg m^2"), unit("0.2", "kg m^2"))
+                 .at({metres("0.1"), metres("0.2"), metres("0.7")}));
+  scene.gravity({0, 0, unit("-9.81", "m/s^2")});
+  State state;
+  const Real norm = sqrt(Real(30));
+  state.q = {Real(4) / norm, Real(-3) / norm, Real(1) / norm, Real(2) / norm};
+  state.v = {rational(3, 2), rational(-7, 5), rational(9, 4)};
+  EXPECT_TRUE(expect_the_flow(scene, state));
+}
+
+/// A pendulum on a trolley that a law of time and a nonholonomic law drag along.
+TEST(ReducedLinearisation, FollowsLawsOfTime) {
+  Scene scene("dragged");
+  const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m"), q = scene.coordinate("q", "rad");
+  const FrameHandle along = scene.prismatic("along", scene.ground(), axis::x, x);
+  const FrameHandle across = scene.prismatic("across", along, axis::y, y);
+  const FrameHandle arm = scene.revolute("arm", across, axis::z, q);
+  scene.body("trolley", across, Inertia::point(kilograms("3")));
+  scene.body("bob", arm, Inertia::point(kilograms("2")).at({metres("1.5"), metres("0.2"), 0}));
+  scene.gravity({0, unit("-9.81", "m/s^2"), 0});
+  const Expression metre = metres("1"), speed = unit("1", "m/s");
+  scene.holonomic("curve", y - metre * sin(x / metre) * cos(unit("2", "1/s") * scene.time()));
+  scene.nonholonomic(
+      "law", rate(x) - speed * cos(q) - unit("3", "m/s^2") * scene.time() * sin(y / metre) - rate(q) * metre / 5);
+  State state;
+  state.q = {rational(2, 3), Real(0), rational(-5, 4)};
+  state.v = {rational(1, 2), rational(1, 7), rational(3, 2)};
+  state.time = rational(3, 5);
+  EXPECT_TRUE(expect_the_flow(scene, state));
+}
+
+TEST(ReducedLinearisation, TakesTheMultipliersOutWhereFrictionWorksWithThem) {
+  Scene scene("sliding");
+  const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m"), q = scene.coordinate("q", "rad");
+  const FrameHandle along = scene.prismatic("along", scene.ground(), axis::x, x);
+  const FrameHandle across = scene.prismatic("across", along, axis::y, y);
+  const FrameHandle arm = scene.revolute("arm", across, axis::z, q);
+  scene.body("block", across, Inertia::point(kilograms("3")));
+  scene.body("bob", arm, Inertia::point(kilograms("2")).at({metres("1.5"), metres("0.2"), 0}));
+  scene.gravity({0, unit("-9.81", "m/s^2"), 0});
+  const PointHandle foot = scene.point("foot", across, {0, 0, 0});
+  const ConstraintHandle floor = scene.holonomic("floor", y - metres("0.3") * sin(x / metres("2")));
+  scene.sliding_friction("friction", floor, Expression(1) / 5, across, foot,
+                         {rate(x), unit("0.1", "m/s") * q + rate(y), 0}, scene.ground());
+  State state;
+  state.q = {rational(2, 3), Real(0), rational(-5, 4)};
+  state.v = {rational(1, 2), rational(1, 7), rational(3, 2)};
+  EXPECT_TRUE(expect_the_flow(scene, state));
+}
+
+TEST(ReducedLinearisation, IsTheDerivativeOfTheFlowOfRandomMechanisms) {
+  int constrained = 0;
+  for (unsigned seed = 700; seed < 730; ++seed) {
+    const Scene scene = random_mechanism(seed);
+    if (scene.content().constraints.empty()) continue;
+    const Equations equations(scene);
+    try {
+      if (equations.redundancy().redundant()) continue;
+      independent_freedoms(equations);
+    } catch (const SceneError&) {
+      continue;  // a start that no constraint was made for
+    }
+    State state;
+    for (std::size_t i = 0; i < equations.model().positions().size(); ++i) {
+      state.q.push_back(rational(static_cast<long>((i + 1) * 37 % 19) - 9, 17));
+      state.v.push_back(rational(static_cast<long>((i + 2) * 41 % 23) - 11, 13));
+    }
+    for (std::size_t i = 0; i < equations.model().inputs().size(); ++i) state.u.push_back(rational(3, 4));
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    constrained += expect_the_flow(scene, state) ? 1 : 0;
+  }
+  EXPECT_GE(constrained, 10);
+}
+
+TEST(IndependentFreedoms, AreThoseTheSceneWants) {
+  Scene scene = four_bar();
+  const auto chosen = [](const Scene& s) { return independent_freedoms(Equations(s)).coordinates; };
+  const auto coordinate = [](const Scene& s, std::size_t i) { return Expression(s.content().coordinates[i].q); };
+  for (std::size_t i = 0; i < 3; ++i) {
+    Scene wanting = scene;
+    wanting.independent({coordinate(scene, i)});
+    EXPECT_EQ(chosen(wanting), std::vector<std::size_t>{i});
+  }
+  scene.independent({coordinate(scene, 0), coordinate(scene, 1)});
+  EXPECT_EQ(
+      error_of<SceneError>([&] { chosen(scene); }),
+      "coordinate 'b' cannot be independent beside those named before it: the constraints determine it, or nearly, "
+      "at the initial configuration; leave it out of independent(...)");
+  Scene driven("driven");
+  const Expression q = driven.coordinate("q", "rad");
+  driven.drive(q, driven.time() * unit("1", "rad/s"));
+  EXPECT_EQ(error_of<SceneError>([&] { driven.independent({q}); }),
+            "coordinate 'q' is driven and cannot be independent: name an unknown one");
+}
+
+}  // namespace
+}  // namespace torsor
