@@ -13,7 +13,7 @@
 namespace torsor {
 namespace {
 
-constexpr int rank_digits = 50;
+constexpr int constraint_digits = 50;
 using Row = std::vector<Real>;
 
 Real product(const Row& a, const Row& b) {
@@ -243,7 +243,7 @@ class RankFinder {
     unsigned long long random = 20061;
     for (std::size_t i = 0; i < n_; ++i) {
       random = (random * 1103515245ULL + 12345ULL) % 2147483648ULL;
-      direction.push_back(Real(Number::rational(static_cast<int>(random % 2001ULL) - 1000, 1000), rank_digits));
+      direction.push_back(Real(Number::rational(static_cast<int>(random % 2001ULL) - 1000, 1000), constraint_digits));
     }
     for (const Row& n : normal.directions()) {
       const Real part = product(direction, n);
@@ -332,7 +332,7 @@ class RankFinder {
 }  // namespace
 
 ConstraintRank constraint_rank(const Scene& scene) {
-  const WorkingDigits precision(rank_digits);
+  const WorkingDigits precision(constraint_digits);
   return RankFinder(scene).find();
 }
 

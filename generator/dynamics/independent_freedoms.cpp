@@ -10,9 +10,9 @@
 namespace torsor {
 namespace {
 
-class Elimination {
+class FreedomElimination {
  public:
-  Elimination(std::vector<std::vector<Real>> rows, std::size_t freedoms)
+  FreedomElimination(std::vector<std::vector<Real>> rows, std::size_t freedoms)
       : rows_(std::move(rows)), dependent_(freedoms, false) {}
 
   /// Eliminates the rows one by one, best pivot first, with freedoms that are not `excluded`; false when none is left
@@ -74,11 +74,11 @@ IndependentFreedoms independent_freedoms(const Equations& equations) {
   std::vector<std::size_t> holonomic, others;
   for (const std::size_t j : rank.kept) (equations.constraints()[j].holonomic ? holonomic : others).push_back(j);
 
-  Elimination elimination(rank.scaled_rows, n);
+  FreedomElimination elimination(rank.scaled_rows, n);
   const auto eliminate = [&](const std::vector<std::size_t>& rows, const std::vector<bool>& excluded) {
-    Elimination attempt = elimination;
+    FreedomElimination attempt = elimination;
     const bool possible = attempt.run(rows, excluded);
-    return possible ? std::optional<Elimination>(attempt) : std::nullopt;
+    return possible ? std::optional<FreedomElimination>(attempt) : std::nullopt;
   };
   std::vector<bool> wanted(n, false);
   std::vector<std::size_t> order;
