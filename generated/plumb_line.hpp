@@ -286,7 +286,7 @@ struct Mechanism {
   /// Energies of the mechanism.
   struct Energy {
     Scalar kinetic;  ///< kinetic energy T [J]
-    Scalar force_function;  ///< force function U of gravity and springs [J]
+    Scalar force_function;  ///< force function U of gravity, springs, attractions and given functions [J]
     Scalar power;  ///< power of dampers, given forces and motors [W]
     static constexpr int size = 3;
     TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
