@@ -16,13 +16,19 @@ RandomState::RandomState(const Scene& scene, std::uint64_t seed) {
   const SceneContent& content = scene.content();
   values_[content.time.get()] = uniform(0, 2);
   Program program;
+  double inertia_factor = 0;  // moments and products of inertia keep their proportions: some others belong to no body
   for (const ParameterContent& parameter : content.parameters) {
     double scale = 1;
     if (parameter.value) {
       Evaluator<double> evaluate(program, in_double());
       scale = evaluate(program.lower(*parameter.value));
     }
-    values_[parameter.symbol.get()] = scale * uniform(0.5, 1.5);
+    double factor = uniform(0.5, 1.5);
+    if (parameter.symbol->unit == units::kilogram_metre_squared) {
+      if (inertia_factor == 0) inertia_factor = factor;
+      factor = inertia_factor;
+    }
+    values_[parameter.symbol.get()] = scale * factor;
   }
   for (const CoordinateContent& c : content.coordinates) {
     for (const SymbolPointer& symbol : {c.q, c.v, c.a}) values_[symbol.get()] = uniform(-2, 2);

@@ -13,7 +13,7 @@ namespace torsor {
 
 /// Pseudo-random values for the symbols of a scene, the same for every program that uses the scene and for every
 /// number type: each is a `double`, drawn from [-2, 2] with 20 bits for coordinates, rates, accelerations, inputs and
-/// multipliers, from [0, 2] for time. Parameters are scaled from their value by a factor in [1/2, 3/2]; those without
+/// multipliers, from [0, 2] for time. Parameters are scaled from their value by a factor in [1/2, 3/2], one for all moments of inertia; those without
 /// a value are in [1/2, 3/2]. Quaternions are normalised in the number type that is asked for.
 class RandomState {
  public:

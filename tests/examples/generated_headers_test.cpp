@@ -119,7 +119,7 @@ TEST(GeneratedHeaders, HideNoDoubleInTheInstanceForReal) {
 /// leaves without a power of five.
 bool is_binary(const std::string& fraction) {
   const std::size_t slash = fraction.find('/');
-  if (slash == std::string::npos) return false;
+  if (slash == std::string::npos || fraction.find(';') != std::string::npos) return false;  // roots come from no binary
   const torsor::Number denominator = torsor::Number::from_exact(fraction.substr(slash + 1));
   torsor::Number power = 1;
   while (power < denominator) power *= 2;
