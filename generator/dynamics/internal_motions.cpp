@@ -50,8 +50,6 @@ RealRow times(const RealRows& rows, const RealRow& x) {
   return result;
 }
 
-bool is_zero(const RealRow& row) { return std::all_of(row.begin(), row.end(), is_small); }
-
 std::string motion_text(const RealRows& twists) {
   const TwistClass found = recognise_twists(twists);
   if (!found.type) return fmt::format("moves with {} freedoms", found.freedoms);
@@ -106,7 +104,7 @@ void describe_internal_motions(Mobility& mobility, const std::vector<TwistEdge>&
   }
   const std::vector<RealRows> twists = body_twists(mobility, edges, blocked);
   int alone = 0;
-  std::vector<bool> moves_alone(twists.size(), false);
+  std::vector<int> alone_of(twists.size(), 0);
   for (std::size_t body = 1; body < twists.size(); ++body) {
     RealRows resting = closure;
     for (std::size_t other = 1; other < twists.size(); ++other) {
@@ -116,7 +114,7 @@ void describe_internal_motions(Mobility& mobility, const std::vector<TwistEdge>&
     for (const RealRow& x : kernel(resting, columns, twist_tolerance())) own.push_back(times(twists[body], x));
     const int freedoms = rank(own, 6, twist_tolerance());
     if (freedoms == 0) continue;
-    moves_alone[body] = true;
+    alone_of[body] = freedoms;
     alone += freedoms;
     mobility.internal.push_back({{mobility.graph.bodies[body].name}, freedoms, motion_text(own)});
   }
@@ -124,9 +122,10 @@ void describe_internal_motions(Mobility& mobility, const std::vector<TwistEdge>&
   if (together == 0) return;
   InternalMotion rest{{}, together, "move together"};
   for (std::size_t body = 1; body < twists.size(); ++body) {
-    const bool moves =
-        std::any_of(motions.begin(), motions.end(), [&](const RealRow& x) { return !is_zero(times(twists[body], x)); });
-    if (moves && !moves_alone[body]) rest.bodies.push_back(mobility.graph.bodies[body].name);
+    RealRows all;
+    for (const RealRow& x : motions) all.push_back(times(twists[body], x));
+    // What it cannot do alone, it does with others.
+    if (rank(all, 6, twist_tolerance()) > alone_of[body]) rest.bodies.push_back(mobility.graph.bodies[body].name);
   }
   mobility.internal.push_back(std::move(rest));
 }

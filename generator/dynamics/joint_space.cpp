@@ -238,6 +238,7 @@ RealPose JointSpace::place(const GraphJoint& joint) const {
     return {poses_[as_index(scene_->frame_index(content.a, joint.name))].rotation,
             poses_[as_index(scene_->frame_index(content.b, joint.name))].origin};
   }
+  if (joint.frames.empty()) return poses_[as_index(content.last)];  // a weld
   const Frame& first = frames_[as_index(joint.frames.front())];
   return {poses_[as_index(first.parent)].rotation * first.placement.rotation, poses_[as_index(joint.frames.back())].origin};
 }

@@ -91,7 +91,7 @@ std::optional<JointSpace> generic_near(const JointSpace& given, std::uint64_t se
     RealRow by(as_index(given.variable_count()), Real(0));
     for (const RealRow& freedom : freedoms) {
       const long parts = static_cast<long>(random() % 2001U) - 1000;
-      const Real amount(Number::rational(parts, attempt < 2 ? 4000 : 40000), rank_digits);
+      const Real amount(Number::rational(parts, attempt < 2 ? 4000 : 40000), mobility_digits);
       for (std::size_t v = 0; v < by.size(); ++v) by[v] += amount * freedom[v];
     }
     for (int conditions = rank_here; conditions <= most; ++conditions) {
@@ -154,7 +154,7 @@ MobilityCount count_mobility(int bodies, const std::vector<TwistEdge>& edges) {
 }
 
 Mobility analyse_mobility(const Scene& scene, const MobilityOptions& options) {
-  const WorkingDigits precision(rank_digits);
+  const WorkingDigits precision(mobility_digits);
   Mobility result;
   result.graph = structure_graph(scene);
   const StructureGraph& graph = result.graph;
@@ -178,7 +178,7 @@ Mobility analyse_mobility(const Scene& scene, const MobilityOptions& options) {
 }
 
 SceneFreedoms scene_freedoms(const Scene& scene) {
-  const WorkingDigits precision(rank_digits);
+  const WorkingDigits precision(mobility_digits);
   Program program(Model::resolver(scene, {}));
   const Model model(scene, program);
   InitialNumbers number(scene);

@@ -13,7 +13,7 @@
 namespace torsor {
 
 /// Digits in which ranks of mechanisms are decided.
-constexpr int rank_digits = 50;
+constexpr int mobility_digits = 50;
 
 /// A joint of a graph with the twists it allows, whatever it is made of.
 struct TwistEdge {

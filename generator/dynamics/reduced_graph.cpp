@@ -163,7 +163,7 @@ ReducedGraph reduce(const std::vector<std::string>& bodies, const std::vector<Tw
 }
 
 ReducedGraph reduced_graph(const Mobility& mobility) {
-  const WorkingDigits precision(rank_digits);
+  const WorkingDigits precision(mobility_digits);
   std::vector<std::string> bodies;
   for (const GraphBody& body : mobility.graph.bodies) bodies.push_back(body.name);
   ReducedGraph given = reduce(bodies, mobility.given_edges);

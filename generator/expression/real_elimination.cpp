@@ -25,8 +25,8 @@ Real product(const RealRow& a, const RealRow& b) {
 
 Real power_of_ten(int exponent) { return Real(Number(10).pow(exponent), Real::working_digits()); }
 
-Elimination eliminate(RealRows rows, int columns, const Real& tolerance, int largest_rank) {
-  Elimination result;
+RowReduction eliminate(RealRows rows, int columns, const Real& tolerance, int largest_rank) {
+  RowReduction result;
   const Real floor = largest_entry(rows) * tolerance;
   std::vector<int> origin(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) origin[i] = static_cast<int>(i);
@@ -65,7 +65,7 @@ Elimination eliminate(RealRows rows, int columns, const Real& tolerance, int lar
 int rank(const RealRows& rows, int columns, const Real& tolerance) { return eliminate(rows, columns, tolerance).rank; }
 
 RealRows kernel(const RealRows& rows, int columns, const Real& tolerance) {
-  const Elimination found = eliminate(rows, columns, tolerance);
+  const RowReduction found = eliminate(rows, columns, tolerance);
   std::vector<int> row_of(static_cast<std::size_t>(columns), -1);
   for (std::size_t k = 0; k < found.pivot_columns.size(); ++k) {
     row_of[static_cast<std::size_t>(found.pivot_columns[k])] = static_cast<int>(k);
@@ -94,7 +94,7 @@ RealRows transposed(const RealRows& rows, int columns) {
 std::optional<RealRow> solution(const RealRows& rows, const RealRow& right_side, int columns, const Real& tolerance) {
   RealRows both = rows;
   for (std::size_t i = 0; i < both.size(); ++i) both[i].push_back(right_side[i]);
-  const Elimination found = eliminate(both, columns + 1, tolerance);
+  const RowReduction found = eliminate(both, columns + 1, tolerance);
   // A combination that vanishes on the left only is a row (0 … 0 | 1): the right side's column is then in the span of
   // no others, which the ranks tell whatever pivots were taken.
   if (found.rank != rank(rows, columns, tolerance)) return std::nullopt;
@@ -104,7 +104,7 @@ std::optional<RealRow> solution(const RealRows& rows, const RealRow& right_side,
 RealRow least_norm_solution(const RealRows& rows, const RealRow& right_side, int columns, const Real& tolerance,
                             int largest_rank) {
   // x = Cᵀ y with C the independent rows: C Cᵀ y = c.
-  const Elimination found = eliminate(rows, columns, tolerance, largest_rank);
+  const RowReduction found = eliminate(rows, columns, tolerance, largest_rank);
   const std::size_t n = found.pivot_rows.size();
   RealRows normal(n, RealRow(n + 1));
   for (std::size_t i = 0; i < n; ++i) {

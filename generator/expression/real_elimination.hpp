@@ -17,7 +17,7 @@ Real power_of_ten(int exponent);
 /// What Gauss-Jordan elimination with complete pivoting finds: the largest entry left is the next pivot, and
 /// elimination stops when it is not above `tolerance` times the largest entry of the whole array. (Golub & Van Loan,
 /// Matrix Computations, 3.4.8.) Ranks are as sure as the gap between what was kept and what was dropped.
-struct Elimination {
+struct RowReduction {
   int rank = 0;
   RealRows reduced;                ///< `rank` rows, one for each pivot column, which is 1 there and 0 in the others
   std::vector<int> pivot_columns;  ///< in the order of `reduced`
@@ -26,7 +26,7 @@ struct Elimination {
 
 /// `columns` is the length of every row (an array may have no row). At most `largest_rank` pivots are taken when it is
 /// not negative.
-Elimination eliminate(RealRows rows, int columns, const Real& tolerance, int largest_rank = -1);
+RowReduction eliminate(RealRows rows, int columns, const Real& tolerance, int largest_rank = -1);
 
 int rank(const RealRows& rows, int columns, const Real& tolerance);
 

@@ -103,7 +103,8 @@ class Scene {
                    const Triple& position, const Triple& angles);
   FrameHandle free(const std::string& name, const FrameReference& parent, const Triple& position,
                    AttitudeHandle attitude);
-  /// Names the joint that moves a frame, where its own name is to be another one than the frame's (in graphs).
+  /// Names the joint that moves a frame, where its own name is to be another one than the frame's (in graphs). A weld
+  /// that is named is a joint between two bodies of the structure graph; any other makes one body of both.
   void name_joint(const FrameHandle& frame, const std::string& name);
 
   // --- points and bodies --------------------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "generator/expression/as_index.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/mechanics/scene.hpp"
 
@@ -189,8 +190,14 @@ void Scene::name_joint(const FrameHandle& frame, const std::string& name) {
     joint.name = name;
     return;
   }
-  throw SceneError(fmt::format("no joint to be named '{}': frame number {} is not what a joint of the tree moves", name,
-                               frame.index));
+  const FrameContent& welded = content_.frames.at(as_index(frame.index));
+  if (!welded.parent || welded.joint != JointKind::weld) {
+    throw SceneError(fmt::format("no joint to be named '{}': no joint of the tree ends at the frame '{}'", name,
+                                 welded.name));
+  }
+  claim(name, "joint");
+  content_.joints.push_back(
+      {name, JointType::weld, *welded.parent, frame, welded.placement, false, frame.index, frame.index, 0});
 }
 
 }  // namespace torsor

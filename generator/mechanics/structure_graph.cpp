@@ -67,11 +67,18 @@ class Builder {
     return f;
   }
 
-  /// Frames that do not move in their parents are of one group; its root is the frame that moves, or the ground.
+  bool is_named_weld(std::size_t f) const {
+    return std::any_of(scene_.joints.begin(), scene_.joints.end(), [f](const JointContent& joint) {
+      return joint.type == JointType::weld && !joint.closes_loop && as_index(joint.last) == f;
+    });
+  }
+
+  /// Frames that do not move in their parents are of one group; its root is the frame that moves, the ground, or the
+  /// end of a weld that is named as a joint.
   void gather_groups() {
     for (std::size_t f = 0; f < group_.size(); ++f) {
       const FrameContent& each = scene_.frames[f];
-      const bool rigid = each.parent && !moves(scene_, each);
+      const bool rigid = each.parent && !moves(scene_, each) && !is_named_weld(f);
       group_[f] = rigid ? frame(*each.parent) : static_cast<int>(f);
     }
   }
@@ -127,6 +134,10 @@ class Builder {
   /// One joint of the graph for each stretch between bodies.
   void add_pieces(StructureGraph& graph, int j) const {
     const JointContent& joint = scene_.joints[as_index(j)];
+    if (joint.type == JointType::weld) {
+      graph.joints.push_back({joint.name, joint.type, 0, body(joint.a), body(joint.b), false, j, {}});
+      return;
+    }
     std::vector<GraphJoint> pieces;
     int from = body(joint.a);
     GraphJoint piece;

@@ -48,8 +48,8 @@ int cyclomatic_number(int bodies, const std::vector<GraphEdge>& edges);
 
 /// Bodies and joints of a scene (Pommier, Dynamique des systèmes de solides, §3.5.4). Frames welded in the tree, and
 /// frames whose displacement is constant or a released coordinate, are one body; frames between the freedoms of one
-/// joint are none, unless an inertia or another joint is attached there. A weld that closes a loop is a joint with no
-/// freedom.
+/// joint are none, unless an inertia or another joint is attached there. A weld that closes a loop, or that is named as
+/// a joint (Scene::name_joint), is a joint with no freedom.
 struct StructureGraph {
   std::vector<GraphBody> bodies;
   std::vector<GraphJoint> joints;  ///< those of the tree first, then those that close loops

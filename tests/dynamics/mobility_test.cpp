@@ -117,6 +117,22 @@ TEST(Mobility, IsUsefulWhereTheNamedJointsAre) {
   EXPECT_THROW(analyse_mobility(absorber(), options), UsageError);
 }
 
+// An arm of two: blocked at the ground, the upper body turns alone, and both turn together about the lower joint.
+TEST(Mobility, TellsMotionsOfOneBodyFromThoseOfSeveral) {
+  Scene scene("arm");
+  const Expression a = scene.coordinate("a", "rad"), b = scene.coordinate("b", "rad"), d = scene.coordinate("d", "rad");
+  const FrameHandle base = scene.revolute("base", scene.ground(), axis::z, a);
+  const FrameHandle lower = scene.revolute("lower", base, axis::x, b, {{0, 0, metres("1")}, {}});
+  scene.revolute("upper", lower, axis::x, d, {{0, 0, metres("1")}, {}});
+  const Mobility mobility = analyse_mobility(scene);
+  EXPECT_EQ(mobility.given.internal, 2);
+  ASSERT_EQ(mobility.internal.size(), 2U);
+  EXPECT_EQ(mobility.internal[0].bodies, (Names{"upper"}));
+  EXPECT_EQ(mobility.internal[0].text, "turns about x");
+  EXPECT_EQ(mobility.internal[1].bodies, (Names{"lower", "upper"}));
+  EXPECT_EQ(mobility.internal[1].text, "move together");
+}
+
 // The same number by another road: rank of the constraints' Jacobian, which is derived from the closures as functions
 // of the coordinates, instead of twists around loops.
 TEST(Mobility, IsWhatTheConstraintsOfTheSceneLeave) {

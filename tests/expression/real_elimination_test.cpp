@@ -45,7 +45,7 @@ TEST_F(RealElimination, CountsIndependentRows) {
 }
 
 TEST_F(RealElimination, NamesIndependentRowsOfTheArrayGiven) {
-  const Elimination found = eliminate(rows({{0, 0, 0}, {1, 1, 0}, {5, 5, 0}, {0, 0, 1}}), 3, tolerance);
+  const RowReduction found = eliminate(rows({{0, 0, 0}, {1, 1, 0}, {5, 5, 0}, {0, 0, 1}}), 3, tolerance);
   ASSERT_EQ(found.rank, 2);
   EXPECT_EQ(found.pivot_rows, (std::vector<int>{2, 3}));
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "generator/expression/error.hpp"
 #include "tests/dynamics/loop_mechanisms.hpp"
 
 namespace torsor {
@@ -42,6 +43,26 @@ TEST(StructureGraph, CutsAJointWhereSomethingIsAttachedInsideIt) {
   EXPECT_FALSE(graph.joints[0].type);
   EXPECT_EQ(graph.joints[1].type, JointType::revolute);
   EXPECT_EQ(graph.bodies[1].parts, (Names{"carriage"}));
+}
+
+TEST(StructureGraph, MakesAJointOfAWeldThatHasAName) {
+  Scene scene("welded");
+  const Expression x = scene.coordinate("x", "m");
+  const FrameHandle cart = scene.prismatic("cart", scene.ground(), axis::x, x);
+  const FrameHandle mast = scene.weld("mast", cart, {{0, metres("1"), 0}, {}});
+  scene.weld("top", mast, {{0, metres("1"), 0}, {}});
+  EXPECT_EQ(structure_graph(scene).bodies.size(), 2U);
+  scene.name_joint(cart, "L1");
+  scene.name_joint(mast, "L2");
+  const StructureGraph graph = structure_graph(scene);
+  EXPECT_EQ(body_names(graph), (Names{"ground", "cart", "mast"}));
+  ASSERT_EQ(graph.joints.size(), 2U);
+  EXPECT_EQ(graph.joints[0].name, "L1");
+  EXPECT_EQ(graph.joints[1].name, "L2");
+  EXPECT_EQ(graph.joints[1].type, JointType::weld);
+  EXPECT_EQ(graph.joints[1].freedoms, 0);
+  EXPECT_EQ(graph.body_of_frame[3], 2);  // the top belongs to the mast
+  EXPECT_THROW(scene.name_joint(scene.ground(), "L3"), SceneError);
 }
 
 // A displacement that nothing changes is no freedom: released coordinates, constants.
