@@ -1,0 +1,1988 @@
+// SPDX-License-Identifier: MIT
+// model_making_press: Model-making press: two columns, a screw and two cups
+// Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
+// Free to embed under the MIT licence.
+//
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, constraints
+// Parameters set at run time: none
+//
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
+// moved across joints, factoring, and what is done once for a set of parameters:
+//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   kinematics               81              137          2             0                  2       0    224     224
+//   mass_matrix              16               36          0             0                  0       0     52      52
+//   bias                     55              102          0             0                  0       0    157     158
+//   inverse_dynamics        133              203          2             0                  1       0    340     341
+//   forward_dynamics        344              592          9             0                  1       0    947     996
+//   energy                   46               84          2             0                  0       0    132     144
+//   constraints             159              284          2             0                  1       0    447     503
+//
+// Not computed because this mechanism does not need it:
+//   kinematics: of 72 results 16 vanish identically, 10 repeat another up to sign
+//   mass_matrix: of 81 results 60 vanish identically, 6 repeat another up to sign
+//   forward_dynamics: of 19 results 4 vanish identically
+//   constraints: of 120 results 76 vanish identically, 1 repeat another up to sign
+//
+// Constraints:
+//   Constraints that repeat others are left out, their multipliers are 0: L2_z, L2_ry, L2_rz, L5_z.
+//   Indeterminate, as they are shared with those in a way that no motion tells: lambda_L3_z.
+//
+// To write this file again:
+//   model_making_press_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,constraints --output model_making_press.hpp
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#ifndef TORSOR_KERNEL_SUPPORT
+#define TORSOR_KERNEL_SUPPORT 1
+// Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
+#ifndef TORSOR_DEVICE
+#define TORSOR_DEVICE
+#endif
+
+namespace torsor {
+
+/// What a kernel says about its results; the larger, the worse.
+enum class Status : int { ok = 0, singular = 1, not_finite = 2 };
+
+/// What a kernel needs of its scalar. This one serves float and double; specialise it, once a header is included, for
+/// any other (a pack of several states, a high-precision number).
+template <class Scalar>
+struct scalar_traits {
+  static_assert(sizeof(Scalar) == sizeof(float) || sizeof(Scalar) == sizeof(double),
+                "specialise torsor::scalar_traits for a scalar that is neither float nor double");
+  static constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+
+  /// A number, rounded for either format. `exact` is "num/den", or "a;b;c;d" for a + b sqrt(2) + c sqrt(3) + d sqrt(6).
+  TORSOR_DEVICE static constexpr Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    return is_float ? static_cast<Scalar>(in_float) : static_cast<Scalar>(in_double);
+  }
+  /// The same for a number that is no such sum: a callable computes it where literals are not precise enough.
+  template <class Callable>
+  TORSOR_DEVICE static constexpr Scalar formula(double in_double, float in_float, const Callable&) noexcept {
+    return constant(in_double, in_float, nullptr);
+  }
+  TORSOR_DEVICE static constexpr Scalar pi() noexcept { return constant(3.141592653589793, 3.1415927f, nullptr); }
+  TORSOR_DEVICE static constexpr Scalar select(bool condition, Scalar if_true, Scalar if_false) noexcept {
+    return condition ? if_true : if_false;
+  }
+  TORSOR_DEVICE static void sincos(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
+    sine = std::sin(angle);
+    cosine = std::cos(angle);
+  }
+  TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
+  TORSOR_DEVICE static Scalar exp(const Scalar& x) noexcept { return std::exp(x); }
+  TORSOR_DEVICE static Scalar log(const Scalar& x) noexcept { return std::log(x); }
+  /// Whether a pivot is positive beyond the rounding of the diagonal entry it came from; not when it is not a number.
+  TORSOR_DEVICE static bool regular(const Scalar& pivot, const Scalar& diagonal) noexcept {
+    return pivot > constant(0x1p-52, 0x1p-23f, nullptr) * std::abs(diagonal);
+  }
+};
+
+}  // namespace torsor
+#elif TORSOR_KERNEL_SUPPORT != 1
+#error "headers of incompatible versions of torsor meet here: write them again with one version"
+#endif
+
+namespace model_making_press {
+
+/// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
+/// M a + h = E u + A' lambda and A a + gamma = 0, with a the accelerations and u the inputs; units are SI.
+template <class Scalar>
+struct Mechanism {
+  using traits = torsor::scalar_traits<Scalar>;
+
+  static constexpr const char* name = "model_making_press";
+  static constexpr int coordinate_count = 11;
+  static constexpr int velocity_count = 9;
+  static constexpr int input_count = 1;
+  static constexpr int parameter_count = 0;
+  static constexpr int multiplier_count = 10;
+  /// Indices in q of the first components (w) of the unit quaternions (w, x, y, z).
+  static constexpr int quaternion_count = 2;
+  static constexpr int quaternions[] = {2, 6};
+
+  /// Parameters that are set at run time.
+  struct Parameters {
+    static constexpr int size = 0;
+  };
+
+  /// Generalised coordinates q.
+  struct Coordinates {
+    Scalar a_z;  ///< coordinate [m]
+    Scalar a;  ///< coordinate [rad or 1]
+    Scalar lower_w;  ///< component of a unit quaternion [1]
+    Scalar lower_x;  ///< component of a unit quaternion [1]
+    Scalar lower_y;  ///< component of a unit quaternion [1]
+    Scalar lower_z;  ///< component of a unit quaternion [1]
+    Scalar upper_w;  ///< component of a unit quaternion [1]
+    Scalar upper_x;  ///< component of a unit quaternion [1]
+    Scalar upper_y;  ///< component of a unit quaternion [1]
+    Scalar upper_z;  ///< component of a unit quaternion [1]
+    Scalar omega_z;  ///< coordinate [rad or 1]
+    static constexpr int size = 11;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Coordinates::*member_(int i_) noexcept {
+      constexpr Scalar Coordinates::*members_[] = {&Coordinates::a_z, &Coordinates::a, &Coordinates::lower_w,
+          &Coordinates::lower_x, &Coordinates::lower_y, &Coordinates::lower_z, &Coordinates::upper_w,
+          &Coordinates::upper_x, &Coordinates::upper_y, &Coordinates::upper_z, &Coordinates::omega_z};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised velocities v; coordinate_rates gives dq/dt.
+  struct Velocities {
+    Scalar a_z;  ///< its rate [m/s]
+    Scalar a;  ///< its rate [rad/s]
+    Scalar lower_omega_x;  ///< angular velocity, in moving axes [rad/s]
+    Scalar lower_omega_y;  ///< angular velocity, in moving axes [rad/s]
+    Scalar lower_omega_z;  ///< angular velocity, in moving axes [rad/s]
+    Scalar upper_omega_x;  ///< angular velocity, in moving axes [rad/s]
+    Scalar upper_omega_y;  ///< angular velocity, in moving axes [rad/s]
+    Scalar upper_omega_z;  ///< angular velocity, in moving axes [rad/s]
+    Scalar omega_z;  ///< its rate [rad/s]
+    static constexpr int size = 9;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Velocities::*member_(int i_) noexcept {
+      constexpr Scalar Velocities::*members_[] = {&Velocities::a_z, &Velocities::a, &Velocities::lower_omega_x,
+          &Velocities::lower_omega_y, &Velocities::lower_omega_z, &Velocities::upper_omega_x,
+          &Velocities::upper_omega_y, &Velocities::upper_omega_z, &Velocities::omega_z};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised accelerations dv/dt.
+  struct Accelerations {
+    Scalar a_z;  ///< its second rate [m/s^2]
+    Scalar a;  ///< its second rate [rad/s^2]
+    Scalar lower_omega_x;  ///< its rate [rad/s^2]
+    Scalar lower_omega_y;  ///< its rate [rad/s^2]
+    Scalar lower_omega_z;  ///< its rate [rad/s^2]
+    Scalar upper_omega_x;  ///< its rate [rad/s^2]
+    Scalar upper_omega_y;  ///< its rate [rad/s^2]
+    Scalar upper_omega_z;  ///< its rate [rad/s^2]
+    Scalar omega_z;  ///< its second rate [rad/s^2]
+    static constexpr int size = 9;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Accelerations::*member_(int i_) noexcept {
+      constexpr Scalar Accelerations::*members_[] = {&Accelerations::a_z, &Accelerations::a,
+          &Accelerations::lower_omega_x, &Accelerations::lower_omega_y, &Accelerations::lower_omega_z,
+          &Accelerations::upper_omega_x, &Accelerations::upper_omega_y, &Accelerations::upper_omega_z,
+          &Accelerations::omega_z};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised forces, one along each coordinate.
+  struct GeneralizedForces {
+    Scalar a_z;  ///< works with the rate of a_z [N]
+    Scalar a;  ///< works with the rate of a [N m]
+    Scalar lower_omega_x;  ///< works with lower_omega_x [N m]
+    Scalar lower_omega_y;  ///< works with lower_omega_y [N m]
+    Scalar lower_omega_z;  ///< works with lower_omega_z [N m]
+    Scalar upper_omega_x;  ///< works with upper_omega_x [N m]
+    Scalar upper_omega_y;  ///< works with upper_omega_y [N m]
+    Scalar upper_omega_z;  ///< works with upper_omega_z [N m]
+    Scalar omega_z;  ///< works with the rate of omega_z [N m]
+    static constexpr int size = 9;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar GeneralizedForces::*member_(int i_) noexcept {
+      constexpr Scalar GeneralizedForces::*members_[] = {&GeneralizedForces::a_z, &GeneralizedForces::a,
+          &GeneralizedForces::lower_omega_x, &GeneralizedForces::lower_omega_y, &GeneralizedForces::lower_omega_z,
+          &GeneralizedForces::upper_omega_x, &GeneralizedForces::upper_omega_y, &GeneralizedForces::upper_omega_z,
+          &GeneralizedForces::omega_z};
+      return members_[i_];
+    }
+  };
+
+  /// Forces and torques of motors, set at each call.
+  struct Inputs {
+    Scalar C;  ///< motor [N m]
+    static constexpr int size = 1;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Inputs::*member_(int i_) noexcept {
+      constexpr Scalar Inputs::*members_[] = {&Inputs::C};
+      return members_[i_];
+    }
+  };
+
+  /// Multipliers of the constraints, or the reactions that enforce them.
+  struct Multipliers {
+    Scalar lambda_L2_y;  ///< of the constraint L2_y [N]
+    Scalar lambda_L2_z;  ///< indeterminate, of the constraint L2_z [N]
+    Scalar lambda_L2_ry;  ///< indeterminate, of the constraint L2_ry [N m]
+    Scalar lambda_L2_rz;  ///< indeterminate, of the constraint L2_rz [N m]
+    Scalar lambda_L3_z;  ///< indeterminate, of the constraint L3_z [N]
+    Scalar lambda_L3_rx;  ///< of the constraint L3_rx [N m]
+    Scalar lambda_L3_ry;  ///< of the constraint L3_ry [N m]
+    Scalar lambda_L5_z;  ///< indeterminate, of the constraint L5_z [N]
+    Scalar lambda_L5_rx;  ///< of the constraint L5_rx [N m]
+    Scalar lambda_L5_ry;  ///< of the constraint L5_ry [N m]
+    static constexpr int size = 10;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Multipliers::*member_(int i_) noexcept {
+      constexpr Scalar Multipliers::*members_[] = {&Multipliers::lambda_L2_y, &Multipliers::lambda_L2_z,
+          &Multipliers::lambda_L2_ry, &Multipliers::lambda_L2_rz, &Multipliers::lambda_L3_z, &Multipliers::lambda_L3_rx,
+          &Multipliers::lambda_L3_ry, &Multipliers::lambda_L5_z, &Multipliers::lambda_L5_rx,
+          &Multipliers::lambda_L5_ry};
+      return members_[i_];
+    }
+  };
+
+  /// Time [s], coordinates and velocities.
+  struct State {
+    Scalar time;
+    Coordinates q;
+    Velocities v;
+  };
+
+  /// Parameters and what depends on them only: built once for each set of parameters.
+  struct Precomputed {
+    Parameters parameters;
+  };
+
+  /// Values of the scene.
+  TORSOR_DEVICE static Parameters default_parameters() noexcept {
+    Parameters parameters{};
+    return parameters;
+  }
+
+  /// To be called again when a parameter changes.
+  TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
+    Precomputed precomputed{};
+    precomputed.parameters = parameters;
+    return precomputed;
+  }
+
+  /// The state the scene starts from, for these parameters.
+  TORSOR_DEVICE static State initial_state(const Parameters&) noexcept {
+    State state{};
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    state.time = n0;
+    state.q.a_z = n0;
+    state.q.a = n0;
+    state.q.lower_w = n1;
+    state.q.lower_x = n0;
+    state.q.lower_y = n0;
+    state.q.lower_z = n0;
+    state.q.upper_w = n1;
+    state.q.upper_x = n0;
+    state.q.upper_y = n0;
+    state.q.upper_z = n0;
+    state.q.omega_z = n0;
+    state.v.a_z = n0;
+    state.v.a = n0;
+    state.v.lower_omega_x = n0;
+    state.v.lower_omega_y = n0;
+    state.v.lower_omega_z = n0;
+    state.v.upper_omega_x = n0;
+    state.v.upper_omega_y = n0;
+    state.v.upper_omega_z = n0;
+    state.v.omega_z = n0;
+    return state;
+  }
+  TORSOR_DEVICE static State initial_state() noexcept { return initial_state(default_parameters()); }
+
+  /// Poses, twists and named points in ground axes.
+  struct Kinematics {
+    std::array<Scalar, 3> traverse_position;  ///< centre of mass of traverse [m]
+    std::array<Scalar, 9> traverse_rotation;  ///< from the axes of traverse to the ground's (3 x 3)
+    std::array<Scalar, 3> traverse_velocity;  ///< velocity of the centre of mass of traverse [m/s]
+    std::array<Scalar, 3> traverse_angular_velocity;  ///< angular velocity of traverse [rad/s]
+    std::array<Scalar, 3> screw_position;  ///< centre of mass of screw [m]
+    std::array<Scalar, 9> screw_rotation;  ///< from the axes of screw to the ground's (3 x 3)
+    std::array<Scalar, 3> screw_velocity;  ///< velocity of the centre of mass of screw [m/s]
+    std::array<Scalar, 3> screw_angular_velocity;  ///< angular velocity of screw [rad/s]
+    std::array<Scalar, 3> lower_cup_position;  ///< centre of mass of lower_cup [m]
+    std::array<Scalar, 9> lower_cup_rotation;  ///< from the axes of lower_cup to the ground's (3 x 3)
+    std::array<Scalar, 3> lower_cup_velocity;  ///< velocity of the centre of mass of lower_cup [m/s]
+    std::array<Scalar, 3> lower_cup_angular_velocity;  ///< angular velocity of lower_cup [rad/s]
+    std::array<Scalar, 3> upper_cup_position;  ///< centre of mass of upper_cup [m]
+    std::array<Scalar, 9> upper_cup_rotation;  ///< from the axes of upper_cup to the ground's (3 x 3)
+    std::array<Scalar, 3> upper_cup_velocity;  ///< velocity of the centre of mass of upper_cup [m/s]
+    std::array<Scalar, 3> upper_cup_angular_velocity;  ///< angular velocity of upper_cup [rad/s]
+  };
+
+  /// Energies of the mechanism.
+  struct Energy {
+    Scalar kinetic;  ///< kinetic energy T [J]
+    Scalar force_function;  ///< force function U of gravity and springs [J]
+    Scalar power;  ///< power of dampers, given forces and motors [W]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Energy::*member_(int i_) noexcept {
+      constexpr Scalar Energy::*members_[] = {&Energy::kinetic, &Energy::force_function, &Energy::power};
+      return members_[i_];
+    }
+  };
+
+  /// Constraints and their derivatives, one entry per multiplier.
+  struct Constraints {
+    std::array<Scalar, 10> value;  ///< f(q, t) of holonomic constraints, 0 for the others
+    std::array<Scalar, 10> rate;  ///< A v - b, df/dt for holonomic ones
+    std::array<Scalar, 90> jacobian;  ///< A, stored column by column (10 x 9)
+    std::array<Scalar, 10> gamma;  ///< d(A v - b)/dt at zero acceleration: A a + gamma = 0
+  };
+
+  /// dq/dt from v: the velocity itself for a coordinate, 1/2 e (0, omega) for a unit quaternion e with the angular
+  /// velocity omega in moving axes.
+  TORSOR_DEVICE static void coordinate_rates(const Precomputed&, const State& state,
+      std::array<Scalar, 11>& rates) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar v_a_z = state.v.a_z;
+    const Scalar v_a = state.v.a;
+    const Scalar q_lower_y = state.q.lower_y;
+    const Scalar q_lower_z = state.q.lower_z;
+    const Scalar q_lower_x = state.q.lower_x;
+    const Scalar q_lower_w = state.q.lower_w;
+    const Scalar v_lower_omega_x = state.v.lower_omega_x;
+    const Scalar v_lower_omega_y = state.v.lower_omega_y;
+    const Scalar v_lower_omega_z = state.v.lower_omega_z;
+    const Scalar q_upper_y = state.q.upper_y;
+    const Scalar q_upper_z = state.q.upper_z;
+    const Scalar q_upper_x = state.q.upper_x;
+    const Scalar q_upper_w = state.q.upper_w;
+    const Scalar v_upper_omega_x = state.v.upper_omega_x;
+    const Scalar v_upper_omega_y = state.v.upper_omega_y;
+    const Scalar v_upper_omega_z = state.v.upper_omega_z;
+    const Scalar v_omega_z = state.v.omega_z;
+    const Scalar z350 = n0_5 * (q_lower_z * v_lower_omega_x - q_lower_x * v_lower_omega_z + q_lower_w
+        * v_lower_omega_y);
+    const Scalar z351 = n0_5 * (q_lower_y * v_lower_omega_x - q_lower_x * v_lower_omega_y - q_lower_w
+        * v_lower_omega_z);
+    const Scalar z353 = n0_5 * (q_lower_y * v_lower_omega_z - q_lower_z * v_lower_omega_y + q_lower_w
+        * v_lower_omega_x);
+    const Scalar z354 = n0_5 * (q_lower_y * v_lower_omega_y + q_lower_z * v_lower_omega_z + q_lower_x
+        * v_lower_omega_x);
+    const Scalar z410 = n0_5 * (q_upper_z * v_upper_omega_x - q_upper_x * v_upper_omega_z + q_upper_w
+        * v_upper_omega_y);
+    const Scalar z411 = n0_5 * (q_upper_y * v_upper_omega_x - q_upper_x * v_upper_omega_y - q_upper_w
+        * v_upper_omega_z);
+    const Scalar z413 = n0_5 * (q_upper_y * v_upper_omega_z - q_upper_z * v_upper_omega_y + q_upper_w
+        * v_upper_omega_x);
+    const Scalar z414 = n0_5 * (q_upper_y * v_upper_omega_y + q_upper_z * v_upper_omega_z + q_upper_x
+        * v_upper_omega_x);
+    rates[0] = v_a_z;
+    rates[1] = v_a;
+    rates[2] = -z354;
+    rates[3] = z353;
+    rates[4] = z350;
+    rates[5] = -z351;
+    rates[6] = -z414;
+    rates[7] = z413;
+    rates[8] = z410;
+    rates[9] = -z411;
+    rates[10] = v_omega_z;
+  }
+
+  /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
+  /// matrices column by column.
+  TORSOR_DEVICE static void kinematics(const Precomputed&, const State& state, Kinematics& result) noexcept {
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_a_z = state.q.a_z;
+    const Scalar v_a_z = state.v.a_z;
+    const Scalar q_a = state.q.a;
+    const Scalar v_a = state.v.a;
+    const Scalar q_lower_y = state.q.lower_y;
+    const Scalar q_lower_z = state.q.lower_z;
+    const Scalar q_lower_x = state.q.lower_x;
+    const Scalar q_lower_w = state.q.lower_w;
+    const Scalar v_lower_omega_x = state.v.lower_omega_x;
+    const Scalar v_lower_omega_y = state.v.lower_omega_y;
+    const Scalar v_lower_omega_z = state.v.lower_omega_z;
+    const Scalar q_upper_y = state.q.upper_y;
+    const Scalar q_upper_z = state.q.upper_z;
+    const Scalar q_upper_x = state.q.upper_x;
+    const Scalar q_upper_w = state.q.upper_w;
+    const Scalar v_upper_omega_x = state.v.upper_omega_x;
+    const Scalar v_upper_omega_y = state.v.upper_omega_y;
+    const Scalar v_upper_omega_z = state.v.upper_omega_z;
+    const Scalar q_omega_z = state.q.omega_z;
+    const Scalar v_omega_z = state.v.omega_z;
+    Scalar s_a, c_a;
+    traits::sincos(q_a, s_a, c_a);
+    const Scalar z9 = n2 * q_lower_y * q_lower_y;
+    const Scalar z11 = n2 * q_lower_z * q_lower_z;
+    const Scalar z13 = n2 * q_lower_y * q_lower_x;
+    const Scalar z15 = n2 * q_lower_z * q_lower_w;
+    const Scalar z16 = n1 - z9 - z11;
+    const Scalar z17 = z13 - z15;
+    const Scalar z18 = z13 + z15;
+    const Scalar z19 = n2 * q_lower_x * q_lower_x;
+    const Scalar z20 = n2 * q_lower_y * q_lower_z;
+    const Scalar z21 = n2 * q_lower_x * q_lower_w;
+    const Scalar z22 = n1 - z11 - z19;
+    const Scalar z23 = z20 - z21;
+    const Scalar z24 = z20 + z21;
+    const Scalar z25 = n2 * q_lower_z * q_lower_x;
+    const Scalar z26 = n2 * q_lower_y * q_lower_w;
+    const Scalar z27 = n1 - z9 - z19;
+    const Scalar z28 = z25 - z26;
+    const Scalar z29 = z25 + z26;
+    const Scalar z37 = n2 * q_upper_y * q_upper_y;
+    const Scalar z39 = n2 * q_upper_z * q_upper_z;
+    const Scalar z41 = n2 * q_upper_y * q_upper_x;
+    const Scalar z43 = n2 * q_upper_z * q_upper_w;
+    const Scalar z44 = n1 - z37 - z39;
+    const Scalar z45 = z41 - z43;
+    const Scalar z46 = z41 + z43;
+    const Scalar z47 = n2 * q_upper_x * q_upper_x;
+    const Scalar z48 = n2 * q_upper_y * q_upper_z;
+    const Scalar z49 = n2 * q_upper_x * q_upper_w;
+    const Scalar z50 = n1 - z39 - z47;
+    const Scalar z51 = z48 - z49;
+    const Scalar z52 = z48 + z49;
+    const Scalar z53 = n2 * q_upper_z * q_upper_x;
+    const Scalar z54 = n2 * q_upper_y * q_upper_w;
+    const Scalar z55 = n1 - z37 - z47;
+    const Scalar z56 = z53 - z54;
+    const Scalar z57 = z53 + z54;
+    const Scalar pi = traits::pi();
+    Scalar s_omega_z, c_omega_z;
+    traits::sincos(q_omega_z, s_omega_z, c_omega_z);
+    const Scalar z71 = n0_1 * v_a;
+    const Scalar z72 = v_a * z28;
+    const Scalar z73 = v_a * z24;
+    const Scalar z74 = v_a * z27;
+    const Scalar z75 = v_a_z * z28 + z18 * z71;
+    const Scalar z76 = v_a_z * z24 + z22 * z71;
+    const Scalar z77 = v_a_z * z27 + z23 * z71;
+    const Scalar z78 = v_lower_omega_x + z72;  // angular velocity of lower_omega_x, x
+    const Scalar z79 = v_lower_omega_y + z73;  // angular velocity of lower_omega_y, y
+    const Scalar z80 = v_lower_omega_z + z74;  // angular velocity of lower_cup, z
+    const Scalar z81 = v_a * z56;
+    const Scalar z82 = v_a * z52;
+    const Scalar z83 = v_a * z55;
+    const Scalar z84 = v_a_z * z56 + z46 * z71;
+    const Scalar z85 = v_a_z * z52 + z50 * z71;
+    const Scalar z86 = v_a_z * z55 + z51 * z71;
+    const Scalar z87 = v_upper_omega_x + z81;  // angular velocity of upper_omega_x, x
+    const Scalar z88 = v_upper_omega_y + z82;  // angular velocity of upper_omega_y, y
+    const Scalar z89 = v_upper_omega_z + z83;  // angular velocity of upper_cup, z
+    const Scalar z90 = n0_002 * q_omega_z / pi;
+    const Scalar z91 = n0_002 * v_omega_z / pi;  // velocity of screw.1, z
+    const Scalar z92 = n0_1 * c_a;
+    const Scalar z93 = n0_1 * s_a;
+    const Scalar z94 = n0_1 - z92;
+    const Scalar z95 = s_a * z71;
+    const Scalar z96 = c_a * z71;
+    const Scalar z97 = s_a * z18 - c_a * z16;
+    const Scalar z98 = s_a * z16 + c_a * z18;
+    const Scalar z99 = s_a * z22 - c_a * z17;
+    const Scalar z100 = s_a * z17 + c_a * z22;
+    const Scalar z101 = s_a * z23 - c_a * z29;
+    const Scalar z102 = s_a * z29 + c_a * z23;
+    const Scalar z103 = z16 * z75 + z17 * z76 + z29 * z77;
+    const Scalar z104 = z18 * z75 + z22 * z76 + z23 * z77;
+    const Scalar z105 = z24 * z76 + z27 * z77 + z28 * z75;
+    const Scalar z106 = s_a * z104 - c_a * z103;
+    const Scalar z107 = s_a * z103 + c_a * z104;
+    const Scalar z108 = z16 * z78 + z17 * z79 + z29 * z80;
+    const Scalar z109 = z18 * z78 + z22 * z79 + z23 * z80;
+    const Scalar z110 = z24 * z79 + z27 * z80 + z28 * z78;
+    const Scalar z111 = s_a * z109 - c_a * z108;
+    const Scalar z112 = s_a * z108 + c_a * z109;
+    const Scalar z113 = s_a * z46 - c_a * z44;
+    const Scalar z114 = s_a * z44 + c_a * z46;
+    const Scalar z115 = s_a * z50 - c_a * z45;
+    const Scalar z116 = s_a * z45 + c_a * z50;
+    const Scalar z117 = s_a * z51 - c_a * z57;
+    const Scalar z118 = s_a * z57 + c_a * z51;
+    const Scalar z119 = z44 * z84 + z45 * z85 + z57 * z86;
+    const Scalar z120 = z46 * z84 + z50 * z85 + z51 * z86;
+    const Scalar z121 = z52 * z85 + z55 * z86 + z56 * z84;
+    const Scalar z122 = s_a * z120 - c_a * z119;
+    const Scalar z123 = s_a * z119 + c_a * z120;
+    const Scalar z124 = z44 * z87 + z45 * z88 + z57 * z89;
+    const Scalar z125 = z46 * z87 + z50 * z88 + z51 * z89;
+    const Scalar z126 = z52 * z88 + z55 * z89 + z56 * z87;
+    const Scalar z127 = s_a * z125 - c_a * z124;
+    const Scalar z128 = s_a * z124 + c_a * z125;
+    result.traverse_position[0] = -z94;
+    result.traverse_position[1] = z93;
+    result.traverse_position[2] = q_a_z;
+    result.traverse_rotation[0] = c_a;
+    result.traverse_rotation[1] = s_a;
+    result.traverse_rotation[2] = n0;
+    result.traverse_rotation[3] = -s_a;
+    result.traverse_rotation[4] = c_a;
+    result.traverse_rotation[5] = n0;
+    result.traverse_rotation[6] = n0;
+    result.traverse_rotation[7] = n0;
+    result.traverse_rotation[8] = n1;
+    result.traverse_velocity[0] = -z95;
+    result.traverse_velocity[1] = z96;
+    result.traverse_velocity[2] = v_a_z;
+    result.traverse_angular_velocity[0] = n0;
+    result.traverse_angular_velocity[1] = n0;
+    result.traverse_angular_velocity[2] = v_a;
+    result.screw_position[0] = n0;
+    result.screw_position[1] = n0;
+    result.screw_position[2] = z90;
+    result.screw_rotation[0] = c_omega_z;
+    result.screw_rotation[1] = s_omega_z;
+    result.screw_rotation[2] = n0;
+    result.screw_rotation[3] = -s_omega_z;
+    result.screw_rotation[4] = c_omega_z;
+    result.screw_rotation[5] = n0;
+    result.screw_rotation[6] = n0;
+    result.screw_rotation[7] = n0;
+    result.screw_rotation[8] = n1;
+    result.screw_velocity[0] = n0;
+    result.screw_velocity[1] = n0;
+    result.screw_velocity[2] = z91;
+    result.screw_angular_velocity[0] = n0;
+    result.screw_angular_velocity[1] = n0;
+    result.screw_angular_velocity[2] = v_omega_z;
+    result.lower_cup_position[0] = -z94;
+    result.lower_cup_position[1] = z93;
+    result.lower_cup_position[2] = q_a_z;
+    result.lower_cup_rotation[0] = -z97;
+    result.lower_cup_rotation[1] = z98;
+    result.lower_cup_rotation[2] = z28;
+    result.lower_cup_rotation[3] = -z99;
+    result.lower_cup_rotation[4] = z100;
+    result.lower_cup_rotation[5] = z24;
+    result.lower_cup_rotation[6] = -z101;
+    result.lower_cup_rotation[7] = z102;
+    result.lower_cup_rotation[8] = z27;
+    result.lower_cup_velocity[0] = -z106;
+    result.lower_cup_velocity[1] = z107;
+    result.lower_cup_velocity[2] = z105;
+    result.lower_cup_angular_velocity[0] = -z111;
+    result.lower_cup_angular_velocity[1] = z112;
+    result.lower_cup_angular_velocity[2] = z110;
+    result.upper_cup_position[0] = -z94;
+    result.upper_cup_position[1] = z93;
+    result.upper_cup_position[2] = q_a_z;
+    result.upper_cup_rotation[0] = -z113;
+    result.upper_cup_rotation[1] = z114;
+    result.upper_cup_rotation[2] = z56;
+    result.upper_cup_rotation[3] = -z115;
+    result.upper_cup_rotation[4] = z116;
+    result.upper_cup_rotation[5] = z52;
+    result.upper_cup_rotation[6] = -z117;
+    result.upper_cup_rotation[7] = z118;
+    result.upper_cup_rotation[8] = z55;
+    result.upper_cup_velocity[0] = -z122;
+    result.upper_cup_velocity[1] = z123;
+    result.upper_cup_velocity[2] = z121;
+    result.upper_cup_angular_velocity[0] = -z127;
+    result.upper_cup_angular_velocity[1] = z128;
+    result.upper_cup_angular_velocity[2] = z126;
+  }
+
+  /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
+  TORSOR_DEVICE static void mass_matrix(const Precomputed&, const State& state, std::array<Scalar, 81>& mass) noexcept {
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar k4 = traits::constant(1e-05, 1e-05f, "1/100000");
+    const Scalar n0_0002 = traits::constant(2e-04, 2e-04f, "1/5000");
+    const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
+    const Scalar n0_0001 = traits::constant(1e-04, 1e-04f, "1/10000");
+    const Scalar n0_84 = traits::constant(0.84, 0.84f, "21/25");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_lower_y = state.q.lower_y;
+    const Scalar q_lower_z = state.q.lower_z;
+    const Scalar q_lower_x = state.q.lower_x;
+    const Scalar q_lower_w = state.q.lower_w;
+    const Scalar q_upper_y = state.q.upper_y;
+    const Scalar q_upper_z = state.q.upper_z;
+    const Scalar q_upper_x = state.q.upper_x;
+    const Scalar q_upper_w = state.q.upper_w;
+    const Scalar z9 = n2 * q_lower_y * q_lower_y;
+    const Scalar z19 = n2 * q_lower_x * q_lower_x;
+    const Scalar z20 = n2 * q_lower_y * q_lower_z;
+    const Scalar z21 = n2 * q_lower_x * q_lower_w;
+    const Scalar z24 = z20 + z21;
+    const Scalar z25 = n2 * q_lower_z * q_lower_x;
+    const Scalar z26 = n2 * q_lower_y * q_lower_w;
+    const Scalar z27 = n1 - z9 - z19;
+    const Scalar z28 = z25 - z26;
+    const Scalar z37 = n2 * q_upper_y * q_upper_y;
+    const Scalar z47 = n2 * q_upper_x * q_upper_x;
+    const Scalar z48 = n2 * q_upper_y * q_upper_z;
+    const Scalar z49 = n2 * q_upper_x * q_upper_w;
+    const Scalar z52 = z48 + z49;
+    const Scalar z53 = n2 * q_upper_z * q_upper_x;
+    const Scalar z54 = n2 * q_upper_y * q_upper_w;
+    const Scalar z55 = n1 - z37 - z47;
+    const Scalar z56 = z53 - z54;
+    const Scalar pi = traits::pi();
+    const Scalar z68 = traits::formula(0.0006366197723675813, 0.00063661975f, [&]() -> Scalar {
+      return n0_002 / pi;
+    });
+    const Scalar z129 = traits::formula(0.0001909859317102744, 0.00019098593f, [&]() -> Scalar {
+      return n0_3 * z68;
+    });
+    const Scalar z132 = k4 * z55;
+    const Scalar z137 = k4 * z52;
+    const Scalar z142 = k4 * z56;
+    const Scalar z153 = z52 * z137 + z55 * z132 + z56 * z142;
+    const Scalar z155 = n0_0002 + z153;
+    const Scalar z157 = n0_01 + z155;
+    const Scalar z160 = k4 * z27;
+    const Scalar z165 = k4 * z24;
+    const Scalar z170 = k4 * z28;
+    const Scalar z181 = z24 * z165 + z27 * z160 + z28 * z170;
+    const Scalar z183 = n0_0002 + z181;
+    const Scalar z189 = z157 + z183;
+    const Scalar z201 = traits::formula(0.0001001215854203708, 0.000100121586f, [&]() -> Scalar {
+      return n0_0001 + z68 * z129;
+    });
+    mass[0] = n0_84;
+    mass[1] = n0;
+    mass[2] = n0;
+    mass[3] = n0;
+    mass[4] = n0;
+    mass[5] = n0;
+    mass[6] = n0;
+    mass[7] = n0;
+    mass[8] = n0;
+    mass[9] = n0;
+    mass[10] = z189;
+    mass[11] = z170;
+    mass[12] = z165;
+    mass[13] = z160;
+    mass[14] = z142;
+    mass[15] = z137;
+    mass[16] = z132;
+    mass[17] = n0;
+    mass[18] = n0;
+    mass[19] = z170;
+    mass[20] = k4;
+    mass[21] = n0;
+    mass[22] = n0;
+    mass[23] = n0;
+    mass[24] = n0;
+    mass[25] = n0;
+    mass[26] = n0;
+    mass[27] = n0;
+    mass[28] = z165;
+    mass[29] = n0;
+    mass[30] = k4;
+    mass[31] = n0;
+    mass[32] = n0;
+    mass[33] = n0;
+    mass[34] = n0;
+    mass[35] = n0;
+    mass[36] = n0;
+    mass[37] = z160;
+    mass[38] = n0;
+    mass[39] = n0;
+    mass[40] = k4;
+    mass[41] = n0;
+    mass[42] = n0;
+    mass[43] = n0;
+    mass[44] = n0;
+    mass[45] = n0;
+    mass[46] = z142;
+    mass[47] = n0;
+    mass[48] = n0;
+    mass[49] = n0;
+    mass[50] = k4;
+    mass[51] = n0;
+    mass[52] = n0;
+    mass[53] = n0;
+    mass[54] = n0;
+    mass[55] = z137;
+    mass[56] = n0;
+    mass[57] = n0;
+    mass[58] = n0;
+    mass[59] = n0;
+    mass[60] = k4;
+    mass[61] = n0;
+    mass[62] = n0;
+    mass[63] = n0;
+    mass[64] = z132;
+    mass[65] = n0;
+    mass[66] = n0;
+    mass[67] = n0;
+    mass[68] = n0;
+    mass[69] = n0;
+    mass[70] = k4;
+    mass[71] = n0;
+    mass[72] = n0;
+    mass[73] = n0;
+    mass[74] = n0;
+    mass[75] = n0;
+    mass[76] = n0;
+    mass[77] = n0;
+    mass[78] = n0;
+    mass[79] = n0;
+    mass[80] = z201;
+  }
+
+  /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
+  /// actions included. M a + h = E u + A' lambda.
+  TORSOR_DEVICE static void bias(const Precomputed&, const State& state, GeneralizedForces& forces) noexcept {
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
+    const Scalar n20000 = traits::constant(20000.0, 20000.0f, "20000/1");
+    const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
+    const Scalar k8 = traits::constant(1e-05, 1e-05f, "1/100000");
+    const Scalar n7_848 = traits::constant(7.848, 7.848f, "981/125");
+    const Scalar n2_943 = traits::constant(2.943, 2.943f, "2943/1000");
+    const Scalar q_a_z = state.q.a_z;
+    const Scalar v_a = state.v.a;
+    const Scalar q_lower_y = state.q.lower_y;
+    const Scalar q_lower_z = state.q.lower_z;
+    const Scalar q_lower_x = state.q.lower_x;
+    const Scalar q_lower_w = state.q.lower_w;
+    const Scalar v_lower_omega_x = state.v.lower_omega_x;
+    const Scalar v_lower_omega_y = state.v.lower_omega_y;
+    const Scalar v_lower_omega_z = state.v.lower_omega_z;
+    const Scalar q_upper_y = state.q.upper_y;
+    const Scalar q_upper_z = state.q.upper_z;
+    const Scalar q_upper_x = state.q.upper_x;
+    const Scalar q_upper_w = state.q.upper_w;
+    const Scalar v_upper_omega_x = state.v.upper_omega_x;
+    const Scalar v_upper_omega_y = state.v.upper_omega_y;
+    const Scalar v_upper_omega_z = state.v.upper_omega_z;
+    const Scalar v_omega_z = state.v.omega_z;
+    const Scalar z9 = n2 * q_lower_y * q_lower_y;
+    const Scalar z11 = n2 * q_lower_z * q_lower_z;
+    const Scalar z13 = n2 * q_lower_y * q_lower_x;
+    const Scalar z15 = n2 * q_lower_z * q_lower_w;
+    const Scalar z16 = n1 - z9 - z11;
+    const Scalar z17 = z13 - z15;
+    const Scalar z18 = z13 + z15;
+    const Scalar z19 = n2 * q_lower_x * q_lower_x;
+    const Scalar z20 = n2 * q_lower_y * q_lower_z;
+    const Scalar z21 = n2 * q_lower_x * q_lower_w;
+    const Scalar z22 = n1 - z11 - z19;
+    const Scalar z23 = z20 - z21;
+    const Scalar z24 = z20 + z21;
+    const Scalar z25 = n2 * q_lower_z * q_lower_x;
+    const Scalar z26 = n2 * q_lower_y * q_lower_w;
+    const Scalar z27 = n1 - z9 - z19;
+    const Scalar z28 = z25 - z26;
+    const Scalar z29 = z25 + z26;
+    const Scalar z37 = n2 * q_upper_y * q_upper_y;
+    const Scalar z39 = n2 * q_upper_z * q_upper_z;
+    const Scalar z41 = n2 * q_upper_y * q_upper_x;
+    const Scalar z43 = n2 * q_upper_z * q_upper_w;
+    const Scalar z44 = n1 - z37 - z39;
+    const Scalar z45 = z41 - z43;
+    const Scalar z46 = z41 + z43;
+    const Scalar z47 = n2 * q_upper_x * q_upper_x;
+    const Scalar z48 = n2 * q_upper_y * q_upper_z;
+    const Scalar z49 = n2 * q_upper_x * q_upper_w;
+    const Scalar z50 = n1 - z39 - z47;
+    const Scalar z51 = z48 - z49;
+    const Scalar z52 = z48 + z49;
+    const Scalar z53 = n2 * q_upper_z * q_upper_x;
+    const Scalar z54 = n2 * q_upper_y * q_upper_w;
+    const Scalar z55 = n1 - z37 - z47;
+    const Scalar z56 = z53 - z54;
+    const Scalar z57 = z53 + z54;
+    const Scalar pi = traits::pi();
+    const Scalar z68 = traits::formula(0.0006366197723675813, 0.00063661975f, [&]() -> Scalar {
+      return n0_002 / pi;
+    });
+    const Scalar z72 = v_a * z28;
+    const Scalar z73 = v_a * z24;
+    const Scalar z74 = v_a * z27;
+    const Scalar z81 = v_a * z56;
+    const Scalar z82 = v_a * z52;
+    const Scalar z83 = v_a * z55;
+    const Scalar z202 = n20000 * q_a_z;
+    const Scalar z203 = n0_0005 * v_omega_z;
+    const Scalar z205 = v_a * v_a;
+    const Scalar z206 = n0_1 * z205;
+    const Scalar z207 = z16 * z206 - n9_81 * z28;
+    const Scalar z208 = z17 * z206 - n9_81 * z24;
+    const Scalar z209 = n9_81 * z27 - z29 * z206;
+    const Scalar z210 = v_lower_omega_x * z74;  // angular acceleration of lower_omega_x, y
+    const Scalar z211 = v_lower_omega_x * z73;  // angular acceleration of lower_omega_x, z
+    const Scalar z212 = v_lower_omega_y * z74;  // angular acceleration of lower_omega_y, x
+    const Scalar z213 = v_lower_omega_y * z72 - z211;  // angular acceleration of lower_omega_y, z
+    const Scalar z214 = v_lower_omega_z * z73 - z212;  // angular acceleration of lower_cup, x
+    const Scalar z215 = v_lower_omega_z * z72 - z210;  // angular acceleration of lower_cup, y
+    const Scalar z216 = z44 * z206 - n9_81 * z56;
+    const Scalar z217 = z45 * z206 - n9_81 * z52;
+    const Scalar z218 = n9_81 * z55 - z57 * z206;
+    const Scalar z219 = v_upper_omega_x * z83;  // angular acceleration of upper_omega_x, y
+    const Scalar z220 = v_upper_omega_x * z82;  // angular acceleration of upper_omega_x, z
+    const Scalar z221 = v_upper_omega_y * z83;  // angular acceleration of upper_omega_y, x
+    const Scalar z222 = v_upper_omega_y * z81 - z220;  // angular acceleration of upper_omega_y, z
+    const Scalar z223 = v_upper_omega_z * z82 - z221;  // angular acceleration of upper_cup, x
+    const Scalar z224 = v_upper_omega_z * z81 - z219;  // angular acceleration of upper_cup, y
+    const Scalar z225 = n0_02 * z216;  // force on upper_cup, x
+    const Scalar z226 = n0_02 * z217;  // force on upper_cup, y
+    const Scalar z227 = n0_02 * z218;  // force on upper_cup, z
+    const Scalar z228 = k8 * z223;  // moment on upper_cup, x
+    const Scalar z229 = k8 * z224;  // moment on upper_cup, y
+    const Scalar z230 = k8 * z222;  // moment on upper_cup, z
+    const Scalar z232 = z46 * z225 + z50 * z226 - z51 * z227;
+    const Scalar z233 = z52 * z226 - z55 * z227 + z56 * z225;
+    const Scalar z236 = z52 * z229 - z55 * z230 - z56 * z228;
+    const Scalar z237 = n0_02 * z207;  // force on lower_cup, x
+    const Scalar z238 = n0_02 * z208;  // force on lower_cup, y
+    const Scalar z239 = n0_02 * z209;  // force on lower_cup, z
+    const Scalar z240 = k8 * z214;  // moment on lower_cup, x
+    const Scalar z241 = k8 * z215;  // moment on lower_cup, y
+    const Scalar z242 = k8 * z213;  // moment on lower_cup, z
+    const Scalar z244 = z18 * z237 + z22 * z238 - z23 * z239;
+    const Scalar z245 = z24 * z238 - z27 * z239 + z28 * z237;
+    const Scalar z248 = z24 * z241 - z27 * z242 - z28 * z240;
+    const Scalar z251 = z233 + z245;  // force on ring_A, z
+    const Scalar z254 = n0_1 * (z232 + z244) + z236 + z248;  // moment on ring_A, z
+    const Scalar z259 = n7_848 - z251;  // force on ring_A.1, z
+    const Scalar z260 = z202 + z259;
+    const Scalar z261 = n2_943 * z68 + z203;
+    forces.a_z = z260;
+    forces.a = -z254;
+    forces.lower_omega_x = z240;
+    forces.lower_omega_y = -z241;
+    forces.lower_omega_z = z242;
+    forces.upper_omega_x = z228;
+    forces.upper_omega_y = -z229;
+    forces.upper_omega_z = z230;
+    forces.omega_z = z261;
+  }
+
+  /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
+  TORSOR_DEVICE static void inverse_dynamics(const Precomputed&, const State& state, const Accelerations& accelerations,
+      const Multipliers& multipliers, GeneralizedForces& forces) noexcept {
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar n20000 = traits::constant(20000.0, 20000.0f, "20000/1");
+    const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0_0001 = traits::constant(1e-04, 1e-04f, "1/10000");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
+    const Scalar k10 = traits::constant(1e-05, 1e-05f, "1/100000");
+    const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
+    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    const Scalar q_a_z = state.q.a_z;
+    const Scalar a_a_z = accelerations.a_z;
+    const Scalar q_a = state.q.a;
+    const Scalar v_a = state.v.a;
+    const Scalar a_a = accelerations.a;
+    const Scalar q_lower_y = state.q.lower_y;
+    const Scalar q_lower_z = state.q.lower_z;
+    const Scalar q_lower_x = state.q.lower_x;
+    const Scalar q_lower_w = state.q.lower_w;
+    const Scalar v_lower_omega_x = state.v.lower_omega_x;
+    const Scalar a_lower_omega_x = accelerations.lower_omega_x;
+    const Scalar v_lower_omega_y = state.v.lower_omega_y;
+    const Scalar a_lower_omega_y = accelerations.lower_omega_y;
+    const Scalar v_lower_omega_z = state.v.lower_omega_z;
+    const Scalar a_lower_omega_z = accelerations.lower_omega_z;
+    const Scalar q_upper_y = state.q.upper_y;
+    const Scalar q_upper_z = state.q.upper_z;
+    const Scalar q_upper_x = state.q.upper_x;
+    const Scalar q_upper_w = state.q.upper_w;
+    const Scalar v_upper_omega_x = state.v.upper_omega_x;
+    const Scalar a_upper_omega_x = accelerations.upper_omega_x;
+    const Scalar v_upper_omega_y = state.v.upper_omega_y;
+    const Scalar a_upper_omega_y = accelerations.upper_omega_y;
+    const Scalar v_upper_omega_z = state.v.upper_omega_z;
+    const Scalar a_upper_omega_z = accelerations.upper_omega_z;
+    const Scalar q_omega_z = state.q.omega_z;
+    const Scalar v_omega_z = state.v.omega_z;
+    const Scalar a_omega_z = accelerations.omega_z;
+    const Scalar l_lambda_L2_y = multipliers.lambda_L2_y;
+    const Scalar l_lambda_L2_z = multipliers.lambda_L2_z;
+    const Scalar l_lambda_L3_z = multipliers.lambda_L3_z;
+    const Scalar l_lambda_L3_rx = multipliers.lambda_L3_rx;
+    const Scalar l_lambda_L3_ry = multipliers.lambda_L3_ry;
+    const Scalar l_lambda_L5_z = multipliers.lambda_L5_z;
+    const Scalar l_lambda_L5_rx = multipliers.lambda_L5_rx;
+    const Scalar l_lambda_L5_ry = multipliers.lambda_L5_ry;
+    Scalar s_a, c_a;
+    traits::sincos(q_a, s_a, c_a);
+    const Scalar z9 = n2 * q_lower_y * q_lower_y;
+    const Scalar z11 = n2 * q_lower_z * q_lower_z;
+    const Scalar z13 = n2 * q_lower_y * q_lower_x;
+    const Scalar z15 = n2 * q_lower_z * q_lower_w;
+    const Scalar z16 = n1 - z9 - z11;
+    const Scalar z17 = z13 - z15;
+    const Scalar z18 = z13 + z15;
+    const Scalar z19 = n2 * q_lower_x * q_lower_x;
+    const Scalar z20 = n2 * q_lower_y * q_lower_z;
+    const Scalar z21 = n2 * q_lower_x * q_lower_w;
+    const Scalar z22 = n1 - z11 - z19;
+    const Scalar z23 = z20 - z21;
+    const Scalar z24 = z20 + z21;
+    const Scalar z25 = n2 * q_lower_z * q_lower_x;
+    const Scalar z26 = n2 * q_lower_y * q_lower_w;
+    const Scalar z27 = n1 - z9 - z19;
+    const Scalar z28 = z25 - z26;
+    const Scalar z29 = z25 + z26;
+    const Scalar z37 = n2 * q_upper_y * q_upper_y;
+    const Scalar z39 = n2 * q_upper_z * q_upper_z;
+    const Scalar z41 = n2 * q_upper_y * q_upper_x;
+    const Scalar z43 = n2 * q_upper_z * q_upper_w;
+    const Scalar z44 = n1 - z37 - z39;
+    const Scalar z45 = z41 - z43;
+    const Scalar z46 = z41 + z43;
+    const Scalar z47 = n2 * q_upper_x * q_upper_x;
+    const Scalar z48 = n2 * q_upper_y * q_upper_z;
+    const Scalar z49 = n2 * q_upper_x * q_upper_w;
+    const Scalar z50 = n1 - z39 - z47;
+    const Scalar z51 = z48 - z49;
+    const Scalar z52 = z48 + z49;
+    const Scalar z53 = n2 * q_upper_z * q_upper_x;
+    const Scalar z54 = n2 * q_upper_y * q_upper_w;
+    const Scalar z55 = n1 - z37 - z47;
+    const Scalar z56 = z53 - z54;
+    const Scalar z57 = z53 + z54;
+    const Scalar pi = traits::pi();
+    const Scalar z68 = traits::formula(0.0006366197723675813, 0.00063661975f, [&]() -> Scalar {
+      return n0_002 / pi;
+    });
+    const Scalar z72 = v_a * z28;
+    const Scalar z73 = v_a * z24;
+    const Scalar z74 = v_a * z27;
+    const Scalar z81 = v_a * z56;
+    const Scalar z82 = v_a * z52;
+    const Scalar z83 = v_a * z55;
+    const Scalar z90 = n0_002 * q_omega_z / pi;
+    const Scalar z92 = n0_1 * c_a;
+    const Scalar z93 = n0_1 * s_a;
+    const Scalar z94 = n0_1 - z92;
+    const Scalar z202 = n20000 * q_a_z;
+    const Scalar z203 = n0_0005 * v_omega_z;
+    const Scalar z205 = v_a * v_a;
+    const Scalar z206 = n0_1 * z205;
+    const Scalar z262 = n9_81 + a_a_z;
+    const Scalar z263 = a_a * z28;
+    const Scalar z264 = a_a * z24;
+    const Scalar z265 = a_a * z27;
+    const Scalar z266 = n0_1 * a_a;
+    const Scalar z267 = z16 * z206 - z18 * z266 - z28 * z262;
+    const Scalar z268 = z17 * z206 - z22 * z266 - z24 * z262;
+    const Scalar z269 = z23 * z266 + z27 * z262 - z29 * z206;
+    const Scalar z270 = a_lower_omega_x + z263;  // angular acceleration of lower_omega_x, x
+    const Scalar z271 = v_lower_omega_x * z74 + z264;  // angular acceleration of lower_omega_x, y
+    const Scalar z272 = v_lower_omega_x * z73 - z265;  // angular acceleration of lower_omega_x, z
+    const Scalar z273 = v_lower_omega_y * z74 - z270;  // angular acceleration of lower_omega_y, x
+    const Scalar z274 = a_lower_omega_y + z271;  // angular acceleration of lower_omega_y, y
+    const Scalar z275 = v_lower_omega_y * z72 - z272;  // angular acceleration of lower_omega_y, z
+    const Scalar z276 = v_lower_omega_z * z73 - z273;  // angular acceleration of lower_cup, x
+    const Scalar z277 = v_lower_omega_z * z72 - z274;  // angular acceleration of lower_cup, y
+    const Scalar z278 = a_lower_omega_z + z275;  // angular acceleration of lower_cup, z
+    const Scalar z279 = a_a * z56;
+    const Scalar z280 = a_a * z52;
+    const Scalar z281 = a_a * z55;
+    const Scalar z282 = z44 * z206 - z46 * z266 - z56 * z262;
+    const Scalar z283 = z45 * z206 - z50 * z266 - z52 * z262;
+    const Scalar z284 = z51 * z266 + z55 * z262 - z57 * z206;
+    const Scalar z285 = a_upper_omega_x + z279;  // angular acceleration of upper_omega_x, x
+    const Scalar z286 = v_upper_omega_x * z83 + z280;  // angular acceleration of upper_omega_x, y
+    const Scalar z287 = v_upper_omega_x * z82 - z281;  // angular acceleration of upper_omega_x, z
+    const Scalar z288 = v_upper_omega_y * z83 - z285;  // angular acceleration of upper_omega_y, x
+    const Scalar z289 = a_upper_omega_y + z286;  // angular acceleration of upper_omega_y, y
+    const Scalar z290 = v_upper_omega_y * z81 - z287;  // angular acceleration of upper_omega_y, z
+    const Scalar z291 = v_upper_omega_z * z82 - z288;  // angular acceleration of upper_cup, x
+    const Scalar z292 = v_upper_omega_z * z81 - z289;  // angular acceleration of upper_cup, y
+    const Scalar z293 = a_upper_omega_z + z290;  // angular acceleration of upper_cup, z
+    const Scalar z294 = n9_81 + n0_002 * a_omega_z / pi;
+    const Scalar z295 = n0_0001 * a_omega_z;  // moment on screw, z
+    const Scalar z296 = n0_3 * z294;  // force on screw.1, z
+    const Scalar z297 = n0_02 * z282;  // force on upper_cup, x
+    const Scalar z298 = n0_02 * z283;  // force on upper_cup, y
+    const Scalar z299 = n0_02 * z284;  // force on upper_cup, z
+    const Scalar z300 = k10 * z291;  // moment on upper_cup, x
+    const Scalar z301 = k10 * z292;  // moment on upper_cup, y
+    const Scalar z302 = k10 * z293;  // moment on upper_cup, z
+    const Scalar z304 = z46 * z297 + z50 * z298 - z51 * z299;
+    const Scalar z305 = z52 * z298 - z55 * z299 + z56 * z297;
+    const Scalar z308 = z52 * z301 - z55 * z302 - z56 * z300;
+    const Scalar z309 = n0_02 * z267;  // force on lower_cup, x
+    const Scalar z310 = n0_02 * z268;  // force on lower_cup, y
+    const Scalar z311 = n0_02 * z269;  // force on lower_cup, z
+    const Scalar z312 = k10 * z276;  // moment on lower_cup, x
+    const Scalar z313 = k10 * z277;  // moment on lower_cup, y
+    const Scalar z314 = k10 * z278;  // moment on lower_cup, z
+    const Scalar z316 = z18 * z309 + z22 * z310 - z23 * z311;
+    const Scalar z317 = z24 * z310 - z27 * z311 + z28 * z309;
+    const Scalar z320 = z24 * z313 - z27 * z314 - z28 * z312;
+    const Scalar z323 = z305 + z317;  // force on ring_A, z
+    const Scalar z326 = -n0_1 * (z304 + z316) + n0_01 * a_a - z308 - z320;  // moment on ring_A, z
+    const Scalar z331 = n0_8 * z262 - z323;  // force on ring_A.1, z
+    const Scalar z332 = z202 + z331;
+    const Scalar z333 = z68 * z296 + z203 + z295;
+    const Scalar z334 = n0_2 * c_a;
+    const Scalar z335 = n0_2 * s_a;
+    const Scalar z346 = q_a_z - z90;
+    const Scalar z367 = z23 * z92 + z29 * z93;
+    const Scalar z368 = q_lower_y * q_lower_y - q_lower_z * q_lower_z;
+    const Scalar z369 = q_lower_x * q_lower_x - q_lower_w * q_lower_w;
+    const Scalar z370 = z368 - z369;
+    const Scalar z371 = q_lower_y * q_lower_x - q_lower_z * q_lower_w;
+    const Scalar z372 = n2 * z371;
+    const Scalar z373 = z24 * z346 + z93 * z370 + z94 * z372;
+    const Scalar z374 = q_lower_y * q_lower_x + q_lower_z * q_lower_w;
+    const Scalar z375 = n2 * z374;
+    const Scalar z376 = q_lower_z * q_lower_z - q_lower_x * q_lower_x;
+    const Scalar z377 = q_lower_y * q_lower_y - q_lower_w * q_lower_w;
+    const Scalar z378 = z376 + z377;
+    const Scalar z379 = z28 * z346 + z93 * z375 - z94 * z378;
+    const Scalar z380 = q_lower_y * q_lower_w - q_lower_z * q_lower_x;
+    const Scalar z381 = q_lower_y * q_lower_z + q_lower_x * q_lower_w;
+    const Scalar z382 = z27 * z68;
+    const Scalar z400 = z368 + z369;
+    const Scalar z401 = n2 * z380;
+    const Scalar z404 = z376 - z377;
+    const Scalar z405 = n2 * z381;
+    const Scalar z424 = z51 * z92 + z57 * z93;
+    const Scalar z425 = q_upper_y * q_upper_y - q_upper_z * q_upper_z;
+    const Scalar z426 = q_upper_x * q_upper_x - q_upper_w * q_upper_w;
+    const Scalar z427 = z425 - z426;
+    const Scalar z428 = q_upper_y * q_upper_x - q_upper_z * q_upper_w;
+    const Scalar z429 = n2 * z428;
+    const Scalar z430 = z52 * z346 + z93 * z427 + z94 * z429;
+    const Scalar z431 = q_upper_y * q_upper_x + q_upper_z * q_upper_w;
+    const Scalar z432 = n2 * z431;
+    const Scalar z433 = q_upper_z * q_upper_z - q_upper_x * q_upper_x;
+    const Scalar z434 = q_upper_y * q_upper_y - q_upper_w * q_upper_w;
+    const Scalar z435 = z433 + z434;
+    const Scalar z436 = z56 * z346 + z93 * z432 - z94 * z435;
+    const Scalar z437 = q_upper_y * q_upper_w - q_upper_z * q_upper_x;
+    const Scalar z438 = q_upper_y * q_upper_z + q_upper_x * q_upper_w;
+    const Scalar z439 = z55 * z68;
+    const Scalar z455 = z425 + z426;
+    const Scalar z456 = n2 * z437;
+    const Scalar z459 = z433 - z434;
+    const Scalar z460 = n2 * z438;
+    forces.a_z = z27 * l_lambda_L3_z + z55 * l_lambda_L5_z + z332;
+    forces.a = z326 - z334 * l_lambda_L2_y - z335 * l_lambda_L2_z + z367 * l_lambda_L3_z + z424 * l_lambda_L5_z;
+    forces.lower_omega_x = z312 - z373 * l_lambda_L3_z - z400 * l_lambda_L3_rx;
+    forces.lower_omega_y = -z313 + z379 * l_lambda_L3_z + z404 * l_lambda_L3_ry;
+    forces.lower_omega_z = z314 + z401 * l_lambda_L3_rx - z405 * l_lambda_L3_ry;
+    forces.upper_omega_x = z300 - z430 * l_lambda_L5_z - z455 * l_lambda_L5_rx;
+    forces.upper_omega_y = -z301 + z436 * l_lambda_L5_z + z459 * l_lambda_L5_ry;
+    forces.upper_omega_z = z302 + z456 * l_lambda_L5_rx - z460 * l_lambda_L5_ry;
+    forces.omega_z = z333 - z382 * l_lambda_L3_z - z439 * l_lambda_L5_z;
+  }
+
+  /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
+  /// an unrolled L D L' of M and of the Schur complement A M^-1 A'. Returns singular when a pivot is not
+  /// positive relative to its diagonal entry.
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs& inputs,
+      Accelerations& accelerations, Multipliers& multipliers) noexcept {
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar k5 = traits::constant(1e-05, 1e-05f, "1/100000");
+    const Scalar n0_0002 = traits::constant(2e-04, 2e-04f, "1/5000");
+    const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
+    const Scalar n0_0001 = traits::constant(1e-04, 1e-04f, "1/10000");
+    const Scalar n20000 = traits::constant(20000.0, 20000.0f, "20000/1");
+    const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
+    const Scalar n7_848 = traits::constant(7.848, 7.848f, "981/125");
+    const Scalar n2_943 = traits::constant(2.943, 2.943f, "2943/1000");
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n4 = traits::constant(4.0, 4.0f, "4/1");
+    const Scalar n100000 = traits::constant(1e+05, 1e+05f, "100000/1");
+    const Scalar n25_over_21 = traits::constant(1.1904761904761905, 1.1904762f, "25/21");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_a_z = state.q.a_z;
+    const Scalar v_a_z = state.v.a_z;
+    const Scalar q_a = state.q.a;
+    const Scalar v_a = state.v.a;
+    const Scalar q_lower_y = state.q.lower_y;
+    const Scalar q_lower_z = state.q.lower_z;
+    const Scalar q_lower_x = state.q.lower_x;
+    const Scalar q_lower_w = state.q.lower_w;
+    const Scalar v_lower_omega_x = state.v.lower_omega_x;
+    const Scalar v_lower_omega_y = state.v.lower_omega_y;
+    const Scalar v_lower_omega_z = state.v.lower_omega_z;
+    const Scalar q_upper_y = state.q.upper_y;
+    const Scalar q_upper_z = state.q.upper_z;
+    const Scalar q_upper_x = state.q.upper_x;
+    const Scalar q_upper_w = state.q.upper_w;
+    const Scalar v_upper_omega_x = state.v.upper_omega_x;
+    const Scalar v_upper_omega_y = state.v.upper_omega_y;
+    const Scalar v_upper_omega_z = state.v.upper_omega_z;
+    const Scalar q_omega_z = state.q.omega_z;
+    const Scalar v_omega_z = state.v.omega_z;
+    const Scalar u_C = inputs.C;
+    Scalar s_a, c_a;
+    traits::sincos(q_a, s_a, c_a);
+    const Scalar z9 = n2 * q_lower_y * q_lower_y;
+    const Scalar z11 = n2 * q_lower_z * q_lower_z;
+    const Scalar z13 = n2 * q_lower_y * q_lower_x;
+    const Scalar z15 = n2 * q_lower_z * q_lower_w;
+    const Scalar z16 = n1 - z9 - z11;
+    const Scalar z17 = z13 - z15;
+    const Scalar z18 = z13 + z15;
+    const Scalar z19 = n2 * q_lower_x * q_lower_x;
+    const Scalar z20 = n2 * q_lower_y * q_lower_z;
+    const Scalar z21 = n2 * q_lower_x * q_lower_w;
+    const Scalar z22 = n1 - z11 - z19;
+    const Scalar z23 = z20 - z21;
+    const Scalar z24 = z20 + z21;
+    const Scalar z25 = n2 * q_lower_z * q_lower_x;
+    const Scalar z26 = n2 * q_lower_y * q_lower_w;
+    const Scalar z27 = n1 - z9 - z19;
+    const Scalar z28 = z25 - z26;
+    const Scalar z29 = z25 + z26;
+    const Scalar z37 = n2 * q_upper_y * q_upper_y;
+    const Scalar z39 = n2 * q_upper_z * q_upper_z;
+    const Scalar z41 = n2 * q_upper_y * q_upper_x;
+    const Scalar z43 = n2 * q_upper_z * q_upper_w;
+    const Scalar z44 = n1 - z37 - z39;
+    const Scalar z45 = z41 - z43;
+    const Scalar z46 = z41 + z43;
+    const Scalar z47 = n2 * q_upper_x * q_upper_x;
+    const Scalar z48 = n2 * q_upper_y * q_upper_z;
+    const Scalar z49 = n2 * q_upper_x * q_upper_w;
+    const Scalar z50 = n1 - z39 - z47;
+    const Scalar z51 = z48 - z49;
+    const Scalar z52 = z48 + z49;
+    const Scalar z53 = n2 * q_upper_z * q_upper_x;
+    const Scalar z54 = n2 * q_upper_y * q_upper_w;
+    const Scalar z55 = n1 - z37 - z47;
+    const Scalar z56 = z53 - z54;
+    const Scalar z57 = z53 + z54;
+    const Scalar pi = traits::pi();
+    const Scalar z68 = traits::formula(0.0006366197723675813, 0.00063661975f, [&]() -> Scalar {
+      return n0_002 / pi;
+    });
+    const Scalar z72 = v_a * z28;
+    const Scalar z73 = v_a * z24;
+    const Scalar z74 = v_a * z27;
+    const Scalar z81 = v_a * z56;
+    const Scalar z82 = v_a * z52;
+    const Scalar z83 = v_a * z55;
+    const Scalar z90 = n0_002 * q_omega_z / pi;
+    const Scalar z91 = n0_002 * v_omega_z / pi;  // velocity of screw.1, z
+    const Scalar z92 = n0_1 * c_a;
+    const Scalar z93 = n0_1 * s_a;
+    const Scalar z94 = n0_1 - z92;
+    const Scalar z129 = traits::formula(0.0001909859317102744, 0.00019098593f, [&]() -> Scalar {
+      return n0_3 * z68;
+    });
+    const Scalar z132 = k5 * z55;
+    const Scalar z137 = k5 * z52;
+    const Scalar z142 = k5 * z56;
+    const Scalar z153 = z52 * z137 + z55 * z132 + z56 * z142;
+    const Scalar z155 = n0_0002 + z153;
+    const Scalar z157 = n0_01 + z155;
+    const Scalar z160 = k5 * z27;
+    const Scalar z165 = k5 * z24;
+    const Scalar z170 = k5 * z28;
+    const Scalar z181 = z24 * z165 + z27 * z160 + z28 * z170;
+    const Scalar z183 = n0_0002 + z181;
+    const Scalar z189 = z157 + z183;
+    const Scalar z201 = traits::formula(0.0001001215854203708, 0.000100121586f, [&]() -> Scalar {
+      return n0_0001 + z68 * z129;
+    });
+    const Scalar z202 = n20000 * q_a_z;
+    const Scalar z203 = n0_0005 * v_omega_z;
+    const Scalar z205 = v_a * v_a;
+    const Scalar z206 = n0_1 * z205;
+    const Scalar z207 = z16 * z206 - n9_81 * z28;
+    const Scalar z208 = z17 * z206 - n9_81 * z24;
+    const Scalar z209 = n9_81 * z27 - z29 * z206;
+    const Scalar z210 = v_lower_omega_x * z74;  // angular acceleration of lower_omega_x, y
+    const Scalar z211 = v_lower_omega_x * z73;  // angular acceleration of lower_omega_x, z
+    const Scalar z212 = v_lower_omega_y * z74;  // angular acceleration of lower_omega_y, x
+    const Scalar z213 = v_lower_omega_y * z72 - z211;  // angular acceleration of lower_omega_y, z
+    const Scalar z214 = v_lower_omega_z * z73 - z212;  // angular acceleration of lower_cup, x
+    const Scalar z215 = v_lower_omega_z * z72 - z210;  // angular acceleration of lower_cup, y
+    const Scalar z216 = z44 * z206 - n9_81 * z56;
+    const Scalar z217 = z45 * z206 - n9_81 * z52;
+    const Scalar z218 = n9_81 * z55 - z57 * z206;
+    const Scalar z219 = v_upper_omega_x * z83;  // angular acceleration of upper_omega_x, y
+    const Scalar z220 = v_upper_omega_x * z82;  // angular acceleration of upper_omega_x, z
+    const Scalar z221 = v_upper_omega_y * z83;  // angular acceleration of upper_omega_y, x
+    const Scalar z222 = v_upper_omega_y * z81 - z220;  // angular acceleration of upper_omega_y, z
+    const Scalar z223 = v_upper_omega_z * z82 - z221;  // angular acceleration of upper_cup, x
+    const Scalar z224 = v_upper_omega_z * z81 - z219;  // angular acceleration of upper_cup, y
+    const Scalar z225 = n0_02 * z216;  // force on upper_cup, x
+    const Scalar z226 = n0_02 * z217;  // force on upper_cup, y
+    const Scalar z227 = n0_02 * z218;  // force on upper_cup, z
+    const Scalar z228 = k5 * z223;  // moment on upper_cup, x
+    const Scalar z229 = k5 * z224;  // moment on upper_cup, y
+    const Scalar z230 = k5 * z222;  // moment on upper_cup, z
+    const Scalar z232 = z46 * z225 + z50 * z226 - z51 * z227;
+    const Scalar z233 = z52 * z226 - z55 * z227 + z56 * z225;
+    const Scalar z236 = z52 * z229 - z55 * z230 - z56 * z228;
+    const Scalar z237 = n0_02 * z207;  // force on lower_cup, x
+    const Scalar z238 = n0_02 * z208;  // force on lower_cup, y
+    const Scalar z239 = n0_02 * z209;  // force on lower_cup, z
+    const Scalar z240 = k5 * z214;  // moment on lower_cup, x
+    const Scalar z241 = k5 * z215;  // moment on lower_cup, y
+    const Scalar z242 = k5 * z213;  // moment on lower_cup, z
+    const Scalar z244 = z18 * z237 + z22 * z238 - z23 * z239;
+    const Scalar z245 = z24 * z238 - z27 * z239 + z28 * z237;
+    const Scalar z248 = z24 * z241 - z27 * z242 - z28 * z240;
+    const Scalar z251 = z233 + z245;  // force on ring_A, z
+    const Scalar z254 = n0_1 * (z232 + z244) + z236 + z248;  // moment on ring_A, z
+    const Scalar z259 = n7_848 - z251;  // force on ring_A.1, z
+    const Scalar z260 = z202 + z259;
+    const Scalar z261 = n2_943 * z68 + z203;
+    const Scalar z334 = n0_2 * c_a;
+    const Scalar z338 = v_a * c_a;
+    const Scalar z340 = v_a * s_a;
+    const Scalar z341 = v_a * z340;
+    const Scalar z342 = n0_2 * z341;
+    const Scalar z344 = v_a * z338;
+    const Scalar z346 = q_a_z - z90;
+    const Scalar z350 = n0_5 * (q_lower_z * v_lower_omega_x - q_lower_x * v_lower_omega_z + q_lower_w
+        * v_lower_omega_y);
+    const Scalar z351 = n0_5 * (q_lower_y * v_lower_omega_x - q_lower_x * v_lower_omega_y - q_lower_w
+        * v_lower_omega_z);
+    const Scalar z352 = n2 * (q_lower_y * z351 - q_lower_z * z350);
+    const Scalar z353 = n0_5 * (q_lower_y * v_lower_omega_z - q_lower_z * v_lower_omega_y + q_lower_w
+        * v_lower_omega_x);
+    const Scalar z354 = n0_5 * (q_lower_y * v_lower_omega_y + q_lower_z * v_lower_omega_z + q_lower_x
+        * v_lower_omega_x);
+    const Scalar z355 = n2 * (q_lower_x * z354 - q_lower_w * z353);
+    const Scalar z356 = z352 - z355;
+    const Scalar z357 = n0_1 * z338;
+    const Scalar z358 = n4 * q_lower_y * z350;
+    const Scalar z359 = n4 * q_lower_x * z353;
+    const Scalar z360 = z358 + z359;
+    const Scalar z361 = v_a_z - z91;
+    const Scalar z362 = n2 * (q_lower_z * z353 - q_lower_x * z351);
+    const Scalar z363 = n2 * (q_lower_y * z354 - q_lower_w * z350);
+    const Scalar z364 = z362 - z363;
+    const Scalar z365 = n0_1 * z340;
+    const Scalar z367 = z23 * z92 + z29 * z93;
+    const Scalar z368 = q_lower_y * q_lower_y - q_lower_z * q_lower_z;
+    const Scalar z369 = q_lower_x * q_lower_x - q_lower_w * q_lower_w;
+    const Scalar z370 = z368 - z369;
+    const Scalar z371 = q_lower_y * q_lower_x - q_lower_z * q_lower_w;
+    const Scalar z372 = n2 * z371;
+    const Scalar z373 = z24 * z346 + z93 * z370 + z94 * z372;
+    const Scalar z374 = q_lower_y * q_lower_x + q_lower_z * q_lower_w;
+    const Scalar z375 = n2 * z374;
+    const Scalar z376 = q_lower_z * q_lower_z - q_lower_x * q_lower_x;
+    const Scalar z377 = q_lower_y * q_lower_y - q_lower_w * q_lower_w;
+    const Scalar z378 = z376 + z377;
+    const Scalar z379 = z28 * z346 + z93 * z375 - z94 * z378;
+    const Scalar z380 = q_lower_y * q_lower_w - q_lower_z * q_lower_x;
+    const Scalar z381 = q_lower_y * q_lower_z + q_lower_x * q_lower_w;
+    const Scalar z382 = z27 * z68;
+    const Scalar z383 = n0_1 * z341;
+    const Scalar z384 = n0_1 * z344;
+    const Scalar z385 = n0_5 * (v_lower_omega_x * z350 - v_lower_omega_y * z353 + v_lower_omega_z * z354);
+    const Scalar z386 = n0_5 * (v_lower_omega_x * z351 + v_lower_omega_y * z354 + v_lower_omega_z * z353);
+    const Scalar z387 = n2 * (q_lower_y * z385 + q_lower_z * z386) + n4 * z350 * z351;
+    const Scalar z388 = n0_5 * (v_lower_omega_x * z353 + v_lower_omega_y * z350 - v_lower_omega_z * z351);
+    const Scalar z389 = n0_5 * (v_lower_omega_x * z354 - v_lower_omega_y * z351 - v_lower_omega_z * z350);
+    const Scalar z390 = n2 * (q_lower_x * z388 + q_lower_w * z389) + n4 * z353 * z354;
+    const Scalar z391 = z387 - z390;
+    const Scalar z392 = n2 * (q_lower_z * z389 + q_lower_x * z385) + n4 * z351 * z353;
+    const Scalar z393 = n2 * (q_lower_y * z388 + q_lower_w * z386) + n4 * z350 * z354;
+    const Scalar z394 = z392 + z393;
+    const Scalar z395 = n4 * (q_lower_y * z386 - z350 * z350);
+    const Scalar z396 = n4 * (q_lower_x * z389 - z353 * z353);
+    const Scalar z397 = z395 + z396;
+    const Scalar z398 = n2 * (z356 * z357 + z360 * z361 - z364 * z365) + z23 * z383 - z29 * z384 + z93 * z391 + z94
+        * z394 - z346 * z397;
+    const Scalar z400 = z368 + z369;
+    const Scalar z401 = n2 * z380;
+    const Scalar z402 = z387 + z390;
+    const Scalar z404 = z376 - z377;
+    const Scalar z405 = n2 * z381;
+    const Scalar z406 = z392 - z393;
+    const Scalar z410 = n0_5 * (q_upper_z * v_upper_omega_x - q_upper_x * v_upper_omega_z + q_upper_w
+        * v_upper_omega_y);
+    const Scalar z411 = n0_5 * (q_upper_y * v_upper_omega_x - q_upper_x * v_upper_omega_y - q_upper_w
+        * v_upper_omega_z);
+    const Scalar z413 = n0_5 * (q_upper_y * v_upper_omega_z - q_upper_z * v_upper_omega_y + q_upper_w
+        * v_upper_omega_x);
+    const Scalar z414 = n0_5 * (q_upper_y * v_upper_omega_y + q_upper_z * v_upper_omega_z + q_upper_x
+        * v_upper_omega_x);
+    const Scalar z425 = q_upper_y * q_upper_y - q_upper_z * q_upper_z;
+    const Scalar z426 = q_upper_x * q_upper_x - q_upper_w * q_upper_w;
+    const Scalar z433 = q_upper_z * q_upper_z - q_upper_x * q_upper_x;
+    const Scalar z434 = q_upper_y * q_upper_y - q_upper_w * q_upper_w;
+    const Scalar z437 = q_upper_y * q_upper_w - q_upper_z * q_upper_x;
+    const Scalar z438 = q_upper_y * q_upper_z + q_upper_x * q_upper_w;
+    const Scalar z440 = n0_5 * (v_upper_omega_x * z410 - v_upper_omega_y * z413 + v_upper_omega_z * z414);
+    const Scalar z441 = n0_5 * (v_upper_omega_x * z411 + v_upper_omega_y * z414 + v_upper_omega_z * z413);
+    const Scalar z442 = n2 * (q_upper_y * z440 + q_upper_z * z441) + n4 * z410 * z411;
+    const Scalar z443 = n0_5 * (v_upper_omega_x * z413 + v_upper_omega_y * z410 - v_upper_omega_z * z411);
+    const Scalar z444 = n0_5 * (v_upper_omega_x * z414 - v_upper_omega_y * z411 - v_upper_omega_z * z410);
+    const Scalar z445 = n2 * (q_upper_x * z443 + q_upper_w * z444) + n4 * z413 * z414;
+    const Scalar z447 = n2 * (q_upper_z * z444 + q_upper_x * z440) + n4 * z411 * z413;
+    const Scalar z448 = n2 * (q_upper_y * z443 + q_upper_w * z441) + n4 * z410 * z414;
+    const Scalar z455 = z425 + z426;
+    const Scalar z456 = n2 * z437;
+    const Scalar z457 = z442 + z445;
+    const Scalar z459 = z433 - z434;
+    const Scalar z460 = n2 * z438;
+    const Scalar z461 = z447 - z448;
+    const Scalar z472 = u_C - z261;
+    const Scalar z473 = traits::formula(9987.856223025203, 9987.856f, [&]() -> Scalar {
+      return n1 / z201;
+    });
+    const Scalar z474 = n100000 * z132;
+    const Scalar z475 = z132 * z474 - z189;
+    const Scalar z476 = n100000 * z137;
+    const Scalar z477 = z137 * z476 + z475;
+    const Scalar z478 = n100000 * z142;
+    const Scalar z479 = z142 * z478 + z477;
+    const Scalar z480 = n100000 * z160;
+    const Scalar z481 = z160 * z480 + z479;
+    const Scalar z482 = n100000 * z165;
+    const Scalar z483 = z165 * z482 + z481;
+    const Scalar z484 = n100000 * z170;
+    const Scalar z485 = z170 * z484 + z483;
+    const Scalar z486 = n1 / z485;
+    const Scalar z487 = z228 * z478 - z229 * z476 + z230 * z474 + z240 * z484 - z241 * z482 + z242 * z480 + z254;
+    const Scalar z488 = n25_over_21 * z260;
+    const Scalar z489 = z486 * z487;
+    const Scalar z490 = n100000 * z240 - z484 * z489;
+    const Scalar z491 = n100000 * z241 + z482 * z489;
+    const Scalar z492 = n100000 * z242 - z480 * z489;
+    const Scalar z493 = n100000 * z228 - z478 * z489;
+    const Scalar z494 = n100000 * z229 + z476 * z489;
+    const Scalar z495 = n100000 * z230 - z474 * z489;
+    const Scalar z496 = z472 * z473;
+    const Scalar z497 = z334 * z486;
+    const Scalar z498 = z484 * z497;
+    const Scalar z499 = z482 * z497;
+    const Scalar z500 = z480 * z497;
+    const Scalar z501 = z478 * z497;
+    const Scalar z502 = z476 * z497;
+    const Scalar z503 = z474 * z497;
+    const Scalar z504 = z367 + z373 * z484 - z379 * z482;
+    const Scalar z505 = n25_over_21 * z27;
+    const Scalar z506 = z486 * z504;
+    const Scalar z507 = n100000 * z373 - z484 * z506;
+    const Scalar z508 = n100000 * z379 + z482 * z506;
+    const Scalar z509 = z480 * z506;
+    const Scalar z510 = z478 * z506;
+    const Scalar z511 = z476 * z506;
+    const Scalar z512 = z474 * z506;
+    const Scalar z513 = z382 * z473;
+    const Scalar z514 = z400 * z484 - z401 * z480;
+    const Scalar z515 = z486 * z514;
+    const Scalar z516 = n100000 * z400 - z484 * z515;
+    const Scalar z517 = z482 * z515;
+    const Scalar z518 = n100000 * z401 + z480 * z515;
+    const Scalar z519 = z478 * z515;
+    const Scalar z520 = z476 * z515;
+    const Scalar z521 = z474 * z515;
+    const Scalar z522 = z404 * z482 - z405 * z480;
+    const Scalar z523 = z486 * z522;
+    const Scalar z524 = z484 * z523;
+    const Scalar z525 = n100000 * z404 - z482 * z523;
+    const Scalar z526 = n100000 * z405 + z480 * z523;
+    const Scalar z527 = z478 * z523;
+    const Scalar z528 = z476 * z523;
+    const Scalar z529 = z474 * z523;
+    const Scalar z530 = z455 * z478 - z456 * z474;
+    const Scalar z531 = z486 * z530;
+    const Scalar z532 = z484 * z531;
+    const Scalar z533 = z482 * z531;
+    const Scalar z534 = z480 * z531;
+    const Scalar z535 = n100000 * z455 - z478 * z531;
+    const Scalar z536 = z476 * z531;
+    const Scalar z537 = n100000 * z456 + z474 * z531;
+    const Scalar z538 = z459 * z476 - z460 * z474;
+    const Scalar z539 = z486 * z538;
+    const Scalar z540 = z484 * z539;
+    const Scalar z541 = z482 * z539;
+    const Scalar z542 = z480 * z539;
+    const Scalar z543 = z478 * z539;
+    const Scalar z544 = n100000 * z459 - z476 * z539;
+    const Scalar z545 = n100000 * z460 + z474 * z539;
+    const Scalar z546 = z334 * z497;
+    const Scalar z547 = z334 * z489 + z342;
+    const Scalar z548 = z367 * z497 + z373 * z498 - z379 * z499;
+    const Scalar z549 = z27 * z505 - z367 * z506 + z373 * z507 + z379 * z508 + z382 * z513;
+    const Scalar z550 = z27 * z488 + z367 * z489 - z373 * z490 - z379 * z491 + z382 * z496 + z398;
+    const Scalar z551 = z400 * z498 - z401 * z500;
+    const Scalar z552 = z400 * z507 + z401 * z509;
+    const Scalar z553 = z400 * z516 + z401 * z518;
+    const Scalar z554 = z400 * z490 - z401 * z492 - z402;
+    const Scalar z555 = z404 * z499 - z405 * z500;
+    const Scalar z556 = z404 * z508 - z405 * z509;
+    const Scalar z557 = z404 * z517 - z405 * z518;
+    const Scalar z558 = z404 * z525 + z405 * z526;
+    const Scalar z559 = z404 * z491 + z405 * z492 + z406;
+    const Scalar z560 = z455 * z501 - z456 * z503;
+    const Scalar z561 = z455 * z510 - z456 * z512;
+    const Scalar z562 = z455 * z519 - z456 * z521;
+    const Scalar z563 = z455 * z527 - z456 * z529;
+    const Scalar z564 = z455 * z535 + z456 * z537;
+    const Scalar z565 = z455 * z493 - z456 * z495 - z457;
+    const Scalar z566 = z459 * z502 - z460 * z503;
+    const Scalar z567 = z459 * z511 - z460 * z512;
+    const Scalar z568 = z459 * z520 - z460 * z521;
+    const Scalar z569 = z459 * z528 - z460 * z529;
+    const Scalar z570 = z459 * z536 - z460 * z537;
+    const Scalar z571 = z459 * z544 + z460 * z545;
+    const Scalar z572 = z459 * z494 + z460 * z495 + z461;
+    const Scalar z573 = n1 / z571;
+    const Scalar z574 = z566 * z573;
+    const Scalar z575 = z567 * z573;
+    const Scalar z576 = z568 * z573;
+    const Scalar z577 = z569 * z573;
+    const Scalar z578 = z570 * z573;
+    const Scalar z579 = z546 + z566 * z574;
+    const Scalar z580 = z548 + z566 * z575;
+    const Scalar z581 = z549 - z567 * z575;
+    const Scalar z582 = z551 + z566 * z576;
+    const Scalar z583 = z552 - z567 * z576;
+    const Scalar z584 = z553 - z568 * z576;
+    const Scalar z585 = z555 + z566 * z577;
+    const Scalar z586 = z556 + z567 * z577;
+    const Scalar z587 = z557 + z568 * z577;
+    const Scalar z588 = z558 - z569 * z577;
+    const Scalar z589 = z560 + z566 * z578;
+    const Scalar z590 = z561 + z567 * z578;
+    const Scalar z591 = z562 + z568 * z578;
+    const Scalar z592 = z563 + z569 * z578;
+    const Scalar z593 = z564 - z570 * z578;
+    const Scalar z594 = n1 / z593;
+    const Scalar z595 = z589 * z594;
+    const Scalar z596 = z590 * z594;
+    const Scalar z597 = z591 * z594;
+    const Scalar z598 = z592 * z594;
+    const Scalar z599 = z579 + z589 * z595;
+    const Scalar z600 = z580 + z589 * z596;
+    const Scalar z601 = z581 - z590 * z596;
+    const Scalar z602 = z582 + z589 * z597;
+    const Scalar z603 = z583 - z590 * z597;
+    const Scalar z604 = z584 - z591 * z597;
+    const Scalar z605 = z585 + z589 * z598;
+    const Scalar z606 = z586 + z590 * z598;
+    const Scalar z607 = z587 + z591 * z598;
+    const Scalar z608 = z588 - z592 * z598;
+    const Scalar z609 = n1 / z608;
+    const Scalar z610 = z605 * z609;
+    const Scalar z611 = z606 * z609;
+    const Scalar z612 = z607 * z609;
+    const Scalar z613 = z599 + z605 * z610;
+    const Scalar z614 = z600 + z605 * z611;
+    const Scalar z615 = z601 - z606 * z611;
+    const Scalar z616 = z602 + z605 * z612;
+    const Scalar z617 = z603 - z606 * z612;
+    const Scalar z618 = z604 - z607 * z612;
+    const Scalar z619 = n1 / z618;
+    const Scalar z620 = z616 * z619;
+    const Scalar z621 = z617 * z619;
+    const Scalar z622 = z613 + z616 * z620;
+    const Scalar z623 = z614 - z616 * z621;
+    const Scalar z624 = z615 - z617 * z621;
+    const Scalar z625 = n1 / z624;
+    const Scalar z626 = z623 * z625;
+    const Scalar z627 = z622 + z623 * z626;
+    const Scalar z628 = n1 / z627;
+    const Scalar z629 = z565 - z572 * z578;
+    const Scalar z630 = z559 + z572 * z577 - z598 * z629;
+    const Scalar z631 = z554 - z572 * z576 + z597 * z629 - z612 * z630;
+    const Scalar z632 = z550 + z572 * z575 - z596 * z629 + z611 * z630 + z621 * z631;
+    const Scalar z633 = z547 + z572 * z574 - z595 * z629 + z610 * z630 - z620 * z631 + z626 * z632;
+    const Scalar z634 = z628 * z633;
+    const Scalar z635 = z625 * z632 - z626 * z634;
+    const Scalar z636 = z619 * z631 + z620 * z634 + z621 * z635;
+    const Scalar z637 = z609 * z630 - z610 * z634 + z611 * z635 - z612 * z636;
+    const Scalar z638 = z594 * z629 + z595 * z634 - z596 * z635 + z597 * z636 - z598 * z637;
+    const Scalar z639 = z572 * z573 - z574 * z634 + z575 * z635 - z576 * z636 + z577 * z637 - z578 * z638;
+    const Scalar z640 = z488 - z505 * z635;
+    const Scalar z641 = z489 - z497 * z634 + z506 * z635 - z515 * z636 + z523 * z637 - z531 * z638 + z539 * z639;
+    const Scalar z642 = z490 + z498 * z634 + z507 * z635 - z516 * z636 - z524 * z637 + z532 * z638 - z540 * z639;
+    const Scalar z643 = z491 - z499 * z634 + z508 * z635 - z517 * z636 - z525 * z637 - z533 * z638 + z541 * z639;
+    const Scalar z644 = z492 + z500 * z634 - z509 * z635 + z518 * z636 - z526 * z637 + z534 * z638 - z542 * z639;
+    const Scalar z645 = z493 + z501 * z634 - z510 * z635 + z519 * z636 - z527 * z637 - z535 * z638 - z543 * z639;
+    const Scalar z646 = z494 - z502 * z634 + z511 * z635 - z520 * z636 + z528 * z637 - z536 * z638 - z544 * z639;
+    const Scalar z647 = z495 + z503 * z634 - z512 * z635 + z521 * z636 - z529 * z637 + z537 * z638 - z545 * z639;
+    const Scalar z648 = z496 - z513 * z635;
+    accelerations.a_z = -z640;
+    accelerations.a = -z641;
+    accelerations.lower_omega_x = -z642;
+    accelerations.lower_omega_y = z643;
+    accelerations.lower_omega_z = -z644;
+    accelerations.upper_omega_x = -z645;
+    accelerations.upper_omega_y = z646;
+    accelerations.upper_omega_z = -z647;
+    accelerations.omega_z = z648;
+    multipliers.lambda_L2_y = -z634;
+    multipliers.lambda_L2_z = n0;
+    multipliers.lambda_L2_ry = n0;
+    multipliers.lambda_L2_rz = n0;
+    multipliers.lambda_L3_z = -z635;
+    multipliers.lambda_L3_rx = z636;
+    multipliers.lambda_L3_ry = z637;
+    multipliers.lambda_L5_z = n0;
+    multipliers.lambda_L5_rx = z638;
+    multipliers.lambda_L5_ry = z639;
+    if (!(traits::regular(-z485, z189) && traits::regular(z201, z201) && traits::regular(-z627, -z546)
+        && traits::regular(z624, z549) && traits::regular(z618, z553) && traits::regular(z608, z558)
+        && traits::regular(z593, z564) && traits::regular(z571, z571))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (accelerations.a_z - accelerations.a_z) + (accelerations.a - accelerations.a)
+        + (accelerations.lower_omega_x - accelerations.lower_omega_x) + (accelerations.lower_omega_y
+        - accelerations.lower_omega_y) + (accelerations.lower_omega_z - accelerations.lower_omega_z)
+        + (accelerations.upper_omega_x - accelerations.upper_omega_x) + (accelerations.upper_omega_y
+        - accelerations.upper_omega_y) + (accelerations.upper_omega_z - accelerations.upper_omega_z)
+        + (accelerations.omega_z - accelerations.omega_z) + (multipliers.lambda_L2_y - multipliers.lambda_L2_y)
+        + (multipliers.lambda_L3_z - multipliers.lambda_L3_z) + (multipliers.lambda_L3_rx - multipliers.lambda_L3_rx)
+        + (multipliers.lambda_L3_ry - multipliers.lambda_L3_ry) + (multipliers.lambda_L5_rx - multipliers.lambda_L5_rx)
+        + (multipliers.lambda_L5_ry - multipliers.lambda_L5_ry);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
+  TORSOR_DEVICE static void energy(const Precomputed&, const State& state, const Inputs& inputs,
+      Energy& result) noexcept {
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
+    const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
+    const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
+    const Scalar k6 = traits::constant(5e-06, 5e-06f, "1/200000");
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n0_005 = traits::constant(0.005, 0.005f, "1/200");
+    const Scalar k9 = traits::constant(5e-05, 5e-05f, "1/20000");
+    const Scalar n0_15 = traits::constant(0.15, 0.15f, "3/20");
+    const Scalar n8_2404 = traits::constant(8.2404, 8.2404f, "20601/2500");
+    const Scalar n10000 = traits::constant(10000.0, 10000.0f, "10000/1");
+    const Scalar n2_943 = traits::constant(2.943, 2.943f, "2943/1000");
+    const Scalar q_a_z = state.q.a_z;
+    const Scalar v_a_z = state.v.a_z;
+    const Scalar v_a = state.v.a;
+    const Scalar q_lower_y = state.q.lower_y;
+    const Scalar q_lower_z = state.q.lower_z;
+    const Scalar q_lower_x = state.q.lower_x;
+    const Scalar q_lower_w = state.q.lower_w;
+    const Scalar v_lower_omega_x = state.v.lower_omega_x;
+    const Scalar v_lower_omega_y = state.v.lower_omega_y;
+    const Scalar v_lower_omega_z = state.v.lower_omega_z;
+    const Scalar q_upper_y = state.q.upper_y;
+    const Scalar q_upper_z = state.q.upper_z;
+    const Scalar q_upper_x = state.q.upper_x;
+    const Scalar q_upper_w = state.q.upper_w;
+    const Scalar v_upper_omega_x = state.v.upper_omega_x;
+    const Scalar v_upper_omega_y = state.v.upper_omega_y;
+    const Scalar v_upper_omega_z = state.v.upper_omega_z;
+    const Scalar q_omega_z = state.q.omega_z;
+    const Scalar v_omega_z = state.v.omega_z;
+    const Scalar u_C = inputs.C;
+    const Scalar z9 = n2 * q_lower_y * q_lower_y;
+    const Scalar z11 = n2 * q_lower_z * q_lower_z;
+    const Scalar z13 = n2 * q_lower_y * q_lower_x;
+    const Scalar z15 = n2 * q_lower_z * q_lower_w;
+    const Scalar z18 = z13 + z15;
+    const Scalar z19 = n2 * q_lower_x * q_lower_x;
+    const Scalar z20 = n2 * q_lower_y * q_lower_z;
+    const Scalar z21 = n2 * q_lower_x * q_lower_w;
+    const Scalar z22 = n1 - z11 - z19;
+    const Scalar z23 = z20 - z21;
+    const Scalar z24 = z20 + z21;
+    const Scalar z25 = n2 * q_lower_z * q_lower_x;
+    const Scalar z26 = n2 * q_lower_y * q_lower_w;
+    const Scalar z27 = n1 - z9 - z19;
+    const Scalar z28 = z25 - z26;
+    const Scalar z37 = n2 * q_upper_y * q_upper_y;
+    const Scalar z39 = n2 * q_upper_z * q_upper_z;
+    const Scalar z41 = n2 * q_upper_y * q_upper_x;
+    const Scalar z43 = n2 * q_upper_z * q_upper_w;
+    const Scalar z46 = z41 + z43;
+    const Scalar z47 = n2 * q_upper_x * q_upper_x;
+    const Scalar z48 = n2 * q_upper_y * q_upper_z;
+    const Scalar z49 = n2 * q_upper_x * q_upper_w;
+    const Scalar z50 = n1 - z39 - z47;
+    const Scalar z51 = z48 - z49;
+    const Scalar z52 = z48 + z49;
+    const Scalar z53 = n2 * q_upper_z * q_upper_x;
+    const Scalar z54 = n2 * q_upper_y * q_upper_w;
+    const Scalar z55 = n1 - z37 - z47;
+    const Scalar z56 = z53 - z54;
+    const Scalar pi = traits::pi();
+    const Scalar z71 = n0_1 * v_a;
+    const Scalar z72 = v_a * z28;
+    const Scalar z73 = v_a * z24;
+    const Scalar z74 = v_a * z27;
+    const Scalar z75 = v_a_z * z28 + z18 * z71;
+    const Scalar z76 = v_a_z * z24 + z22 * z71;
+    const Scalar z77 = v_a_z * z27 + z23 * z71;
+    const Scalar z78 = v_lower_omega_x + z72;  // angular velocity of lower_omega_x, x
+    const Scalar z79 = v_lower_omega_y + z73;  // angular velocity of lower_omega_y, y
+    const Scalar z80 = v_lower_omega_z + z74;  // angular velocity of lower_cup, z
+    const Scalar z81 = v_a * z56;
+    const Scalar z82 = v_a * z52;
+    const Scalar z83 = v_a * z55;
+    const Scalar z84 = v_a_z * z56 + z46 * z71;
+    const Scalar z85 = v_a_z * z52 + z50 * z71;
+    const Scalar z86 = v_a_z * z55 + z51 * z71;
+    const Scalar z87 = v_upper_omega_x + z81;  // angular velocity of upper_omega_x, x
+    const Scalar z88 = v_upper_omega_y + z82;  // angular velocity of upper_omega_y, y
+    const Scalar z89 = v_upper_omega_z + z83;  // angular velocity of upper_cup, z
+    const Scalar z90 = n0_002 * q_omega_z / pi;
+    const Scalar z91 = n0_002 * v_omega_z / pi;  // velocity of screw.1, z
+    const Scalar z203 = n0_0005 * v_omega_z;
+    result.kinetic = n0_01 * (z75 * z75 + z76 * z76 + z77 * z77 + z84 * z84 + z85 * z85 + z86 * z86) + k6 * (z78 * z78
+        + z79 * z79 + z80 * z80 + z87 * z87 + z88 * z88 + z89 * z89) + n0_4 * v_a_z * v_a_z + n0_005 * v_a * v_a + k9
+        * v_omega_z * v_omega_z + n0_15 * z91 * z91;
+    result.force_function = -q_a_z * (n8_2404 + n10000 * q_a_z) - n2_943 * z90;
+    result.power = -v_omega_z * (z203 - u_C);
+  }
+
+  /// Constraints A(q, t) v - b(q, t) = 0, in the order of the multipliers.
+  TORSOR_DEVICE static void constraints(const Precomputed&, const State& state, Constraints& result) noexcept {
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n4 = traits::constant(4.0, 4.0f, "4/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_a_z = state.q.a_z;
+    const Scalar v_a_z = state.v.a_z;
+    const Scalar q_a = state.q.a;
+    const Scalar v_a = state.v.a;
+    const Scalar q_lower_y = state.q.lower_y;
+    const Scalar q_lower_z = state.q.lower_z;
+    const Scalar q_lower_x = state.q.lower_x;
+    const Scalar q_lower_w = state.q.lower_w;
+    const Scalar v_lower_omega_x = state.v.lower_omega_x;
+    const Scalar v_lower_omega_y = state.v.lower_omega_y;
+    const Scalar v_lower_omega_z = state.v.lower_omega_z;
+    const Scalar q_upper_y = state.q.upper_y;
+    const Scalar q_upper_z = state.q.upper_z;
+    const Scalar q_upper_x = state.q.upper_x;
+    const Scalar q_upper_w = state.q.upper_w;
+    const Scalar v_upper_omega_x = state.v.upper_omega_x;
+    const Scalar v_upper_omega_y = state.v.upper_omega_y;
+    const Scalar v_upper_omega_z = state.v.upper_omega_z;
+    const Scalar q_omega_z = state.q.omega_z;
+    const Scalar v_omega_z = state.v.omega_z;
+    Scalar s_a, c_a;
+    traits::sincos(q_a, s_a, c_a);
+    const Scalar z9 = n2 * q_lower_y * q_lower_y;
+    const Scalar z19 = n2 * q_lower_x * q_lower_x;
+    const Scalar z20 = n2 * q_lower_y * q_lower_z;
+    const Scalar z21 = n2 * q_lower_x * q_lower_w;
+    const Scalar z23 = z20 - z21;
+    const Scalar z24 = z20 + z21;
+    const Scalar z25 = n2 * q_lower_z * q_lower_x;
+    const Scalar z26 = n2 * q_lower_y * q_lower_w;
+    const Scalar z27 = n1 - z9 - z19;
+    const Scalar z28 = z25 - z26;
+    const Scalar z29 = z25 + z26;
+    const Scalar z37 = n2 * q_upper_y * q_upper_y;
+    const Scalar z47 = n2 * q_upper_x * q_upper_x;
+    const Scalar z48 = n2 * q_upper_y * q_upper_z;
+    const Scalar z49 = n2 * q_upper_x * q_upper_w;
+    const Scalar z51 = z48 - z49;
+    const Scalar z52 = z48 + z49;
+    const Scalar z53 = n2 * q_upper_z * q_upper_x;
+    const Scalar z54 = n2 * q_upper_y * q_upper_w;
+    const Scalar z55 = n1 - z37 - z47;
+    const Scalar z56 = z53 - z54;
+    const Scalar z57 = z53 + z54;
+    const Scalar pi = traits::pi();
+    const Scalar z68 = traits::formula(0.0006366197723675813, 0.00063661975f, [&]() -> Scalar {
+      return n0_002 / pi;
+    });
+    const Scalar z90 = n0_002 * q_omega_z / pi;
+    const Scalar z91 = n0_002 * v_omega_z / pi;  // velocity of screw.1, z
+    const Scalar z92 = n0_1 * c_a;
+    const Scalar z93 = n0_1 * s_a;
+    const Scalar z94 = n0_1 - z92;
+    const Scalar z334 = n0_2 * c_a;
+    const Scalar z335 = n0_2 * s_a;
+    const Scalar z336 = n0_1 - z334;
+    const Scalar z337 = n0_1 + z336;
+    const Scalar z338 = v_a * c_a;
+    const Scalar z339 = n0_2 * z338;
+    const Scalar z340 = v_a * s_a;
+    const Scalar z341 = v_a * z340;
+    const Scalar z342 = n0_2 * z341;
+    const Scalar z343 = n0_2 * z340;
+    const Scalar z344 = v_a * z338;
+    const Scalar z345 = n0_2 * z344;
+    const Scalar z346 = q_a_z - z90;
+    const Scalar z349 = z23 * z93 + z27 * z346 + z29 * z94;
+    const Scalar z350 = n0_5 * (q_lower_z * v_lower_omega_x - q_lower_x * v_lower_omega_z + q_lower_w
+        * v_lower_omega_y);
+    const Scalar z351 = n0_5 * (q_lower_y * v_lower_omega_x - q_lower_x * v_lower_omega_y - q_lower_w
+        * v_lower_omega_z);
+    const Scalar z352 = n2 * (q_lower_y * z351 - q_lower_z * z350);
+    const Scalar z353 = n0_5 * (q_lower_y * v_lower_omega_z - q_lower_z * v_lower_omega_y + q_lower_w
+        * v_lower_omega_x);
+    const Scalar z354 = n0_5 * (q_lower_y * v_lower_omega_y + q_lower_z * v_lower_omega_z + q_lower_x
+        * v_lower_omega_x);
+    const Scalar z355 = n2 * (q_lower_x * z354 - q_lower_w * z353);
+    const Scalar z356 = z352 - z355;
+    const Scalar z357 = n0_1 * z338;
+    const Scalar z358 = n4 * q_lower_y * z350;
+    const Scalar z359 = n4 * q_lower_x * z353;
+    const Scalar z360 = z358 + z359;
+    const Scalar z361 = v_a_z - z91;
+    const Scalar z362 = n2 * (q_lower_z * z353 - q_lower_x * z351);
+    const Scalar z363 = n2 * (q_lower_y * z354 - q_lower_w * z350);
+    const Scalar z364 = z362 - z363;
+    const Scalar z365 = n0_1 * z340;
+    const Scalar z366 = z23 * z357 + z27 * z361 + z29 * z365 - z93 * z356 + z94 * z364 - z346 * z360;
+    const Scalar z367 = z23 * z92 + z29 * z93;
+    const Scalar z368 = q_lower_y * q_lower_y - q_lower_z * q_lower_z;
+    const Scalar z369 = q_lower_x * q_lower_x - q_lower_w * q_lower_w;
+    const Scalar z370 = z368 - z369;
+    const Scalar z371 = q_lower_y * q_lower_x - q_lower_z * q_lower_w;
+    const Scalar z372 = n2 * z371;
+    const Scalar z373 = z24 * z346 + z93 * z370 + z94 * z372;
+    const Scalar z374 = q_lower_y * q_lower_x + q_lower_z * q_lower_w;
+    const Scalar z375 = n2 * z374;
+    const Scalar z376 = q_lower_z * q_lower_z - q_lower_x * q_lower_x;
+    const Scalar z377 = q_lower_y * q_lower_y - q_lower_w * q_lower_w;
+    const Scalar z378 = z376 + z377;
+    const Scalar z379 = z28 * z346 + z93 * z375 - z94 * z378;
+    const Scalar z380 = q_lower_y * q_lower_w - q_lower_z * q_lower_x;
+    const Scalar z381 = q_lower_y * q_lower_z + q_lower_x * q_lower_w;
+    const Scalar z382 = z27 * z68;
+    const Scalar z383 = n0_1 * z341;
+    const Scalar z384 = n0_1 * z344;
+    const Scalar z385 = n0_5 * (v_lower_omega_x * z350 - v_lower_omega_y * z353 + v_lower_omega_z * z354);
+    const Scalar z386 = n0_5 * (v_lower_omega_x * z351 + v_lower_omega_y * z354 + v_lower_omega_z * z353);
+    const Scalar z387 = n2 * (q_lower_y * z385 + q_lower_z * z386) + n4 * z350 * z351;
+    const Scalar z388 = n0_5 * (v_lower_omega_x * z353 + v_lower_omega_y * z350 - v_lower_omega_z * z351);
+    const Scalar z389 = n0_5 * (v_lower_omega_x * z354 - v_lower_omega_y * z351 - v_lower_omega_z * z350);
+    const Scalar z390 = n2 * (q_lower_x * z388 + q_lower_w * z389) + n4 * z353 * z354;
+    const Scalar z391 = z387 - z390;
+    const Scalar z392 = n2 * (q_lower_z * z389 + q_lower_x * z385) + n4 * z351 * z353;
+    const Scalar z393 = n2 * (q_lower_y * z388 + q_lower_w * z386) + n4 * z350 * z354;
+    const Scalar z394 = z392 + z393;
+    const Scalar z395 = n4 * (q_lower_y * z386 - z350 * z350);
+    const Scalar z396 = n4 * (q_lower_x * z389 - z353 * z353);
+    const Scalar z397 = z395 + z396;
+    const Scalar z398 = n2 * (z356 * z357 + z360 * z361 - z364 * z365) + z23 * z383 - z29 * z384 + z93 * z391 + z94
+        * z394 - z346 * z397;
+    const Scalar z399 = z352 + z355;
+    const Scalar z400 = z368 + z369;
+    const Scalar z401 = n2 * z380;
+    const Scalar z402 = z387 + z390;
+    const Scalar z403 = z362 + z363;
+    const Scalar z404 = z376 - z377;
+    const Scalar z405 = n2 * z381;
+    const Scalar z406 = z392 - z393;
+    const Scalar z409 = z51 * z93 + z55 * z346 + z57 * z94;
+    const Scalar z410 = n0_5 * (q_upper_z * v_upper_omega_x - q_upper_x * v_upper_omega_z + q_upper_w
+        * v_upper_omega_y);
+    const Scalar z411 = n0_5 * (q_upper_y * v_upper_omega_x - q_upper_x * v_upper_omega_y - q_upper_w
+        * v_upper_omega_z);
+    const Scalar z412 = n2 * (q_upper_y * z411 - q_upper_z * z410);
+    const Scalar z413 = n0_5 * (q_upper_y * v_upper_omega_z - q_upper_z * v_upper_omega_y + q_upper_w
+        * v_upper_omega_x);
+    const Scalar z414 = n0_5 * (q_upper_y * v_upper_omega_y + q_upper_z * v_upper_omega_z + q_upper_x
+        * v_upper_omega_x);
+    const Scalar z415 = n2 * (q_upper_x * z414 - q_upper_w * z413);
+    const Scalar z416 = z412 - z415;
+    const Scalar z417 = n4 * q_upper_y * z410;
+    const Scalar z418 = n4 * q_upper_x * z413;
+    const Scalar z419 = z417 + z418;
+    const Scalar z420 = n2 * (q_upper_z * z413 - q_upper_x * z411);
+    const Scalar z421 = n2 * (q_upper_y * z414 - q_upper_w * z410);
+    const Scalar z422 = z420 - z421;
+    const Scalar z423 = z51 * z357 + z55 * z361 + z57 * z365 - z93 * z416 + z94 * z422 - z346 * z419;
+    const Scalar z424 = z51 * z92 + z57 * z93;
+    const Scalar z425 = q_upper_y * q_upper_y - q_upper_z * q_upper_z;
+    const Scalar z426 = q_upper_x * q_upper_x - q_upper_w * q_upper_w;
+    const Scalar z427 = z425 - z426;
+    const Scalar z428 = q_upper_y * q_upper_x - q_upper_z * q_upper_w;
+    const Scalar z429 = n2 * z428;
+    const Scalar z430 = z52 * z346 + z93 * z427 + z94 * z429;
+    const Scalar z431 = q_upper_y * q_upper_x + q_upper_z * q_upper_w;
+    const Scalar z432 = n2 * z431;
+    const Scalar z433 = q_upper_z * q_upper_z - q_upper_x * q_upper_x;
+    const Scalar z434 = q_upper_y * q_upper_y - q_upper_w * q_upper_w;
+    const Scalar z435 = z433 + z434;
+    const Scalar z436 = z56 * z346 + z93 * z432 - z94 * z435;
+    const Scalar z437 = q_upper_y * q_upper_w - q_upper_z * q_upper_x;
+    const Scalar z438 = q_upper_y * q_upper_z + q_upper_x * q_upper_w;
+    const Scalar z439 = z55 * z68;
+    const Scalar z440 = n0_5 * (v_upper_omega_x * z410 - v_upper_omega_y * z413 + v_upper_omega_z * z414);
+    const Scalar z441 = n0_5 * (v_upper_omega_x * z411 + v_upper_omega_y * z414 + v_upper_omega_z * z413);
+    const Scalar z442 = n2 * (q_upper_y * z440 + q_upper_z * z441) + n4 * z410 * z411;
+    const Scalar z443 = n0_5 * (v_upper_omega_x * z413 + v_upper_omega_y * z410 - v_upper_omega_z * z411);
+    const Scalar z444 = n0_5 * (v_upper_omega_x * z414 - v_upper_omega_y * z411 - v_upper_omega_z * z410);
+    const Scalar z445 = n2 * (q_upper_x * z443 + q_upper_w * z444) + n4 * z413 * z414;
+    const Scalar z446 = z442 - z445;
+    const Scalar z447 = n2 * (q_upper_z * z444 + q_upper_x * z440) + n4 * z411 * z413;
+    const Scalar z448 = n2 * (q_upper_y * z443 + q_upper_w * z441) + n4 * z410 * z414;
+    const Scalar z449 = z447 + z448;
+    const Scalar z450 = n4 * (q_upper_y * z441 - z410 * z410);
+    const Scalar z451 = n4 * (q_upper_x * z444 - z413 * z413);
+    const Scalar z452 = z450 + z451;
+    const Scalar z453 = n2 * (z357 * z416 + z361 * z419 - z365 * z422) + z51 * z383 - z57 * z384 + z93 * z446 + z94
+        * z449 - z346 * z452;
+    const Scalar z454 = z412 + z415;
+    const Scalar z455 = z425 + z426;
+    const Scalar z456 = n2 * z437;
+    const Scalar z457 = z442 + z445;
+    const Scalar z458 = z420 + z421;
+    const Scalar z459 = z433 - z434;
+    const Scalar z460 = n2 * z438;
+    const Scalar z461 = z447 - z448;
+    result.value[0] = z335;
+    result.rate[0] = z339;
+    result.gamma[0] = -z342;
+    result.value[1] = z337;
+    result.rate[1] = z343;
+    result.gamma[1] = z345;
+    result.value[2] = n0;
+    result.rate[2] = n0;
+    result.gamma[2] = n0;
+    result.value[3] = n0;
+    result.rate[3] = n0;
+    result.gamma[3] = n0;
+    result.value[4] = -z349;
+    result.rate[4] = -z366;
+    result.gamma[4] = z398;
+    result.value[5] = -z24;
+    result.rate[5] = z399;
+    result.gamma[5] = z402;
+    result.value[6] = z28;
+    result.rate[6] = z403;
+    result.gamma[6] = -z406;
+    result.value[7] = -z409;
+    result.rate[7] = -z423;
+    result.gamma[7] = z453;
+    result.value[8] = -z52;
+    result.rate[8] = z454;
+    result.gamma[8] = z457;
+    result.value[9] = z56;
+    result.rate[9] = z458;
+    result.gamma[9] = -z461;
+    result.jacobian[0] = n0;
+    result.jacobian[1] = n0;
+    result.jacobian[2] = n0;
+    result.jacobian[3] = n0;
+    result.jacobian[4] = -z27;
+    result.jacobian[5] = n0;
+    result.jacobian[6] = n0;
+    result.jacobian[7] = -z55;
+    result.jacobian[8] = n0;
+    result.jacobian[9] = n0;
+    result.jacobian[10] = z334;
+    result.jacobian[11] = z335;
+    result.jacobian[12] = n0;
+    result.jacobian[13] = n0;
+    result.jacobian[14] = -z367;
+    result.jacobian[15] = n0;
+    result.jacobian[16] = n0;
+    result.jacobian[17] = -z424;
+    result.jacobian[18] = n0;
+    result.jacobian[19] = n0;
+    result.jacobian[20] = n0;
+    result.jacobian[21] = n0;
+    result.jacobian[22] = n0;
+    result.jacobian[23] = n0;
+    result.jacobian[24] = z373;
+    result.jacobian[25] = z400;
+    result.jacobian[26] = n0;
+    result.jacobian[27] = n0;
+    result.jacobian[28] = n0;
+    result.jacobian[29] = n0;
+    result.jacobian[30] = n0;
+    result.jacobian[31] = n0;
+    result.jacobian[32] = n0;
+    result.jacobian[33] = n0;
+    result.jacobian[34] = -z379;
+    result.jacobian[35] = n0;
+    result.jacobian[36] = -z404;
+    result.jacobian[37] = n0;
+    result.jacobian[38] = n0;
+    result.jacobian[39] = n0;
+    result.jacobian[40] = n0;
+    result.jacobian[41] = n0;
+    result.jacobian[42] = n0;
+    result.jacobian[43] = n0;
+    result.jacobian[44] = n0;
+    result.jacobian[45] = -z401;
+    result.jacobian[46] = z405;
+    result.jacobian[47] = n0;
+    result.jacobian[48] = n0;
+    result.jacobian[49] = n0;
+    result.jacobian[50] = n0;
+    result.jacobian[51] = n0;
+    result.jacobian[52] = n0;
+    result.jacobian[53] = n0;
+    result.jacobian[54] = n0;
+    result.jacobian[55] = n0;
+    result.jacobian[56] = n0;
+    result.jacobian[57] = z430;
+    result.jacobian[58] = z455;
+    result.jacobian[59] = n0;
+    result.jacobian[60] = n0;
+    result.jacobian[61] = n0;
+    result.jacobian[62] = n0;
+    result.jacobian[63] = n0;
+    result.jacobian[64] = n0;
+    result.jacobian[65] = n0;
+    result.jacobian[66] = n0;
+    result.jacobian[67] = -z436;
+    result.jacobian[68] = n0;
+    result.jacobian[69] = -z459;
+    result.jacobian[70] = n0;
+    result.jacobian[71] = n0;
+    result.jacobian[72] = n0;
+    result.jacobian[73] = n0;
+    result.jacobian[74] = n0;
+    result.jacobian[75] = n0;
+    result.jacobian[76] = n0;
+    result.jacobian[77] = n0;
+    result.jacobian[78] = -z456;
+    result.jacobian[79] = z460;
+    result.jacobian[80] = n0;
+    result.jacobian[81] = n0;
+    result.jacobian[82] = n0;
+    result.jacobian[83] = n0;
+    result.jacobian[84] = z382;
+    result.jacobian[85] = n0;
+    result.jacobian[86] = n0;
+    result.jacobian[87] = z439;
+    result.jacobian[88] = n0;
+    result.jacobian[89] = n0;
+  }
+};
+
+}  // namespace model_making_press

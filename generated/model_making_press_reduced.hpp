@@ -1,0 +1,637 @@
+// SPDX-License-Identifier: MIT
+// model_making_press_reduced: Model-making press, reduced: one prismatic, one helical, one point contact
+// Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
+// Free to embed under the MIT licence.
+//
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, constraints, linearisation
+// Parameters set at run time: none
+//
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
+// moved across joints, factoring, and what is done once for a set of parameters:
+//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   kinematics                0                2          2             0                  1       0      6       6
+//   mass_matrix               0                0          0             0                  0       0      0       0
+//   bias                      2                3          0             0                  0       0      5       5
+//   inverse_dynamics          7                8          1             0                  0       0     16      16
+//   forward_dynamics          6                9          0             0                  0       0     15      15
+//   energy                    5               13          2             0                  0       0     20      22
+//   constraints               2                2          2             0                  0       0      6       6
+//   linearisation            14               11          1             0                  0       0     26      27
+//
+// Not computed because this mechanism does not need it:
+//   kinematics: of 36 results 23 vanish identically, 2 repeat another up to sign
+//   mass_matrix: of 4 results 2 vanish identically
+//   first_integrals: left out, 'thread', 'C' have no force function
+//   constraints: of 5 results 1 vanish identically
+//   reactions: left out, the scene releases no joint direction (released_coordinate)
+//   linearisation: of 27 results 11 vanish identically
+//
+// To write this file again:
+//   model_making_press_reduced_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output model_making_press_reduced.hpp
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#ifndef TORSOR_KERNEL_SUPPORT
+#define TORSOR_KERNEL_SUPPORT 1
+// Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
+#ifndef TORSOR_DEVICE
+#define TORSOR_DEVICE
+#endif
+
+namespace torsor {
+
+/// What a kernel says about its results; the larger, the worse.
+enum class Status : int { ok = 0, singular = 1, not_finite = 2 };
+
+/// What a kernel needs of its scalar. This one serves float and double; specialise it, once a header is included, for
+/// any other (a pack of several states, a high-precision number).
+template <class Scalar>
+struct scalar_traits {
+  static_assert(sizeof(Scalar) == sizeof(float) || sizeof(Scalar) == sizeof(double),
+                "specialise torsor::scalar_traits for a scalar that is neither float nor double");
+  static constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+
+  /// A number, rounded for either format. `exact` is "num/den", or "a;b;c;d" for a + b sqrt(2) + c sqrt(3) + d sqrt(6).
+  TORSOR_DEVICE static constexpr Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    return is_float ? static_cast<Scalar>(in_float) : static_cast<Scalar>(in_double);
+  }
+  /// The same for a number that is no such sum: a callable computes it where literals are not precise enough.
+  template <class Callable>
+  TORSOR_DEVICE static constexpr Scalar formula(double in_double, float in_float, const Callable&) noexcept {
+    return constant(in_double, in_float, nullptr);
+  }
+  TORSOR_DEVICE static constexpr Scalar pi() noexcept { return constant(3.141592653589793, 3.1415927f, nullptr); }
+  TORSOR_DEVICE static constexpr Scalar select(bool condition, Scalar if_true, Scalar if_false) noexcept {
+    return condition ? if_true : if_false;
+  }
+  TORSOR_DEVICE static void sincos(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
+    sine = std::sin(angle);
+    cosine = std::cos(angle);
+  }
+  TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
+  TORSOR_DEVICE static Scalar exp(const Scalar& x) noexcept { return std::exp(x); }
+  TORSOR_DEVICE static Scalar log(const Scalar& x) noexcept { return std::log(x); }
+  /// Whether a pivot is positive beyond the rounding of the diagonal entry it came from; not when it is not a number.
+  TORSOR_DEVICE static bool regular(const Scalar& pivot, const Scalar& diagonal) noexcept {
+    return pivot > constant(0x1p-52, 0x1p-23f, nullptr) * std::abs(diagonal);
+  }
+};
+
+}  // namespace torsor
+#elif TORSOR_KERNEL_SUPPORT != 1
+#error "headers of incompatible versions of torsor meet here: write them again with one version"
+#endif
+
+namespace model_making_press_reduced {
+
+/// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
+/// M a + h = E u + A' lambda and A a + gamma = 0, with a the accelerations and u the inputs; units are SI.
+template <class Scalar>
+struct Mechanism {
+  using traits = torsor::scalar_traits<Scalar>;
+
+  static constexpr const char* name = "model_making_press_reduced";
+  static constexpr int coordinate_count = 2;
+  static constexpr int velocity_count = 2;
+  static constexpr int input_count = 1;
+  static constexpr int parameter_count = 0;
+  static constexpr int multiplier_count = 1;
+
+  /// Parameters that are set at run time.
+  struct Parameters {
+    static constexpr int size = 0;
+  };
+
+  /// Generalised coordinates q.
+  struct Coordinates {
+    Scalar a_z;  ///< coordinate [m]
+    Scalar omega_z;  ///< coordinate [rad or 1]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Coordinates::*member_(int i_) noexcept {
+      constexpr Scalar Coordinates::*members_[] = {&Coordinates::a_z, &Coordinates::omega_z};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised velocities v = dq/dt.
+  struct Velocities {
+    Scalar a_z;  ///< its rate [m/s]
+    Scalar omega_z;  ///< its rate [rad/s]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Velocities::*member_(int i_) noexcept {
+      constexpr Scalar Velocities::*members_[] = {&Velocities::a_z, &Velocities::omega_z};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised accelerations dv/dt.
+  struct Accelerations {
+    Scalar a_z;  ///< its second rate [m/s^2]
+    Scalar omega_z;  ///< its second rate [rad/s^2]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Accelerations::*member_(int i_) noexcept {
+      constexpr Scalar Accelerations::*members_[] = {&Accelerations::a_z, &Accelerations::omega_z};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised forces, one along each coordinate.
+  struct GeneralizedForces {
+    Scalar a_z;  ///< works with the rate of a_z [N]
+    Scalar omega_z;  ///< works with the rate of omega_z [N m]
+    static constexpr int size = 2;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar GeneralizedForces::*member_(int i_) noexcept {
+      constexpr Scalar GeneralizedForces::*members_[] = {&GeneralizedForces::a_z, &GeneralizedForces::omega_z};
+      return members_[i_];
+    }
+  };
+
+  /// Forces and torques of motors, set at each call.
+  struct Inputs {
+    Scalar C;  ///< motor [N m]
+    static constexpr int size = 1;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Inputs::*member_(int i_) noexcept {
+      constexpr Scalar Inputs::*members_[] = {&Inputs::C};
+      return members_[i_];
+    }
+  };
+
+  /// Multipliers of the constraints, or the reactions that enforce them.
+  struct Multipliers {
+    Scalar lambda_LB_z;  ///< of the constraint LB_z [N]
+    static constexpr int size = 1;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Multipliers::*member_(int i_) noexcept {
+      constexpr Scalar Multipliers::*members_[] = {&Multipliers::lambda_LB_z};
+      return members_[i_];
+    }
+  };
+
+  /// Time [s], coordinates and velocities.
+  struct State {
+    Scalar time;
+    Coordinates q;
+    Velocities v;
+  };
+
+  /// Parameters and what depends on them only: built once for each set of parameters.
+  struct Precomputed {
+    Parameters parameters;
+  };
+
+  /// Values of the scene.
+  TORSOR_DEVICE static Parameters default_parameters() noexcept {
+    Parameters parameters{};
+    return parameters;
+  }
+
+  /// To be called again when a parameter changes.
+  TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
+    Precomputed precomputed{};
+    precomputed.parameters = parameters;
+    return precomputed;
+  }
+
+  /// The state the scene starts from, for these parameters.
+  TORSOR_DEVICE static State initial_state(const Parameters&) noexcept {
+    State state{};
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    state.time = n0;
+    state.q.a_z = n0;
+    state.q.omega_z = n0;
+    state.v.a_z = n0;
+    state.v.omega_z = n0;
+    return state;
+  }
+  TORSOR_DEVICE static State initial_state() noexcept { return initial_state(default_parameters()); }
+
+  /// Poses, twists and named points in ground axes.
+  struct Kinematics {
+    std::array<Scalar, 3> traverse_position;  ///< centre of mass of traverse [m]
+    std::array<Scalar, 9> traverse_rotation;  ///< from the axes of traverse to the ground's (3 x 3)
+    std::array<Scalar, 3> traverse_velocity;  ///< velocity of the centre of mass of traverse [m/s]
+    std::array<Scalar, 3> traverse_angular_velocity;  ///< angular velocity of traverse [rad/s]
+    std::array<Scalar, 3> screw_position;  ///< centre of mass of screw [m]
+    std::array<Scalar, 9> screw_rotation;  ///< from the axes of screw to the ground's (3 x 3)
+    std::array<Scalar, 3> screw_velocity;  ///< velocity of the centre of mass of screw [m/s]
+    std::array<Scalar, 3> screw_angular_velocity;  ///< angular velocity of screw [rad/s]
+  };
+
+  /// Energies of the mechanism.
+  struct Energy {
+    Scalar kinetic;  ///< kinetic energy T [J]
+    Scalar force_function;  ///< force function U of gravity and springs [J]
+    Scalar power;  ///< power of dampers, given forces and motors [W]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Energy::*member_(int i_) noexcept {
+      constexpr Scalar Energy::*members_[] = {&Energy::kinetic, &Energy::force_function, &Energy::power};
+      return members_[i_];
+    }
+  };
+
+  /// Constraints and their derivatives, one entry per multiplier.
+  struct Constraints {
+    std::array<Scalar, 1> value;  ///< f(q, t) of holonomic constraints, 0 for the others
+    std::array<Scalar, 1> rate;  ///< A v - b, df/dt for holonomic ones
+    std::array<Scalar, 2> jacobian;  ///< A, stored column by column (1 x 2)
+    std::array<Scalar, 1> gamma;  ///< d(A v - b)/dt at zero acceleration: A a + gamma = 0
+  };
+
+  /// Matrices of the linearised equations, stored column by column.
+  struct Linearisation {
+    std::array<Scalar, 4> M;  ///< mass matrix (2 x 2)
+    std::array<Scalar, 4> C;  ///< damping and gyroscopic terms (2 x 2)
+    std::array<Scalar, 4> K;  ///< stiffness (2 x 2)
+    std::array<Scalar, 2> F;  ///< right-hand side
+    std::array<Scalar, 2> E;  ///< effect of the inputs
+    std::array<Scalar, 1> M_r;  ///< reduced mass matrix
+    std::array<Scalar, 1> C_r;  ///< reduced damping and gyroscopic terms
+    std::array<Scalar, 1> K_r;  ///< reduced stiffness
+    std::array<Scalar, 1> F_r;  ///< reduced right-hand side
+    std::array<Scalar, 1> E_r;  ///< reduced effect of the inputs
+    std::array<Scalar, 4> A;  ///< state matrix of x = (e, w): x' = A x + B du (2 x 2)
+    std::array<Scalar, 2> B;  ///< input matrix
+  };
+  /// Freedoms that e of the linearisation runs along: places in v (and in q, but for attitudes).
+  static constexpr int independent_coordinate_count = 1;
+  static constexpr int independent_coordinates[] = {1};
+  /// Velocities that w of the linearisation deviates: places in v.
+  static constexpr int independent_velocity_count = 1;
+  static constexpr int independent_velocities[] = {1};
+
+  /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
+  /// matrices column by column.
+  TORSOR_DEVICE static void kinematics(const Precomputed&, const State& state, Kinematics& result) noexcept {
+    const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar q_a_z = state.q.a_z;
+    const Scalar v_a_z = state.v.a_z;
+    const Scalar q_omega_z = state.q.omega_z;
+    const Scalar v_omega_z = state.v.omega_z;
+    const Scalar pi = traits::pi();
+    Scalar s_omega_z, c_omega_z;
+    traits::sincos(q_omega_z, s_omega_z, c_omega_z);
+    const Scalar z10 = n0_002 * q_omega_z / pi;
+    const Scalar z11 = n0_002 * v_omega_z / pi;  // velocity of screw.1, z
+    result.traverse_position[0] = n0;
+    result.traverse_position[1] = n0;
+    result.traverse_position[2] = q_a_z;
+    result.traverse_rotation[0] = n1;
+    result.traverse_rotation[1] = n0;
+    result.traverse_rotation[2] = n0;
+    result.traverse_rotation[3] = n0;
+    result.traverse_rotation[4] = n1;
+    result.traverse_rotation[5] = n0;
+    result.traverse_rotation[6] = n0;
+    result.traverse_rotation[7] = n0;
+    result.traverse_rotation[8] = n1;
+    result.traverse_velocity[0] = n0;
+    result.traverse_velocity[1] = n0;
+    result.traverse_velocity[2] = v_a_z;
+    result.traverse_angular_velocity[0] = n0;
+    result.traverse_angular_velocity[1] = n0;
+    result.traverse_angular_velocity[2] = n0;
+    result.screw_position[0] = n0;
+    result.screw_position[1] = n0;
+    result.screw_position[2] = z10;
+    result.screw_rotation[0] = c_omega_z;
+    result.screw_rotation[1] = s_omega_z;
+    result.screw_rotation[2] = n0;
+    result.screw_rotation[3] = -s_omega_z;
+    result.screw_rotation[4] = c_omega_z;
+    result.screw_rotation[5] = n0;
+    result.screw_rotation[6] = n0;
+    result.screw_rotation[7] = n0;
+    result.screw_rotation[8] = n1;
+    result.screw_velocity[0] = n0;
+    result.screw_velocity[1] = n0;
+    result.screw_velocity[2] = z11;
+    result.screw_angular_velocity[0] = n0;
+    result.screw_angular_velocity[1] = n0;
+    result.screw_angular_velocity[2] = v_omega_z;
+  }
+
+  /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
+  TORSOR_DEVICE static void mass_matrix(const Precomputed&, const State&, std::array<Scalar, 4>& mass) noexcept {
+    const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n0_0001 = traits::constant(1e-04, 1e-04f, "1/10000");
+    const Scalar n0_84 = traits::constant(0.84, 0.84f, "21/25");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar pi = traits::pi();
+    const Scalar z7 = traits::formula(0.0006366197723675813, 0.00063661975f, [&]() -> Scalar {
+      return n0_002 / pi;
+    });
+    const Scalar z12 = traits::formula(0.0001909859317102744, 0.00019098593f, [&]() -> Scalar {
+      return n0_3 * z7;
+    });
+    const Scalar z13 = traits::formula(0.0001001215854203708, 0.000100121586f, [&]() -> Scalar {
+      return n0_0001 + z7 * z12;
+    });
+    mass[0] = n0_84;
+    mass[1] = n0;
+    mass[2] = n0;
+    mass[3] = z13;
+  }
+
+  /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
+  /// actions included. M a + h = E u + A' lambda.
+  TORSOR_DEVICE static void bias(const Precomputed&, const State& state, GeneralizedForces& forces) noexcept {
+    const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
+    const Scalar n20000 = traits::constant(20000.0, 20000.0f, "20000/1");
+    const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
+    const Scalar n8_2404 = traits::constant(8.2404, 8.2404f, "20601/2500");
+    const Scalar n2_943 = traits::constant(2.943, 2.943f, "2943/1000");
+    const Scalar q_a_z = state.q.a_z;
+    const Scalar v_omega_z = state.v.omega_z;
+    const Scalar pi = traits::pi();
+    const Scalar z7 = traits::formula(0.0006366197723675813, 0.00063661975f, [&]() -> Scalar {
+      return n0_002 / pi;
+    });
+    const Scalar z14 = n20000 * q_a_z;
+    const Scalar z15 = n0_0005 * v_omega_z;
+    const Scalar z17 = n8_2404 + z14;
+    const Scalar z18 = n2_943 * z7 + z15;
+    forces.a_z = z17;
+    forces.omega_z = z18;
+  }
+
+  /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
+  TORSOR_DEVICE static void inverse_dynamics(const Precomputed&, const State& state, const Accelerations& accelerations,
+      const Multipliers& multipliers, GeneralizedForces& forces) noexcept {
+    const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
+    const Scalar n20000 = traits::constant(20000.0, 20000.0f, "20000/1");
+    const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0_0001 = traits::constant(1e-04, 1e-04f, "1/10000");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n0_84 = traits::constant(0.84, 0.84f, "21/25");
+    const Scalar q_a_z = state.q.a_z;
+    const Scalar a_a_z = accelerations.a_z;
+    const Scalar v_omega_z = state.v.omega_z;
+    const Scalar a_omega_z = accelerations.omega_z;
+    const Scalar l_lambda_LB_z = multipliers.lambda_LB_z;
+    const Scalar pi = traits::pi();
+    const Scalar z7 = traits::formula(0.0006366197723675813, 0.00063661975f, [&]() -> Scalar {
+      return n0_002 / pi;
+    });
+    const Scalar z14 = n20000 * q_a_z;
+    const Scalar z15 = n0_0005 * v_omega_z;
+    const Scalar z19 = n9_81 + a_a_z;
+    const Scalar z20 = n9_81 + n0_002 * a_omega_z / pi;
+    const Scalar z21 = n0_0001 * a_omega_z;  // moment on screw, z
+    const Scalar z22 = n0_3 * z20;  // force on screw.1, z
+    const Scalar z23 = n0_84 * z19;  // force on traverse, z
+    const Scalar z24 = z14 + z23;
+    const Scalar z25 = z7 * z22 + z15 + z21;
+    forces.a_z = z24 + l_lambda_LB_z;
+    forces.omega_z = -z7 * l_lambda_LB_z + z25;
+  }
+
+  /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
+  /// an unrolled L D L' of M and of the Schur complement A M^-1 A'. Returns singular when a pivot is not
+  /// positive relative to its diagonal entry.
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs& inputs,
+      Accelerations& accelerations, Multipliers& multipliers) noexcept {
+    const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n0_0001 = traits::constant(1e-04, 1e-04f, "1/10000");
+    const Scalar n20000 = traits::constant(20000.0, 20000.0f, "20000/1");
+    const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
+    const Scalar n8_2404 = traits::constant(8.2404, 8.2404f, "20601/2500");
+    const Scalar n2_943 = traits::constant(2.943, 2.943f, "2943/1000");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n25_over_21 = traits::constant(1.1904761904761905, 1.1904762f, "25/21");
+    const Scalar q_a_z = state.q.a_z;
+    const Scalar v_omega_z = state.v.omega_z;
+    const Scalar u_C = inputs.C;
+    const Scalar pi = traits::pi();
+    const Scalar z7 = traits::formula(0.0006366197723675813, 0.00063661975f, [&]() -> Scalar {
+      return n0_002 / pi;
+    });
+    const Scalar z12 = traits::formula(0.0001909859317102744, 0.00019098593f, [&]() -> Scalar {
+      return n0_3 * z7;
+    });
+    const Scalar z13 = traits::formula(0.0001001215854203708, 0.000100121586f, [&]() -> Scalar {
+      return n0_0001 + z7 * z12;
+    });
+    const Scalar z14 = n20000 * q_a_z;
+    const Scalar z15 = n0_0005 * v_omega_z;
+    const Scalar z17 = n8_2404 + z14;
+    const Scalar z18 = n2_943 * z7 + z15;
+    const Scalar z29 = u_C - z18;
+    const Scalar z30 = traits::formula(9987.856223025203, 9987.856f, [&]() -> Scalar {
+      return n1 / z13;
+    });
+    const Scalar z31 = n25_over_21 * z17;
+    const Scalar z32 = z29 * z30;
+    const Scalar z33 = traits::formula(6.358466755142436, 6.3584666f, [&]() -> Scalar {
+      return z7 * z30;
+    });
+    const Scalar z34 = traits::formula(1.1945241161344562, 1.1945242f, [&]() -> Scalar {
+      return n25_over_21 + z7 * z33;
+    });
+    const Scalar z35 = z7 * z32 + z31;
+    const Scalar z36 = traits::formula(0.8371534626157683, 0.83715343f, [&]() -> Scalar {
+      return n1 / z34;
+    });
+    const Scalar z37 = z35 * z36;
+    const Scalar z38 = z31 - n25_over_21 * z37;
+    const Scalar z39 = z32 - z33 * z37;
+    accelerations.a_z = -z38;
+    accelerations.omega_z = z39;
+    multipliers.lambda_LB_z = -z37;
+    if (!(traits::regular(z13, z13) && traits::regular(z34, z34))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (accelerations.a_z - accelerations.a_z) + (accelerations.omega_z - accelerations.omega_z)
+        + (multipliers.lambda_LB_z - multipliers.lambda_LB_z);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
+  TORSOR_DEVICE static void energy(const Precomputed&, const State& state, const Inputs& inputs,
+      Energy& result) noexcept {
+    const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
+    const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
+    const Scalar n0_42 = traits::constant(0.42, 0.42f, "21/50");
+    const Scalar k3 = traits::constant(5e-05, 5e-05f, "1/20000");
+    const Scalar n0_15 = traits::constant(0.15, 0.15f, "3/20");
+    const Scalar n8_2404 = traits::constant(8.2404, 8.2404f, "20601/2500");
+    const Scalar n10000 = traits::constant(10000.0, 10000.0f, "10000/1");
+    const Scalar n2_943 = traits::constant(2.943, 2.943f, "2943/1000");
+    const Scalar q_a_z = state.q.a_z;
+    const Scalar v_a_z = state.v.a_z;
+    const Scalar q_omega_z = state.q.omega_z;
+    const Scalar v_omega_z = state.v.omega_z;
+    const Scalar u_C = inputs.C;
+    const Scalar pi = traits::pi();
+    const Scalar z10 = n0_002 * q_omega_z / pi;
+    const Scalar z11 = n0_002 * v_omega_z / pi;  // velocity of screw.1, z
+    const Scalar z15 = n0_0005 * v_omega_z;
+    result.kinetic = n0_42 * v_a_z * v_a_z + k3 * v_omega_z * v_omega_z + n0_15 * z11 * z11;
+    result.force_function = -q_a_z * (n8_2404 + n10000 * q_a_z) - n2_943 * z10;
+    result.power = -v_omega_z * (z15 - u_C);
+  }
+
+  /// Constraints A(q, t) v - b(q, t) = 0, in the order of the multipliers.
+  TORSOR_DEVICE static void constraints(const Precomputed&, const State& state, Constraints& result) noexcept {
+    const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar q_a_z = state.q.a_z;
+    const Scalar v_a_z = state.v.a_z;
+    const Scalar q_omega_z = state.q.omega_z;
+    const Scalar v_omega_z = state.v.omega_z;
+    const Scalar pi = traits::pi();
+    const Scalar z7 = traits::formula(0.0006366197723675813, 0.00063661975f, [&]() -> Scalar {
+      return n0_002 / pi;
+    });
+    const Scalar z10 = n0_002 * q_omega_z / pi;
+    const Scalar z11 = n0_002 * v_omega_z / pi;  // velocity of screw.1, z
+    const Scalar z26 = q_a_z - z10;
+    const Scalar z27 = v_a_z - z11;
+    result.value[0] = -z26;
+    result.rate[0] = -z27;
+    result.gamma[0] = n0;
+    result.jacobian[0] = -n1;
+    result.jacobian[1] = z7;
+  }
+
+  /// Linearisation about a state that satisfies the constraints. M d'' + C d' + K d = F + E du in all freedoms d, at
+  /// fixed multipliers: A' dlambda and the linearised constraints come beside it. Reduced to independent freedoms:
+  /// M_r w' + C_r w + K_r e = F_r + E_r du, e the deviations of omega_z,
+  /// w those of the rates of omega_z;
+  /// the dependent freedoms follow, to first order. At the accelerations and multipliers of the motion F_r vanishes.
+  /// Returns singular where the constraints do not determine the dependent freedoms.
+  TORSOR_DEVICE static torsor::Status linearisation(const Precomputed&, const State& state,
+      const Accelerations& accelerations, const Multipliers& multipliers, const Inputs& inputs,
+      Linearisation& result) noexcept {
+    const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n0_0001 = traits::constant(1e-04, 1e-04f, "1/10000");
+    const Scalar n20000 = traits::constant(20000.0, 20000.0f, "20000/1");
+    const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0_84 = traits::constant(0.84, 0.84f, "21/25");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_a_z = state.q.a_z;
+    const Scalar a_a_z = accelerations.a_z;
+    const Scalar v_omega_z = state.v.omega_z;
+    const Scalar a_omega_z = accelerations.omega_z;
+    const Scalar u_C = inputs.C;
+    const Scalar l_lambda_LB_z = multipliers.lambda_LB_z;
+    const Scalar pi = traits::pi();
+    const Scalar z7 = traits::formula(0.0006366197723675813, 0.00063661975f, [&]() -> Scalar {
+      return n0_002 / pi;
+    });
+    const Scalar z12 = traits::formula(0.0001909859317102744, 0.00019098593f, [&]() -> Scalar {
+      return n0_3 * z7;
+    });
+    const Scalar z13 = traits::formula(0.0001001215854203708, 0.000100121586f, [&]() -> Scalar {
+      return n0_0001 + z7 * z12;
+    });
+    const Scalar z14 = n20000 * q_a_z;
+    const Scalar z15 = n0_0005 * v_omega_z;
+    const Scalar z19 = n9_81 + a_a_z;
+    const Scalar z20 = n9_81 + n0_002 * a_omega_z / pi;
+    const Scalar z21 = n0_0001 * a_omega_z;  // moment on screw, z
+    const Scalar z22 = n0_3 * z20;  // force on screw.1, z
+    const Scalar z23 = n0_84 * z19;  // force on traverse, z
+    const Scalar z24 = z14 + z23;
+    const Scalar z25 = z7 * z22 + z15 + z21;
+    const Scalar z44 = a_a_z - a_omega_z * z7;
+    const Scalar z45 = traits::formula(0.0005347606087887683, 0.0005347606f, [&]() -> Scalar {
+      return n0_84 * z7;
+    });
+    const Scalar z46 = traits::formula(0.00010046202459740906, 0.00010046203f, [&]() -> Scalar {
+      return z7 * z45 + z13;
+    });
+    const Scalar z47 = traits::formula(12.732395447351626, 12.732395f, [&]() -> Scalar {
+      return n20000 * z7;
+    });
+    const Scalar z48 = traits::formula(0.008105694691387022, 0.008105694f, [&]() -> Scalar {
+      return z7 * z47;
+    });
+    const Scalar z49 = z24 + l_lambda_LB_z;
+    const Scalar z50 = z7 * (l_lambda_LB_z - z49) + u_C - z25;
+    const Scalar z51 = z44 * z45;
+    const Scalar z52 = z50 + z51;
+    const Scalar z53 = traits::formula(9954.01002525476, 9954.01f, [&]() -> Scalar {
+      return n1 / z46;
+    });
+    const Scalar z54 = traits::formula(80.6841662197207, 80.684166f, [&]() -> Scalar {
+      return z48 * z53;
+    });
+    const Scalar z55 = traits::formula(4.977005012627379, 4.977005f, [&]() -> Scalar {
+      return n0_0005 * z53;
+    });
+    result.M[0] = n0_84;
+    result.M[1] = n0;
+    result.M[2] = n0;
+    result.M[3] = z13;
+    result.C[0] = n0;
+    result.C[1] = n0;
+    result.C[2] = n0;
+    result.C[3] = n0_0005;
+    result.K[0] = n20000;
+    result.K[1] = n0;
+    result.K[2] = n0;
+    result.K[3] = n0;
+    result.F[0] = -z24 - l_lambda_LB_z;
+    result.F[1] = z7 * l_lambda_LB_z + u_C - z25;
+    result.E[0] = n0;
+    result.E[1] = n1;
+    result.M_r[0] = z46;
+    result.C_r[0] = n0_0005;
+    result.K_r[0] = z48;
+    result.F_r[0] = z52;
+    result.E_r[0] = n1;
+    result.A[0] = n0;
+    result.A[1] = -z54;
+    result.A[2] = n1;
+    result.A[3] = -z55;
+    result.B[0] = n0;
+    result.B[1] = z53;
+    if (!(traits::regular(z46, z46))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (result.M[3] - result.M[3]) + (result.F[0] - result.F[0]) + (result.F[1] - result.F[1])
+        + (result.M_r[0] - result.M_r[0]) + (result.K_r[0] - result.K_r[0]) + (result.F_r[0] - result.F_r[0])
+        + (result.A[1] - result.A[1]) + (result.A[3] - result.A[3]) + (result.B[1] - result.B[1]);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+};
+
+}  // namespace model_making_press_reduced
