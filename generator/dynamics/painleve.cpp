@@ -18,9 +18,10 @@ std::string joined(const std::vector<std::string>& names) {
   return text;
 }
 
-/// Momenta of cyclic coordinates.
+/// Momenta of cyclic coordinates, as rows of M v: there what a body's own axes mix has fallen out already, so that
+/// rounding is that of the terms which matter. `at_rest` are the momenta where every v is zero (driven mechanisms).
 void add_momenta(const Equations& equations, const std::vector<Value>& momenta, const std::vector<Value>& along_q,
-                 PainleveReport& report) {
+                 Substitution& at_rest, PainleveReport& report) {
   const Model& model = equations.model();
   const std::vector<Value> applied = applied_forces(model, equations.actions());
   const Value gravity = gravity_force_function(model);
@@ -41,8 +42,12 @@ void add_momenta(const Equations& equations, const std::vector<Value>& momenta, 
     const std::string meaning = model.coordinates()[i].attitude < 0
                                     ? fmt::format("dT/d{}' of the cyclic coordinate '{}'", q->name, q->name)
                                     : fmt::format("dT/d{}, constant in the moving axes", q->name);
+    Value momentum = at_rest(momenta[i]);
+    for (int j = 0; j < model.unknown_count(); ++j) {
+      momentum += equations.mass()[i][static_cast<std::size_t>(j)] * model.v(j);
+    }
     report.first_integrals.push_back(
-        {"momentum_" + q->name, fmt::format("{} [{}]", meaning, unit.to_string()), momenta[i]});
+        {"momentum_" + q->name, fmt::format("{} [{}]", meaning, unit.to_string()), momentum});
   }
 }
 
@@ -100,7 +105,7 @@ PainleveReport painleve(const Equations& equations) {
     report.first_integrals.push_back(driven ? FirstIntegral{"painleve", "T2 - T0 - U [J]", integral}
                                             : FirstIntegral{"energy", "T - U [J]", integral});
   }
-  add_momenta(equations, momenta, along_q, report);
+  add_momenta(equations, momenta, along_q, at_rest, report);
   return report;
 }
 

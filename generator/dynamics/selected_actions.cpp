@@ -82,8 +82,6 @@ class Gatherer {
     return u.program() == nullptr ? std::vector<Value>(velocities.size()) : gradient_along(u, velocities);
   }
 
-  static Value rate(const Value& u) { return u.program() == nullptr ? Value() : time_derivative(u); }
-
   Value work_rate(const std::vector<Value>& forces) const {
     Value sum;
     for (std::size_t i = 0; i < forces.size(); ++i) sum += forces[i] * model_.v(static_cast<int>(i));
@@ -111,7 +109,7 @@ class Gatherer {
       return wanted(name_of(action)) && std::holds_alternative<GivenForceFunction>(action);
     });
     result.power += actions.power;
-    result.power += rate(program_.bind(actions.spring_force_function - given.spring_force_function));
+    result.power += time_derivative(program_.bind(actions.spring_force_function - given.spring_force_function));
     result.power += work_rate(along_coordinates(given.spring_force_function));
   }
 
@@ -151,7 +149,7 @@ class Gatherer {
       u += program_.lower(body.inertia.mass) * dot(g, bound(program_, model_.locate(center, at.link, 0)));
     }
     result.force_function += u;
-    result.power += rate(u);
+    result.power += time_derivative(u);
     const std::vector<Value> forces = along_coordinates(u);
     for (std::size_t i = 0; i < forces.size(); ++i) result.forces[i] += forces[i];
   }

@@ -150,6 +150,7 @@ Derivation time_derivation(Program& program) {
 }
 
 Value time_derivative(const Value& value) {
+  if (value.program() == nullptr) return {};  // nothing at all
   if (value.is_constant()) return {*value.program(), Polynomial(), value.unit() / Unit::parse("s")};
   Derivation derivation = time_derivation(*value.program());
   return derivation(value);

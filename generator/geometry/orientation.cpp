@@ -23,8 +23,6 @@ PlaneTurn turn_by(Program& program, const Value& angle) {
   return turn;
 }
 
-Value rate_of(const Value& angle) { return angle.is_zero() ? Value() : time_derivative(angle); }
-
 }  // namespace
 
 Matrix rotation_matrix(Program& program, const PlaneRotation& turn) {
@@ -58,7 +56,7 @@ Vector angular_velocity(Program& program, const std::vector<PlaneRotation>& sequ
   Vector sum;
   for (const PlaneRotation& turn : sequence) {
     const Matrix plane = rotation_matrix(program, turn);
-    const Value rate = rate_of(turn.angle);
+    const Value rate = time_derivative(turn.angle);
     for (int i = 0; i < 3; ++i) sum[i] += rate * before(i, turn.axis);
     before = bound(program, before * plane);
   }
@@ -94,7 +92,7 @@ Vector angular_velocity(Program& program, const AxisAngle& turn) {
   check_unit_axis(program, turn.axis);
   const PlaneTurn t = turn_by(program, turn.angle);
   const Vector moved = time_derivative(turn.axis);
-  Vector sum = rate_of(turn.angle) * turn.axis;
+  Vector sum = time_derivative(turn.angle) * turn.axis;
   sum += t.sine * moved;
   sum += t.one_minus_cosine * cross(turn.axis, moved);
   return sum;

@@ -53,7 +53,7 @@ Matrix rotation_matrix(Program& program, const Quaternion& p) {
 }
 
 Vector angular_velocity(const Quaternion& p) {
-  const Value scalar_rate = p.scalar.is_zero() ? Value() : time_derivative(p.scalar);
+  const Value scalar_rate = time_derivative(p.scalar);
   const Vector rate = time_derivative(p.vector);
   Vector half = p.scalar * rate;
   half += -(scalar_rate * p.vector);

@@ -79,7 +79,7 @@ class SceneCheck {
     const ForwardSolution& forward = kernels_.forward();
     const std::vector<Value>& inverse = kernels_.inverse_dynamics();
     const PainleveReport report = painleve(kernels_);
-    const Value power = report.t2_minus_t0.is_zero() ? Value() : time_derivative(report.t2_minus_t0);
+    const Value power = time_derivative(report.t2_minus_t0);
     std::vector<Value> momenta;
     if (power.program() != nullptr) {
       std::vector<SymbolPointer> velocities;

@@ -9,18 +9,21 @@
 #include "generator/emission/kernel.hpp"
 #include "generator/verification/dense_linear.hpp"
 #include "generator/verification/random_state.hpp"
+#include "generator/verification/sensitivity.hpp"
 
 namespace torsor {
 namespace {
 
-/// Condition number ‖M‖₁ ‖M⁻¹‖₁ of M scaled to a unit diagonal, so that units do not matter.
-double scaled_condition(const std::vector<std::vector<Real>>& m) {
+using RealMatrix = std::vector<std::vector<Real>>;
+
+/// ‖M‖₁ ‖M⁻¹‖₁.
+double condition_number(const RealMatrix& m) {
   const std::size_t n = m.size();
-  std::vector<Real> scaled(n * n);
+  std::vector<Real> entries(n * n);
   for (std::size_t j = 0; j < n; ++j) {
-    for (std::size_t i = 0; i < n; ++i) scaled[i + j * n] = m[i][j] / sqrt(m[i][i] * m[j][j]);
+    for (std::size_t i = 0; i < n; ++i) entries[i + j * n] = m[i][j];
   }
-  const LuFactorisation lu(scaled, static_cast<int>(n));
+  const LuFactorisation lu(entries, static_cast<int>(n));
   double norm = 0;
   double inverse_norm = 0;
   for (std::size_t j = 0; j < n; ++j) {
@@ -30,7 +33,7 @@ double scaled_condition(const std::vector<std::vector<Real>>& m) {
     double inverse_column = 0;
     const std::vector<Real> solution = lu.solve(unit);
     for (std::size_t i = 0; i < n; ++i) {
-      column += std::abs(scaled[i + j * n].to_double());
+      column += std::abs(entries[i + j * n].to_double());
       inverse_column += std::abs(solution[i].to_double());
     }
     norm = std::max(norm, column);
@@ -39,14 +42,39 @@ double scaled_condition(const std::vector<std::vector<Real>>& m) {
   return norm * inverse_norm;
 }
 
-/// Largest ratio of what a pivot is compared with to the pivot: a random state may determine the dependent freedoms
-/// badly, and the equations reduced there divide by the pivots' roots more than once.
-double smallest_pivot_costs(const Kernel& kernel, Evaluator<Real>& exact) {
-  double largest = 1;
-  for (const auto& [pivot, compared] : kernel.pivots) {
-    largest = std::max(largest, std::abs((exact(compared) / exact(pivot)).to_double()));
+/// The matrix that forward dynamics solves with, [M  B; A  0] of the constraints that are kept, M scaled to a unit
+/// diagonal, each row of A then and each column of B to the length 1, so that units do not matter.
+RealMatrix scaled_matrix(const Equations& equations, Evaluator<Real>& exact) {
+  const ValueMatrix& mass = equations.mass();
+  const std::size_t n = mass.size();
+  const std::vector<std::size_t> kept =
+      equations.constraints().empty() ? std::vector<std::size_t>{} : equations.redundancy().kept;
+  RealMatrix all(n + kept.size(), std::vector<Real>(n + kept.size(), Real(0)));
+  std::vector<Real> root(n);
+  for (std::size_t i = 0; i < n; ++i) root[i] = sqrt(exact(mass[i][i]));
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) all[i][j] = exact(mass[i][j]) / (root[i] * root[j]);
   }
-  return largest;
+  const auto scaled = [&](const std::vector<Value>& row) {
+    std::vector<Real> result(n);
+    Real square(0);
+    for (std::size_t i = 0; i < n; ++i) {
+      result[i] = exact(row[i]) / root[i];
+      square += result[i] * result[i];
+    }
+    for (Real& entry : result) entry = entry / sqrt(square);
+    return result;
+  };
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    const ConstraintRow& constraint = equations.constraints()[kept[k]];
+    const std::vector<Real> row = scaled(constraint.jacobian);
+    const std::vector<Real> column = scaled(constraint.column);
+    for (std::size_t i = 0; i < n; ++i) {
+      all[n + k][i] = row[i];
+      all[i][n + k] = column[i];
+    }
+  }
+  return all;
 }
 
 /// Indices of a kernel's assignments gathered by unit: numbers of different units have no common norm.
@@ -64,13 +92,32 @@ std::vector<std::vector<std::size_t>> groups_by_unit(const Kernel& kernel) {
   return result;
 }
 
-/// The same state with every number moved by a relative 2⁻³⁰, up or down in turn of the symbols' order. What a result
-/// then moves by, times 2³⁰, has the size of the terms it is the sum of, even where they cancel.
-Evaluator<Real>::SymbolValue nearby(const RandomState& state) {
-  return [value = state.in_real()](const SymbolPointer& symbol) {
-    const Real shift = Real(1) / Real(1 << 30);
-    return value(symbol) * (symbol->index % 2 == 0 ? Real(1) + shift : Real(1) - shift);
+Evaluator<Sensitivity>::SymbolValue with_sensitivity(const RandomState& state) {
+  return [value = state.in_double()](const SymbolPointer& symbol) {
+    return Sensitivity::input(value(symbol), static_cast<std::uint64_t>(symbol->index));
   };
+}
+
+/// |double - exact| of the assignments of one unit, relative to their norm. Where that is above `enough` the terms of
+/// the result may cancel, or a solve be nearly singular at this state: the error is then compared with what as large an
+/// error of the inputs would do, if that is larger.
+double relative_error(const Kernel& kernel, const std::vector<std::size_t>& group, Evaluator<double>& fast,
+                      Evaluator<Real>& exact, Evaluator<Sensitivity>& sensitive, double enough) {
+  double difference = 0;
+  double size = 0;
+  for (const std::size_t index : group) {
+    const Value& value = kernel.assignments[index].value;
+    const Real truth = exact(value);
+    const double error = (Real::from_double(fast(value)) - truth).to_double();
+    difference += error * error;
+    size += truth.to_double() * truth.to_double();
+  }
+  if (difference == 0) return 0;
+  const double relative = std::sqrt(difference / size);
+  if (relative <= enough) return relative;
+  double moved = 0;
+  for (const std::size_t index : group) moved += sensitive(kernel.assignments[index].value).mean_square();
+  return std::min(relative, std::sqrt(difference / moved));
 }
 
 }  // namespace
@@ -85,40 +132,21 @@ std::vector<CheckResult> check_kernels(const Scene& scene, const CheckOptions& o
   }
   std::vector<double> worst(kernels.size(), 0);
   const Program& program = equations.program();
-  const ValueMatrix& mass = equations.mass();
   Evaluator<double> fast(program, {});
   Evaluator<Real> exact(program, {});
-  Evaluator<Real> beside(program, {});
+  Evaluator<Sensitivity> sensitive(program, {});
   for (int k = 0; k < options.states; ++k) {
     const RandomState state(scene, static_cast<std::uint64_t>(k) + 1);
     fast.move_to(state.in_double());
     exact.move_to(state.in_real());
-    beside.move_to(nearby(state));
-    std::vector<std::vector<Real>> m;
-    for (const auto& row : mass) m.push_back(exact(row));
-    const double condition = scaled_condition(m);
+    sensitive.move_to(with_sensitivity(state));
+    const double condition = condition_number(scaled_matrix(equations, exact));
     for (std::size_t i = 0; i < kernels.size(); ++i) {
       const Kernel& kernel = kernels[i];
-      // Solves lose what the condition of M costs: 1e-14 cond(M), expressed against the common bound of 1e-13.
-      double allowance = kernel.pivots.empty() ? 1 : std::max(1.0, condition / 10);
-      // Constraints are solved for too: the pivots of A M⁻¹ Aᵀ tell what that costs at this state. It is a second solve,
-      // of an array that is off by what the first costs: both multiply.
-      const bool constrained = kernel.name == "forward_dynamics" && !equations.constraints().empty();
-      if (constrained) allowance *= smallest_pivot_costs(kernel, exact);
-      if (kernel.name == "linearisation") allowance = std::max(allowance, smallest_pivot_costs(kernel, exact) / 10);
+      // Solves lose what the condition of their matrix costs: 1e-14 of it, expressed against the common bound of 1e-13.
+      const double allowance = kernel.pivots.empty() ? 1 : std::max(1.0, condition / 10);
       for (const auto& group : groups_by_unit(kernel)) {
-        double difference = 0;
-        double size = 0, moved = 0;
-        for (const std::size_t index : group) {
-          const Value& value = kernel.assignments[index].value;
-          const Real truth = exact(value);
-          const double error = (Real::from_double(fast(value)) - truth).to_double();
-          difference += error * error;
-          size += truth.to_double() * truth.to_double();
-          const double move = (beside(value) - truth).to_double() * (1 << 30);
-          moved += move * move;
-        }
-        const double relative = difference == 0 ? 0 : std::sqrt(difference / std::max(size, moved)) / allowance;
+        const double relative = relative_error(kernel, group, fast, exact, sensitive, allowance * worst[i]) / allowance;
         if (!(relative <= worst[i])) worst[i] = relative;
       }
     }
@@ -127,7 +155,7 @@ std::vector<CheckResult> check_kernels(const Scene& scene, const CheckOptions& o
   for (std::size_t i = 0; i < kernels.size(); ++i) {
     const bool solves = !kernels[i].pivots.empty();
     results.push_back({"double." + kernels[i].name,
-                       solves ? "double against CLN, as a multiple of max(1, cond(M)/10)" : "double against CLN",
+                       solves ? "double against CLN, as a multiple of max(1, condition/10)" : "double against CLN",
                        worst[i], 1e-13});
   }
   return results;
