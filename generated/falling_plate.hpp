@@ -16,7 +16,7 @@
 //   inverse_dynamics         31               55          0             0                  2       0     90     102
 //   forward_dynamics         42               85          4             0                  2       0    135     150
 //   energy                   15               30          0             0                  2       0     49      59
-//   first_integrals          29               54          0             0                  2       0     87      97
+//   first_integrals          23               42          0             0                  2       0     69      80
 //   reactions                14               30          0             0                  2       0     48      79
 //   linearisation           133              224          4             0                  2       0    365     401
 //
@@ -735,6 +735,7 @@ struct Mechanism {
     const Scalar p_B = precomputed.parameters.B;
     const Scalar z24 = precomputed.z24;
     const Scalar z25 = precomputed.z25;
+    const Scalar z26 = precomputed.z26;
     Scalar s_alpha, c_alpha;
     traits::sincos(q_alpha, s_alpha, c_alpha);
     Scalar s_beta, c_beta;
@@ -752,26 +753,22 @@ struct Mechanism {
     const Scalar z35 = s_beta * z31;
     const Scalar z45 = p_b * z33 - z30;
     const Scalar z46 = p_b * v_beta - z35;
+    const Scalar z56 = s_beta * p_F;
+    const Scalar z58 = s_alpha * z20;
+    const Scalar z59 = c_alpha * z20;
+    const Scalar z63 = s_beta * z26;
+    const Scalar z64 = s_beta * z63;
+    const Scalar z68 = z25 + z64;
+    const Scalar z75 = z29 * z29 - z68;
+    const Scalar z88 = s_alpha * z20 - z58;
+    const Scalar z89 = c_alpha * z20 - z59;
     const Scalar z191 = p_b * z35 - v_beta * z24 - p_F * z32;
     const Scalar z192 = v_beta * p_F + p_B * z32;
     const Scalar z193 = p_b * z30 - z25 * z33;
-    const Scalar z198 = n0_5 * z33;
-    const Scalar z199 = n0_5 * z32;
-    const Scalar z200 = n0_5 * v_beta;
-    const Scalar z201 = n0_5 * z35;
-    const Scalar z202 = n0_5 * z30;
-    const Scalar z203 = p_b * z200 + n0_5 * z46 - z201;
-    const Scalar z204 = p_b * z202 - z25 * z198 + n0_5 * z193;
-    const Scalar z205 = p_F * z200 + p_B * z199 + n0_5 * z192;
-    const Scalar z206 = c_beta * z34 - s_beta * z203;
-    const Scalar z207 = p_b * z198 + n0_5 * z45 - z202;
-    const Scalar z222 = c_beta * z204 - s_beta * z205 + z29 * z207;
-    const Scalar z224 = s_alpha * z207 - c_alpha * z206;
-    const Scalar z225 = s_alpha * z206 + c_alpha * z207;
     result.energy = -n0_5 * (v_beta * z191 + z30 * z45 - z32 * z192 + z33 * z193 - z34 * z34 + z35 * z46) + n9_81 * z20;
-    result.momentum_x = -z225;
-    result.momentum_y = -z224;
-    result.momentum_alpha = -z222;
+    result.momentum_x = v_x - v_beta * z88;
+    result.momentum_y = v_y + v_beta * z89;
+    result.momentum_alpha = -v_alpha * z75 + v_beta * z56;
   }
 
   /// Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released

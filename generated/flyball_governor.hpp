@@ -15,7 +15,7 @@
 //   inverse_dynamics         46               88          4             2                  2       0    144     159
 //   forward_dynamics         40               89          5             2                  2       0    140     148
 //   energy                   32               66          2             2                  2       0    106     116
-//   first_integrals          17               33          0             0                  2       0     54      56
+//   first_integrals           6                9          0             0                  2       0     19      22
 //   linearisation           129              292         25             2                  2       0    452     495
 //
 // Not computed because this mechanism does not need it:
@@ -1074,14 +1074,10 @@ struct Mechanism {
 
   /// First integrals: constant along every motion.
   TORSOR_DEVICE static void first_integrals(const Precomputed&, const State& state, FirstIntegrals& result) noexcept {
-    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
-    const Scalar n5_3 = traits::constant(5.3, 5.3f, "53/10");
     const Scalar n5_15 = traits::constant(5.15, 5.15f, "103/20");
-    const Scalar k3 = traits::constant(5.1000025, 5.1000023f, "2040001/400000");
-    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
-    const Scalar k5 = traits::constant(5e-06, 5e-06f, "1/200000");
-    const Scalar n10_6 = traits::constant(10.6, 10.6f, "53/5");
-    const Scalar k7 = traits::constant(0.005005, 0.005005f, "1001/200000");
+    const Scalar k1 = traits::constant(5.0999975, 5.0999975f, "2039999/400000");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar k3 = traits::constant(0.031515, 0.031515f, "6303/200000");
     const Scalar v_psi = state.v.psi;
     const Scalar q_beta_1 = state.q.beta_1;
     const Scalar q_beta_2 = state.q.beta_2;
@@ -1089,26 +1085,19 @@ struct Mechanism {
     traits::sincos(q_beta_1, s_beta_1, c_beta_1);
     Scalar s_beta_2, c_beta_2;
     traits::sincos(q_beta_2, s_beta_2, c_beta_2);
-    const Scalar z18 = n0_05 * v_psi;
-    const Scalar z19 = v_psi * s_beta_1;
-    const Scalar z20 = v_psi * c_beta_1;
-    const Scalar z21 = v_psi * s_beta_2;
-    const Scalar z22 = v_psi * c_beta_2;
-    const Scalar z365 = n5_3 * z18 + n5_15 * z20;
-    const Scalar z366 = n5_15 * z18 + k3 * z20;
-    const Scalar z367 = n5_3 * z18 + n5_15 * z22;
-    const Scalar z368 = n5_15 * z18 + k3 * z22;
-    const Scalar z373 = n0_5 * z22;
-    const Scalar z374 = n0_5 * z18;
-    const Scalar z375 = n0_5 * z20;
-    const Scalar z376 = n0_5 * z368 + k3 * z373 + n5_15 * z374;
-    const Scalar z377 = k5 * z21;
-    const Scalar z378 = n0_5 * z366 + n5_15 * z374 + k3 * z375;
-    const Scalar z379 = k5 * z19;
-    const Scalar z380 = n0_5 * (z365 + z367) + n5_15 * (z373 + z375) + n10_6 * z374;
-    const Scalar z390 = k7 * v_psi + s_beta_1 * z379 + c_beta_1 * z378 + s_beta_2 * z377 + c_beta_2 * z376 + n0_05
-        * z380;
-    result.momentum_psi = z390;
+    const Scalar z98 = n5_15 * c_beta_2;
+    const Scalar z99 = k1 * s_beta_2;
+    const Scalar z100 = s_beta_2 * z99;
+    const Scalar z101 = k1 - z100;
+    const Scalar z106 = n0_1 * z98 + z101;
+    const Scalar z108 = k3 + z106;
+    const Scalar z110 = n5_15 * c_beta_1;
+    const Scalar z111 = k1 * s_beta_1;
+    const Scalar z112 = s_beta_1 * z111;
+    const Scalar z113 = k1 - z112;
+    const Scalar z118 = n0_1 * z110 + z113;
+    const Scalar z124 = z108 + z118;
+    result.momentum_psi = v_psi * z124;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the

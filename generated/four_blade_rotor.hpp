@@ -16,7 +16,7 @@
 //   inverse_dynamics         42               69          0             0                  0       0    111     131
 //   forward_dynamics         20               54          0             0                  0       0     74      84
 //   energy                   17               29          0             0                  0       0     46      55
-//   first_integrals          24               39          0             0                  0       0     63      78
+//   first_integrals          17               30          0             0                  0       0     47      62
 //   linearisation            70              131          0             0                  0       0    201     227
 //
 // Not computed because this mechanism does not need it:
@@ -808,8 +808,6 @@ struct Mechanism {
   /// First integrals: constant along every motion.
   TORSOR_DEVICE static void first_integrals(const Precomputed& precomputed, const State& state,
       FirstIntegrals& result) noexcept {
-    const Scalar n332_9 = traits::constant(332.9, 332.9f, "3329/10");
-    const Scalar n332_5 = traits::constant(332.5, 332.5f, "665/2");
     const Scalar n166_25 = traits::constant(166.25, 166.25f, "665/4");
     const Scalar n166_45 = traits::constant(166.45, 166.45f, "3329/20");
     const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
@@ -818,6 +816,7 @@ struct Mechanism {
     const Scalar v_e_omega_z = state.v.e_omega_z;
     const Scalar s_alpha = precomputed.s_alpha;
     const Scalar c_alpha = precomputed.c_alpha;
+    const Scalar z131 = precomputed.z131;
     const Scalar z31 = v_e_omega_y * c_alpha + v_e_omega_z * s_alpha;
     const Scalar z32 = v_e_omega_y * s_alpha - v_e_omega_z * c_alpha;
     const Scalar z33 = v_e_omega_x * c_alpha - v_e_omega_z * s_alpha;
@@ -826,18 +825,9 @@ struct Mechanism {
     const Scalar z36 = v_e_omega_y * s_alpha + v_e_omega_z * c_alpha;
     const Scalar z37 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
     const Scalar z38 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
-    const Scalar z234 = n332_9 * z38;
-    const Scalar z235 = n332_5 * z37;
-    const Scalar z236 = n332_9 * z36;
-    const Scalar z237 = n332_5 * z35;
-    const Scalar z238 = n332_9 * z34;
-    const Scalar z239 = n332_5 * z33;
-    const Scalar z240 = n332_9 * z32;
-    const Scalar z241 = n332_5 * z31;
-    const Scalar z245 = s_alpha * (z235 - z237 - z239 + z241) - c_alpha * (z234 - z236 - z238 + z240);
     result.energy = n166_25 * (z31 * z31 + z33 * z33 + z35 * z35 + z37 * z37) + n166_45 * (z32 * z32 + z34 * z34 + z36
         * z36 + z38 * z38) + n0_4 * (v_e_omega_x * v_e_omega_x + v_e_omega_y * v_e_omega_y);
-    result.momentum_e_omega_z = z245;
+    result.momentum_e_omega_z = -v_e_omega_z * z131;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the

@@ -15,7 +15,7 @@
 //   inverse_dynamics         12               23          0             0                  2       0     39      65
 //   forward_dynamics         11               30          1             0                  2       0     46      56
 //   energy                    6               16          0             0                  3       0     28      29
-//   first_integrals           7               17          0             0                  3       0     30      31
+//   first_integrals           8               19          0             0                  3       0     33      34
 //   linearisation            37               87          1             0                  2       0    129     218
 //
 // Not computed because this mechanism does not need it:
@@ -546,8 +546,8 @@ struct Mechanism {
 
   /// First integrals: constant along every motion.
   TORSOR_DEVICE static void first_integrals(const Precomputed&, const State& state, FirstIntegrals& result) noexcept {
-    const Scalar n15 = traits::constant(15.0, 15.0f, "15/1");
     const Scalar n15_over_32 = traits::constant(0.46875, 0.46875f, "15/32");
+    const Scalar n15 = traits::constant(15.0, 15.0f, "15/1");
     const Scalar n975_over_128 = traits::constant(7.6171875, 7.6171875f, "975/128");
     const Scalar n15_over_64 = traits::constant(0.234375, 0.234375f, "15/64");
     const Scalar n4_905 = traits::constant(4.905, 4.905f, "981/200");
@@ -569,12 +569,12 @@ struct Mechanism {
     const Scalar z17 = v_beta * s_gamma - c_gamma * z15;
     const Scalar z18 = v_beta * c_gamma + s_gamma * z15;
     const Scalar z19 = v_gamma - z16;  // angular velocity of top, y
+    const Scalar z42 = n15_over_32 * s_beta;
     const Scalar z44 = n15 * c_beta;
     const Scalar z45 = n15 * s_beta;
     const Scalar z152 = s_alpha * z44;
-    const Scalar z153 = n15_over_32 * z19;
     result.energy = n975_over_128 * (z17 * z17 + z18 * z18) + n15_over_64 * z19 * z19 + n4_905 * z45 + k5 * z152;
-    result.momentum_gamma = z153;
+    result.momentum_gamma = -v_alpha * z42 + n15_over_32 * v_gamma;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the

@@ -15,7 +15,7 @@
 //   inverse_dynamics         20               35          1             1                  1       0     59      59
 //   forward_dynamics         30               65          4             1                  1       0    102     102
 //   energy                   10               19          1             1                  1       0     33      35
-//   first_integrals          16               27          1             1                  1       0     47      49
+//   first_integrals          21               40          1             1                  1       0     65      67
 //   linearisation            76              142          6             1                  1       0    227     227
 //
 // Not computed because this mechanism does not need it:
@@ -661,10 +661,11 @@ struct Mechanism {
   TORSOR_DEVICE static void first_integrals(const Precomputed&, const State& state, FirstIntegrals& result) noexcept {
     const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
     const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n1_5 = traits::constant(1.5, 1.5f, "3/2");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n4 = traits::constant(4.0, 4.0f, "4/1");
     const Scalar v_X = state.v.X;
     const Scalar v_Y = state.v.Y;
     const Scalar q_phi = state.q.phi;
@@ -681,21 +682,25 @@ struct Mechanism {
     const Scalar z19 = n0_75 * q_r;
     const Scalar z20 = v_phi * z19 - z15;
     const Scalar z21 = n0_75 * v_r + z14;  // velocity of second, x
+    const Scalar z42 = z19 * z19;
+    const Scalar z43 = n3 * c_phi;
+    const Scalar z44 = n3 * s_phi;
+    const Scalar z45 = n3 * z16 * z16;
+    const Scalar z46 = n3 * z16;
+    const Scalar z47 = z19 - z46;
+    const Scalar z48 = z42 + z45;
+    const Scalar z49 = s_phi * z47;
+    const Scalar z50 = c_phi * z47;
+    const Scalar z59 = n0_75 * c_phi - n0_25 * z43;
+    const Scalar z60 = n0_75 * s_phi - n0_25 * z44;
     const Scalar z61 = n0_25 * q_r + z19;
     const Scalar z63 = z61 * z61;
     const Scalar z64 = traits::sqrt(z63);
     const Scalar z65 = n1 / z64;
-    const Scalar z122 = n3 * z18;
-    const Scalar z123 = n3 * z17;
-    const Scalar z125 = z20 - z123;
-    const Scalar z126 = z21 - z122;
-    const Scalar z131 = z16 * z123 + z19 * z20;
-    const Scalar z133 = s_phi * z126 + c_phi * z125;
-    const Scalar z134 = s_phi * z125 - c_phi * z126;
     result.energy = n1_5 * (z17 * z17 + z18 * z18) + n0_5 * (z20 * z20 + z21 * z21) - n3 * z65;
-    result.momentum_X = -z134;
-    result.momentum_Y = z133;
-    result.momentum_phi = z131;
+    result.momentum_X = n4 * v_X - v_phi * z49 + v_r * z59;
+    result.momentum_Y = n4 * v_Y + v_phi * z50 + v_r * z60;
+    result.momentum_phi = -v_X * z49 + v_Y * z50 + v_phi * z48;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the

@@ -15,7 +15,7 @@
 //   inverse_dynamics         28               53          0             0                  2       0     85      93
 //   forward_dynamics         23               49          1             0                  2       0     77      79
 //   energy                   21               39          0             0                  2       0     64      70
-//   first_integrals          18               35          0             0                  2       0     57      57
+//   first_integrals           6                8          0             0                  2       0     18      20
 //   linearisation            69              135          1             0                  2       0    209     227
 //
 // Not computed because this mechanism does not need it:
@@ -760,17 +760,12 @@ struct Mechanism {
 
   /// First integrals: constant along every motion.
   TORSOR_DEVICE static void first_integrals(const Precomputed&, const State& state, FirstIntegrals& result) noexcept {
-    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
-    const Scalar n0_35 = traits::constant(0.35, 0.35f, "7/20");
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
-    const Scalar n0_67 = traits::constant(0.67, 0.67f, "67/100");
-    const Scalar n2_5 = traits::constant(2.5, 2.5f, "5/2");
     const Scalar n1_125 = traits::constant(1.125, 1.125f, "9/8");
-    const Scalar n549_over_800 = traits::constant(0.68625, 0.68625f, "549/800");
-    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
-    const Scalar n0_005 = traits::constant(0.005, 0.005f, "1/200");
-    const Scalar n0_004 = traits::constant(0.004, 0.004f, "1/250");
-    const Scalar n0_9 = traits::constant(0.9, 0.9f, "9/10");
+    const Scalar n109_over_160 = traits::constant(0.68125, 0.68125f, "109/160");
+    const Scalar n0_7 = traits::constant(0.7, 0.7f, "7/10");
+    const Scalar n2_7425 = traits::constant(2.7425, 2.7425f, "1097/400");
+    const Scalar n0_666 = traits::constant(0.666, 0.666f, "333/500");
+    const Scalar n0_6 = traits::constant(0.6, 0.6f, "3/5");
     const Scalar v_psi = state.v.psi;
     const Scalar q_theta_2 = state.q.theta_2;
     const Scalar q_theta_3 = state.q.theta_3;
@@ -778,29 +773,18 @@ struct Mechanism {
     traits::sincos(q_theta_2, s_theta_2, c_theta_2);
     Scalar s_theta_3, c_theta_3;
     traits::sincos(q_theta_3, s_theta_3, c_theta_3);
-    const Scalar z15 = n0_3 * v_psi;
-    const Scalar z16 = v_psi * s_theta_2;
-    const Scalar z17 = v_psi * c_theta_2;
-    const Scalar z18 = n0_35 * v_psi;
-    const Scalar z19 = v_psi * s_theta_3;
-    const Scalar z20 = v_psi * c_theta_3;
-    const Scalar z267 = n2 * z15 + z16;
-    const Scalar z268 = z15 + n0_67 * z16;
-    const Scalar z269 = n2_5 * z18 - n1_125 * z19;
-    const Scalar z270 = n1_125 * z18 - n549_over_800 * z19;
-    const Scalar z277 = n0_5 * z19;
-    const Scalar z278 = n0_5 * z18;
-    const Scalar z279 = n0_5 * z16;
-    const Scalar z280 = n0_5 * z15;
-    const Scalar z281 = n0_005 * z20;
-    const Scalar z282 = n0_5 * z270 - n549_over_800 * z277 + n1_125 * z278;
-    const Scalar z283 = n0_5 * z269 - n1_125 * z277 + n2_5 * z278;
-    const Scalar z284 = n0_004 * z17;
-    const Scalar z285 = n0_5 * z268 + n0_67 * z279 + z280;
-    const Scalar z286 = n0_5 * z267 + z279 + n2 * z280;
-    const Scalar z295 = n0_9 * v_psi + s_theta_2 * z285 + c_theta_2 * z284 - s_theta_3 * z282 + c_theta_3 * z281 + n0_35
-        * z283 + n0_3 * z286;
-    result.momentum_psi = z295;
+    const Scalar z60 = n1_125 * s_theta_3;
+    const Scalar z61 = n109_over_160 * s_theta_3;
+    const Scalar z62 = s_theta_3 * z61;
+    const Scalar z63 = n109_over_160 - z62;
+    const Scalar z67 = n0_7 * z60 + z63;
+    const Scalar z70 = n2_7425 - z67;
+    const Scalar z71 = n0_666 * s_theta_2;
+    const Scalar z72 = s_theta_2 * z71;
+    const Scalar z73 = n0_666 - z72;
+    const Scalar z77 = n0_6 * s_theta_2 - z73;
+    const Scalar z83 = z70 + z77;
+    result.momentum_psi = v_psi * z83;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the

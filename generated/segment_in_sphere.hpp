@@ -15,7 +15,7 @@
 //   inverse_dynamics         18               31          0             0                  2       0     53      58
 //   forward_dynamics         23               45          2             0                  2       0     74      75
 //   energy                    5               14          0             0                  2       0     23      23
-//   first_integrals           8               21          0             0                  2       0     33      33
+//   first_integrals          11               24          0             0                  2       0     39      39
 //   linearisation            90              159          2             0                  2       0    255     273
 //
 // Not computed because this mechanism does not need it:
@@ -656,7 +656,6 @@ struct Mechanism {
     const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
     const Scalar n0_12 = traits::constant(0.12, 0.12f, "3/25");
     const Scalar n0_76 = traits::constant(0.76, 0.76f, "19/25");
-    const Scalar n0_64 = traits::constant(0.64, 0.64f, "16/25");
     const Scalar n0_32 = traits::constant(0.32, 0.32f, "8/25");
     const Scalar n0_38 = traits::constant(0.38, 0.38f, "19/50");
     const Scalar n0_06 = traits::constant(0.06, 0.06f, "3/50");
@@ -676,13 +675,18 @@ struct Mechanism {
     const Scalar z18 = v_theta * s_phi - c_phi * z15;
     const Scalar z19 = v_phi + z16;  // angular velocity of rod, z
     const Scalar z21 = n0_8 * c_theta;
-    const Scalar z222 = n0_12 * z19;
-    const Scalar z223 = n0_76 * z18;
-    const Scalar z224 = n0_64 * z17;
-    const Scalar z225 = s_phi * z224 - c_phi * z223;
-    const Scalar z233 = s_theta * z225 + c_theta * z222;
+    const Scalar z86 = n0_12 * c_theta;
+    const Scalar z87 = n0_12 * s_phi;
+    const Scalar z88 = s_phi * z87;
+    const Scalar z90 = c_phi * z87;
+    const Scalar z92 = n0_76 - z88;
+    const Scalar z94 = s_theta * z90;
+    const Scalar z95 = n0_12 - z92;
+    const Scalar z96 = s_theta * z95;
+    const Scalar z97 = s_theta * z96;
+    const Scalar z99 = n0_12 - z97;
     result.energy = n0_32 * z17 * z17 + n0_38 * z18 * z18 + n0_06 * z19 * z19 + n9_81 * z21;
-    result.momentum_psi = z233;
+    result.momentum_psi = v_psi * z99 - v_theta * z94 + v_phi * z86;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the

@@ -9,14 +9,14 @@
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
 // moved across joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   precompute                1               15          0             0                  1       0     18       -
+//   precompute                1               16          0             0                  1       0     19       -
 //   kinematics               22               52          0             0                  2       0     78      85
 //   mass_matrix               0                0          0             0                  0       0      0       0
 //   bias                      3                3          0             0                  0       0      6      12
 //   inverse_dynamics          4                4          0             0                  0       0      8      14
 //   forward_dynamics          3                4          0             0                  0       0      7      13
 //   energy                   16               28          0             0                  1       0     46      58
-//   first_integrals          19               32          0             0                  1       0     53      65
+//   first_integrals          20               33          0             0                  1       0     55      68
 //   reactions                18               33          0             0                  1       0     53      77
 //   linearisation             4                4          0             0                  0       0      8      17
 //
@@ -212,6 +212,7 @@ struct Mechanism {
     Scalar z115;
     Scalar z186;
     Scalar z187;
+    Scalar z188;
   };
 
   /// Values of the scene.
@@ -232,6 +233,7 @@ struct Mechanism {
     const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
     const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
     const Scalar n200 = traits::constant(200.0, 200.0f, "200/1");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
@@ -252,8 +254,9 @@ struct Mechanism {
     const Scalar z113 = n9_81 * c_slope;
     const Scalar z114 = z17 * z18;
     const Scalar z115 = z17 * z17;
-    const Scalar z186 = n200 - n0_5 * z115;
-    const Scalar z187 = n2 * z186;
+    const Scalar z186 = n0_0005 * z18;
+    const Scalar z187 = n200 - n0_5 * z115;
+    const Scalar z188 = n2 * z187;
     precomputed.s_slope = s_slope;
     precomputed.c_slope = c_slope;
     precomputed.z17 = z17;
@@ -269,6 +272,7 @@ struct Mechanism {
     precomputed.z115 = z115;
     precomputed.z186 = z186;
     precomputed.z187 = z187;
+    precomputed.z188 = z188;
     return precomputed;
   }
 
@@ -625,6 +629,7 @@ struct Mechanism {
     const Scalar z20 = precomputed.z20;
     const Scalar z97 = precomputed.z97;
     const Scalar z98 = precomputed.z98;
+    const Scalar z186 = precomputed.z186;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
     const Scalar z21 = q_lambda * z17;
@@ -643,7 +648,7 @@ struct Mechanism {
     const Scalar z173 = n0_5 * z22;
     result.painleve = -n0_25 * (z22 * z22 + z25 * z25 + z26 * z26) - n0_0004 * (z23 * z23 + z24 * z24) - n0_01 * p_omega
         * p_omega + v_lambda * z173 + v_phi * z168 - k6 * z27 * z27 + n4_905 * z29 + n100 * z103;
-    result.momentum_phi = z168;
+    result.momentum_phi = n0_0005 * v_phi + z186;
   }
 
   /// Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released
@@ -719,8 +724,8 @@ struct Mechanism {
     const Scalar z98 = precomputed.z98;
     const Scalar z113 = precomputed.z113;
     const Scalar z115 = precomputed.z115;
-    const Scalar z186 = precomputed.z186;
     const Scalar z187 = precomputed.z187;
+    const Scalar z188 = precomputed.z188;
     const Scalar z99 = q_lambda - z98;
     const Scalar z106 = n200 * z99;
     const Scalar z150 = q_lambda * z115 - a_lambda - z113;
@@ -734,7 +739,7 @@ struct Mechanism {
     result.C[1] = n0;
     result.C[2] = n0;
     result.C[3] = n0;
-    result.K[0] = z186;
+    result.K[0] = z187;
     result.K[1] = n0;
     result.K[2] = n0;
     result.K[3] = n0;
@@ -742,7 +747,7 @@ struct Mechanism {
     result.F[1] = -z151;
     result.A[0] = n0;
     result.A[1] = n0;
-    result.A[2] = -z187;
+    result.A[2] = -z188;
     result.A[3] = n0;
     result.A[4] = n0;
     result.A[5] = n0;
