@@ -12,8 +12,8 @@ namespace torsor {
 struct CheckResult {
   std::string name;
   std::string description;
-  double worst = 0;   ///< relative difference, or a count of failures
-  double bound = 0;   ///< passes when worst <= bound
+  double worst = 0;                               ///< relative difference, or a count of failures
+  double bound = 0;                               ///< passes when worst <= bound
   bool passed() const { return worst <= bound; }  // false for NaN
 };
 

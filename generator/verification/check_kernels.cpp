@@ -3,79 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "generator/emission/kernel.hpp"
-#include "generator/verification/dense_linear.hpp"
+#include "generator/verification/condition.hpp"
 #include "generator/verification/random_state.hpp"
 #include "generator/verification/sensitivity.hpp"
 
 namespace torsor {
 namespace {
-
-using RealMatrix = std::vector<std::vector<Real>>;
-
-/// ‖M‖₁ ‖M⁻¹‖₁.
-double condition_number(const RealMatrix& m) {
-  const std::size_t n = m.size();
-  std::vector<Real> entries(n * n);
-  for (std::size_t j = 0; j < n; ++j) {
-    for (std::size_t i = 0; i < n; ++i) entries[i + j * n] = m[i][j];
-  }
-  const LuFactorisation lu(entries, static_cast<int>(n));
-  double norm = 0;
-  double inverse_norm = 0;
-  for (std::size_t j = 0; j < n; ++j) {
-    std::vector<Real> unit(n, Real(0));
-    unit[j] = Real(1);
-    double column = 0;
-    double inverse_column = 0;
-    const std::vector<Real> solution = lu.solve(unit);
-    for (std::size_t i = 0; i < n; ++i) {
-      column += std::abs(entries[i + j * n].to_double());
-      inverse_column += std::abs(solution[i].to_double());
-    }
-    norm = std::max(norm, column);
-    inverse_norm = std::max(inverse_norm, inverse_column);
-  }
-  return norm * inverse_norm;
-}
-
-/// The matrix that forward dynamics solves with, [M  B; A  0] of the constraints that are kept, M scaled to a unit
-/// diagonal, each row of A then and each column of B to the length 1, so that units do not matter.
-RealMatrix scaled_matrix(const Equations& equations, Evaluator<Real>& exact) {
-  const ValueMatrix& mass = equations.mass();
-  const std::size_t n = mass.size();
-  const std::vector<std::size_t> kept =
-      equations.constraints().empty() ? std::vector<std::size_t>{} : equations.redundancy().kept;
-  RealMatrix all(n + kept.size(), std::vector<Real>(n + kept.size(), Real(0)));
-  std::vector<Real> root(n);
-  for (std::size_t i = 0; i < n; ++i) root[i] = sqrt(exact(mass[i][i]));
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < n; ++j) all[i][j] = exact(mass[i][j]) / (root[i] * root[j]);
-  }
-  const auto scaled = [&](const std::vector<Value>& row) {
-    std::vector<Real> result(n);
-    Real square(0);
-    for (std::size_t i = 0; i < n; ++i) {
-      result[i] = exact(row[i]) / root[i];
-      square += result[i] * result[i];
-    }
-    for (Real& entry : result) entry = entry / sqrt(square);
-    return result;
-  };
-  for (std::size_t k = 0; k < kept.size(); ++k) {
-    const ConstraintRow& constraint = equations.constraints()[kept[k]];
-    const std::vector<Real> row = scaled(constraint.jacobian);
-    const std::vector<Real> column = scaled(constraint.column);
-    for (std::size_t i = 0; i < n; ++i) {
-      all[n + k][i] = row[i];
-      all[i][n + k] = column[i];
-    }
-  }
-  return all;
-}
 
 /// Indices of a kernel's assignments gathered by unit: numbers of different units have no common norm.
 std::vector<std::vector<std::size_t>> groups_by_unit(const Kernel& kernel) {
@@ -132,6 +70,11 @@ std::vector<CheckResult> check_kernels(const Scene& scene, const CheckOptions& o
   }
   std::vector<double> worst(kernels.size(), 0);
   const Program& program = equations.program();
+  const auto reduces = [](const Kernel& kernel) { return kernel.name == "linearisation"; };
+  std::optional<IndependentFreedoms> reduction;
+  if (!equations.constraints().empty() && std::any_of(kernels.begin(), kernels.end(), reduces)) {
+    reduction = independent_freedoms(equations);
+  }
   Evaluator<double> fast(program, {});
   Evaluator<Real> exact(program, {});
   Evaluator<Sensitivity> sensitive(program, {});
@@ -140,10 +83,12 @@ std::vector<CheckResult> check_kernels(const Scene& scene, const CheckOptions& o
     fast.move_to(state.in_double());
     exact.move_to(state.in_real());
     sensitive.move_to(with_sensitivity(state));
-    const double condition = condition_number(scaled_matrix(equations, exact));
+    const double of_motion = motion_condition(equations, exact);
+    const double of_reduction = reduction ? reduction_condition(equations, *reduction, exact) : of_motion;
     for (std::size_t i = 0; i < kernels.size(); ++i) {
       const Kernel& kernel = kernels[i];
       // Solves lose what the condition of their matrix costs: 1e-14 of it, expressed against the common bound of 1e-13.
+      const double condition = kernel.name == "linearisation" ? of_reduction : of_motion;
       const double allowance = kernel.pivots.empty() ? 1 : std::max(1.0, condition / 10);
       for (const auto& group : groups_by_unit(kernel)) {
         const double relative = relative_error(kernel, group, fast, exact, sensitive, allowance * worst[i]) / allowance;

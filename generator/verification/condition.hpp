@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "generator/dynamics/independent_freedoms.hpp"
+#include "generator/expression/evaluation.hpp"
+
+namespace torsor {
+
+/// What errors of data grow by at a state when the equations of a scene are solved there. Numbers ‖X‖₁ ‖X⁻¹‖₁ of
+/// matrices in the metric of the diagonal of M: M_ij / √(M_ii M_jj), rows of A and columns of B over √M_ii and then of
+/// the length 1, so that units do not matter. (Golub & Van Loan, Matrix Computations, 2.6.2.)
+
+/// Of [M B; A 0], the constraints those that are kept: what accelerations and multipliers are solved with.
+double motion_condition(const Equations& equations, Evaluator<Real>& exact);
+
+/// Of the reduction to independent freedoms. Their basis N solves with [A; S], S picking the independent velocities;
+/// the state matrix then solves with Nᵀ M N, which is off by what the first solve costs: the product of both
+/// conditions.
+double reduction_condition(const Equations& equations, const IndependentFreedoms& freedoms, Evaluator<Real>& exact);
+
+}  // namespace torsor
