@@ -109,11 +109,12 @@ void show(const Reference<double>& reference) {
         h * std::sqrt((k * k + c * c * omega * omega) / (std::pow(k - M * omega * omega, 2) + c * c * omega * omega));
     response.add({scientific(omega, 2), scientific(amplitude(omega), 5), scientific(exact, 5)});
   }
-  std::cout << "\nSpring and damper: no force function\n\n" << response;
+  std::cout << "\nSpring and damper (not in the course): no force function, as the force depends on y'\n\n" << response;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "shaker", "three views of a spring: potential energy, force function, neither", show);
+  return demonstrate(argc, argv, "shaker", "a spring seen from both its ends and from the mass alone; with a damper",
+                     show);
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "generator/torsor.hpp"
 
-/// The same mass with a damper beside the spring: their action has no force function at all (Pommier, §6.5.3).
+/// Not in the course: the same mass with a damper beside the spring. Their action has no force function for another
+/// reason than that of scene_free_support.cpp: it depends on the velocity.
 torsor::Scene shaker_damped_scene() {
   using namespace torsor;
   using namespace torsor::literals;

@@ -101,4 +101,11 @@ template <class Mechanism, class Motion, class OtherPower = NoOtherPower>
   return balance;
 }
 
+/// The theorem holds, the run exchanged something, and `allowed` is far below it, or the test would say nothing.
+inline void expect_kept(const EnergyBalance& balance, double least_exchanged) {
+  EXPECT_LE(balance.imbalance, balance.allowed);
+  EXPECT_GT(balance.exchanged, least_exchanged);
+  EXPECT_LT(balance.allowed, 1e-6 * balance.exchanged);
+}
+
 }  // namespace examples

@@ -22,13 +22,7 @@ namespace {
 using namespace torsor::runtime;
 using examples::energy_balance;
 using examples::EnergyBalance;
-
-/// `allowed` must be far below what the run exchanges, or the test would say nothing.
-void expect_kept(const EnergyBalance& balance, double least_exchanged) {
-  EXPECT_LE(balance.imbalance, balance.allowed);
-  EXPECT_GT(balance.exchanged, least_exchanged);
-  EXPECT_LT(balance.allowed, 1e-6 * balance.exchanged);
-}
+using examples::expect_kept;
 
 /// Power of the multipliers: what integration leaves of A v, which is zero for the exact motion.
 template <class Mechanism, class Motion>
