@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -160,6 +161,60 @@ TEST(RollingDisc, ComesBackAfterATurnOnASteadyCircle) {
     const auto across = as_in_the_reference(state_at(motion, start, 0.0, turn / 2.0, tight));
     EXPECT_NEAR(std::hypot(across[6], across[7]), 2.0 * circle.radius, 1e-10 * kappa);
   }
+}
+
+/// The state matrix of the deviations from rolling straight ahead, upright, at u2, and the coefficients of its
+/// characteristic polynomial lambda^8 + c[1] lambda^7 + ... + c[8], by Leverrier's recursion.
+constexpr int states = Hoop::independent_coordinate_count + Hoop::independent_velocity_count;
+std::array<double, states + 1> characteristic_polynomial(double u2, double heading) {
+  const auto precomputed = Hoop::precompute(disc());
+  Hoop::State state = unpack<Hoop>(0.0, disc_state(0.0, 0.0, u2, 0.0));
+  state.q.psi = heading;
+  state.v.y = state.v.x * std::sin(heading);
+  state.v.x *= std::cos(heading);
+  Contact<Hoop> contact;
+  EXPECT_EQ(Hoop::forward_dynamics(precomputed, state, {}, contact.a, contact.lambda), torsor::Status::ok);
+  for (int i = 0; i < Hoop::velocity_count; ++i) EXPECT_NEAR(contact.a[i], 0.0, 100 * rounding);
+  Hoop::Linearisation linear{};
+  EXPECT_EQ(Hoop::linearisation(precomputed, state, contact.a, contact.lambda, {}, linear), torsor::Status::ok);
+  using Matrix = Eigen::Matrix<double, states, states>;
+  const Eigen::Map<const Matrix> A(linear.A.data());
+  std::array<double, states + 1> c{1.0};
+  Matrix B = Matrix::Identity();
+  for (int k = 1; k <= states; ++k) {
+    c[static_cast<std::size_t>(k)] = -(A * B).trace() / k;
+    B = A * B + c[static_cast<std::size_t>(k)] * Matrix::Identity();
+  }
+  return c;
+}
+
+// lambda^6 (lambda^2 - mu), mu = 4 g/(5 R) - 12 u2^2/5: the roots are +- sqrt(mu) and zeros, four of them of the lean,
+// the heading, the roll and their rates, two more of the place of the disc. (As zeros of a defective matrix they are
+// not asked of an eigenvalue solver.) Leverrier's sums have terms of up to |A^2|^(k/2), |A^2| below 75: what
+// cancels in the k-th coefficient is known to eight roundings of that.
+TEST(RollingDisc, HasThePublishedEigenvaluesWhenItRollsUpright) {
+  for (const double heading : {0.0, 0.7}) {
+    for (const double u2 : {0.0, 0.5, 1.5, 1.9, 4.0}) {
+      const auto c = characteristic_polynomial(u2, heading);
+      const double mu = 4.0 * g / (5.0 * R) - 12.0 * u2 * u2 / 5.0;
+      EXPECT_NEAR(c[2], -mu, 8 * 75 * rounding) << u2;
+      for (std::size_t k = 1; k <= states; ++k) {
+        if (k == 2) continue;
+        EXPECT_NEAR(c[k], 0.0, 8 * std::pow(75.0, static_cast<double>(k) / 2.0) * rounding) << u2 << ", " << k;
+      }
+    }
+  }
+}
+
+// An upright disc falls over below sqrt(g/(3 R)): the coefficient -mu changes its sign there, by halving.
+TEST(RollingDisc, StaysUprightAboveTheCriticalSpeed) {
+  double slow = 0.5, fast = 4.0;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (slow + fast) / 2.0;
+    (characteristic_polynomial(middle, 0.0)[2] < 0.0 ? slow : fast) = middle;
+  }
+  // mu is known to the tolerance above, its slope there is 24/5 u2.
+  EXPECT_NEAR(slow, 1.808314132002512444004943, 8 * 75 * rounding / (24.0 / 5.0 * 1.8));
 }
 
 struct Unsteady {
