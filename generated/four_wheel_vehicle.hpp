@@ -9,21 +9,26 @@
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
 // moved across joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   precompute                6               12          0             0                  4       0     26       -
+//   precompute                8               14          0             0                  4       0     30       -
 //   kinematics               76              134          0             0                  9       0    228     236
 //   mass_matrix               0                0          0             0                  0       0      0       0
 //   bias                      0                4          0             0                  0       0      4       4
-//   inverse_dynamics         31               35          0             0                  4       0     74     318
+//   inverse_dynamics         37               41          0             0                  4       0     86     334
 //   forward_dynamics        146              211          6             0                  4       0    371     594
 //   energy                   45               78          0             0                  5       0    133     165
-//   constraints              26               42          0             0                  4       0     76      96
+//   constraints              32               52          0             0                  4       0     92     116
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 198 results 91 vanish identically, 10 repeat another up to sign
 //   mass_matrix: of 49 results 42 vanish identically
 //   bias: of 7 results 3 vanish identically
+//   forward_dynamics: of 15 results 2 vanish identically
 //   energy: of 3 results 1 vanish identically
-//   constraints: of 60 results 26 vanish identically, 4 repeat another up to sign
+//   constraints: of 80 results 36 vanish identically, 8 repeat another up to sign
+//
+// Constraints:
+//   Constraints that repeat others are left out, their multipliers are 0: wheel_3_x, wheel_4_x.
+//   Indeterminate, as they are shared with those in a way that no motion tells: lambda_wheel_1_x, lambda_wheel_2_x.
 //
 // To write this file again:
 //   four_wheel_vehicle_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,constraints --output four_wheel_vehicle.hpp
@@ -96,7 +101,7 @@ struct Mechanism {
   static constexpr int velocity_count = 7;
   static constexpr int input_count = 2;
   static constexpr int parameter_count = 4;
-  static constexpr int multiplier_count = 6;
+  static constexpr int multiplier_count = 8;
 
   /// Parameters that are set at run time.
   struct Parameters {
@@ -218,21 +223,23 @@ struct Mechanism {
 
   /// Multipliers of the constraints, or the reactions that enforce them.
   struct Multipliers {
-    Scalar lambda_wheel_1_x;  ///< of the constraint wheel_1_x [N]
+    Scalar lambda_wheel_1_x;  ///< indeterminate, of the constraint wheel_1_x [N]
     Scalar lambda_wheel_1_y;  ///< of the constraint wheel_1_y [N]
-    Scalar lambda_wheel_3_x;  ///< of the constraint wheel_3_x [N]
-    Scalar lambda_wheel_3_y;  ///< of the constraint wheel_3_y [N]
+    Scalar lambda_wheel_2_x;  ///< indeterminate, of the constraint wheel_2_x [N]
     Scalar lambda_wheel_2_y;  ///< of the constraint wheel_2_y [N]
+    Scalar lambda_wheel_3_x;  ///< indeterminate, of the constraint wheel_3_x [N]
+    Scalar lambda_wheel_3_y;  ///< of the constraint wheel_3_y [N]
+    Scalar lambda_wheel_4_x;  ///< indeterminate, of the constraint wheel_4_x [N]
     Scalar lambda_wheel_4_y;  ///< of the constraint wheel_4_y [N]
-    static constexpr int size = 6;
+    static constexpr int size = 8;
     TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
     TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
 
    private:
     TORSOR_DEVICE static constexpr Scalar Multipliers::*member_(int i_) noexcept {
       constexpr Scalar Multipliers::*members_[] = {&Multipliers::lambda_wheel_1_x, &Multipliers::lambda_wheel_1_y,
-          &Multipliers::lambda_wheel_3_x, &Multipliers::lambda_wheel_3_y, &Multipliers::lambda_wheel_2_y,
-          &Multipliers::lambda_wheel_4_y};
+          &Multipliers::lambda_wheel_2_x, &Multipliers::lambda_wheel_2_y, &Multipliers::lambda_wheel_3_x,
+          &Multipliers::lambda_wheel_3_y, &Multipliers::lambda_wheel_4_x, &Multipliers::lambda_wheel_4_y};
       return members_[i_];
     }
   };
@@ -260,13 +267,15 @@ struct Mechanism {
     Scalar z302;
     Scalar z303;
     Scalar z310;
-    Scalar z316;
-    Scalar z336;
-    Scalar z337;
-    Scalar z340;
-    Scalar z341;
-    Scalar z344;
+    Scalar z311;
+    Scalar z318;
+    Scalar z319;
+    Scalar z342;
+    Scalar z343;
+    Scalar z346;
     Scalar z347;
+    Scalar z350;
+    Scalar z353;
   };
 
   /// Values of the scene.
@@ -303,16 +312,18 @@ struct Mechanism {
     traits::sincos(p_alpha_4, s_alpha_4, c_alpha_4);
     const Scalar z294 = s_alpha_1 + k0 * c_alpha_1;
     const Scalar z295 = k0 * s_alpha_1 - c_alpha_1;
-    const Scalar z302 = s_alpha_3 + k0 * c_alpha_3;
-    const Scalar z303 = k0 * s_alpha_3 - c_alpha_3;
-    const Scalar z310 = s_alpha_2 - k0 * c_alpha_2;
-    const Scalar z316 = s_alpha_4 - k0 * c_alpha_4;
-    const Scalar z336 = k1 * z295;
-    const Scalar z337 = k1 * z294;
-    const Scalar z340 = k1 * z303;
-    const Scalar z341 = k1 * z302;
-    const Scalar z344 = k1 * z310;
-    const Scalar z347 = k1 * z316;
+    const Scalar z302 = s_alpha_2 - k0 * c_alpha_2;
+    const Scalar z303 = k0 * s_alpha_2 + c_alpha_2;
+    const Scalar z310 = s_alpha_3 + k0 * c_alpha_3;
+    const Scalar z311 = k0 * s_alpha_3 - c_alpha_3;
+    const Scalar z318 = s_alpha_4 - k0 * c_alpha_4;
+    const Scalar z319 = k0 * s_alpha_4 + c_alpha_4;
+    const Scalar z342 = k1 * z295;
+    const Scalar z343 = k1 * z294;
+    const Scalar z346 = k1 * z303;
+    const Scalar z347 = k1 * z302;
+    const Scalar z350 = k1 * z310;
+    const Scalar z353 = k1 * z318;
     precomputed.s_alpha_1 = s_alpha_1;
     precomputed.c_alpha_1 = c_alpha_1;
     precomputed.s_alpha_2 = s_alpha_2;
@@ -326,13 +337,15 @@ struct Mechanism {
     precomputed.z302 = z302;
     precomputed.z303 = z303;
     precomputed.z310 = z310;
-    precomputed.z316 = z316;
-    precomputed.z336 = z336;
-    precomputed.z337 = z337;
-    precomputed.z340 = z340;
-    precomputed.z341 = z341;
-    precomputed.z344 = z344;
+    precomputed.z311 = z311;
+    precomputed.z318 = z318;
+    precomputed.z319 = z319;
+    precomputed.z342 = z342;
+    precomputed.z343 = z343;
+    precomputed.z346 = z346;
     precomputed.z347 = z347;
+    precomputed.z350 = z350;
+    precomputed.z353 = z353;
     return precomputed;
   }
 
@@ -419,10 +432,10 @@ struct Mechanism {
 
   /// Constraints and their derivatives, one entry per multiplier.
   struct Constraints {
-    std::array<Scalar, 6> value;  ///< f(q, t) of holonomic constraints, 0 for the others
-    std::array<Scalar, 6> rate;  ///< A v - b, df/dt for holonomic ones
-    std::array<Scalar, 42> jacobian;  ///< A, stored column by column (6 x 7)
-    std::array<Scalar, 6> gamma;  ///< d(A v - b)/dt at zero acceleration: A a + gamma = 0
+    std::array<Scalar, 8> value;  ///< f(q, t) of holonomic constraints, 0 for the others
+    std::array<Scalar, 8> rate;  ///< A v - b, df/dt for holonomic ones
+    std::array<Scalar, 56> jacobian;  ///< A, stored column by column (8 x 7)
+    std::array<Scalar, 8> gamma;  ///< d(A v - b)/dt at zero acceleration: A a + gamma = 0
   };
 
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
@@ -892,16 +905,20 @@ struct Mechanism {
     const Scalar a_phi_4 = accelerations.phi_4;
     const Scalar l_lambda_wheel_1_x = multipliers.lambda_wheel_1_x;
     const Scalar l_lambda_wheel_1_y = multipliers.lambda_wheel_1_y;
+    const Scalar l_lambda_wheel_2_x = multipliers.lambda_wheel_2_x;
+    const Scalar l_lambda_wheel_2_y = multipliers.lambda_wheel_2_y;
     const Scalar l_lambda_wheel_3_x = multipliers.lambda_wheel_3_x;
     const Scalar l_lambda_wheel_3_y = multipliers.lambda_wheel_3_y;
-    const Scalar l_lambda_wheel_2_y = multipliers.lambda_wheel_2_y;
+    const Scalar l_lambda_wheel_4_x = multipliers.lambda_wheel_4_x;
     const Scalar l_lambda_wheel_4_y = multipliers.lambda_wheel_4_y;
     const Scalar z294 = precomputed.z294;
     const Scalar z295 = precomputed.z295;
     const Scalar z302 = precomputed.z302;
     const Scalar z303 = precomputed.z303;
     const Scalar z310 = precomputed.z310;
-    const Scalar z316 = precomputed.z316;
+    const Scalar z311 = precomputed.z311;
+    const Scalar z318 = precomputed.z318;
+    const Scalar z319 = precomputed.z319;
     const Scalar z79 = q_psi + p_alpha_1;
     Scalar z80, z81;
     traits::sincos(z79, z80, z81);
@@ -930,12 +947,15 @@ struct Mechanism {
     const Scalar z291 = z218 + z276;
     const Scalar z292 = z219 + z273;
     const Scalar z293 = z220 + z269;
-    forces.x = z80 * l_lambda_wheel_1_y - z81 * l_lambda_wheel_1_x + z99 * l_lambda_wheel_2_y + z116
-        * l_lambda_wheel_3_y - z117 * l_lambda_wheel_3_x + z133 * l_lambda_wheel_4_y + z287;
-    forces.y = -z80 * l_lambda_wheel_1_x - z81 * l_lambda_wheel_1_y - z100 * l_lambda_wheel_2_y - z116
-        * l_lambda_wheel_3_x - z117 * l_lambda_wheel_3_y - z134 * l_lambda_wheel_4_y + z288;
-    forces.psi = z284 - z294 * l_lambda_wheel_1_y - z295 * l_lambda_wheel_1_x + z302 * l_lambda_wheel_3_y + z303
-        * l_lambda_wheel_3_x - z310 * l_lambda_wheel_2_y + z316 * l_lambda_wheel_4_y;
+    forces.x = z80 * l_lambda_wheel_1_y - z81 * l_lambda_wheel_1_x + z99 * l_lambda_wheel_2_y - z100
+        * l_lambda_wheel_2_x + z116 * l_lambda_wheel_3_y - z117 * l_lambda_wheel_3_x + z133 * l_lambda_wheel_4_y - z134
+        * l_lambda_wheel_4_x + z287;
+    forces.y = -z80 * l_lambda_wheel_1_x - z81 * l_lambda_wheel_1_y - z99 * l_lambda_wheel_2_x - z100
+        * l_lambda_wheel_2_y - z116 * l_lambda_wheel_3_x - z117 * l_lambda_wheel_3_y - z133 * l_lambda_wheel_4_x - z134
+        * l_lambda_wheel_4_y + z288;
+    forces.psi = z284 - z294 * l_lambda_wheel_1_y - z295 * l_lambda_wheel_1_x - z302 * l_lambda_wheel_2_y + z303
+        * l_lambda_wheel_2_x + z310 * l_lambda_wheel_3_y + z311 * l_lambda_wheel_3_x + z318 * l_lambda_wheel_4_y - z319
+        * l_lambda_wheel_4_x;
     forces.phi_1 = z290 - n0_3 * l_lambda_wheel_1_y;
     forces.phi_2 = z291 - n0_3 * l_lambda_wheel_2_y;
     forces.phi_3 = z292 - n0_3 * l_lambda_wheel_3_y;
@@ -954,6 +974,7 @@ struct Mechanism {
     const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n1_over_3 = traits::constant(0.3333333333333333, 0.33333334f, "1/3");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar v_x = state.v.x;
     const Scalar v_y = state.v.y;
     const Scalar q_psi = state.q.psi;
@@ -973,13 +994,13 @@ struct Mechanism {
     const Scalar z302 = precomputed.z302;
     const Scalar z303 = precomputed.z303;
     const Scalar z310 = precomputed.z310;
-    const Scalar z316 = precomputed.z316;
-    const Scalar z336 = precomputed.z336;
-    const Scalar z337 = precomputed.z337;
-    const Scalar z340 = precomputed.z340;
-    const Scalar z341 = precomputed.z341;
-    const Scalar z344 = precomputed.z344;
+    const Scalar z318 = precomputed.z318;
+    const Scalar z342 = precomputed.z342;
+    const Scalar z343 = precomputed.z343;
+    const Scalar z346 = precomputed.z346;
     const Scalar z347 = precomputed.z347;
+    const Scalar z350 = precomputed.z350;
+    const Scalar z353 = precomputed.z353;
     const Scalar z79 = q_psi + p_alpha_1;
     Scalar z80, z81;
     traits::sincos(z79, z80, z81);
@@ -1000,153 +1021,155 @@ struct Mechanism {
     const Scalar z298 = v_psi * z81;
     const Scalar z299 = v_x * z297 - v_y * z298;
     const Scalar z301 = v_x * z298 + v_y * z297;
-    const Scalar z305 = v_psi * z116;
-    const Scalar z306 = v_psi * z117;
+    const Scalar z305 = v_psi * z99;
+    const Scalar z306 = v_psi * z100;
     const Scalar z307 = v_x * z305 - v_y * z306;
     const Scalar z309 = v_x * z306 + v_y * z305;
-    const Scalar z313 = v_psi * z100;
-    const Scalar z314 = v_psi * z99;
-    const Scalar z315 = v_x * z313 + v_y * z314;
-    const Scalar z319 = v_psi * z134;
-    const Scalar z320 = v_psi * z133;
-    const Scalar z321 = v_x * z319 + v_y * z320;
-    const Scalar z328 = u_C3 - z219;
-    const Scalar z329 = u_C4 - z220;
-    const Scalar z330 = n10_over_9 * z217;
-    const Scalar z331 = n10_over_9 * z218;
-    const Scalar z332 = n10_over_9 * z328;
-    const Scalar z333 = n10_over_9 * z329;
-    const Scalar z334 = n1_over_880 * z81;
-    const Scalar z335 = n1_over_880 * z80;
-    const Scalar z338 = n1_over_880 * z117;
-    const Scalar z339 = n1_over_880 * z116;
-    const Scalar z342 = n1_over_880 * z99;
-    const Scalar z343 = n1_over_880 * z100;
-    const Scalar z345 = n1_over_880 * z133;
-    const Scalar z346 = n1_over_880 * z134;
-    const Scalar z348 = z80 * z335 + z81 * z334 + z295 * z336;
-    const Scalar z349 = z80 * z334 - z81 * z335 - z294 * z336;
-    const Scalar z350 = n0_1 + z80 * z335 + z81 * z334 + z294 * z337;
-    const Scalar z351 = z301 + n0_3 * z330;
-    const Scalar z352 = z116 * z335 + z117 * z334 - z303 * z336;
-    const Scalar z353 = z116 * z334 - z117 * z335 - z303 * z337;
-    const Scalar z354 = z116 * z339 + z117 * z338 + z303 * z340;
-    const Scalar z355 = z116 * z334 - z117 * z335 + z302 * z336;
-    const Scalar z356 = z116 * z335 + z117 * z334 - z302 * z337;
-    const Scalar z357 = z116 * z338 - z117 * z339 - z302 * z340;
-    const Scalar z358 = n0_1 + z116 * z339 + z117 * z338 + z302 * z341;
-    const Scalar z359 = z309 - n0_3 * z332;
-    const Scalar z360 = z99 * z334 - z100 * z335 - z310 * z336;
-    const Scalar z361 = z99 * z335 + z100 * z334 + z310 * z337;
-    const Scalar z362 = z99 * z338 - z100 * z339 + z310 * z340;
-    const Scalar z363 = z99 * z339 + z100 * z338 - z310 * z341;
-    const Scalar z364 = n0_1 + z99 * z342 + z100 * z343 + z310 * z344;
-    const Scalar z365 = z315 + n0_3 * z331;
-    const Scalar z366 = z133 * z334 - z134 * z335 + z316 * z336;
-    const Scalar z367 = z133 * z335 + z134 * z334 - z316 * z337;
-    const Scalar z368 = z133 * z338 - z134 * z339 - z316 * z340;
-    const Scalar z369 = z133 * z339 + z134 * z338 + z316 * z341;
-    const Scalar z370 = z133 * z342 + z134 * z343 - z316 * z344;
-    const Scalar z371 = n0_1 + z133 * z345 + z134 * z346 + z316 * z347;
-    const Scalar z372 = z321 - n0_3 * z333;
-    const Scalar z373 = n1 / z371;
-    const Scalar z374 = z366 * z373;
-    const Scalar z375 = z367 * z373;
-    const Scalar z376 = z368 * z373;
-    const Scalar z377 = z369 * z373;
-    const Scalar z378 = z370 * z373;
-    const Scalar z379 = z348 - z366 * z374;
-    const Scalar z380 = z349 - z366 * z375;
-    const Scalar z381 = z350 - z367 * z375;
-    const Scalar z382 = z352 - z366 * z376;
-    const Scalar z383 = z353 + z367 * z376;
-    const Scalar z384 = z354 - z368 * z376;
-    const Scalar z385 = z355 - z366 * z377;
-    const Scalar z386 = z356 - z367 * z377;
-    const Scalar z387 = z357 - z368 * z377;
-    const Scalar z388 = z358 - z369 * z377;
-    const Scalar z389 = z360 - z366 * z378;
-    const Scalar z390 = z361 - z367 * z378;
-    const Scalar z391 = z362 - z368 * z378;
-    const Scalar z392 = z363 - z369 * z378;
-    const Scalar z393 = z364 - z370 * z378;
-    const Scalar z394 = n1 / z393;
-    const Scalar z395 = z389 * z394;
-    const Scalar z396 = z390 * z394;
-    const Scalar z397 = z391 * z394;
-    const Scalar z398 = z392 * z394;
-    const Scalar z399 = z379 - z389 * z395;
-    const Scalar z400 = z380 - z389 * z396;
-    const Scalar z401 = z381 - z390 * z396;
-    const Scalar z402 = z382 - z389 * z397;
-    const Scalar z403 = z383 + z390 * z397;
-    const Scalar z404 = z384 - z391 * z397;
-    const Scalar z405 = z385 - z389 * z398;
-    const Scalar z406 = z386 - z390 * z398;
-    const Scalar z407 = z387 - z391 * z398;
-    const Scalar z408 = z388 - z392 * z398;
-    const Scalar z409 = n1 / z408;
-    const Scalar z410 = z405 * z409;
-    const Scalar z411 = z406 * z409;
-    const Scalar z412 = z407 * z409;
-    const Scalar z413 = z399 - z405 * z410;
-    const Scalar z414 = z400 - z405 * z411;
-    const Scalar z415 = z401 - z406 * z411;
-    const Scalar z416 = z402 - z405 * z412;
-    const Scalar z417 = z403 + z406 * z412;
-    const Scalar z418 = z404 - z407 * z412;
-    const Scalar z419 = n1 / z418;
-    const Scalar z420 = z416 * z419;
-    const Scalar z421 = z417 * z419;
-    const Scalar z422 = z413 - z416 * z420;
-    const Scalar z423 = z414 + z416 * z421;
-    const Scalar z424 = z415 - z417 * z421;
+    const Scalar z313 = v_psi * z116;
+    const Scalar z314 = v_psi * z117;
+    const Scalar z317 = v_x * z314 + v_y * z313;
+    const Scalar z321 = v_psi * z133;
+    const Scalar z322 = v_psi * z134;
+    const Scalar z325 = v_x * z322 + v_y * z321;
+    const Scalar z334 = u_C3 - z219;
+    const Scalar z335 = u_C4 - z220;
+    const Scalar z336 = n10_over_9 * z217;
+    const Scalar z337 = n10_over_9 * z218;
+    const Scalar z338 = n10_over_9 * z334;
+    const Scalar z339 = n10_over_9 * z335;
+    const Scalar z340 = n1_over_880 * z81;
+    const Scalar z341 = n1_over_880 * z80;
+    const Scalar z344 = n1_over_880 * z100;
+    const Scalar z345 = n1_over_880 * z99;
+    const Scalar z348 = n1_over_880 * z116;
+    const Scalar z349 = n1_over_880 * z117;
+    const Scalar z351 = n1_over_880 * z133;
+    const Scalar z352 = n1_over_880 * z134;
+    const Scalar z354 = z80 * z341 + z81 * z340 + z295 * z342;
+    const Scalar z355 = z80 * z340 - z81 * z341 - z294 * z342;
+    const Scalar z356 = n0_1 + z80 * z341 + z81 * z340 + z294 * z343;
+    const Scalar z357 = z301 + n0_3 * z336;
+    const Scalar z358 = z99 * z341 + z100 * z340 - z303 * z342;
+    const Scalar z359 = z99 * z340 - z100 * z341 - z303 * z343;
+    const Scalar z360 = z99 * z345 + z100 * z344 + z303 * z346;
+    const Scalar z361 = z99 * z340 - z100 * z341 - z302 * z342;
+    const Scalar z362 = z99 * z341 + z100 * z340 + z302 * z343;
+    const Scalar z363 = z99 * z344 - z100 * z345 + z302 * z346;
+    const Scalar z364 = n0_1 + z99 * z345 + z100 * z344 + z302 * z347;
+    const Scalar z365 = z309 + n0_3 * z337;
+    const Scalar z366 = z116 * z340 - z117 * z341 + z310 * z342;
+    const Scalar z367 = z116 * z341 + z117 * z340 - z310 * z343;
+    const Scalar z368 = z116 * z344 - z117 * z345 - z310 * z346;
+    const Scalar z369 = z116 * z345 + z117 * z344 - z310 * z347;
+    const Scalar z370 = n0_1 + z116 * z348 + z117 * z349 + z310 * z350;
+    const Scalar z371 = z317 - n0_3 * z338;
+    const Scalar z372 = z133 * z340 - z134 * z341 + z318 * z342;
+    const Scalar z373 = z133 * z341 + z134 * z340 - z318 * z343;
+    const Scalar z374 = z133 * z344 - z134 * z345 - z318 * z346;
+    const Scalar z375 = z133 * z345 + z134 * z344 - z318 * z347;
+    const Scalar z376 = z133 * z348 + z134 * z349 + z318 * z350;
+    const Scalar z377 = n0_1 + z133 * z351 + z134 * z352 + z318 * z353;
+    const Scalar z378 = z325 - n0_3 * z339;
+    const Scalar z379 = n1 / z377;
+    const Scalar z380 = z372 * z379;
+    const Scalar z381 = z373 * z379;
+    const Scalar z382 = z374 * z379;
+    const Scalar z383 = z375 * z379;
+    const Scalar z384 = z376 * z379;
+    const Scalar z385 = z354 - z372 * z380;
+    const Scalar z386 = z355 - z372 * z381;
+    const Scalar z387 = z356 - z373 * z381;
+    const Scalar z388 = z358 - z372 * z382;
+    const Scalar z389 = z359 + z373 * z382;
+    const Scalar z390 = z360 - z374 * z382;
+    const Scalar z391 = z361 - z372 * z383;
+    const Scalar z392 = z362 - z373 * z383;
+    const Scalar z393 = z363 - z374 * z383;
+    const Scalar z394 = z364 - z375 * z383;
+    const Scalar z395 = z366 - z372 * z384;
+    const Scalar z396 = z367 - z373 * z384;
+    const Scalar z397 = z368 - z374 * z384;
+    const Scalar z398 = z369 - z375 * z384;
+    const Scalar z399 = z370 - z376 * z384;
+    const Scalar z400 = n1 / z399;
+    const Scalar z401 = z395 * z400;
+    const Scalar z402 = z396 * z400;
+    const Scalar z403 = z397 * z400;
+    const Scalar z404 = z398 * z400;
+    const Scalar z405 = z385 - z395 * z401;
+    const Scalar z406 = z386 - z395 * z402;
+    const Scalar z407 = z387 - z396 * z402;
+    const Scalar z408 = z388 - z395 * z403;
+    const Scalar z409 = z389 + z396 * z403;
+    const Scalar z410 = z390 - z397 * z403;
+    const Scalar z411 = z391 - z395 * z404;
+    const Scalar z412 = z392 - z396 * z404;
+    const Scalar z413 = z393 - z397 * z404;
+    const Scalar z414 = z394 - z398 * z404;
+    const Scalar z415 = n1 / z414;
+    const Scalar z416 = z411 * z415;
+    const Scalar z417 = z412 * z415;
+    const Scalar z418 = z413 * z415;
+    const Scalar z419 = z405 - z411 * z416;
+    const Scalar z420 = z406 - z411 * z417;
+    const Scalar z421 = z407 - z412 * z417;
+    const Scalar z422 = z408 - z411 * z418;
+    const Scalar z423 = z409 + z412 * z418;
+    const Scalar z424 = z410 - z413 * z418;
     const Scalar z425 = n1 / z424;
-    const Scalar z426 = z423 * z425;
-    const Scalar z427 = z422 - z423 * z426;
-    const Scalar z428 = n1 / z427;
-    const Scalar z429 = z365 - z372 * z378;
-    const Scalar z430 = z359 - z372 * z377 - z398 * z429;
-    const Scalar z431 = z307 + z372 * z376 + z397 * z429 + z412 * z430;
-    const Scalar z432 = z351 - z372 * z375 - z396 * z429 - z411 * z430 - z421 * z431;
-    const Scalar z433 = z299 + z372 * z374 + z395 * z429 + z410 * z430 - z420 * z431 + z426 * z432;
-    const Scalar z434 = z428 * z433;
-    const Scalar z435 = z425 * z432 + z426 * z434;
-    const Scalar z436 = z419 * z431 - z420 * z434 - z421 * z435;
-    const Scalar z437 = z409 * z430 + z410 * z434 - z411 * z435 + z412 * z436;
-    const Scalar z438 = z394 * z429 + z395 * z434 - z396 * z435 + z397 * z436 - z398 * z437;
-    const Scalar z439 = z372 * z373 + z374 * z434 - z375 * z435 + z376 * z436 - z377 * z437 - z378 * z438;
-    const Scalar z440 = z334 * z434 - z335 * z435 + z338 * z436 - z339 * z437 - z342 * z438 - z345 * z439;
-    const Scalar z441 = z334 * z435 + z335 * z434 + z338 * z437 + z339 * z436 + z343 * z438 + z346 * z439;
-    const Scalar z442 = z336 * z434 + z337 * z435 - z340 * z436 - z341 * z437 + z344 * z438 - z347 * z439;
-    const Scalar z443 = z330 - n1_over_3 * z435;
-    const Scalar z444 = z331 - n1_over_3 * z438;
-    const Scalar z445 = z332 + n1_over_3 * z437;
-    const Scalar z446 = z333 + n1_over_3 * z439;
-    accelerations.x = z440;
-    accelerations.y = z441;
-    accelerations.psi = z442;
-    accelerations.phi_1 = -z443;
-    accelerations.phi_2 = -z444;
-    accelerations.phi_3 = z445;
-    accelerations.phi_4 = z446;
-    multipliers.lambda_wheel_1_x = z434;
-    multipliers.lambda_wheel_1_y = z435;
-    multipliers.lambda_wheel_3_x = z436;
-    multipliers.lambda_wheel_3_y = z437;
-    multipliers.lambda_wheel_2_y = z438;
-    multipliers.lambda_wheel_4_y = z439;
-    if (!(traits::regular(z427, z348) && traits::regular(z424, z350) && traits::regular(z418, z354)
-        && traits::regular(z408, z358) && traits::regular(z393, z364) && traits::regular(z371,
-        z371))) return torsor::Status::singular;
+    const Scalar z426 = z422 * z425;
+    const Scalar z427 = z423 * z425;
+    const Scalar z428 = z419 - z422 * z426;
+    const Scalar z429 = z420 + z422 * z427;
+    const Scalar z430 = z421 - z423 * z427;
+    const Scalar z431 = n1 / z430;
+    const Scalar z432 = z429 * z431;
+    const Scalar z433 = z428 - z429 * z432;
+    const Scalar z434 = n1 / z433;
+    const Scalar z435 = z371 - z378 * z384;
+    const Scalar z436 = z365 - z378 * z383 - z404 * z435;
+    const Scalar z437 = z307 + z378 * z382 + z403 * z435 + z418 * z436;
+    const Scalar z438 = z357 - z378 * z381 - z402 * z435 - z417 * z436 - z427 * z437;
+    const Scalar z439 = z299 + z378 * z380 + z401 * z435 + z416 * z436 - z426 * z437 + z432 * z438;
+    const Scalar z440 = z434 * z439;
+    const Scalar z441 = z431 * z438 + z432 * z440;
+    const Scalar z442 = z425 * z437 - z426 * z440 - z427 * z441;
+    const Scalar z443 = z415 * z436 + z416 * z440 - z417 * z441 + z418 * z442;
+    const Scalar z444 = z400 * z435 + z401 * z440 - z402 * z441 + z403 * z442 - z404 * z443;
+    const Scalar z445 = z378 * z379 + z380 * z440 - z381 * z441 + z382 * z442 - z383 * z443 - z384 * z444;
+    const Scalar z446 = z340 * z440 - z341 * z441 + z344 * z442 - z345 * z443 - z348 * z444 - z351 * z445;
+    const Scalar z447 = z340 * z441 + z341 * z440 + z344 * z443 + z345 * z442 + z349 * z444 + z352 * z445;
+    const Scalar z448 = z342 * z440 + z343 * z441 - z346 * z442 + z347 * z443 - z350 * z444 - z353 * z445;
+    const Scalar z449 = z336 - n1_over_3 * z441;
+    const Scalar z450 = z337 - n1_over_3 * z443;
+    const Scalar z451 = z338 + n1_over_3 * z444;
+    const Scalar z452 = z339 + n1_over_3 * z445;
+    accelerations.x = z446;
+    accelerations.y = z447;
+    accelerations.psi = z448;
+    accelerations.phi_1 = -z449;
+    accelerations.phi_2 = -z450;
+    accelerations.phi_3 = z451;
+    accelerations.phi_4 = z452;
+    multipliers.lambda_wheel_1_x = z440;
+    multipliers.lambda_wheel_1_y = z441;
+    multipliers.lambda_wheel_2_x = z442;
+    multipliers.lambda_wheel_2_y = z443;
+    multipliers.lambda_wheel_3_x = n0;
+    multipliers.lambda_wheel_3_y = z444;
+    multipliers.lambda_wheel_4_x = n0;
+    multipliers.lambda_wheel_4_y = z445;
+    if (!(traits::regular(z433, z354) && traits::regular(z430, z356) && traits::regular(z424, z360)
+        && traits::regular(z414, z364) && traits::regular(z399, z370) && traits::regular(z377,
+        z377))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.x - accelerations.x) + (accelerations.y - accelerations.y) + (accelerations.psi
         - accelerations.psi) + (accelerations.phi_1 - accelerations.phi_1) + (accelerations.phi_2 - accelerations.phi_2)
         + (accelerations.phi_3 - accelerations.phi_3) + (accelerations.phi_4 - accelerations.phi_4)
         + (multipliers.lambda_wheel_1_x - multipliers.lambda_wheel_1_x) + (multipliers.lambda_wheel_1_y
-        - multipliers.lambda_wheel_1_y) + (multipliers.lambda_wheel_3_x - multipliers.lambda_wheel_3_x)
-        + (multipliers.lambda_wheel_3_y - multipliers.lambda_wheel_3_y) + (multipliers.lambda_wheel_2_y
-        - multipliers.lambda_wheel_2_y) + (multipliers.lambda_wheel_4_y - multipliers.lambda_wheel_4_y);
+        - multipliers.lambda_wheel_1_y) + (multipliers.lambda_wheel_2_x - multipliers.lambda_wheel_2_x)
+        + (multipliers.lambda_wheel_2_y - multipliers.lambda_wheel_2_y) + (multipliers.lambda_wheel_3_y
+        - multipliers.lambda_wheel_3_y) + (multipliers.lambda_wheel_4_y - multipliers.lambda_wheel_4_y);
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
@@ -1258,7 +1281,9 @@ struct Mechanism {
     const Scalar z302 = precomputed.z302;
     const Scalar z303 = precomputed.z303;
     const Scalar z310 = precomputed.z310;
-    const Scalar z316 = precomputed.z316;
+    const Scalar z311 = precomputed.z311;
+    const Scalar z318 = precomputed.z318;
+    const Scalar z319 = precomputed.z319;
     const Scalar z79 = q_psi + p_alpha_1;
     Scalar z80, z81;
     traits::sincos(z79, z80, z81);
@@ -1277,20 +1302,24 @@ struct Mechanism {
     const Scalar z299 = v_x * z297 - v_y * z298;
     const Scalar z300 = v_x * z80 - v_y * z81 - v_psi * z294 - n0_3 * v_phi_1;
     const Scalar z301 = v_x * z298 + v_y * z297;
-    const Scalar z304 = v_x * z117 + v_y * z116 - v_psi * z303;
-    const Scalar z305 = v_psi * z116;
-    const Scalar z306 = v_psi * z117;
+    const Scalar z304 = v_x * z100 + v_y * z99 - v_psi * z303;
+    const Scalar z305 = v_psi * z99;
+    const Scalar z306 = v_psi * z100;
     const Scalar z307 = v_x * z305 - v_y * z306;
-    const Scalar z308 = v_x * z116 - v_y * z117 + v_psi * z302 - n0_3 * v_phi_3;
+    const Scalar z308 = v_x * z99 - v_y * z100 - v_psi * z302 - n0_3 * v_phi_2;
     const Scalar z309 = v_x * z306 + v_y * z305;
-    const Scalar z312 = v_x * z99 - v_y * z100 - v_psi * z310 - n0_3 * v_phi_2;
-    const Scalar z313 = v_psi * z100;
-    const Scalar z314 = v_psi * z99;
-    const Scalar z315 = v_x * z313 + v_y * z314;
-    const Scalar z318 = v_x * z133 - v_y * z134 + v_psi * z316 - n0_3 * v_phi_4;
-    const Scalar z319 = v_psi * z134;
-    const Scalar z320 = v_psi * z133;
-    const Scalar z321 = v_x * z319 + v_y * z320;
+    const Scalar z312 = v_x * z117 + v_y * z116 - v_psi * z311;
+    const Scalar z313 = v_psi * z116;
+    const Scalar z314 = v_psi * z117;
+    const Scalar z315 = v_x * z313 - v_y * z314;
+    const Scalar z316 = v_x * z116 - v_y * z117 + v_psi * z310 - n0_3 * v_phi_3;
+    const Scalar z317 = v_x * z314 + v_y * z313;
+    const Scalar z320 = v_x * z134 + v_y * z133 + v_psi * z319;
+    const Scalar z321 = v_psi * z133;
+    const Scalar z322 = v_psi * z134;
+    const Scalar z323 = v_x * z321 - v_y * z322;
+    const Scalar z324 = v_x * z133 - v_y * z134 + v_psi * z318 - n0_3 * v_phi_4;
+    const Scalar z325 = v_x * z322 + v_y * z321;
     result.value[0] = n0;
     result.rate[0] = z296;
     result.gamma[0] = -z299;
@@ -1304,53 +1333,73 @@ struct Mechanism {
     result.rate[3] = -z308;
     result.gamma[3] = -z309;
     result.value[4] = n0;
-    result.rate[4] = -z312;
+    result.rate[4] = z312;
     result.gamma[4] = -z315;
     result.value[5] = n0;
-    result.rate[5] = -z318;
-    result.gamma[5] = -z321;
+    result.rate[5] = -z316;
+    result.gamma[5] = -z317;
+    result.value[6] = n0;
+    result.rate[6] = z320;
+    result.gamma[6] = -z323;
+    result.value[7] = n0;
+    result.rate[7] = -z324;
+    result.gamma[7] = -z325;
     result.jacobian[0] = z81;
     result.jacobian[1] = -z80;
-    result.jacobian[2] = z117;
-    result.jacobian[3] = -z116;
-    result.jacobian[4] = -z99;
-    result.jacobian[5] = -z133;
-    result.jacobian[6] = z80;
-    result.jacobian[7] = z81;
-    result.jacobian[8] = z116;
-    result.jacobian[9] = z117;
-    result.jacobian[10] = z100;
-    result.jacobian[11] = z134;
-    result.jacobian[12] = z295;
-    result.jacobian[13] = z294;
-    result.jacobian[14] = -z303;
-    result.jacobian[15] = -z302;
-    result.jacobian[16] = z310;
-    result.jacobian[17] = -z316;
-    result.jacobian[18] = n0;
-    result.jacobian[19] = n0_3;
-    result.jacobian[20] = n0;
-    result.jacobian[21] = n0;
-    result.jacobian[22] = n0;
-    result.jacobian[23] = n0;
+    result.jacobian[2] = z100;
+    result.jacobian[3] = -z99;
+    result.jacobian[4] = z117;
+    result.jacobian[5] = -z116;
+    result.jacobian[6] = z134;
+    result.jacobian[7] = -z133;
+    result.jacobian[8] = z80;
+    result.jacobian[9] = z81;
+    result.jacobian[10] = z99;
+    result.jacobian[11] = z100;
+    result.jacobian[12] = z116;
+    result.jacobian[13] = z117;
+    result.jacobian[14] = z133;
+    result.jacobian[15] = z134;
+    result.jacobian[16] = z295;
+    result.jacobian[17] = z294;
+    result.jacobian[18] = -z303;
+    result.jacobian[19] = z302;
+    result.jacobian[20] = -z311;
+    result.jacobian[21] = -z310;
+    result.jacobian[22] = z319;
+    result.jacobian[23] = -z318;
     result.jacobian[24] = n0;
-    result.jacobian[25] = n0;
+    result.jacobian[25] = n0_3;
     result.jacobian[26] = n0;
     result.jacobian[27] = n0;
-    result.jacobian[28] = n0_3;
+    result.jacobian[28] = n0;
     result.jacobian[29] = n0;
     result.jacobian[30] = n0;
     result.jacobian[31] = n0;
     result.jacobian[32] = n0;
-    result.jacobian[33] = n0_3;
+    result.jacobian[33] = n0;
     result.jacobian[34] = n0;
-    result.jacobian[35] = n0;
+    result.jacobian[35] = n0_3;
     result.jacobian[36] = n0;
     result.jacobian[37] = n0;
     result.jacobian[38] = n0;
     result.jacobian[39] = n0;
     result.jacobian[40] = n0;
-    result.jacobian[41] = n0_3;
+    result.jacobian[41] = n0;
+    result.jacobian[42] = n0;
+    result.jacobian[43] = n0;
+    result.jacobian[44] = n0;
+    result.jacobian[45] = n0_3;
+    result.jacobian[46] = n0;
+    result.jacobian[47] = n0;
+    result.jacobian[48] = n0;
+    result.jacobian[49] = n0;
+    result.jacobian[50] = n0;
+    result.jacobian[51] = n0;
+    result.jacobian[52] = n0;
+    result.jacobian[53] = n0;
+    result.jacobian[54] = n0;
+    result.jacobian[55] = n0_3;
   }
 };
 

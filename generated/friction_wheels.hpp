@@ -22,11 +22,15 @@
 //   kinematics: of 78 results 58 vanish identically, 5 repeat another up to sign
 //   mass_matrix: of 4 results 2 vanish identically
 //   bias: of 2 results 1 vanish identically
+//   forward_dynamics: of 4 results 1 vanish identically
 //   energy: of 3 results 1 vanish identically
 //   first_integrals: left out, 'C1', 'load' have no force function
-//   constraints: of 5 results 2 vanish identically
+//   constraints: of 10 results 7 vanish identically
 //   reactions: left out, the scene releases no joint direction (released_coordinate)
 //   linearisation: of 34 results 20 vanish identically
+//
+// Constraints:
+//   Constraints that repeat others are left out, their multipliers are 0: rolling_y.
 //
 // To write this file again:
 //   friction_wheels_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output friction_wheels.hpp
@@ -99,7 +103,7 @@ struct Mechanism {
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 1;
   static constexpr int parameter_count = 0;
-  static constexpr int multiplier_count = 1;
+  static constexpr int multiplier_count = 2;
 
   /// Parameters that are set at run time.
   struct Parameters {
@@ -182,14 +186,15 @@ struct Mechanism {
 
   /// Multipliers of the constraints, or the reactions that enforce them.
   struct Multipliers {
-    Scalar T;  ///< of the constraint rolling [N]
-    static constexpr int size = 1;
+    Scalar T;  ///< of the constraint rolling_x [N]
+    Scalar lambda_rolling_y;  ///< indeterminate, of the constraint rolling_y [N]
+    static constexpr int size = 2;
     TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
     TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
 
    private:
     TORSOR_DEVICE static constexpr Scalar Multipliers::*member_(int i_) noexcept {
-      constexpr Scalar Multipliers::*members_[] = {&Multipliers::T};
+      constexpr Scalar Multipliers::*members_[] = {&Multipliers::T, &Multipliers::lambda_rolling_y};
       return members_[i_];
     }
   };
@@ -275,10 +280,10 @@ struct Mechanism {
 
   /// Constraints and their derivatives, one entry per multiplier.
   struct Constraints {
-    std::array<Scalar, 1> value;  ///< f(q, t) of holonomic constraints, 0 for the others
-    std::array<Scalar, 1> rate;  ///< A v - b, df/dt for holonomic ones
-    std::array<Scalar, 2> jacobian;  ///< A, stored column by column (1 x 2)
-    std::array<Scalar, 1> gamma;  ///< d(A v - b)/dt at zero acceleration: A a + gamma = 0
+    std::array<Scalar, 2> value;  ///< f(q, t) of holonomic constraints, 0 for the others
+    std::array<Scalar, 2> rate;  ///< A v - b, df/dt for holonomic ones
+    std::array<Scalar, 4> jacobian;  ///< A, stored column by column (2 x 2)
+    std::array<Scalar, 2> gamma;  ///< d(A v - b)/dt at zero acceleration: A a + gamma = 0
   };
 
   /// Matrices of the linearised equations, stored column by column.
@@ -466,19 +471,21 @@ struct Mechanism {
     const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
     const Scalar n10 = traits::constant(10.0, 10.0f, "10/1");
     const Scalar n10_over_27 = traits::constant(0.37037037037037035, 0.37037036f, "10/27");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar v_theta_2 = state.v.theta_2;
     const Scalar u_C1 = inputs.C1;
     const Scalar z45 = n0_9 * v_theta_2;
-    const Scalar z50 = n100 * u_C1;
-    const Scalar z51 = n100_over_81 * z45;
-    const Scalar z52 = n0_1 * z50 - n0_3 * z51;
-    const Scalar z53 = n0_9 * z52;
-    const Scalar z54 = z50 - n10 * z53;
-    const Scalar z55 = z51 + n10_over_27 * z53;
-    accelerations.theta_1 = z54;
-    accelerations.theta_2 = -z55;
-    multipliers.T = z53;
+    const Scalar z51 = n100 * u_C1;
+    const Scalar z52 = n100_over_81 * z45;
+    const Scalar z53 = n0_1 * z51 - n0_3 * z52;
+    const Scalar z54 = n0_9 * z53;
+    const Scalar z55 = z51 - n10 * z54;
+    const Scalar z56 = z52 + n10_over_27 * z54;
+    accelerations.theta_1 = z55;
+    accelerations.theta_2 = -z56;
+    multipliers.T = z54;
+    multipliers.lambda_rolling_y = n0;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.theta_1 - accelerations.theta_1) + (accelerations.theta_2
         - accelerations.theta_2) + (multipliers.T - multipliers.T);
@@ -513,8 +520,13 @@ struct Mechanism {
     result.value[0] = n0;
     result.rate[0] = -z48;
     result.gamma[0] = n0;
+    result.value[1] = n0;
+    result.rate[1] = n0;
+    result.gamma[1] = n0;
     result.jacobian[0] = -n0_1;
-    result.jacobian[1] = -n0_3;
+    result.jacobian[1] = n0;
+    result.jacobian[2] = -n0_3;
+    result.jacobian[3] = n0;
   }
 
   /// Linearisation about a state that satisfies the constraints. M d'' + C d' + K d = F + E du in all freedoms d, at
@@ -545,11 +557,11 @@ struct Mechanism {
     const Scalar z45 = n0_9 * v_theta_2;
     const Scalar z46 = n0_81 * a_theta_2 + z45;  // moment on S2, z
     const Scalar z47 = n0_01 * a_theta_1;  // moment on S1, z
-    const Scalar z58 = n0_1 * a_theta_1 + n0_3 * a_theta_2;
-    const Scalar z59 = n10 * z58;
-    const Scalar z60 = n3 * (u_C1 - z47) + z46;
-    const Scalar z61 = n0_03 * z59;
-    const Scalar z62 = z60 + z61;
+    const Scalar z59 = n0_1 * a_theta_1 + n0_3 * a_theta_2;
+    const Scalar z60 = n10 * z59;
+    const Scalar z61 = n3 * (u_C1 - z47) + z46;
+    const Scalar z62 = n0_03 * z60;
+    const Scalar z63 = z61 + z62;
     result.M[0] = n0_01;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -570,7 +582,7 @@ struct Mechanism {
     result.C_r[0] = n0_9;
     result.K_r[0] = n0;
     result.K_r[1] = n0;
-    result.F_r[0] = -z62;
+    result.F_r[0] = -z63;
     result.E_r[0] = -n3;
     result.A[0] = n0;
     result.A[1] = n0;

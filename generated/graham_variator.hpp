@@ -23,10 +23,14 @@
 //   kinematics: of 84 results 41 vanish identically, 8 repeat another up to sign
 //   mass_matrix: of 9 results 4 vanish identically
 //   bias: of 3 results 2 vanish identically
+//   forward_dynamics: of 7 results 2 vanish identically
 //   first_integrals: left out, 'C1', 'C3' have no force function
-//   constraints: of 12 results 5 vanish identically
+//   constraints: of 24 results 17 vanish identically
 //   reactions: left out, the scene releases no joint direction (released_coordinate)
 //   linearisation: of 68 results 46 vanish identically, 2 repeat another up to sign
+//
+// Constraints:
+//   Constraints that repeat others are left out, their multipliers are 0: rolling_A_x, rolling_E_x.
 //
 // To write this file again:
 //   graham_variator_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output graham_variator.hpp
@@ -99,7 +103,7 @@ struct Mechanism {
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 2;
   static constexpr int parameter_count = 1;
-  static constexpr int multiplier_count = 2;
+  static constexpr int multiplier_count = 4;
 
   /// Parameters that are set at run time.
   struct Parameters {
@@ -198,15 +202,18 @@ struct Mechanism {
 
   /// Multipliers of the constraints, or the reactions that enforce them.
   struct Multipliers {
-    Scalar T_A;  ///< of the constraint rolling_A [N]
-    Scalar T_E;  ///< of the constraint rolling_E [N]
-    static constexpr int size = 2;
+    Scalar lambda_rolling_A_x;  ///< indeterminate, of the constraint rolling_A_x [N]
+    Scalar T_A;  ///< of the constraint rolling_A_y [N]
+    Scalar lambda_rolling_E_x;  ///< indeterminate, of the constraint rolling_E_x [N]
+    Scalar T_E;  ///< of the constraint rolling_E_y [N]
+    static constexpr int size = 4;
     TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
     TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
 
    private:
     TORSOR_DEVICE static constexpr Scalar Multipliers::*member_(int i_) noexcept {
-      constexpr Scalar Multipliers::*members_[] = {&Multipliers::T_A, &Multipliers::T_E};
+      constexpr Scalar Multipliers::*members_[] = {&Multipliers::lambda_rolling_A_x, &Multipliers::T_A,
+          &Multipliers::lambda_rolling_E_x, &Multipliers::T_E};
       return members_[i_];
     }
   };
@@ -225,23 +232,23 @@ struct Mechanism {
     Scalar z52;
     Scalar z54;
     Scalar z103;
-    Scalar z113;
-    Scalar z114;
     Scalar z115;
-    Scalar z119;
-    Scalar z120;
+    Scalar z116;
+    Scalar z117;
     Scalar z121;
-    Scalar z155;
-    Scalar z156;
+    Scalar z122;
+    Scalar z123;
     Scalar z157;
+    Scalar z158;
     Scalar z159;
     Scalar z161;
-    Scalar z162;
-    Scalar z167;
-    Scalar z168;
+    Scalar z163;
+    Scalar z164;
     Scalar z169;
-    Scalar z175;
+    Scalar z170;
+    Scalar z171;
     Scalar z177;
+    Scalar z179;
   };
 
   /// Values of the scene.
@@ -282,49 +289,49 @@ struct Mechanism {
     const Scalar z54 = n0_1 - z53;
     const Scalar z102 = n0_1 - z54;
     const Scalar z103 = k2 * z52 - k1 * z102;
-    const Scalar z112 = z54 - k1 * z103;
-    const Scalar z113 = k4 * z112;
-    const Scalar z114 = k5 * z103 - k1 * z113;
-    const Scalar z115 = z54 * z113 + z103 * z114;
-    const Scalar z117 = k6 * z113 + n0_02 * z114;
-    const Scalar z119 = k8 * z117;
-    const Scalar z120 = z115 - z117 * z119;
-    const Scalar z121 = n1 / z120;
-    const Scalar z155 = n1 / z103;
-    const Scalar z156 = n0_02 * z155;
-    const Scalar z157 = z103 * z103;
-    const Scalar z158 = k10 * z54 * z54 + k5 * z103 * z103;
-    const Scalar z159 = n0_0003 * z158;
-    const Scalar z160 = k6 - z54 * z156;
-    const Scalar z161 = k12 * z160;
-    const Scalar z162 = z54 * z155;
-    const Scalar z166 = k13 - k14 * z162;
-    const Scalar z167 = k14 - n0_0003 * z162;
-    const Scalar z168 = n0_02 * z161;
-    const Scalar z169 = z161 * z168 - z162 * z167 + z166;
-    const Scalar z175 = n1 / z169;
-    const Scalar z177 = z161 * z175;
+    const Scalar z114 = z54 - k1 * z103;
+    const Scalar z115 = k4 * z114;
+    const Scalar z116 = k5 * z103 - k1 * z115;
+    const Scalar z117 = z54 * z115 + z103 * z116;
+    const Scalar z119 = k6 * z115 + n0_02 * z116;
+    const Scalar z121 = k8 * z119;
+    const Scalar z122 = z117 - z119 * z121;
+    const Scalar z123 = n1 / z122;
+    const Scalar z157 = n1 / z103;
+    const Scalar z158 = n0_02 * z157;
+    const Scalar z159 = z103 * z103;
+    const Scalar z160 = k10 * z54 * z54 + k5 * z103 * z103;
+    const Scalar z161 = n0_0003 * z160;
+    const Scalar z162 = k6 - z54 * z158;
+    const Scalar z163 = k12 * z162;
+    const Scalar z164 = z54 * z157;
+    const Scalar z168 = k13 - k14 * z164;
+    const Scalar z169 = k14 - n0_0003 * z164;
+    const Scalar z170 = n0_02 * z163;
+    const Scalar z171 = z163 * z170 - z164 * z169 + z168;
+    const Scalar z177 = n1 / z171;
+    const Scalar z179 = z163 * z177;
     precomputed.z51 = z51;
     precomputed.z52 = z52;
     precomputed.z54 = z54;
     precomputed.z103 = z103;
-    precomputed.z113 = z113;
-    precomputed.z114 = z114;
     precomputed.z115 = z115;
-    precomputed.z119 = z119;
-    precomputed.z120 = z120;
+    precomputed.z116 = z116;
+    precomputed.z117 = z117;
     precomputed.z121 = z121;
-    precomputed.z155 = z155;
-    precomputed.z156 = z156;
+    precomputed.z122 = z122;
+    precomputed.z123 = z123;
     precomputed.z157 = z157;
+    precomputed.z158 = z158;
     precomputed.z159 = z159;
     precomputed.z161 = z161;
-    precomputed.z162 = z162;
-    precomputed.z167 = z167;
-    precomputed.z168 = z168;
+    precomputed.z163 = z163;
+    precomputed.z164 = z164;
     precomputed.z169 = z169;
-    precomputed.z175 = z175;
+    precomputed.z170 = z170;
+    precomputed.z171 = z171;
     precomputed.z177 = z177;
+    precomputed.z179 = z179;
     return precomputed;
   }
 
@@ -388,10 +395,10 @@ struct Mechanism {
 
   /// Constraints and their derivatives, one entry per multiplier.
   struct Constraints {
-    std::array<Scalar, 2> value;  ///< f(q, t) of holonomic constraints, 0 for the others
-    std::array<Scalar, 2> rate;  ///< A v - b, df/dt for holonomic ones
-    std::array<Scalar, 6> jacobian;  ///< A, stored column by column (2 x 3)
-    std::array<Scalar, 2> gamma;  ///< d(A v - b)/dt at zero acceleration: A a + gamma = 0
+    std::array<Scalar, 4> value;  ///< f(q, t) of holonomic constraints, 0 for the others
+    std::array<Scalar, 4> rate;  ///< A v - b, df/dt for holonomic ones
+    std::array<Scalar, 12> jacobian;  ///< A, stored column by column (4 x 3)
+    std::array<Scalar, 4> gamma;  ///< d(A v - b)/dt at zero acceleration: A a + gamma = 0
   };
 
   /// Matrices of the linearised equations, stored column by column.
@@ -677,42 +684,45 @@ struct Mechanism {
     const Scalar k11 = traits::constant(61.48352510873733, 61.483524f,
         "39738981350/598933947;-255072500/199644649;-5795575/199644649;-735710500/598933947");
     const Scalar k12 = traits::constant(5.577697258635287, 5.5776973f, "5;5/8;0;-1/8");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar q_alpha = state.q.alpha;
     const Scalar u_C1 = inputs.C1;
     const Scalar u_C3 = inputs.C3;
     const Scalar z54 = precomputed.z54;
     const Scalar z103 = precomputed.z103;
-    const Scalar z113 = precomputed.z113;
-    const Scalar z114 = precomputed.z114;
     const Scalar z115 = precomputed.z115;
-    const Scalar z119 = precomputed.z119;
-    const Scalar z120 = precomputed.z120;
+    const Scalar z116 = precomputed.z116;
+    const Scalar z117 = precomputed.z117;
     const Scalar z121 = precomputed.z121;
+    const Scalar z122 = precomputed.z122;
+    const Scalar z123 = precomputed.z123;
     Scalar s_alpha, c_alpha;
     traits::sincos(q_alpha, s_alpha, c_alpha);
     const Scalar z68 = n9_81 * s_alpha;
     const Scalar z80 = n0_06 * z68;  // moment on inclined, y
     const Scalar z84 = k2 * z80;
     const Scalar z87 = n0_1 * z68 - z84;  // moment on S1, x
-    const Scalar z108 = u_C1 + z87;
-    const Scalar z109 = k4 * z108;
-    const Scalar z110 = k5 * z109;
-    const Scalar z111 = n50 * u_C3;
-    const Scalar z116 = z54 * z109 - z103 * z110;
-    const Scalar z118 = k7 * (z109 - z111) - n0_02 * z110;
-    const Scalar z122 = z116 - z118 * z119;
-    const Scalar z123 = z121 * z122;
-    const Scalar z124 = k9 * z118 - z119 * z123;
-    const Scalar z125 = z109 - z113 * z123 - k10 * z124;
-    const Scalar z126 = z110 + z114 * z123 + k11 * z124;
-    const Scalar z127 = z111 + k12 * z124;
-    accelerations.alpha = z125;
-    accelerations.beta = -z126;
-    accelerations.gamma = z127;
-    multipliers.T_A = -z123;
-    multipliers.T_E = -z124;
-    if (!(traits::regular(z120, z115))) return torsor::Status::singular;
+    const Scalar z110 = u_C1 + z87;
+    const Scalar z111 = k4 * z110;
+    const Scalar z112 = k5 * z111;
+    const Scalar z113 = n50 * u_C3;
+    const Scalar z118 = z54 * z111 - z103 * z112;
+    const Scalar z120 = k7 * (z111 - z113) - n0_02 * z112;
+    const Scalar z124 = z118 - z120 * z121;
+    const Scalar z125 = z123 * z124;
+    const Scalar z126 = k9 * z120 - z121 * z125;
+    const Scalar z127 = z111 - z115 * z125 - k10 * z126;
+    const Scalar z128 = z112 + z116 * z125 + k11 * z126;
+    const Scalar z129 = z113 + k12 * z126;
+    accelerations.alpha = z127;
+    accelerations.beta = -z128;
+    accelerations.gamma = z129;
+    multipliers.lambda_rolling_A_x = n0;
+    multipliers.T_A = -z125;
+    multipliers.lambda_rolling_E_x = n0;
+    multipliers.T_E = -z126;
+    if (!(traits::regular(z122, z117))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.alpha - accelerations.alpha) + (accelerations.beta - accelerations.beta)
         + (accelerations.gamma - accelerations.gamma) + (multipliers.T_A - multipliers.T_A) + (multipliers.T_E
@@ -756,13 +766,13 @@ struct Mechanism {
     const Scalar z23 = v_beta + z17;  // angular velocity of S2, x
     const Scalar z36 = n0_06 * z20 - z21;
     const Scalar z37 = n0_06 * z19 - z22;
-    const Scalar z128 = n0_0044 * z19 - n0_06 * z22;
-    const Scalar z129 = n0_0044 * z20 - n0_06 * z21;
-    const Scalar z130 = n0_1 * c_alpha;
-    const Scalar z132 = k5 * c_alpha;
-    result.kinetic = n0_5 * (z19 * z128 + z20 * z129 - z21 * z36 - z22 * z37) + n0_005 * v_alpha * v_alpha + n0_01
+    const Scalar z130 = n0_0044 * z19 - n0_06 * z22;
+    const Scalar z131 = n0_0044 * z20 - n0_06 * z21;
+    const Scalar z132 = n0_1 * c_alpha;
+    const Scalar z134 = k5 * c_alpha;
+    result.kinetic = n0_5 * (z19 * z130 + z20 * z131 - z21 * z36 - z22 * z37) + n0_005 * v_alpha * v_alpha + n0_01
         * v_gamma * v_gamma + k9 * z23 * z23;
-    result.force_function = -n9_81 * (z130 - z132);
+    result.force_function = -n9_81 * (z132 - z134);
     result.power = v_alpha * u_C1 + v_gamma * u_C3;
   }
 
@@ -780,17 +790,29 @@ struct Mechanism {
     const Scalar z104 = v_alpha * z54 + v_beta * z103;
     const Scalar z105 = k0 * (v_alpha - v_gamma) + n0_02 * v_beta;
     result.value[0] = n0;
-    result.rate[0] = z104;
+    result.rate[0] = n0;
     result.gamma[0] = n0;
     result.value[1] = n0;
-    result.rate[1] = z105;
+    result.rate[1] = z104;
     result.gamma[1] = n0;
-    result.jacobian[0] = z54;
-    result.jacobian[1] = k0;
-    result.jacobian[2] = z103;
-    result.jacobian[3] = n0_02;
+    result.value[2] = n0;
+    result.rate[2] = n0;
+    result.gamma[2] = n0;
+    result.value[3] = n0;
+    result.rate[3] = z105;
+    result.gamma[3] = n0;
+    result.jacobian[0] = n0;
+    result.jacobian[1] = z54;
+    result.jacobian[2] = n0;
+    result.jacobian[3] = k0;
     result.jacobian[4] = n0;
-    result.jacobian[5] = -k0;
+    result.jacobian[5] = z103;
+    result.jacobian[6] = n0;
+    result.jacobian[7] = n0_02;
+    result.jacobian[8] = n0;
+    result.jacobian[9] = n0;
+    result.jacobian[10] = n0;
+    result.jacobian[11] = -k0;
   }
 
   /// Linearisation about a state that satisfies the constraints. M d'' + C d' + K d = F + E du in all freedoms d, at
@@ -828,17 +850,17 @@ struct Mechanism {
     const Scalar l_T_E = multipliers.T_E;
     const Scalar z54 = precomputed.z54;
     const Scalar z103 = precomputed.z103;
-    const Scalar z155 = precomputed.z155;
-    const Scalar z156 = precomputed.z156;
     const Scalar z157 = precomputed.z157;
+    const Scalar z158 = precomputed.z158;
     const Scalar z159 = precomputed.z159;
     const Scalar z161 = precomputed.z161;
-    const Scalar z162 = precomputed.z162;
-    const Scalar z167 = precomputed.z167;
-    const Scalar z168 = precomputed.z168;
+    const Scalar z163 = precomputed.z163;
+    const Scalar z164 = precomputed.z164;
     const Scalar z169 = precomputed.z169;
-    const Scalar z175 = precomputed.z175;
+    const Scalar z170 = precomputed.z170;
+    const Scalar z171 = precomputed.z171;
     const Scalar z177 = precomputed.z177;
+    const Scalar z179 = precomputed.z179;
     Scalar s_alpha, c_alpha;
     traits::sincos(q_alpha, s_alpha, c_alpha);
     const Scalar z67 = n9_81 * c_alpha;
@@ -854,20 +876,20 @@ struct Mechanism {
     const Scalar z97 = n0_06 * z91;  // moment on inclined, y
     const Scalar z98 = k1 * z96 + k2 * z97;
     const Scalar z101 = -n0_1 * (z68 + z95) + n0_0244 * a_alpha - z98;  // moment on S1, x
-    const Scalar z150 = n0_06 * z67;
-    const Scalar z151 = k2 * z150;
-    const Scalar z152 = n0_1 * z67 - z151;
-    const Scalar z153 = a_alpha * z54 + a_beta * z103;
-    const Scalar z154 = k9 * (a_alpha - a_gamma) + n0_02 * a_beta;
-    const Scalar z163 = z153 * z156 - z154;
-    const Scalar z164 = k10 * z163;
-    const Scalar z165 = z153 * z155;
-    const Scalar z170 = z94 - z103 * l_T_A - n0_02 * l_T_E;
-    const Scalar z171 = u_C3 - z93 - k9 * l_T_E;
-    const Scalar z172 = z54 * l_T_A + u_C1 - z101 + k9 * l_T_E + z161 * z171 + z162 * z170;
-    const Scalar z173 = z164 * z168 + z165 * z167;
-    const Scalar z174 = z172 + z173;
-    const Scalar z176 = z152 * z175;
+    const Scalar z152 = n0_06 * z67;
+    const Scalar z153 = k2 * z152;
+    const Scalar z154 = n0_1 * z67 - z153;
+    const Scalar z155 = a_alpha * z54 + a_beta * z103;
+    const Scalar z156 = k9 * (a_alpha - a_gamma) + n0_02 * a_beta;
+    const Scalar z165 = z155 * z158 - z156;
+    const Scalar z166 = k10 * z165;
+    const Scalar z167 = z155 * z157;
+    const Scalar z172 = z94 - z103 * l_T_A - n0_02 * l_T_E;
+    const Scalar z173 = u_C3 - z93 - k9 * l_T_E;
+    const Scalar z174 = z54 * l_T_A + u_C1 - z101 + k9 * l_T_E + z163 * z173 + z164 * z172;
+    const Scalar z175 = z166 * z170 + z167 * z169;
+    const Scalar z176 = z174 + z175;
+    const Scalar z178 = z154 * z177;
     result.M[0] = k11;
     result.M[1] = k12;
     result.M[2] = n0;
@@ -886,7 +908,7 @@ struct Mechanism {
     result.C[6] = n0;
     result.C[7] = n0;
     result.C[8] = n0;
-    result.K[0] = -z152;
+    result.K[0] = -z154;
     result.K[1] = n0;
     result.K[2] = n0;
     result.K[3] = n0;
@@ -904,18 +926,18 @@ struct Mechanism {
     result.E[3] = n0;
     result.E[4] = n0;
     result.E[5] = n1;
-    result.M_r[0] = z169;
+    result.M_r[0] = z171;
     result.C_r[0] = n0;
-    result.K_r[0] = -z152;
+    result.K_r[0] = -z154;
     result.K_r[1] = n0;
     result.K_r[2] = n0;
-    result.F_r[0] = z174;
+    result.F_r[0] = z176;
     result.E_r[0] = n1;
-    result.E_r[1] = z161;
+    result.E_r[1] = z163;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
-    result.A[3] = z176;
+    result.A[3] = z178;
     result.A[4] = n0;
     result.A[5] = n0;
     result.A[6] = n0;
@@ -925,18 +947,18 @@ struct Mechanism {
     result.A[10] = n0;
     result.A[11] = n0;
     result.A[12] = n1;
-    result.A[13] = -z162;
-    result.A[14] = z161;
+    result.A[13] = -z164;
+    result.A[14] = z163;
     result.A[15] = n0;
     result.B[0] = n0;
     result.B[1] = n0;
     result.B[2] = n0;
-    result.B[3] = z175;
+    result.B[3] = z177;
     result.B[4] = n0;
     result.B[5] = n0;
     result.B[6] = n0;
-    result.B[7] = z177;
-    if (!(traits::regular(z157, z159) && traits::regular(z169, z169))) return torsor::Status::singular;
+    result.B[7] = z179;
+    if (!(traits::regular(z159, z161) && traits::regular(z171, z171))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.K[0] - result.K[0]) + (result.F[0] - result.F[0]) + (result.F[1] - result.F[1])
         + (result.F[2] - result.F[2]) + (result.M_r[0] - result.M_r[0]) + (result.K_r[0] - result.K_r[0])

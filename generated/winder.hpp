@@ -390,7 +390,7 @@ struct Mechanism {
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
     const Scalar z21 = q_lambda * z17;
-    const Scalar z22 = v_lambda - z20;  // velocity of slide, z
+    const Scalar z22 = v_lambda - z20;  // velocity of S.1, z
     const Scalar z23 = s_phi * z17;
     const Scalar z24 = c_phi * z17;
     const Scalar z25 = s_phi * z19 + c_phi * z21;
@@ -509,7 +509,7 @@ struct Mechanism {
     const Scalar z99 = q_lambda - z98;
     const Scalar z106 = n200 * z99;
     const Scalar z118 = q_lambda * z115 - z113;
-    const Scalar z133 = z106 - n0_5 * z118;  // force on slide, z
+    const Scalar z133 = z106 - n0_5 * z118;  // force on S.1, z
     forces.lambda = z133;
     forces.phi = n0;
   }
@@ -530,7 +530,7 @@ struct Mechanism {
     const Scalar z106 = n200 * z99;
     const Scalar z150 = q_lambda * z115 - a_lambda - z113;
     const Scalar z151 = n0_0005 * a_phi;  // moment on S, z
-    const Scalar z152 = z106 - n0_5 * z150;  // force on slide, z
+    const Scalar z152 = z106 - n0_5 * z150;  // force on S.1, z
     forces.lambda = z152;
     forces.phi = z151;
   }
@@ -552,7 +552,7 @@ struct Mechanism {
     const Scalar z99 = q_lambda - z98;
     const Scalar z106 = n200 * z99;
     const Scalar z118 = q_lambda * z115 - z113;
-    const Scalar z133 = z106 - n0_5 * z118;  // force on slide, z
+    const Scalar z133 = z106 - n0_5 * z118;  // force on S.1, z
     const Scalar z165 = n2 * z133;
     accelerations.lambda = -z165;
     accelerations.phi = n0;
@@ -588,7 +588,7 @@ struct Mechanism {
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
     const Scalar z21 = q_lambda * z17;
-    const Scalar z22 = v_lambda - z20;  // velocity of slide, z
+    const Scalar z22 = v_lambda - z20;  // velocity of S.1, z
     const Scalar z23 = s_phi * z17;
     const Scalar z24 = c_phi * z17;
     const Scalar z25 = s_phi * z19 + c_phi * z21;
@@ -633,7 +633,7 @@ struct Mechanism {
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
     const Scalar z21 = q_lambda * z17;
-    const Scalar z22 = v_lambda - z20;  // velocity of slide, z
+    const Scalar z22 = v_lambda - z20;  // velocity of S.1, z
     const Scalar z23 = s_phi * z17;
     const Scalar z24 = c_phi * z17;
     const Scalar z25 = s_phi * z19 + c_phi * z21;
@@ -697,12 +697,12 @@ struct Mechanism {
     const Scalar z127 = s_phi * z105 - c_phi * z104;
     const Scalar z128 = s_phi * z104 + c_phi * z105;
     const Scalar z130 = s_phi * z125 - c_phi * z126;
-    const Scalar z131 = n0_5 * z116 + z127;  // force on slide, x
-    const Scalar z132 = n0_5 * z117 - z128;  // force on slide, y
+    const Scalar z131 = n0_5 * z116 + z127;  // force on S.1, x
+    const Scalar z132 = n0_5 * z117 - z128;  // force on S.1, y
     const Scalar z135 = q_lambda * z131 + z130;  // moment on holder, y
     const Scalar z150 = q_lambda * z115 - a_lambda - z113;
     const Scalar z151 = n0_0005 * a_phi;  // moment on S, z
-    const Scalar z152 = z106 - n0_5 * z150;  // force on slide, z
+    const Scalar z152 = z106 - n0_5 * z150;  // force on S.1, z
     const Scalar z153 = s_slope * z152 - c_slope * z132;
     const Scalar z156 = s_slope * z135 + c_slope * z151;
     const Scalar z160 = n0_2 * z153 - z156;  // moment on Sigma, z
@@ -730,7 +730,7 @@ struct Mechanism {
     const Scalar z106 = n200 * z99;
     const Scalar z150 = q_lambda * z115 - a_lambda - z113;
     const Scalar z151 = n0_0005 * a_phi;  // moment on S, z
-    const Scalar z152 = z106 - n0_5 * z150;  // force on slide, z
+    const Scalar z152 = z106 - n0_5 * z150;  // force on S.1, z
     result.M[0] = n0_5;
     result.M[1] = n0;
     result.M[2] = n0;

@@ -29,8 +29,10 @@ torsor::Scene friction_wheels_scene() {
   // The same place seen from either wheel: its velocity is that of the wheel's own point there.
   scene.point("I1", S1, {r1 * sin(theta_1), r1 * cos(theta_1), 0});
   scene.point("I2", S2, {-r2 * sin(theta_2), -r2 * cos(theta_2), 0});
-  const ConstraintHandle rolling = scene.no_slip("rolling", S1, I, axis::x, scene.ground(), S2);
-  scene.reaction(rolling, "T", S1, I, axis::x, scene.ground(), S2);
+  // The normal at I is the line of centres. Along the axes z the wheels cannot slip: that condition is an identity.
+  const FrameHandle contact = scene.weld("contact", scene.ground(), {.rotation = Rotation::about(0, -6)});
+  const auto rolling = scene.rolling("rolling", S1, S2, I, contact);
+  scene.reaction(rolling[0], "T", S1, I, axis::x, scene.ground(), S2);
 
   scene.motor("C1", theta_1);
   scene.rotational_drag("load", S2, c);

@@ -48,13 +48,14 @@ torsor::Scene graham_variator_scene() {
   scene.body("S2", S2, Inertia::general(m2, A2, B2, B2).at({-b, 0, 0}));
   scene.body("S3", S3, Inertia::general(m, A3, A3, A3));
 
-  // At A and E the bodies move across the plane x1, y1 only: one direction of rolling each.
+  // At A and E the bodies move across the plane x1, y1 only: along x1 the condition of rolling is an identity.
+  const FrameHandle contacts = scene.weld("contacts", S1, {.rotation = Rotation::about(0, 6)});
   const PointHandle A = scene.point("A", inclined, {-d, d * tan(delta), 0});
   const PointHandle E = scene.point("E", inclined, {-l, p, 0});
-  const ConstraintHandle at_A = scene.no_slip("rolling_A", S2, A, axis::z, S1, S4);
-  const ConstraintHandle at_E = scene.no_slip("rolling_E", S2, E, axis::z, S1, S3);
-  scene.reaction(at_A, "T_A", S2, A, axis::z, S1, S4);
-  scene.reaction(at_E, "T_E", S2, E, axis::z, S1, S3);
+  const auto at_A = scene.rolling("rolling_A", S2, S4, A, contacts);
+  const auto at_E = scene.rolling("rolling_E", S2, S3, E, contacts);
+  scene.reaction(at_A[1], "T_A", S2, A, axis::z, S1, S4);
+  scene.reaction(at_E[1], "T_E", S2, E, axis::z, S1, S3);
 
   scene.gravity({0, -g, 0});
   scene.motor("C1", alpha);

@@ -33,8 +33,7 @@ torsor::Scene winder_scene() {
   const FrameHandle axle = scene.revolute("axle", scene.ground(), axis::z, motor);
   const FrameHandle sigma = scene.revolute("Sigma", axle, axis::z, theta);
   const FrameHandle holder = scene.revolute("holder", sigma, axis::x, slope, {.origin = {b, 0, 0}});
-  const FrameHandle slide = scene.prismatic("slide", holder, axis::z, lambda);
-  const FrameHandle bobbin = scene.revolute("S", slide, axis::z, phi);
+  const FrameHandle bobbin = scene.cylindrical("S", holder, axis::z, lambda, phi);
   scene.body("Sigma", sigma, Inertia::general(0, 0, 0, arm));
   scene.body("S", bobbin, Inertia::general(m, A, A, C));
   const PointHandle G = scene.point("G", bobbin, {0, 0, 0});
