@@ -14,14 +14,17 @@ namespace {
 using namespace torsor::runtime;
 using Variator = graham_variator::Mechanism<double>;
 
-/// The ratio that the two conditions of no slip leave for a place d of the ring: the rates that they allow, from their
-/// coefficients, with omega1 = 1.
+/// omega3 / omega1 that the two conditions of no slip leave for a place d of the ring: the rates that they allow, from
+/// their coefficients, with omega1 = 1.
 double ratio(const Variator::Parameters& parameters) {
   Variator::Constraints slip{};
   Variator::constraints(Variator::precompute(parameters), {}, slip);
-  const auto entry = [&](int row, int column) { return slip.jacobian[static_cast<std::size_t>(row + 2 * column)]; };
-  const double beta = -entry(0, 0) / entry(0, 1);
-  return -(entry(1, 0) + entry(1, 1) * beta) / entry(1, 2);
+  constexpr int conditions = Variator::multiplier_count, at_A = 1, at_E = 3;  // those along z1
+  const auto entry = [&](int row, int column) {
+    return slip.jacobian[static_cast<std::size_t>(row + conditions * column)];
+  };
+  const double beta = -entry(at_A, 0) / entry(at_A, 1);
+  return -(entry(at_E, 0) + entry(at_E, 1) * beta) / entry(at_E, 2);
 }
 
 void show(const Reference<double>& reference) {
@@ -32,7 +35,7 @@ void show(const Reference<double>& reference) {
                               DormandPrince54{.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12});
   constexpr double c = 0.1, l = 0.03, p = 0.02, delta = std::numbers::pi / 12.0;
   const double r3 = c - l * std::sin(delta) + p * std::cos(delta);
-  Table table({"d [m]", "omega3 / omega1", "formula", "omega1 / omega3", "alpha'' of C1 = 1 N m [rad/s^2]", "T_A [N]",
+  Table table({"d [m]", "omega1 / omega3", "formula", "omega3 / omega1", "alpha'' of C1 = 1 N m [rad/s^2]", "T_A [N]",
                "T_E [N]"});
   for (const double d : {0.05, 0.06, 0.0669102, 0.08, 0.1, 0.14}) {
     Variator::Parameters parameters = Variator::default_parameters();
@@ -44,8 +47,9 @@ void show(const Reference<double>& reference) {
     Variator::Multipliers force{};
     (void)motion.accelerations(Variator::initial_state(parameters), a, force);
     const double found = ratio(parameters);
-    table.add({scientific(d), scientific(found, 6), scientific(1.0 - c * p / (r3 * d * std::tan(delta)), 6),
-               scientific(1.0 / found), scientific(a.alpha, 4), scientific(force.T_A), scientific(force.T_E)});
+    table.add({scientific(d), scientific(1.0 / found, 6),
+               scientific(1.0 / (1.0 - c * p / (r3 * d * std::tan(delta))), 6), scientific(found, 6),
+               scientific(a.alpha, 4), scientific(force.T_A), scientific(force.T_E)});
   }
   std::cout << "\nSliding the ring sets the ratio, through a standstill of S3\n\n" << table;
 }

@@ -2,10 +2,10 @@
 #include "generator/torsor.hpp"
 
 /// Winder (Pommier, 8.3.2 exercise 4; w upwards). The arm Sigma turns about (O, w) at a constant rate, driven by a
-/// motor. The bobbin S slides and turns freely on the axis (B, z) of the arm, OB = b i, its centre G at BG = lambda z,
-/// its own turn phi. The thread pulls G towards the point A of the axis w, OA = a w, with the force m k GA. The figure
-/// is lost: z is taken normal to i, turned by `slope` from w about i, so that 0 is an upright axis and pi/2 a level
-/// one.
+/// motor. A cylindrical joint lets the bobbin S slide and turn freely on the axis (B, z) of the arm, OB = b i, its
+/// centre G at BG = lambda z, its own turn phi. The thread pulls G towards the point A of the axis w, OA = a w, with
+/// the force m k GA. The figure is lost: z is taken normal to i, turned by `slope` from w about i, so that 0 is an
+/// upright axis and pi/2 a level one.
 torsor::Scene winder_scene() {
   using namespace torsor;
   using namespace torsor::literals;
@@ -32,6 +32,7 @@ torsor::Scene winder_scene() {
 
   const FrameHandle axle = scene.revolute("axle", scene.ground(), axis::z, motor);
   const FrameHandle sigma = scene.revolute("Sigma", axle, axis::z, theta);
+  scene.name_joint(sigma, "pivot_with_motor");
   const FrameHandle holder = scene.revolute("holder", sigma, axis::x, slope, {.origin = {b, 0, 0}});
   const FrameHandle bobbin = scene.cylindrical("S", holder, axis::z, lambda, phi);
   scene.body("Sigma", sigma, Inertia::general(0, 0, 0, arm));

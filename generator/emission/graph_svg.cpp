@@ -99,22 +99,24 @@ std::string text_at(const Place& place, const std::string& text, const std::stri
 std::string graph_svg(const GraphDrawing& drawing) {
   const std::size_t count = drawing.nodes.size();
   const std::vector<int> position = arrange(count, drawing.edges);
-  // Neighbours 170 apart leave room for the text between them.
+  std::map<std::pair<int, int>, int> parallel, drawn;
+  int most = 0;
+  for (const auto& edge : drawing.edges) most = std::max(most, ++parallel[std::minmax(edge.a, edge.b)]);
+  // Neighbours 170 apart leave room for the text between them; edges that bend round others need more.
+  const double beside = std::max(85.0, 50.0 * (most - 1));
   const double half = std::numbers::pi / static_cast<double>(std::max<std::size_t>(count, 2));
-  const double radius = count == 1 ? 0 : std::max(90.0, 85.0 / std::sin(half));
+  const double radius = count == 1 ? 0 : std::max(90.0, beside / std::sin(half));
   std::vector<Place> places;
   for (std::size_t n = 0; n < count; ++n) {
     const double angle = std::numbers::pi / 2 + 2 * half * position[n];
     places.push_back({radius * std::cos(angle), radius * std::sin(angle)});
   }
   Place low, high;
-  const auto make_room = [&](const Place& at, double beside, double above) {
-    low = {std::min(low.x, at.x - beside), std::min(low.y, at.y - above)};
-    high = {std::max(high.x, at.x + beside), std::max(high.y, at.y + above)};
+  const auto make_room = [&](const Place& at, double aside, double above) {
+    low = {std::min(low.x, at.x - aside), std::min(low.y, at.y - above)};
+    high = {std::max(high.x, at.x + aside), std::max(high.y, at.y + above)};
   };
   std::string lines, labels;
-  std::map<std::pair<int, int>, int> parallel, drawn;
-  for (const auto& edge : drawing.edges) ++parallel[std::minmax(edge.a, edge.b)];
   for (const auto& edge : drawing.edges) {
     const auto [from, to] = std::minmax(edge.a, edge.b);
     const int of = parallel[{from, to}], number = drawn[{from, to}]++;

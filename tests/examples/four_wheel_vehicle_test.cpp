@@ -158,13 +158,38 @@ TEST(FourWheelVehicle, SlowsDownRoundItsCornerAsOneBodyWould) {
     // C goes round I, which lies at (I_x, I_y) at the start.
     EXPECT_NEAR(s.q.x, I_x - I_x * std::cos(psi) + I_y * std::sin(psi), 1e-9);
     EXPECT_NEAR(s.q.y, I_y - I_x * std::sin(psi) - I_y * std::cos(psi), 1e-9);
-    // The two conditions that the scene does not impose hold by themselves.
+    // All eight conditions hold, those that repeat others included.
     AllWheels::State all{};
     for (int k = 0; k < 7; ++k) {
       all.q[k] = s.q[k];
       all.v[k] = s.v[k];
     }
     for (const double left : conditions({-pi / 4, -pi / 6, 0, 0}, all).rate) EXPECT_NEAR(left, 0.0, 1e-9);
+  }
+}
+
+// The forces across the wheels are not determined one by one, but their sum is, by the resultant theorem: the mean of
+// the wheels is C. Forces of some 3000 N by a solve of condition below 1000.
+TEST(FourWheelVehicle, GetsFromTheGroundTheForceThatItsAccelerationTakes) {
+  const auto law = [](const Vehicle::State&) { return Vehicle::Inputs{-150.0, -80.0}; };
+  const auto motion = equations_of_motion<Vehicle>(Vehicle::default_parameters(), law);
+  const Angles alpha{-pi / 4, -pi / 6, 0, 0};
+  State y = motion.initial();
+  for (int i = 0; i < 5; ++i) {
+    const auto s = unpack<Vehicle>(0.3 * i, y);
+    Vehicle::Accelerations acceleration{};
+    Vehicle::Multipliers lambda{};
+    ASSERT_EQ(motion.accelerations(s, acceleration, lambda), Evaluation::ok);
+    Eigen::Vector2d force(0, 0);
+    for (int wheel = 0; wheel < 4; ++wheel) {
+      const double angle = s.q.psi + alpha[static_cast<std::size_t>(wheel)];
+      force += lambda[2 * wheel] * Eigen::Vector2d(std::cos(angle), std::sin(angle)) +
+               lambda[2 * wheel + 1] * Eigen::Vector2d(-std::sin(angle), std::cos(angle));
+    }
+    EXPECT_NEAR(force[0], (M + 4 * m) * acceleration.x, 3000 * 1000 * 1.1e-16);
+    EXPECT_NEAR(force[1], (M + 4 * m) * acceleration.y, 3000 * 1000 * 1.1e-16);
+    EXPECT_GT(force.norm(), 100.0);
+    y = examples::state_at(motion, y, 0.3 * i, 0.3 * (i + 1), precise);
   }
 }
 

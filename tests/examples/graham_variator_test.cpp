@@ -19,6 +19,8 @@ using namespace torsor::runtime;
 using Eigen::Vector3d;
 using Variator = graham_variator::Mechanism<double>;
 using State = StateVector<Variator>;
+/// Places of the conditions of no slip across the plane x1, y1.
+constexpr std::size_t A_z1 = 1, E_z1 = 3;
 
 constexpr DormandPrince54 precise{.relative_tolerance = 1e-13, .absolute_tolerance = 1e-13};
 // The values of the scene.
@@ -60,10 +62,13 @@ TEST(GrahamVariator, HasTheConditionsOfNoSlipAtAAndE) {
       EXPECT_NEAR((C + CE).dot(y1), r3, 1e-16);
       Variator::Constraints slip{};
       Variator::constraints(Variator::precompute(setting(d)), s, slip);
-      EXPECT_NEAR((at_A - slip.rate[0] * z1).norm(), 0.0, 1e-14);
-      EXPECT_NEAR((at_E - slip.rate[1] * z1).norm(), 0.0, 1e-14);
-      EXPECT_NEAR(slip.rate[0], c * s.v.alpha + d * std::tan(delta) * s.v.beta, 1e-14);
-      EXPECT_NEAR(slip.rate[1], r3 * (s.v.alpha - s.v.gamma) + p * s.v.beta, 1e-14);
+      EXPECT_NEAR((at_A - slip.rate[A_z1] * z1).norm(), 0.0, 1e-14);
+      EXPECT_NEAR((at_E - slip.rate[E_z1] * z1).norm(), 0.0, 1e-14);
+      EXPECT_NEAR(slip.rate[A_z1], c * s.v.alpha + d * std::tan(delta) * s.v.beta, 1e-14);
+      EXPECT_NEAR(slip.rate[E_z1], r3 * (s.v.alpha - s.v.gamma) + p * s.v.beta, 1e-14);
+      // Along x1 nothing can slip.
+      EXPECT_EQ(slip.rate[A_z1 - 1], 0.0);
+      EXPECT_EQ(slip.rate[E_z1 - 1], 0.0);
     }
   }
 }
@@ -76,8 +81,7 @@ TEST(GrahamVariator, HasTheRatioThatItsRingSets) {
     EXPECT_NEAR(start.v.gamma / start.v.alpha, 1 - c * p / (r3 * d * std::tan(delta)), 1e-15);
     Variator::Constraints slip{};
     Variator::constraints(Variator::precompute(setting(d)), start, slip);
-    EXPECT_NEAR(slip.rate[0], 0.0, 1e-14);
-    EXPECT_NEAR(slip.rate[1], 0.0, 1e-14);
+    for (const double rate : slip.rate) EXPECT_NEAR(rate, 0.0, 1e-14);
   }
   EXPECT_LT(gamma_ratio(0.05), 0.0);
   EXPECT_GT(gamma_ratio(0.08), 0.0);
@@ -159,7 +163,7 @@ TEST(GrahamVariator, ObeysTheEnergyTheorem) {
       [&](const Variator::State& s, const Variator::Accelerations&, const Variator::Multipliers& T) {
         Variator::Constraints slip{};  // what truncation leaves
         Variator::constraints(motion.precomputed(), s, slip);
-        return T.T_A * slip.rate[0] + T.T_E * slip.rate[1];
+        return T.T_A * slip.rate[A_z1] + T.T_E * slip.rate[E_z1];
       });
   EXPECT_LE(balance.imbalance, balance.allowed);
   EXPECT_LT(balance.allowed, 1e-6);

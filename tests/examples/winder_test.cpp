@@ -10,6 +10,11 @@
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
+#define TORSOR_NO_MAIN
+#include "examples/winder/scene.cpp"
+#include "generator/dynamics/mobility.hpp"
+#include "generator/mechanics/structure_graph.hpp"
+
 namespace {
 
 using namespace torsor::runtime;
@@ -24,6 +29,20 @@ constexpr DormandPrince54 precise{.relative_tolerance = 1e-13, .absolute_toleran
 double torque(const Winder::Parameters& p, double lambda, double rate, double acceleration) {
   const double sine = std::sin(p.slope);
   return m * (2.0 * p.omega * sine * sine * lambda * rate - b * sine * acceleration);
+}
+
+// Three bodies, the frame among them: a pivot, driven, and a cylindrical joint; nothing closes a loop.
+TEST(Winder, HasTheJointsOfTheCourse) {
+  const torsor::StructureGraph graph = torsor::structure_graph(winder_scene());
+  EXPECT_EQ(graph.bodies.size(), 3U);
+  ASSERT_EQ(graph.joints.size(), 2U);
+  EXPECT_EQ(graph.joints[0].type, torsor::JointType::revolute);
+  EXPECT_EQ(graph.joints[1].type, torsor::JointType::cylindrical);
+  const torsor::MobilityCount count = torsor::analyse_mobility(winder_scene()).generic;
+  EXPECT_EQ(count.parameters, 3);
+  EXPECT_EQ(count.loops, 0);
+  EXPECT_EQ(count.mobility, 3);
+  EXPECT_EQ(count.redundancy, 0);
 }
 
 // The resultant theorem for S along z, where the axis gives no force: lambda'' = (k a - g) cos(slope) - (k - omega²
