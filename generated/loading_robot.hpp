@@ -9,7 +9,7 @@
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
 // moved across joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   kinematics               25               43          0             0                  2       0     72      72
+//   kinematics               29               51          0             0                  2       0     84      84
 //   mass_matrix               9                7          0             0                  1       0     18      19
 //   bias                     13               22          0             0                  2       0     39      49
 //   inverse_dynamics         22               30          0             0                  2       0     56      65
@@ -19,7 +19,7 @@
 //   linearisation           102              154          2             0                  2       0    262     337
 //
 // Not computed because this mechanism does not need it:
-//   kinematics: of 54 results 24 vanish identically, 9 repeat another up to sign
+//   kinematics: of 84 results 46 vanish identically, 13 repeat another up to sign
 //   mass_matrix: of 9 results 3 repeat another up to sign
 //   first_integrals: left out, 'C01', 'F12', 'C23' have no force function
 //   constraints: left out, the scene has no constraints
@@ -248,6 +248,12 @@ struct Mechanism {
     std::array<Scalar, 9> S3_rotation;  ///< from the axes of S3 to the ground's (3 x 3)
     std::array<Scalar, 3> S3_velocity;  ///< velocity of the centre of mass of S3 [m/s]
     std::array<Scalar, 3> S3_angular_velocity;  ///< angular velocity of S3 [rad/s]
+    std::array<Scalar, 3> Oo_position;  ///< position of Oo [m]
+    std::array<Scalar, 3> Oo_velocity;  ///< velocity of the material point at Oo [m/s]
+    std::array<Scalar, 9> Oo_jacobian;  ///< partial velocities of Oo (3 x 3)
+    std::array<Scalar, 3> O2_position;  ///< position of O2 [m]
+    std::array<Scalar, 3> O2_velocity;  ///< velocity of the material point at O2 [m/s]
+    std::array<Scalar, 9> O2_jacobian;  ///< partial velocities of O2 (3 x 3)
   };
 
   /// Energies of the mechanism.
@@ -340,6 +346,10 @@ struct Mechanism {
     const Scalar z40 = s_beta * z16 - c_beta * z38;
     const Scalar z41 = s_alpha * z40 - c_alpha * z39;
     const Scalar z42 = s_alpha * z39 + c_alpha * z40;
+    const Scalar z43 = n0_5 * s_alpha - c_alpha * q_x;
+    const Scalar z44 = s_alpha * q_x + n0_5 * c_alpha;
+    const Scalar z45 = s_alpha * z14 - c_alpha * z15;
+    const Scalar z46 = s_alpha * z15 + c_alpha * z14;
     result.S1_position[0] = -z19;
     result.S1_position[1] = z20;
     result.S1_position[2] = n0;
@@ -394,6 +404,36 @@ struct Mechanism {
     result.S3_angular_velocity[0] = n0;
     result.S3_angular_velocity[1] = n0;
     result.S3_angular_velocity[2] = z18;
+    result.Oo_position[0] = n0;
+    result.Oo_position[1] = n0;
+    result.Oo_position[2] = n0;
+    result.Oo_velocity[0] = n0;
+    result.Oo_velocity[1] = n0;
+    result.Oo_velocity[2] = n0;
+    result.Oo_jacobian[0] = n0;
+    result.Oo_jacobian[3] = n0;
+    result.Oo_jacobian[6] = n0;
+    result.Oo_jacobian[1] = n0;
+    result.Oo_jacobian[4] = n0;
+    result.Oo_jacobian[7] = n0;
+    result.Oo_jacobian[2] = n0;
+    result.Oo_jacobian[5] = n0;
+    result.Oo_jacobian[8] = n0;
+    result.O2_position[0] = -z43;
+    result.O2_position[1] = z44;
+    result.O2_position[2] = n0;
+    result.O2_velocity[0] = -z45;
+    result.O2_velocity[1] = z46;
+    result.O2_velocity[2] = n0;
+    result.O2_jacobian[0] = -z44;
+    result.O2_jacobian[3] = c_alpha;
+    result.O2_jacobian[6] = n0;
+    result.O2_jacobian[1] = -z43;
+    result.O2_jacobian[4] = s_alpha;
+    result.O2_jacobian[7] = n0;
+    result.O2_jacobian[2] = n0;
+    result.O2_jacobian[5] = n0;
+    result.O2_jacobian[8] = n0;
   }
 
   /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
@@ -410,23 +450,23 @@ struct Mechanism {
     const Scalar q_beta = state.q.beta;
     Scalar s_beta, c_beta;
     traits::sincos(q_beta, s_beta, c_beta);
-    const Scalar z43 = n1_6 * s_beta;
-    const Scalar z44 = n1_6 * c_beta;
-    const Scalar z45 = n0_5 - q_x * z44;
-    const Scalar z46 = n0_5 * z43 - z45;
-    const Scalar z51 = n10 - z44;
-    const Scalar z52 = n16_5 - z43;
-    const Scalar z55 = q_x * (n33 * q_x + n2 * z51) + n0_5;
-    const Scalar z59 = n8_25 - z43 + z55;
-    const Scalar z64 = n36 + z59;
-    mass[0] = z64;
-    mass[1] = -z52;
-    mass[2] = -z46;
-    mass[3] = -z52;
+    const Scalar z47 = n1_6 * s_beta;
+    const Scalar z48 = n1_6 * c_beta;
+    const Scalar z49 = n0_5 - q_x * z48;
+    const Scalar z50 = n0_5 * z47 - z49;
+    const Scalar z55 = n10 - z48;
+    const Scalar z56 = n16_5 - z47;
+    const Scalar z59 = q_x * (n33 * q_x + n2 * z55) + n0_5;
+    const Scalar z63 = n8_25 - z47 + z59;
+    const Scalar z68 = n36 + z63;
+    mass[0] = z68;
+    mass[1] = -z56;
+    mass[2] = -z50;
+    mass[3] = -z56;
     mass[4] = n33;
-    mass[5] = z43;
-    mass[6] = -z46;
-    mass[7] = z43;
+    mass[5] = z47;
+    mass[6] = -z50;
+    mass[7] = z47;
     mass[8] = n0_5;
   }
 
@@ -452,26 +492,26 @@ struct Mechanism {
     Scalar s_beta, c_beta;
     traits::sincos(q_beta, s_beta, c_beta);
     const Scalar z18 = v_alpha + v_beta;  // angular velocity of S3, z
-    const Scalar z68 = n9_81 * s_alpha;
-    const Scalar z69 = n9_81 * c_alpha;
-    const Scalar z70 = v_alpha * v_alpha;
-    const Scalar z71 = z69 - n0_5 * z70;
-    const Scalar z72 = q_x * z70 - z68;
-    const Scalar z73 = n2 * v_alpha * v_x + z71;
-    const Scalar z75 = s_beta * z72 + c_beta * z73;
-    const Scalar z76 = z18 * z18;
-    const Scalar z77 = n1_6 * z76;  // force on S3, x
-    const Scalar z78 = n1_6 * z75;  // moment on S3, z
-    const Scalar z79 = c_beta * z77;
-    const Scalar z80 = s_beta * z77;
-    const Scalar z81 = n10 * z70 + n33 * z72 - z79;  // force on S2, x
-    const Scalar z82 = n33 * z73 + z80;  // force on S2, y
-    const Scalar z83 = n10 * z73 - z78;  // moment on S2, z
-    const Scalar z84 = q_x * z82 + z83;  // moment on guide, z
-    const Scalar z87 = n30 * z68 - n18 * z69 - n0_5 * z81 - z84;  // moment on S1, z
-    forces.alpha = -z87;
-    forces.x = -z81;
-    forces.beta = -z78;
+    const Scalar z72 = n9_81 * s_alpha;
+    const Scalar z73 = n9_81 * c_alpha;
+    const Scalar z74 = v_alpha * v_alpha;
+    const Scalar z75 = z73 - n0_5 * z74;
+    const Scalar z76 = q_x * z74 - z72;
+    const Scalar z77 = n2 * v_alpha * v_x + z75;
+    const Scalar z79 = s_beta * z76 + c_beta * z77;
+    const Scalar z80 = z18 * z18;
+    const Scalar z81 = n1_6 * z80;  // force on S3, x
+    const Scalar z82 = n1_6 * z79;  // moment on S3, z
+    const Scalar z83 = c_beta * z81;
+    const Scalar z84 = s_beta * z81;
+    const Scalar z85 = n10 * z74 + n33 * z76 - z83;  // force on S2, x
+    const Scalar z86 = n33 * z77 + z84;  // force on S2, y
+    const Scalar z87 = n10 * z77 - z82;  // moment on S2, z
+    const Scalar z88 = q_x * z86 + z87;  // moment on guide, z
+    const Scalar z91 = n30 * z72 - n18 * z73 - n0_5 * z85 - z88;  // moment on S1, z
+    forces.alpha = -z91;
+    forces.x = -z85;
+    forces.beta = -z82;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -500,29 +540,29 @@ struct Mechanism {
     Scalar s_beta, c_beta;
     traits::sincos(q_beta, s_beta, c_beta);
     const Scalar z18 = v_alpha + v_beta;  // angular velocity of S3, z
-    const Scalar z68 = n9_81 * s_alpha;
-    const Scalar z69 = n9_81 * c_alpha;
-    const Scalar z70 = v_alpha * v_alpha;
-    const Scalar z71 = z69 - n0_5 * z70;
-    const Scalar z76 = z18 * z18;
-    const Scalar z77 = n1_6 * z76;  // force on S3, x
-    const Scalar z88 = n0_5 * a_alpha - z68;
-    const Scalar z89 = q_x * z70 - a_x + z88;
-    const Scalar z90 = n2 * v_alpha * v_x + a_alpha * q_x + z71;
-    const Scalar z92 = s_beta * z89 + c_beta * z90;
-    const Scalar z93 = a_alpha + a_beta;  // angular acceleration of S3, z
-    const Scalar z94 = n1_6 * z93;  // force on S3, y
-    const Scalar z95 = n1_6 * z92 - n0_5 * z93;  // moment on S3, z
-    const Scalar z96 = s_beta * z94 + c_beta * z77;
-    const Scalar z97 = s_beta * z77 - c_beta * z94;
-    const Scalar z98 = n10 * z70 + n33 * z89 - z96;  // force on S2, x
-    const Scalar z99 = n10 * a_alpha + n33 * z90 + z97;  // force on S2, y
-    const Scalar z100 = n10 * z90 - z95;  // moment on S2, z
-    const Scalar z101 = q_x * z99 + z100;  // moment on guide, z
-    const Scalar z104 = n36 * a_alpha - n30 * z68 + n18 * z69 + n0_5 * z98 + z101;  // moment on S1, z
-    forces.alpha = z104;
-    forces.x = -z98;
-    forces.beta = -z95;
+    const Scalar z72 = n9_81 * s_alpha;
+    const Scalar z73 = n9_81 * c_alpha;
+    const Scalar z74 = v_alpha * v_alpha;
+    const Scalar z75 = z73 - n0_5 * z74;
+    const Scalar z80 = z18 * z18;
+    const Scalar z81 = n1_6 * z80;  // force on S3, x
+    const Scalar z92 = n0_5 * a_alpha - z72;
+    const Scalar z93 = q_x * z74 - a_x + z92;
+    const Scalar z94 = n2 * v_alpha * v_x + a_alpha * q_x + z75;
+    const Scalar z96 = s_beta * z93 + c_beta * z94;
+    const Scalar z97 = a_alpha + a_beta;  // angular acceleration of S3, z
+    const Scalar z98 = n1_6 * z97;  // force on S3, y
+    const Scalar z99 = n1_6 * z96 - n0_5 * z97;  // moment on S3, z
+    const Scalar z100 = s_beta * z98 + c_beta * z81;
+    const Scalar z101 = s_beta * z81 - c_beta * z98;
+    const Scalar z102 = n10 * z74 + n33 * z93 - z100;  // force on S2, x
+    const Scalar z103 = n10 * a_alpha + n33 * z94 + z101;  // force on S2, y
+    const Scalar z104 = n10 * z94 - z99;  // moment on S2, z
+    const Scalar z105 = q_x * z103 + z104;  // moment on guide, z
+    const Scalar z108 = n36 * a_alpha - n30 * z72 + n18 * z73 + n0_5 * z102 + z105;  // moment on S1, z
+    forces.alpha = z108;
+    forces.x = -z102;
+    forces.beta = -z99;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -556,53 +596,53 @@ struct Mechanism {
     Scalar s_beta, c_beta;
     traits::sincos(q_beta, s_beta, c_beta);
     const Scalar z18 = v_alpha + v_beta;  // angular velocity of S3, z
-    const Scalar z43 = n1_6 * s_beta;
-    const Scalar z44 = n1_6 * c_beta;
-    const Scalar z45 = n0_5 - q_x * z44;
-    const Scalar z46 = n0_5 * z43 - z45;
-    const Scalar z51 = n10 - z44;
-    const Scalar z52 = n16_5 - z43;
-    const Scalar z55 = q_x * (n33 * q_x + n2 * z51) + n0_5;
-    const Scalar z59 = n8_25 - z43 + z55;
-    const Scalar z64 = n36 + z59;
-    const Scalar z68 = n9_81 * s_alpha;
-    const Scalar z69 = n9_81 * c_alpha;
-    const Scalar z70 = v_alpha * v_alpha;
-    const Scalar z71 = z69 - n0_5 * z70;
-    const Scalar z72 = q_x * z70 - z68;
-    const Scalar z73 = n2 * v_alpha * v_x + z71;
-    const Scalar z75 = s_beta * z72 + c_beta * z73;
-    const Scalar z76 = z18 * z18;
-    const Scalar z77 = n1_6 * z76;  // force on S3, x
-    const Scalar z78 = n1_6 * z75;  // moment on S3, z
-    const Scalar z79 = c_beta * z77;
-    const Scalar z80 = s_beta * z77;
-    const Scalar z81 = n10 * z70 + n33 * z72 - z79;  // force on S2, x
-    const Scalar z82 = n33 * z73 + z80;  // force on S2, y
-    const Scalar z83 = n10 * z73 - z78;  // moment on S2, z
-    const Scalar z84 = q_x * z82 + z83;  // moment on guide, z
-    const Scalar z87 = n30 * z68 - n18 * z69 - n0_5 * z81 - z84;  // moment on S1, z
-    const Scalar z105 = u_C01 + z87;
-    const Scalar z106 = u_F12 + z81;
-    const Scalar z107 = u_C23 + z78;
-    const Scalar z108 = n2 * z46;
-    const Scalar z109 = n2 * z43;
-    const Scalar z110 = z46 * z108 - z64;
-    const Scalar z111 = z46 * z109 - z52;
-    const Scalar z112 = n33 - z43 * z109;
-    const Scalar z113 = n1 / z112;
-    const Scalar z114 = z111 * z113;
-    const Scalar z115 = z110 + z111 * z114;
-    const Scalar z116 = n1 / z115;
-    const Scalar z117 = z106 - z107 * z109;
-    const Scalar z118 = z105 + z107 * z108 - z114 * z117;
-    const Scalar z119 = z116 * z118;
-    const Scalar z120 = z113 * z117 + z114 * z119;
-    const Scalar z121 = n2 * z107 - z108 * z119 - z109 * z120;
-    accelerations.alpha = -z119;
-    accelerations.x = z120;
-    accelerations.beta = z121;
-    if (!(traits::regular(-z115, z64) && traits::regular(z112, n33))) return torsor::Status::singular;
+    const Scalar z47 = n1_6 * s_beta;
+    const Scalar z48 = n1_6 * c_beta;
+    const Scalar z49 = n0_5 - q_x * z48;
+    const Scalar z50 = n0_5 * z47 - z49;
+    const Scalar z55 = n10 - z48;
+    const Scalar z56 = n16_5 - z47;
+    const Scalar z59 = q_x * (n33 * q_x + n2 * z55) + n0_5;
+    const Scalar z63 = n8_25 - z47 + z59;
+    const Scalar z68 = n36 + z63;
+    const Scalar z72 = n9_81 * s_alpha;
+    const Scalar z73 = n9_81 * c_alpha;
+    const Scalar z74 = v_alpha * v_alpha;
+    const Scalar z75 = z73 - n0_5 * z74;
+    const Scalar z76 = q_x * z74 - z72;
+    const Scalar z77 = n2 * v_alpha * v_x + z75;
+    const Scalar z79 = s_beta * z76 + c_beta * z77;
+    const Scalar z80 = z18 * z18;
+    const Scalar z81 = n1_6 * z80;  // force on S3, x
+    const Scalar z82 = n1_6 * z79;  // moment on S3, z
+    const Scalar z83 = c_beta * z81;
+    const Scalar z84 = s_beta * z81;
+    const Scalar z85 = n10 * z74 + n33 * z76 - z83;  // force on S2, x
+    const Scalar z86 = n33 * z77 + z84;  // force on S2, y
+    const Scalar z87 = n10 * z77 - z82;  // moment on S2, z
+    const Scalar z88 = q_x * z86 + z87;  // moment on guide, z
+    const Scalar z91 = n30 * z72 - n18 * z73 - n0_5 * z85 - z88;  // moment on S1, z
+    const Scalar z109 = u_C01 + z91;
+    const Scalar z110 = u_F12 + z85;
+    const Scalar z111 = u_C23 + z82;
+    const Scalar z112 = n2 * z50;
+    const Scalar z113 = n2 * z47;
+    const Scalar z114 = z50 * z112 - z68;
+    const Scalar z115 = z50 * z113 - z56;
+    const Scalar z116 = n33 - z47 * z113;
+    const Scalar z117 = n1 / z116;
+    const Scalar z118 = z115 * z117;
+    const Scalar z119 = z114 + z115 * z118;
+    const Scalar z120 = n1 / z119;
+    const Scalar z121 = z110 - z111 * z113;
+    const Scalar z122 = z109 + z111 * z112 - z118 * z121;
+    const Scalar z123 = z120 * z122;
+    const Scalar z124 = z117 * z121 + z118 * z123;
+    const Scalar z125 = n2 * z111 - z112 * z123 - z113 * z124;
+    accelerations.alpha = -z123;
+    accelerations.x = z124;
+    accelerations.beta = z125;
+    if (!(traits::regular(-z119, z68) && traits::regular(z116, n33))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.alpha - accelerations.alpha) + (accelerations.x - accelerations.x)
         + (accelerations.beta - accelerations.beta);
@@ -645,19 +685,19 @@ struct Mechanism {
     const Scalar z16 = s_beta * z14 + c_beta * z15;
     const Scalar z17 = s_beta * z15 - c_beta * z14;
     const Scalar z18 = v_alpha + v_beta;  // angular velocity of S3, z
-    const Scalar z43 = n1_6 * s_beta;
-    const Scalar z44 = n1_6 * c_beta;
-    const Scalar z122 = n10 * v_alpha + n25 * z14;
-    const Scalar z123 = n6 * v_alpha + n10 * z14;
-    const Scalar z124 = n8 * z17 + n1_6 * z18;
-    const Scalar z125 = n1_6 * z17 + n0_5 * z18;
-    const Scalar z127 = n18 * s_alpha + n30 * c_alpha;
-    const Scalar z131 = s_alpha * q_x + n0_5 * c_alpha;
-    const Scalar z133 = n10 * s_alpha;
-    const Scalar z135 = s_alpha * z44 + c_alpha * z43;
-    result.kinetic = n0_5 * (v_alpha * z123 + z14 * z122 + z17 * z124 + z18 * z125) + n15 * v_alpha * v_alpha + n12_5
+    const Scalar z44 = s_alpha * q_x + n0_5 * c_alpha;
+    const Scalar z47 = n1_6 * s_beta;
+    const Scalar z48 = n1_6 * c_beta;
+    const Scalar z126 = n10 * v_alpha + n25 * z14;
+    const Scalar z127 = n6 * v_alpha + n10 * z14;
+    const Scalar z128 = n8 * z17 + n1_6 * z18;
+    const Scalar z129 = n1_6 * z17 + n0_5 * z18;
+    const Scalar z131 = n18 * s_alpha + n30 * c_alpha;
+    const Scalar z135 = n10 * s_alpha;
+    const Scalar z137 = s_alpha * z48 + c_alpha * z47;
+    result.kinetic = n0_5 * (v_alpha * z127 + z14 * z126 + z17 * z128 + z18 * z129) + n15 * v_alpha * v_alpha + n12_5
         * z15 * z15 + n4 * z16 * z16;
-    result.force_function = -n9_81 * (z127 + z133 - z135) - n323_73 * z131;
+    result.force_function = -n9_81 * (z131 + z135 - z137) - n323_73 * z44;
     result.power = v_alpha * u_C01 + v_x * u_F12 + v_beta * u_C23;
   }
 
@@ -684,17 +724,17 @@ struct Mechanism {
     Scalar s_beta, c_beta;
     traits::sincos(q_beta, s_beta, c_beta);
     const Scalar z18 = v_alpha + v_beta;  // angular velocity of S3, z
-    const Scalar z69 = n9_81 * c_alpha;
-    const Scalar z70 = v_alpha * v_alpha;
-    const Scalar z71 = z69 - n0_5 * z70;
-    const Scalar z76 = z18 * z18;
-    const Scalar z77 = n1_6 * z76;  // force on S3, x
-    const Scalar z90 = n2 * v_alpha * v_x + a_alpha * q_x + z71;
-    const Scalar z93 = a_alpha + a_beta;  // angular acceleration of S3, z
-    const Scalar z94 = n1_6 * z93;  // force on S3, y
-    const Scalar z97 = s_beta * z77 - c_beta * z94;
-    const Scalar z99 = n10 * a_alpha + n33 * z90 + z97;  // force on S2, y
-    result.Y12 = z99;
+    const Scalar z73 = n9_81 * c_alpha;
+    const Scalar z74 = v_alpha * v_alpha;
+    const Scalar z75 = z73 - n0_5 * z74;
+    const Scalar z80 = z18 * z18;
+    const Scalar z81 = n1_6 * z80;  // force on S3, x
+    const Scalar z94 = n2 * v_alpha * v_x + a_alpha * q_x + z75;
+    const Scalar z97 = a_alpha + a_beta;  // angular acceleration of S3, z
+    const Scalar z98 = n1_6 * z97;  // force on S3, y
+    const Scalar z101 = s_beta * z81 - c_beta * z98;
+    const Scalar z103 = n10 * a_alpha + n33 * z94 + z101;  // force on S2, y
+    result.Y12 = z103;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -731,151 +771,151 @@ struct Mechanism {
     Scalar s_beta, c_beta;
     traits::sincos(q_beta, s_beta, c_beta);
     const Scalar z18 = v_alpha + v_beta;  // angular velocity of S3, z
-    const Scalar z43 = n1_6 * s_beta;
-    const Scalar z44 = n1_6 * c_beta;
-    const Scalar z45 = n0_5 - q_x * z44;
-    const Scalar z46 = n0_5 * z43 - z45;
-    const Scalar z51 = n10 - z44;
-    const Scalar z52 = n16_5 - z43;
-    const Scalar z55 = q_x * (n33 * q_x + n2 * z51) + n0_5;
-    const Scalar z59 = n8_25 - z43 + z55;
-    const Scalar z64 = n36 + z59;
-    const Scalar z68 = n9_81 * s_alpha;
-    const Scalar z69 = n9_81 * c_alpha;
-    const Scalar z70 = v_alpha * v_alpha;
-    const Scalar z71 = z69 - n0_5 * z70;
-    const Scalar z76 = z18 * z18;
-    const Scalar z77 = n1_6 * z76;  // force on S3, x
-    const Scalar z88 = n0_5 * a_alpha - z68;
-    const Scalar z89 = q_x * z70 - a_x + z88;
-    const Scalar z90 = n2 * v_alpha * v_x + a_alpha * q_x + z71;
-    const Scalar z91 = s_beta * z90 - c_beta * z89;
-    const Scalar z92 = s_beta * z89 + c_beta * z90;
-    const Scalar z93 = a_alpha + a_beta;  // angular acceleration of S3, z
-    const Scalar z94 = n1_6 * z93;  // force on S3, y
-    const Scalar z95 = n1_6 * z92 - n0_5 * z93;  // moment on S3, z
-    const Scalar z96 = s_beta * z94 + c_beta * z77;
-    const Scalar z97 = s_beta * z77 - c_beta * z94;
-    const Scalar z98 = n10 * z70 + n33 * z89 - z96;  // force on S2, x
-    const Scalar z99 = n10 * a_alpha + n33 * z90 + z97;  // force on S2, y
-    const Scalar z100 = n10 * z90 - z95;  // moment on S2, z
-    const Scalar z101 = q_x * z99 + z100;  // moment on guide, z
-    const Scalar z104 = n36 * a_alpha - n30 * z68 + n18 * z69 + n0_5 * z98 + z101;  // moment on S1, z
-    const Scalar z108 = n2 * z46;
-    const Scalar z109 = n2 * z43;
-    const Scalar z110 = z46 * z108 - z64;
-    const Scalar z111 = z46 * z109 - z52;
-    const Scalar z112 = n33 - z43 * z109;
-    const Scalar z113 = n1 / z112;
-    const Scalar z114 = z111 * z113;
-    const Scalar z115 = z110 + z111 * z114;
-    const Scalar z116 = n1 / z115;
-    const Scalar z149 = n2 * v_alpha;
-    const Scalar z150 = q_x * z149;
-    const Scalar z151 = n2 * z18;
-    const Scalar z152 = n1_6 * z151;
-    const Scalar z153 = c_beta * z152;
-    const Scalar z154 = n10 * z149 + n33 * z150 - z153;
-    const Scalar z155 = n0_5 * z149;
-    const Scalar z156 = n2 * v_x - z155;
-    const Scalar z157 = s_beta * z152;
-    const Scalar z158 = n33 * z156 + z157;
-    const Scalar z159 = s_beta * z150 + c_beta * z156;
-    const Scalar z160 = n1_6 * z159;
-    const Scalar z161 = n10 * z156 - z160;
-    const Scalar z162 = q_x * z158 + z161;
-    const Scalar z163 = n0_5 * z154 + z162;
-    const Scalar z164 = n33 * z69;
-    const Scalar z165 = n33 * z68;
-    const Scalar z166 = s_beta * z69 + c_beta * z68;
-    const Scalar z167 = n1_6 * z166;
-    const Scalar z168 = n10 * z68 - z167;
-    const Scalar z169 = q_x * z165 + z168;
-    const Scalar z170 = n18 * z68 + n30 * z69 + n0_5 * z164 + z169;
-    const Scalar z171 = n33 * z149;
-    const Scalar z172 = c_beta * z149;
-    const Scalar z173 = n1_6 * z172;
-    const Scalar z174 = n10 * z149 - z173;
-    const Scalar z175 = q_x * z171 + z174;
-    const Scalar z176 = n33 * z70;
-    const Scalar z177 = n33 * a_alpha;
-    const Scalar z178 = a_alpha * c_beta + s_beta * z70;
-    const Scalar z179 = n1_6 * z178;
-    const Scalar z180 = n10 * a_alpha - z179;
-    const Scalar z181 = q_x * z177 + z99 + z180;
-    const Scalar z182 = n0_5 * z176 + z181;
-    const Scalar z183 = q_x * z157;
-    const Scalar z184 = n0_5 * z153 - z183;
-    const Scalar z185 = n1_6 * z91;
-    const Scalar z186 = q_x * z96 + z185;
-    const Scalar z187 = n0_5 * z97 + z186;
-    const Scalar z188 = z109 * z167 - z164;
-    const Scalar z189 = z108 * z167 + z114 * z188 - z170;
-    const Scalar z190 = z116 * z189;
-    const Scalar z191 = z113 * z188 - z114 * z190;
-    const Scalar z192 = z108 * z190 - z109 * z191 - n2 * z167;
-    const Scalar z193 = z109 * z160 - z154;
-    const Scalar z194 = z108 * z160 + z114 * z193 - z163;
-    const Scalar z195 = z116 * z194;
-    const Scalar z196 = z113 * z193 - z114 * z195;
-    const Scalar z197 = z108 * z195 - z109 * z196 - n2 * z160;
-    const Scalar z198 = z109 * z179 - z176;
-    const Scalar z199 = z108 * z179 + z114 * z198 - z182;
-    const Scalar z200 = z116 * z199;
-    const Scalar z201 = z113 * z198 - z114 * z200;
-    const Scalar z202 = z108 * z200 - z109 * z201 - n2 * z179;
-    const Scalar z203 = z109 * z173;
-    const Scalar z204 = z108 * z173 + z114 * z203 - z175;
-    const Scalar z205 = z116 * z204;
-    const Scalar z206 = z113 * z203 - z114 * z205;
-    const Scalar z207 = z108 * z205 - z109 * z206 - n2 * z173;
-    const Scalar z208 = z97 + z109 * z185;
-    const Scalar z209 = z108 * z185 + z114 * z208 + z187;
-    const Scalar z210 = z116 * z209;
-    const Scalar z211 = z113 * z208 - z114 * z210;
-    const Scalar z212 = z108 * z210 - z109 * z211 - n2 * z185;
-    const Scalar z213 = z114 * z153 + z184;
-    const Scalar z214 = z116 * z213;
-    const Scalar z215 = z113 * z153 - z114 * z214;
-    const Scalar z216 = z108 * z214 - z109 * z215;
-    const Scalar z217 = z114 * z116;
-    const Scalar z218 = z108 * z116 + z109 * z217;
-    const Scalar z219 = z113 - z114 * z217;
-    const Scalar z220 = z108 * z217 - z109 * z219;
-    const Scalar z221 = z108 + z109 * z114;
-    const Scalar z222 = z116 * z221;
-    const Scalar z223 = z109 * z113 - z114 * z222;
-    const Scalar z224 = n2 - z108 * z222 + z109 * z223;
-    result.M[0] = z64;
-    result.M[1] = -z52;
-    result.M[2] = -z46;
-    result.M[3] = -z52;
+    const Scalar z47 = n1_6 * s_beta;
+    const Scalar z48 = n1_6 * c_beta;
+    const Scalar z49 = n0_5 - q_x * z48;
+    const Scalar z50 = n0_5 * z47 - z49;
+    const Scalar z55 = n10 - z48;
+    const Scalar z56 = n16_5 - z47;
+    const Scalar z59 = q_x * (n33 * q_x + n2 * z55) + n0_5;
+    const Scalar z63 = n8_25 - z47 + z59;
+    const Scalar z68 = n36 + z63;
+    const Scalar z72 = n9_81 * s_alpha;
+    const Scalar z73 = n9_81 * c_alpha;
+    const Scalar z74 = v_alpha * v_alpha;
+    const Scalar z75 = z73 - n0_5 * z74;
+    const Scalar z80 = z18 * z18;
+    const Scalar z81 = n1_6 * z80;  // force on S3, x
+    const Scalar z92 = n0_5 * a_alpha - z72;
+    const Scalar z93 = q_x * z74 - a_x + z92;
+    const Scalar z94 = n2 * v_alpha * v_x + a_alpha * q_x + z75;
+    const Scalar z95 = s_beta * z94 - c_beta * z93;
+    const Scalar z96 = s_beta * z93 + c_beta * z94;
+    const Scalar z97 = a_alpha + a_beta;  // angular acceleration of S3, z
+    const Scalar z98 = n1_6 * z97;  // force on S3, y
+    const Scalar z99 = n1_6 * z96 - n0_5 * z97;  // moment on S3, z
+    const Scalar z100 = s_beta * z98 + c_beta * z81;
+    const Scalar z101 = s_beta * z81 - c_beta * z98;
+    const Scalar z102 = n10 * z74 + n33 * z93 - z100;  // force on S2, x
+    const Scalar z103 = n10 * a_alpha + n33 * z94 + z101;  // force on S2, y
+    const Scalar z104 = n10 * z94 - z99;  // moment on S2, z
+    const Scalar z105 = q_x * z103 + z104;  // moment on guide, z
+    const Scalar z108 = n36 * a_alpha - n30 * z72 + n18 * z73 + n0_5 * z102 + z105;  // moment on S1, z
+    const Scalar z112 = n2 * z50;
+    const Scalar z113 = n2 * z47;
+    const Scalar z114 = z50 * z112 - z68;
+    const Scalar z115 = z50 * z113 - z56;
+    const Scalar z116 = n33 - z47 * z113;
+    const Scalar z117 = n1 / z116;
+    const Scalar z118 = z115 * z117;
+    const Scalar z119 = z114 + z115 * z118;
+    const Scalar z120 = n1 / z119;
+    const Scalar z151 = n2 * v_alpha;
+    const Scalar z152 = q_x * z151;
+    const Scalar z153 = n2 * z18;
+    const Scalar z154 = n1_6 * z153;
+    const Scalar z155 = c_beta * z154;
+    const Scalar z156 = n10 * z151 + n33 * z152 - z155;
+    const Scalar z157 = n0_5 * z151;
+    const Scalar z158 = n2 * v_x - z157;
+    const Scalar z159 = s_beta * z154;
+    const Scalar z160 = n33 * z158 + z159;
+    const Scalar z161 = s_beta * z152 + c_beta * z158;
+    const Scalar z162 = n1_6 * z161;
+    const Scalar z163 = n10 * z158 - z162;
+    const Scalar z164 = q_x * z160 + z163;
+    const Scalar z165 = n0_5 * z156 + z164;
+    const Scalar z166 = n33 * z73;
+    const Scalar z167 = n33 * z72;
+    const Scalar z168 = s_beta * z73 + c_beta * z72;
+    const Scalar z169 = n1_6 * z168;
+    const Scalar z170 = n10 * z72 - z169;
+    const Scalar z171 = q_x * z167 + z170;
+    const Scalar z172 = n18 * z72 + n30 * z73 + n0_5 * z166 + z171;
+    const Scalar z173 = n33 * z151;
+    const Scalar z174 = c_beta * z151;
+    const Scalar z175 = n1_6 * z174;
+    const Scalar z176 = n10 * z151 - z175;
+    const Scalar z177 = q_x * z173 + z176;
+    const Scalar z178 = n33 * z74;
+    const Scalar z179 = n33 * a_alpha;
+    const Scalar z180 = a_alpha * c_beta + s_beta * z74;
+    const Scalar z181 = n1_6 * z180;
+    const Scalar z182 = n10 * a_alpha - z181;
+    const Scalar z183 = q_x * z179 + z103 + z182;
+    const Scalar z184 = n0_5 * z178 + z183;
+    const Scalar z185 = q_x * z159;
+    const Scalar z186 = n0_5 * z155 - z185;
+    const Scalar z187 = n1_6 * z95;
+    const Scalar z188 = q_x * z100 + z187;
+    const Scalar z189 = n0_5 * z101 + z188;
+    const Scalar z190 = z113 * z169 - z166;
+    const Scalar z191 = z112 * z169 + z118 * z190 - z172;
+    const Scalar z192 = z120 * z191;
+    const Scalar z193 = z117 * z190 - z118 * z192;
+    const Scalar z194 = z112 * z192 - z113 * z193 - n2 * z169;
+    const Scalar z195 = z113 * z162 - z156;
+    const Scalar z196 = z112 * z162 + z118 * z195 - z165;
+    const Scalar z197 = z120 * z196;
+    const Scalar z198 = z117 * z195 - z118 * z197;
+    const Scalar z199 = z112 * z197 - z113 * z198 - n2 * z162;
+    const Scalar z200 = z113 * z181 - z178;
+    const Scalar z201 = z112 * z181 + z118 * z200 - z184;
+    const Scalar z202 = z120 * z201;
+    const Scalar z203 = z117 * z200 - z118 * z202;
+    const Scalar z204 = z112 * z202 - z113 * z203 - n2 * z181;
+    const Scalar z205 = z113 * z175;
+    const Scalar z206 = z112 * z175 + z118 * z205 - z177;
+    const Scalar z207 = z120 * z206;
+    const Scalar z208 = z117 * z205 - z118 * z207;
+    const Scalar z209 = z112 * z207 - z113 * z208 - n2 * z175;
+    const Scalar z210 = z101 + z113 * z187;
+    const Scalar z211 = z112 * z187 + z118 * z210 + z189;
+    const Scalar z212 = z120 * z211;
+    const Scalar z213 = z117 * z210 - z118 * z212;
+    const Scalar z214 = z112 * z212 - z113 * z213 - n2 * z187;
+    const Scalar z215 = z118 * z155 + z186;
+    const Scalar z216 = z120 * z215;
+    const Scalar z217 = z117 * z155 - z118 * z216;
+    const Scalar z218 = z112 * z216 - z113 * z217;
+    const Scalar z219 = z118 * z120;
+    const Scalar z220 = z112 * z120 + z113 * z219;
+    const Scalar z221 = z117 - z118 * z219;
+    const Scalar z222 = z112 * z219 - z113 * z221;
+    const Scalar z223 = z112 + z113 * z118;
+    const Scalar z224 = z120 * z223;
+    const Scalar z225 = z113 * z117 - z118 * z224;
+    const Scalar z226 = n2 - z112 * z224 + z113 * z225;
+    result.M[0] = z68;
+    result.M[1] = -z56;
+    result.M[2] = -z50;
+    result.M[3] = -z56;
     result.M[4] = n33;
-    result.M[5] = z43;
-    result.M[6] = -z46;
-    result.M[7] = z43;
+    result.M[5] = z47;
+    result.M[6] = -z50;
+    result.M[7] = z47;
     result.M[8] = n0_5;
-    result.C[0] = z163;
-    result.C[1] = -z154;
-    result.C[2] = -z160;
-    result.C[3] = z175;
+    result.C[0] = z165;
+    result.C[1] = -z156;
+    result.C[2] = -z162;
+    result.C[3] = z177;
     result.C[4] = n0;
-    result.C[5] = -z173;
-    result.C[6] = -z184;
-    result.C[7] = z153;
+    result.C[5] = -z175;
+    result.C[6] = -z186;
+    result.C[7] = z155;
     result.C[8] = n0;
-    result.K[0] = -z170;
-    result.K[1] = z164;
-    result.K[2] = z167;
-    result.K[3] = z182;
-    result.K[4] = -z176;
-    result.K[5] = -z179;
-    result.K[6] = z187;
-    result.K[7] = -z97;
-    result.K[8] = z185;
-    result.F[0] = u_C01 - z104;
-    result.F[1] = u_F12 + z98;
-    result.F[2] = u_C23 + z95;
+    result.K[0] = -z172;
+    result.K[1] = z166;
+    result.K[2] = z169;
+    result.K[3] = z184;
+    result.K[4] = -z178;
+    result.K[5] = -z181;
+    result.K[6] = z189;
+    result.K[7] = -z101;
+    result.K[8] = z187;
+    result.F[0] = u_C01 - z108;
+    result.F[1] = u_F12 + z102;
+    result.F[2] = u_C23 + z99;
     result.E[0] = n1;
     result.E[1] = n0;
     result.E[2] = n0;
@@ -888,58 +928,58 @@ struct Mechanism {
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
-    result.A[3] = z190;
-    result.A[4] = z191;
-    result.A[5] = z192;
+    result.A[3] = z192;
+    result.A[4] = z193;
+    result.A[5] = z194;
     result.A[6] = n0;
     result.A[7] = n0;
     result.A[8] = n0;
-    result.A[9] = -z200;
-    result.A[10] = -z201;
-    result.A[11] = -z202;
+    result.A[9] = -z202;
+    result.A[10] = -z203;
+    result.A[11] = -z204;
     result.A[12] = n0;
     result.A[13] = n0;
     result.A[14] = n0;
-    result.A[15] = z210;
-    result.A[16] = z211;
-    result.A[17] = z212;
+    result.A[15] = z212;
+    result.A[16] = z213;
+    result.A[17] = z214;
     result.A[18] = n1;
     result.A[19] = n0;
     result.A[20] = n0;
-    result.A[21] = -z195;
-    result.A[22] = -z196;
-    result.A[23] = -z197;
+    result.A[21] = -z197;
+    result.A[22] = -z198;
+    result.A[23] = -z199;
     result.A[24] = n0;
     result.A[25] = n1;
     result.A[26] = n0;
-    result.A[27] = -z205;
-    result.A[28] = -z206;
-    result.A[29] = -z207;
+    result.A[27] = -z207;
+    result.A[28] = -z208;
+    result.A[29] = -z209;
     result.A[30] = n0;
     result.A[31] = n0;
     result.A[32] = n1;
-    result.A[33] = -z214;
-    result.A[34] = -z215;
-    result.A[35] = -z216;
+    result.A[33] = -z216;
+    result.A[34] = -z217;
+    result.A[35] = -z218;
     result.B[0] = n0;
     result.B[1] = n0;
     result.B[2] = n0;
-    result.B[3] = -z116;
-    result.B[4] = z217;
-    result.B[5] = -z218;
+    result.B[3] = -z120;
+    result.B[4] = z219;
+    result.B[5] = -z220;
     result.B[6] = n0;
     result.B[7] = n0;
     result.B[8] = n0;
-    result.B[9] = z217;
-    result.B[10] = z219;
-    result.B[11] = z220;
+    result.B[9] = z219;
+    result.B[10] = z221;
+    result.B[11] = z222;
     result.B[12] = n0;
     result.B[13] = n0;
     result.B[14] = n0;
-    result.B[15] = -z222;
-    result.B[16] = -z223;
-    result.B[17] = z224;
-    if (!(traits::regular(-z115, z64) && traits::regular(z112, n33))) return torsor::Status::singular;
+    result.B[15] = -z224;
+    result.B[16] = -z225;
+    result.B[17] = z226;
+    if (!(traits::regular(-z119, z68) && traits::regular(z116, n33))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.M[0] - result.M[0]) + (result.M[1] - result.M[1]) + (result.M[2] - result.M[2])
         + (result.M[3] - result.M[3]) + (result.M[5] - result.M[5]) + (result.M[6] - result.M[6]) + (result.M[7]

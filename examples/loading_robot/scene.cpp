@@ -35,6 +35,9 @@ torsor::Scene loading_robot_scene() {
   const FrameHandle guide = scene.prismatic("guide", S1, axis::y, Y12, {.origin = {0, h, 0}});
   const FrameHandle S2 = scene.prismatic("S2", guide, axis::x, x);
   const FrameHandle S3 = scene.revolute("S3", S2, axis::z, beta);
+  // Where moments are taken to find one unknown at a time.
+  scene.point("Oo", scene.ground(), {0, 0, 0});
+  scene.point("O2", S2, {0, 0, 0});
   // In a plane motion nothing but the moment about z matters, here moved to the centres of mass (Huygens).
   const auto plane = [](const Expression& mass, const Expression& about_z) {
     return Inertia::general(mass, 0, 0, about_z);

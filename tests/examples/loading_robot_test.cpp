@@ -6,10 +6,16 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <string>
+#include <vector>
 
 #include "runtime/mechanism.hpp"
 #include "runtime/reference.hpp"
 #include "tests/examples/motion.hpp"
+
+#define TORSOR_NO_MAIN
+#include "examples/loading_robot/scene.cpp"
+#include "generator/dynamics/unknowns_report.hpp"
 
 namespace {
 
@@ -109,6 +115,61 @@ TEST(LoadingRobot, HasTheReactionAcrossTheSlide) {
     // The motors act along other directions: whatever they do, Y12 follows from the motion.
     Robot::reactions(precomputed, state, a, {}, {3.0, -5.0, 7.0}, reactions);
     EXPECT_NEAR(reactions.Y12, by_newton_and_euler(state, a).Y12, tolerance);
+  }
+}
+
+/// The unknowns of joints that enter one of the six equations.
+std::vector<std::string> entering(const torsor::IsolationReport& report, std::size_t equation) {
+  std::vector<std::string> names;
+  for (const auto& unknown : report.unknowns) {
+    if (unknown.enters[equation]) names.push_back(unknown.name);
+  }
+  return names;
+}
+
+// Question 2: which theorem gives which unknown. An equation that no unknown of a joint enters gives the motor that
+// works with it when the motion is known.
+TEST(LoadingRobot, FindsEachUnknownByOneEquationOfTheGeneralTheorems) {
+  using Names = std::vector<std::string>;
+  constexpr std::size_t resultant_x = 0, resultant_y = 1, moment_z = 5;
+  const torsor::Equations equations(loading_robot_scene());
+  const auto slide = torsor::isolation_report(equations, {"S2", "S3"}, {"O2", "S1"});
+  EXPECT_EQ(slide.text,
+            "Newton-Euler for S2, S3 at O2 along the axes of S1\n"
+            "  joint S2: Y, Z, L, M, N\n"
+            "  resultant, x: no unknown component, an equation of motion\n"
+            "  resultant, y: S2 Y\n"
+            "  resultant, z: S2 Z\n"
+            "  moment, x: S2 L\n"
+            "  moment, y: S2 M\n"
+            "  moment, z: S2 N\n");
+  EXPECT_EQ(entering(slide, resultant_x), Names{});                                                   // F12
+  EXPECT_EQ(entering(slide, resultant_y), Names{"S2 Y"});                                             // Y12
+  EXPECT_EQ(entering(torsor::isolation_report(equations, {"S3"}, {"O2", "S1"}), moment_z), Names{});  // C23
+  EXPECT_EQ(entering(torsor::isolation_report(equations, {"S1", "S2", "S3"}, {"Oo", "ground"}), moment_z),
+            Names{});  // C01
+  // S1 and S2 taken alone, or another point, bring reactions in.
+  EXPECT_EQ(entering(torsor::isolation_report(equations, {"S2"}, {"O2", "S1"}), resultant_x), (Names{"S3 X", "S3 Y"}));
+  EXPECT_EQ(entering(torsor::isolation_report(equations, {"S3"}, {"Oo", "ground"}), moment_z), (Names{"S3 X", "S3 Y"}));
+}
+
+// The formulas of the page for F12, Y12 and C23.
+TEST(LoadingRobot, MeetsTheFormulasOfItsPage) {
+  const auto precomputed = Robot::precompute({});
+  for (const auto& [s, a] : samples()) {
+    const double sine = std::sin(s.q.beta), cosine = std::cos(s.q.beta);
+    const double omega = s.v.alpha + s.v.beta, rate = a.alpha + a.beta, square = s.v.alpha * s.v.alpha;
+    const double along = a.x - h * a.alpha - s.q.x * square + g * std::sin(s.q.alpha);
+    const double across = 2 * s.v.x * s.v.alpha + s.q.x * a.alpha - h * square + g * std::cos(s.q.alpha);
+    Robot::GeneralizedForces forces{};
+    Robot::inverse_dynamics(precomputed, s, a, {}, forces);
+    Robot::Reactions reactions{};
+    Robot::reactions(precomputed, s, a, {}, {}, reactions);
+    EXPECT_NEAR(forces.x, (m2 + m3) * along - m2 * L2 * square + m3 * L3 * (rate * sine + omega * omega * cosine),
+                tolerance);
+    EXPECT_NEAR(reactions.Y12,
+                (m2 + m3) * across + m2 * L2 * a.alpha - m3 * L3 * (rate * cosine - omega * omega * sine), tolerance);
+    EXPECT_NEAR(forces.beta, I3 * rate - m3 * L3 * (across * cosine - along * sine), tolerance);
   }
 }
 
