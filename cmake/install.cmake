@@ -6,7 +6,8 @@ endif()
 include(CMakePackageConfigHelpers)
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/torsor")
 
-install(TARGETS torsor_generator EXPORT torsorGeneratorTargets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+install(TARGETS torsor_generator torsor EXPORT torsorGeneratorTargets
+  ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
 install(TARGETS torsor_runtime EXPORT torsorRuntimeTargets)
 foreach(part Generator Runtime)
   install(EXPORT torsor${part}Targets NAMESPACE torsor:: DESTINATION "${package_dir}")

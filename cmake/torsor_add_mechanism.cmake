@@ -2,22 +2,29 @@
 include_guard(GLOBAL)
 
 # torsor_add_mechanism(<name> SCENE <file.cpp> KERNELS <kernel>... [OUTPUT_NAME <name>] [RUN_TIME <parameter>...|all])
+# torsor_add_mechanism(<name> URDF <file.urdf> KERNELS <kernel>... [OUTPUT_NAME <name>] [RUN_TIME <parameter>...|all]
+#                      [OPTIONS <option>...])
 #
-# Builds the program <name>_scene from the scene, runs it to write <output name>.hpp (<name>.hpp by default) and makes
-# the interface target <name>: what links to it can write #include "<name>.hpp". The target <name>_header stands for
-# the writing alone, and the target property TORSOR_HEADER of <name> holds the path of the header.
+# Builds the program <name>_scene from the scene, or takes the tool torsor for a URDF file, and runs it to write
+# <output name>.hpp (<name>.hpp by default) and make the interface target <name>: what links to it can write #include
+# "<name>.hpp". The target <name>_header stands for the writing alone, and the target property TORSOR_HEADER of <name>
+# holds the path of the header. The namespace of the header is the name of the scene; for a URDF file it is <name>.
+# OPTIONS are further ones of `torsor generate`, e.g. --base floating.
 #
-# The program runs again only when it, and so its scene or torsor, was built again; it leaves a header alone whose
-# bytes would not change, so that nothing is compiled again then. The stamp is what the build tool looks at: with the
-# header itself as output, make would find an unchanged header old for ever.
+# The program runs again only when it, and so its scene or torsor, was built again, or the URDF file changed; it leaves
+# a header alone whose bytes would not change, so that nothing is compiled again then. The stamp is what the build tool
+# looks at: with the header itself as output, make would find an unchanged header old for ever.
 function(torsor_add_mechanism name)
-  cmake_parse_arguments(PARSE_ARGV 1 mechanism "" "SCENE;OUTPUT_NAME" "KERNELS;RUN_TIME")
+  cmake_parse_arguments(PARSE_ARGV 1 mechanism "" "SCENE;URDF;OUTPUT_NAME" "KERNELS;RUN_TIME;OPTIONS")
   if(mechanism_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "torsor_add_mechanism(${name}): '${mechanism_UNPARSED_ARGUMENTS}' is no argument; "
-                        "the arguments are SCENE, KERNELS, OUTPUT_NAME and RUN_TIME")
+                        "the arguments are SCENE or URDF, KERNELS, OUTPUT_NAME, RUN_TIME and OPTIONS")
   endif()
-  if(NOT mechanism_SCENE OR NOT mechanism_KERNELS)
-    message(FATAL_ERROR "torsor_add_mechanism(${name}): give SCENE <file.cpp> and KERNELS <kernel>...")
+  if((NOT mechanism_SCENE AND NOT mechanism_URDF) OR NOT mechanism_KERNELS)
+    message(FATAL_ERROR "torsor_add_mechanism(${name}): give SCENE <file.cpp> or URDF <file.urdf>, and KERNELS <kernel>...")
+  endif()
+  if(mechanism_SCENE AND (mechanism_URDF OR mechanism_OPTIONS))
+    message(FATAL_ERROR "torsor_add_mechanism(${name}): SCENE goes with neither URDF nor OPTIONS; a scene states all itself")
   endif()
   if(NOT TARGET torsor::generator)
     message(FATAL_ERROR "torsor_add_mechanism(${name}): there is no target torsor::generator; "
@@ -27,14 +34,24 @@ function(torsor_add_mechanism name)
     set(mechanism_OUTPUT_NAME "${name}")
   endif()
 
-  add_executable(${name}_scene "${mechanism_SCENE}")
-  target_link_libraries(${name}_scene PRIVATE torsor::generator)
+  if(mechanism_URDF)
+    cmake_path(ABSOLUTE_PATH mechanism_URDF BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" NORMALIZE)
+    set(program torsor::torsor)
+    set(inputs "${mechanism_URDF}")
+    set(arguments "${mechanism_URDF}" --name "${name}" ${mechanism_OPTIONS})
+  else()
+    add_executable(${name}_scene "${mechanism_SCENE}")
+    target_link_libraries(${name}_scene PRIVATE torsor::generator)
+    set(program ${name}_scene)
+    set(inputs "")
+    set(arguments "")
+  endif()
 
   set(folder "${CMAKE_CURRENT_BINARY_DIR}/torsor/${name}")
   set(header "${folder}/${mechanism_OUTPUT_NAME}.hpp")
   set(stamp "${CMAKE_CURRENT_BINARY_DIR}/torsor/${name}.stamp")
   list(JOIN mechanism_KERNELS "," kernels)
-  set(arguments --kernels "${kernels}" --output "${header}")
+  list(APPEND arguments --kernels "${kernels}" --output "${header}")
   if(mechanism_RUN_TIME)
     list(JOIN mechanism_RUN_TIME "," run_time)
     list(APPEND arguments --run-time "${run_time}")
@@ -43,9 +60,9 @@ function(torsor_add_mechanism name)
   # make does not notice that a command changed; this file changes with it.
   file(CONFIGURE OUTPUT "${folder}.arguments" CONTENT "${arguments}\n" @ONLY)
   add_custom_command(OUTPUT "${stamp}" BYPRODUCTS "${header}"
-    COMMAND ${name}_scene generate ${arguments}
+    COMMAND ${program} generate ${arguments}
     COMMAND "${CMAKE_COMMAND}" -E touch "${stamp}"
-    DEPENDS ${name}_scene "${folder}.arguments"
+    DEPENDS ${program} ${inputs} "${folder}.arguments"
     COMMENT "Generating ${mechanism_OUTPUT_NAME}.hpp" VERBATIM)
   add_custom_target(${name}_header DEPENDS "${stamp}")
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/cli/scene_program.hpp"
+#include "generator/cli/command_line.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "generator/cli/commands.hpp"
+#include "generator/cli/scene_program.hpp"
 #include "generator/dynamics/unknowns_report.hpp"
 #include "generator/dynamics/validation.hpp"
 #include "generator/emission/kernel.hpp"
@@ -195,10 +196,11 @@ int graph(const Scene& scene, const Request& request) {
 using Command = int (*)(const Scene&, const Request&);
 
 /// Declares the commands; the chosen one is left in `chosen`.
-void declare(CLI::App& app, Request& request, Command& chosen) {
+void declare(CLI::App& app, Request& request, Command& chosen, const SceneSource& source) {
   app.require_subcommand(1);
   const auto add = [&](const char* name, const char* text, Command command) {
     CLI::App* sub = app.add_subcommand(name, text);
+    if (source.add_options) source.add_options(*sub);
     sub->callback([&chosen, command] { chosen = command; });
     sub->add_option("-o,--output", request.output, "file to write; the standard output when absent or -");
     return sub;
@@ -257,16 +259,16 @@ void declare(CLI::App& app, Request& request, Command& chosen) {
 
 }  // namespace
 
-int run_scene_program(int argc, const char* const* argv, Scene (*make_scene)()) {
+int run_commands(int argc, const char* const* argv, const SceneSource& source) {
   const auto fail = [argv](const std::string& message, int code) {
     std::fprintf(stderr, "%s: %s\n", argv[0], message.c_str());
     return code;
   };
-  CLI::App app{"Equations of motion and specialised kernels of one mechanism."};
+  CLI::App app{source.description};
   Request request;
   Command chosen = nullptr;
   try {
-    declare(app, request, chosen);
+    declare(app, request, chosen, source);
     const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
     const auto is_first_word = [argv](const CLI::App* command) { return command->get_name() == argv[1]; };
     if (argc > 1 && argv[1][0] != '-' && std::none_of(commands.begin(), commands.end(), is_first_word)) {
@@ -284,7 +286,7 @@ int run_scene_program(int argc, const char* const* argv, Scene (*make_scene)()) 
   }
   try {
     if (request.kernels != "all") parse_kernel_list(request.kernels);  // before the scene is even built
-    const Scene scene = make_scene();
+    const Scene scene = source.make();
     validate(scene);
     return chosen(scene, request);
   } catch (const UsageError& error) {
@@ -294,6 +296,10 @@ int run_scene_program(int argc, const char* const* argv, Scene (*make_scene)()) 
   } catch (const std::exception& error) {
     return fail(fmt::format("unexpected failure: {}", error.what()), bad_scene_or_file);
   }
+}
+
+int run_scene_program(int argc, const char* const* argv, Scene (*make_scene)()) {
+  return run_commands(argc, argv, {"Equations of motion and specialised kernels of one mechanism.", {}, make_scene});
 }
 
 }  // namespace torsor

@@ -63,7 +63,8 @@ std::string skipped(const Provenance& provenance) {
 
 std::string regeneration_command(const Provenance& provenance) {
   const std::string& scene = provenance.scene->name();
-  std::string command = fmt::format("{}_scene generate --kernels {}", scene,
+  const std::string& origin = provenance.scene->content().origin.command;
+  std::string command = fmt::format("{} --kernels {}", origin.empty() ? scene + "_scene generate" : origin,
                                     joined(provenance.kernels, ",", [](const Kernel& kernel) { return kernel.name; }));
   if (provenance.options.all_run_time || provenance.options.symbolic_parameters) {
     command += " --run-time all";
@@ -77,9 +78,10 @@ std::string regeneration_command(const Provenance& provenance) {
 
 std::string provenance_comment(const Provenance& provenance) {
   const SceneContent& scene = provenance.scene->content();
-  std::string text =
-      fmt::format("{}{}\nMade by torsor {}; change the scene and write the file again, do not edit it.\n", scene.name,
-                  scene.title.empty() ? "" : ": " + scene.title, TORSOR_VERSION);
+  const std::string& file = scene.origin.file;
+  std::string text = fmt::format("{}{}\nMade by torsor {}{}; change {} and write the file again, do not edit it.\n",
+                                 scene.name, scene.title.empty() ? "" : ": " + scene.title, TORSOR_VERSION,
+                                 file.empty() ? "" : " from " + file, file.empty() ? "the scene" : "that");
   text += "Free to embed under the MIT licence.\n\n";
   std::vector<std::string> present;
   for (const Kernel& kernel : provenance.kernels) {
@@ -93,6 +95,8 @@ std::string provenance_comment(const Provenance& provenance) {
   text += "moved across joints, factoring, and what is done once for a set of parameters:\n";
   text += operations_table(provenance) + "\n";
   text += "Not computed because this mechanism does not need it:\n" + skipped(provenance) + "\n";
+  for (const std::string& note : scene.origin.notes) text += note + "\n";
+  if (!scene.origin.notes.empty()) text += "\n";
   if (!provenance.notes.empty()) {
     text += "Constraints:\n";
     for (const std::string& note : provenance.notes) text += "  " + note + "\n";

@@ -224,6 +224,9 @@ class Scene {
   /// first: those the constraints allow stay, the generator chooses the rest. An attitude's freedoms cannot be named.
   void independent(const std::vector<Expression>& coordinates);
 
+  /// Tells that the scene was read from a file; generated headers say so.
+  void came_from(SceneOrigin origin) { content_.origin = std::move(origin); }
+
   const SceneContent& content() const { return content_; }
   const std::string& name() const { return content_.name; }
 

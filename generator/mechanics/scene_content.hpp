@@ -194,8 +194,16 @@ struct ConstraintContent {
   std::optional<ReactionContent> reaction;
 };
 
+/// Where a scene came from that was read from a file; all empty for one that is written in C++.
+struct SceneOrigin {
+  std::string file;                ///< its name, without any folder
+  std::string command;             ///< what writes a header again, but for the options of every scene program
+  std::vector<std::string> notes;  ///< what the reader of a header should know, a line each
+};
+
 struct SceneContent {
   std::string name, title;
+  SceneOrigin origin;
   std::map<std::string, std::string> names;  ///< every name taken, and by what; looked up, and sorted by name
   int symbol_count = 0;
   SymbolPointer time;

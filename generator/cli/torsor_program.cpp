@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/cli/torsor_program.hpp"
+
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "generator/cli/command_line.hpp"
+#include "generator/expression/decimal.hpp"
+#include "generator/expression/error.hpp"
+#include "generator/import/urdf.hpp"
+
+namespace torsor {
+namespace {
+
+/// The options as they are written.
+struct FileRequest {
+  std::string file;
+  std::string base = "fixed";
+  std::string gravity = "0,0,-9.81";
+  std::string angle_tolerance = "1e-9";
+  std::string name;
+  std::vector<std::string> initial;
+  bool no_dampers = false;
+  bool no_motors = false;
+};
+
+void add_options(CLI::App& command, FileRequest& request) {
+  command.add_option("FILE", request.file, "robot to read, a URDF file")->required();
+  command.add_option("--base", request.base, "root link: fixed (welded to the ground) or floating")->capture_default_str();
+  command.add_option("--gravity", request.gravity, "X,Y,Z in m/s^2, along the ground's axes")->capture_default_str();
+  command.add_option("--angle-tolerance", request.angle_tolerance, "angles this near to a multiple of pi/12 are it [rad]")
+      ->capture_default_str();
+  command.add_option("--name", request.name, "name of the scene; that of the robot when absent");
+  command.add_option("--initial", request.initial, "state at t = 0, NAME=VALUE, rates NAME'=VALUE; comma-separated")
+      ->delimiter(',');
+  command.add_flag("--no-dampers", request.no_dampers, "take <dynamics damping> as data: it does not act");
+  command.add_flag("--no-motors", request.no_motors, "no input torque or force in any joint");
+}
+
+Number option_number(const std::string& option, const std::string& text) {
+  try {
+    return parse_decimal(text);
+  } catch (const Error& error) {
+    throw UsageError(fmt::format("{}: {}", option, error.what()));
+  }
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (std::size_t end = text.find(separator); end != std::string::npos; end = text.find(separator, begin)) {
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  parts.push_back(text.substr(begin));
+  return parts;
+}
+
+UrdfOptions urdf_options(const FileRequest& request) {
+  UrdfOptions options;
+  if (request.base == "floating") {
+    options.base = UrdfBase::floating;
+  } else if (request.base != "fixed") {
+    throw UsageError(fmt::format("unknown base '{}' in --base: use fixed or floating", request.base));
+  }
+  const std::vector<std::string> gravity = split(request.gravity, ',');
+  if (gravity.size() != 3) {
+    throw UsageError(fmt::format("--gravity takes three numbers, X,Y,Z, and got '{}'", request.gravity));
+  }
+  for (std::size_t i = 0; i < 3; ++i) options.gravity[i] = option_number("--gravity", gravity[i]);
+  options.angle_tolerance = option_number("--angle-tolerance", request.angle_tolerance);
+  options.dampers = !request.no_dampers;
+  options.motors = !request.no_motors;
+  options.name = request.name;
+  for (const std::string& assignment : request.initial) {
+    const std::vector<std::string> parts = split(assignment, '=');
+    if (parts.size() != 2) {
+      throw UsageError(fmt::format("--initial takes NAME=VALUE, e.g. elbow=0.3, and got '{}'", assignment));
+    }
+    options.initial.emplace_back(parts[0], parts[1]);
+  }
+  return options;
+}
+
+}  // namespace
+
+int run_torsor(int argc, const char* const* argv) {
+  FileRequest request;
+  return run_commands(argc, argv,
+                      {"Equations of motion and specialised kernels of the robot of a URDF file.",
+                       [&request](CLI::App& command) { add_options(command, request); },
+                       [&request] { return read_urdf(request.file, urdf_options(request)).scene; }});
+}
+
+}  // namespace torsor

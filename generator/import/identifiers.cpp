@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/import/identifiers.hpp"
+
+#include <algorithm>
+
+#include "generator/expression/error.hpp"
+#include "generator/mechanics/identifier.hpp"
+
+namespace torsor {
+namespace {
+
+bool acceptable(const std::string& name) {
+  try {
+    require_identifier(name, "name");
+  } catch (const SceneError&) {
+    return false;
+  }
+  return true;
+}
+
+bool is_letter_or_digit(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+}
+
+}  // namespace
+
+std::string as_identifier(const std::string& name, const std::string& kind) {
+  std::string word;
+  for (const char c : name) {
+    if (is_letter_or_digit(c)) {
+      word += c;
+    } else if (!word.empty() && word.back() != '_') {
+      word += '_';
+    }
+  }
+  while (!word.empty() && word.back() == '_') word.pop_back();
+  if (word.empty()) return kind;
+  return acceptable(word) ? word : kind + "_" + word;
+}
+
+std::string Identifiers::take(const std::string& name, const std::string& kind,
+                              const std::vector<std::string>& suffixes) {
+  const std::string word = as_identifier(name, kind);
+  std::string candidate = word;
+  const auto is_taken = [&](const std::string& suffix) { return taken_.contains(candidate + suffix); };
+  for (int number = 2; std::any_of(suffixes.begin(), suffixes.end(), is_taken); ++number) {
+    candidate = word + "_" + std::to_string(number);
+  }
+  for (const std::string& suffix : suffixes) taken_.insert(candidate + suffix);
+  return candidate;
+}
+
+}  // namespace torsor

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "generator/expression/number.hpp"
+#include "generator/mechanics/scene.hpp"
+
+namespace torsor {
+
+/// What the root link of a URDF file is to the ground.
+enum class UrdfBase {
+  fixed,     ///< welded to it
+  floating,  ///< free: a position along the ground's axes and a unit quaternion
+};
+
+/// How a URDF file becomes a scene.
+struct UrdfOptions {
+  UrdfBase base = UrdfBase::fixed;
+  std::array<Number, 3> gravity{Number(), Number(), Number::rational(-981, 100)};  ///< in the root link's axes [m/s²]
+  /// Angles this near to a multiple of π/12 are that multiple [rad]; the same of an axis' deviation from a direction
+  /// whose components are sines and cosines of such angles.
+  Number angle_tolerance = Number::rational(1, 1000000000);
+  bool dampers = true;  ///< <dynamics damping="c"> acts: the effort −c q̇; otherwise it is data only
+  bool motors = true;   ///< a motor on every joint that turns or slides and follows no other
+  std::string name;     ///< of the scene; the robot's when empty
+  /// Coordinates and their rates (name') at t = 0, where they are not zero: {"elbow", "0.3"}, {"elbow'", "1"}.
+  std::vector<std::pair<std::string, std::string>> initial;
+};
+
+/// What a URDF file states about one joint beyond its mechanics: numbers for controllers and simulators. An angle is in
+/// rad, a distance in m, an effort in N m or N.
+struct UrdfJointData {
+  std::string joint;       ///< as the file names it
+  std::string coordinate;  ///< the scene's coordinate; empty for a joint that has none of its own
+  std::optional<Number> lower, upper, velocity, effort;
+  std::optional<Number> damping;   ///< c of the effort −c q̇
+  bool damping_acts = false;       ///< by a damper of the scene
+  std::optional<Number> friction;  ///< Coulomb's, which no scene of torsor has in a joint
+};
+
+struct ImportedRobot {
+  Scene scene;
+  std::vector<UrdfJointData> joints;  ///< those that move, in the order of the file
+};
+
+/// Reads a robot (Unified Robot Description Format: a tree of links and joints) into a scene.
+///
+/// A link becomes a frame of its name and, if its mass or its inertia is not zero, a body whose mass, centre of mass and
+/// moments are parameters with values (<link>_mass, <link>_com_x, <link>_inertia_xx, ...). A joint becomes a joint of
+/// the scene, placed by origin: p_parent = xyz + Rz(yaw) Ry(pitch) Rx(roll) p_child.
+///  * revolute, continuous, prismatic: a coordinate of the joint's name about or along the axis, and a motor on it,
+///    <joint>_torque or <joint>_force. <mimic>: the displacement multiplier · (other's) + offset, no coordinate.
+///  * fixed: a weld.
+///  * floating: position <joint>_x, _y, _z along the axes of the joint's origin and the attitude <joint>_attitude, a
+///    unit quaternion with the components of the angular velocity in the child's axes.
+///  * planar: <joint>_x, _y along two directions of the plane whose normal is the axis (the two axes that follow it
+///    cyclically when it is one of x, y, z), then a turn <joint>_angle about the normal.
+/// A floating base does the same as a floating joint, named after the root link. Coordinates are in the order of the
+/// file's joints, those of a floating base first. Names become identifiers, distinct ones of distinct names.
+///
+/// Numbers are exact: a decimal is that rational. An angle within the tolerance of a multiple of π/12 is that multiple;
+/// another one turns by rational sines and cosines, good to 10⁻¹⁸ of the angle, that form a rotation exactly. Axes are
+/// normalised in the same way. What was changed is told in the notes of the scene's origin, which generated headers
+/// quote. Visual, collision and unknown elements are ignored.
+///
+/// Throws FileError, "file:line: <element>: what is wrong; what to do", for XML that cannot be read, an unknown type of
+/// joint, missing or wrong elements, attributes and numbers, a graph that is no tree, a mimic of nothing or of itself,
+/// inertia that no matter has; UsageError for options that contradict the file.
+ImportedRobot read_urdf(const std::string& path, const UrdfOptions& options = {});
+
+/// The same of a text; `file` is the name used in messages and in the scene's origin.
+ImportedRobot read_urdf_text(std::string_view text, const std::string& file, const UrdfOptions& options = {});
+
+}  // namespace torsor

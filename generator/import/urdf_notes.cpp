@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/import/urdf_notes.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "generator/expression/decimal.hpp"
+
+namespace torsor {
+namespace {
+
+/// A decimal for people and for the command line, which reads it back.
+std::string decimal(const Number& value) { return shortest(value.to_double()); }
+
+/// The name without folders: headers hold no path.
+std::string base_name(const std::string& path) { return path.substr(path.find_last_of("/\\") + 1); }
+
+/// In quotes where a shell would take it apart.
+std::string quoted(const std::string& word) {
+  const bool plain = std::all_of(word.begin(), word.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           std::string_view("-_./=,+").find(c) != std::string_view::npos;
+  });
+  return plain && !word.empty() ? word : "\"" + word + "\"";
+}
+
+std::string command(const UrdfRobot& robot, const UrdfOptions& options) {
+  const UrdfOptions defaults;
+  std::string text = "torsor generate " + quoted(base_name(robot.file));
+  if (options.base == UrdfBase::floating) text += " --base floating";
+  if (options.gravity != defaults.gravity) {
+    text += fmt::format(" --gravity {},{},{}", decimal(options.gravity[0]), decimal(options.gravity[1]),
+                        decimal(options.gravity[2]));
+  }
+  if (!(options.angle_tolerance == defaults.angle_tolerance)) {
+    text += " --angle-tolerance " + decimal(options.angle_tolerance);
+  }
+  if (!options.dampers) text += " --no-dampers";
+  if (!options.motors) text += " --no-motors";
+  if (!options.name.empty()) text += " --name " + options.name;
+  std::string initial;
+  for (const auto& [name, value] : options.initial) initial += (initial.empty() ? "" : ",") + name + "=" + value;
+  if (!initial.empty()) text += " --initial " + quoted(initial);
+  return text;
+}
+
+/// "elbow: from -1.5 to 1.5, velocity at most 2, effort at most 100, friction 0.1"; empty without data.
+std::string data_line(const UrdfJointData& data) {
+  std::vector<std::string> parts;
+  if (data.lower && data.upper) parts.push_back(fmt::format("from {} to {}", decimal(*data.lower), decimal(*data.upper)));
+  if (data.lower && !data.upper) parts.push_back("at least " + decimal(*data.lower));
+  if (!data.lower && data.upper) parts.push_back("at most " + decimal(*data.upper));
+  if (data.velocity) parts.push_back("velocity at most " + decimal(*data.velocity));
+  if (data.effort) parts.push_back("effort at most " + decimal(*data.effort));
+  if (data.damping && !data.damping->is_zero()) {
+    parts.push_back(fmt::format("damping {}{}", decimal(*data.damping), data.damping_acts ? "" : " (does not act)"));
+  }
+  if (data.friction && !data.friction->is_zero()) {
+    parts.push_back(fmt::format("friction {} (does not act)", decimal(*data.friction)));
+  }
+  return parts.empty() ? "" : fmt::format("{}: {}", data.joint, fmt::join(parts, ", "));
+}
+
+void append(std::vector<std::string>& notes, const std::string& title, const std::vector<std::string>& lines) {
+  if (lines.empty()) return;
+  notes.push_back(title);
+  for (const std::string& line : lines) notes.push_back("  " + line);
+}
+
+}  // namespace
+
+SceneOrigin urdf_origin(const UrdfRobot& robot, const UrdfOptions& options, const std::vector<UrdfJointData>& joints,
+                        const std::vector<std::string>& renamed) {
+  SceneOrigin origin{base_name(robot.file), command(robot, options), {}};
+  append(origin.notes, "Names that became identifiers:", renamed);
+  append(origin.notes, "Angles and axes that were made exact:", robot.changes.lines());
+  append(origin.notes, "Angles that look exact and are not:", robot.almost);
+  std::vector<std::string> data;
+  for (const UrdfJointData& joint : joints) {
+    if (std::string line = data_line(joint); !line.empty()) data.push_back(std::move(line));
+  }
+  append(origin.notes, "Joints, in rad, m, N m, N and s; limits are data, nothing here enforces them:", data);
+  return origin;
+}
+
+}  // namespace torsor

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/import/urdf.hpp"
+#include "generator/import/urdf_robot.hpp"
+
+namespace torsor {
+
+/// Where a scene made of that robot comes from: the command that writes a header again (the file's name without any
+/// folder, options that are not at their defaults) and notes on renamed parts, changed angles, limits, damping and
+/// friction.
+SceneOrigin urdf_origin(const UrdfRobot& robot, const UrdfOptions& options, const std::vector<UrdfJointData>& joints,
+                        const std::vector<std::string>& renamed);
+
+}  // namespace torsor

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/expression/number.hpp"
+#include "generator/geometry/rotation.hpp"
+#include "generator/import/exact_direction.hpp"
+#include "generator/import/xml_element.hpp"
+
+namespace torsor {
+
+// What a URDF file says, with its numbers made exact; read_robot reads it element by element, check_tree looks at
+// the whole.
+
+struct UrdfPlacement {
+  std::array<Number, 3> xyz;
+  Rotation rotation;  ///< Rz(yaw) Ry(pitch) Rx(roll)
+};
+
+/// Mass, centre of mass and moments about it, along the link's axes.
+struct UrdfInertial {
+  XmlPlace place;
+  Number mass;
+  std::array<Number, 3> center;
+  std::array<std::array<Number, 3>, 3> inertia;
+  bool is_zero() const;
+};
+
+struct UrdfLink {
+  XmlPlace place;
+  std::string name;
+  std::optional<UrdfInertial> inertial;
+};
+
+enum class UrdfJointType { revolute, continuous, prismatic, fixed, floating, planar };
+
+struct UrdfMimic {
+  XmlPlace place;
+  std::string joint;
+  Number multiplier{1}, offset;
+  std::optional<Number> offset_twelfths;  ///< the offset is that many π/12
+};
+
+/// A link as a joint names it.
+struct UrdfLinkReference {
+  XmlPlace place;
+  std::string link;
+};
+
+struct UrdfJoint {
+  XmlPlace place;
+  std::string name;
+  UrdfJointType type = UrdfJointType::fixed;
+  UrdfLinkReference parent, child;
+  UrdfPlacement origin;
+  std::array<Number, 3> axis{Number(1), Number(), Number()};  ///< of unit length
+  std::optional<UrdfMimic> mimic;
+  std::optional<Number> lower, upper, velocity, effort, damping, friction;
+
+  bool turns() const { return type == UrdfJointType::revolute || type == UrdfJointType::continuous; }
+  bool slides() const { return type == UrdfJointType::prismatic; }
+};
+
+/// What was made exact, for the notes: a text such as "1.5707963267948966 is pi/2" and where it stands.
+class UrdfChanges {
+ public:
+  void add(const std::string& change, const std::string& where);
+  /// "1.5707963267948966 is pi/2: joint elbow (rpy), link hand (rpy)", in the order of the file.
+  std::vector<std::string> lines() const;
+
+ private:
+  std::vector<std::pair<std::string, std::vector<std::string>>> changes_;
+};
+
+struct UrdfRobot {
+  std::string file;
+  std::string name;
+  std::vector<UrdfLink> links;
+  std::vector<UrdfJoint> joints;
+  UrdfChanges changes;
+  std::vector<std::string> almost;  ///< angles that look like a multiple of π/12 and are beyond the tolerance
+};
+
+/// Reads the elements. Throws FileError as read_urdf does.
+UrdfRobot read_robot(std::string_view text, const std::string& file, const Number& angle_tolerance);
+
+/// Looks at the graph of links and joints, which must be a tree, and at the mimics; returns the name of the root link.
+/// Throws FileError naming the links and joints that are wrong.
+std::string check_tree(const UrdfRobot& robot);
+
+}  // namespace torsor

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/expression/number.hpp"
+
+namespace tinyxml2 {
+class XMLDocument;
+class XMLElement;
+}  // namespace tinyxml2
+
+namespace torsor {
+
+/// A place of a file, for messages about what stands there.
+struct XmlPlace {
+  std::string file;
+  int line = 0;
+  std::string element;  ///< "<joint name="elbow">", "<axis> of <joint name="elbow">"
+
+  /// Throws FileError "file:line: <element>: message".
+  [[noreturn]] void fail(const std::string& message) const;
+};
+
+/// Numbers separated by spaces, with the text they were read from.
+struct XmlNumber {
+  Number value;
+  std::string text;
+};
+
+/// An element of an XML file that is read strictly: whatever is wrong is a FileError with file, line and element.
+class XmlElement {
+ public:
+  XmlElement(std::string file, const tinyxml2::XMLElement& element);
+
+  std::string name() const;
+  XmlPlace place() const;
+  [[noreturn]] void fail(const std::string& message) const { place().fail(message); }
+
+  bool has(const char* attribute) const;
+  /// The value of an attribute that must be there and hold something.
+  std::string text(const char* attribute) const;
+  /// A decimal; the attribute must be there.
+  Number number(const char* attribute) const;
+  std::optional<Number> optional_number(const char* attribute) const;
+  /// Three decimals; the attribute must be there.
+  std::array<XmlNumber, 3> three_numbers(const char* attribute) const;
+  /// Refuses any other attribute: a misspelt one must not go unnoticed.
+  void require_only(const std::vector<std::string_view>& attributes) const;
+
+  /// The child of that name, none when there is none; two are refused.
+  std::optional<XmlElement> child(const char* name) const;
+  /// The child of that name; `remedy` is what to write when it is missing.
+  XmlElement required_child(const char* name, const std::string& remedy) const;
+  std::vector<XmlElement> children(const char* name) const;
+
+ private:
+  XmlNumber parse(const char* attribute, std::string_view word) const;
+
+  std::string file_;
+  const tinyxml2::XMLElement* element_;
+};
+
+/// A parsed file.
+class XmlFile {
+ public:
+  /// Throws FileError with file, line and remedy when the text is no well-formed XML with one root element.
+  XmlFile(std::string_view text, std::string file);
+  ~XmlFile();
+
+  XmlElement root() const;
+
+ private:
+  std::string file_;
+  std::unique_ptr<tinyxml2::XMLDocument> document_;
+};
+
+}  // namespace torsor

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/cli/torsor_program.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/scene_runner.hpp"
+
+namespace torsor {
+namespace {
+
+using testing_programs::Outcome;
+
+const std::string ur5 = TORSOR_SOURCE_DIR "/tests/reference/urdf/ur5.urdf";
+const std::string arm = TORSOR_SOURCE_DIR "/tests/import/data/arm.urdf";
+
+/// Runs the tool in this process.
+Outcome torsor_tool(const std::vector<std::string>& arguments) {
+  std::vector<const char*> argv{"torsor"};
+  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  Outcome outcome;
+  outcome.code = run_torsor(static_cast<int>(argv.size()), argv.data());
+  outcome.out = testing::internal::GetCapturedStdout();
+  outcome.err = testing::internal::GetCapturedStderr();
+  return outcome;
+}
+
+TEST(TorsorTool, HasEveryCommandOfASceneProgram) {
+  for (const std::vector<std::string>& command :
+       std::vector<std::vector<std::string>>{{"equations"},
+                                             {"list", "--json"},
+                                             {"counts", "--kernels", "mass_matrix"},
+                                             {"check", "--digits", "30", "--states", "1"},
+                                             {"reference", "--digits", "12", "--times", "0.01"},
+                                             {"force-function"},
+                                             {"unknowns"},
+                                             {"structure"},
+                                             {"graph"},
+                                             {"generate", "--kernels", "energy", "--output", "-"}}) {
+    SCOPED_TRACE(command[0]);
+    std::vector<std::string> arguments = command;
+    arguments.insert(arguments.begin() + 1, arm);
+    const Outcome outcome = torsor_tool(arguments);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_GT(outcome.out.size(), 20U);
+  }
+}
+
+TEST(TorsorTool, WritesTheSameHeaderAgainByTheCommandInTheHeader) {
+  const std::vector<std::string> options{"--kernels",           "energy,mass_matrix", "--base",    "floating", "--gravity",
+                                         "0,0.5,-9.81",         "--angle-tolerance",  "1e-5",      "--no-dampers",
+                                         "--initial",           "turn=0.25,turn'=-1", "--name",    "walker",   "--output", "-"};
+  std::vector<std::string> arguments{"generate", arm};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  const Outcome first = torsor_tool(arguments);
+  ASSERT_EQ(first.code, 0) << first.err;
+  EXPECT_NE(first.out.find("namespace walker"), std::string::npos);
+  EXPECT_NE(first.out.find("// Made by torsor " TORSOR_VERSION " from arm.urdf; change that and write the file again"),
+            std::string::npos);
+  // No folder of the file, and the whole command.
+  EXPECT_EQ(first.out.find("tests/import"), std::string::npos);
+  EXPECT_NE(first.out.find("//   torsor generate arm.urdf --base floating --gravity 0,0.5,-9.81 --angle-tolerance 1e-05 "
+                           "--no-dampers --name walker --initial \"turn=0.25,turn'=-1\" --kernels mass_matrix,energy "
+                           "--output walker.hpp\n"),
+            std::string::npos)
+      << first.out.substr(0, 4000);
+  EXPECT_NE(first.out.find("//   1.5708 is pi/2: joint turn (rpy)\n"), std::string::npos);
+  EXPECT_EQ(torsor_tool(arguments).out, first.out);
+  const Outcome again = torsor_tool({"generate", arm, "--base", "floating", "--gravity", "0,0.5,-9.81", "--angle-tolerance",
+                                     "1e-05", "--no-dampers", "--name", "walker", "--initial", "turn=0.25,turn'=-1",
+                                     "--kernels", "mass_matrix,energy", "--output", "-"});
+  EXPECT_EQ(again.out, first.out);
+}
+
+TEST(TorsorTool, TellsWhatIsWrongOnOneLine) {
+  const auto expect = [](const Outcome& outcome, int code, const std::string& message) {
+    EXPECT_EQ(outcome.code, code);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(outcome.err, "torsor: " + message + "\n");
+  };
+  expect(torsor_tool({"list", "nowhere.urdf"}), 3, "cannot read 'nowhere.urdf': does the file exist?");
+  expect(torsor_tool({"list"}), 2, "FILE is required; see --help");
+  expect(torsor_tool({"list", ur5, "--base", "bolted"}), 2, "unknown base 'bolted' in --base: use fixed or floating");
+  expect(torsor_tool({"list", ur5, "--gravity", "9.81"}), 2, "--gravity takes three numbers, X,Y,Z, and got '9.81'");
+  expect(torsor_tool({"list", ur5, "--angle-tolerance", "1"}), 2,
+         "--angle-tolerance is an angle in rad between 0 and 0.1: multiples of pi/12 are 0.26 apart");
+  expect(torsor_tool({"list", ur5, "--initial", "j9=1"}), 2,
+         "unknown coordinate 'j9' in --initial: the coordinates of 'ur5' are j0, j1, j2, j3, j4, j5");
+  EXPECT_EQ(torsor_tool({"counts", ur5, "--kernels", "speed"}).code, 2);
+}
+
+}  // namespace
+}  // namespace torsor

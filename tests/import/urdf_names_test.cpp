@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/import/identifiers.hpp"
+#include "tests/import/urdf_motion.hpp"
+
+namespace torsor {
+namespace {
+
+using namespace testing_urdf;
+
+TEST(UrdfNames, BecomeIdentifiers) {
+  EXPECT_EQ(as_identifier("left-arm.upper", "joint"), "left_arm_upper");
+  EXPECT_EQ(as_identifier("  tool//0  ", "link"), "tool_0");
+  EXPECT_EQ(as_identifier("_hidden__name_", "link"), "hidden_name");
+  EXPECT_EQ(as_identifier("7dof", "joint"), "joint_7dof");
+  EXPECT_EQ(as_identifier("switch", "joint"), "joint_switch");
+  EXPECT_EQ(as_identifier("\xe8\x85\x95", "joint"), "joint");
+}
+
+TEST(UrdfNames, StayDistinct) {
+  Identifiers names({"ground"});
+  EXPECT_EQ(names.take("a-b", "joint"), "a_b");
+  EXPECT_EQ(names.take("a.b", "joint"), "a_b_2");
+  EXPECT_EQ(names.take("a b", "joint"), "a_b_3");
+  EXPECT_EQ(names.take("ground", "link"), "ground_2");
+  EXPECT_EQ(names.take("p", "joint", {"_x", "_y"}), "p");
+  EXPECT_EQ(names.take("p_y", "joint"), "p_y_2");
+  EXPECT_EQ(names.take("p", "joint", {"_y", "_z"}), "p_2");
+}
+
+TEST(UrdfNames, ThatWouldCollideStillMakeAValidScene) {
+  const ImportedRobot robot = read_urdf_text(
+      "<robot name=\"my robot-2\"><link name=\"ground\"/>" + link("arm-1") + link("arm.1") + link("hand") +
+          joint("arm-1", "revolute", "ground", "arm-1", "") +
+          joint("arm_1_torque", "prismatic", "arm-1", "arm.1", "<axis xyz=\"0 1 0\"/>") +
+          joint("t", "revolute", "arm.1", "hand", "<axis xyz=\"0 1 0\"/>") + "</robot>",
+      "folder/machine.urdf");
+  validate(robot.scene);
+  EXPECT_EQ(robot.scene.name(), "my_robot_2");
+  ASSERT_EQ(robot.joints.size(), 3U);
+  EXPECT_EQ(robot.joints[0].coordinate, "arm_1");
+  EXPECT_EQ(robot.joints[1].coordinate, "arm_1_torque_2");
+  EXPECT_EQ(robot.joints[2].coordinate, "t_2");
+  const std::vector<std::string>& notes = robot.scene.content().origin.notes;
+  const std::vector<std::string> expected{"Names that became identifiers:",
+                                          "  robot 'my robot-2' is my_robot_2",
+                                          "  link 'ground' is ground_2",
+                                          "  link 'arm-1' is arm_1",
+                                          "  link 'arm.1' is arm_1_2",
+                                          "  joint 'arm-1' is arm_1",
+                                          "  joint 'arm_1_torque' is arm_1_torque_2",
+                                          "  joint 't' is t_2"};
+  EXPECT_EQ(notes, expected);
+  EXPECT_EQ(robot.scene.content().origin.file, "machine.urdf");
+}
+
+TEST(UrdfData, OfJointsIsKeptAndTold) {
+  const ImportedRobot robot = read_urdf_text(
+      testing_urdf::robot(
+          "<link name=\"base\"/>" + link("arm") + link("finger") +
+          joint("hinge", "revolute", "base", "arm",
+                "<axis xyz=\"0 0 1\"/><limit lower=\"-1.5\" upper=\"2\" velocity=\"3\" effort=\"150\"/><dynamics "
+                "damping=\"0.7\" friction=\"0.1\"/>") +
+          joint("grip", "prismatic", "arm", "finger", "<origin rpy=\"0 3.14159 0\"/><limit effort=\"5\"/>")),
+      "machine.urdf");
+  ASSERT_EQ(robot.joints.size(), 2U);
+  EXPECT_EQ(robot.joints[0].lower, parse_decimal("-1.5"));
+  EXPECT_EQ(robot.joints[0].effort, Number(150));
+  EXPECT_TRUE(robot.joints[0].damping_acts);
+  EXPECT_EQ(robot.joints[1].lower, std::nullopt);
+  const std::vector<std::string> expected{
+      "Angles that look exact and are not:",
+      "  3.14159 in joint grip (rpy) is near pi but beyond the tolerance: sines and cosines that would vanish do not; a "
+      "larger --angle-tolerance takes it as that",
+      "Joints, in rad, m, N m, N and s; limits are data, nothing here enforces them:",
+      "  hinge: from -1.5 to 2, velocity at most 3, effort at most 150, damping 0.7, friction 0.1 (does not act)",
+      "  grip: effort at most 5"};
+  EXPECT_EQ(robot.scene.content().origin.notes, expected);
+}
+
+TEST(UrdfLinks, WithoutMassAreFramesOnly) {
+  const Scene scene = read("<link name=\"base\"/>" + link("arm") +
+                           "<link name=\"tip\"><inertial><mass value=\"0\"/><inertia ixx=\"0\" ixy=\"0\" ixz=\"0\" "
+                           "iyy=\"0\" iyz=\"0\" izz=\"0\"/></inertial></link>" +
+                           joint("hinge", "revolute", "base", "arm", "") + joint("mount", "fixed", "arm", "tip", ""));
+  validate(scene);
+  EXPECT_EQ(scene.content().bodies.size(), 1U);
+  EXPECT_EQ(scene.content().frames.size(), 4U);  // ground, base, arm, tip
+}
+
+TEST(UrdfJoints, MayComeInAnyOrder) {
+  const std::string elbow = joint("elbow", "revolute", "upper", "lower", "<axis xyz=\"0 1 0\"/>");
+  const std::string shoulder = joint("shoulder", "revolute", "base", "upper", "");
+  const std::string links = link("lower") + "<link name=\"base\"/>" + link("upper");
+  const Values q{{"shoulder", "0.7"}, {"elbow", "-1.1"}}, v{{"shoulder", "2"}, {"elbow", "-3"}};
+  expect_same(accelerations(read(links + elbow + shoulder), q, v), accelerations(read(shoulder + elbow + links), q, v),
+              fifty_digits);
+}
+
+}  // namespace
+}  // namespace torsor
