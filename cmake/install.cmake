@@ -8,7 +8,7 @@ set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/torsor")
 
 install(TARGETS torsor_generator torsor EXPORT torsorGeneratorTargets
   ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
-install(TARGETS torsor_runtime EXPORT torsorRuntimeTargets)
+install(TARGETS torsor_runtime EXPORT torsorRuntimeTargets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
 foreach(part Generator Runtime)
   install(EXPORT torsor${part}Targets NAMESPACE torsor:: DESTINATION "${package_dir}")
   export(EXPORT torsor${part}Targets NAMESPACE torsor:: FILE "${PROJECT_BINARY_DIR}/torsor${part}Targets.cmake")

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <Eigen/Core>
-#include <Eigen/SVD>
-#include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -14,6 +10,10 @@
 #include "runtime/steady_states.hpp"
 
 namespace torsor::runtime {
+
+/// Small motions that keep A x = 0, in independent coordinates: x = Z z, A Z = 0, and the matrices become Zᵀ M Z and
+/// so on. Rows of A may depend on each other. Throws std::invalid_argument when nothing is left to move.
+[[nodiscard]] LinearSystem on_constraints(const LinearSystem& system, const Eigen::MatrixXd& A);
 
 /// The equations linearised about an equilibrium that was found, in independent coordinates: with constraints,
 /// deviations along the columns of Z, A Z = 0, which become M' = Zᵀ M Z and so on, with K at the multipliers of the
@@ -41,21 +41,7 @@ requires(M::multiplier_count == 0 || HasConstraints<M>) [[nodiscard]] LinearSyst
     for (Eigen::Index j = 0; j < n; ++j) {
       for (Eigen::Index i = 0; i < m; ++i) A(i, j) = c.jacobian[static_cast<std::size_t>(j * m + i)];
     }
-    // Rows of length 1 in coordinates of equal mass: what is rank does not depend on units.
-    const Eigen::VectorXd scale =
-        system.M.diagonal().unaryExpr([](double mass) { return mass > 0.0 ? 1.0 / std::sqrt(mass) : 1.0; });
-    Eigen::MatrixXd even = A * scale.asDiagonal();
-    for (Eigen::Index i = 0; i < m; ++i) {
-      const double length = even.row(i).norm();
-      if (length > 0.0) even.row(i) /= length;
-    }
-    Eigen::JacobiSVD<Eigen::MatrixXd> decomposition(even, Eigen::ComputeFullV);
-    decomposition.setThreshold(1e-10);
-    const Eigen::Index freedom = n - decomposition.rank();
-    if (freedom == 0) throw std::invalid_argument("the constraints leave no motion at this state");
-    const Eigen::MatrixXd Z = scale.asDiagonal() * decomposition.matrixV().rightCols(freedom);
-    system = {Z.transpose() * system.M * Z, Z.transpose() * system.C * Z, Z.transpose() * system.K * Z,
-              Z.transpose() * system.F};
+    return on_constraints(system, A);
   }
   return system;
 }
@@ -64,11 +50,6 @@ requires(M::multiplier_count == 0 || HasConstraints<M>) [[nodiscard]] LinearSyst
 /// minimum, else by the eigenvalues. Lejeune-Dirichlet is asked only when the caller says that all forces at rest
 /// derive from U + T0 (gyroscopic and dissipative ones may be there besides). `reason` holds both answers when neither
 /// concludes. Damping that reaches every motion turns "stable" into "asymptotically stable".
-[[nodiscard]] inline StabilityReport stability(const LinearSystem& system, bool forces_at_rest_have_force_function) {
-  const StabilityReport linear = stability_by_eigenvalues(system);
-  if (linear.verdict != Stability::cannot_conclude || !forces_at_rest_have_force_function) return linear;
-  const StabilityReport potential = stability_by_lejeune_dirichlet(system);
-  return {potential.verdict, potential.reason + "; " + linear.reason};
-}
+[[nodiscard]] StabilityReport stability(const LinearSystem& system, bool forces_at_rest_have_force_function);
 
 }  // namespace torsor::runtime

@@ -158,14 +158,6 @@ template <class Scalar, std::size_t nv, std::size_t m, std::size_t nv_squared, s
   return Evaluation::ok;
 }
 
-/// A mechanism generated with the kernel `constraints`.
-template <class M>
-concept HasConstraints = MechanismModel<M> &&
-    requires(const typename M::Precomputed& precomputed, const typename M::State& state,
-             typename M::Constraints& constraints) {
-  M::constraints(precomputed, state, constraints);
-};
-
 /// A mechanism generated with the kernels `mass_matrix` and `bias`.
 template <class M>
 concept HasMassMatrixAndBias = MechanismModel<M> &&

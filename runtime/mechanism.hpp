@@ -39,6 +39,14 @@ concept HasForwardDynamics = MechanismModel<M> &&
   M::forward_dynamics(precomputed, state, inputs, a, lambda);
 };
 
+/// A mechanism generated with the kernel `constraints`.
+template <class M>
+concept HasConstraints = MechanismModel<M> &&
+    requires(const typename M::Precomputed& precomputed, const typename M::State& state,
+             typename M::Constraints& constraints) {
+  M::constraints(precomputed, state, constraints);
+};
+
 /// A mechanism whose dq/dt is not v (quaternions) says how they are related.
 template <class M>
 concept HasCoordinateRates = MechanismModel<M> &&

@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/linear_solve.hpp"
 #include "runtime/mechanism.hpp"
 #include "runtime/root_search.hpp"
 
@@ -183,7 +182,8 @@ class StateEquations {
       fill(linear.M, problem_.accelerations_unknown);
       return result;
     } else {
-      return central_differences(*this, x, problem_.upper - problem_.lower);
+      return central_differences([this](const Eigen::VectorXd& at) { return (*this)(at); }, x,
+                                 problem_.upper - problem_.lower);
     }
   }
 
@@ -246,8 +246,9 @@ template <HasStateEquations M>
       if (problem.coordinates[k] == angle) box.angles.push_back(static_cast<Eigen::Index>(k));
     }
   }
+  const auto values = [&equations](const Eigen::VectorXd& x) { return equations(x); };
   const auto derivative = [&equations](const Eigen::VectorXd& x) { return equations.derivative(x); };
-  RootSearch search = find_roots(equations, derivative, box, equations.unknowns(), problem.options);
+  RootSearch search = find_roots(values, derivative, box, equations.unknowns(), problem.options);
   StateSearch<M> result{{}, std::move(search.failures), search.starts};
   for (const FoundRoot& root : search.roots) {
     FoundState<M> state = equations.at(root.x);

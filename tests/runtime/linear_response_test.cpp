@@ -10,6 +10,7 @@
 
 #include "runtime/dormand_prince_54.hpp"
 #include "runtime/integrate.hpp"
+#include "runtime/matrix_exponential.hpp"
 #include "runtime/modes.hpp"
 #include "tests/runtime/linear_systems.hpp"
 

@@ -9,6 +9,7 @@
 
 #include "runtime/cyclic_reduction.hpp"
 #include "runtime/equilibrium_stability.hpp"
+#include "runtime/modes.hpp"
 #include "tests/runtime/static_mechanisms.hpp"
 
 namespace {
