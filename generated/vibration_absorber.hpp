@@ -19,7 +19,7 @@
 //   linearisation            12               32          1             0                  2       0     49      70
 //
 // Not computed because this mechanism does not need it:
-//   kinematics: of 54 results 29 vanish identically, 4 repeat another up to sign
+//   kinematics: of 66 results 38 vanish identically, 6 repeat another up to sign
 //   mass_matrix: of 4 results 1 repeat another up to sign
 //   energy: of 3 results 1 vanish identically
 //   first_integrals: left out, T depends on time explicitly; the force function U depends on time explicitly
@@ -257,6 +257,9 @@ struct Mechanism {
     std::array<Scalar, 9> unbalance_rotation;  ///< from the axes of unbalance to the ground's (3 x 3)
     std::array<Scalar, 3> unbalance_velocity;  ///< velocity of the centre of mass of unbalance [m/s]
     std::array<Scalar, 3> unbalance_angular_velocity;  ///< angular velocity of unbalance [rad/s]
+    std::array<Scalar, 3> G1_position;  ///< position of G1 [m]
+    std::array<Scalar, 3> G1_velocity;  ///< velocity of the material point at G1 [m/s]
+    std::array<Scalar, 6> G1_jacobian;  ///< partial velocities of G1 (3 x 2)
   };
 
   /// Energies of the mechanism.
@@ -373,6 +376,18 @@ struct Mechanism {
     result.unbalance_angular_velocity[0] = n0;
     result.unbalance_angular_velocity[1] = p_omega;
     result.unbalance_angular_velocity[2] = n0;
+    result.G1_position[0] = q_X;
+    result.G1_position[1] = n0;
+    result.G1_position[2] = n0;
+    result.G1_velocity[0] = v_X;
+    result.G1_velocity[1] = n0;
+    result.G1_velocity[2] = n0;
+    result.G1_jacobian[0] = n1;
+    result.G1_jacobian[3] = n0;
+    result.G1_jacobian[1] = n0;
+    result.G1_jacobian[4] = n0;
+    result.G1_jacobian[2] = n0;
+    result.G1_jacobian[5] = n0;
   }
 
   /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.

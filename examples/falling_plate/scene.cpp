@@ -17,7 +17,8 @@ torsor::Scene falling_plate_scene() {
   const Expression height = scene.parameter("height", "m", 0.9_r);  // of the triangle
   const Expression g = scene.parameter("g", "m/s^2", 9.81_r);
   const Expression b = scene.run_time_parameter("b", "m", height / 3);
-  // Inertia operator at G in the plate's axes: [A F 0; F B 0; 0 0 A+B], F = -integral of x y dm.
+  // Inertia operator at G in the plate's axes: [A F 0; F B 0; 0 0 A+B], A and B the integrals of y² and x², F that of
+  // -x y, counted from G.
   const Expression A = scene.run_time_parameter("A", "kg m^2", M * height * height / 18);
   const Expression B = scene.run_time_parameter("B", "kg m^2", M * edge * edge / 18);
   const Expression F = scene.run_time_parameter("F", "kg m^2", M * edge * height / 36);

@@ -44,6 +44,10 @@ torsor::Scene satellite_arms_scene() {
   const FrameHandle S1 = scene.revolute("S1", scene.ground(), axis::z, psi);
   const FrameHandle S2 = scene.revolute("S2", S1, axis::y, theta_2, {.origin = {a2, 0, 0}});
   const FrameHandle S3 = scene.revolute("S3", S1, axis::y, theta_3, {.origin = {-a3, 0, 0}});
+  // Where moments are taken to find one motion at a time.
+  scene.point("O", scene.ground(), {0, 0, 0});
+  scene.point("O2", S2, {0, 0, 0});
+  scene.point("O3", S3, {0, 0, 0});
   scene.body("S1", S1, Inertia::general(m1, A1, B1, C1).at({0, 0, b1}));
   scene.body("S2", S2, Inertia::general(m2, A2, B2, C2).at({0, 0, b2}));
   scene.body("S3", S3, Inertia::general(m3, A3, B3, C3).at({0, 0, b3}));

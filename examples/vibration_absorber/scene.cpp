@@ -30,6 +30,7 @@ torsor::Scene vibration_absorber_scene() {
   const FrameHandle support = scene.prismatic("support", scene.ground(), axis::x, X);
   const FrameHandle pendulum = scene.revolute("pendulum", support, axis::y, theta);
   const FrameHandle rotor = scene.revolute("rotor", support, axis::y, phi);
+  scene.point("G1", support, {0, 0, 0});
   scene.body("support", support, Inertia::point(M1));
   scene.body("pendulum", pendulum, Inertia::point(M2).at({0, 0, d}));
   scene.body("unbalance", rotor, Inertia::point(M3).at({0, 0, R}));
