@@ -11,6 +11,11 @@
 namespace torsor::runtime {
 
 /// What a criterion says about a rest or a steady motion. "Cannot conclude" is an answer.
+///
+/// Stable is meant in Liapunov's sense: for every ε > 0 there is a λ > 0 such that a motion whose coordinates and
+/// velocities differ by less than λ at the start differs by less than ε for all time after. (Pommier, §7.4.3, has the
+/// quantifiers exchanged, "for every λ there is an ε": so read, every rest whose neighbours keep within bounds would be
+/// stable.) Asymptotically stable: the difference goes to zero as well. Unstable: there is an ε for which no λ will do.
 enum class Stability { stable, asymptotically_stable, unstable, cannot_conclude };
 
 [[nodiscard]] constexpr std::string_view describe(Stability stability) noexcept {

@@ -3,9 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
+#include "runtime/integrate.hpp"
+#include "runtime/runge_kutta_4.hpp"
 #include "tests/runtime/linear_systems.hpp"
 
 namespace {
@@ -123,6 +127,44 @@ TEST(Stability, HasWordsForEveryVerdict) {
   EXPECT_EQ(describe(Stability::asymptotically_stable), "asymptotically stable");
   EXPECT_EQ(describe(Stability::unstable), "unstable");
   EXPECT_EQ(describe(Stability::cannot_conclude), "cannot conclude");
+}
+
+// x'' = x - x³, a mass between two wells, its rest at x = 0. Energy v²/2 - x²/2 + x⁴/4 is kept: whatever the start,
+// |x0| and |v0| below λ, x² stays below 1 + sqrt(1 + 4 E), v² below 2 E + 1/2, with E = λ²/2 + λ⁴/4. With the
+// quantifiers as printed in §7.4.3 (for every λ there is an ε) this rest would be stable; it is not: for ε = 1 there is
+// no λ, since x reaches sqrt(2) from any start (Runge-Kutta at this step
+// keeps E to 100 s h⁴ = 6e-8 at most). At x = 1 the same is true and stable: there λ = ε/2 does.
+TEST(Stability, AsksForADistanceAtTheStartGivenTheOneThatIsAllowed) {
+  const auto farthest = [](double rest, double lambda) {  // largest of |x - rest|, |v|, |x| and |v|
+    const auto wells = [](double, const std::array<double, 2>& y, std::array<double, 2>& rates) {
+      rates = {y[1], y[0] - y[0] * y[0] * y[0]};
+      return Evaluation::ok;
+    };
+    std::array<double, 2> y{rest + lambda, 0.0};
+    std::array<double, 3> largest{};
+    const auto result =
+        integrate(wells, y, 0.0, 100.0, RungeKutta4{.step = 5e-3}, [&](double, const std::array<double, 2>& now) {
+          largest[0] = std::fmax(largest[0], std::abs(now[0] - rest));
+          largest[1] = std::fmax(largest[1], std::abs(now[1]));
+          largest[2] = std::fmax(largest[2], std::abs(now[0]));
+        });
+    EXPECT_TRUE(result) << describe(result);
+    return largest;
+  };
+  for (const double lambda : {3.0, 0.3, 1e-3, 1e-6, 1e-12}) {
+    const double energy = lambda * lambda / 2 + std::pow(lambda, 4) / 4;
+    const auto from_middle = farthest(0.0, lambda);
+    EXPECT_LT(from_middle[2], 1e-7 + std::sqrt(1 + std::sqrt(1 + 4 * energy)));  // the printed condition holds
+    EXPECT_LT(from_middle[1], 1e-7 + std::sqrt(2 * energy + 0.5));
+    EXPECT_GT(from_middle[0], 1.0);  // and the rest is unstable
+    if (lambda < 0.3) {
+      const auto from_well = farthest(1.0, lambda);
+      EXPECT_LT(from_well[0], 2 * lambda);
+      EXPECT_LT(from_well[1], 2 * lambda);
+    }
+  }
+  EXPECT_EQ(stability_by_eigenvalues(one_degree(0, -1.0)).verdict, Stability::unstable);
+  EXPECT_EQ(stability_by_lejeune_dirichlet(one_degree(0, 2.0)).verdict, Stability::stable);
 }
 
 }  // namespace
