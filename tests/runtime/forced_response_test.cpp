@@ -148,7 +148,7 @@ TEST(PeriodicResponse, HasThePeriodOfTheForcing) {
   for (std::size_t n = 0; n < rate.coefficients.size(); ++n) {
     rate.coefficients[n] *= Complex(0, static_cast<double>(n) * omega);
   }
-  const MatrixXd inverse = system.M.inverse();
+  const MatrixXd inverse = linear_systems::inverse(system.M);
   const auto motion = [&](double t, const std::array<double, 4>& y, std::array<double, 4>& dydt) {
     const Eigen::Vector2d x(y[0], y[1]), v(y[2], y[3]);
     const Eigen::Vector2d a = inverse * (force(t) - system.C * v - system.K * x);

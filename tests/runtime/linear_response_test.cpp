@@ -109,7 +109,7 @@ TEST(LinearResponse, AgreesWithAnIntegrationOfAnyLinearSystem) {
   system.K(0, 1) += 0.4;
   const Eigen::Vector2d constant(0.3, -1), cosine(1, 2), sine(-0.5, 0.25), x0(0.1, 0.2), v0(-1, 1);
   const double omega = 2.2;
-  const MatrixXd inverse = system.M.inverse();
+  const MatrixXd inverse = linear_systems::inverse(system.M);
   const auto motion = [&](double t, const std::array<double, 4>& y, std::array<double, 4>& dydt) {
     const Eigen::Vector2d x(y[0], y[1]), v(y[2], y[3]);
     const Eigen::Vector2d a =
