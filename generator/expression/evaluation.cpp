@@ -6,6 +6,9 @@
 
 namespace torsor {
 
+template class Evaluator<double>;
+template class Evaluator<Real>;
+
 std::vector<bool> vanish(const std::vector<Value>& values) {
   std::vector<bool> result;
   for (const Value& value : values) result.push_back(value.is_zero() || !value.is_constant());

@@ -113,6 +113,9 @@ class Evaluator {
   std::vector<std::optional<Formula>> formulas_;
 };
 
+extern template class Evaluator<double>;
+extern template class Evaluator<Real>;
+
 /// Whether a value vanishes identically: exactly when it has no term, else tested at three pseudo-random states with
 /// 60 digits (an identity of analytic functions fails at a random point with probability one).
 bool vanishes(const Value& value);

@@ -143,6 +143,16 @@ std::strong_ordering compare(const Sum& a, const Sum& b) {
 Level level(const Product& product) { return product.empty() ? Level::constant : product[0].base->level; }
 Level level(const Sum& sum) { return sum.is_zero() ? Level::constant : level(sum.terms().begin()->first); }
 
+std::size_t written_terms(const Sum& sum) {
+  std::size_t count = sum.size();
+  for (const auto& [product, coefficient] : sum.terms()) {
+    for (const Power& power : product) {
+      if (power.base->inside.size() > 1) count += written_terms(power.base->inside);
+    }
+  }
+  return count;
+}
+
 Product operator*(const Product& a, const Product& b) {
   Product product;
   product.reserve(a.size() + b.size());

@@ -85,6 +85,10 @@ struct Base {
   Sum inside;            ///< argument of a function, the sum of a group
 };
 
+/// Terms that a reader meets: those of the sum, and those of every longer sum that stands inside a function, a root or a
+/// denominator.
+std::size_t written_terms(const Sum& sum);
+
 /// The highest level in a product or a sum; constant for a number.
 Level level(const Product& product);
 Level level(const Sum& sum);

@@ -54,7 +54,8 @@ double InlineView::term_bound(const Polynomial& polynomial) {
   for (const Term& term : polynomial.terms()) {
     double product = 1;
     for (const Factor& factor : term.monomial) {
-      if (factor.exponent > 0) product *= std::pow(term_bound(factor.atom), factor.exponent);
+      // A denominator is written as often as what stands over it.
+      product *= std::pow(term_bound(factor.atom), std::max(factor.exponent, 1));
     }
     sum += product;
   }
@@ -67,7 +68,7 @@ double InlineView::term_bound(Atom atom) {
   double bound = 1;
   if (definition.function) {
     // What stands in the argument is written as often as the function.
-    bound = std::max(1.0, term_bound(definition.argument) / limits_.terms);
+    bound = std::max(1.0, term_bound(definition.argument));
   } else if (!definition.symbol) {
     bound = std::max(1.0, term_bound(definition.polynomial));
   }
@@ -166,7 +167,7 @@ Sum InlineView::sum(const GiNaC::ex& expression) { return simplified(canonical(e
 
 std::optional<Sum> InlineView::bounded_sum(const GiNaC::ex& expression) {
   Sum result = sum(expression);
-  if (static_cast<int>(result.size()) > limits_.terms) return std::nullopt;
+  if (static_cast<int>(written_terms(result)) > limits_.terms) return std::nullopt;
   return result;
 }
 
