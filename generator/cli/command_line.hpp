@@ -14,9 +14,9 @@ namespace torsor {
 
 /// What a program's commands work on: a scene written in C++, or one read from a file that the command line names.
 struct SceneSource {
-  std::string description;                   ///< the first line of --help
+  std::string description;                     ///< the first line of --help
   std::function<void(CLI::App&)> add_options;  ///< adds what the source needs to one command; may be empty
-  std::function<Scene()> make;               ///< called when the command line has been read
+  std::function<Scene()> make;                 ///< called when the command line has been read
 };
 
 /// The command line of every program (scene_program.hpp) on that source.

@@ -29,9 +29,11 @@ struct FileRequest {
 
 void add_options(CLI::App& command, FileRequest& request) {
   command.add_option("FILE", request.file, "robot to read, a URDF file")->required();
-  command.add_option("--base", request.base, "root link: fixed (welded to the ground) or floating")->capture_default_str();
+  command.add_option("--base", request.base, "root link: fixed (welded to the ground) or floating")
+      ->capture_default_str();
   command.add_option("--gravity", request.gravity, "X,Y,Z in m/s^2, along the ground's axes")->capture_default_str();
-  command.add_option("--angle-tolerance", request.angle_tolerance, "angles this near to a multiple of pi/12 are it [rad]")
+  command
+      .add_option("--angle-tolerance", request.angle_tolerance, "angles this near to a multiple of pi/12 are it [rad]")
       ->capture_default_str();
   command.add_option("--name", request.name, "name of the scene; that of the robot when absent");
   command.add_option("--initial", request.initial, "state at t = 0, NAME=VALUE, rates NAME'=VALUE; comma-separated")

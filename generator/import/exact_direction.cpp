@@ -95,10 +95,14 @@ ExactAngle exact_angle(const Number& angle, const Number& tolerance) {
   const Real rest = x - Real(Number(cln::cl_RA(turns)), digits) * quarter;
   const ExactAngle small = from_half_tangent(shortened(sin(rest) / (Real(Number(1), digits) + cos(rest))));
   switch (modulo(turns, 4)) {
-    case 0: return small;
-    case 1: return {small.cosine, -small.sine, std::nullopt};
-    case 2: return {-small.sine, -small.cosine, std::nullopt};
-    default: return {-small.cosine, small.sine, std::nullopt};
+    case 0:
+      return small;
+    case 1:
+      return {small.cosine, -small.sine, std::nullopt};
+    case 2:
+      return {-small.sine, -small.cosine, std::nullopt};
+    default:
+      return {-small.cosine, small.sine, std::nullopt};
   }
 }
 
@@ -178,9 +182,15 @@ Rotation rotation_to(const std::array<Number, 3>& n) {
   }
   // With z ∧ n = (−n_y, n_x, 0) and c = n_z: R = 1 + [z ∧ n] + [z ∧ n]²/(1 + c).
   const Number k = Number(1) / (Number(1) + n[2]);
-  entries = {Number(1) - k * n[0] * n[0], -(k * n[0] * n[1]), n[0],
-             -(k * n[0] * n[1]), Number(1) - k * n[1] * n[1], n[1],
-             -n[0], -n[1], n[2]};
+  entries = {Number(1) - k * n[0] * n[0],
+             -(k * n[0] * n[1]),
+             n[0],
+             -(k * n[0] * n[1]),
+             Number(1) - k * n[1] * n[1],
+             n[1],
+             -n[0],
+             -n[1],
+             n[2]};
   return Rotation::matrix(entries);
 }
 

@@ -35,10 +35,10 @@ struct ExactDirection {
 };
 
 /// v/|v|. A component smaller than tolerance times the largest is zero; a direction in a coordinate plane within the
-/// tolerance of a multiple of π/12 is that one; equal magnitudes within the tolerance are equal. What is then no multiple
-/// of a direction with components in Q(√2, √3) becomes the rational point of the unit sphere that is nearby: by
-/// stereographic projection, n = (2 a, 2 b, 1 − a² − b²)/(1 + a² + b²) with a, b good to 10⁻¹⁸ relative.
-/// `v` must not be null.
+/// tolerance of a multiple of π/12 is that one; equal magnitudes within the tolerance are equal. What is then no
+/// multiple of a direction with components in Q(√2, √3) becomes the rational point of the unit sphere that is nearby:
+/// by stereographic projection, n = (2 a, 2 b, 1 − a² − b²)/(1 + a² + b²) with a, b good to 10⁻¹⁸ relative. `v` must
+/// not be null.
 ExactDirection exact_direction(const std::array<Number, 3>& v, const Number& tolerance);
 
 /// A rotation whose third column is the direction: the permutation of axes that carries z there when it is x, y or z,

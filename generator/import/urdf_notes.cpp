@@ -48,7 +48,8 @@ std::string command(const UrdfRobot& robot, const UrdfOptions& options) {
 /// "elbow: from -1.5 to 1.5, velocity at most 2, effort at most 100, friction 0.1"; empty without data.
 std::string data_line(const UrdfJointData& data) {
   std::vector<std::string> parts;
-  if (data.lower && data.upper) parts.push_back(fmt::format("from {} to {}", decimal(*data.lower), decimal(*data.upper)));
+  if (data.lower && data.upper)
+    parts.push_back(fmt::format("from {} to {}", decimal(*data.lower), decimal(*data.upper)));
   if (data.lower && !data.upper) parts.push_back("at least " + decimal(*data.lower));
   if (!data.lower && data.upper) parts.push_back("at most " + decimal(*data.upper));
   if (data.velocity) parts.push_back("velocity at most " + decimal(*data.velocity));

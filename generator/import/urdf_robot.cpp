@@ -60,7 +60,8 @@ class Reader {
       joint.damping = dynamics->optional_number("damping");
       joint.friction = dynamics->optional_number("friction");
       for (const auto& value : {joint.damping, joint.friction}) {
-        if (value && value->sign() < 0) dynamics->fail("damping and friction take energy away; they are never negative");
+        if (value && value->sign() < 0)
+          dynamics->fail("damping and friction take energy away; they are never negative");
       }
     }
     if (const auto mimic = element.child("mimic")) joint.mimic = read_mimic(*mimic, joint, where);
@@ -73,9 +74,10 @@ class Reader {
     if (angle.value.is_zero()) return;
     if (twelfths) return robot_.changes.add(angle.text + " is " + twelfths_text(*twelfths), where);
     if (const auto near = twelfths_of_pi(angle.value, suspicious())) {
-      robot_.almost.push_back(fmt::format("{} in {} is near {} but beyond the tolerance: sines and cosines that would "
-                                          "vanish do not; a larger --angle-tolerance takes it as that",
-                                          angle.text, where, twelfths_text(*near)));
+      robot_.almost.push_back(
+          fmt::format("{} in {} is near {} but beyond the tolerance: sines and cosines that would "
+                      "vanish do not; a larger --angle-tolerance takes it as that",
+                      angle.text, where, twelfths_text(*near)));
     }
   }
 
@@ -107,8 +109,8 @@ class Reader {
     const ExactDirection exact = exact_direction(given, tolerance_);
     if (exact.changed) {
       const auto& n = exact.components;
-      robot_.changes.add(fmt::format("{} {} {} is ({}, {}, {})", xyz[0].text, xyz[1].text, xyz[2].text, n[0].to_string(),
-                                     n[1].to_string(), n[2].to_string()),
+      robot_.changes.add(fmt::format("{} {} {} is ({}, {}, {})", xyz[0].text, xyz[1].text, xyz[2].text,
+                                     n[0].to_string(), n[1].to_string(), n[2].to_string()),
                          where + " (axis)");
     }
     return exact.components;
@@ -168,14 +170,14 @@ class Reader {
 
   static UrdfJointType type(const XmlElement& element) {
     static const std::map<std::string, UrdfJointType> types{
-        {"revolute", UrdfJointType::revolute}, {"continuous", UrdfJointType::continuous},
+        {"revolute", UrdfJointType::revolute},   {"continuous", UrdfJointType::continuous},
         {"prismatic", UrdfJointType::prismatic}, {"fixed", UrdfJointType::fixed},
-        {"floating", UrdfJointType::floating}, {"planar", UrdfJointType::planar}};
+        {"floating", UrdfJointType::floating},   {"planar", UrdfJointType::planar}};
     const std::string name = element.text("type");
     const auto found = types.find(name);
     if (found == types.end()) {
-      element.fail(fmt::format("unknown type of joint '{}'; use revolute, continuous, prismatic, fixed, floating or planar",
-                               name));
+      element.fail(fmt::format(
+          "unknown type of joint '{}'; use revolute, continuous, prismatic, fixed, floating or planar", name));
     }
     return found->second;
   }
@@ -206,9 +208,8 @@ void refuse_duplicates(const std::vector<Part>& parts, const char* kind) {
 
 bool UrdfInertial::is_zero() const {
   const auto zero = [](const Number& n) { return n.is_zero(); };
-  return mass.is_zero() && std::all_of(inertia.begin(), inertia.end(), [&](const auto& row) {
-           return std::all_of(row.begin(), row.end(), zero);
-         });
+  return mass.is_zero() && std::all_of(inertia.begin(), inertia.end(),
+                                       [&](const auto& row) { return std::all_of(row.begin(), row.end(), zero); });
 }
 
 void UrdfChanges::add(const std::string& change, const std::string& where) {

@@ -86,10 +86,9 @@ class SceneBuilder {
   }
 
   FreeJoint free_joint(const std::string& name, const std::string& kind, std::string& word) {
-    word =
-        take(symbols_, name, kind,
-             {"_x", "_y", "_z", "_attitude_w", "_attitude_x", "_attitude_y", "_attitude_z", "_attitude_omega_x",
-              "_attitude_omega_y", "_attitude_omega_z"});
+    word = take(symbols_, name, kind,
+                {"_x", "_y", "_z", "_attitude_w", "_attitude_x", "_attitude_y", "_attitude_z", "_attitude_omega_x",
+                 "_attitude_omega_y", "_attitude_omega_z"});
     FreeJoint joint;
     for (std::size_t i = 0; i < 3; ++i) joint.position[i] = coordinate(word + "_" + axis_names.at(i), "m");
     joint.attitude = scene_.attitude(word + "_attitude");
@@ -103,8 +102,8 @@ class SceneBuilder {
 
   void declare(const UrdfJoint& joint) {
     if (joint.type == UrdfJointType::fixed) return;
-    UrdfJointData data{joint.name,    {},            joint.lower,  joint.upper,   joint.velocity,
-                       joint.effort,  joint.damping, acts(joint),  joint.friction};
+    UrdfJointData data{joint.name,    {},          joint.lower,   joint.upper, joint.velocity, joint.effort,
+                       joint.damping, acts(joint), joint.friction};
     if (joint.type == UrdfJointType::floating) {
       free_[joint.name] = free_joint(joint.name, "joint", names_[joint.name]);
     } else if (joint.type == UrdfJointType::planar) {
@@ -209,10 +208,9 @@ class SceneBuilder {
     if (!link.inertial || link.inertial->is_zero()) return;
     const UrdfInertial& inertial = *link.inertial;
     const std::string& frame = frames_.at(link.name);
-    const std::string word = symbols_.take(
-        link.name, "link",
-        {"_mass", "_com_x", "_com_y", "_com_z", "_inertia_xx", "_inertia_yy", "_inertia_zz", "_inertia_xy",
-         "_inertia_xz", "_inertia_yz"});
+    const std::string word = symbols_.take(link.name, "link",
+                                           {"_mass", "_com_x", "_com_y", "_com_z", "_inertia_xx", "_inertia_yy",
+                                            "_inertia_zz", "_inertia_xy", "_inertia_xz", "_inertia_yz"});
     const Expression mass = parameter(word + "_mass", "kg", inertial.mass);
     Triple center;
     for (std::size_t i = 0; i < 3; ++i) {

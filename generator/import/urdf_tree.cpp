@@ -25,11 +25,12 @@ ByName joints_by_child(const UrdfRobot& robot) {
     }
     const auto [first, added] = above.emplace(joint.child.link, &joint);
     if (!added) {
-      joint.child.place.fail(fmt::format("the link '{}' has two parents: '{}' by the joint '{}' of line {}, and '{}'; a "
-                                         "link is the child of one joint, so remove one (a closed loop cannot be written "
-                                         "in URDF: write that mechanism as a scene)",
-                                         joint.child.link, first->second->parent.link, first->second->name,
-                                         first->second->place.line, joint.parent.link));
+      joint.child.place.fail(
+          fmt::format("the link '{}' has two parents: '{}' by the joint '{}' of line {}, and '{}'; a "
+                      "link is the child of one joint, so remove one (a closed loop cannot be written "
+                      "in URDF: write that mechanism as a scene)",
+                      joint.child.link, first->second->parent.link, first->second->name, first->second->place.line,
+                      joint.parent.link));
     }
   }
   return above;
@@ -47,9 +48,10 @@ void refuse_loops(const UrdfRobot& robot, const ByName& above) {
     for (const UrdfJoint* joint = above.at(start.parent.link); joint != &start; joint = above.at(joint->parent.link)) {
       loop += fmt::format(", '{}'", joint->name);
     }
-    start.place.fail(fmt::format("closes a loop of joints: {}; the links of a robot form a tree, so let one of them begin "
-                                 "at another link",
-                                 loop));
+    start.place.fail(
+        fmt::format("closes a loop of joints: {}; the links of a robot form a tree, so let one of them begin "
+                    "at another link",
+                    loop));
   }
 }
 
@@ -65,9 +67,10 @@ void check_mimics(const UrdfRobot& robot) {
     }
     const UrdfJoint& leader = *found->second;
     if (!leader.turns() && !leader.slides()) {
-      place.fail(fmt::format("the joint '{}' has no single displacement to mimic; name a revolute, continuous or prismatic "
-                             "joint",
-                             leader.name));
+      place.fail(
+          fmt::format("the joint '{}' has no single displacement to mimic; name a revolute, continuous or prismatic "
+                      "joint",
+                      leader.name));
     }
     std::string path = "'" + joint.name + "'";
     const UrdfJoint* at = &joint;
@@ -92,9 +95,10 @@ std::string check_tree(const UrdfRobot& robot) {
   for (const UrdfLink& link : robot.links) {
     if (above.contains(link.name)) continue;
     if (root != nullptr) {
-      link.place.fail(fmt::format("is the child of no joint, as '{}' of line {} is; a robot has one root link, so join "
-                                  "this one to another",
-                                  root->name, root->place.line));
+      link.place.fail(
+          fmt::format("is the child of no joint, as '{}' of line {} is; a robot has one root link, so join "
+                      "this one to another",
+                      root->name, root->place.line));
     }
     root = &link;
   }

@@ -52,9 +52,21 @@ TEST(TorsorTool, HasEveryCommandOfASceneProgram) {
 }
 
 TEST(TorsorTool, WritesTheSameHeaderAgainByTheCommandInTheHeader) {
-  const std::vector<std::string> options{"--kernels",           "energy,mass_matrix", "--base",    "floating", "--gravity",
-                                         "0,0.5,-9.81",         "--angle-tolerance",  "1e-5",      "--no-dampers",
-                                         "--initial",           "turn=0.25,turn'=-1", "--name",    "walker",   "--output", "-"};
+  const std::vector<std::string> options{"--kernels",
+                                         "energy,mass_matrix",
+                                         "--base",
+                                         "floating",
+                                         "--gravity",
+                                         "0,0.5,-9.81",
+                                         "--angle-tolerance",
+                                         "1e-5",
+                                         "--no-dampers",
+                                         "--initial",
+                                         "turn=0.25,turn'=-1",
+                                         "--name",
+                                         "walker",
+                                         "--output",
+                                         "-"};
   std::vector<std::string> arguments{"generate", arm};
   arguments.insert(arguments.end(), options.begin(), options.end());
   const Outcome first = torsor_tool(arguments);
@@ -64,16 +76,17 @@ TEST(TorsorTool, WritesTheSameHeaderAgainByTheCommandInTheHeader) {
             std::string::npos);
   // No folder of the file, and the whole command.
   EXPECT_EQ(first.out.find("tests/import"), std::string::npos);
-  EXPECT_NE(first.out.find("//   torsor generate arm.urdf --base floating --gravity 0,0.5,-9.81 --angle-tolerance 1e-05 "
-                           "--no-dampers --name walker --initial \"turn=0.25,turn'=-1\" --kernels mass_matrix,energy "
-                           "--output walker.hpp\n"),
-            std::string::npos)
+  EXPECT_NE(
+      first.out.find("//   torsor generate arm.urdf --base floating --gravity 0,0.5,-9.81 --angle-tolerance 1e-05 "
+                     "--no-dampers --name walker --initial \"turn=0.25,turn'=-1\" --kernels mass_matrix,energy "
+                     "--output walker.hpp\n"),
+      std::string::npos)
       << first.out.substr(0, 4000);
   EXPECT_NE(first.out.find("//   1.5708 is pi/2: joint turn (rpy)\n"), std::string::npos);
   EXPECT_EQ(torsor_tool(arguments).out, first.out);
-  const Outcome again = torsor_tool({"generate", arm, "--base", "floating", "--gravity", "0,0.5,-9.81", "--angle-tolerance",
-                                     "1e-05", "--no-dampers", "--name", "walker", "--initial", "turn=0.25,turn'=-1",
-                                     "--kernels", "mass_matrix,energy", "--output", "-"});
+  const Outcome again = torsor_tool({"generate", arm, "--base", "floating", "--gravity", "0,0.5,-9.81",
+                                     "--angle-tolerance", "1e-05", "--no-dampers", "--name", "walker", "--initial",
+                                     "turn=0.25,turn'=-1", "--kernels", "mass_matrix,energy", "--output", "-"});
   EXPECT_EQ(again.out, first.out);
 }
 

@@ -82,8 +82,16 @@ TEST(ExactDirection, KeepsZerosAndUnitLength) {
 }
 
 TEST(ExactDirection, IsTheThirdColumnOfTheRotationToIt) {
-  for (const std::array<int, 3>& v : std::vector<std::array<int, 3>>{
-           {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {-1, 0, 0}, {0, -1, 0}, {1, 2, 2}, {1, 2, 3}, {-3, 0, -4}, {1, 1, 1}}) {
+  for (const std::array<int, 3>& v : std::vector<std::array<int, 3>>{{0, 0, 1},
+                                                                     {1, 0, 0},
+                                                                     {0, 1, 0},
+                                                                     {0, 0, -1},
+                                                                     {-1, 0, 0},
+                                                                     {0, -1, 0},
+                                                                     {1, 2, 2},
+                                                                     {1, 2, 3},
+                                                                     {-3, 0, -4},
+                                                                     {1, 1, 1}}) {
     const auto n = exact_direction({Number(v[0]), Number(v[1]), Number(v[2])}, tolerance).components;
     const Rotation rotation = rotation_to(n);  // refuses what is no rotation
     for (int i = 0; i < 3; ++i) EXPECT_EQ(rotation(i, 2), n[static_cast<std::size_t>(i)]);

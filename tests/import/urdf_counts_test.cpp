@@ -8,8 +8,8 @@
 namespace torsor {
 namespace {
 
-// The same arms in two files: rotations as exact matrices in models.json, as rpy="1.5707963267948966 ..." in URDF. Equal
-// counts mean that no zero was lost.
+// The same arms in two files: rotations as exact matrices in models.json, as rpy="1.5707963267948966 ..." in URDF.
+// Equal counts mean that no zero was lost.
 TEST(UrdfCounts, AreThoseOfTheSameChainsWithExactRotations) {
   UrdfOptions options;
   options.motors = false;

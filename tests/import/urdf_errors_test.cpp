@@ -40,8 +40,9 @@ TEST(UrdfErrors, OfXmlNameFileAndLine) {
                  "attributes by spaces");
   expect_refused("<robot name=\"r\">\n\n<!-- open", "3: malformed XML: a comment is not closed; end it with -->");
   expect_refused("<!-- nothing -->", "1: the file holds no element; it must hold a <robot> element");
-  expect_refused("<robot name=\"r\"/>\n<robot name=\"s\"/>",
-                 "2: <robot name=\"s\">: stands beside the root element; an XML file has one root, which holds all others");
+  expect_refused(
+      "<robot name=\"r\"/>\n<robot name=\"s\"/>",
+      "2: <robot name=\"s\">: stands beside the root element; an XML file has one root, which holds all others");
   expect_refused(std::string("<robot\0/>", 9), "1: the file is binary and no XML");
 }
 
@@ -52,7 +53,8 @@ TEST(UrdfErrors, OfTheRobotNameTheElement) {
   expect_refused("<robot/>", "1: <robot>: has no attribute name; add name=\"...\"");
   expect_refused("<robot name=\" \"/>", "1: <robot name=\" \">: has an empty attribute name; give it a value");
   expect_refused("<robot name=\"r\"/>", "1: <robot name=\"r\">: has no <link>; a robot has at least one");
-  expect_refused("<robot name=\"r\"><link/></robot>", "1: <link> of <robot name=\"r\">: has no attribute name; add name=\"...\"");
+  expect_refused("<robot name=\"r\"><link/></robot>",
+                 "1: <link> of <robot name=\"r\">: has no attribute name; add name=\"...\"");
   expect_refused("<robot name=\"r\"><link name=\"a\"/>\n<link name=\"a\"/></robot>",
                  "2: <link name=\"a\">: another link at line 1 has the same name; give each its own");
 }
@@ -70,18 +72,21 @@ TEST(UrdfErrors, OfAJointNameWhatIsMissing) {
                  "4: <joint name=\"j\">: has no <child>; add <child link=\"...\"/> inside it");
   expect_refused(with_joint("<parent/><child link=\"b\"/>"),
                  "5: <parent> of <joint name=\"j\">: has no attribute link; add link=\"...\"");
-  expect_refused(with_joint("<parent link=\"a\"/>\n<child link=\"c\"/>"),
-                 "6: <child> of <joint name=\"j\">: there is no link 'c'; declare it by <link name=\"c\"/> or correct the "
-                 "name");
+  expect_refused(
+      with_joint("<parent link=\"a\"/>\n<child link=\"c\"/>"),
+      "6: <child> of <joint name=\"j\">: there is no link 'c'; declare it by <link name=\"c\"/> or correct the "
+      "name");
   expect_refused(with_joint(ends + "\n<parent link=\"b\"/>"),
                  "6: <parent> of <joint name=\"j\">: there is another <parent> at line 5; keep one");
   expect_refused(with_joint(ends + "<axis xyz=\"0 0 0\"/>"),
                  "5: <axis> of <joint name=\"j\">: xyz is the null vector; give the direction of the joint, e.g. "
                  "xyz=\"0 0 1\"");
-  expect_refused(with_joint(ends + "<axis/>"), "5: <axis> of <joint name=\"j\">: has no attribute xyz; add xyz=\"...\"");
-  expect_refused(with_joint(ends + "<origin xyz=\"0 0 1\" quat_xyzw=\"0 0 0 1\"/>"),
-                 "5: <origin> of <joint name=\"j\">: has an attribute quat_xyzw, which would be ignored; the attributes are "
-                 "xyz, rpy");
+  expect_refused(with_joint(ends + "<axis/>"),
+                 "5: <axis> of <joint name=\"j\">: has no attribute xyz; add xyz=\"...\"");
+  expect_refused(
+      with_joint(ends + "<origin xyz=\"0 0 1\" quat_xyzw=\"0 0 0 1\"/>"),
+      "5: <origin> of <joint name=\"j\">: has an attribute quat_xyzw, which would be ignored; the attributes are "
+      "xyz, rpy");
   expect_refused(with_joint(ends + "<limit lower=\"1\" upper=\"-1\"/>"),
                  "5: <limit> of <joint name=\"j\">: lower is larger than upper; exchange them");
   expect_refused(with_joint(ends + "<dynamics damping=\"-1\"/>"),
@@ -95,19 +100,22 @@ TEST(UrdfErrors, OfNumbersQuoteThem) {
   expect_refused(with_joint(ends + "<origin xyz=\"0 1 2 3\"/>"),
                  origin + "xyz=\"0 1 2 3\" holds 4 numbers and must hold 3, separated by spaces");
   for (const std::string word : {"1,0", "nan", "inf", "1/2", "1e", "0x10", "--1"}) {
-    expect_refused(with_joint(ends + "<origin xyz=\"0 " + word + " 1\"/>"),
-                   origin + "xyz=\"0 " + word + " 1\": '" + word +
-                       "' is not a number; write a decimal such as 0.25 or -1.5e-3");
+    expect_refused(
+        with_joint(ends + "<origin xyz=\"0 " + word + " 1\"/>"),
+        origin + "xyz=\"0 " + word + " 1\": '" + word + "' is not a number; write a decimal such as 0.25 or -1.5e-3");
   }
   expect_refused(with_joint(ends + "<origin xyz=\"0 ${length} 1\"/>"),
                  origin + "xyz=\"0 ${length} 1\": '${length}' is a xacro expression; expand the file with xacro first");
   expect_refused(with_joint(ends + "<origin xyz=\"0 1e301 1\"/>"),
-                 origin + "xyz=\"0 1e301 1\": '1e301' is beyond the range of a double; write 0 or a number between 1e-300 "
-                          "and 1e300");
-  expect_refused(with_joint(ends + "<origin rpy=\"0 0 1e7\"/>"), origin + "an angle is beyond 10^6; give angles in radians");
-  expect_refused(with_joint(ends + "<limit effort=\"much\"/>"),
-                 "5: <limit> of <joint name=\"j\">: effort=\"much\": 'much' is not a number; write a decimal such as 0.25 "
-                 "or -1.5e-3");
+                 origin +
+                     "xyz=\"0 1e301 1\": '1e301' is beyond the range of a double; write 0 or a number between 1e-300 "
+                     "and 1e300");
+  expect_refused(with_joint(ends + "<origin rpy=\"0 0 1e7\"/>"),
+                 origin + "an angle is beyond 10^6; give angles in radians");
+  expect_refused(
+      with_joint(ends + "<limit effort=\"much\"/>"),
+      "5: <limit> of <joint name=\"j\">: effort=\"much\": 'much' is not a number; write a decimal such as 0.25 "
+      "or -1.5e-3");
 }
 
 TEST(UrdfErrors, OfTheTreeNameLinksAndJoints) {
@@ -116,61 +124,72 @@ TEST(UrdfErrors, OfTheTreeNameLinksAndJoints) {
     return "<joint name=\"" + name + "\" type=\"fixed\"><parent link=\"" + parent + "\"/><child link=\"" + child +
            "\"/></joint>\n";
   };
-  expect_refused(links + fixed("j", "a", "c") + fixed("k", "b", "c") + "</robot>",
-                 "3: <child> of <joint name=\"k\">: the link 'c' has two parents: 'a' by the joint 'j' of line 2, and 'b'; a "
-                 "link is the child of one joint, so remove one (a closed loop cannot be written in URDF: write that "
-                 "mechanism as a scene)");
-  expect_refused(links + fixed("j", "a", "b") + fixed("k", "b", "a") + "</robot>",
-                 "2: <joint name=\"j\">: closes a loop of joints: 'j', 'k'; the links of a robot form a tree, so let one of "
-                 "them begin at another link");
+  expect_refused(
+      links + fixed("j", "a", "c") + fixed("k", "b", "c") + "</robot>",
+      "3: <child> of <joint name=\"k\">: the link 'c' has two parents: 'a' by the joint 'j' of line 2, and 'b'; a "
+      "link is the child of one joint, so remove one (a closed loop cannot be written in URDF: write that "
+      "mechanism as a scene)");
+  expect_refused(
+      links + fixed("j", "a", "b") + fixed("k", "b", "a") + "</robot>",
+      "2: <joint name=\"j\">: closes a loop of joints: 'j', 'k'; the links of a robot form a tree, so let one of "
+      "them begin at another link");
   expect_refused(links + fixed("j", "a", "a") + "</robot>",
                  "2: <joint name=\"j\">: joins the link 'a' to itself; a joint has two different links");
-  expect_refused(links + fixed("j", "a", "b") + "</robot>",
-                 "1: <link name=\"c\">: is the child of no joint, as 'a' of line 1 is; a robot has one root link, so join "
-                 "this one to another");
+  expect_refused(
+      links + fixed("j", "a", "b") + "</robot>",
+      "1: <link name=\"c\">: is the child of no joint, as 'a' of line 1 is; a robot has one root link, so join "
+      "this one to another");
   expect_refused(links + fixed("j", "a", "b") + fixed("j", "b", "c") + "</robot>",
                  "3: <joint name=\"j\">: another joint at line 2 has the same name; give each its own");
 }
 
 TEST(UrdfErrors, OfMimicsNameTheJoints) {
   const auto robot = [](const std::string& first, const std::string& second, const std::string& type = "revolute") {
-    return "<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/><link name=\"c\"/>\n<joint name=\"j\" type=\"" + type +
-           "\"><parent link=\"a\"/><child link=\"b\"/>" + first +
+    return "<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/><link name=\"c\"/>\n<joint name=\"j\" type=\"" +
+           type + "\"><parent link=\"a\"/><child link=\"b\"/>" + first +
            "</joint>\n<joint name=\"k\" type=\"revolute\"><parent link=\"b\"/><child link=\"c\"/>" + second +
            "</joint></robot>";
   };
   expect_refused(robot("", "<mimic joint=\"x\"/>"),
                  "3: <mimic> of <joint name=\"k\">: there is no joint 'x' to mimic; correct the name");
   expect_refused(robot("", "<mimic/>"), "3: <mimic> of <joint name=\"k\">: has no attribute joint; add joint=\"...\"");
-  expect_refused(robot("<mimic joint=\"k\"/>", "<mimic joint=\"j\"/>"),
-                 "2: <mimic> of <joint name=\"j\">: the joints mimic one another in a circle: 'j' -> 'k' -> 'j'; let one of "
-                 "them be free");
-  expect_refused(robot("", "<mimic joint=\"k\"/>"),
-                 "3: <mimic> of <joint name=\"k\">: the joints mimic one another in a circle: 'k' -> 'k'; let one of them "
-                 "be free");
-  expect_refused(robot("", "<mimic joint=\"j\"/>", "fixed"),
-                 "3: <mimic> of <joint name=\"k\">: the joint 'j' has no single displacement to mimic; name a revolute, "
-                 "continuous or prismatic joint");
-  expect_refused(robot("<mimic joint=\"k\"/>", "", "planar"),
-                 "2: <mimic> of <joint name=\"j\">: only revolute, continuous and prismatic joints can mimic; remove it or "
-                 "change the type of joint");
+  expect_refused(
+      robot("<mimic joint=\"k\"/>", "<mimic joint=\"j\"/>"),
+      "2: <mimic> of <joint name=\"j\">: the joints mimic one another in a circle: 'j' -> 'k' -> 'j'; let one of "
+      "them be free");
+  expect_refused(
+      robot("", "<mimic joint=\"k\"/>"),
+      "3: <mimic> of <joint name=\"k\">: the joints mimic one another in a circle: 'k' -> 'k'; let one of them "
+      "be free");
+  expect_refused(
+      robot("", "<mimic joint=\"j\"/>", "fixed"),
+      "3: <mimic> of <joint name=\"k\">: the joint 'j' has no single displacement to mimic; name a revolute, "
+      "continuous or prismatic joint");
+  expect_refused(
+      robot("<mimic joint=\"k\"/>", "", "planar"),
+      "2: <mimic> of <joint name=\"j\">: only revolute, continuous and prismatic joints can mimic; remove it or "
+      "change the type of joint");
 }
 
 TEST(UrdfErrors, OfInertiaNameTheLink) {
   const std::string place = "3: <inertial> of <link name=\"a\">: ";
   expect_refused(with_inertial(moments), place + "has no <mass>; add <mass value=\"...\"/> inside it");
   expect_refused(with_inertial("<mass value=\"1\"/>"),
-                 place + "has no <inertia>; add <inertia ixx=\"...\" iyy=\"...\" izz=\"...\" ixy=\"0\" ixz=\"0\" "
-                         "iyz=\"0\"/> inside it");
+                 place +
+                     "has no <inertia>; add <inertia ixx=\"...\" iyy=\"...\" izz=\"...\" ixy=\"0\" ixz=\"0\" "
+                     "iyz=\"0\"/> inside it");
   expect_refused(with_inertial("<mass value=\"1\"/><inertia ixx=\"1\" iyy=\"1\" izz=\"1\" ixy=\"0\" ixz=\"0\"/>"),
                  "3: <inertia> of <inertial> of <link name=\"a\">: has no attribute iyz; add iyz=\"...\"");
   expect_refused(with_inertial("<mass value=\"-1\"/>" + moments),
-                 place + "body 'a' has the mass -1 kg: a mass is never negative; subtract a hole from the body it is cut "
-                         "from, as in Inertia::box(...) - Inertia::cylinder(...)");
-  expect_refused(with_inertial("<mass value=\"1\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"3\"/>"),
-                 place + "body 'a' has the principal moments of inertia 1, 1 and 3 kg m^2 about its centre of mass: of no "
-                         "matter is one larger than the sum of the others, or negative; check the entries, the sign of the "
-                         "products (xy = -int x y dm) and that the operator is about the centre of mass");
+                 place +
+                     "body 'a' has the mass -1 kg: a mass is never negative; subtract a hole from the body it is cut "
+                     "from, as in Inertia::box(...) - Inertia::cylinder(...)");
+  expect_refused(
+      with_inertial("<mass value=\"1\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"3\"/>"),
+      place +
+          "body 'a' has the principal moments of inertia 1, 1 and 3 kg m^2 about its centre of mass: of no "
+          "matter is one larger than the sum of the others, or negative; check the entries, the sign of the "
+          "products (xy = -int x y dm) and that the operator is about the centre of mass");
 }
 
 TEST(UrdfErrors, OfOptionsAreBadUsage) {

@@ -38,9 +38,9 @@ TEST(UrdfJoint, RevoluteAndContinuousTurnAboutTheirAxes) {
 }
 
 TEST(UrdfJoint, PrismaticSlidesAlongItsAxisAndXIsTheDefault) {
-  const Scene imported = read("<link name=\"base\"/>" + link("cart") + link("arm") +
-                              joint("slide", "prismatic", "base", "cart", "") +
-                              joint("lift", "prismatic", "cart", "arm", "<axis xyz=\"0.6 0 0.8\"/>"));
+  const Scene imported =
+      read("<link name=\"base\"/>" + link("cart") + link("arm") + joint("slide", "prismatic", "base", "cart", "") +
+           joint("lift", "prismatic", "cart", "arm", "<axis xyz=\"0.6 0 0.8\"/>"));
   Scene made("made");
   const Expression slide = made.coordinate("slide", "m");
   const Expression lift = made.coordinate("lift", "m");
@@ -97,19 +97,20 @@ TEST(UrdfJoint, OriginAtMultiplesOfFifteenDegreesIsExact) {
 }
 
 TEST(UrdfJoint, FixedWeldsItsLinkAndInertialOriginsTurnTheOperator) {
-  const Scene imported = read(
-      "<link name=\"base\"/>" + link("arm") +
-      "<link name=\"tool\"><inertial><origin xyz=\"0.02 -0.03 0.05\" rpy=\"0.5 0 1.5707963267948966\"/><mass "
-      "value=\"1.5\"/><inertia ixx=\"0.011\" ixy=\"0\" ixz=\"0\" iyy=\"0.013\" iyz=\"0\" izz=\"0.009\"/></inertial></link>" +
-      joint("shoulder", "revolute", "base", "arm", at_hinge) +
-      joint("mount", "fixed", "arm", "tool", "<origin xyz=\"0.1 0.2 -0.3\" rpy=\"0 3.141592653589793 0.4\"/>"));
+  const Scene imported =
+      read("<link name=\"base\"/>" + link("arm") +
+           "<link name=\"tool\"><inertial><origin xyz=\"0.02 -0.03 0.05\" rpy=\"0.5 0 1.5707963267948966\"/><mass "
+           "value=\"1.5\"/><inertia ixx=\"0.011\" ixy=\"0\" ixz=\"0\" iyy=\"0.013\" iyz=\"0\" "
+           "izz=\"0.009\"/></inertial></link>" +
+           joint("shoulder", "revolute", "base", "arm", at_hinge) +
+           joint("mount", "fixed", "arm", "tool", "<origin xyz=\"0.1 0.2 -0.3\" rpy=\"0 3.141592653589793 0.4\"/>"));
   Scene made("made");
   const Expression shoulder = made.coordinate("shoulder", "rad");
   const FrameHandle arm = made.revolute("arm", made.ground(), axis::x, shoulder, {hinge, {}});
   const FrameHandle tool = tilted(made, "tool", arm, hinge, 0, pi(), number("0.4"));
   const FrameHandle principal =
-      tilted(made, "principal", tool, {number("0.02", "m"), number("-0.03", "m"), number("0.05", "m")}, number("0.5"), 0,
-             pi() / 2);
+      tilted(made, "principal", tool, {number("0.02", "m"), number("-0.03", "m"), number("0.05", "m")}, number("0.5"),
+             0, pi() / 2);
   made.body("arm", arm, lump());
   made.body("tool", principal,
             Inertia::general(number("1.5", "kg"), number("0.011", "kg m^2"), number("0.013", "kg m^2"),
@@ -119,9 +120,14 @@ TEST(UrdfJoint, FixedWeldsItsLinkAndInertialOriginsTurnTheOperator) {
   expect_same(accelerations(imported, q, v), accelerations(made, q, v), rational_angles);
 }
 
-const Values pose{{"drone_x", "0.3"},          {"drone_y", "-0.2"},         {"drone_z", "1.1"},
-                  {"drone_attitude_w", "1/11"}, {"drone_attitude_x", "2/11"}, {"drone_attitude_y", "-4/11"},
-                  {"drone_attitude_z", "10/11"}, {"arm", "0.6"}};
+const Values pose{{"drone_x", "0.3"},
+                  {"drone_y", "-0.2"},
+                  {"drone_z", "1.1"},
+                  {"drone_attitude_w", "1/11"},
+                  {"drone_attitude_x", "2/11"},
+                  {"drone_attitude_y", "-4/11"},
+                  {"drone_attitude_z", "10/11"},
+                  {"arm", "0.6"}};
 const Values motion{{"drone_x", "0.5"},
                     {"drone_y", "0.25"},
                     {"drone_z", "-1"},
@@ -133,7 +139,8 @@ const Values motion{{"drone_x", "0.5"},
 /// A free body with an arm, from a placement that is turned as an origin would turn it.
 Scene drone(bool placed) {
   Scene made("made");
-  const Triple position{made.coordinate("drone_x", "m"), made.coordinate("drone_y", "m"), made.coordinate("drone_z", "m")};
+  const Triple position{made.coordinate("drone_x", "m"), made.coordinate("drone_y", "m"),
+                        made.coordinate("drone_z", "m")};
   const AttitudeHandle attitude = made.attitude("drone_attitude");
   const Expression q = made.coordinate("arm", "rad");
   const FrameHandle from = placed ? tilted(made, "pad", made.ground(), hinge, 0, 0, pi() / 2) : made.ground();
@@ -145,10 +152,10 @@ Scene drone(bool placed) {
 }
 
 TEST(UrdfJoint, FloatingIsAFreeJointByAUnitQuaternion) {
-  const Scene imported = read("<link name=\"world\"/>" + link("body") + link("rod") +
-                              joint("drone", "floating", "world", "body",
-                                    "<origin xyz=\"0.1 0.2 -0.3\" rpy=\"0 0 1.5707963267948966\"/>") +
-                              joint("arm", "revolute", "body", "rod", at_hinge));
+  const Scene imported = read(
+      "<link name=\"world\"/>" + link("body") + link("rod") +
+      joint("drone", "floating", "world", "body", "<origin xyz=\"0.1 0.2 -0.3\" rpy=\"0 0 1.5707963267948966\"/>") +
+      joint("arm", "revolute", "body", "rod", at_hinge));
   expect_same(accelerations(imported, pose, motion), accelerations(drone(true), pose, motion), fifty_digits);
 }
 
@@ -206,10 +213,9 @@ TEST(UrdfJoint, MimicMovesAsItsConstraintWouldMakeIt) {
   };
   UrdfOptions options;
   options.motors = false;
-  const Scene imported =
-      read(links + joints("<mimic joint=\"shoulder\" multiplier=\"-2\" offset=\"0.3\"/>",
-                          "<mimic joint=\"elbow\" multiplier=\"0.05\" offset=\"-0.01\"/>"),
-           options);
+  const Scene imported = read(links + joints("<mimic joint=\"shoulder\" multiplier=\"-2\" offset=\"0.3\"/>",
+                                             "<mimic joint=\"elbow\" multiplier=\"0.05\" offset=\"-0.01\"/>"),
+                              options);
   Scene constrained = read(links + joints("", ""), options);
   // Symbols by name: the scene was made elsewhere.
   const auto q = [&](const std::string& name) -> Expression {
@@ -228,9 +234,9 @@ TEST(UrdfJoint, MimicMovesAsItsConstraintWouldMakeIt) {
 }
 
 TEST(UrdfJoint, DampingIsAViscousDamperUnlessItIsDataOnly) {
-  const std::string body = "<link name=\"base\"/>" + link("arm") +
-                           joint("hinge", "revolute", "base", "arm",
-                                 "<axis xyz=\"0 0 1\"/><dynamics damping=\"0.75\" friction=\"0.1\"/>");
+  const std::string body =
+      "<link name=\"base\"/>" + link("arm") +
+      joint("hinge", "revolute", "base", "arm", "<axis xyz=\"0 0 1\"/><dynamics damping=\"0.75\" friction=\"0.1\"/>");
   UrdfOptions data_only;
   data_only.dampers = false;
   const Values q{{"hinge", "0.7"}}, v{{"hinge", "2"}};

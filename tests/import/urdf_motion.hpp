@@ -61,10 +61,14 @@ inline std::map<std::string, Real> accelerations(const Scene& scene, const Value
   };
   Evaluator<Real> evaluate(equations.program(), [&](const SymbolPointer& symbol) {
     switch (symbol->kind) {
-      case SymbolKind::pi: return Real::pi(50);
-      case SymbolKind::coordinate: return value(q, symbol->name);
-      case SymbolKind::velocity: return value(v, symbol->name.substr(0, symbol->name.find('\'')));
-      default: return value(u, symbol->name);
+      case SymbolKind::pi:
+        return Real::pi(50);
+      case SymbolKind::coordinate:
+        return value(q, symbol->name);
+      case SymbolKind::velocity:
+        return value(v, symbol->name.substr(0, symbol->name.find('\'')));
+      default:
+        return value(u, symbol->name);
     }
   });
   const std::vector<Real> solved = evaluate(equations.forward().accelerations);

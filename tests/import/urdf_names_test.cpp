@@ -28,12 +28,12 @@ TEST(UrdfNames, StayDistinct) {
 }
 
 TEST(UrdfNames, ThatWouldCollideStillMakeAValidScene) {
-  const ImportedRobot robot = read_urdf_text(
-      "<robot name=\"my robot-2\"><link name=\"ground\"/>" + link("arm-1") + link("arm.1") + link("hand") +
-          joint("arm-1", "revolute", "ground", "arm-1", "") +
-          joint("arm_1_torque", "prismatic", "arm-1", "arm.1", "<axis xyz=\"0 1 0\"/>") +
-          joint("t", "revolute", "arm.1", "hand", "<axis xyz=\"0 1 0\"/>") + "</robot>",
-      "folder/machine.urdf");
+  const ImportedRobot robot =
+      read_urdf_text("<robot name=\"my robot-2\"><link name=\"ground\"/>" + link("arm-1") + link("arm.1") +
+                         link("hand") + joint("arm-1", "revolute", "ground", "arm-1", "") +
+                         joint("arm_1_torque", "prismatic", "arm-1", "arm.1", "<axis xyz=\"0 1 0\"/>") +
+                         joint("t", "revolute", "arm.1", "hand", "<axis xyz=\"0 1 0\"/>") + "</robot>",
+                     "folder/machine.urdf");
   validate(robot.scene);
   EXPECT_EQ(robot.scene.name(), "my_robot_2");
   ASSERT_EQ(robot.joints.size(), 3U);
@@ -69,7 +69,8 @@ TEST(UrdfData, OfJointsIsKeptAndTold) {
   EXPECT_EQ(robot.joints[1].lower, std::nullopt);
   const std::vector<std::string> expected{
       "Angles that look exact and are not:",
-      "  3.14159 in joint grip (rpy) is near pi but beyond the tolerance: sines and cosines that would vanish do not; a "
+      "  3.14159 in joint grip (rpy) is near pi but beyond the tolerance: sines and cosines that would vanish do not; "
+      "a "
       "larger --angle-tolerance takes it as that",
       "Joints, in rad, m, N m, N and s; limits are data, nothing here enforces them:",
       "  hinge: from -1.5 to 2, velocity at most 3, effort at most 150, damping 0.7, friction 0.1 (does not act)",
