@@ -22,7 +22,7 @@ struct FileRequest {
   std::string gravity = "0,0,-9.81";
   std::string angle_tolerance = "1e-9";
   std::string name;
-  std::vector<std::string> initial;
+  std::vector<std::string> points, initial;
   bool no_dampers = false;
   bool no_motors = false;
 };
@@ -36,6 +36,8 @@ void add_options(CLI::App& command, FileRequest& request) {
       .add_option("--angle-tolerance", request.angle_tolerance, "angles this near to a multiple of pi/12 are it [rad]")
       ->capture_default_str();
   command.add_option("--name", request.name, "name of the scene; that of the robot when absent");
+  command.add_option("--points", request.points, "links whose origins are points, with Jacobians; comma-separated")
+      ->delimiter(',');
   command.add_option("--initial", request.initial, "state at t = 0, NAME=VALUE, rates NAME'=VALUE; comma-separated")
       ->delimiter(',');
   command.add_flag("--no-dampers", request.no_dampers, "take <dynamics damping> as data: it does not act");
@@ -77,6 +79,7 @@ UrdfOptions urdf_options(const FileRequest& request) {
   options.dampers = !request.no_dampers;
   options.motors = !request.no_motors;
   options.name = request.name;
+  options.points = request.points;
   for (const std::string& assignment : request.initial) {
     const std::vector<std::string> parts = split(assignment, '=');
     if (parts.size() != 2) {

@@ -63,8 +63,7 @@ std::string skipped(const Provenance& provenance) {
 
 std::string regeneration_command(const Provenance& provenance) {
   const std::string& scene = provenance.scene->name();
-  const std::string& origin = provenance.scene->content().origin.command;
-  std::string command = fmt::format("{} --kernels {}", origin.empty() ? scene + "_scene generate" : origin,
+  std::string command = fmt::format("{} --kernels {}", provenance.scene->command_line("generate"),
                                     joined(provenance.kernels, ",", [](const Kernel& kernel) { return kernel.name; }));
   if (provenance.options.all_run_time || provenance.options.symbolic_parameters) {
     command += " --run-time all";

@@ -29,7 +29,10 @@ struct UrdfOptions {
   bool dampers = true;  ///< <dynamics damping="c"> acts: the effort −c q̇; otherwise it is data only
   bool motors = true;   ///< a motor on every joint that turns or slides and follows no other
   std::string name;     ///< of the scene; the robot's when empty
-  /// Coordinates and their rates (name') at t = 0, where they are not zero: {"elbow", "0.3"}, {"elbow'", "1"}.
+  /// Links whose origins become points of the scene, <link>_origin: the kernel kinematics has their Jacobians.
+  std::vector<std::string> points;
+  /// State at t = 0 where it is not zero, by set_initial: {"elbow", "0.3"}, {"elbow'", "1"}, {"base_attitude_w",
+  /// "0.6"}.
   std::vector<std::pair<std::string, std::string>> initial;
 };
 

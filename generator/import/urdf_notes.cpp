@@ -25,9 +25,10 @@ std::string quoted(const std::string& word) {
   return plain && !word.empty() ? word : "\"" + word + "\"";
 }
 
-std::string command(const UrdfRobot& robot, const UrdfOptions& options) {
+/// What makes the same scene again: the file and the options that are not at their defaults.
+std::string arguments(const UrdfRobot& robot, const UrdfOptions& options) {
   const UrdfOptions defaults;
-  std::string text = "torsor generate " + quoted(base_name(robot.file));
+  std::string text = quoted(base_name(robot.file));
   if (options.base == UrdfBase::floating) text += " --base floating";
   if (options.gravity != defaults.gravity) {
     text += fmt::format(" --gravity {},{},{}", decimal(options.gravity[0]), decimal(options.gravity[1]),
@@ -39,6 +40,7 @@ std::string command(const UrdfRobot& robot, const UrdfOptions& options) {
   if (!options.dampers) text += " --no-dampers";
   if (!options.motors) text += " --no-motors";
   if (!options.name.empty()) text += " --name " + options.name;
+  if (!options.points.empty()) text += " --points " + quoted(fmt::format("{}", fmt::join(options.points, ",")));
   std::string initial;
   for (const auto& [name, value] : options.initial) initial += (initial.empty() ? "" : ",") + name + "=" + value;
   if (!initial.empty()) text += " --initial " + quoted(initial);
@@ -73,7 +75,7 @@ void append(std::vector<std::string>& notes, const std::string& title, const std
 
 SceneOrigin urdf_origin(const UrdfRobot& robot, const UrdfOptions& options, const std::vector<UrdfJointData>& joints,
                         const std::vector<std::string>& renamed) {
-  SceneOrigin origin{base_name(robot.file), command(robot, options), {}};
+  SceneOrigin origin{base_name(robot.file), arguments(robot, options), {}};
   append(origin.notes, "Names that became identifiers:", renamed);
   append(origin.notes, "Angles and axes that were made exact:", robot.changes.lines());
   append(origin.notes, "Angles that look exact and are not:", robot.almost);

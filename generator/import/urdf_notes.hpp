@@ -9,9 +9,9 @@
 
 namespace torsor {
 
-/// Where a scene made of that robot comes from: the command that writes a header again (the file's name without any
-/// folder, options that are not at their defaults) and notes on renamed parts, changed angles, limits, damping and
-/// friction.
+/// Where a scene made of that robot comes from: the file's name without any folder, the arguments that make the scene
+/// again (the file and the options that are not at their defaults) and notes on renamed parts, changed angles, limits,
+/// damping and friction.
 SceneOrigin urdf_origin(const UrdfRobot& robot, const UrdfOptions& options, const std::vector<UrdfJointData>& joints,
                         const std::vector<std::string>& renamed);
 

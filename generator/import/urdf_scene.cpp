@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "generator/expression/decimal.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/expression/high_precision.hpp"
 #include "generator/import/identifiers.hpp"
 #include "generator/import/urdf.hpp"
+#include "generator/import/urdf_initial.hpp"
 #include "generator/import/urdf_notes.hpp"
 #include "generator/import/urdf_robot.hpp"
 #include "generator/mechanics/inertia_validity.hpp"
@@ -52,7 +52,8 @@ class SceneBuilder {
     for (const UrdfLink& link : robot_.links) add_body(link);
     for (const UrdfJoint& joint : robot_.joints) add_actions(joint);
     scene_.gravity(quantities(options_.gravity, units::metre_per_second_squared));
-    set_initial();
+    add_points();
+    set_initial(scene_, options_.initial);
     ImportedRobot imported{std::move(scene_), std::move(data_)};
     imported.scene.came_from(urdf_origin(robot_, options_, imported.joints, renamed_));
     return imported;
@@ -79,18 +80,12 @@ class SceneBuilder {
     return identifier;
   }
 
-  Expression coordinate(const std::string& name, const char* unit) {
-    const Expression q = scene_.coordinate(name, unit);
-    coordinates_[name] = q;
-    return q;
-  }
-
   FreeJoint free_joint(const std::string& name, const std::string& kind, std::string& word) {
     word = take(symbols_, name, kind,
                 {"_x", "_y", "_z", "_attitude_w", "_attitude_x", "_attitude_y", "_attitude_z", "_attitude_omega_x",
                  "_attitude_omega_y", "_attitude_omega_z"});
     FreeJoint joint;
-    for (std::size_t i = 0; i < 3; ++i) joint.position[i] = coordinate(word + "_" + axis_names.at(i), "m");
+    for (std::size_t i = 0; i < 3; ++i) joint.position[i] = scene_.coordinate(word + "_" + axis_names.at(i), "m");
     joint.attitude = scene_.attitude(word + "_attitude");
     return joint;
   }
@@ -109,13 +104,13 @@ class SceneBuilder {
     } else if (joint.type == UrdfJointType::planar) {
       const std::string word = take(symbols_, joint.name, "joint", {"_x", "_y", "_angle"});
       names_[joint.name] = word;
-      planar_[joint.name] = {coordinate(word + "_x", "m"), coordinate(word + "_y", "m"),
-                             coordinate(word + "_angle", "rad")};
+      planar_[joint.name] = {scene_.coordinate(word + "_x", "m"), scene_.coordinate(word + "_y", "m"),
+                             scene_.coordinate(word + "_angle", "rad")};  // braces: from left to right
     } else if (!joint.mimic) {
       const std::string effort = joint.turns() ? "_torque" : "_force";
       data.coordinate = take(symbols_, joint.name, "joint", {"", effort, "_damping"});
       names_[joint.name] = data.coordinate;
-      displacements_[joint.name] = coordinate(data.coordinate, joint.turns() ? "rad" : "m");
+      displacements_[joint.name] = scene_.coordinate(data.coordinate, joint.turns() ? "rad" : "m");
     } else {
       names_[joint.name] = take(symbols_, joint.name, "joint", {"", "_damping"});
     }
@@ -246,27 +241,16 @@ class SceneBuilder {
     }
   }
 
-  void set_initial() {
-    std::map<std::string, std::pair<Expression, Expression>> states;
-    for (const auto& [text, value] : options_.initial) {
-      const bool is_rate = text.ends_with('\'');
-      const std::string name = is_rate ? text.substr(0, text.size() - 1) : text;
-      if (!coordinates_.contains(name)) {
+  void add_points() {
+    for (const std::string& link : options_.points) {
+      const auto found = frames_.find(link);
+      if (found == frames_.end()) {
         std::string known;
-        for (const auto& [each, q] : coordinates_) known += (known.empty() ? "" : ", ") + each;
-        throw UsageError(fmt::format("unknown coordinate '{}' in --initial: the coordinates of '{}' are {}", name,
-                                     scene_.name(), known.empty() ? "none" : known));
+        for (const UrdfLink& each : robot_.links) known += (known.empty() ? "" : ", ") + each.name;
+        throw UsageError(fmt::format("unknown link '{}' in --points: the robot has {}", link, known));
       }
-      Expression number;
-      try {
-        number = Expression(parse_decimal(value));
-      } catch (const Error& error) {
-        throw UsageError(fmt::format("--initial {}: {}", text, error.what()));
-      }
-      auto& state = states[name];
-      (is_rate ? state.second : state.first) = number;
+      scene_.point(found->second + "_origin", found->second, {0, 0, 0});
     }
-    for (const auto& [name, state] : states) scene_.initial(coordinates_.at(name), state.first, state.second);
   }
 
   const UrdfRobot& robot_;
@@ -277,9 +261,8 @@ class SceneBuilder {
   Identifiers symbols_{{"t"}};
   Identifiers frame_names_{{"ground"}};
   std::vector<UrdfJointData> data_;
-  std::map<std::string, std::string> frames_;  ///< by link
-  std::map<std::string, std::string> names_;   ///< by joint that moves
-  std::map<std::string, Expression> coordinates_;
+  std::map<std::string, std::string> frames_;        ///< by link
+  std::map<std::string, std::string> names_;         ///< by joint that moves
   std::map<std::string, Expression> displacements_;  ///< by joint
   std::map<std::string, FreeJoint> free_;
   std::map<std::string, std::array<Expression, 3>> planar_;

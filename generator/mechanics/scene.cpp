@@ -78,6 +78,11 @@ Expression Scene::released_coordinate(const std::string& name, std::string_view 
   return q;
 }
 
+std::string Scene::command_line(const std::string& command) const {
+  const std::string& arguments = content_.origin.arguments;
+  return arguments.empty() ? content_.name + "_scene " + command : "torsor " + command + " " + arguments;
+}
+
 Expression Scene::time() const { return content_.time; }
 
 CoordinateContent& Scene::coordinate_of(const Expression& formula, const std::string& purpose) {

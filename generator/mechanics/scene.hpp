@@ -227,6 +227,10 @@ class Scene {
   /// Tells that the scene was read from a file; generated headers say so.
   void came_from(SceneOrigin origin) { content_.origin = std::move(origin); }
 
+  /// The program and one of its commands, for texts that say how to make something again: "hoop_scene generate", or
+  /// "torsor generate hoop.urdf" with the options of the scene's origin.
+  std::string command_line(const std::string& command) const;
+
   const SceneContent& content() const { return content_; }
   const std::string& name() const { return content_.name; }
 

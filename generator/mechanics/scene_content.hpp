@@ -197,7 +197,7 @@ struct ConstraintContent {
 /// Where a scene came from that was read from a file; all empty for one that is written in C++.
 struct SceneOrigin {
   std::string file;                ///< its name, without any folder
-  std::string command;             ///< what writes a header again, but for the options of every scene program
+  std::string arguments;           ///< of every command of the tool torsor: the file and how it was read
   std::vector<std::string> notes;  ///< what the reader of a header should know, a line each
 };
 

@@ -104,8 +104,8 @@ std::string reference_csv(const Scene& scene, const ReferenceOptions& options) {
   std::string text = fmt::format(
       "# Reference motion of the scene {}: Lagrange's operator on T in {}-digit arithmetic, extrapolation at two orders\n"
       "# that agree to {} digits; inputs zero, run-time parameters at their defaults.\n"
-      "# regenerate: {}_scene reference --digits {} --times {} --output {}.reference.csv\n",
-      scene.name(), work_digits, options.digits, scene.name(), options.digits, fmt::join(options.times, ","), scene.name());
+      "# regenerate: {} --digits {} --times {} --output {}.reference.csv\n",
+      scene.name(), work_digits, options.digits, scene.command_line("reference"), options.digits, fmt::join(options.times, ","), scene.name());
   text += "time";
   for (const SymbolPointer& q : motion.positions()) text += "," + q->name;
   for (const CoordinateContent& c : scene.content().coordinates) {

@@ -103,7 +103,11 @@ TEST(TorsorTool, TellsWhatIsWrongOnOneLine) {
   expect(torsor_tool({"list", ur5, "--angle-tolerance", "1"}), 2,
          "--angle-tolerance is an angle in rad between 0 and 0.1: multiples of pi/12 are 0.26 apart");
   expect(torsor_tool({"list", ur5, "--initial", "j9=1"}), 2,
-         "unknown coordinate 'j9' in --initial: the coordinates of 'ur5' are j0, j1, j2, j3, j4, j5");
+         "unknown name 'j9' in --initial: the state of 'ur5' has j0, j0', j1, j1', j2, j2', j3, j3', j4, j4', j5, j5'");
+  expect(torsor_tool({"list", ur5, "--initial", "j0=up"}), 2,
+         "--initial j0: cannot read \"up\" as a number: write a decimal such as -1.5e-3 or a quotient such as 3/4");
+  expect(torsor_tool({"list", arm, "--points", "hand"}), 2,
+         "unknown link 'hand' in --points: the robot has base, carriage, rod");
   EXPECT_EQ(torsor_tool({"counts", ur5, "--kernels", "speed"}).code, 2);
 }
 

@@ -88,6 +88,35 @@ TEST(UrdfLinks, WithoutMassAreFramesOnly) {
   EXPECT_EQ(scene.content().frames.size(), 4U);  // ground, base, arm, tip
 }
 
+TEST(UrdfOptions, SetTheInitialStateByNames) {
+  UrdfOptions options;
+  options.base = UrdfBase::floating;
+  options.initial = {{"hinge", "0.25"}, {"hinge'", "-2"}, {"drone_z", "1.5"}, {"drone_attitude_omega_y", "3"}};
+  const std::string body = link("drone") + link("arm") + joint("hinge", "revolute", "drone", "arm", "");
+  const auto numbers = [](const Scene& scene) {
+    const WorkingDigits precision(50);
+    std::vector<double> all;
+    for (const Real& x : initial_state(scene)) all.push_back(x.to_double());
+    return all;
+  };
+  // x, y, z, quaternion (w first), hinge; their rates.
+  EXPECT_EQ(numbers(read(body, options)), (std::vector<double>{0, 0, 1.5, 1, 0, 0, 0, 0.25, 0, 0, 0, 0, 3, 0, -2}));
+  options.initial = {{"drone_attitude_x", "-2"}};
+  EXPECT_EQ(numbers(read(body, options)), (std::vector<double>{0, 0, 0, 0, -1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}));
+}
+
+TEST(UrdfOptions, MakePointsOfTheOriginsOfLinks) {
+  UrdfOptions options;
+  options.points = {"tool-0"};
+  const Scene scene = read("<link name=\"base\"/>" + link("arm") + "<link name=\"tool-0\"/>" +
+                               joint("hinge", "revolute", "base", "arm", "") +
+                               joint("mount", "fixed", "arm", "tool-0", "<origin xyz=\"0 0 0.5\"/>"),
+                           options);
+  validate(scene);
+  ASSERT_EQ(scene.content().points.size(), 1U);
+  EXPECT_EQ(scene.content().points[0].name, "tool_0_origin");
+}
+
 TEST(UrdfJoints, MayComeInAnyOrder) {
   const std::string elbow = joint("elbow", "revolute", "upper", "lower", "<axis xyz=\"0 1 0\"/>");
   const std::string shoulder = joint("shoulder", "revolute", "base", "upper", "");

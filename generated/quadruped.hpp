@@ -1,0 +1,5615 @@
+// SPDX-License-Identifier: MIT
+// quadruped
+// Made by torsor 0.1.0 from quadruped.urdf; change that and write the file again, do not edit it.
+// Free to embed under the MIT licence.
+//
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy
+// Parameters set at run time: none
+//
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
+// moved across joints, factoring, and what is done once for a set of parameters:
+//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   kinematics              988             1385          0             0                 16       0   2405    2405
+//   mass_matrix             311              408          0             0                 12       0    743     795
+//   bias                    388              530          0             0                 12       0    942    1026
+//   inverse_dynamics        446              567          0             0                 12       0   1037    1121
+//   forward_dynamics       1023             1290         14             0                 12       0   2351    2427
+//   energy                  352              494          0             0                 16       0    878     980
+//
+// Not computed because this mechanism does not need it:
+//   kinematics: of 546 results 132 vanish identically, 108 repeat another up to sign
+//   mass_matrix: of 324 results 114 vanish identically, 96 repeat another up to sign
+//   constraints: left out, the scene has no constraints
+//
+// Angles and axes that were made exact:
+//   1.5707963267948966 is pi/2: link front_left_thigh_link (rpy), link front_right_thigh_link (rpy), link rear_left_thigh_link (rpy), link rear_right_thigh_link (rpy)
+// Joints, in rad, m, N m, N and s; limits are data, nothing here enforces them:
+//   front_left_hip: from -0.8 to 0.8, velocity at most 20, effort at most 25, damping 0.05
+//   front_left_thigh: from -1.5 to 3, velocity at most 20, effort at most 25, damping 0.05
+//   front_left_knee: from -2.7 to -0.3, velocity at most 20, effort at most 40, damping 0.05
+//   front_right_hip: from -0.8 to 0.8, velocity at most 20, effort at most 25, damping 0.05
+//   front_right_thigh: from -1.5 to 3, velocity at most 20, effort at most 25, damping 0.05
+//   front_right_knee: from -2.7 to -0.3, velocity at most 20, effort at most 40, damping 0.05
+//   rear_left_hip: from -0.8 to 0.8, velocity at most 20, effort at most 25, damping 0.05
+//   rear_left_thigh: from -1.5 to 3, velocity at most 20, effort at most 25, damping 0.05
+//   rear_left_knee: from -2.7 to -0.3, velocity at most 20, effort at most 40, damping 0.05
+//   rear_right_hip: from -0.8 to 0.8, velocity at most 20, effort at most 25, damping 0.05
+//   rear_right_thigh: from -1.5 to 3, velocity at most 20, effort at most 25, damping 0.05
+//   rear_right_knee: from -2.7 to -0.3, velocity at most 20, effort at most 40, damping 0.05
+//
+// To write this file again:
+//   torsor generate quadruped.urdf --base floating --points front_left_foot,front_right_foot,rear_left_foot,rear_right_foot --initial "trunk_z=0.8,trunk_x'=0.5,trunk_attitude_omega_x=0.3,trunk_attitude_omega_y=-0.5,front_left_thigh=0.7,front_left_knee=-1.4,front_right_thigh=0.7,front_right_knee=-1.4,rear_left_thigh=0.7,rear_left_knee=-1.4,rear_right_thigh=0.7,rear_right_knee=-1.4" --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,constraints --output quadruped.hpp
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#ifndef TORSOR_KERNEL_SUPPORT
+#define TORSOR_KERNEL_SUPPORT 1
+// Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
+#ifndef TORSOR_DEVICE
+#define TORSOR_DEVICE
+#endif
+
+namespace torsor {
+
+/// What a kernel says about its results; the larger, the worse.
+enum class Status : int { ok = 0, singular = 1, not_finite = 2 };
+
+/// What a kernel needs of its scalar. This one serves float and double; specialise it, once a header is included, for
+/// any other (a pack of several states, a high-precision number).
+template <class Scalar>
+struct scalar_traits {
+  static_assert(sizeof(Scalar) == sizeof(float) || sizeof(Scalar) == sizeof(double),
+                "specialise torsor::scalar_traits for a scalar that is neither float nor double");
+  static constexpr bool is_float = sizeof(Scalar) == sizeof(float);
+
+  /// A number, rounded for either format. `exact` is "num/den", or "a;b;c;d" for a + b sqrt(2) + c sqrt(3) + d sqrt(6).
+  TORSOR_DEVICE static constexpr Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    return is_float ? static_cast<Scalar>(in_float) : static_cast<Scalar>(in_double);
+  }
+  /// The same for a number that is no such sum: a callable computes it where literals are not precise enough.
+  template <class Callable>
+  TORSOR_DEVICE static constexpr Scalar formula(double in_double, float in_float, const Callable&) noexcept {
+    return constant(in_double, in_float, nullptr);
+  }
+  TORSOR_DEVICE static constexpr Scalar pi() noexcept { return constant(3.141592653589793, 3.1415927f, nullptr); }
+  TORSOR_DEVICE static constexpr Scalar select(bool condition, Scalar if_true, Scalar if_false) noexcept {
+    return condition ? if_true : if_false;
+  }
+  TORSOR_DEVICE static void sincos(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
+    sine = std::sin(angle);
+    cosine = std::cos(angle);
+  }
+  TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
+  TORSOR_DEVICE static Scalar exp(const Scalar& x) noexcept { return std::exp(x); }
+  TORSOR_DEVICE static Scalar log(const Scalar& x) noexcept { return std::log(x); }
+  /// Whether a pivot is positive beyond the rounding of the diagonal entry it came from; not when it is not a number.
+  TORSOR_DEVICE static bool regular(const Scalar& pivot, const Scalar& diagonal) noexcept {
+    return pivot > constant(0x1p-52, 0x1p-23f, nullptr) * std::abs(diagonal);
+  }
+};
+
+}  // namespace torsor
+#elif TORSOR_KERNEL_SUPPORT != 1
+#error "headers of incompatible versions of torsor meet here: write them again with one version"
+#endif
+
+namespace quadruped {
+
+/// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
+/// M a + h = E u + A' lambda and A a + gamma = 0, with a the accelerations and u the inputs; units are SI.
+template <class Scalar>
+struct Mechanism {
+  using traits = torsor::scalar_traits<Scalar>;
+
+  static constexpr const char* name = "quadruped";
+  static constexpr int coordinate_count = 19;
+  static constexpr int velocity_count = 18;
+  static constexpr int input_count = 12;
+  static constexpr int parameter_count = 0;
+  static constexpr int multiplier_count = 0;
+  /// Indices in q of the first components (w) of the unit quaternions (w, x, y, z).
+  static constexpr int quaternion_count = 1;
+  static constexpr int quaternions[] = {3};
+
+  /// Parameters that are set at run time.
+  struct Parameters {
+    static constexpr int size = 0;
+  };
+
+  /// Generalised coordinates q.
+  struct Coordinates {
+    Scalar trunk_x;  ///< coordinate [m]
+    Scalar trunk_y;  ///< coordinate [m]
+    Scalar trunk_z;  ///< coordinate [m]
+    Scalar trunk_attitude_w;  ///< component of a unit quaternion [1]
+    Scalar trunk_attitude_x;  ///< component of a unit quaternion [1]
+    Scalar trunk_attitude_y;  ///< component of a unit quaternion [1]
+    Scalar trunk_attitude_z;  ///< component of a unit quaternion [1]
+    Scalar front_left_hip;  ///< coordinate [rad or 1]
+    Scalar front_left_thigh;  ///< coordinate [rad or 1]
+    Scalar front_left_knee;  ///< coordinate [rad or 1]
+    Scalar front_right_hip;  ///< coordinate [rad or 1]
+    Scalar front_right_thigh;  ///< coordinate [rad or 1]
+    Scalar front_right_knee;  ///< coordinate [rad or 1]
+    Scalar rear_left_hip;  ///< coordinate [rad or 1]
+    Scalar rear_left_thigh;  ///< coordinate [rad or 1]
+    Scalar rear_left_knee;  ///< coordinate [rad or 1]
+    Scalar rear_right_hip;  ///< coordinate [rad or 1]
+    Scalar rear_right_thigh;  ///< coordinate [rad or 1]
+    Scalar rear_right_knee;  ///< coordinate [rad or 1]
+    static constexpr int size = 19;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Coordinates::*member_(int i_) noexcept {
+      constexpr Scalar Coordinates::*members_[] = {&Coordinates::trunk_x, &Coordinates::trunk_y, &Coordinates::trunk_z,
+          &Coordinates::trunk_attitude_w, &Coordinates::trunk_attitude_x, &Coordinates::trunk_attitude_y,
+          &Coordinates::trunk_attitude_z, &Coordinates::front_left_hip, &Coordinates::front_left_thigh,
+          &Coordinates::front_left_knee, &Coordinates::front_right_hip, &Coordinates::front_right_thigh,
+          &Coordinates::front_right_knee, &Coordinates::rear_left_hip, &Coordinates::rear_left_thigh,
+          &Coordinates::rear_left_knee, &Coordinates::rear_right_hip, &Coordinates::rear_right_thigh,
+          &Coordinates::rear_right_knee};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised velocities v; coordinate_rates gives dq/dt.
+  struct Velocities {
+    Scalar trunk_x;  ///< its rate [m/s]
+    Scalar trunk_y;  ///< its rate [m/s]
+    Scalar trunk_z;  ///< its rate [m/s]
+    Scalar trunk_attitude_omega_x;  ///< angular velocity, in moving axes [rad/s]
+    Scalar trunk_attitude_omega_y;  ///< angular velocity, in moving axes [rad/s]
+    Scalar trunk_attitude_omega_z;  ///< angular velocity, in moving axes [rad/s]
+    Scalar front_left_hip;  ///< its rate [rad/s]
+    Scalar front_left_thigh;  ///< its rate [rad/s]
+    Scalar front_left_knee;  ///< its rate [rad/s]
+    Scalar front_right_hip;  ///< its rate [rad/s]
+    Scalar front_right_thigh;  ///< its rate [rad/s]
+    Scalar front_right_knee;  ///< its rate [rad/s]
+    Scalar rear_left_hip;  ///< its rate [rad/s]
+    Scalar rear_left_thigh;  ///< its rate [rad/s]
+    Scalar rear_left_knee;  ///< its rate [rad/s]
+    Scalar rear_right_hip;  ///< its rate [rad/s]
+    Scalar rear_right_thigh;  ///< its rate [rad/s]
+    Scalar rear_right_knee;  ///< its rate [rad/s]
+    static constexpr int size = 18;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Velocities::*member_(int i_) noexcept {
+      constexpr Scalar Velocities::*members_[] = {&Velocities::trunk_x, &Velocities::trunk_y, &Velocities::trunk_z,
+          &Velocities::trunk_attitude_omega_x, &Velocities::trunk_attitude_omega_y, &Velocities::trunk_attitude_omega_z,
+          &Velocities::front_left_hip, &Velocities::front_left_thigh, &Velocities::front_left_knee,
+          &Velocities::front_right_hip, &Velocities::front_right_thigh, &Velocities::front_right_knee,
+          &Velocities::rear_left_hip, &Velocities::rear_left_thigh, &Velocities::rear_left_knee,
+          &Velocities::rear_right_hip, &Velocities::rear_right_thigh, &Velocities::rear_right_knee};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised accelerations dv/dt.
+  struct Accelerations {
+    Scalar trunk_x;  ///< its second rate [m/s^2]
+    Scalar trunk_y;  ///< its second rate [m/s^2]
+    Scalar trunk_z;  ///< its second rate [m/s^2]
+    Scalar trunk_attitude_omega_x;  ///< its rate [rad/s^2]
+    Scalar trunk_attitude_omega_y;  ///< its rate [rad/s^2]
+    Scalar trunk_attitude_omega_z;  ///< its rate [rad/s^2]
+    Scalar front_left_hip;  ///< its second rate [rad/s^2]
+    Scalar front_left_thigh;  ///< its second rate [rad/s^2]
+    Scalar front_left_knee;  ///< its second rate [rad/s^2]
+    Scalar front_right_hip;  ///< its second rate [rad/s^2]
+    Scalar front_right_thigh;  ///< its second rate [rad/s^2]
+    Scalar front_right_knee;  ///< its second rate [rad/s^2]
+    Scalar rear_left_hip;  ///< its second rate [rad/s^2]
+    Scalar rear_left_thigh;  ///< its second rate [rad/s^2]
+    Scalar rear_left_knee;  ///< its second rate [rad/s^2]
+    Scalar rear_right_hip;  ///< its second rate [rad/s^2]
+    Scalar rear_right_thigh;  ///< its second rate [rad/s^2]
+    Scalar rear_right_knee;  ///< its second rate [rad/s^2]
+    static constexpr int size = 18;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Accelerations::*member_(int i_) noexcept {
+      constexpr Scalar Accelerations::*members_[] = {&Accelerations::trunk_x, &Accelerations::trunk_y,
+          &Accelerations::trunk_z, &Accelerations::trunk_attitude_omega_x, &Accelerations::trunk_attitude_omega_y,
+          &Accelerations::trunk_attitude_omega_z, &Accelerations::front_left_hip, &Accelerations::front_left_thigh,
+          &Accelerations::front_left_knee, &Accelerations::front_right_hip, &Accelerations::front_right_thigh,
+          &Accelerations::front_right_knee, &Accelerations::rear_left_hip, &Accelerations::rear_left_thigh,
+          &Accelerations::rear_left_knee, &Accelerations::rear_right_hip, &Accelerations::rear_right_thigh,
+          &Accelerations::rear_right_knee};
+      return members_[i_];
+    }
+  };
+
+  /// Generalised forces, one along each coordinate.
+  struct GeneralizedForces {
+    Scalar trunk_x;  ///< works with the rate of trunk_x [N]
+    Scalar trunk_y;  ///< works with the rate of trunk_y [N]
+    Scalar trunk_z;  ///< works with the rate of trunk_z [N]
+    Scalar trunk_attitude_omega_x;  ///< works with trunk_attitude_omega_x [N m]
+    Scalar trunk_attitude_omega_y;  ///< works with trunk_attitude_omega_y [N m]
+    Scalar trunk_attitude_omega_z;  ///< works with trunk_attitude_omega_z [N m]
+    Scalar front_left_hip;  ///< works with the rate of front_left_hip [N m]
+    Scalar front_left_thigh;  ///< works with the rate of front_left_thigh [N m]
+    Scalar front_left_knee;  ///< works with the rate of front_left_knee [N m]
+    Scalar front_right_hip;  ///< works with the rate of front_right_hip [N m]
+    Scalar front_right_thigh;  ///< works with the rate of front_right_thigh [N m]
+    Scalar front_right_knee;  ///< works with the rate of front_right_knee [N m]
+    Scalar rear_left_hip;  ///< works with the rate of rear_left_hip [N m]
+    Scalar rear_left_thigh;  ///< works with the rate of rear_left_thigh [N m]
+    Scalar rear_left_knee;  ///< works with the rate of rear_left_knee [N m]
+    Scalar rear_right_hip;  ///< works with the rate of rear_right_hip [N m]
+    Scalar rear_right_thigh;  ///< works with the rate of rear_right_thigh [N m]
+    Scalar rear_right_knee;  ///< works with the rate of rear_right_knee [N m]
+    static constexpr int size = 18;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar GeneralizedForces::*member_(int i_) noexcept {
+      constexpr Scalar GeneralizedForces::*members_[] = {&GeneralizedForces::trunk_x, &GeneralizedForces::trunk_y,
+          &GeneralizedForces::trunk_z, &GeneralizedForces::trunk_attitude_omega_x,
+          &GeneralizedForces::trunk_attitude_omega_y, &GeneralizedForces::trunk_attitude_omega_z,
+          &GeneralizedForces::front_left_hip, &GeneralizedForces::front_left_thigh, &GeneralizedForces::front_left_knee,
+          &GeneralizedForces::front_right_hip, &GeneralizedForces::front_right_thigh,
+          &GeneralizedForces::front_right_knee, &GeneralizedForces::rear_left_hip, &GeneralizedForces::rear_left_thigh,
+          &GeneralizedForces::rear_left_knee, &GeneralizedForces::rear_right_hip, &GeneralizedForces::rear_right_thigh,
+          &GeneralizedForces::rear_right_knee};
+      return members_[i_];
+    }
+  };
+
+  /// Forces and torques of motors, set at each call.
+  struct Inputs {
+    Scalar front_left_hip_torque;  ///< motor [N m]
+    Scalar front_left_thigh_torque;  ///< motor [N m]
+    Scalar front_left_knee_torque;  ///< motor [N m]
+    Scalar front_right_hip_torque;  ///< motor [N m]
+    Scalar front_right_thigh_torque;  ///< motor [N m]
+    Scalar front_right_knee_torque;  ///< motor [N m]
+    Scalar rear_left_hip_torque;  ///< motor [N m]
+    Scalar rear_left_thigh_torque;  ///< motor [N m]
+    Scalar rear_left_knee_torque;  ///< motor [N m]
+    Scalar rear_right_hip_torque;  ///< motor [N m]
+    Scalar rear_right_thigh_torque;  ///< motor [N m]
+    Scalar rear_right_knee_torque;  ///< motor [N m]
+    static constexpr int size = 12;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Inputs::*member_(int i_) noexcept {
+      constexpr Scalar Inputs::*members_[] = {&Inputs::front_left_hip_torque, &Inputs::front_left_thigh_torque,
+          &Inputs::front_left_knee_torque, &Inputs::front_right_hip_torque, &Inputs::front_right_thigh_torque,
+          &Inputs::front_right_knee_torque, &Inputs::rear_left_hip_torque, &Inputs::rear_left_thigh_torque,
+          &Inputs::rear_left_knee_torque, &Inputs::rear_right_hip_torque, &Inputs::rear_right_thigh_torque,
+          &Inputs::rear_right_knee_torque};
+      return members_[i_];
+    }
+  };
+
+  /// Multipliers of the constraints, or the reactions that enforce them.
+  struct Multipliers {
+    static constexpr int size = 0;
+  };
+
+  /// Time [s], coordinates and velocities.
+  struct State {
+    Scalar time;
+    Coordinates q;
+    Velocities v;
+  };
+
+  /// Parameters and what depends on them only: built once for each set of parameters.
+  struct Precomputed {
+    Parameters parameters;
+  };
+
+  /// Values of the scene.
+  TORSOR_DEVICE static Parameters default_parameters() noexcept {
+    Parameters parameters{};
+    return parameters;
+  }
+
+  /// To be called again when a parameter changes.
+  TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
+    Precomputed precomputed{};
+    precomputed.parameters = parameters;
+    return precomputed;
+  }
+
+  /// The state the scene starts from, for these parameters.
+  TORSOR_DEVICE static State initial_state(const Parameters&) noexcept {
+    State state{};
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0_7 = traits::constant(0.7, 0.7f, "7/10");
+    const Scalar n1_4 = traits::constant(1.4, 1.4f, "7/5");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    state.time = n0;
+    state.q.trunk_x = n0;
+    state.q.trunk_y = n0;
+    state.q.trunk_z = n0_8;
+    state.q.trunk_attitude_w = n1;
+    state.q.trunk_attitude_x = n0;
+    state.q.trunk_attitude_y = n0;
+    state.q.trunk_attitude_z = n0;
+    state.q.front_left_hip = n0;
+    state.q.front_left_thigh = n0_7;
+    state.q.front_left_knee = -n1_4;
+    state.q.front_right_hip = n0;
+    state.q.front_right_thigh = n0_7;
+    state.q.front_right_knee = -n1_4;
+    state.q.rear_left_hip = n0;
+    state.q.rear_left_thigh = n0_7;
+    state.q.rear_left_knee = -n1_4;
+    state.q.rear_right_hip = n0;
+    state.q.rear_right_thigh = n0_7;
+    state.q.rear_right_knee = -n1_4;
+    state.v.trunk_x = n0_5;
+    state.v.trunk_y = n0;
+    state.v.trunk_z = n0;
+    state.v.trunk_attitude_omega_x = n0_3;
+    state.v.trunk_attitude_omega_y = -n0_5;
+    state.v.trunk_attitude_omega_z = n0;
+    state.v.front_left_hip = n0;
+    state.v.front_left_thigh = n0;
+    state.v.front_left_knee = n0;
+    state.v.front_right_hip = n0;
+    state.v.front_right_thigh = n0;
+    state.v.front_right_knee = n0;
+    state.v.rear_left_hip = n0;
+    state.v.rear_left_thigh = n0;
+    state.v.rear_left_knee = n0;
+    state.v.rear_right_hip = n0;
+    state.v.rear_right_thigh = n0;
+    state.v.rear_right_knee = n0;
+    return state;
+  }
+  TORSOR_DEVICE static State initial_state() noexcept { return initial_state(default_parameters()); }
+
+  /// Poses, twists and named points in ground axes.
+  struct Kinematics {
+    std::array<Scalar, 3> trunk_position;  ///< centre of mass of trunk [m]
+    std::array<Scalar, 9> trunk_rotation;  ///< from the axes of trunk to the ground's (3 x 3)
+    std::array<Scalar, 3> trunk_velocity;  ///< velocity of the centre of mass of trunk [m/s]
+    std::array<Scalar, 3> trunk_angular_velocity;  ///< angular velocity of trunk [rad/s]
+    std::array<Scalar, 3> front_left_hip_link_position;  ///< centre of mass of front_left_hip_link [m]
+    std::array<Scalar, 9> front_left_hip_link_rotation;  ///< from the axes of front_left_hip_link to the ground's (3 x 3)
+    std::array<Scalar, 3> front_left_hip_link_velocity;  ///< velocity of the centre of mass of front_left_hip_link [m/s]
+    std::array<Scalar, 3> front_left_hip_link_angular_velocity;  ///< angular velocity of front_left_hip_link [rad/s]
+    std::array<Scalar, 3> front_left_thigh_link_position;  ///< centre of mass of front_left_thigh_link [m]
+    std::array<Scalar, 9> front_left_thigh_link_rotation;  ///< from the axes of front_left_thigh_link to the ground's (3 x 3)
+    std::array<Scalar, 3> front_left_thigh_link_velocity;  ///< velocity of the centre of mass of front_left_thigh_link [m/s]
+    std::array<Scalar, 3> front_left_thigh_link_angular_velocity;  ///< angular velocity of front_left_thigh_link [rad/s]
+    std::array<Scalar, 3> front_left_shank_link_position;  ///< centre of mass of front_left_shank_link [m]
+    std::array<Scalar, 9> front_left_shank_link_rotation;  ///< from the axes of front_left_shank_link to the ground's (3 x 3)
+    std::array<Scalar, 3> front_left_shank_link_velocity;  ///< velocity of the centre of mass of front_left_shank_link [m/s]
+    std::array<Scalar, 3> front_left_shank_link_angular_velocity;  ///< angular velocity of front_left_shank_link [rad/s]
+    std::array<Scalar, 3> front_left_foot_position;  ///< centre of mass of front_left_foot [m]
+    std::array<Scalar, 9> front_left_foot_rotation;  ///< from the axes of front_left_foot to the ground's (3 x 3)
+    std::array<Scalar, 3> front_left_foot_velocity;  ///< velocity of the centre of mass of front_left_foot [m/s]
+    std::array<Scalar, 3> front_left_foot_angular_velocity;  ///< angular velocity of front_left_foot [rad/s]
+    std::array<Scalar, 3> front_right_hip_link_position;  ///< centre of mass of front_right_hip_link [m]
+    std::array<Scalar, 9> front_right_hip_link_rotation;  ///< from the axes of front_right_hip_link to the ground's (3 x 3)
+    std::array<Scalar, 3> front_right_hip_link_velocity;  ///< velocity of the centre of mass of front_right_hip_link [m/s]
+    std::array<Scalar, 3> front_right_hip_link_angular_velocity;  ///< angular velocity of front_right_hip_link [rad/s]
+    std::array<Scalar, 3> front_right_thigh_link_position;  ///< centre of mass of front_right_thigh_link [m]
+    std::array<Scalar, 9> front_right_thigh_link_rotation;  ///< from the axes of front_right_thigh_link to the ground's (3 x 3)
+    std::array<Scalar, 3> front_right_thigh_link_velocity;  ///< velocity of the centre of mass of front_right_thigh_link [m/s]
+    std::array<Scalar, 3> front_right_thigh_link_angular_velocity;  ///< angular velocity of front_right_thigh_link [rad/s]
+    std::array<Scalar, 3> front_right_shank_link_position;  ///< centre of mass of front_right_shank_link [m]
+    std::array<Scalar, 9> front_right_shank_link_rotation;  ///< from the axes of front_right_shank_link to the ground's (3 x 3)
+    std::array<Scalar, 3> front_right_shank_link_velocity;  ///< velocity of the centre of mass of front_right_shank_link [m/s]
+    std::array<Scalar, 3> front_right_shank_link_angular_velocity;  ///< angular velocity of front_right_shank_link [rad/s]
+    std::array<Scalar, 3> front_right_foot_position;  ///< centre of mass of front_right_foot [m]
+    std::array<Scalar, 9> front_right_foot_rotation;  ///< from the axes of front_right_foot to the ground's (3 x 3)
+    std::array<Scalar, 3> front_right_foot_velocity;  ///< velocity of the centre of mass of front_right_foot [m/s]
+    std::array<Scalar, 3> front_right_foot_angular_velocity;  ///< angular velocity of front_right_foot [rad/s]
+    std::array<Scalar, 3> rear_left_hip_link_position;  ///< centre of mass of rear_left_hip_link [m]
+    std::array<Scalar, 9> rear_left_hip_link_rotation;  ///< from the axes of rear_left_hip_link to the ground's (3 x 3)
+    std::array<Scalar, 3> rear_left_hip_link_velocity;  ///< velocity of the centre of mass of rear_left_hip_link [m/s]
+    std::array<Scalar, 3> rear_left_hip_link_angular_velocity;  ///< angular velocity of rear_left_hip_link [rad/s]
+    std::array<Scalar, 3> rear_left_thigh_link_position;  ///< centre of mass of rear_left_thigh_link [m]
+    std::array<Scalar, 9> rear_left_thigh_link_rotation;  ///< from the axes of rear_left_thigh_link to the ground's (3 x 3)
+    std::array<Scalar, 3> rear_left_thigh_link_velocity;  ///< velocity of the centre of mass of rear_left_thigh_link [m/s]
+    std::array<Scalar, 3> rear_left_thigh_link_angular_velocity;  ///< angular velocity of rear_left_thigh_link [rad/s]
+    std::array<Scalar, 3> rear_left_shank_link_position;  ///< centre of mass of rear_left_shank_link [m]
+    std::array<Scalar, 9> rear_left_shank_link_rotation;  ///< from the axes of rear_left_shank_link to the ground's (3 x 3)
+    std::array<Scalar, 3> rear_left_shank_link_velocity;  ///< velocity of the centre of mass of rear_left_shank_link [m/s]
+    std::array<Scalar, 3> rear_left_shank_link_angular_velocity;  ///< angular velocity of rear_left_shank_link [rad/s]
+    std::array<Scalar, 3> rear_left_foot_position;  ///< centre of mass of rear_left_foot [m]
+    std::array<Scalar, 9> rear_left_foot_rotation;  ///< from the axes of rear_left_foot to the ground's (3 x 3)
+    std::array<Scalar, 3> rear_left_foot_velocity;  ///< velocity of the centre of mass of rear_left_foot [m/s]
+    std::array<Scalar, 3> rear_left_foot_angular_velocity;  ///< angular velocity of rear_left_foot [rad/s]
+    std::array<Scalar, 3> rear_right_hip_link_position;  ///< centre of mass of rear_right_hip_link [m]
+    std::array<Scalar, 9> rear_right_hip_link_rotation;  ///< from the axes of rear_right_hip_link to the ground's (3 x 3)
+    std::array<Scalar, 3> rear_right_hip_link_velocity;  ///< velocity of the centre of mass of rear_right_hip_link [m/s]
+    std::array<Scalar, 3> rear_right_hip_link_angular_velocity;  ///< angular velocity of rear_right_hip_link [rad/s]
+    std::array<Scalar, 3> rear_right_thigh_link_position;  ///< centre of mass of rear_right_thigh_link [m]
+    std::array<Scalar, 9> rear_right_thigh_link_rotation;  ///< from the axes of rear_right_thigh_link to the ground's (3 x 3)
+    std::array<Scalar, 3> rear_right_thigh_link_velocity;  ///< velocity of the centre of mass of rear_right_thigh_link [m/s]
+    std::array<Scalar, 3> rear_right_thigh_link_angular_velocity;  ///< angular velocity of rear_right_thigh_link [rad/s]
+    std::array<Scalar, 3> rear_right_shank_link_position;  ///< centre of mass of rear_right_shank_link [m]
+    std::array<Scalar, 9> rear_right_shank_link_rotation;  ///< from the axes of rear_right_shank_link to the ground's (3 x 3)
+    std::array<Scalar, 3> rear_right_shank_link_velocity;  ///< velocity of the centre of mass of rear_right_shank_link [m/s]
+    std::array<Scalar, 3> rear_right_shank_link_angular_velocity;  ///< angular velocity of rear_right_shank_link [rad/s]
+    std::array<Scalar, 3> rear_right_foot_position;  ///< centre of mass of rear_right_foot [m]
+    std::array<Scalar, 9> rear_right_foot_rotation;  ///< from the axes of rear_right_foot to the ground's (3 x 3)
+    std::array<Scalar, 3> rear_right_foot_velocity;  ///< velocity of the centre of mass of rear_right_foot [m/s]
+    std::array<Scalar, 3> rear_right_foot_angular_velocity;  ///< angular velocity of rear_right_foot [rad/s]
+    std::array<Scalar, 3> front_left_foot_origin_position;  ///< position of front_left_foot_origin [m]
+    std::array<Scalar, 3> front_left_foot_origin_velocity;  ///< velocity of the material point at front_left_foot_origin [m/s]
+    std::array<Scalar, 54> front_left_foot_origin_jacobian;  ///< partial velocities of front_left_foot_origin (3 x 18)
+    std::array<Scalar, 3> front_right_foot_origin_position;  ///< position of front_right_foot_origin [m]
+    std::array<Scalar, 3> front_right_foot_origin_velocity;  ///< velocity of the material point at front_right_foot_origin [m/s]
+    std::array<Scalar, 54> front_right_foot_origin_jacobian;  ///< partial velocities of front_right_foot_origin (3 x 18)
+    std::array<Scalar, 3> rear_left_foot_origin_position;  ///< position of rear_left_foot_origin [m]
+    std::array<Scalar, 3> rear_left_foot_origin_velocity;  ///< velocity of the material point at rear_left_foot_origin [m/s]
+    std::array<Scalar, 54> rear_left_foot_origin_jacobian;  ///< partial velocities of rear_left_foot_origin (3 x 18)
+    std::array<Scalar, 3> rear_right_foot_origin_position;  ///< position of rear_right_foot_origin [m]
+    std::array<Scalar, 3> rear_right_foot_origin_velocity;  ///< velocity of the material point at rear_right_foot_origin [m/s]
+    std::array<Scalar, 54> rear_right_foot_origin_jacobian;  ///< partial velocities of rear_right_foot_origin (3 x 18)
+  };
+
+  /// Energies of the mechanism.
+  struct Energy {
+    Scalar kinetic;  ///< kinetic energy T [J]
+    Scalar force_function;  ///< force function U of gravity and springs [J]
+    Scalar power;  ///< power of dampers, given forces and motors [W]
+    static constexpr int size = 3;
+    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
+    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
+
+   private:
+    TORSOR_DEVICE static constexpr Scalar Energy::*member_(int i_) noexcept {
+      constexpr Scalar Energy::*members_[] = {&Energy::kinetic, &Energy::force_function, &Energy::power};
+      return members_[i_];
+    }
+  };
+
+  /// dq/dt from v: the velocity itself for a coordinate, 1/2 e (0, omega) for a unit quaternion e with the angular
+  /// velocity omega in moving axes.
+  TORSOR_DEVICE static void coordinate_rates(const Precomputed&, const State& state,
+      std::array<Scalar, 19>& rates) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar v_trunk_x = state.v.trunk_x;
+    const Scalar v_trunk_y = state.v.trunk_y;
+    const Scalar v_trunk_z = state.v.trunk_z;
+    const Scalar q_trunk_attitude_y = state.q.trunk_attitude_y;
+    const Scalar q_trunk_attitude_z = state.q.trunk_attitude_z;
+    const Scalar q_trunk_attitude_x = state.q.trunk_attitude_x;
+    const Scalar q_trunk_attitude_w = state.q.trunk_attitude_w;
+    const Scalar v_trunk_attitude_omega_x = state.v.trunk_attitude_omega_x;
+    const Scalar v_trunk_attitude_omega_y = state.v.trunk_attitude_omega_y;
+    const Scalar v_trunk_attitude_omega_z = state.v.trunk_attitude_omega_z;
+    const Scalar v_front_left_hip = state.v.front_left_hip;
+    const Scalar v_front_left_thigh = state.v.front_left_thigh;
+    const Scalar v_front_left_knee = state.v.front_left_knee;
+    const Scalar v_front_right_hip = state.v.front_right_hip;
+    const Scalar v_front_right_thigh = state.v.front_right_thigh;
+    const Scalar v_front_right_knee = state.v.front_right_knee;
+    const Scalar v_rear_left_hip = state.v.rear_left_hip;
+    const Scalar v_rear_left_thigh = state.v.rear_left_thigh;
+    const Scalar v_rear_left_knee = state.v.rear_left_knee;
+    const Scalar v_rear_right_hip = state.v.rear_right_hip;
+    const Scalar v_rear_right_thigh = state.v.rear_right_thigh;
+    const Scalar v_rear_right_knee = state.v.rear_right_knee;
+    const Scalar z3769 = n0_5 * (q_trunk_attitude_y * v_trunk_attitude_omega_y + q_trunk_attitude_z
+        * v_trunk_attitude_omega_z + q_trunk_attitude_x * v_trunk_attitude_omega_x);
+    const Scalar z3770 = n0_5 * (q_trunk_attitude_y * v_trunk_attitude_omega_z - q_trunk_attitude_z
+        * v_trunk_attitude_omega_y + q_trunk_attitude_w * v_trunk_attitude_omega_x);
+    const Scalar z3771 = n0_5 * (q_trunk_attitude_z * v_trunk_attitude_omega_x - q_trunk_attitude_x
+        * v_trunk_attitude_omega_z + q_trunk_attitude_w * v_trunk_attitude_omega_y);
+    const Scalar z3772 = n0_5 * (q_trunk_attitude_y * v_trunk_attitude_omega_x - q_trunk_attitude_x
+        * v_trunk_attitude_omega_y - q_trunk_attitude_w * v_trunk_attitude_omega_z);
+    rates[0] = v_trunk_x;
+    rates[1] = v_trunk_y;
+    rates[2] = v_trunk_z;
+    rates[3] = -z3769;
+    rates[4] = z3770;
+    rates[5] = z3771;
+    rates[6] = -z3772;
+    rates[7] = v_front_left_hip;
+    rates[8] = v_front_left_thigh;
+    rates[9] = v_front_left_knee;
+    rates[10] = v_front_right_hip;
+    rates[11] = v_front_right_thigh;
+    rates[12] = v_front_right_knee;
+    rates[13] = v_rear_left_hip;
+    rates[14] = v_rear_left_thigh;
+    rates[15] = v_rear_left_knee;
+    rates[16] = v_rear_right_hip;
+    rates[17] = v_rear_right_thigh;
+    rates[18] = v_rear_right_knee;
+  }
+
+  /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
+  /// matrices column by column.
+  TORSOR_DEVICE static void kinematics(const Precomputed&, const State& state, Kinematics& result) noexcept {
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    const Scalar n0_08 = traits::constant(0.08, 0.08f, "2/25");
+    const Scalar n0_04 = traits::constant(0.04, 0.04f, "1/25");
+    const Scalar n0_09 = traits::constant(0.09, 0.09f, "9/100");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_trunk_x = state.q.trunk_x;
+    const Scalar v_trunk_x = state.v.trunk_x;
+    const Scalar q_trunk_y = state.q.trunk_y;
+    const Scalar v_trunk_y = state.v.trunk_y;
+    const Scalar q_trunk_z = state.q.trunk_z;
+    const Scalar v_trunk_z = state.v.trunk_z;
+    const Scalar q_trunk_attitude_y = state.q.trunk_attitude_y;
+    const Scalar q_trunk_attitude_z = state.q.trunk_attitude_z;
+    const Scalar q_trunk_attitude_x = state.q.trunk_attitude_x;
+    const Scalar q_trunk_attitude_w = state.q.trunk_attitude_w;
+    const Scalar v_trunk_attitude_omega_x = state.v.trunk_attitude_omega_x;
+    const Scalar v_trunk_attitude_omega_y = state.v.trunk_attitude_omega_y;
+    const Scalar v_trunk_attitude_omega_z = state.v.trunk_attitude_omega_z;
+    const Scalar q_front_left_hip = state.q.front_left_hip;
+    const Scalar v_front_left_hip = state.v.front_left_hip;
+    const Scalar q_front_left_thigh = state.q.front_left_thigh;
+    const Scalar v_front_left_thigh = state.v.front_left_thigh;
+    const Scalar q_front_left_knee = state.q.front_left_knee;
+    const Scalar v_front_left_knee = state.v.front_left_knee;
+    const Scalar q_front_right_hip = state.q.front_right_hip;
+    const Scalar v_front_right_hip = state.v.front_right_hip;
+    const Scalar q_front_right_thigh = state.q.front_right_thigh;
+    const Scalar v_front_right_thigh = state.v.front_right_thigh;
+    const Scalar q_front_right_knee = state.q.front_right_knee;
+    const Scalar v_front_right_knee = state.v.front_right_knee;
+    const Scalar q_rear_left_hip = state.q.rear_left_hip;
+    const Scalar v_rear_left_hip = state.v.rear_left_hip;
+    const Scalar q_rear_left_thigh = state.q.rear_left_thigh;
+    const Scalar v_rear_left_thigh = state.v.rear_left_thigh;
+    const Scalar q_rear_left_knee = state.q.rear_left_knee;
+    const Scalar v_rear_left_knee = state.v.rear_left_knee;
+    const Scalar q_rear_right_hip = state.q.rear_right_hip;
+    const Scalar v_rear_right_hip = state.v.rear_right_hip;
+    const Scalar q_rear_right_thigh = state.q.rear_right_thigh;
+    const Scalar v_rear_right_thigh = state.v.rear_right_thigh;
+    const Scalar q_rear_right_knee = state.q.rear_right_knee;
+    const Scalar v_rear_right_knee = state.v.rear_right_knee;
+    const Scalar z10 = n2 * q_trunk_attitude_y * q_trunk_attitude_y;
+    const Scalar z12 = n2 * q_trunk_attitude_z * q_trunk_attitude_z;
+    const Scalar z14 = n2 * q_trunk_attitude_y * q_trunk_attitude_x;
+    const Scalar z16 = n2 * q_trunk_attitude_z * q_trunk_attitude_w;
+    const Scalar z17 = n1 - z10 - z12;
+    const Scalar z18 = z14 - z16;
+    const Scalar z19 = z14 + z16;
+    const Scalar z20 = n2 * q_trunk_attitude_x * q_trunk_attitude_x;
+    const Scalar z21 = n2 * q_trunk_attitude_y * q_trunk_attitude_z;
+    const Scalar z22 = n2 * q_trunk_attitude_x * q_trunk_attitude_w;
+    const Scalar z23 = n1 - z12 - z20;
+    const Scalar z24 = z21 - z22;
+    const Scalar z25 = z21 + z22;
+    const Scalar z26 = n2 * q_trunk_attitude_z * q_trunk_attitude_x;
+    const Scalar z27 = n2 * q_trunk_attitude_y * q_trunk_attitude_w;
+    const Scalar z28 = n1 - z10 - z20;
+    const Scalar z29 = z26 - z27;
+    const Scalar z30 = z26 + z27;
+    Scalar s_front_left_hip, c_front_left_hip;
+    traits::sincos(q_front_left_hip, s_front_left_hip, c_front_left_hip);
+    Scalar s_front_left_thigh, c_front_left_thigh;
+    traits::sincos(q_front_left_thigh, s_front_left_thigh, c_front_left_thigh);
+    Scalar s_front_left_knee, c_front_left_knee;
+    traits::sincos(q_front_left_knee, s_front_left_knee, c_front_left_knee);
+    Scalar s_front_right_hip, c_front_right_hip;
+    traits::sincos(q_front_right_hip, s_front_right_hip, c_front_right_hip);
+    Scalar s_front_right_thigh, c_front_right_thigh;
+    traits::sincos(q_front_right_thigh, s_front_right_thigh, c_front_right_thigh);
+    Scalar s_front_right_knee, c_front_right_knee;
+    traits::sincos(q_front_right_knee, s_front_right_knee, c_front_right_knee);
+    Scalar s_rear_left_hip, c_rear_left_hip;
+    traits::sincos(q_rear_left_hip, s_rear_left_hip, c_rear_left_hip);
+    Scalar s_rear_left_thigh, c_rear_left_thigh;
+    traits::sincos(q_rear_left_thigh, s_rear_left_thigh, c_rear_left_thigh);
+    Scalar s_rear_left_knee, c_rear_left_knee;
+    traits::sincos(q_rear_left_knee, s_rear_left_knee, c_rear_left_knee);
+    Scalar s_rear_right_hip, c_rear_right_hip;
+    traits::sincos(q_rear_right_hip, s_rear_right_hip, c_rear_right_hip);
+    Scalar s_rear_right_thigh, c_rear_right_thigh;
+    traits::sincos(q_rear_right_thigh, s_rear_right_thigh, c_rear_right_thigh);
+    Scalar s_rear_right_knee, c_rear_right_knee;
+    traits::sincos(q_rear_right_knee, s_rear_right_knee, c_rear_right_knee);
+    const Scalar z97 = v_trunk_x * z17 + v_trunk_y * z19 + v_trunk_z * z29;
+    const Scalar z98 = v_trunk_x * z18 + v_trunk_y * z23 + v_trunk_z * z25;
+    const Scalar z99 = v_trunk_x * z30 + v_trunk_y * z24 + v_trunk_z * z28;
+    const Scalar z100 = n0_05 * v_trunk_attitude_omega_z - z97;
+    const Scalar z101 = n0_2 * v_trunk_attitude_omega_z + z98;
+    const Scalar z102 = n0_05 * v_trunk_attitude_omega_x - n0_2 * v_trunk_attitude_omega_y + z99;
+    const Scalar z103 = v_trunk_attitude_omega_y * c_front_left_hip + v_trunk_attitude_omega_z * s_front_left_hip;
+    const Scalar z104 = v_trunk_attitude_omega_y * s_front_left_hip - v_trunk_attitude_omega_z * c_front_left_hip;
+    const Scalar z105 = s_front_left_hip * z102 + c_front_left_hip * z101;
+    const Scalar z106 = s_front_left_hip * z101 - c_front_left_hip * z102;
+    const Scalar z107 = v_trunk_attitude_omega_x + v_front_left_hip;  // angular velocity of front_left_hip_link, x
+    const Scalar z108 = z100 - n0_08 * z104;
+    const Scalar z109 = z106 - n0_08 * z107;
+    const Scalar z110 = s_front_left_thigh * z104 + c_front_left_thigh * z107;
+    const Scalar z111 = s_front_left_thigh * z107 - c_front_left_thigh * z104;
+    const Scalar z112 = s_front_left_thigh * z109 - c_front_left_thigh * z108;
+    const Scalar z113 = s_front_left_thigh * z108 + c_front_left_thigh * z109;
+    const Scalar z114 = v_front_left_thigh + z103;  // angular velocity of front_left_thigh_link, y
+    const Scalar z115 = z112 - n0_2 * z114;
+    const Scalar z116 = z105 + n0_2 * z110;
+    const Scalar z117 = s_front_left_knee * z111 - c_front_left_knee * z110;
+    const Scalar z118 = s_front_left_knee * z110 + c_front_left_knee * z111;
+    const Scalar z119 = s_front_left_knee * z113 + c_front_left_knee * z115;
+    const Scalar z120 = s_front_left_knee * z115 - c_front_left_knee * z113;
+    const Scalar z121 = v_front_left_knee + z114;  // angular velocity of front_left_shank_link, y
+    const Scalar z122 = n0_05 * v_trunk_attitude_omega_z + z97;
+    const Scalar z123 = n0_05 * v_trunk_attitude_omega_x + n0_2 * v_trunk_attitude_omega_y - z99;
+    const Scalar z124 = v_trunk_attitude_omega_y * c_front_right_hip + v_trunk_attitude_omega_z * s_front_right_hip;
+    const Scalar z125 = v_trunk_attitude_omega_y * s_front_right_hip - v_trunk_attitude_omega_z * c_front_right_hip;
+    const Scalar z126 = s_front_right_hip * z123 - c_front_right_hip * z101;
+    const Scalar z127 = s_front_right_hip * z101 + c_front_right_hip * z123;
+    const Scalar z128 = v_trunk_attitude_omega_x + v_front_right_hip;  // angular velocity of front_right_hip_link, x
+    const Scalar z129 = z122 - n0_08 * z125;
+    const Scalar z130 = z127 + n0_08 * z128;
+    const Scalar z131 = s_front_right_thigh * z125 + c_front_right_thigh * z128;
+    const Scalar z132 = s_front_right_thigh * z128 - c_front_right_thigh * z125;
+    const Scalar z133 = s_front_right_thigh * z130 + c_front_right_thigh * z129;
+    const Scalar z134 = s_front_right_thigh * z129 - c_front_right_thigh * z130;
+    const Scalar z135 = v_front_right_thigh + z124;  // angular velocity of front_right_thigh_link, y
+    const Scalar z136 = z133 - n0_2 * z135;
+    const Scalar z137 = z126 - n0_2 * z131;
+    const Scalar z138 = s_front_right_knee * z132 - c_front_right_knee * z131;
+    const Scalar z139 = s_front_right_knee * z131 + c_front_right_knee * z132;
+    const Scalar z140 = s_front_right_knee * z134 - c_front_right_knee * z136;
+    const Scalar z141 = s_front_right_knee * z136 + c_front_right_knee * z134;
+    const Scalar z142 = v_front_right_knee + z135;  // angular velocity of front_right_shank_link, y
+    const Scalar z143 = n0_2 * v_trunk_attitude_omega_z - z98;
+    const Scalar z144 = n0_05 * v_trunk_attitude_omega_x + n0_2 * v_trunk_attitude_omega_y + z99;
+    const Scalar z145 = v_trunk_attitude_omega_y * c_rear_left_hip + v_trunk_attitude_omega_z * s_rear_left_hip;
+    const Scalar z146 = v_trunk_attitude_omega_y * s_rear_left_hip - v_trunk_attitude_omega_z * c_rear_left_hip;
+    const Scalar z147 = s_rear_left_hip * z144 - c_rear_left_hip * z143;
+    const Scalar z148 = s_rear_left_hip * z143 + c_rear_left_hip * z144;
+    const Scalar z149 = v_trunk_attitude_omega_x + v_rear_left_hip;  // angular velocity of rear_left_hip_link, x
+    const Scalar z150 = z100 - n0_08 * z146;
+    const Scalar z151 = z148 + n0_08 * z149;
+    const Scalar z152 = s_rear_left_thigh * z146 + c_rear_left_thigh * z149;
+    const Scalar z153 = s_rear_left_thigh * z149 - c_rear_left_thigh * z146;
+    const Scalar z154 = s_rear_left_thigh * z151 + c_rear_left_thigh * z150;
+    const Scalar z155 = s_rear_left_thigh * z150 - c_rear_left_thigh * z151;
+    const Scalar z156 = v_rear_left_thigh + z145;  // angular velocity of rear_left_thigh_link, y
+    const Scalar z157 = z154 + n0_2 * z156;
+    const Scalar z158 = z147 + n0_2 * z152;
+    const Scalar z159 = s_rear_left_knee * z153 - c_rear_left_knee * z152;
+    const Scalar z160 = s_rear_left_knee * z152 + c_rear_left_knee * z153;
+    const Scalar z161 = s_rear_left_knee * z155 - c_rear_left_knee * z157;
+    const Scalar z162 = s_rear_left_knee * z157 + c_rear_left_knee * z155;
+    const Scalar z163 = v_rear_left_knee + z156;  // angular velocity of rear_left_shank_link, y
+    const Scalar z164 = n0_05 * v_trunk_attitude_omega_x - n0_2 * v_trunk_attitude_omega_y - z99;
+    const Scalar z165 = v_trunk_attitude_omega_y * c_rear_right_hip + v_trunk_attitude_omega_z * s_rear_right_hip;
+    const Scalar z166 = v_trunk_attitude_omega_y * s_rear_right_hip - v_trunk_attitude_omega_z * c_rear_right_hip;
+    const Scalar z167 = s_rear_right_hip * z164 + c_rear_right_hip * z143;
+    const Scalar z168 = s_rear_right_hip * z143 - c_rear_right_hip * z164;
+    const Scalar z169 = v_trunk_attitude_omega_x + v_rear_right_hip;  // angular velocity of rear_right_hip_link, x
+    const Scalar z170 = z122 - n0_08 * z166;
+    const Scalar z171 = z168 - n0_08 * z169;
+    const Scalar z172 = s_rear_right_thigh * z166 + c_rear_right_thigh * z169;
+    const Scalar z173 = s_rear_right_thigh * z169 - c_rear_right_thigh * z166;
+    const Scalar z174 = s_rear_right_thigh * z171 - c_rear_right_thigh * z170;
+    const Scalar z175 = s_rear_right_thigh * z170 + c_rear_right_thigh * z171;
+    const Scalar z176 = v_rear_right_thigh + z165;  // angular velocity of rear_right_thigh_link, y
+    const Scalar z177 = z174 + n0_2 * z176;
+    const Scalar z178 = z167 - n0_2 * z172;
+    const Scalar z179 = s_rear_right_knee * z173 - c_rear_right_knee * z172;
+    const Scalar z180 = s_rear_right_knee * z172 + c_rear_right_knee * z173;
+    const Scalar z181 = s_rear_right_knee * z175 + c_rear_right_knee * z177;
+    const Scalar z182 = s_rear_right_knee * z177 - c_rear_right_knee * z175;
+    const Scalar z183 = v_rear_right_knee + z176;  // angular velocity of rear_right_shank_link, y
+    const Scalar z184 = z17 * z97 + z18 * z98 + z30 * z99;
+    const Scalar z185 = z19 * z97 + z23 * z98 + z24 * z99;
+    const Scalar z186 = z25 * z98 + z28 * z99 + z29 * z97;
+    const Scalar z187 = z17 * v_trunk_attitude_omega_x + z18 * v_trunk_attitude_omega_y + z30
+        * v_trunk_attitude_omega_z;
+    const Scalar z188 = z19 * v_trunk_attitude_omega_x + z23 * v_trunk_attitude_omega_y + z24
+        * v_trunk_attitude_omega_z;
+    const Scalar z189 = z25 * v_trunk_attitude_omega_y + z28 * v_trunk_attitude_omega_z + z29
+        * v_trunk_attitude_omega_x;
+    const Scalar z190 = n0_04 * c_front_left_hip;
+    const Scalar z191 = n0_04 * s_front_left_hip;
+    const Scalar z192 = n0_05 + z190;
+    const Scalar z193 = n0_2 * z17 + z18 * z192 + z30 * z191;
+    const Scalar z194 = n0_2 * z19 + z23 * z192 + z24 * z191;
+    const Scalar z195 = z25 * z192 + z28 * z191 + n0_2 * z29;
+    const Scalar z196 = q_trunk_z + z195;
+    const Scalar z197 = q_trunk_y + z194;
+    const Scalar z198 = q_trunk_x + z193;
+    const Scalar z199 = z18 * c_front_left_hip + z30 * s_front_left_hip;
+    const Scalar z200 = z23 * c_front_left_hip + z24 * s_front_left_hip;
+    const Scalar z201 = z25 * c_front_left_hip + z28 * s_front_left_hip;
+    const Scalar z202 = z18 * s_front_left_hip - z30 * c_front_left_hip;
+    const Scalar z203 = z23 * s_front_left_hip - z24 * c_front_left_hip;
+    const Scalar z204 = z25 * s_front_left_hip - z28 * c_front_left_hip;
+    const Scalar z205 = z100 - n0_04 * z104;
+    const Scalar z206 = z106 - n0_04 * z107;
+    const Scalar z207 = s_front_left_hip * z206 + c_front_left_hip * z105;
+    const Scalar z208 = s_front_left_hip * z105 - c_front_left_hip * z206;
+    const Scalar z209 = z17 * z205 - z18 * z207 - z30 * z208;
+    const Scalar z210 = z19 * z205 - z23 * z207 - z24 * z208;
+    const Scalar z211 = z25 * z207 + z28 * z208 - z29 * z205;
+    const Scalar z212 = s_front_left_hip * z104 + c_front_left_hip * z103;
+    const Scalar z213 = s_front_left_hip * z103 - c_front_left_hip * z104;
+    const Scalar z214 = z17 * z107 + z18 * z212 + z30 * z213;
+    const Scalar z215 = z19 * z107 + z23 * z212 + z24 * z213;
+    const Scalar z216 = z25 * z212 + z28 * z213 + z29 * z107;
+    const Scalar z217 = n0_09 * s_front_left_thigh;
+    const Scalar z218 = n0_09 * c_front_left_thigh;
+    const Scalar z219 = s_front_left_hip * z218 + n0_08 * c_front_left_hip;
+    const Scalar z220 = n0_08 * s_front_left_hip - c_front_left_hip * z218;
+    const Scalar z221 = n0_2 - z217;
+    const Scalar z222 = n0_05 + z219;
+    const Scalar z223 = z17 * z221 + z18 * z222 + z30 * z220;
+    const Scalar z224 = z19 * z221 + z23 * z222 + z24 * z220;
+    const Scalar z225 = z25 * z222 + z28 * z220 + z29 * z221;
+    const Scalar z226 = q_trunk_z + z225;
+    const Scalar z227 = q_trunk_y + z224;
+    const Scalar z228 = q_trunk_x + z223;
+    const Scalar z229 = s_front_left_hip * s_front_left_thigh;
+    const Scalar z230 = c_front_left_hip * s_front_left_thigh;
+    const Scalar z231 = z17 * c_front_left_thigh + z18 * z229 - z30 * z230;
+    const Scalar z232 = z19 * c_front_left_thigh + z23 * z229 - z24 * z230;
+    const Scalar z233 = z25 * z229 - z28 * z230 + z29 * c_front_left_thigh;
+    const Scalar z234 = s_front_left_hip * c_front_left_thigh;
+    const Scalar z235 = c_front_left_hip * c_front_left_thigh;
+    const Scalar z236 = z17 * s_front_left_thigh - z18 * z234 + z30 * z235;
+    const Scalar z237 = z19 * s_front_left_thigh - z23 * z234 + z24 * z235;
+    const Scalar z238 = z25 * z234 - z28 * z235 - z29 * s_front_left_thigh;
+    const Scalar z239 = z112 - n0_09 * z114;
+    const Scalar z240 = z105 + n0_09 * z110;
+    const Scalar z241 = s_front_left_thigh * z113 - c_front_left_thigh * z239;
+    const Scalar z242 = s_front_left_thigh * z239 + c_front_left_thigh * z113;
+    const Scalar z243 = s_front_left_hip * z242 + c_front_left_hip * z240;
+    const Scalar z244 = s_front_left_hip * z240 - c_front_left_hip * z242;
+    const Scalar z245 = z17 * z241 - z18 * z243 - z30 * z244;
+    const Scalar z246 = z19 * z241 - z23 * z243 - z24 * z244;
+    const Scalar z247 = z25 * z243 + z28 * z244 - z29 * z241;
+    const Scalar z248 = s_front_left_thigh * z111 + c_front_left_thigh * z110;
+    const Scalar z249 = s_front_left_thigh * z110 - c_front_left_thigh * z111;
+    const Scalar z250 = s_front_left_hip * z249 + c_front_left_hip * z114;
+    const Scalar z251 = s_front_left_hip * z114 - c_front_left_hip * z249;
+    const Scalar z252 = z17 * z248 + z18 * z250 + z30 * z251;
+    const Scalar z253 = z19 * z248 + z23 * z250 + z24 * z251;
+    const Scalar z254 = z25 * z250 + z28 * z251 + z29 * z248;
+    const Scalar z255 = n0_1 * s_front_left_knee;
+    const Scalar z256 = n0_1 * c_front_left_knee;
+    const Scalar z257 = n0_2 + z256;
+    const Scalar z258 = s_front_left_thigh * z257 + c_front_left_thigh * z255;
+    const Scalar z259 = s_front_left_thigh * z255 - c_front_left_thigh * z257;
+    const Scalar z260 = s_front_left_hip * z259 - n0_08 * c_front_left_hip;
+    const Scalar z261 = n0_08 * s_front_left_hip + c_front_left_hip * z259;
+    const Scalar z262 = n0_2 - z258;
+    const Scalar z263 = n0_05 - z260;
+    const Scalar z264 = z17 * z262 + z18 * z263 + z30 * z261;
+    const Scalar z265 = z19 * z262 + z23 * z263 + z24 * z261;
+    const Scalar z266 = z25 * z263 + z28 * z261 + z29 * z262;
+    const Scalar z267 = q_trunk_z + z266;
+    const Scalar z268 = q_trunk_y + z265;
+    const Scalar z269 = q_trunk_x + z264;
+    const Scalar z270 = q_front_left_thigh + q_front_left_knee;
+    Scalar z271, z272;
+    traits::sincos(z270, z271, z272);
+    const Scalar z273 = s_front_left_hip * z271;
+    const Scalar z274 = c_front_left_hip * z271;
+    const Scalar z275 = z17 * z272 + z18 * z273 - z30 * z274;
+    const Scalar z276 = z19 * z272 + z23 * z273 - z24 * z274;
+    const Scalar z277 = z25 * z273 - z28 * z274 + z29 * z272;
+    const Scalar z278 = s_front_left_hip * z272;
+    const Scalar z279 = c_front_left_hip * z272;
+    const Scalar z280 = z17 * z271 - z18 * z278 + z30 * z279;
+    const Scalar z281 = z19 * z271 - z23 * z278 + z24 * z279;
+    const Scalar z282 = z25 * z278 - z28 * z279 - z29 * z271;
+    const Scalar z283 = z119 - n0_1 * z121;
+    const Scalar z284 = z116 - n0_1 * z117;
+    const Scalar z285 = z120 * z271 + z272 * z283;
+    const Scalar z286 = z120 * z272 - z271 * z283;
+    const Scalar z287 = s_front_left_hip * z286 - c_front_left_hip * z284;
+    const Scalar z288 = s_front_left_hip * z284 + c_front_left_hip * z286;
+    const Scalar z289 = z17 * z285 - z18 * z287 + z30 * z288;
+    const Scalar z290 = z19 * z285 - z23 * z287 + z24 * z288;
+    const Scalar z291 = z25 * z287 - z28 * z288 - z29 * z285;
+    const Scalar z292 = z117 * z272 - z118 * z271;
+    const Scalar z293 = z117 * z271 + z118 * z272;
+    const Scalar z294 = s_front_left_hip * z293 - c_front_left_hip * z121;
+    const Scalar z295 = s_front_left_hip * z121 + c_front_left_hip * z293;
+    const Scalar z296 = z17 * z292 + z18 * z294 - z30 * z295;
+    const Scalar z297 = z19 * z292 + z23 * z294 - z24 * z295;
+    const Scalar z298 = z25 * z294 - z28 * z295 + z29 * z292;
+    const Scalar z299 = n0_2 * s_front_left_knee;
+    const Scalar z300 = n0_2 * c_front_left_knee;
+    const Scalar z301 = n0_2 + z300;
+    const Scalar z302 = s_front_left_thigh * z301 + c_front_left_thigh * z299;
+    const Scalar z303 = s_front_left_thigh * z299 - c_front_left_thigh * z301;
+    const Scalar z304 = s_front_left_hip * z303 - n0_08 * c_front_left_hip;
+    const Scalar z305 = n0_08 * s_front_left_hip + c_front_left_hip * z303;
+    const Scalar z306 = n0_2 - z302;
+    const Scalar z307 = n0_05 - z304;
+    const Scalar z308 = z17 * z306 + z18 * z307 + z30 * z305;
+    const Scalar z309 = z19 * z306 + z23 * z307 + z24 * z305;
+    const Scalar z310 = z25 * z307 + z28 * z305 + z29 * z306;
+    const Scalar z311 = q_trunk_z + z310;
+    const Scalar z312 = q_trunk_y + z309;
+    const Scalar z313 = q_trunk_x + z308;
+    const Scalar z314 = z119 - n0_2 * z121;
+    const Scalar z315 = z116 - n0_2 * z117;
+    const Scalar z316 = z120 * z271 + z272 * z314;
+    const Scalar z317 = z120 * z272 - z271 * z314;
+    const Scalar z318 = s_front_left_hip * z317 - c_front_left_hip * z315;
+    const Scalar z319 = s_front_left_hip * z315 + c_front_left_hip * z317;
+    const Scalar z320 = z17 * z316 - z18 * z318 + z30 * z319;
+    const Scalar z321 = z19 * z316 - z23 * z318 + z24 * z319;
+    const Scalar z322 = z25 * z318 - z28 * z319 - z29 * z316;
+    const Scalar z323 = n0_04 * c_front_right_hip;
+    const Scalar z324 = n0_04 * s_front_right_hip;
+    const Scalar z325 = n0_05 + z323;
+    const Scalar z326 = n0_2 * z17 - z18 * z325 - z30 * z324;
+    const Scalar z327 = n0_2 * z19 - z23 * z325 - z24 * z324;
+    const Scalar z328 = z25 * z325 + z28 * z324 - n0_2 * z29;
+    const Scalar z329 = q_trunk_z - z328;
+    const Scalar z330 = q_trunk_y + z327;
+    const Scalar z331 = q_trunk_x + z326;
+    const Scalar z332 = z18 * c_front_right_hip + z30 * s_front_right_hip;
+    const Scalar z333 = z23 * c_front_right_hip + z24 * s_front_right_hip;
+    const Scalar z334 = z25 * c_front_right_hip + z28 * s_front_right_hip;
+    const Scalar z335 = z18 * s_front_right_hip - z30 * c_front_right_hip;
+    const Scalar z336 = z23 * s_front_right_hip - z24 * c_front_right_hip;
+    const Scalar z337 = z25 * s_front_right_hip - z28 * c_front_right_hip;
+    const Scalar z338 = z122 - n0_04 * z125;
+    const Scalar z339 = z127 + n0_04 * z128;
+    const Scalar z340 = s_front_right_hip * z339 - c_front_right_hip * z126;
+    const Scalar z341 = s_front_right_hip * z126 + c_front_right_hip * z339;
+    const Scalar z342 = z17 * z338 + z18 * z340 - z30 * z341;
+    const Scalar z343 = z19 * z338 + z23 * z340 - z24 * z341;
+    const Scalar z344 = z25 * z340 - z28 * z341 + z29 * z338;
+    const Scalar z345 = s_front_right_hip * z125 + c_front_right_hip * z124;
+    const Scalar z346 = s_front_right_hip * z124 - c_front_right_hip * z125;
+    const Scalar z347 = z17 * z128 + z18 * z345 + z30 * z346;
+    const Scalar z348 = z19 * z128 + z23 * z345 + z24 * z346;
+    const Scalar z349 = z25 * z345 + z28 * z346 + z29 * z128;
+    const Scalar z350 = n0_09 * s_front_right_thigh;
+    const Scalar z351 = n0_09 * c_front_right_thigh;
+    const Scalar z352 = s_front_right_hip * z351 - n0_08 * c_front_right_hip;
+    const Scalar z353 = n0_08 * s_front_right_hip + c_front_right_hip * z351;
+    const Scalar z354 = n0_2 - z350;
+    const Scalar z355 = n0_05 - z352;
+    const Scalar z356 = z17 * z354 - z18 * z355 - z30 * z353;
+    const Scalar z357 = z19 * z354 - z23 * z355 - z24 * z353;
+    const Scalar z358 = z25 * z355 + z28 * z353 - z29 * z354;
+    const Scalar z359 = q_trunk_z - z358;
+    const Scalar z360 = q_trunk_y + z357;
+    const Scalar z361 = q_trunk_x + z356;
+    const Scalar z362 = s_front_right_hip * s_front_right_thigh;
+    const Scalar z363 = c_front_right_hip * s_front_right_thigh;
+    const Scalar z364 = z17 * c_front_right_thigh + z18 * z362 - z30 * z363;
+    const Scalar z365 = z19 * c_front_right_thigh + z23 * z362 - z24 * z363;
+    const Scalar z366 = z25 * z362 - z28 * z363 + z29 * c_front_right_thigh;
+    const Scalar z367 = s_front_right_hip * c_front_right_thigh;
+    const Scalar z368 = c_front_right_hip * c_front_right_thigh;
+    const Scalar z369 = z17 * s_front_right_thigh - z18 * z367 + z30 * z368;
+    const Scalar z370 = z19 * s_front_right_thigh - z23 * z367 + z24 * z368;
+    const Scalar z371 = z25 * z367 - z28 * z368 - z29 * s_front_right_thigh;
+    const Scalar z372 = z133 - n0_09 * z135;
+    const Scalar z373 = z126 - n0_09 * z131;
+    const Scalar z374 = s_front_right_thigh * z134 + c_front_right_thigh * z372;
+    const Scalar z375 = s_front_right_thigh * z372 - c_front_right_thigh * z134;
+    const Scalar z376 = s_front_right_hip * z375 - c_front_right_hip * z373;
+    const Scalar z377 = s_front_right_hip * z373 + c_front_right_hip * z375;
+    const Scalar z378 = z17 * z374 + z18 * z376 - z30 * z377;
+    const Scalar z379 = z19 * z374 + z23 * z376 - z24 * z377;
+    const Scalar z380 = z25 * z376 - z28 * z377 + z29 * z374;
+    const Scalar z381 = s_front_right_thigh * z132 + c_front_right_thigh * z131;
+    const Scalar z382 = s_front_right_thigh * z131 - c_front_right_thigh * z132;
+    const Scalar z383 = s_front_right_hip * z382 + c_front_right_hip * z135;
+    const Scalar z384 = s_front_right_hip * z135 - c_front_right_hip * z382;
+    const Scalar z385 = z17 * z381 + z18 * z383 + z30 * z384;
+    const Scalar z386 = z19 * z381 + z23 * z383 + z24 * z384;
+    const Scalar z387 = z25 * z383 + z28 * z384 + z29 * z381;
+    const Scalar z388 = n0_1 * s_front_right_knee;
+    const Scalar z389 = n0_1 * c_front_right_knee;
+    const Scalar z390 = n0_2 + z389;
+    const Scalar z391 = s_front_right_thigh * z390 + c_front_right_thigh * z388;
+    const Scalar z392 = s_front_right_thigh * z388 - c_front_right_thigh * z390;
+    const Scalar z393 = s_front_right_hip * z392 + n0_08 * c_front_right_hip;
+    const Scalar z394 = n0_08 * s_front_right_hip - c_front_right_hip * z392;
+    const Scalar z395 = n0_2 - z391;
+    const Scalar z396 = n0_05 + z393;
+    const Scalar z397 = z17 * z395 - z18 * z396 - z30 * z394;
+    const Scalar z398 = z19 * z395 - z23 * z396 - z24 * z394;
+    const Scalar z399 = z25 * z396 + z28 * z394 - z29 * z395;
+    const Scalar z400 = q_trunk_z - z399;
+    const Scalar z401 = q_trunk_y + z398;
+    const Scalar z402 = q_trunk_x + z397;
+    const Scalar z403 = q_front_right_thigh + q_front_right_knee;
+    Scalar z404, z405;
+    traits::sincos(z403, z404, z405);
+    const Scalar z406 = s_front_right_hip * z404;
+    const Scalar z407 = c_front_right_hip * z404;
+    const Scalar z408 = z17 * z405 + z18 * z406 - z30 * z407;
+    const Scalar z409 = z19 * z405 + z23 * z406 - z24 * z407;
+    const Scalar z410 = z25 * z406 - z28 * z407 + z29 * z405;
+    const Scalar z411 = s_front_right_hip * z405;
+    const Scalar z412 = c_front_right_hip * z405;
+    const Scalar z413 = z17 * z404 - z18 * z411 + z30 * z412;
+    const Scalar z414 = z19 * z404 - z23 * z411 + z24 * z412;
+    const Scalar z415 = z25 * z411 - z28 * z412 - z29 * z404;
+    const Scalar z416 = z140 + n0_1 * z142;
+    const Scalar z417 = z137 + n0_1 * z138;
+    const Scalar z418 = z141 * z404 - z405 * z416;
+    const Scalar z419 = z141 * z405 + z404 * z416;
+    const Scalar z420 = s_front_right_hip * z419 + c_front_right_hip * z417;
+    const Scalar z421 = s_front_right_hip * z417 - c_front_right_hip * z419;
+    const Scalar z422 = z17 * z418 - z18 * z420 - z30 * z421;
+    const Scalar z423 = z19 * z418 - z23 * z420 - z24 * z421;
+    const Scalar z424 = z25 * z420 + z28 * z421 - z29 * z418;
+    const Scalar z425 = z138 * z405 - z139 * z404;
+    const Scalar z426 = z138 * z404 + z139 * z405;
+    const Scalar z427 = s_front_right_hip * z426 - c_front_right_hip * z142;
+    const Scalar z428 = s_front_right_hip * z142 + c_front_right_hip * z426;
+    const Scalar z429 = z17 * z425 + z18 * z427 - z30 * z428;
+    const Scalar z430 = z19 * z425 + z23 * z427 - z24 * z428;
+    const Scalar z431 = z25 * z427 - z28 * z428 + z29 * z425;
+    const Scalar z432 = n0_2 * s_front_right_knee;
+    const Scalar z433 = n0_2 * c_front_right_knee;
+    const Scalar z434 = n0_2 + z433;
+    const Scalar z435 = s_front_right_thigh * z434 + c_front_right_thigh * z432;
+    const Scalar z436 = s_front_right_thigh * z432 - c_front_right_thigh * z434;
+    const Scalar z437 = s_front_right_hip * z436 + n0_08 * c_front_right_hip;
+    const Scalar z438 = n0_08 * s_front_right_hip - c_front_right_hip * z436;
+    const Scalar z439 = n0_2 - z435;
+    const Scalar z440 = n0_05 + z437;
+    const Scalar z441 = z17 * z439 - z18 * z440 - z30 * z438;
+    const Scalar z442 = z19 * z439 - z23 * z440 - z24 * z438;
+    const Scalar z443 = z25 * z440 + z28 * z438 - z29 * z439;
+    const Scalar z444 = q_trunk_z - z443;
+    const Scalar z445 = q_trunk_y + z442;
+    const Scalar z446 = q_trunk_x + z441;
+    const Scalar z447 = z140 + n0_2 * z142;
+    const Scalar z448 = z137 + n0_2 * z138;
+    const Scalar z449 = z141 * z404 - z405 * z447;
+    const Scalar z450 = z141 * z405 + z404 * z447;
+    const Scalar z451 = s_front_right_hip * z450 + c_front_right_hip * z448;
+    const Scalar z452 = s_front_right_hip * z448 - c_front_right_hip * z450;
+    const Scalar z453 = z17 * z449 - z18 * z451 - z30 * z452;
+    const Scalar z454 = z19 * z449 - z23 * z451 - z24 * z452;
+    const Scalar z455 = z25 * z451 + z28 * z452 - z29 * z449;
+    const Scalar z456 = n0_04 * c_rear_left_hip;
+    const Scalar z457 = n0_04 * s_rear_left_hip;
+    const Scalar z458 = n0_05 + z456;
+    const Scalar z459 = n0_2 * z17 - z18 * z458 - z30 * z457;
+    const Scalar z460 = n0_2 * z19 - z23 * z458 - z24 * z457;
+    const Scalar z461 = z25 * z458 + z28 * z457 - n0_2 * z29;
+    const Scalar z462 = q_trunk_z + z461;
+    const Scalar z463 = q_trunk_y - z460;
+    const Scalar z464 = q_trunk_x - z459;
+    const Scalar z465 = z18 * c_rear_left_hip + z30 * s_rear_left_hip;
+    const Scalar z466 = z23 * c_rear_left_hip + z24 * s_rear_left_hip;
+    const Scalar z467 = z25 * c_rear_left_hip + z28 * s_rear_left_hip;
+    const Scalar z468 = z18 * s_rear_left_hip - z30 * c_rear_left_hip;
+    const Scalar z469 = z23 * s_rear_left_hip - z24 * c_rear_left_hip;
+    const Scalar z470 = z25 * s_rear_left_hip - z28 * c_rear_left_hip;
+    const Scalar z471 = z100 - n0_04 * z146;
+    const Scalar z472 = z148 + n0_04 * z149;
+    const Scalar z473 = s_rear_left_hip * z472 - c_rear_left_hip * z147;
+    const Scalar z474 = s_rear_left_hip * z147 + c_rear_left_hip * z472;
+    const Scalar z475 = z17 * z471 + z18 * z473 - z30 * z474;
+    const Scalar z476 = z19 * z471 + z23 * z473 - z24 * z474;
+    const Scalar z477 = z25 * z473 - z28 * z474 + z29 * z471;
+    const Scalar z478 = s_rear_left_hip * z146 + c_rear_left_hip * z145;
+    const Scalar z479 = s_rear_left_hip * z145 - c_rear_left_hip * z146;
+    const Scalar z480 = z17 * z149 + z18 * z478 + z30 * z479;
+    const Scalar z481 = z19 * z149 + z23 * z478 + z24 * z479;
+    const Scalar z482 = z25 * z478 + z28 * z479 + z29 * z149;
+    const Scalar z483 = n0_09 * s_rear_left_thigh;
+    const Scalar z484 = n0_09 * c_rear_left_thigh;
+    const Scalar z485 = s_rear_left_hip * z484 + n0_08 * c_rear_left_hip;
+    const Scalar z486 = n0_08 * s_rear_left_hip - c_rear_left_hip * z484;
+    const Scalar z487 = n0_2 + z483;
+    const Scalar z488 = n0_05 + z485;
+    const Scalar z489 = z17 * z487 - z18 * z488 - z30 * z486;
+    const Scalar z490 = z19 * z487 - z23 * z488 - z24 * z486;
+    const Scalar z491 = z25 * z488 + z28 * z486 - z29 * z487;
+    const Scalar z492 = q_trunk_z + z491;
+    const Scalar z493 = q_trunk_y - z490;
+    const Scalar z494 = q_trunk_x - z489;
+    const Scalar z495 = s_rear_left_hip * s_rear_left_thigh;
+    const Scalar z496 = c_rear_left_hip * s_rear_left_thigh;
+    const Scalar z497 = z17 * c_rear_left_thigh + z18 * z495 - z30 * z496;
+    const Scalar z498 = z19 * c_rear_left_thigh + z23 * z495 - z24 * z496;
+    const Scalar z499 = z25 * z495 - z28 * z496 + z29 * c_rear_left_thigh;
+    const Scalar z500 = s_rear_left_hip * c_rear_left_thigh;
+    const Scalar z501 = c_rear_left_hip * c_rear_left_thigh;
+    const Scalar z502 = z17 * s_rear_left_thigh - z18 * z500 + z30 * z501;
+    const Scalar z503 = z19 * s_rear_left_thigh - z23 * z500 + z24 * z501;
+    const Scalar z504 = z25 * z500 - z28 * z501 - z29 * s_rear_left_thigh;
+    const Scalar z505 = z154 + n0_09 * z156;
+    const Scalar z506 = z147 + n0_09 * z152;
+    const Scalar z507 = s_rear_left_thigh * z155 + c_rear_left_thigh * z505;
+    const Scalar z508 = s_rear_left_thigh * z505 - c_rear_left_thigh * z155;
+    const Scalar z509 = s_rear_left_hip * z508 - c_rear_left_hip * z506;
+    const Scalar z510 = s_rear_left_hip * z506 + c_rear_left_hip * z508;
+    const Scalar z511 = z17 * z507 + z18 * z509 - z30 * z510;
+    const Scalar z512 = z19 * z507 + z23 * z509 - z24 * z510;
+    const Scalar z513 = z25 * z509 - z28 * z510 + z29 * z507;
+    const Scalar z514 = s_rear_left_thigh * z153 + c_rear_left_thigh * z152;
+    const Scalar z515 = s_rear_left_thigh * z152 - c_rear_left_thigh * z153;
+    const Scalar z516 = s_rear_left_hip * z515 + c_rear_left_hip * z156;
+    const Scalar z517 = s_rear_left_hip * z156 - c_rear_left_hip * z515;
+    const Scalar z518 = z17 * z514 + z18 * z516 + z30 * z517;
+    const Scalar z519 = z19 * z514 + z23 * z516 + z24 * z517;
+    const Scalar z520 = z25 * z516 + z28 * z517 + z29 * z514;
+    const Scalar z521 = n0_1 * s_rear_left_knee;
+    const Scalar z522 = n0_1 * c_rear_left_knee;
+    const Scalar z523 = n0_2 + z522;
+    const Scalar z524 = s_rear_left_thigh * z523 + c_rear_left_thigh * z521;
+    const Scalar z525 = s_rear_left_thigh * z521 - c_rear_left_thigh * z523;
+    const Scalar z526 = s_rear_left_hip * z525 - n0_08 * c_rear_left_hip;
+    const Scalar z527 = n0_08 * s_rear_left_hip + c_rear_left_hip * z525;
+    const Scalar z528 = n0_2 + z524;
+    const Scalar z529 = n0_05 - z526;
+    const Scalar z530 = z17 * z528 - z18 * z529 - z30 * z527;
+    const Scalar z531 = z19 * z528 - z23 * z529 - z24 * z527;
+    const Scalar z532 = z25 * z529 + z28 * z527 - z29 * z528;
+    const Scalar z533 = q_trunk_z + z532;
+    const Scalar z534 = q_trunk_y - z531;
+    const Scalar z535 = q_trunk_x - z530;
+    const Scalar z536 = q_rear_left_thigh + q_rear_left_knee;
+    Scalar z537, z538;
+    traits::sincos(z536, z537, z538);
+    const Scalar z539 = s_rear_left_hip * z537;
+    const Scalar z540 = c_rear_left_hip * z537;
+    const Scalar z541 = z17 * z538 + z18 * z539 - z30 * z540;
+    const Scalar z542 = z19 * z538 + z23 * z539 - z24 * z540;
+    const Scalar z543 = z25 * z539 - z28 * z540 + z29 * z538;
+    const Scalar z544 = s_rear_left_hip * z538;
+    const Scalar z545 = c_rear_left_hip * z538;
+    const Scalar z546 = z17 * z537 - z18 * z544 + z30 * z545;
+    const Scalar z547 = z19 * z537 - z23 * z544 + z24 * z545;
+    const Scalar z548 = z25 * z544 - z28 * z545 - z29 * z537;
+    const Scalar z549 = z161 - n0_1 * z163;
+    const Scalar z550 = z158 - n0_1 * z159;
+    const Scalar z551 = z162 * z537 - z538 * z549;
+    const Scalar z552 = z162 * z538 + z537 * z549;
+    const Scalar z553 = s_rear_left_hip * z552 + c_rear_left_hip * z550;
+    const Scalar z554 = s_rear_left_hip * z550 - c_rear_left_hip * z552;
+    const Scalar z555 = z17 * z551 - z18 * z553 - z30 * z554;
+    const Scalar z556 = z19 * z551 - z23 * z553 - z24 * z554;
+    const Scalar z557 = z25 * z553 + z28 * z554 - z29 * z551;
+    const Scalar z558 = z159 * z538 - z160 * z537;
+    const Scalar z559 = z159 * z537 + z160 * z538;
+    const Scalar z560 = s_rear_left_hip * z559 - c_rear_left_hip * z163;
+    const Scalar z561 = s_rear_left_hip * z163 + c_rear_left_hip * z559;
+    const Scalar z562 = z17 * z558 + z18 * z560 - z30 * z561;
+    const Scalar z563 = z19 * z558 + z23 * z560 - z24 * z561;
+    const Scalar z564 = z25 * z560 - z28 * z561 + z29 * z558;
+    const Scalar z565 = n0_2 * s_rear_left_knee;
+    const Scalar z566 = n0_2 * c_rear_left_knee;
+    const Scalar z567 = n0_2 + z566;
+    const Scalar z568 = s_rear_left_thigh * z567 + c_rear_left_thigh * z565;
+    const Scalar z569 = s_rear_left_thigh * z565 - c_rear_left_thigh * z567;
+    const Scalar z570 = s_rear_left_hip * z569 - n0_08 * c_rear_left_hip;
+    const Scalar z571 = n0_08 * s_rear_left_hip + c_rear_left_hip * z569;
+    const Scalar z572 = n0_2 + z568;
+    const Scalar z573 = n0_05 - z570;
+    const Scalar z574 = z17 * z572 - z18 * z573 - z30 * z571;
+    const Scalar z575 = z19 * z572 - z23 * z573 - z24 * z571;
+    const Scalar z576 = z25 * z573 + z28 * z571 - z29 * z572;
+    const Scalar z577 = q_trunk_z + z576;
+    const Scalar z578 = q_trunk_y - z575;
+    const Scalar z579 = q_trunk_x - z574;
+    const Scalar z580 = z161 - n0_2 * z163;
+    const Scalar z581 = z158 - n0_2 * z159;
+    const Scalar z582 = z162 * z537 - z538 * z580;
+    const Scalar z583 = z162 * z538 + z537 * z580;
+    const Scalar z584 = s_rear_left_hip * z583 + c_rear_left_hip * z581;
+    const Scalar z585 = s_rear_left_hip * z581 - c_rear_left_hip * z583;
+    const Scalar z586 = z17 * z582 - z18 * z584 - z30 * z585;
+    const Scalar z587 = z19 * z582 - z23 * z584 - z24 * z585;
+    const Scalar z588 = z25 * z584 + z28 * z585 - z29 * z582;
+    const Scalar z589 = n0_04 * c_rear_right_hip;
+    const Scalar z590 = n0_04 * s_rear_right_hip;
+    const Scalar z591 = n0_05 + z589;
+    const Scalar z592 = n0_2 * z17 + z18 * z591 + z30 * z590;
+    const Scalar z593 = n0_2 * z19 + z23 * z591 + z24 * z590;
+    const Scalar z594 = z25 * z591 + z28 * z590 + n0_2 * z29;
+    const Scalar z595 = q_trunk_z - z594;
+    const Scalar z596 = q_trunk_y - z593;
+    const Scalar z597 = q_trunk_x - z592;
+    const Scalar z598 = z18 * c_rear_right_hip + z30 * s_rear_right_hip;
+    const Scalar z599 = z23 * c_rear_right_hip + z24 * s_rear_right_hip;
+    const Scalar z600 = z25 * c_rear_right_hip + z28 * s_rear_right_hip;
+    const Scalar z601 = z18 * s_rear_right_hip - z30 * c_rear_right_hip;
+    const Scalar z602 = z23 * s_rear_right_hip - z24 * c_rear_right_hip;
+    const Scalar z603 = z25 * s_rear_right_hip - z28 * c_rear_right_hip;
+    const Scalar z604 = z122 - n0_04 * z166;
+    const Scalar z605 = z168 - n0_04 * z169;
+    const Scalar z606 = s_rear_right_hip * z605 + c_rear_right_hip * z167;
+    const Scalar z607 = s_rear_right_hip * z167 - c_rear_right_hip * z605;
+    const Scalar z608 = z17 * z604 - z18 * z606 - z30 * z607;
+    const Scalar z609 = z19 * z604 - z23 * z606 - z24 * z607;
+    const Scalar z610 = z25 * z606 + z28 * z607 - z29 * z604;
+    const Scalar z611 = s_rear_right_hip * z166 + c_rear_right_hip * z165;
+    const Scalar z612 = s_rear_right_hip * z165 - c_rear_right_hip * z166;
+    const Scalar z613 = z17 * z169 + z18 * z611 + z30 * z612;
+    const Scalar z614 = z19 * z169 + z23 * z611 + z24 * z612;
+    const Scalar z615 = z25 * z611 + z28 * z612 + z29 * z169;
+    const Scalar z616 = n0_09 * s_rear_right_thigh;
+    const Scalar z617 = n0_09 * c_rear_right_thigh;
+    const Scalar z618 = s_rear_right_hip * z617 - n0_08 * c_rear_right_hip;
+    const Scalar z619 = n0_08 * s_rear_right_hip + c_rear_right_hip * z617;
+    const Scalar z620 = n0_2 + z616;
+    const Scalar z621 = n0_05 - z618;
+    const Scalar z622 = z17 * z620 + z18 * z621 + z30 * z619;
+    const Scalar z623 = z19 * z620 + z23 * z621 + z24 * z619;
+    const Scalar z624 = z25 * z621 + z28 * z619 + z29 * z620;
+    const Scalar z625 = q_trunk_z - z624;
+    const Scalar z626 = q_trunk_y - z623;
+    const Scalar z627 = q_trunk_x - z622;
+    const Scalar z628 = s_rear_right_hip * s_rear_right_thigh;
+    const Scalar z629 = c_rear_right_hip * s_rear_right_thigh;
+    const Scalar z630 = z17 * c_rear_right_thigh + z18 * z628 - z30 * z629;
+    const Scalar z631 = z19 * c_rear_right_thigh + z23 * z628 - z24 * z629;
+    const Scalar z632 = z25 * z628 - z28 * z629 + z29 * c_rear_right_thigh;
+    const Scalar z633 = s_rear_right_hip * c_rear_right_thigh;
+    const Scalar z634 = c_rear_right_hip * c_rear_right_thigh;
+    const Scalar z635 = z17 * s_rear_right_thigh - z18 * z633 + z30 * z634;
+    const Scalar z636 = z19 * s_rear_right_thigh - z23 * z633 + z24 * z634;
+    const Scalar z637 = z25 * z633 - z28 * z634 - z29 * s_rear_right_thigh;
+    const Scalar z638 = z174 + n0_09 * z176;
+    const Scalar z639 = z167 - n0_09 * z172;
+    const Scalar z640 = s_rear_right_thigh * z175 - c_rear_right_thigh * z638;
+    const Scalar z641 = s_rear_right_thigh * z638 + c_rear_right_thigh * z175;
+    const Scalar z642 = s_rear_right_hip * z641 + c_rear_right_hip * z639;
+    const Scalar z643 = s_rear_right_hip * z639 - c_rear_right_hip * z641;
+    const Scalar z644 = z17 * z640 - z18 * z642 - z30 * z643;
+    const Scalar z645 = z19 * z640 - z23 * z642 - z24 * z643;
+    const Scalar z646 = z25 * z642 + z28 * z643 - z29 * z640;
+    const Scalar z647 = s_rear_right_thigh * z173 + c_rear_right_thigh * z172;
+    const Scalar z648 = s_rear_right_thigh * z172 - c_rear_right_thigh * z173;
+    const Scalar z649 = s_rear_right_hip * z648 + c_rear_right_hip * z176;
+    const Scalar z650 = s_rear_right_hip * z176 - c_rear_right_hip * z648;
+    const Scalar z651 = z17 * z647 + z18 * z649 + z30 * z650;
+    const Scalar z652 = z19 * z647 + z23 * z649 + z24 * z650;
+    const Scalar z653 = z25 * z649 + z28 * z650 + z29 * z647;
+    const Scalar z654 = n0_1 * s_rear_right_knee;
+    const Scalar z655 = n0_1 * c_rear_right_knee;
+    const Scalar z656 = n0_2 + z655;
+    const Scalar z657 = s_rear_right_thigh * z656 + c_rear_right_thigh * z654;
+    const Scalar z658 = s_rear_right_thigh * z654 - c_rear_right_thigh * z656;
+    const Scalar z659 = s_rear_right_hip * z658 + n0_08 * c_rear_right_hip;
+    const Scalar z660 = n0_08 * s_rear_right_hip - c_rear_right_hip * z658;
+    const Scalar z661 = n0_2 + z657;
+    const Scalar z662 = n0_05 + z659;
+    const Scalar z663 = z17 * z661 + z18 * z662 + z30 * z660;
+    const Scalar z664 = z19 * z661 + z23 * z662 + z24 * z660;
+    const Scalar z665 = z25 * z662 + z28 * z660 + z29 * z661;
+    const Scalar z666 = q_trunk_z - z665;
+    const Scalar z667 = q_trunk_y - z664;
+    const Scalar z668 = q_trunk_x - z663;
+    const Scalar z669 = q_rear_right_thigh + q_rear_right_knee;
+    Scalar z670, z671;
+    traits::sincos(z669, z670, z671);
+    const Scalar z672 = s_rear_right_hip * z670;
+    const Scalar z673 = c_rear_right_hip * z670;
+    const Scalar z674 = z17 * z671 + z18 * z672 - z30 * z673;
+    const Scalar z675 = z19 * z671 + z23 * z672 - z24 * z673;
+    const Scalar z676 = z25 * z672 - z28 * z673 + z29 * z671;
+    const Scalar z677 = s_rear_right_hip * z671;
+    const Scalar z678 = c_rear_right_hip * z671;
+    const Scalar z679 = z17 * z670 - z18 * z677 + z30 * z678;
+    const Scalar z680 = z19 * z670 - z23 * z677 + z24 * z678;
+    const Scalar z681 = z25 * z677 - z28 * z678 - z29 * z670;
+    const Scalar z682 = z181 + n0_1 * z183;
+    const Scalar z683 = z178 + n0_1 * z179;
+    const Scalar z684 = z182 * z670 + z671 * z682;
+    const Scalar z685 = z182 * z671 - z670 * z682;
+    const Scalar z686 = s_rear_right_hip * z685 - c_rear_right_hip * z683;
+    const Scalar z687 = s_rear_right_hip * z683 + c_rear_right_hip * z685;
+    const Scalar z688 = z17 * z684 - z18 * z686 + z30 * z687;
+    const Scalar z689 = z19 * z684 - z23 * z686 + z24 * z687;
+    const Scalar z690 = z25 * z686 - z28 * z687 - z29 * z684;
+    const Scalar z691 = z179 * z671 - z180 * z670;
+    const Scalar z692 = z179 * z670 + z180 * z671;
+    const Scalar z693 = s_rear_right_hip * z692 - c_rear_right_hip * z183;
+    const Scalar z694 = s_rear_right_hip * z183 + c_rear_right_hip * z692;
+    const Scalar z695 = z17 * z691 + z18 * z693 - z30 * z694;
+    const Scalar z696 = z19 * z691 + z23 * z693 - z24 * z694;
+    const Scalar z697 = z25 * z693 - z28 * z694 + z29 * z691;
+    const Scalar z698 = n0_2 * s_rear_right_knee;
+    const Scalar z699 = n0_2 * c_rear_right_knee;
+    const Scalar z700 = n0_2 + z699;
+    const Scalar z701 = s_rear_right_thigh * z700 + c_rear_right_thigh * z698;
+    const Scalar z702 = s_rear_right_thigh * z698 - c_rear_right_thigh * z700;
+    const Scalar z703 = s_rear_right_hip * z702 + n0_08 * c_rear_right_hip;
+    const Scalar z704 = n0_08 * s_rear_right_hip - c_rear_right_hip * z702;
+    const Scalar z705 = n0_2 + z701;
+    const Scalar z706 = n0_05 + z703;
+    const Scalar z707 = z17 * z705 + z18 * z706 + z30 * z704;
+    const Scalar z708 = z19 * z705 + z23 * z706 + z24 * z704;
+    const Scalar z709 = z25 * z706 + z28 * z704 + z29 * z705;
+    const Scalar z710 = q_trunk_z - z709;
+    const Scalar z711 = q_trunk_y - z708;
+    const Scalar z712 = q_trunk_x - z707;
+    const Scalar z713 = z181 + n0_2 * z183;
+    const Scalar z714 = z178 + n0_2 * z179;
+    const Scalar z715 = z182 * z670 + z671 * z713;
+    const Scalar z716 = z182 * z671 - z670 * z713;
+    const Scalar z717 = s_rear_right_hip * z716 - c_rear_right_hip * z714;
+    const Scalar z718 = s_rear_right_hip * z714 + c_rear_right_hip * z716;
+    const Scalar z719 = z17 * z715 - z18 * z717 + z30 * z718;
+    const Scalar z720 = z19 * z715 - z23 * z717 + z24 * z718;
+    const Scalar z721 = z25 * z717 - z28 * z718 - z29 * z715;
+    const Scalar z722 = q_trunk_x - z313;
+    const Scalar z723 = q_trunk_y - z312;
+    const Scalar z724 = q_trunk_z - z311;
+    const Scalar z725 = z19 * z724 - z29 * z723;
+    const Scalar z726 = z17 * z724 - z29 * z722;
+    const Scalar z727 = z17 * z723 - z19 * z722;
+    const Scalar z728 = z23 * z724 - z25 * z723;
+    const Scalar z729 = z18 * z724 - z25 * z722;
+    const Scalar z730 = z18 * z723 - z23 * z722;
+    const Scalar z731 = z24 * z724 - z28 * z723;
+    const Scalar z732 = z28 * z722 - z30 * z724;
+    const Scalar z733 = z24 * z722 - z30 * z723;
+    const Scalar z734 = n0_2 * z17 + n0_05 * z18;
+    const Scalar z735 = n0_2 * z19 + n0_05 * z23;
+    const Scalar z736 = n0_05 * z25 + n0_2 * z29;
+    const Scalar z737 = q_trunk_z + z736;
+    const Scalar z738 = q_trunk_y + z735;
+    const Scalar z739 = q_trunk_x + z734;
+    const Scalar z740 = z313 - z739;
+    const Scalar z741 = z312 - z738;
+    const Scalar z742 = z311 - z737;
+    const Scalar z743 = z19 * z742 - z29 * z741;
+    const Scalar z744 = z17 * z742 - z29 * z740;
+    const Scalar z745 = z17 * z741 - z19 * z740;
+    const Scalar z746 = n0_08 * c_front_left_hip;
+    const Scalar z747 = n0_08 * s_front_left_hip;
+    const Scalar z748 = n0_05 + z746;
+    const Scalar z749 = n0_2 * z17 + z18 * z748 + z30 * z747;
+    const Scalar z750 = n0_2 * z19 + z23 * z748 + z24 * z747;
+    const Scalar z751 = z25 * z748 + z28 * z747 + n0_2 * z29;
+    const Scalar z752 = q_trunk_z + z751;
+    const Scalar z753 = q_trunk_y + z750;
+    const Scalar z754 = q_trunk_x + z749;
+    const Scalar z755 = z313 - z754;
+    const Scalar z756 = z312 - z753;
+    const Scalar z757 = z311 - z752;
+    const Scalar z758 = z200 * z757 - z201 * z756;
+    const Scalar z759 = z199 * z757 - z201 * z755;
+    const Scalar z760 = z199 * z756 - z200 * z755;
+    const Scalar z761 = n0_2 * s_front_left_thigh;
+    const Scalar z762 = n0_2 * c_front_left_thigh;
+    const Scalar z763 = s_front_left_hip * z762 + n0_08 * c_front_left_hip;
+    const Scalar z764 = n0_08 * s_front_left_hip - c_front_left_hip * z762;
+    const Scalar z765 = n0_2 - z761;
+    const Scalar z766 = n0_05 + z763;
+    const Scalar z767 = z17 * z765 + z18 * z766 + z30 * z764;
+    const Scalar z768 = z19 * z765 + z23 * z766 + z24 * z764;
+    const Scalar z769 = z25 * z766 + z28 * z764 + z29 * z765;
+    const Scalar z770 = q_trunk_z + z769;
+    const Scalar z771 = q_trunk_y + z768;
+    const Scalar z772 = q_trunk_x + z767;
+    const Scalar z773 = z313 - z772;
+    const Scalar z774 = z312 - z771;
+    const Scalar z775 = z311 - z770;
+    const Scalar z776 = z200 * z775 - z201 * z774;
+    const Scalar z777 = z199 * z775 - z201 * z773;
+    const Scalar z778 = z199 * z774 - z200 * z773;
+    const Scalar z779 = q_trunk_x - z446;
+    const Scalar z780 = q_trunk_y - z445;
+    const Scalar z781 = q_trunk_z - z444;
+    const Scalar z782 = z19 * z781 - z29 * z780;
+    const Scalar z783 = z17 * z781 - z29 * z779;
+    const Scalar z784 = z17 * z780 - z19 * z779;
+    const Scalar z785 = z23 * z781 - z25 * z780;
+    const Scalar z786 = z18 * z781 - z25 * z779;
+    const Scalar z787 = z18 * z780 - z23 * z779;
+    const Scalar z788 = z24 * z781 - z28 * z780;
+    const Scalar z789 = z28 * z779 - z30 * z781;
+    const Scalar z790 = z24 * z779 - z30 * z780;
+    const Scalar z791 = n0_2 * z17 - n0_05 * z18;
+    const Scalar z792 = n0_2 * z19 - n0_05 * z23;
+    const Scalar z793 = n0_05 * z25 - n0_2 * z29;
+    const Scalar z794 = q_trunk_z - z793;
+    const Scalar z795 = q_trunk_y + z792;
+    const Scalar z796 = q_trunk_x + z791;
+    const Scalar z797 = z446 - z796;
+    const Scalar z798 = z445 - z795;
+    const Scalar z799 = z444 - z794;
+    const Scalar z800 = z19 * z799 - z29 * z798;
+    const Scalar z801 = z17 * z799 - z29 * z797;
+    const Scalar z802 = z17 * z798 - z19 * z797;
+    const Scalar z803 = n0_08 * c_front_right_hip;
+    const Scalar z804 = n0_08 * s_front_right_hip;
+    const Scalar z805 = n0_05 + z803;
+    const Scalar z806 = n0_2 * z17 - z18 * z805 - z30 * z804;
+    const Scalar z807 = n0_2 * z19 - z23 * z805 - z24 * z804;
+    const Scalar z808 = z25 * z805 + z28 * z804 - n0_2 * z29;
+    const Scalar z809 = q_trunk_z - z808;
+    const Scalar z810 = q_trunk_y + z807;
+    const Scalar z811 = q_trunk_x + z806;
+    const Scalar z812 = z446 - z811;
+    const Scalar z813 = z445 - z810;
+    const Scalar z814 = z444 - z809;
+    const Scalar z815 = z333 * z814 - z334 * z813;
+    const Scalar z816 = z332 * z814 - z334 * z812;
+    const Scalar z817 = z332 * z813 - z333 * z812;
+    const Scalar z818 = n0_2 * s_front_right_thigh;
+    const Scalar z819 = n0_2 * c_front_right_thigh;
+    const Scalar z820 = s_front_right_hip * z819 - n0_08 * c_front_right_hip;
+    const Scalar z821 = n0_08 * s_front_right_hip + c_front_right_hip * z819;
+    const Scalar z822 = n0_2 - z818;
+    const Scalar z823 = n0_05 - z820;
+    const Scalar z824 = z17 * z822 - z18 * z823 - z30 * z821;
+    const Scalar z825 = z19 * z822 - z23 * z823 - z24 * z821;
+    const Scalar z826 = z25 * z823 + z28 * z821 - z29 * z822;
+    const Scalar z827 = q_trunk_z - z826;
+    const Scalar z828 = q_trunk_y + z825;
+    const Scalar z829 = q_trunk_x + z824;
+    const Scalar z830 = z446 - z829;
+    const Scalar z831 = z445 - z828;
+    const Scalar z832 = z444 - z827;
+    const Scalar z833 = z333 * z832 - z334 * z831;
+    const Scalar z834 = z332 * z832 - z334 * z830;
+    const Scalar z835 = z332 * z831 - z333 * z830;
+    const Scalar z836 = q_trunk_x - z579;
+    const Scalar z837 = q_trunk_y - z578;
+    const Scalar z838 = q_trunk_z - z577;
+    const Scalar z839 = z19 * z838 - z29 * z837;
+    const Scalar z840 = z17 * z838 - z29 * z836;
+    const Scalar z841 = z17 * z837 - z19 * z836;
+    const Scalar z842 = z23 * z838 - z25 * z837;
+    const Scalar z843 = z18 * z838 - z25 * z836;
+    const Scalar z844 = z18 * z837 - z23 * z836;
+    const Scalar z845 = z24 * z838 - z28 * z837;
+    const Scalar z846 = z28 * z836 - z30 * z838;
+    const Scalar z847 = z24 * z836 - z30 * z837;
+    const Scalar z848 = q_trunk_z + z793;
+    const Scalar z849 = q_trunk_y - z792;
+    const Scalar z850 = q_trunk_x - z791;
+    const Scalar z851 = z579 - z850;
+    const Scalar z852 = z578 - z849;
+    const Scalar z853 = z577 - z848;
+    const Scalar z854 = z19 * z853 - z29 * z852;
+    const Scalar z855 = z17 * z853 - z29 * z851;
+    const Scalar z856 = z17 * z852 - z19 * z851;
+    const Scalar z857 = n0_08 * c_rear_left_hip;
+    const Scalar z858 = n0_08 * s_rear_left_hip;
+    const Scalar z859 = n0_05 + z857;
+    const Scalar z860 = n0_2 * z17 - z18 * z859 - z30 * z858;
+    const Scalar z861 = n0_2 * z19 - z23 * z859 - z24 * z858;
+    const Scalar z862 = z25 * z859 + z28 * z858 - n0_2 * z29;
+    const Scalar z863 = q_trunk_z + z862;
+    const Scalar z864 = q_trunk_y - z861;
+    const Scalar z865 = q_trunk_x - z860;
+    const Scalar z866 = z579 - z865;
+    const Scalar z867 = z578 - z864;
+    const Scalar z868 = z577 - z863;
+    const Scalar z869 = z466 * z868 - z467 * z867;
+    const Scalar z870 = z465 * z868 - z467 * z866;
+    const Scalar z871 = z465 * z867 - z466 * z866;
+    const Scalar z872 = n0_2 * s_rear_left_thigh;
+    const Scalar z873 = n0_2 * c_rear_left_thigh;
+    const Scalar z874 = s_rear_left_hip * z873 + n0_08 * c_rear_left_hip;
+    const Scalar z875 = n0_08 * s_rear_left_hip - c_rear_left_hip * z873;
+    const Scalar z876 = n0_2 + z872;
+    const Scalar z877 = n0_05 + z874;
+    const Scalar z878 = z17 * z876 - z18 * z877 - z30 * z875;
+    const Scalar z879 = z19 * z876 - z23 * z877 - z24 * z875;
+    const Scalar z880 = z25 * z877 + z28 * z875 - z29 * z876;
+    const Scalar z881 = q_trunk_z + z880;
+    const Scalar z882 = q_trunk_y - z879;
+    const Scalar z883 = q_trunk_x - z878;
+    const Scalar z884 = z579 - z883;
+    const Scalar z885 = z578 - z882;
+    const Scalar z886 = z577 - z881;
+    const Scalar z887 = z466 * z886 - z467 * z885;
+    const Scalar z888 = z465 * z886 - z467 * z884;
+    const Scalar z889 = z465 * z885 - z466 * z884;
+    const Scalar z890 = q_trunk_x - z712;
+    const Scalar z891 = q_trunk_y - z711;
+    const Scalar z892 = q_trunk_z - z710;
+    const Scalar z893 = z19 * z892 - z29 * z891;
+    const Scalar z894 = z17 * z892 - z29 * z890;
+    const Scalar z895 = z17 * z891 - z19 * z890;
+    const Scalar z896 = z23 * z892 - z25 * z891;
+    const Scalar z897 = z18 * z892 - z25 * z890;
+    const Scalar z898 = z18 * z891 - z23 * z890;
+    const Scalar z899 = z24 * z892 - z28 * z891;
+    const Scalar z900 = z28 * z890 - z30 * z892;
+    const Scalar z901 = z24 * z890 - z30 * z891;
+    const Scalar z902 = q_trunk_z - z736;
+    const Scalar z903 = q_trunk_y - z735;
+    const Scalar z904 = q_trunk_x - z734;
+    const Scalar z905 = z712 - z904;
+    const Scalar z906 = z711 - z903;
+    const Scalar z907 = z710 - z902;
+    const Scalar z908 = z19 * z907 - z29 * z906;
+    const Scalar z909 = z17 * z907 - z29 * z905;
+    const Scalar z910 = z17 * z906 - z19 * z905;
+    const Scalar z911 = n0_08 * c_rear_right_hip;
+    const Scalar z912 = n0_08 * s_rear_right_hip;
+    const Scalar z913 = n0_05 + z911;
+    const Scalar z914 = n0_2 * z17 + z18 * z913 + z30 * z912;
+    const Scalar z915 = n0_2 * z19 + z23 * z913 + z24 * z912;
+    const Scalar z916 = z25 * z913 + z28 * z912 + n0_2 * z29;
+    const Scalar z917 = q_trunk_z - z916;
+    const Scalar z918 = q_trunk_y - z915;
+    const Scalar z919 = q_trunk_x - z914;
+    const Scalar z920 = z712 - z919;
+    const Scalar z921 = z711 - z918;
+    const Scalar z922 = z710 - z917;
+    const Scalar z923 = z599 * z922 - z600 * z921;
+    const Scalar z924 = z598 * z922 - z600 * z920;
+    const Scalar z925 = z598 * z921 - z599 * z920;
+    const Scalar z926 = n0_2 * s_rear_right_thigh;
+    const Scalar z927 = n0_2 * c_rear_right_thigh;
+    const Scalar z928 = s_rear_right_hip * z927 - n0_08 * c_rear_right_hip;
+    const Scalar z929 = n0_08 * s_rear_right_hip + c_rear_right_hip * z927;
+    const Scalar z930 = n0_2 + z926;
+    const Scalar z931 = n0_05 - z928;
+    const Scalar z932 = z17 * z930 + z18 * z931 + z30 * z929;
+    const Scalar z933 = z19 * z930 + z23 * z931 + z24 * z929;
+    const Scalar z934 = z25 * z931 + z28 * z929 + z29 * z930;
+    const Scalar z935 = q_trunk_z - z934;
+    const Scalar z936 = q_trunk_y - z933;
+    const Scalar z937 = q_trunk_x - z932;
+    const Scalar z938 = z712 - z937;
+    const Scalar z939 = z711 - z936;
+    const Scalar z940 = z710 - z935;
+    const Scalar z941 = z599 * z940 - z600 * z939;
+    const Scalar z942 = z598 * z940 - z600 * z938;
+    const Scalar z943 = z598 * z939 - z599 * z938;
+    result.trunk_position[0] = q_trunk_x;
+    result.trunk_position[1] = q_trunk_y;
+    result.trunk_position[2] = q_trunk_z;
+    result.trunk_rotation[0] = z17;
+    result.trunk_rotation[1] = z19;
+    result.trunk_rotation[2] = z29;
+    result.trunk_rotation[3] = z18;
+    result.trunk_rotation[4] = z23;
+    result.trunk_rotation[5] = z25;
+    result.trunk_rotation[6] = z30;
+    result.trunk_rotation[7] = z24;
+    result.trunk_rotation[8] = z28;
+    result.trunk_velocity[0] = z184;
+    result.trunk_velocity[1] = z185;
+    result.trunk_velocity[2] = z186;
+    result.trunk_angular_velocity[0] = z187;
+    result.trunk_angular_velocity[1] = z188;
+    result.trunk_angular_velocity[2] = z189;
+    result.front_left_hip_link_position[0] = z198;
+    result.front_left_hip_link_position[1] = z197;
+    result.front_left_hip_link_position[2] = z196;
+    result.front_left_hip_link_rotation[0] = z17;
+    result.front_left_hip_link_rotation[1] = z19;
+    result.front_left_hip_link_rotation[2] = z29;
+    result.front_left_hip_link_rotation[3] = z199;
+    result.front_left_hip_link_rotation[4] = z200;
+    result.front_left_hip_link_rotation[5] = z201;
+    result.front_left_hip_link_rotation[6] = -z202;
+    result.front_left_hip_link_rotation[7] = -z203;
+    result.front_left_hip_link_rotation[8] = -z204;
+    result.front_left_hip_link_velocity[0] = -z209;
+    result.front_left_hip_link_velocity[1] = -z210;
+    result.front_left_hip_link_velocity[2] = z211;
+    result.front_left_hip_link_angular_velocity[0] = z214;
+    result.front_left_hip_link_angular_velocity[1] = z215;
+    result.front_left_hip_link_angular_velocity[2] = z216;
+    result.front_left_thigh_link_position[0] = z228;
+    result.front_left_thigh_link_position[1] = z227;
+    result.front_left_thigh_link_position[2] = z226;
+    result.front_left_thigh_link_rotation[0] = z231;
+    result.front_left_thigh_link_rotation[1] = z232;
+    result.front_left_thigh_link_rotation[2] = z233;
+    result.front_left_thigh_link_rotation[3] = z199;
+    result.front_left_thigh_link_rotation[4] = z200;
+    result.front_left_thigh_link_rotation[5] = z201;
+    result.front_left_thigh_link_rotation[6] = z236;
+    result.front_left_thigh_link_rotation[7] = z237;
+    result.front_left_thigh_link_rotation[8] = -z238;
+    result.front_left_thigh_link_velocity[0] = -z245;
+    result.front_left_thigh_link_velocity[1] = -z246;
+    result.front_left_thigh_link_velocity[2] = z247;
+    result.front_left_thigh_link_angular_velocity[0] = z252;
+    result.front_left_thigh_link_angular_velocity[1] = z253;
+    result.front_left_thigh_link_angular_velocity[2] = z254;
+    result.front_left_shank_link_position[0] = z269;
+    result.front_left_shank_link_position[1] = z268;
+    result.front_left_shank_link_position[2] = z267;
+    result.front_left_shank_link_rotation[0] = z275;
+    result.front_left_shank_link_rotation[1] = z276;
+    result.front_left_shank_link_rotation[2] = z277;
+    result.front_left_shank_link_rotation[3] = z199;
+    result.front_left_shank_link_rotation[4] = z200;
+    result.front_left_shank_link_rotation[5] = z201;
+    result.front_left_shank_link_rotation[6] = z280;
+    result.front_left_shank_link_rotation[7] = z281;
+    result.front_left_shank_link_rotation[8] = -z282;
+    result.front_left_shank_link_velocity[0] = z289;
+    result.front_left_shank_link_velocity[1] = z290;
+    result.front_left_shank_link_velocity[2] = -z291;
+    result.front_left_shank_link_angular_velocity[0] = -z296;
+    result.front_left_shank_link_angular_velocity[1] = -z297;
+    result.front_left_shank_link_angular_velocity[2] = -z298;
+    result.front_left_foot_position[0] = z313;
+    result.front_left_foot_position[1] = z312;
+    result.front_left_foot_position[2] = z311;
+    result.front_left_foot_rotation[0] = z275;
+    result.front_left_foot_rotation[1] = z276;
+    result.front_left_foot_rotation[2] = z277;
+    result.front_left_foot_rotation[3] = z199;
+    result.front_left_foot_rotation[4] = z200;
+    result.front_left_foot_rotation[5] = z201;
+    result.front_left_foot_rotation[6] = z280;
+    result.front_left_foot_rotation[7] = z281;
+    result.front_left_foot_rotation[8] = -z282;
+    result.front_left_foot_velocity[0] = z320;
+    result.front_left_foot_velocity[1] = z321;
+    result.front_left_foot_velocity[2] = -z322;
+    result.front_left_foot_angular_velocity[0] = -z296;
+    result.front_left_foot_angular_velocity[1] = -z297;
+    result.front_left_foot_angular_velocity[2] = -z298;
+    result.front_right_hip_link_position[0] = z331;
+    result.front_right_hip_link_position[1] = z330;
+    result.front_right_hip_link_position[2] = z329;
+    result.front_right_hip_link_rotation[0] = z17;
+    result.front_right_hip_link_rotation[1] = z19;
+    result.front_right_hip_link_rotation[2] = z29;
+    result.front_right_hip_link_rotation[3] = z332;
+    result.front_right_hip_link_rotation[4] = z333;
+    result.front_right_hip_link_rotation[5] = z334;
+    result.front_right_hip_link_rotation[6] = -z335;
+    result.front_right_hip_link_rotation[7] = -z336;
+    result.front_right_hip_link_rotation[8] = -z337;
+    result.front_right_hip_link_velocity[0] = z342;
+    result.front_right_hip_link_velocity[1] = z343;
+    result.front_right_hip_link_velocity[2] = z344;
+    result.front_right_hip_link_angular_velocity[0] = z347;
+    result.front_right_hip_link_angular_velocity[1] = z348;
+    result.front_right_hip_link_angular_velocity[2] = z349;
+    result.front_right_thigh_link_position[0] = z361;
+    result.front_right_thigh_link_position[1] = z360;
+    result.front_right_thigh_link_position[2] = z359;
+    result.front_right_thigh_link_rotation[0] = z364;
+    result.front_right_thigh_link_rotation[1] = z365;
+    result.front_right_thigh_link_rotation[2] = z366;
+    result.front_right_thigh_link_rotation[3] = z332;
+    result.front_right_thigh_link_rotation[4] = z333;
+    result.front_right_thigh_link_rotation[5] = z334;
+    result.front_right_thigh_link_rotation[6] = z369;
+    result.front_right_thigh_link_rotation[7] = z370;
+    result.front_right_thigh_link_rotation[8] = -z371;
+    result.front_right_thigh_link_velocity[0] = z378;
+    result.front_right_thigh_link_velocity[1] = z379;
+    result.front_right_thigh_link_velocity[2] = z380;
+    result.front_right_thigh_link_angular_velocity[0] = z385;
+    result.front_right_thigh_link_angular_velocity[1] = z386;
+    result.front_right_thigh_link_angular_velocity[2] = z387;
+    result.front_right_shank_link_position[0] = z402;
+    result.front_right_shank_link_position[1] = z401;
+    result.front_right_shank_link_position[2] = z400;
+    result.front_right_shank_link_rotation[0] = z408;
+    result.front_right_shank_link_rotation[1] = z409;
+    result.front_right_shank_link_rotation[2] = z410;
+    result.front_right_shank_link_rotation[3] = z332;
+    result.front_right_shank_link_rotation[4] = z333;
+    result.front_right_shank_link_rotation[5] = z334;
+    result.front_right_shank_link_rotation[6] = z413;
+    result.front_right_shank_link_rotation[7] = z414;
+    result.front_right_shank_link_rotation[8] = -z415;
+    result.front_right_shank_link_velocity[0] = z422;
+    result.front_right_shank_link_velocity[1] = z423;
+    result.front_right_shank_link_velocity[2] = -z424;
+    result.front_right_shank_link_angular_velocity[0] = -z429;
+    result.front_right_shank_link_angular_velocity[1] = -z430;
+    result.front_right_shank_link_angular_velocity[2] = -z431;
+    result.front_right_foot_position[0] = z446;
+    result.front_right_foot_position[1] = z445;
+    result.front_right_foot_position[2] = z444;
+    result.front_right_foot_rotation[0] = z408;
+    result.front_right_foot_rotation[1] = z409;
+    result.front_right_foot_rotation[2] = z410;
+    result.front_right_foot_rotation[3] = z332;
+    result.front_right_foot_rotation[4] = z333;
+    result.front_right_foot_rotation[5] = z334;
+    result.front_right_foot_rotation[6] = z413;
+    result.front_right_foot_rotation[7] = z414;
+    result.front_right_foot_rotation[8] = -z415;
+    result.front_right_foot_velocity[0] = z453;
+    result.front_right_foot_velocity[1] = z454;
+    result.front_right_foot_velocity[2] = -z455;
+    result.front_right_foot_angular_velocity[0] = -z429;
+    result.front_right_foot_angular_velocity[1] = -z430;
+    result.front_right_foot_angular_velocity[2] = -z431;
+    result.rear_left_hip_link_position[0] = z464;
+    result.rear_left_hip_link_position[1] = z463;
+    result.rear_left_hip_link_position[2] = z462;
+    result.rear_left_hip_link_rotation[0] = z17;
+    result.rear_left_hip_link_rotation[1] = z19;
+    result.rear_left_hip_link_rotation[2] = z29;
+    result.rear_left_hip_link_rotation[3] = z465;
+    result.rear_left_hip_link_rotation[4] = z466;
+    result.rear_left_hip_link_rotation[5] = z467;
+    result.rear_left_hip_link_rotation[6] = -z468;
+    result.rear_left_hip_link_rotation[7] = -z469;
+    result.rear_left_hip_link_rotation[8] = -z470;
+    result.rear_left_hip_link_velocity[0] = -z475;
+    result.rear_left_hip_link_velocity[1] = -z476;
+    result.rear_left_hip_link_velocity[2] = -z477;
+    result.rear_left_hip_link_angular_velocity[0] = z480;
+    result.rear_left_hip_link_angular_velocity[1] = z481;
+    result.rear_left_hip_link_angular_velocity[2] = z482;
+    result.rear_left_thigh_link_position[0] = z494;
+    result.rear_left_thigh_link_position[1] = z493;
+    result.rear_left_thigh_link_position[2] = z492;
+    result.rear_left_thigh_link_rotation[0] = z497;
+    result.rear_left_thigh_link_rotation[1] = z498;
+    result.rear_left_thigh_link_rotation[2] = z499;
+    result.rear_left_thigh_link_rotation[3] = z465;
+    result.rear_left_thigh_link_rotation[4] = z466;
+    result.rear_left_thigh_link_rotation[5] = z467;
+    result.rear_left_thigh_link_rotation[6] = z502;
+    result.rear_left_thigh_link_rotation[7] = z503;
+    result.rear_left_thigh_link_rotation[8] = -z504;
+    result.rear_left_thigh_link_velocity[0] = -z511;
+    result.rear_left_thigh_link_velocity[1] = -z512;
+    result.rear_left_thigh_link_velocity[2] = -z513;
+    result.rear_left_thigh_link_angular_velocity[0] = z518;
+    result.rear_left_thigh_link_angular_velocity[1] = z519;
+    result.rear_left_thigh_link_angular_velocity[2] = z520;
+    result.rear_left_shank_link_position[0] = z535;
+    result.rear_left_shank_link_position[1] = z534;
+    result.rear_left_shank_link_position[2] = z533;
+    result.rear_left_shank_link_rotation[0] = z541;
+    result.rear_left_shank_link_rotation[1] = z542;
+    result.rear_left_shank_link_rotation[2] = z543;
+    result.rear_left_shank_link_rotation[3] = z465;
+    result.rear_left_shank_link_rotation[4] = z466;
+    result.rear_left_shank_link_rotation[5] = z467;
+    result.rear_left_shank_link_rotation[6] = z546;
+    result.rear_left_shank_link_rotation[7] = z547;
+    result.rear_left_shank_link_rotation[8] = -z548;
+    result.rear_left_shank_link_velocity[0] = -z555;
+    result.rear_left_shank_link_velocity[1] = -z556;
+    result.rear_left_shank_link_velocity[2] = z557;
+    result.rear_left_shank_link_angular_velocity[0] = -z562;
+    result.rear_left_shank_link_angular_velocity[1] = -z563;
+    result.rear_left_shank_link_angular_velocity[2] = -z564;
+    result.rear_left_foot_position[0] = z579;
+    result.rear_left_foot_position[1] = z578;
+    result.rear_left_foot_position[2] = z577;
+    result.rear_left_foot_rotation[0] = z541;
+    result.rear_left_foot_rotation[1] = z542;
+    result.rear_left_foot_rotation[2] = z543;
+    result.rear_left_foot_rotation[3] = z465;
+    result.rear_left_foot_rotation[4] = z466;
+    result.rear_left_foot_rotation[5] = z467;
+    result.rear_left_foot_rotation[6] = z546;
+    result.rear_left_foot_rotation[7] = z547;
+    result.rear_left_foot_rotation[8] = -z548;
+    result.rear_left_foot_velocity[0] = -z586;
+    result.rear_left_foot_velocity[1] = -z587;
+    result.rear_left_foot_velocity[2] = z588;
+    result.rear_left_foot_angular_velocity[0] = -z562;
+    result.rear_left_foot_angular_velocity[1] = -z563;
+    result.rear_left_foot_angular_velocity[2] = -z564;
+    result.rear_right_hip_link_position[0] = z597;
+    result.rear_right_hip_link_position[1] = z596;
+    result.rear_right_hip_link_position[2] = z595;
+    result.rear_right_hip_link_rotation[0] = z17;
+    result.rear_right_hip_link_rotation[1] = z19;
+    result.rear_right_hip_link_rotation[2] = z29;
+    result.rear_right_hip_link_rotation[3] = z598;
+    result.rear_right_hip_link_rotation[4] = z599;
+    result.rear_right_hip_link_rotation[5] = z600;
+    result.rear_right_hip_link_rotation[6] = -z601;
+    result.rear_right_hip_link_rotation[7] = -z602;
+    result.rear_right_hip_link_rotation[8] = -z603;
+    result.rear_right_hip_link_velocity[0] = z608;
+    result.rear_right_hip_link_velocity[1] = z609;
+    result.rear_right_hip_link_velocity[2] = -z610;
+    result.rear_right_hip_link_angular_velocity[0] = z613;
+    result.rear_right_hip_link_angular_velocity[1] = z614;
+    result.rear_right_hip_link_angular_velocity[2] = z615;
+    result.rear_right_thigh_link_position[0] = z627;
+    result.rear_right_thigh_link_position[1] = z626;
+    result.rear_right_thigh_link_position[2] = z625;
+    result.rear_right_thigh_link_rotation[0] = z630;
+    result.rear_right_thigh_link_rotation[1] = z631;
+    result.rear_right_thigh_link_rotation[2] = z632;
+    result.rear_right_thigh_link_rotation[3] = z598;
+    result.rear_right_thigh_link_rotation[4] = z599;
+    result.rear_right_thigh_link_rotation[5] = z600;
+    result.rear_right_thigh_link_rotation[6] = z635;
+    result.rear_right_thigh_link_rotation[7] = z636;
+    result.rear_right_thigh_link_rotation[8] = -z637;
+    result.rear_right_thigh_link_velocity[0] = z644;
+    result.rear_right_thigh_link_velocity[1] = z645;
+    result.rear_right_thigh_link_velocity[2] = -z646;
+    result.rear_right_thigh_link_angular_velocity[0] = z651;
+    result.rear_right_thigh_link_angular_velocity[1] = z652;
+    result.rear_right_thigh_link_angular_velocity[2] = z653;
+    result.rear_right_shank_link_position[0] = z668;
+    result.rear_right_shank_link_position[1] = z667;
+    result.rear_right_shank_link_position[2] = z666;
+    result.rear_right_shank_link_rotation[0] = z674;
+    result.rear_right_shank_link_rotation[1] = z675;
+    result.rear_right_shank_link_rotation[2] = z676;
+    result.rear_right_shank_link_rotation[3] = z598;
+    result.rear_right_shank_link_rotation[4] = z599;
+    result.rear_right_shank_link_rotation[5] = z600;
+    result.rear_right_shank_link_rotation[6] = z679;
+    result.rear_right_shank_link_rotation[7] = z680;
+    result.rear_right_shank_link_rotation[8] = -z681;
+    result.rear_right_shank_link_velocity[0] = -z688;
+    result.rear_right_shank_link_velocity[1] = -z689;
+    result.rear_right_shank_link_velocity[2] = z690;
+    result.rear_right_shank_link_angular_velocity[0] = -z695;
+    result.rear_right_shank_link_angular_velocity[1] = -z696;
+    result.rear_right_shank_link_angular_velocity[2] = -z697;
+    result.rear_right_foot_position[0] = z712;
+    result.rear_right_foot_position[1] = z711;
+    result.rear_right_foot_position[2] = z710;
+    result.rear_right_foot_rotation[0] = z674;
+    result.rear_right_foot_rotation[1] = z675;
+    result.rear_right_foot_rotation[2] = z676;
+    result.rear_right_foot_rotation[3] = z598;
+    result.rear_right_foot_rotation[4] = z599;
+    result.rear_right_foot_rotation[5] = z600;
+    result.rear_right_foot_rotation[6] = z679;
+    result.rear_right_foot_rotation[7] = z680;
+    result.rear_right_foot_rotation[8] = -z681;
+    result.rear_right_foot_velocity[0] = -z719;
+    result.rear_right_foot_velocity[1] = -z720;
+    result.rear_right_foot_velocity[2] = z721;
+    result.rear_right_foot_angular_velocity[0] = -z695;
+    result.rear_right_foot_angular_velocity[1] = -z696;
+    result.rear_right_foot_angular_velocity[2] = -z697;
+    result.front_left_foot_origin_position[0] = z313;
+    result.front_left_foot_origin_position[1] = z312;
+    result.front_left_foot_origin_position[2] = z311;
+    result.front_left_foot_origin_velocity[0] = z320;
+    result.front_left_foot_origin_velocity[1] = z321;
+    result.front_left_foot_origin_velocity[2] = -z322;
+    result.front_left_foot_origin_jacobian[0] = n1;
+    result.front_left_foot_origin_jacobian[3] = n0;
+    result.front_left_foot_origin_jacobian[6] = n0;
+    result.front_left_foot_origin_jacobian[9] = -z725;
+    result.front_left_foot_origin_jacobian[12] = -z728;
+    result.front_left_foot_origin_jacobian[15] = -z731;
+    result.front_left_foot_origin_jacobian[18] = z743;
+    result.front_left_foot_origin_jacobian[21] = z758;
+    result.front_left_foot_origin_jacobian[24] = z776;
+    result.front_left_foot_origin_jacobian[27] = n0;
+    result.front_left_foot_origin_jacobian[30] = n0;
+    result.front_left_foot_origin_jacobian[33] = n0;
+    result.front_left_foot_origin_jacobian[36] = n0;
+    result.front_left_foot_origin_jacobian[39] = n0;
+    result.front_left_foot_origin_jacobian[42] = n0;
+    result.front_left_foot_origin_jacobian[45] = n0;
+    result.front_left_foot_origin_jacobian[48] = n0;
+    result.front_left_foot_origin_jacobian[51] = n0;
+    result.front_left_foot_origin_jacobian[1] = n0;
+    result.front_left_foot_origin_jacobian[4] = n1;
+    result.front_left_foot_origin_jacobian[7] = n0;
+    result.front_left_foot_origin_jacobian[10] = z726;
+    result.front_left_foot_origin_jacobian[13] = z729;
+    result.front_left_foot_origin_jacobian[16] = -z732;
+    result.front_left_foot_origin_jacobian[19] = -z744;
+    result.front_left_foot_origin_jacobian[22] = -z759;
+    result.front_left_foot_origin_jacobian[25] = -z777;
+    result.front_left_foot_origin_jacobian[28] = n0;
+    result.front_left_foot_origin_jacobian[31] = n0;
+    result.front_left_foot_origin_jacobian[34] = n0;
+    result.front_left_foot_origin_jacobian[37] = n0;
+    result.front_left_foot_origin_jacobian[40] = n0;
+    result.front_left_foot_origin_jacobian[43] = n0;
+    result.front_left_foot_origin_jacobian[46] = n0;
+    result.front_left_foot_origin_jacobian[49] = n0;
+    result.front_left_foot_origin_jacobian[52] = n0;
+    result.front_left_foot_origin_jacobian[2] = n0;
+    result.front_left_foot_origin_jacobian[5] = n0;
+    result.front_left_foot_origin_jacobian[8] = n1;
+    result.front_left_foot_origin_jacobian[11] = -z727;
+    result.front_left_foot_origin_jacobian[14] = -z730;
+    result.front_left_foot_origin_jacobian[17] = z733;
+    result.front_left_foot_origin_jacobian[20] = z745;
+    result.front_left_foot_origin_jacobian[23] = z760;
+    result.front_left_foot_origin_jacobian[26] = z778;
+    result.front_left_foot_origin_jacobian[29] = n0;
+    result.front_left_foot_origin_jacobian[32] = n0;
+    result.front_left_foot_origin_jacobian[35] = n0;
+    result.front_left_foot_origin_jacobian[38] = n0;
+    result.front_left_foot_origin_jacobian[41] = n0;
+    result.front_left_foot_origin_jacobian[44] = n0;
+    result.front_left_foot_origin_jacobian[47] = n0;
+    result.front_left_foot_origin_jacobian[50] = n0;
+    result.front_left_foot_origin_jacobian[53] = n0;
+    result.front_right_foot_origin_position[0] = z446;
+    result.front_right_foot_origin_position[1] = z445;
+    result.front_right_foot_origin_position[2] = z444;
+    result.front_right_foot_origin_velocity[0] = z453;
+    result.front_right_foot_origin_velocity[1] = z454;
+    result.front_right_foot_origin_velocity[2] = -z455;
+    result.front_right_foot_origin_jacobian[0] = n1;
+    result.front_right_foot_origin_jacobian[3] = n0;
+    result.front_right_foot_origin_jacobian[6] = n0;
+    result.front_right_foot_origin_jacobian[9] = -z782;
+    result.front_right_foot_origin_jacobian[12] = -z785;
+    result.front_right_foot_origin_jacobian[15] = -z788;
+    result.front_right_foot_origin_jacobian[18] = n0;
+    result.front_right_foot_origin_jacobian[21] = n0;
+    result.front_right_foot_origin_jacobian[24] = n0;
+    result.front_right_foot_origin_jacobian[27] = z800;
+    result.front_right_foot_origin_jacobian[30] = z815;
+    result.front_right_foot_origin_jacobian[33] = z833;
+    result.front_right_foot_origin_jacobian[36] = n0;
+    result.front_right_foot_origin_jacobian[39] = n0;
+    result.front_right_foot_origin_jacobian[42] = n0;
+    result.front_right_foot_origin_jacobian[45] = n0;
+    result.front_right_foot_origin_jacobian[48] = n0;
+    result.front_right_foot_origin_jacobian[51] = n0;
+    result.front_right_foot_origin_jacobian[1] = n0;
+    result.front_right_foot_origin_jacobian[4] = n1;
+    result.front_right_foot_origin_jacobian[7] = n0;
+    result.front_right_foot_origin_jacobian[10] = z783;
+    result.front_right_foot_origin_jacobian[13] = z786;
+    result.front_right_foot_origin_jacobian[16] = -z789;
+    result.front_right_foot_origin_jacobian[19] = n0;
+    result.front_right_foot_origin_jacobian[22] = n0;
+    result.front_right_foot_origin_jacobian[25] = n0;
+    result.front_right_foot_origin_jacobian[28] = -z801;
+    result.front_right_foot_origin_jacobian[31] = -z816;
+    result.front_right_foot_origin_jacobian[34] = -z834;
+    result.front_right_foot_origin_jacobian[37] = n0;
+    result.front_right_foot_origin_jacobian[40] = n0;
+    result.front_right_foot_origin_jacobian[43] = n0;
+    result.front_right_foot_origin_jacobian[46] = n0;
+    result.front_right_foot_origin_jacobian[49] = n0;
+    result.front_right_foot_origin_jacobian[52] = n0;
+    result.front_right_foot_origin_jacobian[2] = n0;
+    result.front_right_foot_origin_jacobian[5] = n0;
+    result.front_right_foot_origin_jacobian[8] = n1;
+    result.front_right_foot_origin_jacobian[11] = -z784;
+    result.front_right_foot_origin_jacobian[14] = -z787;
+    result.front_right_foot_origin_jacobian[17] = z790;
+    result.front_right_foot_origin_jacobian[20] = n0;
+    result.front_right_foot_origin_jacobian[23] = n0;
+    result.front_right_foot_origin_jacobian[26] = n0;
+    result.front_right_foot_origin_jacobian[29] = z802;
+    result.front_right_foot_origin_jacobian[32] = z817;
+    result.front_right_foot_origin_jacobian[35] = z835;
+    result.front_right_foot_origin_jacobian[38] = n0;
+    result.front_right_foot_origin_jacobian[41] = n0;
+    result.front_right_foot_origin_jacobian[44] = n0;
+    result.front_right_foot_origin_jacobian[47] = n0;
+    result.front_right_foot_origin_jacobian[50] = n0;
+    result.front_right_foot_origin_jacobian[53] = n0;
+    result.rear_left_foot_origin_position[0] = z579;
+    result.rear_left_foot_origin_position[1] = z578;
+    result.rear_left_foot_origin_position[2] = z577;
+    result.rear_left_foot_origin_velocity[0] = -z586;
+    result.rear_left_foot_origin_velocity[1] = -z587;
+    result.rear_left_foot_origin_velocity[2] = z588;
+    result.rear_left_foot_origin_jacobian[0] = n1;
+    result.rear_left_foot_origin_jacobian[3] = n0;
+    result.rear_left_foot_origin_jacobian[6] = n0;
+    result.rear_left_foot_origin_jacobian[9] = -z839;
+    result.rear_left_foot_origin_jacobian[12] = -z842;
+    result.rear_left_foot_origin_jacobian[15] = -z845;
+    result.rear_left_foot_origin_jacobian[18] = n0;
+    result.rear_left_foot_origin_jacobian[21] = n0;
+    result.rear_left_foot_origin_jacobian[24] = n0;
+    result.rear_left_foot_origin_jacobian[27] = n0;
+    result.rear_left_foot_origin_jacobian[30] = n0;
+    result.rear_left_foot_origin_jacobian[33] = n0;
+    result.rear_left_foot_origin_jacobian[36] = z854;
+    result.rear_left_foot_origin_jacobian[39] = z869;
+    result.rear_left_foot_origin_jacobian[42] = z887;
+    result.rear_left_foot_origin_jacobian[45] = n0;
+    result.rear_left_foot_origin_jacobian[48] = n0;
+    result.rear_left_foot_origin_jacobian[51] = n0;
+    result.rear_left_foot_origin_jacobian[1] = n0;
+    result.rear_left_foot_origin_jacobian[4] = n1;
+    result.rear_left_foot_origin_jacobian[7] = n0;
+    result.rear_left_foot_origin_jacobian[10] = z840;
+    result.rear_left_foot_origin_jacobian[13] = z843;
+    result.rear_left_foot_origin_jacobian[16] = -z846;
+    result.rear_left_foot_origin_jacobian[19] = n0;
+    result.rear_left_foot_origin_jacobian[22] = n0;
+    result.rear_left_foot_origin_jacobian[25] = n0;
+    result.rear_left_foot_origin_jacobian[28] = n0;
+    result.rear_left_foot_origin_jacobian[31] = n0;
+    result.rear_left_foot_origin_jacobian[34] = n0;
+    result.rear_left_foot_origin_jacobian[37] = -z855;
+    result.rear_left_foot_origin_jacobian[40] = -z870;
+    result.rear_left_foot_origin_jacobian[43] = -z888;
+    result.rear_left_foot_origin_jacobian[46] = n0;
+    result.rear_left_foot_origin_jacobian[49] = n0;
+    result.rear_left_foot_origin_jacobian[52] = n0;
+    result.rear_left_foot_origin_jacobian[2] = n0;
+    result.rear_left_foot_origin_jacobian[5] = n0;
+    result.rear_left_foot_origin_jacobian[8] = n1;
+    result.rear_left_foot_origin_jacobian[11] = -z841;
+    result.rear_left_foot_origin_jacobian[14] = -z844;
+    result.rear_left_foot_origin_jacobian[17] = z847;
+    result.rear_left_foot_origin_jacobian[20] = n0;
+    result.rear_left_foot_origin_jacobian[23] = n0;
+    result.rear_left_foot_origin_jacobian[26] = n0;
+    result.rear_left_foot_origin_jacobian[29] = n0;
+    result.rear_left_foot_origin_jacobian[32] = n0;
+    result.rear_left_foot_origin_jacobian[35] = n0;
+    result.rear_left_foot_origin_jacobian[38] = z856;
+    result.rear_left_foot_origin_jacobian[41] = z871;
+    result.rear_left_foot_origin_jacobian[44] = z889;
+    result.rear_left_foot_origin_jacobian[47] = n0;
+    result.rear_left_foot_origin_jacobian[50] = n0;
+    result.rear_left_foot_origin_jacobian[53] = n0;
+    result.rear_right_foot_origin_position[0] = z712;
+    result.rear_right_foot_origin_position[1] = z711;
+    result.rear_right_foot_origin_position[2] = z710;
+    result.rear_right_foot_origin_velocity[0] = -z719;
+    result.rear_right_foot_origin_velocity[1] = -z720;
+    result.rear_right_foot_origin_velocity[2] = z721;
+    result.rear_right_foot_origin_jacobian[0] = n1;
+    result.rear_right_foot_origin_jacobian[3] = n0;
+    result.rear_right_foot_origin_jacobian[6] = n0;
+    result.rear_right_foot_origin_jacobian[9] = -z893;
+    result.rear_right_foot_origin_jacobian[12] = -z896;
+    result.rear_right_foot_origin_jacobian[15] = -z899;
+    result.rear_right_foot_origin_jacobian[18] = n0;
+    result.rear_right_foot_origin_jacobian[21] = n0;
+    result.rear_right_foot_origin_jacobian[24] = n0;
+    result.rear_right_foot_origin_jacobian[27] = n0;
+    result.rear_right_foot_origin_jacobian[30] = n0;
+    result.rear_right_foot_origin_jacobian[33] = n0;
+    result.rear_right_foot_origin_jacobian[36] = n0;
+    result.rear_right_foot_origin_jacobian[39] = n0;
+    result.rear_right_foot_origin_jacobian[42] = n0;
+    result.rear_right_foot_origin_jacobian[45] = z908;
+    result.rear_right_foot_origin_jacobian[48] = z923;
+    result.rear_right_foot_origin_jacobian[51] = z941;
+    result.rear_right_foot_origin_jacobian[1] = n0;
+    result.rear_right_foot_origin_jacobian[4] = n1;
+    result.rear_right_foot_origin_jacobian[7] = n0;
+    result.rear_right_foot_origin_jacobian[10] = z894;
+    result.rear_right_foot_origin_jacobian[13] = z897;
+    result.rear_right_foot_origin_jacobian[16] = -z900;
+    result.rear_right_foot_origin_jacobian[19] = n0;
+    result.rear_right_foot_origin_jacobian[22] = n0;
+    result.rear_right_foot_origin_jacobian[25] = n0;
+    result.rear_right_foot_origin_jacobian[28] = n0;
+    result.rear_right_foot_origin_jacobian[31] = n0;
+    result.rear_right_foot_origin_jacobian[34] = n0;
+    result.rear_right_foot_origin_jacobian[37] = n0;
+    result.rear_right_foot_origin_jacobian[40] = n0;
+    result.rear_right_foot_origin_jacobian[43] = n0;
+    result.rear_right_foot_origin_jacobian[46] = -z909;
+    result.rear_right_foot_origin_jacobian[49] = -z924;
+    result.rear_right_foot_origin_jacobian[52] = -z942;
+    result.rear_right_foot_origin_jacobian[2] = n0;
+    result.rear_right_foot_origin_jacobian[5] = n0;
+    result.rear_right_foot_origin_jacobian[8] = n1;
+    result.rear_right_foot_origin_jacobian[11] = -z895;
+    result.rear_right_foot_origin_jacobian[14] = -z898;
+    result.rear_right_foot_origin_jacobian[17] = z901;
+    result.rear_right_foot_origin_jacobian[20] = n0;
+    result.rear_right_foot_origin_jacobian[23] = n0;
+    result.rear_right_foot_origin_jacobian[26] = n0;
+    result.rear_right_foot_origin_jacobian[29] = n0;
+    result.rear_right_foot_origin_jacobian[32] = n0;
+    result.rear_right_foot_origin_jacobian[35] = n0;
+    result.rear_right_foot_origin_jacobian[38] = n0;
+    result.rear_right_foot_origin_jacobian[41] = n0;
+    result.rear_right_foot_origin_jacobian[44] = n0;
+    result.rear_right_foot_origin_jacobian[47] = z910;
+    result.rear_right_foot_origin_jacobian[50] = z925;
+    result.rear_right_foot_origin_jacobian[53] = z943;
+  }
+
+  /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
+  TORSOR_DEVICE static void mass_matrix(const Precomputed&, const State& state,
+      std::array<Scalar, 324>& mass) noexcept {
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0_032 = traits::constant(0.032, 0.032f, "4/125");
+    const Scalar k3 = traits::constant(0.0051096, 0.0051096f, "6387/1250000");
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    const Scalar n0_08 = traits::constant(0.08, 0.08f, "2/25");
+    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
+    const Scalar k7 = traits::constant(0.00507, 0.00507f, "507/100000");
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n0_124 = traits::constant(0.124, 0.124f, "31/250");
+    const Scalar k10 = traits::constant(0.01968, 0.01968f, "123/6250");
+    const Scalar k11 = traits::constant(0.01928, 0.01928f, "241/12500");
+    const Scalar k12 = traits::constant(0.0329736, 0.0329736f, "41217/1250000");
+    const Scalar k13 = traits::constant(0.0325736, 0.0325736f, "40717/1250000");
+    const Scalar n0_1048 = traits::constant(0.1048, 0.1048f, "131/1250");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar n0_0406 = traits::constant(0.0406, 0.0406f, "203/5000");
+    const Scalar k17 = traits::constant(0.4664944, 0.4664944f, "291559/625000");
+    const Scalar k18 = traits::constant(0.4970944, 0.4970944f, "77671/156250");
+    const Scalar n12_24 = traits::constant(12.24, 12.24f, "306/25");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_trunk_attitude_y = state.q.trunk_attitude_y;
+    const Scalar q_trunk_attitude_z = state.q.trunk_attitude_z;
+    const Scalar q_trunk_attitude_x = state.q.trunk_attitude_x;
+    const Scalar q_trunk_attitude_w = state.q.trunk_attitude_w;
+    const Scalar q_front_left_hip = state.q.front_left_hip;
+    const Scalar q_front_left_thigh = state.q.front_left_thigh;
+    const Scalar q_front_left_knee = state.q.front_left_knee;
+    const Scalar q_front_right_hip = state.q.front_right_hip;
+    const Scalar q_front_right_thigh = state.q.front_right_thigh;
+    const Scalar q_front_right_knee = state.q.front_right_knee;
+    const Scalar q_rear_left_hip = state.q.rear_left_hip;
+    const Scalar q_rear_left_thigh = state.q.rear_left_thigh;
+    const Scalar q_rear_left_knee = state.q.rear_left_knee;
+    const Scalar q_rear_right_hip = state.q.rear_right_hip;
+    const Scalar q_rear_right_thigh = state.q.rear_right_thigh;
+    const Scalar q_rear_right_knee = state.q.rear_right_knee;
+    const Scalar z10 = n2 * q_trunk_attitude_y * q_trunk_attitude_y;
+    const Scalar z12 = n2 * q_trunk_attitude_z * q_trunk_attitude_z;
+    const Scalar z14 = n2 * q_trunk_attitude_y * q_trunk_attitude_x;
+    const Scalar z16 = n2 * q_trunk_attitude_z * q_trunk_attitude_w;
+    const Scalar z17 = n1 - z10 - z12;
+    const Scalar z18 = z14 - z16;
+    const Scalar z19 = z14 + z16;
+    const Scalar z20 = n2 * q_trunk_attitude_x * q_trunk_attitude_x;
+    const Scalar z21 = n2 * q_trunk_attitude_y * q_trunk_attitude_z;
+    const Scalar z22 = n2 * q_trunk_attitude_x * q_trunk_attitude_w;
+    const Scalar z23 = n1 - z12 - z20;
+    const Scalar z24 = z21 - z22;
+    const Scalar z25 = z21 + z22;
+    const Scalar z26 = n2 * q_trunk_attitude_z * q_trunk_attitude_x;
+    const Scalar z27 = n2 * q_trunk_attitude_y * q_trunk_attitude_w;
+    const Scalar z28 = n1 - z10 - z20;
+    const Scalar z29 = z26 - z27;
+    const Scalar z30 = z26 + z27;
+    Scalar s_front_left_hip, c_front_left_hip;
+    traits::sincos(q_front_left_hip, s_front_left_hip, c_front_left_hip);
+    Scalar s_front_left_thigh, c_front_left_thigh;
+    traits::sincos(q_front_left_thigh, s_front_left_thigh, c_front_left_thigh);
+    Scalar s_front_left_knee, c_front_left_knee;
+    traits::sincos(q_front_left_knee, s_front_left_knee, c_front_left_knee);
+    Scalar s_front_right_hip, c_front_right_hip;
+    traits::sincos(q_front_right_hip, s_front_right_hip, c_front_right_hip);
+    Scalar s_front_right_thigh, c_front_right_thigh;
+    traits::sincos(q_front_right_thigh, s_front_right_thigh, c_front_right_thigh);
+    Scalar s_front_right_knee, c_front_right_knee;
+    traits::sincos(q_front_right_knee, s_front_right_knee, c_front_right_knee);
+    Scalar s_rear_left_hip, c_rear_left_hip;
+    traits::sincos(q_rear_left_hip, s_rear_left_hip, c_rear_left_hip);
+    Scalar s_rear_left_thigh, c_rear_left_thigh;
+    traits::sincos(q_rear_left_thigh, s_rear_left_thigh, c_rear_left_thigh);
+    Scalar s_rear_left_knee, c_rear_left_knee;
+    traits::sincos(q_rear_left_knee, s_rear_left_knee, c_rear_left_knee);
+    Scalar s_rear_right_hip, c_rear_right_hip;
+    traits::sincos(q_rear_right_hip, s_rear_right_hip, c_rear_right_hip);
+    Scalar s_rear_right_thigh, c_rear_right_thigh;
+    traits::sincos(q_rear_right_thigh, s_rear_right_thigh, c_rear_right_thigh);
+    Scalar s_rear_right_knee, c_rear_right_knee;
+    traits::sincos(q_rear_right_knee, s_rear_right_knee, c_rear_right_knee);
+    const Scalar z944 = n0_032 * c_rear_right_knee;
+    const Scalar z945 = n0_032 * s_rear_right_knee;
+    const Scalar z946 = k3 + n0_2 * z944;
+    const Scalar z947 = s_rear_right_thigh * z945 - c_rear_right_thigh * z944;
+    const Scalar z948 = s_rear_right_thigh * z944 + c_rear_right_thigh * z945;
+    const Scalar z949 = n0_08 * z948;
+    const Scalar z950 = s_rear_right_hip * z948;
+    const Scalar z951 = c_rear_right_hip * z948;
+    const Scalar z952 = n0_08 * z947;
+    const Scalar z953 = s_rear_right_hip * z952 - c_rear_right_hip * z946;
+    const Scalar z954 = s_rear_right_hip * z946 + c_rear_right_hip * z952;
+    const Scalar z955 = n0_05 * z947 + n0_2 * z950 + z954;
+    const Scalar z956 = z949 + n0_05 * z951;
+    const Scalar z957 = n0_2 * z951 - z953;
+    const Scalar z958 = z17 * z947 - z18 * z950 + z30 * z951;
+    const Scalar z959 = z19 * z947 - z23 * z950 + z24 * z951;
+    const Scalar z960 = z25 * z950 - z28 * z951 - z29 * z947;
+    const Scalar z966 = k7 * s_rear_right_knee;
+    const Scalar z967 = s_rear_right_knee * z966;
+    const Scalar z968 = k7 - z967;
+    const Scalar z969 = c_rear_right_knee * z966;
+    const Scalar z970 = n0_4 * z944 - z967;
+    const Scalar z971 = n0_2 * z945 + z969;
+    const Scalar z972 = k3 + n0_4 * z944;
+    const Scalar z973 = n0_124 + z944;
+    const Scalar z974 = k10 + z972;
+    const Scalar z975 = k11 + z968;
+    const Scalar z976 = s_rear_right_thigh * z945 - c_rear_right_thigh * z973;
+    const Scalar z977 = s_rear_right_thigh * z973 + c_rear_right_thigh * z945;
+    const Scalar z978 = n0_08 * z977;
+    const Scalar z979 = s_rear_right_hip * z977;
+    const Scalar z980 = c_rear_right_hip * z977;
+    const Scalar z981 = n0_08 * z976;
+    const Scalar z982 = s_rear_right_hip * z981 - c_rear_right_hip * z974;
+    const Scalar z983 = s_rear_right_hip * z974 + c_rear_right_hip * z981;
+    const Scalar z984 = n0_05 * z976 + n0_2 * z979 + z983;
+    const Scalar z985 = z978 + n0_05 * z980;
+    const Scalar z986 = n0_2 * z980 - z982;
+    const Scalar z987 = z17 * z976 - z18 * z979 + z30 * z980;
+    const Scalar z988 = z19 * z976 - z23 * z979 + z24 * z980;
+    const Scalar z989 = z25 * z979 - z28 * z980 - z29 * z976;
+    const Scalar z995 = z970 + z975;
+    const Scalar z996 = n2 * z971;
+    const Scalar z997 = s_rear_right_thigh * z995 + c_rear_right_thigh * z996;
+    const Scalar z998 = s_rear_right_thigh * z997;
+    const Scalar z999 = z975 - z998;
+    const Scalar z1000 = z970 - z998;
+    const Scalar z1001 = c_rear_right_thigh * z997 - z971;
+    const Scalar z1002 = k12 + z1000;
+    const Scalar z1003 = k13 - z974;
+    const Scalar z1004 = n0_1048 * s_rear_right_hip - c_rear_right_hip * z976;
+    const Scalar z1005 = s_rear_right_hip * z976 + n0_1048 * c_rear_right_hip;
+    const Scalar z1006 = s_rear_right_hip * z1001 - c_rear_right_hip * z978;
+    const Scalar z1007 = s_rear_right_hip * z978 + c_rear_right_hip * z1001;
+    const Scalar z1008 = n0_2 * z1004 + z1007;
+    const Scalar z1009 = z1002 + n0_05 * z1005;
+    const Scalar z1010 = n0_2 * z1005 - z1006;
+    const Scalar z1011 = z18 * z1004 - z30 * z1005;
+    const Scalar z1012 = z23 * z1004 - z24 * z1005;
+    const Scalar z1013 = z25 * z1004 - z28 * z1005;
+    const Scalar z1019 = z999 - z1003;
+    const Scalar z1020 = n2 * z981;
+    const Scalar z1021 = s_rear_right_hip * z1019 + c_rear_right_hip * z1020;
+    const Scalar z1022 = s_rear_right_hip * z1021;
+    const Scalar z1023 = z1003 + z1022;
+    const Scalar z1024 = z999 - z1022;
+    const Scalar z1025 = c_rear_right_hip * z1021 - z981;
+    const Scalar z1026 = z1002 + n0_1 * z1005;
+    const Scalar z1027 = n0_05 * z977 + n0_2 * z1005 - z1006;
+    const Scalar z1028 = n0_4 * z977 - z1023;
+    const Scalar z1029 = n0_05 * z1004 - z1025;
+    const Scalar z1030 = n0_4 * z977 + n0_1 * z1005 - z1024;
+    const Scalar z1031 = n0_0406 + z1026;
+    const Scalar z1032 = k17 + z1028;
+    const Scalar z1033 = k18 + z1030;
+    const Scalar z1034 = n0_032 * c_rear_left_knee;
+    const Scalar z1035 = n0_032 * s_rear_left_knee;
+    const Scalar z1036 = k3 + n0_2 * z1034;
+    const Scalar z1037 = s_rear_left_thigh * z1035 - c_rear_left_thigh * z1034;
+    const Scalar z1038 = s_rear_left_thigh * z1034 + c_rear_left_thigh * z1035;
+    const Scalar z1039 = n0_08 * z1038;
+    const Scalar z1040 = s_rear_left_hip * z1038;
+    const Scalar z1041 = c_rear_left_hip * z1038;
+    const Scalar z1042 = n0_08 * z1037;
+    const Scalar z1043 = s_rear_left_hip * z1042 + c_rear_left_hip * z1036;
+    const Scalar z1044 = s_rear_left_hip * z1036 - c_rear_left_hip * z1042;
+    const Scalar z1045 = n0_05 * z1037 - n0_2 * z1040 - z1044;
+    const Scalar z1046 = z1039 + n0_05 * z1041;
+    const Scalar z1047 = n0_2 * z1041 + z1043;
+    const Scalar z1048 = z17 * z1037 - z18 * z1040 + z30 * z1041;
+    const Scalar z1049 = z19 * z1037 - z23 * z1040 + z24 * z1041;
+    const Scalar z1050 = z25 * z1040 - z28 * z1041 - z29 * z1037;
+    const Scalar z1056 = k7 * s_rear_left_knee;
+    const Scalar z1057 = s_rear_left_knee * z1056;
+    const Scalar z1058 = k7 - z1057;
+    const Scalar z1059 = c_rear_left_knee * z1056;
+    const Scalar z1060 = n0_4 * z1034 - z1057;
+    const Scalar z1061 = n0_2 * z1035 + z1059;
+    const Scalar z1062 = k3 + n0_4 * z1034;
+    const Scalar z1063 = n0_124 + z1034;
+    const Scalar z1064 = k10 + z1062;
+    const Scalar z1065 = k11 + z1058;
+    const Scalar z1066 = s_rear_left_thigh * z1035 - c_rear_left_thigh * z1063;
+    const Scalar z1067 = s_rear_left_thigh * z1063 + c_rear_left_thigh * z1035;
+    const Scalar z1068 = n0_08 * z1067;
+    const Scalar z1069 = s_rear_left_hip * z1067;
+    const Scalar z1070 = c_rear_left_hip * z1067;
+    const Scalar z1071 = n0_08 * z1066;
+    const Scalar z1072 = s_rear_left_hip * z1071 + c_rear_left_hip * z1064;
+    const Scalar z1073 = s_rear_left_hip * z1064 - c_rear_left_hip * z1071;
+    const Scalar z1074 = n0_05 * z1066 - n0_2 * z1069 - z1073;
+    const Scalar z1075 = z1068 + n0_05 * z1070;
+    const Scalar z1076 = n0_2 * z1070 + z1072;
+    const Scalar z1077 = z17 * z1066 - z18 * z1069 + z30 * z1070;
+    const Scalar z1078 = z19 * z1066 - z23 * z1069 + z24 * z1070;
+    const Scalar z1079 = z25 * z1069 - z28 * z1070 - z29 * z1066;
+    const Scalar z1085 = z1060 + z1065;
+    const Scalar z1086 = n2 * z1061;
+    const Scalar z1087 = s_rear_left_thigh * z1085 + c_rear_left_thigh * z1086;
+    const Scalar z1088 = s_rear_left_thigh * z1087;
+    const Scalar z1089 = z1065 - z1088;
+    const Scalar z1090 = z1060 - z1088;
+    const Scalar z1091 = c_rear_left_thigh * z1087 - z1061;
+    const Scalar z1092 = k12 + z1090;
+    const Scalar z1093 = k13 - z1064;
+    const Scalar z1094 = n0_1048 * s_rear_left_hip + c_rear_left_hip * z1066;
+    const Scalar z1095 = s_rear_left_hip * z1066 - n0_1048 * c_rear_left_hip;
+    const Scalar z1096 = s_rear_left_hip * z1091 + c_rear_left_hip * z1068;
+    const Scalar z1097 = s_rear_left_hip * z1068 - c_rear_left_hip * z1091;
+    const Scalar z1098 = n0_2 * z1094 + z1097;
+    const Scalar z1099 = z1092 - n0_05 * z1095;
+    const Scalar z1100 = n0_2 * z1095 - z1096;
+    const Scalar z1101 = z18 * z1094 + z30 * z1095;
+    const Scalar z1102 = z23 * z1094 + z24 * z1095;
+    const Scalar z1103 = z25 * z1094 + z28 * z1095;
+    const Scalar z1109 = z1089 - z1093;
+    const Scalar z1110 = n2 * z1071;
+    const Scalar z1111 = s_rear_left_hip * z1109 - c_rear_left_hip * z1110;
+    const Scalar z1112 = s_rear_left_hip * z1111;
+    const Scalar z1113 = z1093 + z1112;
+    const Scalar z1114 = z1089 - z1112;
+    const Scalar z1115 = c_rear_left_hip * z1111 + z1071;
+    const Scalar z1116 = z1092 - n0_1 * z1095;
+    const Scalar z1117 = n0_05 * z1067 - n0_2 * z1095 + z1096;
+    const Scalar z1118 = n0_4 * z1067 - z1113;
+    const Scalar z1119 = n0_05 * z1094 - z1115;
+    const Scalar z1120 = n0_4 * z1067 - n0_1 * z1095 - z1114;
+    const Scalar z1121 = z977 + z1067;
+    const Scalar z1122 = z1005 + z1095;
+    const Scalar z1123 = z1004 - z1094;
+    const Scalar z1124 = z1031 + z1116;
+    const Scalar z1125 = z1027 - z1117;
+    const Scalar z1126 = z1032 + z1118;
+    const Scalar z1127 = z1008 - z1098;
+    const Scalar z1128 = z1029 + z1119;
+    const Scalar z1129 = z1033 + z1120;
+    const Scalar z1130 = n0_032 * c_front_right_knee;
+    const Scalar z1131 = n0_032 * s_front_right_knee;
+    const Scalar z1132 = k3 + n0_2 * z1130;
+    const Scalar z1133 = s_front_right_thigh * z1131 - c_front_right_thigh * z1130;
+    const Scalar z1134 = s_front_right_thigh * z1130 + c_front_right_thigh * z1131;
+    const Scalar z1135 = n0_08 * z1134;
+    const Scalar z1136 = s_front_right_hip * z1134;
+    const Scalar z1137 = c_front_right_hip * z1134;
+    const Scalar z1138 = n0_08 * z1133;
+    const Scalar z1139 = s_front_right_hip * z1138 - c_front_right_hip * z1132;
+    const Scalar z1140 = s_front_right_hip * z1132 + c_front_right_hip * z1138;
+    const Scalar z1141 = n0_05 * z1133 - n0_2 * z1136 + z1140;
+    const Scalar z1142 = z1135 + n0_05 * z1137;
+    const Scalar z1143 = n0_2 * z1137 + z1139;
+    const Scalar z1144 = z17 * z1133 - z18 * z1136 + z30 * z1137;
+    const Scalar z1145 = z19 * z1133 - z23 * z1136 + z24 * z1137;
+    const Scalar z1146 = z25 * z1136 - z28 * z1137 - z29 * z1133;
+    const Scalar z1152 = k7 * s_front_right_knee;
+    const Scalar z1153 = s_front_right_knee * z1152;
+    const Scalar z1154 = k7 - z1153;
+    const Scalar z1155 = c_front_right_knee * z1152;
+    const Scalar z1156 = n0_4 * z1130 - z1153;
+    const Scalar z1157 = n0_2 * z1131 + z1155;
+    const Scalar z1158 = k3 + n0_4 * z1130;
+    const Scalar z1159 = n0_124 + z1130;
+    const Scalar z1160 = k10 + z1158;
+    const Scalar z1161 = k11 + z1154;
+    const Scalar z1162 = s_front_right_thigh * z1131 - c_front_right_thigh * z1159;
+    const Scalar z1163 = s_front_right_thigh * z1159 + c_front_right_thigh * z1131;
+    const Scalar z1164 = n0_08 * z1163;
+    const Scalar z1165 = s_front_right_hip * z1163;
+    const Scalar z1166 = c_front_right_hip * z1163;
+    const Scalar z1167 = n0_08 * z1162;
+    const Scalar z1168 = s_front_right_hip * z1167 - c_front_right_hip * z1160;
+    const Scalar z1169 = s_front_right_hip * z1160 + c_front_right_hip * z1167;
+    const Scalar z1170 = n0_05 * z1162 - n0_2 * z1165 + z1169;
+    const Scalar z1171 = z1164 + n0_05 * z1166;
+    const Scalar z1172 = n0_2 * z1166 + z1168;
+    const Scalar z1173 = z17 * z1162 - z18 * z1165 + z30 * z1166;
+    const Scalar z1174 = z19 * z1162 - z23 * z1165 + z24 * z1166;
+    const Scalar z1175 = z25 * z1165 - z28 * z1166 - z29 * z1162;
+    const Scalar z1181 = z1156 + z1161;
+    const Scalar z1182 = n2 * z1157;
+    const Scalar z1183 = s_front_right_thigh * z1181 + c_front_right_thigh * z1182;
+    const Scalar z1184 = s_front_right_thigh * z1183;
+    const Scalar z1185 = z1161 - z1184;
+    const Scalar z1186 = z1156 - z1184;
+    const Scalar z1187 = c_front_right_thigh * z1183 - z1157;
+    const Scalar z1188 = k12 + z1186;
+    const Scalar z1189 = k13 - z1160;
+    const Scalar z1190 = n0_1048 * s_front_right_hip - c_front_right_hip * z1162;
+    const Scalar z1191 = s_front_right_hip * z1162 + n0_1048 * c_front_right_hip;
+    const Scalar z1192 = s_front_right_hip * z1187 - c_front_right_hip * z1164;
+    const Scalar z1193 = s_front_right_hip * z1164 + c_front_right_hip * z1187;
+    const Scalar z1194 = n0_2 * z1190 - z1193;
+    const Scalar z1195 = z1188 + n0_05 * z1191;
+    const Scalar z1196 = n0_2 * z1191 + z1192;
+    const Scalar z1197 = z18 * z1190 - z30 * z1191;
+    const Scalar z1198 = z23 * z1190 - z24 * z1191;
+    const Scalar z1199 = z25 * z1190 - z28 * z1191;
+    const Scalar z1205 = z1185 - z1189;
+    const Scalar z1206 = n2 * z1167;
+    const Scalar z1207 = s_front_right_hip * z1205 + c_front_right_hip * z1206;
+    const Scalar z1208 = s_front_right_hip * z1207;
+    const Scalar z1209 = z1189 + z1208;
+    const Scalar z1210 = z1185 - z1208;
+    const Scalar z1211 = c_front_right_hip * z1207 - z1167;
+    const Scalar z1212 = z1188 + n0_1 * z1191;
+    const Scalar z1213 = n0_05 * z1163 - n0_2 * z1191 - z1192;
+    const Scalar z1214 = n0_4 * z1163 + z1209;
+    const Scalar z1215 = n0_05 * z1190 - z1211;
+    const Scalar z1216 = n0_4 * z1163 - n0_1 * z1191 + z1210;
+    const Scalar z1217 = z1121 + z1163;
+    const Scalar z1218 = z1122 + z1191;
+    const Scalar z1219 = z1123 + z1190;
+    const Scalar z1220 = z1124 + z1212;
+    const Scalar z1221 = z1125 + z1213;
+    const Scalar z1222 = z1126 - z1214;
+    const Scalar z1223 = z1127 - z1194;
+    const Scalar z1224 = z1128 + z1215;
+    const Scalar z1225 = z1129 - z1216;
+    const Scalar z1226 = n0_032 * c_front_left_knee;
+    const Scalar z1227 = n0_032 * s_front_left_knee;
+    const Scalar z1228 = k3 + n0_2 * z1226;
+    const Scalar z1229 = s_front_left_thigh * z1227 - c_front_left_thigh * z1226;
+    const Scalar z1230 = s_front_left_thigh * z1226 + c_front_left_thigh * z1227;
+    const Scalar z1231 = n0_08 * z1230;
+    const Scalar z1232 = s_front_left_hip * z1230;
+    const Scalar z1233 = c_front_left_hip * z1230;
+    const Scalar z1234 = n0_08 * z1229;
+    const Scalar z1235 = s_front_left_hip * z1234 + c_front_left_hip * z1228;
+    const Scalar z1236 = s_front_left_hip * z1228 - c_front_left_hip * z1234;
+    const Scalar z1237 = n0_05 * z1229 + n0_2 * z1232 - z1236;
+    const Scalar z1238 = z1231 + n0_05 * z1233;
+    const Scalar z1239 = n0_2 * z1233 - z1235;
+    const Scalar z1240 = z17 * z1229 - z18 * z1232 + z30 * z1233;
+    const Scalar z1241 = z19 * z1229 - z23 * z1232 + z24 * z1233;
+    const Scalar z1242 = z25 * z1232 - z28 * z1233 - z29 * z1229;
+    const Scalar z1248 = k7 * s_front_left_knee;
+    const Scalar z1249 = s_front_left_knee * z1248;
+    const Scalar z1250 = k7 - z1249;
+    const Scalar z1251 = c_front_left_knee * z1248;
+    const Scalar z1252 = n0_4 * z1226 - z1249;
+    const Scalar z1253 = n0_2 * z1227 + z1251;
+    const Scalar z1254 = k3 + n0_4 * z1226;
+    const Scalar z1255 = n0_124 + z1226;
+    const Scalar z1256 = k10 + z1254;
+    const Scalar z1257 = k11 + z1250;
+    const Scalar z1258 = s_front_left_thigh * z1227 - c_front_left_thigh * z1255;
+    const Scalar z1259 = s_front_left_thigh * z1255 + c_front_left_thigh * z1227;
+    const Scalar z1260 = n0_08 * z1259;
+    const Scalar z1261 = s_front_left_hip * z1259;
+    const Scalar z1262 = c_front_left_hip * z1259;
+    const Scalar z1263 = n0_08 * z1258;
+    const Scalar z1264 = s_front_left_hip * z1263 + c_front_left_hip * z1256;
+    const Scalar z1265 = s_front_left_hip * z1256 - c_front_left_hip * z1263;
+    const Scalar z1266 = n0_05 * z1258 + n0_2 * z1261 - z1265;
+    const Scalar z1267 = z1260 + n0_05 * z1262;
+    const Scalar z1268 = n0_2 * z1262 - z1264;
+    const Scalar z1269 = z17 * z1258 - z18 * z1261 + z30 * z1262;
+    const Scalar z1270 = z19 * z1258 - z23 * z1261 + z24 * z1262;
+    const Scalar z1271 = z25 * z1261 - z28 * z1262 - z29 * z1258;
+    const Scalar z1277 = z1252 + z1257;
+    const Scalar z1278 = n2 * z1253;
+    const Scalar z1279 = s_front_left_thigh * z1277 + c_front_left_thigh * z1278;
+    const Scalar z1280 = s_front_left_thigh * z1279;
+    const Scalar z1281 = z1257 - z1280;
+    const Scalar z1282 = z1252 - z1280;
+    const Scalar z1283 = c_front_left_thigh * z1279 - z1253;
+    const Scalar z1284 = k12 + z1282;
+    const Scalar z1285 = k13 - z1256;
+    const Scalar z1286 = n0_1048 * s_front_left_hip + c_front_left_hip * z1258;
+    const Scalar z1287 = s_front_left_hip * z1258 - n0_1048 * c_front_left_hip;
+    const Scalar z1288 = s_front_left_hip * z1283 + c_front_left_hip * z1260;
+    const Scalar z1289 = s_front_left_hip * z1260 - c_front_left_hip * z1283;
+    const Scalar z1290 = n0_2 * z1286 - z1289;
+    const Scalar z1291 = z1284 - n0_05 * z1287;
+    const Scalar z1292 = n0_2 * z1287 + z1288;
+    const Scalar z1293 = z18 * z1286 + z30 * z1287;
+    const Scalar z1294 = z23 * z1286 + z24 * z1287;
+    const Scalar z1295 = z25 * z1286 + z28 * z1287;
+    const Scalar z1301 = z1281 - z1285;
+    const Scalar z1302 = n2 * z1263;
+    const Scalar z1303 = s_front_left_hip * z1301 - c_front_left_hip * z1302;
+    const Scalar z1304 = s_front_left_hip * z1303;
+    const Scalar z1305 = z1285 + z1304;
+    const Scalar z1306 = z1281 - z1304;
+    const Scalar z1307 = c_front_left_hip * z1303 + z1263;
+    const Scalar z1308 = z1284 - n0_1 * z1287;
+    const Scalar z1309 = n0_05 * z1259 + n0_2 * z1287 + z1288;
+    const Scalar z1310 = n0_4 * z1259 + z1305;
+    const Scalar z1311 = n0_05 * z1286 - z1307;
+    const Scalar z1312 = n0_4 * z1259 + n0_1 * z1287 + z1306;
+    const Scalar z1313 = z1217 + z1259;
+    const Scalar z1314 = z1218 + z1287;
+    const Scalar z1315 = z1219 - z1286;
+    const Scalar z1316 = z1220 + z1308;
+    const Scalar z1317 = z1221 - z1309;
+    const Scalar z1318 = z1222 - z1310;
+    const Scalar z1319 = z1223 + z1290;
+    const Scalar z1320 = z1224 + z1311;
+    const Scalar z1321 = z1225 - z1312;
+    const Scalar z1322 = z17 * z1314 - z18 * z1313;
+    const Scalar z1323 = z19 * z1314 - z23 * z1313;
+    const Scalar z1324 = z25 * z1313 - z29 * z1314;
+    const Scalar z1330 = z17 * z1315 - z30 * z1313;
+    const Scalar z1331 = z19 * z1315 - z24 * z1313;
+    const Scalar z1332 = z28 * z1313 - z29 * z1315;
+    const Scalar z1338 = z18 * z1315 - z30 * z1314;
+    const Scalar z1339 = z23 * z1315 - z24 * z1314;
+    const Scalar z1340 = z25 * z1315 - z28 * z1314;
+    mass[0] = n12_24;
+    mass[1] = n0;
+    mass[2] = n0;
+    mass[3] = z1338;
+    mass[4] = -z1330;
+    mass[5] = z1322;
+    mass[6] = -z1293;
+    mass[7] = z1269;
+    mass[8] = z1240;
+    mass[9] = z1197;
+    mass[10] = z1173;
+    mass[11] = z1144;
+    mass[12] = -z1101;
+    mass[13] = z1077;
+    mass[14] = z1048;
+    mass[15] = z1011;
+    mass[16] = z987;
+    mass[17] = z958;
+    mass[18] = n0;
+    mass[19] = n12_24;
+    mass[20] = n0;
+    mass[21] = z1339;
+    mass[22] = -z1331;
+    mass[23] = z1323;
+    mass[24] = -z1294;
+    mass[25] = z1270;
+    mass[26] = z1241;
+    mass[27] = z1198;
+    mass[28] = z1174;
+    mass[29] = z1145;
+    mass[30] = -z1102;
+    mass[31] = z1078;
+    mass[32] = z1049;
+    mass[33] = z1012;
+    mass[34] = z988;
+    mass[35] = z959;
+    mass[36] = n0;
+    mass[37] = n0;
+    mass[38] = n12_24;
+    mass[39] = z1340;
+    mass[40] = z1332;
+    mass[41] = -z1324;
+    mass[42] = -z1295;
+    mass[43] = -z1271;
+    mass[44] = -z1242;
+    mass[45] = z1199;
+    mass[46] = -z1175;
+    mass[47] = -z1146;
+    mass[48] = -z1103;
+    mass[49] = -z1079;
+    mass[50] = -z1050;
+    mass[51] = z1013;
+    mass[52] = -z989;
+    mass[53] = -z960;
+    mass[54] = z1338;
+    mass[55] = z1339;
+    mass[56] = z1340;
+    mass[57] = z1316;
+    mass[58] = -z1317;
+    mass[59] = -z1319;
+    mass[60] = z1291;
+    mass[61] = z1267;
+    mass[62] = z1238;
+    mass[63] = z1195;
+    mass[64] = -z1171;
+    mass[65] = -z1142;
+    mass[66] = z1099;
+    mass[67] = z1075;
+    mass[68] = z1046;
+    mass[69] = z1009;
+    mass[70] = -z985;
+    mass[71] = -z956;
+    mass[72] = -z1330;
+    mass[73] = -z1331;
+    mass[74] = z1332;
+    mass[75] = -z1317;
+    mass[76] = z1318;
+    mass[77] = -z1320;
+    mass[78] = z1292;
+    mass[79] = -z1268;
+    mass[80] = -z1239;
+    mass[81] = z1196;
+    mass[82] = -z1172;
+    mass[83] = -z1143;
+    mass[84] = -z1100;
+    mass[85] = z1076;
+    mass[86] = z1047;
+    mass[87] = -z1010;
+    mass[88] = z986;
+    mass[89] = z957;
+    mass[90] = z1322;
+    mass[91] = z1323;
+    mass[92] = -z1324;
+    mass[93] = -z1319;
+    mass[94] = -z1320;
+    mass[95] = z1321;
+    mass[96] = -z1290;
+    mass[97] = -z1266;
+    mass[98] = -z1237;
+    mass[99] = z1194;
+    mass[100] = z1170;
+    mass[101] = z1141;
+    mass[102] = z1098;
+    mass[103] = -z1074;
+    mass[104] = -z1045;
+    mass[105] = -z1008;
+    mass[106] = z984;
+    mass[107] = z955;
+    mass[108] = -z1293;
+    mass[109] = -z1294;
+    mass[110] = -z1295;
+    mass[111] = z1291;
+    mass[112] = z1292;
+    mass[113] = -z1290;
+    mass[114] = z1284;
+    mass[115] = z1260;
+    mass[116] = z1231;
+    mass[117] = n0;
+    mass[118] = n0;
+    mass[119] = n0;
+    mass[120] = n0;
+    mass[121] = n0;
+    mass[122] = n0;
+    mass[123] = n0;
+    mass[124] = n0;
+    mass[125] = n0;
+    mass[126] = z1269;
+    mass[127] = z1270;
+    mass[128] = -z1271;
+    mass[129] = z1267;
+    mass[130] = -z1268;
+    mass[131] = -z1266;
+    mass[132] = z1260;
+    mass[133] = z1256;
+    mass[134] = z1228;
+    mass[135] = n0;
+    mass[136] = n0;
+    mass[137] = n0;
+    mass[138] = n0;
+    mass[139] = n0;
+    mass[140] = n0;
+    mass[141] = n0;
+    mass[142] = n0;
+    mass[143] = n0;
+    mass[144] = z1240;
+    mass[145] = z1241;
+    mass[146] = -z1242;
+    mass[147] = z1238;
+    mass[148] = -z1239;
+    mass[149] = -z1237;
+    mass[150] = z1231;
+    mass[151] = z1228;
+    mass[152] = k3;
+    mass[153] = n0;
+    mass[154] = n0;
+    mass[155] = n0;
+    mass[156] = n0;
+    mass[157] = n0;
+    mass[158] = n0;
+    mass[159] = n0;
+    mass[160] = n0;
+    mass[161] = n0;
+    mass[162] = z1197;
+    mass[163] = z1198;
+    mass[164] = z1199;
+    mass[165] = z1195;
+    mass[166] = z1196;
+    mass[167] = z1194;
+    mass[168] = n0;
+    mass[169] = n0;
+    mass[170] = n0;
+    mass[171] = z1188;
+    mass[172] = -z1164;
+    mass[173] = -z1135;
+    mass[174] = n0;
+    mass[175] = n0;
+    mass[176] = n0;
+    mass[177] = n0;
+    mass[178] = n0;
+    mass[179] = n0;
+    mass[180] = z1173;
+    mass[181] = z1174;
+    mass[182] = -z1175;
+    mass[183] = -z1171;
+    mass[184] = -z1172;
+    mass[185] = z1170;
+    mass[186] = n0;
+    mass[187] = n0;
+    mass[188] = n0;
+    mass[189] = -z1164;
+    mass[190] = z1160;
+    mass[191] = z1132;
+    mass[192] = n0;
+    mass[193] = n0;
+    mass[194] = n0;
+    mass[195] = n0;
+    mass[196] = n0;
+    mass[197] = n0;
+    mass[198] = z1144;
+    mass[199] = z1145;
+    mass[200] = -z1146;
+    mass[201] = -z1142;
+    mass[202] = -z1143;
+    mass[203] = z1141;
+    mass[204] = n0;
+    mass[205] = n0;
+    mass[206] = n0;
+    mass[207] = -z1135;
+    mass[208] = z1132;
+    mass[209] = k3;
+    mass[210] = n0;
+    mass[211] = n0;
+    mass[212] = n0;
+    mass[213] = n0;
+    mass[214] = n0;
+    mass[215] = n0;
+    mass[216] = -z1101;
+    mass[217] = -z1102;
+    mass[218] = -z1103;
+    mass[219] = z1099;
+    mass[220] = -z1100;
+    mass[221] = z1098;
+    mass[222] = n0;
+    mass[223] = n0;
+    mass[224] = n0;
+    mass[225] = n0;
+    mass[226] = n0;
+    mass[227] = n0;
+    mass[228] = z1092;
+    mass[229] = z1068;
+    mass[230] = z1039;
+    mass[231] = n0;
+    mass[232] = n0;
+    mass[233] = n0;
+    mass[234] = z1077;
+    mass[235] = z1078;
+    mass[236] = -z1079;
+    mass[237] = z1075;
+    mass[238] = z1076;
+    mass[239] = -z1074;
+    mass[240] = n0;
+    mass[241] = n0;
+    mass[242] = n0;
+    mass[243] = n0;
+    mass[244] = n0;
+    mass[245] = n0;
+    mass[246] = z1068;
+    mass[247] = z1064;
+    mass[248] = z1036;
+    mass[249] = n0;
+    mass[250] = n0;
+    mass[251] = n0;
+    mass[252] = z1048;
+    mass[253] = z1049;
+    mass[254] = -z1050;
+    mass[255] = z1046;
+    mass[256] = z1047;
+    mass[257] = -z1045;
+    mass[258] = n0;
+    mass[259] = n0;
+    mass[260] = n0;
+    mass[261] = n0;
+    mass[262] = n0;
+    mass[263] = n0;
+    mass[264] = z1039;
+    mass[265] = z1036;
+    mass[266] = k3;
+    mass[267] = n0;
+    mass[268] = n0;
+    mass[269] = n0;
+    mass[270] = z1011;
+    mass[271] = z1012;
+    mass[272] = z1013;
+    mass[273] = z1009;
+    mass[274] = -z1010;
+    mass[275] = -z1008;
+    mass[276] = n0;
+    mass[277] = n0;
+    mass[278] = n0;
+    mass[279] = n0;
+    mass[280] = n0;
+    mass[281] = n0;
+    mass[282] = n0;
+    mass[283] = n0;
+    mass[284] = n0;
+    mass[285] = z1002;
+    mass[286] = -z978;
+    mass[287] = -z949;
+    mass[288] = z987;
+    mass[289] = z988;
+    mass[290] = -z989;
+    mass[291] = -z985;
+    mass[292] = z986;
+    mass[293] = z984;
+    mass[294] = n0;
+    mass[295] = n0;
+    mass[296] = n0;
+    mass[297] = n0;
+    mass[298] = n0;
+    mass[299] = n0;
+    mass[300] = n0;
+    mass[301] = n0;
+    mass[302] = n0;
+    mass[303] = -z978;
+    mass[304] = z974;
+    mass[305] = z946;
+    mass[306] = z958;
+    mass[307] = z959;
+    mass[308] = -z960;
+    mass[309] = -z956;
+    mass[310] = z957;
+    mass[311] = z955;
+    mass[312] = n0;
+    mass[313] = n0;
+    mass[314] = n0;
+    mass[315] = n0;
+    mass[316] = n0;
+    mass[317] = n0;
+    mass[318] = n0;
+    mass[319] = n0;
+    mass[320] = n0;
+    mass[321] = -z949;
+    mass[322] = z946;
+    mass[323] = k3;
+  }
+
+  /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
+  /// actions included. M a + h = E u + A' lambda.
+  TORSOR_DEVICE static void bias(const Precomputed&, const State& state, GeneralizedForces& forces) noexcept {
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    const Scalar n0_08 = traits::constant(0.08, 0.08f, "2/25");
+    const Scalar n0_032 = traits::constant(0.032, 0.032f, "4/125");
+    const Scalar k7 = traits::constant(0.0101796, 0.0101796f, "25449/2500000");
+    const Scalar k8 = traits::constant(0.0051096, 0.0051096f, "6387/1250000");
+    const Scalar k9 = traits::constant(0.00507, 0.00507f, "507/100000");
+    const Scalar n0_124 = traits::constant(0.124, 0.124f, "31/250");
+    const Scalar k11 = traits::constant(0.03896, 0.03896f, "487/12500");
+    const Scalar k12 = traits::constant(0.01968, 0.01968f, "123/6250");
+    const Scalar k13 = traits::constant(0.01928, 0.01928f, "241/12500");
+    const Scalar n0_1048 = traits::constant(0.1048, 0.1048f, "131/1250");
+    const Scalar k15 = traits::constant(0.0325736, 0.0325736f, "40717/1250000");
+    const Scalar k16 = traits::constant(0.0329736, 0.0329736f, "41217/1250000");
+    const Scalar k17 = traits::constant(0.0655472, 0.0655472f, "40967/625000");
+    const Scalar n12_24 = traits::constant(12.24, 12.24f, "306/25");
+    const Scalar n0_0306 = traits::constant(0.0306, 0.0306f, "153/5000");
+    const Scalar k20 = traits::constant(0.4564944, 0.4564944f, "285309/625000");
+    const Scalar k21 = traits::constant(0.4258944, 0.4258944f, "33273/78125");
+    const Scalar q_trunk_attitude_y = state.q.trunk_attitude_y;
+    const Scalar q_trunk_attitude_z = state.q.trunk_attitude_z;
+    const Scalar q_trunk_attitude_x = state.q.trunk_attitude_x;
+    const Scalar q_trunk_attitude_w = state.q.trunk_attitude_w;
+    const Scalar v_trunk_attitude_omega_x = state.v.trunk_attitude_omega_x;
+    const Scalar v_trunk_attitude_omega_y = state.v.trunk_attitude_omega_y;
+    const Scalar v_trunk_attitude_omega_z = state.v.trunk_attitude_omega_z;
+    const Scalar q_front_left_hip = state.q.front_left_hip;
+    const Scalar v_front_left_hip = state.v.front_left_hip;
+    const Scalar q_front_left_thigh = state.q.front_left_thigh;
+    const Scalar v_front_left_thigh = state.v.front_left_thigh;
+    const Scalar q_front_left_knee = state.q.front_left_knee;
+    const Scalar v_front_left_knee = state.v.front_left_knee;
+    const Scalar q_front_right_hip = state.q.front_right_hip;
+    const Scalar v_front_right_hip = state.v.front_right_hip;
+    const Scalar q_front_right_thigh = state.q.front_right_thigh;
+    const Scalar v_front_right_thigh = state.v.front_right_thigh;
+    const Scalar q_front_right_knee = state.q.front_right_knee;
+    const Scalar v_front_right_knee = state.v.front_right_knee;
+    const Scalar q_rear_left_hip = state.q.rear_left_hip;
+    const Scalar v_rear_left_hip = state.v.rear_left_hip;
+    const Scalar q_rear_left_thigh = state.q.rear_left_thigh;
+    const Scalar v_rear_left_thigh = state.v.rear_left_thigh;
+    const Scalar q_rear_left_knee = state.q.rear_left_knee;
+    const Scalar v_rear_left_knee = state.v.rear_left_knee;
+    const Scalar q_rear_right_hip = state.q.rear_right_hip;
+    const Scalar v_rear_right_hip = state.v.rear_right_hip;
+    const Scalar q_rear_right_thigh = state.q.rear_right_thigh;
+    const Scalar v_rear_right_thigh = state.v.rear_right_thigh;
+    const Scalar q_rear_right_knee = state.q.rear_right_knee;
+    const Scalar v_rear_right_knee = state.v.rear_right_knee;
+    const Scalar z10 = n2 * q_trunk_attitude_y * q_trunk_attitude_y;
+    const Scalar z12 = n2 * q_trunk_attitude_z * q_trunk_attitude_z;
+    const Scalar z14 = n2 * q_trunk_attitude_y * q_trunk_attitude_x;
+    const Scalar z16 = n2 * q_trunk_attitude_z * q_trunk_attitude_w;
+    const Scalar z17 = n1 - z10 - z12;
+    const Scalar z18 = z14 - z16;
+    const Scalar z19 = z14 + z16;
+    const Scalar z20 = n2 * q_trunk_attitude_x * q_trunk_attitude_x;
+    const Scalar z21 = n2 * q_trunk_attitude_y * q_trunk_attitude_z;
+    const Scalar z22 = n2 * q_trunk_attitude_x * q_trunk_attitude_w;
+    const Scalar z23 = n1 - z12 - z20;
+    const Scalar z24 = z21 - z22;
+    const Scalar z25 = z21 + z22;
+    const Scalar z26 = n2 * q_trunk_attitude_z * q_trunk_attitude_x;
+    const Scalar z27 = n2 * q_trunk_attitude_y * q_trunk_attitude_w;
+    const Scalar z28 = n1 - z10 - z20;
+    const Scalar z29 = z26 - z27;
+    const Scalar z30 = z26 + z27;
+    Scalar s_front_left_hip, c_front_left_hip;
+    traits::sincos(q_front_left_hip, s_front_left_hip, c_front_left_hip);
+    Scalar s_front_left_thigh, c_front_left_thigh;
+    traits::sincos(q_front_left_thigh, s_front_left_thigh, c_front_left_thigh);
+    Scalar s_front_left_knee, c_front_left_knee;
+    traits::sincos(q_front_left_knee, s_front_left_knee, c_front_left_knee);
+    Scalar s_front_right_hip, c_front_right_hip;
+    traits::sincos(q_front_right_hip, s_front_right_hip, c_front_right_hip);
+    Scalar s_front_right_thigh, c_front_right_thigh;
+    traits::sincos(q_front_right_thigh, s_front_right_thigh, c_front_right_thigh);
+    Scalar s_front_right_knee, c_front_right_knee;
+    traits::sincos(q_front_right_knee, s_front_right_knee, c_front_right_knee);
+    Scalar s_rear_left_hip, c_rear_left_hip;
+    traits::sincos(q_rear_left_hip, s_rear_left_hip, c_rear_left_hip);
+    Scalar s_rear_left_thigh, c_rear_left_thigh;
+    traits::sincos(q_rear_left_thigh, s_rear_left_thigh, c_rear_left_thigh);
+    Scalar s_rear_left_knee, c_rear_left_knee;
+    traits::sincos(q_rear_left_knee, s_rear_left_knee, c_rear_left_knee);
+    Scalar s_rear_right_hip, c_rear_right_hip;
+    traits::sincos(q_rear_right_hip, s_rear_right_hip, c_rear_right_hip);
+    Scalar s_rear_right_thigh, c_rear_right_thigh;
+    traits::sincos(q_rear_right_thigh, s_rear_right_thigh, c_rear_right_thigh);
+    Scalar s_rear_right_knee, c_rear_right_knee;
+    traits::sincos(q_rear_right_knee, s_rear_right_knee, c_rear_right_knee);
+    const Scalar z103 = v_trunk_attitude_omega_y * c_front_left_hip + v_trunk_attitude_omega_z * s_front_left_hip;
+    const Scalar z104 = v_trunk_attitude_omega_y * s_front_left_hip - v_trunk_attitude_omega_z * c_front_left_hip;
+    const Scalar z107 = v_trunk_attitude_omega_x + v_front_left_hip;  // angular velocity of front_left_hip_link, x
+    const Scalar z110 = s_front_left_thigh * z104 + c_front_left_thigh * z107;
+    const Scalar z111 = s_front_left_thigh * z107 - c_front_left_thigh * z104;
+    const Scalar z114 = v_front_left_thigh + z103;  // angular velocity of front_left_thigh_link, y
+    const Scalar z117 = s_front_left_knee * z111 - c_front_left_knee * z110;
+    const Scalar z118 = s_front_left_knee * z110 + c_front_left_knee * z111;
+    const Scalar z121 = v_front_left_knee + z114;  // angular velocity of front_left_shank_link, y
+    const Scalar z124 = v_trunk_attitude_omega_y * c_front_right_hip + v_trunk_attitude_omega_z * s_front_right_hip;
+    const Scalar z125 = v_trunk_attitude_omega_y * s_front_right_hip - v_trunk_attitude_omega_z * c_front_right_hip;
+    const Scalar z128 = v_trunk_attitude_omega_x + v_front_right_hip;  // angular velocity of front_right_hip_link, x
+    const Scalar z131 = s_front_right_thigh * z125 + c_front_right_thigh * z128;
+    const Scalar z132 = s_front_right_thigh * z128 - c_front_right_thigh * z125;
+    const Scalar z135 = v_front_right_thigh + z124;  // angular velocity of front_right_thigh_link, y
+    const Scalar z138 = s_front_right_knee * z132 - c_front_right_knee * z131;
+    const Scalar z139 = s_front_right_knee * z131 + c_front_right_knee * z132;
+    const Scalar z142 = v_front_right_knee + z135;  // angular velocity of front_right_shank_link, y
+    const Scalar z145 = v_trunk_attitude_omega_y * c_rear_left_hip + v_trunk_attitude_omega_z * s_rear_left_hip;
+    const Scalar z146 = v_trunk_attitude_omega_y * s_rear_left_hip - v_trunk_attitude_omega_z * c_rear_left_hip;
+    const Scalar z149 = v_trunk_attitude_omega_x + v_rear_left_hip;  // angular velocity of rear_left_hip_link, x
+    const Scalar z152 = s_rear_left_thigh * z146 + c_rear_left_thigh * z149;
+    const Scalar z153 = s_rear_left_thigh * z149 - c_rear_left_thigh * z146;
+    const Scalar z156 = v_rear_left_thigh + z145;  // angular velocity of rear_left_thigh_link, y
+    const Scalar z159 = s_rear_left_knee * z153 - c_rear_left_knee * z152;
+    const Scalar z160 = s_rear_left_knee * z152 + c_rear_left_knee * z153;
+    const Scalar z163 = v_rear_left_knee + z156;  // angular velocity of rear_left_shank_link, y
+    const Scalar z165 = v_trunk_attitude_omega_y * c_rear_right_hip + v_trunk_attitude_omega_z * s_rear_right_hip;
+    const Scalar z166 = v_trunk_attitude_omega_y * s_rear_right_hip - v_trunk_attitude_omega_z * c_rear_right_hip;
+    const Scalar z169 = v_trunk_attitude_omega_x + v_rear_right_hip;  // angular velocity of rear_right_hip_link, x
+    const Scalar z172 = s_rear_right_thigh * z166 + c_rear_right_thigh * z169;
+    const Scalar z173 = s_rear_right_thigh * z169 - c_rear_right_thigh * z166;
+    const Scalar z176 = v_rear_right_thigh + z165;  // angular velocity of rear_right_thigh_link, y
+    const Scalar z179 = s_rear_right_knee * z173 - c_rear_right_knee * z172;
+    const Scalar z180 = s_rear_right_knee * z172 + c_rear_right_knee * z173;
+    const Scalar z183 = v_rear_right_knee + z176;  // angular velocity of rear_right_shank_link, y
+    const Scalar z1369 = n0_05 * v_front_left_hip;
+    const Scalar z1371 = n0_05 * v_front_left_thigh;
+    const Scalar z1373 = n0_05 * v_front_left_knee;
+    const Scalar z1375 = n0_05 * v_front_right_hip;
+    const Scalar z1377 = n0_05 * v_front_right_thigh;
+    const Scalar z1379 = n0_05 * v_front_right_knee;
+    const Scalar z1381 = n0_05 * v_rear_left_hip;
+    const Scalar z1383 = n0_05 * v_rear_left_thigh;
+    const Scalar z1385 = n0_05 * v_rear_left_knee;
+    const Scalar z1387 = n0_05 * v_rear_right_hip;
+    const Scalar z1389 = n0_05 * v_rear_right_thigh;
+    const Scalar z1391 = n0_05 * v_rear_right_knee;
+    const Scalar z1392 = n9_81 * z29;
+    const Scalar z1393 = n9_81 * z25;
+    const Scalar z1394 = n9_81 * z28;
+    const Scalar z1395 = v_trunk_attitude_omega_y * v_trunk_attitude_omega_y;
+    const Scalar z1396 = v_trunk_attitude_omega_z * v_trunk_attitude_omega_z;
+    const Scalar z1397 = z1395 + z1396;
+    const Scalar z1398 = v_trunk_attitude_omega_x * v_trunk_attitude_omega_y;
+    const Scalar z1399 = v_trunk_attitude_omega_x * v_trunk_attitude_omega_x;
+    const Scalar z1400 = z1396 + z1399;
+    const Scalar z1401 = v_trunk_attitude_omega_x * v_trunk_attitude_omega_z;
+    const Scalar z1402 = v_trunk_attitude_omega_y * v_trunk_attitude_omega_z;
+    const Scalar z1403 = z1392 - n0_2 * z1397 + n0_05 * z1398;
+    const Scalar z1404 = z1393 + n0_2 * z1398 - n0_05 * z1400;
+    const Scalar z1405 = z1394 + n0_2 * z1401 + n0_05 * z1402;
+    const Scalar z1406 = s_front_left_hip * z1405 + c_front_left_hip * z1404;
+    const Scalar z1407 = s_front_left_hip * z1404 - c_front_left_hip * z1405;
+    const Scalar z1408 = v_front_left_hip * z104;  // angular acceleration of front_left_hip_link, y
+    const Scalar z1409 = v_front_left_hip * z103;  // angular acceleration of front_left_hip_link, z
+    const Scalar z1410 = z103 * z107;
+    const Scalar z1411 = z1409 + z1410;
+    const Scalar z1412 = z104 * z104;
+    const Scalar z1413 = z107 * z107;
+    const Scalar z1414 = z1412 + z1413;
+    const Scalar z1415 = z103 * z104;
+    const Scalar z1416 = s_front_left_thigh * z1409;
+    const Scalar z1417 = c_front_left_thigh * z1409;
+    const Scalar z1418 = z1403 + n0_08 * z1411;
+    const Scalar z1419 = z1406 - n0_08 * z1414;
+    const Scalar z1420 = z1407 + n0_08 * z1415;
+    const Scalar z1421 = s_front_left_thigh * z1420 + c_front_left_thigh * z1418;
+    const Scalar z1422 = s_front_left_thigh * z1418 - c_front_left_thigh * z1420;
+    const Scalar z1423 = v_front_left_thigh * z111 - z1416;  // angular acceleration of front_left_thigh_link, x
+    const Scalar z1424 = v_front_left_thigh * z110 - z1417;  // angular acceleration of front_left_thigh_link, z
+    const Scalar z1425 = z110 * z111;
+    const Scalar z1426 = z1408 - z1425;
+    const Scalar z1427 = z111 * z114;
+    const Scalar z1428 = z1423 + z1427;
+    const Scalar z1429 = z110 * z110;
+    const Scalar z1430 = z114 * z114;
+    const Scalar z1431 = z1429 + z1430;
+    const Scalar z1432 = s_front_left_knee * z1424 + c_front_left_knee * z1423;
+    const Scalar z1433 = s_front_left_knee * z1423 - c_front_left_knee * z1424;
+    const Scalar z1434 = z1421 + n0_2 * z1426;
+    const Scalar z1435 = z1419 - n0_2 * z1428;
+    const Scalar z1436 = z1422 + n0_2 * z1431;
+    const Scalar z1437 = s_front_left_knee * z1436 - c_front_left_knee * z1434;
+    const Scalar z1439 = v_front_left_knee * z118 + z1432;  // angular acceleration of front_left_shank_link, x
+    const Scalar z1440 = v_front_left_knee * z117 + z1433;  // angular acceleration of front_left_shank_link, z
+    const Scalar z1441 = z1392 - n0_2 * z1397 - n0_05 * z1398;
+    const Scalar z1442 = z1393 + n0_2 * z1398 + n0_05 * z1400;
+    const Scalar z1443 = z1394 + n0_2 * z1401 - n0_05 * z1402;
+    const Scalar z1444 = s_front_right_hip * z1443 + c_front_right_hip * z1442;
+    const Scalar z1445 = s_front_right_hip * z1442 - c_front_right_hip * z1443;
+    const Scalar z1446 = v_front_right_hip * z125;  // angular acceleration of front_right_hip_link, y
+    const Scalar z1447 = v_front_right_hip * z124;  // angular acceleration of front_right_hip_link, z
+    const Scalar z1448 = z124 * z128;
+    const Scalar z1449 = z1447 + z1448;
+    const Scalar z1450 = z125 * z125;
+    const Scalar z1451 = z128 * z128;
+    const Scalar z1452 = z1450 + z1451;
+    const Scalar z1453 = z124 * z125;
+    const Scalar z1454 = s_front_right_thigh * z1447;
+    const Scalar z1455 = c_front_right_thigh * z1447;
+    const Scalar z1456 = z1441 - n0_08 * z1449;
+    const Scalar z1457 = z1444 + n0_08 * z1452;
+    const Scalar z1458 = z1445 - n0_08 * z1453;
+    const Scalar z1459 = s_front_right_thigh * z1458 + c_front_right_thigh * z1456;
+    const Scalar z1460 = s_front_right_thigh * z1456 - c_front_right_thigh * z1458;
+    const Scalar z1461 = v_front_right_thigh * z132 - z1454;  // angular acceleration of front_right_thigh_link, x
+    const Scalar z1462 = v_front_right_thigh * z131 - z1455;  // angular acceleration of front_right_thigh_link, z
+    const Scalar z1463 = z131 * z132;
+    const Scalar z1464 = z1446 - z1463;
+    const Scalar z1465 = z132 * z135;
+    const Scalar z1466 = z1461 + z1465;
+    const Scalar z1467 = z131 * z131;
+    const Scalar z1468 = z135 * z135;
+    const Scalar z1469 = z1467 + z1468;
+    const Scalar z1470 = s_front_right_knee * z1462 + c_front_right_knee * z1461;
+    const Scalar z1471 = s_front_right_knee * z1461 - c_front_right_knee * z1462;
+    const Scalar z1472 = z1459 + n0_2 * z1464;
+    const Scalar z1473 = z1457 - n0_2 * z1466;
+    const Scalar z1474 = z1460 + n0_2 * z1469;
+    const Scalar z1475 = s_front_right_knee * z1474 - c_front_right_knee * z1472;
+    const Scalar z1477 = v_front_right_knee * z139 + z1470;  // angular acceleration of front_right_shank_link, x
+    const Scalar z1478 = v_front_right_knee * z138 + z1471;  // angular acceleration of front_right_shank_link, z
+    const Scalar z1479 = z1392 + n0_2 * z1397 + n0_05 * z1398;
+    const Scalar z1480 = z1393 - n0_2 * z1398 - n0_05 * z1400;
+    const Scalar z1481 = z1394 - n0_2 * z1401 + n0_05 * z1402;
+    const Scalar z1482 = s_rear_left_hip * z1481 + c_rear_left_hip * z1480;
+    const Scalar z1483 = s_rear_left_hip * z1480 - c_rear_left_hip * z1481;
+    const Scalar z1484 = v_rear_left_hip * z146;  // angular acceleration of rear_left_hip_link, y
+    const Scalar z1485 = v_rear_left_hip * z145;  // angular acceleration of rear_left_hip_link, z
+    const Scalar z1486 = z145 * z149;
+    const Scalar z1487 = z1485 + z1486;
+    const Scalar z1488 = z146 * z146;
+    const Scalar z1489 = z149 * z149;
+    const Scalar z1490 = z1488 + z1489;
+    const Scalar z1491 = z145 * z146;
+    const Scalar z1492 = s_rear_left_thigh * z1485;
+    const Scalar z1493 = c_rear_left_thigh * z1485;
+    const Scalar z1494 = z1479 + n0_08 * z1487;
+    const Scalar z1495 = z1482 - n0_08 * z1490;
+    const Scalar z1496 = z1483 + n0_08 * z1491;
+    const Scalar z1497 = s_rear_left_thigh * z1496 + c_rear_left_thigh * z1494;
+    const Scalar z1498 = s_rear_left_thigh * z1494 - c_rear_left_thigh * z1496;
+    const Scalar z1499 = v_rear_left_thigh * z153 - z1492;  // angular acceleration of rear_left_thigh_link, x
+    const Scalar z1500 = v_rear_left_thigh * z152 - z1493;  // angular acceleration of rear_left_thigh_link, z
+    const Scalar z1501 = z152 * z153;
+    const Scalar z1502 = z1484 - z1501;
+    const Scalar z1503 = z153 * z156;
+    const Scalar z1504 = z1499 + z1503;
+    const Scalar z1505 = z152 * z152;
+    const Scalar z1506 = z156 * z156;
+    const Scalar z1507 = z1505 + z1506;
+    const Scalar z1508 = s_rear_left_knee * z1500 + c_rear_left_knee * z1499;
+    const Scalar z1509 = s_rear_left_knee * z1499 - c_rear_left_knee * z1500;
+    const Scalar z1510 = z1497 + n0_2 * z1502;
+    const Scalar z1511 = z1495 - n0_2 * z1504;
+    const Scalar z1512 = z1498 + n0_2 * z1507;
+    const Scalar z1513 = s_rear_left_knee * z1512 - c_rear_left_knee * z1510;
+    const Scalar z1515 = v_rear_left_knee * z160 + z1508;  // angular acceleration of rear_left_shank_link, x
+    const Scalar z1516 = v_rear_left_knee * z159 + z1509;  // angular acceleration of rear_left_shank_link, z
+    const Scalar z1517 = z1392 + n0_2 * z1397 - n0_05 * z1398;
+    const Scalar z1518 = z1393 - n0_2 * z1398 + n0_05 * z1400;
+    const Scalar z1519 = z1394 - n0_2 * z1401 - n0_05 * z1402;
+    const Scalar z1520 = s_rear_right_hip * z1519 + c_rear_right_hip * z1518;
+    const Scalar z1521 = s_rear_right_hip * z1518 - c_rear_right_hip * z1519;
+    const Scalar z1522 = v_rear_right_hip * z166;  // angular acceleration of rear_right_hip_link, y
+    const Scalar z1523 = v_rear_right_hip * z165;  // angular acceleration of rear_right_hip_link, z
+    const Scalar z1524 = z165 * z169;
+    const Scalar z1525 = z1523 + z1524;
+    const Scalar z1526 = z166 * z166;
+    const Scalar z1527 = z169 * z169;
+    const Scalar z1528 = z1526 + z1527;
+    const Scalar z1529 = z165 * z166;
+    const Scalar z1530 = s_rear_right_thigh * z1523;
+    const Scalar z1531 = c_rear_right_thigh * z1523;
+    const Scalar z1532 = z1517 - n0_08 * z1525;
+    const Scalar z1533 = z1520 + n0_08 * z1528;
+    const Scalar z1534 = z1521 - n0_08 * z1529;
+    const Scalar z1535 = s_rear_right_thigh * z1534 + c_rear_right_thigh * z1532;
+    const Scalar z1536 = s_rear_right_thigh * z1532 - c_rear_right_thigh * z1534;
+    const Scalar z1537 = v_rear_right_thigh * z173 - z1530;  // angular acceleration of rear_right_thigh_link, x
+    const Scalar z1538 = v_rear_right_thigh * z172 - z1531;  // angular acceleration of rear_right_thigh_link, z
+    const Scalar z1539 = z172 * z173;
+    const Scalar z1540 = z1522 - z1539;
+    const Scalar z1541 = z173 * z176;
+    const Scalar z1542 = z1537 + z1541;
+    const Scalar z1543 = z172 * z172;
+    const Scalar z1544 = z176 * z176;
+    const Scalar z1545 = z1543 + z1544;
+    const Scalar z1546 = s_rear_right_knee * z1538 + c_rear_right_knee * z1537;
+    const Scalar z1547 = s_rear_right_knee * z1537 - c_rear_right_knee * z1538;
+    const Scalar z1548 = z1535 + n0_2 * z1540;
+    const Scalar z1549 = z1533 - n0_2 * z1542;
+    const Scalar z1550 = z1536 + n0_2 * z1545;
+    const Scalar z1551 = s_rear_right_knee * z1550 - c_rear_right_knee * z1548;
+    const Scalar z1553 = v_rear_right_knee * z180 + z1546;  // angular acceleration of rear_right_shank_link, x
+    const Scalar z1554 = v_rear_right_knee * z179 + z1547;  // angular acceleration of rear_right_shank_link, z
+    const Scalar z1555 = z179 * z180;
+    const Scalar z1556 = z1522 + z1555;
+    const Scalar z1557 = z180 * z183;
+    const Scalar z1558 = z1553 + z1557;
+    const Scalar z1559 = z179 * z179;
+    const Scalar z1560 = z183 * z183;
+    const Scalar z1561 = z1559 + z1560;
+    const Scalar z1562 = z179 * z183;
+    const Scalar z1563 = n0_032 * z1556;  // force on rear_right_shank_link, x
+    const Scalar z1564 = n0_032 * z1558;  // force on rear_right_shank_link, y
+    const Scalar z1565 = n0_032 * z1561;  // force on rear_right_shank_link, z
+    const Scalar z1566 = n0_032 * z1549 - k7 * z1557;  // moment on rear_right_shank_link, x
+    const Scalar z1567 = k8 * z1522 - n0_032 * z1551 + k9 * z1555;  // moment on rear_right_shank_link, y
+    const Scalar z1568 = k9 * z1554 - k8 * z1562;  // moment on rear_right_shank_link, z
+    const Scalar z1569 = s_rear_right_knee * z1565 + c_rear_right_knee * z1563;
+    const Scalar z1570 = s_rear_right_knee * z1563 - c_rear_right_knee * z1565;
+    const Scalar z1571 = s_rear_right_knee * z1568 + c_rear_right_knee * z1566;
+    const Scalar z1572 = s_rear_right_knee * z1566 - c_rear_right_knee * z1568;
+    const Scalar z1573 = z172 * z176;
+    const Scalar z1574 = n0_124 * z1540 + z1569;  // force on rear_right_thigh_link, x
+    const Scalar z1575 = n0_124 * z1542 + z1564;  // force on rear_right_thigh_link, y
+    const Scalar z1576 = n0_124 * z1545 - z1570;  // force on rear_right_thigh_link, z
+    const Scalar z1577 = n0_124 * z1533 - k11 * z1541 - n0_2 * z1564 + z1571;  // moment on rear_right_thigh_link, x
+    // moment on rear_right_thigh_link, y
+    const Scalar z1578 = k12 * z1522 + n0_124 * z1535 - k13 * z1539 + z1567 + n0_2 * z1569;
+    const Scalar z1579 = k13 * z1538 + z1572 - k12 * z1573;  // moment on rear_right_thigh_link, z
+    const Scalar z1580 = s_rear_right_thigh * z1576 + c_rear_right_thigh * z1574;
+    const Scalar z1581 = s_rear_right_thigh * z1574 - c_rear_right_thigh * z1576;
+    const Scalar z1582 = s_rear_right_thigh * z1579 - c_rear_right_thigh * z1577;
+    const Scalar z1583 = s_rear_right_thigh * z1577 + c_rear_right_thigh * z1579;
+    const Scalar z1584 = z166 * z169;
+    const Scalar z1585 = n0_1048 * z1525 - z1580;  // force on rear_right_hip_link, x
+    const Scalar z1586 = n0_1048 * z1528 - z1575;  // force on rear_right_hip_link, y
+    const Scalar z1587 = n0_1048 * z1529 - z1581;  // force on rear_right_hip_link, z
+    const Scalar z1588 = n0_1048 * z1521 - k15 * z1529 + n0_08 * z1581 - z1582;  // moment on rear_right_hip_link, x
+    const Scalar z1589 = k15 * z1522 - z1578 - k16 * z1584;  // moment on rear_right_hip_link, y
+    const Scalar z1590 = n0_1048 * z1517 - k17 * z1524 + n0_08 * z1580 - z1583;  // moment on rear_right_hip_link, z
+    const Scalar z1591 = s_rear_right_hip * z1587 - c_rear_right_hip * z1586;
+    const Scalar z1592 = s_rear_right_hip * z1586 + c_rear_right_hip * z1587;
+    const Scalar z1593 = s_rear_right_hip * z1590 - c_rear_right_hip * z1589;
+    const Scalar z1594 = s_rear_right_hip * z1589 + c_rear_right_hip * z1590;
+    const Scalar z1595 = z159 * z160;
+    const Scalar z1596 = z1484 + z1595;
+    const Scalar z1597 = z160 * z163;
+    const Scalar z1598 = z1515 + z1597;
+    const Scalar z1599 = z159 * z159;
+    const Scalar z1600 = z163 * z163;
+    const Scalar z1601 = z1599 + z1600;
+    const Scalar z1602 = z159 * z163;
+    const Scalar z1603 = n0_032 * z1596;  // force on rear_left_shank_link, x
+    const Scalar z1604 = n0_032 * z1598;  // force on rear_left_shank_link, y
+    const Scalar z1605 = n0_032 * z1601;  // force on rear_left_shank_link, z
+    const Scalar z1606 = n0_032 * z1511 - k7 * z1597;  // moment on rear_left_shank_link, x
+    const Scalar z1607 = k8 * z1484 - n0_032 * z1513 + k9 * z1595;  // moment on rear_left_shank_link, y
+    const Scalar z1608 = k9 * z1516 - k8 * z1602;  // moment on rear_left_shank_link, z
+    const Scalar z1609 = s_rear_left_knee * z1605 + c_rear_left_knee * z1603;
+    const Scalar z1610 = s_rear_left_knee * z1603 - c_rear_left_knee * z1605;
+    const Scalar z1611 = s_rear_left_knee * z1608 + c_rear_left_knee * z1606;
+    const Scalar z1612 = s_rear_left_knee * z1606 - c_rear_left_knee * z1608;
+    const Scalar z1613 = z152 * z156;
+    const Scalar z1614 = n0_124 * z1502 + z1609;  // force on rear_left_thigh_link, x
+    const Scalar z1615 = n0_124 * z1504 + z1604;  // force on rear_left_thigh_link, y
+    const Scalar z1616 = n0_124 * z1507 - z1610;  // force on rear_left_thigh_link, z
+    const Scalar z1617 = n0_124 * z1495 - k11 * z1503 - n0_2 * z1604 + z1611;  // moment on rear_left_thigh_link, x
+    // moment on rear_left_thigh_link, y
+    const Scalar z1618 = k12 * z1484 + n0_124 * z1497 - k13 * z1501 + z1607 + n0_2 * z1609;
+    const Scalar z1619 = k13 * z1500 + z1612 - k12 * z1613;  // moment on rear_left_thigh_link, z
+    const Scalar z1620 = s_rear_left_thigh * z1616 + c_rear_left_thigh * z1614;
+    const Scalar z1621 = s_rear_left_thigh * z1614 - c_rear_left_thigh * z1616;
+    const Scalar z1622 = s_rear_left_thigh * z1619 - c_rear_left_thigh * z1617;
+    const Scalar z1623 = s_rear_left_thigh * z1617 + c_rear_left_thigh * z1619;
+    const Scalar z1624 = z146 * z149;
+    const Scalar z1625 = n0_1048 * z1487 + z1620;  // force on rear_left_hip_link, x
+    const Scalar z1626 = n0_1048 * z1490 + z1615;  // force on rear_left_hip_link, y
+    const Scalar z1627 = n0_1048 * z1491 + z1621;  // force on rear_left_hip_link, z
+    const Scalar z1628 = n0_1048 * z1483 + k15 * z1491 + n0_08 * z1621 + z1622;  // moment on rear_left_hip_link, x
+    const Scalar z1629 = k15 * z1484 - z1618 - k16 * z1624;  // moment on rear_left_hip_link, y
+    const Scalar z1630 = n0_1048 * z1479 + k17 * z1486 + n0_08 * z1620 + z1623;  // moment on rear_left_hip_link, z
+    const Scalar z1631 = s_rear_left_hip * z1627 - c_rear_left_hip * z1626;
+    const Scalar z1632 = s_rear_left_hip * z1626 + c_rear_left_hip * z1627;
+    const Scalar z1633 = s_rear_left_hip * z1630 + c_rear_left_hip * z1629;
+    const Scalar z1634 = s_rear_left_hip * z1629 - c_rear_left_hip * z1630;
+    const Scalar z1635 = z138 * z139;
+    const Scalar z1636 = z1446 + z1635;
+    const Scalar z1637 = z139 * z142;
+    const Scalar z1638 = z1477 + z1637;
+    const Scalar z1639 = z138 * z138;
+    const Scalar z1640 = z142 * z142;
+    const Scalar z1641 = z1639 + z1640;
+    const Scalar z1642 = z138 * z142;
+    const Scalar z1643 = n0_032 * z1636;  // force on front_right_shank_link, x
+    const Scalar z1644 = n0_032 * z1638;  // force on front_right_shank_link, y
+    const Scalar z1645 = n0_032 * z1641;  // force on front_right_shank_link, z
+    const Scalar z1646 = n0_032 * z1473 - k7 * z1637;  // moment on front_right_shank_link, x
+    const Scalar z1647 = k8 * z1446 - n0_032 * z1475 + k9 * z1635;  // moment on front_right_shank_link, y
+    const Scalar z1648 = k9 * z1478 - k8 * z1642;  // moment on front_right_shank_link, z
+    const Scalar z1649 = s_front_right_knee * z1645 + c_front_right_knee * z1643;
+    const Scalar z1650 = s_front_right_knee * z1643 - c_front_right_knee * z1645;
+    const Scalar z1651 = s_front_right_knee * z1648 + c_front_right_knee * z1646;
+    const Scalar z1652 = s_front_right_knee * z1646 - c_front_right_knee * z1648;
+    const Scalar z1653 = z131 * z135;
+    const Scalar z1654 = n0_124 * z1464 + z1649;  // force on front_right_thigh_link, x
+    const Scalar z1655 = n0_124 * z1466 + z1644;  // force on front_right_thigh_link, y
+    const Scalar z1656 = n0_124 * z1469 - z1650;  // force on front_right_thigh_link, z
+    const Scalar z1657 = n0_124 * z1457 - k11 * z1465 - n0_2 * z1644 + z1651;  // moment on front_right_thigh_link, x
+    // moment on front_right_thigh_link, y
+    const Scalar z1658 = k12 * z1446 + n0_124 * z1459 - k13 * z1463 + z1647 + n0_2 * z1649;
+    const Scalar z1659 = k13 * z1462 + z1652 - k12 * z1653;  // moment on front_right_thigh_link, z
+    const Scalar z1660 = s_front_right_thigh * z1656 + c_front_right_thigh * z1654;
+    const Scalar z1661 = s_front_right_thigh * z1654 - c_front_right_thigh * z1656;
+    const Scalar z1662 = s_front_right_thigh * z1659 - c_front_right_thigh * z1657;
+    const Scalar z1663 = s_front_right_thigh * z1657 + c_front_right_thigh * z1659;
+    const Scalar z1664 = z125 * z128;
+    const Scalar z1665 = n0_1048 * z1449 - z1660;  // force on front_right_hip_link, x
+    const Scalar z1666 = n0_1048 * z1452 - z1655;  // force on front_right_hip_link, y
+    const Scalar z1667 = n0_1048 * z1453 - z1661;  // force on front_right_hip_link, z
+    const Scalar z1668 = n0_1048 * z1445 - k15 * z1453 + n0_08 * z1661 - z1662;  // moment on front_right_hip_link, x
+    const Scalar z1669 = k15 * z1446 - z1658 - k16 * z1664;  // moment on front_right_hip_link, y
+    const Scalar z1670 = n0_1048 * z1441 - k17 * z1448 + n0_08 * z1660 - z1663;  // moment on front_right_hip_link, z
+    const Scalar z1671 = s_front_right_hip * z1667 - c_front_right_hip * z1666;
+    const Scalar z1672 = s_front_right_hip * z1666 + c_front_right_hip * z1667;
+    const Scalar z1673 = s_front_right_hip * z1670 - c_front_right_hip * z1669;
+    const Scalar z1674 = s_front_right_hip * z1669 + c_front_right_hip * z1670;
+    const Scalar z1675 = z117 * z118;
+    const Scalar z1676 = z1408 + z1675;
+    const Scalar z1677 = z118 * z121;
+    const Scalar z1678 = z1439 + z1677;
+    const Scalar z1679 = z117 * z117;
+    const Scalar z1680 = z121 * z121;
+    const Scalar z1681 = z1679 + z1680;
+    const Scalar z1682 = z117 * z121;
+    const Scalar z1683 = n0_032 * z1676;  // force on front_left_shank_link, x
+    const Scalar z1684 = n0_032 * z1678;  // force on front_left_shank_link, y
+    const Scalar z1685 = n0_032 * z1681;  // force on front_left_shank_link, z
+    const Scalar z1686 = n0_032 * z1435 - k7 * z1677;  // moment on front_left_shank_link, x
+    const Scalar z1687 = k8 * z1408 - n0_032 * z1437 + k9 * z1675;  // moment on front_left_shank_link, y
+    const Scalar z1688 = k9 * z1440 - k8 * z1682;  // moment on front_left_shank_link, z
+    const Scalar z1689 = s_front_left_knee * z1685 + c_front_left_knee * z1683;
+    const Scalar z1690 = s_front_left_knee * z1683 - c_front_left_knee * z1685;
+    const Scalar z1691 = s_front_left_knee * z1688 + c_front_left_knee * z1686;
+    const Scalar z1692 = s_front_left_knee * z1686 - c_front_left_knee * z1688;
+    const Scalar z1693 = z110 * z114;
+    const Scalar z1694 = n0_124 * z1426 + z1689;  // force on front_left_thigh_link, x
+    const Scalar z1695 = n0_124 * z1428 + z1684;  // force on front_left_thigh_link, y
+    const Scalar z1696 = n0_124 * z1431 - z1690;  // force on front_left_thigh_link, z
+    const Scalar z1697 = n0_124 * z1419 - k11 * z1427 - n0_2 * z1684 + z1691;  // moment on front_left_thigh_link, x
+    // moment on front_left_thigh_link, y
+    const Scalar z1698 = k12 * z1408 + n0_124 * z1421 - k13 * z1425 + z1687 + n0_2 * z1689;
+    const Scalar z1699 = k13 * z1424 + z1692 - k12 * z1693;  // moment on front_left_thigh_link, z
+    const Scalar z1700 = s_front_left_thigh * z1696 + c_front_left_thigh * z1694;
+    const Scalar z1701 = s_front_left_thigh * z1694 - c_front_left_thigh * z1696;
+    const Scalar z1702 = s_front_left_thigh * z1699 - c_front_left_thigh * z1697;
+    const Scalar z1703 = s_front_left_thigh * z1697 + c_front_left_thigh * z1699;
+    const Scalar z1704 = z104 * z107;
+    const Scalar z1705 = n0_1048 * z1411 + z1700;  // force on front_left_hip_link, x
+    const Scalar z1706 = n0_1048 * z1414 + z1695;  // force on front_left_hip_link, y
+    const Scalar z1707 = n0_1048 * z1415 + z1701;  // force on front_left_hip_link, z
+    const Scalar z1708 = n0_1048 * z1407 + k15 * z1415 + n0_08 * z1701 + z1702;  // moment on front_left_hip_link, x
+    const Scalar z1709 = k15 * z1408 - z1698 - k16 * z1704;  // moment on front_left_hip_link, y
+    const Scalar z1710 = n0_1048 * z1403 + k17 * z1410 + n0_08 * z1700 + z1703;  // moment on front_left_hip_link, z
+    const Scalar z1711 = s_front_left_hip * z1707 - c_front_left_hip * z1706;
+    const Scalar z1712 = s_front_left_hip * z1706 + c_front_left_hip * z1707;
+    const Scalar z1713 = s_front_left_hip * z1710 + c_front_left_hip * z1709;
+    const Scalar z1714 = s_front_left_hip * z1709 - c_front_left_hip * z1710;
+    const Scalar z1715 = n12_24 * z1392 - z1585 + z1625 - z1665 + z1705;  // force on trunk, x
+    const Scalar z1716 = n12_24 * z1393 - z1591 + z1631 - z1671 + z1711;  // force on trunk, y
+    const Scalar z1717 = n12_24 * z1394 + z1592 - z1632 + z1672 - z1712;  // force on trunk, z
+    // moment on trunk, x
+    const Scalar z1718 = -n0_05 * (z1592 + z1632 + z1672 + z1712) + n0_0306 * z1402 + z1588 - z1628 + z1668 - z1708;
+    // moment on trunk, y
+    const Scalar z1719 = -n0_2 * (z1592 - z1632 - z1672 + z1712) + k20 * z1401 + z1593 - z1633 + z1673 - z1713;
+    // moment on trunk, z
+    const Scalar z1720 = -n0_05 * (z1585 + z1625 + z1665 + z1705) + n0_2 * (z1591 - z1631 - z1671 + z1711) + k21 * z1398
+        + z1594 + z1634 + z1674 + z1714;
+    const Scalar z1721 = z17 * z1715 + z18 * z1716 + z30 * z1717;
+    const Scalar z1722 = z19 * z1715 + z23 * z1716 + z24 * z1717;
+    const Scalar z1723 = z25 * z1716 + z28 * z1717 + z29 * z1715;
+    const Scalar z1731 = z1369 - z1708;
+    const Scalar z1732 = z1371 - z1698;
+    const Scalar z1733 = z1373 - z1687;
+    const Scalar z1734 = z1375 + z1668;
+    const Scalar z1735 = z1377 - z1658;
+    const Scalar z1736 = z1379 - z1647;
+    const Scalar z1737 = z1381 - z1628;
+    const Scalar z1738 = z1383 - z1618;
+    const Scalar z1739 = z1385 - z1607;
+    const Scalar z1740 = z1387 + z1588;
+    const Scalar z1741 = z1389 - z1578;
+    const Scalar z1742 = z1391 - z1567;
+    forces.trunk_x = z1721;
+    forces.trunk_y = z1722;
+    forces.trunk_z = z1723;
+    forces.trunk_attitude_omega_x = z1718;
+    forces.trunk_attitude_omega_y = -z1719;
+    forces.trunk_attitude_omega_z = z1720;
+    forces.front_left_hip = z1731;
+    forces.front_left_thigh = z1732;
+    forces.front_left_knee = z1733;
+    forces.front_right_hip = z1734;
+    forces.front_right_thigh = z1735;
+    forces.front_right_knee = z1736;
+    forces.rear_left_hip = z1737;
+    forces.rear_left_thigh = z1738;
+    forces.rear_left_knee = z1739;
+    forces.rear_right_hip = z1740;
+    forces.rear_right_thigh = z1741;
+    forces.rear_right_knee = z1742;
+  }
+
+  /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
+  TORSOR_DEVICE static void inverse_dynamics(const Precomputed&, const State& state, const Accelerations& accelerations,
+      const Multipliers&, GeneralizedForces& forces) noexcept {
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
+    const Scalar n0_032 = traits::constant(0.032, 0.032f, "4/125");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    const Scalar n0_08 = traits::constant(0.08, 0.08f, "2/25");
+    const Scalar k7 = traits::constant(0.0101796, 0.0101796f, "25449/2500000");
+    const Scalar k8 = traits::constant(0.00507, 0.00507f, "507/100000");
+    const Scalar k9 = traits::constant(0.0051096, 0.0051096f, "6387/1250000");
+    const Scalar n0_124 = traits::constant(0.124, 0.124f, "31/250");
+    const Scalar k11 = traits::constant(0.03896, 0.03896f, "487/12500");
+    const Scalar k12 = traits::constant(0.01928, 0.01928f, "241/12500");
+    const Scalar k13 = traits::constant(0.01968, 0.01968f, "123/6250");
+    const Scalar n0_1048 = traits::constant(0.1048, 0.1048f, "131/1250");
+    const Scalar k15 = traits::constant(0.0325736, 0.0325736f, "40717/1250000");
+    const Scalar k16 = traits::constant(0.0329736, 0.0329736f, "41217/1250000");
+    const Scalar k17 = traits::constant(0.0655472, 0.0655472f, "40967/625000");
+    const Scalar n12_24 = traits::constant(12.24, 12.24f, "306/25");
+    const Scalar n0_0406 = traits::constant(0.0406, 0.0406f, "203/5000");
+    const Scalar n0_0306 = traits::constant(0.0306, 0.0306f, "153/5000");
+    const Scalar k21 = traits::constant(0.4664944, 0.4664944f, "291559/625000");
+    const Scalar k22 = traits::constant(0.4564944, 0.4564944f, "285309/625000");
+    const Scalar k23 = traits::constant(0.4970944, 0.4970944f, "77671/156250");
+    const Scalar k24 = traits::constant(0.4258944, 0.4258944f, "33273/78125");
+    const Scalar a_trunk_x = accelerations.trunk_x;
+    const Scalar a_trunk_y = accelerations.trunk_y;
+    const Scalar a_trunk_z = accelerations.trunk_z;
+    const Scalar q_trunk_attitude_y = state.q.trunk_attitude_y;
+    const Scalar q_trunk_attitude_z = state.q.trunk_attitude_z;
+    const Scalar q_trunk_attitude_x = state.q.trunk_attitude_x;
+    const Scalar q_trunk_attitude_w = state.q.trunk_attitude_w;
+    const Scalar v_trunk_attitude_omega_x = state.v.trunk_attitude_omega_x;
+    const Scalar a_trunk_attitude_omega_x = accelerations.trunk_attitude_omega_x;
+    const Scalar v_trunk_attitude_omega_y = state.v.trunk_attitude_omega_y;
+    const Scalar a_trunk_attitude_omega_y = accelerations.trunk_attitude_omega_y;
+    const Scalar v_trunk_attitude_omega_z = state.v.trunk_attitude_omega_z;
+    const Scalar a_trunk_attitude_omega_z = accelerations.trunk_attitude_omega_z;
+    const Scalar q_front_left_hip = state.q.front_left_hip;
+    const Scalar v_front_left_hip = state.v.front_left_hip;
+    const Scalar a_front_left_hip = accelerations.front_left_hip;
+    const Scalar q_front_left_thigh = state.q.front_left_thigh;
+    const Scalar v_front_left_thigh = state.v.front_left_thigh;
+    const Scalar a_front_left_thigh = accelerations.front_left_thigh;
+    const Scalar q_front_left_knee = state.q.front_left_knee;
+    const Scalar v_front_left_knee = state.v.front_left_knee;
+    const Scalar a_front_left_knee = accelerations.front_left_knee;
+    const Scalar q_front_right_hip = state.q.front_right_hip;
+    const Scalar v_front_right_hip = state.v.front_right_hip;
+    const Scalar a_front_right_hip = accelerations.front_right_hip;
+    const Scalar q_front_right_thigh = state.q.front_right_thigh;
+    const Scalar v_front_right_thigh = state.v.front_right_thigh;
+    const Scalar a_front_right_thigh = accelerations.front_right_thigh;
+    const Scalar q_front_right_knee = state.q.front_right_knee;
+    const Scalar v_front_right_knee = state.v.front_right_knee;
+    const Scalar a_front_right_knee = accelerations.front_right_knee;
+    const Scalar q_rear_left_hip = state.q.rear_left_hip;
+    const Scalar v_rear_left_hip = state.v.rear_left_hip;
+    const Scalar a_rear_left_hip = accelerations.rear_left_hip;
+    const Scalar q_rear_left_thigh = state.q.rear_left_thigh;
+    const Scalar v_rear_left_thigh = state.v.rear_left_thigh;
+    const Scalar a_rear_left_thigh = accelerations.rear_left_thigh;
+    const Scalar q_rear_left_knee = state.q.rear_left_knee;
+    const Scalar v_rear_left_knee = state.v.rear_left_knee;
+    const Scalar a_rear_left_knee = accelerations.rear_left_knee;
+    const Scalar q_rear_right_hip = state.q.rear_right_hip;
+    const Scalar v_rear_right_hip = state.v.rear_right_hip;
+    const Scalar a_rear_right_hip = accelerations.rear_right_hip;
+    const Scalar q_rear_right_thigh = state.q.rear_right_thigh;
+    const Scalar v_rear_right_thigh = state.v.rear_right_thigh;
+    const Scalar a_rear_right_thigh = accelerations.rear_right_thigh;
+    const Scalar q_rear_right_knee = state.q.rear_right_knee;
+    const Scalar v_rear_right_knee = state.v.rear_right_knee;
+    const Scalar a_rear_right_knee = accelerations.rear_right_knee;
+    const Scalar z10 = n2 * q_trunk_attitude_y * q_trunk_attitude_y;
+    const Scalar z12 = n2 * q_trunk_attitude_z * q_trunk_attitude_z;
+    const Scalar z14 = n2 * q_trunk_attitude_y * q_trunk_attitude_x;
+    const Scalar z16 = n2 * q_trunk_attitude_z * q_trunk_attitude_w;
+    const Scalar z17 = n1 - z10 - z12;
+    const Scalar z18 = z14 - z16;
+    const Scalar z19 = z14 + z16;
+    const Scalar z20 = n2 * q_trunk_attitude_x * q_trunk_attitude_x;
+    const Scalar z21 = n2 * q_trunk_attitude_y * q_trunk_attitude_z;
+    const Scalar z22 = n2 * q_trunk_attitude_x * q_trunk_attitude_w;
+    const Scalar z23 = n1 - z12 - z20;
+    const Scalar z24 = z21 - z22;
+    const Scalar z25 = z21 + z22;
+    const Scalar z26 = n2 * q_trunk_attitude_z * q_trunk_attitude_x;
+    const Scalar z27 = n2 * q_trunk_attitude_y * q_trunk_attitude_w;
+    const Scalar z28 = n1 - z10 - z20;
+    const Scalar z29 = z26 - z27;
+    const Scalar z30 = z26 + z27;
+    Scalar s_front_left_hip, c_front_left_hip;
+    traits::sincos(q_front_left_hip, s_front_left_hip, c_front_left_hip);
+    Scalar s_front_left_thigh, c_front_left_thigh;
+    traits::sincos(q_front_left_thigh, s_front_left_thigh, c_front_left_thigh);
+    Scalar s_front_left_knee, c_front_left_knee;
+    traits::sincos(q_front_left_knee, s_front_left_knee, c_front_left_knee);
+    Scalar s_front_right_hip, c_front_right_hip;
+    traits::sincos(q_front_right_hip, s_front_right_hip, c_front_right_hip);
+    Scalar s_front_right_thigh, c_front_right_thigh;
+    traits::sincos(q_front_right_thigh, s_front_right_thigh, c_front_right_thigh);
+    Scalar s_front_right_knee, c_front_right_knee;
+    traits::sincos(q_front_right_knee, s_front_right_knee, c_front_right_knee);
+    Scalar s_rear_left_hip, c_rear_left_hip;
+    traits::sincos(q_rear_left_hip, s_rear_left_hip, c_rear_left_hip);
+    Scalar s_rear_left_thigh, c_rear_left_thigh;
+    traits::sincos(q_rear_left_thigh, s_rear_left_thigh, c_rear_left_thigh);
+    Scalar s_rear_left_knee, c_rear_left_knee;
+    traits::sincos(q_rear_left_knee, s_rear_left_knee, c_rear_left_knee);
+    Scalar s_rear_right_hip, c_rear_right_hip;
+    traits::sincos(q_rear_right_hip, s_rear_right_hip, c_rear_right_hip);
+    Scalar s_rear_right_thigh, c_rear_right_thigh;
+    traits::sincos(q_rear_right_thigh, s_rear_right_thigh, c_rear_right_thigh);
+    Scalar s_rear_right_knee, c_rear_right_knee;
+    traits::sincos(q_rear_right_knee, s_rear_right_knee, c_rear_right_knee);
+    const Scalar z103 = v_trunk_attitude_omega_y * c_front_left_hip + v_trunk_attitude_omega_z * s_front_left_hip;
+    const Scalar z104 = v_trunk_attitude_omega_y * s_front_left_hip - v_trunk_attitude_omega_z * c_front_left_hip;
+    const Scalar z107 = v_trunk_attitude_omega_x + v_front_left_hip;  // angular velocity of front_left_hip_link, x
+    const Scalar z110 = s_front_left_thigh * z104 + c_front_left_thigh * z107;
+    const Scalar z111 = s_front_left_thigh * z107 - c_front_left_thigh * z104;
+    const Scalar z114 = v_front_left_thigh + z103;  // angular velocity of front_left_thigh_link, y
+    const Scalar z117 = s_front_left_knee * z111 - c_front_left_knee * z110;
+    const Scalar z118 = s_front_left_knee * z110 + c_front_left_knee * z111;
+    const Scalar z121 = v_front_left_knee + z114;  // angular velocity of front_left_shank_link, y
+    const Scalar z124 = v_trunk_attitude_omega_y * c_front_right_hip + v_trunk_attitude_omega_z * s_front_right_hip;
+    const Scalar z125 = v_trunk_attitude_omega_y * s_front_right_hip - v_trunk_attitude_omega_z * c_front_right_hip;
+    const Scalar z128 = v_trunk_attitude_omega_x + v_front_right_hip;  // angular velocity of front_right_hip_link, x
+    const Scalar z131 = s_front_right_thigh * z125 + c_front_right_thigh * z128;
+    const Scalar z132 = s_front_right_thigh * z128 - c_front_right_thigh * z125;
+    const Scalar z135 = v_front_right_thigh + z124;  // angular velocity of front_right_thigh_link, y
+    const Scalar z138 = s_front_right_knee * z132 - c_front_right_knee * z131;
+    const Scalar z139 = s_front_right_knee * z131 + c_front_right_knee * z132;
+    const Scalar z142 = v_front_right_knee + z135;  // angular velocity of front_right_shank_link, y
+    const Scalar z145 = v_trunk_attitude_omega_y * c_rear_left_hip + v_trunk_attitude_omega_z * s_rear_left_hip;
+    const Scalar z146 = v_trunk_attitude_omega_y * s_rear_left_hip - v_trunk_attitude_omega_z * c_rear_left_hip;
+    const Scalar z149 = v_trunk_attitude_omega_x + v_rear_left_hip;  // angular velocity of rear_left_hip_link, x
+    const Scalar z152 = s_rear_left_thigh * z146 + c_rear_left_thigh * z149;
+    const Scalar z153 = s_rear_left_thigh * z149 - c_rear_left_thigh * z146;
+    const Scalar z156 = v_rear_left_thigh + z145;  // angular velocity of rear_left_thigh_link, y
+    const Scalar z159 = s_rear_left_knee * z153 - c_rear_left_knee * z152;
+    const Scalar z160 = s_rear_left_knee * z152 + c_rear_left_knee * z153;
+    const Scalar z163 = v_rear_left_knee + z156;  // angular velocity of rear_left_shank_link, y
+    const Scalar z165 = v_trunk_attitude_omega_y * c_rear_right_hip + v_trunk_attitude_omega_z * s_rear_right_hip;
+    const Scalar z166 = v_trunk_attitude_omega_y * s_rear_right_hip - v_trunk_attitude_omega_z * c_rear_right_hip;
+    const Scalar z169 = v_trunk_attitude_omega_x + v_rear_right_hip;  // angular velocity of rear_right_hip_link, x
+    const Scalar z172 = s_rear_right_thigh * z166 + c_rear_right_thigh * z169;
+    const Scalar z173 = s_rear_right_thigh * z169 - c_rear_right_thigh * z166;
+    const Scalar z176 = v_rear_right_thigh + z165;  // angular velocity of rear_right_thigh_link, y
+    const Scalar z179 = s_rear_right_knee * z173 - c_rear_right_knee * z172;
+    const Scalar z180 = s_rear_right_knee * z172 + c_rear_right_knee * z173;
+    const Scalar z183 = v_rear_right_knee + z176;  // angular velocity of rear_right_shank_link, y
+    const Scalar z1369 = n0_05 * v_front_left_hip;
+    const Scalar z1371 = n0_05 * v_front_left_thigh;
+    const Scalar z1373 = n0_05 * v_front_left_knee;
+    const Scalar z1375 = n0_05 * v_front_right_hip;
+    const Scalar z1377 = n0_05 * v_front_right_thigh;
+    const Scalar z1379 = n0_05 * v_front_right_knee;
+    const Scalar z1381 = n0_05 * v_rear_left_hip;
+    const Scalar z1383 = n0_05 * v_rear_left_thigh;
+    const Scalar z1385 = n0_05 * v_rear_left_knee;
+    const Scalar z1387 = n0_05 * v_rear_right_hip;
+    const Scalar z1389 = n0_05 * v_rear_right_thigh;
+    const Scalar z1391 = n0_05 * v_rear_right_knee;
+    const Scalar z1395 = v_trunk_attitude_omega_y * v_trunk_attitude_omega_y;
+    const Scalar z1396 = v_trunk_attitude_omega_z * v_trunk_attitude_omega_z;
+    const Scalar z1397 = z1395 + z1396;
+    const Scalar z1398 = v_trunk_attitude_omega_x * v_trunk_attitude_omega_y;
+    const Scalar z1399 = v_trunk_attitude_omega_x * v_trunk_attitude_omega_x;
+    const Scalar z1400 = z1396 + z1399;
+    const Scalar z1401 = v_trunk_attitude_omega_x * v_trunk_attitude_omega_z;
+    const Scalar z1402 = v_trunk_attitude_omega_y * v_trunk_attitude_omega_z;
+    const Scalar z1410 = z103 * z107;
+    const Scalar z1412 = z104 * z104;
+    const Scalar z1413 = z107 * z107;
+    const Scalar z1414 = z1412 + z1413;
+    const Scalar z1415 = z103 * z104;
+    const Scalar z1425 = z110 * z111;
+    const Scalar z1427 = z111 * z114;
+    const Scalar z1429 = z110 * z110;
+    const Scalar z1430 = z114 * z114;
+    const Scalar z1431 = z1429 + z1430;
+    const Scalar z1448 = z124 * z128;
+    const Scalar z1450 = z125 * z125;
+    const Scalar z1451 = z128 * z128;
+    const Scalar z1452 = z1450 + z1451;
+    const Scalar z1453 = z124 * z125;
+    const Scalar z1463 = z131 * z132;
+    const Scalar z1465 = z132 * z135;
+    const Scalar z1467 = z131 * z131;
+    const Scalar z1468 = z135 * z135;
+    const Scalar z1469 = z1467 + z1468;
+    const Scalar z1486 = z145 * z149;
+    const Scalar z1488 = z146 * z146;
+    const Scalar z1489 = z149 * z149;
+    const Scalar z1490 = z1488 + z1489;
+    const Scalar z1491 = z145 * z146;
+    const Scalar z1501 = z152 * z153;
+    const Scalar z1503 = z153 * z156;
+    const Scalar z1505 = z152 * z152;
+    const Scalar z1506 = z156 * z156;
+    const Scalar z1507 = z1505 + z1506;
+    const Scalar z1524 = z165 * z169;
+    const Scalar z1526 = z166 * z166;
+    const Scalar z1527 = z169 * z169;
+    const Scalar z1528 = z1526 + z1527;
+    const Scalar z1529 = z165 * z166;
+    const Scalar z1539 = z172 * z173;
+    const Scalar z1541 = z173 * z176;
+    const Scalar z1543 = z172 * z172;
+    const Scalar z1544 = z176 * z176;
+    const Scalar z1545 = z1543 + z1544;
+    const Scalar z1555 = z179 * z180;
+    const Scalar z1557 = z180 * z183;
+    const Scalar z1559 = z179 * z179;
+    const Scalar z1560 = z183 * z183;
+    const Scalar z1561 = z1559 + z1560;
+    const Scalar z1562 = z179 * z183;
+    const Scalar z1565 = n0_032 * z1561;  // force on rear_right_shank_link, z
+    const Scalar z1573 = z172 * z176;
+    const Scalar z1584 = z166 * z169;
+    const Scalar z1595 = z159 * z160;
+    const Scalar z1597 = z160 * z163;
+    const Scalar z1599 = z159 * z159;
+    const Scalar z1600 = z163 * z163;
+    const Scalar z1601 = z1599 + z1600;
+    const Scalar z1602 = z159 * z163;
+    const Scalar z1605 = n0_032 * z1601;  // force on rear_left_shank_link, z
+    const Scalar z1613 = z152 * z156;
+    const Scalar z1624 = z146 * z149;
+    const Scalar z1635 = z138 * z139;
+    const Scalar z1637 = z139 * z142;
+    const Scalar z1639 = z138 * z138;
+    const Scalar z1640 = z142 * z142;
+    const Scalar z1641 = z1639 + z1640;
+    const Scalar z1642 = z138 * z142;
+    const Scalar z1645 = n0_032 * z1641;  // force on front_right_shank_link, z
+    const Scalar z1653 = z131 * z135;
+    const Scalar z1664 = z125 * z128;
+    const Scalar z1675 = z117 * z118;
+    const Scalar z1677 = z118 * z121;
+    const Scalar z1679 = z117 * z117;
+    const Scalar z1680 = z121 * z121;
+    const Scalar z1681 = z1679 + z1680;
+    const Scalar z1682 = z117 * z121;
+    const Scalar z1685 = n0_032 * z1681;  // force on front_left_shank_link, z
+    const Scalar z1693 = z110 * z114;
+    const Scalar z1704 = z104 * z107;
+    const Scalar z1743 = n9_81 + a_trunk_z;
+    const Scalar z1744 = a_trunk_x * z17 + a_trunk_y * z19 + z29 * z1743;
+    const Scalar z1745 = a_trunk_x * z18 + a_trunk_y * z23 + z25 * z1743;
+    const Scalar z1746 = a_trunk_x * z30 + a_trunk_y * z24 + z28 * z1743;
+    const Scalar z1747 = a_trunk_attitude_omega_z - z1398;
+    const Scalar z1748 = a_trunk_attitude_omega_z + z1398;
+    const Scalar z1749 = a_trunk_attitude_omega_y - z1401;
+    const Scalar z1750 = a_trunk_attitude_omega_x + z1402;
+    const Scalar z1751 = a_trunk_attitude_omega_y * c_front_left_hip + a_trunk_attitude_omega_z * s_front_left_hip;
+    const Scalar z1752 = a_trunk_attitude_omega_y * s_front_left_hip - a_trunk_attitude_omega_z * c_front_left_hip;
+    const Scalar z1753 = n0_2 * z1397 - z1744 + n0_05 * z1747;
+    const Scalar z1754 = n0_05 * z1400 - z1745 - n0_2 * z1748;
+    const Scalar z1755 = z1746 - n0_2 * z1749 + n0_05 * z1750;
+    const Scalar z1756 = s_front_left_hip * z1755 - c_front_left_hip * z1754;
+    const Scalar z1757 = s_front_left_hip * z1754 + c_front_left_hip * z1755;
+    const Scalar z1758 = a_trunk_attitude_omega_x + a_front_left_hip;  // angular acceleration of front_left_hip_link, x
+    const Scalar z1759 = v_front_left_hip * z104 - z1751;  // angular acceleration of front_left_hip_link, y
+    const Scalar z1760 = v_front_left_hip * z103 + z1752;  // angular acceleration of front_left_hip_link, z
+    const Scalar z1761 = z1410 + z1760;
+    const Scalar z1762 = z1415 - z1758;
+    const Scalar z1763 = s_front_left_thigh * z1760 + c_front_left_thigh * z1758;
+    const Scalar z1764 = s_front_left_thigh * z1758 - c_front_left_thigh * z1760;
+    const Scalar z1765 = z1753 - n0_08 * z1761;
+    const Scalar z1766 = n0_08 * z1414 - z1756;
+    const Scalar z1767 = z1757 - n0_08 * z1762;
+    const Scalar z1768 = s_front_left_thigh * z1767 + c_front_left_thigh * z1765;
+    const Scalar z1769 = s_front_left_thigh * z1765 - c_front_left_thigh * z1767;
+    const Scalar z1770 = v_front_left_thigh * z111 - z1763;  // angular acceleration of front_left_thigh_link, x
+    const Scalar z1771 = a_front_left_thigh - z1759;  // angular acceleration of front_left_thigh_link, y
+    const Scalar z1772 = v_front_left_thigh * z110 + z1764;  // angular acceleration of front_left_thigh_link, z
+    const Scalar z1773 = z1425 + z1771;
+    const Scalar z1774 = z1427 + z1770;
+    const Scalar z1775 = s_front_left_knee * z1772 + c_front_left_knee * z1770;
+    const Scalar z1776 = s_front_left_knee * z1770 - c_front_left_knee * z1772;
+    const Scalar z1777 = z1768 + n0_2 * z1773;
+    const Scalar z1778 = z1766 + n0_2 * z1774;
+    const Scalar z1779 = n0_2 * z1431 - z1769;
+    const Scalar z1780 = s_front_left_knee * z1779 + c_front_left_knee * z1777;
+    const Scalar z1782 = v_front_left_knee * z118 + z1775;  // angular acceleration of front_left_shank_link, x
+    const Scalar z1783 = a_front_left_knee + z1771;  // angular acceleration of front_left_shank_link, y
+    const Scalar z1784 = v_front_left_knee * z117 + z1776;  // angular acceleration of front_left_shank_link, z
+    const Scalar z1785 = a_trunk_attitude_omega_y * c_front_right_hip + a_trunk_attitude_omega_z * s_front_right_hip;
+    const Scalar z1786 = a_trunk_attitude_omega_y * s_front_right_hip - a_trunk_attitude_omega_z * c_front_right_hip;
+    const Scalar z1787 = n0_2 * z1397 - z1744 - n0_05 * z1747;
+    const Scalar z1788 = n0_05 * z1400 + z1745 + n0_2 * z1748;
+    const Scalar z1789 = z1746 - n0_2 * z1749 - n0_05 * z1750;
+    const Scalar z1790 = s_front_right_hip * z1789 + c_front_right_hip * z1788;
+    const Scalar z1791 = s_front_right_hip * z1788 - c_front_right_hip * z1789;
+    // angular acceleration of front_right_hip_link, x
+    const Scalar z1792 = a_trunk_attitude_omega_x + a_front_right_hip;
+    const Scalar z1793 = v_front_right_hip * z125 - z1785;  // angular acceleration of front_right_hip_link, y
+    const Scalar z1794 = v_front_right_hip * z124 + z1786;  // angular acceleration of front_right_hip_link, z
+    const Scalar z1795 = z1448 + z1794;
+    const Scalar z1796 = z1453 - z1792;
+    const Scalar z1797 = s_front_right_thigh * z1794 + c_front_right_thigh * z1792;
+    const Scalar z1798 = s_front_right_thigh * z1792 - c_front_right_thigh * z1794;
+    const Scalar z1799 = z1787 + n0_08 * z1795;
+    const Scalar z1800 = n0_08 * z1452 + z1790;
+    const Scalar z1801 = z1791 - n0_08 * z1796;
+    const Scalar z1802 = s_front_right_thigh * z1801 - c_front_right_thigh * z1799;
+    const Scalar z1803 = s_front_right_thigh * z1799 + c_front_right_thigh * z1801;
+    const Scalar z1804 = v_front_right_thigh * z132 - z1797;  // angular acceleration of front_right_thigh_link, x
+    const Scalar z1805 = a_front_right_thigh - z1793;  // angular acceleration of front_right_thigh_link, y
+    const Scalar z1806 = v_front_right_thigh * z131 + z1798;  // angular acceleration of front_right_thigh_link, z
+    const Scalar z1807 = z1463 + z1805;
+    const Scalar z1808 = z1465 + z1804;
+    const Scalar z1809 = s_front_right_knee * z1806 + c_front_right_knee * z1804;
+    const Scalar z1810 = s_front_right_knee * z1804 - c_front_right_knee * z1806;
+    const Scalar z1811 = z1802 - n0_2 * z1807;
+    const Scalar z1812 = z1800 - n0_2 * z1808;
+    const Scalar z1813 = n0_2 * z1469 - z1803;
+    const Scalar z1814 = s_front_right_knee * z1813 - c_front_right_knee * z1811;
+    const Scalar z1816 = v_front_right_knee * z139 + z1809;  // angular acceleration of front_right_shank_link, x
+    const Scalar z1817 = a_front_right_knee + z1805;  // angular acceleration of front_right_shank_link, y
+    const Scalar z1818 = v_front_right_knee * z138 + z1810;  // angular acceleration of front_right_shank_link, z
+    const Scalar z1819 = a_trunk_attitude_omega_y * c_rear_left_hip + a_trunk_attitude_omega_z * s_rear_left_hip;
+    const Scalar z1820 = a_trunk_attitude_omega_y * s_rear_left_hip - a_trunk_attitude_omega_z * c_rear_left_hip;
+    const Scalar z1821 = n0_2 * z1397 + z1744 - n0_05 * z1747;
+    const Scalar z1822 = n0_05 * z1400 - z1745 + n0_2 * z1748;
+    const Scalar z1823 = z1746 + n0_2 * z1749 + n0_05 * z1750;
+    const Scalar z1824 = s_rear_left_hip * z1823 - c_rear_left_hip * z1822;
+    const Scalar z1825 = s_rear_left_hip * z1822 + c_rear_left_hip * z1823;
+    const Scalar z1826 = a_trunk_attitude_omega_x + a_rear_left_hip;  // angular acceleration of rear_left_hip_link, x
+    const Scalar z1827 = v_rear_left_hip * z146 - z1819;  // angular acceleration of rear_left_hip_link, y
+    const Scalar z1828 = v_rear_left_hip * z145 + z1820;  // angular acceleration of rear_left_hip_link, z
+    const Scalar z1829 = z1486 + z1828;
+    const Scalar z1830 = z1491 - z1826;
+    const Scalar z1831 = s_rear_left_thigh * z1828 + c_rear_left_thigh * z1826;
+    const Scalar z1832 = s_rear_left_thigh * z1826 - c_rear_left_thigh * z1828;
+    const Scalar z1833 = z1821 + n0_08 * z1829;
+    const Scalar z1834 = n0_08 * z1490 - z1824;
+    const Scalar z1835 = z1825 - n0_08 * z1830;
+    const Scalar z1836 = s_rear_left_thigh * z1835 - c_rear_left_thigh * z1833;
+    const Scalar z1837 = s_rear_left_thigh * z1833 + c_rear_left_thigh * z1835;
+    const Scalar z1838 = v_rear_left_thigh * z153 - z1831;  // angular acceleration of rear_left_thigh_link, x
+    const Scalar z1839 = a_rear_left_thigh - z1827;  // angular acceleration of rear_left_thigh_link, y
+    const Scalar z1840 = v_rear_left_thigh * z152 + z1832;  // angular acceleration of rear_left_thigh_link, z
+    const Scalar z1841 = z1501 + z1839;
+    const Scalar z1842 = z1503 + z1838;
+    const Scalar z1843 = s_rear_left_knee * z1840 + c_rear_left_knee * z1838;
+    const Scalar z1844 = s_rear_left_knee * z1838 - c_rear_left_knee * z1840;
+    const Scalar z1845 = z1836 + n0_2 * z1841;
+    const Scalar z1846 = z1834 + n0_2 * z1842;
+    const Scalar z1847 = n0_2 * z1507 + z1837;
+    const Scalar z1848 = s_rear_left_knee * z1847 + c_rear_left_knee * z1845;
+    const Scalar z1850 = v_rear_left_knee * z160 + z1843;  // angular acceleration of rear_left_shank_link, x
+    const Scalar z1851 = a_rear_left_knee + z1839;  // angular acceleration of rear_left_shank_link, y
+    const Scalar z1852 = v_rear_left_knee * z159 + z1844;  // angular acceleration of rear_left_shank_link, z
+    const Scalar z1853 = a_trunk_attitude_omega_y * c_rear_right_hip + a_trunk_attitude_omega_z * s_rear_right_hip;
+    const Scalar z1854 = a_trunk_attitude_omega_y * s_rear_right_hip - a_trunk_attitude_omega_z * c_rear_right_hip;
+    const Scalar z1855 = n0_2 * z1397 + z1744 + n0_05 * z1747;
+    const Scalar z1856 = n0_05 * z1400 + z1745 - n0_2 * z1748;
+    const Scalar z1857 = z1746 + n0_2 * z1749 - n0_05 * z1750;
+    const Scalar z1858 = s_rear_right_hip * z1857 + c_rear_right_hip * z1856;
+    const Scalar z1859 = s_rear_right_hip * z1856 - c_rear_right_hip * z1857;
+    const Scalar z1860 = a_trunk_attitude_omega_x + a_rear_right_hip;  // angular acceleration of rear_right_hip_link, x
+    const Scalar z1861 = v_rear_right_hip * z166 - z1853;  // angular acceleration of rear_right_hip_link, y
+    const Scalar z1862 = v_rear_right_hip * z165 + z1854;  // angular acceleration of rear_right_hip_link, z
+    const Scalar z1863 = z1524 + z1862;
+    const Scalar z1864 = z1529 - z1860;
+    const Scalar z1865 = s_rear_right_thigh * z1862 + c_rear_right_thigh * z1860;
+    const Scalar z1866 = s_rear_right_thigh * z1860 - c_rear_right_thigh * z1862;
+    const Scalar z1867 = z1855 - n0_08 * z1863;
+    const Scalar z1868 = n0_08 * z1528 + z1858;
+    const Scalar z1869 = z1859 - n0_08 * z1864;
+    const Scalar z1870 = s_rear_right_thigh * z1869 + c_rear_right_thigh * z1867;
+    const Scalar z1871 = s_rear_right_thigh * z1867 - c_rear_right_thigh * z1869;
+    const Scalar z1872 = v_rear_right_thigh * z173 - z1865;  // angular acceleration of rear_right_thigh_link, x
+    const Scalar z1873 = a_rear_right_thigh - z1861;  // angular acceleration of rear_right_thigh_link, y
+    const Scalar z1874 = v_rear_right_thigh * z172 + z1866;  // angular acceleration of rear_right_thigh_link, z
+    const Scalar z1875 = z1539 + z1873;
+    const Scalar z1876 = z1541 + z1872;
+    const Scalar z1877 = s_rear_right_knee * z1874 + c_rear_right_knee * z1872;
+    const Scalar z1878 = s_rear_right_knee * z1872 - c_rear_right_knee * z1874;
+    const Scalar z1879 = z1870 - n0_2 * z1875;
+    const Scalar z1880 = z1868 - n0_2 * z1876;
+    const Scalar z1881 = n0_2 * z1545 + z1871;
+    const Scalar z1882 = s_rear_right_knee * z1881 - c_rear_right_knee * z1879;
+    const Scalar z1884 = v_rear_right_knee * z180 + z1877;  // angular acceleration of rear_right_shank_link, x
+    const Scalar z1885 = a_rear_right_knee + z1873;  // angular acceleration of rear_right_shank_link, y
+    const Scalar z1886 = v_rear_right_knee * z179 + z1878;  // angular acceleration of rear_right_shank_link, z
+    const Scalar z1887 = z1555 - z1885;
+    const Scalar z1888 = z1557 + z1884;
+    const Scalar z1889 = n0_032 * z1887;  // force on rear_right_shank_link, x
+    const Scalar z1890 = n0_032 * z1888;  // force on rear_right_shank_link, y
+    const Scalar z1891 = k7 * z1557 - n0_032 * z1880;  // moment on rear_right_shank_link, x
+    const Scalar z1892 = k8 * z1555 - n0_032 * z1882 - k9 * z1885;  // moment on rear_right_shank_link, y
+    const Scalar z1893 = k9 * z1562 - k8 * z1886;  // moment on rear_right_shank_link, z
+    const Scalar z1894 = s_rear_right_knee * z1565 + c_rear_right_knee * z1889;
+    const Scalar z1895 = s_rear_right_knee * z1889 - c_rear_right_knee * z1565;
+    const Scalar z1896 = s_rear_right_knee * z1893 + c_rear_right_knee * z1891;
+    const Scalar z1897 = s_rear_right_knee * z1891 - c_rear_right_knee * z1893;
+    const Scalar z1898 = n0_124 * z1875 - z1894;  // force on rear_right_thigh_link, x
+    const Scalar z1899 = n0_124 * z1876 + z1890;  // force on rear_right_thigh_link, y
+    const Scalar z1900 = n0_124 * z1545 - z1895;  // force on rear_right_thigh_link, z
+    const Scalar z1901 = k11 * z1541 - n0_124 * z1868 + n0_2 * z1890 + z1896;  // moment on rear_right_thigh_link, x
+    // moment on rear_right_thigh_link, y
+    const Scalar z1902 = k12 * z1539 - n0_124 * z1870 + k13 * z1873 - z1892 - n0_2 * z1894;
+    const Scalar z1903 = k13 * z1573 - k12 * z1874 + z1897;  // moment on rear_right_thigh_link, z
+    const Scalar z1904 = s_rear_right_thigh * z1900 - c_rear_right_thigh * z1898;
+    const Scalar z1905 = s_rear_right_thigh * z1898 + c_rear_right_thigh * z1900;
+    const Scalar z1906 = s_rear_right_thigh * z1903 - c_rear_right_thigh * z1901;
+    const Scalar z1907 = s_rear_right_thigh * z1901 + c_rear_right_thigh * z1903;
+    const Scalar z1908 = n0_1048 * z1863 - z1904;  // force on rear_right_hip_link, x
+    const Scalar z1909 = n0_1048 * z1528 - z1899;  // force on rear_right_hip_link, y
+    const Scalar z1910 = n0_1048 * z1864 + z1905;  // force on rear_right_hip_link, z
+    // moment on rear_right_hip_link, x
+    const Scalar z1911 = k15 * z1529 - n0_1048 * z1859 - k16 * z1860 + n0_08 * z1905 - z1906;
+    const Scalar z1912 = k16 * z1584 - k15 * z1861 - z1902;  // moment on rear_right_hip_link, y
+    const Scalar z1913 = k17 * z1524 - n0_1048 * z1855 - n0_08 * z1904 - z1907;  // moment on rear_right_hip_link, z
+    const Scalar z1914 = s_rear_right_hip * z1910 - c_rear_right_hip * z1909;
+    const Scalar z1915 = s_rear_right_hip * z1909 + c_rear_right_hip * z1910;
+    const Scalar z1916 = s_rear_right_hip * z1913 - c_rear_right_hip * z1912;
+    const Scalar z1917 = s_rear_right_hip * z1912 + c_rear_right_hip * z1913;
+    const Scalar z1918 = z1595 - z1851;
+    const Scalar z1919 = z1597 + z1850;
+    const Scalar z1920 = n0_032 * z1918;  // force on rear_left_shank_link, x
+    const Scalar z1921 = n0_032 * z1919;  // force on rear_left_shank_link, y
+    const Scalar z1922 = k7 * z1597 + n0_032 * z1846;  // moment on rear_left_shank_link, x
+    const Scalar z1923 = k8 * z1595 - n0_032 * z1848 - k9 * z1851;  // moment on rear_left_shank_link, y
+    const Scalar z1924 = k9 * z1602 - k8 * z1852;  // moment on rear_left_shank_link, z
+    const Scalar z1925 = s_rear_left_knee * z1605 + c_rear_left_knee * z1920;
+    const Scalar z1926 = s_rear_left_knee * z1920 - c_rear_left_knee * z1605;
+    const Scalar z1927 = s_rear_left_knee * z1924 + c_rear_left_knee * z1922;
+    const Scalar z1928 = s_rear_left_knee * z1922 - c_rear_left_knee * z1924;
+    const Scalar z1929 = n0_124 * z1841 - z1925;  // force on rear_left_thigh_link, x
+    const Scalar z1930 = n0_124 * z1842 + z1921;  // force on rear_left_thigh_link, y
+    const Scalar z1931 = n0_124 * z1507 - z1926;  // force on rear_left_thigh_link, z
+    const Scalar z1932 = k11 * z1503 + n0_124 * z1834 + n0_2 * z1921 + z1927;  // moment on rear_left_thigh_link, x
+    // moment on rear_left_thigh_link, y
+    const Scalar z1933 = k12 * z1501 + n0_124 * z1836 + k13 * z1839 - z1923 - n0_2 * z1925;
+    const Scalar z1934 = k13 * z1613 - k12 * z1840 + z1928;  // moment on rear_left_thigh_link, z
+    const Scalar z1935 = s_rear_left_thigh * z1931 - c_rear_left_thigh * z1929;
+    const Scalar z1936 = s_rear_left_thigh * z1929 + c_rear_left_thigh * z1931;
+    const Scalar z1937 = s_rear_left_thigh * z1934 - c_rear_left_thigh * z1932;
+    const Scalar z1938 = s_rear_left_thigh * z1932 + c_rear_left_thigh * z1934;
+    const Scalar z1939 = n0_1048 * z1829 + z1935;  // force on rear_left_hip_link, x
+    const Scalar z1940 = n0_1048 * z1490 + z1930;  // force on rear_left_hip_link, y
+    const Scalar z1941 = n0_1048 * z1830 - z1936;  // force on rear_left_hip_link, z
+    // moment on rear_left_hip_link, x
+    const Scalar z1942 = k15 * z1491 - n0_1048 * z1825 - k16 * z1826 - n0_08 * z1936 - z1937;
+    const Scalar z1943 = k16 * z1624 - k15 * z1827 - z1933;  // moment on rear_left_hip_link, y
+    const Scalar z1944 = k17 * z1486 + n0_1048 * z1821 + n0_08 * z1935 - z1938;  // moment on rear_left_hip_link, z
+    const Scalar z1945 = s_rear_left_hip * z1941 - c_rear_left_hip * z1940;
+    const Scalar z1946 = s_rear_left_hip * z1940 + c_rear_left_hip * z1941;
+    const Scalar z1947 = s_rear_left_hip * z1944 - c_rear_left_hip * z1943;
+    const Scalar z1948 = s_rear_left_hip * z1943 + c_rear_left_hip * z1944;
+    const Scalar z1949 = z1635 - z1817;
+    const Scalar z1950 = z1637 + z1816;
+    const Scalar z1951 = n0_032 * z1949;  // force on front_right_shank_link, x
+    const Scalar z1952 = n0_032 * z1950;  // force on front_right_shank_link, y
+    const Scalar z1953 = k7 * z1637 - n0_032 * z1812;  // moment on front_right_shank_link, x
+    const Scalar z1954 = k8 * z1635 - n0_032 * z1814 - k9 * z1817;  // moment on front_right_shank_link, y
+    const Scalar z1955 = k9 * z1642 - k8 * z1818;  // moment on front_right_shank_link, z
+    const Scalar z1956 = s_front_right_knee * z1645 + c_front_right_knee * z1951;
+    const Scalar z1957 = s_front_right_knee * z1951 - c_front_right_knee * z1645;
+    const Scalar z1958 = s_front_right_knee * z1955 + c_front_right_knee * z1953;
+    const Scalar z1959 = s_front_right_knee * z1953 - c_front_right_knee * z1955;
+    const Scalar z1960 = n0_124 * z1807 - z1956;  // force on front_right_thigh_link, x
+    const Scalar z1961 = n0_124 * z1808 + z1952;  // force on front_right_thigh_link, y
+    const Scalar z1962 = n0_124 * z1469 - z1957;  // force on front_right_thigh_link, z
+    const Scalar z1963 = k11 * z1465 - n0_124 * z1800 + n0_2 * z1952 + z1958;  // moment on front_right_thigh_link, x
+    // moment on front_right_thigh_link, y
+    const Scalar z1964 = k12 * z1463 - n0_124 * z1802 + k13 * z1805 - z1954 - n0_2 * z1956;
+    const Scalar z1965 = k13 * z1653 - k12 * z1806 + z1959;  // moment on front_right_thigh_link, z
+    const Scalar z1966 = s_front_right_thigh * z1962 - c_front_right_thigh * z1960;
+    const Scalar z1967 = s_front_right_thigh * z1960 + c_front_right_thigh * z1962;
+    const Scalar z1968 = s_front_right_thigh * z1965 - c_front_right_thigh * z1963;
+    const Scalar z1969 = s_front_right_thigh * z1963 + c_front_right_thigh * z1965;
+    const Scalar z1970 = n0_1048 * z1795 - z1966;  // force on front_right_hip_link, x
+    const Scalar z1971 = n0_1048 * z1452 - z1961;  // force on front_right_hip_link, y
+    const Scalar z1972 = n0_1048 * z1796 + z1967;  // force on front_right_hip_link, z
+    // moment on front_right_hip_link, x
+    const Scalar z1973 = k15 * z1453 - n0_1048 * z1791 - k16 * z1792 + n0_08 * z1967 - z1968;
+    const Scalar z1974 = k16 * z1664 - k15 * z1793 - z1964;  // moment on front_right_hip_link, y
+    const Scalar z1975 = k17 * z1448 + n0_1048 * z1787 - n0_08 * z1966 - z1969;  // moment on front_right_hip_link, z
+    const Scalar z1976 = s_front_right_hip * z1972 - c_front_right_hip * z1971;
+    const Scalar z1977 = s_front_right_hip * z1971 + c_front_right_hip * z1972;
+    const Scalar z1978 = s_front_right_hip * z1975 - c_front_right_hip * z1974;
+    const Scalar z1979 = s_front_right_hip * z1974 + c_front_right_hip * z1975;
+    const Scalar z1980 = z1675 - z1783;
+    const Scalar z1981 = z1677 + z1782;
+    const Scalar z1982 = n0_032 * z1980;  // force on front_left_shank_link, x
+    const Scalar z1983 = n0_032 * z1981;  // force on front_left_shank_link, y
+    const Scalar z1984 = k7 * z1677 + n0_032 * z1778;  // moment on front_left_shank_link, x
+    const Scalar z1985 = k8 * z1675 - n0_032 * z1780 - k9 * z1783;  // moment on front_left_shank_link, y
+    const Scalar z1986 = k9 * z1682 - k8 * z1784;  // moment on front_left_shank_link, z
+    const Scalar z1987 = s_front_left_knee * z1685 + c_front_left_knee * z1982;
+    const Scalar z1988 = s_front_left_knee * z1982 - c_front_left_knee * z1685;
+    const Scalar z1989 = s_front_left_knee * z1986 + c_front_left_knee * z1984;
+    const Scalar z1990 = s_front_left_knee * z1984 - c_front_left_knee * z1986;
+    const Scalar z1991 = n0_124 * z1773 - z1987;  // force on front_left_thigh_link, x
+    const Scalar z1992 = n0_124 * z1774 + z1983;  // force on front_left_thigh_link, y
+    const Scalar z1993 = n0_124 * z1431 - z1988;  // force on front_left_thigh_link, z
+    const Scalar z1994 = k11 * z1427 + n0_124 * z1766 + n0_2 * z1983 + z1989;  // moment on front_left_thigh_link, x
+    // moment on front_left_thigh_link, y
+    const Scalar z1995 = k12 * z1425 + n0_124 * z1768 + k13 * z1771 - z1985 - n0_2 * z1987;
+    const Scalar z1996 = k13 * z1693 - k12 * z1772 + z1990;  // moment on front_left_thigh_link, z
+    const Scalar z1997 = s_front_left_thigh * z1993 - c_front_left_thigh * z1991;
+    const Scalar z1998 = s_front_left_thigh * z1991 + c_front_left_thigh * z1993;
+    const Scalar z1999 = s_front_left_thigh * z1996 - c_front_left_thigh * z1994;
+    const Scalar z2000 = s_front_left_thigh * z1994 + c_front_left_thigh * z1996;
+    const Scalar z2001 = n0_1048 * z1761 + z1997;  // force on front_left_hip_link, x
+    const Scalar z2002 = n0_1048 * z1414 + z1992;  // force on front_left_hip_link, y
+    const Scalar z2003 = n0_1048 * z1762 - z1998;  // force on front_left_hip_link, z
+    // moment on front_left_hip_link, x
+    const Scalar z2004 = k15 * z1415 - n0_1048 * z1757 - k16 * z1758 - n0_08 * z1998 - z1999;
+    const Scalar z2005 = k16 * z1704 - k15 * z1759 - z1995;  // moment on front_left_hip_link, y
+    const Scalar z2006 = k17 * z1410 - n0_1048 * z1753 + n0_08 * z1997 - z2000;  // moment on front_left_hip_link, z
+    const Scalar z2007 = s_front_left_hip * z2003 - c_front_left_hip * z2002;
+    const Scalar z2008 = s_front_left_hip * z2002 + c_front_left_hip * z2003;
+    const Scalar z2009 = s_front_left_hip * z2006 - c_front_left_hip * z2005;
+    const Scalar z2010 = s_front_left_hip * z2005 + c_front_left_hip * z2006;
+    const Scalar z2011 = n12_24 * z1744 - z1908 + z1939 - z1970 + z2001;  // force on trunk, x
+    const Scalar z2012 = n12_24 * z1745 - z1914 + z1945 - z1976 + z2007;  // force on trunk, y
+    const Scalar z2013 = n12_24 * z1746 + z1915 - z1946 + z1977 - z2008;  // force on trunk, z
+    // moment on trunk, x
+    const Scalar z2014 = -n0_05 * (z1915 + z1946 + z1977 + z2008) + n0_0406 * a_trunk_attitude_omega_x + n0_0306 * z1402
+        - z1911 - z1942 - z1973 - z2004;
+    // moment on trunk, y
+    const Scalar z2015 = n0_2 * (z1915 - z1946 - z1977 + z2008) + k21 * a_trunk_attitude_omega_y - k22 * z1401 + z1916
+        + z1947 + z1978 + z2009;
+    // moment on trunk, z
+    const Scalar z2016 = -n0_05 * (z1908 + z1939 + z1970 + z2001) + n0_2 * (z1914 - z1945 - z1976 + z2007) + k23
+        * a_trunk_attitude_omega_z + k24 * z1398 - z1917 - z1948 - z1979 - z2010;
+    const Scalar z2017 = z17 * z2011 + z18 * z2012 + z30 * z2013;
+    const Scalar z2018 = z19 * z2011 + z23 * z2012 + z24 * z2013;
+    const Scalar z2019 = z25 * z2012 + z28 * z2013 + z29 * z2011;
+    const Scalar z2027 = z1369 - z2004;
+    const Scalar z2028 = z1371 + z1995;
+    const Scalar z2029 = z1373 - z1985;
+    const Scalar z2030 = z1375 - z1973;
+    const Scalar z2031 = z1377 + z1964;
+    const Scalar z2032 = z1379 - z1954;
+    const Scalar z2033 = z1381 - z1942;
+    const Scalar z2034 = z1383 + z1933;
+    const Scalar z2035 = z1385 - z1923;
+    const Scalar z2036 = z1387 - z1911;
+    const Scalar z2037 = z1389 + z1902;
+    const Scalar z2038 = z1391 - z1892;
+    forces.trunk_x = z2017;
+    forces.trunk_y = z2018;
+    forces.trunk_z = z2019;
+    forces.trunk_attitude_omega_x = z2014;
+    forces.trunk_attitude_omega_y = z2015;
+    forces.trunk_attitude_omega_z = z2016;
+    forces.front_left_hip = z2027;
+    forces.front_left_thigh = z2028;
+    forces.front_left_knee = z2029;
+    forces.front_right_hip = z2030;
+    forces.front_right_thigh = z2031;
+    forces.front_right_knee = z2032;
+    forces.rear_left_hip = z2033;
+    forces.rear_left_thigh = z2034;
+    forces.rear_left_knee = z2035;
+    forces.rear_right_hip = z2036;
+    forces.rear_right_thigh = z2037;
+    forces.rear_right_knee = z2038;
+  }
+
+  /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
+  /// the articulated-body recursion. Returns singular when a pivot is not
+  /// positive relative to its diagonal entry.
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs& inputs,
+      Accelerations& accelerations, Multipliers&) noexcept {
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0_032 = traits::constant(0.032, 0.032f, "4/125");
+    const Scalar k3 = traits::constant(0.00507, 0.00507f, "507/100000");
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    const Scalar n0_124 = traits::constant(0.124, 0.124f, "31/250");
+    const Scalar k7 = traits::constant(0.01928, 0.01928f, "241/12500");
+    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
+    const Scalar n0_08 = traits::constant(0.08, 0.08f, "2/25");
+    const Scalar n0_0306 = traits::constant(0.0306, 0.0306f, "153/5000");
+    const Scalar k11 = traits::constant(0.4564944, 0.4564944f, "285309/625000");
+    const Scalar k12 = traits::constant(0.4258944, 0.4258944f, "33273/78125");
+    const Scalar n0_1048 = traits::constant(0.1048, 0.1048f, "131/1250");
+    const Scalar k14 = traits::constant(0.0325736, 0.0325736f, "40717/1250000");
+    const Scalar k15 = traits::constant(0.0329736, 0.0329736f, "41217/1250000");
+    const Scalar k16 = traits::constant(0.0655472, 0.0655472f, "40967/625000");
+    const Scalar k17 = traits::constant(0.03896, 0.03896f, "487/12500");
+    const Scalar k18 = traits::constant(0.01968, 0.01968f, "123/6250");
+    const Scalar k19 = traits::constant(0.0101796, 0.0101796f, "25449/2500000");
+    const Scalar k20 = traits::constant(0.0051096, 0.0051096f, "6387/1250000");
+    const Scalar k21 = traits::constant(195.71003601064663, 195.71004f, "1250000/6387");
+    const Scalar k22 = traits::constant(0.20040707687490214, 0.20040707f, "1280/6387");
+    const Scalar n0_0406 = traits::constant(0.0406, 0.0406f, "203/5000");
+    const Scalar k24 = traits::constant(0.4664944, 0.4664944f, "291559/625000");
+    const Scalar k25 = traits::constant(0.4970944, 0.4970944f, "77671/156250");
+    const Scalar n12_24 = traits::constant(12.24, 12.24f, "306/25");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar q_trunk_attitude_y = state.q.trunk_attitude_y;
+    const Scalar q_trunk_attitude_z = state.q.trunk_attitude_z;
+    const Scalar q_trunk_attitude_x = state.q.trunk_attitude_x;
+    const Scalar q_trunk_attitude_w = state.q.trunk_attitude_w;
+    const Scalar v_trunk_attitude_omega_x = state.v.trunk_attitude_omega_x;
+    const Scalar v_trunk_attitude_omega_y = state.v.trunk_attitude_omega_y;
+    const Scalar v_trunk_attitude_omega_z = state.v.trunk_attitude_omega_z;
+    const Scalar q_front_left_hip = state.q.front_left_hip;
+    const Scalar v_front_left_hip = state.v.front_left_hip;
+    const Scalar q_front_left_thigh = state.q.front_left_thigh;
+    const Scalar v_front_left_thigh = state.v.front_left_thigh;
+    const Scalar q_front_left_knee = state.q.front_left_knee;
+    const Scalar v_front_left_knee = state.v.front_left_knee;
+    const Scalar q_front_right_hip = state.q.front_right_hip;
+    const Scalar v_front_right_hip = state.v.front_right_hip;
+    const Scalar q_front_right_thigh = state.q.front_right_thigh;
+    const Scalar v_front_right_thigh = state.v.front_right_thigh;
+    const Scalar q_front_right_knee = state.q.front_right_knee;
+    const Scalar v_front_right_knee = state.v.front_right_knee;
+    const Scalar q_rear_left_hip = state.q.rear_left_hip;
+    const Scalar v_rear_left_hip = state.v.rear_left_hip;
+    const Scalar q_rear_left_thigh = state.q.rear_left_thigh;
+    const Scalar v_rear_left_thigh = state.v.rear_left_thigh;
+    const Scalar q_rear_left_knee = state.q.rear_left_knee;
+    const Scalar v_rear_left_knee = state.v.rear_left_knee;
+    const Scalar q_rear_right_hip = state.q.rear_right_hip;
+    const Scalar v_rear_right_hip = state.v.rear_right_hip;
+    const Scalar q_rear_right_thigh = state.q.rear_right_thigh;
+    const Scalar v_rear_right_thigh = state.v.rear_right_thigh;
+    const Scalar q_rear_right_knee = state.q.rear_right_knee;
+    const Scalar v_rear_right_knee = state.v.rear_right_knee;
+    const Scalar u_front_left_hip_torque = inputs.front_left_hip_torque;
+    const Scalar u_front_left_thigh_torque = inputs.front_left_thigh_torque;
+    const Scalar u_front_left_knee_torque = inputs.front_left_knee_torque;
+    const Scalar u_front_right_hip_torque = inputs.front_right_hip_torque;
+    const Scalar u_front_right_thigh_torque = inputs.front_right_thigh_torque;
+    const Scalar u_front_right_knee_torque = inputs.front_right_knee_torque;
+    const Scalar u_rear_left_hip_torque = inputs.rear_left_hip_torque;
+    const Scalar u_rear_left_thigh_torque = inputs.rear_left_thigh_torque;
+    const Scalar u_rear_left_knee_torque = inputs.rear_left_knee_torque;
+    const Scalar u_rear_right_hip_torque = inputs.rear_right_hip_torque;
+    const Scalar u_rear_right_thigh_torque = inputs.rear_right_thigh_torque;
+    const Scalar u_rear_right_knee_torque = inputs.rear_right_knee_torque;
+    const Scalar z10 = n2 * q_trunk_attitude_y * q_trunk_attitude_y;
+    const Scalar z12 = n2 * q_trunk_attitude_z * q_trunk_attitude_z;
+    const Scalar z14 = n2 * q_trunk_attitude_y * q_trunk_attitude_x;
+    const Scalar z16 = n2 * q_trunk_attitude_z * q_trunk_attitude_w;
+    const Scalar z17 = n1 - z10 - z12;
+    const Scalar z18 = z14 - z16;
+    const Scalar z19 = z14 + z16;
+    const Scalar z20 = n2 * q_trunk_attitude_x * q_trunk_attitude_x;
+    const Scalar z21 = n2 * q_trunk_attitude_y * q_trunk_attitude_z;
+    const Scalar z22 = n2 * q_trunk_attitude_x * q_trunk_attitude_w;
+    const Scalar z23 = n1 - z12 - z20;
+    const Scalar z24 = z21 - z22;
+    const Scalar z25 = z21 + z22;
+    const Scalar z26 = n2 * q_trunk_attitude_z * q_trunk_attitude_x;
+    const Scalar z27 = n2 * q_trunk_attitude_y * q_trunk_attitude_w;
+    const Scalar z28 = n1 - z10 - z20;
+    const Scalar z29 = z26 - z27;
+    const Scalar z30 = z26 + z27;
+    Scalar s_front_left_hip, c_front_left_hip;
+    traits::sincos(q_front_left_hip, s_front_left_hip, c_front_left_hip);
+    Scalar s_front_left_thigh, c_front_left_thigh;
+    traits::sincos(q_front_left_thigh, s_front_left_thigh, c_front_left_thigh);
+    Scalar s_front_left_knee, c_front_left_knee;
+    traits::sincos(q_front_left_knee, s_front_left_knee, c_front_left_knee);
+    Scalar s_front_right_hip, c_front_right_hip;
+    traits::sincos(q_front_right_hip, s_front_right_hip, c_front_right_hip);
+    Scalar s_front_right_thigh, c_front_right_thigh;
+    traits::sincos(q_front_right_thigh, s_front_right_thigh, c_front_right_thigh);
+    Scalar s_front_right_knee, c_front_right_knee;
+    traits::sincos(q_front_right_knee, s_front_right_knee, c_front_right_knee);
+    Scalar s_rear_left_hip, c_rear_left_hip;
+    traits::sincos(q_rear_left_hip, s_rear_left_hip, c_rear_left_hip);
+    Scalar s_rear_left_thigh, c_rear_left_thigh;
+    traits::sincos(q_rear_left_thigh, s_rear_left_thigh, c_rear_left_thigh);
+    Scalar s_rear_left_knee, c_rear_left_knee;
+    traits::sincos(q_rear_left_knee, s_rear_left_knee, c_rear_left_knee);
+    Scalar s_rear_right_hip, c_rear_right_hip;
+    traits::sincos(q_rear_right_hip, s_rear_right_hip, c_rear_right_hip);
+    Scalar s_rear_right_thigh, c_rear_right_thigh;
+    traits::sincos(q_rear_right_thigh, s_rear_right_thigh, c_rear_right_thigh);
+    Scalar s_rear_right_knee, c_rear_right_knee;
+    traits::sincos(q_rear_right_knee, s_rear_right_knee, c_rear_right_knee);
+    const Scalar z103 = v_trunk_attitude_omega_y * c_front_left_hip + v_trunk_attitude_omega_z * s_front_left_hip;
+    const Scalar z104 = v_trunk_attitude_omega_y * s_front_left_hip - v_trunk_attitude_omega_z * c_front_left_hip;
+    const Scalar z107 = v_trunk_attitude_omega_x + v_front_left_hip;  // angular velocity of front_left_hip_link, x
+    const Scalar z110 = s_front_left_thigh * z104 + c_front_left_thigh * z107;
+    const Scalar z111 = s_front_left_thigh * z107 - c_front_left_thigh * z104;
+    const Scalar z114 = v_front_left_thigh + z103;  // angular velocity of front_left_thigh_link, y
+    const Scalar z117 = s_front_left_knee * z111 - c_front_left_knee * z110;
+    const Scalar z118 = s_front_left_knee * z110 + c_front_left_knee * z111;
+    const Scalar z121 = v_front_left_knee + z114;  // angular velocity of front_left_shank_link, y
+    const Scalar z124 = v_trunk_attitude_omega_y * c_front_right_hip + v_trunk_attitude_omega_z * s_front_right_hip;
+    const Scalar z125 = v_trunk_attitude_omega_y * s_front_right_hip - v_trunk_attitude_omega_z * c_front_right_hip;
+    const Scalar z128 = v_trunk_attitude_omega_x + v_front_right_hip;  // angular velocity of front_right_hip_link, x
+    const Scalar z131 = s_front_right_thigh * z125 + c_front_right_thigh * z128;
+    const Scalar z132 = s_front_right_thigh * z128 - c_front_right_thigh * z125;
+    const Scalar z135 = v_front_right_thigh + z124;  // angular velocity of front_right_thigh_link, y
+    const Scalar z138 = s_front_right_knee * z132 - c_front_right_knee * z131;
+    const Scalar z139 = s_front_right_knee * z131 + c_front_right_knee * z132;
+    const Scalar z142 = v_front_right_knee + z135;  // angular velocity of front_right_shank_link, y
+    const Scalar z145 = v_trunk_attitude_omega_y * c_rear_left_hip + v_trunk_attitude_omega_z * s_rear_left_hip;
+    const Scalar z146 = v_trunk_attitude_omega_y * s_rear_left_hip - v_trunk_attitude_omega_z * c_rear_left_hip;
+    const Scalar z149 = v_trunk_attitude_omega_x + v_rear_left_hip;  // angular velocity of rear_left_hip_link, x
+    const Scalar z152 = s_rear_left_thigh * z146 + c_rear_left_thigh * z149;
+    const Scalar z153 = s_rear_left_thigh * z149 - c_rear_left_thigh * z146;
+    const Scalar z156 = v_rear_left_thigh + z145;  // angular velocity of rear_left_thigh_link, y
+    const Scalar z159 = s_rear_left_knee * z153 - c_rear_left_knee * z152;
+    const Scalar z160 = s_rear_left_knee * z152 + c_rear_left_knee * z153;
+    const Scalar z163 = v_rear_left_knee + z156;  // angular velocity of rear_left_shank_link, y
+    const Scalar z165 = v_trunk_attitude_omega_y * c_rear_right_hip + v_trunk_attitude_omega_z * s_rear_right_hip;
+    const Scalar z166 = v_trunk_attitude_omega_y * s_rear_right_hip - v_trunk_attitude_omega_z * c_rear_right_hip;
+    const Scalar z169 = v_trunk_attitude_omega_x + v_rear_right_hip;  // angular velocity of rear_right_hip_link, x
+    const Scalar z172 = s_rear_right_thigh * z166 + c_rear_right_thigh * z169;
+    const Scalar z173 = s_rear_right_thigh * z169 - c_rear_right_thigh * z166;
+    const Scalar z176 = v_rear_right_thigh + z165;  // angular velocity of rear_right_thigh_link, y
+    const Scalar z179 = s_rear_right_knee * z173 - c_rear_right_knee * z172;
+    const Scalar z180 = s_rear_right_knee * z172 + c_rear_right_knee * z173;
+    const Scalar z183 = v_rear_right_knee + z176;  // angular velocity of rear_right_shank_link, y
+    const Scalar z944 = n0_032 * c_rear_right_knee;
+    const Scalar z945 = n0_032 * s_rear_right_knee;
+    const Scalar z966 = k3 * s_rear_right_knee;
+    const Scalar z967 = s_rear_right_knee * z966;
+    const Scalar z968 = k3 - z967;
+    const Scalar z969 = c_rear_right_knee * z966;
+    const Scalar z970 = n0_4 * z944 - z967;
+    const Scalar z971 = n0_2 * z945 + z969;
+    const Scalar z973 = n0_124 + z944;
+    const Scalar z975 = k7 + z968;
+    const Scalar z976 = s_rear_right_thigh * z945 - c_rear_right_thigh * z973;
+    const Scalar z977 = s_rear_right_thigh * z973 + c_rear_right_thigh * z945;
+    const Scalar z995 = z970 + z975;
+    const Scalar z996 = n2 * z971;
+    const Scalar z997 = s_rear_right_thigh * z995 + c_rear_right_thigh * z996;
+    const Scalar z998 = s_rear_right_thigh * z997;
+    const Scalar z999 = z975 - z998;
+    const Scalar z1000 = z970 - z998;
+    const Scalar z1001 = c_rear_right_thigh * z997 - z971;
+    const Scalar z1034 = n0_032 * c_rear_left_knee;
+    const Scalar z1035 = n0_032 * s_rear_left_knee;
+    const Scalar z1056 = k3 * s_rear_left_knee;
+    const Scalar z1057 = s_rear_left_knee * z1056;
+    const Scalar z1058 = k3 - z1057;
+    const Scalar z1059 = c_rear_left_knee * z1056;
+    const Scalar z1060 = n0_4 * z1034 - z1057;
+    const Scalar z1061 = n0_2 * z1035 + z1059;
+    const Scalar z1063 = n0_124 + z1034;
+    const Scalar z1065 = k7 + z1058;
+    const Scalar z1066 = s_rear_left_thigh * z1035 - c_rear_left_thigh * z1063;
+    const Scalar z1067 = s_rear_left_thigh * z1063 + c_rear_left_thigh * z1035;
+    const Scalar z1085 = z1060 + z1065;
+    const Scalar z1086 = n2 * z1061;
+    const Scalar z1087 = s_rear_left_thigh * z1085 + c_rear_left_thigh * z1086;
+    const Scalar z1088 = s_rear_left_thigh * z1087;
+    const Scalar z1089 = z1065 - z1088;
+    const Scalar z1090 = z1060 - z1088;
+    const Scalar z1091 = c_rear_left_thigh * z1087 - z1061;
+    const Scalar z1130 = n0_032 * c_front_right_knee;
+    const Scalar z1131 = n0_032 * s_front_right_knee;
+    const Scalar z1152 = k3 * s_front_right_knee;
+    const Scalar z1153 = s_front_right_knee * z1152;
+    const Scalar z1154 = k3 - z1153;
+    const Scalar z1155 = c_front_right_knee * z1152;
+    const Scalar z1156 = n0_4 * z1130 - z1153;
+    const Scalar z1157 = n0_2 * z1131 + z1155;
+    const Scalar z1159 = n0_124 + z1130;
+    const Scalar z1161 = k7 + z1154;
+    const Scalar z1162 = s_front_right_thigh * z1131 - c_front_right_thigh * z1159;
+    const Scalar z1163 = s_front_right_thigh * z1159 + c_front_right_thigh * z1131;
+    const Scalar z1181 = z1156 + z1161;
+    const Scalar z1182 = n2 * z1157;
+    const Scalar z1183 = s_front_right_thigh * z1181 + c_front_right_thigh * z1182;
+    const Scalar z1184 = s_front_right_thigh * z1183;
+    const Scalar z1185 = z1161 - z1184;
+    const Scalar z1186 = z1156 - z1184;
+    const Scalar z1187 = c_front_right_thigh * z1183 - z1157;
+    const Scalar z1226 = n0_032 * c_front_left_knee;
+    const Scalar z1227 = n0_032 * s_front_left_knee;
+    const Scalar z1248 = k3 * s_front_left_knee;
+    const Scalar z1249 = s_front_left_knee * z1248;
+    const Scalar z1250 = k3 - z1249;
+    const Scalar z1251 = c_front_left_knee * z1248;
+    const Scalar z1252 = n0_4 * z1226 - z1249;
+    const Scalar z1253 = n0_2 * z1227 + z1251;
+    const Scalar z1255 = n0_124 + z1226;
+    const Scalar z1257 = k7 + z1250;
+    const Scalar z1258 = s_front_left_thigh * z1227 - c_front_left_thigh * z1255;
+    const Scalar z1259 = s_front_left_thigh * z1255 + c_front_left_thigh * z1227;
+    const Scalar z1277 = z1252 + z1257;
+    const Scalar z1278 = n2 * z1253;
+    const Scalar z1279 = s_front_left_thigh * z1277 + c_front_left_thigh * z1278;
+    const Scalar z1280 = s_front_left_thigh * z1279;
+    const Scalar z1281 = z1257 - z1280;
+    const Scalar z1282 = z1252 - z1280;
+    const Scalar z1283 = c_front_left_thigh * z1279 - z1253;
+    const Scalar z1369 = n0_05 * v_front_left_hip;
+    const Scalar z1371 = n0_05 * v_front_left_thigh;
+    const Scalar z1373 = n0_05 * v_front_left_knee;
+    const Scalar z1375 = n0_05 * v_front_right_hip;
+    const Scalar z1377 = n0_05 * v_front_right_thigh;
+    const Scalar z1379 = n0_05 * v_front_right_knee;
+    const Scalar z1381 = n0_05 * v_rear_left_hip;
+    const Scalar z1383 = n0_05 * v_rear_left_thigh;
+    const Scalar z1385 = n0_05 * v_rear_left_knee;
+    const Scalar z1387 = n0_05 * v_rear_right_hip;
+    const Scalar z1389 = n0_05 * v_rear_right_thigh;
+    const Scalar z1391 = n0_05 * v_rear_right_knee;
+    const Scalar z1395 = v_trunk_attitude_omega_y * v_trunk_attitude_omega_y;
+    const Scalar z1396 = v_trunk_attitude_omega_z * v_trunk_attitude_omega_z;
+    const Scalar z1397 = z1395 + z1396;
+    const Scalar z1398 = v_trunk_attitude_omega_x * v_trunk_attitude_omega_y;
+    const Scalar z1399 = v_trunk_attitude_omega_x * v_trunk_attitude_omega_x;
+    const Scalar z1400 = z1396 + z1399;
+    const Scalar z1401 = v_trunk_attitude_omega_x * v_trunk_attitude_omega_z;
+    const Scalar z1402 = v_trunk_attitude_omega_y * v_trunk_attitude_omega_z;
+    const Scalar z1408 = v_front_left_hip * z104;  // angular acceleration of front_left_hip_link, y
+    const Scalar z1409 = v_front_left_hip * z103;  // angular acceleration of front_left_hip_link, z
+    const Scalar z1410 = z103 * z107;
+    const Scalar z1412 = z104 * z104;
+    const Scalar z1413 = z107 * z107;
+    const Scalar z1414 = z1412 + z1413;
+    const Scalar z1415 = z103 * z104;
+    const Scalar z1425 = z110 * z111;
+    const Scalar z1427 = z111 * z114;
+    const Scalar z1429 = z110 * z110;
+    const Scalar z1430 = z114 * z114;
+    const Scalar z1431 = z1429 + z1430;
+    const Scalar z1446 = v_front_right_hip * z125;  // angular acceleration of front_right_hip_link, y
+    const Scalar z1447 = v_front_right_hip * z124;  // angular acceleration of front_right_hip_link, z
+    const Scalar z1448 = z124 * z128;
+    const Scalar z1450 = z125 * z125;
+    const Scalar z1451 = z128 * z128;
+    const Scalar z1452 = z1450 + z1451;
+    const Scalar z1453 = z124 * z125;
+    const Scalar z1463 = z131 * z132;
+    const Scalar z1465 = z132 * z135;
+    const Scalar z1467 = z131 * z131;
+    const Scalar z1468 = z135 * z135;
+    const Scalar z1469 = z1467 + z1468;
+    const Scalar z1484 = v_rear_left_hip * z146;  // angular acceleration of rear_left_hip_link, y
+    const Scalar z1485 = v_rear_left_hip * z145;  // angular acceleration of rear_left_hip_link, z
+    const Scalar z1486 = z145 * z149;
+    const Scalar z1488 = z146 * z146;
+    const Scalar z1489 = z149 * z149;
+    const Scalar z1490 = z1488 + z1489;
+    const Scalar z1491 = z145 * z146;
+    const Scalar z1501 = z152 * z153;
+    const Scalar z1503 = z153 * z156;
+    const Scalar z1505 = z152 * z152;
+    const Scalar z1506 = z156 * z156;
+    const Scalar z1507 = z1505 + z1506;
+    const Scalar z1522 = v_rear_right_hip * z166;  // angular acceleration of rear_right_hip_link, y
+    const Scalar z1523 = v_rear_right_hip * z165;  // angular acceleration of rear_right_hip_link, z
+    const Scalar z1524 = z165 * z169;
+    const Scalar z1526 = z166 * z166;
+    const Scalar z1527 = z169 * z169;
+    const Scalar z1528 = z1526 + z1527;
+    const Scalar z1529 = z165 * z166;
+    const Scalar z1539 = z172 * z173;
+    const Scalar z1541 = z173 * z176;
+    const Scalar z1543 = z172 * z172;
+    const Scalar z1544 = z176 * z176;
+    const Scalar z1545 = z1543 + z1544;
+    const Scalar z1555 = z179 * z180;
+    const Scalar z1557 = z180 * z183;
+    const Scalar z1559 = z179 * z179;
+    const Scalar z1560 = z183 * z183;
+    const Scalar z1561 = z1559 + z1560;
+    const Scalar z1562 = z179 * z183;
+    const Scalar z1565 = n0_032 * z1561;  // force on rear_right_shank_link, z
+    const Scalar z1573 = z172 * z176;
+    const Scalar z1584 = z166 * z169;
+    const Scalar z1595 = z159 * z160;
+    const Scalar z1597 = z160 * z163;
+    const Scalar z1599 = z159 * z159;
+    const Scalar z1600 = z163 * z163;
+    const Scalar z1601 = z1599 + z1600;
+    const Scalar z1602 = z159 * z163;
+    const Scalar z1605 = n0_032 * z1601;  // force on rear_left_shank_link, z
+    const Scalar z1613 = z152 * z156;
+    const Scalar z1624 = z146 * z149;
+    const Scalar z1635 = z138 * z139;
+    const Scalar z1637 = z139 * z142;
+    const Scalar z1639 = z138 * z138;
+    const Scalar z1640 = z142 * z142;
+    const Scalar z1641 = z1639 + z1640;
+    const Scalar z1642 = z138 * z142;
+    const Scalar z1645 = n0_032 * z1641;  // force on front_right_shank_link, z
+    const Scalar z1653 = z131 * z135;
+    const Scalar z1664 = z125 * z128;
+    const Scalar z1675 = z117 * z118;
+    const Scalar z1677 = z118 * z121;
+    const Scalar z1679 = z117 * z117;
+    const Scalar z1680 = z121 * z121;
+    const Scalar z1681 = z1679 + z1680;
+    const Scalar z1682 = z117 * z121;
+    const Scalar z1685 = n0_032 * z1681;  // force on front_left_shank_link, z
+    const Scalar z1693 = z110 * z114;
+    const Scalar z1704 = z104 * z107;
+    const Scalar z2039 = u_front_left_hip_torque - z1369;
+    const Scalar z2040 = u_front_left_thigh_torque - z1371;
+    const Scalar z2041 = u_front_left_knee_torque - z1373;
+    const Scalar z2042 = u_front_right_hip_torque - z1375;
+    const Scalar z2043 = u_front_right_thigh_torque - z1377;
+    const Scalar z2044 = u_front_right_knee_torque - z1379;
+    const Scalar z2045 = u_rear_left_hip_torque - z1381;
+    const Scalar z2046 = u_rear_left_thigh_torque - z1383;
+    const Scalar z2047 = u_rear_left_knee_torque - z1385;
+    const Scalar z2048 = u_rear_right_hip_torque - z1387;
+    const Scalar z2049 = u_rear_right_thigh_torque - z1389;
+    const Scalar z2050 = u_rear_right_knee_torque - z1391;
+    const Scalar z2051 = n0_2 * z1397 - n0_05 * z1398;
+    const Scalar z2052 = n0_2 * z1398 - n0_05 * z1400;
+    const Scalar z2053 = n0_2 * z1401 + n0_05 * z1402;
+    const Scalar z2054 = s_front_left_hip * z2053 + c_front_left_hip * z2052;
+    const Scalar z2055 = s_front_left_hip * z2052 - c_front_left_hip * z2053;
+    const Scalar z2056 = v_front_left_thigh * z111;
+    const Scalar z2057 = v_front_left_thigh * z110;
+    const Scalar z2058 = n0_08 * z1410;
+    const Scalar z2059 = n0_08 * z1414;
+    const Scalar z2060 = n0_08 * z1415;
+    const Scalar z2061 = s_front_left_thigh * z2060 + c_front_left_thigh * z2058;
+    const Scalar z2062 = s_front_left_thigh * z2058 - c_front_left_thigh * z2060;
+    const Scalar z2063 = v_front_left_knee * z118;
+    const Scalar z2064 = v_front_left_knee * z117;
+    const Scalar z2065 = n0_2 * z1425;
+    const Scalar z2066 = n0_2 * z1427;
+    const Scalar z2067 = n0_2 * z1431;
+    const Scalar z2068 = s_front_left_knee * z2067 + c_front_left_knee * z2065;
+    const Scalar z2070 = n0_2 * z1397 + n0_05 * z1398;
+    const Scalar z2071 = n0_2 * z1398 + n0_05 * z1400;
+    const Scalar z2072 = n0_2 * z1401 - n0_05 * z1402;
+    const Scalar z2073 = s_front_right_hip * z2072 + c_front_right_hip * z2071;
+    const Scalar z2074 = s_front_right_hip * z2071 - c_front_right_hip * z2072;
+    const Scalar z2075 = v_front_right_thigh * z132;
+    const Scalar z2076 = v_front_right_thigh * z131;
+    const Scalar z2077 = n0_08 * z1448;
+    const Scalar z2078 = n0_08 * z1452;
+    const Scalar z2079 = n0_08 * z1453;
+    const Scalar z2080 = s_front_right_thigh * z2079 + c_front_right_thigh * z2077;
+    const Scalar z2081 = s_front_right_thigh * z2077 - c_front_right_thigh * z2079;
+    const Scalar z2082 = v_front_right_knee * z139;
+    const Scalar z2083 = v_front_right_knee * z138;
+    const Scalar z2084 = n0_2 * z1463;
+    const Scalar z2085 = n0_2 * z1465;
+    const Scalar z2086 = n0_2 * z1469;
+    const Scalar z2087 = s_front_right_knee * z2086 + c_front_right_knee * z2084;
+    const Scalar z2089 = s_rear_left_hip * z2072 + c_rear_left_hip * z2071;
+    const Scalar z2090 = s_rear_left_hip * z2071 - c_rear_left_hip * z2072;
+    const Scalar z2091 = v_rear_left_thigh * z153;
+    const Scalar z2092 = v_rear_left_thigh * z152;
+    const Scalar z2093 = n0_08 * z1486;
+    const Scalar z2094 = n0_08 * z1490;
+    const Scalar z2095 = n0_08 * z1491;
+    const Scalar z2096 = s_rear_left_thigh * z2095 + c_rear_left_thigh * z2093;
+    const Scalar z2097 = s_rear_left_thigh * z2093 - c_rear_left_thigh * z2095;
+    const Scalar z2098 = v_rear_left_knee * z160;
+    const Scalar z2099 = v_rear_left_knee * z159;
+    const Scalar z2100 = n0_2 * z1501;
+    const Scalar z2101 = n0_2 * z1503;
+    const Scalar z2102 = n0_2 * z1507;
+    const Scalar z2103 = s_rear_left_knee * z2102 + c_rear_left_knee * z2100;
+    const Scalar z2105 = s_rear_right_hip * z2053 + c_rear_right_hip * z2052;
+    const Scalar z2106 = s_rear_right_hip * z2052 - c_rear_right_hip * z2053;
+    const Scalar z2107 = v_rear_right_thigh * z173;
+    const Scalar z2108 = v_rear_right_thigh * z172;
+    const Scalar z2109 = n0_08 * z1524;
+    const Scalar z2110 = n0_08 * z1528;
+    const Scalar z2111 = n0_08 * z1529;
+    const Scalar z2112 = s_rear_right_thigh * z2111 + c_rear_right_thigh * z2109;
+    const Scalar z2113 = s_rear_right_thigh * z2109 - c_rear_right_thigh * z2111;
+    const Scalar z2114 = v_rear_right_knee * z180;
+    const Scalar z2115 = v_rear_right_knee * z179;
+    const Scalar z2116 = n0_2 * z1539;
+    const Scalar z2117 = n0_2 * z1541;
+    const Scalar z2118 = n0_2 * z1545;
+    const Scalar z2119 = s_rear_right_knee * z2118 + c_rear_right_knee * z2116;
+    const Scalar z2121 = n0_0306 * z1402;
+    const Scalar z2122 = k11 * z1401;
+    const Scalar z2123 = k12 * z1398;
+    const Scalar z2124 = n0_1048 * z1410;
+    const Scalar z2125 = n0_1048 * z1414;
+    const Scalar z2126 = n0_1048 * z1415;
+    const Scalar z2127 = k14 * z1415;
+    const Scalar z2128 = k15 * z1704;
+    const Scalar z2129 = k16 * z1410;
+    const Scalar z2130 = n0_124 * z1425;
+    const Scalar z2131 = n0_124 * z1427;
+    const Scalar z2132 = n0_124 * z1431;
+    const Scalar z2133 = k17 * z1427;
+    const Scalar z2134 = k7 * z1425;
+    const Scalar z2135 = k18 * z1693;
+    const Scalar z2136 = n0_032 * z1675;
+    const Scalar z2137 = n0_032 * z1677;
+    const Scalar z2138 = k19 * z1677;
+    const Scalar z2139 = k3 * z1675;
+    const Scalar z2140 = k20 * z1682;
+    const Scalar z2141 = n0_1048 * z1448;
+    const Scalar z2142 = n0_1048 * z1452;
+    const Scalar z2143 = n0_1048 * z1453;
+    const Scalar z2144 = k14 * z1453;
+    const Scalar z2145 = k15 * z1664;
+    const Scalar z2146 = k16 * z1448;
+    const Scalar z2147 = n0_124 * z1463;
+    const Scalar z2148 = n0_124 * z1465;
+    const Scalar z2149 = n0_124 * z1469;
+    const Scalar z2150 = k17 * z1465;
+    const Scalar z2151 = k7 * z1463;
+    const Scalar z2152 = k18 * z1653;
+    const Scalar z2153 = n0_032 * z1635;
+    const Scalar z2154 = n0_032 * z1637;
+    const Scalar z2155 = k19 * z1637;
+    const Scalar z2156 = k3 * z1635;
+    const Scalar z2157 = k20 * z1642;
+    const Scalar z2158 = n0_1048 * z1486;
+    const Scalar z2159 = n0_1048 * z1490;
+    const Scalar z2160 = n0_1048 * z1491;
+    const Scalar z2161 = k14 * z1491;
+    const Scalar z2162 = k15 * z1624;
+    const Scalar z2163 = k16 * z1486;
+    const Scalar z2164 = n0_124 * z1501;
+    const Scalar z2165 = n0_124 * z1503;
+    const Scalar z2166 = n0_124 * z1507;
+    const Scalar z2167 = k17 * z1503;
+    const Scalar z2168 = k7 * z1501;
+    const Scalar z2169 = k18 * z1613;
+    const Scalar z2170 = n0_032 * z1595;
+    const Scalar z2171 = n0_032 * z1597;
+    const Scalar z2172 = k19 * z1597;
+    const Scalar z2173 = k3 * z1595;
+    const Scalar z2174 = k20 * z1602;
+    const Scalar z2175 = n0_1048 * z1524;
+    const Scalar z2176 = n0_1048 * z1528;
+    const Scalar z2177 = n0_1048 * z1529;
+    const Scalar z2178 = k14 * z1529;
+    const Scalar z2179 = k15 * z1584;
+    const Scalar z2180 = k16 * z1524;
+    const Scalar z2181 = n0_124 * z1539;
+    const Scalar z2182 = n0_124 * z1541;
+    const Scalar z2183 = n0_124 * z1545;
+    const Scalar z2184 = k17 * z1541;
+    const Scalar z2185 = k7 * z1539;
+    const Scalar z2186 = k18 * z1573;
+    const Scalar z2187 = n0_032 * z1555;
+    const Scalar z2188 = n0_032 * z1557;
+    const Scalar z2189 = k19 * z1557;
+    const Scalar z2190 = k3 * z1555;
+    const Scalar z2191 = k20 * z1562;
+    const Scalar z2192 = z2050 + z2190;
+    const Scalar z2193 = k21 * z2192;
+    const Scalar z2194 = n0_032 * z2117 + z2189;
+    const Scalar z2195 = z2190 - k20 * z2193;
+    const Scalar z2196 = k3 * z2115 - z2191;
+    const Scalar z2197 = k22 * z2119 + z2187 - n0_032 * z2193;
+    const Scalar z2198 = n0_032 * z2114 + z2188;
+    const Scalar z2199 = k22 * s_rear_right_knee;
+    const Scalar z2200 = s_rear_right_knee * z2199;
+    const Scalar z2201 = k22 - z2200;
+    const Scalar z2202 = c_rear_right_knee * z2199;
+    const Scalar z2203 = n0_2 * z2201;
+    const Scalar z2204 = n0_2 * z2202;
+    const Scalar z2205 = n0_2 * z2203;
+    const Scalar z2206 = k18 - z2205;
+    const Scalar z2207 = n0_124 - z2203;
+    const Scalar z2208 = s_rear_right_knee * z1565 + c_rear_right_knee * z2197;
+    const Scalar z2209 = s_rear_right_knee * z2197 - c_rear_right_knee * z1565;
+    const Scalar z2210 = z2181 - z2208;
+    const Scalar z2211 = z2182 + z2198;
+    const Scalar z2212 = z2183 - z2209;
+    const Scalar z2213 = s_rear_right_knee * z2196 - c_rear_right_knee * z2194;
+    const Scalar z2214 = s_rear_right_knee * z2194 + c_rear_right_knee * z2196;
+    const Scalar z2215 = z2184 + n0_2 * z2198 - z2213;
+    const Scalar z2216 = z2185 - z2195 - n0_2 * z2208;
+    const Scalar z2217 = z2186 + z2214;
+    const Scalar z2218 = n1 / z2206;
+    const Scalar z2219 = z2049 - z2216;
+    const Scalar z2220 = z2207 * z2218;
+    const Scalar z2221 = z2204 * z2218;
+    const Scalar z2222 = z2201 + z2207 * z2220;
+    const Scalar z2223 = z2202 - z2207 * z2221;
+    const Scalar z2224 = z2200 + z2204 * z2221;
+    const Scalar z2225 = z2218 * z2219;
+    const Scalar z2226 = z970 * z2107 + z971 * z2108 - z973 * z2110 + z2215;
+    const Scalar z2227 = z2206 * z2225 + z2216;
+    const Scalar z2228 = z945 * z2110 - z971 * z2107 + z975 * z2108 - z2217;
+    const Scalar z2229 = z2112 * z2222 - z2113 * z2223 - z2207 * z2225 - z2210;
+    const Scalar z2230 = z945 * z2108 + z973 * z2107 + z2211;
+    const Scalar z2231 = z2112 * z2223 - z2113 * z2224 + z2204 * z2225 - z2212;
+    const Scalar z2232 = z2222 - z2224;
+    const Scalar z2233 = n2 * z2223;
+    const Scalar z2234 = s_rear_right_thigh * z2232 + c_rear_right_thigh * z2233;
+    const Scalar z2235 = s_rear_right_thigh * z2234;
+    const Scalar z2236 = z2224 + z2235;
+    const Scalar z2237 = z2222 - z2235;
+    const Scalar z2238 = c_rear_right_thigh * z2234 - z2223;
+    const Scalar z2239 = n0_08 * z2238;
+    const Scalar z2240 = n0_08 * z2236;
+    const Scalar z2241 = n0_08 * z2237;
+    const Scalar z2242 = z1000 - n0_08 * z2240;
+    const Scalar z2243 = k15 + z2242;
+    const Scalar z2244 = z1001 + n0_08 * z2239;
+    const Scalar z2245 = z999 + n0_08 * z2241;
+    const Scalar z2246 = n0_1048 - z2240;
+    const Scalar z2247 = n0_1048 - z2241;
+    const Scalar z2248 = s_rear_right_thigh * z2231 - c_rear_right_thigh * z2229;
+    const Scalar z2249 = s_rear_right_thigh * z2229 + c_rear_right_thigh * z2231;
+    const Scalar z2250 = z2175 + z2248;
+    const Scalar z2251 = z2176 - z2230;
+    const Scalar z2252 = z2177 - z2249;
+    const Scalar z2253 = s_rear_right_thigh * z2228 + c_rear_right_thigh * z2226;
+    const Scalar z2254 = s_rear_right_thigh * z2226 - c_rear_right_thigh * z2228;
+    const Scalar z2255 = z2178 - n0_08 * z2249 + z2253;
+    const Scalar z2256 = z2179 - z2227;
+    const Scalar z2257 = z2180 + n0_08 * z2248 - z2254;
+    const Scalar z2258 = n1 / z2243;
+    const Scalar z2259 = z2048 + z2255;
+    const Scalar z2260 = z2239 * z2258;
+    const Scalar z2261 = z976 * z2258;
+    const Scalar z2262 = z2244 * z2258;
+    const Scalar z2263 = z2246 * z2258;
+    const Scalar z2264 = z2237 + z2239 * z2260;
+    const Scalar z2265 = z2239 * z2261;
+    const Scalar z2266 = z976 * z2261;
+    const Scalar z2267 = z2239 * z2262 - z2247;
+    const Scalar z2268 = z2238 - z2239 * z2263;
+    const Scalar z2269 = z976 * z2262 + z977;
+    const Scalar z2270 = z976 * z2263;
+    const Scalar z2271 = z2239 - z2246 * z2262;
+    const Scalar z2272 = z2244 * z2262 + z2245;
+    const Scalar z2273 = z2236 + z2246 * z2263;
+    const Scalar z2274 = z2258 * z2259;
+    const Scalar z2275 = z2243 * z2274 - z2255;
+    const Scalar z2276 = k14 * z1522 - z2256;
+    const Scalar z2277 = z1523 * z2272 - z2051 * z2267 + z2105 * z2269 + z2106 * z2271 - z2244 * z2274 - z2257;
+    const Scalar z2278 = z1523 * z2267 - z2051 * z2264 + z2105 * z2265 + z2106 * z2268 - z2239 * z2274 - z2250;
+    const Scalar z2279 = z976 * z2274 - z1523 * z2269 + z2051 * z2265 - z2105 * z2266 + z2106 * z2270 - z2251;
+    const Scalar z2280 = z1523 * z2271 - z2051 * z2268 - z2105 * z2270 + z2106 * z2273 + z2246 * z2274 - z2252;
+    const Scalar z2281 = k14 - z2272;
+    const Scalar z2282 = s_rear_right_hip * z2281;
+    const Scalar z2283 = s_rear_right_hip * z2282;
+    const Scalar z2284 = k14 - z2283;
+    const Scalar z2285 = z2272 + z2283;
+    const Scalar z2286 = c_rear_right_hip * z2282;
+    const Scalar z2287 = s_rear_right_hip * z2271 + c_rear_right_hip * z2269;
+    const Scalar z2288 = s_rear_right_hip * z2287;
+    const Scalar z2289 = s_rear_right_hip * z2267;
+    const Scalar z2290 = c_rear_right_hip * z2267;
+    const Scalar z2291 = z2271 - z2288;
+    const Scalar z2292 = c_rear_right_hip * z2287 - z2269;
+    const Scalar z2293 = c_rear_right_hip * z2287;
+    const Scalar z2294 = z2266 - z2273;
+    const Scalar z2295 = n2 * z2270;
+    const Scalar z2296 = s_rear_right_hip * z2294 + c_rear_right_hip * z2295;
+    const Scalar z2297 = s_rear_right_hip * z2296;
+    const Scalar z2298 = s_rear_right_hip * z2268 + c_rear_right_hip * z2265;
+    const Scalar z2299 = s_rear_right_hip * z2265 - c_rear_right_hip * z2268;
+    const Scalar z2300 = z2266 - z2297;
+    const Scalar z2301 = z2273 + z2297;
+    const Scalar z2302 = c_rear_right_hip * z2296 - z2270;
+    const Scalar z2303 = n0_05 * z2299;
+    const Scalar z2304 = n0_05 * z2302;
+    const Scalar z2305 = n0_05 * z2301;
+    const Scalar z2306 = z2289 - n0_2 * z2299;
+    const Scalar z2307 = z2288 - n0_2 * z2302;
+    const Scalar z2308 = z2292 + n0_2 * z2301;
+    const Scalar z2309 = n0_05 * z2264 + z2290 - n0_2 * z2298;
+    const Scalar z2310 = z2293 + n0_05 * z2298 - n0_2 * z2300;
+    const Scalar z2311 = z2291 - n0_05 * z2299 + n0_2 * z2302;
+    const Scalar z2312 = n0_05 * z2305;
+    const Scalar z2313 = n0_0406 - z2312;
+    const Scalar z2314 = n0_05 * z2292 + n0_2 * z2305;
+    const Scalar z2315 = n0_2 * (z2292 + z2308) + z2284;
+    const Scalar z2316 = k24 - z2315;
+    const Scalar z2317 = n0_05 * (z2291 - z2303) + n0_2 * z2304;
+    const Scalar z2318 = -n0_2 * (z2291 - z2307) + z2286 - n0_05 * z2306;
+    const Scalar z2319 = n0_05 * (z2290 + z2309) - n0_2 * (z2293 + z2310) + z2285;
+    const Scalar z2320 = k25 - z2319;
+    const Scalar z2321 = n12_24 - z2264;
+    const Scalar z2322 = n12_24 - z2300;
+    const Scalar z2323 = n12_24 - z2301;
+    const Scalar z2324 = s_rear_right_hip * z2280 - c_rear_right_hip * z2279;
+    const Scalar z2325 = s_rear_right_hip * z2279 + c_rear_right_hip * z2280;
+    const Scalar z2326 = s_rear_right_hip * z2277 - c_rear_right_hip * z2276;
+    const Scalar z2327 = s_rear_right_hip * z2276 + c_rear_right_hip * z2277;
+    const Scalar z2328 = z2121 + z2275 + n0_05 * z2325;
+    const Scalar z2329 = z2122 + n0_2 * z2325 + z2326;
+    const Scalar z2330 = z2123 + n0_05 * z2278 - n0_2 * z2324 + z2327;
+    const Scalar z2331 = z2047 + z2173;
+    const Scalar z2332 = k21 * z2331;
+    const Scalar z2333 = n0_032 * z2101 + z2172;
+    const Scalar z2334 = z2173 - k20 * z2332;
+    const Scalar z2335 = k3 * z2099 - z2174;
+    const Scalar z2336 = k22 * z2103 + z2170 - n0_032 * z2332;
+    const Scalar z2337 = n0_032 * z2098 + z2171;
+    const Scalar z2338 = k22 * s_rear_left_knee;
+    const Scalar z2339 = s_rear_left_knee * z2338;
+    const Scalar z2340 = k22 - z2339;
+    const Scalar z2341 = c_rear_left_knee * z2338;
+    const Scalar z2342 = n0_2 * z2340;
+    const Scalar z2343 = n0_2 * z2341;
+    const Scalar z2344 = n0_2 * z2342;
+    const Scalar z2345 = k18 - z2344;
+    const Scalar z2346 = n0_124 - z2342;
+    const Scalar z2347 = s_rear_left_knee * z1605 + c_rear_left_knee * z2336;
+    const Scalar z2348 = s_rear_left_knee * z2336 - c_rear_left_knee * z1605;
+    const Scalar z2349 = z2164 - z2347;
+    const Scalar z2350 = z2165 + z2337;
+    const Scalar z2351 = z2166 - z2348;
+    const Scalar z2352 = s_rear_left_knee * z2335 - c_rear_left_knee * z2333;
+    const Scalar z2353 = s_rear_left_knee * z2333 + c_rear_left_knee * z2335;
+    const Scalar z2354 = z2167 + n0_2 * z2337 - z2352;
+    const Scalar z2355 = z2168 - z2334 - n0_2 * z2347;
+    const Scalar z2356 = z2169 + z2353;
+    const Scalar z2357 = n1 / z2345;
+    const Scalar z2358 = z2046 - z2355;
+    const Scalar z2359 = z2346 * z2357;
+    const Scalar z2360 = z2343 * z2357;
+    const Scalar z2361 = z2340 + z2346 * z2359;
+    const Scalar z2362 = z2341 - z2346 * z2360;
+    const Scalar z2363 = z2339 + z2343 * z2360;
+    const Scalar z2364 = z2357 * z2358;
+    const Scalar z2365 = z1060 * z2091 + z1061 * z2092 + z1063 * z2094 + z2354;
+    const Scalar z2366 = z2345 * z2364 + z2355;
+    const Scalar z2367 = z1035 * z2094 + z1061 * z2091 - z1065 * z2092 + z2356;
+    const Scalar z2368 = z2096 * z2361 - z2097 * z2362 + z2346 * z2364 + z2349;
+    const Scalar z2369 = z1035 * z2092 + z1063 * z2091 + z2350;
+    const Scalar z2370 = z2096 * z2362 - z2097 * z2363 - z2343 * z2364 + z2351;
+    const Scalar z2371 = z2361 - z2363;
+    const Scalar z2372 = n2 * z2362;
+    const Scalar z2373 = s_rear_left_thigh * z2371 + c_rear_left_thigh * z2372;
+    const Scalar z2374 = s_rear_left_thigh * z2373;
+    const Scalar z2375 = z2363 + z2374;
+    const Scalar z2376 = z2361 - z2374;
+    const Scalar z2377 = c_rear_left_thigh * z2373 - z2362;
+    const Scalar z2378 = n0_08 * z2377;
+    const Scalar z2379 = n0_08 * z2375;
+    const Scalar z2380 = n0_08 * z2376;
+    const Scalar z2381 = z1090 - n0_08 * z2379;
+    const Scalar z2382 = k15 + z2381;
+    const Scalar z2383 = z1091 + n0_08 * z2378;
+    const Scalar z2384 = z1089 + n0_08 * z2380;
+    const Scalar z2385 = n0_1048 - z2379;
+    const Scalar z2386 = n0_1048 - z2380;
+    const Scalar z2387 = s_rear_left_thigh * z2370 - c_rear_left_thigh * z2368;
+    const Scalar z2388 = s_rear_left_thigh * z2368 + c_rear_left_thigh * z2370;
+    const Scalar z2389 = z2158 + z2387;
+    const Scalar z2390 = z2159 + z2369;
+    const Scalar z2391 = z2160 - z2388;
+    const Scalar z2392 = s_rear_left_thigh * z2367 - c_rear_left_thigh * z2365;
+    const Scalar z2393 = s_rear_left_thigh * z2365 + c_rear_left_thigh * z2367;
+    const Scalar z2394 = z2161 - n0_08 * z2388 - z2392;
+    const Scalar z2395 = z2162 - z2366;
+    const Scalar z2396 = z2163 + n0_08 * z2387 - z2393;
+    const Scalar z2397 = n1 / z2382;
+    const Scalar z2398 = z2045 + z2394;
+    const Scalar z2399 = z2378 * z2397;
+    const Scalar z2400 = z1066 * z2397;
+    const Scalar z2401 = z2383 * z2397;
+    const Scalar z2402 = z2385 * z2397;
+    const Scalar z2403 = z2376 + z2378 * z2399;
+    const Scalar z2404 = z2378 * z2400;
+    const Scalar z2405 = z1066 * z2400;
+    const Scalar z2406 = z2378 * z2401 - z2386;
+    const Scalar z2407 = z2377 - z2378 * z2402;
+    const Scalar z2408 = z1066 * z2401 + z1067;
+    const Scalar z2409 = z1066 * z2402;
+    const Scalar z2410 = z2378 - z2385 * z2401;
+    const Scalar z2411 = z2383 * z2401 + z2384;
+    const Scalar z2412 = z2375 + z2385 * z2402;
+    const Scalar z2413 = z2397 * z2398;
+    const Scalar z2414 = z2382 * z2413 - z2394;
+    const Scalar z2415 = k14 * z1484 - z2395;
+    const Scalar z2416 = z1485 * z2411 + z2070 * z2406 + z2089 * z2408 - z2090 * z2410 - z2383 * z2413 - z2396;
+    const Scalar z2417 = z1485 * z2406 + z2070 * z2403 + z2089 * z2404 - z2090 * z2407 - z2378 * z2413 - z2389;
+    const Scalar z2418 = z1066 * z2413 - z1485 * z2408 - z2070 * z2404 - z2089 * z2405 - z2090 * z2409 + z2390;
+    const Scalar z2419 = z1485 * z2410 + z2070 * z2407 - z2089 * z2409 - z2090 * z2412 + z2385 * z2413 - z2391;
+    const Scalar z2420 = k14 - z2411;
+    const Scalar z2421 = s_rear_left_hip * z2420;
+    const Scalar z2422 = s_rear_left_hip * z2421;
+    const Scalar z2423 = k14 - z2422;
+    const Scalar z2424 = z2411 + z2422;
+    const Scalar z2425 = c_rear_left_hip * z2421;
+    const Scalar z2426 = s_rear_left_hip * z2410 - c_rear_left_hip * z2408;
+    const Scalar z2427 = s_rear_left_hip * z2426;
+    const Scalar z2428 = s_rear_left_hip * z2406;
+    const Scalar z2429 = c_rear_left_hip * z2406;
+    const Scalar z2430 = z2410 - z2427;
+    const Scalar z2431 = c_rear_left_hip * z2426 + z2408;
+    const Scalar z2432 = c_rear_left_hip * z2426;
+    const Scalar z2433 = z2405 - z2412;
+    const Scalar z2434 = n2 * z2409;
+    const Scalar z2435 = s_rear_left_hip * z2433 - c_rear_left_hip * z2434;
+    const Scalar z2436 = s_rear_left_hip * z2435;
+    const Scalar z2437 = s_rear_left_hip * z2407 - c_rear_left_hip * z2404;
+    const Scalar z2438 = s_rear_left_hip * z2404 + c_rear_left_hip * z2407;
+    const Scalar z2439 = z2405 - z2436;
+    const Scalar z2440 = z2412 + z2436;
+    const Scalar z2441 = c_rear_left_hip * z2435 + z2409;
+    const Scalar z2442 = n0_05 * z2438;
+    const Scalar z2443 = n0_05 * z2441;
+    const Scalar z2444 = n0_05 * z2440;
+    const Scalar z2445 = z2428 - n0_2 * z2438;
+    const Scalar z2446 = z2427 + n0_2 * z2441;
+    const Scalar z2447 = z2431 - n0_2 * z2440;
+    const Scalar z2448 = n0_05 * z2403 + z2429 + n0_2 * z2437;
+    const Scalar z2449 = z2432 + n0_05 * z2437 + n0_2 * z2439;
+    const Scalar z2450 = z2430 + n0_05 * z2438 - n0_2 * z2441;
+    const Scalar z2451 = n0_05 * z2444;
+    const Scalar z2452 = z2313 - z2451;
+    const Scalar z2453 = n0_05 * z2431 - n0_2 * z2444;
+    const Scalar z2454 = z2314 + z2453;
+    const Scalar z2455 = -n0_2 * (z2431 + z2447) + z2423;
+    const Scalar z2456 = z2316 - z2455;
+    const Scalar z2457 = n0_05 * (z2430 + z2442) - n0_2 * z2443;
+    const Scalar z2458 = z2317 + z2457;
+    const Scalar z2459 = n0_2 * (z2430 - z2446) + z2425 - n0_05 * z2445;
+    const Scalar z2460 = z2318 + z2459;
+    const Scalar z2461 = n0_05 * (z2429 + z2448) + n0_2 * (z2432 + z2449) + z2424;
+    const Scalar z2462 = z2320 - z2461;
+    const Scalar z2463 = z2303 + z2442;
+    const Scalar z2464 = z2304 - z2443;
+    const Scalar z2465 = z2305 - z2444;
+    const Scalar z2466 = z2306 - z2445;
+    const Scalar z2467 = z2307 - z2446;
+    const Scalar z2468 = z2308 - z2447;
+    const Scalar z2469 = z2309 - z2448;
+    const Scalar z2470 = z2310 - z2449;
+    const Scalar z2471 = z2311 - z2450;
+    const Scalar z2472 = z2321 - z2403;
+    const Scalar z2473 = z2298 + z2437;
+    const Scalar z2474 = z2299 - z2438;
+    const Scalar z2475 = z2322 - z2439;
+    const Scalar z2476 = z2302 + z2441;
+    const Scalar z2477 = z2323 - z2440;
+    const Scalar z2478 = s_rear_left_hip * z2419 + c_rear_left_hip * z2418;
+    const Scalar z2479 = s_rear_left_hip * z2418 - c_rear_left_hip * z2419;
+    const Scalar z2480 = z2278 - z2417;
+    const Scalar z2481 = z2324 - z2478;
+    const Scalar z2482 = z2325 + z2479;
+    const Scalar z2483 = s_rear_left_hip * z2416 - c_rear_left_hip * z2415;
+    const Scalar z2484 = s_rear_left_hip * z2415 + c_rear_left_hip * z2416;
+    const Scalar z2485 = z2328 + z2414 - n0_05 * z2479;
+    const Scalar z2486 = z2329 + n0_2 * z2479 + z2483;
+    const Scalar z2487 = z2330 + n0_05 * z2417 + n0_2 * z2478 + z2484;
+    const Scalar z2488 = z2044 + z2156;
+    const Scalar z2489 = k21 * z2488;
+    const Scalar z2490 = n0_032 * z2085 + z2155;
+    const Scalar z2491 = z2156 - k20 * z2489;
+    const Scalar z2492 = k3 * z2083 - z2157;
+    const Scalar z2493 = k22 * z2087 + z2153 - n0_032 * z2489;
+    const Scalar z2494 = n0_032 * z2082 + z2154;
+    const Scalar z2495 = k22 * s_front_right_knee;
+    const Scalar z2496 = s_front_right_knee * z2495;
+    const Scalar z2497 = k22 - z2496;
+    const Scalar z2498 = c_front_right_knee * z2495;
+    const Scalar z2499 = n0_2 * z2497;
+    const Scalar z2500 = n0_2 * z2498;
+    const Scalar z2501 = n0_2 * z2499;
+    const Scalar z2502 = k18 - z2501;
+    const Scalar z2503 = n0_124 - z2499;
+    const Scalar z2504 = s_front_right_knee * z1645 + c_front_right_knee * z2493;
+    const Scalar z2505 = s_front_right_knee * z2493 - c_front_right_knee * z1645;
+    const Scalar z2506 = z2147 - z2504;
+    const Scalar z2507 = z2148 + z2494;
+    const Scalar z2508 = z2149 - z2505;
+    const Scalar z2509 = s_front_right_knee * z2492 - c_front_right_knee * z2490;
+    const Scalar z2510 = s_front_right_knee * z2490 + c_front_right_knee * z2492;
+    const Scalar z2511 = z2150 + n0_2 * z2494 - z2509;
+    const Scalar z2512 = z2151 - z2491 - n0_2 * z2504;
+    const Scalar z2513 = z2152 + z2510;
+    const Scalar z2514 = n1 / z2502;
+    const Scalar z2515 = z2043 - z2512;
+    const Scalar z2516 = z2503 * z2514;
+    const Scalar z2517 = z2500 * z2514;
+    const Scalar z2518 = z2497 + z2503 * z2516;
+    const Scalar z2519 = z2498 - z2503 * z2517;
+    const Scalar z2520 = z2496 + z2500 * z2517;
+    const Scalar z2521 = z2514 * z2515;
+    const Scalar z2522 = z1156 * z2075 + z1157 * z2076 - z1159 * z2078 + z2511;
+    const Scalar z2523 = z2502 * z2521 + z2512;
+    const Scalar z2524 = z1131 * z2078 - z1157 * z2075 + z1161 * z2076 - z2513;
+    const Scalar z2525 = z2080 * z2518 - z2081 * z2519 - z2503 * z2521 - z2506;
+    const Scalar z2526 = z1131 * z2076 + z1159 * z2075 + z2507;
+    const Scalar z2527 = z2080 * z2519 - z2081 * z2520 + z2500 * z2521 - z2508;
+    const Scalar z2528 = z2518 - z2520;
+    const Scalar z2529 = n2 * z2519;
+    const Scalar z2530 = s_front_right_thigh * z2528 + c_front_right_thigh * z2529;
+    const Scalar z2531 = s_front_right_thigh * z2530;
+    const Scalar z2532 = z2520 + z2531;
+    const Scalar z2533 = z2518 - z2531;
+    const Scalar z2534 = c_front_right_thigh * z2530 - z2519;
+    const Scalar z2535 = n0_08 * z2534;
+    const Scalar z2536 = n0_08 * z2532;
+    const Scalar z2537 = n0_08 * z2533;
+    const Scalar z2538 = z1186 - n0_08 * z2536;
+    const Scalar z2539 = k15 + z2538;
+    const Scalar z2540 = z1187 + n0_08 * z2535;
+    const Scalar z2541 = z1185 + n0_08 * z2537;
+    const Scalar z2542 = n0_1048 - z2536;
+    const Scalar z2543 = n0_1048 - z2537;
+    const Scalar z2544 = s_front_right_thigh * z2527 - c_front_right_thigh * z2525;
+    const Scalar z2545 = s_front_right_thigh * z2525 + c_front_right_thigh * z2527;
+    const Scalar z2546 = z2141 + z2544;
+    const Scalar z2547 = z2142 - z2526;
+    const Scalar z2548 = z2143 - z2545;
+    const Scalar z2549 = s_front_right_thigh * z2524 + c_front_right_thigh * z2522;
+    const Scalar z2550 = s_front_right_thigh * z2522 - c_front_right_thigh * z2524;
+    const Scalar z2551 = z2144 - n0_08 * z2545 + z2549;
+    const Scalar z2552 = z2145 - z2523;
+    const Scalar z2553 = z2146 + n0_08 * z2544 - z2550;
+    const Scalar z2554 = n1 / z2539;
+    const Scalar z2555 = z2042 + z2551;
+    const Scalar z2556 = z2535 * z2554;
+    const Scalar z2557 = z1162 * z2554;
+    const Scalar z2558 = z2540 * z2554;
+    const Scalar z2559 = z2542 * z2554;
+    const Scalar z2560 = z2533 + z2535 * z2556;
+    const Scalar z2561 = z2535 * z2557;
+    const Scalar z2562 = z1162 * z2557;
+    const Scalar z2563 = z2535 * z2558 - z2543;
+    const Scalar z2564 = z2534 - z2535 * z2559;
+    const Scalar z2565 = z1162 * z2558 + z1163;
+    const Scalar z2566 = z1162 * z2559;
+    const Scalar z2567 = z2535 - z2542 * z2558;
+    const Scalar z2568 = z2540 * z2558 + z2541;
+    const Scalar z2569 = z2532 + z2542 * z2559;
+    const Scalar z2570 = z2554 * z2555;
+    const Scalar z2571 = z2539 * z2570 - z2551;
+    const Scalar z2572 = k14 * z1446 - z2552;
+    const Scalar z2573 = z1447 * z2568 + z2070 * z2563 - z2073 * z2565 - z2074 * z2567 - z2540 * z2570 - z2553;
+    const Scalar z2574 = z1447 * z2563 + z2070 * z2560 - z2073 * z2561 - z2074 * z2564 - z2535 * z2570 - z2546;
+    const Scalar z2575 = z1162 * z2570 - z1447 * z2565 - z2070 * z2561 + z2073 * z2562 - z2074 * z2566 - z2547;
+    const Scalar z2576 = z1447 * z2567 + z2070 * z2564 + z2073 * z2566 - z2074 * z2569 + z2542 * z2570 - z2548;
+    const Scalar z2577 = k14 - z2568;
+    const Scalar z2578 = s_front_right_hip * z2577;
+    const Scalar z2579 = s_front_right_hip * z2578;
+    const Scalar z2580 = k14 - z2579;
+    const Scalar z2581 = z2568 + z2579;
+    const Scalar z2582 = c_front_right_hip * z2578;
+    const Scalar z2583 = s_front_right_hip * z2567 + c_front_right_hip * z2565;
+    const Scalar z2584 = s_front_right_hip * z2583;
+    const Scalar z2585 = s_front_right_hip * z2563;
+    const Scalar z2586 = c_front_right_hip * z2563;
+    const Scalar z2587 = z2567 - z2584;
+    const Scalar z2588 = c_front_right_hip * z2583 - z2565;
+    const Scalar z2589 = c_front_right_hip * z2583;
+    const Scalar z2590 = z2562 - z2569;
+    const Scalar z2591 = n2 * z2566;
+    const Scalar z2592 = s_front_right_hip * z2590 + c_front_right_hip * z2591;
+    const Scalar z2593 = s_front_right_hip * z2592;
+    const Scalar z2594 = s_front_right_hip * z2564 + c_front_right_hip * z2561;
+    const Scalar z2595 = s_front_right_hip * z2561 - c_front_right_hip * z2564;
+    const Scalar z2596 = z2562 - z2593;
+    const Scalar z2597 = z2569 + z2593;
+    const Scalar z2598 = c_front_right_hip * z2592 - z2566;
+    const Scalar z2599 = n0_05 * z2595;
+    const Scalar z2600 = n0_05 * z2598;
+    const Scalar z2601 = n0_05 * z2597;
+    const Scalar z2602 = z2585 + n0_2 * z2595;
+    const Scalar z2603 = z2584 + n0_2 * z2598;
+    const Scalar z2604 = z2588 - n0_2 * z2597;
+    const Scalar z2605 = n0_05 * z2560 + z2586 + n0_2 * z2594;
+    const Scalar z2606 = z2589 + n0_05 * z2594 + n0_2 * z2596;
+    const Scalar z2607 = z2587 - n0_05 * z2595 - n0_2 * z2598;
+    const Scalar z2608 = n0_05 * z2601;
+    const Scalar z2609 = z2452 - z2608;
+    const Scalar z2610 = n0_05 * z2588 - n0_2 * z2601;
+    const Scalar z2611 = z2454 + z2610;
+    const Scalar z2612 = -n0_2 * (z2588 + z2604) + z2580;
+    const Scalar z2613 = z2456 - z2612;
+    const Scalar z2614 = n0_05 * (z2587 - z2599) - n0_2 * z2600;
+    const Scalar z2615 = z2458 + z2614;
+    const Scalar z2616 = n0_2 * (z2587 - z2603) + z2582 - n0_05 * z2602;
+    const Scalar z2617 = z2460 + z2616;
+    const Scalar z2618 = n0_05 * (z2586 + z2605) + n0_2 * (z2589 + z2606) + z2581;
+    const Scalar z2619 = z2462 - z2618;
+    const Scalar z2620 = z2463 + z2599;
+    const Scalar z2621 = z2464 + z2600;
+    const Scalar z2622 = z2465 + z2601;
+    const Scalar z2623 = z2466 + z2602;
+    const Scalar z2624 = z2467 + z2603;
+    const Scalar z2625 = z2468 + z2604;
+    const Scalar z2626 = z2469 + z2605;
+    const Scalar z2627 = z2470 + z2606;
+    const Scalar z2628 = z2471 + z2607;
+    const Scalar z2629 = z2472 - z2560;
+    const Scalar z2630 = z2473 + z2594;
+    const Scalar z2631 = z2474 + z2595;
+    const Scalar z2632 = z2475 - z2596;
+    const Scalar z2633 = z2476 + z2598;
+    const Scalar z2634 = z2477 - z2597;
+    const Scalar z2635 = s_front_right_hip * z2576 - c_front_right_hip * z2575;
+    const Scalar z2636 = s_front_right_hip * z2575 + c_front_right_hip * z2576;
+    const Scalar z2637 = z2480 + z2574;
+    const Scalar z2638 = z2481 + z2635;
+    const Scalar z2639 = z2482 + z2636;
+    const Scalar z2640 = s_front_right_hip * z2573 - c_front_right_hip * z2572;
+    const Scalar z2641 = s_front_right_hip * z2572 + c_front_right_hip * z2573;
+    const Scalar z2642 = z2485 + z2571 + n0_05 * z2636;
+    const Scalar z2643 = z2486 - n0_2 * z2636 + z2640;
+    const Scalar z2644 = z2487 + n0_05 * z2574 + n0_2 * z2635 + z2641;
+    const Scalar z2645 = z2041 + z2139;
+    const Scalar z2646 = k21 * z2645;
+    const Scalar z2647 = n0_032 * z2066 + z2138;
+    const Scalar z2648 = z2139 - k20 * z2646;
+    const Scalar z2649 = k3 * z2064 - z2140;
+    const Scalar z2650 = k22 * z2068 + z2136 - n0_032 * z2646;
+    const Scalar z2651 = n0_032 * z2063 + z2137;
+    const Scalar z2652 = k22 * s_front_left_knee;
+    const Scalar z2653 = s_front_left_knee * z2652;
+    const Scalar z2654 = k22 - z2653;
+    const Scalar z2655 = c_front_left_knee * z2652;
+    const Scalar z2656 = n0_2 * z2654;
+    const Scalar z2657 = n0_2 * z2655;
+    const Scalar z2658 = n0_2 * z2656;
+    const Scalar z2659 = k18 - z2658;
+    const Scalar z2660 = n0_124 - z2656;
+    const Scalar z2661 = s_front_left_knee * z1685 + c_front_left_knee * z2650;
+    const Scalar z2662 = s_front_left_knee * z2650 - c_front_left_knee * z1685;
+    const Scalar z2663 = z2130 - z2661;
+    const Scalar z2664 = z2131 + z2651;
+    const Scalar z2665 = z2132 - z2662;
+    const Scalar z2666 = s_front_left_knee * z2649 - c_front_left_knee * z2647;
+    const Scalar z2667 = s_front_left_knee * z2647 + c_front_left_knee * z2649;
+    const Scalar z2668 = z2133 + n0_2 * z2651 - z2666;
+    const Scalar z2669 = z2134 - z2648 - n0_2 * z2661;
+    const Scalar z2670 = z2135 + z2667;
+    const Scalar z2671 = n1 / z2659;
+    const Scalar z2672 = z2040 - z2669;
+    const Scalar z2673 = z2660 * z2671;
+    const Scalar z2674 = z2657 * z2671;
+    const Scalar z2675 = z2654 + z2660 * z2673;
+    const Scalar z2676 = z2655 - z2660 * z2674;
+    const Scalar z2677 = z2653 + z2657 * z2674;
+    const Scalar z2678 = z2671 * z2672;
+    const Scalar z2679 = z1252 * z2056 + z1253 * z2057 + z1255 * z2059 + z2668;
+    const Scalar z2680 = z2659 * z2678 + z2669;
+    const Scalar z2681 = z1227 * z2059 + z1253 * z2056 - z1257 * z2057 + z2670;
+    const Scalar z2682 = z2061 * z2675 - z2062 * z2676 + z2660 * z2678 + z2663;
+    const Scalar z2683 = z1227 * z2057 + z1255 * z2056 + z2664;
+    const Scalar z2684 = z2061 * z2676 - z2062 * z2677 - z2657 * z2678 + z2665;
+    const Scalar z2685 = z2675 - z2677;
+    const Scalar z2686 = n2 * z2676;
+    const Scalar z2687 = s_front_left_thigh * z2685 + c_front_left_thigh * z2686;
+    const Scalar z2688 = s_front_left_thigh * z2687;
+    const Scalar z2689 = z2677 + z2688;
+    const Scalar z2690 = z2675 - z2688;
+    const Scalar z2691 = c_front_left_thigh * z2687 - z2676;
+    const Scalar z2692 = n0_08 * z2691;
+    const Scalar z2693 = n0_08 * z2689;
+    const Scalar z2694 = n0_08 * z2690;
+    const Scalar z2695 = z1282 - n0_08 * z2693;
+    const Scalar z2696 = k15 + z2695;
+    const Scalar z2697 = z1283 + n0_08 * z2692;
+    const Scalar z2698 = z1281 + n0_08 * z2694;
+    const Scalar z2699 = n0_1048 - z2693;
+    const Scalar z2700 = n0_1048 - z2694;
+    const Scalar z2701 = s_front_left_thigh * z2684 - c_front_left_thigh * z2682;
+    const Scalar z2702 = s_front_left_thigh * z2682 + c_front_left_thigh * z2684;
+    const Scalar z2703 = z2124 + z2701;
+    const Scalar z2704 = z2125 + z2683;
+    const Scalar z2705 = z2126 - z2702;
+    const Scalar z2706 = s_front_left_thigh * z2681 - c_front_left_thigh * z2679;
+    const Scalar z2707 = s_front_left_thigh * z2679 + c_front_left_thigh * z2681;
+    const Scalar z2708 = z2127 - n0_08 * z2702 - z2706;
+    const Scalar z2709 = z2128 - z2680;
+    const Scalar z2710 = z2129 + n0_08 * z2701 - z2707;
+    const Scalar z2711 = n1 / z2696;
+    const Scalar z2712 = z2039 + z2708;
+    const Scalar z2713 = z2692 * z2711;
+    const Scalar z2714 = z1258 * z2711;
+    const Scalar z2715 = z2697 * z2711;
+    const Scalar z2716 = z2699 * z2711;
+    const Scalar z2717 = z2690 + z2692 * z2713;
+    const Scalar z2718 = z2692 * z2714;
+    const Scalar z2719 = z1258 * z2714;
+    const Scalar z2720 = z2692 * z2715 - z2700;
+    const Scalar z2721 = z2691 - z2692 * z2716;
+    const Scalar z2722 = z1258 * z2715 + z1259;
+    const Scalar z2723 = z1258 * z2716;
+    const Scalar z2724 = z2692 - z2699 * z2715;
+    const Scalar z2725 = z2697 * z2715 + z2698;
+    const Scalar z2726 = z2689 + z2699 * z2716;
+    const Scalar z2727 = z2711 * z2712;
+    const Scalar z2728 = z2696 * z2727 - z2708;
+    const Scalar z2729 = k14 * z1408 - z2709;
+    const Scalar z2730 = z1409 * z2725 - z2051 * z2720 - z2054 * z2722 + z2055 * z2724 - z2697 * z2727 - z2710;
+    const Scalar z2731 = z1409 * z2720 - z2051 * z2717 - z2054 * z2718 + z2055 * z2721 - z2692 * z2727 - z2703;
+    const Scalar z2732 = z1258 * z2727 - z1409 * z2722 + z2051 * z2718 + z2054 * z2719 + z2055 * z2723 + z2704;
+    const Scalar z2733 = z1409 * z2724 - z2051 * z2721 + z2054 * z2723 + z2055 * z2726 + z2699 * z2727 - z2705;
+    const Scalar z2734 = k14 - z2725;
+    const Scalar z2735 = s_front_left_hip * z2734;
+    const Scalar z2736 = s_front_left_hip * z2735;
+    const Scalar z2737 = k14 - z2736;
+    const Scalar z2738 = z2725 + z2736;
+    const Scalar z2739 = c_front_left_hip * z2735;
+    const Scalar z2740 = s_front_left_hip * z2724 - c_front_left_hip * z2722;
+    const Scalar z2741 = s_front_left_hip * z2740;
+    const Scalar z2742 = s_front_left_hip * z2720;
+    const Scalar z2743 = c_front_left_hip * z2720;
+    const Scalar z2744 = z2724 - z2741;
+    const Scalar z2745 = c_front_left_hip * z2740 + z2722;
+    const Scalar z2746 = c_front_left_hip * z2740;
+    const Scalar z2747 = z2719 - z2726;
+    const Scalar z2748 = n2 * z2723;
+    const Scalar z2749 = s_front_left_hip * z2747 - c_front_left_hip * z2748;
+    const Scalar z2750 = s_front_left_hip * z2749;
+    const Scalar z2751 = s_front_left_hip * z2721 - c_front_left_hip * z2718;
+    const Scalar z2752 = s_front_left_hip * z2718 + c_front_left_hip * z2721;
+    const Scalar z2753 = z2719 - z2750;
+    const Scalar z2754 = z2726 + z2750;
+    const Scalar z2755 = c_front_left_hip * z2749 + z2723;
+    const Scalar z2756 = n0_05 * z2752;
+    const Scalar z2757 = n0_05 * z2755;
+    const Scalar z2758 = n0_05 * z2754;
+    const Scalar z2759 = z2742 + n0_2 * z2752;
+    const Scalar z2760 = z2741 - n0_2 * z2755;
+    const Scalar z2761 = z2745 + n0_2 * z2754;
+    const Scalar z2762 = n0_05 * z2717 + z2743 - n0_2 * z2751;
+    const Scalar z2763 = z2746 + n0_05 * z2751 - n0_2 * z2753;
+    const Scalar z2764 = z2744 + n0_05 * z2752 + n0_2 * z2755;
+    const Scalar z2765 = n0_05 * z2758;
+    const Scalar z2766 = z2609 - z2765;
+    const Scalar z2767 = n0_05 * z2745 + n0_2 * z2758;
+    const Scalar z2768 = z2611 + z2767;
+    const Scalar z2769 = n0_2 * (z2745 + z2761) + z2737;
+    const Scalar z2770 = z2613 - z2769;
+    const Scalar z2771 = n0_05 * (z2744 + z2756) + n0_2 * z2757;
+    const Scalar z2772 = z2615 + z2771;
+    const Scalar z2773 = -n0_2 * (z2744 - z2760) + z2739 - n0_05 * z2759;
+    const Scalar z2774 = z2617 + z2773;
+    const Scalar z2775 = n0_05 * (z2743 + z2762) - n0_2 * (z2746 + z2763) + z2738;
+    const Scalar z2776 = z2619 - z2775;
+    const Scalar z2777 = z2620 + z2756;
+    const Scalar z2778 = z2621 - z2757;
+    const Scalar z2779 = z2622 - z2758;
+    const Scalar z2780 = z2623 - z2759;
+    const Scalar z2781 = z2624 - z2760;
+    const Scalar z2782 = z2625 - z2761;
+    const Scalar z2783 = z2626 - z2762;
+    const Scalar z2784 = z2627 - z2763;
+    const Scalar z2785 = z2628 - z2764;
+    const Scalar z2786 = z2629 - z2717;
+    const Scalar z2787 = z2630 + z2751;
+    const Scalar z2788 = z2631 - z2752;
+    const Scalar z2789 = z2632 - z2753;
+    const Scalar z2790 = z2633 + z2755;
+    const Scalar z2791 = z2634 - z2754;
+    const Scalar z2792 = s_front_left_hip * z2733 + c_front_left_hip * z2732;
+    const Scalar z2793 = s_front_left_hip * z2732 - c_front_left_hip * z2733;
+    const Scalar z2794 = z2637 - z2731;
+    const Scalar z2795 = z2638 - z2792;
+    const Scalar z2796 = z2639 + z2793;
+    const Scalar z2797 = s_front_left_hip * z2730 - c_front_left_hip * z2729;
+    const Scalar z2798 = s_front_left_hip * z2729 + c_front_left_hip * z2730;
+    const Scalar z2799 = z2642 + z2728 - n0_05 * z2793;
+    const Scalar z2800 = z2643 - n0_2 * z2793 + z2797;
+    const Scalar z2801 = z2644 + n0_05 * z2731 - n0_2 * z2792 + z2798;
+    const Scalar z2802 = n1 / z2776;
+    const Scalar z2803 = z2772 * z2802;
+    const Scalar z2804 = z2783 * z2802;
+    const Scalar z2805 = z2774 * z2802;
+    const Scalar z2806 = z2784 * z2802;
+    const Scalar z2807 = z2785 * z2802;
+    const Scalar z2808 = z2777 - z2783 * z2803;
+    const Scalar z2809 = z2766 - z2772 * z2803;
+    const Scalar z2810 = z2783 * z2804 - z2786;
+    const Scalar z2811 = z2778 - z2784 * z2803;
+    const Scalar z2812 = z2779 + z2785 * z2803;
+    const Scalar z2813 = z2780 - z2783 * z2805;
+    const Scalar z2814 = z2768 - z2772 * z2805;
+    const Scalar z2815 = z2783 * z2806 + z2787;
+    const Scalar z2816 = z2781 - z2784 * z2805;
+    const Scalar z2817 = z2770 - z2774 * z2805;
+    const Scalar z2818 = z2784 * z2806 - z2789;
+    const Scalar z2819 = z2782 - z2785 * z2805;
+    const Scalar z2820 = z2783 * z2807 - z2788;
+    const Scalar z2821 = z2784 * z2807 - z2790;
+    const Scalar z2822 = z2785 * z2807 - z2791;
+    const Scalar z2823 = z2801 * z2802;
+    const Scalar z2824 = z2772 * z2823 + z2799;
+    const Scalar z2825 = z2774 * z2823 - z2800;
+    const Scalar z2827 = z2783 * z2823 + z2794;
+    const Scalar z2828 = z2784 * z2823 + z2795;
+    const Scalar z2829 = z2785 * z2823 + z2796;
+    const Scalar z2830 = n1 / z2817;
+    const Scalar z2831 = z2814 * z2830;
+    const Scalar z2832 = z2813 * z2830;
+    const Scalar z2833 = z2816 * z2830;
+    const Scalar z2834 = z2819 * z2830;
+    const Scalar z2835 = z2808 - z2813 * z2831;
+    const Scalar z2836 = z2809 - z2814 * z2831;
+    const Scalar z2837 = z2810 + z2813 * z2832;
+    const Scalar z2838 = z2811 - z2816 * z2831;
+    const Scalar z2839 = z2812 + z2819 * z2831;
+    const Scalar z2840 = z2813 * z2833 + z2815;
+    const Scalar z2841 = z2816 * z2833 + z2818;
+    const Scalar z2842 = z2813 * z2834 + z2820;
+    const Scalar z2843 = z2816 * z2834 + z2821;
+    const Scalar z2844 = z2819 * z2834 + z2822;
+    const Scalar z2845 = z2825 * z2830;
+    const Scalar z2846 = z2814 * z2845 - z2824;
+    const Scalar z2848 = z2813 * z2845 - z2827;
+    const Scalar z2849 = z2816 * z2845 - z2828;
+    const Scalar z2850 = z2819 * z2845 - z2829;
+    const Scalar z2851 = n1 / z2836;
+    const Scalar z2852 = z2835 * z2851;
+    const Scalar z2853 = z2838 * z2851;
+    const Scalar z2854 = z2839 * z2851;
+    const Scalar z2855 = z2835 * z2852 + z2837;
+    const Scalar z2856 = z2835 * z2853 + z2840;
+    const Scalar z2857 = z2838 * z2853 + z2841;
+    const Scalar z2858 = z2835 * z2854 - z2842;
+    const Scalar z2859 = z2838 * z2854 - z2843;
+    const Scalar z2860 = z2839 * z2854 + z2844;
+    const Scalar z2861 = z2846 * z2851;
+    const Scalar z2863 = z2835 * z2861 - z2848;
+    const Scalar z2864 = z2838 * z2861 - z2849;
+    const Scalar z2865 = z2839 * z2861 + z2850;
+    const Scalar z2866 = z17 * z2855 + z18 * z2856 + z30 * z2858;
+    const Scalar z2867 = z17 * z2856 + z18 * z2857 + z30 * z2859;
+    const Scalar z2868 = z17 * z2858 + z18 * z2859 + z30 * z2860;
+    const Scalar z2869 = z19 * z2855 + z23 * z2856 + z24 * z2858;
+    const Scalar z2870 = z19 * z2856 + z23 * z2857 + z24 * z2859;
+    const Scalar z2871 = z19 * z2858 + z23 * z2859 + z24 * z2860;
+    const Scalar z2872 = z25 * z2856 + z28 * z2858 + z29 * z2855;
+    const Scalar z2873 = z25 * z2857 + z28 * z2859 + z29 * z2856;
+    const Scalar z2874 = z25 * z2859 + z28 * z2860 + z29 * z2858;
+    const Scalar z2875 = z17 * z2866 + z18 * z2867 + z30 * z2868;
+    const Scalar z2877 = z25 * z2867 + z28 * z2868 + z29 * z2866;
+    const Scalar z2878 = z17 * z2869 + z18 * z2870 + z30 * z2871;
+    const Scalar z2879 = z19 * z2869 + z23 * z2870 + z24 * z2871;
+    const Scalar z2880 = z25 * z2870 + z28 * z2871 + z29 * z2869;
+    const Scalar z2883 = z25 * z2873 + z28 * z2874 + z29 * z2872;
+    const Scalar z2884 = z17 * z2863 + z18 * z2864 + z30 * z2865;
+    const Scalar z2885 = z19 * z2863 + z23 * z2864 + z24 * z2865;
+    const Scalar z2886 = z25 * z2864 + z28 * z2865 + z29 * z2863;
+    const Scalar z2890 = n1 / z2883;
+    const Scalar z2891 = z2877 * z2890;
+    const Scalar z2892 = z2880 * z2890;
+    const Scalar z2893 = z2875 - z2877 * z2891;
+    const Scalar z2894 = z2877 * z2892 - z2878;
+    const Scalar z2895 = z2879 - z2880 * z2892;
+    const Scalar z2896 = z2886 * z2890;
+    const Scalar z2897 = z2877 * z2896 - z2884;
+    const Scalar z2898 = z2880 * z2896 - z2885;
+    const Scalar z2908 = n1 / z2895;
+    const Scalar z2910 = z2894 * z2908;
+    const Scalar z2914 = z2893 - z2894 * z2910;
+    const Scalar z2918 = z2898 * z2908;
+    const Scalar z2921 = z2894 * z2918 + z2897;
+    const Scalar z2929 = n1 / z2914;
+    const Scalar z2930 = z2921 * z2929;  // acceleration of joint trunk.x
+    const Scalar z2931 = z2894 * z2930 + z2898;
+    const Scalar z2932 = z2908 * z2931;  // acceleration of joint trunk.y
+    const Scalar z2933 = z2877 * z2930 + z2880 * z2932 - n9_81 * z2883 + z2886;
+    const Scalar z2934 = z2890 * z2933;  // acceleration of joint trunk.z
+    const Scalar z2935 = n9_81 + z2934;
+    const Scalar z2936 = z17 * z2930 + z19 * z2932 - z29 * z2935;
+    const Scalar z2937 = z18 * z2930 + z23 * z2932 - z25 * z2935;
+    const Scalar z2938 = z24 * z2932 - z28 * z2935 + z30 * z2930;
+    const Scalar z2939 = z2835 * z2936 + z2838 * z2937 + z2839 * z2938 + z2846;
+    const Scalar z2940 = z2851 * z2939;  // acceleration of joint trunk_attitude_omega_x
+    const Scalar z2941 = z2813 * z2936 - z2814 * z2940 + z2816 * z2937 - z2819 * z2938 - z2825;
+    const Scalar z2942 = z2830 * z2941;  // acceleration of joint trunk_attitude_omega_y
+    const Scalar z2943 = z2772 * z2940 + z2774 * z2942 - z2783 * z2936 - z2784 * z2937 + z2785 * z2938 - z2801;
+    const Scalar z2944 = z2802 * z2943;  // acceleration of joint trunk
+    const Scalar z2945 = z2936 + n0_05 * z2944;
+    const Scalar z2946 = z2937 - n0_2 * z2944;
+    const Scalar z2947 = z2938 - n0_05 * z2940 + n0_2 * z2942;
+    const Scalar z2948 = s_front_left_hip * z2944 + c_front_left_hip * z2942;
+    const Scalar z2949 = s_front_left_hip * z2942 - c_front_left_hip * z2944;
+    const Scalar z2950 = s_front_left_hip * z2947 + c_front_left_hip * z2946;
+    const Scalar z2951 = s_front_left_hip * z2946 - c_front_left_hip * z2947;
+    const Scalar z2952 = z1408 - z2948;
+    const Scalar z2953 = z1409 + z2949;
+    const Scalar z2954 = z2051 + z2945;
+    const Scalar z2955 = z2054 - z2950;
+    const Scalar z2956 = z2055 - z2951;
+    const Scalar z2957 = z1258 * z2955 + z2692 * z2954 - z2696 * z2940 - z2697 * z2953 + z2699 * z2956 + z2712;
+    const Scalar z2958 = z2711 * z2957;  // acceleration of joint front_left_hip_link
+    const Scalar z2959 = z2940 + z2958;
+    const Scalar z2960 = n0_08 * z2953 - z2954;
+    const Scalar z2961 = z2956 - n0_08 * z2959;
+    const Scalar z2964 = s_front_left_thigh * z2961 + c_front_left_thigh * z2960;
+    const Scalar z2965 = s_front_left_thigh * z2960 - c_front_left_thigh * z2961;
+    const Scalar z2968 = z2061 + z2964;
+    const Scalar z2970 = z2062 + z2965;
+    const Scalar z2971 = z2657 * z2970 + z2659 * z2952 + z2660 * z2968 + z2672;
+    const Scalar z2972 = z2671 * z2971;  // acceleration of joint front_left_thigh_link
+    const Scalar z2973 = z2952 - z2972;
+    const Scalar z2974 = z2968 + n0_2 * z2973;
+    const Scalar z2978 = s_front_left_knee * z2970 - c_front_left_knee * z2974;
+    const Scalar z2982 = z2068 + z2978;
+    const Scalar z2985 = z2645 + k20 * z2973 - n0_032 * z2982;
+    const Scalar z2986 = k21 * z2985;  // acceleration of joint front_left_shank_link
+    const Scalar z2988 = z2936 - n0_05 * z2944;
+    const Scalar z2989 = z2938 + n0_05 * z2940 + n0_2 * z2942;
+    const Scalar z2990 = s_front_right_hip * z2944 + c_front_right_hip * z2942;
+    const Scalar z2991 = s_front_right_hip * z2942 - c_front_right_hip * z2944;
+    const Scalar z2992 = s_front_right_hip * z2989 + c_front_right_hip * z2946;
+    const Scalar z2993 = s_front_right_hip * z2946 - c_front_right_hip * z2989;
+    const Scalar z2994 = z1446 - z2990;
+    const Scalar z2995 = z1447 + z2991;
+    const Scalar z2996 = z2070 + z2988;
+    const Scalar z2997 = z2073 - z2992;
+    const Scalar z2998 = z2074 - z2993;
+    const Scalar z2999 = z1162 * z2997 - z2535 * z2996 - z2539 * z2940 - z2540 * z2995 - z2542 * z2998 + z2555;
+    const Scalar z3000 = z2554 * z2999;  // acceleration of joint front_right_hip_link
+    const Scalar z3001 = z2940 + z3000;
+    const Scalar z3002 = n0_08 * z2995 + z2996;
+    const Scalar z3003 = z2998 + n0_08 * z3001;
+    const Scalar z3006 = s_front_right_thigh * z3003 - c_front_right_thigh * z3002;
+    const Scalar z3007 = s_front_right_thigh * z3002 + c_front_right_thigh * z3003;
+    const Scalar z3010 = z2080 - z3006;
+    const Scalar z3012 = z2081 + z3007;
+    const Scalar z3013 = z2500 * z3012 - z2502 * z2994 + z2503 * z3010 - z2515;
+    const Scalar z3014 = z2514 * z3013;  // acceleration of joint front_right_thigh_link
+    const Scalar z3015 = z2994 + z3014;
+    const Scalar z3016 = z3010 - n0_2 * z3015;
+    const Scalar z3020 = s_front_right_knee * z3012 - c_front_right_knee * z3016;
+    const Scalar z3024 = z2087 - z3020;
+    const Scalar z3027 = z2488 + k20 * z3015 - n0_032 * z3024;
+    const Scalar z3028 = k21 * z3027;  // acceleration of joint front_right_shank_link
+    const Scalar z3030 = z2937 + n0_2 * z2944;
+    const Scalar z3031 = z2938 - n0_05 * z2940 - n0_2 * z2942;
+    const Scalar z3032 = s_rear_left_hip * z2944 + c_rear_left_hip * z2942;
+    const Scalar z3033 = s_rear_left_hip * z2942 - c_rear_left_hip * z2944;
+    const Scalar z3034 = s_rear_left_hip * z3031 + c_rear_left_hip * z3030;
+    const Scalar z3035 = s_rear_left_hip * z3030 - c_rear_left_hip * z3031;
+    const Scalar z3036 = z1484 - z3032;
+    const Scalar z3037 = z1485 + z3033;
+    const Scalar z3038 = z2070 - z2945;
+    const Scalar z3039 = z2089 + z3034;
+    const Scalar z3040 = z2090 + z3035;
+    const Scalar z3041 = z1066 * z3039 + z2378 * z3038 + z2382 * z2940 + z2383 * z3037 + z2385 * z3040 - z2398;
+    const Scalar z3042 = z2397 * z3041;  // acceleration of joint rear_left_hip_link
+    const Scalar z3043 = z2940 - z3042;
+    const Scalar z3044 = n0_08 * z3037 + z3038;
+    const Scalar z3045 = z3040 + n0_08 * z3043;
+    const Scalar z3048 = s_rear_left_thigh * z3045 - c_rear_left_thigh * z3044;
+    const Scalar z3049 = s_rear_left_thigh * z3044 + c_rear_left_thigh * z3045;
+    const Scalar z3052 = z2096 - z3048;
+    const Scalar z3054 = z2097 + z3049;
+    const Scalar z3055 = z2343 * z3054 + z2345 * z3036 + z2346 * z3052 + z2358;
+    const Scalar z3056 = z2357 * z3055;  // acceleration of joint rear_left_thigh_link
+    const Scalar z3057 = z3036 - z3056;
+    const Scalar z3058 = z3052 + n0_2 * z3057;
+    const Scalar z3062 = s_rear_left_knee * z3054 - c_rear_left_knee * z3058;
+    const Scalar z3066 = z2103 + z3062;
+    const Scalar z3069 = z2331 + k20 * z3057 - n0_032 * z3066;
+    const Scalar z3070 = k21 * z3069;  // acceleration of joint rear_left_shank_link
+    const Scalar z3072 = z2938 + n0_05 * z2940 - n0_2 * z2942;
+    const Scalar z3073 = s_rear_right_hip * z2944 + c_rear_right_hip * z2942;
+    const Scalar z3074 = s_rear_right_hip * z2942 - c_rear_right_hip * z2944;
+    const Scalar z3075 = s_rear_right_hip * z3072 + c_rear_right_hip * z3030;
+    const Scalar z3076 = s_rear_right_hip * z3030 - c_rear_right_hip * z3072;
+    const Scalar z3077 = z1522 - z3073;
+    const Scalar z3078 = z1523 + z3074;
+    const Scalar z3079 = z2051 - z2988;
+    const Scalar z3080 = z2105 + z3075;
+    const Scalar z3081 = z2106 + z3076;
+    const Scalar z3082 = z976 * z3080 - z2239 * z3079 + z2243 * z2940 + z2244 * z3078 - z2246 * z3081 - z2259;
+    const Scalar z3083 = z2258 * z3082;  // acceleration of joint rear_right_hip_link
+    const Scalar z3084 = z2940 - z3083;
+    const Scalar z3085 = n0_08 * z3078 - z3079;
+    const Scalar z3086 = z3081 - n0_08 * z3084;
+    const Scalar z3089 = s_rear_right_thigh * z3086 + c_rear_right_thigh * z3085;
+    const Scalar z3090 = s_rear_right_thigh * z3085 - c_rear_right_thigh * z3086;
+    const Scalar z3093 = z2112 + z3089;
+    const Scalar z3095 = z2113 + z3090;
+    const Scalar z3096 = z2204 * z3095 - z2206 * z3077 + z2207 * z3093 - z2219;
+    const Scalar z3097 = z2218 * z3096;  // acceleration of joint rear_right_thigh_link
+    const Scalar z3098 = z3077 + z3097;
+    const Scalar z3099 = z3093 - n0_2 * z3098;
+    const Scalar z3103 = s_rear_right_knee * z3095 - c_rear_right_knee * z3099;
+    const Scalar z3107 = z2119 - z3103;
+    const Scalar z3110 = z2192 + k20 * z3098 - n0_032 * z3107;
+    const Scalar z3111 = k21 * z3110;  // acceleration of joint rear_right_shank_link
+    accelerations.trunk_x = -z2930;
+    accelerations.trunk_y = -z2932;
+    accelerations.trunk_z = z2934;
+    accelerations.trunk_attitude_omega_x = z2940;
+    accelerations.trunk_attitude_omega_y = z2942;
+    accelerations.trunk_attitude_omega_z = z2944;
+    accelerations.front_left_hip = z2958;
+    accelerations.front_left_thigh = z2972;
+    accelerations.front_left_knee = z2986;
+    accelerations.front_right_hip = z3000;
+    accelerations.front_right_thigh = -z3014;
+    accelerations.front_right_knee = z3028;
+    accelerations.rear_left_hip = -z3042;
+    accelerations.rear_left_thigh = z3056;
+    accelerations.rear_left_knee = z3070;
+    accelerations.rear_right_hip = -z3083;
+    accelerations.rear_right_thigh = -z3097;
+    accelerations.rear_right_knee = z3111;
+    if (!(traits::regular(z2206, z2206) && traits::regular(z2243, z2243) && traits::regular(z2345, z2345)
+        && traits::regular(z2382, z2382) && traits::regular(z2502, z2502) && traits::regular(z2539, z2539)
+        && traits::regular(z2659, z2659) && traits::regular(z2696, z2696) && traits::regular(z2776, z2776)
+        && traits::regular(z2817, z2817) && traits::regular(z2836, z2836) && traits::regular(-z2883, -z2883)
+        && traits::regular(-z2895, -z2895) && traits::regular(-z2914, -z2914))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (accelerations.trunk_x - accelerations.trunk_x) + (accelerations.trunk_y
+        - accelerations.trunk_y) + (accelerations.trunk_z - accelerations.trunk_z)
+        + (accelerations.trunk_attitude_omega_x - accelerations.trunk_attitude_omega_x)
+        + (accelerations.trunk_attitude_omega_y - accelerations.trunk_attitude_omega_y)
+        + (accelerations.trunk_attitude_omega_z - accelerations.trunk_attitude_omega_z) + (accelerations.front_left_hip
+        - accelerations.front_left_hip) + (accelerations.front_left_thigh - accelerations.front_left_thigh)
+        + (accelerations.front_left_knee - accelerations.front_left_knee) + (accelerations.front_right_hip
+        - accelerations.front_right_hip) + (accelerations.front_right_thigh - accelerations.front_right_thigh)
+        + (accelerations.front_right_knee - accelerations.front_right_knee) + (accelerations.rear_left_hip
+        - accelerations.rear_left_hip) + (accelerations.rear_left_thigh - accelerations.rear_left_thigh)
+        + (accelerations.rear_left_knee - accelerations.rear_left_knee) + (accelerations.rear_right_hip
+        - accelerations.rear_right_hip) + (accelerations.rear_right_thigh - accelerations.rear_right_thigh)
+        + (accelerations.rear_right_knee - accelerations.rear_right_knee);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
+  TORSOR_DEVICE static void energy(const Precomputed&, const State& state, const Inputs& inputs,
+      Energy& result) noexcept {
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    const Scalar n0_08 = traits::constant(0.08, 0.08f, "2/25");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
+    const Scalar n0_0014 = traits::constant(0.0014, 0.0014f, "7/5000");
+    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
+    const Scalar n0_072 = traits::constant(0.072, 0.072f, "9/125");
+    const Scalar k10 = traits::constant(0.00928, 0.00928f, "29/3125");
+    const Scalar n0_26 = traits::constant(0.26, 0.26f, "13/50");
+    const Scalar n0_032 = traits::constant(0.032, 0.032f, "4/125");
+    const Scalar k13 = traits::constant(0.0051096, 0.0051096f, "6387/1250000");
+    const Scalar n0_0002 = traits::constant(2e-04, 2e-04f, "1/5000");
+    const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar k17 = traits::constant(1.98e-05, 1.98e-05f, "99/5000000");
+    const Scalar n0_13 = traits::constant(0.13, 0.13f, "13/100");
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    const Scalar n0_0125 = traits::constant(0.0125, 0.0125f, "1/80");
+    const Scalar n0_0425 = traits::constant(0.0425, 0.0425f, "17/400");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n4_905 = traits::constant(4.905, 4.905f, "981/200");
+    const Scalar n7_848 = traits::constant(7.848, 7.848f, "981/125");
+    const Scalar n2_5506 = traits::constant(2.5506, 2.5506f, "12753/5000");
+    const Scalar n58_86 = traits::constant(58.86, 58.86f, "2943/50");
+    const Scalar v_trunk_x = state.v.trunk_x;
+    const Scalar v_trunk_y = state.v.trunk_y;
+    const Scalar q_trunk_z = state.q.trunk_z;
+    const Scalar v_trunk_z = state.v.trunk_z;
+    const Scalar q_trunk_attitude_y = state.q.trunk_attitude_y;
+    const Scalar q_trunk_attitude_z = state.q.trunk_attitude_z;
+    const Scalar q_trunk_attitude_x = state.q.trunk_attitude_x;
+    const Scalar q_trunk_attitude_w = state.q.trunk_attitude_w;
+    const Scalar v_trunk_attitude_omega_x = state.v.trunk_attitude_omega_x;
+    const Scalar v_trunk_attitude_omega_y = state.v.trunk_attitude_omega_y;
+    const Scalar v_trunk_attitude_omega_z = state.v.trunk_attitude_omega_z;
+    const Scalar q_front_left_hip = state.q.front_left_hip;
+    const Scalar v_front_left_hip = state.v.front_left_hip;
+    const Scalar q_front_left_thigh = state.q.front_left_thigh;
+    const Scalar v_front_left_thigh = state.v.front_left_thigh;
+    const Scalar q_front_left_knee = state.q.front_left_knee;
+    const Scalar v_front_left_knee = state.v.front_left_knee;
+    const Scalar q_front_right_hip = state.q.front_right_hip;
+    const Scalar v_front_right_hip = state.v.front_right_hip;
+    const Scalar q_front_right_thigh = state.q.front_right_thigh;
+    const Scalar v_front_right_thigh = state.v.front_right_thigh;
+    const Scalar q_front_right_knee = state.q.front_right_knee;
+    const Scalar v_front_right_knee = state.v.front_right_knee;
+    const Scalar q_rear_left_hip = state.q.rear_left_hip;
+    const Scalar v_rear_left_hip = state.v.rear_left_hip;
+    const Scalar q_rear_left_thigh = state.q.rear_left_thigh;
+    const Scalar v_rear_left_thigh = state.v.rear_left_thigh;
+    const Scalar q_rear_left_knee = state.q.rear_left_knee;
+    const Scalar v_rear_left_knee = state.v.rear_left_knee;
+    const Scalar q_rear_right_hip = state.q.rear_right_hip;
+    const Scalar v_rear_right_hip = state.v.rear_right_hip;
+    const Scalar q_rear_right_thigh = state.q.rear_right_thigh;
+    const Scalar v_rear_right_thigh = state.v.rear_right_thigh;
+    const Scalar q_rear_right_knee = state.q.rear_right_knee;
+    const Scalar v_rear_right_knee = state.v.rear_right_knee;
+    const Scalar u_front_left_hip_torque = inputs.front_left_hip_torque;
+    const Scalar u_front_left_thigh_torque = inputs.front_left_thigh_torque;
+    const Scalar u_front_left_knee_torque = inputs.front_left_knee_torque;
+    const Scalar u_front_right_hip_torque = inputs.front_right_hip_torque;
+    const Scalar u_front_right_thigh_torque = inputs.front_right_thigh_torque;
+    const Scalar u_front_right_knee_torque = inputs.front_right_knee_torque;
+    const Scalar u_rear_left_hip_torque = inputs.rear_left_hip_torque;
+    const Scalar u_rear_left_thigh_torque = inputs.rear_left_thigh_torque;
+    const Scalar u_rear_left_knee_torque = inputs.rear_left_knee_torque;
+    const Scalar u_rear_right_hip_torque = inputs.rear_right_hip_torque;
+    const Scalar u_rear_right_thigh_torque = inputs.rear_right_thigh_torque;
+    const Scalar u_rear_right_knee_torque = inputs.rear_right_knee_torque;
+    const Scalar z10 = n2 * q_trunk_attitude_y * q_trunk_attitude_y;
+    const Scalar z12 = n2 * q_trunk_attitude_z * q_trunk_attitude_z;
+    const Scalar z14 = n2 * q_trunk_attitude_y * q_trunk_attitude_x;
+    const Scalar z16 = n2 * q_trunk_attitude_z * q_trunk_attitude_w;
+    const Scalar z17 = n1 - z10 - z12;
+    const Scalar z18 = z14 - z16;
+    const Scalar z19 = z14 + z16;
+    const Scalar z20 = n2 * q_trunk_attitude_x * q_trunk_attitude_x;
+    const Scalar z21 = n2 * q_trunk_attitude_y * q_trunk_attitude_z;
+    const Scalar z22 = n2 * q_trunk_attitude_x * q_trunk_attitude_w;
+    const Scalar z23 = n1 - z12 - z20;
+    const Scalar z24 = z21 - z22;
+    const Scalar z25 = z21 + z22;
+    const Scalar z26 = n2 * q_trunk_attitude_z * q_trunk_attitude_x;
+    const Scalar z27 = n2 * q_trunk_attitude_y * q_trunk_attitude_w;
+    const Scalar z28 = n1 - z10 - z20;
+    const Scalar z29 = z26 - z27;
+    const Scalar z30 = z26 + z27;
+    Scalar s_front_left_hip, c_front_left_hip;
+    traits::sincos(q_front_left_hip, s_front_left_hip, c_front_left_hip);
+    Scalar s_front_left_thigh, c_front_left_thigh;
+    traits::sincos(q_front_left_thigh, s_front_left_thigh, c_front_left_thigh);
+    Scalar s_front_left_knee, c_front_left_knee;
+    traits::sincos(q_front_left_knee, s_front_left_knee, c_front_left_knee);
+    Scalar s_front_right_hip, c_front_right_hip;
+    traits::sincos(q_front_right_hip, s_front_right_hip, c_front_right_hip);
+    Scalar s_front_right_thigh, c_front_right_thigh;
+    traits::sincos(q_front_right_thigh, s_front_right_thigh, c_front_right_thigh);
+    Scalar s_front_right_knee, c_front_right_knee;
+    traits::sincos(q_front_right_knee, s_front_right_knee, c_front_right_knee);
+    Scalar s_rear_left_hip, c_rear_left_hip;
+    traits::sincos(q_rear_left_hip, s_rear_left_hip, c_rear_left_hip);
+    Scalar s_rear_left_thigh, c_rear_left_thigh;
+    traits::sincos(q_rear_left_thigh, s_rear_left_thigh, c_rear_left_thigh);
+    Scalar s_rear_left_knee, c_rear_left_knee;
+    traits::sincos(q_rear_left_knee, s_rear_left_knee, c_rear_left_knee);
+    Scalar s_rear_right_hip, c_rear_right_hip;
+    traits::sincos(q_rear_right_hip, s_rear_right_hip, c_rear_right_hip);
+    Scalar s_rear_right_thigh, c_rear_right_thigh;
+    traits::sincos(q_rear_right_thigh, s_rear_right_thigh, c_rear_right_thigh);
+    Scalar s_rear_right_knee, c_rear_right_knee;
+    traits::sincos(q_rear_right_knee, s_rear_right_knee, c_rear_right_knee);
+    const Scalar z97 = v_trunk_x * z17 + v_trunk_y * z19 + v_trunk_z * z29;
+    const Scalar z98 = v_trunk_x * z18 + v_trunk_y * z23 + v_trunk_z * z25;
+    const Scalar z99 = v_trunk_x * z30 + v_trunk_y * z24 + v_trunk_z * z28;
+    const Scalar z100 = n0_05 * v_trunk_attitude_omega_z - z97;
+    const Scalar z101 = n0_2 * v_trunk_attitude_omega_z + z98;
+    const Scalar z102 = n0_05 * v_trunk_attitude_omega_x - n0_2 * v_trunk_attitude_omega_y + z99;
+    const Scalar z103 = v_trunk_attitude_omega_y * c_front_left_hip + v_trunk_attitude_omega_z * s_front_left_hip;
+    const Scalar z104 = v_trunk_attitude_omega_y * s_front_left_hip - v_trunk_attitude_omega_z * c_front_left_hip;
+    const Scalar z105 = s_front_left_hip * z102 + c_front_left_hip * z101;
+    const Scalar z106 = s_front_left_hip * z101 - c_front_left_hip * z102;
+    const Scalar z107 = v_trunk_attitude_omega_x + v_front_left_hip;  // angular velocity of front_left_hip_link, x
+    const Scalar z108 = z100 - n0_08 * z104;
+    const Scalar z109 = z106 - n0_08 * z107;
+    const Scalar z110 = s_front_left_thigh * z104 + c_front_left_thigh * z107;
+    const Scalar z111 = s_front_left_thigh * z107 - c_front_left_thigh * z104;
+    const Scalar z112 = s_front_left_thigh * z109 - c_front_left_thigh * z108;
+    const Scalar z113 = s_front_left_thigh * z108 + c_front_left_thigh * z109;
+    const Scalar z114 = v_front_left_thigh + z103;  // angular velocity of front_left_thigh_link, y
+    const Scalar z115 = z112 - n0_2 * z114;
+    const Scalar z116 = z105 + n0_2 * z110;
+    const Scalar z117 = s_front_left_knee * z111 - c_front_left_knee * z110;
+    const Scalar z118 = s_front_left_knee * z110 + c_front_left_knee * z111;
+    const Scalar z119 = s_front_left_knee * z113 + c_front_left_knee * z115;
+    const Scalar z120 = s_front_left_knee * z115 - c_front_left_knee * z113;
+    const Scalar z121 = v_front_left_knee + z114;  // angular velocity of front_left_shank_link, y
+    const Scalar z122 = n0_05 * v_trunk_attitude_omega_z + z97;
+    const Scalar z123 = n0_05 * v_trunk_attitude_omega_x + n0_2 * v_trunk_attitude_omega_y - z99;
+    const Scalar z124 = v_trunk_attitude_omega_y * c_front_right_hip + v_trunk_attitude_omega_z * s_front_right_hip;
+    const Scalar z125 = v_trunk_attitude_omega_y * s_front_right_hip - v_trunk_attitude_omega_z * c_front_right_hip;
+    const Scalar z126 = s_front_right_hip * z123 - c_front_right_hip * z101;
+    const Scalar z127 = s_front_right_hip * z101 + c_front_right_hip * z123;
+    const Scalar z128 = v_trunk_attitude_omega_x + v_front_right_hip;  // angular velocity of front_right_hip_link, x
+    const Scalar z129 = z122 - n0_08 * z125;
+    const Scalar z130 = z127 + n0_08 * z128;
+    const Scalar z131 = s_front_right_thigh * z125 + c_front_right_thigh * z128;
+    const Scalar z132 = s_front_right_thigh * z128 - c_front_right_thigh * z125;
+    const Scalar z133 = s_front_right_thigh * z130 + c_front_right_thigh * z129;
+    const Scalar z134 = s_front_right_thigh * z129 - c_front_right_thigh * z130;
+    const Scalar z135 = v_front_right_thigh + z124;  // angular velocity of front_right_thigh_link, y
+    const Scalar z136 = z133 - n0_2 * z135;
+    const Scalar z137 = z126 - n0_2 * z131;
+    const Scalar z138 = s_front_right_knee * z132 - c_front_right_knee * z131;
+    const Scalar z139 = s_front_right_knee * z131 + c_front_right_knee * z132;
+    const Scalar z140 = s_front_right_knee * z134 - c_front_right_knee * z136;
+    const Scalar z141 = s_front_right_knee * z136 + c_front_right_knee * z134;
+    const Scalar z142 = v_front_right_knee + z135;  // angular velocity of front_right_shank_link, y
+    const Scalar z143 = n0_2 * v_trunk_attitude_omega_z - z98;
+    const Scalar z144 = n0_05 * v_trunk_attitude_omega_x + n0_2 * v_trunk_attitude_omega_y + z99;
+    const Scalar z145 = v_trunk_attitude_omega_y * c_rear_left_hip + v_trunk_attitude_omega_z * s_rear_left_hip;
+    const Scalar z146 = v_trunk_attitude_omega_y * s_rear_left_hip - v_trunk_attitude_omega_z * c_rear_left_hip;
+    const Scalar z147 = s_rear_left_hip * z144 - c_rear_left_hip * z143;
+    const Scalar z148 = s_rear_left_hip * z143 + c_rear_left_hip * z144;
+    const Scalar z149 = v_trunk_attitude_omega_x + v_rear_left_hip;  // angular velocity of rear_left_hip_link, x
+    const Scalar z150 = z100 - n0_08 * z146;
+    const Scalar z151 = z148 + n0_08 * z149;
+    const Scalar z152 = s_rear_left_thigh * z146 + c_rear_left_thigh * z149;
+    const Scalar z153 = s_rear_left_thigh * z149 - c_rear_left_thigh * z146;
+    const Scalar z154 = s_rear_left_thigh * z151 + c_rear_left_thigh * z150;
+    const Scalar z155 = s_rear_left_thigh * z150 - c_rear_left_thigh * z151;
+    const Scalar z156 = v_rear_left_thigh + z145;  // angular velocity of rear_left_thigh_link, y
+    const Scalar z157 = z154 + n0_2 * z156;
+    const Scalar z158 = z147 + n0_2 * z152;
+    const Scalar z159 = s_rear_left_knee * z153 - c_rear_left_knee * z152;
+    const Scalar z160 = s_rear_left_knee * z152 + c_rear_left_knee * z153;
+    const Scalar z161 = s_rear_left_knee * z155 - c_rear_left_knee * z157;
+    const Scalar z162 = s_rear_left_knee * z157 + c_rear_left_knee * z155;
+    const Scalar z163 = v_rear_left_knee + z156;  // angular velocity of rear_left_shank_link, y
+    const Scalar z164 = n0_05 * v_trunk_attitude_omega_x - n0_2 * v_trunk_attitude_omega_y - z99;
+    const Scalar z165 = v_trunk_attitude_omega_y * c_rear_right_hip + v_trunk_attitude_omega_z * s_rear_right_hip;
+    const Scalar z166 = v_trunk_attitude_omega_y * s_rear_right_hip - v_trunk_attitude_omega_z * c_rear_right_hip;
+    const Scalar z167 = s_rear_right_hip * z164 + c_rear_right_hip * z143;
+    const Scalar z168 = s_rear_right_hip * z143 - c_rear_right_hip * z164;
+    const Scalar z169 = v_trunk_attitude_omega_x + v_rear_right_hip;  // angular velocity of rear_right_hip_link, x
+    const Scalar z170 = z122 - n0_08 * z166;
+    const Scalar z171 = z168 - n0_08 * z169;
+    const Scalar z172 = s_rear_right_thigh * z166 + c_rear_right_thigh * z169;
+    const Scalar z173 = s_rear_right_thigh * z169 - c_rear_right_thigh * z166;
+    const Scalar z174 = s_rear_right_thigh * z171 - c_rear_right_thigh * z170;
+    const Scalar z175 = s_rear_right_thigh * z170 + c_rear_right_thigh * z171;
+    const Scalar z176 = v_rear_right_thigh + z165;  // angular velocity of rear_right_thigh_link, y
+    const Scalar z177 = z174 + n0_2 * z176;
+    const Scalar z178 = z167 - n0_2 * z172;
+    const Scalar z179 = s_rear_right_knee * z173 - c_rear_right_knee * z172;
+    const Scalar z180 = s_rear_right_knee * z172 + c_rear_right_knee * z173;
+    const Scalar z181 = s_rear_right_knee * z175 + c_rear_right_knee * z177;
+    const Scalar z182 = s_rear_right_knee * z177 - c_rear_right_knee * z175;
+    const Scalar z183 = v_rear_right_knee + z176;  // angular velocity of rear_right_shank_link, y
+    const Scalar z270 = q_front_left_thigh + q_front_left_knee;
+    Scalar z271, z272;
+    traits::sincos(z270, z271, z272);
+    const Scalar z403 = q_front_right_thigh + q_front_right_knee;
+    Scalar z404, z405;
+    traits::sincos(z403, z404, z405);
+    const Scalar z536 = q_rear_left_thigh + q_rear_left_knee;
+    Scalar z537, z538;
+    traits::sincos(z536, z537, z538);
+    const Scalar z669 = q_rear_right_thigh + q_rear_right_knee;
+    Scalar z670, z671;
+    traits::sincos(z669, z670, z671);
+    const Scalar z736 = n0_05 * z25 + n0_2 * z29;
+    const Scalar z737 = q_trunk_z + z736;
+    const Scalar z746 = n0_08 * c_front_left_hip;
+    const Scalar z747 = n0_08 * s_front_left_hip;
+    const Scalar z748 = n0_05 + z746;
+    const Scalar z751 = z25 * z748 + z28 * z747 + n0_2 * z29;
+    const Scalar z752 = q_trunk_z + z751;
+    const Scalar z761 = n0_2 * s_front_left_thigh;
+    const Scalar z762 = n0_2 * c_front_left_thigh;
+    const Scalar z763 = s_front_left_hip * z762 + n0_08 * c_front_left_hip;
+    const Scalar z764 = n0_08 * s_front_left_hip - c_front_left_hip * z762;
+    const Scalar z765 = n0_2 - z761;
+    const Scalar z766 = n0_05 + z763;
+    const Scalar z769 = z25 * z766 + z28 * z764 + z29 * z765;
+    const Scalar z770 = q_trunk_z + z769;
+    const Scalar z793 = n0_05 * z25 - n0_2 * z29;
+    const Scalar z794 = q_trunk_z - z793;
+    const Scalar z803 = n0_08 * c_front_right_hip;
+    const Scalar z804 = n0_08 * s_front_right_hip;
+    const Scalar z805 = n0_05 + z803;
+    const Scalar z808 = z25 * z805 + z28 * z804 - n0_2 * z29;
+    const Scalar z809 = q_trunk_z - z808;
+    const Scalar z818 = n0_2 * s_front_right_thigh;
+    const Scalar z819 = n0_2 * c_front_right_thigh;
+    const Scalar z820 = s_front_right_hip * z819 - n0_08 * c_front_right_hip;
+    const Scalar z821 = n0_08 * s_front_right_hip + c_front_right_hip * z819;
+    const Scalar z822 = n0_2 - z818;
+    const Scalar z823 = n0_05 - z820;
+    const Scalar z826 = z25 * z823 + z28 * z821 - z29 * z822;
+    const Scalar z827 = q_trunk_z - z826;
+    const Scalar z848 = q_trunk_z + z793;
+    const Scalar z857 = n0_08 * c_rear_left_hip;
+    const Scalar z858 = n0_08 * s_rear_left_hip;
+    const Scalar z859 = n0_05 + z857;
+    const Scalar z862 = z25 * z859 + z28 * z858 - n0_2 * z29;
+    const Scalar z863 = q_trunk_z + z862;
+    const Scalar z872 = n0_2 * s_rear_left_thigh;
+    const Scalar z873 = n0_2 * c_rear_left_thigh;
+    const Scalar z874 = s_rear_left_hip * z873 + n0_08 * c_rear_left_hip;
+    const Scalar z875 = n0_08 * s_rear_left_hip - c_rear_left_hip * z873;
+    const Scalar z876 = n0_2 + z872;
+    const Scalar z877 = n0_05 + z874;
+    const Scalar z880 = z25 * z877 + z28 * z875 - z29 * z876;
+    const Scalar z881 = q_trunk_z + z880;
+    const Scalar z902 = q_trunk_z - z736;
+    const Scalar z911 = n0_08 * c_rear_right_hip;
+    const Scalar z912 = n0_08 * s_rear_right_hip;
+    const Scalar z913 = n0_05 + z911;
+    const Scalar z916 = z25 * z913 + z28 * z912 + n0_2 * z29;
+    const Scalar z917 = q_trunk_z - z916;
+    const Scalar z926 = n0_2 * s_rear_right_thigh;
+    const Scalar z927 = n0_2 * c_rear_right_thigh;
+    const Scalar z928 = s_rear_right_hip * z927 - n0_08 * c_rear_right_hip;
+    const Scalar z929 = n0_08 * s_rear_right_hip + c_rear_right_hip * z927;
+    const Scalar z930 = n0_2 + z926;
+    const Scalar z931 = n0_05 - z928;
+    const Scalar z934 = z25 * z931 + z28 * z929 + z29 * z930;
+    const Scalar z935 = q_trunk_z - z934;
+    const Scalar z1369 = n0_05 * v_front_left_hip;
+    const Scalar z1371 = n0_05 * v_front_left_thigh;
+    const Scalar z1373 = n0_05 * v_front_left_knee;
+    const Scalar z1375 = n0_05 * v_front_right_hip;
+    const Scalar z1377 = n0_05 * v_front_right_thigh;
+    const Scalar z1379 = n0_05 * v_front_right_knee;
+    const Scalar z1381 = n0_05 * v_rear_left_hip;
+    const Scalar z1383 = n0_05 * v_rear_left_thigh;
+    const Scalar z1385 = n0_05 * v_rear_left_knee;
+    const Scalar z1387 = n0_05 * v_rear_right_hip;
+    const Scalar z1389 = n0_05 * v_rear_right_thigh;
+    const Scalar z1391 = n0_05 * v_rear_right_knee;
+    const Scalar z3645 = n0_5 * z100 - n0_02 * z104;
+    const Scalar z3646 = n0_5 * z106 - n0_02 * z107;
+    const Scalar z3647 = n0_02 * z106 - n0_0014 * z107;
+    const Scalar z3648 = n0_02 * z100 - n0_0014 * z104;
+    const Scalar z3649 = n0_8 * z112 - n0_072 * z114;
+    const Scalar z3650 = n0_8 * z105 + n0_072 * z110;
+    const Scalar z3651 = n0_072 * z105 + k10 * z110;
+    const Scalar z3652 = n0_072 * z112 - k10 * z114;
+    const Scalar z3653 = n0_26 * z119 - n0_032 * z121;
+    const Scalar z3654 = n0_26 * z116 - n0_032 * z117;
+    const Scalar z3655 = n0_032 * z116 - k13 * z117;
+    const Scalar z3656 = n0_032 * z119 - k13 * z121;
+    const Scalar z3657 = n0_5 * z122 - n0_02 * z125;
+    const Scalar z3658 = n0_5 * z127 + n0_02 * z128;
+    const Scalar z3659 = n0_02 * z127 + n0_0014 * z128;
+    const Scalar z3660 = n0_02 * z122 - n0_0014 * z125;
+    const Scalar z3661 = n0_8 * z133 - n0_072 * z135;
+    const Scalar z3662 = n0_8 * z126 - n0_072 * z131;
+    const Scalar z3663 = n0_072 * z126 - k10 * z131;
+    const Scalar z3664 = n0_072 * z133 - k10 * z135;
+    const Scalar z3665 = n0_26 * z140 + n0_032 * z142;
+    const Scalar z3666 = n0_26 * z137 + n0_032 * z138;
+    const Scalar z3667 = n0_032 * z137 + k13 * z138;
+    const Scalar z3668 = n0_032 * z140 + k13 * z142;
+    const Scalar z3669 = n0_5 * z100 - n0_02 * z146;
+    const Scalar z3670 = n0_5 * z148 + n0_02 * z149;
+    const Scalar z3671 = n0_02 * z148 + n0_0014 * z149;
+    const Scalar z3672 = n0_02 * z100 - n0_0014 * z146;
+    const Scalar z3673 = n0_8 * z154 + n0_072 * z156;
+    const Scalar z3674 = n0_8 * z147 + n0_072 * z152;
+    const Scalar z3675 = n0_072 * z147 + k10 * z152;
+    const Scalar z3676 = n0_072 * z154 + k10 * z156;
+    const Scalar z3677 = n0_26 * z161 - n0_032 * z163;
+    const Scalar z3678 = n0_26 * z158 - n0_032 * z159;
+    const Scalar z3679 = n0_032 * z158 - k13 * z159;
+    const Scalar z3680 = n0_032 * z161 - k13 * z163;
+    const Scalar z3681 = n0_5 * z122 - n0_02 * z166;
+    const Scalar z3682 = n0_5 * z168 - n0_02 * z169;
+    const Scalar z3683 = n0_02 * z168 - n0_0014 * z169;
+    const Scalar z3684 = n0_02 * z122 - n0_0014 * z166;
+    const Scalar z3685 = n0_8 * z174 + n0_072 * z176;
+    const Scalar z3686 = n0_8 * z167 - n0_072 * z172;
+    const Scalar z3687 = n0_072 * z167 - k10 * z172;
+    const Scalar z3688 = n0_072 * z174 + k10 * z176;
+    const Scalar z3689 = n0_26 * z181 + n0_032 * z183;
+    const Scalar z3690 = n0_26 * z178 + n0_032 * z179;
+    const Scalar z3691 = n0_032 * z178 + k13 * z179;
+    const Scalar z3692 = n0_032 * z181 + k13 * z183;
+    const Scalar z3693 = n0_02 * c_front_left_hip;
+    const Scalar z3694 = n0_02 * s_front_left_hip;
+    const Scalar z3697 = z25 * z3693 + z28 * z3694;
+    const Scalar z3698 = n0_072 * s_front_left_thigh;
+    const Scalar z3699 = n0_072 * c_front_left_thigh;
+    const Scalar z3700 = s_front_left_hip * z3699;
+    const Scalar z3701 = c_front_left_hip * z3699;
+    const Scalar z3704 = z25 * z3700 - z28 * z3701 - z29 * z3698;
+    const Scalar z3705 = n0_032 * z271;
+    const Scalar z3706 = n0_032 * z272;
+    const Scalar z3707 = s_front_left_hip * z3706;
+    const Scalar z3708 = c_front_left_hip * z3706;
+    const Scalar z3711 = z25 * z3707 - z28 * z3708 - z29 * z3705;
+    const Scalar z3712 = n0_02 * c_front_right_hip;
+    const Scalar z3713 = n0_02 * s_front_right_hip;
+    const Scalar z3716 = z25 * z3712 + z28 * z3713;
+    const Scalar z3717 = n0_072 * s_front_right_thigh;
+    const Scalar z3718 = n0_072 * c_front_right_thigh;
+    const Scalar z3719 = s_front_right_hip * z3718;
+    const Scalar z3720 = c_front_right_hip * z3718;
+    const Scalar z3723 = z25 * z3719 - z28 * z3720 - z29 * z3717;
+    const Scalar z3724 = n0_032 * z404;
+    const Scalar z3725 = n0_032 * z405;
+    const Scalar z3726 = s_front_right_hip * z3725;
+    const Scalar z3727 = c_front_right_hip * z3725;
+    const Scalar z3730 = z25 * z3726 - z28 * z3727 - z29 * z3724;
+    const Scalar z3731 = n0_02 * c_rear_left_hip;
+    const Scalar z3732 = n0_02 * s_rear_left_hip;
+    const Scalar z3735 = z25 * z3731 + z28 * z3732;
+    const Scalar z3736 = n0_072 * s_rear_left_thigh;
+    const Scalar z3737 = n0_072 * c_rear_left_thigh;
+    const Scalar z3738 = s_rear_left_hip * z3737;
+    const Scalar z3739 = c_rear_left_hip * z3737;
+    const Scalar z3742 = z25 * z3738 - z28 * z3739 - z29 * z3736;
+    const Scalar z3743 = n0_032 * z537;
+    const Scalar z3744 = n0_032 * z538;
+    const Scalar z3745 = s_rear_left_hip * z3744;
+    const Scalar z3746 = c_rear_left_hip * z3744;
+    const Scalar z3749 = z25 * z3745 - z28 * z3746 - z29 * z3743;
+    const Scalar z3750 = n0_02 * c_rear_right_hip;
+    const Scalar z3751 = n0_02 * s_rear_right_hip;
+    const Scalar z3754 = z25 * z3750 + z28 * z3751;
+    const Scalar z3755 = n0_072 * s_rear_right_thigh;
+    const Scalar z3756 = n0_072 * c_rear_right_thigh;
+    const Scalar z3757 = s_rear_right_hip * z3756;
+    const Scalar z3758 = c_rear_right_hip * z3756;
+    const Scalar z3761 = z25 * z3757 - z28 * z3758 - z29 * z3755;
+    const Scalar z3762 = n0_032 * z670;
+    const Scalar z3763 = n0_032 * z671;
+    const Scalar z3764 = s_rear_right_hip * z3763;
+    const Scalar z3765 = c_rear_right_hip * z3763;
+    const Scalar z3768 = z25 * z3764 - z28 * z3765 - z29 * z3762;
+    result.kinetic = n0_5 * (z100 * (z3645 + z3669) + z122 * (z3657 + z3681) - z104 * z3648 + z105 * z3650 + z106
+        * z3646 - z107 * z3647 + z110 * z3651 + z112 * z3649 - z114 * z3652 + z116 * z3654 - z117 * z3655 + z119 * z3653
+        - z121 * z3656 - z125 * z3660 + z126 * z3662 + z127 * z3658 + z128 * z3659 - z131 * z3663 + z133 * z3661 - z135
+        * z3664 + z137 * z3666 + z138 * z3667 + z140 * z3665 + z142 * z3668 - z146 * z3672 + z147 * z3674 + z148 * z3670
+        + z149 * z3671 + z152 * z3675 + z154 * z3673 + z156 * z3676 + z158 * z3678 - z159 * z3679 + z161 * z3677 - z163
+        * z3680 - z166 * z3684 + z167 * z3686 + z168 * z3682 - z169 * z3683 - z172 * z3687 + z174 * z3685 + z176 * z3688
+        + z178 * z3690 + z179 * z3691 + z181 * z3689 + z183 * z3692) + n0_0002 * (z103 * z103 + z111 * z111 + z124
+        * z124 + z132 * z132 + z145 * z145 + z153 * z153 + z165 * z165 + z173 * z173) + n0_25 * (z105 * z105 + z126
+        * z126 + z147 * z147 + z167 * z167) + n0_4 * (z113 * z113 + z134 * z134 + z155 * z155 + z175 * z175) + k17
+        * (z118 * z118 + z139 * z139 + z160 * z160 + z180 * z180) + n0_13 * (z120 * z120 + z141 * z141 + z162 * z162
+        + z182 * z182) + n3 * (z97 * z97 + z98 * z98 + z99 * z99) + n0_0125 * v_trunk_attitude_omega_x
+        * v_trunk_attitude_omega_x + n0_0425 * v_trunk_attitude_omega_y * v_trunk_attitude_omega_y + n0_05
+        * v_trunk_attitude_omega_z * v_trunk_attitude_omega_z;
+    result.force_function = -n9_81 * (z3697 + z3704 + z3711 - z3716 + z3723 + z3730 + z3735 + z3742 + z3749 - z3754
+        + z3761 + z3768) - n4_905 * (z737 + z794 + z848 + z902) - n7_848 * (z752 + z809 + z863 + z917) - n2_5506 * (z770
+        + z827 + z881 + z935) - n58_86 * q_trunk_z;
+    result.power = v_front_left_hip * (u_front_left_hip_torque - z1369) + v_front_left_thigh
+        * (u_front_left_thigh_torque - z1371) + v_front_left_knee * (u_front_left_knee_torque - z1373)
+        + v_front_right_hip * (u_front_right_hip_torque - z1375) + v_front_right_thigh * (u_front_right_thigh_torque
+        - z1377) + v_front_right_knee * (u_front_right_knee_torque - z1379) + v_rear_left_hip * (u_rear_left_hip_torque
+        - z1381) + v_rear_left_thigh * (u_rear_left_thigh_torque - z1383) + v_rear_left_knee * (u_rear_left_knee_torque
+        - z1385) + v_rear_right_hip * (u_rear_right_hip_torque - z1387) + v_rear_right_thigh
+        * (u_rear_right_thigh_torque - z1389) + v_rear_right_knee * (u_rear_right_knee_torque - z1391);
+  }
+};
+
+}  // namespace quadruped
