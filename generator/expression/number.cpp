@@ -2,6 +2,7 @@
 #include "generator/expression/number.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <sstream>
 
@@ -136,6 +137,16 @@ bool Number::is_integer() const { return is_rational() && cln::denominator(parts
 
 int Number::sign() const {
   if (is_rational()) return cln::zerop(parts_[0]) ? 0 : cln::minusp(parts_[0]) ? -1 : 1;
+  // Doubles decide unless the terms nearly cancel: each is off by a few units in its 53 bits. A NaN decides nothing.
+  constexpr double roots[] = {1, 1.4142135623730951, 1.7320508075688772, 2.449489742783178};
+  double sum = 0;
+  double size = 0;
+  for (int index = 0; index < 4; ++index) {
+    const double term = cln::double_approx(parts_[index]) * roots[index];
+    sum += term;
+    size += std::fabs(term);
+  }
+  if (size > 1e-200 && std::fabs(sum) > 1e-12 * size) return sum < 0 ? -1 : 1;
   for (int bits = 64;; bits *= 2) {
     const auto [lower, upper] = enclosure(bits);
     if (cln::plusp(lower)) return 1;

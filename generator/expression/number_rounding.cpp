@@ -60,25 +60,30 @@ Float round_number(const Number& number) {
 }  // namespace
 
 std::pair<cln::cl_RA, cln::cl_RA> Number::enclosure(int bits) const {
-  cln::cl_RA lower = parts_[0];
-  cln::cl_RA upper = parts_[0];
-  for (int index = 1; index < 4; ++index) {
-    const cln::cl_RA& coefficient = parts_[index];
-    if (cln::zerop(coefficient)) continue;
-    // Four guard bits and those of the coefficient keep the sum of three widths below 2^-bits.
-    const long magnitude = static_cast<long>(cln::integer_length(cln::numerator(coefficient))) -
-                           static_cast<long>(cln::integer_length(cln::denominator(coefficient))) + 1;
-    const long shift = std::max(0L, bits + 4L + magnitude);
-    constexpr int radicands[] = {1, 2, 3, 6};
-    const cln::cl_I floor = cln::isqrt(cln::cl_I(radicands[index]) << (2 * shift));
-    const cln::cl_I scale = cln::cl_I(1) << shift;
-    const cln::cl_RA below = coefficient * (cln::cl_RA(floor) / scale);
-    const cln::cl_RA above = coefficient * (cln::cl_RA(floor + 1) / scale);
-    const bool negative = cln::minusp(coefficient);
-    lower = lower + (negative ? above : below);
-    upper = upper + (negative ? below : above);
+  if (is_rational()) return {parts_[0], parts_[0]};
+  // Whole units of 2^-shift: rational bounds would spend their time on common divisors. Eight guard bits and those of
+  // the largest coefficient keep the sum of the widths, each |coefficient| + 2 units at most, below 2^-bits.
+  long magnitude = 0;
+  for (const cln::cl_RA& part : parts_) {
+    magnitude = std::max(magnitude, static_cast<long>(cln::integer_length(cln::numerator(part))) -
+                                        static_cast<long>(cln::integer_length(cln::denominator(part))) + 1);
   }
-  return {lower, upper};
+  const long shift = bits + 8L + magnitude;
+  constexpr int radicands[] = {1, 2, 3, 6};
+  cln::cl_I lower = 0;
+  cln::cl_I upper = 0;
+  for (int index = 0; index < 4; ++index) {
+    const cln::cl_I numerator = cln::numerator(parts_[index]);
+    if (cln::zerop(numerator)) continue;
+    const cln::cl_I denominator = cln::denominator(parts_[index]);
+    const cln::cl_I below = cln::isqrt(cln::cl_I(radicands[index]) << (2 * shift));
+    const cln::cl_I above = index == 0 ? below : below + 1;
+    const bool negative = cln::minusp(numerator);
+    lower = lower + cln::floor1(numerator * (negative ? above : below), denominator);
+    upper = upper + cln::ceiling1(numerator * (negative ? below : above), denominator);
+  }
+  const cln::cl_I scale = cln::cl_I(1) << shift;
+  return {lower / scale, upper / scale};
 }
 
 double Number::to_double() const { return round_number<double>(*this); }

@@ -26,7 +26,13 @@ class ConstrainedMotion {
   std::size_t freedoms() const { return static_cast<std::size_t>(equations_.model().unknown_count()); }
 
   Evaluator<Real> at(const State& state, const std::vector<Real>& a = {}, const std::vector<Real>& lambda = {}) const {
-    return Evaluator<Real>(equations_.program(), [this, state, a, lambda](const SymbolPointer& symbol) {
+    return Evaluator<Real>(equations_.program(), reader(state, a, lambda));
+  }
+
+  /// The same for Evaluator::move_to, which keeps what it knows of the program.
+  Evaluator<Real>::SymbolValue reader(const State& state, const std::vector<Real>& a = {},
+                                      const std::vector<Real>& lambda = {}) const {
+    return [this, state, a, lambda](const SymbolPointer& symbol) {
       const auto& coordinates = equations_.model().coordinates();
       const auto& constraints = equations_.scene().content().constraints;
       if (symbol->kind == SymbolKind::pi) return Real::pi();
@@ -45,7 +51,7 @@ class ConstrainedMotion {
         if (symbol == constraints[j].multiplier && !lambda.empty()) return lambda[j];
       }
       return Real(0);
-    });
+    };
   }
 
   /// Adds δ along one freedom: to the coordinate, or e ∘ (1, δ/2) for an attitude (to first order, normalised).
@@ -76,19 +82,27 @@ class ConstrainedMotion {
   /// Newton's method on the dependent freedoms until the rows hold, then A v = b for the dependent velocities.
   void satisfy(State& state, const std::vector<std::size_t>& holonomic, const std::vector<std::size_t>& dependent_q,
                const std::vector<std::size_t>& rows, const std::vector<std::size_t>& dependent_v) const {
+    Evaluator<Real>& here = solver_;
+    // The error left is about the square of the last step: nothing of the working digits.
+    const Real enough(Number(10).pow(-Real::working_digits() / 2 - 5), Real::working_digits());
     for (int iteration = 0; iteration < 12 && !holonomic.empty(); ++iteration) {
-      Evaluator<Real> here = at(state);
+      here.move_to(reader(state));
       std::vector<Real> matrix, right_side;
       for (const std::size_t i : dependent_q) {
         for (const std::size_t j : holonomic) matrix.push_back(here(equations_.constraints()[j].jacobian[i]));
       }
       for (const std::size_t j : holonomic) right_side.push_back(-here(equations_.constraints()[j].value));
       const std::vector<Real> delta = solve_dense(matrix, right_side);
-      for (std::size_t k = 0; k < delta.size(); ++k) displace(state, dependent_q[k], delta[k]);
+      Real longest(0);
+      for (std::size_t k = 0; k < delta.size(); ++k) {
+        displace(state, dependent_q[k], delta[k]);
+        longest += abs(delta[k]);
+      }
+      if (longest < enough) break;
     }
     if (rows.empty()) return;
     for (const std::size_t i : dependent_v) state.v[i] = Real(0);
-    Evaluator<Real> here = at(state);
+    here.move_to(reader(state));
     std::vector<Real> matrix, right_side;
     for (const std::size_t i : dependent_v) {
       for (const std::size_t j : rows) matrix.push_back(here(equations_.constraints()[j].jacobian[i]));
@@ -139,6 +153,7 @@ class ConstrainedMotion {
  private:
   const Equations& equations_;
   std::vector<SymbolPointer> positions_, inputs_;
+  mutable Evaluator<Real> solver_{equations_.program(), {}};
 };
 
 }  // namespace torsor::testing_mechanisms

@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/dynamics/random_mechanism.hpp"
 
-#include <random>
 #include <string>
 
 #include "generator/dynamics/equations.hpp"
 #include "generator/expression/error.hpp"
+#include "tests/dynamics/random_loops.hpp"
+#include "tests/dynamics/random_source.hpp"
 
 namespace torsor::testing_mechanisms {
 namespace {
 
 /// Builds one mechanism; draws numbers in a fixed order, one statement each.
-class Builder {
+class Builder : private RandomSource {
  public:
   Builder(unsigned seed, const RandomMechanismOptions& options)
-      : random_(seed), options_(options), scene_("random_mechanism") {}
+      : RandomSource(seed), options_(options), scene_("random_mechanism") {}
 
   Scene build() {
     gravity_ = scene_.parameter("gravity", "m/s^2", fraction());
     const int bodies = 1 + below(options_.most_bodies);
-    frames_.push_back(scene_.ground());
+    frames_.push_back(options_.conservative && options_.driven ? turntable() : scene_.ground());
     for (int k = 0; k < bodies; ++k) {
       if (options_.joints && k > 0 && one_in(2)) {
         add_body_on_any_joint(k);
@@ -28,11 +29,16 @@ class Builder {
       }
     }
     if (options_.loops) add_loop();
-    // A simple pendulum at the root keeps the first coordinate heavy whatever else was drawn.
     const Expression g = gravity_;
-    scene_.gravity({0, g / 3, -g});
+    if (!options_.weightless) scene_.gravity({0, options_.conservative && options_.driven ? 0 : g / 3, -g});
     if (options_.released) release();
     add_points();
+    if (options_.chains) add_chain();
+    if (options_.conservative) {
+      if (options_.actions) add_conservative_actions();
+      if (options_.constraints) add_constraints();
+      return scene_;
+    }
     if (options_.actions) add_actions();
     add_motors();
     if (options_.constraints) add_constraints();
@@ -44,55 +50,6 @@ class Builder {
   }
 
  private:
-  int below(int bound) { return static_cast<int>(random_() % static_cast<unsigned>(bound)); }
-  bool one_in(int n) { return below(n) == 0; }
-  /// A fraction in (0.2, 1.8) with a prime denominator.
-  Number fraction() {
-    static constexpr int primes[] = {11, 13, 17, 19, 23};
-    const int denominator = primes[below(5)];
-    return Number::rational(denominator / 3 + below(denominator + denominator / 3), denominator);
-  }
-  Number signed_fraction() {
-    const Number size = fraction();
-    return one_in(2) ? size : -size;
-  }
-  Expression quantity(const char* unit) { return Expression::quantity(fraction(), Unit::parse(unit)); }
-  Triple vector(const char* unit) {
-    Triple v;
-    for (Expression& component : v) {
-      const Number number = one_in(4) ? Number() : signed_fraction();
-      component = Expression::quantity(number, Unit::parse(unit));
-    }
-    return v;
-  }
-
-  Triple axis() {
-    switch (below(6)) {
-      case 0:
-        return axis::x;
-      case 1:
-        return -axis::y;
-      case 2:
-        return axis::z;
-      case 3:
-        return {Number::rational(2, 3), Number::rational(-1, 3), Number::rational(2, 3)};  // exact unit vector
-      case 4:
-        return {1, 1, 0};
-      default:
-        return {1, -2, 3};  // its length is an irrational root
-    }
-  }
-
-  Placement placement() {
-    Placement place;
-    place.origin = vector("m");
-    const int first = below(3);
-    const int angle = below(24);
-    place.rotation = Rotation::about(first, angle);
-    if (one_in(2)) place.rotation = place.rotation * Rotation::about((first + 1) % 3, below(24));
-    return place;
-  }
-
   /// A joint's displacement: mostly a coordinate of its own, sometimes a formula of several, or of time.
   Expression displacement(int k, bool angle) {
     const std::string name = "q" + std::to_string(k);
@@ -102,11 +59,11 @@ class Builder {
     const int kind = below(8);
     if (kind == 0 && !same.empty()) result = own - Expression(fraction()) * same.back();
     if (kind == 1) result = own + Expression::quantity(fraction(), angle ? Unit() : units::metre);
-    if (kind == 2 && options_.driven) {
+    if (kind == 2 && options_.driven && !options_.conservative) {
       const Expression phase = quantity("rad/s") * scene_.time();
       result = own + Expression::quantity(fraction(), angle ? Unit() : units::metre) * sin(phase);
     }
-    if (kind == 3 && options_.driven && k > 0) {
+    if (kind == 3 && options_.driven && !options_.conservative && k > 0) {
       const Expression s = scene_.time() / Expression::quantity("1", "s");
       scene_.drive(own, Expression::quantity(fraction(), angle ? Unit() : units::metre) * (s + s * s / 3));
       return own;
@@ -209,16 +166,48 @@ class Builder {
     scene_.close("loop_joint", type, far, near, pitch);
   }
 
+  /// A vertical axis that turns uniformly: it imposes a motion but leaves T2 − T0 − U of what stands on it constant.
+  FrameHandle turntable() {
+    const Expression turn = scene_.coordinate("turn", "rad");
+    scene_.drive(turn, quantity("rad/s") * scene_.time());
+    return scene_.revolute("turntable", scene_.ground(), axis::z, turn);
+  }
+
+  /// A closed chain on any body of the tree, with actions of its own.
+  void add_chain() {
+    const FrameHandle base = frames_[static_cast<std::size_t>(below(static_cast<int>(frames_.size())))];
+    const ClosedChain chain = add_closed_chain(scene_, *this, base);
+    const PointHandle a = scene_.point("A", chain.frames.front(), vector("m"));
+    const PointHandle b = scene_.point("B", chain.frames.back(), vector("m"));
+    if (options_.actions) {
+      if (one_in(2)) scene_.spring("chain_tie", a, "P1", quantity("N/m"), quantity("m"));
+      const Expression last = chain.coordinates.empty() ? unknowns_[0] : chain.coordinates.back();
+      if (one_in(2)) scene_.spring("chain_spring", last, quantity(last.unit().is_dimensionless() ? "N m" : "N/m"));
+      if (options_.conservative) return;
+      if (one_in(2)) scene_.force("chain_push", chain.frames.back(), b, vector("N"), base);
+      if (one_in(2)) scene_.damper("chain_brake", b, "Q0", quantity("N s/m"));
+    }
+    if (options_.motors && !options_.conservative && !chain.coordinates.empty()) {
+      scene_.motor("chain_motor", chain.coordinates.front());
+    }
+  }
+
+  /// Only what has a force function that does not depend on time.
+  void add_conservative_actions() {
+    const Expression first = unknowns_[0];
+    const bool angle = first.unit().is_dimensionless();
+    if (one_in(2)) scene_.spring("spring", first, quantity(angle ? "N m" : "N/m"));
+    const std::string tip = std::to_string(frames_.size() - 1);
+    if (one_in(2)) scene_.spring("tie", "P0", "P" + tip, quantity("N/m"), quantity("m"));
+    if (one_in(2)) scene_.gravitation("attraction", "Q0", "P" + tip, quantity("N m^2"));
+    const Expression last = unknowns_.back();
+    const Expression scale = last.unit().is_dimensionless() ? Expression(1) : Expression::quantity("1", "m");
+    if (one_in(2)) scene_.force_function("field", quantity("J") * sin(2 * last / scale));
+  }
+
   void attach(const std::string& name, const FrameHandle& frame) {
     const Expression mass = scene_.parameter("m_" + name, "kg", fraction());
-    // A solid box of these edges, so that the operator is that of a true body; products of inertia by its own axes.
-    const Inertia box = Inertia::box(mass, quantity("m"), quantity("m"), quantity("m"));
-    if (one_in(3)) {
-      scene_.body(name, frame,
-                  Inertia::general(mass, box.xx, box.yy, box.zz, box.xx / 7, -box.yy / 9, box.zz / 11).at(vector("m")));
-    } else {
-      scene_.body(name, frame, box.at(vector("m")));
-    }
+    scene_.body(name, frame, inertia(mass));
   }
 
   void release() {
@@ -266,17 +255,20 @@ class Builder {
   }
 
   void add_constraints() {
-    if (unknowns_.size() < 3) return;
+    if (unknowns_.size() < (options_.joints ? 2U : 3U)) return;
     // Dimensionless combinations of the unknowns, independent of one another.
     const auto scaled = [&](std::size_t k) {
       const Expression q = unknowns_[k];
       return q.unit().is_dimensionless() ? q : q / Expression::quantity("1", "m");
     };
     if (one_in(2)) {
-      scene_.holonomic("tied", sin(scaled(0)) + Expression(fraction()) * scaled(1) - quantity("rad/s") * scene_.time());
+      const Expression tied = sin(scaled(0)) + Expression(fraction()) * scaled(1);
+      scene_.holonomic("tied", options_.conservative ? tied : tied - quantity("rad/s") * scene_.time());
     }
+    if (unknowns_.size() < 3) return;
     if (one_in(3)) {
-      scene_.nonholonomic("rolling", rate(scaled(2)) - cos(scaled(0)) * rate(scaled(1)) / 3 - quantity("rad/s"));
+      const Expression rolling = rate(scaled(2)) - cos(scaled(0)) * rate(scaled(1)) / 3;
+      scene_.nonholonomic("rolling", options_.conservative ? rolling : rolling - quantity("rad/s"));
       return;
     }
     const std::string tip = std::to_string(frames_.size() - 1);
@@ -287,9 +279,12 @@ class Builder {
     } else {
       constrained.no_slip("rolling", frames_.back(), "P" + tip, axis::x, frames_[0]);
     }
-    // The direction may be one in which the tip never moves: then there is nothing to constrain.
+    // The direction may be one in which the tip never moves, or cannot move for a loop: then there is nothing to
+    // constrain.
     try {
-      Equations(constrained).constraints();
+      const Equations equations(constrained);
+      equations.constraints();
+      if (options_.chains) equations.redundancy();
       scene_ = constrained;
     } catch (const SceneError&) {
     }
@@ -323,6 +318,8 @@ class Builder {
     const bool wanted = one_in(2);
     for (std::size_t j = 0; wanted && j < constraints.size(); ++j) {
       if (!(constraints[j].multiplier->unit == units::newton) || constraints[j].name == "hold") continue;
+      // The normal force of a joint that repeats another is indeterminate.
+      if (constraints[j].name.starts_with("planar") || constraints[j].name.starts_with("hinged")) continue;
       const std::string tip = std::to_string(frames_.size() - 1);
       const ConstraintHandle normal{static_cast<int>(j)};
       scene_.sliding_friction("friction", normal, Expression(fraction()) / 10, frames_.back(),
@@ -332,7 +329,6 @@ class Builder {
     }
   }
 
-  std::mt19937 random_;
   RandomMechanismOptions options_;
   Scene scene_;
   Expression gravity_;
@@ -341,6 +337,14 @@ class Builder {
 };
 
 }  // namespace
+
+std::string call_of(unsigned seed, const RandomMechanismOptions& options) {
+  std::string text = "random_mechanism(" + std::to_string(seed) + ", {";
+  for (const auto& [name, value] : random_mechanism_switches) {
+    text += std::string(".") + name + (options.*value ? " = true, " : " = false, ");
+  }
+  return text + ".most_bodies = " + std::to_string(options.most_bodies) + "})";
+}
 
 Scene random_mechanism(unsigned seed, const RandomMechanismOptions& options) { return Builder(seed, options).build(); }
 
