@@ -102,6 +102,9 @@ struct Mechanism {
   static constexpr int input_count = 2;
   static constexpr int parameter_count = 4;
   static constexpr int multiplier_count = 8;
+  /// Multipliers that are taken as zero: their constraints repeat others.
+  static constexpr int redundant_count = 2;
+  static constexpr int redundant_multipliers[] = {4, 6};
 
   /// Parameters that are set at run time.
   struct Parameters {

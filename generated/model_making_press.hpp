@@ -102,6 +102,9 @@ struct Mechanism {
   /// Indices in q of the first components (w) of the unit quaternions (w, x, y, z).
   static constexpr int quaternion_count = 2;
   static constexpr int quaternions[] = {2, 6};
+  /// Multipliers that are taken as zero: their constraints repeat others.
+  static constexpr int redundant_count = 4;
+  static constexpr int redundant_multipliers[] = {1, 2, 3, 7};
 
   /// Parameters that are set at run time.
   struct Parameters {

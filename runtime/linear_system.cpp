@@ -10,6 +10,12 @@
 
 namespace torsor::runtime {
 
+void detail::throw_not_square(Eigen::Index velocities, Eigen::Index coordinates) {
+  throw std::invalid_argument("the linearised equations have " + std::to_string(coordinates) +
+                              " independent coordinates and " + std::to_string(velocities) +
+                              " independent velocities: they are no M x'' + C x' + K x = F; take the state matrix");
+}
+
 LinearSystem undamped(const Eigen::MatrixXd& M, const Eigen::MatrixXd& K) {
   return {M, Eigen::MatrixXd::Zero(M.rows(), M.cols()), K, Eigen::VectorXd::Zero(M.rows())};
 }

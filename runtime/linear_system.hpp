@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <Eigen/Core>
+#include <cmath>
 #include <cstddef>
 
 #include "runtime/library.hpp"
@@ -19,22 +20,48 @@ struct LinearSystem {
 /// A system without damping and without a constant force.
 [[nodiscard]] LinearSystem undamped(const Eigen::MatrixXd& M, const Eigen::MatrixXd& K);
 
+namespace detail {
+
+/// Values stored column by column.
+template <class Values>
+[[nodiscard]] Eigen::MatrixXd matrix(const Values& values, Eigen::Index rows) {
+  Eigen::MatrixXd result(rows, static_cast<Eigen::Index>(values.size()) / rows);
+  for (Eigen::Index k = 0; k < result.size(); ++k) {
+    result(k % rows, k / rows) = static_cast<double>(values[static_cast<std::size_t>(k)]);
+  }
+  return result;
+}
+
+[[noreturn]] void throw_not_square(Eigen::Index velocities, Eigen::Index coordinates);
+
+}  // namespace detail
+
 /// The result of the generated kernel `linearisation` as matrices: M, C, K are n x n, stored column by column. With
 /// constraints these are the equations in all freedoms, at fixed multipliers.
 template <class Linearisation>
 [[nodiscard]] LinearSystem linear_system(const Linearisation& linear) {
   const auto n = static_cast<Eigen::Index>(linear.F.size());
-  const auto matrix = [n](const auto& values) {
-    Eigen::MatrixXd result(n, n);
-    for (Eigen::Index j = 0; j < n; ++j) {
-      for (Eigen::Index i = 0; i < n; ++i)
-        result(i, j) = static_cast<double>(values[static_cast<std::size_t>(j * n + i)]);
-    }
-    return result;
-  };
-  LinearSystem system{matrix(linear.M), matrix(linear.C), matrix(linear.K), Eigen::VectorXd(n)};
-  for (Eigen::Index i = 0; i < n; ++i) system.F(i) = static_cast<double>(linear.F[static_cast<std::size_t>(i)]);
-  return system;
+  return {detail::matrix(linear.M, n), detail::matrix(linear.C, n), detail::matrix(linear.K, n),
+          detail::matrix(linear.F, n).col(0)};
+}
+
+/// The same of a constrained mechanism in its independent freedoms, M_r, C_r, K_r, F_r: about any state that satisfies
+/// the constraints, moving or at rest. Throws std::invalid_argument where constraints on velocities leave more
+/// coordinates than velocities: K_r is not square then, take `state_matrix`.
+template <class Linearisation>
+[[nodiscard]] LinearSystem reduced_linear_system(const Linearisation& linear) {
+  const auto n = static_cast<Eigen::Index>(linear.F_r.size());
+  if (linear.K_r.size() != linear.M_r.size())
+    detail::throw_not_square(n, static_cast<Eigen::Index>(linear.K_r.size()) / n);
+  return {detail::matrix(linear.M_r, n), detail::matrix(linear.C_r, n), detail::matrix(linear.K_r, n),
+          detail::matrix(linear.F_r, n).col(0)};
+}
+
+/// A of x' = A x + B δu from the generated kernel `linearisation`, x the deviations of independent coordinates and then
+/// of independent velocities.
+template <class Linearisation>
+[[nodiscard]] Eigen::MatrixXd state_matrix(const Linearisation& linear) {
+  return detail::matrix(linear.A, static_cast<Eigen::Index>(std::lround(std::sqrt(linear.A.size()))));
 }
 
 /// The same system in coordinates and a time without units: with M = L Lᵀ, y = Lᵀ x and τ = σ t,

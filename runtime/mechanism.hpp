@@ -59,6 +59,11 @@ concept HasCoordinateRates = MechanismModel<M> &&
 template <class M>
 concept HasQuaternions = MechanismModel<M> && requires { requires M::quaternion_count > 0; M::quaternions[0]; };
 
+/// A mechanism with constraints that repeat others says whose multipliers are taken as zero.
+template <class M>
+concept HasRedundantConstraints =
+    MechanismModel<M> && requires { requires M::redundant_count > 0; M::redundant_multipliers[0]; };
+
 template <MechanismModel M>
 inline constexpr std::size_t coordinates_of = static_cast<std::size_t>(M::coordinate_count);
 template <MechanismModel M>

@@ -53,6 +53,13 @@ struct StabilityReport {
 /// double root is known to the square root of rounding only.
 [[nodiscard]] StabilityReport stability_by_eigenvalues(const LinearSystem& system, double tolerance = 1e-7);
 
+/// The same on x' = A x, A of the kernel `linearisation` (`state_matrix`): about steady motions too, with constraints of
+/// any kind. States that nothing depends on, or that do not change (cyclic coordinates, their momenta), are taken out
+/// first, each a root 0 that leaves the method without a conclusion unless another root is unstable. A root counts as
+/// zero also below what rounding may move it by, for a multiple root is known badly. Throws std::invalid_argument for a
+/// matrix that is not square and finite.
+[[nodiscard]] StabilityReport stability_by_eigenvalues(const Eigen::MatrixXd& A, double tolerance = 1e-7);
+
 /// The same verdict from a Routh table: without any root.
 [[nodiscard]] StabilityReport stability_by_routh(const RouthTable& table);
 

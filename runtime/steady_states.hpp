@@ -98,13 +98,21 @@ class StateEquations {
       for (const int k : problem.supplied) supplied = supplied || k == i;
       if (!supplied) kept_.push_back(i);
     }
+    for (int j = 0; j < M::multiplier_count; ++j) {
+      bool redundant = false;
+      if constexpr (HasRedundantConstraints<M>) {
+        for (const int k : M::redundant_multipliers) redundant = redundant || k == j;
+      }
+      if (!redundant) multipliers_.push_back(j);
+    }
   }
 
   [[nodiscard]] Eigen::Index unknowns() const {
     return static_cast<Eigen::Index>(problem_.coordinates.size() + problem_.velocities.size() +
-                                     problem_.accelerations_unknown.size()) +
-           m;
+                                     problem_.accelerations_unknown.size() + multipliers_.size());
   }
+
+  [[nodiscard]] Eigen::Index multipliers() const { return static_cast<Eigen::Index>(multipliers_.size()); }
 
   [[nodiscard]] FoundState<M> at(const Eigen::VectorXd& x) const {
     FoundState<M> s{problem_.state, problem_.accelerations};
@@ -113,7 +121,8 @@ class StateEquations {
     for (const int i : problem_.velocities) s.state.v[i] = x(k++);
     for (const int i : problem_.accelerations_unknown) s.accelerations[i] = x(k++);
     if constexpr (m > 0) {
-      for (int j = 0; j < M::multiplier_count; ++j) s.multipliers[j] = x(k++);
+      for (int j = 0; j < M::multiplier_count; ++j) s.multipliers[j] = 0;
+      for (const int j : multipliers_) s.multipliers[j] = x(k++);
     }
     return s;
   }
@@ -199,7 +208,8 @@ class StateEquations {
 
   const typename M::Precomputed& precomputed_;
   const StateProblem<M>& problem_;
-  std::vector<int> kept_;
+  std::vector<int> kept_;         // equations
+  std::vector<int> multipliers_;  // unknown ones
 };
 
 /// A quaternion and its opposite are one attitude: its largest component is made positive.
@@ -234,7 +244,7 @@ template <class M>
 template <HasStateEquations M>
 [[nodiscard]] StateSearch<M> find_states(const typename M::Precomputed& precomputed, const StateProblem<M>& problem) {
   const detail::StateEquations<M> equations(precomputed, problem);
-  const Eigen::Index bounded = equations.unknowns() - detail::StateEquations<M>::m;
+  const Eigen::Index bounded = equations.unknowns() - equations.multipliers();
   if (problem.lower.size() != bounded || problem.upper.size() != bounded) {
     throw std::invalid_argument("the box has " + std::to_string(problem.lower.size()) + " lower and " +
                                 std::to_string(problem.upper.size()) + " upper bounds for " + std::to_string(bounded) +

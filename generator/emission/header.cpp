@@ -73,6 +73,16 @@ std::string quaternion_table(const Model& model) {
       count, first);
 }
 
+/// Which multipliers are zero because their constraints repeat others, for the runtime, which cannot solve for them.
+std::string redundancy_table(const Equations& equations) {
+  if (equations.constraints().empty() || !equations.redundancy().redundant()) return "";
+  const std::vector<std::size_t>& dropped = equations.redundancy().dropped;
+  return fmt::format(
+      "/// Multipliers that are taken as zero: their constraints repeat others.\n"
+      "static constexpr int redundant_count = {};\nstatic constexpr int redundant_multipliers[] = {{{}}};\n",
+      dropped.size(), fmt::join(dropped, ", "));
+}
+
 std::string blocks_text(const std::vector<std::string>& blocks) {
   std::string text;
   for (const std::string& block : blocks) text += (text.empty() ? "" : "\n") + block;
@@ -149,7 +159,7 @@ std::string emit_header(const Equations& equations, const std::vector<Kernel>& k
                         {"input_count", size(equations.model().inputs().size())},
                         {"parameter_count", size(parameters.size())},
                         {"multiplier_count", size(content.constraints.size())},
-                        {"quaternions", quaternion_table(equations.model())},
+                        {"quaternions", quaternion_table(equations.model()) + redundancy_table(equations)},
                         {"structures", blocks_text(common_text)},
                         {"precomputed_members", precomputed_structure(program, schedule)},
                         {"default_parameters", default_parameters_body(scene, parameters)},

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "runtime/equilibrium_stability.hpp"
 #include "runtime/mechanism.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
@@ -139,6 +140,25 @@ TEST(AndrewsSqueezer, IsLinearisedInItsOneFreedom) {
   // The torque is all that works on beta at rest: beta'' = M / M_r.
   EXPECT_NEAR(linear.M_r[0], 0.033 / 14222.44391995411387, 1e-12 * linear.M_r[0]);
   EXPECT_NEAR(linear.F_r[0], 0.0, 1e-12);
+}
+
+// While it moves as well: x' = A x of the kernel is M x'' + C x' + K x = 0 of the one freedom.
+TEST(AndrewsSqueezer, IsLinearisedWhileItMoves) {
+  const auto motion = equations_of_motion<Squeezer>();
+  FoundState<Squeezer> s{unpack<Squeezer>(0.03, motion_at(0.03))};
+  ASSERT_EQ(motion.accelerations(s.state, s.accelerations, s.multipliers), Evaluation::ok);
+  const LinearSystem small = linearised_at<Squeezer>(motion.precomputed(), s);
+  ASSERT_EQ(small.size(), 1);
+  Squeezer::Linearisation linear{};
+  ASSERT_EQ(Squeezer::linearisation(motion.precomputed(), s.state, s.accelerations, s.multipliers, {}, linear),
+            torsor::Status::ok);
+  const Eigen::MatrixXd A = state_matrix(linear);
+  // The coordinate's own rate, and what either form divides by M: a rounding or two.
+  EXPECT_EQ(A(0, 0), 0.0);
+  EXPECT_EQ(A(0, 1), 1.0);
+  EXPECT_NEAR(A(1, 0), -small.K(0, 0) / small.M(0, 0), 1e-15 * std::abs(A(1, 0)));
+  EXPECT_NEAR(A(1, 1), -small.C(0, 0) / small.M(0, 0), 1e-15 * std::abs(A(1, 1)));
+  EXPECT_GT(std::abs(A(1, 1)), 1.0);  // it does move: a linkage at rest has no such term
 }
 
 }  // namespace

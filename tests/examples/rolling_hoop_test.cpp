@@ -10,6 +10,7 @@
 
 #include "generated/rolling_hoop_contact_forces.hpp"
 #include "runtime/mechanism.hpp"
+#include "runtime/stability.hpp"
 #include "runtime/reference.hpp"
 #include "runtime/runge_kutta_4.hpp"
 #include "tests/examples/motion.hpp"
@@ -163,10 +164,10 @@ TEST(RollingDisc, ComesBackAfterATurnOnASteadyCircle) {
   }
 }
 
-/// The state matrix of the deviations from rolling straight ahead, upright, at u2, and the coefficients of its
+/// The state matrix of the deviations from rolling straight ahead, upright, at u2; the coefficients of its
 /// characteristic polynomial lambda^8 + c[1] lambda^7 + ... + c[8], by Leverrier's recursion.
 constexpr int states = Hoop::independent_coordinate_count + Hoop::independent_velocity_count;
-std::array<double, states + 1> characteristic_polynomial(double u2, double heading) {
+Eigen::Matrix<double, states, states> rolling_straight(double u2, double heading) {
   const auto precomputed = Hoop::precompute(disc());
   Hoop::State state = unpack<Hoop>(0.0, disc_state(0.0, 0.0, u2, 0.0));
   state.q.psi = heading;
@@ -177,8 +178,12 @@ std::array<double, states + 1> characteristic_polynomial(double u2, double headi
   for (int i = 0; i < Hoop::velocity_count; ++i) EXPECT_NEAR(contact.a[i], 0.0, 100 * rounding);
   Hoop::Linearisation linear{};
   EXPECT_EQ(Hoop::linearisation(precomputed, state, contact.a, contact.lambda, {}, linear), torsor::Status::ok);
+  return torsor::runtime::state_matrix(linear);
+}
+
+std::array<double, states + 1> characteristic_polynomial(double u2, double heading) {
   using Matrix = Eigen::Matrix<double, states, states>;
-  const Eigen::Map<const Matrix> A(linear.A.data());
+  const Matrix A = rolling_straight(u2, heading);
   std::array<double, states + 1> c{1.0};
   Matrix B = Matrix::Identity();
   for (int k = 1; k <= states; ++k) {
@@ -215,6 +220,14 @@ TEST(RollingDisc, StaysUprightAboveTheCriticalSpeed) {
   }
   // mu is known to the tolerance above, its slope there is 24/5 u2.
   EXPECT_NEAR(slow, 1.808314132002512444004943, 8 * 75 * rounding / (24.0 / 5.0 * 1.8));
+}
+
+// Its verdict: unstable below the critical speed; above, roots on the imaginary axis and zeros prove nothing.
+TEST(RollingDisc, IsSaidToFallBelowTheCriticalSpeedOnly) {
+  using torsor::runtime::Stability;
+  const auto verdict = [](double u2) { return torsor::runtime::stability_by_eigenvalues(rolling_straight(u2, 0.4)); };
+  for (const double u2 : {0.0, 1.0, 1.80}) EXPECT_EQ(verdict(u2).verdict, Stability::unstable) << verdict(u2).reason;
+  for (const double u2 : {1.82, 4.0}) EXPECT_EQ(verdict(u2).verdict, Stability::cannot_conclude) << verdict(u2).reason;
 }
 
 struct Unsteady {

@@ -40,6 +40,29 @@ TEST(Stability, OfAnInvertedPendulumIsDecidedByItsSpring) {
   EXPECT_EQ(stability_by_routh(one_degree(0.3, 2)).verdict, Stability::asymptotically_stable);
 }
 
+// x' = A x with A = [0 1; -K -C] has the same roots; a cyclic coordinate beside it adds two zeros that coalesce.
+TEST(Stability, OfAStateMatrixIsThatOfItsSystem) {
+  for (const auto& [c, k] : {std::pair{0.3, 2.0}, std::pair{0.0, -2.0}, std::pair{-0.1, 2.0}, std::pair{0.0, 2.0}}) {
+    MatrixXd A(2, 2);
+    A << 0, 1, -k, -c;
+    EXPECT_EQ(stability_by_eigenvalues(A).verdict, stability_by_eigenvalues(one_degree(c, k)).verdict);
+    MatrixXd beside = MatrixXd::Zero(4, 4);
+    beside.topLeftCorner(2, 2) = A;
+    beside(2, 3) = 1;
+    beside(2, 0) = 5;  // it follows the motion
+    const Stability expected = stability_by_eigenvalues(A).verdict;
+    EXPECT_EQ(stability_by_eigenvalues(beside).verdict,
+              expected == Stability::unstable ? expected : Stability::cannot_conclude);
+  }
+  // A Jordan block of three zeros that is not seen as such: rounding moves its roots by 1e-5, which proves nothing.
+  MatrixXd turn(3, 3), block = MatrixXd::Zero(3, 3);
+  turn << 2, -1, 2, 2, 2, -1, -1, 2, 2;
+  block(0, 1) = block(1, 2) = 1;
+  const StabilityReport report = stability_by_eigenvalues(MatrixXd(turn * block * turn.transpose() / 9.0));
+  EXPECT_EQ(report.verdict, Stability::cannot_conclude) << report.reason;
+  EXPECT_THROW((void)stability_by_eigenvalues(MatrixXd(MatrixXd::Zero(2, 3))), std::invalid_argument);
+}
+
 // Both stiffnesses below Ω²: −(U + T0) has a maximum, the Coriolis forces hold the mass (Kelvin). Lejeune-Dirichlet and
 // Liapunov say that they cannot conclude; friction in the turning axes makes it unstable (Kelvin, Tait, Chetaev).
 TEST(Stability, OfAGyroscopicallyHeldMassIsNotForLejeuneDirichletToSay) {

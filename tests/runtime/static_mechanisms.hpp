@@ -111,6 +111,36 @@ struct LinearisedPointOnCurve : PointOnCurve<Curve> {
   }
 };
 
+/// The same held on its curve twice; the second multiplier is taken as zero.
+template <class Curve>
+struct TwiceOnCurve : Contract<2, 2> {
+  static constexpr int input_count = 0, parameter_count = 0, redundant_count = 1;
+  static constexpr int redundant_multipliers[] = {1};
+  using Once = PointOnCurve<Curve>;
+  using Inputs = Nothing;
+  using Parameters = Nothing;
+  using Precomputed = typename Once::Precomputed;
+  struct Constraints {
+    std::array<double, 2> value, rate;
+    std::array<double, 4> jacobian;
+    std::array<double, 2> gamma;
+  };
+  static Parameters default_parameters() noexcept { return {}; }
+  static Precomputed precompute(const Parameters& p) noexcept { return {p}; }
+  static void constraints(const Precomputed& p, const State& s, Constraints& c) noexcept {
+    typename Once::Constraints once{};
+    Once::constraints(p, {s.time, s.q, s.v}, once);
+    c.value.fill(once.value[0]);
+    c.rate.fill(once.rate[0]);
+    c.gamma.fill(once.gamma[0]);
+    c.jacobian = {once.jacobian[0], once.jacobian[0], once.jacobian[1], once.jacobian[1]};
+  }
+  static void inverse_dynamics(const Precomputed& p, const State& s, const Accelerations& a, const Multipliers& lambda,
+                               GeneralizedForces& r) noexcept {
+    Once::inverse_dynamics(p, {s.time, s.q, s.v}, a, {{lambda[0] + lambda[1]}}, r);
+  }
+};
+
 struct CurveDerivatives {
   double value, x, y, xx, xy, yy;
 };

@@ -142,6 +142,18 @@ TEST(Equilibria, OnADoubleWellAreThreeByDifferencesAsByDerivatives) {
   EXPECT_NEAR(natural_modes(system).squared_frequencies(0), 4 * g, 1e-8);
 }
 
+// Both multipliers carry the weight in any shares: with the second at zero the rests are points again.
+TEST(Equilibria, UnderAConstraintThatRepeatsAnotherAreIsolated) {
+  const CoordinateBox box{Vector2d(-2, -2), Vector2d(2, 2)};
+  const auto search = find_equilibria<TwiceOnCurve<DoubleWell>>({}, box);
+  ASSERT_EQ(search.found.size(), 3U);
+  for (const auto& rest : search.found) {
+    EXPECT_TRUE(rest.isolated);
+    EXPECT_NEAR(rest.multipliers[0], g, 1e-9);
+    EXPECT_EQ(rest.multipliers[1], 0.0);
+  }
+}
+
 // With the force u on the slider, x (4 − ψ'²) = u at the rate ψ'; the friction of the turn asks for c ψ'.
 TEST(SteadyMotions, HaveTheCyclicRateThatWasGivenAndTheEffortThatKeepsIt) {
   const auto precomputed = TurningSlider::precompute({0.5});
