@@ -37,11 +37,285 @@
 #include <cmath>
 
 #ifndef TORSOR_KERNEL_SUPPORT
-#define TORSOR_KERNEL_SUPPORT 1
+#define TORSOR_KERNEL_SUPPORT 2
 // Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
 #ifndef TORSOR_DEVICE
 #define TORSOR_DEVICE
 #endif
+// Define TORSOR_STD_SINCOS before the first generated header, alike in the whole program, for std::sin and std::cos.
+
+// Sine and cosine in one, of one angle or of several at once, with an error of at most 1 ulp. With rounding to nearest:
+//  * the angle loses its quadrant, x = n pi/2 + r, by parts of pi/2 so short that n times a part is exact. Whether a
+//    product and a sum are fused does not matter, here or elsewhere; letting the compiler reassociate sums would;
+//  * two polynomials of least greatest error give the sine and the cosine of r, |r| <= pi/4;
+//  * angles beyond `bound` are rare: they are reduced exactly, in integers, by a function that is not inlined.
+// The core has no branch, so that compilers turn a loop over several angles into vector instructions.
+#ifndef TORSOR_STD_SINCOS
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0)
+#define TORSOR_STD_SINCOS  // sums would be reassociated or hold more digits than their type
+#endif
+#endif
+#if defined(_MSC_VER)
+#define TORSOR_INLINED __forceinline
+#define TORSOR_OUTLINED __declspec(noinline)
+#else
+#define TORSOR_INLINED inline __attribute__((always_inline))
+#define TORSOR_OUTLINED __attribute__((noinline, cold))
+#endif
+
+namespace torsor {
+
+template <class Scalar>
+struct scalar_traits;
+
+/// For float, double and packs of either (`in_float` says of which): of these, constants, sums and
+/// products only are used.
+template <class Scalar, bool in_float>
+struct SineCosine {
+  /// The core is meant for |x| <= bound; n is then exact in 10 or 21 bits and its products with the parts in 24 or 53.
+  static constexpr double bound = in_float ? 1600.0 : 2097152.0;
+
+  TORSOR_DEVICE TORSOR_INLINED static Scalar number(double for_double, float for_float) noexcept {
+    return scalar_traits<Scalar>::constant(for_double, for_float, nullptr);
+  }
+  /// To the nearest integer, of two the even one.
+  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept {
+    const Scalar unit_ulp = number(0x1.8p52, 0x1.8p23f);
+    return (x + unit_ulp) - unit_ulp;
+  }
+
+  /// Of n pi/2 + high - rest, rest being about an ulp of high at most.
+  TORSOR_DEVICE TORSOR_INLINED static void of_reduced(const Scalar& n, const Scalar& high, const Scalar& rest,
+                                                      Scalar& sine, Scalar& cosine) noexcept {
+    const Scalar one = number(1.0, 1.0f), two = number(2.0, 2.0f), half = number(0.5, 0.5f);
+    const Scalar z = high * high, z2 = z * z;
+    // sin r = r + r z S(z), cos r = 1 - z/2 + z z C(z)
+    Scalar S, C;
+    if constexpr (in_float) {
+      const Scalar S01 = number(0.0, -0x1.555546p-3f) + z * number(0.0, 0x1.110778p-7f);
+      const Scalar C01 = number(0.0, 0x1.55554ap-5f) + z * number(0.0, -0x1.6c0c1ap-10f);
+      S = S01 + z2 * number(0.0, -0x1.9953f2p-13f);
+      C = C01 + z2 * number(0.0, 0x1.99e0eep-16f);
+    } else {
+      const Scalar z4 = z2 * z2;
+      const Scalar S01 = number(-0x1.5555555555548p-3, 0.0f) + z * number(0x1.111111110f73p-7, 0.0f);
+      const Scalar S23 = number(-0x1.a01a019be9217p-13, 0.0f) + z * number(0x1.71de35552b518p-19, 0.0f);
+      const Scalar S45 = number(-0x1.ae5e4b83e1601p-26, 0.0f) + z * number(0x1.5d8b55934597bp-33, 0.0f);
+      const Scalar C01 = number(0x1.555555555554cp-5, 0.0f) + z * number(-0x1.6c16c16c1521bp-10, 0.0f);
+      const Scalar C23 = number(0x1.a01a019cbeb68p-16, 0.0f) + z * number(-0x1.27e4f8121198fp-22, 0.0f);
+      const Scalar C45 = number(0x1.1ee9f0cbf70d6p-29, 0.0f) + z * number(-0x1.8fb0e15d5f2ap-37, 0.0f);
+      S = (S01 + z2 * S23) + z4 * S45;
+      C = (C01 + z2 * C23) + z4 * C45;
+    }
+    const Scalar half_z = half * z, w = one - half_z;
+    // Far below an ulp, it makes the correction of -0 a -0, and so the sine.
+    const Scalar tiny = number(0x1p-100, 0x1p-60f);
+    const Scalar s = high + (high * (tiny + z * S) - rest * w);
+    const Scalar c = w + (((one - w) - half_z) + (z2 * C + high * rest));
+    // i = cos(n pi/2) = sin((n + 1) pi/2) and j = -sin(n pi/2): halves are rounded to even, which tells 1 from 3.
+    const Scalar next = n + one;
+    const Scalar i = next - two * rounded(half * next);
+    const Scalar j = two * rounded(half * n) - n;
+    sine = s * i - c * j;
+    cosine = c * i + s * j;
+  }
+
+  /// For |x| <= bound; what is no number gives no number. Exact are n times the first three parts of pi/2, the first
+  /// difference, and each rounded difference together with its rounding error.
+  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
+    const Scalar n = rounded(x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f));
+    const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
+    const Scalar second = n * number(0x1.0b4611a6p-34, 0x1.ed5p-14f);
+    const Scalar third = n * number(0x1.3198a2ep-69, 0x1.10bp-30f);
+    const Scalar fourth = n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
+    const Scalar r = first - second;
+    const Scalar taken = first - r;
+    const Scalar error = (first - (r + taken)) - (second - taken);
+    const Scalar high = r - third;
+    const Scalar rest = ((third - (r - high)) - error) + fourth;
+    of_reduced(n, high, rest, sine, cosine);
+  }
+};
+
+/// Of any x, beyond the bound too, where n pi/2 is subtracted exactly: x/(2 pi) modulo 1 in integers, with as many
+/// digits of 1/(2 pi) as |x - n pi/2| >= 2^-62 needs. Infinite: not a number.
+TORSOR_OUTLINED inline void sincos_far(double x, double& sine, double& cosine) noexcept {
+  using Word = unsigned long long;  // of which 32 bits are used
+  constexpr Word mask = 0xffffffffu;
+  // 1/(2 pi) behind 64 zeros
+  static constexpr unsigned turns[] = {
+      0u,          0u,          0x28be60dbu, 0x9391054au, 0x7f09d5f4u, 0x7d4d3770u, 0x36d8a566u, 0x4f10e410u,
+      0x7f9458eau, 0xf7aef158u, 0x6dc91b8eu, 0x909374b8u, 0x01924bbau, 0x82746487u, 0x3f877ac7u, 0x2c4a69cfu,
+      0xba208d7du, 0x4baed121u, 0x3a671c09u, 0xad17df90u, 0x4e64758eu, 0x60d4ce7du, 0x272117e2u, 0xef7e4a0eu,
+      0xc7fe25ffu, 0xf7816603u, 0xfbcbc462u, 0xd6829b47u, 0xdb4d9fb3u, 0xc9f2c26du, 0xd3d18fd9u, 0xa797fa8bu,
+      0x5d49eeb1u, 0xfaf97c5eu, 0xcf41ce7du, 0xe294a4bau, 0x9afed7ecu, 0x47e35742u, 0x1580cc11u};
+  if (!(std::abs(x) <= 0x1.fffffffffffffp+1023)) {
+    sine = cosine = x - x;
+    return;
+  }
+  int exponent = 0;
+  const double mantissa = std::frexp(std::abs(x), &exponent);
+  const Word integer = static_cast<Word>(std::ldexp(mantissa, 53));  // |x| = integer 2^(exponent - 53)
+  const int position = exponent - 53 + 64;                           // at least 64 - 53 + 21
+  const int skipped = position / 32, shift = position % 32;
+  const Word low_word = (integer & mask) << shift, high_word = (integer >> 32) << shift;
+  const Word factor[3] = {low_word & mask, ((low_word >> 32) + high_word) & mask,
+                          (((low_word >> 32) + high_word) >> 32)};
+
+  // The fraction of the product with seven words of 1/(2 pi), the lowest word first: an error of 2^-139 at most.
+  Word turn[8] = {};
+  for (int k = 0; k < 7; ++k) {
+    Word carry = 0;
+    for (int m = 0; m < 3 && k + m < 7; ++m) {
+      carry += turn[k + m] + factor[m] * turns[skipped + 6 - k];
+      turn[k + m] = carry & mask;
+      carry >>= 32;
+    }
+    if (k + 3 < 7) turn[k + 3] = carry;
+  }
+  // Quarters of a turn, to nearest; what is left, |rest| <= 1/8, and its sign
+  const Word quarter = ((turn[6] + 0x20000000u) & mask) >> 30;
+  turn[6] = (turn[6] - (quarter << 30)) & mask;
+  const bool negative = (turn[6] >> 31) != 0;
+  Word carry = negative ? 1 : 0;
+  for (int k = 0; k < 7; ++k) {
+    turn[k] = (negative ? ~turn[k] & mask : turn[k]) + carry;
+    carry = turn[k] >> 32;
+    turn[k] &= mask;
+  }
+  // Its 128 leading bits, and these times pi/4
+  int zeros = 0;
+  for (; zeros < 96 && (turn[6] >> 31) == 0; ++zeros) {
+    for (int k = 6; k > 0; --k) turn[k] = ((turn[k] << 1) & mask) | (turn[k - 1] >> 31);
+    turn[0] = (turn[0] << 1) & mask;
+  }
+  static constexpr Word quarter_pi[4] = {0x80dc1cd1u, 0xc4c6628bu, 0x2168c234u, 0xc90fdaa2u};
+  Word product[8] = {};
+  for (int k = 0; k < 4; ++k) {
+    carry = 0;
+    for (int m = 0; m < 4; ++m) {
+      carry += product[k + m] + turn[3 + k] * quarter_pi[m];
+      product[k + m] = carry & mask;
+      carry >>= 32;
+    }
+    product[k + 4] = carry;
+  }
+  // At least 0.39: 53 bits reach into the second word's last eleven bits or beyond.
+  const Word leading = (product[7] << 32) | product[6], following = (product[5] << 32) | product[4];
+  const double high = std::ldexp(static_cast<double>(leading & ~Word{2047}), 3 - zeros - 64);
+  const double low = std::ldexp(static_cast<double>(((leading & 2047) << 53) | (following >> 11)), 3 - zeros - 117);
+  double s = 0;
+  SineCosine<double, false>::of_reduced(static_cast<double>(quarter), negative ? -high : high, negative ? low : -low, s,
+                                        cosine);
+  sine = x < 0 ? -s : s;
+}
+TORSOR_OUTLINED inline void sincos_far(float x, float& sine, float& cosine) noexcept {
+  double s = 0, c = 0;
+  if (std::abs(x) <= static_cast<float>(SineCosine<double, false>::bound))
+    SineCosine<double, false>::core(static_cast<double>(x), s, c);
+  else
+    sincos_far(static_cast<double>(x), s, c);
+  sine = static_cast<float>(s);
+  cosine = static_cast<float>(c);
+}
+
+/// Of one angle, in float or double.
+template <class Scalar>
+TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
+#if defined(__CUDA_ARCH__)
+  if constexpr (sizeof(Scalar) == sizeof(float))
+    ::sincosf(angle, &sine, &cosine);
+  else
+    ::sincos(angle, &sine, &cosine);
+#elif defined(TORSOR_STD_SINCOS)
+  sine = std::sin(angle);
+  cosine = std::cos(angle);
+#else
+  using Core = SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>;
+  if (std::abs(angle) > static_cast<Scalar>(Core::bound))
+    sincos_far(angle, sine, cosine);
+  else
+    Core::core(angle, sine, cosine);
+#endif
+}
+
+/// Of some angles up to the bound, a multiple of what a vector holds. Local arrays, which nothing else can point to.
+template <int size, class Scalar>
+TORSOR_DEVICE TORSOR_INLINED void sincos_of_block(const Scalar* angles, Scalar* sines, Scalar* cosines) noexcept {
+  Scalar x[size], s[size], c[size];
+  for (int i = 0; i < size; ++i) x[i] = angles[i];
+  // Compilers make vector instructions of a loop, but not always of a row of statements.
+#if defined(__clang__)
+#pragma clang loop unroll(disable)
+#elif defined(__GNUC__)
+#pragma GCC unroll 1
+#endif
+  for (int i = 0; i < size; ++i) SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::core(x[i], s[i], c[i]);
+  for (int i = 0; i < size; ++i) sines[i] = s[i];
+  for (int i = 0; i < size; ++i) cosines[i] = c[i];
+}
+
+/// Of several angles at once, in float or double: as many as a vector holds go through the core together.
+template <class Scalar, int N>
+TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                            Scalar (&cosines)[N]) noexcept {
+  constexpr int narrow = 16 / sizeof(Scalar);
+#if defined(__AVX__)
+  constexpr int wide = 32 / sizeof(Scalar);
+#else
+  constexpr int wide = narrow;
+#endif
+#if defined(__CUDA_ARCH__) || defined(TORSOR_STD_SINCOS)
+  constexpr bool by_vectors = false;
+#elif defined(__clang__)
+  constexpr bool by_vectors = N >= 4;  // it leaves a loop over two as it is
+#else
+  constexpr bool by_vectors = N >= narrow;
+#endif
+  if constexpr (by_vectors) {
+    constexpr int vector = N >= wide ? wide : narrow, rest = N % vector;
+    // Of a rest some angles are done again: a whole vector costs less than two or three alone.
+#if defined(__clang__)
+    sincos_of_block<N - rest>(angles, sines, cosines);  // best as one loop
+    if constexpr (rest > 1) {
+      sincos_of_block<vector>(angles + (N - vector), sines + (N - vector), cosines + (N - vector));
+    }
+#else
+    for (int next = 0; next < N - (rest == 1); next += vector) {
+      const int first = next + vector <= N ? next : N - vector;
+      sincos_of_block<vector>(angles + first, sines + first, cosines + first);
+    }
+#endif
+    if constexpr (rest == 1) sincos_of_one(angles[N - 1], sines[N - 1], cosines[N - 1]);
+    constexpr Scalar bound = static_cast<Scalar>(SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::bound);
+    Scalar sum = 0;
+    for (int i = 0; i < N; ++i) sum += std::abs(angles[i]);
+    if (sum <= bound) return;
+    for (int i = 0; i < N; ++i) {
+      if (std::abs(angles[i]) > bound) sincos_far(angles[i], sines[i], cosines[i]);
+    }
+  } else {
+    for (int i = 0; i < N; ++i) sincos_of_one(angles[i], sines[i], cosines[i]);
+  }
+}
+
+/// Of several angles of any scalar: at once where its traits have a `sincos` of arrays, else one by one.
+template <class Scalar, int N>
+TORSOR_DEVICE auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N], int) noexcept
+    -> decltype(scalar_traits<Scalar>::sincos(angles, sines, cosines)) {
+  scalar_traits<Scalar>::sincos(angles, sines, cosines);
+}
+template <class Scalar, int N>
+TORSOR_DEVICE void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N],
+                                    long) noexcept {
+  for (int i = 0; i < N; ++i) scalar_traits<Scalar>::sincos(angles[i], sines[i], cosines[i]);
+}
+template <class Scalar, int N>
+TORSOR_DEVICE void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+  sincos_by_traits(angles, sines, cosines, 0);
+}
+
+}  // namespace torsor
 
 namespace torsor {
 
@@ -70,8 +344,12 @@ struct scalar_traits {
     return condition ? if_true : if_false;
   }
   TORSOR_DEVICE static void sincos(const Scalar& angle, Scalar& sine, Scalar& cosine) noexcept {
-    sine = std::sin(angle);
-    cosine = std::cos(angle);
+    sincos_of_one(angle, sine, cosine);
+  }
+  /// Of several angles at once; a specialisation without it gets them one by one.
+  template <int N>
+  TORSOR_DEVICE static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+    sincos_of_several(angles, sines, cosines);
   }
   TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
   TORSOR_DEVICE static Scalar exp(const Scalar& x) noexcept { return std::exp(x); }
@@ -83,7 +361,7 @@ struct scalar_traits {
 };
 
 }  // namespace torsor
-#elif TORSOR_KERNEL_SUPPORT != 1
+#elif TORSOR_KERNEL_SUPPORT != 2
 #error "headers of incompatible versions of torsor meet here: write them again with one version"
 #endif
 
@@ -369,13 +647,13 @@ struct Mechanism {
     const Scalar v_psi = state.v.psi;
     const Scalar q_phi = state.q.phi;
     const Scalar v_phi = state.v.phi;
-    Scalar s_theta, c_theta;
-    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar angles_[] = {q_theta, q_psi, q_phi};
+    Scalar sines_[3], cosines_[3];
+    torsor::sines_and_cosines(angles_, sines_, cosines_);
+    const Scalar s_theta = sines_[0], c_theta = cosines_[0];
+    const Scalar s_psi = sines_[1], c_psi = cosines_[1];
+    const Scalar s_phi = sines_[2], c_phi = cosines_[2];
     const Scalar z10 = c_theta * v_theta;
-    Scalar s_psi, c_psi;
-    traits::sincos(q_psi, s_psi, c_psi);
-    Scalar s_phi, c_phi;
-    traits::sincos(q_phi, s_phi, c_phi);
     const Scalar z26 = v_x * c_psi + v_y * s_psi;
     const Scalar z27 = v_x * s_psi - v_y * c_psi;
     const Scalar z28 = s_theta * v_psi;
@@ -562,12 +840,13 @@ struct Mechanism {
     const Scalar p_C = precomputed.parameters.C;
     const Scalar l_lambda_along_x1 = multipliers.lambda_along_x1;
     const Scalar l_lambda_along_y1 = multipliers.lambda_along_y1;
-    Scalar s_theta, c_theta;
-    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar angles_[] = {q_theta, q_psi};
+    Scalar sines_[2], cosines_[2];
+    torsor::sines_and_cosines(angles_, sines_, cosines_);
+    const Scalar s_theta = sines_[0], c_theta = cosines_[0];
+    const Scalar s_psi = sines_[1], c_psi = cosines_[1];
     const Scalar z11 = s_theta * v_theta;
     const Scalar z13 = c_theta * a_theta - v_theta * z11;
-    Scalar s_psi, c_psi;
-    traits::sincos(q_psi, s_psi, c_psi);
     const Scalar z28 = s_theta * v_psi;
     const Scalar z29 = c_theta * v_psi;
     const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
@@ -614,12 +893,13 @@ struct Mechanism {
     const Scalar p_C = precomputed.parameters.C;
     const Scalar z79 = precomputed.z79;
     const Scalar z153 = precomputed.z153;
-    Scalar s_theta, c_theta;
-    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar angles_[] = {q_theta, q_psi};
+    Scalar sines_[2], cosines_[2];
+    torsor::sines_and_cosines(angles_, sines_, cosines_);
+    const Scalar s_theta = sines_[0], c_theta = cosines_[0];
+    const Scalar s_psi = sines_[1], c_psi = cosines_[1];
     const Scalar z10 = c_theta * v_theta;
     const Scalar z11 = s_theta * v_theta;
-    Scalar s_psi, c_psi;
-    traits::sincos(q_psi, s_psi, c_psi);
     const Scalar z28 = s_theta * v_psi;
     const Scalar z29 = c_theta * v_psi;
     const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
@@ -705,13 +985,13 @@ struct Mechanism {
     const Scalar v_phi = state.v.phi;
     const Scalar p_A = precomputed.parameters.A;
     const Scalar p_C = precomputed.parameters.C;
-    Scalar s_theta, c_theta;
-    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar angles_[] = {q_theta, q_psi, q_phi};
+    Scalar sines_[3], cosines_[3];
+    torsor::sines_and_cosines(angles_, sines_, cosines_);
+    const Scalar s_theta = sines_[0], c_theta = cosines_[0];
+    const Scalar s_psi = sines_[1], c_psi = cosines_[1];
+    const Scalar s_phi = sines_[2], c_phi = cosines_[2];
     const Scalar z10 = c_theta * v_theta;
-    Scalar s_psi, c_psi;
-    traits::sincos(q_psi, s_psi, c_psi);
-    Scalar s_phi, c_phi;
-    traits::sincos(q_phi, s_phi, c_phi);
     const Scalar z26 = v_x * c_psi + v_y * s_psi;
     const Scalar z27 = v_x * s_psi - v_y * c_psi;
     const Scalar z28 = s_theta * v_psi;
@@ -743,13 +1023,13 @@ struct Mechanism {
     const Scalar v_phi = state.v.phi;
     const Scalar p_A = precomputed.parameters.A;
     const Scalar p_C = precomputed.parameters.C;
-    Scalar s_theta, c_theta;
-    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar angles_[] = {q_theta, q_psi, q_phi};
+    Scalar sines_[3], cosines_[3];
+    torsor::sines_and_cosines(angles_, sines_, cosines_);
+    const Scalar s_theta = sines_[0], c_theta = cosines_[0];
+    const Scalar s_psi = sines_[1], c_psi = cosines_[1];
+    const Scalar s_phi = sines_[2], c_phi = cosines_[2];
     const Scalar z10 = c_theta * v_theta;
-    Scalar s_psi, c_psi;
-    traits::sincos(q_psi, s_psi, c_psi);
-    Scalar s_phi, c_phi;
-    traits::sincos(q_phi, s_phi, c_phi);
     const Scalar z26 = v_x * c_psi + v_y * s_psi;
     const Scalar z27 = v_x * s_psi - v_y * c_psi;
     const Scalar z28 = s_theta * v_psi;
@@ -776,12 +1056,13 @@ struct Mechanism {
     const Scalar q_psi = state.q.psi;
     const Scalar v_psi = state.v.psi;
     const Scalar v_phi = state.v.phi;
-    Scalar s_theta, c_theta;
-    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar angles_[] = {q_theta, q_psi};
+    Scalar sines_[2], cosines_[2];
+    torsor::sines_and_cosines(angles_, sines_, cosines_);
+    const Scalar s_theta = sines_[0], c_theta = cosines_[0];
+    const Scalar s_psi = sines_[1], c_psi = cosines_[1];
     const Scalar z10 = c_theta * v_theta;
     const Scalar z11 = s_theta * v_theta;
-    Scalar s_psi, c_psi;
-    traits::sincos(q_psi, s_psi, c_psi);
     const Scalar z145 = v_x * c_psi + v_y * s_psi + c_theta * v_psi + v_phi;
     const Scalar z146 = v_psi * s_psi;
     const Scalar z147 = v_psi * c_psi;
@@ -836,13 +1117,14 @@ struct Mechanism {
     const Scalar l_lambda_along_x1 = multipliers.lambda_along_x1;
     const Scalar l_lambda_along_y1 = multipliers.lambda_along_y1;
     const Scalar z79 = precomputed.z79;
-    Scalar s_theta, c_theta;
-    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar angles_[] = {q_theta, q_psi};
+    Scalar sines_[2], cosines_[2];
+    torsor::sines_and_cosines(angles_, sines_, cosines_);
+    const Scalar s_theta = sines_[0], c_theta = cosines_[0];
+    const Scalar s_psi = sines_[1], c_psi = cosines_[1];
     const Scalar z10 = c_theta * v_theta;
     const Scalar z11 = s_theta * v_theta;
     const Scalar z13 = c_theta * a_theta - v_theta * z11;
-    Scalar s_psi, c_psi;
-    traits::sincos(q_psi, s_psi, c_psi);
     const Scalar z26 = v_x * c_psi + v_y * s_psi;
     const Scalar z27 = v_x * s_psi - v_y * c_psi;
     const Scalar z28 = s_theta * v_psi;

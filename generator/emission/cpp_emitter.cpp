@@ -21,6 +21,15 @@ bool is_trigonometric(const Definition& definition) {
   return definition.function == Function::sin || definition.function == Function::cos;
 }
 
+/// Calls for each earlier atom of the program that a definition reads.
+template <class Call>
+void for_each_operand(const Definition& definition, const Call& call) {
+  for (const Term& term : definition.polynomial.terms()) {
+    for (const Factor& factor : term.monomial) call(factor.atom);
+  }
+  if (definition.function) call(definition.argument);
+}
+
 struct ArgumentText {
   Argument argument;
   SymbolKind kind;
@@ -94,17 +103,83 @@ void FunctionEmitter::compute(const Block& block) {
     bindings_ += fmt::format("const Scalar {} = precomputed.{};\n", name, name);
   }
   done_.assign(program_->size(), false);
+  define_sines_and_cosines(block);
   for (const Atom atom : block.definitions) define(atom);
 }
 
 void FunctionEmitter::define(Atom atom) {
   if (done_[static_cast<std::size_t>(atom)]) return;
+  done_[static_cast<std::size_t>(atom)] = true;
   const Definition& definition = (*program_)[atom];
   if (definition.stage == Stage::generation) return define_constant(atom);
-  if (is_trigonometric(definition)) return define_sine_and_cosine(atom);
   const Formula tree = formula(definition);
   operations_ += count(tree);
   statement(fmt::format("const Scalar {} = {};", local_name(*program_, atom), printer_.print(tree)), definition.name);
+}
+
+void FunctionEmitter::define_sines_and_cosines(const Block& block) {
+  // How many sines or cosines stand one behind the other before and in each definition.
+  std::vector<std::size_t> depth(program_->size(), 0);
+  std::vector<bool> live(program_->size(), false);
+  std::vector<std::vector<Atom>> passes;
+  for (const Atom atom : block.definitions) {
+    live[static_cast<std::size_t>(atom)] = true;
+    const Definition& definition = (*program_)[atom];
+    std::size_t& own = depth[static_cast<std::size_t>(atom)];
+    for_each_operand(definition, [&](Atom operand) { own = std::max(own, depth[static_cast<std::size_t>(operand)]); });
+    if (!is_trigonometric(definition) || definition.stage == Stage::generation) continue;
+    if (++own > passes.size()) passes.emplace_back();
+    std::vector<Atom>& pass = passes[own - 1];
+    const bool with_partner = std::find(pass.begin(), pass.end(), definition.partner) != pass.end();
+    if (!with_partner) pass.push_back(atom);
+  }
+  for (std::size_t i = 0; i < passes.size(); ++i) {
+    std::vector<bool> needed(program_->size(), false);
+    for (const Atom atom : passes[i]) needed[static_cast<std::size_t>((*program_)[atom].argument)] = true;
+    for (auto each = block.definitions.rbegin(); each != block.definitions.rend(); ++each) {
+      if (!needed[static_cast<std::size_t>(*each)]) continue;
+      for_each_operand((*program_)[*each], [&](Atom operand) { needed[static_cast<std::size_t>(operand)] = true; });
+    }
+    for (const Atom atom : block.definitions) {
+      if (needed[static_cast<std::size_t>(atom)]) define(atom);
+    }
+    define_pass(passes[i], i + 1, live);
+  }
+}
+
+void FunctionEmitter::define_pass(const std::vector<Atom>& pass, std::size_t number, const std::vector<bool>& live) {
+  const auto atom_of = [this](Atom atom, Function function) {
+    const Definition& definition = (*program_)[atom];
+    return definition.function == function ? atom : definition.partner;
+  };
+  std::string angles;
+  for (const Atom atom : pass) {
+    const Definition& definition = (*program_)[atom];
+    angles += (angles.empty() ? "" : ", ") + local_name(*program_, definition.argument);
+    operations_.sincos_pairs += 1;
+    done_[static_cast<std::size_t>(atom)] = true;
+    done_[static_cast<std::size_t>(definition.partner)] = true;
+  }
+  if (pass.size() == 1) {
+    const std::string sine = local_name(*program_, atom_of(pass[0], Function::sin));
+    const std::string cosine = local_name(*program_, atom_of(pass[0], Function::cos));
+    line(fmt::format("Scalar {}, {};", sine, cosine));
+    return statement(fmt::format("traits::sincos({}, {}, {});", angles, sine, cosine), (*program_)[pass[0]].name);
+  }
+  const std::string suffix = number == 1 ? "_" : fmt::format("{}_", number);
+  line(fmt::format("const Scalar angles{}[] = {{{}}};", suffix, angles));
+  line(fmt::format("Scalar sines{0}[{1}], cosines{0}[{1}];", suffix, pass.size()));
+  line(fmt::format("torsor::sines_and_cosines(angles{0}, sines{0}, cosines{0});", suffix));
+  for (std::size_t i = 0; i < pass.size(); ++i) {
+    std::string locals;
+    for (const Function function : {Function::sin, Function::cos}) {
+      const Atom atom = atom_of(pass[i], function);
+      if (!live[static_cast<std::size_t>(atom)]) continue;
+      locals += fmt::format("{} {} = {}{}[{}]", locals.empty() ? "const Scalar" : ",", local_name(*program_, atom),
+                            function == Function::sin ? "sines" : "cosines", suffix, i);
+    }
+    statement(locals + ";", (*program_)[pass[i]].name);
+  }
 }
 
 void FunctionEmitter::define_constant(Atom atom) {
@@ -125,18 +200,6 @@ void FunctionEmitter::define_constant(Atom atom) {
     line(fmt::format("  return {};", printer_.print(formula(definition))));
   }
   statement("});", definition.name);
-}
-
-void FunctionEmitter::define_sine_and_cosine(Atom atom) {
-  const Definition& definition = (*program_)[atom];
-  const bool is_sine = definition.function == Function::sin;
-  const std::string sine = local_name(*program_, is_sine ? atom : definition.partner);
-  const std::string cosine = local_name(*program_, is_sine ? definition.partner : atom);
-  const std::string angle = local_name(*program_, definition.argument);
-  line(fmt::format("Scalar {}, {};", sine, cosine));
-  statement(fmt::format("traits::sincos({}, {}, {});", angle, sine, cosine), definition.name);
-  operations_.sincos_pairs += 1;
-  done_[static_cast<std::size_t>(definition.partner)] = true;
 }
 
 /// The text that gives a value; a formula that costs something is remembered under the target it is about to be

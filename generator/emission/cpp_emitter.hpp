@@ -19,7 +19,9 @@ struct FunctionText {
 
 /// Writes the body of one function: declares the numbers, gives what it reads local names, then computes the
 /// definitions of a block and assigns results. It optimises nothing: each definition is one statement, each operator of
-/// the formula trees one operator of the text. Results that are equal up to sign are computed once.
+/// the formula trees one operator of the text. Sines and cosines come first, with what their angles need: those of all
+/// angles that need no sine or cosine in one call, then those of angles that need these. Results that are equal up to
+/// sign are computed once.
 class FunctionEmitter {
  public:
   /// `parameters` is where parameters are read from: "precomputed.parameters." or "parameters.".
@@ -42,7 +44,8 @@ class FunctionEmitter {
  private:
   void define(Atom atom);
   void define_constant(Atom atom);
-  void define_sine_and_cosine(Atom atom);
+  void define_sines_and_cosines(const Block& block);
+  void define_pass(const std::vector<Atom>& pass, std::size_t number, const std::vector<bool>& live);
   void statement(const std::string& code, const std::string& meaning);
   std::string text_of(const Value& value, const std::string& target);
 
@@ -51,7 +54,7 @@ class FunctionEmitter {
   std::string parameters_;
   const SumTable* ready_ = nullptr;
   std::string ready_prefix_;
-  std::vector<bool> done_;            ///< sines and cosines that came with their partner
+  std::vector<bool> done_;            ///< definitions that are written
   SumTable written_;                  ///< results that cost something, with
   std::vector<std::string> places_;   ///< where each was written
   std::vector<bool> place_negative_;  ///< and whether with the other sign

@@ -151,9 +151,11 @@ std::string emit_header(const Equations& equations, const std::vector<Kernel>& k
   const SceneContent& content = scene.content();
   const auto size = [](std::size_t count) { return std::to_string(count); };
   const std::string degrees = std::to_string(equations.model().unknown_count());
+  const std::string_view sincos = embedded_template("sincos.hpp");
   return fill_template("mechanism.hpp.in", embedded_template("mechanism.hpp.in"),
                        {{"provenance", provenance_comment(provenance)},
                         {"scene_name", scene.name()},
+                        {"sincos", std::string(sincos.substr(sincos.find('\n') + 1))},  // without its licence line
                         {"coordinate_count", size(equations.model().positions().size())},
                         {"velocity_count", degrees},
                         {"input_count", size(equations.model().inputs().size())},

@@ -58,6 +58,10 @@ OperationCount operators_in(const std::string& body) {
   count.divisions = occurrences("\\s/ ");
   count.square_roots = occurrences("traits::sqrt\\(");
   count.sincos_pairs = occurrences("traits::sincos\\(");
+  const std::regex several("Scalar sines[0-9]*_\\[([0-9]+)\\]");
+  for (std::sregex_iterator each(text.begin(), text.end(), several), end; each != end; ++each) {
+    count.sincos_pairs += std::stoi((*each)[1]);
+  }
   return count;
 }
 
