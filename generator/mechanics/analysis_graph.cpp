@@ -32,6 +32,7 @@ class Linker {
       add(AnalysisLink::Kind::action, friction.name, friction.point ? "friction" : "resistance to turning",
           {body_of(friction.body), body_of(friction.other)});
     }
+    drives();
     return std::move(links_);
   }
 
@@ -54,6 +55,30 @@ class Linker {
   }
   void action(const std::string& name, const std::string& what, std::vector<int> bodies) {
     add(AnalysisLink::Kind::action, name, what, std::move(bodies));
+  }
+
+  void impose(const std::string& name, std::vector<int> bodies) {
+    const std::string what = "imposes " + name + "(t)";
+    if (!bodies.empty()) action(what, what, std::move(bodies));
+  }
+
+  /// What imposes a motion is an unknown action between the two bodies that it moves.
+  void drives() {
+    for (const CoordinateContent& c : scene_.coordinates) {
+      if (c.law) impose(c.q->name, displaced_by(Expression(c.q)));
+    }
+    for (const GraphJoint& joint : graph_.joints) {
+      const auto follows_time = [this](int f) {
+        const Expression& displacement = scene_.frames[as_index(f)].displacement;
+        return displacement.depends_on(scene_.time) && !depends_on_a_coordinate(displacement);
+      };
+      if (std::any_of(joint.frames.begin(), joint.frames.end(), follows_time)) impose(joint.name, {joint.a, joint.b});
+    }
+  }
+
+  bool depends_on_a_coordinate(const Expression& formula) const {
+    return std::any_of(scene_.coordinates.begin(), scene_.coordinates.end(),
+                       [&](const CoordinateContent& c) { return formula.depends_on(c.q); });
   }
 
   int body_of(const FrameReference& frame) const {

@@ -48,6 +48,27 @@ TEST(AnalysisGraph, TiesEachActionToTheBodiesItActsOn) {
   EXPECT_EQ(bodies("d"), (std::vector<int>{2, 3}));
 }
 
+// A rotor on a rod that a law of time turns in the wagon, and a pump that a formula of time moves: two motors.
+TEST(AnalysisGraph, ShowsWhatImposesAMotion) {
+  Scene scene("driven");
+  const Expression x = scene.coordinate("x", "m"), phi = scene.coordinate("phi", "rad");
+  const Expression still = scene.coordinate("still", "m");
+  scene.drive(phi, Expression::quantity("3", "rad/s") * scene.time());
+  scene.drive(still, 0);  // moves nothing
+  const FrameHandle wagon = scene.prismatic("wagon", scene.ground(), axis::x, x);
+  const FrameHandle rotor = scene.revolute("rotor", wagon, axis::z, phi);
+  const FrameHandle pump = scene.prismatic("pump", rotor, axis::x, Expression::quantity("2", "m/s") * scene.time());
+  for (const FrameHandle& each : {wagon, rotor, pump}) {
+    scene.body("b" + std::to_string(each.index), each, Inertia::point(Expression::quantity("1", "kg")));
+  }
+  const std::vector<AnalysisLink> links = analysis_links(scene, structure_graph(scene));
+  ASSERT_EQ(links.size(), 2U);
+  EXPECT_EQ(links[0].what, "imposes phi(t)");
+  EXPECT_EQ(links[0].bodies, (std::vector<int>{1, 2}));
+  EXPECT_EQ(links[1].what, "imposes pump(t)");
+  EXPECT_EQ(links[1].bodies, (std::vector<int>{2, 3}));
+}
+
 TEST(GraphPrinter, WritesTextForGraphviz) {
   const Scene scene = cart();
   const StructureGraph graph = structure_graph(scene);
