@@ -36,14 +36,25 @@ Json count_json(const MobilityCount& count) {
           {"redundancy", count.redundancy}};
 }
 
-/// Counting the scene's own constraints needs them to be good ones; the graph does not.
-std::string scene_text(const Scene& scene) {
-  const SceneFreedoms own = scene_freedoms(scene);
+std::string freedoms_text(const SceneFreedoms& scene) {
+  return fmt::format("{} freedom{}: {} useful, {} internal", scene.freedoms(), scene.freedoms() == 1 ? "" : "s",
+                     scene.useful(), scene.internal);
+}
+
+/// Constraints that are no joints tie what the graph counts as free.
+std::string beside_joints(const SceneFreedoms& scene) {
+  if (scene.no_joints.empty()) return "";
+  return fmt::format("  that is the joints alone: {} constraint{} beside them ({}), with which the scene has {}\n",
+                     scene.no_joints.size(), scene.no_joints.size() == 1 ? " is no joint" : "s are no joints",
+                     joined(scene.no_joints), freedoms_text(scene));
+}
+
+std::string scene_text(const SceneFreedoms& own) {
   return fmt::format(
       "\nThe scene as it is written: {} unknown coordinate{}, {} driven, {} constraint{} of rank {} at the "
-      "initial configuration: {} freedom{}\n",
+      "initial configuration: {}\n",
       own.coordinates, own.coordinates == 1 ? "" : "s", own.driven, own.constraints, own.constraints == 1 ? "" : "s",
-      own.rank, own.freedoms(), own.freedoms() == 1 ? "" : "s");
+      own.rank, freedoms_text(own));
 }
 
 }  // namespace
@@ -63,7 +74,9 @@ std::string structure_text(const Scene& scene, const std::vector<std::string>& i
                         joint.freedoms == 1 ? "" : "s", names.empty() ? "" : " (" + joined(names) + ")",
                         joint.closes_loop ? ", closes a loop" : "");
   }
-  text += "\nStructure graph\n" + count_text(mobility.singular ? mobility.generic : mobility.given);
+  const SceneFreedoms own = scene_freedoms(scene, inputs_outputs);
+  text +=
+      "\nStructure graph\n" + count_text(mobility.singular ? mobility.generic : mobility.given) + beside_joints(own);
   if (mobility.moved_to_close)
     text += "  (the initial values do not close the loops exactly: taken from the nearest ones that do)\n";
   if (mobility.singular) {
@@ -115,7 +128,7 @@ std::string structure_text(const Scene& scene, const std::vector<std::string>& i
     }
     if (reduced.special) text += "  (at a generic configuration: the initial one is special)\n";
   }
-  return text + scene_text(scene);
+  return text + scene_text(own);
 }
 
 std::string structure_json(const Scene& scene, const std::vector<std::string>& inputs_outputs) {
@@ -141,6 +154,10 @@ std::string structure_json(const Scene& scene, const std::vector<std::string>& i
                              {"what", link.what},
                              {"between", bodies}});
   }
+  const SceneFreedoms own = scene_freedoms(scene, inputs_outputs);
+  json["scene"] = {{"coordinates", own.coordinates}, {"driven", own.driven},    {"constraints", own.constraints},
+                   {"no_joints", own.no_joints},     {"rank", own.rank},        {"freedoms", own.freedoms()},
+                   {"useful", own.useful()},         {"internal", own.internal}};
   json["given"] = count_json(mobility.given);
   json["generic"] = count_json(mobility.generic);
   json["singular"] = mobility.singular;

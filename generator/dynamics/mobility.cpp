@@ -108,6 +108,29 @@ std::optional<JointSpace> generic_near(const JointSpace& given, std::uint64_t se
   return best;
 }
 
+/// The six components of the twist that a joint allows its second body relative to its first, at the ground's origin,
+/// as rows over the coordinates.
+std::vector<std::vector<Value>> relative_motion_rows(const Model& model, const StructureGraph& graph,
+                                                     const GraphJoint& joint) {
+  const auto link_of = [&](int body) {  // the last of its frames: those inside the joint that carries it come before
+    const auto frame = std::find(graph.body_of_frame.rbegin(), graph.body_of_frame.rend(), body);
+    return model.place(FrameHandle{static_cast<int>(graph.body_of_frame.rend() - frame) - 1}, "a joint").link;
+  };
+  const int a = link_of(joint.a), b = link_of(joint.b);
+  std::vector<std::vector<Value>> rows;
+  for (int k = 0; k < 6; ++k) {
+    Vector direction;
+    direction[k % 3] = model.program().number(Number(1), Unit());
+    const auto row = [&](int link) {
+      return k < 3 ? partial_turns(model, link, direction, 0) : partial_velocities(model, link, Vector(), direction, 0);
+    };
+    const std::vector<Value> of_a = row(a);
+    rows.push_back(row(b));
+    for (std::size_t i = 0; i < of_a.size(); ++i) rows.back()[i] -= of_a[i];
+  }
+  return rows;
+}
+
 }  // namespace
 
 RealRows closure_matrix(const std::vector<TwistEdge>& edges, const std::vector<GraphLoop>& loops) {
@@ -177,7 +200,7 @@ Mobility analyse_mobility(const Scene& scene, const MobilityOptions& options) {
   return result;
 }
 
-SceneFreedoms scene_freedoms(const Scene& scene) {
+SceneFreedoms scene_freedoms(const Scene& scene, const std::vector<std::string>& inputs_outputs) {
   const WorkingDigits precision(mobility_digits);
   Program program(Model::resolver(scene, {}));
   const Model model(scene, program);
@@ -187,15 +210,26 @@ SceneFreedoms scene_freedoms(const Scene& scene) {
   result.coordinates = model.unknown_count();
   for (const CoordinateContent& c : scene.content().coordinates) result.driven += c.law ? 1 : 0;
   RealRows rows;
-  for (const ConstraintRow& row : constraint_rows(model)) {
+  const auto add = [&](const std::vector<Value>& entries) {
     rows.emplace_back();
     for (int i = 0; i < result.coordinates; ++i) {
-      const Value& entry = row.jacobian[as_index(i)];
+      const Value& entry = entries[as_index(i)];
       rows.back().push_back(entry.is_zero() ? Real(0) : evaluate(entry));
     }
-  }
+  };
+  for (const ConstraintRow& row : constraint_rows(model)) add(row.jacobian);
   result.constraints = static_cast<int>(rows.size());
   result.rank = rank(rows, result.coordinates, twist_tolerance());
+  for (const ConstraintContent& constraint : scene.content().constraints) {
+    if (!std::holds_alternative<JointClosure>(constraint.law)) result.no_joints.push_back(constraint.name);
+  }
+  const StructureGraph graph = structure_graph(scene);
+  const std::vector<bool> outside = outside_joints(graph, inputs_outputs);
+  for (std::size_t j = 0; j < outside.size(); ++j) {
+    if (!outside[j]) continue;
+    for (const std::vector<Value>& row : relative_motion_rows(model, graph, graph.joints[j])) add(row);
+  }
+  result.internal = static_cast<int>(kernel(rows, result.coordinates, twist_tolerance()).size());
   return result;
 }
 

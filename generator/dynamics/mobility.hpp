@@ -94,9 +94,13 @@ struct SceneFreedoms {
   int coordinates = 0;  ///< unknown ones, a quaternion counting three
   int driven = 0;
   int constraints = 0;
+  std::vector<std::string> no_joints;  ///< names of the constraints that are no joint of the structure graph
   int rank = 0;
+  int internal = 0;  ///< freedoms that are left when the joints with the outside are blocked as well
   int freedoms() const { return coordinates - rank; }
+  int useful() const { return freedoms() - internal; }
 };
-SceneFreedoms scene_freedoms(const Scene& scene);
+/// Throws UsageError for an unknown joint in `inputs_outputs`, which are those of MobilityOptions.
+SceneFreedoms scene_freedoms(const Scene& scene, const std::vector<std::string>& inputs_outputs = {});
 
 }  // namespace torsor

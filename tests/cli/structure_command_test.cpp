@@ -59,7 +59,7 @@ TEST(StructureCommand, CountsAndNames) {
             "  block//guide     ground - block: prismatic along x\n"
             "\n"
             "The scene as it is written: 2 unknown coordinates, 0 driven, 4 constraints of rank 1 at the initial "
-            "configuration: 1 freedom\n");
+            "configuration: 1 freedom: 1 useful, 0 internal\n");
 }
 
 TEST(StructureCommand, WritesJson) {
@@ -69,6 +69,44 @@ TEST(StructureCommand, WritesJson) {
   EXPECT_EQ(data.at("joints").at(0).at("outside"), false);
   EXPECT_EQ(data.at("joints").at(1).at("between"), (json{"ground", "block"}));
   EXPECT_EQ(data.at("reduced").at("joints").at(0).at("type"), "prismatic");
+}
+
+/// Four bars whose loop two formulas close instead of a joint; on the coupler turns an idle roller.
+Scene four_bars() {
+  Scene scene("four_bars");
+  const Expression metre = Expression::quantity("1", "m"), kilogram = Expression::quantity("1", "kg");
+  const Expression a = scene.coordinate("a", "rad"), b = scene.coordinate("b", "rad"), c = scene.coordinate("c", "rad");
+  const Expression spin = scene.coordinate("spin", "rad");
+  scene.initial(a, pi() / 2);  // a square
+  scene.initial(b, -pi() / 2);
+  scene.initial(c, pi() / 2);
+  const FrameHandle crank = scene.revolute("crank", scene.ground(), axis::z, a);
+  const FrameHandle coupler = scene.revolute("coupler", crank, axis::z, b, {{metre, 0, 0}, {}});
+  const FrameHandle rocker = scene.revolute("rocker", scene.ground(), axis::z, c, {{metre, 0, 0}, {}});
+  const FrameHandle roller = scene.revolute("roller", coupler, axis::z, spin);
+  for (const FrameHandle& each : {crank, coupler, rocker, roller}) {
+    scene.body("body_" + std::to_string(each.index), each, Inertia::disk(kilogram, metre, 2));
+  }
+  const PointHandle A = scene.point("A", coupler, {metre, 0, 0}), B = scene.point("B", rocker, {metre, 0, 0});
+  scene.closure("pin_x", A, B, axis::x);
+  scene.closure("pin_y", A, B, axis::y);
+  return scene;
+}
+
+// Grashof's square has one freedom, and the roller its own; a graph that sees no loop counts the rods as free.
+TEST(StructureCommand, CountsWhatConstraintsBesideTheJointsLeave) {
+  const std::string text = run(four_bars, {"structure"}).out;
+  EXPECT_NE(
+      text.find("  mobility m = n_p - r = 4: 2 useful, 2 internal\n"
+                "  degree of redundancy h = 6 mu - r = 0\n"
+                "  that is the joints alone: 2 constraints are no joints beside them (pin_x, pin_y), with which the "
+                "scene has 2 freedoms: 1 useful, 1 internal\n"),
+      std::string::npos)
+      << text;
+  const json data = json::parse(run(four_bars, {"structure", "--json", "--inputs-outputs", "roller"}).out);
+  EXPECT_EQ(data.at("scene").at("no_joints"), (json{"pin_x", "pin_y"}));
+  EXPECT_EQ(data.at("scene").at("useful"), 1);  // of the roller now, the bars are internal
+  EXPECT_EQ(data.at("scene").at("internal"), 1);
 }
 
 TEST(StructureCommand, DrawsGraphs) {
