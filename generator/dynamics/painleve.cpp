@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "generator/dynamics/energy.hpp"
+#include "generator/dynamics/joint_reactions.hpp"
 #include "generator/expression/derivative.hpp"
 #include "generator/expression/evaluation.hpp"
 
@@ -107,6 +108,56 @@ PainleveReport painleve(const Equations& equations) {
   }
   add_momenta(equations, momenta, along_q, at_rest, report);
   return report;
+}
+
+std::vector<MissingMomentum> missing_momenta(const Equations& equations, const PainleveReport& report) {
+  const Model& model = equations.model();
+  const auto n = static_cast<std::size_t>(model.unknown_count());
+  std::vector<SymbolPointer> velocities;
+  for (std::size_t i = 0; i < n; ++i) velocities.push_back(model.coordinates()[i].v);
+  const Value t = kinetic_energy(model);
+  if (t.is_zero()) return {};
+  const std::vector<Value> momenta = gradient(t, velocities);
+  const std::vector<Value> along_q = gradient_along(t, velocities);
+  const std::vector<Value> turning = turning_terms(model, momenta);
+  Value u = gravity_force_function(model);
+  u += equations.actions().spring_force_function;
+  std::vector<std::pair<std::string, std::vector<Value>>> forces;  // of the actions that have no force function
+  for (const ActionContent& action : model.scene().actions) {
+    if (has_force_function(action) || std::holds_alternative<Motor>(action)) continue;
+    const AppliedActions one = applied_actions(model, [&](const ActionContent& other) { return &other == &action; });
+    forces.emplace_back(name_of(action), applied_forces(model, one));
+  }
+  const std::vector<SymbolPointer> inputs = model.inputs();
+  for (std::size_t k = 0; k < inputs.size(); ++k) forces.emplace_back(inputs[k]->name, equations.actions().inputs[k]);
+  const WorkingDigits precision(50);
+  Evaluator<Real> evaluate = at_generic_state(equations);  // quaternions have norm 1 there
+  const auto is_there = [&](const Value& value) { return !value.is_zero() && !is_negligible(evaluate(value)); };
+  std::vector<MissingMomentum> missing;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::string& name = model.coordinates()[i].q->name;
+    const auto& found = report.first_integrals;
+    if (std::any_of(found.begin(), found.end(), [&](const auto& each) { return each.name == "momentum_" + name; }))
+      continue;
+    MissingMomentum each{name, {}};
+    if (momenta[i].is_zero()) each.reasons.emplace_back("T has no momentum along it");
+    if (is_there(along_q[i])) each.reasons.emplace_back("T depends on it");
+    if (is_there(turning[i])) each.reasons.emplace_back("its axes turn with the body");
+    if (!u.is_zero() && is_there(model.along(static_cast<int>(i))(u))) each.reasons.emplace_back("U depends on it");
+    std::vector<std::string> working;
+    for (const auto& [action, force] : forces) {
+      if (is_there(force[i])) working.push_back(action);
+    }
+    for (const ConstraintRow& row : equations.constraints()) {
+      if (is_there(row.column[i])) working.push_back(row.name);
+    }
+    if (!working.empty()) {
+      each.reasons.push_back(fmt::format("{} act{} along it", joined(working), working.size() == 1 ? "s" : ""));
+    }
+    if (each.reasons.empty()) each.reasons.emplace_back("what stands against it vanishes for unit quaternions only");
+    missing.push_back(std::move(each));
+  }
+  return missing;
 }
 
 }  // namespace torsor

@@ -28,4 +28,15 @@ struct PainleveReport {
 /// that appears neither in T nor in a constraint and has Q_i = 0 gives the momentum ∂T/∂q̇_i.
 PainleveReport painleve(const Equations& equations);
 
+/// A coordinate without a momentum integral, and what stands against it.
+struct MissingMomentum {
+  std::string coordinate;
+  std::vector<std::string> reasons;  ///< "T depends on it", "U depends on it", "'friction' works along it", ...
+};
+
+/// Every unknown coordinate whose ∂T/∂q̇_i is not among the first integrals, with all the terms of
+/// d(∂T/∂q̇_i)/dt = ∂T/∂q_i + Q_i + Σ λ_j a_ji (less ω ∧ ∂T/∂ω of an attitude) that do not vanish. Apart from
+/// `painleve`, which kernels are made with: it adds definitions to the program that only a reader wants.
+std::vector<MissingMomentum> missing_momenta(const Equations& equations, const PainleveReport& report);
+
 }  // namespace torsor

@@ -37,6 +37,9 @@ void write_first_integrals(const Equations& equations, const InlineLimits& limit
   for (const FirstIntegral& integral : report.first_integrals) {
     write(named("constant"), integral.value, integral.documentation);
   }
+  for (const MissingMomentum& missing : missing_momenta(equations, report)) {
+    page.note(fmt::format("No momentum integral along {}: {}.", missing.coordinate, fmt::join(missing.reasons, ", ")));
+  }
 }
 
 }  // namespace torsor::reading

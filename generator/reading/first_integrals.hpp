@@ -8,7 +8,7 @@
 namespace torsor::reading {
 
 /// Painlevé's equation, the first integrals that were found and, where T2 − T0 − U is not conserved, which of its
-/// conditions fails.
+/// conditions fails; for each coordinate without a momentum integral, what stands against it.
 void write_first_integrals(const Equations& equations, const InlineLimits& limits, Page& page);
 
 }  // namespace torsor::reading

@@ -123,6 +123,40 @@ TEST(FirstIntegrals, OfABeadOnARotatingRodAreThoseOfPainleveWhicheverWayTheRotat
   EXPECT_EQ(state.in_double(painleve(equations).t2_minus_t0), 0.5 * 1.5 * (9 - 4 * 4));
 }
 
+/// "theta: T depends on it, U depends on it"
+std::vector<std::string> missing(const Scene& scene) {
+  const Equations equations(scene);
+  std::vector<std::string> all;
+  for (const MissingMomentum& each : missing_momenta(equations, painleve(equations))) {
+    std::string text = each.coordinate + ":";
+    for (const std::string& reason : each.reasons) text += " " + reason + ".";
+    all.push_back(text);
+  }
+  return all;
+}
+
+TEST(MissingMomenta, SayWhatStandsAgainstThem) {
+  using Texts = std::vector<std::string>;
+  EXPECT_EQ(missing(spherical_pendulum()), Texts{"theta: T depends on it. U depends on it."});
+  EXPECT_EQ(missing(bead(true)), Texts{"r: T depends on it. U depends on it."});
+  Scene pushed = pendulum();
+  const Expression theta = pushed.content().coordinates[0].q;
+  pushed.damper("friction", theta, Expression::quantity("1", "N m s"));
+  pushed.motor("torque", theta);
+  pushed.nonholonomic("imposed", rate(theta) - Expression::quantity("1", "rad/s"));
+  EXPECT_EQ(missing(pushed), Texts{"theta: U depends on it. 'friction', 'torque', 'imposed' act along it."});
+  // Euler's equations of a free body of three different moments: only its weight, along y, holds the centre back.
+  Scene body("body");
+  const Expression x = body.coordinate("x", "m"), y = body.coordinate("y", "m"), z = body.coordinate("z", "m");
+  const auto moment = [](const char* size) { return Expression::quantity(size, "kg m^2"); };
+  body.body("body", body.free("body", body.ground(), {x, y, z}, body.attitude("turn")),
+            Inertia::general(kilograms("1"), moment("3"), moment("4"), moment("5")));
+  body.gravity({0, Expression::quantity("-9.81", "m/s^2"), 0});
+  EXPECT_EQ(missing(body),
+            (Texts{"y: U depends on it.", "turn_omega_x: its axes turn with the body.",
+                   "turn_omega_y: its axes turn with the body.", "turn_omega_z: its axes turn with the body."}));
+}
+
 std::vector<std::string> failing(const Scene& scene) { return report_of(scene).failing_conditions; }
 
 TEST(FailingConditions, SayWhichConditionFails) {

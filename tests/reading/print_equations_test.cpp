@@ -64,6 +64,8 @@ Painleve's equation and first integrals
   T2 - T0 = 1/2 (M1 + M2 + M3) X'^2 + M2 d cos(theta) X' theta' + 1/2 M2 d^2 theta'^2 - 1/2 M3 R^2 omega^2    (in J)
   dT/dt = -M3 R omega^2 sin(omega t) X'    (partial derivative at constant q and q', in W)
   T2 - T0 - U is not conserved: T depends on time explicitly; the force function U depends on time explicitly.
+  No momentum integral along X: U depends on it.
+  No momentum integral along theta: T depends on it, U depends on it.
 
 Linearised equations
   M e'' + C e' + K e = F + E u, e the deviation from the state, in the order of the coordinates.
