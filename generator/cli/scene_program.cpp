@@ -19,6 +19,8 @@
 #include "generator/expression/error.hpp"
 #include "generator/reading/force_function_text.hpp"
 #include "generator/reading/print_equations.hpp"
+#include "generator/reading/statics_text.hpp"
+#include "generator/reading/theorem_text.hpp"
 #include "generator/verification/reference.hpp"
 
 namespace torsor {
@@ -40,6 +42,9 @@ struct Request {
   std::vector<std::string> actions, bodies;
   std::string point;
   std::string axes = "ground";
+  std::string observer = "ground";
+  std::string direction = "x";
+  std::string theorem = "resultant";
   std::vector<std::string> inputs_outputs;
   std::string graph = "structure";
   std::string graph_format = "dot";
@@ -182,6 +187,19 @@ int unknowns(const Scene& scene, const Request& request) {
   return 0;
 }
 
+int theorem(const Scene& scene, const Request& request) {
+  write(request.output, theorem_text(scene, {request.theorem, request.bodies, request.point, request.direction,
+                                             request.axes, request.observer}));
+  return 0;
+}
+
+int statics(const Scene& scene, const Request& request) {
+  std::vector<std::pair<std::string, std::string>> about;
+  for (const std::string& each : request.about) about.push_back(split_assignment(each));
+  write(request.output, statics_text(scene, about));
+  return 0;
+}
+
 int structure(const Scene& scene, const Request& request) {
   write(request.output, request.json ? structure_json(scene, request.inputs_outputs)
                                      : structure_text(scene, request.inputs_outputs));
@@ -243,6 +261,17 @@ void declare(CLI::App& app, Request& request, Command& chosen, const SceneSource
   sub->add_option("--isolate", request.bodies, "bodies to isolate, comma-separated")->delimiter(',');
   sub->add_option("--at", request.point, "point at which their moments are taken");
   sub->add_option("--axes", request.axes, "frame along whose axes the theorems are written")->capture_default_str();
+  sub =
+      add("theorem", "write Newton-Euler's theorem or the energy theorem for some bodies, reactions by name", theorem);
+  sub->add_option("--kind", request.theorem, "resultant, moment or energy")->capture_default_str();
+  sub->add_option("--bodies", request.bodies, "bodies to isolate, comma-separated; all when absent")->delimiter(',');
+  sub->add_option("--at", request.point, "point at which moments are taken, or a frame for its origin");
+  sub->add_option("--direction", request.direction, "x, y, z or components 0,1,0")->capture_default_str();
+  sub->add_option("--axes", request.axes, "frame along whose axes the direction is given")->capture_default_str();
+  sub->add_option("--observer", request.observer, "frame from which motion is seen")->capture_default_str();
+  sub = add("statics", "equations of equilibrium; at a state also its stability by Lejeune-Dirichlet and Hurwitz",
+            statics);
+  sub->add_option("--about", request.about, "the state, NAME=VALUE, e.g. theta=0; repeatable");
   const auto with_inputs = [&](CLI::App* command) {
     command->add_option("--inputs-outputs", request.inputs_outputs,
                         "joints that count as those with the outside, comma-separated; those of the ground when absent")
@@ -272,9 +301,11 @@ int run_commands(int argc, const char* const* argv, const SceneSource& source) {
     const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
     const auto is_first_word = [argv](const CLI::App* command) { return command->get_name() == argv[1]; };
     if (argc > 1 && argv[1][0] != '-' && std::none_of(commands.begin(), commands.end(), is_first_word)) {
-      return fail(fmt::format("unknown command '{}': use equations, generate, counts, check, reference, force-function, unknowns, structure, graph or list; see --help",
-                              argv[1]),
-                  bad_usage);
+      return fail(
+          fmt::format("unknown command '{}': use equations, generate, counts, check, reference, force-function, "
+                      "unknowns, theorem, statics, structure, graph or list; see --help",
+                      argv[1]),
+          bad_usage);
     }
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp& help) {

@@ -122,16 +122,30 @@ bool is_external(const ActionContent& action) {
          std::holds_alternative<GivenWrench>(action);
 }
 
-EnergyTheorem energy_theorem(const Equations& equations, const BodyNames& bodies, const FrameReference& observer) {
+namespace {
+
+EnergyTheorem theorem(const Equations& equations, const BodyNames& bodies, const FrameReference& observer,
+                      bool with_joints) {
   Balance balance(equations, bodies, observer);
   balance.add_carried(bodies);
   balance.add_actions();
   balance.add_constraints();
-  balance.add_joints();
-  EnergyTheorem theorem = balance.take();
+  if (with_joints) balance.add_joints();
+  EnergyTheorem result = balance.take();
   const Value energy = equations.program().bind(kinetic_energy(equations.model(), bodies, observer));
-  theorem.kinetic_rate = energy.is_zero() ? Value() : equations.program().bind(time_derivative(energy));
-  return theorem;
+  result.kinetic_rate = energy.is_zero() ? Value() : equations.program().bind(time_derivative(energy));
+  return result;
+}
+
+}  // namespace
+
+EnergyTheorem energy_theorem(const Equations& equations, const BodyNames& bodies, const FrameReference& observer) {
+  return theorem(equations, bodies, observer, true);
+}
+
+EnergyTheorem energy_theorem_without_joints(const Equations& equations, const BodyNames& bodies,
+                                            const FrameReference& observer) {
+  return theorem(equations, bodies, observer, false);
 }
 
 Value action_power(const Equations& equations, const std::string& name, const FrameReference& observer) {

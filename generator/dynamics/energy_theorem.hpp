@@ -17,6 +17,11 @@ struct EnergyTheorem {
 EnergyTheorem energy_theorem(const Equations& equations, const BodyNames& bodies,
                              const FrameReference& observer = "ground");
 
+/// The same with nothing of what the joints transmit: dT/dt, and the powers of weight, actions on bodies, inertia
+/// wrenches and constraints that are no formulas.
+EnergyTheorem energy_theorem_without_joints(const Equations& equations, const BodyNames& bodies,
+                                            const FrameReference& observer = "ground");
+
 /// Power of a named action relative to R [W]. That of a mutual action (spring, damper, attraction, drag, action between
 /// two bodies) counts both sides, the ground's too, and is the same in every frame; that of a given force, torque or
 /// wrench changes with the frame by the reciprocal product with the twist of one frame relative to the other,

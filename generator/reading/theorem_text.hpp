@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/mechanics/scene.hpp"
+
+namespace torsor {
+
+/// Which theorem is asked for, in the words of a command line.
+struct TheoremRequest {
+  std::string kind = "resultant";   ///< resultant, moment or energy
+  std::vector<std::string> bodies;  ///< all of the scene when empty
+  std::string point;                ///< where moments are taken: a point, or a frame for its origin
+  std::string direction = "x";      ///< x, y, z or three formulas "0,1,cos(theta)", along `axes`
+  std::string axes = "ground";
+  std::string observer = "ground";  ///< the frame R from which motion is seen
+};
+
+/// Newton-Euler's theorem along a direction, or the energy theorem, for bodies of a scene as a person writes it
+/// (dynamics/theorem_equations.hpp), parameters as symbols, and a word on the unknowns in it. What is too long is given
+/// by named definitions. Throws UsageError for words it does not know and a moment without a point, SceneError for
+/// names.
+std::string theorem_text(const Scene& scene, const TheoremRequest& request);
+
+}  // namespace torsor

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#define TORSOR_NO_MAIN
+#include "examples/loading_robot/scene.cpp"
+#include "examples/satellite_arms/scene.cpp"
+#include "examples/watt_governor/scene.cpp"
+#include "examples/winder/scene.cpp"
+#include "tests/cli/scene_runner.hpp"
+
+namespace torsor {
+namespace {
+
+using namespace testing_programs;
+
+/// What stands under the heading, without the lines of the unknowns.
+std::string theorem(Scene (*scene)(), std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "theorem");
+  const Outcome outcome = run(scene, arguments);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const std::size_t heading = outcome.out.find("\n\n"), end = outcome.out.find("  [joint X]");
+  return outcome.out.substr(heading + 2, end - heading - 2);
+}
+
+// Formulas of Pommier, 8.3.2 exercises 5, 7 and 4, by hand: an arm seen from S1, which turns at psi', has the dynamic
+// moment (B2 + m2 b2²) θ2'' − ψ'² cos θ2 (m2 a2 b2 + (A2 + m2 b2² − C2) sin θ2) about its hinge.
+TEST(TheoremCommand, WritesTheMomentThatMovesAnArmOfTheSatellite) {
+  EXPECT_EQ(theorem(satellite_arms_scene,
+                    {"--bodies", "S2", "--kind", "moment", "--at", "O2", "--axes", "S1", "--direction", "y"}),
+            "Newton-Euler for S2: moment at O2 along y of S1\n"
+            "  (b2^2 m2 + B2) theta_2'' - cos(theta_2) (a2 b2 m2 + (b2^2 m2 + A2 - C2) sin(theta_2)) psi'^2\n"
+            "    = -v2 theta_2' - K2 (theta_2 - 1/2 pi) + b2 m2 g sin(theta_2) + Cm2\n"
+            "  No unknown of a joint enters: an equation of motion.\n");
+}
+
+// The centre of S2 is at b2 (sin θ2 x1 + cos θ2 z1): its acceleration along z1 is that of a turn by θ2.
+TEST(TheoremCommand, NamesTheUnknownActionsOfJoints) {
+  const std::string expected =
+      "  -b2 m2 sin(theta_2) theta_2'' - b2 m2 cos(theta_2) theta_2'^2 = -m2 g - sin(theta_2) [S2 X] + cos(theta_2) "
+      "[S2 Z]\n"
+      "  Unknown: [S2 X], [S2 Z].\n";
+  EXPECT_EQ(theorem(satellite_arms_scene, {"--bodies", "S2", "--axes", "S1", "--direction", "z"}),
+            "Newton-Euler for S2: resultant along z of S1\n" + expected);
+  EXPECT_EQ(theorem(satellite_arms_scene, {"--bodies", "S2", "--axes", "S1", "--direction", "0,0,1"}),
+            "Newton-Euler for S2: resultant along 0,0,1 of S1\n" + expected);
+}
+
+// Of a slide along x1 at (x, h) from the turning axis, with S3 hanging on it: Y12 of the exercise, question 3.
+TEST(TheoremCommand, GivesTheTransverseReactionOfTheRobot) {
+  EXPECT_EQ(theorem(loading_robot_scene, {"--bodies", "S2,S3", "--axes", "S1", "--direction", "y"}),
+            "Newton-Euler for S2, S3: resultant along y of S1\n"
+            "  (L2 m2 + (m2 + m3) x - L3 m3 cos(beta)) alpha'' - L3 m3 cos(beta) beta'' - (h (m2 + m3) - L3 m3 "
+            "sin(beta)) alpha'^2 + 2 (m2 + m3) alpha' x'\n"
+            "    + 2 L3 m3 sin(beta) alpha' beta' + L3 m3 sin(beta) beta'^2\n"
+            "    = -(m2 + m3) g cos(alpha) + [S2 Y]\n"
+            "  Unknown: [S2 Y].\n");
+}
+
+// The bobbin slides in the field ω² of its own distance from the axis; the motor's torque keeps ω.
+TEST(TheoremCommand, TakesAFrameForItsOrigin) {
+  EXPECT_EQ(theorem(winder_scene, {"--bodies", "S", "--axes", "holder", "--direction", "z"}),
+            "Newton-Euler for S: resultant along z of holder\n"
+            "  m lambda'' - m omega^2 sin(slope)^2 lambda = m (a k - g) cos(slope) - m k lambda\n"
+            "  No unknown of a joint enters: an equation of motion.\n");
+  EXPECT_EQ(theorem(winder_scene, {"--kind", "moment", "--at", "ground", "--direction", "z"}),
+            "Newton-Euler for Sigma, S: moment at ground along z of ground\n"
+            "  -m b sin(slope) lambda'' + C cos(slope) phi'' + 2 m omega sin(slope)^2 lambda lambda' = "
+            "[pivot_with_motor N]\n"
+            "  Unknown: [pivot_with_motor N].\n");
+}
+
+// ½ m l² θ'² with weight and motor: dT/dt = m l² θ' θ''.
+TEST(TheoremCommand, WritesTheEnergyTheorem) {
+  EXPECT_EQ(
+      theorem(pendulum, {"--kind", "energy"}),
+      "Energy theorem for bob\n"
+      "  T = 1/2 mass length^2 theta'^2    (in J)\n"
+      "  P_ext = -981/100 mass length sin(theta) theta' + theta' torque    (power of the actions from outside, in W)\n"
+      "  P_int = 0    (power of the actions between the bodies, in W)\n"
+      "  dT/dt = P_ext + P_int:  mass length^2 theta' theta'' = -981/100 mass length sin(theta) theta' + theta' "
+      "torque\n"
+      "  No unknown of a joint enters: an equation of motion.\n");
+}
+
+TEST(TheoremCommand, RefusesWhatItDoesNotKnow) {
+  expect_failure(run(pendulum, {"theorem", "--kind", "power"}), 2,
+                 "unknown kind 'power' of theorem: use resultant, moment or energy");
+  expect_failure(
+      run(pendulum, {"theorem", "--kind", "moment"}), 2,
+      "a theorem of moment needs the point at which moments are taken: --at POINT, or a frame's name for its "
+      "origin");
+  expect_failure(run(pendulum, {"theorem", "--direction", "1,0"}), 2,
+                 "the direction '1,0' is neither x, y, z nor three components, e.g. 0,1,0");
+  expect_failure_beginning(run(pendulum, {"theorem", "--kind", "moment", "--at", "nowhere"}), 3,
+                           "unknown point 'nowhere'");
+  expect_failure_beginning(run(pendulum, {"theorem", "--bodies", "bib"}), 3, "unknown body 'bib'");
+}
+
+/// The text from a heading to the next empty line.
+std::string section(const std::string& text, const std::string& heading) {
+  const std::size_t begin = text.find("\n" + heading + "\n");
+  if (begin == std::string::npos) return "no " + heading + " in\n" + text;
+  const std::size_t body = begin + heading.size() + 2;
+  return text.substr(body, text.find("\n\n", body) - body);
+}
+
+// Watt's governor: −(U + T0) = −2 (m + M) g L cos θ − m L² ω² sin² θ; upright arms rest while m L ω² < (m + M) g.
+TEST(StaticsCommand, WritesTheRelativeEquilibriaOfTheGovernor) {
+  const std::string any = run(watt_governor_scene, {"statics"}).out;
+  EXPECT_EQ(section(any, "Equations of equilibrium"),
+            "  -(U + T0) = -2 g (m + M) L cos(theta) - m L^2 omega^2 sin(theta)^2    (in J)\n"
+            "  theta:  0 = -2 m L^2 omega^2 cos(theta) sin(theta) + 2 g (m + M) L sin(theta)");
+  const std::string at = run(watt_governor_scene, {"statics", "--about", "theta=0"}).out;
+  EXPECT_EQ(section(at, "At theta = 0"), "  Every equation of equilibrium holds: a rest, whatever the parameters.");
+  EXPECT_EQ(
+      section(at, "Lejeune-Dirichlet"),
+      "  H = [ 2 ((g - L omega^2) m + g M) L ]\n"
+      "  H: second derivatives of -(U + T0) there.\n"
+      "  Stable where H is positive definite, else it cannot conclude (a condition that always holds is left out):\n"
+      "    -2 omega^2 L^2 m + 2 L m g + 2 L M g > 0\n"
+      "  With the scene's values: cannot conclude: pivot 1 of the Hessian of -(U + T0) is -42.5700, not a minimum.");
+  EXPECT_EQ(section(at, "Routh and Hurwitz, linearised equations"),
+            "  det(M s^2 + C s + K) has the coefficients\n"
+            "  a2 = 2 m L^2\n"
+            "  a1 = 0\n"
+            "  a0 = 2 ((g - L omega^2) m + g M) L\n"
+            "  Cannot conclude that it is stable: a determinant of Hurwitz vanishes whatever the parameters, so that "
+            "some root has Re s >= 0.\n"
+            "  With the scene's values: unstable, for a coefficient is negative, if this is a rest.\n");
+}
+
+// A damped pendulum: m l² s² + c s ± m g l; the top is a rest, but no minimum of −U.
+Scene damped() {
+  Scene scene("damped");
+  const Expression m = scene.parameter("m", "kg", 2), l = scene.parameter("l", "m", 1),
+                   g = scene.parameter("g", "m/s^2", 10);
+  const Expression c = scene.parameter("c", "N m s", 3), theta = scene.coordinate("theta", "rad");
+  scene.body("bob", scene.revolute("arm", scene.ground(), axis::z, theta), Inertia::point(m).at({0, -l, 0}));
+  scene.gravity({0, -g, 0});
+  scene.damper("air", theta, c);
+  return scene;
+}
+
+TEST(StaticsCommand, TellsStableFromUnstableAndFromWhatItCannotConclude) {
+  const std::string bottom = run(damped, {"statics", "--about", "theta=0"}).out;
+  EXPECT_EQ(
+      section(bottom, "Lejeune-Dirichlet"),
+      "  H = [ m l g ]\n"
+      "  H: second derivatives of -U there.\n"
+      "  Stable where H is positive definite, else it cannot conclude (a condition that always holds is left out):\n"
+      "    m l g > 0\n"
+      "  With the scene's values: stable: -(U + T0) has a strict minimum; Lejeune-Dirichlet presupposes that 'air' "
+      "dissipate and that inputs are zero.");
+  EXPECT_EQ(section(bottom, "Routh and Hurwitz, linearised equations"),
+            "  det(M s^2 + C s + K) has the coefficients\n"
+            "  a2 = m l^2\n"
+            "  a1 = c\n"
+            "  a0 = m l g\n"
+            "  All roots have Re s < 0, and the rest is asymptotically stable, exactly where\n"
+            "    m l^2 > 0\n"
+            "    c > 0\n"
+            "    m l c g > 0\n"
+            "  With the scene's values: asymptotically stable, if this is a rest.\n");
+  const std::string top = run(damped, {"statics", "--about", "theta=pi"}).out;
+  EXPECT_EQ(
+      section(top, "Lejeune-Dirichlet"),
+      "  H = [ -m l g ]\n"
+      "  H: second derivatives of -U there.\n"
+      "  Stable where H is positive definite, else it cannot conclude (a condition that always holds is left out):\n"
+      "    -m l g > 0\n"
+      "  With the scene's values: cannot conclude: pivot 1 of the Hessian of -(U + T0) is -20.0000, not a minimum.");
+  EXPECT_EQ(section(top, "Routh and Hurwitz, linearised equations"),
+            "  det(M s^2 + C s + K) has the coefficients\n"
+            "  a2 = m l^2\n"
+            "  a1 = c\n"
+            "  a0 = -m l g\n"
+            "  All roots have Re s < 0, and the rest is asymptotically stable, exactly where\n"
+            "    m l^2 > 0\n"
+            "    c > 0\n"
+            "    -m l c g > 0\n"
+            "  With the scene's values: unstable, a root has Re s > 0, if this is a rest.\n");
+  const std::string leaning = run(damped, {"statics", "--about", "theta=1"}).out;
+  EXPECT_EQ(section(leaning, "At theta = 1"), "  theta:  0 = sin(1) m l g    (must hold for a rest)");
+  expect_failure_beginning(run(damped, {"statics", "--about", "phi=1"}), 2, "");
+}
+
+Scene on_a_circle() {
+  Scene scene("on_a_circle");
+  const Expression metre = Expression::quantity("1", "m");
+  const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m");
+  scene.initial(y, -metre);
+  const FrameHandle along = scene.prismatic("along", scene.ground(), axis::x, x);
+  scene.body("point", scene.prismatic("up", along, axis::y, y), Inertia::point(Expression::quantity("1", "kg")));
+  scene.gravity({0, Expression::quantity("-10", "m/s^2"), 0});
+  scene.holonomic("circle", x * x + y * y - metre * metre);
+  return scene;
+}
+
+TEST(StaticsCommand, SaysWhyLejeuneDirichletDoesNotApply) {
+  const std::string text = run(on_a_circle, {"statics"}).out;
+  EXPECT_EQ(
+      section(text, "Second derivatives of -U at any configuration"),
+      "  Lejeune-Dirichlet cannot conclude: the scene has constraints; describe it with independent coordinates, or "
+      "let the runtime project the second derivatives on the tangent space.\n");
+}
+
+}  // namespace
+}  // namespace torsor

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/dynamics/theorem_equations.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "generator/dynamics/joint_actions.hpp"
+#include "generator/expression/error.hpp"
+#include "generator/verification/random_state.hpp"
+#include "tests/dynamics/random_mechanism.hpp"
+#include "tests/dynamics/simple_scenes.hpp"
+
+namespace torsor {
+namespace {
+
+using namespace testing_symbols;
+using namespace testing_mechanisms;
+
+/// A random state of the motion itself: accelerations and multipliers are those of forward dynamics, and each named
+/// component is what the joint does transmit there, dynamic screw less known actions (transmitted_wrenches).
+class OnTheMotion {
+ public:
+  explicit OnTheMotion(const Scene& scene) : equations_(scene), state_(scene, 9) {
+    const Model& model = equations_.model();
+    Evaluator<Real> before(equations_.program(), state_.in_real());
+    const ForwardSolution& forward = equations_.forward();
+    for (std::size_t i = 0; i < forward.accelerations.size(); ++i) {
+      values_[model.coordinates()[i].a->name] = before(forward.accelerations[i]);
+    }
+    for (std::size_t j = 0; j < forward.multipliers.size(); ++j) {
+      values_[equations_.constraints()[j].multiplier->name] = before(forward.multipliers[j]);
+    }
+    const std::vector<Wrench> transmitted = transmitted_wrenches(equations_);
+    Evaluator<Real> evaluate = evaluator();
+    for (const Connection& joint : connections(equations_)) {
+      const Vector at = model.locate(Vector(), joint.bottom, joint.top);
+      const Wrench wrench =
+          reduced_at(transmitted[static_cast<std::size_t>(joint.top)], bound(equations_.program(), at));
+      for (int e = 0; e < 6; ++e) {
+        const std::string name = "[" + joint.name + " " + "XYZLMN"[e] + "]";
+        values_[name] = evaluate((e < 3 ? wrench.resultant : wrench.moment)[e % 3]);
+      }
+    }
+  }
+
+  Evaluator<Real> evaluator() const {
+    return {equations_.program(), [this](const SymbolPointer& symbol) {
+              const auto place = values_.find(symbol->name);
+              return place == values_.end() ? state_.in_real()(symbol) : place->second;
+            }};
+  }
+  const Real& at(const std::string& name) const { return values_.at(name); }
+  const Equations& equations() const { return equations_; }
+
+ private:
+  Equations equations_;
+  RandomState state_;
+  std::map<std::string, Real> values_;
+};
+
+FrameReference body_frame(const Model& model, const std::string& name) {
+  for (const BodyContent& body : model.scene().bodies) {
+    if (body.name == name) return body.frame;
+  }
+  throw SceneError("no body " + name);
+}
+
+class RandomTheorems : public ::testing::TestWithParam<unsigned> {};
+
+// What stands without a name along a joint's freedom was put there from the springs, dampers, motors and formulas: on
+// the motion it is what Newton-Euler finds. States have entries of order 1 and a few thousand operations in 50 digits.
+TEST_P(RandomTheorems, GiveTheActionsAlongTheFreedomsOfJoints) {
+  const WorkingDigits precision(50);
+  const OnTheMotion motion(random_mechanism(GetParam(), {.driven = true, .joints = GetParam() % 2 == 0}));
+  Evaluator<Real> evaluate = motion.evaluator();
+  for (const JointAction& action : joint_actions(motion.equations())) {
+    for (int e = 0; e < 6; ++e) {
+      const std::string name = "[" + action.connection.name + " " + "XYZLMN"[e] + "]";
+      const Value& component = (e < 3 ? action.wrench.resultant : action.wrench.moment)[e % 3];
+      const Real given = component.is_zero() ? Real(0) : evaluate(component);
+      EXPECT_LT(abs(given - motion.at(name)), power_of_ten(-38)) << name;
+    }
+  }
+}
+
+TEST_P(RandomTheorems, HoldForEveryBodyAndForAll) {
+  const WorkingDigits precision(50);
+  const OnTheMotion motion(random_mechanism(GetParam(), {.joints = GetParam() % 2 == 0}));
+  Evaluator<Real> evaluate = motion.evaluator();
+  const Model& model = motion.equations().model();
+  std::vector<BodyNames> sets{all_bodies(model)};
+  std::map<int, BodyNames> rigid;  // what is fixed together is isolated together
+  for (const std::string& body : sets[0]) rigid[model.place(body_frame(model, body), "test").link].push_back(body);
+  for (const auto& [link, bodies] : rigid) sets.push_back(bodies);
+  for (const BodyNames& bodies : sets) {
+    for (const Theorem theorem : {Theorem::resultant, Theorem::moment}) {
+      const Triple direction{Expression(1), Expression(2), Expression(-3)};
+      const TheoremEquation equation =
+          theorem_equation(motion.equations(), bodies, {"P1", "body0", "ground"}, theorem, direction);
+      EXPECT_LT(abs(evaluate(equation.left) - evaluate(equation.right)), power_of_ten(-38));
+    }
+    for (const char* observer : {"ground", "body0"}) {
+      const EnergyEquation energy = energy_equation(motion.equations(), bodies, observer);
+      const Real left = energy.equation.left.is_zero() ? Real(0) : evaluate(energy.equation.left);
+      EXPECT_LT(abs(left - evaluate(energy.equation.right)), power_of_ten(-38)) << observer;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomTheorems, ::testing::Range(500U, 512U));
+
+/// The ends of two rods with a spring and a motor between them, written with absolute angles.
+Scene absolute_angles() {
+  Scene scene("absolute");
+  const Expression a = scene.coordinate("a", "rad"), b = scene.coordinate("b", "rad");
+  const FrameHandle lower = scene.revolute("lower", scene.ground(), axis::z, a);
+  const FrameHandle upper = scene.revolute("upper", lower, axis::z, b - a, {.origin = {metres("1"), 0, 0}});
+  scene.body("lower", lower, Inertia::point(kilograms("2")).at({metres("1"), 0, 0}));
+  scene.body("upper", upper, Inertia::point(kilograms("1")).at({metres("1"), 0, 0}));
+  scene.spring("spring", b - a, Expression::quantity("5", "N m"));
+  scene.motor("torque", a);
+  return scene;
+}
+
+// A spring on b − a acts in the upper joint alone, although it enters both of Lagrange's equations.
+TEST(JointActions, AreThoseOfTheJointWhateverTheCoordinates) {
+  const WorkingDigits precision(50);
+  const Equations equations(absolute_angles());
+  const std::vector<JointAction> actions = joint_actions(equations);
+  NamedState state(equations, {{"a", Real(2)}, {"b", Real(5)}, {"torque", Real(7)}});
+  ASSERT_EQ(actions.size(), 2U);
+  EXPECT_EQ(state.in_double(actions[0].wrench.moment[2]), 7.0);
+  EXPECT_EQ(state.in_double(actions[1].wrench.moment[2]), -15.0);
+  EXPECT_EQ(actions[1].unknowns.size(), 5U);
+  EXPECT_TRUE(actions[1].remarks.empty());
+}
+
+}  // namespace
+}  // namespace torsor
