@@ -255,7 +255,7 @@ TORSOR_DEVICE TORSOR_INLINED void sincos_of_block(const Scalar* angles, Scalar* 
   // Compilers make vector instructions of a loop, but not always of a row of statements.
 #if defined(__clang__)
 #pragma clang loop unroll(disable)
-#elif defined(__GNUC__)
+#elif defined(__GNUC__) && !defined(__CUDACC__)
 #pragma GCC unroll 1
 #endif
   for (int i = 0; i < size; ++i) SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::core(x[i], s[i], c[i]);
