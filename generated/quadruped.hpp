@@ -23,19 +23,6 @@
 //
 // Angles and axes that were made exact:
 //   1.5707963267948966 is pi/2: link front_left_thigh_link (rpy), link front_right_thigh_link (rpy), link rear_left_thigh_link (rpy), link rear_right_thigh_link (rpy)
-// Joints, in rad, m, N m, N and s; limits are data, nothing here enforces them:
-//   front_left_hip: from -0.8 to 0.8, velocity at most 20, effort at most 25, damping 0.05
-//   front_left_thigh: from -1.5 to 3, velocity at most 20, effort at most 25, damping 0.05
-//   front_left_knee: from -2.7 to -0.3, velocity at most 20, effort at most 40, damping 0.05
-//   front_right_hip: from -0.8 to 0.8, velocity at most 20, effort at most 25, damping 0.05
-//   front_right_thigh: from -1.5 to 3, velocity at most 20, effort at most 25, damping 0.05
-//   front_right_knee: from -2.7 to -0.3, velocity at most 20, effort at most 40, damping 0.05
-//   rear_left_hip: from -0.8 to 0.8, velocity at most 20, effort at most 25, damping 0.05
-//   rear_left_thigh: from -1.5 to 3, velocity at most 20, effort at most 25, damping 0.05
-//   rear_left_knee: from -2.7 to -0.3, velocity at most 20, effort at most 40, damping 0.05
-//   rear_right_hip: from -0.8 to 0.8, velocity at most 20, effort at most 25, damping 0.05
-//   rear_right_thigh: from -1.5 to 3, velocity at most 20, effort at most 25, damping 0.05
-//   rear_right_knee: from -2.7 to -0.3, velocity at most 20, effort at most 40, damping 0.05
 //
 // To write this file again:
 //   torsor generate quadruped.urdf --base floating --points front_left_foot,front_right_foot,rear_left_foot,rear_right_foot --initial "trunk_z=0.8,trunk_x'=0.5,trunk_attitude_omega_x=0.3,trunk_attitude_omega_y=-0.5,front_left_thigh=0.7,front_left_knee=-1.4,front_right_thigh=0.7,front_right_knee=-1.4,rear_left_thigh=0.7,rear_left_knee=-1.4,rear_right_thigh=0.7,rear_right_knee=-1.4" --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,constraints --output quadruped.hpp
@@ -390,6 +377,29 @@ struct Mechanism {
   /// Indices in q of the first components (w) of the unit quaternions (w, x, y, z).
   static constexpr int quaternion_count = 1;
   static constexpr int quaternions[] = {3};
+  /// Range of each freedom, largest rate and largest effort, by its index in v; infinite where the scene states none.
+  /// Data: no kernel looks at them.
+  struct Limits { double lower, upper, velocity, effort; };
+  static constexpr Limits limits[] = {
+      {-HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL},  // trunk_x
+      {-HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL},  // trunk_y
+      {-HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL},  // trunk_z
+      {-HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL},  // trunk_attitude_omega_x
+      {-HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL},  // trunk_attitude_omega_y
+      {-HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL},  // trunk_attitude_omega_z
+      {-0.8, 0.8, 20, 25},  // front_left_hip
+      {-1.5, 3, 20, 25},  // front_left_thigh
+      {-2.7, -0.3, 20, 40},  // front_left_knee
+      {-0.8, 0.8, 20, 25},  // front_right_hip
+      {-1.5, 3, 20, 25},  // front_right_thigh
+      {-2.7, -0.3, 20, 40},  // front_right_knee
+      {-0.8, 0.8, 20, 25},  // rear_left_hip
+      {-1.5, 3, 20, 25},  // rear_left_thigh
+      {-2.7, -0.3, 20, 40},  // rear_left_knee
+      {-0.8, 0.8, 20, 25},  // rear_right_hip
+      {-1.5, 3, 20, 25},  // rear_right_thigh
+      {-2.7, -0.3, 20, 40},  // rear_right_knee
+  };
 
   /// Parameters that are set at run time.
   struct Parameters {

@@ -32,7 +32,17 @@ Json content_json(const Scene& scene) {
     }
   }
   for (const CoordinateContent& c : content.coordinates) {
-    coordinates.push_back({{"name", c.q->name}, {"unit", c.q->unit.to_string()}, {"role", role(c)}});
+    Json coordinate{{"name", c.q->name}, {"unit", c.q->unit.to_string()}, {"role", role(c)}};
+    if (c.limits) {
+      const auto limit = [&](const char* name, const std::optional<Number>& value) {
+        if (value) coordinate["limits"][name] = value->to_double();
+      };
+      limit("lower", c.limits->lower);
+      limit("upper", c.limits->upper);
+      limit("velocity", c.limits->velocity);
+      limit("effort", c.limits->effort);
+    }
+    coordinates.push_back(std::move(coordinate));
   }
   Json& frames = list("frames");
   for (const FrameContent& f : content.frames) frames.push_back(f.name);

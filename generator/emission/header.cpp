@@ -13,6 +13,7 @@
 #include "generator/emission/provenance.hpp"
 #include "generator/emission/start_values.hpp"
 #include "generator/emission/text_template.hpp"
+#include "generator/expression/decimal.hpp"
 #include "generator/expression/error.hpp"
 
 namespace torsor {
@@ -81,6 +82,27 @@ std::string redundancy_table(const Equations& equations) {
       "/// Multipliers that are taken as zero: their constraints repeat others.\n"
       "static constexpr int redundant_count = {};\nstatic constexpr int redundant_multipliers[] = {{{}}};\n",
       dropped.size(), fmt::join(dropped, ", "));
+}
+
+/// What the scene says of the range of its freedoms, when it says anything.
+std::string limits_table(const Model& model) {
+  const auto freedoms = model.coordinates().begin();
+  const auto end = freedoms + model.unknown_count();
+  if (std::none_of(freedoms, end, [](const CoordinateContent& c) { return c.limits.has_value(); })) return "";
+  const auto bound = [](const std::optional<Number>& value, const char* otherwise) {
+    return value ? shortest(value->to_double()) : std::string(otherwise);
+  };
+  std::string text =
+      "/// Range of each freedom, largest rate and largest effort, by its index in v; infinite where the scene states "
+      "none.\n/// Data: no kernel looks at them.\nstruct Limits { double lower, upper, velocity, effort; };\n"
+      "static constexpr Limits limits[] = {\n";
+  for (auto c = freedoms; c != end; ++c) {
+    const CoordinateLimits limits = c->limits.value_or(CoordinateLimits());
+    text += fmt::format("    {{{}, {}, {}, {}}},  // {}\n", bound(limits.lower, "-HUGE_VAL"),
+                        bound(limits.upper, "HUGE_VAL"), bound(limits.velocity, "HUGE_VAL"),
+                        bound(limits.effort, "HUGE_VAL"), c->q->name);
+  }
+  return text + "};\n";
 }
 
 std::string blocks_text(const std::vector<std::string>& blocks) {
@@ -161,7 +183,8 @@ std::string emit_header(const Equations& equations, const std::vector<Kernel>& k
                         {"input_count", size(equations.model().inputs().size())},
                         {"parameter_count", size(parameters.size())},
                         {"multiplier_count", size(content.constraints.size())},
-                        {"quaternions", quaternion_table(equations.model()) + redundancy_table(equations)},
+                        {"quaternions", quaternion_table(equations.model()) + redundancy_table(equations) +
+                                            limits_table(equations.model())},
                         {"structures", blocks_text(common_text)},
                         {"precomputed_members", precomputed_structure(program, schedule)},
                         {"default_parameters", default_parameters_body(scene, parameters)},

@@ -57,8 +57,9 @@ struct ImportedRobot {
 /// A link becomes a frame of its name and, if its mass or its inertia is not zero, a body whose mass, centre of mass
 /// and moments are parameters with values (<link>_mass, <link>_com_x, <link>_inertia_xx, ...). A joint becomes a joint
 /// of the scene, placed by origin: p_parent = xyz + Rz(yaw) Ry(pitch) Rx(roll) p_child.
-///  * revolute, continuous, prismatic: a coordinate of the joint's name about or along the axis, and a motor on it,
-///    <joint>_torque or <joint>_force. <mimic>: the displacement multiplier · (other's) + offset, no coordinate.
+///  * revolute, continuous, prismatic: a coordinate of the joint's name about or along the axis, with its limits, and a
+///    motor on it, <joint>_torque or <joint>_force. <mimic>: the displacement multiplier · (other's) + offset, no
+///    coordinate.
 ///  * fixed: a weld.
 ///  * floating: position <joint>_x, _y, _z along the axes of the joint's origin and the attitude <joint>_attitude, a
 ///    unit quaternion with the components of the angular velocity in the child's axes.

@@ -47,21 +47,19 @@ std::string arguments(const UrdfRobot& robot, const UrdfOptions& options) {
   return text;
 }
 
-/// "elbow: from -1.5 to 1.5, velocity at most 2, effort at most 100, friction 0.1"; empty without data.
+/// "elbow: friction 0.1"; empty when everything that the file states is in the scene.
 std::string data_line(const UrdfJointData& data) {
   std::vector<std::string> parts;
-  if (data.lower && data.upper)
-    parts.push_back(fmt::format("from {} to {}", decimal(*data.lower), decimal(*data.upper)));
-  if (data.lower && !data.upper) parts.push_back("at least " + decimal(*data.lower));
-  if (!data.lower && data.upper) parts.push_back("at most " + decimal(*data.upper));
-  if (data.velocity) parts.push_back("velocity at most " + decimal(*data.velocity));
-  if (data.effort) parts.push_back("effort at most " + decimal(*data.effort));
-  if (data.damping && !data.damping->is_zero()) {
-    parts.push_back(fmt::format("damping {}{}", decimal(*data.damping), data.damping_acts ? "" : " (does not act)"));
+  if (data.coordinate.empty()) {  // no coordinate holds its limits
+    if (data.lower) parts.push_back("at least " + decimal(*data.lower));
+    if (data.upper) parts.push_back("at most " + decimal(*data.upper));
+    if (data.velocity) parts.push_back("velocity at most " + decimal(*data.velocity));
+    if (data.effort) parts.push_back("effort at most " + decimal(*data.effort));
   }
-  if (data.friction && !data.friction->is_zero()) {
-    parts.push_back(fmt::format("friction {} (does not act)", decimal(*data.friction)));
+  if (data.damping && !data.damping->is_zero() && !data.damping_acts) {
+    parts.push_back("damping " + decimal(*data.damping));
   }
+  if (data.friction && !data.friction->is_zero()) parts.push_back("friction " + decimal(*data.friction));
   return parts.empty() ? "" : fmt::format("{}: {}", data.joint, fmt::join(parts, ", "));
 }
 
@@ -83,7 +81,7 @@ SceneOrigin urdf_origin(const UrdfRobot& robot, const UrdfOptions& options, cons
   for (const UrdfJointData& joint : joints) {
     if (std::string line = data_line(joint); !line.empty()) data.push_back(std::move(line));
   }
-  append(origin.notes, "Joints, in rad, m, N m, N and s; limits are data, nothing here enforces them:", data);
+  append(origin.notes, "Stated of joints, in SI, and not in the kernels:", data);
   return origin;
 }
 

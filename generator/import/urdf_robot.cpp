@@ -46,10 +46,20 @@ class Reader {
     joint.child = reference(element, "child");
     const std::string where = "joint " + joint.name;
     if (const auto origin = element.child("origin")) joint.origin = placement(*origin, where);
+    if (joint.moves_by_numbers()) read_motion(element, joint, where);
+    if (const auto mimic = element.child("mimic")) joint.mimic = read_mimic(*mimic, joint, where);
+    robot_.joints.push_back(std::move(joint));
+  }
+
+ private:
+  /// Axis, limits, damping. What other joints say of them, such as a null axis, means nothing.
+  void read_motion(const XmlElement& element, UrdfJoint& joint, const std::string& where) {
     if (const auto axis = element.child("axis")) joint.axis = direction(*axis, where);
     if (const auto limit = element.child("limit")) {
-      joint.lower = limit->optional_number("lower");
-      joint.upper = limit->optional_number("upper");
+      if (joint.type != UrdfJointType::continuous) {
+        joint.lower = limit->optional_number("lower");
+        joint.upper = limit->optional_number("upper");
+      }
       joint.velocity = limit->optional_number("velocity");
       joint.effort = limit->optional_number("effort");
       if (joint.lower && joint.upper && *joint.upper < *joint.lower) {
@@ -64,11 +74,8 @@ class Reader {
           dynamics->fail("damping and friction take energy away; they are never negative");
       }
     }
-    if (const auto mimic = element.child("mimic")) joint.mimic = read_mimic(*mimic, joint, where);
-    robot_.joints.push_back(std::move(joint));
   }
 
- private:
   /// Tells what an angle was taken for.
   void tell(const XmlNumber& angle, const std::optional<Number>& twelfths, const std::string& where) {
     if (angle.value.is_zero()) return;

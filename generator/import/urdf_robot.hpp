@@ -65,6 +65,8 @@ struct UrdfJoint {
 
   bool turns() const { return type == UrdfJointType::revolute || type == UrdfJointType::continuous; }
   bool slides() const { return type == UrdfJointType::prismatic; }
+  /// Not fixed, and not free either: an axis, limits and damping belong to it.
+  bool moves_by_numbers() const { return turns() || slides() || type == UrdfJointType::planar; }
 };
 
 /// What was made exact, for the notes: a text such as "1.5707963267948966 is pi/2" and where it stands.

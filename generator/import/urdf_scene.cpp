@@ -43,7 +43,12 @@ class SceneBuilder {
       : robot_(robot), options_(options), root_(std::move(root)), scene_(scene_name()) {}
 
   ImportedRobot build() {
-    for (const UrdfLink& link : robot_.links) frames_[link.name] = take(frame_names_, link.name, "link");
+    // With the members that the kernel kinematics makes of them.
+    for (const UrdfLink& link : robot_.links) {
+      frames_[link.name] = take(frame_names_, link.name, "link",
+                                {"", "_position", "_velocity", "_angular_velocity", "_rotation", "_origin",
+                                 "_origin_position", "_origin_velocity", "_origin_jacobian"});
+    }
     std::string base_name;
     if (options_.base == UrdfBase::floating) base_ = free_joint(root_, "link", base_name);
     for (const UrdfJoint& joint : robot_.joints) declare(joint);
@@ -110,7 +115,11 @@ class SceneBuilder {
       const std::string effort = joint.turns() ? "_torque" : "_force";
       data.coordinate = take(symbols_, joint.name, "joint", {"", effort, "_damping"});
       names_[joint.name] = data.coordinate;
-      displacements_[joint.name] = scene_.coordinate(data.coordinate, joint.turns() ? "rad" : "m");
+      const Expression q = scene_.coordinate(data.coordinate, joint.turns() ? "rad" : "m");
+      displacements_[joint.name] = q;
+      if (data.lower || data.upper || data.velocity || data.effort) {
+        scene_.limits(q, {data.lower, data.upper, data.velocity, data.effort});
+      }
     } else {
       names_[joint.name] = take(symbols_, joint.name, "joint", {"", "_damping"});
     }
@@ -175,7 +184,7 @@ class SceneBuilder {
         const FreeJoint& free = free_.at(joint.name);
         std::string from = parent;
         if (!is_identity(joint.origin)) {
-          from = frame_names_.take(joint.name + "_origin", "joint");
+          from = frame_names_.take(joint.name + "_fixed", "joint");
           scene_.weld(from, parent, at);
         }
         return scene_.free(child, from, free.position, free.attitude);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <set>
+
 #include <fmt/format.h>
 
 #include "generator/import/urdf_robot.hpp"
@@ -86,6 +88,31 @@ void check_mimics(const UrdfRobot& robot) {
   }
 }
 
+/// A joint that moves no mass, neither itself nor by those that mimic it, has no equation of motion.
+void refuse_massless(const UrdfRobot& robot, const ByName& above) {
+  ByName joints;
+  for (const UrdfJoint& joint : robot.joints) joints[joint.name] = &joint;
+  std::set<const UrdfJoint*> moving;
+  for (const UrdfLink& link : robot.links) {
+    if (!link.inertial || link.inertial->is_zero()) continue;
+    for (auto at = above.find(link.name); at != above.end(); at = above.find(at->second->parent.link)) {
+      const UrdfJoint* joint = at->second;
+      moving.insert(joint);
+      while (joint->mimic) {
+        joint = joints.at(joint->mimic->joint);
+        moving.insert(joint);
+      }
+    }
+  }
+  for (const UrdfJoint& joint : robot.joints) {
+    if (joint.type == UrdfJointType::fixed || joint.mimic || moving.contains(&joint)) continue;
+    joint.place.fail(
+        fmt::format("moves no mass: neither '{}' nor any link beyond it has an <inertial> that is not zero; "
+                    "give one, or make the joint fixed",
+                    joint.child.link));
+  }
+}
+
 }  // namespace
 
 std::string check_tree(const UrdfRobot& robot) {
@@ -103,6 +130,7 @@ std::string check_tree(const UrdfRobot& robot) {
     root = &link;
   }
   check_mimics(robot);
+  refuse_massless(robot, above);
   return root->name;
 }
 

@@ -121,6 +121,15 @@ void Scene::initial(const Expression& formula, const Expression& value, const Ex
   coordinate.initial_rate = rate;
 }
 
+void Scene::limits(const Expression& formula, const CoordinateLimits& limits) {
+  CoordinateContent& coordinate = coordinate_of(formula, "limits");
+  if (limits.lower && limits.upper && *limits.upper < *limits.lower) {
+    throw SceneError(fmt::format("the coordinate '{}' has a lower limit {} above its upper one, {}: exchange them",
+                                 coordinate.q->name, limits.lower->to_string(), limits.upper->to_string()));
+  }
+  coordinate.limits = limits;
+}
+
 AttitudeHandle Scene::attitude(const std::string& name) {
   require_identifier(name, "attitude");
   const int index = static_cast<int>(content_.attitudes.size());

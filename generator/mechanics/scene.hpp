@@ -51,6 +51,9 @@ class Scene {
   void initial(AttitudeHandle attitude, const std::array<Expression, 4>& quaternion,
                const Triple& angular_velocity = {Expression(0), Expression(0), Expression(0)});
 
+  /// Limits of a coordinate, for who uses the generated header (`Mechanism::limits`); nothing here enforces them.
+  void limits(const Expression& coordinate, const CoordinateLimits& limits);
+
   // --- the tree of joints -------------------------------------------------------------------------------------------
   // Each joint is placed in its parent by a constant origin and rotation (`placement`); `axis` is a direction in the
   // placed axes. A joint of several freedoms makes intermediate frames <name>.1, <name>.2 and so on.

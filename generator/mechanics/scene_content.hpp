@@ -101,6 +101,9 @@ struct AttitudeContent {
 /// Component k of the unit quaternion at t = 0.
 Expression initial_component(const AttitudeContent& attitude, std::size_t k);
 
+/// What a coordinate, its rate and the effort along it must not exceed, in SI: data for controllers and simulators.
+struct CoordinateLimits { std::optional<Number> lower, upper, velocity, effort; };
+
 /// A freedom of the mechanism: a coordinate q, or one of the three of an attitude, whose q is only a name.
 struct CoordinateContent {
   SymbolPointer q, v, a;
@@ -109,6 +112,7 @@ struct CoordinateContent {
   bool released = false;                    ///< held at zero, its reaction can be asked for
   std::optional<Expression> initial_value;  ///< at t = 0
   std::optional<Expression> initial_rate;
+  std::optional<CoordinateLimits> limits;
   bool unknown() const { return !law && !released; }
 };
 

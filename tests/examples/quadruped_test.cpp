@@ -171,6 +171,16 @@ TEST(Quadruped, StandsByTheTorquesOfPlaneStatics) {
   EXPECT_NEAR(torque(first_rate), hip, 50 * rounding * force);
 }
 
+TEST(Quadruped, HasTheLimitsOfTheFile) {
+  const auto& trunk = Robot::limits[0];
+  EXPECT_TRUE(std::isinf(trunk.lower) && trunk.lower < 0 && std::isinf(trunk.upper) && std::isinf(trunk.effort));
+  const auto& knee = Robot::limits[first_rate + 2];
+  EXPECT_EQ(knee.lower, -2.7);
+  EXPECT_EQ(knee.upper, -0.3);
+  EXPECT_EQ(knee.velocity, 20);
+  EXPECT_EQ(knee.effort, 40);
+}
+
 TEST(Quadruped, MeetsItsReference) {
   const auto reference = read_reference<double>(TORSOR_SOURCE_DIR "/generated/quadruped.reference.csv");
   const auto motion = equations_of_motion<Robot>();

@@ -143,6 +143,13 @@ TEST(UrdfErrors, OfTheTreeNameLinksAndJoints) {
                  "3: <joint name=\"j\">: another joint at line 2 has the same name; give each its own");
 }
 
+TEST(UrdfErrors, OfJointsThatMoveNoMassNameTheLink) {
+  expect_refused(
+      with_joint(ends),
+      "4: <joint name=\"j\">: moves no mass: neither 'b' nor any link beyond it has an <inertial> that is not "
+      "zero; give one, or make the joint fixed");
+}
+
 TEST(UrdfErrors, OfMimicsNameTheJoints) {
   const auto robot = [](const std::string& first, const std::string& second, const std::string& type = "revolute") {
     return "<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/><link name=\"c\"/>\n<joint name=\"j\" type=\"" +

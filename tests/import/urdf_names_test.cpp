@@ -53,6 +53,14 @@ TEST(UrdfNames, ThatWouldCollideStillMakeAValidScene) {
   EXPECT_EQ(robot.scene.content().origin.file, "machine.urdf");
 }
 
+// The kernel kinematics makes members of these names: "a" has a_angular_velocity, and so has "a_angular".
+TEST(UrdfNames, StayDistinctInTheKernelsToo) {
+  const Scene scene = read("<link name=\"base\"/>" + link("a") + link("a_angular") +
+                           joint("i", "revolute", "base", "a", "") + joint("j", "prismatic", "a", "a_angular", ""));
+  EXPECT_EQ(scene.content().bodies[0].name, "a");
+  EXPECT_EQ(scene.content().bodies[1].name, "a_angular_2");
+}
+
 TEST(UrdfData, OfJointsIsKeptAndTold) {
   const ImportedRobot robot = read_urdf_text(
       testing_urdf::robot(
@@ -72,10 +80,20 @@ TEST(UrdfData, OfJointsIsKeptAndTold) {
       "  3.14159 in joint grip (rpy) is near pi but beyond the tolerance: sines and cosines that would vanish do not; "
       "a "
       "larger --angle-tolerance takes it as that",
-      "Joints, in rad, m, N m, N and s; limits are data, nothing here enforces them:",
-      "  hinge: from -1.5 to 2, velocity at most 3, effort at most 150, damping 0.7, friction 0.1 (does not act)",
-      "  grip: effort at most 5"};
+      "Stated of joints, in SI, and not in the kernels:", "  hinge: friction 0.1"};
   EXPECT_EQ(robot.scene.content().origin.notes, expected);
+  const std::vector<CoordinateContent>& coordinates = robot.scene.content().coordinates;
+  ASSERT_TRUE(coordinates[0].limits && coordinates[1].limits);
+  EXPECT_EQ(coordinates[0].limits->upper, Number(2));
+  EXPECT_EQ(coordinates[1].limits->effort, Number(5));
+  EXPECT_EQ(coordinates[1].limits->upper, std::nullopt);
+}
+
+TEST(UrdfData, OfFixedJointsMayHoldANullAxis) {
+  const Scene scene =
+      read("<link name=\"base\"/>" + link("arm") + link("tool") + joint("hinge", "revolute", "base", "arm", "") +
+           joint("mount", "fixed", "arm", "tool", "<axis xyz=\"0 0 0\"/><limit lower=\"1\" upper=\"0\"/>"));
+  EXPECT_EQ(scene.content().bodies.size(), 2U);
 }
 
 TEST(UrdfLinks, WithoutMassAreFramesOnly) {

@@ -156,5 +156,19 @@ TEST_F(SceneReactions, EnforceOneConstraintEach) {
             "constraint 'stop' already has the reaction 'N': one multiplier enforces one constraint");
 }
 
+TEST(Scene, KeepsLimitsOfCoordinatesAndRefusesThoseTheWrongWayRound) {
+  Scene scene("limited");
+  const Expression q = scene.coordinate("q", "rad");
+  CoordinateLimits limits;
+  limits.lower = Number(-1);
+  limits.effort = Number(5);
+  scene.limits(q, limits);
+  ASSERT_TRUE(scene.content().coordinates[0].limits);
+  EXPECT_EQ(scene.content().coordinates[0].limits->effort, Number(5));
+  limits.upper = Number(-2);
+  EXPECT_THROW(scene.limits(q, limits), SceneError);
+  EXPECT_THROW(scene.limits(2 * q, {}), SceneError);
+}
+
 }  // namespace
 }  // namespace torsor
