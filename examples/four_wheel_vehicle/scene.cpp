@@ -2,9 +2,9 @@
 #include "examples/four_wheel_vehicle/vehicle.hpp"
 
 /// The vehicle in motion, its four wheels rolling. Where their axes meet, the eight conditions have rank six: two
-/// repeat the others (those across wheels 3 and 4 are left out, as the angles stand), and the forces across the wheels
-/// are not determined one by one. Motors turn the rear wheels; every wheel turns against a
-/// viscous torque.
+/// repeat the others (those across wheels 3 and 4 are left out, which only holds for these angles: they are constants
+/// here), and the forces across the wheels are not determined one by one. Motors turn the rear wheels; every wheel turns
+/// against a viscous torque.
 torsor::Scene four_wheel_vehicle_scene() {
   using namespace torsor;
   using namespace torsor::literals;

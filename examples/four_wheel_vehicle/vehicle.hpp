@@ -35,7 +35,10 @@ inline Vehicle add_vehicle(torsor::Scene& scene, bool sliding) {
   Vehicle vehicle;
   const std::array<Expression, 4> angles{-pi() / 4, -pi() / 6, 0, 0};
   for (std::size_t i = 0; i < 4; ++i) {
-    vehicle.alpha[i] = scene.run_time_parameter("alpha_" + std::to_string(i + 1), "rad", angles[i]);
+    const std::string name = "alpha_" + std::to_string(i + 1);
+    // Steered otherwise, wheels that do not slide leave no motion: two conditions would no longer repeat the others.
+    vehicle.alpha[i] =
+        sliding ? scene.run_time_parameter(name, "rad", angles[i]) : scene.parameter(name, "rad", angles[i]);
   }
   const Expression x = scene.coordinate("x", "m");
   const Expression y = scene.coordinate("y", "m");

@@ -21,6 +21,7 @@ ConfigurationSample::ConfigurationSample(const ConfigurationSample& other)
       positions_(other.positions_),
       values_(other.values_),
       time_(other.time_),
+      varied_(other.varied_),
       invent_(other.invent_),
       evaluate_(other.evaluate_) {
   refresh();
@@ -29,6 +30,7 @@ ConfigurationSample::ConfigurationSample(const ConfigurationSample& other)
 ConfigurationSample& ConfigurationSample::operator=(const ConfigurationSample& other) {
   values_ = other.values_;
   time_ = other.time_;
+  varied_ = other.varied_;
   refresh();
   return *this;
 }
@@ -38,6 +40,9 @@ void ConfigurationSample::refresh() {
     const auto place = std::find(positions_.begin(), positions_.end(), symbol);
     if (place != positions_.end()) return values_[static_cast<std::size_t>(place - positions_.begin())];
     if (symbol->kind == SymbolKind::time) return time_;
+    for (const auto& [parameter, value] : varied_) {
+      if (parameter == symbol) return value;
+    }
     const bool constant = symbol->kind == SymbolKind::parameter || symbol->kind == SymbolKind::pi;
     return constant ? initial_value(model_->scene(), symbol, invent_) : Real(0);
   });
@@ -48,6 +53,16 @@ std::vector<Real> ConfigurationSample::operator()(const std::vector<Value>& valu
 
 void ConfigurationSample::set_time(const Real& time) {
   time_ = time;
+  refresh();
+}
+
+void ConfigurationSample::vary(const std::vector<SymbolPointer>& parameters, const Real& part) {
+  varied_.clear();
+  for (const SymbolPointer& parameter : parameters) {
+    const Real value = initial_value(model_->scene(), parameter, invent_);
+    const Real step = part * generic_value(parameter, 2);
+    varied_.emplace_back(parameter, value.is_zero() ? step : value + value * step);
+  }
   refresh();
 }
 

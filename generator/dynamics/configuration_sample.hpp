@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
+#include <utility>
 #include <vector>
 
 #include "generator/dynamics/model.hpp"
@@ -27,6 +27,8 @@ class ConfigurationSample {
   /// Gives every position a generic value.
   void scatter();
   void set_time(const Real& time);
+  /// Gives parameters other values than their own: by that part of it, or by that much when it is zero.
+  void vary(const std::vector<SymbolPointer>& parameters, const Real& part);
   /// Largest size of the coordinates that have that unit.
   Real extent(const Unit& unit) const;
 
@@ -37,6 +39,7 @@ class ConfigurationSample {
   std::vector<SymbolPointer> positions_;
   std::vector<Real> values_;  ///< of the positions
   Real time_;
+  std::vector<std::pair<SymbolPointer, Real>> varied_;  ///< parameters that have another value here
   bool invent_ = false;
   Evaluator<Real> evaluate_;
 };

@@ -2,6 +2,7 @@
 #include "generator/dynamics/constraint_rank.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -102,8 +103,8 @@ class Basis {
 
 class RankFinder {
  public:
-  explicit RankFinder(const Scene& scene)
-      : program_(Model::resolver(scene, {})), model_(scene, program_), rows_(constraint_rows(model_)), here_(model_) {
+  RankFinder(const Scene& scene, const ModelOptions& options)
+      : program_(Model::resolver(scene, options)), model_(scene, program_, options), rows_(constraint_rows(model_)), here_(model_) {
     n_ = static_cast<std::size_t>(model_.unknown_count());
     const std::vector<std::vector<Value>> mass = mass_matrix(model_);
     for (std::size_t i = 0; i < n_; ++i) {
@@ -159,6 +160,7 @@ class RankFinder {
     }
     std::sort(result.dropped.begin(), result.dropped.end());
     refuse_friction(result);
+    if (result.closed && result.redundant()) refuse_other_values(away, result);
     ConfigurationSample& chosen = result.closed && !result.singular_start() ? here_ : away;
     for (std::size_t j = 0; j < rows_.size(); ++j) {
       Row scaled = row(chosen, j);
@@ -310,6 +312,52 @@ class RankFinder {
                     rows_[index].name));
   }
 
+  /// A parameter that may change later must not make a constraint that was left out count.
+  void refuse_other_values(const ConfigurationSample& away, const ConstraintRank& rank) const {
+    std::vector<SymbolPointer> all;
+    for (const ParameterContent& parameter : model_.scene().parameters) {
+      const ModelOptions& options = model_.options();
+      if (parameter.run_time || options.all_run_time || options.run_time.contains(parameter.symbol->name))
+        all.push_back(parameter.symbol);
+    }
+    if (all.empty()) return;
+    const std::optional<std::size_t> row = counting_at_other_values(away, rank, all);
+    if (!row) return;
+    std::string names;
+    const auto add = [&names](const SymbolPointer& p) { names += (names.empty() ? "'" : ", '") + p->name + "'"; };
+    for (const SymbolPointer& parameter : all) {
+      if (counting_at_other_values(away, rank, {parameter})) add(parameter);
+    }
+    if (names.empty()) std::for_each(all.begin(), all.end(), add);
+    throw SceneError(
+        fmt::format("constraint '{}' repeats others only at the values that the run-time parameters {} have in the scene: "
+                    "at others it counts, and would not be enforced; make them constant, or leave the constraint out",
+                    rows_[*row].name, names));
+  }
+
+  /// A row left out that others do not imply once these parameters have changed a little and the rows kept were
+  /// satisfied anew.
+  std::optional<std::size_t> counting_at_other_values(const ConfigurationSample& away, const ConstraintRank& rank,
+                                                      const std::vector<SymbolPointer>& parameters) const {
+    std::vector<std::size_t> held;
+    for (const std::size_t j : rank.kept) {
+      if (rows_[j].holonomic) held.push_back(j);
+    }
+    Real part = decimal("1/32");
+    for (int attempt = 0; attempt < 8; ++attempt, part /= Real(2)) {
+      ConfigurationSample other = away;
+      other.vary(parameters, part);
+      if (!restore(other, held)) continue;
+      const std::vector<std::size_t> counting = basis(other, order_.size()).independent();
+      for (const std::size_t j : rank.dropped) {
+        if (std::find(counting.begin(), counting.end(), j) != counting.end()) return j;
+        if (rows_[j].holonomic && abs(other(rows_[j].value)) > tolerance() * length(row(other, j))) return j;
+      }
+      return std::nullopt;
+    }
+    return std::nullopt;
+  }
+
   void refuse_friction(const ConstraintRank& rank) const {
     for (std::size_t j = 0; j < rows_.size(); ++j) {
       if (!rows_[j].friction || rank.determinate[j]) continue;
@@ -331,9 +379,9 @@ class RankFinder {
 
 }  // namespace
 
-ConstraintRank constraint_rank(const Scene& scene) {
+ConstraintRank constraint_rank(const Scene& scene, const ModelOptions& options) {
   const WorkingDigits precision(constraint_digits);
-  return RankFinder(scene).find();
+  return RankFinder(scene, options).find();
 }
 
 std::vector<std::string> notes(const ConstraintRank& rank, const Scene& scene) {

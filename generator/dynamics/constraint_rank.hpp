@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "generator/dynamics/model.hpp"
 #include "generator/expression/high_precision.hpp"
-#include "generator/mechanics/scene.hpp"
 
 namespace torsor {
 
@@ -38,8 +38,11 @@ struct ConstraintRank {
   bool singular_start() const { return closed && rank_at_start < kept.size(); }
 };
 
-/// Throws SceneError naming a constraint that contradicts those it depends on.
-ConstraintRank constraint_rank(const Scene& scene);
+/// The dependence must not be an accident of the values that run-time parameters have in the scene: with those varied a
+/// little and the kept holonomic rows satisfied anew, no dropped row may count or be violated.
+/// Throws SceneError naming a constraint that contradicts those it depends on, or one that run-time parameters could
+/// make independent, with these.
+ConstraintRank constraint_rank(const Scene& scene, const ModelOptions& options = {});
 
 /// What a reader of the equations must know about it, a sentence each; none where all is regular and determinate.
 std::vector<std::string> notes(const ConstraintRank& rank, const Scene& scene);

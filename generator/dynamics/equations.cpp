@@ -25,7 +25,10 @@ const std::vector<ConstraintRow>& Equations::constraints() const {
 }
 
 const ConstraintRank& Equations::redundancy() const {
-  if (!redundancy_) redundancy_ = scene_.content().constraints.empty() ? ConstraintRank{} : constraint_rank(scene_);
+  if (!redundancy_) {
+    const bool free = scene_.content().constraints.empty();
+    redundancy_ = free ? ConstraintRank{} : constraint_rank(scene_, model_.options());
+  }
   return *redundancy_;
 }
 

@@ -22,6 +22,19 @@ Vector acceleration(const Model& model, const GeometricPoint& point, int referen
   return bound(model.program(), derivative_in(model, v, point.link, reference));
 }
 
+GeometricPoint hodograph(const Model& model, const GeometricPoint& point, int reference, const Vector& from) {
+  Program& program = model.program();
+  const Vector v = bound(program, model.express(velocity(model, point, reference), point.link, reference));
+  const Value second = program.number(Number(1), units::second);
+  return {reference, bound(program, from + second * v)};
+}
+
+GeometricPoint hodograph(const Model& model, const PointReference& point, const FrameReference& reference) {
+  const std::string user = "a hodograph";
+  const int link = model.place(reference, user).link;
+  return hodograph(model, geometric_point(model, point, user), link);
+}
+
 PointMotion point_motion(const Model& model, const GeometricPoint& point, int moving, int reference, int axes) {
   Program& program = model.program();
   const auto seen = [&](const Vector& v, int link) { return bound(program, model.express(v, link, axes)); };

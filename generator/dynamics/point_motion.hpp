@@ -23,6 +23,15 @@ Vector velocity(const Model& model, const GeometricPoint& point, int reference);
 /// Γ(P/reference) = [dV(P/reference)/dt]_reference, in the axes of the point's link [m/s²].
 Vector acceleration(const Model& model, const GeometricPoint& point, int reference);
 
+/// The hodograph of a point's velocity: the path of the point M with AM = τ V(P/reference), A fixed in the reference and
+/// τ = 1 s, so that it is drawn a metre for each metre per second. The acceleration is tangent to it:
+/// V(M/reference) = τ Γ(P/reference) (Pommier, Dynamique des systèmes de solides, §3.1). `from` is OA from the
+/// reference's origin, in its axes [m]; the result moves in the reference.
+GeometricPoint hodograph(const Model& model, const GeometricPoint& point, int reference, const Vector& from = {});
+
+/// Of a point of the scene, from the origin of the reference's link. Throws SceneError naming what does not exist.
+GeometricPoint hodograph(const Model& model, const PointReference& point, const FrameReference& reference);
+
 /// Motion of a point relative to a reference frame R, decomposed by a frame R1 that moves in R:
 /// V_a = V_r + V_t, Γ_a = Γ_r + Γ_t + Γ_c (Pommier, Dynamique des systèmes de solides, §3.4). Each part comes from its
 /// own definition, none is the difference of others.

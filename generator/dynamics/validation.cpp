@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "generator/dynamics/equations.hpp"
+#include "generator/dynamics/scene_checks.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/expression/evaluation.hpp"
 #include "generator/mechanics/inertia_validity.hpp"
@@ -167,8 +168,11 @@ void validate(const Scene& scene) {
   const WorkingDigits precision(generic_digits);
   check_coordinates(scene);
   for (const BodyContent& body : scene.content().bodies) check_inertia(scene.content(), body);
+  check_universal_joints(scene.content());
+  check_friction_coefficients(scene.content());
   const Equations equations(scene);
   check_joints(equations.model());
+  check_slipping_bodies(equations.model());
   equations.actions();
   equations.constraints();
   check_masses(equations);
@@ -178,6 +182,7 @@ void validate(const Scene& scene) {
     equations.model().locate(PointHandle{static_cast<int>(i)}, 0, "point '" + scene.content().points[i].name + "'");
   }
   check_initial_state(equations);
+  if (!lacks_values(scene)) check_closing_joints(equations);
   equations.redundancy();
 }
 

@@ -7,6 +7,27 @@
 #include "generator/mechanics/identifier.hpp"
 
 namespace torsor {
+namespace {
+
+/// How a law depends on a coordinate, itself or by way of the laws of others, in words; empty when it does not.
+std::string followed(const SceneContent& scene, const Expression& law, const CoordinateContent& coordinate) {
+  if (law.depends_on(coordinate.q)) return fmt::format("'{}' itself", coordinate.q->name);
+  for (const CoordinateContent& other : scene.coordinates) {
+    if (!other.law || !law.depends_on(other.q)) continue;
+    const std::string further = followed(scene, *other.law, coordinate);
+    if (!further.empty()) return fmt::format("'{}', whose law depends on {}", other.q->name, further);
+  }
+  return {};
+}
+
+/// Plain numbers are understood in the SI unit that is asked for.
+void require_initial_unit(const Expression& given, const Unit& unit, const std::string& what, const std::string& name) {
+  if (given.unit() == unit || given.unit() == Unit()) return;
+  throw UnitError(fmt::format("initial {} of '{}' is given in {} and must be in {}", what, name,
+                              given.unit().to_string(), unit.is_dimensionless() ? "plain numbers" : unit.to_string()));
+}
+
+}  // namespace
 
 Scene::Scene(std::string name, std::string title) {
   require_identifier(name, "scene");
@@ -104,19 +125,23 @@ void Scene::drive(const Expression& formula, const Expression& law) {
                                 coordinate.q->name, coordinate.q->unit.to_string(), law.to_string(),
                                 law.unit().to_string()));
   }
+  if (const std::string through = followed(content_, law, coordinate); !through.empty()) {
+    throw SceneError(fmt::format("coordinate '{0}' cannot follow the law {1}: that depends on {2}; write the law without "
+                                 "'{0}', as a formula of time and of coordinates that do not follow it",
+                                 coordinate.q->name, law.to_string(), through));
+  }
   coordinate.law = law;
 }
 
 void Scene::initial(const Expression& formula, const Expression& value, const Expression& rate) {
   CoordinateContent& coordinate = coordinate_of(formula, "initial");
-  const auto require = [&](const Expression& given, const Unit& unit, const std::string& what) {
-    // Plain numbers are understood in the coordinate's own SI unit.
-    if (given.unit() == unit || given.unit() == Unit()) return;
-    throw UnitError(fmt::format("initial {} of '{}' is given in {} and must be in {}", what, coordinate.q->name,
-                                given.unit().to_string(), unit.to_string()));
-  };
-  require(value, coordinate.q->unit, "value");
-  require(rate, coordinate.v->unit, "rate");
+  if (coordinate.released) {
+    throw SceneError(fmt::format("coordinate '{0}' is released, held at zero by its joint, and has no initial value: drop "
+                                 "initial('{0}'), or declare it by coordinate(...)",
+                                 coordinate.q->name));
+  }
+  require_initial_unit(value, coordinate.q->unit, "value", coordinate.q->name);
+  require_initial_unit(rate, coordinate.v->unit, "rate", coordinate.q->name);
   coordinate.initial_value = value;
   coordinate.initial_rate = rate;
 }
@@ -158,7 +183,12 @@ AttitudeHandle Scene::attitude(const std::string& name) {
 }
 
 void Scene::initial(AttitudeHandle handle, const std::array<Expression, 4>& quaternion, const Triple& rates) {
-  content_.attitudes.at(static_cast<std::size_t>(handle.index)).initial = quaternion;
+  AttitudeContent& attitude = content_.attitudes.at(static_cast<std::size_t>(handle.index));
+  for (const Expression& e : quaternion) require_initial_unit(e, Unit(), "quaternion", attitude.name);
+  for (const Expression& rate : rates) {
+    require_initial_unit(rate, units::radian_per_second, "angular velocity", attitude.name);
+  }
+  attitude.initial = quaternion;
   int k = 0;
   for (CoordinateContent& freedom : content_.coordinates) {
     if (freedom.attitude == handle.index) freedom.initial_rate = rates[static_cast<std::size_t>(k++)];

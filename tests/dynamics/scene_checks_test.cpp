@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a scene says of its joints, contacts and initial state is refused when it is not so.
+#include "generator/dynamics/scene_checks.hpp"
+
+#include <gtest/gtest.h>
+
+#include "generator/dynamics/validation.hpp"
+#include "tests/dynamics/simple_scenes.hpp"
+
+namespace torsor {
+namespace {
+
+using namespace testing_symbols;
+using namespace testing_mechanisms;
+using namespace literals;
+
+std::string refusal(const Scene& scene) {
+  return error_of([&] { validate(scene); });
+}
+
+Expression unit(const char* value, const char* name) { return Expression::quantity(value, name); }
+
+TEST(LawOfTime, IsRefusedWhenItDependsOnItsOwnCoordinate) {
+  Scene scene = pendulum();
+  const Expression phi = scene.coordinate("phi", "rad");
+  EXPECT_EQ(
+      error_of<SceneError>([&] { scene.drive(phi, sin(phi) + unit("2", "rad/s") * scene.time()); }),
+      "coordinate 'phi' cannot follow the law (sin(phi) + 2*t): that depends on 'phi' itself; write the law without "
+      "'phi', as a formula of time and of coordinates that do not follow it");
+  EXPECT_THROW(scene.drive(phi, rate(phi) * unit("1", "s")), SceneError);
+}
+
+TEST(LawOfTime, IsRefusedWhenLawsNameEachOther) {
+  Scene scene = pendulum();
+  const Expression a = scene.coordinate("a", "rad"), b = scene.coordinate("b", "rad"), c = scene.coordinate("c", "rad");
+  scene.drive(a, 2 * b);
+  scene.drive(b, c + unit("1", "rad/s") * scene.time());
+  EXPECT_EQ(error_of<SceneError>([&] { scene.drive(c, -a); }),
+            "coordinate 'c' cannot follow the law -a: that depends on 'a', whose law depends on 'b', whose law depends "
+            "on 'c' itself; write the law without 'c', as a formula of time and of coordinates that do not follow it");
+  scene.drive(c, unit("3", "rad/s") * scene.time());  // a chain of laws is one of time
+  scene.body("wheel", scene.revolute("wheel", "arm", axis::z, a), Inertia::disk(kilograms("1"), metres("1"), 2));
+  scene.body("second", scene.revolute("second", "arm", axis::z, b + c), Inertia::disk(kilograms("1"), metres("1"), 2));
+  EXPECT_EQ(refusal(scene), "no error");
+}
+
+TEST(InitialAttitude, IsRefusedInAnotherUnit) {
+  Scene scene("top");
+  const AttitudeHandle e = scene.attitude("e");
+  EXPECT_EQ(error_of<UnitError>([&] {
+              scene.initial(e, {1, 0, 0, 0}, {unit("3", "m/s"), 0, 0});
+            }),
+            "initial angular velocity of 'e' is given in m s^-1 and must be in s^-1");
+  EXPECT_EQ(error_of<UnitError>([&] {
+              scene.initial(e, {metres("1"), 0, 0, 0});
+            }),
+            "initial quaternion of 'e' is given in m and must be in plain numbers");
+  EXPECT_EQ(error_of([&] { scene.initial(e, {2, 1, 0, 0}, {unit("3", "rad/s"), 1, 0}); }), "no error");
+}
+
+TEST(ReleasedCoordinate, HasNoInitialValue) {
+  Scene scene = pendulum();
+  const Expression held = scene.released_coordinate("held", "rad");
+  EXPECT_EQ(
+      error_of<SceneError>([&] { scene.initial(held, 1); }),
+      "coordinate 'held' is released, held at zero by its joint, and has no initial value: drop initial('held'), or "
+      "declare it by coordinate(...)");
+}
+
+Scene on_a_universal_joint(const Triple& first, const Triple& second) {
+  Scene scene("shaft");
+  const Expression a = scene.coordinate("a", "rad"), b = scene.coordinate("b", "rad");
+  const Inertia rod = Inertia::general(kilograms("1"), unit("1", "kg m^2"), unit("1.5", "kg m^2"), unit("2", "kg m^2"));
+  scene.body("shaft", scene.universal("shaft", scene.ground(), first, a, second, b), rod);
+  return scene;
+}
+
+TEST(UniversalJoint, IsRefusedWithAxesThatAreNotPerpendicular) {
+  EXPECT_EQ(refusal(on_a_universal_joint({1, 2, 2}, {2, 1, -2})), "no error");
+  EXPECT_EQ(
+      refusal(on_a_universal_joint({1, 0, 0}, {3, 4, 0})),
+      "the axes (1, 0, 0) and (3, 4, 0) of the universal joint 'shaft' are not perpendicular (the cosine of their "
+      "angle is 0.6): correct one, or make the joint of two revolute ones");
+}
+
+Scene sliding_block(const Expression& coefficient, bool rolls) {
+  Scene scene("block");
+  const Expression x = scene.coordinate("x", "m"), z = scene.coordinate("z", "m");
+  const FrameHandle block = scene.prismatic("block", scene.prismatic("along", scene.ground(), axis::x, x), axis::z, z);
+  scene.body("block", block, Inertia::point(kilograms("1")));
+  const PointHandle foot = scene.point("foot", block, {0, 0, 0});
+  const ConstraintHandle floor = scene.holonomic("floor", z);
+  if (rolls)
+    scene.rolling_resistance("friction", floor, coefficient * metres("1"), block, axis::y, scene.ground());
+  else
+    scene.sliding_friction("friction", floor, coefficient, block, foot, axis::x, scene.ground());
+  return scene;
+}
+
+TEST(Friction, IsRefusedWithANegativeCoefficient) {
+  EXPECT_EQ(refusal(sliding_block(0.2_r, false)), "no error");
+  EXPECT_EQ(
+      refusal(sliding_block(-0.2_r, false)),
+      "friction 'friction' has the coefficient -1/5 = -0.2 and must not have a negative one: its force would push "
+      "along the slip; turn the direction instead");
+  EXPECT_TRUE(refusal(sliding_block(-0.2_r, true)).starts_with("friction 'friction' has the coefficient "));
+}
+
+TEST(Rolling, OfABodyOnItselfIsRefused) {
+  Scene scene("wheel");
+  const Expression x = scene.coordinate("x", "m"), turn = scene.coordinate("turn", "rad");
+  const FrameHandle slide = scene.prismatic("slide", scene.ground(), axis::x, x);
+  const FrameHandle wheel = scene.revolute("wheel", slide, axis::y, turn);
+  scene.body("wheel", wheel, Inertia::disk(kilograms("1"), metres("1"), 1));
+  const FrameHandle rim = scene.weld("rim", wheel, {{metres("1"), 0, 0}, {}});
+  const PointHandle touch = scene.point("touch", slide, {0, 0, metres("-1")});
+  Scene right = scene;
+  right.no_slip("rolls", wheel, touch, axis::x, slide);
+  EXPECT_EQ(refusal(right), "no error");
+  scene.rolling("rolls", wheel, rim, touch, slide);
+  EXPECT_EQ(
+      refusal(scene),
+      "constraint 'rolls_x': frame 'wheel' cannot slip on frame 'rim', for both are of one body; name the other body "
+      "in contact");
+}
+
+/// A lever on the ground that turns about z by `start` twelfths of π, and is held by a second joint at its origin.
+Scene held_lever(JointType type, int start, int placed, bool across) {
+  Scene scene("lever");
+  const Expression a = scene.coordinate("a", "rad"), b = scene.coordinate("b", "rad");
+  scene.initial(a, Expression(start) * pi() / Expression(12));
+  const FrameHandle lever = scene.revolute("lever", scene.ground(), axis::z, a);
+  const FrameHandle arm = scene.revolute("arm", lever, axis::x, b);
+  scene.body("arm", arm,
+             Inertia::general(kilograms("1"), unit("1", "kg m^2"), unit("1.5", "kg m^2"), unit("2", "kg m^2")));
+  const FrameHandle end = across ? scene.weld("end", arm, {{}, Rotation::about(1, -6)}) : arm;
+  const Rotation turned = Rotation::about(2, placed);
+  const FrameHandle seat = scene.weld("seat", scene.ground(), {{}, across ? turned * Rotation::about(1, -6) : turned});
+  scene.close("held", type, seat, end);
+  return scene;
+}
+
+TEST(ClosingJoint, IsRefusedWhenItStartsHalfATurnOff) {
+  // About z the lever may stand at any angle of a revolute joint along z, but not upside down.
+  EXPECT_EQ(refusal(held_lever(JointType::revolute, 3, 0, true)), "no error");
+  EXPECT_EQ(refusal(held_lever(JointType::cylindrical, 5, 5, false)), "no error");
+  EXPECT_EQ(
+      refusal(held_lever(JointType::cylindrical, 17, 5, false)),
+      "joint 'held' is assembled the wrong way round: at the start axis x of frame 'seat' and that of frame 'arm' "
+      "have a cosine of -1 and must have 1; correct initial(...) of the coordinates it ties, or the placement of one "
+      "frame");
+  EXPECT_TRUE(refusal(held_lever(JointType::prismatic, 12, 0, false)).starts_with("joint 'held' is assembled"));
+}
+
+}  // namespace
+}  // namespace torsor
