@@ -6,14 +6,10 @@
 #include <string>
 #include <vector>
 
-#define TORSOR_NO_MAIN
-#include "examples/passenger_in_vehicle/scene.cpp"
-#include "examples/satellite_arms/scene.cpp"
-#include "examples/vibration_absorber/scene.cpp"
-#include "examples/winder/scene.cpp"
 #include "generator/cli/commands.hpp"
 #include "generator/dynamics/mobility.hpp"
 #include "generator/dynamics/unknowns_report.hpp"
+#include "tests/examples/scenes.hpp"
 
 // What the course asks of a graph: to be drawn (the press has its own test), and to say which equations to write.
 

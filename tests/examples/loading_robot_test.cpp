@@ -13,9 +13,8 @@
 #include "runtime/reference.hpp"
 #include "tests/examples/motion.hpp"
 
-#define TORSOR_NO_MAIN
-#include "examples/loading_robot/scene.cpp"
 #include "generator/dynamics/unknowns_report.hpp"
+#include "tests/examples/scenes.hpp"
 
 namespace {
 

@@ -10,9 +10,7 @@
 #include "generated/vibration_absorber.hpp"
 #include "generator/dynamics/linearisation.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
-
-#define TORSOR_NO_MAIN
-#include "examples/vibration_absorber/scene.cpp"
+#include "tests/examples/scenes.hpp"
 
 // Statements of the course (Pommier) that are wrong as printed, each against what is right, where no other test of the
 // operation or the example does so. A kernel made of the printed version fails here.

@@ -16,11 +16,9 @@
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
-#define TORSOR_NO_MAIN
-#include "examples/model_making_press/scene.cpp"
-#include "examples/model_making_press/scene_reduced.cpp"
 #include "generator/dynamics/reduced_graph.hpp"
 #include "generator/emission/graph_printer.hpp"
+#include "tests/examples/scenes.hpp"
 
 namespace {
 

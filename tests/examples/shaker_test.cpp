@@ -14,14 +14,10 @@
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
-#define TORSOR_NO_MAIN
-#include "examples/shaker/scene.cpp"
-#include "examples/shaker/scene_damped.cpp"
-#include "examples/shaker/scene_free_support.cpp"
-#include "examples/shaker/scene_from_mass.cpp"
 #include "generator/dynamics/force_function.hpp"
 #include "generator/expression/evaluation.hpp"
 #include "generator/reading/force_function_text.hpp"
+#include "tests/examples/scenes.hpp"
 
 namespace {
 

@@ -17,9 +17,8 @@
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
-#define TORSOR_NO_MAIN
-#include "examples/vibration_absorber/scene.cpp"
 #include "generator/reading/print_equations.hpp"
+#include "tests/examples/scenes.hpp"
 
 namespace {
 

@@ -10,10 +10,9 @@
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
-#define TORSOR_NO_MAIN
-#include "examples/winder/scene.cpp"
 #include "generator/dynamics/mobility.hpp"
 #include "generator/mechanics/structure_graph.hpp"
+#include "tests/examples/scenes.hpp"
 
 namespace {
 
