@@ -4,27 +4,26 @@
 // Free to embed under the MIT licence.
 //
 // Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, constraints
-// Parameters set at run time: alpha_1, alpha_2, alpha_3, alpha_4
+// Parameters set at run time: none
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
 // moved across joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   precompute                8               14          0             0                  4       0     30       -
-//   kinematics               76              134          0             0                  9       0    228     236
+//   kinematics               72              130          0             0                  5       0    212     216
 //   mass_matrix               0                0          0             0                  0       0      0       0
 //   bias                      0                4          0             0                  0       0      4       4
-//   inverse_dynamics         37               41          0             0                  4       0     86     334
-//   forward_dynamics        146              211          6             0                  4       0    371     594
-//   energy                   45               78          0             0                  5       0    133     165
-//   constraints              32               52          0             0                  4       0     92     116
+//   inverse_dynamics         37               40          0             0                  1       0     79     284
+//   forward_dynamics        143              187          6             0                  1       0    338     510
+//   energy                   40               68          0             0                  5       0    118     142
+//   constraints              32               50          0             0                  1       0     84      88
 //
 // Not computed because this mechanism does not need it:
-//   kinematics: of 198 results 91 vanish identically, 10 repeat another up to sign
+//   kinematics: of 198 results 91 vanish identically, 14 repeat another up to sign
 //   mass_matrix: of 49 results 42 vanish identically
 //   bias: of 7 results 3 vanish identically
 //   forward_dynamics: of 15 results 2 vanish identically
 //   energy: of 3 results 1 vanish identically
-//   constraints: of 80 results 36 vanish identically, 8 repeat another up to sign
+//   constraints: of 80 results 36 vanish identically, 13 repeat another up to sign
 //
 // Constraints:
 //   Constraints that repeat others are left out, their multipliers are 0: wheel_3_x, wheel_4_x.
@@ -378,7 +377,7 @@ struct Mechanism {
   static constexpr int coordinate_count = 7;
   static constexpr int velocity_count = 7;
   static constexpr int input_count = 2;
-  static constexpr int parameter_count = 4;
+  static constexpr int parameter_count = 0;
   static constexpr int multiplier_count = 8;
   /// Multipliers that are taken as zero: their constraints repeat others.
   static constexpr int redundant_count = 2;
@@ -386,20 +385,7 @@ struct Mechanism {
 
   /// Parameters that are set at run time.
   struct Parameters {
-    Scalar alpha_1;  ///< parameter [rad or 1]
-    Scalar alpha_2;  ///< parameter [rad or 1]
-    Scalar alpha_3;  ///< parameter [rad or 1]
-    Scalar alpha_4;  ///< parameter [rad or 1]
-    static constexpr int size = 4;
-    TORSOR_DEVICE Scalar& operator[](int i_) noexcept { return this->*member_(i_); }
-    TORSOR_DEVICE const Scalar& operator[](int i_) const noexcept { return this->*member_(i_); }
-
-   private:
-    TORSOR_DEVICE static constexpr Scalar Parameters::*member_(int i_) noexcept {
-      constexpr Scalar Parameters::*members_[] = {&Parameters::alpha_1, &Parameters::alpha_2, &Parameters::alpha_3,
-          &Parameters::alpha_4};
-      return members_[i_];
-    }
+    static constexpr int size = 0;
   };
 
   /// Generalised coordinates q.
@@ -535,41 +521,11 @@ struct Mechanism {
   /// Parameters and what depends on them only: built once for each set of parameters.
   struct Precomputed {
     Parameters parameters;
-    Scalar s_alpha_1;
-    Scalar c_alpha_1;
-    Scalar s_alpha_2;
-    Scalar c_alpha_2;
-    Scalar s_alpha_3;
-    Scalar c_alpha_3;
-    Scalar s_alpha_4;
-    Scalar c_alpha_4;
-    Scalar z294;
-    Scalar z295;
-    Scalar z302;
-    Scalar z303;
-    Scalar z310;
-    Scalar z311;
-    Scalar z318;
-    Scalar z319;
-    Scalar z342;
-    Scalar z343;
-    Scalar z346;
-    Scalar z347;
-    Scalar z350;
-    Scalar z353;
   };
 
   /// Values of the scene.
   TORSOR_DEVICE static Parameters default_parameters() noexcept {
     Parameters parameters{};
-    const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
-    const Scalar n1_over_6 = traits::constant(0.16666666666666666, 0.16666667f, "1/6");
-    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
-    const Scalar pi = traits::pi();
-    parameters.alpha_1 = -n0_25 * pi;
-    parameters.alpha_2 = -n1_over_6 * pi;
-    parameters.alpha_3 = n0;
-    parameters.alpha_4 = n0;
     return parameters;
   }
 
@@ -577,55 +533,6 @@ struct Mechanism {
   TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
     Precomputed precomputed{};
     precomputed.parameters = parameters;
-    const Scalar k0 = traits::constant(0.7320508075688773, 0.73205084f, "-1;0;1;0");
-    const Scalar k1 = traits::constant(0.0009757317265719934, 0.0009757317f, "217/269734;0;40/404601;0");
-    const Scalar p_alpha_1 = parameters.alpha_1;
-    const Scalar p_alpha_2 = parameters.alpha_2;
-    const Scalar p_alpha_3 = parameters.alpha_3;
-    const Scalar p_alpha_4 = parameters.alpha_4;
-    const Scalar angles_[] = {p_alpha_1, p_alpha_2, p_alpha_3, p_alpha_4};
-    Scalar sines_[4], cosines_[4];
-    torsor::sines_and_cosines(angles_, sines_, cosines_);
-    const Scalar s_alpha_1 = sines_[0], c_alpha_1 = cosines_[0];
-    const Scalar s_alpha_2 = sines_[1], c_alpha_2 = cosines_[1];
-    const Scalar s_alpha_3 = sines_[2], c_alpha_3 = cosines_[2];
-    const Scalar s_alpha_4 = sines_[3], c_alpha_4 = cosines_[3];
-    const Scalar z294 = s_alpha_1 + k0 * c_alpha_1;
-    const Scalar z295 = k0 * s_alpha_1 - c_alpha_1;
-    const Scalar z302 = s_alpha_2 - k0 * c_alpha_2;
-    const Scalar z303 = k0 * s_alpha_2 + c_alpha_2;
-    const Scalar z310 = s_alpha_3 + k0 * c_alpha_3;
-    const Scalar z311 = k0 * s_alpha_3 - c_alpha_3;
-    const Scalar z318 = s_alpha_4 - k0 * c_alpha_4;
-    const Scalar z319 = k0 * s_alpha_4 + c_alpha_4;
-    const Scalar z342 = k1 * z295;
-    const Scalar z343 = k1 * z294;
-    const Scalar z346 = k1 * z303;
-    const Scalar z347 = k1 * z302;
-    const Scalar z350 = k1 * z310;
-    const Scalar z353 = k1 * z318;
-    precomputed.s_alpha_1 = s_alpha_1;
-    precomputed.c_alpha_1 = c_alpha_1;
-    precomputed.s_alpha_2 = s_alpha_2;
-    precomputed.c_alpha_2 = c_alpha_2;
-    precomputed.s_alpha_3 = s_alpha_3;
-    precomputed.c_alpha_3 = c_alpha_3;
-    precomputed.s_alpha_4 = s_alpha_4;
-    precomputed.c_alpha_4 = c_alpha_4;
-    precomputed.z294 = z294;
-    precomputed.z295 = z295;
-    precomputed.z302 = z302;
-    precomputed.z303 = z303;
-    precomputed.z310 = z310;
-    precomputed.z311 = z311;
-    precomputed.z318 = z318;
-    precomputed.z319 = z319;
-    precomputed.z342 = z342;
-    precomputed.z343 = z343;
-    precomputed.z346 = z346;
-    precomputed.z347 = z347;
-    precomputed.z350 = z350;
-    precomputed.z353 = z353;
     return precomputed;
   }
 
@@ -720,9 +627,11 @@ struct Mechanism {
 
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
   /// matrices column by column.
-  TORSOR_DEVICE static void kinematics(const Precomputed& precomputed, const State& state,
-      Kinematics& result) noexcept {
+  TORSOR_DEVICE static void kinematics(const Precomputed&, const State& state, Kinematics& result) noexcept {
     const Scalar k0 = traits::constant(0.7320508075688773, 0.73205084f, "-1;0;1;0");
+    const Scalar k1 = traits::constant(0.7071067811865476, 0.70710677f, "0;1/2;0;0");
+    const Scalar k2 = traits::constant(0.8660254037844386, 0.8660254f, "0;0;1/2;0");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
@@ -732,146 +641,126 @@ struct Mechanism {
     const Scalar v_y = state.v.y;
     const Scalar q_psi = state.q.psi;
     const Scalar v_psi = state.v.psi;
-    const Scalar p_alpha_1 = precomputed.parameters.alpha_1;
     const Scalar q_phi_1 = state.q.phi_1;
     const Scalar v_phi_1 = state.v.phi_1;
-    const Scalar p_alpha_2 = precomputed.parameters.alpha_2;
     const Scalar q_phi_2 = state.q.phi_2;
     const Scalar v_phi_2 = state.v.phi_2;
-    const Scalar p_alpha_3 = precomputed.parameters.alpha_3;
     const Scalar q_phi_3 = state.q.phi_3;
     const Scalar v_phi_3 = state.v.phi_3;
-    const Scalar p_alpha_4 = precomputed.parameters.alpha_4;
     const Scalar q_phi_4 = state.q.phi_4;
     const Scalar v_phi_4 = state.v.phi_4;
-    const Scalar s_alpha_1 = precomputed.s_alpha_1;
-    const Scalar c_alpha_1 = precomputed.c_alpha_1;
-    const Scalar s_alpha_2 = precomputed.s_alpha_2;
-    const Scalar c_alpha_2 = precomputed.c_alpha_2;
-    const Scalar s_alpha_3 = precomputed.s_alpha_3;
-    const Scalar c_alpha_3 = precomputed.c_alpha_3;
-    const Scalar s_alpha_4 = precomputed.s_alpha_4;
-    const Scalar c_alpha_4 = precomputed.c_alpha_4;
-    const Scalar z79 = q_psi + p_alpha_1;
-    const Scalar z98 = q_psi + p_alpha_2;
-    const Scalar z115 = q_psi + p_alpha_3;
-    const Scalar z132 = q_psi + p_alpha_4;
-    const Scalar angles_[] = {q_psi, q_phi_1, q_phi_2, q_phi_3, q_phi_4, z79, z98, z115, z132};
-    Scalar sines_[9], cosines_[9];
+    const Scalar angles_[] = {q_psi, q_phi_1, q_phi_2, q_phi_3, q_phi_4};
+    Scalar sines_[5], cosines_[5];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_phi_1 = sines_[1], c_phi_1 = cosines_[1];
     const Scalar s_phi_2 = sines_[2], c_phi_2 = cosines_[2];
     const Scalar s_phi_3 = sines_[3], c_phi_3 = cosines_[3];
     const Scalar s_phi_4 = sines_[4], c_phi_4 = cosines_[4];
-    const Scalar z80 = sines_[5], z81 = cosines_[5];
-    const Scalar z99 = sines_[6], z100 = cosines_[6];
-    const Scalar z116 = sines_[7], z117 = cosines_[7];
-    const Scalar z133 = sines_[8], z134 = cosines_[8];
-    const Scalar z43 = v_x * c_psi + v_y * s_psi;
-    const Scalar z44 = v_x * s_psi - v_y * c_psi;
-    const Scalar z45 = v_psi - z43;
-    const Scalar z46 = k0 * v_psi - z44;
-    const Scalar z47 = s_alpha_1 * z46 - c_alpha_1 * z45;
-    const Scalar z48 = s_alpha_1 * z45 + c_alpha_1 * z46;
-    const Scalar z49 = v_psi * s_phi_1;
-    const Scalar z50 = v_psi * c_phi_1;
-    const Scalar z51 = c_phi_1 * z48;
-    const Scalar z52 = s_phi_1 * z48;
-    const Scalar z53 = k0 * v_psi + z44;
-    const Scalar z54 = s_alpha_2 * z53 + c_alpha_2 * z45;
-    const Scalar z55 = s_alpha_2 * z45 - c_alpha_2 * z53;
-    const Scalar z56 = v_psi * s_phi_2;
-    const Scalar z57 = v_psi * c_phi_2;
-    const Scalar z58 = c_phi_2 * z55;
-    const Scalar z59 = s_phi_2 * z55;
-    const Scalar z60 = v_psi + z43;
-    const Scalar z61 = s_alpha_3 * z53 - c_alpha_3 * z60;
-    const Scalar z62 = s_alpha_3 * z60 + c_alpha_3 * z53;
-    const Scalar z63 = v_psi * s_phi_3;
-    const Scalar z64 = v_psi * c_phi_3;
-    const Scalar z65 = c_phi_3 * z62;
-    const Scalar z66 = s_phi_3 * z62;
-    const Scalar z67 = s_alpha_4 * z46 + c_alpha_4 * z60;
-    const Scalar z68 = s_alpha_4 * z60 - c_alpha_4 * z46;
-    const Scalar z69 = v_psi * s_phi_4;
-    const Scalar z70 = v_psi * c_phi_4;
-    const Scalar z71 = c_phi_4 * z68;
-    const Scalar z72 = s_phi_4 * z68;
-    const Scalar z73 = s_psi * z44 + c_psi * z43;
-    const Scalar z74 = s_psi * z43 - c_psi * z44;
-    const Scalar z75 = s_psi - k0 * c_psi;
-    const Scalar z76 = k0 * s_psi + c_psi;
-    const Scalar z77 = q_y + z76;
-    const Scalar z78 = q_x - z75;
-    const Scalar z82 = c_phi_1 * z80;
-    const Scalar z83 = c_phi_1 * z81;
-    const Scalar z84 = s_phi_1 * z80;
-    const Scalar z85 = s_phi_1 * z81;
-    const Scalar z86 = s_phi_1 * z52 + c_phi_1 * z51;
-    const Scalar z88 = z47 * z81 - z80 * z86;
-    const Scalar z89 = z47 * z80 + z81 * z86;
-    const Scalar z90 = s_phi_1 * z50 - c_phi_1 * z49;
-    const Scalar z91 = s_phi_1 * z49 + c_phi_1 * z50;
-    const Scalar z92 = v_phi_1 * z81 + z80 * z90;
-    const Scalar z93 = v_phi_1 * z80 - z81 * z90;
-    const Scalar z94 = s_psi + k0 * c_psi;
-    const Scalar z95 = k0 * s_psi - c_psi;
-    const Scalar z96 = q_y - z95;
-    const Scalar z97 = q_x - z94;
-    const Scalar z101 = c_phi_2 * z99;
-    const Scalar z102 = c_phi_2 * z100;
-    const Scalar z103 = s_phi_2 * z99;
-    const Scalar z104 = s_phi_2 * z100;
-    const Scalar z105 = s_phi_2 * z59 + c_phi_2 * z58;
-    const Scalar z107 = z54 * z100 + z99 * z105;
-    const Scalar z108 = z54 * z99 - z100 * z105;
-    const Scalar z109 = s_phi_2 * z57 - c_phi_2 * z56;
-    const Scalar z110 = s_phi_2 * z56 + c_phi_2 * z57;
-    const Scalar z111 = v_phi_2 * z100 + z99 * z109;
-    const Scalar z112 = v_phi_2 * z99 - z100 * z109;
-    const Scalar z113 = q_y - z76;
-    const Scalar z114 = q_x + z75;
-    const Scalar z118 = c_phi_3 * z116;
-    const Scalar z119 = c_phi_3 * z117;
-    const Scalar z120 = s_phi_3 * z116;
-    const Scalar z121 = s_phi_3 * z117;
-    const Scalar z122 = s_phi_3 * z66 + c_phi_3 * z65;
-    const Scalar z124 = z61 * z117 - z116 * z122;
-    const Scalar z125 = z61 * z116 + z117 * z122;
-    const Scalar z126 = s_phi_3 * z64 - c_phi_3 * z63;
-    const Scalar z127 = s_phi_3 * z63 + c_phi_3 * z64;
-    const Scalar z128 = v_phi_3 * z117 + z116 * z126;
-    const Scalar z129 = v_phi_3 * z116 - z117 * z126;
-    const Scalar z130 = q_y + z95;
-    const Scalar z131 = q_x + z94;
-    const Scalar z135 = c_phi_4 * z133;
-    const Scalar z136 = c_phi_4 * z134;
-    const Scalar z137 = s_phi_4 * z133;
-    const Scalar z138 = s_phi_4 * z134;
-    const Scalar z139 = s_phi_4 * z72 + c_phi_4 * z71;
-    const Scalar z141 = z67 * z134 + z133 * z139;
-    const Scalar z142 = z67 * z133 - z134 * z139;
-    const Scalar z143 = s_phi_4 * z70 - c_phi_4 * z69;
-    const Scalar z144 = s_phi_4 * z69 + c_phi_4 * z70;
-    const Scalar z145 = v_phi_4 * z134 + z133 * z143;
-    const Scalar z146 = v_phi_4 * z133 - z134 * z143;
-    const Scalar z147 = z47 * z81 - z48 * z80;
-    const Scalar z148 = z47 * z80 + z48 * z81;
-    const Scalar z149 = q_x - z78;
-    const Scalar z150 = q_y - z77;
-    const Scalar z151 = z54 * z100 + z55 * z99;
-    const Scalar z152 = z54 * z99 - z55 * z100;
-    const Scalar z153 = q_x - z97;
-    const Scalar z154 = q_y - z96;
-    const Scalar z155 = z61 * z117 - z62 * z116;
-    const Scalar z156 = z61 * z116 + z62 * z117;
-    const Scalar z157 = q_x - z114;
-    const Scalar z158 = q_y - z113;
-    const Scalar z159 = z67 * z134 + z68 * z133;
-    const Scalar z160 = z67 * z133 - z68 * z134;
-    const Scalar z161 = q_x - z131;
-    const Scalar z162 = q_y - z130;
+    const Scalar z32 = v_x * c_psi + v_y * s_psi;
+    const Scalar z33 = v_x * s_psi - v_y * c_psi;
+    const Scalar z34 = v_psi - z32;
+    const Scalar z35 = k0 * v_psi - z33;
+    const Scalar z36 = k1 * (z34 + z35);
+    const Scalar z37 = k1 * (z34 - z35);
+    const Scalar z38 = v_psi * s_phi_1;
+    const Scalar z39 = v_psi * c_phi_1;
+    const Scalar z40 = c_phi_1 * z37;
+    const Scalar z41 = s_phi_1 * z37;
+    const Scalar z42 = k0 * v_psi + z33;
+    const Scalar z43 = k2 * z34 - n0_5 * z42;
+    const Scalar z44 = n0_5 * z34 + k2 * z42;
+    const Scalar z45 = v_psi * s_phi_2;
+    const Scalar z46 = v_psi * c_phi_2;
+    const Scalar z47 = c_phi_2 * z44;
+    const Scalar z48 = s_phi_2 * z44;
+    const Scalar z49 = v_psi + z32;
+    const Scalar z50 = v_psi * s_phi_3;
+    const Scalar z51 = v_psi * c_phi_3;
+    const Scalar z52 = c_phi_3 * z42;
+    const Scalar z53 = s_phi_3 * z42;
+    const Scalar z54 = v_psi * s_phi_4;
+    const Scalar z55 = v_psi * c_phi_4;
+    const Scalar z56 = c_phi_4 * z35;
+    const Scalar z57 = s_phi_4 * z35;
+    const Scalar z58 = s_psi * z33 + c_psi * z32;
+    const Scalar z59 = s_psi * z32 - c_psi * z33;
+    const Scalar z60 = s_psi - k0 * c_psi;
+    const Scalar z61 = k0 * s_psi + c_psi;
+    const Scalar z62 = q_y + z61;
+    const Scalar z63 = q_x - z60;
+    const Scalar z64 = k1 * (s_psi + c_psi);
+    const Scalar z65 = k1 * (s_psi - c_psi);
+    const Scalar z66 = c_phi_1 * z65;
+    const Scalar z67 = c_phi_1 * z64;
+    const Scalar z68 = s_phi_1 * z65;
+    const Scalar z69 = s_phi_1 * z64;
+    const Scalar z70 = s_phi_1 * z41 + c_phi_1 * z40;
+    const Scalar z72 = z36 * z64 - z65 * z70;
+    const Scalar z73 = z36 * z65 + z64 * z70;
+    const Scalar z74 = s_phi_1 * z39 - c_phi_1 * z38;
+    const Scalar z75 = s_phi_1 * z38 + c_phi_1 * z39;
+    const Scalar z76 = v_phi_1 * z64 + z65 * z74;
+    const Scalar z77 = v_phi_1 * z65 - z64 * z74;
+    const Scalar z78 = s_psi + k0 * c_psi;
+    const Scalar z79 = k0 * s_psi - c_psi;
+    const Scalar z80 = q_y - z79;
+    const Scalar z81 = q_x - z78;
+    const Scalar z82 = n0_5 * s_psi + k2 * c_psi;
+    const Scalar z83 = k2 * s_psi - n0_5 * c_psi;
+    const Scalar z84 = c_phi_2 * z83;
+    const Scalar z85 = c_phi_2 * z82;
+    const Scalar z86 = s_phi_2 * z83;
+    const Scalar z87 = s_phi_2 * z82;
+    const Scalar z88 = s_phi_2 * z48 + c_phi_2 * z47;
+    const Scalar z90 = z43 * z82 - z83 * z88;
+    const Scalar z91 = z43 * z83 + z82 * z88;
+    const Scalar z92 = s_phi_2 * z46 - c_phi_2 * z45;
+    const Scalar z93 = s_phi_2 * z45 + c_phi_2 * z46;
+    const Scalar z94 = v_phi_2 * z82 + z83 * z92;
+    const Scalar z95 = v_phi_2 * z83 - z82 * z92;
+    const Scalar z96 = q_y - z61;
+    const Scalar z97 = q_x + z60;
+    const Scalar z98 = s_psi * c_phi_3;
+    const Scalar z99 = c_psi * c_phi_3;
+    const Scalar z100 = s_psi * s_phi_3;
+    const Scalar z101 = c_psi * s_phi_3;
+    const Scalar z102 = s_phi_3 * z53 + c_phi_3 * z52;
+    const Scalar z104 = s_psi * z102 + c_psi * z49;
+    const Scalar z105 = s_psi * z49 - c_psi * z102;
+    const Scalar z106 = s_phi_3 * z51 - c_phi_3 * z50;
+    const Scalar z107 = s_phi_3 * z50 + c_phi_3 * z51;
+    const Scalar z108 = s_psi * z106 + c_psi * v_phi_3;
+    const Scalar z109 = s_psi * v_phi_3 - c_psi * z106;
+    const Scalar z110 = q_y + z79;
+    const Scalar z111 = q_x + z78;
+    const Scalar z112 = s_psi * c_phi_4;
+    const Scalar z113 = c_psi * c_phi_4;
+    const Scalar z114 = s_psi * s_phi_4;
+    const Scalar z115 = c_psi * s_phi_4;
+    const Scalar z116 = s_phi_4 * z57 + c_phi_4 * z56;
+    const Scalar z118 = s_psi * z116 - c_psi * z49;
+    const Scalar z119 = s_psi * z49 + c_psi * z116;
+    const Scalar z120 = s_phi_4 * z55 - c_phi_4 * z54;
+    const Scalar z121 = s_phi_4 * z54 + c_phi_4 * z55;
+    const Scalar z122 = s_psi * z120 + c_psi * v_phi_4;
+    const Scalar z123 = s_psi * v_phi_4 - c_psi * z120;
+    const Scalar z124 = z36 * z64 - z37 * z65;
+    const Scalar z125 = z36 * z65 + z37 * z64;
+    const Scalar z126 = q_x - z63;
+    const Scalar z127 = q_y - z62;
+    const Scalar z128 = z43 * z82 - z44 * z83;
+    const Scalar z129 = z43 * z83 + z44 * z82;
+    const Scalar z130 = q_x - z81;
+    const Scalar z131 = q_y - z80;
+    const Scalar z132 = s_psi * z42 + c_psi * z49;
+    const Scalar z133 = s_psi * z49 - c_psi * z42;
+    const Scalar z134 = q_x - z97;
+    const Scalar z135 = q_y - z96;
+    const Scalar z136 = s_psi * z35 - c_psi * z49;
+    const Scalar z137 = s_psi * z49 + c_psi * z35;
+    const Scalar z138 = q_x - z111;
+    const Scalar z139 = q_y - z110;
     result.chassis_position[0] = q_x;
     result.chassis_position[1] = q_y;
     result.chassis_position[2] = n0_3;
@@ -884,100 +773,100 @@ struct Mechanism {
     result.chassis_rotation[6] = n0;
     result.chassis_rotation[7] = n0;
     result.chassis_rotation[8] = n1;
-    result.chassis_velocity[0] = z73;
-    result.chassis_velocity[1] = z74;
+    result.chassis_velocity[0] = z58;
+    result.chassis_velocity[1] = z59;
     result.chassis_velocity[2] = n0;
     result.chassis_angular_velocity[0] = n0;
     result.chassis_angular_velocity[1] = n0;
     result.chassis_angular_velocity[2] = v_psi;
-    result.wheel_1_position[0] = z78;
-    result.wheel_1_position[1] = z77;
+    result.wheel_1_position[0] = z63;
+    result.wheel_1_position[1] = z62;
     result.wheel_1_position[2] = n0_3;
-    result.wheel_1_rotation[0] = z81;
-    result.wheel_1_rotation[1] = z80;
+    result.wheel_1_rotation[0] = z64;
+    result.wheel_1_rotation[1] = z65;
     result.wheel_1_rotation[2] = n0;
-    result.wheel_1_rotation[3] = -z82;
-    result.wheel_1_rotation[4] = z83;
+    result.wheel_1_rotation[3] = -z66;
+    result.wheel_1_rotation[4] = z67;
     result.wheel_1_rotation[5] = s_phi_1;
-    result.wheel_1_rotation[6] = z84;
-    result.wheel_1_rotation[7] = -z85;
+    result.wheel_1_rotation[6] = z68;
+    result.wheel_1_rotation[7] = -z69;
     result.wheel_1_rotation[8] = c_phi_1;
-    result.wheel_1_velocity[0] = z88;
-    result.wheel_1_velocity[1] = z89;
+    result.wheel_1_velocity[0] = -z72;
+    result.wheel_1_velocity[1] = -z73;
     result.wheel_1_velocity[2] = n0;
-    result.wheel_1_angular_velocity[0] = z92;
-    result.wheel_1_angular_velocity[1] = z93;
-    result.wheel_1_angular_velocity[2] = z91;
-    result.wheel_2_position[0] = z97;
-    result.wheel_2_position[1] = z96;
+    result.wheel_1_angular_velocity[0] = z76;
+    result.wheel_1_angular_velocity[1] = z77;
+    result.wheel_1_angular_velocity[2] = z75;
+    result.wheel_2_position[0] = z81;
+    result.wheel_2_position[1] = z80;
     result.wheel_2_position[2] = n0_3;
-    result.wheel_2_rotation[0] = z100;
-    result.wheel_2_rotation[1] = z99;
+    result.wheel_2_rotation[0] = z82;
+    result.wheel_2_rotation[1] = z83;
     result.wheel_2_rotation[2] = n0;
-    result.wheel_2_rotation[3] = -z101;
-    result.wheel_2_rotation[4] = z102;
+    result.wheel_2_rotation[3] = -z84;
+    result.wheel_2_rotation[4] = z85;
     result.wheel_2_rotation[5] = s_phi_2;
-    result.wheel_2_rotation[6] = z103;
-    result.wheel_2_rotation[7] = -z104;
+    result.wheel_2_rotation[6] = z86;
+    result.wheel_2_rotation[7] = -z87;
     result.wheel_2_rotation[8] = c_phi_2;
-    result.wheel_2_velocity[0] = -z107;
-    result.wheel_2_velocity[1] = -z108;
+    result.wheel_2_velocity[0] = -z90;
+    result.wheel_2_velocity[1] = -z91;
     result.wheel_2_velocity[2] = n0;
-    result.wheel_2_angular_velocity[0] = z111;
-    result.wheel_2_angular_velocity[1] = z112;
-    result.wheel_2_angular_velocity[2] = z110;
-    result.wheel_3_position[0] = z114;
-    result.wheel_3_position[1] = z113;
+    result.wheel_2_angular_velocity[0] = z94;
+    result.wheel_2_angular_velocity[1] = z95;
+    result.wheel_2_angular_velocity[2] = z93;
+    result.wheel_3_position[0] = z97;
+    result.wheel_3_position[1] = z96;
     result.wheel_3_position[2] = n0_3;
-    result.wheel_3_rotation[0] = z117;
-    result.wheel_3_rotation[1] = z116;
+    result.wheel_3_rotation[0] = c_psi;
+    result.wheel_3_rotation[1] = s_psi;
     result.wheel_3_rotation[2] = n0;
-    result.wheel_3_rotation[3] = -z118;
-    result.wheel_3_rotation[4] = z119;
+    result.wheel_3_rotation[3] = -z98;
+    result.wheel_3_rotation[4] = z99;
     result.wheel_3_rotation[5] = s_phi_3;
-    result.wheel_3_rotation[6] = z120;
-    result.wheel_3_rotation[7] = -z121;
+    result.wheel_3_rotation[6] = z100;
+    result.wheel_3_rotation[7] = -z101;
     result.wheel_3_rotation[8] = c_phi_3;
-    result.wheel_3_velocity[0] = -z124;
-    result.wheel_3_velocity[1] = -z125;
+    result.wheel_3_velocity[0] = z104;
+    result.wheel_3_velocity[1] = z105;
     result.wheel_3_velocity[2] = n0;
-    result.wheel_3_angular_velocity[0] = z128;
-    result.wheel_3_angular_velocity[1] = z129;
-    result.wheel_3_angular_velocity[2] = z127;
-    result.wheel_4_position[0] = z131;
-    result.wheel_4_position[1] = z130;
+    result.wheel_3_angular_velocity[0] = z108;
+    result.wheel_3_angular_velocity[1] = z109;
+    result.wheel_3_angular_velocity[2] = z107;
+    result.wheel_4_position[0] = z111;
+    result.wheel_4_position[1] = z110;
     result.wheel_4_position[2] = n0_3;
-    result.wheel_4_rotation[0] = z134;
-    result.wheel_4_rotation[1] = z133;
+    result.wheel_4_rotation[0] = c_psi;
+    result.wheel_4_rotation[1] = s_psi;
     result.wheel_4_rotation[2] = n0;
-    result.wheel_4_rotation[3] = -z135;
-    result.wheel_4_rotation[4] = z136;
+    result.wheel_4_rotation[3] = -z112;
+    result.wheel_4_rotation[4] = z113;
     result.wheel_4_rotation[5] = s_phi_4;
-    result.wheel_4_rotation[6] = z137;
-    result.wheel_4_rotation[7] = -z138;
+    result.wheel_4_rotation[6] = z114;
+    result.wheel_4_rotation[7] = -z115;
     result.wheel_4_rotation[8] = c_phi_4;
-    result.wheel_4_velocity[0] = z141;
-    result.wheel_4_velocity[1] = z142;
+    result.wheel_4_velocity[0] = -z118;
+    result.wheel_4_velocity[1] = z119;
     result.wheel_4_velocity[2] = n0;
-    result.wheel_4_angular_velocity[0] = z145;
-    result.wheel_4_angular_velocity[1] = z146;
-    result.wheel_4_angular_velocity[2] = z144;
-    result.P1_position[0] = z78;
-    result.P1_position[1] = z77;
+    result.wheel_4_angular_velocity[0] = z122;
+    result.wheel_4_angular_velocity[1] = z123;
+    result.wheel_4_angular_velocity[2] = z121;
+    result.P1_position[0] = z63;
+    result.P1_position[1] = z62;
     result.P1_position[2] = n0;
-    result.P1_velocity[0] = z147;
-    result.P1_velocity[1] = z148;
+    result.P1_velocity[0] = -z124;
+    result.P1_velocity[1] = -z125;
     result.P1_velocity[2] = n0;
     result.P1_jacobian[0] = n1;
     result.P1_jacobian[3] = n0;
-    result.P1_jacobian[6] = z150;
+    result.P1_jacobian[6] = z127;
     result.P1_jacobian[9] = n0;
     result.P1_jacobian[12] = n0;
     result.P1_jacobian[15] = n0;
     result.P1_jacobian[18] = n0;
     result.P1_jacobian[1] = n0;
     result.P1_jacobian[4] = n1;
-    result.P1_jacobian[7] = -z149;
+    result.P1_jacobian[7] = -z126;
     result.P1_jacobian[10] = n0;
     result.P1_jacobian[13] = n0;
     result.P1_jacobian[16] = n0;
@@ -989,22 +878,22 @@ struct Mechanism {
     result.P1_jacobian[14] = n0;
     result.P1_jacobian[17] = n0;
     result.P1_jacobian[20] = n0;
-    result.P2_position[0] = z97;
-    result.P2_position[1] = z96;
+    result.P2_position[0] = z81;
+    result.P2_position[1] = z80;
     result.P2_position[2] = n0;
-    result.P2_velocity[0] = -z151;
-    result.P2_velocity[1] = -z152;
+    result.P2_velocity[0] = -z128;
+    result.P2_velocity[1] = -z129;
     result.P2_velocity[2] = n0;
     result.P2_jacobian[0] = n1;
     result.P2_jacobian[3] = n0;
-    result.P2_jacobian[6] = z154;
+    result.P2_jacobian[6] = z131;
     result.P2_jacobian[9] = n0;
     result.P2_jacobian[12] = n0;
     result.P2_jacobian[15] = n0;
     result.P2_jacobian[18] = n0;
     result.P2_jacobian[1] = n0;
     result.P2_jacobian[4] = n1;
-    result.P2_jacobian[7] = -z153;
+    result.P2_jacobian[7] = -z130;
     result.P2_jacobian[10] = n0;
     result.P2_jacobian[13] = n0;
     result.P2_jacobian[16] = n0;
@@ -1016,22 +905,22 @@ struct Mechanism {
     result.P2_jacobian[14] = n0;
     result.P2_jacobian[17] = n0;
     result.P2_jacobian[20] = n0;
-    result.P3_position[0] = z114;
-    result.P3_position[1] = z113;
+    result.P3_position[0] = z97;
+    result.P3_position[1] = z96;
     result.P3_position[2] = n0;
-    result.P3_velocity[0] = -z155;
-    result.P3_velocity[1] = -z156;
+    result.P3_velocity[0] = z132;
+    result.P3_velocity[1] = z133;
     result.P3_velocity[2] = n0;
     result.P3_jacobian[0] = n1;
     result.P3_jacobian[3] = n0;
-    result.P3_jacobian[6] = z158;
+    result.P3_jacobian[6] = z135;
     result.P3_jacobian[9] = n0;
     result.P3_jacobian[12] = n0;
     result.P3_jacobian[15] = n0;
     result.P3_jacobian[18] = n0;
     result.P3_jacobian[1] = n0;
     result.P3_jacobian[4] = n1;
-    result.P3_jacobian[7] = -z157;
+    result.P3_jacobian[7] = -z134;
     result.P3_jacobian[10] = n0;
     result.P3_jacobian[13] = n0;
     result.P3_jacobian[16] = n0;
@@ -1043,22 +932,22 @@ struct Mechanism {
     result.P3_jacobian[14] = n0;
     result.P3_jacobian[17] = n0;
     result.P3_jacobian[20] = n0;
-    result.P4_position[0] = z131;
-    result.P4_position[1] = z130;
+    result.P4_position[0] = z111;
+    result.P4_position[1] = z110;
     result.P4_position[2] = n0;
-    result.P4_velocity[0] = z159;
-    result.P4_velocity[1] = z160;
+    result.P4_velocity[0] = -z136;
+    result.P4_velocity[1] = z137;
     result.P4_velocity[2] = n0;
     result.P4_jacobian[0] = n1;
     result.P4_jacobian[3] = n0;
-    result.P4_jacobian[6] = z162;
+    result.P4_jacobian[6] = z139;
     result.P4_jacobian[9] = n0;
     result.P4_jacobian[12] = n0;
     result.P4_jacobian[15] = n0;
     result.P4_jacobian[18] = n0;
     result.P4_jacobian[1] = n0;
     result.P4_jacobian[4] = n1;
-    result.P4_jacobian[7] = -z161;
+    result.P4_jacobian[7] = -z138;
     result.P4_jacobian[10] = n0;
     result.P4_jacobian[13] = n0;
     result.P4_jacobian[16] = n0;
@@ -1138,43 +1027,45 @@ struct Mechanism {
     const Scalar v_phi_2 = state.v.phi_2;
     const Scalar v_phi_3 = state.v.phi_3;
     const Scalar v_phi_4 = state.v.phi_4;
-    const Scalar z217 = n3 * v_phi_1;
-    const Scalar z218 = n3 * v_phi_2;
-    const Scalar z219 = n3 * v_phi_3;
-    const Scalar z220 = n3 * v_phi_4;
+    const Scalar z156 = n3 * v_phi_1;
+    const Scalar z157 = n3 * v_phi_2;
+    const Scalar z158 = n3 * v_phi_3;
+    const Scalar z159 = n3 * v_phi_4;
     forces.x = n0;
     forces.y = n0;
     forces.psi = n0;
-    forces.phi_1 = z217;
-    forces.phi_2 = z218;
-    forces.phi_3 = z219;
-    forces.phi_4 = z220;
+    forces.phi_1 = z156;
+    forces.phi_2 = z157;
+    forces.phi_3 = z158;
+    forces.phi_4 = z159;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
-  TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State& state,
-      const Accelerations& accelerations, const Multipliers& multipliers, GeneralizedForces& forces) noexcept {
+  TORSOR_DEVICE static void inverse_dynamics(const Precomputed&, const State& state, const Accelerations& accelerations,
+      const Multipliers& multipliers, GeneralizedForces& forces) noexcept {
+    const Scalar k0 = traits::constant(0.7071067811865476, 0.70710677f, "0;1/2;0;0");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar k2 = traits::constant(0.8660254037844386, 0.8660254f, "0;0;1/2;0");
     const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
     const Scalar n0_9 = traits::constant(0.9, 0.9f, "9/10");
-    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
-    const Scalar k3 = traits::constant(1022.8718707889797, 1022.8719f, "1300;0;-160;0");
+    const Scalar k5 = traits::constant(1022.8718707889797, 1022.8719f, "1300;0;-160;0");
     const Scalar n4 = traits::constant(4.0, 4.0f, "4/1");
     const Scalar n880 = traits::constant(880.0, 880.0f, "880/1");
+    const Scalar k8 = traits::constant(0.7320508075688773, 0.73205084f, "-1;0;1;0");
+    const Scalar k9 = traits::constant(1.224744871391589, 1.2247449f, "0;0;0;1/2");
+    const Scalar k10 = traits::constant(0.189468690981506, 0.1894687f, "0;1;0;-1/2");
+    const Scalar k11 = traits::constant(1.1339745962155614, 1.1339746f, "2;0;-1/2;0");
     const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
     const Scalar a_x = accelerations.x;
     const Scalar a_y = accelerations.y;
     const Scalar q_psi = state.q.psi;
     const Scalar a_psi = accelerations.psi;
-    const Scalar p_alpha_1 = precomputed.parameters.alpha_1;
     const Scalar v_phi_1 = state.v.phi_1;
     const Scalar a_phi_1 = accelerations.phi_1;
-    const Scalar p_alpha_2 = precomputed.parameters.alpha_2;
     const Scalar v_phi_2 = state.v.phi_2;
     const Scalar a_phi_2 = accelerations.phi_2;
-    const Scalar p_alpha_3 = precomputed.parameters.alpha_3;
     const Scalar v_phi_3 = state.v.phi_3;
     const Scalar a_phi_3 = accelerations.phi_3;
-    const Scalar p_alpha_4 = precomputed.parameters.alpha_4;
     const Scalar v_phi_4 = state.v.phi_4;
     const Scalar a_phi_4 = accelerations.phi_4;
     const Scalar l_lambda_wheel_1_x = multipliers.lambda_wheel_1_x;
@@ -1185,255 +1076,238 @@ struct Mechanism {
     const Scalar l_lambda_wheel_3_y = multipliers.lambda_wheel_3_y;
     const Scalar l_lambda_wheel_4_x = multipliers.lambda_wheel_4_x;
     const Scalar l_lambda_wheel_4_y = multipliers.lambda_wheel_4_y;
-    const Scalar z294 = precomputed.z294;
-    const Scalar z295 = precomputed.z295;
-    const Scalar z302 = precomputed.z302;
-    const Scalar z303 = precomputed.z303;
-    const Scalar z310 = precomputed.z310;
-    const Scalar z311 = precomputed.z311;
-    const Scalar z318 = precomputed.z318;
-    const Scalar z319 = precomputed.z319;
-    const Scalar z79 = q_psi + p_alpha_1;
-    const Scalar z98 = q_psi + p_alpha_2;
-    const Scalar z115 = q_psi + p_alpha_3;
-    const Scalar z132 = q_psi + p_alpha_4;
-    const Scalar angles_[] = {z79, z98, z115, z132};
-    Scalar sines_[4], cosines_[4];
-    torsor::sines_and_cosines(angles_, sines_, cosines_);
-    const Scalar z80 = sines_[0], z81 = cosines_[0];
-    const Scalar z99 = sines_[1], z100 = cosines_[1];
-    const Scalar z116 = sines_[2], z117 = cosines_[2];
-    const Scalar z133 = sines_[3], z134 = cosines_[3];
-    const Scalar z217 = n3 * v_phi_1;
-    const Scalar z218 = n3 * v_phi_2;
-    const Scalar z219 = n3 * v_phi_3;
-    const Scalar z220 = n3 * v_phi_4;
-    const Scalar z269 = n0_9 * a_phi_4;  // moment on wheel_4, x
-    const Scalar z270 = n0_5 * a_psi;  // moment on steered_4, z
-    const Scalar z273 = n0_9 * a_phi_3;  // moment on wheel_3, x
-    const Scalar z276 = n0_9 * a_phi_2;  // moment on wheel_2, x
-    const Scalar z279 = n0_9 * a_phi_1;  // moment on wheel_1, x
-    const Scalar z284 = k3 * a_psi + n4 * z270;  // moment on S, z
-    const Scalar z287 = n880 * a_x;  // force on S.y, x
-    const Scalar z288 = n880 * a_y;  // force on S.y, y
-    const Scalar z290 = z217 + z279;
-    const Scalar z291 = z218 + z276;
-    const Scalar z292 = z219 + z273;
-    const Scalar z293 = z220 + z269;
-    forces.x = z80 * l_lambda_wheel_1_y - z81 * l_lambda_wheel_1_x + z99 * l_lambda_wheel_2_y - z100
-        * l_lambda_wheel_2_x + z116 * l_lambda_wheel_3_y - z117 * l_lambda_wheel_3_x + z133 * l_lambda_wheel_4_y - z134
-        * l_lambda_wheel_4_x + z287;
-    forces.y = -z80 * l_lambda_wheel_1_x - z81 * l_lambda_wheel_1_y - z99 * l_lambda_wheel_2_x - z100
-        * l_lambda_wheel_2_y - z116 * l_lambda_wheel_3_x - z117 * l_lambda_wheel_3_y - z133 * l_lambda_wheel_4_x - z134
-        * l_lambda_wheel_4_y + z288;
-    forces.psi = z284 - z294 * l_lambda_wheel_1_y - z295 * l_lambda_wheel_1_x - z302 * l_lambda_wheel_2_y + z303
-        * l_lambda_wheel_2_x + z310 * l_lambda_wheel_3_y + z311 * l_lambda_wheel_3_x + z318 * l_lambda_wheel_4_y - z319
-        * l_lambda_wheel_4_x;
-    forces.phi_1 = z290 - n0_3 * l_lambda_wheel_1_y;
-    forces.phi_2 = z291 - n0_3 * l_lambda_wheel_2_y;
-    forces.phi_3 = z292 - n0_3 * l_lambda_wheel_3_y;
-    forces.phi_4 = z293 - n0_3 * l_lambda_wheel_4_y;
+    Scalar s_psi, c_psi;
+    traits::sincos(q_psi, s_psi, c_psi);
+    const Scalar z64 = k0 * (s_psi + c_psi);
+    const Scalar z65 = k0 * (s_psi - c_psi);
+    const Scalar z82 = n0_5 * s_psi + k2 * c_psi;
+    const Scalar z83 = k2 * s_psi - n0_5 * c_psi;
+    const Scalar z156 = n3 * v_phi_1;
+    const Scalar z157 = n3 * v_phi_2;
+    const Scalar z158 = n3 * v_phi_3;
+    const Scalar z159 = n3 * v_phi_4;
+    const Scalar z195 = n0_9 * a_phi_4;  // moment on wheel_4, x
+    const Scalar z196 = n0_5 * a_psi;  // moment on steered_4, z
+    const Scalar z197 = n0_9 * a_phi_3;  // moment on wheel_3, x
+    const Scalar z198 = n0_9 * a_phi_2;  // moment on wheel_2, x
+    const Scalar z201 = n0_9 * a_phi_1;  // moment on wheel_1, x
+    const Scalar z206 = k5 * a_psi + n4 * z196;  // moment on S, z
+    const Scalar z209 = n880 * a_x;  // force on S.y, x
+    const Scalar z210 = n880 * a_y;  // force on S.y, y
+    const Scalar z212 = z156 + z201;
+    const Scalar z213 = z157 + z198;
+    const Scalar z214 = z158 + z197;
+    const Scalar z215 = z159 + z195;
+    forces.x = s_psi * (l_lambda_wheel_3_y + l_lambda_wheel_4_y) - c_psi * (l_lambda_wheel_3_x + l_lambda_wheel_4_x)
+        - z64 * l_lambda_wheel_1_x + z65 * l_lambda_wheel_1_y - z82 * l_lambda_wheel_2_x + z83 * l_lambda_wheel_2_y
+        + z209;
+    forces.y = -s_psi * (l_lambda_wheel_3_x + l_lambda_wheel_4_x) - c_psi * (l_lambda_wheel_3_y + l_lambda_wheel_4_y)
+        - z64 * l_lambda_wheel_1_y - z65 * l_lambda_wheel_1_x - z82 * l_lambda_wheel_2_y - z83 * l_lambda_wheel_2_x
+        + z210;
+    forces.psi = k8 * (l_lambda_wheel_3_y - l_lambda_wheel_4_y) + z206 + k9 * l_lambda_wheel_1_x + k10
+        * l_lambda_wheel_1_y + n0_5 * l_lambda_wheel_2_x + k11 * l_lambda_wheel_2_y - l_lambda_wheel_3_x
+        - l_lambda_wheel_4_x;
+    forces.phi_1 = z212 - n0_3 * l_lambda_wheel_1_y;
+    forces.phi_2 = z213 - n0_3 * l_lambda_wheel_2_y;
+    forces.phi_3 = z214 - n0_3 * l_lambda_wheel_3_y;
+    forces.phi_4 = z215 - n0_3 * l_lambda_wheel_4_y;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
   /// an unrolled L D L' of M and of the Schur complement A M^-1 A'. Returns singular when a pivot is not
   /// positive relative to its diagonal entry.
-  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
-      const Inputs& inputs, Accelerations& accelerations, Multipliers& multipliers) noexcept {
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs& inputs,
+      Accelerations& accelerations, Multipliers& multipliers) noexcept {
+    const Scalar k0 = traits::constant(0.7071067811865476, 0.70710677f, "0;1/2;0;0");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar k2 = traits::constant(0.8660254037844386, 0.8660254f, "0;0;1/2;0");
     const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
     const Scalar n10_over_9 = traits::constant(1.1111111111111112, 1.1111112f, "10/9");
     const Scalar n1_over_880 = traits::constant(0.0011363636363636363, 0.0011363636f, "1/880");
-    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar k6 = traits::constant(0.00146359758985799, 0.0014635976f, "651/539468;0;20/134867;0");
+    const Scalar k7 = traits::constant(0.00022641933512160603, 0.00022641933f, "-491/539468;0;177/269734;0");
+    const Scalar k8 = traits::constant(0.10003502719304279, 0.10003503f, "275729/2697340;0;-511/404601;0");
     const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar k10 = traits::constant(0.0005975112139865546, 0.0005975112f, "0;10/134867;0;217/1078936");
+    const Scalar k11 = traits::constant(9.243530649136016e-05, 9.243531e-05f, "0;177/539468;0;-491/3236808");
+    const Scalar k12 = traits::constant(0.00024393293164299835, 0.00024393293f, "217/1078936;0;10/404601;0");
+    const Scalar k13 = traits::constant(0.0013551250752293462, 0.0013551251f, "0;-331/1078936;0;197/269734");
+    const Scalar k14 = traits::constant(0.00020963857870920358, 0.00020963857f, "0;1907/1078936;0;-1513/1618404");
+    const Scalar k15 = traits::constant(0.0005532274953270943, 0.0005532275f, "197/269734;0;-331/3236808;0");
+    const Scalar k16 = traits::constant(0.10125469185125778, 0.101254694f, "556883/5394680;0;-461/404601;0");
+    const Scalar k17 = traits::constant(0.0008748171334606351, 0.00087481714f, "0;571/539468;0;-137/539468");
+    const Scalar k18 = traits::constant(0.00013533468152975378, 0.00013533467f, "0;-845/539468;0;1553/1618404");
+    const Scalar k19 = traits::constant(0.00035714259920380134, 0.0003571426f, "-137/539468;0;571/1618404;0");
+    const Scalar k20 = traits::constant(0.0008099812694470134, 0.00080998125f, "-1119/539468;0;2695/1618404;0");
+    const Scalar k21 = traits::constant(0.10052289305632878, 0.10052289f, "138407/1348670;0;-491/404601;0");
+    const Scalar k22 = traits::constant(0.0005228930563287813, 0.00052289304f, "354/134867;0;-491/404601;0");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar k24 = traits::constant(0.0007142851984076027, 0.0007142852f, "-137/269734;0;571/809202;0");
+    const Scalar k25 = traits::constant(0.0011950224279731092, 0.0011950224f, "0;20/134867;0;217/539468");
+    const Scalar k26 = traits::constant(0.0001848706129827203, 0.00018487062f, "0;177/269734;0;-491/1618404");
+    const Scalar k27 = traits::constant(0.0004878658632859967, 0.00048786585f, "217/539468;0;20/404601;0");
+    const Scalar k28 = traits::constant(0.0011064549906541887, 0.001106455f, "197/134867;0;-331/1618404;0");
     const Scalar n1_over_3 = traits::constant(0.3333333333333333, 0.33333334f, "1/3");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar v_x = state.v.x;
     const Scalar v_y = state.v.y;
     const Scalar q_psi = state.q.psi;
     const Scalar v_psi = state.v.psi;
-    const Scalar p_alpha_1 = precomputed.parameters.alpha_1;
     const Scalar v_phi_1 = state.v.phi_1;
-    const Scalar p_alpha_2 = precomputed.parameters.alpha_2;
     const Scalar v_phi_2 = state.v.phi_2;
-    const Scalar p_alpha_3 = precomputed.parameters.alpha_3;
     const Scalar v_phi_3 = state.v.phi_3;
-    const Scalar p_alpha_4 = precomputed.parameters.alpha_4;
     const Scalar v_phi_4 = state.v.phi_4;
     const Scalar u_C3 = inputs.C3;
     const Scalar u_C4 = inputs.C4;
-    const Scalar z294 = precomputed.z294;
-    const Scalar z295 = precomputed.z295;
-    const Scalar z302 = precomputed.z302;
-    const Scalar z303 = precomputed.z303;
-    const Scalar z310 = precomputed.z310;
-    const Scalar z318 = precomputed.z318;
-    const Scalar z342 = precomputed.z342;
-    const Scalar z343 = precomputed.z343;
-    const Scalar z346 = precomputed.z346;
-    const Scalar z347 = precomputed.z347;
-    const Scalar z350 = precomputed.z350;
-    const Scalar z353 = precomputed.z353;
-    const Scalar z79 = q_psi + p_alpha_1;
-    const Scalar z98 = q_psi + p_alpha_2;
-    const Scalar z115 = q_psi + p_alpha_3;
-    const Scalar z132 = q_psi + p_alpha_4;
-    const Scalar angles_[] = {z79, z98, z115, z132};
-    Scalar sines_[4], cosines_[4];
-    torsor::sines_and_cosines(angles_, sines_, cosines_);
-    const Scalar z80 = sines_[0], z81 = cosines_[0];
-    const Scalar z99 = sines_[1], z100 = cosines_[1];
-    const Scalar z116 = sines_[2], z117 = cosines_[2];
-    const Scalar z133 = sines_[3], z134 = cosines_[3];
-    const Scalar z217 = n3 * v_phi_1;
-    const Scalar z218 = n3 * v_phi_2;
-    const Scalar z219 = n3 * v_phi_3;
-    const Scalar z220 = n3 * v_phi_4;
-    const Scalar z297 = v_psi * z80;
-    const Scalar z298 = v_psi * z81;
-    const Scalar z299 = v_x * z297 - v_y * z298;
-    const Scalar z301 = v_x * z298 + v_y * z297;
-    const Scalar z305 = v_psi * z99;
-    const Scalar z306 = v_psi * z100;
-    const Scalar z307 = v_x * z305 - v_y * z306;
-    const Scalar z309 = v_x * z306 + v_y * z305;
-    const Scalar z313 = v_psi * z116;
-    const Scalar z314 = v_psi * z117;
-    const Scalar z317 = v_x * z314 + v_y * z313;
-    const Scalar z321 = v_psi * z133;
-    const Scalar z322 = v_psi * z134;
-    const Scalar z325 = v_x * z322 + v_y * z321;
-    const Scalar z334 = u_C3 - z219;
-    const Scalar z335 = u_C4 - z220;
-    const Scalar z336 = n10_over_9 * z217;
-    const Scalar z337 = n10_over_9 * z218;
-    const Scalar z338 = n10_over_9 * z334;
-    const Scalar z339 = n10_over_9 * z335;
-    const Scalar z340 = n1_over_880 * z81;
-    const Scalar z341 = n1_over_880 * z80;
-    const Scalar z344 = n1_over_880 * z100;
-    const Scalar z345 = n1_over_880 * z99;
-    const Scalar z348 = n1_over_880 * z116;
-    const Scalar z349 = n1_over_880 * z117;
-    const Scalar z351 = n1_over_880 * z133;
-    const Scalar z352 = n1_over_880 * z134;
-    const Scalar z354 = z80 * z341 + z81 * z340 + z295 * z342;
-    const Scalar z355 = z80 * z340 - z81 * z341 - z294 * z342;
-    const Scalar z356 = n0_1 + z80 * z341 + z81 * z340 + z294 * z343;
-    const Scalar z357 = z301 + n0_3 * z336;
-    const Scalar z358 = z99 * z341 + z100 * z340 - z303 * z342;
-    const Scalar z359 = z99 * z340 - z100 * z341 - z303 * z343;
-    const Scalar z360 = z99 * z345 + z100 * z344 + z303 * z346;
-    const Scalar z361 = z99 * z340 - z100 * z341 - z302 * z342;
-    const Scalar z362 = z99 * z341 + z100 * z340 + z302 * z343;
-    const Scalar z363 = z99 * z344 - z100 * z345 + z302 * z346;
-    const Scalar z364 = n0_1 + z99 * z345 + z100 * z344 + z302 * z347;
-    const Scalar z365 = z309 + n0_3 * z337;
-    const Scalar z366 = z116 * z340 - z117 * z341 + z310 * z342;
-    const Scalar z367 = z116 * z341 + z117 * z340 - z310 * z343;
-    const Scalar z368 = z116 * z344 - z117 * z345 - z310 * z346;
-    const Scalar z369 = z116 * z345 + z117 * z344 - z310 * z347;
-    const Scalar z370 = n0_1 + z116 * z348 + z117 * z349 + z310 * z350;
-    const Scalar z371 = z317 - n0_3 * z338;
-    const Scalar z372 = z133 * z340 - z134 * z341 + z318 * z342;
-    const Scalar z373 = z133 * z341 + z134 * z340 - z318 * z343;
-    const Scalar z374 = z133 * z344 - z134 * z345 - z318 * z346;
-    const Scalar z375 = z133 * z345 + z134 * z344 - z318 * z347;
-    const Scalar z376 = z133 * z348 + z134 * z349 + z318 * z350;
-    const Scalar z377 = n0_1 + z133 * z351 + z134 * z352 + z318 * z353;
-    const Scalar z378 = z325 - n0_3 * z339;
-    const Scalar z379 = n1 / z377;
-    const Scalar z380 = z372 * z379;
-    const Scalar z381 = z373 * z379;
-    const Scalar z382 = z374 * z379;
-    const Scalar z383 = z375 * z379;
-    const Scalar z384 = z376 * z379;
-    const Scalar z385 = z354 - z372 * z380;
-    const Scalar z386 = z355 - z372 * z381;
-    const Scalar z387 = z356 - z373 * z381;
-    const Scalar z388 = z358 - z372 * z382;
-    const Scalar z389 = z359 + z373 * z382;
-    const Scalar z390 = z360 - z374 * z382;
-    const Scalar z391 = z361 - z372 * z383;
-    const Scalar z392 = z362 - z373 * z383;
-    const Scalar z393 = z363 - z374 * z383;
-    const Scalar z394 = z364 - z375 * z383;
-    const Scalar z395 = z366 - z372 * z384;
-    const Scalar z396 = z367 - z373 * z384;
-    const Scalar z397 = z368 - z374 * z384;
-    const Scalar z398 = z369 - z375 * z384;
-    const Scalar z399 = z370 - z376 * z384;
-    const Scalar z400 = n1 / z399;
-    const Scalar z401 = z395 * z400;
-    const Scalar z402 = z396 * z400;
-    const Scalar z403 = z397 * z400;
-    const Scalar z404 = z398 * z400;
-    const Scalar z405 = z385 - z395 * z401;
-    const Scalar z406 = z386 - z395 * z402;
-    const Scalar z407 = z387 - z396 * z402;
-    const Scalar z408 = z388 - z395 * z403;
-    const Scalar z409 = z389 + z396 * z403;
-    const Scalar z410 = z390 - z397 * z403;
-    const Scalar z411 = z391 - z395 * z404;
-    const Scalar z412 = z392 - z396 * z404;
-    const Scalar z413 = z393 - z397 * z404;
-    const Scalar z414 = z394 - z398 * z404;
-    const Scalar z415 = n1 / z414;
-    const Scalar z416 = z411 * z415;
-    const Scalar z417 = z412 * z415;
-    const Scalar z418 = z413 * z415;
-    const Scalar z419 = z405 - z411 * z416;
-    const Scalar z420 = z406 - z411 * z417;
-    const Scalar z421 = z407 - z412 * z417;
-    const Scalar z422 = z408 - z411 * z418;
-    const Scalar z423 = z409 + z412 * z418;
-    const Scalar z424 = z410 - z413 * z418;
-    const Scalar z425 = n1 / z424;
-    const Scalar z426 = z422 * z425;
-    const Scalar z427 = z423 * z425;
-    const Scalar z428 = z419 - z422 * z426;
-    const Scalar z429 = z420 + z422 * z427;
-    const Scalar z430 = z421 - z423 * z427;
-    const Scalar z431 = n1 / z430;
-    const Scalar z432 = z429 * z431;
-    const Scalar z433 = z428 - z429 * z432;
-    const Scalar z434 = n1 / z433;
-    const Scalar z435 = z371 - z378 * z384;
-    const Scalar z436 = z365 - z378 * z383 - z404 * z435;
-    const Scalar z437 = z307 + z378 * z382 + z403 * z435 + z418 * z436;
-    const Scalar z438 = z357 - z378 * z381 - z402 * z435 - z417 * z436 - z427 * z437;
-    const Scalar z439 = z299 + z378 * z380 + z401 * z435 + z416 * z436 - z426 * z437 + z432 * z438;
-    const Scalar z440 = z434 * z439;
-    const Scalar z441 = z431 * z438 + z432 * z440;
-    const Scalar z442 = z425 * z437 - z426 * z440 - z427 * z441;
-    const Scalar z443 = z415 * z436 + z416 * z440 - z417 * z441 + z418 * z442;
-    const Scalar z444 = z400 * z435 + z401 * z440 - z402 * z441 + z403 * z442 - z404 * z443;
-    const Scalar z445 = z378 * z379 + z380 * z440 - z381 * z441 + z382 * z442 - z383 * z443 - z384 * z444;
-    const Scalar z446 = z340 * z440 - z341 * z441 + z344 * z442 - z345 * z443 - z348 * z444 - z351 * z445;
-    const Scalar z447 = z340 * z441 + z341 * z440 + z344 * z443 + z345 * z442 + z349 * z444 + z352 * z445;
-    const Scalar z448 = z342 * z440 + z343 * z441 - z346 * z442 + z347 * z443 - z350 * z444 - z353 * z445;
-    const Scalar z449 = z336 - n1_over_3 * z441;
-    const Scalar z450 = z337 - n1_over_3 * z443;
-    const Scalar z451 = z338 + n1_over_3 * z444;
-    const Scalar z452 = z339 + n1_over_3 * z445;
-    accelerations.x = z446;
-    accelerations.y = z447;
-    accelerations.psi = z448;
-    accelerations.phi_1 = -z449;
-    accelerations.phi_2 = -z450;
-    accelerations.phi_3 = z451;
-    accelerations.phi_4 = z452;
-    multipliers.lambda_wheel_1_x = z440;
-    multipliers.lambda_wheel_1_y = z441;
-    multipliers.lambda_wheel_2_x = z442;
-    multipliers.lambda_wheel_2_y = z443;
+    Scalar s_psi, c_psi;
+    traits::sincos(q_psi, s_psi, c_psi);
+    const Scalar z64 = k0 * (s_psi + c_psi);
+    const Scalar z65 = k0 * (s_psi - c_psi);
+    const Scalar z82 = n0_5 * s_psi + k2 * c_psi;
+    const Scalar z83 = k2 * s_psi - n0_5 * c_psi;
+    const Scalar z156 = n3 * v_phi_1;
+    const Scalar z157 = n3 * v_phi_2;
+    const Scalar z158 = n3 * v_phi_3;
+    const Scalar z159 = n3 * v_phi_4;
+    const Scalar z217 = v_psi * c_psi;
+    const Scalar z218 = v_psi * s_psi;
+    const Scalar z219 = k0 * (z217 - z218);
+    const Scalar z220 = k0 * (z217 + z218);
+    const Scalar z221 = v_x * z219 + v_y * z220;
+    const Scalar z223 = v_x * z220 - v_y * z219;
+    const Scalar z225 = n0_5 * z217 - k2 * z218;
+    const Scalar z226 = k2 * z217 + n0_5 * z218;
+    const Scalar z227 = v_x * z225 + v_y * z226;
+    const Scalar z229 = v_x * z226 - v_y * z225;
+    const Scalar z233 = v_x * z217 + v_y * z218;
+    const Scalar z243 = u_C3 - z158;
+    const Scalar z244 = u_C4 - z159;
+    const Scalar z245 = n10_over_9 * z156;
+    const Scalar z246 = n10_over_9 * z157;
+    const Scalar z247 = n10_over_9 * z243;
+    const Scalar z248 = n10_over_9 * z244;
+    const Scalar z249 = n1_over_880 * z64;
+    const Scalar z250 = n1_over_880 * z65;
+    const Scalar z251 = n1_over_880 * z82;
+    const Scalar z252 = n1_over_880 * z83;
+    const Scalar z253 = n1_over_880 * s_psi;
+    const Scalar z254 = n1_over_880 * c_psi;
+    const Scalar z255 = k6 + z64 * z249 + z65 * z250;
+    const Scalar z256 = k7 + z64 * z250 - z65 * z249;
+    const Scalar z257 = k8 + z64 * z249 + z65 * z250;
+    const Scalar z258 = z223 + n0_3 * z245;
+    const Scalar z259 = k10 + z82 * z249 + z83 * z250;
+    const Scalar z260 = k11 - z82 * z250 + z83 * z249;
+    const Scalar z261 = k12 + z82 * z251 + z83 * z252;
+    const Scalar z262 = k13 + z82 * z250 - z83 * z249;
+    const Scalar z263 = k14 + z82 * z249 + z83 * z250;
+    const Scalar z264 = k15 + z82 * z252 - z83 * z251;
+    const Scalar z265 = k16 + z82 * z251 + z83 * z252;
+    const Scalar z266 = z229 + n0_3 * z246;
+    const Scalar z267 = k17 - s_psi * z249 + c_psi * z250;
+    const Scalar z268 = k18 + s_psi * z250 + c_psi * z249;
+    const Scalar z269 = k19 - s_psi * z251 + c_psi * z252;
+    const Scalar z270 = k20 + s_psi * z252 + c_psi * z251;
+    const Scalar z271 = k21 + s_psi * z253 + c_psi * z254;
+    const Scalar z272 = z233 - n0_3 * z247;
+    const Scalar z273 = k17 + s_psi * z249 - c_psi * z250;
+    const Scalar z274 = k18 - s_psi * z250 - c_psi * z249;
+    const Scalar z275 = k19 + s_psi * z251 - c_psi * z252;
+    const Scalar z276 = k20 - s_psi * z252 - c_psi * z251;
+    const Scalar z277 = k22 - s_psi * z253 - c_psi * z254;
+    const Scalar z278 = z233 - n0_3 * z248;
+    const Scalar z279 = n1 / z271;
+    const Scalar z280 = z273 * z279;
+    const Scalar z281 = z274 * z279;
+    const Scalar z282 = z275 * z279;
+    const Scalar z283 = z276 * z279;
+    const Scalar z284 = z277 * z279;
+    const Scalar z285 = z255 - z273 * z280;
+    const Scalar z286 = z256 - z273 * z281;
+    const Scalar z287 = z257 - z274 * z281;
+    const Scalar z288 = z259 - z273 * z282;
+    const Scalar z289 = z260 - z274 * z282;
+    const Scalar z290 = z261 - z275 * z282;
+    const Scalar z291 = z262 - z273 * z283;
+    const Scalar z292 = z263 - z274 * z283;
+    const Scalar z293 = z264 - z275 * z283;
+    const Scalar z294 = z265 - z276 * z283;
+    const Scalar z295 = z267 - z273 * z284;
+    const Scalar z296 = z268 - z274 * z284;
+    const Scalar z297 = z269 - z275 * z284;
+    const Scalar z298 = z270 - z276 * z284;
+    const Scalar z299 = z271 - z277 * z284;
+    const Scalar z300 = n1 / z299;
+    const Scalar z301 = z295 * z300;
+    const Scalar z302 = z296 * z300;
+    const Scalar z303 = z297 * z300;
+    const Scalar z304 = z298 * z300;
+    const Scalar z305 = z285 - z295 * z301;
+    const Scalar z306 = z286 - z295 * z302;
+    const Scalar z307 = z287 - z296 * z302;
+    const Scalar z308 = z288 - z295 * z303;
+    const Scalar z309 = z289 - z296 * z303;
+    const Scalar z310 = z290 - z297 * z303;
+    const Scalar z311 = z291 - z295 * z304;
+    const Scalar z312 = z292 - z296 * z304;
+    const Scalar z313 = z293 - z297 * z304;
+    const Scalar z314 = z294 - z298 * z304;
+    const Scalar z315 = n1 / z314;
+    const Scalar z316 = z311 * z315;
+    const Scalar z317 = z312 * z315;
+    const Scalar z318 = z313 * z315;
+    const Scalar z319 = z305 - z311 * z316;
+    const Scalar z320 = z306 - z311 * z317;
+    const Scalar z321 = z307 - z312 * z317;
+    const Scalar z322 = z308 - z311 * z318;
+    const Scalar z323 = z309 - z312 * z318;
+    const Scalar z324 = z310 - z313 * z318;
+    const Scalar z325 = n1 / z324;
+    const Scalar z326 = z322 * z325;
+    const Scalar z327 = z323 * z325;
+    const Scalar z328 = z319 - z322 * z326;
+    const Scalar z329 = z320 - z322 * z327;
+    const Scalar z330 = z321 - z323 * z327;
+    const Scalar z331 = n1 / z330;
+    const Scalar z332 = z329 * z331;
+    const Scalar z333 = z328 - z329 * z332;
+    const Scalar z334 = n1 / z333;
+    const Scalar z335 = z272 + z278 * z284;
+    const Scalar z336 = z266 + z278 * z283 - z304 * z335;
+    const Scalar z337 = z227 - z278 * z282 + z303 * z335 + z318 * z336;
+    const Scalar z338 = z258 + z278 * z281 - z302 * z335 - z317 * z336 + z327 * z337;
+    const Scalar z339 = z221 - z278 * z280 + z301 * z335 + z316 * z336 - z326 * z337 + z332 * z338;
+    const Scalar z340 = z334 * z339;
+    const Scalar z341 = z331 * z338 + z332 * z340;
+    const Scalar z342 = z325 * z337 - z326 * z340 + z327 * z341;
+    const Scalar z343 = z315 * z336 + z316 * z340 - z317 * z341 + z318 * z342;
+    const Scalar z344 = z300 * z335 + z301 * z340 - z302 * z341 + z303 * z342 - z304 * z343;
+    const Scalar z345 = z278 * z279 - z280 * z340 + z281 * z341 - z282 * z342 + z283 * z343 + z284 * z344;
+    const Scalar z346 = z253 * (z344 + z345) + z249 * z340 + z250 * z341 + z251 * z342 + z252 * z343;
+    const Scalar z347 = z254 * (z344 + z345) + z249 * z341 - z250 * z340 + z251 * z343 - z252 * z342;
+    const Scalar z348 = -k24 * (z344 - z345) + k25 * z340 - k26 * z341 + k27 * z342 - k28 * z343;
+    const Scalar z349 = z245 - n1_over_3 * z341;
+    const Scalar z350 = z246 - n1_over_3 * z343;
+    const Scalar z351 = z247 + n1_over_3 * z344;
+    const Scalar z352 = z248 + n1_over_3 * z345;
+    accelerations.x = -z346;
+    accelerations.y = z347;
+    accelerations.psi = z348;
+    accelerations.phi_1 = -z349;
+    accelerations.phi_2 = -z350;
+    accelerations.phi_3 = z351;
+    accelerations.phi_4 = z352;
+    multipliers.lambda_wheel_1_x = -z340;
+    multipliers.lambda_wheel_1_y = z341;
+    multipliers.lambda_wheel_2_x = -z342;
+    multipliers.lambda_wheel_2_y = z343;
     multipliers.lambda_wheel_3_x = n0;
-    multipliers.lambda_wheel_3_y = z444;
+    multipliers.lambda_wheel_3_y = z344;
     multipliers.lambda_wheel_4_x = n0;
-    multipliers.lambda_wheel_4_y = z445;
-    if (!(traits::regular(z433, z354) && traits::regular(z430, z356) && traits::regular(z424, z360)
-        && traits::regular(z414, z364) && traits::regular(z399, z370) && traits::regular(z377,
-        z377))) return torsor::Status::singular;
+    multipliers.lambda_wheel_4_y = z345;
+    if (!(traits::regular(z333, z255) && traits::regular(z330, z257) && traits::regular(z324, z261)
+        && traits::regular(z314, z265) && traits::regular(z299, z271) && traits::regular(z271,
+        z271))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.x - accelerations.x) + (accelerations.y - accelerations.y) + (accelerations.psi
         - accelerations.psi) + (accelerations.phi_1 - accelerations.phi_1) + (accelerations.phi_2 - accelerations.phi_2)
@@ -1447,15 +1321,19 @@ struct Mechanism {
   }
 
   /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
-  TORSOR_DEVICE static void energy(const Precomputed& precomputed, const State& state, const Inputs& inputs,
+  TORSOR_DEVICE static void energy(const Precomputed&, const State& state, const Inputs& inputs,
       Energy& result) noexcept {
     const Scalar k0 = traits::constant(0.7320508075688773, 0.73205084f, "-1;0;1;0");
+    const Scalar k1 = traits::constant(0.7071067811865476, 0.70710677f, "0;1/2;0;0");
+    const Scalar k2 = traits::constant(0.8660254037844386, 0.8660254f, "0;0;1/2;0");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
     const Scalar n10 = traits::constant(10.0, 10.0f, "10/1");
     const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
     const Scalar n0_45 = traits::constant(0.45, 0.45f, "9/20");
     const Scalar n400 = traits::constant(400.0, 400.0f, "400/1");
     const Scalar n450 = traits::constant(450.0, 450.0f, "450/1");
+    const Scalar n20 = traits::constant(20.0, 20.0f, "20/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar v_x = state.v.x;
     const Scalar v_y = state.v.y;
@@ -1471,14 +1349,6 @@ struct Mechanism {
     const Scalar v_phi_4 = state.v.phi_4;
     const Scalar u_C3 = inputs.C3;
     const Scalar u_C4 = inputs.C4;
-    const Scalar s_alpha_1 = precomputed.s_alpha_1;
-    const Scalar c_alpha_1 = precomputed.c_alpha_1;
-    const Scalar s_alpha_2 = precomputed.s_alpha_2;
-    const Scalar c_alpha_2 = precomputed.c_alpha_2;
-    const Scalar s_alpha_3 = precomputed.s_alpha_3;
-    const Scalar c_alpha_3 = precomputed.c_alpha_3;
-    const Scalar s_alpha_4 = precomputed.s_alpha_4;
-    const Scalar c_alpha_4 = precomputed.c_alpha_4;
     const Scalar angles_[] = {q_psi, q_phi_1, q_phi_2, q_phi_3, q_phi_4};
     Scalar sines_[5], cosines_[5];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
@@ -1487,156 +1357,137 @@ struct Mechanism {
     const Scalar s_phi_2 = sines_[2], c_phi_2 = cosines_[2];
     const Scalar s_phi_3 = sines_[3], c_phi_3 = cosines_[3];
     const Scalar s_phi_4 = sines_[4], c_phi_4 = cosines_[4];
-    const Scalar z43 = v_x * c_psi + v_y * s_psi;
-    const Scalar z44 = v_x * s_psi - v_y * c_psi;
-    const Scalar z45 = v_psi - z43;
-    const Scalar z46 = k0 * v_psi - z44;
-    const Scalar z47 = s_alpha_1 * z46 - c_alpha_1 * z45;
-    const Scalar z48 = s_alpha_1 * z45 + c_alpha_1 * z46;
-    const Scalar z49 = v_psi * s_phi_1;
-    const Scalar z50 = v_psi * c_phi_1;
-    const Scalar z51 = c_phi_1 * z48;
-    const Scalar z52 = s_phi_1 * z48;
-    const Scalar z53 = k0 * v_psi + z44;
-    const Scalar z54 = s_alpha_2 * z53 + c_alpha_2 * z45;
-    const Scalar z55 = s_alpha_2 * z45 - c_alpha_2 * z53;
-    const Scalar z56 = v_psi * s_phi_2;
-    const Scalar z57 = v_psi * c_phi_2;
-    const Scalar z58 = c_phi_2 * z55;
-    const Scalar z59 = s_phi_2 * z55;
-    const Scalar z60 = v_psi + z43;
-    const Scalar z61 = s_alpha_3 * z53 - c_alpha_3 * z60;
-    const Scalar z62 = s_alpha_3 * z60 + c_alpha_3 * z53;
-    const Scalar z63 = v_psi * s_phi_3;
-    const Scalar z64 = v_psi * c_phi_3;
-    const Scalar z65 = c_phi_3 * z62;
-    const Scalar z66 = s_phi_3 * z62;
-    const Scalar z67 = s_alpha_4 * z46 + c_alpha_4 * z60;
-    const Scalar z68 = s_alpha_4 * z60 - c_alpha_4 * z46;
-    const Scalar z69 = v_psi * s_phi_4;
-    const Scalar z70 = v_psi * c_phi_4;
-    const Scalar z71 = c_phi_4 * z68;
-    const Scalar z72 = s_phi_4 * z68;
-    const Scalar z217 = n3 * v_phi_1;
-    const Scalar z218 = n3 * v_phi_2;
-    const Scalar z219 = n3 * v_phi_3;
-    const Scalar z220 = n3 * v_phi_4;
-    result.kinetic = n10 * (z47 * z47 + z51 * z51 + z52 * z52 + z54 * z54 + z58 * z58 + z59 * z59 + z61 * z61 + z65
-        * z65 + z66 * z66 + z67 * z67 + z71 * z71 + z72 * z72) + n0_25 * (z49 * z49 + z50 * z50 + z56 * z56 + z57 * z57
-        + z63 * z63 + z64 * z64 + z69 * z69 + z70 * z70) + n0_45 * (v_phi_1 * v_phi_1 + v_phi_2 * v_phi_2 + v_phi_3
-        * v_phi_3 + v_phi_4 * v_phi_4) + n400 * (z43 * z43 + z44 * z44) + n450 * v_psi * v_psi;
+    const Scalar z32 = v_x * c_psi + v_y * s_psi;
+    const Scalar z33 = v_x * s_psi - v_y * c_psi;
+    const Scalar z34 = v_psi - z32;
+    const Scalar z35 = k0 * v_psi - z33;
+    const Scalar z36 = k1 * (z34 + z35);
+    const Scalar z37 = k1 * (z34 - z35);
+    const Scalar z38 = v_psi * s_phi_1;
+    const Scalar z39 = v_psi * c_phi_1;
+    const Scalar z40 = c_phi_1 * z37;
+    const Scalar z41 = s_phi_1 * z37;
+    const Scalar z42 = k0 * v_psi + z33;
+    const Scalar z43 = k2 * z34 - n0_5 * z42;
+    const Scalar z44 = n0_5 * z34 + k2 * z42;
+    const Scalar z45 = v_psi * s_phi_2;
+    const Scalar z46 = v_psi * c_phi_2;
+    const Scalar z47 = c_phi_2 * z44;
+    const Scalar z48 = s_phi_2 * z44;
+    const Scalar z49 = v_psi + z32;
+    const Scalar z50 = v_psi * s_phi_3;
+    const Scalar z51 = v_psi * c_phi_3;
+    const Scalar z52 = c_phi_3 * z42;
+    const Scalar z53 = s_phi_3 * z42;
+    const Scalar z54 = v_psi * s_phi_4;
+    const Scalar z55 = v_psi * c_phi_4;
+    const Scalar z56 = c_phi_4 * z35;
+    const Scalar z57 = s_phi_4 * z35;
+    const Scalar z156 = n3 * v_phi_1;
+    const Scalar z157 = n3 * v_phi_2;
+    const Scalar z158 = n3 * v_phi_3;
+    const Scalar z159 = n3 * v_phi_4;
+    result.kinetic = n10 * (z36 * z36 + z40 * z40 + z41 * z41 + z43 * z43 + z47 * z47 + z48 * z48 + z52 * z52 + z53
+        * z53 + z56 * z56 + z57 * z57) + n0_25 * (z38 * z38 + z39 * z39 + z45 * z45 + z46 * z46 + z50 * z50 + z51 * z51
+        + z54 * z54 + z55 * z55) + n0_45 * (v_phi_1 * v_phi_1 + v_phi_2 * v_phi_2 + v_phi_3 * v_phi_3 + v_phi_4
+        * v_phi_4) + n400 * (z32 * z32 + z33 * z33) + n450 * v_psi * v_psi + n20 * z49 * z49;
     result.force_function = n0;
-    result.power = v_phi_3 * (u_C3 - z219) + v_phi_4 * (u_C4 - z220) - v_phi_1 * z217 - v_phi_2 * z218;
+    result.power = v_phi_3 * (u_C3 - z158) + v_phi_4 * (u_C4 - z159) - v_phi_1 * z156 - v_phi_2 * z157;
   }
 
   /// Constraints A(q, t) v - b(q, t) = 0, in the order of the multipliers.
-  TORSOR_DEVICE static void constraints(const Precomputed& precomputed, const State& state,
-      Constraints& result) noexcept {
+  TORSOR_DEVICE static void constraints(const Precomputed&, const State& state, Constraints& result) noexcept {
+    const Scalar k0 = traits::constant(0.7071067811865476, 0.70710677f, "0;1/2;0;0");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar k2 = traits::constant(0.8660254037844386, 0.8660254f, "0;0;1/2;0");
+    const Scalar k3 = traits::constant(1.224744871391589, 1.2247449f, "0;0;0;1/2");
+    const Scalar k4 = traits::constant(0.189468690981506, 0.1894687f, "0;1;0;-1/2");
     const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar k6 = traits::constant(1.1339745962155614, 1.1339746f, "2;0;-1/2;0");
+    const Scalar k7 = traits::constant(0.7320508075688773, 0.73205084f, "-1;0;1;0");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar v_x = state.v.x;
     const Scalar v_y = state.v.y;
     const Scalar q_psi = state.q.psi;
     const Scalar v_psi = state.v.psi;
-    const Scalar p_alpha_1 = precomputed.parameters.alpha_1;
     const Scalar v_phi_1 = state.v.phi_1;
-    const Scalar p_alpha_2 = precomputed.parameters.alpha_2;
     const Scalar v_phi_2 = state.v.phi_2;
-    const Scalar p_alpha_3 = precomputed.parameters.alpha_3;
     const Scalar v_phi_3 = state.v.phi_3;
-    const Scalar p_alpha_4 = precomputed.parameters.alpha_4;
     const Scalar v_phi_4 = state.v.phi_4;
-    const Scalar z294 = precomputed.z294;
-    const Scalar z295 = precomputed.z295;
-    const Scalar z302 = precomputed.z302;
-    const Scalar z303 = precomputed.z303;
-    const Scalar z310 = precomputed.z310;
-    const Scalar z311 = precomputed.z311;
-    const Scalar z318 = precomputed.z318;
-    const Scalar z319 = precomputed.z319;
-    const Scalar z79 = q_psi + p_alpha_1;
-    const Scalar z98 = q_psi + p_alpha_2;
-    const Scalar z115 = q_psi + p_alpha_3;
-    const Scalar z132 = q_psi + p_alpha_4;
-    const Scalar angles_[] = {z79, z98, z115, z132};
-    Scalar sines_[4], cosines_[4];
-    torsor::sines_and_cosines(angles_, sines_, cosines_);
-    const Scalar z80 = sines_[0], z81 = cosines_[0];
-    const Scalar z99 = sines_[1], z100 = cosines_[1];
-    const Scalar z116 = sines_[2], z117 = cosines_[2];
-    const Scalar z133 = sines_[3], z134 = cosines_[3];
-    const Scalar z296 = v_x * z81 + v_y * z80 + v_psi * z295;
-    const Scalar z297 = v_psi * z80;
-    const Scalar z298 = v_psi * z81;
-    const Scalar z299 = v_x * z297 - v_y * z298;
-    const Scalar z300 = v_x * z80 - v_y * z81 - v_psi * z294 - n0_3 * v_phi_1;
-    const Scalar z301 = v_x * z298 + v_y * z297;
-    const Scalar z304 = v_x * z100 + v_y * z99 - v_psi * z303;
-    const Scalar z305 = v_psi * z99;
-    const Scalar z306 = v_psi * z100;
-    const Scalar z307 = v_x * z305 - v_y * z306;
-    const Scalar z308 = v_x * z99 - v_y * z100 - v_psi * z302 - n0_3 * v_phi_2;
-    const Scalar z309 = v_x * z306 + v_y * z305;
-    const Scalar z312 = v_x * z117 + v_y * z116 - v_psi * z311;
-    const Scalar z313 = v_psi * z116;
-    const Scalar z314 = v_psi * z117;
-    const Scalar z315 = v_x * z313 - v_y * z314;
-    const Scalar z316 = v_x * z116 - v_y * z117 + v_psi * z310 - n0_3 * v_phi_3;
-    const Scalar z317 = v_x * z314 + v_y * z313;
-    const Scalar z320 = v_x * z134 + v_y * z133 + v_psi * z319;
-    const Scalar z321 = v_psi * z133;
-    const Scalar z322 = v_psi * z134;
-    const Scalar z323 = v_x * z321 - v_y * z322;
-    const Scalar z324 = v_x * z133 - v_y * z134 + v_psi * z318 - n0_3 * v_phi_4;
-    const Scalar z325 = v_x * z322 + v_y * z321;
+    Scalar s_psi, c_psi;
+    traits::sincos(q_psi, s_psi, c_psi);
+    const Scalar z64 = k0 * (s_psi + c_psi);
+    const Scalar z65 = k0 * (s_psi - c_psi);
+    const Scalar z82 = n0_5 * s_psi + k2 * c_psi;
+    const Scalar z83 = k2 * s_psi - n0_5 * c_psi;
+    const Scalar z216 = v_x * z64 + v_y * z65 - k3 * v_psi;
+    const Scalar z217 = v_psi * c_psi;
+    const Scalar z218 = v_psi * s_psi;
+    const Scalar z219 = k0 * (z217 - z218);
+    const Scalar z220 = k0 * (z217 + z218);
+    const Scalar z221 = v_x * z219 + v_y * z220;
+    const Scalar z222 = v_x * z65 - v_y * z64 + k4 * v_psi - n0_3 * v_phi_1;
+    const Scalar z223 = v_x * z220 - v_y * z219;
+    const Scalar z224 = v_x * z82 + v_y * z83 - n0_5 * v_psi;
+    const Scalar z225 = n0_5 * z217 - k2 * z218;
+    const Scalar z226 = k2 * z217 + n0_5 * z218;
+    const Scalar z227 = v_x * z225 + v_y * z226;
+    const Scalar z228 = v_x * z83 - v_y * z82 + k6 * v_psi - n0_3 * v_phi_2;
+    const Scalar z229 = v_x * z226 - v_y * z225;
+    const Scalar z230 = v_x * c_psi + v_y * s_psi + v_psi;
+    const Scalar z231 = v_x * z218 - v_y * z217;
+    const Scalar z232 = v_x * s_psi - v_y * c_psi + k7 * v_psi - n0_3 * v_phi_3;
+    const Scalar z233 = v_x * z217 + v_y * z218;
+    const Scalar z234 = v_x * s_psi - v_y * c_psi - k7 * v_psi - n0_3 * v_phi_4;
     result.value[0] = n0;
-    result.rate[0] = z296;
-    result.gamma[0] = -z299;
+    result.rate[0] = z216;
+    result.gamma[0] = z221;
     result.value[1] = n0;
-    result.rate[1] = -z300;
-    result.gamma[1] = -z301;
+    result.rate[1] = -z222;
+    result.gamma[1] = -z223;
     result.value[2] = n0;
-    result.rate[2] = z304;
-    result.gamma[2] = -z307;
+    result.rate[2] = z224;
+    result.gamma[2] = z227;
     result.value[3] = n0;
-    result.rate[3] = -z308;
-    result.gamma[3] = -z309;
+    result.rate[3] = -z228;
+    result.gamma[3] = -z229;
     result.value[4] = n0;
-    result.rate[4] = z312;
-    result.gamma[4] = -z315;
+    result.rate[4] = z230;
+    result.gamma[4] = -z231;
     result.value[5] = n0;
-    result.rate[5] = -z316;
-    result.gamma[5] = -z317;
+    result.rate[5] = -z232;
+    result.gamma[5] = -z233;
     result.value[6] = n0;
-    result.rate[6] = z320;
-    result.gamma[6] = -z323;
+    result.rate[6] = z230;
+    result.gamma[6] = -z231;
     result.value[7] = n0;
-    result.rate[7] = -z324;
-    result.gamma[7] = -z325;
-    result.jacobian[0] = z81;
-    result.jacobian[1] = -z80;
-    result.jacobian[2] = z100;
-    result.jacobian[3] = -z99;
-    result.jacobian[4] = z117;
-    result.jacobian[5] = -z116;
-    result.jacobian[6] = z134;
-    result.jacobian[7] = -z133;
-    result.jacobian[8] = z80;
-    result.jacobian[9] = z81;
-    result.jacobian[10] = z99;
-    result.jacobian[11] = z100;
-    result.jacobian[12] = z116;
-    result.jacobian[13] = z117;
-    result.jacobian[14] = z133;
-    result.jacobian[15] = z134;
-    result.jacobian[16] = z295;
-    result.jacobian[17] = z294;
-    result.jacobian[18] = -z303;
-    result.jacobian[19] = z302;
-    result.jacobian[20] = -z311;
-    result.jacobian[21] = -z310;
-    result.jacobian[22] = z319;
-    result.jacobian[23] = -z318;
+    result.rate[7] = -z234;
+    result.gamma[7] = -z233;
+    result.jacobian[0] = z64;
+    result.jacobian[1] = -z65;
+    result.jacobian[2] = z82;
+    result.jacobian[3] = -z83;
+    result.jacobian[4] = c_psi;
+    result.jacobian[5] = -s_psi;
+    result.jacobian[6] = c_psi;
+    result.jacobian[7] = -s_psi;
+    result.jacobian[8] = z65;
+    result.jacobian[9] = z64;
+    result.jacobian[10] = z83;
+    result.jacobian[11] = z82;
+    result.jacobian[12] = s_psi;
+    result.jacobian[13] = c_psi;
+    result.jacobian[14] = s_psi;
+    result.jacobian[15] = c_psi;
+    result.jacobian[16] = -k3;
+    result.jacobian[17] = -k4;
+    result.jacobian[18] = -n0_5;
+    result.jacobian[19] = -k6;
+    result.jacobian[20] = n1;
+    result.jacobian[21] = -k7;
+    result.jacobian[22] = n1;
+    result.jacobian[23] = k7;
     result.jacobian[24] = n0;
     result.jacobian[25] = n0_3;
     result.jacobian[26] = n0;

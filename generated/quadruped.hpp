@@ -387,18 +387,18 @@ struct Mechanism {
       {-HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL},  // trunk_attitude_omega_x
       {-HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL},  // trunk_attitude_omega_y
       {-HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL},  // trunk_attitude_omega_z
-      {-0.8, 0.8, 20, 25},  // front_left_hip
-      {-1.5, 3, 20, 25},  // front_left_thigh
-      {-2.7, -0.3, 20, 40},  // front_left_knee
-      {-0.8, 0.8, 20, 25},  // front_right_hip
-      {-1.5, 3, 20, 25},  // front_right_thigh
-      {-2.7, -0.3, 20, 40},  // front_right_knee
-      {-0.8, 0.8, 20, 25},  // rear_left_hip
-      {-1.5, 3, 20, 25},  // rear_left_thigh
-      {-2.7, -0.3, 20, 40},  // rear_left_knee
-      {-0.8, 0.8, 20, 25},  // rear_right_hip
-      {-1.5, 3, 20, 25},  // rear_right_thigh
-      {-2.7, -0.3, 20, 40},  // rear_right_knee
+      {-0.8, 0.8, 20.0, 25.0},  // front_left_hip
+      {-1.5, 3.0, 20.0, 25.0},  // front_left_thigh
+      {-2.7, -0.3, 20.0, 40.0},  // front_left_knee
+      {-0.8, 0.8, 20.0, 25.0},  // front_right_hip
+      {-1.5, 3.0, 20.0, 25.0},  // front_right_thigh
+      {-2.7, -0.3, 20.0, 40.0},  // front_right_knee
+      {-0.8, 0.8, 20.0, 25.0},  // rear_left_hip
+      {-1.5, 3.0, 20.0, 25.0},  // rear_left_thigh
+      {-2.7, -0.3, 20.0, 40.0},  // rear_left_knee
+      {-0.8, 0.8, 20.0, 25.0},  // rear_right_hip
+      {-1.5, 3.0, 20.0, 25.0},  // rear_right_thigh
+      {-2.7, -0.3, 20.0, 40.0},  // rear_right_knee
   };
 
   /// Parameters that are set at run time.

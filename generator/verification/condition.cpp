@@ -32,15 +32,18 @@ Square inverse(const Square& matrix) {
   return result;
 }
 
-double norm(const Square& matrix) {
+/// Of the columns from the first one given.
+double last_norm(const Square& matrix, std::size_t first) {
   double largest = 0;
-  for (std::size_t j = 0; j < matrix.size; ++j) {
+  for (std::size_t j = first; j < matrix.size; ++j) {
     double column = 0;
     for (std::size_t i = 0; i < matrix.size; ++i) column += std::abs(matrix(i, j).to_double());
     largest = std::max(largest, column);
   }
   return largest;
 }
+
+double norm(const Square& matrix) { return last_norm(matrix, 0); }
 
 double condition_number(const Square& matrix) { return norm(matrix) * norm(inverse(matrix)); }
 
@@ -56,6 +59,14 @@ class Scaled {
   std::size_t freedoms() const { return n_; }
   std::size_t constraints() const { return kept_.size(); }
   Real mass(std::size_t i, std::size_t j) const { return exact_(equations_.mass()[i][j]) / (root_[i] * root_[j]); }
+  double mass_norm() const {
+    Square all(n_);
+    for (std::size_t i = 0; i < n_; ++i) {
+      for (std::size_t j = 0; j < n_; ++j) all(i, j) = mass(i, j);
+    }
+    return norm(all);
+  }
+  bool holonomic(std::size_t k) const { return equations_.constraints()[kept_[k]].holonomic; }
   std::vector<Real> row(std::size_t k) const { return scaled(equations_.constraints()[kept_[k]].jacobian); }
   std::vector<Real> column(std::size_t k) const { return scaled(equations_.constraints()[kept_[k]].column); }
 
@@ -102,28 +113,43 @@ double reduction_condition(const Equations& equations, const IndependentFreedoms
   const Scaled scaled(equations, exact);
   const std::size_t n = scaled.freedoms();
   const std::size_t m = scaled.constraints();
-  Square partition(n);
+  Square of_rows(n);
+  Square of_columns(n);
   for (std::size_t k = 0; k < m; ++k) {
     const std::vector<Real> row = scaled.row(k);
-    for (std::size_t i = 0; i < n; ++i) partition(k, i) = row[i];
+    const std::vector<Real> column = scaled.column(k);
+    for (std::size_t i = 0; i < n; ++i) {
+      of_rows(k, i) = row[i];
+      of_columns(k, i) = column[i];
+    }
   }
-  for (std::size_t k = 0; k < freedoms.velocities.size(); ++k) partition(m + k, freedoms.velocities[k]) = Real(1);
-  const Square basis = inverse(partition);  // its last columns are N
+  for (std::size_t k = 0; k < freedoms.velocities.size(); ++k) {
+    of_rows(m + k, freedoms.velocities[k]) = Real(1);
+    of_columns(m + k, freedoms.velocities[k]) = Real(1);
+  }
+  Square of_coordinates(n);
+  std::size_t placed = 0;
+  for (std::size_t k = 0; k < m; ++k) {
+    if (!scaled.holonomic(k)) continue;
+    for (std::size_t i = 0; i < n; ++i) of_coordinates(placed, i) = of_rows(k, i);
+    ++placed;
+  }
+  for (const std::size_t freedom : freedoms.coordinates) of_coordinates(placed++, freedom) = Real(1);
+  const Square right = inverse(of_rows);  // its last columns are N
+  const Square left = inverse(of_columns);
 
   Square reduced(freedoms.velocities.size());
   for (std::size_t a = 0; a < reduced.size; ++a) {
     for (std::size_t i = 0; i < n; ++i) {
       Real row(0);
-      for (std::size_t j = 0; j < n; ++j) row += scaled.mass(i, j) * basis(j, m + a);
-      for (std::size_t b = 0; b < reduced.size; ++b) reduced(b, a) += basis(i, m + b) * row;
+      for (std::size_t j = 0; j < n; ++j) row += scaled.mass(i, j) * right(j, m + a);
+      for (std::size_t b = 0; b < reduced.size; ++b) reduced(b, a) += left(i, m + b) * row;
     }
   }
-  std::vector<Real> root;
-  for (std::size_t a = 0; a < reduced.size; ++a) root.push_back(sqrt(abs(reduced(a, a))));
-  for (std::size_t a = 0; a < reduced.size; ++a) {
-    for (std::size_t b = 0; b < reduced.size; ++b) reduced(a, b) = reduced(a, b) / (root[a] * root[b]);
-  }
-  return norm(partition) * norm(basis) * condition_number(reduced);
+  const double of_velocities = std::max(norm(of_rows) * norm(right), norm(of_columns) * norm(left));
+  // Nᵀ M N may be small beside the products it is the sum of: |N|² |M| in the place of its own norm.
+  const double of_state = last_norm(left, m) * scaled.mass_norm() * last_norm(right, m) * norm(inverse(reduced));
+  return condition_number(of_coordinates) * of_velocities * of_state;
 }
 
 }  // namespace torsor

@@ -13,9 +13,10 @@ namespace torsor {
 /// Of [M B; A 0], the constraints those that are kept: what accelerations and multipliers are solved with.
 double motion_condition(const Equations& equations, Evaluator<Real>& exact);
 
-/// Of the reduction to independent freedoms. Their basis N solves with [A; S], S picking the independent velocities;
-/// the state matrix then solves with Nᵀ M N, which is off by what the first solve costs: the product of both
-/// conditions.
+/// Of the reduction to independent freedoms: three solves in succession, each with what the one before gave, so that
+/// their conditions multiply. Dependent coordinates follow with [A_h; S_h], A_h the rows that are holonomic and S_h
+/// picking the independent coordinates; velocities with [A; S], and what takes out the multipliers with [Bᵀ; S]; the
+/// state matrix with Nᵀ M N, N the basis that [A; S] gives (with friction another one on the left).
 double reduction_condition(const Equations& equations, const IndependentFreedoms& freedoms, Evaluator<Real>& exact);
 
 }  // namespace torsor
