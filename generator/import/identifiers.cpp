@@ -9,13 +9,13 @@
 namespace torsor {
 namespace {
 
-bool acceptable(const std::string& name) {
+bool acceptable(const std::string& name, const std::string& kind) {
   try {
     require_identifier(name, "name");
   } catch (const SceneError&) {
     return false;
   }
-  return true;
+  return reserved_in_headers(name, kind == "robot") == nullptr;
 }
 
 bool is_letter_or_digit(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); }
@@ -33,7 +33,7 @@ std::string as_identifier(const std::string& name, const std::string& kind) {
   }
   while (!word.empty() && word.back() == '_') word.pop_back();
   if (word.empty()) return kind;
-  return acceptable(word) ? word : kind + "_" + word;
+  return acceptable(word, kind) ? word : kind + "_" + word;
 }
 
 std::string Identifiers::take(const std::string& name, const std::string& kind,

@@ -9,4 +9,8 @@ namespace torsor {
 /// C++ keyword. `what` says what is named ("parameter"). Throws SceneError with the name and the remedy.
 void require_identifier(const std::string& name, const std::string& what);
 
+/// Why a well-formed name cannot stand in generated C++ ("is a C++ keyword", a macro of the library, a type of the
+/// header; of a scene also a function of the C library), or null when it can.
+const char* reserved_in_headers(const std::string& name, bool names_scene);
+
 }  // namespace torsor

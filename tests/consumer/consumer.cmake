@@ -33,7 +33,8 @@ endmacro()
 macro(configure_consumer)
   step("${CMAKE_COMMAND}" -S "${FOLDER}/source" -B "${FOLDER}/build" -G "${GENERATOR}" "${where}" ${ARGN}
     "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_CXX_FLAGS=${FLAGS}"
-    "-DCMAKE_BUILD_TYPE=${BUILD_TYPE}" "-DCMAKE_CXX_FLAGS_RELEASE=${RELEASE_FLAGS}")
+    "-DCMAKE_BUILD_TYPE=${BUILD_TYPE}" "-DCMAKE_CXX_FLAGS_RELEASE=${RELEASE_FLAGS}"
+    "-DTORSOR_UNITY_BUILD=${UNITY}")
 endmacro()
 
 macro(build_consumer)

@@ -13,6 +13,9 @@ TEST(UrdfNames, BecomeIdentifiers) {
   EXPECT_EQ(as_identifier("_hidden__name_", "link"), "hidden_name");
   EXPECT_EQ(as_identifier("7dof", "joint"), "joint_7dof");
   EXPECT_EQ(as_identifier("switch", "joint"), "joint_switch");
+  EXPECT_EQ(as_identifier("State", "joint"), "joint_State");
+  EXPECT_EQ(as_identifier("index", "robot"), "robot_index");
+  EXPECT_EQ(as_identifier("index", "joint"), "index");
   EXPECT_EQ(as_identifier("\xe8\x85\x95", "joint"), "joint");
 }
 
