@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/cli/scene_runner.hpp"
 
-namespace torsor {
+namespace torsor::bad_scenes_test {
 namespace {
 
 using namespace testing_programs;
@@ -112,4 +112,4 @@ TEST(BadScene, ThatThrowsSomethingElseStillGivesOneLine) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::bad_scenes_test

@@ -4,7 +4,7 @@
 #include "generator/expression/error.hpp"
 #include "tests/cli/scene_runner.hpp"
 
-namespace torsor {
+namespace torsor::commands_test {
 namespace {
 
 using namespace testing_programs;
@@ -185,4 +185,4 @@ TEST(SceneProgram, NamesAnUnknownKernelAndTheKnownOnes) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::commands_test

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/cli/scene_runner.hpp"
 
-namespace torsor {
+namespace torsor::force_function_command_test {
 namespace {
 
 using namespace testing_programs;
@@ -32,4 +32,4 @@ TEST(ForceFunctionCommand, RefusesUnknownNames) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::force_function_command_test

@@ -11,7 +11,7 @@
 
 #include "tests/cli/scene_runner.hpp"
 
-namespace torsor {
+namespace torsor::output_test {
 namespace {
 
 using namespace testing_programs;
@@ -148,4 +148,4 @@ TEST_F(SceneProgramOutput, IntoAFolderThatMayNotBeWrittenFails) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::output_test

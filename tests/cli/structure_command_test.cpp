@@ -3,7 +3,7 @@
 
 #include "tests/cli/scene_runner.hpp"
 
-namespace torsor {
+namespace torsor::structure_command_test {
 namespace {
 
 using namespace testing_programs;
@@ -125,4 +125,4 @@ TEST(StructureCommand, RefusesWhatItDoesNotKnow) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::structure_command_test

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#define TORSOR_NO_MAIN
 #include "examples/loading_robot/scene.cpp"
 #include "examples/satellite_arms/scene.cpp"
 #include "examples/watt_governor/scene.cpp"
 #include "examples/winder/scene.cpp"
 #include "tests/cli/scene_runner.hpp"
 
-namespace torsor {
+namespace torsor::theorem_command_test {
 namespace {
 
 using namespace testing_programs;
@@ -203,4 +202,4 @@ TEST(StaticsCommand, SaysWhyLejeuneDirichletDoesNotApply) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::theorem_command_test

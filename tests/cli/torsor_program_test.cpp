@@ -9,7 +9,7 @@
 
 #include "tests/cli/scene_runner.hpp"
 
-namespace torsor {
+namespace torsor::torsor_program_test {
 namespace {
 
 using testing_programs::Outcome;
@@ -112,4 +112,4 @@ TEST(TorsorTool, TellsWhatIsWrongOnOneLine) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::torsor_program_test

@@ -4,7 +4,7 @@
 #include "generator/dynamics/painleve.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
-namespace torsor {
+namespace torsor::actions_formula_test {
 namespace {
 
 using namespace testing_symbols;
@@ -154,4 +154,4 @@ TEST_F(TwoPoints, RefuseFormulasThatAreNoForces) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::actions_formula_test

@@ -5,7 +5,7 @@
 
 #include "tests/dynamics/simple_scenes.hpp"
 
-namespace torsor {
+namespace torsor::actions_mutual_test {
 namespace {
 
 using namespace testing_symbols;
@@ -177,4 +177,4 @@ TEST(PowerOfAnExternalAction, ChangesWithTheFrameByTheVelocityOfTheFrame) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::actions_mutual_test

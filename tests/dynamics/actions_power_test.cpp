@@ -8,7 +8,7 @@
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/expression/test_symbols.hpp"
 
-namespace torsor {
+namespace torsor::actions_power_test {
 namespace {
 
 using namespace testing_symbols;
@@ -43,4 +43,4 @@ TEST_P(RandomPower, IsTheRateOfTheEnergyAlongTheMotion) {
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomPower, ::testing::Range(1U, 61U));
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::actions_power_test

@@ -6,7 +6,7 @@
 #include "generator/dynamics/linearisation.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
-namespace torsor {
+namespace torsor::actions_test {
 namespace {
 
 using namespace testing_symbols;
@@ -116,4 +116,4 @@ TEST_F(TiedBob, RefusesActionsThatCannotAct) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::actions_test

@@ -9,7 +9,7 @@
 #include "generator/expression/evaluation.hpp"
 #include "generator/verification/random_state.hpp"
 
-namespace torsor {
+namespace torsor::articulated_body_test {
 namespace {
 
 Expression quantity(const char* value, const char* unit) { return Expression::quantity(value, unit); }
@@ -96,4 +96,4 @@ TEST(ArticulatedBody, IsRefusedWhereItDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::articulated_body_test

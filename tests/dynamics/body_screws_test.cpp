@@ -7,7 +7,7 @@
 #include "tests/dynamics/point_cloud.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 
-namespace torsor {
+namespace torsor::body_screws_test {
 namespace {
 
 using namespace testing_symbols;
@@ -190,4 +190,4 @@ TEST(BodyScrews, NameWhatIsAskedWrongly) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::body_screws_test

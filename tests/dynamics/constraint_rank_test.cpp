@@ -7,7 +7,7 @@
 #include "tests/dynamics/constrained_motion.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
-namespace torsor {
+namespace torsor::constraint_rank_test {
 namespace {
 
 using namespace testing_symbols;
@@ -313,4 +313,4 @@ TEST(ConstraintRank, RefusesFrictionOfAnIndeterminateNormal) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::constraint_rank_test

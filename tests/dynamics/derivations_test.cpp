@@ -4,7 +4,7 @@
 #include "generator/verification/check.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 
-namespace torsor {
+namespace torsor::derivations_test {
 namespace {
 
 using testing_mechanisms::random_mechanism;
@@ -28,4 +28,4 @@ TEST_P(RandomMechanism, HasOneSetOfEquationsByEveryRoad) {
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomMechanism, ::testing::Range(1U, 81U));
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::derivations_test

@@ -7,7 +7,7 @@
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
-namespace torsor {
+namespace torsor::energy_theorem_test {
 namespace {
 
 using namespace testing_symbols;
@@ -128,4 +128,4 @@ TEST(EnergyTheorem, SortsPowersByTheBoundary) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::energy_theorem_test

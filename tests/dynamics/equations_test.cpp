@@ -8,7 +8,7 @@
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/expression/test_symbols.hpp"
 
-namespace torsor {
+namespace torsor::equations_test {
 namespace {
 
 using namespace testing_symbols;
@@ -188,4 +188,4 @@ TEST(ForwardDynamics, KeepsTheRecursionForScenesThatItFits) {
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomEquations, ::testing::Range(200U, 230U));
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::equations_test

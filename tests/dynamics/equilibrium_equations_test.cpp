@@ -8,7 +8,7 @@
 #include "generator/dynamics/stability.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
-namespace torsor {
+namespace torsor::equilibrium_equations_test {
 namespace {
 
 using namespace testing_symbols;
@@ -187,4 +187,4 @@ TEST(Determinant, IsMultipliedOutExactly) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::equilibrium_equations_test

@@ -5,7 +5,7 @@
 
 #include "tests/dynamics/simple_scenes.hpp"
 
-namespace torsor {
+namespace torsor::force_function_test {
 namespace {
 
 using namespace testing_symbols;
@@ -221,4 +221,4 @@ TEST(ForceFunction, RefusesUnknownNamesAndActionsWithoutEnds) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::force_function_test

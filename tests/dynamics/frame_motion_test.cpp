@@ -8,7 +8,7 @@
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
-namespace torsor {
+namespace torsor::frame_motion_test {
 namespace {
 
 using namespace testing_symbols;
@@ -205,4 +205,4 @@ TEST_F(NamedMotions, ScrewAlongAFixedAxisWithTheirPitch) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::frame_motion_test

@@ -8,7 +8,7 @@
 #include "generator/verification/dense_linear.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
-namespace torsor {
+namespace torsor::friction_test {
 namespace {
 
 using namespace testing_symbols;
@@ -310,4 +310,4 @@ TEST(Friction, RefusesWhatIsNoContact) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::friction_test

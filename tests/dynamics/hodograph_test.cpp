@@ -7,7 +7,7 @@
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
-namespace torsor {
+namespace torsor::hodograph_test {
 namespace {
 
 using namespace testing_symbols;
@@ -78,4 +78,4 @@ TEST(Hodograph, IsRunAlongByTheAcceleration) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::hodograph_test

@@ -6,7 +6,7 @@
 #include "tests/dynamics/point_cloud.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 
-namespace torsor {
+namespace torsor::inertia_wrench_test {
 namespace {
 
 using namespace testing_symbols;
@@ -144,4 +144,4 @@ TEST_P(RandomInertiaWrench, MakesTheTheoremsHoldInAMovingFrame) {
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomInertiaWrench, ::testing::Range(400U, 412U));
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::inertia_wrench_test

@@ -16,10 +16,10 @@
 #include "generator/mechanics/scene.hpp"
 #include "generator/verification/extrapolation.hpp"
 
+namespace torsor::joint_closures_test {
 namespace {
 
-using namespace torsor;
-using namespace torsor::literals;
+using namespace literals;
 
 constexpr int digits = 60;
 using Numbers = std::array<Real, 3>;
@@ -397,3 +397,4 @@ TEST(Attitude, IsRefusedWhenItTurnsNothing) {
 }
 
 }  // namespace
+}  // namespace torsor::joint_closures_test

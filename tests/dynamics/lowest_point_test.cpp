@@ -7,7 +7,7 @@
 #include "generator/dynamics/point_motion.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
-namespace torsor {
+namespace torsor::lowest_point_test {
 namespace {
 
 using namespace testing_symbols;
@@ -166,4 +166,4 @@ TEST(DiscContact, LeavesAPivotThatIsNoNumberWhereARollingDiscLiesFlat) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::lowest_point_test

@@ -6,7 +6,7 @@
 #include "generator/expression/error.hpp"
 #include "tests/dynamics/loop_mechanisms.hpp"
 
-namespace torsor {
+namespace torsor::mobility_test {
 namespace {
 
 using namespace testing_mechanisms;
@@ -147,4 +147,4 @@ TEST(Mobility, RefusesLoopsThatCannotBeClosed) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::mobility_test

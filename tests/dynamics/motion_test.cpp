@@ -11,7 +11,7 @@
 #include "tests/expression/test_symbols.hpp"
 #include "tests/mechanics/gauss_quadrature.hpp"
 
-namespace torsor {
+namespace torsor::motion_test {
 namespace {
 
 using namespace testing_symbols;
@@ -216,4 +216,4 @@ TEST(MassProperties, GatherWhatIsWeldedTogether) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::motion_test

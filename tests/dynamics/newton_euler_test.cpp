@@ -8,7 +8,7 @@
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
-namespace torsor {
+namespace torsor::newton_euler_test {
 namespace {
 
 using namespace testing_symbols;
@@ -222,4 +222,4 @@ TEST(ConstraintWrench, WorksAsItsGeneralisedForces) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::newton_euler_test

@@ -7,7 +7,7 @@
 #include "generator/dynamics/equations.hpp"
 #include "generator/expression/formula.hpp"
 
-namespace torsor {
+namespace torsor::operation_counts_test {
 namespace {
 
 /// Totals of inverse dynamics for the models of tests/reference/models.json, by name.
@@ -90,4 +90,4 @@ TEST(OperationCounts, OfStructuralZerosAreZero) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::operation_counts_test

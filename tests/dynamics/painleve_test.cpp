@@ -8,7 +8,7 @@
 #include "generator/verification/extrapolation.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
-namespace torsor {
+namespace torsor::painleve_test {
 namespace {
 
 using namespace testing_symbols;
@@ -217,4 +217,4 @@ TEST(CyclicCoordinate, HasItsMomentumAsFirstIntegral) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::painleve_test

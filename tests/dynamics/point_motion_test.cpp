@@ -9,7 +9,7 @@
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
-namespace torsor {
+namespace torsor::point_motion_test {
 namespace {
 
 using namespace testing_symbols;
@@ -221,4 +221,4 @@ TEST_F(SphereOnAPlate, NeedsANormal) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::point_motion_test

@@ -34,7 +34,7 @@ std::string ask(const torsor::Scene& scene, const std::string& body, const std::
   return text;
 }
 
-namespace torsor {
+namespace torsor::queries_test {
 namespace {
 
 using namespace testing_mechanisms;
@@ -75,4 +75,4 @@ TEST(Queries, AreShownOnTheirPageAsTheyAreCompiled) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::queries_test

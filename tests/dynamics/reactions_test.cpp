@@ -3,7 +3,7 @@
 
 #include "tests/dynamics/simple_scenes.hpp"
 
-namespace torsor {
+namespace torsor::reactions_test {
 namespace {
 
 using namespace testing_symbols;
@@ -174,4 +174,4 @@ TEST(Constraint, HasTheRateAndTheDriftOfItsValueAlongAMotion) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::reactions_test

@@ -6,7 +6,7 @@
 #include "generator/mechanics/joint_screws.hpp"
 #include "tests/dynamics/loop_mechanisms.hpp"
 
-namespace torsor {
+namespace torsor::reduced_graph_test {
 namespace {
 
 using namespace testing_mechanisms;
@@ -135,4 +135,4 @@ TEST(ReducedGraph, AccountsForWhatItDrops) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::reduced_graph_test

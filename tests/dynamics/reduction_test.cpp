@@ -11,7 +11,7 @@
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
-namespace torsor {
+namespace torsor::reduction_test {
 namespace {
 
 using namespace testing_symbols;
@@ -269,4 +269,4 @@ TEST(IndependentFreedoms, AreThoseTheSceneWants) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::reduction_test

@@ -9,7 +9,7 @@
 #include "generator/dynamics/linearisation.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
-namespace torsor {
+namespace torsor::routh_test {
 namespace {
 
 using namespace testing_symbols;
@@ -190,4 +190,4 @@ TEST(ExactRouthTable, SaysWhatItCannotRead) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::routh_test

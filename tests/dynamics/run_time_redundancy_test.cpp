@@ -6,7 +6,7 @@
 #include "generator/dynamics/validation.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
-namespace torsor {
+namespace torsor::run_time_redundancy_test {
 namespace {
 
 using namespace testing_symbols;
@@ -91,4 +91,4 @@ TEST(RunTimeParameters, ThatBreakARedundantLoopAreRefused) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::run_time_redundancy_test

@@ -7,7 +7,7 @@
 #include "generator/dynamics/validation.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
-namespace torsor {
+namespace torsor::scene_checks_test {
 namespace {
 
 using namespace testing_symbols;
@@ -153,4 +153,4 @@ TEST(ClosingJoint, IsRefusedWhenItStartsHalfATurnOff) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::scene_checks_test

@@ -11,7 +11,7 @@
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
-namespace torsor {
+namespace torsor::theorem_equations_test {
 namespace {
 
 using namespace testing_symbols;
@@ -137,4 +137,4 @@ TEST(JointActions, AreThoseOfTheJointWhateverTheCoordinates) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::theorem_equations_test

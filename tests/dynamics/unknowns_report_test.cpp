@@ -8,7 +8,7 @@
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
-namespace torsor {
+namespace torsor::unknowns_report_test {
 namespace {
 
 using namespace testing_symbols;
@@ -183,4 +183,4 @@ TEST(UnknownsReport, SaysWhenJointsShareACoordinate) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::unknowns_report_test

@@ -5,7 +5,7 @@
 
 #include "tests/dynamics/simple_scenes.hpp"
 
-namespace torsor {
+namespace torsor::validation_test {
 namespace {
 
 using namespace testing_symbols;
@@ -189,4 +189,4 @@ TEST(InitialState, EvaluatesFormulasOfParameters) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::validation_test

@@ -12,7 +12,7 @@
 
 #include "generator/expression/error.hpp"
 
-namespace torsor {
+namespace torsor::embedded_templates_test {
 namespace {
 
 const std::filesystem::path folder = std::filesystem::path(TORSOR_SOURCE_DIR) / "templates";
@@ -51,4 +51,4 @@ TEST(EmbeddedTemplates, NameTheUnknownOne) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::embedded_templates_test

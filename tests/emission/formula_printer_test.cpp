@@ -8,7 +8,7 @@
 #include "generator/expression/error.hpp"
 #include "generator/mechanics/scene.hpp"
 
-namespace torsor {
+namespace torsor::formula_printer_test {
 namespace {
 
 TEST(Literal, IsTheShortestTextThatReadsBack) {
@@ -137,4 +137,4 @@ TEST(GenerationConstant, NamesAConstantWithoutValue) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::formula_printer_test

@@ -18,7 +18,7 @@ template struct golden_pendulum::Mechanism<double>;
 template struct golden_pendulum::Mechanism<float>;
 template struct golden_pendulum::Mechanism<torsor::Real>;
 
-namespace torsor {
+namespace torsor::golden_header_test {
 namespace {
 
 const char* const golden_path = TORSOR_SOURCE_DIR "/tests/emission/golden/pendulum.hpp.txt";
@@ -155,4 +155,4 @@ TEST(GoldenHeader, IndexesItsStructuresInTheOrderOfTheirMembers) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::golden_header_test

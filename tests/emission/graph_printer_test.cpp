@@ -8,7 +8,7 @@
 
 #include "tests/dynamics/loop_mechanisms.hpp"
 
-namespace torsor {
+namespace torsor::graph_printer_test {
 namespace {
 
 using namespace testing_mechanisms;
@@ -123,4 +123,4 @@ TEST(GraphPrinter, OrdersBodiesForFewestCrossings) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::graph_printer_test

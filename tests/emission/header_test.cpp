@@ -12,7 +12,7 @@
 #include "tests/dynamics/simple_scenes.hpp"
 #include "tests/emission/golden_scene.hpp"
 
-namespace torsor {
+namespace torsor::header_test {
 namespace {
 
 using testing_scenes::kernels_of;
@@ -185,4 +185,4 @@ TEST(Header, RefusesAKernelThatReadsWhatItIsNotGiven) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::header_test

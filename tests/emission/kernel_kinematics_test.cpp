@@ -6,7 +6,7 @@
 #include "generator/expression/evaluation.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
-namespace torsor {
+namespace torsor::kernel_kinematics_test {
 namespace {
 
 using testing_mechanisms::kilograms;
@@ -67,4 +67,4 @@ TEST_F(KinematicsOfPoints, GiveOneVelocityOfAPointOfTheBody) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::kernel_kinematics_test

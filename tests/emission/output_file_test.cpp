@@ -17,7 +17,7 @@
 
 #include "generator/expression/error.hpp"
 
-namespace torsor {
+namespace torsor::output_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -156,4 +156,4 @@ TEST_F(OutputFile, RespectsPermissions) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::output_file_test

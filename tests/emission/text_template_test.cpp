@@ -5,7 +5,7 @@
 
 #include "generator/expression/error.hpp"
 
-namespace torsor {
+namespace torsor::text_template_test {
 namespace {
 
 std::string message_of(std::string_view text, const std::map<std::string, std::string>& values) {
@@ -52,4 +52,4 @@ TEST(TextTemplate, RefusesAStrayAt) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::text_template_test

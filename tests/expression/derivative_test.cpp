@@ -7,7 +7,7 @@
 
 #include "tests/expression/test_symbols.hpp"
 
-namespace torsor {
+namespace torsor::derivative_test {
 namespace {
 
 using namespace testing_symbols;
@@ -259,4 +259,4 @@ TEST_F(SubstitutionTest, LeavesTheRestAsItIs) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::derivative_test

@@ -7,7 +7,7 @@
 
 #include "tests/expression/test_symbols.hpp"
 
-namespace torsor {
+namespace torsor::evaluation_test {
 namespace {
 
 using namespace testing_symbols;
@@ -101,4 +101,4 @@ TEST(Vanishes, AnswersForManyValuesAtOnce) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::evaluation_test

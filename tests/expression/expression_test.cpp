@@ -6,7 +6,7 @@
 #include "generator/expression/expression_node.hpp"
 #include "tests/expression/test_symbols.hpp"
 
-namespace torsor {
+namespace torsor::expression_test {
 namespace {
 
 using namespace testing_symbols;
@@ -79,4 +79,4 @@ TEST(Expression, IsASymbolOnlyWhenItIsNothingElse) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::expression_test

@@ -7,7 +7,7 @@
 
 #include "tests/expression/test_symbols.hpp"
 
-namespace torsor {
+namespace torsor::formula_test {
 namespace {
 
 using namespace testing_symbols;
@@ -151,4 +151,4 @@ TEST_F(FormulaCount, SeparatesWhatIsDoneOnceForASetOfParameters) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::formula_test

@@ -21,7 +21,7 @@ struct scalar_traits;
 
 #include "generator/verification/real_scalar_traits.hpp"
 
-namespace torsor {
+namespace torsor::high_precision_test {
 namespace {
 
 // Digits written here come from tables (π, sin 1, cos 1, √2 to 60 places), not from the library under test.
@@ -258,4 +258,4 @@ TEST(RealScalarTraits, SelectsAndTellsRegularPivots) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::high_precision_test

@@ -9,7 +9,7 @@
 #include "generator/expression/decimal.hpp"
 #include "generator/expression/number.hpp"
 
-namespace torsor {
+namespace torsor::number_rounding_test {
 namespace {
 
 /// The exact value of a finite float, from its mantissa and exponent alone (independent of the rounding under test).
@@ -146,4 +146,4 @@ TEST(NumberRounding, EnclosesWithinTheAskedWidth) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::number_rounding_test

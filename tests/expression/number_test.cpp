@@ -15,7 +15,7 @@
 #include "generator/expression/decimal.hpp"
 #include "generator/expression/error.hpp"
 
-namespace torsor {
+namespace torsor::number_test {
 namespace {
 
 const Number s2 = Number::sqrt2();
@@ -264,4 +264,4 @@ TEST(Decimal, ReadsADoubleAsItsShortestDecimal) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::number_test

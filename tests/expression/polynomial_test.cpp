@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <random>
 
-namespace torsor {
+namespace torsor::polynomial_test {
 namespace {
 
 std::vector<Term> random_terms(std::mt19937& random, int count) {
@@ -113,4 +113,4 @@ TEST(Monomial, MultipliesByAddingExponentsAndDropsThoseThatCancel) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::polynomial_test

@@ -7,7 +7,7 @@
 
 #include "tests/expression/test_symbols.hpp"
 
-namespace torsor {
+namespace torsor::program_test {
 namespace {
 
 using namespace testing_symbols;
@@ -255,4 +255,4 @@ TEST(ProgramResolver, ReplacesSymbolsAndTheirRates) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::program_test

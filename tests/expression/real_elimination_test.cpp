@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace torsor {
+namespace torsor::real_elimination_test {
 namespace {
 
 class RealElimination : public ::testing::Test {
@@ -70,4 +70,4 @@ TEST_F(RealElimination, SolvesWithTheLeastNorm) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::real_elimination_test

@@ -9,6 +9,7 @@
 #include "generator/expression/error.hpp"
 #include "generator/expression/evaluation.hpp"
 #include "generator/expression/high_precision.hpp"
+#include "generator/expression/real_elimination.hpp"
 #include "generator/expression/symbol.hpp"
 
 namespace torsor::testing_symbols {
@@ -39,7 +40,6 @@ inline Evaluator<Real>::SymbolValue at(const Point& point) {
 inline Real rational(long numerator, long denominator) {
   return Real(Number::rational(numerator, denominator), Real::working_digits());
 }
-inline Real power_of_ten(int exponent) { return Real(Number(10).pow(exponent), Real::working_digits()); }
 
 /// |x − y| ≤ 10^exponent · max(1, |y|), as a double of the left side over the factor, for messages.
 inline double relative_difference(const Real& x, const Real& y) {

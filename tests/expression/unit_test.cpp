@@ -5,7 +5,7 @@
 
 #include <random>
 
-namespace torsor {
+namespace torsor::unit_test {
 namespace {
 
 std::string error_of(const auto& action) {
@@ -132,4 +132,4 @@ TEST(Unit, RefusesExponentsBeyondItsRange) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::unit_test

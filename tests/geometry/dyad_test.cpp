@@ -5,7 +5,7 @@
 
 #include "tests/expression/test_symbols.hpp"
 
-namespace torsor {
+namespace torsor::dyad_test {
 namespace {
 
 using namespace testing_symbols;
@@ -73,4 +73,4 @@ TEST_F(Dyad, MakesTheInertiaOperatorOfAPoint) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::dyad_test

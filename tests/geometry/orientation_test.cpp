@@ -8,7 +8,7 @@
 #include "generator/geometry/quaternion.hpp"
 #include "tests/expression/test_symbols.hpp"
 
-namespace torsor {
+namespace torsor::orientation_test {
 namespace {
 
 using namespace testing_symbols;
@@ -253,4 +253,4 @@ TEST_F(GeometricClosure, MultipliesTheChangesOfBaseFromTheLastToTheFirst) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::orientation_test

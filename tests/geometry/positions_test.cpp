@@ -6,7 +6,7 @@
 #include "generator/geometry/vector.hpp"
 #include "tests/expression/test_symbols.hpp"
 
-namespace torsor {
+namespace torsor::positions_test {
 namespace {
 
 using namespace testing_symbols;
@@ -78,4 +78,4 @@ TEST_F(Positions, DisagreeWithThePrintedSphericalVelocity) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::positions_test

@@ -5,7 +5,7 @@
 
 #include "generator/expression/error.hpp"
 
-namespace torsor {
+namespace torsor::rotation_test {
 namespace {
 
 TEST(Rotation, TurnsFromOneAxisTowardsTheNextByAQuarterTurn) {
@@ -60,4 +60,4 @@ TEST(Rotation, IsBuiltFromExactlyOrthonormalColumnsOnly) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::rotation_test

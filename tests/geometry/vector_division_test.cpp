@@ -5,7 +5,7 @@
 
 #include "tests/expression/test_symbols.hpp"
 
-namespace torsor {
+namespace torsor::vector_division_test {
 namespace {
 
 using namespace testing_symbols;
@@ -60,4 +60,4 @@ TEST_F(VectorDivision, RefusesWhatIsNotOrthogonal) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::vector_division_test

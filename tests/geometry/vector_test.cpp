@@ -5,7 +5,7 @@
 
 #include "tests/expression/test_symbols.hpp"
 
-namespace torsor {
+namespace torsor::vector_test {
 namespace {
 
 using namespace testing_symbols;
@@ -85,4 +85,4 @@ TEST_F(VectorUnits, ComponentsCarryTheirAxisInTheirName) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::vector_test

@@ -6,7 +6,7 @@
 #include "generator/expression/decimal.hpp"
 #include "generator/expression/high_precision.hpp"
 
-namespace torsor {
+namespace torsor::exact_direction_test {
 namespace {
 
 const Number tolerance = Number::rational(1, 1000000000);
@@ -100,4 +100,4 @@ TEST(ExactDirection, IsTheThirdColumnOfTheRotationToIt) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::exact_direction_test

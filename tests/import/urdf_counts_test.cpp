@@ -5,7 +5,7 @@
 #include "generator/cli/commands.hpp"
 #include "generator/import/urdf.hpp"
 
-namespace torsor {
+namespace torsor::urdf_counts_test {
 namespace {
 
 // The same arms in two files: rotations as exact matrices in models.json, as rpy="1.5707963267948966 ..." in URDF.
@@ -34,4 +34,4 @@ TEST(UrdfCounts, AreThoseOfTheSameChainsWithExactRotations) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::urdf_counts_test

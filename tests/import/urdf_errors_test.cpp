@@ -4,7 +4,7 @@
 #include "generator/expression/error.hpp"
 #include "generator/import/urdf.hpp"
 
-namespace torsor {
+namespace torsor::urdf_errors_test {
 namespace {
 
 /// The file is refused with this message, which begins with "bad.urdf:".
@@ -211,4 +211,4 @@ TEST(UrdfErrors, OfOptionsAreBadUsage) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::urdf_errors_test

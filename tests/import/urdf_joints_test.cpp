@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/import/urdf_motion.hpp"
 
-namespace torsor {
+namespace torsor::urdf_joints_test {
 namespace {
 
 using namespace testing_urdf;
@@ -249,4 +249,4 @@ TEST(UrdfJoint, DampingIsAViscousDamperUnlessItIsDataOnly) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::urdf_joints_test

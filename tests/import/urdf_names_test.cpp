@@ -2,7 +2,7 @@
 #include "generator/import/identifiers.hpp"
 #include "tests/import/urdf_motion.hpp"
 
-namespace torsor {
+namespace torsor::urdf_names_test {
 namespace {
 
 using namespace testing_urdf;
@@ -148,4 +148,4 @@ TEST(UrdfJoints, MayComeInAnyOrder) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::urdf_names_test

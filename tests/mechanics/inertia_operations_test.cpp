@@ -5,7 +5,7 @@
 #include "tests/expression/test_symbols.hpp"
 #include "tests/mechanics/inertia_points.hpp"
 
-namespace torsor {
+namespace torsor::inertia_operations_test {
 namespace {
 
 using namespace testing_quadrature;
@@ -169,4 +169,4 @@ TEST(InertiaOperations, MakeTwoQuartersAHalf) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::inertia_operations_test

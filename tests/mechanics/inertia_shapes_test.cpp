@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/mechanics/inertia_points.hpp"
 
-namespace torsor {
+namespace torsor::inertia_shapes_test {
 namespace {
 
 using namespace testing_quadrature;
@@ -127,4 +127,4 @@ TEST(InertiaShapes, HaveTheUnitsOfABody) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::inertia_shapes_test

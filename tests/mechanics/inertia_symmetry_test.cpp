@@ -7,7 +7,7 @@
 #include "generator/mechanics/inertia_operations.hpp"
 #include "tests/expression/test_symbols.hpp"
 
-namespace torsor {
+namespace torsor::inertia_symmetry_test {
 namespace {
 
 const Expression m(testing_symbols::make_symbol("m", "kg"));
@@ -76,4 +76,4 @@ TEST(InertiaSymmetry, SettlesTheEntriesThatVanish) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::inertia_symmetry_test

@@ -7,7 +7,7 @@
 #include "generator/expression/evaluation.hpp"
 #include "tests/mechanics/gauss_quadrature.hpp"
 
-namespace torsor {
+namespace torsor::inertia_test {
 namespace {
 
 using namespace testing_quadrature;
@@ -148,4 +148,4 @@ TEST(InertiaCatalogue, MovesWithoutTurning) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::inertia_test

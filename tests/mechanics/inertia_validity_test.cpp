@@ -7,7 +7,7 @@
 #include "generator/mechanics/scene.hpp"
 #include "tests/expression/test_symbols.hpp"
 
-namespace torsor {
+namespace torsor::inertia_validity_test {
 namespace {
 
 using testing_symbols::error_of;
@@ -82,4 +82,4 @@ TEST(InertiaValidity, RefusesAShapeThatChanges) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::inertia_validity_test

@@ -7,7 +7,7 @@
 #include "generator/expression/real_elimination.hpp"
 #include "tests/expression/test_symbols.hpp"
 
-namespace torsor {
+namespace torsor::joint_screws_test {
 namespace {
 
 using namespace testing_symbols;
@@ -145,4 +145,4 @@ INSTANTIATE_TEST_SUITE_P(Table, JointScrews, ::testing::ValuesIn(table), [](cons
 });
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::joint_screws_test

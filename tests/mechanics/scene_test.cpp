@@ -5,7 +5,7 @@
 
 #include "tests/expression/test_symbols.hpp"
 
-namespace torsor {
+namespace torsor::scene_test {
 namespace {
 
 using namespace testing_symbols;
@@ -171,4 +171,4 @@ TEST(Scene, KeepsLimitsOfCoordinatesAndRefusesThoseTheWrongWayRound) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::scene_test

@@ -8,7 +8,7 @@
 #include "generator/mechanics/sliding_vector.hpp"
 #include "tests/expression/test_symbols.hpp"
 
-namespace torsor {
+namespace torsor::screw_test {
 namespace {
 
 using namespace testing_symbols;
@@ -307,4 +307,4 @@ TEST_F(MotionRecognised, TellsAnAxisThatStaysFromOneThatMoves) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::screw_test

@@ -6,7 +6,7 @@
 #include "generator/expression/error.hpp"
 #include "tests/dynamics/loop_mechanisms.hpp"
 
-namespace torsor {
+namespace torsor::structure_graph_test {
 namespace {
 
 using namespace testing_mechanisms;
@@ -125,4 +125,4 @@ TEST(StructureGraph, WritesTheClosureOfALoopInTheOrderThatCloses) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::structure_graph_test

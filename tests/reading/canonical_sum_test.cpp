@@ -11,7 +11,7 @@
 #include "generator/reading/trigonometry.hpp"
 #include "generator/reading/written.hpp"
 
-namespace torsor::reading {
+namespace torsor::reading::canonical_sum_test {
 namespace {
 
 SymbolPointer make(const std::string& name, SymbolKind kind, int index) {
@@ -110,4 +110,4 @@ TEST_F(CanonicalSum, ReadsTheSameWhateverGiNaCsOrder) {
 }
 
 }  // namespace
-}  // namespace torsor::reading
+}  // namespace torsor::reading::canonical_sum_test

@@ -5,7 +5,7 @@
 
 #include "tests/reading/scenes.hpp"
 
-namespace torsor {
+namespace torsor::check_inline_test {
 namespace {
 
 class PrintedEquations : public testing::TestWithParam<Scene (*)()> {};
@@ -34,4 +34,4 @@ TEST(CheckInline, SaysWhenThereIsNothingWrittenOutToCheck) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::check_inline_test

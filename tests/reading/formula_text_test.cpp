@@ -6,7 +6,7 @@
 #include "generator/expression/error.hpp"
 #include "tests/reading/scenes.hpp"
 
-namespace torsor {
+namespace torsor::formula_text_test {
 namespace {
 
 TEST(FormulaText, ReadsPrecedenceFunctionsAndPrimes) {
@@ -34,4 +34,4 @@ TEST(FormulaText, SaysWhereItStopsUnderstanding) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::formula_text_test

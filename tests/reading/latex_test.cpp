@@ -8,7 +8,7 @@
 #include "generator/reading/print_equations.hpp"
 #include "tests/reading/scenes.hpp"
 
-namespace torsor {
+namespace torsor::latex_test {
 namespace {
 
 std::string print(const Scene& scene, const PrintOptions& options = {}) {
@@ -101,4 +101,4 @@ TEST(DecimalText, WritesWhatEndsAsADecimal) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::latex_test

@@ -12,7 +12,7 @@
 #include "tests/dynamics/simple_scenes.hpp"
 #include "tests/reading/scenes.hpp"
 
-namespace torsor {
+namespace torsor::print_equations_test {
 namespace {
 
 std::string print(const Scene& scene, const PrintOptions& options = {}) {
@@ -234,4 +234,4 @@ TEST(ParseFormat, KnowsTextAndLatexOnly) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::print_equations_test

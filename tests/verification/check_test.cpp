@@ -10,7 +10,7 @@
 #include "generator/verification/random_state.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
-namespace torsor {
+namespace torsor::check_test {
 namespace {
 
 using namespace testing_mechanisms;
@@ -122,4 +122,4 @@ TEST(Check, CountsTheStatesWhereTheMassMatrixIsNotPositive) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::check_test

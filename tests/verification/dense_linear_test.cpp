@@ -8,7 +8,7 @@
 
 #include "generator/expression/error.hpp"
 
-namespace torsor {
+namespace torsor::dense_linear_test {
 namespace {
 
 std::string error_of(const auto& action) {
@@ -102,4 +102,4 @@ TEST(DenseLinear, RefusesShapesThatDoNotMatch) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::dense_linear_test

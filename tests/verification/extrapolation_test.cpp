@@ -7,7 +7,7 @@
 
 #include "generator/expression/error.hpp"
 
-namespace torsor {
+namespace torsor::extrapolation_test {
 namespace {
 
 using Vector = std::vector<Real>;
@@ -183,4 +183,4 @@ TEST(Extrapolation, RefusesWhatMakesNoSense) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::extrapolation_test

@@ -20,7 +20,7 @@
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/verification/mechanism_comparisons.hpp"
 
-namespace torsor {
+namespace torsor::five_hundred_mechanisms_test {
 namespace {
 
 using namespace testing_mechanisms;
@@ -217,4 +217,4 @@ TEST(FiveHundredMechanismsTogether, KeepMomentaThatAreNoConstants) {
 INSTANTIATE_TEST_SUITE_P(Seeds, FiveHundredMechanisms, ::testing::Range(0U, mechanisms / 25));
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::five_hundred_mechanisms_test

@@ -5,7 +5,7 @@
 
 #include "tests/dynamics/simple_scenes.hpp"
 
-namespace torsor {
+namespace torsor::lagrange_road_test {
 namespace {
 
 using namespace testing_mechanisms;
@@ -39,4 +39,4 @@ TEST(LagrangeRoad, GivesTheEquationsOfADoublePendulum) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::lagrange_road_test

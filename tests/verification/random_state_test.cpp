@@ -7,7 +7,7 @@
 
 #include "tests/dynamics/simple_scenes.hpp"
 
-namespace torsor {
+namespace torsor::random_state_test {
 namespace {
 
 using namespace testing_mechanisms;
@@ -62,4 +62,4 @@ TEST(RandomState, NamesASymbolItDoesNotKnow) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::random_state_test

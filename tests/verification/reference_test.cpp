@@ -7,7 +7,7 @@
 
 #include "tests/dynamics/simple_scenes.hpp"
 
-namespace torsor {
+namespace torsor::reference_test {
 namespace {
 
 using namespace testing_mechanisms;
@@ -90,4 +90,4 @@ TEST(Reference, NeedsAValueForEveryParameter) {
 }
 
 }  // namespace
-}  // namespace torsor
+}  // namespace torsor::reference_test
