@@ -109,29 +109,42 @@ Value Equations::power() const {
   return sum;
 }
 
-ForwardSolution Equations::forward_by_factorisation() const {
-  const auto n = static_cast<std::size_t>(model_.unknown_count());
-  const auto unknowns = [n](const std::vector<Value>& all) {
-    return std::vector<Value>(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n));
-  };
-  std::vector<Value> force = of_inputs();
-  for (std::size_t i = 0; i < n; ++i) force[i] = program_->bind(force[i] - bias()[i]);
-  ValueMatrix jacobian, columns;
-  std::vector<Value> gamma;
-  bool friction = false;
-  const std::vector<std::size_t>& kept = redundancy().kept;
-  for (const std::size_t j : kept) {
-    const ConstraintRow& row = constraints()[j];
-    friction = friction || row.friction;
-    jacobian.push_back(unknowns(row.jacobian));
-    columns.push_back(unknowns(row.column));
-    gamma.push_back(row.gamma);
+const MotionSolver& Equations::solver() const {
+  if (!solver_) {
+    const auto unknowns = [this](const std::vector<Value>& all) {
+      return std::vector<Value>(all.begin(), all.begin() + model_.unknown_count());
+    };
+    ValueMatrix jacobian, columns;
+    bool friction = false;
+    for (const std::size_t j : redundancy().kept) {
+      const ConstraintRow& row = constraints()[j];
+      friction = friction || row.friction;
+      jacobian.push_back(unknowns(row.jacobian));
+      columns.push_back(unknowns(row.column));
+    }
+    const ValueMatrix& matrix = mass();
+    solver_.emplace(*program_, matrix, std::move(jacobian), columns, friction);
   }
-  ForwardSolution solution = solve_forward(*program_, mass(), force, jacobian, columns, gamma, friction);
-  std::vector<Value> multipliers(constraints().size());  // zero where a constraint repeats others
+  return *solver_;
+}
+
+ForwardSolution Equations::solve(const std::vector<Value>& force, const std::vector<Value>& gamma) const {
+  const std::vector<std::size_t>& kept = redundancy().kept;
+  std::vector<Value> kept_gamma;
+  for (const std::size_t j : kept) kept_gamma.push_back(gamma[j]);
+  ForwardSolution solution = solver().solve(force, kept_gamma);
+  std::vector<Value> multipliers(constraints().size());
   for (std::size_t k = 0; k < kept.size(); ++k) multipliers[kept[k]] = solution.multipliers[k];
   solution.multipliers = std::move(multipliers);
   return solution;
+}
+
+ForwardSolution Equations::forward_by_factorisation() const {
+  std::vector<Value> force = of_inputs();
+  for (std::size_t i = 0; i < force.size(); ++i) force[i] = program_->bind(force[i] - bias()[i]);
+  std::vector<Value> gamma;
+  for (const ConstraintRow& row : constraints()) gamma.push_back(row.gamma);
+  return solve(force, gamma);
 }
 
 }  // namespace torsor

@@ -33,6 +33,9 @@ class Equations {
   /// Unknowns only: L D Lᵀ of the mass matrix or the articulated-body recursion, whichever has fewer operations or the
   /// options ask for.
   const ForwardSolution& forward() const;
+  /// Solves M a = force + B λ, A a + γ = 0 by factorisation, γ for every constraint; multipliers of constraints that
+  /// repeat others are zero.
+  ForwardSolution solve(const std::vector<Value>& force, const std::vector<Value>& gamma) const;
   /// Power [W] of everything that has no force function. That of friction is N times a velocity, N being the multiplier
   /// of the motion: forward().multipliers, at the inputs.
   Value power() const;
@@ -40,6 +43,7 @@ class Equations {
  private:
   std::vector<Value> inertia_and_passive(AccelerationInput input) const;
   std::vector<Value> of_inputs() const;
+  const MotionSolver& solver() const;
   ForwardSolution forward_by_factorisation() const;
 
   Scene scene_;
@@ -50,6 +54,7 @@ class Equations {
   mutable std::optional<ConstraintRank> redundancy_;
   mutable std::optional<ValueMatrix> mass_;
   mutable std::optional<std::vector<Value>> bias_, inverse_;
+  mutable std::optional<MotionSolver> solver_;
   mutable std::optional<ForwardSolution> forward_;
 };
 

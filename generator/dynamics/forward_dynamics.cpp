@@ -86,50 +86,67 @@ std::vector<Value> UnsymmetricFactorisation::solve(const std::vector<Value>& rig
   return x;
 }
 
-ForwardSolution solve_forward(Program& program, const ValueMatrix& mass, const std::vector<Value>& force,
-                              const ValueMatrix& jacobian, const ValueMatrix& columns,
-                              const std::vector<Value>& gamma, bool friction) {
-  const Factorisation factorisation(program, mass);
-  ForwardSolution solution;
-  solution.accelerations = factorisation.solve(force);
-  solution.pivots = factorisation.pivots();
-  const std::size_t m = jacobian.size();
-  solution.method = m == 0 ? "an unrolled L D L' of M" : "an unrolled L D L' of M and of the Schur complement A M^-1 A'";
-  if (friction) solution.method = "an unrolled L D L' of M and L U of the Schur complement A M^-1 B";
-  if (m == 0) return solution;
-  // S = A M⁻¹ B, S λ = −(A a0 + γ), a = a0 + M⁻¹ B λ.
-  ValueMatrix effects;
-  for (const auto& column : columns) effects.push_back(factorisation.solve(column));
-  const auto along = [](const std::vector<Value>& row, const std::vector<Value>& x) {
-    Value sum;
-    for (std::size_t i = 0; i < x.size(); ++i) sum += row[i] * x[i];
-    return sum;
-  };
+namespace {
+
+Value along(const std::vector<Value>& row, const std::vector<Value>& x) {
+  Value sum;
+  for (std::size_t i = 0; i < x.size(); ++i) sum += row[i] * x[i];
+  return sum;
+}
+
+}  // namespace
+
+MotionSolver::MotionSolver(Program& program, const ValueMatrix& mass, ValueMatrix jacobian, const ValueMatrix& columns,
+                           bool friction)
+    : program_(&program), mass_(program, mass), jacobian_(std::move(jacobian)) {
+  // S = A M⁻¹ B.
+  const std::size_t m = jacobian_.size();
+  method_ = m == 0 ? "an unrolled L D L' of M" : "an unrolled L D L' of M and of the Schur complement A M^-1 A'";
+  if (friction) method_ = "an unrolled L D L' of M and L U of the Schur complement A M^-1 B";
+  for (const auto& column : columns) effects_.push_back(mass_.solve(column));
   ValueMatrix schur(m, std::vector<Value>(m));
-  std::vector<Value> right_side(m);
   for (std::size_t j = 0; j < m; ++j) {
     for (std::size_t k = 0; k < m; ++k) {
       if (friction) {
-        schur[j][k] = program.bind(along(jacobian[j], effects[k]));
+        schur[j][k] = program.bind(along(jacobian_[j], effects_[k]));
       } else if (k <= j) {
-        schur[j][k] = schur[k][j] = program.bind(along(jacobian[j], effects[k]));
+        schur[j][k] = schur[k][j] = program.bind(along(jacobian_[j], effects_[k]));
       }
     }
-    right_side[j] = program.bind(-(along(jacobian[j], solution.accelerations) + gamma[j]));
+  }
+  if (m == 0) return;
+  if (friction) {
+    schur_with_friction_.emplace(program, schur);
+  } else {
+    schur_.emplace(program, schur);
+  }
+}
+
+ForwardSolution MotionSolver::solve(const std::vector<Value>& force, const std::vector<Value>& gamma) const {
+  // S λ = −(A a0 + γ), a = a0 + M⁻¹ B λ.
+  ForwardSolution solution;
+  solution.accelerations = mass_.solve(force);
+  solution.pivots = mass_.pivots();
+  solution.method = method_;
+  const std::size_t m = jacobian_.size();
+  if (m == 0) return solution;
+  std::vector<Value> right_side(m);
+  for (std::size_t j = 0; j < m; ++j) {
+    right_side[j] = program_->bind(-(along(jacobian_[j], solution.accelerations) + gamma[j]));
   }
   const auto reduce = [&](const auto& reduced) {
     solution.multipliers = reduced.solve(right_side);
     for (const auto& pivot : reduced.pivots()) solution.pivots.push_back(pivot);
   };
-  if (friction) {
-    reduce(UnsymmetricFactorisation(program, schur));
+  if (schur_) {
+    reduce(*schur_);
   } else {
-    reduce(Factorisation(program, schur));
+    reduce(*schur_with_friction_);
   }
   for (std::size_t i = 0; i < solution.accelerations.size(); ++i) {
     Value& a = solution.accelerations[i];
-    for (std::size_t j = 0; j < m; ++j) a += effects[j][i] * solution.multipliers[j];
-    a = program.bind(a);
+    for (std::size_t j = 0; j < m; ++j) a += effects_[j][i] * solution.multipliers[j];
+    a = program_->bind(a);
   }
   return solution;
 }

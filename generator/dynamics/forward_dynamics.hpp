@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,16 +43,31 @@ class UnsymmetricFactorisation {
   std::vector<std::pair<Value, Value>> pivots_;
 };
 
-/// Solution of M a = f + Σ_j λ_j column_j, Σ a_ji a_i + γ_j = 0 through the Schur complement A M⁻¹ B.
-/// It is symmetric when every column equals its row of A, and is then solved by L D Lᵀ; with friction by L U.
+/// What a motion is solved for.
 struct ForwardSolution {
   std::vector<Value> accelerations;
   std::vector<Value> multipliers;
   std::vector<std::pair<Value, Value>> pivots;  ///< of M, then of the Schur complement
   std::string method;                           ///< how it was solved, in words
 };
-ForwardSolution solve_forward(Program& program, const ValueMatrix& mass, const std::vector<Value>& force,
-                              const ValueMatrix& jacobian, const ValueMatrix& columns,
-                              const std::vector<Value>& gamma, bool friction = false);
+
+/// M a = f + Σ_j λ_j column_j, Σ a_ji a_i + γ_j = 0 through the Schur complement A M⁻¹ B, for any number of right
+/// sides. The complement is symmetric when every column equals its row of A, and is then solved by L D Lᵀ; with friction
+/// by L U.
+class MotionSolver {
+ public:
+  MotionSolver(Program& program, const ValueMatrix& mass, ValueMatrix jacobian, const ValueMatrix& columns,
+               bool friction);
+  ForwardSolution solve(const std::vector<Value>& force, const std::vector<Value>& gamma) const;
+
+ private:
+  Program* program_;
+  Factorisation mass_;
+  ValueMatrix jacobian_;
+  ValueMatrix effects_;  ///< M⁻¹ column_j
+  std::optional<Factorisation> schur_;
+  std::optional<UnsymmetricFactorisation> schur_with_friction_;
+  std::string method_;
+};
 
 }  // namespace torsor

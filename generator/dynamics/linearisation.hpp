@@ -2,6 +2,7 @@
 #pragma once
 
 #include "generator/dynamics/equations.hpp"
+#include "generator/dynamics/inertia_derivatives.hpp"
 
 namespace torsor {
 
@@ -14,5 +15,12 @@ struct Linearisation {
   std::vector<Value> F;
 };
 Linearisation linearisation(const Equations& equations);
+
+/// Whether a residual has the motors' actions in it.
+enum class Inputs { left_out, act };
+
+/// ∂r/∂q and ∂r/∂v of r = M q̈ + h − B λ [− E u] at accelerations, multipliers and inputs as symbols: by
+/// inertia_derivatives where it applies, what is left (everything, where it does not) definition by definition.
+ForceDerivatives residual_derivatives(const Equations& equations, Inputs inputs);
 
 }  // namespace torsor

@@ -54,16 +54,11 @@ bool looks_the_same_turned(const Model& model, std::size_t k, const std::map<int
 
 }  // namespace
 
-std::vector<Value> inertia_forces(const Model& model, AccelerationInput input, const std::map<int, Wrench>& wrenches) {
+std::vector<Wrench> joint_wrenches(const Model& model, std::vector<Acceleration>& motion, const std::vector<Axes>& axes,
+                                   const std::map<int, Wrench>& wrenches) {
   Program& program = model.program();
   const auto& links = model.links();
-  std::vector<Axes> axes(links.size(), Axes::own);
-  for (std::size_t k = 1; k < links.size(); ++k) {
-    if (looks_the_same_turned(model, k, wrenches)) axes[k] = Axes::unturned;
-  }
-  std::vector<Acceleration> motion = accelerations(model, input, axes);
   std::vector<Wrench> load(links.size());
-  std::vector<Value> forces(model.coordinates().size());
   for (std::size_t k = links.size(); k-- > 1;) {
     const Link& link = links[k];
     const Wrench own = dynamic_screw(program, motion[k], link.effective);
@@ -73,21 +68,37 @@ std::vector<Value> inertia_forces(const Model& model, AccelerationInput input, c
       load[k].resultant += -wrench->second.resultant;
       load[k].moment += -wrench->second.moment;
     }
-    const bool revolute = link.joint == JointKind::revolute;
-    const Vector force = bound(program, load[k].resultant, "force on " + link.name);
-    const Vector moment = bound(program, load[k].moment, "moment on " + link.name);
-    const Value effort = program.bind(dot(link.axis, revolute ? moment : force));
-    for (const auto& [i, partial] : link.partials) forces[static_cast<std::size_t>(i)] += partial * effort;
+    load[k].resultant = bound(program, load[k].resultant, "force on " + link.name);
+    load[k].moment = bound(program, load[k].moment, "moment on " + link.name);
     if (link.parent == 0) continue;
     const auto to_parent = [&](const Vector& v) {
       return axes[k] == Axes::own ? model.to_parent(link, v) : model.from_joint(link, v);
     };
     Wrench& parent = load[static_cast<std::size_t>(link.parent)];
-    const Vector turned = to_parent(force);
+    const Vector turned = to_parent(load[k].resultant);
     const Vector origin = bound(program, model.origin_in_parent(link));
     parent.resultant += turned;
-    parent.moment += to_parent(moment);
+    parent.moment += to_parent(load[k].moment);
     parent.moment += cross(origin, turned);
+  }
+  return load;
+}
+
+std::vector<Value> inertia_forces(const Model& model, AccelerationInput input, const std::map<int, Wrench>& wrenches) {
+  Program& program = model.program();
+  const auto& links = model.links();
+  std::vector<Axes> axes(links.size(), Axes::own);
+  for (std::size_t k = 1; k < links.size(); ++k) {
+    if (looks_the_same_turned(model, k, wrenches)) axes[k] = Axes::unturned;
+  }
+  std::vector<Acceleration> motion = accelerations(model, input, axes);
+  const std::vector<Wrench> load = joint_wrenches(model, motion, axes, wrenches);
+  std::vector<Value> forces(model.coordinates().size());
+  for (std::size_t k = links.size(); k-- > 1;) {
+    const Link& link = links[k];
+    const bool revolute = link.joint == JointKind::revolute;
+    const Value effort = program.bind(dot(link.axis, revolute ? load[k].moment : load[k].resultant));
+    for (const auto& [i, partial] : link.partials) forces[static_cast<std::size_t>(i)] += partial * effort;
   }
   return forces;
 }

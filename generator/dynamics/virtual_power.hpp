@@ -15,6 +15,11 @@ namespace torsor {
 /// `wrenches`: applied wrenches by link, in the link's axes at its origin.
 std::vector<Value> inertia_forces(const Model& model, AccelerationInput input, const std::map<int, Wrench>& wrenches);
 
+/// What each joint carries: the sum, over the link and all that it carries, of dynamic screws minus gravity minus
+/// applied wrenches, at the link's origin, in its axes as `axes` says.
+std::vector<Wrench> joint_wrenches(const Model& model, std::vector<Acceleration>& motion, const std::vector<Axes>& axes,
+                                   const std::map<int, Wrench>& wrenches);
+
 /// Mass matrix M (row by row, symmetric) of the unknowns by composite bodies (Walker & Orin, 1982).
 std::vector<std::vector<Value>> mass_matrix(const Model& model);
 

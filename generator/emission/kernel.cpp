@@ -8,6 +8,7 @@
 
 #include "generator/dynamics/energy.hpp"
 #include "generator/dynamics/painleve.hpp"
+#include "generator/emission/kernel_derivatives.hpp"
 #include "generator/emission/kernel_kinematics.hpp"
 #include "generator/emission/kernel_linearisation.hpp"
 #include "generator/emission/kernel_parts.hpp"
@@ -209,7 +210,9 @@ const std::vector<Entry>& entries() {
                                       {"first_integrals", make_first_integrals},
                                       {"constraints", make_constraints},
                                       {"reactions", make_reactions},
-                                      {"linearisation", make_linearisation}};
+                                      {"linearisation", make_linearisation},
+                                      {"inverse_dynamics_derivatives", make_inverse_dynamics_derivatives},
+                                      {"forward_dynamics_derivatives", make_forward_dynamics_derivatives}};
   return all;
 }
 

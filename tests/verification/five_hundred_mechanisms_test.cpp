@@ -125,6 +125,7 @@ TEST_P(FiveHundredMechanisms, AreLinearisedAsFiniteDifferencesAre) {
   expect(compare_linearisations);
   EXPECT_EQ(counts.linearised, static_cast<int>(part));
   EXPECT_GE(counts.turning, 5);
+  EXPECT_GE(counts.forward, 15);
   EXPECT_GE(counts.reduced, 7);
   EXPECT_GE(counts.redundant, 1);
 }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "generator/dynamics/forward_derivatives.hpp"
 #include "generator/dynamics/reduction.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/mechanics/parameter_value.hpp"
@@ -71,6 +72,7 @@ class LinearisationComparison {
   }
 
   LinearisationOutcome run() {
+    compare_forward(forward_derivatives(equations_));
     if (equations_.constraints().empty()) {
       compare_full(linearisation(equations_));
       return outcome_;
@@ -147,6 +149,63 @@ class LinearisationComparison {
       for (std::size_t k = 0; k < du.size(); ++k) sum.add(-at(linear.E[i][k]) * du[k]);
       compare("M q̈ + C q̇ + K q − E u", i, sum.value, slope[i], sum.size);
       compare("F", i, at(linear.F[i]), -here[i], abs(here[i]));
+    }
+  }
+
+  /// Accelerations and multipliers of the motion along one random direction of (q, v, u), and what generalised forces
+  /// change: M δa − B δλ gives them back, A δa = 0.
+  void compare_forward(const ForwardDerivatives& derivatives) {
+    const State state = random_state();
+    Evaluator<Real>& at = here_;
+    at.move_to(motion_.reader(state));
+    for (const auto& [pivot, whole] : derivatives.pivots) {
+      if (!(at(pivot).to_double() > 1e-6 * at(whole).to_double())) return;  // as good as singular here
+    }
+    outcome_.forward = true;
+    Direction draw;
+    const std::vector<Real> dq = draw.next(n_), dv = draw.next(n_), df = draw.next(n_), du = draw.next(state.u.size());
+    const ForwardSolution& forward = equations_.forward();
+    const auto motion = [&](const Real& step) {
+      State moved = state;
+      displace(moved, dq, step);
+      for (std::size_t i = 0; i < n_; ++i) moved.v[i] += step * dv[i];
+      for (std::size_t k = 0; k < du.size(); ++k) moved.u[k] += step * du[k];
+      beside_.move_to(motion_.reader(moved));
+      std::vector<Real> all = beside_(forward.accelerations);
+      for (const Real& lambda : beside_(forward.multipliers)) all.push_back(lambda);
+      return all;
+    };
+    const std::vector<Real> slope = central(motion(differences_.step), motion(-differences_.step), differences_.step);
+    const auto along = [&](const ForwardDerivatives::Of& of, std::size_t i, std::size_t first, const char* what) {
+      Sum sum;
+      sum.add(at, of.by_position[i], dq);
+      sum.add(at, of.by_velocity[i], dv);
+      sum.add(at, of.by_input[i], du);
+      compare(what, i, sum.value, slope[first + i], sum.size);
+    };
+    std::vector<Real> a, lambda;  // changes by the forces
+    for (std::size_t i = 0; i < n_; ++i) {
+      along(derivatives.accelerations, i, 0, "accelerations of the motion");
+      Sum sum;
+      sum.add(at, derivatives.accelerations.by_force[i], df);
+      a.push_back(sum.value);
+    }
+    for (std::size_t j = 0; j < forward.multipliers.size(); ++j) {
+      along(derivatives.multipliers, j, n_, "multipliers of the motion");
+      Sum sum;
+      sum.add(at, derivatives.multipliers.by_force[j], df);
+      lambda.push_back(sum.value);
+    }
+    for (std::size_t i = 0; i < n_; ++i) {
+      Sum sum;
+      sum.add(at, equations_.mass()[i], a);
+      for (std::size_t j = 0; j < lambda.size(); ++j) sum.add(-at(equations_.constraints()[j].column[i]) * lambda[j]);
+      compare("M da - B dlambda", i, sum.value, df[i], sum.size);
+    }
+    for (const std::size_t j : equations_.redundancy().kept) {
+      Sum sum;
+      sum.add(at, equations_.constraints()[j].jacobian, a);
+      compare("A da", j, sum.value, Real(0), sum.size);
     }
   }
 

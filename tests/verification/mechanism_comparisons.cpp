@@ -184,6 +184,7 @@ std::string compare_linearisations(const RandomMechanismOptions& options, unsign
   const LinearisationOutcome outcome = compare_linearisation(random_mechanism(seed, options), comparison_digits);
   ++counts.linearised;
   counts.turning += outcome.turning ? 1 : 0;
+  counts.forward += outcome.forward ? 1 : 0;
   counts.reduced += outcome.reduced ? 1 : 0;
   counts.redundant += outcome.reduced && outcome.redundant ? 1 : 0;
   return outcome.difference;

@@ -17,7 +17,8 @@ struct ComparisonCounts {
   int energies = 0, painleve = 0, momenta = 0;                  ///< first integrals that are not constants
   int constrained_integrals = 0;                                ///< those of mechanisms with constraints
   int reactions = 0;                                            ///< of released coordinates
-  int linearised = 0, turning = 0, reduced = 0, redundant = 0;  ///< see LinearisationOutcome
+  /// See LinearisationOutcome.
+  int linearised = 0, turning = 0, forward = 0, reduced = 0, redundant = 0;
 };
 
 /// Both derivations, M, forward dynamics, the energy theorem in Painlevé's form, constraints.

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/dynamics/forward_derivatives.hpp"
+
+#include "generator/dynamics/linearisation.hpp"
+#include "generator/expression/derivative.hpp"
+
+namespace torsor {
+namespace {
+
+class DifferentiatedMotion {
+ public:
+  explicit DifferentiatedMotion(const Equations& equations)
+      : equations_(equations),
+        program_(equations.program()),
+        model_(equations.model()),
+        n_(static_cast<std::size_t>(model_.unknown_count())),
+        m_(equations.constraints().size()) {}
+
+  ForwardDerivatives run() {
+    const ForwardSolution& motion = equations_.forward();
+    Substitution at_motion(program_, [&](const SymbolPointer& symbol) -> std::optional<Value> {
+      for (std::size_t i = 0; i < n_; ++i) {
+        if (symbol == model_.coordinates()[i].a) return motion.accelerations[i];
+      }
+      for (std::size_t j = 0; j < m_; ++j) {
+        if (symbol == equations_.constraints()[j].multiplier) return motion.multipliers[j];
+      }
+      return std::nullopt;
+    });
+    const ForceDerivatives residual = residual_derivatives(equations_, Inputs::act);
+    const std::vector<Value> rates = constraint_accelerations();
+    const std::size_t inputs = model_.inputs().size();
+    for (ForwardDerivatives::Of* of : {&result_.accelerations, &result_.multipliers}) {
+      const std::size_t rows = of == &result_.accelerations ? n_ : m_;
+      of->by_position.assign(rows, std::vector<Value>(n_));
+      of->by_velocity = of->by_force = of->by_position;
+      of->by_input.assign(rows, std::vector<Value>(inputs));
+    }
+    for (std::size_t j = 0; j < n_; ++j) {
+      Derivation by_velocity = partial_derivation(program_, model_.coordinates()[j].v);
+      Derivation by_position = model_.along(static_cast<int>(j));
+      solve(opposite_column(residual.by_position, j, at_motion), slopes(rates, by_position, at_motion),
+            &ForwardDerivatives::Of::by_position, j);
+      solve(opposite_column(residual.by_velocity, j, at_motion), slopes(rates, by_velocity, at_motion),
+            &ForwardDerivatives::Of::by_velocity, j);
+      std::vector<Value> unit(n_);
+      unit[j] = program_.number(Number(1));
+      solve(unit, std::vector<Value>(m_), &ForwardDerivatives::Of::by_force, j);
+    }
+    for (std::size_t k = 0; k < inputs; ++k) {
+      std::vector<Value> column = equations_.actions().inputs[k];
+      column.resize(n_);
+      solve(column, std::vector<Value>(m_), &ForwardDerivatives::Of::by_input, k);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  /// A a + γ of every constraint.
+  std::vector<Value> constraint_accelerations() const {
+    std::vector<Value> all;
+    for (const ConstraintRow& row : equations_.constraints()) {
+      Value sum = row.gamma;
+      for (std::size_t i = 0; i < n_; ++i) {
+        if (!row.jacobian[i].is_zero()) sum += row.jacobian[i] * model_.a(static_cast<int>(i));
+      }
+      all.push_back(program_.bind(sum));
+    }
+    return all;
+  }
+
+  std::vector<Value> opposite_column(const ValueMatrix& matrix, std::size_t j, Substitution& at_motion) const {
+    std::vector<Value> column;
+    for (const auto& row : matrix) column.push_back(program_.bind(-at_motion(row[j])));
+    return column;
+  }
+
+  std::vector<Value> slopes(const std::vector<Value>& values, Derivation& by, Substitution& at_motion) const {
+    std::vector<Value> all;
+    for (const Value& value : values) {
+      const Value slope = by(value);
+      all.push_back(program_.bind(at_motion(slope)));
+    }
+    return all;
+  }
+
+  void solve(const std::vector<Value>& force, const std::vector<Value>& gamma,
+             ValueMatrix ForwardDerivatives::Of::*matrix, std::size_t column) {
+    const ForwardSolution change = equations_.solve(force, gamma);
+    if (result_.pivots.empty()) {
+      result_.pivots = change.pivots;
+      const ForwardSolution& motion = equations_.forward();
+      if (motion.method != change.method) {
+        result_.pivots.insert(result_.pivots.end(), motion.pivots.begin(), motion.pivots.end());
+      }
+    }
+    for (std::size_t i = 0; i < n_; ++i) (result_.accelerations.*matrix)[i][column] = change.accelerations[i];
+    for (std::size_t j = 0; j < m_; ++j) (result_.multipliers.*matrix)[j][column] = change.multipliers[j];
+  }
+
+  const Equations& equations_;
+  Program& program_;
+  const Model& model_;
+  std::size_t n_, m_;
+  ForwardDerivatives result_;
+};
+
+}  // namespace
+
+ForwardDerivatives forward_derivatives(const Equations& equations) { return DifferentiatedMotion(equations).run(); }
+
+}  // namespace torsor
