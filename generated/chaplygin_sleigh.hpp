@@ -17,7 +17,7 @@
 //   energy                    6               11          0             0                  1       0     19      21
 //   first_integrals           6               11          0             0                  1       0     19      21
 //   constraints               2                6          0             0                  1       0     10      10
-//   linearisation            39               73          2             0                  1       0    116     130
+//   linearisation            39               73          2             0                  1       0    116     124
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 33 results 17 vanish identically, 2 repeat another up to sign
@@ -669,12 +669,12 @@ struct Mechanism {
     const Scalar v_phi = state.v.phi;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z29 = v_phi * v_phi;
-    const Scalar z30 = n0_5 * z29;  // force on sleigh, x
-    const Scalar z31 = c_phi * z30;
-    const Scalar z32 = s_phi * z30;
-    forces.x = -z31;
-    forces.y = -z32;
+    const Scalar z30 = v_phi * v_phi;
+    const Scalar z31 = n0_5 * z30;  // force on sleigh, x
+    const Scalar z32 = c_phi * z31;
+    const Scalar z33 = s_phi * z31;
+    forces.x = -z32;
+    forces.y = -z33;
     forces.phi = n0;
   }
 
@@ -691,18 +691,18 @@ struct Mechanism {
     const Scalar l_N = multipliers.N;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z29 = v_phi * v_phi;
-    const Scalar z30 = n0_5 * z29;  // force on sleigh, x
-    const Scalar z35 = a_x * s_phi - a_y * c_phi;
-    const Scalar z36 = n0_5 * a_phi;  // force on sleigh, y
-    const Scalar z37 = n0_75 * a_phi - n0_5 * z35;  // moment on sleigh, z
-    const Scalar z38 = s_phi * z36 + c_phi * z30;
-    const Scalar z39 = s_phi * z30 - c_phi * z36;
-    const Scalar z40 = a_x - z38;  // force on along_y, x
-    const Scalar z41 = a_y - z39;  // force on along_y, y
-    forces.x = s_phi * l_N + z40;
-    forces.y = -c_phi * l_N + z41;
-    forces.phi = z37;
+    const Scalar z30 = v_phi * v_phi;
+    const Scalar z31 = n0_5 * z30;  // force on sleigh, x
+    const Scalar z36 = a_x * s_phi - a_y * c_phi;
+    const Scalar z37 = n0_5 * a_phi;  // force on sleigh, y
+    const Scalar z38 = n0_75 * a_phi - n0_5 * z36;  // moment on sleigh, z
+    const Scalar z39 = s_phi * z37 + c_phi * z31;
+    const Scalar z40 = s_phi * z31 - c_phi * z37;
+    const Scalar z41 = a_x - z39;  // force on along_y, x
+    const Scalar z42 = a_y - z40;  // force on along_y, y
+    forces.x = s_phi * l_N + z41;
+    forces.y = -c_phi * l_N + z42;
+    forces.phi = z38;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -721,43 +721,43 @@ struct Mechanism {
     traits::sincos(q_phi, s_phi, c_phi);
     const Scalar z13 = n0_5 * c_phi;
     const Scalar z14 = n0_5 * s_phi;
-    const Scalar z29 = v_phi * v_phi;
-    const Scalar z30 = n0_5 * z29;  // force on sleigh, x
-    const Scalar z31 = c_phi * z30;
-    const Scalar z32 = s_phi * z30;
-    const Scalar z43 = v_phi * c_phi;
-    const Scalar z44 = v_phi * s_phi;
-    const Scalar z45 = v_x * z43 + v_y * z44;
-    const Scalar z47 = n4_over_3 * z14;
-    const Scalar z48 = n4_over_3 * z13;
-    const Scalar z49 = n1 - z14 * z47;
-    const Scalar z50 = z14 * z48;
-    const Scalar z51 = n1 - z13 * z48;
-    const Scalar z52 = n1 / z51;
-    const Scalar z53 = z50 * z52;
-    const Scalar z54 = z49 - z50 * z53;
-    const Scalar z55 = n1 / z54;
-    const Scalar z56 = z31 - z32 * z53;
-    const Scalar z57 = z55 * z56;
-    const Scalar z58 = z32 * z52 - z53 * z57;
-    const Scalar z59 = z47 * z57 - z48 * z58;
-    const Scalar z60 = s_phi + c_phi * z53;
-    const Scalar z61 = z55 * z60;
-    const Scalar z62 = c_phi * z52 + z53 * z61;
-    const Scalar z63 = z47 * z61 + z48 * z62;
-    const Scalar z64 = s_phi * z61 + c_phi * z62;
-    const Scalar z65 = s_phi * z57 - c_phi * z58 + z45;
-    const Scalar z66 = n1 / z64;
-    const Scalar z67 = z65 * z66;
-    const Scalar z68 = z57 - z61 * z67;
-    const Scalar z69 = z58 + z62 * z67;
-    const Scalar z70 = z59 - z63 * z67;
-    accelerations.x = z68;
-    accelerations.y = z69;
-    accelerations.phi = z70;
-    multipliers.N = z67;
-    if (!(traits::regular(z54, n1) && traits::regular(z51, n1) && traits::regular(z64,
-        z64))) return torsor::Status::singular;
+    const Scalar z30 = v_phi * v_phi;
+    const Scalar z31 = n0_5 * z30;  // force on sleigh, x
+    const Scalar z32 = c_phi * z31;
+    const Scalar z33 = s_phi * z31;
+    const Scalar z44 = v_phi * c_phi;
+    const Scalar z45 = v_phi * s_phi;
+    const Scalar z46 = v_x * z44 + v_y * z45;
+    const Scalar z48 = n4_over_3 * z14;
+    const Scalar z49 = n4_over_3 * z13;
+    const Scalar z50 = n1 - z14 * z48;
+    const Scalar z51 = z14 * z49;
+    const Scalar z52 = n1 - z13 * z49;
+    const Scalar z53 = n1 / z52;
+    const Scalar z54 = z51 * z53;
+    const Scalar z55 = z50 - z51 * z54;
+    const Scalar z56 = n1 / z55;
+    const Scalar z57 = s_phi + c_phi * z54;
+    const Scalar z58 = z56 * z57;
+    const Scalar z59 = c_phi * z53 + z54 * z58;
+    const Scalar z60 = z48 * z58 + z49 * z59;
+    const Scalar z61 = s_phi * z58 + c_phi * z59;
+    const Scalar z62 = n1 / z61;
+    const Scalar z63 = z32 - z33 * z54;
+    const Scalar z64 = z56 * z63;
+    const Scalar z65 = z33 * z53 - z54 * z64;
+    const Scalar z66 = z48 * z64 - z49 * z65;
+    const Scalar z67 = s_phi * z64 - c_phi * z65 + z46;
+    const Scalar z68 = z62 * z67;
+    const Scalar z69 = z58 * z68 - z64;
+    const Scalar z70 = z59 * z68 + z65;
+    const Scalar z71 = z60 * z68 - z66;
+    accelerations.x = -z69;
+    accelerations.y = z70;
+    accelerations.phi = -z71;
+    multipliers.N = z68;
+    if (!(traits::regular(z55, n1) && traits::regular(z52, n1) && traits::regular(z61,
+        z61))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.x - accelerations.x) + (accelerations.y - accelerations.y) + (accelerations.phi
         - accelerations.phi) + (multipliers.N - multipliers.N);
@@ -779,8 +779,8 @@ struct Mechanism {
     const Scalar z11 = v_x * c_phi + v_y * s_phi;
     const Scalar z12 = v_x * s_phi - v_y * c_phi;
     const Scalar z17 = n0_5 * v_phi - z12;
-    const Scalar z71 = n0_75 * v_phi - n0_5 * z12;
-    result.kinetic = n0_5 * (v_phi * z71 + z11 * z11 - z12 * z17);
+    const Scalar z72 = n0_75 * v_phi - n0_5 * z12;
+    result.kinetic = n0_5 * (v_phi * z72 + z11 * z11 - z12 * z17);
     result.force_function = n0;
     result.power = n0;
   }
@@ -798,8 +798,8 @@ struct Mechanism {
     const Scalar z11 = v_x * c_phi + v_y * s_phi;
     const Scalar z12 = v_x * s_phi - v_y * c_phi;
     const Scalar z17 = n0_5 * v_phi - z12;
-    const Scalar z71 = n0_75 * v_phi - n0_5 * z12;
-    result.energy = n0_5 * (v_phi * z71 + z11 * z11 - z12 * z17);
+    const Scalar z72 = n0_75 * v_phi - n0_5 * z12;
+    result.energy = n0_5 * (v_phi * z72 + z11 * z11 - z12 * z17);
   }
 
   /// Constraints A(q, t) v - b(q, t) = 0, in the order of the multipliers.
@@ -812,12 +812,12 @@ struct Mechanism {
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
     const Scalar z12 = v_x * s_phi - v_y * c_phi;
-    const Scalar z43 = v_phi * c_phi;
-    const Scalar z44 = v_phi * s_phi;
-    const Scalar z45 = v_x * z43 + v_y * z44;
+    const Scalar z44 = v_phi * c_phi;
+    const Scalar z45 = v_phi * s_phi;
+    const Scalar z46 = v_x * z44 + v_y * z45;
     result.value[0] = n0;
     result.rate[0] = -z12;
-    result.gamma[0] = -z45;
+    result.gamma[0] = -z46;
     result.jacobian[0] = -s_phi;
     result.jacobian[1] = c_phi;
     result.jacobian[2] = n0;
@@ -851,70 +851,70 @@ struct Mechanism {
     const Scalar z11 = v_x * c_phi + v_y * s_phi;
     const Scalar z13 = n0_5 * c_phi;
     const Scalar z14 = n0_5 * s_phi;
-    const Scalar z29 = v_phi * v_phi;
-    const Scalar z30 = n0_5 * z29;  // force on sleigh, x
-    const Scalar z34 = a_x * c_phi + a_y * s_phi;
-    const Scalar z35 = a_x * s_phi - a_y * c_phi;
-    const Scalar z36 = n0_5 * a_phi;  // force on sleigh, y
-    const Scalar z37 = n0_75 * a_phi - n0_5 * z35;  // moment on sleigh, z
-    const Scalar z38 = s_phi * z36 + c_phi * z30;
-    const Scalar z39 = s_phi * z30 - c_phi * z36;
-    const Scalar z40 = a_x - z38;  // force on along_y, x
-    const Scalar z41 = a_y - z39;  // force on along_y, y
-    const Scalar z43 = v_phi * c_phi;
-    const Scalar z44 = v_phi * s_phi;
-    const Scalar z45 = v_x * z43 + v_y * z44;
-    const Scalar z81 = n2 * v_phi;
-    const Scalar z82 = n0_5 * z81;
-    const Scalar z83 = c_phi * z82;
-    const Scalar z84 = c_phi * l_N + z39;
-    const Scalar z85 = s_phi * z82;
-    const Scalar z86 = s_phi * l_N - z38;
-    const Scalar z87 = n0_5 * z34;
-    const Scalar z88 = a_x * s_phi - a_y * c_phi + z45;
-    const Scalar z89 = v_x * z44 - v_y * z43;
-    const Scalar z90 = a_x * c_phi + a_y * s_phi - z89;
-    const Scalar z91 = n1 / c_phi;
-    const Scalar z92 = c_phi * c_phi;
-    const Scalar z93 = s_phi * z91;
-    const Scalar z94 = z11 * z91;
-    const Scalar z95 = z43 + z44 * z93;
-    const Scalar z96 = z91 * z95;
-    const Scalar z97 = z44 * z94;
-    const Scalar z98 = z90 + z97;
-    const Scalar z99 = z91 * z98;
-    const Scalar z100 = z88 * z91;
-    const Scalar z101 = z13 * z93 - z14;
-    const Scalar z102 = n1 + z93 * z93;
-    const Scalar z103 = z93 * z96;
-    const Scalar z104 = z93 * z94;
-    const Scalar z105 = z13 * z96;
-    const Scalar z106 = z13 * z94;
-    const Scalar z107 = z83 + z85 * z93;
-    const Scalar z108 = z104 - z107;
-    const Scalar z109 = z93 * z99;
-    const Scalar z110 = z13 * z99;
-    const Scalar z111 = z84 + z86 * z93;
-    const Scalar z112 = z109 + z111;
-    const Scalar z113 = z87 - z110;
-    const Scalar z114 = c_phi * l_N - z41;
-    const Scalar z115 = s_phi * l_N + z40 - z93 * z114;
-    const Scalar z116 = z93 * z100;
-    const Scalar z117 = z13 * z100;
-    const Scalar z118 = z115 + z116;
-    const Scalar z119 = z37 + z117;
-    const Scalar z120 = n4_over_3 * z101;
-    const Scalar z121 = z101 * z120 - z102;
-    const Scalar z122 = n1 / z121;
-    const Scalar z123 = z103 - z105 * z120;
-    const Scalar z124 = z122 * z123;
-    const Scalar z125 = n4_over_3 * z105 + z120 * z124;
-    const Scalar z126 = z106 * z120 - z108;
-    const Scalar z127 = z122 * z126;
-    const Scalar z128 = n4_over_3 * z106 - z120 * z127;
-    const Scalar z129 = z112 + z113 * z120;
-    const Scalar z130 = z122 * z129;
-    const Scalar z131 = n4_over_3 * z113 - z120 * z130;
+    const Scalar z30 = v_phi * v_phi;
+    const Scalar z31 = n0_5 * z30;  // force on sleigh, x
+    const Scalar z35 = a_x * c_phi + a_y * s_phi;
+    const Scalar z36 = a_x * s_phi - a_y * c_phi;
+    const Scalar z37 = n0_5 * a_phi;  // force on sleigh, y
+    const Scalar z38 = n0_75 * a_phi - n0_5 * z36;  // moment on sleigh, z
+    const Scalar z39 = s_phi * z37 + c_phi * z31;
+    const Scalar z40 = s_phi * z31 - c_phi * z37;
+    const Scalar z41 = a_x - z39;  // force on along_y, x
+    const Scalar z42 = a_y - z40;  // force on along_y, y
+    const Scalar z44 = v_phi * c_phi;
+    const Scalar z45 = v_phi * s_phi;
+    const Scalar z46 = v_x * z44 + v_y * z45;
+    const Scalar z82 = n2 * v_phi;
+    const Scalar z83 = n0_5 * z82;
+    const Scalar z84 = c_phi * z83;
+    const Scalar z85 = c_phi * l_N + z40;
+    const Scalar z86 = s_phi * z83;
+    const Scalar z87 = s_phi * l_N - z39;
+    const Scalar z88 = n0_5 * z35;
+    const Scalar z107 = a_x * s_phi - a_y * c_phi + z46;
+    const Scalar z108 = v_x * z45 - v_y * z44;
+    const Scalar z109 = a_x * c_phi + a_y * s_phi - z108;
+    const Scalar z110 = n1 / c_phi;
+    const Scalar z111 = c_phi * c_phi;
+    const Scalar z112 = s_phi * z110;
+    const Scalar z113 = z11 * z110;
+    const Scalar z114 = z44 + z45 * z112;
+    const Scalar z115 = z110 * z114;
+    const Scalar z116 = z45 * z113;
+    const Scalar z117 = z109 + z116;
+    const Scalar z118 = z110 * z117;
+    const Scalar z119 = z107 * z110;
+    const Scalar z120 = z13 * z112 - z14;
+    const Scalar z121 = n1 + z112 * z112;
+    const Scalar z122 = z112 * z115;
+    const Scalar z123 = z112 * z113;
+    const Scalar z124 = z13 * z115;
+    const Scalar z125 = z13 * z113;
+    const Scalar z126 = z84 + z86 * z112;
+    const Scalar z127 = z123 - z126;
+    const Scalar z128 = z112 * z118;
+    const Scalar z129 = z13 * z118;
+    const Scalar z130 = z85 + z87 * z112;
+    const Scalar z131 = z128 + z130;
+    const Scalar z132 = z88 - z129;
+    const Scalar z133 = c_phi * l_N - z42;
+    const Scalar z134 = s_phi * l_N + z41 - z112 * z133;
+    const Scalar z135 = z112 * z119;
+    const Scalar z136 = z13 * z119;
+    const Scalar z137 = z134 + z135;
+    const Scalar z138 = z38 + z136;
+    const Scalar z139 = n4_over_3 * z120;
+    const Scalar z140 = z120 * z139 - z121;
+    const Scalar z141 = n1 / z140;
+    const Scalar z142 = z122 - z124 * z139;
+    const Scalar z143 = z141 * z142;
+    const Scalar z144 = n4_over_3 * z124 + z139 * z143;
+    const Scalar z145 = z125 * z139 - z127;
+    const Scalar z146 = z141 * z145;
+    const Scalar z147 = n4_over_3 * z125 - z139 * z146;
+    const Scalar z148 = z131 + z132 * z139;
+    const Scalar z149 = z141 * z148;
+    const Scalar z150 = n4_over_3 * z132 - z139 * z149;
     result.M[0] = n1;
     result.M[1] = n0;
     result.M[2] = -z14;
@@ -930,8 +930,8 @@ struct Mechanism {
     result.C[3] = n0;
     result.C[4] = n0;
     result.C[5] = n0;
-    result.C[6] = -z83;
-    result.C[7] = -z85;
+    result.C[6] = -z84;
+    result.C[7] = -z86;
     result.C[8] = n0;
     result.K[0] = n0;
     result.K[1] = n0;
@@ -939,28 +939,28 @@ struct Mechanism {
     result.K[3] = n0;
     result.K[4] = n0;
     result.K[5] = n0;
-    result.K[6] = z84;
-    result.K[7] = z86;
-    result.K[8] = -z87;
-    result.F[0] = -s_phi * l_N - z40;
-    result.F[1] = c_phi * l_N - z41;
-    result.F[2] = -z37;
-    result.M_r[0] = z102;
+    result.K[6] = z85;
+    result.K[7] = z87;
+    result.K[8] = -z88;
+    result.F[0] = -s_phi * l_N - z41;
+    result.F[1] = c_phi * l_N - z42;
+    result.F[2] = -z38;
+    result.M_r[0] = z121;
     result.M_r[1] = n0;
     result.M_r[2] = n0;
     result.M_r[3] = n0_75;
-    result.C_r[0] = z103;
-    result.C_r[1] = z105;
-    result.C_r[2] = z108;
-    result.C_r[3] = z106;
+    result.C_r[0] = z122;
+    result.C_r[1] = z124;
+    result.C_r[2] = z127;
+    result.C_r[3] = z125;
     result.K_r[0] = n0;
     result.K_r[1] = n0;
     result.K_r[2] = n0;
     result.K_r[3] = n0;
-    result.K_r[4] = z112;
-    result.K_r[5] = -z113;
-    result.F_r[0] = -z118;
-    result.F_r[1] = -z119;
+    result.K_r[4] = z131;
+    result.K_r[5] = -z132;
+    result.F_r[0] = -z137;
+    result.F_r[1] = -z138;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
@@ -972,21 +972,21 @@ struct Mechanism {
     result.A[8] = n0;
     result.A[9] = n0;
     result.A[10] = n0;
-    result.A[11] = z94;
+    result.A[11] = z113;
     result.A[12] = n0;
-    result.A[13] = z130;
-    result.A[14] = z131;
+    result.A[13] = z149;
+    result.A[14] = z150;
     result.A[15] = n1;
-    result.A[16] = z93;
+    result.A[16] = z112;
     result.A[17] = n0;
-    result.A[18] = z124;
-    result.A[19] = -z125;
+    result.A[18] = z143;
+    result.A[19] = -z144;
     result.A[20] = n0;
     result.A[21] = n0;
     result.A[22] = n1;
-    result.A[23] = -z127;
-    result.A[24] = -z128;
-    if (!(traits::regular(z92, n1) && traits::regular(-z121, z102))) return torsor::Status::singular;
+    result.A[23] = -z146;
+    result.A[24] = -z147;
+    if (!(traits::regular(z111, n1) && traits::regular(-z140, z121))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.M[2] - result.M[2]) + (result.M[5] - result.M[5]) + (result.M[6] - result.M[6])
         + (result.M[7] - result.M[7]) + (result.C[6] - result.C[6]) + (result.C[7] - result.C[7]) + (result.K[6]

@@ -3,20 +3,22 @@
 // Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
 // Free to embed under the MIT licence.
 //
-// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, linearisation
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, linearisation, inverse_dynamics_derivatives, forward_dynamics_derivatives
 // Parameters set at run time: none
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
 // moved across joints, factoring, and what is done once for a set of parameters:
-//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   kinematics                7               12          0             0                  3       0     25      25
-//   mass_matrix               7                2          0             0                  1       0     11      11
-//   bias                      6                8          0             0                  2       0     18      23
-//   inverse_dynamics         10                9          0             0                  2       0     23      26
-//   forward_dynamics         15               14          1             0                  2       0     34      39
-//   energy                    6                8          0             0                  3       0     20      24
-//   first_integrals           7                8          0             0                  3       0     21      25
-//   linearisation            32               34          1             0                  2       0     71      97
+//   function                      additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   kinematics                            7               12          0             0                  3       0     25      25
+//   mass_matrix                           7                2          0             0                  1       0     11      11
+//   bias                                  6                8          0             0                  2       0     18      23
+//   inverse_dynamics                     10                9          0             0                  2       0     23      26
+//   forward_dynamics                     15               14          1             0                  2       0     34      39
+//   energy                                6                8          0             0                  3       0     20      24
+//   first_integrals                       7                8          0             0                  3       0     21      25
+//   linearisation                        32               34          1             0                  2       0     71      97
+//   inverse_dynamics_derivatives         13               15          0             0                  2       0     32      56
+//   forward_dynamics_derivatives         32               38          1             0                  2       0     75     111
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 36 results 16 vanish identically, 6 repeat another up to sign
@@ -25,9 +27,11 @@
 //   constraints: left out, the scene has no constraints
 //   reactions: left out, the scene releases no joint direction (released_coordinate)
 //   linearisation: of 30 results 8 vanish identically, 1 repeat another up to sign
+//   inverse_dynamics_derivatives: of 8 results 2 vanish identically
+//   forward_dynamics_derivatives: of 12 results 1 repeat another up to sign
 //
 // To write this file again:
-//   double_pendulum_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output double_pendulum.hpp
+//   double_pendulum_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation,inverse_dynamics_derivatives,forward_dynamics_derivatives --output double_pendulum.hpp
 #pragma once
 
 #include <array>
@@ -544,6 +548,19 @@ struct Mechanism {
     std::array<Scalar, 16> A;  ///< state matrix of x = (e, e'): x' = A x + B du (4 x 4)
   };
 
+  /// Derivatives of generalised forces, stored column by column.
+  struct InverseDynamicsDerivatives {
+    std::array<Scalar, 4> by_position;  ///< df_i/dq_j (2 x 2)
+    std::array<Scalar, 4> by_velocity;  ///< df_i/dv_j (2 x 2)
+  };
+
+  /// Derivatives of accelerations and multipliers, stored column by column.
+  struct ForwardDynamicsDerivatives {
+    std::array<Scalar, 4> by_position;  ///< da_i/dq_j (2 x 2)
+    std::array<Scalar, 4> by_velocity;  ///< da_i/dv_j (2 x 2)
+    std::array<Scalar, 4> by_force;  ///< da_i/df_j, f generalised forces added to E u (2 x 2)
+  };
+
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
   /// matrices column by column.
   TORSOR_DEVICE static void kinematics(const Precomputed&, const State& state, Kinematics& result) noexcept {
@@ -881,6 +898,136 @@ struct Mechanism {
         + (result.F[1] - result.F[1]) + (result.A[2] - result.A[2]) + (result.A[3] - result.A[3]) + (result.A[6]
         - result.A[6]) + (result.A[7] - result.A[7]) + (result.A[10] - result.A[10]) + (result.A[11] - result.A[11])
         + (result.A[14] - result.A[14]) + (result.A[15] - result.A[15]);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Derivatives of inverse_dynamics at (q, v, a, lambda). That by accelerations is the mass matrix.
+  TORSOR_DEVICE static void inverse_dynamics_derivatives(const Precomputed&, const State& state,
+      const Accelerations& accelerations, const Multipliers&, InverseDynamicsDerivatives& result) noexcept {
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_theta_1 = state.q.theta_1;
+    const Scalar v_theta_1 = state.v.theta_1;
+    const Scalar a_theta_1 = accelerations.theta_1;
+    const Scalar q_theta_2 = state.q.theta_2;
+    const Scalar v_theta_2 = state.v.theta_2;
+    const Scalar a_theta_2 = accelerations.theta_2;
+    const Scalar z8 = q_theta_1 - q_theta_2;
+    const Scalar angles_[] = {q_theta_1, z8};
+    Scalar sines_[2], cosines_[2];
+    torsor::sines_and_cosines(angles_, sines_, cosines_);
+    const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
+    const Scalar z9 = sines_[1], z10 = cosines_[1];
+    const Scalar z34 = n9_81 * s_theta_1;
+    const Scalar z35 = n9_81 * c_theta_1;
+    const Scalar z36 = v_theta_1 * v_theta_1;
+    const Scalar z37 = z35 + z36;
+    const Scalar z40 = v_theta_2 * v_theta_2;
+    const Scalar z46 = a_theta_1 + z34;
+    const Scalar z48 = z9 * z46 + z10 * z37;
+    const Scalar z51 = a_theta_2 * z9 - z10 * z40;
+    const Scalar z67 = n2 * v_theta_1;
+    const Scalar z68 = z9 * z67;
+    const Scalar z69 = z9 * (z34 - z46) + z10 * (z35 - z37);
+    const Scalar z70 = n2 * z35 - z51 + z69;
+    const Scalar z71 = z69 - z70;
+    const Scalar z72 = n2 * v_theta_2;
+    const Scalar z73 = z9 * z72;
+    const Scalar z74 = z48 + z51;
+    const Scalar z75 = z48 - z74;
+    result.by_position[0] = -z71;
+    result.by_position[1] = z69;
+    result.by_position[2] = -z75;
+    result.by_position[3] = z48;
+    result.by_velocity[0] = n0;
+    result.by_velocity[1] = -z68;
+    result.by_velocity[2] = z73;
+    result.by_velocity[3] = n0;
+  }
+
+  /// Derivatives of forward_dynamics at (q, v, u), the accelerations and multipliers being those of the motion, by
+  /// solving with the factorisation of the motion. Returns singular where forward_dynamics does.
+  TORSOR_DEVICE static torsor::Status forward_dynamics_derivatives(const Precomputed&, const State& state,
+      const Inputs&, ForwardDynamicsDerivatives& result) noexcept {
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar q_theta_1 = state.q.theta_1;
+    const Scalar v_theta_1 = state.v.theta_1;
+    const Scalar q_theta_2 = state.q.theta_2;
+    const Scalar v_theta_2 = state.v.theta_2;
+    const Scalar z8 = q_theta_1 - q_theta_2;
+    const Scalar angles_[] = {q_theta_1, z8};
+    Scalar sines_[2], cosines_[2];
+    torsor::sines_and_cosines(angles_, sines_, cosines_);
+    const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
+    const Scalar z9 = sines_[1], z10 = cosines_[1];
+    const Scalar z15 = n1 + z10;
+    const Scalar z28 = n1 + n2 * z10;
+    const Scalar z31 = n2 + z28;
+    const Scalar z32 = n1 - n2 * z15 + z31;
+    const Scalar z33 = n1 - z15;
+    const Scalar z34 = n9_81 * s_theta_1;
+    const Scalar z35 = n9_81 * c_theta_1;
+    const Scalar z36 = v_theta_1 * v_theta_1;
+    const Scalar z37 = z35 + z36;
+    const Scalar z38 = z9 * z37 - z10 * z34;
+    const Scalar z40 = v_theta_2 * v_theta_2;
+    const Scalar z41 = z9 * z40;
+    const Scalar z44 = n2 * z34 - z38 + z41;  // moment on upper, z
+    const Scalar z45 = z38 + z44;
+    const Scalar z56 = z32 - z33 * z33;
+    const Scalar z57 = n1 / z56;
+    const Scalar z58 = z33 * z38 - z45;
+    const Scalar z59 = z57 * z58;
+    const Scalar z60 = z33 * z59 + z38;
+    const Scalar z67 = n2 * v_theta_1;
+    const Scalar z68 = z9 * z67;
+    const Scalar z72 = n2 * v_theta_2;
+    const Scalar z73 = z9 * z72;
+    const Scalar z79 = z33 * z68;
+    const Scalar z80 = z57 * z79;
+    const Scalar z81 = z33 * z80 + z68;
+    const Scalar z85 = z57 * z73;
+    const Scalar z86 = z33 * z85;
+    const Scalar z87 = z34 + z59;
+    const Scalar z88 = z9 * (z34 - z87) + z10 * (z35 - z37);
+    const Scalar z89 = z9 * z60 - z10 * z40;
+    const Scalar z90 = n2 * z35 + z88 - z89;
+    const Scalar z91 = z88 - z90;
+    const Scalar z92 = z33 * z88 - z91;
+    const Scalar z93 = z57 * z92;
+    const Scalar z94 = z33 * z93 + z88;
+    const Scalar z95 = z33 * z57;
+    const Scalar z96 = z9 * z87 + z10 * z37;
+    const Scalar z97 = z89 + z96;
+    const Scalar z98 = z96 - z97;
+    const Scalar z99 = z33 * z96 - z98;
+    const Scalar z100 = z57 * z99;
+    const Scalar z101 = z33 * z100 + z96;
+    const Scalar z102 = n1 + z33 * z95;
+    result.by_position[0] = -z93;
+    result.by_position[1] = -z94;
+    result.by_position[2] = -z100;
+    result.by_position[3] = -z101;
+    result.by_velocity[0] = z80;
+    result.by_velocity[1] = z81;
+    result.by_velocity[2] = -z85;
+    result.by_velocity[3] = -z86;
+    result.by_force[0] = z57;
+    result.by_force[1] = z95;
+    result.by_force[2] = z95;
+    result.by_force[3] = z102;
+    if (!(traits::regular(z56, z32))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (result.by_position[0] - result.by_position[0]) + (result.by_position[1]
+        - result.by_position[1]) + (result.by_position[2] - result.by_position[2]) + (result.by_position[3]
+        - result.by_position[3]) + (result.by_velocity[0] - result.by_velocity[0]) + (result.by_velocity[1]
+        - result.by_velocity[1]) + (result.by_velocity[2] - result.by_velocity[2]) + (result.by_velocity[3]
+        - result.by_velocity[3]) + (result.by_force[0] - result.by_force[0]) + (result.by_force[1] - result.by_force[1])
+        + (result.by_force[2] - result.by_force[2]) + (result.by_force[3] - result.by_force[3]);
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }

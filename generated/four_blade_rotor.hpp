@@ -17,7 +17,7 @@
 //   forward_dynamics         20               54          0             0                  0       0     74      84
 //   energy                   17               29          0             0                  0       0     46      55
 //   first_integrals          17               30          0             0                  0       0     47      62
-//   linearisation            70              131          0             0                  0       0    201     227
+//   linearisation            66              120          0             0                  0       0    186     219
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 72 results 12 repeat another up to sign
@@ -634,14 +634,14 @@ struct Mechanism {
     const Scalar v_e_omega_x = state.v.e_omega_x;
     const Scalar v_e_omega_y = state.v.e_omega_y;
     const Scalar v_e_omega_z = state.v.e_omega_z;
-    const Scalar z312 = n0_5 * (q_e_y * v_e_omega_y + q_e_z * v_e_omega_z + q_e_x * v_e_omega_x);
-    const Scalar z313 = n0_5 * (q_e_y * v_e_omega_z - q_e_z * v_e_omega_y + q_e_w * v_e_omega_x);
-    const Scalar z314 = n0_5 * (q_e_z * v_e_omega_x - q_e_x * v_e_omega_z + q_e_w * v_e_omega_y);
-    const Scalar z315 = n0_5 * (q_e_y * v_e_omega_x - q_e_x * v_e_omega_y - q_e_w * v_e_omega_z);
-    rates[0] = -z312;
-    rates[1] = z313;
-    rates[2] = z314;
-    rates[3] = -z315;
+    const Scalar z390 = n0_5 * (q_e_y * v_e_omega_y + q_e_z * v_e_omega_z + q_e_x * v_e_omega_x);
+    const Scalar z391 = n0_5 * (q_e_y * v_e_omega_z - q_e_z * v_e_omega_y + q_e_w * v_e_omega_x);
+    const Scalar z392 = n0_5 * (q_e_z * v_e_omega_x - q_e_x * v_e_omega_z + q_e_w * v_e_omega_y);
+    const Scalar z393 = n0_5 * (q_e_y * v_e_omega_x - q_e_x * v_e_omega_y - q_e_w * v_e_omega_z);
+    rates[0] = -z390;
+    rates[1] = z391;
+    rates[2] = z392;
+    rates[3] = -z393;
   }
 
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
@@ -1183,52 +1183,65 @@ struct Mechanism {
     const Scalar z193 = n665_8 * (a_e_omega_x + z164) - z179 + z181 + z187 + z189;  // moment on rotor, x
     const Scalar z194 = n665_8 * (a_e_omega_y - z165) + z177 - z183 + z185 + z191;  // moment on rotor, y
     const Scalar z195 = n1331_6 * a_e_omega_z + z180 - z184 + z188 - z192;  // moment on rotor, z
-    const Scalar z248 = v_e_omega_y * c_alpha;
-    const Scalar z250 = v_e_omega_y * s_alpha;
-    const Scalar z253 = s_alpha * z37 + c_alpha * z38;
-    const Scalar z254 = n0_4 * z253;
-    const Scalar z255 = n0_8 * z35;
-    const Scalar z256 = n0_4 * z36;
-    const Scalar z257 = s_alpha * z255 - c_alpha * z256;
-    const Scalar z258 = s_alpha * z33 + c_alpha * z34;
-    const Scalar z259 = n0_4 * z258;
-    const Scalar z260 = n0_8 * z31;
-    const Scalar z261 = n0_4 * z32;
-    const Scalar z262 = s_alpha * z260 - c_alpha * z261;
-    const Scalar z263 = n665_8 * v_e_omega_z - z254 + z257 + z259 - z262;
-    const Scalar z268 = n0_8 * z37;
-    const Scalar z269 = n0_4 * z38;
-    const Scalar z270 = s_alpha * z268 - c_alpha * z269;
-    const Scalar z271 = s_alpha * z35 + c_alpha * z36;
-    const Scalar z272 = n0_4 * z271;
-    const Scalar z273 = n0_8 * z33;
-    const Scalar z274 = n0_4 * z34;
-    const Scalar z275 = s_alpha * z273 - c_alpha * z274;
-    const Scalar z276 = s_alpha * z31 + c_alpha * z32;
-    const Scalar z277 = n0_4 * z276;
-    const Scalar z278 = n665_8 * v_e_omega_z - z270 + z272 + z275 - z277;
-    const Scalar z279 = v_e_omega_x * c_alpha;
-    const Scalar z281 = v_e_omega_x * s_alpha;
-    const Scalar z288 = n0_8 * z250;
-    const Scalar z289 = n0_4 * z248;
-    const Scalar z290 = s_alpha * z288 + c_alpha * z289;
-    const Scalar z291 = s_alpha * z36 - c_alpha * z35;
-    const Scalar z292 = n0_4 * z291;
-    const Scalar z293 = s_alpha * z32 - c_alpha * z31;
-    const Scalar z294 = n0_4 * z293;
-    const Scalar z295 = n665_8 * v_e_omega_y - n2 * z290 - z292 - z294;
-    const Scalar z296 = s_alpha * z38 - c_alpha * z37;
-    const Scalar z297 = n0_4 * z296;
-    const Scalar z298 = n0_8 * z281;
-    const Scalar z299 = n0_4 * z279;
-    const Scalar z300 = s_alpha * z298 + c_alpha * z299;
-    const Scalar z301 = s_alpha * z34 - c_alpha * z33;
-    const Scalar z302 = n0_4 * z301;
-    const Scalar z303 = n665_8 * v_e_omega_x - z297 - n2 * z300 - z302;
-    const Scalar z306 = z212 * z263;
-    const Scalar z308 = z215 * z278;
-    const Scalar z310 = z215 * z295;
-    const Scalar z311 = z212 * z303;
+    const Scalar z306 = n2 * v_e_omega_y;
+    const Scalar z307 = n2 * z37;
+    const Scalar z308 = n2 * z38;
+    const Scalar z309 = n0_4 * z308;
+    const Scalar z310 = n0_4 * z307;
+    const Scalar z311 = n0_4 * z306;
+    const Scalar z312 = n2 * v_e_omega_x;
+    const Scalar z313 = n2 * v_e_omega_z;
+    const Scalar z314 = c_alpha * z311;
+    const Scalar z316 = s_alpha * z310 - c_alpha * z309;
+    const Scalar z318 = c_alpha * z309;
+    const Scalar z319 = s_alpha * z309;
+    const Scalar z320 = c_alpha * z314 - z311;
+    const Scalar z322 = n2 * z35;
+    const Scalar z323 = n2 * z36;
+    const Scalar z324 = n0_4 * z323;
+    const Scalar z325 = n0_4 * z322;
+    const Scalar z326 = n0_4 * z312;
+    const Scalar z327 = c_alpha * z326;
+    const Scalar z329 = s_alpha * z325 - c_alpha * z324;
+    const Scalar z331 = c_alpha * z324;
+    const Scalar z332 = s_alpha * z324;
+    const Scalar z333 = c_alpha * z327 - z326;
+    const Scalar z335 = z316 - z331;
+    const Scalar z336 = z320 - z332;
+    const Scalar z337 = z318 - z329;
+    const Scalar z338 = z319 - z333;
+    const Scalar z342 = n2 * z33;
+    const Scalar z343 = n2 * z34;
+    const Scalar z344 = n0_4 * z343;
+    const Scalar z345 = n0_4 * z342;
+    const Scalar z346 = s_alpha * z345 - c_alpha * z344;
+    const Scalar z348 = c_alpha * z344;
+    const Scalar z349 = s_alpha * z344;
+    const Scalar z350 = z335 - z346;
+    const Scalar z351 = z320 + z336;
+    const Scalar z352 = z337 - z348;
+    const Scalar z353 = z338 + z349;
+    const Scalar z357 = n2 * z31;
+    const Scalar z358 = n2 * z32;
+    const Scalar z359 = n0_4 * z358;
+    const Scalar z360 = n0_4 * z357;
+    const Scalar z361 = s_alpha * z360 - c_alpha * z359;
+    const Scalar z363 = c_alpha * z359;
+    const Scalar z364 = s_alpha * z359;
+    const Scalar z365 = z350 + z363;
+    const Scalar z366 = z351 - z364;
+    const Scalar z367 = z352 + z361;
+    const Scalar z368 = z333 - z353;
+    const Scalar z372 = n665_8 * z313 - z365;
+    const Scalar z373 = n665_8 * z313 - z367;
+    const Scalar z376 = v_e_omega_z * z129 - z372;
+    const Scalar z377 = v_e_omega_y * z129 + z366;
+    const Scalar z378 = v_e_omega_z * z130 + z373;
+    const Scalar z379 = v_e_omega_x * z130 - z368;
+    const Scalar z383 = z212 * z378;
+    const Scalar z385 = z215 * z376;
+    const Scalar z388 = z215 * z377;
+    const Scalar z389 = z212 * z379;
     result.M[0] = z129;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -1239,13 +1252,13 @@ struct Mechanism {
     result.M[7] = n0;
     result.M[8] = -z131;
     result.C[0] = n0;
-    result.C[1] = -z263;
+    result.C[1] = -z378;
     result.C[2] = n0;
-    result.C[3] = z278;
+    result.C[3] = -z376;
     result.C[4] = n0;
     result.C[5] = n0;
-    result.C[6] = z295;
-    result.C[7] = -z303;
+    result.C[6] = z377;
+    result.C[7] = z379;
     result.C[8] = n0;
     result.K[0] = n0;
     result.K[1] = n0;
@@ -1281,19 +1294,19 @@ struct Mechanism {
     result.A[19] = n0;
     result.A[20] = n0;
     result.A[21] = n0;
-    result.A[22] = -z306;
+    result.A[22] = -z383;
     result.A[23] = n0;
     result.A[24] = n0;
     result.A[25] = n1;
     result.A[26] = n0;
-    result.A[27] = -z308;
+    result.A[27] = z385;
     result.A[28] = n0;
     result.A[29] = n0;
     result.A[30] = n0;
     result.A[31] = n0;
     result.A[32] = n1;
-    result.A[33] = -z310;
-    result.A[34] = -z311;
+    result.A[33] = -z388;
+    result.A[34] = z389;
     result.A[35] = n0;
     if (!(traits::regular(z129, z129) && traits::regular(-z130, -z130) && traits::regular(-z131,
         -z131))) return torsor::Status::singular;

@@ -16,7 +16,7 @@
 //   forward_dynamics         11               30          1             0                  2       0     46      56
 //   energy                    6               16          0             0                  3       0     28      29
 //   first_integrals           8               19          0             0                  3       0     33      34
-//   linearisation            37               87          1             0                  2       0    129     218
+//   linearisation            37               87          1             0                  2       0    129     181
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 18 results 1 repeat another up to sign
@@ -944,23 +944,23 @@ struct Mechanism {
     const Scalar z188 = n15 * z54 + z186 - n975_over_64 * z187;
     const Scalar z189 = n15_over_32 * v_beta;
     const Scalar z190 = c_beta * z189;
-    const Scalar z191 = z146 * z172;
-    const Scalar z192 = n64_over_975 * z178;
-    const Scalar z193 = z144 * z191;
-    const Scalar z194 = z144 * z166 - z170;
-    const Scalar z195 = z146 * z194;
-    const Scalar z196 = n64_over_975 * z176;
-    const Scalar z197 = z144 * z195 - n32_over_15 * z166;
-    const Scalar z198 = z144 * z182 - z184;
-    const Scalar z199 = z146 * z198;
-    const Scalar z200 = n64_over_975 * z188;
-    const Scalar z201 = z144 * z199 - n32_over_15 * z182;
-    const Scalar z202 = z144 * z179 - z181;
-    const Scalar z203 = z146 * z202;
-    const Scalar z204 = z144 * z203 - n32_over_15 * z179;
-    const Scalar z205 = z146 * z190;
-    const Scalar z206 = n64_over_975 * z179;
-    const Scalar z207 = z144 * z205;
+    const Scalar z262 = z146 * z172;
+    const Scalar z263 = n64_over_975 * z178;
+    const Scalar z264 = z144 * z262;
+    const Scalar z265 = z144 * z166 - z170;
+    const Scalar z266 = z146 * z265;
+    const Scalar z267 = n64_over_975 * z176;
+    const Scalar z268 = z144 * z266 - n32_over_15 * z166;
+    const Scalar z269 = z144 * z182 - z184;
+    const Scalar z270 = z146 * z269;
+    const Scalar z271 = n64_over_975 * z188;
+    const Scalar z272 = z144 * z270 - n32_over_15 * z182;
+    const Scalar z273 = z144 * z179 - z181;
+    const Scalar z274 = z146 * z273;
+    const Scalar z275 = z144 * z274 - n32_over_15 * z179;
+    const Scalar z276 = z146 * z190;
+    const Scalar z277 = n64_over_975 * z179;
+    const Scalar z278 = z144 * z276;
     result.M[0] = z48;
     result.M[1] = n0;
     result.M[2] = -z42;
@@ -994,15 +994,15 @@ struct Mechanism {
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
-    result.A[3] = -z191;
-    result.A[4] = z192;
-    result.A[5] = -z193;
+    result.A[3] = -z262;
+    result.A[4] = z263;
+    result.A[5] = -z264;
     result.A[6] = n0;
     result.A[7] = n0;
     result.A[8] = n0;
-    result.A[9] = z199;
-    result.A[10] = z200;
-    result.A[11] = z201;
+    result.A[9] = z270;
+    result.A[10] = z271;
+    result.A[11] = z272;
     result.A[12] = n0;
     result.A[13] = n0;
     result.A[14] = n0;
@@ -1012,21 +1012,21 @@ struct Mechanism {
     result.A[18] = n1;
     result.A[19] = n0;
     result.A[20] = n0;
-    result.A[21] = -z195;
-    result.A[22] = z196;
-    result.A[23] = -z197;
+    result.A[21] = -z266;
+    result.A[22] = z267;
+    result.A[23] = -z268;
     result.A[24] = n0;
     result.A[25] = n1;
     result.A[26] = n0;
-    result.A[27] = -z203;
+    result.A[27] = -z274;
     result.A[28] = n0;
-    result.A[29] = -z204;
+    result.A[29] = -z275;
     result.A[30] = n0;
     result.A[31] = n0;
     result.A[32] = n1;
-    result.A[33] = -z205;
-    result.A[34] = -z206;
-    result.A[35] = -z207;
+    result.A[33] = -z276;
+    result.A[34] = -z277;
+    result.A[35] = -z278;
     if (!(traits::regular(-z145, z48))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.M[0] - result.M[0]) + (result.M[2] - result.M[2]) + (result.M[6] - result.M[6])

@@ -613,9 +613,9 @@ struct Mechanism {
     const Scalar s_theta = sines_[1];
     const Scalar z7 = p_omega * z4;
     const Scalar z8 = p_omega * z7;
-    const Scalar z29 = n9_81 - p_a * z8;
-    const Scalar z30 = s_theta * z29;
-    forces.theta = -z30;
+    const Scalar z30 = n9_81 - p_a * z8;
+    const Scalar z31 = s_theta * z30;
+    forces.theta = -z31;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -635,10 +635,10 @@ struct Mechanism {
     const Scalar s_theta = sines_[1];
     const Scalar z7 = p_omega * z4;
     const Scalar z8 = p_omega * z7;
-    const Scalar z29 = n9_81 - p_a * z8;
-    const Scalar z30 = s_theta * z29;
-    const Scalar z37 = a_theta - z30;  // moment on pendulum, y
-    forces.theta = z37;
+    const Scalar z30 = n9_81 - p_a * z8;
+    const Scalar z31 = s_theta * z30;
+    const Scalar z38 = a_theta - z31;  // moment on pendulum, y
+    forces.theta = z38;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -660,9 +660,9 @@ struct Mechanism {
     const Scalar s_theta = sines_[1];
     const Scalar z7 = p_omega * z4;
     const Scalar z8 = p_omega * z7;
-    const Scalar z29 = n9_81 - p_a * z8;
-    const Scalar z30 = s_theta * z29;
-    accelerations.theta = z30;
+    const Scalar z30 = n9_81 - p_a * z8;
+    const Scalar z31 = s_theta * z30;
+    accelerations.theta = z31;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.theta - accelerations.theta);
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -716,11 +716,11 @@ struct Mechanism {
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
     const Scalar z7 = p_omega * z4;
     const Scalar z8 = p_omega * z7;
-    const Scalar z29 = n9_81 - p_a * z8;
-    const Scalar z32 = v_theta * v_theta;
-    const Scalar z39 = a_theta * s_theta + c_theta * z32;
-    const Scalar z40 = z29 - z39;  // force on pivot, z
-    result.shaker = z40;
+    const Scalar z30 = n9_81 - p_a * z8;
+    const Scalar z33 = v_theta * v_theta;
+    const Scalar z40 = a_theta * s_theta + c_theta * z33;
+    const Scalar z41 = z30 - z40;  // force on pivot, z
+    result.shaker = z41;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -743,16 +743,16 @@ struct Mechanism {
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
     const Scalar z7 = p_omega * z4;
     const Scalar z8 = p_omega * z7;
-    const Scalar z29 = n9_81 - p_a * z8;
-    const Scalar z30 = s_theta * z29;
-    const Scalar z31 = c_theta * z29;
-    const Scalar z37 = a_theta - z30;  // moment on pendulum, y
+    const Scalar z30 = n9_81 - p_a * z8;
+    const Scalar z31 = s_theta * z30;
+    const Scalar z32 = c_theta * z30;
+    const Scalar z38 = a_theta - z31;  // moment on pendulum, y
     result.M[0] = n1;
     result.C[0] = n0;
-    result.K[0] = -z31;
-    result.F[0] = -z37;
+    result.K[0] = -z32;
+    result.F[0] = -z38;
     result.A[0] = n0;
-    result.A[1] = z31;
+    result.A[1] = z32;
     result.A[2] = n1;
     result.A[3] = n0;
     // x - x is 0 for every finite x and not a number for any other.

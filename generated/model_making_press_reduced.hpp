@@ -731,25 +731,25 @@ struct Mechanism {
     const Scalar z30 = traits::formula(9987.856223025203, 9987.856f, [&]() -> Scalar {
       return n1 / z13;
     });
-    const Scalar z31 = n25_over_21 * z17;
-    const Scalar z32 = z29 * z30;
-    const Scalar z33 = traits::formula(6.358466755142436, 6.3584666f, [&]() -> Scalar {
+    const Scalar z31 = traits::formula(6.358466755142436, 6.3584666f, [&]() -> Scalar {
       return z7 * z30;
     });
-    const Scalar z34 = traits::formula(1.1945241161344562, 1.1945242f, [&]() -> Scalar {
-      return n25_over_21 + z7 * z33;
+    const Scalar z32 = traits::formula(1.1945241161344562, 1.1945242f, [&]() -> Scalar {
+      return n25_over_21 + z7 * z31;
     });
-    const Scalar z35 = z7 * z32 + z31;
-    const Scalar z36 = traits::formula(0.8371534626157683, 0.83715343f, [&]() -> Scalar {
-      return n1 / z34;
+    const Scalar z33 = traits::formula(0.8371534626157683, 0.83715343f, [&]() -> Scalar {
+      return n1 / z32;
     });
-    const Scalar z37 = z35 * z36;
-    const Scalar z38 = z31 - n25_over_21 * z37;
-    const Scalar z39 = z32 - z33 * z37;
+    const Scalar z34 = n25_over_21 * z17;
+    const Scalar z35 = z29 * z30;
+    const Scalar z36 = z7 * z35 + z34;
+    const Scalar z37 = z33 * z36;
+    const Scalar z38 = z34 - n25_over_21 * z37;
+    const Scalar z39 = z31 * z37 - z35;
     accelerations.a_z = -z38;
-    accelerations.omega_z = z39;
+    accelerations.omega_z = -z39;
     multipliers.lambda_LB_z = -z37;
-    if (!(traits::regular(z13, z13) && traits::regular(z34, z34))) return torsor::Status::singular;
+    if (!(traits::regular(z13, z13) && traits::regular(z32, z32))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.a_z - accelerations.a_z) + (accelerations.omega_z - accelerations.omega_z)
         + (multipliers.lambda_LB_z - multipliers.lambda_LB_z);

@@ -693,7 +693,7 @@ struct Mechanism {
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
     const Scalar z49 = n3 * s_beta;
     const Scalar z50 = n3 * c_beta;
-    const Scalar z51 = c_alpha * z49;
+    const Scalar z52 = c_alpha * z49;
     const Scalar z56 = n0_35 * s_beta;
     const Scalar z57 = s_beta * z56;
     const Scalar z58 = n0_35 - z57;
@@ -703,11 +703,11 @@ struct Mechanism {
     const Scalar z66 = s_alpha * z63;
     mass[0] = n9012;
     mass[1] = -z66;
-    mass[2] = -z51;
+    mass[2] = -z52;
     mass[3] = -z66;
     mass[4] = z65;
     mass[5] = n0;
-    mass[6] = -z51;
+    mass[6] = -z52;
     mass[7] = n0;
     mass[8] = n1_25;
   }
@@ -854,7 +854,7 @@ struct Mechanism {
     const Scalar z17 = v_alpha * c_beta;
     const Scalar z49 = n3 * s_beta;
     const Scalar z50 = n3 * c_beta;
-    const Scalar z51 = c_alpha * z49;
+    const Scalar z52 = c_alpha * z49;
     const Scalar z56 = n0_35 * s_beta;
     const Scalar z57 = s_beta * z56;
     const Scalar z58 = n0_35 - z57;
@@ -887,8 +887,8 @@ struct Mechanism {
     const Scalar z137 = u_thrust - z103;
     const Scalar z138 = u_azimuth + z102;
     const Scalar z139 = u_elevation - z95;
-    const Scalar z140 = n0_8 * z51;
-    const Scalar z141 = n9012 - z51 * z140;
+    const Scalar z140 = n0_8 * z52;
+    const Scalar z141 = n9012 - z52 * z140;
     const Scalar z142 = n1 / z65;
     const Scalar z143 = z66 * z142;
     const Scalar z144 = z66 * z143 - z141;
@@ -1036,7 +1036,7 @@ struct Mechanism {
     const Scalar z17 = v_alpha * c_beta;
     const Scalar z49 = n3 * s_beta;
     const Scalar z50 = n3 * c_beta;
-    const Scalar z51 = c_alpha * z49;
+    const Scalar z52 = c_alpha * z49;
     const Scalar z56 = n0_35 * s_beta;
     const Scalar z57 = s_beta * z56;
     const Scalar z58 = n0_35 - z57;
@@ -1076,8 +1076,8 @@ struct Mechanism {
     const Scalar z131 = n1_2 * a_alpha + n0_4 * z120 + z129;  // moment on unit_1, z
     const Scalar z132 = s_alpha * z120 + c_alpha * z126;
     const Scalar z136 = n9000 * a_x - z132;  // force on aircraft, x
-    const Scalar z140 = n0_8 * z51;
-    const Scalar z141 = n9012 - z51 * z140;
+    const Scalar z140 = n0_8 * z52;
+    const Scalar z141 = n9012 - z52 * z140;
     const Scalar z142 = n1 / z65;
     const Scalar z143 = z66 * z142;
     const Scalar z144 = z66 * z143 - z141;
@@ -1090,9 +1090,9 @@ struct Mechanism {
     const Scalar z183 = s_beta * z182;
     const Scalar z184 = s_beta * z17 + c_beta * z16;
     const Scalar z185 = n12 * z183 + n3 * z184;
-    const Scalar z186 = c_beta * z182;
-    const Scalar z187 = n2 * c_beta * z17;
-    const Scalar z188 = n12 * z186 + n3 * z187;
+    const Scalar z186 = n2 * c_beta * z17;
+    const Scalar z187 = c_beta * z182;
+    const Scalar z188 = n3 * z186 + n12 * z187;
     const Scalar z189 = s_beta * z185 + c_beta * z188;
     const Scalar z190 = s_alpha * z180 - c_alpha * z189;
     const Scalar z191 = n12 * z107;
@@ -1161,11 +1161,11 @@ struct Mechanism {
     const Scalar z254 = n0_8 - z140 * z250;
     result.M[0] = n9012;
     result.M[1] = -z66;
-    result.M[2] = -z51;
+    result.M[2] = -z52;
     result.M[3] = -z66;
     result.M[4] = z65;
     result.M[5] = n0;
-    result.M[6] = -z51;
+    result.M[6] = -z52;
     result.M[7] = n0;
     result.M[8] = n1_25;
     result.C[0] = n0;

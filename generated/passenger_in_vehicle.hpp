@@ -15,7 +15,7 @@
 //   inverse_dynamics         14               21          0             0                  2       0     39      46
 //   forward_dynamics         15               25          1             0                  2       0     45      53
 //   energy                   21               37          0             0                  3       0     64      68
-//   linearisation            35               60          1             0                  2       0    100     128
+//   linearisation            35               60          1             0                  2       0    100     118
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 60 results 31 vanish identically, 4 repeat another up to sign
@@ -679,9 +679,9 @@ struct Mechanism {
     traits::sincos(q_theta_2, s_theta_2, c_theta_2);
     const Scalar z53 = n0_75 * c_theta_2;
     const Scalar z55 = n0_1425 + n0_6 * z53;
-    const Scalar z64 = n0_1425 + n1_2 * z53;
-    const Scalar z67 = n8_2 + z64;
-    mass[0] = z67;
+    const Scalar z65 = n0_1425 + n1_2 * z53;
+    const Scalar z68 = n8_2 + z65;
+    mass[0] = z68;
     mass[1] = z55;
     mass[2] = z55;
     mass[3] = n0_1425;
@@ -707,24 +707,24 @@ struct Mechanism {
     const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
     const Scalar s_theta_2 = sines_[1], c_theta_2 = cosines_[1];
     const Scalar z18 = v_theta_1 + v_theta_2;  // angular velocity of S2, z
-    const Scalar z83 = n600 * q_theta_1;
-    const Scalar z84 = n25 * v_theta_1;
-    const Scalar z85 = n40 * q_theta_2;
-    const Scalar z86 = n0_6 * v_theta_2;
-    const Scalar z87 = n9_81 * s_theta_1;
-    const Scalar z88 = n9_81 * c_theta_1;
-    const Scalar z89 = v_theta_1 * v_theta_1;
-    const Scalar z90 = z88 - n0_6 * z89;
-    const Scalar z91 = s_theta_2 * z90 + c_theta_2 * z87;
-    const Scalar z93 = z18 * z18;
-    const Scalar z94 = n0_75 * z93;  // force on S2, y
-    const Scalar z95 = n0_75 * z91;  // moment on S2, z
-    const Scalar z96 = s_theta_2 * z94;
-    const Scalar z99 = n17 * z87 + z95 + n0_6 * z96;  // moment on S1, z
-    const Scalar z104 = z83 + z84 - z99;
-    const Scalar z105 = z85 + z86 - z95;
-    forces.theta_1 = z104;
-    forces.theta_2 = z105;
+    const Scalar z85 = n600 * q_theta_1;
+    const Scalar z86 = n25 * v_theta_1;
+    const Scalar z87 = n40 * q_theta_2;
+    const Scalar z88 = n0_6 * v_theta_2;
+    const Scalar z89 = n9_81 * s_theta_1;
+    const Scalar z90 = n9_81 * c_theta_1;
+    const Scalar z91 = v_theta_1 * v_theta_1;
+    const Scalar z92 = z90 - n0_6 * z91;
+    const Scalar z93 = s_theta_2 * z92 + c_theta_2 * z89;
+    const Scalar z95 = z18 * z18;
+    const Scalar z96 = n0_75 * z95;  // force on S2, y
+    const Scalar z97 = n0_75 * z93;  // moment on S2, z
+    const Scalar z98 = s_theta_2 * z96;
+    const Scalar z101 = n17 * z89 + z97 + n0_6 * z98;  // moment on S1, z
+    const Scalar z106 = z85 + z86 - z101;
+    const Scalar z107 = z87 + z88 - z97;
+    forces.theta_1 = z106;
+    forces.theta_2 = z107;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -751,27 +751,27 @@ struct Mechanism {
     const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
     const Scalar s_theta_2 = sines_[1], c_theta_2 = cosines_[1];
     const Scalar z18 = v_theta_1 + v_theta_2;  // angular velocity of S2, z
-    const Scalar z83 = n600 * q_theta_1;
-    const Scalar z84 = n25 * v_theta_1;
-    const Scalar z85 = n40 * q_theta_2;
-    const Scalar z86 = n0_6 * v_theta_2;
-    const Scalar z87 = n9_81 * s_theta_1;
-    const Scalar z88 = n9_81 * c_theta_1;
-    const Scalar z89 = v_theta_1 * v_theta_1;
-    const Scalar z90 = z88 - n0_6 * z89;
-    const Scalar z93 = z18 * z18;
-    const Scalar z94 = n0_75 * z93;  // force on S2, y
-    const Scalar z106 = n0_6 * a_theta_1 - z87;
-    const Scalar z107 = s_theta_2 * z90 - c_theta_2 * z106;
-    const Scalar z109 = a_theta_1 + a_theta_2;  // angular acceleration of S2, z
-    const Scalar z110 = n0_75 * z109;  // force on S2, x
-    const Scalar z111 = n0_75 * z107 - n0_1425 * z109;  // moment on S2, z
-    const Scalar z112 = s_theta_2 * z94 - c_theta_2 * z110;
-    const Scalar z116 = n8_2 * a_theta_1 - n17 * z87 - z111 - n0_6 * z112;  // moment on S1, z
-    const Scalar z121 = z83 + z84 + z116;
-    const Scalar z122 = z85 + z86 - z111;
-    forces.theta_1 = z121;
-    forces.theta_2 = z122;
+    const Scalar z85 = n600 * q_theta_1;
+    const Scalar z86 = n25 * v_theta_1;
+    const Scalar z87 = n40 * q_theta_2;
+    const Scalar z88 = n0_6 * v_theta_2;
+    const Scalar z89 = n9_81 * s_theta_1;
+    const Scalar z90 = n9_81 * c_theta_1;
+    const Scalar z91 = v_theta_1 * v_theta_1;
+    const Scalar z92 = z90 - n0_6 * z91;
+    const Scalar z95 = z18 * z18;
+    const Scalar z96 = n0_75 * z95;  // force on S2, y
+    const Scalar z108 = n0_6 * a_theta_1 - z89;
+    const Scalar z109 = s_theta_2 * z92 - c_theta_2 * z108;
+    const Scalar z111 = a_theta_1 + a_theta_2;  // angular acceleration of S2, z
+    const Scalar z112 = n0_75 * z111;  // force on S2, x
+    const Scalar z113 = n0_75 * z109 - n0_1425 * z111;  // moment on S2, z
+    const Scalar z114 = s_theta_2 * z96 - c_theta_2 * z112;
+    const Scalar z118 = n8_2 * a_theta_1 - n17 * z89 - z113 - n0_6 * z114;  // moment on S1, z
+    const Scalar z123 = z85 + z86 + z118;
+    const Scalar z124 = z87 + z88 - z113;
+    forces.theta_1 = z123;
+    forces.theta_2 = z124;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -803,33 +803,33 @@ struct Mechanism {
     const Scalar z18 = v_theta_1 + v_theta_2;  // angular velocity of S2, z
     const Scalar z53 = n0_75 * c_theta_2;
     const Scalar z55 = n0_1425 + n0_6 * z53;
-    const Scalar z64 = n0_1425 + n1_2 * z53;
-    const Scalar z67 = n8_2 + z64;
-    const Scalar z83 = n600 * q_theta_1;
-    const Scalar z84 = n25 * v_theta_1;
-    const Scalar z85 = n40 * q_theta_2;
-    const Scalar z86 = n0_6 * v_theta_2;
-    const Scalar z87 = n9_81 * s_theta_1;
-    const Scalar z88 = n9_81 * c_theta_1;
-    const Scalar z89 = v_theta_1 * v_theta_1;
-    const Scalar z90 = z88 - n0_6 * z89;
-    const Scalar z91 = s_theta_2 * z90 + c_theta_2 * z87;
-    const Scalar z93 = z18 * z18;
-    const Scalar z94 = n0_75 * z93;  // force on S2, y
-    const Scalar z95 = n0_75 * z91;  // moment on S2, z
-    const Scalar z96 = s_theta_2 * z94;
-    const Scalar z99 = n17 * z87 + z95 + n0_6 * z96;  // moment on S1, z
-    const Scalar z104 = z83 + z84 - z99;
-    const Scalar z105 = z85 + z86 - z95;
-    const Scalar z183 = n400_over_57 * z55;
-    const Scalar z184 = z55 * z183 - z67;
-    const Scalar z185 = n1 / z184;
-    const Scalar z186 = z104 - z105 * z183;
-    const Scalar z187 = z185 * z186;
-    const Scalar z188 = n400_over_57 * z105 + z183 * z187;
-    accelerations.theta_1 = z187;
-    accelerations.theta_2 = -z188;
-    if (!(traits::regular(-z184, z67))) return torsor::Status::singular;
+    const Scalar z65 = n0_1425 + n1_2 * z53;
+    const Scalar z68 = n8_2 + z65;
+    const Scalar z85 = n600 * q_theta_1;
+    const Scalar z86 = n25 * v_theta_1;
+    const Scalar z87 = n40 * q_theta_2;
+    const Scalar z88 = n0_6 * v_theta_2;
+    const Scalar z89 = n9_81 * s_theta_1;
+    const Scalar z90 = n9_81 * c_theta_1;
+    const Scalar z91 = v_theta_1 * v_theta_1;
+    const Scalar z92 = z90 - n0_6 * z91;
+    const Scalar z93 = s_theta_2 * z92 + c_theta_2 * z89;
+    const Scalar z95 = z18 * z18;
+    const Scalar z96 = n0_75 * z95;  // force on S2, y
+    const Scalar z97 = n0_75 * z93;  // moment on S2, z
+    const Scalar z98 = s_theta_2 * z96;
+    const Scalar z101 = n17 * z89 + z97 + n0_6 * z98;  // moment on S1, z
+    const Scalar z106 = z85 + z86 - z101;
+    const Scalar z107 = z87 + z88 - z97;
+    const Scalar z185 = n400_over_57 * z55;
+    const Scalar z186 = z55 * z185 - z68;
+    const Scalar z187 = n1 / z186;
+    const Scalar z188 = z106 - z107 * z185;
+    const Scalar z189 = z187 * z188;
+    const Scalar z190 = n400_over_57 * z107 + z185 * z189;
+    accelerations.theta_1 = z189;
+    accelerations.theta_2 = -z190;
+    if (!(traits::regular(-z186, z68))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.theta_1 - accelerations.theta_1) + (accelerations.theta_2
         - accelerations.theta_2);
@@ -875,19 +875,19 @@ struct Mechanism {
     const Scalar z18 = v_theta_1 + v_theta_2;  // angular velocity of S2, z
     const Scalar z45 = n0_6 * c_theta_1;
     const Scalar z47 = n0_5 + z45;
-    const Scalar z84 = n25 * v_theta_1;
-    const Scalar z86 = n0_6 * v_theta_2;
-    const Scalar z189 = n14 * v_theta_1 - n40 * z13;
-    const Scalar z190 = n6_4 * v_theta_1 - n14 * z13;
-    const Scalar z191 = n5 * z16 + n0_75 * z18;
-    const Scalar z192 = n0_75 * z16 + n0_1425 * z18;
-    const Scalar z194 = n14 * c_theta_1;
-    const Scalar z196 = n0_75 * z37;
-    result.kinetic = n0_5 * (v_theta_1 * z190 - z13 * z189 + z16 * z191 + z18 * z192) + n20 * z14 * z14 + n2_5 * z17
+    const Scalar z86 = n25 * v_theta_1;
+    const Scalar z88 = n0_6 * v_theta_2;
+    const Scalar z191 = n14 * v_theta_1 - n40 * z13;
+    const Scalar z192 = n6_4 * v_theta_1 - n14 * z13;
+    const Scalar z193 = n5 * z16 + n0_75 * z18;
+    const Scalar z194 = n0_75 * z16 + n0_1425 * z18;
+    const Scalar z196 = n14 * c_theta_1;
+    const Scalar z198 = n0_75 * z37;
+    result.kinetic = n0_5 * (v_theta_1 * z192 - z13 * z191 + z16 * z193 + z18 * z194) + n20 * z14 * z14 + n2_5 * z17
         * z17;
-    result.force_function = -n9_81 * (z194 + z196) - n196_2 - n300 * q_theta_1 * q_theta_1 - n20 * q_theta_2 * q_theta_2
+    result.force_function = -n9_81 * (z196 + z198) - n196_2 - n300 * q_theta_1 * q_theta_1 - n20 * q_theta_2 * q_theta_2
         - n49_05 * z47;
-    result.power = -v_theta_1 * z84 - v_theta_2 * z86;
+    result.power = -v_theta_1 * z86 - v_theta_2 * z88;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -923,92 +923,92 @@ struct Mechanism {
     const Scalar z18 = v_theta_1 + v_theta_2;  // angular velocity of S2, z
     const Scalar z53 = n0_75 * c_theta_2;
     const Scalar z55 = n0_1425 + n0_6 * z53;
-    const Scalar z64 = n0_1425 + n1_2 * z53;
-    const Scalar z67 = n8_2 + z64;
-    const Scalar z83 = n600 * q_theta_1;
-    const Scalar z84 = n25 * v_theta_1;
-    const Scalar z85 = n40 * q_theta_2;
-    const Scalar z86 = n0_6 * v_theta_2;
-    const Scalar z87 = n9_81 * s_theta_1;
-    const Scalar z88 = n9_81 * c_theta_1;
-    const Scalar z89 = v_theta_1 * v_theta_1;
-    const Scalar z90 = z88 - n0_6 * z89;
-    const Scalar z93 = z18 * z18;
-    const Scalar z94 = n0_75 * z93;  // force on S2, y
-    const Scalar z106 = n0_6 * a_theta_1 - z87;
-    const Scalar z107 = s_theta_2 * z90 - c_theta_2 * z106;
-    const Scalar z108 = s_theta_2 * z106 + c_theta_2 * z90;
-    const Scalar z109 = a_theta_1 + a_theta_2;  // angular acceleration of S2, z
-    const Scalar z110 = n0_75 * z109;  // force on S2, x
-    const Scalar z111 = n0_75 * z107 - n0_1425 * z109;  // moment on S2, z
-    const Scalar z112 = s_theta_2 * z94 - c_theta_2 * z110;
-    const Scalar z113 = s_theta_2 * z110 + c_theta_2 * z94;
-    const Scalar z116 = n8_2 * a_theta_1 - n17 * z87 - z111 - n0_6 * z112;  // moment on S1, z
-    const Scalar z121 = z83 + z84 + z116;
-    const Scalar z122 = z85 + z86 - z111;
-    const Scalar z183 = n400_over_57 * z55;
-    const Scalar z184 = z55 * z183 - z67;
-    const Scalar z185 = n1 / z184;
-    const Scalar z215 = n2 * v_theta_1;
-    const Scalar z216 = n0_6 * z215;
-    const Scalar z217 = s_theta_2 * z216;
-    const Scalar z218 = n0_75 * z217;
-    const Scalar z219 = n2 * z18;
+    const Scalar z65 = n0_1425 + n1_2 * z53;
+    const Scalar z68 = n8_2 + z65;
+    const Scalar z85 = n600 * q_theta_1;
+    const Scalar z86 = n25 * v_theta_1;
+    const Scalar z87 = n40 * q_theta_2;
+    const Scalar z88 = n0_6 * v_theta_2;
+    const Scalar z89 = n9_81 * s_theta_1;
+    const Scalar z90 = n9_81 * c_theta_1;
+    const Scalar z91 = v_theta_1 * v_theta_1;
+    const Scalar z92 = z90 - n0_6 * z91;
+    const Scalar z95 = z18 * z18;
+    const Scalar z96 = n0_75 * z95;  // force on S2, y
+    const Scalar z108 = n0_6 * a_theta_1 - z89;
+    const Scalar z109 = s_theta_2 * z92 - c_theta_2 * z108;
+    const Scalar z110 = s_theta_2 * z108 + c_theta_2 * z92;
+    const Scalar z111 = a_theta_1 + a_theta_2;  // angular acceleration of S2, z
+    const Scalar z112 = n0_75 * z111;  // force on S2, x
+    const Scalar z113 = n0_75 * z109 - n0_1425 * z111;  // moment on S2, z
+    const Scalar z114 = s_theta_2 * z96 - c_theta_2 * z112;
+    const Scalar z115 = s_theta_2 * z112 + c_theta_2 * z96;
+    const Scalar z118 = n8_2 * a_theta_1 - n17 * z89 - z113 - n0_6 * z114;  // moment on S1, z
+    const Scalar z123 = z85 + z86 + z118;
+    const Scalar z124 = z87 + z88 - z113;
+    const Scalar z185 = n400_over_57 * z55;
+    const Scalar z186 = z55 * z185 - z68;
+    const Scalar z187 = n1 / z186;
+    const Scalar z217 = n2 * v_theta_1;
+    const Scalar z218 = n0_6 * z217;
+    const Scalar z219 = s_theta_2 * z218;
     const Scalar z220 = n0_75 * z219;
-    const Scalar z221 = s_theta_2 * z220;
-    const Scalar z222 = z218 - n0_6 * z221;
-    const Scalar z223 = n25 + z222;
-    const Scalar z224 = s_theta_2 * z87 - c_theta_2 * z88;
-    const Scalar z225 = n0_75 * z224;
-    const Scalar z226 = n17 * z88 - z225;
-    const Scalar z227 = n600 - z226;
-    const Scalar z228 = n0_6 * z221;
-    const Scalar z229 = n0_75 * z108;
-    const Scalar z230 = n0_6 * z113 + z229;
-    const Scalar z231 = n40 - z229;
-    const Scalar z232 = z183 * z225 - z227;
-    const Scalar z233 = z185 * z232;
-    const Scalar z234 = z183 * z233 - n400_over_57 * z225;
-    const Scalar z235 = z183 * z218 - z223;
-    const Scalar z236 = z185 * z235;
-    const Scalar z237 = z183 * z236 - n400_over_57 * z218;
-    const Scalar z238 = z183 * z231 + z230;
-    const Scalar z239 = z185 * z238;
-    const Scalar z240 = z183 * z239 - n400_over_57 * z231;
-    const Scalar z241 = n0_6 * z183 + z228;
-    const Scalar z242 = z185 * z241;
-    const Scalar z243 = n80_over_19 - z183 * z242;
-    result.M[0] = z67;
+    const Scalar z221 = n2 * z18;
+    const Scalar z222 = n0_75 * z221;
+    const Scalar z223 = s_theta_2 * z222;
+    const Scalar z224 = z220 - n0_6 * z223;
+    const Scalar z225 = n25 + z224;
+    const Scalar z226 = s_theta_2 * z89 - c_theta_2 * z90;
+    const Scalar z227 = n0_75 * z226;
+    const Scalar z228 = n17 * z90 - z227;
+    const Scalar z229 = n600 - z228;
+    const Scalar z230 = n0_6 * z223;
+    const Scalar z231 = n0_75 * z110;
+    const Scalar z232 = n0_6 * z115 + z231;
+    const Scalar z233 = n40 - z231;
+    const Scalar z276 = z185 * z227 - z229;
+    const Scalar z277 = z187 * z276;
+    const Scalar z278 = z185 * z277 - n400_over_57 * z227;
+    const Scalar z279 = z185 * z220 - z225;
+    const Scalar z280 = z187 * z279;
+    const Scalar z281 = z185 * z280 - n400_over_57 * z220;
+    const Scalar z282 = z185 * z233 + z232;
+    const Scalar z283 = z187 * z282;
+    const Scalar z284 = z185 * z283 - n400_over_57 * z233;
+    const Scalar z285 = n0_6 * z185 + z230;
+    const Scalar z286 = z187 * z285;
+    const Scalar z287 = n80_over_19 - z185 * z286;
+    result.M[0] = z68;
     result.M[1] = z55;
     result.M[2] = z55;
     result.M[3] = n0_1425;
-    result.C[0] = z223;
-    result.C[1] = z218;
-    result.C[2] = -z228;
+    result.C[0] = z225;
+    result.C[1] = z220;
+    result.C[2] = -z230;
     result.C[3] = n0_6;
-    result.K[0] = z227;
-    result.K[1] = z225;
-    result.K[2] = -z230;
-    result.K[3] = z231;
-    result.F[0] = -z121;
-    result.F[1] = -z122;
+    result.K[0] = z229;
+    result.K[1] = z227;
+    result.K[2] = -z232;
+    result.K[3] = z233;
+    result.F[0] = -z123;
+    result.F[1] = -z124;
     result.A[0] = n0;
     result.A[1] = n0;
-    result.A[2] = -z233;
-    result.A[3] = z234;
+    result.A[2] = -z277;
+    result.A[3] = z278;
     result.A[4] = n0;
     result.A[5] = n0;
-    result.A[6] = -z239;
-    result.A[7] = z240;
+    result.A[6] = -z283;
+    result.A[7] = z284;
     result.A[8] = n1;
     result.A[9] = n0;
-    result.A[10] = -z236;
-    result.A[11] = z237;
+    result.A[10] = -z280;
+    result.A[11] = z281;
     result.A[12] = n0;
     result.A[13] = n1;
-    result.A[14] = -z242;
-    result.A[15] = -z243;
-    if (!(traits::regular(-z184, z67))) return torsor::Status::singular;
+    result.A[14] = -z286;
+    result.A[15] = -z287;
+    if (!(traits::regular(-z186, z68))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.M[0] - result.M[0]) + (result.M[1] - result.M[1]) + (result.M[2] - result.M[2])
         + (result.C[0] - result.C[0]) + (result.C[1] - result.C[1]) + (result.C[2] - result.C[2]) + (result.K[0]

@@ -3,22 +3,24 @@
 // Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
 // Free to embed under the MIT licence.
 //
-// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, constraints, linearisation
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, constraints, linearisation, inverse_dynamics_derivatives, forward_dynamics_derivatives
 // Parameters set at run time: A, C
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
 // moved across joints, factoring, and what is done once for a set of parameters:
-//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   precompute                1                0          1             0                  0       0      2       -
-//   kinematics               34               65          0             0                  3       0    105     105
-//   mass_matrix               2                4          0             0                  1       0      8       9
-//   bias                      6               18          0             0                  1       0     26      55
-//   inverse_dynamics         19               27          0             0                  2       0     50     107
-//   forward_dynamics         28               54          4             0                  2       0     90     142
-//   energy                   14               29          0             0                  3       0     49      55
-//   first_integrals          15               29          0             0                  3       0     50      56
-//   constraints               9               16          0             0                  2       0     29      29
-//   linearisation           213              313          8             0                  2       0    538     713
+//   function                      additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   precompute                            1                0          1             0                  0       0      2       -
+//   kinematics                           34               65          0             0                  3       0    105     105
+//   mass_matrix                           2                4          0             0                  1       0      8       9
+//   bias                                  6               18          0             0                  1       0     26      55
+//   inverse_dynamics                     19               27          0             0                  2       0     50     107
+//   forward_dynamics                     28               54          4             0                  2       0     90     142
+//   energy                               14               29          0             0                  3       0     49      55
+//   first_integrals                      15               29          0             0                  3       0     50      56
+//   constraints                           9               16          0             0                  2       0     29      29
+//   linearisation                       213              313          8             0                  2       0    538     713
+//   inverse_dynamics_derivatives         31               59          0             0                  2       0     94     266
+//   forward_dynamics_derivatives        127              230          4             0                  2       0    365     645
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 39 results 11 vanish identically, 2 repeat another up to sign
@@ -28,9 +30,11 @@
 //   constraints: of 16 results 5 vanish identically, 2 repeat another up to sign
 //   reactions: left out, the scene releases no joint direction (released_coordinate)
 //   linearisation: of 180 results 100 vanish identically, 5 repeat another up to sign
+//   inverse_dynamics_derivatives: of 50 results 37 vanish identically, 1 repeat another up to sign
+//   forward_dynamics_derivatives: of 105 results 40 vanish identically, 6 repeat another up to sign
 //
 // To write this file again:
-//   rolling_hoop_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output rolling_hoop.hpp
+//   rolling_hoop_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation,inverse_dynamics_derivatives,forward_dynamics_derivatives --output rolling_hoop.hpp
 #pragma once
 
 #include <array>
@@ -632,6 +636,22 @@ struct Mechanism {
   static constexpr int independent_velocity_count = 3;
   static constexpr int independent_velocities[] = {1, 2, 4};
 
+  /// Derivatives of generalised forces, stored column by column.
+  struct InverseDynamicsDerivatives {
+    std::array<Scalar, 25> by_position;  ///< df_i/dq_j (5 x 5)
+    std::array<Scalar, 25> by_velocity;  ///< df_i/dv_j (5 x 5)
+  };
+
+  /// Derivatives of accelerations and multipliers, stored column by column.
+  struct ForwardDynamicsDerivatives {
+    std::array<Scalar, 25> by_position;  ///< da_i/dq_j (5 x 5)
+    std::array<Scalar, 25> by_velocity;  ///< da_i/dv_j (5 x 5)
+    std::array<Scalar, 25> by_force;  ///< da_i/df_j, f generalised forces added to E u (5 x 5)
+    std::array<Scalar, 10> multipliers_by_position;  ///< dlambda_i/dq_j (2 x 5)
+    std::array<Scalar, 10> multipliers_by_velocity;  ///< dlambda_i/dv_j (2 x 5)
+    std::array<Scalar, 10> multipliers_by_force;  ///< dlambda_i/df_j, f generalised forces added to E u (2 x 5)
+  };
+
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
   /// matrices column by column.
   TORSOR_DEVICE static void kinematics(const Precomputed&, const State& state, Kinematics& result) noexcept {
@@ -930,36 +950,36 @@ struct Mechanism {
     const Scalar z155 = z74 * z154 - z83;
     const Scalar z156 = n1 / z98;
     const Scalar z157 = n1 / z155;
-    const Scalar z158 = z111 * z154 + z116;
+    const Scalar z158 = c_theta - z154;
     const Scalar z159 = z157 * z158;
-    const Scalar z160 = z120 * z156;
-    const Scalar z161 = z111 * z153 - z154 * z159;
-    const Scalar z162 = c_theta - z154;
-    const Scalar z163 = z157 * z162;
-    const Scalar z164 = z153 + z154 * z163;
-    const Scalar z165 = s_theta * z156;
-    const Scalar z166 = n1 - c_theta * z163 + z164;
-    const Scalar z167 = c_theta * z159 - z148 + z161;
-    const Scalar z168 = n1 + s_theta * z165;
-    const Scalar z169 = s_theta * z160 + z150;
-    const Scalar z170 = n1 / z168;
-    const Scalar z171 = n1 / z166;
-    const Scalar z172 = z167 * z171;
-    const Scalar z173 = z169 * z170;
+    const Scalar z160 = z153 + z154 * z159;
+    const Scalar z161 = s_theta * z156;
+    const Scalar z162 = n1 - c_theta * z159 + z160;
+    const Scalar z163 = n1 + s_theta * z161;
+    const Scalar z164 = n1 / z163;
+    const Scalar z165 = n1 / z162;
+    const Scalar z166 = z111 * z154 + z116;
+    const Scalar z167 = z157 * z166;
+    const Scalar z168 = z120 * z156;
+    const Scalar z169 = z111 * z153 - z154 * z167;
+    const Scalar z170 = c_theta * z167 - z148 + z169;
+    const Scalar z171 = s_theta * z168 + z150;
+    const Scalar z172 = z165 * z170;
+    const Scalar z173 = z164 * z171;
     const Scalar z174 = s_psi * z173 + c_psi * z172;
     const Scalar z175 = s_psi * z172 - c_psi * z173;
-    const Scalar z176 = z159 + z163 * z172;
-    const Scalar z177 = z160 - z165 * z173;
-    const Scalar z178 = z161 - z164 * z172;
+    const Scalar z176 = z159 * z172 + z167;
+    const Scalar z177 = z161 * z173 - z168;
+    const Scalar z178 = z160 * z172 - z169;
     accelerations.x = -z174;
     accelerations.y = -z175;
     accelerations.psi = z176;
-    accelerations.theta = -z177;
-    accelerations.phi = z178;
+    accelerations.theta = z177;
+    accelerations.phi = -z178;
     multipliers.lambda_along_x1 = -z172;
     multipliers.lambda_along_y1 = z173;
-    if (!(traits::regular(-z155, z83) && traits::regular(z98, z98) && traits::regular(p_C, p_C) && traits::regular(z166,
-        z166) && traits::regular(z168, z168))) return torsor::Status::singular;
+    if (!(traits::regular(-z155, z83) && traits::regular(z98, z98) && traits::regular(p_C, p_C) && traits::regular(z162,
+        z162) && traits::regular(z163, z163))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.x - accelerations.x) + (accelerations.y - accelerations.y) + (accelerations.psi
         - accelerations.psi) + (accelerations.theta - accelerations.theta) + (accelerations.phi - accelerations.phi)
@@ -1575,6 +1595,491 @@ struct Mechanism {
         + (result.A[48] - result.A[48]) + (result.A[51] - result.A[51]) + (result.A[53] - result.A[53]) + (result.A[54]
         - result.A[54]) + (result.A[55] - result.A[55]) + (result.A[56] - result.A[56]) + (result.A[59] - result.A[59])
         + (result.A[61] - result.A[61]) + (result.A[62] - result.A[62]) + (result.A[63] - result.A[63]);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Derivatives of inverse_dynamics at (q, v, a, lambda). That by accelerations is the mass matrix.
+  TORSOR_DEVICE static void inverse_dynamics_derivatives(const Precomputed& precomputed, const State& state,
+      const Accelerations& accelerations, const Multipliers& multipliers, InverseDynamicsDerivatives& result) noexcept {
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar a_theta = accelerations.theta;
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar a_psi = accelerations.psi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar a_phi = accelerations.phi;
+    const Scalar p_A = precomputed.parameters.A;
+    const Scalar p_C = precomputed.parameters.C;
+    const Scalar l_lambda_along_x1 = multipliers.lambda_along_x1;
+    const Scalar l_lambda_along_y1 = multipliers.lambda_along_y1;
+    const Scalar angles_[] = {q_theta, q_psi};
+    Scalar sines_[2], cosines_[2];
+    torsor::sines_and_cosines(angles_, sines_, cosines_);
+    const Scalar s_theta = sines_[0], c_theta = cosines_[0];
+    const Scalar s_psi = sines_[1], c_psi = cosines_[1];
+    const Scalar z10 = c_theta * v_theta;
+    const Scalar z11 = s_theta * v_theta;
+    const Scalar z13 = c_theta * a_theta - v_theta * z11;
+    const Scalar z28 = s_theta * v_psi;
+    const Scalar z29 = c_theta * v_psi;
+    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
+    const Scalar z103 = v_theta * z29;  // angular acceleration of hoop.2, y
+    const Scalar z104 = v_theta * z28;  // angular acceleration of hoop.2, z
+    const Scalar z108 = v_theta * z36;
+    const Scalar z110 = p_C * z108;  // moment on hoop, y
+    const Scalar z111 = p_C * z104;  // moment on hoop, z
+    const Scalar z121 = n9_81 + z13;
+    const Scalar z124 = s_theta * a_psi;
+    const Scalar z125 = c_theta * a_psi;
+    const Scalar z128 = v_theta * z29 + z124;  // angular acceleration of hoop.2, y
+    const Scalar z129 = v_theta * z28 - z125;  // angular acceleration of hoop.2, z
+    const Scalar z132 = a_phi - z129;  // angular acceleration of hoop, z
+    const Scalar z133 = p_C * z132;  // moment on hoop, z
+    const Scalar z135 = p_A * (z103 + z128) - z110;  // moment on hoop.2, y
+    const Scalar z179 = p_C * z36;
+    const Scalar z196 = s_psi * l_lambda_along_x1 + c_psi * l_lambda_along_y1;
+    const Scalar z197 = s_psi * l_lambda_along_y1 - c_psi * l_lambda_along_x1;
+    const Scalar z198 = z10 * p_C;
+    const Scalar z199 = n2 * z10 * p_A - z198;
+    const Scalar z200 = z11 * p_C;
+    const Scalar z201 = s_theta * z199 - c_theta * z200;
+    const Scalar z202 = s_theta * z29 + c_theta * z28;
+    const Scalar z203 = s_theta * z36 + c_theta * z28;
+    const Scalar z204 = p_C * z203;
+    const Scalar z205 = p_A * z202 - z204;
+    const Scalar z206 = n2 * p_A * z29 - z179;
+    const Scalar z207 = p_C * z28;
+    const Scalar z208 = s_theta * z206 - c_theta * z207;
+    const Scalar z209 = p_A * (z104 + z129) - z111;
+    const Scalar z210 = p_C * z128;
+    const Scalar z211 = s_theta * (z133 + z209) - c_theta * (z135 - z210);
+    const Scalar z212 = s_theta * l_lambda_along_x1 - z211;
+    const Scalar z213 = s_theta * v_theta + z11;
+    const Scalar z214 = c_theta * z213;
+    const Scalar z215 = s_theta * a_theta + v_theta * z10;
+    const Scalar z216 = z28 * z28 - z29 * z29;
+    const Scalar z217 = z28 * z28 - z29 * z36;
+    const Scalar z218 = p_C * z217;
+    const Scalar z219 = p_A * z216 - z218;
+    const Scalar z220 = s_theta * z121 + c_theta * z215 - z219;
+    const Scalar z221 = c_theta * l_lambda_along_y1 + z220;
+    const Scalar z222 = v_theta * p_C;
+    const Scalar z223 = s_theta * z222;
+    result.by_position[0] = n0;
+    result.by_position[1] = n0;
+    result.by_position[2] = n0;
+    result.by_position[3] = n0;
+    result.by_position[4] = n0;
+    result.by_position[5] = n0;
+    result.by_position[6] = n0;
+    result.by_position[7] = n0;
+    result.by_position[8] = n0;
+    result.by_position[9] = n0;
+    result.by_position[10] = z196;
+    result.by_position[11] = z197;
+    result.by_position[12] = n0;
+    result.by_position[13] = n0;
+    result.by_position[14] = n0;
+    result.by_position[15] = n0;
+    result.by_position[16] = n0;
+    result.by_position[17] = z212;
+    result.by_position[18] = -z221;
+    result.by_position[19] = -z210;
+    result.by_position[20] = n0;
+    result.by_position[21] = n0;
+    result.by_position[22] = n0;
+    result.by_position[23] = n0;
+    result.by_position[24] = n0;
+    result.by_velocity[0] = n0;
+    result.by_velocity[1] = n0;
+    result.by_velocity[2] = n0;
+    result.by_velocity[3] = n0;
+    result.by_velocity[4] = n0;
+    result.by_velocity[5] = n0;
+    result.by_velocity[6] = n0;
+    result.by_velocity[7] = n0;
+    result.by_velocity[8] = n0;
+    result.by_velocity[9] = n0;
+    result.by_velocity[10] = n0;
+    result.by_velocity[11] = n0;
+    result.by_velocity[12] = z201;
+    result.by_velocity[13] = -z205;
+    result.by_velocity[14] = -z200;
+    result.by_velocity[15] = n0;
+    result.by_velocity[16] = n0;
+    result.by_velocity[17] = z208;
+    result.by_velocity[18] = -z214;
+    result.by_velocity[19] = -z207;
+    result.by_velocity[20] = n0;
+    result.by_velocity[21] = n0;
+    result.by_velocity[22] = -z223;
+    result.by_velocity[23] = z207;
+    result.by_velocity[24] = n0;
+  }
+
+  /// Derivatives of forward_dynamics at (q, v, u), the accelerations and multipliers being those of the motion, by
+  /// solving with the factorisation of the motion. Returns singular where forward_dynamics does.
+  TORSOR_DEVICE static torsor::Status forward_dynamics_derivatives(const Precomputed& precomputed, const State& state,
+      const Inputs&, ForwardDynamicsDerivatives& result) noexcept {
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar v_x = state.v.x;
+    const Scalar v_y = state.v.y;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar p_A = precomputed.parameters.A;
+    const Scalar p_C = precomputed.parameters.C;
+    const Scalar z79 = precomputed.z79;
+    const Scalar z153 = precomputed.z153;
+    const Scalar angles_[] = {q_theta, q_psi};
+    Scalar sines_[2], cosines_[2];
+    torsor::sines_and_cosines(angles_, sines_, cosines_);
+    const Scalar s_theta = sines_[0], c_theta = cosines_[0];
+    const Scalar s_psi = sines_[1], c_psi = cosines_[1];
+    const Scalar z10 = c_theta * v_theta;
+    const Scalar z11 = s_theta * v_theta;
+    const Scalar z26 = v_x * c_psi + v_y * s_psi;
+    const Scalar z28 = s_theta * v_psi;
+    const Scalar z29 = c_theta * v_psi;
+    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
+    const Scalar z74 = c_theta * p_C;
+    const Scalar z80 = s_theta * z79;
+    const Scalar z81 = s_theta * z80;
+    const Scalar z83 = p_C + z81;
+    const Scalar z98 = c_theta * c_theta + p_A;
+    const Scalar z99 = v_theta * z11;
+    const Scalar z100 = n9_81 - z99;
+    const Scalar z103 = v_theta * z29;  // angular acceleration of hoop.2, y
+    const Scalar z104 = v_theta * z28;  // angular acceleration of hoop.2, z
+    const Scalar z107 = z28 * z36;
+    const Scalar z108 = v_theta * z36;
+    const Scalar z109 = p_C * z107;  // moment on hoop, x
+    const Scalar z110 = p_C * z108;  // moment on hoop, y
+    const Scalar z111 = p_C * z104;  // moment on hoop, z
+    const Scalar z112 = z28 * z29;
+    const Scalar z113 = p_A * z112 - z109;  // moment on hoop.2, x
+    const Scalar z114 = n2 * p_A * z103 - z110;  // moment on hoop.2, y
+    const Scalar z116 = s_theta * z114 - c_theta * z111;
+    const Scalar z120 = c_theta * z100 - z113;
+    const Scalar z146 = v_psi * s_psi;
+    const Scalar z147 = v_psi * c_psi;
+    const Scalar z148 = v_x * z146 - v_y * z147 + z11 * v_psi;
+    const Scalar z150 = v_x * z147 + v_y * z146 - v_theta * z10;
+    const Scalar z154 = z74 * z153;
+    const Scalar z155 = z74 * z154 - z83;
+    const Scalar z156 = n1 / z98;
+    const Scalar z157 = n1 / z155;
+    const Scalar z158 = c_theta - z154;
+    const Scalar z159 = z157 * z158;
+    const Scalar z160 = z153 + z154 * z159;
+    const Scalar z161 = s_theta * z156;
+    const Scalar z162 = n1 - c_theta * z159 + z160;
+    const Scalar z163 = n1 + s_theta * z161;
+    const Scalar z164 = n1 / z163;
+    const Scalar z165 = n1 / z162;
+    const Scalar z166 = z111 * z154 + z116;
+    const Scalar z167 = z157 * z166;
+    const Scalar z168 = z120 * z156;
+    const Scalar z169 = z111 * z153 - z154 * z167;
+    const Scalar z170 = c_theta * z167 - z148 + z169;
+    const Scalar z171 = s_theta * z168 + z150;
+    const Scalar z172 = z165 * z170;
+    const Scalar z173 = z164 * z171;
+    const Scalar z174 = s_psi * z173 + c_psi * z172;
+    const Scalar z175 = s_psi * z172 - c_psi * z173;
+    const Scalar z176 = z159 * z172 + z167;
+    const Scalar z177 = z161 * z173 - z168;
+    const Scalar z178 = z160 * z172 - z169;
+    const Scalar z179 = p_C * z36;
+    const Scalar z198 = z10 * p_C;
+    const Scalar z199 = n2 * z10 * p_A - z198;
+    const Scalar z200 = z11 * p_C;
+    const Scalar z201 = s_theta * z199 - c_theta * z200;
+    const Scalar z202 = s_theta * z29 + c_theta * z28;
+    const Scalar z203 = s_theta * z36 + c_theta * z28;
+    const Scalar z204 = p_C * z203;
+    const Scalar z205 = p_A * z202 - z204;
+    const Scalar z206 = n2 * p_A * z29 - z179;
+    const Scalar z207 = p_C * z28;
+    const Scalar z208 = s_theta * z206 - c_theta * z207;
+    const Scalar z213 = s_theta * v_theta + z11;
+    const Scalar z214 = c_theta * z213;
+    const Scalar z216 = z28 * z28 - z29 * z29;
+    const Scalar z217 = z28 * z28 - z29 * z36;
+    const Scalar z218 = p_C * z217;
+    const Scalar z219 = p_A * z216 - z218;
+    const Scalar z222 = v_theta * p_C;
+    const Scalar z223 = s_theta * z222;
+    const Scalar z226 = v_x * z146 - v_y * z147;
+    const Scalar z228 = v_x * s_psi - v_y * c_psi + z11;
+    const Scalar z229 = v_x * z147 + v_y * z146;
+    const Scalar z231 = c_theta * v_theta + z10;
+    const Scalar z233 = z10 * v_psi;
+    const Scalar z408 = z146 * z165;
+    const Scalar z409 = z147 * z164;
+    const Scalar z410 = s_psi * z409 - c_psi * z408;
+    const Scalar z411 = s_psi * z408 + c_psi * z409;
+    const Scalar z413 = z161 * z409;
+    const Scalar z414 = z160 * z408;
+    const Scalar z415 = c_psi * z165;
+    const Scalar z416 = s_psi * z164;
+    const Scalar z417 = n1 - s_psi * z416 - c_psi * z415;
+    const Scalar z422 = z147 * z165;
+    const Scalar z423 = z146 * z164;
+    const Scalar z424 = s_psi * z423 + c_psi * z422;
+    const Scalar z425 = s_psi * z422 - c_psi * z423;
+    const Scalar z427 = z161 * z423;
+    const Scalar z428 = z160 * z422;
+    const Scalar z429 = s_psi * z165;
+    const Scalar z430 = c_psi * z164;
+    const Scalar z431 = s_psi * z430 - c_psi * z429;
+    const Scalar z432 = n1 - s_psi * z429 - c_psi * z430;
+    const Scalar z436 = s_psi * z174 - c_psi * z175 - z229;
+    const Scalar z437 = s_psi * z175 + c_psi * z174 + z226;
+    const Scalar z438 = s_psi * z174 - c_psi * z175 - z436;
+    const Scalar z439 = s_psi * z175 + c_psi * z174 - z437;
+    const Scalar z440 = z165 * z438;
+    const Scalar z441 = z164 * z439;
+    const Scalar z442 = s_psi * z441 - c_psi * z440 - z175;
+    const Scalar z443 = s_psi * z440 + c_psi * z441 - z174;
+    const Scalar z445 = z161 * z441;
+    const Scalar z446 = z160 * z440;
+    const Scalar z447 = z154 * z200 + z201;
+    const Scalar z448 = z157 * z447;
+    const Scalar z449 = z156 * z205;
+    const Scalar z450 = z153 * z200 - z154 * z448;
+    const Scalar z451 = c_theta * z448 - z228 + z450;
+    const Scalar z452 = s_theta * z449 - z26;
+    const Scalar z453 = z165 * z451;
+    const Scalar z454 = z164 * z452;
+    const Scalar z455 = s_psi * z454 - c_psi * z453;
+    const Scalar z456 = s_psi * z453 + c_psi * z454;
+    const Scalar z457 = z159 * z453 + z448;
+    const Scalar z458 = z161 * z454 - z449;
+    const Scalar z459 = z160 * z453 - z450;
+    const Scalar z460 = z154 * z157;
+    const Scalar z461 = c_theta * z157 - z460;
+    const Scalar z462 = z165 * z461;
+    const Scalar z465 = z157 + z159 * z462;
+    const Scalar z467 = s_theta * z176 + z233;
+    const Scalar z468 = c_theta * z177 - z99;
+    const Scalar z469 = c_theta * z176;
+    const Scalar z470 = v_theta * z28 - z469;  // angular acceleration of hoop.2, z
+    const Scalar z471 = z178 + z470;  // angular acceleration of hoop, z
+    const Scalar z472 = p_C * z471;  // moment on hoop, z
+    const Scalar z473 = p_A * (z104 + z470) - z111;
+    const Scalar z474 = s_theta * z176;
+    const Scalar z475 = v_theta * z29 + z474;  // angular acceleration of hoop.2, y
+    const Scalar z476 = p_A * (z103 + z475) - z110;  // moment on hoop.2, y
+    const Scalar z477 = p_C * z475;
+    const Scalar z478 = s_theta * (z472 - z473) + c_theta * (z476 - z477);
+    const Scalar z479 = s_theta * z172 - z478;
+    const Scalar z480 = c_theta * z177 - v_theta * z11;
+    const Scalar z481 = n9_81 + z480;
+    const Scalar z482 = s_theta * z177 + v_theta * z10;
+    const Scalar z483 = s_theta * z481 + c_theta * z482 - z219;
+    const Scalar z484 = c_theta * z173 + z483;
+    const Scalar z485 = z154 * z477 - z479;
+    const Scalar z486 = z157 * z485;
+    const Scalar z487 = z156 * z484;
+    const Scalar z488 = z153 * z477 - z154 * z486;
+    const Scalar z489 = c_theta * z486 - z467 + z488;
+    const Scalar z490 = s_theta * z487 + z468;
+    const Scalar z491 = z165 * z489;
+    const Scalar z492 = z164 * z490;
+    const Scalar z493 = s_psi * z492 - c_psi * z491;
+    const Scalar z494 = s_psi * z491 + c_psi * z492;
+    const Scalar z495 = z159 * z491 + z486;
+    const Scalar z496 = z161 * z492 - z487;
+    const Scalar z497 = z160 * z491 - z488;
+    const Scalar z498 = z154 * z207 + z208;
+    const Scalar z499 = z157 * z498;
+    const Scalar z500 = z156 * z214;
+    const Scalar z501 = z153 * z207 - z154 * z499;
+    const Scalar z502 = c_theta * z499 - z28 + z501;
+    const Scalar z503 = s_theta * z500 + z231;
+    const Scalar z504 = z165 * z502;
+    const Scalar z505 = z164 * z503;
+    const Scalar z506 = s_psi * z505 - c_psi * z504;
+    const Scalar z507 = s_psi * z504 + c_psi * z505;
+    const Scalar z508 = z159 * z504 + z499;
+    const Scalar z510 = z160 * z504 - z501;
+    const Scalar z511 = z161 * z164;
+    const Scalar z512 = s_psi * z511;
+    const Scalar z513 = c_psi * z511;
+    const Scalar z514 = z156 - z161 * z511;
+    const Scalar z515 = z157 * z223;
+    const Scalar z516 = z156 * z207;
+    const Scalar z517 = z154 * z515;
+    const Scalar z518 = c_theta * z515 - z517;
+    const Scalar z519 = s_theta * z516;
+    const Scalar z520 = z165 * z518;
+    const Scalar z521 = z164 * z519;
+    const Scalar z522 = s_psi * z521 - c_psi * z520;
+    const Scalar z523 = s_psi * z520 + c_psi * z521;
+    const Scalar z524 = z159 * z520 + z515;
+    const Scalar z525 = z161 * z521 - z516;
+    const Scalar z526 = z160 * z520 + z517;
+    const Scalar z527 = z153 - z154 * z460;
+    const Scalar z528 = c_theta * z460 + z527;
+    const Scalar z529 = z165 * z528;
+    const Scalar z530 = c_psi * z529;
+    const Scalar z531 = s_psi * z529;
+    const Scalar z532 = z159 * z529 + z460;
+    const Scalar z533 = z160 * z529 - z527;
+    result.by_position[0] = n0;
+    result.by_position[1] = n0;
+    result.by_position[2] = n0;
+    result.by_position[3] = n0;
+    result.by_position[4] = n0;
+    result.by_position[5] = n0;
+    result.by_position[6] = n0;
+    result.by_position[7] = n0;
+    result.by_position[8] = n0;
+    result.by_position[9] = n0;
+    result.by_position[10] = -z442;
+    result.by_position[11] = z443;
+    result.by_position[12] = n0;
+    result.by_position[13] = z445;
+    result.by_position[14] = z446;
+    result.by_position[15] = z493;
+    result.by_position[16] = -z494;
+    result.by_position[17] = z495;
+    result.by_position[18] = -z496;
+    result.by_position[19] = -z497;
+    result.by_position[20] = n0;
+    result.by_position[21] = n0;
+    result.by_position[22] = n0;
+    result.by_position[23] = n0;
+    result.by_position[24] = n0;
+    result.by_velocity[0] = -z410;
+    result.by_velocity[1] = z411;
+    result.by_velocity[2] = n0;
+    result.by_velocity[3] = z413;
+    result.by_velocity[4] = z414;
+    result.by_velocity[5] = -z424;
+    result.by_velocity[6] = -z425;
+    result.by_velocity[7] = n0;
+    result.by_velocity[8] = z427;
+    result.by_velocity[9] = -z428;
+    result.by_velocity[10] = z455;
+    result.by_velocity[11] = -z456;
+    result.by_velocity[12] = z457;
+    result.by_velocity[13] = -z458;
+    result.by_velocity[14] = -z459;
+    result.by_velocity[15] = z506;
+    result.by_velocity[16] = -z507;
+    result.by_velocity[17] = z508;
+    result.by_velocity[18] = n0;
+    result.by_velocity[19] = -z510;
+    result.by_velocity[20] = -z522;
+    result.by_velocity[21] = z523;
+    result.by_velocity[22] = -z524;
+    result.by_velocity[23] = z525;
+    result.by_velocity[24] = z526;
+    result.by_force[0] = z417;
+    result.by_force[1] = z431;
+    result.by_force[2] = n0;
+    result.by_force[3] = z512;
+    result.by_force[4] = -z530;
+    result.by_force[5] = z431;
+    result.by_force[6] = z432;
+    result.by_force[7] = n0;
+    result.by_force[8] = -z513;
+    result.by_force[9] = -z531;
+    result.by_force[10] = n0;
+    result.by_force[11] = n0;
+    result.by_force[12] = -z465;
+    result.by_force[13] = n0;
+    result.by_force[14] = z532;
+    result.by_force[15] = z512;
+    result.by_force[16] = -z513;
+    result.by_force[17] = n0;
+    result.by_force[18] = z514;
+    result.by_force[19] = n0;
+    result.by_force[20] = -z530;
+    result.by_force[21] = -z531;
+    result.by_force[22] = z532;
+    result.by_force[23] = n0;
+    result.by_force[24] = -z533;
+    result.multipliers_by_position[0] = n0;
+    result.multipliers_by_position[1] = n0;
+    result.multipliers_by_position[2] = n0;
+    result.multipliers_by_position[3] = n0;
+    result.multipliers_by_position[4] = z440;
+    result.multipliers_by_position[5] = z441;
+    result.multipliers_by_position[6] = n0;
+    result.multipliers_by_position[7] = -z492;
+    result.multipliers_by_position[8] = n0;
+    result.multipliers_by_position[9] = n0;
+    result.multipliers_by_velocity[0] = z408;
+    result.multipliers_by_velocity[1] = z409;
+    result.multipliers_by_velocity[2] = -z422;
+    result.multipliers_by_velocity[3] = z423;
+    result.multipliers_by_velocity[4] = -z453;
+    result.multipliers_by_velocity[5] = -z454;
+    result.multipliers_by_velocity[6] = n0;
+    result.multipliers_by_velocity[7] = -z505;
+    result.multipliers_by_velocity[8] = n0;
+    result.multipliers_by_velocity[9] = z521;
+    result.multipliers_by_force[0] = -z415;
+    result.multipliers_by_force[1] = z416;
+    result.multipliers_by_force[2] = -z429;
+    result.multipliers_by_force[3] = -z430;
+    result.multipliers_by_force[4] = n0;
+    result.multipliers_by_force[5] = n0;
+    result.multipliers_by_force[6] = n0;
+    result.multipliers_by_force[7] = -z511;
+    result.multipliers_by_force[8] = -z529;
+    result.multipliers_by_force[9] = n0;
+    if (!(traits::regular(-z155, z83) && traits::regular(z98, z98) && traits::regular(p_C, p_C) && traits::regular(z162,
+        z162) && traits::regular(z163, z163))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (result.by_position[10] - result.by_position[10]) + (result.by_position[11]
+        - result.by_position[11]) + (result.by_position[13] - result.by_position[13]) + (result.by_position[14]
+        - result.by_position[14]) + (result.by_position[15] - result.by_position[15]) + (result.by_position[16]
+        - result.by_position[16]) + (result.by_position[17] - result.by_position[17]) + (result.by_position[18]
+        - result.by_position[18]) + (result.by_position[19] - result.by_position[19]) + (result.by_velocity[0]
+        - result.by_velocity[0]) + (result.by_velocity[1] - result.by_velocity[1]) + (result.by_velocity[3]
+        - result.by_velocity[3]) + (result.by_velocity[4] - result.by_velocity[4]) + (result.by_velocity[5]
+        - result.by_velocity[5]) + (result.by_velocity[6] - result.by_velocity[6]) + (result.by_velocity[8]
+        - result.by_velocity[8]) + (result.by_velocity[9] - result.by_velocity[9]) + (result.by_velocity[10]
+        - result.by_velocity[10]) + (result.by_velocity[11] - result.by_velocity[11]) + (result.by_velocity[12]
+        - result.by_velocity[12]) + (result.by_velocity[13] - result.by_velocity[13]) + (result.by_velocity[14]
+        - result.by_velocity[14]) + (result.by_velocity[15] - result.by_velocity[15]) + (result.by_velocity[16]
+        - result.by_velocity[16]) + (result.by_velocity[17] - result.by_velocity[17]) + (result.by_velocity[19]
+        - result.by_velocity[19]) + (result.by_velocity[20] - result.by_velocity[20]) + (result.by_velocity[21]
+        - result.by_velocity[21]) + (result.by_velocity[22] - result.by_velocity[22]) + (result.by_velocity[23]
+        - result.by_velocity[23]) + (result.by_velocity[24] - result.by_velocity[24]) + (result.by_force[0]
+        - result.by_force[0]) + (result.by_force[1] - result.by_force[1]) + (result.by_force[3] - result.by_force[3])
+        + (result.by_force[4] - result.by_force[4]) + (result.by_force[5] - result.by_force[5]) + (result.by_force[6]
+        - result.by_force[6]) + (result.by_force[8] - result.by_force[8]) + (result.by_force[9] - result.by_force[9])
+        + (result.by_force[12] - result.by_force[12]) + (result.by_force[14] - result.by_force[14])
+        + (result.by_force[15] - result.by_force[15]) + (result.by_force[16] - result.by_force[16])
+        + (result.by_force[18] - result.by_force[18]) + (result.by_force[20] - result.by_force[20])
+        + (result.by_force[21] - result.by_force[21]) + (result.by_force[22] - result.by_force[22])
+        + (result.by_force[24] - result.by_force[24]) + (result.multipliers_by_position[4]
+        - result.multipliers_by_position[4]) + (result.multipliers_by_position[5] - result.multipliers_by_position[5])
+        + (result.multipliers_by_position[7] - result.multipliers_by_position[7]) + (result.multipliers_by_velocity[0]
+        - result.multipliers_by_velocity[0]) + (result.multipliers_by_velocity[1] - result.multipliers_by_velocity[1])
+        + (result.multipliers_by_velocity[2] - result.multipliers_by_velocity[2]) + (result.multipliers_by_velocity[3]
+        - result.multipliers_by_velocity[3]) + (result.multipliers_by_velocity[4] - result.multipliers_by_velocity[4])
+        + (result.multipliers_by_velocity[5] - result.multipliers_by_velocity[5]) + (result.multipliers_by_velocity[7]
+        - result.multipliers_by_velocity[7]) + (result.multipliers_by_velocity[9] - result.multipliers_by_velocity[9])
+        + (result.multipliers_by_force[0] - result.multipliers_by_force[0]) + (result.multipliers_by_force[1]
+        - result.multipliers_by_force[1]) + (result.multipliers_by_force[2] - result.multipliers_by_force[2])
+        + (result.multipliers_by_force[3] - result.multipliers_by_force[3]) + (result.multipliers_by_force[7]
+        - result.multipliers_by_force[7]) + (result.multipliers_by_force[8] - result.multipliers_by_force[8]);
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }

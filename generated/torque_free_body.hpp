@@ -606,14 +606,14 @@ struct Mechanism {
     const Scalar v_e_omega_x = state.v.e_omega_x;
     const Scalar v_e_omega_y = state.v.e_omega_y;
     const Scalar v_e_omega_z = state.v.e_omega_z;
-    const Scalar z72 = n0_5 * (q_e_y * v_e_omega_y + q_e_z * v_e_omega_z + q_e_x * v_e_omega_x);
-    const Scalar z73 = n0_5 * (q_e_y * v_e_omega_z - q_e_z * v_e_omega_y + q_e_w * v_e_omega_x);
-    const Scalar z74 = n0_5 * (q_e_z * v_e_omega_x - q_e_x * v_e_omega_z + q_e_w * v_e_omega_y);
-    const Scalar z75 = n0_5 * (q_e_y * v_e_omega_x - q_e_x * v_e_omega_y - q_e_w * v_e_omega_z);
-    rates[0] = -z72;
-    rates[1] = z73;
-    rates[2] = z74;
-    rates[3] = -z75;
+    const Scalar z90 = n0_5 * (q_e_y * v_e_omega_y + q_e_z * v_e_omega_z + q_e_x * v_e_omega_x);
+    const Scalar z91 = n0_5 * (q_e_y * v_e_omega_z - q_e_z * v_e_omega_y + q_e_w * v_e_omega_x);
+    const Scalar z92 = n0_5 * (q_e_z * v_e_omega_x - q_e_x * v_e_omega_z + q_e_w * v_e_omega_y);
+    const Scalar z93 = n0_5 * (q_e_y * v_e_omega_x - q_e_x * v_e_omega_y - q_e_w * v_e_omega_z);
+    rates[0] = -z90;
+    rates[1] = z91;
+    rates[2] = z92;
+    rates[3] = -z93;
   }
 
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
@@ -840,12 +840,12 @@ struct Mechanism {
     const Scalar z63 = v_e_omega_x * z38;
     const Scalar z64 = v_e_omega_y * z34;
     const Scalar z65 = v_e_omega_x * z36;
-    const Scalar z66 = z49 * z60;
-    const Scalar z67 = z46 * z61;
-    const Scalar z68 = z52 * z62;
-    const Scalar z69 = z46 * z63;
-    const Scalar z70 = z52 * z64;
-    const Scalar z71 = z49 * z65;
+    const Scalar z84 = z49 * z60;
+    const Scalar z85 = z46 * z61;
+    const Scalar z86 = z52 * z62;
+    const Scalar z87 = z46 * z63;
+    const Scalar z88 = z52 * z64;
+    const Scalar z89 = z49 * z65;
     result.M[0] = p_I1;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -898,19 +898,19 @@ struct Mechanism {
     result.A[19] = n0;
     result.A[20] = n0;
     result.A[21] = n0;
-    result.A[22] = -z66;
-    result.A[23] = z67;
+    result.A[22] = -z84;
+    result.A[23] = z85;
     result.A[24] = n0;
     result.A[25] = n1;
     result.A[26] = n0;
-    result.A[27] = z68;
+    result.A[27] = z86;
     result.A[28] = n0;
-    result.A[29] = z69;
+    result.A[29] = z87;
     result.A[30] = n0;
     result.A[31] = n0;
     result.A[32] = n1;
-    result.A[33] = z70;
-    result.A[34] = -z71;
+    result.A[33] = z88;
+    result.A[34] = -z89;
     result.A[35] = n0;
     if (!(traits::regular(p_I1, p_I1) && traits::regular(p_I2, p_I2) && traits::regular(p_I3,
         p_I3))) return torsor::Status::singular;

@@ -900,13 +900,13 @@ struct Mechanism {
     const Scalar z136 = p_d * z135;
     const Scalar z137 = s_theta * z136;
     const Scalar z138 = p_d * z69;
-    const Scalar z139 = n1000 * z102;
-    const Scalar z140 = z100 * z139;
-    const Scalar z141 = z76 - z100 * z138;
-    const Scalar z142 = z102 * z141;
-    const Scalar z143 = z81 * z138 - z100 * z142;
-    const Scalar z144 = z102 * z137;
-    const Scalar z145 = z100 * z144;
+    const Scalar z159 = n1000 * z102;
+    const Scalar z160 = z100 * z159;
+    const Scalar z161 = z76 - z100 * z138;
+    const Scalar z162 = z102 * z161;
+    const Scalar z163 = z81 * z138 - z100 * z162;
+    const Scalar z164 = z102 * z137;
+    const Scalar z165 = z100 * z164;
     result.M[0] = n11_1;
     result.M[1] = z21;
     result.M[2] = z21;
@@ -923,20 +923,20 @@ struct Mechanism {
     result.F[1] = -z74;
     result.A[0] = n0;
     result.A[1] = n0;
-    result.A[2] = -z139;
-    result.A[3] = z140;
+    result.A[2] = -z159;
+    result.A[3] = z160;
     result.A[4] = n0;
     result.A[5] = n0;
-    result.A[6] = z142;
-    result.A[7] = z143;
+    result.A[6] = z162;
+    result.A[7] = z163;
     result.A[8] = n1;
     result.A[9] = n0;
     result.A[10] = n0;
     result.A[11] = n0;
     result.A[12] = n0;
     result.A[13] = n1;
-    result.A[14] = z144;
-    result.A[15] = -z145;
+    result.A[14] = z164;
+    result.A[15] = -z165;
     if (!(traits::regular(z101, n11_1) && traits::regular(z14, z14))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.M[1] - result.M[1]) + (result.M[2] - result.M[2]) + (result.M[3] - result.M[3])

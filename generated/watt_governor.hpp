@@ -695,8 +695,8 @@ struct Mechanism {
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
     const Scalar z14 = n2 * s_theta * p_L;
-    const Scalar z43 = z14 * p_M;
-    const Scalar z71 = z14 * z43 + n2 * z16;
+    const Scalar z70 = z14 * p_M;
+    const Scalar z71 = z14 * z70 + n2 * z16;
     mass[0] = z71;
   }
 
@@ -779,8 +779,8 @@ struct Mechanism {
     const Scalar z14 = n2 * s_theta * p_L;
     const Scalar z21 = p_omega * s_theta;
     const Scalar z22 = p_omega * c_theta;
-    const Scalar z43 = z14 * p_M;
-    const Scalar z71 = z14 * z43 + n2 * z16;
+    const Scalar z70 = z14 * p_M;
+    const Scalar z71 = z14 * z70 + n2 * z16;
     const Scalar z72 = n9_81 * s_theta;
     const Scalar z76 = v_theta * z12;
     const Scalar z77 = n9_81 + n2 * p_L * z76;
@@ -819,9 +819,9 @@ struct Mechanism {
     const Scalar z21 = p_omega * s_theta;
     const Scalar z23 = n2 * c_theta * p_L;
     const Scalar z24 = n2 * p_L * z11;  // velocity of sleeve, z
-    const Scalar z47 = c_theta * z17;
+    const Scalar z46 = c_theta * z17;
     result.kinetic = z16 * (v_theta * v_theta + z21 * z21) + n0_5 * p_M * z24 * z24;
-    result.force_function = n9_81 * p_M * z23 + n19_62 * z47;
+    result.force_function = n9_81 * p_M * z23 + n19_62 * z46;
     result.power = n0;
   }
 
@@ -845,12 +845,12 @@ struct Mechanism {
     const Scalar z21 = p_omega * s_theta;
     const Scalar z23 = n2 * c_theta * p_L;
     const Scalar z24 = n2 * p_L * z11;  // velocity of sleeve, z
-    const Scalar z47 = c_theta * z17;
+    const Scalar z46 = c_theta * z17;
     const Scalar z109 = p_M * z24;
     const Scalar z114 = n2 * p_L * z109;
     const Scalar z117 = n2 * v_theta * z16 + s_theta * z114;
     result.painleve = -v_theta * (v_theta * z16 - z117) - p_M * (n9_81 * z23 + n0_5 * z24 * z24) - z16 * z21 * z21
-        - n19_62 * z47;
+        - n19_62 * z46;
   }
 
   /// Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released
@@ -897,8 +897,8 @@ struct Mechanism {
     const Scalar z21 = p_omega * s_theta;
     const Scalar z22 = p_omega * c_theta;
     const Scalar z23 = n2 * c_theta * p_L;
-    const Scalar z43 = z14 * p_M;
-    const Scalar z71 = z14 * z43 + n2 * z16;
+    const Scalar z70 = z14 * p_M;
+    const Scalar z71 = z14 * z70 + n2 * z16;
     const Scalar z72 = n9_81 * s_theta;
     const Scalar z73 = n9_81 * c_theta;
     const Scalar z79 = z21 * z22;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/dynamics/forward_derivatives.hpp"
 
+#include <algorithm>
+
 #include "generator/dynamics/linearisation.hpp"
 #include "generator/expression/derivative.hpp"
 
@@ -51,6 +53,14 @@ class DifferentiatedMotion {
       std::vector<Value> column = equations_.actions().inputs[k];
       column.resize(n_);
       solve(column, std::vector<Value>(m_), &ForwardDerivatives::Of::by_input, k);
+    }
+    // Without friction M⁻¹ and its like with constraints are symmetric: one half is computed.
+    const auto& rows = equations_.constraints();
+    if (std::none_of(rows.begin(), rows.end(), [](const ConstraintRow& row) { return row.friction; })) {
+      ValueMatrix& by_force = result_.accelerations.by_force;
+      for (std::size_t i = 0; i < n_; ++i) {
+        for (std::size_t j = 0; j < i; ++j) by_force[i][j] = by_force[j][i];
+      }
     }
     return std::move(result_);
   }

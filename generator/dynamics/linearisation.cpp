@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/dynamics/linearisation.hpp"
 
+#include <optional>
+
 #include "generator/dynamics/articulated_body.hpp"
 #include "generator/dynamics/inertia_derivatives.hpp"
 #include "generator/expression/derivative.hpp"
+#include "generator/expression/formula.hpp"
 
 namespace torsor {
 namespace {
@@ -35,35 +38,58 @@ std::vector<Value> opposite_efforts(const Equations& equations, Inputs inputs) {
   return all;
 }
 
+void add_derivatives(const Equations& equations, const std::vector<Value>& forces, ForceDerivatives& sum) {
+  Program& program = equations.program();
+  for (std::size_t j = 0; j < forces.size(); ++j) {
+    Derivation by_velocity = partial_derivation(program, equations.model().coordinates()[j].v);
+    Derivation by_position = equations.model().along(static_cast<int>(j));
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+      if (forces[i].is_zero()) continue;
+      const Value damping = by_velocity(forces[i]);
+      sum.by_velocity[i][j] = program.bind(sum.by_velocity[i][j] + damping);
+      const Value stiffness = by_position(forces[i]);
+      sum.by_position[i][j] = program.bind(sum.by_position[i][j] + stiffness);
+    }
+  }
+}
+
+/// The whole residual, definition by definition.
+ForceDerivatives differentiated(const Equations& equations, Inputs inputs) {
+  const auto n = static_cast<std::size_t>(equations.model().unknown_count());
+  std::vector<Value> residual(equations.inverse_dynamics().begin(),
+                              equations.inverse_dynamics().begin() + equations.model().unknown_count());
+  for (std::size_t i = 0; i < n && inputs == Inputs::act; ++i) residual[i] -= of_inputs(equations, i);
+  ForceDerivatives result;
+  result.by_position.assign(n, std::vector<Value>(n));
+  result.by_velocity = result.by_position;
+  add_derivatives(equations, residual, result);
+  return result;
+}
+
+/// Operations beside those of the residual itself.
+int cost(const Equations& equations, const ForceDerivatives& derivatives) {
+  std::vector<Value> all = equations.inverse_dynamics();
+  for (const ValueMatrix* matrix : {&derivatives.by_position, &derivatives.by_velocity}) {
+    for (const auto& row : *matrix) all.insert(all.end(), row.begin(), row.end());
+  }
+  return count(equations.program(), all).total();
+}
+
 }  // namespace
 
 ForceDerivatives residual_derivatives(const Equations& equations, Inputs inputs) {
-  Program& program = equations.program();
   const Model& model = equations.model();
-  const auto n = static_cast<std::size_t>(model.unknown_count());
-  ForceDerivatives result;
-  std::vector<Value> rest;  // what is left to differentiate definition by definition
-  if (equations.actions().wrenches.empty() && has_simple_joints(model)) {
-    result = inertia_derivatives(model);
-    rest = opposite_efforts(equations, inputs);
-  } else {
-    result.by_position.assign(n, std::vector<Value>(n));
-    result.by_velocity = result.by_position;
-    rest = equations.inverse_dynamics();
-    for (std::size_t i = 0; i < n && inputs == Inputs::act; ++i) rest[i] -= of_inputs(equations, i);
-  }
-  for (std::size_t j = 0; j < n; ++j) {
-    Derivation by_velocity = partial_derivation(program, model.coordinates()[j].v);
-    Derivation by_position = model.along(static_cast<int>(j));
-    for (std::size_t i = 0; i < n; ++i) {
-      if (rest[i].is_zero()) continue;
-      const Value damping = by_velocity(rest[i]);
-      result.by_velocity[i][j] = program.bind(result.by_velocity[i][j] + damping);
-      const Value stiffness = by_position(rest[i]);
-      result.by_position[i][j] = program.bind(result.by_position[i][j] + stiffness);
-    }
-  }
-  return result;
+  const bool recursion_fits = equations.actions().wrenches.empty() && has_simple_joints(model);
+  // Definition by definition costs more and more with the number of joints, to run and to generate; a few joints leave
+  // so little that it may win.
+  constexpr int few = 4;
+  std::optional<ForceDerivatives> by_definition;
+  if (!recursion_fits || model.unknown_count() <= few) by_definition = differentiated(equations, inputs);
+  if (!recursion_fits) return *by_definition;
+  ForceDerivatives by_recursion = inertia_derivatives(model);
+  add_derivatives(equations, opposite_efforts(equations, inputs), by_recursion);
+  if (!by_definition || cost(equations, by_recursion) < cost(equations, *by_definition)) return by_recursion;
+  return *by_definition;
 }
 
 Linearisation linearisation(const Equations& equations) {
