@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Everything comes from the system (Debian packages, see scripts/install-dependencies).
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(Threads REQUIRED)
 find_package(fmt REQUIRED)
 find_package(nlohmann_json 3 REQUIRED)
 find_package(CLI11 REQUIRED)

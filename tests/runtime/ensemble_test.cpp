@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "runtime/motion_ensemble.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <sstream>
+#include <thread>
+
+#include "tests/runtime/mechanisms.hpp"
+#include "tests/runtime/temporary_folder.hpp"
+
+namespace {
+
+using namespace torsor::runtime;
+using Oscillator = mechanisms::Oscillator<double>;
+using CartesianPendulum = mechanisms::CartesianPendulum<double>;
+
+constexpr RecordHead seven{123, 7, 3};
+
+void squares(std::uint64_t index, std::span<double> record) {
+  const auto i = static_cast<double>(index);
+  record[0] = i;
+  record[1] = i * i;
+  record[2] = 1.0 / i;  // infinite for the first
+}
+
+class Ensemble : public TemporaryFolder {
+ protected:
+  std::filesystem::path file(const std::string& name = "results") const { return folder / name; }
+  std::string whole() const {
+    run_ensemble(file("whole"), seven, squares);
+    return contents(file("whole"));
+  }
+};
+
+TEST_F(Ensemble, WritesTheRecordsOfItsMembersInOrder) {
+  const EnsembleProgress progress = run_ensemble(file(), seven, squares);
+  EXPECT_EQ(progress.done, 7U);
+  EXPECT_EQ(progress.found, 0U);
+  const Records records = read_records(file());
+  EXPECT_EQ(records.head, seven);
+  ASSERT_TRUE(records.complete());
+  for (std::size_t i = 0; i < 7; ++i) {
+    EXPECT_EQ(records[i][1], double(i * i));
+    EXPECT_EQ(records[i][2], 1.0 / double(i));
+  }
+  // The layout that is documented: 7 words, then 5 for each record.
+  EXPECT_EQ(contents(file()).size(), (7U + 7U * 5U) * 8U);
+}
+
+TEST_F(Ensemble, ResumesFromAFileThatEndsAnywhere) {
+  const std::string expected = whole();
+  for (std::size_t bytes = 0; bytes <= expected.size(); ++bytes) {
+    put("results", expected.substr(0, bytes));
+    std::uint64_t computed = 0;
+    const EnsembleProgress progress = run_ensemble(file(), seven, [&](std::uint64_t index, std::span<double> record) {
+      ++computed;
+      squares(index, record);
+    });
+    ASSERT_EQ(contents(file()), expected) << "cut after " << bytes << " bytes";
+    const std::uint64_t kept = bytes < 56 ? 0 : (bytes - 56) / 40;
+    EXPECT_EQ(progress.found, kept) << bytes;
+    EXPECT_EQ(computed, 7 - kept) << bytes;
+  }
+}
+
+TEST_F(Ensemble, ReadsWhatIsThereOfAFileThatEndsAnywhere) {
+  const std::string expected = whole();
+  for (std::size_t bytes = 0; bytes <= expected.size(); ++bytes) {
+    const Records records = read_records(put("results", expected.substr(0, bytes)));
+    EXPECT_EQ(records.size(), bytes < 56 ? 0 : (bytes - 56) / 40) << bytes;
+  }
+}
+
+TEST_F(Ensemble, DropsEverythingFromADamagedRecordOn) {
+  const std::string expected = whole();
+  for (std::size_t byte = 56; byte < expected.size(); ++byte) {
+    std::string damaged = expected;
+    damaged[byte] = static_cast<char>(damaged[byte] ^ 4);
+    put("results", damaged);
+    EXPECT_EQ(run_ensemble(file(), seven, squares).found, (byte - 56) / 40) << byte;
+    ASSERT_EQ(contents(file()), expected) << byte;
+  }
+}
+
+TEST_F(Ensemble, RefusesTheFileOfAnotherQuestion) {
+  const std::string expected = whole();
+  const RecordHead others[] = {{124, 7, 3}, {123, 8, 3}, {123, 7, 4}};
+  for (const RecordHead& other : others) {
+    const std::string error = error_of<FileError>([&] { run_ensemble(file("whole"), other, squares); });
+    EXPECT_TRUE(mentions(error, {"whole", "another question", "7 records of 3 numbers", "choose another file"}));
+    EXPECT_EQ(contents(file("whole")), expected);
+  }
+}
+
+TEST_F(Ensemble, RefusesWhatIsNoFileOfRecords) {
+  const std::string good = whole();
+  for (const std::string& text : {std::string("x"), std::string(500, 'x'), std::string("torsor ensemble, that is")}) {
+    put("results", text);
+    EXPECT_TRUE(mentions(error_of<FileError>([&] { run_ensemble(file(), seven, squares); }), {"results", "choose"}));
+    EXPECT_EQ(contents(file()), text);
+  }
+  // Any byte of a whole head
+  for (std::size_t byte = 0; byte < 56; ++byte) {
+    std::string damaged = good;
+    damaged[byte] = static_cast<char>(damaged[byte] ^ 1);
+    put("results", damaged);
+    EXPECT_NE(error_of<FileError>([&] { run_ensemble(file(), seven, squares); }), "") << byte;
+    EXPECT_NE(error_of<FileError>([&] { (void)read_records(file()); }), "") << byte;
+    EXPECT_EQ(contents(file()), damaged);
+  }
+  EXPECT_NE(error_of<FileError>([&] { run_ensemble(folder, seven, squares); }), "");
+  EXPECT_NE(error_of<FileError>([&] { run_ensemble(folder / "none" / "results", seven, squares); }), "");
+}
+
+TEST_F(Ensemble, RefusesAFileThatIsBeingWritten) {
+  std::string error;
+  run_ensemble(file(), seven, [&](std::uint64_t index, std::span<double> record) {
+    if (index == 3) error = error_of<FileError>([&] { run_ensemble(file(), seven, squares); });
+    squares(index, record);
+  });
+  EXPECT_TRUE(mentions(error, {"results", "being written"}));
+  EXPECT_EQ(contents(file()), whole());
+}
+
+TEST_F(Ensemble, WritesTheSameBytesOnAnyNumberOfThreads) {
+  constexpr RecordHead many{5, 500, 3};
+  run_ensemble(file("one"), many, squares);
+  for (const unsigned threads : {2U, 4U, 0U, 100U}) {
+    const auto path = file(std::to_string(threads));
+    // Members that take longer or shorter finish in another order.
+    run_ensemble(path, many,
+                 [](std::uint64_t index, std::span<double> record) {
+                   if (index % 7 == 0) std::this_thread::sleep_for(std::chrono::microseconds(index));
+                   squares(index, record);
+                 },
+                 {.threads = threads});
+    EXPECT_EQ(contents(path), contents(file("one"))) << threads;
+  }
+}
+
+TEST_F(Ensemble, StopsWhenTheProgressCallbackSaysSoAndGoesOnLater) {
+  constexpr RecordHead many{5, 300, 3};
+  run_ensemble(file("one"), many, squares);
+  for (const unsigned threads : {1U, 3U}) {
+    const auto path = file(std::to_string(threads));
+    std::uint64_t last = 0, runs = 0;
+    for (bool complete = false; !complete; ++runs) {
+      ASSERT_LT(runs, 1000U);
+      const auto until = [&](const EnsembleProgress& progress) {
+        EXPECT_GE(progress.done, last);
+        EXPECT_EQ(progress.total, 300U);
+        last = progress.done;
+        return progress.done < progress.found + 90;
+      };
+      const EnsembleProgress progress = run_ensemble(path, many, squares, {.threads = threads, .progress = until});
+      EXPECT_EQ(progress.done, last);
+      complete = progress.done == progress.total;
+    }
+    EXPECT_GT(runs, 1U);
+    EXPECT_EQ(contents(path), contents(file("one")));
+  }
+}
+
+TEST_F(Ensemble, PassesOnWhatAMemberThrowsAndKeepsWhatWasDone) {
+  for (const unsigned threads : {1U, 4U}) {
+    const auto path = file(std::to_string(threads));
+    const auto fails = [](std::uint64_t index, std::span<double> record) {
+      if (index == 4) throw std::runtime_error("member 4 has no start");
+      squares(index, record);
+    };
+    EXPECT_EQ(error_of<std::runtime_error>([&] { run_ensemble(path, seven, fails, {.threads = threads}); }),
+              "member 4 has no start");
+    EXPECT_LE(read_records(path).size(), 4U);
+    run_ensemble(path, seven, squares, {.threads = threads});
+    EXPECT_EQ(contents(path), whole());
+  }
+}
+
+TEST_F(Ensemble, ComputesNothingForACompleteFileOrNoMembers) {
+  const std::string expected = whole();
+  const auto never = [](std::uint64_t, std::span<double>) { FAIL(); };
+  EXPECT_EQ(run_ensemble(file("whole"), seven, never).found, 7U);
+  EXPECT_EQ(contents(file("whole")), expected);
+  EXPECT_EQ(run_ensemble(file("none"), {1, 0, 3}, never, {.threads = 2}).total, 0U);
+  EXPECT_TRUE(read_records(file("none")).complete());
+}
+
+TEST_F(Ensemble, ShowsItsProgressInALine) {
+  std::ostringstream shown;
+  run_ensemble(file(), {5, 200, 3}, squares, {.progress = progress_line(shown)});
+  EXPECT_TRUE(mentions(shown.str(),
+                       {"\r0 of 200 members, 0 %", "\r100 of 200 members, 50 %", "\r200 of 200 members, 100 %\n"}));
+}
+
+Member<Oscillator> oscillator(std::uint64_t index) {
+  // x'' = -k/m x from x = 1: cos(sqrt(k/m) t)
+  return {{2.0, 2.0 + static_cast<double>(index)}, Oscillator::initial_state()};
+}
+
+TEST_F(Ensemble, IntegratesMembersWithParametersOfTheirOwn) {
+  const std::vector<double> times{0.5, 1.0, 2.0};
+  const auto ensemble = motion_ensemble<Oscillator>(
+      9, oscillator, times, DormandPrince54{.relative_tolerance = 1e-11, .absolute_tolerance = 1e-11});
+  run_ensemble(file(), ensemble.head(), ensemble, {.threads = 2});
+  const Records records = read_records(file());
+  ASSERT_TRUE(records.complete());
+  for (std::size_t i = 0; i < 9; ++i) {
+    const auto motion = member_motion<Oscillator>(records[i]);
+    EXPECT_EQ(motion.status, IntegrationStatus::reached_end);
+    EXPECT_EQ(motion.end, 2.0);
+    EXPECT_GT(motion.calls, 0);
+    ASSERT_EQ(motion.states.size(), times.size());
+    const double omega = std::sqrt(1.0 + double(i) / 2.0);
+    // Some dozen steps, each within the tolerance times 1 + omega, on a motion that amplifies nothing.
+    for (std::size_t k = 0; k < times.size(); ++k) {
+      EXPECT_NEAR(motion.states[k][0], std::cos(omega * times[k]), 1e-9);
+      EXPECT_NEAR(motion.states[k][1], -omega * std::sin(omega * times[k]), 1e-9);
+    }
+  }
+}
+
+TEST_F(Ensemble, RecordsMotionsThatFail) {
+  // Through the centre of the circle: singular there.
+  const auto members = [](std::uint64_t index) {
+    Member<CartesianPendulum> member;
+    if (index == 1) member.state = {0.0, {{0.0, 0.0}}, {{1.0, 0.0}}};
+    return member;
+  };
+  const auto ensemble = motion_ensemble<CartesianPendulum>(2, members, {0.1, 0.2}, RungeKutta4{.step = 0.01});
+  run_ensemble(file(), ensemble.head(), ensemble);
+  const Records records = read_records(file());
+  EXPECT_EQ(member_motion<CartesianPendulum>(records[0]).states.size(), 2U);
+  const auto failed = member_motion<CartesianPendulum>(records[1]);
+  EXPECT_EQ(failed.status, IntegrationStatus::model_failure);
+  EXPECT_EQ(failed.evaluation, Evaluation::singular);
+  EXPECT_TRUE(failed.states.empty());
+}
+
+TEST(MotionEnsemble, AsksAnotherQuestionWhenAnythingChanges) {
+  const std::vector<double> times{0.5, 1.0};
+  const DormandPrince54 method;
+  std::vector<std::uint64_t> questions{
+      motion_ensemble<Oscillator>(9, oscillator, times, method).head().question,
+      motion_ensemble<Oscillator>(8, oscillator, times, method).head().question,
+      motion_ensemble<Oscillator>(9, oscillator, {0.5, 1.5}, method).head().question,
+      motion_ensemble<Oscillator>(9, oscillator, {0.5}, method).head().question,
+      motion_ensemble<Oscillator>(9, oscillator, times, DormandPrince54{.relative_tolerance = 1e-8}).head().question,
+      motion_ensemble<Oscillator>(9, oscillator, times, RungeKutta4{.step = 0.1}).head().question,
+      motion_ensemble<Oscillator>(9, oscillator, times, Midpoint{.step = 0.1}).head().question,
+      motion_ensemble<Oscillator>(9, oscillator, times, method, NoInputs<Oscillator>{}, "other").head().question};
+  for (std::uint64_t changed = 0; changed < 9; ++changed) {
+    for (const int what : {0, 1, 2, 3, 4}) {
+      const auto members = [=](std::uint64_t index) {
+        Member<Oscillator> member = oscillator(index);
+        double* const values[] = {&member.parameters.mass, &member.parameters.stiffness, &member.state.time,
+                                  &member.state.q[0], &member.state.v[0]};
+        if (index == changed) *values[what] += 0.25;
+        return member;
+      };
+      questions.push_back(motion_ensemble<Oscillator>(9, members, times, method).head().question);
+    }
+  }
+  EXPECT_EQ(motion_ensemble<Oscillator>(9, oscillator, times, method).head().question, questions.front());
+  std::sort(questions.begin(), questions.end());
+  EXPECT_EQ(std::adjacent_find(questions.begin(), questions.end()), questions.end());
+}
+
+}  // namespace
