@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Two export sets, so that who embeds a header with the runtime (MIT) needs neither the generator nor GiNaC.
+# Export sets of their own, so that who embeds a header with the runtime (MIT) needs neither the generator nor GiNaC,
+# nor MPI.
 if(NOT TORSOR_INSTALL)
   return()
 endif()
@@ -9,7 +10,12 @@ set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/torsor")
 install(TARGETS torsor_generator torsor EXPORT torsorGeneratorTargets
   ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
 install(TARGETS torsor_runtime EXPORT torsorRuntimeTargets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
-foreach(part Generator Runtime)
+set(parts Generator Runtime)
+if(TARGET torsor_runtime_mpi)
+  install(TARGETS torsor_runtime_mpi EXPORT torsorRuntimeMpiTargets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+  list(APPEND parts RuntimeMpi)
+endif()
+foreach(part IN LISTS parts)
   install(EXPORT torsor${part}Targets NAMESPACE torsor:: DESTINATION "${package_dir}")
   export(EXPORT torsor${part}Targets NAMESPACE torsor:: FILE "${PROJECT_BINARY_DIR}/torsor${part}Targets.cmake")
 endforeach()

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Run by mpirun with one and more processes, which all go through every test.
+#include "runtime/mpi/ensemble_mpi.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <chrono>
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <string>
+#include <thread>
+
+namespace {
+
+using namespace torsor::runtime;
+
+constexpr RecordHead many{17, 200, 3};
+
+void squares(std::uint64_t index, std::span<double> record) {
+  // Members that take longer or shorter arrive in another order.
+  if (index % 13 == 0) std::this_thread::sleep_for(std::chrono::microseconds(20 * index));
+  const auto i = static_cast<double>(index);
+  record[0] = i;
+  record[1] = i * i;
+  record[2] = 1.0 / i;
+}
+
+int rank() {
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  return rank;
+}
+int processes() {
+  int size = 0;
+  MPI_Comm_size(MPI_COMM_WORLD, &size);
+  return size;
+}
+
+std::string contents(const std::filesystem::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+/// A folder that all processes know, empty, and in it the file that one process alone writes.
+class EnsembleOverMpi : public testing::Test {
+ protected:
+  EnsembleOverMpi() {
+    auto name = static_cast<std::uint64_t>(std::random_device{}());
+    MPI_Bcast(&name, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
+    folder = std::filesystem::temp_directory_path() / ("torsor mpi test " + std::to_string(name));
+    if (rank() == 0) {
+      std::filesystem::create_directories(folder);
+      run_ensemble(folder / "alone", many, squares);
+      expected = contents(folder / "alone");
+    }
+  }
+  ~EnsembleOverMpi() override {
+    MPI_Barrier(MPI_COMM_WORLD);
+    std::error_code ignored;
+    if (rank() == 0) std::filesystem::remove_all(folder, ignored);
+  }
+  /// Only the first process, which will open the file.
+  void put(const std::string& text) const {
+    if (rank() == 0) std::ofstream(folder / "results", std::ios::binary) << text;
+  }
+  EnsembleProgress run(const EnsembleOptions& options = {}, std::uint64_t at_once = 0) const {
+    return run_ensemble_over_mpi(MPI_COMM_WORLD, folder / "results", many, squares, options, at_once);
+  }
+  void expect_whole() const { EXPECT_TRUE(rank() != 0 || contents(folder / "results") == expected); }
+  template <class Action>
+  static std::string error_of(const Action& action) {
+    try {
+      action();
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+    return {};
+  }
+
+  std::filesystem::path folder;
+  std::string expected;
+};
+
+TEST_F(EnsembleOverMpi, WritesTheBytesOfOneProcess) {
+  int file = 0;
+  for (const unsigned threads : {1U, 2U}) {
+    for (const std::uint64_t at_once : {0U, 1U, 7U, 1000U}) {
+      const auto path = folder / std::to_string(file++);
+      const auto progress = run_ensemble_over_mpi(MPI_COMM_WORLD, path, many, squares, {.threads = threads}, at_once);
+      EXPECT_EQ(progress.done, 200U);
+      EXPECT_EQ(progress.found, 0U);
+      EXPECT_TRUE(rank() != 0 || contents(path) == expected) << threads << " threads, " << at_once << " at once";
+    }
+  }
+}
+
+TEST_F(EnsembleOverMpi, GoesOnWithAFileThatEndsAnywhere) {
+  for (const std::size_t bytes : {0U, 5U, 56U, 57U, 56U + 40U * 13U, 56U + 40U * 77U + 39U, 56U + 40U * 200U}) {
+    put(rank() == 0 ? expected.substr(0, bytes) : "");
+    EXPECT_EQ(run({}, 3).found, bytes < 56 ? 0 : (bytes - 56) / 40) << bytes;
+    expect_whole();
+  }
+}
+
+TEST_F(EnsembleOverMpi, StopsWhenTheProgressCallbackSaysSo) {
+  EnsembleProgress progress;
+  int runs = 0;
+  for (; progress.done < 200 && runs < 300; ++runs) {
+    const auto until = [](const EnsembleProgress& p) { return p.done < p.found + 60; };
+    progress = run({.progress = until}, 2);
+  }
+  EXPECT_GT(runs, 1);
+  EXPECT_EQ(progress.done, 200U);
+  expect_whole();
+}
+
+TEST_F(EnsembleOverMpi, ThrowsInAllProcessesWhatAMemberThrowsInOne) {
+  const auto fails = [](std::uint64_t index, std::span<double> record) {
+    if (index == 33) throw std::runtime_error("member 33 has no start");
+    squares(index, record);
+  };
+  EXPECT_EQ(error_of([&] { run_ensemble_over_mpi(MPI_COMM_WORLD, folder / "results", many, fails); }),
+            "member 33 has no start");
+  MPI_Barrier(MPI_COMM_WORLD);
+  EXPECT_TRUE(rank() != 0 || read_records(folder / "results").size() <= 33U);
+  run();
+  expect_whole();
+}
+
+TEST_F(EnsembleOverMpi, RefusesAFileInAllProcesses) {
+  put("something else");
+  EXPECT_NE(error_of([&] { run(); }).find("is no file of records"), std::string::npos);
+  EXPECT_TRUE(rank() != 0 || contents(folder / "results") == "something else");
+}
+
+TEST_F(EnsembleOverMpi, RefusesDifferentQuestions) {
+  if (processes() == 1) GTEST_SKIP() << "one process asks one question";
+  const RecordHead own{many.question + static_cast<std::uint64_t>(rank()), many.count, many.numbers};
+  EXPECT_NE(error_of([&] {
+              run_ensemble_over_mpi(MPI_COMM_WORLD, folder / "results", own, squares);
+            }).find("different questions"),
+            std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(folder / "results"));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  int provided = 0;
+  MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided);
+  testing::InitGoogleTest(&argc, argv);
+  const int failed = RUN_ALL_TESTS();
+  MPI_Finalize();
+  return failed;
+}
