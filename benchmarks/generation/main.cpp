@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// generation: what it costs to derive and to emit all kernels of a scene, in seconds and peak memory.
+// generation: what it costs to derive and to emit all kernels of a scene, in seconds and peak memory; with --chains,
+// how that grows with the number of joints of a serial chain.
 
-#include <sys/resource.h>
-
-#include <chrono>
 #include <cstdio>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #define TORSOR_NO_MAIN
+#include "benchmarks/generation/growth.hpp"
+#include "benchmarks/generation/resources.hpp"
 #include "examples/arm7/scene.cpp"
 #include "generator/cli/commands.hpp"
 #include "generator/emission/header.hpp"
@@ -17,42 +18,50 @@
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-/// Largest memory this process has had, in megabytes.
-double peak_megabytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;
-}
-
 void row(const char* step, double seconds, double size, const char* unit) {
-  fmt::print("{:<36}{:>12.4f}{:>14.0f} {:<12}{:>10.1f}\n", step, seconds, size, unit, peak_megabytes());
+  fmt::print("{:<36}{:>12.4f}{:>14.0f} {:<12}{:>10.1f}\n", step, seconds, size, unit, torsor::peak_megabytes());
 }
 
-}  // namespace
-
-int main() {
+void measure_arm7() {
   fmt::print("arm7, all kernels\n{:<36}{:>12}{:>14} {:<12}{:>10}\n", "step", "seconds", "size", "", "peak MB");
-  const auto start = Clock::now();
+  const torsor::Stopwatch start;
   const torsor::Scene scene = arm7_scene();
   const torsor::Equations equations(scene);
   std::vector<torsor::Kernel> kernels;
   for (const std::string& name : torsor::kernel_names()) {
-    const auto before = Clock::now();
+    const torsor::Stopwatch before;
     const std::size_t size = equations.program().size();
     kernels.push_back(torsor::make_kernel(name, equations));
-    row(name.c_str(), seconds_since(before), static_cast<double>(equations.program().size() - size), "definitions");
+    row(name.c_str(), before.seconds(), static_cast<double>(equations.program().size() - size), "definitions");
   }
-  const auto emission = Clock::now();
+  const torsor::Stopwatch emission;
   const std::string header = torsor::emit_header(equations, kernels);
-  row("emission", seconds_since(emission), static_cast<double>(header.size()), "bytes");
-  row("derivation and emission together", seconds_since(start), static_cast<double>(equations.program().size()),
+  row("emission", emission.seconds(), static_cast<double>(header.size()), "bytes");
+  row("derivation and emission together", start.seconds(), static_cast<double>(equations.program().size()),
       "definitions");
-  const auto reading = Clock::now();
+  const torsor::Stopwatch reading;
   const std::string text = torsor::print_equations(scene, torsor::Format::text);
-  row("printed equations", seconds_since(reading), static_cast<double>(text.size()), "bytes");
+  row("printed equations", reading.seconds(), static_cast<double>(text.size()), "bytes");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Seconds, memory and operations from a scene to its header."};
+  std::vector<int> chains;
+  std::string output;
+  app.add_option("--chains", chains, "numbers of joints: serial chains, three kernels, instead of the arm")
+      ->delimiter(',');
+  app.add_option("--output", output, "folder for growth.csv and its pictures");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    if (chains.empty())
+      measure_arm7();
+    else
+      torsor::measure_growth(chains, output);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
   return 0;
 }

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "benchmarks/kernels/way.hpp"
+
+namespace kernels {
+
+/// Half of the measured numbers lie between the quartiles.
+struct Spread {
+  double median, lower, upper;
+};
+Spread spread_of(std::vector<double> numbers);
+
+struct Timing {
+  Spread nanoseconds;  ///< for one state
+  Spread ratio;        ///< to the first way's, both of the same turn
+};
+
+/// In each turn every way goes once through all states, one way after the other: what else the machine does meets all
+/// alike, and a ratio compares neighbours. A turn begins with one state that is not timed, which loads the way's code.
+std::vector<Timing> time_in_turns(const std::vector<Way>& ways, std::size_t states, int turns);
+
+}  // namespace kernels
