@@ -39,7 +39,6 @@ class Simbody {
       parent = SimTK::MobilizedBody::Pin(parent, SimTK::Transform(turn * axis, vec3(joint.origin)),
                                          SimTK::Body::Rigid(mass), SimTK::Transform(axis));
     }
-    forces_.setNumberOfThreads(1);  // waking others would cost more than their help
     gravity_ = SimTK::Force::Gravity(forces_, matter_, vec3(chain.gravity));
     state_ = system_.realizeTopology();
     system_.realizeModel(state_);
