@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # same_from_both_compilers.sh FOLDER FOLDER PROGRAM...: the programs of both folders write the same header for each kernel
-# alone. Exits with 77 when the first folder lacks a program.
+# alone, and the same equations. Exits with 77 when the first folder lacks a program.
 set -euo pipefail
 first="$1" second="$2"
 shift 2
 kernels="kinematics mass_matrix bias inverse_dynamics forward_dynamics energy first_integrals constraints reactions linearisation"
+kernels="$kernels inverse_dynamics_derivatives forward_dynamics_derivatives"
 compared=0
 for program in "$@"; do
   [ -x "$first/$program" ] || { echo "$first/$program is not there: build the preset release first"; exit 77; }
@@ -15,6 +16,9 @@ for program in "$@"; do
     cmp /tmp/first.$$ /tmp/second.$$ || { echo "$program: the kernel $kernel differs"; exit 1; }
     compared=$((compared + 1))
   done
+  "$first/$program" equations > /tmp/first.$$
+  "$second/$program" equations > /tmp/second.$$
+  cmp /tmp/first.$$ /tmp/second.$$ || { echo "$program: the equations differ"; exit 1; }
 done
 rm -f /tmp/first.$$ /tmp/second.$$
 echo "$compared headers, the same bytes"

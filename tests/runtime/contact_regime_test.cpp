@@ -5,6 +5,7 @@
 
 #include <limits>
 
+namespace contact_regime_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -45,3 +46,4 @@ TEST(ContactRegime, EndsASlipWhereItTurnsBack) {
 }
 
 }  // namespace
+}  // namespace contact_regime_test

@@ -15,6 +15,7 @@
 #include "runtime/modes.hpp"
 #include "tests/runtime/linear_systems.hpp"
 
+namespace forced_response_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -182,3 +183,4 @@ TEST(PeriodicResponse, DoesNotExistWhenAHarmonicMeetsAnUndampedMode) {
 }
 
 }  // namespace
+}  // namespace forced_response_test

@@ -10,6 +10,7 @@
 #include "runtime/midpoint.hpp"
 #include "runtime/runge_kutta_4.hpp"
 
+namespace integration_failures_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -182,3 +183,4 @@ TEST(Describe, SaysWhatHappenedAndWhatToDo) {
 }
 
 }  // namespace
+}  // namespace integration_failures_test

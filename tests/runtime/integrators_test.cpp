@@ -12,6 +12,7 @@
 #include "runtime/runge_kutta_4.hpp"
 #include "tests/runtime/mechanisms.hpp"
 
+namespace integrators_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -246,3 +247,4 @@ TEST(IntegrateThrough, GivesTheStatesOfOneRunAtEachTime) {
 }
 
 }  // namespace
+}  // namespace integrators_test

@@ -14,6 +14,7 @@
 #include "runtime/modes.hpp"
 #include "tests/runtime/linear_systems.hpp"
 
+namespace linear_response_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -138,3 +139,4 @@ TEST(LinearResponse, RefusesVectorsOfAnotherSize) {
 }
 
 }  // namespace
+}  // namespace linear_response_test

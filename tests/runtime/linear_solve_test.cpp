@@ -6,6 +6,7 @@
 #include <array>
 #include <limits>
 
+namespace linear_solve_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -109,3 +110,4 @@ TEST(SolveDynamics, ReportsNumbersThatAreNotFinite) {
 }
 
 }  // namespace
+}  // namespace linear_solve_test

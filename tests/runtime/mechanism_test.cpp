@@ -10,6 +10,7 @@
 #include "runtime/linear_solve.hpp"
 #include "tests/runtime/mechanisms.hpp"
 
+namespace mechanism_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -152,3 +153,4 @@ TEST(SolveDynamics, WorksWithoutMultipliers) {
 }
 
 }  // namespace
+}  // namespace mechanism_test

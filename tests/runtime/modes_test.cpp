@@ -9,6 +9,7 @@
 
 #include "tests/runtime/linear_systems.hpp"
 
+namespace modes_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -185,3 +186,4 @@ TEST(ProportionalDamping, OfASingleMassIsItsMassTerm) {
 }
 
 }  // namespace
+}  // namespace modes_test

@@ -10,6 +10,7 @@
 #include "runtime/dormand_prince_54.hpp"
 #include "runtime/midpoint.hpp"
 
+namespace observers_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -75,3 +76,4 @@ TEST(Every, PassesOnTheStartAndEveryNthStep) {
 }
 
 }  // namespace
+}  // namespace observers_test

@@ -8,6 +8,7 @@
 
 #include "tests/runtime/temporary_folder.hpp"
 
+namespace plot_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -88,3 +89,4 @@ TEST_F(PlotFile, RefusesAnUnknownKindOfPictureAndAnEmptyPlot) {
 }
 
 }  // namespace
+}  // namespace plot_test

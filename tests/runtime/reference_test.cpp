@@ -11,6 +11,7 @@
 #include "runtime/runge_kutta_4.hpp"
 #include "tests/runtime/temporary_folder.hpp"
 
+namespace reference_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -117,3 +118,4 @@ TEST_F(ReferenceFile, NamesAFileThatIsMissing) {
 }
 
 }  // namespace
+}  // namespace reference_test

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+namespace root_search_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -136,3 +137,4 @@ TEST(RootSearch, RefusesABoxThatIsNone) {
 }
 
 }  // namespace
+}  // namespace root_search_test

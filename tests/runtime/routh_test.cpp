@@ -13,6 +13,7 @@
 #include "runtime/characteristic_polynomial.hpp"
 #include "tests/runtime/linear_systems.hpp"
 
+namespace routh_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -177,3 +178,4 @@ TEST(CharacteristicPolynomial, OfTwoMassesIsTheirDeterminant) {
 }
 
 }  // namespace
+}  // namespace routh_test

@@ -12,6 +12,7 @@
 #include "runtime/runge_kutta_4.hpp"
 #include "tests/runtime/linear_systems.hpp"
 
+namespace stability_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -191,3 +192,4 @@ TEST(Stability, AsksForADistanceAtTheStartGivenTheOneThatIsAllowed) {
 }
 
 }  // namespace
+}  // namespace stability_test

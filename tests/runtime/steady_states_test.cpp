@@ -12,6 +12,7 @@
 #include "runtime/modes.hpp"
 #include "tests/runtime/static_mechanisms.hpp"
 
+namespace steady_states_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -258,3 +259,4 @@ TEST(CyclicReduction, RefusesWhatIsNotCyclic) {
 }
 
 }  // namespace
+}  // namespace steady_states_test

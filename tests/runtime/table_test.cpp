@@ -7,6 +7,7 @@
 
 #include "tests/runtime/temporary_folder.hpp"
 
+namespace table_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -40,3 +41,4 @@ TEST_F(TableFile, IsAlsoWrittenAsCommaSeparatedValues) {
 }
 
 }  // namespace
+}  // namespace table_test

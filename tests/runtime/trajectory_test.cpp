@@ -12,6 +12,7 @@
 #include "runtime/reference.hpp"
 #include "tests/runtime/temporary_folder.hpp"
 
+namespace trajectory_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -99,3 +100,4 @@ TEST_F(TrajectoryFile, RefusesAColumnNameThatWouldBreakTheLine) {
 }
 
 }  // namespace
+}  // namespace trajectory_test

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# same_bytes_20_times.sh SCENE_PROGRAM KERNELS FOLDER: 20 processes, each with its own addresses, write the same header,
-# counts and equations.
+# same_bytes_every_time.sh COUNT SCENE_PROGRAM KERNELS FOLDER: that many processes, each with its own addresses, write the
+# same header, counts and equations.
 set -euo pipefail
-program="$1" kernels="$2" folder="$3"
+count="$1" program="$2" kernels="$3" folder="$4"
 rm -rf "$folder"
 mkdir -p "$folder"
 
@@ -20,10 +20,10 @@ run 1
 for output in header.hpp counts.json equations.txt equations.tex; do
   [ -s "$folder/1/$output" ] || { echo "the first run left $output empty"; exit 1; }
 done
-for number in $(seq 2 20); do
+for number in $(seq 2 "$count"); do
   run "$number"
   diff -r "$folder/1" "$folder/$number" | head -n 40 || true
   diff -rq "$folder/1" "$folder/$number" > /dev/null || { echo "run $number differs from the first"; exit 1; }
   rm -r "${folder:?}/$number"
 done
-echo "20 runs, the same bytes"
+echo "$count runs, the same bytes"
