@@ -72,7 +72,7 @@ class Recursion {
       const Link& link = links_[k];
       const Vector& parent = omega_[static_cast<std::size_t>(link.parent)];
       Vector omega = model_.from_parent(link, parent);
-      const Vector origin = bound(program_, model_.origin_in_parent(link));
+      const Vector origin = bound(program_, model_.arm(link));
       Acceleration turning(program_, link.name, parent, Vector(), Vector());  // U of the parent at zero Ω̇
       Vector linear = turning.u_times(origin);
       if (link.joint == JointKind::prismatic) {
@@ -118,8 +118,9 @@ class Recursion {
       }
     }
     if (const auto wrench = wrenches_.find(static_cast<int>(k)); wrench != wrenches_.end()) {
-      own.bias.resultant += -wrench->second.resultant;
-      own.bias.moment += -wrench->second.moment;
+      const Wrench applied = model_.over_length(wrench->second);
+      own.bias.resultant += -applied.resultant;
+      own.bias.moment += -applied.moment;
     }
     own.bias.resultant = bound(program_, own.bias.resultant);
     own.bias.moment = bound(program_, own.bias.moment);
@@ -191,7 +192,7 @@ class Recursion {
     const Link& link = links_[k];
     const Articulated& body = bodies_[k];
     Articulated& parent = bodies_[static_cast<std::size_t>(link.parent)];
-    const Vector origin = bound(program_, model_.origin_in_parent(link));
+    const Vector origin = bound(program_, model_.arm(link));
     const Matrix arm = cross_matrix(origin);
     const Matrix angular = model_.to_parent(link, body.angular);
     const Matrix coupling = model_.to_parent(link, body.coupling);
@@ -219,11 +220,11 @@ class Recursion {
   ForwardSolution accelerate() {
     solution_.accelerations.resize(static_cast<std::size_t>(model_.unknown_count()));
     std::vector<Motion> motion(links_.size());
-    motion[0].linear = -lower(program_, model_.scene().gravity);
+    motion[0].linear = model_.upward_gravity();
     for (std::size_t k = 1; k < links_.size(); ++k) {
       const Link& link = links_[k];
       const Motion& parent = motion[static_cast<std::size_t>(link.parent)];
-      const Vector origin = bound(program_, model_.origin_in_parent(link));
+      const Vector origin = bound(program_, model_.arm(link));
       const Vector carried = bound(program_, parent.linear + cross(parent.angular, origin));
       Motion own;
       own.angular = model_.from_parent(link, parent.angular);

@@ -14,7 +14,7 @@ MassProperties in_parent(const Model& model, const Link& link, const MassPropert
   placed.first_moment = h;
   placed.inertia = turned;
   MassProperties sum;
-  add_placed(program, sum, placed, Rotation(), bound(program, model.origin_in_parent(link)));
+  add_placed(program, sum, placed, Rotation(), bound(program, model.arm(link)));
   return sum;
 }
 
@@ -35,7 +35,7 @@ Wrench in_parent(const Model& model, const Link& link, const Wrench& wrench) {
   Wrench seen;
   seen.resultant = bound(program, model.to_parent(link, wrench.resultant));
   seen.moment = model.to_parent(link, wrench.moment);
-  const Vector origin = bound(program, model.origin_in_parent(link));
+  const Vector origin = bound(program, model.arm(link));
   seen.moment = bound(program, seen.moment + cross(origin, seen.resultant));
   return seen;
 }

@@ -82,7 +82,7 @@ class DerivativeRecursion {
   /// Twice the velocity of a link's origin relative to its carrier's, in the carrier's axes.
   Vector doubled_velocity(const Link& link) {
     const Acceleration& carrier = motion_[static_cast<std::size_t>(link.parent)];
-    Vector v = cross(doubled(carrier.omega()), bound(program_, model_.origin_in_parent(link)));
+    Vector v = cross(doubled(carrier.omega()), bound(program_, model_.arm(link)));
     if (link.joint == JointKind::prismatic) {
       v += program_.bind(Number(2) * link.rate) * model_.axis_in_parent(link);
     }
@@ -129,7 +129,7 @@ class DerivativeRecursion {
     PointFlow& carrier = flow_[static_cast<std::size_t>(link.parent)];
     const MassProperties& body = composites_.bodies[k];
     const Vector v = doubled_velocity(link);
-    const Vector rho = bound(program_, model_.origin_in_parent(link));
+    const Vector rho = bound(program_, model_.arm(link));
     const Vector h = bound(program_, model_.to_parent(link, body.first_moment));
     const Vector l = bound(program_, model_.to_parent(link, flow_[k].l) + body.mass * v);
     const Matrix q = model_.to_parent(link, flow_[k].q);

@@ -40,7 +40,9 @@ Model::Model(const Scene& scene, Program& program, const ModelOptions& options)
   add_links();
   add_bodies();
   for (Link& link : links_) link.effective = link.mass;
-  if (options.regroup) regroup_inertia(*this, links_);
+  if (!options.regroup) return;
+  regroup_inertia(*this, links_);
+  choose_length_unit();
 }
 
 void Model::add_coordinates() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "generator/expression/program.hpp"
 #include "generator/geometry/vector.hpp"
 #include "generator/mechanics/scene.hpp"
+#include "generator/mechanics/screw.hpp"
 
 namespace torsor {
 
@@ -128,6 +130,15 @@ class Model {
   Vector from_joint(const Link& link, const Vector& v) const { return link.placement_rotation * v; }
   /// Origin of the link in its parent, in the parent's axes.
   Vector origin_in_parent(const Link& link) const;
+  /// What the recursions of dynamics put in the place of lengths where all joints turn: lengths over one length L that
+  /// occurs in the mechanism, so that its multiplications vanish, with masses m L² and first moments m OG L, so that
+  /// moments and inertias stay what they are (`Link::effective` is in these units). L is 1 without a unit elsewhere.
+  const std::optional<Number>& length_unit() const { return length_unit_; }
+  Vector arm(const Link& link) const;     ///< origin_in_parent over L
+  Vector upward_gravity() const;          ///< −g over L
+  Wrench over_length(const Wrench& wrench) const;  ///< a wrench with its resultant times L
+  /// What names of such quantities end with.
+  std::string length_note(const char* relation = ", over") const;
   /// Axis of the joint in the parent link's axes.
   Vector axis_in_parent(const Link& link) const;
   /// Chain of links from the first after the ground down to `link`.
@@ -141,6 +152,8 @@ class Model {
   void add_attitude(const FrameContent& frame, const FramePlace& at);
   Vector lowest(const PointContent& point, int link, const std::string& user) const;
   void add_bodies();
+  void choose_length_unit();
+  Value length() const;
 
   const SceneContent* scene_;
   Program* program_;
@@ -149,6 +162,7 @@ class Model {
   int unknown_count_ = 0;
   std::vector<Link> links_;
   std::vector<FramePlace> places_;  ///< by frame of the scene
+  std::optional<Number> length_unit_;  ///< [m]
 };
 
 /// Moves to the parent the part of each link's inertia that a turn about its axis leaves alone (a mass distributed on

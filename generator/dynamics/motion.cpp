@@ -81,14 +81,14 @@ std::vector<Acceleration> accelerations(const Model& model, AccelerationInput in
   Vector carried;  // Ω of the parent of a quaternion's links, in their axes
   std::vector<Acceleration> all;
   all.reserve(model.links().size());
-  const Vector gravity = lower(program, model.scene().gravity);
-  all.emplace_back(program, "ground", Vector(), Vector(), -gravity);
+  const Vector upward = model.upward_gravity();
+  all.emplace_back(program, "ground", Vector(), Vector(), upward);
   for (std::size_t k = 1; k < model.links().size(); ++k) {
     const Link& link = model.links()[k];
     Acceleration& parent = all[static_cast<std::size_t>(link.parent)];
     const Value s_dot = link.rate;
     const Value s_ddot = input == AccelerationInput::zero ? at_rest(link.acceleration) : link.acceleration;
-    const Vector origin = bound(program, model.origin_in_parent(link));
+    const Vector origin = bound(program, model.arm(link));
     Vector linear = parent.linear() + parent.u_times(origin);
     Vector omega = from_parent(k, parent.omega());
     Vector angular = from_parent(k, parent.angular());
@@ -108,7 +108,7 @@ std::vector<Acceleration> accelerations(const Model& model, AccelerationInput in
     // One by one: compilers evaluate arguments in different orders.
     omega = bound(program, omega, "angular velocity of " + link.name);
     angular = bound(program, angular, "angular acceleration of " + link.name);
-    linear = bound(program, linear, "acceleration of " + link.name);
+    linear = bound(program, linear, "acceleration of " + link.name + model.length_note());
     all.emplace_back(program, link.name, omega, angular, linear);
   }
   return all;

@@ -59,16 +59,18 @@ std::vector<Wrench> joint_wrenches(const Model& model, std::vector<Acceleration>
   Program& program = model.program();
   const auto& links = model.links();
   std::vector<Wrench> load(links.size());
+  const std::string force_note = model.length_note(", times");
   for (std::size_t k = links.size(); k-- > 1;) {
     const Link& link = links[k];
     const Wrench own = dynamic_screw(program, motion[k], link.effective);
     load[k].resultant += own.resultant;
     load[k].moment += own.moment;
     if (const auto wrench = wrenches.find(static_cast<int>(k)); wrench != wrenches.end()) {
-      load[k].resultant += -wrench->second.resultant;
-      load[k].moment += -wrench->second.moment;
+      const Wrench applied = model.over_length(wrench->second);
+      load[k].resultant += -applied.resultant;
+      load[k].moment += -applied.moment;
     }
-    load[k].resultant = bound(program, load[k].resultant, "force on " + link.name);
+    load[k].resultant = bound(program, load[k].resultant, "force on " + link.name + force_note);
     load[k].moment = bound(program, load[k].moment, "moment on " + link.name);
     if (link.parent == 0) continue;
     const auto to_parent = [&](const Vector& v) {
@@ -76,7 +78,7 @@ std::vector<Wrench> joint_wrenches(const Model& model, std::vector<Acceleration>
     };
     Wrench& parent = load[static_cast<std::size_t>(link.parent)];
     const Vector turned = to_parent(load[k].resultant);
-    const Vector origin = bound(program, model.origin_in_parent(link));
+    const Vector origin = bound(program, model.arm(link));
     parent.resultant += turned;
     parent.moment += to_parent(load[k].moment);
     parent.moment += cross(origin, turned);
