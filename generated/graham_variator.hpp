@@ -13,11 +13,11 @@
 //   kinematics               21               58          0             0                  3       0     85      93
 //   mass_matrix               0                0          0             0                  0       0      0       0
 //   bias                      1                4          0             0                  1       0      7      50
-//   inverse_dynamics         12               18          0             0                  1       0     32      87
+//   inverse_dynamics         12               17          0             0                  1       0     31      87
 //   forward_dynamics         12               20          0             0                  1       0     34     106
 //   energy                   13               29          0             0                  2       0     46      50
 //   constraints               3                4          0             0                  0       0      7      20
-//   linearisation            30               39          0             0                  1       0     71     164
+//   linearisation            30               38          0             0                  1       0     70     164
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 84 results 41 vanish identically, 8 repeat another up to sign
@@ -519,17 +519,17 @@ struct Mechanism {
     Scalar z116;
     Scalar z117;
     Scalar z118;
+    Scalar z224;
     Scalar z225;
     Scalar z226;
-    Scalar z227;
-    Scalar z229;
+    Scalar z228;
+    Scalar z230;
     Scalar z231;
-    Scalar z232;
+    Scalar z236;
     Scalar z237;
     Scalar z238;
-    Scalar z239;
-    Scalar z245;
-    Scalar z247;
+    Scalar z244;
+    Scalar z246;
   };
 
   /// Values of the scene.
@@ -578,20 +578,20 @@ struct Mechanism {
     const Scalar z116 = k8 * z115;
     const Scalar z117 = z114 - z115 * z116;
     const Scalar z118 = n1 / z117;
-    const Scalar z225 = n1 / z103;
-    const Scalar z226 = n0_02 * z225;
-    const Scalar z227 = z103 * z103;
-    const Scalar z228 = k10 * z54 * z54 + k5 * z103 * z103;
-    const Scalar z229 = n0_0003 * z228;
-    const Scalar z230 = k6 - z54 * z226;
-    const Scalar z231 = k12 * z230;
-    const Scalar z232 = z54 * z225;
-    const Scalar z236 = k13 - k14 * z232;
-    const Scalar z237 = k14 - n0_0003 * z232;
-    const Scalar z238 = n0_02 * z231;
-    const Scalar z239 = z231 * z238 - z232 * z237 + z236;
-    const Scalar z245 = n1 / z239;
-    const Scalar z247 = z231 * z245;
+    const Scalar z224 = n1 / z103;
+    const Scalar z225 = n0_02 * z224;
+    const Scalar z226 = z103 * z103;
+    const Scalar z227 = k10 * z54 * z54 + k5 * z103 * z103;
+    const Scalar z228 = n0_0003 * z227;
+    const Scalar z229 = k6 - z54 * z225;
+    const Scalar z230 = k12 * z229;
+    const Scalar z231 = z54 * z224;
+    const Scalar z235 = k13 - k14 * z231;
+    const Scalar z236 = k14 - n0_0003 * z231;
+    const Scalar z237 = n0_02 * z230;
+    const Scalar z238 = z230 * z237 - z231 * z236 + z235;
+    const Scalar z244 = n1 / z238;
+    const Scalar z246 = z230 * z244;
     precomputed.z51 = z51;
     precomputed.z52 = z52;
     precomputed.z54 = z54;
@@ -602,17 +602,17 @@ struct Mechanism {
     precomputed.z116 = z116;
     precomputed.z117 = z117;
     precomputed.z118 = z118;
+    precomputed.z224 = z224;
     precomputed.z225 = z225;
     precomputed.z226 = z226;
-    precomputed.z227 = z227;
-    precomputed.z229 = z229;
+    precomputed.z228 = z228;
+    precomputed.z230 = z230;
     precomputed.z231 = z231;
-    precomputed.z232 = z232;
+    precomputed.z236 = z236;
     precomputed.z237 = z237;
     precomputed.z238 = z238;
-    precomputed.z239 = z239;
-    precomputed.z245 = z245;
-    precomputed.z247 = z247;
+    precomputed.z244 = z244;
+    precomputed.z246 = z246;
     return precomputed;
   }
 
@@ -886,18 +886,18 @@ struct Mechanism {
   /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
   /// actions included. M a + h = E u + A' lambda.
   TORSOR_DEVICE static void bias(const Precomputed&, const State& state, GeneralizedForces& forces) noexcept {
-    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
-    const Scalar n0_06 = traits::constant(0.06, 0.06f, "3/50");
+    const Scalar n98_1 = traits::constant(98.1, 98.1f, "981/10");
+    const Scalar n0_006 = traits::constant(0.006, 0.006f, "3/500");
     const Scalar k2 = traits::constant(0.25881904510252074, 0.25881904f, "0;-1/4;0;1/4");
-    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_alpha = state.q.alpha;
     Scalar s_alpha, c_alpha;
     traits::sincos(q_alpha, s_alpha, c_alpha);
-    const Scalar z68 = n9_81 * s_alpha;
-    const Scalar z80 = n0_06 * z68;  // moment on inclined, y
+    const Scalar z68 = n98_1 * s_alpha;
+    const Scalar z80 = n0_006 * z68;  // moment on inclined, y
     const Scalar z84 = k2 * z80;
-    const Scalar z87 = n0_1 * z68 - z84;  // moment on S1, x
+    const Scalar z87 = n0_01 * z68 - z84;  // moment on S1, x
     forces.alpha = -z87;
     forces.beta = n0;
     forces.gamma = n0;
@@ -906,15 +906,15 @@ struct Mechanism {
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
   TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Multipliers& multipliers, GeneralizedForces& forces) noexcept {
-    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n98_1 = traits::constant(98.1, 98.1f, "981/10");
     const Scalar k1 = traits::constant(0.9659258262890683, 0.9659258f, "0;1/4;0;1/4");
     const Scalar k2 = traits::constant(0.25881904510252074, 0.25881904f, "0;-1/4;0;1/4");
-    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
     const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
     const Scalar n0_0003 = traits::constant(3e-04, 3e-04f, "3/10000");
-    const Scalar n0_06 = traits::constant(0.06, 0.06f, "3/50");
+    const Scalar n0_006 = traits::constant(0.006, 0.006f, "3/500");
     const Scalar n0_0044 = traits::constant(0.0044, 0.0044f, "11/2500");
     const Scalar n0_0244 = traits::constant(0.0244, 0.0244f, "61/2500");
+    const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
     const Scalar k9 = traits::constant(0.11155394517270574, 0.111553945f, "1/10;1/80;0;-1/400");
     const Scalar q_alpha = state.q.alpha;
     const Scalar a_alpha = accelerations.alpha;
@@ -926,18 +926,18 @@ struct Mechanism {
     const Scalar z103 = precomputed.z103;
     Scalar s_alpha, c_alpha;
     traits::sincos(q_alpha, s_alpha, c_alpha);
-    const Scalar z68 = n9_81 * s_alpha;
+    const Scalar z68 = n98_1 * s_alpha;
     const Scalar z89 = k1 * a_alpha;
     const Scalar z90 = k2 * a_alpha;
-    const Scalar z91 = n0_1 * a_alpha - z68;
+    const Scalar z91 = a_alpha - z68;
     const Scalar z92 = a_beta + z89;  // angular acceleration of S2, x
     const Scalar z93 = n0_02 * a_gamma;  // moment on S3, x
     const Scalar z94 = n0_0003 * z92;  // moment on S2, x
-    const Scalar z95 = n0_06 * z90;  // force on inclined, z
+    const Scalar z95 = n0_006 * z90;  // force on inclined, times 0.1 m, z
     const Scalar z96 = n0_0044 * z89 - z94;  // moment on inclined, x
-    const Scalar z97 = n0_06 * z91;  // moment on inclined, y
+    const Scalar z97 = n0_006 * z91;  // moment on inclined, y
     const Scalar z98 = k1 * z96 + k2 * z97;
-    const Scalar z101 = -n0_1 * (z68 + z95) + n0_0244 * a_alpha - z98;  // moment on S1, x
+    const Scalar z101 = n0_0244 * a_alpha - n0_01 * z68 - z95 - z98;  // moment on S1, x
     forces.alpha = -z54 * l_T_A + z101 - k9 * l_T_E;
     forces.beta = z94 - z103 * l_T_A - n0_02 * l_T_E;
     forces.gamma = z93 + k9 * l_T_E;
@@ -948,10 +948,10 @@ struct Mechanism {
   /// positive relative to its diagonal entry.
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
       const Inputs& inputs, Accelerations& accelerations, Multipliers& multipliers) noexcept {
-    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
-    const Scalar n0_06 = traits::constant(0.06, 0.06f, "3/50");
+    const Scalar n98_1 = traits::constant(98.1, 98.1f, "981/10");
+    const Scalar n0_006 = traits::constant(0.006, 0.006f, "3/500");
     const Scalar k2 = traits::constant(0.25881904510252074, 0.25881904f, "0;-1/4;0;1/4");
-    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
     const Scalar k4 = traits::constant(58.17702669501042, 58.177025f,
         "10423180000/199644649;-1286500000/199644649;-606230000/598933947;1372100000/199644649");
     const Scalar k5 = traits::constant(0.9659258262890683, 0.9659258f, "0;1/4;0;1/4");
@@ -980,10 +980,10 @@ struct Mechanism {
     const Scalar z118 = precomputed.z118;
     Scalar s_alpha, c_alpha;
     traits::sincos(q_alpha, s_alpha, c_alpha);
-    const Scalar z68 = n9_81 * s_alpha;
-    const Scalar z80 = n0_06 * z68;  // moment on inclined, y
+    const Scalar z68 = n98_1 * s_alpha;
+    const Scalar z80 = n0_006 * z68;  // moment on inclined, y
     const Scalar z84 = k2 * z80;
-    const Scalar z87 = n0_1 * z68 - z84;  // moment on S1, x
+    const Scalar z87 = n0_01 * z68 - z84;  // moment on S1, x
     const Scalar z110 = u_C1 + z87;
     const Scalar z119 = k4 * z110;
     const Scalar z120 = k5 * z119;
@@ -1106,15 +1106,15 @@ struct Mechanism {
   TORSOR_DEVICE static torsor::Status linearisation(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Multipliers& multipliers, const Inputs& inputs,
       Linearisation& result) noexcept {
-    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n98_1 = traits::constant(98.1, 98.1f, "981/10");
     const Scalar k1 = traits::constant(0.9659258262890683, 0.9659258f, "0;1/4;0;1/4");
     const Scalar k2 = traits::constant(0.25881904510252074, 0.25881904f, "0;-1/4;0;1/4");
-    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
     const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
     const Scalar n0_0003 = traits::constant(3e-04, 3e-04f, "3/10000");
-    const Scalar n0_06 = traits::constant(0.06, 0.06f, "3/50");
+    const Scalar n0_006 = traits::constant(0.006, 0.006f, "3/500");
     const Scalar n0_0044 = traits::constant(0.0044, 0.0044f, "11/2500");
     const Scalar n0_0244 = traits::constant(0.0244, 0.0244f, "61/2500");
+    const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
     const Scalar k9 = traits::constant(0.11155394517270574, 0.111553945f, "1/10;1/80;0;-1/400");
     const Scalar k10 = traits::constant(8.96427283187357, 8.9642725f,
         "1544000/148921;-194500/148921;-20000/148921;41100/148921");
@@ -1132,46 +1132,46 @@ struct Mechanism {
     const Scalar l_T_E = multipliers.T_E;
     const Scalar z54 = precomputed.z54;
     const Scalar z103 = precomputed.z103;
+    const Scalar z224 = precomputed.z224;
     const Scalar z225 = precomputed.z225;
     const Scalar z226 = precomputed.z226;
-    const Scalar z227 = precomputed.z227;
-    const Scalar z229 = precomputed.z229;
+    const Scalar z228 = precomputed.z228;
+    const Scalar z230 = precomputed.z230;
     const Scalar z231 = precomputed.z231;
-    const Scalar z232 = precomputed.z232;
+    const Scalar z236 = precomputed.z236;
     const Scalar z237 = precomputed.z237;
     const Scalar z238 = precomputed.z238;
-    const Scalar z239 = precomputed.z239;
-    const Scalar z245 = precomputed.z245;
-    const Scalar z247 = precomputed.z247;
+    const Scalar z244 = precomputed.z244;
+    const Scalar z246 = precomputed.z246;
     Scalar s_alpha, c_alpha;
     traits::sincos(q_alpha, s_alpha, c_alpha);
-    const Scalar z67 = n9_81 * c_alpha;
-    const Scalar z68 = n9_81 * s_alpha;
+    const Scalar z67 = n98_1 * c_alpha;
+    const Scalar z68 = n98_1 * s_alpha;
     const Scalar z89 = k1 * a_alpha;
     const Scalar z90 = k2 * a_alpha;
-    const Scalar z91 = n0_1 * a_alpha - z68;
+    const Scalar z91 = a_alpha - z68;
     const Scalar z92 = a_beta + z89;  // angular acceleration of S2, x
     const Scalar z93 = n0_02 * a_gamma;  // moment on S3, x
     const Scalar z94 = n0_0003 * z92;  // moment on S2, x
-    const Scalar z95 = n0_06 * z90;  // force on inclined, z
+    const Scalar z95 = n0_006 * z90;  // force on inclined, times 0.1 m, z
     const Scalar z96 = n0_0044 * z89 - z94;  // moment on inclined, x
-    const Scalar z97 = n0_06 * z91;  // moment on inclined, y
+    const Scalar z97 = n0_006 * z91;  // moment on inclined, y
     const Scalar z98 = k1 * z96 + k2 * z97;
-    const Scalar z101 = -n0_1 * (z68 + z95) + n0_0244 * a_alpha - z98;  // moment on S1, x
-    const Scalar z152 = n0_06 * z67;
+    const Scalar z101 = n0_0244 * a_alpha - n0_01 * z68 - z95 - z98;  // moment on S1, x
+    const Scalar z152 = n0_006 * z67;
     const Scalar z153 = k2 * z152;
-    const Scalar z154 = n0_1 * z67 - z153;
-    const Scalar z223 = a_alpha * z54 + a_beta * z103;
-    const Scalar z224 = k9 * (a_alpha - a_gamma) + n0_02 * a_beta;
-    const Scalar z233 = z223 * z226 - z224;
-    const Scalar z234 = k10 * z233;
-    const Scalar z235 = z223 * z225;
-    const Scalar z240 = z94 - z103 * l_T_A - n0_02 * l_T_E;
-    const Scalar z241 = u_C3 - z93 - k9 * l_T_E;
-    const Scalar z242 = z54 * l_T_A + u_C1 - z101 + k9 * l_T_E + z231 * z241 + z232 * z240;
-    const Scalar z243 = z234 * z238 + z235 * z237;
-    const Scalar z244 = z242 + z243;
-    const Scalar z246 = z154 * z245;
+    const Scalar z154 = n0_01 * z67 - z153;
+    const Scalar z222 = a_alpha * z54 + a_beta * z103;
+    const Scalar z223 = k9 * (a_alpha - a_gamma) + n0_02 * a_beta;
+    const Scalar z232 = z222 * z225 - z223;
+    const Scalar z233 = k10 * z232;
+    const Scalar z234 = z222 * z224;
+    const Scalar z239 = z94 - z103 * l_T_A - n0_02 * l_T_E;
+    const Scalar z240 = u_C3 - z93 - k9 * l_T_E;
+    const Scalar z241 = z54 * l_T_A + u_C1 - z101 + k9 * l_T_E + z230 * z240 + z231 * z239;
+    const Scalar z242 = z233 * z237 + z234 * z236;
+    const Scalar z243 = z241 + z242;
+    const Scalar z245 = z154 * z244;
     result.M[0] = k11;
     result.M[1] = k12;
     result.M[2] = n0;
@@ -1208,18 +1208,18 @@ struct Mechanism {
     result.E[3] = n0;
     result.E[4] = n0;
     result.E[5] = n1;
-    result.M_r[0] = z239;
+    result.M_r[0] = z238;
     result.C_r[0] = n0;
     result.K_r[0] = -z154;
     result.K_r[1] = n0;
     result.K_r[2] = n0;
-    result.F_r[0] = z244;
+    result.F_r[0] = z243;
     result.E_r[0] = n1;
-    result.E_r[1] = z231;
+    result.E_r[1] = z230;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
-    result.A[3] = z246;
+    result.A[3] = z245;
     result.A[4] = n0;
     result.A[5] = n0;
     result.A[6] = n0;
@@ -1229,18 +1229,18 @@ struct Mechanism {
     result.A[10] = n0;
     result.A[11] = n0;
     result.A[12] = n1;
-    result.A[13] = -z232;
-    result.A[14] = z231;
+    result.A[13] = -z231;
+    result.A[14] = z230;
     result.A[15] = n0;
     result.B[0] = n0;
     result.B[1] = n0;
     result.B[2] = n0;
-    result.B[3] = z245;
+    result.B[3] = z244;
     result.B[4] = n0;
     result.B[5] = n0;
     result.B[6] = n0;
-    result.B[7] = z247;
-    if (!(traits::regular(z227, z229) && traits::regular(z239, z239))) return torsor::Status::singular;
+    result.B[7] = z246;
+    if (!(traits::regular(z226, z228) && traits::regular(z238, z238))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.K[0] - result.K[0]) + (result.F[0] - result.F[0]) + (result.F[1] - result.F[1])
         + (result.F[2] - result.F[2]) + (result.M_r[0] - result.M_r[0]) + (result.K_r[0] - result.K_r[0])

@@ -46,7 +46,8 @@ enum class AccelerationInput {
 /// Axes in which a link's vectors are written: its own, or its joint's fixed axes, which do not turn with the angle.
 enum class Axes { own, unturned };
 
-/// Accelerations of all links at (q, q̇, q̈), gravity included as an upward acceleration of the ground; `axes` of each
+/// Accelerations of all links at (q, q̇, q̈), gravity included as an upward acceleration of the ground; those of points
+/// are over the model's length unit, where it has one. `axes` of each
 /// link (only a link without children may have unturned ones).
 std::vector<Acceleration> accelerations(const Model& model, AccelerationInput input, const std::vector<Axes>& axes);
 

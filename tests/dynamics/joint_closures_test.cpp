@@ -225,6 +225,9 @@ struct Motion {
     std::vector<Acceleration> all = accelerations(model, AccelerationInput::symbols, axes);
     const Acceleration& of_link = all[static_cast<std::size_t>(link)];
     linear = evaluate(here, model.express(of_link.linear(), link, 0));
+    if (model.length_unit()) {  // accelerations are over it
+      for (Real& component : linear) component *= Real(*model.length_unit(), digits);
+    }
     const Numbers gravity = evaluate(here, lower(program, model.scene().gravity));
     for (std::size_t i = 0; i < 3; ++i) linear[i] += gravity[i];
     angular = evaluate(here, of_link.angular());
