@@ -11,7 +11,7 @@
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   kinematics               81              137          2             0                  2       0    224     224
 //   mass_matrix              16               36          0             0                  0       0     52      52
-//   bias                     55              102          0             0                  0       0    157     158
+//   bias                     36               89          0             0                  0       0    125     125
 //   inverse_dynamics        133              203          2             0                  1       0    340     341
 //   forward_dynamics        344              592          9             0                  1       0    947     996
 //   energy                   46               84          2             0                  0       0    132     144
@@ -20,6 +20,7 @@
 // Not computed because this mechanism does not need it:
 //   kinematics: of 72 results 16 vanish identically, 10 repeat another up to sign
 //   mass_matrix: of 81 results 60 vanish identically, 6 repeat another up to sign
+//   bias: of 9 results 1 vanish identically
 //   forward_dynamics: of 19 results 4 vanish identically
 //   constraints: of 120 results 76 vanish identically, 1 repeat another up to sign
 //
@@ -1038,6 +1039,7 @@ struct Mechanism {
     const Scalar k8 = traits::constant(1e-05, 1e-05f, "1/100000");
     const Scalar n7_848 = traits::constant(7.848, 7.848f, "981/125");
     const Scalar n2_943 = traits::constant(2.943, 2.943f, "2943/1000");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_a_z = state.q.a_z;
     const Scalar v_a = state.v.a;
     const Scalar q_lower_y = state.q.lower_y;
@@ -1061,12 +1063,9 @@ struct Mechanism {
     const Scalar z15 = n2 * q_lower_z * q_lower_w;
     const Scalar z16 = n1 - z9 - z11;
     const Scalar z17 = z13 - z15;
-    const Scalar z18 = z13 + z15;
     const Scalar z19 = n2 * q_lower_x * q_lower_x;
     const Scalar z20 = n2 * q_lower_y * q_lower_z;
     const Scalar z21 = n2 * q_lower_x * q_lower_w;
-    const Scalar z22 = n1 - z11 - z19;
-    const Scalar z23 = z20 - z21;
     const Scalar z24 = z20 + z21;
     const Scalar z25 = n2 * q_lower_z * q_lower_x;
     const Scalar z26 = n2 * q_lower_y * q_lower_w;
@@ -1079,12 +1078,9 @@ struct Mechanism {
     const Scalar z43 = n2 * q_upper_z * q_upper_w;
     const Scalar z44 = n1 - z37 - z39;
     const Scalar z45 = z41 - z43;
-    const Scalar z46 = z41 + z43;
     const Scalar z47 = n2 * q_upper_x * q_upper_x;
     const Scalar z48 = n2 * q_upper_y * q_upper_z;
     const Scalar z49 = n2 * q_upper_x * q_upper_w;
-    const Scalar z50 = n1 - z39 - z47;
-    const Scalar z51 = z48 - z49;
     const Scalar z52 = z48 + z49;
     const Scalar z53 = n2 * q_upper_z * q_upper_x;
     const Scalar z54 = n2 * q_upper_y * q_upper_w;
@@ -1129,25 +1125,20 @@ struct Mechanism {
     const Scalar z228 = k8 * z223;  // moment on upper_cup, x
     const Scalar z229 = k8 * z224;  // moment on upper_cup, y
     const Scalar z230 = k8 * z222;  // moment on upper_cup, z
-    const Scalar z232 = z46 * z225 + z50 * z226 - z51 * z227;
     const Scalar z233 = z52 * z226 - z55 * z227 + z56 * z225;
-    const Scalar z236 = z52 * z229 - z55 * z230 - z56 * z228;
     const Scalar z237 = n0_02 * z207;  // force on lower_cup, x
     const Scalar z238 = n0_02 * z208;  // force on lower_cup, y
     const Scalar z239 = n0_02 * z209;  // force on lower_cup, z
     const Scalar z240 = k8 * z214;  // moment on lower_cup, x
     const Scalar z241 = k8 * z215;  // moment on lower_cup, y
     const Scalar z242 = k8 * z213;  // moment on lower_cup, z
-    const Scalar z244 = z18 * z237 + z22 * z238 - z23 * z239;
     const Scalar z245 = z24 * z238 - z27 * z239 + z28 * z237;
-    const Scalar z248 = z24 * z241 - z27 * z242 - z28 * z240;
     const Scalar z251 = z233 + z245;  // force on ring_A, z
-    const Scalar z254 = n0_1 * (z232 + z244) + z236 + z248;  // moment on ring_A, z
     const Scalar z259 = n7_848 - z251;  // force on ring_A.1, z
     const Scalar z260 = z202 + z259;
     const Scalar z261 = n2_943 * z68 + z203;
     forces.a_z = z260;
-    forces.a = -z254;
+    forces.a = n0;
     forces.lower_omega_x = z240;
     forces.lower_omega_y = -z241;
     forces.lower_omega_z = z242;

@@ -20,19 +20,27 @@ std::vector<bool> vanish(const std::vector<Value>& values) {
   const Real smallest(Number(10).pow(-40), digits);
   std::mt19937_64 random(20240229);  // any fixed seed: the answer must not change from run to run
   for (int trial = 0; trial < 3; ++trial) {
+    // Around one, so that lengths and masses stay meaningful. What moves is positive, then negative, then either:
+    // sqrt(x^2) is not x.
+    const auto draw = [&](bool moves) {
+      const long size = static_cast<long>(random() % 9000U) + 1000;
+      const bool negative = moves && (trial == 1 || (trial == 2 && size % 2 == 0));
+      return Real(Number::rational(negative ? -size : size, 7919), digits);
+    };
     std::unordered_map<const Symbol*, Real> state;
     Evaluator<Real> evaluate(*with_program->program(), [&](const SymbolPointer& symbol) {
       if (symbol->kind == SymbolKind::pi) return Real::pi(digits);
-      const auto [place, added] = state.try_emplace(symbol.get());
-      if (added) {
-        // Around one, so that lengths and masses stay meaningful. What moves is positive, then negative, then either:
-        // sqrt(x^2) is not x.
-        const bool moves = symbol->kind != SymbolKind::parameter && symbol->kind != SymbolKind::time;
-        const long size = static_cast<long>(random() % 9000U) + 1000;
-        const bool negative = moves && (trial == 1 || (trial == 2 && size % 2 == 0));
-        place->second = Real(Number::rational(negative ? -size : size, 7919), digits);
+      if (const auto known = state.find(symbol.get()); known != state.end()) return known->second;
+      if (const auto attitude = symbol->attitude.lock()) {
+        Real square(0);
+        for (const SymbolPointer& e : attitude->e) {
+          state[e.get()] = draw(true);
+          square += state[e.get()] * state[e.get()];
+        }
+        for (const SymbolPointer& e : attitude->e) state[e.get()] /= sqrt(square);
+        return state[symbol.get()];
       }
-      return place->second;
+      return state[symbol.get()] = draw(symbol->kind != SymbolKind::parameter && symbol->kind != SymbolKind::time);
     });
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (!result[i] || values[i].is_zero()) continue;

@@ -215,5 +215,17 @@ TEST(MassProperties, GatherWhatIsWeldedTogether) {
   }
 }
 
+TEST(Vanishing, KnowsThatQuaternionsHaveTheNormOne) {
+  Scene scene("ball");
+  const FrameHandle ball = scene.spherical("ball", scene.ground(), scene.attitude("turn"));
+  scene.body("ball", ball, Inertia::solid_sphere(Expression::quantity("2", "kg"), Expression::quantity("0.1", "m")));
+  const Equations equations(scene);
+  Program& program = equations.program();
+  Value square = program.number(Number(-1));
+  for (const SymbolPointer& e : equations.model().positions()) square += pow(program.symbol(e), 2);
+  EXPECT_TRUE(vanishes(square));
+  EXPECT_FALSE(vanishes(square + program.symbol(equations.model().positions()[1])));
+}
+
 }  // namespace
 }  // namespace torsor::motion_test
