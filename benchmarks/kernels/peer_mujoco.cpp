@@ -85,6 +85,7 @@ class Mujoco {
   };
   /// MuJoCo's reader finds principal axes within some 1e-9 only: it gets those of the same tensor to all digits.
   void take_principal_axes(const Joint& joint, int body) {
+    if (model_->body_sameframe[body]) return;  // it takes the body's axes for them
     const auto& i = joint.inertia;
     Eigen::Matrix3d tensor;
     tensor << i[0], i[1], i[2], i[1], i[3], i[4], i[2], i[4], i[5];

@@ -19,8 +19,9 @@ struct Timing {
   Spread ratio;        ///< to the first way's, both of the same turn
 };
 
-/// In each turn every way goes once through all states, one way after the other: what else the machine does meets all
-/// alike, and a ratio compares neighbours. A turn begins with one state that is not timed, which loads the way's code.
+/// In each turn every way goes through some states, one way after the other: what else the machine does meets all
+/// alike, and a ratio compares neighbours. A way's share begins with one state that is not timed, which loads its code,
+/// and takes a fifth of a millisecond at most: few are interrupted by other programs, which would take several.
 std::vector<Timing> time_in_turns(const std::vector<Way>& ways, std::size_t states, int turns);
 
 }  // namespace kernels
