@@ -3,18 +3,17 @@
 
 #include <sys/resource.h>
 
-#include <chrono>
+#include <ctime>
 
 namespace torsor {
 
-/// Wall time since it was made.
+/// Seconds of the processor since it was made: what other programs do meanwhile does not count.
 class Stopwatch {
  public:
-  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  double seconds() const { return static_cast<double>(std::clock() - start_) / CLOCKS_PER_SEC; }
 
  private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point start_ = Clock::now();
+  std::clock_t start_ = std::clock();
 };
 
 /// Largest memory this process has had, in megabytes.
