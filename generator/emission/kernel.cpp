@@ -12,6 +12,7 @@
 #include "generator/emission/kernel_kinematics.hpp"
 #include "generator/emission/kernel_linearisation.hpp"
 #include "generator/emission/kernel_parts.hpp"
+#include "generator/emission/kernel_regressor.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/expression/evaluation.hpp"
 
@@ -212,7 +213,8 @@ const std::vector<Entry>& entries() {
                                       {"reactions", make_reactions},
                                       {"linearisation", make_linearisation},
                                       {"inverse_dynamics_derivatives", make_inverse_dynamics_derivatives},
-                                      {"forward_dynamics_derivatives", make_forward_dynamics_derivatives}};
+                                      {"forward_dynamics_derivatives", make_forward_dynamics_derivatives},
+                                      {"regressor", make_regressor}};
   return all;
 }
 

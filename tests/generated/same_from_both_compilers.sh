@@ -6,7 +6,7 @@ set -euo pipefail
 first="$1" second="$2"
 shift 2
 kernels="kinematics mass_matrix bias inverse_dynamics forward_dynamics energy first_integrals constraints reactions linearisation"
-kernels="$kernels inverse_dynamics_derivatives forward_dynamics_derivatives"
+kernels="$kernels inverse_dynamics_derivatives forward_dynamics_derivatives regressor"
 compared=0
 for program in "$@"; do
   [ -x "$first/$program" ] || { echo "$first/$program is not there: build the preset release first"; exit 77; }

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/emission/kernel_regressor.hpp"
+
+#include <fmt/format.h>
+
+#include "generator/dynamics/base_parameters.hpp"
+#include "generator/dynamics/regressor.hpp"
+#include "generator/emission/cpp_names.hpp"
+#include "generator/emission/formula_printer.hpp"
+#include "generator/emission/kernel_parts.hpp"
+
+namespace torsor {
+namespace {
+
+/// Which index belongs to which link and its bodies, a line each.
+std::string list_of_parameters(const Model& model, const std::vector<std::size_t>& links) {
+  std::string text = "/// Standard inertial parameters of the links, ten each about the link's origin in its axes:";
+  text += "\n///  ";
+  for (const char* name : inertial_parameter_names) text += fmt::format(" {}", name);
+  text += " (J_xy = minus the integral of x y dm).\n";
+  for (std::size_t l = 0; l < links.size(); ++l) {
+    std::string bodies;
+    for (const BodyContent& body : model.scene().bodies) {
+      if (static_cast<std::size_t>(model.place(body.frame, "body '" + body.name + "'").link) != links[l]) continue;
+      bodies += (bodies.empty() ? "" : ", ") + body.name;
+    }
+    text += fmt::format("/// {} to {}: frame {} with body {}\n", 10 * l, 10 * l + 9,
+                        comment_text(model.links()[links[l]].name), comment_text(bodies));
+  }
+  return text + fmt::format("static constexpr int inertial_parameter_count = {};\n", 10 * links.size());
+}
+
+std::string table(const std::string& type, const std::string& name, const std::string& entries) {
+  return entries.empty() ? ""
+                         : wrapped(fmt::format("static constexpr {} {}[] = {{{}}};", type, name, entries), 2) + "\n";
+}
+
+void append(std::string& list, const std::string& entry) { list += (list.empty() ? "" : ", ") + entry; }
+
+std::string table_of_base(const BaseParameters& base) {
+  std::string list;
+  for (const std::size_t c : base.independent) append(list, std::to_string(c));
+  return fmt::format(
+             "/// Base parameters pi_b, by their place in the list above; of the others those that have an effect are\n"
+             "/// combined with them. First link to last: what a joint cannot tell apart goes towards the ground\n"
+             "/// (Gautier & Khalil, 1990).\n"
+             "static constexpr int base_parameter_count = {};\n",
+             base.independent.size()) +
+         table("int", "base_parameters", list);
+}
+
+/// K without its zeros.
+std::string table_of_regrouping(const BaseParameters& base) {
+  std::string from, to, by;
+  int count = 0;
+  for (std::size_t d = 0; d < base.dependent.size(); ++d) {
+    for (std::size_t b = 0; b < base.independent.size(); ++b) {
+      const Real& k = base.combination[b][d];
+      if (k.is_zero()) continue;
+      append(from, std::to_string(base.dependent[d]));
+      append(to, std::to_string(b));
+      append(by, fmt::format("{}", k.to_double()));
+      ++count;
+    }
+  }
+  return fmt::format(
+             "/// pi_base = pi_b + K pi_d: each pi_base[regrouped_to[k]], from pi[base_parameters[...]], gains\n"
+             "/// regrouping_factors[k] * pi[regrouped_from[k]].\n"
+             "static constexpr int regrouping_count = {};\n",
+             count) +
+         table("int", "regrouped_from", from) + table("int", "regrouped_to", to) +
+         table("double", "regrouping_factors", by);
+}
+
+}  // namespace
+
+Kernel make_regressor(const Equations& equations) {
+  Kernel kernel;
+  const Model& model = equations.model();
+  const std::vector<std::size_t> links = links_with_bodies(model);
+  const ValueMatrix y = regressor(model);
+  const BaseParameters base = base_parameters(model, y);
+  if (base.independent.empty()) {
+    kernel.skipped = links.empty()              ? "no body moves"
+                     : unknowns(equations) == 0 ? "the scene has no unknown coordinates"
+                                                : "the inertia of no body has an effect";
+    return kernel;
+  }
+  kernel.documentation =
+      "Regressor: Y pi_base are the generalised forces of inertia and gravity at (q, v, a), inverse_dynamics without\n"
+      "other actions and multipliers. Y has the columns of base_parameters only: those of the other inertial\n"
+      "parameters are combinations of them, no measurement tells them apart, and least squares with them are singular.";
+  if (!equations.constraints().empty()) {
+    kernel.documentation += "\nConstraints are not used: motions that respect them may tell fewer parameters apart.";
+  }
+  if (!base.at_any_parameters) {
+    kernel.documentation +=
+        "\nThe base parameters are those at the values that the run-time parameters have in the scene, and how the "
+        "others\n"
+        "combine with them depends on these values: there is no table of it.";
+  }
+  Structure structure{"Regressor", "What the generalised forces are linear in, stored column by column.", {}};
+  structure.tables = list_of_parameters(model, links);
+  structure.tables += table_of_base(base);
+  if (base.at_any_parameters) structure.tables += table_of_regrouping(base);
+  kernel.arguments = {Argument::accelerations};
+  kernel.results = {{"Regressor", "result"}};
+  ValueMatrix columns;
+  for (const std::vector<Value>& row : y) {
+    columns.emplace_back();
+    for (const std::size_t c : base.independent) columns.back().push_back(row[c]);
+  }
+  structure.members.push_back(matrix_member("Y", y.size(), base.independent.size(), "forces of unit base parameters"));
+  assign_matrix(kernel, "result.Y", columns, base.independent.size());
+  kernel.structures = {structure};
+  return kernel;
+}
+
+}  // namespace torsor
