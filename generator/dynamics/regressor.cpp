@@ -9,8 +9,8 @@
 namespace torsor {
 namespace {
 
-/// Twists of all links per unit rate of one unknown, at the links' origins, in their axes; null ones for the ground and
-/// what the unknown does not move.
+/// Twists of all links per unit rate of one unknown, at the links' origins, in their axes, linear ones over the model's
+/// length unit as accelerations are; null for the ground and what the unknown does not move.
 std::vector<Twist> partial_twists(const Model& model, int unknown) {
   Program& program = model.program();
   const auto& links = model.links();
@@ -18,7 +18,7 @@ std::vector<Twist> partial_twists(const Model& model, int unknown) {
   for (std::size_t k = 1; k < links.size(); ++k) {
     const Link& link = links[k];
     const Twist& carrier = all[static_cast<std::size_t>(link.parent)];
-    const Vector origin = bound(program, model.origin_in_parent(link));
+    const Vector origin = bound(program, model.arm(link));
     Vector linear = bound(program, carrier.linear + cross(carrier.angular, origin));
     linear = model.from_parent(link, linear);
     Vector angular = model.from_parent(link, carrier.angular);
@@ -33,7 +33,8 @@ std::vector<Twist> partial_twists(const Model& model, int unknown) {
 }
 
 /// The ten powers of unit parameters on a partial twist.
-std::array<Value, 10> powers(Program& program, Acceleration& motion, const Twist& partial) {
+std::array<Value, 10> powers(const Model& model, Acceleration& motion, const Twist& partial) {
+  Program& program = model.program();
   constexpr std::array<std::size_t, 3> diagonal{4, 7, 9};
   constexpr std::array<std::size_t, 3> beside{5, 8, 6};  // J_xy, J_yz, J_zx
   std::array<Value, 10> result;
@@ -67,6 +68,10 @@ std::array<Value, 10> powers(Program& program, Acceleration& motion, const Twist
     result[beside[static_cast<std::size_t>(x)]] = across;
   }
   for (Value& power : result) power = program.bind(power);
+  if (!model.length_unit()) return result;
+  const Value length = program.number(*model.length_unit(), units::metre);
+  for (std::size_t p = 0; p < 4; ++p) result[p] = program.bind(length * result[p]);
+  result[0] = program.bind(length * result[0]);
   return result;
 }
 
@@ -103,7 +108,7 @@ ValueMatrix regressor(const Model& model) {
   for (int i = 0; i < model.unknown_count(); ++i) {
     const std::vector<Twist> partials = partial_twists(model, i);
     for (const std::size_t k : links) {
-      for (const Value& power : powers(program, motion[k], partials[k])) entries.push_back(power);
+      for (const Value& power : powers(model, motion[k], partials[k])) entries.push_back(power);
     }
   }
   const std::vector<bool> zero = vanish(entries);

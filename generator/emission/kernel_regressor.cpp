@@ -95,9 +95,8 @@ Kernel make_regressor(const Equations& equations) {
   }
   if (!base.at_any_parameters) {
     kernel.documentation +=
-        "\nThe base parameters are those at the values that the run-time parameters have in the scene, and how the "
-        "others\n"
-        "combine with them depends on these values: there is no table of it.";
+        "\nThe base parameters are those at the values that run-time parameters have in the scene; how the others\n"
+        "combine with them depends on these values, so that no table says it.";
   }
   Structure structure{"Regressor", "What the generalised forces are linear in, stored column by column.", {}};
   structure.tables = list_of_parameters(model, links);
