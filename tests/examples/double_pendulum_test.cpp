@@ -101,4 +101,34 @@ TEST(DoublePendulum, HasTheKnownSmallOscillations) {
   }
 }
 
+// Point masses of 1 kg at (0, −1 m, 0) of their links. Sums of a few terms up to 30: 1e-13 is some ten roundings.
+TEST(DoublePendulum, HasARegressorWhoseTablesLeadFromInertialParametersToForces) {
+  std::array<double, Pendulum::inertial_parameter_count> pi{};
+  for (std::size_t link = 0; link < 2; ++link) {
+    pi[10 * link] = 1;       // m
+    pi[10 * link + 2] = -1;  // h_y
+    pi[10 * link + 4] = 1;   // J_xx
+    pi[10 * link + 9] = 1;   // J_zz
+  }
+  std::array<double, Pendulum::base_parameter_count> base{};
+  for (std::size_t b = 0; b < base.size(); ++b) base[b] = pi[static_cast<std::size_t>(Pendulum::base_parameters[b])];
+  for (std::size_t k = 0; k < Pendulum::regrouping_count; ++k) {
+    const double part = Pendulum::regrouping_factors[k] * pi[static_cast<std::size_t>(Pendulum::regrouped_from[k])];
+    base[static_cast<std::size_t>(Pendulum::regrouped_to[k])] += part;
+  }
+  auto state = Pendulum::initial_state();
+  state.v = {1.3, -0.7};
+  const Pendulum::Accelerations a{2.0, -3.0};
+  const auto precomputed = Pendulum::precompute(Pendulum::default_parameters());
+  Pendulum::Regressor regressor;
+  Pendulum::regressor(precomputed, state, a, regressor);
+  Pendulum::GeneralizedForces forces;
+  Pendulum::inverse_dynamics(precomputed, state, a, {}, forces);
+  for (int i = 0; i < 2; ++i) {
+    double sum = 0;
+    for (std::size_t b = 0; b < base.size(); ++b) sum += regressor.Y[2 * b + static_cast<std::size_t>(i)] * base[b];
+    EXPECT_NEAR(sum, forces[i], 1e-13) << i;
+  }
+}
+
 }  // namespace
