@@ -100,7 +100,6 @@ std::vector<Value> inertial_parameters(const Model& model) {
 }
 
 ValueMatrix regressor(const Model& model) {
-  Program& program = model.program();
   const std::vector<std::size_t> links = links_with_bodies(model);
   const std::vector<Axes> axes(model.links().size(), Axes::own);
   std::vector<Acceleration> motion = accelerations(model, AccelerationInput::symbols, axes);
