@@ -3,7 +3,7 @@
 // Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
 // Free to embed under the MIT licence.
 //
-// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, linearisation, inverse_dynamics_derivatives, forward_dynamics_derivatives
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, linearisation, inverse_dynamics_derivatives, forward_dynamics_derivatives, regressor
 // Parameters set at run time: none
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
@@ -19,6 +19,7 @@
 //   linearisation                        32               34          1             0                  2       0     71      97
 //   inverse_dynamics_derivatives         13               15          0             0                  2       0     32      56
 //   forward_dynamics_derivatives         32               38          1             0                  2       0     75     111
+//   regressor                             7               12          0             0                  2       0     23      23
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 36 results 16 vanish identically, 6 repeat another up to sign
@@ -29,9 +30,10 @@
 //   linearisation: of 30 results 8 vanish identically, 1 repeat another up to sign
 //   inverse_dynamics_derivatives: of 8 results 2 vanish identically
 //   forward_dynamics_derivatives: of 12 results 1 repeat another up to sign
+//   regressor: of 12 results 4 vanish identically
 //
 // To write this file again:
-//   double_pendulum_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation,inverse_dynamics_derivatives,forward_dynamics_derivatives --output double_pendulum.hpp
+//   double_pendulum_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation,inverse_dynamics_derivatives,forward_dynamics_derivatives,regressor --output double_pendulum.hpp
 #pragma once
 
 #include <array>
@@ -561,6 +563,27 @@ struct Mechanism {
     std::array<Scalar, 4> by_force;  ///< da_i/df_j, f generalised forces added to E u (2 x 2)
   };
 
+  /// What the generalised forces are linear in, stored column by column.
+  struct Regressor {
+    std::array<Scalar, 12> Y;  ///< forces of unit base parameters (2 x 6)
+  };
+  /// Standard inertial parameters of the links, ten each about the link's origin in its axes:
+  ///   m h_x h_y h_z J_xx J_xy J_xz J_yy J_yz J_zz (J_xy = minus the integral of x y dm).
+  /// 0 to 9: frame upper with body first_mass
+  /// 10 to 19: frame lower with body second_mass
+  static constexpr int inertial_parameter_count = 20;
+  /// Base parameters pi_b, by their place in the list above; of the others those that have an effect are
+  /// combined with them. First link to last: what a joint cannot tell apart goes towards the ground
+  /// (Gautier & Khalil, 1990).
+  static constexpr int base_parameter_count = 6;
+  static constexpr int base_parameters[] = {1, 2, 9, 11, 12, 19};
+  /// pi_base = pi_b + K pi_d: each pi_base[regrouped_to[k]], from pi[base_parameters[...]], gains
+  /// regrouping_factors[k] * pi[regrouped_from[k]].
+  static constexpr int regrouping_count = 2;
+  static constexpr int regrouped_from[] = {10, 10};
+  static constexpr int regrouped_to[] = {1, 2};
+  static constexpr double regrouping_factors[] = {-1, 1};
+
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
   /// matrices column by column.
   TORSOR_DEVICE static void kinematics(const Precomputed&, const State& state, Kinematics& result) noexcept {
@@ -1030,6 +1053,49 @@ struct Mechanism {
         + (result.by_force[2] - result.by_force[2]) + (result.by_force[3] - result.by_force[3]);
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
+  }
+
+  /// Regressor: Y pi_base are the generalised forces of inertia and gravity at (q, v, a), inverse_dynamics without
+  /// other actions and multipliers. Y has the columns of base_parameters only: those of the other inertial
+  /// parameters are combinations of them, no measurement tells them apart, and least squares with them are singular.
+  TORSOR_DEVICE static void regressor(const Precomputed&, const State& state, const Accelerations& accelerations,
+      Regressor& result) noexcept {
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_theta_1 = state.q.theta_1;
+    const Scalar v_theta_1 = state.v.theta_1;
+    const Scalar a_theta_1 = accelerations.theta_1;
+    const Scalar q_theta_2 = state.q.theta_2;
+    const Scalar v_theta_2 = state.v.theta_2;
+    const Scalar a_theta_2 = accelerations.theta_2;
+    const Scalar z8 = q_theta_1 - q_theta_2;
+    const Scalar angles_[] = {q_theta_1, z8};
+    Scalar sines_[2], cosines_[2];
+    torsor::sines_and_cosines(angles_, sines_, cosines_);
+    const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
+    const Scalar z9 = sines_[1], z10 = cosines_[1];
+    const Scalar z34 = n9_81 * s_theta_1;
+    const Scalar z35 = n9_81 * c_theta_1;
+    const Scalar z36 = v_theta_1 * v_theta_1;
+    const Scalar z37 = z35 + z36;
+    const Scalar z40 = v_theta_2 * v_theta_2;
+    const Scalar z46 = a_theta_1 + z34;
+    const Scalar z47 = z9 * z37 - z10 * z46;
+    const Scalar z48 = z9 * z46 + z10 * z37;
+    const Scalar z50 = a_theta_2 * z10 + z9 * z40;
+    const Scalar z51 = a_theta_2 * z9 - z10 * z40;
+    result.Y[0] = z35;
+    result.Y[1] = n0;
+    result.Y[2] = -z34;
+    result.Y[3] = n0;
+    result.Y[4] = a_theta_1;
+    result.Y[5] = n0;
+    result.Y[6] = z51;
+    result.Y[7] = z48;
+    result.Y[8] = -z50;
+    result.Y[9] = z47;
+    result.Y[10] = n0;
+    result.Y[11] = a_theta_2;
   }
 };
 
