@@ -504,8 +504,8 @@ struct Mechanism {
     Scalar z25;
     Scalar z26;
     Scalar z85;
-    Scalar z164;
-    Scalar z167;
+    Scalar z166;
+    Scalar z169;
   };
 
   /// Values of the scene.
@@ -527,13 +527,13 @@ struct Mechanism {
     const Scalar z25 = n0_25 * p_rho * p_rho;
     const Scalar z26 = n0_5 * p_rho * p_rho;
     const Scalar z85 = z25 - z26;
-    const Scalar z164 = n1 / z26;
-    const Scalar z167 = n1 / z25;
+    const Scalar z166 = n1 / z26;
+    const Scalar z169 = n1 / z25;
     precomputed.z25 = z25;
     precomputed.z26 = z26;
     precomputed.z85 = z85;
-    precomputed.z164 = z164;
-    precomputed.z167 = z167;
+    precomputed.z166 = z166;
+    precomputed.z169 = z169;
     return precomputed;
   }
 
@@ -805,14 +805,15 @@ struct Mechanism {
     const Scalar z113 = z26 * z111;  // moment on disk, y
     const Scalar z114 = z26 * z107;  // moment on disk, z
     const Scalar z115 = z29 * z30;
-    const Scalar z116 = z25 * z115 - z112;  // moment on disk.2, x
-    const Scalar z117 = n2 * z25 * z106 - z113;  // moment on disk.2, y
-    const Scalar z119 = s_theta * z117 - c_theta * z114;
+    const Scalar z116 = n2 * z106;
+    const Scalar z117 = z25 * z115 - z112;  // moment on disk.2, x
+    const Scalar z118 = z25 * z116 - z113;  // moment on disk.2, y
+    const Scalar z120 = s_theta * z118 - c_theta * z114;
     forces.x = n0;
     forces.y = n0;
     forces.z = n9_81;
-    forces.psi = z119;
-    forces.theta = -z116;
+    forces.psi = z120;
+    forces.theta = -z117;
     forces.phi = -z114;
   }
 
@@ -853,23 +854,24 @@ struct Mechanism {
     const Scalar z112 = z26 * z110;  // moment on disk, x
     const Scalar z113 = z26 * z111;  // moment on disk, y
     const Scalar z115 = z29 * z30;
-    const Scalar z123 = n9_81 + a_z;
-    const Scalar z126 = a_psi * s_theta;
-    const Scalar z127 = a_psi * c_theta;
-    const Scalar z130 = v_theta * z30 + z126;  // angular acceleration of disk.2, y
-    const Scalar z131 = v_theta * z29 - z127;  // angular acceleration of disk.2, z
-    const Scalar z134 = a_phi - z131;  // angular acceleration of disk, z
-    const Scalar z135 = z26 * z134;  // moment on disk, z
-    const Scalar z136 = z25 * (a_theta - z115) + z112;  // moment on disk.2, x
-    const Scalar z137 = z25 * (z106 + z130) - z113;  // moment on disk.2, y
-    const Scalar z139 = s_theta * z137 + c_theta * z135;
-    const Scalar z152 = s_theta * z61 + c_theta * z60;
+    const Scalar z124 = n9_81 + a_z;
+    const Scalar z127 = a_psi * s_theta;
+    const Scalar z128 = a_psi * c_theta;
+    const Scalar z131 = v_theta * z30 + z127;  // angular acceleration of disk.2, y
+    const Scalar z132 = v_theta * z29 - z128;  // angular acceleration of disk.2, z
+    const Scalar z135 = a_phi - z132;  // angular acceleration of disk, z
+    const Scalar z136 = z26 * z135;  // moment on disk, z
+    const Scalar z137 = z106 + z131;
+    const Scalar z138 = z25 * (a_theta - z115) + z112;  // moment on disk.2, x
+    const Scalar z139 = z25 * z137 - z113;  // moment on disk.2, y
+    const Scalar z141 = s_theta * z139 + c_theta * z136;
+    const Scalar z154 = s_theta * z61 + c_theta * z60;
     forces.x = a_x + s_psi * l_Y - c_psi * l_X;
     forces.y = a_y - s_psi * l_X - c_psi * l_Y;
-    forces.z = z123 - l_N;
-    forces.psi = -z60 * l_X + z139;
-    forces.theta = z60 * l_N - z61 * l_Y + z136;
-    forces.phi = z135 - z152 * l_X;
+    forces.z = z124 - l_N;
+    forces.psi = -z60 * l_X + z141;
+    forces.theta = z60 * l_N - z61 * l_Y + z138;
+    forces.phi = z136 - z154 * l_X;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -891,8 +893,8 @@ struct Mechanism {
     const Scalar z25 = precomputed.z25;
     const Scalar z26 = precomputed.z26;
     const Scalar z85 = precomputed.z85;
-    const Scalar z164 = precomputed.z164;
-    const Scalar z167 = precomputed.z167;
+    const Scalar z166 = precomputed.z166;
+    const Scalar z169 = precomputed.z169;
     const Scalar angles_[] = {q_psi, q_theta};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
@@ -915,66 +917,67 @@ struct Mechanism {
     const Scalar z113 = z26 * z111;  // moment on disk, y
     const Scalar z114 = z26 * z107;  // moment on disk, z
     const Scalar z115 = z29 * z30;
-    const Scalar z116 = z25 * z115 - z112;  // moment on disk.2, x
-    const Scalar z117 = n2 * z25 * z106 - z113;  // moment on disk.2, y
-    const Scalar z119 = s_theta * z117 - c_theta * z114;
-    const Scalar z146 = v_theta * c_theta;
-    const Scalar z147 = p_rho * z146;
-    const Scalar z149 = v_theta * s_theta;
-    const Scalar z150 = v_theta * z149;
-    const Scalar z151 = p_rho * z150;
-    const Scalar z152 = s_theta * z61 + c_theta * z60;
-    const Scalar z154 = v_psi * s_psi;
-    const Scalar z155 = v_psi * c_psi;
-    const Scalar z156 = p_rho * z149;
-    const Scalar z157 = s_theta * z147 - c_theta * z156 - z60 * z149 + z61 * z146;
-    const Scalar z158 = v_x * z154 - v_y * z155 + v_psi * z156 - v_phi * z157;
-    const Scalar z160 = v_x * z155 + v_y * z154 - v_theta * z147;
-    const Scalar z165 = z80 * z164;
-    const Scalar z166 = z80 * z165 - z89;
-    const Scalar z168 = n1 / z166;
-    const Scalar z169 = z60 * z167;
-    const Scalar z170 = z60 - z152 * z165;
-    const Scalar z171 = z168 * z170;
-    const Scalar z172 = z152 * z164 + z165 * z171;
-    const Scalar z173 = z61 * z167;
-    const Scalar z174 = n1 + z60 * z169;
-    const Scalar z175 = n1 - z60 * z171 + z152 * z172;
-    const Scalar z176 = z61 * z169;
-    const Scalar z177 = n1 + z61 * z173;
-    const Scalar z178 = n1 / z177;
-    const Scalar z179 = z176 * z178;
-    const Scalar z180 = z174 - z176 * z179;
-    const Scalar z181 = n1 / z175;
-    const Scalar z182 = n1 / z180;
-    const Scalar z183 = z114 * z165 + z119;
-    const Scalar z184 = z168 * z183;
-    const Scalar z185 = z116 * z167;
-    const Scalar z186 = z114 * z164 - z165 * z184;
-    const Scalar z187 = n9_81 + z60 * z185 - z151;
-    const Scalar z188 = z60 * z184 + z152 * z186 - z158;
-    const Scalar z189 = z61 * z185 - z160;
-    const Scalar z190 = z179 * z189 - z187;
-    const Scalar z191 = z182 * z190;
-    const Scalar z192 = z181 * z188;
-    const Scalar z193 = z178 * z189 + z179 * z191;
-    const Scalar z194 = s_psi * z193 - c_psi * z192;
-    const Scalar z195 = s_psi * z192 + c_psi * z193;
-    const Scalar z196 = n9_81 + z191;
-    const Scalar z197 = z171 * z192 + z184;
-    const Scalar z198 = z169 * z191 - z173 * z193 + z185;
-    const Scalar z199 = z172 * z192 - z186;
-    accelerations.x = z194;
-    accelerations.y = -z195;
-    accelerations.z = -z196;
-    accelerations.psi = z197;
-    accelerations.theta = z198;
-    accelerations.phi = -z199;
-    multipliers.N = -z191;
-    multipliers.X = -z192;
-    multipliers.Y = -z193;
-    if (!(traits::regular(-z166, z89) && traits::regular(z25, z25) && traits::regular(z26, z26) && traits::regular(z180,
-        z174) && traits::regular(z175, z175) && traits::regular(z177, z177))) return torsor::Status::singular;
+    const Scalar z116 = n2 * z106;
+    const Scalar z117 = z25 * z115 - z112;  // moment on disk.2, x
+    const Scalar z118 = z25 * z116 - z113;  // moment on disk.2, y
+    const Scalar z120 = s_theta * z118 - c_theta * z114;
+    const Scalar z148 = v_theta * c_theta;
+    const Scalar z149 = p_rho * z148;
+    const Scalar z151 = v_theta * s_theta;
+    const Scalar z152 = v_theta * z151;
+    const Scalar z153 = p_rho * z152;
+    const Scalar z154 = s_theta * z61 + c_theta * z60;
+    const Scalar z156 = v_psi * s_psi;
+    const Scalar z157 = v_psi * c_psi;
+    const Scalar z158 = p_rho * z151;
+    const Scalar z159 = s_theta * z149 - c_theta * z158 - z60 * z151 + z61 * z148;
+    const Scalar z160 = v_x * z156 - v_y * z157 + v_psi * z158 - v_phi * z159;
+    const Scalar z162 = v_x * z157 + v_y * z156 - v_theta * z149;
+    const Scalar z167 = z80 * z166;
+    const Scalar z168 = z80 * z167 - z89;
+    const Scalar z170 = n1 / z168;
+    const Scalar z171 = z60 * z169;
+    const Scalar z172 = z60 - z154 * z167;
+    const Scalar z173 = z170 * z172;
+    const Scalar z174 = z154 * z166 + z167 * z173;
+    const Scalar z175 = z61 * z169;
+    const Scalar z176 = n1 + z60 * z171;
+    const Scalar z177 = n1 - z60 * z173 + z154 * z174;
+    const Scalar z178 = z61 * z171;
+    const Scalar z179 = n1 + z61 * z175;
+    const Scalar z180 = n1 / z179;
+    const Scalar z181 = z178 * z180;
+    const Scalar z182 = z176 - z178 * z181;
+    const Scalar z183 = n1 / z177;
+    const Scalar z184 = n1 / z182;
+    const Scalar z185 = z114 * z167 + z120;
+    const Scalar z186 = z170 * z185;
+    const Scalar z187 = z117 * z169;
+    const Scalar z188 = z114 * z166 - z167 * z186;
+    const Scalar z189 = n9_81 + z60 * z187 - z153;
+    const Scalar z190 = z60 * z186 + z154 * z188 - z160;
+    const Scalar z191 = z61 * z187 - z162;
+    const Scalar z192 = z181 * z191 - z189;
+    const Scalar z193 = z184 * z192;
+    const Scalar z194 = z183 * z190;
+    const Scalar z195 = z180 * z191 + z181 * z193;
+    const Scalar z196 = s_psi * z195 - c_psi * z194;
+    const Scalar z197 = s_psi * z194 + c_psi * z195;
+    const Scalar z198 = n9_81 + z193;
+    const Scalar z199 = z173 * z194 + z186;
+    const Scalar z200 = z171 * z193 - z175 * z195 + z187;
+    const Scalar z201 = z174 * z194 - z188;
+    accelerations.x = z196;
+    accelerations.y = -z197;
+    accelerations.z = -z198;
+    accelerations.psi = z199;
+    accelerations.theta = z200;
+    accelerations.phi = -z201;
+    multipliers.N = -z193;
+    multipliers.X = -z194;
+    multipliers.Y = -z195;
+    if (!(traits::regular(-z168, z89) && traits::regular(z25, z25) && traits::regular(z26, z26) && traits::regular(z182,
+        z176) && traits::regular(z177, z177) && traits::regular(z179, z179))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.x - accelerations.x) + (accelerations.y - accelerations.y) + (accelerations.z
         - accelerations.z) + (accelerations.psi - accelerations.psi) + (accelerations.theta - accelerations.theta)
@@ -1047,30 +1050,30 @@ struct Mechanism {
     const Scalar z60 = c_theta * p_rho;
     const Scalar z61 = s_theta * p_rho;
     const Scalar z64 = q_z - z61;
-    const Scalar z146 = v_theta * c_theta;
-    const Scalar z147 = p_rho * z146;
-    const Scalar z148 = v_z - z147;
-    const Scalar z149 = v_theta * s_theta;
-    const Scalar z150 = v_theta * z149;
-    const Scalar z151 = p_rho * z150;
-    const Scalar z152 = s_theta * z61 + c_theta * z60;
-    const Scalar z153 = v_x * c_psi + v_y * s_psi + v_psi * z60 + v_phi * z152;
-    const Scalar z154 = v_psi * s_psi;
-    const Scalar z155 = v_psi * c_psi;
-    const Scalar z156 = p_rho * z149;
-    const Scalar z157 = s_theta * z147 - c_theta * z156 - z60 * z149 + z61 * z146;
-    const Scalar z158 = v_x * z154 - v_y * z155 + v_psi * z156 - v_phi * z157;
-    const Scalar z159 = v_x * s_psi - v_y * c_psi - v_theta * z61;
-    const Scalar z160 = v_x * z155 + v_y * z154 - v_theta * z147;
+    const Scalar z148 = v_theta * c_theta;
+    const Scalar z149 = p_rho * z148;
+    const Scalar z150 = v_z - z149;
+    const Scalar z151 = v_theta * s_theta;
+    const Scalar z152 = v_theta * z151;
+    const Scalar z153 = p_rho * z152;
+    const Scalar z154 = s_theta * z61 + c_theta * z60;
+    const Scalar z155 = v_x * c_psi + v_y * s_psi + v_psi * z60 + v_phi * z154;
+    const Scalar z156 = v_psi * s_psi;
+    const Scalar z157 = v_psi * c_psi;
+    const Scalar z158 = p_rho * z151;
+    const Scalar z159 = s_theta * z149 - c_theta * z158 - z60 * z151 + z61 * z148;
+    const Scalar z160 = v_x * z156 - v_y * z157 + v_psi * z158 - v_phi * z159;
+    const Scalar z161 = v_x * s_psi - v_y * c_psi - v_theta * z61;
+    const Scalar z162 = v_x * z157 + v_y * z156 - v_theta * z149;
     result.value[0] = z64;
-    result.rate[0] = z148;
-    result.gamma[0] = z151;
+    result.rate[0] = z150;
+    result.gamma[0] = z153;
     result.value[1] = n0;
-    result.rate[1] = z153;
-    result.gamma[1] = -z158;
+    result.rate[1] = z155;
+    result.gamma[1] = -z160;
     result.value[2] = n0;
-    result.rate[2] = -z159;
-    result.gamma[2] = -z160;
+    result.rate[2] = -z161;
+    result.gamma[2] = -z162;
     result.jacobian[0] = n0;
     result.jacobian[1] = c_psi;
     result.jacobian[2] = -s_psi;
@@ -1087,7 +1090,7 @@ struct Mechanism {
     result.jacobian[13] = n0;
     result.jacobian[14] = z61;
     result.jacobian[15] = n0;
-    result.jacobian[16] = z152;
+    result.jacobian[16] = z154;
     result.jacobian[17] = n0;
   }
 };

@@ -12,12 +12,12 @@
 //   precompute               12                2          2             0                  1       0     18       -
 //   kinematics               96              188          0             0                  0       0    284     286
 //   mass_matrix               0                0          0             0                  0       0      0      14
-//   bias                     20               52          0             0                  0       0     72      68
-//   inverse_dynamics         42               69          0             0                  0       0    111     131
-//   forward_dynamics         20               54          0             0                  0       0     74      84
+//   bias                     16               40          0             0                  0       0     56      68
+//   inverse_dynamics         34               53          0             0                  0       0     87     131
+//   forward_dynamics         16               42          0             0                  0       0     58      84
 //   energy                   17               29          0             0                  0       0     46      55
 //   first_integrals          17               30          0             0                  0       0     47      62
-//   linearisation            66              120          0             0                  0       0    186     219
+//   linearisation            56              101          0             0                  0       0    157     219
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 72 results 12 repeat another up to sign
@@ -491,8 +491,8 @@ struct Mechanism {
     Scalar z129;
     Scalar z130;
     Scalar z131;
-    Scalar z212;
-    Scalar z215;
+    Scalar z228;
+    Scalar z231;
   };
 
   /// Values of the scene.
@@ -529,15 +529,15 @@ struct Mechanism {
     const Scalar z129 = n0_4 - z126;
     const Scalar z130 = z119 - z127;
     const Scalar z131 = z118 + z128;
-    const Scalar z212 = n1 / z130;
-    const Scalar z215 = n1 / z129;
+    const Scalar z228 = n1 / z130;
+    const Scalar z231 = n1 / z129;
     precomputed.s_alpha = s_alpha;
     precomputed.c_alpha = c_alpha;
     precomputed.z129 = z129;
     precomputed.z130 = z130;
     precomputed.z131 = z131;
-    precomputed.z212 = z212;
-    precomputed.z215 = z215;
+    precomputed.z228 = z228;
+    precomputed.z231 = z231;
     return precomputed;
   }
 
@@ -634,14 +634,14 @@ struct Mechanism {
     const Scalar v_e_omega_x = state.v.e_omega_x;
     const Scalar v_e_omega_y = state.v.e_omega_y;
     const Scalar v_e_omega_z = state.v.e_omega_z;
-    const Scalar z390 = n0_5 * (q_e_y * v_e_omega_y + q_e_z * v_e_omega_z + q_e_x * v_e_omega_x);
-    const Scalar z391 = n0_5 * (q_e_y * v_e_omega_z - q_e_z * v_e_omega_y + q_e_w * v_e_omega_x);
-    const Scalar z392 = n0_5 * (q_e_z * v_e_omega_x - q_e_x * v_e_omega_z + q_e_w * v_e_omega_y);
-    const Scalar z393 = n0_5 * (q_e_y * v_e_omega_x - q_e_x * v_e_omega_y - q_e_w * v_e_omega_z);
-    rates[0] = -z390;
-    rates[1] = z391;
-    rates[2] = z392;
-    rates[3] = -z393;
+    const Scalar z411 = n0_5 * (q_e_y * v_e_omega_y + q_e_z * v_e_omega_z + q_e_x * v_e_omega_x);
+    const Scalar z412 = n0_5 * (q_e_y * v_e_omega_z - q_e_z * v_e_omega_y + q_e_w * v_e_omega_x);
+    const Scalar z413 = n0_5 * (q_e_z * v_e_omega_x - q_e_x * v_e_omega_z + q_e_w * v_e_omega_y);
+    const Scalar z414 = n0_5 * (q_e_y * v_e_omega_x - q_e_x * v_e_omega_y - q_e_w * v_e_omega_z);
+    rates[0] = -z411;
+    rates[1] = z412;
+    rates[2] = z413;
+    rates[3] = -z414;
   }
 
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
@@ -861,8 +861,7 @@ struct Mechanism {
   TORSOR_DEVICE static void bias(const Precomputed& precomputed, const State& state,
       GeneralizedForces& forces) noexcept {
     const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
-    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
-    const Scalar n665_8 = traits::constant(665.8, 665.8f, "3329/5");
+    const Scalar n665 = traits::constant(665.0, 665.0f, "665/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar v_e_omega_x = state.v.e_omega_x;
     const Scalar v_e_omega_y = state.v.e_omega_y;
@@ -878,49 +877,40 @@ struct Mechanism {
     const Scalar z37 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
     const Scalar z38 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
     const Scalar z132 = z37 * z38;
-    const Scalar z133 = v_e_omega_y * z38;
-    const Scalar z134 = v_e_omega_y * z37;
-    const Scalar z135 = n0_4 * z132;  // moment on blade_4, x
-    const Scalar z136 = n0_4 * z133;  // moment on blade_4, y
-    const Scalar z137 = n0_8 * z134;  // moment on blade_4, z
-    const Scalar z138 = s_alpha * z137 - c_alpha * z136;
-    const Scalar z140 = z35 * z36;
-    const Scalar z141 = v_e_omega_x * z36;
-    const Scalar z142 = v_e_omega_x * z35;
-    const Scalar z143 = n0_4 * z140;  // moment on blade_3, x
-    const Scalar z144 = n0_4 * z141;  // moment on blade_3, y
-    const Scalar z145 = n0_8 * z142;  // moment on blade_3, z
-    const Scalar z146 = s_alpha * z145 - c_alpha * z144;
-    const Scalar z148 = z33 * z34;
-    const Scalar z149 = v_e_omega_y * z34;
-    const Scalar z150 = v_e_omega_y * z33;
-    const Scalar z151 = n0_4 * z148;  // moment on blade_2, x
-    const Scalar z152 = n0_4 * z149;  // moment on blade_2, y
-    const Scalar z153 = n0_8 * z150;  // moment on blade_2, z
-    const Scalar z154 = s_alpha * z153 - c_alpha * z152;
-    const Scalar z156 = z31 * z32;
-    const Scalar z157 = v_e_omega_x * z32;
-    const Scalar z158 = v_e_omega_x * z31;
-    const Scalar z159 = n0_4 * z156;  // moment on blade_1, x
-    const Scalar z160 = n0_4 * z157;  // moment on blade_1, y
-    const Scalar z161 = n0_8 * z158;  // moment on blade_1, z
-    const Scalar z162 = s_alpha * z161 - c_alpha * z160;
-    const Scalar z164 = v_e_omega_y * v_e_omega_z;
-    const Scalar z165 = v_e_omega_x * v_e_omega_z;
-    const Scalar z166 = z138 - z143 - z154 + z159 - n665_8 * z164;  // moment on rotor, x
-    const Scalar z167 = z135 - z146 - z151 + z162 - n665_8 * z165;  // moment on rotor, y
-    forces.e_omega_x = -z166;
-    forces.e_omega_y = z167;
+    const Scalar z133 = v_e_omega_y * z37;
+    const Scalar z134 = n0_4 * z132;  // moment on blade_4, x
+    const Scalar z135 = n0_4 * z133;  // moment on blade_4, z
+    const Scalar z136 = s_alpha * z135;
+    const Scalar z138 = z35 * z36;
+    const Scalar z139 = v_e_omega_x * z35;
+    const Scalar z140 = n0_4 * z138;  // moment on blade_3, x
+    const Scalar z141 = n0_4 * z139;  // moment on blade_3, z
+    const Scalar z142 = s_alpha * z141;
+    const Scalar z144 = z33 * z34;
+    const Scalar z145 = v_e_omega_y * z33;
+    const Scalar z146 = n0_4 * z144;  // moment on blade_2, x
+    const Scalar z147 = n0_4 * z145;  // moment on blade_2, z
+    const Scalar z148 = s_alpha * z147;
+    const Scalar z150 = z31 * z32;
+    const Scalar z151 = v_e_omega_x * z31;
+    const Scalar z152 = n0_4 * z150;  // moment on blade_1, x
+    const Scalar z153 = n0_4 * z151;  // moment on blade_1, z
+    const Scalar z154 = s_alpha * z153;
+    const Scalar z156 = v_e_omega_y * v_e_omega_z;
+    const Scalar z157 = v_e_omega_x * v_e_omega_z;
+    const Scalar z158 = z136 - z140 - z148 + z152 - n665 * z156;  // moment on rotor, x
+    const Scalar z159 = z134 - z142 - z146 + z154 - n665 * z157;  // moment on rotor, y
+    forces.e_omega_x = -z158;
+    forces.e_omega_y = z159;
     forces.e_omega_z = n0;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
   TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Multipliers&, GeneralizedForces& forces) noexcept {
-    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
     const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
-    const Scalar n665_8 = traits::constant(665.8, 665.8f, "3329/5");
-    const Scalar n1331_6 = traits::constant(1331.6, 1331.6f, "6658/5");
+    const Scalar n665 = traits::constant(665.0, 665.0f, "665/1");
+    const Scalar n1330 = traits::constant(1330.0, 1330.0f, "1330/1");
     const Scalar v_e_omega_x = state.v.e_omega_x;
     const Scalar a_e_omega_x = accelerations.e_omega_x;
     const Scalar v_e_omega_y = state.v.e_omega_y;
@@ -938,49 +928,45 @@ struct Mechanism {
     const Scalar z37 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
     const Scalar z38 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
     const Scalar z132 = z37 * z38;
-    const Scalar z133 = v_e_omega_y * z38;
-    const Scalar z134 = v_e_omega_y * z37;
-    const Scalar z137 = n0_8 * z134;  // moment on blade_4, z
-    const Scalar z140 = z35 * z36;
-    const Scalar z141 = v_e_omega_x * z36;
-    const Scalar z142 = v_e_omega_x * z35;
-    const Scalar z145 = n0_8 * z142;  // moment on blade_3, z
-    const Scalar z148 = z33 * z34;
-    const Scalar z149 = v_e_omega_y * z34;
-    const Scalar z150 = v_e_omega_y * z33;
-    const Scalar z153 = n0_8 * z150;  // moment on blade_2, z
-    const Scalar z156 = z31 * z32;
-    const Scalar z157 = v_e_omega_x * z32;
-    const Scalar z158 = v_e_omega_x * z31;
-    const Scalar z161 = n0_8 * z158;  // moment on blade_1, z
-    const Scalar z164 = v_e_omega_y * v_e_omega_z;
-    const Scalar z165 = v_e_omega_x * v_e_omega_z;
-    const Scalar z169 = a_e_omega_y * c_alpha + a_e_omega_z * s_alpha;
-    const Scalar z171 = a_e_omega_x * c_alpha - a_e_omega_z * s_alpha;
-    const Scalar z173 = a_e_omega_y * c_alpha - a_e_omega_z * s_alpha;
-    const Scalar z175 = a_e_omega_x * c_alpha + a_e_omega_z * s_alpha;
-    const Scalar z177 = n0_4 * (a_e_omega_y + z132);  // moment on blade_4, x
-    const Scalar z178 = n0_4 * (z133 - z175);  // moment on blade_4, y
-    const Scalar z179 = s_alpha * z137 - c_alpha * z178;
-    const Scalar z180 = s_alpha * z178 + c_alpha * z137;
-    const Scalar z181 = n0_4 * (a_e_omega_x + z140);  // moment on blade_3, x
-    const Scalar z182 = n0_4 * (z141 - z173);  // moment on blade_3, y
-    const Scalar z183 = s_alpha * z145 - c_alpha * z182;
-    const Scalar z184 = s_alpha * z182 + c_alpha * z145;
-    const Scalar z185 = n0_4 * (a_e_omega_y - z148);  // moment on blade_2, x
-    const Scalar z186 = n0_4 * (z149 + z171);  // moment on blade_2, y
-    const Scalar z187 = s_alpha * z153 - c_alpha * z186;
-    const Scalar z188 = s_alpha * z186 + c_alpha * z153;
-    const Scalar z189 = n0_4 * (a_e_omega_x - z156);  // moment on blade_1, x
-    const Scalar z190 = n0_4 * (z157 + z169);  // moment on blade_1, y
-    const Scalar z191 = s_alpha * z161 - c_alpha * z190;
-    const Scalar z192 = s_alpha * z190 + c_alpha * z161;
-    const Scalar z193 = n665_8 * (a_e_omega_x + z164) - z179 + z181 + z187 + z189;  // moment on rotor, x
-    const Scalar z194 = n665_8 * (a_e_omega_y - z165) + z177 - z183 + z185 + z191;  // moment on rotor, y
-    const Scalar z195 = n1331_6 * a_e_omega_z + z180 - z184 + z188 - z192;  // moment on rotor, z
-    forces.e_omega_x = z193;
-    forces.e_omega_y = z194;
-    forces.e_omega_z = z195;
+    const Scalar z133 = v_e_omega_y * z37;
+    const Scalar z138 = z35 * z36;
+    const Scalar z139 = v_e_omega_x * z35;
+    const Scalar z144 = z33 * z34;
+    const Scalar z145 = v_e_omega_y * z33;
+    const Scalar z150 = z31 * z32;
+    const Scalar z151 = v_e_omega_x * z31;
+    const Scalar z156 = v_e_omega_y * v_e_omega_z;
+    const Scalar z157 = v_e_omega_x * v_e_omega_z;
+    const Scalar z162 = a_e_omega_y * s_alpha - a_e_omega_z * c_alpha;
+    const Scalar z164 = a_e_omega_x * s_alpha + a_e_omega_z * c_alpha;
+    const Scalar z166 = a_e_omega_y * s_alpha + a_e_omega_z * c_alpha;
+    const Scalar z168 = a_e_omega_x * s_alpha - a_e_omega_z * c_alpha;
+    const Scalar z169 = z133 - z168;
+    const Scalar z170 = n0_4 * (a_e_omega_y + z132);  // moment on blade_4, x
+    const Scalar z171 = n0_4 * z169;  // moment on blade_4, z
+    const Scalar z172 = s_alpha * z171;
+    const Scalar z173 = c_alpha * z171;
+    const Scalar z174 = z139 - z166;
+    const Scalar z175 = n0_4 * (a_e_omega_x + z138);  // moment on blade_3, x
+    const Scalar z176 = n0_4 * z174;  // moment on blade_3, z
+    const Scalar z177 = s_alpha * z176;
+    const Scalar z178 = c_alpha * z176;
+    const Scalar z179 = z145 + z164;
+    const Scalar z180 = n0_4 * (a_e_omega_y - z144);  // moment on blade_2, x
+    const Scalar z181 = n0_4 * z179;  // moment on blade_2, z
+    const Scalar z182 = s_alpha * z181;
+    const Scalar z183 = c_alpha * z181;
+    const Scalar z184 = z151 + z162;
+    const Scalar z185 = n0_4 * (a_e_omega_x - z150);  // moment on blade_1, x
+    const Scalar z186 = n0_4 * z184;  // moment on blade_1, z
+    const Scalar z187 = s_alpha * z186;
+    const Scalar z188 = c_alpha * z186;
+    const Scalar z189 = n665 * (a_e_omega_x + z156) - z172 + z175 + z182 + z185;  // moment on rotor, x
+    const Scalar z190 = n665 * (a_e_omega_y - z157) + z170 - z177 + z180 + z187;  // moment on rotor, y
+    const Scalar z191 = n1330 * a_e_omega_z + z173 - z178 + z183 - z188;  // moment on rotor, z
+    forces.e_omega_x = z189;
+    forces.e_omega_y = z190;
+    forces.e_omega_z = z191;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -989,8 +975,7 @@ struct Mechanism {
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
       const Inputs&, Accelerations& accelerations, Multipliers&) noexcept {
     const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
-    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
-    const Scalar n665_8 = traits::constant(665.8, 665.8f, "3329/5");
+    const Scalar n665 = traits::constant(665.0, 665.0f, "665/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar v_e_omega_x = state.v.e_omega_x;
@@ -1001,8 +986,8 @@ struct Mechanism {
     const Scalar z129 = precomputed.z129;
     const Scalar z130 = precomputed.z130;
     const Scalar z131 = precomputed.z131;
-    const Scalar z212 = precomputed.z212;
-    const Scalar z215 = precomputed.z215;
+    const Scalar z228 = precomputed.z228;
+    const Scalar z231 = precomputed.z231;
     const Scalar z31 = v_e_omega_y * c_alpha + v_e_omega_z * s_alpha;
     const Scalar z32 = v_e_omega_y * s_alpha - v_e_omega_z * c_alpha;
     const Scalar z33 = v_e_omega_x * c_alpha - v_e_omega_z * s_alpha;
@@ -1012,41 +997,33 @@ struct Mechanism {
     const Scalar z37 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
     const Scalar z38 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
     const Scalar z132 = z37 * z38;
-    const Scalar z133 = v_e_omega_y * z38;
-    const Scalar z134 = v_e_omega_y * z37;
-    const Scalar z135 = n0_4 * z132;  // moment on blade_4, x
-    const Scalar z136 = n0_4 * z133;  // moment on blade_4, y
-    const Scalar z137 = n0_8 * z134;  // moment on blade_4, z
-    const Scalar z138 = s_alpha * z137 - c_alpha * z136;
-    const Scalar z140 = z35 * z36;
-    const Scalar z141 = v_e_omega_x * z36;
-    const Scalar z142 = v_e_omega_x * z35;
-    const Scalar z143 = n0_4 * z140;  // moment on blade_3, x
-    const Scalar z144 = n0_4 * z141;  // moment on blade_3, y
-    const Scalar z145 = n0_8 * z142;  // moment on blade_3, z
-    const Scalar z146 = s_alpha * z145 - c_alpha * z144;
-    const Scalar z148 = z33 * z34;
-    const Scalar z149 = v_e_omega_y * z34;
-    const Scalar z150 = v_e_omega_y * z33;
-    const Scalar z151 = n0_4 * z148;  // moment on blade_2, x
-    const Scalar z152 = n0_4 * z149;  // moment on blade_2, y
-    const Scalar z153 = n0_8 * z150;  // moment on blade_2, z
-    const Scalar z154 = s_alpha * z153 - c_alpha * z152;
-    const Scalar z156 = z31 * z32;
-    const Scalar z157 = v_e_omega_x * z32;
-    const Scalar z158 = v_e_omega_x * z31;
-    const Scalar z159 = n0_4 * z156;  // moment on blade_1, x
-    const Scalar z160 = n0_4 * z157;  // moment on blade_1, y
-    const Scalar z161 = n0_8 * z158;  // moment on blade_1, z
-    const Scalar z162 = s_alpha * z161 - c_alpha * z160;
-    const Scalar z164 = v_e_omega_y * v_e_omega_z;
-    const Scalar z165 = v_e_omega_x * v_e_omega_z;
-    const Scalar z166 = z138 - z143 - z154 + z159 - n665_8 * z164;  // moment on rotor, x
-    const Scalar z167 = z135 - z146 - z151 + z162 - n665_8 * z165;  // moment on rotor, y
-    const Scalar z225 = z166 * z215;
-    const Scalar z226 = z167 * z212;
-    accelerations.e_omega_x = z225;
-    accelerations.e_omega_y = z226;
+    const Scalar z133 = v_e_omega_y * z37;
+    const Scalar z134 = n0_4 * z132;  // moment on blade_4, x
+    const Scalar z135 = n0_4 * z133;  // moment on blade_4, z
+    const Scalar z136 = s_alpha * z135;
+    const Scalar z138 = z35 * z36;
+    const Scalar z139 = v_e_omega_x * z35;
+    const Scalar z140 = n0_4 * z138;  // moment on blade_3, x
+    const Scalar z141 = n0_4 * z139;  // moment on blade_3, z
+    const Scalar z142 = s_alpha * z141;
+    const Scalar z144 = z33 * z34;
+    const Scalar z145 = v_e_omega_y * z33;
+    const Scalar z146 = n0_4 * z144;  // moment on blade_2, x
+    const Scalar z147 = n0_4 * z145;  // moment on blade_2, z
+    const Scalar z148 = s_alpha * z147;
+    const Scalar z150 = z31 * z32;
+    const Scalar z151 = v_e_omega_x * z31;
+    const Scalar z152 = n0_4 * z150;  // moment on blade_1, x
+    const Scalar z153 = n0_4 * z151;  // moment on blade_1, z
+    const Scalar z154 = s_alpha * z153;
+    const Scalar z156 = v_e_omega_y * v_e_omega_z;
+    const Scalar z157 = v_e_omega_x * v_e_omega_z;
+    const Scalar z158 = z136 - z140 - z148 + z152 - n665 * z156;  // moment on rotor, x
+    const Scalar z159 = z134 - z142 - z146 + z154 - n665 * z157;  // moment on rotor, y
+    const Scalar z241 = z158 * z231;
+    const Scalar z242 = z159 * z228;
+    accelerations.e_omega_x = z241;
+    accelerations.e_omega_y = z242;
     accelerations.e_omega_z = n0;
     if (!(traits::regular(z129, z129) && traits::regular(-z130, -z130) && traits::regular(-z131,
         -z131))) return torsor::Status::singular;
@@ -1114,10 +1091,9 @@ struct Mechanism {
   /// omega, and w = de/dt + omega x e: A says so.
   TORSOR_DEVICE static torsor::Status linearisation(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Multipliers&, const Inputs&, Linearisation& result) noexcept {
-    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
     const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
-    const Scalar n665_8 = traits::constant(665.8, 665.8f, "3329/5");
-    const Scalar n1331_6 = traits::constant(1331.6, 1331.6f, "6658/5");
+    const Scalar n665 = traits::constant(665.0, 665.0f, "665/1");
+    const Scalar n1330 = traits::constant(1330.0, 1330.0f, "1330/1");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
@@ -1132,8 +1108,8 @@ struct Mechanism {
     const Scalar z129 = precomputed.z129;
     const Scalar z130 = precomputed.z130;
     const Scalar z131 = precomputed.z131;
-    const Scalar z212 = precomputed.z212;
-    const Scalar z215 = precomputed.z215;
+    const Scalar z228 = precomputed.z228;
+    const Scalar z231 = precomputed.z231;
     const Scalar z31 = v_e_omega_y * c_alpha + v_e_omega_z * s_alpha;
     const Scalar z32 = v_e_omega_y * s_alpha - v_e_omega_z * c_alpha;
     const Scalar z33 = v_e_omega_x * c_alpha - v_e_omega_z * s_alpha;
@@ -1143,105 +1119,80 @@ struct Mechanism {
     const Scalar z37 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
     const Scalar z38 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
     const Scalar z132 = z37 * z38;
-    const Scalar z133 = v_e_omega_y * z38;
-    const Scalar z134 = v_e_omega_y * z37;
-    const Scalar z137 = n0_8 * z134;  // moment on blade_4, z
-    const Scalar z140 = z35 * z36;
-    const Scalar z141 = v_e_omega_x * z36;
-    const Scalar z142 = v_e_omega_x * z35;
-    const Scalar z145 = n0_8 * z142;  // moment on blade_3, z
-    const Scalar z148 = z33 * z34;
-    const Scalar z149 = v_e_omega_y * z34;
-    const Scalar z150 = v_e_omega_y * z33;
-    const Scalar z153 = n0_8 * z150;  // moment on blade_2, z
-    const Scalar z156 = z31 * z32;
-    const Scalar z157 = v_e_omega_x * z32;
-    const Scalar z158 = v_e_omega_x * z31;
-    const Scalar z161 = n0_8 * z158;  // moment on blade_1, z
-    const Scalar z164 = v_e_omega_y * v_e_omega_z;
-    const Scalar z165 = v_e_omega_x * v_e_omega_z;
-    const Scalar z169 = a_e_omega_y * c_alpha + a_e_omega_z * s_alpha;
-    const Scalar z171 = a_e_omega_x * c_alpha - a_e_omega_z * s_alpha;
-    const Scalar z173 = a_e_omega_y * c_alpha - a_e_omega_z * s_alpha;
-    const Scalar z175 = a_e_omega_x * c_alpha + a_e_omega_z * s_alpha;
-    const Scalar z177 = n0_4 * (a_e_omega_y + z132);  // moment on blade_4, x
-    const Scalar z178 = n0_4 * (z133 - z175);  // moment on blade_4, y
-    const Scalar z179 = s_alpha * z137 - c_alpha * z178;
-    const Scalar z180 = s_alpha * z178 + c_alpha * z137;
-    const Scalar z181 = n0_4 * (a_e_omega_x + z140);  // moment on blade_3, x
-    const Scalar z182 = n0_4 * (z141 - z173);  // moment on blade_3, y
-    const Scalar z183 = s_alpha * z145 - c_alpha * z182;
-    const Scalar z184 = s_alpha * z182 + c_alpha * z145;
-    const Scalar z185 = n0_4 * (a_e_omega_y - z148);  // moment on blade_2, x
-    const Scalar z186 = n0_4 * (z149 + z171);  // moment on blade_2, y
-    const Scalar z187 = s_alpha * z153 - c_alpha * z186;
-    const Scalar z188 = s_alpha * z186 + c_alpha * z153;
-    const Scalar z189 = n0_4 * (a_e_omega_x - z156);  // moment on blade_1, x
-    const Scalar z190 = n0_4 * (z157 + z169);  // moment on blade_1, y
-    const Scalar z191 = s_alpha * z161 - c_alpha * z190;
-    const Scalar z192 = s_alpha * z190 + c_alpha * z161;
-    const Scalar z193 = n665_8 * (a_e_omega_x + z164) - z179 + z181 + z187 + z189;  // moment on rotor, x
-    const Scalar z194 = n665_8 * (a_e_omega_y - z165) + z177 - z183 + z185 + z191;  // moment on rotor, y
-    const Scalar z195 = n1331_6 * a_e_omega_z + z180 - z184 + z188 - z192;  // moment on rotor, z
-    const Scalar z306 = n2 * v_e_omega_y;
-    const Scalar z307 = n2 * z37;
-    const Scalar z308 = n2 * z38;
-    const Scalar z309 = n0_4 * z308;
-    const Scalar z310 = n0_4 * z307;
-    const Scalar z311 = n0_4 * z306;
-    const Scalar z312 = n2 * v_e_omega_x;
-    const Scalar z313 = n2 * v_e_omega_z;
-    const Scalar z314 = c_alpha * z311;
-    const Scalar z316 = s_alpha * z310 - c_alpha * z309;
-    const Scalar z318 = c_alpha * z309;
-    const Scalar z319 = s_alpha * z309;
-    const Scalar z320 = c_alpha * z314 - z311;
-    const Scalar z322 = n2 * z35;
-    const Scalar z323 = n2 * z36;
-    const Scalar z324 = n0_4 * z323;
-    const Scalar z325 = n0_4 * z322;
-    const Scalar z326 = n0_4 * z312;
-    const Scalar z327 = c_alpha * z326;
-    const Scalar z329 = s_alpha * z325 - c_alpha * z324;
-    const Scalar z331 = c_alpha * z324;
-    const Scalar z332 = s_alpha * z324;
-    const Scalar z333 = c_alpha * z327 - z326;
-    const Scalar z335 = z316 - z331;
-    const Scalar z336 = z320 - z332;
-    const Scalar z337 = z318 - z329;
-    const Scalar z338 = z319 - z333;
-    const Scalar z342 = n2 * z33;
-    const Scalar z343 = n2 * z34;
-    const Scalar z344 = n0_4 * z343;
-    const Scalar z345 = n0_4 * z342;
-    const Scalar z346 = s_alpha * z345 - c_alpha * z344;
-    const Scalar z348 = c_alpha * z344;
-    const Scalar z349 = s_alpha * z344;
-    const Scalar z350 = z335 - z346;
-    const Scalar z351 = z320 + z336;
-    const Scalar z352 = z337 - z348;
-    const Scalar z353 = z338 + z349;
-    const Scalar z357 = n2 * z31;
-    const Scalar z358 = n2 * z32;
-    const Scalar z359 = n0_4 * z358;
-    const Scalar z360 = n0_4 * z357;
-    const Scalar z361 = s_alpha * z360 - c_alpha * z359;
-    const Scalar z363 = c_alpha * z359;
-    const Scalar z364 = s_alpha * z359;
-    const Scalar z365 = z350 + z363;
-    const Scalar z366 = z351 - z364;
-    const Scalar z367 = z352 + z361;
-    const Scalar z368 = z333 - z353;
-    const Scalar z372 = n665_8 * z313 - z365;
-    const Scalar z373 = n665_8 * z313 - z367;
-    const Scalar z376 = v_e_omega_z * z129 - z372;
-    const Scalar z377 = v_e_omega_y * z129 + z366;
-    const Scalar z378 = v_e_omega_z * z130 + z373;
-    const Scalar z379 = v_e_omega_x * z130 - z368;
-    const Scalar z383 = z212 * z378;
-    const Scalar z385 = z215 * z376;
-    const Scalar z388 = z215 * z377;
-    const Scalar z389 = z212 * z379;
+    const Scalar z133 = v_e_omega_y * z37;
+    const Scalar z138 = z35 * z36;
+    const Scalar z139 = v_e_omega_x * z35;
+    const Scalar z144 = z33 * z34;
+    const Scalar z145 = v_e_omega_y * z33;
+    const Scalar z150 = z31 * z32;
+    const Scalar z151 = v_e_omega_x * z31;
+    const Scalar z156 = v_e_omega_y * v_e_omega_z;
+    const Scalar z157 = v_e_omega_x * v_e_omega_z;
+    const Scalar z162 = a_e_omega_y * s_alpha - a_e_omega_z * c_alpha;
+    const Scalar z164 = a_e_omega_x * s_alpha + a_e_omega_z * c_alpha;
+    const Scalar z166 = a_e_omega_y * s_alpha + a_e_omega_z * c_alpha;
+    const Scalar z168 = a_e_omega_x * s_alpha - a_e_omega_z * c_alpha;
+    const Scalar z169 = z133 - z168;
+    const Scalar z170 = n0_4 * (a_e_omega_y + z132);  // moment on blade_4, x
+    const Scalar z171 = n0_4 * z169;  // moment on blade_4, z
+    const Scalar z172 = s_alpha * z171;
+    const Scalar z173 = c_alpha * z171;
+    const Scalar z174 = z139 - z166;
+    const Scalar z175 = n0_4 * (a_e_omega_x + z138);  // moment on blade_3, x
+    const Scalar z176 = n0_4 * z174;  // moment on blade_3, z
+    const Scalar z177 = s_alpha * z176;
+    const Scalar z178 = c_alpha * z176;
+    const Scalar z179 = z145 + z164;
+    const Scalar z180 = n0_4 * (a_e_omega_y - z144);  // moment on blade_2, x
+    const Scalar z181 = n0_4 * z179;  // moment on blade_2, z
+    const Scalar z182 = s_alpha * z181;
+    const Scalar z183 = c_alpha * z181;
+    const Scalar z184 = z151 + z162;
+    const Scalar z185 = n0_4 * (a_e_omega_x - z150);  // moment on blade_1, x
+    const Scalar z186 = n0_4 * z184;  // moment on blade_1, z
+    const Scalar z187 = s_alpha * z186;
+    const Scalar z188 = c_alpha * z186;
+    const Scalar z189 = n665 * (a_e_omega_x + z156) - z172 + z175 + z182 + z185;  // moment on rotor, x
+    const Scalar z190 = n665 * (a_e_omega_y - z157) + z170 - z177 + z180 + z187;  // moment on rotor, y
+    const Scalar z191 = n1330 * a_e_omega_z + z173 - z178 + z183 - z188;  // moment on rotor, z
+    const Scalar z267 = s_alpha * z37 + c_alpha * z38;
+    const Scalar z268 = n0_4 * z267;
+    const Scalar z269 = n0_4 * z35;
+    const Scalar z270 = s_alpha * z269;
+    const Scalar z271 = s_alpha * z33 + c_alpha * z34;
+    const Scalar z272 = n0_4 * z271;
+    const Scalar z273 = n0_4 * z31;
+    const Scalar z274 = s_alpha * z273;
+    const Scalar z275 = n665 * v_e_omega_z - z268 + z270 + z272 - z274;
+    const Scalar z280 = n0_4 * z37;
+    const Scalar z281 = s_alpha * z280;
+    const Scalar z282 = s_alpha * z35 + c_alpha * z36;
+    const Scalar z283 = n0_4 * z282;
+    const Scalar z284 = n0_4 * z33;
+    const Scalar z285 = s_alpha * z284;
+    const Scalar z286 = s_alpha * z31 + c_alpha * z32;
+    const Scalar z287 = n0_4 * z286;
+    const Scalar z288 = n665 * v_e_omega_z - z281 + z283 + z285 - z287;
+    const Scalar z296 = v_e_omega_y * s_alpha;
+    const Scalar z297 = n0_4 * z296;
+    const Scalar z298 = s_alpha * z297;
+    const Scalar z299 = s_alpha * z36 - c_alpha * z35;
+    const Scalar z300 = n0_4 * z299;
+    const Scalar z301 = s_alpha * z32 - c_alpha * z31;
+    const Scalar z302 = n0_4 * z301;
+    const Scalar z303 = n665 * v_e_omega_y - n2 * z298 - z300 - z302;
+    const Scalar z304 = s_alpha * z38 - c_alpha * z37;
+    const Scalar z305 = n0_4 * z304;
+    const Scalar z306 = v_e_omega_x * s_alpha;
+    const Scalar z307 = n0_4 * z306;
+    const Scalar z308 = s_alpha * z307;
+    const Scalar z309 = s_alpha * z34 - c_alpha * z33;
+    const Scalar z310 = n0_4 * z309;
+    const Scalar z311 = n665 * v_e_omega_x - z305 - n2 * z308 - z310;
+    const Scalar z405 = z228 * z275;
+    const Scalar z407 = z231 * z288;
+    const Scalar z409 = z231 * z303;
+    const Scalar z410 = z228 * z311;
     result.M[0] = z129;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -1252,13 +1203,13 @@ struct Mechanism {
     result.M[7] = n0;
     result.M[8] = -z131;
     result.C[0] = n0;
-    result.C[1] = -z378;
+    result.C[1] = -z275;
     result.C[2] = n0;
-    result.C[3] = -z376;
+    result.C[3] = z288;
     result.C[4] = n0;
     result.C[5] = n0;
-    result.C[6] = z377;
-    result.C[7] = z379;
+    result.C[6] = z303;
+    result.C[7] = -z311;
     result.C[8] = n0;
     result.K[0] = n0;
     result.K[1] = n0;
@@ -1269,9 +1220,9 @@ struct Mechanism {
     result.K[6] = n0;
     result.K[7] = n0;
     result.K[8] = n0;
-    result.F[0] = -z193;
-    result.F[1] = -z194;
-    result.F[2] = -z195;
+    result.F[0] = -z189;
+    result.F[1] = -z190;
+    result.F[2] = -z191;
     result.A[0] = n0;
     result.A[1] = -v_e_omega_z;
     result.A[2] = v_e_omega_y;
@@ -1294,19 +1245,19 @@ struct Mechanism {
     result.A[19] = n0;
     result.A[20] = n0;
     result.A[21] = n0;
-    result.A[22] = -z383;
+    result.A[22] = -z405;
     result.A[23] = n0;
     result.A[24] = n0;
     result.A[25] = n1;
     result.A[26] = n0;
-    result.A[27] = z385;
+    result.A[27] = -z407;
     result.A[28] = n0;
     result.A[29] = n0;
     result.A[30] = n0;
     result.A[31] = n0;
     result.A[32] = n1;
-    result.A[33] = -z388;
-    result.A[34] = z389;
+    result.A[33] = -z409;
+    result.A[34] = -z410;
     result.A[35] = n0;
     if (!(traits::regular(z129, z129) && traits::regular(-z130, -z130) && traits::regular(-z131,
         -z131))) return torsor::Status::singular;

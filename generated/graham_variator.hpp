@@ -512,13 +512,13 @@ struct Mechanism {
     Scalar z51;
     Scalar z52;
     Scalar z54;
-    Scalar z103;
+    Scalar z102;
+    Scalar z111;
     Scalar z112;
     Scalar z113;
-    Scalar z114;
+    Scalar z115;
     Scalar z116;
     Scalar z117;
-    Scalar z118;
     Scalar z224;
     Scalar z225;
     Scalar z226;
@@ -568,20 +568,20 @@ struct Mechanism {
     const Scalar z52 = k1 * p_d + k2 * z51;
     const Scalar z53 = k2 * p_d - k1 * z51;
     const Scalar z54 = n0_1 - z53;
-    const Scalar z102 = n0_1 - z54;
-    const Scalar z103 = k2 * z52 - k1 * z102;
-    const Scalar z111 = z54 - k1 * z103;
-    const Scalar z112 = k4 * z111;
-    const Scalar z113 = k5 * z103 - k1 * z112;
-    const Scalar z114 = z54 * z112 + z103 * z113;
-    const Scalar z115 = k6 * z112 + n0_02 * z113;
-    const Scalar z116 = k8 * z115;
-    const Scalar z117 = z114 - z115 * z116;
-    const Scalar z118 = n1 / z117;
-    const Scalar z224 = n1 / z103;
+    const Scalar z101 = n0_1 - z54;
+    const Scalar z102 = k2 * z52 - k1 * z101;
+    const Scalar z110 = z54 - k1 * z102;
+    const Scalar z111 = k4 * z110;
+    const Scalar z112 = k5 * z102 - k1 * z111;
+    const Scalar z113 = z54 * z111 + z102 * z112;
+    const Scalar z114 = k6 * z111 + n0_02 * z112;
+    const Scalar z115 = k8 * z114;
+    const Scalar z116 = z113 - z114 * z115;
+    const Scalar z117 = n1 / z116;
+    const Scalar z224 = n1 / z102;
     const Scalar z225 = n0_02 * z224;
-    const Scalar z226 = z103 * z103;
-    const Scalar z227 = k10 * z54 * z54 + k5 * z103 * z103;
+    const Scalar z226 = z102 * z102;
+    const Scalar z227 = k10 * z54 * z54 + k5 * z102 * z102;
     const Scalar z228 = n0_0003 * z227;
     const Scalar z229 = k6 - z54 * z225;
     const Scalar z230 = k12 * z229;
@@ -595,13 +595,13 @@ struct Mechanism {
     precomputed.z51 = z51;
     precomputed.z52 = z52;
     precomputed.z54 = z54;
-    precomputed.z103 = z103;
+    precomputed.z102 = z102;
+    precomputed.z111 = z111;
     precomputed.z112 = z112;
     precomputed.z113 = z113;
-    precomputed.z114 = z114;
+    precomputed.z115 = z115;
     precomputed.z116 = z116;
     precomputed.z117 = z117;
-    precomputed.z118 = z118;
     precomputed.z224 = z224;
     precomputed.z225 = z225;
     precomputed.z226 = z226;
@@ -913,9 +913,8 @@ struct Mechanism {
     const Scalar n0_0003 = traits::constant(3e-04, 3e-04f, "3/10000");
     const Scalar n0_006 = traits::constant(0.006, 0.006f, "3/500");
     const Scalar n0_0044 = traits::constant(0.0044, 0.0044f, "11/2500");
-    const Scalar n0_0244 = traits::constant(0.0244, 0.0244f, "61/2500");
     const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
-    const Scalar k9 = traits::constant(0.11155394517270574, 0.111553945f, "1/10;1/80;0;-1/400");
+    const Scalar k8 = traits::constant(0.11155394517270574, 0.111553945f, "1/10;1/80;0;-1/400");
     const Scalar q_alpha = state.q.alpha;
     const Scalar a_alpha = accelerations.alpha;
     const Scalar a_beta = accelerations.beta;
@@ -923,7 +922,7 @@ struct Mechanism {
     const Scalar l_T_A = multipliers.T_A;
     const Scalar l_T_E = multipliers.T_E;
     const Scalar z54 = precomputed.z54;
-    const Scalar z103 = precomputed.z103;
+    const Scalar z102 = precomputed.z102;
     Scalar s_alpha, c_alpha;
     traits::sincos(q_alpha, s_alpha, c_alpha);
     const Scalar z68 = n98_1 * s_alpha;
@@ -934,13 +933,12 @@ struct Mechanism {
     const Scalar z93 = n0_02 * a_gamma;  // moment on S3, x
     const Scalar z94 = n0_0003 * z92;  // moment on S2, x
     const Scalar z95 = n0_006 * z90;  // force on inclined, times 0.1 m, z
-    const Scalar z96 = n0_0044 * z89 - z94;  // moment on inclined, x
-    const Scalar z97 = n0_006 * z91;  // moment on inclined, y
-    const Scalar z98 = k1 * z96 + k2 * z97;
-    const Scalar z101 = n0_0244 * a_alpha - n0_01 * z68 - z95 - z98;  // moment on S1, x
-    forces.alpha = -z54 * l_T_A + z101 - k9 * l_T_E;
-    forces.beta = z94 - z103 * l_T_A - n0_02 * l_T_E;
-    forces.gamma = z93 + k9 * l_T_E;
+    const Scalar z96 = n0_0044 * z90 - n0_006 * z91;  // moment on inclined, y
+    const Scalar z97 = k1 * z94 + k2 * z96;
+    const Scalar z100 = n0_02 * a_alpha - n0_01 * z68 - z95 + z97;  // moment on S1, x
+    forces.alpha = -z54 * l_T_A + z100 - k8 * l_T_E;
+    forces.beta = z94 - z102 * l_T_A - n0_02 * l_T_E;
+    forces.gamma = z93 + k8 * l_T_E;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -971,39 +969,39 @@ struct Mechanism {
     const Scalar u_C1 = inputs.C1;
     const Scalar u_C3 = inputs.C3;
     const Scalar z54 = precomputed.z54;
-    const Scalar z103 = precomputed.z103;
+    const Scalar z102 = precomputed.z102;
+    const Scalar z111 = precomputed.z111;
     const Scalar z112 = precomputed.z112;
     const Scalar z113 = precomputed.z113;
-    const Scalar z114 = precomputed.z114;
+    const Scalar z115 = precomputed.z115;
     const Scalar z116 = precomputed.z116;
     const Scalar z117 = precomputed.z117;
-    const Scalar z118 = precomputed.z118;
     Scalar s_alpha, c_alpha;
     traits::sincos(q_alpha, s_alpha, c_alpha);
     const Scalar z68 = n98_1 * s_alpha;
     const Scalar z80 = n0_006 * z68;  // moment on inclined, y
     const Scalar z84 = k2 * z80;
     const Scalar z87 = n0_01 * z68 - z84;  // moment on S1, x
-    const Scalar z110 = u_C1 + z87;
-    const Scalar z119 = k4 * z110;
-    const Scalar z120 = k5 * z119;
-    const Scalar z121 = n50 * u_C3;
-    const Scalar z122 = z54 * z119 - z103 * z120;
-    const Scalar z123 = k7 * (z119 - z121) - n0_02 * z120;
-    const Scalar z124 = z116 * z123 - z122;
-    const Scalar z125 = z118 * z124;
-    const Scalar z126 = z116 * z125 + k9 * z123;
-    const Scalar z127 = z112 * z125 + z119 - k10 * z126;
-    const Scalar z128 = z113 * z125 - z120 - k11 * z126;
-    const Scalar z129 = z121 + k12 * z126;
-    accelerations.alpha = z127;
-    accelerations.beta = z128;
-    accelerations.gamma = z129;
+    const Scalar z109 = u_C1 + z87;
+    const Scalar z118 = k4 * z109;
+    const Scalar z119 = k5 * z118;
+    const Scalar z120 = n50 * u_C3;
+    const Scalar z121 = z54 * z118 - z102 * z119;
+    const Scalar z122 = k7 * (z118 - z120) - n0_02 * z119;
+    const Scalar z123 = z115 * z122 - z121;
+    const Scalar z124 = z117 * z123;
+    const Scalar z125 = z115 * z124 + k9 * z122;
+    const Scalar z126 = z111 * z124 + z118 - k10 * z125;
+    const Scalar z127 = z112 * z124 - z119 - k11 * z125;
+    const Scalar z128 = z120 + k12 * z125;
+    accelerations.alpha = z126;
+    accelerations.beta = z127;
+    accelerations.gamma = z128;
     multipliers.lambda_rolling_A_x = n0;
-    multipliers.T_A = z125;
+    multipliers.T_A = z124;
     multipliers.lambda_rolling_E_x = n0;
-    multipliers.T_E = -z126;
-    if (!(traits::regular(z117, z114))) return torsor::Status::singular;
+    multipliers.T_E = -z125;
+    if (!(traits::regular(z116, z113))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.alpha - accelerations.alpha) + (accelerations.beta - accelerations.beta)
         + (accelerations.gamma - accelerations.gamma) + (multipliers.T_A - multipliers.T_A) + (multipliers.T_E
@@ -1048,13 +1046,13 @@ struct Mechanism {
     const Scalar z23 = v_beta + z17;  // angular velocity of S2, x
     const Scalar z36 = n0_06 * z20 - z21;
     const Scalar z37 = n0_06 * z19 - z22;
-    const Scalar z130 = n0_0044 * z19 - n0_06 * z22;
-    const Scalar z131 = n0_0044 * z20 - n0_06 * z21;
-    const Scalar z132 = n0_1 * c_alpha;
-    const Scalar z134 = k5 * c_alpha;
-    result.kinetic = n0_5 * (z19 * z130 + z20 * z131 - z21 * z36 - z22 * z37) + n0_005 * v_alpha * v_alpha + n0_01
+    const Scalar z129 = n0_0044 * z19 - n0_06 * z22;
+    const Scalar z130 = n0_0044 * z20 - n0_06 * z21;
+    const Scalar z131 = n0_1 * c_alpha;
+    const Scalar z133 = k5 * c_alpha;
+    result.kinetic = n0_5 * (z19 * z129 + z20 * z130 - z21 * z36 - z22 * z37) + n0_005 * v_alpha * v_alpha + n0_01
         * v_gamma * v_gamma + k9 * z23 * z23;
-    result.force_function = -n9_81 * (z132 - z134);
+    result.force_function = -n9_81 * (z131 - z133);
     result.power = v_alpha * u_C1 + v_gamma * u_C3;
   }
 
@@ -1068,27 +1066,27 @@ struct Mechanism {
     const Scalar v_beta = state.v.beta;
     const Scalar v_gamma = state.v.gamma;
     const Scalar z54 = precomputed.z54;
-    const Scalar z103 = precomputed.z103;
-    const Scalar z104 = v_alpha * z54 + v_beta * z103;
-    const Scalar z105 = k0 * (v_alpha - v_gamma) + n0_02 * v_beta;
+    const Scalar z102 = precomputed.z102;
+    const Scalar z103 = v_alpha * z54 + v_beta * z102;
+    const Scalar z104 = k0 * (v_alpha - v_gamma) + n0_02 * v_beta;
     result.value[0] = n0;
     result.rate[0] = n0;
     result.gamma[0] = n0;
     result.value[1] = n0;
-    result.rate[1] = z104;
+    result.rate[1] = z103;
     result.gamma[1] = n0;
     result.value[2] = n0;
     result.rate[2] = n0;
     result.gamma[2] = n0;
     result.value[3] = n0;
-    result.rate[3] = z105;
+    result.rate[3] = z104;
     result.gamma[3] = n0;
     result.jacobian[0] = n0;
     result.jacobian[1] = z54;
     result.jacobian[2] = n0;
     result.jacobian[3] = k0;
     result.jacobian[4] = n0;
-    result.jacobian[5] = z103;
+    result.jacobian[5] = z102;
     result.jacobian[6] = n0;
     result.jacobian[7] = n0_02;
     result.jacobian[8] = n0;
@@ -1113,13 +1111,12 @@ struct Mechanism {
     const Scalar n0_0003 = traits::constant(3e-04, 3e-04f, "3/10000");
     const Scalar n0_006 = traits::constant(0.006, 0.006f, "3/500");
     const Scalar n0_0044 = traits::constant(0.0044, 0.0044f, "11/2500");
-    const Scalar n0_0244 = traits::constant(0.0244, 0.0244f, "61/2500");
     const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
-    const Scalar k9 = traits::constant(0.11155394517270574, 0.111553945f, "1/10;1/80;0;-1/400");
-    const Scalar k10 = traits::constant(8.96427283187357, 8.9642725f,
+    const Scalar k8 = traits::constant(0.11155394517270574, 0.111553945f, "1/10;1/80;0;-1/400");
+    const Scalar k9 = traits::constant(8.96427283187357, 8.9642725f,
         "1544000/148921;-194500/148921;-20000/148921;41100/148921");
-    const Scalar k11 = traits::constant(0.017468819381011653, 0.01746882f, "447/20000;3/1000;-41/40000;-3/1000");
-    const Scalar k12 = traits::constant(0.0002897777478867205, 0.00028977776f, "0;3/40000;0;3/40000");
+    const Scalar k10 = traits::constant(0.017468819381011653, 0.01746882f, "447/20000;3/1000;-41/40000;-3/1000");
+    const Scalar k11 = traits::constant(0.0002897777478867205, 0.00028977776f, "0;3/40000;0;3/40000");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar q_alpha = state.q.alpha;
@@ -1131,7 +1128,7 @@ struct Mechanism {
     const Scalar l_T_A = multipliers.T_A;
     const Scalar l_T_E = multipliers.T_E;
     const Scalar z54 = precomputed.z54;
-    const Scalar z103 = precomputed.z103;
+    const Scalar z102 = precomputed.z102;
     const Scalar z224 = precomputed.z224;
     const Scalar z225 = precomputed.z225;
     const Scalar z226 = precomputed.z226;
@@ -1154,28 +1151,27 @@ struct Mechanism {
     const Scalar z93 = n0_02 * a_gamma;  // moment on S3, x
     const Scalar z94 = n0_0003 * z92;  // moment on S2, x
     const Scalar z95 = n0_006 * z90;  // force on inclined, times 0.1 m, z
-    const Scalar z96 = n0_0044 * z89 - z94;  // moment on inclined, x
-    const Scalar z97 = n0_006 * z91;  // moment on inclined, y
-    const Scalar z98 = k1 * z96 + k2 * z97;
-    const Scalar z101 = n0_0244 * a_alpha - n0_01 * z68 - z95 - z98;  // moment on S1, x
-    const Scalar z152 = n0_006 * z67;
-    const Scalar z153 = k2 * z152;
-    const Scalar z154 = n0_01 * z67 - z153;
-    const Scalar z222 = a_alpha * z54 + a_beta * z103;
-    const Scalar z223 = k9 * (a_alpha - a_gamma) + n0_02 * a_beta;
+    const Scalar z96 = n0_0044 * z90 - n0_006 * z91;  // moment on inclined, y
+    const Scalar z97 = k1 * z94 + k2 * z96;
+    const Scalar z100 = n0_02 * a_alpha - n0_01 * z68 - z95 + z97;  // moment on S1, x
+    const Scalar z151 = n0_006 * z67;
+    const Scalar z152 = k2 * z151;
+    const Scalar z153 = n0_01 * z67 - z152;
+    const Scalar z222 = a_alpha * z54 + a_beta * z102;
+    const Scalar z223 = k8 * (a_alpha - a_gamma) + n0_02 * a_beta;
     const Scalar z232 = z222 * z225 - z223;
-    const Scalar z233 = k10 * z232;
+    const Scalar z233 = k9 * z232;
     const Scalar z234 = z222 * z224;
-    const Scalar z239 = z94 - z103 * l_T_A - n0_02 * l_T_E;
-    const Scalar z240 = u_C3 - z93 - k9 * l_T_E;
-    const Scalar z241 = z54 * l_T_A + u_C1 - z101 + k9 * l_T_E + z230 * z240 + z231 * z239;
+    const Scalar z239 = z94 - z102 * l_T_A - n0_02 * l_T_E;
+    const Scalar z240 = u_C3 - z93 - k8 * l_T_E;
+    const Scalar z241 = z54 * l_T_A + u_C1 - z100 + k8 * l_T_E + z230 * z240 + z231 * z239;
     const Scalar z242 = z233 * z237 + z234 * z236;
     const Scalar z243 = z241 + z242;
-    const Scalar z245 = z154 * z244;
-    result.M[0] = k11;
-    result.M[1] = k12;
+    const Scalar z245 = z153 * z244;
+    result.M[0] = k10;
+    result.M[1] = k11;
     result.M[2] = n0;
-    result.M[3] = k12;
+    result.M[3] = k11;
     result.M[4] = n0_0003;
     result.M[5] = n0;
     result.M[6] = n0;
@@ -1190,7 +1186,7 @@ struct Mechanism {
     result.C[6] = n0;
     result.C[7] = n0;
     result.C[8] = n0;
-    result.K[0] = -z154;
+    result.K[0] = -z153;
     result.K[1] = n0;
     result.K[2] = n0;
     result.K[3] = n0;
@@ -1199,9 +1195,9 @@ struct Mechanism {
     result.K[6] = n0;
     result.K[7] = n0;
     result.K[8] = n0;
-    result.F[0] = z54 * l_T_A + u_C1 - z101 + k9 * l_T_E;
-    result.F[1] = -z94 + z103 * l_T_A + n0_02 * l_T_E;
-    result.F[2] = u_C3 - z93 - k9 * l_T_E;
+    result.F[0] = z54 * l_T_A + u_C1 - z100 + k8 * l_T_E;
+    result.F[1] = -z94 + z102 * l_T_A + n0_02 * l_T_E;
+    result.F[2] = u_C3 - z93 - k8 * l_T_E;
     result.E[0] = n1;
     result.E[1] = n0;
     result.E[2] = n0;
@@ -1210,7 +1206,7 @@ struct Mechanism {
     result.E[5] = n1;
     result.M_r[0] = z238;
     result.C_r[0] = n0;
-    result.K_r[0] = -z154;
+    result.K_r[0] = -z153;
     result.K_r[1] = n0;
     result.K_r[2] = n0;
     result.F_r[0] = z243;

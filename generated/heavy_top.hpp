@@ -11,12 +11,12 @@
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   kinematics               27               62          0             0                  3       0     95      95
 //   mass_matrix               1                3          0             0                  1       0      6       6
-//   bias                      7               20          0             0                  2       0     31      56
+//   bias                      7               21          0             0                  2       0     32      56
 //   inverse_dynamics         12               23          0             0                  2       0     39      65
-//   forward_dynamics         11               30          1             0                  2       0     46      56
+//   forward_dynamics         11               31          1             0                  2       0     47      56
 //   energy                    6               16          0             0                  3       0     28      29
 //   first_integrals           8               19          0             0                  3       0     33      34
-//   linearisation            37               87          1             0                  2       0    129     181
+//   linearisation            37               89          1             0                  2       0    131     181
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 18 results 1 repeat another up to sign
@@ -646,8 +646,8 @@ struct Mechanism {
     const Scalar k0 = traits::constant(8.495709211125343, 8.495709f, "0;0;981/200;0");
     const Scalar n4_905 = traits::constant(4.905, 4.905f, "981/200");
     const Scalar n15_over_32 = traits::constant(0.46875, 0.46875f, "15/32");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n15 = traits::constant(15.0, 15.0f, "15/1");
-    const Scalar n975_over_32 = traits::constant(30.46875, 30.46875f, "975/32");
     const Scalar n975_over_64 = traits::constant(15.234375, 15.234375f, "975/64");
     const Scalar q_alpha = state.q.alpha;
     const Scalar v_alpha = state.v.alpha;
@@ -673,7 +673,8 @@ struct Mechanism {
     const Scalar z62 = n15_over_32 * z56;  // moment on top, y
     const Scalar z63 = n15_over_32 * z60;  // moment on top, z
     const Scalar z64 = z15 * z16;
-    const Scalar z72 = n15 * z52 - n975_over_32 * z55 - z61;  // moment on second, x
+    const Scalar z68 = n2 * z55;
+    const Scalar z72 = n15 * z52 - z61 - n975_over_64 * z68;  // moment on second, x
     const Scalar z73 = n15 * z53 - z63 - n975_over_64 * z64;  // moment on second, z
     const Scalar z76 = s_beta * z62 + c_beta * z72;
     forces.alpha = z76;
@@ -687,8 +688,8 @@ struct Mechanism {
     const Scalar k0 = traits::constant(8.495709211125343, 8.495709f, "0;0;981/200;0");
     const Scalar n4_905 = traits::constant(4.905, 4.905f, "981/200");
     const Scalar n15_over_32 = traits::constant(0.46875, 0.46875f, "15/32");
-    const Scalar n975_over_64 = traits::constant(15.234375, 15.234375f, "975/64");
     const Scalar n15 = traits::constant(15.0, 15.0f, "15/1");
+    const Scalar n975_over_64 = traits::constant(15.234375, 15.234375f, "975/64");
     const Scalar q_alpha = state.q.alpha;
     const Scalar v_alpha = state.v.alpha;
     const Scalar a_alpha = accelerations.alpha;
@@ -720,7 +721,8 @@ struct Mechanism {
     const Scalar z81 = v_beta * z15 + z79;  // angular acceleration of second, y
     const Scalar z83 = a_gamma - z81;  // angular acceleration of top, y
     const Scalar z85 = n15_over_32 * z83;  // moment on top, y
-    const Scalar z90 = -n975_over_64 * (z55 + z80) + n15 * z52 - z61;  // moment on second, x
+    const Scalar z87 = z55 + z80;
+    const Scalar z90 = n15 * z52 - z61 - n975_over_64 * z87;  // moment on second, x
     const Scalar z91 = n975_over_64 * (a_beta + z64) - n15 * z53 + z63;  // moment on second, z
     const Scalar z94 = s_beta * z85 - c_beta * z90;
     forces.alpha = -z94;
@@ -738,8 +740,8 @@ struct Mechanism {
     const Scalar n975_over_64 = traits::constant(15.234375, 15.234375f, "975/64");
     const Scalar k3 = traits::constant(8.495709211125343, 8.495709f, "0;0;981/200;0");
     const Scalar n4_905 = traits::constant(4.905, 4.905f, "981/200");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n15 = traits::constant(15.0, 15.0f, "15/1");
-    const Scalar n975_over_32 = traits::constant(30.46875, 30.46875f, "975/32");
     const Scalar n32_over_15 = traits::constant(2.1333333333333333, 2.1333334f, "32/15");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n64_over_975 = traits::constant(0.06564102564102564, 0.06564102f, "64/975");
@@ -771,7 +773,8 @@ struct Mechanism {
     const Scalar z62 = n15_over_32 * z56;  // moment on top, y
     const Scalar z63 = n15_over_32 * z60;  // moment on top, z
     const Scalar z64 = z15 * z16;
-    const Scalar z72 = n15 * z52 - n975_over_32 * z55 - z61;  // moment on second, x
+    const Scalar z68 = n2 * z55;
+    const Scalar z72 = n15 * z52 - z61 - n975_over_64 * z68;  // moment on second, x
     const Scalar z73 = n15 * z53 - z63 - n975_over_64 * z64;  // moment on second, z
     const Scalar z76 = s_beta * z62 + c_beta * z72;
     const Scalar z144 = n32_over_15 * z42;
@@ -870,7 +873,7 @@ struct Mechanism {
     const Scalar n15 = traits::constant(15.0, 15.0f, "15/1");
     const Scalar n32_over_15 = traits::constant(2.1333333333333333, 2.1333334f, "32/15");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
-    const Scalar n975_over_32 = traits::constant(30.46875, 30.46875f, "975/32");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n64_over_975 = traits::constant(0.06564102564102564, 0.06564102f, "64/975");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_alpha = state.q.alpha;
@@ -911,7 +914,8 @@ struct Mechanism {
     const Scalar z81 = v_beta * z15 + z79;  // angular acceleration of second, y
     const Scalar z83 = a_gamma - z81;  // angular acceleration of top, y
     const Scalar z85 = n15_over_32 * z83;  // moment on top, y
-    const Scalar z90 = -n975_over_64 * (z55 + z80) + n15 * z52 - z61;  // moment on second, x
+    const Scalar z87 = z55 + z80;
+    const Scalar z90 = n15 * z52 - z61 - n975_over_64 * z87;  // moment on second, x
     const Scalar z91 = n975_over_64 * (a_beta + z64) - n15 * z53 + z63;  // moment on second, z
     const Scalar z94 = s_beta * z85 - c_beta * z90;
     const Scalar z144 = n32_over_15 * z42;
@@ -922,45 +926,48 @@ struct Mechanism {
     const Scalar z166 = n15_over_32 * z165;
     const Scalar z167 = v_beta * s_beta;
     const Scalar z168 = n15_over_32 * z167;
-    const Scalar z169 = n975_over_32 * z167 - z168;
-    const Scalar z170 = s_beta * z166 - c_beta * z169;
-    const Scalar z171 = n15 * z51;
-    const Scalar z172 = c_beta * z171;
-    const Scalar z173 = s_beta * z15 - c_beta * z19;
-    const Scalar z174 = n15_over_32 * z173;
-    const Scalar z175 = s_beta * z15 + c_beta * z16;
-    const Scalar z176 = z174 - n975_over_64 * z175;
-    const Scalar z177 = s_beta * z52;
-    const Scalar z178 = n15 * z177;
-    const Scalar z179 = n15_over_32 * z15;
-    const Scalar z180 = n975_over_32 * z16 + z153;
-    const Scalar z181 = s_beta * z179 - c_beta * z180;
-    const Scalar z182 = n15_over_32 * z80;
-    const Scalar z183 = n975_over_64 * (z56 + z81) - z62;
-    const Scalar z184 = s_beta * (z90 + z182) + c_beta * (z85 + z183);
-    const Scalar z185 = z15 * z15 + z16 * z19;
-    const Scalar z186 = n15_over_32 * z185;
-    const Scalar z187 = z15 * z15 - z16 * z16;
-    const Scalar z188 = n15 * z54 + z186 - n975_over_64 * z187;
-    const Scalar z189 = n15_over_32 * v_beta;
-    const Scalar z190 = c_beta * z189;
-    const Scalar z262 = z146 * z172;
-    const Scalar z263 = n64_over_975 * z178;
-    const Scalar z264 = z144 * z262;
-    const Scalar z265 = z144 * z166 - z170;
-    const Scalar z266 = z146 * z265;
-    const Scalar z267 = n64_over_975 * z176;
-    const Scalar z268 = z144 * z266 - n32_over_15 * z166;
-    const Scalar z269 = z144 * z182 - z184;
-    const Scalar z270 = z146 * z269;
-    const Scalar z271 = n64_over_975 * z188;
-    const Scalar z272 = z144 * z270 - n32_over_15 * z182;
-    const Scalar z273 = z144 * z179 - z181;
-    const Scalar z274 = z146 * z273;
-    const Scalar z275 = z144 * z274 - n32_over_15 * z179;
-    const Scalar z276 = z146 * z190;
-    const Scalar z277 = n64_over_975 * z179;
-    const Scalar z278 = z144 * z276;
+    const Scalar z169 = n2 * z167;
+    const Scalar z170 = z168 - n975_over_64 * z169;
+    const Scalar z171 = s_beta * z166 + c_beta * z170;
+    const Scalar z172 = n15 * z51;
+    const Scalar z173 = c_beta * z172;
+    const Scalar z174 = s_beta * z15 - c_beta * z19;
+    const Scalar z175 = n15_over_32 * z174;
+    const Scalar z176 = s_beta * z15 + c_beta * z16;
+    const Scalar z177 = z175 - n975_over_64 * z176;
+    const Scalar z178 = s_beta * z52;
+    const Scalar z179 = n15 * z178;
+    const Scalar z180 = n15_over_32 * z15;
+    const Scalar z181 = n2 * z16;
+    const Scalar z182 = z153 + n975_over_64 * z181;
+    const Scalar z183 = s_beta * z180 - c_beta * z182;
+    const Scalar z184 = n15_over_32 * z80;
+    const Scalar z185 = z56 + z81;
+    const Scalar z186 = z62 - n975_over_64 * z185;
+    const Scalar z187 = s_beta * (z90 + z184) + c_beta * (z85 - z186);
+    const Scalar z188 = z15 * z15 + z16 * z19;
+    const Scalar z189 = n15_over_32 * z188;
+    const Scalar z190 = z15 * z15 - z16 * z16;
+    const Scalar z191 = n15 * z54 + z189 - n975_over_64 * z190;
+    const Scalar z192 = n15_over_32 * v_beta;
+    const Scalar z193 = c_beta * z192;
+    const Scalar z264 = z146 * z173;
+    const Scalar z265 = n64_over_975 * z179;
+    const Scalar z266 = z144 * z264;
+    const Scalar z267 = z144 * z166 - z171;
+    const Scalar z268 = z146 * z267;
+    const Scalar z269 = n64_over_975 * z177;
+    const Scalar z270 = z144 * z268 - n32_over_15 * z166;
+    const Scalar z271 = z144 * z184 - z187;
+    const Scalar z272 = z146 * z271;
+    const Scalar z273 = n64_over_975 * z191;
+    const Scalar z274 = z144 * z272 - n32_over_15 * z184;
+    const Scalar z275 = z144 * z180 - z183;
+    const Scalar z276 = z146 * z275;
+    const Scalar z277 = z144 * z276 - n32_over_15 * z180;
+    const Scalar z278 = z146 * z193;
+    const Scalar z279 = n64_over_975 * z180;
+    const Scalar z280 = z144 * z278;
     result.M[0] = z48;
     result.M[1] = n0;
     result.M[2] = -z42;
@@ -970,21 +977,21 @@ struct Mechanism {
     result.M[6] = -z42;
     result.M[7] = n0;
     result.M[8] = n15_over_32;
-    result.C[0] = z170;
-    result.C[1] = -z176;
+    result.C[0] = z171;
+    result.C[1] = -z177;
     result.C[2] = -z166;
-    result.C[3] = z181;
+    result.C[3] = z183;
     result.C[4] = n0;
-    result.C[5] = -z179;
-    result.C[6] = -z190;
-    result.C[7] = z179;
+    result.C[5] = -z180;
+    result.C[6] = -z193;
+    result.C[7] = z180;
     result.C[8] = n0;
-    result.K[0] = -z172;
-    result.K[1] = -z178;
+    result.K[0] = -z173;
+    result.K[1] = -z179;
     result.K[2] = n0;
-    result.K[3] = -z184;
-    result.K[4] = -z188;
-    result.K[5] = z182;
+    result.K[3] = -z187;
+    result.K[4] = -z191;
+    result.K[5] = z184;
     result.K[6] = n0;
     result.K[7] = n0;
     result.K[8] = n0;
@@ -994,15 +1001,15 @@ struct Mechanism {
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
-    result.A[3] = -z262;
-    result.A[4] = z263;
-    result.A[5] = -z264;
+    result.A[3] = -z264;
+    result.A[4] = z265;
+    result.A[5] = -z266;
     result.A[6] = n0;
     result.A[7] = n0;
     result.A[8] = n0;
-    result.A[9] = z270;
-    result.A[10] = z271;
-    result.A[11] = z272;
+    result.A[9] = z272;
+    result.A[10] = z273;
+    result.A[11] = z274;
     result.A[12] = n0;
     result.A[13] = n0;
     result.A[14] = n0;
@@ -1012,21 +1019,21 @@ struct Mechanism {
     result.A[18] = n1;
     result.A[19] = n0;
     result.A[20] = n0;
-    result.A[21] = -z266;
-    result.A[22] = z267;
-    result.A[23] = -z268;
+    result.A[21] = -z268;
+    result.A[22] = z269;
+    result.A[23] = -z270;
     result.A[24] = n0;
     result.A[25] = n1;
     result.A[26] = n0;
-    result.A[27] = -z274;
+    result.A[27] = -z276;
     result.A[28] = n0;
-    result.A[29] = -z275;
+    result.A[29] = -z277;
     result.A[30] = n0;
     result.A[31] = n0;
     result.A[32] = n1;
-    result.A[33] = -z276;
-    result.A[34] = -z277;
-    result.A[35] = -z278;
+    result.A[33] = -z278;
+    result.A[34] = -z279;
+    result.A[35] = -z280;
     if (!(traits::regular(-z145, z48))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.M[0] - result.M[0]) + (result.M[2] - result.M[2]) + (result.M[6] - result.M[6])

@@ -13,11 +13,11 @@
 //   kinematics              147              310          0             0                  2       0    461     468
 //   mass_matrix               0                0          0             0                  0       0      0       9
 //   bias                      0                0          0             0                  0       0      0       0
-//   inverse_dynamics         25               53          0             0                  1       0     80      62
-//   forward_dynamics         21               47          0             0                  1       0     70      60
+//   inverse_dynamics         17               33          0             0                  1       0     52      62
+//   forward_dynamics         13               27          0             0                  1       0     42      60
 //   energy                   13               26          0             0                  1       0     41      53
-//   reactions                43               76          0             0                  1       0    121     128
-//   linearisation            26               53          0             0                  1       0     81      71
+//   reactions                35               60          0             0                  1       0     97     128
+//   linearisation            18               33          0             0                  1       0     53      71
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 153 results 13 vanish identically, 58 repeat another up to sign
@@ -488,9 +488,9 @@ struct Mechanism {
     Scalar z17;
     Scalar z18;
     Scalar z220;
-    Scalar z312;
-    Scalar z318;  ///< force on upwards, x
-    Scalar z350;
+    Scalar z308;
+    Scalar z312;  ///< force on upwards, x
+    Scalar z346;
   };
 
   /// Values of the scene.
@@ -532,9 +532,9 @@ struct Mechanism {
     const Scalar z220 = z207 + z217;
     const Scalar z253 = p_omega * p_omega;
     const Scalar z254 = n100 * z253;
-    const Scalar z312 = z17 * z18;
-    const Scalar z318 = n120 * z254;  // force on upwards, x
-    const Scalar z350 = n1 / z220;
+    const Scalar z308 = z17 * z18;
+    const Scalar z312 = n120 * z254;  // force on upwards, x
+    const Scalar z346 = n1 / z220;
     precomputed.s_theta = s_theta;
     precomputed.c_theta = c_theta;
     precomputed.s_alpha = s_alpha;
@@ -543,9 +543,9 @@ struct Mechanism {
     precomputed.z17 = z17;
     precomputed.z18 = z18;
     precomputed.z220 = z220;
+    precomputed.z308 = z308;
     precomputed.z312 = z312;
-    precomputed.z318 = z318;
-    precomputed.z350 = z350;
+    precomputed.z346 = z346;
     return precomputed;
   }
 
@@ -1019,9 +1019,8 @@ struct Mechanism {
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
   TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Multipliers&, GeneralizedForces& forces) noexcept {
-    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
     const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
-    const Scalar n1331_6 = traits::constant(1331.6, 1331.6f, "6658/5");
+    const Scalar n1330 = traits::constant(1330.0, 1330.0f, "1330/1");
     const Scalar q_phi = state.q.phi;
     const Scalar v_phi = state.v.phi;
     const Scalar a_phi = accelerations.phi;
@@ -1035,41 +1034,33 @@ struct Mechanism {
     const Scalar z20 = s_phi * z17;
     const Scalar z23 = v_phi + z18;  // angular velocity of rotor, z
     const Scalar z24 = s_alpha * z23 - c_alpha * z20;
-    const Scalar z25 = s_alpha * z20 + c_alpha * z23;
     const Scalar z28 = s_alpha * z23 - c_alpha * z19;
-    const Scalar z29 = s_alpha * z19 + c_alpha * z23;
     const Scalar z32 = s_alpha * z23 + c_alpha * z20;
-    const Scalar z33 = s_alpha * z20 - c_alpha * z23;
     const Scalar z34 = s_alpha * z23 + c_alpha * z19;
-    const Scalar z35 = s_alpha * z19 - c_alpha * z23;
     const Scalar z259 = v_phi * z20;  // angular acceleration of rotor, x
     const Scalar z260 = v_phi * z19;  // angular acceleration of rotor, y
-    const Scalar z274 = z20 * z35;
-    const Scalar z275 = z20 * z34;
-    const Scalar z278 = n0_8 * z275;  // moment on blade_4, z
-    const Scalar z282 = z19 * z33;
-    const Scalar z283 = z19 * z32;
-    const Scalar z286 = n0_8 * z283;  // moment on blade_3, z
-    const Scalar z290 = z20 * z29;
-    const Scalar z291 = z20 * z28;
-    const Scalar z294 = n0_8 * z291;  // moment on blade_2, z
-    const Scalar z298 = z19 * z25;
-    const Scalar z299 = z19 * z24;
-    const Scalar z302 = n0_8 * z299;  // moment on blade_1, z
-    const Scalar z319 = a_phi * s_alpha - c_alpha * z260;
-    const Scalar z321 = a_phi * s_alpha + c_alpha * z259;
-    const Scalar z323 = a_phi * s_alpha + c_alpha * z260;
-    const Scalar z325 = a_phi * s_alpha - c_alpha * z259;
-    const Scalar z327 = n0_4 * (z274 + z325);  // moment on blade_4, y
-    const Scalar z329 = s_alpha * z327 + c_alpha * z278;
-    const Scalar z330 = n0_4 * (z282 - z323);  // moment on blade_3, y
-    const Scalar z332 = s_alpha * z330 + c_alpha * z286;
-    const Scalar z333 = n0_4 * (z290 + z321);  // moment on blade_2, y
-    const Scalar z335 = s_alpha * z333 - c_alpha * z294;
-    const Scalar z336 = n0_4 * (z298 - z319);  // moment on blade_1, y
-    const Scalar z338 = s_alpha * z336 - c_alpha * z302;
-    const Scalar z341 = n1331_6 * a_phi - z329 + z332 - z335 + z338;  // moment on rotor, z
-    forces.phi = z341;
+    const Scalar z274 = z20 * z34;
+    const Scalar z281 = z19 * z32;
+    const Scalar z288 = z20 * z28;
+    const Scalar z295 = z19 * z24;
+    const Scalar z314 = a_phi * c_alpha + s_alpha * z260;
+    const Scalar z316 = a_phi * c_alpha - s_alpha * z259;
+    const Scalar z318 = a_phi * c_alpha - s_alpha * z260;
+    const Scalar z320 = a_phi * c_alpha + s_alpha * z259;
+    const Scalar z321 = z274 - z320;
+    const Scalar z322 = n0_4 * z321;  // moment on blade_4, z
+    const Scalar z324 = c_alpha * z322;
+    const Scalar z325 = z281 + z318;
+    const Scalar z326 = n0_4 * z325;  // moment on blade_3, z
+    const Scalar z328 = c_alpha * z326;
+    const Scalar z329 = z288 + z316;
+    const Scalar z330 = n0_4 * z329;  // moment on blade_2, z
+    const Scalar z332 = c_alpha * z330;
+    const Scalar z333 = z295 - z314;
+    const Scalar z334 = n0_4 * z333;  // moment on blade_1, z
+    const Scalar z336 = c_alpha * z334;
+    const Scalar z339 = n1330 * a_phi - z324 + z328 + z332 - z336;  // moment on rotor, z
+    forces.phi = z339;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -1078,7 +1069,6 @@ struct Mechanism {
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
       const Inputs& inputs, Accelerations& accelerations, Multipliers&) noexcept {
     const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
-    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar q_phi = state.q.phi;
     const Scalar v_phi = state.v.phi;
@@ -1088,48 +1078,40 @@ struct Mechanism {
     const Scalar z17 = precomputed.z17;
     const Scalar z18 = precomputed.z18;
     const Scalar z220 = precomputed.z220;
-    const Scalar z350 = precomputed.z350;
+    const Scalar z346 = precomputed.z346;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
     const Scalar z19 = c_phi * z17;
     const Scalar z20 = s_phi * z17;
     const Scalar z23 = v_phi + z18;  // angular velocity of rotor, z
     const Scalar z24 = s_alpha * z23 - c_alpha * z20;
-    const Scalar z25 = s_alpha * z20 + c_alpha * z23;
     const Scalar z28 = s_alpha * z23 - c_alpha * z19;
-    const Scalar z29 = s_alpha * z19 + c_alpha * z23;
     const Scalar z32 = s_alpha * z23 + c_alpha * z20;
-    const Scalar z33 = s_alpha * z20 - c_alpha * z23;
     const Scalar z34 = s_alpha * z23 + c_alpha * z19;
-    const Scalar z35 = s_alpha * z19 - c_alpha * z23;
     const Scalar z259 = v_phi * z20;  // angular acceleration of rotor, x
     const Scalar z260 = v_phi * z19;  // angular acceleration of rotor, y
-    const Scalar z261 = c_alpha * z260;
-    const Scalar z265 = c_alpha * z259;
-    const Scalar z274 = z20 * z35;
-    const Scalar z275 = z20 * z34;
-    const Scalar z277 = n0_4 * (z265 - z274);  // moment on blade_4, y
-    const Scalar z278 = n0_8 * z275;  // moment on blade_4, z
-    const Scalar z280 = s_alpha * z277 - c_alpha * z278;
-    const Scalar z282 = z19 * z33;
-    const Scalar z283 = z19 * z32;
-    const Scalar z285 = n0_4 * (z261 - z282);  // moment on blade_3, y
-    const Scalar z286 = n0_8 * z283;  // moment on blade_3, z
-    const Scalar z288 = s_alpha * z285 - c_alpha * z286;
-    const Scalar z290 = z20 * z29;
-    const Scalar z291 = z20 * z28;
-    const Scalar z293 = n0_4 * (z265 + z290);  // moment on blade_2, y
-    const Scalar z294 = n0_8 * z291;  // moment on blade_2, z
-    const Scalar z296 = s_alpha * z293 - c_alpha * z294;
-    const Scalar z298 = z19 * z25;
-    const Scalar z299 = z19 * z24;
-    const Scalar z301 = n0_4 * (z261 + z298);  // moment on blade_1, y
-    const Scalar z302 = n0_8 * z299;  // moment on blade_1, z
-    const Scalar z304 = s_alpha * z301 - c_alpha * z302;
-    const Scalar z309 = z280 - z288 - z296 + z304;  // moment on rotor, z
-    const Scalar z349 = u_C - z309;
-    const Scalar z351 = z349 * z350;
-    accelerations.phi = -z351;
+    const Scalar z262 = s_alpha * z260;
+    const Scalar z266 = s_alpha * z259;
+    const Scalar z274 = z20 * z34;
+    const Scalar z275 = z266 - z274;
+    const Scalar z277 = n0_4 * z275;  // moment on blade_4, z
+    const Scalar z279 = c_alpha * z277;
+    const Scalar z281 = z19 * z32;
+    const Scalar z282 = z262 - z281;
+    const Scalar z284 = n0_4 * z282;  // moment on blade_3, z
+    const Scalar z286 = c_alpha * z284;
+    const Scalar z288 = z20 * z28;
+    const Scalar z289 = z266 - z288;
+    const Scalar z291 = n0_4 * z289;  // moment on blade_2, z
+    const Scalar z293 = c_alpha * z291;
+    const Scalar z295 = z19 * z24;
+    const Scalar z296 = z262 - z295;
+    const Scalar z298 = n0_4 * z296;  // moment on blade_1, z
+    const Scalar z300 = c_alpha * z298;
+    const Scalar z305 = z279 - z286 - z293 + z300;  // moment on rotor, z
+    const Scalar z345 = u_C - z305;
+    const Scalar z347 = z345 * z346;
+    accelerations.phi = -z347;
     if (!(traits::regular(-z220, -z220))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.phi - accelerations.phi);
@@ -1175,9 +1157,8 @@ struct Mechanism {
   TORSOR_DEVICE static void reactions(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Multipliers&, const Inputs&, Reactions& result) noexcept {
     const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
-    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
-    const Scalar n1331_6 = traits::constant(1331.6, 1331.6f, "6658/5");
-    const Scalar n665_8 = traits::constant(665.8, 665.8f, "3329/5");
+    const Scalar n1330 = traits::constant(1330.0, 1330.0f, "1330/1");
+    const Scalar n665 = traits::constant(665.0, 665.0f, "665/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_phi = state.q.phi;
     const Scalar v_phi = state.v.phi;
@@ -1186,8 +1167,8 @@ struct Mechanism {
     const Scalar c_alpha = precomputed.c_alpha;
     const Scalar z17 = precomputed.z17;
     const Scalar z18 = precomputed.z18;
+    const Scalar z308 = precomputed.z308;
     const Scalar z312 = precomputed.z312;
-    const Scalar z318 = precomputed.z318;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
     const Scalar z19 = c_phi * z17;
@@ -1204,63 +1185,58 @@ struct Mechanism {
     const Scalar z259 = v_phi * z20;  // angular acceleration of rotor, x
     const Scalar z260 = v_phi * z19;  // angular acceleration of rotor, y
     const Scalar z273 = z34 * z35;
-    const Scalar z274 = z20 * z35;
-    const Scalar z275 = z20 * z34;
+    const Scalar z274 = z20 * z34;
     const Scalar z276 = n0_4 * (z260 - z273);  // moment on blade_4, x
-    const Scalar z278 = n0_8 * z275;  // moment on blade_4, z
-    const Scalar z281 = z32 * z33;
-    const Scalar z282 = z19 * z33;
-    const Scalar z283 = z19 * z32;
-    const Scalar z284 = n0_4 * (z259 - z281);  // moment on blade_3, x
-    const Scalar z286 = n0_8 * z283;  // moment on blade_3, z
-    const Scalar z289 = z28 * z29;
-    const Scalar z290 = z20 * z29;
-    const Scalar z291 = z20 * z28;
-    const Scalar z292 = n0_4 * (z260 - z289);  // moment on blade_2, x
-    const Scalar z294 = n0_8 * z291;  // moment on blade_2, z
-    const Scalar z297 = z24 * z25;
-    const Scalar z298 = z19 * z25;
-    const Scalar z299 = z19 * z24;
-    const Scalar z300 = n0_4 * (z259 - z297);  // moment on blade_1, x
-    const Scalar z302 = n0_8 * z299;  // moment on blade_1, z
-    const Scalar z305 = z20 * z23;
-    const Scalar z306 = z19 * z23;
-    const Scalar z319 = a_phi * s_alpha - c_alpha * z260;
-    const Scalar z321 = a_phi * s_alpha + c_alpha * z259;
-    const Scalar z323 = a_phi * s_alpha + c_alpha * z260;
-    const Scalar z325 = a_phi * s_alpha - c_alpha * z259;
-    const Scalar z327 = n0_4 * (z274 + z325);  // moment on blade_4, y
-    const Scalar z328 = s_alpha * z278 - c_alpha * z327;
-    const Scalar z329 = s_alpha * z327 + c_alpha * z278;
-    const Scalar z330 = n0_4 * (z282 - z323);  // moment on blade_3, y
-    const Scalar z331 = s_alpha * z286 - c_alpha * z330;
-    const Scalar z332 = s_alpha * z330 + c_alpha * z286;
-    const Scalar z333 = n0_4 * (z290 + z321);  // moment on blade_2, y
-    const Scalar z334 = s_alpha * z294 + c_alpha * z333;
-    const Scalar z335 = s_alpha * z333 - c_alpha * z294;
-    const Scalar z336 = n0_4 * (z298 - z319);  // moment on blade_1, y
-    const Scalar z337 = s_alpha * z302 + c_alpha * z336;
-    const Scalar z338 = s_alpha * z336 - c_alpha * z302;
-    const Scalar z339 = z284 + z300 + n1331_6 * z305 - z328 - z334;  // moment on rotor, x
-    const Scalar z340 = z276 + z292 + n1331_6 * z306 - z331 - z337;  // moment on rotor, y
-    const Scalar z341 = n1331_6 * a_phi - z329 + z332 - z335 + z338;  // moment on rotor, z
-    const Scalar z343 = s_phi * z339 + c_phi * z340;
-    const Scalar z344 = n665_8 * z312 - z343;  // moment on pitch, y
-    result.X = -z318;
+    const Scalar z280 = z32 * z33;
+    const Scalar z281 = z19 * z32;
+    const Scalar z283 = n0_4 * (z259 - z280);  // moment on blade_3, x
+    const Scalar z287 = z28 * z29;
+    const Scalar z288 = z20 * z28;
+    const Scalar z290 = n0_4 * (z260 - z287);  // moment on blade_2, x
+    const Scalar z294 = z24 * z25;
+    const Scalar z295 = z19 * z24;
+    const Scalar z297 = n0_4 * (z259 - z294);  // moment on blade_1, x
+    const Scalar z301 = z20 * z23;
+    const Scalar z302 = z19 * z23;
+    const Scalar z314 = a_phi * c_alpha + s_alpha * z260;
+    const Scalar z316 = a_phi * c_alpha - s_alpha * z259;
+    const Scalar z318 = a_phi * c_alpha - s_alpha * z260;
+    const Scalar z320 = a_phi * c_alpha + s_alpha * z259;
+    const Scalar z321 = z274 - z320;
+    const Scalar z322 = n0_4 * z321;  // moment on blade_4, z
+    const Scalar z323 = s_alpha * z322;
+    const Scalar z324 = c_alpha * z322;
+    const Scalar z325 = z281 + z318;
+    const Scalar z326 = n0_4 * z325;  // moment on blade_3, z
+    const Scalar z327 = s_alpha * z326;
+    const Scalar z328 = c_alpha * z326;
+    const Scalar z329 = z288 + z316;
+    const Scalar z330 = n0_4 * z329;  // moment on blade_2, z
+    const Scalar z331 = s_alpha * z330;
+    const Scalar z332 = c_alpha * z330;
+    const Scalar z333 = z295 - z314;
+    const Scalar z334 = n0_4 * z333;  // moment on blade_1, z
+    const Scalar z335 = s_alpha * z334;
+    const Scalar z336 = c_alpha * z334;
+    const Scalar z337 = z283 + z297 + n1330 * z301 - z323 - z331;  // moment on rotor, x
+    const Scalar z338 = z276 + z290 + n1330 * z302 - z327 - z335;  // moment on rotor, y
+    const Scalar z339 = n1330 * a_phi - z324 + z328 + z332 - z336;  // moment on rotor, z
+    const Scalar z341 = s_phi * z337 + c_phi * z338;
+    const Scalar z342 = n665 * z308 - z341;  // moment on pitch, y
+    result.X = -z312;
     result.Y = n0;
     result.Z = n0;
     result.M_x = n0;
-    result.M_y = z344;
-    result.M_z = z341;
+    result.M_y = z342;
+    result.M_z = z339;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
   /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
   TORSOR_DEVICE static torsor::Status linearisation(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Multipliers&, const Inputs& inputs, Linearisation& result) noexcept {
-    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
     const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
-    const Scalar n1331_6 = traits::constant(1331.6, 1331.6f, "6658/5");
+    const Scalar n1330 = traits::constant(1330.0, 1330.0f, "1330/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar q_phi = state.q.phi;
@@ -1272,58 +1248,50 @@ struct Mechanism {
     const Scalar z17 = precomputed.z17;
     const Scalar z18 = precomputed.z18;
     const Scalar z220 = precomputed.z220;
-    const Scalar z350 = precomputed.z350;
+    const Scalar z346 = precomputed.z346;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
     const Scalar z19 = c_phi * z17;
     const Scalar z20 = s_phi * z17;
     const Scalar z23 = v_phi + z18;  // angular velocity of rotor, z
     const Scalar z24 = s_alpha * z23 - c_alpha * z20;
-    const Scalar z25 = s_alpha * z20 + c_alpha * z23;
     const Scalar z28 = s_alpha * z23 - c_alpha * z19;
-    const Scalar z29 = s_alpha * z19 + c_alpha * z23;
     const Scalar z32 = s_alpha * z23 + c_alpha * z20;
-    const Scalar z33 = s_alpha * z20 - c_alpha * z23;
     const Scalar z34 = s_alpha * z23 + c_alpha * z19;
-    const Scalar z35 = s_alpha * z19 - c_alpha * z23;
     const Scalar z259 = v_phi * z20;  // angular acceleration of rotor, x
     const Scalar z260 = v_phi * z19;  // angular acceleration of rotor, y
-    const Scalar z274 = z20 * z35;
-    const Scalar z275 = z20 * z34;
-    const Scalar z278 = n0_8 * z275;  // moment on blade_4, z
-    const Scalar z282 = z19 * z33;
-    const Scalar z283 = z19 * z32;
-    const Scalar z286 = n0_8 * z283;  // moment on blade_3, z
-    const Scalar z290 = z20 * z29;
-    const Scalar z291 = z20 * z28;
-    const Scalar z294 = n0_8 * z291;  // moment on blade_2, z
-    const Scalar z298 = z19 * z25;
-    const Scalar z299 = z19 * z24;
-    const Scalar z302 = n0_8 * z299;  // moment on blade_1, z
-    const Scalar z319 = a_phi * s_alpha - c_alpha * z260;
-    const Scalar z321 = a_phi * s_alpha + c_alpha * z259;
-    const Scalar z323 = a_phi * s_alpha + c_alpha * z260;
-    const Scalar z325 = a_phi * s_alpha - c_alpha * z259;
-    const Scalar z327 = n0_4 * (z274 + z325);  // moment on blade_4, y
-    const Scalar z329 = s_alpha * z327 + c_alpha * z278;
-    const Scalar z330 = n0_4 * (z282 - z323);  // moment on blade_3, y
-    const Scalar z332 = s_alpha * z330 + c_alpha * z286;
-    const Scalar z333 = n0_4 * (z290 + z321);  // moment on blade_2, y
-    const Scalar z335 = s_alpha * z333 - c_alpha * z294;
-    const Scalar z336 = n0_4 * (z298 - z319);  // moment on blade_1, y
-    const Scalar z338 = s_alpha * z336 - c_alpha * z302;
-    const Scalar z341 = n1331_6 * a_phi - z329 + z332 - z335 + z338;  // moment on rotor, z
+    const Scalar z274 = z20 * z34;
+    const Scalar z281 = z19 * z32;
+    const Scalar z288 = z20 * z28;
+    const Scalar z295 = z19 * z24;
+    const Scalar z314 = a_phi * c_alpha + s_alpha * z260;
+    const Scalar z316 = a_phi * c_alpha - s_alpha * z259;
+    const Scalar z318 = a_phi * c_alpha - s_alpha * z260;
+    const Scalar z320 = a_phi * c_alpha + s_alpha * z259;
+    const Scalar z321 = z274 - z320;
+    const Scalar z322 = n0_4 * z321;  // moment on blade_4, z
+    const Scalar z324 = c_alpha * z322;
+    const Scalar z325 = z281 + z318;
+    const Scalar z326 = n0_4 * z325;  // moment on blade_3, z
+    const Scalar z328 = c_alpha * z326;
+    const Scalar z329 = z288 + z316;
+    const Scalar z330 = n0_4 * z329;  // moment on blade_2, z
+    const Scalar z332 = c_alpha * z330;
+    const Scalar z333 = z295 - z314;
+    const Scalar z334 = n0_4 * z333;  // moment on blade_1, z
+    const Scalar z336 = c_alpha * z334;
+    const Scalar z339 = n1330 * a_phi - z324 + z328 + z332 - z336;  // moment on rotor, z
     result.M[0] = -z220;
     result.C[0] = n0;
     result.K[0] = n0;
-    result.F[0] = u_C - z341;
+    result.F[0] = u_C - z339;
     result.E[0] = n1;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n1;
     result.A[3] = n0;
     result.B[0] = n0;
-    result.B[1] = -z350;
+    result.B[1] = -z346;
     if (!(traits::regular(-z220, -z220))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.M[0] - result.M[0]) + (result.F[0] - result.F[0]) + (result.B[1] - result.B[1]);

@@ -12,11 +12,11 @@
 //   precompute                0                7          0             0                  1       0      9       -
 //   kinematics              159              342          0             0                  6       0    513     518
 //   mass_matrix               4                8          0             0                  4       0     20      24
-//   bias                     60               81          0             0                  5       0    151     160
-//   inverse_dynamics         69               86          0             0                  5       0    165     174
-//   forward_dynamics         65               94          1             0                  5       0    170     183
+//   bias                     56               69          0             0                  5       0    135     160
+//   inverse_dynamics         65               74          0             0                  5       0    149     174
+//   forward_dynamics         61               82          1             0                  5       0    154     183
 //   energy                   40               54          0             0                  5       0    104     124
-//   reactions                56               82          0             0                  5       0    148     153
+//   reactions                48               66          0             0                  5       0    124     153
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 165 results 25 vanish identically, 58 repeat another up to sign
@@ -504,8 +504,8 @@ struct Mechanism {
     Scalar z33;
     Scalar z34;
     Scalar z35;
-    Scalar z416;
-    Scalar z422;  ///< force on upwards, x
+    Scalar z412;
+    Scalar z416;  ///< force on upwards, x
   };
 
   /// Values of the scene.
@@ -540,15 +540,15 @@ struct Mechanism {
     const Scalar z35 = p_omega * c_theta;
     const Scalar z345 = p_omega * p_omega;
     const Scalar z346 = n100 * z345;
-    const Scalar z416 = z34 * z35;
-    const Scalar z422 = n120 * z346;  // force on upwards, x
+    const Scalar z412 = z34 * z35;
+    const Scalar z416 = n120 * z346;  // force on upwards, x
     precomputed.s_theta = s_theta;
     precomputed.c_theta = c_theta;
     precomputed.z33 = z33;
     precomputed.z34 = z34;
     precomputed.z35 = z35;
+    precomputed.z412 = z412;
     precomputed.z416 = z416;
-    precomputed.z422 = z422;
     return precomputed;
   }
 
@@ -1114,7 +1114,6 @@ struct Mechanism {
   TORSOR_DEVICE static void bias(const Precomputed& precomputed, const State& state,
       GeneralizedForces& forces) noexcept {
     const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
-    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
     const Scalar q_phi = state.q.phi;
     const Scalar v_phi = state.v.phi;
     const Scalar q_alpha_1 = state.q.alpha_1;
@@ -1174,61 +1173,56 @@ struct Mechanism {
     const Scalar z344 = p_c * z343;
     const Scalar z351 = v_phi * z37;  // angular acceleration of rotor, x
     const Scalar z352 = v_phi * z36;  // angular acceleration of rotor, y
-    const Scalar z353 = c_alpha_1 * z352;
-    const Scalar z357 = v_alpha_1 * z42 - z353;  // angular acceleration of blade_1, y
-    const Scalar z359 = c_alpha_2 * z351;
-    const Scalar z363 = v_alpha_2 * z47 + z359;  // angular acceleration of blade_2, y
-    const Scalar z365 = c_alpha_3 * z352;
-    const Scalar z369 = v_alpha_3 * z52 - z365;  // angular acceleration of blade_3, y
-    const Scalar z371 = c_alpha_4 * z351;
-    const Scalar z375 = v_alpha_4 * z57 + z371;  // angular acceleration of blade_4, y
+    const Scalar z354 = s_alpha_1 * z352;
+    const Scalar z358 = v_alpha_1 * z41 - z354;  // angular acceleration of blade_1, z
+    const Scalar z360 = s_alpha_2 * z351;
+    const Scalar z364 = v_alpha_2 * z46 + z360;  // angular acceleration of blade_2, z
+    const Scalar z366 = s_alpha_3 * z352;
+    const Scalar z370 = v_alpha_3 * z51 + z366;  // angular acceleration of blade_3, z
+    const Scalar z372 = s_alpha_4 * z351;
+    const Scalar z376 = v_alpha_4 * z56 - z372;  // angular acceleration of blade_4, z
     const Scalar z377 = z56 * z57;
-    const Scalar z378 = z57 * z60;
-    const Scalar z379 = z56 * z60;
+    const Scalar z378 = z56 * z60;
+    const Scalar z379 = z376 + z378;
     const Scalar z380 = n0_4 * (z352 - z377);  // moment on blade_4, x
-    const Scalar z381 = n0_4 * (z375 - z378);  // moment on blade_4, y
-    const Scalar z382 = n0_8 * z379;  // moment on blade_4, z
-    const Scalar z384 = s_alpha_4 * z381 - c_alpha_4 * z382;
-    const Scalar z385 = z51 * z52;
-    const Scalar z386 = z52 * z55;
-    const Scalar z387 = z51 * z55;
-    const Scalar z388 = n0_4 * (z351 - z385);  // moment on blade_3, x
-    const Scalar z389 = n0_4 * (z369 - z386);  // moment on blade_3, y
-    const Scalar z390 = n0_8 * z387;  // moment on blade_3, z
-    const Scalar z392 = s_alpha_3 * z389 - c_alpha_3 * z390;
-    const Scalar z393 = z46 * z47;
-    const Scalar z394 = z47 * z50;
-    const Scalar z395 = z46 * z50;
-    const Scalar z396 = n0_4 * (z352 - z393);  // moment on blade_2, x
-    const Scalar z397 = n0_4 * (z363 - z394);  // moment on blade_2, y
-    const Scalar z398 = n0_8 * z395;  // moment on blade_2, z
-    const Scalar z400 = s_alpha_2 * z397 + c_alpha_2 * z398;
-    const Scalar z401 = z41 * z42;
-    const Scalar z402 = z42 * z45;
-    const Scalar z403 = z41 * z45;
-    const Scalar z404 = n0_4 * (z351 - z401);  // moment on blade_1, x
-    const Scalar z405 = n0_4 * (z357 - z402);  // moment on blade_1, y
-    const Scalar z406 = n0_8 * z403;  // moment on blade_1, z
-    const Scalar z408 = s_alpha_1 * z405 + c_alpha_1 * z406;
-    const Scalar z413 = z384 + z392 - z400 - z408;  // moment on rotor, z
-    const Scalar z423 = p_alpha_c * (s_phi * (z327 - z331 + z338 + z340) - c_phi * (z333 + z336 + z342 - z344)) - z413;
-    const Scalar z424 = z327 - z331 + z404;
-    const Scalar z425 = z333 + z336 - z396;
-    const Scalar z426 = z338 + z340 + z388;
-    const Scalar z427 = z342 - z344 - z380;
-    forces.phi = -z423;
-    forces.alpha_1 = -z424;
-    forces.alpha_2 = z425;
-    forces.alpha_3 = z426;
-    forces.alpha_4 = -z427;
+    const Scalar z381 = n0_4 * z379;  // moment on blade_4, z
+    const Scalar z383 = c_alpha_4 * z381;
+    const Scalar z384 = z51 * z52;
+    const Scalar z385 = z51 * z55;
+    const Scalar z386 = z370 + z385;
+    const Scalar z387 = n0_4 * (z351 - z384);  // moment on blade_3, x
+    const Scalar z388 = n0_4 * z386;  // moment on blade_3, z
+    const Scalar z390 = c_alpha_3 * z388;
+    const Scalar z391 = z46 * z47;
+    const Scalar z392 = z46 * z50;
+    const Scalar z393 = z364 + z392;
+    const Scalar z394 = n0_4 * (z352 - z391);  // moment on blade_2, x
+    const Scalar z395 = n0_4 * z393;  // moment on blade_2, z
+    const Scalar z397 = c_alpha_2 * z395;
+    const Scalar z398 = z41 * z42;
+    const Scalar z399 = z41 * z45;
+    const Scalar z400 = z358 + z399;
+    const Scalar z401 = n0_4 * (z351 - z398);  // moment on blade_1, x
+    const Scalar z402 = n0_4 * z400;  // moment on blade_1, z
+    const Scalar z404 = c_alpha_1 * z402;
+    const Scalar z409 = z383 + z390 + z397 + z404;  // moment on rotor, z
+    const Scalar z417 = p_alpha_c * (s_phi * (z327 - z331 + z338 + z340) - c_phi * (z333 + z336 + z342 - z344)) + z409;
+    const Scalar z418 = z327 - z331 + z401;
+    const Scalar z419 = z333 + z336 - z394;
+    const Scalar z420 = z338 + z340 + z387;
+    const Scalar z421 = z342 - z344 - z380;
+    forces.phi = -z417;
+    forces.alpha_1 = -z418;
+    forces.alpha_2 = z419;
+    forces.alpha_3 = z420;
+    forces.alpha_4 = -z421;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
   TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Multipliers&, GeneralizedForces& forces) noexcept {
-    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
     const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
-    const Scalar n1331_6 = traits::constant(1331.6, 1331.6f, "6658/5");
+    const Scalar n1330 = traits::constant(1330.0, 1330.0f, "1330/1");
     const Scalar q_phi = state.q.phi;
     const Scalar v_phi = state.v.phi;
     const Scalar a_phi = accelerations.phi;
@@ -1294,56 +1288,52 @@ struct Mechanism {
     const Scalar z351 = v_phi * z37;  // angular acceleration of rotor, x
     const Scalar z352 = v_phi * z36;  // angular acceleration of rotor, y
     const Scalar z377 = z56 * z57;
-    const Scalar z378 = z57 * z60;
-    const Scalar z379 = z56 * z60;
-    const Scalar z382 = n0_8 * z379;  // moment on blade_4, z
-    const Scalar z385 = z51 * z52;
-    const Scalar z386 = z52 * z55;
-    const Scalar z387 = z51 * z55;
-    const Scalar z390 = n0_8 * z387;  // moment on blade_3, z
-    const Scalar z393 = z46 * z47;
-    const Scalar z394 = z47 * z50;
-    const Scalar z395 = z46 * z50;
-    const Scalar z398 = n0_8 * z395;  // moment on blade_2, z
-    const Scalar z401 = z41 * z42;
-    const Scalar z402 = z42 * z45;
-    const Scalar z403 = z41 * z45;
-    const Scalar z406 = n0_8 * z403;  // moment on blade_1, z
-    const Scalar z428 = a_phi * s_alpha_1 - c_alpha_1 * z352;
-    const Scalar z430 = a_alpha_1 - z351;  // angular acceleration of blade_1, x
-    const Scalar z431 = v_alpha_1 * z42 + z428;  // angular acceleration of blade_1, y
-    const Scalar z433 = a_phi * s_alpha_2 + c_alpha_2 * z351;
-    const Scalar z435 = a_alpha_2 - z352;  // angular acceleration of blade_2, x
-    const Scalar z436 = v_alpha_2 * z47 + z433;  // angular acceleration of blade_2, y
-    const Scalar z438 = a_phi * s_alpha_3 + c_alpha_3 * z352;
-    const Scalar z440 = a_alpha_3 + z351;  // angular acceleration of blade_3, x
-    const Scalar z441 = v_alpha_3 * z52 - z438;  // angular acceleration of blade_3, y
-    const Scalar z443 = a_phi * s_alpha_4 - c_alpha_4 * z351;
-    const Scalar z445 = a_alpha_4 + z352;  // angular acceleration of blade_4, x
-    const Scalar z446 = v_alpha_4 * z57 - z443;  // angular acceleration of blade_4, y
-    const Scalar z448 = n0_4 * (z377 - z445);  // moment on blade_4, x
-    const Scalar z449 = n0_4 * (z378 - z446);  // moment on blade_4, y
-    const Scalar z451 = s_alpha_4 * z449 + c_alpha_4 * z382;
-    const Scalar z452 = n0_4 * (z385 - z440);  // moment on blade_3, x
-    const Scalar z453 = n0_4 * (z386 - z441);  // moment on blade_3, y
-    const Scalar z455 = s_alpha_3 * z453 + c_alpha_3 * z390;
-    const Scalar z456 = n0_4 * (z393 + z435);  // moment on blade_2, x
-    const Scalar z457 = n0_4 * (z394 - z436);  // moment on blade_2, y
-    const Scalar z459 = s_alpha_2 * z457 - c_alpha_2 * z398;
-    const Scalar z460 = n0_4 * (z401 + z430);  // moment on blade_1, x
-    const Scalar z461 = n0_4 * (z402 - z431);  // moment on blade_1, y
-    const Scalar z463 = s_alpha_1 * z461 - c_alpha_1 * z406;
-    const Scalar z466 = n1331_6 * a_phi - z451 - z455 + z459 + z463;  // moment on rotor, z
-    const Scalar z474 = p_alpha_c * (s_phi * (z327 - z331 + z338 + z340) - c_phi * (z333 + z336 + z342 - z344)) - z466;
-    const Scalar z475 = z327 - z331 - z460;
-    const Scalar z476 = z333 + z336 + z456;
-    const Scalar z477 = z338 + z340 - z452;
-    const Scalar z478 = z342 - z344 + z448;
-    forces.phi = -z474;
-    forces.alpha_1 = -z475;
-    forces.alpha_2 = z476;
-    forces.alpha_3 = z477;
-    forces.alpha_4 = -z478;
+    const Scalar z378 = z56 * z60;
+    const Scalar z384 = z51 * z52;
+    const Scalar z385 = z51 * z55;
+    const Scalar z391 = z46 * z47;
+    const Scalar z392 = z46 * z50;
+    const Scalar z398 = z41 * z42;
+    const Scalar z399 = z41 * z45;
+    const Scalar z423 = a_phi * c_alpha_1 + s_alpha_1 * z352;
+    const Scalar z424 = a_alpha_1 - z351;  // angular acceleration of blade_1, x
+    const Scalar z426 = v_alpha_1 * z41 - z423;  // angular acceleration of blade_1, z
+    const Scalar z428 = a_phi * c_alpha_2 - s_alpha_2 * z351;
+    const Scalar z429 = a_alpha_2 - z352;  // angular acceleration of blade_2, x
+    const Scalar z431 = v_alpha_2 * z46 - z428;  // angular acceleration of blade_2, z
+    const Scalar z433 = a_phi * c_alpha_3 - s_alpha_3 * z352;
+    const Scalar z434 = a_alpha_3 + z351;  // angular acceleration of blade_3, x
+    const Scalar z436 = v_alpha_3 * z51 - z433;  // angular acceleration of blade_3, z
+    const Scalar z438 = a_phi * c_alpha_4 + s_alpha_4 * z351;
+    const Scalar z439 = a_alpha_4 + z352;  // angular acceleration of blade_4, x
+    const Scalar z441 = v_alpha_4 * z56 - z438;  // angular acceleration of blade_4, z
+    const Scalar z442 = z378 + z441;
+    const Scalar z443 = n0_4 * (z377 - z439);  // moment on blade_4, x
+    const Scalar z444 = n0_4 * z442;  // moment on blade_4, z
+    const Scalar z446 = c_alpha_4 * z444;
+    const Scalar z447 = z385 + z436;
+    const Scalar z448 = n0_4 * (z384 - z434);  // moment on blade_3, x
+    const Scalar z449 = n0_4 * z447;  // moment on blade_3, z
+    const Scalar z451 = c_alpha_3 * z449;
+    const Scalar z452 = z392 + z431;
+    const Scalar z453 = n0_4 * (z391 + z429);  // moment on blade_2, x
+    const Scalar z454 = n0_4 * z452;  // moment on blade_2, z
+    const Scalar z456 = c_alpha_2 * z454;
+    const Scalar z457 = z399 + z426;
+    const Scalar z458 = n0_4 * (z398 + z424);  // moment on blade_1, x
+    const Scalar z459 = n0_4 * z457;  // moment on blade_1, z
+    const Scalar z461 = c_alpha_1 * z459;
+    const Scalar z464 = n1330 * a_phi - z446 - z451 - z456 - z461;  // moment on rotor, z
+    const Scalar z470 = p_alpha_c * (s_phi * (z327 - z331 + z338 + z340) - c_phi * (z333 + z336 + z342 - z344)) - z464;
+    const Scalar z471 = z327 - z331 - z458;
+    const Scalar z472 = z333 + z336 + z453;
+    const Scalar z473 = z338 + z340 - z448;
+    const Scalar z474 = z342 - z344 + z443;
+    forces.phi = -z470;
+    forces.alpha_1 = -z471;
+    forces.alpha_2 = z472;
+    forces.alpha_3 = z473;
+    forces.alpha_4 = -z474;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -1353,7 +1343,6 @@ struct Mechanism {
       const Inputs& inputs, Accelerations& accelerations, Multipliers&) noexcept {
     const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
     const Scalar n1331_6 = traits::constant(1331.6, 1331.6f, "6658/5");
-    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n2_5 = traits::constant(2.5, 2.5f, "5/2");
     const Scalar q_phi = state.q.phi;
@@ -1428,60 +1417,56 @@ struct Mechanism {
     const Scalar z344 = p_c * z343;
     const Scalar z351 = v_phi * z37;  // angular acceleration of rotor, x
     const Scalar z352 = v_phi * z36;  // angular acceleration of rotor, y
-    const Scalar z353 = c_alpha_1 * z352;
-    const Scalar z357 = v_alpha_1 * z42 - z353;  // angular acceleration of blade_1, y
-    const Scalar z359 = c_alpha_2 * z351;
-    const Scalar z363 = v_alpha_2 * z47 + z359;  // angular acceleration of blade_2, y
-    const Scalar z365 = c_alpha_3 * z352;
-    const Scalar z369 = v_alpha_3 * z52 - z365;  // angular acceleration of blade_3, y
-    const Scalar z371 = c_alpha_4 * z351;
-    const Scalar z375 = v_alpha_4 * z57 + z371;  // angular acceleration of blade_4, y
+    const Scalar z354 = s_alpha_1 * z352;
+    const Scalar z358 = v_alpha_1 * z41 - z354;  // angular acceleration of blade_1, z
+    const Scalar z360 = s_alpha_2 * z351;
+    const Scalar z364 = v_alpha_2 * z46 + z360;  // angular acceleration of blade_2, z
+    const Scalar z366 = s_alpha_3 * z352;
+    const Scalar z370 = v_alpha_3 * z51 + z366;  // angular acceleration of blade_3, z
+    const Scalar z372 = s_alpha_4 * z351;
+    const Scalar z376 = v_alpha_4 * z56 - z372;  // angular acceleration of blade_4, z
     const Scalar z377 = z56 * z57;
-    const Scalar z378 = z57 * z60;
-    const Scalar z379 = z56 * z60;
+    const Scalar z378 = z56 * z60;
+    const Scalar z379 = z376 + z378;
     const Scalar z380 = n0_4 * (z352 - z377);  // moment on blade_4, x
-    const Scalar z381 = n0_4 * (z375 - z378);  // moment on blade_4, y
-    const Scalar z382 = n0_8 * z379;  // moment on blade_4, z
-    const Scalar z384 = s_alpha_4 * z381 - c_alpha_4 * z382;
-    const Scalar z385 = z51 * z52;
-    const Scalar z386 = z52 * z55;
-    const Scalar z387 = z51 * z55;
-    const Scalar z388 = n0_4 * (z351 - z385);  // moment on blade_3, x
-    const Scalar z389 = n0_4 * (z369 - z386);  // moment on blade_3, y
-    const Scalar z390 = n0_8 * z387;  // moment on blade_3, z
-    const Scalar z392 = s_alpha_3 * z389 - c_alpha_3 * z390;
-    const Scalar z393 = z46 * z47;
-    const Scalar z394 = z47 * z50;
-    const Scalar z395 = z46 * z50;
-    const Scalar z396 = n0_4 * (z352 - z393);  // moment on blade_2, x
-    const Scalar z397 = n0_4 * (z363 - z394);  // moment on blade_2, y
-    const Scalar z398 = n0_8 * z395;  // moment on blade_2, z
-    const Scalar z400 = s_alpha_2 * z397 + c_alpha_2 * z398;
-    const Scalar z401 = z41 * z42;
-    const Scalar z402 = z42 * z45;
-    const Scalar z403 = z41 * z45;
-    const Scalar z404 = n0_4 * (z351 - z401);  // moment on blade_1, x
-    const Scalar z405 = n0_4 * (z357 - z402);  // moment on blade_1, y
-    const Scalar z406 = n0_8 * z403;  // moment on blade_1, z
-    const Scalar z408 = s_alpha_1 * z405 + c_alpha_1 * z406;
-    const Scalar z413 = z384 + z392 - z400 - z408;  // moment on rotor, z
-    const Scalar z423 = p_alpha_c * (s_phi * (z327 - z331 + z338 + z340) - c_phi * (z333 + z336 + z342 - z344)) - z413;
-    const Scalar z424 = z327 - z331 + z404;
-    const Scalar z425 = z333 + z336 - z396;
-    const Scalar z426 = z338 + z340 + z388;
-    const Scalar z427 = z342 - z344 - z380;
-    const Scalar z479 = u_C + z423;
-    const Scalar z480 = n1 / z280;
-    const Scalar z481 = z479 * z480;
-    const Scalar z482 = n2_5 * z424;
-    const Scalar z483 = n2_5 * z425;
-    const Scalar z484 = n2_5 * z426;
-    const Scalar z485 = n2_5 * z427;
-    accelerations.phi = z481;
-    accelerations.alpha_1 = z482;
-    accelerations.alpha_2 = -z483;
-    accelerations.alpha_3 = -z484;
-    accelerations.alpha_4 = z485;
+    const Scalar z381 = n0_4 * z379;  // moment on blade_4, z
+    const Scalar z383 = c_alpha_4 * z381;
+    const Scalar z384 = z51 * z52;
+    const Scalar z385 = z51 * z55;
+    const Scalar z386 = z370 + z385;
+    const Scalar z387 = n0_4 * (z351 - z384);  // moment on blade_3, x
+    const Scalar z388 = n0_4 * z386;  // moment on blade_3, z
+    const Scalar z390 = c_alpha_3 * z388;
+    const Scalar z391 = z46 * z47;
+    const Scalar z392 = z46 * z50;
+    const Scalar z393 = z364 + z392;
+    const Scalar z394 = n0_4 * (z352 - z391);  // moment on blade_2, x
+    const Scalar z395 = n0_4 * z393;  // moment on blade_2, z
+    const Scalar z397 = c_alpha_2 * z395;
+    const Scalar z398 = z41 * z42;
+    const Scalar z399 = z41 * z45;
+    const Scalar z400 = z358 + z399;
+    const Scalar z401 = n0_4 * (z351 - z398);  // moment on blade_1, x
+    const Scalar z402 = n0_4 * z400;  // moment on blade_1, z
+    const Scalar z404 = c_alpha_1 * z402;
+    const Scalar z409 = z383 + z390 + z397 + z404;  // moment on rotor, z
+    const Scalar z417 = p_alpha_c * (s_phi * (z327 - z331 + z338 + z340) - c_phi * (z333 + z336 + z342 - z344)) + z409;
+    const Scalar z418 = z327 - z331 + z401;
+    const Scalar z419 = z333 + z336 - z394;
+    const Scalar z420 = z338 + z340 + z387;
+    const Scalar z421 = z342 - z344 - z380;
+    const Scalar z475 = u_C + z417;
+    const Scalar z476 = n1 / z280;
+    const Scalar z477 = z475 * z476;
+    const Scalar z478 = n2_5 * z418;
+    const Scalar z479 = n2_5 * z419;
+    const Scalar z480 = n2_5 * z420;
+    const Scalar z481 = n2_5 * z421;
+    accelerations.phi = z477;
+    accelerations.alpha_1 = z478;
+    accelerations.alpha_2 = -z479;
+    accelerations.alpha_3 = -z480;
+    accelerations.alpha_4 = z481;
     if (!(traits::regular(z280, z280))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.phi - accelerations.phi) + (accelerations.alpha_1 - accelerations.alpha_1)
@@ -1562,10 +1547,9 @@ struct Mechanism {
   /// direction, at accelerations, multipliers and inputs that belong to the motion.
   TORSOR_DEVICE static void reactions(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Multipliers&, const Inputs&, Reactions& result) noexcept {
-    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
     const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
-    const Scalar n1331_6 = traits::constant(1331.6, 1331.6f, "6658/5");
-    const Scalar n665_8 = traits::constant(665.8, 665.8f, "3329/5");
+    const Scalar n1330 = traits::constant(1330.0, 1330.0f, "1330/1");
+    const Scalar n665 = traits::constant(665.0, 665.0f, "665/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_phi = state.q.phi;
     const Scalar v_phi = state.v.phi;
@@ -1584,8 +1568,8 @@ struct Mechanism {
     const Scalar a_alpha_4 = accelerations.alpha_4;
     const Scalar z34 = precomputed.z34;
     const Scalar z35 = precomputed.z35;
+    const Scalar z412 = precomputed.z412;
     const Scalar z416 = precomputed.z416;
-    const Scalar z422 = precomputed.z422;
     const Scalar angles_[] = {q_phi, q_alpha_1, q_alpha_2, q_alpha_3, q_alpha_4};
     Scalar sines_[5], cosines_[5];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
@@ -1612,63 +1596,59 @@ struct Mechanism {
     const Scalar z351 = v_phi * z37;  // angular acceleration of rotor, x
     const Scalar z352 = v_phi * z36;  // angular acceleration of rotor, y
     const Scalar z377 = z56 * z57;
-    const Scalar z378 = z57 * z60;
-    const Scalar z379 = z56 * z60;
-    const Scalar z382 = n0_8 * z379;  // moment on blade_4, z
-    const Scalar z385 = z51 * z52;
-    const Scalar z386 = z52 * z55;
-    const Scalar z387 = z51 * z55;
-    const Scalar z390 = n0_8 * z387;  // moment on blade_3, z
-    const Scalar z393 = z46 * z47;
-    const Scalar z394 = z47 * z50;
-    const Scalar z395 = z46 * z50;
-    const Scalar z398 = n0_8 * z395;  // moment on blade_2, z
-    const Scalar z401 = z41 * z42;
-    const Scalar z402 = z42 * z45;
-    const Scalar z403 = z41 * z45;
-    const Scalar z406 = n0_8 * z403;  // moment on blade_1, z
-    const Scalar z409 = z37 * z40;
-    const Scalar z410 = z36 * z40;
-    const Scalar z428 = a_phi * s_alpha_1 - c_alpha_1 * z352;
-    const Scalar z430 = a_alpha_1 - z351;  // angular acceleration of blade_1, x
-    const Scalar z431 = v_alpha_1 * z42 + z428;  // angular acceleration of blade_1, y
-    const Scalar z433 = a_phi * s_alpha_2 + c_alpha_2 * z351;
-    const Scalar z435 = a_alpha_2 - z352;  // angular acceleration of blade_2, x
-    const Scalar z436 = v_alpha_2 * z47 + z433;  // angular acceleration of blade_2, y
-    const Scalar z438 = a_phi * s_alpha_3 + c_alpha_3 * z352;
-    const Scalar z440 = a_alpha_3 + z351;  // angular acceleration of blade_3, x
-    const Scalar z441 = v_alpha_3 * z52 - z438;  // angular acceleration of blade_3, y
-    const Scalar z443 = a_phi * s_alpha_4 - c_alpha_4 * z351;
-    const Scalar z445 = a_alpha_4 + z352;  // angular acceleration of blade_4, x
-    const Scalar z446 = v_alpha_4 * z57 - z443;  // angular acceleration of blade_4, y
-    const Scalar z448 = n0_4 * (z377 - z445);  // moment on blade_4, x
-    const Scalar z449 = n0_4 * (z378 - z446);  // moment on blade_4, y
-    const Scalar z450 = s_alpha_4 * z382 - c_alpha_4 * z449;
-    const Scalar z451 = s_alpha_4 * z449 + c_alpha_4 * z382;
-    const Scalar z452 = n0_4 * (z385 - z440);  // moment on blade_3, x
-    const Scalar z453 = n0_4 * (z386 - z441);  // moment on blade_3, y
-    const Scalar z454 = s_alpha_3 * z390 - c_alpha_3 * z453;
-    const Scalar z455 = s_alpha_3 * z453 + c_alpha_3 * z390;
-    const Scalar z456 = n0_4 * (z393 + z435);  // moment on blade_2, x
-    const Scalar z457 = n0_4 * (z394 - z436);  // moment on blade_2, y
-    const Scalar z458 = s_alpha_2 * z398 + c_alpha_2 * z457;
-    const Scalar z459 = s_alpha_2 * z457 - c_alpha_2 * z398;
-    const Scalar z460 = n0_4 * (z401 + z430);  // moment on blade_1, x
-    const Scalar z461 = n0_4 * (z402 - z431);  // moment on blade_1, y
-    const Scalar z462 = s_alpha_1 * z406 + c_alpha_1 * z461;
-    const Scalar z463 = s_alpha_1 * z461 - c_alpha_1 * z406;
-    const Scalar z464 = n1331_6 * z409 - z450 - z452 + z458 - z460;  // moment on rotor, x
-    const Scalar z465 = n1331_6 * z410 - z448 + z454 - z456 - z462;  // moment on rotor, y
-    const Scalar z466 = n1331_6 * a_phi - z451 - z455 + z459 + z463;  // moment on rotor, z
-    const Scalar z467 = s_phi * z465 - c_phi * z464;
-    const Scalar z468 = s_phi * z464 + c_phi * z465;
-    const Scalar z469 = n665_8 * z416 - z468;  // moment on pitch, y
-    result.X = -z422;
+    const Scalar z378 = z56 * z60;
+    const Scalar z384 = z51 * z52;
+    const Scalar z385 = z51 * z55;
+    const Scalar z391 = z46 * z47;
+    const Scalar z392 = z46 * z50;
+    const Scalar z398 = z41 * z42;
+    const Scalar z399 = z41 * z45;
+    const Scalar z405 = z37 * z40;
+    const Scalar z406 = z36 * z40;
+    const Scalar z423 = a_phi * c_alpha_1 + s_alpha_1 * z352;
+    const Scalar z424 = a_alpha_1 - z351;  // angular acceleration of blade_1, x
+    const Scalar z426 = v_alpha_1 * z41 - z423;  // angular acceleration of blade_1, z
+    const Scalar z428 = a_phi * c_alpha_2 - s_alpha_2 * z351;
+    const Scalar z429 = a_alpha_2 - z352;  // angular acceleration of blade_2, x
+    const Scalar z431 = v_alpha_2 * z46 - z428;  // angular acceleration of blade_2, z
+    const Scalar z433 = a_phi * c_alpha_3 - s_alpha_3 * z352;
+    const Scalar z434 = a_alpha_3 + z351;  // angular acceleration of blade_3, x
+    const Scalar z436 = v_alpha_3 * z51 - z433;  // angular acceleration of blade_3, z
+    const Scalar z438 = a_phi * c_alpha_4 + s_alpha_4 * z351;
+    const Scalar z439 = a_alpha_4 + z352;  // angular acceleration of blade_4, x
+    const Scalar z441 = v_alpha_4 * z56 - z438;  // angular acceleration of blade_4, z
+    const Scalar z442 = z378 + z441;
+    const Scalar z443 = n0_4 * (z377 - z439);  // moment on blade_4, x
+    const Scalar z444 = n0_4 * z442;  // moment on blade_4, z
+    const Scalar z445 = s_alpha_4 * z444;
+    const Scalar z446 = c_alpha_4 * z444;
+    const Scalar z447 = z385 + z436;
+    const Scalar z448 = n0_4 * (z384 - z434);  // moment on blade_3, x
+    const Scalar z449 = n0_4 * z447;  // moment on blade_3, z
+    const Scalar z450 = s_alpha_3 * z449;
+    const Scalar z451 = c_alpha_3 * z449;
+    const Scalar z452 = z392 + z431;
+    const Scalar z453 = n0_4 * (z391 + z429);  // moment on blade_2, x
+    const Scalar z454 = n0_4 * z452;  // moment on blade_2, z
+    const Scalar z455 = s_alpha_2 * z454;
+    const Scalar z456 = c_alpha_2 * z454;
+    const Scalar z457 = z399 + z426;
+    const Scalar z458 = n0_4 * (z398 + z424);  // moment on blade_1, x
+    const Scalar z459 = n0_4 * z457;  // moment on blade_1, z
+    const Scalar z460 = s_alpha_1 * z459;
+    const Scalar z461 = c_alpha_1 * z459;
+    const Scalar z462 = n1330 * z405 - z445 - z448 + z455 - z458;  // moment on rotor, x
+    const Scalar z463 = n1330 * z406 - z443 + z450 - z453 - z460;  // moment on rotor, y
+    const Scalar z464 = n1330 * a_phi - z446 - z451 - z456 - z461;  // moment on rotor, z
+    const Scalar z465 = s_phi * z463 - c_phi * z462;
+    const Scalar z466 = s_phi * z462 + c_phi * z463;
+    const Scalar z467 = n665 * z412 - z466;  // moment on pitch, y
+    result.X = -z416;
     result.Y = n0;
     result.Z = n0;
-    result.M_x = z467;
-    result.M_y = z469;
-    result.M_z = z466;
+    result.M_x = z465;
+    result.M_y = z467;
+    result.M_z = z464;
   }
 };
 

@@ -12,13 +12,13 @@
 //   precompute                1                9          0             0                  1       0     12       -
 //   kinematics               36               72          0             0                  4       0    116     124
 //   mass_matrix               1                1          0             0                  1       0      4       4
-//   bias                     24               47          1             1                  3       0     79      82
-//   inverse_dynamics         27               48          1             1                  3       0     83      85
-//   forward_dynamics         25               49          2             1                  3       0     83      86
+//   bias                     22               43          1             1                  3       0     73      82
+//   inverse_dynamics         24               44          1             1                  3       0     76      85
+//   forward_dynamics         23               45          2             1                  3       0     77      86
 //   energy                   16               28          1             1                  3       0     52      62
 //   first_integrals          21               33          1             1                  3       0     62      73
 //   reactions                17               32          1             1                  3       0     57      66
-//   linearisation            69              131          6             1                  3       0    213     203
+//   linearisation            59              118          6             1                  3       0    190     203
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 42 results 12 vanish identically, 6 repeat another up to sign
@@ -760,7 +760,6 @@ struct Mechanism {
     const Scalar k0 = traits::constant(2.3148148148148147e-05, 2.3148148e-05f, "1/43200");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar k2 = traits::constant(3.9847914e+14, 3.9847915e+14f, "398479140000000/1");
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar t = state.time;
     const Scalar p_r = precomputed.parameters.r;
     const Scalar q_delta = state.q.delta;
@@ -807,22 +806,19 @@ struct Mechanism {
     const Scalar z138 = s_delta * z135 - c_delta * z136;
     const Scalar z139 = v_delta * z25;  // angular acceleration of meridian, x
     const Scalar z140 = v_delta * z24;  // angular acceleration of meridian, z
-    const Scalar z141 = c_epsilon * z139;
+    const Scalar z142 = s_epsilon * z139;
     const Scalar z144 = s_epsilon * z137;
-    const Scalar z145 = v_epsilon * z27 - z141;  // angular acceleration of thread, x
+    const Scalar z146 = v_epsilon * z26 - z142;  // angular acceleration of thread, y
     const Scalar z150 = z26 * z27;
     const Scalar z152 = z26 * z30;
+    const Scalar z153 = z146 + z152;
     const Scalar z157 = z132 - z138;  // moment on bob, y
     const Scalar z158 = z131 - z144;  // moment on bob, z
-    const Scalar z159 = z27 * z30;
-    const Scalar z160 = z145 - z159;  // moment on thread, x
-    const Scalar z161 = n2 * z152 - z157;  // moment on thread, y
-    const Scalar z162 = z140 - z150 - z158;  // moment on thread, z
-    const Scalar z166 = s_epsilon * z160 + c_epsilon * z161;
-    const Scalar z167 = z24 * z25;
-    const Scalar z169 = z166 + z167;  // moment on meridian, y
-    forces.delta = -z169;
-    forces.epsilon = -z162;
+    const Scalar z159 = z153 - z157;  // moment on thread, y
+    const Scalar z160 = z140 - z150 - z158;  // moment on thread, z
+    const Scalar z164 = c_epsilon * z159;
+    forces.delta = -z164;
+    forces.epsilon = -z160;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -831,7 +827,6 @@ struct Mechanism {
     const Scalar k0 = traits::constant(2.3148148148148147e-05, 2.3148148e-05f, "1/43200");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar k2 = traits::constant(3.9847914e+14, 3.9847915e+14f, "398479140000000/1");
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar t = state.time;
     const Scalar p_r = precomputed.parameters.r;
     const Scalar q_delta = state.q.delta;
@@ -885,18 +880,15 @@ struct Mechanism {
     const Scalar z152 = z26 * z30;
     const Scalar z157 = z132 - z138;  // moment on bob, y
     const Scalar z158 = z131 - z144;  // moment on bob, z
-    const Scalar z159 = z27 * z30;
-    const Scalar z161 = n2 * z152 - z157;  // moment on thread, y
-    const Scalar z167 = z24 * z25;
-    const Scalar z180 = a_delta * s_epsilon - c_epsilon * z139;
-    const Scalar z182 = v_epsilon * z27 + z180;  // angular acceleration of thread, x
-    const Scalar z184 = a_epsilon - z140;  // angular acceleration of thread, z
-    const Scalar z189 = z159 - z182;  // moment on thread, x
-    const Scalar z190 = z150 + z158 + z184;  // moment on thread, z
-    const Scalar z194 = s_epsilon * z189 - c_epsilon * z161;
-    const Scalar z196 = a_delta - z167 + z194;  // moment on meridian, y
-    forces.delta = z196;
-    forces.epsilon = z190;
+    const Scalar z176 = a_delta * c_epsilon + s_epsilon * z139;
+    const Scalar z178 = v_epsilon * z26 - z176;  // angular acceleration of thread, y
+    const Scalar z179 = a_epsilon - z140;  // angular acceleration of thread, z
+    const Scalar z181 = z152 + z178;
+    const Scalar z184 = z157 - z181;  // moment on thread, y
+    const Scalar z185 = z150 + z158 + z179;  // moment on thread, z
+    const Scalar z189 = c_epsilon * z184;
+    forces.delta = z189;
+    forces.epsilon = z185;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -907,7 +899,6 @@ struct Mechanism {
     const Scalar k0 = traits::constant(2.3148148148148147e-05, 2.3148148e-05f, "1/43200");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar k2 = traits::constant(3.9847914e+14, 3.9847915e+14f, "398479140000000/1");
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar t = state.time;
     const Scalar p_r = precomputed.parameters.r;
     const Scalar q_delta = state.q.delta;
@@ -956,24 +947,21 @@ struct Mechanism {
     const Scalar z138 = s_delta * z135 - c_delta * z136;
     const Scalar z139 = v_delta * z25;  // angular acceleration of meridian, x
     const Scalar z140 = v_delta * z24;  // angular acceleration of meridian, z
-    const Scalar z141 = c_epsilon * z139;
+    const Scalar z142 = s_epsilon * z139;
     const Scalar z144 = s_epsilon * z137;
-    const Scalar z145 = v_epsilon * z27 - z141;  // angular acceleration of thread, x
+    const Scalar z146 = v_epsilon * z26 - z142;  // angular acceleration of thread, y
     const Scalar z150 = z26 * z27;
     const Scalar z152 = z26 * z30;
+    const Scalar z153 = z146 + z152;
     const Scalar z157 = z132 - z138;  // moment on bob, y
     const Scalar z158 = z131 - z144;  // moment on bob, z
-    const Scalar z159 = z27 * z30;
-    const Scalar z160 = z145 - z159;  // moment on thread, x
-    const Scalar z161 = n2 * z152 - z157;  // moment on thread, y
-    const Scalar z162 = z140 - z150 - z158;  // moment on thread, z
-    const Scalar z166 = s_epsilon * z160 + c_epsilon * z161;
-    const Scalar z167 = z24 * z25;
-    const Scalar z169 = z166 + z167;  // moment on meridian, y
-    const Scalar z207 = n1 / z92;
-    const Scalar z208 = z169 * z207;
-    accelerations.delta = z208;
-    accelerations.epsilon = z162;
+    const Scalar z159 = z153 - z157;  // moment on thread, y
+    const Scalar z160 = z140 - z150 - z158;  // moment on thread, z
+    const Scalar z164 = c_epsilon * z159;
+    const Scalar z200 = n1 / z92;
+    const Scalar z201 = z164 * z200;
+    accelerations.delta = z201;
+    accelerations.epsilon = z160;
     if (!(traits::regular(z92, z92))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.delta - accelerations.delta) + (accelerations.epsilon - accelerations.epsilon);
@@ -1073,10 +1061,10 @@ struct Mechanism {
     const Scalar z126 = z35 * z35 + z36 * z36 + z37 * z37;
     const Scalar z127 = traits::sqrt(z126);
     const Scalar z128 = n1 / z127;
-    const Scalar z209 = n0_5 * (z29 - z30);
-    const Scalar z210 = n0_5 * z51 + z209;
-    const Scalar z222 = c_epsilon * z27;
-    result.painleve = -n0_5 * (z51 * (z29 - z30) + z27 * z27 + z28 * z28) + v_delta * z222 - v_epsilon * z210 - k3
+    const Scalar z202 = n0_5 * (z29 - z30);
+    const Scalar z203 = n0_5 * z51 + z202;
+    const Scalar z215 = c_epsilon * z27;
+    result.painleve = -n0_5 * (z51 * (z29 - z30) + z27 * z27 + z28 * z28) + v_delta * z215 - v_epsilon * z203 - k3
         * z128;
   }
 
@@ -1210,101 +1198,94 @@ struct Mechanism {
     const Scalar z152 = z26 * z30;
     const Scalar z157 = z132 - z138;  // moment on bob, y
     const Scalar z158 = z131 - z144;  // moment on bob, z
-    const Scalar z159 = z27 * z30;
-    const Scalar z161 = n2 * z152 - z157;  // moment on thread, y
-    const Scalar z167 = z24 * z25;
-    const Scalar z180 = a_delta * s_epsilon - c_epsilon * z139;
-    const Scalar z181 = a_delta * c_epsilon + s_epsilon * z139;
-    const Scalar z182 = v_epsilon * z27 + z180;  // angular acceleration of thread, x
-    const Scalar z183 = v_epsilon * z26 - z181;  // angular acceleration of thread, y
-    const Scalar z184 = a_epsilon - z140;  // angular acceleration of thread, z
-    const Scalar z189 = z159 - z182;  // moment on thread, x
-    const Scalar z190 = z150 + z158 + z184;  // moment on thread, z
-    const Scalar z194 = s_epsilon * z189 - c_epsilon * z161;
-    const Scalar z196 = a_delta - z167 + z194;  // moment on meridian, y
-    const Scalar z207 = n1 / z92;
-    const Scalar z234 = c_epsilon * z30;
-    const Scalar z235 = c_epsilon * z25;
-    const Scalar z236 = v_epsilon * c_epsilon - z235;
-    const Scalar z237 = z234 - z236;
-    const Scalar z238 = s_epsilon * z30;
-    const Scalar z239 = n2 * z238;
-    const Scalar z240 = s_epsilon * z237 - c_epsilon * z239;
-    const Scalar z241 = z24 * z24 - z25 * z25;
-    const Scalar z242 = s_epsilon * z25;
-    const Scalar z243 = z24 * z27 - z30 * z242;
-    const Scalar z244 = c_epsilon * z140;
-    const Scalar z245 = v_epsilon * z242 + z244;
-    const Scalar z246 = z243 + z245;
-    const Scalar z247 = z24 * z26 + z30 * z235;
-    const Scalar z248 = z4 * z80;
-    const Scalar z249 = z3 * z80;
-    const Scalar z250 = n2 * (z35 * z79 - z36 * z248 + z37 * z249);
-    const Scalar z251 = n0_5 * z250 / z127;
-    const Scalar z252 = z251 / (z127 * z127);
-    const Scalar z253 = k5 * z128 * z128 * z252;
-    const Scalar z254 = z121 * z129 - z122 * z253;
-    const Scalar z255 = z137 - z254;
-    const Scalar z256 = n2 * z247 - z255;
-    const Scalar z257 = s_epsilon * z246 - c_epsilon * z256;
-    const Scalar z258 = z241 - z257;
-    const Scalar z259 = s_epsilon * z27 + c_epsilon * z26;
-    const Scalar z260 = z24 - z259;
-    const Scalar z261 = z26 * z242 - z27 * z235;
-    const Scalar z262 = s_epsilon * z122;
-    const Scalar z263 = z124 * z253 + z129 * z262;
-    const Scalar z264 = s_epsilon * z138;
-    const Scalar z265 = z263 - z264;
-    const Scalar z266 = z139 - z261 + z265;
-    const Scalar z267 = n2 * z26;
-    const Scalar z268 = c_epsilon * z267;
-    const Scalar z269 = z152 - z183;
-    const Scalar z270 = z3 * c_epsilon + z4 * z87;
-    const Scalar z271 = z3 * z87 - z4 * c_epsilon;
-    const Scalar z272 = n2 * (z35 * z88 + z36 * z270 - z37 * z271);
-    const Scalar z273 = n0_5 * z272 / z127;
-    const Scalar z274 = z273 / (z127 * z127);
-    const Scalar z275 = k5 * z128 * z128 * z274;
-    const Scalar z276 = z122 * z275;
-    const Scalar z277 = n2 * z159 + z276;
-    const Scalar z278 = s_epsilon * (z161 - z269) + c_epsilon * (z189 - z277);
-    const Scalar z279 = z26 * z26 - z27 * z27;
-    const Scalar z280 = z123 * z129 - z124 * z275;
-    const Scalar z281 = z143 - z280;
-    const Scalar z282 = z279 + z281;
-    const Scalar z283 = z207 * z258;
-    const Scalar z284 = z207 * z240;
-    const Scalar z285 = z207 * z278;
-    const Scalar z286 = z207 * z268;
+    const Scalar z175 = a_delta * s_epsilon - c_epsilon * z139;
+    const Scalar z176 = a_delta * c_epsilon + s_epsilon * z139;
+    const Scalar z177 = v_epsilon * z27 + z175;  // angular acceleration of thread, x
+    const Scalar z178 = v_epsilon * z26 - z176;  // angular acceleration of thread, y
+    const Scalar z179 = a_epsilon - z140;  // angular acceleration of thread, z
+    const Scalar z181 = z152 + z178;
+    const Scalar z184 = z157 - z181;  // moment on thread, y
+    const Scalar z185 = z150 + z158 + z179;  // moment on thread, z
+    const Scalar z189 = c_epsilon * z184;
+    const Scalar z200 = n1 / z92;
+    const Scalar z227 = s_epsilon * z30;
+    const Scalar z228 = s_epsilon * z25;
+    const Scalar z229 = v_epsilon * s_epsilon - z228;
+    const Scalar z230 = z227 + z229;
+    const Scalar z231 = c_epsilon * z230;
+    const Scalar z232 = z4 * z80;
+    const Scalar z233 = z3 * z80;
+    const Scalar z234 = n2 * (z35 * z79 - z36 * z232 + z37 * z233);
+    const Scalar z235 = n0_5 * z234 / z127;
+    const Scalar z236 = z235 / (z127 * z127);
+    const Scalar z237 = k5 * z128 * z128 * z236;
+    const Scalar z238 = z121 * z129 - z122 * z237;
+    const Scalar z239 = z137 - z238;
+    const Scalar z240 = c_epsilon * z25;
+    const Scalar z241 = z24 * z26 + z30 * z240;
+    const Scalar z242 = s_epsilon * z140;
+    const Scalar z243 = v_epsilon * z240 - z242;
+    const Scalar z244 = z241 + z243;
+    const Scalar z245 = z239 - z244;
+    const Scalar z246 = c_epsilon * z245;
+    const Scalar z247 = s_epsilon * z27 + c_epsilon * z26;
+    const Scalar z248 = z24 - z247;
+    const Scalar z249 = z26 * z228 - z27 * z240;
+    const Scalar z250 = s_epsilon * z122;
+    const Scalar z251 = z124 * z237 + z129 * z250;
+    const Scalar z252 = s_epsilon * z138;
+    const Scalar z253 = z251 - z252;
+    const Scalar z254 = z139 - z249 + z253;
+    const Scalar z255 = n2 * z26;
+    const Scalar z256 = c_epsilon * z255;
+    const Scalar z257 = z3 * c_epsilon + z4 * z87;
+    const Scalar z258 = z3 * z87 - z4 * c_epsilon;
+    const Scalar z259 = n2 * (z35 * z88 + z36 * z257 - z37 * z258);
+    const Scalar z260 = n0_5 * z259 / z127;
+    const Scalar z261 = z260 / (z127 * z127);
+    const Scalar z262 = k5 * z128 * z128 * z261;
+    const Scalar z263 = z122 * z262;
+    const Scalar z264 = z27 * z30;
+    const Scalar z265 = z177 + z264;
+    const Scalar z266 = z263 + z265;
+    const Scalar z267 = s_epsilon * z184 + c_epsilon * z266;
+    const Scalar z268 = z26 * z26 - z27 * z27;
+    const Scalar z269 = z123 * z129 - z124 * z262;
+    const Scalar z270 = z143 - z269;
+    const Scalar z271 = z268 + z270;
+    const Scalar z272 = z200 * z246;
+    const Scalar z273 = z200 * z231;
+    const Scalar z274 = z200 * z267;
+    const Scalar z275 = z200 * z256;
     result.M[0] = z92;
     result.M[1] = n0;
     result.M[2] = n0;
     result.M[3] = n1;
-    result.C[0] = z240;
-    result.C[1] = -z260;
-    result.C[2] = -z268;
+    result.C[0] = -z231;
+    result.C[1] = -z248;
+    result.C[2] = -z256;
     result.C[3] = n0;
-    result.K[0] = z258;
-    result.K[1] = -z266;
-    result.K[2] = z278;
-    result.K[3] = -z282;
-    result.F[0] = -z196;
-    result.F[1] = -z190;
+    result.K[0] = -z246;
+    result.K[1] = -z254;
+    result.K[2] = -z267;
+    result.K[3] = -z271;
+    result.F[0] = -z189;
+    result.F[1] = -z185;
     result.A[0] = n0;
     result.A[1] = n0;
-    result.A[2] = -z283;
-    result.A[3] = z266;
+    result.A[2] = z272;
+    result.A[3] = z254;
     result.A[4] = n0;
     result.A[5] = n0;
-    result.A[6] = -z285;
-    result.A[7] = z282;
+    result.A[6] = z274;
+    result.A[7] = z271;
     result.A[8] = n1;
     result.A[9] = n0;
-    result.A[10] = -z284;
-    result.A[11] = z260;
+    result.A[10] = z273;
+    result.A[11] = z248;
     result.A[12] = n0;
     result.A[13] = n1;
-    result.A[14] = z286;
+    result.A[14] = z275;
     result.A[15] = n0;
     if (!(traits::regular(z92, z92))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.

@@ -12,9 +12,9 @@
 //   precompute                2                3          1             0                  0       0      6       -
 //   kinematics               73              130          0             0                  3       0    209     209
 //   mass_matrix               1                9          0             0                  2       0     14      19
-//   bias                     11               31          0             0                  2       0     46      86
-//   inverse_dynamics         34               51          0             0                  2       0     89     129
-//   forward_dynamics        125              213          7             0                  2       0    349     390
+//   bias                     11               30          0             0                  2       0     45      86
+//   inverse_dynamics         33               51          0             0                  2       0     88     129
+//   forward_dynamics        125              212          7             0                  2       0    348     390
 //   energy                   19               38          0             0                  3       0     63      70
 //   constraints              10               25          0             0                  2       0     39      39
 //
@@ -868,7 +868,7 @@ struct Mechanism {
     const Scalar z175 = z26 * z170;  // force on tumbler.2, y
     const Scalar z176 = z26 * z173;  // force on tumbler.2, z
     const Scalar z177 = z25 * z170 - z26 * z158 - z166;  // moment on tumbler.2, x
-    const Scalar z178 = n2 * z25 * z160 - z167;  // moment on tumbler.2, y
+    const Scalar z178 = z25 * z169 - z167;  // moment on tumbler.2, y
     const Scalar z179 = s_theta * z176 + c_theta * z175;
     const Scalar z180 = s_theta * z175 - c_theta * z176;
     const Scalar z182 = s_theta * z178 - c_theta * z168;
@@ -942,7 +942,7 @@ struct Mechanism {
     const Scalar z207 = z26 * z205;  // force on tumbler.2, x
     const Scalar z208 = z26 * z206;  // force on tumbler.2, y
     const Scalar z209 = z25 * (a_theta - z170) + z26 * z197 + z166;  // moment on tumbler.2, x
-    const Scalar z210 = z25 * (z160 + z199) - z26 * z193 - z167;  // moment on tumbler.2, y
+    const Scalar z210 = z25 * z205 - z26 * z193 - z167;  // moment on tumbler.2, y
     const Scalar z211 = s_theta * z176 - c_theta * z208;
     const Scalar z212 = s_theta * z208 + c_theta * z176;
     const Scalar z214 = s_theta * z210 + c_theta * z204;
@@ -1027,7 +1027,7 @@ struct Mechanism {
     const Scalar z175 = z26 * z170;  // force on tumbler.2, y
     const Scalar z176 = z26 * z173;  // force on tumbler.2, z
     const Scalar z177 = z25 * z170 - z26 * z158 - z166;  // moment on tumbler.2, x
-    const Scalar z178 = n2 * z25 * z160 - z167;  // moment on tumbler.2, y
+    const Scalar z178 = z25 * z169 - z167;  // moment on tumbler.2, y
     const Scalar z179 = s_theta * z176 + c_theta * z175;
     const Scalar z180 = s_theta * z175 - c_theta * z176;
     const Scalar z182 = s_theta * z178 - c_theta * z168;

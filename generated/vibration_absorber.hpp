@@ -710,13 +710,13 @@ struct Mechanism {
     const Scalar z49 = n9_81 * s_theta;
     const Scalar z56 = z11 * z54;
     const Scalar z58 = v_theta * v_theta;
-    const Scalar z60 = p_d * z58;  // force on pendulum, z
-    const Scalar z61 = p_d * z49;  // moment on pendulum, y
-    const Scalar z62 = s_theta * z60;
-    const Scalar z64 = z56 + z62;  // force on support, x
-    const Scalar z67 = z48 + z64;
-    forces.X = -z67;
-    forces.theta = z61;
+    const Scalar z59 = p_d * z58;  // force on pendulum, z
+    const Scalar z60 = p_d * z49;  // moment on pendulum, y
+    const Scalar z61 = s_theta * z59;
+    const Scalar z63 = z56 + z61;  // force on support, x
+    const Scalar z66 = z48 + z63;
+    forces.X = -z66;
+    forces.theta = z60;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -746,15 +746,15 @@ struct Mechanism {
     const Scalar z48 = n1000 * z47;
     const Scalar z56 = z11 * z54;
     const Scalar z58 = v_theta * v_theta;
-    const Scalar z60 = p_d * z58;  // force on pendulum, z
-    const Scalar z68 = a_X * c_theta + n9_81 * s_theta;
-    const Scalar z73 = a_theta * p_d;  // force on pendulum, x
-    const Scalar z74 = a_theta * z14 + p_d * z68;  // moment on pendulum, y
-    const Scalar z75 = s_theta * z60 - c_theta * z73;
-    const Scalar z77 = n11_1 * a_X - z56 - z75;  // force on support, x
-    const Scalar z80 = z48 - z77;
-    forces.X = -z80;
-    forces.theta = z74;
+    const Scalar z59 = p_d * z58;  // force on pendulum, z
+    const Scalar z67 = a_X * c_theta + n9_81 * s_theta;
+    const Scalar z72 = a_theta * p_d;  // force on pendulum, x
+    const Scalar z73 = a_theta * z14 + p_d * z67;  // moment on pendulum, y
+    const Scalar z74 = s_theta * z59 - c_theta * z72;
+    const Scalar z76 = n11_1 * a_X - z56 - z74;  // force on support, x
+    const Scalar z79 = z48 - z76;
+    forces.X = -z79;
+    forces.theta = z73;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -788,17 +788,17 @@ struct Mechanism {
     const Scalar z49 = n9_81 * s_theta;
     const Scalar z56 = z11 * z54;
     const Scalar z58 = v_theta * v_theta;
-    const Scalar z60 = p_d * z58;  // force on pendulum, z
-    const Scalar z61 = p_d * z49;  // moment on pendulum, y
-    const Scalar z62 = s_theta * z60;
-    const Scalar z64 = z56 + z62;  // force on support, x
-    const Scalar z67 = z48 + z64;
+    const Scalar z59 = p_d * z58;  // force on pendulum, z
+    const Scalar z60 = p_d * z49;  // moment on pendulum, y
+    const Scalar z61 = s_theta * z59;
+    const Scalar z63 = z56 + z61;  // force on support, x
+    const Scalar z66 = z48 + z63;
     const Scalar z100 = z21 * z81;
     const Scalar z101 = n11_1 - z21 * z100;
     const Scalar z102 = n1 / z101;
-    const Scalar z103 = z61 * z100 + z67;
+    const Scalar z103 = z60 * z100 + z66;
     const Scalar z104 = z102 * z103;
-    const Scalar z105 = z61 * z81 + z100 * z104;
+    const Scalar z105 = z60 * z81 + z100 * z104;
     accelerations.X = z104;
     accelerations.theta = -z105;
     if (!(traits::regular(z101, n11_1) && traits::regular(z14, z14))) return torsor::Status::singular;
@@ -884,25 +884,25 @@ struct Mechanism {
     const Scalar z48 = n1000 * z47;
     const Scalar z56 = z11 * z54;
     const Scalar z58 = v_theta * v_theta;
-    const Scalar z60 = p_d * z58;  // force on pendulum, z
-    const Scalar z68 = a_X * c_theta + n9_81 * s_theta;
-    const Scalar z69 = a_X * s_theta - n9_81 * c_theta;
-    const Scalar z73 = a_theta * p_d;  // force on pendulum, x
-    const Scalar z74 = a_theta * z14 + p_d * z68;  // moment on pendulum, y
-    const Scalar z75 = s_theta * z60 - c_theta * z73;
-    const Scalar z76 = s_theta * z73 + c_theta * z60;
-    const Scalar z77 = n11_1 * a_X - z56 - z75;  // force on support, x
-    const Scalar z80 = z48 - z77;
+    const Scalar z59 = p_d * z58;  // force on pendulum, z
+    const Scalar z67 = a_X * c_theta + n9_81 * s_theta;
+    const Scalar z68 = a_X * s_theta - n9_81 * c_theta;
+    const Scalar z72 = a_theta * p_d;  // force on pendulum, x
+    const Scalar z73 = a_theta * z14 + p_d * z67;  // moment on pendulum, y
+    const Scalar z74 = s_theta * z59 - c_theta * z72;
+    const Scalar z75 = s_theta * z72 + c_theta * z59;
+    const Scalar z76 = n11_1 * a_X - z56 - z74;  // force on support, x
+    const Scalar z79 = z48 - z76;
     const Scalar z100 = z21 * z81;
     const Scalar z101 = n11_1 - z21 * z100;
     const Scalar z102 = n1 / z101;
     const Scalar z135 = n2 * v_theta;
     const Scalar z136 = p_d * z135;
     const Scalar z137 = s_theta * z136;
-    const Scalar z138 = p_d * z69;
+    const Scalar z138 = p_d * z68;
     const Scalar z159 = n1000 * z102;
     const Scalar z160 = z100 * z159;
-    const Scalar z161 = z76 - z100 * z138;
+    const Scalar z161 = z75 - z100 * z138;
     const Scalar z162 = z102 * z161;
     const Scalar z163 = z81 * z138 - z100 * z162;
     const Scalar z164 = z102 * z137;
@@ -917,10 +917,10 @@ struct Mechanism {
     result.C[3] = n0;
     result.K[0] = n1000;
     result.K[1] = n0;
-    result.K[2] = -z76;
+    result.K[2] = -z75;
     result.K[3] = -z138;
-    result.F[0] = z80;
-    result.F[1] = -z74;
+    result.F[0] = z79;
+    result.F[1] = -z73;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = -z159;

@@ -9,7 +9,7 @@
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
 // moved across joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   precompute                0                4          0             0                  0       0      4       -
+//   precompute                0                3          0             0                  0       0      3       -
 //   kinematics                6               32          0             0                  2       0     42      42
 //   mass_matrix               1                5          0             0                  1       0      8      10
 //   bias                      3               15          0             0                  1       0     20      23
@@ -17,7 +17,7 @@
 //   forward_dynamics          4               19          1             0                  1       0     26      29
 //   energy                    3               16          0             0                  1       0     21      25
 //   first_integrals           6               22          0             0                  1       0     30      35
-//   reactions                 0                5          0             0                  1       0      7      10
+//   reactions                 0                6          0             0                  1       0      8      10
 //   linearisation            12               42          1             0                  1       0     57      61
 //
 // Not computed because this mechanism does not need it:
@@ -472,7 +472,6 @@ struct Mechanism {
     Parameters parameters;
     Scalar z16;
     Scalar z17;
-    Scalar z19;
   };
 
   /// Values of the scene.
@@ -493,15 +492,12 @@ struct Mechanism {
   TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
     Precomputed precomputed{};
     precomputed.parameters = parameters;
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar p_L = parameters.L;
     const Scalar p_m = parameters.m;
     const Scalar z16 = p_L * p_L * p_m;
     const Scalar z17 = p_L * p_m;
-    const Scalar z19 = n2 * z16;
     precomputed.z16 = z16;
     precomputed.z17 = z17;
-    precomputed.z19 = z19;
     return precomputed;
   }
 
@@ -861,12 +857,13 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
-    const Scalar z19 = precomputed.z19;
+    const Scalar z16 = precomputed.z16;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
     const Scalar z22 = p_omega * c_theta;
     const Scalar z74 = v_theta * z22;  // angular acceleration of arm_1, x
-    const Scalar z87 = z19 * z74;  // moment on arm_2, x
+    const Scalar z80 = n2 * z74;
+    const Scalar z87 = z16 * z80;  // moment on arm_2, x
     const Scalar z92 = s_theta * z87;
     const Scalar z94 = n2 * z92;  // moment on shaft, z
     result.motor = z94;

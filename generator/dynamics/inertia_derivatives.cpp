@@ -40,7 +40,7 @@ class DerivativeRecursion {
         links_(model.links()),
         axes_(links_.size(), Axes::own),
         motion_(accelerations(model, AccelerationInput::symbols, axes_)),
-        load_(joint_wrenches(model, motion_, axes_, {})),
+        load_(joint_wrenches(model, motion_, axes_, {}, &Link::effective)),
         composites_(composite_bodies(model)) {}
 
   ForceDerivatives run() {

@@ -42,10 +42,11 @@ void Model::choose_length_unit() {
   if (!length_unit_) return;
   const Value unit = length();
   for (Link& link : links_) {
-    MassProperties& body = link.effective;
-    const Value first = program_->bind(body.mass * unit);
-    body.mass = program_->bind(first * unit);
-    body.first_moment = bound(*program_, unit * body.first_moment);
+    for (MassProperties* body : {&link.effective, &link.off_axis}) {
+      const Value first = program_->bind(body->mass * unit);
+      body->mass = program_->bind(first * unit);
+      body->first_moment = bound(*program_, unit * body->first_moment);
+    }
   }
 }
 

@@ -39,7 +39,7 @@ Model::Model(const Scene& scene, Program& program, const ModelOptions& options)
   add_coordinates();
   add_links();
   add_bodies();
-  for (Link& link : links_) link.effective = link.mass;
+  for (Link& link : links_) link.effective = link.off_axis = link.mass;
   if (!options.regroup) return;
   regroup_inertia(*this, links_);
   choose_length_unit();

@@ -65,6 +65,8 @@ struct Link {
   std::vector<std::pair<int, Value>> partials;  ///< (i, ∂s/∂q_i), not zero
   MassProperties mass;       ///< of the bodies attached
   MassProperties effective;  ///< after regrouping: other numbers, same equations of motion
+  MassProperties off_axis;   ///< the same for inverse dynamics, where ∫ n n dm along the axis n costs most
+  int without_line = -1;     ///< 0, 1, 2: the axis along which off_axis has no ∫ n n dm
 };
 
 /// Where a frame of the scene went: a constant placement in a link.
@@ -167,7 +169,9 @@ class Model {
 
 /// Moves to the parent the part of each link's inertia that a turn about its axis leaves alone (a mass distributed on
 /// the axis), and for a prismatic joint the whole operator: the equations of motion stay the same and lose operations
-/// (Gautier & Khalil, Direct calculation of minimum set of inertial parameters of serial robots, 1990).
+/// (Gautier & Khalil, Direct calculation of minimum set of inertial parameters of serial robots, 1990). How much of a
+/// line of mass on the axis goes to the parent is free: for `effective` as much as leaves one moment of inertia zero,
+/// for `off_axis` all of it, which leaves ∫ n n dm = 0 along the axis.
 void regroup_inertia(const Model& model, std::vector<Link>& links);
 
 /// Adds the mass properties of a part placed in the link by a constant rotation and origin (generalised Huygens).

@@ -6,8 +6,9 @@ namespace {
 
 /// Dynamic screw of a link at its origin minus gravity: {m (Γ − g) + U h, δ_O}. The moment J Ω̇ + Ω ∧ J Ω is written
 /// with U = [Ω̇] + [Ω][Ω], whose entries the resultant needs anyhow:
-/// N_x = J_xx Ω̇_x + (J_zz − J_yy) Ω_y Ω_z − J_xy U_zx + J_xz U_yx + J_yz (Ω_y² − Ω_z²), and so on cyclically.
-Wrench dynamic_screw(Program& program, Acceleration& motion, const MassProperties& body) {
+/// N_x = J_xx Ω̇_x + (J_zz − J_yy) Ω_y Ω_z − J_xy U_zx + J_xz U_yx + J_yz (Ω_y² − Ω_z²), and so on cyclically. With
+/// S = ∫ r r dm the first two terms are S_yy U_zy − S_zz U_yz: one term, where S vanishes along the axis `without_line`.
+Wrench dynamic_screw(Program& program, Acceleration& motion, const MassProperties& body, int without_line) {
   Wrench screw;
   screw.resultant = body.mass * motion.linear();
   screw.resultant += motion.u_times(body.first_moment);
@@ -16,11 +17,17 @@ Wrench dynamic_screw(Program& program, Acceleration& motion, const MassPropertie
     const int y = (x + 1) % 3;
     const int z = (x + 2) % 3;
     Value& n = screw.moment[x];
-    n += j(x, x) * motion.angular()[x];
-    const Value difference = j(z, z) - j(y, y);
-    if (!difference.is_zero()) {
-      const Value spread = program.bind(difference);
-      n += spread * motion.product(y, z);
+    if (without_line == z) {
+      if (!j(x, x).is_zero()) n += j(x, x) * motion.u(z, y);  // S_yy = J_xx
+    } else if (without_line == y) {
+      if (!j(x, x).is_zero()) n -= j(x, x) * motion.u(y, z);  // S_zz = J_xx
+    } else {
+      n += j(x, x) * motion.angular()[x];
+      const Value difference = j(z, z) - j(y, y);
+      if (!difference.is_zero()) {
+        const Value spread = program.bind(difference);
+        n += spread * motion.product(y, z);
+      }
     }
     if (!j(x, y).is_zero()) n -= j(x, y) * motion.u(z, x);
     if (!j(x, z).is_zero()) n += j(x, z) * motion.u(y, x);
@@ -42,7 +49,7 @@ bool looks_the_same_turned(const Model& model, std::size_t k, const std::map<int
   for (const Link& other : model.links()) {
     if (other.parent == static_cast<int>(k)) return false;
   }
-  const MassProperties& body = link.effective;
+  const MassProperties& body = link.off_axis;
   bool symmetric = body.mass.is_zero() && body.first_moment.is_zero();
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
@@ -55,14 +62,15 @@ bool looks_the_same_turned(const Model& model, std::size_t k, const std::map<int
 }  // namespace
 
 std::vector<Wrench> joint_wrenches(const Model& model, std::vector<Acceleration>& motion, const std::vector<Axes>& axes,
-                                   const std::map<int, Wrench>& wrenches) {
+                                   const std::map<int, Wrench>& wrenches, MassProperties Link::*properties) {
   Program& program = model.program();
   const auto& links = model.links();
   std::vector<Wrench> load(links.size());
   const std::string force_note = model.length_note(", times");
   for (std::size_t k = links.size(); k-- > 1;) {
     const Link& link = links[k];
-    const Wrench own = dynamic_screw(program, motion[k], link.effective);
+    const int without_line = properties == &Link::off_axis ? link.without_line : -1;
+    const Wrench own = dynamic_screw(program, motion[k], link.*properties, without_line);
     load[k].resultant += own.resultant;
     load[k].moment += own.moment;
     if (const auto wrench = wrenches.find(static_cast<int>(k)); wrench != wrenches.end()) {
@@ -94,7 +102,7 @@ std::vector<Value> inertia_forces(const Model& model, AccelerationInput input, c
     if (looks_the_same_turned(model, k, wrenches)) axes[k] = Axes::unturned;
   }
   std::vector<Acceleration> motion = accelerations(model, input, axes);
-  const std::vector<Wrench> load = joint_wrenches(model, motion, axes, wrenches);
+  const std::vector<Wrench> load = joint_wrenches(model, motion, axes, wrenches, &Link::off_axis);
   std::vector<Value> forces(model.coordinates().size());
   for (std::size_t k = links.size(); k-- > 1;) {
     const Link& link = links[k];

@@ -16,9 +16,10 @@ namespace torsor {
 std::vector<Value> inertia_forces(const Model& model, AccelerationInput input, const std::map<int, Wrench>& wrenches);
 
 /// What each joint carries: the sum, over the link and all that it carries, of dynamic screws minus gravity minus
-/// applied wrenches, at the link's origin, in its axes as `axes` says.
+/// applied wrenches, at the link's origin, in its axes as `axes` says. With regrouped inertia (`properties`) only what
+/// works on the joints is that of the mechanism.
 std::vector<Wrench> joint_wrenches(const Model& model, std::vector<Acceleration>& motion, const std::vector<Axes>& axes,
-                                   const std::map<int, Wrench>& wrenches);
+                                   const std::map<int, Wrench>& wrenches, MassProperties Link::*properties);
 
 /// Mass matrix M (row by row, symmetric) of the unknowns by composite bodies (Walker & Orin, 1982).
 std::vector<std::vector<Value>> mass_matrix(const Model& model);
