@@ -41,10 +41,12 @@ class DifferentiatedMotion {
     for (std::size_t j = 0; j < n_; ++j) {
       Derivation by_velocity = partial_derivation(program_, model_.coordinates()[j].v);
       Derivation by_position = model_.along(static_cast<int>(j));
-      solve(opposite_column(residual.by_position, j, at_motion), slopes(rates, by_position, at_motion),
-            &ForwardDerivatives::Of::by_position, j);
-      solve(opposite_column(residual.by_velocity, j, at_motion), slopes(rates, by_velocity, at_motion),
-            &ForwardDerivatives::Of::by_velocity, j);
+      const std::vector<Value> position_gamma = slopes(rates, by_position, at_motion);
+      const std::vector<Value> position_force = opposite_column(residual.by_position, j, at_motion);
+      solve(position_force, position_gamma, &ForwardDerivatives::Of::by_position, j);
+      const std::vector<Value> velocity_gamma = slopes(rates, by_velocity, at_motion);
+      const std::vector<Value> velocity_force = opposite_column(residual.by_velocity, j, at_motion);
+      solve(velocity_force, velocity_gamma, &ForwardDerivatives::Of::by_velocity, j);
       std::vector<Value> unit(n_);
       unit[j] = program_.number(Number(1));
       solve(unit, std::vector<Value>(m_), &ForwardDerivatives::Of::by_force, j);
