@@ -33,6 +33,7 @@ class Equations {
   /// Unknowns only: L D Lᵀ of the mass matrix or the articulated-body recursion, whichever has fewer operations or the
   /// options ask for.
   const ForwardSolution& forward() const;
+  std::vector<Value> of_inputs() const;                  ///< (E u)_i, unknowns only
   /// Solves M a = force + B λ, A a + γ = 0 by factorisation, γ for every constraint; multipliers of constraints that
   /// repeat others are zero.
   ForwardSolution solve(const std::vector<Value>& force, const std::vector<Value>& gamma) const;
@@ -42,7 +43,6 @@ class Equations {
 
  private:
   std::vector<Value> inertia_and_passive(AccelerationInput input) const;
-  std::vector<Value> of_inputs() const;
   const MotionSolver& solver() const;
   ForwardSolution forward_by_factorisation() const;
 

@@ -2,24 +2,12 @@
 #include "generator/dynamics/frame_motion.hpp"
 
 namespace torsor {
-namespace {
-
-/// Of the links of a unit quaternion, which share their axes, the last has the twist of those axes.
-std::size_t turning_link(const Model& model, int link) {
-  const std::vector<Link>& links = model.links();
-  auto k = static_cast<std::size_t>(link);
-  while (k + 1 < links.size() && links[k + 1].in_group == links[k].in_group + 1) ++k;
-  return k;
-}
-
-}  // namespace
-
 Twist relative_twist(const Model& model, int link, int reference) {
   if (link == reference) return {};
   Program& program = model.program();
   const std::vector<Twist> all = twists(model);
-  const Twist& own = all[turning_link(model, link)];
-  const Twist& other = all[turning_link(model, reference)];
+  const Twist& own = all[model.turning_link(static_cast<std::size_t>(link))];
+  const Twist& other = all[model.turning_link(static_cast<std::size_t>(reference))];
   const Vector arm = bound(program, model.locate(Vector(), link, reference));
   const Vector carried = bound(program, other.linear + cross(other.angular, arm));  // of the reference's point at O
   const Vector carried_turn = model.express(other.angular, reference, link);

@@ -67,13 +67,8 @@ class DerivativeRecursion {
   std::size_t unknown(std::size_t k) const { return static_cast<std::size_t>(links_[k].partials[0].first); }
   ValueMatrix& entries(std::size_t kind) { return kind == position ? result_.by_position : result_.by_velocity; }
 
-  /// The links of a quaternion have one place and the same axes: the last one has the whole motion.
-  std::size_t last_of_group(std::size_t k) const {
-    while (k + 1 < links_.size() && links_[k + 1].in_group == links_[k].in_group + 1) ++k;
-    return k;
-  }
   std::size_t first_of_group(std::size_t k) const { return k - static_cast<std::size_t>(links_[k].in_group); }
-  bool in_attitude(std::size_t k) const { return first_of_group(k) != last_of_group(k); }
+  bool in_attitude(std::size_t k) const { return first_of_group(k) != model_.turning_link(k); }
 
   Vector doubled(const Vector& v) const {
     return bound(program_, Vector(Number(2) * v[0], Number(2) * v[1], Number(2) * v[2]));
@@ -161,7 +156,7 @@ class DerivativeRecursion {
       return change;
     }
     change.w = carrier_omega_cross_axis(k);
-    change.beta = bound(program_, cross(motion_[last_of_group(k)].linear(), link.axis));
+    change.beta = bound(program_, cross(motion_[model_.turning_link(k)].linear(), link.axis));
     if (in_attitude(k)) {
       const Link& first = links_[first_of_group(k)];
       const Vector axis = bound(program_, model_.to_parent(first, link.axis));
@@ -182,7 +177,7 @@ class DerivativeRecursion {
     }
     change.w = link.axis;
     if (in_attitude(k)) {
-      const Vector own = bound(program_, cross(motion_[last_of_group(k)].omega(), link.axis));
+      const Vector own = bound(program_, cross(motion_[model_.turning_link(k)].omega(), link.axis));
       change.alpha = bound(program_, carrier_omega_cross_axis(k) + own);
     } else {
       change.alpha = bound(program_, cross(doubled(motion_[k].omega()), link.axis));
@@ -193,7 +188,7 @@ class DerivativeRecursion {
   /// δP_k for changes of joint k and of all that carry it.
   void carry_row(std::size_t k) {
     const Link& link = links_[k];
-    const std::size_t node = last_of_group(k);
+    const std::size_t node = model_.turning_link(k);
     Vector a = link.joint == JointKind::revolute ? transpose(flow_[node].answer(program_)) * link.axis
                                                  : cross(flow_[node].l, link.axis);
     a = bound(program_, a);
@@ -211,7 +206,7 @@ class DerivativeRecursion {
       const bool own_group = first_of_group(unit.link) == own_first;
       if (own_group ? unit.link != k : first_of_group(unit.link) != unit.link) continue;
       // All joints that share this place.
-      for (std::size_t j = first_of_group(unit.link); j <= last_of_group(unit.link); ++j) {
+      for (std::size_t j = first_of_group(unit.link); j <= model_.turning_link(unit.link); ++j) {
         if (!is_unknown(j)) continue;
         for (const std::size_t kind : {position, velocity}) {
           const Change& change = changes_[j][kind];
@@ -226,7 +221,7 @@ class DerivativeRecursion {
   /// How joint k changes the wrench that its links ask of those that carry it.
   Wrench changed_wrench(std::size_t k, std::size_t kind) {
     const Link& link = links_[k];
-    const std::size_t node = last_of_group(k);
+    const std::size_t node = model_.turning_link(k);
     const Change& change = changes_[k][kind];
     const MassProperties& body = composites_.bodies[node];
     Wrench wrench;

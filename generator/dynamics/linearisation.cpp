@@ -11,28 +11,18 @@
 namespace torsor {
 namespace {
 
-/// (E u)_i.
-Value of_inputs(const Equations& equations, std::size_t i) {
-  const std::vector<SymbolPointer> motors = equations.model().inputs();
-  Value sum;
-  for (std::size_t k = 0; k < motors.size(); ++k) {
-    const Value& partial = equations.actions().inputs[k][i];
-    if (!partial.is_zero()) sum += partial * equations.program().symbol(motors[k]);
-  }
-  return sum;
-}
-
 /// −Q: what the residual has besides inertia, gravity and applied wrenches.
 std::vector<Value> opposite_efforts(const Equations& equations, Inputs inputs) {
   Program& program = equations.program();
   const AppliedActions& actions = equations.actions();
-  std::vector<Value> all(static_cast<std::size_t>(equations.model().unknown_count()));
+  const std::vector<Value> of_motors = equations.of_inputs();
+  std::vector<Value> all(of_motors.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     all[i] -= actions.passive[i];
     for (const ConstraintRow& row : equations.constraints()) {
       if (!row.column[i].is_zero()) all[i] -= row.column[i] * program.symbol(row.multiplier);
     }
-    if (inputs == Inputs::act) all[i] -= of_inputs(equations, i);
+    if (inputs == Inputs::act) all[i] -= of_motors[i];
     all[i] = program.bind(all[i]);
   }
   return all;
@@ -58,7 +48,8 @@ ForceDerivatives differentiated(const Equations& equations, Inputs inputs) {
   const auto n = static_cast<std::size_t>(equations.model().unknown_count());
   std::vector<Value> residual(equations.inverse_dynamics().begin(),
                               equations.inverse_dynamics().begin() + equations.model().unknown_count());
-  for (std::size_t i = 0; i < n && inputs == Inputs::act; ++i) residual[i] -= of_inputs(equations, i);
+  const std::vector<Value> of_motors = equations.of_inputs();
+  for (std::size_t i = 0; i < n && inputs == Inputs::act; ++i) residual[i] -= of_motors[i];
   ForceDerivatives result;
   result.by_position.assign(n, std::vector<Value>(n));
   result.by_velocity = result.by_position;
@@ -101,8 +92,9 @@ Linearisation linearisation(const Equations& equations) {
   result.K = std::move(residual.by_position);
   result.M = equations.mass();
   result.E.assign(n, std::vector<Value>(inputs.size()));
+  const std::vector<Value> of_motors = equations.of_inputs();
   for (std::size_t i = 0; i < n; ++i) {
-    result.F.push_back(of_inputs(equations, i) - equations.inverse_dynamics()[i]);
+    result.F.push_back(of_motors[i] - equations.inverse_dynamics()[i]);
     for (std::size_t k = 0; k < inputs.size(); ++k) result.E[i][k] = inputs[k][i];
   }
   return result;

@@ -136,6 +136,7 @@ class Model {
   /// occurs in the mechanism, so that its multiplications vanish, with masses m L² and first moments m OG L, so that
   /// moments and inertias stay what they are (`Link::effective` is in these units). L is 1 without a unit elsewhere.
   const std::optional<Number>& length_unit() const { return length_unit_; }
+  Value length() const;                   ///< L where there is one
   Vector arm(const Link& link) const;     ///< origin_in_parent over L
   Vector upward_gravity() const;          ///< −g over L
   Wrench over_length(const Wrench& wrench) const;  ///< a wrench with its resultant times L
@@ -143,6 +144,9 @@ class Model {
   std::string length_note(const char* relation = ", over") const;
   /// Axis of the joint in the parent link's axes.
   Vector axis_in_parent(const Link& link) const;
+  /// Of the links of a unit quaternion, which share place and axes, the last: it has the twist of those axes. Any other
+  /// link is its own.
+  std::size_t turning_link(std::size_t link) const;
   /// Chain of links from the first after the ground down to `link`.
   std::vector<int> chain(int link) const;
 
@@ -155,7 +159,6 @@ class Model {
   Vector lowest(const PointContent& point, int link, const std::string& user) const;
   void add_bodies();
   void choose_length_unit();
-  Value length() const;
 
   const SceneContent* scene_;
   Program* program_;

@@ -87,6 +87,11 @@ Vector Model::origin_in_parent(const Link& link) const {
   return link.placement_origin + link.displacement * axis_in_parent(link);
 }
 
+std::size_t Model::turning_link(std::size_t link) const {
+  while (link + 1 < links_.size() && links_[link + 1].in_group == links_[link].in_group + 1) ++link;
+  return link;
+}
+
 std::vector<int> Model::chain(int link) const {
   std::vector<int> path;
   for (int k = link; k > 0; k = links_[static_cast<std::size_t>(k)].parent) path.push_back(k);

@@ -69,7 +69,7 @@ std::array<Value, 10> powers(const Model& model, Acceleration& motion, const Twi
   }
   for (Value& power : result) power = program.bind(power);
   if (!model.length_unit()) return result;
-  const Value length = program.number(*model.length_unit(), units::metre);
+  const Value length = model.length();
   for (std::size_t p = 0; p < 4; ++p) result[p] = program.bind(length * result[p]);
   result[0] = program.bind(length * result[0]);
   return result;
