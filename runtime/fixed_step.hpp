@@ -13,8 +13,10 @@
 
 namespace torsor::runtime {
 
-/// One integration with a fixed step: the part that the midpoint method and Runge-Kutta share. `Formula` has
-/// `step(f, t, h, y, next) -> bool`, false when the model failed.
+/// One integration with a fixed step: the part that all methods of fixed step share. `Formula` has
+/// `step(f, t, h, y, next)`, which returns false when the model failed, or an IntegrationStatus. A formula that keeps
+/// something from step to step (a compensation, a starting guess) is a value of its own in each integration; it may have
+/// `prepare(f, t, y) -> IntegrationStatus`, called once before the first step.
 ///
 /// An interval is cut into the fewest steps of equal length that do not exceed the step asked for, so that its end is
 /// hit exactly without a short last step. Times are start + k h, hence free of accumulated rounding.
@@ -23,7 +25,8 @@ class FixedStepRun {
  public:
   using Vector = std::array<Scalar, size>;
 
-  FixedStepRun(S& system, Vector& y, Scalar t, double step) noexcept : f_(system), y_(y), step_(step) {
+  FixedStepRun(S& system, Vector& y, Scalar t, double step, const Formula& formula = Formula{}) noexcept
+      : f_(system), y_(y), step_(step), formula_(formula) {
     result_.time = t;
   }
 
@@ -32,13 +35,13 @@ class FixedStepRun {
     if (result_.status != IntegrationStatus::reached_end || !accept_interval(end)) return;
     const Scalar start = result_.time;
     const std::int64_t count = count_of(start, end);
-    if (count == 0) return;
+    if (count == 0 || !prepare()) return;
     const Wide wide_h = (static_cast<Wide>(end) - static_cast<Wide>(start)) / static_cast<Wide>(count);
     const Scalar h = static_cast<Scalar>(wide_h);
     if (!(std::abs(h) > resolution(start, end))) result_.status = IntegrationStatus::step_too_small;
     Vector next;
     for (std::int64_t k = 1; k <= count && result_.status == IntegrationStatus::reached_end; ++k) {
-      if (!Formula::step(f_, result_.time, h, y_, next)) return fail(f_.evaluation);
+      if (!completes(formula_.step(f_, result_.time, h, y_, next))) return;
       if (!all_finite(next)) return fail(Evaluation::not_finite);
       f_.settle(next);
       y_ = next;
@@ -53,6 +56,8 @@ class FixedStepRun {
   [[nodiscard]] Result<Scalar> result() const noexcept {
     Result<Scalar> result = result_;
     result.statistics.calls = f_.calls;
+    result.statistics.jacobians = f_.jacobians;
+    result.statistics.decompositions = f_.decompositions;
     return result;
   }
 
@@ -81,6 +86,26 @@ class FixedStepRun {
     return static_cast<std::int64_t>(std::ceil(quotient * (1.0 - 4.0 * static_cast<double>(epsilon))));
   }
 
+  bool prepare() {
+    if constexpr (requires { formula_.prepare(f_, result_.time, y_); }) {
+      if (!prepared_) return prepared_ = completes(formula_.prepare(f_, result_.time, y_));
+    }
+    return true;
+  }
+
+  bool completes(bool evaluated) noexcept {
+    if (!evaluated) fail(f_.evaluation);
+    return evaluated;
+  }
+  bool completes(IntegrationStatus status) noexcept {
+    if (status == IntegrationStatus::model_failure) {
+      fail(f_.evaluation);
+    } else {
+      result_.status = status;
+    }
+    return status == IntegrationStatus::reached_end;
+  }
+
   void fail(Evaluation evaluation) noexcept {
     result_.status = IntegrationStatus::model_failure;
     result_.evaluation = evaluation;
@@ -89,6 +114,8 @@ class FixedStepRun {
   CheckedSystem<S, Scalar, size> f_;
   Vector& y_;
   double step_;
+  Formula formula_;
+  bool prepared_ = false;
   Result<Scalar> result_;
 };
 

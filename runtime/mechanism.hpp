@@ -4,6 +4,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -64,6 +65,24 @@ template <class M>
 concept HasRedundantConstraints =
     MechanismModel<M> && requires { requires M::redundant_count > 0; M::redundant_multipliers[0]; };
 
+/// A mechanism generated with the kernel `forward_dynamics_derivatives`.
+template <class M>
+concept HasForwardDynamicsDerivatives = MechanismModel<M> &&
+    requires(const typename M::Precomputed& precomputed, const typename M::State& state,
+             const typename M::Inputs& inputs, typename M::ForwardDynamicsDerivatives& derivatives) {
+  M::forward_dynamics_derivatives(precomputed, state, inputs, derivatives);
+};
+
+/// A mechanism without multipliers generated with the kernel `linearisation`, whose A is the Jacobian too.
+template <class M>
+concept HasStateMatrix = MechanismModel<M> && M::multiplier_count == 0 &&
+    requires(const typename M::Precomputed& precomputed, const typename M::State& state,
+             const typename M::Accelerations& a, const typename M::Multipliers& lambda,
+             const typename M::Inputs& inputs, typename M::Linearisation& linear) {
+  M::linearisation(precomputed, state, a, lambda, inputs, linear);
+  requires std::tuple_size_v<decltype(linear.A)> == 4 * std::size_t(M::velocity_count) * std::size_t(M::velocity_count);
+};
+
 template <MechanismModel M>
 inline constexpr std::size_t coordinates_of = static_cast<std::size_t>(M::coordinate_count);
 template <MechanismModel M>
@@ -122,9 +141,15 @@ struct NoInputs {
 /// Returns the kernel's status; dydt is meaningful only when it is `ok`.
 template <HasForwardDynamics M, class InputLaw = NoInputs<M>>
 class EquationsOfMotion {
+  static constexpr std::size_t nv = velocities_of<M>;
+
  public:
   using Scalar = ScalarOf<M>;
   using Vector = StateVector<M>;
+
+  /// Whether q' = v, so that y = [q; v] is a second-order system (see second_order.hpp).
+  static constexpr bool second_order = !HasCoordinateRates<M>;
+  using Mechanism = M;
 
   explicit EquationsOfMotion(const typename M::Parameters& parameters = M::default_parameters(),
                              InputLaw law = InputLaw{}) noexcept
@@ -144,6 +169,37 @@ class EquationsOfMotion {
   [[nodiscard]] Evaluation accelerations(const typename M::State& state, typename M::Accelerations& a,
                                          typename M::Multipliers& lambda) const noexcept {
     return to_evaluation(M::forward_dynamics(precomputed_, state, law_(state), a, lambda));
+  }
+
+  /// ∂(q', v')/∂(q, v), column by column, from the generated derivatives: [[0, I], [∂a/∂q, ∂a/∂v]], where q' = v and no
+  /// input depends on the state. Without this the implicit methods take differences.
+  [[nodiscard]] Evaluation jacobian(const Scalar& t, const Vector& y, std::array<Scalar, 4 * nv * nv>& J) const noexcept
+      requires(!HasCoordinateRates<M> && std::same_as<InputLaw, NoInputs<M>> &&
+               (HasForwardDynamicsDerivatives<M> || (HasStateMatrix<M> && HasForwardDynamics<M>))) {
+    const typename M::State state = unpack<M>(t, y);
+    if constexpr (HasForwardDynamicsDerivatives<M>) {
+      typename M::ForwardDynamicsDerivatives by;
+      const Evaluation evaluation =
+          to_evaluation(M::forward_dynamics_derivatives(precomputed_, state, law_(state), by));
+      for (std::size_t j = 0; j < nv; ++j) {
+        for (std::size_t i = 0; i < nv; ++i) {
+          J[j * 2 * nv + i] = Scalar(0);
+          J[(nv + j) * 2 * nv + i] = i == j ? Scalar(1) : Scalar(0);
+          J[j * 2 * nv + nv + i] = by.by_position[j * nv + i];
+          J[(nv + j) * 2 * nv + nv + i] = by.by_velocity[j * nv + i];
+        }
+      }
+      return evaluation;
+    } else {
+      typename M::Accelerations a{};
+      typename M::Multipliers lambda{};
+      const Evaluation evaluation = accelerations(state, a, lambda);
+      if (evaluation != Evaluation::ok) return evaluation;
+      typename M::Linearisation linear;
+      const auto status = M::linearisation(precomputed_, state, a, lambda, law_(state), linear);
+      J = linear.A;
+      return to_evaluation(status);
+    }
   }
 
   /// Gives the unit quaternions among the coordinates their norm back.

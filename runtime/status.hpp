@@ -25,13 +25,18 @@ enum class IntegrationStatus : int {
   step_too_small,
   too_many_steps,
   model_failure,
+  no_convergence,    ///< of the equations that an implicit method solves at each step
+  unsuitable_model,  ///< the method asks for a structure that the model does not have
 };
 
-/// What an integration cost: evaluations of the model, steps kept, steps tried and thrown away.
+/// What an integration cost: evaluations of the model, steps kept, steps tried and thrown away; of implicit methods the
+/// Jacobians (whose evaluations by differences count as calls too) and the matrices decomposed.
 struct Statistics {
   std::int64_t calls = 0;
   std::int64_t accepted = 0;
   std::int64_t rejected = 0;
+  std::int64_t jacobians = 0;
+  std::int64_t decompositions = 0;
 };
 
 /// The end of an integration. Unless the status is `reached_end`, the state is that of the last good step, at `time`.
@@ -74,6 +79,10 @@ struct Result {
       return "the step limit was met: raise it or loosen the tolerances";
     case IntegrationStatus::model_failure:
       return "the model could not be evaluated";
+    case IntegrationStatus::no_convergence:
+      return "the equations of an implicit step did not converge: reduce the step, or choose Newton's method for them";
+    case IntegrationStatus::unsuitable_model:
+      return "the model lacks the structure that the method asks for (see the method's documentation)";
   }
   return "unknown integration status";
 }

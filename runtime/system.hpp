@@ -48,7 +48,11 @@ class CheckedSystem {
     if constexpr (requires { system_.project(y); }) system_.project(y);
   }
 
+  /// The system itself, for what it may offer besides its derivative.
+  [[nodiscard]] S& system() const noexcept { return system_; }
+
   std::int64_t calls = 0;
+  std::int64_t jacobians = 0, decompositions = 0;  ///< counted by the implicit methods
   Evaluation evaluation = Evaluation::ok;
 
  private:

@@ -15,12 +15,14 @@ long eigen_complaints = 0;
 #include <vector>
 
 #include "runtime/dormand_prince_54.hpp"
+#include "runtime/gauss_collocation.hpp"
 #include "runtime/linear_solve.hpp"
 #include "runtime/mechanism.hpp"
 #include "runtime/midpoint.hpp"
 #include "runtime/observers.hpp"
 #include "runtime/reference.hpp"
 #include "runtime/runge_kutta_4.hpp"
+#include "runtime/stoermer_verlet.hpp"
 #include "runtime/trajectory.hpp"
 #include "tests/runtime/mechanisms.hpp"
 
@@ -81,6 +83,12 @@ TEST(Allocations, AreNoneInAHundredThousandStepsOfEachMethod) {
   expect_none(Midpoint{.step = 1e-3}, 100.0, 100'000);
   expect_none(RungeKutta4{.step = 1e-3}, 100.0, 100'000);
   expect_none(DormandPrince54{.largest_step = 1e-3}, 100.0, 100'000);
+  expect_none(StoermerVerlet{.step = 1e-3}, 100.0, 100'000);
+}
+
+TEST(Allocations, AreNoneInTheImplicitMethods) {
+  expect_none(GaussCollocation<3>{.step = 1e-2}, 10.0, 1'000);
+  expect_none(GaussCollocation<3, StageSolver::newton>{.step = 1e-2}, 10.0, 1'000);
 }
 
 TEST(Allocations, AreNoneWhileRecordingThroughTheInterpolantAndComparing) {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "runtime/dormand_prince_54.hpp"
+#include "runtime/gauss_collocation.hpp"
 #include "runtime/midpoint.hpp"
 #include "runtime/runge_kutta_4.hpp"
 
@@ -38,7 +39,8 @@ class EveryMethod : public testing::Test {
       return Method{};
   }
 };
-using Methods = testing::Types<Midpoint, RungeKutta4, DormandPrince54>;
+using Methods = testing::Types<Midpoint, RungeKutta4, DormandPrince54, GaussCollocation<2>,
+                               GaussCollocation<2, StageSolver::newton>>;
 TYPED_TEST_SUITE(EveryMethod, Methods);
 
 TYPED_TEST(EveryMethod, ReportsADerivativeThatIsNotANumberAndKeepsTheLastGoodState) {
