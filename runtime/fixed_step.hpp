@@ -8,15 +8,38 @@
 #include <limits>
 #include <type_traits>
 
+#include "runtime/compensated_state.hpp"
 #include "runtime/status.hpp"
 #include "runtime/system.hpp"
 
 namespace torsor::runtime {
 
+/// A formula for FixedStepRun made of an explicit one, `Explicit::increment(f, t, h, y, change) -> bool`, which writes
+/// y(t + h) - y and returns false when the model failed: the sum is compensated on request.
+template <class Explicit, class Scalar, std::size_t size>
+class SummedFormula {
+ public:
+  using Vector = std::array<Scalar, size>;
+
+  explicit SummedFormula(bool compensated) noexcept : compensated_(compensated) {}
+
+  template <class F>
+  [[nodiscard]] bool step(F& f, Scalar t, Scalar h, const Vector& y, Vector& next) {
+    Vector change;
+    if (!Explicit::increment(f, t, h, y, change)) return false;
+    for (std::size_t i = 0; i < size; ++i) next[i] = compensated_ ? sums_.add(i, y[i], change[i]) : y[i] + change[i];
+    return true;
+  }
+
+ private:
+  bool compensated_;
+  CompensatedState<Scalar, size> sums_;
+};
+
 /// One integration with a fixed step: the part that all methods of fixed step share. `Formula` has
 /// `step(f, t, h, y, next)`, which returns false when the model failed, or an IntegrationStatus. A formula that keeps
-/// something from step to step (a compensation, a starting guess) is a value of its own in each integration; it may have
-/// `prepare(f, t, y) -> IntegrationStatus`, called once before the first step.
+/// something from step to step (a compensation, a starting guess) is a value of its own in each integration; it may
+/// have `prepare(f, t, y) -> IntegrationStatus`, called once before the first step.
 ///
 /// An interval is cut into the fewest steps of equal length that do not exceed the step asked for, so that its end is
 /// hit exactly without a short last step. Times are start + k h, hence free of accumulated rounding.

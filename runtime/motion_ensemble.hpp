@@ -15,6 +15,7 @@
 
 #include "runtime/digest.hpp"
 #include "runtime/dormand_prince_54.hpp"
+#include "runtime/dormand_prince_853.hpp"
 #include "runtime/ensemble.hpp"
 #include "runtime/integrate.hpp"
 #include "runtime/mechanism.hpp"
@@ -24,13 +25,24 @@
 namespace torsor::runtime {
 
 /// What an integrator's results depend on. For a method of your own, declare such a function beside it.
-inline void add_to_digest(Digest& digest, const Midpoint& method) noexcept { digest.add("midpoint").add(method.step); }
+inline void add_to_digest(Digest& digest, const Midpoint& method) noexcept {
+  digest.add("midpoint").add(method.step).add(std::uint64_t{method.compensated});
+}
 inline void add_to_digest(Digest& digest, const RungeKutta4& method) noexcept {
-  digest.add("Runge-Kutta 4").add(method.step);
+  digest.add("Runge-Kutta 4").add(method.step).add(std::uint64_t{method.compensated});
+}
+/// The options that all methods with steps of their own choice have.
+template <class Method>
+void add_step_control(Digest& digest, const Method& method) noexcept {
+  digest.add(method.relative_tolerance).add(method.absolute_tolerance);
+  digest.add(method.first_step).add(method.largest_step).add(static_cast<std::uint64_t>(method.step_limit));
+  digest.add(std::uint64_t{method.compensated});
 }
 inline void add_to_digest(Digest& digest, const DormandPrince54& method) noexcept {
-  digest.add("Dormand-Prince 5(4)").add(method.relative_tolerance).add(method.absolute_tolerance);
-  digest.add(method.first_step).add(method.largest_step).add(static_cast<std::uint64_t>(method.step_limit));
+  add_step_control(digest.add("Dormand-Prince 5(4)"), method);
+}
+inline void add_to_digest(Digest& digest, const DormandPrince853& method) noexcept {
+  add_step_control(digest.add("Dormand-Prince 8(5,3)"), method);
 }
 
 /// What tells one member of an ensemble from another.

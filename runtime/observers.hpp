@@ -7,7 +7,6 @@
 #include <limits>
 #include <utility>
 
-#include "runtime/dense_step.hpp"
 #include "runtime/system.hpp"
 
 namespace torsor::runtime {
@@ -39,8 +38,9 @@ class EquallySpaced {
   EquallySpaced(Scalar start, Scalar interval, Observer& observer) noexcept
       : start_(start), interval_(std::abs(interval)), observer_(observer) {}
 
-  template <std::size_t size>
-  bool operator()(const DenseStep<Scalar, size>& step) {
+  template <class Step>
+  requires requires(const Step& step, Scalar t) { step(t), step.start, step.end; }
+  bool operator()(const Step& step) {
     if (!(interval_ > Scalar(0))) return false;
     const Scalar direction = step.end >= step.start ? Scalar(1) : Scalar(-1);
     // The last sample of 0.1, 0.2, ... may exceed the end by rounding alone: it is then the end.

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "runtime/dormand_prince_54.hpp"
+#include "runtime/dormand_prince_853.hpp"
 #include "runtime/integrate.hpp"
 #include "runtime/midpoint.hpp"
 #include "runtime/reference.hpp"
@@ -26,6 +27,9 @@ inline MethodLabel label(const RungeKutta4& method) {
 }
 inline MethodLabel label(const DormandPrince54& method) {
   return {"Dormand-Prince 5(4)", "tolerance " + scientific(method.relative_tolerance, 1)};
+}
+inline MethodLabel label(const DormandPrince853& method) {
+  return {"Dormand-Prince 8(5,3)", "tolerance " + scientific(method.relative_tolerance, 1)};
 }
 
 /// Integrates a motion (see `equations_of_motion`) from its initial state through the times of a reference by each

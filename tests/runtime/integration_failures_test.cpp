@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "runtime/dormand_prince_54.hpp"
+#include "runtime/dormand_prince_853.hpp"
 #include "runtime/gauss_collocation.hpp"
 #include "runtime/midpoint.hpp"
 #include "runtime/runge_kutta_4.hpp"
@@ -39,7 +40,7 @@ class EveryMethod : public testing::Test {
       return Method{};
   }
 };
-using Methods = testing::Types<Midpoint, RungeKutta4, DormandPrince54, GaussCollocation<2>,
+using Methods = testing::Types<Midpoint, RungeKutta4, DormandPrince54, DormandPrince853, GaussCollocation<2>,
                                GaussCollocation<2, StageSolver::newton>>;
 TYPED_TEST_SUITE(EveryMethod, Methods);
 
