@@ -3,7 +3,7 @@
 // Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
 // Free to embed under the MIT licence.
 //
-// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, linearisation, inverse_dynamics_derivatives, forward_dynamics_derivatives, regressor
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, linearisation, inverse_dynamics_derivatives, forward_dynamics_derivatives, regressor, jets
 // Parameters set at run time: none
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
@@ -20,6 +20,7 @@
 //   inverse_dynamics_derivatives         13               15          0             0                  2       0     32      56
 //   forward_dynamics_derivatives         32               38          1             0                  2       0     75     111
 //   regressor                             7               12          0             0                  2       0     23      23
+//   jets                                 42               42          2             0                  2       0     90       -
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 36 results 16 vanish identically, 6 repeat another up to sign
@@ -33,7 +34,7 @@
 //   regressor: of 12 results 4 vanish identically
 //
 // To write this file again:
-//   double_pendulum_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation,inverse_dynamics_derivatives,forward_dynamics_derivatives,regressor --output double_pendulum.hpp
+//   double_pendulum_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation,inverse_dynamics_derivatives,forward_dynamics_derivatives,regressor,jets --output double_pendulum.hpp
 #pragma once
 
 #include <array>
@@ -366,6 +367,48 @@ struct scalar_traits {
 }  // namespace torsor
 #elif TORSOR_KERNEL_SUPPORT != 2
 #error "headers of incompatible versions of torsor meet here: write them again with one version"
+#endif
+
+#ifndef TORSOR_JET_SUPPORT
+#define TORSOR_JET_SUPPORT 1
+
+namespace torsor {
+
+/// Pairs of Taylor series and their convolutions, side by side in lanes. A coefficient of order 0 is not kept: whoever
+/// asks for a sum adds the terms with it.
+template <class Scalar, int count>
+struct Convolutions {
+  static constexpr int order_max = 30;
+  static constexpr int lanes = (count + 3) / 4 * 4;
+  struct Sums {
+    Scalar lane[lanes];
+    TORSOR_DEVICE const Scalar& operator[](int i) const noexcept { return lane[i]; }
+  };
+
+  /// The terms a_i b_(k-i), i = 1..k-1, of each pair, summed.
+  TORSOR_DEVICE Sums sums(int k) const noexcept {
+    Sums result;
+    for (int l = 0; l < lanes; ++l) result.lane[l] = scalar_traits<Scalar>::constant(0.0, 0.0f, "0/1");
+    for (int i = 1; i < k; ++i) {
+      for (int l = 0; l < lanes; ++l) result.lane[l] = result.lane[l] + left_[i][l] * right_[k - i][l];
+    }
+    return result;
+  }
+
+  /// The coefficients of order k.
+  TORSOR_DEVICE void keep(int k, const Scalar (&left)[count], const Scalar (&right)[count]) noexcept {
+    for (int l = 0; l < count; ++l) left_[k][l] = left[l];
+    for (int l = 0; l < count; ++l) right_[k][l] = right[l];
+    for (int l = count; l < lanes; ++l) {
+      left_[k][l] = right_[k][l] = scalar_traits<Scalar>::constant(0.0, 0.0f, "0/1");
+    }
+  }
+
+ private:
+  Scalar left_[order_max][lanes], right_[order_max][lanes];
+};
+
+}  // namespace torsor
 #endif
 
 namespace double_pendulum {
@@ -1096,6 +1139,106 @@ struct Mechanism {
     result.Y[9] = z47;
     result.Y[10] = n0;
     result.Y[11] = a_theta_2;
+  }
+
+  /// Taylor coefficients of the motion: coefficients[k] = y^(k)/k! for k = 0..order, 1 <= order <= 30, y positions
+  /// then velocities, the inputs being constant. 13 operations take a convolution at each order.
+  /// Returns singular where forward_dynamics does.
+  TORSOR_DEVICE static torsor::Status jets(const Precomputed&, const State& state, const Inputs&, int order,
+      std::array<Scalar, 4>* coefficients) noexcept {
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n19_62 = traits::constant(19.62, 19.62f, "981/50");
+    const Scalar q_theta_1 = state.q.theta_1;
+    const Scalar q_theta_2 = state.q.theta_2;
+    const Scalar z8 = q_theta_1 - q_theta_2;
+    const Scalar angles_[] = {q_theta_1, z8};
+    Scalar sines_[2], cosines_[2];
+    torsor::sines_and_cosines(angles_, sines_, cosines_);
+    const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
+    const Scalar z9 = sines_[1], z10 = cosines_[1];
+    const Scalar z15 = n1 + z10;
+    const Scalar z28 = n1 + n2 * z10;
+    const Scalar z31 = n2 + z28;
+    const Scalar z32 = n1 - n2 * z15 + z31;
+    const Scalar z33 = n1 - z15;
+    const Scalar z56 = z32 - z33 * z33;
+    const Scalar b1 = state.v.theta_1;
+    const Scalar b9 = b1 * b1;
+    const Scalar b10 = n9_81 * c_theta_1 + b9;
+    const Scalar b5 = state.v.theta_2;
+    const Scalar b13 = b5 * b5;
+    const Scalar b11 = z9 * b10;
+    const Scalar b12 = s_theta_1 * z10;
+    const Scalar b15 = b11 - n9_81 * b12;
+    const Scalar b16 = z10 * z10;
+    const Scalar b17 = -n2 + b16;
+    const Scalar b14 = z9 * b13;
+    const Scalar b18 = n19_62 * s_theta_1 + b14;
+    const Scalar b19 = z10 * b15;
+    const Scalar b20 = b18 + b19;
+    const Scalar b21 = b20 / b17;
+    const Scalar i21 = n1 / b17;
+    const Scalar b22 = z10 * b21;
+    const Scalar b23 = b15 - b22;
+    coefficients[0][0] = state.q.theta_1;
+    coefficients[0][1] = state.q.theta_2;
+    coefficients[0][2] = state.v.theta_1;
+    coefficients[0][3] = state.v.theta_2;
+    coefficients[1][0] = b1;
+    coefficients[1][1] = b5;
+    coefficients[1][2] = b21;
+    coefficients[1][3] = b23;
+    torsor::Convolutions<Scalar, 13> operations_;
+    Scalar number_ = n1, inverse_ = n1;
+    for (int k_ = 1; k_ < order; ++k_) {
+      const Scalar following_ = number_ + n1, next_ = n1 / following_;
+      const auto sums_ = operations_.sums(k_);
+      const Scalar x0 = coefficients[k_][0];
+      const Scalar x1 = coefficients[k_][2];
+      const Scalar x2 = c_theta_1 * x0 + inverse_ * sums_[0];
+      const Scalar w0 = number_ * x0;
+      const Scalar x3 = -(s_theta_1 * x0 + inverse_ * sums_[1]);
+      const Scalar x4 = coefficients[k_][1];
+      const Scalar x5 = coefficients[k_][3];
+      const Scalar x6 = x0 - x4;
+      const Scalar x7 = z10 * x6 + inverse_ * sums_[2];
+      const Scalar w6 = number_ * x6;
+      const Scalar x8 = -(z9 * x6 + inverse_ * sums_[3]);
+      const Scalar x9 = (b1 + b1) * x1 + sums_[4];
+      const Scalar x10 = n9_81 * x3 + x9;
+      const Scalar x11 = z9 * x10 + x7 * b10 + sums_[5];
+      const Scalar x12 = s_theta_1 * x8 + x2 * z10 + sums_[6];
+      const Scalar x13 = (b5 + b5) * x5 + sums_[7];
+      const Scalar x14 = z9 * x13 + x7 * b13 + sums_[8];
+      const Scalar x15 = x11 - n9_81 * x12;
+      const Scalar x16 = (z10 + z10) * x8 + sums_[9];
+      const Scalar x17 = x16;
+      const Scalar x18 = n19_62 * x2 + x14;
+      const Scalar x19 = z10 * x15 + x8 * b15 + sums_[10];
+      const Scalar x20 = x18 + x19;
+      const Scalar x21 = (x20 - b21 * x17 - sums_[11]) * i21;
+      const Scalar x22 = z10 * x21 + x8 * b21 + sums_[12];
+      const Scalar x23 = x15 - x22;
+      coefficients[k_ + 1][0] = next_ * x1;
+      coefficients[k_ + 1][1] = next_ * x5;
+      coefficients[k_ + 1][2] = next_ * x21;
+      coefficients[k_ + 1][3] = next_ * x23;
+      const Scalar left_[] = {w0, w0, w6, w6, x1, x7, x2, x5, x7, x8, x8, x21, x8};
+      const Scalar right_[] = {x3, x2, x8, x7, x1, x10, x8, x5, x13, x8, x15, x17, x21};
+      operations_.keep(k_, left_, right_);
+      number_ = following_;
+      inverse_ = next_;
+    }
+    static_cast<void>(inverse_);
+    if (!(traits::regular(z56, z32))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (coefficients[order][0] - coefficients[order][0]) + (coefficients[order][1]
+        - coefficients[order][1]) + (coefficients[order][2] - coefficients[order][2]) + (coefficients[order][3]
+        - coefficients[order][3]);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
   }
 };
 

@@ -3,7 +3,7 @@
 // Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
 // Free to embed under the MIT licence.
 //
-// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, linearisation
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, linearisation, jets
 // Parameters set at run time: none
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
@@ -17,6 +17,7 @@
 //   energy                    6               16          0             0                  3       0     28      29
 //   first_integrals           8               19          0             0                  3       0     33      34
 //   linearisation            37               89          1             0                  2       0    131     181
+//   jets                     45               69          2             0                  2       0    120       -
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 18 results 1 repeat another up to sign
@@ -27,7 +28,7 @@
 //   linearisation: of 66 results 29 vanish identically, 2 repeat another up to sign
 //
 // To write this file again:
-//   heavy_top_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output heavy_top.hpp
+//   heavy_top_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation,jets --output heavy_top.hpp
 #pragma once
 
 #include <array>
@@ -360,6 +361,48 @@ struct scalar_traits {
 }  // namespace torsor
 #elif TORSOR_KERNEL_SUPPORT != 2
 #error "headers of incompatible versions of torsor meet here: write them again with one version"
+#endif
+
+#ifndef TORSOR_JET_SUPPORT
+#define TORSOR_JET_SUPPORT 1
+
+namespace torsor {
+
+/// Pairs of Taylor series and their convolutions, side by side in lanes. A coefficient of order 0 is not kept: whoever
+/// asks for a sum adds the terms with it.
+template <class Scalar, int count>
+struct Convolutions {
+  static constexpr int order_max = 30;
+  static constexpr int lanes = (count + 3) / 4 * 4;
+  struct Sums {
+    Scalar lane[lanes];
+    TORSOR_DEVICE const Scalar& operator[](int i) const noexcept { return lane[i]; }
+  };
+
+  /// The terms a_i b_(k-i), i = 1..k-1, of each pair, summed.
+  TORSOR_DEVICE Sums sums(int k) const noexcept {
+    Sums result;
+    for (int l = 0; l < lanes; ++l) result.lane[l] = scalar_traits<Scalar>::constant(0.0, 0.0f, "0/1");
+    for (int i = 1; i < k; ++i) {
+      for (int l = 0; l < lanes; ++l) result.lane[l] = result.lane[l] + left_[i][l] * right_[k - i][l];
+    }
+    return result;
+  }
+
+  /// The coefficients of order k.
+  TORSOR_DEVICE void keep(int k, const Scalar (&left)[count], const Scalar (&right)[count]) noexcept {
+    for (int l = 0; l < count; ++l) left_[k][l] = left[l];
+    for (int l = 0; l < count; ++l) right_[k][l] = right[l];
+    for (int l = count; l < lanes; ++l) {
+      left_[k][l] = right_[k][l] = scalar_traits<Scalar>::constant(0.0, 0.0f, "0/1");
+    }
+  }
+
+ private:
+  Scalar left_[order_max][lanes], right_[order_max][lanes];
+};
+
+}  // namespace torsor
 #endif
 
 namespace heavy_top {
@@ -1046,6 +1089,126 @@ struct Mechanism {
         + (result.A[21] - result.A[21]) + (result.A[22] - result.A[22]) + (result.A[23] - result.A[23]) + (result.A[27]
         - result.A[27]) + (result.A[29] - result.A[29]) + (result.A[33] - result.A[33]) + (result.A[34] - result.A[34])
         + (result.A[35] - result.A[35]);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Taylor coefficients of the motion: coefficients[k] = y^(k)/k! for k = 0..order, 1 <= order <= 30, y positions
+  /// then velocities, the inputs being constant. 16 operations take a convolution at each order.
+  /// Returns singular where forward_dynamics does.
+  TORSOR_DEVICE static torsor::Status jets(const Precomputed&, const State& state, const Inputs&, int order,
+      std::array<Scalar, 6>* coefficients) noexcept {
+    const Scalar n15_over_32 = traits::constant(0.46875, 0.46875f, "15/32");
+    const Scalar n945_over_64 = traits::constant(14.765625, 14.765625f, "945/64");
+    const Scalar n975_over_64 = traits::constant(15.234375, 15.234375f, "975/64");
+    const Scalar n32_over_15 = traits::constant(2.1333333333333333, 2.1333334f, "32/15");
+    const Scalar n4_905 = traits::constant(4.905, 4.905f, "981/200");
+    const Scalar k5 = traits::constant(8.495709211125343, 8.495709f, "0;0;981/200;0");
+    const Scalar k6 = traits::constant(127.43563816688015, 127.43564f, "0;0;2943/40;0");
+    const Scalar n975_over_32 = traits::constant(30.46875, 30.46875f, "975/32");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n15 = traits::constant(15.0, 15.0f, "15/1");
+    const Scalar n64_over_975 = traits::constant(0.06564102564102564, 0.06564102f, "64/975");
+    const Scalar q_alpha = state.q.alpha;
+    const Scalar q_beta = state.q.beta;
+    const Scalar angles_[] = {q_alpha, q_beta};
+    Scalar sines_[2], cosines_[2];
+    torsor::sines_and_cosines(angles_, sines_, cosines_);
+    const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
+    const Scalar s_beta = sines_[1], c_beta = cosines_[1];
+    const Scalar z42 = n15_over_32 * s_beta;
+    const Scalar z46 = n945_over_64 * s_beta;
+    const Scalar z47 = s_beta * z46;
+    const Scalar z48 = n975_over_64 - z47;
+    const Scalar z144 = n32_over_15 * z42;
+    const Scalar z145 = z42 * z144 - z48;
+    const Scalar b1 = state.v.alpha;
+    const Scalar b5 = state.v.beta;
+    const Scalar b10 = b1 * s_beta;
+    const Scalar b9 = b1 * c_beta;
+    const Scalar b8 = state.v.gamma;
+    const Scalar b15 = b8 - b10;
+    const Scalar b13 = b5 * b10;
+    const Scalar b16 = b5 * b15;
+    const Scalar b20 = k6 * c_alpha - n975_over_32 * b13 - n15_over_32 * b16;
+    const Scalar b11 = s_beta * s_beta;
+    const Scalar b22 = -n975_over_64 + n975_over_64 * b11;
+    const Scalar b21 = c_beta * b20;
+    const Scalar b23 = b21 / b22;
+    const Scalar i23 = n1 / b22;
+    const Scalar b17 = b9 * b15;
+    const Scalar b18 = b9 * b10;
+    const Scalar b12 = s_alpha * s_beta;
+    const Scalar b19 = n4_905 * c_beta - k5 * b12;
+    const Scalar b24 = n15_over_32 * b17 + n975_over_64 * b18 + n15 * b19;
+    const Scalar b14 = b5 * b9;
+    const Scalar b25 = s_beta * b23;
+    const Scalar b26 = b14 + b25;
+    coefficients[0][0] = state.q.alpha;
+    coefficients[0][1] = state.q.beta;
+    coefficients[0][2] = state.q.gamma;
+    coefficients[0][3] = state.v.alpha;
+    coefficients[0][4] = state.v.beta;
+    coefficients[0][5] = state.v.gamma;
+    coefficients[1][0] = b1;
+    coefficients[1][1] = b5;
+    coefficients[1][2] = b8;
+    coefficients[1][3] = b23;
+    coefficients[1][4] = -n64_over_975 * b24;
+    coefficients[1][5] = b26;
+    torsor::Convolutions<Scalar, 16> operations_;
+    Scalar number_ = n1, inverse_ = n1;
+    for (int k_ = 1; k_ < order; ++k_) {
+      const Scalar following_ = number_ + n1, next_ = n1 / following_;
+      const auto sums_ = operations_.sums(k_);
+      const Scalar x0 = coefficients[k_][0];
+      const Scalar x1 = coefficients[k_][3];
+      const Scalar x2 = c_alpha * x0 + inverse_ * sums_[0];
+      const Scalar w0 = number_ * x0;
+      const Scalar x3 = -(s_alpha * x0 + inverse_ * sums_[1]);
+      const Scalar x4 = coefficients[k_][1];
+      const Scalar x5 = coefficients[k_][4];
+      const Scalar x6 = c_beta * x4 + inverse_ * sums_[2];
+      const Scalar w4 = number_ * x4;
+      const Scalar x7 = -(s_beta * x4 + inverse_ * sums_[3]);
+      const Scalar x8 = coefficients[k_][5];
+      const Scalar x9 = b1 * x7 + x1 * c_beta + sums_[4];
+      const Scalar x10 = b1 * x6 + x1 * s_beta + sums_[5];
+      const Scalar x11 = (s_beta + s_beta) * x6 + sums_[6];
+      const Scalar x12 = s_alpha * x6 + x2 * s_beta + sums_[7];
+      const Scalar x13 = b5 * x10 + x5 * b10 + sums_[8];  // angular acceleration of second, x
+      const Scalar x14 = b5 * x9 + x5 * b9 + sums_[9];  // angular acceleration of second, y
+      const Scalar x15 = x8 - x10;
+      const Scalar x16 = b5 * x15 + x5 * b15 + sums_[10];
+      const Scalar x17 = b9 * x15 + x9 * b15 + sums_[11];
+      const Scalar x18 = b9 * x10 + x9 * b10 + sums_[12];
+      const Scalar x19 = n4_905 * x7 - k5 * x12;
+      const Scalar x20 = k6 * x3 - n975_over_32 * x13 - n15_over_32 * x16;
+      const Scalar x21 = c_beta * x20 + x7 * b20 + sums_[13];
+      const Scalar x22 = n975_over_64 * x11;
+      const Scalar x23 = (x21 - b23 * x22 - sums_[14]) * i23;
+      const Scalar x24 = n15_over_32 * x17 + n975_over_64 * x18 + n15 * x19;
+      const Scalar x25 = s_beta * x23 + x6 * b23 + sums_[15];
+      const Scalar x26 = x14 + x25;
+      coefficients[k_ + 1][0] = next_ * x1;
+      coefficients[k_ + 1][1] = next_ * x5;
+      coefficients[k_ + 1][2] = next_ * x8;
+      coefficients[k_ + 1][3] = next_ * x23;
+      coefficients[k_ + 1][4] = next_ * -n64_over_975 * x24;
+      coefficients[k_ + 1][5] = next_ * x26;
+      const Scalar left_[] = {w0, w0, w4, w4, x1, x1, x6, x2, x5, x5, x5, x9, x9, x7, x23, x6};
+      const Scalar right_[] = {x3, x2, x7, x6, x7, x6, x6, x6, x10, x9, x15, x15, x10, x20, x22, x23};
+      operations_.keep(k_, left_, right_);
+      number_ = following_;
+      inverse_ = next_;
+    }
+    static_cast<void>(inverse_);
+    if (!(traits::regular(-z145, z48))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (coefficients[order][0] - coefficients[order][0]) + (coefficients[order][1]
+        - coefficients[order][1]) + (coefficients[order][2] - coefficients[order][2]) + (coefficients[order][3]
+        - coefficients[order][3]) + (coefficients[order][4] - coefficients[order][4]) + (coefficients[order][5]
+        - coefficients[order][5]);
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }

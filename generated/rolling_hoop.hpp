@@ -3,13 +3,13 @@
 // Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
 // Free to embed under the MIT licence.
 //
-// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, constraints, linearisation, inverse_dynamics_derivatives, forward_dynamics_derivatives
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, constraints, linearisation, inverse_dynamics_derivatives, forward_dynamics_derivatives, jets
 // Parameters set at run time: A, C
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
 // moved across joints, factoring, and what is done once for a set of parameters:
 //   function                      additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   precompute                            1                0          1             0                  0       0      2       -
+//   precompute                            4                7          1             0                  0       0     12       -
 //   kinematics                           34               65          0             0                  3       0    105     105
 //   mass_matrix                           2                4          0             0                  1       0      8       9
 //   bias                                  6               18          0             0                  1       0     26      55
@@ -21,6 +21,7 @@
 //   linearisation                       213              313          8             0                  2       0    538     713
 //   inverse_dynamics_derivatives         31               59          0             0                  2       0     94     266
 //   forward_dynamics_derivatives        127              230          4             0                  2       0    365     645
+//   jets                                136              157         13             0                  2       0    310       -
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 39 results 11 vanish identically, 2 repeat another up to sign
@@ -34,7 +35,7 @@
 //   forward_dynamics_derivatives: of 105 results 40 vanish identically, 6 repeat another up to sign
 //
 // To write this file again:
-//   rolling_hoop_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation,inverse_dynamics_derivatives,forward_dynamics_derivatives --output rolling_hoop.hpp
+//   rolling_hoop_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation,inverse_dynamics_derivatives,forward_dynamics_derivatives,jets --output rolling_hoop.hpp
 #pragma once
 
 #include <array>
@@ -369,6 +370,48 @@ struct scalar_traits {
 #error "headers of incompatible versions of torsor meet here: write them again with one version"
 #endif
 
+#ifndef TORSOR_JET_SUPPORT
+#define TORSOR_JET_SUPPORT 1
+
+namespace torsor {
+
+/// Pairs of Taylor series and their convolutions, side by side in lanes. A coefficient of order 0 is not kept: whoever
+/// asks for a sum adds the terms with it.
+template <class Scalar, int count>
+struct Convolutions {
+  static constexpr int order_max = 30;
+  static constexpr int lanes = (count + 3) / 4 * 4;
+  struct Sums {
+    Scalar lane[lanes];
+    TORSOR_DEVICE const Scalar& operator[](int i) const noexcept { return lane[i]; }
+  };
+
+  /// The terms a_i b_(k-i), i = 1..k-1, of each pair, summed.
+  TORSOR_DEVICE Sums sums(int k) const noexcept {
+    Sums result;
+    for (int l = 0; l < lanes; ++l) result.lane[l] = scalar_traits<Scalar>::constant(0.0, 0.0f, "0/1");
+    for (int i = 1; i < k; ++i) {
+      for (int l = 0; l < lanes; ++l) result.lane[l] = result.lane[l] + left_[i][l] * right_[k - i][l];
+    }
+    return result;
+  }
+
+  /// The coefficients of order k.
+  TORSOR_DEVICE void keep(int k, const Scalar (&left)[count], const Scalar (&right)[count]) noexcept {
+    for (int l = 0; l < count; ++l) left_[k][l] = left[l];
+    for (int l = 0; l < count; ++l) right_[k][l] = right[l];
+    for (int l = count; l < lanes; ++l) {
+      left_[k][l] = right_[k][l] = scalar_traits<Scalar>::constant(0.0, 0.0f, "0/1");
+    }
+  }
+
+ private:
+  Scalar left_[order_max][lanes], right_[order_max][lanes];
+};
+
+}  // namespace torsor
+#endif
+
 namespace rolling_hoop {
 
 /// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
@@ -507,6 +550,12 @@ struct Mechanism {
     Parameters parameters;
     Scalar z79;
     Scalar z155;
+    Scalar y0;
+    Scalar y1;
+    Scalar y2;
+    Scalar y3;
+    Scalar y4;
+    Scalar y5;
   };
 
   /// Values of the scene.
@@ -524,12 +573,19 @@ struct Mechanism {
     Precomputed precomputed{};
     precomputed.parameters = parameters;
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar p_A = parameters.A;
     const Scalar p_C = parameters.C;
     const Scalar z79 = p_A - p_C;
     const Scalar z155 = n1 / p_C;
     precomputed.z79 = z79;
     precomputed.z155 = z155;
+    precomputed.y0 = n2 * p_A;
+    precomputed.y1 = p_C * p_C * z155;
+    precomputed.y2 = n1 - p_C * z155;
+    precomputed.y3 = n1 + z155;
+    precomputed.y4 = p_C * (n1 - p_C * z155);
+    precomputed.y5 = p_C * z155;
     return precomputed;
   }
 
@@ -2096,6 +2152,250 @@ struct Mechanism {
         - result.multipliers_by_force[1]) + (result.multipliers_by_force[2] - result.multipliers_by_force[2])
         + (result.multipliers_by_force[3] - result.multipliers_by_force[3]) + (result.multipliers_by_force[7]
         - result.multipliers_by_force[7]) + (result.multipliers_by_force[8] - result.multipliers_by_force[8]);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Taylor coefficients of the motion: coefficients[k] = y^(k)/k! for k = 0..order, 1 <= order <= 30, y positions
+  /// then velocities, the inputs being constant. 44 operations take a convolution at each order.
+  /// Returns singular where forward_dynamics does.
+  TORSOR_DEVICE static torsor::Status jets(const Precomputed& precomputed, const State& state, const Inputs&, int order,
+      std::array<Scalar, 10>* coefficients) noexcept {
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar q_theta = state.q.theta;
+    const Scalar q_psi = state.q.psi;
+    const Scalar p_A = precomputed.parameters.A;
+    const Scalar p_C = precomputed.parameters.C;
+    const Scalar z79 = precomputed.z79;
+    const Scalar z155 = precomputed.z155;
+    const Scalar angles_[] = {q_theta, q_psi};
+    Scalar sines_[2], cosines_[2];
+    torsor::sines_and_cosines(angles_, sines_, cosines_);
+    const Scalar s_theta = sines_[0], c_theta = cosines_[0];
+    const Scalar s_psi = sines_[1], c_psi = cosines_[1];
+    const Scalar z74 = c_theta * p_C;
+    const Scalar z80 = s_theta * z79;
+    const Scalar z81 = s_theta * z80;
+    const Scalar z83 = p_C + z81;
+    const Scalar z98 = c_theta * c_theta + p_A;
+    const Scalar z156 = z74 * z155;
+    const Scalar z157 = z74 * z156 - z83;
+    const Scalar z158 = n1 / z98;
+    const Scalar z159 = n1 / z157;
+    const Scalar z160 = c_theta - z156;
+    const Scalar z161 = z159 * z160;
+    const Scalar z162 = z155 + z156 * z161;
+    const Scalar z163 = s_theta * z158;
+    const Scalar z164 = n1 - c_theta * z161 + z162;
+    const Scalar z165 = n1 + s_theta * z163;
+    const Scalar b5 = state.v.theta;
+    const Scalar b9 = state.v.psi;
+    const Scalar b7 = s_theta * b5;
+    const Scalar b14 = c_theta * b9;
+    const Scalar b13 = s_theta * b9;
+    const Scalar b12 = state.v.phi;
+    const Scalar b20 = b12 + b14;
+    const Scalar f0 = precomputed.y0;
+    const Scalar b18 = b5 * b14;
+    const Scalar b22 = b5 * b20;
+    const Scalar b24 = f0 * b18 - p_C * b22;
+    const Scalar b19 = b5 * b13;
+    const Scalar b17 = b5 * b7;
+    const Scalar b27 = -n9_81 + b17;
+    const Scalar b0 = state.v.x;
+    const Scalar b30 = b9 * s_psi;
+    const Scalar b1 = state.v.y;
+    const Scalar b31 = b9 * c_psi;
+    const Scalar b6 = c_theta * b5;
+    const Scalar f1 = precomputed.y1;
+    const Scalar f2 = precomputed.y2;
+    const Scalar b15 = s_theta * s_theta;
+    const Scalar b16 = c_theta * c_theta;
+    const Scalar b39 = p_C + z79 * b15 - f1 * b16;
+    const Scalar b40 = f2 * c_theta;
+    const Scalar b41 = b40 / b39;
+    const Scalar i41 = n1 / b39;
+    const Scalar b38 = p_A + b16;
+    const Scalar i43 = n1 / b38;
+    const Scalar f3 = precomputed.y4;
+    const Scalar b25 = s_theta * b24;
+    const Scalar b26 = c_theta * b19;
+    const Scalar b47 = b25 - f3 * b26;
+    const Scalar b48 = b47 / b39;
+    const Scalar i48 = n1 / b39;
+    const Scalar b21 = b13 * b20;
+    const Scalar b23 = b13 * b14;
+    const Scalar b28 = p_C * b21 - p_A * b23;
+    const Scalar b29 = c_theta * b27;
+    const Scalar b49 = b28 - b29;
+    const Scalar b50 = b49 / b38;
+    const Scalar i50 = n1 / b38;
+    const Scalar f4 = precomputed.y5;
+    const Scalar f5 = precomputed.y3;
+    const Scalar b42 = c_theta * b41;
+    const Scalar b46 = f5 + f2 * b42;
+    const Scalar b51 = c_theta * b48;
+    const Scalar b32 = b0 * b30;
+    const Scalar b33 = b1 * b31;
+    const Scalar b34 = b7 * b9;
+    const Scalar b52 = b32 - b33 + b34;
+    const Scalar b53 = f4 * b19 + f4 * b51;
+    const Scalar b56 = b51 + b52 - b53;
+    const Scalar b57 = b56 / b46;
+    const Scalar i57 = n1 / b46;
+    const Scalar b44 = s_theta * z163;
+    const Scalar b45 = n1 + b44;
+    const Scalar b35 = b0 * b31;
+    const Scalar b36 = b1 * b30;
+    const Scalar b37 = b5 * b6;
+    const Scalar b54 = b35 + b36 - b37;
+    const Scalar b55 = s_theta * b50;
+    const Scalar b58 = b54 + b55;
+    const Scalar b59 = b58 / b45;
+    const Scalar i59 = n1 / b45;
+    const Scalar b66 = -z155 + f4 * b42;
+    const Scalar b60 = s_psi * b59;
+    const Scalar b61 = c_psi * b57;
+    const Scalar b68 = b60 - b61;
+    const Scalar b62 = s_psi * b57;
+    const Scalar b63 = c_psi * b59;
+    const Scalar b69 = b62 + b63;
+    const Scalar b64 = b41 * b57;
+    const Scalar b70 = b48 - b64;
+    const Scalar b65 = z163 * b59;
+    const Scalar b71 = b50 - b65;
+    const Scalar b67 = b57 * b66;
+    const Scalar b72 = b53 - b67;
+    coefficients[0][0] = state.q.x;
+    coefficients[0][1] = state.q.y;
+    coefficients[0][2] = state.q.psi;
+    coefficients[0][3] = state.q.theta;
+    coefficients[0][4] = state.q.phi;
+    coefficients[0][5] = state.v.x;
+    coefficients[0][6] = state.v.y;
+    coefficients[0][7] = state.v.psi;
+    coefficients[0][8] = state.v.theta;
+    coefficients[0][9] = state.v.phi;
+    coefficients[1][0] = b0;
+    coefficients[1][1] = b1;
+    coefficients[1][2] = b9;
+    coefficients[1][3] = b5;
+    coefficients[1][4] = b12;
+    coefficients[1][5] = -b68;
+    coefficients[1][6] = b69;
+    coefficients[1][7] = -b70;
+    coefficients[1][8] = -b71;
+    coefficients[1][9] = b72;
+    torsor::Convolutions<Scalar, 44> operations_;
+    Scalar number_ = n1, inverse_ = n1;
+    for (int k_ = 1; k_ < order; ++k_) {
+      const Scalar following_ = number_ + n1, next_ = n1 / following_;
+      const auto sums_ = operations_.sums(k_);
+      const Scalar x0 = coefficients[k_][5];
+      const Scalar x1 = coefficients[k_][6];
+      const Scalar x2 = coefficients[k_][3];
+      const Scalar x3 = c_theta * x2 + inverse_ * sums_[0];
+      const Scalar w2 = number_ * x2;
+      const Scalar x4 = -(s_theta * x2 + inverse_ * sums_[1]);
+      const Scalar x5 = coefficients[k_][8];
+      const Scalar x6 = c_theta * x5 + x4 * b5 + sums_[2];
+      const Scalar x7 = s_theta * x5 + x3 * b5 + sums_[3];
+      const Scalar x8 = coefficients[k_][2];
+      const Scalar x9 = coefficients[k_][7];
+      const Scalar x10 = c_psi * x8 + inverse_ * sums_[4];
+      const Scalar w8 = number_ * x8;
+      const Scalar x11 = -(s_psi * x8 + inverse_ * sums_[5]);
+      const Scalar x12 = coefficients[k_][9];
+      const Scalar x13 = s_theta * x9 + x3 * b9 + sums_[6];
+      const Scalar x14 = c_theta * x9 + x4 * b9 + sums_[7];
+      const Scalar x15 = (s_theta + s_theta) * x3 + sums_[8];
+      const Scalar x16 = (c_theta + c_theta) * x4 + sums_[9];
+      const Scalar x17 = b5 * x7 + x5 * b7 + sums_[10];
+      const Scalar x18 = b5 * x14 + x5 * b14 + sums_[11];  // angular acceleration of hoop.2, y
+      const Scalar x19 = b5 * x13 + x5 * b13 + sums_[12];  // angular acceleration of hoop.2, z
+      const Scalar x20 = x12 + x14;
+      const Scalar x21 = b13 * x20 + x13 * b20 + sums_[13];
+      const Scalar x22 = b5 * x20 + x5 * b20 + sums_[14];
+      const Scalar x23 = b13 * x14 + x13 * b14 + sums_[15];
+      const Scalar x24 = f0 * x18 - p_C * x22;
+      const Scalar x25 = s_theta * x24 + x3 * b24 + sums_[16];
+      const Scalar x26 = c_theta * x19 + x4 * b19 + sums_[17];
+      const Scalar x27 = x17;
+      const Scalar x28 = p_C * x21 - p_A * x23;
+      const Scalar x29 = c_theta * x27 + x4 * b27 + sums_[18];
+      const Scalar x30 = b9 * x10 + x9 * s_psi + sums_[19];
+      const Scalar x31 = b9 * x11 + x9 * c_psi + sums_[20];
+      const Scalar x32 = b0 * x30 + x0 * b30 + sums_[21];
+      const Scalar x33 = b1 * x31 + x1 * b31 + sums_[22];
+      const Scalar x34 = b7 * x9 + x7 * b9 + sums_[23];
+      const Scalar x35 = b0 * x31 + x0 * b31 + sums_[24];
+      const Scalar x36 = b1 * x30 + x1 * b30 + sums_[25];
+      const Scalar x37 = b5 * x6 + x5 * b6 + sums_[26];
+      const Scalar x38 = x16;
+      const Scalar x39 = z79 * x15 - f1 * x16;
+      const Scalar x40 = f2 * x4;
+      const Scalar x41 = (x40 - b41 * x39 - sums_[27]) * i41;
+      const Scalar x42 = c_theta * x41 + x4 * b41 + sums_[28];
+      const Scalar x43 = (x3 - z163 * x38 - sums_[29]) * i43;
+      const Scalar x44 = s_theta * x43 + x3 * z163 + sums_[30];
+      const Scalar x45 = x44;
+      const Scalar x46 = f2 * x42;
+      const Scalar x47 = x25 - f3 * x26;
+      const Scalar x48 = (x47 - b48 * x39 - sums_[31]) * i48;
+      const Scalar x49 = x28 - x29;
+      const Scalar x50 = (x49 - b50 * x38 - sums_[32]) * i50;
+      const Scalar x51 = c_theta * x48 + x4 * b48 + sums_[33];
+      const Scalar x52 = x32 - x33 + x34;
+      const Scalar x53 = f4 * x19 + f4 * x51;
+      const Scalar x54 = x35 + x36 - x37;
+      const Scalar x55 = s_theta * x50 + x3 * b50 + sums_[34];
+      const Scalar x56 = x51 + x52 - x53;
+      const Scalar x57 = (x56 - b57 * x46 - sums_[35]) * i57;
+      const Scalar x58 = x54 + x55;
+      const Scalar x59 = (x58 - b59 * x45 - sums_[36]) * i59;
+      const Scalar x60 = s_psi * x59 + x10 * b59 + sums_[37];
+      const Scalar x61 = c_psi * x57 + x11 * b57 + sums_[38];
+      const Scalar x62 = s_psi * x57 + x10 * b57 + sums_[39];
+      const Scalar x63 = c_psi * x59 + x11 * b59 + sums_[40];
+      const Scalar x64 = b41 * x57 + x41 * b57 + sums_[41];
+      const Scalar x65 = z163 * x59 + x43 * b59 + sums_[42];
+      const Scalar x66 = f4 * x42;
+      const Scalar x67 = b57 * x66 + x57 * b66 + sums_[43];
+      const Scalar x68 = x60 - x61;
+      const Scalar x69 = x62 + x63;
+      const Scalar x70 = x48 - x64;
+      const Scalar x71 = x50 - x65;
+      const Scalar x72 = x53 - x67;
+      coefficients[k_ + 1][0] = next_ * x0;
+      coefficients[k_ + 1][1] = next_ * x1;
+      coefficients[k_ + 1][2] = next_ * x9;
+      coefficients[k_ + 1][3] = next_ * x5;
+      coefficients[k_ + 1][4] = next_ * x12;
+      coefficients[k_ + 1][5] = next_ * -x68;
+      coefficients[k_ + 1][6] = next_ * x69;
+      coefficients[k_ + 1][7] = next_ * -x70;
+      coefficients[k_ + 1][8] = next_ * -x71;
+      coefficients[k_ + 1][9] = next_ * x72;
+      const Scalar left_[] = {w2, w2, x4, x3, w8, w8, x3, x4, x3, x4, x5, x5, x5, x13, x5, x13, x3, x4, x4, x9, x9, x0,
+        x1, x7, x0, x1, x5, x41, x4, x43, x3, x48, x50, x4, x3, x57, x59, x10, x11, x10, x11, x41, x43, x57};
+      const Scalar right_[] = {x4, x3, x5, x5, x11, x10, x9, x9, x3, x4, x7, x14, x13, x20, x20, x14, x24, x19, x27,
+        x10, x11, x30, x31, x9, x31, x30, x6, x39, x41, x38, x43, x39, x38, x48, x50, x46, x45, x59, x57, x57, x59, x57,
+        x59, x66};
+      operations_.keep(k_, left_, right_);
+      number_ = following_;
+      inverse_ = next_;
+    }
+    static_cast<void>(inverse_);
+    if (!(traits::regular(-z157, z83) && traits::regular(z98, z98) && traits::regular(p_C, p_C) && traits::regular(z164,
+        z164) && traits::regular(z165, z165))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (coefficients[order][0] - coefficients[order][0]) + (coefficients[order][1]
+        - coefficients[order][1]) + (coefficients[order][2] - coefficients[order][2]) + (coefficients[order][3]
+        - coefficients[order][3]) + (coefficients[order][4] - coefficients[order][4]) + (coefficients[order][5]
+        - coefficients[order][5]) + (coefficients[order][6] - coefficients[order][6]) + (coefficients[order][7]
+        - coefficients[order][7]) + (coefficients[order][8] - coefficients[order][8]) + (coefficients[order][9]
+        - coefficients[order][9]);
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }

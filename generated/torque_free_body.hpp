@@ -3,13 +3,13 @@
 // Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
 // Free to embed under the MIT licence.
 //
-// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, linearisation
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, linearisation, jets
 // Parameters set at run time: I1, I2, I3
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
 // moved across joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   precompute                3                0          3             0                  0       0      6       -
+//   precompute                3                3          3             0                  0       0      9       -
 //   kinematics               18               27          0             0                  0       0     45      45
 //   mass_matrix               0                0          0             0                  0       0      0       0
 //   bias                      0                6          0             0                  0       0      6       9
@@ -18,6 +18,7 @@
 //   energy                    2                7          0             0                  0       0      9      11
 //   first_integrals           2                7          0             0                  0       0      9      11
 //   linearisation             3               21          0             0                  0       0     24      30
+//   jets                     46               75          0             0                  0       0    121       -
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 18 results 6 vanish identically
@@ -28,7 +29,7 @@
 //   linearisation: of 66 results 39 vanish identically, 3 repeat another up to sign
 //
 // To write this file again:
-//   torque_free_body_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output torque_free_body.hpp
+//   torque_free_body_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation,jets --output torque_free_body.hpp
 #pragma once
 
 #include <array>
@@ -363,6 +364,48 @@ struct scalar_traits {
 #error "headers of incompatible versions of torsor meet here: write them again with one version"
 #endif
 
+#ifndef TORSOR_JET_SUPPORT
+#define TORSOR_JET_SUPPORT 1
+
+namespace torsor {
+
+/// Pairs of Taylor series and their convolutions, side by side in lanes. A coefficient of order 0 is not kept: whoever
+/// asks for a sum adds the terms with it.
+template <class Scalar, int count>
+struct Convolutions {
+  static constexpr int order_max = 30;
+  static constexpr int lanes = (count + 3) / 4 * 4;
+  struct Sums {
+    Scalar lane[lanes];
+    TORSOR_DEVICE const Scalar& operator[](int i) const noexcept { return lane[i]; }
+  };
+
+  /// The terms a_i b_(k-i), i = 1..k-1, of each pair, summed.
+  TORSOR_DEVICE Sums sums(int k) const noexcept {
+    Sums result;
+    for (int l = 0; l < lanes; ++l) result.lane[l] = scalar_traits<Scalar>::constant(0.0, 0.0f, "0/1");
+    for (int i = 1; i < k; ++i) {
+      for (int l = 0; l < lanes; ++l) result.lane[l] = result.lane[l] + left_[i][l] * right_[k - i][l];
+    }
+    return result;
+  }
+
+  /// The coefficients of order k.
+  TORSOR_DEVICE void keep(int k, const Scalar (&left)[count], const Scalar (&right)[count]) noexcept {
+    for (int l = 0; l < count; ++l) left_[k][l] = left[l];
+    for (int l = 0; l < count; ++l) right_[k][l] = right[l];
+    for (int l = count; l < lanes; ++l) {
+      left_[k][l] = right_[k][l] = scalar_traits<Scalar>::constant(0.0, 0.0f, "0/1");
+    }
+  }
+
+ private:
+  Scalar left_[order_max][lanes], right_[order_max][lanes];
+};
+
+}  // namespace torsor
+#endif
+
 namespace torque_free_body {
 
 /// Every function is pure: it reads constant arguments and writes its results. Matrices are stored column by column.
@@ -492,6 +535,9 @@ struct Mechanism {
     Scalar z46;
     Scalar z49;
     Scalar z52;
+    Scalar y0;
+    Scalar y1;
+    Scalar y2;
   };
 
   /// Values of the scene.
@@ -526,6 +572,9 @@ struct Mechanism {
     precomputed.z46 = z46;
     precomputed.z49 = z49;
     precomputed.z52 = z52;
+    precomputed.y0 = z34 * z52;
+    precomputed.y1 = z36 * z49;
+    precomputed.y2 = z38 * z46;
     return precomputed;
   }
 
@@ -922,6 +971,115 @@ struct Mechanism {
         - result.A[2]) + (result.A[6] - result.A[6]) + (result.A[8] - result.A[8]) + (result.A[12] - result.A[12])
         + (result.A[13] - result.A[13]) + (result.A[22] - result.A[22]) + (result.A[23] - result.A[23]) + (result.A[27]
         - result.A[27]) + (result.A[29] - result.A[29]) + (result.A[33] - result.A[33]) + (result.A[34] - result.A[34]);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Taylor coefficients of the motion: coefficients[k] = y^(k)/k! for k = 0..order, 1 <= order <= 30, y positions
+  /// then velocities, the inputs being constant. 15 operations take a convolution at each order.
+  /// Returns singular where forward_dynamics does.
+  TORSOR_DEVICE static torsor::Status jets(const Precomputed& precomputed, const State& state, const Inputs&, int order,
+      std::array<Scalar, 7>* coefficients) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar p_I1 = precomputed.parameters.I1;
+    const Scalar p_I2 = precomputed.parameters.I2;
+    const Scalar p_I3 = precomputed.parameters.I3;
+    const Scalar b5 = state.v.e_omega_y;
+    const Scalar b6 = state.v.e_omega_z;
+    const Scalar b4 = state.v.e_omega_x;
+    const Scalar b0 = state.q.e_y;
+    const Scalar b1 = state.q.e_z;
+    const Scalar b2 = state.q.e_x;
+    const Scalar b3 = state.q.e_w;
+    const Scalar f0 = precomputed.y0;
+    const Scalar f1 = precomputed.y1;
+    const Scalar f2 = precomputed.y2;
+    const Scalar b10 = b0 * b5;
+    const Scalar b11 = b1 * b6;
+    const Scalar b12 = b2 * b4;
+    const Scalar b22 = n0_5 * b10 + n0_5 * b11 + n0_5 * b12;
+    const Scalar b13 = b0 * b6;
+    const Scalar b14 = b1 * b5;
+    const Scalar b15 = b3 * b4;
+    const Scalar b23 = n0_5 * b13 - n0_5 * b14 + n0_5 * b15;
+    const Scalar b16 = b1 * b4;
+    const Scalar b17 = b2 * b6;
+    const Scalar b18 = b3 * b5;
+    const Scalar b24 = n0_5 * b16 - n0_5 * b17 + n0_5 * b18;
+    const Scalar b19 = b0 * b4;
+    const Scalar b20 = b2 * b5;
+    const Scalar b21 = b3 * b6;
+    const Scalar b25 = n0_5 * b19 - n0_5 * b20 - n0_5 * b21;
+    const Scalar b7 = b5 * b6;
+    const Scalar b8 = b4 * b6;
+    const Scalar b9 = b4 * b5;
+    coefficients[0][0] = state.q.e_w;
+    coefficients[0][1] = state.q.e_x;
+    coefficients[0][2] = state.q.e_y;
+    coefficients[0][3] = state.q.e_z;
+    coefficients[0][4] = state.v.e_omega_x;
+    coefficients[0][5] = state.v.e_omega_y;
+    coefficients[0][6] = state.v.e_omega_z;
+    coefficients[1][0] = -b22;
+    coefficients[1][1] = b23;
+    coefficients[1][2] = b24;
+    coefficients[1][3] = -b25;
+    coefficients[1][4] = f0 * b7;
+    coefficients[1][5] = -f1 * b8;
+    coefficients[1][6] = f2 * b9;
+    torsor::Convolutions<Scalar, 15> operations_;
+    Scalar number_ = n1, inverse_ = n1;
+    for (int k_ = 1; k_ < order; ++k_) {
+      const Scalar following_ = number_ + n1, next_ = n1 / following_;
+      const auto sums_ = operations_.sums(k_);
+      const Scalar x0 = coefficients[k_][2];
+      const Scalar x1 = coefficients[k_][3];
+      const Scalar x2 = coefficients[k_][1];
+      const Scalar x3 = coefficients[k_][0];
+      const Scalar x4 = coefficients[k_][4];
+      const Scalar x5 = coefficients[k_][5];
+      const Scalar x6 = coefficients[k_][6];
+      const Scalar x7 = b5 * x6 + x5 * b6 + sums_[0];
+      const Scalar x8 = b4 * x6 + x4 * b6 + sums_[1];
+      const Scalar x9 = b4 * x5 + x4 * b5 + sums_[2];
+      const Scalar x10 = b0 * x5 + x0 * b5 + sums_[3];
+      const Scalar x11 = b1 * x6 + x1 * b6 + sums_[4];
+      const Scalar x12 = b2 * x4 + x2 * b4 + sums_[5];
+      const Scalar x13 = b0 * x6 + x0 * b6 + sums_[6];
+      const Scalar x14 = b1 * x5 + x1 * b5 + sums_[7];
+      const Scalar x15 = b3 * x4 + x3 * b4 + sums_[8];
+      const Scalar x16 = b1 * x4 + x1 * b4 + sums_[9];
+      const Scalar x17 = b2 * x6 + x2 * b6 + sums_[10];
+      const Scalar x18 = b3 * x5 + x3 * b5 + sums_[11];
+      const Scalar x19 = b0 * x4 + x0 * b4 + sums_[12];
+      const Scalar x20 = b2 * x5 + x2 * b5 + sums_[13];
+      const Scalar x21 = b3 * x6 + x3 * b6 + sums_[14];
+      const Scalar x22 = n0_5 * x10 + n0_5 * x11 + n0_5 * x12;
+      const Scalar x23 = n0_5 * x13 - n0_5 * x14 + n0_5 * x15;
+      const Scalar x24 = n0_5 * x16 - n0_5 * x17 + n0_5 * x18;
+      const Scalar x25 = n0_5 * x19 - n0_5 * x20 - n0_5 * x21;
+      coefficients[k_ + 1][0] = next_ * -x22;
+      coefficients[k_ + 1][1] = next_ * x23;
+      coefficients[k_ + 1][2] = next_ * x24;
+      coefficients[k_ + 1][3] = next_ * -x25;
+      coefficients[k_ + 1][4] = next_ * f0 * x7;
+      coefficients[k_ + 1][5] = next_ * -f1 * x8;
+      coefficients[k_ + 1][6] = next_ * f2 * x9;
+      const Scalar left_[] = {x5, x4, x4, x0, x1, x2, x0, x1, x3, x1, x2, x3, x0, x2, x3};
+      const Scalar right_[] = {x6, x6, x5, x5, x6, x4, x6, x5, x4, x4, x6, x5, x4, x5, x6};
+      operations_.keep(k_, left_, right_);
+      number_ = following_;
+      inverse_ = next_;
+    }
+    static_cast<void>(inverse_);
+    if (!(traits::regular(p_I1, p_I1) && traits::regular(p_I2, p_I2) && traits::regular(p_I3,
+        p_I3))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (coefficients[order][0] - coefficients[order][0]) + (coefficients[order][1]
+        - coefficients[order][1]) + (coefficients[order][2] - coefficients[order][2]) + (coefficients[order][3]
+        - coefficients[order][3]) + (coefficients[order][4] - coefficients[order][4]) + (coefficients[order][5]
+        - coefficients[order][5]) + (coefficients[order][6] - coefficients[order][6]);
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <span>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -124,9 +125,21 @@ void write_coordinate_rates(const typename M::Precomputed& precomputed, const ty
   }
 }
 
+/// A mechanism generated with the kernel `jets`: Taylor coefficients of its motions.
+template <class M>
+concept HasJets = HasForwardDynamics<M> &&
+    requires(const typename M::Precomputed& precomputed, const typename M::State& state,
+             const typename M::Inputs& inputs, StateVector<M>* coefficients) {
+  M::jets(precomputed, state, inputs, 1, coefficients);
+};
+
+/// The most that can be asked of the kernel `jets`.
+inline constexpr std::size_t jet_order_max = 30;
+
 /// The input law of a mechanism left to itself.
 template <MechanismModel M>
 struct NoInputs {
+  static constexpr bool constant_inputs = true;
   [[nodiscard]] typename M::Inputs operator()(const typename M::State&) const noexcept {
     typename M::Inputs inputs{};
     if constexpr (M::input_count > 0) {
@@ -200,6 +213,19 @@ class EquationsOfMotion {
       J = linear.A;
       return to_evaluation(status);
     }
+  }
+
+  /// Taylor coefficients of the motion through y: c[k] = y^(k)(t)/k! for k = 0..c.size() - 1, at most 30. Only with
+  /// inputs that do not change: the law says so by a member `static constexpr bool constant_inputs = true`.
+  [[nodiscard]] Evaluation jets(const Scalar& t, const Vector& y, std::span<Vector> c) const noexcept
+      requires HasJets<M> && (M::input_count == 0 || requires { requires InputLaw::constant_inputs; }) {
+    if (c.size() < 2 || c.size() > jet_order_max + 1) {
+      if (c.size() == 1) c[0] = y;
+      return c.size() > 1 ? Evaluation::not_finite : Evaluation::ok;
+    }
+    const typename M::State state = unpack<M>(t, y);
+    const int order = static_cast<int>(c.size()) - 1;
+    return to_evaluation(M::jets(precomputed_, state, law_(state), order, c.data()));
   }
 
   /// Gives the unit quaternions among the coordinates their norm back.

@@ -9,6 +9,7 @@
 
 #include "generator/emission/cpp_names.hpp"
 #include "generator/emission/generation_constant.hpp"
+#include "generator/emission/series_emitter.hpp"
 #include "generator/emission/text_template.hpp"
 #include "generator/expression/error.hpp"
 
@@ -223,10 +224,23 @@ std::string FunctionEmitter::text_of(const Value& value, const std::string& targ
   return negative ? printer_.print_negated(tree) : printer_.print(tree);
 }
 
+std::string FunctionEmitter::text(const Polynomial& sum) {
+  const auto [positive, negative] = without_sign(sum);
+  const Formula tree = factored(positive);
+  if (const auto place = ready_ != nullptr ? ready_->find(positive) : std::nullopt) {
+    reads_ready_ = true;
+    return fmt::format("{}{}{}", negative ? "-" : "", ready_prefix_, *place);
+  }
+  operations_ += count(tree);
+  return negative ? printer_.print_negated(tree) : printer_.print(tree);
+}
+
 void FunctionEmitter::assign(const std::string& target, const Value& value) {
   line(fmt::format("{} = {};", target, text_of(value, target)));
   if (!value.is_constant()) results_.push_back(target);
 }
+
+void FunctionEmitter::check_finite(const std::string& target) { results_.push_back(target); }
 
 void FunctionEmitter::return_status(const std::vector<std::pair<Value, Value>>& pivots) {
   const auto operand = [this](const Value& value) {
@@ -286,10 +300,11 @@ FunctionText kernel_function(Program& program, const Kernel& kernel, const Block
   FunctionEmitter emitter(program, "precomputed.parameters.");
   emitter.provide(ready, "precomputed.y");
   emitter.compute(block);
+  if (kernel.series) write_series(emitter, program, *kernel.series, block);
   for (const Assignment& assignment : kernel.assignments) {
     emitter.assign(named_target(assignment.target, kernel, structures), assignment.value);
   }
-  if (!kernel.pivots.empty()) emitter.return_status(kernel.pivots);
+  if (kernel.series || !kernel.pivots.empty()) emitter.return_status(kernel.pivots);
   const FunctionText function = emitter.take();
 
   // An argument that this scene does not need has no name, so that nobody looks for it and no compiler warns.
@@ -302,11 +317,11 @@ FunctionText kernel_function(Program& program, const Kernel& kernel, const Block
     return used ? type + " " + name : type;
   };
   std::string signature =
-      fmt::format("TORSOR_DEVICE static {} {}(", kernel.pivots.empty() ? "void" : "torsor::Status", kernel.name);
+      fmt::format("TORSOR_DEVICE static {} {}(", kernel.series || !kernel.pivots.empty() ? "torsor::Status" : "void", kernel.name);
   signature += parameter("const Precomputed&", "precomputed",
                          emitter.reads_ready() || !block.given.empty() || reads({SymbolKind::parameter}));
   signature += ", " + parameter("const State&", "state",
-                                reads({SymbolKind::time, SymbolKind::coordinate, SymbolKind::velocity}));
+                                kernel.series || reads({SymbolKind::time, SymbolKind::coordinate, SymbolKind::velocity}));
   for (const Argument argument : kernel.arguments) {
     const ArgumentText& given = argument_text(argument);
     signature += ", " + parameter(fmt::format("const {}&", given.type), given.name, reads({given.kind}));
@@ -316,6 +331,9 @@ FunctionText kernel_function(Program& program, const Kernel& kernel, const Block
       return each.target.starts_with(result.name + "[") || each.target.starts_with(result.name + ".");
     });
     signature += ", " + parameter(result.type + "&", result.name, used);
+  }
+  if (kernel.series) {
+    signature += fmt::format(", int order, std::array<Scalar, {}>* coefficients", kernel.series->state.size());
   }
   signature += ") noexcept {";
 

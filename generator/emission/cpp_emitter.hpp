@@ -34,8 +34,14 @@ class FunctionEmitter {
   void assign(const std::string& target, const Value& value);
   /// Returns Status::singular when a pivot is not regular, not_finite when an assigned result is not, else ok.
   void return_status(const std::vector<std::pair<Value, Value>>& pivots);
+  /// A result that return_status looks at.
+  void check_finite(const std::string& target);
   void line(const std::string& code);
   std::string name(const Number& number) { return printer_.name(number); }
+  /// The text that gives a sum in atoms that have been computed.
+  std::string text(const Polynomial& sum);
+  /// Adds to the operations that the text states.
+  void add_operations(const OperationCount& operations) { operations_ += operations; }
 
   bool reads_ready() const { return reads_ready_; }
 

@@ -162,9 +162,12 @@ std::string emit_header(const Equations& equations, const std::vector<Kernel>& k
   for (std::size_t k = 0; k < present.size(); ++k) {
     FunctionText function = kernel_function(program, present[k], schedule.kernels[k], schedule.results, structures);
     if (present[k].name != "coordinate_rates") {
-      const std::vector<Value> before = make_kernel(present[k].name, unoptimised).values();
-      provenance.operations.push_back(
-          {present[k].name, function.operations, count_unoptimised(unoptimised.program(), before).total()});
+      std::optional<int> before;  // recurrences have nothing to be compared with
+      if (!present[k].series) {
+        const std::vector<Value> values = make_kernel(present[k].name, unoptimised).values();
+        before = count_unoptimised(unoptimised.program(), values).total();
+      }
+      provenance.operations.push_back({present[k].name, function.operations, before});
     }
     functions.push_back(std::move(function.body));
   }
@@ -173,11 +176,13 @@ std::string emit_header(const Equations& equations, const std::vector<Kernel>& k
   const SceneContent& content = scene.content();
   const auto size = [](std::size_t count) { return std::to_string(count); };
   const std::string degrees = std::to_string(equations.model().unknown_count());
-  const std::string_view sincos = embedded_template("sincos.hpp");
+  const auto without_licence = [](std::string_view text) { return std::string(text.substr(text.find('\n') + 1)); };
+  const bool jets = std::any_of(present.begin(), present.end(), [](const Kernel& kernel) { return kernel.series.has_value(); });
   return fill_template("mechanism.hpp.in", embedded_template("mechanism.hpp.in"),
                        {{"provenance", provenance_comment(provenance)},
                         {"scene_name", scene.name()},
-                        {"sincos", std::string(sincos.substr(sincos.find('\n') + 1))},  // without its licence line
+                        {"sincos", without_licence(embedded_template("sincos.hpp"))},
+                        {"jet_support", jets ? without_licence(embedded_template("jets.hpp")) + "\n" : ""},
                         {"coordinate_count", size(equations.model().positions().size())},
                         {"velocity_count", degrees},
                         {"input_count", size(equations.model().inputs().size())},

@@ -9,6 +9,7 @@
 #include "generator/dynamics/energy.hpp"
 #include "generator/dynamics/painleve.hpp"
 #include "generator/emission/kernel_derivatives.hpp"
+#include "generator/emission/kernel_jets.hpp"
 #include "generator/emission/kernel_kinematics.hpp"
 #include "generator/emission/kernel_linearisation.hpp"
 #include "generator/emission/kernel_parts.hpp"
@@ -214,7 +215,8 @@ const std::vector<Entry>& entries() {
                                       {"linearisation", make_linearisation},
                                       {"inverse_dynamics_derivatives", make_inverse_dynamics_derivatives},
                                       {"forward_dynamics_derivatives", make_forward_dynamics_derivatives},
-                                      {"regressor", make_regressor}};
+                                      {"regressor", make_regressor},
+                                      {"jets", make_jets}};
   return all;
 }
 
@@ -232,6 +234,9 @@ std::vector<Value> Kernel::values() const {
   for (const auto& [pivot, diagonal] : pivots) {
     all.push_back(pivot);
     all.push_back(diagonal);
+  }
+  if (series) {
+    for (const Polynomial& root : series->program.roots()) all.push_back(series->program.value(root));
   }
   return all;
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "generator/dynamics/equations.hpp"
+#include "generator/expression/series_program.hpp"
 
 namespace torsor {
 
@@ -41,6 +43,12 @@ struct Assignment {
   Value value;
 };
 
+/// A kernel that gives Taylor coefficients: those of the rates of the state are the outputs of the program.
+struct SeriesResult {
+  SeriesProgram program;
+  std::vector<SymbolPointer> state;  ///< positions, then velocities
+};
+
 /// A kernel as data: emitters print it, counters count it, checkers evaluate it.
 struct Kernel {
   std::string name;
@@ -50,7 +58,8 @@ struct Kernel {
   std::vector<Result> results;
   std::vector<Assignment> assignments;
   std::vector<std::pair<Value, Value>> pivots;  ///< (pivot, diagonal): not empty means the kernel returns a Status
-  std::string skipped;  ///< not empty: why there is nothing to compute; the kernel is absent from the header
+  std::optional<SeriesResult> series{};  ///< of a kernel that is written as recurrences, without assignments
+  std::string skipped{};  ///< not empty: why there is nothing to compute; the kernel is absent from the header
 
   std::vector<Value> values() const;  ///< everything that must be computed, pivots included
 };

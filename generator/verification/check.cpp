@@ -8,6 +8,7 @@
 
 #include "generator/dynamics/painleve.hpp"
 #include "generator/expression/derivative.hpp"
+#include "generator/verification/check_jets.hpp"
 #include "generator/verification/check_kernels.hpp"
 #include "generator/verification/lagrange_road.hpp"
 #include "generator/verification/random_state.hpp"
@@ -248,6 +249,7 @@ std::vector<CheckResult> check_derivations(const Scene& scene, const CheckOption
 std::vector<CheckResult> check_scene(const Scene& scene, const CheckOptions& options) {
   std::vector<CheckResult> results = check_derivations(scene, options);
   for (CheckResult& result : check_kernels(scene, options)) results.push_back(std::move(result));
+  for (CheckResult& result : check_jets(scene, options)) results.push_back(std::move(result));
   return results;
 }
 

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "generator/expression/evaluation.hpp"
+#include "generator/expression/series_program.hpp"
+
+namespace torsor {
+
+/// Taylor coefficients 0..order of y' = outputs, y being the symbols of `state`, through the state at which `here`
+/// evaluates: the recurrences that are emitted, in `double` or `Real`.
+template <class Scalar>
+class SeriesEvaluation {
+ public:
+  SeriesEvaluation(const SeriesProgram& program, const std::vector<SymbolPointer>& state, Evaluator<Scalar>& here)
+      : program_(program), state_(state), here_(here), series_(program.nodes().size()) {}
+
+  /// coefficients[k][i], k = 0..order.
+  std::vector<std::vector<Scalar>> operator()(int order) {
+    std::vector<std::vector<Scalar>> coefficients(1);
+    for (const SymbolPointer& symbol : state_) coefficients[0].push_back(here_(program_.symbol(symbol)));
+    for (int k = 0; k < order; ++k) {
+      for (std::size_t id = 0; id < series_.size(); ++id) {
+        series_[id].push_back(coefficient(program_.nodes()[id], id, k, coefficients));
+      }
+      std::vector<Scalar> next;
+      for (const SeriesForm& rate : program_.outputs()) next.push_back(value(rate, k) / Scalar(k + 1));
+      coefficients.push_back(std::move(next));
+    }
+    return coefficients;
+  }
+
+ private:
+  Scalar value(const SeriesForm& form, int k) {
+    Scalar sum = k == 0 ? here_(program_.value(form.constant)) : Scalar(0);
+    for (const SeriesForm::Term& term : form.terms) {
+      sum = sum + here_(program_.value(term.coefficient)) * at(term.node, k);
+    }
+    return sum;
+  }
+
+  const Scalar& at(int node, int k) const {
+    return series_[static_cast<std::size_t>(node)][static_cast<std::size_t>(k)];
+  }
+
+  /// The terms a_i b_(k-i), i = 1..k-1; weighted by i for the derivative of a.
+  Scalar inner(int a, int b, int k, bool weighted) const {
+    Scalar sum = Scalar(0);
+    for (int i = 1; i < k; ++i) {
+      const Scalar product = at(a, i) * at(b, k - i);
+      sum = sum + (weighted ? Scalar(i) * product : product);
+    }
+    return sum;
+  }
+
+  Scalar coefficient(const SeriesNode& node, std::size_t id, int k, const std::vector<std::vector<Scalar>>& y) {
+    using Kind = SeriesNode::Kind;
+    const int own = static_cast<int>(id);
+    if (node.kind == Kind::symbol) {
+      const auto place = std::find(state_.begin(), state_.end(), program_.symbol_of(node));
+      if (place != state_.end())
+        return y[static_cast<std::size_t>(k)][static_cast<std::size_t>(place - state_.begin())];
+      return k == 0 ? here_(program_.value(Polynomial(node.atom))) : Scalar(k == 1 ? 1 : 0);
+    }
+    if (node.kind == Kind::sum) return value(node.form, k);
+    if (k == 0) {
+      if (node.kind == Kind::product) return at(node.left, 0) * at(node.right, 0);
+      if (node.kind == Kind::quotient) return (node.left < 0 ? Scalar(1) : at(node.left, 0)) / at(node.right, 0);
+      return here_(program_.value(Polynomial(node.atom)));
+    }
+    switch (node.kind) {
+      case Kind::product:
+        return at(node.left, 0) * at(node.right, k) + at(node.left, k) * at(node.right, 0) +
+               inner(node.left, node.right, k, false);
+      case Kind::quotient: {
+        const Scalar dividend = node.left < 0 ? Scalar(0) : at(node.left, k);
+        return (dividend - at(own, 0) * at(node.right, k) - inner(own, node.right, k, false)) / at(node.right, 0);
+      }
+      case Kind::square_root:
+        return (at(node.left, k) - inner(own, own, k, false)) / (at(own, 0) + at(own, 0));
+      case Kind::sine:
+        return at(node.left, k) * at(node.right, 0) + inner(node.left, node.right, k, true) / Scalar(k);
+      case Kind::cosine:
+        return -(at(node.left, k) * at(node.right, 0) + inner(node.left, node.right, k, true) / Scalar(k));
+      case Kind::exponential:
+        return at(node.left, k) * at(own, 0) + inner(node.left, own, k, true) / Scalar(k);
+      case Kind::logarithm:
+        return (at(node.left, k) - inner(own, node.left, k, true) / Scalar(k)) / at(node.left, 0);
+      case Kind::symbol:
+      case Kind::sum:
+        break;
+    }
+    return Scalar(0);
+  }
+
+  const SeriesProgram& program_;
+  const std::vector<SymbolPointer>& state_;
+  Evaluator<Scalar>& here_;
+  std::vector<std::vector<Scalar>> series_;  ///< by node
+};
+
+}  // namespace torsor

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "generator/expression/program.hpp"
+
+namespace torsor {
+
+/// constant + Σ coefficient · node: what costs no convolution. Constants and coefficients are sums in atoms that do not
+/// change with time.
+struct SeriesForm {
+  struct Term {
+    int node = 0;
+    Polynomial coefficient;
+    friend bool operator==(const Term&, const Term&) = default;
+  };
+  Polynomial constant;
+  std::vector<Term> terms;  ///< by node, each once, no coefficient zero
+
+  void add(int node, const Polynomial& coefficient);
+  void add(const SeriesForm& other, const Polynomial& factor);
+  friend bool operator==(const SeriesForm&, const SeriesForm&) = default;
+};
+
+/// A quantity that changes with time, with the recurrence its Taylor coefficients follow.
+struct SeriesNode {
+  enum class Kind { symbol, sum, product, quotient, square_root, sine, cosine, exponential, logarithm };
+  Kind kind = Kind::symbol;
+  Atom atom = -1;   ///< the atom of the program with just this value, if one is known; always for symbols and functions
+  int left = -1;    ///< factor, dividend (-1: one), or argument of a function
+  int right = -1;   ///< factor, divisor, or the cosine of a sine and the sine of a cosine
+  SeriesForm form;  ///< of a sum
+};
+
+/// Whether the Taylor coefficients of a node take a convolution, k multiply-adds for the coefficient of order k.
+bool is_nonlinear(const SeriesNode& node);
+
+/// The live part of a program as operations between Taylor series in time, with few that are not linear: sums of flat
+/// monomials are factored, factors times a sum take one product, a quotient is one operation and so is each reciprocal,
+/// equal operations are made once, and what is constant in time multiplies coefficients only. Inputs, parameters and
+/// numbers are constant; time, coordinates and velocities are series.
+///
+/// Deterministic: nodes are numbered in the order of the program.
+class SeriesProgram {
+ public:
+  SeriesProgram(Program& program, const std::vector<Value>& outputs);
+
+  const std::vector<SeriesNode>& nodes() const { return nodes_; }
+  const std::vector<SeriesForm>& outputs() const { return outputs_; }  ///< one for each value, in their order
+  /// What must be known of the program at the start: constants, coefficients, and functions of series.
+  std::vector<Polynomial> roots() const;
+  Value value(const Polynomial& root) const { return Value(*program_, root, Unit()); }
+  Value symbol(const SymbolPointer& symbol) const { return program_->symbol(symbol); }
+  const SymbolPointer& symbol_of(const SeriesNode& node) const { return (*program_)[node.atom].symbol; }
+  int nonlinear_count() const;
+
+ private:
+  struct Power {
+    int node;
+    int exponent;
+    friend bool operator==(const Power&, const Power&) = default;
+  };
+  struct Product {
+    Polynomial coefficient;
+    std::vector<Power> powers;  ///< by node, no exponent zero
+  };
+  struct Scaled {
+    Polynomial coefficient;
+    int node;
+  };
+
+  void define(Atom atom);
+  void define_function(Atom atom);
+  SeriesForm lowered(const Polynomial& polynomial, SeriesForm& expanded);
+  SeriesForm lowered(std::vector<Product> products);
+  Scaled scaled(const SeriesForm& form);
+  int exact(const SeriesForm& form);
+  int product(int left, int right);
+  int quotient(int dividend, int divisor);
+  std::optional<int> known_product(const std::vector<Power>& powers) const;
+  int value_of(const std::vector<Power>& powers);
+  void multiply(Product& product, Atom atom, int exponent);
+  int append(SeriesNode node);
+  void keep_live();
+
+  Program* program_;
+  std::vector<SeriesNode> nodes_;
+  std::vector<SeriesForm> outputs_;
+  std::vector<bool> constant_;        ///< by atom
+  std::vector<bool> is_cancelled_;    ///< by atom: constant although its definition does not show it
+  std::vector<SeriesForm> direct_;    ///< by atom: in terms of what it was written with
+  std::vector<SeriesForm> expanded_;  ///< by atom: with sums put back, where that stays short
+  std::map<std::pair<int, int>, int> products_, quotients_;
+  std::multimap<int, int> sums_;  ///< by first node, looked up only
+};
+
+}  // namespace torsor
