@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// The integrators of SUNDIALS with the interface of the project's own, where SUNDIALS is installed: link with
+/// torsor::runtime_sundials.
+#include "runtime/sundials/arkode.hpp"
+#include "runtime/sundials/cvode.hpp"
+#include "runtime/sundials/ida.hpp"

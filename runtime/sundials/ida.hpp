@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <ida/ida.h>
+
+#include <array>
+#include <cstddef>
+#include <type_traits>
+
+#include "runtime/mechanism.hpp"
+#include "runtime/sundials/run.hpp"
+
+namespace torsor::runtime {
+
+/// A motion (see `equations_of_motion`) without inputs of a mechanism that has the kernels `inverse_dynamics` and, with
+/// multipliers, `constraints`.
+template <class S>
+concept HasResidual = requires {
+  typename S::Mechanism;
+  requires S::Mechanism::input_count == 0;
+  requires S::Mechanism::multiplier_count == 0 || HasConstraints<typename S::Mechanism>;
+  requires requires(const typename S::Mechanism::Precomputed& precomputed, const typename S::Mechanism::State& state,
+                    const typename S::Mechanism::Accelerations& a, const typename S::Mechanism::Multipliers& lambda,
+                    typename S::Mechanism::GeneralizedForces& r) {
+    S::Mechanism::inverse_dynamics(precomputed, state, a, lambda, r);
+  };
+};
+
+/// SUNDIALS' IDA: backward differentiation (orders 1 to 5) of the implicit form with the multipliers among the unknowns
+/// (index 1), so that M is never solved with:
+///   q' = N(q) v,   M v' + h - Aᵀλ = 0,   A v' + γ = 0   (λ_j = 0 where constraint j repeats others).
+/// The multipliers stay out of the error test. Constraints drift as with the kernel `forward_dynamics`. The start's v' and
+/// λ are those of the motion. y holds q and v as everywhere; the system must be what `equations_of_motion` makes.
+/// Source: Hindmarsh et al., SUNDIALS, ACM TOMS 31 (2005).
+struct Ida : SundialsOptions {
+  template <class S, std::size_t size>
+  class Solver;
+
+  template <class S, class Scalar, std::size_t size>
+  [[nodiscard]] auto start(S& system, std::array<Scalar, size>& y, Scalar t) const {
+    static_assert(std::is_same_v<Scalar, double>, "SUNDIALS integrates in double");
+    static_assert(HasResidual<std::remove_cv_t<S>>,
+                  "IDA needs equations_of_motion of a mechanism without inputs that has the kernels inverse_dynamics "
+                  "and, with multipliers, constraints");
+    return SundialsRun<Solver<S, size>, S, size>(system, y, t, *this);
+  }
+};
+
+template <class S, std::size_t size>
+class Ida::Solver {
+ public:
+  Solver(const Ida& method, S& system) : work(system), method_(method) {}
+  Solver(const Solver&) = delete;
+  Solver& operator=(const Solver&) = delete;
+  ~Solver() {
+    if (memory_ != nullptr) IDAFree(&memory_);
+    if (rates_ != nullptr) N_VDestroy(rates_);
+    if (kinds_ != nullptr) N_VDestroy(kinds_);
+  }
+
+  [[nodiscard]] bool create(double t, const std::array<double, size>& y) {
+    if (!work.create(size + m, true)) return false;
+    rates_ = N_VClone(work.y);
+    kinds_ = N_VClone(work.y);
+    if (rates_ == nullptr || kinds_ == nullptr || !fill(t, y)) return false;
+    memory_ = IDACreate(work.context);
+    if (memory_ == nullptr) return false;
+    IDASetErrFile(memory_, nullptr);
+    return IDAInit(memory_, residual, t, work.y, rates_) == 0 && IDASetUserData(memory_, &work) == 0 &&
+           IDASStolerances(memory_, method_.relative_tolerance, method_.absolute_tolerance) == 0 &&
+           IDASetInitStep(memory_, method_.first_step) == 0 && IDASetMaxStep(memory_, method_.largest_step) == 0 &&
+           IDASetId(memory_, kinds_) == 0 && IDASetSuppressAlg(memory_, SUNTRUE) == 0 &&
+           IDASetLinearSolver(memory_, work.linear_solver, work.matrix) == 0;
+  }
+
+  int stop_at(double end) { return IDASetStopTime(memory_, end); }
+  int step(double end, double& t) { return IDASolve(memory_, end, &t, work.y, rates_, IDA_ONE_STEP); }
+
+  void add_statistics(Statistics& statistics) const noexcept {
+    long failed = 0, unsolved = 0, jacobians = 0, decompositions = 0;
+    IDAGetNumErrTestFails(memory_, &failed);
+    IDAGetNumStepSolveFails(memory_, &unsolved);
+    IDAGetNumJacEvals(memory_, &jacobians);
+    IDAGetNumLinSolvSetups(memory_, &decompositions);
+    statistics.rejected = failed + unsolved;
+    statistics.jacobians = jacobians;
+    statistics.decompositions = decompositions;
+  }
+
+  using Work = SundialsWorkplace<S, size>;
+  Work work;
+
+ private:
+  using M = typename std::remove_cv_t<S>::Mechanism;
+  static constexpr std::size_t nq = coordinates_of<M>, nv = velocities_of<M>;
+  static constexpr std::size_t m = static_cast<std::size_t>(M::multiplier_count);
+
+  bool fill(double t, const std::array<double, size>& y) {
+    typename M::Accelerations a{};
+    typename M::Multipliers lambda{};
+    std::array<double, size> slope;
+    if (!work.f(t, y, slope) ||
+        work.f.system().accelerations(unpack<M>(t, y), a, lambda) != Evaluation::ok) {
+      return false;
+    }
+    double* const unknowns = N_VGetArrayPointer(work.y);
+    std::copy(y.begin(), y.end(), unknowns);
+    std::copy(slope.begin(), slope.end(), N_VGetArrayPointer(rates_));
+    std::fill_n(N_VGetArrayPointer(kinds_), size, 1.0);
+    if constexpr (m > 0) {
+      for (std::size_t j = 0; j < m; ++j) {
+        unknowns[size + j] = lambda[static_cast<int>(j)];
+        N_VGetArrayPointer(rates_)[size + j] = 0.0;
+        N_VGetArrayPointer(kinds_)[size + j] = 0.0;
+      }
+    }
+    return true;
+  }
+
+  static int residual(realtype t, N_Vector unknowns, N_Vector rates, N_Vector result, void* user) {
+    auto& here = *static_cast<Work*>(user);
+    ++here.f.calls;
+    const double* const x = N_VGetArrayPointer(unknowns);
+    const double* const dx = N_VGetArrayPointer(rates);
+    double* const r = N_VGetArrayPointer(result);
+    const auto& precomputed = here.f.system().precomputed();
+    const typename M::State state = unpack<M>(t, here.read(unknowns));
+    StateVector<M> turning{};
+    write_coordinate_rates<M>(precomputed, state, turning);
+    for (std::size_t i = 0; i < nq; ++i) r[i] = dx[i] - turning[i];
+    typename M::Accelerations a{};
+    for (std::size_t i = 0; i < nv; ++i) a[static_cast<int>(i)] = dx[nq + i];
+    typename M::Multipliers lambda{};
+    if constexpr (m > 0) {
+      for (std::size_t j = 0; j < m; ++j) lambda[static_cast<int>(j)] = x[size + j];
+    }
+    typename M::GeneralizedForces forces{};
+    M::inverse_dynamics(precomputed, state, a, lambda, forces);
+    for (std::size_t i = 0; i < nv; ++i) r[nq + i] = forces[static_cast<int>(i)];
+    if constexpr (m > 0) {
+      typename M::Constraints constraints{};
+      M::constraints(precomputed, state, constraints);
+      for (std::size_t j = 0; j < m; ++j) {
+        r[size + j] = constraints.gamma[j];
+        for (std::size_t i = 0; i < nv; ++i) r[size + j] += constraints.jacobian[i * m + j] * dx[nq + i];
+      }
+      if constexpr (HasRedundantConstraints<M>) {
+        for (const int j : M::redundant_multipliers) {
+          r[size + static_cast<std::size_t>(j)] = x[size + static_cast<std::size_t>(j)];
+        }
+      }
+    }
+    bool finite = true;
+    for (std::size_t i = 0; i < size + m; ++i) finite = finite && std::isfinite(r[i]);
+    if (finite) return 0;
+    here.f.evaluation = Evaluation::not_finite;
+    return here.refuse();
+  }
+
+  Ida method_;
+  void* memory_ = nullptr;
+  N_Vector rates_ = nullptr, kinds_ = nullptr;
+};
+
+}  // namespace torsor::runtime
