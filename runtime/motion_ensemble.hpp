@@ -21,6 +21,7 @@
 #include "runtime/mechanism.hpp"
 #include "runtime/midpoint.hpp"
 #include "runtime/runge_kutta_4.hpp"
+#include "runtime/taylor.hpp"
 
 namespace torsor::runtime {
 
@@ -43,6 +44,9 @@ inline void add_to_digest(Digest& digest, const DormandPrince54& method) noexcep
 }
 inline void add_to_digest(Digest& digest, const DormandPrince853& method) noexcept {
   add_step_control(digest.add("Dormand-Prince 8(5,3)"), method);
+}
+inline void add_to_digest(Digest& digest, const Taylor& method) noexcept {
+  add_step_control(digest.add("Taylor").add(static_cast<std::uint64_t>(method.order)), method);
 }
 
 /// What tells one member of an ensemble from another.

@@ -12,8 +12,8 @@
 namespace torsor::runtime {
 
 /// y' = f(t, y): a callable `system(t, y, dydt)` that writes the derivative and returns an enumeration, 0 if it could.
-/// It may have a member `project(y)` too, noexcept, which removes what a step's error moved off an invariant (the norm of
-/// a quaternion); every method calls it once after each step kept.
+/// It may have a member `project(y)` too, noexcept, which removes what a step's error moved off an invariant (the norm
+/// of a quaternion); every method calls it once after each step kept.
 template <class S, class Scalar, std::size_t size>
 concept System = std::floating_point<Scalar> &&
     requires(S& system, const Scalar& t, const std::array<Scalar, size>& y, std::array<Scalar, size>& dydt) {
@@ -40,6 +40,17 @@ class CheckedSystem {
     ++calls;
     evaluation = to_evaluation(system_(t, y, dydt));
     if (evaluation == Evaluation::ok && !all_finite(dydt)) evaluation = Evaluation::not_finite;
+    return evaluation == Evaluation::ok;
+  }
+
+  /// Taylor coefficients of the motion through y, as many as the span holds. False when the model failed.
+  template <class Coefficients>
+  [[nodiscard]] bool jets(Scalar t, const std::array<Scalar, size>& y,
+                          Coefficients c) noexcept(noexcept(std::declval<S&>().jets(t, y, c))) {
+    ++calls;
+    evaluation = to_evaluation(system_.jets(t, y, c));
+    if (evaluation == Evaluation::ok && !(all_finite(c[1]) && all_finite(c.back())))
+      evaluation = Evaluation::not_finite;
     return evaluation == Evaluation::ok;
   }
 

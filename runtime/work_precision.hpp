@@ -14,6 +14,7 @@
 #include "runtime/runge_kutta_4.hpp"
 #include "runtime/status.hpp"
 #include "runtime/table.hpp"
+#include "runtime/taylor.hpp"
 
 namespace torsor::runtime {
 
@@ -30,6 +31,9 @@ inline MethodLabel label(const DormandPrince54& method) {
 }
 inline MethodLabel label(const DormandPrince853& method) {
   return {"Dormand-Prince 8(5,3)", "tolerance " + scientific(method.relative_tolerance, 1)};
+}
+inline MethodLabel label(const Taylor& method) {
+  return {"Taylor", "tolerance " + scientific(method.relative_tolerance, 1)};
 }
 
 /// Integrates a motion (see `equations_of_motion`) from its initial state through the times of a reference by each

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+
+#include "generated/double_pendulum.hpp"
+#include "runtime/dormand_prince_853.hpp"
+#include "runtime/mechanism.hpp"
+#include "runtime/observers.hpp"
+#include "runtime/taylor.hpp"
+
+namespace taylor_test {
+namespace {
+
+using namespace torsor::runtime;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Simple pendulum, L = 1, g = 9.81, with its recurrences by hand: for s = sin θ, c = cos θ,
+/// k s_k = Σ j θ_j c_(k-j), k c_k = -Σ j θ_j s_(k-j); (k + 1) θ_(k+1) = ω_k, (k + 1) ω_(k+1) = -g s_k.
+template <class Scalar>
+struct Pendulum {
+  using Vector = std::array<Scalar, 2>;
+  static constexpr Scalar g = Scalar(9.81L);
+
+  Evaluation operator()(Scalar, const Vector& y, Vector& rate) const noexcept {
+    rate = {y[1], -g * std::sin(y[0])};
+    return Evaluation::ok;
+  }
+  Evaluation jets(Scalar, const Vector& y, std::span<Vector> c) const noexcept {
+    std::array<Scalar, 31> s{}, cosine{};
+    c[0] = y;
+    s[0] = std::sin(y[0]);
+    cosine[0] = std::cos(y[0]);
+    for (std::size_t k = 0; k + 1 < c.size(); ++k) {
+      for (std::size_t j = 1; j <= k; ++j) {
+        const Scalar part = static_cast<Scalar>(j) / static_cast<Scalar>(k) * c[j][0];
+        s[k] += part * cosine[k - j];
+        cosine[k] -= part * s[k - j];
+      }
+      c[k + 1] = {c[k][1] / static_cast<Scalar>(k + 1), -g * s[k] / static_cast<Scalar>(k + 1)};
+    }
+    return Evaluation::ok;
+  }
+};
+
+/// y = t^9, whose coefficients at t = 0 vanish up to order 8: y' = 9 t^8.
+struct NinthPower {
+  using Vector = std::array<double, 1>;
+  Evaluation operator()(double t, const Vector&, Vector& rate) const noexcept {
+    rate[0] = 9.0 * std::pow(t, 8);
+    return Evaluation::ok;
+  }
+  Evaluation jets(double t, const Vector& y, std::span<Vector> c) const noexcept {
+    double binomial = 1.0;
+    c[0] = y;
+    for (std::size_t k = 1; k < c.size(); ++k) {
+      binomial *= static_cast<double>(10 - static_cast<int>(k)) / static_cast<double>(k);
+      c[k][0] = k <= 9 ? binomial * std::pow(t, 9 - static_cast<int>(k)) : 0.0;
+    }
+    return Evaluation::ok;
+  }
+};
+
+// From (2, 0) at t = 10 (Jacobi's elliptic functions, 50 digits).
+constexpr std::array<long double, 2> pendulum_end{0.015728632141428118626277592909L, 5.27089879322982860518148735035L};
+
+template <class Scalar>
+double distance_from_end(const std::array<Scalar, 2>& y) {
+  return static_cast<double>(std::max(std::abs(y[0] - pendulum_end[0]), std::abs(y[1] - pendulum_end[1])));
+}
+
+Taylor of_tolerance(double tolerance) { return {.relative_tolerance = tolerance, .absolute_tolerance = tolerance}; }
+
+TEST(Taylor, MeetsItsToleranceAtEveryOrderOfMagnitude) {
+  // Ten seconds of errors of a tolerance ε (1 + |y|), |y| up to 6.3, amplified by κ = 17.
+  for (int digits = 3; digits <= 15; ++digits) {
+    const double tolerance = std::pow(10.0, -digits);
+    std::array<double, 2> y{2.0, 0.0};
+    const auto result = integrate(Pendulum<double>(), y, 0, 10, of_tolerance(tolerance));
+    EXPECT_TRUE(result) << describe(result);
+    EXPECT_LT(distance_from_end(y), 10 * 7.3 * 17 * tolerance);
+    EXPECT_EQ(result.statistics.calls, 1 + result.statistics.accepted + result.statistics.rejected);
+  }
+}
+
+TEST(Taylor, HasTheOrderAskedFor) {
+  // Steps limited from above only, a tolerance that never rejects: the error is proportional to h^order.
+  const auto error_of = [](int order, double h) {
+    std::array<long double, 2> y{2.0L, 0.0L};
+    const Taylor method{
+        .relative_tolerance = 1e9, .absolute_tolerance = 1.0, .order = order, .first_step = h, .largest_step = h};
+    EXPECT_TRUE(integrate(Pendulum<long double>(), y, 0.0L, 10.0L, method));
+    return distance_from_end(y);
+  };
+  for (const int order : {4, 6, 9}) {
+    EXPECT_NEAR(std::log2(error_of(order, 1.0 / 64) / error_of(order, 1.0 / 128)), order, 0.35) << order;
+  }
+}
+
+TEST(Taylor, RefusesAStepForWhichAllCoefficientsVanish) {
+  // At t = 0 all coefficients up to order 8 are zero and say nothing against one step to the end.
+  for (const double tolerance : {1e-3, 1e-6, 1e-9, 1e-12}) {
+    std::array<double, 1> y{0.0};
+    Taylor method = of_tolerance(tolerance);
+    method.order = 8;
+    const auto result = integrate(NinthPower(), y, 0, 1, method);
+    EXPECT_TRUE(result) << describe(result);
+    EXPECT_GT(result.statistics.rejected, 0);
+    // At most 100 steps with a local error of twice the tolerance each.
+    EXPECT_LE(result.statistics.accepted, 100);
+    EXPECT_NEAR(y[0], 1.0, 200 * tolerance);
+  }
+}
+
+TEST(Taylor, GivesTheStateInsideAStepToItsTolerance) {
+  const double tolerance = 1e-10;
+  // The same motion in many short steps; its own error is 1e-13 × 10 × 17.
+  std::array<double, 2> y{2.0, 0.0}, z = y;
+  std::array<std::array<double, 2>, 101> sharp{};
+  std::size_t row = 0, steps = 0;
+  const auto keep = [&](double, const std::array<double, 2>& state) noexcept { sharp[row++] = state; };
+  std::array<double, 101> times{};
+  for (std::size_t i = 0; i < times.size(); ++i) times[i] = 0.1 * static_cast<double>(i);
+  ASSERT_TRUE(integrate_through(Pendulum<double>(), z, 0, times, of_tolerance(1e-14), keep));
+  double largest = 0.0;
+  const auto compare = [&](double t, const std::array<double, 2>& state) noexcept {
+    const auto i = static_cast<std::size_t>(std::lround(10.0 * t));
+    for (std::size_t k = 0; k < 2; ++k) largest = std::max(largest, std::abs(state[k] - sharp[i][k]));
+    ++steps;
+  };
+  ASSERT_TRUE(integrate(Pendulum<double>(), y, 0, 10, of_tolerance(tolerance), EquallySpaced(0.0, 0.1, compare)));
+  EXPECT_EQ(steps, 101U);
+  EXPECT_LT(largest, 10 * 7.3 * 17 * tolerance);
+}
+
+TEST(Taylor, ComesBackWhenTimeRunsBackwards) {
+  std::array<double, 2> y{2.0, 0.0};
+  ASSERT_TRUE(integrate(Pendulum<double>(), y, 0, 10, of_tolerance(1e-13)));
+  ASSERT_TRUE(integrate(Pendulum<double>(), y, 10, 0, of_tolerance(1e-13)));
+  EXPECT_LT(std::max(std::abs(y[0] - 2.0), std::abs(y[1])), 2 * 10 * 7.3 * 17 * 1e-13);
+}
+
+TEST(Taylor, RestsInOneStep) {
+  std::array<double, 2> y{0.0, 0.0};
+  const auto result = integrate(Pendulum<double>(), y, 0, 1000, of_tolerance(1e-12));
+  EXPECT_TRUE(result) << describe(result);
+  EXPECT_EQ(result.statistics.accepted, 1);
+  EXPECT_EQ(y[0], 0.0);
+}
+
+TEST(Taylor, RefusesUnusableOptions) {
+  for (const int order : {-1, 3, 31}) {
+    std::array<double, 2> y{2.0, 0.0};
+    EXPECT_EQ(integrate(Pendulum<double>(), y, 0, 1, Taylor{.order = order}).status,
+              IntegrationStatus::invalid_options);
+  }
+  std::array<double, 2> y{2.0, infinity};
+  EXPECT_EQ(integrate(Pendulum<double>(), y, 0, 1, Taylor{}).status, IntegrationStatus::invalid_options);
+}
+
+TEST(Taylor, ReportsCoefficientsThatAreNotFinite) {
+  const auto failing = [] {
+    struct Failing : NinthPower {
+      Evaluation jets(double t, const Vector& y, std::span<Vector> c) const noexcept {
+        (void)NinthPower::jets(t, y, c);
+        if (t > 0.5) c[1][0] = infinity;
+        return Evaluation::ok;
+      }
+    };
+    return Failing();
+  }();
+  std::array<double, 1> y{0.0};
+  const auto result = integrate(failing, y, 0, 1, Taylor{});
+  EXPECT_EQ(result.status, IntegrationStatus::model_failure);
+  EXPECT_EQ(result.evaluation, Evaluation::not_finite);
+  EXPECT_LE(result.time, 0.5);
+  EXPECT_GT(result.time, 0.49);
+}
+
+// At rest with both rods horizontal: coefficients of orders divisible by 4 nearly vanish.
+TEST(Taylor, IsNotFooledByADoublePendulumReleasedWithHorizontalRods) {
+  using Mechanism = double_pendulum::Mechanism<double>;
+  // At t = 20, by extrapolation of order 32 with 72 digits; κ = 9.4e5, the largest ∂y_i(20)/∂y_j(0).
+  constexpr std::array<double, 4> end{0.7487609755149033159515944895772, -25.8324619988856107490477082164,
+                                      4.078003969273397255604108576893, 2.779889455355823245354899486589};
+  const auto motion = equations_of_motion<Mechanism>();
+  for (int digits = 3; digits <= 15; ++digits) {
+    const double tolerance = std::pow(10.0, -digits);
+    for (const int order : {0, 8, 12, 16, 20, 24}) {
+      std::array<double, 4> y{1.5707963267948966, 1.5707963267948966, 0.0, 0.0};
+      Taylor method = of_tolerance(tolerance);
+      method.order = order;
+      const auto result = integrate(motion, y, 0, 20, method);
+      EXPECT_TRUE(result) << describe(result);
+      for (std::size_t i = 0; i < 4; ++i) EXPECT_LE(std::abs(y[i] - end[i]), 100 * tolerance * 9.4e5) << digits;
+      const auto energy = [&](const std::array<double, 4>& state) {
+        Mechanism::Energy e{};
+        Mechanism::energy(motion.precomputed(), unpack<Mechanism>(0.0, state), {}, e);
+        return e.kinetic - e.force_function;
+      };
+      // Relative to the depth of the fall, 3 g l: the energy at the start is zero.
+      EXPECT_LE(std::abs(energy(y)), 1e4 * tolerance * 3 * 9.81) << digits << " " << order;
+    }
+  }
+}
+
+TEST(CompensatedSums, KeepRoundingFromAddingUp) {
+  // 2^15 steps of a tolerance far below rounding: y = 1 + Σ of terms that lose 1e-17 to 1e-16 each in a plain sum, a
+  // random walk of some 180 × 3e-17 to 1e-16; compensated, the end is right to the rounding of y itself, 2.3e-16, and
+  // that of the increments, 2^-53 × |y - 1| relative to each, at most.
+  const auto system = [](double t, const std::array<double, 1>&, std::array<double, 1>& rate) noexcept {
+    rate[0] = std::cos(t);
+    return Evaluation::ok;
+  };
+  const auto error_of = [&](bool compensated) {
+    std::array<double, 1> y{1.0};
+    const DormandPrince853 method{
+        .relative_tolerance = 1e-9, .first_step = 0x1p-15, .largest_step = 0x1p-15, .compensated = compensated};
+    EXPECT_TRUE(integrate(system, y, 0, 1, method));
+    return std::abs(static_cast<double>(static_cast<long double>(y[0]) - 1.0L - std::sin(1.0L)));
+  };
+  EXPECT_GT(error_of(false), 1e-15);
+  EXPECT_LE(error_of(true), 2.3e-16);
+}
+
+}  // namespace
+}  // namespace taylor_test
