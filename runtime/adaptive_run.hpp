@@ -85,6 +85,8 @@ class AdaptiveRun {
   [[nodiscard]] Result<Scalar> result() const noexcept {
     Result<Scalar> result = result_;
     result.statistics.calls = f_.calls;
+    result.statistics.jacobians = f_.jacobians;
+    result.statistics.decompositions = f_.decompositions;
     return result;
   }
 

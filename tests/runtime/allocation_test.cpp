@@ -20,6 +20,7 @@ long eigen_complaints = 0;
 #include "runtime/mechanism.hpp"
 #include "runtime/midpoint.hpp"
 #include "runtime/observers.hpp"
+#include "runtime/radau_iia_5.hpp"
 #include "runtime/reference.hpp"
 #include "runtime/runge_kutta_4.hpp"
 #include "runtime/stoermer_verlet.hpp"
@@ -89,6 +90,7 @@ TEST(Allocations, AreNoneInAHundredThousandStepsOfEachMethod) {
 TEST(Allocations, AreNoneInTheImplicitMethods) {
   expect_none(GaussCollocation<3>{.step = 1e-2}, 10.0, 1'000);
   expect_none(GaussCollocation<3, StageSolver::newton>{.step = 1e-2}, 10.0, 1'000);
+  expect_none(RadauIia5{.largest_step = 1e-2}, 10.0, 1'000);
 }
 
 TEST(Allocations, AreNoneWhileRecordingThroughTheInterpolantAndComparing) {

@@ -10,6 +10,7 @@
 #include "runtime/dormand_prince_853.hpp"
 #include "runtime/gauss_collocation.hpp"
 #include "runtime/midpoint.hpp"
+#include "runtime/radau_iia_5.hpp"
 #include "runtime/runge_kutta_4.hpp"
 
 namespace integration_failures_test {
@@ -41,7 +42,7 @@ class EveryMethod : public testing::Test {
   }
 };
 using Methods = testing::Types<Midpoint, RungeKutta4, DormandPrince54, DormandPrince853, GaussCollocation<2>,
-                               GaussCollocation<2, StageSolver::newton>>;
+                               GaussCollocation<2, StageSolver::newton>, RadauIia5>;
 TYPED_TEST_SUITE(EveryMethod, Methods);
 
 TYPED_TEST(EveryMethod, ReportsADerivativeThatIsNotANumberAndKeepsTheLastGoodState) {
