@@ -10,11 +10,13 @@ long eigen_complaints = 0;
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <new>
 #include <vector>
 
 #include "runtime/dormand_prince_54.hpp"
+#include "runtime/events.hpp"
 #include "runtime/gauss_collocation.hpp"
 #include "runtime/linear_solve.hpp"
 #include "runtime/mechanism.hpp"
@@ -109,6 +111,24 @@ TEST(Allocations, AreNoneWhileRecordingThroughTheInterpolantAndComparing) {
             0);
   EXPECT_EQ(trajectory.samples().size(), 1001U);
   EXPECT_EQ(errors.compared(), 2U);
+}
+
+TEST(Allocations, AreNoneInEvents) {
+  const auto motion = equations_of_motion<mechanisms::Pendulum<double>>();
+  const auto angle = [](double, const std::array<double, 2>& y) { return y[0] + 1; };
+  const auto reverse = [](double, std::array<double, 2>& y) { y[1] *= -1; };
+  const Events events(barrier(angle, reverse), note([](double t, const auto&) { return std::sin(t); }));
+  const auto count = [&](const auto& method) {
+    auto y = motion.initial();
+    return allocations_during([&] {
+      const auto result = integrate_with_events(motion, y, 0, 20, method, events);
+      EXPECT_TRUE(result) << describe(result.status);
+      EXPECT_GT(result.fired[0], 5);
+      EXPECT_EQ(result.fired[1], 6);
+    });
+  };
+  EXPECT_EQ(count(DormandPrince54{}), 0);
+  EXPECT_EQ(count(RungeKutta4{.step = 0.01}), 0);
 }
 
 // Large enough for Eigen's blocked kernels, which take their workspace from the heap when sizes are not fixed.
