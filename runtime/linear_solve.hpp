@@ -158,15 +158,6 @@ template <class Scalar, std::size_t nv, std::size_t m, std::size_t nv_squared, s
   return Evaluation::ok;
 }
 
-/// A mechanism generated with the kernels `mass_matrix` and `bias`.
-template <class M>
-concept HasMassMatrixAndBias = MechanismModel<M> &&
-    requires(const typename M::Precomputed& precomputed, const typename M::State& state,
-             std::array<ScalarOf<M>, velocities_of<M> * velocities_of<M>>& mass, typename M::GeneralizedForces& h) {
-  M::mass_matrix(precomputed, state, mass);
-  M::bias(precomputed, state, h);
-};
-
 /// All that `solve_dynamics` needs: constraints too where there are multipliers.
 template <class M>
 concept HasDynamicsMatrices = HasMassMatrixAndBias<M> &&(M::multiplier_count == 0 || HasConstraints<M>);

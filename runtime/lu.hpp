@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -83,6 +84,13 @@ class Lu {
       }
     }
     return Evaluation::ok;
+  }
+
+  /// The smallest size of a pivot: of a matrix with rows of size 1, how far it is from a singular one.
+  [[nodiscard]] auto smallest_pivot() const noexcept {
+    auto smallest = detail::size_of(entries_[0]);
+    for (std::size_t k = 1; k < n; ++k) smallest = std::min(smallest, detail::size_of(entries_[k * n + k]));
+    return smallest;
   }
 
   /// Overwrites b with the solution of A x = b; only after `factorise` said `ok`.

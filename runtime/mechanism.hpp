@@ -89,6 +89,15 @@ inline constexpr std::size_t coordinates_of = static_cast<std::size_t>(M::coordi
 template <MechanismModel M>
 inline constexpr std::size_t velocities_of = static_cast<std::size_t>(M::velocity_count);
 
+/// A mechanism generated with the kernels `mass_matrix` and `bias`.
+template <class M>
+concept HasMassMatrixAndBias = MechanismModel<M> &&
+    requires(const typename M::Precomputed& precomputed, const typename M::State& state,
+             std::array<ScalarOf<M>, velocities_of<M> * velocities_of<M>>& mass, typename M::GeneralizedForces& h) {
+  M::mass_matrix(precomputed, state, mass);
+  M::bias(precomputed, state, h);
+};
+
 /// y = [q; v], the unknown of y' = f(t, y).
 template <MechanismModel M>
 using StateVector = std::array<ScalarOf<M>, coordinates_of<M> + velocities_of<M>>;
