@@ -374,38 +374,99 @@ struct scalar_traits {
 
 namespace torsor {
 
-/// Pairs of Taylor series and their convolutions, side by side in lanes. A coefficient of order 0 is not kept: whoever
-/// asks for a sum adds the terms with it.
-template <class Scalar, int count>
-struct Convolutions {
-  static constexpr int order_max = 30;
-  static constexpr int lanes = (count + 3) / 4 * 4;
-  struct Sums {
-    Scalar lane[lanes];
+/// Numbers that are treated alike. float and double fill a vector register where the compiler has a type for it.
+template <class Scalar>
+struct Lanes {
+  static constexpr int width = 1;
+  struct Vector {
+    Scalar lane[width];
+    TORSOR_DEVICE Scalar& operator[](int i) noexcept { return lane[i]; }
     TORSOR_DEVICE const Scalar& operator[](int i) const noexcept { return lane[i]; }
+  };
+  TORSOR_DEVICE TORSOR_INLINED static void add_product(Vector& sum, const Vector& a, const Vector& b) noexcept {
+    for (int i = 0; i < width; ++i) sum[i] = sum[i] + a[i] * b[i];
+  }
+};
+#if defined(__GNUC__) && !defined(__CUDACC__)
+template <class Number>
+struct RegisterLanes {
+#if defined(__AVX__)
+  static constexpr int width = 32 / static_cast<int>(sizeof(Number));
+#else
+  static constexpr int width = 16 / static_cast<int>(sizeof(Number));
+#endif
+  typedef Number Vector __attribute__((vector_size(width * sizeof(Number))));
+  TORSOR_INLINED static void add_product(Vector& sum, const Vector& a, const Vector& b) noexcept { sum += a * b; }
+};
+template <>
+struct Lanes<double> : RegisterLanes<double> {};
+template <>
+struct Lanes<float> : RegisterLanes<float> {};
+#endif
+
+/// Pairs of Taylor series and their convolutions, side by side in vectors. Coefficients of order 0 are not kept: whoever
+/// asks for a sum adds the terms with them.
+template <class Scalar, int count>
+class Convolutions {
+  using Vector = typename Lanes<Scalar>::Vector;
+  static constexpr int width = Lanes<Scalar>::width;
+  static constexpr int vectors = (count + width - 1) / width;
+  static constexpr int order_max = 30;
+
+ public:
+  class Sums {
+   public:
+    TORSOR_DEVICE TORSOR_INLINED Scalar operator[](int i) const noexcept { return vector_[i / width][i % width]; }
+
+   private:
+    friend class Convolutions;
+    Vector vector_[vectors];
   };
 
   /// The terms a_i b_(k-i), i = 1..k-1, of each pair, summed.
-  TORSOR_DEVICE Sums sums(int k) const noexcept {
-    Sums result;
-    for (int l = 0; l < lanes; ++l) result.lane[l] = scalar_traits<Scalar>::constant(0.0, 0.0f, "0/1");
-    for (int i = 1; i < k; ++i) {
-      for (int l = 0; l < lanes; ++l) result.lane[l] = result.lane[l] + left_[i][l] * right_[k - i][l];
-    }
-    return result;
+  TORSOR_DEVICE TORSOR_INLINED void sum(int k, Sums& sums) const noexcept {
+    constexpr int blocks = vectors / 4;
+    for (int i = 0; i < blocks; ++i) sum_block<4>(k, 4 * i, sums);
+    if constexpr (vectors % 4 >= 2) sum_block<2>(k, 4 * blocks, sums);
+    if constexpr (vectors % 2 == 1) sum_block<1>(k, vectors - 1, sums);
   }
 
   /// The coefficients of order k.
-  TORSOR_DEVICE void keep(int k, const Scalar (&left)[count], const Scalar (&right)[count]) noexcept {
-    for (int l = 0; l < count; ++l) left_[k][l] = left[l];
-    for (int l = 0; l < count; ++l) right_[k][l] = right[l];
-    for (int l = count; l < lanes; ++l) {
-      left_[k][l] = right_[k][l] = scalar_traits<Scalar>::constant(0.0, 0.0f, "0/1");
+  TORSOR_DEVICE TORSOR_INLINED void keep(int k, const Scalar (&left)[count], const Scalar (&right)[count]) noexcept {
+    const Scalar zero = scalar_traits<Scalar>::constant(0.0, 0.0f, "0/1");
+    for (int v = 0; v < vectors; ++v) {
+      for (int i = 0; i < width; ++i) {
+        const int place = v * width + i;
+        left_[k][v][i] = place < count ? left[place] : zero;
+        right_[k][v][i] = place < count ? right[place] : zero;
+      }
     }
   }
 
  private:
-  Scalar left_[order_max][lanes], right_[order_max][lanes];
+  /// Of as many vectors as there are chains of additions that a processor works on at once. The coefficients of order
+  /// k - 1, which have only just been computed, come last.
+  template <int size>
+  TORSOR_DEVICE TORSOR_INLINED void sum_block(int k, int first, Sums& sums) const noexcept {
+    Vector a = {}, b = {}, c = {}, d = {};
+    const auto add = [&](int i) {
+      const Vector* left = left_[i] + first;
+      const Vector* right = right_[k - i] + first;
+      Lanes<Scalar>::add_product(a, left[0], right[0]);
+      if constexpr (size > 1) Lanes<Scalar>::add_product(b, left[1], right[1]);
+      if constexpr (size > 2) Lanes<Scalar>::add_product(c, left[2], right[2]);
+      if constexpr (size > 3) Lanes<Scalar>::add_product(d, left[3], right[3]);
+    };
+    for (int i = 2; i < k - 1; ++i) add(i);
+    if (k > 1) add(1);
+    if (k > 2) add(k - 1);
+    sums.vector_[first] = a;
+    if constexpr (size > 1) sums.vector_[first + 1] = b;
+    if constexpr (size > 2) sums.vector_[first + 2] = c;
+    if constexpr (size > 3) sums.vector_[first + 3] = d;
+  }
+
+  Vector left_[order_max][vectors], right_[order_max][vectors];
 };
 
 }  // namespace torsor
@@ -1167,66 +1228,63 @@ struct Mechanism {
     const Scalar b1 = state.v.theta_1;
     const Scalar b9 = b1 * b1;
     const Scalar b10 = n9_81 * c_theta_1 + b9;
-    const Scalar b5 = state.v.theta_2;
-    const Scalar b13 = b5 * b5;
     const Scalar b11 = z9 * b10;
     const Scalar b12 = s_theta_1 * z10;
     const Scalar b15 = b11 - n9_81 * b12;
-    const Scalar b16 = z10 * z10;
-    const Scalar b17 = -n2 + b16;
-    const Scalar b14 = z9 * b13;
-    const Scalar b18 = n19_62 * s_theta_1 + b14;
-    const Scalar b19 = z10 * b15;
-    const Scalar b20 = b18 + b19;
-    const Scalar b21 = b20 / b17;
-    const Scalar i21 = n1 / b17;
-    const Scalar b22 = z10 * b21;
-    const Scalar b23 = b15 - b22;
+    const Scalar b5 = state.v.theta_2;
+    const Scalar b17 = b5 * b5;
+    const Scalar b13 = z10 * z10;
+    const Scalar b14 = -n2 + b13;
+    const Scalar b18 = z9 * b17;
+    const Scalar b16 = z10 * b15;
+    const Scalar b19 = n19_62 * s_theta_1 + b18 + b16;
+    const Scalar b20 = b19 / b14;
+    const Scalar i20 = n1 / b14;
+    const Scalar b21 = z10 * b20;
     coefficients[0][0] = state.q.theta_1;
     coefficients[0][1] = state.q.theta_2;
     coefficients[0][2] = state.v.theta_1;
     coefficients[0][3] = state.v.theta_2;
     coefficients[1][0] = b1;
     coefficients[1][1] = b5;
-    coefficients[1][2] = b21;
-    coefficients[1][3] = b23;
+    coefficients[1][2] = b20;
+    coefficients[1][3] = b15 - b21;
     torsor::Convolutions<Scalar, 13> operations_;
+    typename torsor::Convolutions<Scalar, 13>::Sums sums_;
     Scalar number_ = n1, inverse_ = n1;
     for (int k_ = 1; k_ < order; ++k_) {
       const Scalar following_ = number_ + n1, next_ = n1 / following_;
-      const auto sums_ = operations_.sums(k_);
+      operations_.sum(k_, sums_);
       const Scalar x0 = coefficients[k_][0];
       const Scalar x1 = coefficients[k_][2];
-      const Scalar x2 = c_theta_1 * x0 + inverse_ * sums_[0];
+      const Scalar x2 = inverse_ * sums_[0] + c_theta_1 * x0;
       const Scalar w0 = number_ * x0;
-      const Scalar x3 = -(s_theta_1 * x0 + inverse_ * sums_[1]);
+      const Scalar x3 = -inverse_ * sums_[1] - s_theta_1 * x0;
       const Scalar x4 = coefficients[k_][1];
       const Scalar x5 = coefficients[k_][3];
       const Scalar x6 = x0 - x4;
-      const Scalar x7 = z10 * x6 + inverse_ * sums_[2];
+      const Scalar x7 = inverse_ * sums_[2] + z10 * x6;
       const Scalar w6 = number_ * x6;
-      const Scalar x8 = -(z9 * x6 + inverse_ * sums_[3]);
-      const Scalar x9 = (b1 + b1) * x1 + sums_[4];
+      const Scalar x8 = -inverse_ * sums_[3] - z9 * x6;
+      const Scalar x9 = sums_[4] + (b1 + b1) * x1;
       const Scalar x10 = n9_81 * x3 + x9;
-      const Scalar x11 = z9 * x10 + x7 * b10 + sums_[5];
-      const Scalar x12 = s_theta_1 * x8 + x2 * z10 + sums_[6];
-      const Scalar x13 = (b5 + b5) * x5 + sums_[7];
-      const Scalar x14 = z9 * x13 + x7 * b13 + sums_[8];
+      const Scalar x11 = sums_[5] + z9 * x10 + b10 * x7;
+      const Scalar x12 = sums_[6] + z10 * x2 + s_theta_1 * x8;
+      const Scalar x13 = sums_[7] + (z10 + z10) * x8;
+      const Scalar x14 = x13;
       const Scalar x15 = x11 - n9_81 * x12;
-      const Scalar x16 = (z10 + z10) * x8 + sums_[9];
-      const Scalar x17 = x16;
-      const Scalar x18 = n19_62 * x2 + x14;
-      const Scalar x19 = z10 * x15 + x8 * b15 + sums_[10];
-      const Scalar x20 = x18 + x19;
-      const Scalar x21 = (x20 - b21 * x17 - sums_[11]) * i21;
-      const Scalar x22 = z10 * x21 + x8 * b21 + sums_[12];
-      const Scalar x23 = x15 - x22;
+      const Scalar x16 = sums_[8] + b15 * x8 + z10 * x15;
+      const Scalar x17 = sums_[9] + (b5 + b5) * x5;
+      const Scalar x18 = sums_[10] + z9 * x17 + b17 * x7;
+      const Scalar x19 = n19_62 * x2 + x18 + x16;
+      const Scalar x20 = (x19 - (sums_[11] + b20 * x14)) * i20;
+      const Scalar x21 = sums_[12] + b20 * x8 + z10 * x20;
       coefficients[k_ + 1][0] = next_ * x1;
       coefficients[k_ + 1][1] = next_ * x5;
-      coefficients[k_ + 1][2] = next_ * x21;
-      coefficients[k_ + 1][3] = next_ * x23;
-      const Scalar left_[] = {w0, w0, w6, w6, x1, x7, x2, x5, x7, x8, x8, x21, x8};
-      const Scalar right_[] = {x3, x2, x8, x7, x1, x10, x8, x5, x13, x8, x15, x17, x21};
+      coefficients[k_ + 1][2] = next_ * x20;
+      coefficients[k_ + 1][3] = next_ * (x15 - x21);
+      const Scalar left_[] = {w0, w0, w6, w6, x1, x7, x2, x8, x8, x5, x7, x20, x8};
+      const Scalar right_[] = {x3, x2, x8, x7, x1, x10, x8, x8, x15, x5, x17, x14, x20};
       operations_.keep(k_, left_, right_);
       number_ = following_;
       inverse_ = next_;

@@ -17,7 +17,7 @@
 //   energy                    6               16          0             0                  3       0     28      29
 //   first_integrals           8               19          0             0                  3       0     33      34
 //   linearisation            37               89          1             0                  2       0    131     181
-//   jets                     45               69          2             0                  2       0    120       -
+//   jets                     41               57          2             0                  2       0    104       -
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 18 results 1 repeat another up to sign
@@ -368,38 +368,99 @@ struct scalar_traits {
 
 namespace torsor {
 
-/// Pairs of Taylor series and their convolutions, side by side in lanes. A coefficient of order 0 is not kept: whoever
-/// asks for a sum adds the terms with it.
-template <class Scalar, int count>
-struct Convolutions {
-  static constexpr int order_max = 30;
-  static constexpr int lanes = (count + 3) / 4 * 4;
-  struct Sums {
-    Scalar lane[lanes];
+/// Numbers that are treated alike. float and double fill a vector register where the compiler has a type for it.
+template <class Scalar>
+struct Lanes {
+  static constexpr int width = 1;
+  struct Vector {
+    Scalar lane[width];
+    TORSOR_DEVICE Scalar& operator[](int i) noexcept { return lane[i]; }
     TORSOR_DEVICE const Scalar& operator[](int i) const noexcept { return lane[i]; }
+  };
+  TORSOR_DEVICE TORSOR_INLINED static void add_product(Vector& sum, const Vector& a, const Vector& b) noexcept {
+    for (int i = 0; i < width; ++i) sum[i] = sum[i] + a[i] * b[i];
+  }
+};
+#if defined(__GNUC__) && !defined(__CUDACC__)
+template <class Number>
+struct RegisterLanes {
+#if defined(__AVX__)
+  static constexpr int width = 32 / static_cast<int>(sizeof(Number));
+#else
+  static constexpr int width = 16 / static_cast<int>(sizeof(Number));
+#endif
+  typedef Number Vector __attribute__((vector_size(width * sizeof(Number))));
+  TORSOR_INLINED static void add_product(Vector& sum, const Vector& a, const Vector& b) noexcept { sum += a * b; }
+};
+template <>
+struct Lanes<double> : RegisterLanes<double> {};
+template <>
+struct Lanes<float> : RegisterLanes<float> {};
+#endif
+
+/// Pairs of Taylor series and their convolutions, side by side in vectors. Coefficients of order 0 are not kept: whoever
+/// asks for a sum adds the terms with them.
+template <class Scalar, int count>
+class Convolutions {
+  using Vector = typename Lanes<Scalar>::Vector;
+  static constexpr int width = Lanes<Scalar>::width;
+  static constexpr int vectors = (count + width - 1) / width;
+  static constexpr int order_max = 30;
+
+ public:
+  class Sums {
+   public:
+    TORSOR_DEVICE TORSOR_INLINED Scalar operator[](int i) const noexcept { return vector_[i / width][i % width]; }
+
+   private:
+    friend class Convolutions;
+    Vector vector_[vectors];
   };
 
   /// The terms a_i b_(k-i), i = 1..k-1, of each pair, summed.
-  TORSOR_DEVICE Sums sums(int k) const noexcept {
-    Sums result;
-    for (int l = 0; l < lanes; ++l) result.lane[l] = scalar_traits<Scalar>::constant(0.0, 0.0f, "0/1");
-    for (int i = 1; i < k; ++i) {
-      for (int l = 0; l < lanes; ++l) result.lane[l] = result.lane[l] + left_[i][l] * right_[k - i][l];
-    }
-    return result;
+  TORSOR_DEVICE TORSOR_INLINED void sum(int k, Sums& sums) const noexcept {
+    constexpr int blocks = vectors / 4;
+    for (int i = 0; i < blocks; ++i) sum_block<4>(k, 4 * i, sums);
+    if constexpr (vectors % 4 >= 2) sum_block<2>(k, 4 * blocks, sums);
+    if constexpr (vectors % 2 == 1) sum_block<1>(k, vectors - 1, sums);
   }
 
   /// The coefficients of order k.
-  TORSOR_DEVICE void keep(int k, const Scalar (&left)[count], const Scalar (&right)[count]) noexcept {
-    for (int l = 0; l < count; ++l) left_[k][l] = left[l];
-    for (int l = 0; l < count; ++l) right_[k][l] = right[l];
-    for (int l = count; l < lanes; ++l) {
-      left_[k][l] = right_[k][l] = scalar_traits<Scalar>::constant(0.0, 0.0f, "0/1");
+  TORSOR_DEVICE TORSOR_INLINED void keep(int k, const Scalar (&left)[count], const Scalar (&right)[count]) noexcept {
+    const Scalar zero = scalar_traits<Scalar>::constant(0.0, 0.0f, "0/1");
+    for (int v = 0; v < vectors; ++v) {
+      for (int i = 0; i < width; ++i) {
+        const int place = v * width + i;
+        left_[k][v][i] = place < count ? left[place] : zero;
+        right_[k][v][i] = place < count ? right[place] : zero;
+      }
     }
   }
 
  private:
-  Scalar left_[order_max][lanes], right_[order_max][lanes];
+  /// Of as many vectors as there are chains of additions that a processor works on at once. The coefficients of order
+  /// k - 1, which have only just been computed, come last.
+  template <int size>
+  TORSOR_DEVICE TORSOR_INLINED void sum_block(int k, int first, Sums& sums) const noexcept {
+    Vector a = {}, b = {}, c = {}, d = {};
+    const auto add = [&](int i) {
+      const Vector* left = left_[i] + first;
+      const Vector* right = right_[k - i] + first;
+      Lanes<Scalar>::add_product(a, left[0], right[0]);
+      if constexpr (size > 1) Lanes<Scalar>::add_product(b, left[1], right[1]);
+      if constexpr (size > 2) Lanes<Scalar>::add_product(c, left[2], right[2]);
+      if constexpr (size > 3) Lanes<Scalar>::add_product(d, left[3], right[3]);
+    };
+    for (int i = 2; i < k - 1; ++i) add(i);
+    if (k > 1) add(1);
+    if (k > 2) add(k - 1);
+    sums.vector_[first] = a;
+    if constexpr (size > 1) sums.vector_[first + 1] = b;
+    if constexpr (size > 2) sums.vector_[first + 2] = c;
+    if constexpr (size > 3) sums.vector_[first + 3] = d;
+  }
+
+  Vector left_[order_max][vectors], right_[order_max][vectors];
 };
 
 }  // namespace torsor
@@ -1094,7 +1155,7 @@ struct Mechanism {
   }
 
   /// Taylor coefficients of the motion: coefficients[k] = y^(k)/k! for k = 0..order, 1 <= order <= 30, y positions
-  /// then velocities, the inputs being constant. 16 operations take a convolution at each order.
+  /// then velocities, the inputs being constant. 14 operations take a convolution at each order.
   /// Returns singular where forward_dynamics does.
   TORSOR_DEVICE static torsor::Status jets(const Precomputed&, const State& state, const Inputs&, int order,
       std::array<Scalar, 6>* coefficients) noexcept {
@@ -1102,13 +1163,12 @@ struct Mechanism {
     const Scalar n945_over_64 = traits::constant(14.765625, 14.765625f, "945/64");
     const Scalar n975_over_64 = traits::constant(15.234375, 15.234375f, "975/64");
     const Scalar n32_over_15 = traits::constant(2.1333333333333333, 2.1333334f, "32/15");
-    const Scalar n4_905 = traits::constant(4.905, 4.905f, "981/200");
-    const Scalar k5 = traits::constant(8.495709211125343, 8.495709f, "0;0;981/200;0");
-    const Scalar k6 = traits::constant(127.43563816688015, 127.43564f, "0;0;2943/40;0");
     const Scalar n975_over_32 = traits::constant(30.46875, 30.46875f, "975/32");
+    const Scalar k5 = traits::constant(127.43563816688015, 127.43564f, "0;0;2943/40;0");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
-    const Scalar n15 = traits::constant(15.0, 15.0f, "15/1");
-    const Scalar n64_over_975 = traits::constant(0.06564102564102564, 0.06564102f, "64/975");
+    const Scalar n2_over_65 = traits::constant(0.03076923076923077, 0.03076923f, "2/65");
+    const Scalar k8 = traits::constant(4.829538461538461, 4.8295383f, "7848/1625");
+    const Scalar k9 = traits::constant(8.365005992492646, 8.365006f, "0;0;7848/1625;0");
     const Scalar q_alpha = state.q.alpha;
     const Scalar q_beta = state.q.beta;
     const Scalar angles_[] = {q_alpha, q_beta};
@@ -1123,27 +1183,24 @@ struct Mechanism {
     const Scalar z144 = n32_over_15 * z42;
     const Scalar z145 = z42 * z144 - z48;
     const Scalar b1 = state.v.alpha;
+    const Scalar b9 = b1 * c_beta;
     const Scalar b5 = state.v.beta;
     const Scalar b10 = b1 * s_beta;
-    const Scalar b9 = b1 * c_beta;
     const Scalar b8 = state.v.gamma;
-    const Scalar b15 = b8 - b10;
-    const Scalar b13 = b5 * b10;
-    const Scalar b16 = b5 * b15;
-    const Scalar b20 = k6 * c_alpha - n975_over_32 * b13 - n15_over_32 * b16;
-    const Scalar b11 = s_beta * s_beta;
-    const Scalar b22 = -n975_over_64 + n975_over_64 * b11;
-    const Scalar b21 = c_beta * b20;
-    const Scalar b23 = b21 / b22;
-    const Scalar i23 = n1 / b22;
-    const Scalar b17 = b9 * b15;
-    const Scalar b18 = b9 * b10;
-    const Scalar b12 = s_alpha * s_beta;
-    const Scalar b19 = n4_905 * c_beta - k5 * b12;
-    const Scalar b24 = n15_over_32 * b17 + n975_over_64 * b18 + n15 * b19;
-    const Scalar b14 = b5 * b9;
-    const Scalar b25 = s_beta * b23;
-    const Scalar b26 = b14 + b25;
+    const Scalar b11 = b8 - b10;
+    const Scalar b13 = n975_over_32 * b10 + n15_over_32 * b11;
+    const Scalar b14 = b5 * b13;
+    const Scalar b15 = k5 * c_alpha - b14;
+    const Scalar b16 = s_beta * s_beta;
+    const Scalar b17 = -n975_over_64 + n975_over_64 * b16;
+    const Scalar b18 = c_beta * b15;
+    const Scalar b19 = b18 / b17;
+    const Scalar i19 = n1 / b17;
+    const Scalar b20 = b10 + n2_over_65 * b11;
+    const Scalar b22 = s_alpha * s_beta;
+    const Scalar b21 = b9 * b20;
+    const Scalar b12 = b5 * b9;
+    const Scalar b23 = s_beta * b19;
     coefficients[0][0] = state.q.alpha;
     coefficients[0][1] = state.q.beta;
     coefficients[0][2] = state.q.gamma;
@@ -1153,51 +1210,49 @@ struct Mechanism {
     coefficients[1][0] = b1;
     coefficients[1][1] = b5;
     coefficients[1][2] = b8;
-    coefficients[1][3] = b23;
-    coefficients[1][4] = -n64_over_975 * b24;
-    coefficients[1][5] = b26;
-    torsor::Convolutions<Scalar, 16> operations_;
+    coefficients[1][3] = b19;
+    coefficients[1][4] = -k8 * c_beta + k9 * b22 - b21;
+    coefficients[1][5] = b12 + b23;
+    torsor::Convolutions<Scalar, 14> operations_;
+    typename torsor::Convolutions<Scalar, 14>::Sums sums_;
     Scalar number_ = n1, inverse_ = n1;
     for (int k_ = 1; k_ < order; ++k_) {
       const Scalar following_ = number_ + n1, next_ = n1 / following_;
-      const auto sums_ = operations_.sums(k_);
+      operations_.sum(k_, sums_);
       const Scalar x0 = coefficients[k_][0];
       const Scalar x1 = coefficients[k_][3];
-      const Scalar x2 = c_alpha * x0 + inverse_ * sums_[0];
+      const Scalar x2 = inverse_ * sums_[0] + c_alpha * x0;
       const Scalar w0 = number_ * x0;
-      const Scalar x3 = -(s_alpha * x0 + inverse_ * sums_[1]);
+      const Scalar x3 = -inverse_ * sums_[1] - s_alpha * x0;
       const Scalar x4 = coefficients[k_][1];
       const Scalar x5 = coefficients[k_][4];
-      const Scalar x6 = c_beta * x4 + inverse_ * sums_[2];
+      const Scalar x6 = inverse_ * sums_[2] + c_beta * x4;
       const Scalar w4 = number_ * x4;
-      const Scalar x7 = -(s_beta * x4 + inverse_ * sums_[3]);
+      const Scalar x7 = -inverse_ * sums_[3] - s_beta * x4;
       const Scalar x8 = coefficients[k_][5];
-      const Scalar x9 = b1 * x7 + x1 * c_beta + sums_[4];
-      const Scalar x10 = b1 * x6 + x1 * s_beta + sums_[5];
-      const Scalar x11 = (s_beta + s_beta) * x6 + sums_[6];
-      const Scalar x12 = s_alpha * x6 + x2 * s_beta + sums_[7];
-      const Scalar x13 = b5 * x10 + x5 * b10 + sums_[8];  // angular acceleration of second, x
-      const Scalar x14 = b5 * x9 + x5 * b9 + sums_[9];  // angular acceleration of second, y
-      const Scalar x15 = x8 - x10;
-      const Scalar x16 = b5 * x15 + x5 * b15 + sums_[10];
-      const Scalar x17 = b9 * x15 + x9 * b15 + sums_[11];
-      const Scalar x18 = b9 * x10 + x9 * b10 + sums_[12];
-      const Scalar x19 = n4_905 * x7 - k5 * x12;
-      const Scalar x20 = k6 * x3 - n975_over_32 * x13 - n15_over_32 * x16;
-      const Scalar x21 = c_beta * x20 + x7 * b20 + sums_[13];
-      const Scalar x22 = n975_over_64 * x11;
-      const Scalar x23 = (x21 - b23 * x22 - sums_[14]) * i23;
-      const Scalar x24 = n15_over_32 * x17 + n975_over_64 * x18 + n15 * x19;
-      const Scalar x25 = s_beta * x23 + x6 * b23 + sums_[15];
-      const Scalar x26 = x14 + x25;
+      const Scalar x9 = sums_[4] + c_beta * x1 + b1 * x7;
+      const Scalar x10 = sums_[5] + s_beta * x1 + b1 * x6;
+      const Scalar x11 = x8 - x10;
+      const Scalar x12 = sums_[6] + b9 * x5 + b5 * x9;
+      const Scalar x13 = n975_over_32 * x10 + n15_over_32 * x11;
+      const Scalar x14 = sums_[7] + b13 * x5 + b5 * x13;
+      const Scalar x15 = k5 * x3 - x14;
+      const Scalar x16 = sums_[8] + (s_beta + s_beta) * x6;
+      const Scalar x17 = n975_over_64 * x16;
+      const Scalar x18 = sums_[9] + b15 * x7 + c_beta * x15;
+      const Scalar x19 = (x18 - (sums_[10] + b19 * x17)) * i19;
+      const Scalar x20 = x10 + n2_over_65 * x11;
+      const Scalar x21 = sums_[11] + b20 * x9 + b9 * x20;
+      const Scalar x22 = sums_[12] + s_alpha * x6 + s_beta * x2;
+      const Scalar x23 = sums_[13] + b19 * x6 + s_beta * x19;
       coefficients[k_ + 1][0] = next_ * x1;
       coefficients[k_ + 1][1] = next_ * x5;
       coefficients[k_ + 1][2] = next_ * x8;
-      coefficients[k_ + 1][3] = next_ * x23;
-      coefficients[k_ + 1][4] = next_ * -n64_over_975 * x24;
-      coefficients[k_ + 1][5] = next_ * x26;
-      const Scalar left_[] = {w0, w0, w4, w4, x1, x1, x6, x2, x5, x5, x5, x9, x9, x7, x23, x6};
-      const Scalar right_[] = {x3, x2, x7, x6, x7, x6, x6, x6, x10, x9, x15, x15, x10, x20, x22, x23};
+      coefficients[k_ + 1][3] = next_ * x19;
+      coefficients[k_ + 1][4] = next_ * (-k8 * x7 + k9 * x22 - x21);
+      coefficients[k_ + 1][5] = next_ * (x12 + x23);
+      const Scalar left_[] = {w0, w0, w4, w4, x1, x1, x5, x5, x6, x7, x19, x9, x2, x6};
+      const Scalar right_[] = {x3, x2, x7, x6, x7, x6, x9, x13, x6, x15, x17, x20, x6, x19};
       operations_.keep(k_, left_, right_);
       number_ = following_;
       inverse_ = next_;

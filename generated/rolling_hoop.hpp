@@ -21,7 +21,7 @@
 //   linearisation                       213              313          8             0                  2       0    538     713
 //   inverse_dynamics_derivatives         31               59          0             0                  2       0     94     266
 //   forward_dynamics_derivatives        127              230          4             0                  2       0    365     645
-//   jets                                136              157         13             0                  2       0    310       -
+//   jets                                128              150         12             0                  2       0    294       -
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 39 results 11 vanish identically, 2 repeat another up to sign
@@ -375,38 +375,99 @@ struct scalar_traits {
 
 namespace torsor {
 
-/// Pairs of Taylor series and their convolutions, side by side in lanes. A coefficient of order 0 is not kept: whoever
-/// asks for a sum adds the terms with it.
-template <class Scalar, int count>
-struct Convolutions {
-  static constexpr int order_max = 30;
-  static constexpr int lanes = (count + 3) / 4 * 4;
-  struct Sums {
-    Scalar lane[lanes];
+/// Numbers that are treated alike. float and double fill a vector register where the compiler has a type for it.
+template <class Scalar>
+struct Lanes {
+  static constexpr int width = 1;
+  struct Vector {
+    Scalar lane[width];
+    TORSOR_DEVICE Scalar& operator[](int i) noexcept { return lane[i]; }
     TORSOR_DEVICE const Scalar& operator[](int i) const noexcept { return lane[i]; }
+  };
+  TORSOR_DEVICE TORSOR_INLINED static void add_product(Vector& sum, const Vector& a, const Vector& b) noexcept {
+    for (int i = 0; i < width; ++i) sum[i] = sum[i] + a[i] * b[i];
+  }
+};
+#if defined(__GNUC__) && !defined(__CUDACC__)
+template <class Number>
+struct RegisterLanes {
+#if defined(__AVX__)
+  static constexpr int width = 32 / static_cast<int>(sizeof(Number));
+#else
+  static constexpr int width = 16 / static_cast<int>(sizeof(Number));
+#endif
+  typedef Number Vector __attribute__((vector_size(width * sizeof(Number))));
+  TORSOR_INLINED static void add_product(Vector& sum, const Vector& a, const Vector& b) noexcept { sum += a * b; }
+};
+template <>
+struct Lanes<double> : RegisterLanes<double> {};
+template <>
+struct Lanes<float> : RegisterLanes<float> {};
+#endif
+
+/// Pairs of Taylor series and their convolutions, side by side in vectors. Coefficients of order 0 are not kept: whoever
+/// asks for a sum adds the terms with them.
+template <class Scalar, int count>
+class Convolutions {
+  using Vector = typename Lanes<Scalar>::Vector;
+  static constexpr int width = Lanes<Scalar>::width;
+  static constexpr int vectors = (count + width - 1) / width;
+  static constexpr int order_max = 30;
+
+ public:
+  class Sums {
+   public:
+    TORSOR_DEVICE TORSOR_INLINED Scalar operator[](int i) const noexcept { return vector_[i / width][i % width]; }
+
+   private:
+    friend class Convolutions;
+    Vector vector_[vectors];
   };
 
   /// The terms a_i b_(k-i), i = 1..k-1, of each pair, summed.
-  TORSOR_DEVICE Sums sums(int k) const noexcept {
-    Sums result;
-    for (int l = 0; l < lanes; ++l) result.lane[l] = scalar_traits<Scalar>::constant(0.0, 0.0f, "0/1");
-    for (int i = 1; i < k; ++i) {
-      for (int l = 0; l < lanes; ++l) result.lane[l] = result.lane[l] + left_[i][l] * right_[k - i][l];
-    }
-    return result;
+  TORSOR_DEVICE TORSOR_INLINED void sum(int k, Sums& sums) const noexcept {
+    constexpr int blocks = vectors / 4;
+    for (int i = 0; i < blocks; ++i) sum_block<4>(k, 4 * i, sums);
+    if constexpr (vectors % 4 >= 2) sum_block<2>(k, 4 * blocks, sums);
+    if constexpr (vectors % 2 == 1) sum_block<1>(k, vectors - 1, sums);
   }
 
   /// The coefficients of order k.
-  TORSOR_DEVICE void keep(int k, const Scalar (&left)[count], const Scalar (&right)[count]) noexcept {
-    for (int l = 0; l < count; ++l) left_[k][l] = left[l];
-    for (int l = 0; l < count; ++l) right_[k][l] = right[l];
-    for (int l = count; l < lanes; ++l) {
-      left_[k][l] = right_[k][l] = scalar_traits<Scalar>::constant(0.0, 0.0f, "0/1");
+  TORSOR_DEVICE TORSOR_INLINED void keep(int k, const Scalar (&left)[count], const Scalar (&right)[count]) noexcept {
+    const Scalar zero = scalar_traits<Scalar>::constant(0.0, 0.0f, "0/1");
+    for (int v = 0; v < vectors; ++v) {
+      for (int i = 0; i < width; ++i) {
+        const int place = v * width + i;
+        left_[k][v][i] = place < count ? left[place] : zero;
+        right_[k][v][i] = place < count ? right[place] : zero;
+      }
     }
   }
 
  private:
-  Scalar left_[order_max][lanes], right_[order_max][lanes];
+  /// Of as many vectors as there are chains of additions that a processor works on at once. The coefficients of order
+  /// k - 1, which have only just been computed, come last.
+  template <int size>
+  TORSOR_DEVICE TORSOR_INLINED void sum_block(int k, int first, Sums& sums) const noexcept {
+    Vector a = {}, b = {}, c = {}, d = {};
+    const auto add = [&](int i) {
+      const Vector* left = left_[i] + first;
+      const Vector* right = right_[k - i] + first;
+      Lanes<Scalar>::add_product(a, left[0], right[0]);
+      if constexpr (size > 1) Lanes<Scalar>::add_product(b, left[1], right[1]);
+      if constexpr (size > 2) Lanes<Scalar>::add_product(c, left[2], right[2]);
+      if constexpr (size > 3) Lanes<Scalar>::add_product(d, left[3], right[3]);
+    };
+    for (int i = 2; i < k - 1; ++i) add(i);
+    if (k > 1) add(1);
+    if (k > 2) add(k - 1);
+    sums.vector_[first] = a;
+    if constexpr (size > 1) sums.vector_[first + 1] = b;
+    if constexpr (size > 2) sums.vector_[first + 2] = c;
+    if constexpr (size > 3) sums.vector_[first + 3] = d;
+  }
+
+  Vector left_[order_max][vectors], right_[order_max][vectors];
 };
 
 }  // namespace torsor
@@ -2157,7 +2218,7 @@ struct Mechanism {
   }
 
   /// Taylor coefficients of the motion: coefficients[k] = y^(k)/k! for k = 0..order, 1 <= order <= 30, y positions
-  /// then velocities, the inputs being constant. 44 operations take a convolution at each order.
+  /// then velocities, the inputs being constant. 41 operations take a convolution at each order.
   /// Returns singular where forward_dynamics does.
   TORSOR_DEVICE static torsor::Status jets(const Precomputed& precomputed, const State& state, const Inputs&, int order,
       std::array<Scalar, 10>* coefficients) noexcept {
@@ -2190,83 +2251,71 @@ struct Mechanism {
     const Scalar z164 = n1 - c_theta * z161 + z162;
     const Scalar z165 = n1 + s_theta * z163;
     const Scalar b5 = state.v.theta;
-    const Scalar b9 = state.v.psi;
-    const Scalar b7 = s_theta * b5;
-    const Scalar b14 = c_theta * b9;
-    const Scalar b13 = s_theta * b9;
-    const Scalar b12 = state.v.phi;
-    const Scalar b20 = b12 + b14;
+    const Scalar b8 = state.v.psi;
+    const Scalar b6 = s_theta * b5;
     const Scalar f0 = precomputed.y0;
-    const Scalar b18 = b5 * b14;
-    const Scalar b22 = b5 * b20;
-    const Scalar b24 = f0 * b18 - p_C * b22;
-    const Scalar b19 = b5 * b13;
-    const Scalar b17 = b5 * b7;
-    const Scalar b27 = -n9_81 + b17;
-    const Scalar b0 = state.v.x;
-    const Scalar b30 = b9 * s_psi;
-    const Scalar b1 = state.v.y;
-    const Scalar b31 = b9 * c_psi;
-    const Scalar b6 = c_theta * b5;
+    const Scalar b12 = c_theta * b8;
+    const Scalar b11 = state.v.phi;
+    const Scalar b13 = b11 + b12;
+    const Scalar b15 = f0 * b12 - p_C * b13;
+    const Scalar b16 = b5 * b15;
+    const Scalar b14 = b6 * b8;
     const Scalar f1 = precomputed.y1;
     const Scalar f2 = precomputed.y2;
-    const Scalar b15 = s_theta * s_theta;
-    const Scalar b16 = c_theta * c_theta;
-    const Scalar b39 = p_C + z79 * b15 - f1 * b16;
-    const Scalar b40 = f2 * c_theta;
-    const Scalar b41 = b40 / b39;
-    const Scalar i41 = n1 / b39;
-    const Scalar b38 = p_A + b16;
-    const Scalar i43 = n1 / b38;
+    const Scalar b23 = c_theta * c_theta;
+    const Scalar b25 = s_theta * s_theta;
+    const Scalar b26 = -p_C + f1 * b23 - z79 * b25;
+    const Scalar i28 = n1 / b26;
+    const Scalar b24 = p_A + b23;
+    const Scalar i30 = n1 / b24;
     const Scalar f3 = precomputed.y4;
-    const Scalar b25 = s_theta * b24;
-    const Scalar b26 = c_theta * b19;
-    const Scalar b47 = b25 - f3 * b26;
-    const Scalar b48 = b47 / b39;
-    const Scalar i48 = n1 / b39;
-    const Scalar b21 = b13 * b20;
-    const Scalar b23 = b13 * b14;
-    const Scalar b28 = p_C * b21 - p_A * b23;
-    const Scalar b29 = c_theta * b27;
-    const Scalar b49 = b28 - b29;
-    const Scalar b50 = b49 / b38;
-    const Scalar i50 = n1 / b38;
+    const Scalar b18 = c_theta * b14;
+    const Scalar b17 = s_theta * b16;
+    const Scalar b34 = -f3 * b18 + b17;
+    const Scalar b35 = b34 / b26;
+    const Scalar i35 = n1 / b26;
+    const Scalar b36 = p_A * b12 - p_C * b13;
+    const Scalar b37 = b8 * b36;
+    const Scalar b19 = b5 * b6;
+    const Scalar b20 = -n9_81 + b19;
+    const Scalar b39 = c_theta * b20;
+    const Scalar b38 = s_theta * b37;
+    const Scalar b40 = b39 + b38;
+    const Scalar b41 = b40 / b24;
+    const Scalar i41 = n1 / b24;
     const Scalar f4 = precomputed.y5;
+    const Scalar b21 = b8 * s_psi;
+    const Scalar b0 = state.v.x;
+    const Scalar b22 = b8 * c_psi;
+    const Scalar b1 = state.v.y;
     const Scalar f5 = precomputed.y3;
-    const Scalar b42 = c_theta * b41;
-    const Scalar b46 = f5 + f2 * b42;
-    const Scalar b51 = c_theta * b48;
-    const Scalar b32 = b0 * b30;
-    const Scalar b33 = b1 * b31;
-    const Scalar b34 = b7 * b9;
-    const Scalar b52 = b32 - b33 + b34;
-    const Scalar b53 = f4 * b19 + f4 * b51;
-    const Scalar b56 = b51 + b52 - b53;
-    const Scalar b57 = b56 / b46;
-    const Scalar i57 = n1 / b46;
-    const Scalar b44 = s_theta * z163;
-    const Scalar b45 = n1 + b44;
-    const Scalar b35 = b0 * b31;
-    const Scalar b36 = b1 * b30;
-    const Scalar b37 = b5 * b6;
-    const Scalar b54 = b35 + b36 - b37;
-    const Scalar b55 = s_theta * b50;
-    const Scalar b58 = b54 + b55;
-    const Scalar b59 = b58 / b45;
-    const Scalar i59 = n1 / b45;
-    const Scalar b66 = -z155 + f4 * b42;
-    const Scalar b60 = s_psi * b59;
-    const Scalar b61 = c_psi * b57;
-    const Scalar b68 = b60 - b61;
-    const Scalar b62 = s_psi * b57;
-    const Scalar b63 = c_psi * b59;
-    const Scalar b69 = b62 + b63;
-    const Scalar b64 = b41 * b57;
-    const Scalar b70 = b48 - b64;
-    const Scalar b65 = z163 * b59;
-    const Scalar b71 = b50 - b65;
-    const Scalar b67 = b57 * b66;
-    const Scalar b72 = b53 - b67;
+    const Scalar b29 = c_theta * z161;
+    const Scalar b33 = -f5 + f2 * b29;
+    const Scalar b44 = b0 * b21;
+    const Scalar b45 = b1 * b22;
+    const Scalar b42 = c_theta * b35;
+    const Scalar b46 = f2 * b14 + b44 - b45 - f2 * b42;
+    const Scalar b47 = b46 / b33;
+    const Scalar i47 = n1 / b33;
+    const Scalar b51 = b5 * b5;
+    const Scalar b31 = s_theta * z163;
+    const Scalar b32 = n1 + b31;
+    const Scalar b52 = c_theta * b51;
+    const Scalar b49 = b0 * b22;
+    const Scalar b50 = b1 * b21;
+    const Scalar b48 = s_theta * b41;
+    const Scalar b53 = b52 - b49 - b50 + b48;
+    const Scalar b54 = b53 / b32;
+    const Scalar i54 = n1 / b32;
+    const Scalar b55 = z155 + f4 * b29;
+    const Scalar b56 = s_psi * b54;
+    const Scalar b57 = c_psi * b47;
+    const Scalar b58 = s_psi * b47;
+    const Scalar b59 = c_psi * b54;
+    const Scalar b60 = z161 * b47;
+    const Scalar b61 = z163 * b54;
+    const Scalar b43 = f4 * b14 - f4 * b42;
+    const Scalar b62 = b47 * b55;
     coefficients[0][0] = state.q.x;
     coefficients[0][1] = state.q.y;
     coefficients[0][2] = state.q.psi;
@@ -2279,109 +2328,99 @@ struct Mechanism {
     coefficients[0][9] = state.v.phi;
     coefficients[1][0] = b0;
     coefficients[1][1] = b1;
-    coefficients[1][2] = b9;
+    coefficients[1][2] = b8;
     coefficients[1][3] = b5;
-    coefficients[1][4] = b12;
-    coefficients[1][5] = -b68;
-    coefficients[1][6] = b69;
-    coefficients[1][7] = -b70;
-    coefficients[1][8] = -b71;
-    coefficients[1][9] = b72;
-    torsor::Convolutions<Scalar, 44> operations_;
+    coefficients[1][4] = b11;
+    coefficients[1][5] = b56 - b57;
+    coefficients[1][6] = -b58 - b59;
+    coefficients[1][7] = b35 + b60;
+    coefficients[1][8] = b41 - b61;
+    coefficients[1][9] = b43 - b62;
+    torsor::Convolutions<Scalar, 41> operations_;
+    typename torsor::Convolutions<Scalar, 41>::Sums sums_;
     Scalar number_ = n1, inverse_ = n1;
     for (int k_ = 1; k_ < order; ++k_) {
       const Scalar following_ = number_ + n1, next_ = n1 / following_;
-      const auto sums_ = operations_.sums(k_);
+      operations_.sum(k_, sums_);
       const Scalar x0 = coefficients[k_][5];
       const Scalar x1 = coefficients[k_][6];
       const Scalar x2 = coefficients[k_][3];
-      const Scalar x3 = c_theta * x2 + inverse_ * sums_[0];
+      const Scalar x3 = inverse_ * sums_[0] + c_theta * x2;
       const Scalar w2 = number_ * x2;
-      const Scalar x4 = -(s_theta * x2 + inverse_ * sums_[1]);
+      const Scalar x4 = -inverse_ * sums_[1] - s_theta * x2;
       const Scalar x5 = coefficients[k_][8];
-      const Scalar x6 = c_theta * x5 + x4 * b5 + sums_[2];
-      const Scalar x7 = s_theta * x5 + x3 * b5 + sums_[3];
-      const Scalar x8 = coefficients[k_][2];
-      const Scalar x9 = coefficients[k_][7];
-      const Scalar x10 = c_psi * x8 + inverse_ * sums_[4];
-      const Scalar w8 = number_ * x8;
-      const Scalar x11 = -(s_psi * x8 + inverse_ * sums_[5]);
-      const Scalar x12 = coefficients[k_][9];
-      const Scalar x13 = s_theta * x9 + x3 * b9 + sums_[6];
-      const Scalar x14 = c_theta * x9 + x4 * b9 + sums_[7];
-      const Scalar x15 = (s_theta + s_theta) * x3 + sums_[8];
-      const Scalar x16 = (c_theta + c_theta) * x4 + sums_[9];
-      const Scalar x17 = b5 * x7 + x5 * b7 + sums_[10];
-      const Scalar x18 = b5 * x14 + x5 * b14 + sums_[11];  // angular acceleration of hoop.2, y
-      const Scalar x19 = b5 * x13 + x5 * b13 + sums_[12];  // angular acceleration of hoop.2, z
-      const Scalar x20 = x12 + x14;
-      const Scalar x21 = b13 * x20 + x13 * b20 + sums_[13];
-      const Scalar x22 = b5 * x20 + x5 * b20 + sums_[14];
-      const Scalar x23 = b13 * x14 + x13 * b14 + sums_[15];
-      const Scalar x24 = f0 * x18 - p_C * x22;
-      const Scalar x25 = s_theta * x24 + x3 * b24 + sums_[16];
-      const Scalar x26 = c_theta * x19 + x4 * b19 + sums_[17];
-      const Scalar x27 = x17;
-      const Scalar x28 = p_C * x21 - p_A * x23;
-      const Scalar x29 = c_theta * x27 + x4 * b27 + sums_[18];
-      const Scalar x30 = b9 * x10 + x9 * s_psi + sums_[19];
-      const Scalar x31 = b9 * x11 + x9 * c_psi + sums_[20];
-      const Scalar x32 = b0 * x30 + x0 * b30 + sums_[21];
-      const Scalar x33 = b1 * x31 + x1 * b31 + sums_[22];
-      const Scalar x34 = b7 * x9 + x7 * b9 + sums_[23];
-      const Scalar x35 = b0 * x31 + x0 * b31 + sums_[24];
-      const Scalar x36 = b1 * x30 + x1 * b30 + sums_[25];
-      const Scalar x37 = b5 * x6 + x5 * b6 + sums_[26];
-      const Scalar x38 = x16;
-      const Scalar x39 = z79 * x15 - f1 * x16;
-      const Scalar x40 = f2 * x4;
-      const Scalar x41 = (x40 - b41 * x39 - sums_[27]) * i41;
-      const Scalar x42 = c_theta * x41 + x4 * b41 + sums_[28];
-      const Scalar x43 = (x3 - z163 * x38 - sums_[29]) * i43;
-      const Scalar x44 = s_theta * x43 + x3 * z163 + sums_[30];
-      const Scalar x45 = x44;
-      const Scalar x46 = f2 * x42;
-      const Scalar x47 = x25 - f3 * x26;
-      const Scalar x48 = (x47 - b48 * x39 - sums_[31]) * i48;
-      const Scalar x49 = x28 - x29;
-      const Scalar x50 = (x49 - b50 * x38 - sums_[32]) * i50;
-      const Scalar x51 = c_theta * x48 + x4 * b48 + sums_[33];
-      const Scalar x52 = x32 - x33 + x34;
-      const Scalar x53 = f4 * x19 + f4 * x51;
-      const Scalar x54 = x35 + x36 - x37;
-      const Scalar x55 = s_theta * x50 + x3 * b50 + sums_[34];
-      const Scalar x56 = x51 + x52 - x53;
-      const Scalar x57 = (x56 - b57 * x46 - sums_[35]) * i57;
-      const Scalar x58 = x54 + x55;
-      const Scalar x59 = (x58 - b59 * x45 - sums_[36]) * i59;
-      const Scalar x60 = s_psi * x59 + x10 * b59 + sums_[37];
-      const Scalar x61 = c_psi * x57 + x11 * b57 + sums_[38];
-      const Scalar x62 = s_psi * x57 + x10 * b57 + sums_[39];
-      const Scalar x63 = c_psi * x59 + x11 * b59 + sums_[40];
-      const Scalar x64 = b41 * x57 + x41 * b57 + sums_[41];
-      const Scalar x65 = z163 * x59 + x43 * b59 + sums_[42];
-      const Scalar x66 = f4 * x42;
-      const Scalar x67 = b57 * x66 + x57 * b66 + sums_[43];
-      const Scalar x68 = x60 - x61;
-      const Scalar x69 = x62 + x63;
-      const Scalar x70 = x48 - x64;
-      const Scalar x71 = x50 - x65;
-      const Scalar x72 = x53 - x67;
+      const Scalar x6 = sums_[2] + s_theta * x5 + b5 * x3;
+      const Scalar x7 = coefficients[k_][2];
+      const Scalar x8 = coefficients[k_][7];
+      const Scalar x9 = inverse_ * sums_[3] + c_psi * x7;
+      const Scalar w7 = number_ * x7;
+      const Scalar x10 = -inverse_ * sums_[4] - s_psi * x7;
+      const Scalar x11 = coefficients[k_][9];
+      const Scalar x12 = sums_[5] + c_theta * x8 + b8 * x4;
+      const Scalar x13 = x11 + x12;
+      const Scalar x14 = sums_[6] + b6 * x8 + b8 * x6;
+      const Scalar x15 = f0 * x12 - p_C * x13;
+      const Scalar x16 = sums_[7] + b15 * x5 + b5 * x15;  // moment on hoop.2, y
+      const Scalar x17 = sums_[8] + b16 * x3 + s_theta * x16;
+      const Scalar x18 = sums_[9] + b14 * x4 + c_theta * x14;
+      const Scalar x19 = sums_[10] + b6 * x5 + b5 * x6;
+      const Scalar x20 = x19;
+      const Scalar x21 = sums_[11] + s_psi * x8 + b8 * x9;
+      const Scalar x22 = sums_[12] + c_psi * x8 + b8 * x10;
+      const Scalar x23 = sums_[13] + (c_theta + c_theta) * x4;
+      const Scalar x24 = x23;
+      const Scalar x25 = sums_[14] + (s_theta + s_theta) * x3;
+      const Scalar x26 = f1 * x23 - z79 * x25;
+      const Scalar x27 = f2 * x4;
+      const Scalar x28 = (x27 - sums_[15] - z161 * x26) * i28;
+      const Scalar x29 = sums_[16] + z161 * x4 + c_theta * x28;
+      const Scalar x30 = (x3 - sums_[17] - z163 * x24) * i30;
+      const Scalar x31 = sums_[18] + z163 * x3 + s_theta * x30;
+      const Scalar x32 = x31;
+      const Scalar x33 = f2 * x29;
+      const Scalar x34 = -f3 * x18 + x17;
+      const Scalar x35 = (x34 - (sums_[19] + b35 * x26)) * i35;
+      const Scalar x36 = p_A * x12 - p_C * x13;
+      const Scalar x37 = sums_[20] + b36 * x8 + b8 * x36;
+      const Scalar x38 = sums_[21] + b37 * x3 + s_theta * x37;
+      const Scalar x39 = sums_[22] + b20 * x4 + c_theta * x20;
+      const Scalar x40 = x39 + x38;
+      const Scalar x41 = (x40 - (sums_[23] + b41 * x24)) * i41;
+      const Scalar x42 = sums_[24] + b35 * x4 + c_theta * x35;
+      const Scalar x43 = f4 * x14 - f4 * x42;
+      const Scalar x44 = sums_[25] + b21 * x0 + b0 * x21;
+      const Scalar x45 = sums_[26] + b22 * x1 + b1 * x22;
+      const Scalar x46 = f2 * x14 + x44 - x45 - f2 * x42;
+      const Scalar x47 = (x46 - (sums_[27] + b47 * x33)) * i47;
+      const Scalar x48 = sums_[28] + b41 * x3 + s_theta * x41;
+      const Scalar x49 = sums_[29] + b22 * x0 + b0 * x22;
+      const Scalar x50 = sums_[30] + b21 * x1 + b1 * x21;
+      const Scalar x51 = sums_[31] + (b5 + b5) * x5;
+      const Scalar x52 = sums_[32] + c_theta * x51 + b51 * x4;
+      const Scalar x53 = x52 - x49 - x50 + x48;
+      const Scalar x54 = (x53 - (sums_[33] + b54 * x32)) * i54;
+      const Scalar x55 = f4 * x29;
+      const Scalar x56 = sums_[34] + b54 * x9 + s_psi * x54;
+      const Scalar x57 = sums_[35] + b47 * x10 + c_psi * x47;
+      const Scalar x58 = sums_[36] + b47 * x9 + s_psi * x47;
+      const Scalar x59 = sums_[37] + b54 * x10 + c_psi * x54;
+      const Scalar x60 = sums_[38] + b47 * x28 + z161 * x47;
+      const Scalar x61 = sums_[39] + b54 * x30 + z163 * x54;
+      const Scalar x62 = sums_[40] + b47 * x55 + b55 * x47;
       coefficients[k_ + 1][0] = next_ * x0;
       coefficients[k_ + 1][1] = next_ * x1;
-      coefficients[k_ + 1][2] = next_ * x9;
+      coefficients[k_ + 1][2] = next_ * x8;
       coefficients[k_ + 1][3] = next_ * x5;
-      coefficients[k_ + 1][4] = next_ * x12;
-      coefficients[k_ + 1][5] = next_ * -x68;
-      coefficients[k_ + 1][6] = next_ * x69;
-      coefficients[k_ + 1][7] = next_ * -x70;
-      coefficients[k_ + 1][8] = next_ * -x71;
-      coefficients[k_ + 1][9] = next_ * x72;
-      const Scalar left_[] = {w2, w2, x4, x3, w8, w8, x3, x4, x3, x4, x5, x5, x5, x13, x5, x13, x3, x4, x4, x9, x9, x0,
-        x1, x7, x0, x1, x5, x41, x4, x43, x3, x48, x50, x4, x3, x57, x59, x10, x11, x10, x11, x41, x43, x57};
-      const Scalar right_[] = {x4, x3, x5, x5, x11, x10, x9, x9, x3, x4, x7, x14, x13, x20, x20, x14, x24, x19, x27,
-        x10, x11, x30, x31, x9, x31, x30, x6, x39, x41, x38, x43, x39, x38, x48, x50, x46, x45, x59, x57, x57, x59, x57,
-        x59, x66};
+      coefficients[k_ + 1][4] = next_ * x11;
+      coefficients[k_ + 1][5] = next_ * (x56 - x57);
+      coefficients[k_ + 1][6] = next_ * (-x58 - x59);
+      coefficients[k_ + 1][7] = next_ * (x35 + x60);
+      coefficients[k_ + 1][8] = next_ * (x41 - x61);
+      coefficients[k_ + 1][9] = next_ * (x43 - x62);
+      const Scalar left_[] = {w2, w2, x3, w7, w7, x4, x6, x5, x3, x4, x5, x8, x8, x4, x3, x28, x4, x30, x3, x35, x8, x3,
+        x4, x41, x4, x0, x1, x47, x3, x0, x1, x5, x4, x54, x9, x10, x9, x10, x28, x30, x47};
+      const Scalar right_[] = {x4, x3, x5, x10, x9, x8, x8, x15, x16, x14, x6, x9, x10, x4, x3, x26, x28, x24, x30, x26,
+        x36, x37, x20, x24, x35, x21, x22, x33, x41, x22, x21, x5, x51, x32, x54, x47, x47, x54, x47, x54, x55};
       operations_.keep(k_, left_, right_);
       number_ = following_;
       inverse_ = next_;

@@ -369,38 +369,99 @@ struct scalar_traits {
 
 namespace torsor {
 
-/// Pairs of Taylor series and their convolutions, side by side in lanes. A coefficient of order 0 is not kept: whoever
-/// asks for a sum adds the terms with it.
-template <class Scalar, int count>
-struct Convolutions {
-  static constexpr int order_max = 30;
-  static constexpr int lanes = (count + 3) / 4 * 4;
-  struct Sums {
-    Scalar lane[lanes];
+/// Numbers that are treated alike. float and double fill a vector register where the compiler has a type for it.
+template <class Scalar>
+struct Lanes {
+  static constexpr int width = 1;
+  struct Vector {
+    Scalar lane[width];
+    TORSOR_DEVICE Scalar& operator[](int i) noexcept { return lane[i]; }
     TORSOR_DEVICE const Scalar& operator[](int i) const noexcept { return lane[i]; }
+  };
+  TORSOR_DEVICE TORSOR_INLINED static void add_product(Vector& sum, const Vector& a, const Vector& b) noexcept {
+    for (int i = 0; i < width; ++i) sum[i] = sum[i] + a[i] * b[i];
+  }
+};
+#if defined(__GNUC__) && !defined(__CUDACC__)
+template <class Number>
+struct RegisterLanes {
+#if defined(__AVX__)
+  static constexpr int width = 32 / static_cast<int>(sizeof(Number));
+#else
+  static constexpr int width = 16 / static_cast<int>(sizeof(Number));
+#endif
+  typedef Number Vector __attribute__((vector_size(width * sizeof(Number))));
+  TORSOR_INLINED static void add_product(Vector& sum, const Vector& a, const Vector& b) noexcept { sum += a * b; }
+};
+template <>
+struct Lanes<double> : RegisterLanes<double> {};
+template <>
+struct Lanes<float> : RegisterLanes<float> {};
+#endif
+
+/// Pairs of Taylor series and their convolutions, side by side in vectors. Coefficients of order 0 are not kept: whoever
+/// asks for a sum adds the terms with them.
+template <class Scalar, int count>
+class Convolutions {
+  using Vector = typename Lanes<Scalar>::Vector;
+  static constexpr int width = Lanes<Scalar>::width;
+  static constexpr int vectors = (count + width - 1) / width;
+  static constexpr int order_max = 30;
+
+ public:
+  class Sums {
+   public:
+    TORSOR_DEVICE TORSOR_INLINED Scalar operator[](int i) const noexcept { return vector_[i / width][i % width]; }
+
+   private:
+    friend class Convolutions;
+    Vector vector_[vectors];
   };
 
   /// The terms a_i b_(k-i), i = 1..k-1, of each pair, summed.
-  TORSOR_DEVICE Sums sums(int k) const noexcept {
-    Sums result;
-    for (int l = 0; l < lanes; ++l) result.lane[l] = scalar_traits<Scalar>::constant(0.0, 0.0f, "0/1");
-    for (int i = 1; i < k; ++i) {
-      for (int l = 0; l < lanes; ++l) result.lane[l] = result.lane[l] + left_[i][l] * right_[k - i][l];
-    }
-    return result;
+  TORSOR_DEVICE TORSOR_INLINED void sum(int k, Sums& sums) const noexcept {
+    constexpr int blocks = vectors / 4;
+    for (int i = 0; i < blocks; ++i) sum_block<4>(k, 4 * i, sums);
+    if constexpr (vectors % 4 >= 2) sum_block<2>(k, 4 * blocks, sums);
+    if constexpr (vectors % 2 == 1) sum_block<1>(k, vectors - 1, sums);
   }
 
   /// The coefficients of order k.
-  TORSOR_DEVICE void keep(int k, const Scalar (&left)[count], const Scalar (&right)[count]) noexcept {
-    for (int l = 0; l < count; ++l) left_[k][l] = left[l];
-    for (int l = 0; l < count; ++l) right_[k][l] = right[l];
-    for (int l = count; l < lanes; ++l) {
-      left_[k][l] = right_[k][l] = scalar_traits<Scalar>::constant(0.0, 0.0f, "0/1");
+  TORSOR_DEVICE TORSOR_INLINED void keep(int k, const Scalar (&left)[count], const Scalar (&right)[count]) noexcept {
+    const Scalar zero = scalar_traits<Scalar>::constant(0.0, 0.0f, "0/1");
+    for (int v = 0; v < vectors; ++v) {
+      for (int i = 0; i < width; ++i) {
+        const int place = v * width + i;
+        left_[k][v][i] = place < count ? left[place] : zero;
+        right_[k][v][i] = place < count ? right[place] : zero;
+      }
     }
   }
 
  private:
-  Scalar left_[order_max][lanes], right_[order_max][lanes];
+  /// Of as many vectors as there are chains of additions that a processor works on at once. The coefficients of order
+  /// k - 1, which have only just been computed, come last.
+  template <int size>
+  TORSOR_DEVICE TORSOR_INLINED void sum_block(int k, int first, Sums& sums) const noexcept {
+    Vector a = {}, b = {}, c = {}, d = {};
+    const auto add = [&](int i) {
+      const Vector* left = left_[i] + first;
+      const Vector* right = right_[k - i] + first;
+      Lanes<Scalar>::add_product(a, left[0], right[0]);
+      if constexpr (size > 1) Lanes<Scalar>::add_product(b, left[1], right[1]);
+      if constexpr (size > 2) Lanes<Scalar>::add_product(c, left[2], right[2]);
+      if constexpr (size > 3) Lanes<Scalar>::add_product(d, left[3], right[3]);
+    };
+    for (int i = 2; i < k - 1; ++i) add(i);
+    if (k > 1) add(1);
+    if (k > 2) add(k - 1);
+    sums.vector_[first] = a;
+    if constexpr (size > 1) sums.vector_[first + 1] = b;
+    if constexpr (size > 2) sums.vector_[first + 2] = c;
+    if constexpr (size > 3) sums.vector_[first + 3] = d;
+  }
+
+  Vector left_[order_max][vectors], right_[order_max][vectors];
 };
 
 }  // namespace torsor
@@ -985,35 +1046,31 @@ struct Mechanism {
     const Scalar p_I1 = precomputed.parameters.I1;
     const Scalar p_I2 = precomputed.parameters.I2;
     const Scalar p_I3 = precomputed.parameters.I3;
-    const Scalar b5 = state.v.e_omega_y;
-    const Scalar b6 = state.v.e_omega_z;
-    const Scalar b4 = state.v.e_omega_x;
     const Scalar b0 = state.q.e_y;
+    const Scalar b5 = state.v.e_omega_y;
     const Scalar b1 = state.q.e_z;
+    const Scalar b6 = state.v.e_omega_z;
     const Scalar b2 = state.q.e_x;
+    const Scalar b4 = state.v.e_omega_x;
     const Scalar b3 = state.q.e_w;
     const Scalar f0 = precomputed.y0;
     const Scalar f1 = precomputed.y1;
     const Scalar f2 = precomputed.y2;
-    const Scalar b10 = b0 * b5;
-    const Scalar b11 = b1 * b6;
-    const Scalar b12 = b2 * b4;
-    const Scalar b22 = n0_5 * b10 + n0_5 * b11 + n0_5 * b12;
-    const Scalar b13 = b0 * b6;
-    const Scalar b14 = b1 * b5;
-    const Scalar b15 = b3 * b4;
-    const Scalar b23 = n0_5 * b13 - n0_5 * b14 + n0_5 * b15;
-    const Scalar b16 = b1 * b4;
-    const Scalar b17 = b2 * b6;
-    const Scalar b18 = b3 * b5;
-    const Scalar b24 = n0_5 * b16 - n0_5 * b17 + n0_5 * b18;
-    const Scalar b19 = b0 * b4;
-    const Scalar b20 = b2 * b5;
-    const Scalar b21 = b3 * b6;
-    const Scalar b25 = n0_5 * b19 - n0_5 * b20 - n0_5 * b21;
-    const Scalar b7 = b5 * b6;
-    const Scalar b8 = b4 * b6;
-    const Scalar b9 = b4 * b5;
+    const Scalar b7 = b0 * b5;
+    const Scalar b8 = b1 * b6;
+    const Scalar b9 = b2 * b4;
+    const Scalar b10 = b0 * b6;
+    const Scalar b11 = b1 * b5;
+    const Scalar b12 = b3 * b4;
+    const Scalar b13 = b1 * b4;
+    const Scalar b14 = b2 * b6;
+    const Scalar b15 = b3 * b5;
+    const Scalar b16 = b0 * b4;
+    const Scalar b17 = b2 * b5;
+    const Scalar b18 = b3 * b6;
+    const Scalar b19 = b5 * b6;
+    const Scalar b20 = b4 * b6;
+    const Scalar b21 = b4 * b5;
     coefficients[0][0] = state.q.e_w;
     coefficients[0][1] = state.q.e_x;
     coefficients[0][2] = state.q.e_y;
@@ -1021,18 +1078,19 @@ struct Mechanism {
     coefficients[0][4] = state.v.e_omega_x;
     coefficients[0][5] = state.v.e_omega_y;
     coefficients[0][6] = state.v.e_omega_z;
-    coefficients[1][0] = -b22;
-    coefficients[1][1] = b23;
-    coefficients[1][2] = b24;
-    coefficients[1][3] = -b25;
-    coefficients[1][4] = f0 * b7;
-    coefficients[1][5] = -f1 * b8;
-    coefficients[1][6] = f2 * b9;
+    coefficients[1][0] = -n0_5 * b7 - n0_5 * b8 - n0_5 * b9;
+    coefficients[1][1] = n0_5 * b10 - n0_5 * b11 + n0_5 * b12;
+    coefficients[1][2] = n0_5 * b13 - n0_5 * b14 + n0_5 * b15;
+    coefficients[1][3] = -n0_5 * b16 + n0_5 * b17 + n0_5 * b18;
+    coefficients[1][4] = f0 * b19;
+    coefficients[1][5] = -f1 * b20;
+    coefficients[1][6] = f2 * b21;
     torsor::Convolutions<Scalar, 15> operations_;
+    typename torsor::Convolutions<Scalar, 15>::Sums sums_;
     Scalar number_ = n1, inverse_ = n1;
     for (int k_ = 1; k_ < order; ++k_) {
       const Scalar following_ = number_ + n1, next_ = n1 / following_;
-      const auto sums_ = operations_.sums(k_);
+      operations_.sum(k_, sums_);
       const Scalar x0 = coefficients[k_][2];
       const Scalar x1 = coefficients[k_][3];
       const Scalar x2 = coefficients[k_][1];
@@ -1040,34 +1098,30 @@ struct Mechanism {
       const Scalar x4 = coefficients[k_][4];
       const Scalar x5 = coefficients[k_][5];
       const Scalar x6 = coefficients[k_][6];
-      const Scalar x7 = b5 * x6 + x5 * b6 + sums_[0];
-      const Scalar x8 = b4 * x6 + x4 * b6 + sums_[1];
-      const Scalar x9 = b4 * x5 + x4 * b5 + sums_[2];
-      const Scalar x10 = b0 * x5 + x0 * b5 + sums_[3];
-      const Scalar x11 = b1 * x6 + x1 * b6 + sums_[4];
-      const Scalar x12 = b2 * x4 + x2 * b4 + sums_[5];
-      const Scalar x13 = b0 * x6 + x0 * b6 + sums_[6];
-      const Scalar x14 = b1 * x5 + x1 * b5 + sums_[7];
-      const Scalar x15 = b3 * x4 + x3 * b4 + sums_[8];
-      const Scalar x16 = b1 * x4 + x1 * b4 + sums_[9];
-      const Scalar x17 = b2 * x6 + x2 * b6 + sums_[10];
-      const Scalar x18 = b3 * x5 + x3 * b5 + sums_[11];
-      const Scalar x19 = b0 * x4 + x0 * b4 + sums_[12];
-      const Scalar x20 = b2 * x5 + x2 * b5 + sums_[13];
-      const Scalar x21 = b3 * x6 + x3 * b6 + sums_[14];
-      const Scalar x22 = n0_5 * x10 + n0_5 * x11 + n0_5 * x12;
-      const Scalar x23 = n0_5 * x13 - n0_5 * x14 + n0_5 * x15;
-      const Scalar x24 = n0_5 * x16 - n0_5 * x17 + n0_5 * x18;
-      const Scalar x25 = n0_5 * x19 - n0_5 * x20 - n0_5 * x21;
-      coefficients[k_ + 1][0] = next_ * -x22;
-      coefficients[k_ + 1][1] = next_ * x23;
-      coefficients[k_ + 1][2] = next_ * x24;
-      coefficients[k_ + 1][3] = next_ * -x25;
-      coefficients[k_ + 1][4] = next_ * f0 * x7;
-      coefficients[k_ + 1][5] = next_ * -f1 * x8;
-      coefficients[k_ + 1][6] = next_ * f2 * x9;
-      const Scalar left_[] = {x5, x4, x4, x0, x1, x2, x0, x1, x3, x1, x2, x3, x0, x2, x3};
-      const Scalar right_[] = {x6, x6, x5, x5, x6, x4, x6, x5, x4, x4, x6, x5, x4, x5, x6};
+      const Scalar x7 = sums_[0] + b0 * x5 + b5 * x0;
+      const Scalar x8 = sums_[1] + b1 * x6 + b6 * x1;
+      const Scalar x9 = sums_[2] + b2 * x4 + b4 * x2;
+      const Scalar x10 = sums_[3] + b0 * x6 + b6 * x0;
+      const Scalar x11 = sums_[4] + b1 * x5 + b5 * x1;
+      const Scalar x12 = sums_[5] + b3 * x4 + b4 * x3;
+      const Scalar x13 = sums_[6] + b1 * x4 + b4 * x1;
+      const Scalar x14 = sums_[7] + b2 * x6 + b6 * x2;
+      const Scalar x15 = sums_[8] + b3 * x5 + b5 * x3;
+      const Scalar x16 = sums_[9] + b0 * x4 + b4 * x0;
+      const Scalar x17 = sums_[10] + b2 * x5 + b5 * x2;
+      const Scalar x18 = sums_[11] + b3 * x6 + b6 * x3;
+      const Scalar x19 = sums_[12] + b5 * x6 + b6 * x5;
+      const Scalar x20 = sums_[13] + b4 * x6 + b6 * x4;
+      const Scalar x21 = sums_[14] + b4 * x5 + b5 * x4;
+      coefficients[k_ + 1][0] = next_ * (-n0_5 * x7 - n0_5 * x8 - n0_5 * x9);
+      coefficients[k_ + 1][1] = next_ * (n0_5 * x10 - n0_5 * x11 + n0_5 * x12);
+      coefficients[k_ + 1][2] = next_ * (n0_5 * x13 - n0_5 * x14 + n0_5 * x15);
+      coefficients[k_ + 1][3] = next_ * (-n0_5 * x16 + n0_5 * x17 + n0_5 * x18);
+      coefficients[k_ + 1][4] = next_ * f0 * x19;
+      coefficients[k_ + 1][5] = next_ * -f1 * x20;
+      coefficients[k_ + 1][6] = next_ * f2 * x21;
+      const Scalar left_[] = {x0, x1, x2, x0, x1, x3, x1, x2, x3, x0, x2, x3, x5, x4, x4};
+      const Scalar right_[] = {x5, x6, x4, x6, x5, x4, x4, x6, x5, x4, x5, x6, x6, x6, x5};
       operations_.keep(k_, left_, right_);
       number_ = following_;
       inverse_ = next_;

@@ -4,38 +4,99 @@
 
 namespace torsor {
 
-/// Pairs of Taylor series and their convolutions, side by side in lanes. A coefficient of order 0 is not kept: whoever
-/// asks for a sum adds the terms with it.
-template <class Scalar, int count>
-struct Convolutions {
-  static constexpr int order_max = 30;
-  static constexpr int lanes = (count + 3) / 4 * 4;
-  struct Sums {
-    Scalar lane[lanes];
+/// Numbers that are treated alike. float and double fill a vector register where the compiler has a type for it.
+template <class Scalar>
+struct Lanes {
+  static constexpr int width = 1;
+  struct Vector {
+    Scalar lane[width];
+    TORSOR_DEVICE Scalar& operator[](int i) noexcept { return lane[i]; }
     TORSOR_DEVICE const Scalar& operator[](int i) const noexcept { return lane[i]; }
+  };
+  TORSOR_DEVICE TORSOR_INLINED static void add_product(Vector& sum, const Vector& a, const Vector& b) noexcept {
+    for (int i = 0; i < width; ++i) sum[i] = sum[i] + a[i] * b[i];
+  }
+};
+#if defined(__GNUC__) && !defined(__CUDACC__)
+template <class Number>
+struct RegisterLanes {
+#if defined(__AVX__)
+  static constexpr int width = 32 / static_cast<int>(sizeof(Number));
+#else
+  static constexpr int width = 16 / static_cast<int>(sizeof(Number));
+#endif
+  typedef Number Vector __attribute__((vector_size(width * sizeof(Number))));
+  TORSOR_INLINED static void add_product(Vector& sum, const Vector& a, const Vector& b) noexcept { sum += a * b; }
+};
+template <>
+struct Lanes<double> : RegisterLanes<double> {};
+template <>
+struct Lanes<float> : RegisterLanes<float> {};
+#endif
+
+/// Pairs of Taylor series and their convolutions, side by side in vectors. Coefficients of order 0 are not kept: whoever
+/// asks for a sum adds the terms with them.
+template <class Scalar, int count>
+class Convolutions {
+  using Vector = typename Lanes<Scalar>::Vector;
+  static constexpr int width = Lanes<Scalar>::width;
+  static constexpr int vectors = (count + width - 1) / width;
+  static constexpr int order_max = 30;
+
+ public:
+  class Sums {
+   public:
+    TORSOR_DEVICE TORSOR_INLINED Scalar operator[](int i) const noexcept { return vector_[i / width][i % width]; }
+
+   private:
+    friend class Convolutions;
+    Vector vector_[vectors];
   };
 
   /// The terms a_i b_(k-i), i = 1..k-1, of each pair, summed.
-  TORSOR_DEVICE Sums sums(int k) const noexcept {
-    Sums result;
-    for (int l = 0; l < lanes; ++l) result.lane[l] = scalar_traits<Scalar>::constant(0.0, 0.0f, "0/1");
-    for (int i = 1; i < k; ++i) {
-      for (int l = 0; l < lanes; ++l) result.lane[l] = result.lane[l] + left_[i][l] * right_[k - i][l];
-    }
-    return result;
+  TORSOR_DEVICE TORSOR_INLINED void sum(int k, Sums& sums) const noexcept {
+    constexpr int blocks = vectors / 4;
+    for (int i = 0; i < blocks; ++i) sum_block<4>(k, 4 * i, sums);
+    if constexpr (vectors % 4 >= 2) sum_block<2>(k, 4 * blocks, sums);
+    if constexpr (vectors % 2 == 1) sum_block<1>(k, vectors - 1, sums);
   }
 
   /// The coefficients of order k.
-  TORSOR_DEVICE void keep(int k, const Scalar (&left)[count], const Scalar (&right)[count]) noexcept {
-    for (int l = 0; l < count; ++l) left_[k][l] = left[l];
-    for (int l = 0; l < count; ++l) right_[k][l] = right[l];
-    for (int l = count; l < lanes; ++l) {
-      left_[k][l] = right_[k][l] = scalar_traits<Scalar>::constant(0.0, 0.0f, "0/1");
+  TORSOR_DEVICE TORSOR_INLINED void keep(int k, const Scalar (&left)[count], const Scalar (&right)[count]) noexcept {
+    const Scalar zero = scalar_traits<Scalar>::constant(0.0, 0.0f, "0/1");
+    for (int v = 0; v < vectors; ++v) {
+      for (int i = 0; i < width; ++i) {
+        const int place = v * width + i;
+        left_[k][v][i] = place < count ? left[place] : zero;
+        right_[k][v][i] = place < count ? right[place] : zero;
+      }
     }
   }
 
  private:
-  Scalar left_[order_max][lanes], right_[order_max][lanes];
+  /// Of as many vectors as there are chains of additions that a processor works on at once. The coefficients of order
+  /// k - 1, which have only just been computed, come last.
+  template <int size>
+  TORSOR_DEVICE TORSOR_INLINED void sum_block(int k, int first, Sums& sums) const noexcept {
+    Vector a = {}, b = {}, c = {}, d = {};
+    const auto add = [&](int i) {
+      const Vector* left = left_[i] + first;
+      const Vector* right = right_[k - i] + first;
+      Lanes<Scalar>::add_product(a, left[0], right[0]);
+      if constexpr (size > 1) Lanes<Scalar>::add_product(b, left[1], right[1]);
+      if constexpr (size > 2) Lanes<Scalar>::add_product(c, left[2], right[2]);
+      if constexpr (size > 3) Lanes<Scalar>::add_product(d, left[3], right[3]);
+    };
+    for (int i = 2; i < k - 1; ++i) add(i);
+    if (k > 1) add(1);
+    if (k > 2) add(k - 1);
+    sums.vector_[first] = a;
+    if constexpr (size > 1) sums.vector_[first + 1] = b;
+    if constexpr (size > 2) sums.vector_[first + 2] = c;
+    if constexpr (size > 3) sums.vector_[first + 3] = d;
+  }
+
+  Vector left_[order_max][vectors], right_[order_max][vectors];
 };
 
 }  // namespace torsor

@@ -23,6 +23,7 @@ class SeriesEmitter {
     for (const auto* list : {&block.symbols, &block.given, &block.definitions}) {
       for (const Atom atom : *list) known_[static_cast<std::size_t>(atom)] = true;
     }
+    for (const SeriesNode& each : nodes_) depth_.push_back(depth_of(each));
     lanes_.resize(nodes_.size(), -1);
     for (std::size_t id = 0; id < nodes_.size(); ++id) {
       if (is_nonlinear(nodes_[id])) lanes_[id] = lane_count_++;
@@ -51,11 +52,15 @@ class SeriesEmitter {
     }
     for (const std::string& text : first) emitter_.line(text);
     const std::string one = emitter_.name(Number(1));
-    if (lane_count_ > 0) emitter_.line(fmt::format("torsor::Convolutions<Scalar, {}> operations_;", lane_count_));
+    if (lane_count_ > 0) {
+      const std::string type = fmt::format("torsor::Convolutions<Scalar, {}>", lane_count_);
+      emitter_.line(type + " operations_;");
+      emitter_.line(fmt::format("typename {}::Sums sums_;", type));
+    }
     emitter_.line(fmt::format("Scalar number_ = {0}, inverse_ = {0};", one));
     emitter_.line("for (int k_ = 1; k_ < order; ++k_) {");
     emitter_.line(fmt::format("  const Scalar following_ = number_ + {0}, next_ = {0} / following_;", one));
-    if (lane_count_ > 0) emitter_.line("  const auto sums_ = operations_.sums(k_);");
+    if (lane_count_ > 0) emitter_.line("  operations_.sum(k_, sums_);");
     for (const std::string& text : steps) emitter_.line("  " + text);
     if (lane_count_ > 0) {
       std::string left, right;
@@ -79,6 +84,22 @@ class SeriesEmitter {
   }
 
  private:
+  /// How many operations of one order follow one another up to this one.
+  int depth_of(const SeriesNode& each) const {
+    int depth = -1;
+    const auto wait_for = [&](int operand) {
+      if (operand >= 0) depth = std::max(depth, depth_[static_cast<std::size_t>(operand)]);
+    };
+    for (const SeriesForm::Term& term : each.form.terms) wait_for(term.node);
+    wait_for(each.left);
+    const bool paired = each.kind == Kind::sine || each.kind == Kind::cosine;
+    if (!paired) wait_for(each.right);
+    return depth + (each.kind == Kind::quotient ? 2 : 1);
+  }
+  bool is_deeper(int a, int b) const {
+    return depth_[static_cast<std::size_t>(a)] > depth_[static_cast<std::size_t>(b)];
+  }
+
   const SeriesNode& node(int id) const { return nodes_[static_cast<std::size_t>(id)]; }
   std::string x(int id) const { return fmt::format("x{}", id); }
   std::string sum_of(int id) const { return fmt::format("sums_[{}]", lanes_[static_cast<std::size_t>(id)]); }
@@ -103,7 +124,10 @@ class SeriesEmitter {
       const std::string size = factor(form.constant, negative);
       text = (negative ? "-" : "") + (size.empty() ? emitter_.name(Number(1)) : size);
     }
-    for (const SeriesForm::Term& term : form.terms) {
+    std::vector<SeriesForm::Term> terms = form.terms;  // what is known last is added last
+    std::stable_sort(terms.begin(), terms.end(),
+                     [this](const auto& a, const auto& b) { return is_deeper(b.node, a.node); });
+    for (const SeriesForm::Term& term : terms) {
       bool negative = false;
       const std::string size = factor(term.coefficient, negative);
       text += text.empty() ? (negative ? "-" : "") : (negative ? " - " : " + ");
@@ -202,13 +226,14 @@ class SeriesEmitter {
         break;
       case Kind::product:
         if (each.left == each.right) {
-          const std::string b = begin(each.left);
-          text = fmt::format("({0} + {0}) * {1} + {2}", b, x(each.left), sum_of(id));
+          text = fmt::format("{0} + ({1} + {1}) * {2}", sum_of(id), begin(each.left), x(each.left));
           operations = {.additions = 2, .multiplications = 1};
         } else {
-          const std::string a = begin(each.left);
-          const std::string b = begin(each.right);
-          text = fmt::format("{} * {} + {} * {} + {}", a, x(each.right), x(each.left), b, sum_of(id));
+          const bool left_first = is_deeper(each.right, each.left);
+          const auto [soon, late] = left_first ? std::pair(each.left, each.right) : std::pair(each.right, each.left);
+          const std::string a = begin(late);
+          const std::string b = begin(soon);
+          text = fmt::format("{} + {} * {} + {} * {}", sum_of(id), a, x(soon), b, x(late));
           operations = {.additions = 2, .multiplications = 2};
         }
         break;
@@ -216,10 +241,12 @@ class SeriesEmitter {
         const std::string q = begin(id);
         const std::string factor = inverse(id);
         if (each.left < 0) {
-          text = fmt::format("-({} * {} + {}) * {}", q, x(each.right), sum_of(id), factor);
+          text = fmt::format("({} + {} * {}) * -{}", sum_of(id), q, x(each.right), factor);
           operations = {.additions = 1, .multiplications = 2};
         } else {
-          text = fmt::format("({} - {} * {} - {}) * {}", x(each.left), q, x(each.right), sum_of(id), factor);
+          text = is_deeper(each.left, each.right)
+                     ? fmt::format("({} - ({} + {} * {})) * {}", x(each.left), sum_of(id), q, x(each.right), factor)
+                     : fmt::format("({} - {} - {} * {}) * {}", x(each.left), sum_of(id), q, x(each.right), factor);
           operations = {.additions = 2, .multiplications = 2};
         }
         break;
@@ -229,15 +256,15 @@ class SeriesEmitter {
         operations = {.additions = 1, .multiplications = 1};
         break;
       case Kind::sine:
-        text = fmt::format("{} * {} + inverse_ * {}", begin(each.right), x(each.left), sum_of(id));
+        text = fmt::format("inverse_ * {} + {} * {}", sum_of(id), begin(each.right), x(each.left));
         operations = {.additions = 1, .multiplications = 2};
         break;
       case Kind::cosine:
-        text = fmt::format("-({} * {} + inverse_ * {})", begin(each.right), x(each.left), sum_of(id));
+        text = fmt::format("-inverse_ * {} - {} * {}", sum_of(id), begin(each.right), x(each.left));
         operations = {.additions = 1, .multiplications = 2};
         break;
       case Kind::exponential:
-        text = fmt::format("{} * {} + inverse_ * {}", begin(id), x(each.left), sum_of(id));
+        text = fmt::format("inverse_ * {} + {} * {}", sum_of(id), begin(id), x(each.left));
         operations = {.additions = 1, .multiplications = 2};
         break;
       case Kind::logarithm:
@@ -281,6 +308,7 @@ class SeriesEmitter {
   std::vector<std::string> begin_;    ///< by node: name of its value at the start
   std::vector<std::string> inverse_;  ///< by node
   std::vector<bool> weighted_;        ///< by node
+  std::vector<int> depth_;            ///< by node
   std::vector<int> lanes_;            ///< by node: which convolution is its own
   SumTable factors_;
   int lane_count_ = 0;

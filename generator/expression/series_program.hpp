@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
-#include <optional>
-#include <utility>
 #include <vector>
 
 #include "generator/expression/program.hpp"
@@ -26,6 +23,8 @@ struct SeriesForm {
   friend bool operator==(const SeriesForm&, const SeriesForm&) = default;
 };
 
+Polynomial product_of(const Polynomial& a, const Polynomial& b);
+
 /// A quantity that changes with time, with the recurrence its Taylor coefficients follow.
 struct SeriesNode {
   enum class Kind { symbol, sum, product, quotient, square_root, sine, cosine, exponential, logarithm };
@@ -42,7 +41,8 @@ bool is_nonlinear(const SeriesNode& node);
 /// The live part of a program as operations between Taylor series in time, with few that are not linear: sums of flat
 /// monomials are factored, factors times a sum take one product, a quotient is one operation and so is each reciprocal,
 /// equal operations are made once, and what is constant in time multiplies coefficients only. Inputs, parameters and
-/// numbers are constant; time, coordinates and velocities are series.
+/// numbers are constant; time, coordinates and velocities are series. Definitions are multiplied into what uses them
+/// where that saves operations: in programs that are not large each is tried, in small ones each pair too.
 ///
 /// Deterministic: nodes are numbered in the order of the program.
 class SeriesProgram {
@@ -59,43 +59,9 @@ class SeriesProgram {
   int nonlinear_count() const;
 
  private:
-  struct Power {
-    int node;
-    int exponent;
-    friend bool operator==(const Power&, const Power&) = default;
-  };
-  struct Product {
-    Polynomial coefficient;
-    std::vector<Power> powers;  ///< by node, no exponent zero
-  };
-  struct Scaled {
-    Polynomial coefficient;
-    int node;
-  };
-
-  void define(Atom atom);
-  void define_function(Atom atom);
-  SeriesForm lowered(const Polynomial& polynomial, SeriesForm& expanded);
-  SeriesForm lowered(std::vector<Product> products);
-  Scaled scaled(const SeriesForm& form);
-  int exact(const SeriesForm& form);
-  int product(int left, int right);
-  int quotient(int dividend, int divisor);
-  std::optional<int> known_product(const std::vector<Power>& powers) const;
-  int value_of(const std::vector<Power>& powers);
-  void multiply(Product& product, Atom atom, int exponent);
-  int append(SeriesNode node);
-  void keep_live();
-
   Program* program_;
   std::vector<SeriesNode> nodes_;
   std::vector<SeriesForm> outputs_;
-  std::vector<bool> constant_;        ///< by atom
-  std::vector<bool> is_cancelled_;    ///< by atom: constant although its definition does not show it
-  std::vector<SeriesForm> direct_;    ///< by atom: in terms of what it was written with
-  std::vector<SeriesForm> expanded_;  ///< by atom: with sums put back, where that stays short
-  std::map<std::pair<int, int>, int> products_, quotients_;
-  std::multimap<int, int> sums_;  ///< by first node, looked up only
 };
 
 }  // namespace torsor

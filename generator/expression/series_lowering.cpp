@@ -1,0 +1,381 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/expression/series_lowering.hpp"
+
+#include <algorithm>
+
+namespace torsor {
+namespace {
+
+/// Sums of more terms, or with coefficients of more terms, stay behind a name.
+constexpr std::size_t longest_sum = 8;
+constexpr std::size_t longest_coefficient = 4;
+
+std::size_t at(int node) { return static_cast<std::size_t>(node); }
+
+Polynomial unity() { return Polynomial(Number(1)); }
+
+Polynomial power(const Polynomial& single, int exponent) {
+  const Term& term = single.terms()[0];
+  return Polynomial(Term{pow(term.monomial, exponent), term.coefficient.pow(exponent)});
+}
+
+bool is_single(const SeriesForm& form) {
+  return form.constant.is_zero() && form.terms.size() == 1 && form.terms[0].coefficient.terms().size() == 1;
+}
+
+bool is_short(const SeriesForm& form) {
+  return form.terms.size() <= longest_sum && std::all_of(form.terms.begin(), form.terms.end(), [](const auto& term) {
+           return term.coefficient.terms().size() <= longest_coefficient;
+         });
+}
+
+SeriesForm form_of_node(int node) {
+  SeriesForm form;
+  form.add(node, unity());
+  return form;
+}
+
+}  // namespace
+
+SeriesLowering::SeriesLowering(const Program& program, const std::vector<Atom>& live, std::vector<bool> inlined)
+    : program_(program),
+      inlined_(std::move(inlined)),
+      constant_(program.size(), false),
+      pieces_(program.size()),
+      direct_(program.size()),
+      expanded_(program.size()) {
+  for (const Atom atom : live) define(atom);
+}
+
+void SeriesLowering::add_output(const Polynomial& polynomial) {
+  SeriesForm expanded;
+  outputs_.push_back(lowered(pieces_of(polynomial), expanded));
+}
+
+int SeriesLowering::append(SeriesNode node) {
+  nodes_.push_back(std::move(node));
+  return static_cast<int>(nodes_.size()) - 1;
+}
+
+bool SeriesLowering::is_constant(const Polynomial& polynomial) const {
+  return std::all_of(polynomial.terms().begin(), polynomial.terms().end(), [&](const Term& term) {
+    return std::all_of(term.monomial.begin(), term.monomial.end(),
+                       [&](const Factor& factor) { return constant_[at(factor.atom)]; });
+  });
+}
+
+void SeriesLowering::define(Atom atom) {
+  const Definition& definition = program_[atom];
+  if (definition.symbol) {
+    const SymbolKind kind = definition.symbol->kind;
+    constant_[at(atom)] = kind != SymbolKind::time && kind != SymbolKind::coordinate && kind != SymbolKind::velocity;
+    if (constant_[at(atom)]) return;
+    expanded_[at(atom)] = form_of_node(append({SeriesNode::Kind::symbol, atom, -1, -1, {}}));
+    direct_[at(atom)] = expanded_[at(atom)];
+    return;
+  }
+  if (definition.function) {
+    if (!constant_[at(definition.argument)]) form_of(definition.argument);
+    constant_[at(atom)] = constant_[at(definition.argument)];
+    if (!constant_[at(atom)] && !direct_[at(atom)]) define_function(atom);
+    return;
+  }
+  constant_[at(atom)] = is_constant(definition.polynomial);
+  if (constant_[at(atom)]) return;
+  pieces_[at(atom)] = pieces_of(definition.polynomial);
+  if (!inlined_[at(atom)]) form_of(atom);
+}
+
+void SeriesLowering::define_function(Atom atom) {
+  const Definition& definition = program_[atom];
+  const int argument = exact(form_of(definition.argument));
+  const auto make = [&](Atom of, SeriesNode::Kind kind) {
+    const int node = append({kind, of, argument, -1, {}});
+    expanded_[at(of)] = form_of_node(node);
+    direct_[at(of)] = expanded_[at(of)];
+    return node;
+  };
+  switch (*definition.function) {
+    case Function::sqrt:
+      make(atom, SeriesNode::Kind::square_root);
+      return;
+    case Function::exp:
+      make(atom, SeriesNode::Kind::exponential);
+      return;
+    case Function::log:
+      make(atom, SeriesNode::Kind::logarithm);
+      return;
+    case Function::sin:
+    case Function::cos:
+      break;
+  }
+  const bool is_sine = definition.function == Function::sin;
+  const int sine = make(is_sine ? atom : definition.partner, SeriesNode::Kind::sine);
+  const int cosine = make(is_sine ? definition.partner : atom, SeriesNode::Kind::cosine);
+  nodes_[at(sine)].right = cosine;
+  nodes_[at(cosine)].right = sine;
+}
+
+/// The sum that gives an atom; from then on it stands behind a name if it is long.
+const SeriesForm& SeriesLowering::form_of(Atom atom) {
+  std::optional<SeriesForm>& form = direct_[at(atom)];
+  if (form) return *form;
+  SeriesForm expanded;
+  form = lowered(pieces_[at(atom)], expanded);
+  expanded_[at(atom)] = is_short(expanded) ? expanded : *form;
+  if (form->terms.empty()) constant_[at(atom)] = true;  // what changes with time has cancelled
+  if (is_single(*form) && form->terms[0].coefficient == unity()) {
+    SeriesNode& node = nodes_[at(form->terms[0].node)];
+    if (node.atom < 0) node.atom = atom;
+  }
+  return *form;
+}
+
+/// A node with the form's very value.
+int SeriesLowering::exact(const SeriesForm& form) {
+  if (is_single(form) && form.terms[0].coefficient == unity()) return form.terms[0].node;
+  const auto [begin, end] = sums_.equal_range(form.terms[0].node);
+  for (auto each = begin; each != end; ++each) {
+    if (nodes_[at(each->second)].form == form) return each->second;
+  }
+  const int first = form.terms[0].node;
+  const int node = append({SeriesNode::Kind::sum, -1, -1, -1, form});
+  sums_.emplace(first, node);
+  return node;
+}
+
+/// A node of which the form is a multiple; sums are told apart up to their sign.
+SeriesLowering::Scaled SeriesLowering::scaled(const SeriesForm& form) {
+  if (is_single(form)) return {form.terms[0].coefficient, form.terms[0].node};
+  if (form.terms[0].coefficient.sign() > 0) return {unity(), exact(form)};
+  const Polynomial minus = Polynomial(Number(-1));
+  SeriesForm negated;
+  negated.add(form, minus);
+  return {minus, exact(negated)};
+}
+
+int SeriesLowering::product(int left, int right) {
+  const std::pair<int, int> key = std::minmax(left, right);
+  const auto known = products_.find(key);
+  if (known != products_.end()) return known->second;
+  return products_[key] = append({SeriesNode::Kind::product, -1, key.first, key.second, {}});
+}
+
+int SeriesLowering::quotient(int dividend, int divisor) {
+  const auto known = quotients_.find({dividend, divisor});
+  if (known != quotients_.end()) return known->second;
+  return quotients_[{dividend, divisor}] = append({SeriesNode::Kind::quotient, -1, dividend, divisor, {}});
+}
+
+/// Multiplies by node^exponent; a reciprocal counts as what it is.
+void SeriesLowering::multiply_by_node(Product& result, int node, int exponent) const {
+  const SeriesNode& origin = nodes_[at(node)];
+  if (origin.kind == SeriesNode::Kind::quotient && origin.left < 0) {
+    node = origin.right;
+    exponent = -exponent;
+  }
+  const auto place = std::lower_bound(result.powers.begin(), result.powers.end(), node,
+                                      [](const Power& power, int n) { return power.node < n; });
+  if (place == result.powers.end() || place->node != node) {
+    result.powers.insert(place, {node, exponent});
+  } else if ((place->exponent += exponent) == 0) {
+    result.powers.erase(place);
+  }
+}
+
+void SeriesLowering::multiply(Product& result, Atom atom, int exponent) {
+  const auto by_constant = [&](const Polynomial& known) {
+    result.coefficient = known.is_zero() ? Polynomial() : product_of(result.coefficient, power(known, exponent));
+  };
+  if (!constant_[at(atom)] && inlined_[at(atom)] && pieces_[at(atom)].size() == 1) {
+    const Piece& piece = pieces_[at(atom)][0];
+    if (piece.product.coefficient.terms().size() == 1) {
+      by_constant(piece.product.coefficient);
+      for (const Power& each : piece.product.powers) multiply_by_node(result, each.node, each.exponent * exponent);
+      if (piece.atom >= 0) multiply(result, piece.atom, exponent);
+      return;
+    }
+  }
+  if (constant_[at(atom)] && !direct_[at(atom)]) return by_constant(Polynomial(atom));
+  const SeriesForm& form = form_of(atom);
+  if (form.terms.empty()) return by_constant(form.constant.terms().size() > 1 ? Polynomial(atom) : form.constant);
+  const Scaled operand = scaled(form);
+  by_constant(operand.coefficient);
+  multiply_by_node(result, operand.node, exponent);
+}
+
+std::vector<SeriesLowering::Piece> SeriesLowering::pieces_of(const Polynomial& polynomial) {
+  std::vector<Piece> pieces;
+  for (const Term& term : polynomial.terms()) {
+    Piece piece{{Polynomial(Term{{}, term.coefficient}), {}}, -1};
+    int degree = 0;
+    for (const Factor& factor : term.monomial) {
+      if (constant_[at(factor.atom)]) continue;
+      piece.atom = factor.exponent == 1 ? factor.atom : -1;
+      ++degree;
+    }
+    if (degree != 1) piece.atom = -1;
+    for (const Factor& factor : term.monomial) {
+      if (factor.atom != piece.atom) multiply(piece.product, factor.atom, factor.exponent);
+    }
+    if (piece.product.coefficient.is_zero()) continue;
+    if (piece.atom < 0 || !inlined_[at(piece.atom)]) {
+      pieces.push_back(std::move(piece));
+      continue;
+    }
+    for (Piece inner : pieces_[at(piece.atom)]) {
+      inner.product.coefficient = product_of(inner.product.coefficient, piece.product.coefficient);
+      pieces.push_back(std::move(inner));
+    }
+  }
+  return pieces;
+}
+
+SeriesForm SeriesLowering::lowered(const std::vector<Piece>& pieces, SeriesForm& expanded) {
+  SeriesForm direct;
+  std::vector<Product> products;
+  for (const Piece& piece : pieces) {
+    if (piece.atom < 0) {
+      products.push_back(piece.product);
+      continue;
+    }
+    const SeriesForm& form = form_of(piece.atom);
+    expanded.add(expanded_[at(piece.atom)], piece.product.coefficient);
+    if (form.terms.size() <= 1) {
+      direct.add(form, piece.product.coefficient);
+    } else {
+      const Scaled sum = scaled(form);
+      direct.add(sum.node, product_of(sum.coefficient, piece.product.coefficient));
+    }
+  }
+  const SeriesForm nonlinear = lowered(std::move(products));
+  direct.add(nonlinear, unity());
+  expanded.add(nonlinear, unity());
+  return expanded.terms.size() <= direct.terms.size() && is_short(expanded) ? expanded : direct;
+}
+
+/// The node of a product of two that has been made already: using it costs nothing.
+std::optional<int> SeriesLowering::known_product(const std::vector<Power>& powers) const {
+  const auto find = [](const auto& table, int left, int right) -> std::optional<int> {
+    const auto known = table.find({left, right});
+    return known == table.end() ? std::nullopt : std::optional<int>(known->second);
+  };
+  if (powers.size() == 1 && powers[0].exponent == 2) return find(products_, powers[0].node, powers[0].node);
+  if (powers.size() == 1 && powers[0].exponent == -1) return find(quotients_, -1, powers[0].node);
+  if (powers.size() != 2 || std::abs(powers[0].exponent) != 1 || std::abs(powers[1].exponent) != 1) return std::nullopt;
+  const auto& [a, b] = std::pair(powers[0], powers[1]);
+  if (a.exponent > 0 && b.exponent > 0) return find(products_, a.node, b.node);
+  if (a.exponent > 0) return find(quotients_, a.node, b.node);
+  return b.exponent > 0 ? find(quotients_, b.node, a.node) : std::nullopt;
+}
+
+int SeriesLowering::value_of(const std::vector<Power>& powers) {
+  int value = -1;
+  for (const Power& each : powers) {
+    int base = each.node;
+    for (int rest = each.exponent; rest > 0; rest /= 2) {
+      if (rest % 2 == 1) value = value < 0 ? base : product(value, base);
+      if (rest > 1) base = product(base, base);
+    }
+  }
+  for (const Power& each : powers) {
+    for (int rest = each.exponent; rest < 0; ++rest) value = quotient(value, each.node);
+  }
+  return value;
+}
+
+/// Takes the factor that most products share out, again and again.
+SeriesForm SeriesLowering::lowered(std::vector<Product> products) {
+  SeriesForm form;
+  while (!products.empty()) {
+    std::vector<Product> nonlinear;
+    std::map<std::pair<int, bool>, int> uses;  // (node, whether it divides)
+    for (Product& each : products) {
+      if (each.powers.empty()) {
+        form.constant += each.coefficient;
+      } else if (each.powers.size() == 1 && each.powers[0].exponent == 1) {
+        form.add(each.powers[0].node, each.coefficient);
+      } else if (const std::optional<int> known = known_product(each.powers)) {
+        form.add(*known, each.coefficient);
+      } else {
+        for (const Power& power : each.powers) ++uses[{power.node, power.exponent < 0}];
+        nonlinear.push_back(std::move(each));
+      }
+    }
+    products.clear();
+    std::pair<int, bool> best;
+    int most = 1;
+    for (const auto& [factor, count] : uses) {
+      if (count > most) best = factor, most = count;
+    }
+    if (most == 1) {
+      for (const Product& each : nonlinear) form.add(value_of(each.powers), each.coefficient);
+      break;
+    }
+    std::vector<Product> inside;
+    for (Product& each : nonlinear) {
+      const auto place = std::find_if(each.powers.begin(), each.powers.end(), [&](const Power& power) {
+        return power.node == best.first && (power.exponent < 0) == best.second;
+      });
+      if (place == each.powers.end()) {
+        products.push_back(std::move(each));
+        continue;
+      }
+      place->exponent += best.second ? 1 : -1;
+      if (place->exponent == 0) each.powers.erase(place);
+      inside.push_back(std::move(each));
+    }
+    form.add(taken_out(best, std::move(inside)), unity());
+  }
+  return form;
+}
+
+SeriesForm SeriesLowering::taken_out(std::pair<int, bool> factor, std::vector<Product> inside) {
+  const auto& [node, divides] = factor;
+  const SeriesForm sum = lowered(std::move(inside));
+  SeriesForm form;
+  if (sum.terms.empty()) {
+    if (!sum.constant.is_zero()) form.add(divides ? quotient(-1, node) : node, sum.constant);
+    return form;
+  }
+  const Scaled other = scaled(sum);
+  form.add(divides ? quotient(other.node, node) : product(other.node, node), other.coefficient);
+  return form;
+}
+
+std::pair<std::vector<SeriesNode>, std::vector<SeriesForm>> SeriesLowering::take() {
+  std::vector<bool> live(nodes_.size(), false);
+  const auto mark = [&live](const SeriesForm& form) {
+    for (const SeriesForm::Term& term : form.terms) live[at(term.node)] = true;
+  };
+  for (const SeriesForm& output : outputs_) mark(output);
+  for (std::size_t k = nodes_.size(); k-- > 0;) {
+    const SeriesNode& node = nodes_[k];
+    const bool paired = node.kind == SeriesNode::Kind::sine || node.kind == SeriesNode::Kind::cosine;
+    if (paired && live[at(node.right)]) live[k] = true;
+    if (!live[k]) continue;
+    mark(node.form);
+    if (node.left >= 0) live[at(node.left)] = true;
+    if (node.right >= 0) live[at(node.right)] = true;
+  }
+  std::vector<int> place(nodes_.size(), -1);
+  std::vector<SeriesNode> kept;
+  for (std::size_t k = 0; k < nodes_.size(); ++k) {
+    if (!live[k]) continue;
+    place[k] = static_cast<int>(kept.size());
+    kept.push_back(std::move(nodes_[k]));
+  }
+  const auto moved = [&place](int node) { return node < 0 ? node : place[at(node)]; };
+  const auto move = [&moved](SeriesForm& form) {
+    for (SeriesForm::Term& term : form.terms) term.node = moved(term.node);
+  };
+  for (SeriesNode& node : kept) {
+    node.left = moved(node.left);
+    node.right = moved(node.right);
+    move(node.form);
+  }
+  for (SeriesForm& output : outputs_) move(output);
+  return {std::move(kept), std::move(outputs_)};
+}
+
+}  // namespace torsor

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "generator/expression/series_program.hpp"
+
+namespace torsor {
+
+/// Turns the live part of a program into operations between series: one way of doing it for each choice of definitions
+/// that are multiplied into the sums and products that use them instead of being computed.
+class SeriesLowering {
+ public:
+  /// `live` in the program's order; `inlined` by atom.
+  SeriesLowering(const Program& program, const std::vector<Atom>& live, std::vector<bool> inlined);
+
+  void add_output(const Polynomial& polynomial);
+  /// Nodes that some output needs, and the outputs.
+  std::pair<std::vector<SeriesNode>, std::vector<SeriesForm>> take();
+
+ private:
+  struct Power {
+    int node;
+    int exponent;
+    friend bool operator==(const Power&, const Power&) = default;
+  };
+  struct Product {
+    Polynomial coefficient;
+    std::vector<Power> powers;  ///< by node, no exponent zero
+  };
+  /// coefficient · atom, if there is an atom, else a product.
+  struct Piece {
+    Product product;
+    Atom atom = -1;
+  };
+  struct Scaled {
+    Polynomial coefficient;
+    int node;
+  };
+
+  void define(Atom atom);
+  void define_function(Atom atom);
+  bool is_constant(const Polynomial& polynomial) const;
+  std::vector<Piece> pieces_of(const Polynomial& polynomial);
+  const SeriesForm& form_of(Atom atom);
+  SeriesForm lowered(const std::vector<Piece>& pieces, SeriesForm& expanded);
+  SeriesForm lowered(std::vector<Product> products);
+  SeriesForm taken_out(std::pair<int, bool> factor, std::vector<Product> inside);
+  Scaled scaled(const SeriesForm& form);
+  int exact(const SeriesForm& form);
+  int product(int left, int right);
+  int quotient(int dividend, int divisor);
+  std::optional<int> known_product(const std::vector<Power>& powers) const;
+  int value_of(const std::vector<Power>& powers);
+  void multiply(Product& product, Atom atom, int exponent);
+  void multiply_by_node(Product& product, int node, int exponent) const;
+  int append(SeriesNode node);
+
+  const Program& program_;
+  std::vector<bool> inlined_;                      ///< by atom
+  std::vector<bool> constant_;                     ///< by atom
+  std::vector<std::vector<Piece>> pieces_;         ///< by atom, of sums
+  std::vector<std::optional<SeriesForm>> direct_;  ///< by atom: in terms of what it was written with
+  std::vector<SeriesForm> expanded_;               ///< by atom: with sums put back, where that stays short
+  std::map<std::pair<int, int>, int> products_, quotients_;
+  std::multimap<int, int> sums_;  ///< by first node, looked up only
+  std::vector<SeriesNode> nodes_;
+  std::vector<SeriesForm> outputs_;
+};
+
+}  // namespace torsor
