@@ -102,14 +102,14 @@ class Taylor::Formula {
     if (!all_finite(state.next())) return Evaluation::not_finite;
     state.settle(f);
     if (!f.jets(t + h, state.next(), span(next()))) return f.evaluation;
+    const Scalar noise = rounding_of_slopes(state);
     error = Scalar(0);
     for (std::size_t i = 0; i < size; ++i) {
       const Scalar defect = std::abs(h * (slope[i] - next()[1][i]));
       const Scalar magnitude = std::max(std::abs(state.now()[i]), std::abs(state.next()[i]));
-      // What rounding alone leaves of two slopes.
-      const Scalar noise = Scalar(16) * std::numeric_limits<Scalar>::epsilon() * std::abs(h * slope[i]);
       const Scalar allowed = static_cast<Scalar>(order_ + 1) * (tolerances.absolute + tolerances.relative * magnitude);
-      if (defect > noise) error = std::max(error, (defect - noise) / allowed);
+      const Scalar rounding = std::abs(h) * (noise + Scalar(16) * epsilon * std::abs(slope[i]));
+      if (defect > rounding) error = std::max(error, (defect - rounding) / allowed);
     }
     return std::isfinite(error) ? Evaluation::ok : Evaluation::not_finite;
   }
@@ -133,6 +133,7 @@ class Taylor::Formula {
   void accept() noexcept { current_ = 1 - current_; }
 
  private:
+  static constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
   static constexpr std::size_t considered = 4;  // coefficients that decide on a step
 
   [[nodiscard]] Coefficients& now() noexcept { return c_[current_]; }
@@ -140,17 +141,28 @@ class Taylor::Formula {
 
   [[nodiscard]] std::span<Vector> span(Coefficients& c) const noexcept { return {c.data(), order_ + 1}; }
 
+  // What the rounding of the state itself makes of its slopes, by how much these change with it over the step.
+  [[nodiscard]] Scalar rounding_of_slopes(const State& state) noexcept {
+    Scalar largest = Scalar(0), moved = Scalar(0), change = Scalar(0);
+    for (std::size_t i = 0; i < size; ++i) {
+      largest = std::max(largest, std::abs(state.next()[i]));
+      moved = std::max(moved, std::abs(state.next()[i] - state.now()[i]));
+      change = std::max(change, std::abs(next()[1][i] - now()[1][i]));
+    }
+    return moved > Scalar(0) ? Scalar(4) * epsilon * largest * change / moved : Scalar(0);
+  }
+
   // The tolerance as a part of the state's own size.
   void choose_order(const Vector& y) noexcept {
     Scalar largest = Scalar(0);
     for (const Scalar& value : y) largest = std::max(largest, std::abs(value));
     part_ = tolerances_.relative;
     if (tolerances_.absolute > Scalar(0)) part_ += largest > Scalar(0) ? tolerances_.absolute / largest : Scalar(0);
-    part_ = std::clamp(part_ > Scalar(0) ? part_ : tolerances_.absolute, std::numeric_limits<Scalar>::epsilon(),
-                       Scalar(0.1));
+    part_ = std::clamp(part_ > Scalar(0) ? part_ : tolerances_.absolute, epsilon, Scalar(0.1));
     if (chosen_) {
-      order_ = static_cast<std::size_t>(std::clamp(
-          static_cast<int>(std::ceil(1.0 - 0.55 * std::log(static_cast<double>(part_)))), least_order, largest_order));
+      const double wanted = 1.0 - 0.55 * std::log(static_cast<double>(part_));
+      order_ = static_cast<std::size_t>(
+          std::clamp(2 * static_cast<int>(std::ceil(wanted / 2.0)), least_order, largest_order));
     }
   }
 

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "generated/double_pendulum.hpp"
+#include "runtime/angles_within_a_turn.hpp"
 #include "runtime/dormand_prince_853.hpp"
 #include "runtime/mechanism.hpp"
 #include "runtime/observers.hpp"
@@ -207,6 +208,33 @@ TEST(Taylor, IsNotFooledByADoublePendulumReleasedWithHorizontalRods) {
       EXPECT_LE(std::abs(energy(y)), 1e4 * tolerance * 3 * 9.81) << digits << " " << order;
     }
   }
+}
+
+// Largest relative error of the double pendulum's energy over 100 s from (2, 2.5), where the lower rod turns over.
+double energy_error(const Taylor& method) {
+  using Mechanism = double_pendulum::Mechanism<double>;
+  const auto motion = equations_of_motion<Mechanism>();
+  const auto energy = [&](const std::array<double, 4>& state) {
+    Mechanism::Energy e{};
+    Mechanism::energy(motion.precomputed(), unpack<Mechanism>(0.0, state), {}, e);
+    return e.kinetic - e.force_function;
+  };
+  std::array<double, 4> y{2.0, 2.5, 0.0, 0.0};
+  const double first = energy(y);
+  double largest = 0.0;
+  const auto within = angles_within_a_turn(motion, std::array<std::size_t, 2>{0, 1});
+  const auto result = integrate(within, y, 0, 100, method, [&](double, const std::array<double, 4>& state) {
+    largest = std::max(largest, std::abs(energy(state) / first - 1.0));
+    EXPECT_LE(std::max(std::abs(state[0]), std::abs(state[1])), 3.1415926535897936);
+  });
+  EXPECT_TRUE(result) << describe(result);
+  return largest;
+}
+
+TEST(Taylor, KeepsTheEnergyOfAChaoticMotionToRounding) {
+  // Some 4,000 steps whose errors of 1e-15 in y change E by up to |v| 1e-15 = 1e-14 each, with either sign:
+  // sqrt(4000) × 1e-14 / 16 = 4e-14.
+  EXPECT_LT(energy_error({.relative_tolerance = 0.0, .absolute_tolerance = 1e-15, .compensated = true}), 4e-14);
 }
 
 TEST(CompensatedSums, KeepRoundingFromAddingUp) {
