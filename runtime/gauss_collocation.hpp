@@ -28,8 +28,8 @@ enum class StageSolver { fixed_point, newton };
 /// mechanism in (q, v) whose mass matrix varies it is symmetric only, which bounds the energy of reversible motions;
 /// the variational integrator is symplectic there too.
 ///
-/// The first guess continues the last step's polynomial. The iteration goes on until rounding alone moves the stages, and
-/// increments are summed with compensation and with weights of twice the length: otherwise the energy drifts by
+/// The first guess continues the last step's polynomial. The iteration goes on until rounding alone moves the stages,
+/// and increments are summed with compensation and with weights of twice the length: otherwise the energy drifts by
 /// rounding. Where q' = v (`second_order`) the velocities of the stages follow from the accelerations in the same
 /// sweep, which squares the rate of convergence.
 /// `no_convergence` after `iteration_limit` sweeps.
@@ -94,8 +94,7 @@ class GaussCollocation<stages, solver>::Formula {
  private:
   static constexpr std::size_t s = static_cast<std::size_t>(stages);
   static constexpr const GaussCoefficients<Scalar, s>& gauss = gauss_coefficients<Scalar, s>;
-  static constexpr bool second_order =
-      solver == StageSolver::fixed_point && is_second_order<S> && size % 2 == 0;
+  static constexpr bool second_order = solver == StageSolver::fixed_point && is_second_order<S> && size % 2 == 0;
   static constexpr std::size_t half = second_order ? size / 2 : 0;  // what lies below follows from the rest
   static constexpr int slow = 6;  // more sweeps than these, and a new Jacobian is worth its price
   using Stages = std::array<Vector, s>;

@@ -35,8 +35,8 @@ concept HasInverseDynamicsDerivatives = MechanismModel<M> &&
 /// driven joints). Ṁ v - ∂T₂/∂q = c(v) is quadratic in v, and by Christoffel's symbols
 ///   ∂T₂/∂q_k = ½ v · ∂c/∂v_k,
 /// which the kernel `inverse_dynamics_derivatives` gives, or, exactly too, values of the bias at v ± s e_k and
-/// -v ± s e_k, s any speed: c(v + s e_k) - c(v - s e_k) = 2 s ∂c/∂v_k. Differences of what is odd or even in v take d and g
-/// away.
+/// -v ± s e_k, s any speed: c(v + s e_k) - c(v - s e_k) = 2 s ∂c/∂v_k. Differences of what is odd or even in v take d
+/// and g away.
 /// Source: Arnold, Mathematical Methods of Classical Mechanics, 19; Christoffel's symbols: Spong, Robot Modeling, 7.3.
 template <MechanismModel M>
 requires HasMassMatrixAndBias<M>

@@ -11,7 +11,8 @@
 
 namespace torsor::runtime {
 
-/// A complex number whose product is the four of school, without std::complex's care for infinities, which costs a call.
+/// A complex number whose product is the four of school, without std::complex's care for infinities, which costs a
+/// call.
 template <class Scalar>
 struct Complex {
   Scalar re{}, im{};

@@ -13,7 +13,8 @@
 
 namespace torsor::runtime {
 
-/// The equations y' = f(t, y) as RadauFormula wants them: the Jacobian of the system, or differences, and its two shifts.
+/// The equations y' = f(t, y) as RadauFormula wants them: the Jacobian of the system, or differences, and its two
+/// shifts.
 template <class S, class Scalar, std::size_t size>
 class RadauEquations {
  public:
@@ -77,7 +78,8 @@ struct RadauIia5 {
 
   template <class S, class Scalar, std::size_t size>
   [[nodiscard]] auto start(S& system, std::array<Scalar, size>& y, Scalar t) const noexcept {
-    return AdaptiveRun<RadauFormula<RadauEquations<S, Scalar, size>, Scalar, size>, RadauIia5, S, Scalar, size>(system, y, t, *this);
+    return AdaptiveRun<RadauFormula<RadauEquations<S, Scalar, size>, Scalar, size>, RadauIia5, S, Scalar, size>(
+        system, y, t, *this);
   }
 };
 

@@ -5,8 +5,8 @@
 
 namespace torsor::runtime {
 
-/// A system that says by `static constexpr bool second_order = true` that y = [q; v] with q' = v, two halves of one size:
-/// the implicit methods then solve for half as many unknowns. `equations_of_motion` says so by itself.
+/// A system that says by `static constexpr bool second_order = true` that y = [q; v] with q' = v, two halves of one
+/// size: the implicit methods then solve for half as many unknowns. `equations_of_motion` says so by itself.
 template <class S>
 inline constexpr bool is_second_order = false;
 template <class S>

@@ -24,10 +24,10 @@ concept HasStabilisedForm = requires {
 
 /// The index-2 form of a constrained motion that is stabilised on position and velocity, as RadauFormula wants it:
 ///   q' = v + M⁻¹Aᵀ μ,   v' = a(q, v) + M⁻¹Aᵀ η,   0 = g(q, t),   0 = A v - b,
-/// a being the accelerations of the motion (kernel `forward_dynamics`). On the exact motion μ = η = 0: they carry what the
-/// discretisation and rounding would move off the constraints, along the directions least by the metric of the masses.
-/// M⁻¹Aᵀ is frozen with the Jacobian, which costs nothing in order since μ and η are as small as the error of a step.
-/// Constraints on velocities alone have no μ, those that repeat others neither.
+/// a being the accelerations of the motion (kernel `forward_dynamics`). On the exact motion μ = η = 0: they carry what
+/// the discretisation and rounding would move off the constraints, along the directions least by the metric of the
+/// masses. M⁻¹Aᵀ is frozen with the Jacobian, which costs nothing in order since μ and η are as small as the error of a
+/// step. Constraints on velocities alone have no μ, those that repeat others neither.
 /// Source: Gear, Leimkuhler & Gupta, J. Comp. Appl. Math. 12 (1985); Hairer-Wanner II, VII.1 (1.30) and VII.2.
 template <class S, class Scalar, std::size_t size>
 class StabilisedEquations {
@@ -98,7 +98,8 @@ class StabilisedEquations {
         Scalar correction = Scalar(0);
         for (std::size_t j = 0; j < extra; ++j) correction += B_[j * size + i] * c[j];
         change[i] -= correction;
-        if (correction != Scalar(0)) moved = std::max(moved, std::abs(correction) / (std::abs(x[i]) + std::abs(change[i])));
+        if (correction != Scalar(0))
+          moved = std::max(moved, std::abs(correction) / (std::abs(x[i]) + std::abs(change[i])));
       }
       if (moved <= std::numeric_limits<Scalar>::epsilon()) break;
     }
@@ -234,9 +235,9 @@ class StabilisedEquations {
   Bordered<Complex<Scalar>> pair_;
 };
 
-/// Radau IIA of order 5 on the stabilised index-2 form (see StabilisedEquations): every step ends on the constraints, in
-/// position and in velocity, to rounding; otherwise as RadauIia5. For motions of mechanisms with multipliers and q' = v,
-/// with the kernels `constraints` and `mass_matrix`; the start must satisfy its constraints.
+/// Radau IIA of order 5 on the stabilised index-2 form (see StabilisedEquations): every step ends on the constraints,
+/// in position and in velocity, to rounding; otherwise as RadauIia5. For motions of mechanisms with multipliers and q'
+/// = v, with the kernels `constraints` and `mass_matrix`; the start must satisfy its constraints.
 struct StabilisedRadauIia5 {
   double relative_tolerance = 1e-9;      ///< 0, or at least four roundings of the scalar
   double absolute_tolerance = 1e-12;     ///< in the units of the state, the same for every component
@@ -249,9 +250,10 @@ struct StabilisedRadauIia5 {
 
   template <class S, class Scalar, std::size_t size>
   [[nodiscard]] auto start(S& system, std::array<Scalar, size>& y, Scalar t) const noexcept {
-    static_assert(HasStabilisedForm<std::remove_cv_t<S>>,
-                  "the stabilised form needs equations_of_motion of a mechanism with multipliers and q' = v that has the "
-                  "kernels constraints and mass_matrix");
+    static_assert(
+        HasStabilisedForm<std::remove_cv_t<S>>,
+        "the stabilised form needs equations_of_motion of a mechanism with multipliers and q' = v that has the "
+        "kernels constraints and mass_matrix");
     using Formula = RadauFormula<StabilisedEquations<S, Scalar, size>, Scalar, size>;
     return AdaptiveRun<Formula, StabilisedRadauIia5, S, Scalar, size>(system, y, t, *this);
   }

@@ -7,8 +7,8 @@ namespace torsor::runtime {
 /// Decides when the iteration for the stages of an implicit step has come down to rounding. A change is that of the
 /// stages in one sweep, relative to the state.
 ///
-/// Done when a change is so far below a rounding that a million of them stay below one, or the next would be at the rate
-/// seen; and when changes no longer shrink: at once where they are nearly roundings, after three sweeps without a
+/// Done when a change is so far below a rounding that a million of them stay below one, or the next would be at the
+/// rate seen; and when changes no longer shrink: at once where they are nearly roundings, after three sweeps without a
 /// smaller one where the equations magnify roundings. Nothing coarser will do: an error of the iteration is not random,
 /// so that it would add up over the steps (Hairer-McLachlan-Razakarivony, BIT 48 (2008), section 3).
 template <class Scalar>

@@ -18,9 +18,9 @@ namespace torsor::runtime {
 /// Symplectic, symmetric and explicit; sums are compensated. Stable while h times the highest frequency is below 2.
 ///
 /// The accelerations depend on q alone exactly when the mass matrix is constant and no action depends on velocities.
-/// Before the first step this is tried: a must not change when v does, at the start and at places about it; otherwise the
-/// integration ends at once with `unsuitable_model` (take `VariationalIntegrator` or `GaussCollocation`). A system may
-/// say `static constexpr bool accelerations_depend_on_velocities = false` to be spared that, or true.
+/// Before the first step this is tried: a must not change when v does, at the start and at places about it; otherwise
+/// the integration ends at once with `unsuitable_model` (take `VariationalIntegrator` or `GaussCollocation`). A system
+/// may say `static constexpr bool accelerations_depend_on_velocities = false` to be spared that, or true.
 /// Source: Hairer-Lubich-Wanner, Geometric Numerical Integration, I.1.4 (1.17), and VIII.5 for the rounding.
 struct StoermerVerlet {
   static constexpr int order = 2;

@@ -131,7 +131,7 @@ class VariationalIntegrator<stages>::Formula {
     Half scale;
     for (std::size_t i = 0; i < n; ++i) {
       const Scalar diagonal = mass[i * n + i];
-      f.evaluation = !std::isfinite(diagonal)    ? Evaluation::not_finite
+      f.evaluation = !std::isfinite(diagonal)  ? Evaluation::not_finite
                      : !(diagonal > Scalar(0)) ? Evaluation::singular
                                                : Evaluation::ok;
       if (f.evaluation != Evaluation::ok) return false;

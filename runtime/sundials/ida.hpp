@@ -28,8 +28,8 @@ concept HasResidual = requires {
 /// SUNDIALS' IDA: backward differentiation (orders 1 to 5) of the implicit form with the multipliers among the unknowns
 /// (index 1), so that M is never solved with:
 ///   q' = N(q) v,   M v' + h - Aᵀλ = 0,   A v' + γ = 0   (λ_j = 0 where constraint j repeats others).
-/// The multipliers stay out of the error test. Constraints drift as with the kernel `forward_dynamics`. The start's v' and
-/// λ are those of the motion. y holds q and v as everywhere; the system must be what `equations_of_motion` makes.
+/// The multipliers stay out of the error test. Constraints drift as with the kernel `forward_dynamics`. The start's v'
+/// and λ are those of the motion. y holds q and v as everywhere; the system must be what `equations_of_motion` makes.
 /// Source: Hindmarsh et al., SUNDIALS, ACM TOMS 31 (2005).
 struct Ida : SundialsOptions {
   template <class S, std::size_t size>
@@ -98,8 +98,7 @@ class Ida::Solver {
     typename M::Accelerations a{};
     typename M::Multipliers lambda{};
     std::array<double, size> slope;
-    if (!work.f(t, y, slope) ||
-        work.f.system().accelerations(unpack<M>(t, y), a, lambda) != Evaluation::ok) {
+    if (!work.f(t, y, slope) || work.f.system().accelerations(unpack<M>(t, y), a, lambda) != Evaluation::ok) {
       return false;
     }
     double* const unknowns = N_VGetArrayPointer(work.y);

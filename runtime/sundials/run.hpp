@@ -153,8 +153,8 @@ class SundialsRun {
  private:
   bool create() {
     const bool options = options_.relative_tolerance >= 0.0 && options_.absolute_tolerance >= 0.0 &&
-                         options_.relative_tolerance + options_.absolute_tolerance > 0.0 &&
-                         options_.step_limit > 0 && options_.first_step >= 0.0 && options_.largest_step >= 0.0;
+                         options_.relative_tolerance + options_.absolute_tolerance > 0.0 && options_.step_limit > 0 &&
+                         options_.first_step >= 0.0 && options_.largest_step >= 0.0;
     // The start is tried beforehand, so that a model which fails there is told from a bad option.
     Vector slope;
     if (options && !solver_.work.f(result_.time, y_, slope)) {

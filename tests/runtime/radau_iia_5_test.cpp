@@ -77,9 +77,9 @@ struct ForcedOscillator {
     const double w = std::sqrt(0.99), p = -3.0 / 9.16, q = 0.4 / 9.16;
     const double a = -p, b = (0.1 * a - 2 * q) / w, decay = std::exp(-0.1 * t);
     const double c = std::cos(w * t), s = std::sin(w * t);
-    return {decay * (a * c + b * s) + p * std::cos(2 * t) + q * std::sin(2 * t),
-            decay * ((-0.1 * a + b * w) * c - (0.1 * b + a * w) * s) - 2 * p * std::sin(2 * t) +
-                2 * q * std::cos(2 * t)};
+    return {
+        decay * (a * c + b * s) + p * std::cos(2 * t) + q * std::sin(2 * t),
+        decay * ((-0.1 * a + b * w) * c - (0.1 * b + a * w) * s) - 2 * p * std::sin(2 * t) + 2 * q * std::cos(2 * t)};
   }
 };
 
@@ -170,9 +170,9 @@ TEST(RadauIia5, MeetsTheElasticPendulumWithItsFastModeResolved) {
 }
 
 TEST(RadauIia5, FollowsTheSlowMotionOfAStifferElasticPendulum) {
-  // 3200 periods of the fast mode, whose amplitude is g/k = 1e-7; at a tolerance of 1e-5 it is damped, not followed. What
-  // may be lost is its share of y (1e-7) and, at ws = 1e4, of the velocities (1e-3); the slow angle is right to the
-  // tolerance's own error and 1/ws².
+  // 3200 periods of the fast mode, whose amplitude is g/k = 1e-7; at a tolerance of 1e-5 it is damped, not followed.
+  // What may be lost is its share of y (1e-7) and, at ws = 1e4, of the velocities (1e-3); the slow angle is right to
+  // the tolerance's own error and 1/ws².
   const std::array<double, 4> truth{0.79356556126269921386207737, -0.60848505169155606162579651,
                                     2.1024423862766915008686121, 2.7419353602363155999197867};
   std::array<double, 4> y{1, 0, 0, 0};

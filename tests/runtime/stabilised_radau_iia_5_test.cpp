@@ -70,20 +70,18 @@ TEST(StabilisedRadauIia5, HasOrderFiveInTheWorkItDoes) {
   // by 1.
   const Outcome coarse = outcome<Pendulum>(with_tolerance<StabilisedRadauIia5>(1e-6), 10, pendulum_at_10);
   const Outcome fine = outcome<Pendulum>(with_tolerance<StabilisedRadauIia5>(1e-12), 10, pendulum_at_10);
-  const double steps =
-      static_cast<double>(fine.statistics.accepted) / static_cast<double>(coarse.statistics.accepted);
+  const double steps = static_cast<double>(fine.statistics.accepted) / static_cast<double>(coarse.statistics.accepted);
   EXPECT_NEAR(std::log(coarse.error / fine.error) / std::log(steps), 5.0, 0.6);
 }
 
 TEST(StabilisedRadauIia5, MeetsAndrewsSqueezer) {
   // At t = 0.03, two derivations that agree to 24 digits: seven angles, then their rates.
-  const StateVector<Squeezer> truth{15.8107711951537070971193873,   -15.7563710584118394697277528,
-                                    0.0408222401196458048582823196, -0.534730116342079593770185031,
-                                    0.524409965879954069371655800,  0.534730116342079593770185031,
-                                    1.04808074104193787306851547,   1139.92030225910606419809685,
-                                    -1424.37929517754007319602644,  11.0329119106185937453273113,
-                                    19.2933741050320408316275568,   0.573569914829502453817687862,
-                                    -19.2933741050320408316275568,  0.323179149249130874990748391};
+  const StateVector<Squeezer> truth{
+      15.8107711951537070971193873,   -15.7563710584118394697277528, 0.0408222401196458048582823196,
+      -0.534730116342079593770185031, 0.524409965879954069371655800, 0.534730116342079593770185031,
+      1.04808074104193787306851547,   1139.92030225910606419809685,  -1424.37929517754007319602644,
+      11.0329119106185937453273113,   19.2933741050320408316275568,  0.573569914829502453817687862,
+      -19.2933741050320408316275568,  0.323179149249130874990748391};
   const Outcome found = outcome<Squeezer>(with_tolerance<StabilisedRadauIia5>(1e-10), 0.03, truth);
   // Closures of lengths of 0.04 m turned by two angles of 16 rad, which are rounded themselves; their rates are 0.04 m
   // times 1400 1/s, some twenty roundings.

@@ -183,7 +183,7 @@ TEST(GaussCollocation, NeedsNewtonsMethodWhereTheMechanismIsStiff) {
   ASSERT_TRUE(solved) << describe(solved);
   // Quadruple precision at t = 0.5 (6 and 8 stages agree to 16 digits). The forces of the damper, 4e4 v, carry the
   // roundings of rates of 1e4 m/s² and more into each step: 1e-13 is what double attains.
-  const std::array<double, 8> truth{2.80767948836790160,    7.43249424786325721e-01, 2.59491381543413121e-01,
+  const std::array<double, 8> truth{2.80767948836790160,     7.43249424786325721e-01, 2.59491381543413121e-01,
                                     2.59491381543413121e-01, 5.10341542197153529,     5.21197801583734170e-02,
                                     -5.3905218498742472e-02, -5.3905218498742472e-02};
   for (std::size_t i = 0; i < 8; ++i) EXPECT_NEAR(y[i], truth[i], 4e-13) << i;

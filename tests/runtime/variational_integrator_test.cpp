@@ -128,8 +128,8 @@ TEST(VariationalIntegrator, HasTwiceTheOrderOfItsStagesOnAStraightLineInPolarCoo
 TEST(VariationalIntegrator, MeetsTheReferenceOfTheDoublePendulum) {
   // Extrapolation in 50 digits at t = 1. Order 8 with h = 1/200 leaves less than roundings, which the flow amplifies
   // by 8.5.
-  const State truth{-0.083860420405000849725678156866, -1.31309645061392503987080693396, -4.64791767807525574632648678289,
-                    -4.39024103608529360320551716559};
+  const State truth{-0.083860420405000849725678156866, -1.31309645061392503987080693396,
+                    -4.64791767807525574632648678289, -4.39024103608529360320551716559};
   const auto motion = equations_of_motion<DoublePendulum>();
   State y = motion.initial();
   const auto result = integrate(motion, y, 0, 1, VariationalIntegrator<4>{.step = 0.005});
