@@ -98,7 +98,8 @@ class AdaptiveRun {
 
   bool usable(Scalar end) noexcept {
     const auto& o = options_;
-    const bool options = Tolerances<Scalar>::usable(o.relative_tolerance, o.absolute_tolerance) &&
+    using Precision = typename PrecisionOf<S, Scalar>::type;
+    const bool options = Tolerances<Precision>::usable(o.relative_tolerance, o.absolute_tolerance) &&
                          o.first_step >= 0.0 && o.largest_step >= 0.0 && o.step_limit > 0 && Formula::usable(o);
     if (!options || !std::isfinite(end) || !std::isfinite(result_.time) || !all_finite(state_.now())) {
       result_.status = IntegrationStatus::invalid_options;

@@ -40,7 +40,7 @@ struct DormandPrince54 {
   }
 
   struct Gains {
-    static constexpr double integral = 0.04, proportional = 0.2 - 0.75 * integral;
+    static constexpr double integral = 0.04, proportional = 0.2 - 0.75 * integral, safety = 0.9;
     static constexpr double strongest_shrink = 0.2, strongest_growth = 10.0;
   };
 };

@@ -237,12 +237,13 @@ class EquationsOfMotion {
     return to_evaluation(M::jets(precomputed_, state, law_(state), order, c.data()));
   }
 
-  /// Gives the unit quaternions among the coordinates their norm back.
-  void project(Vector& y) const noexcept requires HasQuaternions<M> {
+  /// Gives the unit quaternions among the coordinates their norm back; the state may be wider than the kernels' scalar.
+  template <class Number>
+  void project(std::array<Number, coordinates_of<M> + velocities_of<M>>& y) const noexcept requires HasQuaternions<M> {
     for (const int first : M::quaternions) {
       const auto w = static_cast<std::size_t>(first);
-      const Scalar square = y[w] * y[w] + y[w + 1] * y[w + 1] + y[w + 2] * y[w + 2] + y[w + 3] * y[w + 3];
-      const Scalar scale = Scalar(1) / std::sqrt(square);
+      const Number square = y[w] * y[w] + y[w + 1] * y[w + 1] + y[w + 2] * y[w + 2] + y[w + 3] * y[w + 3];
+      const Number scale = Number(1) / std::sqrt(square);
       for (std::size_t k = 0; k < 4; ++k) y[w + k] *= scale;
     }
   }

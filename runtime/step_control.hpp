@@ -36,7 +36,7 @@ struct Tolerances {
 };
 
 /// The proportional-integral step control of the Dormand-Prince methods. `Gains` has `integral` (Hairer's β, the
-/// stabilisation of Lund), `proportional`, `strongest_shrink` and `strongest_growth`.
+/// stabilisation of Lund), `proportional`, `safety`, `strongest_shrink` and `strongest_growth`.
 /// Source: Hairer-Wanner II, IV.2 (2.43c).
 template <class Scalar, class Gains>
 class StepControl {
@@ -68,7 +68,7 @@ class StepControl {
   }
 
  private:
-  static constexpr Scalar safety = Scalar(0.9), growth = Scalar(Gains::strongest_growth);
+  static constexpr Scalar safety = Scalar(Gains::safety), growth = Scalar(Gains::strongest_growth);
   Scalar memory_ = Scalar(1e-4);  // the last error kept, for the integral part
 };
 

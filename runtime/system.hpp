@@ -20,6 +20,17 @@ concept System = std::floating_point<Scalar> &&
   requires std::is_enum_v<std::remove_cvref_t<decltype(system(t, y, dydt))>>;
 };
 
+/// What a system computes its derivatives in: its own `Precision` if it names one, else the scalar of the state.
+template <class S, class Scalar>
+struct PrecisionOf {
+  using type = Scalar;
+};
+template <class S, class Scalar>
+requires requires { typename S::Precision; }
+struct PrecisionOf<S, Scalar> {
+  using type = typename S::Precision;
+};
+
 template <class Scalar, std::size_t size>
 [[nodiscard]] bool all_finite(const std::array<Scalar, size>& values) noexcept {
   bool finite = true;

@@ -10,7 +10,6 @@
 
 #include "generated/double_pendulum.hpp"
 #include "runtime/angles_within_a_turn.hpp"
-#include "runtime/dormand_prince_853.hpp"
 #include "runtime/mechanism.hpp"
 #include "runtime/observers.hpp"
 #include "runtime/taylor.hpp"
@@ -235,25 +234,6 @@ TEST(Taylor, KeepsTheEnergyOfAChaoticMotionToRounding) {
   // Some 4,000 steps whose errors of 1e-15 in y change E by up to |v| 1e-15 = 1e-14 each, with either sign:
   // sqrt(4000) × 1e-14 / 16 = 4e-14.
   EXPECT_LT(energy_error({.relative_tolerance = 0.0, .absolute_tolerance = 1e-15, .compensated = true}), 4e-14);
-}
-
-TEST(CompensatedSums, KeepRoundingFromAddingUp) {
-  // 2^15 steps of a tolerance far below rounding: y = 1 + Σ of terms that lose 1e-17 to 1e-16 each in a plain sum, a
-  // random walk of some 180 × 3e-17 to 1e-16; compensated, the end is right to the rounding of y itself, 2.3e-16, and
-  // that of the increments, 2^-53 × |y - 1| relative to each, at most.
-  const auto system = [](double t, const std::array<double, 1>&, std::array<double, 1>& rate) noexcept {
-    rate[0] = std::cos(t);
-    return Evaluation::ok;
-  };
-  const auto error_of = [&](bool compensated) {
-    std::array<double, 1> y{1.0};
-    const DormandPrince853 method{
-        .relative_tolerance = 1e-9, .first_step = 0x1p-15, .largest_step = 0x1p-15, .compensated = compensated};
-    EXPECT_TRUE(integrate(system, y, 0, 1, method));
-    return std::abs(static_cast<double>(static_cast<long double>(y[0]) - 1.0L - std::sin(1.0L)));
-  };
-  EXPECT_GT(error_of(false), 1e-15);
-  EXPECT_LE(error_of(true), 2.3e-16);
 }
 
 }  // namespace

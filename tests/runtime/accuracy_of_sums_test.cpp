@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <type_traits>
+
+#include "generated/torque_free_body.hpp"
+#include "runtime/dormand_prince_54.hpp"
+#include "runtime/dormand_prince_853.hpp"
+#include "runtime/mechanism.hpp"
+#include "runtime/narrow_system.hpp"
+#include "runtime/runge_kutta_4.hpp"
+#include "runtime/taylor.hpp"
+#include "tests/runtime/mechanisms.hpp"
+
+// Compensated sums of the state, and derivatives narrower than the state.
+namespace accuracy_of_sums_test {
+namespace {
+
+using namespace torsor::runtime;
+
+TEST(CompensatedSums, KeepRoundingFromAddingUp) {
+  // 2^15 steps of a tolerance far below rounding: y = 1 + Σ of terms that lose 1e-17 to 1e-16 each in a plain sum, a
+  // random walk of some 180 × 3e-17 to 1e-16; compensated, the end is right to the rounding of y itself, 2.3e-16, and
+  // that of the increments, 2^-53 × |y - 1| relative to each, at most.
+  const auto system = [](double t, const std::array<double, 1>&, std::array<double, 1>& rate) noexcept {
+    rate[0] = std::cos(t);
+    return Evaluation::ok;
+  };
+  const auto error_of = [&](bool compensated) {
+    std::array<double, 1> y{1.0};
+    const DormandPrince853 method{
+        .relative_tolerance = 1e-9, .first_step = 0x1p-15, .largest_step = 0x1p-15, .compensated = compensated};
+    EXPECT_TRUE(integrate(system, y, 0, 1, method));
+    return std::abs(static_cast<double>(static_cast<long double>(y[0]) - 1.0L - std::sin(1.0L)));
+  };
+  EXPECT_GT(error_of(false), 1e-15);
+  EXPECT_LE(error_of(true), 2.3e-16);
+}
+
+TEST(CompensatedSums, KeepRoundingOfFixedStepsFromAddingUp) {
+  // As above, with 2^16 steps; the method's own error is h^4/2880 = 2e-23.
+  const auto system = [](double t, const std::array<double, 1>&, std::array<double, 1>& rate) noexcept {
+    rate[0] = std::cos(t);
+    return Evaluation::ok;
+  };
+  const auto error_of = [&](bool compensated) {
+    std::array<double, 1> y{1.0};
+    EXPECT_TRUE(integrate(system, y, 0, 1, RungeKutta4{.step = 0x1p-16, .compensated = compensated}));
+    return std::abs(static_cast<double>(static_cast<long double>(y[0]) - 1.0L - std::sin(1.0L)));
+  };
+  EXPECT_GT(error_of(false), 1e-15);
+  EXPECT_LE(error_of(true), 2.3e-16);
+}
+
+// Largest error of the pendulum's energy over g L, from 2 rad at rest, in 10^5 steps of 1e-3.
+template <class Scalar, class System>
+double energy_error(const System& system) {
+  std::array<Scalar, 2> y{Scalar(2), Scalar(0)};
+  double largest = 0.0;
+  const auto watch = [&](Scalar, const std::array<Scalar, 2>& state) noexcept {
+    const double angle = static_cast<double>(state[0]), rate = static_cast<double>(state[1]);
+    largest = std::max(largest, std::abs(rate * rate / 2 / 9.81 - std::cos(angle) + std::cos(2.0)));
+  };
+  EXPECT_TRUE(integrate(system, y, Scalar(0), Scalar(100), RungeKutta4{.step = 1e-3}, watch));
+  return largest;
+}
+
+TEST(NarrowSystem, KeepsTheStateBeyondItsOwnPrecision) {
+  const auto in_float = equations_of_motion<mechanisms::Pendulum<float>>();
+  // In float rounding moves the state by 3e-8 |v|, at most 1.6e-7, a step, E/(g L) by |v| 1.6e-7/9.81 = 8e-8, 10^5
+  // times at random: 3e-5. With the state in double it is h |f| 3e-8 = 3e-10, and 5e-8 in all.
+  EXPECT_GT(energy_error<float>(in_float), 3e-6);
+  EXPECT_LT(energy_error<double>(narrow_system<float>(in_float)), 5e-7);
+}
+
+TEST(NarrowSystem, RefusesATolerancePastItsNoise) {
+  const auto motion = narrow_system<float>(equations_of_motion<mechanisms::Pendulum<float>>());
+  const auto status_of = [&](const auto& method) {
+    std::array<double, 2> y{2.0, 0.0};
+    return integrate(motion, y, 0, 10, method).status;
+  };
+  EXPECT_EQ(status_of(DormandPrince54{1e-7, 1e-7}), IntegrationStatus::invalid_options);
+  EXPECT_EQ(status_of(DormandPrince853{1e-9, 1e-9}), IntegrationStatus::invalid_options);
+  EXPECT_EQ(status_of(DormandPrince54{1e-6, 1e-6}), IntegrationStatus::reached_end);
+}
+
+TEST(NarrowSystem, MeetsATolerancePossibleForIt) {
+  // From 2 rad at t = 10 (Jacobi's elliptic functions); 10 s of 1e-6 (1 + |y|), |y| to 6.3, amplified by κ = 17.
+  const auto motion = narrow_system<float>(equations_of_motion<mechanisms::Pendulum<float>>());
+  std::array<double, 2> y{2.0, 0.0};
+  EXPECT_TRUE(integrate(motion, y, 0, 10, DormandPrince54{1e-6, 1e-6}));
+  EXPECT_LT(std::max(std::abs(y[0] - 0.015728632141428118), std::abs(y[1] - 5.270898793229829)), 10 * 7.3 * 17e-6);
+}
+
+// Unit quaternions under every method with compensated sums: the norm stays within a few roundings.
+template <class Motion, class Method>
+double norm_error(const Motion& motion, const Method& method) {
+  auto y = equations_of_motion<torque_free_body::Mechanism<double>>().initial();
+  double largest = 0.0;
+  const auto watch = [&](double, const auto& state) noexcept {
+    double square = 0.0;
+    for (std::size_t i = 0; i < 4; ++i) square += state[i] * state[i];
+    largest = std::max(largest, std::abs(square - 1.0));
+  };
+  EXPECT_TRUE(integrate(motion, y, 0.0, 20.0, method, watch));
+  return largest;
+}
+
+TEST(Quaternions, KeepTheirNormUnderEveryExplicitMethod) {
+  // The scale is right to 1.5 roundings, each product to half of one: 2^-53 × (2 × 1.5 + 4) for the sum of the squares.
+  // Compensated sums leave corrections below four roundings of a component undone: up to 2 × 4 × 2^-52 more for two.
+  constexpr double rounded = 7 * 0x1p-53, undone = rounded + 16 * 0x1p-52;
+  const auto motion = equations_of_motion<torque_free_body::Mechanism<double>>();
+  EXPECT_LE(norm_error(motion, DormandPrince853{}), rounded);
+  EXPECT_LE(norm_error(motion, Taylor{}), rounded);
+  EXPECT_LE(norm_error(motion, RungeKutta4{.step = 0.01}), rounded);
+  EXPECT_LE(norm_error(motion, DormandPrince853{.compensated = true}), undone);
+  EXPECT_LE(norm_error(motion, Taylor{.compensated = true}), undone);
+  const auto narrow = narrow_system<float>(equations_of_motion<torque_free_body::Mechanism<float>>());
+  EXPECT_LE(norm_error(narrow, DormandPrince54{1e-6, 1e-6}), rounded);
+}
+
+}  // namespace
+}  // namespace accuracy_of_sums_test
