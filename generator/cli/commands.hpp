@@ -8,6 +8,7 @@
 #include "generator/dynamics/equations.hpp"
 #include "generator/expression/formula.hpp"
 #include "generator/verification/check.hpp"
+#include "generator/verification/verify.hpp"
 
 namespace torsor {
 
@@ -29,6 +30,15 @@ std::string counts_json(const std::vector<SceneCounts>& scenes);
 
 std::string check_table(const std::string& scene, const std::vector<CheckResult>& results);
 std::string check_json(const std::string& scene, const std::vector<CheckResult>& results);
+
+/// How the rows of `verify` are shown: every group of results, or of each kernel the worst; the states in words.
+struct VerifyLayout {
+  bool every_group = false;
+  bool with_states = false;
+};
+
+std::string verify_table(const std::string& scene, const std::vector<VerifyRow>& rows, const VerifyLayout& layout);
+std::string verify_json(const std::string& scene, const std::vector<VerifyRow>& rows);
 
 /// What the scene contains and which kernels it offers.
 std::string list_text(const Scene& scene);

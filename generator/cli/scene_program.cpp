@@ -2,7 +2,10 @@
 #include "generator/cli/command_line.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <new>
 #include <string>
 
@@ -50,6 +53,13 @@ struct Request {
   std::string graph_format = "dot";
   int digits = 50;
   int states = 20;
+  int verify_states = 64;
+  int climbs = 2;
+  std::uint64_t seed = 1;
+  std::string scalar = "both";
+  std::string exceptions;
+  bool every_group = false;
+  bool with_states = false;
   bool json = false;
   bool document = false;
 };
@@ -158,6 +168,29 @@ int check(const Scene& scene, const Request& request) {
   return passed ? 0 : check_failed;
 }
 
+std::string file_text(const std::string& path) {
+  std::ifstream stream(path);
+  if (!stream) throw FileError(fmt::format("cannot read '{}': does it exist, and may you read it?", path));
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+int verify(const Scene& scene, const Request& request) {
+  VerifyOptions options;
+  options.model = model_options(scene, request);
+  options.kernels = parse_kernel_list(request.kernels);
+  options.digits = request.digits;
+  options.states = request.verify_states;
+  options.climbs = request.climbs;
+  options.seed = request.seed;
+  if (request.scalar == "double") options.precisions = {Precision::in_double};
+  if (request.scalar == "float") options.precisions = {Precision::in_float};
+  if (!request.exceptions.empty()) options.exceptions = parse_accuracy_exceptions(file_text(request.exceptions));
+  const std::vector<VerifyRow> rows = verify_scene(scene, options);
+  write(request.output, request.json ? verify_json(scene.name(), rows)
+                                     : verify_table(scene.name(), rows, {request.every_group, request.with_states}));
+  return std::all_of(rows.begin(), rows.end(), [](const VerifyRow& row) { return row.passed(); }) ? 0 : check_failed;
+}
+
 int reference(const Scene& scene, const Request& request) {
   check_times(request.times);
   write(request.output, reference_csv(scene, {request.digits, request.times}));
@@ -247,6 +280,25 @@ void declare(CLI::App& app, Request& request, Command& chosen, const SceneSource
       ->check(CLI::Range(20, 1000));
   sub->add_option("--states", request.states, "number of states")->capture_default_str()->check(CLI::Range(1, 1000000));
   with_json(sub);
+  sub = with_kernels(add("verify", "find the worst errors of the kernels in double and float, against CLN", verify));
+  sub->add_option("--digits", request.digits, "digits of CLN, more where the error depends on them")
+      ->capture_default_str()
+      ->check(CLI::Range(20, 1000));
+  sub->add_option("--states", request.verify_states, "number of states to begin with")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000000));
+  sub->add_option("--climbs", request.climbs, "searches for a worse state, for each group of results")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 1000));
+  sub->add_option("--seed", request.seed, "of the first state")->capture_default_str();
+  sub->add_option("--scalar", request.scalar, "double, float or both")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"double", "float", "both"}));
+  sub->add_option("--exceptions", request.exceptions,
+                  "file of groups that may exceed the bar: scene | kernel | group | scalar | limit | reason");
+  sub->add_flag("--all", request.every_group, "every group of results, not the worst of each kernel only");
+  sub->add_flag("--show-states", request.with_states, "print the state of each row");
+  with_json(sub);
   sub = add("reference", "integrate the motion in high precision by an independent road", reference);
   sub->add_option("--digits", request.digits, "digits of the result")
       ->capture_default_str()
@@ -302,8 +354,8 @@ int run_commands(int argc, const char* const* argv, const SceneSource& source) {
     const auto is_first_word = [argv](const CLI::App* command) { return command->get_name() == argv[1]; };
     if (argc > 1 && argv[1][0] != '-' && std::none_of(commands.begin(), commands.end(), is_first_word)) {
       return fail(
-          fmt::format("unknown command '{}': use equations, generate, counts, check, reference, force-function, "
-                      "unknowns, theorem, statics, structure, graph or list; see --help",
+          fmt::format("unknown command '{}': use equations, generate, counts, check, verify, reference, "
+                      "force-function, unknowns, theorem, statics, structure, graph or list; see --help",
                       argv[1]),
           bad_usage);
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "generator/expression/formula.hpp"
@@ -13,7 +14,8 @@
 namespace torsor {
 
 /// Evaluates values of a program in `double` or `Real`, each definition once, with the formulas that are emitted: the
-/// same factoring and the same constants, rounded once. `move_to` evaluates at another state without new formulas.
+/// same factoring, order and constants, rounded once. `move_to` evaluates at another state without new formulas.
+/// Any other scalar tells by a static `of_number(Number)` what a constant is to it.
 template <class Scalar>
 class Evaluator {
  public:
@@ -27,6 +29,9 @@ class Evaluator {
     symbol_value_ = std::move(symbol_value);
     known_.assign(known_.size(), std::nullopt);
   }
+
+  /// Gives a definition its value, at every state: what a header has as a literal.
+  void fix(Atom atom, Scalar value) { fixed_.insert_or_assign(atom, std::move(value)); }
 
   Scalar operator()(const Value& value) {
     grow();
@@ -43,11 +48,16 @@ class Evaluator {
   }
 
  private:
-  static Scalar constant(const Number& number) {
+  Scalar constant(const Number& number) {
     if constexpr (std::is_same_v<Scalar, Real>) {
       return Real(number, Real::working_digits());
     } else {
-      return number.to_double();
+      if (const auto place = constants_.find(number); place != constants_.end()) return place->second;
+      if constexpr (requires { Scalar::of_number(number); }) {
+        return constants_.emplace(number, Scalar::of_number(number)).first->second;
+      } else {
+        return constants_.emplace(number, number.to_double()).first->second;
+      }
     }
   }
 
@@ -100,6 +110,8 @@ class Evaluator {
     const Definition& definition = (*program_)[atom];
     if (definition.symbol) {
       known_[index] = symbol_value_(definition.symbol);
+    } else if (const auto fixed = fixed_.find(atom); fixed != fixed_.end()) {
+      known_[index] = fixed->second;
     } else {
       if (!formulas_[index]) formulas_[index] = formula(definition);
       known_[index] = of_formula(*formulas_[index]);
@@ -111,6 +123,8 @@ class Evaluator {
   SymbolValue symbol_value_;
   std::vector<std::optional<Scalar>> known_;
   std::vector<std::optional<Formula>> formulas_;
+  std::unordered_map<Atom, Scalar> fixed_;        // looked up only, and so the next one
+  std::unordered_map<Number, Scalar> constants_;  // rounding an exact number takes longer than using it
 };
 
 extern template class Evaluator<double>;

@@ -32,7 +32,7 @@ std::vector<std::vector<std::size_t>> groups_by_unit(const Kernel& kernel) {
 
 Evaluator<Sensitivity>::SymbolValue with_sensitivity(const RandomState& state) {
   return [value = state.in_double()](const SymbolPointer& symbol) {
-    return Sensitivity::input(value(symbol), static_cast<std::uint64_t>(symbol->index));
+    return sensitivity_input(value(symbol), static_cast<std::uint64_t>(symbol->index));
   };
 }
 
@@ -54,7 +54,7 @@ double relative_error(const Kernel& kernel, const std::vector<std::size_t>& grou
   const double relative = std::sqrt(difference / size);
   if (relative <= enough) return relative;
   double moved = 0;
-  for (const std::size_t index : group) moved += sensitive(kernel.assignments[index].value).mean_square();
+  for (const std::size_t index : group) moved += mean_square(sensitive(kernel.assignments[index].value));
   return std::min(relative, std::sqrt(difference / moved));
 }
 

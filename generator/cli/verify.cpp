@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "generator/cli/commands.hpp"
+
+namespace torsor {
+namespace {
+
+std::string figure(double value) { return value < 1e5 ? fmt::format("{:.2f}", value) : fmt::format("{:.1e}", value); }
+
+const char* verdict(const VerifyRow& row) {
+  if (!row.bounded()) return "BOUND";
+  if (!row.passed()) return "FAIL";
+  return row.worst.scaled > accuracy_bar ? "excpt" : "ok";
+}
+
+/// Of each kernel in each format the group with the largest scaled error.
+std::vector<VerifyRow> worst_of_kernels(const std::vector<VerifyRow>& rows) {
+  std::vector<VerifyRow> worst;
+  for (const VerifyRow& row : rows) {
+    const auto same = [&](const VerifyRow& each) { return each.kernel == row.kernel && each.scalar == row.scalar; };
+    const auto place = std::find_if(worst.begin(), worst.end(), same);
+    if (place == worst.end()) {
+      worst.push_back(row);
+    } else if (row.passed() != place->passed() ? place->passed() : row.worst.scaled > place->worst.scaled) {
+      *place = row;
+    }
+  }
+  return worst;
+}
+
+}  // namespace
+
+std::string verify_table(const std::string& scene, const std::vector<VerifyRow>& all, const VerifyLayout& layout) {
+  const std::vector<VerifyRow> rows = layout.every_group ? all : worst_of_kernels(all);
+  std::string text =
+      fmt::format("{}: worst errors in ulp, scaled by max(1, condition); at most {} are allowed\n"
+                  "{:<6}{:<7}{:<29}{:<44}{:>9}{:>10}{:>9}{:>9}{:>9}  {}\n",
+                  scene, accuracy_bar, "", "scalar", "kernel", "group", "error", "condition", "scaled", "of bound",
+                  "at most", "seed");
+  for (const VerifyRow& row : rows) {
+    const double of_bound = row.worst.bound == 0 ? 0 : row.worst.error / row.worst.bound;
+    text += fmt::format("{:<6}{:<7}{:<29}{:<44}{:>9}{:>10}{:>9}{:>9.3f}{:>9}  {}{}\n", verdict(row), row.scalar,
+                        row.kernel, row.group, figure(row.worst.error), figure(row.worst.condition),
+                        figure(row.worst.scaled), of_bound, figure(row.potential), row.seed,
+                        row.searched ? " searched" : "");
+    if (layout.with_states || !row.passed()) text += fmt::format("      at {}\n", row.state);
+    if (row.worst.scaled > accuracy_bar && !row.reason.empty()) {
+      text += fmt::format("      exception, up to {}: {}\n", row.limit, row.reason);
+    }
+  }
+  return text;
+}
+
+std::string verify_json(const std::string& scene, const std::vector<VerifyRow>& rows) {
+  // JSON has neither infinity nor NaN: null says that there is no number.
+  const auto number = [](double value) {
+    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
+  };
+  nlohmann::ordered_json groups = nlohmann::ordered_json::array();
+  for (const VerifyRow& row : rows) {
+    groups.push_back({{"scalar", row.scalar},
+                      {"kernel", row.kernel},
+                      {"group", row.group},
+                      {"error", number(row.worst.error)},
+                      {"condition", number(row.worst.condition)},
+                      {"scaled", number(row.worst.scaled)},
+                      {"bound", number(row.worst.bound)},
+                      {"potential", number(row.potential)},
+                      {"limit", row.limit},
+                      {"reason", row.reason},
+                      {"seed", row.seed},
+                      {"searched", row.searched},
+                      {"state", row.state},
+                      {"states", row.states},
+                      {"passed", row.passed()}});
+  }
+  const bool passed = std::all_of(rows.begin(), rows.end(), [](const VerifyRow& row) { return row.passed(); });
+  return nlohmann::ordered_json{{"name", scene}, {"passed", passed}, {"groups", groups}}.dump(2) + "\n";
+}
+
+}  // namespace torsor

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <type_traits>
+
+#include "generator/expression/high_precision.hpp"
+
+namespace torsor {
+
+/// A number with its derivatives along some directions, carried by the chain rule (forward differentiation: Griewank &
+/// Walther, Evaluating Derivatives, 3.1). `Slopes` holds the derivatives; all zero when default-constructed;
+/// `combination(x, a, y, b)` is x a + y b.
+template <class Scalar, class Slopes>
+class Differential {
+ public:
+  Differential(Scalar value = 0, Slopes slopes = {}) : value_(value), slopes_(std::move(slopes)) {}
+
+  /// A constant, in `long double` to its last bit.
+  static Differential of_number(const Number& number) {
+    const double high = number.to_double();
+    if constexpr (std::is_same_v<Scalar, double>) {
+      return Differential(high);
+    } else {
+      const Real rest = Real(number, 40) - Real::from_double(high, 40);
+      return Differential(static_cast<Scalar>(high) + static_cast<Scalar>(rest.to_double()));
+    }
+  }
+
+  Scalar value() const { return value_; }
+  const Slopes& slopes() const { return slopes_; }
+
+  Differential operator-() const { return chain(-value_, -1); }
+  friend Differential operator+(const Differential& a, const Differential& b) {
+    return combine(a.value_ + b.value_, a, 1, b, 1);
+  }
+  friend Differential operator-(const Differential& a, const Differential& b) {
+    return combine(a.value_ - b.value_, a, 1, b, -1);
+  }
+  friend Differential operator*(const Differential& a, const Differential& b) {
+    return combine(a.value_ * b.value_, a, b.value_, b, a.value_);
+  }
+  friend Differential operator/(const Differential& a, const Differential& b) {
+    const Scalar quotient = a.value_ / b.value_;
+    return combine(quotient, a, 1 / b.value_, b, -quotient / b.value_);
+  }
+
+  friend Differential sin(const Differential& x) { return x.chain(std::sin(x.value_), std::cos(x.value_)); }
+  friend Differential cos(const Differential& x) { return x.chain(std::cos(x.value_), -std::sin(x.value_)); }
+  friend Differential exp(const Differential& x) { return x.chain(std::exp(x.value_), std::exp(x.value_)); }
+  friend Differential log(const Differential& x) { return x.chain(std::log(x.value_), 1 / x.value_); }
+  friend Differential sqrt(const Differential& x) {
+    const Scalar root = std::sqrt(x.value_);
+    return x.chain(root, Scalar(0.5) / root);
+  }
+
+ private:
+  Differential chain(Scalar value, Scalar slope) const {
+    return Differential(value, combination(slope, slopes_, Scalar(0), Slopes()));
+  }
+  static Differential combine(Scalar value, const Differential& a, Scalar of_a, const Differential& b, Scalar of_b) {
+    return Differential(value, combination(of_a, a.slopes_, of_b, b.slopes_));
+  }
+
+  Scalar value_;
+  Slopes slopes_;
+};
+
+}  // namespace torsor

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/verification/kernel_accuracy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "generator/emission/generation_constant.hpp"
+#include "generator/expression/evaluation.hpp"
+#include "generator/verification/running_error.hpp"
+#include "generator/verification/sensitivity.hpp"
+
+namespace torsor {
+namespace {
+
+std::vector<Kernel> present_kernels(const Equations& equations, const std::vector<std::string>& names) {
+  std::vector<Kernel> kernels;
+  for (const std::string& name : names) {
+    Kernel kernel = make_kernel(name, equations);
+    if (kernel.skipped.empty() && !kernel.series) kernels.push_back(std::move(kernel));
+  }
+  return kernels;
+}
+
+/// "mass[2]" -> "mass"
+std::string result_name(const std::string& target) { return target.substr(0, target.find('[')); }
+
+std::vector<OutputGroup> groups_of(const std::vector<Kernel>& kernels) {
+  std::vector<OutputGroup> groups;
+  for (std::size_t k = 0; k < kernels.size(); ++k) {
+    std::vector<std::pair<std::string, Unit>> keys;
+    const std::size_t first = groups.size();
+    for (std::size_t i = 0; i < kernels[k].assignments.size(); ++i) {
+      const Assignment& assignment = kernels[k].assignments[i];
+      if (assignment.value.is_constant()) continue;
+      const std::pair<std::string, Unit> key(result_name(assignment.target), assignment.value.unit());
+      auto place = std::find(keys.begin(), keys.end(), key);
+      if (place == keys.end()) {
+        const std::string unit = key.second.to_string();
+        groups.push_back({k, fmt::format("{} [{}]", key.first, unit.empty() ? "1" : unit), {}});
+        place = keys.insert(keys.end(), key);
+      }
+      groups[first + static_cast<std::size_t>(place - keys.begin())].members.push_back(i);
+    }
+  }
+  return groups;
+}
+
+/// Unit in the last place of a number of that size.
+template <class Float>
+long double ulp(long double size) {
+  int exponent = 0;
+  std::frexp(size, &exponent);  // size in [2^(exponent-1), 2^exponent)
+  const int least = std::numeric_limits<Float>::min_exponent;
+  return std::ldexp(1.0L, std::max(size == 0 ? least : exponent, least) - std::numeric_limits<Float>::digits);
+}
+
+/// Values of a program's symbols, pi included.
+template <class Scalar, class Of>
+typename Evaluator<Scalar>::SymbolValue symbol_values(Scalar pi, Of of) {
+  return [pi, of](const SymbolPointer& symbol) { return symbol->kind == SymbolKind::pi ? pi : of(symbol); };
+}
+
+/// The same results with every parameter that has a name as a symbol: a program of its own, for derivatives.
+class Conditions {
+ public:
+  Conditions(const Scene& scene, ModelOptions options, const std::vector<std::string>& names,
+             const std::vector<Kernel>& emitted)
+      : scene_(scene), equations_(scene, all_symbols(options)), evaluate_(equations_.program(), {}) {
+    std::map<std::string, Value> values;
+    for (const Kernel& kernel : present_kernels(equations_, names)) {
+      for (const Assignment& a : kernel.assignments) values.emplace(kernel.name + "." + a.target, a.value);
+    }
+    for (const Kernel& kernel : emitted) {
+      values_.emplace_back();
+      for (const Assignment& a : kernel.assignments) {
+        const auto place = values.find(kernel.name + "." + a.target);
+        if (place == values.end()) {
+          throw Error(fmt::format("the kernel '{}' with parameters as symbols has no '{}'", kernel.name, a.target));
+        }
+        values_.back().push_back(equations_.program().bind(place->second));
+      }
+    }
+  }
+
+  void move_to(const StressState& state) {
+    known_parameters_.clear();
+    evaluate_.move_to(symbol_values<Elasticity>(Elasticity(3.14159265358979323846264338327950288L),
+                                                [this, &state](const SymbolPointer& symbol) {
+                                                  return elasticity_input(value(symbol, state), number(symbol));
+                                                }));
+  }
+
+  Elasticity operator()(std::size_t kernel, std::size_t assignment) { return evaluate_(values_[kernel][assignment]); }
+
+ private:
+  static ModelOptions all_symbols(ModelOptions options) {
+    options.all_run_time = true;
+    return options;
+  }
+
+  std::size_t number(const SymbolPointer& symbol) {
+    return numbers_.emplace(symbol.get(), numbers_.size()).first->second;
+  }
+
+  long double value(const SymbolPointer& symbol, const StressState& state) {
+    const auto& of_state = state.symbols();
+    if (std::find(of_state.begin(), of_state.end(), symbol) != of_state.end()) return state.value(symbol);
+    if (const auto known = known_parameters_.find(symbol.get()); known != known_parameters_.end()) return known->second;
+    for (const ParameterContent& parameter : scene_.content().parameters) {
+      if (parameter.symbol != symbol || !parameter.value) continue;
+      Program formula;
+      Evaluator<Elasticity> evaluate(
+          formula, symbol_values<Elasticity>(
+                       Elasticity(3.14159265358979323846264338327950288L),
+                       [&](const SymbolPointer& inner) { return Elasticity(value(inner, state)); }));
+      return known_parameters_[symbol.get()] = evaluate(formula.lower(*parameter.value)).value();
+    }
+    throw Error(fmt::format("no value for the symbol '{}' at a state of verify", symbol->name));
+  }
+
+  const Scene& scene_;
+  Equations equations_;
+  Evaluator<Elasticity> evaluate_;
+  std::vector<std::vector<Value>> values_;  ///< by kernel and assignment
+  std::map<const Symbol*, std::size_t> numbers_;                // looked up only, and so the next one
+  std::map<const Symbol*, long double> known_parameters_;
+};
+
+template <class Float>
+class AccuracyIn final : public KernelAccuracy {
+ public:
+  AccuracyIn(const Scene& scene, const ModelOptions& options, const std::vector<std::string>& names)
+      : equations_(scene, options),
+        kernels_(present_kernels(equations_, names)),
+        groups_(groups_of(kernels_)),
+        conditions_(scene, options, names, kernels_),
+        compute_(equations_.program(), {}) {
+    Program& program = equations_.program();
+    // A definition of its own for each result: its formula is then made once and not at each state.
+    std::vector<Value> all;
+    for (Kernel& kernel : kernels_) {
+      for (Assignment& assignment : kernel.assignments) assignment.value = program.bind(assignment.value);
+      for (auto& [pivot, diagonal] : kernel.pivots) pivot = program.bind(pivot), diagonal = program.bind(diagonal);
+      const std::vector<Value> values = kernel.values();
+      all.insert(all.end(), values.begin(), values.end());
+    }
+    for (const Atom atom : program.live(all)) {
+      const Definition& definition = program[atom];
+      if (definition.symbol && definition.symbol->kind != SymbolKind::pi) symbols_.push_back(definition.symbol);
+      if (definition.stage != Stage::generation) continue;
+      if (!definition.symbol && !definition.function && definition.polynomial.is_constant()) continue;
+      compute_.fix(atom, Running<Float>::rounded_literal(literal(rounded_constant(program, atom))));
+    }
+    for (const OutputGroup& group : groups_) {
+      std::vector<Value> values;
+      for (const std::size_t i : group.members) values.push_back(kernels_[group.kernel].assignments[i].value);
+      group_symbols_.emplace_back();
+      for (const Atom atom : program.live(values)) {
+        const SymbolPointer& symbol = program[atom].symbol;
+        if (symbol && symbol->kind != SymbolKind::pi) group_symbols_.back().push_back(symbol);
+      }
+    }
+  }
+
+  const std::vector<Kernel>& kernels() const override { return kernels_; }
+  const std::vector<OutputGroup>& groups() const override { return groups_; }
+  const std::vector<SymbolPointer>& symbols(std::size_t group) const override { return group_symbols_[group]; }
+  const std::vector<SymbolPointer>& symbols() const override { return symbols_; }
+
+  void move_to(const StressState& state) override {
+    state_ = &state;
+    compute_.move_to(symbol_values<Running<Float>>(
+        Running<Float>::rounded_literal(static_cast<Float>(3.14159265358979323846)),
+        [this](const SymbolPointer& symbol) { return Running<Float>(static_cast<Float>(state_->value(symbol))); }));
+    conditions_.move_to(state);
+  }
+
+  std::vector<double> computed(std::size_t kernel) override {
+    std::vector<double> values;
+    for (const Assignment& assignment : kernels_[kernel].assignments) {
+      values.push_back(static_cast<double>(compute_(assignment.value).value()));
+    }
+    return values;
+  }
+
+  Accuracy estimate(std::size_t group) override {
+    return measure(group, [&](std::size_t kernel, std::size_t i) { return conditions_(kernel, i).value(); });
+  }
+
+  Accuracy certify(std::size_t group, int digits) override {
+    Accuracy before;
+    for (int precision = digits;; precision *= 2) {
+      const Accuracy now = against_exact(group, precision);
+      if (precision > digits) {
+        const bool settled = std::abs(now.error - before.error) <= 1e-3 * std::max(now.error, 1e-3);
+        if (settled || !now.counted || precision > 64 * digits) return now;
+      }
+      before = now;
+    }
+  }
+
+ private:
+  static Float literal(const RoundedConstant& constant) {
+    if constexpr (std::is_same_v<Float, float>) {
+      return constant.in_float;
+    } else {
+      return constant.in_double;
+    }
+  }
+
+  /// As traits::regular of the header.
+  bool regular(const Kernel& kernel) {
+    return std::all_of(kernel.pivots.begin(), kernel.pivots.end(), [this](const auto& each) {
+      const Float pivot = compute_(each.first).value();
+      return pivot > std::numeric_limits<Float>::epsilon() * std::abs(compute_(each.second).value());
+    });
+  }
+
+  Accuracy against_exact(std::size_t group, int digits) {
+    const WorkingDigits precision(digits);
+    Evaluator<Real> exact(equations_.program(), symbol_values<Real>(Real::pi(), [this](const SymbolPointer& symbol) {
+                            return Real::from_double(state_->value(symbol));
+                          }));
+    const std::vector<Assignment>& assignments = kernels_[groups_[group].kernel].assignments;
+    return measure(group, [&](std::size_t, std::size_t i) { return exact(assignments[i].value); });
+  }
+
+  static long double difference(Float computed, long double truth) { return computed - truth; }
+  static long double difference(Float computed, const Real& truth) {
+    return std::isfinite(computed) ? (Real::from_double(computed) - truth).to_double()
+                                   : std::numeric_limits<long double>::infinity();
+  }
+  static long double size(long double truth) { return truth; }
+  static long double size(const Real& truth) { return truth.to_double(); }
+
+  template <class Truth>
+  Accuracy measure(std::size_t index, const Truth& truth_of) {
+    const OutputGroup& group = groups_[index];
+    const Kernel& kernel = kernels_[group.kernel];
+    Accuracy result;
+    if (!regular(kernel)) return result;
+    long double error = 0, norm = 0, bound = 0;
+    std::vector<long double> squares;
+    for (const std::size_t i : group.members) {
+      const Running<Float> computed = compute_(kernel.assignments[i].value);
+      if (!kernel.pivots.empty() && !std::isfinite(computed.value())) return result;
+      const auto truth = truth_of(group.kernel, i);
+      if (!std::isfinite(size(truth))) return result;
+      const long double off = difference(computed.value(), truth);
+      error += off * off;
+      norm += size(truth) * size(truth);
+      bound += static_cast<long double>(computed.bound()) * computed.bound();
+      const Elasticity elasticity = conditions_(group.kernel, i);
+      const std::vector<long double>& moved_by = elasticity.slopes().by_input;
+      squares.resize(std::max(squares.size(), moved_by.size()), 0);
+      for (std::size_t j = 0; j < moved_by.size(); ++j) squares[j] += moved_by[j] * moved_by[j];
+    }
+    error = std::isnan(error) ? std::numeric_limits<long double>::infinity() : std::sqrt(error);
+    norm = std::sqrt(norm);
+    bound = std::sqrt(bound);
+    long double moved = 0;
+    for (const long double square : squares) moved += std::sqrt(square);
+    const long double unit = ulp<Float>(norm);
+    // Where nothing is left of the results, the condition is infinite, but what they are made of has a size.
+    const long double allowed = norm == 0 ? std::max(unit, moved * std::numeric_limits<Float>::epsilon())
+                                          : unit * std::max(1.0L, moved / norm);
+    result.counted = true;
+    result.error = static_cast<double>(error / unit);
+    result.condition = norm == 0 && moved == 0 ? 1.0 : static_cast<double>(moved / norm);
+    result.scaled = static_cast<double>(error / allowed);
+    result.bound = static_cast<double>(bound / unit);
+    result.potential = static_cast<double>(bound / allowed);
+    return result;
+  }
+
+  Equations equations_;
+  std::vector<Kernel> kernels_;
+  std::vector<OutputGroup> groups_;
+  Conditions conditions_;
+  Evaluator<Running<Float>> compute_;
+  std::vector<SymbolPointer> symbols_;
+  std::vector<std::vector<SymbolPointer>> group_symbols_;
+  const StressState* state_ = nullptr;
+};
+
+}  // namespace
+
+std::unique_ptr<KernelAccuracy> kernel_accuracy(const Scene& scene, const ModelOptions& options,
+                                                const std::vector<std::string>& kernels, Precision precision) {
+  if (precision == Precision::in_float) return std::make_unique<AccuracyIn<float>>(scene, options, kernels);
+  return std::make_unique<AccuracyIn<double>>(scene, options, kernels);
+}
+
+}  // namespace torsor

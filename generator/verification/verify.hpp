@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "generator/verification/kernel_accuracy.hpp"
+
+namespace torsor {
+
+/// A group of results that is allowed more than the bar, and why.
+struct AccuracyException {
+  std::string scene, kernel, group, scalar;  ///< "*" stands for any
+  double limit = 0;                          ///< of the scaled error [ulp]
+  std::string reason;
+};
+
+/// Reads `scene | kernel | group | scalar | limit | reason`, one a line; empty lines and lines that start with # are
+/// skipped. Throws UsageError quoting a line that it cannot read.
+std::vector<AccuracyException> parse_accuracy_exceptions(const std::string& text);
+
+struct VerifyOptions {
+  ModelOptions model{};
+  std::vector<std::string> kernels{};  ///< empty: all
+  std::vector<Precision> precisions{Precision::in_double, Precision::in_float};
+  int digits = 50;
+  int states = 64;
+  int climbs = 2;  ///< searches for a worse state, for each group
+  std::uint64_t seed = 1;
+  std::vector<AccuracyException> exceptions{};
+};
+
+/// What is asked of every group of results: scaled error in ulp.
+inline constexpr double accuracy_bar = 8;
+
+/// One group of results in one format, at the worst state that was found.
+struct VerifyRow {
+  std::string kernel, group, scalar;
+  Accuracy worst;            ///< certified with CLN
+  std::uint64_t seed = 0;    ///< of the state that it is, or that the search started from
+  bool searched = false;
+  std::string state;         ///< NAME=VALUE of what the group depends on
+  double potential = 0;      ///< the largest bound of the scaled error at any state looked at [ulp]
+  int states = 0;            ///< looked at, without those that the kernel reports itself
+  double limit = accuracy_bar;
+  std::string reason;        ///< of the exception that applies, if any
+
+  /// The bound is one: no error may exceed it.
+  bool bounded() const { return worst.error <= worst.bound; }
+  bool passed() const { return worst.scaled <= limit && bounded(); }  // false for NaN
+};
+
+/// Looks for the worst error of every kernel, in each format: at `states` states of seeds `seed`, `seed` + 1, …, then
+/// from the worst of these uphill, coordinate by coordinate, once after the bound and once after the error itself, and
+/// so on `climbs` times. The worst found is measured with CLN. The same result for the same options, everywhere.
+std::vector<VerifyRow> verify_scene(const Scene& scene, const VerifyOptions& options);
+
+}  // namespace torsor

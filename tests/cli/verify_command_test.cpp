@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/scene_runner.hpp"
+
+namespace torsor::verify_command_test {
+namespace {
+
+using namespace testing_programs;
+
+TEST(VerifyCommand, PrintsAGroupForEachResultAndPasses) {
+  const Outcome text = run(pendulum, {"verify", "--kernels", "bias,energy", "--states", "8", "--all"});
+  EXPECT_EQ(text.code, 0) << text.out;
+  for (const char* part : {"double", "float", "bias", "forces [", "result.kinetic [", "result.power ["}) {
+    EXPECT_NE(text.out.find(part), std::string::npos) << part << "\n" << text.out;
+  }
+  const Outcome data =
+      run(pendulum, {"verify", "--kernels", "energy", "--states", "8", "--climbs", "0", "--scalar", "double", "--json"});
+  EXPECT_EQ(data.code, 0);
+  const nlohmann::json verified = nlohmann::json::parse(data.out);
+  EXPECT_EQ(verified.at("passed"), true);
+  for (const nlohmann::json& group : verified.at("groups")) {
+    EXPECT_EQ(group.at("scalar"), "double");
+    EXPECT_EQ(group.at("searched"), false);
+    EXPECT_LE(group.at("error").get<double>(), group.at("bound").get<double>());
+    EXPECT_NE(group.at("state").get<std::string>().find("theta"), std::string::npos);
+  }
+}
+
+TEST(VerifyCommand, RefusesWhatItCannotDo) {
+  EXPECT_EQ(run(pendulum, {"verify", "--scalar", "quad"}).code, 2);
+  EXPECT_EQ(run(pendulum, {"verify", "--kernels", "no_such_kernel"}).code, 2);
+  const Outcome missing = run(pendulum, {"verify", "--exceptions", "/no/such/file"});
+  EXPECT_EQ(missing.code, 3);
+  EXPECT_NE(missing.err.find("/no/such/file"), std::string::npos) << missing.err;
+}
+
+}  // namespace
+}  // namespace torsor::verify_command_test
