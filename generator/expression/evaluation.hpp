@@ -30,6 +30,9 @@ class Evaluator {
     known_.assign(known_.size(), std::nullopt);
   }
 
+  /// What a number is to the scalar, in place of `of_number`; asked once for each. To be set before any evaluation.
+  void set_constants(std::function<Scalar(const Number&)> of_number) { of_number_ = std::move(of_number); }
+
   /// Gives a definition its value, at every state: what a header has as a literal.
   void fix(Atom atom, Scalar value) { fixed_.insert_or_assign(atom, std::move(value)); }
 
@@ -53,6 +56,7 @@ class Evaluator {
       return Real(number, Real::working_digits());
     } else {
       if (const auto place = constants_.find(number); place != constants_.end()) return place->second;
+      if (of_number_) return constants_.emplace(number, of_number_(number)).first->second;
       if constexpr (requires { Scalar::of_number(number); }) {
         return constants_.emplace(number, Scalar::of_number(number)).first->second;
       } else {
@@ -124,6 +128,7 @@ class Evaluator {
   std::vector<std::optional<Scalar>> known_;
   std::vector<std::optional<Formula>> formulas_;
   std::unordered_map<Atom, Scalar> fixed_;        // looked up only, and so the next one
+  std::function<Scalar(const Number&)> of_number_;
   std::unordered_map<Number, Scalar> constants_;  // rounding an exact number takes longer than using it
 };
 

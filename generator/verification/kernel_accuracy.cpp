@@ -64,12 +64,17 @@ typename Evaluator<Scalar>::SymbolValue symbol_values(Scalar pi, Of of) {
   return [pi, of](const SymbolPointer& symbol) { return symbol->kind == SymbolKind::pi ? pi : of(symbol); };
 }
 
-/// The same results with every parameter that has a name as a symbol: a program of its own, for derivatives.
+/// The same results with every parameter that has a name as a symbol: a program of its own, for derivatives. Numbers
+/// that the scene gives without a name are parameters too; ± 1 is none, so that in 1 - cos x nothing but x is data.
 class Conditions {
  public:
   Conditions(const Scene& scene, ModelOptions options, const std::vector<std::string>& names,
              const std::vector<Kernel>& emitted)
       : scene_(scene), equations_(scene, all_symbols(options)), evaluate_(equations_.program(), {}) {
+    evaluate_.set_constants([this](const Number& number) {
+      const Elasticity constant = Elasticity::of_number(number);
+      return number.abs().is_one() ? constant : elasticity_input(constant.value(), input_count_++);
+    });
     std::map<std::string, Value> values;
     for (const Kernel& kernel : present_kernels(equations_, names)) {
       for (const Assignment& a : kernel.assignments) values.emplace(kernel.name + "." + a.target, a.value);
@@ -103,7 +108,9 @@ class Conditions {
   }
 
   std::size_t number(const SymbolPointer& symbol) {
-    return numbers_.emplace(symbol.get(), numbers_.size()).first->second;
+    const auto [place, added] = numbers_.emplace(symbol.get(), input_count_);
+    if (added) ++input_count_;
+    return place->second;
   }
 
   long double value(const SymbolPointer& symbol, const StressState& state) {
@@ -126,6 +133,7 @@ class Conditions {
   Equations equations_;
   Evaluator<Elasticity> evaluate_;
   std::vector<std::vector<Value>> values_;  ///< by kernel and assignment
+  std::size_t input_count_ = 0;
   std::map<const Symbol*, std::size_t> numbers_;                // looked up only, and so the next one
   std::map<const Symbol*, long double> known_parameters_;
 };

@@ -19,7 +19,7 @@ struct OutputGroup {
 };
 
 /// How well a group of results is computed at one state, y the exact results at the very same numbers, ŷ the computed
-/// ones, Euclid's norm, x_j every input, coordinate, rate and parameter:
+/// ones, Euclid's norm, x_j every input, coordinate, rate and parameter, plain numbers of the scene included:
 ///   error     = ‖ŷ - y‖ / ulp(‖y‖)
 ///   condition = Σ_j ‖x_j ∂y/∂x_j‖ / ‖y‖
 ///   scaled    = error / max(1, condition)

@@ -82,6 +82,7 @@ class Running {
   static double size(Float value) { return std::abs(static_cast<double>(value)); }
   static double up(double bound) {
     // Also beyond what was lost by underflow of the bound's own terms.
+    if (std::isnan(bound)) return std::numeric_limits<double>::infinity();  // of infinite terms
     return bound == 0 ? 0 : bound * (1 + 0x1p-49) + 16 * std::numeric_limits<double>::denorm_min();
   }
   static Float rounded(const Number& number) {
