@@ -33,16 +33,17 @@ class AccumulatedState {
   }
 
   /// Puts `next` back onto the system's invariants. A correction within a few roundings stays undone where sums are
-  /// compensated: it would round anew what the compensation keeps.
+  /// compensated: it would round anew what the compensation keeps. False when the system could not.
   template <class F>
-  void settle(const F& f) noexcept {
-    if (!compensated_) return f.settle(next_);
+  [[nodiscard]] bool settle(F& f, Scalar t) noexcept {
+    if (!compensated_) return f.settle(t, next_);
     Vector settled = next_;
-    f.settle(settled);
+    if (!f.settle(t, settled)) return false;
     constexpr Scalar few = Scalar(4) * std::numeric_limits<Scalar>::epsilon();
     bool moved = false;
     for (std::size_t i = 0; i < size; ++i) moved = moved || std::abs(settled[i] - next_[i]) > few * std::abs(next_[i]);
     if (moved) next_ = settled;
+    return true;
   }
 
   void accept() noexcept {

@@ -26,6 +26,7 @@ namespace torsor::runtime {
 ///   attempt(f, t, h, state, tolerances, error)        one step to state.next(), kept when its weighted error is <= 1;
 ///   shorter(h, error), longer(h, error, planned, after_rejection)   lengths to try next;
 ///   refine(f, t, h, state)                            what only an interpolant needs, before the step is kept;
+///   settles                                           declared where attempt has settled the state already;
 ///   interpolant(t, t_next, h, state), accept()        before and after the step is kept.
 /// The functions that call the model return an Evaluation; one that is not ok rejects the step.
 template <class Formula, class Options, class S, class Scalar, std::size_t size>
@@ -124,18 +125,19 @@ class AdaptiveRun {
   template <class Observer>
   Evaluation attempt(Scalar t, Scalar h, Scalar& error) {
     const Evaluation evaluation = formula_.attempt(f_, t, h, state_, tolerances_, error);
-    if constexpr (takes_steps<Observer, Step>) {
-      if (evaluation == Evaluation::ok && error <= Scalar(1)) return formula_.refine(f_, t, h, state_);
+    if (evaluation != Evaluation::ok || !(error <= Scalar(1))) return evaluation;
+    if constexpr (!requires { Formula::settles; }) {
+      if (!state_.settle(f_, t + h)) return f_.evaluation;
     }
+    if constexpr (takes_steps<Observer, Step>) return formula_.refine(f_, t, h, state_);
     return evaluation;
   }
 
-  // Tells the observer and moves on; the interpolant is only built for those who take it. The last slope stays when
-  // the state is settled: it moves by less than the error estimate.
+  // Tells the observer and moves on; the interpolant is only built for those who take it, between settled states. The
+  // last slope stays when the state is settled: it moves by less than the error estimate.
   template <class Observer>
   bool keep(Scalar t, Scalar t_next, Scalar h, Observer& observer) {
     result_.time = t_next;
-    state_.settle(f_);
     if constexpr (takes_steps<Observer, Step>) {
       const Step step = formula_.interpolant(t, t_next, h, state_);
       move_on();

@@ -66,9 +66,11 @@ class FixedStepRun {
     for (std::int64_t k = 1; k <= count && result_.status == IntegrationStatus::reached_end; ++k) {
       if (!completes(formula_.step(f_, result_.time, h, y_, next))) return;
       if (!all_finite(next)) return fail(Evaluation::not_finite);
-      f_.settle(next);
+      const Scalar time =
+          k == count ? end : static_cast<Scalar>(static_cast<Wide>(start) + static_cast<Wide>(k) * wide_h);
+      if (!f_.settle(time, next)) return fail(f_.evaluation);
       y_ = next;
-      result_.time = k == count ? end : static_cast<Scalar>(static_cast<Wide>(start) + static_cast<Wide>(k) * wide_h);
+      result_.time = time;
       ++result_.statistics.accepted;
       if (!notify(observer, result_.time, y_)) stop();
     }

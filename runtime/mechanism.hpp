@@ -59,12 +59,19 @@ concept HasCoordinateRates = MechanismModel<M> &&
 
 /// A mechanism with unit quaternions (w, x, y, z) among its coordinates says where each begins.
 template <class M>
-concept HasQuaternions = MechanismModel<M> && requires { requires M::quaternion_count > 0; M::quaternions[0]; };
+concept HasQuaternions = MechanismModel<M> && requires {
+  requires M::quaternion_count >
+  0;
+  M::quaternions[0];
+};
 
 /// A mechanism with constraints that repeat others says whose multipliers are taken as zero.
 template <class M>
-concept HasRedundantConstraints =
-    MechanismModel<M> && requires { requires M::redundant_count > 0; M::redundant_multipliers[0]; };
+concept HasRedundantConstraints = MechanismModel<M> && requires {
+  requires M::redundant_count >
+  0;
+  M::redundant_multipliers[0];
+};
 
 /// A mechanism generated with the kernel `forward_dynamics_derivatives`.
 template <class M>
@@ -77,11 +84,12 @@ concept HasForwardDynamicsDerivatives = MechanismModel<M> &&
 /// A mechanism without multipliers generated with the kernel `linearisation`, whose A is the Jacobian too.
 template <class M>
 concept HasStateMatrix = MechanismModel<M> && M::multiplier_count == 0 &&
-    requires(const typename M::Precomputed& precomputed, const typename M::State& state,
-             const typename M::Accelerations& a, const typename M::Multipliers& lambda,
-             const typename M::Inputs& inputs, typename M::Linearisation& linear) {
+                         requires(const typename M::Precomputed& precomputed, const typename M::State& state,
+                                  const typename M::Accelerations& a, const typename M::Multipliers& lambda,
+                                  const typename M::Inputs& inputs, typename M::Linearisation& linear) {
   M::linearisation(precomputed, state, a, lambda, inputs, linear);
-  requires std::tuple_size_v<decltype(linear.A)> == 4 * std::size_t(M::velocity_count) * std::size_t(M::velocity_count);
+  requires std::tuple_size_v<decltype(linear.A)>
+  == 4 * std::size_t(M::velocity_count) * std::size_t(M::velocity_count);
 };
 
 template <MechanismModel M>
@@ -144,6 +152,17 @@ concept HasJets = HasForwardDynamics<M> &&
 
 /// The most that can be asked of the kernel `jets`.
 inline constexpr std::size_t jet_order_max = 30;
+
+/// Gives the unit quaternions among the coordinates of y their norm back.
+template <HasQuaternions M, class Scalar>
+void normalise_quaternions(std::array<Scalar, coordinates_of<M> + velocities_of<M>>& y) noexcept {
+  for (const int first : M::quaternions) {
+    const auto w = static_cast<std::size_t>(first);
+    const Scalar square = y[w] * y[w] + y[w + 1] * y[w + 1] + y[w + 2] * y[w + 2] + y[w + 3] * y[w + 3];
+    const Scalar scale = Scalar(1) / std::sqrt(square);
+    for (std::size_t k = 0; k < 4; ++k) y[w + k] *= scale;
+  }
+}
 
 /// The input law of a mechanism left to itself.
 template <MechanismModel M>
@@ -226,8 +245,9 @@ class EquationsOfMotion {
 
   /// Taylor coefficients of the motion through y: c[k] = y^(k)(t)/k! for k = 0..c.size() - 1, at most 30. Only with
   /// inputs that do not change: the law says so by a member `static constexpr bool constant_inputs = true`.
-  [[nodiscard]] Evaluation jets(const Scalar& t, const Vector& y, std::span<Vector> c) const noexcept
-      requires HasJets<M> && (M::input_count == 0 || requires { requires InputLaw::constant_inputs; }) {
+  [[nodiscard]] Evaluation jets(const Scalar& t, const Vector& y,
+                                std::span<Vector> c) const noexcept requires HasJets<M> &&
+      (M::input_count == 0 || requires { requires InputLaw::constant_inputs; }) {
     if (c.size() < 2 || c.size() > jet_order_max + 1) {
       if (c.size() == 1) c[0] = y;
       return c.size() > 1 ? Evaluation::not_finite : Evaluation::ok;
@@ -240,12 +260,7 @@ class EquationsOfMotion {
   /// Gives the unit quaternions among the coordinates their norm back; the state may be wider than the kernels' scalar.
   template <class Number>
   void project(std::array<Number, coordinates_of<M> + velocities_of<M>>& y) const noexcept requires HasQuaternions<M> {
-    for (const int first : M::quaternions) {
-      const auto w = static_cast<std::size_t>(first);
-      const Number square = y[w] * y[w] + y[w + 1] * y[w + 1] + y[w + 2] * y[w + 2] + y[w + 3] * y[w + 3];
-      const Number scale = Number(1) / std::sqrt(square);
-      for (std::size_t k = 0; k < 4; ++k) y[w + k] *= scale;
-    }
+    normalise_quaternions<M>(y);
   }
 
   /// The state the scene starts from, as y, and its time.

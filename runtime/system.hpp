@@ -12,8 +12,9 @@
 namespace torsor::runtime {
 
 /// y' = f(t, y): a callable `system(t, y, dydt)` that writes the derivative and returns an enumeration, 0 if it could.
-/// It may have a member `project(y)` too, noexcept, which removes what a step's error moved off an invariant (the norm
-/// of a quaternion); every method calls it once after each step kept.
+/// It may have a member `project(y)` or `project(t, y)` too, noexcept, which removes what a step's error moved off an
+/// invariant (the norm of a quaternion, a constraint); every method calls it once after each step kept. One that
+/// returns an enumeration other than 0 fails like an evaluation: adaptive methods try a shorter step.
 template <class S, class Scalar, std::size_t size>
 concept System = std::floating_point<Scalar> &&
     requires(S& system, const Scalar& t, const std::array<Scalar, size>& y, std::array<Scalar, size>& dydt) {
@@ -65,9 +66,14 @@ class CheckedSystem {
     return evaluation == Evaluation::ok;
   }
 
-  /// Puts a state back where it belongs, after each step kept, if the system says how (`system.project(y)`).
-  void settle(std::array<Scalar, size>& y) const noexcept {
-    if constexpr (requires { system_.project(y); }) system_.project(y);
+  /// Puts a state back where it belongs, after each step kept, if the system says how. False when it could not.
+  [[nodiscard]] bool settle(Scalar t, std::array<Scalar, size>& y) noexcept {
+    if constexpr (requires { system_.project(t, y); }) {
+      return settled([&] { return system_.project(t, y); });
+    } else if constexpr (requires { system_.project(y); }) {
+      return settled([&] { return system_.project(y); });
+    }
+    return true;
   }
 
   /// The system itself, for what it may offer besides its derivative.
@@ -78,6 +84,17 @@ class CheckedSystem {
   Evaluation evaluation = Evaluation::ok;
 
  private:
+  template <class Project>
+  bool settled(const Project& project) noexcept {
+    if constexpr (std::is_void_v<decltype(project())>) {
+      project();
+      return true;
+    } else {
+      evaluation = to_evaluation(project());
+      return evaluation == Evaluation::ok;
+    }
+  }
+
   S& system_;
 };
 

@@ -61,6 +61,7 @@ class Taylor::Formula {
   using Step = TaylorStep<Scalar, size>;
   using State = AccumulatedState<Scalar, size>;
   using Coefficients = typename Step::Coefficients;
+  static constexpr bool settles = true;
 
   explicit Formula(const Taylor& options) noexcept
       : order_(static_cast<std::size_t>(options.order)), chosen_(options.order == 0) {}
@@ -100,7 +101,7 @@ class Taylor::Formula {
     }
     state.propose(increment);
     if (!all_finite(state.next())) return Evaluation::not_finite;
-    state.settle(f);
+    if (!state.settle(f, t + h)) return f.evaluation;
     if (!f.jets(t + h, state.next(), span(next()))) return f.evaluation;
     const Scalar noise = rounding_of_slopes(state);
     error = Scalar(0);

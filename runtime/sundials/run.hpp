@@ -134,8 +134,11 @@ class SundialsRun {
       // SUNDIALS would creep up to a place where the model ends for as many steps as it is given.
       if (t != end && !(std::abs(t - result_.time) > smallest_step(t))) return fail(IntegrationStatus::step_too_small);
       y_ = solver_.work.read(solver_.work.y);
-      solver_.work.f.settle(y_);
       result_.time = t;
+      if (!solver_.work.f.settle(t, y_)) {
+        result_.evaluation = solver_.work.f.evaluation;
+        return fail(IntegrationStatus::model_failure);
+      }
       ++result_.statistics.accepted;
       if (!notify(observer, t, y_)) return stop();
     }

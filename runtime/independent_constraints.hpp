@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include "runtime/status.hpp"
+
+namespace torsor::runtime {
+
+/// ε^(2/3): a rank that rounding of positions can no longer feign.
+template <class Scalar>
+[[nodiscard]] Scalar usual_rank_tolerance() noexcept {
+  return std::pow(std::numeric_limits<Scalar>::epsilon(), Scalar(2) / Scalar(3));
+}
+/// ε^(1/3): for motions through change points, where the branches of a closed loop meet. Nearer than that rounding of
+/// positions can't tell the branches apart, and would turn the velocity into the wrong one; constraints below it are
+/// let go for the moment of the passage, which costs an error of about this size.
+template <class Scalar>
+[[nodiscard]] Scalar change_point_tolerance() noexcept {
+  return std::cbrt(std::numeric_limits<Scalar>::epsilon());
+}
+
+/// Constraints A x = c weighed by a mass matrix M, of any rank: M = L Lᵀ (scaled to a unit diagonal, so that units do
+/// not matter), and of L⁻¹ Aᵀ, over its longest column, a pivoted orthogonal factor
+///   L⁻¹ Aᵀ P = Q R,   R upper triangular with the largest remaining column first,
+/// cut off where what remains of every column is below `rank_tolerance`: those constraints repeat others, or hold
+/// nothing at a change point. By Gram-Schmidt, twice over. Source: Golub-Van Loan, Matrix Computations, 5.2 and 5.4.
+template <class Scalar, std::size_t nv, std::size_t m>
+class IndependentConstraints {
+ public:
+  static constexpr int n = static_cast<int>(nv), rows = static_cast<int>(m);
+  using Column = Eigen::Matrix<Scalar, n, 1>;
+  using Residual = Eigen::Matrix<Scalar, rows, 1>;
+  using Jacobian = Eigen::Matrix<Scalar, rows, n, rows == 1 ? Eigen::RowMajor : Eigen::ColMajor>;
+
+  /// M is nv x nv, A is m x nv, both stored column by column. `singular` when M is not positive definite.
+  [[nodiscard]] Evaluation factorise(const std::array<Scalar, nv * nv>& mass,
+                                     const std::array<Scalar, m * nv>& jacobian,
+                                     Scalar rank_tolerance = usual_rank_tolerance<Scalar>()) noexcept {
+    const Eigen::Map<const Eigen::Matrix<Scalar, n, n>> M(mass.data());
+    A_ = Eigen::Map<const Jacobian>(jacobian.data());
+    if (!M.allFinite() || !A_.allFinite()) return Evaluation::not_finite;
+    for (int i = 0; i < n; ++i) {
+      if (!(M(i, i) > Scalar(0))) return Evaluation::singular;
+      scale_(i) = Scalar(1) / std::sqrt(M(i, i));
+    }
+    factor_ = scale_.asDiagonal() * M * scale_.asDiagonal();
+    for (int k = 0; k < n; ++k) {
+      for (int j = 0; j < k; ++j) factor_.col(k).tail(n - k) -= factor_(k, j) * factor_.col(j).tail(n - k);
+      const Scalar pivot = factor_(k, k);
+      if (!(pivot > static_cast<Scalar>(n) * std::numeric_limits<Scalar>::epsilon())) return Evaluation::singular;
+      factor_.col(k).tail(n - k) /= std::sqrt(pivot);
+    }
+    Q_ = scale_.asDiagonal() * A_.transpose();
+    for (int j = 0; j < rows; ++j) {
+      for (int i = 0; i < n; ++i) {
+        for (int k = 0; k < i; ++k) Q_(i, j) -= factor_(i, k) * Q_(k, j);
+        Q_(i, j) /= factor_(i, i);
+      }
+    }
+    orthogonalise(rank_tolerance);
+    return Evaluation::ok;
+  }
+
+  /// How many constraints are independent.
+  [[nodiscard]] int rank() const noexcept { return rank_; }
+  /// What the others leave of the last one kept, over the largest constraint, 0 to 1; small near a change point.
+  [[nodiscard]] Scalar least_share() const noexcept { return rank_ > 0 ? R_(rank_ - 1, rank_ - 1) : Scalar(1); }
+  /// Which constraint is the k-th in order of independence; those from rank() on repeat others.
+  [[nodiscard]] int constraint(int k) const noexcept { return order_[static_cast<std::size_t>(k)]; }
+
+  /// The x of least xᵀ M x with A x = c, as far as the independent constraints go.
+  [[nodiscard]] Column least_change(const Residual& c) noexcept {
+    const Residual w = along(c);
+    Column x = Q_.leftCols(rank_).lazyProduct(w.head(rank_));
+    back_substitute(x);
+    return x;
+  }
+
+  /// The largest part of c, over the size of the largest constraint, that the independent constraints contradict: a
+  /// redundant constraint that does not close.
+  [[nodiscard]] Scalar contradiction(const Residual& c) noexcept {
+    const Residual w = along(c);
+    Scalar largest = Scalar(0);
+    for (int k = rank_; k < rows; ++k) {
+      Scalar rest = c(constraint(k)) * over_;
+      for (int j = 0; j < rank_; ++j) rest -= R_(j, k) * w(j);
+      largest = std::max(largest, std::abs(rest));
+    }
+    return largest;
+  }
+
+  /// Accelerations and multipliers of M a - Aᵀ λ = r, A a = c; the multipliers of constraints that repeat others are 0.
+  void solve(const Column& r, const Residual& c, Column& a, Residual& lambda) noexcept {
+    Column free = scale_.asDiagonal() * r;
+    for (int i = 0; i < n; ++i) {
+      for (int k = 0; k < i; ++k) free(i) -= factor_(i, k) * free(k);
+      free(i) /= factor_(i, i);
+    }
+    back_substitute(free);
+    const Residual wanted = c - A_.lazyProduct(free);
+    const Residual w = along(wanted);
+    a = Q_.leftCols(rank_).lazyProduct(w.head(rank_));
+    back_substitute(a);
+    a += free;
+    lambda.setZero();
+    for (int k = rank_ - 1; k >= 0; --k) {
+      Scalar sum = w(k);
+      for (int j = k + 1; j < rank_; ++j) sum -= R_(k, j) * mu_[static_cast<std::size_t>(j)];
+      mu_[static_cast<std::size_t>(k)] = sum / R_(k, k);
+      lambda(constraint(k)) = mu_[static_cast<std::size_t>(k)] * over_;
+    }
+  }
+
+ private:
+  void orthogonalise(Scalar rank_tolerance) noexcept {
+    R_.setZero();
+    Scalar longest = Scalar(0);
+    for (int j = 0; j < rows; ++j) {
+      order_[static_cast<std::size_t>(j)] = j;
+      longest = std::max(longest, Q_.col(j).norm());
+    }
+    over_ = longest > Scalar(0) ? Scalar(1) / longest : Scalar(1);
+    Q_ *= over_;
+    for (rank_ = 0; rank_ < rows && rank_ < n; ++rank_) {
+      int pivot = rank_;
+      for (int j = rank_ + 1; j < rows; ++j) pivot = Q_.col(j).norm() > Q_.col(pivot).norm() ? j : pivot;
+      if (pivot != rank_) {
+        Q_.col(rank_).swap(Q_.col(pivot));
+        R_.col(rank_).swap(R_.col(pivot));
+        std::swap(order_[static_cast<std::size_t>(rank_)], order_[static_cast<std::size_t>(pivot)]);
+      }
+      for (int k = 0; k < rank_; ++k) take_out(k, rank_);
+      const Scalar norm = Q_.col(rank_).norm();
+      if (!(norm > rank_tolerance)) return;
+      R_(rank_, rank_) = norm;
+      Q_.col(rank_) /= norm;
+      for (int j = rank_ + 1; j < rows; ++j) take_out(rank_, j);
+    }
+  }
+  void take_out(int k, int j) noexcept {
+    const Scalar part = Q_.col(k).dot(Q_.col(j));
+    R_(k, j) += part;
+    Q_.col(j) -= part * Q_.col(k);
+  }
+
+  // R11ᵀ w = the independent ones of c, over the longest.
+  [[nodiscard]] Residual along(const Residual& c) const noexcept {
+    Residual w = Residual::Zero();
+    for (int k = 0; k < rank_; ++k) {
+      Scalar sum = c(constraint(k)) * over_;
+      for (int j = 0; j < k; ++j) sum -= R_(j, k) * w(j);
+      w(k) = sum / R_(k, k);
+    }
+    return w;
+  }
+  // x := scale L⁻ᵀ x
+  void back_substitute(Column& x) const noexcept {
+    for (int i = n - 1; i >= 0; --i) {
+      for (int k = i + 1; k < n; ++k) x(i) -= factor_(k, i) * x(k);
+      x(i) /= factor_(i, i);
+    }
+    x = scale_.asDiagonal() * x;
+  }
+
+  Jacobian A_;
+  Column scale_;
+  Eigen::Matrix<Scalar, n, n> factor_;
+  Eigen::Matrix<Scalar, n, rows> Q_;
+  Eigen::Matrix<Scalar, rows, rows> R_;
+  std::array<int, m> order_{};
+  std::array<Scalar, m> mu_{};
+  Scalar over_ = Scalar(1);  // one over the longest column
+  int rank_ = 0;
+};
+
+}  // namespace torsor::runtime
