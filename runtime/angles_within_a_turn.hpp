@@ -37,12 +37,14 @@ class AnglesWithinATurn {
   }
 
   template <class Scalar, std::size_t size>
-  void project(std::array<Scalar, size>& y) const noexcept {
-    if constexpr (requires { system_.project(y); }) system_.project(y);
+  [[nodiscard]] Evaluation project(const Scalar& t, std::array<Scalar, size>& y) const noexcept {
+    CheckedSystem<const S, Scalar, size> system(system_);
+    if (!system.settle(t, y)) return system.evaluation;
     constexpr Scalar pi = static_cast<Scalar>(3.14159265358979323846264338327950288L);
     for (const std::size_t i : angles_) {
       if (std::abs(y[i]) > pi) y[i] = std::remainder(y[i], Scalar(2) * pi);  // exact
     }
+    return Evaluation::ok;
   }
 
   [[nodiscard]] const S& system() const noexcept { return system_; }
