@@ -152,8 +152,8 @@ class GaussCollocation<stages, solver>::Formula {
   }
 
   // Takes the new slopes over; what the increments moved, each in terms of its own component.
-  Scalar change(Scalar h, const Vector& y) noexcept {
-    Scalar largest = Scalar(0);
+  StageChange<Scalar> change(Scalar h, const Vector& y) noexcept {
+    StageChange<Scalar> change;
     for (std::size_t k = half; k < size; ++k) {
       Scalar moved = Scalar(0), slope = Scalar(0);
       for (std::size_t i = 0; i < s; ++i) {
@@ -161,9 +161,9 @@ class GaussCollocation<stages, solver>::Formula {
         slope = std::max(slope, std::abs(new_slopes_[i][k]));
         slopes_[i][k] = new_slopes_[i][k];
       }
-      if (moved > Scalar(0)) largest = std::max(largest, std::abs(h) * moved / (std::abs(y[k]) + std::abs(h) * slope));
+      change.add(std::abs(h) * moved, std::abs(y[k]) + std::abs(h) * slope);
     }
-    return largest;
+    return change;
   }
 
   // Newton's method: (I - h A ⊗ J) ΔK = f(Y) - K, with J of an earlier place.

@@ -186,7 +186,7 @@ class VariationalIntegrator<stages>::Formula {
   [[nodiscard]] IntegrationStatus solve(F& f, Scalar t, Scalar h, const Vector& y) noexcept {
     StageConvergence<Scalar> convergence;
     for (int sweep = 1; sweep <= iteration_limit_; ++sweep) {
-      Scalar change = Scalar(0);
+      StageChange<Scalar> turns, pushes;
       std::array<Half, s> velocities, forces;
       for (std::size_t i = 0; i < s; ++i) {
         const Vector place = place_of(i, h, y, velocities_);
@@ -212,12 +212,13 @@ class VariationalIntegrator<stages>::Formula {
           push = std::max(push, std::abs(forces[i][k]));
         }
         const Scalar length = std::abs(h);
-        if (turned > Scalar(0)) change = std::max(change, length * turned / (std::abs(y[k]) + length * turn));
-        if (pushed > Scalar(0)) change = std::max(change, length * pushed / (std::abs(momenta_[k]) + length * push));
+        turns.add(length * turned, std::abs(y[k]) + length * turn);
+        pushes.add(length * pushed, std::abs(momenta_[k]) + length * push);
       }
       velocities_ = velocities;
       forces_ = forces;
-      if (convergence.reached(change)) return IntegrationStatus::reached_end;
+      if (convergence.reached(turns.by_component > pushes.by_component ? turns : pushes))
+        return IntegrationStatus::reached_end;
     }
     return IntegrationStatus::no_convergence;
   }
