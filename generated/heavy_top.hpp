@@ -405,6 +405,7 @@ class Convolutions {
   using Vector = typename Lanes<Scalar>::Vector;
   static constexpr int width = Lanes<Scalar>::width;
   static constexpr int vectors = (count + width - 1) / width;
+  static constexpr int block = 4, blocks = vectors / block, rest = vectors % block;
   static constexpr int order_max = 30;
 
  public:
@@ -419,33 +420,27 @@ class Convolutions {
 
   /// The terms a_i b_(k-i), i = 1..k-1, of each pair, summed.
   TORSOR_DEVICE TORSOR_INLINED void sum(int k, Sums& sums) const noexcept {
-    constexpr int blocks = vectors / 4;
-    for (int i = 0; i < blocks; ++i) sum_block<4>(k, 4 * i, sums);
-    if constexpr (vectors % 4 >= 2) sum_block<2>(k, 4 * blocks, sums);
-    if constexpr (vectors % 2 == 1) sum_block<1>(k, vectors - 1, sums);
+    for (int i = 0; i < blocks; ++i) sum_block<block>(k, i, sums);
+    if constexpr (rest > 0) sum_block<rest>(k, blocks, sums);
   }
 
   /// The coefficients of order k.
   TORSOR_DEVICE TORSOR_INLINED void keep(int k, const Scalar (&left)[count], const Scalar (&right)[count]) noexcept {
-    const Scalar zero = scalar_traits<Scalar>::constant(0.0, 0.0f, "0/1");
-    for (int v = 0; v < vectors; ++v) {
-      for (int i = 0; i < width; ++i) {
-        const int place = v * width + i;
-        left_[k][v][i] = place < count ? left[place] : zero;
-        right_[k][v][i] = place < count ? right[place] : zero;
-      }
-    }
+    for (int i = 0; i < blocks; ++i) keep_block<block>(k, i, left, right);
+    if constexpr (rest > 0) keep_block<rest>(k, blocks, left, right);
   }
 
  private:
-  /// Of as many vectors as there are chains of additions that a processor works on at once. The coefficients of order
+  /// As many vectors as there are chains of additions that a processor works on at once. The coefficients of order
   /// k - 1, which have only just been computed, come last.
   template <int size>
-  TORSOR_DEVICE TORSOR_INLINED void sum_block(int k, int first, Sums& sums) const noexcept {
+  TORSOR_DEVICE TORSOR_INLINED void sum_block(int k, int index, Sums& sums) const noexcept {
     Vector a = {}, b = {}, c = {}, d = {};
+    const Vector* const all_left = left_ + index * block * order_max;
+    const Vector* const all_right = right_ + index * block * order_max;
     const auto add = [&](int i) {
-      const Vector* left = left_[i] + first;
-      const Vector* right = right_[k - i] + first;
+      const Vector* left = all_left + i * size;
+      const Vector* right = all_right + (k - i) * size;
       Lanes<Scalar>::add_product(a, left[0], right[0]);
       if constexpr (size > 1) Lanes<Scalar>::add_product(b, left[1], right[1]);
       if constexpr (size > 2) Lanes<Scalar>::add_product(c, left[2], right[2]);
@@ -454,13 +449,29 @@ class Convolutions {
     for (int i = 2; i < k - 1; ++i) add(i);
     if (k > 1) add(1);
     if (k > 2) add(k - 1);
-    sums.vector_[first] = a;
-    if constexpr (size > 1) sums.vector_[first + 1] = b;
-    if constexpr (size > 2) sums.vector_[first + 2] = c;
-    if constexpr (size > 3) sums.vector_[first + 3] = d;
+    Vector* result = sums.vector_ + index * block;
+    result[0] = a;
+    if constexpr (size > 1) result[1] = b;
+    if constexpr (size > 2) result[2] = c;
+    if constexpr (size > 3) result[3] = d;
   }
 
-  Vector left_[order_max][vectors], right_[order_max][vectors];
+  template <int size>
+  TORSOR_DEVICE TORSOR_INLINED void keep_block(int k, int index, const Scalar (&left)[count],
+                                               const Scalar (&right)[count]) noexcept {
+    const Scalar zero = scalar_traits<Scalar>::constant(0.0, 0.0f, "0/1");
+    const int first = index * block * order_max + k * size;
+    for (int v = 0; v < size; ++v) {
+      for (int i = 0; i < width; ++i) {
+        const int place = (index * block + v) * width + i;
+        left_[first + v][i] = place < count ? left[place] : zero;
+        right_[first + v][i] = place < count ? right[place] : zero;
+      }
+    }
+  }
+
+  /// Block after block, of one block order after order.
+  Vector left_[vectors * order_max], right_[vectors * order_max];
 };
 
 }  // namespace torsor
