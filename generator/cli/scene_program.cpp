@@ -24,7 +24,7 @@
 #include "generator/reading/print_equations.hpp"
 #include "generator/reading/statics_text.hpp"
 #include "generator/reading/theorem_text.hpp"
-#include "generator/verification/reference.hpp"
+#include "generator/verification/reference_cache.hpp"
 
 namespace torsor {
 namespace {
@@ -58,6 +58,7 @@ struct Request {
   std::uint64_t seed = 1;
   std::string scalar = "both";
   std::string exceptions;
+  std::string cache;
   bool every_group = false;
   bool with_states = false;
   bool json = false;
@@ -193,7 +194,9 @@ int verify(const Scene& scene, const Request& request) {
 
 int reference(const Scene& scene, const Request& request) {
   check_times(request.times);
-  write(request.output, reference_csv(scene, {request.digits, request.times}));
+  const ReferenceOptions options{request.digits, request.times};
+  write(request.output,
+        request.cache.empty() ? reference_csv(scene, options) : cached_reference_csv(scene, options, request.cache));
   return 0;
 }
 
@@ -304,6 +307,7 @@ void declare(CLI::App& app, Request& request, Command& chosen, const SceneSource
       ->capture_default_str()
       ->check(CLI::Range(10, 1000));
   sub->add_option("--times", request.times, "comma-separated times in seconds, increasing")->required()->delimiter(',');
+  sub->add_option("--cache", request.cache, "folder that keeps references, so that none is integrated twice");
   sub = add("force-function", "tell whether actions have a potential energy, a force function or neither", force_function);
   sub->add_option("--actions", request.actions, "names, comma-separated; gravity is the weight; all when absent")
       ->delimiter(',');

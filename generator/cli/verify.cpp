@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "generator/cli/commands.hpp"
+#include "generator/verification/ball.hpp"
 
 namespace torsor {
 namespace {
@@ -53,7 +54,13 @@ std::string verify_table(const std::string& scene, const std::vector<VerifyRow>&
       text += fmt::format("      exception, up to {}: {}\n", row.limit, row.reason);
     }
   }
-  return text;
+  const auto counted = [&](auto belongs) { return std::count_if(all.begin(), all.end(), belongs); };
+  text += fmt::format("{} of {} groups pass", counted([](const VerifyRow& row) { return row.passed(); }), all.size());
+  if (Ball::available()) {
+    text += fmt::format("; balls enclose the exact results of {}",
+                        counted([](const VerifyRow& row) { return row.worst.enclosed; }));
+  }
+  return text + "\n";
 }
 
 std::string verify_json(const std::string& scene, const std::vector<VerifyRow>& rows) {
@@ -70,6 +77,7 @@ std::string verify_json(const std::string& scene, const std::vector<VerifyRow>& 
                       {"condition", number(row.worst.condition)},
                       {"scaled", number(row.worst.scaled)},
                       {"bound", number(row.worst.bound)},
+                      {"enclosed", row.worst.enclosed},
                       {"potential", number(row.potential)},
                       {"limit", row.limit},
                       {"reason", row.reason},

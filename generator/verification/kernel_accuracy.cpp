@@ -9,7 +9,9 @@
 #include <fmt/format.h>
 
 #include "generator/emission/generation_constant.hpp"
+#include "generator/expression/error.hpp"
 #include "generator/expression/evaluation.hpp"
+#include "generator/verification/ball.hpp"
 #include "generator/verification/running_error.hpp"
 #include "generator/verification/sensitivity.hpp"
 
@@ -68,9 +70,9 @@ typename Evaluator<Scalar>::SymbolValue symbol_values(Scalar pi, Of of) {
 /// that the scene gives without a name are parameters too; ± 1 is none, so that in 1 - cos x nothing but x is data.
 class Conditions {
  public:
-  Conditions(const Scene& scene, ModelOptions options, const std::vector<std::string>& names,
+  Conditions(const Scene& scene, const ModelOptions& options, const std::vector<std::string>& names,
              const std::vector<Kernel>& emitted)
-      : scene_(scene), equations_(scene, all_symbols(options)), evaluate_(equations_.program(), {}) {
+      : scene_(scene), equations_(scene, options), evaluate_(equations_.program(), {}) {
     evaluate_.set_constants([this](const Number& number) {
       const Elasticity constant = Elasticity::of_number(number);
       return number.abs().is_one() ? constant : elasticity_input(constant.value(), input_count_++);
@@ -102,11 +104,6 @@ class Conditions {
   Elasticity operator()(std::size_t kernel, std::size_t assignment) { return evaluate_(values_[kernel][assignment]); }
 
  private:
-  static ModelOptions all_symbols(ModelOptions options) {
-    options.all_run_time = true;
-    return options;
-  }
-
   std::size_t number(const SymbolPointer& symbol) {
     const auto [place, added] = numbers_.emplace(symbol.get(), input_count_);
     if (added) ++input_count_;
@@ -138,6 +135,19 @@ class Conditions {
   std::map<const Symbol*, long double> known_parameters_;
 };
 
+/// Some scenes are possible with the values of their parameters only (constraints that repeat others): their folded
+/// parameters are among the plain numbers then.
+std::unique_ptr<Conditions> make_conditions(const Scene& scene, ModelOptions options,
+                                            const std::vector<std::string>& names, const std::vector<Kernel>& emitted) {
+  const ModelOptions folded = options;
+  options.all_run_time = true;
+  try {
+    return std::make_unique<Conditions>(scene, options, names, emitted);
+  } catch (const Error&) {
+    return std::make_unique<Conditions>(scene, folded, names, emitted);
+  }
+}
+
 template <class Float>
 class AccuracyIn final : public KernelAccuracy {
  public:
@@ -145,7 +155,7 @@ class AccuracyIn final : public KernelAccuracy {
       : equations_(scene, options),
         kernels_(present_kernels(equations_, names)),
         groups_(groups_of(kernels_)),
-        conditions_(scene, options, names, kernels_),
+        conditions_(make_conditions(scene, options, names, kernels_)),
         compute_(equations_.program(), {}) {
     Program& program = equations_.program();
     // A definition of its own for each result: its formula is then made once and not at each state.
@@ -184,7 +194,7 @@ class AccuracyIn final : public KernelAccuracy {
     compute_.move_to(symbol_values<Running<Float>>(
         Running<Float>::rounded_literal(static_cast<Float>(3.14159265358979323846)),
         [this](const SymbolPointer& symbol) { return Running<Float>(static_cast<Float>(state_->value(symbol))); }));
-    conditions_.move_to(state);
+    conditions_->move_to(state);
   }
 
   std::vector<double> computed(std::size_t kernel) override {
@@ -196,19 +206,15 @@ class AccuracyIn final : public KernelAccuracy {
   }
 
   Accuracy estimate(std::size_t group) override {
-    return measure(group, [&](std::size_t kernel, std::size_t i) { return conditions_(kernel, i).value(); });
+    return measure(group, [&](std::size_t kernel, std::size_t i) { return (*conditions_)(kernel, i).value(); });
   }
 
   Accuracy certify(std::size_t group, int digits) override {
-    Accuracy before;
-    for (int precision = digits;; precision *= 2) {
-      const Accuracy now = against_exact(group, precision);
-      if (precision > digits) {
-        const bool settled = std::abs(now.error - before.error) <= 1e-3 * std::max(now.error, 1e-3);
-        if (settled || !now.counted || precision > 64 * digits) return now;
-      }
-      before = now;
-    }
+    Accuracy result = settled<Real>(group, digits);
+    if (!result.counted || !Ball::available()) return result;
+    const Accuracy surely = settled<Ball>(group, digits);
+    result.enclosed = surely.counted && surely.error <= result.error + 1e-3 * std::max(result.error, 1e-3);
+    return result;
   }
 
  private:
@@ -228,11 +234,26 @@ class AccuracyIn final : public KernelAccuracy {
     });
   }
 
-  Accuracy against_exact(std::size_t group, int digits) {
+  /// With as many digits as the error depends on.
+  template <class Exact>
+  Accuracy settled(std::size_t group, int digits) {
+    Accuracy before;
+    for (int precision = digits;; precision *= 2) {
+      const Accuracy now = against<Exact>(group, precision);
+      if (precision > digits) {
+        const bool same = std::abs(now.error - before.error) <= 1e-3 * std::max(now.error, 1e-3);
+        if (same || precision > 64 * digits) return now;
+      }
+      before = now;
+    }
+  }
+
+  template <class Exact>
+  Accuracy against(std::size_t group, int digits) {
     const WorkingDigits precision(digits);
-    Evaluator<Real> exact(equations_.program(), symbol_values<Real>(Real::pi(), [this](const SymbolPointer& symbol) {
-                            return Real::from_double(state_->value(symbol));
-                          }));
+    Evaluator<Exact> exact(equations_.program(), symbol_values<Exact>(Exact::pi(), [this](const SymbolPointer& symbol) {
+                             return Exact::from_double(state_->value(symbol));
+                           }));
     const std::vector<Assignment>& assignments = kernels_[groups_[group].kernel].assignments;
     return measure(group, [&](std::size_t, std::size_t i) { return exact(assignments[i].value); });
   }
@@ -242,6 +263,11 @@ class AccuracyIn final : public KernelAccuracy {
     return std::isfinite(computed) ? (Real::from_double(computed) - truth).to_double()
                                    : std::numeric_limits<long double>::infinity();
   }
+  static long double difference(Float computed, const Ball& truth) {
+    return std::isfinite(computed) ? (Ball::from_double(computed) - truth).largest()
+                                   : std::numeric_limits<long double>::infinity();
+  }
+  static long double size(const Ball& truth) { return truth.largest(); }
   static long double size(long double truth) { return truth; }
   static long double size(const Real& truth) { return truth.to_double(); }
 
@@ -262,7 +288,7 @@ class AccuracyIn final : public KernelAccuracy {
       error += off * off;
       norm += size(truth) * size(truth);
       bound += static_cast<long double>(computed.bound()) * computed.bound();
-      const Elasticity elasticity = conditions_(group.kernel, i);
+      const Elasticity elasticity = (*conditions_)(group.kernel, i);
       const std::vector<long double>& moved_by = elasticity.slopes().by_input;
       squares.resize(std::max(squares.size(), moved_by.size()), 0);
       for (std::size_t j = 0; j < moved_by.size(); ++j) squares[j] += moved_by[j] * moved_by[j];
@@ -288,7 +314,7 @@ class AccuracyIn final : public KernelAccuracy {
   Equations equations_;
   std::vector<Kernel> kernels_;
   std::vector<OutputGroup> groups_;
-  Conditions conditions_;
+  std::unique_ptr<Conditions> conditions_;
   Evaluator<Running<Float>> compute_;
   std::vector<SymbolPointer> symbols_;
   std::vector<std::vector<SymbolPointer>> group_symbols_;

@@ -29,6 +29,7 @@ struct Accuracy {
   double condition = 0;
   double scaled = 0;      ///< [ulp]
   double bound = 0;       ///< of the error, by running error analysis [ulp]
+  bool enclosed = false;  ///< ball arithmetic proves that the error is no larger (but for a thousandth)
   double potential = 0;   ///< of `scaled`: bound / max(1, condition)
 };
 
@@ -50,7 +51,8 @@ class KernelAccuracy {
   virtual Accuracy estimate(std::size_t group) = 0;
   /// What the header gives for each assignment of a kernel.
   virtual std::vector<double> computed(std::size_t kernel) = 0;
-  /// Against CLN, with that many digits and as many more as the error still depends on.
+  /// Against CLN, with that many digits and as many more as the error still depends on; then against balls that surely
+  /// contain the exact results, where torsor was built with Arb.
   virtual Accuracy certify(std::size_t group, int digits) = 0;
 };
 

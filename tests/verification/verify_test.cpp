@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "generator/expression/error.hpp"
+#include "generator/verification/ball.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
@@ -114,6 +115,7 @@ TEST(Verify, BoundsEveryErrorOfRandomMechanisms) {
           EXPECT_LE(found.error, found.bound * 1.001) << seed << " " << k << " " << accuracy->groups()[g].name;
           if (k % 4 != 0 || g % 3 != 0) continue;
           const Accuracy sure = accuracy->certify(g, 40);
+          EXPECT_EQ(sure.enclosed, Ball::available()) << seed << " " << k << " " << accuracy->groups()[g].name;
           EXPECT_LE(sure.error, sure.bound) << seed << " " << k << " " << accuracy->groups()[g].name;
           // The ulp doubles at a power of two, and a norm may fall on either side of one.
           EXPECT_LE(sure.error, 2.01 * found.error + 0.01);

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/verification/reference_cache.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "generator/dynamics/validation.hpp"
+#include "generator/emission/output_file.hpp"
+#include "generator/expression/error.hpp"
+#include "generator/mechanics/parameter_value.hpp"
+#include "generator/verification/lagrange_road.hpp"
+
+namespace torsor {
+namespace {
+
+/// To be raised whenever references are integrated in another way.
+constexpr std::uint64_t method = 1;
+
+class Fnv {
+ public:
+  Fnv& add(std::string_view text) {
+    for (const char letter : text) step(static_cast<unsigned char>(letter));
+    step(0);  // ends it: two texts in a row are told from others
+    return *this;
+  }
+  Fnv& add(std::uint64_t value) { return add(std::to_string(value)); }
+  Fnv& add(const Polynomial& polynomial) {
+    for (const Term& term : polynomial.terms()) {
+      add(term.coefficient.to_exact());
+      for (const Factor& factor : term.monomial) add(fmt::format("{}^{}", factor.atom, factor.exponent));
+    }
+    return add("");
+  }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  void step(unsigned char byte) { value_ = (value_ ^ byte) * 0x100000001b3U; }
+  std::uint64_t value_ = 0xcbf29ce484222325U;
+};
+
+void add_definition(Fnv& digest, const Scene& scene, const Definition& definition, Atom atom) {
+  digest.add(static_cast<std::uint64_t>(atom));
+  if (definition.function) {
+    digest.add(to_string(*definition.function)).add(static_cast<std::uint64_t>(definition.argument));
+  }
+  digest.add(definition.polynomial);
+  if (!definition.symbol) return;
+  digest.add(definition.symbol->name).add(static_cast<std::uint64_t>(definition.symbol->kind));
+  for (const ParameterContent& parameter : scene.content().parameters) {
+    if (parameter.symbol != definition.symbol || !parameter.value) continue;
+    digest.add(parameter_value(scene.content(), *parameter.value).to_string(Real::working_digits()));
+  }
+}
+
+std::optional<std::string> kept(const std::string& path) {
+  std::ifstream stream(path);
+  if (!stream) return std::nullopt;
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const std::size_t end = text.rfind("# digest ");
+  if (end == std::string::npos) return std::nullopt;
+  const std::string rows = text.substr(0, end);
+  if (text.substr(end) != fmt::format("# digest {:016x}\n", Fnv().add(rows).value())) return std::nullopt;
+  return rows;
+}
+
+}  // namespace
+
+std::uint64_t reference_digest(const Scene& scene, const ReferenceOptions& options) {
+  const WorkingDigits precision(options.digits + 15);
+  Fnv digest;
+  digest.add(method).add(static_cast<std::uint64_t>(options.digits)).add(scene.name());
+  digest.add(scene.command_line("reference"));
+  for (const std::string& time : options.times) digest.add(time);
+  for (const Real& value : initial_state(scene)) digest.add(value.to_string(options.digits + 10));
+
+  const LagrangeRoad road(scene);
+  const Model& model = road.equations().model();
+  std::vector<Value> values = road.forces();
+  const auto append = [&values](const std::vector<Value>& more) {
+    values.insert(values.end(), more.begin(), more.end());
+  };
+  append(road.operators_at_rest());
+  for (const std::vector<Value>& row : road.mass()) append(row);
+  for (const SymbolPointer& q : model.positions()) values.push_back(rate_of(model.program(), q));
+  for (const ConstraintRow& row : road.equations().constraints()) {
+    append(row.jacobian);
+    append(row.column);
+    values.push_back(row.gamma);
+  }
+  for (const Value& value : values) digest.add(value.polynomial());
+  for (const Atom atom : model.program().live(values)) {
+    add_definition(digest, scene, model.program()[atom], atom);
+  }
+  return digest.value();
+}
+
+std::string cached_reference_csv(const Scene& scene, const ReferenceOptions& options, const std::string& folder) {
+  const std::string path = fmt::format("{}/{}-{:016x}.csv", folder, scene.name(), reference_digest(scene, options));
+  if (const auto known = kept(path)) return *known;
+  const std::string text = reference_csv(scene, options);
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  write_file_if_changed(path, text + fmt::format("# digest {:016x}\n", Fnv().add(text).value()));
+  return text;
+}
+
+}  // namespace torsor

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/verification/reference_cache.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "tests/dynamics/simple_scenes.hpp"
+
+namespace torsor::reference_cache_test {
+namespace {
+
+using namespace testing_mechanisms;
+
+/// A block on a spring of that stiffness, starting half a metre from rest.
+Scene block(const char* stiffness, const char* start) {
+  Scene scene("block");
+  const Expression x = scene.coordinate("x", "m");
+  scene.body("block", scene.prismatic("slide", scene.ground(), axis::x, x), Inertia::point(kilograms("2")));
+  scene.spring("spring", x, Expression::quantity(stiffness, "N/m"), metres("1"));
+  scene.initial(x, metres(start));
+  return scene;
+}
+
+std::string read(const std::filesystem::path& path) {
+  std::ifstream stream(path);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST(ReferenceDigest, ChangesWithEveryPartOfTheQuestionOnly) {
+  const ReferenceOptions options{20, {"1", "2"}};
+  const std::uint64_t digest = reference_digest(block("4", "1.5"), options);
+  EXPECT_EQ(digest, reference_digest(block("4", "1.5"), options));
+  EXPECT_EQ(digest, reference_digest(block("4.0", "1.50"), options));
+  EXPECT_NE(digest, reference_digest(block("4.000001", "1.5"), options));
+  EXPECT_NE(digest, reference_digest(block("4", "1.500001"), options));
+  EXPECT_NE(digest, reference_digest(block("4", "1.5"), {21, {"1", "2"}}));
+  EXPECT_NE(digest, reference_digest(block("4", "1.5"), {20, {"1", "2.5"}}));
+  EXPECT_NE(digest, reference_digest(block("4", "1.5"), {20, {"12"}}));
+}
+
+TEST(ReferenceCache, KeepsWhatWasIntegratedAndDistrustsWhatWasChanged) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "torsor_reference_cache";
+  std::filesystem::remove_all(folder);
+  const ReferenceOptions options{20, {"1"}};
+  const std::string text = reference_csv(block("4", "1.5"), options);
+  EXPECT_EQ(cached_reference_csv(block("4", "1.5"), options, folder.string()), text);
+  ASSERT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
+  const std::filesystem::path file = std::filesystem::directory_iterator(folder)->path();
+  const std::string kept = read(file);
+  EXPECT_TRUE(kept.starts_with(text));
+
+  EXPECT_EQ(cached_reference_csv(block("4", "1.5"), options, folder.string()), text);
+  for (const std::string& damaged : {kept.substr(0, kept.size() / 2), "x" + kept}) {
+    std::ofstream(file) << damaged;
+    EXPECT_EQ(cached_reference_csv(block("4", "1.5"), options, folder.string()), text);
+    EXPECT_EQ(read(file), kept);
+  }
+  // It is the file that answers: one that is whole but of another question would be believed.
+  const std::string other = cached_reference_csv(block("5", "1.5"), options, folder.string());
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const auto replaced = std::filesystem::copy_options::overwrite_existing;
+    if (entry.path() != file) std::filesystem::copy_file(entry.path(), file, replaced);
+  }
+  EXPECT_NE(other, text);
+  EXPECT_EQ(cached_reference_csv(block("4", "1.5"), options, folder.string()), other);
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace torsor::reference_cache_test
