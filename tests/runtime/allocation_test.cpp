@@ -16,6 +16,7 @@ long eigen_complaints = 0;
 #include <vector>
 
 #include "runtime/dormand_prince_54.hpp"
+#include "runtime/dormand_prince_853.hpp"
 #include "runtime/events.hpp"
 #include "runtime/gauss_collocation.hpp"
 #include "runtime/linear_solve.hpp"
@@ -86,6 +87,7 @@ TEST(Allocations, AreNoneInAHundredThousandStepsOfEachMethod) {
   expect_none(Midpoint{.step = 1e-3}, 100.0, 100'000);
   expect_none(RungeKutta4{.step = 1e-3}, 100.0, 100'000);
   expect_none(DormandPrince54{.largest_step = 1e-3}, 100.0, 100'000);
+  expect_none(DormandPrince853{.largest_step = 1e-3, .compensated = true}, 100.0, 100'000);
   expect_none(StoermerVerlet{.step = 1e-3}, 100.0, 100'000);
 }
 
