@@ -2,16 +2,17 @@
 #include "benchmarks/work_precision/measure.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
+
+#include "benchmarks/work_precision/processor_time.hpp"
 
 namespace work_precision {
 namespace {
 
 double microseconds_of_run(Row& row) {
-  const auto start = std::chrono::steady_clock::now();
+  const double start = processor_seconds();
   row.outcome = row.way->run(row.setting);
-  return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+  return (processor_seconds() - start) * 1e6;
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ struct Row {
   const Way* way = nullptr;
   double setting = 0.0;
   Outcome outcome{};
-  double median = 0.0, lower = 0.0, upper = 0.0;  ///< µs of one run, and its quartiles
+  double median = 0.0, lower = 0.0, upper = 0.0;  ///< µs of the processor for one run, and its quartiles
 };
 
 /// Times all settings of all ways in turns, one run after the other: what else the machine does meets all alike. A run
