@@ -40,5 +40,8 @@ Problem double_pendulum_hard();
 Problem top();
 Problem hoop();
 Problem chain5();
+Problem governor();
+Problem elastic_pendulum();
+Problem squeezer();
 
 }  // namespace work_precision
