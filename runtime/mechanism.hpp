@@ -164,6 +164,51 @@ void normalise_quaternions(std::array<Scalar, coordinates_of<M> + velocities_of<
   }
 }
 
+/// Completes ∂(q', v')/∂(q, v), whose last rows hold ∂a/∂(virtual displacement) in the first nv columns and ∂a/∂v in the
+/// last: the rows of q' = N(q) v, and by displacements N⁺ δq. The columns of N are orthogonal: those of a quaternion are,
+/// and all others have one entry. N v is linear in the quaternions and independent of all other coordinates.
+template <MechanismModel M>
+void complete_jacobian(
+    const typename M::Precomputed& precomputed, const typename M::State& state,
+    std::array<ScalarOf<M>, std::tuple_size_v<StateVector<M>> * std::tuple_size_v<StateVector<M>>>& J) noexcept {
+  using Scalar = ScalarOf<M>;
+  constexpr std::size_t nq = coordinates_of<M>, nv = velocities_of<M>, n = nq + nv;
+  if constexpr (HasCoordinateRates<M>) {
+    std::array<std::array<Scalar, nq>, nv> N;
+    std::array<Scalar, nq> here, there;
+    M::coordinate_rates(precomputed, state, here);
+    for (std::size_t k = 0; k < nv; ++k) {
+      typename M::State unit = state;
+      for (std::size_t i = 0; i < nv; ++i) unit.v[static_cast<int>(i)] = Scalar(i == k ? 1 : 0);
+      M::coordinate_rates(precomputed, unit, N[k]);
+      for (std::size_t i = 0; i < nq; ++i) J[(nq + k) * n + i] = N[k][i];
+    }
+    std::array<Scalar, nv * nv> by_displacement;
+    for (std::size_t k = 0; k < nv; ++k) {
+      Scalar square = Scalar(0);
+      for (const Scalar& entry : N[k]) square += entry * entry;
+      for (std::size_t i = 0; i < nv; ++i) by_displacement[k * nv + i] = J[k * n + nq + i] / square;
+    }
+    for (std::size_t j = 0; j < nq; ++j) {
+      typename M::State moved = state;
+      moved.q[static_cast<int>(j)] += Scalar(1);
+      M::coordinate_rates(precomputed, moved, there);
+      for (std::size_t i = 0; i < nq; ++i) J[j * n + i] = there[i] - here[i];
+      for (std::size_t i = 0; i < nv; ++i) {
+        J[j * n + nq + i] = Scalar(0);
+        for (std::size_t k = 0; k < nv; ++k) J[j * n + nq + i] += by_displacement[k * nv + i] * N[k][j];
+      }
+    }
+  } else {
+    for (std::size_t j = 0; j < nv; ++j) {
+      for (std::size_t i = 0; i < nv; ++i) {
+        J[j * n + i] = Scalar(0);
+        J[(nv + j) * n + i] = Scalar(i == j ? 1 : 0);
+      }
+    }
+  }
+}
+
 /// The input law of a mechanism left to itself.
 template <MechanismModel M>
 struct NoInputs {
@@ -182,7 +227,7 @@ struct NoInputs {
 /// Returns the kernel's status; dydt is meaningful only when it is `ok`.
 template <HasForwardDynamics M, class InputLaw = NoInputs<M>>
 class EquationsOfMotion {
-  static constexpr std::size_t nv = velocities_of<M>;
+  static constexpr std::size_t nq = coordinates_of<M>, nv = velocities_of<M>, n = nq + nv;
 
  public:
   using Scalar = ScalarOf<M>;
@@ -212,35 +257,38 @@ class EquationsOfMotion {
     return to_evaluation(M::forward_dynamics(precomputed_, state, law_(state), a, lambda));
   }
 
-  /// ∂(q', v')/∂(q, v), column by column, from the generated derivatives: [[0, I], [∂a/∂q, ∂a/∂v]], where q' = v and no
-  /// input depends on the state. Without this the implicit methods take differences.
-  [[nodiscard]] Evaluation jacobian(const Scalar& t, const Vector& y, std::array<Scalar, 4 * nv * nv>& J) const noexcept
-      requires(!HasCoordinateRates<M> && std::same_as<InputLaw, NoInputs<M>> &&
-               (HasForwardDynamicsDerivatives<M> || (HasStateMatrix<M> && HasForwardDynamics<M>))) {
+  /// ∂(q', v')/∂(q, v), column by column, from the generated derivatives: [[0, I], [∂a/∂q, ∂a/∂v]] where q' = v, and where
+  /// q' = N(q) v, linear in a quaternion too, [[∂(N v)/∂q, N], [∂a/∂q N⁺, ∂a/∂v]]. Offered when no input depends on the
+  /// state; without it the implicit methods take differences.
+  [[nodiscard]] Evaluation jacobian(const Scalar& t, const Vector& y, std::array<Scalar, n * n>& J) const noexcept
+      requires(std::same_as<InputLaw, NoInputs<M>> && (HasForwardDynamicsDerivatives<M> || HasStateMatrix<M>)) {
     const typename M::State state = unpack<M>(t, y);
+    Evaluation evaluation = Evaluation::ok;
     if constexpr (HasForwardDynamicsDerivatives<M>) {
       typename M::ForwardDynamicsDerivatives by;
-      const Evaluation evaluation =
-          to_evaluation(M::forward_dynamics_derivatives(precomputed_, state, law_(state), by));
+      evaluation = to_evaluation(M::forward_dynamics_derivatives(precomputed_, state, law_(state), by));
       for (std::size_t j = 0; j < nv; ++j) {
         for (std::size_t i = 0; i < nv; ++i) {
-          J[j * 2 * nv + i] = Scalar(0);
-          J[(nv + j) * 2 * nv + i] = i == j ? Scalar(1) : Scalar(0);
-          J[j * 2 * nv + nv + i] = by.by_position[j * nv + i];
-          J[(nv + j) * 2 * nv + nv + i] = by.by_velocity[j * nv + i];
+          J[j * n + nq + i] = by.by_position[j * nv + i];
+          J[(nq + j) * n + nq + i] = by.by_velocity[j * nv + i];
         }
       }
-      return evaluation;
     } else {
       typename M::Accelerations a{};
       typename M::Multipliers lambda{};
-      const Evaluation evaluation = accelerations(state, a, lambda);
+      evaluation = accelerations(state, a, lambda);
       if (evaluation != Evaluation::ok) return evaluation;
       typename M::Linearisation linear;
-      const auto status = M::linearisation(precomputed_, state, a, lambda, law_(state), linear);
-      J = linear.A;
-      return to_evaluation(status);
+      evaluation = to_evaluation(M::linearisation(precomputed_, state, a, lambda, law_(state), linear));
+      for (std::size_t j = 0; j < nv; ++j) {
+        for (std::size_t i = 0; i < nv; ++i) {
+          J[j * n + nq + i] = linear.A[j * 2 * nv + nv + i];
+          J[(nq + j) * n + nq + i] = linear.A[(nv + j) * 2 * nv + nv + i];
+        }
+      }
     }
+    complete_jacobian<M>(precomputed_, state, J);
+    return evaluation;
   }
 
   /// Taylor coefficients of the motion through y: c[k] = y^(k)(t)/k! for k = 0..c.size() - 1, at most 30. Only with

@@ -12,6 +12,7 @@
 #include "generated/torque_free_body.hpp"
 #include "runtime/dormand_prince_853.hpp"
 #include "runtime/mechanism.hpp"
+#include "tests/runtime/static_mechanisms.hpp"
 
 namespace radau_iia_5_test {
 namespace {
@@ -271,6 +272,71 @@ TEST(RadauIia5, TurnsABodyByItsQuaternion) {
   ASSERT_TRUE(integrate(motion, y, 0, 10, with_tolerance(1e-9)));
   EXPECT_LT(largest_difference(y, truth), 1e-7);
   EXPECT_NEAR(y[0] * y[0] + y[1] * y[1] + y[2] * y[2] + y[3] * y[3], 1.0, 8 * 1.1e-16);
+}
+
+/// The body in two constant fields with forward dynamics (J = 1), q' = ½ q ω, and its linearisation by hand: a vector u
+/// of the ground, seen from the body, changes by u ∧ e when the body turns by e, so that a = (3 z_y, -3 z_x - x_z, x_y)
+/// has the derivatives below.
+struct TurningBody : mechanisms::HeldBody {
+  struct Linearisation {
+    std::array<double, 36> A;
+  };
+  static mechanisms::Status forward_dynamics(const Precomputed& p, const State& s, const Inputs&, Accelerations& a,
+                                             Multipliers& lambda) noexcept {
+    GeneralizedForces r{};
+    inverse_dynamics(p, s, {}, lambda, r);
+    for (int i = 0; i < 3; ++i) a[i] = -r[i];
+    return mechanisms::Status::ok;
+  }
+  static void coordinate_rates(const Precomputed&, const State& s, std::array<double, 4>& rates) noexcept {
+    const double w = s.q[0], x = s.q[1], y = s.q[2], z = s.q[3], p = s.v[0], q = s.v[1], r = s.v[2];
+    rates = {(-x * p - y * q - z * r) / 2, (w * p + y * r - z * q) / 2, (w * q + z * p - x * r) / 2,
+             (w * r + x * q - y * p) / 2};
+  }
+  static mechanisms::Status linearisation(const Precomputed&, const State& s, const Accelerations&, const Multipliers&,
+                                          const Inputs&, Linearisation& linear) noexcept {
+    const double w = s.q[0], x = s.q[1], y = s.q[2], z = s.q[3];
+    const std::array<double, 3> u{w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)};
+    const std::array<double, 3> v{2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z};
+    const std::array<double, 9> by_turn{3 * v[2], u[1], u[2], 0, 3 * v[2] - u[0], 0, -3 * v[0], -3 * v[1], -u[0]};
+    linear.A = {};
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t i = 0; i < 3; ++i) linear.A[j * 6 + 3 + i] = by_turn[j * 3 + i];
+    }
+    return mechanisms::Status::ok;
+  }
+};
+
+TEST(EquationsOfMotion, OfferTheJacobianByVirtualTurnsOfAQuaternion) {
+  const auto motion = equations_of_motion<TurningBody>();
+  static_assert(HasJacobian<decltype(motion), double, 7>);
+  std::array<double, 7> y{0.1, -0.7, 0.5, 0.5, 0.8, -1.1, 0.4};
+  std::array<double, 49> J;
+  ASSERT_EQ(motion.jacobian(0.0, y, J), Evaluation::ok);
+  const TurningBody::State state{0.0, {{y[0], y[1], y[2], y[3]}}, {}};
+  for (int k = 0; k < 6; ++k) {
+    // Along turns about the body's axes, and along its velocities; a quaternion's length is not the motion's business.
+    std::array<double, 7> direction{}, product{};
+    if (k < 3) {
+      TurningBody::State turning = state;
+      turning.v[k] = 1.0;
+      std::array<double, 4> rates;
+      TurningBody::coordinate_rates({}, turning, rates);
+      std::copy(rates.begin(), rates.end(), direction.begin());
+    } else {
+      direction[static_cast<std::size_t>(k) + 1] = 1.0;
+    }
+    std::array<double, 7> up = y, down = y, at_up, at_down;
+    for (std::size_t j = 0; j < 7; ++j) {
+      up[j] += 1e-5 * direction[j];
+      down[j] -= 1e-5 * direction[j];
+      for (std::size_t i = 0; i < 7; ++i) product[i] += J[j * 7 + i] * direction[j];
+    }
+    ASSERT_EQ(motion(0.0, up, at_up), Evaluation::ok);
+    ASSERT_EQ(motion(0.0, down, at_down), Evaluation::ok);
+    // Central differences of quadratic functions: roundings of 1e-16 times 10 over 2e-5 alone.
+    for (std::size_t i = 0; i < 7; ++i) EXPECT_NEAR(product[i], (at_up[i] - at_down[i]) / 2e-5, 1e-9) << k << " " << i;
+  }
 }
 
 TEST(RadauIia5, ReportsAJacobianThatIsNotFinite) {
