@@ -8,6 +8,7 @@
 #include "generator/dynamics/equations.hpp"
 #include "generator/expression/formula.hpp"
 #include "generator/verification/check.hpp"
+#include "generator/verification/pass_report.hpp"
 #include "generator/verification/verify.hpp"
 
 namespace torsor {
@@ -27,6 +28,9 @@ SceneCounts count_scene(const Scene& scene, const std::vector<std::string>& kern
 std::string counts_table(const std::vector<SceneCounts>& scenes);
 /// {"name", "kernels": {kernel: {...}}, "joint": {...}} for one scene, a list of those under "models" for several.
 std::string counts_json(const std::vector<SceneCounts>& scenes);
+
+std::string passes_table(const PassReport& report);
+std::string passes_json(const PassReport& report);
 
 std::string check_table(const std::string& scene, const std::vector<CheckResult>& results);
 std::string check_json(const std::string& scene, const std::vector<CheckResult>& results);

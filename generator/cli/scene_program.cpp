@@ -40,6 +40,7 @@ struct Request {
   std::string output = "-";
   std::string run_time;
   std::string forward = "cheapest";
+  std::string without;
   std::vector<std::string> about;
   std::vector<std::string> times;
   std::vector<std::string> actions, bodies;
@@ -102,6 +103,7 @@ void check_times(const std::vector<std::string>& times) {
 ModelOptions model_options(const Scene& scene, const Request& request) {
   ModelOptions options;
   options.forward = forward_method(request.forward);
+  options.passes = passes_without(request.without);
   if (request.run_time == "all") {
     options.all_run_time = true;
     return options;
@@ -160,6 +162,13 @@ int counts(const Scene& scene, const Request& request) {
   const SceneCounts counted = count_scene(scene, parse_kernel_list(request.kernels), model_options(scene, request));
   write(request.output, request.json ? counts_json({counted}) : counts_table({counted}));
   return 0;
+}
+
+int passes(const Scene& scene, const Request& request) {
+  const PassReport report = report_passes(scene, parse_kernel_list(request.kernels), model_options(scene, request),
+                                          {request.digits, request.verify_states, request.seed});
+  write(request.output, request.json ? passes_json(report) : passes_table(report));
+  return report.equal() ? 0 : check_failed;
 }
 
 int check(const Scene& scene, const Request& request) {
@@ -266,9 +275,22 @@ void declare(CLI::App& app, Request& request, Command& chosen, const SceneSource
     sub->add_option("--forward", request.forward,
                     "method of forward_dynamics: cheapest, factorisation or articulated_body")
         ->capture_default_str();
+    std::string passes;
+    for (const PassName& pass : pass_names()) passes += fmt::format("{}{}", passes.empty() ? "" : ", ", pass.name);
+    sub->add_option("--without", request.without, "passes to leave out, comma-separated: " + passes);
     return sub;
   };
   const auto with_json = [&](CLI::App* sub) { sub->add_flag("--json", request.json, "print JSON"); };
+  const auto with_states = [&](CLI::App* sub) {
+    sub->add_option("--digits", request.digits, "digits of CLN, more where the error depends on them")
+        ->capture_default_str()
+        ->check(CLI::Range(20, 1000));
+    sub->add_option("--states", request.verify_states, "number of states to begin with")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1000000));
+    sub->add_option("--seed", request.seed, "of the first state")->capture_default_str();
+    return sub;
+  };
 
   CLI::App* sub = add("equations", "print T, U, Lagrange's equations, constraints, linearisation", equations);
   sub->add_option("--format", request.format, "text or latex")->capture_default_str();
@@ -277,23 +299,19 @@ void declare(CLI::App& app, Request& request, Command& chosen, const SceneSource
   sub = with_kernels(add("generate", "write the specialised C++17 header", generate));
   sub->get_option("--output")->required()->description("file to write; - for the standard output");
   with_json(with_kernels(add("counts", "count the operations of the emitted kernels", counts)));
+  with_json(with_states(with_kernels(
+      add("passes", "tell what each pass saves, that it changes no result, and what it does to errors", passes))));
   sub = add("check", "compare independent derivations at random states", check);
   sub->add_option("--digits", request.digits, "digits of the comparison")
       ->capture_default_str()
       ->check(CLI::Range(20, 1000));
   sub->add_option("--states", request.states, "number of states")->capture_default_str()->check(CLI::Range(1, 1000000));
   with_json(sub);
-  sub = with_kernels(add("verify", "find the worst errors of the kernels in double and float, against CLN", verify));
-  sub->add_option("--digits", request.digits, "digits of CLN, more where the error depends on them")
-      ->capture_default_str()
-      ->check(CLI::Range(20, 1000));
-  sub->add_option("--states", request.verify_states, "number of states to begin with")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1000000));
+  sub = with_states(with_kernels(
+      add("verify", "find the worst errors of the kernels in double and float, against CLN", verify)));
   sub->add_option("--climbs", request.climbs, "searches for a worse state, for each group of results")
       ->capture_default_str()
       ->check(CLI::Range(0, 1000));
-  sub->add_option("--seed", request.seed, "of the first state")->capture_default_str();
   sub->add_option("--scalar", request.scalar, "double, float or both")
       ->capture_default_str()
       ->check(CLI::IsMember({"double", "float", "both"}));
@@ -358,7 +376,7 @@ int run_commands(int argc, const char* const* argv, const SceneSource& source) {
     const auto is_first_word = [argv](const CLI::App* command) { return command->get_name() == argv[1]; };
     if (argc > 1 && argv[1][0] != '-' && std::none_of(commands.begin(), commands.end(), is_first_word)) {
       return fail(
-          fmt::format("unknown command '{}': use equations, generate, counts, check, verify, reference, "
+          fmt::format("unknown command '{}': use equations, generate, counts, passes, check, verify, reference, "
                       "force-function, unknowns, theorem, statics, structure, graph or list; see --help",
                       argv[1]),
           bad_usage);

@@ -11,7 +11,7 @@ namespace torsor {
 
 Equations::Equations(const Scene& scene, const ModelOptions& options)
     : scene_(scene),
-      program_(std::make_unique<Program>(Model::resolver(scene_, options))),
+      program_(std::make_unique<Program>(Model::resolver(scene_, options), options.passes)),
       model_(scene_, *program_, options) {}
 
 const AppliedActions& Equations::actions() const {

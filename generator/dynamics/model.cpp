@@ -34,15 +34,19 @@ Program::Resolver Model::resolver(const Scene& scene, const ModelOptions& option
   };
 }
 
+ModelOptions as_given(ModelOptions options) {
+  options.passes.regrouping = options.passes.off_axis = options.passes.length_unit = false;
+  return options;
+}
+
 Model::Model(const Scene& scene, Program& program, const ModelOptions& options)
     : scene_(&scene.content()), program_(&program), options_(options) {
   add_coordinates();
   add_links();
   add_bodies();
   for (Link& link : links_) link.effective = link.off_axis = link.mass;
-  if (!options.regroup) return;
-  regroup_inertia(*this, links_);
-  choose_length_unit();
+  if (options.passes.regrouping) regroup_inertia(*this, links_);
+  if (options.passes.length_unit) choose_length_unit();
 }
 
 void Model::add_coordinates() {

@@ -25,8 +25,11 @@ struct ModelOptions {
   std::set<std::string> run_time;         ///< further parameters that stay symbols
   bool hold_released = true;              ///< released coordinates and their rates are zero; off: they are coordinates
   ForwardMethod forward = ForwardMethod::cheapest;
-  bool regroup = true;                    ///< move inertia across joints where it has the same effect (exact)
+  Passes passes{};                        ///< what makes kernels cheap
 };
+
+/// The same options with inertia and lengths left as the scene has them.
+ModelOptions as_given(ModelOptions options);
 
 /// Inertia of what is attached to one link: mass [kg], first moment h = m OG [kg m] and operator about the link's
 /// origin [kg m²], in the link's axes.

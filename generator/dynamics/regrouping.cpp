@@ -14,7 +14,7 @@ bool is_symmetric_about(const Matrix& inertia, int z) {
 
 void regroup(const Model& model, std::vector<Link>& links, MassProperties Link::*properties) {
   Program& program = model.program();
-  const bool whole_line = properties == &Link::off_axis;
+  const bool whole_line = properties == &Link::off_axis && model.options().passes.off_axis;
   for (std::size_t k = links.size(); k-- > 1;) {
     Link& link = links[k];
     MassProperties& own = link.*properties;

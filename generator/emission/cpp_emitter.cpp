@@ -113,7 +113,7 @@ void FunctionEmitter::define(Atom atom) {
   done_[static_cast<std::size_t>(atom)] = true;
   const Definition& definition = (*program_)[atom];
   if (definition.stage == Stage::generation) return define_constant(atom);
-  const Formula tree = formula(definition);
+  const Formula tree = formula(*program_, definition);
   operations_ += count(tree);
   statement(fmt::format("const Scalar {} = {};", local_name(*program_, atom), printer_.print(tree)), definition.name);
 }
@@ -188,7 +188,7 @@ void FunctionEmitter::define_constant(Atom atom) {
   const std::string name = local_name(*program_, atom);
   if (definition.symbol) return line(fmt::format("const Scalar {} = traits::pi();", name));
   if (!definition.function && definition.polynomial.is_constant()) {
-    return line(fmt::format("const Scalar {} = {};", name, printer_.print(formula(definition))));
+    return line(fmt::format("const Scalar {} = {};", name, printer_.print(formula(*program_, definition))));
   }
   const RoundedConstant rounded = rounded_constant(*program_, atom);
   line(fmt::format("const Scalar {} = traits::formula({}, {}, [&]() -> Scalar {{", name, literal(rounded.in_double),
@@ -198,7 +198,7 @@ void FunctionEmitter::define_constant(Atom atom) {
     line(fmt::format("  traits::sincos({}, sine, cosine);", local_name(*program_, definition.argument)));
     line(fmt::format("  return {};", definition.function == Function::sin ? "sine" : "cosine"));
   } else {
-    line(fmt::format("  return {};", printer_.print(formula(definition))));
+    line(fmt::format("  return {};", printer_.print(formula(*program_, definition))));
   }
   statement("});", definition.name);
 }
@@ -208,7 +208,7 @@ void FunctionEmitter::define_constant(Atom atom) {
 std::string FunctionEmitter::text_of(const Value& value, const std::string& target) {
   const auto [sum, negative] = without_sign(value.polynomial());
   const auto signed_name = [](const std::string& name, bool minus) { return minus ? "-" + name : name; };
-  const Formula tree = factored(sum);
+  const Formula tree = formula(*program_, sum);
   const OperationCount cost = count(tree);
   if (cost.total() > 0) {
     if (const auto place = ready_ != nullptr ? ready_->find(sum) : std::nullopt) {
@@ -226,7 +226,7 @@ std::string FunctionEmitter::text_of(const Value& value, const std::string& targ
 
 std::string FunctionEmitter::text(const Polynomial& sum) {
   const auto [positive, negative] = without_sign(sum);
-  const Formula tree = factored(positive);
+  const Formula tree = formula(*program_, positive);
   if (const auto place = ready_ != nullptr ? ready_->find(positive) : std::nullopt) {
     reads_ready_ = true;
     return fmt::format("{}{}{}", negative ? "-" : "", ready_prefix_, *place);

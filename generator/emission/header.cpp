@@ -155,9 +155,7 @@ std::string emit_header(const Equations& equations, const std::vector<Kernel>& k
     provenance.operations.push_back({"precompute", precompute.operations, std::nullopt});
   }
   // Before: no inertia moved across joints, no factoring, nothing done once for a set of parameters.
-  ModelOptions plain = options.model;
-  plain.regroup = false;
-  const Equations unoptimised(scene, plain);
+  const Equations unoptimised(scene, as_given(options.model));
   std::vector<std::string> functions;
   for (std::size_t k = 0; k < present.size(); ++k) {
     FunctionText function = kernel_function(program, present[k], schedule.kernels[k], schedule.results, structures);

@@ -72,6 +72,11 @@ std::string regeneration_command(const Provenance& provenance) {
   }
   if (provenance.options.forward == ForwardMethod::factorisation) command += " --forward factorisation";
   if (provenance.options.forward == ForwardMethod::articulated_body) command += " --forward articulated_body";
+  std::string without;
+  for (const PassName& pass : pass_names()) {
+    if (!(provenance.options.passes.*(pass.on))) without += (without.empty() ? " --without " : ",") + std::string(pass.name);
+  }
+  command += without;
   return command + fmt::format(" --output {}.hpp", scene);
 }
 

@@ -84,7 +84,7 @@ Schedule make_schedule(const Program& program, const std::vector<Kernel>& kernel
     std::vector<Polynomial> roots;
     for (const Value& value : kernel.values()) {
       auto [sum, negative] = without_sign(value.polynomial());
-      const bool once = stage_of(program, sum) == Stage::parameters && count(factored(sum)).total() > 0;
+      const bool once = stage_of(program, sum) == Stage::parameters && count(formula(program, sum)).total() > 0;
       if (once)
         schedule.results.add(sum);
       else

@@ -39,7 +39,7 @@ class Evaluator {
   Scalar operator()(const Value& value) {
     grow();
     const std::optional<Atom> atom = value.atom();
-    return atom ? of_atom(*atom) : of_formula(factored(value.polynomial()));
+    return atom ? of_atom(*atom) : of_formula(formula(*program_, value.polynomial()));
   }
 
   /// All of them, in order.
@@ -117,7 +117,7 @@ class Evaluator {
     } else if (const auto fixed = fixed_.find(atom); fixed != fixed_.end()) {
       known_[index] = fixed->second;
     } else {
-      if (!formulas_[index]) formulas_[index] = formula(definition);
+      if (!formulas_[index]) formulas_[index] = formula(*program_, definition);
       known_[index] = of_formula(*formulas_[index]);
     }
     return *known_[index];

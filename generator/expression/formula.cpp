@@ -145,11 +145,16 @@ Formula expanded(const Polynomial& polynomial) {
   for (const Term& term : polynomial.terms()) {
     append(sum, of_term(term.monomial, term.coefficient.abs()), term.coefficient.sign() < 0);
   }
+  if (sum.children.size() == 1 && !sum.negative[0]) return sum.children[0];
   return sum;
 }
 
-Formula formula(const Definition& definition) {
-  if (!definition.function) return factored(definition.polynomial);
+Formula formula(const Program& program, const Polynomial& sum) {
+  return program.passes().factoring ? factored(sum) : expanded(sum);
+}
+
+Formula formula(const Program& program, const Definition& definition) {
+  if (!definition.function) return formula(program, definition.polynomial);
   Formula call;
   call.kind = Formula::Kind::function;
   call.function = *definition.function;
@@ -211,7 +216,7 @@ OperationCount count_live(const Program& program, const std::vector<Value>& outp
       }
       continue;
     }
-    total += count(definition.function ? formula(definition) : shape(definition.polynomial));
+    total += count(definition.function ? formula(program, definition) : shape(definition.polynomial));
   }
   std::vector<Polynomial> seen;
   for (const Value& output : outputs) {
@@ -232,7 +237,7 @@ OperationCount count(const Program& program, const std::vector<Value>& outputs, 
     if (stage == Stage::generation) return false;
     return (stage == Stage::parameters) == (occasion == Occasion::parameters);
   };
-  return count_live(program, outputs, belongs, factored);
+  return count_live(program, outputs, belongs, [&](const Polynomial& sum) { return formula(program, sum); });
 }
 
 OperationCount count_unoptimised(const Program& program, const std::vector<Value>& outputs) {

@@ -30,8 +30,11 @@ Formula factored(const Polynomial& polynomial);
 /// The same sum term by term, nothing taken out.
 Formula expanded(const Polynomial& polynomial);
 
+/// A sum as the program's passes have it: factored or not.
+Formula formula(const Program& program, const Polynomial& sum);
+
 /// The right-hand side of a definition (not of a symbol).
-Formula formula(const Definition& definition);
+Formula formula(const Program& program, const Definition& definition);
 
 /// Operation counts under the project's rules: additions and subtractions, multiplications (xⁿ its multiplications),
 /// divisions and square roots 1, a sine-cosine pair 2, other functions 1; sign changes and copies nothing.

@@ -28,7 +28,7 @@ Stage stage_of_symbol(SymbolKind kind) {
 
 }  // namespace
 
-Program::Program(Resolver resolver) : resolver_(std::move(resolver)) {}
+Program::Program(Resolver resolver, const Passes& passes) : resolver_(std::move(resolver)), passes_(passes) {}
 
 Atom Program::append(Definition definition) {
   definitions_.push_back(std::move(definition));
@@ -53,6 +53,7 @@ Value Program::symbol(const SymbolPointer& symbol) {
   definition.symbol = symbol;
   definition.unit = symbol->unit;
   definition.stage = stage_of_symbol(symbol->kind);
+  if (!passes_.hoisting && definition.stage == Stage::parameters) definition.stage = Stage::configuration;
   const Atom atom = append(std::move(definition));
   symbols_.emplace(symbol.get(), atom);
   return atom_value(atom);
@@ -100,8 +101,9 @@ Value Program::bind(const Value& value, const std::string& name) {
   Polynomial positive = polynomial;
   if (negative) positive *= Number(-1);
   std::vector<Atom>& bucket = sums_[positive.hash()];
-  const auto known =
-      std::find_if(bucket.begin(), bucket.end(), [&](Atom atom) { return (*this)[atom].polynomial == positive; });
+  const auto known = std::find_if(bucket.begin(), bucket.end(), [&](Atom atom) {
+    return passes_.sharing && (*this)[atom].polynomial == positive;
+  });
   Atom atom = -1;
   if (known != bucket.end()) {
     atom = *known;
@@ -244,6 +246,7 @@ std::vector<Atom> Program::live(const std::vector<Value>& outputs) const {
 }
 
 void Program::simplify(Polynomial& polynomial) const {
+  if (!passes_.identities) return;
   for (bool changed = true; changed;) {
     changed = false;
     for (const Term& term : polynomial.terms()) {

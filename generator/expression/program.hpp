@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "generator/expression/expression.hpp"
+#include "generator/expression/passes.hpp"
 #include "generator/expression/polynomial.hpp"
 #include "generator/expression/symbol.hpp"
 #include "generator/expression/unit.hpp"
@@ -76,7 +77,7 @@ class Program {
   /// Returns nothing for a symbol that stays.
   using Resolver = std::function<std::optional<Expression>(const SymbolPointer&)>;
 
-  explicit Program(Resolver resolver = {});
+  explicit Program(Resolver resolver = {}, const Passes& passes = {});
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
@@ -94,6 +95,7 @@ class Program {
   Value cos(const Value& angle) { return apply(Function::cos, angle); }
   Value sqrt(const Value& x) { return apply(Function::sqrt, x); }
 
+  const Passes& passes() const { return passes_; }
   std::size_t size() const { return definitions_.size(); }
   const Definition& operator[](Atom atom) const { return definitions_[static_cast<std::size_t>(atom)]; }
   std::optional<Atom> find(const SymbolPointer& symbol) const;
@@ -113,6 +115,7 @@ class Program {
   Stage stage_of(const Polynomial& polynomial) const;
 
   Resolver resolver_;
+  Passes passes_;
   std::vector<Definition> definitions_;
   std::unordered_map<const Symbol*, Atom> symbols_;
   std::unordered_map<std::size_t, std::vector<Atom>> sums_;  ///< by hash of the polynomial

@@ -12,8 +12,7 @@ ModelOptions symbolic(bool hold_released) {
   ModelOptions options;
   options.symbolic_parameters = true;
   options.hold_released = hold_released;
-  options.regroup = false;
-  return options;
+  return as_given(std::move(options));
 }
 
 GiNaC::ex partial(const GiNaC::ex& expression, const GiNaC::ex& symbol) {

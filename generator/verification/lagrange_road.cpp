@@ -7,8 +7,7 @@ namespace torsor {
 
 ModelOptions LagrangeRoad::adapted(ModelOptions options) {
   options.hold_released = false;
-  options.regroup = false;
-  return options;
+  return as_given(std::move(options));
 }
 
 LagrangeRoad::LagrangeRoad(const Scene& scene, ModelOptions options)

@@ -29,10 +29,8 @@ double distance(const std::vector<Real>& x, const std::vector<Real>& y) {
 
 TEST_P(RandomEquations, AreTheSameWithAndWithoutRegroupedInertia) {
   const Scene scene = random_mechanism(GetParam());
-  ModelOptions as_given;
-  as_given.regroup = false;
   const Equations regrouped(scene);
-  const Equations plain(scene, as_given);
+  const Equations plain(scene, as_given({}));
   const RandomState state(scene, 5);
   Evaluator<Real> first(regrouped.program(), state.in_real());
   Evaluator<Real> second(plain.program(), state.in_real());

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/verification/pass_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "generator/emission/kernel.hpp"
+#include "generator/verification/random_state.hpp"
+#include "generator/verification/verify.hpp"
+
+namespace torsor {
+namespace {
+
+/// The kernels of a scene under one choice of passes.
+struct Variant {
+  Variant(const Scene& scene, const std::vector<std::string>& names, const ModelOptions& options)
+      : equations(scene, options) {
+    for (const std::string& name : names) {
+      Kernel kernel = make_kernel(name, equations);
+      if (kernel.skipped.empty() && !kernel.series) kernels.push_back(std::move(kernel));
+    }
+  }
+
+  int operations(std::size_t k) const { return count(equations.program(), kernels[k].values()).total(); }
+
+  Equations equations;
+  std::vector<Kernel> kernels;
+};
+
+/// Of the results of one kernel, unit by unit: numbers of different units have no common norm.
+double difference(const Kernel& kernel, const Kernel& other, Evaluator<Real>& first, Evaluator<Real>& second) {
+  std::map<std::string, std::pair<Real, Real>> sums;  // by unit: squares of differences, of results
+  for (std::size_t i = 0; i < kernel.assignments.size(); ++i) {
+    const Real x = first(kernel.assignments[i].value), y = second(other.assignments[i].value);
+    auto& [apart, size] = sums.try_emplace(kernel.assignments[i].value.unit().to_string(), Real(0), Real(0)).first->second;
+    apart += (x - y) * (x - y);
+    size += x * x;
+  }
+  double worst = 0;
+  for (const auto& [unit, sum] : sums) {
+    if (!sum.first.is_zero()) worst = std::max(worst, std::sqrt((sum.first / sum.second).to_double()));
+  }
+  return worst;
+}
+
+std::map<std::string, double> worst_errors(const Scene& scene, const ModelOptions& model,
+                                           const std::vector<std::string>& kernels, const PassReportOptions& report) {
+  VerifyOptions options;
+  options.model = model;
+  options.kernels = kernels;
+  options.precisions = {Precision::in_double};
+  options.digits = report.digits;
+  options.states = report.states;
+  options.seed = report.seed;
+  options.climbs = 0;
+  std::map<std::string, double> worst;
+  for (const VerifyRow& row : verify_scene(scene, options)) {
+    double& known = worst[row.kernel];
+    known = std::max(known, row.worst.scaled);
+  }
+  return worst;
+}
+
+/// A kernel whose results all vanish has no errors.
+double error_of(const std::map<std::string, double>& errors, const std::string& kernel) {
+  const auto place = errors.find(kernel);
+  return place == errors.end() ? 0 : place->second;
+}
+
+}  // namespace
+
+bool PassReport::equal() const {
+  const double allowed = std::pow(10.0, -2.0 * digits / 3);
+  for (const KernelPasses& kernel : kernels) {
+    for (const PassEffect& effect : kernel.without) {
+      if (!(effect.difference <= allowed)) return false;
+    }
+  }
+  return true;
+}
+
+PassReport report_passes(const Scene& scene, const std::vector<std::string>& names, const ModelOptions& options,
+                         const PassReportOptions& asked) {
+  const WorkingDigits precision(asked.digits + 10);
+  PassReport report{scene.name(), {}, {}, asked.digits};
+  const Variant whole(scene, names, options);
+  std::vector<std::string> present;
+  for (const Kernel& kernel : whole.kernels) present.push_back(kernel.name);
+  const auto errors = worst_errors(scene, options, present, asked);
+  for (std::size_t k = 0; k < present.size(); ++k) {
+    report.kernels.push_back({present[k], {whole.operations(k), 0, error_of(errors, present[k])}, {}});
+  }
+  const RandomState state(scene, asked.seed);
+  Evaluator<Real> exact(whole.equations.program(), state.in_real());
+  for (const PassName& pass : pass_names()) {
+    if (!(options.passes.*(pass.on))) continue;
+    report.passes.emplace_back(pass.name);
+    ModelOptions fewer = options;
+    fewer.passes.*(pass.on) = false;
+    const Variant variant(scene, present, fewer);
+    const auto errors_without = worst_errors(scene, fewer, present, asked);
+    Evaluator<Real> other(variant.equations.program(), state.in_real());
+    for (std::size_t k = 0; k < present.size(); ++k) {
+      report.kernels[k].without.push_back({variant.operations(k),
+                                           difference(whole.kernels[k], variant.kernels[k], exact, other),
+                                           error_of(errors_without, present[k])});
+    }
+  }
+  return report;
+}
+
+}  // namespace torsor

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/verification/pass_report.hpp"
+
+#include <gtest/gtest.h>
+
+#include "generator/emission/kernel.hpp"
+#include "generator/expression/error.hpp"
+#include "tests/dynamics/random_mechanism.hpp"
+
+namespace torsor::pass_report_test {
+namespace {
+
+using testing_mechanisms::random_mechanism;
+
+int operations(const Equations& equations) {
+  return count(equations.program(), make_kernel("inverse_dynamics", equations).values()).total();
+}
+
+TEST(Passes, LeavesOutThoseOfAList) {
+  const Passes passes = passes_without("factoring,length_unit");
+  EXPECT_FALSE(passes.factoring);
+  EXPECT_FALSE(passes.length_unit);
+  EXPECT_TRUE(passes.sharing);
+  EXPECT_TRUE(passes_without("").factoring);
+}
+
+TEST(Passes, RefusesAnUnknownOneAndListsTheKnownOnes) {
+  try {
+    passes_without("sharing,magic");
+    FAIL() << "no error";
+  } catch (const UsageError& error) {
+    EXPECT_NE(std::string(error.what()).find("'magic'"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("off_axis"), std::string::npos) << error.what();
+  }
+}
+
+// cos(b) (p + q) with p + q known twice: sharing saves an addition, factoring a multiplication.
+TEST(Passes, OfAProgramSaveWhatTheySay) {
+  const auto total = [](const Passes& passes) {
+    Program program({}, passes);
+    const auto symbol = [](const char* name, int index) {
+      return std::make_shared<const Symbol>(Symbol{name, Unit(), SymbolKind::coordinate, index, {}});
+    };
+    const Value p = program.symbol(symbol("p", 0)), q = program.symbol(symbol("q", 1)), r = program.symbol(symbol("r", 2));
+    const Value first = program.bind(p + q), second = program.bind(p + q);
+    return count(program, {first * r, second * q, p * r + q * r}).total();
+  };
+  Passes passes;
+  const int all = total(passes);
+  passes.sharing = false;
+  EXPECT_EQ(total(passes), all + 1);
+  passes.sharing = true;
+  passes.factoring = false;
+  EXPECT_EQ(total(passes), all + 1);
+}
+
+TEST(PassReport, FindsThatNoPassChangesAResultOfRandomMechanisms) {
+  for (unsigned seed = 900; seed < 906; ++seed) {
+    const Scene scene = random_mechanism(seed);
+    const PassReport report = report_passes(scene, {"mass_matrix", "inverse_dynamics", "energy"}, {}, {.states = 2});
+    ASSERT_EQ(report.passes.size(), pass_names().size());
+    EXPECT_TRUE(report.equal()) << "seed " << seed;
+    for (const KernelPasses& kernel : report.kernels) {
+      // Factoring and sharing never cost anything; what moves inertia may, for one kernel.
+      EXPECT_GE(kernel.without[0].operations, kernel.all.operations) << kernel.kernel << " of seed " << seed;
+      EXPECT_GE(kernel.without[2].operations, kernel.all.operations) << kernel.kernel << " of seed " << seed;
+    }
+  }
+}
+
+TEST(PassReport, TellsResultsThatDiffer) {
+  PassReport report{"scene", {"sharing"}, {{"energy", {}, {{1, 1e-40, 0}}}}, 50};
+  EXPECT_TRUE(report.equal());
+  report.kernels[0].without[0].difference = 1e-30;
+  EXPECT_FALSE(report.equal());
+}
+
+TEST(PassReport, CountsWhatEquationsWithoutThePassCount) {
+  const Scene scene = random_mechanism(910);
+  const PassReport report = report_passes(scene, {"inverse_dynamics"}, {}, {.states = 1});
+  ModelOptions options;
+  EXPECT_EQ(report.kernels[0].all.operations, operations(Equations(scene, options)));
+  options.passes.regrouping = false;
+  EXPECT_EQ(report.kernels[0].without[4].operations, operations(Equations(scene, options)));
+}
+
+}  // namespace
+}  // namespace torsor::pass_report_test
