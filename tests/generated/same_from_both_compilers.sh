@@ -5,12 +5,12 @@
 set -euo pipefail
 first="$1" second="$2"
 shift 2
-kernels="kinematics mass_matrix bias inverse_dynamics forward_dynamics energy first_integrals constraints reactions linearisation"
-kernels="$kernels inverse_dynamics_derivatives forward_dynamics_derivatives regressor"
 compared=0 different=0
 differ() { echo "$1 differs"; different=$((different + 1)); }
 for program in "$@"; do
   [ -x "$first/$program" ] || { echo "$first/$program is not there: build the preset release first"; exit 77; }
+  # The kernels that the scene has: the last part of the list, without those that are absent.
+  kernels="$("$first/$program" list | sed -n '/^kernels /,$p' | sed 's/^kernels//' | grep -v '(absent' | tr -d ' ')"
   for kernel in $kernels; do
     "$first/$program" generate --kernels "$kernel" --output - > /tmp/first.$$ 2> /dev/null
     "$second/$program" generate --kernels "$kernel" --output - > /tmp/second.$$ 2> /dev/null

@@ -55,7 +55,7 @@ TEST(Passes, OfAProgramSaveWhatTheySay) {
 }
 
 TEST(PassReport, FindsThatNoPassChangesAResultOfRandomMechanisms) {
-  for (unsigned seed = 900; seed < 906; ++seed) {
+  for (unsigned seed = 900; seed < 903; ++seed) {
     const Scene scene = random_mechanism(seed);
     const PassReport report = report_passes(scene, {"mass_matrix", "inverse_dynamics", "energy"}, {}, {.states = 2});
     ASSERT_EQ(report.passes.size(), pass_names().size());
