@@ -87,6 +87,8 @@ inline std::string script_of(const Plot& plot, const std::filesystem::path& pict
   script += "set output picture\nset datafile separator ','\nset grid\n";
   script += "set title " + for_gnuplot(plot.title) + "\n";
   script += "set xlabel " + for_gnuplot(plot.x_title) + "\nset ylabel " + for_gnuplot(plot.y_title) + "\n";
+  // A long key would hide the curves.
+  if (plot.curves.size() > 6) script += "set key below\n";
   if (plot.log_x) script += "set logscale x\nset format x '%.0e'\n";
   if (plot.log_y) script += "set logscale y\nset format y '%.0e'\n";
   script += "plot ";
