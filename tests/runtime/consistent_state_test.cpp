@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "runtime/consistent_state.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "tests/runtime/closed_loops.hpp"
+
+namespace consistent_state_test {
+namespace {
+
+using namespace torsor::runtime;
+using Pendulum = mechanisms::CartesianPendulum<double>;
+using FourBar = mechanisms::CrankLoop<mechanisms::FourBar>;
+using ThreeCranks = mechanisms::CrankLoop<mechanisms::ThreeEqualCranksSmallSwing>;
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// The other crank and the coupler of the four-bar for an angle of the first crank, by the cosine rule.
+std::array<double, 3> four_bar(double theta) {
+  const double x = 0.3 * std::sin(theta), y = -0.3 * std::cos(theta), dx = 1 - x, dy = -y;
+  const double d = std::sqrt(dx * dx + dy * dy);
+  const double psi = std::atan2(dy, dx) - std::acos((0.81 + d * d - 0.64) / (2 * 0.9 * d));
+  return {theta, std::atan2(x + 0.9 * std::cos(psi) - 1, -y - 0.9 * std::sin(psi)), psi};
+}
+
+TEST(ConsistentState, FindsTheRestFromOneFixedCrank) {
+  StateWishes<FourBar> wishes;
+  wishes.position_fixed[0] = wishes.velocity_fixed[0] = true;
+  const auto near = four_bar(1.0);
+  StateVector<FourBar> y{1.3, near[1], near[2], 2.0, 0.0, 0.0};
+  const auto found = find_consistent_state<FourBar>(FourBar::precompute({}), 0.0, y, wishes);
+  ASSERT_TRUE(found) << describe(found);
+  const auto exact = four_bar(1.3), up = four_bar(1.3 + 1e-5), down = four_bar(1.3 - 1e-5);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(y[i], exact[i], 16 * epsilon);
+    EXPECT_NEAR(y[3 + i], 2.0 * (up[i] - down[i]) / 2e-5, 1e-9);  // rounding of the difference quotient, and its h²
+  }
+  EXPECT_EQ(y[0], 1.3);
+  EXPECT_EQ(y[3], 2.0);
+  EXPECT_EQ(found.free_positions, 0);
+  EXPECT_EQ(found.free_velocities, 0);
+}
+
+TEST(ConsistentState, SaysWhichFixedValuesConflictAndByHowMuch) {
+  // Both cranks fixed so that their ends are d apart, the coupler is 0.9: at best it points from one to the other.
+  StateWishes<FourBar> wishes;
+  wishes.position_fixed[0] = wishes.position_fixed[1] = true;
+  const StateVector<FourBar> start{1.0, 0.2, 0.1, 0.0, 0.0, 0.0};
+  StateVector<FourBar> y = start;
+  const auto found = find_consistent_state<FourBar>(FourBar::precompute({}), 0.0, y, wishes);
+  EXPECT_EQ(found.status, ConsistencyStatus::positions_conflict);
+  EXPECT_EQ(y, start);
+  const double dx = 1 + 0.8 * std::sin(0.2) - 0.3 * std::sin(1.0), dy = -0.8 * std::cos(0.2) + 0.3 * std::cos(1.0);
+  // Least squares of both rows, each over its own size, hence near the distance itself.
+  EXPECT_NEAR(std::hypot(found.left[0], found.left[1]), std::abs(std::hypot(dx, dy) - 0.9), 0.05);
+  EXPECT_EQ(found.position_involved, (std::array<bool, 3>{true, true, false}));
+  EXPECT_NE(describe(found).find("let go of a fixed position among 0, 1"), std::string::npos) << describe(found);
+}
+
+TEST(ConsistentState, SaysWhichFixedVelocitiesConflict) {
+  StateWishes<Pendulum> wishes;
+  wishes.velocity_fixed = {true, true};
+  StateVector<Pendulum> y{0.6, -0.8, 1.0, 1.0};
+  const auto found = find_consistent_state<Pendulum>(Pendulum::precompute({}), 0.0, y, wishes);
+  EXPECT_EQ(found.status, ConsistencyStatus::velocities_conflict);
+  EXPECT_EQ(found.constraint, 0);
+  EXPECT_NEAR(found.left[0], 0.6 - 0.8, 4 * epsilon);
+  EXPECT_EQ(found.velocity_involved, (std::array<bool, 2>{true, true}));
+  wishes.velocity_fixed[1] = false;
+  ASSERT_TRUE(find_consistent_state<Pendulum>(Pendulum::precompute({}), 0.0, y, wishes));
+  EXPECT_EQ(y[2], 1.0);
+  EXPECT_NEAR(y[3], 0.75, 4 * epsilon);
+}
+
+TEST(ConsistentState, IsTheNearestByTheWeights) {
+  // From (2, 1) to the unit circle with weights 1 and 3: (x - 2, 9 (y - 1)) is along the gradient (x, y).
+  StateWishes<Pendulum> wishes;
+  wishes.position_weight = {1.0, 3.0};
+  StateVector<Pendulum> y{2.0, 1.0, 0.0, 0.0};
+  const auto found = find_consistent_state<Pendulum>(Pendulum::precompute({}), 0.0, y, wishes);
+  ASSERT_TRUE(found) << describe(found);
+  EXPECT_NEAR(y[0] * y[0] + y[1] * y[1], 1.0, 4 * epsilon);
+  // Found to the square root of rounding: the sum of squares is least there.
+  EXPECT_NEAR((y[0] - 2) * y[1] - 9 * (y[1] - 1) * y[0], 0.0, 1e-6);
+  EXPECT_EQ(found.free_positions, 1);
+  EXPECT_EQ(found.free_velocities, 1);
+}
+
+TEST(ConsistentState, CountsRedundantConstraintsOnce) {
+  StateWishes<ThreeCranks> wishes;
+  wishes.position_fixed[1] = true;
+  StateVector<ThreeCranks> y{0.9, 1.0, 1.2, 0.05, 0.3, 0.0, 0.0, 0.0};
+  const auto found = find_consistent_state<ThreeCranks>(ThreeCranks::precompute({}), 0.0, y, wishes);
+  ASSERT_TRUE(found) << describe(found);
+  EXPECT_EQ(found.free_positions, 0);
+  EXPECT_EQ(found.free_velocities, 1);
+  for (const std::size_t k : {0U, 1U, 2U}) EXPECT_NEAR(y[k], 1.0, 1e-12);
+  EXPECT_NEAR(y[3], 0.0, 1e-12);
+}
+
+TEST(ConsistentState, ReportsWhatIsNoNumber) {
+  StateVector<Pendulum> y{std::numeric_limits<double>::quiet_NaN(), 1.0, 0.0, 0.0};
+  EXPECT_EQ(find_consistent_state<Pendulum>(Pendulum::precompute({}), 0.0, y).status, ConsistencyStatus::not_finite);
+}
+
+}  // namespace
+}  // namespace consistent_state_test
