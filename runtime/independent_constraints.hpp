@@ -71,6 +71,12 @@ class IndependentConstraints {
   [[nodiscard]] int rank() const noexcept { return rank_; }
   /// What the others leave of the last one kept, over the largest constraint, 0 to 1; small near a change point.
   [[nodiscard]] Scalar least_share() const noexcept { return rank_ > 0 ? R_(rank_ - 1, rank_ - 1) : Scalar(1); }
+  /// Content of the parallelepiped that the independent rows of A span, in the metric of M⁻¹.
+  [[nodiscard]] Scalar content() const noexcept {
+    Scalar product = Scalar(1);
+    for (int k = 0; k < rank_; ++k) product *= R_(k, k) / over_;
+    return product;
+  }
   /// Which constraint is the k-th in order of independence; those from rank() on repeat others.
   [[nodiscard]] int constraint(int k) const noexcept { return order_[static_cast<std::size_t>(k)]; }
 

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "runtime/partitioned_motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "runtime/constrained_motion.hpp"
+#include "runtime/dormand_prince_853.hpp"
+#include "tests/runtime/closed_loops.hpp"
+
+namespace partitioned_motion_test {
+namespace {
+
+using namespace torsor::runtime;
+using Pendulum = mechanisms::CartesianPendulum<double>;
+using ThreeCranks = mechanisms::CrankLoop<mechanisms::ThreeEqualCranksSmallSwing>;
+constexpr DormandPrince853 precise{.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12};
+
+TEST(PartitionedMotion, ChangesCoordinatesWhereThePendulumTurnsFromOneToTheOther) {
+  // x determines y below the pivot, y determines x beside it: from (-1, 0) both must serve in turn. Closed form of A01.
+  const std::array<double, 4> exact{-0.275087462576116860054391449254, -0.961419205099125064265135068597,
+                                    4.17559810095172883646051950627, -1.19474905456047527164747276163};
+  const auto motion = equations_of_motion<Pendulum>();
+  auto y = motion.initial();
+  double worst = 0.0;
+  const auto result = integrate_partitioned<1>(motion, y, 0, 10, precise, [&](double, const StateVector<Pendulum>& s) {
+    worst = std::max(worst, std::abs(s[0] * s[0] + s[1] * s[1] - 1));
+  });
+  ASSERT_TRUE(result) << describe(result.integration);
+  EXPECT_GE(result.switches, 2 * 8);  // two each half period of 1.18 s
+  EXPECT_LT(worst, 4e-15);
+  // 10 s at speeds to 5, a motion that amplifies ten times, and dependent coordinates that do so up to four times.
+  const double tolerance = 1e-12 * 10 * 5 * 10 * 4;
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(y[i], exact[i], tolerance);
+}
+
+TEST(PartitionedMotion, KeepsRedundantLoopsClosed) {
+  const auto motion = constrained_motion<ThreeCranks>();
+  auto y = motion.initial();
+  const double before = ThreeCranks::energy(unpack<ThreeCranks>(0.0, y));
+  ASSERT_TRUE(integrate_partitioned<1>(motion, y, 0, 5, precise));
+  EXPECT_NEAR(y[1], y[0], 1e-14);
+  EXPECT_NEAR(y[2], y[0], 1e-14);
+  EXPECT_NEAR(ThreeCranks::energy(unpack<ThreeCranks>(0.0, y)), before, 1e-12 * 5 * 35 * 10);  // J, over 5 s
+  auto z = motion.initial();
+  EXPECT_EQ((integrate_partitioned<2>(motion, z, 0, 1, precise).integration.status),
+            IntegrationStatus::unsuitable_model);
+}
+
+}  // namespace
+}  // namespace partitioned_motion_test
