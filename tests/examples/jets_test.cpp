@@ -81,6 +81,18 @@ TEST(Jets, BeginWithTheRatesOfForwardDynamics) {
   for (std::size_t i = 0; i < 10; ++i) EXPECT_NEAR(c[1][i], rates[i], 1e-14 * (1 + std::abs(rates[i]))) << i;
 }
 
+// More orders than the kernel keeps room for are refused; the state alone is an order too.
+TEST(Jets, OfTheRuntimeHaveOrdersFrom0To30) {
+  const auto motion = equations_of_motion<double_pendulum::Mechanism<double>>();
+  const auto y = motion.initial();
+  std::array<StateVector<double_pendulum::Mechanism<double>>, 32> c{};
+  EXPECT_EQ(motion.jets(0.0, y, c), Evaluation::not_finite);
+  EXPECT_EQ(motion.jets(0.0, y, std::span(c).first(31)), Evaluation::ok);
+  c[0] = {};
+  EXPECT_EQ(motion.jets(0.0, y, std::span(c).first(1)), Evaluation::ok);
+  EXPECT_EQ(c[0], y);
+}
+
 TEST(Jets, ReportStatesThatAreNotFinite) {
   const auto motion = equations_of_motion<double_pendulum::Mechanism<double>>();
   auto y = motion.initial();
