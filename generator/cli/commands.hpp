@@ -42,6 +42,9 @@ struct VerifyLayout {
 };
 
 std::string verify_table(const std::string& scene, const std::vector<VerifyRow>& rows, const VerifyLayout& layout);
+/// One row of the table in docs/accuracy.md: groups, those within the bar, those proved by balls, and for each format the
+/// worst scaled error with its kernel.
+std::string verify_markdown(const std::string& scene, const std::vector<VerifyRow>& rows);
 std::string verify_json(const std::string& scene, const std::vector<VerifyRow>& rows);
 
 /// What the scene contains and which kernels it offers.

@@ -56,12 +56,14 @@ struct Request {
   int states = 20;
   int verify_states = 64;
   int climbs = 2;
+  int range = double_states.large;
   std::uint64_t seed = 1;
   std::string scalar = "both";
   std::string exceptions;
   std::string cache;
   bool every_group = false;
   bool with_states = false;
+  bool markdown = false;
   bool json = false;
   bool document = false;
 };
@@ -192,12 +194,15 @@ int verify(const Scene& scene, const Request& request) {
   options.states = request.verify_states;
   options.climbs = request.climbs;
   options.seed = request.seed;
+  options.range = request.range;
   if (request.scalar == "double") options.precisions = {Precision::in_double};
   if (request.scalar == "float") options.precisions = {Precision::in_float};
   if (!request.exceptions.empty()) options.exceptions = parse_accuracy_exceptions(file_text(request.exceptions));
   const std::vector<VerifyRow> rows = verify_scene(scene, options);
-  write(request.output, request.json ? verify_json(scene.name(), rows)
-                                     : verify_table(scene.name(), rows, {request.every_group, request.with_states}));
+  std::string text = verify_table(scene.name(), rows, {request.every_group, request.with_states});
+  if (request.json) text = verify_json(scene.name(), rows);
+  if (request.markdown) text = verify_markdown(scene.name(), rows);
+  write(request.output, text);
   return std::all_of(rows.begin(), rows.end(), [](const VerifyRow& row) { return row.passed(); }) ? 0 : check_failed;
 }
 
@@ -312,12 +317,16 @@ void declare(CLI::App& app, Request& request, Command& chosen, const SceneSource
   sub->add_option("--climbs", request.climbs, "searches for a worse state, for each group of results")
       ->capture_default_str()
       ->check(CLI::Range(0, 1000));
+  sub->add_option("--range", request.range, "sizes of states go up to 2^±RANGE, in float to 2^±10 at most")
+      ->capture_default_str()
+      ->check(CLI::Range(4, double_states.large));
   sub->add_option("--scalar", request.scalar, "double, float or both")
       ->capture_default_str()
       ->check(CLI::IsMember({"double", "float", "both"}));
   sub->add_option("--exceptions", request.exceptions,
                   "file of groups that may exceed the bar: scene | kernel | group | scalar | limit | reason");
   sub->add_flag("--all", request.every_group, "every group of results, not the worst of each kernel only");
+  sub->add_flag("--markdown", request.markdown, "print one row of the table in docs/accuracy.md");
   sub->add_flag("--show-states", request.with_states, "print the state of each row");
   with_json(sub);
   sub = add("reference", "integrate the motion in high precision by an independent road", reference);

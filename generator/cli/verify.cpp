@@ -11,7 +11,10 @@
 namespace torsor {
 namespace {
 
-std::string figure(double value) { return value < 1e5 ? fmt::format("{:.2f}", value) : fmt::format("{:.1e}", value); }
+std::string figure(double value) {
+  if (value > 1e17) return ">1e17";  // no digit is right
+  return value < 1e5 ? fmt::format("{:.2f}", value) : fmt::format("{:.1e}", value);
+}
 
 const char* verdict(const VerifyRow& row) {
   if (!row.bounded()) return "BOUND";
@@ -59,6 +62,30 @@ std::string verify_table(const std::string& scene, const std::vector<VerifyRow>&
   if (Ball::available()) {
     text += fmt::format("; balls enclose the exact results of {}",
                         counted([](const VerifyRow& row) { return row.worst.enclosed; }));
+  }
+  return text + "\n";
+}
+
+std::string verify_markdown(const std::string& scene, const std::vector<VerifyRow>& rows) {
+  const auto counted = [&](auto belongs) { return std::count_if(rows.begin(), rows.end(), belongs); };
+  const auto within = [](const VerifyRow& row) { return row.worst.scaled <= accuracy_bar; };
+  std::string text =
+      fmt::format("| {} | {} | {} | {} |", scene, rows.size(), counted(within),
+                  counted([](const VerifyRow& row) { return row.worst.enclosed; }));
+  for (const char* scalar : {"double", "float"}) {
+    std::string excepted, worst;
+    double largest = 0;
+    for (const VerifyRow& row : worst_of_kernels(rows)) {
+      if (row.scalar != scalar) continue;
+      const std::string entry = fmt::format("{} {}", row.kernel, figure(row.worst.scaled));
+      if (!within(row)) {
+        excepted += (excepted.empty() ? "" : ", ") + entry;
+      } else if (row.worst.scaled >= largest) {
+        largest = row.worst.scaled;
+        worst = entry;
+      }
+    }
+    text += fmt::format(" {} | {} |", worst, excepted.empty() ? "" : excepted);
   }
   return text + "\n";
 }

@@ -14,7 +14,7 @@ namespace torsor {
 /// The formats in which a state can be given exactly, and how far it may go there.
 struct StateFormat {
   int mantissa_bits = 53;
-  int large = 26;  ///< numbers grow and shrink up to 2^±large: squares of rates stay far from overflow
+  int large = 26;  ///< numbers grow and shrink up to 2^±large, at least 4: squares of rates stay far from overflow
 };
 inline constexpr StateFormat double_states{53, 26};
 inline constexpr StateFormat float_states{24, 10};

@@ -52,7 +52,9 @@ class Search {
  public:
   Search(const Scene& scene, const VerifyOptions& options, Precision precision, KernelAccuracy& accuracy)
       : scene_(scene), options_(options), format_(precision == Precision::in_double ? double_states : float_states),
-        accuracy_(accuracy), records_(accuracy.groups().size()) {}
+        accuracy_(accuracy), records_(accuracy.groups().size()) {
+    format_.large = std::min(format_.large, options.range);
+  }
 
   std::vector<Record> run() {
     for (int s = 0; s < options_.states; ++s) {

@@ -28,6 +28,7 @@ struct VerifyOptions {
   int states = 64;
   int climbs = 2;  ///< searches for a worse state, for each group
   std::uint64_t seed = 1;
+  int range = double_states.large;  ///< sizes go up to 2^±range, in float no further than it can
   std::vector<AccuracyException> exceptions{};
 };
 
