@@ -3,260 +3,95 @@
 
 #include <algorithm>
 
+#include "generator/dynamics/virtual_power.hpp"
+
 namespace torsor {
 namespace {
 
-/// (moment, resultant) = [J H; Hᵀ M] (angular, linear acceleration) + bias: how a subtree answers at a link's origin.
-struct Articulated {
-  Matrix angular;   ///< J, symmetric
-  Matrix coupling;  ///< H
-  Matrix linear;    ///< M, symmetric
-  Wrench bias;
-};
-
-Matrix cross_matrix(const Vector& v) {
-  Matrix m;
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3;
-    const int k = (i + 2) % 3;
-    m(i, j) = -v[k];
-    m(i, k) = v[j];
-  }
-  return m;
-}
-
-Matrix sum(Program& program, const Matrix& a, const Matrix& b) {
-  Matrix result;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) result(i, j) = program.bind(a(i, j) + b(i, j));
-  }
-  return result;
-}
-
-/// Accelerations of a link without what q̈ of its own joint adds.
-struct Motion {
-  Vector angular, linear;
-};
+std::size_t unknown_of(const Link& link) { return static_cast<std::size_t>(link.partials[0].first); }
 
 class Recursion {
  public:
-  Recursion(const Model& model, const std::vector<Value>& efforts, const std::map<int, Wrench>& wrenches)
-      : model_(model), program_(model.program()), links_(model.links()), efforts_(efforts), wrenches_(wrenches) {}
+  Recursion(const Model& model, const std::vector<Value>& efforts) : model_(model), efforts_(efforts) {}
 
-  ForwardSolution solve() {
-    const std::size_t n = links_.size();
-    drift_.resize(n);
-    joints_.resize(n);
-    gather_velocities();
-    bodies_.resize(n);
-    for (std::size_t k = 1; k < n; ++k) bodies_[k] = rigid(k);
-    for (std::size_t k = n; k-- > 1;) eliminate(k);
-    solution_.method = "the articulated-body recursion";
-    return accelerate();
+  ArticulatedMotion run(const std::map<int, Wrench>& wrenches, MassProperties Link::*properties) {
+    const std::vector<Axes> axes(links_.size(), Axes::own);
+    motion_.at_rest = accelerations(model_, AccelerationInput::zero, axes);
+    motion_.bodies = articulated_bodies(model_);
+    motion_.asked.resize(links_.size());
+    efforts_by_pivot_.resize(links_.size());
+    for (std::size_t k = links_.size(); k-- > 1;) {
+      const int without_line = properties == &Link::off_axis ? links_[k].without_line : -1;
+      Wrench own = screw_less_gravity(program_, motion_.at_rest[k], links_[k].*properties, without_line);
+      if (const auto wrench = wrenches.find(static_cast<int>(k)); wrench != wrenches.end()) {
+        const Wrench applied = model_.over_length(wrench->second);
+        own.resultant += -applied.resultant;
+        own.moment += -applied.moment;
+      }
+      ask(k, own);
+    }
+    accelerate();
+    return std::move(motion_);
   }
 
  private:
-  /// What elimination of a joint leaves for the way back: q̈ = (u − U · A) / d.
-  struct Joint {
-    Vector moment, resultant;  ///< U
-    Value inverse;             ///< 1/d
-    Value effort;              ///< u
-  };
-
-  bool is_unknown(std::size_t k) const { return !links_[k].partials.empty(); }
-
-  void gather_velocities() {
-    omega_.resize(links_.size());
-    Vector carried;  // Ω of the parent of a quaternion's links, in their axes
-    for (std::size_t k = 1; k < links_.size(); ++k) {
-      const Link& link = links_[k];
-      const Vector& parent = omega_[static_cast<std::size_t>(link.parent)];
-      Vector omega = model_.from_parent(link, parent);
-      const Vector origin = bound(program_, model_.arm(link));
-      Acceleration turning(program_, link.name, parent, Vector(), Vector());  // U of the parent at zero Ω̇
-      Vector linear = turning.u_times(origin);
-      if (link.joint == JointKind::prismatic) {
-        const Vector axis = model_.axis_in_parent(link);
-        linear += Number(2) * link.rate * cross(parent, axis);
-        if (!is_unknown(k)) linear += link.acceleration * axis;
-      }
-      Vector angular;
-      if (link.joint == JointKind::revolute) {
-        if (link.in_group == 0) carried = omega;
-        angular = link.rate * cross(carried, link.axis);
-        if (!is_unknown(k)) angular += link.acceleration * link.axis;
-        omega += link.rate * link.axis;
-      }
-      drift_[k].angular = bound(program_, angular);
-      drift_[k].linear = model_.from_parent(link, bound(program_, linear));
-      omega_[k] = bound(program_, omega, "angular velocity of " + link.name);
-    }
-  }
-
-  /// One link by itself: bias {Ω ∧ (Ω ∧ h), Ω ∧ J Ω} minus what is applied to it.
-  Articulated rigid(std::size_t k) {
-    const MassProperties& body = links_[k].effective;
-    Articulated own;
-    own.angular = body.inertia;
-    own.coupling = cross_matrix(body.first_moment);
-    for (int i = 0; i < 3; ++i) own.linear(i, i) = body.mass;
-    Acceleration turning(program_, links_[k].name, omega_[k], Vector(), Vector());
-    own.bias.resultant = turning.u_times(body.first_moment);
-    const Matrix& j = body.inertia;
-    for (int x = 0; x < 3; ++x) {
-      const int y = (x + 1) % 3;
-      const int z = (x + 2) % 3;
-      Value& n = own.bias.moment[x];
-      const Value difference = program_.bind(j(z, z) - j(y, y));
-      if (!difference.is_zero()) n += difference * turning.product(y, z);
-      if (!j(x, y).is_zero()) n -= j(x, y) * turning.product(x, z);
-      if (!j(x, z).is_zero()) n += j(x, z) * turning.product(x, y);
-      if (!j(y, z).is_zero()) {
-        const Value square = turning.product(y, y);
-        const Value spread = program_.bind(square - turning.product(z, z));
-        n += j(y, z) * spread;
-      }
-    }
-    if (const auto wrench = wrenches_.find(static_cast<int>(k)); wrench != wrenches_.end()) {
-      const Wrench applied = model_.over_length(wrench->second);
-      own.bias.resultant += -applied.resultant;
-      own.bias.moment += -applied.moment;
-    }
-    own.bias.resultant = bound(program_, own.bias.resultant);
-    own.bias.moment = bound(program_, own.bias.moment);
-    return own;
-  }
-
-  /// Takes the joint of link k out of its subtree's answer and hands that to the parent.
-  void eliminate(std::size_t k) {
+  /// The wrench of link k and of those that it carries, less what its joint gives way to.
+  void ask(std::size_t k, const Wrench& own) {
     const Link& link = links_[k];
-    Articulated& body = bodies_[k];
-    Joint& joint = joints_[k];
-    if (is_unknown(k)) {
-      const bool revolute = link.joint == JointKind::revolute;
-      joint.moment = bound(program_, (revolute ? body.angular : body.coupling) * link.axis);
-      joint.resultant = bound(program_, (revolute ? transpose(body.coupling) : body.linear) * link.axis);
-      const Value pivot = program_.bind(dot(link.axis, revolute ? joint.moment : joint.resultant), "pivot");
-      solution_.pivots.emplace_back(pivot, pivot);
-      joint.inverse = program_.bind(pow(pivot, -1));
-      const auto unknown = static_cast<std::size_t>(link.partials[0].first);
-      joint.effort =
-          program_.bind(efforts_[unknown] - dot(link.axis, revolute ? body.bias.moment : body.bias.resultant));
-      if (link.parent == 0) return;
-      subtract(body, joint, link.aligned, revolute);
-    }
+    Wrench& wrench = motion_.asked[k];  // holds the sum over those that it carries
+    wrench.resultant = bound(program_, wrench.resultant + own.resultant);
+    wrench.moment = bound(program_, wrench.moment + own.moment);
+    if (is_free(link)) give_way(k, wrench);
     if (link.parent == 0) return;
-    // Bias of the subtree: what the drift accelerations need, and what the effort gives.
-    const Motion& drift = drift_[k];
-    Wrench bias = body.bias;
-    bias.moment += body.angular * drift.angular;
-    bias.moment += body.coupling * drift.linear;
-    bias.resultant += transpose(body.coupling) * drift.angular;
-    bias.resultant += body.linear * drift.linear;
-    if (is_unknown(k)) {
-      const Value unit = program_.bind(joint.inverse * joint.effort);
-      bias.moment += unit * joint.moment;
-      bias.resultant += unit * joint.resultant;
-    }
-    bias.moment = bound(program_, bias.moment);
-    bias.resultant = bound(program_, bias.resultant);
-    hand_over(k, bias);
-  }
-
-  /// I − U Uᵀ/d. Along an aligned axis the row of the joint vanishes exactly and is left out.
-  void subtract(Articulated& body, const Joint& joint, int aligned, bool revolute) {
-    const auto vanishes = [&](int i, bool moment_row) { return i == aligned && moment_row == revolute; };
-    Vector moment_by_d, resultant_by_d;
-    for (int i = 0; i < 3; ++i) {
-      if (!vanishes(i, true)) moment_by_d[i] = program_.bind(joint.moment[i] * joint.inverse);
-      if (!vanishes(i, false)) resultant_by_d[i] = program_.bind(joint.resultant[i] * joint.inverse);
-    }
-    const auto reduced = [&](const Value& entry, const Value& row, const Value& column, bool zero) {
-      return zero ? Value() : program_.bind(entry - row * column);
-    };
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) {
-        const bool zero_h = vanishes(i, true) || vanishes(j, false);
-        body.coupling(i, j) = reduced(body.coupling(i, j), moment_by_d[i], joint.resultant[j], zero_h);
-        if (j > i) continue;
-        const bool zero_j = vanishes(i, true) || vanishes(j, true);
-        const bool zero_m = vanishes(i, false) || vanishes(j, false);
-        body.angular(i, j) = body.angular(j, i) = reduced(body.angular(i, j), moment_by_d[i], joint.moment[j], zero_j);
-        body.linear(i, j) = body.linear(j, i) =
-            reduced(body.linear(i, j), resultant_by_d[i], joint.resultant[j], zero_m);
-      }
-    }
-  }
-
-  void hand_over(std::size_t k, const Wrench& bias) {
-    const Link& link = links_[k];
-    const Articulated& body = bodies_[k];
-    Articulated& parent = bodies_[static_cast<std::size_t>(link.parent)];
+    Wrench& carrier = motion_.asked[static_cast<std::size_t>(link.parent)];
+    const Vector force = model_.to_parent(link, wrench.resultant);
     const Vector origin = bound(program_, model_.arm(link));
-    const Matrix arm = cross_matrix(origin);
-    const Matrix angular = model_.to_parent(link, body.angular);
-    const Matrix coupling = model_.to_parent(link, body.coupling);
-    const Matrix linear = model_.to_parent(link, body.linear);
-    // Moved by r: H + [r] M, and J − H [r] + [r] (H + [r] M)ᵀ.
-    const Matrix moved = sum(program_, coupling, arm * linear);
-    const Matrix left = coupling * arm;
-    const Matrix right = arm * transpose(moved);
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j <= i; ++j) {
-        Value entry = angular(i, j) - left(i, j);
-        entry += right(i, j);
-        parent.angular(i, j) = parent.angular(j, i) = program_.bind(parent.angular(i, j) + program_.bind(entry));
-      }
-    }
-    parent.coupling = sum(program_, parent.coupling, moved);
-    parent.linear = sum(program_, parent.linear, linear);
-    const Vector force = model_.to_parent(link, bias.resultant);
-    parent.bias.resultant = bound(program_, parent.bias.resultant + force);
-    Vector moment = model_.to_parent(link, bias.moment);
-    moment += cross(origin, force);
-    parent.bias.moment = bound(program_, parent.bias.moment + moment);
+    carrier.resultant += force;
+    carrier.moment += model_.to_parent(link, wrench.moment);
+    carrier.moment += cross(origin, force);
   }
 
-  ForwardSolution accelerate() {
-    solution_.accelerations.resize(static_cast<std::size_t>(model_.unknown_count()));
-    std::vector<Motion> motion(links_.size());
-    motion[0].linear = model_.upward_gravity();
+  /// p + g u, with u = effort − s · p: along an aligned axis that is the effort.
+  void give_way(std::size_t k, Wrench& wrench) {
+    const Link& link = links_[k];
+    const ArticulatedJoint& joint = motion_.bodies.joints[k];
+    motion_.solution.pivots.emplace_back(joint.pivot, joint.pivot);
+    const Value& effort = efforts_[unknown_of(link)];
+    const bool revolute = link.joint == JointKind::revolute;
+    const Value rest = program_.bind(effort - dot(link.axis, revolute ? wrench.moment : wrench.resultant));
+    efforts_by_pivot_[k] = program_.bind(joint.inverse * rest);
+    for (const bool turning : {true, false}) {
+      for (int i = 0; i < 3; ++i) {
+        Value& entry = turning ? wrench.moment[i] : wrench.resultant[i];
+        const Value& gain = turning ? joint.gain.moment[i] : joint.gain.resultant[i];
+        entry = is_along_joint(link, i, turning) ? effort * link.axis[i] : program_.bind(entry + gain * rest);
+      }
+    }
+  }
+
+  void accelerate() {
+    ForwardSolution& solution = motion_.solution;
+    solution.method = "the articulated-body recursion";
+    solution.accelerations.resize(static_cast<std::size_t>(model_.unknown_count()));
+    motion_.before.resize(links_.size());
+    motion_.added.resize(links_.size());
     for (std::size_t k = 1; k < links_.size(); ++k) {
       const Link& link = links_[k];
-      const Motion& parent = motion[static_cast<std::size_t>(link.parent)];
-      const Vector origin = bound(program_, model_.arm(link));
-      const Vector carried = bound(program_, parent.linear + cross(parent.angular, origin));
-      Motion own;
-      own.angular = model_.from_parent(link, parent.angular);
-      own.linear = model_.from_parent(link, carried);
-      own.angular = bound(program_, own.angular + drift_[k].angular);
-      own.linear = bound(program_, own.linear + drift_[k].linear);
-      if (is_unknown(k)) {
-        const Joint& joint = joints_[k];
-        Value rest = joint.effort;
-        rest -= dot(joint.moment, own.angular);
-        rest -= dot(joint.resultant, own.linear);
-        const Value acceleration =
-            program_.bind(joint.inverse * program_.bind(rest), "acceleration of joint " + link.name);
-        solution_.accelerations[static_cast<std::size_t>(link.partials[0].first)] = acceleration;
-        Vector& moved = link.joint == JointKind::revolute ? own.angular : own.linear;
-        moved = bound(program_, moved + acceleration * link.axis);
-      }
-      motion[k] = own;
+      motion_.before[k] = from_carrier(model_, link, motion_.added[static_cast<std::size_t>(link.parent)]);
+      motion_.added[k] = motion_.before[k];
+      if (!is_free(link)) continue;
+      const Value acceleration = joint_acceleration(program_, link, motion_.bodies.joints[k], efforts_by_pivot_[k],
+                                                    motion_.before[k], motion_.added[k]);
+      solution.accelerations[unknown_of(link)] = program_.bind(acceleration, "acceleration of joint " + link.name);
     }
-    return std::move(solution_);
   }
 
   const Model& model_;
-  Program& program_;
-  const std::vector<Link>& links_;
+  Program& program_ = model_.program();
+  const std::vector<Link>& links_ = model_.links();
   const std::vector<Value>& efforts_;
-  const std::map<int, Wrench>& wrenches_;
-  std::vector<Vector> omega_;
-  std::vector<Motion> drift_;
-  std::vector<Articulated> bodies_;
-  std::vector<Joint> joints_;
-  ForwardSolution solution_;
+  std::vector<Value> efforts_by_pivot_;
+  ArticulatedMotion motion_;
 };
 
 }  // namespace
@@ -278,9 +113,48 @@ bool has_simple_joints(const Model& model) {
   return std::all_of(uses.begin(), uses.end(), [](int use) { return use == 1; });
 }
 
+AccelerationChange from_carrier(const Model& model, const Link& link, const AccelerationChange& carrier) {
+  Program& program = model.program();
+  const Vector origin = bound(program, model.arm(link));
+  const Vector carried = bound(program, carrier.linear + cross(carrier.angular, origin));
+  AccelerationChange own;
+  own.angular = model.from_parent(link, carrier.angular);
+  own.linear = model.from_parent(link, carried);
+  return own;
+}
+
+Value joint_acceleration(Program& program, const Link& link, const ArticulatedJoint& joint, const Value& effort,
+                         const AccelerationChange& before, AccelerationChange& after) {
+  const bool revolute = link.joint == JointKind::revolute;
+  after = before;
+  if (link.aligned < 0) {
+    Value rest = effort - dot(joint.gain.moment, before.angular);
+    rest -= dot(joint.gain.resultant, before.linear);
+    const Value acceleration = program.bind(rest);
+    Vector& moved = revolute ? after.angular : after.linear;
+    moved = bound(program, moved + acceleration * link.axis);
+    return acceleration;
+  }
+  Value along = effort;  // of the link's matter, along the axis of the joint
+  for (int i = 0; i < 3; ++i) {
+    if (!is_along_joint(link, i, true)) along -= joint.gain.moment[i] * before.angular[i];
+    if (!is_along_joint(link, i, false)) along -= joint.gain.resultant[i] * before.linear[i];
+  }
+  along = program.bind(along);
+  const Value& own_before = (revolute ? before.angular : before.linear)[link.aligned];
+  const Value sense = link.axis[link.aligned];
+  (revolute ? after.angular : after.linear)[link.aligned] = sense * along;
+  return program.bind(along - sense * own_before);
+}
+
+ArticulatedMotion articulated_motion(const Model& model, const std::vector<Value>& efforts,
+                                     const std::map<int, Wrench>& wrenches, MassProperties Link::*properties) {
+  return Recursion(model, efforts).run(wrenches, properties);
+}
+
 ForwardSolution articulated_forward(const Model& model, const std::vector<Value>& efforts,
                                     const std::map<int, Wrench>& wrenches) {
-  return Recursion(model, efforts, wrenches).solve();
+  return articulated_motion(model, efforts, wrenches, &Link::off_axis).solution;
 }
 
 }  // namespace torsor

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <map>
-#include <optional>
 #include <vector>
 
+#include "generator/dynamics/articulated_bodies.hpp"
 #include "generator/dynamics/forward_dynamics.hpp"
 #include "generator/dynamics/motion.hpp"
 
@@ -14,10 +14,34 @@ namespace torsor {
 /// the recursion below needs.
 bool has_simple_joints(const Model& model);
 
+/// What the recursion finds, by link, in its axes.
+struct ArticulatedMotion {
+  std::vector<Acceleration> at_rest;       ///< accelerations at q̈ = 0, gravity included
+  ArticulatedBodies bodies;
+  std::vector<Wrench> asked;               ///< wrench that a link asks of its carrier at q̈ = 0 there, its own joints free
+  std::vector<AccelerationChange> before;  ///< what q̈ of the joints before adds to `at_rest`
+  std::vector<AccelerationChange> added;   ///< the same with the link's own joint
+  ForwardSolution solution;
+};
+
 /// Accelerations by the articulated-body recursion (Featherstone, Rigid Body Dynamics Algorithms, 2008, §7.3), linear in
-/// the number of joints, written with the classical acceleration of each link's origin. `efforts`: for every unknown the
-/// generalised force of everything but inertia, gravity and the wrenches. No constraints.
+/// the number of joints, written with the classical acceleration of each link's origin. The motion at q̈ = 0 is taken
+/// out first: each link by itself asks for its wrench there, which costs less than what its articulated body would.
+/// `efforts`: for every unknown the generalised force of everything but inertia, gravity and the wrenches. No
+/// constraints. `properties`: which of the equivalent inertias ask (Link::effective for those of the articulated bodies).
+ArticulatedMotion articulated_motion(const Model& model, const std::vector<Value>& efforts,
+                                     const std::map<int, Wrench>& wrenches, MassProperties Link::*properties);
+
+/// The accelerations alone, with the inertias that cost least.
 ForwardSolution articulated_forward(const Model& model, const std::vector<Value>& efforts,
                                     const std::map<int, Wrench>& wrenches);
+
+/// Of a link before its own joint moves, when its carrier's accelerations change.
+AccelerationChange from_carrier(const Model& model, const Link& link, const AccelerationChange& carrier);
+
+/// q̈ = effort − g · A; the link then has A + q̈ s. `effort` is u/d. An aligned component of the sum is what the link's
+/// matter does, effort − Σ of the others, and q̈ its difference from before: a product less.
+Value joint_acceleration(Program& program, const Link& link, const ArticulatedJoint& joint, const Value& effort,
+                         const AccelerationChange& before, AccelerationChange& after);
 
 }  // namespace torsor

@@ -94,10 +94,10 @@ const ForwardSolution& Equations::forward() const {
     recursive = articulated_forward(model_, efforts, actions().wrenches);
   }
   if (method == ForwardMethod::articulated_body) return *(forward_ = std::move(recursive));
-  ForwardSolution factored = forward_by_factorisation();
+  const ForwardSolution& factored = forward_by_factorisation();
   const auto cost = [this](const ForwardSolution& s) { return count(*program_, s.accelerations).total(); };
   if (recursive && cost(*recursive) < cost(factored)) return *(forward_ = std::move(recursive));
-  return *(forward_ = std::move(factored));
+  return *(forward_ = factored);
 }
 
 Value Equations::power() const {
@@ -139,12 +139,13 @@ ForwardSolution Equations::solve(const std::vector<Value>& force, const std::vec
   return solution;
 }
 
-ForwardSolution Equations::forward_by_factorisation() const {
+const ForwardSolution& Equations::forward_by_factorisation() const {
+  if (factored_) return *factored_;
   std::vector<Value> force = of_inputs();
   for (std::size_t i = 0; i < force.size(); ++i) force[i] = program_->bind(force[i] - bias()[i]);
   std::vector<Value> gamma;
   for (const ConstraintRow& row : constraints()) gamma.push_back(row.gamma);
-  return solve(force, gamma);
+  return *(factored_ = solve(force, gamma));
 }
 
 }  // namespace torsor

@@ -33,6 +33,8 @@ class Equations {
   /// Unknowns only: L D Lᵀ of the mass matrix or the articulated-body recursion, whichever has fewer operations or the
   /// options ask for.
   const ForwardSolution& forward() const;
+  /// The same by L D Lᵀ, whatever it costs: for those who solve with it further.
+  const ForwardSolution& forward_by_factorisation() const;
   std::vector<Value> of_inputs() const;                  ///< (E u)_i, unknowns only
   /// Solves M a = force + B λ, A a + γ = 0 by factorisation, γ for every constraint; multipliers of constraints that
   /// repeat others are zero.
@@ -44,7 +46,6 @@ class Equations {
  private:
   std::vector<Value> inertia_and_passive(AccelerationInput input) const;
   const MotionSolver& solver() const;
-  ForwardSolution forward_by_factorisation() const;
 
   Scene scene_;
   std::unique_ptr<Program> program_;
@@ -55,7 +56,7 @@ class Equations {
   mutable std::optional<ValueMatrix> mass_;
   mutable std::optional<std::vector<Value>> bias_, inverse_;
   mutable std::optional<MotionSolver> solver_;
-  mutable std::optional<ForwardSolution> forward_;
+  mutable std::optional<ForwardSolution> forward_, factored_;
 };
 
 }  // namespace torsor

@@ -2,9 +2,13 @@
 #include "generator/dynamics/forward_derivatives.hpp"
 
 #include <algorithm>
+#include <optional>
 
+#include "generator/dynamics/articulated_bodies.hpp"
+#include "generator/dynamics/articulated_derivatives.hpp"
 #include "generator/dynamics/linearisation.hpp"
 #include "generator/expression/derivative.hpp"
+#include "generator/expression/formula.hpp"
 
 namespace torsor {
 namespace {
@@ -19,7 +23,7 @@ class DifferentiatedMotion {
         m_(equations.constraints().size()) {}
 
   ForwardDerivatives run() {
-    const ForwardSolution& motion = equations_.forward();
+    const ForwardSolution& motion = equations_.forward_by_factorisation();
     Substitution at_motion(program_, [&](const SymbolPointer& symbol) -> std::optional<Value> {
       for (std::size_t i = 0; i < n_; ++i) {
         if (symbol == model_.coordinates()[i].a) return motion.accelerations[i];
@@ -99,13 +103,7 @@ class DifferentiatedMotion {
   void solve(const std::vector<Value>& force, const std::vector<Value>& gamma,
              ValueMatrix ForwardDerivatives::Of::*matrix, std::size_t column) {
     const ForwardSolution change = equations_.solve(force, gamma);
-    if (result_.pivots.empty()) {
-      result_.pivots = change.pivots;
-      const ForwardSolution& motion = equations_.forward();
-      if (motion.method != change.method) {
-        result_.pivots.insert(result_.pivots.end(), motion.pivots.begin(), motion.pivots.end());
-      }
-    }
+    result_.pivots = change.pivots;
     for (std::size_t i = 0; i < n_; ++i) (result_.accelerations.*matrix)[i][column] = change.accelerations[i];
     for (std::size_t j = 0; j < m_; ++j) (result_.multipliers.*matrix)[j][column] = change.multipliers[j];
   }
@@ -117,8 +115,41 @@ class DifferentiatedMotion {
   ForwardDerivatives result_;
 };
 
+/// Operations of all that is given, the motion's own among them.
+int cost(const Equations& equations, const ForwardDerivatives& derivatives) {
+  std::vector<Value> all;
+  const ForwardDerivatives::Of& of = derivatives.accelerations;
+  for (const ValueMatrix* matrix : {&of.by_position, &of.by_velocity, &of.by_force, &of.by_input}) {
+    for (const auto& row : *matrix) all.insert(all.end(), row.begin(), row.end());
+  }
+  return count(equations.program(), all).total();
+}
+
+/// At least what solving 2 n columns takes: each joint meets every joint that carries it, twice.
+int least_cost_of_solving(const Model& model) {
+  int pairs = 0;
+  for (std::size_t k = 1; k < model.links().size(); ++k) {
+    if (!is_free(model.links()[k])) continue;
+    for (const int above : model.chain(model.links()[k].parent)) {
+      if (is_free(model.links()[static_cast<std::size_t>(above)])) ++pairs;
+    }
+  }
+  return 2 * model.unknown_count() * 4 * pairs;
+}
+
 }  // namespace
 
-ForwardDerivatives forward_derivatives(const Equations& equations) { return DifferentiatedMotion(equations).run(); }
+ForwardDerivatives forward_derivatives(const Equations& equations) {
+  const ForwardMethod method = equations.model().options().forward;
+  std::optional<ForwardDerivatives> articulated;
+  if (method != ForwardMethod::factorisation && fits_articulated_derivatives(equations)) {
+    articulated = articulated_derivatives(equations);
+    if (method == ForwardMethod::articulated_body) return *articulated;
+    if (cost(equations, *articulated) < least_cost_of_solving(equations.model())) return *articulated;
+  }
+  ForwardDerivatives solved = DifferentiatedMotion(equations).run();
+  if (articulated && cost(equations, *articulated) < cost(equations, solved)) return *articulated;
+  return solved;
+}
 
 }  // namespace torsor

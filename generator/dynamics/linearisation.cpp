@@ -43,6 +43,14 @@ void add_derivatives(const Equations& equations, const std::vector<Value>& force
   }
 }
 
+ForceDerivatives no_derivatives(const Equations& equations) {
+  const auto n = static_cast<std::size_t>(equations.model().unknown_count());
+  ForceDerivatives none;
+  none.by_position.assign(n, std::vector<Value>(n));
+  none.by_velocity = none.by_position;
+  return none;
+}
+
 /// The whole residual, definition by definition.
 ForceDerivatives differentiated(const Equations& equations, Inputs inputs) {
   const auto n = static_cast<std::size_t>(equations.model().unknown_count());
@@ -50,9 +58,7 @@ ForceDerivatives differentiated(const Equations& equations, Inputs inputs) {
                               equations.inverse_dynamics().begin() + equations.model().unknown_count());
   const std::vector<Value> of_motors = equations.of_inputs();
   for (std::size_t i = 0; i < n && inputs == Inputs::act; ++i) residual[i] -= of_motors[i];
-  ForceDerivatives result;
-  result.by_position.assign(n, std::vector<Value>(n));
-  result.by_velocity = result.by_position;
+  ForceDerivatives result = no_derivatives(equations);
   add_derivatives(equations, residual, result);
   return result;
 }
@@ -67,6 +73,12 @@ int cost(const Equations& equations, const ForceDerivatives& derivatives) {
 }
 
 }  // namespace
+
+ForceDerivatives effort_derivatives(const Equations& equations, Inputs inputs) {
+  ForceDerivatives result = no_derivatives(equations);
+  add_derivatives(equations, opposite_efforts(equations, inputs), result);
+  return result;
+}
 
 ForceDerivatives residual_derivatives(const Equations& equations, Inputs inputs) {
   const Model& model = equations.model();

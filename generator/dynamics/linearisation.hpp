@@ -22,5 +22,7 @@ enum class Inputs { left_out, act };
 /// ∂r/∂q and ∂r/∂v of r = M q̈ + h − B λ [− E u] at accelerations, multipliers and inputs as symbols: by
 /// inertia_derivatives where it applies, what is left (everything, where it does not) definition by definition.
 ForceDerivatives residual_derivatives(const Equations& equations, Inputs inputs);
+/// The same of what the residual has besides inertia, gravity and applied wrenches: springs, dampers, constraints.
+ForceDerivatives effort_derivatives(const Equations& equations, Inputs inputs);
 
 }  // namespace torsor

@@ -128,8 +128,9 @@ class Model {
   /// Components in the parent link's axes of a vector given in the link's own, and the way back.
   Vector to_parent(const Link& link, const Vector& v) const;
   Vector from_parent(const Link& link, const Vector& v) const;
-  /// R J Rᵀ, any 3 x 3 array of components.
+  /// R J Rᵀ, any 3 x 3 array of components, and Rᵀ J R.
   Matrix to_parent(const Link& link, const Matrix& j) const;
+  Matrix from_parent(const Link& link, const Matrix& j) const;
   /// The same without the joint's turn: between the parent's axes and the joint's fixed ones.
   Vector to_joint(const Link& link, const Vector& v) const;
   Vector from_joint(const Link& link, const Vector& v) const { return link.placement_rotation * v; }

@@ -21,27 +21,29 @@ Vector turn(Program& program, const Link& link, const Vector& v, bool inverse) {
   return bound(program, turned);
 }
 
-/// R J Rᵀ for a turn about an aligned axis z. With d = J_xx − J_yy, e = J_xy + J_yx and u = s d + c e:
+/// R J Rᵀ (the inverse turn: Rᵀ J R) for a turn about an aligned axis z. With d = J_xx − J_yy, e = J_xy + J_yx and u = s d + c e:
 /// J'_xx = J_xx − s u, J'_yy = J_yy + s u, J'_xy = c u − J_yx, J'_yx = c u − J_xy, and (J_xz, J_yz), (J_zx, J_zy) turn as
 /// vectors. 16 operations for a symmetric array where two general products take 27.
-Matrix turn(Program& program, const Link& link, const Matrix& j) {
+Matrix turn(Program& program, const Link& link, const Matrix& j, bool inverse) {
   if (link.turn == Turn::none) return j;
   if (link.turn == Turn::general) {
-    const Matrix half = bound(program, link.rotation * j);
-    return bound(program, half * transpose(link.rotation));
+    const Matrix back = transpose(link.rotation);
+    const Matrix half = bound(program, (inverse ? back : link.rotation) * j);
+    return bound(program, half * (inverse ? link.rotation : back));
   }
+  const Value sine = inverse ? -link.sine : link.sine;
   const int z = link.aligned;
   const int x = (z + 1) % 3;
   const int y = (z + 2) % 3;
   const Value difference = program.bind(j(x, x) - j(y, y));
   const Value sum = program.bind(j(x, y) + j(y, x));
-  Value u = link.sine * difference;
+  Value u = sine * difference;
   u += link.cosine * sum;
   u = program.bind(u);
-  const Value change = program.bind(link.sine * u);
+  const Value change = program.bind(sine * u);
   const Value mixed = link.cosine * u;
-  const Vector column = turn(program, link, {j(0, z), j(1, z), j(2, z)}, false);
-  const Vector row = turn(program, link, {j(z, 0), j(z, 1), j(z, 2)}, false);
+  const Vector column = turn(program, link, {j(0, z), j(1, z), j(2, z)}, inverse);
+  const Vector row = turn(program, link, {j(z, 0), j(z, 1), j(z, 2)}, inverse);
   Matrix turned;
   turned(x, x) = program.bind(j(x, x) - change);
   turned(y, y) = program.bind(j(y, y) + change);
@@ -58,10 +60,16 @@ Matrix turn(Program& program, const Link& link, const Matrix& j) {
 }  // namespace
 
 Matrix Model::to_parent(const Link& link, const Matrix& j) const {
-  const Matrix turned = turn(*program_, link, j);
+  const Matrix turned = turn(*program_, link, j, false);
   if (link.placement_rotation.is_identity()) return turned;
   const Matrix placement = constant_matrix(*program_, link.placement_rotation);
   return bound(*program_, placement * turned * transpose(placement));
+}
+
+Matrix Model::from_parent(const Link& link, const Matrix& j) const {
+  if (link.placement_rotation.is_identity()) return turn(*program_, link, j, true);
+  const Matrix placement = constant_matrix(*program_, link.placement_rotation);
+  return turn(*program_, link, bound(*program_, transpose(placement) * j * placement), true);
 }
 
 Vector Model::to_parent(const Link& link, const Vector& v) const {

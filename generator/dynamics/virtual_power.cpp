@@ -4,11 +4,27 @@
 namespace torsor {
 namespace {
 
-/// Dynamic screw of a link at its origin minus gravity: {m (Γ − g) + U h, δ_O}. The moment J Ω̇ + Ω ∧ J Ω is written
-/// with U = [Ω̇] + [Ω][Ω], whose entries the resultant needs anyhow:
-/// N_x = J_xx Ω̇_x + (J_zz − J_yy) Ω_y Ω_z − J_xy U_zx + J_xz U_yx + J_yz (Ω_y² − Ω_z²), and so on cyclically. With
-/// S = ∫ r r dm the first two terms are S_yy U_zy − S_zz U_yz: one term, where S vanishes along the axis `without_line`.
-Wrench dynamic_screw(Program& program, Acceleration& motion, const MassProperties& body, int without_line) {
+/// A tip that looks the same at every angle (a wheel, a rotor): inertia about its axis only, once regrouped. Written in
+/// unturned axes it needs neither sine nor cosine of its angle.
+bool looks_the_same_turned(const Model& model, std::size_t k, const std::map<int, Wrench>& wrenches) {
+  const Link& link = model.links()[k];
+  if (link.turn != Turn::aligned || wrenches.contains(static_cast<int>(k))) return false;
+  for (const Link& other : model.links()) {
+    if (other.parent == static_cast<int>(k)) return false;
+  }
+  const MassProperties& body = link.off_axis;
+  bool symmetric = body.mass.is_zero() && body.first_moment.is_zero();
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      symmetric = symmetric && (body.inertia(i, j).is_zero() || (i == link.aligned && j == link.aligned));
+    }
+  }
+  return symmetric;
+}
+
+}  // namespace
+
+Wrench screw_less_gravity(Program& program, Acceleration& motion, const MassProperties& body, int without_line) {
   Wrench screw;
   screw.resultant = body.mass * motion.linear();
   screw.resultant += motion.u_times(body.first_moment);
@@ -41,26 +57,6 @@ Wrench dynamic_screw(Program& program, Acceleration& motion, const MassPropertie
   return screw;
 }
 
-/// A tip that looks the same at every angle (a wheel, a rotor): inertia about its axis only, once regrouped. Written in
-/// unturned axes it needs neither sine nor cosine of its angle.
-bool looks_the_same_turned(const Model& model, std::size_t k, const std::map<int, Wrench>& wrenches) {
-  const Link& link = model.links()[k];
-  if (link.turn != Turn::aligned || wrenches.contains(static_cast<int>(k))) return false;
-  for (const Link& other : model.links()) {
-    if (other.parent == static_cast<int>(k)) return false;
-  }
-  const MassProperties& body = link.off_axis;
-  bool symmetric = body.mass.is_zero() && body.first_moment.is_zero();
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      symmetric = symmetric && (body.inertia(i, j).is_zero() || (i == link.aligned && j == link.aligned));
-    }
-  }
-  return symmetric;
-}
-
-}  // namespace
-
 std::vector<Wrench> joint_wrenches(const Model& model, std::vector<Acceleration>& motion, const std::vector<Axes>& axes,
                                    const std::map<int, Wrench>& wrenches, MassProperties Link::*properties) {
   Program& program = model.program();
@@ -70,7 +66,7 @@ std::vector<Wrench> joint_wrenches(const Model& model, std::vector<Acceleration>
   for (std::size_t k = links.size(); k-- > 1;) {
     const Link& link = links[k];
     const int without_line = properties == &Link::off_axis ? link.without_line : -1;
-    const Wrench own = dynamic_screw(program, motion[k], link.*properties, without_line);
+    const Wrench own = screw_less_gravity(program, motion[k], link.*properties, without_line);
     load[k].resultant += own.resultant;
     load[k].moment += own.moment;
     if (const auto wrench = wrenches.find(static_cast<int>(k)); wrench != wrenches.end()) {

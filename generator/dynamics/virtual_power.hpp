@@ -15,6 +15,12 @@ namespace torsor {
 /// `wrenches`: applied wrenches by link, in the link's axes at its origin.
 std::vector<Value> inertia_forces(const Model& model, AccelerationInput input, const std::map<int, Wrench>& wrenches);
 
+/// Dynamic screw of a link at its origin minus gravity: {m (Γ − g) + U h, δ_O}. The moment J Ω̇ + Ω ∧ J Ω is written
+/// with U = [Ω̇] + [Ω][Ω], whose entries the resultant needs anyhow:
+/// N_x = J_xx Ω̇_x + (J_zz − J_yy) Ω_y Ω_z − J_xy U_zx + J_xz U_yx + J_yz (Ω_y² − Ω_z²), and so on cyclically. With
+/// S = ∫ r r dm the first two terms are S_yy U_zy − S_zz U_yz: one term, where S vanishes along the axis `without_line`.
+Wrench screw_less_gravity(Program& program, Acceleration& motion, const MassProperties& body, int without_line);
+
 /// What each joint carries: the sum, over the link and all that it carries, of dynamic screws minus gravity minus
 /// applied wrenches, at the link's origin, in its axes as `axes` says. With regrouped inertia (`properties`) only what
 /// works on the joints is that of the mechanism.
