@@ -82,8 +82,7 @@ Scene forking_tree() {
                .at({quantity("-0.1", "m"), quantity("0.2", "m"), quantity("0.05", "m")}));
   }
   s.gravity({0, 0, quantity("-9.81", "m/s^2")});
-  s.spring("spring", s.point("P", tip, {quantity("0.3", "m"), 0, 0}), s.point("Q", hand, {0, quantity("1", "m"), 0}),
-           quantity("40", "N/m"), quantity("0.2", "m"));
+  s.spring("spring", c - 2 * g, quantity("40", "N m"));
   s.damper("damper", c, quantity("0.3", "N m s"));
   s.motor("u", b);
   s.motor("w", g);
