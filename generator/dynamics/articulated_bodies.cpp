@@ -106,13 +106,13 @@ Matrix cross_matrix(const Vector& v) {
   return m;
 }
 
-ArticulatedBodies articulated_bodies(const Model& model) {
+ArticulatedBodies articulated_bodies(const Model& model, MassProperties Link::*properties) {
   const auto& links = model.links();
   ArticulatedBodies result;
   result.joints.resize(links.size());
   result.handed.resize(links.size());
   std::vector<ArticulatedInertia> bodies;
-  for (const Link& link : links) bodies.push_back(rigid(link.effective));
+  for (const Link& link : links) bodies.push_back(rigid(link.*properties));
   for (std::size_t k = links.size(); k-- > 1;) {
     const Link& link = links[k];
     result.handed[k] = bodies[k];

@@ -37,7 +37,8 @@ struct ArticulatedBodies {
   std::vector<ArticulatedInertia> handed;  ///< I − I s sᵀ I/d, what the carrier meets; of links that the ground carries: none
 };
 
-ArticulatedBodies articulated_bodies(const Model& model);
+/// `properties`: which of the equivalent inertias of each link.
+ArticulatedBodies articulated_bodies(const Model& model, MassProperties Link::*properties);
 
 /// Whether the joint of a link has an unknown: it is driven or held otherwise.
 inline bool is_free(const Link& link) { return !link.partials.empty(); }

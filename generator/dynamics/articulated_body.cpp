@@ -14,15 +14,15 @@ class Recursion {
  public:
   Recursion(const Model& model, const std::vector<Value>& efforts) : model_(model), efforts_(efforts) {}
 
-  ArticulatedMotion run(const std::map<int, Wrench>& wrenches, MassProperties Link::*properties) {
-    const std::vector<Axes> axes(links_.size(), Axes::own);
-    motion_.at_rest = accelerations(model_, AccelerationInput::zero, axes);
-    motion_.bodies = articulated_bodies(model_);
+  ArticulatedMotion run(const std::map<int, Wrench>& wrenches, ArticulatedBodies bodies,
+                        MassProperties Link::*properties) {
+    motion_.reference = reference_motion(model_);
+    motion_.bodies = std::move(bodies);
     motion_.asked.resize(links_.size());
     efforts_by_pivot_.resize(links_.size());
     for (std::size_t k = links_.size(); k-- > 1;) {
       const int without_line = properties == &Link::off_axis ? links_[k].without_line : -1;
-      Wrench own = screw_less_gravity(program_, motion_.at_rest[k], links_[k].*properties, without_line);
+      Wrench own = screw_less_gravity(program_, motion_.reference.links[k], links_[k].*properties, without_line);
       if (const auto wrench = wrenches.find(static_cast<int>(k)); wrench != wrenches.end()) {
         const Wrench applied = model_.over_length(wrench->second);
         own.resultant += -applied.resultant;
@@ -80,9 +80,10 @@ class Recursion {
       motion_.before[k] = from_carrier(model_, link, motion_.added[static_cast<std::size_t>(link.parent)]);
       motion_.added[k] = motion_.before[k];
       if (!is_free(link)) continue;
-      const Value acceleration = joint_acceleration(program_, link, motion_.bodies.joints[k], efforts_by_pivot_[k],
-                                                    motion_.before[k], motion_.added[k]);
-      solution.accelerations[unknown_of(link)] = program_.bind(acceleration, "acceleration of joint " + link.name);
+      const Value change = joint_acceleration(program_, link, motion_.bodies.joints[k], efforts_by_pivot_[k],
+                                              motion_.before[k], motion_.added[k]);
+      const Value whole = change + motion_.reference.joints[k];
+      solution.accelerations[unknown_of(link)] = program_.bind(whole, "acceleration of joint " + link.name);
     }
   }
 
@@ -148,13 +149,14 @@ Value joint_acceleration(Program& program, const Link& link, const ArticulatedJo
 }
 
 ArticulatedMotion articulated_motion(const Model& model, const std::vector<Value>& efforts,
-                                     const std::map<int, Wrench>& wrenches, MassProperties Link::*properties) {
-  return Recursion(model, efforts).run(wrenches, properties);
+                                     const std::map<int, Wrench>& wrenches, ArticulatedBodies bodies,
+                                     MassProperties Link::*properties) {
+  return Recursion(model, efforts).run(wrenches, std::move(bodies), properties);
 }
 
 ForwardSolution articulated_forward(const Model& model, const std::vector<Value>& efforts,
                                     const std::map<int, Wrench>& wrenches) {
-  return articulated_motion(model, efforts, wrenches, &Link::off_axis).solution;
+  return articulated_motion(model, efforts, wrenches, articulated_bodies(model, &Link::effective), &Link::off_axis).solution;
 }
 
 }  // namespace torsor

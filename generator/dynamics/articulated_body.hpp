@@ -16,21 +16,22 @@ bool has_simple_joints(const Model& model);
 
 /// What the recursion finds, by link, in its axes.
 struct ArticulatedMotion {
-  std::vector<Acceleration> at_rest;       ///< accelerations at q̈ = 0, gravity included
+  ReferenceMotion reference;               ///< gravity included
   ArticulatedBodies bodies;
-  std::vector<Wrench> asked;               ///< wrench that a link asks of its carrier at q̈ = 0 there, its own joints free
-  std::vector<AccelerationChange> before;  ///< what q̈ of the joints before adds to `at_rest`
+  std::vector<Wrench> asked;               ///< wrench that a link asks of its carrier if that keeps to the reference
+  std::vector<AccelerationChange> before;  ///< what the joints before add to the reference
   std::vector<AccelerationChange> added;   ///< the same with the link's own joint
   ForwardSolution solution;
 };
 
 /// Accelerations by the articulated-body recursion (Featherstone, Rigid Body Dynamics Algorithms, 2008, §7.3), linear in
-/// the number of joints, written with the classical acceleration of each link's origin. The motion at q̈ = 0 is taken
-/// out first: each link by itself asks for its wrench there, which costs less than what its articulated body would.
+/// the number of joints, written with the classical acceleration of each link's origin. A reference motion is taken out
+/// first: each link by itself asks for its wrench there, which costs less than what its articulated body would.
 /// `efforts`: for every unknown the generalised force of everything but inertia, gravity and the wrenches. No
 /// constraints. `properties`: which of the equivalent inertias ask (Link::effective for those of the articulated bodies).
 ArticulatedMotion articulated_motion(const Model& model, const std::vector<Value>& efforts,
-                                     const std::map<int, Wrench>& wrenches, MassProperties Link::*properties);
+                                     const std::map<int, Wrench>& wrenches, ArticulatedBodies bodies,
+                                     MassProperties Link::*properties);
 
 /// The accelerations alone, with the inertias that cost least.
 ForwardSolution articulated_forward(const Model& model, const std::vector<Value>& efforts,

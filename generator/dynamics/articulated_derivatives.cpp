@@ -25,20 +25,23 @@ struct AccelerationRow {
 struct JointPerturbation {
   std::size_t joint;          ///< unknown
   Vector w;                   ///< turning of all links beyond
-  AccelerationChange change;  ///< their {α, β}, with what the carrier gives way
+  AccelerationChange change;  ///< their {α, β}
   Wrench asked;               ///< of the carrier
+  AccelerationChange met;     ///< their {α, β} when the carrier gives way
 };
 
 constexpr std::array<ValueMatrix ForwardDerivatives::Of::*, 2> by_kind{&ForwardDerivatives::Of::by_position,
                                                                        &ForwardDerivatives::Of::by_velocity};
 
 class ArticulatedDerivatives {
+  static constexpr MassProperties Link::*properties = &Link::off_axis;
+
  public:
   explicit ArticulatedDerivatives(const Equations& equations)
       : equations_(equations),
         n_(static_cast<std::size_t>(model_.unknown_count())),
         efforts_(all_efforts()),
-        free_(articulated_motion(model_, efforts_, {}, &Link::effective)),
+        free_(articulated_motion(model_, efforts_, {}, articulated_bodies(model_, properties), properties)),
         motion_(with_joint_accelerations()),
         joints_(model_, motion_) {}
 
@@ -78,7 +81,7 @@ class ArticulatedDerivatives {
   std::vector<Acceleration> with_joint_accelerations() const {
     std::vector<Acceleration> all;
     for (std::size_t k = 0; k < links_.size(); ++k) {
-      const Acceleration& rest = free_.at_rest[k];
+      const Acceleration& rest = free_.reference.links[k];
       const Vector angular = bound(program_, rest.angular() + free_.added[k].angular);
       const Vector linear = bound(program_, rest.linear() + free_.added[k].linear);
       all.emplace_back(program_, links_[k].name, rest.omega(), angular, linear);
@@ -113,16 +116,26 @@ class ArticulatedDerivatives {
     }
   }
 
+  /// −Q and tr(Q) 1 − Q are one where Q = [2 Ω] S, S symmetric; with V, (2 V · h) 1 − 2 V hᵀ is added.
   void add_own(std::size_t k, TurningAnswer& answer) const {
-    const MassProperties& body = links_[k].effective;
-    const Vector& v = doubled_velocities_[k];
-    PointFlow flow = rigid_flow(program_, body, joints_.doubled_omega(k));
-    const Vector l = bound(program_, flow.l + body.mass * v);
+    const MassProperties& body = links_[k].*properties;
+    const Vector &v = doubled_velocities_[k], &h = body.first_moment;
+    const PointFlow flow = rigid_flow(program_, body, joints_.doubled_omega(k));
+    answer.resultant = bound(program_, answer.resultant - cross_matrix(bound(program_, flow.l + body.mass * v)));
+    Vector along;
+    for (int i = 0; i < 3; ++i) along[i] = program_.bind(v[i] * h[i]);
     for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) flow.q(i, j) = program_.bind(flow.q(i, j) + v[i] * body.first_moment[j]);
+      for (int j = 0; j < 3; ++j) {
+        Value entry = answer.moment(i, j) - flow.q(i, j);
+        if (i == j) {
+          entry += along[(i + 1) % 3];
+          entry += along[(i + 2) % 3];
+        } else {
+          entry -= v[i] * h[j];
+        }
+        answer.moment(i, j) = program_.bind(entry);
+      }
     }
-    answer.resultant = bound(program_, answer.resultant - cross_matrix(l));
-    answer.moment = bound(program_, answer.moment + flow.answer(program_));
   }
 
   void give_way(std::size_t k, TurningAnswer& answer) {
@@ -161,7 +174,8 @@ class ArticulatedDerivatives {
     for (std::size_t kind = 0; kind < 2; ++kind) {
       MotionChange& motion = changes[kind];
       motion.beta = bound(program_, motion.beta - cross(motion.w, doubled_velocities_[at]));
-      JointPerturbation perturbation{unknown(k), motion.w, {motion.alpha, motion.beta}, {}};
+      JointPerturbation perturbation{unknown(k), motion.w, {motion.alpha, motion.beta}, {}, {}};
+      perturbation.met = perturbation.change;
       if (links_[at].parent != 0) {
         Wrench& asked = perturbation.asked;
         asked = free_.bodies.handed[at] * perturbation.change;
@@ -171,8 +185,8 @@ class ArticulatedDerivatives {
         asked.moment = bound(program_, asked.moment);
         asked.resultant = bound(program_, asked.resultant);
         const AccelerationChange yield = before_[at] * asked;
-        perturbation.change.angular = bound(program_, motion.alpha - yield.angular);
-        perturbation.change.linear = bound(program_, motion.beta - yield.linear);
+        perturbation.met.angular = bound(program_, motion.alpha - yield.angular);
+        perturbation.met.linear = bound(program_, motion.beta - yield.linear);
       }
       perturbations_[at][kind].push_back(std::move(perturbation));
     }
@@ -198,11 +212,15 @@ class ArticulatedDerivatives {
   /// q̈_k for changes of the joints that carry it and of its own; forces at k on what those carry otherwise.
   void carry_row(std::size_t k) {
     AccelerationRow row = row_before(k);
+    const AccelerationChange own = reaction(program_, links_[k], free_.bodies.joints[k], before_[k], compliances_[k]);
     for (std::size_t at = k;;) {
       for (std::size_t kind = 0; kind < 2; ++kind) {
         for (const JointPerturbation& joint : perturbations_[at][kind]) {
-          Value entry = dot(row.angular, joint.change.angular) + dot(row.linear, joint.change.linear);
+          // Of the joint itself by reciprocity: what its force does to the carrier tells what the carrier does to it.
+          const AccelerationChange& change = at == k ? joint.change : joint.met;
+          Value entry = dot(row.angular, change.angular) + dot(row.linear, change.linear);
           entry += dot(row.turning, joint.w);
+          if (at == k) entry -= dot(own.angular, joint.asked.moment) + dot(own.linear, joint.asked.resultant);
           (result_.accelerations.*by_kind[kind])[unknown(k)][joint.joint] = program_.bind(entry);
         }
       }

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/dynamics/joint_changes.hpp"
 
+#include <array>
+
+#include "generator/expression/as_index.hpp"
+
 namespace torsor {
 namespace {
 
@@ -14,10 +18,13 @@ Matrix omega_times_second_moment(Program& program, const Vector& omega, const Ma
     second(a, a) = program.bind(Number::rational(1, 2) * diagonal);
     second(b, c) = second(c, b) = program.bind(-j(b, c));
   }
+  std::array<Value, 3> mixed;  // each is in two of the diagonal's entries
+  for (int a = 0; a < 3; ++a) mixed[as_index(a)] = program.bind(omega[a] * second((a + 1) % 3, (a + 2) % 3));
   Matrix product;
   for (int column = 0; column < 3; ++column) {
     const Vector r = cross(omega, Vector(second(0, column), second(1, column), second(2, column)));
     for (int row = 0; row < 3; ++row) product(row, column) = r[row];
+    product(column, column) = mixed[as_index((column + 1) % 3)] - mixed[as_index((column + 2) % 3)];
   }
   return product;
 }

@@ -69,7 +69,13 @@ Vector Acceleration::u_times(const Vector& v) {
   return product;
 }
 
-std::vector<Acceleration> accelerations(const Model& model, AccelerationInput input, const std::vector<Axes>& axes) {
+namespace {
+
+/// How the recursion below gets s̈ of joint k, and what it leaves the link with.
+enum class JointMotion { symbols, zero, reference };
+
+std::vector<Acceleration> recursion(const Model& model, JointMotion joints, const std::vector<Axes>& axes,
+                                    std::vector<Value>* reference) {
   Program& program = model.program();
   const auto from_parent = [&](std::size_t k, const Vector& v) {
     return axes[k] == Axes::own ? model.from_parent(model.links()[k], v) : model.to_joint(model.links()[k], v);
@@ -78,6 +84,13 @@ std::vector<Acceleration> accelerations(const Model& model, AccelerationInput in
     if (symbol->kind != SymbolKind::acceleration) return std::nullopt;
     return program.number(Number(), symbol->unit);
   });
+  // Takes s̈ as minus what the axis' component is without it.
+  const auto choose = [&](std::size_t k, Vector& moved) {
+    const Link& link = model.links()[k];
+    if (joints != JointMotion::reference || link.aligned < 0 || link.partials.empty()) return;
+    (*reference)[k] = program.bind(-(link.axis[link.aligned] * program.bind(moved[link.aligned])));
+    moved[link.aligned] = Value();
+  };
   Vector carried;  // Ω of the parent of a quaternion's links, in their axes
   std::vector<Acceleration> all;
   all.reserve(model.links().size());
@@ -87,7 +100,7 @@ std::vector<Acceleration> accelerations(const Model& model, AccelerationInput in
     const Link& link = model.links()[k];
     Acceleration& parent = all[static_cast<std::size_t>(link.parent)];
     const Value s_dot = link.rate;
-    const Value s_ddot = input == AccelerationInput::zero ? at_rest(link.acceleration) : link.acceleration;
+    const Value s_ddot = joints == JointMotion::symbols ? link.acceleration : at_rest(link.acceleration);
     const Vector origin = bound(program, model.arm(link));
     Vector linear = parent.linear() + parent.u_times(origin);
     Vector omega = from_parent(k, parent.omega());
@@ -98,9 +111,11 @@ std::vector<Acceleration> accelerations(const Model& model, AccelerationInput in
       linear += s_ddot * axis;
     }
     linear = from_parent(k, bound(program, linear));
+    if (link.joint == JointKind::prismatic) choose(k, linear);
     if (link.joint == JointKind::revolute) {
       // Ω̇ = Ω̇_parent + s̈ n + ṡ Ω_parent ∧ n: the turn of the axis with the parent.
       if (link.in_group == 0) carried = omega;
+      choose(k, angular);
       angular += s_dot * cross(carried, link.axis);
       angular += s_ddot * link.axis;
       omega += s_dot * link.axis;
@@ -112,6 +127,20 @@ std::vector<Acceleration> accelerations(const Model& model, AccelerationInput in
     all.emplace_back(program, link.name, omega, angular, linear);
   }
   return all;
+}
+
+}  // namespace
+
+std::vector<Acceleration> accelerations(const Model& model, AccelerationInput input, const std::vector<Axes>& axes) {
+  return recursion(model, input == AccelerationInput::zero ? JointMotion::zero : JointMotion::symbols, axes, nullptr);
+}
+
+ReferenceMotion reference_motion(const Model& model) {
+  ReferenceMotion motion;
+  motion.joints.resize(model.links().size());
+  const std::vector<Axes> axes(model.links().size(), Axes::own);
+  motion.links = recursion(model, JointMotion::reference, axes, &motion.joints);
+  return motion;
 }
 
 }  // namespace torsor

@@ -51,4 +51,12 @@ enum class Axes { own, unturned };
 /// link (only a link without children may have unturned ones).
 std::vector<Acceleration> accelerations(const Model& model, AccelerationInput input, const std::vector<Axes>& axes);
 
+/// A motion of the joints that makes accelerations cheap, for those who find another one by its difference: of a joint
+/// with an unknown and an aligned axis, q̈ cancels the link's acceleration along it; of any other such joint it is zero.
+struct ReferenceMotion {
+  std::vector<Acceleration> links;
+  std::vector<Value> joints;  ///< q̈, by link
+};
+ReferenceMotion reference_motion(const Model& model);
+
 }  // namespace torsor
