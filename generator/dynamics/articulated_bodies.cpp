@@ -56,8 +56,7 @@ ArticulatedInertia without_joint(Program& program, const Link& link, const Artic
       const bool zero_j = is_along_joint(link, i, true) || is_along_joint(link, j, true);
       const bool zero_m = is_along_joint(link, i, false) || is_along_joint(link, j, false);
       rest.angular(i, j) = rest.angular(j, i) = reduced(body.angular(i, j), joint.gain.moment[i], moment[j], zero_j);
-      rest.linear(i, j) = rest.linear(j, i) =
-          reduced(body.linear(i, j), joint.gain.resultant[i], resultant[j], zero_m);
+      rest.linear(i, j) = rest.linear(j, i) = reduced(body.linear(i, j), joint.gain.resultant[i], resultant[j], zero_m);
     }
   }
   return rest;

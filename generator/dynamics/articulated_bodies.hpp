@@ -30,11 +30,12 @@ struct ArticulatedJoint {
   Value inverse;  ///< 1/d
 };
 
-/// Articulated bodies (Featherstone, Rigid Body Dynamics Algorithms, 2008, §7.2), by link, in its axes about its origin.
-/// Each unknown is the displacement of one joint (has_simple_joints).
+/// Articulated bodies (Featherstone, Rigid Body Dynamics Algorithms, 2008, §7.2), by link, in its axes about its
+/// origin. Each unknown is the displacement of one joint (has_simple_joints).
 struct ArticulatedBodies {
-  std::vector<ArticulatedJoint> joints;    ///< of links whose joint has an unknown
-  std::vector<ArticulatedInertia> handed;  ///< I − I s sᵀ I/d, what the carrier meets; of links that the ground carries: none
+  std::vector<ArticulatedJoint> joints;  ///< of links whose joint has an unknown
+  std::vector<ArticulatedInertia>
+      handed;  ///< I − I s sᵀ I/d, what the carrier meets; of links that the ground carries: none
 };
 
 /// `properties`: which of the equivalent inertias of each link.

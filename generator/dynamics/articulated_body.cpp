@@ -16,7 +16,7 @@ class Recursion {
 
   ArticulatedMotion run(const std::map<int, Wrench>& wrenches, ArticulatedBodies bodies,
                         MassProperties Link::*properties) {
-    motion_.reference = reference_motion(model_);
+    motion_.reference = reference_motion(model_, std::vector<Axes>(links_.size(), Axes::own));
     motion_.bodies = std::move(bodies);
     motion_.asked.resize(links_.size());
     efforts_by_pivot_.resize(links_.size());
@@ -156,7 +156,8 @@ ArticulatedMotion articulated_motion(const Model& model, const std::vector<Value
 
 ForwardSolution articulated_forward(const Model& model, const std::vector<Value>& efforts,
                                     const std::map<int, Wrench>& wrenches) {
-  return articulated_motion(model, efforts, wrenches, articulated_bodies(model, &Link::effective), &Link::off_axis).solution;
+  return articulated_motion(model, efforts, wrenches, articulated_bodies(model, &Link::effective), &Link::off_axis)
+      .solution;
 }
 
 }  // namespace torsor

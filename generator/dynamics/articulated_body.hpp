@@ -16,7 +16,7 @@ bool has_simple_joints(const Model& model);
 
 /// What the recursion finds, by link, in its axes.
 struct ArticulatedMotion {
-  ReferenceMotion reference;               ///< gravity included
+  ReferenceMotion reference;  ///< gravity included
   ArticulatedBodies bodies;
   std::vector<Wrench> asked;               ///< wrench that a link asks of its carrier if that keeps to the reference
   std::vector<AccelerationChange> before;  ///< what the joints before add to the reference
@@ -24,11 +24,12 @@ struct ArticulatedMotion {
   ForwardSolution solution;
 };
 
-/// Accelerations by the articulated-body recursion (Featherstone, Rigid Body Dynamics Algorithms, 2008, §7.3), linear in
-/// the number of joints, written with the classical acceleration of each link's origin. A reference motion is taken out
-/// first: each link by itself asks for its wrench there, which costs less than what its articulated body would.
+/// Accelerations by the articulated-body recursion (Featherstone, Rigid Body Dynamics Algorithms, 2008, §7.3), linear
+/// in the number of joints, written with the classical acceleration of each link's origin. A reference motion is taken
+/// out first: each link by itself asks for its wrench there, which costs less than what its articulated body would.
 /// `efforts`: for every unknown the generalised force of everything but inertia, gravity and the wrenches. No
-/// constraints. `properties`: which of the equivalent inertias ask (Link::effective for those of the articulated bodies).
+/// constraints. `properties`: which of the equivalent inertias ask (Link::effective for those of the articulated
+/// bodies).
 ArticulatedMotion articulated_motion(const Model& model, const std::vector<Value>& efforts,
                                      const std::map<int, Wrench>& wrenches, ArticulatedBodies bodies,
                                      MassProperties Link::*properties);

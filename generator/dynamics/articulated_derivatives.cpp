@@ -52,6 +52,7 @@ class ArticulatedDerivatives {
     of.by_position.assign(n_, std::vector<Value>(n_));
     of.by_velocity = of.by_force = of.by_position;
     result_.pivots = free_.solution.pivots;
+    result_.method = "articulated bodies";
     gather_velocities();
     gather_answers();
     gather_compliances();
@@ -251,8 +252,7 @@ class ArticulatedDerivatives {
     const AccelerationRow own = row_before(at);
     const Value moved = program_.bind(dot(link.axis, revolute ? row.angular : row.linear));
     for (int i = 0; i < 3; ++i) {
-      row.angular[i] =
-          is_along_joint(link, i, true) ? Value() : program_.bind(row.angular[i] + own.angular[i] * moved);
+      row.angular[i] = is_along_joint(link, i, true) ? Value() : program_.bind(row.angular[i] + own.angular[i] * moved);
       row.linear[i] = is_along_joint(link, i, false) ? Value() : program_.bind(row.linear[i] + own.linear[i] * moved);
       row.turning[i] = program_.bind(row.turning[i] + own.turning[i] * moved);
     }
@@ -321,9 +321,9 @@ class ArticulatedDerivatives {
   std::vector<Acceleration> motion_;
   JointChanges joints_;
   std::vector<std::vector<std::size_t>> children_;
-  std::vector<Vector> doubled_velocities_;   ///< 2 V(O) of each link, in its axes
-  std::vector<TurningAnswer> answers_;       ///< B less what the joint gives way to
-  std::vector<Vector> turning_gains_;        ///< s · B/d
+  std::vector<Vector> doubled_velocities_;  ///< 2 V(O) of each link, in its axes
+  std::vector<TurningAnswer> answers_;      ///< B less what the joint gives way to
+  std::vector<Vector> turning_gains_;       ///< s · B/d
   std::vector<Compliance> before_, compliances_;
   std::vector<std::array<std::vector<JointPerturbation>, 2>> perturbations_;  ///< by the link before which they act
   ForwardDerivatives result_;
@@ -332,7 +332,8 @@ class ArticulatedDerivatives {
 }  // namespace
 
 bool fits_articulated_derivatives(const Equations& equations) {
-  return equations.constraints().empty() && equations.actions().wrenches.empty() && has_simple_joints(equations.model());
+  return equations.constraints().empty() && equations.actions().wrenches.empty() &&
+         has_simple_joints(equations.model());
 }
 
 ForwardDerivatives articulated_derivatives(const Equations& equations) {

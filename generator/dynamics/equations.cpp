@@ -145,7 +145,27 @@ const ForwardSolution& Equations::forward_by_factorisation() const {
   for (std::size_t i = 0; i < force.size(); ++i) force[i] = program_->bind(force[i] - bias()[i]);
   std::vector<Value> gamma;
   for (const ConstraintRow& row : constraints()) gamma.push_back(row.gamma);
-  return *(factored_ = solve(force, gamma));
+  factored_ = solve(force, gamma);
+  if (constraints().empty() && has_simple_joints(model_)) {
+    ForwardSolution other = forward_about_reference();
+    const auto cost = [this](const ForwardSolution& s) { return count(*program_, s.accelerations).total(); };
+    if (cost(other) < cost(*factored_)) factored_ = std::move(other);
+  }
+  return *factored_;
+}
+
+ForwardSolution Equations::forward_about_reference() const {
+  const ReferenceForces reference = reference_forces(model_, actions().wrenches);
+  std::vector<Value> force = of_inputs();
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    const Value effort = program_->bind(force[i] + actions().passive[i]);
+    force[i] = program_->bind(effort - reference.forces[i]);
+  }
+  ForwardSolution solution = solve(force, {});
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    solution.accelerations[i] = program_->bind(solution.accelerations[i] + reference.accelerations[i]);
+  }
+  return solution;
 }
 
 }  // namespace torsor

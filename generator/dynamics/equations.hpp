@@ -46,6 +46,8 @@ class Equations {
  private:
   std::vector<Value> inertia_and_passive(AccelerationInput input) const;
   const MotionSolver& solver() const;
+  /// q̈ = q̈_r + M⁻¹ (E u + Q − P(q̈_r)), q̈_r of reference_motion: less to compute than the bias.
+  ForwardSolution forward_about_reference() const;
 
   Scene scene_;
   std::unique_ptr<Program> program_;

@@ -23,6 +23,7 @@ class DifferentiatedMotion {
         m_(equations.constraints().size()) {}
 
   ForwardDerivatives run() {
+    result_.method = "solving with the factorisation of the motion";
     const ForwardSolution& motion = equations_.forward_by_factorisation();
     Substitution at_motion(program_, [&](const SymbolPointer& symbol) -> std::optional<Value> {
       for (std::size_t i = 0; i < n_; ++i) {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "generator/dynamics/equations.hpp"
 
 namespace torsor {
@@ -15,11 +19,13 @@ struct ForwardDerivatives {
   };
   Of accelerations, multipliers;
   std::vector<std::pair<Value, Value>> pivots;
+  std::string method;  ///< how they are found, in words
 };
 
-/// By the equations themselves, differentiated at the motion's own accelerations and multipliers and solved with their
-/// factorisation, so that no derivative of M⁻¹ is formed: M δa − B δλ = −∂(M a + h − B λ − E u)/∂x δx,
-/// A δa = −∂(A a + γ)/∂x δx (Carpentier & Mansard, Analytical derivatives of rigid body dynamics algorithms, 2018, eq. 4).
+/// Through articulated bodies (articulated_derivatives.hpp) where that applies and takes fewer operations, or the
+/// model's options ask for it; else by the equations themselves, differentiated at the motion's own accelerations and
+/// multipliers and solved with their factorisation, so that no derivative of M⁻¹ is formed:
+/// M δa − B δλ = −∂(M a + h − B λ − E u)/∂x δx, A δa = −∂(A a + γ)/∂x δx (Carpentier & Mansard, Analytical derivatives of rigid body dynamics algorithms, 2018, eq. 4).
 ForwardDerivatives forward_derivatives(const Equations& equations);
 
 }  // namespace torsor

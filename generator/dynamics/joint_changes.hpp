@@ -13,7 +13,8 @@ struct MotionChange {
 };
 
 /// What a small change of one joint's displacement or rate is to the links beyond it: as if their common carrier moved
-/// otherwise (inertia_derivatives.hpp has the equations). `motion` are the accelerations of all links in their own axes.
+/// otherwise (inertia_derivatives.hpp has the equations). `motion` are the accelerations of all links in their own
+/// axes.
 class JointChanges {
  public:
   JointChanges(const Model& model, std::vector<Acceleration>& motion)
@@ -24,9 +25,7 @@ class JointChanges {
   MotionChange by_velocity(std::size_t k) const;
 
   /// Of the links of a unit quaternion the first; any other link is its own.
-  std::size_t first_of_group(std::size_t k) const {
-    return k - static_cast<std::size_t>(model_.links()[k].in_group);
-  }
+  std::size_t first_of_group(std::size_t k) const { return k - static_cast<std::size_t>(model_.links()[k].in_group); }
   /// Twice the velocity of a link's origin relative to its carrier's, in the carrier's axes.
   Vector doubled_velocity(const Link& link) const;
   /// 2 Ω of a link.

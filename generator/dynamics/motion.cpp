@@ -85,11 +85,11 @@ std::vector<Acceleration> recursion(const Model& model, JointMotion joints, cons
     return program.number(Number(), symbol->unit);
   });
   // Takes s̈ as minus what the axis' component is without it.
-  const auto choose = [&](std::size_t k, Vector& moved) {
+  const auto choose = [&](std::size_t k, Vector& angular) {
     const Link& link = model.links()[k];
     if (joints != JointMotion::reference || link.aligned < 0 || link.partials.empty()) return;
-    (*reference)[k] = program.bind(-(link.axis[link.aligned] * program.bind(moved[link.aligned])));
-    moved[link.aligned] = Value();
+    (*reference)[k] = program.bind(-(link.axis[link.aligned] * program.bind(angular[link.aligned])));
+    angular[link.aligned] = Value();
   };
   Vector carried;  // Ω of the parent of a quaternion's links, in their axes
   std::vector<Acceleration> all;
@@ -111,7 +111,6 @@ std::vector<Acceleration> recursion(const Model& model, JointMotion joints, cons
       linear += s_ddot * axis;
     }
     linear = from_parent(k, bound(program, linear));
-    if (link.joint == JointKind::prismatic) choose(k, linear);
     if (link.joint == JointKind::revolute) {
       // Ω̇ = Ω̇_parent + s̈ n + ṡ Ω_parent ∧ n: the turn of the axis with the parent.
       if (link.in_group == 0) carried = omega;
@@ -135,10 +134,9 @@ std::vector<Acceleration> accelerations(const Model& model, AccelerationInput in
   return recursion(model, input == AccelerationInput::zero ? JointMotion::zero : JointMotion::symbols, axes, nullptr);
 }
 
-ReferenceMotion reference_motion(const Model& model) {
+ReferenceMotion reference_motion(const Model& model, const std::vector<Axes>& axes) {
   ReferenceMotion motion;
   motion.joints.resize(model.links().size());
-  const std::vector<Axes> axes(model.links().size(), Axes::own);
   motion.links = recursion(model, JointMotion::reference, axes, &motion.joints);
   return motion;
 }

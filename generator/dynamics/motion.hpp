@@ -51,12 +51,13 @@ enum class Axes { own, unturned };
 /// link (only a link without children may have unturned ones).
 std::vector<Acceleration> accelerations(const Model& model, AccelerationInput input, const std::vector<Axes>& axes);
 
-/// A motion of the joints that makes accelerations cheap, for those who find another one by its difference: of a joint
-/// with an unknown and an aligned axis, q̈ cancels the link's acceleration along it; of any other such joint it is zero.
+/// A motion of the joints that makes accelerations cheap, for those who find another one by its difference: of a turn
+/// with an unknown about an aligned axis, q̈ cancels the link's angular acceleration along it; of any other joint with
+/// an unknown it is zero. Zero for all at rest.
 struct ReferenceMotion {
   std::vector<Acceleration> links;
   std::vector<Value> joints;  ///< q̈, by link
 };
-ReferenceMotion reference_motion(const Model& model);
+ReferenceMotion reference_motion(const Model& model, const std::vector<Axes>& axes);
 
 }  // namespace torsor

@@ -90,23 +90,48 @@ std::vector<Wrench> joint_wrenches(const Model& model, std::vector<Acceleration>
   return load;
 }
 
-std::vector<Value> inertia_forces(const Model& model, AccelerationInput input, const std::map<int, Wrench>& wrenches) {
-  Program& program = model.program();
-  const auto& links = model.links();
-  std::vector<Axes> axes(links.size(), Axes::own);
-  for (std::size_t k = 1; k < links.size(); ++k) {
+namespace {
+
+std::vector<Axes> cheapest_axes(const Model& model, const std::map<int, Wrench>& wrenches) {
+  std::vector<Axes> axes(model.links().size(), Axes::own);
+  for (std::size_t k = 1; k < axes.size(); ++k) {
     if (looks_the_same_turned(model, k, wrenches)) axes[k] = Axes::unturned;
   }
-  std::vector<Acceleration> motion = accelerations(model, input, axes);
-  const std::vector<Wrench> load = joint_wrenches(model, motion, axes, wrenches, &Link::off_axis);
+  return axes;
+}
+
+/// Along every coordinate, of the wrenches that joints carry.
+std::vector<Value> along_coordinates(const Model& model, const std::vector<Wrench>& load) {
   std::vector<Value> forces(model.coordinates().size());
-  for (std::size_t k = links.size(); k-- > 1;) {
-    const Link& link = links[k];
+  for (std::size_t k = load.size(); k-- > 1;) {
+    const Link& link = model.links()[k];
     const bool revolute = link.joint == JointKind::revolute;
-    const Value effort = program.bind(dot(link.axis, revolute ? load[k].moment : load[k].resultant));
+    const Value effort = model.program().bind(dot(link.axis, revolute ? load[k].moment : load[k].resultant));
     for (const auto& [i, partial] : link.partials) forces[static_cast<std::size_t>(i)] += partial * effort;
   }
   return forces;
+}
+
+}  // namespace
+
+std::vector<Value> inertia_forces(const Model& model, AccelerationInput input, const std::map<int, Wrench>& wrenches) {
+  const std::vector<Axes> axes = cheapest_axes(model, wrenches);
+  std::vector<Acceleration> motion = accelerations(model, input, axes);
+  return along_coordinates(model, joint_wrenches(model, motion, axes, wrenches, &Link::off_axis));
+}
+
+ReferenceForces reference_forces(const Model& model, const std::map<int, Wrench>& wrenches) {
+  const std::vector<Axes> axes = cheapest_axes(model, wrenches);
+  ReferenceMotion motion = reference_motion(model, axes);
+  ReferenceForces result;
+  result.forces = along_coordinates(model, joint_wrenches(model, motion.links, axes, wrenches, &Link::off_axis));
+  result.accelerations.resize(result.forces.size());
+  for (std::size_t k = 1; k < model.links().size(); ++k) {
+    for (const auto& [i, partial] : model.links()[k].partials) {
+      result.accelerations[static_cast<std::size_t>(i)] = motion.joints[k];
+    }
+  }
+  return result;
 }
 
 }  // namespace torsor

@@ -21,6 +21,13 @@ std::vector<Value> inertia_forces(const Model& model, AccelerationInput input, c
 /// S = ∫ r r dm the first two terms are S_yy U_zy − S_zz U_yz: one term, where S vanishes along the axis `without_line`.
 Wrench screw_less_gravity(Program& program, Acceleration& motion, const MassProperties& body, int without_line);
 
+/// The same about the reference motion: P_i − Q_i at its accelerations q̈, which are given back too, by unknown. Each
+/// unknown is the displacement of one joint (has_simple_joints).
+struct ReferenceForces {
+  std::vector<Value> accelerations, forces;
+};
+ReferenceForces reference_forces(const Model& model, const std::map<int, Wrench>& wrenches);
+
 /// What each joint carries: the sum, over the link and all that it carries, of dynamic screws minus gravity minus
 /// applied wrenches, at the link's origin, in its axes as `axes` says. With regrouped inertia (`properties`) only what
 /// works on the joints is that of the mechanism.

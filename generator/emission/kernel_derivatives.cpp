@@ -38,15 +38,14 @@ Kernel make_inverse_dynamics_derivatives(const Equations& equations) {
 
 Kernel make_forward_dynamics_derivatives(const Equations& equations) {
   Kernel kernel;
+  const ForwardDerivatives derivatives = forward_derivatives(equations);
   kernel.documentation =
-      "Derivatives of forward_dynamics at (q, v, u), the accelerations and multipliers being those of the motion, by\n"
-      "solving with the factorisation of the motion. Returns singular where forward_dynamics does." +
-      about_attitudes(equations);
+      "Derivatives of forward_dynamics at (q, v, u), the accelerations and multipliers being those of the motion, by\n" +
+      derivatives.method + ". Returns singular where forward_dynamics does." + about_attitudes(equations);
   kernel.arguments = {Argument::inputs};
   kernel.structures = {
       {"ForwardDynamicsDerivatives", "Derivatives of accelerations and multipliers, stored column by column.", {}}};
   kernel.results = {{"ForwardDynamicsDerivatives", "result"}};
-  const ForwardDerivatives derivatives = forward_derivatives(equations);
   const auto add = [&](const std::string& prefix, const std::string& what, const ForwardDerivatives::Of& of) {
     add_matrix(kernel, prefix + "by_position", of.by_position, "d" + what + "_i/dq_j");
     add_matrix(kernel, prefix + "by_velocity", of.by_velocity, "d" + what + "_i/dv_j");
