@@ -491,8 +491,8 @@ struct Mechanism {
     Scalar z129;
     Scalar z130;
     Scalar z131;
-    Scalar z228;
-    Scalar z231;
+    Scalar z193;
+    Scalar z194;
   };
 
   /// Values of the scene.
@@ -529,15 +529,15 @@ struct Mechanism {
     const Scalar z129 = n0_4 - z126;
     const Scalar z130 = z119 - z127;
     const Scalar z131 = z118 + z128;
-    const Scalar z228 = n1 / z130;
-    const Scalar z231 = n1 / z129;
+    const Scalar z193 = n1 / z130;
+    const Scalar z194 = n1 / z129;
     precomputed.s_alpha = s_alpha;
     precomputed.c_alpha = c_alpha;
     precomputed.z129 = z129;
     precomputed.z130 = z130;
     precomputed.z131 = z131;
-    precomputed.z228 = z228;
-    precomputed.z231 = z231;
+    precomputed.z193 = z193;
+    precomputed.z194 = z194;
     return precomputed;
   }
 
@@ -634,14 +634,14 @@ struct Mechanism {
     const Scalar v_e_omega_x = state.v.e_omega_x;
     const Scalar v_e_omega_y = state.v.e_omega_y;
     const Scalar v_e_omega_z = state.v.e_omega_z;
-    const Scalar z411 = n0_5 * (q_e_y * v_e_omega_y + q_e_z * v_e_omega_z + q_e_x * v_e_omega_x);
-    const Scalar z412 = n0_5 * (q_e_y * v_e_omega_z - q_e_z * v_e_omega_y + q_e_w * v_e_omega_x);
-    const Scalar z413 = n0_5 * (q_e_z * v_e_omega_x - q_e_x * v_e_omega_z + q_e_w * v_e_omega_y);
-    const Scalar z414 = n0_5 * (q_e_y * v_e_omega_x - q_e_x * v_e_omega_y - q_e_w * v_e_omega_z);
-    rates[0] = -z411;
-    rates[1] = z412;
-    rates[2] = z413;
-    rates[3] = -z414;
+    const Scalar z381 = n0_5 * (q_e_y * v_e_omega_y + q_e_z * v_e_omega_z + q_e_x * v_e_omega_x);
+    const Scalar z382 = n0_5 * (q_e_y * v_e_omega_z - q_e_z * v_e_omega_y + q_e_w * v_e_omega_x);
+    const Scalar z383 = n0_5 * (q_e_z * v_e_omega_x - q_e_x * v_e_omega_z + q_e_w * v_e_omega_y);
+    const Scalar z384 = n0_5 * (q_e_y * v_e_omega_x - q_e_x * v_e_omega_y - q_e_w * v_e_omega_z);
+    rates[0] = -z381;
+    rates[1] = z382;
+    rates[2] = z383;
+    rates[3] = -z384;
   }
 
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
@@ -986,8 +986,8 @@ struct Mechanism {
     const Scalar z129 = precomputed.z129;
     const Scalar z130 = precomputed.z130;
     const Scalar z131 = precomputed.z131;
-    const Scalar z228 = precomputed.z228;
-    const Scalar z231 = precomputed.z231;
+    const Scalar z193 = precomputed.z193;
+    const Scalar z194 = precomputed.z194;
     const Scalar z31 = v_e_omega_y * c_alpha + v_e_omega_z * s_alpha;
     const Scalar z32 = v_e_omega_y * s_alpha - v_e_omega_z * c_alpha;
     const Scalar z33 = v_e_omega_x * c_alpha - v_e_omega_z * s_alpha;
@@ -1020,10 +1020,10 @@ struct Mechanism {
     const Scalar z157 = v_e_omega_x * v_e_omega_z;
     const Scalar z158 = z136 - z140 - z148 + z152 - n665 * z156;  // moment on rotor, x
     const Scalar z159 = z134 - z142 - z146 + z154 - n665 * z157;  // moment on rotor, y
-    const Scalar z241 = z158 * z231;
-    const Scalar z242 = z159 * z228;
-    accelerations.e_omega_x = z241;
-    accelerations.e_omega_y = z242;
+    const Scalar z196 = z159 * z193;
+    const Scalar z197 = z158 * z194;
+    accelerations.e_omega_x = z197;
+    accelerations.e_omega_y = z196;
     accelerations.e_omega_z = n0;
     if (!(traits::regular(z129, z129) && traits::regular(-z130, -z130) && traits::regular(-z131,
         -z131))) return torsor::Status::singular;
@@ -1108,8 +1108,8 @@ struct Mechanism {
     const Scalar z129 = precomputed.z129;
     const Scalar z130 = precomputed.z130;
     const Scalar z131 = precomputed.z131;
-    const Scalar z228 = precomputed.z228;
-    const Scalar z231 = precomputed.z231;
+    const Scalar z193 = precomputed.z193;
+    const Scalar z194 = precomputed.z194;
     const Scalar z31 = v_e_omega_y * c_alpha + v_e_omega_z * s_alpha;
     const Scalar z32 = v_e_omega_y * s_alpha - v_e_omega_z * c_alpha;
     const Scalar z33 = v_e_omega_x * c_alpha - v_e_omega_z * s_alpha;
@@ -1155,44 +1155,44 @@ struct Mechanism {
     const Scalar z189 = n665 * (a_e_omega_x + z156) - z172 + z175 + z182 + z185;  // moment on rotor, x
     const Scalar z190 = n665 * (a_e_omega_y - z157) + z170 - z177 + z180 + z187;  // moment on rotor, y
     const Scalar z191 = n1330 * a_e_omega_z + z173 - z178 + z183 - z188;  // moment on rotor, z
-    const Scalar z267 = s_alpha * z37 + c_alpha * z38;
-    const Scalar z268 = n0_4 * z267;
-    const Scalar z269 = n0_4 * z35;
+    const Scalar z229 = s_alpha * z37 + c_alpha * z38;
+    const Scalar z230 = n0_4 * z229;
+    const Scalar z231 = n0_4 * z35;
+    const Scalar z232 = s_alpha * z231;
+    const Scalar z233 = s_alpha * z33 + c_alpha * z34;
+    const Scalar z234 = n0_4 * z233;
+    const Scalar z235 = n0_4 * z31;
+    const Scalar z236 = s_alpha * z235;
+    const Scalar z237 = n665 * v_e_omega_z - z230 + z232 + z234 - z236;
+    const Scalar z242 = n0_4 * z37;
+    const Scalar z243 = s_alpha * z242;
+    const Scalar z244 = s_alpha * z35 + c_alpha * z36;
+    const Scalar z245 = n0_4 * z244;
+    const Scalar z246 = n0_4 * z33;
+    const Scalar z247 = s_alpha * z246;
+    const Scalar z248 = s_alpha * z31 + c_alpha * z32;
+    const Scalar z249 = n0_4 * z248;
+    const Scalar z250 = n665 * v_e_omega_z - z243 + z245 + z247 - z249;
+    const Scalar z258 = v_e_omega_y * s_alpha;
+    const Scalar z259 = n0_4 * z258;
+    const Scalar z260 = s_alpha * z259;
+    const Scalar z261 = s_alpha * z36 - c_alpha * z35;
+    const Scalar z262 = n0_4 * z261;
+    const Scalar z263 = s_alpha * z32 - c_alpha * z31;
+    const Scalar z264 = n0_4 * z263;
+    const Scalar z265 = n665 * v_e_omega_y - n2 * z260 - z262 - z264;
+    const Scalar z266 = s_alpha * z38 - c_alpha * z37;
+    const Scalar z267 = n0_4 * z266;
+    const Scalar z268 = v_e_omega_x * s_alpha;
+    const Scalar z269 = n0_4 * z268;
     const Scalar z270 = s_alpha * z269;
-    const Scalar z271 = s_alpha * z33 + c_alpha * z34;
+    const Scalar z271 = s_alpha * z34 - c_alpha * z33;
     const Scalar z272 = n0_4 * z271;
-    const Scalar z273 = n0_4 * z31;
-    const Scalar z274 = s_alpha * z273;
-    const Scalar z275 = n665 * v_e_omega_z - z268 + z270 + z272 - z274;
-    const Scalar z280 = n0_4 * z37;
-    const Scalar z281 = s_alpha * z280;
-    const Scalar z282 = s_alpha * z35 + c_alpha * z36;
-    const Scalar z283 = n0_4 * z282;
-    const Scalar z284 = n0_4 * z33;
-    const Scalar z285 = s_alpha * z284;
-    const Scalar z286 = s_alpha * z31 + c_alpha * z32;
-    const Scalar z287 = n0_4 * z286;
-    const Scalar z288 = n665 * v_e_omega_z - z281 + z283 + z285 - z287;
-    const Scalar z296 = v_e_omega_y * s_alpha;
-    const Scalar z297 = n0_4 * z296;
-    const Scalar z298 = s_alpha * z297;
-    const Scalar z299 = s_alpha * z36 - c_alpha * z35;
-    const Scalar z300 = n0_4 * z299;
-    const Scalar z301 = s_alpha * z32 - c_alpha * z31;
-    const Scalar z302 = n0_4 * z301;
-    const Scalar z303 = n665 * v_e_omega_y - n2 * z298 - z300 - z302;
-    const Scalar z304 = s_alpha * z38 - c_alpha * z37;
-    const Scalar z305 = n0_4 * z304;
-    const Scalar z306 = v_e_omega_x * s_alpha;
-    const Scalar z307 = n0_4 * z306;
-    const Scalar z308 = s_alpha * z307;
-    const Scalar z309 = s_alpha * z34 - c_alpha * z33;
-    const Scalar z310 = n0_4 * z309;
-    const Scalar z311 = n665 * v_e_omega_x - z305 - n2 * z308 - z310;
-    const Scalar z405 = z228 * z275;
-    const Scalar z407 = z231 * z288;
-    const Scalar z409 = z231 * z303;
-    const Scalar z410 = z228 * z311;
+    const Scalar z273 = n665 * v_e_omega_x - z267 - n2 * z270 - z272;
+    const Scalar z375 = z193 * z237;
+    const Scalar z377 = z194 * z250;
+    const Scalar z379 = z194 * z265;
+    const Scalar z380 = z193 * z273;
     result.M[0] = z129;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -1203,13 +1203,13 @@ struct Mechanism {
     result.M[7] = n0;
     result.M[8] = -z131;
     result.C[0] = n0;
-    result.C[1] = -z275;
+    result.C[1] = -z237;
     result.C[2] = n0;
-    result.C[3] = z288;
+    result.C[3] = z250;
     result.C[4] = n0;
     result.C[5] = n0;
-    result.C[6] = z303;
-    result.C[7] = -z311;
+    result.C[6] = z265;
+    result.C[7] = -z273;
     result.C[8] = n0;
     result.K[0] = n0;
     result.K[1] = n0;
@@ -1245,19 +1245,19 @@ struct Mechanism {
     result.A[19] = n0;
     result.A[20] = n0;
     result.A[21] = n0;
-    result.A[22] = -z405;
+    result.A[22] = -z375;
     result.A[23] = n0;
     result.A[24] = n0;
     result.A[25] = n1;
     result.A[26] = n0;
-    result.A[27] = -z407;
+    result.A[27] = -z377;
     result.A[28] = n0;
     result.A[29] = n0;
     result.A[30] = n0;
     result.A[31] = n0;
     result.A[32] = n1;
-    result.A[33] = -z409;
-    result.A[34] = -z410;
+    result.A[33] = -z379;
+    result.A[34] = -z380;
     result.A[35] = n0;
     if (!(traits::regular(z129, z129) && traits::regular(-z130, -z130) && traits::regular(-z131,
         -z131))) return torsor::Status::singular;

@@ -724,9 +724,9 @@ struct Mechanism {
     const Scalar z19 = p_f * z17;
     const Scalar z20 = z6 + z9 + z12 - z19;
     const Scalar z21 = z9 + z12;
-    const Scalar z28 = n10 * z21;  // acceleration of joint absorber
+    const Scalar z27 = n10 * z21;
     accelerations.x1 = -z20;
-    accelerations.x2 = z28;
+    accelerations.x2 = z27;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.x1 - accelerations.x1) + (accelerations.x2 - accelerations.x2);
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;

@@ -605,8 +605,8 @@ struct Mechanism {
     Scalar z36;
     Scalar z38;
     Scalar z46;
-    Scalar z49;
-    Scalar z52;
+    Scalar z47;
+    Scalar z48;
     Scalar y0;
     Scalar y1;
     Scalar y2;
@@ -636,16 +636,16 @@ struct Mechanism {
     const Scalar z36 = p_I1 - p_I3;
     const Scalar z38 = p_I1 - p_I2;
     const Scalar z46 = n1 / p_I3;
-    const Scalar z49 = n1 / p_I2;
-    const Scalar z52 = n1 / p_I1;
+    const Scalar z47 = n1 / p_I2;
+    const Scalar z48 = n1 / p_I1;
     precomputed.z34 = z34;
     precomputed.z36 = z36;
     precomputed.z38 = z38;
     precomputed.z46 = z46;
-    precomputed.z49 = z49;
-    precomputed.z52 = z52;
-    precomputed.y0 = z34 * z52;
-    precomputed.y1 = z36 * z49;
+    precomputed.z47 = z47;
+    precomputed.z48 = z48;
+    precomputed.y0 = z34 * z48;
+    precomputed.y1 = z36 * z47;
     precomputed.y2 = z38 * z46;
     return precomputed;
   }
@@ -727,14 +727,14 @@ struct Mechanism {
     const Scalar v_e_omega_x = state.v.e_omega_x;
     const Scalar v_e_omega_y = state.v.e_omega_y;
     const Scalar v_e_omega_z = state.v.e_omega_z;
-    const Scalar z90 = n0_5 * (q_e_y * v_e_omega_y + q_e_z * v_e_omega_z + q_e_x * v_e_omega_x);
-    const Scalar z91 = n0_5 * (q_e_y * v_e_omega_z - q_e_z * v_e_omega_y + q_e_w * v_e_omega_x);
-    const Scalar z92 = n0_5 * (q_e_z * v_e_omega_x - q_e_x * v_e_omega_z + q_e_w * v_e_omega_y);
-    const Scalar z93 = n0_5 * (q_e_y * v_e_omega_x - q_e_x * v_e_omega_y - q_e_w * v_e_omega_z);
-    rates[0] = -z90;
-    rates[1] = z91;
-    rates[2] = z92;
-    rates[3] = -z93;
+    const Scalar z88 = n0_5 * (q_e_y * v_e_omega_y + q_e_z * v_e_omega_z + q_e_x * v_e_omega_x);
+    const Scalar z89 = n0_5 * (q_e_y * v_e_omega_z - q_e_z * v_e_omega_y + q_e_w * v_e_omega_x);
+    const Scalar z90 = n0_5 * (q_e_z * v_e_omega_x - q_e_x * v_e_omega_z + q_e_w * v_e_omega_y);
+    const Scalar z91 = n0_5 * (q_e_y * v_e_omega_x - q_e_x * v_e_omega_y - q_e_w * v_e_omega_z);
+    rates[0] = -z88;
+    rates[1] = z89;
+    rates[2] = z90;
+    rates[3] = -z91;
   }
 
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
@@ -872,20 +872,20 @@ struct Mechanism {
     const Scalar z36 = precomputed.z36;
     const Scalar z38 = precomputed.z38;
     const Scalar z46 = precomputed.z46;
-    const Scalar z49 = precomputed.z49;
-    const Scalar z52 = precomputed.z52;
+    const Scalar z47 = precomputed.z47;
+    const Scalar z48 = precomputed.z48;
     const Scalar z35 = v_e_omega_y * v_e_omega_z;
     const Scalar z37 = v_e_omega_x * v_e_omega_z;
     const Scalar z39 = v_e_omega_x * v_e_omega_y;
     const Scalar z40 = z34 * z35;  // moment on body, x
     const Scalar z41 = z36 * z37;  // moment on body, y
     const Scalar z42 = z38 * z39;  // moment on body, z
-    const Scalar z47 = z42 * z46;
-    const Scalar z50 = z41 * z49;
-    const Scalar z53 = z40 * z52;  // acceleration of joint e_omega_x
-    accelerations.e_omega_x = z53;
+    const Scalar z49 = z42 * z46;
+    const Scalar z50 = z41 * z47;
+    const Scalar z51 = z40 * z48;
+    accelerations.e_omega_x = z51;
     accelerations.e_omega_y = -z50;
-    accelerations.e_omega_z = z47;
+    accelerations.e_omega_z = z49;
     if (!(traits::regular(p_I1, p_I1) && traits::regular(p_I2, p_I2) && traits::regular(p_I3,
         p_I3))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
@@ -947,26 +947,26 @@ struct Mechanism {
     const Scalar z36 = precomputed.z36;
     const Scalar z38 = precomputed.z38;
     const Scalar z46 = precomputed.z46;
-    const Scalar z49 = precomputed.z49;
-    const Scalar z52 = precomputed.z52;
+    const Scalar z47 = precomputed.z47;
+    const Scalar z48 = precomputed.z48;
     const Scalar z35 = v_e_omega_y * v_e_omega_z;
     const Scalar z37 = v_e_omega_x * v_e_omega_z;
     const Scalar z39 = v_e_omega_x * v_e_omega_y;
     const Scalar z43 = a_e_omega_x * p_I1 - z34 * z35;  // moment on body, x
     const Scalar z44 = a_e_omega_y * p_I2 + z36 * z37;  // moment on body, y
     const Scalar z45 = a_e_omega_z * p_I3 - z38 * z39;  // moment on body, z
-    const Scalar z60 = v_e_omega_z * z36;
-    const Scalar z61 = v_e_omega_y * z38;
-    const Scalar z62 = v_e_omega_z * z34;
-    const Scalar z63 = v_e_omega_x * z38;
-    const Scalar z64 = v_e_omega_y * z34;
-    const Scalar z65 = v_e_omega_x * z36;
-    const Scalar z84 = z49 * z60;
+    const Scalar z58 = v_e_omega_z * z36;
+    const Scalar z59 = v_e_omega_y * z38;
+    const Scalar z60 = v_e_omega_z * z34;
+    const Scalar z61 = v_e_omega_x * z38;
+    const Scalar z62 = v_e_omega_y * z34;
+    const Scalar z63 = v_e_omega_x * z36;
+    const Scalar z82 = z47 * z58;
+    const Scalar z83 = z46 * z59;
+    const Scalar z84 = z48 * z60;
     const Scalar z85 = z46 * z61;
-    const Scalar z86 = z52 * z62;
-    const Scalar z87 = z46 * z63;
-    const Scalar z88 = z52 * z64;
-    const Scalar z89 = z49 * z65;
+    const Scalar z86 = z48 * z62;
+    const Scalar z87 = z47 * z63;
     result.M[0] = p_I1;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -977,13 +977,13 @@ struct Mechanism {
     result.M[7] = n0;
     result.M[8] = p_I3;
     result.C[0] = n0;
-    result.C[1] = z60;
-    result.C[2] = -z61;
-    result.C[3] = -z62;
+    result.C[1] = z58;
+    result.C[2] = -z59;
+    result.C[3] = -z60;
     result.C[4] = n0;
-    result.C[5] = -z63;
-    result.C[6] = -z64;
-    result.C[7] = z65;
+    result.C[5] = -z61;
+    result.C[6] = -z62;
+    result.C[7] = z63;
     result.C[8] = n0;
     result.K[0] = n0;
     result.K[1] = n0;
@@ -1019,19 +1019,19 @@ struct Mechanism {
     result.A[19] = n0;
     result.A[20] = n0;
     result.A[21] = n0;
-    result.A[22] = -z84;
-    result.A[23] = z85;
+    result.A[22] = -z82;
+    result.A[23] = z83;
     result.A[24] = n0;
     result.A[25] = n1;
     result.A[26] = n0;
-    result.A[27] = z86;
+    result.A[27] = z84;
     result.A[28] = n0;
-    result.A[29] = z87;
+    result.A[29] = z85;
     result.A[30] = n0;
     result.A[31] = n0;
     result.A[32] = n1;
-    result.A[33] = z88;
-    result.A[34] = -z89;
+    result.A[33] = z86;
+    result.A[34] = -z87;
     result.A[35] = n0;
     if (!(traits::regular(p_I1, p_I1) && traits::regular(p_I2, p_I2) && traits::regular(p_I3,
         p_I3))) return torsor::Status::singular;

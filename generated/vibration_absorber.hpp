@@ -14,7 +14,7 @@
 //   mass_matrix               0                1          0             0                  1       0      3       4
 //   bias                      3                8          0             0                  2       0     15      28
 //   inverse_dynamics          7               13          0             0                  2       0     24      43
-//   forward_dynamics          6               15          1             0                  2       0     26      35
+//   forward_dynamics          6               15          1             0                  2       0     26      41
 //   energy                   13               27          0             0                  2       0     44      50
 //   linearisation            12               32          1             0                  2       0     49      70
 //
@@ -475,7 +475,7 @@ struct Mechanism {
     Parameters parameters;
     Scalar z14;
     Scalar z54;  ///< force on rotor, z
-    Scalar z81;
+    Scalar z80;
   };
 
   /// Values of the scene.
@@ -499,10 +499,10 @@ struct Mechanism {
     const Scalar z14 = p_d * p_d;
     const Scalar z53 = p_omega * p_omega;
     const Scalar z54 = n0_002 * z53;  // force on rotor, z
-    const Scalar z81 = n1 / z14;
+    const Scalar z80 = n1 / z14;
     precomputed.z14 = z14;
     precomputed.z54 = z54;
-    precomputed.z81 = z81;
+    precomputed.z80 = z80;
     return precomputed;
   }
 
@@ -775,7 +775,7 @@ struct Mechanism {
     const Scalar p_d = precomputed.parameters.d;
     const Scalar z14 = precomputed.z14;
     const Scalar z54 = precomputed.z54;
-    const Scalar z81 = precomputed.z81;
+    const Scalar z80 = precomputed.z80;
     const Scalar z10 = p_omega * t;
     const Scalar angles_[] = {q_theta, z10};
     Scalar sines_[2], cosines_[2];
@@ -793,15 +793,15 @@ struct Mechanism {
     const Scalar z61 = s_theta * z59;
     const Scalar z63 = z56 + z61;  // force on support, x
     const Scalar z66 = z48 + z63;
-    const Scalar z100 = z21 * z81;
-    const Scalar z101 = n11_1 - z21 * z100;
-    const Scalar z102 = n1 / z101;
-    const Scalar z103 = z60 * z100 + z66;
-    const Scalar z104 = z102 * z103;
-    const Scalar z105 = z60 * z81 + z100 * z104;
-    accelerations.X = z104;
-    accelerations.theta = -z105;
-    if (!(traits::regular(z101, n11_1) && traits::regular(z14, z14))) return torsor::Status::singular;
+    const Scalar z107 = z21 * z80;
+    const Scalar z108 = n11_1 - z21 * z107;
+    const Scalar z109 = n1 / z108;
+    const Scalar z110 = z60 * z107 + z66;
+    const Scalar z111 = z109 * z110;
+    const Scalar z112 = z60 * z80 + z107 * z111;
+    accelerations.X = z111;
+    accelerations.theta = -z112;
+    if (!(traits::regular(z108, n11_1) && traits::regular(z14, z14))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.X - accelerations.X) + (accelerations.theta - accelerations.theta);
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -842,10 +842,10 @@ struct Mechanism {
     const Scalar z23 = v_theta * p_d + z16;
     const Scalar z32 = n0_002 * z12;
     const Scalar z47 = n0_1 - q_X;
-    const Scalar z106 = v_theta * z14 + p_d * z16;
-    const Scalar z107 = n0_002 * p_omega + n0_1 * z18;
-    const Scalar z108 = k2 * p_omega + n0_002 * z18;
-    result.kinetic = n0_5 * (v_theta * z106 + p_omega * z108 + z16 * z23 + z17 * z17 + z18 * z107) + n5 * v_X * v_X
+    const Scalar z113 = v_theta * z14 + p_d * z16;
+    const Scalar z114 = n0_002 * p_omega + n0_1 * z18;
+    const Scalar z115 = k2 * p_omega + n0_002 * z18;
+    result.kinetic = n0_5 * (v_theta * z113 + p_omega * z115 + z16 * z23 + z17 * z17 + z18 * z114) + n5 * v_X * v_X
         + n0_05 * z19 * z19;
     result.force_function = n9_81 * (z21 + z32) - n500 * z47 * z47;
     result.power = n0;
@@ -872,7 +872,7 @@ struct Mechanism {
     const Scalar p_d = precomputed.parameters.d;
     const Scalar z14 = precomputed.z14;
     const Scalar z54 = precomputed.z54;
-    const Scalar z81 = precomputed.z81;
+    const Scalar z80 = precomputed.z80;
     const Scalar z10 = p_omega * t;
     const Scalar angles_[] = {q_theta, z10};
     Scalar sines_[2], cosines_[2];
@@ -893,51 +893,51 @@ struct Mechanism {
     const Scalar z75 = s_theta * z72 + c_theta * z59;
     const Scalar z76 = n11_1 * a_X - z56 - z74;  // force on support, x
     const Scalar z79 = z48 - z76;
-    const Scalar z100 = z21 * z81;
-    const Scalar z101 = n11_1 - z21 * z100;
-    const Scalar z102 = n1 / z101;
-    const Scalar z135 = n2 * v_theta;
-    const Scalar z136 = p_d * z135;
-    const Scalar z137 = s_theta * z136;
-    const Scalar z138 = p_d * z68;
-    const Scalar z159 = n1000 * z102;
-    const Scalar z160 = z100 * z159;
-    const Scalar z161 = z75 - z100 * z138;
-    const Scalar z162 = z102 * z161;
-    const Scalar z163 = z81 * z138 - z100 * z162;
-    const Scalar z164 = z102 * z137;
-    const Scalar z165 = z100 * z164;
+    const Scalar z107 = z21 * z80;
+    const Scalar z108 = n11_1 - z21 * z107;
+    const Scalar z109 = n1 / z108;
+    const Scalar z142 = n2 * v_theta;
+    const Scalar z143 = p_d * z142;
+    const Scalar z144 = s_theta * z143;
+    const Scalar z145 = p_d * z68;
+    const Scalar z167 = n1000 * z109;
+    const Scalar z168 = z107 * z167;
+    const Scalar z169 = z75 - z107 * z145;
+    const Scalar z170 = z109 * z169;
+    const Scalar z171 = z80 * z145 - z107 * z170;
+    const Scalar z172 = z109 * z144;
+    const Scalar z173 = z107 * z172;
     result.M[0] = n11_1;
     result.M[1] = z21;
     result.M[2] = z21;
     result.M[3] = z14;
     result.C[0] = n0;
     result.C[1] = n0;
-    result.C[2] = -z137;
+    result.C[2] = -z144;
     result.C[3] = n0;
     result.K[0] = n1000;
     result.K[1] = n0;
     result.K[2] = -z75;
-    result.K[3] = -z138;
+    result.K[3] = -z145;
     result.F[0] = z79;
     result.F[1] = -z73;
     result.A[0] = n0;
     result.A[1] = n0;
-    result.A[2] = -z159;
-    result.A[3] = z160;
+    result.A[2] = -z167;
+    result.A[3] = z168;
     result.A[4] = n0;
     result.A[5] = n0;
-    result.A[6] = z162;
-    result.A[7] = z163;
+    result.A[6] = z170;
+    result.A[7] = z171;
     result.A[8] = n1;
     result.A[9] = n0;
     result.A[10] = n0;
     result.A[11] = n0;
     result.A[12] = n0;
     result.A[13] = n1;
-    result.A[14] = z164;
-    result.A[15] = -z165;
-    if (!(traits::regular(z101, n11_1) && traits::regular(z14, z14))) return torsor::Status::singular;
+    result.A[14] = z172;
+    result.A[15] = -z173;
+    if (!(traits::regular(z108, n11_1) && traits::regular(z14, z14))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.M[1] - result.M[1]) + (result.M[2] - result.M[2]) + (result.M[3] - result.M[3])
         + (result.C[2] - result.C[2]) + (result.K[2] - result.K[2]) + (result.K[3] - result.K[3]) + (result.F[0]

@@ -22,10 +22,10 @@ struct ForwardDerivatives {
   std::string method;  ///< how they are found, in words
 };
 
-/// Through articulated bodies (articulated_derivatives.hpp) where that applies and takes fewer operations, or the
-/// model's options ask for it; else by the equations themselves, differentiated at the motion's own accelerations and
-/// multipliers and solved with their factorisation, so that no derivative of M⁻¹ is formed:
-/// M δa − B δλ = −∂(M a + h − B λ − E u)/∂x δx, A δa = −∂(A a + γ)/∂x δx (Carpentier & Mansard, Analytical derivatives of rigid body dynamics algorithms, 2018, eq. 4).
+/// Through articulated bodies (articulated_derivatives.hpp) where that fits and costs less or is asked for; else by the
+/// equations, differentiated at the motion's own accelerations and multipliers and solved with their factorisation: no
+/// derivative of M⁻¹ is formed. M δa − B δλ = −∂(M a + h − B λ − E u)/∂x δx, A δa = −∂(A a + γ)/∂x δx (Carpentier &
+/// Mansard, Analytical derivatives of rigid body dynamics algorithms, 2018, eq. 4).
 ForwardDerivatives forward_derivatives(const Equations& equations);
 
 }  // namespace torsor

@@ -131,8 +131,9 @@ TEST(ArticulatedDerivatives, AreTakenForLongChains) {
     };
     if (scene.name() != "panda" && scene.name() != "chain16") continue;
     const bool longer = scene.name() == "chain16";
-    EXPECT_EQ(total(ForwardMethod::cheapest),
-              total(longer ? ForwardMethod::articulated_body : ForwardMethod::factorisation));
+    const int least = total(ForwardMethod::cheapest);
+    EXPECT_EQ(least, total(longer ? ForwardMethod::articulated_body : ForwardMethod::factorisation));
+    EXPECT_LE(least, longer ? 22'900 : 4'800);  // Pinocchio's, taped and optimised by CppAD: 30,394 and 7,059
   }
 }
 
