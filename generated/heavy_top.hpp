@@ -13,7 +13,7 @@
 //   mass_matrix               1                3          0             0                  1       0      6       6
 //   bias                      7               21          0             0                  2       0     32      56
 //   inverse_dynamics         12               23          0             0                  2       0     39      65
-//   forward_dynamics         11               31          1             0                  2       0     47      56
+//   forward_dynamics          9               27          1             0                  2       0     41      61
 //   energy                    6               16          0             0                  3       0     28      29
 //   first_integrals           8               19          0             0                  3       0     33      34
 //   linearisation            37               89          1             0                  2       0    131     181
@@ -885,24 +885,23 @@ struct Mechanism {
     const Scalar z59 = v_beta * z19;
     const Scalar z60 = z15 * z19;
     const Scalar z61 = n15_over_32 * z59;  // moment on top, x
-    const Scalar z62 = n15_over_32 * z56;  // moment on top, y
     const Scalar z63 = n15_over_32 * z60;  // moment on top, z
     const Scalar z64 = z15 * z16;
     const Scalar z68 = n2 * z55;
     const Scalar z72 = n15 * z52 - z61 - n975_over_64 * z68;  // moment on second, x
     const Scalar z73 = n15 * z53 - z63 - n975_over_64 * z64;  // moment on second, z
-    const Scalar z76 = s_beta * z62 + c_beta * z72;
-    const Scalar z144 = n32_over_15 * z42;
-    const Scalar z145 = z42 * z144 - z48;
-    const Scalar z146 = n1 / z145;
-    const Scalar z147 = z62 * z144 - z76;
-    const Scalar z148 = z146 * z147;
-    const Scalar z149 = n64_over_975 * z73;
-    const Scalar z150 = n32_over_15 * z62 - z144 * z148;
-    accelerations.alpha = -z148;
-    accelerations.beta = z149;
-    accelerations.gamma = z150;
-    if (!(traits::regular(-z145, z48))) return torsor::Status::singular;
+    const Scalar z135 = n32_over_15 * z42;
+    const Scalar z136 = z42 * z135 - z48;
+    const Scalar z137 = n1 / z136;
+    const Scalar z140 = n64_over_975 * z73;
+    const Scalar z142 = c_beta * z72;
+    const Scalar z144 = z137 * z142;
+    const Scalar z145 = z135 * z144;
+    const Scalar z146 = z56 + z145;
+    accelerations.alpha = z144;
+    accelerations.beta = z140;
+    accelerations.gamma = z146;
+    if (!(traits::regular(-z136, z48))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.alpha - accelerations.alpha) + (accelerations.beta - accelerations.beta)
         + (accelerations.gamma - accelerations.gamma);
@@ -937,9 +936,9 @@ struct Mechanism {
     const Scalar z19 = v_gamma - z16;  // angular velocity of top, y
     const Scalar z44 = n15 * c_beta;
     const Scalar z45 = n15 * s_beta;
-    const Scalar z152 = s_alpha * z44;
+    const Scalar z148 = s_alpha * z44;
     result.kinetic = n975_over_128 * (z17 * z17 + z18 * z18) + n15_over_64 * z19 * z19;
-    result.force_function = -n4_905 * z45 - k4 * z152;
+    result.force_function = -n4_905 * z45 - k4 * z148;
     result.power = n0;
   }
 
@@ -971,8 +970,8 @@ struct Mechanism {
     const Scalar z42 = n15_over_32 * s_beta;
     const Scalar z44 = n15 * c_beta;
     const Scalar z45 = n15 * s_beta;
-    const Scalar z152 = s_alpha * z44;
-    result.energy = n975_over_128 * (z17 * z17 + z18 * z18) + n15_over_64 * z19 * z19 + n4_905 * z45 + k5 * z152;
+    const Scalar z148 = s_alpha * z44;
+    result.energy = n975_over_128 * (z17 * z17 + z18 * z18) + n15_over_64 * z19 * z19 + n4_905 * z45 + k5 * z148;
     result.momentum_gamma = -v_alpha * z42 + n15_over_32 * v_gamma;
   }
 
@@ -1033,56 +1032,56 @@ struct Mechanism {
     const Scalar z90 = n15 * z52 - z61 - n975_over_64 * z87;  // moment on second, x
     const Scalar z91 = n975_over_64 * (a_beta + z64) - n15 * z53 + z63;  // moment on second, z
     const Scalar z94 = s_beta * z85 - c_beta * z90;
-    const Scalar z144 = n32_over_15 * z42;
-    const Scalar z145 = z42 * z144 - z48;
-    const Scalar z146 = n1 / z145;
-    const Scalar z153 = n15_over_32 * z19;
-    const Scalar z165 = v_beta * c_beta;
-    const Scalar z166 = n15_over_32 * z165;
-    const Scalar z167 = v_beta * s_beta;
-    const Scalar z168 = n15_over_32 * z167;
-    const Scalar z169 = n2 * z167;
-    const Scalar z170 = z168 - n975_over_64 * z169;
-    const Scalar z171 = s_beta * z166 + c_beta * z170;
-    const Scalar z172 = n15 * z51;
-    const Scalar z173 = c_beta * z172;
-    const Scalar z174 = s_beta * z15 - c_beta * z19;
-    const Scalar z175 = n15_over_32 * z174;
-    const Scalar z176 = s_beta * z15 + c_beta * z16;
-    const Scalar z177 = z175 - n975_over_64 * z176;
-    const Scalar z178 = s_beta * z52;
-    const Scalar z179 = n15 * z178;
-    const Scalar z180 = n15_over_32 * z15;
-    const Scalar z181 = n2 * z16;
-    const Scalar z182 = z153 + n975_over_64 * z181;
-    const Scalar z183 = s_beta * z180 - c_beta * z182;
-    const Scalar z184 = n15_over_32 * z80;
-    const Scalar z185 = z56 + z81;
-    const Scalar z186 = z62 - n975_over_64 * z185;
-    const Scalar z187 = s_beta * (z90 + z184) + c_beta * (z85 - z186);
-    const Scalar z188 = z15 * z15 + z16 * z19;
-    const Scalar z189 = n15_over_32 * z188;
-    const Scalar z190 = z15 * z15 - z16 * z16;
-    const Scalar z191 = n15 * z54 + z189 - n975_over_64 * z190;
-    const Scalar z192 = n15_over_32 * v_beta;
-    const Scalar z193 = c_beta * z192;
-    const Scalar z264 = z146 * z173;
-    const Scalar z265 = n64_over_975 * z179;
-    const Scalar z266 = z144 * z264;
-    const Scalar z267 = z144 * z166 - z171;
-    const Scalar z268 = z146 * z267;
-    const Scalar z269 = n64_over_975 * z177;
-    const Scalar z270 = z144 * z268 - n32_over_15 * z166;
-    const Scalar z271 = z144 * z184 - z187;
-    const Scalar z272 = z146 * z271;
-    const Scalar z273 = n64_over_975 * z191;
-    const Scalar z274 = z144 * z272 - n32_over_15 * z184;
-    const Scalar z275 = z144 * z180 - z183;
-    const Scalar z276 = z146 * z275;
-    const Scalar z277 = z144 * z276 - n32_over_15 * z180;
-    const Scalar z278 = z146 * z193;
-    const Scalar z279 = n64_over_975 * z180;
-    const Scalar z280 = z144 * z278;
+    const Scalar z135 = n32_over_15 * z42;
+    const Scalar z136 = z42 * z135 - z48;
+    const Scalar z137 = n1 / z136;
+    const Scalar z149 = n15_over_32 * z19;
+    const Scalar z161 = v_beta * c_beta;
+    const Scalar z162 = n15_over_32 * z161;
+    const Scalar z163 = v_beta * s_beta;
+    const Scalar z164 = n15_over_32 * z163;
+    const Scalar z165 = n2 * z163;
+    const Scalar z166 = z164 - n975_over_64 * z165;
+    const Scalar z167 = s_beta * z162 + c_beta * z166;
+    const Scalar z168 = n15 * z51;
+    const Scalar z169 = c_beta * z168;
+    const Scalar z170 = s_beta * z15 - c_beta * z19;
+    const Scalar z171 = n15_over_32 * z170;
+    const Scalar z172 = s_beta * z15 + c_beta * z16;
+    const Scalar z173 = z171 - n975_over_64 * z172;
+    const Scalar z174 = s_beta * z52;
+    const Scalar z175 = n15 * z174;
+    const Scalar z176 = n15_over_32 * z15;
+    const Scalar z177 = n2 * z16;
+    const Scalar z178 = z149 + n975_over_64 * z177;
+    const Scalar z179 = s_beta * z176 - c_beta * z178;
+    const Scalar z180 = n15_over_32 * z80;
+    const Scalar z181 = z56 + z81;
+    const Scalar z182 = z62 - n975_over_64 * z181;
+    const Scalar z183 = s_beta * (z90 + z180) + c_beta * (z85 - z182);
+    const Scalar z184 = z15 * z15 + z16 * z19;
+    const Scalar z185 = n15_over_32 * z184;
+    const Scalar z186 = z15 * z15 - z16 * z16;
+    const Scalar z187 = n15 * z54 + z185 - n975_over_64 * z186;
+    const Scalar z188 = n15_over_32 * v_beta;
+    const Scalar z189 = c_beta * z188;
+    const Scalar z260 = z137 * z169;
+    const Scalar z261 = n64_over_975 * z175;
+    const Scalar z262 = z135 * z260;
+    const Scalar z263 = z135 * z162 - z167;
+    const Scalar z264 = z137 * z263;
+    const Scalar z265 = n64_over_975 * z173;
+    const Scalar z266 = z135 * z264 - n32_over_15 * z162;
+    const Scalar z267 = z135 * z180 - z183;
+    const Scalar z268 = z137 * z267;
+    const Scalar z269 = n64_over_975 * z187;
+    const Scalar z270 = z135 * z268 - n32_over_15 * z180;
+    const Scalar z271 = z135 * z176 - z179;
+    const Scalar z272 = z137 * z271;
+    const Scalar z273 = z135 * z272 - n32_over_15 * z176;
+    const Scalar z274 = z137 * z189;
+    const Scalar z275 = n64_over_975 * z176;
+    const Scalar z276 = z135 * z274;
     result.M[0] = z48;
     result.M[1] = n0;
     result.M[2] = -z42;
@@ -1092,21 +1091,21 @@ struct Mechanism {
     result.M[6] = -z42;
     result.M[7] = n0;
     result.M[8] = n15_over_32;
-    result.C[0] = z171;
-    result.C[1] = -z177;
-    result.C[2] = -z166;
-    result.C[3] = z183;
+    result.C[0] = z167;
+    result.C[1] = -z173;
+    result.C[2] = -z162;
+    result.C[3] = z179;
     result.C[4] = n0;
-    result.C[5] = -z180;
-    result.C[6] = -z193;
-    result.C[7] = z180;
+    result.C[5] = -z176;
+    result.C[6] = -z189;
+    result.C[7] = z176;
     result.C[8] = n0;
-    result.K[0] = -z173;
-    result.K[1] = -z179;
+    result.K[0] = -z169;
+    result.K[1] = -z175;
     result.K[2] = n0;
-    result.K[3] = -z187;
-    result.K[4] = -z191;
-    result.K[5] = z184;
+    result.K[3] = -z183;
+    result.K[4] = -z187;
+    result.K[5] = z180;
     result.K[6] = n0;
     result.K[7] = n0;
     result.K[8] = n0;
@@ -1116,15 +1115,15 @@ struct Mechanism {
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
-    result.A[3] = -z264;
-    result.A[4] = z265;
-    result.A[5] = -z266;
+    result.A[3] = -z260;
+    result.A[4] = z261;
+    result.A[5] = -z262;
     result.A[6] = n0;
     result.A[7] = n0;
     result.A[8] = n0;
-    result.A[9] = z272;
-    result.A[10] = z273;
-    result.A[11] = z274;
+    result.A[9] = z268;
+    result.A[10] = z269;
+    result.A[11] = z270;
     result.A[12] = n0;
     result.A[13] = n0;
     result.A[14] = n0;
@@ -1134,22 +1133,22 @@ struct Mechanism {
     result.A[18] = n1;
     result.A[19] = n0;
     result.A[20] = n0;
-    result.A[21] = -z268;
-    result.A[22] = z269;
-    result.A[23] = -z270;
+    result.A[21] = -z264;
+    result.A[22] = z265;
+    result.A[23] = -z266;
     result.A[24] = n0;
     result.A[25] = n1;
     result.A[26] = n0;
-    result.A[27] = -z276;
+    result.A[27] = -z272;
     result.A[28] = n0;
-    result.A[29] = -z277;
+    result.A[29] = -z273;
     result.A[30] = n0;
     result.A[31] = n0;
     result.A[32] = n1;
-    result.A[33] = -z278;
-    result.A[34] = -z279;
-    result.A[35] = -z280;
-    if (!(traits::regular(-z145, z48))) return torsor::Status::singular;
+    result.A[33] = -z274;
+    result.A[34] = -z275;
+    result.A[35] = -z276;
+    if (!(traits::regular(-z136, z48))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.M[0] - result.M[0]) + (result.M[2] - result.M[2]) + (result.M[6] - result.M[6])
         + (result.C[0] - result.C[0]) + (result.C[1] - result.C[1]) + (result.C[2] - result.C[2]) + (result.C[3]
@@ -1191,27 +1190,27 @@ struct Mechanism {
     const Scalar z46 = n945_over_64 * s_beta;
     const Scalar z47 = s_beta * z46;
     const Scalar z48 = n975_over_64 - z47;
-    const Scalar z144 = n32_over_15 * z42;
-    const Scalar z145 = z42 * z144 - z48;
+    const Scalar z135 = n32_over_15 * z42;
+    const Scalar z136 = z42 * z135 - z48;
     const Scalar b1 = state.v.alpha;
-    const Scalar b9 = b1 * c_beta;
-    const Scalar b5 = state.v.beta;
     const Scalar b10 = b1 * s_beta;
     const Scalar b8 = state.v.gamma;
     const Scalar b11 = b8 - b10;
-    const Scalar b13 = n975_over_32 * b10 + n15_over_32 * b11;
-    const Scalar b14 = b5 * b13;
-    const Scalar b15 = k5 * c_alpha - b14;
-    const Scalar b16 = s_beta * s_beta;
-    const Scalar b17 = -n975_over_64 + n975_over_64 * b16;
-    const Scalar b18 = c_beta * b15;
-    const Scalar b19 = b18 / b17;
-    const Scalar i19 = n1 / b17;
-    const Scalar b20 = b10 + n2_over_65 * b11;
-    const Scalar b22 = s_alpha * s_beta;
-    const Scalar b21 = b9 * b20;
-    const Scalar b12 = b5 * b9;
-    const Scalar b23 = s_beta * b19;
+    const Scalar b14 = n975_over_32 * b10 + n15_over_32 * b11;
+    const Scalar b5 = state.v.beta;
+    const Scalar b15 = b5 * b14;
+    const Scalar b16 = k5 * c_alpha - b15;
+    const Scalar b12 = s_beta * s_beta;
+    const Scalar b13 = -n975_over_64 + n975_over_64 * b12;
+    const Scalar b17 = c_beta * b16;
+    const Scalar b18 = b17 / b13;
+    const Scalar i18 = n1 / b13;
+    const Scalar b19 = b10 + n2_over_65 * b11;
+    const Scalar b9 = b1 * c_beta;
+    const Scalar b21 = s_alpha * s_beta;
+    const Scalar b20 = b9 * b19;
+    const Scalar b22 = b5 * b9;
+    const Scalar b23 = s_beta * b18;
     coefficients[0][0] = state.q.alpha;
     coefficients[0][1] = state.q.beta;
     coefficients[0][2] = state.q.gamma;
@@ -1221,9 +1220,9 @@ struct Mechanism {
     coefficients[1][0] = b1;
     coefficients[1][1] = b5;
     coefficients[1][2] = b8;
-    coefficients[1][3] = b19;
-    coefficients[1][4] = -k8 * c_beta + k9 * b22 - b21;
-    coefficients[1][5] = b12 + b23;
+    coefficients[1][3] = b18;
+    coefficients[1][4] = -k8 * c_beta + k9 * b21 - b20;
+    coefficients[1][5] = b22 + b23;
     torsor::Convolutions<Scalar, 14> operations_;
     typename torsor::Convolutions<Scalar, 14>::Sums sums_;
     Scalar number_ = n1, inverse_ = n1;
@@ -1244,32 +1243,32 @@ struct Mechanism {
       const Scalar x9 = sums_[4] + c_beta * x1 + b1 * x7;
       const Scalar x10 = sums_[5] + s_beta * x1 + b1 * x6;
       const Scalar x11 = x8 - x10;
-      const Scalar x12 = sums_[6] + b9 * x5 + b5 * x9;
-      const Scalar x13 = n975_over_32 * x10 + n15_over_32 * x11;
-      const Scalar x14 = sums_[7] + b13 * x5 + b5 * x13;
-      const Scalar x15 = k5 * x3 - x14;
-      const Scalar x16 = sums_[8] + (s_beta + s_beta) * x6;
-      const Scalar x17 = n975_over_64 * x16;
-      const Scalar x18 = sums_[9] + b15 * x7 + c_beta * x15;
-      const Scalar x19 = (x18 - (sums_[10] + b19 * x17)) * i19;
-      const Scalar x20 = x10 + n2_over_65 * x11;
-      const Scalar x21 = sums_[11] + b20 * x9 + b9 * x20;
-      const Scalar x22 = sums_[12] + s_alpha * x6 + s_beta * x2;
-      const Scalar x23 = sums_[13] + b19 * x6 + s_beta * x19;
+      const Scalar x12 = sums_[6] + (s_beta + s_beta) * x6;
+      const Scalar x13 = n975_over_64 * x12;
+      const Scalar x14 = n975_over_32 * x10 + n15_over_32 * x11;
+      const Scalar x15 = sums_[7] + b14 * x5 + b5 * x14;
+      const Scalar x16 = k5 * x3 - x15;
+      const Scalar x17 = sums_[8] + b16 * x7 + c_beta * x16;
+      const Scalar x18 = (x17 - (sums_[9] + b18 * x13)) * i18;
+      const Scalar x19 = x10 + n2_over_65 * x11;
+      const Scalar x20 = sums_[10] + b19 * x9 + b9 * x19;
+      const Scalar x21 = sums_[11] + s_alpha * x6 + s_beta * x2;
+      const Scalar x22 = sums_[12] + b9 * x5 + b5 * x9;
+      const Scalar x23 = sums_[13] + b18 * x6 + s_beta * x18;
       coefficients[k_ + 1][0] = next_ * x1;
       coefficients[k_ + 1][1] = next_ * x5;
       coefficients[k_ + 1][2] = next_ * x8;
-      coefficients[k_ + 1][3] = next_ * x19;
-      coefficients[k_ + 1][4] = next_ * (-k8 * x7 + k9 * x22 - x21);
-      coefficients[k_ + 1][5] = next_ * (x12 + x23);
-      const Scalar left_[] = {w0, w0, w4, w4, x1, x1, x5, x5, x6, x7, x19, x9, x2, x6};
-      const Scalar right_[] = {x3, x2, x7, x6, x7, x6, x9, x13, x6, x15, x17, x20, x6, x19};
+      coefficients[k_ + 1][3] = next_ * x18;
+      coefficients[k_ + 1][4] = next_ * (-k8 * x7 + k9 * x21 - x20);
+      coefficients[k_ + 1][5] = next_ * (x22 + x23);
+      const Scalar left_[] = {w0, w0, w4, w4, x1, x1, x6, x5, x7, x18, x9, x2, x5, x6};
+      const Scalar right_[] = {x3, x2, x7, x6, x7, x6, x6, x14, x16, x13, x19, x6, x9, x18};
       operations_.keep(k_, left_, right_);
       number_ = following_;
       inverse_ = next_;
     }
     static_cast<void>(inverse_);
-    if (!(traits::regular(-z145, z48))) return torsor::Status::singular;
+    if (!(traits::regular(-z136, z48))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (coefficients[order][0] - coefficients[order][0]) + (coefficients[order][1]
         - coefficients[order][1]) + (coefficients[order][2] - coefficients[order][2]) + (coefficients[order][3]
