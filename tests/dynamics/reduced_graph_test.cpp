@@ -33,6 +33,7 @@ class TwistSpace : public ::testing::Test {
   RealRows at(JointType type) const { return twists_of(type, turned, point); }
   RealRows at(JointType type, const RealVector& other) const { return twists_of(type, turned, other); }
   RealVector from_point(long x, long y, long z) const {  // along the joints' axes
+    using torsor::operator+;  // other tests that are compiled together have one for the same arrays
     return point + turned * RealVector{rational(x, 4), rational(y, 4), rational(z, 4)};
   }
 
