@@ -1244,11 +1244,11 @@ struct Mechanism {
     const Scalar b15 = b11 - n9_81 * b12;
     const Scalar b5 = state.v.theta_2;
     const Scalar b17 = b5 * b5;
-    const Scalar b13 = z10 * z10;
-    const Scalar b14 = -n2 + b13;
     const Scalar b18 = z9 * b17;
     const Scalar b16 = z10 * b15;
     const Scalar b19 = n19_62 * s_theta_1 + b18 + b16;
+    const Scalar b13 = z10 * z10;
+    const Scalar b14 = -n2 + b13;
     const Scalar b20 = b19 / b14;
     const Scalar i20 = n1 / b14;
     const Scalar b21 = z10 * b20;

@@ -1200,9 +1200,9 @@ struct Mechanism {
     const Scalar b5 = state.v.beta;
     const Scalar b15 = b5 * b14;
     const Scalar b16 = k5 * c_alpha - b15;
+    const Scalar b17 = c_beta * b16;
     const Scalar b12 = s_beta * s_beta;
     const Scalar b13 = -n975_over_64 + n975_over_64 * b12;
-    const Scalar b17 = c_beta * b16;
     const Scalar b18 = b17 / b13;
     const Scalar i18 = n1 / b13;
     const Scalar b19 = b10 + n2_over_65 * b11;

@@ -160,9 +160,13 @@ class SeriesEmitter {
         text = text_of(each.form, true);
         break;
       case Kind::product:
+        begin(each.left);  // in this order: compilers evaluate arguments in different ones
+        begin(each.right);
         text = product_text(begin(each.left), begin(each.right));
         break;
       case Kind::quotient:
+        if (each.left >= 0) begin(each.left);
+        begin(each.right);
         text = each.left < 0 ? inverse(id) : begin(each.left) + " / " + begin(each.right);
         emitter_.add_operations({.divisions = 1});
         break;
