@@ -14,7 +14,9 @@ namespace torsor::runtime {
 /// A system whose equations do not change when some of its angles turn by 2π: after each step these are taken back into
 /// [-π, π]. An angle that winds up loses digits: after 100 turns it is known to 1e-13 rad only, and so are its sines.
 ///   auto within = angles_within_a_turn(motion, std::array<std::size_t, 2>{0, 1});
-/// Turns taken back are lost; observers see angles within a turn at the ends of steps. The 2π taken is that of the
+/// Turns taken back are lost; observers see angles within a turn at the ends of steps. Inside a step that ends with such
+/// a jump the interpolants of Runge-Kutta and Radau methods run through it: only Taylor's may be asked there for angles
+/// or events of angles. The 2π taken is that of the
 /// scalar, whose error of 2.4e-16 (double) shifts the phase once a turn.
 template <class S, std::size_t count>
 class AnglesWithinATurn {

@@ -299,7 +299,7 @@ requires(M::multiplier_count > 0) class ConsistentStateSearch {
       speed = std::max(speed, change.change.cwiseAbs().maxCoeff());
     }
     const Equations e = read(y);
-    if (e.rate.norm() > tolerance * std::max(speed, std::numeric_limits<Scalar>::min())) {
+    if (!(e.rate.norm() <= tolerance * std::max(speed, std::numeric_limits<Scalar>::min()))) {
       return conflict(ConsistencyStatus::velocities_conflict, e.G, e.rate, velocity_ease_, result_.velocity_involved);
     }
     return true;

@@ -17,7 +17,7 @@
 
 namespace torsor::runtime {
 
-/// Dormand-Prince 8(5,3), for sharp tolerances (1e-7 and below): twelve evaluations a step, the error estimated by
+/// Dormand-Prince 8(5,3), for sharp tolerances (1e-6 and below): twelve evaluations a step, the error estimated by
 /// embedded solutions of orders 5 and 3, and an interpolant of order 7 that costs three evaluations more, made for
 /// observers that take whole steps only.
 ///
@@ -86,7 +86,7 @@ class DormandPrince853::Formula : public StepControl<Scalar, Gains> {
       third += tolerances.square(slope[i] - third_order(i), magnitude);
     }
     const Scalar mixed = fifth + Scalar(0.01) * third;
-    error = mixed > Scalar(0) ? std::abs(h) * fifth / std::sqrt(mixed * static_cast<Scalar>(size)) : Scalar(0);
+    error = mixed == Scalar(0) ? Scalar(0) : std::abs(h) * fifth / std::sqrt(mixed * static_cast<Scalar>(size));
     if (error <= Scalar(1) && !f(t + h, next, k_[12])) return f.evaluation;
     return Evaluation::ok;
   }

@@ -358,7 +358,7 @@ class EventWatch {
   bool clear_by_cubic(Scalar t, const Vector& y) {
     CheckedSystem<S, Scalar, size> f(system_);
     bool known = has_slope_ || f(start_, y_start_, slope_start_);
-    Vector slope_end;
+    Vector slope_end{};
     known = f(t, y, slope_end) && known;
     calls_ += f.calls;
     const HermiteStep<Scalar, size> cubic{start_, t, y_start_, y, slope_start_, slope_end};

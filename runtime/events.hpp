@@ -43,9 +43,7 @@ requires System<S, Scalar, size>
     watch.start(result.time, y);
     run.advance(t1, watch);
     result.integration = run.result();
-    total.calls += result.integration.statistics.calls;
-    total.accepted += result.integration.statistics.accepted;
-    total.rejected += result.integration.statistics.rejected;
+    total += result.integration.statistics;
     result.time = result.integration.time;
     if (watch.restarts() || result.status != EventStatus::reached_end) {
       y = watch.state();

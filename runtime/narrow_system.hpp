@@ -30,7 +30,7 @@ class NarrowSystem {
                                       std::array<Scalar, size>& dydt) const
       noexcept(noexcept(std::declval<const S&>()(Narrow(), std::declval<const std::array<Narrow, size>&>(),
                                                  std::declval<std::array<Narrow, size>&>()))) {
-    std::array<Narrow, size> slope;
+    std::array<Narrow, size> slope{};
     const Evaluation evaluation = to_evaluation(system_(static_cast<Narrow>(t), narrowed(y), slope));
     dydt = widened<Scalar>(slope);
     return evaluation;
@@ -40,7 +40,7 @@ class NarrowSystem {
   requires HasTaylorCoefficients<const S, Narrow, size>
   [[nodiscard]] Evaluation jets(const Scalar& t, const std::array<Scalar, size>& y,
                                 std::span<std::array<Scalar, size>> c) const noexcept {
-    std::array<std::array<Narrow, size>, 31> narrow;
+    std::array<std::array<Narrow, size>, 31> narrow{};
     const Evaluation evaluation = to_evaluation(system_.jets(
         static_cast<Narrow>(t), narrowed(y), std::span<std::array<Narrow, size>>(narrow.data(), c.size())));
     for (std::size_t k = 1; k < c.size(); ++k) c[k] = widened<Scalar>(narrow[k]);

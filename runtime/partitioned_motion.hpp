@@ -136,9 +136,9 @@ class PartitionedMotion {
     loss = Scalar(1);
     if (!best.complete) return Evaluation::ok;
     const Scalar content = factor.content();
-    const Evaluation evaluation = factorise(constraints, best, factor);
-    loss = factor.content() / content;
-    return evaluation;
+    // Others that cannot be determined here are no better.
+    if (factorise(constraints, best, factor) == Evaluation::ok) loss = factor.content() / content;
+    return Evaluation::ok;
   }
   [[nodiscard]] const Full& state() const noexcept { return near_; }
 
@@ -240,25 +240,24 @@ template <std::size_t freedoms, class Motion, class Method, class Observer = Ign
     }
     bool ill = false, stopped = false;
     Evaluation failure = Evaluation::ok;
+    Scalar reached = result.integration.time;  // by y
     const auto watch = [&](const Scalar& t, const typename System::Vector& kept) {
       failure = system.keep(t, kept, loss);
       if (failure != Evaluation::ok) return false;
       y = system.state();
+      reached = t;
       stopped = !notify(observer, t, y);
       ill = loss > static_cast<Scalar>(worst);
       return !stopped && !ill;
     };
     auto run = method.start(system, z, result.integration.time);
     run.advance(t1, watch);
-    const Scalar before = result.integration.time;
     result.integration = run.result();
-    total.calls += result.integration.statistics.calls;
-    total.accepted += result.integration.statistics.accepted;
-    total.rejected += result.integration.statistics.rejected;
+    total += result.integration.statistics;
     if (failure != Evaluation::ok) {
       result.integration.status = IntegrationStatus::model_failure;
       result.integration.evaluation = failure;
-      result.integration.time = before;
+      result.integration.time = reached;
       break;
     }
     if (!ill || stopped || result.integration.time == t1) {

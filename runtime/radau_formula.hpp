@@ -56,10 +56,10 @@ class RadauFormula {
   template <class F>
   Evaluation attempt(F& f, Scalar t, Scalar h, State& state, const Tolerances<Scalar>&, Scalar& error) {
     const Vector& y = state.now();
+    proposal_ = Scalar(0.5) * std::abs(h);
     if (!slope_known_ && !f(t, y, slope_)) return f.evaluation;
     slope_known_ = true;
     for (std::size_t i = 0; i < size; ++i) magnitude_[i] = std::abs(y[i]);
-    proposal_ = Scalar(0.5) * std::abs(h);
     if (!jacobian_known_) {
       if (!equations_.linearise(f, t, y, slope_)) return f.evaluation;
       jacobian_known_ = jacobian_fresh_ = true;

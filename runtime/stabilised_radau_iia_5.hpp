@@ -84,6 +84,7 @@ class StabilisedEquations {
   /// Takes away what Newton's method left of the constraints at the end of a step, along the same directions.
   template <class F>
   [[nodiscard]] bool finish(F& f, Scalar t, const Vector& y, Vector& change) const {
+    Scalar moved = Scalar(0);
     for (int round = 0; round < 8; ++round) {
       Vector x;
       for (std::size_t i = 0; i < size; ++i) x[i] = y[i] + change[i];
@@ -93,7 +94,7 @@ class StabilisedEquations {
         return false;
       }
       projection_.solve(c);
-      Scalar moved = Scalar(0);
+      moved = Scalar(0);
       for (std::size_t i = 0; i < size; ++i) {
         Scalar correction = Scalar(0);
         for (std::size_t j = 0; j < extra; ++j) correction += B_[j * size + i] * c[j];
@@ -103,7 +104,9 @@ class StabilisedEquations {
       }
       if (moved <= std::numeric_limits<Scalar>::epsilon()) break;
     }
-    return true;
+    if (moved <= Scalar(1e3) * std::numeric_limits<Scalar>::epsilon()) return true;  // else B no longer serves
+    f.evaluation = Evaluation::singular;
+    return false;
   }
 
  private:

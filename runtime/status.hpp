@@ -37,6 +37,15 @@ struct Statistics {
   std::int64_t rejected = 0;
   std::int64_t jacobians = 0;
   std::int64_t decompositions = 0;
+
+  constexpr Statistics& operator+=(const Statistics& more) noexcept {
+    calls += more.calls;
+    accepted += more.accepted;
+    rejected += more.rejected;
+    jacobians += more.jacobians;
+    decompositions += more.decompositions;
+    return *this;
+  }
 };
 
 /// The end of an integration. Unless the status is `reached_end`, the state is that of the last good step, at `time`.

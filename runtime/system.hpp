@@ -68,12 +68,19 @@ class CheckedSystem {
 
   /// Puts a state back where it belongs, after each step kept, if the system says how. False when it could not.
   [[nodiscard]] bool settle(Scalar t, std::array<Scalar, size>& y) noexcept {
+    bool done = true;
     if constexpr (requires { system_.project(t, y); }) {
-      return settled([&] { return system_.project(t, y); });
+      done = settled([&] { return system_.project(t, y); });
     } else if constexpr (requires { system_.project(y); }) {
-      return settled([&] { return system_.project(y); });
+      done = settled([&] { return system_.project(y); });
+    } else {
+      return true;
     }
-    return true;
+    if (done && !all_finite(y)) {
+      evaluation = Evaluation::not_finite;
+      done = false;
+    }
+    return done;
   }
 
   /// The system itself, for what it may offer besides its derivative.

@@ -19,8 +19,8 @@ namespace torsor::runtime {
 
 /// Taylor's method for systems that give the Taylor coefficients of their motions:
 ///   system.jets(t, y, std::span<std::array<Scalar, size>> c):  c[k] = y^(k)(t) / k!,  c[0] = y,
-/// such as `equations_of_motion` of a header with the kernel `jets`. The fastest of the explicit methods, at any
-/// tolerance. Its polynomial is the state at all times of a step, ends included.
+/// such as `equations_of_motion` of a header with the kernel `jets`. The fastest of the explicit methods for
+/// few bodies, at any tolerance. Its polynomial is the state at all times of a step, ends included.
 ///
 /// Order and step. The last four coefficients each give a radius ρ_k = |c_k|^(-1/k), in units of the state's own size
 /// (largest component, weighted as errors are); the step is that at which a term of order p + 1 with the least of them
@@ -100,7 +100,7 @@ class Taylor::Formula {
       increment[i] = rest[i] * h;
     }
     state.propose(increment);
-    if (!all_finite(state.next())) return Evaluation::not_finite;
+    if (!all_finite(state.next()) || !all_finite(slope)) return Evaluation::not_finite;
     if (!state.settle(f, t + h)) return f.evaluation;
     if (!f.jets(t + h, state.next(), span(next()))) return f.evaluation;
     const Scalar noise = rounding_of_slopes(state);
@@ -150,7 +150,7 @@ class Taylor::Formula {
       moved = std::max(moved, std::abs(state.next()[i] - state.now()[i]));
       change = std::max(change, std::abs(next()[1][i] - now()[1][i]));
     }
-    return moved > Scalar(0) ? Scalar(4) * epsilon * largest * change / moved : Scalar(0);
+    return moved > Scalar(0) ? Scalar(4) * epsilon * largest * (change / moved) : Scalar(0);
   }
 
   // The tolerance as a part of the state's own size.

@@ -28,6 +28,8 @@ namespace torsor::runtime {
 /// Symplectic however the mass matrix varies, so that the energy does not drift; the momenta of cyclic coordinates are
 /// kept to rounding (discrete Noether theorem). Dampers act as discrete forces (Lagrange-d'Alembert). The stages are
 /// solved by substitution down to rounding, `no_convergence` after `iteration_limit` sweeps.
+/// A mass matrix that changes with time by itself (a driven joint that moves mass along) is refused, `unsuitable_model`:
+/// seen at the start and at two later times.
 /// For the motions of mechanisms with q' = v, without inputs and multipliers, with the kernels `mass_matrix` and `bias`
 /// (and faster with `inverse_dynamics_derivatives`). A call counted is one F.
 /// Source: Marsden-West, Discrete mechanics and variational integrators, Acta Numerica 10 (2001), 2.6.2 and 3.2;
@@ -64,6 +66,9 @@ class VariationalIntegrator<stages>::Formula {
   template <class F>
   [[nodiscard]] IntegrationStatus prepare(F& f, Scalar t, const Vector& y) noexcept {
     const Matrix mass = mass_at(f, t, y);
+    for (const Scalar later : {Scalar(0.37), Scalar(1.91)}) {
+      if (mass_at(f, t + later, y) != mass) return IntegrationStatus::unsuitable_model;  // F lacks (∂M/∂t) v
+    }
     for (std::size_t i = 0; i < n; ++i) {
       momenta_[i] = Scalar(0);
       for (std::size_t j = 0; j < n; ++j) momenta_[i] += mass[j * n + i] * y[n + j];

@@ -105,7 +105,7 @@ class JetCheck {
     for (std::size_t k = 1; k < c.size(); ++k) {
       for (std::size_t i = 0; i < c[k].size(); ++i) {
         const double error = abs(Real::from_double(c[k][i]) - exact[k][i]).to_double();
-        if (error > 0) keep(rounding_, error / (size * std::pow(rho, static_cast<double>(k))) / allowance);
+        if (!(error == 0)) keep(rounding_, error / (size * std::pow(rho, static_cast<double>(k))) / allowance);
       }
     }
   }

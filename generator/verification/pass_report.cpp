@@ -39,7 +39,10 @@ double difference(const Kernel& kernel, const Kernel& other, Evaluator<Real>& fi
   }
   double worst = 0;
   for (const auto& [unit, sum] : sums) {
-    if (!sum.first.is_zero()) worst = std::max(worst, std::sqrt((sum.first / sum.second).to_double()));
+    if (sum.first.is_zero()) continue;
+    const Real size = sum.second.is_zero() ? Real(1) : sum.second;  // nothing is left: absolutely
+    const double ratio = std::sqrt((sum.first / size).to_double());
+    if (!(ratio <= worst)) worst = ratio;  // a NaN stays
   }
   return worst;
 }

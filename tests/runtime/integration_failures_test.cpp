@@ -88,6 +88,21 @@ TYPED_TEST(EveryMethod, NoticesAStateThatOverflowsWhereTheModelWouldForgiveIt) {
   EXPECT_TRUE(std::isfinite(y[0]));
 }
 
+/// Stands still, and its projection loses the state.
+struct Lost {
+  Evaluation operator()(double, const One&, One& dydt) const noexcept {
+    dydt[0] = 0.0;
+    return Evaluation::ok;
+  }
+  void project(One& y) const noexcept { y[0] = nan; }
+};
+
+TYPED_TEST(EveryMethod, NoticesAProjectionThatLosesTheState) {
+  One y{1.0};
+  EXPECT_FALSE(integrate(Lost{}, y, 0, 1, this->method()));
+  EXPECT_EQ(y[0], 1.0);
+}
+
 TYPED_TEST(EveryMethod, StopsWhenTheObserverSaysSo) {
   One y{1.0};
   int seen = 0;

@@ -62,6 +62,14 @@ struct PolarMass {
   }
 };
 
+/// A mass that grows with time: d/dt (M v) has (∂M/∂t) v, which the forces lack.
+struct GrowingMass : PolarMass {
+  static void mass_matrix(const Precomputed& p, const State& s, std::array<double, 4>& mass) noexcept {
+    PolarMass::mass_matrix(p, s, mass);
+    for (double& entry : mass) entry *= 1.0 + s.time;
+  }
+};
+
 /// The same headers without the kernel of derivatives.
 struct WithoutDerivatives : DoublePendulum {
   static void inverse_dynamics_derivatives() = delete;
@@ -180,6 +188,10 @@ TEST(VariationalIntegrator, ReportsWhatItCannotSolve) {
   auto result = integrate(motion, y, 0, 1, VariationalIntegrator<1>{.step = 1.0});
   EXPECT_EQ(result.status, IntegrationStatus::no_convergence);
   EXPECT_EQ(y, motion.initial());
+  const auto growing = equations_of_motion<GrowingMass>();
+  y = growing.initial();
+  EXPECT_EQ(integrate(growing, y, 0, 1, VariationalIntegrator<1>{.step = 0.01}).status, IntegrationStatus::unsuitable_model);
+  EXPECT_EQ(y, growing.initial());
   // At the pole the mass matrix of polar coordinates is singular.
   const auto polar = equations_of_motion<PolarMass>();
   State pole{0.0, 0.0, 0.0, 1.0};
