@@ -50,18 +50,18 @@ torsor::Scene whipple_bicycle_scene() {
   const FrameHandle front_wheel = scene.revolute("front_wheel", hub, axis::y, front);
 
   const Expression I_Rx = moment("I_Rxx", 0.0603_r), I_Fx = moment("I_Fxx", 0.1405_r);
-  scene.body("R", rear_wheel, Inertia::general(mass("m_R", 2), I_Rx, moment("I_Ryy", 0.12_r), I_Rx));
+  const Expression m_R = mass("m_R", 2), I_Ry = moment("I_Ryy", 0.12_r);
+  scene.body("R", rear_wheel, Inertia::general(m_R, I_Rx, I_Ry, I_Rx));
   const Expression x_B = length("x_B", 0.3_r), z_B = length("z_B", -0.9_r);
-  scene.body("B", frame,
-             Inertia::general(mass("m_B", 85), moment("I_Bxx", 9.2_r), moment("I_Byy", 11), moment("I_Bzz", 2.8_r), 0,
-                              moment("I_Bxz", 2.4_r))
-                 .at({x_B, 0, z_B + r_R}));
+  const Expression m_B = mass("m_B", 85), I_Bx = moment("I_Bxx", 9.2_r), I_By = moment("I_Byy", 11);
+  const Expression I_Bz = moment("I_Bzz", 2.8_r), I_Bxz = moment("I_Bxz", 2.4_r);
+  scene.body("B", frame, Inertia::general(m_B, I_Bx, I_By, I_Bz, 0, I_Bxz).at({x_B, 0, z_B + r_R}));
   const Expression x_H = length("x_H", 0.9_r), z_H = length("z_H", -0.7_r);
-  scene.body("H", fork,
-             Inertia::general(mass("m_H", 4), moment("I_Hxx", 0.05892_r), moment("I_Hyy", 0.06_r),
-                              moment("I_Hzz", 0.00708_r), 0, moment("I_Hxz", -0.00756_r))
-                 .at({x_H - w - c, 0, z_H}));
-  scene.body("F", front_wheel, Inertia::general(mass("m_F", 3), I_Fx, moment("I_Fyy", 0.28_r), I_Fx));
+  const Expression m_H = mass("m_H", 4), I_Hx = moment("I_Hxx", 0.05892_r), I_Hy = moment("I_Hyy", 0.06_r);
+  const Expression I_Hz = moment("I_Hzz", 0.00708_r), I_Hxz = moment("I_Hxz", -0.00756_r);
+  scene.body("H", fork, Inertia::general(m_H, I_Hx, I_Hy, I_Hz, 0, I_Hxz).at({x_H - w - c, 0, z_H}));
+  const Expression m_F = mass("m_F", 3), I_Fy = moment("I_Fyy", 0.28_r);
+  scene.body("F", front_wheel, Inertia::general(m_F, I_Fx, I_Fy, I_Fx));
   scene.gravity({0, 0, g});
 
   const PointHandle P = scene.disc_contact("P", frame, axis::y, r_R, road);

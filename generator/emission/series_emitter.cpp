@@ -219,7 +219,9 @@ class SeriesEmitter {
         const SymbolPointer& symbol = program_[each.atom].symbol;
         const auto place = std::find(series_.state.begin(), series_.state.end(), symbol);
         if (place == series_.state.end()) {  // time
-          text = fmt::format("k_ == 1 ? {} : {}", emitter_.name(Number(1)), emitter_.name(Number(0)));
+          const std::string one = emitter_.name(Number(1));  // named in this order under every compiler
+          const std::string zero = emitter_.name(Number(0));
+          text = fmt::format("k_ == 1 ? {} : {}", one, zero);
         } else {
           text = fmt::format("coefficients[k_][{}]", place - series_.state.begin());
         }
