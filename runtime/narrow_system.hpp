@@ -52,6 +52,18 @@ class NarrowSystem {
   requires requires(const S& system, std::array<Scalar, size>& y) { system.project(y); }
   void project(std::array<Scalar, size>& y) const noexcept { system_.project(y); }
 
+  /// A projection that takes the time is of the narrow scalar: what it changes is added to the state.
+  template <std::floating_point Scalar, std::size_t size>
+  requires requires(const S& system, const Narrow& t, std::array<Narrow, size>& y) { system.project(t, y); }
+  [[nodiscard]] Evaluation project(const Scalar& t, std::array<Scalar, size>& y) const noexcept {
+    const std::array<Narrow, size> before = narrowed(y);
+    std::array<Narrow, size> after = before;
+    CheckedSystem<const S, Narrow, size> system(system_);
+    if (!system.settle(static_cast<Narrow>(t), after)) return system.evaluation;
+    for (std::size_t i = 0; i < size; ++i) y[i] += static_cast<Scalar>(after[i]) - static_cast<Scalar>(before[i]);
+    return Evaluation::ok;
+  }
+
  private:
   template <class Scalar, std::size_t size>
   [[nodiscard]] static std::array<Narrow, size> narrowed(const std::array<Scalar, size>& y) noexcept {

@@ -17,6 +17,7 @@ std::string figure(double value) {
 }
 
 const char* verdict(const VerifyRow& row) {
+  if (!row.worst.counted) return "NONE";
   if (!row.bounded()) return "BOUND";
   if (!row.passed()) return "FAIL";
   return row.worst.scaled > accuracy_bar ? "excpt" : "ok";

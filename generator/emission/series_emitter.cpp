@@ -167,8 +167,12 @@ class SeriesEmitter {
       case Kind::quotient:
         if (each.left >= 0) begin(each.left);
         begin(each.right);
-        text = each.left < 0 ? inverse(id) : begin(each.left) + " / " + begin(each.right);
-        emitter_.add_operations({.divisions = 1});
+        if (each.left < 0) {
+          text = inverse(id);
+        } else {
+          text = begin(each.left) + " / " + begin(each.right);
+          emitter_.add_operations({.divisions = 1});
+        }
         break;
       default:
         break;

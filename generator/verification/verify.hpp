@@ -49,7 +49,8 @@ struct VerifyRow {
 
   /// The bound is one: no error may exceed it.
   bool bounded() const { return worst.error <= worst.bound; }
-  bool passed() const { return worst.scaled <= limit && bounded(); }  // false for NaN
+  /// A group that could be measured at no state has shown nothing.
+  bool passed() const { return worst.counted && worst.scaled <= limit && bounded(); }  // false for NaN
 };
 
 /// Looks for the worst error of every kernel, in each format: at `states` states of seeds `seed`, `seed` + 1, …, then

@@ -87,6 +87,30 @@ TEST(NarrowSystem, RefusesATolerancePastItsNoise) {
   EXPECT_EQ(status_of(DormandPrince54{1e-6, 1e-6}), IntegrationStatus::reached_end);
 }
 
+/// Stands still; its projection, in float, takes the state to 1 or, from below zero, finds no way.
+struct KeptAtOne {
+  Evaluation operator()(float, const std::array<float, 1>&, std::array<float, 1>& rate) const noexcept {
+    rate[0] = 0.0F;
+    return Evaluation::ok;
+  }
+  [[nodiscard]] Evaluation project(float, std::array<float, 1>& y) const noexcept {
+    if (y[0] < 0.0F) return Evaluation::singular;
+    y[0] = 1.0F;
+    return Evaluation::ok;
+  }
+};
+
+TEST(NarrowSystem, PassesOnAProjectionThatTakesTheTime) {
+  const auto motion = narrow_system<float>(KeptAtOne{});
+  std::array<double, 1> y{1.25};  // a float, and so its way to 1
+  EXPECT_TRUE(integrate(motion, y, 0, 1, RungeKutta4{.step = 0.5}));
+  EXPECT_EQ(y[0], 1.0);
+  y[0] = -1.25;
+  const auto result = integrate(motion, y, 0, 1, RungeKutta4{.step = 0.5});
+  EXPECT_EQ(result.status, IntegrationStatus::model_failure);
+  EXPECT_EQ(result.evaluation, Evaluation::singular);
+}
+
 TEST(NarrowSystem, MeetsATolerancePossibleForIt) {
   // From 2 rad at t = 10 (Jacobi's elliptic functions); 10 s of 1e-6 (1 + |y|), |y| to 6.3, amplified by κ = 17.
   const auto motion = narrow_system<float>(equations_of_motion<mechanisms::Pendulum<float>>());
