@@ -28,20 +28,18 @@ struct Options {
   std::vector<std::string> single;
 };
 
-/// Our kernels first, native before generic; then the peers.
+/// Our kernels first, with all passes and for this processor the very first; then the peers.
 std::vector<Way> all_ways(const Options& options, const Chain& chain, Quantity quantity, const Batch& batch) {
   std::vector<Way> ways;
-  for (const bool native : {true, false}) {
-    for (const Measured& header : generated_headers(native)) {
-      if (header.model != chain.name) continue;
-      for (Way& way : header.ways(quantity, batch)) ways.push_back(std::move(way));
-    }
+  for (const Measured& header : generated_headers()) {
+    if (header.model != chain.name) continue;
+    for (Way& way : header.ways(quantity, batch)) ways.push_back(std::move(way));
   }
   for (Way& way : peer_ways(options.references, chain, quantity, batch)) ways.push_back(std::move(way));
   return ways;
 }
 
-void measure(const Options& options, const Chain& chain, const Measured& header, std::vector<Row>& rows) {
+void measure(const Options& options, const Chain& chain, std::vector<Row>& rows) {
   const Batch batch = random_batch(chain.joints.size(), options.states);
   for (const Quantity quantity : quantities) {
     const std::vector<Way> ways = all_ways(options, chain, quantity, batch);
@@ -49,7 +47,8 @@ void measure(const Options& options, const Chain& chain, const Measured& header,
     const std::vector<Timing> timings = time_in_turns(ways, batch.states, options.turns);
     for (std::size_t i = 0; i < ways.size(); ++i) {
       Row row{chain.name, chain.joints.size(), quantity, ways[i], timings[i], difference[i]};
-      if (row.way.competitor == "torsor") {
+      for (const Measured& header : generated_headers()) {
+        if (row.way.competitor != "torsor" || header.model != chain.name || header.without != row.way.without) continue;
         row.operations = operations_in(header.header, quantity);
         row.header_bytes = std::filesystem::file_size(header.header);
       }
@@ -87,13 +86,14 @@ void run(const Options& options) {
     for (const std::string& peer : missing_peers()) fmt::print("{} was not found when this program was built\n", peer);
     print_heading();
   }
-  for (const Measured& header : generated_headers(true)) {
-    if (!chosen.empty() && !chosen.contains(header.model)) continue;
+  std::set<std::string> done;
+  for (const Measured& header : generated_headers()) {
+    if ((!chosen.empty() && !chosen.contains(header.model)) || !done.insert(header.model).second) continue;
     const auto chain =
         std::find_if(chains.begin(), chains.end(), [&](const Chain& c) { return c.name == header.model; });
     if (chain == chains.end()) throw std::runtime_error("models.json has no chain " + header.model);
     if (options.single.empty())
-      measure(options, *chain, header, rows);
+      measure(options, *chain, rows);
     else
       call(options, *chain);
   }

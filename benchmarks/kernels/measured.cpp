@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One generated header as a controller would compile it: once for any processor and once for this one, in a namespace
-// each, so that neither takes the other's functions. The build defines MODEL, MODEL_HEADER, MODEL_BUILD and
-// MODEL_OPTIONS.
+// each, so that neither takes the other's functions. The build defines MODEL, the header's namespace, MODEL_NAME,
+// MODEL_WITHOUT, MODEL_HEADER, MODEL_BUILD and MODEL_OPTIONS.
 #include "benchmarks/kernels/measured.hpp"
 
 #include <array>
@@ -91,9 +91,10 @@ Way way(Quantity quantity, const Batch& batch, const char* scalar) {
       all->last = end - 1;
     };
   };
-  Way result{"torsor", MODEL_OPTIONS,
-             scalar,   kernels::name_of(quantity),
-             {},       [all, quantity] { return all->result(quantity); }};
+  Way result{"torsor",     MODEL_OPTIONS,
+             scalar,       kernels::name_of(quantity),
+             {},           [all, quantity] { return all->result(quantity); },
+             MODEL_WITHOUT};
   if (quantity == Quantity::inverse_dynamics) result.run = loop(&Kernels<Scalar>::inverse_dynamics);
   if (quantity == Quantity::mass_matrix) result.run = loop(&Kernels<Scalar>::mass_matrix);
   if (quantity == Quantity::forward_dynamics) result.run = loop(&Kernels<Scalar>::forward_dynamics);
@@ -101,19 +102,16 @@ Way way(Quantity quantity, const Batch& batch, const char* scalar) {
 }
 
 std::vector<Way> ways(Quantity quantity, const Batch& batch) {
-  return {way<double>(quantity, batch, "double"), way<float>(quantity, batch, "float")};
+  std::vector<Way> ways = {way<double>(quantity, batch, "double")};
+  if (std::string(MODEL_WITHOUT).empty()) ways.push_back(way<float>(quantity, batch, "float"));
+  return ways;
 }
 
 }  // namespace
 
-#define NAME_AS_TEXT(name) NAME_AS_WRITTEN(name)
-#define NAME_AS_WRITTEN(name) #name
 #define JOINED(left, right) JOINED_AS_WRITTEN(left, right)
 #define JOINED_AS_WRITTEN(left, right) left##right
 
-kernels::Measured JOINED(measured_, MODEL)() {
-  return {NAME_AS_TEXT(MODEL), MODEL_HEADER, static_cast<std::size_t>(MODEL::Mechanism<double>::coordinate_count),
-          ways};
-}
+kernels::Measured JOINED(measured_, MODEL)() { return {MODEL_NAME, MODEL_WITHOUT, MODEL_HEADER, ways}; }
 
 }  // namespace MODEL_BUILD

@@ -13,13 +13,13 @@ namespace kernels {
 /// One generated header, compiled in one way.
 struct Measured {
   std::string model;
-  std::string header;  ///< path of the generated file
-  std::size_t freedoms;
-  /// Kernels in double and in float; the batch must outlive them.
+  std::string without;  ///< the pass that was left out, or nothing
+  std::string header;   ///< path of the generated file
+  /// Kernels in double and, with all passes, in float; the batch must outlive them.
   std::vector<Way> (*ways)(Quantity, const Batch&);
 };
 
-/// All headers of the build; `native` tells for which processor.
-std::vector<Measured> generated_headers(bool native);
+/// All headers of the build: for this processor with all passes first, then for any, then with passes left out.
+std::vector<Measured> generated_headers();
 
 }  // namespace kernels

@@ -19,16 +19,16 @@ std::string text_of(const Spread& spread, int digits) {
 
 std::string all_columns(const std::vector<Row>& rows) {
   std::string text =
-      "model,joints,quantity,competitor,build,scalar,functions,ns,ns_lower_quartile,ns_upper_quartile,"
+      "model,joints,quantity,competitor,without,build,scalar,functions,ns,ns_lower_quartile,ns_upper_quartile,"
       "ratio,ratio_lower_quartile,ratio_upper_quartile,difference,operations,header_bytes\n";
   for (const Row& row : rows) {
     std::string functions = row.way.functions;  // a cell holds no comma
     functions.erase(std::remove(functions.begin(), functions.end(), ','), functions.end());
     const auto& [ns, ratio] = row.timing;
-    text += fmt::format("{},{},{},{},{},{},{},{:.2f},{:.2f},{:.2f},{:.3f},{:.3f},{:.3f},{:.1e},{},{}\n", row.model,
-                        row.joints, name_of(row.quantity), row.way.competitor, row.way.build, row.way.scalar, functions,
-                        ns.median, ns.lower, ns.upper, ratio.median, ratio.lower, ratio.upper, row.difference,
-                        row.operations, row.header_bytes);
+    text += fmt::format("{},{},{},{},{},{},{},{},{:.2f},{:.2f},{:.2f},{:.3f},{:.3f},{:.3f},{:.1e},{},{}\n", row.model,
+                        row.joints, name_of(row.quantity), row.way.competitor, row.way.without, row.way.build,
+                        row.way.scalar, functions, ns.median, ns.lower, ns.upper, ratio.median, ratio.lower,
+                        ratio.upper, row.difference, row.operations, row.header_bytes);
   }
   return text;
 }
@@ -38,7 +38,7 @@ void write_picture(const std::vector<Row>& rows, Quantity quantity, const std::f
   std::vector<std::string> labels;
   std::map<std::size_t, std::map<std::string, double>> lines;
   for (const Row& row : rows) {
-    if (row.quantity != quantity) continue;
+    if (row.quantity != quantity || !row.way.without.empty()) continue;
     const std::string label = row.way.label();
     if (std::find(labels.begin(), labels.end(), label) == labels.end()) labels.push_back(label);
     lines[row.joints][label] = row.timing.nanoseconds.median;
@@ -75,14 +75,14 @@ std::string operations_in(const std::filesystem::path& header, Quantity quantity
 }
 
 void print_heading() {
-  fmt::print("{:<8}{:<18}{:<13}{:<18}{:<7}{:>30}{:>26}{:>9}{:>12}\n", "model", "quantity", "", "build", "scalar",
+  fmt::print("{:<8}{:<18}{:<22}{:<18}{:<7}{:>30}{:>26}{:>9}{:>12}\n", "model", "quantity", "", "build", "scalar",
              "ns for one state (quartiles)", "ratio to the first", "differs", "operations");
 }
 
 void print(const Row& row) {
-  fmt::print("{:<8}{:<18}{:<13}{:<18}{:<7}{:>30}{:>26}{:>9.0e}{:>12}\n", row.model, name_of(row.quantity),
-             row.way.competitor, row.way.build, row.way.scalar, text_of(row.timing.nanoseconds, 1),
-             text_of(row.timing.ratio, 2), row.difference, row.operations);
+  fmt::print("{:<8}{:<18}{:<22}{:<18}{:<7}{:>30}{:>26}{:>9.0e}{:>12}\n", row.model, name_of(row.quantity),
+             row.way.without.empty() ? row.way.competitor : "without " + row.way.without, row.way.build, row.way.scalar,
+             text_of(row.timing.nanoseconds, 1), text_of(row.timing.ratio, 2), row.difference, row.operations);
 }
 
 void write_files(const std::vector<Row>& rows, const std::filesystem::path& folder) {

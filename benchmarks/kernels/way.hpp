@@ -28,8 +28,11 @@ struct Way {
   std::function<void(std::size_t first, std::size_t last)> run;
   /// What the last state gave: n forces or accelerations, or n x n entries. Throws where it failed.
   std::function<std::vector<double>()> result;
+  std::string without = {};  ///< of torsor: the pass that its generator left out, or nothing
 
-  std::string label() const { return competitor + " " + build + " " + scalar; }
+  std::string label() const {
+    return competitor + (without.empty() ? "" : " without " + without) + " " + build + " " + scalar;
+  }
 };
 
 }  // namespace kernels
