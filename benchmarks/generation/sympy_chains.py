@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""sympy_chains.py [--limit SECONDS] [--output FILE.csv]: how long SymPy's LagrangesMethod and KanesMethod take for the
+"""sympy_chains.py [--limit SECONDS] [--output FILE.csv]: processor seconds of SymPy's LagrangesMethod and KanesMethod for the
 chains of serial_chain.cpp, one joint more each time until the limit is passed.
 
 Measured is the time to the mass matrix and the forcing vector, nothing simplified, and the operations of both after
 cse(), which is what one would compile (left empty where cse() passes the limit). Every run is a process of its own.
 """
 import argparse
+import math
+import resource
 import subprocess
 import sys
 import time
@@ -78,16 +80,16 @@ def kane(joints):
 def alone(name, joints):
     """In a process of its own: prints the seconds, then the operations."""
     from sympy import count_ops, cse
-    start = time.perf_counter()
+    start = time.process_time()
     results = {'LagrangesMethod': lagrange, 'KanesMethod': kane}[name](joints)
-    print('%.3f' % (time.perf_counter() - start), flush=True)
+    print('%.3f' % (time.process_time() - start), flush=True)
     definitions, reduced = cse(results)
     print(count_ops([value for _, value in definitions]) + sum(count_ops(matrix) for matrix in reduced), flush=True)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument('--limit', type=float, default=20, help='seconds for one chain and method (20)')
+    parser.add_argument('--limit', type=float, default=20, help='processor seconds for one chain and method (20)')
     parser.add_argument('--joints', type=int, default=64, help='no longer chains than this')
     parser.add_argument('--output', help='CSV file')
     parser.add_argument('--alone', nargs=2, help=argparse.SUPPRESS)
@@ -99,11 +101,12 @@ def main():
     for name in ('LagrangesMethod', 'KanesMethod'):
         for joints in range(1, options.joints + 1):
             command = [sys.executable, __file__, '--alone', name, str(joints)]
-            try:
-                done = subprocess.run(command, stdout=subprocess.PIPE, timeout=options.limit, check=True)
-                said = done.stdout.decode().split()
-            except subprocess.TimeoutExpired as late:
-                said = (late.stdout or b'').decode().split()
+            seconds = math.ceil(options.limit)
+            done = subprocess.run(command, stdout=subprocess.PIPE, check=False,
+                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds)))
+            said = done.stdout.decode().split()
+            if done.returncode > 0:  # a signal's number is negative: the limit's is meant to come
+                return done.returncode
             if not said:
                 print('%-16s%8d   more than %g s' % (name, joints, options.limit), flush=True)
                 break

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <new>
+#include <sstream>
 #include <string>
 
 #include <fmt/format.h>
@@ -391,10 +392,15 @@ int run_commands(int argc, const char* const* argv, const SceneSource& source) {
           bad_usage);
     }
     app.parse(argc, argv);
-  } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
-  } catch (const CLI::CallForAllHelp& help) {
-    return app.exit(help);
+  } catch (const CLI::Success& help) {
+    std::ostringstream text;
+    const int code = app.exit(help, text, text);
+    try {
+      write("-", text.str());
+    } catch (const Error& error) {
+      return fail(error.what(), bad_scene_or_file);
+    }
+    return code;
   } catch (const CLI::ParseError& error) {
     return fail(fmt::format("{}; see --help", error.what()), bad_usage);
   }

@@ -86,15 +86,20 @@ TEST_F(SceneProgramOutput, OntoAFullStandardOutputFails) {
   const int saved = ::dup(STDOUT_FILENO);
   ::dup2(full, STDOUT_FILENO);
   testing::internal::CaptureStderr();
-  const char* argv[] = {"scene", "list"};
-  const int code = run_scene_program(2, argv, pendulum);
+  const char* list[] = {"scene", "list"};
+  const int code_of_list = run_scene_program(2, list, pendulum);
+  std::clearerr(stdout);
+  const char* help[] = {"scene", "--help"};
+  const int code_of_help = run_scene_program(2, help, pendulum);
   const std::string err = testing::internal::GetCapturedStderr();
   std::clearerr(stdout);
   ::dup2(saved, STDOUT_FILENO);
   ::close(saved);
   ::close(full);
-  EXPECT_EQ(code, 3);
-  EXPECT_EQ(err, "scene: cannot write to the standard output: is the disk full or the reader gone?\n");
+  EXPECT_EQ(code_of_list, 3);
+  EXPECT_EQ(code_of_help, 3);
+  const std::string message = "scene: cannot write to the standard output: is the disk full or the reader gone?\n";
+  EXPECT_EQ(err, message + message);
 }
 
 /// A limit on the size of files stands for a disk that fills up half-way.
