@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # same_bytes_every_time.sh COUNT SCENE_PROGRAM KERNELS FOLDER: that many processes, each with its own addresses, write the
-# same header, counts and equations.
+# same header, counts and equations. TORSOR_LONG_TESTS: twenty at least.
 set -euo pipefail
 count="$1" program="$2" kernels="$3" folder="$4"
+[ -z "${TORSOR_LONG_TESTS:-}" ] || [ "$count" -ge 20 ] || count=20
 rm -rf "$folder"
 mkdir -p "$folder"
 
