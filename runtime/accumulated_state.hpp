@@ -46,6 +46,9 @@ class AccumulatedState {
     return true;
   }
 
+  /// Puts another state in the place of `next`.
+  void replace(const Vector& next) noexcept { next_ = next; }
+
   void accept() noexcept {
     y_ = next_;
     if (compensated_) sums_ = next_sums_;

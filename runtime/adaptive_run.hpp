@@ -127,6 +127,7 @@ class AdaptiveRun {
     const Evaluation evaluation = formula_.attempt(f_, t, h, state_, tolerances_, error);
     if (evaluation != Evaluation::ok || !(error <= Scalar(1))) return evaluation;
     if constexpr (!requires { Formula::settles; }) {
+      before_settling_ = state_.next();
       if (!state_.settle(f_, t + h)) return f_.evaluation;
     }
     if constexpr (takes_steps<Observer, Step>) return formula_.refine(f_, t, h, state_);
@@ -139,12 +140,25 @@ class AdaptiveRun {
   bool keep(Scalar t, Scalar t_next, Scalar h, Observer& observer) {
     result_.time = t_next;
     if constexpr (takes_steps<Observer, Step>) {
-      const Step step = formula_.interpolant(t, t_next, h, state_);
+      const Step step = interpolant(t, t_next, h);
       move_on();
       return notify(observer, step);
     } else {
       move_on();
       return notify(observer, t_next, state_.now());
+    }
+  }
+
+  // Led to where the step went, not to where settling brought coordinates that jump.
+  Step interpolant(Scalar t, Scalar t_next, Scalar h) noexcept {
+    if constexpr (!requires { Formula::settles; }) {
+      const Vector settled = state_.next();
+      state_.replace(f_.unwound(settled, before_settling_));
+      const Step step = formula_.interpolant(t, t_next, h, state_);
+      state_.replace(settled);
+      return step;
+    } else {
+      return formula_.interpolant(t, t_next, h, state_);
     }
   }
 
@@ -161,6 +175,7 @@ class AdaptiveRun {
   Evaluation refusal_ = Evaluation::ok;
   bool prepared_ = false;
   Result<Scalar> result_;
+  Vector before_settling_{};
   AccumulatedState<Scalar, size> state_;
   Formula formula_;
 };

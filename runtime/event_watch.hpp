@@ -49,7 +49,7 @@ class EventWatch {
   template <class Step>
   requires DenseOutput<Step, Scalar, size>
   bool operator()(const Step& step) {
-    if (set_.options.by_stepping) y_start_ = step(step.start);
+    if (by_stepping()) y_start_ = step(step.start);
     return look_through(step) && shown(step, step.end, step(step.end));
   }
 
@@ -66,6 +66,12 @@ class EventWatch {
   using Polynomial = StepPolynomial<Scalar>;
   using Values = typename Polynomial::Values;
   static constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
+
+  [[nodiscard]] bool by_stepping() const noexcept {
+    bool coarse = false;
+    if constexpr (requires { Method::coarse_inside; }) coarse = Method::coarse_inside;
+    return coarse || set_.options.by_stepping;
+  }
 
   template <class Step>
   bool look_through(const Step& step) {
@@ -248,7 +254,7 @@ class EventWatch {
     // A state is kept on its side of a barrier, and put beyond any other guard.
     time = barriers_only ? located.before : look_from;
     Vector y = step(time);
-    if (set_.options.by_stepping) locate_by_stepping(step, place, barriers_only, time, y);
+    if (by_stepping()) locate_by_stepping(step, place, barriers_only, time, y);
     look_from = earlier(step, look_from, time) ? time : look_from;
     for (std::size_t i = 0; i < count; ++i) {
       if (!due_[i]) continue;

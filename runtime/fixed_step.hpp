@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "runtime/compensated_state.hpp"
+#include "runtime/dense_step.hpp"
 #include "runtime/status.hpp"
 #include "runtime/system.hpp"
 
@@ -36,15 +37,27 @@ class SummedFormula {
   CompensatedState<Scalar, size> sums_;
 };
 
+/// The `Step` of a formula that has one.
+template <class Formula>
+struct StepOfFormula {};
+template <class Formula>
+requires requires { typename Formula::Step; }
+struct StepOfFormula<Formula> {
+  using Step = typename Formula::Step;
+};
+
 /// One integration with a fixed step: the part that all methods of fixed step share. `Formula` has
 /// `step(f, t, h, y, next)`, which returns false when the model failed, or an IntegrationStatus. A formula that keeps
 /// something from step to step (a compensation, a starting guess) is a value of its own in each integration; it may
 /// have `prepare(f, t, y) -> IntegrationStatus`, called once before the first step.
 ///
+/// One with an interpolant has a type `Step`, `refine(f, t, t_next, y, next) -> bool` (what only an interpolant needs,
+/// at settled states) and `interpolant(t, t_next, y, next)`, asked for by observers that take steps only.
+///
 /// An interval is cut into the fewest steps of equal length that do not exceed the step asked for, so that its end is
 /// hit exactly without a short last step. Times are start + k h, hence free of accumulated rounding.
 template <class Formula, class S, class Scalar, std::size_t size>
-class FixedStepRun {
+class FixedStepRun : public StepOfFormula<Formula> {
  public:
   using Vector = std::array<Scalar, size>;
 
@@ -68,11 +81,9 @@ class FixedStepRun {
       if (!all_finite(next)) return fail(Evaluation::not_finite);
       const Scalar time =
           k == count ? end : static_cast<Scalar>(static_cast<Wide>(start) + static_cast<Wide>(k) * wide_h);
+      const Vector before = next;
       if (!f_.settle(time, next)) return fail(f_.evaluation);
-      y_ = next;
-      result_.time = time;
-      ++result_.statistics.accepted;
-      if (!notify(observer, result_.time, y_)) stop();
+      if (!keep(time, before, next, observer)) return;
     }
   }
 
@@ -109,6 +120,28 @@ class FixedStepRun {
   std::int64_t count_of(Scalar start, Scalar end) const noexcept {
     const double quotient = std::abs(static_cast<double>(end) - static_cast<double>(start)) / step_;
     return static_cast<std::int64_t>(std::ceil(quotient * (1.0 - 4.0 * static_cast<double>(epsilon))));
+  }
+
+  // Tells the observer and moves on; the inside of the step is only made for those who take it.
+  template <class Observer>
+  bool keep(Scalar time, [[maybe_unused]] const Vector& before, const Vector& next, Observer& observer) {
+    ++result_.statistics.accepted;
+    if constexpr (takes_steps<Observer, typename StepOfRun<StepOfFormula<Formula>>::type>) {
+      if (!formula_.refine(f_, result_.time, time, y_, next)) {
+        --result_.statistics.accepted;
+        fail(f_.evaluation);
+        return false;
+      }
+      const auto step = formula_.interpolant(result_.time, time, y_, f_.unwound(next, before));
+      y_ = next;
+      result_.time = time;
+      if (!notify(observer, step)) stop();
+    } else {
+      y_ = next;
+      result_.time = time;
+      if (!notify(observer, time, y_)) stop();
+    }
+    return true;
   }
 
   bool prepare() {

@@ -10,6 +10,7 @@
 #include "runtime/compensated_state.hpp"
 #include "runtime/fixed_step.hpp"
 #include "runtime/gauss_coefficients.hpp"
+#include "runtime/gauss_step.hpp"
 #include "runtime/integrate.hpp"
 #include "runtime/jacobian.hpp"
 #include "runtime/lu.hpp"
@@ -33,12 +34,15 @@ enum class StageSolver { fixed_point, newton };
 /// rounding. Where q' = v (`second_order`) the velocities of the stages follow from the accelerations in the same
 /// sweep, which squares the rate of convergence.
 /// `no_convergence` after `iteration_limit` sweeps.
+/// Observers may take the steps themselves (GaussStep, for one evaluation more), which are less accurate inside than at
+/// their ends: events are located on steps of the method.
 /// Source: Hairer-Lubich-Wanner, Geometric Numerical Integration, II.1.3, VIII.5 (rounding), VIII.6 (iteration);
 /// Hairer-McLachlan-Razakarivony, Achieving Brouwer's law with implicit Runge-Kutta methods, BIT 48 (2008).
 template <int stages = 3, StageSolver solver = StageSolver::fixed_point>
 struct GaussCollocation {
   static constexpr int stage_count = stages;
   static constexpr int order = 2 * stages;
+  static constexpr bool coarse_inside = true;
 
   double step = 0.0;  ///< in units of time, positive in both directions of time
   int iteration_limit = 50;
@@ -58,6 +62,7 @@ template <class S, class Scalar, std::size_t size>
 class GaussCollocation<stages, solver>::Formula {
  public:
   using Vector = std::array<Scalar, size>;
+  using Step = GaussStep<Scalar, size, static_cast<std::size_t>(stages)>;
 
   explicit Formula(int iteration_limit = 50) noexcept : iteration_limit_(iteration_limit) {}
 
@@ -89,6 +94,22 @@ class GaussCollocation<stages, solver>::Formula {
     known_ = true;
     last_step_ = h;
     return IntegrationStatus::reached_end;
+  }
+
+  /// The slopes at both ends, for the interpolant.
+  template <class F>
+  [[nodiscard]] bool refine(F& f, Scalar t, Scalar t_next, const Vector& y, const Vector& next) {
+    if (ends_known_) {
+      first_slope_ = last_slope_;
+    } else if (!f(t, y, first_slope_)) {
+      return false;
+    }
+    ends_known_ = f(t_next, next, last_slope_);
+    return ends_known_;
+  }
+
+  [[nodiscard]] Step interpolant(Scalar t, Scalar t_next, const Vector& y, const Vector& next) const noexcept {
+    return Step(t, t_next, y, next, first_slope_, slopes_, last_slope_);
   }
 
  private:
@@ -208,9 +229,11 @@ class GaussCollocation<stages, solver>::Formula {
   int iteration_limit_;
   int sweeps_ = 0;
   bool known_ = false;  // the slopes are those of the step before
+  bool ends_known_ = false;
   Scalar last_step_ = Scalar(0), matrix_step_ = Scalar(0);
   CompensatedState<Scalar, size> state_;
   Stages slopes_{}, new_slopes_{}, places_{};
+  Vector first_slope_{}, last_slope_{};
   std::conditional_t<solver == StageSolver::newton, Newton, Nothing> newton_{};
 };
 

@@ -36,9 +36,10 @@ template <class S, class Observer, class Step, class Scalar, std::size_t size>
 ///
 /// The method is a value that carries its options: `Midpoint{.step = 1e-3}`, `RungeKutta4{.step = 1e-3}`,
 /// `DormandPrince54{.relative_tolerance = 1e-10, .absolute_tolerance = 1e-12}`.
-/// The observer is called as `observer(t, y)` at the start and after every step kept; with an adaptive method it may
-/// take the step itself instead, `observer(const auto& step)` (each step, no call at the start): step.start, step.end
-/// and step(t), the state at a time between them. One that returns a bool ends the integration by false.
+/// The observer is called as `observer(t, y)` at the start and after every step kept; with a method that has an
+/// interpolant (all but Runge-Kutta 4, midpoint and the variational integrator) it may take the step itself instead,
+/// `observer(const auto& step)` (each step, no call at the start): step.start, step.end and step(t), the state at a time
+/// between them. One that returns a bool ends the integration by false.
 /// Nothing is allocated. Errors come back in the result; y is then the last good state, at `result.time`.
 template <class S, class Scalar, std::size_t size, class Method, class Observer = IgnoreSteps>
 requires System<S, Scalar, size>

@@ -250,6 +250,7 @@ struct StabilisedRadauIia5 {
   bool compensated = false;              ///< carry what rounding loses of each sum of state and step
 
   static constexpr int order = 5;
+  static constexpr bool coarse_inside = true;  ///< events are located on steps of the method
 
   template <class S, class Scalar, std::size_t size>
   [[nodiscard]] auto start(S& system, std::array<Scalar, size>& y, Scalar t) const noexcept {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "runtime/compensated_state.hpp"
+#include "runtime/dense_step.hpp"
 #include "runtime/fixed_step.hpp"
 #include "runtime/integrate.hpp"
 #include "runtime/second_order.hpp"
@@ -16,6 +17,7 @@ namespace torsor::runtime {
 /// Störmer-Verlet, order 2, one evaluation a step, for y = [q; v] with q' = v and accelerations that depend on q alone:
 ///   v½ = v + h/2 a(q),  q(t + h) = q + h v½,  v(t + h) = v½ + h/2 a(q(t + h)).
 /// Symplectic, symmetric and explicit; sums are compensated. Stable while h times the highest frequency is below 2.
+/// Observers may take the steps themselves, the cubic through the states and slopes of both ends, of order 3 inside.
 ///
 /// The accelerations depend on q alone exactly when the mass matrix is constant and no action depends on velocities.
 /// Before the first step this is tried: a must not change when v does, at the start and at places about it; otherwise
@@ -42,6 +44,7 @@ template <class S, class Scalar, std::size_t size>
 class StoermerVerlet::Formula {
  public:
   using Vector = std::array<Scalar, size>;
+  using Step = DenseStep<Scalar, size, 4>;
 
   template <class F>
   [[nodiscard]] IntegrationStatus prepare(F& f, Scalar t, const Vector& y) {
@@ -59,6 +62,7 @@ class StoermerVerlet::Formula {
   [[nodiscard]] bool step(F& f, Scalar t, Scalar h, const Vector& y, Vector& next) {
     const Scalar to_middle = h / Scalar(2);
     CompensatedState<Scalar, size> state = state_;
+    first_slope_ = slope_;
     next = y;
     for (std::size_t i = half; i < size; ++i) next[i] = state.add(i, y[i], to_middle * slope_[i]);
     // The velocity's own rest counts in the places it leads to.
@@ -69,7 +73,27 @@ class StoermerVerlet::Formula {
     return true;
   }
 
+  template <class F>
+  [[nodiscard]] bool refine(F&, Scalar, Scalar, const Vector&, const Vector&) noexcept {
+    return true;
+  }
+
+  // The accelerations of both ends are known; q' is v itself there.
+  [[nodiscard]] Step interpolant(Scalar t, Scalar t_next, const Vector& y, const Vector& next) const noexcept {
+    Vector first = first_slope_, last = slope_;
+    for (std::size_t i = 0; i < half; ++i) {
+      first[i] = y[half + i];
+      last[i] = next[half + i];
+    }
+    return hermite_step<Step>(t, t_next, t_next - t, Ends{y, next}, first, last);
+  }
+
  private:
+  struct Ends {
+    const Vector &from, &to;
+    [[nodiscard]] const Vector& now() const noexcept { return from; }
+    [[nodiscard]] const Vector& next() const noexcept { return to; }
+  };
   static constexpr std::size_t half = size / 2;
 
   // Compares a(q, v) with a(q, 0) at a place about q and velocities about v, all shifts different from each other.
@@ -96,7 +120,7 @@ class StoermerVerlet::Formula {
   }
 
   CompensatedState<Scalar, size> state_;
-  Vector slope_{};
+  Vector slope_{}, first_slope_{};
 };
 
 }  // namespace torsor::runtime

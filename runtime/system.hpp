@@ -14,7 +14,9 @@ namespace torsor::runtime {
 /// y' = f(t, y): a callable `system(t, y, dydt)` that writes the derivative and returns an enumeration, 0 if it could.
 /// It may have a member `project(y)` or `project(t, y)` too, noexcept, which removes what a step's error moved off an
 /// invariant (the norm of a quaternion, a constraint); every method calls it once after each step kept. One that
-/// returns an enumeration other than 0 fails like an evaluation: adaptive methods try a shorter step.
+/// returns an enumeration other than 0 fails like an evaluation: adaptive methods try a shorter step. A projection that
+/// makes coordinates jump to an equivalent place comes with `unwound(y, before)`, the same state without the jump from
+/// `before`: interpolants are led there.
 template <class S, class Scalar, std::size_t size>
 concept System = std::floating_point<Scalar> &&
     requires(S& system, const Scalar& t, const std::array<Scalar, size>& y, std::array<Scalar, size>& dydt) {
@@ -81,6 +83,16 @@ class CheckedSystem {
       done = false;
     }
     return done;
+  }
+
+  /// A settled state without the jumps of coordinates that settling brought to the one before.
+  [[nodiscard]] std::array<Scalar, size> unwound(
+      const std::array<Scalar, size>& y, [[maybe_unused]] const std::array<Scalar, size>& before) const noexcept {
+    if constexpr (requires { system_.unwound(y, before); }) {
+      return system_.unwound(y, before);
+    } else {
+      return y;
+    }
   }
 
   /// The system itself, for what it may offer besides its derivative.
