@@ -40,11 +40,13 @@
 #endif
 // Define TORSOR_STD_SINCOS before the first generated header, alike in the whole program, for std::sin and std::cos.
 
-// Sine and cosine in one, of one angle or of several at once, with an error of at most 1 ulp. With rounding to nearest:
+// Sine and cosine in one, of one angle or of several at once, with an error of at most 1 ulp (of some more where the
+// processor is set to round up, down or towards zero). With rounding to nearest:
 //  * the angle loses its quadrant, x = n pi/2 + r, by parts of pi/2 so short that n times a part is exact. Whether a
 //    product and a sum are fused does not matter, here or elsewhere; letting the compiler reassociate sums would;
 //  * two polynomials of least greatest error give the sine and the cosine of r, |r| <= pi/4;
-//  * angles beyond `bound` are rare: they are reduced exactly, in integers, by a function that is not inlined.
+//  * angles beyond `bound` are rare: they are reduced exactly, in integers, by a function that is not inlined, and so
+//    are all angles under another rounding, which would give the nearest integers wrong.
 // The core has no branch, so that compilers turn a loop over several angles into vector instructions.
 #ifndef TORSOR_STD_SINCOS
 #if defined(__FAST_MATH__) || defined(_M_FP_FAST) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0)
@@ -80,10 +82,10 @@ struct SineCosine {
     return (x + unit_ulp) - unit_ulp;
   }
 
-  /// Of n pi/2 + high - rest, rest being about an ulp of high at most.
-  TORSOR_DEVICE TORSOR_INLINED static void of_reduced(const Scalar& n, const Scalar& high, const Scalar& rest,
-                                                      Scalar& sine, Scalar& cosine) noexcept {
-    const Scalar one = number(1.0, 1.0f), two = number(2.0, 2.0f), half = number(0.5, 0.5f);
+  /// Of high - rest, |high| <= pi/4, rest being about an ulp of high at most.
+  TORSOR_DEVICE TORSOR_INLINED static void of_reduced(const Scalar& high, const Scalar& rest, Scalar& sine,
+                                                      Scalar& cosine) noexcept {
+    const Scalar one = number(1.0, 1.0f), half = number(0.5, 0.5f);
     const Scalar z = high * high, z2 = z * z;
     // sin r = r + r z S(z), cos r = 1 - z/2 + z z C(z)
     Scalar S, C;
@@ -106,8 +108,14 @@ struct SineCosine {
     const Scalar half_z = half * z, w = one - half_z;
     // Far below an ulp, it makes the correction of -0 a -0, and so the sine.
     const Scalar tiny = number(0x1p-100, 0x1p-60f);
-    const Scalar s = high + (high * (tiny + z * S) - rest * w);
-    const Scalar c = w + (((one - w) - half_z) + (z2 * C + high * rest));
+    sine = high + (high * (tiny + z * S) - rest * w);
+    cosine = w + (((one - w) - half_z) + (z2 * C + high * rest));
+  }
+
+  /// Of n pi/2 more.
+  TORSOR_DEVICE TORSOR_INLINED static void turn(const Scalar& n, Scalar& sine, Scalar& cosine) noexcept {
+    const Scalar one = number(1.0, 1.0f), two = number(2.0, 2.0f), half = number(0.5, 0.5f);
+    const Scalar s = sine, c = cosine;
     // i = cos(n pi/2) = sin((n + 1) pi/2) and j = -sin(n pi/2): halves are rounded to even, which tells 1 from 3.
     const Scalar next = n + one;
     const Scalar i = next - two * rounded(half * next);
@@ -129,12 +137,21 @@ struct SineCosine {
     const Scalar error = (first - (r + taken)) - (second - taken);
     const Scalar high = r - third;
     const Scalar rest = ((third - (r - high)) - error) + fourth;
-    of_reduced(n, high, rest, sine, cosine);
+    of_reduced(high, rest, sine, cosine);
+    turn(n, sine, cosine);
   }
 };
 
+/// Whether sums are rounded up, down or towards zero: a little more and a little less than one then differ. What is no
+/// number does not tell. x keeps compilers from doing the sums themselves.
+template <class Scalar>
+TORSOR_DEVICE TORSOR_INLINED bool rounds_to_one_side(const Scalar& x) noexcept {
+  const Scalar one = static_cast<Scalar>(1) + (x - x), little = static_cast<Scalar>(0x1p-60);
+  return (one + little) - (one - little) > static_cast<Scalar>(0);
+}
+
 /// Of any x, beyond the bound too, where n pi/2 is subtracted exactly: x/(2 pi) modulo 1 in integers, with as many
-/// digits of 1/(2 pi) as |x - n pi/2| >= 2^-62 needs. Infinite: not a number.
+/// digits of 1/(2 pi) as |x - n pi/2| >= 2^-62 needs. Infinite: not a number. Under any rounding.
 TORSOR_OUTLINED inline void sincos_far(double x, double& sine, double& cosine) noexcept {
   using Word = unsigned long long;  // of which 32 bits are used
   constexpr Word mask = 0xffffffffu;
@@ -149,10 +166,14 @@ TORSOR_OUTLINED inline void sincos_far(double x, double& sine, double& cosine) n
     sine = cosine = x - x;
     return;
   }
+  if (std::abs(x) <= 0.5) {
+    SineCosine<double, false>::of_reduced(x, 0.0, sine, cosine);
+    return;
+  }
   int exponent = 0;
   const double mantissa = std::frexp(std::abs(x), &exponent);
   const Word integer = static_cast<Word>(std::ldexp(mantissa, 53));  // |x| = integer 2^(exponent - 53)
-  const int position = exponent - 53 + 64;                           // at least 64 - 53 + 21
+  const int position = exponent - 53 + 64;                           // at least 64 - 53
   const int skipped = position / 32, shift = position % 32;
   const Word low_word = (integer & mask) << shift, high_word = (integer >> 32) << shift;
   const Word factor[3] = {low_word & mask, ((low_word >> 32) + high_word) & mask,
@@ -200,14 +221,15 @@ TORSOR_OUTLINED inline void sincos_far(double x, double& sine, double& cosine) n
   const Word leading = (product[7] << 32) | product[6], following = (product[5] << 32) | product[4];
   const double high = std::ldexp(static_cast<double>(leading & ~Word{2047}), 3 - zeros - 64);
   const double low = std::ldexp(static_cast<double>(((leading & 2047) << 53) | (following >> 11)), 3 - zeros - 117);
-  double s = 0;
-  SineCosine<double, false>::of_reduced(static_cast<double>(quarter), negative ? -high : high, negative ? low : -low, s,
-                                        cosine);
-  sine = x < 0 ? -s : s;
+  double s = 0, c = 0;
+  SineCosine<double, false>::of_reduced(negative ? -high : high, negative ? low : -low, s, c);
+  const double turned = quarter == 0 ? s : quarter == 1 ? c : quarter == 2 ? -s : -c;
+  cosine = quarter == 0 ? c : quarter == 1 ? -s : quarter == 2 ? -c : s;
+  sine = x < 0 ? -turned : turned;
 }
 TORSOR_OUTLINED inline void sincos_far(float x, float& sine, float& cosine) noexcept {
   double s = 0, c = 0;
-  if (std::abs(x) <= static_cast<float>(SineCosine<double, false>::bound))
+  if (std::abs(x) <= static_cast<float>(SineCosine<double, false>::bound) && !rounds_to_one_side(x))
     SineCosine<double, false>::core(static_cast<double>(x), s, c);
   else
     sincos_far(static_cast<double>(x), s, c);
@@ -228,7 +250,7 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
   cosine = std::cos(angle);
 #else
   using Core = SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>;
-  if (std::abs(angle) > static_cast<Scalar>(Core::bound))
+  if (std::abs(angle) > static_cast<Scalar>(Core::bound) || rounds_to_one_side(angle))
     sincos_far(angle, sine, cosine);
   else
     Core::core(angle, sine, cosine);
@@ -286,9 +308,10 @@ TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&
     constexpr Scalar bound = static_cast<Scalar>(SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::bound);
     Scalar sum = 0;
     for (int i = 0; i < N; ++i) sum += std::abs(angles[i]);
-    if (sum <= bound) return;
+    const bool to_one_side = rounds_to_one_side(sum);
+    if (sum <= bound && !to_one_side) return;
     for (int i = 0; i < N; ++i) {
-      if (std::abs(angles[i]) > bound) sincos_far(angles[i], sines[i], cosines[i]);
+      if (std::abs(angles[i]) > bound || to_one_side) sincos_far(angles[i], sines[i], cosines[i]);
     }
   } else {
     for (int i = 0; i < N; ++i) sincos_of_one(angles[i], sines[i], cosines[i]);

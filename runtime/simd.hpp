@@ -48,8 +48,9 @@ struct scalar_traits<runtime::Simd<Number, lanes, instructions>> {
     const Number bound = static_cast<Number>(Core::bound);
     Scalar sum = abs(angles[0]);
     for (int i = 1; i < N; ++i) sum += abs(angles[i]);
-    if (all(sum <= Scalar(bound))) return;
-    lane_by_lane(angles, sines, cosines, N, bound);
+    const bool to_one_side = rounds_to_one_side(sum[0]);
+    if (all(sum <= Scalar(bound)) && !to_one_side) return;
+    lane_by_lane(angles, sines, cosines, N, to_one_side ? Number(-1) : bound);
 #endif
   }
   TORSOR_SIMD_INLINED static Scalar sqrt(const Scalar& x) noexcept { return Scalar::sqrt(x); }

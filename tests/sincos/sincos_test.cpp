@@ -3,6 +3,7 @@
 // than a double needs, and against CLN where that could not decide. TORSOR_LONG_TESTS: 10^8 doubles and every float.
 #include <algorithm>
 #include <bit>
+#include <cfenv>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -194,6 +195,52 @@ TEST(Sincos, IsWithinAnUlpInFloat) {
   for (std::size_t v = 0; v < all.size(); ++v) {
     expect_one_ulp(one[v], std::string("floats, ") + all[v]->name + ", one");
     expect_one_ulp(eight[v], std::string("floats, ") + all[v]->name + ", eight");
+  }
+}
+
+// Under another rounding each operation errs by up to an ulp where it errs by half of one to nearest.
+TEST(Sincos, IsWithinTwoUlpsWhateverTheRoundingMode) {
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> turn(-6.3, 6.3), range(-bound, bound);
+  const auto angle = [&](std::size_t i) {
+    const double far = std::ldexp(turn(random), static_cast<int>(random() % 900));
+    return i % 3 == 0 ? turn(random) : i % 3 == 1 ? range(random) : random() % 2 == 0 ? far : 1 / far;
+  };
+  Worst doubles, floats;
+  for (std::size_t first = 0; first < 20'000; first += 8) {
+    double x[8], s[8], c[8];
+    float xf[8], sf[8], cf[8];
+    for (std::size_t i = 0; i < 8; ++i) {
+      x[i] = first % 16 == 0 ? turn(random) : angle(i);
+      xf[i] = static_cast<float>(std::clamp(x[i], -1e30, 1e30));
+    }
+    for (const Variant* variant : variants()) {
+      for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+        double alone_s[8], alone_c[8];
+        float alone_sf[8], alone_cf[8];
+        std::fesetround(mode);
+        variant->eight_doubles(x, s, c);
+        variant->eight_floats(xf, sf, cf);
+        for (std::size_t i = 0; i < 8; ++i) {
+          variant->one_double(x[i], alone_s[i], alone_c[i]);
+          variant->one_float(xf[i], alone_sf[i], alone_cf[i]);
+        }
+        std::fesetround(FE_TONEAREST);
+        for (std::size_t i = 0; i < 8; ++i) {
+          Quad exact_s, exact_c;
+          quad_sincos(x[i], exact_s, exact_c);
+          doubles.add(x[i], ulps(s[i], exact_s), ulps(c[i], exact_c));
+          doubles.add(x[i], ulps(alone_s[i], exact_s), ulps(alone_c[i], exact_c));
+          const double of_float = static_cast<double>(xf[i]), sine = std::sin(of_float), cosine = std::cos(of_float);
+          floats.add(of_float, float_ulps(sf[i], sine), float_ulps(cf[i], cosine));
+          floats.add(of_float, float_ulps(alone_sf[i], sine), float_ulps(alone_cf[i], cosine));
+        }
+      }
+    }
+  }
+  for (const Worst* worst : {&doubles, &floats}) {
+    EXPECT_LE(worst->sine, 2) << std::hexfloat << worst->at_sine;
+    EXPECT_LE(worst->cosine, 2) << std::hexfloat << worst->at_cosine;
   }
 }
 
