@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "generator/dynamics/articulated_bodies.hpp"
+#include "generator/dynamics/articulated_body.hpp"
 #include "generator/dynamics/articulated_derivatives.hpp"
 #include "generator/dynamics/linearisation.hpp"
 #include "generator/expression/derivative.hpp"
@@ -22,9 +23,35 @@ class DifferentiatedMotion {
         n_(static_cast<std::size_t>(model_.unknown_count())),
         m_(equations.constraints().size()) {}
 
+  /// With the bias and the derivatives of the residual as they are found for themselves.
   ForwardDerivatives run() {
+    residual_ = residual_derivatives(equations_, Inputs::act);
+    own_.resize(n_);
+    solve_columns(equations_.forward_by_factorisation());
+    return std::move(result_);
+  }
+
+  /// With the bias of ∂h/∂v, which has to be found anyway.
+  ForwardDerivatives run_by_slopes() {
+    InertiaSlopes slopes = inertia_slopes(model_);
+    residual_ = effort_derivatives(equations_, Inputs::act);
+    own_ = slopes.own;
+    std::vector<Value> force = equations_.of_inputs(), gamma;
+    for (std::size_t i = 0; i < n_; ++i) {
+      force[i] += equations_.actions().passive[i];
+      force[i] = program_.bind(force[i] - slopes.bias[i]);
+      for (std::size_t j = 0; j < n_; ++j) {
+        residual_.by_position[i][j] = program_.bind(residual_.by_position[i][j] + slopes.forces.by_position[i][j]);
+        residual_.by_velocity[i][j] = program_.bind(residual_.by_velocity[i][j] + slopes.forces.by_velocity[i][j]);
+      }
+    }
+    solve_columns(equations_.solve(force, {}));
+    return std::move(result_);
+  }
+
+ private:
+  void solve_columns(const ForwardSolution& motion) {
     result_.method = "solving with the factorisation of the motion";
-    const ForwardSolution& motion = equations_.forward_by_factorisation();
     Substitution at_motion(program_, [&](const SymbolPointer& symbol) -> std::optional<Value> {
       for (std::size_t i = 0; i < n_; ++i) {
         if (symbol == model_.coordinates()[i].a) return motion.accelerations[i];
@@ -34,7 +61,6 @@ class DifferentiatedMotion {
       }
       return std::nullopt;
     });
-    const ForceDerivatives residual = residual_derivatives(equations_, Inputs::act);
     const std::vector<Value> rates = constraint_accelerations();
     const std::size_t inputs = model_.inputs().size();
     for (ForwardDerivatives::Of* of : {&result_.accelerations, &result_.multipliers}) {
@@ -47,10 +73,13 @@ class DifferentiatedMotion {
       Derivation by_velocity = partial_derivation(program_, model_.coordinates()[j].v);
       Derivation by_position = model_.along(static_cast<int>(j));
       const std::vector<Value> position_gamma = slopes(rates, by_position, at_motion);
-      const std::vector<Value> position_force = opposite_column(residual.by_position, j, at_motion);
+      const std::vector<Value> position_force = opposite_column(residual_.by_position, j, at_motion);
       solve(position_force, position_gamma, &ForwardDerivatives::Of::by_position, j);
+      Value& own = result_.accelerations.by_position[j][j];
+      const Value left_out = at_motion(own_[j]);
+      own = program_.bind(own - left_out);
       const std::vector<Value> velocity_gamma = slopes(rates, by_velocity, at_motion);
-      const std::vector<Value> velocity_force = opposite_column(residual.by_velocity, j, at_motion);
+      const std::vector<Value> velocity_force = opposite_column(residual_.by_velocity, j, at_motion);
       solve(velocity_force, velocity_gamma, &ForwardDerivatives::Of::by_velocity, j);
       std::vector<Value> unit(n_);
       unit[j] = program_.number(Number(1));
@@ -69,10 +98,8 @@ class DifferentiatedMotion {
         for (std::size_t j = 0; j < i; ++j) by_force[i][j] = by_force[j][i];
       }
     }
-    return std::move(result_);
   }
 
- private:
   /// A a + γ of every constraint.
   std::vector<Value> constraint_accelerations() const {
     std::vector<Value> all;
@@ -113,6 +140,8 @@ class DifferentiatedMotion {
   Program& program_;
   const Model& model_;
   std::size_t n_, m_;
+  ForceDerivatives residual_;  ///< ∂(M a + h − B λ − E u)/∂x, by_position less own_[j] times column j of M
+  std::vector<Value> own_;
   ForwardDerivatives result_;
 };
 
@@ -138,6 +167,19 @@ int least_cost_of_solving(const Model& model) {
   return 2 * model.unknown_count() * 4 * pairs;
 }
 
+ForwardDerivatives solved_derivatives(const Equations& equations) {
+  const Model& model = equations.model();
+  const bool slopes_fit = equations.constraints().empty() && equations.actions().wrenches.empty() &&
+                          has_simple_joints(model) && all_joints_are_free(model);
+  constexpr int few = 4;  // as few joints as residual_derivatives may take definition by definition
+  std::optional<ForwardDerivatives> by_slopes;
+  if (slopes_fit) by_slopes = DifferentiatedMotion(equations).run_by_slopes();
+  if (by_slopes && model.unknown_count() > few) return *by_slopes;
+  ForwardDerivatives by_residual = DifferentiatedMotion(equations).run();
+  if (by_slopes && cost(equations, *by_slopes) < cost(equations, by_residual)) return *by_slopes;
+  return by_residual;
+}
+
 }  // namespace
 
 ForwardDerivatives forward_derivatives(const Equations& equations) {
@@ -148,7 +190,7 @@ ForwardDerivatives forward_derivatives(const Equations& equations) {
     if (method == ForwardMethod::articulated_body) return *articulated;
     if (cost(equations, *articulated) < least_cost_of_solving(equations.model())) return *articulated;
   }
-  ForwardDerivatives solved = DifferentiatedMotion(equations).run();
+  ForwardDerivatives solved = solved_derivatives(equations);
   if (articulated && cost(equations, *articulated) < cost(equations, solved)) return *articulated;
   return solved;
 }

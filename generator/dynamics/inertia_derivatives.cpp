@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/dynamics/inertia_derivatives.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "generator/dynamics/composite_bodies.hpp"
@@ -23,20 +24,22 @@ class DerivativeRecursion {
         composites_(composite_bodies(model)) {}
 
   ForceDerivatives run() {
-    const auto n = static_cast<std::size_t>(model_.unknown_count());
-    result_.by_position.assign(n, std::vector<Value>(n));
-    result_.by_velocity = result_.by_position;
-    gather_flow();
-    changes_.resize(links_.size());
-    for (std::size_t k = 1; k < links_.size(); ++k) {
-      if (is_unknown(k)) changes_[k] = {joints_.by_position(k), joints_.by_velocity(k)};
-    }
-    for (std::size_t k = 1; k < links_.size(); ++k) {
-      if (!is_unknown(k)) continue;
-      carry_row(k);
-      carry_wrenches(k);
-    }
+    find_changes();
+    carry();
     return std::move(result_);
+  }
+
+  InertiaSlopes run_beside_mass() {
+    InertiaSlopes slopes;
+    find_changes();
+    slopes.own.resize(static_cast<std::size_t>(model_.unknown_count()));
+    for (std::size_t k = 1; k < links_.size(); ++k) {
+      if (is_unknown(k) && links_[k].aligned >= 0) slopes.own[unknown(k)] = leave_out_own(k);
+    }
+    carry();
+    if (all_joints_are_free(model_)) slopes.bias = bias();
+    slopes.forces = std::move(result_);
+    return slopes;
   }
 
  private:
@@ -45,6 +48,53 @@ class DerivativeRecursion {
   bool is_unknown(std::size_t k) const { return !links_[k].partials.empty(); }
   std::size_t unknown(std::size_t k) const { return static_cast<std::size_t>(links_[k].partials[0].first); }
   ValueMatrix& entries(std::size_t kind) { return kind == position ? result_.by_position : result_.by_velocity; }
+
+  void find_changes() {
+    changes_.resize(links_.size());
+    for (std::size_t k = 1; k < links_.size(); ++k) {
+      if (!is_unknown(k)) continue;
+      changes_[k][position] = joints_.by_position(k);
+      changes_[k][velocity] = joints_.by_velocity(k);
+    }
+  }
+
+  Value leave_out_own(std::size_t k) {
+    const Link& link = links_[k];
+    MotionChange& change = changes_[k][position];
+    Value& along = (link.joint == JointKind::revolute ? change.alpha : change.beta)[link.aligned];
+    const Value own = link.axis[link.aligned] * along;
+    along = Value();
+    return own;
+  }
+
+  void carry() {
+    const auto n = static_cast<std::size_t>(model_.unknown_count());
+    result_.by_position.assign(n, std::vector<Value>(n));
+    result_.by_velocity = result_.by_position;
+    gather_flow();
+    for (std::size_t k = 1; k < links_.size(); ++k) {
+      if (!is_unknown(k)) continue;
+      carry_row(k);
+      carry_wrenches(k);
+    }
+  }
+
+  std::vector<Value> bias() {
+    std::vector<Value> half_rates, forces(result_.by_velocity.size());
+    for (std::size_t j = 0; j < forces.size(); ++j) {
+      half_rates.push_back(program_.bind(Number::rational(1, 2) * model_.v(static_cast<int>(j))));
+    }
+    const Vector upward = model_.upward_gravity();
+    for (std::size_t k = 1; k < links_.size(); ++k) {
+      const WrenchAt& first = composites_.unit_wrenches[k].back();
+      const Vector on_ground = bound(program_, model_.to_parent(links_[first.link], first.wrench.resultant));
+      Value& force = forces[unknown(k)];
+      force = dot(on_ground, upward);
+      for (std::size_t j = 0; j < forces.size(); ++j) force += result_.by_velocity[unknown(k)][j] * half_rates[j];
+      force = program_.bind(force);
+    }
+    return forces;
+  }
 
   void gather_flow() {
     flow_.resize(links_.size());
@@ -170,5 +220,12 @@ class DerivativeRecursion {
 }  // namespace
 
 ForceDerivatives inertia_derivatives(const Model& model) { return DerivativeRecursion(model).run(); }
+
+InertiaSlopes inertia_slopes(const Model& model) { return DerivativeRecursion(model).run_beside_mass(); }
+
+bool all_joints_are_free(const Model& model) {
+  const auto& links = model.links();
+  return std::none_of(links.begin() + 1, links.end(), [](const Link& link) { return link.partials.empty(); });
+}
 
 }  // namespace torsor

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What derivatives of accelerations are made of, against the recursions of inverse dynamics, mass matrix and bias.
+#include <gtest/gtest.h>
+
+#include "benchmarks/model_counts/models.hpp"
+#include "generator/dynamics/equations.hpp"
+#include "generator/dynamics/inertia_derivatives.hpp"
+#include "generator/expression/evaluation.hpp"
+#include "generator/expression/formula.hpp"
+#include "generator/verification/random_state.hpp"
+
+namespace torsor::inertia_slopes_test {
+namespace {
+
+Expression quantity(const char* value, const char* unit) { return Expression::quantity(value, unit); }
+
+Scene flying_arm() {
+  Scene s("flying_arm");
+  const Expression x = s.coordinate("x", "m"), y = s.coordinate("y", "m"), a = s.coordinate("a", "rad");
+  const FrameHandle slide = s.prismatic("slide", s.ground(), {3, 0, 4}, x);
+  const FrameHandle trunk = s.spherical("trunk", slide, s.attitude("ball"), {.origin = {0, quantity("0.3", "m"), 0}});
+  const FrameHandle arm = s.revolute("arm", trunk, {1, 2, 2}, a, {.origin = {quantity("0.2", "m"), 0, 0}});
+  const FrameHandle hand = s.prismatic("hand", arm, -axis::y, y, {.origin = {0, 0, quantity("0.5", "m")}});
+  for (const FrameHandle& frame : {slide, trunk, arm, hand}) {
+    const auto j = [](const char* value) { return quantity(value, "kg m^2"); };
+    s.body("body" + std::to_string(frame.index), frame,
+           Inertia::general(quantity("1.2", "kg"), j("0.3"), j("0.4"), j("0.35"), j("0.05"), j("-0.02"), j("0.01"))
+               .at({quantity("0.1", "m"), quantity("-0.2", "m"), quantity("0.15", "m")}));
+  }
+  s.gravity({0, quantity("1", "m/s^2"), quantity("-9.81", "m/s^2")});
+  return s;
+}
+
+std::vector<Scene> scenes() {
+  std::vector<Scene> all{flying_arm()};
+  for (Scene& scene : read_models(TORSOR_SOURCE_DIR "/tests/reference/models.json")) {
+    if (scene.name() == "panda" || scene.name() == "chain8") all.push_back(std::move(scene));
+  }
+  return all;
+}
+
+// Sixty digits, less those that some thousand operations on numbers below 1e6 lose.
+constexpr int digits = 60;
+constexpr double bound = 1e-48;
+
+TEST(InertiaSlopes, HaveTheBiasOfInverseDynamicsAtRest) {
+  const WorkingDigits precision(digits);
+  for (const Scene& scene : scenes()) {
+    const Equations equations(scene);
+    ASSERT_TRUE(all_joints_are_free(equations.model()));
+    const InertiaSlopes slopes = inertia_slopes(equations.model());
+    const RandomState state(scene, 3);
+    Evaluator<Real> at(equations.program(), state.in_real());
+    for (std::size_t i = 0; i < slopes.bias.size(); ++i) {
+      // Without springs and motors the bias is that of inertia and gravity.
+      const Real direct = at(equations.bias()[i]) + at(equations.actions().passive[i]), found = at(slopes.bias[i]);
+      EXPECT_LE(abs(found - direct).to_double(), bound * (1 + abs(direct).to_double())) << scene.name() << " " << i;
+    }
+  }
+}
+
+TEST(InertiaSlopes, LackColumnsOfTheMassMatrix) {
+  const WorkingDigits precision(digits);
+  for (const Scene& scene : scenes()) {
+    const Equations equations(scene);
+    const InertiaSlopes slopes = inertia_slopes(equations.model());
+    const ForceDerivatives whole = inertia_derivatives(equations.model());
+    const RandomState state(scene, 4);
+    Evaluator<Real> at(equations.program(), state.in_real());
+    double left_out = 0;
+    for (std::size_t j = 0; j < slopes.own.size(); ++j) {
+      const Real own = at(slopes.own[j]);
+      left_out += abs(own).to_double();
+      for (std::size_t i = 0; i < slopes.own.size(); ++i) {
+        const Real sum = at(slopes.forces.by_position[i][j]) + own * at(equations.mass()[i][j]);
+        const Real direct = at(whole.by_position[i][j]);
+        EXPECT_LE(abs(sum - direct).to_double(), bound * (1 + abs(direct).to_double())) << scene.name();
+      }
+    }
+    EXPECT_GT(left_out, 0.1) << scene.name();
+  }
+}
+
+}  // namespace
+}  // namespace torsor::inertia_slopes_test
