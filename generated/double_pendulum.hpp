@@ -20,7 +20,7 @@
 //   inverse_dynamics_derivatives         13               15          0             0                  2       0     32      56
 //   forward_dynamics_derivatives         32               38          1             0                  2       0     75     111
 //   regressor                             7               12          0             0                  2       0     23      23
-//   jets                                 42               42          2             0                  2       0     90       -
+//   jets                                 40               44          1             0                  2       0     89       -
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 36 results 16 vanish identically, 6 repeat another up to sign
@@ -1237,7 +1237,8 @@ struct Mechanism {
   }
 
   /// Taylor coefficients of the motion: coefficients[k] = y^(k)/k! for k = 0..order, 1 <= order <= 30, y positions
-  /// then velocities, the inputs being constant. 13 operations take a convolution at each order.
+  /// then velocities, the inputs being constant. 10 operations take a convolution at each order; accelerations
+  /// are solved for, in the inverse dynamics, by the factors of M at the start.
   /// Returns singular where forward_dynamics does.
   TORSOR_DEVICE static torsor::Status jets(const Precomputed&, const State& state, const Inputs&, int order,
       std::array<Scalar, 4>* coefficients) noexcept {
@@ -1246,7 +1247,9 @@ struct Mechanism {
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n19_62 = traits::constant(19.62, 19.62f, "981/50");
     const Scalar q_theta_1 = state.q.theta_1;
+    const Scalar v_theta_1 = state.v.theta_1;
     const Scalar q_theta_2 = state.q.theta_2;
+    const Scalar v_theta_2 = state.v.theta_2;
     const Scalar z8 = q_theta_1 - q_theta_2;
     const Scalar angles_[] = {q_theta_1, z8};
     Scalar sines_[2], cosines_[2];
@@ -1258,67 +1261,71 @@ struct Mechanism {
     const Scalar z31 = n2 + z28;
     const Scalar z32 = n1 - n2 * z15 + z31;
     const Scalar z33 = n1 - z15;
+    const Scalar z34 = n9_81 * s_theta_1;
+    const Scalar z35 = n9_81 * c_theta_1;
+    const Scalar z36 = v_theta_1 * v_theta_1;
+    const Scalar z37 = z35 + z36;
+    const Scalar z38 = z9 * z37 - z10 * z34;
+    const Scalar z40 = v_theta_2 * v_theta_2;
+    const Scalar z41 = z9 * z40;
+    const Scalar z44 = n2 * z34 - z38 + z41;  // moment on upper, z
+    const Scalar z45 = z38 + z44;
     const Scalar z56 = z32 - z33 * z33;
-    const Scalar b1 = state.v.theta_1;
-    const Scalar b9 = b1 * b1;
-    const Scalar b10 = n9_81 * c_theta_1 + b9;
-    const Scalar b11 = z9 * b10;
-    const Scalar b12 = s_theta_1 * z10;
-    const Scalar b15 = b11 - n9_81 * b12;
-    const Scalar b5 = state.v.theta_2;
-    const Scalar b17 = b5 * b5;
-    const Scalar b18 = z9 * b17;
-    const Scalar b16 = z10 * b15;
-    const Scalar b19 = n19_62 * s_theta_1 + b18 + b16;
-    const Scalar b13 = z10 * z10;
-    const Scalar b14 = -n2 + b13;
-    const Scalar b20 = b19 / b14;
-    const Scalar i20 = n1 / b14;
-    const Scalar b21 = z10 * b20;
+    const Scalar z57 = n1 / z56;
+    const Scalar z58 = z33 * z38 - z45;
+    const Scalar z59 = z57 * z58;
+    const Scalar z60 = z33 * z59 + z38;
+    const Scalar b14 = v_theta_2 * v_theta_2;
+    const Scalar b11 = v_theta_1 * v_theta_1;
+    const Scalar b12 = n9_81 * c_theta_1 + b11;
+    const Scalar b7 = z60;
+    const Scalar b2 = z59;
+    const Scalar b13 = b2 + n9_81 * s_theta_1;
     coefficients[0][0] = state.q.theta_1;
     coefficients[0][1] = state.q.theta_2;
     coefficients[0][2] = state.v.theta_1;
     coefficients[0][3] = state.v.theta_2;
-    coefficients[1][0] = b1;
-    coefficients[1][1] = b5;
-    coefficients[1][2] = b20;
-    coefficients[1][3] = b15 - b21;
-    torsor::Convolutions<Scalar, 13> operations_;
-    typename torsor::Convolutions<Scalar, 13>::Sums sums_;
+    coefficients[1][0] = v_theta_1;
+    coefficients[1][1] = v_theta_2;
+    coefficients[1][2] = z59;
+    coefficients[1][3] = z60;
+    torsor::Convolutions<Scalar, 10> operations_;
+    typename torsor::Convolutions<Scalar, 10>::Sums sums_;
     Scalar number_ = n1, inverse_ = n1;
     for (int k_ = 1; k_ < order; ++k_) {
       const Scalar following_ = number_ + n1, next_ = n1 / following_;
       operations_.sum(k_, sums_);
       const Scalar x0 = coefficients[k_][0];
       const Scalar x1 = coefficients[k_][2];
-      const Scalar x2 = inverse_ * sums_[0] + c_theta_1 * x0;
+      const Scalar x3 = inverse_ * sums_[0] + c_theta_1 * x0;
       const Scalar w0 = number_ * x0;
-      const Scalar x3 = -inverse_ * sums_[1] - s_theta_1 * x0;
-      const Scalar x4 = coefficients[k_][1];
-      const Scalar x5 = coefficients[k_][3];
-      const Scalar x6 = x0 - x4;
-      const Scalar x7 = inverse_ * sums_[2] + z10 * x6;
-      const Scalar w6 = number_ * x6;
-      const Scalar x8 = -inverse_ * sums_[3] - z9 * x6;
-      const Scalar x9 = sums_[4] + (b1 + b1) * x1;
-      const Scalar x10 = n9_81 * x3 + x9;
-      const Scalar x11 = sums_[5] + z9 * x10 + b10 * x7;
-      const Scalar x12 = sums_[6] + z10 * x2 + s_theta_1 * x8;
-      const Scalar x13 = sums_[7] + (z10 + z10) * x8;
-      const Scalar x14 = x13;
-      const Scalar x15 = x11 - n9_81 * x12;
-      const Scalar x16 = sums_[8] + b15 * x8 + z10 * x15;
-      const Scalar x17 = sums_[9] + (b5 + b5) * x5;
-      const Scalar x18 = sums_[10] + z9 * x17 + b17 * x7;
-      const Scalar x19 = n19_62 * x2 + x18 + x16;
-      const Scalar x20 = (x19 - (sums_[11] + b20 * x14)) * i20;
-      const Scalar x21 = sums_[12] + b20 * x8 + z10 * x20;
+      const Scalar x4 = -inverse_ * sums_[1] - s_theta_1 * x0;
+      const Scalar x5 = coefficients[k_][1];
+      const Scalar x6 = coefficients[k_][3];
+      const Scalar x8 = x0 - x5;
+      const Scalar x9 = inverse_ * sums_[2] + z10 * x8;
+      const Scalar w8 = number_ * x8;
+      const Scalar x10 = -inverse_ * sums_[3] - z9 * x8;
+      const Scalar x11 = sums_[4] + (v_theta_1 + v_theta_1) * x1;
+      const Scalar x12 = n9_81 * x4 + x11;
+      const Scalar x14 = sums_[5] + (v_theta_2 + v_theta_2) * x6;
+      const Scalar x15 = sums_[6] + z9 * x14 + b14 * x9;
+      const Scalar x17 = sums_[8] + z9 * x12 + b12 * x9;
+      const Scalar o13 = n9_81 * x3;
+      const Scalar o16 = sums_[7] + b7 * x10;
+      const Scalar o18 = sums_[9] + b13 * x10;
+      const Scalar p18 = o18 + z10 * o13;
+      const Scalar r1 = -(-x17 + p18);
+      const Scalar r0 = -(n19_62 * x3 + x15 + o16) + z33 * r1;
+      const Scalar a0 = z57 * r0;
+      const Scalar a1 = r1 + z33 * a0;
+      const Scalar x13 = o13 + a0;
+      coefficients[k_ + 1][2] = next_ * a0;
+      coefficients[k_ + 1][3] = next_ * a1;
       coefficients[k_ + 1][0] = next_ * x1;
-      coefficients[k_ + 1][1] = next_ * x5;
-      coefficients[k_ + 1][2] = next_ * x20;
-      coefficients[k_ + 1][3] = next_ * (x15 - x21);
-      const Scalar left_[] = {w0, w0, w6, w6, x1, x7, x2, x8, x8, x5, x7, x20, x8};
-      const Scalar right_[] = {x3, x2, x8, x7, x1, x10, x8, x8, x15, x5, x17, x14, x20};
+      coefficients[k_ + 1][1] = next_ * x6;
+      const Scalar left_[] = {w0, w0, w8, w8, x1, x6, x9, a1, x9, x10};
+      const Scalar right_[] = {x4, x3, x10, x9, x1, x6, x14, x10, x12, x13};
       operations_.keep(k_, left_, right_);
       number_ = following_;
       inverse_ = next_;

@@ -19,6 +19,9 @@ class Factorisation {
   std::vector<Value> solve(const std::vector<Value>& right_side) const;
   /// (pivot d_k, diagonal entry it came from), for the caller to test.
   const std::vector<std::pair<Value, Value>>& pivots() const { return pivots_; }
+  /// M = Lᵀ D L: L below its diagonal of ones, and 1/d_k.
+  const ValueMatrix& lower() const { return lower_; }
+  const std::vector<Value>& inverse_pivots() const { return inverse_pivots_; }
 
  private:
   Program* program_;

@@ -228,6 +228,16 @@ std::string known_names() {
 
 }  // namespace
 
+std::vector<Value> SeriesSolve::at_start(const SeriesProgram& program) const {
+  std::vector<Value> all = start;
+  for (const std::vector<Value>& row : lower) all.insert(all.end(), row.begin(), row.end());
+  all.insert(all.end(), inverse_pivots.begin(), inverse_pivots.end());
+  for (const SeriesNode& node : program.nodes()) {
+    if (node.kind >= SeriesNode::Kind::square_root) all.push_back(program.value(Polynomial(node.atom)));
+  }
+  return all;
+}
+
 std::vector<Value> Kernel::values() const {
   std::vector<Value> all;
   for (const Assignment& assignment : assignments) all.push_back(assignment.value);
@@ -236,7 +246,12 @@ std::vector<Value> Kernel::values() const {
     all.push_back(diagonal);
   }
   if (series) {
-    for (const Polynomial& root : series->program.roots()) all.push_back(series->program.value(root));
+    const SeriesProgram& program = series->program;
+    const std::vector<Polynomial> roots = series->solve ? series->solve->coefficients : program.roots();
+    for (const Polynomial& root : roots) all.push_back(program.value(root));
+    if (series->solve) {
+      for (const Value& value : series->solve->at_start(program)) all.push_back(value);
+    }
   }
   return all;
 }

@@ -10,29 +10,71 @@
 namespace torsor {
 
 /// Taylor coefficients 0..order of y' = outputs, y being the symbols of `state`, through the state at which `here`
-/// evaluates: the recurrences that are emitted, in `double` or `Real`.
+/// evaluates: the recurrences that are emitted, in `double` or `Real`. With unknowns, the rates of the last of the state,
+/// as many of the last outputs are equations 0 = M a + ... in them, solved order by order.
 template <class Scalar>
 class SeriesEvaluation {
  public:
   SeriesEvaluation(const SeriesProgram& program, const std::vector<SymbolPointer>& state, Evaluator<Scalar>& here)
       : program_(program), state_(state), here_(here), series_(program.nodes().size()) {}
 
+  /// The unknowns' values at the start, and M = Lᵀ D L as L below its diagonal and 1/D.
+  void solve_for(const std::vector<SymbolPointer>& unknowns, const std::vector<Value>& start,
+                 const std::vector<std::vector<Value>>& lower, const std::vector<Value>& inverse_pivots) {
+    unknowns_ = unknowns;
+    for (const Value& value : start) starts_.push_back(here_(value));
+    for (const std::vector<Value>& row : lower) {
+      lower_.emplace_back();
+      for (const Value& value : row) lower_.back().push_back(here_(value));
+    }
+    for (const Value& value : inverse_pivots) inverse_pivots_.push_back(here_(value));
+  }
+
   /// coefficients[k][i], k = 0..order.
   std::vector<std::vector<Scalar>> operator()(int order) {
     std::vector<std::vector<Scalar>> coefficients(1);
     for (const SymbolPointer& symbol : state_) coefficients[0].push_back(here_(program_.symbol(symbol)));
     for (int k = 0; k < order; ++k) {
-      for (std::size_t id = 0; id < series_.size(); ++id) {
-        series_[id].push_back(coefficient(program_.nodes()[id], id, k, coefficients));
+      for (std::vector<Scalar>& series : series_) series.push_back(Scalar(0));
+      rates_ = k == 0 ? starts_ : std::vector<Scalar>(unknowns_.size(), Scalar(0));
+      compute(k, coefficients);
+      if (k > 0 && !unknowns_.empty()) {
+        rates_ = solved(k);
+        compute(k, coefficients);
       }
       std::vector<Scalar> next;
-      for (const SeriesForm& rate : program_.outputs()) next.push_back(value(rate, k) / Scalar(k + 1));
+      const std::size_t explicit_count = state_.size() - unknowns_.size();
+      for (std::size_t i = 0; i < explicit_count; ++i) {
+        next.push_back(value(program_.outputs()[i], k) / Scalar(k + 1));
+      }
+      for (const Scalar& rate : rates_) next.push_back(rate / Scalar(k + 1));
       coefficients.push_back(std::move(next));
     }
     return coefficients;
   }
 
  private:
+  void compute(int k, const std::vector<std::vector<Scalar>>& coefficients) {
+    for (std::size_t id = 0; id < series_.size(); ++id) {
+      series_[id][static_cast<std::size_t>(k)] = coefficient(program_.nodes()[id], id, k, coefficients);
+    }
+  }
+
+  /// -M⁻¹ times coefficient k of the equations' left sides.
+  std::vector<Scalar> solved(int k) {
+    const std::size_t n = unknowns_.size(), first = state_.size() - n;
+    std::vector<Scalar> x;
+    for (std::size_t i = 0; i < n; ++i) x.push_back(-value(program_.outputs()[first + i], k));
+    for (std::size_t j = n; j-- > 0;) {
+      for (std::size_t i = 0; i < j; ++i) x[i] = x[i] - lower_[j][i] * x[j];
+    }
+    for (std::size_t j = 0; j < n; ++j) {
+      x[j] = x[j] * inverse_pivots_[j];
+      for (std::size_t i = 0; i < j; ++i) x[j] = x[j] - lower_[j][i] * x[i];
+    }
+    return x;
+  }
+
   Scalar value(const SeriesForm& form, int k) {
     Scalar sum = k == 0 ? here_(program_.value(form.constant)) : Scalar(0);
     for (const SeriesForm::Term& term : form.terms) {
@@ -59,6 +101,8 @@ class SeriesEvaluation {
     using Kind = SeriesNode::Kind;
     const int own = static_cast<int>(id);
     if (node.kind == Kind::symbol) {
+      const auto unknown = std::find(unknowns_.begin(), unknowns_.end(), program_.symbol_of(node));
+      if (unknown != unknowns_.end()) return rates_[static_cast<std::size_t>(unknown - unknowns_.begin())];
       const auto place = std::find(state_.begin(), state_.end(), program_.symbol_of(node));
       if (place != state_.end())
         return y[static_cast<std::size_t>(k)][static_cast<std::size_t>(place - state_.begin())];
@@ -99,6 +143,9 @@ class SeriesEvaluation {
   const std::vector<SymbolPointer>& state_;
   Evaluator<Scalar>& here_;
   std::vector<std::vector<Scalar>> series_;  ///< by node
+  std::vector<SymbolPointer> unknowns_;
+  std::vector<Scalar> starts_, rates_, inverse_pivots_;
+  std::vector<std::vector<Scalar>> lower_;
 };
 
 }  // namespace torsor

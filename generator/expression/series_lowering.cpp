@@ -68,7 +68,8 @@ void SeriesLowering::define(Atom atom) {
   const Definition& definition = program_[atom];
   if (definition.symbol) {
     const SymbolKind kind = definition.symbol->kind;
-    constant_[at(atom)] = kind != SymbolKind::time && kind != SymbolKind::coordinate && kind != SymbolKind::velocity;
+    constant_[at(atom)] = kind != SymbolKind::time && kind != SymbolKind::coordinate && kind != SymbolKind::velocity &&
+                          kind != SymbolKind::acceleration;
     if (constant_[at(atom)]) return;
     expanded_[at(atom)] = form_of_node(append({SeriesNode::Kind::symbol, atom, -1, -1, {}}));
     direct_[at(atom)] = expanded_[at(atom)];

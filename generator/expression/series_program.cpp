@@ -178,4 +178,31 @@ int SeriesProgram::nonlinear_count() const {
   return static_cast<int>(std::count_if(nodes_.begin(), nodes_.end(), is_nonlinear));
 }
 
+std::vector<bool> SeriesProgram::depending_on(const std::vector<SymbolPointer>& symbols) const {
+  std::vector<bool> marked(nodes_.size(), false);
+  const auto is_marked = [&marked](int node) { return node >= 0 && marked[static_cast<std::size_t>(node)]; };
+  for (std::size_t id = 0; id < nodes_.size(); ++id) {
+    const SeriesNode& node = nodes_[id];
+    if (node.kind == SeriesNode::Kind::symbol) {
+      marked[id] = std::find(symbols.begin(), symbols.end(), symbol_of(node)) != symbols.end();
+      continue;
+    }
+    marked[id] = is_marked(node.left) || is_marked(node.right) ||
+                 std::any_of(node.form.terms.begin(), node.form.terms.end(),
+                             [&](const SeriesForm::Term& term) { return is_marked(term.node); });
+  }
+  return marked;
+}
+
+bool SeriesProgram::linear_in(const std::vector<bool>& marked) const {
+  for (std::size_t id = 0; id < nodes_.size(); ++id) {
+    if (!marked[id]) continue;
+    const SeriesNode& node = nodes_[id];
+    const bool right = node.right >= 0 && marked[static_cast<std::size_t>(node.right)];
+    if (is_function(node.kind) || (node.kind == SeriesNode::Kind::quotient && right)) return false;
+    if (node.kind == SeriesNode::Kind::product && right && marked[static_cast<std::size_t>(node.left)]) return false;
+  }
+  return true;
+}
+
 }  // namespace torsor

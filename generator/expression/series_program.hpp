@@ -57,6 +57,10 @@ class SeriesProgram {
   Value symbol(const SymbolPointer& symbol) const { return program_->symbol(symbol); }
   const SymbolPointer& symbol_of(const SeriesNode& node) const { return (*program_)[node.atom].symbol; }
   int nonlinear_count() const;
+  /// By node: whether it changes with these symbols.
+  std::vector<bool> depending_on(const std::vector<SymbolPointer>& symbols) const;
+  /// Whether the nodes so marked are sums, products with one marked factor, quotients of a marked dividend alone.
+  bool linear_in(const std::vector<bool>& marked) const;
 
  private:
   Program* program_;

@@ -47,6 +47,16 @@ std::vector<Value> rates_of(const Equations& equations, const std::vector<Symbol
   return rates;
 }
 
+template <class Scalar>
+std::vector<std::vector<Scalar>> coefficients_of(const SeriesResult& series, Evaluator<Scalar>& here) {
+  SeriesEvaluation<Scalar> evaluation(series.program, series.state, here);
+  if (series.solve) {
+    const SeriesSolve& solve = *series.solve;
+    evaluation.solve_for(solve.unknowns, solve.start, solve.lower, solve.inverse_pivots);
+  }
+  return evaluation(degree + 1);
+}
+
 class JetCheck {
  public:
   explicit JetCheck(const Scene& scene)
@@ -64,7 +74,7 @@ class JetCheck {
   void at(const RandomState& state) {
     const SeriesResult& series = *kernel_.series;
     Evaluator<Real> exact(equations_.program(), state.in_real());
-    const Coefficients c = SeriesEvaluation<Real>(series.program, series.state, exact)(degree + 1);
+    const Coefficients c = coefficients_of(series, exact);
     const double rho = growth(c);
     const double size = std::max(1.0, largest(c[0]));
     compare_in_double(state, c, rho, size, exact);
@@ -100,7 +110,7 @@ class JetCheck {
                          Evaluator<Real>& here) {
     const SeriesResult& series = *kernel_.series;
     Evaluator<double> fast(equations_.program(), state.in_double());
-    const auto c = SeriesEvaluation<double>(series.program, series.state, fast)(degree + 1);
+    const auto c = coefficients_of(series, fast);
     const double allowance = std::max(1.0, motion_condition(equations_, here) / 10);
     for (std::size_t k = 1; k < c.size(); ++k) {
       for (std::size_t i = 0; i < c[k].size(); ++i) {

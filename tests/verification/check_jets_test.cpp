@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 #include "generator/emission/kernel_jets.hpp"
 #include "generator/expression/derivative.hpp"
 #include "generator/expression/series_evaluation.hpp"
@@ -62,6 +65,53 @@ TEST(CheckJets, AgreesWithSymbolicTimeDerivatives) {
   EXPECT_LT(abs(c[2][1] + ratio * cos(q) * v / Real(2)).to_double(), 1e-55);
   EXPECT_LT(abs(c[3][1] - (ratio * sin(q) * v * v + ratio * ratio * cos(q) * sin(q)) / Real(6)).to_double(), 1e-55);
   EXPECT_LT(abs(c[3][0] - c[2][1] / Real(3)).to_double(), 1e-55);
+}
+
+// Accelerations solved for in the inverse dynamics against recurrences of the solved equations, in which every
+// operation of L D Lᵀ is a series: to order 12 and 60 digits.
+void expect_equal_roads(const Scene& scene, const std::string& what) {
+  const WorkingDigits precision(60);
+  const Equations equations(scene);
+  const Kernel kernel = make_jets(equations);
+  ASSERT_TRUE(kernel.series && kernel.series->solve) << what;
+  const SeriesSolve& solve = *kernel.series->solve;
+  std::vector<Value> rates;
+  const std::vector<SymbolPointer>& state = kernel.series->state;
+  for (std::size_t i = 0; i + solve.unknowns.size() < state.size(); ++i) {
+    rates.push_back(rate_of(equations.program(), state[i]));
+  }
+  for (const Value& acceleration : equations.forward().accelerations) rates.push_back(acceleration);
+  const SeriesProgram solved(equations.program(), rates);
+  EXPECT_LT(kernel.series->program.nonlinear_count(), solved.nonlinear_count()) << what;
+
+  const RandomState at_random(scene, 3);
+  Evaluator<Real> here(equations.program(), at_random.in_real());
+  SeriesEvaluation<Real> implicit(kernel.series->program, state, here);
+  implicit.solve_for(solve.unknowns, solve.start, solve.lower, solve.inverse_pivots);
+  constexpr int order = 12;
+  const auto found = implicit(order);
+  const auto expected = SeriesEvaluation<Real>(solved, state, here)(order);
+  for (int k = 0; k <= order; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    for (std::size_t i = 0; i < state.size(); ++i) {
+      // 60 digits less what the coefficients' growth and the condition of M take.
+      EXPECT_LT(testing_symbols::relative_difference(found[at][i], expected[at][i]), 1e-45) << what << ", order " << k;
+    }
+  }
+}
+
+TEST(Jets, SolveTheInverseDynamicsOrderByOrder) {
+  Scene chain("chain");
+  FrameHandle above = chain.ground();
+  for (int i = 0; i < 5; ++i) {
+    const std::string number = std::to_string(i);
+    const Expression angle = chain.coordinate("angle_" + number, "rad");
+    const Triple place = {0, i == 0 ? metres("0") : metres("-1"), 0};
+    above = chain.revolute("rod_" + number, above, i % 2 == 0 ? axis::z : axis::x, angle, {.origin = place});
+    chain.body("bob_" + number, above, Inertia::point(kilograms("2")).at({0, metres("-1"), 0}));
+  }
+  chain.gravity({0, Expression::quantity("-9.81", "m/s^2"), 0});
+  expect_equal_roads(chain, "chain");
 }
 
 }  // namespace
