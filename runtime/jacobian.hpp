@@ -23,7 +23,8 @@ concept HasJacobian = requires(const S& system, const Scalar& t, const std::arra
 };
 
 /// The Jacobian at (t, y), where f is `slope`: the system's own, else by forward differences with
-/// δ_j = sqrt(ε max(10⁻⁵, |y_j|)), one call for each column (Hairer-Wanner II, IV.8, as in their code radau5).
+/// δ_j = sqrt(ε max(10⁻⁵, |y_j|)), one call for each column (Hairer-Wanner II, IV.8, as in their code radau5), and
+/// sqrt(ε) |y_j| where |y_j| is so large that this would be lost in it.
 /// False when the model failed; `f.evaluation` then says how.
 template <class S, class Scalar, std::size_t size>
 [[nodiscard]] bool evaluate_jacobian(CheckedSystem<S, Scalar, size>& f, Scalar t, const std::array<Scalar, size>& y,
@@ -40,7 +41,9 @@ template <class S, class Scalar, std::size_t size>
   } else {
     std::array<Scalar, size> moved = y, at_moved;
     for (std::size_t j = 0; j < size; ++j) {
-      const Scalar wanted = std::sqrt(std::numeric_limits<Scalar>::epsilon() * std::max(Scalar(1e-5), std::abs(y[j])));
+      const Scalar largeness = std::abs(y[j]), epsilon = std::numeric_limits<Scalar>::epsilon();
+      const Scalar relative = std::sqrt(epsilon) * largeness;
+      const Scalar wanted = relative < Scalar(1) ? std::sqrt(epsilon * std::max(Scalar(1e-5), largeness)) : relative;
       moved[j] = y[j] + wanted;
       const Scalar delta = moved[j] - y[j];
       if (!f(t, moved, at_moved)) return false;

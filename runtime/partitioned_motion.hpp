@@ -87,13 +87,14 @@ class PartitionedMotion {
 
   explicit PartitionedMotion(const Motion& motion) noexcept : motion_(motion) {}
 
-  /// Chooses the independent coordinates anew at a state; false when it has not as many freedoms.
-  [[nodiscard]] bool choose(Scalar t, const Full& y) noexcept {
+  /// Chooses the independent coordinates anew at a state; `singular` when it has not as many freedoms.
+  [[nodiscard]] Evaluation choose(Scalar t, const Full& y) noexcept {
     typename M::Constraints constraints{};
     M::constraints(motion_.precomputed(), unpack<M>(t, y), constraints);
+    if (!all_finite(constraints.value) || !all_finite(constraints.jacobian)) return Evaluation::not_finite;
     choice_ = Choice::template of<m>(constraints.jacobian);
     near_ = y;
-    return choice_.complete;
+    return choice_.complete ? Evaluation::ok : Evaluation::singular;
   }
   [[nodiscard]] const Choice& partition() const noexcept { return choice_; }
 
@@ -227,8 +228,10 @@ template <std::size_t freedoms, class Motion, class Method, class Observer = Ign
     return result;
   }
   for (;;) {
-    if (!system.choose(result.integration.time, y)) {
-      result.integration.status = IntegrationStatus::unsuitable_model;
+    if (const Evaluation e = system.choose(result.integration.time, y); e != Evaluation::ok) {
+      result.integration.status =
+          e == Evaluation::singular ? IntegrationStatus::unsuitable_model : IntegrationStatus::model_failure;
+      result.integration.evaluation = e;
       break;
     }
     auto z = system.reduce(y);

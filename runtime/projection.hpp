@@ -35,8 +35,8 @@ struct Projection {
 /// Puts a state onto its constraints by the least change in the metric of the masses:
 ///   δq = -M⁻¹ Aᵀ (A M⁻¹ Aᵀ)⁺ f(q, t), repeated until f is down to rounding;   δv = -M⁻¹ Aᵀ (A M⁻¹ Aᵀ)⁺ (A v - b),
 /// with unit quaternions turned by δq and given their norm back. Constraints that repeat others within `rank_tolerance`
-/// are left out of the factor and must close by themselves. `singular` when f has no zero near (or redundant
-/// constraints contradict each other), y is then left alone. Source: Hairer-Wanner II, VII.2 (projection); Lubich,
+/// are left out of the factor and must close by themselves. `singular` when f has no zero near, or constraints contradict
+/// each other in position or in velocity; y is then left alone. Source: Hairer-Wanner II, VII.2 (projection); Lubich,
 /// Engstler, Nowak & Pöhle 1995 (mass metric).
 template <HasConstraintMetric M>
 [[nodiscard]] Projection<ScalarOf<M>> project_on_constraints(
@@ -101,7 +101,8 @@ class ConstraintState {
     state_ = unpack<M>(t, y);
     M::constraints(precomputed, state_, constraints_);
     position = velocity = rounding = Scalar(0);
-    Scalar largest = Scalar(0), speed = Scalar(0);
+    Scalar largest = Scalar(0);
+    speed = Scalar(0);
     for (std::size_t i = 0; i < coordinates_of<M>; ++i) largest = std::max(largest, std::abs(y[i]));
     if (!(largest > Scalar(0))) largest = Scalar(1);
     for (std::size_t i = 0; i < nv; ++i) speed = std::max(speed, std::abs(state_.v[static_cast<int>(i)]));
@@ -131,6 +132,7 @@ class ConstraintState {
   [[nodiscard]] Residual rate() const noexcept { return Eigen::Map<const Residual>(constraints_.rate.data()); }
 
   Scalar position = Scalar(0), velocity = Scalar(0), rounding = Scalar(0), rounding_of_velocity = Scalar(0);
+  Scalar speed = Scalar(0);  // the largest velocity
 
  private:
   typename M::State state_{};
@@ -162,7 +164,10 @@ Projection<ScalarOf<M>> project_on_constraints(const typename M::Precomputed& pr
     // Off its zeros by d, a redundant constraint looks independent by some d.
     const Scalar tolerance = std::max(rank_tolerance, std::min(Scalar(1e-3), Scalar(4) * here.position));
     if (const Evaluation e = here.factorise(precomputed, factor, tolerance); e != Evaluation::ok) return fail(e);
-    factored = true;
+    // What was left out for that reason alone may hold a velocity.
+    factored = factor.rank() == static_cast<int>(State::m) || !(tolerance > rank_tolerance);
+    result.rank = factor.rank();
+    result.least_share = factor.least_share();
     StateVector<M> trial = next;
     detail::displace<M>(precomputed, t, factor.least_change(-here.value()), trial);
     State there;
@@ -180,6 +185,8 @@ Projection<ScalarOf<M>> project_on_constraints(const typename M::Precomputed& pr
     if (!factored) {
       if (const Evaluation e = here.factorise(precomputed, factor, rank_tolerance); e != Evaluation::ok) return fail(e);
       factored = true;
+      result.rank = factor.rank();
+      result.least_share = factor.least_share();
     }
     const auto change = factor.least_change(-here.rate());
     StateVector<M> trial = next;
@@ -190,10 +197,11 @@ Projection<ScalarOf<M>> project_on_constraints(const typename M::Precomputed& pr
     next = trial;
     here = there;
   }
+  // Of a velocity, constraints that are left out may keep a share of the order of the rank tolerance, not all of it.
+  const Scalar left_over = Scalar(1e6) * here.rounding_of_velocity + Scalar(1e3) * rank_tolerance * here.speed;
+  if (!(here.velocity <= left_over)) return fail(Evaluation::singular);
   result.position = here.position;
   result.velocity = here.velocity;
-  result.rank = factored ? factor.rank() : 0;
-  result.least_share = factored ? factor.least_share() : Scalar(1);
   y = next;
   return result;
 }

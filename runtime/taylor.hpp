@@ -25,8 +25,9 @@ namespace torsor::runtime {
 /// Order and step. The last four coefficients each give a radius ρ_k = |c_k|^(-1/k), in units of the state's own size
 /// (largest component, weighted as errors are); the step is that at which a term of order p + 1 with the least of them
 /// meets the tolerance ε, h = 0.95 ρ ε^(1/(p+1)). The order p = 1 - 0.55 ln ε was found by measuring: a higher one
-/// makes longer steps of more work. Source: Jorba & Zou, Experimental Mathematics 14 (2005) 99-117, who take two
-/// coefficients.
+/// makes longer steps of more work; it is chosen anew where the state's size has changed so much, against an absolute
+/// tolerance, that p would be another by four. Source: Jorba & Zou, Experimental Mathematics 14 (2005) 99-117, who take
+/// two coefficients.
 ///
 /// No step is believed for its coefficients alone, which vanish at regular orders for some motions: the polynomial's
 /// slope at its end must agree with the equations' there, c[1] of the next step,
@@ -74,11 +75,14 @@ class Taylor::Formula {
   Evaluation prepare(F& f, const StepRange<Scalar>& range, const Vector& y, const Tolerances<Scalar>& tolerances,
                      Scalar& length) {
     tolerances_ = tolerances;
-    choose_order(y);
-    if (!f.jets(range.start, y, span(now()))) return f.evaluation;
+    part_ = part_of(y);
+    if (chosen_) order_ = order_for(part_);
+    next_part_ = part_;
+    next_order_ = order_;
+    if (!f.jets(range.start, y, span(now(), order_))) return f.evaluation;
     if (!(length > Scalar(0))) {
       const Scalar reach = std::min(std::abs(range.end - range.start), range.longest);
-      length = std::min(std::max(proposal(now()), range.shortest()), reach);
+      length = std::min(std::max(proposal(now(), order_, part_), range.shortest()), reach);
     }
     return Evaluation::ok;
   }
@@ -102,7 +106,8 @@ class Taylor::Formula {
     state.propose(increment);
     if (!all_finite(state.next()) || !all_finite(slope)) return Evaluation::not_finite;
     if (!state.settle(f, t + h)) return f.evaluation;
-    if (!f.jets(t + h, state.next(), span(next()))) return f.evaluation;
+    choose_next(state.next());
+    if (!f.jets(t + h, state.next(), span(next(), next_order_))) return f.evaluation;
     const Scalar noise = rounding_of_slopes(state);
     error = Scalar(0);
     for (std::size_t i = 0; i < size; ++i) {
@@ -119,7 +124,8 @@ class Taylor::Formula {
 
   // From the coefficients at the end of the step; its own length limits how fast steps grow.
   [[nodiscard]] Scalar longer(Scalar h, Scalar, Scalar planned, bool after_rejection) const noexcept {
-    return std::min(proposal(c_[1 - current_]), after_rejection ? Scalar(2) * h : Scalar(10) * std::max(h, planned));
+    const Scalar wanted = proposal(c_[1 - current_], next_order_, next_part_);
+    return std::min(wanted, after_rejection ? Scalar(2) * h : Scalar(10) * std::max(h, planned));
   }
 
   template <class F>
@@ -131,7 +137,11 @@ class Taylor::Formula {
     return Step(t, t_next, order_, c_[current_]);
   }
 
-  void accept() noexcept { current_ = 1 - current_; }
+  void accept() noexcept {
+    current_ = 1 - current_;
+    order_ = next_order_;
+    part_ = next_part_;
+  }
 
  private:
   static constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
@@ -140,7 +150,9 @@ class Taylor::Formula {
   [[nodiscard]] Coefficients& now() noexcept { return c_[current_]; }
   [[nodiscard]] Coefficients& next() noexcept { return c_[1 - current_]; }
 
-  [[nodiscard]] std::span<Vector> span(Coefficients& c) const noexcept { return {c.data(), order_ + 1}; }
+  [[nodiscard]] static std::span<Vector> span(Coefficients& c, std::size_t order) noexcept {
+    return {c.data(), order + 1};
+  }
 
   // What the rounding of the state itself makes of its slopes, by how much these change with it over the step.
   [[nodiscard]] Scalar rounding_of_slopes(const State& state) noexcept {
@@ -154,37 +166,49 @@ class Taylor::Formula {
   }
 
   // The tolerance as a part of the state's own size.
-  void choose_order(const Vector& y) noexcept {
+  [[nodiscard]] Scalar part_of(const Vector& y) const noexcept {
     Scalar largest = Scalar(0);
     for (const Scalar& value : y) largest = std::max(largest, std::abs(value));
-    part_ = tolerances_.relative;
-    if (tolerances_.absolute > Scalar(0)) part_ += largest > Scalar(0) ? tolerances_.absolute / largest : Scalar(0);
-    part_ = std::clamp(part_ > Scalar(0) ? part_ : tolerances_.absolute, epsilon, Scalar(0.1));
-    if (chosen_) {
-      const double wanted = 1.0 - 0.55 * std::log(static_cast<double>(part_));
-      order_ = static_cast<std::size_t>(
-          std::clamp(2 * static_cast<int>(std::ceil(wanted / 2.0)), least_order, largest_order));
-    }
+    Scalar part = tolerances_.relative;
+    if (tolerances_.absolute > Scalar(0)) part += largest > Scalar(0) ? tolerances_.absolute / largest : Scalar(0);
+    return std::clamp(part > Scalar(0) ? part : tolerances_.absolute, epsilon, Scalar(0.1));
+  }
+  [[nodiscard]] static std::size_t order_for(Scalar part) noexcept {
+    const double wanted = 1.0 - 0.55 * std::log(static_cast<double>(part));
+    return static_cast<std::size_t>(
+        std::clamp(2 * static_cast<int>(std::ceil(wanted / 2.0)), least_order, largest_order));
+  }
+
+  // What the next step is made with: the same, unless the order would be another by four.
+  void choose_next(const Vector& y) noexcept {
+    next_order_ = order_;
+    next_part_ = part_;
+    if (!chosen_ || !(tolerances_.absolute > Scalar(0))) return;
+    const Scalar part = part_of(y);
+    const std::size_t order = order_for(part);
+    if (order + 4 > order_ && order < order_ + 4) return;
+    next_order_ = order;
+    next_part_ = part;
   }
 
   // The step that the coefficients at one time allow.
-  [[nodiscard]] Scalar proposal(const Coefficients& c) const noexcept {
+  [[nodiscard]] Scalar proposal(const Coefficients& c, std::size_t order, Scalar part) const noexcept {
     Vector scale;
     for (std::size_t i = 0; i < size; ++i) {
-      scale[i] = part_ / (tolerances_.absolute + tolerances_.relative * std::abs(c[0][i]));
+      scale[i] = part / (tolerances_.absolute + tolerances_.relative * std::abs(c[0][i]));
     }
     Scalar steepest = -std::numeric_limits<Scalar>::infinity();  // log2 of 1/ρ
-    for (std::size_t k = order_ + 1 - considered; k <= order_; ++k) {
+    for (std::size_t k = order + 1 - considered; k <= order; ++k) {
       Scalar norm = Scalar(0);
       for (std::size_t i = 0; i < size; ++i) norm = std::max(norm, scale[i] * std::abs(c[k][i]));
       if (norm > Scalar(0)) steepest = std::max(steepest, std::log2(norm) / static_cast<Scalar>(k));
     }
-    return Scalar(0.95) * std::exp2(std::log2(part_) / static_cast<Scalar>(order_ + 1) - steepest);
+    return Scalar(0.95) * std::exp2(std::log2(part) / static_cast<Scalar>(order + 1) - steepest);
   }
 
   Tolerances<Scalar> tolerances_{};
-  Scalar part_ = Scalar(0);
-  std::size_t order_;
+  Scalar part_ = Scalar(0), next_part_ = Scalar(0);
+  std::size_t order_, next_order_ = 0;
   bool chosen_;
   std::array<Coefficients, 2> c_;  // at the start of a step and at its end, in turn
   std::size_t current_ = 0;

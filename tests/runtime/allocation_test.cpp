@@ -13,6 +13,7 @@ long eigen_complaints = 0;
 #include <cmath>
 #include <cstdlib>
 #include <new>
+#include <span>
 #include <vector>
 
 #include "runtime/dormand_prince_54.hpp"
@@ -23,11 +24,16 @@ long eigen_complaints = 0;
 #include "runtime/mechanism.hpp"
 #include "runtime/midpoint.hpp"
 #include "runtime/observers.hpp"
+#include "runtime/partitioned_motion.hpp"
+#include "runtime/projection.hpp"
 #include "runtime/radau_iia_5.hpp"
 #include "runtime/reference.hpp"
 #include "runtime/runge_kutta_4.hpp"
+#include "runtime/stabilised_radau_iia_5.hpp"
 #include "runtime/stoermer_verlet.hpp"
+#include "runtime/taylor.hpp"
 #include "runtime/trajectory.hpp"
+#include "runtime/variational_integrator.hpp"
 #include "tests/runtime/mechanisms.hpp"
 
 namespace {
@@ -95,6 +101,60 @@ TEST(Allocations, AreNoneInTheImplicitMethods) {
   expect_none(GaussCollocation<3>{.step = 1e-2}, 10.0, 1'000);
   expect_none(GaussCollocation<3, StageSolver::newton>{.step = 1e-2}, 10.0, 1'000);
   expect_none(RadauIia5{.largest_step = 1e-2}, 10.0, 1'000);
+  expect_none(VariationalIntegrator<2>{.step = 1e-2}, 10.0, 1'000);
+}
+
+/// x'' = -x with its Taylor coefficients.
+struct Oscillating {
+  using State = std::array<double, 2>;
+  Evaluation operator()(double, const State& y, State& dydt) const noexcept {
+    dydt = {y[1], -y[0]};
+    return Evaluation::ok;
+  }
+  Evaluation jets(double, const State& y, std::span<State> c) const noexcept {
+    c[0] = y;
+    for (std::size_t k = 1; k < c.size(); ++k) {
+      c[k] = {c[k - 1][1] / static_cast<double>(k), -c[k - 1][0] / static_cast<double>(k)};
+    }
+    return Evaluation::ok;
+  }
+};
+
+TEST(Allocations, AreNoneInTaylorsMethod) {
+  std::array<double, 2> y{1.0, 0.0};
+  const auto stop = [](double, const std::array<double, 2>& at) { return at[0]; };
+  Result<double> result;
+  EXPECT_EQ(allocations_during([&] { result = integrate(Oscillating{}, y, 0, 1000, Taylor{.largest_step = 0.1}); }), 0);
+  EXPECT_TRUE(result) << describe(result);
+  EXPECT_GE(result.statistics.accepted, 10'000);
+  EXPECT_EQ(allocations_during([&] {
+              const auto events = integrate_with_events(Oscillating{}, y, 0, 20, Taylor{}, Events(note(stop)));
+              EXPECT_GE(events.fired[0], 6);
+            }),
+            0);
+}
+
+TEST(Allocations, AreNoneOnConstraints) {
+  const auto motion = equations_of_motion<CartesianPendulum>();
+  const auto expect = [](const auto& run) {
+    bool done = false;
+    EXPECT_EQ(allocations_during([&] { done = run(); }), 0);
+    EXPECT_TRUE(done);
+  };
+  auto y = motion.initial();
+  expect([&] { return static_cast<bool>(integrate(motion, y, 0, 10, StabilisedRadauIia5{.largest_step = 1e-2})); });
+  y = motion.initial();
+  expect([&] { return static_cast<bool>(integrate(projected(motion), y, 0, 10, DormandPrince853{})); });
+  y = motion.initial();
+  expect([&] { return static_cast<bool>(integrate(projected(motion), y, 0, 10, RungeKutta4{.step = 1e-2})); });
+  y = motion.initial();
+  expect([&] { return static_cast<bool>(integrate_partitioned<1>(motion, y, 0, 10, DormandPrince853{})); });
+  y = motion.initial();
+  const Events lowest(note([](double, const std::array<double, 4>& s) { return s[0]; }));
+  expect([&] {
+    const auto result = integrate_with_events(motion, y, 0, 10, StabilisedRadauIia5{}, lowest);
+    return static_cast<bool>(result) && result.fired[0] > 5;
+  });
 }
 
 TEST(Allocations, AreNoneWhileRecordingThroughTheInterpolantAndComparing) {
@@ -131,6 +191,10 @@ TEST(Allocations, AreNoneInEvents) {
   };
   EXPECT_EQ(count(DormandPrince54{}), 0);
   EXPECT_EQ(count(RungeKutta4{.step = 0.01}), 0);
+  EXPECT_EQ(count(GaussCollocation<3>{.step = 0.05}), 0);
+  EXPECT_EQ(count(RadauIia5{}), 0);
+  EXPECT_EQ(count(StoermerVerlet{.step = 0.01}), 0);
+  EXPECT_EQ(count(VariationalIntegrator<2>{.step = 0.05}), 0);
 }
 
 // Large enough for Eigen's blocked kernels, which take their workspace from the heap when sizes are not fixed.
