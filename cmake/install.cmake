@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Export sets of their own, so that who embeds a header with the runtime (MIT) needs neither the generator nor GiNaC,
-# nor MPI.
+# nor MPI, nor SUNDIALS.
 if(NOT TORSOR_INSTALL)
   return()
 endif()
@@ -14,6 +14,10 @@ set(parts Generator Runtime)
 if(TARGET torsor_runtime_mpi)
   install(TARGETS torsor_runtime_mpi EXPORT torsorRuntimeMpiTargets ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
   list(APPEND parts RuntimeMpi)
+endif()
+if(TARGET torsor_runtime_sundials)
+  install(TARGETS torsor_runtime_sundials EXPORT torsorRuntimeSundialsTargets)
+  list(APPEND parts RuntimeSundials)
 endif()
 foreach(part IN LISTS parts)
   install(EXPORT torsor${part}Targets NAMESPACE torsor:: DESTINATION "${package_dir}")

@@ -31,63 +31,45 @@ concept HasResidual = requires {
 /// The multipliers stay out of the error test. Constraints drift as with the kernel `forward_dynamics`. The start's v'
 /// and λ are those of the motion. y holds q and v as everywhere; the system must be what `equations_of_motion` makes.
 /// Source: Hindmarsh et al., SUNDIALS, ACM TOMS 31 (2005).
-struct Ida : SundialsOptions {
+struct Ida : SundialsMethod<Ida> {
   template <class S, std::size_t size>
   class Solver;
-
-  template <class S, class Scalar, std::size_t size>
-  [[nodiscard]] auto start(S& system, std::array<Scalar, size>& y, Scalar t) const {
-    static_assert(std::is_same_v<Scalar, double>, "SUNDIALS integrates in double");
-    static_assert(HasResidual<std::remove_cv_t<S>>,
-                  "IDA needs equations_of_motion of a mechanism without inputs that has the kernels inverse_dynamics "
-                  "and, with multipliers, constraints");
-    return SundialsRun<Solver<S, size>, S, size>(system, y, t, *this);
-  }
 };
 
+inline constexpr SundialsFunctions ida_functions{
+    IDAFree,           IDASetErrFile,         IDASetUserData,     IDASStolerances,       IDASetInitStep,
+    IDASetMaxStep,     IDASetStopTime,        IDASetLinearSolver, IDAGetNumErrTestFails, IDAGetNumStepSolveFails,
+    IDAGetNumJacEvals, IDAGetNumLinSolvSetups};
+
 template <class S, std::size_t size>
-class Ida::Solver {
+class Ida::Solver : public SundialsSolver<S, size> {
+  static_assert(HasResidual<std::remove_cv_t<S>>,
+                "IDA needs equations_of_motion of a mechanism without inputs that has the kernels inverse_dynamics "
+                "and, with multipliers, constraints");
+  using Base = SundialsSolver<S, size>;
+  using typename Base::Work;
+
  public:
-  Solver(const Ida& method, S& system) : work(system), method_(method) {}
-  Solver(const Solver&) = delete;
-  Solver& operator=(const Solver&) = delete;
+  Solver(const Ida& method, S& system) : Base(ida_functions, system), method_(method) {}
   ~Solver() {
-    if (memory_ != nullptr) IDAFree(&memory_);
     if (rates_ != nullptr) N_VDestroy(rates_);
     if (kinds_ != nullptr) N_VDestroy(kinds_);
   }
 
   [[nodiscard]] bool create(double t, const std::array<double, size>& y) {
-    if (!work.create(size + m, true)) return false;
+    if (!this->prepare(y, size + m, true)) return false;
     rates_ = N_VClone(work.y);
     kinds_ = N_VClone(work.y);
     if (rates_ == nullptr || kinds_ == nullptr || !fill(t, y)) return false;
-    memory_ = IDACreate(work.context);
-    if (memory_ == nullptr) return false;
-    IDASetErrFile(memory_, nullptr);
-    return IDAInit(memory_, residual, t, work.y, rates_) == 0 && IDASetUserData(memory_, &work) == 0 &&
-           IDASStolerances(memory_, method_.relative_tolerance, method_.absolute_tolerance) == 0 &&
-           IDASetInitStep(memory_, method_.first_step) == 0 && IDASetMaxStep(memory_, method_.largest_step) == 0 &&
-           IDASetId(memory_, kinds_) == 0 && IDASetSuppressAlg(memory_, SUNTRUE) == 0 &&
-           IDASetLinearSolver(memory_, work.linear_solver, work.matrix) == 0;
+    this->memory = IDACreate(work.context);
+    if (this->memory == nullptr || IDAInit(this->memory, residual, t, work.y, rates_) != 0) return false;
+    return this->set_options(method_) && IDASetId(this->memory, kinds_) == 0 &&
+           IDASetSuppressAlg(this->memory, SUNTRUE) == 0;
   }
 
-  int stop_at(double end) { return IDASetStopTime(memory_, end); }
-  int step(double end, double& t) { return IDASolve(memory_, end, &t, work.y, rates_, IDA_ONE_STEP); }
+  int step(double end, double& t) { return IDASolve(this->memory, end, &t, work.y, rates_, IDA_ONE_STEP); }
 
-  void add_statistics(Statistics& statistics) const noexcept {
-    long failed = 0, unsolved = 0, jacobians = 0, decompositions = 0;
-    IDAGetNumErrTestFails(memory_, &failed);
-    IDAGetNumStepSolveFails(memory_, &unsolved);
-    IDAGetNumJacEvals(memory_, &jacobians);
-    IDAGetNumLinSolvSetups(memory_, &decompositions);
-    statistics.rejected = failed + unsolved;
-    statistics.jacobians = jacobians;
-    statistics.decompositions = decompositions;
-  }
-
-  using Work = SundialsWorkplace<S, size>;
-  Work work;
+  using Base::work;
 
  private:
   using M = typename std::remove_cv_t<S>::Mechanism;
@@ -101,8 +83,7 @@ class Ida::Solver {
     if (!work.f(t, y, slope) || work.f.system().accelerations(unpack<M>(t, y), a, lambda) != Evaluation::ok) {
       return false;
     }
-    double* const unknowns = N_VGetArrayPointer(work.y);
-    std::copy(y.begin(), y.end(), unknowns);
+    [[maybe_unused]] double* const unknowns = N_VGetArrayPointer(work.y);
     std::copy(slope.begin(), slope.end(), N_VGetArrayPointer(rates_));
     std::fill_n(N_VGetArrayPointer(kinds_), size, 1.0);
     if constexpr (m > 0) {
@@ -156,7 +137,6 @@ class Ida::Solver {
   }
 
   Ida method_;
-  void* memory_ = nullptr;
   N_Vector rates_ = nullptr, kinds_ = nullptr;
 };
 

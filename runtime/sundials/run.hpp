@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <limits>
 #include <type_traits>
 
@@ -100,6 +101,78 @@ struct SundialsWorkplace {
   SUNMatrix matrix = nullptr;
   SUNLinearSolver linear_solver = nullptr;
   SUNNonlinearSolver nonlinear_solver = nullptr;
+};
+
+/// What CVODE, ARKODE and IDA have in common under different names; null where a package has none of it. See their
+/// documentation for each.
+struct SundialsFunctions {
+  void (*free)(void**);
+  int (*set_error_file)(void*, FILE*);
+  int (*set_user_data)(void*, void*);
+  int (*set_tolerances)(void*, realtype relative, realtype absolute);
+  int (*set_first_step)(void*, realtype);
+  int (*set_largest_step)(void*, realtype);
+  int (*set_stop_time)(void*, realtype);
+  int (*set_linear_solver)(void*, SUNLinearSolver, SUNMatrix);
+  int (*count_failed_tests)(void*, long*);
+  int (*count_failed_solutions)(void*, long*);
+  int (*count_jacobians)(void*, long*);
+  int (*count_decompositions)(void*, long*);
+};
+
+/// What the solvers of all packages do alike: memory, options, statistics. A solver makes its `memory` in create(t, y)
+/// between `prepare` and `set_options`, and takes a step.
+template <class S, std::size_t size>
+class SundialsSolver {
+ public:
+  using Work = SundialsWorkplace<S, size>;
+
+  SundialsSolver(const SundialsFunctions& functions, S& system) : work(system), functions_(functions) {}
+  SundialsSolver(const SundialsSolver&) = delete;
+  SundialsSolver& operator=(const SundialsSolver&) = delete;
+  ~SundialsSolver() {
+    if (memory != nullptr) functions_.free(&memory);
+  }
+
+  int stop_at(double end) { return functions_.set_stop_time(memory, end); }
+
+  void add_statistics(Statistics& statistics) const noexcept {
+    const auto counted = [this](int (*count)(void*, long*)) {
+      long number = 0;
+      if (count != nullptr) count(memory, &number);
+      return number;
+    };
+    statistics.rejected = counted(functions_.count_failed_tests) + counted(functions_.count_failed_solutions);
+    if (work.matrix == nullptr) return;
+    statistics.jacobians = counted(functions_.count_jacobians);
+    statistics.decompositions = counted(functions_.count_decompositions);
+  }
+
+  Work work;
+
+ protected:
+  /// The unknowns, those beyond y not yet written, and dense linear algebra where asked for.
+  [[nodiscard]] bool prepare(const std::array<double, size>& y, std::size_t unknowns, bool linear_algebra) {
+    if (!work.create(unknowns, linear_algebra)) return false;
+    std::copy(y.begin(), y.end(), N_VGetArrayPointer(work.y));
+    return true;
+  }
+
+  template <class Options>
+  [[nodiscard]] bool set_options(const Options& options) {
+    if (memory == nullptr) return false;
+    functions_.set_error_file(memory, nullptr);  // what went wrong is in the result
+    return functions_.set_user_data(memory, &work) == 0 &&
+           functions_.set_tolerances(memory, options.relative_tolerance, options.absolute_tolerance) == 0 &&
+           functions_.set_first_step(memory, options.first_step) == 0 &&
+           functions_.set_largest_step(memory, options.largest_step) == 0 &&
+           (work.matrix == nullptr || functions_.set_linear_solver(memory, work.linear_solver, work.matrix) == 0);
+  }
+
+  void* memory = nullptr;
+
+ private:
+  SundialsFunctions functions_;
 };
 
 /// One integration by SUNDIALS, of the same shape as those of the project's own methods. `Solver` is built from the
@@ -193,6 +266,17 @@ class SundialsRun {
   Solver solver_;
   bool created_ = false;
   Result<double> result_;
+};
+
+/// A method of SUNDIALS is a value with options and a class template `Solver<S, size>`.
+template <class Method>
+struct SundialsMethod : SundialsOptions {
+  template <class S, class Scalar, std::size_t size>
+  [[nodiscard]] auto start(S& system, std::array<Scalar, size>& y, Scalar t) const {
+    static_assert(std::is_same_v<Scalar, double>, "SUNDIALS integrates in double");
+    return SundialsRun<typename Method::template Solver<S, size>, S, size>(system, y, t,
+                                                                           static_cast<const Method&>(*this));
+  }
 };
 
 }  // namespace torsor::runtime
