@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/equilibrium_stability.hpp"
 
-#include <Eigen/SVD>
 #include <cmath>
 #include <stdexcept>
+
+#include "runtime/decompositions.hpp"
 
 namespace torsor::runtime {
 
@@ -17,11 +18,10 @@ LinearSystem on_constraints(const LinearSystem& system, const Eigen::MatrixXd& A
     const double length = even.row(i).norm();
     if (length > 0.0) even.row(i) /= length;
   }
-  Eigen::JacobiSVD<Eigen::MatrixXd> decomposition(even, Eigen::ComputeFullV);
-  decomposition.setThreshold(1e-10);
-  const Eigen::Index freedom = n - decomposition.rank();
+  const SingularValues decomposition = singular_values(even);
+  const Eigen::Index freedom = n - decomposition.rank(1e-10);
   if (freedom == 0) throw std::invalid_argument("the constraints leave no motion at this state");
-  const Eigen::MatrixXd Z = scale.asDiagonal() * decomposition.matrixV().rightCols(freedom);
+  const Eigen::MatrixXd Z = scale.asDiagonal() * decomposition.right.rightCols(freedom);
   return {Z.transpose() * system.M * Z, Z.transpose() * system.C * Z, Z.transpose() * system.K * Z,
           Z.transpose() * system.F};
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/modes.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -11,6 +10,8 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+
+#include "runtime/decompositions.hpp"
 
 namespace torsor::runtime {
 
@@ -34,9 +35,8 @@ NaturalModes natural_modes(const LinearSystem& system) {
         "the stiffness is not symmetric (by " + std::to_string(asymmetry) +
         " of its size): such a system has no natural modes with real shapes in general; ask for damped_modes");
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(0.5 * (normal.S + normal.S.transpose()));
-  NaturalModes modes{solver.eigenvalues() * (normal.sigma * normal.sigma),
-                     normal.coordinates(Eigen::MatrixXd(solver.eigenvectors()))};
+  const SymmetricEigenpairs pairs = symmetric_eigenpairs(0.5 * (normal.S + normal.S.transpose()));
+  NaturalModes modes{pairs.values * (normal.sigma * normal.sigma), normal.coordinates(pairs.vectors)};
   for (Eigen::Index k = 0; k < modes.shapes.cols(); ++k) {
     if (modes.shapes(leading_entry(modes.shapes.col(k), system.M), k) < 0.0) modes.shapes.col(k) *= -1.0;
   }
@@ -50,11 +50,10 @@ std::vector<DampedMode> damped_modes(const LinearSystem& system) {
   state.topRightCorner(n, n).setIdentity();
   state.bottomLeftCorner(n, n) = -normal.S;
   state.bottomRightCorner(n, n) = -normal.D;
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(state);
-  if (solver.info() != Eigen::Success) throw std::runtime_error("the eigenvalues of the state matrix did not converge");
+  const Eigenpairs pairs = eigenpairs(state);
   std::vector<Eigen::Index> order(static_cast<std::size_t>(2 * n));
   std::iota(order.begin(), order.end(), Eigen::Index(0));
-  const Eigen::VectorXcd values = solver.eigenvalues();
+  const Eigen::VectorXcd& values = pairs.values;
   std::stable_sort(order.begin(), order.end(), [&values](Eigen::Index a, Eigen::Index b) {
     const double first = std::abs(values(a)), second = std::abs(values(b));
     return first != second ? first < second : values(a).imag() > values(b).imag();
@@ -62,7 +61,7 @@ std::vector<DampedMode> damped_modes(const LinearSystem& system) {
   std::vector<DampedMode> modes;
   for (const Eigen::Index k : order) {
     const std::complex<double> mu = values(k);
-    Eigen::VectorXcd y = solver.eigenvectors().col(k).head(n);
+    Eigen::VectorXcd y = pairs.vectors.col(k).head(n);
     y /= y.norm();
     DampedMode mode;
     mode.residual = (mu * mu * y + mu * (normal.D * y) + normal.S * y).norm();

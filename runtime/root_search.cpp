@@ -2,12 +2,13 @@
 #include "runtime/root_search.hpp"
 
 #include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 #include <string>
+
+#include "runtime/decompositions.hpp"
 
 namespace torsor::runtime {
 
@@ -101,7 +102,7 @@ class NewtonSearch {
     slope = slope * inverse_column_scale(slope).asDiagonal();
     if (slope.rows() < slope.cols()) return false;
     // The scaled slope is of the size of 1 somewhere in the box; at a multiple root it is known to 1e-8.
-    return Eigen::JacobiSVD<Eigen::MatrixXd>(slope).singularValues().minCoeff() > 1e-7;
+    return singular_values(slope).values.minCoeff() > 1e-7;
   }
 
   /// Distance of two points, the largest over the unknowns of the box, relative to its width.

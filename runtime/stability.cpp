@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "runtime/stability.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "runtime/characteristic_polynomial.hpp"
+#include "runtime/decompositions.hpp"
 #include "runtime/table.hpp"
 
 namespace torsor::runtime {
@@ -28,9 +28,7 @@ StabilityReport stability_by_lejeune_dirichlet(const Eigen::MatrixXd& hessian, d
             law + "the matrix is not symmetric (by " + scientific(asymmetry) +
                 " of its largest entry): the static forces have no force function, the criterion does not apply"};
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(0.5 * (scaled + scaled.transpose()),
-                                                              Eigen::EigenvaluesOnly);
-  const double least = solver.eigenvalues()(0);
+  const double least = symmetric_eigenpairs(0.5 * (scaled + scaled.transpose())).values(0);
   const std::string number =
       "the smallest eigenvalue of the Hessian of -(U + T0) is " + scientific(least) + " of its largest entry";
   if (least > tolerance) return {Stability::stable, law + number + ": a strict minimum"};
@@ -94,11 +92,9 @@ StabilityReport stability_by_eigenvalues(const Eigen::MatrixXd& A, double tolera
   const Eigen::MatrixXd rest = without_idle_states(A);
   const Eigen::Index idle = A.rows() - rest.rows();
   if (rest.rows() == 0) return {Stability::cannot_conclude, "Liapunov: all roots of det(A - s 1) are zero"};
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(rest);
-  if (solver.info() != Eigen::Success) throw std::runtime_error("the eigenvalues of the state matrix did not converge");
-  const Eigen::VectorXcd roots = solver.eigenvalues();
+  const auto [roots, right] = eigenpairs(rest);
   // Golub & Van Loan, Matrix Computations, 7.2.2: a simple root moves by the condition 1/|yᴴ x| times what A moves by.
-  const Eigen::MatrixXcd right = solver.eigenvectors(), left = right.inverse();
+  const Eigen::MatrixXcd left = right.inverse();
   const double rounding = 1e-14 * rest.norm(), zero = tolerance * roots.cwiseAbs().maxCoeff();
   Eigen::VectorXd uncertain(roots.size());
   for (Eigen::Index k = 0; k < roots.size(); ++k) {

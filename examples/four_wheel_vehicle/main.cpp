@@ -8,6 +8,7 @@
 
 #include "generated/four_wheel_vehicle.hpp"
 #include "generated/four_wheel_vehicle_all_wheels.hpp"
+#include "runtime/decompositions.hpp"
 #include "runtime/demonstration.hpp"
 #include "runtime/mechanism.hpp"
 #include "runtime/work_precision.hpp"
@@ -26,11 +27,11 @@ void add_steering(Table& table, const std::string& name, const std::array<double
   AllWheels::constraints(AllWheels::precompute(parameters), {}, conditions);
   // Column by column, those of the wheels' sliding last: none slides.
   const Eigen::Map<const Eigen::Matrix<double, 8, 7>> rows(conditions.jacobian.data());
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeFullV);
-  const auto smallest = svd.singularValues()[6];
+  const SingularValues svd = singular_values(rows);
+  const auto smallest = svd.values[6];
   std::string motion = "none";
   if (smallest < 1e-12) {
-    const Eigen::VectorXd left = svd.matrixV().col(6);  // x', y', psi', phi_i'
+    const Eigen::VectorXd left = svd.right.col(6);  // x', y', psi', phi_i'
     motion = std::abs(left[2]) < 1e-12
                  ? "translation"
                  : "turns about (" + scientific(-left[1] / left[2]) + ", " + scientific(left[0] / left[2]) + ") m";

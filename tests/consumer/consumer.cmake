@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Steps that the scripts beside it share. The launcher is a list: it travels through the environment, which CMake reads.
+if(KIND STREQUAL "add_subdirectory" AND NOT DEFINED ENV{TORSOR_LONG_TESTS})
+  list(PREPEND LAUNCHER bash "${CMAKE_CURRENT_LIST_DIR}/reuse_object.sh" "${TORSOR_BUILD}")
+endif()
 set(ENV{CMAKE_CXX_COMPILER_LAUNCHER} "${LAUNCHER}")
 
 # Runs a command and stops the test, with its output, when it fails.

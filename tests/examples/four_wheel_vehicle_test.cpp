@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "generated/four_wheel_vehicle_all_wheels.hpp"
+#include "runtime/decompositions.hpp"
 #include "runtime/mechanism.hpp"
 #include "runtime/reference.hpp"
 #include "tests/examples/energy_theorem.hpp"
@@ -36,12 +37,11 @@ AllWheels::Constraints conditions(const Angles& alpha, const AllWheels::State& s
   return result;
 }
 /// The columns of the seven rates x', y', psi', phi_i'; those of the wheels' sliding come after them.
-using Decomposition = Eigen::JacobiSVD<Eigen::MatrixXd>;
-Decomposition decomposed(const Angles& alpha, double psi) {
+torsor::runtime::SingularValues decomposed(const Angles& alpha, double psi) {
   AllWheels::State s{};
   s.q.psi = psi;
   const auto rows = conditions(alpha, s);
-  return Decomposition(Eigen::Map<const Eigen::Matrix<double, 8, 7>>(rows.jacobian.data()), Eigen::ComputeFullV);
+  return torsor::runtime::singular_values(Eigen::Map<const Eigen::Matrix<double, 8, 7>>(rows.jacobian.data()));
 }
 
 /// Steering whose axes all pass through the point (x, y) of the chassis.
@@ -79,9 +79,9 @@ TEST(FourWheelVehicle, TurnsAboutThePointWhereTheAxesMeet) {
   for (const auto& [x, y] :
        {std::array{2.5, -1.0}, std::array{-4.0, 0.3}, std::array{0.2, 0.1}, std::array{30.0, 7.0}}) {
     const auto svd = decomposed(towards(x, y), 0.7);
-    EXPECT_LT(svd.singularValues()[6], 1e-14 * 100);  // rounding of entries up to 1, in 56 of them
-    EXPECT_GT(svd.singularValues()[5], 1e-3);
-    const Eigen::VectorXd v = svd.matrixV().col(6) / svd.matrixV()(2, 6);  // psi' = 1: V_C = -z ∧ CI
+    EXPECT_LT(svd.values[6], 1e-14 * 100);  // rounding of entries up to 1, in 56 of them
+    EXPECT_GT(svd.values[5], 1e-3);
+    const Eigen::VectorXd v = svd.right.col(6) / svd.right(2, 6);  // psi' = 1: V_C = -z ∧ CI
     const double X = x * std::cos(0.7) - y * std::sin(0.7), Y = x * std::sin(0.7) + y * std::cos(0.7);
     EXPECT_NEAR(v[0], Y, 1e-11 * (1 + std::hypot(X, Y)));
     EXPECT_NEAR(v[1], -X, 1e-11 * (1 + std::hypot(X, Y)));
@@ -91,9 +91,9 @@ TEST(FourWheelVehicle, TurnsAboutThePointWhereTheAxesMeet) {
 TEST(FourWheelVehicle, TranslatesWhereTheAxesAreParallel) {
   for (const double angle : {0.0, 0.4, -1.2}) {
     const auto svd = decomposed({angle, angle, angle, angle}, -0.3);
-    EXPECT_LT(svd.singularValues()[6], 1e-12);
-    EXPECT_GT(svd.singularValues()[5], 1e-3);
-    const Eigen::VectorXd v = svd.matrixV().col(6);
+    EXPECT_LT(svd.values[6], 1e-12);
+    EXPECT_GT(svd.values[5], 1e-3);
+    const Eigen::VectorXd v = svd.right.col(6);
     EXPECT_NEAR(v[2], 0.0, 1e-12);
     EXPECT_NEAR(v[0] * std::cos(angle - 0.3) + v[1] * std::sin(angle - 0.3), 0.0, 1e-12);  // along y_i
   }

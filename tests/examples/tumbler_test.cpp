@@ -99,7 +99,7 @@ TEST(Tumbler, HasTheAccelerationsAndTheReactionOfNewtonAndEuler) {
     // Gamma_G = G Omega' + c
     const Matrix3d G = -R * crossing(z0) - crossing(CG);
     const Vector3d c = omega.cross(omega.cross(CG));
-    const Vector3d rate = (J - m * crossing(GI) * G).lu().solve(GI.cross(m * (c + g * z0)) - omega.cross(J * omega));
+    const Vector3d rate = (J - m * crossing(GI) * G).inverse() * (GI.cross(m * (c + g * z0)) - omega.cross(J * omega));
     const Vector3d force = m * (G * rate + c + g * z0);
     Tumbler::Accelerations acc{};
     Tumbler::Multipliers reaction{};
