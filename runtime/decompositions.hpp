@@ -13,7 +13,8 @@ struct Eigenpairs {
   Eigen::MatrixXcd vectors;
 };
 
-/// By the QR algorithm. Throws std::invalid_argument when A is not square, std::runtime_error when it does not converge.
+/// By the QR algorithm. Throws std::invalid_argument when A is not square, std::runtime_error when it does not
+/// converge.
 [[nodiscard]] Eigenpairs eigenpairs(const Eigen::MatrixXd& A);
 
 /// Those of a symmetric matrix, rising; the vectors are orthonormal.

@@ -106,12 +106,12 @@ TEST(FourWheelVehicle, IsBlockedWhereTheAxesDoNotMeet) {
     const auto smallest = [wheel](double delta) {
       Angles alpha = towards(2.5, -1.2);
       alpha[wheel] += delta;
-      return decomposed(alpha, 0.0).singularValues()[6];
+      return decomposed(alpha, 0.0).values[6];
     };
     EXPECT_GT(smallest(1e-4), 1e-6);
     EXPECT_NEAR(smallest(2e-4) / smallest(1e-4), 2.0, 0.01);
   }
-  EXPECT_GT(decomposed({-pi / 4, -pi / 4, 0, 0}, 0.0).singularValues()[6], 1e-2);
+  EXPECT_GT(decomposed({-pi / 4, -pi / 4, 0, 0}, 0.0).values[6], 1e-2);
 }
 
 // Question 2: no. At Mi = Pi + s x_i the wheel slips by (Omega ∧ PiMi) = s psi' y_i: nowhere but at Pi, unless the
