@@ -3,25 +3,28 @@
 // Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
 // Free to embed under the MIT licence.
 //
-// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, constraints, linearisation, inverse_dynamics_derivatives, forward_dynamics_derivatives, jets
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, constraints, linearisation, inverse_dynamics_derivatives, forward_dynamics_derivatives, jets, sparse_constraint_jacobian, inverse_dynamics_sensitivities, forward_dynamics_sensitivities
 // Parameters set at run time: A, C
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
 // moved across joints, factoring, and what is done once for a set of parameters:
-//   function                      additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   precompute                            4                7          1             0                  0       0     12       -
-//   kinematics                           34               65          0             0                  3       0    105     105
-//   mass_matrix                           2                4          0             0                  1       0      8       9
-//   bias                                  6               18          0             0                  1       0     26      55
-//   inverse_dynamics                     19               27          0             0                  2       0     50     107
-//   forward_dynamics                     28               54          4             0                  2       0     90     142
-//   energy                               14               29          0             0                  3       0     49      55
-//   first_integrals                      15               29          0             0                  3       0     50      56
-//   constraints                           9               16          0             0                  2       0     29      29
-//   linearisation                       213              313          8             0                  2       0    538     713
-//   inverse_dynamics_derivatives         31               59          0             0                  2       0     94     266
-//   forward_dynamics_derivatives        127              230          4             0                  2       0    365     645
-//   jets                                128              150         12             0                  2       0    294       -
+//   function                        additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   precompute                              4                7          1             0                  0       0     12       -
+//   kinematics                             34               65          0             0                  3       0    105     105
+//   mass_matrix                             2                4          0             0                  1       0      8       9
+//   bias                                    6               18          0             0                  1       0     26      55
+//   inverse_dynamics                       19               27          0             0                  2       0     50     107
+//   forward_dynamics                       28               54          4             0                  2       0     90     142
+//   energy                                 14               29          0             0                  3       0     49      55
+//   first_integrals                        15               29          0             0                  3       0     50      56
+//   constraints                             9               16          0             0                  2       0     29      29
+//   linearisation                         213              313          8             0                  2       0    538     713
+//   inverse_dynamics_derivatives           31               59          0             0                  2       0     94     266
+//   forward_dynamics_derivatives          127              230          4             0                  2       0    365     645
+//   jets                                  128              150         12             0                  2       0    294       -
+//   sparse_constraint_jacobian              0                0          0             0                  2       0      4       4
+//   inverse_dynamics_sensitivities          7               13          0             0                  1       0     22      50
+//   forward_dynamics_sensitivities         46               87          4             0                  2       0    141     213
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 39 results 11 vanish identically, 2 repeat another up to sign
@@ -33,9 +36,12 @@
 //   linearisation: of 180 results 100 vanish identically, 5 repeat another up to sign
 //   inverse_dynamics_derivatives: of 50 results 37 vanish identically, 1 repeat another up to sign
 //   forward_dynamics_derivatives: of 105 results 40 vanish identically, 6 repeat another up to sign
+//   sparse_constraint_jacobian: of 7 results 2 repeat another up to sign
+//   inverse_dynamics_sensitivities: of 10 results 5 vanish identically
+//   forward_dynamics_sensitivities: of 14 results 1 vanish identically
 //
 // To write this file again:
-//   rolling_hoop_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation,inverse_dynamics_derivatives,forward_dynamics_derivatives,jets --output rolling_hoop.hpp
+//   rolling_hoop_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation,inverse_dynamics_derivatives,forward_dynamics_derivatives,jets,sparse_constraint_jacobian,inverse_dynamics_sensitivities,forward_dynamics_sensitivities --output rolling_hoop.hpp
 #pragma once
 
 #include <array>
@@ -801,6 +807,27 @@ struct Mechanism {
     std::array<Scalar, 10> multipliers_by_position;  ///< dlambda_i/dq_j (2 x 5)
     std::array<Scalar, 10> multipliers_by_velocity;  ///< dlambda_i/dv_j (2 x 5)
     std::array<Scalar, 10> multipliers_by_force;  ///< dlambda_i/df_j, f generalised forces added to E u (2 x 5)
+  };
+
+  /// Entries of A in compressed rows.
+  struct SparseConstraintJacobian {
+    std::array<Scalar, 7> values;  ///< entries of A, row by row
+  };
+  /// Where the values of SparseConstraintJacobian stand: those of row i, in the order of the multipliers, from
+  /// row_start[i] to row_start[i + 1], each in its column, an index in v.
+  static constexpr int constraint_jacobian_nonzeros = 7;
+  static constexpr int constraint_jacobian_row_start[] = {0, 4, 7};
+  static constexpr int constraint_jacobian_column[] = {0, 1, 2, 4, 0, 1, 3};
+
+  /// Derivatives by the run-time parameters, a column for each, in the order of Parameters.
+  struct InverseDynamicsSensitivities {
+    std::array<Scalar, 10> by_parameter;  ///< df_i/dp_k (5 x 2)
+  };
+
+  /// Derivatives by the run-time parameters, a column for each, in the order of Parameters.
+  struct ForwardDynamicsSensitivities {
+    std::array<Scalar, 10> by_parameter;  ///< da_i/dp_k (5 x 2)
+    std::array<Scalar, 4> multipliers_by_parameter;  ///< dlambda_i/dp_k (2 x 2)
   };
 
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
@@ -2469,6 +2496,206 @@ struct Mechanism {
         - coefficients[order][5]) + (coefficients[order][6] - coefficients[order][6]) + (coefficients[order][7]
         - coefficients[order][7]) + (coefficients[order][8] - coefficients[order][8]) + (coefficients[order][9]
         - coefficients[order][9]);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Jacobian A(q, t) of the constraints without the entries that vanish identically: `values` of compressed rows.
+  TORSOR_DEVICE static void sparse_constraint_jacobian(const Precomputed&, const State& state,
+      SparseConstraintJacobian& result) noexcept {
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar q_theta = state.q.theta;
+    const Scalar q_psi = state.q.psi;
+    const Scalar angles_[] = {q_theta, q_psi};
+    Scalar sines_[2], cosines_[2];
+    torsor::sines_and_cosines(angles_, sines_, cosines_);
+    const Scalar s_theta = sines_[0], c_theta = cosines_[0];
+    const Scalar s_psi = sines_[1], c_psi = cosines_[1];
+    result.values[0] = c_psi;
+    result.values[1] = s_psi;
+    result.values[2] = c_theta;
+    result.values[3] = n1;
+    result.values[4] = -s_psi;
+    result.values[5] = c_psi;
+    result.values[6] = s_theta;
+  }
+
+  /// Derivatives of inverse_dynamics by the run-time parameters p at fixed (q, v, a, lambda).
+  TORSOR_DEVICE static void inverse_dynamics_sensitivities(const Precomputed&, const State& state,
+      const Accelerations& accelerations, const Multipliers&, InverseDynamicsSensitivities& result) noexcept {
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar a_theta = accelerations.theta;
+    const Scalar v_psi = state.v.psi;
+    const Scalar a_psi = accelerations.psi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar a_phi = accelerations.phi;
+    Scalar s_theta, c_theta;
+    traits::sincos(q_theta, s_theta, c_theta);
+    const Scalar z28 = s_theta * v_psi;
+    const Scalar z29 = c_theta * v_psi;
+    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
+    const Scalar z103 = v_theta * z29;  // angular acceleration of hoop.2, y
+    const Scalar z107 = z28 * z36;
+    const Scalar z108 = v_theta * z36;
+    const Scalar z112 = z28 * z29;
+    const Scalar z125 = s_theta * a_psi;
+    const Scalar z126 = c_theta * a_psi;
+    const Scalar z129 = v_theta * z29 + z125;  // angular acceleration of hoop.2, y
+    const Scalar z130 = v_theta * z28 - z126;  // angular acceleration of hoop.2, z
+    const Scalar z133 = a_phi - z130;  // angular acceleration of hoop, z
+    const Scalar z135 = z103 + z129;
+    const Scalar z541 = s_theta * z135;
+    const Scalar z542 = a_theta - z112;
+    const Scalar z543 = s_theta * z108 - c_theta * z133;
+    result.by_parameter[0] = n0;
+    result.by_parameter[1] = n0;
+    result.by_parameter[2] = z541;
+    result.by_parameter[3] = z542;
+    result.by_parameter[4] = n0;
+    result.by_parameter[5] = n0;
+    result.by_parameter[6] = n0;
+    result.by_parameter[7] = -z543;
+    result.by_parameter[8] = z107;
+    result.by_parameter[9] = z133;
+  }
+
+  /// Derivatives of forward_dynamics by the run-time parameters p at fixed (q, v, u), the accelerations and
+  /// multipliers being those of the motion. Returns singular where forward_dynamics does.
+  TORSOR_DEVICE static torsor::Status forward_dynamics_sensitivities(const Precomputed& precomputed, const State& state,
+      const Inputs&, ForwardDynamicsSensitivities& result) noexcept {
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar v_x = state.v.x;
+    const Scalar v_y = state.v.y;
+    const Scalar q_theta = state.q.theta;
+    const Scalar v_theta = state.v.theta;
+    const Scalar q_psi = state.q.psi;
+    const Scalar v_psi = state.v.psi;
+    const Scalar v_phi = state.v.phi;
+    const Scalar p_A = precomputed.parameters.A;
+    const Scalar p_C = precomputed.parameters.C;
+    const Scalar z79 = precomputed.z79;
+    const Scalar z155 = precomputed.z155;
+    const Scalar angles_[] = {q_theta, q_psi};
+    Scalar sines_[2], cosines_[2];
+    torsor::sines_and_cosines(angles_, sines_, cosines_);
+    const Scalar s_theta = sines_[0], c_theta = cosines_[0];
+    const Scalar s_psi = sines_[1], c_psi = cosines_[1];
+    const Scalar z10 = c_theta * v_theta;
+    const Scalar z11 = s_theta * v_theta;
+    const Scalar z28 = s_theta * v_psi;
+    const Scalar z29 = c_theta * v_psi;
+    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
+    const Scalar z74 = c_theta * p_C;
+    const Scalar z80 = s_theta * z79;
+    const Scalar z81 = s_theta * z80;
+    const Scalar z83 = p_C + z81;
+    const Scalar z98 = c_theta * c_theta + p_A;
+    const Scalar z99 = v_theta * z11;
+    const Scalar z100 = n9_81 - z99;
+    const Scalar z103 = v_theta * z29;  // angular acceleration of hoop.2, y
+    const Scalar z104 = v_theta * z28;  // angular acceleration of hoop.2, z
+    const Scalar z107 = z28 * z36;
+    const Scalar z108 = v_theta * z36;
+    const Scalar z109 = p_C * z107;  // moment on hoop, x
+    const Scalar z110 = p_C * z108;  // moment on hoop, y
+    const Scalar z111 = p_C * z104;  // moment on hoop, z
+    const Scalar z112 = z28 * z29;
+    const Scalar z113 = n2 * z103;
+    const Scalar z114 = p_A * z112 - z109;  // moment on hoop.2, x
+    const Scalar z115 = p_A * z113 - z110;  // moment on hoop.2, y
+    const Scalar z117 = s_theta * z115 - c_theta * z111;
+    const Scalar z121 = c_theta * z100 - z114;
+    const Scalar z148 = v_psi * s_psi;
+    const Scalar z149 = v_psi * c_psi;
+    const Scalar z150 = v_x * z148 - v_y * z149 + z11 * v_psi;
+    const Scalar z152 = v_x * z149 + v_y * z148 - v_theta * z10;
+    const Scalar z156 = z74 * z155;
+    const Scalar z157 = z74 * z156 - z83;
+    const Scalar z158 = n1 / z98;
+    const Scalar z159 = n1 / z157;
+    const Scalar z160 = c_theta - z156;
+    const Scalar z161 = z159 * z160;
+    const Scalar z162 = z155 + z156 * z161;
+    const Scalar z163 = s_theta * z158;
+    const Scalar z164 = n1 - c_theta * z161 + z162;
+    const Scalar z165 = n1 + s_theta * z163;
+    const Scalar z166 = n1 / z165;
+    const Scalar z167 = n1 / z164;
+    const Scalar z168 = z111 * z156 + z117;
+    const Scalar z169 = z159 * z168;
+    const Scalar z170 = z121 * z158;
+    const Scalar z171 = z111 * z155 - z156 * z169;
+    const Scalar z172 = c_theta * z169 - z150 + z171;
+    const Scalar z173 = s_theta * z170 + z152;
+    const Scalar z174 = z167 * z172;
+    const Scalar z175 = z166 * z173;
+    const Scalar z178 = z161 * z174 + z169;
+    const Scalar z179 = z163 * z175 - z170;
+    const Scalar z180 = z162 * z174 - z171;
+    const Scalar z474 = c_theta * z178;
+    const Scalar z475 = v_theta * z28 - z474;  // angular acceleration of hoop.2, z
+    const Scalar z476 = z180 + z475;  // angular acceleration of hoop, z
+    const Scalar z480 = s_theta * z178;
+    const Scalar z481 = v_theta * z29 + z480;  // angular acceleration of hoop.2, y
+    const Scalar z482 = z103 + z481;
+    const Scalar z547 = s_theta * z482;
+    const Scalar z548 = z112 - z179;
+    const Scalar z549 = z159 * z547;
+    const Scalar z550 = z158 * z548;
+    const Scalar z551 = z156 * z549;
+    const Scalar z552 = c_theta * z549 - z551;
+    const Scalar z553 = s_theta * z550;
+    const Scalar z554 = z167 * z552;
+    const Scalar z555 = z166 * z553;
+    const Scalar z556 = s_psi * z555 - c_psi * z554;
+    const Scalar z557 = s_psi * z554 + c_psi * z555;
+    const Scalar z558 = z161 * z554 + z549;
+    const Scalar z559 = z163 * z555 - z550;
+    const Scalar z560 = z162 * z554 + z551;
+    const Scalar z561 = s_theta * z108 + c_theta * z476;
+    const Scalar z562 = z156 * z476 - z561;
+    const Scalar z563 = z159 * z562;
+    const Scalar z564 = z107 * z158;
+    const Scalar z565 = z155 * z476 - z156 * z563;
+    const Scalar z566 = c_theta * z563 + z565;
+    const Scalar z567 = s_theta * z564;
+    const Scalar z568 = z167 * z566;
+    const Scalar z569 = z166 * z567;
+    const Scalar z570 = s_psi * z569 + c_psi * z568;
+    const Scalar z571 = s_psi * z568 - c_psi * z569;
+    const Scalar z572 = z161 * z568 + z563;
+    const Scalar z573 = z163 * z569 - z564;
+    const Scalar z574 = z162 * z568 - z565;
+    result.by_parameter[0] = z556;
+    result.by_parameter[1] = -z557;
+    result.by_parameter[2] = z558;
+    result.by_parameter[3] = -z559;
+    result.by_parameter[4] = -z560;
+    result.by_parameter[5] = -z570;
+    result.by_parameter[6] = -z571;
+    result.by_parameter[7] = z572;
+    result.by_parameter[8] = z573;
+    result.by_parameter[9] = -z574;
+    result.multipliers_by_parameter[0] = n0;
+    result.multipliers_by_parameter[1] = -z555;
+    result.multipliers_by_parameter[2] = -z568;
+    result.multipliers_by_parameter[3] = z569;
+    if (!(traits::regular(-z157, z83) && traits::regular(z98, z98) && traits::regular(p_C, p_C) && traits::regular(z164,
+        z164) && traits::regular(z165, z165))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (result.by_parameter[0] - result.by_parameter[0]) + (result.by_parameter[1]
+        - result.by_parameter[1]) + (result.by_parameter[2] - result.by_parameter[2]) + (result.by_parameter[3]
+        - result.by_parameter[3]) + (result.by_parameter[4] - result.by_parameter[4]) + (result.by_parameter[5]
+        - result.by_parameter[5]) + (result.by_parameter[6] - result.by_parameter[6]) + (result.by_parameter[7]
+        - result.by_parameter[7]) + (result.by_parameter[8] - result.by_parameter[8]) + (result.by_parameter[9]
+        - result.by_parameter[9]) + (result.multipliers_by_parameter[1] - result.multipliers_by_parameter[1])
+        + (result.multipliers_by_parameter[2] - result.multipliers_by_parameter[2])
+        + (result.multipliers_by_parameter[3] - result.multipliers_by_parameter[3]);
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }

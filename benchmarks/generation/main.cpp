@@ -28,7 +28,7 @@ void measure_arm7() {
   const torsor::Scene scene = arm7_scene();
   const torsor::Equations equations(scene);
   std::vector<torsor::Kernel> kernels;
-  for (const std::string& name : torsor::kernel_names()) {
+  for (const std::string& name : torsor::usual_kernel_names()) {
     const torsor::Stopwatch before;
     const std::size_t size = equations.program().size();
     kernels.push_back(torsor::make_kernel(name, equations));

@@ -10,9 +10,9 @@
 namespace torsor {
 
 std::string check_table(const std::string& scene, const std::vector<CheckResult>& results) {
-  std::string text = fmt::format("{}\n{:<6}{:<26}{:>12}{:>12}  {}\n", scene, "", "check", "worst", "bound", "what");
+  std::string text = fmt::format("{}\n{:<6}{:<44}{:>12}{:>12}  {}\n", scene, "", "check", "worst", "bound", "what");
   for (const CheckResult& result : results) {
-    text += fmt::format("{:<6}{:<26}{:>12.2e}{:>12.2e}  {}\n", result.passed() ? "ok" : "FAIL", result.name, result.worst,
+    text += fmt::format("{:<6}{:<44}{:>12.2e}{:>12.2e}  {}\n", result.passed() ? "ok" : "FAIL", result.name, result.worst,
                         result.bound, result.description);
   }
   return text;

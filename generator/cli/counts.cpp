@@ -16,7 +16,7 @@ nlohmann::ordered_json to_json(const OperationCount& count) {
 }
 
 std::string row(const std::string& name, const OperationCount& c) {
-  return fmt::format("{:<24}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}\n", name, c.additions, c.multiplications,
+  return fmt::format("{:<37}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}\n", name, c.additions, c.multiplications,
                      c.divisions, c.square_roots, c.sincos_pairs, c.others, c.total());
 }
 
@@ -39,7 +39,7 @@ SceneCounts count_scene(const Scene& scene, const std::vector<std::string>& name
 std::string counts_table(const std::vector<SceneCounts>& scenes) {
   std::string text;
   for (const SceneCounts& scene : scenes) {
-    text += fmt::format("{}{}\n{:<24}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}\n", text.empty() ? "" : "\n", scene.name,
+    text += fmt::format("{}{}\n{:<37}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}\n", text.empty() ? "" : "\n", scene.name,
                         "kernel", "add", "multiply", "divide", "sqrt", "sincos", "others", "total");
     for (const auto& [name, count] : scene.kernels) text += row(name, count);
     if (scene.precompute.total() > 0) text += row("precompute, once", scene.precompute);

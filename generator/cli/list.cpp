@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <functional>
 
 #include <fmt/format.h>
@@ -60,8 +61,10 @@ Json content_json(const Scene& scene) {
   const Equations equations(scene);
   Json& kernels = list("kernels");
   for (const std::string& name : kernel_names()) {
-    const std::string skipped = make_kernel(name, equations).skipped;
+    const std::string skipped = why_absent(name, equations);
     Json kernel{{"name", name}, {"available", skipped.empty()}};
+    const auto& usual = usual_kernel_names();
+    kernel["when_named"] = std::find(usual.begin(), usual.end(), name) == usual.end();
     if (!skipped.empty()) kernel["why_not"] = skipped;
     kernels.push_back(std::move(kernel));
   }
@@ -97,8 +100,9 @@ std::string list_text(const Scene& scene) {
   out += line("constraints", json["constraints"],
               [&](const Json& c) { return fmt::format("{} ({})", text(c["name"]), text(c["multiplier"])); });
   for (const Json& kernel : json["kernels"]) {
-    out += fmt::format("{:<14}{}{}\n", &kernel == &json["kernels"][0] ? "kernels" : "", text(kernel["name"]),
-                       kernel["available"].get<bool>() ? "" : " (absent: " + text(kernel["why_not"]) + ")");
+    std::string remark = kernel["available"].get<bool>() ? "" : " (absent: " + text(kernel["why_not"]) + ")";
+    if (remark.empty() && kernel["when_named"].get<bool>()) remark = " (when named)";
+    out += fmt::format("{:<14}{}{}\n", &kernel == &json["kernels"][0] ? "kernels" : "", text(kernel["name"]), remark);
   }
   return out;
 }

@@ -16,23 +16,23 @@ nlohmann::ordered_json to_json(const PassEffect& effect) {
 }  // namespace
 
 std::string passes_table(const PassReport& report) {
-  std::string head = fmt::format("{:<31}{:>12}", "", "all passes");
+  std::string head = fmt::format("{:<37}{:>12}", "", "all passes");
   for (const std::string& pass : report.passes) head += fmt::format("{:>13}", pass);
   std::string text = fmt::format("{}: operations with all passes, and how many more without each\n{}\n", report.scene, head);
   for (const KernelPasses& kernel : report.kernels) {
-    text += fmt::format("{:<31}{:>12}", kernel.kernel, kernel.all.operations);
+    text += fmt::format("{:<37}{:>12}", kernel.kernel, kernel.all.operations);
     for (const PassEffect& effect : kernel.without) text += fmt::format("{:>+13}", effect.operations - kernel.all.operations);
     text += "\n";
   }
   text += fmt::format("worst errors in double with all passes, and without each, in ulp scaled by max(1, condition)\n{}\n", head);
   for (const KernelPasses& kernel : report.kernels) {
-    text += fmt::format("{:<31}{:>12.2f}", kernel.kernel, kernel.all.error);
+    text += fmt::format("{:<37}{:>12.2f}", kernel.kernel, kernel.all.error);
     for (const PassEffect& effect : kernel.without) text += fmt::format("{:>13.2f}", effect.error);
     text += "\n";
   }
   text += fmt::format("relative difference of the results, in CLN at {} digits\n{}\n", report.digits, head);
   for (const KernelPasses& kernel : report.kernels) {
-    text += fmt::format("{:<31}{:>12}", kernel.kernel, "");
+    text += fmt::format("{:<37}{:>12}", kernel.kernel, "");
     for (const PassEffect& effect : kernel.without) text += fmt::format("{:>13.0e}", effect.difference);
     text += "\n";
   }

@@ -175,7 +175,8 @@ int passes(const Scene& scene, const Request& request) {
 }
 
 int check(const Scene& scene, const Request& request) {
-  const std::vector<CheckResult> results = check_scene(scene, {request.digits, request.states});
+  const CheckOptions options{request.digits, request.states, parse_kernel_list(request.kernels)};
+  const std::vector<CheckResult> results = check_scene(scene, options);
   write(request.output, request.json ? check_json(scene.name(), results) : check_table(scene.name(), results));
   const bool passed = std::all_of(results.begin(), results.end(), [](const CheckResult& r) { return r.passed(); });
   return passed ? 0 : check_failed;
@@ -274,9 +275,15 @@ void declare(CLI::App& app, Request& request, Command& chosen, const SceneSource
     sub->add_option("-o,--output", request.output, "file to write; the standard output when absent or -");
     return sub;
   };
-  const auto with_kernels = [&](CLI::App* sub) {
+  const auto with_kernel_list = [&](CLI::App* sub) {
     sub->add_option("--kernels", request.kernels,
-                    fmt::format("comma-separated list, or all (the default): {}", fmt::join(kernel_names(), ", ")));
+                    fmt::format("comma-separated list of {}; or all (the default), which leaves out second derivatives "
+                                "and sensitivities",
+                                fmt::join(kernel_names(), ", ")));
+    return sub;
+  };
+  const auto with_kernels = [&](CLI::App* sub) {
+    with_kernel_list(sub);
     sub->add_option("--run-time", request.run_time, "parameters that stay symbols, comma-separated, or all");
     sub->add_option("--forward", request.forward,
                     "method of forward_dynamics: cheapest, factorisation or articulated_body")
@@ -307,7 +314,7 @@ void declare(CLI::App& app, Request& request, Command& chosen, const SceneSource
   with_json(with_kernels(add("counts", "count the operations of the emitted kernels", counts)));
   with_json(with_states(with_kernels(
       add("passes", "tell what each pass saves, that it changes no result, and what it does to errors", passes))));
-  sub = add("check", "compare independent derivations at random states", check);
+  sub = with_kernel_list(add("check", "compare independent derivations at random states", check));
   sub->add_option("--digits", request.digits, "digits of the comparison")
       ->capture_default_str()
       ->check(CLI::Range(20, 1000));

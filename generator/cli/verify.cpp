@@ -44,12 +44,12 @@ std::string verify_table(const std::string& scene, const std::vector<VerifyRow>&
   const std::vector<VerifyRow> rows = layout.every_group ? all : worst_of_kernels(all);
   std::string text =
       fmt::format("{}: worst errors in ulp, scaled by max(1, condition); at most {} are allowed\n"
-                  "{:<6}{:<7}{:<29}{:<44}{:>9}{:>10}{:>9}{:>9}{:>9}  {}\n",
+                  "{:<6}{:<7}{:<37}{:<44}{:>9}{:>10}{:>9}{:>9}{:>9}  {}\n",
                   scene, accuracy_bar, "", "scalar", "kernel", "group", "error", "condition", "scaled", "of bound",
                   "at most", "seed");
   for (const VerifyRow& row : rows) {
     const double of_bound = row.worst.bound == 0 ? 0 : row.worst.error / row.worst.bound;
-    text += fmt::format("{:<6}{:<7}{:<29}{:<44}{:>9}{:>10}{:>9}{:>9.3f}{:>9}  {}{}\n", verdict(row), row.scalar,
+    text += fmt::format("{:<6}{:<7}{:<37}{:<44}{:>9}{:>10}{:>9}{:>9.3f}{:>9}  {}{}\n", verdict(row), row.scalar,
                         row.kernel, row.group, figure(row.worst.error), figure(row.worst.condition),
                         figure(row.worst.scaled), of_bound, figure(row.potential), row.seed,
                         row.searched ? " searched" : "");

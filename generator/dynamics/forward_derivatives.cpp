@@ -8,6 +8,7 @@
 #include "generator/dynamics/articulated_body.hpp"
 #include "generator/dynamics/articulated_derivatives.hpp"
 #include "generator/dynamics/linearisation.hpp"
+#include "generator/dynamics/motion_changes.hpp"
 #include "generator/expression/derivative.hpp"
 #include "generator/expression/formula.hpp"
 
@@ -52,16 +53,8 @@ class DifferentiatedMotion {
  private:
   void solve_columns(const ForwardSolution& motion) {
     result_.method = "solving with the factorisation of the motion";
-    Substitution at_motion(program_, [&](const SymbolPointer& symbol) -> std::optional<Value> {
-      for (std::size_t i = 0; i < n_; ++i) {
-        if (symbol == model_.coordinates()[i].a) return motion.accelerations[i];
-      }
-      for (std::size_t j = 0; j < m_; ++j) {
-        if (symbol == equations_.constraints()[j].multiplier) return motion.multipliers[j];
-      }
-      return std::nullopt;
-    });
-    const std::vector<Value> rates = constraint_accelerations();
+    Substitution there = at_motion(equations_, motion);
+    const std::vector<Value> rates = constraint_accelerations(equations_);
     const std::size_t inputs = model_.inputs().size();
     for (ForwardDerivatives::Of* of : {&result_.accelerations, &result_.multipliers}) {
       const std::size_t rows = of == &result_.accelerations ? n_ : m_;
@@ -72,14 +65,14 @@ class DifferentiatedMotion {
     for (std::size_t j = 0; j < n_; ++j) {
       Derivation by_velocity = partial_derivation(program_, model_.coordinates()[j].v);
       Derivation by_position = model_.along(static_cast<int>(j));
-      const std::vector<Value> position_gamma = slopes(rates, by_position, at_motion);
-      const std::vector<Value> position_force = opposite_column(residual_.by_position, j, at_motion);
+      const std::vector<Value> position_gamma = slopes_at_motion(rates, by_position, there);
+      const std::vector<Value> position_force = opposite_column(residual_.by_position, j, there);
       solve(position_force, position_gamma, &ForwardDerivatives::Of::by_position, j);
       Value& own = result_.accelerations.by_position[j][j];
-      const Value left_out = at_motion(own_[j]);
+      const Value left_out = there(own_[j]);
       own = program_.bind(own - left_out);
-      const std::vector<Value> velocity_gamma = slopes(rates, by_velocity, at_motion);
-      const std::vector<Value> velocity_force = opposite_column(residual_.by_velocity, j, at_motion);
+      const std::vector<Value> velocity_gamma = slopes_at_motion(rates, by_velocity, there);
+      const std::vector<Value> velocity_force = opposite_column(residual_.by_velocity, j, there);
       solve(velocity_force, velocity_gamma, &ForwardDerivatives::Of::by_velocity, j);
       std::vector<Value> unit(n_);
       unit[j] = program_.number(Number(1));
@@ -100,32 +93,10 @@ class DifferentiatedMotion {
     }
   }
 
-  /// A a + γ of every constraint.
-  std::vector<Value> constraint_accelerations() const {
-    std::vector<Value> all;
-    for (const ConstraintRow& row : equations_.constraints()) {
-      Value sum = row.gamma;
-      for (std::size_t i = 0; i < n_; ++i) {
-        if (!row.jacobian[i].is_zero()) sum += row.jacobian[i] * model_.a(static_cast<int>(i));
-      }
-      all.push_back(program_.bind(sum));
-    }
-    return all;
-  }
-
-  std::vector<Value> opposite_column(const ValueMatrix& matrix, std::size_t j, Substitution& at_motion) const {
+  std::vector<Value> opposite_column(const ValueMatrix& matrix, std::size_t j, Substitution& there) const {
     std::vector<Value> column;
-    for (const auto& row : matrix) column.push_back(program_.bind(-at_motion(row[j])));
+    for (const auto& row : matrix) column.push_back(program_.bind(-there(row[j])));
     return column;
-  }
-
-  std::vector<Value> slopes(const std::vector<Value>& values, Derivation& by, Substitution& at_motion) const {
-    std::vector<Value> all;
-    for (const Value& value : values) {
-      const Value slope = by(value);
-      all.push_back(program_.bind(at_motion(slope)));
-    }
-    return all;
   }
 
   void solve(const std::vector<Value>& force, const std::vector<Value>& gamma,
@@ -181,6 +152,10 @@ ForwardDerivatives solved_derivatives(const Equations& equations) {
 }
 
 }  // namespace
+
+ForwardDerivatives forward_derivatives_by_factorisation(const Equations& equations) {
+  return DifferentiatedMotion(equations).run();
+}
 
 ForwardDerivatives forward_derivatives(const Equations& equations) {
   const ForwardMethod method = equations.model().options().forward;

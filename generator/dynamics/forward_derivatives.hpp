@@ -27,5 +27,7 @@ struct ForwardDerivatives {
 /// derivative of M⁻¹ is formed. M δa − B δλ = −∂(M a + h − B λ − E u)/∂x δx, A δa = −∂(A a + γ)/∂x δx (Carpentier &
 /// Mansard, Analytical derivatives of rigid body dynamics algorithms, 2018, eq. 4).
 ForwardDerivatives forward_derivatives(const Equations& equations);
+/// The same by solving, whatever it costs: for those who solve with the factorisation further.
+ForwardDerivatives forward_derivatives_by_factorisation(const Equations& equations);
 
 }  // namespace torsor

@@ -34,6 +34,16 @@ Program::Resolver Model::resolver(const Scene& scene, const ModelOptions& option
   };
 }
 
+std::vector<SymbolPointer> run_time_parameters(const Scene& scene, const ModelOptions& options) {
+  std::vector<SymbolPointer> symbols;
+  for (const ParameterContent& parameter : scene.content().parameters) {
+    const bool kept = parameter.run_time || !parameter.value || options.all_run_time || options.symbolic_parameters ||
+                      options.run_time.contains(parameter.symbol->name);
+    if (kept) symbols.push_back(parameter.symbol);
+  }
+  return symbols;
+}
+
 ModelOptions as_given(ModelOptions options) {
   options.passes.regrouping = options.passes.off_axis = options.passes.length_unit = false;
   return options;

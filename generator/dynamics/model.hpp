@@ -24,9 +24,14 @@ struct ModelOptions {
   bool all_run_time = false;              ///< the same for kernels: `--run-time all`
   std::set<std::string> run_time;         ///< further parameters that stay symbols
   bool hold_released = true;              ///< released coordinates and their rates are zero; off: they are coordinates
+  std::optional<std::set<std::string>> sensitive_to;  ///< parameters of sensitivities; without: those that stay symbols
   ForwardMethod forward = ForwardMethod::cheapest;
   Passes passes{};                        ///< what makes kernels cheap
 };
+
+/// Parameters that stay symbols in kernels, in the scene's order: declared run-time, without a value, or asked for by the
+/// options. They are what the header's `Parameters` lists.
+std::vector<SymbolPointer> run_time_parameters(const Scene& scene, const ModelOptions& options);
 
 /// The same options with inertia and lengths left as the scene has them.
 ModelOptions as_given(ModelOptions options);

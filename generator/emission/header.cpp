@@ -113,16 +113,6 @@ std::string blocks_text(const std::vector<std::string>& blocks) {
 
 }  // namespace
 
-std::vector<SymbolPointer> run_time_parameters(const Scene& scene, const ModelOptions& options) {
-  std::vector<SymbolPointer> symbols;
-  for (const ParameterContent& parameter : scene.content().parameters) {
-    const bool kept = parameter.run_time || !parameter.value || options.all_run_time || options.symbolic_parameters ||
-                      options.run_time.contains(parameter.symbol->name);
-    if (kept) symbols.push_back(parameter.symbol);
-  }
-  return symbols;
-}
-
 std::string emit_header(const Equations& equations, const std::vector<Kernel>& kernels, const HeaderOptions& options) {
   const Scene& scene = equations.scene();
   Program& program = equations.program();

@@ -6,7 +6,6 @@
 
 #include "generator/dynamics/equations.hpp"
 #include "generator/emission/kernel.hpp"
-#include "generator/expression/symbol.hpp"
 
 namespace torsor {
 
@@ -20,9 +19,5 @@ struct HeaderOptions {
 /// that cannot stand in C++.
 std::string emit_header(const Equations& equations, const std::vector<Kernel>& kernels,
                         const HeaderOptions& options = {});
-
-/// Parameters that the header's `Parameters` lists, in the scene's order: declared run-time, without a value, or asked
-/// for by the options.
-std::vector<SymbolPointer> run_time_parameters(const Scene& scene, const ModelOptions& options);
 
 }  // namespace torsor

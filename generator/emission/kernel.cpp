@@ -8,12 +8,16 @@
 
 #include "generator/dynamics/energy.hpp"
 #include "generator/dynamics/painleve.hpp"
+#include "generator/dynamics/parameter_sensitivities.hpp"
 #include "generator/emission/kernel_derivatives.hpp"
 #include "generator/emission/kernel_jets.hpp"
 #include "generator/emission/kernel_kinematics.hpp"
 #include "generator/emission/kernel_linearisation.hpp"
 #include "generator/emission/kernel_parts.hpp"
 #include "generator/emission/kernel_regressor.hpp"
+#include "generator/emission/kernel_second_derivatives.hpp"
+#include "generator/emission/kernel_sensitivities.hpp"
+#include "generator/emission/kernel_sparse_jacobian.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/expression/evaluation.hpp"
 
@@ -197,9 +201,20 @@ void clear_vanishing(Kernel& kernel) {
   }
 }
 
+std::string no_unknowns(const Equations& equations) {
+  return unknowns(equations) == 0 ? "the scene has no unknown coordinates" : "";
+}
+
+std::string no_sensitivities(const Equations& equations) {
+  if (!sensitivity_parameters(equations).empty()) return no_unknowns(equations);
+  return "no parameter is set at run time (run_time_parameter, or --run-time)";
+}
+
 struct Entry {
   std::string name;
   std::function<Kernel(const Equations&)> make;
+  /// Of kernels made when named: why there is nothing to compute, found without deriving anything.
+  std::function<std::string(const Equations&)> absence{};
 };
 
 const std::vector<Entry>& entries() {
@@ -216,7 +231,16 @@ const std::vector<Entry>& entries() {
                                       {"inverse_dynamics_derivatives", make_inverse_dynamics_derivatives},
                                       {"forward_dynamics_derivatives", make_forward_dynamics_derivatives},
                                       {"regressor", make_regressor},
-                                      {"jets", make_jets}};
+                                      {"jets", make_jets},
+                                      {"sparse_constraint_jacobian", make_sparse_constraint_jacobian},
+                                      {"inverse_dynamics_second_derivatives", make_inverse_dynamics_second_derivatives,
+                                       no_unknowns},
+                                      {"forward_dynamics_second_derivatives", make_forward_dynamics_second_derivatives,
+                                       no_unknowns},
+                                      {"inverse_dynamics_sensitivities", make_inverse_dynamics_sensitivities,
+                                       no_sensitivities},
+                                      {"forward_dynamics_sensitivities", make_forward_dynamics_sensitivities,
+                                       no_sensitivities}};
   return all;
 }
 
@@ -265,15 +289,35 @@ const std::vector<std::string>& kernel_names() {
   return names;
 }
 
+const std::vector<std::string>& usual_kernel_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const Entry& entry : entries()) {
+      if (!entry.absence) all.push_back(entry.name);
+    }
+    return all;
+  }();
+  return names;
+}
+
 Kernel make_kernel(const std::string& name, const Equations& equations) {
   for (const Entry& entry : entries()) {
     if (entry.name != name) continue;
-    Kernel kernel = entry.make(equations);
+    Kernel kernel;
+    if (entry.absence) kernel.skipped = entry.absence(equations);
+    if (kernel.skipped.empty()) kernel = entry.make(equations);
     kernel.name = name;
     clear_vanishing(kernel);
     return kernel;
   }
   throw UsageError(fmt::format("unknown kernel '{}': known are {}", name, known_names()));
+}
+
+std::string why_absent(const std::string& name, const Equations& equations) {
+  for (const Entry& entry : entries()) {
+    if (entry.name == name && entry.absence) return entry.absence(equations);
+  }
+  return make_kernel(name, equations).skipped;
 }
 
 std::vector<std::string> parse_kernel_list(const std::string& list) {
@@ -283,7 +327,7 @@ std::vector<std::string> parse_kernel_list(const std::string& list) {
     const std::string name = list.substr(begin, end - begin);
     begin = end + 1;
     if (name == "all") {
-      for (const std::string& each : kernel_names()) names.push_back(each);
+      for (const std::string& each : usual_kernel_names()) names.push_back(each);
       continue;
     }
     const auto& known = kernel_names();

@@ -82,10 +82,16 @@ struct Kernel {
 /// Names of all kernels, in the order of the header.
 const std::vector<std::string>& kernel_names();
 
+/// Those that `all` stands for: second derivatives and sensitivities are made only when they are named.
+const std::vector<std::string>& usual_kernel_names();
+
 /// Builds a kernel on the equations' program. Throws UsageError naming an unknown kernel and listing the known ones.
 Kernel make_kernel(const std::string& name, const Equations& equations);
 
-/// Splits a comma-separated list, "all" meaning every kernel; checks the names and removes repetitions.
+/// Why a kernel would be skipped, empty where it would not be; those that are made when named are not derived for it.
+std::string why_absent(const std::string& name, const Equations& equations);
+
+/// Splits a comma-separated list, "all" meaning usual_kernel_names; checks the names and removes repetitions.
 std::vector<std::string> parse_kernel_list(const std::string& list);
 
 }  // namespace torsor

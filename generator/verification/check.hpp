@@ -20,6 +20,7 @@ struct CheckResult {
 struct CheckOptions {
   int digits = 50;
   int states = 20;
+  std::vector<std::string> kernels{};  ///< looked at in double; empty: usual_kernel_names
 };
 
 /// Checks a scene against itself at pseudo-random states (fixed seeds, so that a failure repeats):

@@ -64,7 +64,7 @@ std::vector<CheckResult> check_kernels(const Scene& scene, const CheckOptions& o
   const WorkingDigits precision(options.digits + 10);
   const Equations equations(scene);
   std::vector<Kernel> kernels;
-  for (const std::string& name : kernel_names()) {
+  for (const std::string& name : options.kernels.empty() ? usual_kernel_names() : options.kernels) {
     Kernel kernel = make_kernel(name, equations);
     if (kernel.skipped.empty() && !kernel.series) kernels.push_back(std::move(kernel));  // series: check_jets
   }
@@ -90,7 +90,10 @@ std::vector<CheckResult> check_kernels(const Scene& scene, const CheckOptions& o
       // Solves lose what the condition of their matrix costs: 1e-14 of it, expressed against the common bound of 1e-13.
       double condition = kernel.name == "linearisation" ? of_reduction : of_motion;
       // Two solves in succession: the second with what the first gave.
-      if (kernel.name == "forward_dynamics_derivatives") condition *= of_motion;
+      if (kernel.name == "forward_dynamics_derivatives" || kernel.name == "forward_dynamics_sensitivities") {
+        condition *= of_motion;
+      }
+      if (kernel.name == "forward_dynamics_second_derivatives") condition *= of_motion * of_motion;
       const double allowance = kernel.pivots.empty() ? 1 : std::max(1.0, condition / 10);
       for (const auto& group : groups_by_unit(kernel)) {
         const double relative = relative_error(kernel, group, fast, exact, sensitive, allowance * worst[i]) / allowance;

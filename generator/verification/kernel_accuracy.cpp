@@ -78,7 +78,13 @@ class Conditions {
       return number.abs().is_one() ? constant : elasticity_input(constant.value(), input_count_++);
     });
     std::map<std::string, Value> values;
-    for (const Kernel& kernel : present_kernels(equations_, names)) {
+    const std::vector<Kernel> known = present_kernels(equations_, names);
+    for (std::size_t k = 0; k < std::min(known.size(), emitted.size()); ++k) {
+      // Patterns and base parameters are those of the scene's values: elsewhere results may stand at other places.
+      if (known[k].assignments.size() == emitted[k].assignments.size()) continue;
+      throw Error(fmt::format("the kernel '{}' with parameters as symbols has other results", emitted[k].name));
+    }
+    for (const Kernel& kernel : known) {
       for (const Assignment& a : kernel.assignments) values.emplace(kernel.name + "." + a.target, a.value);
     }
     for (const Kernel& kernel : emitted) {
@@ -139,6 +145,10 @@ class Conditions {
 /// parameters are among the plain numbers then.
 std::unique_ptr<Conditions> make_conditions(const Scene& scene, ModelOptions options,
                                             const std::vector<std::string>& names, const std::vector<Kernel>& emitted) {
+  if (!options.sensitive_to) {
+    options.sensitive_to.emplace();
+    for (const SymbolPointer& symbol : run_time_parameters(scene, options)) options.sensitive_to->insert(symbol->name);
+  }
   const ModelOptions folded = options;
   options.all_run_time = true;
   try {

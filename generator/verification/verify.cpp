@@ -156,7 +156,7 @@ std::vector<AccuracyException> parse_accuracy_exceptions(const std::string& text
 }
 
 std::vector<VerifyRow> verify_scene(const Scene& scene, const VerifyOptions& options) {
-  const std::vector<std::string>& kernels = options.kernels.empty() ? kernel_names() : options.kernels;
+  const std::vector<std::string>& kernels = options.kernels.empty() ? usual_kernel_names() : options.kernels;
   std::vector<VerifyRow> rows;
   for (const Precision precision : options.precisions) {
     const std::unique_ptr<KernelAccuracy> accuracy = kernel_accuracy(scene, options.model, kernels, precision);

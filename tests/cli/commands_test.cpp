@@ -27,7 +27,7 @@ TEST(SceneProgram, ListsWhatTheSceneContains) {
   EXPECT_EQ(list.at("actions"), json::array({"torque"}));
   for (const json& kernel : list.at("kernels")) {
     const bool absent = kernel.at("name") == "constraints" || kernel.at("name") == "reactions" ||
-                        kernel.at("name") == "first_integrals";
+                        kernel.at("name") == "first_integrals" || kernel.at("name") == "sparse_constraint_jacobian";
     EXPECT_EQ(kernel.at("available"), !absent) << kernel;
     EXPECT_EQ(kernel.contains("why_not"), absent) << kernel;
   }
@@ -181,7 +181,9 @@ TEST(SceneProgram, NamesAnUnknownKernelAndTheKnownOnes) {
         run(pendulum, {command, "--output", "/nowhere/x", "--kernels", "mass_matrix,masses"}), 2,
         "unknown kernel 'masses': known are kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, "
         "energy, first_integrals, constraints, reactions, linearisation, inverse_dynamics_derivatives, "
-                  "forward_dynamics_derivatives, regressor, jets, or all");
+                  "forward_dynamics_derivatives, regressor, jets, sparse_constraint_jacobian, "
+                  "inverse_dynamics_second_derivatives, forward_dynamics_second_derivatives, "
+                  "inverse_dynamics_sensitivities, forward_dynamics_sensitivities, or all");
   }
 }
 
