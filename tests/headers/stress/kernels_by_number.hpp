@@ -38,6 +38,15 @@ TORSOR_KERNEL(inverse_dynamics_derivatives, any<const typename M::Accelerations>
               any<typename M::InverseDynamicsDerivatives>());
 TORSOR_KERNEL(forward_dynamics_derivatives, any<const typename M::Inputs>(),
               any<typename M::ForwardDynamicsDerivatives>());
+TORSOR_KERNEL(sparse_constraint_jacobian, any<typename M::SparseConstraintJacobian>());
+TORSOR_KERNEL(inverse_dynamics_second_derivatives, any<const typename M::Accelerations>(),
+              any<const typename M::Multipliers>(), any<typename M::InverseDynamicsSecondDerivatives>());
+TORSOR_KERNEL(forward_dynamics_second_derivatives, any<const typename M::Inputs>(),
+              any<typename M::ForwardDynamicsSecondDerivatives>());
+TORSOR_KERNEL(inverse_dynamics_sensitivities, any<const typename M::Accelerations>(),
+              any<const typename M::Multipliers>(), any<typename M::InverseDynamicsSensitivities>());
+TORSOR_KERNEL(forward_dynamics_sensitivities, any<const typename M::Inputs>(),
+              any<typename M::ForwardDynamicsSensitivities>());
 TORSOR_KERNEL(regressor, any<const typename M::Accelerations>(), any<typename M::Regressor>());
 TORSOR_KERNEL(mass_matrix, any<std::array<double, M::velocity_count * M::velocity_count>>());
 TORSOR_KERNEL(coordinate_rates, any<std::array<double, M::coordinate_count>>());
@@ -153,6 +162,21 @@ void evaluate(const double* in, Results& results) {
     M::inverse_dynamics_derivatives(p, s, a, lambda, result);
     results.add("inverse_dynamics_derivatives", -1, result);
   }
+  if constexpr (Has<M, sparse_constraint_jacobian>::value) {
+    typename M::SparseConstraintJacobian result{};
+    M::sparse_constraint_jacobian(p, s, result);
+    results.add("sparse_constraint_jacobian", -1, result);
+  }
+  if constexpr (Has<M, inverse_dynamics_second_derivatives>::value) {
+    typename M::InverseDynamicsSecondDerivatives result{};
+    M::inverse_dynamics_second_derivatives(p, s, a, lambda, result);
+    results.add("inverse_dynamics_second_derivatives", -1, result);
+  }
+  if constexpr (Has<M, inverse_dynamics_sensitivities>::value) {
+    typename M::InverseDynamicsSensitivities result{};
+    M::inverse_dynamics_sensitivities(p, s, a, lambda, result);
+    results.add("inverse_dynamics_sensitivities", -1, result);
+  }
   typename M::Accelerations found{};
   typename M::Multipliers reaction{};
   const int status = static_cast<int>(M::forward_dynamics(p, s, u, found, reaction));
@@ -167,6 +191,16 @@ void evaluate(const double* in, Results& results) {
     typename M::ForwardDynamicsDerivatives result{};
     const auto code = M::forward_dynamics_derivatives(p, s, u, result);
     results.add("forward_dynamics_derivatives", static_cast<int>(code), result);
+  }
+  if constexpr (Has<M, forward_dynamics_second_derivatives>::value) {
+    typename M::ForwardDynamicsSecondDerivatives result{};
+    const auto code = M::forward_dynamics_second_derivatives(p, s, u, result);
+    results.add("forward_dynamics_second_derivatives", static_cast<int>(code), result);
+  }
+  if constexpr (Has<M, forward_dynamics_sensitivities>::value) {
+    typename M::ForwardDynamicsSensitivities result{};
+    const auto code = M::forward_dynamics_sensitivities(p, s, u, result);
+    results.add("forward_dynamics_sensitivities", static_cast<int>(code), result);
   }
   if constexpr (Has<M, jets>::value) {
     constexpr int order = 8;

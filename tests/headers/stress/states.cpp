@@ -255,7 +255,8 @@ class Bound {
 /// Kernels that solve equations: their results are as wrong as the mass matrix and the constraints are near to losing
 /// rank, which `backward` judges instead.
 bool solves(const char* kernel) {
-  for (const char* name : {"forward_dynamics", "multipliers", "linearisation", "forward_dynamics_derivatives", "jets"}) {
+  for (const char* name : {"forward_dynamics", "multipliers", "linearisation", "forward_dynamics_derivatives",
+                           "forward_dynamics_second_derivatives", "forward_dynamics_sensitivities", "jets"}) {
     if (std::strcmp(kernel, name) == 0) return true;
   }
   return false;
