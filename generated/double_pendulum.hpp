@@ -3,24 +3,26 @@
 // Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
 // Free to embed under the MIT licence.
 //
-// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, linearisation, inverse_dynamics_derivatives, forward_dynamics_derivatives, regressor, jets
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, linearisation, inverse_dynamics_derivatives, forward_dynamics_derivatives, regressor, jets, inverse_dynamics_second_derivatives, forward_dynamics_second_derivatives
 // Parameters set at run time: none
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
 // moved across joints, factoring, and what is done once for a set of parameters:
-//   function                      additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   kinematics                            7               12          0             0                  3       0     25      25
-//   mass_matrix                           7                2          0             0                  1       0     11      11
-//   bias                                  6                8          0             0                  2       0     18      23
-//   inverse_dynamics                     10                9          0             0                  2       0     23      26
-//   forward_dynamics                     15               14          1             0                  2       0     34      39
-//   energy                                6                8          0             0                  3       0     20      24
-//   first_integrals                       7                8          0             0                  3       0     21      25
-//   linearisation                        32               34          1             0                  2       0     71      97
-//   inverse_dynamics_derivatives         13               15          0             0                  2       0     32      56
-//   forward_dynamics_derivatives         32               38          1             0                  2       0     75     111
-//   regressor                             7               12          0             0                  2       0     23      23
-//   jets                                 40               44          1             0                  2       0     89       -
+//   function                             additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   kinematics                                   7               12          0             0                  3       0     25      25
+//   mass_matrix                                  7                2          0             0                  1       0     11      11
+//   bias                                         6                8          0             0                  2       0     18      23
+//   inverse_dynamics                            10                9          0             0                  2       0     23      26
+//   forward_dynamics                            15               14          1             0                  2       0     34      39
+//   energy                                       6                8          0             0                  3       0     20      24
+//   first_integrals                              7                8          0             0                  3       0     21      25
+//   linearisation                               32               34          1             0                  2       0     71      97
+//   inverse_dynamics_derivatives                13               15          0             0                  2       0     32      56
+//   forward_dynamics_derivatives                32               38          1             0                  2       0     75     111
+//   regressor                                    7               12          0             0                  2       0     23      23
+//   jets                                        40               44          1             0                  2       0     89       -
+//   inverse_dynamics_second_derivatives         17               18          0             0                  2       0     39      63
+//   forward_dynamics_second_derivatives         73               87          1             0                  2       0    165     207
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 36 results 16 vanish identically, 6 repeat another up to sign
@@ -32,9 +34,11 @@
 //   inverse_dynamics_derivatives: of 8 results 2 vanish identically
 //   forward_dynamics_derivatives: of 12 results 1 repeat another up to sign
 //   regressor: of 12 results 4 vanish identically
+//   inverse_dynamics_second_derivatives: of 32 results 14 vanish identically, 8 repeat another up to sign
+//   forward_dynamics_second_derivatives: of 24 results 4 vanish identically, 6 repeat another up to sign
 //
 // To write this file again:
-//   double_pendulum_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation,inverse_dynamics_derivatives,forward_dynamics_derivatives,regressor,jets --output double_pendulum.hpp
+//   double_pendulum_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation,inverse_dynamics_derivatives,forward_dynamics_derivatives,regressor,jets,inverse_dynamics_second_derivatives,forward_dynamics_second_derivatives --output double_pendulum.hpp
 #pragma once
 
 #include <array>
@@ -722,6 +726,21 @@ struct Mechanism {
   static constexpr int regrouped_to[] = {1, 2};
   static constexpr double regrouping_factors[] = {-1, 1};
 
+  /// Second derivatives of generalised forces, page by page.
+  struct InverseDynamicsSecondDerivatives {
+    std::array<Scalar, 8> by_position_position;  ///< d2f_i/dq_j dq_k, 2 pages (2 x 4)
+    std::array<Scalar, 8> by_position_velocity;  ///< d2f_i/dq_j dv_k, 2 pages (2 x 4)
+    std::array<Scalar, 8> by_velocity_velocity;  ///< d2f_i/dv_j dv_k, 2 pages (2 x 4)
+    std::array<Scalar, 8> by_acceleration_position;  ///< d2f_i/da_j dq_k = dM_ij/dq_k, 2 pages (2 x 4)
+  };
+
+  /// Second derivatives of accelerations and multipliers, page by page.
+  struct ForwardDynamicsSecondDerivatives {
+    std::array<Scalar, 8> by_position_position;  ///< d2a_i/dq_j dq_k, 2 pages (2 x 4)
+    std::array<Scalar, 8> by_position_velocity;  ///< d2a_i/dq_j dv_k, 2 pages (2 x 4)
+    std::array<Scalar, 8> by_velocity_velocity;  ///< d2a_i/dv_j dv_k, 2 pages (2 x 4)
+  };
+
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
   /// matrices column by column.
   TORSOR_DEVICE static void kinematics(const Precomputed&, const State& state, Kinematics& result) noexcept {
@@ -1336,6 +1355,233 @@ struct Mechanism {
     const Scalar zero = (coefficients[order][0] - coefficients[order][0]) + (coefficients[order][1]
         - coefficients[order][1]) + (coefficients[order][2] - coefficients[order][2]) + (coefficients[order][3]
         - coefficients[order][3]);
+    if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
+    return torsor::Status::ok;
+  }
+
+  /// Second derivatives of inverse_dynamics at (q, v, a, lambda). It is linear in a: d2f/da dq has the derivatives of
+  /// the mass matrix, and what else has an a is zero.
+  /// Each member x_by_y_z has one page for each z_k, the derivative of a matrix by z_k: the entry of row i and column
+  /// j of page k is [i + rows * (j + columns * k)].
+  TORSOR_DEVICE static void inverse_dynamics_second_derivatives(const Precomputed&, const State& state,
+      const Accelerations& accelerations, const Multipliers&, InverseDynamicsSecondDerivatives& result) noexcept {
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_theta_1 = state.q.theta_1;
+    const Scalar v_theta_1 = state.v.theta_1;
+    const Scalar a_theta_1 = accelerations.theta_1;
+    const Scalar q_theta_2 = state.q.theta_2;
+    const Scalar v_theta_2 = state.v.theta_2;
+    const Scalar a_theta_2 = accelerations.theta_2;
+    const Scalar z8 = q_theta_1 - q_theta_2;
+    const Scalar angles_[] = {q_theta_1, z8};
+    Scalar sines_[2], cosines_[2];
+    torsor::sines_and_cosines(angles_, sines_, cosines_);
+    const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
+    const Scalar z9 = sines_[1], z10 = cosines_[1];
+    const Scalar z34 = n9_81 * s_theta_1;
+    const Scalar z35 = n9_81 * c_theta_1;
+    const Scalar z36 = v_theta_1 * v_theta_1;
+    const Scalar z37 = z35 + z36;
+    const Scalar z40 = v_theta_2 * v_theta_2;
+    const Scalar z46 = a_theta_1 + z34;
+    const Scalar z47 = z9 * z37 - z10 * z46;
+    const Scalar z50 = a_theta_2 * z10 + z9 * z40;
+    const Scalar z67 = n2 * v_theta_1;
+    const Scalar z72 = n2 * v_theta_2;
+    const Scalar z104 = n2 * z9;
+    const Scalar z105 = n2 * z9 - z104;
+    const Scalar z106 = z9 * (z35 - z37) - z10 * (z34 - z46);
+    const Scalar z107 = n2 * z34 + z50 + z106;
+    const Scalar z108 = z106 - z107;
+    const Scalar z109 = z10 * z67;
+    const Scalar z110 = z10 * z72;
+    const Scalar z111 = z50 + z106;
+    const Scalar z112 = z106 - z111;
+    const Scalar z113 = z47 - z50;
+    const Scalar z114 = z47 - z113;
+    const Scalar z115 = n2 * z9 - z105;
+    result.by_position_position[0] = z108;
+    result.by_position_position[1] = -z106;
+    result.by_position_position[2] = -z112;
+    result.by_position_position[3] = z106;
+    result.by_position_position[4] = -z112;
+    result.by_position_position[5] = z106;
+    result.by_position_position[6] = -z114;
+    result.by_position_position[7] = z47;
+    result.by_position_velocity[0] = n0;
+    result.by_position_velocity[1] = -z109;
+    result.by_position_velocity[2] = n0;
+    result.by_position_velocity[3] = z109;
+    result.by_position_velocity[4] = z110;
+    result.by_position_velocity[5] = n0;
+    result.by_position_velocity[6] = -z110;
+    result.by_position_velocity[7] = n0;
+    result.by_velocity_velocity[0] = n0;
+    result.by_velocity_velocity[1] = -z115;
+    result.by_velocity_velocity[2] = n0;
+    result.by_velocity_velocity[3] = n0;
+    result.by_velocity_velocity[4] = n0;
+    result.by_velocity_velocity[5] = n0;
+    result.by_velocity_velocity[6] = z104;
+    result.by_velocity_velocity[7] = n0;
+    result.by_acceleration_position[0] = n0;
+    result.by_acceleration_position[1] = -z9;
+    result.by_acceleration_position[2] = -z9;
+    result.by_acceleration_position[3] = n0;
+    result.by_acceleration_position[4] = n0;
+    result.by_acceleration_position[5] = z9;
+    result.by_acceleration_position[6] = z9;
+    result.by_acceleration_position[7] = n0;
+  }
+
+  /// Second derivatives of forward_dynamics at (q, v, u), the accelerations and multipliers being those of the motion;
+  /// it is linear in u. Returns singular where forward_dynamics does.
+  /// Each member x_by_y_z has one page for each z_k, the derivative of a matrix by z_k: the entry of row i and column
+  /// j of page k is [i + rows * (j + columns * k)].
+  TORSOR_DEVICE static torsor::Status forward_dynamics_second_derivatives(const Precomputed&, const State& state,
+      const Inputs&, ForwardDynamicsSecondDerivatives& result) noexcept {
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar q_theta_1 = state.q.theta_1;
+    const Scalar v_theta_1 = state.v.theta_1;
+    const Scalar q_theta_2 = state.q.theta_2;
+    const Scalar v_theta_2 = state.v.theta_2;
+    const Scalar z8 = q_theta_1 - q_theta_2;
+    const Scalar angles_[] = {q_theta_1, z8};
+    Scalar sines_[2], cosines_[2];
+    torsor::sines_and_cosines(angles_, sines_, cosines_);
+    const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
+    const Scalar z9 = sines_[1], z10 = cosines_[1];
+    const Scalar z15 = n1 + z10;
+    const Scalar z28 = n1 + n2 * z10;
+    const Scalar z31 = n2 + z28;
+    const Scalar z32 = n1 - n2 * z15 + z31;
+    const Scalar z33 = n1 - z15;
+    const Scalar z34 = n9_81 * s_theta_1;
+    const Scalar z35 = n9_81 * c_theta_1;
+    const Scalar z36 = v_theta_1 * v_theta_1;
+    const Scalar z37 = z35 + z36;
+    const Scalar z38 = z9 * z37 - z10 * z34;
+    const Scalar z40 = v_theta_2 * v_theta_2;
+    const Scalar z41 = z9 * z40;
+    const Scalar z44 = n2 * z34 - z38 + z41;  // moment on upper, z
+    const Scalar z45 = z38 + z44;
+    const Scalar z56 = z32 - z33 * z33;
+    const Scalar z57 = n1 / z56;
+    const Scalar z58 = z33 * z38 - z45;
+    const Scalar z59 = z57 * z58;
+    const Scalar z60 = z33 * z59 + z38;
+    const Scalar z67 = n2 * v_theta_1;
+    const Scalar z68 = z9 * z67;
+    const Scalar z72 = n2 * v_theta_2;
+    const Scalar z73 = z9 * z72;
+    const Scalar z79 = z33 * z68;
+    const Scalar z80 = z57 * z79;
+    const Scalar z81 = z33 * z80 + z68;
+    const Scalar z85 = z57 * z73;
+    const Scalar z86 = z33 * z85;
+    const Scalar z87 = z34 + z59;
+    const Scalar z88 = z9 * (z34 - z87) + z10 * (z35 - z37);
+    const Scalar z89 = z9 * z60 - z10 * z40;
+    const Scalar z90 = n2 * z35 + z88 - z89;
+    const Scalar z91 = z88 - z90;
+    const Scalar z92 = z33 * z88 - z91;
+    const Scalar z93 = z57 * z92;
+    const Scalar z94 = z33 * z93 + z88;
+    const Scalar z96 = z9 * z87 + z10 * z37;
+    const Scalar z97 = z89 + z96;
+    const Scalar z98 = z96 - z97;
+    const Scalar z99 = z33 * z96 - z98;
+    const Scalar z100 = z57 * z99;
+    const Scalar z101 = z33 * z100 + z96;
+    const Scalar z104 = n2 * z9;
+    const Scalar z105 = n2 * z9 - z104;
+    const Scalar z109 = z10 * z67;
+    const Scalar z110 = z10 * z72;
+    const Scalar z115 = n2 * z9 - z105;
+    const Scalar z116 = z9 * (z35 - z37) - z10 * (z34 - z87);
+    const Scalar z117 = z9 * z40 + z10 * z60;
+    const Scalar z118 = z116 + z117;
+    const Scalar z119 = z116 - z118;
+    const Scalar z120 = z9 * (z94 - z101) - z105 * (z93 - z100) + z119;
+    const Scalar z121 = z9 * (z93 - z100) - z116;
+    const Scalar z122 = z33 * z121 + z120;
+    const Scalar z123 = z57 * z122;
+    const Scalar z124 = z33 * z123 + z121;
+    const Scalar z125 = z9 * z37 - z10 * z87;
+    const Scalar z126 = z117 - z125;
+    const Scalar z127 = z125 + z126;
+    const Scalar z128 = n2 * (z9 * z101 - z100 * z105) + z127;
+    const Scalar z129 = n2 * z9 * z100 - z125;
+    const Scalar z130 = z33 * z129 + z128;
+    const Scalar z131 = z57 * z130;
+    const Scalar z132 = z33 * z131 + z129;
+    const Scalar z133 = n2 * z34 + z116 + z117;
+    const Scalar z134 = z116 - z133;
+    const Scalar z135 = n2 * (z9 * z94 - z93 * z105) + z134;
+    const Scalar z136 = n2 * z9 * z93 - z116;
+    const Scalar z137 = z33 * z136 + z135;
+    const Scalar z138 = z57 * z137;
+    const Scalar z139 = z33 * z138 + z136;
+    const Scalar z140 = z9 * z81 - z80 * z105;
+    const Scalar z141 = z9 * z80 + z109;
+    const Scalar z142 = z33 * z141 + z140;
+    const Scalar z143 = z57 * z142;
+    const Scalar z144 = z33 * z143 + z141;
+    const Scalar z145 = z9 * z86 - z85 * z105 + z110;
+    const Scalar z146 = z9 * z85;
+    const Scalar z147 = z33 * z146 + z145;
+    const Scalar z148 = z57 * z147;
+    const Scalar z149 = z33 * z148 + z146;
+    const Scalar z152 = z57 * z104;
+    const Scalar z153 = z33 * z152;
+    const Scalar z154 = z33 * z115 - z105;
+    const Scalar z155 = z57 * z154;
+    const Scalar z156 = z33 * z155 + z115;
+    result.by_position_position[0] = -z138;
+    result.by_position_position[1] = -z139;
+    result.by_position_position[2] = z123;
+    result.by_position_position[3] = z124;
+    result.by_position_position[4] = z123;
+    result.by_position_position[5] = z124;
+    result.by_position_position[6] = z131;
+    result.by_position_position[7] = z132;
+    result.by_position_velocity[0] = z143;
+    result.by_position_velocity[1] = z144;
+    result.by_position_velocity[2] = -z143;
+    result.by_position_velocity[3] = -z144;
+    result.by_position_velocity[4] = -z148;
+    result.by_position_velocity[5] = -z149;
+    result.by_position_velocity[6] = z148;
+    result.by_position_velocity[7] = z149;
+    result.by_velocity_velocity[0] = z155;
+    result.by_velocity_velocity[1] = z156;
+    result.by_velocity_velocity[2] = n0;
+    result.by_velocity_velocity[3] = n0;
+    result.by_velocity_velocity[4] = n0;
+    result.by_velocity_velocity[5] = n0;
+    result.by_velocity_velocity[6] = -z152;
+    result.by_velocity_velocity[7] = -z153;
+    if (!(traits::regular(z56, z32))) return torsor::Status::singular;
+    // x - x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (result.by_position_position[0] - result.by_position_position[0])
+        + (result.by_position_position[1] - result.by_position_position[1]) + (result.by_position_position[2]
+        - result.by_position_position[2]) + (result.by_position_position[3] - result.by_position_position[3])
+        + (result.by_position_position[4] - result.by_position_position[4]) + (result.by_position_position[5]
+        - result.by_position_position[5]) + (result.by_position_position[6] - result.by_position_position[6])
+        + (result.by_position_position[7] - result.by_position_position[7]) + (result.by_position_velocity[0]
+        - result.by_position_velocity[0]) + (result.by_position_velocity[1] - result.by_position_velocity[1])
+        + (result.by_position_velocity[2] - result.by_position_velocity[2]) + (result.by_position_velocity[3]
+        - result.by_position_velocity[3]) + (result.by_position_velocity[4] - result.by_position_velocity[4])
+        + (result.by_position_velocity[5] - result.by_position_velocity[5]) + (result.by_position_velocity[6]
+        - result.by_position_velocity[6]) + (result.by_position_velocity[7] - result.by_position_velocity[7])
+        + (result.by_velocity_velocity[0] - result.by_velocity_velocity[0]) + (result.by_velocity_velocity[1]
+        - result.by_velocity_velocity[1]) + (result.by_velocity_velocity[6] - result.by_velocity_velocity[6])
+        + (result.by_velocity_velocity[7] - result.by_velocity_velocity[7]);
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
