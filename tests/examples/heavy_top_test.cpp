@@ -11,6 +11,7 @@
 
 #include "generator/verification/real_scalar_traits.hpp"
 #include "runtime/decompositions.hpp"
+#include "runtime/dormand_prince_853.hpp"
 #include "runtime/mechanism.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
@@ -158,6 +159,51 @@ TEST(HeavyTop, SleepsUprightAboveItsCriticalSpin) {
     EXPECT_NEAR(growth(below), 0.46875 / (2.0 * 15.234375) * std::sqrt(critical * critical - below * below), 1e-6);
   }
   for (const double above : {202.03, 203.0, 300.0}) EXPECT_LT(growth(above), 1e-6) << above;
+}
+
+// Where the axis lies along x1 alpha and gamma turn about one line and M has no inverse. Passing that at a distance, or
+// starting near it and going through: right to what the tolerance allows, forwards and back, or a status that says so.
+TEST(HeavyTop, PassesTheLockOfItsAnglesRightlyOrSaysThatItCannot) {
+  const auto motion = equations_of_motion<Top<double>>();
+  const DormandPrince853 method{.relative_tolerance = 1e-10, .absolute_tolerance = 1e-10, .step_limit = 4'000};
+  const auto integrals = [&](const State& y) {
+    Top<double>::FirstIntegrals result{};
+    Top<double>::first_integrals(motion.precomputed(), unpack<Top<double>>(0.0, y), result);
+    return result;
+  };
+  int passed = 0, refused = 0;
+  for (const double aside : {0.5, 5e-2, 5e-3, 0.0}) {  // rate about x1 while beta runs to the lock
+    for (const double distance : {0.2, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 0.0}) {
+      const State start{0.4, pi / 2.0 - distance, 0.0, aside, 2.0, 0.5};
+      const auto before = integrals(start);
+      State y = start;
+      double terms = 0.0, fastest = 0.0;
+      const auto result = integrate(motion, y, 0.0, 0.4, method, [&](double, const State& now) {
+        for (std::size_t i = 3; i < 6; ++i) fastest = std::fmax(fastest, std::abs(now[i]));
+        // Of T, moments of 15.2 across the axis, about O, and 0.47 along it, which may cancel near the lock.
+        const double across = 8.0 * (now[3] * now[3] + now[4] * now[4]);
+        terms = std::fmax(terms, across + 0.24 * std::pow(std::abs(now[3]) + std::abs(now[5]), 2));
+      });
+      EXPECT_TRUE(std::isfinite(y[0] + y[1] + y[2] + y[3] + y[4] + y[5]));
+      if (!result) {
+        ++refused;
+        EXPECT_LE(distance, 1e-3) << aside;
+        continue;
+      }
+      ++passed;
+      // Each step may change a rate by 1e-10 (1 + rate).
+      const double local = 1e-10 * static_cast<double>(result.statistics.accepted);
+      const auto after = integrals(y);
+      EXPECT_NEAR(after.energy, before.energy, 2.0 * local * (terms + 15.0)) << aside << " " << distance;
+      EXPECT_NEAR(after.momentum_gamma, before.momentum_gamma, local * 0.47 * 2.0 * (fastest + 1.0));
+      ASSERT_TRUE(integrate(motion, y, 0.4, 0.0, method)) << aside << " " << distance;
+      // Errors grow with the rates on the way back to the lock.
+      const double allowed = 2.0 * local * (fastest + 1.0) * (fastest + 1.0);
+      for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(y[i], start[i], allowed) << aside << " " << distance;
+    }
+  }
+  EXPECT_GT(passed, 4);
+  EXPECT_GT(refused, 4);
 }
 
 TEST(HeavyTop, ObeysTheEnergyTheorem) {

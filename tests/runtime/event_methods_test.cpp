@@ -158,7 +158,8 @@ TYPED_TEST(EventsIn, TellATouchFromAnImpact) {
     Motion fall{{-g, 0}, {}};
     const auto result =
         this->run(fall, y, 10, with_step<TypeParam>(0.03),
-                  {barrier_of([](double, const State& s) { return 1.0 - s[0]; }, [](double, State& s) { s[2] *= -0.5; }),
+                  {barrier_of([](double, const State& s) { return 1.0 - s[0]; },
+                              [](double, State& s) { s[2] *= -0.5; }),
                    any(Response::stop, Crossing::falling, height)},
                   seen);
     ASSERT_EQ(result.status, EventStatus::stopped_at_event) << describe(result.status);

@@ -185,7 +185,8 @@ TEST(RadauIia5, FollowsTheSlowMotionOfAStifferElasticPendulum) {
   EXPECT_NEAR(std::atan2(y[0], -y[1]), std::atan2(truth[0], -truth[1]), 1e-3);
   y = {1, 0, 0, 0};
   ASSERT_TRUE(integrate(ElasticPendulum{1e8}, y, 0, 2, with_tolerance(1e-9)));
-  EXPECT_NEAR(std::atan2(y[0], -y[1]), std::atan2(truth[0], -truth[1]), 1e-7);
+  // The fast mode is held to the tolerance of 1e-9 where it is as large as that; what it may lose is its amplitude.
+  EXPECT_NEAR(std::atan2(y[0], -y[1]), std::atan2(truth[0], -truth[1]), 9.81 / 1e8);
 }
 
 TEST(RadauIia5, MeetsThePublishedValuesOfStiffProblems) {
@@ -197,8 +198,10 @@ TEST(RadauIia5, MeetsThePublishedValuesOfStiffProblems) {
   State v{2.0, 0.0};
   auto result = integrate(van_der_pol, v, 0, 2, with_tolerance(1e-9));
   ASSERT_TRUE(result) << describe(result);
-  EXPECT_NEAR(v[0], 1.706167732170483, 1e-7);
-  EXPECT_NEAR(v[1], -0.8928097010247975, 1e-7);
+  // Slow branches forget; a jump off the fold, of width ε^(2/3) in time, delays by ε^(-1/3) = 100 times what the state
+  // is off there by the tolerance.
+  EXPECT_NEAR(v[0], 1.706167732170483, 100 * 1e-9);
+  EXPECT_NEAR(v[1], -0.8928097010247975, 100 * 1e-9);
   // The authors' own code takes 242 steps at 1e-4 with 162 Jacobians and 254 decompositions of each kind.
   v = {2.0, 0.0};
   result = integrate(van_der_pol, v, 0, 2, with_tolerance(1e-4));
@@ -256,14 +259,17 @@ TEST(RadauIia5, TakesDifferencesWhereNoJacobianIsOffered) {
   const auto one = integrate(motion, offered, 0, 1, with_tolerance(1e-9));
   const auto other = integrate(WithoutJacobian{motion}, differences, 0, 1, with_tolerance(1e-9));
   ASSERT_TRUE(one && other);
-  // Both err by a few tolerances; eight calls a Jacobian come on top.
-  EXPECT_LT(largest_difference(offered, differences), 1e-7);
+  // Each of some 180 steps of both errs by less than the tolerance times the size, |ψ| <= 6, at random; eight calls a
+  // Jacobian come on top.
+  const auto steps = static_cast<double>(one.statistics.accepted + other.statistics.accepted);
+  EXPECT_LT(largest_difference(offered, differences), 1e-9 * 6 * std::sqrt(steps));
+  EXPECT_LT(steps, 200);
   EXPECT_GT(other.statistics.calls, one.statistics.calls + 7 * other.statistics.jacobians);
 }
 
 TEST(RadauIia5, TurnsABodyByItsQuaternion) {
   // Where q' is not v the whole state is solved for, and the quaternion gets its norm back. The truth is an explicit
-  // method's, at its sharpest; over 10 s the flow amplifies by some 10².
+  // method's, at its sharpest; over 10 s the flow amplifies an error of 1e-9 by some 10².
   const auto motion = equations_of_motion<torque_free_body::Mechanism<double>>();
   static_assert(!is_second_order<decltype(motion)>);
   auto truth = motion.initial(), y = motion.initial();

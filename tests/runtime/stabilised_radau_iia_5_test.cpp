@@ -98,7 +98,9 @@ TEST(StabilisedRadauIia5, TakesConstraintsOnVelocitiesAlone) {
   ASSERT_TRUE(integrate(motion, truth, 0.0, 2.0, with_tolerance<RadauIia5>(1e-12)));
   const Outcome found = outcome<Sleigh>(with_tolerance<StabilisedRadauIia5>(1e-9), 2.0, truth);
   EXPECT_LT(found.rate, 1e-14);
-  EXPECT_LT(found.error, 1e-7);
+  // Each step errs by less than the tolerance; the sleigh's motion amplifies by less than ten in 2 s.
+  EXPECT_LT(found.error, 1e-9 * 10 * static_cast<double>(found.statistics.accepted));
+  EXPECT_LT(found.statistics.accepted, 100);
 }
 
 TEST(StabilisedRadauIia5, ReportsConstraintsThatLoseTheirRank) {
