@@ -150,8 +150,8 @@ class Taylor::Formula {
   [[nodiscard]] Coefficients& now() noexcept { return c_[current_]; }
   [[nodiscard]] Coefficients& next() noexcept { return c_[1 - current_]; }
 
-  [[nodiscard]] static std::span<Vector> span(Coefficients& c, std::size_t order) noexcept {
-    return {c.data(), order + 1};
+  [[nodiscard]] static std::span<Vector> span(Coefficients& c, std::size_t degree) noexcept {
+    return {c.data(), degree + 1};
   }
 
   // What the rounding of the state itself makes of its slopes, by how much these change with it over the step.
@@ -185,25 +185,25 @@ class Taylor::Formula {
     next_part_ = part_;
     if (!chosen_ || !(tolerances_.absolute > Scalar(0))) return;
     const Scalar part = part_of(y);
-    const std::size_t order = order_for(part);
-    if (order + 4 > order_ && order < order_ + 4) return;
-    next_order_ = order;
+    const std::size_t best = order_for(part);
+    if (best + 4 > order_ && best < order_ + 4) return;
+    next_order_ = best;
     next_part_ = part;
   }
 
   // The step that the coefficients at one time allow.
-  [[nodiscard]] Scalar proposal(const Coefficients& c, std::size_t order, Scalar part) const noexcept {
+  [[nodiscard]] Scalar proposal(const Coefficients& c, std::size_t degree, Scalar part) const noexcept {
     Vector scale;
     for (std::size_t i = 0; i < size; ++i) {
       scale[i] = part / (tolerances_.absolute + tolerances_.relative * std::abs(c[0][i]));
     }
     Scalar steepest = -std::numeric_limits<Scalar>::infinity();  // log2 of 1/ρ
-    for (std::size_t k = order + 1 - considered; k <= order; ++k) {
+    for (std::size_t k = degree + 1 - considered; k <= degree; ++k) {
       Scalar norm = Scalar(0);
       for (std::size_t i = 0; i < size; ++i) norm = std::max(norm, scale[i] * std::abs(c[k][i]));
       if (norm > Scalar(0)) steepest = std::max(steepest, std::log2(norm) / static_cast<Scalar>(k));
     }
-    return Scalar(0.95) * std::exp2(std::log2(part) / static_cast<Scalar>(order + 1) - steepest);
+    return Scalar(0.95) * std::exp2(std::log2(part) / static_cast<Scalar>(degree + 1) - steepest);
   }
 
   Tolerances<Scalar> tolerances_{};

@@ -151,10 +151,10 @@ TEST(PartitionedMotion, TellsWhatIsNoNumberFromWhatDoesNotSuit) {
 
 /// Two points of masses 1 and r on a line, tied by a rod: a force of 1 on the first.
 struct Rod {
-  static constexpr int coordinate_count = 2, velocity_count = 2, input_count = 0, parameter_count = 1,
-                       multiplier_count = 1;
+  static constexpr int coordinate_count = 2, velocity_count = 2, multiplier_count = 1;
+  [[maybe_unused]] static constexpr int input_count = 0, parameter_count = 1;
   struct Parameters {
-    static constexpr int size = 1;
+    [[maybe_unused]] static constexpr int size = 1;
     double mass;
   };
   using Coordinates = mechanisms::Values<double, 2>;
