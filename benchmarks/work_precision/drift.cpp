@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -29,14 +30,7 @@ namespace {
 using namespace torsor::runtime;
 using Mechanism = double_pendulum::Mechanism<double>;
 constexpr double end_time = 1e4;
-constexpr std::size_t samples = 100;
-
-struct Drift {
-  std::string name;
-  std::array<double, samples> largest{};  ///< |E - E0| / |E0| up to each hundredth of the time
-  double seconds = 0.0;
-  Result<double> result{};
-};
+constexpr std::size_t samples = Drift::samples;
 
 template <class Method>
 Drift drift_of(std::string name, const Method& method) {
@@ -50,7 +44,8 @@ Drift drift_of(std::string name, const Method& method) {
   };
   std::array<double, 4> y{2.0, 2.5, 0.0, 0.0};
   const double first = energy(y);
-  Drift drift{std::move(name)};
+  Drift drift;
+  drift.name = std::move(name);
   const auto watch = [&](double t, const std::array<double, 4>& state) noexcept {
     const auto sample = static_cast<std::size_t>(t / end_time * samples);
     double& largest = drift.largest[std::min(sample, samples - 1)];
@@ -74,7 +69,7 @@ Drift at_tolerance(std::string name, double tolerance, Method method) {
 
 }  // namespace
 
-void measure_drift(const std::filesystem::path& folder) {
+std::vector<Drift> measure_drift(const std::filesystem::path& folder) {
   std::vector<Drift> drifts;
   drifts.push_back(at_tolerance("Taylor compensated", 1e-15, Taylor{.compensated = true}));
   drifts.push_back(at_tolerance("Taylor", 1e-15, Taylor{}));
@@ -93,7 +88,7 @@ void measure_drift(const std::filesystem::path& folder) {
                drift.result ? fmt::format("{:.1e}", drift.largest.back()) : "failed", drift.seconds,
                drift.result.statistics.accepted);
   }
-  if (folder.empty()) return;
+  if (folder.empty()) return drifts;
   std::string text = "time";
   for (const Drift& drift : drifts) text += "," + drift.name;
   for (std::size_t i = 0; i < samples; ++i) {
@@ -108,6 +103,7 @@ void measure_drift(const std::filesystem::path& folder) {
     plot.curves.push_back({folder / "drift.csv", "time", drift.name, drift.name});
   }
   write_plot(plot, folder / "drift.svg");
+  return drifts;
 }
 
 }  // namespace work_precision

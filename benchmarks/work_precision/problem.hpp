@@ -40,6 +40,7 @@ Problem double_pendulum_hard();
 Problem top();
 Problem hoop();
 Problem chain5();
+Problem ur5();
 Problem governor();
 Problem elastic_pendulum();
 Problem squeezer();

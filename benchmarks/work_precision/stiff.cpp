@@ -2,6 +2,7 @@
 // Stiff and constrained motions, where implicit methods are compared: the flyball governor, a pendulum on a stiff
 // spring, Andrews' squeezing mechanism.
 #include <limits>
+#include <utility>
 
 #include "benchmarks/work_precision/elastic_pendulum.hpp"
 #include "benchmarks/work_precision/ways.hpp"
@@ -32,6 +33,11 @@ std::vector<Way> stiff_ways(const Case<M, count>& problem, double longest_step) 
                      [](double s) { return GaussCollocation<6, StageSolver::newton>{.step = s}; }));
   ways.push_back(way(shared, "torsor", "Dormand-Prince 8(5,3)", false, all,
                      [](double s) { return of_tolerance<DormandPrince853>(s); }));
+  ways.push_back(way(shared, "torsor", "Dormand-Prince 5(4)", false, all,
+                     [](double s) { return of_tolerance<DormandPrince54>(s); }));
+#ifdef BENCHMARK_ODEINT
+  for (Way& each : odeint_ways(shared, tolerances(1e-3, 1e-11))) ways.push_back(std::move(each));
+#endif
 #ifdef BENCHMARK_SUNDIALS
   ways.push_back(way(shared, "SUNDIALS", "CVODE BDF", false, all, [](double s) { return of_tolerance<Cvode>(s); }));
   ways.push_back(way(shared, "SUNDIALS", "ARKODE implicit 5", false, tolerances(1e-3, 1e-11),
