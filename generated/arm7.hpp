@@ -15,7 +15,7 @@
 //   inverse_dynamics        285              300          0             0                  6       0    597     715
 //   forward_dynamics        515              586          6             0                  6       0   1119    1273
 //   energy                  221              307          0             0                  6       0    540     577
-//   linearisation          2156             2503          6             0                  6       0   4677    4732
+//   linearisation          2054             2394          6             0                  6       0   4466    4732
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 153 results 12 vanish identically, 21 repeat another up to sign
@@ -3124,43 +3124,27 @@ struct Mechanism {
     const Scalar k49 = traits::constant(1.0357790547533403, 1.035779f, "517889527376670159/500000000000000000");
     const Scalar k50 = traits::constant(0.03733744848940618, 0.03733745f, "1866872424470309/50000000000000000");
     const Scalar k51 = traits::constant(118.9090909090909, 118.90909f, "1308/11");
-    const Scalar k52 = traits::constant(0.003665297872941088, 0.0036652978f, "114540558529409/31250000000000000");
-    const Scalar k53 = traits::constant(0.001244354094419858, 0.0012443541f, "622177047209929/500000000000000000");
-    const Scalar k54 = traits::constant(0.013508337745659894, 0.013508338f, "13508337745659893/1000000000000000000");
-    const Scalar k55 = traits::constant(0.015636815370587556, 0.015636815f, "3127363074117511/200000000000000000");
-    const Scalar k56 = traits::constant(0.002128477624927662, 0.0021284777f, "1064238812463831/500000000000000000");
-    const Scalar k57 = traits::constant(0.02914515311624745, 0.029145153f, "3643144139530931/125000000000000000");
-    const Scalar k58 = traits::constant(0.010045187828321245, 0.010045188f, "2009037565664249/200000000000000000");
-    const Scalar k59 = traits::constant(0.001451156065026714, 0.0014511561f, "725578032513357/500000000000000000");
-    const Scalar k60 = traits::constant(0.00859403176329453, 0.008594031f, "8594031763294531/1000000000000000000");
-    const Scalar k61 = traits::constant(0.011496343893347959, 0.011496344f, "11496343893347959/1000000000000000000");
-    const Scalar k62 = traits::constant(0.5852255150309718, 0.5852255f, "585225515030971769/1000000000000000000");
-    const Scalar k63 = traits::constant(0.0458473861568155, 0.045847386f, "91694772313631/2000000000000000");
-    const Scalar k64 = traits::constant(0.5393781288741563, 0.5393781f, "539378128874156269/1000000000000000000");
-    const Scalar k65 = traits::constant(0.6310729011877872, 0.6310729f, "631072901187787269/1000000000000000000");
-    const Scalar k66 = traits::constant(0.022178148964878235, 0.022178149f, "5544537241219559/250000000000000000");
-    const Scalar k67 = traits::constant(0.0564296710265277, 0.05642967f, "3526854439157981/62500000000000000");
-    const Scalar k68 = traits::constant(0.03425152206164946, 0.034251522f, "1712576103082473/50000000000000000");
-    const Scalar k69 = traits::constant(0.07860781999140594, 0.07860782f, "19651954997851483/250000000000000000");
-    const Scalar k70 = traits::constant(0.9562715012318808, 0.9562715f, "59766968826992551/62500000000000000");
-    const Scalar k71 = traits::constant(0.023077882494931805, 0.023077883f, "11538941247465903/500000000000000000");
-    const Scalar k72 = traits::constant(0.9793493837268126, 0.9793494f, "489674691863406311/500000000000000000");
-    const Scalar k73 = traits::constant(0.9331936187369491, 0.9331936f, "93319361873694901/100000000000000000");
-    const Scalar k74 = traits::constant(0.014259565994474374, 0.014259566f, "7129782997237187/500000000000000000");
-    const Scalar k75 = traits::constant(203.68042513969144, 203.68042f, "500000000000000000/2454825983680473");
+    const Scalar k52 = traits::constant(203.68042513969144, 203.68042f, "500000000000000000/2454825983680473");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
-    const Scalar k77 = traits::constant(0.002488708188839716, 0.0024887081f, "622177047209929/250000000000000000");
-    const Scalar k78 = traits::constant(0.03127363074117511, 0.03127363f, "3127363074117511/100000000000000000");
-    const Scalar k79 = traits::constant(0.002902312130053428, 0.0029023122f, "725578032513357/250000000000000000");
-    const Scalar k80 = traits::constant(0.091694772313631, 0.09169477f, "91694772313631/1000000000000000");
-    const Scalar k81 = traits::constant(0.1128593420530554, 0.11285934f, "3526854439157981/31250000000000000");
-    const Scalar k82 = traits::constant(0.04615576498986361, 0.046155766f, "11538941247465903/250000000000000000");
-    const Scalar k83 = traits::constant(0.01475269184007975, 0.014752692f, "14752691840079751/1000000000000000000");
-    const Scalar k84 = traits::constant(0.0256820031989088, 0.025682002f, "8025625999659/312500000000000");
-    const Scalar k85 = traits::constant(0.5866766710959985, 0.58667666f, "586676671095998483/1000000000000000000");
-    const Scalar k86 = traits::constant(0.06802553512169374, 0.06802554f, "8503191890211717/125000000000000000");
-    const Scalar k87 = traits::constant(1.0127011722584085, 1.0127012f, "15823455816537633/15625000000000000");
-    const Scalar k88 = traits::constant(0.0001790829744405, 0.00017908297f, "358165948881/2000000000000000");
+    const Scalar k54 = traits::constant(0.002488708188839716, 0.0024887081f, "622177047209929/250000000000000000");
+    const Scalar k55 = traits::constant(0.03127363074117511, 0.03127363f, "3127363074117511/100000000000000000");
+    const Scalar k56 = traits::constant(0.002902312130053428, 0.0029023122f, "725578032513357/250000000000000000");
+    const Scalar k57 = traits::constant(0.091694772313631, 0.09169477f, "91694772313631/1000000000000000");
+    const Scalar k58 = traits::constant(0.1128593420530554, 0.11285934f, "3526854439157981/31250000000000000");
+    const Scalar k59 = traits::constant(0.04615576498986361, 0.046155766f, "11538941247465903/250000000000000000");
+    const Scalar k60 = traits::constant(0.003665297872941088, 0.0036652978f, "114540558529409/31250000000000000");
+    const Scalar k61 = traits::constant(0.001244354094419858, 0.0012443541f, "622177047209929/500000000000000000");
+    const Scalar k62 = traits::constant(0.01475269184007975, 0.014752692f, "14752691840079751/1000000000000000000");
+    const Scalar k63 = traits::constant(0.015636815370587556, 0.015636815f, "3127363074117511/200000000000000000");
+    const Scalar k64 = traits::constant(0.0256820031989088, 0.025682002f, "8025625999659/312500000000000");
+    const Scalar k65 = traits::constant(0.001451156065026714, 0.0014511561f, "725578032513357/500000000000000000");
+    const Scalar k66 = traits::constant(0.5866766710959985, 0.58667666f, "586676671095998483/1000000000000000000");
+    const Scalar k67 = traits::constant(0.0458473861568155, 0.045847386f, "91694772313631/2000000000000000");
+    const Scalar k68 = traits::constant(0.06802553512169374, 0.06802554f, "8503191890211717/125000000000000000");
+    const Scalar k69 = traits::constant(0.0564296710265277, 0.05642967f, "3526854439157981/62500000000000000");
+    const Scalar k70 = traits::constant(1.0127011722584085, 1.0127012f, "15823455816537633/15625000000000000");
+    const Scalar k71 = traits::constant(0.023077882494931805, 0.023077883f, "11538941247465903/500000000000000000");
+    const Scalar k72 = traits::constant(0.0001790829744405, 0.00017908297f, "358165948881/2000000000000000");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar v_q1 = state.v.q1;
     const Scalar a_q1 = accelerations.q1;
@@ -3531,14 +3515,10 @@ struct Mechanism {
     const Scalar z950 = k0 * z756 - k1 * z944;  // force on link7, times 0.0825 m, x
     const Scalar z951 = k1 * z761 - k0 * z945;  // force on link7, times 0.0825 m, y
     const Scalar z952 = k0 * z946 + k1 * z947;  // force on link7, times 0.0825 m, z
-    const Scalar z953 = k2 * z766 + k1 * z937 - k3 * z945 - k10 * z946 + k52 * z947;  // moment on link7, x
-    const Scalar z954 = k3 * z767 + k0 * z937 + k2 * z944 + k53 * z946 - k10 * z947;  // moment on link7, y
     // moment on link7, z
     const Scalar z955 = k8 * z757 + k10 * z770 + k1 * z939 + k0 * z940 + k4 * z943 - k3 * z948 - k2 * z949;
     const Scalar z956 = s_q7 * z951 + c_q7 * z950;
     const Scalar z957 = s_q7 * z950 - c_q7 * z951;
-    const Scalar z958 = s_q7 * z954 - c_q7 * z953;
-    const Scalar z959 = s_q7 * z953 + c_q7 * z954;
     const Scalar z960 = z741 - z931;
     const Scalar z961 = z784 + z929;
     const Scalar z962 = z784 - z929;
@@ -3546,16 +3526,8 @@ struct Mechanism {
     const Scalar z964 = k12 * z740 + z956 + k18 * z960;  // force on link6, times 0.0825 m, x
     const Scalar z965 = k18 * z783 + k12 * z932 - z952;  // force on link6, times 0.0825 m, y
     const Scalar z966 = k12 * z933 - z957 - k18 * z961;  // force on link6, times 0.0825 m, z
-    const Scalar z967 = k16 * z786 - k18 * z921 - k15 * z932 - k14 * z933 + z958 + k54 * z961;  // moment on link6, x
-    // moment on link6, y
-    const Scalar z968 = k15 * z787 + k12 * z921 + k55 * z933 + z955 - n16_over_15 * z957 + k16 * z960 - k14 * z961;
-    // moment on link6, z
-    const Scalar z969 = k56 * z741 - k14 * z790 - k18 * z927 - k12 * z928 + k57 * z931 - n16_over_15 * z952 - z959 + k15
-        * z962 + k16 * z963;
     const Scalar z970 = s_q6 * z965 + c_q6 * z964;
     const Scalar z971 = s_q6 * z964 - c_q6 * z965;
-    const Scalar z972 = s_q6 * z968 + c_q6 * z967;
-    const Scalar z973 = s_q6 * z967 - c_q6 * z968;
     const Scalar z974 = z804 - z924;
     const Scalar z975 = z804 + z924;
     const Scalar z976 = z809 + z923;
@@ -3565,64 +3537,33 @@ struct Mechanism {
     const Scalar z980 = k20 * z803 - z970 + k21 * z974;  // force on link5, times 0.0825 m, x
     const Scalar z981 = k21 * z808 + z966 + k20 * z975;  // force on link5, times 0.0825 m, y
     const Scalar z982 = z971 - k20 * z976 + k21 * z977;  // force on link5, times 0.0825 m, z
-    const Scalar z983 = k25 * z813 - k21 * z918 + z972 - k24 * z975 - k23 * z976 - k58 * z977;  // moment on link5, x
-    const Scalar z984 = k24 * z814 + k20 * z918 + z969 + k25 * z974 - k59 * z976 - k23 * z977;  // moment on link5, y
-    // moment on link5, z
-    const Scalar z985 = k60 * z804 - k23 * z817 + k21 * z920 - k20 * z921 - k61 * z924 - z973 + k24 * z978 + k25 * z979;
     const Scalar z986 = s_q5 * z981 + c_q5 * z980;
     const Scalar z987 = s_q5 * z980 - c_q5 * z981;
-    const Scalar z988 = s_q5 * z984 + c_q5 * z983;
-    const Scalar z989 = s_q5 * z983 - c_q5 * z984;
     const Scalar z990 = z721 - z908;
     const Scalar z991 = z719 - z909;
     const Scalar z992 = k28 * z713 - k29 * z911 + z986;  // force on link4, times 0.0825 m, x
     const Scalar z993 = k29 * z718 - k28 * z912 + z982;  // force on link4, times 0.0825 m, y
     const Scalar z994 = k28 * z913 + k29 * z914 + z987;  // force on link4, times 0.0825 m, z
-    // moment on link4, x
-    const Scalar z995 = k33 * z828 + k29 * z904 + k32 * z912 + k31 * z913 + k62 * z914 + n256_over_55 * z987 - z988;
-    // moment on link4, y
-    const Scalar z996 = k32 * z829 - k28 * z904 - k33 * z911 - k63 * z913 - k31 * z914 - z985 - z987;
-    // moment on link4, z
-    const Scalar z997 = k64 * z714 - k31 * z832 - k29 * z906 - k28 * z907 + k65 * z910 + z982 - n256_over_55 * z986
-        - z989 + k32 * z990 - k33 * z991;
     const Scalar z998 = s_q4 * z993 + c_q4 * z992;
     const Scalar z999 = s_q4 * z992 - c_q4 * z993;
-    const Scalar z1000 = s_q4 * z996 + c_q4 * z995;
-    const Scalar z1001 = s_q4 * z995 - c_q4 * z996;
     const Scalar z1002 = z698 - z898;
     const Scalar z1003 = z846 + z896;
     const Scalar z1004 = z846 - z896;
     const Scalar z1005 = z700 - z897;
     const Scalar z1006 = k35 * z697 - z998 - k36 * z1002;  // force on link3, times 0.0825 m, x
     const Scalar z1007 = k36 * z845 - k35 * z899 - z994;  // force on link3, times 0.0825 m, y
-    const Scalar z1009 = k36 * z689 - k40 * z848 - k39 * z899 + k38 * z900 - z1000 + k66 * z1003;  // moment on link3, x
-    // moment on link3, y
-    const Scalar z1010 = k35 * z689 + k39 * z849 + k67 * z900 + z997 + z999 - k40 * z1002 + k38 * z1003;
-    // moment on link3, z
-    const Scalar z1011 = k68 * z698 + k38 * z852 - k36 * z894 + k35 * z895 + k69 * z898 + z994 - z1001 + k39 * z1004
-        - k40 * z1005;
     const Scalar z1012 = s_q3 * z1007 - c_q3 * z1006;
     const Scalar z1013 = s_q3 * z1006 + c_q3 * z1007;
-    const Scalar z1014 = s_q3 * z1010 + c_q3 * z1009;
-    const Scalar z1015 = s_q3 * z1009 - c_q3 * z1010;
     const Scalar z1016 = a_q2 + z681;
     const Scalar z1017 = z680 + z887;
     const Scalar z1018 = z679 - z886;
     const Scalar z1019 = z680 - z887;
-    // moment on link2, x
-    const Scalar z1023 = k48 * z866 + k70 * z889 - n632_over_165 * z1013 - z1014 - k47 * z1016 + k46 * z1017;
-    const Scalar z1024 = k47 * z867 + k48 * z888 + k46 * z889 - z1011 + k71 * z1017;  // moment on link2, y
-    // moment on link2, z
-    const Scalar z1025 = k72 * a_q2 - k44 * z677 + k43 * z678 - k73 * z681 - k46 * z868 + n632_over_165 * z1012 + z1015
-        + k47 * z1018 - k48 * z1019;
-    const Scalar z1029 = s_q2 * z1023 - c_q2 * z1024;
-    const Scalar z1034 = k74 * a_q1 + z1029;  // moment on link1, z
-    const Scalar z1576 = k75 * z496;
-    const Scalar z1577 = k75 * z492;
-    const Scalar z1578 = k75 * z486;
-    const Scalar z1579 = k75 * z480;
-    const Scalar z1580 = k75 * z473;
-    const Scalar z1581 = k75 * z468;
+    const Scalar z1576 = k52 * z496;
+    const Scalar z1577 = k52 * z492;
+    const Scalar z1578 = k52 * z486;
+    const Scalar z1579 = k52 * z480;
+    const Scalar z1580 = k52 * z473;
+    const Scalar z1581 = k52 * z468;
     const Scalar z1582 = z496 * z1576 - z669;
     const Scalar z1583 = z496 * z1577 + z655;
     const Scalar z1584 = z492 * z1577 - z651;
@@ -3701,13 +3642,13 @@ struct Mechanism {
     const Scalar z1657 = z1652 - z1653 * z1656;
     const Scalar z1658 = n1 / z1657;
     const Scalar z1928 = k4 * z764 + k2 * z766 + k1 * z937 + k8 * z941 - k3 * z945 - k10 * z946;  // moment on link7, x
-    const Scalar z1929 = k77 * z762 + k3 * z767 + k0 * z937 + k2 * z944 - k10 * z947;  // moment on link7, y
+    const Scalar z1929 = k54 * z762 + k3 * z767 + k0 * z937 + k2 * z944 - k10 * z947;  // moment on link7, y
     const Scalar z1930 = s_q7 * z1929 - c_q7 * z1928;
     const Scalar z1931 = s_q7 * z1928 + c_q7 * z1929;
     // moment on link6, x
     const Scalar z1932 = k17 * z784 + k16 * z786 - k18 * z921 - k13 * z929 - k15 * z932 - k14 * z933 + z1930;
     // moment on link6, y
-    const Scalar z1933 = k78 * z743 + k15 * z787 + k12 * z921 + z955 - n16_over_15 * z957 + k16 * z960 - k14 * z961;
+    const Scalar z1933 = k55 * z743 + k15 * z787 + k12 * z921 + z955 - n16_over_15 * z957 + k16 * z960 - k14 * z961;
     // moment on link6, z
     const Scalar z1934 = k13 * z741 - k14 * z790 - k18 * z927 - k12 * z928 + k17 * z931 - n16_over_15 * z952 + k15
         * z962 + k16 * z963 - z1931;
@@ -3715,7 +3656,7 @@ struct Mechanism {
     const Scalar z1936 = s_q6 * z1932 - c_q6 * z1933;
     // moment on link5, x
     const Scalar z1937 = k26 * z811 - k25 * z813 + k21 * z918 + k22 * z922 + k24 * z975 + k23 * z976 - z1935;
-    const Scalar z1938 = k79 * z809 - k24 * z814 - k20 * z918 - k25 * z974 + k23 * z977 - z1934;  // moment on link5, y
+    const Scalar z1938 = k56 * z809 - k24 * z814 - k20 * z918 - k25 * z974 + k23 * z977 - z1934;  // moment on link5, y
     // moment on link5, z
     const Scalar z1939 = k22 * z804 - k23 * z817 + k21 * z920 - k20 * z921 - k26 * z924 + k24 * z978 + k25 * z979
         - z1936;
@@ -3725,7 +3666,7 @@ struct Mechanism {
     const Scalar z1942 = k34 * z721 + k33 * z828 + k29 * z904 + k30 * z908 + k32 * z912 + k31 * z913 + n256_over_55
         * z987 + z1940;
     // moment on link4, y
-    const Scalar z1943 = k80 * z719 - k32 * z829 + k28 * z904 + k33 * z911 + k31 * z914 + z987 + z1939;
+    const Scalar z1943 = k57 * z719 - k32 * z829 + k28 * z904 + k33 * z911 + k31 * z914 + z987 + z1939;
     // moment on link4, z
     const Scalar z1944 = k30 * z714 - k31 * z832 - k29 * z906 - k28 * z907 + k34 * z910 + z982 - n256_over_55 * z986
         + k32 * z990 - k33 * z991 + z1941;
@@ -3734,267 +3675,273 @@ struct Mechanism {
     // moment on link3, x
     const Scalar z1947 = k36 * z689 + k41 * z846 - k40 * z848 + k37 * z896 - k39 * z899 + k38 * z900 + z1945;
     // moment on link3, y
-    const Scalar z1948 = k35 * z689 + k81 * z700 + k39 * z849 + z999 - k40 * z1002 + k38 * z1003 + z1944;
+    const Scalar z1948 = k35 * z689 + k58 * z700 + k39 * z849 + z999 - k40 * z1002 + k38 * z1003 + z1944;
     // moment on link3, z
     const Scalar z1949 = k37 * z698 - k38 * z852 + k36 * z894 - k35 * z895 - k41 * z898 - z994 - k39 * z1004 + k40
         * z1005 + z1946;
     const Scalar z1950 = s_q3 * z1948 + c_q3 * z1947;
+    const Scalar z1951 = s_q3 * z1947 - c_q3 * z1948;
     // moment on link2, x
     const Scalar z1952 = k49 * z679 + k48 * z866 + k45 * z886 - n632_over_165 * z1013 - k47 * z1016 + k46 * z1017
         - z1950;
-    const Scalar z1953 = k82 * z680 + k47 * z867 + k48 * z888 + k46 * z889 + z1949;  // moment on link2, y
-    const Scalar z1960 = n2 * z66;
-    const Scalar z1961 = n2 * z67;
-    const Scalar z1962 = n2 * z70;
-    const Scalar z1963 = k2 * z1960;
-    const Scalar z1964 = k3 * z1961;
-    const Scalar z1965 = k10 * z1962;
-    const Scalar z1966 = k1 * z1962;
-    const Scalar z1967 = k0 * z1962;
-    const Scalar z1968 = k1 * z1960 - k0 * z1961;
-    const Scalar z1969 = z1964 + z1965;
-    const Scalar z1970 = k2 * z1961 + k52 * z1962;
-    const Scalar z1971 = k53 * z1961 - k2 * z1962;
-    const Scalar z1972 = k3 * z1960 - k53 * z1962;
-    const Scalar z1973 = z1963 - z1965;
-    const Scalar z1974 = k53 * z1960 + k3 * z1962;
-    const Scalar z1975 = k10 * z1960 + k53 * z1961;
-    const Scalar z1976 = k52 * z1960 + k10 * z1961;
-    const Scalar z1977 = z1963 + z1964;
+    const Scalar z1953 = k59 * z680 + k47 * z867 + k48 * z888 + k46 * z889 + z1949;  // moment on link2, y
+    // moment on link2, z
+    const Scalar z1954 = k49 * a_q2 - k44 * z677 + k43 * z678 - k45 * z681 - k46 * z868 + n632_over_165 * z1012 + k47
+        * z1018 - k48 * z1019 + z1951;
+    const Scalar z1956 = s_q2 * z1952 - c_q2 * z1953;
+    const Scalar z1959 = k50 * a_q1 + z1956;  // moment on link1, z
+    const Scalar z1960 = n2 * v_q1;
+    const Scalar z1961 = z683 + z863;
+    const Scalar z1962 = n2 * z35;
+    const Scalar z1963 = n2 * z36;
+    const Scalar z1964 = n2 * v_q2;
+    const Scalar z1965 = z695 + z844;
+    const Scalar z1966 = n2 * z39;
+    const Scalar z1967 = n2 * z40;
+    const Scalar z1968 = n2 * z43;
+    const Scalar z1969 = z711 + z717;
+    const Scalar z1970 = n2 * z46;
+    const Scalar z1971 = n2 * z47;
+    const Scalar z1972 = n2 * z50;
+    const Scalar z1973 = z801 + z807;
+    const Scalar z1974 = n2 * z54;
+    const Scalar z1975 = n2 * z55;
+    const Scalar z1976 = n2 * z58;
+    const Scalar z1977 = z738 + z782;
     const Scalar z1978 = n2 * z59;
     const Scalar z1979 = n2 * z60;
     const Scalar z1980 = n2 * z63;
-    const Scalar z1981 = n16_over_15 * z1980;
-    const Scalar z1982 = n16_over_15 * z1979;
-    const Scalar z1983 = s_q7 * z1967 - c_q7 * z1966;
-    const Scalar z1984 = s_q7 * z1966 + c_q7 * z1967;
-    const Scalar z1985 = z1969 - z1973;
-    const Scalar z1986 = z1970 + z1972;
-    const Scalar z1987 = s_q7 * z1985 + c_q7 * z1986;
-    const Scalar z1988 = s_q7 * z1987;
-    const Scalar z1989 = s_q7 * z1974 - c_q7 * z1971;
-    const Scalar z1990 = s_q7 * z1971 + c_q7 * z1974;
-    const Scalar z1991 = s_q7 * z1976 - c_q7 * z1975;
-    const Scalar z1992 = s_q7 * z1975 + c_q7 * z1976;
-    const Scalar z1993 = z1969 - z1988;
-    const Scalar z1994 = z1973 + z1988;
-    const Scalar z1995 = c_q7 * z1987 - z1972;
-    const Scalar z1996 = c_q7 * z1987 - z1970;
-    const Scalar z1997 = n16_over_15 * z1983 + z1993;
-    const Scalar z1998 = z466 * z1981 + n16_over_15 * z1968 + z1991;
-    const Scalar z1999 = z465 * z1981 - z1992;
-    const Scalar z2000 = z466 * z1982 - n16_over_15 * z1984 + z1996;
-    const Scalar z2001 = z465 * z1982 + z1994;
-    const Scalar z2002 = k16 * z1978;
-    const Scalar z2003 = k15 * z1979;
-    const Scalar z2004 = k14 * z1980;
-    const Scalar z2005 = k18 * z1980 - z1983;
-    const Scalar z2006 = z1968 + k12 * z1980;
-    const Scalar z2007 = k18 * z1978 + k12 * z1979 - z1984;
-    const Scalar z2008 = z1997 - z2003 - z2004;
-    const Scalar z2009 = k16 * z1979 + k83 * z1980 - z1989;
-    const Scalar z2010 = k55 * z1979 - k16 * z1980 + z1995;
-    const Scalar z2011 = k15 * z1978 - k55 * z1980 - z1998;
-    const Scalar z2012 = z1977 + z2002 - z2004;
-    const Scalar z2013 = k55 * z1978 + k15 * z1980 + z1999;
-    const Scalar z2014 = k14 * z1978 + k55 * z1979 + z2000;
-    const Scalar z2015 = k83 * z1978 + k14 * z1979 - z1990;
-    const Scalar z2016 = z2001 + z2002 + z2003;
-    const Scalar z2017 = n2 * z54;
-    const Scalar z2018 = n2 * z55;
-    const Scalar z2019 = n2 * z58;
-    const Scalar z2020 = s_q6 * z2006 - c_q6 * z2005;
-    const Scalar z2021 = s_q6 * z2005 + c_q6 * z2006;
-    const Scalar z2022 = z2008 + z2012;
-    const Scalar z2023 = z2009 + z2011;
-    const Scalar z2024 = s_q6 * z2022 + c_q6 * z2023;
-    const Scalar z2025 = s_q6 * z2024;
-    const Scalar z2026 = s_q6 * z2013 + c_q6 * z2010;
-    const Scalar z2027 = s_q6 * z2010 - c_q6 * z2013;
-    const Scalar z2028 = s_q6 * z2015 + c_q6 * z2014;
-    const Scalar z2029 = s_q6 * z2014 - c_q6 * z2015;
-    const Scalar z2030 = z2008 - z2025;
-    const Scalar z2031 = z2012 - z2025;
-    const Scalar z2032 = c_q6 * z2024 - z2011;
-    const Scalar z2033 = c_q6 * z2024 - z2009;
-    const Scalar z2034 = k25 * z2017;
-    const Scalar z2035 = k24 * z2018;
-    const Scalar z2036 = k23 * z2019;
-    const Scalar z2037 = k21 * z2019 + z2020;
-    const Scalar z2038 = z2007 - k20 * z2019;
-    const Scalar z2039 = k21 * z2017 + k20 * z2018 - z2021;
-    const Scalar z2040 = z2030 + z2035 + z2036;
-    const Scalar z2041 = k25 * z2018 - k84 * z2019 + z2026;
-    const Scalar z2042 = k59 * z2018 + k25 * z2019 - z2032;
-    const Scalar z2043 = k24 * z2017 + k59 * z2019 + z2028;
-    const Scalar z2044 = z2016 + z2034 - z2036;
-    const Scalar z2045 = k59 * z2017 - k24 * z2019 - z2029;
-    const Scalar z2046 = k23 * z2017 - k59 * z2018 + z2033;
-    const Scalar z2047 = k84 * z2017 - k23 * z2018 - z2027;
-    const Scalar z2048 = z2031 + z2034 + z2035;
-    const Scalar z2049 = n2 * z46;
-    const Scalar z2050 = n2 * z47;
-    const Scalar z2051 = n2 * z50;
-    const Scalar z2052 = n256_over_55 * z2051;
-    const Scalar z2053 = n256_over_55 * z2049 - z2050;
-    const Scalar z2054 = s_q5 * z2038 + c_q5 * z2037;
-    const Scalar z2055 = s_q5 * z2037 - c_q5 * z2038;
-    const Scalar z2056 = z2040 - z2044;
-    const Scalar z2057 = z2041 + z2043;
-    const Scalar z2058 = s_q5 * z2056 - c_q5 * z2057;
-    const Scalar z2059 = s_q5 * z2058;
-    const Scalar z2060 = s_q5 * z2045 + c_q5 * z2042;
-    const Scalar z2061 = s_q5 * z2042 - c_q5 * z2045;
-    const Scalar z2062 = s_q5 * z2047 - c_q5 * z2046;
-    const Scalar z2063 = s_q5 * z2046 + c_q5 * z2047;
-    const Scalar z2064 = z2040 - z2059;
-    const Scalar z2065 = z2044 + z2059;
-    const Scalar z2066 = c_q5 * z2058 + z2043;
-    const Scalar z2067 = c_q5 * z2058 + z2041;
-    const Scalar z2068 = z552 * z2052 + z2054 - z2064;
-    const Scalar z2069 = z510 * z2052 + n256_over_55 * z2054 - z2060;
-    const Scalar z2070 = z551 * z2052 - z2066;
-    const Scalar z2071 = z552 * z2051 + z2039 + z2062;
-    const Scalar z2072 = z510 * z2051 + n256_over_55 * z2039 - z2048;
-    const Scalar z2073 = z551 * z2051 - z2063;
-    const Scalar z2074 = z552 * z2053 + z2055 - z2067;
-    const Scalar z2075 = z510 * z2053 + n256_over_55 * z2055 - z2061;
-    const Scalar z2076 = z551 * z2053 - z2065;
-    const Scalar z2077 = k33 * z2049;
-    const Scalar z2078 = k32 * z2050;
-    const Scalar z2079 = k31 * z2051;
-    const Scalar z2080 = k29 * z2051 + z2054;
-    const Scalar z2081 = z2039 + k28 * z2051;
-    const Scalar z2082 = k29 * z2049 - k28 * z2050 + z2055;
-    const Scalar z2083 = z2068 + z2078 + z2079;
-    const Scalar z2084 = k33 * z2050 + k85 * z2051 + z2069;
-    const Scalar z2085 = k63 * z2050 - k33 * z2051 - z2070;
-    const Scalar z2086 = k32 * z2049 + k63 * z2051 + z2071;
-    const Scalar z2087 = z2072 + z2077 + z2079;
-    const Scalar z2088 = k63 * z2049 - k32 * z2051 - z2073;
-    const Scalar z2089 = k31 * z2049 - k63 * z2050 + z2074;
-    const Scalar z2090 = k85 * z2049 - k31 * z2050 + z2075;
-    const Scalar z2091 = z2076 + z2077 - z2078;
-    const Scalar z2092 = n2 * z39;
-    const Scalar z2093 = n2 * z40;
-    const Scalar z2094 = n2 * z43;
-    const Scalar z2095 = s_q4 * z2081 - c_q4 * z2080;
-    const Scalar z2096 = s_q4 * z2080 + c_q4 * z2081;
-    const Scalar z2097 = z2083 + z2087;
-    const Scalar z2098 = z2084 - z2086;
-    const Scalar z2099 = s_q4 * z2097 - c_q4 * z2098;
-    const Scalar z2100 = s_q4 * z2099;
-    const Scalar z2101 = s_q4 * z2088 - c_q4 * z2085;
-    const Scalar z2102 = s_q4 * z2085 + c_q4 * z2088;
-    const Scalar z2103 = s_q4 * z2090 + c_q4 * z2089;
-    const Scalar z2104 = s_q4 * z2089 - c_q4 * z2090;
-    const Scalar z2105 = z2083 - z2100;
-    const Scalar z2106 = z2087 - z2100;
-    const Scalar z2107 = c_q4 * z2099 - z2086;
-    const Scalar z2108 = c_q4 * z2099 + z2084;
-    const Scalar z2109 = z2095 + z2105;
-    const Scalar z2110 = z594 * z2094 + z2082 - z2103;
-    const Scalar z2111 = z551 * z2094 - z2091;
-    const Scalar z2112 = z593 * z2094 - z2104;
-    const Scalar z2113 = z594 * z2093 - z2096 + z2108;
-    const Scalar z2114 = z551 * z2093 - z2102;
-    const Scalar z2115 = z593 * z2093 - z2106;
-    const Scalar z2116 = k40 * z2092;
-    const Scalar z2117 = k39 * z2093;
-    const Scalar z2118 = k38 * z2094;
-    const Scalar z2119 = k36 * z2094 - z2095;
-    const Scalar z2120 = z2082 - k35 * z2094;
-    const Scalar z2121 = k36 * z2092 - k35 * z2093 - z2096;
-    const Scalar z2122 = z2109 + z2117 - z2118;
-    const Scalar z2123 = k40 * z2093 - k86 * z2094 + z2101;
-    const Scalar z2124 = k67 * z2093 + k40 * z2094 - z2107;
-    const Scalar z2125 = k39 * z2092 - k67 * z2094 + z2110;
-    const Scalar z2126 = z2111 + z2116 - z2118;
-    const Scalar z2127 = k67 * z2092 + k39 * z2094 - z2112;
-    const Scalar z2128 = k38 * z2092 - k67 * z2093 + z2113;
-    const Scalar z2129 = k86 * z2092 - k38 * z2093 + z2114;
-    const Scalar z2130 = z2115 + z2116 - z2117;
-    const Scalar z2131 = n2 * z35;
-    const Scalar z2132 = n2 * z36;
-    const Scalar z2133 = n2 * v_q2;
-    const Scalar z2134 = n632_over_165 * z2133;
-    const Scalar z2135 = n632_over_165 * z2131;
-    const Scalar z2136 = s_q3 * z2120 - c_q3 * z2119;
-    const Scalar z2137 = s_q3 * z2119 + c_q3 * z2120;
-    const Scalar z2138 = z2122 + z2126;
-    const Scalar z2139 = z2123 - z2125;
-    const Scalar z2140 = s_q3 * z2138 + c_q3 * z2139;
-    const Scalar z2141 = s_q3 * z2140;
-    const Scalar z2142 = s_q3 * z2127 + c_q3 * z2124;
-    const Scalar z2143 = s_q3 * z2124 - c_q3 * z2127;
-    const Scalar z2144 = s_q3 * z2129 - c_q3 * z2128;
-    const Scalar z2145 = s_q3 * z2128 + c_q3 * z2129;
-    const Scalar z2146 = z2122 - z2141;
-    const Scalar z2147 = z2126 - z2141;
-    const Scalar z2148 = c_q3 * z2140 + z2125;
-    const Scalar z2149 = c_q3 * z2140 - z2123;
-    const Scalar z2150 = z627 * z2134 - z2146;
-    const Scalar z2151 = z593 * z2134 - n632_over_165 * z2136 + z2142;
-    const Scalar z2152 = z626 * z2134 + z2148;
-    const Scalar z2153 = n632_over_165 * z2121 + z2130;
-    const Scalar z2154 = z627 * z2135 - z2149;
-    const Scalar z2155 = z593 * z2135 + n632_over_165 * z2137 + z2143;
-    const Scalar z2156 = z626 * z2135 - z2147;
-    const Scalar z2157 = k48 * z2131;
-    const Scalar z2158 = k47 * z2132;
-    const Scalar z2159 = k46 * z2133;
-    const Scalar z2163 = z2150 - z2158 + z2159;
-    const Scalar z2164 = k48 * z2132 - k87 * z2133 + z2151;
-    const Scalar z2165 = k71 * z2132 + k48 * z2133 + z2152;
-    const Scalar z2166 = k47 * z2131 - k71 * z2133 - z2144;
-    const Scalar z2167 = z2153 - z2157 + z2159;
-    const Scalar z2168 = k71 * z2131 + k47 * z2133 + z2145;
-    const Scalar z2169 = k46 * z2131 - k71 * z2132 + z2154;
-    const Scalar z2170 = k87 * z2131 - k46 * z2132 - z2155;
-    const Scalar z2171 = z2156 + z2157 - z2158;
-    const Scalar z2172 = n2 * v_q1;
-    const Scalar z2175 = z2163 + z2167;
-    const Scalar z2176 = z2164 - z2166;
-    const Scalar z2177 = s_q2 * z2175 - c_q2 * z2176;
-    const Scalar z2178 = s_q2 * z2177;
-    const Scalar z2182 = s_q2 * z2169 + c_q2 * z2170;
-    const Scalar z2183 = z2163 - z2178;
-    const Scalar z2187 = k88 * z2172;
-    const Scalar z2190 = z2183 + z2187;
-    const Scalar z2194 = z2171 + z2187;
-    const Scalar z2196 = z683 + z863;
-    const Scalar z2197 = z695 + z844;
-    const Scalar z2198 = z711 + z717;
-    const Scalar z2199 = z801 + z807;
-    const Scalar z2200 = z738 + z782;
-    const Scalar z2201 = z754 + z760;
-    const Scalar z2204 = z2190 - z2194;
-    const Scalar z2205 = z2167 + z2171;
-    const Scalar z2206 = z2163 - z2171;
-    const Scalar z2207 = z2163 - z2167;
-    const Scalar z2208 = z35 * z2170 - z36 * z2169 - z645 * z677 - z646 * z678 - z649 * z1019 - z650 * z1018 - z651
-        * z2196;
-    const Scalar z2209 = z649 * z2132 - z650 * z2131 + z2207;
-    const Scalar z2213 = z35 * z2164 + z36 * z2205 + z626 * z677 + z647 * z1019 - z648 * z1018 + z649 * z2196 + z1953;
-    const Scalar z2214 = z35 * z2206 + z36 * z2166 + z625 * z1018 + z626 * z678 - z648 * z1019 + z650 * z2196 + z1952;
+    const Scalar z1981 = z754 + z760;
+    const Scalar z1982 = n2 * z66;
+    const Scalar z1983 = n2 * z67;
+    const Scalar z1984 = n2 * z70;
+    const Scalar z1985 = k2 * z1982;
+    const Scalar z1986 = k3 * z1983;
+    const Scalar z1987 = k10 * z1984;
+    const Scalar z1988 = k1 * z1984;
+    const Scalar z1989 = k0 * z1984;
+    const Scalar z1990 = k1 * z1982 - k0 * z1983;
+    const Scalar z1991 = z1986 + z1987;
+    const Scalar z1992 = k2 * z1983 + k60 * z1984;
+    const Scalar z1993 = k61 * z1983 - k2 * z1984;
+    const Scalar z1994 = k3 * z1982 - k61 * z1984;
+    const Scalar z1995 = z1985 - z1987;
+    const Scalar z1996 = k61 * z1982 + k3 * z1984;
+    const Scalar z1997 = k10 * z1982 + k61 * z1983;
+    const Scalar z1998 = k60 * z1982 + k10 * z1983;
+    const Scalar z1999 = z1985 + z1986;
+    const Scalar z2000 = n16_over_15 * z1980;
+    const Scalar z2001 = n16_over_15 * z1979;
+    const Scalar z2002 = s_q7 * z1989 - c_q7 * z1988;
+    const Scalar z2003 = s_q7 * z1988 + c_q7 * z1989;
+    const Scalar z2004 = z1991 - z1995;
+    const Scalar z2005 = z1992 + z1994;
+    const Scalar z2006 = s_q7 * z2004 + c_q7 * z2005;
+    const Scalar z2007 = s_q7 * z2006;
+    const Scalar z2008 = s_q7 * z1996 - c_q7 * z1993;
+    const Scalar z2009 = s_q7 * z1993 + c_q7 * z1996;
+    const Scalar z2010 = s_q7 * z1998 - c_q7 * z1997;
+    const Scalar z2011 = s_q7 * z1997 + c_q7 * z1998;
+    const Scalar z2012 = z1991 - z2007;
+    const Scalar z2013 = z1995 + z2007;
+    const Scalar z2014 = c_q7 * z2006 - z1994;
+    const Scalar z2015 = c_q7 * z2006 - z1992;
+    const Scalar z2016 = n16_over_15 * z2002 + z2012;
+    const Scalar z2017 = z466 * z2000 + n16_over_15 * z1990 + z2010;
+    const Scalar z2018 = z465 * z2000 - z2011;
+    const Scalar z2019 = z466 * z2001 - n16_over_15 * z2003 + z2015;
+    const Scalar z2020 = z465 * z2001 + z2013;
+    const Scalar z2021 = k16 * z1978;
+    const Scalar z2022 = k15 * z1979;
+    const Scalar z2023 = k14 * z1980;
+    const Scalar z2024 = k18 * z1980 - z2002;
+    const Scalar z2025 = k12 * z1980 + z1990;
+    const Scalar z2026 = k18 * z1978 + k12 * z1979 - z2003;
+    const Scalar z2027 = z2016 - z2022 - z2023;
+    const Scalar z2028 = k16 * z1979 + k62 * z1980 - z2008;
+    const Scalar z2029 = k63 * z1979 - k16 * z1980 + z2014;
+    const Scalar z2030 = k15 * z1978 - k63 * z1980 - z2017;
+    const Scalar z2031 = z1999 + z2021 - z2023;
+    const Scalar z2032 = k63 * z1978 + k15 * z1980 + z2018;
+    const Scalar z2033 = k14 * z1978 + k63 * z1979 + z2019;
+    const Scalar z2034 = k62 * z1978 + k14 * z1979 - z2009;
+    const Scalar z2035 = z2020 + z2021 + z2022;
+    const Scalar z2036 = s_q6 * z2025 - c_q6 * z2024;
+    const Scalar z2037 = s_q6 * z2024 + c_q6 * z2025;
+    const Scalar z2038 = z2027 + z2031;
+    const Scalar z2039 = z2028 + z2030;
+    const Scalar z2040 = s_q6 * z2038 + c_q6 * z2039;
+    const Scalar z2041 = s_q6 * z2040;
+    const Scalar z2042 = s_q6 * z2032 + c_q6 * z2029;
+    const Scalar z2043 = s_q6 * z2029 - c_q6 * z2032;
+    const Scalar z2044 = s_q6 * z2034 + c_q6 * z2033;
+    const Scalar z2045 = s_q6 * z2033 - c_q6 * z2034;
+    const Scalar z2046 = z2027 - z2041;
+    const Scalar z2047 = z2031 - z2041;
+    const Scalar z2048 = c_q6 * z2040 - z2030;
+    const Scalar z2049 = c_q6 * z2040 - z2028;
+    const Scalar z2050 = k25 * z1974;
+    const Scalar z2051 = k24 * z1975;
+    const Scalar z2052 = k23 * z1976;
+    const Scalar z2053 = k21 * z1976 + z2036;
+    const Scalar z2054 = k20 * z1976 - z2026;
+    const Scalar z2055 = k21 * z1974 + k20 * z1975 - z2037;
+    const Scalar z2056 = z2046 + z2051 + z2052;
+    const Scalar z2057 = k25 * z1975 - k64 * z1976 + z2042;
+    const Scalar z2058 = k65 * z1975 + k25 * z1976 - z2048;
+    const Scalar z2059 = k24 * z1974 + k65 * z1976 + z2044;
+    const Scalar z2060 = z2035 + z2050 - z2052;
+    const Scalar z2061 = k65 * z1974 - k24 * z1976 - z2045;
+    const Scalar z2062 = k23 * z1974 - k65 * z1975 + z2049;
+    const Scalar z2063 = k64 * z1974 - k23 * z1975 - z2043;
+    const Scalar z2064 = z2047 + z2050 + z2051;
+    const Scalar z2065 = n256_over_55 * z1972;
+    const Scalar z2066 = n256_over_55 * z1970 - z1971;
+    const Scalar z2067 = s_q5 * z2054 - c_q5 * z2053;
+    const Scalar z2068 = s_q5 * z2053 + c_q5 * z2054;
+    const Scalar z2069 = z2056 - z2060;
+    const Scalar z2070 = z2057 + z2059;
+    const Scalar z2071 = s_q5 * z2069 - c_q5 * z2070;
+    const Scalar z2072 = s_q5 * z2071;
+    const Scalar z2073 = s_q5 * z2061 + c_q5 * z2058;
+    const Scalar z2074 = s_q5 * z2058 - c_q5 * z2061;
+    const Scalar z2075 = s_q5 * z2063 - c_q5 * z2062;
+    const Scalar z2076 = s_q5 * z2062 + c_q5 * z2063;
+    const Scalar z2077 = z2056 - z2072;
+    const Scalar z2078 = z2060 + z2072;
+    const Scalar z2079 = c_q5 * z2071 + z2059;
+    const Scalar z2080 = c_q5 * z2071 + z2057;
+    const Scalar z2081 = z552 * z2065 - z2067 - z2077;
+    const Scalar z2082 = z510 * z2065 - n256_over_55 * z2067 - z2073;
+    const Scalar z2083 = z551 * z2065 - z2079;
+    const Scalar z2084 = z552 * z1972 + z2055 + z2075;
+    const Scalar z2085 = z510 * z1972 + n256_over_55 * z2055 - z2064;
+    const Scalar z2086 = z551 * z1972 - z2076;
+    const Scalar z2087 = z552 * z2066 + z2068 - z2080;
+    const Scalar z2088 = z510 * z2066 + n256_over_55 * z2068 - z2074;
+    const Scalar z2089 = z551 * z2066 - z2078;
+    const Scalar z2090 = k33 * z1970;
+    const Scalar z2091 = k32 * z1971;
+    const Scalar z2092 = k31 * z1972;
+    const Scalar z2093 = k29 * z1972 - z2067;
+    const Scalar z2094 = k28 * z1972 + z2055;
+    const Scalar z2095 = k29 * z1970 - k28 * z1971 + z2068;
+    const Scalar z2096 = z2081 + z2091 + z2092;
+    const Scalar z2097 = k33 * z1971 + k66 * z1972 + z2082;
+    const Scalar z2098 = k67 * z1971 - k33 * z1972 - z2083;
+    const Scalar z2099 = k32 * z1970 + k67 * z1972 + z2084;
+    const Scalar z2100 = z2085 + z2090 + z2092;
+    const Scalar z2101 = k67 * z1970 - k32 * z1972 - z2086;
+    const Scalar z2102 = k31 * z1970 - k67 * z1971 + z2087;
+    const Scalar z2103 = k66 * z1970 - k31 * z1971 + z2088;
+    const Scalar z2104 = z2089 + z2090 - z2091;
+    const Scalar z2105 = s_q4 * z2094 - c_q4 * z2093;
+    const Scalar z2106 = s_q4 * z2093 + c_q4 * z2094;
+    const Scalar z2107 = z2096 + z2100;
+    const Scalar z2108 = z2097 - z2099;
+    const Scalar z2109 = s_q4 * z2107 - c_q4 * z2108;
+    const Scalar z2110 = s_q4 * z2109;
+    const Scalar z2111 = s_q4 * z2101 - c_q4 * z2098;
+    const Scalar z2112 = s_q4 * z2098 + c_q4 * z2101;
+    const Scalar z2113 = s_q4 * z2103 + c_q4 * z2102;
+    const Scalar z2114 = s_q4 * z2102 - c_q4 * z2103;
+    const Scalar z2115 = z2096 - z2110;
+    const Scalar z2116 = z2100 - z2110;
+    const Scalar z2117 = c_q4 * z2109 - z2099;
+    const Scalar z2118 = c_q4 * z2109 + z2097;
+    const Scalar z2119 = z2105 + z2115;
+    const Scalar z2120 = z594 * z1968 + z2095 - z2113;
+    const Scalar z2121 = z551 * z1968 - z2104;
+    const Scalar z2122 = z593 * z1968 - z2114;
+    const Scalar z2123 = z594 * z1967 - z2106 + z2118;
+    const Scalar z2124 = z551 * z1967 - z2112;
+    const Scalar z2125 = z593 * z1967 - z2116;
+    const Scalar z2126 = k40 * z1966;
+    const Scalar z2127 = k39 * z1967;
+    const Scalar z2128 = k38 * z1968;
+    const Scalar z2129 = k36 * z1968 - z2105;
+    const Scalar z2130 = k35 * z1968 - z2095;
+    const Scalar z2131 = k36 * z1966 - k35 * z1967 - z2106;
+    const Scalar z2132 = z2119 + z2127 - z2128;
+    const Scalar z2133 = k40 * z1967 - k68 * z1968 + z2111;
+    const Scalar z2134 = k69 * z1967 + k40 * z1968 - z2117;
+    const Scalar z2135 = k39 * z1966 - k69 * z1968 + z2120;
+    const Scalar z2136 = z2121 + z2126 - z2128;
+    const Scalar z2137 = k69 * z1966 + k39 * z1968 - z2122;
+    const Scalar z2138 = k38 * z1966 - k69 * z1967 + z2123;
+    const Scalar z2139 = k68 * z1966 - k38 * z1967 + z2124;
+    const Scalar z2140 = z2125 + z2126 - z2127;
+    const Scalar z2141 = n632_over_165 * z1964;
+    const Scalar z2142 = n632_over_165 * z1962;
+    const Scalar z2143 = s_q3 * z2130 + c_q3 * z2129;
+    const Scalar z2144 = s_q3 * z2129 - c_q3 * z2130;
+    const Scalar z2145 = z2132 + z2136;
+    const Scalar z2146 = z2133 - z2135;
+    const Scalar z2147 = s_q3 * z2145 + c_q3 * z2146;
+    const Scalar z2148 = s_q3 * z2147;
+    const Scalar z2149 = s_q3 * z2137 + c_q3 * z2134;
+    const Scalar z2150 = s_q3 * z2134 - c_q3 * z2137;
+    const Scalar z2151 = s_q3 * z2139 - c_q3 * z2138;
+    const Scalar z2152 = s_q3 * z2138 + c_q3 * z2139;
+    const Scalar z2153 = z2132 - z2148;
+    const Scalar z2154 = z2136 - z2148;
+    const Scalar z2155 = c_q3 * z2147 + z2135;
+    const Scalar z2156 = c_q3 * z2147 - z2133;
+    const Scalar z2157 = z627 * z2141 - z2153;
+    const Scalar z2158 = z593 * z2141 + n632_over_165 * z2143 + z2149;
+    const Scalar z2159 = z626 * z2141 + z2155;
+    const Scalar z2160 = n632_over_165 * z2131 + z2140;
+    const Scalar z2161 = z627 * z2142 - z2156;
+    const Scalar z2162 = z593 * z2142 + n632_over_165 * z2144 + z2150;
+    const Scalar z2163 = z626 * z2142 - z2154;
+    const Scalar z2164 = k48 * z1962;
+    const Scalar z2165 = k47 * z1963;
+    const Scalar z2166 = k46 * z1964;
+    const Scalar z2170 = z2157 - z2165 + z2166;
+    const Scalar z2171 = k48 * z1963 - k70 * z1964 + z2158;
+    const Scalar z2172 = k71 * z1963 + k48 * z1964 + z2159;
+    const Scalar z2173 = k47 * z1962 - k71 * z1964 - z2151;
+    const Scalar z2174 = z2160 - z2164 + z2166;
+    const Scalar z2175 = k71 * z1962 + k47 * z1964 + z2152;
+    const Scalar z2176 = k46 * z1962 - k71 * z1963 + z2161;
+    const Scalar z2177 = k70 * z1962 - k46 * z1963 - z2162;
+    const Scalar z2178 = z2163 + z2164 - z2165;
+    const Scalar z2181 = z2170 + z2174;
+    const Scalar z2182 = z2171 - z2173;
+    const Scalar z2183 = s_q2 * z2181 - c_q2 * z2182;
+    const Scalar z2184 = s_q2 * z2183;
+    const Scalar z2188 = s_q2 * z2176 + c_q2 * z2177;
+    const Scalar z2189 = z2170 - z2184;
+    const Scalar z2193 = k72 * z1960;
+    const Scalar z2196 = z2189 + z2193;
+    const Scalar z2200 = z2178 + z2193;
+    const Scalar z2204 = z2196 - z2200;
+    const Scalar z2205 = z2174 + z2178;
+    const Scalar z2206 = z2170 - z2178;
+    const Scalar z2207 = z2170 - z2174;
+    const Scalar z2208 = z35 * z2177 - z36 * z2176 - z645 * z677 - z646 * z678 - z649 * z1019 - z650 * z1018 - z651
+        * z1961;
+    const Scalar z2209 = z649 * z1963 - z650 * z1962 + z2207;
+    const Scalar z2213 = z35 * z2171 + z36 * z2205 + z626 * z677 + z647 * z1019 - z648 * z1018 + z649 * z1961 + z1953;
+    const Scalar z2214 = z35 * z2206 + z36 * z2173 + z625 * z1018 + z626 * z678 - z648 * z1019 + z650 * z1961 + z1952;
     const Scalar z2218 = s_q2 * z2213 + c_q2 * z2214;
-    const Scalar z2222 = z647 * z2132 + z648 * z2131 + z2165;
-    const Scalar z2223 = z625 * z2131 + z648 * z2132 + z2168;
+    const Scalar z2222 = z647 * z1963 + z648 * z1962 + z2172;
+    const Scalar z2223 = z625 * z1962 + z648 * z1963 + z2175;
     const Scalar z2227 = s_q2 * z2222 - c_q2 * z2223;
-    const Scalar z2228 = z2126 - z2130;
-    const Scalar z2229 = z2122 + z2130;
-    const Scalar z2230 = z2122 - z2126;
-    const Scalar z2231 = z39 * z2129 - z40 * z2128 - z619 * z894 - z620 * z895 - z623 * z1005 - z624 * z1004 - z625
-        * z2197;
-    const Scalar z2232 = z623 * z2093 - z624 * z2092 - z2230;
-    const Scalar z2233 = z626 * z2135 - z627 * z2134 + z2230;
-    const Scalar z2234 = z35 * z2233 + z36 * z2144 - z625 * z1018 - z626 * z678 + z630 * z1019 - z631 * z2196;
-    const Scalar z2235 = z625 * z2131 + z630 * z2132 + z2145;
-    const Scalar z2237 = s_q2 * z2144 - c_q2 * z2233;
-    const Scalar z2238 = z39 * z2121 + z593 * z1004 - z620 * z2197 - z1007;
-    const Scalar z2239 = z40 * z2121 - z593 * z1005 + z619 * z2197 + z1006;
-    const Scalar z2241 = z39 * z2123 - z40 * z2228 - z593 * z894 + z621 * z1005 - z622 * z1004 + z623 * z2197 + z1948;
-    const Scalar z2242 = z39 * z2229 - z40 * z2125 + z593 * z895 - z617 * z1004 + z622 * z1005 - z624 * z2197 - z1947;
+    const Scalar z2228 = z2136 - z2140;
+    const Scalar z2229 = z2132 + z2140;
+    const Scalar z2230 = z2132 - z2136;
+    const Scalar z2231 = z39 * z2139 - z40 * z2138 - z619 * z894 - z620 * z895 - z623 * z1005 - z624 * z1004 - z625
+        * z1965;
+    const Scalar z2232 = z623 * z1967 - z624 * z1966 - z2230;
+    const Scalar z2233 = z626 * z2142 - z627 * z2141 + z2230;
+    const Scalar z2234 = z35 * z2233 + z36 * z2151 - z625 * z1018 - z626 * z678 + z630 * z1019 - z631 * z1961;
+    const Scalar z2235 = z625 * z1962 + z630 * z1963 + z2152;
+    const Scalar z2237 = s_q2 * z2151 - c_q2 * z2233;
+    const Scalar z2238 = z39 * z2131 + z593 * z1004 - z620 * z1965 - z1007;
+    const Scalar z2239 = z40 * z2131 - z593 * z1005 + z619 * z1965 + z1006;
+    const Scalar z2241 = z39 * z2133 - z40 * z2228 - z593 * z894 + z621 * z1005 - z622 * z1004 + z623 * z1965 + z1948;
+    const Scalar z2242 = z39 * z2229 - z40 * z2135 + z593 * z895 - z617 * z1004 + z622 * z1005 - z624 * z1965 - z1947;
     const Scalar z2243 = s_q3 * z2239 - c_q3 * z2238;
     const Scalar z2244 = s_q3 * z2238 + c_q3 * z2239;
     const Scalar z2245 = s_q3 * z2242 + c_q3 * z2241;
@@ -4002,10 +3949,10 @@ struct Mechanism {
     const Scalar z2247 = n632_over_165 * z2244 + z2245;
     const Scalar z2248 = n632_over_165 * z2243 + z2246;
     const Scalar z2252 = s_q2 * z2247 - c_q2 * z2231;
-    const Scalar z2253 = z593 * z2092 + z2120;
-    const Scalar z2254 = z593 * z2093 - z2119;
-    const Scalar z2256 = z621 * z2093 + z622 * z2092 + z2124;
-    const Scalar z2257 = z617 * z2092 + z622 * z2093 + z2127;
+    const Scalar z2253 = z593 * z1966 - z2130;
+    const Scalar z2254 = z593 * z1967 - z2129;
+    const Scalar z2256 = z621 * z1967 + z622 * z1966 + z2134;
+    const Scalar z2257 = z617 * z1966 + z622 * z1967 + z2137;
     const Scalar z2258 = s_q3 * z2254 - c_q3 * z2253;
     const Scalar z2259 = s_q3 * z2253 + c_q3 * z2254;
     const Scalar z2260 = s_q3 * z2257 + c_q3 * z2256;
@@ -4013,30 +3960,30 @@ struct Mechanism {
     const Scalar z2262 = n632_over_165 * z2259 - z2260;
     const Scalar z2263 = n632_over_165 * z2258 - z2261;
     const Scalar z2267 = s_q2 * z2262 - c_q2 * z2232;
-    const Scalar z2268 = z2087 - z2091;
-    const Scalar z2269 = z2083 + z2091;
-    const Scalar z2270 = z2083 - z2087;
-    const Scalar z2271 = z46 * z2090 - z47 * z2089 + z586 * z906 - z587 * z907 + z590 * z991 + z591 * z990 - z592
-        * z2198;
-    const Scalar z2272 = z590 * z2050 - z591 * z2049 - z2270;
-    const Scalar z2273 = z594 * z2094 - z2103;
-    const Scalar z2274 = z593 * z2093 + z2270;
-    const Scalar z2275 = z39 * z2274 - z40 * z2273 + z593 * z895 + z595 * z1005 - z596 * z2197 - z597 * z1004;
-    const Scalar z2276 = z595 * z2093 + z597 * z2092 - z2112;
+    const Scalar z2268 = z2100 - z2104;
+    const Scalar z2269 = z2096 + z2104;
+    const Scalar z2270 = z2096 - z2100;
+    const Scalar z2271 = z46 * z2103 - z47 * z2102 + z586 * z906 - z587 * z907 + z590 * z991 + z591 * z990 - z592
+        * z1969;
+    const Scalar z2272 = z590 * z1971 - z591 * z1970 - z2270;
+    const Scalar z2273 = z594 * z1968 - z2113;
+    const Scalar z2274 = z593 * z1967 + z2270;
+    const Scalar z2275 = z39 * z2274 - z40 * z2273 + z593 * z895 + z595 * z1005 - z596 * z1965 - z597 * z1004;
+    const Scalar z2276 = z595 * z1967 + z597 * z1966 - z2122;
     const Scalar z2277 = s_q3 * z2274 - c_q3 * z2273;
     const Scalar z2278 = s_q3 * z2273 + c_q3 * z2274;
-    const Scalar z2279 = z594 * z2135 - z2277;
-    const Scalar z2280 = z598 * z2135 - z599 * z2134 + z2112;
-    const Scalar z2281 = z594 * z2134 - z2278;
+    const Scalar z2279 = z594 * z2142 - z2277;
+    const Scalar z2280 = z598 * z2142 - z599 * z2141 + z2122;
+    const Scalar z2281 = z594 * z2141 - z2278;
     const Scalar z2282 = z35 * z2280 + z36 * z2279 + z594 * z677 + z596 * z1018 - z598 * z678 + z602 * z1019 - z603
-        * z2196;
-    const Scalar z2283 = z596 * z2131 - z602 * z2132 - z2281;
+        * z1961;
+    const Scalar z2283 = z596 * z1962 - z602 * z1963 - z2281;
     const Scalar z2285 = s_q2 * z2279 - c_q2 * z2280;
-    const Scalar z2286 = z46 * z2082 + z551 * z990 - z587 * z2198 - z993;
-    const Scalar z2287 = z47 * z2082 - z551 * z991 + z586 * z2198 + z992;
-    const Scalar z2288 = z46 * z2080 - z47 * z2081 + z586 * z990 - z587 * z991;
-    const Scalar z2289 = z46 * z2084 - z47 * z2268 - z551 * z906 - z588 * z991 + z589 * z990 + z590 * z2198 - z1943;
-    const Scalar z2290 = z46 * z2269 - z47 * z2086 - z551 * z907 + z584 * z990 - z589 * z991 - z591 * z2198 + z1942;
+    const Scalar z2286 = z46 * z2095 + z551 * z990 - z587 * z1969 - z993;
+    const Scalar z2287 = z47 * z2095 - z551 * z991 + z586 * z1969 + z992;
+    const Scalar z2288 = z46 * z2093 - z47 * z2094 + z586 * z990 - z587 * z991;
+    const Scalar z2289 = z46 * z2097 - z47 * z2268 - z551 * z906 - z588 * z991 + z589 * z990 + z590 * z1969 - z1943;
+    const Scalar z2290 = z46 * z2269 - z47 * z2099 - z551 * z907 + z584 * z990 - z589 * z991 - z591 * z1969 + z1942;
     const Scalar z2291 = s_q4 * z2287 + c_q4 * z2286;
     const Scalar z2292 = s_q4 * z2286 - c_q4 * z2287;
     const Scalar z2293 = s_q4 * z2290 - c_q4 * z2289;
@@ -4050,11 +3997,11 @@ struct Mechanism {
     const Scalar z2301 = n632_over_165 * z2298 + z2299;
     const Scalar z2302 = n632_over_165 * z2297 - z2300;
     const Scalar z2306 = s_q2 * z2301 - c_q2 * z2296;
-    const Scalar z2307 = z551 * z2049 - z2081;
-    const Scalar z2308 = z551 * z2050 - z2080;
-    const Scalar z2309 = z586 * z2049 + z587 * z2050;
-    const Scalar z2310 = z588 * z2050 + z589 * z2049 + z2085;
-    const Scalar z2311 = z584 * z2049 + z589 * z2050 + z2088;
+    const Scalar z2307 = z551 * z1970 - z2094;
+    const Scalar z2308 = z551 * z1971 - z2093;
+    const Scalar z2309 = z586 * z1970 + z587 * z1971;
+    const Scalar z2310 = z588 * z1971 + z589 * z1970 + z2098;
+    const Scalar z2311 = z584 * z1970 + z589 * z1971 + z2101;
     const Scalar z2312 = s_q4 * z2308 + c_q4 * z2307;
     const Scalar z2313 = s_q4 * z2307 - c_q4 * z2308;
     const Scalar z2314 = s_q4 * z2311 - c_q4 * z2310;
@@ -4068,38 +4015,38 @@ struct Mechanism {
     const Scalar z2322 = n632_over_165 * z2319 - z2320;
     const Scalar z2323 = n632_over_165 * z2318 - z2321;
     const Scalar z2327 = s_q2 * z2322 - c_q2 * z2317;
-    const Scalar z2328 = z2044 - z2048;
-    const Scalar z2329 = z2040 - z2048;
-    const Scalar z2330 = z2040 + z2044;
-    const Scalar z2331 = z54 * z2047 - z55 * z2046 + z544 * z920 + z545 * z921 + z548 * z979 - z549 * z978 - z550
-        * z2199;
-    const Scalar z2332 = z548 * z2018 + z549 * z2017 - z2330;
-    const Scalar z2333 = z552 * z2051 + z2062;
-    const Scalar z2334 = z551 * z2053 + z552 * z2052 - z2330;
-    const Scalar z2335 = z46 * z2334 - z47 * z2333 - z551 * z907 - z555 * z991 + z556 * z990 - z557 * z2198;
-    const Scalar z2336 = z555 * z2050 + z556 * z2049 - z2073;
+    const Scalar z2328 = z2060 - z2064;
+    const Scalar z2329 = z2056 - z2064;
+    const Scalar z2330 = z2056 + z2060;
+    const Scalar z2331 = z54 * z2063 - z55 * z2062 + z544 * z920 + z545 * z921 + z548 * z979 - z549 * z978 - z550
+        * z1973;
+    const Scalar z2332 = z548 * z1975 + z549 * z1974 - z2330;
+    const Scalar z2333 = z552 * z1972 + z2075;
+    const Scalar z2334 = z551 * z2066 + z552 * z2065 - z2330;
+    const Scalar z2335 = z46 * z2334 - z47 * z2333 - z551 * z907 - z555 * z991 + z556 * z990 - z557 * z1969;
+    const Scalar z2336 = z555 * z1971 + z556 * z1970 - z2086;
     const Scalar z2337 = s_q4 * z2334 + c_q4 * z2333;
     const Scalar z2338 = s_q4 * z2333 - c_q4 * z2334;
-    const Scalar z2339 = z552 * z2093 - z559 * z2094 + z2337;
-    const Scalar z2340 = z558 * z2093 + z2073;
-    const Scalar z2341 = z558 * z2094 + z2338;
+    const Scalar z2339 = z552 * z1967 - z559 * z1968 + z2337;
+    const Scalar z2340 = z558 * z1967 + z2086;
+    const Scalar z2341 = z558 * z1968 + z2338;
     const Scalar z2342 = z39 * z2340 - z40 * z2339 + z552 * z894 + z558 * z895 - z560 * z1005 + z562 * z1004 + z563
-        * z2197;
-    const Scalar z2343 = z560 * z2093 + z562 * z2092 + z2341;
+        * z1965;
+    const Scalar z2343 = z560 * z1967 + z562 * z1966 + z2341;
     const Scalar z2344 = s_q3 * z2340 - c_q3 * z2339;
     const Scalar z2345 = s_q3 * z2339 + c_q3 * z2340;
-    const Scalar z2346 = z559 * z2135 + z2344;
-    const Scalar z2347 = z564 * z2135 - z565 * z2134 + z2341;
-    const Scalar z2348 = z559 * z2134 + z2345;
+    const Scalar z2346 = z559 * z2142 + z2344;
+    const Scalar z2347 = z564 * z2142 - z565 * z2141 + z2341;
+    const Scalar z2348 = z559 * z2141 + z2345;
     const Scalar z2349 = z35 * z2347 - z36 * z2346 - z559 * z677 - z563 * z1018 - z564 * z678 + z568 * z1019 - z569
-        * z2196;
-    const Scalar z2350 = z563 * z2131 + z568 * z2132 - z2348;
+        * z1961;
+    const Scalar z2350 = z563 * z1962 + z568 * z1963 - z2348;
     const Scalar z2352 = s_q2 * z2346 + c_q2 * z2347;
-    const Scalar z2353 = z54 * z2039 + z510 * z978 - z545 * z2199 - z981;
-    const Scalar z2354 = z55 * z2039 - z510 * z979 - z544 * z2199 - z980;
-    const Scalar z2355 = z54 * z2037 - z55 * z2038 - z544 * z978 - z545 * z979;
-    const Scalar z2356 = z54 * z2041 - z55 * z2328 - z510 * z920 + z546 * z979 - z547 * z978 - z548 * z2199 + z1938;
-    const Scalar z2357 = z54 * z2329 - z55 * z2043 + z509 * z978 + z510 * z921 - z547 * z979 + z549 * z2199 + z1937;
+    const Scalar z2353 = z54 * z2055 + z510 * z978 - z545 * z1973 - z981;
+    const Scalar z2354 = z55 * z2055 - z510 * z979 - z544 * z1973 - z980;
+    const Scalar z2355 = z54 * z2053 + z55 * z2054 - z544 * z978 - z545 * z979;
+    const Scalar z2356 = z54 * z2057 - z55 * z2328 - z510 * z920 + z546 * z979 - z547 * z978 - z548 * z1973 + z1938;
+    const Scalar z2357 = z54 * z2329 - z55 * z2059 + z509 * z978 + z510 * z921 - z547 * z979 + z549 * z1973 + z1937;
     const Scalar z2358 = s_q5 * z2354 - c_q5 * z2353;
     const Scalar z2359 = s_q5 * z2353 + c_q5 * z2354;
     const Scalar z2360 = s_q5 * z2357 - c_q5 * z2356;
@@ -4120,11 +4067,11 @@ struct Mechanism {
     const Scalar z2375 = n632_over_165 * z2372 - z2373;
     const Scalar z2376 = n632_over_165 * z2371 - z2374;
     const Scalar z2380 = s_q2 * z2375 + c_q2 * z2370;
-    const Scalar z2381 = z510 * z2017 - z2038;
-    const Scalar z2382 = z510 * z2018 - z2037;
-    const Scalar z2383 = z544 * z2017 - z545 * z2018;
-    const Scalar z2384 = z546 * z2018 + z547 * z2017 + z2042;
-    const Scalar z2385 = z509 * z2017 + z547 * z2018 + z2045;
+    const Scalar z2381 = z510 * z1974 + z2054;
+    const Scalar z2382 = z510 * z1975 - z2053;
+    const Scalar z2383 = z544 * z1974 - z545 * z1975;
+    const Scalar z2384 = z546 * z1975 + z547 * z1974 + z2058;
+    const Scalar z2385 = z509 * z1974 + z547 * z1975 + z2061;
     const Scalar z2386 = s_q5 * z2382 - c_q5 * z2381;
     const Scalar z2387 = s_q5 * z2381 + c_q5 * z2382;
     const Scalar z2388 = s_q5 * z2385 + c_q5 * z2384;
@@ -4145,44 +4092,44 @@ struct Mechanism {
     const Scalar z2403 = n632_over_165 * z2400 - z2401;
     const Scalar z2404 = n632_over_165 * z2399 + z2402;
     const Scalar z2408 = s_q2 * z2403 - c_q2 * z2398;
-    const Scalar z2409 = z2012 - z2016;
-    const Scalar z2410 = z2008 + z2016;
-    const Scalar z2411 = z2008 - z2012;
-    const Scalar z2412 = z59 * z2015 + z60 * z2014 + z504 * z927 - z507 * z963 + z508 * z962 - z509 * z2200 - k18
+    const Scalar z2409 = z2031 - z2035;
+    const Scalar z2410 = z2027 + z2035;
+    const Scalar z2411 = z2027 - z2031;
+    const Scalar z2412 = z59 * z2034 + z60 * z2033 + z504 * z927 - z507 * z963 + z508 * z962 - z509 * z1977 - k18
         * z928;
     const Scalar z2413 = z507 * z1979 + z508 * z1978 + z2411;
-    const Scalar z2414 = z54 * z2411 - z55 * z2028 + z509 * z978 + z510 * z921 + z512 * z979 + z513 * z2199;
-    const Scalar z2415 = z509 * z2017 - z512 * z2018 - z2029;
-    const Scalar z2416 = s_q5 * z2411 - c_q5 * z2028;
-    const Scalar z2417 = s_q5 * z2028 + c_q5 * z2411;
-    const Scalar z2418 = z511 * z2053 + z515 * z2051 + z2416;
-    const Scalar z2419 = z514 * z2053 - z515 * z2052 - z2029;
-    const Scalar z2420 = z511 * z2052 + z514 * z2051 + z2417;
+    const Scalar z2414 = z54 * z2411 - z55 * z2044 + z509 * z978 + z510 * z921 + z512 * z979 + z513 * z1973;
+    const Scalar z2415 = z509 * z1974 - z512 * z1975 - z2045;
+    const Scalar z2416 = s_q5 * z2411 - c_q5 * z2044;
+    const Scalar z2417 = s_q5 * z2044 + c_q5 * z2411;
+    const Scalar z2418 = z511 * z2066 + z515 * z1972 + z2416;
+    const Scalar z2419 = z514 * z2066 - z515 * z2065 - z2045;
+    const Scalar z2420 = z511 * z2065 + z514 * z1972 + z2417;
     const Scalar z2421 = z46 * z2419 + z47 * z2418 - z511 * z906 - z514 * z907 + z518 * z991 + z519 * z990 + z520
-        * z2198;
-    const Scalar z2422 = z518 * z2050 - z519 * z2049 + z2420;
+        * z1969;
+    const Scalar z2422 = z518 * z1971 - z519 * z1970 + z2420;
     const Scalar z2423 = s_q4 * z2419 - c_q4 * z2418;
     const Scalar z2424 = s_q4 * z2418 + c_q4 * z2419;
-    const Scalar z2425 = z515 * z2093 + z522 * z2094 - z2423;
-    const Scalar z2426 = z521 * z2093 + z2420;
-    const Scalar z2427 = z521 * z2094 - z2424;
+    const Scalar z2425 = z515 * z1967 + z522 * z1968 - z2423;
+    const Scalar z2426 = z521 * z1967 + z2420;
+    const Scalar z2427 = z521 * z1968 - z2424;
     const Scalar z2428 = z39 * z2426 + z40 * z2425 - z515 * z894 + z521 * z895 - z523 * z1005 - z525 * z1004 - z526
-        * z2197;
-    const Scalar z2429 = z523 * z2093 - z525 * z2092 + z2427;
+        * z1965;
+    const Scalar z2429 = z523 * z1967 - z525 * z1966 + z2427;
     const Scalar z2430 = s_q3 * z2426 + c_q3 * z2425;
     const Scalar z2431 = s_q3 * z2425 - c_q3 * z2426;
-    const Scalar z2432 = z522 * z2135 + z2430;
-    const Scalar z2433 = z527 * z2135 + z528 * z2134 - z2427;
-    const Scalar z2434 = z522 * z2134 - z2431;
+    const Scalar z2432 = z522 * z2142 + z2430;
+    const Scalar z2433 = z527 * z2142 + z528 * z2141 - z2427;
+    const Scalar z2434 = z522 * z2141 - z2431;
     const Scalar z2435 = z35 * z2433 + z36 * z2432 + z522 * z677 - z526 * z1018 - z527 * z678 - z531 * z1019 - z532
-        * z2196;
-    const Scalar z2436 = z526 * z2131 - z531 * z2132 + z2434;
+        * z1961;
+    const Scalar z2436 = z526 * z1962 - z531 * z1963 + z2434;
     const Scalar z2438 = s_q2 * z2432 - c_q2 * z2433;
-    const Scalar z2439 = z59 * z2007 + z465 * z962 - z965 - k18 * z2200;
-    const Scalar z2440 = z60 * z2007 - z465 * z963 - z504 * z2200 - z964;
-    const Scalar z2441 = z59 * z2005 + z60 * z2006 - z504 * z962 - k18 * z963;
-    const Scalar z2442 = z59 * z2009 - z60 * z2409 + z465 * z927 + z505 * z963 - z506 * z962 - z507 * z2200 - z1933;
-    const Scalar z2443 = z59 * z2410 + z60 * z2011 - z465 * z928 + z502 * z962 + z506 * z963 - z508 * z2200 + z1932;
+    const Scalar z2439 = z59 * z2026 + z465 * z962 - z965 - k18 * z1977;
+    const Scalar z2440 = z60 * z2026 - z465 * z963 - z504 * z1977 - z964;
+    const Scalar z2441 = z59 * z2024 + z60 * z2025 - z504 * z962 - k18 * z963;
+    const Scalar z2442 = z59 * z2028 - z60 * z2409 + z465 * z927 + z505 * z963 - z506 * z962 - z507 * z1977 - z1933;
+    const Scalar z2443 = z59 * z2410 + z60 * z2030 - z465 * z928 + z502 * z962 + z506 * z963 - z508 * z1977 + z1932;
     const Scalar z2444 = s_q6 * z2440 - c_q6 * z2439;
     const Scalar z2445 = s_q6 * z2439 + c_q6 * z2440;
     const Scalar z2446 = s_q6 * z2443 + c_q6 * z2442;
@@ -4207,11 +4154,11 @@ struct Mechanism {
     const Scalar z2465 = n632_over_165 * z2462 - z2463;
     const Scalar z2466 = n632_over_165 * z2461 + z2464;
     const Scalar z2470 = s_q2 * z2465 + c_q2 * z2460;
-    const Scalar z2471 = z465 * z1978 + z2006;
-    const Scalar z2472 = z465 * z1979 - z2005;
+    const Scalar z2471 = z465 * z1978 + z2025;
+    const Scalar z2472 = z465 * z1979 - z2024;
     const Scalar z2473 = z504 * z1978 - k18 * z1979;
-    const Scalar z2474 = z505 * z1979 + z506 * z1978 - z2010;
-    const Scalar z2475 = z502 * z1978 - z506 * z1979 + z2013;
+    const Scalar z2474 = z505 * z1979 + z506 * z1978 - z2029;
+    const Scalar z2475 = z502 * z1978 - z506 * z1979 + z2032;
     const Scalar z2476 = s_q6 * z2472 - c_q6 * z2471;
     const Scalar z2477 = s_q6 * z2471 + c_q6 * z2472;
     const Scalar z2478 = s_q6 * z2475 - c_q6 * z2474;
@@ -4236,50 +4183,50 @@ struct Mechanism {
     const Scalar z2497 = n632_over_165 * z2494 - z2495;
     const Scalar z2498 = n632_over_165 * z2493 - z2496;
     const Scalar z2502 = s_q2 * z2497 + c_q2 * z2492;
-    const Scalar z2503 = z1973 - z1977;
-    const Scalar z2504 = z1969 - z1977;
-    const Scalar z2505 = z1969 + z1973;
-    const Scalar z2506 = z66 * z1976 + z67 * z1975 - k0 * z939 + k1 * z940 + k2 * z948 - k3 * z949 - k4 * z2201;
-    const Scalar z2507 = k2 * z1960 + k3 * z1961 - z2505;
-    const Scalar z2508 = z466 * z1981 + z1991;
-    const Scalar z2509 = z465 * z1982 + z2505;
-    const Scalar z2510 = z59 * z2509 - z60 * z2508 - z465 * z928 - z467 * z963 - z468 * z2200 + z469 * z962;
-    const Scalar z2511 = z467 * z1979 + z469 * z1978 + z1999;
+    const Scalar z2503 = z1995 - z1999;
+    const Scalar z2504 = z1991 - z1999;
+    const Scalar z2505 = z1991 + z1995;
+    const Scalar z2506 = z66 * z1998 + z67 * z1997 - k0 * z939 + k1 * z940 + k2 * z948 - k3 * z949 - k4 * z1981;
+    const Scalar z2507 = k2 * z1982 + k3 * z1983 - z2505;
+    const Scalar z2508 = z466 * z2000 + z2010;
+    const Scalar z2509 = z465 * z2001 + z2505;
+    const Scalar z2510 = z59 * z2509 - z60 * z2508 - z465 * z928 - z467 * z963 - z468 * z1977 + z469 * z962;
+    const Scalar z2511 = z467 * z1979 + z469 * z1978 + z2018;
     const Scalar z2512 = s_q6 * z2509 - c_q6 * z2508;
     const Scalar z2513 = s_q6 * z2508 + c_q6 * z2509;
-    const Scalar z2514 = z54 * z1999 - z55 * z2512 - z466 * z920 + z468 * z978 - z470 * z921 + z472 * z979 + z473
-        * z2199;
-    const Scalar z2515 = z468 * z2017 - z472 * z2018 + z2513;
-    const Scalar z2516 = s_q5 * z1999 - c_q5 * z2512;
-    const Scalar z2517 = s_q5 * z2512 + c_q5 * z1999;
-    const Scalar z2518 = z471 * z2053 - z475 * z2051 + z2516;
-    const Scalar z2519 = z474 * z2053 + z475 * z2052 + z2513;
-    const Scalar z2520 = z471 * z2052 + z474 * z2051 + z2517;
+    const Scalar z2514 = z54 * z2018 - z55 * z2512 - z466 * z920 + z468 * z978 - z470 * z921 + z472 * z979 + z473
+        * z1973;
+    const Scalar z2515 = z468 * z1974 - z472 * z1975 + z2513;
+    const Scalar z2516 = s_q5 * z2018 - c_q5 * z2512;
+    const Scalar z2517 = s_q5 * z2512 + c_q5 * z2018;
+    const Scalar z2518 = z471 * z2066 - z475 * z1972 + z2516;
+    const Scalar z2519 = z474 * z2066 + z475 * z2065 + z2513;
+    const Scalar z2520 = z471 * z2065 + z474 * z1972 + z2517;
     const Scalar z2521 = z46 * z2519 + z47 * z2518 - z471 * z906 - z474 * z907 - z478 * z991 + z479 * z990 + z480
-        * z2198;
-    const Scalar z2522 = z478 * z2050 + z479 * z2049 - z2520;
+        * z1969;
+    const Scalar z2522 = z478 * z1971 + z479 * z1970 - z2520;
     const Scalar z2523 = s_q4 * z2519 - c_q4 * z2518;
     const Scalar z2524 = s_q4 * z2518 + c_q4 * z2519;
-    const Scalar z2525 = z475 * z2093 - z482 * z2094 + z2523;
-    const Scalar z2526 = z481 * z2093 + z2520;
-    const Scalar z2527 = z481 * z2094 - z2524;
+    const Scalar z2525 = z475 * z1967 - z482 * z1968 + z2523;
+    const Scalar z2526 = z481 * z1967 + z2520;
+    const Scalar z2527 = z481 * z1968 - z2524;
     const Scalar z2528 = z39 * z2526 - z40 * z2525 + z475 * z894 + z481 * z895 - z483 * z1005 - z485 * z1004 + z486
-        * z2197;
-    const Scalar z2529 = z483 * z2093 - z485 * z2092 + z2527;
+        * z1965;
+    const Scalar z2529 = z483 * z1967 - z485 * z1966 + z2527;
     const Scalar z2530 = s_q3 * z2526 - c_q3 * z2525;
     const Scalar z2531 = s_q3 * z2525 + c_q3 * z2526;
-    const Scalar z2532 = z482 * z2135 + z2530;
-    const Scalar z2533 = z487 * z2135 - z488 * z2134 + z2527;
-    const Scalar z2534 = z482 * z2134 + z2531;
+    const Scalar z2532 = z482 * z2142 + z2530;
+    const Scalar z2533 = z487 * z2142 - z488 * z2141 + z2527;
+    const Scalar z2534 = z482 * z2141 + z2531;
     const Scalar z2535 = z35 * z2533 - z36 * z2532 - z482 * z677 - z486 * z1018 - z487 * z678 + z491 * z1019 - z492
-        * z2196;
-    const Scalar z2536 = z486 * z2131 + z491 * z2132 - z2534;
+        * z1961;
+    const Scalar z2536 = z486 * z1962 + z491 * z1963 - z2534;
     const Scalar z2538 = s_q2 * z2532 + c_q2 * z2533;
-    const Scalar z2539 = z66 * z1968 - z951 - k1 * z2201;
-    const Scalar z2540 = z67 * z1968 + z950 + k0 * z2201;
-    const Scalar z2541 = z66 * z1966 - z67 * z1967 + k0 * z948 - k1 * z949;
-    const Scalar z2542 = z66 * z1970 - z67 * z2503 - k10 * z948 - k8 * z949 - z1929 - k3 * z2201;
-    const Scalar z2543 = z66 * z2504 - z67 * z1972 - k10 * z949 - z1928 + k2 * z2201;
+    const Scalar z2539 = z66 * z1990 - z951 - k1 * z1981;
+    const Scalar z2540 = z67 * z1990 + z950 + k0 * z1981;
+    const Scalar z2541 = z66 * z1988 - z67 * z1989 + k0 * z948 - k1 * z949;
+    const Scalar z2542 = z66 * z1992 - z67 * z2503 - k10 * z948 - k8 * z949 - z1929 - k3 * z1981;
+    const Scalar z2543 = z66 * z2504 - z67 * z1994 - k10 * z949 - z1928 + k2 * z1981;
     const Scalar z2544 = s_q7 * z2540 + c_q7 * z2539;
     const Scalar z2545 = s_q7 * z2539 - c_q7 * z2540;
     const Scalar z2546 = s_q7 * z2543 + c_q7 * z2542;
@@ -4310,19 +4257,19 @@ struct Mechanism {
     const Scalar z2571 = n632_over_165 * z2568 - z2569;
     const Scalar z2572 = n632_over_165 * z2567 - z2570;
     const Scalar z2576 = s_q2 * z2571 - c_q2 * z2566;
-    const Scalar z2577 = k0 * z1960 + k1 * z1961;
-    const Scalar z2578 = k10 * z1960 - k8 * z1961 - z1971;
-    const Scalar z2579 = k10 * z1961 - z1974;
+    const Scalar z2577 = k0 * z1982 + k1 * z1983;
+    const Scalar z2578 = k10 * z1982 - k8 * z1983 - z1993;
+    const Scalar z2579 = k10 * z1983 - z1996;
     const Scalar z2580 = s_q7 * z2579 - c_q7 * z2578;
     const Scalar z2581 = s_q7 * z2578 + c_q7 * z2579;
-    const Scalar z2582 = n16_over_15 * z1983 - z2507;
+    const Scalar z2582 = n16_over_15 * z2002 - z2507;
     const Scalar z2583 = n16_over_15 * z2577 - z2581;
-    const Scalar z2584 = s_q6 * z2577 - c_q6 * z1984;
-    const Scalar z2585 = s_q6 * z1984 + c_q6 * z2577;
+    const Scalar z2584 = s_q6 * z2577 - c_q6 * z2003;
+    const Scalar z2585 = s_q6 * z2003 + c_q6 * z2577;
     const Scalar z2586 = s_q6 * z2582 + c_q6 * z2580;
     const Scalar z2587 = s_q6 * z2580 - c_q6 * z2582;
-    const Scalar z2588 = s_q5 * z1983 - c_q5 * z2584;
-    const Scalar z2589 = s_q5 * z2584 + c_q5 * z1983;
+    const Scalar z2588 = s_q5 * z2002 - c_q5 * z2584;
+    const Scalar z2589 = s_q5 * z2584 + c_q5 * z2002;
     const Scalar z2590 = s_q5 * z2583 + c_q5 * z2586;
     const Scalar z2591 = s_q5 * z2586 - c_q5 * z2583;
     const Scalar z2592 = n256_over_55 * z2589 + z2590;
@@ -4341,264 +4288,271 @@ struct Mechanism {
     const Scalar z2605 = n632_over_165 * z2602 - z2603;
     const Scalar z2606 = n632_over_165 * z2601 - z2604;
     const Scalar z2610 = s_q2 * z2605 + c_q2 * z2600;
-    const Scalar z2611 = z1581 * z2538 - z2438;
-    const Scalar z2612 = z1580 * z2538 - z1608 * z2611 - z2352;
-    const Scalar z2613 = z1579 * z2538 - z1607 * z2611 - z1628 * z2612 + z2285;
-    const Scalar z2614 = z1578 * z2538 - z1606 * z2611 - z1627 * z2612 - z1642 * z2613 + z2237;
-    const Scalar z2615 = z1577 * z2538 - z1605 * z2611 - z1626 * z2612 - z1641 * z2613 - z1651 * z2614 - z2182;
-    const Scalar z2616 = z1576 * z2538 - z1604 * z2611 - z1625 * z2612 - z1640 * z2613 - z1650 * z2614 - z1656 * z2615
+    const Scalar z2611 = u_tau1 - z1959;
+    const Scalar z2612 = u_tau2 - z1954;
+    const Scalar z2613 = u_tau3 + z1949;
+    const Scalar z2614 = u_tau4 - z1944;
+    const Scalar z2615 = u_tau5 + z1939;
+    const Scalar z2616 = u_tau6 - z1934;
+    const Scalar z2617 = u_tau7 - z955;
+    const Scalar z2618 = z1581 * z2538 - z2438;
+    const Scalar z2619 = z1580 * z2538 - z1608 * z2618 - z2352;
+    const Scalar z2620 = z1579 * z2538 - z1607 * z2618 - z1628 * z2619 + z2285;
+    const Scalar z2621 = z1578 * z2538 - z1606 * z2618 - z1627 * z2619 - z1642 * z2620 + z2237;
+    const Scalar z2622 = z1577 * z2538 - z1605 * z2618 - z1626 * z2619 - z1641 * z2620 - z1651 * z2621 - z2188;
+    const Scalar z2623 = z1576 * z2538 - z1604 * z2618 - z1625 * z2619 - z1640 * z2620 - z1650 * z2621 - z1656 * z2622
         - z2204;
-    const Scalar z2617 = z1658 * z2616;
-    const Scalar z2618 = z1655 * z2615 - z1656 * z2617;
-    const Scalar z2619 = z1649 * z2614 - z1650 * z2617 - z1651 * z2618;
-    const Scalar z2620 = z1639 * z2613 - z1640 * z2617 - z1641 * z2618 - z1642 * z2619;
-    const Scalar z2621 = z1624 * z2612 - z1625 * z2617 - z1626 * z2618 - z1627 * z2619 - z1628 * z2620;
-    const Scalar z2622 = z1603 * z2611 - z1604 * z2617 - z1605 * z2618 - z1606 * z2619 - z1607 * z2620 - z1608 * z2621;
-    const Scalar z2623 = z1576 * z2617 + z1577 * z2618 + z1578 * z2619 + z1579 * z2620 + z1580 * z2621 + z1581 * z2622
-        - k75 * z2538;
-    const Scalar z2624 = z1581 * z2535 + z2435;
-    const Scalar z2625 = z1580 * z2535 - z1608 * z2624 - z2349;
-    const Scalar z2626 = z1579 * z2535 - z1607 * z2624 - z1628 * z2625 - z2282;
-    const Scalar z2627 = z1578 * z2535 - z1606 * z2624 - z1627 * z2625 - z1642 * z2626 - z2234;
-    const Scalar z2628 = z1577 * z2535 - z1605 * z2624 - z1626 * z2625 - z1641 * z2626 - z1651 * z2627 - z2208;
-    const Scalar z2629 = z1576 * z2535 - z1604 * z2624 - z1625 * z2625 - z1640 * z2626 - z1650 * z2627 - z1656 * z2628
+    const Scalar z2624 = z1658 * z2623;
+    const Scalar z2625 = z1655 * z2622 - z1656 * z2624;
+    const Scalar z2626 = z1649 * z2621 - z1650 * z2624 - z1651 * z2625;
+    const Scalar z2627 = z1639 * z2620 - z1640 * z2624 - z1641 * z2625 - z1642 * z2626;
+    const Scalar z2628 = z1624 * z2619 - z1625 * z2624 - z1626 * z2625 - z1627 * z2626 - z1628 * z2627;
+    const Scalar z2629 = z1603 * z2618 - z1604 * z2624 - z1605 * z2625 - z1606 * z2626 - z1607 * z2627 - z1608 * z2628;
+    const Scalar z2630 = z1576 * z2624 + z1577 * z2625 + z1578 * z2626 + z1579 * z2627 + z1580 * z2628 + z1581 * z2629
+        - k52 * z2538;
+    const Scalar z2631 = z1581 * z2535 + z2435;
+    const Scalar z2632 = z1580 * z2535 - z1608 * z2631 - z2349;
+    const Scalar z2633 = z1579 * z2535 - z1607 * z2631 - z1628 * z2632 - z2282;
+    const Scalar z2634 = z1578 * z2535 - z1606 * z2631 - z1627 * z2632 - z1642 * z2633 - z2234;
+    const Scalar z2635 = z1577 * z2535 - z1605 * z2631 - z1626 * z2632 - z1641 * z2633 - z1651 * z2634 - z2208;
+    const Scalar z2636 = z1576 * z2535 - z1604 * z2631 - z1625 * z2632 - z1640 * z2633 - z1650 * z2634 - z1656 * z2635
         - z2218;
-    const Scalar z2630 = z1658 * z2629;
-    const Scalar z2631 = z1655 * z2628 - z1656 * z2630;
-    const Scalar z2632 = z1649 * z2627 - z1650 * z2630 - z1651 * z2631;
-    const Scalar z2633 = z1639 * z2626 - z1640 * z2630 - z1641 * z2631 - z1642 * z2632;
-    const Scalar z2634 = z1624 * z2625 - z1625 * z2630 - z1626 * z2631 - z1627 * z2632 - z1628 * z2633;
-    const Scalar z2635 = z1603 * z2624 - z1604 * z2630 - z1605 * z2631 - z1606 * z2632 - z1607 * z2633 - z1608 * z2634;
-    const Scalar z2636 = z1576 * z2630 + z1577 * z2631 + z1578 * z2632 + z1579 * z2633 + z1580 * z2634 + z1581 * z2635
-        - k75 * z2535;
-    const Scalar z2637 = z1581 * z2536 + z2436;
-    const Scalar z2638 = z1580 * z2536 - z1608 * z2637 - z2350;
-    const Scalar z2639 = z1579 * z2536 - z1607 * z2637 - z1628 * z2638 + z2283;
-    const Scalar z2640 = z1578 * z2536 - z1606 * z2637 - z1627 * z2638 - z1642 * z2639 - z2235;
-    const Scalar z2641 = z1577 * z2536 - z1605 * z2637 - z1626 * z2638 - z1641 * z2639 - z1651 * z2640 + z2209;
-    const Scalar z2642 = z1576 * z2536 - z1604 * z2637 - z1625 * z2638 - z1640 * z2639 - z1650 * z2640 - z1656 * z2641
+    const Scalar z2637 = z1658 * z2636;
+    const Scalar z2638 = z1655 * z2635 - z1656 * z2637;
+    const Scalar z2639 = z1649 * z2634 - z1650 * z2637 - z1651 * z2638;
+    const Scalar z2640 = z1639 * z2633 - z1640 * z2637 - z1641 * z2638 - z1642 * z2639;
+    const Scalar z2641 = z1624 * z2632 - z1625 * z2637 - z1626 * z2638 - z1627 * z2639 - z1628 * z2640;
+    const Scalar z2642 = z1603 * z2631 - z1604 * z2637 - z1605 * z2638 - z1606 * z2639 - z1607 * z2640 - z1608 * z2641;
+    const Scalar z2643 = z1576 * z2637 + z1577 * z2638 + z1578 * z2639 + z1579 * z2640 + z1580 * z2641 + z1581 * z2642
+        - k52 * z2535;
+    const Scalar z2644 = z1581 * z2536 + z2436;
+    const Scalar z2645 = z1580 * z2536 - z1608 * z2644 - z2350;
+    const Scalar z2646 = z1579 * z2536 - z1607 * z2644 - z1628 * z2645 + z2283;
+    const Scalar z2647 = z1578 * z2536 - z1606 * z2644 - z1627 * z2645 - z1642 * z2646 - z2235;
+    const Scalar z2648 = z1577 * z2536 - z1605 * z2644 - z1626 * z2645 - z1641 * z2646 - z1651 * z2647 + z2209;
+    const Scalar z2649 = z1576 * z2536 - z1604 * z2644 - z1625 * z2645 - z1640 * z2646 - z1650 * z2647 - z1656 * z2648
         - z2227;
-    const Scalar z2643 = z1658 * z2642;
-    const Scalar z2644 = z1655 * z2641 - z1656 * z2643;
-    const Scalar z2645 = z1649 * z2640 - z1650 * z2643 - z1651 * z2644;
-    const Scalar z2646 = z1639 * z2639 - z1640 * z2643 - z1641 * z2644 - z1642 * z2645;
-    const Scalar z2647 = z1624 * z2638 - z1625 * z2643 - z1626 * z2644 - z1627 * z2645 - z1628 * z2646;
-    const Scalar z2648 = z1603 * z2637 - z1604 * z2643 - z1605 * z2644 - z1606 * z2645 - z1607 * z2646 - z1608 * z2647;
-    const Scalar z2649 = z1576 * z2643 + z1577 * z2644 + z1578 * z2645 + z1579 * z2646 + z1580 * z2647 + z1581 * z2648
-        - k75 * z2536;
-    const Scalar z2650 = z1581 * z2528 - z2428;
-    const Scalar z2651 = z1580 * z2528 - z1608 * z2650 - z2342;
-    const Scalar z2652 = z1579 * z2528 - z1607 * z2650 - z1628 * z2651 - z2275;
-    const Scalar z2653 = z1578 * z2528 - z1606 * z2650 - z1627 * z2651 - z1642 * z2652 + z2231;
-    const Scalar z2654 = z1577 * z2528 - z1605 * z2650 - z1626 * z2651 - z1641 * z2652 - z1651 * z2653 - z2248;
-    const Scalar z2655 = z1576 * z2528 - z1604 * z2650 - z1625 * z2651 - z1640 * z2652 - z1650 * z2653 - z1656 * z2654
+    const Scalar z2650 = z1658 * z2649;
+    const Scalar z2651 = z1655 * z2648 - z1656 * z2650;
+    const Scalar z2652 = z1649 * z2647 - z1650 * z2650 - z1651 * z2651;
+    const Scalar z2653 = z1639 * z2646 - z1640 * z2650 - z1641 * z2651 - z1642 * z2652;
+    const Scalar z2654 = z1624 * z2645 - z1625 * z2650 - z1626 * z2651 - z1627 * z2652 - z1628 * z2653;
+    const Scalar z2655 = z1603 * z2644 - z1604 * z2650 - z1605 * z2651 - z1606 * z2652 - z1607 * z2653 - z1608 * z2654;
+    const Scalar z2656 = z1576 * z2650 + z1577 * z2651 + z1578 * z2652 + z1579 * z2653 + z1580 * z2654 + z1581 * z2655
+        - k52 * z2536;
+    const Scalar z2657 = z1581 * z2528 - z2428;
+    const Scalar z2658 = z1580 * z2528 - z1608 * z2657 - z2342;
+    const Scalar z2659 = z1579 * z2528 - z1607 * z2657 - z1628 * z2658 - z2275;
+    const Scalar z2660 = z1578 * z2528 - z1606 * z2657 - z1627 * z2658 - z1642 * z2659 + z2231;
+    const Scalar z2661 = z1577 * z2528 - z1605 * z2657 - z1626 * z2658 - z1641 * z2659 - z1651 * z2660 - z2248;
+    const Scalar z2662 = z1576 * z2528 - z1604 * z2657 - z1625 * z2658 - z1640 * z2659 - z1650 * z2660 - z1656 * z2661
         + z2252;
-    const Scalar z2656 = z1658 * z2655;
-    const Scalar z2657 = z1655 * z2654 - z1656 * z2656;
-    const Scalar z2658 = z1649 * z2653 - z1650 * z2656 - z1651 * z2657;
-    const Scalar z2659 = z1639 * z2652 - z1640 * z2656 - z1641 * z2657 - z1642 * z2658;
-    const Scalar z2660 = z1624 * z2651 - z1625 * z2656 - z1626 * z2657 - z1627 * z2658 - z1628 * z2659;
-    const Scalar z2661 = z1603 * z2650 - z1604 * z2656 - z1605 * z2657 - z1606 * z2658 - z1607 * z2659 - z1608 * z2660;
-    const Scalar z2662 = z1576 * z2656 + z1577 * z2657 + z1578 * z2658 + z1579 * z2659 + z1580 * z2660 + z1581 * z2661
-        - k75 * z2528;
-    const Scalar z2663 = z1581 * z2529 - z2429;
-    const Scalar z2664 = z1580 * z2529 - z1608 * z2663 - z2343;
-    const Scalar z2665 = z1579 * z2529 - z1607 * z2663 - z1628 * z2664 + z2276;
-    const Scalar z2666 = z1578 * z2529 - z1606 * z2663 - z1627 * z2664 - z1642 * z2665 + z2232;
-    const Scalar z2667 = z1577 * z2529 - z1605 * z2663 - z1626 * z2664 - z1641 * z2665 - z1651 * z2666 - z2263;
-    const Scalar z2668 = z1576 * z2529 - z1604 * z2663 - z1625 * z2664 - z1640 * z2665 - z1650 * z2666 - z1656 * z2667
+    const Scalar z2663 = z1658 * z2662;
+    const Scalar z2664 = z1655 * z2661 - z1656 * z2663;
+    const Scalar z2665 = z1649 * z2660 - z1650 * z2663 - z1651 * z2664;
+    const Scalar z2666 = z1639 * z2659 - z1640 * z2663 - z1641 * z2664 - z1642 * z2665;
+    const Scalar z2667 = z1624 * z2658 - z1625 * z2663 - z1626 * z2664 - z1627 * z2665 - z1628 * z2666;
+    const Scalar z2668 = z1603 * z2657 - z1604 * z2663 - z1605 * z2664 - z1606 * z2665 - z1607 * z2666 - z1608 * z2667;
+    const Scalar z2669 = z1576 * z2663 + z1577 * z2664 + z1578 * z2665 + z1579 * z2666 + z1580 * z2667 + z1581 * z2668
+        - k52 * z2528;
+    const Scalar z2670 = z1581 * z2529 - z2429;
+    const Scalar z2671 = z1580 * z2529 - z1608 * z2670 - z2343;
+    const Scalar z2672 = z1579 * z2529 - z1607 * z2670 - z1628 * z2671 + z2276;
+    const Scalar z2673 = z1578 * z2529 - z1606 * z2670 - z1627 * z2671 - z1642 * z2672 + z2232;
+    const Scalar z2674 = z1577 * z2529 - z1605 * z2670 - z1626 * z2671 - z1641 * z2672 - z1651 * z2673 - z2263;
+    const Scalar z2675 = z1576 * z2529 - z1604 * z2670 - z1625 * z2671 - z1640 * z2672 - z1650 * z2673 - z1656 * z2674
         + z2267;
-    const Scalar z2669 = z1658 * z2668;
-    const Scalar z2670 = z1655 * z2667 - z1656 * z2669;
-    const Scalar z2671 = z1649 * z2666 - z1650 * z2669 - z1651 * z2670;
-    const Scalar z2672 = z1639 * z2665 - z1640 * z2669 - z1641 * z2670 - z1642 * z2671;
-    const Scalar z2673 = z1624 * z2664 - z1625 * z2669 - z1626 * z2670 - z1627 * z2671 - z1628 * z2672;
-    const Scalar z2674 = z1603 * z2663 - z1604 * z2669 - z1605 * z2670 - z1606 * z2671 - z1607 * z2672 - z1608 * z2673;
-    const Scalar z2675 = z1576 * z2669 + z1577 * z2670 + z1578 * z2671 + z1579 * z2672 + z1580 * z2673 + z1581 * z2674
-        - k75 * z2529;
-    const Scalar z2676 = z1581 * z2521 - z2421;
-    const Scalar z2677 = z1580 * z2521 - z1608 * z2676 - z2335;
-    const Scalar z2678 = z1579 * z2521 - z1607 * z2676 - z1628 * z2677 + z2271;
-    const Scalar z2679 = z1578 * z2521 - z1606 * z2676 - z1627 * z2677 - z1642 * z2678 - z2296;
-    const Scalar z2680 = z1577 * z2521 - z1605 * z2676 - z1626 * z2677 - z1641 * z2678 - z1651 * z2679 - z2302;
-    const Scalar z2681 = z1576 * z2521 - z1604 * z2676 - z1625 * z2677 - z1640 * z2678 - z1650 * z2679 - z1656 * z2680
+    const Scalar z2676 = z1658 * z2675;
+    const Scalar z2677 = z1655 * z2674 - z1656 * z2676;
+    const Scalar z2678 = z1649 * z2673 - z1650 * z2676 - z1651 * z2677;
+    const Scalar z2679 = z1639 * z2672 - z1640 * z2676 - z1641 * z2677 - z1642 * z2678;
+    const Scalar z2680 = z1624 * z2671 - z1625 * z2676 - z1626 * z2677 - z1627 * z2678 - z1628 * z2679;
+    const Scalar z2681 = z1603 * z2670 - z1604 * z2676 - z1605 * z2677 - z1606 * z2678 - z1607 * z2679 - z1608 * z2680;
+    const Scalar z2682 = z1576 * z2676 + z1577 * z2677 + z1578 * z2678 + z1579 * z2679 + z1580 * z2680 + z1581 * z2681
+        - k52 * z2529;
+    const Scalar z2683 = z1581 * z2521 - z2421;
+    const Scalar z2684 = z1580 * z2521 - z1608 * z2683 - z2335;
+    const Scalar z2685 = z1579 * z2521 - z1607 * z2683 - z1628 * z2684 + z2271;
+    const Scalar z2686 = z1578 * z2521 - z1606 * z2683 - z1627 * z2684 - z1642 * z2685 - z2296;
+    const Scalar z2687 = z1577 * z2521 - z1605 * z2683 - z1626 * z2684 - z1641 * z2685 - z1651 * z2686 - z2302;
+    const Scalar z2688 = z1576 * z2521 - z1604 * z2683 - z1625 * z2684 - z1640 * z2685 - z1650 * z2686 - z1656 * z2687
         - z2306;
-    const Scalar z2682 = z1658 * z2681;
-    const Scalar z2683 = z1655 * z2680 - z1656 * z2682;
-    const Scalar z2684 = z1649 * z2679 - z1650 * z2682 - z1651 * z2683;
-    const Scalar z2685 = z1639 * z2678 - z1640 * z2682 - z1641 * z2683 - z1642 * z2684;
-    const Scalar z2686 = z1624 * z2677 - z1625 * z2682 - z1626 * z2683 - z1627 * z2684 - z1628 * z2685;
-    const Scalar z2687 = z1603 * z2676 - z1604 * z2682 - z1605 * z2683 - z1606 * z2684 - z1607 * z2685 - z1608 * z2686;
-    const Scalar z2688 = z1576 * z2682 + z1577 * z2683 + z1578 * z2684 + z1579 * z2685 + z1580 * z2686 + z1581 * z2687
-        - k75 * z2521;
-    const Scalar z2689 = z1581 * z2522 + z2422;
-    const Scalar z2690 = z1580 * z2522 - z1608 * z2689 - z2336;
-    const Scalar z2691 = z1579 * z2522 - z1607 * z2689 - z1628 * z2690 - z2272;
-    const Scalar z2692 = z1578 * z2522 - z1606 * z2689 - z1627 * z2690 - z1642 * z2691 - z2317;
-    const Scalar z2693 = z1577 * z2522 - z1605 * z2689 - z1626 * z2690 - z1641 * z2691 - z1651 * z2692 - z2323;
-    const Scalar z2694 = z1576 * z2522 - z1604 * z2689 - z1625 * z2690 - z1640 * z2691 - z1650 * z2692 - z1656 * z2693
+    const Scalar z2689 = z1658 * z2688;
+    const Scalar z2690 = z1655 * z2687 - z1656 * z2689;
+    const Scalar z2691 = z1649 * z2686 - z1650 * z2689 - z1651 * z2690;
+    const Scalar z2692 = z1639 * z2685 - z1640 * z2689 - z1641 * z2690 - z1642 * z2691;
+    const Scalar z2693 = z1624 * z2684 - z1625 * z2689 - z1626 * z2690 - z1627 * z2691 - z1628 * z2692;
+    const Scalar z2694 = z1603 * z2683 - z1604 * z2689 - z1605 * z2690 - z1606 * z2691 - z1607 * z2692 - z1608 * z2693;
+    const Scalar z2695 = z1576 * z2689 + z1577 * z2690 + z1578 * z2691 + z1579 * z2692 + z1580 * z2693 + z1581 * z2694
+        - k52 * z2521;
+    const Scalar z2696 = z1581 * z2522 + z2422;
+    const Scalar z2697 = z1580 * z2522 - z1608 * z2696 - z2336;
+    const Scalar z2698 = z1579 * z2522 - z1607 * z2696 - z1628 * z2697 - z2272;
+    const Scalar z2699 = z1578 * z2522 - z1606 * z2696 - z1627 * z2697 - z1642 * z2698 - z2317;
+    const Scalar z2700 = z1577 * z2522 - z1605 * z2696 - z1626 * z2697 - z1641 * z2698 - z1651 * z2699 - z2323;
+    const Scalar z2701 = z1576 * z2522 - z1604 * z2696 - z1625 * z2697 - z1640 * z2698 - z1650 * z2699 - z1656 * z2700
         - z2327;
-    const Scalar z2695 = z1658 * z2694;
-    const Scalar z2696 = z1655 * z2693 - z1656 * z2695;
-    const Scalar z2697 = z1649 * z2692 - z1650 * z2695 - z1651 * z2696;
-    const Scalar z2698 = z1639 * z2691 - z1640 * z2695 - z1641 * z2696 - z1642 * z2697;
-    const Scalar z2699 = z1624 * z2690 - z1625 * z2695 - z1626 * z2696 - z1627 * z2697 - z1628 * z2698;
-    const Scalar z2700 = z1603 * z2689 - z1604 * z2695 - z1605 * z2696 - z1606 * z2697 - z1607 * z2698 - z1608 * z2699;
-    const Scalar z2701 = z1576 * z2695 + z1577 * z2696 + z1578 * z2697 + z1579 * z2698 + z1580 * z2699 + z1581 * z2700
-        - k75 * z2522;
-    const Scalar z2702 = z1581 * z2514 - z2414;
-    const Scalar z2703 = z1580 * z2514 - z1608 * z2702 + z2331;
-    const Scalar z2704 = z1579 * z2514 - z1607 * z2702 - z1628 * z2703 - z2364;
-    const Scalar z2705 = z1578 * z2514 - z1606 * z2702 - z1627 * z2703 - z1642 * z2704 + z2370;
-    const Scalar z2706 = z1577 * z2514 - z1605 * z2702 - z1626 * z2703 - z1641 * z2704 - z1651 * z2705 + z2376;
-    const Scalar z2707 = z1576 * z2514 - z1604 * z2702 - z1625 * z2703 - z1640 * z2704 - z1650 * z2705 - z1656 * z2706
+    const Scalar z2702 = z1658 * z2701;
+    const Scalar z2703 = z1655 * z2700 - z1656 * z2702;
+    const Scalar z2704 = z1649 * z2699 - z1650 * z2702 - z1651 * z2703;
+    const Scalar z2705 = z1639 * z2698 - z1640 * z2702 - z1641 * z2703 - z1642 * z2704;
+    const Scalar z2706 = z1624 * z2697 - z1625 * z2702 - z1626 * z2703 - z1627 * z2704 - z1628 * z2705;
+    const Scalar z2707 = z1603 * z2696 - z1604 * z2702 - z1605 * z2703 - z1606 * z2704 - z1607 * z2705 - z1608 * z2706;
+    const Scalar z2708 = z1576 * z2702 + z1577 * z2703 + z1578 * z2704 + z1579 * z2705 + z1580 * z2706 + z1581 * z2707
+        - k52 * z2522;
+    const Scalar z2709 = z1581 * z2514 - z2414;
+    const Scalar z2710 = z1580 * z2514 - z1608 * z2709 + z2331;
+    const Scalar z2711 = z1579 * z2514 - z1607 * z2709 - z1628 * z2710 - z2364;
+    const Scalar z2712 = z1578 * z2514 - z1606 * z2709 - z1627 * z2710 - z1642 * z2711 + z2370;
+    const Scalar z2713 = z1577 * z2514 - z1605 * z2709 - z1626 * z2710 - z1641 * z2711 - z1651 * z2712 + z2376;
+    const Scalar z2714 = z1576 * z2514 - z1604 * z2709 - z1625 * z2710 - z1640 * z2711 - z1650 * z2712 - z1656 * z2713
         - z2380;
-    const Scalar z2708 = z1658 * z2707;
-    const Scalar z2709 = z1655 * z2706 - z1656 * z2708;
-    const Scalar z2710 = z1649 * z2705 - z1650 * z2708 - z1651 * z2709;
-    const Scalar z2711 = z1639 * z2704 - z1640 * z2708 - z1641 * z2709 - z1642 * z2710;
-    const Scalar z2712 = z1624 * z2703 - z1625 * z2708 - z1626 * z2709 - z1627 * z2710 - z1628 * z2711;
-    const Scalar z2713 = z1603 * z2702 - z1604 * z2708 - z1605 * z2709 - z1606 * z2710 - z1607 * z2711 - z1608 * z2712;
-    const Scalar z2714 = z1576 * z2708 + z1577 * z2709 + z1578 * z2710 + z1579 * z2711 + z1580 * z2712 + z1581 * z2713
-        - k75 * z2514;
-    const Scalar z2715 = z1581 * z2515 - z2415;
-    const Scalar z2716 = z1580 * z2515 - z1608 * z2715 - z2332;
-    const Scalar z2717 = z1579 * z2515 - z1607 * z2715 - z1628 * z2716 + z2392;
-    const Scalar z2718 = z1578 * z2515 - z1606 * z2715 - z1627 * z2716 - z1642 * z2717 + z2398;
-    const Scalar z2719 = z1577 * z2515 - z1605 * z2715 - z1626 * z2716 - z1641 * z2717 - z1651 * z2718 + z2404;
-    const Scalar z2720 = z1576 * z2515 - z1604 * z2715 - z1625 * z2716 - z1640 * z2717 - z1650 * z2718 - z1656 * z2719
+    const Scalar z2715 = z1658 * z2714;
+    const Scalar z2716 = z1655 * z2713 - z1656 * z2715;
+    const Scalar z2717 = z1649 * z2712 - z1650 * z2715 - z1651 * z2716;
+    const Scalar z2718 = z1639 * z2711 - z1640 * z2715 - z1641 * z2716 - z1642 * z2717;
+    const Scalar z2719 = z1624 * z2710 - z1625 * z2715 - z1626 * z2716 - z1627 * z2717 - z1628 * z2718;
+    const Scalar z2720 = z1603 * z2709 - z1604 * z2715 - z1605 * z2716 - z1606 * z2717 - z1607 * z2718 - z1608 * z2719;
+    const Scalar z2721 = z1576 * z2715 + z1577 * z2716 + z1578 * z2717 + z1579 * z2718 + z1580 * z2719 + z1581 * z2720
+        - k52 * z2514;
+    const Scalar z2722 = z1581 * z2515 - z2415;
+    const Scalar z2723 = z1580 * z2515 - z1608 * z2722 - z2332;
+    const Scalar z2724 = z1579 * z2515 - z1607 * z2722 - z1628 * z2723 + z2392;
+    const Scalar z2725 = z1578 * z2515 - z1606 * z2722 - z1627 * z2723 - z1642 * z2724 + z2398;
+    const Scalar z2726 = z1577 * z2515 - z1605 * z2722 - z1626 * z2723 - z1641 * z2724 - z1651 * z2725 + z2404;
+    const Scalar z2727 = z1576 * z2515 - z1604 * z2722 - z1625 * z2723 - z1640 * z2724 - z1650 * z2725 - z1656 * z2726
         + z2408;
-    const Scalar z2721 = z1658 * z2720;
-    const Scalar z2722 = z1655 * z2719 - z1656 * z2721;
-    const Scalar z2723 = z1649 * z2718 - z1650 * z2721 - z1651 * z2722;
-    const Scalar z2724 = z1639 * z2717 - z1640 * z2721 - z1641 * z2722 - z1642 * z2723;
-    const Scalar z2725 = z1624 * z2716 - z1625 * z2721 - z1626 * z2722 - z1627 * z2723 - z1628 * z2724;
-    const Scalar z2726 = z1603 * z2715 - z1604 * z2721 - z1605 * z2722 - z1606 * z2723 - z1607 * z2724 - z1608 * z2725;
-    const Scalar z2727 = z1576 * z2721 + z1577 * z2722 + z1578 * z2723 + z1579 * z2724 + z1580 * z2725 + z1581 * z2726
-        - k75 * z2515;
-    const Scalar z2728 = z1581 * z2510 - z2412;
-    const Scalar z2729 = z1580 * z2510 - z1608 * z2728 - z2447;
-    const Scalar z2730 = z1579 * z2510 - z1607 * z2728 - z1628 * z2729 - z2454;
-    const Scalar z2731 = z1578 * z2510 - z1606 * z2728 - z1627 * z2729 - z1642 * z2730 + z2460;
-    const Scalar z2732 = z1577 * z2510 - z1605 * z2728 - z1626 * z2729 - z1641 * z2730 - z1651 * z2731 + z2466;
-    const Scalar z2733 = z1576 * z2510 - z1604 * z2728 - z1625 * z2729 - z1640 * z2730 - z1650 * z2731 - z1656 * z2732
+    const Scalar z2728 = z1658 * z2727;
+    const Scalar z2729 = z1655 * z2726 - z1656 * z2728;
+    const Scalar z2730 = z1649 * z2725 - z1650 * z2728 - z1651 * z2729;
+    const Scalar z2731 = z1639 * z2724 - z1640 * z2728 - z1641 * z2729 - z1642 * z2730;
+    const Scalar z2732 = z1624 * z2723 - z1625 * z2728 - z1626 * z2729 - z1627 * z2730 - z1628 * z2731;
+    const Scalar z2733 = z1603 * z2722 - z1604 * z2728 - z1605 * z2729 - z1606 * z2730 - z1607 * z2731 - z1608 * z2732;
+    const Scalar z2734 = z1576 * z2728 + z1577 * z2729 + z1578 * z2730 + z1579 * z2731 + z1580 * z2732 + z1581 * z2733
+        - k52 * z2515;
+    const Scalar z2735 = z1581 * z2510 - z2412;
+    const Scalar z2736 = z1580 * z2510 - z1608 * z2735 - z2447;
+    const Scalar z2737 = z1579 * z2510 - z1607 * z2735 - z1628 * z2736 - z2454;
+    const Scalar z2738 = z1578 * z2510 - z1606 * z2735 - z1627 * z2736 - z1642 * z2737 + z2460;
+    const Scalar z2739 = z1577 * z2510 - z1605 * z2735 - z1626 * z2736 - z1641 * z2737 - z1651 * z2738 + z2466;
+    const Scalar z2740 = z1576 * z2510 - z1604 * z2735 - z1625 * z2736 - z1640 * z2737 - z1650 * z2738 - z1656 * z2739
         - z2470;
-    const Scalar z2734 = z1658 * z2733;
-    const Scalar z2735 = z1655 * z2732 - z1656 * z2734;
-    const Scalar z2736 = z1649 * z2731 - z1650 * z2734 - z1651 * z2735;
-    const Scalar z2737 = z1639 * z2730 - z1640 * z2734 - z1641 * z2735 - z1642 * z2736;
-    const Scalar z2738 = z1624 * z2729 - z1625 * z2734 - z1626 * z2735 - z1627 * z2736 - z1628 * z2737;
-    const Scalar z2739 = z1603 * z2728 - z1604 * z2734 - z1605 * z2735 - z1606 * z2736 - z1607 * z2737 - z1608 * z2738;
-    const Scalar z2740 = z1576 * z2734 + z1577 * z2735 + z1578 * z2736 + z1579 * z2737 + z1580 * z2738 + z1581 * z2739
-        - k75 * z2510;
-    const Scalar z2741 = z1581 * z2511 - z2413;
-    const Scalar z2742 = z1580 * z2511 - z1608 * z2741 + z2479;
-    const Scalar z2743 = z1579 * z2511 - z1607 * z2741 - z1628 * z2742 - z2486;
-    const Scalar z2744 = z1578 * z2511 - z1606 * z2741 - z1627 * z2742 - z1642 * z2743 + z2492;
-    const Scalar z2745 = z1577 * z2511 - z1605 * z2741 - z1626 * z2742 - z1641 * z2743 - z1651 * z2744 + z2498;
-    const Scalar z2746 = z1576 * z2511 - z1604 * z2741 - z1625 * z2742 - z1640 * z2743 - z1650 * z2744 - z1656 * z2745
+    const Scalar z2741 = z1658 * z2740;
+    const Scalar z2742 = z1655 * z2739 - z1656 * z2741;
+    const Scalar z2743 = z1649 * z2738 - z1650 * z2741 - z1651 * z2742;
+    const Scalar z2744 = z1639 * z2737 - z1640 * z2741 - z1641 * z2742 - z1642 * z2743;
+    const Scalar z2745 = z1624 * z2736 - z1625 * z2741 - z1626 * z2742 - z1627 * z2743 - z1628 * z2744;
+    const Scalar z2746 = z1603 * z2735 - z1604 * z2741 - z1605 * z2742 - z1606 * z2743 - z1607 * z2744 - z1608 * z2745;
+    const Scalar z2747 = z1576 * z2741 + z1577 * z2742 + z1578 * z2743 + z1579 * z2744 + z1580 * z2745 + z1581 * z2746
+        - k52 * z2510;
+    const Scalar z2748 = z1581 * z2511 - z2413;
+    const Scalar z2749 = z1580 * z2511 - z1608 * z2748 + z2479;
+    const Scalar z2750 = z1579 * z2511 - z1607 * z2748 - z1628 * z2749 - z2486;
+    const Scalar z2751 = z1578 * z2511 - z1606 * z2748 - z1627 * z2749 - z1642 * z2750 + z2492;
+    const Scalar z2752 = z1577 * z2511 - z1605 * z2748 - z1626 * z2749 - z1641 * z2750 - z1651 * z2751 + z2498;
+    const Scalar z2753 = z1576 * z2511 - z1604 * z2748 - z1625 * z2749 - z1640 * z2750 - z1650 * z2751 - z1656 * z2752
         - z2502;
-    const Scalar z2747 = z1658 * z2746;
-    const Scalar z2748 = z1655 * z2745 - z1656 * z2747;
-    const Scalar z2749 = z1649 * z2744 - z1650 * z2747 - z1651 * z2748;
-    const Scalar z2750 = z1639 * z2743 - z1640 * z2747 - z1641 * z2748 - z1642 * z2749;
-    const Scalar z2751 = z1624 * z2742 - z1625 * z2747 - z1626 * z2748 - z1627 * z2749 - z1628 * z2750;
-    const Scalar z2752 = z1603 * z2741 - z1604 * z2747 - z1605 * z2748 - z1606 * z2749 - z1607 * z2750 - z1608 * z2751;
-    const Scalar z2753 = z1576 * z2747 + z1577 * z2748 + z1578 * z2749 + z1579 * z2750 + z1580 * z2751 + z1581 * z2752
-        - k75 * z2511;
-    const Scalar z2754 = z1581 * z2506 - z2549;
-    const Scalar z2755 = z1580 * z2506 - z1608 * z2754 + z2553;
-    const Scalar z2756 = z1579 * z2506 - z1607 * z2754 - z1628 * z2755 + z2560;
-    const Scalar z2757 = z1578 * z2506 - z1606 * z2754 - z1627 * z2755 - z1642 * z2756 + z2566;
-    const Scalar z2758 = z1577 * z2506 - z1605 * z2754 - z1626 * z2755 - z1641 * z2756 - z1651 * z2757 + z2572;
-    const Scalar z2759 = z1576 * z2506 - z1604 * z2754 - z1625 * z2755 - z1640 * z2756 - z1650 * z2757 - z1656 * z2758
+    const Scalar z2754 = z1658 * z2753;
+    const Scalar z2755 = z1655 * z2752 - z1656 * z2754;
+    const Scalar z2756 = z1649 * z2751 - z1650 * z2754 - z1651 * z2755;
+    const Scalar z2757 = z1639 * z2750 - z1640 * z2754 - z1641 * z2755 - z1642 * z2756;
+    const Scalar z2758 = z1624 * z2749 - z1625 * z2754 - z1626 * z2755 - z1627 * z2756 - z1628 * z2757;
+    const Scalar z2759 = z1603 * z2748 - z1604 * z2754 - z1605 * z2755 - z1606 * z2756 - z1607 * z2757 - z1608 * z2758;
+    const Scalar z2760 = z1576 * z2754 + z1577 * z2755 + z1578 * z2756 + z1579 * z2757 + z1580 * z2758 + z1581 * z2759
+        - k52 * z2511;
+    const Scalar z2761 = z1581 * z2506 - z2549;
+    const Scalar z2762 = z1580 * z2506 - z1608 * z2761 + z2553;
+    const Scalar z2763 = z1579 * z2506 - z1607 * z2761 - z1628 * z2762 + z2560;
+    const Scalar z2764 = z1578 * z2506 - z1606 * z2761 - z1627 * z2762 - z1642 * z2763 + z2566;
+    const Scalar z2765 = z1577 * z2506 - z1605 * z2761 - z1626 * z2762 - z1641 * z2763 - z1651 * z2764 + z2572;
+    const Scalar z2766 = z1576 * z2506 - z1604 * z2761 - z1625 * z2762 - z1640 * z2763 - z1650 * z2764 - z1656 * z2765
         + z2576;
-    const Scalar z2760 = z1658 * z2759;
-    const Scalar z2761 = z1655 * z2758 - z1656 * z2760;
-    const Scalar z2762 = z1649 * z2757 - z1650 * z2760 - z1651 * z2761;
-    const Scalar z2763 = z1639 * z2756 - z1640 * z2760 - z1641 * z2761 - z1642 * z2762;
-    const Scalar z2764 = z1624 * z2755 - z1625 * z2760 - z1626 * z2761 - z1627 * z2762 - z1628 * z2763;
-    const Scalar z2765 = z1603 * z2754 - z1604 * z2760 - z1605 * z2761 - z1606 * z2762 - z1607 * z2763 - z1608 * z2764;
-    const Scalar z2766 = z1576 * z2760 + z1577 * z2761 + z1578 * z2762 + z1579 * z2763 + z1580 * z2764 + z1581 * z2765
-        - k75 * z2506;
-    const Scalar z2767 = z1581 * z2507 - z2583;
-    const Scalar z2768 = z1580 * z2507 - z1608 * z2767 + z2587;
-    const Scalar z2769 = z1579 * z2507 - z1607 * z2767 - z1628 * z2768 - z2594;
-    const Scalar z2770 = z1578 * z2507 - z1606 * z2767 - z1627 * z2768 - z1642 * z2769 + z2600;
-    const Scalar z2771 = z1577 * z2507 - z1605 * z2767 - z1626 * z2768 - z1641 * z2769 - z1651 * z2770 + z2606;
-    const Scalar z2772 = z1576 * z2507 - z1604 * z2767 - z1625 * z2768 - z1640 * z2769 - z1650 * z2770 - z1656 * z2771
+    const Scalar z2767 = z1658 * z2766;
+    const Scalar z2768 = z1655 * z2765 - z1656 * z2767;
+    const Scalar z2769 = z1649 * z2764 - z1650 * z2767 - z1651 * z2768;
+    const Scalar z2770 = z1639 * z2763 - z1640 * z2767 - z1641 * z2768 - z1642 * z2769;
+    const Scalar z2771 = z1624 * z2762 - z1625 * z2767 - z1626 * z2768 - z1627 * z2769 - z1628 * z2770;
+    const Scalar z2772 = z1603 * z2761 - z1604 * z2767 - z1605 * z2768 - z1606 * z2769 - z1607 * z2770 - z1608 * z2771;
+    const Scalar z2773 = z1576 * z2767 + z1577 * z2768 + z1578 * z2769 + z1579 * z2770 + z1580 * z2771 + z1581 * z2772
+        - k52 * z2506;
+    const Scalar z2774 = z1581 * z2507 - z2583;
+    const Scalar z2775 = z1580 * z2507 - z1608 * z2774 + z2587;
+    const Scalar z2776 = z1579 * z2507 - z1607 * z2774 - z1628 * z2775 - z2594;
+    const Scalar z2777 = z1578 * z2507 - z1606 * z2774 - z1627 * z2775 - z1642 * z2776 + z2600;
+    const Scalar z2778 = z1577 * z2507 - z1605 * z2774 - z1626 * z2775 - z1641 * z2776 - z1651 * z2777 + z2606;
+    const Scalar z2779 = z1576 * z2507 - z1604 * z2774 - z1625 * z2775 - z1640 * z2776 - z1650 * z2777 - z1656 * z2778
         - z2610;
-    const Scalar z2773 = z1658 * z2772;
-    const Scalar z2774 = z1655 * z2771 - z1656 * z2773;
-    const Scalar z2775 = z1649 * z2770 - z1650 * z2773 - z1651 * z2774;
-    const Scalar z2776 = z1639 * z2769 - z1640 * z2773 - z1641 * z2774 - z1642 * z2775;
-    const Scalar z2777 = z1624 * z2768 - z1625 * z2773 - z1626 * z2774 - z1627 * z2775 - z1628 * z2776;
-    const Scalar z2778 = z1603 * z2767 - z1604 * z2773 - z1605 * z2774 - z1606 * z2775 - z1607 * z2776 - z1608 * z2777;
-    const Scalar z2779 = z1576 * z2773 + z1577 * z2774 + z1578 * z2775 + z1579 * z2776 + z1580 * z2777 + z1581 * z2778
-        - k75 * z2507;
-    const Scalar z2780 = z1656 * z1658;
-    const Scalar z2781 = z1650 * z1658 - z1651 * z2780;
-    const Scalar z2782 = z1640 * z1658 - z1641 * z2780 - z1642 * z2781;
-    const Scalar z2783 = z1625 * z1658 - z1626 * z2780 - z1627 * z2781 - z1628 * z2782;
-    const Scalar z2784 = z1604 * z1658 - z1605 * z2780 - z1606 * z2781 - z1607 * z2782 - z1608 * z2783;
-    const Scalar z2785 = z1576 * z1658 - z1577 * z2780 - z1578 * z2781 - z1579 * z2782 - z1580 * z2783 - z1581 * z2784;
-    const Scalar z2786 = z1655 + z1656 * z2780;
-    const Scalar z2787 = z1650 * z2780 - z1651 * z2786;
-    const Scalar z2788 = z1640 * z2780 - z1641 * z2786 - z1642 * z2787;
-    const Scalar z2789 = z1625 * z2780 - z1626 * z2786 - z1627 * z2787 - z1628 * z2788;
-    const Scalar z2790 = z1604 * z2780 - z1605 * z2786 - z1606 * z2787 - z1607 * z2788 - z1608 * z2789;
-    const Scalar z2791 = z1576 * z2780 - z1577 * z2786 - z1578 * z2787 - z1579 * z2788 - z1580 * z2789 - z1581 * z2790;
-    const Scalar z2792 = z1650 - z1651 * z1656;
-    const Scalar z2793 = z1658 * z2792;
-    const Scalar z2794 = z1651 * z1655 - z1656 * z2793;
-    const Scalar z2795 = z1649 + z1650 * z2793 + z1651 * z2794;
-    const Scalar z2796 = z1640 * z2793 + z1641 * z2794 - z1642 * z2795;
-    const Scalar z2797 = z1625 * z2793 + z1626 * z2794 - z1627 * z2795 - z1628 * z2796;
-    const Scalar z2798 = z1604 * z2793 + z1605 * z2794 - z1606 * z2795 - z1607 * z2796 - z1608 * z2797;
-    const Scalar z2799 = z1576 * z2793 + z1577 * z2794 - z1578 * z2795 - z1579 * z2796 - z1580 * z2797 - z1581 * z2798;
-    const Scalar z2800 = z1641 - z1642 * z1651;
-    const Scalar z2801 = z1640 - z1642 * z1650 - z1656 * z2800;
-    const Scalar z2802 = z1658 * z2801;
-    const Scalar z2803 = z1655 * z2800 - z1656 * z2802;
-    const Scalar z2804 = z1642 * z1649 - z1650 * z2802 - z1651 * z2803;
-    const Scalar z2805 = z1639 + z1640 * z2802 + z1641 * z2803 + z1642 * z2804;
-    const Scalar z2806 = z1625 * z2802 + z1626 * z2803 + z1627 * z2804 - z1628 * z2805;
-    const Scalar z2807 = z1604 * z2802 + z1605 * z2803 + z1606 * z2804 - z1607 * z2805 - z1608 * z2806;
-    const Scalar z2808 = z1576 * z2802 + z1577 * z2803 + z1578 * z2804 - z1579 * z2805 - z1580 * z2806 - z1581 * z2807;
-    const Scalar z2809 = z1627 - z1628 * z1642;
-    const Scalar z2810 = z1626 - z1628 * z1641 - z1651 * z2809;
-    const Scalar z2811 = z1625 - z1628 * z1640 - z1650 * z2809 - z1656 * z2810;
-    const Scalar z2812 = z1658 * z2811;
-    const Scalar z2813 = z1655 * z2810 - z1656 * z2812;
-    const Scalar z2814 = z1649 * z2809 - z1650 * z2812 - z1651 * z2813;
-    const Scalar z2815 = z1628 * z1639 - z1640 * z2812 - z1641 * z2813 - z1642 * z2814;
-    const Scalar z2816 = z1624 + z1625 * z2812 + z1626 * z2813 + z1627 * z2814 + z1628 * z2815;
-    const Scalar z2817 = z1604 * z2812 + z1605 * z2813 + z1606 * z2814 + z1607 * z2815 - z1608 * z2816;
-    const Scalar z2818 = z1576 * z2812 + z1577 * z2813 + z1578 * z2814 + z1579 * z2815 - z1580 * z2816 - z1581 * z2817;
-    const Scalar z2819 = z1607 - z1608 * z1628;
-    const Scalar z2820 = z1606 - z1608 * z1627 - z1642 * z2819;
-    const Scalar z2821 = z1605 - z1608 * z1626 - z1641 * z2819 - z1651 * z2820;
-    const Scalar z2822 = z1604 - z1608 * z1625 - z1640 * z2819 - z1650 * z2820 - z1656 * z2821;
-    const Scalar z2823 = z1658 * z2822;
-    const Scalar z2824 = z1655 * z2821 - z1656 * z2823;
-    const Scalar z2825 = z1649 * z2820 - z1650 * z2823 - z1651 * z2824;
-    const Scalar z2826 = z1639 * z2819 - z1640 * z2823 - z1641 * z2824 - z1642 * z2825;
-    const Scalar z2827 = z1608 * z1624 - z1625 * z2823 - z1626 * z2824 - z1627 * z2825 - z1628 * z2826;
-    const Scalar z2828 = z1603 + z1604 * z2823 + z1605 * z2824 + z1606 * z2825 + z1607 * z2826 + z1608 * z2827;
-    const Scalar z2829 = z1576 * z2823 + z1577 * z2824 + z1578 * z2825 + z1579 * z2826 + z1580 * z2827 - z1581 * z2828;
-    const Scalar z2830 = z1580 - z1581 * z1608;
-    const Scalar z2831 = z1579 - z1581 * z1607 - z1628 * z2830;
-    const Scalar z2832 = z1578 - z1581 * z1606 - z1627 * z2830 - z1642 * z2831;
-    const Scalar z2833 = z1577 - z1581 * z1605 - z1626 * z2830 - z1641 * z2831 - z1651 * z2832;
-    const Scalar z2834 = z1576 - z1581 * z1604 - z1625 * z2830 - z1640 * z2831 - z1650 * z2832 - z1656 * z2833;
-    const Scalar z2835 = z1658 * z2834;
-    const Scalar z2836 = z1655 * z2833 - z1656 * z2835;
-    const Scalar z2837 = z1649 * z2832 - z1650 * z2835 - z1651 * z2836;
-    const Scalar z2838 = z1639 * z2831 - z1640 * z2835 - z1641 * z2836 - z1642 * z2837;
-    const Scalar z2839 = z1624 * z2830 - z1625 * z2835 - z1626 * z2836 - z1627 * z2837 - z1628 * z2838;
-    const Scalar z2840 = z1581 * z1603 - z1604 * z2835 - z1605 * z2836 - z1606 * z2837 - z1607 * z2838 - z1608 * z2839;
-    const Scalar z2841 = k75 - z1576 * z2835 - z1577 * z2836 - z1578 * z2837 - z1579 * z2838 - z1580 * z2839 - z1581
-        * z2840;
+    const Scalar z2780 = z1658 * z2779;
+    const Scalar z2781 = z1655 * z2778 - z1656 * z2780;
+    const Scalar z2782 = z1649 * z2777 - z1650 * z2780 - z1651 * z2781;
+    const Scalar z2783 = z1639 * z2776 - z1640 * z2780 - z1641 * z2781 - z1642 * z2782;
+    const Scalar z2784 = z1624 * z2775 - z1625 * z2780 - z1626 * z2781 - z1627 * z2782 - z1628 * z2783;
+    const Scalar z2785 = z1603 * z2774 - z1604 * z2780 - z1605 * z2781 - z1606 * z2782 - z1607 * z2783 - z1608 * z2784;
+    const Scalar z2786 = z1576 * z2780 + z1577 * z2781 + z1578 * z2782 + z1579 * z2783 + z1580 * z2784 + z1581 * z2785
+        - k52 * z2507;
+    const Scalar z2787 = z1656 * z1658;
+    const Scalar z2788 = z1650 * z1658 - z1651 * z2787;
+    const Scalar z2789 = z1640 * z1658 - z1641 * z2787 - z1642 * z2788;
+    const Scalar z2790 = z1625 * z1658 - z1626 * z2787 - z1627 * z2788 - z1628 * z2789;
+    const Scalar z2791 = z1604 * z1658 - z1605 * z2787 - z1606 * z2788 - z1607 * z2789 - z1608 * z2790;
+    const Scalar z2792 = z1576 * z1658 - z1577 * z2787 - z1578 * z2788 - z1579 * z2789 - z1580 * z2790 - z1581 * z2791;
+    const Scalar z2793 = z1655 + z1656 * z2787;
+    const Scalar z2794 = z1650 * z2787 - z1651 * z2793;
+    const Scalar z2795 = z1640 * z2787 - z1641 * z2793 - z1642 * z2794;
+    const Scalar z2796 = z1625 * z2787 - z1626 * z2793 - z1627 * z2794 - z1628 * z2795;
+    const Scalar z2797 = z1604 * z2787 - z1605 * z2793 - z1606 * z2794 - z1607 * z2795 - z1608 * z2796;
+    const Scalar z2798 = z1576 * z2787 - z1577 * z2793 - z1578 * z2794 - z1579 * z2795 - z1580 * z2796 - z1581 * z2797;
+    const Scalar z2799 = z1650 - z1651 * z1656;
+    const Scalar z2800 = z1658 * z2799;
+    const Scalar z2801 = z1651 * z1655 - z1656 * z2800;
+    const Scalar z2802 = z1649 + z1650 * z2800 + z1651 * z2801;
+    const Scalar z2803 = z1640 * z2800 + z1641 * z2801 - z1642 * z2802;
+    const Scalar z2804 = z1625 * z2800 + z1626 * z2801 - z1627 * z2802 - z1628 * z2803;
+    const Scalar z2805 = z1604 * z2800 + z1605 * z2801 - z1606 * z2802 - z1607 * z2803 - z1608 * z2804;
+    const Scalar z2806 = z1576 * z2800 + z1577 * z2801 - z1578 * z2802 - z1579 * z2803 - z1580 * z2804 - z1581 * z2805;
+    const Scalar z2807 = z1641 - z1642 * z1651;
+    const Scalar z2808 = z1640 - z1642 * z1650 - z1656 * z2807;
+    const Scalar z2809 = z1658 * z2808;
+    const Scalar z2810 = z1655 * z2807 - z1656 * z2809;
+    const Scalar z2811 = z1642 * z1649 - z1650 * z2809 - z1651 * z2810;
+    const Scalar z2812 = z1639 + z1640 * z2809 + z1641 * z2810 + z1642 * z2811;
+    const Scalar z2813 = z1625 * z2809 + z1626 * z2810 + z1627 * z2811 - z1628 * z2812;
+    const Scalar z2814 = z1604 * z2809 + z1605 * z2810 + z1606 * z2811 - z1607 * z2812 - z1608 * z2813;
+    const Scalar z2815 = z1576 * z2809 + z1577 * z2810 + z1578 * z2811 - z1579 * z2812 - z1580 * z2813 - z1581 * z2814;
+    const Scalar z2816 = z1627 - z1628 * z1642;
+    const Scalar z2817 = z1626 - z1628 * z1641 - z1651 * z2816;
+    const Scalar z2818 = z1625 - z1628 * z1640 - z1650 * z2816 - z1656 * z2817;
+    const Scalar z2819 = z1658 * z2818;
+    const Scalar z2820 = z1655 * z2817 - z1656 * z2819;
+    const Scalar z2821 = z1649 * z2816 - z1650 * z2819 - z1651 * z2820;
+    const Scalar z2822 = z1628 * z1639 - z1640 * z2819 - z1641 * z2820 - z1642 * z2821;
+    const Scalar z2823 = z1624 + z1625 * z2819 + z1626 * z2820 + z1627 * z2821 + z1628 * z2822;
+    const Scalar z2824 = z1604 * z2819 + z1605 * z2820 + z1606 * z2821 + z1607 * z2822 - z1608 * z2823;
+    const Scalar z2825 = z1576 * z2819 + z1577 * z2820 + z1578 * z2821 + z1579 * z2822 - z1580 * z2823 - z1581 * z2824;
+    const Scalar z2826 = z1607 - z1608 * z1628;
+    const Scalar z2827 = z1606 - z1608 * z1627 - z1642 * z2826;
+    const Scalar z2828 = z1605 - z1608 * z1626 - z1641 * z2826 - z1651 * z2827;
+    const Scalar z2829 = z1604 - z1608 * z1625 - z1640 * z2826 - z1650 * z2827 - z1656 * z2828;
+    const Scalar z2830 = z1658 * z2829;
+    const Scalar z2831 = z1655 * z2828 - z1656 * z2830;
+    const Scalar z2832 = z1649 * z2827 - z1650 * z2830 - z1651 * z2831;
+    const Scalar z2833 = z1639 * z2826 - z1640 * z2830 - z1641 * z2831 - z1642 * z2832;
+    const Scalar z2834 = z1608 * z1624 - z1625 * z2830 - z1626 * z2831 - z1627 * z2832 - z1628 * z2833;
+    const Scalar z2835 = z1603 + z1604 * z2830 + z1605 * z2831 + z1606 * z2832 + z1607 * z2833 + z1608 * z2834;
+    const Scalar z2836 = z1576 * z2830 + z1577 * z2831 + z1578 * z2832 + z1579 * z2833 + z1580 * z2834 - z1581 * z2835;
+    const Scalar z2837 = z1580 - z1581 * z1608;
+    const Scalar z2838 = z1579 - z1581 * z1607 - z1628 * z2837;
+    const Scalar z2839 = z1578 - z1581 * z1606 - z1627 * z2837 - z1642 * z2838;
+    const Scalar z2840 = z1577 - z1581 * z1605 - z1626 * z2837 - z1641 * z2838 - z1651 * z2839;
+    const Scalar z2841 = z1576 - z1581 * z1604 - z1625 * z2837 - z1640 * z2838 - z1650 * z2839 - z1656 * z2840;
+    const Scalar z2842 = z1658 * z2841;
+    const Scalar z2843 = z1655 * z2840 - z1656 * z2842;
+    const Scalar z2844 = z1649 * z2839 - z1650 * z2842 - z1651 * z2843;
+    const Scalar z2845 = z1639 * z2838 - z1640 * z2842 - z1641 * z2843 - z1642 * z2844;
+    const Scalar z2846 = z1624 * z2837 - z1625 * z2842 - z1626 * z2843 - z1627 * z2844 - z1628 * z2845;
+    const Scalar z2847 = z1581 * z1603 - z1604 * z2842 - z1605 * z2843 - z1606 * z2844 - z1607 * z2845 - z1608 * z2846;
+    const Scalar z2848 = k52 - z1576 * z2842 - z1577 * z2843 - z1578 * z2844 - z1579 * z2845 - z1580 * z2846 - z1581
+        * z2847;
     result.M[0] = z669;
     result.M[1] = -z655;
     result.M[2] = -z635;
@@ -4649,7 +4603,7 @@ struct Mechanism {
     result.M[47] = -z468;
     result.M[48] = k4;
     result.C[0] = -z2204;
-    result.C[1] = -z2182;
+    result.C[1] = -z2188;
     result.C[2] = -z2237;
     result.C[3] = z2285;
     result.C[4] = -z2352;
@@ -4746,13 +4700,13 @@ struct Mechanism {
     result.K[46] = -z2553;
     result.K[47] = -z2549;
     result.K[48] = z2506;
-    result.F[0] = u_tau1 - z1034;
-    result.F[1] = u_tau2 - z1025;
-    result.F[2] = u_tau3 - z1011;
-    result.F[3] = u_tau4 - z997;
-    result.F[4] = u_tau5 + z985;
-    result.F[5] = u_tau6 - z969;
-    result.F[6] = u_tau7 - z955;
+    result.F[0] = z2611;
+    result.F[1] = z2612;
+    result.F[2] = z2613;
+    result.F[3] = z2614;
+    result.F[4] = z2615;
+    result.F[5] = z2616;
+    result.F[6] = z2617;
     result.E[0] = n1;
     result.E[1] = n0;
     result.E[2] = n0;
@@ -4823,13 +4777,13 @@ struct Mechanism {
     result.A[18] = n0;
     result.A[19] = n0;
     result.A[20] = n0;
-    result.A[21] = -z2630;
-    result.A[22] = -z2631;
-    result.A[23] = z2632;
-    result.A[24] = -z2633;
-    result.A[25] = -z2634;
-    result.A[26] = z2635;
-    result.A[27] = z2636;
+    result.A[21] = -z2637;
+    result.A[22] = -z2638;
+    result.A[23] = z2639;
+    result.A[24] = -z2640;
+    result.A[25] = -z2641;
+    result.A[26] = z2642;
+    result.A[27] = z2643;
     result.A[28] = n0;
     result.A[29] = n0;
     result.A[30] = n0;
@@ -4837,13 +4791,13 @@ struct Mechanism {
     result.A[32] = n0;
     result.A[33] = n0;
     result.A[34] = n0;
-    result.A[35] = -z2656;
-    result.A[36] = -z2657;
-    result.A[37] = z2658;
-    result.A[38] = -z2659;
-    result.A[39] = -z2660;
-    result.A[40] = z2661;
-    result.A[41] = z2662;
+    result.A[35] = -z2663;
+    result.A[36] = -z2664;
+    result.A[37] = z2665;
+    result.A[38] = -z2666;
+    result.A[39] = -z2667;
+    result.A[40] = z2668;
+    result.A[41] = z2669;
     result.A[42] = n0;
     result.A[43] = n0;
     result.A[44] = n0;
@@ -4851,13 +4805,13 @@ struct Mechanism {
     result.A[46] = n0;
     result.A[47] = n0;
     result.A[48] = n0;
-    result.A[49] = z2682;
-    result.A[50] = z2683;
-    result.A[51] = -z2684;
-    result.A[52] = z2685;
-    result.A[53] = z2686;
-    result.A[54] = -z2687;
-    result.A[55] = -z2688;
+    result.A[49] = z2689;
+    result.A[50] = z2690;
+    result.A[51] = -z2691;
+    result.A[52] = z2692;
+    result.A[53] = z2693;
+    result.A[54] = -z2694;
+    result.A[55] = -z2695;
     result.A[56] = n0;
     result.A[57] = n0;
     result.A[58] = n0;
@@ -4865,13 +4819,13 @@ struct Mechanism {
     result.A[60] = n0;
     result.A[61] = n0;
     result.A[62] = n0;
-    result.A[63] = z2708;
-    result.A[64] = z2709;
-    result.A[65] = -z2710;
-    result.A[66] = z2711;
-    result.A[67] = z2712;
-    result.A[68] = -z2713;
-    result.A[69] = -z2714;
+    result.A[63] = z2715;
+    result.A[64] = z2716;
+    result.A[65] = -z2717;
+    result.A[66] = z2718;
+    result.A[67] = z2719;
+    result.A[68] = -z2720;
+    result.A[69] = -z2721;
     result.A[70] = n0;
     result.A[71] = n0;
     result.A[72] = n0;
@@ -4879,13 +4833,13 @@ struct Mechanism {
     result.A[74] = n0;
     result.A[75] = n0;
     result.A[76] = n0;
-    result.A[77] = z2734;
-    result.A[78] = z2735;
-    result.A[79] = -z2736;
-    result.A[80] = z2737;
-    result.A[81] = z2738;
-    result.A[82] = -z2739;
-    result.A[83] = -z2740;
+    result.A[77] = z2741;
+    result.A[78] = z2742;
+    result.A[79] = -z2743;
+    result.A[80] = z2744;
+    result.A[81] = z2745;
+    result.A[82] = -z2746;
+    result.A[83] = -z2747;
     result.A[84] = n0;
     result.A[85] = n0;
     result.A[86] = n0;
@@ -4893,13 +4847,13 @@ struct Mechanism {
     result.A[88] = n0;
     result.A[89] = n0;
     result.A[90] = n0;
-    result.A[91] = -z2760;
-    result.A[92] = -z2761;
-    result.A[93] = z2762;
-    result.A[94] = -z2763;
-    result.A[95] = -z2764;
-    result.A[96] = z2765;
-    result.A[97] = z2766;
+    result.A[91] = -z2767;
+    result.A[92] = -z2768;
+    result.A[93] = z2769;
+    result.A[94] = -z2770;
+    result.A[95] = -z2771;
+    result.A[96] = z2772;
+    result.A[97] = z2773;
     result.A[98] = n1;
     result.A[99] = n0;
     result.A[100] = n0;
@@ -4907,13 +4861,13 @@ struct Mechanism {
     result.A[102] = n0;
     result.A[103] = n0;
     result.A[104] = n0;
-    result.A[105] = z2617;
-    result.A[106] = z2618;
-    result.A[107] = -z2619;
-    result.A[108] = z2620;
-    result.A[109] = z2621;
-    result.A[110] = -z2622;
-    result.A[111] = -z2623;
+    result.A[105] = z2624;
+    result.A[106] = z2625;
+    result.A[107] = -z2626;
+    result.A[108] = z2627;
+    result.A[109] = z2628;
+    result.A[110] = -z2629;
+    result.A[111] = -z2630;
     result.A[112] = n0;
     result.A[113] = n1;
     result.A[114] = n0;
@@ -4921,13 +4875,13 @@ struct Mechanism {
     result.A[116] = n0;
     result.A[117] = n0;
     result.A[118] = n0;
-    result.A[119] = -z2643;
-    result.A[120] = -z2644;
-    result.A[121] = z2645;
-    result.A[122] = -z2646;
-    result.A[123] = -z2647;
-    result.A[124] = z2648;
-    result.A[125] = z2649;
+    result.A[119] = -z2650;
+    result.A[120] = -z2651;
+    result.A[121] = z2652;
+    result.A[122] = -z2653;
+    result.A[123] = -z2654;
+    result.A[124] = z2655;
+    result.A[125] = z2656;
     result.A[126] = n0;
     result.A[127] = n0;
     result.A[128] = n1;
@@ -4935,13 +4889,13 @@ struct Mechanism {
     result.A[130] = n0;
     result.A[131] = n0;
     result.A[132] = n0;
-    result.A[133] = z2669;
-    result.A[134] = z2670;
-    result.A[135] = -z2671;
-    result.A[136] = z2672;
-    result.A[137] = z2673;
-    result.A[138] = -z2674;
-    result.A[139] = -z2675;
+    result.A[133] = z2676;
+    result.A[134] = z2677;
+    result.A[135] = -z2678;
+    result.A[136] = z2679;
+    result.A[137] = z2680;
+    result.A[138] = -z2681;
+    result.A[139] = -z2682;
     result.A[140] = n0;
     result.A[141] = n0;
     result.A[142] = n0;
@@ -4949,13 +4903,13 @@ struct Mechanism {
     result.A[144] = n0;
     result.A[145] = n0;
     result.A[146] = n0;
-    result.A[147] = z2695;
-    result.A[148] = z2696;
-    result.A[149] = -z2697;
-    result.A[150] = z2698;
-    result.A[151] = z2699;
-    result.A[152] = -z2700;
-    result.A[153] = -z2701;
+    result.A[147] = z2702;
+    result.A[148] = z2703;
+    result.A[149] = -z2704;
+    result.A[150] = z2705;
+    result.A[151] = z2706;
+    result.A[152] = -z2707;
+    result.A[153] = -z2708;
     result.A[154] = n0;
     result.A[155] = n0;
     result.A[156] = n0;
@@ -4963,13 +4917,13 @@ struct Mechanism {
     result.A[158] = n1;
     result.A[159] = n0;
     result.A[160] = n0;
-    result.A[161] = -z2721;
-    result.A[162] = -z2722;
-    result.A[163] = z2723;
-    result.A[164] = -z2724;
-    result.A[165] = -z2725;
-    result.A[166] = z2726;
-    result.A[167] = z2727;
+    result.A[161] = -z2728;
+    result.A[162] = -z2729;
+    result.A[163] = z2730;
+    result.A[164] = -z2731;
+    result.A[165] = -z2732;
+    result.A[166] = z2733;
+    result.A[167] = z2734;
     result.A[168] = n0;
     result.A[169] = n0;
     result.A[170] = n0;
@@ -4977,13 +4931,13 @@ struct Mechanism {
     result.A[172] = n0;
     result.A[173] = n1;
     result.A[174] = n0;
-    result.A[175] = -z2747;
-    result.A[176] = -z2748;
-    result.A[177] = z2749;
-    result.A[178] = -z2750;
-    result.A[179] = -z2751;
-    result.A[180] = z2752;
-    result.A[181] = z2753;
+    result.A[175] = -z2754;
+    result.A[176] = -z2755;
+    result.A[177] = z2756;
+    result.A[178] = -z2757;
+    result.A[179] = -z2758;
+    result.A[180] = z2759;
+    result.A[181] = z2760;
     result.A[182] = n0;
     result.A[183] = n0;
     result.A[184] = n0;
@@ -4991,13 +4945,13 @@ struct Mechanism {
     result.A[186] = n0;
     result.A[187] = n0;
     result.A[188] = n1;
-    result.A[189] = -z2773;
-    result.A[190] = -z2774;
-    result.A[191] = z2775;
-    result.A[192] = -z2776;
-    result.A[193] = -z2777;
-    result.A[194] = z2778;
-    result.A[195] = z2779;
+    result.A[189] = -z2780;
+    result.A[190] = -z2781;
+    result.A[191] = z2782;
+    result.A[192] = -z2783;
+    result.A[193] = -z2784;
+    result.A[194] = z2785;
+    result.A[195] = z2786;
     result.B[0] = n0;
     result.B[1] = n0;
     result.B[2] = n0;
@@ -5006,12 +4960,12 @@ struct Mechanism {
     result.B[5] = n0;
     result.B[6] = n0;
     result.B[7] = -z1658;
-    result.B[8] = z2780;
-    result.B[9] = -z2781;
-    result.B[10] = z2782;
-    result.B[11] = z2783;
-    result.B[12] = -z2784;
-    result.B[13] = z2785;
+    result.B[8] = z2787;
+    result.B[9] = -z2788;
+    result.B[10] = z2789;
+    result.B[11] = z2790;
+    result.B[12] = -z2791;
+    result.B[13] = z2792;
     result.B[14] = n0;
     result.B[15] = n0;
     result.B[16] = n0;
@@ -5019,13 +4973,13 @@ struct Mechanism {
     result.B[18] = n0;
     result.B[19] = n0;
     result.B[20] = n0;
-    result.B[21] = z2780;
-    result.B[22] = -z2786;
-    result.B[23] = z2787;
-    result.B[24] = -z2788;
-    result.B[25] = -z2789;
-    result.B[26] = z2790;
-    result.B[27] = -z2791;
+    result.B[21] = z2787;
+    result.B[22] = -z2793;
+    result.B[23] = z2794;
+    result.B[24] = -z2795;
+    result.B[25] = -z2796;
+    result.B[26] = z2797;
+    result.B[27] = -z2798;
     result.B[28] = n0;
     result.B[29] = n0;
     result.B[30] = n0;
@@ -5033,13 +4987,13 @@ struct Mechanism {
     result.B[32] = n0;
     result.B[33] = n0;
     result.B[34] = n0;
-    result.B[35] = -z2793;
-    result.B[36] = -z2794;
-    result.B[37] = -z2795;
-    result.B[38] = z2796;
-    result.B[39] = z2797;
-    result.B[40] = -z2798;
-    result.B[41] = z2799;
+    result.B[35] = -z2800;
+    result.B[36] = -z2801;
+    result.B[37] = -z2802;
+    result.B[38] = z2803;
+    result.B[39] = z2804;
+    result.B[40] = -z2805;
+    result.B[41] = z2806;
     result.B[42] = n0;
     result.B[43] = n0;
     result.B[44] = n0;
@@ -5047,13 +5001,13 @@ struct Mechanism {
     result.B[46] = n0;
     result.B[47] = n0;
     result.B[48] = n0;
-    result.B[49] = z2802;
-    result.B[50] = z2803;
-    result.B[51] = -z2804;
-    result.B[52] = -z2805;
-    result.B[53] = -z2806;
-    result.B[54] = z2807;
-    result.B[55] = -z2808;
+    result.B[49] = z2809;
+    result.B[50] = z2810;
+    result.B[51] = -z2811;
+    result.B[52] = -z2812;
+    result.B[53] = -z2813;
+    result.B[54] = z2814;
+    result.B[55] = -z2815;
     result.B[56] = n0;
     result.B[57] = n0;
     result.B[58] = n0;
@@ -5061,13 +5015,13 @@ struct Mechanism {
     result.B[60] = n0;
     result.B[61] = n0;
     result.B[62] = n0;
-    result.B[63] = z2812;
-    result.B[64] = z2813;
-    result.B[65] = -z2814;
-    result.B[66] = z2815;
-    result.B[67] = -z2816;
-    result.B[68] = z2817;
-    result.B[69] = -z2818;
+    result.B[63] = z2819;
+    result.B[64] = z2820;
+    result.B[65] = -z2821;
+    result.B[66] = z2822;
+    result.B[67] = -z2823;
+    result.B[68] = z2824;
+    result.B[69] = -z2825;
     result.B[70] = n0;
     result.B[71] = n0;
     result.B[72] = n0;
@@ -5075,13 +5029,13 @@ struct Mechanism {
     result.B[74] = n0;
     result.B[75] = n0;
     result.B[76] = n0;
-    result.B[77] = -z2823;
-    result.B[78] = -z2824;
-    result.B[79] = z2825;
-    result.B[80] = -z2826;
-    result.B[81] = -z2827;
-    result.B[82] = -z2828;
-    result.B[83] = z2829;
+    result.B[77] = -z2830;
+    result.B[78] = -z2831;
+    result.B[79] = z2832;
+    result.B[80] = -z2833;
+    result.B[81] = -z2834;
+    result.B[82] = -z2835;
+    result.B[83] = z2836;
     result.B[84] = n0;
     result.B[85] = n0;
     result.B[86] = n0;
@@ -5089,101 +5043,105 @@ struct Mechanism {
     result.B[88] = n0;
     result.B[89] = n0;
     result.B[90] = n0;
-    result.B[91] = z2835;
-    result.B[92] = z2836;
-    result.B[93] = -z2837;
-    result.B[94] = z2838;
-    result.B[95] = z2839;
-    result.B[96] = -z2840;
-    result.B[97] = z2841;
+    result.B[91] = z2842;
+    result.B[92] = z2843;
+    result.B[93] = -z2844;
+    result.B[94] = z2845;
+    result.B[95] = z2846;
+    result.B[96] = -z2847;
+    result.B[97] = z2848;
     if (!(traits::regular(-z1657, z669) && traits::regular(-z1654, z651) && traits::regular(-z1648, z625)
         && traits::regular(-z1638, z592) && traits::regular(-z1623, z550) && traits::regular(-z1602,
         z509))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
-    const Scalar zero = (result.M[0] - result.M[0]) + (result.M[1] - result.M[1]) + (result.M[2] - result.M[2])
+    const Scalar zero = ((((((result.M[0] - result.M[0]) + (result.M[1] - result.M[1]) + (result.M[2] - result.M[2])
         + (result.M[3] - result.M[3]) + (result.M[4] - result.M[4]) + (result.M[5] - result.M[5]) + (result.M[6]
-        - result.M[6]) + (result.M[7] - result.M[7]) + (result.M[8] - result.M[8]) + (result.M[9] - result.M[9])
+        - result.M[6]) + (result.M[7] - result.M[7])) + ((result.M[8] - result.M[8]) + (result.M[9] - result.M[9])
         + (result.M[10] - result.M[10]) + (result.M[11] - result.M[11]) + (result.M[12] - result.M[12]) + (result.M[13]
-        - result.M[13]) + (result.M[14] - result.M[14]) + (result.M[15] - result.M[15]) + (result.M[16] - result.M[16])
-        + (result.M[17] - result.M[17]) + (result.M[18] - result.M[18]) + (result.M[19] - result.M[19]) + (result.M[20]
-        - result.M[20]) + (result.M[21] - result.M[21]) + (result.M[22] - result.M[22]) + (result.M[23] - result.M[23])
-        + (result.M[24] - result.M[24]) + (result.M[25] - result.M[25]) + (result.M[26] - result.M[26]) + (result.M[27]
-        - result.M[27]) + (result.M[28] - result.M[28]) + (result.M[29] - result.M[29]) + (result.M[30] - result.M[30])
-        + (result.M[31] - result.M[31]) + (result.M[32] - result.M[32]) + (result.M[33] - result.M[33]) + (result.M[34]
-        - result.M[34]) + (result.M[35] - result.M[35]) + (result.M[36] - result.M[36]) + (result.M[37] - result.M[37])
-        + (result.M[38] - result.M[38]) + (result.M[39] - result.M[39]) + (result.M[40] - result.M[40]) + (result.M[41]
-        - result.M[41]) + (result.M[42] - result.M[42]) + (result.M[43] - result.M[43]) + (result.M[44] - result.M[44])
-        + (result.M[45] - result.M[45]) + (result.M[46] - result.M[46]) + (result.M[47] - result.M[47]) + (result.C[0]
-        - result.C[0]) + (result.C[1] - result.C[1]) + (result.C[2] - result.C[2]) + (result.C[3] - result.C[3])
-        + (result.C[4] - result.C[4]) + (result.C[5] - result.C[5]) + (result.C[6] - result.C[6]) + (result.C[7]
-        - result.C[7]) + (result.C[8] - result.C[8]) + (result.C[9] - result.C[9]) + (result.C[10] - result.C[10])
-        + (result.C[11] - result.C[11]) + (result.C[12] - result.C[12]) + (result.C[13] - result.C[13]) + (result.C[14]
-        - result.C[14]) + (result.C[15] - result.C[15]) + (result.C[16] - result.C[16]) + (result.C[17] - result.C[17])
-        + (result.C[18] - result.C[18]) + (result.C[19] - result.C[19]) + (result.C[20] - result.C[20]) + (result.C[21]
-        - result.C[21]) + (result.C[22] - result.C[22]) + (result.C[23] - result.C[23]) + (result.C[24] - result.C[24])
+        - result.M[13]) + (result.M[14] - result.M[14]) + (result.M[15] - result.M[15]) + (result.M[16]
+        - result.M[16]))) + (((result.M[17] - result.M[17]) + (result.M[18] - result.M[18]) + (result.M[19]
+        - result.M[19]) + (result.M[20] - result.M[20]) + (result.M[21] - result.M[21]) + (result.M[22] - result.M[22])
+        + (result.M[23] - result.M[23]) + (result.M[24] - result.M[24]) + (result.M[25] - result.M[25]))
+        + ((result.M[26] - result.M[26]) + (result.M[27] - result.M[27]) + (result.M[28] - result.M[28]) + (result.M[29]
+        - result.M[29]) + (result.M[30] - result.M[30]) + (result.M[31] - result.M[31]) + (result.M[32] - result.M[32])
+        + (result.M[33] - result.M[33]) + (result.M[34] - result.M[34])))) + ((((result.M[35] - result.M[35])
+        + (result.M[36] - result.M[36]) + (result.M[37] - result.M[37]) + (result.M[38] - result.M[38]) + (result.M[39]
+        - result.M[39]) + (result.M[40] - result.M[40]) + (result.M[41] - result.M[41]) + (result.M[42] - result.M[42])
+        + (result.M[43] - result.M[43])) + ((result.M[44] - result.M[44]) + (result.M[45] - result.M[45])
+        + (result.M[46] - result.M[46]) + (result.M[47] - result.M[47]) + (result.C[0] - result.C[0]) + (result.C[1]
+        - result.C[1]) + (result.C[2] - result.C[2]) + (result.C[3] - result.C[3]) + (result.C[4] - result.C[4])))
+        + (((result.C[5] - result.C[5]) + (result.C[6] - result.C[6]) + (result.C[7] - result.C[7]) + (result.C[8]
+        - result.C[8]) + (result.C[9] - result.C[9]) + (result.C[10] - result.C[10]) + (result.C[11] - result.C[11])
+        + (result.C[12] - result.C[12]) + (result.C[13] - result.C[13])) + ((result.C[14] - result.C[14])
+        + (result.C[15] - result.C[15]) + (result.C[16] - result.C[16]) + (result.C[17] - result.C[17]) + (result.C[18]
+        - result.C[18]) + (result.C[19] - result.C[19]) + (result.C[20] - result.C[20]) + (result.C[21] - result.C[21])
+        + (result.C[22] - result.C[22]))))) + (((((result.C[23] - result.C[23]) + (result.C[24] - result.C[24])
         + (result.C[25] - result.C[25]) + (result.C[26] - result.C[26]) + (result.C[27] - result.C[27]) + (result.C[28]
-        - result.C[28]) + (result.C[29] - result.C[29]) + (result.C[30] - result.C[30]) + (result.C[31] - result.C[31])
-        + (result.C[32] - result.C[32]) + (result.C[33] - result.C[33]) + (result.C[34] - result.C[34]) + (result.C[35]
-        - result.C[35]) + (result.C[36] - result.C[36]) + (result.C[37] - result.C[37]) + (result.C[38] - result.C[38])
-        + (result.C[39] - result.C[39]) + (result.C[40] - result.C[40]) + (result.C[41] - result.C[41]) + (result.C[42]
-        - result.C[42]) + (result.C[43] - result.C[43]) + (result.C[44] - result.C[44]) + (result.C[45] - result.C[45])
-        + (result.C[46] - result.C[46]) + (result.C[47] - result.C[47]) + (result.K[7] - result.K[7]) + (result.K[8]
-        - result.K[8]) + (result.K[9] - result.K[9]) + (result.K[10] - result.K[10]) + (result.K[11] - result.K[11])
-        + (result.K[12] - result.K[12]) + (result.K[13] - result.K[13]) + (result.K[14] - result.K[14]) + (result.K[15]
-        - result.K[15]) + (result.K[16] - result.K[16]) + (result.K[17] - result.K[17]) + (result.K[18] - result.K[18])
-        + (result.K[19] - result.K[19]) + (result.K[20] - result.K[20]) + (result.K[21] - result.K[21]) + (result.K[22]
-        - result.K[22]) + (result.K[23] - result.K[23]) + (result.K[24] - result.K[24]) + (result.K[25] - result.K[25])
-        + (result.K[26] - result.K[26]) + (result.K[27] - result.K[27]) + (result.K[28] - result.K[28]) + (result.K[29]
-        - result.K[29]) + (result.K[30] - result.K[30]) + (result.K[31] - result.K[31]) + (result.K[32] - result.K[32])
-        + (result.K[33] - result.K[33]) + (result.K[34] - result.K[34]) + (result.K[35] - result.K[35]) + (result.K[36]
-        - result.K[36]) + (result.K[37] - result.K[37]) + (result.K[38] - result.K[38]) + (result.K[39] - result.K[39])
-        + (result.K[40] - result.K[40]) + (result.K[41] - result.K[41]) + (result.K[42] - result.K[42]) + (result.K[43]
-        - result.K[43]) + (result.K[44] - result.K[44]) + (result.K[45] - result.K[45]) + (result.K[46] - result.K[46])
-        + (result.K[47] - result.K[47]) + (result.K[48] - result.K[48]) + (result.F[0] - result.F[0]) + (result.F[1]
-        - result.F[1]) + (result.F[2] - result.F[2]) + (result.F[3] - result.F[3]) + (result.F[4] - result.F[4])
+        - result.C[28]) + (result.C[29] - result.C[29]) + (result.C[30] - result.C[30])) + ((result.C[31]
+        - result.C[31]) + (result.C[32] - result.C[32]) + (result.C[33] - result.C[33]) + (result.C[34] - result.C[34])
+        + (result.C[35] - result.C[35]) + (result.C[36] - result.C[36]) + (result.C[37] - result.C[37]) + (result.C[38]
+        - result.C[38]) + (result.C[39] - result.C[39]))) + (((result.C[40] - result.C[40]) + (result.C[41]
+        - result.C[41]) + (result.C[42] - result.C[42]) + (result.C[43] - result.C[43]) + (result.C[44] - result.C[44])
+        + (result.C[45] - result.C[45]) + (result.C[46] - result.C[46]) + (result.C[47] - result.C[47]) + (result.K[7]
+        - result.K[7])) + ((result.K[8] - result.K[8]) + (result.K[9] - result.K[9]) + (result.K[10] - result.K[10])
+        + (result.K[11] - result.K[11]) + (result.K[12] - result.K[12]) + (result.K[13] - result.K[13]) + (result.K[14]
+        - result.K[14]) + (result.K[15] - result.K[15]) + (result.K[16] - result.K[16])))) + ((((result.K[17]
+        - result.K[17]) + (result.K[18] - result.K[18]) + (result.K[19] - result.K[19]) + (result.K[20] - result.K[20])
+        + (result.K[21] - result.K[21]) + (result.K[22] - result.K[22]) + (result.K[23] - result.K[23]) + (result.K[24]
+        - result.K[24]) + (result.K[25] - result.K[25])) + ((result.K[26] - result.K[26]) + (result.K[27]
+        - result.K[27]) + (result.K[28] - result.K[28]) + (result.K[29] - result.K[29]) + (result.K[30] - result.K[30])
+        + (result.K[31] - result.K[31]) + (result.K[32] - result.K[32]) + (result.K[33] - result.K[33]) + (result.K[34]
+        - result.K[34]))) + (((result.K[35] - result.K[35]) + (result.K[36] - result.K[36]) + (result.K[37]
+        - result.K[37]) + (result.K[38] - result.K[38]) + (result.K[39] - result.K[39]) + (result.K[40] - result.K[40])
+        + (result.K[41] - result.K[41]) + (result.K[42] - result.K[42]) + (result.K[43] - result.K[43]))
+        + ((result.K[44] - result.K[44]) + (result.K[45] - result.K[45]) + (result.K[46] - result.K[46]) + (result.K[47]
+        - result.K[47]) + (result.K[48] - result.K[48]) + (result.F[0] - result.F[0]) + (result.F[1] - result.F[1])
+        + (result.F[2] - result.F[2]) + (result.F[3] - result.F[3])))))) + ((((((result.F[4] - result.F[4])
         + (result.F[5] - result.F[5]) + (result.F[6] - result.F[6]) + (result.A[21] - result.A[21]) + (result.A[22]
-        - result.A[22]) + (result.A[23] - result.A[23]) + (result.A[24] - result.A[24]) + (result.A[25] - result.A[25])
-        + (result.A[26] - result.A[26]) + (result.A[27] - result.A[27]) + (result.A[35] - result.A[35]) + (result.A[36]
+        - result.A[22]) + (result.A[23] - result.A[23]) + (result.A[24] - result.A[24]) + (result.A[25] - result.A[25]))
+        + ((result.A[26] - result.A[26]) + (result.A[27] - result.A[27]) + (result.A[35] - result.A[35]) + (result.A[36]
         - result.A[36]) + (result.A[37] - result.A[37]) + (result.A[38] - result.A[38]) + (result.A[39] - result.A[39])
-        + (result.A[40] - result.A[40]) + (result.A[41] - result.A[41]) + (result.A[49] - result.A[49]) + (result.A[50]
-        - result.A[50]) + (result.A[51] - result.A[51]) + (result.A[52] - result.A[52]) + (result.A[53] - result.A[53])
-        + (result.A[54] - result.A[54]) + (result.A[55] - result.A[55]) + (result.A[63] - result.A[63]) + (result.A[64]
-        - result.A[64]) + (result.A[65] - result.A[65]) + (result.A[66] - result.A[66]) + (result.A[67] - result.A[67])
-        + (result.A[68] - result.A[68]) + (result.A[69] - result.A[69]) + (result.A[77] - result.A[77]) + (result.A[78]
-        - result.A[78]) + (result.A[79] - result.A[79]) + (result.A[80] - result.A[80]) + (result.A[81] - result.A[81])
-        + (result.A[82] - result.A[82]) + (result.A[83] - result.A[83]) + (result.A[91] - result.A[91]) + (result.A[92]
-        - result.A[92]) + (result.A[93] - result.A[93]) + (result.A[94] - result.A[94]) + (result.A[95] - result.A[95])
-        + (result.A[96] - result.A[96]) + (result.A[97] - result.A[97]) + (result.A[105] - result.A[105])
-        + (result.A[106] - result.A[106]) + (result.A[107] - result.A[107]) + (result.A[108] - result.A[108])
-        + (result.A[109] - result.A[109]) + (result.A[110] - result.A[110]) + (result.A[111] - result.A[111])
-        + (result.A[119] - result.A[119]) + (result.A[120] - result.A[120]) + (result.A[121] - result.A[121])
-        + (result.A[122] - result.A[122]) + (result.A[123] - result.A[123]) + (result.A[124] - result.A[124])
-        + (result.A[125] - result.A[125]) + (result.A[133] - result.A[133]) + (result.A[134] - result.A[134])
-        + (result.A[135] - result.A[135]) + (result.A[136] - result.A[136]) + (result.A[137] - result.A[137])
-        + (result.A[138] - result.A[138]) + (result.A[139] - result.A[139]) + (result.A[147] - result.A[147])
-        + (result.A[148] - result.A[148]) + (result.A[149] - result.A[149]) + (result.A[150] - result.A[150])
-        + (result.A[151] - result.A[151]) + (result.A[152] - result.A[152]) + (result.A[153] - result.A[153])
-        + (result.A[161] - result.A[161]) + (result.A[162] - result.A[162]) + (result.A[163] - result.A[163])
-        + (result.A[164] - result.A[164]) + (result.A[165] - result.A[165]) + (result.A[166] - result.A[166])
-        + (result.A[167] - result.A[167]) + (result.A[175] - result.A[175]) + (result.A[176] - result.A[176])
-        + (result.A[177] - result.A[177]) + (result.A[178] - result.A[178]) + (result.A[179] - result.A[179])
-        + (result.A[180] - result.A[180]) + (result.A[181] - result.A[181]) + (result.A[189] - result.A[189])
-        + (result.A[190] - result.A[190]) + (result.A[191] - result.A[191]) + (result.A[192] - result.A[192])
-        + (result.A[193] - result.A[193]) + (result.A[194] - result.A[194]) + (result.A[195] - result.A[195])
-        + (result.B[7] - result.B[7]) + (result.B[8] - result.B[8]) + (result.B[9] - result.B[9]) + (result.B[10]
-        - result.B[10]) + (result.B[11] - result.B[11]) + (result.B[12] - result.B[12]) + (result.B[13] - result.B[13])
-        + (result.B[21] - result.B[21]) + (result.B[22] - result.B[22]) + (result.B[23] - result.B[23]) + (result.B[24]
-        - result.B[24]) + (result.B[25] - result.B[25]) + (result.B[26] - result.B[26]) + (result.B[27] - result.B[27])
-        + (result.B[35] - result.B[35]) + (result.B[36] - result.B[36]) + (result.B[37] - result.B[37]) + (result.B[38]
-        - result.B[38]) + (result.B[39] - result.B[39]) + (result.B[40] - result.B[40]) + (result.B[41] - result.B[41])
-        + (result.B[49] - result.B[49]) + (result.B[50] - result.B[50]) + (result.B[51] - result.B[51]) + (result.B[52]
-        - result.B[52]) + (result.B[53] - result.B[53]) + (result.B[54] - result.B[54]) + (result.B[55] - result.B[55])
-        + (result.B[63] - result.B[63]) + (result.B[64] - result.B[64]) + (result.B[65] - result.B[65]) + (result.B[66]
-        - result.B[66]) + (result.B[67] - result.B[67]) + (result.B[68] - result.B[68]) + (result.B[69] - result.B[69])
-        + (result.B[77] - result.B[77]) + (result.B[78] - result.B[78]) + (result.B[79] - result.B[79]) + (result.B[80]
-        - result.B[80]) + (result.B[81] - result.B[81]) + (result.B[82] - result.B[82]) + (result.B[83] - result.B[83])
+        + (result.A[40] - result.A[40]) + (result.A[41] - result.A[41]))) + (((result.A[49] - result.A[49])
+        + (result.A[50] - result.A[50]) + (result.A[51] - result.A[51]) + (result.A[52] - result.A[52]) + (result.A[53]
+        - result.A[53]) + (result.A[54] - result.A[54]) + (result.A[55] - result.A[55]) + (result.A[63] - result.A[63])
+        + (result.A[64] - result.A[64])) + ((result.A[65] - result.A[65]) + (result.A[66] - result.A[66])
+        + (result.A[67] - result.A[67]) + (result.A[68] - result.A[68]) + (result.A[69] - result.A[69]) + (result.A[77]
+        - result.A[77]) + (result.A[78] - result.A[78]) + (result.A[79] - result.A[79]) + (result.A[80]
+        - result.A[80])))) + ((((result.A[81] - result.A[81]) + (result.A[82] - result.A[82]) + (result.A[83]
+        - result.A[83]) + (result.A[91] - result.A[91]) + (result.A[92] - result.A[92]) + (result.A[93] - result.A[93])
+        + (result.A[94] - result.A[94]) + (result.A[95] - result.A[95]) + (result.A[96] - result.A[96]))
+        + ((result.A[97] - result.A[97]) + (result.A[105] - result.A[105]) + (result.A[106] - result.A[106])
+        + (result.A[107] - result.A[107]) + (result.A[108] - result.A[108]) + (result.A[109] - result.A[109])
+        + (result.A[110] - result.A[110]) + (result.A[111] - result.A[111]) + (result.A[119] - result.A[119])))
+        + (((result.A[120] - result.A[120]) + (result.A[121] - result.A[121]) + (result.A[122] - result.A[122])
+        + (result.A[123] - result.A[123]) + (result.A[124] - result.A[124]) + (result.A[125] - result.A[125])
+        + (result.A[133] - result.A[133]) + (result.A[134] - result.A[134]) + (result.A[135] - result.A[135]))
+        + ((result.A[136] - result.A[136]) + (result.A[137] - result.A[137]) + (result.A[138] - result.A[138])
+        + (result.A[139] - result.A[139]) + (result.A[147] - result.A[147]) + (result.A[148] - result.A[148])
+        + (result.A[149] - result.A[149]) + (result.A[150] - result.A[150]) + (result.A[151] - result.A[151])))))
+        + (((((result.A[152] - result.A[152]) + (result.A[153] - result.A[153]) + (result.A[161] - result.A[161])
+        + (result.A[162] - result.A[162]) + (result.A[163] - result.A[163]) + (result.A[164] - result.A[164])
+        + (result.A[165] - result.A[165]) + (result.A[166] - result.A[166]) + (result.A[167] - result.A[167]))
+        + ((result.A[175] - result.A[175]) + (result.A[176] - result.A[176]) + (result.A[177] - result.A[177])
+        + (result.A[178] - result.A[178]) + (result.A[179] - result.A[179]) + (result.A[180] - result.A[180])
+        + (result.A[181] - result.A[181]) + (result.A[189] - result.A[189]) + (result.A[190] - result.A[190])))
+        + (((result.A[191] - result.A[191]) + (result.A[192] - result.A[192]) + (result.A[193] - result.A[193])
+        + (result.A[194] - result.A[194]) + (result.A[195] - result.A[195]) + (result.B[7] - result.B[7]) + (result.B[8]
+        - result.B[8]) + (result.B[9] - result.B[9]) + (result.B[10] - result.B[10])) + ((result.B[11] - result.B[11])
+        + (result.B[12] - result.B[12]) + (result.B[13] - result.B[13]) + (result.B[21] - result.B[21]) + (result.B[22]
+        - result.B[22]) + (result.B[23] - result.B[23]) + (result.B[24] - result.B[24]) + (result.B[25] - result.B[25])
+        + (result.B[26] - result.B[26])))) + ((((result.B[27] - result.B[27]) + (result.B[35] - result.B[35])
+        + (result.B[36] - result.B[36]) + (result.B[37] - result.B[37]) + (result.B[38] - result.B[38]) + (result.B[39]
+        - result.B[39]) + (result.B[40] - result.B[40]) + (result.B[41] - result.B[41]) + (result.B[49] - result.B[49]))
+        + ((result.B[50] - result.B[50]) + (result.B[51] - result.B[51]) + (result.B[52] - result.B[52]) + (result.B[53]
+        - result.B[53]) + (result.B[54] - result.B[54]) + (result.B[55] - result.B[55]) + (result.B[63] - result.B[63])
+        + (result.B[64] - result.B[64]) + (result.B[65] - result.B[65]))) + (((result.B[66] - result.B[66])
+        + (result.B[67] - result.B[67]) + (result.B[68] - result.B[68]) + (result.B[69] - result.B[69]) + (result.B[77]
+        - result.B[77]) + (result.B[78] - result.B[78]) + (result.B[79] - result.B[79]) + (result.B[80] - result.B[80])
+        + (result.B[81] - result.B[81])) + ((result.B[82] - result.B[82]) + (result.B[83] - result.B[83])
         + (result.B[91] - result.B[91]) + (result.B[92] - result.B[92]) + (result.B[93] - result.B[93]) + (result.B[94]
-        - result.B[94]) + (result.B[95] - result.B[95]) + (result.B[96] - result.B[96]) + (result.B[97] - result.B[97]);
+        - result.B[94]) + (result.B[95] - result.B[95]) + (result.B[96] - result.B[96]) + (result.B[97]
+        - result.B[97]))))));
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }

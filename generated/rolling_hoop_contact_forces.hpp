@@ -18,7 +18,7 @@
 //   energy                   14               28          0             0                  3       0     48      54
 //   first_integrals          15               28          0             0                  3       0     49      55
 //   constraints              11               17          0             0                  2       0     32      32
-//   linearisation           261              372          8             0                  3       0    647     714
+//   linearisation           249              360          8             0                  3       0    623     690
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 42 results 10 vanish identically
@@ -532,7 +532,7 @@ struct Mechanism {
     Scalar z82;
     Scalar z161;
     Scalar z164;
-    Scalar z242;
+    Scalar z256;
   };
 
   /// Values of the scene.
@@ -556,11 +556,11 @@ struct Mechanism {
     const Scalar z82 = p_A - p_C;
     const Scalar z161 = n1 / p_C;
     const Scalar z164 = n1 / p_A;
-    const Scalar z242 = n0_5 * p_C;
+    const Scalar z256 = n0_5 * p_C;
     precomputed.z82 = z82;
     precomputed.z161 = z161;
     precomputed.z164 = z164;
-    precomputed.z242 = z242;
+    precomputed.z256 = z256;
     return precomputed;
   }
 
@@ -1233,7 +1233,7 @@ struct Mechanism {
     const Scalar l_Y_F = multipliers.Y_F;
     const Scalar l_N = multipliers.N;
     const Scalar z82 = precomputed.z82;
-    const Scalar z242 = precomputed.z242;
+    const Scalar z256 = precomputed.z256;
     const Scalar angles_[] = {q_psi, q_theta, q_phi};
     Scalar sines_[3], cosines_[3];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
@@ -1274,10 +1274,7 @@ struct Mechanism {
     const Scalar z129 = v_theta * z28 - z125;  // angular acceleration of hoop.2, z
     const Scalar z132 = a_phi - z129;  // angular acceleration of hoop, z
     const Scalar z133 = p_C * z132;  // moment on hoop, z
-    const Scalar z134 = z103 + z128;
     const Scalar z135 = p_A * (a_theta - z112) + z109;  // moment on hoop.2, x
-    const Scalar z136 = p_A * z134 - z110;  // moment on hoop.2, y
-    const Scalar z138 = s_theta * z136 + c_theta * z133;
     const Scalar z146 = v_psi * s_psi;
     const Scalar z147 = v_psi * c_psi;
     const Scalar z148 = v_theta * s_theta;
@@ -1292,39 +1289,42 @@ struct Mechanism {
     const Scalar z226 = p_C * z224;  // moment on hoop, y
     const Scalar z228 = s_phi * z225 + c_phi * z226;
     const Scalar z230 = p_A * (z103 + z128) - z228;  // moment on hoop.2, y
-    const Scalar z239 = n2 * z32;
-    const Scalar z240 = n2 * z33;
-    const Scalar z241 = n2 * z36;
-    const Scalar z243 = z241 * z242;
-    const Scalar z244 = z240 * z242;
-    const Scalar z245 = z239 * z242;
-    const Scalar z246 = n2 * v_theta;
-    const Scalar z247 = n2 * z28;
-    const Scalar z248 = n2 * z29;
-    const Scalar z249 = s_phi * z245 - c_phi * z244;
-    const Scalar z250 = s_phi * z244 + c_phi * z245;
-    const Scalar z251 = p_A * z247 - z249;
-    const Scalar z252 = p_A * z246 - z250;
-    const Scalar z254 = z250 - z252;
-    const Scalar z255 = c_theta * z254;
-    const Scalar z256 = s_theta * z255;
-    const Scalar z260 = s_theta * z243 - c_theta * z251;
-    const Scalar z279 = z28 * z28;
-    const Scalar z280 = z29 * z29;
-    const Scalar z281 = z279 + z280;
-    const Scalar z282 = z104 - z129;
-    const Scalar z283 = z103 - z128;
-    const Scalar z293 = p_A * z281 - z28 * z251 - z29 * z243;
-    const Scalar z296 = p_A * z282 - z28 * z252 - z133;
-    const Scalar z297 = p_C * z283 - z29 * z250 + z230;
+    const Scalar z240 = z28 * z28;
+    const Scalar z241 = z29 * z29;
+    const Scalar z242 = z240 + z241;
+    const Scalar z243 = z104 - z129;
+    const Scalar z244 = z103 - z128;
+    const Scalar z245 = n2 * v_theta;
+    const Scalar z246 = n2 * z28;
+    const Scalar z247 = n2 * z29;
+    const Scalar z253 = n2 * z32;
+    const Scalar z254 = n2 * z33;
+    const Scalar z255 = n2 * z36;
+    const Scalar z257 = z255 * z256;
+    const Scalar z258 = z254 * z256;
+    const Scalar z259 = z253 * z256;
+    const Scalar z260 = s_phi * z259 - c_phi * z258;
+    const Scalar z261 = s_phi * z258 + c_phi * z259;
+    const Scalar z262 = p_A * z246 - z260;
+    const Scalar z263 = p_A * z245 - z261;
+    const Scalar z264 = z261 - z263;
+    const Scalar z265 = c_theta * z264;
+    const Scalar z266 = s_theta * z265;
+    const Scalar z270 = s_theta * z257 - c_theta * z262;
+    const Scalar z293 = p_A * z242 - z28 * z262 - z29 * z257;
+    const Scalar z296 = p_A * z243 - z28 * z263 - z133;
+    const Scalar z297 = p_C * z244 - z29 * z261 + z230;
     const Scalar z299 = s_theta * z296 + c_theta * z297;
-    const Scalar z302 = p_A * z248 - z243;
-    const Scalar z303 = p_C * z247 - z249;
+    const Scalar z302 = p_A * z247 - z257;
+    const Scalar z303 = p_C * z246 - z260;
     const Scalar z305 = s_theta * z302 - c_theta * z303;
-    const Scalar z309 = p_C * z283 - z29 * z250;
-    const Scalar z311 = s_theta * z250;
+    const Scalar z309 = p_C * z244 - z29 * z261;
+    const Scalar z311 = s_theta * z261;
     const Scalar z322 = s_psi * l_Y_F - c_psi * l_X_F;
     const Scalar z323 = s_psi * l_X_F + c_psi * l_Y_F;
+    const Scalar z324 = c_theta * l_X_F;
+    const Scalar z325 = s_theta * l_Y_F + z75 * l_N;
+    const Scalar z326 = z157 * l_N - l_X_F;
     const Scalar z331 = s_theta * l_X_F;
     const Scalar z332 = z299 + z331;
     const Scalar z333 = s_psi * z45 + c_psi * z46;
@@ -1333,197 +1333,202 @@ struct Mechanism {
     const Scalar z336 = z59 * z71 + z60 * z70;
     const Scalar z337 = l_N * z336;
     const Scalar z338 = z309 + z337;
-    const Scalar z339 = a_z - a_theta * c_theta + z154;
-    const Scalar z340 = a_x * s_psi - a_y * c_psi - a_theta * s_theta + z152;
-    const Scalar z341 = a_x * c_psi + a_y * s_psi + a_psi * c_theta + a_phi - z149;
-    const Scalar z342 = v_x * z146 - v_y * z147;
-    const Scalar z343 = a_x * c_psi + a_y * s_psi - z342;
-    const Scalar z344 = v_x * s_psi - v_y * c_psi + z148;
-    const Scalar z345 = v_x * z147 + v_y * z146;
-    const Scalar z346 = a_x * s_psi - a_y * c_psi + z345;
-    const Scalar z347 = v_theta * s_theta + z148;
-    const Scalar z348 = v_theta * z151;
-    const Scalar z349 = a_theta * s_theta + z348;
-    const Scalar z350 = v_theta * c_theta + z151;
-    const Scalar z351 = a_theta * c_theta - z154;
-    const Scalar z352 = v_psi * z151;
-    const Scalar z353 = a_psi * s_theta + z352;
-    const Scalar z354 = n1 / s_theta;
-    const Scalar z355 = n1 / c_psi;
-    const Scalar z356 = s_theta * s_theta;
-    const Scalar z357 = n1 + s_theta * s_theta / p_A;
-    const Scalar z358 = p_A * z357;
-    const Scalar z359 = c_psi * c_psi;
-    const Scalar z360 = n1 + c_theta * c_theta / z86 + n1 / p_C;
-    const Scalar z361 = s_psi * z355;
-    const Scalar z362 = s_psi * z361 + c_psi;
-    const Scalar z363 = z354 * z362;
-    const Scalar z364 = c_theta * z363;
-    const Scalar z365 = c_theta * z355;
-    const Scalar z366 = s_psi * z365;
-    const Scalar z367 = z354 * z366;
-    const Scalar z368 = c_theta * z367;
-    const Scalar z369 = z354 * z361;
-    const Scalar z370 = c_theta * z369;
-    const Scalar z371 = z27 * z355;
-    const Scalar z372 = s_psi * z371 + z26;
-    const Scalar z373 = z354 * z372;
-    const Scalar z375 = z28 * z355;
-    const Scalar z376 = s_psi * z375 - z151;
-    const Scalar z377 = z354 * z376;
-    const Scalar z379 = z28 * z363 + z146 * z361 + z147;
-    const Scalar z380 = z28 * z367 + z146 * z365 - z344;
-    const Scalar z381 = z28 * z369 + z146 * z355;
-    const Scalar z382 = z146 - z147 * z361 + z350 * z363;
-    const Scalar z383 = z26 - z147 * z365 + z350 * z367;
-    const Scalar z384 = z147 * z355 - z350 * z369;
-    const Scalar z385 = z347 * z363;
-    const Scalar z386 = z347 * z367;
-    const Scalar z387 = z347 * z369;
-    const Scalar z388 = z355 * z379;
-    const Scalar z389 = s_psi * z388 - z382;
-    const Scalar z390 = z354 * z389;
-    const Scalar z391 = c_theta * z390 - z385;
-    const Scalar z392 = z355 * z380;
-    const Scalar z393 = s_psi * z392 - z383;
-    const Scalar z394 = z354 * z393;
-    const Scalar z395 = c_theta * z394 - z386;
-    const Scalar z396 = z355 * z381;
-    const Scalar z397 = s_psi * z396 + z384;
-    const Scalar z398 = z354 * z397;
-    const Scalar z399 = c_theta * z398 - z387;
-    const Scalar z400 = z28 * z373 + z146 * z371;
-    const Scalar z401 = z28 * z377 + z146 * z375;
-    const Scalar z402 = z147 * z371 - z350 * z373;
-    const Scalar z403 = z147 * z375 - z350 * z377;
-    const Scalar z404 = z347 * z373;
-    const Scalar z405 = z347 * z377;
-    const Scalar z406 = z346 + z400;
-    const Scalar z407 = z353 + z401;
-    const Scalar z408 = z343 + z402;
-    const Scalar z409 = z351 - z403;
-    const Scalar z410 = z349 + z405;
-    const Scalar z411 = z355 * z406;
-    const Scalar z412 = s_psi * z411 + z408;
-    const Scalar z413 = z354 * z412;
-    const Scalar z414 = c_theta * z413 - z404;
-    const Scalar z415 = z355 * z407;
-    const Scalar z416 = s_psi * z415 - z409;
-    const Scalar z417 = z354 * z416;
-    const Scalar z418 = c_theta * z417 - z410;
-    const Scalar z419 = z341 * z355;
-    const Scalar z420 = s_psi * z419 - z340;
-    const Scalar z421 = z354 * z420;
-    const Scalar z422 = c_theta * z421 + z339;
-    const Scalar z423 = p_A * z363;
-    const Scalar z424 = p_A * z367;
-    const Scalar z425 = p_A * z369;
-    const Scalar z426 = n1 + z361 * z361 + z363 * z423 + z364 * z364;
-    const Scalar z427 = z361 * z365 + z364 * z368 + z367 * z423;
-    const Scalar z428 = z355 * z361 + z364 * z370 + z369 * z423;
-    const Scalar z430 = z86 + z365 * z365 + z367 * z424 + z368 * z368;
-    const Scalar z431 = z77 + z355 * z365 + z368 * z370 + z369 * z424;
-    const Scalar z434 = p_C + z355 * z355 + z369 * z425 + z370 * z370;
-    const Scalar z435 = z361 * z388 + z364 * z391 + z390 * z423;
-    const Scalar z436 = z361 * z392 + z364 * z395 + z394 * z423;
-    const Scalar z437 = z361 * z396 + z364 * z399 + z398 * z423;
-    const Scalar z438 = z365 * z388 + z368 * z391 + z390 * z424;
-    const Scalar z439 = z365 * z392 + z368 * z395 + z394 * z424;
-    const Scalar z440 = z365 * z396 + z368 * z399 + z398 * z424;
-    const Scalar z441 = z355 * z388 + z370 * z391 + z390 * z425;
-    const Scalar z442 = z355 * z392 + z370 * z395 + z394 * z425;
-    const Scalar z443 = z355 * z396 + z370 * z399 + z398 * z425;
-    const Scalar z444 = z305 * z363;
-    const Scalar z445 = z256 + z305 * z367;
-    const Scalar z446 = z305 * z369 + z311;
-    const Scalar z447 = z303 * z363;
-    const Scalar z448 = z303 * z367 - z311;
-    const Scalar z449 = z303 * z369;
-    const Scalar z450 = z260 * z363;
-    const Scalar z451 = z249 * z363;
-    const Scalar z452 = z260 * z367 + z445;
-    const Scalar z453 = z249 * z367 + z446;
-    const Scalar z454 = z260 * z369 - z448;
-    const Scalar z455 = z249 * z369 - z449;
-    const Scalar z456 = z436 - z450;
-    const Scalar z457 = z437 - z451;
-    const Scalar z458 = z438 - z444;
-    const Scalar z459 = z439 - z452;
-    const Scalar z460 = z440 - z453;
-    const Scalar z461 = z441 + z447;
-    const Scalar z462 = z442 - z454;
-    const Scalar z463 = z443 - z455;
-    const Scalar z464 = z361 * z411 + z364 * z414 + z413 * z423;
-    const Scalar z465 = z361 * z415 + z364 * z418 + z417 * z423;
-    const Scalar z466 = z365 * z411 + z368 * z414 + z413 * z424;
-    const Scalar z467 = z365 * z415 + z368 * z418 + z417 * z424;
-    const Scalar z468 = z355 * z411 + z370 * z414 + z413 * z425;
-    const Scalar z469 = z355 * z415 + z370 * z418 + z417 * z425;
-    const Scalar z470 = z305 * z373;
-    const Scalar z471 = z305 * z377;
-    const Scalar z472 = z303 * z373;
-    const Scalar z473 = z303 * z377;
-    const Scalar z474 = z332 + z471;
-    const Scalar z475 = z338 - z473;
-    const Scalar z476 = z322 - z323 * z361;
-    const Scalar z477 = z335 * z363;
-    const Scalar z478 = z323 * z365 - z470;
-    const Scalar z479 = z335 * z367 + z474;
-    const Scalar z480 = z323 * z355 + z472;
-    const Scalar z481 = z335 * z369 + z475;
-    const Scalar z482 = z464 - z476;
-    const Scalar z483 = z465 - z477;
-    const Scalar z484 = z466 + z478;
-    const Scalar z485 = z467 - z479;
-    const Scalar z486 = z468 + z480;
-    const Scalar z487 = z469 - z481;
-    const Scalar z488 = a_x + s_psi * l_Y_F - c_psi * l_X_F;
-    const Scalar z489 = z121 - l_N;
-    const Scalar z490 = s_theta * l_Y_F + z75 * l_N - z135;
-    const Scalar z491 = a_y - s_psi * l_X_F - c_psi * l_Y_F - z361 * z488 + z363 * z490 - z364 * z489;
-    const Scalar z492 = c_theta * l_X_F - z138 + z365 * z488 - z367 * z490 + z368 * z489;
-    const Scalar z493 = z133 + z157 * l_N - l_X_F - z355 * z488 + z369 * z490 - z370 * z489;
-    const Scalar z494 = z361 * z419 + z364 * z422 + z421 * z423;
-    const Scalar z495 = z365 * z419 + z368 * z422 + z421 * z424;
-    const Scalar z496 = z355 * z419 + z370 * z422 + z421 * z425;
-    const Scalar z497 = z491 + z494;
-    const Scalar z498 = z492 - z495;
-    const Scalar z499 = z493 + z496;
-    const Scalar z500 = n1 / z434;
-    const Scalar z501 = z428 * z500;
-    const Scalar z502 = z431 * z500;
-    const Scalar z503 = z426 - z428 * z501;
-    const Scalar z504 = z427 - z428 * z502;
-    const Scalar z505 = z430 - z431 * z502;
-    const Scalar z506 = n1 / z505;
-    const Scalar z507 = z504 * z506;
-    const Scalar z508 = z503 - z504 * z507;
-    const Scalar z509 = n1 / z508;
-    const Scalar z510 = z458 - z461 * z502;
-    const Scalar z511 = z435 - z461 * z501 - z507 * z510;
-    const Scalar z512 = z509 * z511;
-    const Scalar z513 = z506 * z510 - z507 * z512;
-    const Scalar z514 = z461 * z500 - z501 * z512 - z502 * z513;
-    const Scalar z515 = z459 - z462 * z502;
-    const Scalar z516 = z456 - z462 * z501 - z507 * z515;
-    const Scalar z517 = z509 * z516;
-    const Scalar z518 = z506 * z515 - z507 * z517;
-    const Scalar z519 = z462 * z500 - z501 * z517 - z502 * z518;
-    const Scalar z520 = z484 - z486 * z502;
-    const Scalar z521 = z482 - z486 * z501 - z507 * z520;
-    const Scalar z522 = z509 * z521;
-    const Scalar z523 = z506 * z520 - z507 * z522;
-    const Scalar z524 = z486 * z500 - z501 * z522 - z502 * z523;
-    const Scalar z525 = z460 - z463 * z502;
-    const Scalar z526 = z457 - z463 * z501 - z507 * z525;
-    const Scalar z527 = z509 * z526;
-    const Scalar z528 = z506 * z525 - z507 * z527;
-    const Scalar z529 = z463 * z500 - z501 * z527 - z502 * z528;
-    const Scalar z530 = z485 - z487 * z502;
-    const Scalar z531 = z483 - z487 * z501 - z507 * z530;
-    const Scalar z532 = z509 * z531;
-    const Scalar z533 = z506 * z530 - z507 * z532;
-    const Scalar z534 = z487 * z500 - z501 * z532 - z502 * z533;
+    const Scalar z339 = p_A * (z103 + z128) - z110;  // moment on hoop.2, y
+    const Scalar z341 = s_theta * z339 + c_theta * z133;
+    const Scalar z348 = a_x + z322;
+    const Scalar z349 = a_y - z323;
+    const Scalar z350 = z121 - l_N;
+    const Scalar z351 = z324 - z341;
+    const Scalar z352 = z135 - z325;
+    const Scalar z353 = z133 + z326;
+    const Scalar z354 = a_z - a_theta * c_theta + z154;
+    const Scalar z355 = a_x * s_psi - a_y * c_psi - a_theta * s_theta + z152;
+    const Scalar z356 = a_x * c_psi + a_y * s_psi + a_psi * c_theta + a_phi - z149;
+    const Scalar z357 = v_x * z146 - v_y * z147;
+    const Scalar z358 = a_x * c_psi + a_y * s_psi - z357;
+    const Scalar z359 = v_x * s_psi - v_y * c_psi + z148;
+    const Scalar z360 = v_x * z147 + v_y * z146;
+    const Scalar z361 = a_x * s_psi - a_y * c_psi + z360;
+    const Scalar z362 = v_theta * s_theta + z148;
+    const Scalar z363 = v_theta * z151;
+    const Scalar z364 = a_theta * s_theta + z363;
+    const Scalar z365 = v_theta * c_theta + z151;
+    const Scalar z366 = a_theta * c_theta - z154;
+    const Scalar z367 = v_psi * z151;
+    const Scalar z368 = a_psi * s_theta + z367;
+    const Scalar z369 = n1 / s_theta;
+    const Scalar z370 = n1 / c_psi;
+    const Scalar z371 = s_theta * s_theta;
+    const Scalar z372 = n1 + s_theta * s_theta / p_A;
+    const Scalar z373 = p_A * z372;
+    const Scalar z374 = c_psi * c_psi;
+    const Scalar z375 = n1 + c_theta * c_theta / z86 + n1 / p_C;
+    const Scalar z376 = s_psi * z370;
+    const Scalar z377 = s_psi * z376 + c_psi;
+    const Scalar z378 = z369 * z377;
+    const Scalar z379 = c_theta * z378;
+    const Scalar z380 = c_theta * z370;
+    const Scalar z381 = s_psi * z380;
+    const Scalar z382 = z369 * z381;
+    const Scalar z383 = c_theta * z382;
+    const Scalar z384 = z369 * z376;
+    const Scalar z385 = c_theta * z384;
+    const Scalar z386 = z27 * z370;
+    const Scalar z387 = s_psi * z386 + z26;
+    const Scalar z388 = z369 * z387;
+    const Scalar z390 = z28 * z370;
+    const Scalar z391 = s_psi * z390 - z151;
+    const Scalar z392 = z369 * z391;
+    const Scalar z394 = z28 * z378 + z146 * z376 + z147;
+    const Scalar z395 = z28 * z382 + z146 * z380 - z359;
+    const Scalar z396 = z28 * z384 + z146 * z370;
+    const Scalar z397 = z146 - z147 * z376 + z365 * z378;
+    const Scalar z398 = z26 - z147 * z380 + z365 * z382;
+    const Scalar z399 = z147 * z370 - z365 * z384;
+    const Scalar z400 = z362 * z378;
+    const Scalar z401 = z362 * z382;
+    const Scalar z402 = z362 * z384;
+    const Scalar z403 = z370 * z394;
+    const Scalar z404 = s_psi * z403 - z397;
+    const Scalar z405 = z369 * z404;
+    const Scalar z406 = c_theta * z405 - z400;
+    const Scalar z407 = z370 * z395;
+    const Scalar z408 = s_psi * z407 - z398;
+    const Scalar z409 = z369 * z408;
+    const Scalar z410 = c_theta * z409 - z401;
+    const Scalar z411 = z370 * z396;
+    const Scalar z412 = s_psi * z411 + z399;
+    const Scalar z413 = z369 * z412;
+    const Scalar z414 = c_theta * z413 - z402;
+    const Scalar z415 = z28 * z388 + z146 * z386;
+    const Scalar z416 = z28 * z392 + z146 * z390;
+    const Scalar z417 = z147 * z386 - z365 * z388;
+    const Scalar z418 = z147 * z390 - z365 * z392;
+    const Scalar z419 = z362 * z388;
+    const Scalar z420 = z362 * z392;
+    const Scalar z421 = z361 + z415;
+    const Scalar z422 = z368 + z416;
+    const Scalar z423 = z358 + z417;
+    const Scalar z424 = z366 - z418;
+    const Scalar z425 = z364 + z420;
+    const Scalar z426 = z370 * z421;
+    const Scalar z427 = s_psi * z426 + z423;
+    const Scalar z428 = z369 * z427;
+    const Scalar z429 = c_theta * z428 - z419;
+    const Scalar z430 = z370 * z422;
+    const Scalar z431 = s_psi * z430 - z424;
+    const Scalar z432 = z369 * z431;
+    const Scalar z433 = c_theta * z432 - z425;
+    const Scalar z434 = z356 * z370;
+    const Scalar z435 = s_psi * z434 - z355;
+    const Scalar z436 = z369 * z435;
+    const Scalar z437 = c_theta * z436 + z354;
+    const Scalar z438 = p_A * z378;
+    const Scalar z439 = p_A * z382;
+    const Scalar z440 = p_A * z384;
+    const Scalar z441 = n1 + z376 * z376 + z378 * z438 + z379 * z379;
+    const Scalar z442 = z376 * z380 + z379 * z383 + z382 * z438;
+    const Scalar z443 = z370 * z376 + z379 * z385 + z384 * z438;
+    const Scalar z445 = z86 + z380 * z380 + z382 * z439 + z383 * z383;
+    const Scalar z446 = z77 + z370 * z380 + z383 * z385 + z384 * z439;
+    const Scalar z449 = p_C + z370 * z370 + z384 * z440 + z385 * z385;
+    const Scalar z450 = z376 * z403 + z379 * z406 + z405 * z438;
+    const Scalar z451 = z376 * z407 + z379 * z410 + z409 * z438;
+    const Scalar z452 = z376 * z411 + z379 * z414 + z413 * z438;
+    const Scalar z453 = z380 * z403 + z383 * z406 + z405 * z439;
+    const Scalar z454 = z380 * z407 + z383 * z410 + z409 * z439;
+    const Scalar z455 = z380 * z411 + z383 * z414 + z413 * z439;
+    const Scalar z456 = z370 * z403 + z385 * z406 + z405 * z440;
+    const Scalar z457 = z370 * z407 + z385 * z410 + z409 * z440;
+    const Scalar z458 = z370 * z411 + z385 * z414 + z413 * z440;
+    const Scalar z459 = z305 * z378;
+    const Scalar z460 = z266 + z305 * z382;
+    const Scalar z461 = z305 * z384 + z311;
+    const Scalar z462 = z303 * z378;
+    const Scalar z463 = z303 * z382 - z311;
+    const Scalar z464 = z303 * z384;
+    const Scalar z465 = z270 * z378;
+    const Scalar z466 = z260 * z378;
+    const Scalar z467 = z270 * z382 + z460;
+    const Scalar z468 = z260 * z382 + z461;
+    const Scalar z469 = z270 * z384 - z463;
+    const Scalar z470 = z260 * z384 - z464;
+    const Scalar z471 = z451 - z465;
+    const Scalar z472 = z452 - z466;
+    const Scalar z473 = z453 - z459;
+    const Scalar z474 = z454 - z467;
+    const Scalar z475 = z455 - z468;
+    const Scalar z476 = z456 + z462;
+    const Scalar z477 = z457 - z469;
+    const Scalar z478 = z458 - z470;
+    const Scalar z479 = z376 * z426 + z379 * z429 + z428 * z438;
+    const Scalar z480 = z376 * z430 + z379 * z433 + z432 * z438;
+    const Scalar z481 = z380 * z426 + z383 * z429 + z428 * z439;
+    const Scalar z482 = z380 * z430 + z383 * z433 + z432 * z439;
+    const Scalar z483 = z370 * z426 + z385 * z429 + z428 * z440;
+    const Scalar z484 = z370 * z430 + z385 * z433 + z432 * z440;
+    const Scalar z485 = z305 * z388;
+    const Scalar z486 = z305 * z392;
+    const Scalar z487 = z303 * z388;
+    const Scalar z488 = z303 * z392;
+    const Scalar z489 = z332 + z486;
+    const Scalar z490 = z338 - z488;
+    const Scalar z491 = z322 - z323 * z376;
+    const Scalar z492 = z335 * z378;
+    const Scalar z493 = z323 * z380 - z485;
+    const Scalar z494 = z335 * z382 + z489;
+    const Scalar z495 = z323 * z370 + z487;
+    const Scalar z496 = z335 * z384 + z490;
+    const Scalar z497 = z479 - z491;
+    const Scalar z498 = z480 - z492;
+    const Scalar z499 = z481 + z493;
+    const Scalar z500 = z482 - z494;
+    const Scalar z501 = z483 + z495;
+    const Scalar z502 = z484 - z496;
+    const Scalar z503 = z348 * z376 - z349 + z350 * z379 + z352 * z378;
+    const Scalar z504 = z348 * z380 + z350 * z383 + z351 + z352 * z382;
+    const Scalar z505 = z348 * z370 + z350 * z385 + z352 * z384 - z353;
+    const Scalar z506 = z376 * z434 + z379 * z437 + z436 * z438;
+    const Scalar z507 = z380 * z434 + z383 * z437 + z436 * z439;
+    const Scalar z508 = z370 * z434 + z385 * z437 + z436 * z440;
+    const Scalar z509 = z503 - z506;
+    const Scalar z510 = z504 - z507;
+    const Scalar z511 = z505 - z508;
+    const Scalar z512 = n1 / z449;
+    const Scalar z513 = z443 * z512;
+    const Scalar z514 = z446 * z512;
+    const Scalar z515 = z441 - z443 * z513;
+    const Scalar z516 = z442 - z443 * z514;
+    const Scalar z517 = z445 - z446 * z514;
+    const Scalar z518 = n1 / z517;
+    const Scalar z519 = z516 * z518;
+    const Scalar z520 = z515 - z516 * z519;
+    const Scalar z521 = n1 / z520;
+    const Scalar z522 = z473 - z476 * z514;
+    const Scalar z523 = z450 - z476 * z513 - z519 * z522;
+    const Scalar z524 = z521 * z523;
+    const Scalar z525 = z518 * z522 - z519 * z524;
+    const Scalar z526 = z476 * z512 - z513 * z524 - z514 * z525;
+    const Scalar z527 = z474 - z477 * z514;
+    const Scalar z528 = z471 - z477 * z513 - z519 * z527;
+    const Scalar z529 = z521 * z528;
+    const Scalar z530 = z518 * z527 - z519 * z529;
+    const Scalar z531 = z477 * z512 - z513 * z529 - z514 * z530;
+    const Scalar z532 = z499 - z501 * z514;
+    const Scalar z533 = z497 - z501 * z513 - z519 * z532;
+    const Scalar z534 = z521 * z533;
+    const Scalar z535 = z518 * z532 - z519 * z534;
+    const Scalar z536 = z501 * z512 - z513 * z534 - z514 * z535;
+    const Scalar z537 = z475 - z478 * z514;
+    const Scalar z538 = z472 - z478 * z513 - z519 * z537;
+    const Scalar z539 = z521 * z538;
+    const Scalar z540 = z518 * z537 - z519 * z539;
+    const Scalar z541 = z478 * z512 - z513 * z539 - z514 * z540;
+    const Scalar z542 = z500 - z502 * z514;
+    const Scalar z543 = z498 - z502 * z513 - z519 * z542;
+    const Scalar z544 = z521 * z543;
+    const Scalar z545 = z518 * z542 - z519 * z544;
+    const Scalar z546 = z502 * z512 - z513 * z544 - z514 * z545;
     result.M[0] = n1;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -1581,8 +1586,8 @@ struct Mechanism {
     result.C[18] = n0;
     result.C[19] = n0;
     result.C[20] = n0;
-    result.C[21] = -z256;
-    result.C[22] = z260;
+    result.C[21] = -z266;
+    result.C[22] = z270;
     result.C[23] = -z311;
     result.C[24] = n0;
     result.C[25] = n0;
@@ -1594,7 +1599,7 @@ struct Mechanism {
     result.C[31] = n0;
     result.C[32] = n0;
     result.C[33] = -z311;
-    result.C[34] = z249;
+    result.C[34] = z260;
     result.C[35] = n0;
     result.K[0] = n0;
     result.K[1] = n0;
@@ -1632,48 +1637,48 @@ struct Mechanism {
     result.K[33] = n0;
     result.K[34] = n0;
     result.K[35] = n0;
-    result.F[0] = -a_x - s_psi * l_Y_F + c_psi * l_X_F;
-    result.F[1] = -a_y + s_psi * l_X_F + c_psi * l_Y_F;
-    result.F[2] = -z121 + l_N;
-    result.F[3] = c_theta * l_X_F - z138;
-    result.F[4] = s_theta * l_Y_F + z75 * l_N - z135;
-    result.F[5] = -z133 - z157 * l_N + l_X_F;
-    result.M_r[0] = z426;
-    result.M_r[1] = z427;
-    result.M_r[2] = z428;
-    result.M_r[3] = z427;
-    result.M_r[4] = z430;
-    result.M_r[5] = z431;
-    result.M_r[6] = z428;
-    result.M_r[7] = z431;
-    result.M_r[8] = z434;
-    result.C_r[0] = z435;
-    result.C_r[1] = z458;
-    result.C_r[2] = z461;
-    result.C_r[3] = z456;
-    result.C_r[4] = z459;
-    result.C_r[5] = z462;
-    result.C_r[6] = z457;
-    result.C_r[7] = z460;
-    result.C_r[8] = z463;
+    result.F[0] = -z348;
+    result.F[1] = -z349;
+    result.F[2] = -z350;
+    result.F[3] = z351;
+    result.F[4] = -z352;
+    result.F[5] = -z353;
+    result.M_r[0] = z441;
+    result.M_r[1] = z442;
+    result.M_r[2] = z443;
+    result.M_r[3] = z442;
+    result.M_r[4] = z445;
+    result.M_r[5] = z446;
+    result.M_r[6] = z443;
+    result.M_r[7] = z446;
+    result.M_r[8] = z449;
+    result.C_r[0] = z450;
+    result.C_r[1] = z473;
+    result.C_r[2] = z476;
+    result.C_r[3] = z471;
+    result.C_r[4] = z474;
+    result.C_r[5] = z477;
+    result.C_r[6] = z472;
+    result.C_r[7] = z475;
+    result.C_r[8] = z478;
     result.K_r[0] = n0;
     result.K_r[1] = n0;
     result.K_r[2] = n0;
     result.K_r[3] = n0;
     result.K_r[4] = n0;
     result.K_r[5] = n0;
-    result.K_r[6] = -z482;
-    result.K_r[7] = -z484;
-    result.K_r[8] = -z486;
-    result.K_r[9] = -z483;
-    result.K_r[10] = -z485;
-    result.K_r[11] = -z487;
+    result.K_r[6] = -z497;
+    result.K_r[7] = -z499;
+    result.K_r[8] = -z501;
+    result.K_r[9] = -z498;
+    result.K_r[10] = -z500;
+    result.K_r[11] = -z502;
     result.K_r[12] = n0;
     result.K_r[13] = n0;
     result.K_r[14] = n0;
-    result.F_r[0] = -z497;
-    result.F_r[1] = z498;
-    result.F_r[2] = -z499;
+    result.F_r[0] = z509;
+    result.F_r[1] = z510;
+    result.F_r[2] = z511;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
@@ -1690,22 +1695,22 @@ struct Mechanism {
     result.A[13] = n0;
     result.A[14] = n0;
     result.A[15] = n0;
-    result.A[16] = z371;
+    result.A[16] = z386;
     result.A[17] = n0;
     result.A[18] = n0;
-    result.A[19] = z373;
+    result.A[19] = z388;
     result.A[20] = n0;
-    result.A[21] = z522;
-    result.A[22] = z523;
-    result.A[23] = z524;
-    result.A[24] = z375;
+    result.A[21] = z534;
+    result.A[22] = z535;
+    result.A[23] = z536;
+    result.A[24] = z390;
     result.A[25] = n0;
     result.A[26] = n0;
-    result.A[27] = z377;
+    result.A[27] = z392;
     result.A[28] = n0;
-    result.A[29] = z532;
-    result.A[30] = z533;
-    result.A[31] = z534;
+    result.A[29] = z544;
+    result.A[30] = z545;
+    result.A[31] = z546;
     result.A[32] = n0;
     result.A[33] = n0;
     result.A[34] = n0;
@@ -1714,56 +1719,57 @@ struct Mechanism {
     result.A[37] = n0;
     result.A[38] = n0;
     result.A[39] = n0;
-    result.A[40] = -z361;
+    result.A[40] = -z376;
     result.A[41] = n1;
     result.A[42] = n0;
-    result.A[43] = -z363;
+    result.A[43] = -z378;
     result.A[44] = n0;
-    result.A[45] = -z512;
-    result.A[46] = -z513;
-    result.A[47] = -z514;
-    result.A[48] = -z365;
+    result.A[45] = -z524;
+    result.A[46] = -z525;
+    result.A[47] = -z526;
+    result.A[48] = -z380;
     result.A[49] = n0;
     result.A[50] = n1;
-    result.A[51] = -z367;
+    result.A[51] = -z382;
     result.A[52] = n0;
-    result.A[53] = -z517;
-    result.A[54] = -z518;
-    result.A[55] = -z519;
-    result.A[56] = -z355;
+    result.A[53] = -z529;
+    result.A[54] = -z530;
+    result.A[55] = -z531;
+    result.A[56] = -z370;
     result.A[57] = n0;
     result.A[58] = n0;
-    result.A[59] = -z369;
+    result.A[59] = -z384;
     result.A[60] = n1;
-    result.A[61] = -z527;
-    result.A[62] = -z528;
-    result.A[63] = -z529;
-    if (!(traits::regular(z356, z358) && traits::regular(z359, z360) && traits::regular(z508, z426)
-        && traits::regular(z505, z430) && traits::regular(z434, z434))) return torsor::Status::singular;
+    result.A[61] = -z539;
+    result.A[62] = -z540;
+    result.A[63] = -z541;
+    if (!(traits::regular(z371, z373) && traits::regular(z374, z375) && traits::regular(z520, z441)
+        && traits::regular(z517, z445) && traits::regular(z449, z449))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
-    const Scalar zero = (result.M[21] - result.M[21]) + (result.M[23] - result.M[23]) + (result.M[28] - result.M[28])
+    const Scalar zero = ((((result.M[21] - result.M[21]) + (result.M[23] - result.M[23]) + (result.M[28] - result.M[28])
         + (result.M[33] - result.M[33]) + (result.M[35] - result.M[35]) + (result.C[21] - result.C[21]) + (result.C[22]
-        - result.C[22]) + (result.C[23] - result.C[23]) + (result.C[27] - result.C[27]) + (result.C[29] - result.C[29])
-        + (result.C[33] - result.C[33]) + (result.C[34] - result.C[34]) + (result.K[18] - result.K[18]) + (result.K[19]
-        - result.K[19]) + (result.K[27] - result.K[27]) + (result.K[28] - result.K[28]) + (result.K[29] - result.K[29])
-        + (result.F[0] - result.F[0]) + (result.F[1] - result.F[1]) + (result.F[2] - result.F[2]) + (result.F[3]
-        - result.F[3]) + (result.F[4] - result.F[4]) + (result.F[5] - result.F[5]) + (result.M_r[0] - result.M_r[0])
-        + (result.M_r[1] - result.M_r[1]) + (result.M_r[2] - result.M_r[2]) + (result.M_r[3] - result.M_r[3])
-        + (result.M_r[4] - result.M_r[4]) + (result.M_r[5] - result.M_r[5]) + (result.M_r[6] - result.M_r[6])
-        + (result.M_r[7] - result.M_r[7]) + (result.M_r[8] - result.M_r[8]) + (result.C_r[0] - result.C_r[0])
-        + (result.C_r[1] - result.C_r[1]) + (result.C_r[2] - result.C_r[2]) + (result.C_r[3] - result.C_r[3])
-        + (result.C_r[4] - result.C_r[4]) + (result.C_r[5] - result.C_r[5]) + (result.C_r[6] - result.C_r[6])
-        + (result.C_r[7] - result.C_r[7]) + (result.C_r[8] - result.C_r[8]) + (result.K_r[6] - result.K_r[6])
-        + (result.K_r[7] - result.K_r[7]) + (result.K_r[8] - result.K_r[8]) + (result.K_r[9] - result.K_r[9])
-        + (result.K_r[10] - result.K_r[10]) + (result.K_r[11] - result.K_r[11]) + (result.F_r[0] - result.F_r[0])
-        + (result.F_r[1] - result.F_r[1]) + (result.F_r[2] - result.F_r[2]) + (result.A[16] - result.A[16])
-        + (result.A[19] - result.A[19]) + (result.A[21] - result.A[21]) + (result.A[22] - result.A[22]) + (result.A[23]
-        - result.A[23]) + (result.A[24] - result.A[24]) + (result.A[27] - result.A[27]) + (result.A[29] - result.A[29])
-        + (result.A[30] - result.A[30]) + (result.A[31] - result.A[31]) + (result.A[40] - result.A[40]) + (result.A[43]
-        - result.A[43]) + (result.A[45] - result.A[45]) + (result.A[46] - result.A[46]) + (result.A[47] - result.A[47])
-        + (result.A[48] - result.A[48]) + (result.A[51] - result.A[51]) + (result.A[53] - result.A[53]) + (result.A[54]
-        - result.A[54]) + (result.A[55] - result.A[55]) + (result.A[56] - result.A[56]) + (result.A[59] - result.A[59])
-        + (result.A[61] - result.A[61]) + (result.A[62] - result.A[62]) + (result.A[63] - result.A[63]);
+        - result.C[22]) + (result.C[23] - result.C[23]) + (result.C[27] - result.C[27])) + ((result.C[29]
+        - result.C[29]) + (result.C[33] - result.C[33]) + (result.C[34] - result.C[34]) + (result.K[18] - result.K[18])
+        + (result.K[19] - result.K[19]) + (result.K[27] - result.K[27]) + (result.K[28] - result.K[28]) + (result.K[29]
+        - result.K[29]) + (result.F[0] - result.F[0]))) + (((result.F[1] - result.F[1]) + (result.F[2] - result.F[2])
+        + (result.F[3] - result.F[3]) + (result.F[4] - result.F[4]) + (result.F[5] - result.F[5]) + (result.M_r[0]
+        - result.M_r[0]) + (result.M_r[1] - result.M_r[1]) + (result.M_r[2] - result.M_r[2]) + (result.M_r[3]
+        - result.M_r[3])) + ((result.M_r[4] - result.M_r[4]) + (result.M_r[5] - result.M_r[5]) + (result.M_r[6]
+        - result.M_r[6]) + (result.M_r[7] - result.M_r[7]) + (result.M_r[8] - result.M_r[8]) + (result.C_r[0]
+        - result.C_r[0]) + (result.C_r[1] - result.C_r[1]) + (result.C_r[2] - result.C_r[2]) + (result.C_r[3]
+        - result.C_r[3]) + (result.C_r[4] - result.C_r[4])))) + ((((result.C_r[5] - result.C_r[5]) + (result.C_r[6]
+        - result.C_r[6]) + (result.C_r[7] - result.C_r[7]) + (result.C_r[8] - result.C_r[8]) + (result.K_r[6]
+        - result.K_r[6]) + (result.K_r[7] - result.K_r[7]) + (result.K_r[8] - result.K_r[8]) + (result.K_r[9]
+        - result.K_r[9]) + (result.K_r[10] - result.K_r[10])) + ((result.K_r[11] - result.K_r[11]) + (result.F_r[0]
+        - result.F_r[0]) + (result.F_r[1] - result.F_r[1]) + (result.F_r[2] - result.F_r[2]) + (result.A[16]
+        - result.A[16]) + (result.A[19] - result.A[19]) + (result.A[21] - result.A[21]) + (result.A[22] - result.A[22])
+        + (result.A[23] - result.A[23]) + (result.A[24] - result.A[24]))) + (((result.A[27] - result.A[27])
+        + (result.A[29] - result.A[29]) + (result.A[30] - result.A[30]) + (result.A[31] - result.A[31]) + (result.A[40]
+        - result.A[40]) + (result.A[43] - result.A[43]) + (result.A[45] - result.A[45]) + (result.A[46] - result.A[46])
+        + (result.A[47] - result.A[47])) + ((result.A[48] - result.A[48]) + (result.A[51] - result.A[51])
+        + (result.A[53] - result.A[53]) + (result.A[54] - result.A[54]) + (result.A[55] - result.A[55]) + (result.A[56]
+        - result.A[56]) + (result.A[59] - result.A[59]) + (result.A[61] - result.A[61]) + (result.A[62] - result.A[62])
+        + (result.A[63] - result.A[63]))));
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }

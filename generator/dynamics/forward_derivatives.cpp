@@ -78,17 +78,27 @@ class DifferentiatedMotion {
       unit[j] = program_.number(Number(1));
       solve(unit, std::vector<Value>(m_), &ForwardDerivatives::Of::by_force, j);
     }
-    for (std::size_t k = 0; k < inputs; ++k) {
-      std::vector<Value> column = equations_.actions().inputs[k];
-      column.resize(n_);
-      solve(column, std::vector<Value>(m_), &ForwardDerivatives::Of::by_input, k);
-    }
     // Without friction M⁻¹ and its like with constraints are symmetric: one half is computed.
     const auto& rows = equations_.constraints();
     if (std::none_of(rows.begin(), rows.end(), [](const ConstraintRow& row) { return row.friction; })) {
       ValueMatrix& by_force = result_.accelerations.by_force;
       for (std::size_t i = 0; i < n_; ++i) {
         for (std::size_t j = 0; j < i; ++j) by_force[i][j] = by_force[j][i];
+      }
+    }
+    for (ForwardDerivatives::Of* of : {&result_.accelerations, &result_.multipliers}) multiply_by_inputs(*of);
+  }
+
+  /// by_force · E: motors mostly act on one joint each.
+  void multiply_by_inputs(ForwardDerivatives::Of& of) const {
+    const auto& inputs = equations_.actions().inputs;
+    for (std::size_t r = 0; r < of.by_input.size(); ++r) {
+      for (std::size_t k = 0; k < inputs.size(); ++k) {
+        Value sum;
+        for (std::size_t i = 0; i < n_; ++i) {
+          if (!inputs[k][i].is_zero()) sum += of.by_force[r][i] * inputs[k][i];
+        }
+        of.by_input[r][k] = program_.bind(sum);
       }
     }
   }

@@ -5,11 +5,20 @@
 
 #include "generator/dynamics/articulated_body.hpp"
 #include "generator/dynamics/inertia_derivatives.hpp"
+#include "generator/dynamics/virtual_power.hpp"
 #include "generator/expression/derivative.hpp"
 #include "generator/expression/formula.hpp"
 
 namespace torsor {
 namespace {
+
+/// Definition by definition costs more and more with the number of joints, to run and to generate; a few joints leave
+/// so little that it may win.
+constexpr int few = 4;
+
+bool recursion_fits(const Equations& equations) {
+  return equations.actions().wrenches.empty() && has_simple_joints(equations.model());
+}
 
 /// −Q: what the residual has besides inertia, gravity and applied wrenches.
 std::vector<Value> opposite_efforts(const Equations& equations, Inputs inputs) {
@@ -72,6 +81,28 @@ int cost(const Equations& equations, const ForceDerivatives& derivatives) {
   return count(equations.program(), all).total();
 }
 
+/// −r by inverse dynamics, which costs least alone, or of the wrenches that the recursion of the derivatives needs too:
+/// whichever takes fewer operations beside them.
+std::vector<Value> cheapest_rest(const Equations& equations, const Linearisation& beside) {
+  Program& program = equations.program();
+  const Model& model = equations.model();
+  const std::vector<Value> of_motors = equations.of_inputs();
+  std::vector<Value> alone, shared;
+  for (std::size_t i = 0; i < of_motors.size(); ++i) alone.push_back(of_motors[i] - equations.inverse_dynamics()[i]);
+  if (!recursion_fits(equations) || model.unknown_count() <= few) return alone;
+  const std::vector<Value> inertia = inertia_forces(model, AccelerationInput::symbols, {}, &Link::effective);
+  const std::vector<Value> opposite = opposite_efforts(equations, Inputs::act);
+  for (std::size_t i = 0; i < alone.size(); ++i) shared.push_back(program.bind(-(inertia[i] + opposite[i])));
+  const auto total = [&](const std::vector<Value>& rest) {
+    std::vector<Value> all = rest;
+    for (const ValueMatrix* matrix : {&beside.M, &beside.C, &beside.K}) {
+      for (const auto& row : *matrix) all.insert(all.end(), row.begin(), row.end());
+    }
+    return count(program, all).total();
+  };
+  return total(shared) < total(alone) ? shared : alone;
+}
+
 }  // namespace
 
 ForceDerivatives effort_derivatives(const Equations& equations, Inputs inputs) {
@@ -82,13 +113,10 @@ ForceDerivatives effort_derivatives(const Equations& equations, Inputs inputs) {
 
 ForceDerivatives residual_derivatives(const Equations& equations, Inputs inputs) {
   const Model& model = equations.model();
-  const bool recursion_fits = equations.actions().wrenches.empty() && has_simple_joints(model);
-  // Definition by definition costs more and more with the number of joints, to run and to generate; a few joints leave
-  // so little that it may win.
-  constexpr int few = 4;
+  const bool fits = recursion_fits(equations);
   std::optional<ForceDerivatives> by_definition;
-  if (!recursion_fits || model.unknown_count() <= few) by_definition = differentiated(equations, inputs);
-  if (!recursion_fits) return *by_definition;
+  if (!fits || model.unknown_count() <= few) by_definition = differentiated(equations, inputs);
+  if (!fits) return *by_definition;
   ForceDerivatives by_recursion = inertia_derivatives(model);
   add_derivatives(equations, opposite_efforts(equations, inputs), by_recursion);
   if (!by_definition || cost(equations, by_recursion) < cost(equations, *by_definition)) return by_recursion;
@@ -104,9 +132,8 @@ Linearisation linearisation(const Equations& equations) {
   result.K = std::move(residual.by_position);
   result.M = equations.mass();
   result.E.assign(n, std::vector<Value>(inputs.size()));
-  const std::vector<Value> of_motors = equations.of_inputs();
+  result.F = cheapest_rest(equations, result);
   for (std::size_t i = 0; i < n; ++i) {
-    result.F.push_back(of_motors[i] - equations.inverse_dynamics()[i]);
     for (std::size_t k = 0; k < inputs.size(); ++k) result.E[i][k] = inputs[k][i];
   }
   return result;

@@ -114,10 +114,11 @@ std::vector<Value> along_coordinates(const Model& model, const std::vector<Wrenc
 
 }  // namespace
 
-std::vector<Value> inertia_forces(const Model& model, AccelerationInput input, const std::map<int, Wrench>& wrenches) {
+std::vector<Value> inertia_forces(const Model& model, AccelerationInput input, const std::map<int, Wrench>& wrenches,
+                                  MassProperties Link::*properties) {
   const std::vector<Axes> axes = cheapest_axes(model, wrenches);
   std::vector<Acceleration> motion = accelerations(model, input, axes);
-  return along_coordinates(model, joint_wrenches(model, motion, axes, wrenches, &Link::off_axis));
+  return along_coordinates(model, joint_wrenches(model, motion, axes, wrenches, properties));
 }
 
 ReferenceForces reference_forces(const Model& model, const std::map<int, Wrench>& wrenches) {

@@ -12,8 +12,10 @@ namespace torsor {
 /// virtual power: P_i − Q_i(gravity, given wrenches) = Σ_S (dynamic screw of S − wrench on S) · partial twist of S,
 /// accumulated from the tips to the ground (mechanics: second derivation of Lagrange's equations; recursion of
 /// Luh, Walker & Paul, On-line computational scheme for mechanical manipulators, 1980).
-/// `wrenches`: applied wrenches by link, in the link's axes at its origin.
-std::vector<Value> inertia_forces(const Model& model, AccelerationInput input, const std::map<int, Wrench>& wrenches);
+/// `wrenches`: applied wrenches by link, in the link's axes at its origin. `properties`: which of the equivalent inertias
+/// of each link; Link::off_axis costs least by itself.
+std::vector<Value> inertia_forces(const Model& model, AccelerationInput input, const std::map<int, Wrench>& wrenches,
+                                  MassProperties Link::*properties = &Link::off_axis);
 
 /// Dynamic screw of a link at its origin minus gravity: {m (Γ − g) + U h, δ_O}. The moment J Ω̇ + Ω ∧ J Ω is written
 /// with U = [Ω̇] + [Ω][Ω], whose entries the resultant needs anyhow:

@@ -18,6 +18,23 @@ namespace {
 
 constexpr std::size_t function_indentation = 4;
 
+/// Of more results than these the check that they are finite is a sum of sums, of each value once: one addition waits
+/// for the other.
+constexpr std::size_t many_results = 64;
+constexpr std::size_t flat_sum = 16;
+
+std::string sum_of_differences(const std::vector<std::string>& of, std::size_t begin, std::size_t end,
+                               std::size_t flat) {
+  std::string sum;
+  if (end - begin > flat) {
+    const std::size_t middle = begin + (end - begin) / 2;
+    const std::string first = sum_of_differences(of, begin, middle, flat);
+    return "(" + first + ") + (" + sum_of_differences(of, middle, end, flat) + ")";
+  }
+  for (std::size_t i = begin; i < end; ++i) sum += fmt::format("{}({} - {})", sum.empty() ? "" : " + ", of[i], of[i]);
+  return sum;
+}
+
 bool is_trigonometric(const Definition& definition) {
   return definition.function == Function::sin || definition.function == Function::cos;
 }
@@ -206,6 +223,7 @@ void FunctionEmitter::define_constant(Atom atom) {
 /// The text that gives a value; a formula that costs something is remembered under the target it is about to be
 /// assigned to.
 std::string FunctionEmitter::text_of(const Value& value, const std::string& target) {
+  repeats_ = false;
   const auto [sum, negative] = without_sign(value.polynomial());
   const auto signed_name = [](const std::string& name, bool minus) { return minus ? "-" + name : name; };
   const Formula tree = formula(*program_, sum);
@@ -216,6 +234,7 @@ std::string FunctionEmitter::text_of(const Value& value, const std::string& targ
       return signed_name(fmt::format("{}{}", ready_prefix_, *place), negative);
     }
     const auto [place, added] = written_.add(sum);
+    repeats_ = !added;
     if (!added) return signed_name(places_[place], negative != place_negative_[place]);
     places_.push_back(target);
     place_negative_.push_back(negative);
@@ -237,10 +256,15 @@ std::string FunctionEmitter::text(const Polynomial& sum) {
 
 void FunctionEmitter::assign(const std::string& target, const Value& value) {
   line(fmt::format("{} = {};", target, text_of(value, target)));
-  if (!value.is_constant()) results_.push_back(target);
+  if (value.is_constant()) return;
+  results_.push_back(target);
+  if (!repeats_) distinct_results_.push_back(target);
 }
 
-void FunctionEmitter::check_finite(const std::string& target) { results_.push_back(target); }
+void FunctionEmitter::check_finite(const std::string& target) {
+  results_.push_back(target);
+  distinct_results_.push_back(target);
+}
 
 void FunctionEmitter::return_status(const std::vector<std::pair<Value, Value>>& pivots) {
   const auto operand = [this](const Value& value) {
@@ -260,10 +284,9 @@ void FunctionEmitter::return_status(const std::vector<std::pair<Value, Value>>& 
   }
   if (!condition.empty()) line(fmt::format("if (!({})) return torsor::Status::singular;", condition));
   if (!results_.empty()) {
-    std::string difference;
-    for (const std::string& result : results_) {
-      difference += fmt::format("{}({} - {})", difference.empty() ? "" : " + ", result, result);
-    }
+    const bool many = results_.size() > many_results;
+    const std::vector<std::string>& checked = many ? distinct_results_ : results_;
+    const std::string difference = sum_of_differences(checked, 0, checked.size(), many ? flat_sum : many_results);
     line("// x - x is 0 for every finite x and not a number for any other.");
     line(fmt::format("const Scalar zero = {};", difference));
     line(fmt::format("if (!traits::regular({}, zero)) return torsor::Status::not_finite;", name(Number(1))));
@@ -316,12 +339,13 @@ FunctionText kernel_function(Program& program, const Kernel& kernel, const Block
   const auto parameter = [](const std::string& type, const std::string& name, bool used) {
     return used ? type + " " + name : type;
   };
-  std::string signature =
-      fmt::format("TORSOR_DEVICE static {} {}(", kernel.series || !kernel.pivots.empty() ? "torsor::Status" : "void", kernel.name);
+  std::string signature = fmt::format("TORSOR_DEVICE static {} {}(",
+                                      kernel.series || !kernel.pivots.empty() ? "torsor::Status" : "void", kernel.name);
   signature += parameter("const Precomputed&", "precomputed",
                          emitter.reads_ready() || !block.given.empty() || reads({SymbolKind::parameter}));
-  signature += ", " + parameter("const State&", "state",
-                                kernel.series || reads({SymbolKind::time, SymbolKind::coordinate, SymbolKind::velocity}));
+  signature +=
+      ", " + parameter("const State&", "state",
+                       kernel.series || reads({SymbolKind::time, SymbolKind::coordinate, SymbolKind::velocity}));
   for (const Argument argument : kernel.arguments) {
     const ArgumentText& given = argument_text(argument);
     signature += ", " + parameter(fmt::format("const {}&", given.type), given.name, reads({given.kind}));

@@ -65,6 +65,8 @@ class FunctionEmitter {
   std::vector<std::string> places_;   ///< where each was written
   std::vector<bool> place_negative_;  ///< and whether with the other sign
   std::vector<std::string> results_;  ///< targets of results that could be not finite
+  std::vector<std::string> distinct_results_;  ///< those that repeat no other
+  bool repeats_ = false;  ///< whether the last result did, up to sign
   std::string bindings_, code_;
   bool reads_ready_ = false;
   OperationCount operations_;

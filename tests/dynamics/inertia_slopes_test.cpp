@@ -5,6 +5,7 @@
 #include "benchmarks/model_counts/models.hpp"
 #include "generator/dynamics/equations.hpp"
 #include "generator/dynamics/inertia_derivatives.hpp"
+#include "generator/dynamics/linearisation.hpp"
 #include "generator/expression/evaluation.hpp"
 #include "generator/expression/formula.hpp"
 #include "generator/verification/random_state.hpp"
@@ -78,6 +79,32 @@ TEST(InertiaSlopes, LackColumnsOfTheMassMatrix) {
       }
     }
     EXPECT_GT(left_out, 0.1) << scene.name();
+  }
+}
+
+TEST(Linearisation, LeavesWhatInverseDynamicsAsksForWithLessWork) {
+  const WorkingDigits precision(digits);
+  for (const Scene& scene : scenes()) {
+    const Equations equations(scene);
+    const Linearisation linear = linearisation(equations);
+    const RandomState state(scene, 5);
+    Evaluator<Real> at(equations.program(), state.in_real());
+    std::vector<Value> alone = equations.inverse_dynamics(), shared = linear.F;
+    for (std::size_t i = 0; i < linear.F.size(); ++i) {
+      const Real direct = at(equations.inverse_dynamics()[i]), found = at(linear.F[i]);
+      EXPECT_LE(abs(found + direct).to_double(), bound * (1 + abs(direct).to_double())) << scene.name() << " " << i;
+    }
+    for (const ValueMatrix* matrix : {&linear.M, &linear.C, &linear.K}) {
+      for (const auto& row : *matrix) {
+        alone.insert(alone.end(), row.begin(), row.end());
+        shared.insert(shared.end(), row.begin(), row.end());
+      }
+    }
+    const int cost = count(equations.program(), shared).total(), before = count(equations.program(), alone).total();
+    EXPECT_LE(cost, before) << scene.name();
+    if (scene.name() != "flying_arm") {
+      EXPECT_LT(cost, before) << scene.name();  // whose skew axes keep all inertia
+    }
   }
 }
 
