@@ -9,7 +9,7 @@
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
 // moved across joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   kinematics                6               21          0             0                  2       0     31      31
+//   kinematics                2               13          0             0                  2       0     19      19
 //   mass_matrix               0                0          0             0                  0       0      0       0
 //   bias                      1                4          0             0                  1       0      7       7
 //   inverse_dynamics          2                4          0             0                  1       0      8       8
@@ -595,38 +595,34 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar z3 = sines_[0], z4 = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
-    const Scalar z10 = p_omega * s_theta;
-    const Scalar z11 = p_omega * c_theta;
-    const Scalar z12 = z4 * s_theta;
+    const Scalar z10 = z4 * c_theta;
+    const Scalar z11 = z4 * s_theta;
+    const Scalar z12 = z3 * c_theta;
     const Scalar z13 = z3 * s_theta;
-    const Scalar z14 = z4 * c_theta;
-    const Scalar z15 = z3 * c_theta;
-    const Scalar z16 = v_theta * c_theta;
-    const Scalar z17 = v_theta * s_theta;
-    const Scalar z18 = z3 * z10 - z4 * z16;
-    const Scalar z19 = z3 * z16 + z4 * z10;
-    const Scalar z20 = s_theta * z11 - c_theta * z10;
-    const Scalar z21 = s_theta * z10 + c_theta * z11;
-    const Scalar z22 = z3 * v_theta - z4 * z20;
-    const Scalar z23 = z3 * z20 + z4 * v_theta;
-    result.bead_position[0] = -z12;
+    const Scalar z14 = p_omega * s_theta;
+    const Scalar z16 = z3 * v_theta;  // angular velocity of bead, x
+    const Scalar z17 = z4 * v_theta;  // angular velocity of bead, y
+    const Scalar z18 = z3 * z14 - v_theta * z10;
+    const Scalar z19 = z4 * z14 + v_theta * z12;
+    const Scalar z20 = v_theta * s_theta;
+    result.bead_position[0] = -z11;
     result.bead_position[1] = -z13;
     result.bead_position[2] = -c_theta;
-    result.bead_rotation[0] = z14;
-    result.bead_rotation[1] = z15;
+    result.bead_rotation[0] = z10;
+    result.bead_rotation[1] = z12;
     result.bead_rotation[2] = -s_theta;
     result.bead_rotation[3] = -z3;
     result.bead_rotation[4] = z4;
     result.bead_rotation[5] = n0;
-    result.bead_rotation[6] = z12;
+    result.bead_rotation[6] = z11;
     result.bead_rotation[7] = z13;
     result.bead_rotation[8] = c_theta;
     result.bead_velocity[0] = z18;
     result.bead_velocity[1] = -z19;
-    result.bead_velocity[2] = z17;
-    result.bead_angular_velocity[0] = -z22;
-    result.bead_angular_velocity[1] = z23;
-    result.bead_angular_velocity[2] = z21;
+    result.bead_velocity[2] = z20;
+    result.bead_angular_velocity[0] = -z16;
+    result.bead_angular_velocity[1] = z17;
+    result.bead_angular_velocity[2] = p_omega;
   }
 
   /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
@@ -644,12 +640,12 @@ struct Mechanism {
     const Scalar q_theta = state.q.theta;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z10 = p_omega * s_theta;
-    const Scalar z11 = p_omega * c_theta;
-    const Scalar z35 = n9_81 * s_theta;
-    const Scalar z39 = z10 * z11;
-    const Scalar z44 = z35 - z39;  // moment on bead, y
-    forces.theta = z44;
+    const Scalar z14 = p_omega * s_theta;
+    const Scalar z15 = p_omega * c_theta;
+    const Scalar z34 = n9_81 * s_theta;
+    const Scalar z38 = z14 * z15;
+    const Scalar z43 = z34 - z38;  // moment on bead, y
+    forces.theta = z43;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -661,12 +657,12 @@ struct Mechanism {
     const Scalar a_theta = accelerations.theta;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z10 = p_omega * s_theta;
-    const Scalar z11 = p_omega * c_theta;
-    const Scalar z35 = n9_81 * s_theta;
-    const Scalar z39 = z10 * z11;
-    const Scalar z54 = a_theta + z35 - z39;  // moment on bead, y
-    forces.theta = z54;
+    const Scalar z14 = p_omega * s_theta;
+    const Scalar z15 = p_omega * c_theta;
+    const Scalar z34 = n9_81 * s_theta;
+    const Scalar z38 = z14 * z15;
+    const Scalar z53 = a_theta + z34 - z38;  // moment on bead, y
+    forces.theta = z53;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -680,12 +676,12 @@ struct Mechanism {
     const Scalar q_theta = state.q.theta;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z10 = p_omega * s_theta;
-    const Scalar z11 = p_omega * c_theta;
-    const Scalar z35 = n9_81 * s_theta;
-    const Scalar z39 = z10 * z11;
-    const Scalar z44 = z35 - z39;  // moment on bead, y
-    accelerations.theta = -z44;
+    const Scalar z14 = p_omega * s_theta;
+    const Scalar z15 = p_omega * c_theta;
+    const Scalar z34 = n9_81 * s_theta;
+    const Scalar z38 = z14 * z15;
+    const Scalar z43 = z34 - z38;  // moment on bead, y
+    accelerations.theta = -z43;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.theta - accelerations.theta);
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -703,8 +699,8 @@ struct Mechanism {
     const Scalar v_theta = state.v.theta;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z10 = p_omega * s_theta;
-    result.kinetic = n0_5 * (v_theta * v_theta + z10 * z10);
+    const Scalar z14 = p_omega * s_theta;
+    result.kinetic = n0_5 * (v_theta * v_theta + z14 * z14);
     result.force_function = n9_81 * c_theta;
     result.power = n0;
   }
@@ -719,8 +715,8 @@ struct Mechanism {
     const Scalar v_theta = state.v.theta;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z10 = p_omega * s_theta;
-    result.painleve = n0_5 * (v_theta * v_theta - z10 * z10) - n9_81 * c_theta;
+    const Scalar z14 = p_omega * s_theta;
+    result.painleve = n0_5 * (v_theta * v_theta - z14 * z14) - n9_81 * c_theta;
   }
 
   /// Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released
@@ -733,11 +729,11 @@ struct Mechanism {
     const Scalar v_theta = state.v.theta;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z11 = p_omega * c_theta;
-    const Scalar z37 = v_theta * z11;  // angular acceleration of bead, x
-    const Scalar z40 = n2 * z37;
-    const Scalar z48 = s_theta * z40;
-    result.motor = z48;
+    const Scalar z15 = p_omega * c_theta;
+    const Scalar z36 = v_theta * z15;  // angular acceleration of bead, x
+    const Scalar z39 = n2 * z36;
+    const Scalar z47 = s_theta * z39;
+    result.motor = z47;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -752,20 +748,20 @@ struct Mechanism {
     const Scalar a_theta = accelerations.theta;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z10 = p_omega * s_theta;
-    const Scalar z11 = p_omega * c_theta;
-    const Scalar z35 = n9_81 * s_theta;
-    const Scalar z36 = n9_81 * c_theta;
-    const Scalar z39 = z10 * z11;
-    const Scalar z54 = a_theta + z35 - z39;  // moment on bead, y
-    const Scalar z64 = z10 * z10 - z11 * z11;
-    const Scalar z65 = z36 + z64;
+    const Scalar z14 = p_omega * s_theta;
+    const Scalar z15 = p_omega * c_theta;
+    const Scalar z34 = n9_81 * s_theta;
+    const Scalar z35 = n9_81 * c_theta;
+    const Scalar z38 = z14 * z15;
+    const Scalar z53 = a_theta + z34 - z38;  // moment on bead, y
+    const Scalar z63 = z14 * z14 - z15 * z15;
+    const Scalar z64 = z35 + z63;
     result.M[0] = n1;
     result.C[0] = n0;
-    result.K[0] = z65;
-    result.F[0] = -z54;
+    result.K[0] = z64;
+    result.F[0] = -z53;
     result.A[0] = n0;
-    result.A[1] = -z65;
+    result.A[1] = -z64;
     result.A[2] = n1;
     result.A[3] = n0;
     // x - x is 0 for every finite x and not a number for any other.

@@ -9,7 +9,7 @@
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
 // moved across joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   kinematics                9               15          0             0                  1       0     26      26
+//   kinematics                4                5          0             0                  1       0     11      11
 //   mass_matrix               0                2          0             0                  1       0      4       4
 //   bias                      0                4          0             0                  1       0      6       6
 //   inverse_dynamics          8               13          0             0                  1       0     23      26
@@ -17,7 +17,7 @@
 //   energy                    6               11          0             0                  1       0     19      21
 //   first_integrals           6               11          0             0                  1       0     19      21
 //   constraints               2                6          0             0                  1       0     10      10
-//   linearisation            39               73          2             0                  1       0    116     124
+//   linearisation            27               60          5             0                  1       0     94     104
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 33 results 17 vanish identically, 2 repeat another up to sign
@@ -615,19 +615,15 @@ struct Mechanism {
     const Scalar v_phi = state.v.phi;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z11 = v_x * c_phi + v_y * s_phi;
-    const Scalar z12 = v_x * s_phi - v_y * c_phi;
-    const Scalar z13 = n0_5 * c_phi;
-    const Scalar z14 = n0_5 * s_phi;
-    const Scalar z15 = q_y + z14;
-    const Scalar z16 = q_x + z13;
-    const Scalar z17 = n0_5 * v_phi - z12;
-    const Scalar z18 = s_phi * z17 - c_phi * z11;
-    const Scalar z19 = s_phi * z11 + c_phi * z17;
-    const Scalar z20 = s_phi * z12 + c_phi * z11;
-    const Scalar z21 = s_phi * z11 - c_phi * z12;
-    result.sleigh_position[0] = z16;
-    result.sleigh_position[1] = z15;
+    const Scalar z11 = n0_5 * c_phi;
+    const Scalar z12 = n0_5 * s_phi;
+    const Scalar z13 = q_x + z11;
+    const Scalar z14 = q_y + z12;
+    const Scalar z15 = n0_5 * v_phi;
+    const Scalar z16 = v_x - s_phi * z15;
+    const Scalar z17 = v_y + c_phi * z15;
+    result.sleigh_position[0] = z13;
+    result.sleigh_position[1] = z14;
     result.sleigh_position[2] = n0;
     result.sleigh_rotation[0] = c_phi;
     result.sleigh_rotation[1] = s_phi;
@@ -638,8 +634,8 @@ struct Mechanism {
     result.sleigh_rotation[6] = n0;
     result.sleigh_rotation[7] = n0;
     result.sleigh_rotation[8] = n1;
-    result.sleigh_velocity[0] = -z18;
-    result.sleigh_velocity[1] = z19;
+    result.sleigh_velocity[0] = z16;
+    result.sleigh_velocity[1] = z17;
     result.sleigh_velocity[2] = n0;
     result.sleigh_angular_velocity[0] = n0;
     result.sleigh_angular_velocity[1] = n0;
@@ -647,8 +643,8 @@ struct Mechanism {
     result.C_position[0] = q_x;
     result.C_position[1] = q_y;
     result.C_position[2] = n0;
-    result.C_velocity[0] = z20;
-    result.C_velocity[1] = z21;
+    result.C_velocity[0] = v_x;
+    result.C_velocity[1] = v_y;
     result.C_velocity[2] = n0;
     result.C_jacobian[0] = n1;
     result.C_jacobian[3] = n0;
@@ -670,16 +666,16 @@ struct Mechanism {
     const Scalar q_phi = state.q.phi;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z13 = n0_5 * c_phi;
-    const Scalar z14 = n0_5 * s_phi;
+    const Scalar z11 = n0_5 * c_phi;
+    const Scalar z12 = n0_5 * s_phi;
     mass[0] = n1;
     mass[1] = n0;
-    mass[2] = -z14;
+    mass[2] = -z12;
     mass[3] = n0;
     mass[4] = n1;
-    mass[5] = z13;
-    mass[6] = -z14;
-    mass[7] = z13;
+    mass[5] = z11;
+    mass[6] = -z12;
+    mass[7] = z11;
     mass[8] = n0_75;
   }
 
@@ -692,12 +688,12 @@ struct Mechanism {
     const Scalar v_phi = state.v.phi;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z30 = v_phi * v_phi;
-    const Scalar z31 = n0_5 * z30;  // force on sleigh, x
-    const Scalar z32 = c_phi * z31;
-    const Scalar z33 = s_phi * z31;
-    forces.x = -z32;
-    forces.y = -z33;
+    const Scalar z27 = v_phi * v_phi;
+    const Scalar z28 = n0_5 * z27;  // force on sleigh, x
+    const Scalar z29 = c_phi * z28;
+    const Scalar z30 = s_phi * z28;
+    forces.x = -z29;
+    forces.y = -z30;
     forces.phi = n0;
   }
 
@@ -714,18 +710,18 @@ struct Mechanism {
     const Scalar l_N = multipliers.N;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z30 = v_phi * v_phi;
-    const Scalar z31 = n0_5 * z30;  // force on sleigh, x
-    const Scalar z36 = a_x * s_phi - a_y * c_phi;
-    const Scalar z37 = n0_5 * a_phi;  // force on sleigh, y
-    const Scalar z38 = n0_75 * a_phi - n0_5 * z36;  // moment on sleigh, z
-    const Scalar z39 = s_phi * z37 + c_phi * z31;
-    const Scalar z40 = s_phi * z31 - c_phi * z37;
-    const Scalar z41 = a_x - z39;  // force on along_y, x
-    const Scalar z42 = a_y - z40;  // force on along_y, y
-    forces.x = s_phi * l_N + z41;
-    forces.y = -c_phi * l_N + z42;
-    forces.phi = z38;
+    const Scalar z27 = v_phi * v_phi;
+    const Scalar z28 = n0_5 * z27;  // force on sleigh, x
+    const Scalar z33 = a_x * s_phi - a_y * c_phi;
+    const Scalar z34 = n0_5 * a_phi;  // force on sleigh, y
+    const Scalar z35 = n0_75 * a_phi - n0_5 * z33;  // moment on sleigh, z
+    const Scalar z36 = s_phi * z34 + c_phi * z28;
+    const Scalar z37 = s_phi * z28 - c_phi * z34;
+    const Scalar z38 = a_x - z36;  // force on along_y, x
+    const Scalar z39 = a_y - z37;  // force on along_y, y
+    forces.x = s_phi * l_N + z38;
+    forces.y = -c_phi * l_N + z39;
+    forces.phi = z35;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -742,45 +738,45 @@ struct Mechanism {
     const Scalar v_phi = state.v.phi;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z13 = n0_5 * c_phi;
-    const Scalar z14 = n0_5 * s_phi;
-    const Scalar z30 = v_phi * v_phi;
-    const Scalar z31 = n0_5 * z30;  // force on sleigh, x
-    const Scalar z32 = c_phi * z31;
-    const Scalar z33 = s_phi * z31;
-    const Scalar z44 = v_phi * c_phi;
-    const Scalar z45 = v_phi * s_phi;
-    const Scalar z46 = v_x * z44 + v_y * z45;
-    const Scalar z48 = n4_over_3 * z14;
-    const Scalar z49 = n4_over_3 * z13;
-    const Scalar z50 = n1 - z14 * z48;
-    const Scalar z51 = z14 * z49;
-    const Scalar z52 = n1 - z13 * z49;
-    const Scalar z53 = n1 / z52;
-    const Scalar z54 = z51 * z53;
-    const Scalar z55 = z50 - z51 * z54;
-    const Scalar z56 = n1 / z55;
-    const Scalar z57 = s_phi + c_phi * z54;
-    const Scalar z58 = z56 * z57;
-    const Scalar z59 = c_phi * z53 + z54 * z58;
-    const Scalar z60 = z48 * z58 + z49 * z59;
-    const Scalar z61 = s_phi * z58 + c_phi * z59;
-    const Scalar z62 = n1 / z61;
-    const Scalar z63 = z32 - z33 * z54;
-    const Scalar z64 = z56 * z63;
-    const Scalar z65 = z33 * z53 - z54 * z64;
-    const Scalar z66 = z48 * z64 - z49 * z65;
-    const Scalar z67 = s_phi * z64 - c_phi * z65 + z46;
-    const Scalar z68 = z62 * z67;
-    const Scalar z69 = z58 * z68 - z64;
-    const Scalar z70 = z59 * z68 + z65;
-    const Scalar z71 = z60 * z68 - z66;
-    accelerations.x = -z69;
-    accelerations.y = z70;
-    accelerations.phi = -z71;
-    multipliers.N = z68;
-    if (!(traits::regular(z55, n1) && traits::regular(z52, n1) && traits::regular(z61,
-        z61))) return torsor::Status::singular;
+    const Scalar z11 = n0_5 * c_phi;
+    const Scalar z12 = n0_5 * s_phi;
+    const Scalar z27 = v_phi * v_phi;
+    const Scalar z28 = n0_5 * z27;  // force on sleigh, x
+    const Scalar z29 = c_phi * z28;
+    const Scalar z30 = s_phi * z28;
+    const Scalar z42 = v_phi * c_phi;
+    const Scalar z43 = v_phi * s_phi;
+    const Scalar z44 = v_x * z42 + v_y * z43;
+    const Scalar z46 = n4_over_3 * z12;
+    const Scalar z47 = n4_over_3 * z11;
+    const Scalar z48 = n1 - z12 * z46;
+    const Scalar z49 = z12 * z47;
+    const Scalar z50 = n1 - z11 * z47;
+    const Scalar z51 = n1 / z50;
+    const Scalar z52 = z49 * z51;
+    const Scalar z53 = z48 - z49 * z52;
+    const Scalar z54 = n1 / z53;
+    const Scalar z55 = s_phi + c_phi * z52;
+    const Scalar z56 = z54 * z55;
+    const Scalar z57 = c_phi * z51 + z52 * z56;
+    const Scalar z58 = z46 * z56 + z47 * z57;
+    const Scalar z59 = s_phi * z56 + c_phi * z57;
+    const Scalar z60 = n1 / z59;
+    const Scalar z61 = z29 - z30 * z52;
+    const Scalar z62 = z54 * z61;
+    const Scalar z63 = z30 * z51 - z52 * z62;
+    const Scalar z64 = z46 * z62 - z47 * z63;
+    const Scalar z65 = s_phi * z62 - c_phi * z63 + z44;
+    const Scalar z66 = z60 * z65;
+    const Scalar z67 = z56 * z66 - z62;
+    const Scalar z68 = z57 * z66 + z63;
+    const Scalar z69 = z58 * z66 - z64;
+    accelerations.x = -z67;
+    accelerations.y = z68;
+    accelerations.phi = -z69;
+    multipliers.N = z66;
+    if (!(traits::regular(z53, n1) && traits::regular(z50, n1) && traits::regular(z59,
+        z59))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.x - accelerations.x) + (accelerations.y - accelerations.y) + (accelerations.phi
         - accelerations.phi) + (multipliers.N - multipliers.N);
@@ -799,11 +795,11 @@ struct Mechanism {
     const Scalar v_phi = state.v.phi;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z11 = v_x * c_phi + v_y * s_phi;
-    const Scalar z12 = v_x * s_phi - v_y * c_phi;
-    const Scalar z17 = n0_5 * v_phi - z12;
-    const Scalar z72 = n0_75 * v_phi - n0_5 * z12;
-    result.kinetic = n0_5 * (v_phi * z72 + z11 * z11 - z12 * z17);
+    const Scalar z41 = v_x * s_phi - v_y * c_phi;
+    const Scalar z70 = v_x * c_phi + v_y * s_phi;
+    const Scalar z71 = n0_5 * v_phi - z41;
+    const Scalar z72 = n0_75 * v_phi - n0_5 * z41;
+    result.kinetic = n0_5 * (v_phi * z72 - z41 * z71 + z70 * z70);
     result.force_function = n0;
     result.power = n0;
   }
@@ -818,11 +814,11 @@ struct Mechanism {
     const Scalar v_phi = state.v.phi;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z11 = v_x * c_phi + v_y * s_phi;
-    const Scalar z12 = v_x * s_phi - v_y * c_phi;
-    const Scalar z17 = n0_5 * v_phi - z12;
-    const Scalar z72 = n0_75 * v_phi - n0_5 * z12;
-    result.energy = n0_5 * (v_phi * z72 + z11 * z11 - z12 * z17);
+    const Scalar z41 = v_x * s_phi - v_y * c_phi;
+    const Scalar z70 = v_x * c_phi + v_y * s_phi;
+    const Scalar z71 = n0_5 * v_phi - z41;
+    const Scalar z72 = n0_75 * v_phi - n0_5 * z41;
+    result.energy = n0_5 * (v_phi * z72 - z41 * z71 + z70 * z70);
   }
 
   /// Constraints A(q, t) v - b(q, t) = 0, in the order of the multipliers.
@@ -834,13 +830,13 @@ struct Mechanism {
     const Scalar v_phi = state.v.phi;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z12 = v_x * s_phi - v_y * c_phi;
-    const Scalar z44 = v_phi * c_phi;
-    const Scalar z45 = v_phi * s_phi;
-    const Scalar z46 = v_x * z44 + v_y * z45;
+    const Scalar z41 = v_x * s_phi - v_y * c_phi;
+    const Scalar z42 = v_phi * c_phi;
+    const Scalar z43 = v_phi * s_phi;
+    const Scalar z44 = v_x * z42 + v_y * z43;
     result.value[0] = n0;
-    result.rate[0] = -z12;
-    result.gamma[0] = -z46;
+    result.rate[0] = -z41;
+    result.gamma[0] = -z44;
     result.jacobian[0] = -s_phi;
     result.jacobian[1] = c_phi;
     result.jacobian[2] = n0;
@@ -871,81 +867,73 @@ struct Mechanism {
     const Scalar l_N = multipliers.N;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z11 = v_x * c_phi + v_y * s_phi;
-    const Scalar z13 = n0_5 * c_phi;
-    const Scalar z14 = n0_5 * s_phi;
-    const Scalar z30 = v_phi * v_phi;
-    const Scalar z31 = n0_5 * z30;  // force on sleigh, x
-    const Scalar z35 = a_x * c_phi + a_y * s_phi;
-    const Scalar z36 = a_x * s_phi - a_y * c_phi;
-    const Scalar z37 = n0_5 * a_phi;  // force on sleigh, y
-    const Scalar z38 = n0_75 * a_phi - n0_5 * z36;  // moment on sleigh, z
-    const Scalar z39 = s_phi * z37 + c_phi * z31;
-    const Scalar z40 = s_phi * z31 - c_phi * z37;
-    const Scalar z41 = a_x - z39;  // force on along_y, x
-    const Scalar z42 = a_y - z40;  // force on along_y, y
-    const Scalar z44 = v_phi * c_phi;
-    const Scalar z45 = v_phi * s_phi;
-    const Scalar z46 = v_x * z44 + v_y * z45;
-    const Scalar z82 = n2 * v_phi;
-    const Scalar z83 = n0_5 * z82;
-    const Scalar z84 = c_phi * z83;
-    const Scalar z85 = c_phi * l_N + z40;
-    const Scalar z86 = s_phi * z83;
-    const Scalar z87 = s_phi * l_N - z39;
-    const Scalar z88 = n0_5 * z35;
-    const Scalar z107 = a_x * s_phi - a_y * c_phi + z46;
-    const Scalar z108 = v_x * z45 - v_y * z44;
-    const Scalar z109 = a_x * c_phi + a_y * s_phi - z108;
-    const Scalar z110 = n1 / c_phi;
-    const Scalar z111 = c_phi * c_phi;
-    const Scalar z112 = s_phi * z110;
-    const Scalar z113 = z11 * z110;
-    const Scalar z114 = z44 + z45 * z112;
-    const Scalar z115 = z110 * z114;
-    const Scalar z116 = z45 * z113;
-    const Scalar z117 = z109 + z116;
-    const Scalar z118 = z110 * z117;
-    const Scalar z119 = z107 * z110;
-    const Scalar z120 = z13 * z112 - z14;
-    const Scalar z121 = n1 + z112 * z112;
-    const Scalar z122 = z112 * z115;
-    const Scalar z123 = z112 * z113;
-    const Scalar z124 = z13 * z115;
-    const Scalar z125 = z13 * z113;
-    const Scalar z126 = z84 + z86 * z112;
-    const Scalar z127 = z123 - z126;
-    const Scalar z128 = z112 * z118;
-    const Scalar z129 = z13 * z118;
-    const Scalar z130 = z85 + z87 * z112;
-    const Scalar z131 = z128 + z130;
-    const Scalar z132 = z88 - z129;
-    const Scalar z133 = c_phi * l_N - z42;
-    const Scalar z134 = s_phi * l_N + z41 - z112 * z133;
-    const Scalar z135 = z112 * z119;
-    const Scalar z136 = z13 * z119;
-    const Scalar z137 = z134 + z135;
-    const Scalar z138 = z38 + z136;
-    const Scalar z139 = n4_over_3 * z120;
-    const Scalar z140 = z120 * z139 - z121;
-    const Scalar z141 = n1 / z140;
-    const Scalar z142 = z122 - z124 * z139;
-    const Scalar z143 = z141 * z142;
-    const Scalar z144 = n4_over_3 * z124 + z139 * z143;
-    const Scalar z145 = z125 * z139 - z127;
-    const Scalar z146 = z141 * z145;
-    const Scalar z147 = n4_over_3 * z125 - z139 * z146;
-    const Scalar z148 = z131 + z132 * z139;
-    const Scalar z149 = z141 * z148;
-    const Scalar z150 = n4_over_3 * z132 - z139 * z149;
+    const Scalar z11 = n0_5 * c_phi;
+    const Scalar z12 = n0_5 * s_phi;
+    const Scalar z27 = v_phi * v_phi;
+    const Scalar z28 = n0_5 * z27;  // force on sleigh, x
+    const Scalar z32 = a_x * c_phi + a_y * s_phi;
+    const Scalar z33 = a_x * s_phi - a_y * c_phi;
+    const Scalar z34 = n0_5 * a_phi;  // force on sleigh, y
+    const Scalar z35 = n0_75 * a_phi - n0_5 * z33;  // moment on sleigh, z
+    const Scalar z36 = s_phi * z34 + c_phi * z28;
+    const Scalar z37 = s_phi * z28 - c_phi * z34;
+    const Scalar z38 = a_x - z36;  // force on along_y, x
+    const Scalar z39 = a_y - z37;  // force on along_y, y
+    const Scalar z42 = v_phi * c_phi;
+    const Scalar z43 = v_phi * s_phi;
+    const Scalar z44 = v_x * z42 + v_y * z43;
+    const Scalar z70 = v_x * c_phi + v_y * s_phi;
+    const Scalar z81 = n2 * v_phi;
+    const Scalar z82 = n0_5 * z81;
+    const Scalar z83 = c_phi * z82;
+    const Scalar z84 = c_phi * l_N + z37;
+    const Scalar z85 = s_phi * z82;
+    const Scalar z86 = s_phi * l_N - z36;
+    const Scalar z87 = n0_5 * z32;
+    const Scalar z106 = a_x * s_phi - a_y * c_phi + z44;
+    const Scalar z107 = v_x * z43 - v_y * z42;
+    const Scalar z108 = a_x * c_phi + a_y * s_phi - z107;
+    const Scalar z109 = n1 / c_phi;
+    const Scalar z110 = c_phi * c_phi;
+    const Scalar z111 = s_phi * z109;
+    const Scalar z112 = z70 * z109;
+    const Scalar z113 = v_phi / c_phi;
+    const Scalar z114 = z109 * z113;
+    const Scalar z115 = z43 * z112;
+    const Scalar z116 = z108 + z115;
+    const Scalar z117 = z109 * z116;
+    const Scalar z118 = z106 * z109;
+    const Scalar z119 = n1 / (c_phi * c_phi);
+    const Scalar z120 = z111 * z114;
+    const Scalar z121 = z111 * z112;
+    const Scalar z122 = z11 * z114;
+    const Scalar z123 = z11 * z112;
+    const Scalar z124 = z113 - z121;
+    const Scalar z125 = z111 * z117;
+    const Scalar z126 = z11 * z117;
+    const Scalar z127 = z84 + z86 * z111;
+    const Scalar z128 = z125 + z127;
+    const Scalar z129 = z87 - z126;
+    const Scalar z131 = a_x + s_phi * z39 / c_phi - z36;
+    const Scalar z132 = z111 * z118;
+    const Scalar z133 = z11 * z118;
+    const Scalar z134 = z131 + z132;
+    const Scalar z135 = z35 + z133;
+    const Scalar z136 = n1 / z119;
+    const Scalar z137 = z120 * z136;
+    const Scalar z138 = n4_over_3 * z122;
+    const Scalar z139 = z124 * z136;
+    const Scalar z140 = n4_over_3 * z123;
+    const Scalar z141 = z128 * z136;
+    const Scalar z142 = n4_over_3 * z129;
     result.M[0] = n1;
     result.M[1] = n0;
-    result.M[2] = -z14;
+    result.M[2] = -z12;
     result.M[3] = n0;
     result.M[4] = n1;
-    result.M[5] = z13;
-    result.M[6] = -z14;
-    result.M[7] = z13;
+    result.M[5] = z11;
+    result.M[6] = -z12;
+    result.M[7] = z11;
     result.M[8] = n0_75;
     result.C[0] = n0;
     result.C[1] = n0;
@@ -953,8 +941,8 @@ struct Mechanism {
     result.C[3] = n0;
     result.C[4] = n0;
     result.C[5] = n0;
-    result.C[6] = -z84;
-    result.C[7] = -z86;
+    result.C[6] = -z83;
+    result.C[7] = -z85;
     result.C[8] = n0;
     result.K[0] = n0;
     result.K[1] = n0;
@@ -962,28 +950,28 @@ struct Mechanism {
     result.K[3] = n0;
     result.K[4] = n0;
     result.K[5] = n0;
-    result.K[6] = z85;
-    result.K[7] = z87;
-    result.K[8] = -z88;
-    result.F[0] = -s_phi * l_N - z41;
-    result.F[1] = c_phi * l_N - z42;
-    result.F[2] = -z38;
-    result.M_r[0] = z121;
+    result.K[6] = z84;
+    result.K[7] = z86;
+    result.K[8] = -z87;
+    result.F[0] = -s_phi * l_N - z38;
+    result.F[1] = c_phi * l_N - z39;
+    result.F[2] = -z35;
+    result.M_r[0] = z119;
     result.M_r[1] = n0;
     result.M_r[2] = n0;
     result.M_r[3] = n0_75;
-    result.C_r[0] = z122;
-    result.C_r[1] = z124;
-    result.C_r[2] = z127;
-    result.C_r[3] = z125;
+    result.C_r[0] = z120;
+    result.C_r[1] = z122;
+    result.C_r[2] = -z124;
+    result.C_r[3] = z123;
     result.K_r[0] = n0;
     result.K_r[1] = n0;
     result.K_r[2] = n0;
     result.K_r[3] = n0;
-    result.K_r[4] = z131;
-    result.K_r[5] = -z132;
-    result.F_r[0] = -z137;
-    result.F_r[1] = -z138;
+    result.K_r[4] = z128;
+    result.K_r[5] = -z129;
+    result.F_r[0] = -z134;
+    result.F_r[1] = -z135;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
@@ -995,21 +983,21 @@ struct Mechanism {
     result.A[8] = n0;
     result.A[9] = n0;
     result.A[10] = n0;
-    result.A[11] = z113;
+    result.A[11] = z112;
     result.A[12] = n0;
-    result.A[13] = z149;
-    result.A[14] = z150;
+    result.A[13] = -z141;
+    result.A[14] = z142;
     result.A[15] = n1;
-    result.A[16] = z112;
+    result.A[16] = z111;
     result.A[17] = n0;
-    result.A[18] = z143;
-    result.A[19] = -z144;
+    result.A[18] = -z137;
+    result.A[19] = -z138;
     result.A[20] = n0;
     result.A[21] = n0;
     result.A[22] = n1;
-    result.A[23] = -z146;
-    result.A[24] = -z147;
-    if (!(traits::regular(z111, n1) && traits::regular(-z140, z121))) return torsor::Status::singular;
+    result.A[23] = z139;
+    result.A[24] = -z140;
+    if (!(traits::regular(z110, n1) && traits::regular(z119, z119))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.M[2] - result.M[2]) + (result.M[5] - result.M[5]) + (result.M[6] - result.M[6])
         + (result.M[7] - result.M[7]) + (result.C[6] - result.C[6]) + (result.C[7] - result.C[7]) + (result.K[6]

@@ -10,11 +10,11 @@
 // moved across joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   precompute                1                4          2             0                  0       0      7       -
-//   kinematics               38               74          0             0                  3       0    118     118
+//   kinematics               16               34          0             0                  3       0     56      56
 //   mass_matrix               1                3          0             0                  1       0      6      11
 //   bias                      4               15          0             0                  1       0     21      54
 //   inverse_dynamics         20               29          0             0                  2       0     53     114
-//   forward_dynamics         38               78          4             0                  2       0    124     181
+//   forward_dynamics         24               62          3             0                  2       0     93     147
 //   energy                   14               28          0             0                  3       0     48      58
 //   constraints              16               30          0             0                  2       0     50      50
 //
@@ -526,9 +526,9 @@ struct Mechanism {
     Parameters parameters;
     Scalar z25;
     Scalar z26;
-    Scalar z85;
-    Scalar z166;
-    Scalar z169;
+    Scalar z67;
+    Scalar z153;
+    Scalar z156;
   };
 
   /// Values of the scene.
@@ -549,14 +549,14 @@ struct Mechanism {
     const Scalar p_rho = parameters.rho;
     const Scalar z25 = n0_25 * p_rho * p_rho;
     const Scalar z26 = n0_5 * p_rho * p_rho;
-    const Scalar z85 = z25 - z26;
-    const Scalar z166 = n1 / z26;
-    const Scalar z169 = n1 / z25;
+    const Scalar z67 = z25 - z26;
+    const Scalar z153 = n1 / z26;
+    const Scalar z156 = n1 / z25;
     precomputed.z25 = z25;
     precomputed.z26 = z26;
-    precomputed.z85 = z85;
-    precomputed.z166 = z166;
-    precomputed.z169 = z169;
+    precomputed.z67 = z67;
+    precomputed.z153 = z153;
+    precomputed.z156 = z156;
     return precomputed;
   }
 
@@ -653,99 +653,77 @@ struct Mechanism {
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
     const Scalar s_phi = sines_[2], c_phi = cosines_[2];
-    const Scalar z27 = v_x * c_psi + v_y * s_psi;
-    const Scalar z28 = v_x * s_psi - v_y * c_psi;
-    const Scalar z29 = v_psi * s_theta;
-    const Scalar z30 = v_psi * c_theta;
-    const Scalar z31 = v_z * s_theta - c_theta * z28;
-    const Scalar z32 = v_z * c_theta + s_theta * z28;
-    const Scalar z33 = v_theta * c_phi + s_phi * z29;
-    const Scalar z34 = v_theta * s_phi - c_phi * z29;
-    const Scalar z35 = s_phi * z31 + c_phi * z27;
-    const Scalar z36 = s_phi * z27 - c_phi * z31;
-    const Scalar z37 = v_phi + z30;  // angular velocity of disk, z
-    const Scalar z38 = c_theta * s_phi;
+    const Scalar z27 = s_psi * c_theta;
+    const Scalar z28 = s_psi * s_theta;
+    const Scalar z29 = c_psi * c_theta;
+    const Scalar z30 = c_psi * s_theta;
+    const Scalar z32 = v_psi * c_theta;
+    const Scalar z33 = c_psi * v_theta;  // angular velocity of disk.2, x
+    const Scalar z34 = s_psi * v_theta;  // angular velocity of disk.2, y
+    const Scalar z35 = c_psi * c_phi - s_phi * z27;
+    const Scalar z36 = c_psi * s_phi + c_phi * z27;
+    const Scalar z37 = s_psi * c_phi + s_phi * z29;
+    const Scalar z38 = s_psi * s_phi - c_phi * z29;
     const Scalar z39 = s_theta * s_phi;
-    const Scalar z40 = s_psi * z38 - c_psi * c_phi;
-    const Scalar z41 = s_psi * c_phi + c_psi * z38;
-    const Scalar z42 = c_theta * c_phi;
-    const Scalar z43 = s_theta * c_phi;
-    const Scalar z44 = s_psi * z42 + c_psi * s_phi;
-    const Scalar z45 = s_psi * s_phi - c_psi * z42;
-    const Scalar z46 = s_psi * s_theta;
-    const Scalar z47 = c_psi * s_theta;
-    const Scalar z48 = s_phi * z36 + c_phi * z35;
-    const Scalar z49 = s_phi * z35 - c_phi * z36;
-    const Scalar z50 = s_theta * z32 - c_theta * z49;
-    const Scalar z51 = s_theta * z49 + c_theta * z32;
-    const Scalar z52 = s_psi * z50 + c_psi * z48;
-    const Scalar z53 = s_psi * z48 - c_psi * z50;
-    const Scalar z54 = s_phi * z34 + c_phi * z33;
-    const Scalar z55 = s_phi * z33 - c_phi * z34;
-    const Scalar z56 = s_theta * z37 - c_theta * z55;
-    const Scalar z57 = s_theta * z55 + c_theta * z37;
-    const Scalar z58 = s_psi * z56 + c_psi * z54;
-    const Scalar z59 = s_psi * z54 - c_psi * z56;
-    const Scalar z60 = c_theta * p_rho;
-    const Scalar z61 = s_theta * p_rho;
-    const Scalar z62 = s_psi * z60;
-    const Scalar z63 = c_psi * z60;
-    const Scalar z64 = q_z - z61;
-    const Scalar z65 = q_y - z63;
-    const Scalar z66 = q_x + z62;
-    const Scalar z67 = p_rho * z30 + z27;
-    const Scalar z68 = v_theta * p_rho - z32;
-    const Scalar z69 = s_theta * z68 + c_theta * z31;
-    const Scalar z70 = s_theta * z31 - c_theta * z68;
-    const Scalar z71 = s_psi * z69 - c_psi * z67;
-    const Scalar z72 = s_psi * z67 + c_psi * z69;
-    const Scalar z73 = q_x - z66;
-    const Scalar z74 = q_y - z65;
-    const Scalar z75 = q_z - z64;
-    const Scalar z76 = s_psi * z75;
-    const Scalar z77 = c_psi * z75;
-    const Scalar z78 = s_psi * z73 - c_psi * z74;
+    const Scalar z40 = s_theta * c_phi;
+    const Scalar z44 = v_phi * z28 + z33;  // angular velocity of disk, x
+    const Scalar z45 = v_phi * z30 - z34;  // angular velocity of disk, y
+    const Scalar z46 = v_psi + c_theta * v_phi;  // angular velocity of disk, z
+    const Scalar z47 = p_rho * z27;
+    const Scalar z48 = p_rho * z29;
+    const Scalar z49 = s_theta * p_rho;
+    const Scalar z50 = p_rho * z32;
+    const Scalar z51 = v_theta * p_rho;
+    const Scalar z52 = v_x + c_psi * z50 - z28 * z51;
+    const Scalar z53 = v_y + s_psi * z50 + z30 * z51;
+    const Scalar z54 = v_z - c_theta * z51;
+    const Scalar z55 = q_x + z47;
+    const Scalar z56 = q_y - z48;
+    const Scalar z57 = q_z - z49;
+    const Scalar z58 = s_psi * z49;
+    const Scalar z59 = c_psi * z49;
+    const Scalar z60 = s_psi * z47 + c_psi * z48;
     result.disk_position[0] = q_x;
     result.disk_position[1] = q_y;
     result.disk_position[2] = q_z;
-    result.disk_rotation[0] = -z40;
-    result.disk_rotation[1] = z41;
+    result.disk_rotation[0] = z35;
+    result.disk_rotation[1] = z37;
     result.disk_rotation[2] = z39;
-    result.disk_rotation[3] = -z44;
-    result.disk_rotation[4] = -z45;
-    result.disk_rotation[5] = z43;
-    result.disk_rotation[6] = z46;
-    result.disk_rotation[7] = -z47;
+    result.disk_rotation[3] = -z36;
+    result.disk_rotation[4] = -z38;
+    result.disk_rotation[5] = z40;
+    result.disk_rotation[6] = z28;
+    result.disk_rotation[7] = -z30;
     result.disk_rotation[8] = c_theta;
-    result.disk_velocity[0] = z52;
-    result.disk_velocity[1] = z53;
-    result.disk_velocity[2] = z51;
-    result.disk_angular_velocity[0] = z58;
-    result.disk_angular_velocity[1] = z59;
-    result.disk_angular_velocity[2] = z57;
-    result.I_position[0] = z66;
-    result.I_position[1] = z65;
-    result.I_position[2] = z64;
-    result.I_velocity[0] = -z71;
-    result.I_velocity[1] = z72;
-    result.I_velocity[2] = z70;
+    result.disk_velocity[0] = v_x;
+    result.disk_velocity[1] = v_y;
+    result.disk_velocity[2] = v_z;
+    result.disk_angular_velocity[0] = z44;
+    result.disk_angular_velocity[1] = -z45;
+    result.disk_angular_velocity[2] = z46;
+    result.I_position[0] = z55;
+    result.I_position[1] = z56;
+    result.I_position[2] = z57;
+    result.I_velocity[0] = z52;
+    result.I_velocity[1] = z53;
+    result.I_velocity[2] = z54;
     result.I_jacobian[0] = n1;
     result.I_jacobian[3] = n0;
     result.I_jacobian[6] = n0;
-    result.I_jacobian[9] = z74;
-    result.I_jacobian[12] = -z76;
+    result.I_jacobian[9] = z48;
+    result.I_jacobian[12] = -z58;
     result.I_jacobian[15] = n0;
     result.I_jacobian[1] = n0;
     result.I_jacobian[4] = n1;
     result.I_jacobian[7] = n0;
-    result.I_jacobian[10] = -z73;
-    result.I_jacobian[13] = z77;
+    result.I_jacobian[10] = z47;
+    result.I_jacobian[13] = z59;
     result.I_jacobian[16] = n0;
     result.I_jacobian[2] = n0;
     result.I_jacobian[5] = n0;
     result.I_jacobian[8] = n1;
     result.I_jacobian[11] = n0;
-    result.I_jacobian[14] = z78;
+    result.I_jacobian[14] = -z60;
     result.I_jacobian[17] = n0;
   }
 
@@ -757,13 +735,12 @@ struct Mechanism {
     const Scalar q_theta = state.q.theta;
     const Scalar z25 = precomputed.z25;
     const Scalar z26 = precomputed.z26;
-    const Scalar z85 = precomputed.z85;
+    const Scalar z67 = precomputed.z67;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z80 = c_theta * z26;
-    const Scalar z86 = s_theta * z85;
-    const Scalar z87 = s_theta * z86;
-    const Scalar z89 = z26 + z87;
+    const Scalar z62 = c_theta * z26;
+    const Scalar z69 = c_theta * z67;
+    const Scalar z70 = c_theta * z69 - z25;
     mass[0] = n1;
     mass[1] = n0;
     mass[2] = n0;
@@ -785,9 +762,9 @@ struct Mechanism {
     mass[18] = n0;
     mass[19] = n0;
     mass[20] = n0;
-    mass[21] = z89;
+    mass[21] = -z70;
     mass[22] = n0;
-    mass[23] = z80;
+    mass[23] = z62;
     mass[24] = n0;
     mass[25] = n0;
     mass[26] = n0;
@@ -797,7 +774,7 @@ struct Mechanism {
     mass[30] = n0;
     mass[31] = n0;
     mass[32] = n0;
-    mass[33] = z80;
+    mass[33] = z62;
     mass[34] = n0;
     mass[35] = z26;
   }
@@ -817,27 +794,27 @@ struct Mechanism {
     const Scalar z26 = precomputed.z26;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z29 = v_psi * s_theta;
-    const Scalar z30 = v_psi * c_theta;
-    const Scalar z37 = v_phi + z30;  // angular velocity of disk, z
-    const Scalar z106 = v_theta * z30;  // angular acceleration of disk.2, y
-    const Scalar z107 = v_theta * z29;  // angular acceleration of disk.2, z
-    const Scalar z110 = z29 * z37;
-    const Scalar z111 = v_theta * z37;
-    const Scalar z112 = z26 * z110;  // moment on disk, x
-    const Scalar z113 = z26 * z111;  // moment on disk, y
-    const Scalar z114 = z26 * z107;  // moment on disk, z
-    const Scalar z115 = z29 * z30;
-    const Scalar z116 = n2 * z106;
-    const Scalar z117 = z25 * z115 - z112;  // moment on disk.2, x
-    const Scalar z118 = z25 * z116 - z113;  // moment on disk.2, y
-    const Scalar z120 = s_theta * z118 - c_theta * z114;
+    const Scalar z31 = v_psi * s_theta;
+    const Scalar z32 = v_psi * c_theta;
+    const Scalar z43 = v_phi + z32;
+    const Scalar z88 = v_theta * z32;  // angular acceleration of disk.2, y
+    const Scalar z89 = v_theta * z31;  // angular acceleration of disk.2, z
+    const Scalar z92 = z31 * z43;
+    const Scalar z93 = v_theta * z43;
+    const Scalar z94 = z26 * z92;  // moment on disk, x
+    const Scalar z95 = z26 * z93;  // moment on disk, y
+    const Scalar z96 = z26 * z89;  // moment on disk, z
+    const Scalar z97 = z31 * z32;
+    const Scalar z98 = n2 * z88;
+    const Scalar z99 = z25 * z97 - z94;  // moment on disk.2, x
+    const Scalar z100 = z25 * z98 - z95;  // moment on disk.2, y
+    const Scalar z102 = s_theta * z100 - c_theta * z96;
     forces.x = n0;
     forces.y = n0;
     forces.z = n9_81;
-    forces.psi = z120;
-    forces.theta = -z117;
-    forces.phi = -z114;
+    forces.psi = z102;
+    forces.theta = -z99;
+    forces.phi = -z96;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -866,35 +843,35 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
-    const Scalar z29 = v_psi * s_theta;
-    const Scalar z30 = v_psi * c_theta;
-    const Scalar z37 = v_phi + z30;  // angular velocity of disk, z
-    const Scalar z60 = c_theta * p_rho;
-    const Scalar z61 = s_theta * p_rho;
-    const Scalar z106 = v_theta * z30;  // angular acceleration of disk.2, y
-    const Scalar z110 = z29 * z37;
-    const Scalar z111 = v_theta * z37;
-    const Scalar z112 = z26 * z110;  // moment on disk, x
-    const Scalar z113 = z26 * z111;  // moment on disk, y
-    const Scalar z115 = z29 * z30;
-    const Scalar z124 = n9_81 + a_z;
-    const Scalar z127 = a_psi * s_theta;
-    const Scalar z128 = a_psi * c_theta;
-    const Scalar z131 = v_theta * z30 + z127;  // angular acceleration of disk.2, y
-    const Scalar z132 = v_theta * z29 - z128;  // angular acceleration of disk.2, z
-    const Scalar z135 = a_phi - z132;  // angular acceleration of disk, z
-    const Scalar z136 = z26 * z135;  // moment on disk, z
-    const Scalar z137 = z106 + z131;
-    const Scalar z138 = z25 * (a_theta - z115) + z112;  // moment on disk.2, x
-    const Scalar z139 = z25 * z137 - z113;  // moment on disk.2, y
-    const Scalar z141 = s_theta * z139 + c_theta * z136;
-    const Scalar z154 = s_theta * z61 + c_theta * z60;
+    const Scalar z31 = v_psi * s_theta;
+    const Scalar z32 = v_psi * c_theta;
+    const Scalar z43 = v_phi + z32;
+    const Scalar z49 = s_theta * p_rho;
+    const Scalar z88 = v_theta * z32;  // angular acceleration of disk.2, y
+    const Scalar z92 = z31 * z43;
+    const Scalar z93 = v_theta * z43;
+    const Scalar z94 = z26 * z92;  // moment on disk, x
+    const Scalar z95 = z26 * z93;  // moment on disk, y
+    const Scalar z97 = z31 * z32;
+    const Scalar z106 = n9_81 + a_z;
+    const Scalar z109 = a_psi * s_theta;
+    const Scalar z110 = a_psi * c_theta;
+    const Scalar z113 = v_theta * z32 + z109;  // angular acceleration of disk.2, y
+    const Scalar z114 = v_theta * z31 - z110;  // angular acceleration of disk.2, z
+    const Scalar z117 = a_phi - z114;  // angular acceleration of disk, z
+    const Scalar z118 = z26 * z117;  // moment on disk, z
+    const Scalar z119 = z88 + z113;
+    const Scalar z120 = z25 * (a_theta - z97) + z94;  // moment on disk.2, x
+    const Scalar z121 = z25 * z119 - z95;  // moment on disk.2, y
+    const Scalar z123 = s_theta * z121 + c_theta * z118;
+    const Scalar z130 = c_theta * p_rho;
+    const Scalar z141 = s_theta * z49 + c_theta * z130;
     forces.x = a_x + s_psi * l_Y - c_psi * l_X;
     forces.y = a_y - s_psi * l_X - c_psi * l_Y;
-    forces.z = z124 - l_N;
-    forces.psi = -z60 * l_X + z141;
-    forces.theta = z60 * l_N - z61 * l_Y + z138;
-    forces.phi = z136 - z154 * l_X;
+    forces.z = z106 - l_N;
+    forces.psi = z123 - z130 * l_X;
+    forces.theta = -z49 * l_Y + z120 + z130 * l_N;
+    forces.phi = z118 - z141 * l_X;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -905,6 +882,7 @@ struct Mechanism {
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n1_over_3 = traits::constant(0.3333333333333333, 0.33333334f, "1/3");
     const Scalar v_x = state.v.x;
     const Scalar v_y = state.v.y;
     const Scalar q_psi = state.q.psi;
@@ -915,92 +893,82 @@ struct Mechanism {
     const Scalar p_rho = precomputed.parameters.rho;
     const Scalar z25 = precomputed.z25;
     const Scalar z26 = precomputed.z26;
-    const Scalar z85 = precomputed.z85;
-    const Scalar z166 = precomputed.z166;
-    const Scalar z169 = precomputed.z169;
+    const Scalar z67 = precomputed.z67;
+    const Scalar z153 = precomputed.z153;
+    const Scalar z156 = precomputed.z156;
     const Scalar angles_[] = {q_psi, q_theta};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
-    const Scalar z29 = v_psi * s_theta;
-    const Scalar z30 = v_psi * c_theta;
-    const Scalar z37 = v_phi + z30;  // angular velocity of disk, z
-    const Scalar z60 = c_theta * p_rho;
-    const Scalar z61 = s_theta * p_rho;
-    const Scalar z80 = c_theta * z26;
-    const Scalar z86 = s_theta * z85;
-    const Scalar z87 = s_theta * z86;
-    const Scalar z89 = z26 + z87;
-    const Scalar z106 = v_theta * z30;  // angular acceleration of disk.2, y
-    const Scalar z107 = v_theta * z29;  // angular acceleration of disk.2, z
-    const Scalar z110 = z29 * z37;
-    const Scalar z111 = v_theta * z37;
-    const Scalar z112 = z26 * z110;  // moment on disk, x
-    const Scalar z113 = z26 * z111;  // moment on disk, y
-    const Scalar z114 = z26 * z107;  // moment on disk, z
-    const Scalar z115 = z29 * z30;
-    const Scalar z116 = n2 * z106;
-    const Scalar z117 = z25 * z115 - z112;  // moment on disk.2, x
-    const Scalar z118 = z25 * z116 - z113;  // moment on disk.2, y
-    const Scalar z120 = s_theta * z118 - c_theta * z114;
-    const Scalar z148 = v_theta * c_theta;
-    const Scalar z149 = p_rho * z148;
-    const Scalar z151 = v_theta * s_theta;
-    const Scalar z152 = v_theta * z151;
-    const Scalar z153 = p_rho * z152;
-    const Scalar z154 = s_theta * z61 + c_theta * z60;
-    const Scalar z156 = v_psi * s_psi;
-    const Scalar z157 = v_psi * c_psi;
-    const Scalar z158 = p_rho * z151;
-    const Scalar z159 = s_theta * z149 - c_theta * z158 - z60 * z151 + z61 * z148;
-    const Scalar z160 = v_x * z156 - v_y * z157 + v_psi * z158 - v_phi * z159;
-    const Scalar z162 = v_x * z157 + v_y * z156 - v_theta * z149;
-    const Scalar z167 = z80 * z166;
-    const Scalar z168 = z80 * z167 - z89;
-    const Scalar z170 = n1 / z168;
-    const Scalar z171 = z60 * z169;
-    const Scalar z172 = z60 - z154 * z167;
-    const Scalar z173 = z170 * z172;
-    const Scalar z174 = z154 * z166 + z167 * z173;
-    const Scalar z175 = z61 * z169;
-    const Scalar z176 = n1 + z60 * z171;
-    const Scalar z177 = n1 - z60 * z173 + z154 * z174;
-    const Scalar z178 = z61 * z171;
-    const Scalar z179 = n1 + z61 * z175;
-    const Scalar z180 = n1 / z179;
-    const Scalar z181 = z178 * z180;
-    const Scalar z182 = z176 - z178 * z181;
-    const Scalar z183 = n1 / z177;
-    const Scalar z184 = n1 / z182;
-    const Scalar z185 = z114 * z167 + z120;
-    const Scalar z186 = z170 * z185;
-    const Scalar z187 = z117 * z169;
-    const Scalar z188 = z114 * z166 - z167 * z186;
-    const Scalar z189 = n9_81 + z60 * z187 - z153;
-    const Scalar z190 = z60 * z186 + z154 * z188 - z160;
-    const Scalar z191 = z61 * z187 - z162;
-    const Scalar z192 = z181 * z191 - z189;
-    const Scalar z193 = z184 * z192;
-    const Scalar z194 = z183 * z190;
-    const Scalar z195 = z180 * z191 + z181 * z193;
-    const Scalar z196 = s_psi * z195 - c_psi * z194;
-    const Scalar z197 = s_psi * z194 + c_psi * z195;
-    const Scalar z198 = n9_81 + z193;
-    const Scalar z199 = z173 * z194 + z186;
-    const Scalar z200 = z171 * z193 - z175 * z195 + z187;
-    const Scalar z201 = z174 * z194 - z188;
-    accelerations.x = z196;
-    accelerations.y = -z197;
-    accelerations.z = -z198;
-    accelerations.psi = z199;
-    accelerations.theta = z200;
-    accelerations.phi = -z201;
-    multipliers.N = -z193;
-    multipliers.X = -z194;
-    multipliers.Y = -z195;
-    if (!(traits::regular(-z168, z89) && traits::regular(z25, z25) && traits::regular(z26, z26) && traits::regular(z182,
-        z176) && traits::regular(z177, z177) && traits::regular(z179, z179))) return torsor::Status::singular;
+    const Scalar z31 = v_psi * s_theta;
+    const Scalar z32 = v_psi * c_theta;
+    const Scalar z43 = v_phi + z32;
+    const Scalar z49 = s_theta * p_rho;
+    const Scalar z62 = c_theta * z26;
+    const Scalar z69 = c_theta * z67;
+    const Scalar z70 = c_theta * z69 - z25;
+    const Scalar z88 = v_theta * z32;  // angular acceleration of disk.2, y
+    const Scalar z89 = v_theta * z31;  // angular acceleration of disk.2, z
+    const Scalar z92 = z31 * z43;
+    const Scalar z93 = v_theta * z43;
+    const Scalar z94 = z26 * z92;  // moment on disk, x
+    const Scalar z95 = z26 * z93;  // moment on disk, y
+    const Scalar z96 = z26 * z89;  // moment on disk, z
+    const Scalar z97 = z31 * z32;
+    const Scalar z98 = n2 * z88;
+    const Scalar z99 = z25 * z97 - z94;  // moment on disk.2, x
+    const Scalar z100 = z25 * z98 - z95;  // moment on disk.2, y
+    const Scalar z130 = c_theta * p_rho;
+    const Scalar z135 = v_theta * c_theta;
+    const Scalar z136 = p_rho * z135;
+    const Scalar z138 = v_theta * s_theta;
+    const Scalar z139 = v_theta * z138;
+    const Scalar z140 = p_rho * z139;
+    const Scalar z141 = s_theta * z49 + c_theta * z130;
+    const Scalar z143 = v_psi * s_psi;
+    const Scalar z144 = v_psi * c_psi;
+    const Scalar z149 = v_x * z144 + v_y * z143 - v_theta * z136;
+    const Scalar z154 = z62 * z153;
+    const Scalar z155 = z62 * z154 + z70;
+    const Scalar z157 = n1 / z155;
+    const Scalar z158 = z130 * z156;
+    const Scalar z159 = z141 * z153;
+    const Scalar z160 = z49 * z156;
+    const Scalar z161 = n1 + z130 * z158;
+    const Scalar z162 = z49 * z158;
+    const Scalar z163 = n1 + z49 * z160;
+    const Scalar z164 = n1 / z163;
+    const Scalar z165 = z162 * z164;
+    const Scalar z166 = z161 - z162 * z165;
+    const Scalar z167 = n1 / z166;
+    const Scalar z168 = s_theta * z100;
+    const Scalar z169 = z157 * z168;
+    const Scalar z170 = z99 * z156;
+    const Scalar z171 = z96 * z153 - z154 * z169;
+    const Scalar z172 = n9_81 + z130 * z170 - z140;
+    const Scalar z173 = v_psi * (v_x * s_psi - v_y * c_psi);
+    const Scalar z174 = z49 * z170 - z149;
+    const Scalar z175 = z165 * z174 - z172;
+    const Scalar z176 = z167 * z175;
+    const Scalar z177 = n1_over_3 * z173;
+    const Scalar z178 = z164 * z174 + z165 * z176;
+    const Scalar z179 = s_psi * z178 + c_psi * z177;
+    const Scalar z180 = s_psi * z177 - c_psi * z178;
+    const Scalar z181 = n9_81 + z176;
+    const Scalar z182 = z158 * z176 - z160 * z178 + z170;
+    const Scalar z183 = z159 * z177 + z171;
+    accelerations.x = z179;
+    accelerations.y = z180;
+    accelerations.z = -z181;
+    accelerations.psi = z169;
+    accelerations.theta = z182;
+    accelerations.phi = z183;
+    multipliers.N = -z176;
+    multipliers.X = z177;
+    multipliers.Y = -z178;
+    if (!(traits::regular(-z155, -z70) && traits::regular(z25, z25) && traits::regular(z26, z26)
+        && traits::regular(z166, z161) && traits::regular(z163, z163))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.x - accelerations.x) + (accelerations.y - accelerations.y) + (accelerations.z
         - accelerations.z) + (accelerations.psi - accelerations.psi) + (accelerations.theta - accelerations.theta)
@@ -1034,18 +1002,18 @@ struct Mechanism {
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
     const Scalar s_phi = sines_[2], c_phi = cosines_[2];
-    const Scalar z27 = v_x * c_psi + v_y * s_psi;
-    const Scalar z28 = v_x * s_psi - v_y * c_psi;
-    const Scalar z29 = v_psi * s_theta;
-    const Scalar z30 = v_psi * c_theta;
-    const Scalar z31 = v_z * s_theta - c_theta * z28;
-    const Scalar z32 = v_z * c_theta + s_theta * z28;
-    const Scalar z33 = v_theta * c_phi + s_phi * z29;
-    const Scalar z34 = v_theta * s_phi - c_phi * z29;
-    const Scalar z35 = s_phi * z31 + c_phi * z27;
-    const Scalar z36 = s_phi * z27 - c_phi * z31;
-    const Scalar z37 = v_phi + z30;  // angular velocity of disk, z
-    result.kinetic = n0_5 * (z25 * (z33 * z33 + z34 * z34) + z26 * z37 * z37 + z32 * z32 + z35 * z35 + z36 * z36);
+    const Scalar z31 = v_psi * s_theta;
+    const Scalar z32 = v_psi * c_theta;
+    const Scalar z41 = v_theta * c_phi + s_phi * z31;
+    const Scalar z42 = v_theta * s_phi - c_phi * z31;
+    const Scalar z43 = v_phi + z32;
+    const Scalar z184 = v_x * c_psi + v_y * s_psi;
+    const Scalar z185 = v_x * s_psi - v_y * c_psi;
+    const Scalar z186 = v_z * s_theta - c_theta * z185;
+    const Scalar z187 = v_z * c_theta + s_theta * z185;
+    const Scalar z188 = s_phi * z186 + c_phi * z184;
+    const Scalar z189 = s_phi * z184 - c_phi * z186;
+    result.kinetic = n0_5 * (z25 * (z41 * z41 + z42 * z42) + z26 * z43 * z43 + z187 * z187 + z188 * z188 + z189 * z189);
     result.force_function = -n9_81 * q_z;
     result.power = n0;
   }
@@ -1070,33 +1038,33 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
-    const Scalar z60 = c_theta * p_rho;
-    const Scalar z61 = s_theta * p_rho;
-    const Scalar z64 = q_z - z61;
-    const Scalar z148 = v_theta * c_theta;
-    const Scalar z149 = p_rho * z148;
-    const Scalar z150 = v_z - z149;
-    const Scalar z151 = v_theta * s_theta;
-    const Scalar z152 = v_theta * z151;
-    const Scalar z153 = p_rho * z152;
-    const Scalar z154 = s_theta * z61 + c_theta * z60;
-    const Scalar z155 = v_x * c_psi + v_y * s_psi + v_psi * z60 + v_phi * z154;
-    const Scalar z156 = v_psi * s_psi;
-    const Scalar z157 = v_psi * c_psi;
-    const Scalar z158 = p_rho * z151;
-    const Scalar z159 = s_theta * z149 - c_theta * z158 - z60 * z151 + z61 * z148;
-    const Scalar z160 = v_x * z156 - v_y * z157 + v_psi * z158 - v_phi * z159;
-    const Scalar z161 = v_x * s_psi - v_y * c_psi - v_theta * z61;
-    const Scalar z162 = v_x * z157 + v_y * z156 - v_theta * z149;
-    result.value[0] = z64;
-    result.rate[0] = z150;
-    result.gamma[0] = z153;
+    const Scalar z49 = s_theta * p_rho;
+    const Scalar z57 = q_z - z49;
+    const Scalar z130 = c_theta * p_rho;
+    const Scalar z135 = v_theta * c_theta;
+    const Scalar z136 = p_rho * z135;
+    const Scalar z137 = v_z - z136;
+    const Scalar z138 = v_theta * s_theta;
+    const Scalar z139 = v_theta * z138;
+    const Scalar z140 = p_rho * z139;
+    const Scalar z141 = s_theta * z49 + c_theta * z130;
+    const Scalar z142 = v_x * c_psi + v_y * s_psi + v_psi * z130 + v_phi * z141;
+    const Scalar z143 = v_psi * s_psi;
+    const Scalar z144 = v_psi * c_psi;
+    const Scalar z145 = p_rho * z138;
+    const Scalar z146 = s_theta * z136 - c_theta * z145 + z49 * z135 - z130 * z138;
+    const Scalar z147 = v_x * z143 - v_y * z144 + v_psi * z145 - v_phi * z146;
+    const Scalar z148 = v_x * s_psi - v_y * c_psi - v_theta * z49;
+    const Scalar z149 = v_x * z144 + v_y * z143 - v_theta * z136;
+    result.value[0] = z57;
+    result.rate[0] = z137;
+    result.gamma[0] = z140;
     result.value[1] = n0;
-    result.rate[1] = z155;
-    result.gamma[1] = -z160;
+    result.rate[1] = z142;
+    result.gamma[1] = -z147;
     result.value[2] = n0;
-    result.rate[2] = -z161;
-    result.gamma[2] = -z162;
+    result.rate[2] = -z148;
+    result.gamma[2] = -z149;
     result.jacobian[0] = n0;
     result.jacobian[1] = c_psi;
     result.jacobian[2] = -s_psi;
@@ -1107,13 +1075,13 @@ struct Mechanism {
     result.jacobian[7] = n0;
     result.jacobian[8] = n0;
     result.jacobian[9] = n0;
-    result.jacobian[10] = z60;
+    result.jacobian[10] = z130;
     result.jacobian[11] = n0;
-    result.jacobian[12] = -z60;
+    result.jacobian[12] = -z130;
     result.jacobian[13] = n0;
-    result.jacobian[14] = z61;
+    result.jacobian[14] = z49;
     result.jacobian[15] = n0;
-    result.jacobian[16] = z154;
+    result.jacobian[16] = z141;
     result.jacobian[17] = n0;
   }
 };

@@ -9,7 +9,7 @@
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
 // moved across joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   kinematics                6               16          0             0                  2       0     26      26
+//   kinematics                5               16          0             0                  2       0     25      25
 //   mass_matrix               0                0          0             0                  0       0      0       0
 //   bias                      0                1          0             0                  0       0      1       1
 //   inverse_dynamics          3                5          0             0                  0       0      8       8
@@ -638,11 +638,10 @@ struct Mechanism {
     const Scalar z26 = n0_3 * s_theta_2;
     const Scalar z27 = n0_3 * c_theta_2;
     const Scalar z29 = s_theta_2 * z26 + c_theta_2 * z27;
-    const Scalar z30 = n0_4 - z29;
-    const Scalar z31 = v_theta_2 * z27;
-    const Scalar z32 = v_theta_2 * z26;
-    const Scalar z33 = s_theta_2 * z32 + c_theta_2 * z31;
-    const Scalar z43 = n0_4 - z30;
+    const Scalar z30 = v_theta_2 * z27;
+    const Scalar z31 = v_theta_2 * z26;
+    const Scalar z32 = s_theta_2 * z31 + c_theta_2 * z30;
+    const Scalar z34 = n0_4 - z29;
     result.S1_position[0] = n0;
     result.S1_position[1] = n0;
     result.S1_position[2] = n0;
@@ -707,16 +706,16 @@ struct Mechanism {
     result.I1_jacobian[2] = n0;
     result.I1_jacobian[5] = n0;
     result.I2_position[0] = n0;
-    result.I2_position[1] = z30;
+    result.I2_position[1] = z34;
     result.I2_position[2] = n0;
-    result.I2_velocity[0] = z33;
+    result.I2_velocity[0] = z32;
     result.I2_velocity[1] = n0;
     result.I2_velocity[2] = n0;
     result.I2_geometric_velocity[0] = n0;
     result.I2_geometric_velocity[1] = n0;
     result.I2_geometric_velocity[2] = n0;
     result.I2_jacobian[0] = n0;
-    result.I2_jacobian[3] = z43;
+    result.I2_jacobian[3] = z29;
     result.I2_jacobian[1] = n0;
     result.I2_jacobian[4] = n0;
     result.I2_jacobian[2] = n0;
@@ -740,9 +739,9 @@ struct Mechanism {
     const Scalar n0_9 = traits::constant(0.9, 0.9f, "9/10");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar v_theta_2 = state.v.theta_2;
-    const Scalar z45 = n0_9 * v_theta_2;
+    const Scalar z44 = n0_9 * v_theta_2;
     forces.theta_1 = n0;
-    forces.theta_2 = z45;
+    forces.theta_2 = z44;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -757,11 +756,11 @@ struct Mechanism {
     const Scalar v_theta_2 = state.v.theta_2;
     const Scalar a_theta_2 = accelerations.theta_2;
     const Scalar l_T = multipliers.T;
-    const Scalar z45 = n0_9 * v_theta_2;
-    const Scalar z46 = n0_81 * a_theta_2 + z45;  // moment on S2, z
-    const Scalar z47 = n0_01 * a_theta_1;  // moment on S1, z
-    forces.theta_1 = z47 + n0_1 * l_T;
-    forces.theta_2 = z46 + n0_3 * l_T;
+    const Scalar z44 = n0_9 * v_theta_2;
+    const Scalar z45 = n0_81 * a_theta_2 + z44;  // moment on S2, z
+    const Scalar z46 = n0_01 * a_theta_1;  // moment on S1, z
+    forces.theta_1 = z46 + n0_1 * l_T;
+    forces.theta_2 = z45 + n0_3 * l_T;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -772,24 +771,23 @@ struct Mechanism {
     const Scalar n0_9 = traits::constant(0.9, 0.9f, "9/10");
     const Scalar n100 = traits::constant(100.0, 100.0f, "100/1");
     const Scalar n100_over_81 = traits::constant(1.2345679012345678, 1.2345679f, "100/81");
-    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
-    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n1_over_3 = traits::constant(0.3333333333333333, 0.33333334f, "1/3");
     const Scalar n10 = traits::constant(10.0, 10.0f, "10/1");
     const Scalar n10_over_27 = traits::constant(0.37037037037037035, 0.37037036f, "10/27");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar v_theta_2 = state.v.theta_2;
     const Scalar u_C1 = inputs.C1;
-    const Scalar z45 = n0_9 * v_theta_2;
-    const Scalar z51 = n100 * u_C1;
-    const Scalar z52 = n100_over_81 * z45;
-    const Scalar z53 = n0_1 * z51 - n0_3 * z52;
-    const Scalar z54 = n0_9 * z53;
-    const Scalar z55 = z51 - n10 * z54;
-    const Scalar z56 = z52 + n10_over_27 * z54;
-    accelerations.theta_1 = z55;
-    accelerations.theta_2 = -z56;
-    multipliers.T = z54;
+    const Scalar z44 = n0_9 * v_theta_2;
+    const Scalar z50 = n100 * u_C1;
+    const Scalar z51 = n100_over_81 * z44;
+    const Scalar z52 = n1_over_3 * v_theta_2 - n10 * u_C1;
+    const Scalar z53 = n0_9 * z52;
+    const Scalar z54 = z50 + n10 * z53;
+    const Scalar z55 = z51 - n10_over_27 * z53;
+    accelerations.theta_1 = z54;
+    accelerations.theta_2 = -z55;
+    multipliers.T = -z53;
     multipliers.lambda_rolling_y = n0;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.theta_1 - accelerations.theta_1) + (accelerations.theta_2
@@ -808,10 +806,10 @@ struct Mechanism {
     const Scalar v_theta_1 = state.v.theta_1;
     const Scalar v_theta_2 = state.v.theta_2;
     const Scalar u_C1 = inputs.C1;
-    const Scalar z45 = n0_9 * v_theta_2;
+    const Scalar z44 = n0_9 * v_theta_2;
     result.kinetic = n0_005 * v_theta_1 * v_theta_1 + n0_405 * v_theta_2 * v_theta_2;
     result.force_function = n0;
-    result.power = v_theta_1 * u_C1 - v_theta_2 * z45;
+    result.power = v_theta_1 * u_C1 - v_theta_2 * z44;
   }
 
   /// Constraints A(q, t) v - b(q, t) = 0, in the order of the multipliers.
@@ -821,9 +819,9 @@ struct Mechanism {
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar v_theta_1 = state.v.theta_1;
     const Scalar v_theta_2 = state.v.theta_2;
-    const Scalar z48 = n0_1 * v_theta_1 + n0_3 * v_theta_2;
+    const Scalar z47 = n0_1 * v_theta_1 + n0_3 * v_theta_2;
     result.value[0] = n0;
-    result.rate[0] = -z48;
+    result.rate[0] = -z47;
     result.gamma[0] = n0;
     result.value[1] = n0;
     result.rate[1] = n0;
@@ -859,14 +857,14 @@ struct Mechanism {
     const Scalar a_theta_2 = accelerations.theta_2;
     const Scalar u_C1 = inputs.C1;
     const Scalar l_T = multipliers.T;
-    const Scalar z45 = n0_9 * v_theta_2;
-    const Scalar z46 = n0_81 * a_theta_2 + z45;  // moment on S2, z
-    const Scalar z47 = n0_01 * a_theta_1;  // moment on S1, z
-    const Scalar z59 = n0_1 * a_theta_1 + n0_3 * a_theta_2;
-    const Scalar z60 = n10 * z59;
-    const Scalar z61 = n3 * (u_C1 - z47) + z46;
-    const Scalar z62 = n0_03 * z60;
-    const Scalar z63 = z61 + z62;
+    const Scalar z44 = n0_9 * v_theta_2;
+    const Scalar z45 = n0_81 * a_theta_2 + z44;  // moment on S2, z
+    const Scalar z46 = n0_01 * a_theta_1;  // moment on S1, z
+    const Scalar z58 = n0_1 * a_theta_1 + n0_3 * a_theta_2;
+    const Scalar z59 = n10 * z58;
+    const Scalar z60 = n3 * (u_C1 - z46) + z45;
+    const Scalar z61 = n0_03 * z59;
+    const Scalar z62 = z60 + z61;
     result.M[0] = n0_01;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -879,15 +877,15 @@ struct Mechanism {
     result.K[1] = n0;
     result.K[2] = n0;
     result.K[3] = n0;
-    result.F[0] = u_C1 - z47 - n0_1 * l_T;
-    result.F[1] = -z46 - n0_3 * l_T;
+    result.F[0] = u_C1 - z46 - n0_1 * l_T;
+    result.F[1] = -z45 - n0_3 * l_T;
     result.E[0] = n1;
     result.E[1] = n0;
     result.M_r[0] = n0_9;
     result.C_r[0] = n0_9;
     result.K_r[0] = n0;
     result.K_r[1] = n0;
-    result.F_r[0] = -z63;
+    result.F_r[0] = -z62;
     result.E_r[0] = -n3;
     result.A[0] = n0;
     result.A[1] = n0;

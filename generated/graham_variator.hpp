@@ -9,12 +9,12 @@
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
 // moved across joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   precompute               16               33          3             0                  0       0     52       -
-//   kinematics               21               58          0             0                  3       0     85      93
+//   precompute               16               30          5             0                  0       0     51       -
+//   kinematics               25               50          0             0                  3       0     81      85
 //   mass_matrix               0                0          0             0                  0       0      0       0
 //   bias                      1                4          0             0                  1       0      7      50
 //   inverse_dynamics         12               17          0             0                  1       0     31      87
-//   forward_dynamics         12               20          0             0                  1       0     34     106
+//   forward_dynamics         12               20          0             0                  1       0     34     105
 //   energy                   13               29          0             0                  2       0     46      50
 //   constraints               3                4          0             0                  0       0      7      20
 //   linearisation            30               38          0             0                  1       0     70     164
@@ -532,27 +532,27 @@ struct Mechanism {
   /// Parameters and what depends on them only: built once for each set of parameters.
   struct Precomputed {
     Parameters parameters;
-    Scalar z51;
-    Scalar z52;
-    Scalar z54;
+    Scalar z49;
+    Scalar z50;
     Scalar z102;
-    Scalar z111;
-    Scalar z112;
+    Scalar z104;
     Scalar z113;
+    Scalar z114;
     Scalar z115;
-    Scalar z116;
     Scalar z117;
-    Scalar z224;
-    Scalar z225;
-    Scalar z226;
+    Scalar z118;
+    Scalar z119;
     Scalar z228;
+    Scalar z229;
     Scalar z230;
-    Scalar z231;
-    Scalar z236;
-    Scalar z237;
-    Scalar z238;
-    Scalar z244;
-    Scalar z246;
+    Scalar z232;
+    Scalar z234;
+    Scalar z235;
+    Scalar z240;
+    Scalar z241;
+    Scalar z242;
+    Scalar z248;
+    Scalar z250;
   };
 
   /// Values of the scene.
@@ -574,68 +574,74 @@ struct Mechanism {
     const Scalar k4 = traits::constant(58.17702669501042, 58.177025f,
         "10423180000/199644649;-1286500000/199644649;-606230000/598933947;1372100000/199644649");
     const Scalar k5 = traits::constant(3333.3333333333335, 3333.3333f, "10000/3");
-    const Scalar k6 = traits::constant(0.11155394517270574, 0.111553945f, "1/10;1/80;0;-1/400");
-    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
+    const Scalar k6 = traits::constant(0.5365982994617848, 0.5365983f,
+        "96127600/199644649;-9185885/399289298;5901400/598933947;11504115/399289298");
+    const Scalar k7 = traits::constant(16.474460900704823, 16.47446f,
+        "79530122875/598933947;225565500/199644649;-39773754800/598933947;-706203500/598933947");
     const Scalar k8 = traits::constant(0.4080831129300902, 0.4080831f,
         "81606996074311354948800/187435544049510497429929;-4833141400108286640000/187435544049510497429929;-670503431205999804000/187435544049510497429929;1175234291156953584000/187435544049510497429929");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
-    const Scalar k10 = traits::constant(57.244853140274905, 57.244854f,
+    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
+    const Scalar k11 = traits::constant(57.244853140274905, 57.244854f,
         "2729353520000/52676627161;-342376000000/52676627161;-189457160000/158029881483;359131200000/52676627161");
     const Scalar n0_0003 = traits::constant(3e-04, 3e-04f, "3/10000");
-    const Scalar k12 = traits::constant(8.96427283187357, 8.9642725f,
+    const Scalar k13 = traits::constant(0.11155394517270574, 0.111553945f, "1/10;1/80;0;-1/400");
+    const Scalar k14 = traits::constant(8.96427283187357, 8.9642725f,
         "1544000/148921;-194500/148921;-20000/148921;41100/148921");
-    const Scalar k13 = traits::constant(0.017468819381011653, 0.01746882f, "447/20000;3/1000;-41/40000;-3/1000");
-    const Scalar k14 = traits::constant(0.0002897777478867205, 0.00028977776f, "0;3/40000;0;3/40000");
+    const Scalar k15 = traits::constant(0.017468819381011653, 0.01746882f, "447/20000;3/1000;-41/40000;-3/1000");
+    const Scalar k16 = traits::constant(2.897777478867205e-05, 2.8977774e-05f, "0;3/400000;0;3/400000");
+    const Scalar k17 = traits::constant(0.0002897777478867205, 0.00028977776f, "0;3/40000;0;3/40000");
+    const Scalar k18 = traits::constant(3e-05, 3e-05f, "3/100000");
     const Scalar p_d = parameters.d;
-    const Scalar z51 = k0 * p_d;
-    const Scalar z52 = k1 * p_d + k2 * z51;
-    const Scalar z53 = k2 * p_d - k1 * z51;
-    const Scalar z54 = n0_1 - z53;
-    const Scalar z101 = n0_1 - z54;
-    const Scalar z102 = k2 * z52 - k1 * z101;
-    const Scalar z110 = z54 - k1 * z102;
-    const Scalar z111 = k4 * z110;
-    const Scalar z112 = k5 * z102 - k1 * z111;
-    const Scalar z113 = z54 * z111 + z102 * z112;
-    const Scalar z114 = k6 * z111 + n0_02 * z112;
-    const Scalar z115 = k8 * z114;
-    const Scalar z116 = z113 - z114 * z115;
-    const Scalar z117 = n1 / z116;
-    const Scalar z224 = n1 / z102;
-    const Scalar z225 = n0_02 * z224;
-    const Scalar z226 = z102 * z102;
-    const Scalar z227 = k10 * z54 * z54 + k5 * z102 * z102;
-    const Scalar z228 = n0_0003 * z227;
-    const Scalar z229 = k6 - z54 * z225;
-    const Scalar z230 = k12 * z229;
-    const Scalar z231 = z54 * z224;
-    const Scalar z235 = k13 - k14 * z231;
-    const Scalar z236 = k14 - n0_0003 * z231;
-    const Scalar z237 = n0_02 * z230;
-    const Scalar z238 = z230 * z237 - z231 * z236 + z235;
-    const Scalar z244 = n1 / z238;
-    const Scalar z246 = z230 * z244;
-    precomputed.z51 = z51;
-    precomputed.z52 = z52;
-    precomputed.z54 = z54;
+    const Scalar z49 = k0 * p_d;
+    const Scalar z50 = k1 * p_d + k2 * z49;
+    const Scalar z101 = k2 * p_d - k1 * z49;
+    const Scalar z102 = n0_1 - z101;
+    const Scalar z103 = n0_1 - z102;
+    const Scalar z104 = k2 * z50 - k1 * z103;
+    const Scalar z112 = z102 - k1 * z104;
+    const Scalar z113 = k4 * z112;
+    const Scalar z114 = k5 * z104 - k1 * z113;
+    const Scalar z115 = z102 * z113 + z104 * z114;
+    const Scalar z116 = k6 + k7 * p_d;
+    const Scalar z117 = k8 * z116;
+    const Scalar z118 = z115 - z116 * z117;
+    const Scalar z119 = n1 / z118;
+    const Scalar z228 = n1 / z104;
+    const Scalar z229 = n0_02 * z228;
+    const Scalar z230 = z104 * z104;
+    const Scalar z231 = k11 * z102 * z102 + k5 * z104 * z104;
+    const Scalar z232 = n0_0003 * z231;
+    const Scalar z233 = k13 - z102 * z229;
+    const Scalar z234 = k14 * z233;
+    const Scalar z235 = z102 * z228;
+    const Scalar z239 = k15 - k16 / z104;
+    const Scalar z240 = k17 - k18 / z104;
+    const Scalar z241 = n0_02 * z234;
+    const Scalar z242 = z234 * z241 - z235 * z240 + z239;
+    const Scalar z248 = n1 / z242;
+    const Scalar z250 = z234 * z248;
+    precomputed.z49 = z49;
+    precomputed.z50 = z50;
     precomputed.z102 = z102;
-    precomputed.z111 = z111;
-    precomputed.z112 = z112;
+    precomputed.z104 = z104;
     precomputed.z113 = z113;
+    precomputed.z114 = z114;
     precomputed.z115 = z115;
-    precomputed.z116 = z116;
     precomputed.z117 = z117;
-    precomputed.z224 = z224;
-    precomputed.z225 = z225;
-    precomputed.z226 = z226;
+    precomputed.z118 = z118;
+    precomputed.z119 = z119;
     precomputed.z228 = z228;
+    precomputed.z229 = z229;
     precomputed.z230 = z230;
-    precomputed.z231 = z231;
-    precomputed.z236 = z236;
-    precomputed.z237 = z237;
-    precomputed.z238 = z238;
-    precomputed.z244 = z244;
-    precomputed.z246 = z246;
+    precomputed.z232 = z232;
+    precomputed.z234 = z234;
+    precomputed.z235 = z235;
+    precomputed.z240 = z240;
+    precomputed.z241 = z241;
+    precomputed.z242 = z242;
+    precomputed.z248 = z248;
+    precomputed.z250 = z250;
     return precomputed;
   }
 
@@ -731,18 +737,16 @@ struct Mechanism {
   /// matrices column by column.
   TORSOR_DEVICE static void kinematics(const Precomputed& precomputed, const State& state,
       Kinematics& result) noexcept {
-    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar k0 = traits::constant(0.25881904510252074, 0.25881904f, "0;-1/4;0;1/4");
     const Scalar k1 = traits::constant(0.9659258262890683, 0.9659258f, "0;1/4;0;1/4");
-    const Scalar k2 = traits::constant(0.25881904510252074, 0.25881904f, "0;-1/4;0;1/4");
-    const Scalar k3 = traits::constant(0.08447085729384876, 0.08447086f, "1/10;3/200;0;-3/200");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
     const Scalar n0_06 = traits::constant(0.06, 0.06f, "3/50");
-    const Scalar k5 = traits::constant(0.11155394517270574, 0.111553945f, "1/10;1/80;0;-1/400");
-    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
     const Scalar n0_03 = traits::constant(0.03, 0.03f, "3/100");
+    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
-    const Scalar k10 = traits::constant(0.0579555495773441, 0.05795555f, "0;3/200;0;3/200");
-    const Scalar k11 = traits::constant(0.034154155690722464, 0.034154154f, "0;1/400;0;1/80");
+    const Scalar k8 = traits::constant(0.0579555495773441, 0.05795555f, "0;3/200;0;3/200");
+    const Scalar k9 = traits::constant(0.034154155690722464, 0.034154154f, "0;1/400;0;1/80");
     const Scalar q_alpha = state.q.alpha;
     const Scalar v_alpha = state.v.alpha;
     const Scalar q_beta = state.q.beta;
@@ -750,58 +754,58 @@ struct Mechanism {
     const Scalar q_gamma = state.q.gamma;
     const Scalar v_gamma = state.v.gamma;
     const Scalar p_d = precomputed.parameters.d;
-    const Scalar z51 = precomputed.z51;
-    const Scalar z52 = precomputed.z52;
-    const Scalar z54 = precomputed.z54;
+    const Scalar z49 = precomputed.z49;
+    const Scalar z50 = precomputed.z50;
     const Scalar angles_[] = {q_alpha, q_beta, q_gamma};
     Scalar sines_[3], cosines_[3];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
     const Scalar s_gamma = sines_[2], c_gamma = cosines_[2];
-    const Scalar z16 = n0_1 * v_alpha;
-    const Scalar z17 = k1 * v_alpha;
-    const Scalar z18 = k2 * v_alpha;
-    const Scalar z19 = c_beta * z18;
-    const Scalar z20 = s_beta * z18;
-    const Scalar z21 = s_beta * z16;
-    const Scalar z22 = c_beta * z16;
-    const Scalar z23 = v_beta + z17;  // angular velocity of S2, x
-    const Scalar z24 = k3 * c_alpha;
-    const Scalar z25 = k3 * s_alpha;
-    const Scalar z26 = k2 * c_alpha;
-    const Scalar z27 = k2 * s_alpha;
-    const Scalar z28 = k2 * c_beta;
-    const Scalar z29 = k1 * c_beta;
-    const Scalar z30 = s_alpha * s_beta - c_alpha * z29;
-    const Scalar z31 = s_alpha * z29 + c_alpha * s_beta;
-    const Scalar z32 = k2 * s_beta;
-    const Scalar z33 = k1 * s_beta;
-    const Scalar z34 = s_alpha * c_beta + c_alpha * z33;
-    const Scalar z35 = s_alpha * z33 - c_alpha * c_beta;
-    const Scalar z36 = n0_06 * z20 - z21;
-    const Scalar z37 = n0_06 * z19 - z22;
-    const Scalar z38 = s_beta * z37 - c_beta * z36;
-    const Scalar z39 = s_beta * z36 + c_beta * z37;
-    const Scalar z41 = k1 * z38;
-    const Scalar z42 = s_alpha * z39 + c_alpha * z41;
-    const Scalar z43 = s_alpha * z41 - c_alpha * z39;
-    const Scalar z44 = s_beta * z20 + c_beta * z19;
-    const Scalar z45 = s_beta * z19 - c_beta * z20;
-    const Scalar z46 = k1 * z23 + k2 * z44;
-    const Scalar z47 = k2 * z23 - k1 * z44;
-    const Scalar z48 = s_alpha * z45 + c_alpha * z47;
-    const Scalar z49 = s_alpha * z47 - c_alpha * z45;
-    const Scalar z55 = c_alpha * z54;
-    const Scalar z56 = s_alpha * z54;
-    const Scalar z57 = z16 + z17 * z51 - z18 * p_d;
-    const Scalar z58 = s_alpha * z57;
-    const Scalar z59 = c_alpha * z57;
-    const Scalar z60 = k5 * c_alpha;
-    const Scalar z61 = k5 * s_alpha;
-    const Scalar z62 = z16 + n0_02 * z17 - n0_03 * z18;
-    const Scalar z63 = s_alpha * z62;
-    const Scalar z64 = c_alpha * z62;
+    const Scalar z16 = k0 * c_alpha;
+    const Scalar z17 = k1 * c_alpha;
+    const Scalar z18 = k0 * s_alpha;
+    const Scalar z19 = k1 * s_alpha;
+    const Scalar z20 = n0_1 * c_alpha;
+    const Scalar z21 = n0_1 * s_alpha;
+    const Scalar z22 = n0_1 * v_alpha;
+    const Scalar z23 = k1 * v_alpha;
+    const Scalar z24 = k0 * v_alpha;
+    const Scalar z25 = s_alpha * z22;  // velocity of inclined, y
+    const Scalar z26 = c_alpha * z22;  // velocity of inclined, z
+    const Scalar z27 = k0 * c_beta;
+    const Scalar z28 = k0 * s_beta;
+    const Scalar z29 = s_alpha * s_beta - c_beta * z17;
+    const Scalar z30 = s_alpha * c_beta + s_beta * z17;
+    const Scalar z31 = c_alpha * s_beta + c_beta * z19;
+    const Scalar z32 = c_alpha * c_beta - s_beta * z19;
+    const Scalar z33 = c_beta * z24;
+    const Scalar z34 = s_beta * z24;
+    const Scalar z36 = v_alpha + k1 * v_beta;  // angular velocity of S2, x
+    const Scalar z37 = v_beta * z16;  // angular velocity of S2, y
+    const Scalar z38 = v_beta * z18;  // angular velocity of S2, z
+    const Scalar z39 = n0_06 * z16;
+    const Scalar z40 = n0_06 * z18;
+    const Scalar z41 = z20 - z39;
+    const Scalar z42 = z21 - z40;
+    const Scalar z43 = n0_06 * z34;
+    const Scalar z44 = n0_06 * z33;
+    const Scalar z46 = z25 - z29 * z43 - z30 * z44;
+    const Scalar z47 = z26 - z31 * z43 - z32 * z44;
+    const Scalar z51 = z16 * p_d - z17 * z49;
+    const Scalar z52 = z18 * p_d - z19 * z49;
+    const Scalar z53 = z23 * z49 - z24 * p_d;
+    const Scalar z54 = s_alpha * z53 + z25;
+    const Scalar z55 = c_alpha * z53 + z26;
+    const Scalar z56 = z20 - z51;
+    const Scalar z57 = z21 - z52;
+    const Scalar z58 = n0_03 * z16 - n0_02 * z17;
+    const Scalar z59 = n0_03 * z18 - n0_02 * z19;
+    const Scalar z60 = n0_02 * z23 - n0_03 * z24;
+    const Scalar z61 = s_alpha * z60 + z25;
+    const Scalar z62 = c_alpha * z60 + z26;
+    const Scalar z63 = z20 - z58;
+    const Scalar z64 = z21 - z59;
     result.S1_position[0] = n0;
     result.S1_position[1] = n0;
     result.S1_position[2] = n0;
@@ -820,24 +824,24 @@ struct Mechanism {
     result.S1_angular_velocity[0] = v_alpha;
     result.S1_angular_velocity[1] = n0;
     result.S1_angular_velocity[2] = n0;
-    result.S2_position[0] = -k10;
-    result.S2_position[1] = z24;
-    result.S2_position[2] = z25;
+    result.S2_position[0] = -k8;
+    result.S2_position[1] = z41;
+    result.S2_position[2] = z42;
     result.S2_rotation[0] = k1;
-    result.S2_rotation[1] = z26;
-    result.S2_rotation[2] = z27;
-    result.S2_rotation[3] = -z28;
-    result.S2_rotation[4] = -z30;
+    result.S2_rotation[1] = z16;
+    result.S2_rotation[2] = z18;
+    result.S2_rotation[3] = -z27;
+    result.S2_rotation[4] = -z29;
     result.S2_rotation[5] = z31;
-    result.S2_rotation[6] = z32;
-    result.S2_rotation[7] = -z34;
-    result.S2_rotation[8] = -z35;
+    result.S2_rotation[6] = z28;
+    result.S2_rotation[7] = -z30;
+    result.S2_rotation[8] = z32;
     result.S2_velocity[0] = n0;
-    result.S2_velocity[1] = z42;
-    result.S2_velocity[2] = z43;
-    result.S2_angular_velocity[0] = z46;
-    result.S2_angular_velocity[1] = z48;
-    result.S2_angular_velocity[2] = z49;
+    result.S2_velocity[1] = -z46;
+    result.S2_velocity[2] = z47;
+    result.S2_angular_velocity[0] = z36;
+    result.S2_angular_velocity[1] = z37;
+    result.S2_angular_velocity[2] = z38;
     result.S3_position[0] = n0;
     result.S3_position[1] = n0;
     result.S3_position[2] = n0;
@@ -856,34 +860,34 @@ struct Mechanism {
     result.S3_angular_velocity[0] = v_gamma;
     result.S3_angular_velocity[1] = n0;
     result.S3_angular_velocity[2] = n0;
-    result.A_position[0] = -z52;
-    result.A_position[1] = z55;
-    result.A_position[2] = z56;
+    result.A_position[0] = -z50;
+    result.A_position[1] = z56;
+    result.A_position[2] = z57;
     result.A_velocity[0] = n0;
-    result.A_velocity[1] = -z58;
-    result.A_velocity[2] = z59;
+    result.A_velocity[1] = -z54;
+    result.A_velocity[2] = z55;
     result.A_jacobian[0] = n0;
     result.A_jacobian[3] = n0;
     result.A_jacobian[6] = n0;
-    result.A_jacobian[1] = -z56;
+    result.A_jacobian[1] = -z57;
     result.A_jacobian[4] = n0;
     result.A_jacobian[7] = n0;
-    result.A_jacobian[2] = z55;
+    result.A_jacobian[2] = z56;
     result.A_jacobian[5] = n0;
     result.A_jacobian[8] = n0;
-    result.E_position[0] = -k11;
-    result.E_position[1] = z60;
-    result.E_position[2] = z61;
+    result.E_position[0] = -k9;
+    result.E_position[1] = z63;
+    result.E_position[2] = z64;
     result.E_velocity[0] = n0;
-    result.E_velocity[1] = -z63;
-    result.E_velocity[2] = z64;
+    result.E_velocity[1] = -z61;
+    result.E_velocity[2] = z62;
     result.E_jacobian[0] = n0;
     result.E_jacobian[3] = n0;
     result.E_jacobian[6] = n0;
-    result.E_jacobian[1] = -z61;
+    result.E_jacobian[1] = -z64;
     result.E_jacobian[4] = n0;
     result.E_jacobian[7] = n0;
-    result.E_jacobian[2] = z60;
+    result.E_jacobian[2] = z63;
     result.E_jacobian[5] = n0;
     result.E_jacobian[8] = n0;
   }
@@ -944,8 +948,8 @@ struct Mechanism {
     const Scalar a_gamma = accelerations.gamma;
     const Scalar l_T_A = multipliers.T_A;
     const Scalar l_T_E = multipliers.T_E;
-    const Scalar z54 = precomputed.z54;
     const Scalar z102 = precomputed.z102;
+    const Scalar z104 = precomputed.z104;
     Scalar s_alpha, c_alpha;
     traits::sincos(q_alpha, s_alpha, c_alpha);
     const Scalar z68 = n98_1 * s_alpha;
@@ -959,8 +963,8 @@ struct Mechanism {
     const Scalar z96 = n0_0044 * z90 - n0_006 * z91;  // moment on inclined, y
     const Scalar z97 = k1 * z94 + k2 * z96;
     const Scalar z100 = n0_02 * a_alpha - n0_01 * z68 - z95 + z97;  // moment on S1, x
-    forces.alpha = -z54 * l_T_A + z100 - k8 * l_T_E;
-    forces.beta = z94 - z102 * l_T_A - n0_02 * l_T_E;
+    forces.alpha = z100 - z102 * l_T_A - k8 * l_T_E;
+    forces.beta = z94 - z104 * l_T_A - n0_02 * l_T_E;
     forces.gamma = z93 + k8 * l_T_E;
   }
 
@@ -977,54 +981,52 @@ struct Mechanism {
         "10423180000/199644649;-1286500000/199644649;-606230000/598933947;1372100000/199644649");
     const Scalar k5 = traits::constant(0.9659258262890683, 0.9659258f, "0;1/4;0;1/4");
     const Scalar n50 = traits::constant(50.0, 50.0f, "50/1");
-    const Scalar k7 = traits::constant(0.11155394517270574, 0.111553945f, "1/10;1/80;0;-1/400");
-    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
+    const Scalar k7 = traits::constant(5.365982994617848, 5.365983f,
+        "961276000/199644649;-45929425/199644649;59014000/598933947;57520575/199644649");
+    const Scalar k8 = traits::constant(5.577697258635287, 5.5776973f, "5;5/8;0;-1/8");
     const Scalar k9 = traits::constant(0.4080831129300902, 0.4080831f,
         "81606996074311354948800/187435544049510497429929;-4833141400108286640000/187435544049510497429929;-670503431205999804000/187435544049510497429929;1175234291156953584000/187435544049510497429929");
-    const Scalar k10 = traits::constant(5.365982994617848, 5.365983f,
-        "961276000/199644649;-45929425/199644649;59014000/598933947;57520575/199644649");
-    const Scalar k11 = traits::constant(61.48352510873733, 61.483524f,
+    const Scalar k10 = traits::constant(61.48352510873733, 61.483524f,
         "39738981350/598933947;-255072500/199644649;-5795575/199644649;-735710500/598933947");
-    const Scalar k12 = traits::constant(5.577697258635287, 5.5776973f, "5;5/8;0;-1/8");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar q_alpha = state.q.alpha;
     const Scalar u_C1 = inputs.C1;
     const Scalar u_C3 = inputs.C3;
-    const Scalar z54 = precomputed.z54;
     const Scalar z102 = precomputed.z102;
-    const Scalar z111 = precomputed.z111;
-    const Scalar z112 = precomputed.z112;
+    const Scalar z104 = precomputed.z104;
     const Scalar z113 = precomputed.z113;
+    const Scalar z114 = precomputed.z114;
     const Scalar z115 = precomputed.z115;
-    const Scalar z116 = precomputed.z116;
     const Scalar z117 = precomputed.z117;
+    const Scalar z118 = precomputed.z118;
+    const Scalar z119 = precomputed.z119;
     Scalar s_alpha, c_alpha;
     traits::sincos(q_alpha, s_alpha, c_alpha);
     const Scalar z68 = n98_1 * s_alpha;
     const Scalar z80 = n0_006 * z68;  // moment on inclined, y
     const Scalar z84 = k2 * z80;
     const Scalar z87 = n0_01 * z68 - z84;  // moment on S1, x
-    const Scalar z109 = u_C1 + z87;
-    const Scalar z118 = k4 * z109;
-    const Scalar z119 = k5 * z118;
-    const Scalar z120 = n50 * u_C3;
-    const Scalar z121 = z54 * z118 - z102 * z119;
-    const Scalar z122 = k7 * (z118 - z120) - n0_02 * z119;
-    const Scalar z123 = z115 * z122 - z121;
-    const Scalar z124 = z117 * z123;
-    const Scalar z125 = z115 * z124 + k9 * z122;
-    const Scalar z126 = z111 * z124 + z118 - k10 * z125;
-    const Scalar z127 = z112 * z124 - z119 - k11 * z125;
-    const Scalar z128 = z120 + k12 * z125;
-    accelerations.alpha = z126;
-    accelerations.beta = z127;
-    accelerations.gamma = z128;
+    const Scalar z111 = u_C1 + z87;
+    const Scalar z120 = k4 * z111;
+    const Scalar z121 = k5 * z120;
+    const Scalar z122 = n50 * u_C3;
+    const Scalar z123 = z102 * z120 - z104 * z121;
+    const Scalar z124 = k7 * (u_C1 + z87) - k8 * u_C3;
+    const Scalar z125 = z117 * z124 - z123;
+    const Scalar z126 = z119 * z125;
+    const Scalar z127 = z117 * z126 + k9 * z124;
+    const Scalar z128 = z113 * z126 + z120 - k7 * z127;
+    const Scalar z129 = z114 * z126 - z121 - k10 * z127;
+    const Scalar z130 = z122 + k8 * z127;
+    accelerations.alpha = z128;
+    accelerations.beta = z129;
+    accelerations.gamma = z130;
     multipliers.lambda_rolling_A_x = n0;
-    multipliers.T_A = z124;
+    multipliers.T_A = z126;
     multipliers.lambda_rolling_E_x = n0;
-    multipliers.T_E = -z125;
-    if (!(traits::regular(z116, z113))) return torsor::Status::singular;
+    multipliers.T_E = -z127;
+    if (!(traits::regular(z118, z115))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.alpha - accelerations.alpha) + (accelerations.beta - accelerations.beta)
         + (accelerations.gamma - accelerations.gamma) + (multipliers.T_A - multipliers.T_A) + (multipliers.T_E
@@ -1059,23 +1061,23 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
-    const Scalar z16 = n0_1 * v_alpha;
-    const Scalar z17 = k1 * v_alpha;
-    const Scalar z18 = k2 * v_alpha;
-    const Scalar z19 = c_beta * z18;
-    const Scalar z20 = s_beta * z18;
-    const Scalar z21 = s_beta * z16;
-    const Scalar z22 = c_beta * z16;
-    const Scalar z23 = v_beta + z17;  // angular velocity of S2, x
-    const Scalar z36 = n0_06 * z20 - z21;
-    const Scalar z37 = n0_06 * z19 - z22;
-    const Scalar z129 = n0_0044 * z19 - n0_06 * z22;
-    const Scalar z130 = n0_0044 * z20 - n0_06 * z21;
-    const Scalar z131 = n0_1 * c_alpha;
-    const Scalar z133 = k5 * c_alpha;
-    result.kinetic = n0_5 * (z19 * z129 + z20 * z130 - z21 * z36 - z22 * z37) + n0_005 * v_alpha * v_alpha + n0_01
-        * v_gamma * v_gamma + k9 * z23 * z23;
-    result.force_function = -n9_81 * (z131 - z133);
+    const Scalar z20 = n0_1 * c_alpha;
+    const Scalar z22 = n0_1 * v_alpha;
+    const Scalar z23 = k1 * v_alpha;
+    const Scalar z24 = k2 * v_alpha;
+    const Scalar z33 = c_beta * z24;
+    const Scalar z34 = s_beta * z24;
+    const Scalar z35 = v_beta + z23;
+    const Scalar z131 = s_beta * z22;
+    const Scalar z132 = c_beta * z22;
+    const Scalar z133 = n0_06 * z34 - z131;
+    const Scalar z134 = n0_06 * z33 - z132;
+    const Scalar z135 = n0_0044 * z33 - n0_06 * z132;
+    const Scalar z136 = n0_0044 * z34 - n0_06 * z131;
+    const Scalar z137 = k5 * c_alpha;
+    result.kinetic = n0_5 * (z33 * z135 + z34 * z136 - z131 * z133 - z132 * z134) + n0_005 * v_alpha * v_alpha + n0_01
+        * v_gamma * v_gamma + k9 * z35 * z35;
+    result.force_function = -n9_81 * (z20 - z137);
     result.power = v_alpha * u_C1 + v_gamma * u_C3;
   }
 
@@ -1088,28 +1090,28 @@ struct Mechanism {
     const Scalar v_alpha = state.v.alpha;
     const Scalar v_beta = state.v.beta;
     const Scalar v_gamma = state.v.gamma;
-    const Scalar z54 = precomputed.z54;
     const Scalar z102 = precomputed.z102;
-    const Scalar z103 = v_alpha * z54 + v_beta * z102;
-    const Scalar z104 = k0 * (v_alpha - v_gamma) + n0_02 * v_beta;
+    const Scalar z104 = precomputed.z104;
+    const Scalar z105 = v_alpha * z102 + v_beta * z104;
+    const Scalar z106 = k0 * (v_alpha - v_gamma) + n0_02 * v_beta;
     result.value[0] = n0;
     result.rate[0] = n0;
     result.gamma[0] = n0;
     result.value[1] = n0;
-    result.rate[1] = z103;
+    result.rate[1] = z105;
     result.gamma[1] = n0;
     result.value[2] = n0;
     result.rate[2] = n0;
     result.gamma[2] = n0;
     result.value[3] = n0;
-    result.rate[3] = z104;
+    result.rate[3] = z106;
     result.gamma[3] = n0;
     result.jacobian[0] = n0;
-    result.jacobian[1] = z54;
+    result.jacobian[1] = z102;
     result.jacobian[2] = n0;
     result.jacobian[3] = k0;
     result.jacobian[4] = n0;
-    result.jacobian[5] = z102;
+    result.jacobian[5] = z104;
     result.jacobian[6] = n0;
     result.jacobian[7] = n0_02;
     result.jacobian[8] = n0;
@@ -1150,19 +1152,19 @@ struct Mechanism {
     const Scalar u_C3 = inputs.C3;
     const Scalar l_T_A = multipliers.T_A;
     const Scalar l_T_E = multipliers.T_E;
-    const Scalar z54 = precomputed.z54;
     const Scalar z102 = precomputed.z102;
-    const Scalar z224 = precomputed.z224;
-    const Scalar z225 = precomputed.z225;
-    const Scalar z226 = precomputed.z226;
+    const Scalar z104 = precomputed.z104;
     const Scalar z228 = precomputed.z228;
+    const Scalar z229 = precomputed.z229;
     const Scalar z230 = precomputed.z230;
-    const Scalar z231 = precomputed.z231;
-    const Scalar z236 = precomputed.z236;
-    const Scalar z237 = precomputed.z237;
-    const Scalar z238 = precomputed.z238;
-    const Scalar z244 = precomputed.z244;
-    const Scalar z246 = precomputed.z246;
+    const Scalar z232 = precomputed.z232;
+    const Scalar z234 = precomputed.z234;
+    const Scalar z235 = precomputed.z235;
+    const Scalar z240 = precomputed.z240;
+    const Scalar z241 = precomputed.z241;
+    const Scalar z242 = precomputed.z242;
+    const Scalar z248 = precomputed.z248;
+    const Scalar z250 = precomputed.z250;
     Scalar s_alpha, c_alpha;
     traits::sincos(q_alpha, s_alpha, c_alpha);
     const Scalar z67 = n98_1 * c_alpha;
@@ -1177,20 +1179,20 @@ struct Mechanism {
     const Scalar z96 = n0_0044 * z90 - n0_006 * z91;  // moment on inclined, y
     const Scalar z97 = k1 * z94 + k2 * z96;
     const Scalar z100 = n0_02 * a_alpha - n0_01 * z68 - z95 + z97;  // moment on S1, x
-    const Scalar z151 = n0_006 * z67;
-    const Scalar z152 = k2 * z151;
-    const Scalar z153 = n0_01 * z67 - z152;
-    const Scalar z222 = a_alpha * z54 + a_beta * z102;
-    const Scalar z223 = k8 * (a_alpha - a_gamma) + n0_02 * a_beta;
-    const Scalar z232 = z222 * z225 - z223;
-    const Scalar z233 = k9 * z232;
-    const Scalar z234 = z222 * z224;
-    const Scalar z239 = z94 - z102 * l_T_A - n0_02 * l_T_E;
-    const Scalar z240 = u_C3 - z93 - k8 * l_T_E;
-    const Scalar z241 = z54 * l_T_A + u_C1 - z100 + k8 * l_T_E + z230 * z240 + z231 * z239;
-    const Scalar z242 = z233 * z237 + z234 * z236;
-    const Scalar z243 = z241 + z242;
-    const Scalar z245 = z153 * z244;
+    const Scalar z155 = n0_006 * z67;
+    const Scalar z156 = k2 * z155;
+    const Scalar z157 = n0_01 * z67 - z156;
+    const Scalar z226 = a_alpha * z102 + a_beta * z104;
+    const Scalar z227 = k8 * (a_alpha - a_gamma) + n0_02 * a_beta;
+    const Scalar z236 = z226 * z229 - z227;
+    const Scalar z237 = k9 * z236;
+    const Scalar z238 = z226 * z228;
+    const Scalar z243 = z94 - z104 * l_T_A - n0_02 * l_T_E;
+    const Scalar z244 = u_C3 - z93 - k8 * l_T_E;
+    const Scalar z245 = u_C1 - z100 + z102 * l_T_A + k8 * l_T_E + z234 * z244 + z235 * z243;
+    const Scalar z246 = z237 * z241 + z238 * z240;
+    const Scalar z247 = z245 + z246;
+    const Scalar z249 = z157 * z248;
     result.M[0] = k10;
     result.M[1] = k11;
     result.M[2] = n0;
@@ -1209,7 +1211,7 @@ struct Mechanism {
     result.C[6] = n0;
     result.C[7] = n0;
     result.C[8] = n0;
-    result.K[0] = -z153;
+    result.K[0] = -z157;
     result.K[1] = n0;
     result.K[2] = n0;
     result.K[3] = n0;
@@ -1218,8 +1220,8 @@ struct Mechanism {
     result.K[6] = n0;
     result.K[7] = n0;
     result.K[8] = n0;
-    result.F[0] = z54 * l_T_A + u_C1 - z100 + k8 * l_T_E;
-    result.F[1] = -z94 + z102 * l_T_A + n0_02 * l_T_E;
+    result.F[0] = u_C1 - z100 + z102 * l_T_A + k8 * l_T_E;
+    result.F[1] = -z94 + z104 * l_T_A + n0_02 * l_T_E;
     result.F[2] = u_C3 - z93 - k8 * l_T_E;
     result.E[0] = n1;
     result.E[1] = n0;
@@ -1227,18 +1229,18 @@ struct Mechanism {
     result.E[3] = n0;
     result.E[4] = n0;
     result.E[5] = n1;
-    result.M_r[0] = z238;
+    result.M_r[0] = z242;
     result.C_r[0] = n0;
-    result.K_r[0] = -z153;
+    result.K_r[0] = -z157;
     result.K_r[1] = n0;
     result.K_r[2] = n0;
-    result.F_r[0] = z243;
+    result.F_r[0] = z247;
     result.E_r[0] = n1;
-    result.E_r[1] = z230;
+    result.E_r[1] = z234;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
-    result.A[3] = z245;
+    result.A[3] = z249;
     result.A[4] = n0;
     result.A[5] = n0;
     result.A[6] = n0;
@@ -1248,18 +1250,18 @@ struct Mechanism {
     result.A[10] = n0;
     result.A[11] = n0;
     result.A[12] = n1;
-    result.A[13] = -z231;
-    result.A[14] = z230;
+    result.A[13] = -z235;
+    result.A[14] = z234;
     result.A[15] = n0;
     result.B[0] = n0;
     result.B[1] = n0;
     result.B[2] = n0;
-    result.B[3] = z244;
+    result.B[3] = z248;
     result.B[4] = n0;
     result.B[5] = n0;
     result.B[6] = n0;
-    result.B[7] = z246;
-    if (!(traits::regular(z226, z228) && traits::regular(z238, z238))) return torsor::Status::singular;
+    result.B[7] = z250;
+    if (!(traits::regular(z230, z232) && traits::regular(z242, z242))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.K[0] - result.K[0]) + (result.F[0] - result.F[0]) + (result.F[1] - result.F[1])
         + (result.F[2] - result.F[2]) + (result.M_r[0] - result.M_r[0]) + (result.K_r[0] - result.K_r[0])

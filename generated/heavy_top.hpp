@@ -9,18 +9,18 @@
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
 // moved across joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   kinematics               27               62          0             0                  3       0     95      95
+//   kinematics               20               45          0             0                  3       0     71      71
 //   mass_matrix               1                3          0             0                  1       0      6       6
 //   bias                      7               21          0             0                  2       0     32      56
 //   inverse_dynamics         12               23          0             0                  2       0     39      65
-//   forward_dynamics          9               27          1             0                  2       0     41      61
+//   forward_dynamics          8               28          1             0                  2       0     41      60
 //   energy                    6               16          0             0                  3       0     28      29
 //   first_integrals           8               19          0             0                  3       0     33      34
-//   linearisation            37               89          1             0                  2       0    131     181
-//   jets                     41               57          2             0                  2       0    104       -
+//   linearisation            34               90          1             0                  2       0    129     182
+//   jets                     35               53          2             0                  2       0     94       -
 //
 // Not computed because this mechanism does not need it:
-//   kinematics: of 18 results 1 repeat another up to sign
+//   kinematics: of 18 results 3 repeat another up to sign
 //   mass_matrix: of 9 results 4 vanish identically, 1 repeat another up to sign
 //   energy: of 3 results 1 vanish identically
 //   constraints: left out, the scene has no constraints
@@ -693,8 +693,8 @@ struct Mechanism {
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
   /// matrices column by column.
   TORSOR_DEVICE static void kinematics(const Precomputed&, const State& state, Kinematics& result) noexcept {
-    const Scalar k0 = traits::constant(0.8660254037844386, 0.8660254f, "0;0;1/2;0");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar k1 = traits::constant(0.8660254037844386, 0.8660254f, "0;0;1/2;0");
     const Scalar q_alpha = state.q.alpha;
     const Scalar v_alpha = state.v.alpha;
     const Scalar q_beta = state.q.beta;
@@ -707,73 +707,75 @@ struct Mechanism {
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
     const Scalar s_gamma = sines_[2], c_gamma = cosines_[2];
-    const Scalar z15 = v_alpha * c_beta;
-    const Scalar z16 = v_alpha * s_beta;
-    const Scalar z17 = v_beta * s_gamma - c_gamma * z15;
-    const Scalar z18 = v_beta * c_gamma + s_gamma * z15;
-    const Scalar z19 = v_gamma - z16;  // angular velocity of top, y
-    const Scalar z20 = c_alpha * c_beta;
-    const Scalar z21 = s_alpha * c_beta;
-    const Scalar z22 = k0 * s_beta - n0_5 * z21;
-    const Scalar z23 = n0_5 * s_beta + k0 * z21;
-    const Scalar z24 = c_beta * c_gamma;
-    const Scalar z25 = s_beta * c_gamma;
-    const Scalar z26 = s_alpha * s_gamma + c_alpha * z25;
-    const Scalar z27 = s_alpha * z25 - c_alpha * s_gamma;
-    const Scalar z28 = c_beta * s_gamma;
-    const Scalar z29 = s_beta * s_gamma;
-    const Scalar z30 = s_alpha * c_gamma - c_alpha * z29;
-    const Scalar z31 = s_alpha * z29 + c_alpha * c_gamma;
-    const Scalar z32 = s_gamma * z17 + c_gamma * z18;
-    const Scalar z33 = s_gamma * z18 - c_gamma * z17;
-    const Scalar z34 = c_beta * z32;
-    const Scalar z35 = s_beta * z32;
-    const Scalar z36 = s_alpha * z33 + c_alpha * z35;
-    const Scalar z37 = s_alpha * z35 - c_alpha * z33;
-    const Scalar z38 = s_beta * z19 - c_beta * z33;
-    const Scalar z39 = s_beta * z33 + c_beta * z19;
-    const Scalar z40 = s_alpha * z32 - c_alpha * z39;
-    const Scalar z41 = s_alpha * z39 + c_alpha * z32;
+    const Scalar z15 = n0_5 * s_alpha;
+    const Scalar z16 = n0_5 * c_alpha;
+    const Scalar z17 = k1 * s_alpha;
+    const Scalar z18 = k1 * c_alpha;
+    const Scalar z19 = k1 * v_alpha;  // angular velocity of first, x
+    const Scalar z20 = n0_5 * v_alpha;  // angular velocity of first, z
+    const Scalar z21 = s_beta * z15 + k1 * c_beta;
+    const Scalar z22 = k1 * s_beta - c_beta * z15;
+    const Scalar z23 = c_alpha * s_beta;
+    const Scalar z24 = c_alpha * c_beta;
+    const Scalar z25 = s_beta * z17 - n0_5 * c_beta;
+    const Scalar z26 = n0_5 * s_beta + c_beta * z17;
+    const Scalar z27 = v_alpha * c_beta;
+    const Scalar z29 = v_beta * z16 + z19;  // angular velocity of second, x
+    const Scalar z30 = s_alpha * v_beta;  // angular velocity of second, y
+    const Scalar z31 = v_beta * z18 - z20;  // angular velocity of second, z
+    const Scalar z32 = s_gamma * z16 - c_gamma * z21;
+    const Scalar z33 = s_gamma * z21 + c_gamma * z16;
+    const Scalar z34 = s_alpha * s_gamma + c_gamma * z23;
+    const Scalar z35 = s_alpha * c_gamma - s_gamma * z23;
+    const Scalar z36 = s_gamma * z18 - c_gamma * z25;
+    const Scalar z37 = s_gamma * z25 + c_gamma * z18;
+    const Scalar z38 = v_beta * s_gamma - c_gamma * z27;
+    const Scalar z39 = v_beta * c_gamma + s_gamma * z27;
+    const Scalar z41 = v_gamma * z22 - z29;  // angular velocity of top, x
+    const Scalar z42 = v_gamma * z24 - z30;  // angular velocity of top, y
+    const Scalar z43 = v_gamma * z26 + z31;  // angular velocity of top, z
+    const Scalar z44 = z32 * z39 - z33 * z38;
+    const Scalar z45 = z34 * z39 - z35 * z38;
+    const Scalar z46 = z36 * z39 - z37 * z38;
     result.top_position[0] = -z22;
-    result.top_position[1] = z20;
-    result.top_position[2] = z23;
-    result.top_rotation[0] = k0 * z24 + n0_5 * z27;
-    result.top_rotation[1] = z26;
-    result.top_rotation[2] = -n0_5 * z24 + k0 * z27;
-    result.top_rotation[3] = -k0 * s_beta + n0_5 * z21;
-    result.top_rotation[4] = z20;
-    result.top_rotation[5] = n0_5 * s_beta + k0 * z21;
-    result.top_rotation[6] = k0 * z28 + n0_5 * z31;
-    result.top_rotation[7] = -z30;
-    result.top_rotation[8] = -n0_5 * z28 + k0 * z31;
-    result.top_velocity[0] = -k0 * z34 - n0_5 * z37;
-    result.top_velocity[1] = -z36;
-    result.top_velocity[2] = n0_5 * z34 - k0 * z37;
-    result.top_angular_velocity[0] = -k0 * z38 + n0_5 * z41;
-    result.top_angular_velocity[1] = -z40;
-    result.top_angular_velocity[2] = n0_5 * z38 + k0 * z41;
+    result.top_position[1] = z24;
+    result.top_position[2] = z26;
+    result.top_rotation[0] = -z32;
+    result.top_rotation[1] = z34;
+    result.top_rotation[2] = -z36;
+    result.top_rotation[3] = -z22;
+    result.top_rotation[4] = z24;
+    result.top_rotation[5] = z26;
+    result.top_rotation[6] = z33;
+    result.top_rotation[7] = -z35;
+    result.top_rotation[8] = z37;
+    result.top_velocity[0] = z44;
+    result.top_velocity[1] = -z45;
+    result.top_velocity[2] = z46;
+    result.top_angular_velocity[0] = -z41;
+    result.top_angular_velocity[1] = z42;
+    result.top_angular_velocity[2] = z43;
   }
 
   /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
   TORSOR_DEVICE static void mass_matrix(const Precomputed&, const State& state, std::array<Scalar, 9>& mass) noexcept {
     const Scalar n15_over_32 = traits::constant(0.46875, 0.46875f, "15/32");
     const Scalar n945_over_64 = traits::constant(14.765625, 14.765625f, "945/64");
-    const Scalar n975_over_64 = traits::constant(15.234375, 15.234375f, "975/64");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n975_over_64 = traits::constant(15.234375, 15.234375f, "975/64");
     const Scalar q_beta = state.q.beta;
     Scalar s_beta, c_beta;
     traits::sincos(q_beta, s_beta, c_beta);
-    const Scalar z42 = n15_over_32 * s_beta;
-    const Scalar z46 = n945_over_64 * s_beta;
-    const Scalar z47 = s_beta * z46;
-    const Scalar z48 = n975_over_64 - z47;
-    mass[0] = z48;
+    const Scalar z47 = n15_over_32 * s_beta;
+    const Scalar z52 = n945_over_64 * c_beta;
+    const Scalar z53 = n15_over_32 + c_beta * z52;
+    mass[0] = z53;
     mass[1] = n0;
-    mass[2] = -z42;
+    mass[2] = -z47;
     mass[3] = n0;
     mass[4] = n975_over_64;
     mass[5] = n0;
-    mass[6] = -z42;
+    mass[6] = -z47;
     mass[7] = n0;
     mass[8] = n15_over_32;
   }
@@ -797,27 +799,27 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
-    const Scalar z15 = v_alpha * c_beta;
-    const Scalar z16 = v_alpha * s_beta;
-    const Scalar z19 = v_gamma - z16;  // angular velocity of top, y
-    const Scalar z51 = k0 * s_alpha;
-    const Scalar z52 = k0 * c_alpha;
-    const Scalar z53 = s_beta * z51 - n4_905 * c_beta;
-    const Scalar z55 = v_beta * z16;  // angular acceleration of second, x
-    const Scalar z56 = v_beta * z15;  // angular acceleration of second, y
-    const Scalar z59 = v_beta * z19;
-    const Scalar z60 = z15 * z19;
-    const Scalar z61 = n15_over_32 * z59;  // moment on top, x
-    const Scalar z62 = n15_over_32 * z56;  // moment on top, y
-    const Scalar z63 = n15_over_32 * z60;  // moment on top, z
-    const Scalar z64 = z15 * z16;
-    const Scalar z68 = n2 * z55;
-    const Scalar z72 = n15 * z52 - z61 - n975_over_64 * z68;  // moment on second, x
-    const Scalar z73 = n15 * z53 - z63 - n975_over_64 * z64;  // moment on second, z
-    const Scalar z76 = s_beta * z62 + c_beta * z72;
-    forces.alpha = z76;
-    forces.beta = -z73;
-    forces.gamma = -z62;
+    const Scalar z27 = v_alpha * c_beta;
+    const Scalar z28 = v_alpha * s_beta;
+    const Scalar z40 = v_gamma - z28;
+    const Scalar z56 = k0 * s_alpha;
+    const Scalar z57 = k0 * c_alpha;
+    const Scalar z58 = s_beta * z56 - n4_905 * c_beta;
+    const Scalar z60 = v_beta * z28;  // angular acceleration of second, x
+    const Scalar z61 = v_beta * z27;  // angular acceleration of second, y
+    const Scalar z64 = v_beta * z40;
+    const Scalar z65 = z27 * z40;
+    const Scalar z66 = n15_over_32 * z64;  // moment on top, x
+    const Scalar z67 = n15_over_32 * z61;  // moment on top, y
+    const Scalar z68 = n15_over_32 * z65;  // moment on top, z
+    const Scalar z69 = z27 * z28;
+    const Scalar z73 = n2 * z60;
+    const Scalar z77 = n15 * z57 - z66 - n975_over_64 * z73;  // moment on second, x
+    const Scalar z78 = n15 * z58 - z68 - n975_over_64 * z69;  // moment on second, z
+    const Scalar z81 = s_beta * z67 + c_beta * z77;
+    forces.alpha = z81;
+    forces.beta = -z78;
+    forces.gamma = -z67;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -841,31 +843,31 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
-    const Scalar z15 = v_alpha * c_beta;
-    const Scalar z16 = v_alpha * s_beta;
-    const Scalar z19 = v_gamma - z16;  // angular velocity of top, y
-    const Scalar z51 = k0 * s_alpha;
-    const Scalar z52 = k0 * c_alpha;
-    const Scalar z53 = s_beta * z51 - n4_905 * c_beta;
-    const Scalar z55 = v_beta * z16;  // angular acceleration of second, x
-    const Scalar z59 = v_beta * z19;
-    const Scalar z60 = z15 * z19;
-    const Scalar z61 = n15_over_32 * z59;  // moment on top, x
-    const Scalar z63 = n15_over_32 * z60;  // moment on top, z
-    const Scalar z64 = z15 * z16;
-    const Scalar z78 = a_alpha * c_beta;
-    const Scalar z79 = a_alpha * s_beta;
-    const Scalar z80 = v_beta * z16 - z78;  // angular acceleration of second, x
-    const Scalar z81 = v_beta * z15 + z79;  // angular acceleration of second, y
-    const Scalar z83 = a_gamma - z81;  // angular acceleration of top, y
-    const Scalar z85 = n15_over_32 * z83;  // moment on top, y
-    const Scalar z87 = z55 + z80;
-    const Scalar z90 = n15 * z52 - z61 - n975_over_64 * z87;  // moment on second, x
-    const Scalar z91 = n975_over_64 * (a_beta + z64) - n15 * z53 + z63;  // moment on second, z
-    const Scalar z94 = s_beta * z85 - c_beta * z90;
-    forces.alpha = -z94;
-    forces.beta = z91;
-    forces.gamma = z85;
+    const Scalar z27 = v_alpha * c_beta;
+    const Scalar z28 = v_alpha * s_beta;
+    const Scalar z40 = v_gamma - z28;
+    const Scalar z56 = k0 * s_alpha;
+    const Scalar z57 = k0 * c_alpha;
+    const Scalar z58 = s_beta * z56 - n4_905 * c_beta;
+    const Scalar z60 = v_beta * z28;  // angular acceleration of second, x
+    const Scalar z64 = v_beta * z40;
+    const Scalar z65 = z27 * z40;
+    const Scalar z66 = n15_over_32 * z64;  // moment on top, x
+    const Scalar z68 = n15_over_32 * z65;  // moment on top, z
+    const Scalar z69 = z27 * z28;
+    const Scalar z83 = a_alpha * c_beta;
+    const Scalar z84 = a_alpha * s_beta;
+    const Scalar z85 = v_beta * z28 - z83;  // angular acceleration of second, x
+    const Scalar z86 = v_beta * z27 + z84;  // angular acceleration of second, y
+    const Scalar z88 = a_gamma - z86;  // angular acceleration of top, y
+    const Scalar z90 = n15_over_32 * z88;  // moment on top, y
+    const Scalar z92 = z60 + z85;
+    const Scalar z95 = n15 * z57 - z66 - n975_over_64 * z92;  // moment on second, x
+    const Scalar z96 = n975_over_64 * (a_beta + z69) - n15 * z58 + z68;  // moment on second, z
+    const Scalar z99 = s_beta * z90 - c_beta * z95;
+    forces.alpha = -z99;
+    forces.beta = z96;
+    forces.gamma = z90;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -875,11 +877,11 @@ struct Mechanism {
       Accelerations& accelerations, Multipliers&) noexcept {
     const Scalar n15_over_32 = traits::constant(0.46875, 0.46875f, "15/32");
     const Scalar n945_over_64 = traits::constant(14.765625, 14.765625f, "945/64");
-    const Scalar n975_over_64 = traits::constant(15.234375, 15.234375f, "975/64");
-    const Scalar k3 = traits::constant(8.495709211125343, 8.495709f, "0;0;981/200;0");
+    const Scalar k2 = traits::constant(8.495709211125343, 8.495709f, "0;0;981/200;0");
     const Scalar n4_905 = traits::constant(4.905, 4.905f, "981/200");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n15 = traits::constant(15.0, 15.0f, "15/1");
+    const Scalar n975_over_64 = traits::constant(15.234375, 15.234375f, "975/64");
     const Scalar n32_over_15 = traits::constant(2.1333333333333333, 2.1333334f, "32/15");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n64_over_975 = traits::constant(0.06564102564102564, 0.06564102f, "64/975");
@@ -893,38 +895,37 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
-    const Scalar z15 = v_alpha * c_beta;
-    const Scalar z16 = v_alpha * s_beta;
-    const Scalar z19 = v_gamma - z16;  // angular velocity of top, y
-    const Scalar z42 = n15_over_32 * s_beta;
-    const Scalar z46 = n945_over_64 * s_beta;
-    const Scalar z47 = s_beta * z46;
-    const Scalar z48 = n975_over_64 - z47;
-    const Scalar z51 = k3 * s_alpha;
-    const Scalar z52 = k3 * c_alpha;
-    const Scalar z53 = s_beta * z51 - n4_905 * c_beta;
-    const Scalar z55 = v_beta * z16;  // angular acceleration of second, x
-    const Scalar z56 = v_beta * z15;  // angular acceleration of second, y
-    const Scalar z59 = v_beta * z19;
-    const Scalar z60 = z15 * z19;
-    const Scalar z61 = n15_over_32 * z59;  // moment on top, x
-    const Scalar z63 = n15_over_32 * z60;  // moment on top, z
-    const Scalar z64 = z15 * z16;
-    const Scalar z68 = n2 * z55;
-    const Scalar z72 = n15 * z52 - z61 - n975_over_64 * z68;  // moment on second, x
-    const Scalar z73 = n15 * z53 - z63 - n975_over_64 * z64;  // moment on second, z
-    const Scalar z135 = n32_over_15 * z42;
-    const Scalar z136 = z42 * z135 - z48;
-    const Scalar z137 = n1 / z136;
-    const Scalar z140 = n64_over_975 * z73;
-    const Scalar z142 = c_beta * z72;
-    const Scalar z144 = z137 * z142;
-    const Scalar z145 = z135 * z144;
-    const Scalar z146 = z56 + z145;
-    accelerations.alpha = z144;
-    accelerations.beta = z140;
-    accelerations.gamma = z146;
-    if (!(traits::regular(-z136, z48))) return torsor::Status::singular;
+    const Scalar z27 = v_alpha * c_beta;
+    const Scalar z28 = v_alpha * s_beta;
+    const Scalar z40 = v_gamma - z28;
+    const Scalar z47 = n15_over_32 * s_beta;
+    const Scalar z52 = n945_over_64 * c_beta;
+    const Scalar z53 = n15_over_32 + c_beta * z52;
+    const Scalar z56 = k2 * s_alpha;
+    const Scalar z57 = k2 * c_alpha;
+    const Scalar z58 = s_beta * z56 - n4_905 * c_beta;
+    const Scalar z60 = v_beta * z28;  // angular acceleration of second, x
+    const Scalar z61 = v_beta * z27;  // angular acceleration of second, y
+    const Scalar z64 = v_beta * z40;
+    const Scalar z65 = z27 * z40;
+    const Scalar z66 = n15_over_32 * z64;  // moment on top, x
+    const Scalar z68 = n15_over_32 * z65;  // moment on top, z
+    const Scalar z69 = z27 * z28;
+    const Scalar z73 = n2 * z60;
+    const Scalar z77 = n15 * z57 - z66 - n975_over_64 * z73;  // moment on second, x
+    const Scalar z78 = n15 * z58 - z68 - n975_over_64 * z69;  // moment on second, z
+    const Scalar z142 = n32_over_15 * z47;
+    const Scalar z143 = n975_over_64 * c_beta * c_beta;
+    const Scalar z144 = n1 / z143;
+    const Scalar z145 = c_beta * z77;
+    const Scalar z146 = z144 * z145;
+    const Scalar z147 = n64_over_975 * z78;
+    const Scalar z150 = z142 * z146;
+    const Scalar z151 = z61 - z150;
+    accelerations.alpha = -z146;
+    accelerations.beta = z147;
+    accelerations.gamma = z151;
+    if (!(traits::regular(z143, z53))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.alpha - accelerations.alpha) + (accelerations.beta - accelerations.beta)
         + (accelerations.gamma - accelerations.gamma);
@@ -952,16 +953,16 @@ struct Mechanism {
     const Scalar s_alpha = sines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
     const Scalar s_gamma = sines_[2], c_gamma = cosines_[2];
-    const Scalar z15 = v_alpha * c_beta;
-    const Scalar z16 = v_alpha * s_beta;
-    const Scalar z17 = v_beta * s_gamma - c_gamma * z15;
-    const Scalar z18 = v_beta * c_gamma + s_gamma * z15;
-    const Scalar z19 = v_gamma - z16;  // angular velocity of top, y
-    const Scalar z44 = n15 * c_beta;
-    const Scalar z45 = n15 * s_beta;
-    const Scalar z148 = s_alpha * z44;
-    result.kinetic = n975_over_128 * (z17 * z17 + z18 * z18) + n15_over_64 * z19 * z19;
-    result.force_function = -n4_905 * z45 - k4 * z148;
+    const Scalar z27 = v_alpha * c_beta;
+    const Scalar z28 = v_alpha * s_beta;
+    const Scalar z38 = v_beta * s_gamma - c_gamma * z27;
+    const Scalar z39 = v_beta * c_gamma + s_gamma * z27;
+    const Scalar z40 = v_gamma - z28;
+    const Scalar z49 = n15 * c_beta;
+    const Scalar z50 = n15 * s_beta;
+    const Scalar z153 = s_alpha * z49;
+    result.kinetic = n975_over_128 * (z38 * z38 + z39 * z39) + n15_over_64 * z40 * z40;
+    result.force_function = -n4_905 * z50 - k4 * z153;
     result.power = n0;
   }
 
@@ -985,17 +986,17 @@ struct Mechanism {
     const Scalar s_alpha = sines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
     const Scalar s_gamma = sines_[2], c_gamma = cosines_[2];
-    const Scalar z15 = v_alpha * c_beta;
-    const Scalar z16 = v_alpha * s_beta;
-    const Scalar z17 = v_beta * s_gamma - c_gamma * z15;
-    const Scalar z18 = v_beta * c_gamma + s_gamma * z15;
-    const Scalar z19 = v_gamma - z16;  // angular velocity of top, y
-    const Scalar z42 = n15_over_32 * s_beta;
-    const Scalar z44 = n15 * c_beta;
-    const Scalar z45 = n15 * s_beta;
-    const Scalar z148 = s_alpha * z44;
-    result.energy = n975_over_128 * (z17 * z17 + z18 * z18) + n15_over_64 * z19 * z19 + n4_905 * z45 + k5 * z148;
-    result.momentum_gamma = -v_alpha * z42 + n15_over_32 * v_gamma;
+    const Scalar z27 = v_alpha * c_beta;
+    const Scalar z28 = v_alpha * s_beta;
+    const Scalar z38 = v_beta * s_gamma - c_gamma * z27;
+    const Scalar z39 = v_beta * c_gamma + s_gamma * z27;
+    const Scalar z40 = v_gamma - z28;
+    const Scalar z47 = n15_over_32 * s_beta;
+    const Scalar z49 = n15 * c_beta;
+    const Scalar z50 = n15 * s_beta;
+    const Scalar z153 = s_alpha * z49;
+    result.energy = n975_over_128 * (z38 * z38 + z39 * z39) + n15_over_64 * z40 * z40 + n4_905 * z50 + k5 * z153;
+    result.momentum_gamma = -v_alpha * z47 + n15_over_32 * v_gamma;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -1004,10 +1005,10 @@ struct Mechanism {
       const Accelerations& accelerations, const Multipliers&, const Inputs&, Linearisation& result) noexcept {
     const Scalar n15_over_32 = traits::constant(0.46875, 0.46875f, "15/32");
     const Scalar n945_over_64 = traits::constant(14.765625, 14.765625f, "945/64");
-    const Scalar n975_over_64 = traits::constant(15.234375, 15.234375f, "975/64");
-    const Scalar k3 = traits::constant(8.495709211125343, 8.495709f, "0;0;981/200;0");
+    const Scalar k2 = traits::constant(8.495709211125343, 8.495709f, "0;0;981/200;0");
     const Scalar n4_905 = traits::constant(4.905, 4.905f, "981/200");
     const Scalar n15 = traits::constant(15.0, 15.0f, "15/1");
+    const Scalar n975_over_64 = traits::constant(15.234375, 15.234375f, "975/64");
     const Scalar n32_over_15 = traits::constant(2.1333333333333333, 2.1333334f, "32/15");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
@@ -1026,127 +1027,126 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
-    const Scalar z15 = v_alpha * c_beta;
-    const Scalar z16 = v_alpha * s_beta;
-    const Scalar z19 = v_gamma - z16;  // angular velocity of top, y
-    const Scalar z42 = n15_over_32 * s_beta;
-    const Scalar z46 = n945_over_64 * s_beta;
-    const Scalar z47 = s_beta * z46;
-    const Scalar z48 = n975_over_64 - z47;
-    const Scalar z51 = k3 * s_alpha;
-    const Scalar z52 = k3 * c_alpha;
-    const Scalar z53 = s_beta * z51 - n4_905 * c_beta;
-    const Scalar z54 = n4_905 * s_beta + c_beta * z51;
-    const Scalar z55 = v_beta * z16;  // angular acceleration of second, x
-    const Scalar z56 = v_beta * z15;  // angular acceleration of second, y
-    const Scalar z59 = v_beta * z19;
-    const Scalar z60 = z15 * z19;
-    const Scalar z61 = n15_over_32 * z59;  // moment on top, x
-    const Scalar z62 = n15_over_32 * z56;  // moment on top, y
-    const Scalar z63 = n15_over_32 * z60;  // moment on top, z
-    const Scalar z64 = z15 * z16;
-    const Scalar z78 = a_alpha * c_beta;
-    const Scalar z79 = a_alpha * s_beta;
-    const Scalar z80 = v_beta * z16 - z78;  // angular acceleration of second, x
-    const Scalar z81 = v_beta * z15 + z79;  // angular acceleration of second, y
-    const Scalar z83 = a_gamma - z81;  // angular acceleration of top, y
-    const Scalar z85 = n15_over_32 * z83;  // moment on top, y
-    const Scalar z87 = z55 + z80;
-    const Scalar z90 = n15 * z52 - z61 - n975_over_64 * z87;  // moment on second, x
-    const Scalar z91 = n975_over_64 * (a_beta + z64) - n15 * z53 + z63;  // moment on second, z
-    const Scalar z94 = s_beta * z85 - c_beta * z90;
-    const Scalar z135 = n32_over_15 * z42;
-    const Scalar z136 = z42 * z135 - z48;
-    const Scalar z137 = n1 / z136;
-    const Scalar z149 = n15_over_32 * z19;
-    const Scalar z161 = v_beta * c_beta;
-    const Scalar z162 = n15_over_32 * z161;
-    const Scalar z163 = v_beta * s_beta;
-    const Scalar z164 = n15_over_32 * z163;
-    const Scalar z165 = n2 * z163;
-    const Scalar z166 = z164 - n975_over_64 * z165;
-    const Scalar z167 = s_beta * z162 + c_beta * z166;
-    const Scalar z168 = n15 * z51;
-    const Scalar z169 = c_beta * z168;
-    const Scalar z170 = s_beta * z15 - c_beta * z19;
-    const Scalar z171 = n15_over_32 * z170;
-    const Scalar z172 = s_beta * z15 + c_beta * z16;
-    const Scalar z173 = z171 - n975_over_64 * z172;
-    const Scalar z174 = s_beta * z52;
-    const Scalar z175 = n15 * z174;
-    const Scalar z176 = n15_over_32 * z15;
-    const Scalar z177 = n2 * z16;
-    const Scalar z178 = z149 + n975_over_64 * z177;
-    const Scalar z179 = s_beta * z176 - c_beta * z178;
-    const Scalar z180 = n15_over_32 * z80;
-    const Scalar z181 = z56 + z81;
-    const Scalar z182 = z62 - n975_over_64 * z181;
-    const Scalar z183 = s_beta * (z90 + z180) + c_beta * (z85 - z182);
-    const Scalar z184 = z15 * z15 + z16 * z19;
-    const Scalar z185 = n15_over_32 * z184;
-    const Scalar z186 = z15 * z15 - z16 * z16;
-    const Scalar z187 = n15 * z54 + z185 - n975_over_64 * z186;
-    const Scalar z188 = n15_over_32 * v_beta;
-    const Scalar z189 = c_beta * z188;
-    const Scalar z260 = z137 * z169;
-    const Scalar z261 = n64_over_975 * z175;
-    const Scalar z262 = z135 * z260;
-    const Scalar z263 = z135 * z162 - z167;
-    const Scalar z264 = z137 * z263;
-    const Scalar z265 = n64_over_975 * z173;
-    const Scalar z266 = z135 * z264 - n32_over_15 * z162;
-    const Scalar z267 = z135 * z180 - z183;
-    const Scalar z268 = z137 * z267;
-    const Scalar z269 = n64_over_975 * z187;
-    const Scalar z270 = z135 * z268 - n32_over_15 * z180;
-    const Scalar z271 = z135 * z176 - z179;
-    const Scalar z272 = z137 * z271;
-    const Scalar z273 = z135 * z272 - n32_over_15 * z176;
-    const Scalar z274 = z137 * z189;
-    const Scalar z275 = n64_over_975 * z176;
-    const Scalar z276 = z135 * z274;
-    result.M[0] = z48;
+    const Scalar z27 = v_alpha * c_beta;
+    const Scalar z28 = v_alpha * s_beta;
+    const Scalar z40 = v_gamma - z28;
+    const Scalar z47 = n15_over_32 * s_beta;
+    const Scalar z52 = n945_over_64 * c_beta;
+    const Scalar z53 = n15_over_32 + c_beta * z52;
+    const Scalar z56 = k2 * s_alpha;
+    const Scalar z57 = k2 * c_alpha;
+    const Scalar z58 = s_beta * z56 - n4_905 * c_beta;
+    const Scalar z59 = n4_905 * s_beta + c_beta * z56;
+    const Scalar z60 = v_beta * z28;  // angular acceleration of second, x
+    const Scalar z61 = v_beta * z27;  // angular acceleration of second, y
+    const Scalar z64 = v_beta * z40;
+    const Scalar z65 = z27 * z40;
+    const Scalar z66 = n15_over_32 * z64;  // moment on top, x
+    const Scalar z67 = n15_over_32 * z61;  // moment on top, y
+    const Scalar z68 = n15_over_32 * z65;  // moment on top, z
+    const Scalar z69 = z27 * z28;
+    const Scalar z83 = a_alpha * c_beta;
+    const Scalar z84 = a_alpha * s_beta;
+    const Scalar z85 = v_beta * z28 - z83;  // angular acceleration of second, x
+    const Scalar z86 = v_beta * z27 + z84;  // angular acceleration of second, y
+    const Scalar z88 = a_gamma - z86;  // angular acceleration of top, y
+    const Scalar z90 = n15_over_32 * z88;  // moment on top, y
+    const Scalar z92 = z60 + z85;
+    const Scalar z95 = n15 * z57 - z66 - n975_over_64 * z92;  // moment on second, x
+    const Scalar z96 = n975_over_64 * (a_beta + z69) - n15 * z58 + z68;  // moment on second, z
+    const Scalar z99 = s_beta * z90 - c_beta * z95;
+    const Scalar z142 = n32_over_15 * z47;
+    const Scalar z143 = n975_over_64 * c_beta * c_beta;
+    const Scalar z144 = n1 / z143;
+    const Scalar z154 = n15_over_32 * z40;
+    const Scalar z166 = v_beta * c_beta;
+    const Scalar z167 = n15_over_32 * z166;
+    const Scalar z168 = v_beta * s_beta;
+    const Scalar z169 = n15_over_32 * z168;
+    const Scalar z170 = n2 * z168;
+    const Scalar z171 = z169 - n975_over_64 * z170;
+    const Scalar z172 = s_beta * z167 + c_beta * z171;
+    const Scalar z173 = n15 * z56;
+    const Scalar z174 = c_beta * z173;
+    const Scalar z175 = s_beta * z27 - c_beta * z40;
+    const Scalar z176 = n15_over_32 * z175;
+    const Scalar z177 = s_beta * z27 + c_beta * z28;
+    const Scalar z178 = z176 - n975_over_64 * z177;
+    const Scalar z179 = s_beta * z57;
+    const Scalar z180 = n15 * z179;
+    const Scalar z181 = n15_over_32 * z27;
+    const Scalar z182 = n2 * z28;
+    const Scalar z183 = z154 + n975_over_64 * z182;
+    const Scalar z184 = s_beta * z181 - c_beta * z183;
+    const Scalar z185 = n15_over_32 * z85;
+    const Scalar z186 = z61 + z86;
+    const Scalar z187 = z67 - n975_over_64 * z186;
+    const Scalar z188 = s_beta * (z95 + z185) + c_beta * (z90 - z187);
+    const Scalar z189 = z27 * z27 + z28 * z40;
+    const Scalar z190 = n15_over_32 * z189;
+    const Scalar z191 = z27 * z27 - z28 * z28;
+    const Scalar z192 = n15 * z59 + z190 - n975_over_64 * z191;
+    const Scalar z193 = n15_over_32 * v_beta;
+    const Scalar z194 = c_beta * z193;
+    const Scalar z265 = z144 * z174;
+    const Scalar z266 = n64_over_975 * z180;
+    const Scalar z267 = z142 * z265;
+    const Scalar z268 = c_beta * z171;
+    const Scalar z269 = z144 * z268;
+    const Scalar z270 = n64_over_975 * z178;
+    const Scalar z271 = z142 * z269 - n32_over_15 * z167;
+    const Scalar z272 = z142 * z185 - z188;
+    const Scalar z273 = z144 * z272;
+    const Scalar z274 = n64_over_975 * z192;
+    const Scalar z275 = z142 * z273 + n32_over_15 * z185;
+    const Scalar z276 = c_beta * z183;
+    const Scalar z277 = z144 * z276;
+    const Scalar z278 = z142 * z277 + n32_over_15 * z181;
+    const Scalar z279 = z144 * z194;
+    const Scalar z280 = n64_over_975 * z181;
+    const Scalar z281 = z142 * z279;
+    result.M[0] = z53;
     result.M[1] = n0;
-    result.M[2] = -z42;
+    result.M[2] = -z47;
     result.M[3] = n0;
     result.M[4] = n975_over_64;
     result.M[5] = n0;
-    result.M[6] = -z42;
+    result.M[6] = -z47;
     result.M[7] = n0;
     result.M[8] = n15_over_32;
-    result.C[0] = z167;
-    result.C[1] = -z173;
-    result.C[2] = -z162;
-    result.C[3] = z179;
+    result.C[0] = z172;
+    result.C[1] = -z178;
+    result.C[2] = -z167;
+    result.C[3] = z184;
     result.C[4] = n0;
-    result.C[5] = -z176;
-    result.C[6] = -z189;
-    result.C[7] = z176;
+    result.C[5] = -z181;
+    result.C[6] = -z194;
+    result.C[7] = z181;
     result.C[8] = n0;
-    result.K[0] = -z169;
-    result.K[1] = -z175;
+    result.K[0] = -z174;
+    result.K[1] = -z180;
     result.K[2] = n0;
-    result.K[3] = -z183;
-    result.K[4] = -z187;
-    result.K[5] = z180;
+    result.K[3] = -z188;
+    result.K[4] = -z192;
+    result.K[5] = z185;
     result.K[6] = n0;
     result.K[7] = n0;
     result.K[8] = n0;
-    result.F[0] = z94;
-    result.F[1] = -z91;
-    result.F[2] = -z85;
+    result.F[0] = z99;
+    result.F[1] = -z96;
+    result.F[2] = -z90;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
-    result.A[3] = -z260;
-    result.A[4] = z261;
-    result.A[5] = -z262;
+    result.A[3] = z265;
+    result.A[4] = z266;
+    result.A[5] = z267;
     result.A[6] = n0;
     result.A[7] = n0;
     result.A[8] = n0;
-    result.A[9] = z268;
-    result.A[10] = z269;
-    result.A[11] = z270;
+    result.A[9] = -z273;
+    result.A[10] = z274;
+    result.A[11] = -z275;
     result.A[12] = n0;
     result.A[13] = n0;
     result.A[14] = n0;
@@ -1156,22 +1156,22 @@ struct Mechanism {
     result.A[18] = n1;
     result.A[19] = n0;
     result.A[20] = n0;
-    result.A[21] = -z264;
-    result.A[22] = z265;
-    result.A[23] = -z266;
+    result.A[21] = -z269;
+    result.A[22] = z270;
+    result.A[23] = -z271;
     result.A[24] = n0;
     result.A[25] = n1;
     result.A[26] = n0;
-    result.A[27] = -z272;
+    result.A[27] = z277;
     result.A[28] = n0;
-    result.A[29] = -z273;
+    result.A[29] = z278;
     result.A[30] = n0;
     result.A[31] = n0;
     result.A[32] = n1;
-    result.A[33] = -z274;
-    result.A[34] = -z275;
-    result.A[35] = -z276;
-    if (!(traits::regular(-z136, z48))) return torsor::Status::singular;
+    result.A[33] = z279;
+    result.A[34] = -z280;
+    result.A[35] = z281;
+    if (!(traits::regular(z143, z53))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.M[0] - result.M[0]) + (result.M[2] - result.M[2]) + (result.M[6] - result.M[6])
         + (result.C[0] - result.C[0]) + (result.C[1] - result.C[1]) + (result.C[2] - result.C[2]) + (result.C[3]
@@ -1188,18 +1188,18 @@ struct Mechanism {
   }
 
   /// Taylor coefficients of the motion: coefficients[k] = y^(k)/k! for k = 0..order, 1 <= order <= 30, y positions
-  /// then velocities, the inputs being constant. 14 operations take a convolution at each order.
+  /// then velocities, the inputs being constant. 12 operations take a convolution at each order.
   /// Returns singular where forward_dynamics does.
   TORSOR_DEVICE static torsor::Status jets(const Precomputed&, const State& state, const Inputs&, int order,
       std::array<Scalar, 6>* coefficients) noexcept {
-    const Scalar n15_over_32 = traits::constant(0.46875, 0.46875f, "15/32");
     const Scalar n945_over_64 = traits::constant(14.765625, 14.765625f, "945/64");
+    const Scalar n15_over_32 = traits::constant(0.46875, 0.46875f, "15/32");
     const Scalar n975_over_64 = traits::constant(15.234375, 15.234375f, "975/64");
-    const Scalar n32_over_15 = traits::constant(2.1333333333333333, 2.1333334f, "32/15");
     const Scalar n975_over_32 = traits::constant(30.46875, 30.46875f, "975/32");
-    const Scalar k5 = traits::constant(127.43563816688015, 127.43564f, "0;0;2943/40;0");
+    const Scalar k4 = traits::constant(127.43563816688015, 127.43564f, "0;0;2943/40;0");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n2_over_65 = traits::constant(0.03076923076923077, 0.03076923f, "2/65");
+    const Scalar n64_over_975 = traits::constant(0.06564102564102564, 0.06564102f, "64/975");
     const Scalar k8 = traits::constant(4.829538461538461, 4.8295383f, "7848/1625");
     const Scalar k9 = traits::constant(8.365005992492646, 8.365006f, "0;0;7848/1625;0");
     const Scalar q_alpha = state.q.alpha;
@@ -1209,31 +1209,25 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
-    const Scalar z42 = n15_over_32 * s_beta;
-    const Scalar z46 = n945_over_64 * s_beta;
-    const Scalar z47 = s_beta * z46;
-    const Scalar z48 = n975_over_64 - z47;
-    const Scalar z135 = n32_over_15 * z42;
-    const Scalar z136 = z42 * z135 - z48;
+    const Scalar z52 = n945_over_64 * c_beta;
+    const Scalar z53 = n15_over_32 + c_beta * z52;
+    const Scalar z143 = n975_over_64 * c_beta * c_beta;
     const Scalar b1 = state.v.alpha;
     const Scalar b10 = b1 * s_beta;
     const Scalar b8 = state.v.gamma;
     const Scalar b11 = b8 - b10;
-    const Scalar b14 = n975_over_32 * b10 + n15_over_32 * b11;
+    const Scalar b12 = n975_over_32 * b10 + n15_over_32 * b11;
     const Scalar b5 = state.v.beta;
-    const Scalar b15 = b5 * b14;
-    const Scalar b16 = k5 * c_alpha - b15;
-    const Scalar b17 = c_beta * b16;
-    const Scalar b12 = s_beta * s_beta;
-    const Scalar b13 = -n975_over_64 + n975_over_64 * b12;
-    const Scalar b18 = b17 / b13;
-    const Scalar i18 = n1 / b13;
-    const Scalar b19 = b10 + n2_over_65 * b11;
+    const Scalar b13 = b5 * b12;
+    const Scalar b14 = k4 * c_alpha - b13;
+    const Scalar b15 = b14 / c_beta;
+    const Scalar i15 = n1 / c_beta;
+    const Scalar b16 = b10 + n2_over_65 * b11;
     const Scalar b9 = b1 * c_beta;
-    const Scalar b21 = s_alpha * s_beta;
-    const Scalar b20 = b9 * b19;
-    const Scalar b22 = b5 * b9;
-    const Scalar b23 = s_beta * b18;
+    const Scalar b18 = s_alpha * s_beta;
+    const Scalar b17 = b9 * b16;
+    const Scalar b19 = b5 * b9;
+    const Scalar b20 = s_beta * b15;
     coefficients[0][0] = state.q.alpha;
     coefficients[0][1] = state.q.beta;
     coefficients[0][2] = state.q.gamma;
@@ -1243,11 +1237,11 @@ struct Mechanism {
     coefficients[1][0] = b1;
     coefficients[1][1] = b5;
     coefficients[1][2] = b8;
-    coefficients[1][3] = b18;
-    coefficients[1][4] = -k8 * c_beta + k9 * b21 - b20;
-    coefficients[1][5] = b22 + b23;
-    torsor::Convolutions<Scalar, 14> operations_;
-    typename torsor::Convolutions<Scalar, 14>::Sums sums_;
+    coefficients[1][3] = -n64_over_975 * b15;
+    coefficients[1][4] = -k8 * c_beta + k9 * b18 - b17;
+    coefficients[1][5] = b19 - n64_over_975 * b20;
+    torsor::Convolutions<Scalar, 12> operations_;
+    typename torsor::Convolutions<Scalar, 12>::Sums sums_;
     Scalar number_ = n1, inverse_ = n1;
     for (int k_ = 1; k_ < order; ++k_) {
       const Scalar following_ = number_ + n1, next_ = n1 / following_;
@@ -1266,32 +1260,29 @@ struct Mechanism {
       const Scalar x9 = sums_[4] + c_beta * x1 + b1 * x7;
       const Scalar x10 = sums_[5] + s_beta * x1 + b1 * x6;
       const Scalar x11 = x8 - x10;
-      const Scalar x12 = sums_[6] + (s_beta + s_beta) * x6;
-      const Scalar x13 = n975_over_64 * x12;
-      const Scalar x14 = n975_over_32 * x10 + n15_over_32 * x11;
-      const Scalar x15 = sums_[7] + b14 * x5 + b5 * x14;
-      const Scalar x16 = k5 * x3 - x15;
-      const Scalar x17 = sums_[8] + b16 * x7 + c_beta * x16;
-      const Scalar x18 = (x17 - (sums_[9] + b18 * x13)) * i18;
-      const Scalar x19 = x10 + n2_over_65 * x11;
-      const Scalar x20 = sums_[10] + b19 * x9 + b9 * x19;
-      const Scalar x21 = sums_[11] + s_alpha * x6 + s_beta * x2;
-      const Scalar x22 = sums_[12] + b9 * x5 + b5 * x9;
-      const Scalar x23 = sums_[13] + b18 * x6 + s_beta * x18;
+      const Scalar x12 = n975_over_32 * x10 + n15_over_32 * x11;
+      const Scalar x13 = sums_[6] + b12 * x5 + b5 * x12;
+      const Scalar x14 = k4 * x3 - x13;
+      const Scalar x15 = (x14 - (sums_[7] + b15 * x7)) * i15;
+      const Scalar x16 = x10 + n2_over_65 * x11;
+      const Scalar x17 = sums_[8] + b16 * x9 + b9 * x16;
+      const Scalar x18 = sums_[9] + s_alpha * x6 + s_beta * x2;
+      const Scalar x19 = sums_[10] + b9 * x5 + b5 * x9;
+      const Scalar x20 = sums_[11] + b15 * x6 + s_beta * x15;
       coefficients[k_ + 1][0] = next_ * x1;
       coefficients[k_ + 1][1] = next_ * x5;
       coefficients[k_ + 1][2] = next_ * x8;
-      coefficients[k_ + 1][3] = next_ * x18;
-      coefficients[k_ + 1][4] = next_ * (-k8 * x7 + k9 * x21 - x20);
-      coefficients[k_ + 1][5] = next_ * (x22 + x23);
-      const Scalar left_[] = {w0, w0, w4, w4, x1, x1, x6, x5, x7, x18, x9, x2, x5, x6};
-      const Scalar right_[] = {x3, x2, x7, x6, x7, x6, x6, x14, x16, x13, x19, x6, x9, x18};
+      coefficients[k_ + 1][3] = next_ * -n64_over_975 * x15;
+      coefficients[k_ + 1][4] = next_ * (-k8 * x7 + k9 * x18 - x17);
+      coefficients[k_ + 1][5] = next_ * (x19 - n64_over_975 * x20);
+      const Scalar left_[] = {w0, w0, w4, w4, x1, x1, x5, x15, x9, x2, x5, x6};
+      const Scalar right_[] = {x3, x2, x7, x6, x7, x6, x12, x7, x16, x6, x9, x15};
       operations_.keep(k_, left_, right_);
       number_ = following_;
       inverse_ = next_;
     }
     static_cast<void>(inverse_);
-    if (!(traits::regular(-z136, z48))) return torsor::Status::singular;
+    if (!(traits::regular(z143, z53))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (coefficients[order][0] - coefficients[order][0]) + (coefficients[order][1]
         - coefficients[order][1]) + (coefficients[order][2] - coefficients[order][2]) + (coefficients[order][3]

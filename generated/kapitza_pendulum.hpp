@@ -9,7 +9,7 @@
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
 // moved across joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   kinematics                4               10          0             0                  2       0     18      18
+//   kinematics                2                6          0             0                  2       0     12      12
 //   mass_matrix               0                0          0             0                  0       0      0       0
 //   bias                      1                5          0             0                  2       0     10      10
 //   inverse_dynamics          2                5          0             0                  2       0     11      11
@@ -586,16 +586,14 @@ struct Mechanism {
     const Scalar z5 = sines_[0], z4 = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
     const Scalar z6 = p_omega * z5;
+    const Scalar z14 = p_a * z4;
     const Scalar z15 = p_a * z6;  // velocity of pivot, z
-    const Scalar z16 = s_theta * z15;
-    const Scalar z17 = c_theta * z15;
-    const Scalar z18 = p_a * z4 + c_theta;
-    const Scalar z19 = v_theta + z16;
-    const Scalar z20 = s_theta * z17 - c_theta * z19;
-    const Scalar z21 = s_theta * z19 + c_theta * z17;
+    const Scalar z16 = c_theta + z14;
+    const Scalar z17 = v_theta * c_theta;
+    const Scalar z18 = v_theta * s_theta + z15;
     result.pendulum_position[0] = s_theta;
     result.pendulum_position[1] = n0;
-    result.pendulum_position[2] = z18;
+    result.pendulum_position[2] = z16;
     result.pendulum_rotation[0] = c_theta;
     result.pendulum_rotation[1] = n0;
     result.pendulum_rotation[2] = -s_theta;
@@ -605,9 +603,9 @@ struct Mechanism {
     result.pendulum_rotation[6] = s_theta;
     result.pendulum_rotation[7] = n0;
     result.pendulum_rotation[8] = c_theta;
-    result.pendulum_velocity[0] = -z20;
+    result.pendulum_velocity[0] = z17;
     result.pendulum_velocity[1] = n0;
-    result.pendulum_velocity[2] = -z21;
+    result.pendulum_velocity[2] = -z18;
     result.pendulum_angular_velocity[0] = n0;
     result.pendulum_angular_velocity[1] = v_theta;
     result.pendulum_angular_velocity[2] = n0;
@@ -636,9 +634,9 @@ struct Mechanism {
     const Scalar s_theta = sines_[1];
     const Scalar z7 = p_omega * z4;
     const Scalar z8 = p_omega * z7;
-    const Scalar z30 = n9_81 - p_a * z8;
-    const Scalar z31 = s_theta * z30;
-    forces.theta = -z31;
+    const Scalar z26 = n9_81 - p_a * z8;
+    const Scalar z27 = s_theta * z26;
+    forces.theta = -z27;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -658,10 +656,10 @@ struct Mechanism {
     const Scalar s_theta = sines_[1];
     const Scalar z7 = p_omega * z4;
     const Scalar z8 = p_omega * z7;
-    const Scalar z30 = n9_81 - p_a * z8;
-    const Scalar z31 = s_theta * z30;
-    const Scalar z38 = a_theta - z31;  // moment on pendulum, y
-    forces.theta = z38;
+    const Scalar z26 = n9_81 - p_a * z8;
+    const Scalar z27 = s_theta * z26;
+    const Scalar z34 = a_theta - z27;  // moment on pendulum, y
+    forces.theta = z34;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -683,9 +681,9 @@ struct Mechanism {
     const Scalar s_theta = sines_[1];
     const Scalar z7 = p_omega * z4;
     const Scalar z8 = p_omega * z7;
-    const Scalar z30 = n9_81 - p_a * z8;
-    const Scalar z31 = s_theta * z30;
-    accelerations.theta = z31;
+    const Scalar z26 = n9_81 - p_a * z8;
+    const Scalar z27 = s_theta * z26;
+    accelerations.theta = z27;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.theta - accelerations.theta);
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -712,10 +710,10 @@ struct Mechanism {
     const Scalar z6 = p_omega * z5;
     const Scalar z14 = p_a * z4;
     const Scalar z15 = p_a * z6;  // velocity of pivot, z
-    const Scalar z16 = s_theta * z15;
-    const Scalar z17 = c_theta * z15;
-    const Scalar z19 = v_theta + z16;
-    result.kinetic = n0_5 * (z19 * (v_theta + z16) + z17 * z17);
+    const Scalar z39 = s_theta * z15;
+    const Scalar z40 = c_theta * z15;
+    const Scalar z41 = v_theta + z39;
+    result.kinetic = n0_5 * (z41 * (v_theta + z39) + z40 * z40);
     result.force_function = -n9_81 * (c_theta + z14);
     result.power = n0;
   }
@@ -739,11 +737,11 @@ struct Mechanism {
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
     const Scalar z7 = p_omega * z4;
     const Scalar z8 = p_omega * z7;
-    const Scalar z30 = n9_81 - p_a * z8;
-    const Scalar z33 = v_theta * v_theta;
-    const Scalar z40 = a_theta * s_theta + c_theta * z33;
-    const Scalar z41 = z30 - z40;  // force on pivot, z
-    result.shaker = z41;
+    const Scalar z26 = n9_81 - p_a * z8;
+    const Scalar z29 = v_theta * v_theta;
+    const Scalar z36 = a_theta * s_theta + c_theta * z29;
+    const Scalar z37 = z26 - z36;  // force on pivot, z
+    result.shaker = z37;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -766,16 +764,16 @@ struct Mechanism {
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
     const Scalar z7 = p_omega * z4;
     const Scalar z8 = p_omega * z7;
-    const Scalar z30 = n9_81 - p_a * z8;
-    const Scalar z31 = s_theta * z30;
-    const Scalar z32 = c_theta * z30;
-    const Scalar z38 = a_theta - z31;  // moment on pendulum, y
+    const Scalar z26 = n9_81 - p_a * z8;
+    const Scalar z27 = s_theta * z26;
+    const Scalar z28 = c_theta * z26;
+    const Scalar z34 = a_theta - z27;  // moment on pendulum, y
     result.M[0] = n1;
     result.C[0] = n0;
-    result.K[0] = -z32;
-    result.F[0] = -z38;
+    result.K[0] = -z28;
+    result.F[0] = -z34;
     result.A[0] = n0;
-    result.A[1] = z32;
+    result.A[1] = z28;
     result.A[2] = n1;
     result.A[3] = n0;
     // x - x is 0 for every finite x and not a number for any other.

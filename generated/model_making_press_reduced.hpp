@@ -845,6 +845,8 @@ struct Mechanism {
     const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n0_84 = traits::constant(0.84, 0.84f, "21/25");
+    const Scalar k7 = traits::constant(0.00168, 0.00168f, "21/12500");
+    const Scalar n40 = traits::constant(40.0, 40.0f, "40/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_a_z = state.q.a_z;
@@ -874,13 +876,13 @@ struct Mechanism {
     const Scalar z25 = z7 * z22 + z15 + z21;
     const Scalar z44 = a_a_z - a_omega_z * z7;
     const Scalar z45 = traits::formula(0.0005347606087887683, 0.0005347606f, [&]() -> Scalar {
-      return n0_84 * z7;
+      return k7 / pi;
     });
     const Scalar z46 = traits::formula(0.00010046202459740906, 0.00010046203f, [&]() -> Scalar {
       return z7 * z45 + z13;
     });
     const Scalar z47 = traits::formula(12.732395447351626, 12.732395f, [&]() -> Scalar {
-      return n20000 * z7;
+      return n40 / pi;
     });
     const Scalar z48 = traits::formula(0.008105694691387022, 0.008105694f, [&]() -> Scalar {
       return z7 * z47;

@@ -9,7 +9,7 @@
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
 // moved across joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   kinematics               29               37          0             0                  3       0     72      72
+//   kinematics               13               16          0             0                  2       0     33      33
 //   mass_matrix               3                3          0             0                  1       0      8       8
 //   bias                      9               16          0             0                  2       0     29      37
 //   inverse_dynamics         14               21          0             0                  2       0     39      46
@@ -572,10 +572,10 @@ struct Mechanism {
   /// matrices column by column.
   TORSOR_DEVICE static void kinematics(const Precomputed& precomputed, const State& state,
       Kinematics& result) noexcept {
-    const Scalar n0_6 = traits::constant(0.6, 0.6f, "3/5");
-    const Scalar n0_35 = traits::constant(0.35, 0.35f, "7/20");
     const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
+    const Scalar n0_6 = traits::constant(0.6, 0.6f, "3/5");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n0_35 = traits::constant(0.35, 0.35f, "7/20");
     const Scalar n0_15 = traits::constant(0.15, 0.15f, "3/20");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
@@ -585,51 +585,38 @@ struct Mechanism {
     const Scalar v_theta_1 = state.v.theta_1;
     const Scalar q_theta_2 = state.q.theta_2;
     const Scalar v_theta_2 = state.v.theta_2;
-    const Scalar z35 = q_theta_1 + q_theta_2;
-    const Scalar angles_[] = {q_theta_1, q_theta_2, z35};
-    Scalar sines_[3], cosines_[3];
+    const Scalar z14 = q_theta_1 + q_theta_2;
+    const Scalar angles_[] = {q_theta_1, z14};
+    Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
-    const Scalar s_theta_2 = sines_[1], c_theta_2 = cosines_[1];
-    const Scalar z36 = sines_[2], z37 = cosines_[2];
-    const Scalar z13 = p_V * c_theta_1;
-    const Scalar z14 = p_V * s_theta_1;
-    const Scalar z15 = n0_6 * v_theta_1 - z13;
-    const Scalar z16 = s_theta_2 * z14 + c_theta_2 * z15;
-    const Scalar z17 = s_theta_2 * z15 - c_theta_2 * z14;
-    const Scalar z18 = v_theta_1 + v_theta_2;  // angular velocity of S2, z
-    const Scalar z19 = n0_35 * s_theta_1;
-    const Scalar z20 = n0_35 * c_theta_1;
-    const Scalar z21 = n0_8 - z19;
-    const Scalar z22 = n0_5 + z20;
-    const Scalar z23 = p_V * t + z21;
-    const Scalar z24 = n0_35 * v_theta_1 - z13;
-    const Scalar z25 = s_theta_1 * z14 - c_theta_1 * z24;
-    const Scalar z26 = s_theta_1 * z24 + c_theta_1 * z14;
-    const Scalar z27 = n0_15 * s_theta_2;
-    const Scalar z28 = n0_15 * c_theta_2;
-    const Scalar z29 = n0_6 + z28;
-    const Scalar z30 = s_theta_1 * z29 + c_theta_1 * z27;
-    const Scalar z31 = s_theta_1 * z27 - c_theta_1 * z29;
-    const Scalar z32 = n0_8 - z30;
-    const Scalar z33 = n0_5 - z31;
-    const Scalar z34 = p_V * t + z32;
-    const Scalar z38 = z16 + n0_15 * z18;
-    const Scalar z39 = z17 * z36 + z37 * z38;
-    const Scalar z40 = z17 * z37 - z36 * z38;
-    const Scalar z41 = n0_8 + p_V * t;
-    const Scalar z42 = s_theta_1 * z14 + c_theta_1 * z13;
-    const Scalar z44 = n0_6 * s_theta_1;
-    const Scalar z45 = n0_6 * c_theta_1;
-    const Scalar z46 = n0_8 - z44;
-    const Scalar z47 = n0_5 + z45;
-    const Scalar z48 = p_V * t + z46;
-    const Scalar z49 = z16 * z37 + z17 * z36;
-    const Scalar z50 = z16 * z36 - z17 * z37;
-    const Scalar z51 = z41 - z48;
-    const Scalar z52 = n0_5 - z47;
-    result.trunk_position[0] = z23;
-    result.trunk_position[1] = z22;
+    const Scalar z15 = sines_[1], z16 = cosines_[1];
+    const Scalar z12 = p_V * t;
+    const Scalar z13 = n0_8 + z12;  // place of S1, x
+    const Scalar z17 = n0_6 * s_theta_1;
+    const Scalar z18 = n0_6 * c_theta_1;
+    const Scalar z19 = z13 - z17;  // place of S2, x
+    const Scalar z20 = n0_5 + z18;  // place of S2, y
+    const Scalar z21 = n0_6 * v_theta_1;
+    const Scalar z22 = v_theta_1 + v_theta_2;
+    const Scalar z23 = p_V - c_theta_1 * z21;  // velocity of S2, x
+    const Scalar z24 = s_theta_1 * z21;  // velocity of S2, y
+    const Scalar z25 = n0_35 * s_theta_1;
+    const Scalar z26 = n0_35 * c_theta_1;
+    const Scalar z27 = z13 - z25;
+    const Scalar z28 = n0_5 + z26;
+    const Scalar z29 = n0_35 * v_theta_1;
+    const Scalar z30 = p_V - c_theta_1 * z29;
+    const Scalar z31 = s_theta_1 * z29;
+    const Scalar z32 = n0_15 * z15;
+    const Scalar z33 = n0_15 * z16;
+    const Scalar z34 = z19 - z32;
+    const Scalar z35 = z20 + z33;
+    const Scalar z36 = n0_15 * z22;
+    const Scalar z37 = z16 * z36 - z23;
+    const Scalar z38 = z15 * z36 + z24;
+    result.trunk_position[0] = z27;
+    result.trunk_position[1] = z28;
     result.trunk_position[2] = n0;
     result.trunk_rotation[0] = c_theta_1;
     result.trunk_rotation[1] = s_theta_1;
@@ -640,34 +627,34 @@ struct Mechanism {
     result.trunk_rotation[6] = n0;
     result.trunk_rotation[7] = n0;
     result.trunk_rotation[8] = n1;
-    result.trunk_velocity[0] = z25;
-    result.trunk_velocity[1] = -z26;
+    result.trunk_velocity[0] = z30;
+    result.trunk_velocity[1] = -z31;
     result.trunk_velocity[2] = n0;
     result.trunk_angular_velocity[0] = n0;
     result.trunk_angular_velocity[1] = n0;
     result.trunk_angular_velocity[2] = v_theta_1;
     result.head_position[0] = z34;
-    result.head_position[1] = z33;
+    result.head_position[1] = z35;
     result.head_position[2] = n0;
-    result.head_rotation[0] = z37;
-    result.head_rotation[1] = z36;
+    result.head_rotation[0] = z16;
+    result.head_rotation[1] = z15;
     result.head_rotation[2] = n0;
-    result.head_rotation[3] = -z36;
-    result.head_rotation[4] = z37;
+    result.head_rotation[3] = -z15;
+    result.head_rotation[4] = z16;
     result.head_rotation[5] = n0;
     result.head_rotation[6] = n0;
     result.head_rotation[7] = n0;
     result.head_rotation[8] = n1;
-    result.head_velocity[0] = -z39;
-    result.head_velocity[1] = z40;
+    result.head_velocity[0] = -z37;
+    result.head_velocity[1] = -z38;
     result.head_velocity[2] = n0;
     result.head_angular_velocity[0] = n0;
     result.head_angular_velocity[1] = n0;
-    result.head_angular_velocity[2] = z18;
-    result.I_position[0] = z41;
+    result.head_angular_velocity[2] = z22;
+    result.I_position[0] = z13;
     result.I_position[1] = n0_5;
     result.I_position[2] = n0;
-    result.I_velocity[0] = z42;
+    result.I_velocity[0] = p_V;
     result.I_velocity[1] = n0;
     result.I_velocity[2] = n0;
     result.I_jacobian[0] = n0;
@@ -676,15 +663,15 @@ struct Mechanism {
     result.I_jacobian[4] = n0;
     result.I_jacobian[2] = n0;
     result.I_jacobian[5] = n0;
-    result.K_position[0] = z48;
-    result.K_position[1] = z47;
+    result.K_position[0] = z19;
+    result.K_position[1] = z20;
     result.K_position[2] = n0;
-    result.K_velocity[0] = -z49;
-    result.K_velocity[1] = -z50;
+    result.K_velocity[0] = z23;
+    result.K_velocity[1] = -z24;
     result.K_velocity[2] = n0;
-    result.K_jacobian[0] = z52;
+    result.K_jacobian[0] = -z18;
     result.K_jacobian[3] = n0;
-    result.K_jacobian[1] = -z51;
+    result.K_jacobian[1] = -z17;
     result.K_jacobian[4] = n0;
     result.K_jacobian[2] = n0;
     result.K_jacobian[5] = n0;
@@ -700,13 +687,13 @@ struct Mechanism {
     const Scalar q_theta_2 = state.q.theta_2;
     Scalar s_theta_2, c_theta_2;
     traits::sincos(q_theta_2, s_theta_2, c_theta_2);
-    const Scalar z53 = n0_75 * c_theta_2;
-    const Scalar z55 = n0_1425 + n0_6 * z53;
-    const Scalar z65 = n0_1425 + n1_2 * z53;
-    const Scalar z68 = n8_2 + z65;
-    mass[0] = z68;
-    mass[1] = z55;
-    mass[2] = z55;
+    const Scalar z41 = n0_75 * c_theta_2;
+    const Scalar z43 = n0_1425 + n0_6 * z41;
+    const Scalar z54 = n0_1425 + n1_2 * z41;
+    const Scalar z57 = n8_2 + z54;
+    mass[0] = z57;
+    mass[1] = z43;
+    mass[2] = z43;
     mass[3] = n0_1425;
   }
 
@@ -729,25 +716,25 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
     const Scalar s_theta_2 = sines_[1], c_theta_2 = cosines_[1];
-    const Scalar z18 = v_theta_1 + v_theta_2;  // angular velocity of S2, z
-    const Scalar z85 = n600 * q_theta_1;
-    const Scalar z86 = n25 * v_theta_1;
-    const Scalar z87 = n40 * q_theta_2;
-    const Scalar z88 = n0_6 * v_theta_2;
-    const Scalar z89 = n9_81 * s_theta_1;
-    const Scalar z90 = n9_81 * c_theta_1;
-    const Scalar z91 = v_theta_1 * v_theta_1;
-    const Scalar z92 = z90 - n0_6 * z91;
-    const Scalar z93 = s_theta_2 * z92 + c_theta_2 * z89;
-    const Scalar z95 = z18 * z18;
-    const Scalar z96 = n0_75 * z95;  // force on S2, y
-    const Scalar z97 = n0_75 * z93;  // moment on S2, z
-    const Scalar z98 = s_theta_2 * z96;
-    const Scalar z101 = n17 * z89 + z97 + n0_6 * z98;  // moment on S1, z
-    const Scalar z106 = z85 + z86 - z101;
-    const Scalar z107 = z87 + z88 - z97;
-    forces.theta_1 = z106;
-    forces.theta_2 = z107;
+    const Scalar z22 = v_theta_1 + v_theta_2;
+    const Scalar z74 = n600 * q_theta_1;
+    const Scalar z75 = n25 * v_theta_1;
+    const Scalar z76 = n40 * q_theta_2;
+    const Scalar z77 = n0_6 * v_theta_2;
+    const Scalar z78 = n9_81 * s_theta_1;
+    const Scalar z79 = n9_81 * c_theta_1;
+    const Scalar z80 = v_theta_1 * v_theta_1;
+    const Scalar z81 = z79 - n0_6 * z80;
+    const Scalar z82 = s_theta_2 * z81 + c_theta_2 * z78;
+    const Scalar z84 = z22 * z22;
+    const Scalar z85 = n0_75 * z84;  // force on S2, y
+    const Scalar z86 = n0_75 * z82;  // moment on S2, z
+    const Scalar z87 = s_theta_2 * z85;
+    const Scalar z90 = n17 * z78 + z86 + n0_6 * z87;  // moment on S1, z
+    const Scalar z95 = z74 + z75 - z90;
+    const Scalar z96 = z76 + z77 - z86;
+    forces.theta_1 = z95;
+    forces.theta_2 = z96;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -773,28 +760,28 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
     const Scalar s_theta_2 = sines_[1], c_theta_2 = cosines_[1];
-    const Scalar z18 = v_theta_1 + v_theta_2;  // angular velocity of S2, z
-    const Scalar z85 = n600 * q_theta_1;
-    const Scalar z86 = n25 * v_theta_1;
-    const Scalar z87 = n40 * q_theta_2;
-    const Scalar z88 = n0_6 * v_theta_2;
-    const Scalar z89 = n9_81 * s_theta_1;
-    const Scalar z90 = n9_81 * c_theta_1;
-    const Scalar z91 = v_theta_1 * v_theta_1;
-    const Scalar z92 = z90 - n0_6 * z91;
-    const Scalar z95 = z18 * z18;
-    const Scalar z96 = n0_75 * z95;  // force on S2, y
-    const Scalar z108 = n0_6 * a_theta_1 - z89;
-    const Scalar z109 = s_theta_2 * z92 - c_theta_2 * z108;
-    const Scalar z111 = a_theta_1 + a_theta_2;  // angular acceleration of S2, z
-    const Scalar z112 = n0_75 * z111;  // force on S2, x
-    const Scalar z113 = n0_75 * z109 - n0_1425 * z111;  // moment on S2, z
-    const Scalar z114 = s_theta_2 * z96 - c_theta_2 * z112;
-    const Scalar z118 = n8_2 * a_theta_1 - n17 * z89 - z113 - n0_6 * z114;  // moment on S1, z
-    const Scalar z123 = z85 + z86 + z118;
-    const Scalar z124 = z87 + z88 - z113;
-    forces.theta_1 = z123;
-    forces.theta_2 = z124;
+    const Scalar z22 = v_theta_1 + v_theta_2;
+    const Scalar z74 = n600 * q_theta_1;
+    const Scalar z75 = n25 * v_theta_1;
+    const Scalar z76 = n40 * q_theta_2;
+    const Scalar z77 = n0_6 * v_theta_2;
+    const Scalar z78 = n9_81 * s_theta_1;
+    const Scalar z79 = n9_81 * c_theta_1;
+    const Scalar z80 = v_theta_1 * v_theta_1;
+    const Scalar z81 = z79 - n0_6 * z80;
+    const Scalar z84 = z22 * z22;
+    const Scalar z85 = n0_75 * z84;  // force on S2, y
+    const Scalar z97 = n0_6 * a_theta_1 - z78;
+    const Scalar z98 = s_theta_2 * z81 - c_theta_2 * z97;
+    const Scalar z100 = a_theta_1 + a_theta_2;  // angular acceleration of S2, z
+    const Scalar z101 = n0_75 * z100;  // force on S2, x
+    const Scalar z102 = n0_75 * z98 - n0_1425 * z100;  // moment on S2, z
+    const Scalar z103 = s_theta_2 * z85 - c_theta_2 * z101;
+    const Scalar z107 = n8_2 * a_theta_1 - n17 * z78 - z102 - n0_6 * z103;  // moment on S1, z
+    const Scalar z112 = z74 + z75 + z107;
+    const Scalar z113 = z76 + z77 - z102;
+    forces.theta_1 = z112;
+    forces.theta_2 = z113;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -823,36 +810,36 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
     const Scalar s_theta_2 = sines_[1], c_theta_2 = cosines_[1];
-    const Scalar z18 = v_theta_1 + v_theta_2;  // angular velocity of S2, z
-    const Scalar z53 = n0_75 * c_theta_2;
-    const Scalar z55 = n0_1425 + n0_6 * z53;
-    const Scalar z65 = n0_1425 + n1_2 * z53;
-    const Scalar z68 = n8_2 + z65;
-    const Scalar z85 = n600 * q_theta_1;
-    const Scalar z86 = n25 * v_theta_1;
-    const Scalar z87 = n40 * q_theta_2;
-    const Scalar z88 = n0_6 * v_theta_2;
-    const Scalar z89 = n9_81 * s_theta_1;
-    const Scalar z90 = n9_81 * c_theta_1;
-    const Scalar z91 = v_theta_1 * v_theta_1;
-    const Scalar z92 = z90 - n0_6 * z91;
-    const Scalar z93 = s_theta_2 * z92 + c_theta_2 * z89;
-    const Scalar z95 = z18 * z18;
-    const Scalar z96 = n0_75 * z95;  // force on S2, y
-    const Scalar z97 = n0_75 * z93;  // moment on S2, z
-    const Scalar z98 = s_theta_2 * z96;
-    const Scalar z101 = n17 * z89 + z97 + n0_6 * z98;  // moment on S1, z
-    const Scalar z106 = z85 + z86 - z101;
-    const Scalar z107 = z87 + z88 - z97;
-    const Scalar z176 = n400_over_57 * z55;
-    const Scalar z177 = z55 * z176 - z68;
-    const Scalar z178 = n1 / z177;
-    const Scalar z179 = z106 - z107 * z176;
-    const Scalar z180 = z178 * z179;
-    const Scalar z181 = n400_over_57 * z107 + z176 * z180;
-    accelerations.theta_1 = z180;
-    accelerations.theta_2 = -z181;
-    if (!(traits::regular(-z177, z68))) return torsor::Status::singular;
+    const Scalar z22 = v_theta_1 + v_theta_2;
+    const Scalar z41 = n0_75 * c_theta_2;
+    const Scalar z43 = n0_1425 + n0_6 * z41;
+    const Scalar z54 = n0_1425 + n1_2 * z41;
+    const Scalar z57 = n8_2 + z54;
+    const Scalar z74 = n600 * q_theta_1;
+    const Scalar z75 = n25 * v_theta_1;
+    const Scalar z76 = n40 * q_theta_2;
+    const Scalar z77 = n0_6 * v_theta_2;
+    const Scalar z78 = n9_81 * s_theta_1;
+    const Scalar z79 = n9_81 * c_theta_1;
+    const Scalar z80 = v_theta_1 * v_theta_1;
+    const Scalar z81 = z79 - n0_6 * z80;
+    const Scalar z82 = s_theta_2 * z81 + c_theta_2 * z78;
+    const Scalar z84 = z22 * z22;
+    const Scalar z85 = n0_75 * z84;  // force on S2, y
+    const Scalar z86 = n0_75 * z82;  // moment on S2, z
+    const Scalar z87 = s_theta_2 * z85;
+    const Scalar z90 = n17 * z78 + z86 + n0_6 * z87;  // moment on S1, z
+    const Scalar z95 = z74 + z75 - z90;
+    const Scalar z96 = z76 + z77 - z86;
+    const Scalar z166 = n400_over_57 * z43;
+    const Scalar z167 = z43 * z166 - z57;
+    const Scalar z168 = n1 / z167;
+    const Scalar z169 = z95 - z96 * z166;
+    const Scalar z170 = z168 * z169;
+    const Scalar z171 = n400_over_57 * z96 + z166 * z170;
+    accelerations.theta_1 = z170;
+    accelerations.theta_2 = -z171;
+    if (!(traits::regular(-z167, z57))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.theta_1 - accelerations.theta_1) + (accelerations.theta_2
         - accelerations.theta_2);
@@ -869,8 +856,8 @@ struct Mechanism {
     const Scalar n14 = traits::constant(14.0, 14.0f, "14/1");
     const Scalar n40 = traits::constant(40.0, 40.0f, "40/1");
     const Scalar n6_4 = traits::constant(6.4, 6.4f, "32/5");
-    const Scalar n5 = traits::constant(5.0, 5.0f, "5/1");
     const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
+    const Scalar n5 = traits::constant(5.0, 5.0f, "5/1");
     const Scalar n0_1425 = traits::constant(0.1425, 0.1425f, "57/400");
     const Scalar n20 = traits::constant(20.0, 20.0f, "20/1");
     const Scalar n2_5 = traits::constant(2.5, 2.5f, "5/2");
@@ -883,34 +870,34 @@ struct Mechanism {
     const Scalar v_theta_1 = state.v.theta_1;
     const Scalar q_theta_2 = state.q.theta_2;
     const Scalar v_theta_2 = state.v.theta_2;
-    const Scalar z35 = q_theta_1 + q_theta_2;
-    const Scalar angles_[] = {q_theta_1, q_theta_2, z35};
+    const Scalar z14 = q_theta_1 + q_theta_2;
+    const Scalar angles_[] = {q_theta_1, q_theta_2, z14};
     Scalar sines_[3], cosines_[3];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
     const Scalar s_theta_2 = sines_[1], c_theta_2 = cosines_[1];
-    const Scalar z37 = cosines_[2];
-    const Scalar z13 = p_V * c_theta_1;
-    const Scalar z14 = p_V * s_theta_1;
-    const Scalar z15 = n0_6 * v_theta_1 - z13;
-    const Scalar z16 = s_theta_2 * z14 + c_theta_2 * z15;
-    const Scalar z17 = s_theta_2 * z15 - c_theta_2 * z14;
-    const Scalar z18 = v_theta_1 + v_theta_2;  // angular velocity of S2, z
-    const Scalar z45 = n0_6 * c_theta_1;
-    const Scalar z47 = n0_5 + z45;
-    const Scalar z86 = n25 * v_theta_1;
-    const Scalar z88 = n0_6 * v_theta_2;
-    const Scalar z186 = n14 * v_theta_1 - n40 * z13;
-    const Scalar z187 = n6_4 * v_theta_1 - n14 * z13;
-    const Scalar z188 = n5 * z16 + n0_75 * z18;
-    const Scalar z189 = n0_75 * z16 + n0_1425 * z18;
-    const Scalar z191 = n14 * c_theta_1;
-    const Scalar z193 = n0_75 * z37;
-    result.kinetic = n0_5 * (v_theta_1 * z187 - z13 * z186 + z16 * z188 + z18 * z189) + n20 * z14 * z14 + n2_5 * z17
-        * z17;
-    result.force_function = -n9_81 * (z191 + z193) - n196_2 - n300 * q_theta_1 * q_theta_1 - n20 * q_theta_2 * q_theta_2
-        - n49_05 * z47;
-    result.power = -v_theta_1 * z86 - v_theta_2 * z88;
+    const Scalar z16 = cosines_[2];
+    const Scalar z18 = n0_6 * c_theta_1;
+    const Scalar z20 = n0_5 + z18;  // place of S2, y
+    const Scalar z22 = v_theta_1 + v_theta_2;
+    const Scalar z75 = n25 * v_theta_1;
+    const Scalar z77 = n0_6 * v_theta_2;
+    const Scalar z176 = p_V * c_theta_1;
+    const Scalar z177 = p_V * s_theta_1;
+    const Scalar z178 = n0_6 * v_theta_1 - z176;
+    const Scalar z179 = s_theta_2 * z177 + c_theta_2 * z178;
+    const Scalar z180 = s_theta_2 * z178 - c_theta_2 * z177;
+    const Scalar z181 = n14 * v_theta_1 - n40 * z176;
+    const Scalar z182 = n6_4 * v_theta_1 - n14 * z176;
+    const Scalar z183 = n0_75 * z22 + n5 * z179;
+    const Scalar z184 = n0_1425 * z22 + n0_75 * z179;
+    const Scalar z187 = n14 * c_theta_1;
+    const Scalar z190 = n0_75 * z16;
+    result.kinetic = n0_5 * (v_theta_1 * z182 + z22 * z184 - z176 * z181 + z179 * z183) + n20 * z177 * z177 + n2_5
+        * z180 * z180;
+    result.force_function = -n9_81 * (z187 + z190) - n196_2 - n300 * q_theta_1 * q_theta_1 - n20 * q_theta_2 * q_theta_2
+        - n49_05 * z20;
+    result.power = -v_theta_1 * z75 - v_theta_2 * z77;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -943,95 +930,95 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
     const Scalar s_theta_2 = sines_[1], c_theta_2 = cosines_[1];
-    const Scalar z18 = v_theta_1 + v_theta_2;  // angular velocity of S2, z
-    const Scalar z53 = n0_75 * c_theta_2;
-    const Scalar z55 = n0_1425 + n0_6 * z53;
-    const Scalar z65 = n0_1425 + n1_2 * z53;
-    const Scalar z68 = n8_2 + z65;
-    const Scalar z85 = n600 * q_theta_1;
-    const Scalar z86 = n25 * v_theta_1;
-    const Scalar z87 = n40 * q_theta_2;
-    const Scalar z88 = n0_6 * v_theta_2;
-    const Scalar z89 = n9_81 * s_theta_1;
-    const Scalar z90 = n9_81 * c_theta_1;
-    const Scalar z91 = v_theta_1 * v_theta_1;
-    const Scalar z92 = z90 - n0_6 * z91;
-    const Scalar z95 = z18 * z18;
-    const Scalar z96 = n0_75 * z95;  // force on S2, y
-    const Scalar z108 = n0_6 * a_theta_1 - z89;
-    const Scalar z109 = s_theta_2 * z92 - c_theta_2 * z108;
-    const Scalar z110 = s_theta_2 * z108 + c_theta_2 * z92;
-    const Scalar z111 = a_theta_1 + a_theta_2;  // angular acceleration of S2, z
-    const Scalar z112 = n0_75 * z111;  // force on S2, x
-    const Scalar z113 = n0_75 * z109 - n0_1425 * z111;  // moment on S2, z
-    const Scalar z114 = s_theta_2 * z96 - c_theta_2 * z112;
-    const Scalar z115 = s_theta_2 * z112 + c_theta_2 * z96;
-    const Scalar z118 = n8_2 * a_theta_1 - n17 * z89 - z113 - n0_6 * z114;  // moment on S1, z
-    const Scalar z123 = z85 + z86 + z118;
-    const Scalar z124 = z87 + z88 - z113;
-    const Scalar z176 = n400_over_57 * z55;
-    const Scalar z177 = z55 * z176 - z68;
-    const Scalar z178 = n1 / z177;
-    const Scalar z212 = n2 * v_theta_1;
-    const Scalar z213 = n0_6 * z212;
-    const Scalar z214 = s_theta_2 * z213;
-    const Scalar z215 = n0_75 * z214;
-    const Scalar z216 = n2 * z18;
-    const Scalar z217 = n0_75 * z216;
-    const Scalar z218 = s_theta_2 * z217;
-    const Scalar z219 = z215 - n0_6 * z218;
-    const Scalar z220 = n25 + z219;
-    const Scalar z221 = s_theta_2 * z89 - c_theta_2 * z90;
-    const Scalar z222 = n0_75 * z221;
-    const Scalar z223 = n17 * z90 - z222;
-    const Scalar z224 = n600 - z223;
-    const Scalar z225 = n0_6 * z218;
-    const Scalar z226 = n0_75 * z110;
-    const Scalar z227 = n0_6 * z115 + z226;
-    const Scalar z228 = n40 - z226;
-    const Scalar z271 = z176 * z222 - z224;
-    const Scalar z272 = z178 * z271;
-    const Scalar z273 = z176 * z272 - n400_over_57 * z222;
-    const Scalar z274 = z176 * z215 - z220;
-    const Scalar z275 = z178 * z274;
-    const Scalar z276 = z176 * z275 - n400_over_57 * z215;
-    const Scalar z277 = z176 * z228 + z227;
-    const Scalar z278 = z178 * z277;
-    const Scalar z279 = z176 * z278 - n400_over_57 * z228;
-    const Scalar z280 = n0_6 * z176 + z225;
-    const Scalar z281 = z178 * z280;
-    const Scalar z282 = n80_over_19 - z176 * z281;
-    result.M[0] = z68;
-    result.M[1] = z55;
-    result.M[2] = z55;
+    const Scalar z22 = v_theta_1 + v_theta_2;
+    const Scalar z41 = n0_75 * c_theta_2;
+    const Scalar z43 = n0_1425 + n0_6 * z41;
+    const Scalar z54 = n0_1425 + n1_2 * z41;
+    const Scalar z57 = n8_2 + z54;
+    const Scalar z74 = n600 * q_theta_1;
+    const Scalar z75 = n25 * v_theta_1;
+    const Scalar z76 = n40 * q_theta_2;
+    const Scalar z77 = n0_6 * v_theta_2;
+    const Scalar z78 = n9_81 * s_theta_1;
+    const Scalar z79 = n9_81 * c_theta_1;
+    const Scalar z80 = v_theta_1 * v_theta_1;
+    const Scalar z81 = z79 - n0_6 * z80;
+    const Scalar z84 = z22 * z22;
+    const Scalar z85 = n0_75 * z84;  // force on S2, y
+    const Scalar z97 = n0_6 * a_theta_1 - z78;
+    const Scalar z98 = s_theta_2 * z81 - c_theta_2 * z97;
+    const Scalar z99 = s_theta_2 * z97 + c_theta_2 * z81;
+    const Scalar z100 = a_theta_1 + a_theta_2;  // angular acceleration of S2, z
+    const Scalar z101 = n0_75 * z100;  // force on S2, x
+    const Scalar z102 = n0_75 * z98 - n0_1425 * z100;  // moment on S2, z
+    const Scalar z103 = s_theta_2 * z85 - c_theta_2 * z101;
+    const Scalar z104 = s_theta_2 * z101 + c_theta_2 * z85;
+    const Scalar z107 = n8_2 * a_theta_1 - n17 * z78 - z102 - n0_6 * z103;  // moment on S1, z
+    const Scalar z112 = z74 + z75 + z107;
+    const Scalar z113 = z76 + z77 - z102;
+    const Scalar z166 = n400_over_57 * z43;
+    const Scalar z167 = z43 * z166 - z57;
+    const Scalar z168 = n1 / z167;
+    const Scalar z209 = n2 * v_theta_1;
+    const Scalar z210 = n0_6 * z209;
+    const Scalar z211 = s_theta_2 * z210;
+    const Scalar z212 = n0_75 * z211;
+    const Scalar z213 = n2 * z22;
+    const Scalar z214 = n0_75 * z213;
+    const Scalar z215 = s_theta_2 * z214;
+    const Scalar z216 = z212 - n0_6 * z215;
+    const Scalar z217 = n25 + z216;
+    const Scalar z218 = s_theta_2 * z78 - c_theta_2 * z79;
+    const Scalar z219 = n0_75 * z218;
+    const Scalar z220 = n17 * z79 - z219;
+    const Scalar z221 = n600 - z220;
+    const Scalar z222 = n0_6 * z215;
+    const Scalar z223 = n0_75 * z99;
+    const Scalar z224 = n0_6 * z104 + z223;
+    const Scalar z225 = n40 - z223;
+    const Scalar z268 = z166 * z219 - z221;
+    const Scalar z269 = z168 * z268;
+    const Scalar z270 = z166 * z269 - n400_over_57 * z219;
+    const Scalar z271 = z166 * z212 - z217;
+    const Scalar z272 = z168 * z271;
+    const Scalar z273 = z166 * z272 - n400_over_57 * z212;
+    const Scalar z274 = z166 * z225 + z224;
+    const Scalar z275 = z168 * z274;
+    const Scalar z276 = z166 * z275 - n400_over_57 * z225;
+    const Scalar z277 = n0_6 * z166 + z222;
+    const Scalar z278 = z168 * z277;
+    const Scalar z279 = n80_over_19 - z166 * z278;
+    result.M[0] = z57;
+    result.M[1] = z43;
+    result.M[2] = z43;
     result.M[3] = n0_1425;
-    result.C[0] = z220;
-    result.C[1] = z215;
-    result.C[2] = -z225;
+    result.C[0] = z217;
+    result.C[1] = z212;
+    result.C[2] = -z222;
     result.C[3] = n0_6;
-    result.K[0] = z224;
-    result.K[1] = z222;
-    result.K[2] = -z227;
-    result.K[3] = z228;
-    result.F[0] = -z123;
-    result.F[1] = -z124;
+    result.K[0] = z221;
+    result.K[1] = z219;
+    result.K[2] = -z224;
+    result.K[3] = z225;
+    result.F[0] = -z112;
+    result.F[1] = -z113;
     result.A[0] = n0;
     result.A[1] = n0;
-    result.A[2] = -z272;
-    result.A[3] = z273;
+    result.A[2] = -z269;
+    result.A[3] = z270;
     result.A[4] = n0;
     result.A[5] = n0;
-    result.A[6] = -z278;
-    result.A[7] = z279;
+    result.A[6] = -z275;
+    result.A[7] = z276;
     result.A[8] = n1;
     result.A[9] = n0;
-    result.A[10] = -z275;
-    result.A[11] = z276;
+    result.A[10] = -z272;
+    result.A[11] = z273;
     result.A[12] = n0;
     result.A[13] = n1;
-    result.A[14] = -z281;
-    result.A[15] = -z282;
-    if (!(traits::regular(-z177, z68))) return torsor::Status::singular;
+    result.A[14] = -z278;
+    result.A[15] = -z279;
+    if (!(traits::regular(-z167, z57))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.M[0] - result.M[0]) + (result.M[1] - result.M[1]) + (result.M[2] - result.M[2])
         + (result.C[0] - result.C[0]) + (result.C[1] - result.C[1]) + (result.C[2] - result.C[2]) + (result.K[0]

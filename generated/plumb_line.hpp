@@ -9,16 +9,16 @@
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
 // moved across joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   precompute                1                9          0             0                  1       0     12       -
-//   kinematics               36               72          0             0                  4       0    116     124
-//   mass_matrix               1                1          0             0                  1       0      4       4
+//   precompute                1                8          0             0                  1       0     11       -
+//   kinematics               24               49          0             0                  4       0     81      88
+//   mass_matrix               1                1          0             0                  1       0      4       3
 //   bias                     22               43          1             1                  3       0     73      82
 //   inverse_dynamics         24               44          1             1                  3       0     76      85
-//   forward_dynamics         23               45          2             1                  3       0     77      86
+//   forward_dynamics         23               45          2             1                  3       0     77      85
 //   energy                   16               28          1             1                  3       0     52      62
 //   first_integrals          21               33          1             1                  3       0     62      73
 //   reactions                17               32          1             1                  3       0     57      66
-//   linearisation            59              118          6             1                  3       0    190     203
+//   linearisation            59              118          6             1                  3       0    190     202
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 42 results 12 vanish identically, 6 repeat another up to sign
@@ -499,13 +499,12 @@ struct Mechanism {
     Scalar s_latitude;
     Scalar c_latitude;
     Scalar z19;
-    Scalar z21;
-    Scalar z22;
-    Scalar z23;
-    Scalar z64;
-    Scalar z65;
+    Scalar z25;
+    Scalar z26;
+    Scalar z36;
+    Scalar z37;
+    Scalar z134;
     Scalar z135;
-    Scalar z136;
   };
 
   /// Values of the scene.
@@ -533,26 +532,24 @@ struct Mechanism {
     const Scalar z19 = n1 + p_r;
     const Scalar z20 = traits::formula(7.27220521664304e-05, 7.2722054e-05f, [&]() -> Scalar {
       return k1 * pi;
-    });  // angular velocity of globe, z
-    const Scalar z21 = s_latitude * z20;
-    const Scalar z22 = c_latitude * z20;
-    const Scalar z23 = z19 * z22;
-    const Scalar z64 = c_latitude * z19;
-    const Scalar z65 = s_latitude * z19;
-    const Scalar z133 = z22 * z22;
-    const Scalar z134 = z21 * z22;
+    });
+    const Scalar z25 = s_latitude * z20;
+    const Scalar z26 = c_latitude * z20;
+    const Scalar z36 = s_latitude * z19;
+    const Scalar z37 = z19 * z26;
+    const Scalar z132 = z26 * z26;
+    const Scalar z133 = z25 * z26;
+    const Scalar z134 = z19 * z132;
     const Scalar z135 = z19 * z133;
-    const Scalar z136 = z19 * z134;
     precomputed.s_latitude = s_latitude;
     precomputed.c_latitude = c_latitude;
     precomputed.z19 = z19;
-    precomputed.z21 = z21;
-    precomputed.z22 = z22;
-    precomputed.z23 = z23;
-    precomputed.z64 = z64;
-    precomputed.z65 = z65;
+    precomputed.z25 = z25;
+    precomputed.z26 = z26;
+    precomputed.z36 = z36;
+    precomputed.z37 = z37;
+    precomputed.z134 = z134;
     precomputed.z135 = z135;
-    precomputed.z136 = z136;
     return precomputed;
   }
 
@@ -643,98 +640,87 @@ struct Mechanism {
   TORSOR_DEVICE static void kinematics(const Precomputed& precomputed, const State& state,
       Kinematics& result) noexcept {
     const Scalar k0 = traits::constant(2.3148148148148147e-05, 2.3148148e-05f, "1/43200");
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar t = state.time;
     const Scalar p_latitude = precomputed.parameters.latitude;
-    const Scalar p_r = precomputed.parameters.r;
     const Scalar q_delta = state.q.delta;
     const Scalar v_delta = state.v.delta;
     const Scalar q_epsilon = state.q.epsilon;
     const Scalar v_epsilon = state.v.epsilon;
-    const Scalar s_latitude = precomputed.s_latitude;
     const Scalar c_latitude = precomputed.c_latitude;
-    const Scalar z21 = precomputed.z21;
-    const Scalar z22 = precomputed.z22;
-    const Scalar z23 = precomputed.z23;
-    const Scalar z64 = precomputed.z64;
-    const Scalar z65 = precomputed.z65;
+    const Scalar z19 = precomputed.z19;
+    const Scalar z25 = precomputed.z25;
+    const Scalar z26 = precomputed.z26;
+    const Scalar z36 = precomputed.z36;
+    const Scalar z37 = precomputed.z37;
     const Scalar pi = traits::pi();
     const Scalar z2 = k0 * pi * t;
-    const Scalar z38 = p_latitude - q_delta;
-    const Scalar angles_[] = {z2, q_delta, q_epsilon, z38};
+    const Scalar z27 = p_latitude - q_delta;
+    const Scalar angles_[] = {z2, q_delta, q_epsilon, z27};
     Scalar sines_[4], cosines_[4];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar z3 = sines_[0], z4 = cosines_[0];
     const Scalar s_delta = sines_[1], c_delta = cosines_[1];
     const Scalar s_epsilon = sines_[2], c_epsilon = cosines_[2];
-    const Scalar z39 = sines_[3], z40 = cosines_[3];
-    const Scalar z24 = s_delta * z22 - c_delta * z21;
-    const Scalar z25 = s_delta * z21 + c_delta * z22;
-    const Scalar z26 = v_delta * s_epsilon - c_epsilon * z24;
-    const Scalar z27 = v_delta * c_epsilon + s_epsilon * z24;
-    const Scalar z28 = s_epsilon * z23;
-    const Scalar z29 = c_epsilon * z23;
-    const Scalar z30 = v_epsilon + z25;  // angular velocity of thread, z
-    const Scalar z31 = c_delta * c_epsilon;
-    const Scalar z32 = s_delta * c_epsilon;
-    const Scalar z33 = n1 + p_r - z31;
-    const Scalar z34 = s_latitude * z32 - c_latitude * z33;
-    const Scalar z35 = s_latitude * z33 + c_latitude * z32;
-    const Scalar z36 = z3 * s_epsilon - z4 * z34;
-    const Scalar z37 = z3 * z34 + z4 * s_epsilon;
-    const Scalar z41 = c_epsilon * z40;
-    const Scalar z42 = c_epsilon * z39;
-    const Scalar z43 = z3 * s_epsilon - z4 * z41;
-    const Scalar z44 = z3 * z41 + z4 * s_epsilon;
-    const Scalar z45 = s_epsilon * z40;
-    const Scalar z46 = s_epsilon * z39;
-    const Scalar z47 = z3 * c_epsilon + z4 * z45;
-    const Scalar z48 = z3 * z45 - z4 * c_epsilon;
-    const Scalar z49 = z4 * z39;
-    const Scalar z50 = z3 * z39;
-    const Scalar z51 = z29 - z30;
-    const Scalar z52 = s_epsilon * z51 - c_epsilon * z28;
-    const Scalar z53 = s_epsilon * z28 + c_epsilon * z51;
-    const Scalar z54 = z27 * z39 + z40 * z52;
-    const Scalar z55 = z27 * z40 - z39 * z52;
-    const Scalar z56 = z3 * z53 + z4 * z54;
-    const Scalar z57 = z3 * z54 - z4 * z53;
-    const Scalar z58 = s_epsilon * z27 - c_epsilon * z26;
-    const Scalar z59 = s_epsilon * z26 + c_epsilon * z27;
-    const Scalar z60 = z30 * z39 + z40 * z58;
-    const Scalar z61 = z30 * z40 - z39 * z58;
-    const Scalar z62 = z3 * z59 + z4 * z60;
-    const Scalar z63 = z3 * z60 - z4 * z59;
-    const Scalar z66 = z4 * z64;
-    const Scalar z67 = z3 * z64;
-    const Scalar z68 = z36 - z66;
-    const Scalar z69 = z37 + z67;
-    const Scalar z70 = z35 - z65;
-    const Scalar z71 = z4 * z70;
-    const Scalar z72 = z3 * z70;
-    const Scalar z73 = z3 * z69 - z4 * z68;
-    const Scalar z74 = z40 * z69 - z50 * z70;
-    const Scalar z75 = z40 * z68 + z49 * z70;
-    const Scalar z76 = z49 * z69 + z50 * z68;
-    result.bob_position[0] = z36;
-    result.bob_position[1] = -z37;
-    result.bob_position[2] = z35;
-    result.bob_rotation[0] = -z43;
-    result.bob_rotation[1] = z44;
-    result.bob_rotation[2] = z42;
-    result.bob_rotation[3] = -z47;
-    result.bob_rotation[4] = -z48;
-    result.bob_rotation[5] = -z46;
-    result.bob_rotation[6] = -z49;
-    result.bob_rotation[7] = -z50;
-    result.bob_rotation[8] = z40;
-    result.bob_velocity[0] = -z56;
-    result.bob_velocity[1] = -z57;
-    result.bob_velocity[2] = z55;
-    result.bob_angular_velocity[0] = -z62;
-    result.bob_angular_velocity[1] = -z63;
-    result.bob_angular_velocity[2] = z61;
+    const Scalar z28 = sines_[3], z29 = cosines_[3];
+    const Scalar z20 = traits::formula(7.27220521664304e-05, 7.2722054e-05f, [&]() -> Scalar {
+      return k0 * pi;
+    });
+    const Scalar z21 = z4 * c_latitude;
+    const Scalar z23 = z3 * c_latitude;
+    const Scalar z30 = z4 * z29;
+    const Scalar z31 = z4 * z28;
+    const Scalar z32 = z3 * z29;
+    const Scalar z33 = z3 * z28;
+    const Scalar z34 = z19 * z21;
+    const Scalar z35 = z19 * z23;
+    const Scalar z38 = s_delta * z26 - c_delta * z25;
+    const Scalar z39 = s_delta * z25 + c_delta * z26;
+    const Scalar z40 = z3 * v_delta;  // angular velocity of meridian, x
+    const Scalar z41 = z4 * v_delta;  // angular velocity of meridian, y
+    const Scalar z42 = z3 * z37;  // velocity of meridian, x
+    const Scalar z43 = z4 * z37;  // velocity of meridian, y
+    const Scalar z44 = z3 * s_epsilon - c_epsilon * z30;
+    const Scalar z45 = z3 * c_epsilon + s_epsilon * z30;
+    const Scalar z46 = z4 * s_epsilon + c_epsilon * z32;
+    const Scalar z47 = z4 * c_epsilon - s_epsilon * z32;
+    const Scalar z48 = c_epsilon * z28;
+    const Scalar z49 = s_epsilon * z28;
+    const Scalar z51 = v_delta * c_epsilon + s_epsilon * z38;
+    const Scalar z52 = v_epsilon + z39;
+    const Scalar z53 = v_epsilon * z31 + z40;  // angular velocity of thread, x
+    const Scalar z54 = v_epsilon * z33 - z41;  // angular velocity of thread, y
+    const Scalar z55 = v_epsilon * z29 + z20;  // angular velocity of thread, z
+    const Scalar z56 = z34 + z44;
+    const Scalar z57 = z35 - z46;
+    const Scalar z58 = z36 - z48;
+    const Scalar z59 = z31 * z51 + z42 - z45 * z52;
+    const Scalar z60 = z33 * z51 - z43 + z47 * z52;
+    const Scalar z61 = z29 * z51 + z49 * z52;
+    const Scalar z62 = z29 * z46 + z33 * z48;
+    const Scalar z63 = z29 * z44 - z31 * z48;
+    const Scalar z64 = z31 * z46 + z33 * z44;
+    const Scalar z65 = z4 * z48;
+    const Scalar z66 = z3 * z48;
+    const Scalar z67 = z3 * z46 - z4 * z44;
+    result.bob_position[0] = z56;
+    result.bob_position[1] = z57;
+    result.bob_position[2] = z58;
+    result.bob_rotation[0] = -z44;
+    result.bob_rotation[1] = z46;
+    result.bob_rotation[2] = z48;
+    result.bob_rotation[3] = -z45;
+    result.bob_rotation[4] = z47;
+    result.bob_rotation[5] = -z49;
+    result.bob_rotation[6] = -z31;
+    result.bob_rotation[7] = -z33;
+    result.bob_rotation[8] = z29;
+    result.bob_velocity[0] = -z59;
+    result.bob_velocity[1] = -z60;
+    result.bob_velocity[2] = z61;
+    result.bob_angular_velocity[0] = -z53;
+    result.bob_angular_velocity[1] = -z54;
+    result.bob_angular_velocity[2] = z55;
     result.O_position[0] = n0;
     result.O_position[1] = n0;
     result.O_position[2] = n0;
@@ -747,18 +733,18 @@ struct Mechanism {
     result.O_jacobian[4] = n0;
     result.O_jacobian[2] = n0;
     result.O_jacobian[5] = n0;
-    result.G_position[0] = z36;
-    result.G_position[1] = -z37;
-    result.G_position[2] = z35;
-    result.G_velocity[0] = -z56;
-    result.G_velocity[1] = -z57;
-    result.G_velocity[2] = z55;
-    result.G_jacobian[0] = z71;
-    result.G_jacobian[3] = z74;
-    result.G_jacobian[1] = z72;
-    result.G_jacobian[4] = z75;
-    result.G_jacobian[2] = z73;
-    result.G_jacobian[5] = z76;
+    result.G_position[0] = z56;
+    result.G_position[1] = z57;
+    result.G_position[2] = z58;
+    result.G_velocity[0] = -z59;
+    result.G_velocity[1] = -z60;
+    result.G_velocity[2] = z61;
+    result.G_jacobian[0] = -z65;
+    result.G_jacobian[3] = z62;
+    result.G_jacobian[1] = -z66;
+    result.G_jacobian[4] = z63;
+    result.G_jacobian[2] = z67;
+    result.G_jacobian[5] = z64;
   }
 
   /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
@@ -768,9 +754,9 @@ struct Mechanism {
     const Scalar q_epsilon = state.q.epsilon;
     Scalar s_epsilon, c_epsilon;
     traits::sincos(q_epsilon, s_epsilon, c_epsilon);
-    const Scalar z91 = s_epsilon * s_epsilon;
-    const Scalar z92 = n1 - z91;
-    mass[0] = z92;
+    const Scalar z85 = s_epsilon * s_epsilon;
+    const Scalar z87 = n1 - z85;
+    mass[0] = z87;
     mass[1] = n0;
     mass[2] = n0;
     mass[3] = n1;
@@ -792,10 +778,10 @@ struct Mechanism {
     const Scalar s_latitude = precomputed.s_latitude;
     const Scalar c_latitude = precomputed.c_latitude;
     const Scalar z19 = precomputed.z19;
-    const Scalar z21 = precomputed.z21;
-    const Scalar z22 = precomputed.z22;
+    const Scalar z25 = precomputed.z25;
+    const Scalar z26 = precomputed.z26;
+    const Scalar z134 = precomputed.z134;
     const Scalar z135 = precomputed.z135;
-    const Scalar z136 = precomputed.z136;
     const Scalar pi = traits::pi();
     const Scalar z2 = k0 * pi * t;
     const Scalar angles_[] = {z2, q_delta, q_epsilon};
@@ -804,44 +790,44 @@ struct Mechanism {
     const Scalar z3 = sines_[0], z4 = cosines_[0];
     const Scalar s_delta = sines_[1], c_delta = cosines_[1];
     const Scalar s_epsilon = sines_[2], c_epsilon = cosines_[2];
-    const Scalar z24 = s_delta * z22 - c_delta * z21;
-    const Scalar z25 = s_delta * z21 + c_delta * z22;
-    const Scalar z26 = v_delta * s_epsilon - c_epsilon * z24;
-    const Scalar z27 = v_delta * c_epsilon + s_epsilon * z24;
-    const Scalar z30 = v_epsilon + z25;  // angular velocity of thread, z
-    const Scalar z31 = c_delta * c_epsilon;
-    const Scalar z32 = s_delta * c_epsilon;
-    const Scalar z33 = n1 + p_r - z31;
-    const Scalar z34 = s_latitude * z32 - c_latitude * z33;
-    const Scalar z35 = s_latitude * z33 + c_latitude * z32;
-    const Scalar z36 = z3 * s_epsilon - z4 * z34;
-    const Scalar z37 = z3 * z34 + z4 * s_epsilon;
-    const Scalar z121 = c_delta * z19;
-    const Scalar z122 = s_delta * z19;
-    const Scalar z124 = s_epsilon * z121;
-    const Scalar z126 = z35 * z35 + z36 * z36 + z37 * z37;
-    const Scalar z127 = traits::sqrt(z126);
-    const Scalar z128 = n1 / z127;
-    const Scalar z129 = k2 * z128 * z128 * z128;
-    const Scalar z131 = z124 * z129;
-    const Scalar z132 = z122 * z129;
-    const Scalar z137 = s_delta * z136 + c_delta * z135;
-    const Scalar z138 = s_delta * z135 - c_delta * z136;
-    const Scalar z139 = v_delta * z25;  // angular acceleration of meridian, x
-    const Scalar z140 = v_delta * z24;  // angular acceleration of meridian, z
-    const Scalar z142 = s_epsilon * z139;
-    const Scalar z144 = s_epsilon * z137;
-    const Scalar z146 = v_epsilon * z26 - z142;  // angular acceleration of thread, y
-    const Scalar z150 = z26 * z27;
-    const Scalar z152 = z26 * z30;
-    const Scalar z153 = z146 + z152;
-    const Scalar z157 = z132 - z138;  // moment on bob, y
-    const Scalar z158 = z131 - z144;  // moment on bob, z
-    const Scalar z159 = z153 - z157;  // moment on thread, y
-    const Scalar z160 = z140 - z150 - z158;  // moment on thread, z
-    const Scalar z164 = c_epsilon * z159;
-    forces.delta = -z164;
-    forces.epsilon = -z160;
+    const Scalar z38 = s_delta * z26 - c_delta * z25;
+    const Scalar z39 = s_delta * z25 + c_delta * z26;
+    const Scalar z50 = v_delta * s_epsilon - c_epsilon * z38;
+    const Scalar z51 = v_delta * c_epsilon + s_epsilon * z38;
+    const Scalar z52 = v_epsilon + z39;
+    const Scalar z68 = c_delta * c_epsilon;
+    const Scalar z69 = s_delta * c_epsilon;
+    const Scalar z115 = n1 + p_r - z68;
+    const Scalar z116 = s_latitude * z69 - c_latitude * z115;
+    const Scalar z117 = s_latitude * z115 + c_latitude * z69;
+    const Scalar z118 = z3 * s_epsilon - z4 * z116;
+    const Scalar z119 = z3 * z116 + z4 * s_epsilon;
+    const Scalar z120 = c_delta * z19;
+    const Scalar z121 = s_delta * z19;
+    const Scalar z123 = s_epsilon * z120;
+    const Scalar z125 = z117 * z117 + z118 * z118 + z119 * z119;
+    const Scalar z126 = traits::sqrt(z125);
+    const Scalar z127 = n1 / z126;
+    const Scalar z128 = k2 * z127 * z127 * z127;
+    const Scalar z130 = z123 * z128;
+    const Scalar z131 = z121 * z128;
+    const Scalar z136 = s_delta * z135 + c_delta * z134;
+    const Scalar z137 = s_delta * z134 - c_delta * z135;
+    const Scalar z138 = v_delta * z39;  // angular acceleration of meridian, x
+    const Scalar z139 = v_delta * z38;  // angular acceleration of meridian, z
+    const Scalar z141 = s_epsilon * z138;
+    const Scalar z143 = s_epsilon * z136;
+    const Scalar z145 = v_epsilon * z50 - z141;  // angular acceleration of thread, y
+    const Scalar z149 = z50 * z51;
+    const Scalar z151 = z50 * z52;
+    const Scalar z152 = z145 + z151;
+    const Scalar z156 = z131 - z137;  // moment on bob, y
+    const Scalar z157 = z130 - z143;  // moment on bob, z
+    const Scalar z158 = z152 - z156;  // moment on thread, y
+    const Scalar z159 = z139 - z149 - z157;  // moment on thread, z
+    const Scalar z163 = c_epsilon * z158;
+    forces.delta = -z163;
+    forces.epsilon = -z159;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -861,10 +847,10 @@ struct Mechanism {
     const Scalar s_latitude = precomputed.s_latitude;
     const Scalar c_latitude = precomputed.c_latitude;
     const Scalar z19 = precomputed.z19;
-    const Scalar z21 = precomputed.z21;
-    const Scalar z22 = precomputed.z22;
+    const Scalar z25 = precomputed.z25;
+    const Scalar z26 = precomputed.z26;
+    const Scalar z134 = precomputed.z134;
     const Scalar z135 = precomputed.z135;
-    const Scalar z136 = precomputed.z136;
     const Scalar pi = traits::pi();
     const Scalar z2 = k0 * pi * t;
     const Scalar angles_[] = {z2, q_delta, q_epsilon};
@@ -873,45 +859,45 @@ struct Mechanism {
     const Scalar z3 = sines_[0], z4 = cosines_[0];
     const Scalar s_delta = sines_[1], c_delta = cosines_[1];
     const Scalar s_epsilon = sines_[2], c_epsilon = cosines_[2];
-    const Scalar z24 = s_delta * z22 - c_delta * z21;
-    const Scalar z25 = s_delta * z21 + c_delta * z22;
-    const Scalar z26 = v_delta * s_epsilon - c_epsilon * z24;
-    const Scalar z27 = v_delta * c_epsilon + s_epsilon * z24;
-    const Scalar z30 = v_epsilon + z25;  // angular velocity of thread, z
-    const Scalar z31 = c_delta * c_epsilon;
-    const Scalar z32 = s_delta * c_epsilon;
-    const Scalar z33 = n1 + p_r - z31;
-    const Scalar z34 = s_latitude * z32 - c_latitude * z33;
-    const Scalar z35 = s_latitude * z33 + c_latitude * z32;
-    const Scalar z36 = z3 * s_epsilon - z4 * z34;
-    const Scalar z37 = z3 * z34 + z4 * s_epsilon;
-    const Scalar z121 = c_delta * z19;
-    const Scalar z122 = s_delta * z19;
-    const Scalar z124 = s_epsilon * z121;
-    const Scalar z126 = z35 * z35 + z36 * z36 + z37 * z37;
-    const Scalar z127 = traits::sqrt(z126);
-    const Scalar z128 = n1 / z127;
-    const Scalar z129 = k2 * z128 * z128 * z128;
-    const Scalar z131 = z124 * z129;
-    const Scalar z132 = z122 * z129;
-    const Scalar z137 = s_delta * z136 + c_delta * z135;
-    const Scalar z138 = s_delta * z135 - c_delta * z136;
-    const Scalar z139 = v_delta * z25;  // angular acceleration of meridian, x
-    const Scalar z140 = v_delta * z24;  // angular acceleration of meridian, z
-    const Scalar z144 = s_epsilon * z137;
-    const Scalar z150 = z26 * z27;
-    const Scalar z152 = z26 * z30;
-    const Scalar z157 = z132 - z138;  // moment on bob, y
-    const Scalar z158 = z131 - z144;  // moment on bob, z
-    const Scalar z176 = a_delta * c_epsilon + s_epsilon * z139;
-    const Scalar z178 = v_epsilon * z26 - z176;  // angular acceleration of thread, y
-    const Scalar z179 = a_epsilon - z140;  // angular acceleration of thread, z
-    const Scalar z181 = z152 + z178;
-    const Scalar z184 = z157 - z181;  // moment on thread, y
-    const Scalar z185 = z150 + z158 + z179;  // moment on thread, z
-    const Scalar z189 = c_epsilon * z184;
-    forces.delta = z189;
-    forces.epsilon = z185;
+    const Scalar z38 = s_delta * z26 - c_delta * z25;
+    const Scalar z39 = s_delta * z25 + c_delta * z26;
+    const Scalar z50 = v_delta * s_epsilon - c_epsilon * z38;
+    const Scalar z51 = v_delta * c_epsilon + s_epsilon * z38;
+    const Scalar z52 = v_epsilon + z39;
+    const Scalar z68 = c_delta * c_epsilon;
+    const Scalar z69 = s_delta * c_epsilon;
+    const Scalar z115 = n1 + p_r - z68;
+    const Scalar z116 = s_latitude * z69 - c_latitude * z115;
+    const Scalar z117 = s_latitude * z115 + c_latitude * z69;
+    const Scalar z118 = z3 * s_epsilon - z4 * z116;
+    const Scalar z119 = z3 * z116 + z4 * s_epsilon;
+    const Scalar z120 = c_delta * z19;
+    const Scalar z121 = s_delta * z19;
+    const Scalar z123 = s_epsilon * z120;
+    const Scalar z125 = z117 * z117 + z118 * z118 + z119 * z119;
+    const Scalar z126 = traits::sqrt(z125);
+    const Scalar z127 = n1 / z126;
+    const Scalar z128 = k2 * z127 * z127 * z127;
+    const Scalar z130 = z123 * z128;
+    const Scalar z131 = z121 * z128;
+    const Scalar z136 = s_delta * z135 + c_delta * z134;
+    const Scalar z137 = s_delta * z134 - c_delta * z135;
+    const Scalar z138 = v_delta * z39;  // angular acceleration of meridian, x
+    const Scalar z139 = v_delta * z38;  // angular acceleration of meridian, z
+    const Scalar z143 = s_epsilon * z136;
+    const Scalar z149 = z50 * z51;
+    const Scalar z151 = z50 * z52;
+    const Scalar z156 = z131 - z137;  // moment on bob, y
+    const Scalar z157 = z130 - z143;  // moment on bob, z
+    const Scalar z175 = a_delta * c_epsilon + s_epsilon * z138;
+    const Scalar z177 = v_epsilon * z50 - z175;  // angular acceleration of thread, y
+    const Scalar z178 = a_epsilon - z139;  // angular acceleration of thread, z
+    const Scalar z180 = z151 + z177;
+    const Scalar z183 = z156 - z180;  // moment on thread, y
+    const Scalar z184 = z149 + z157 + z178;  // moment on thread, z
+    const Scalar z188 = c_epsilon * z183;
+    forces.delta = z188;
+    forces.epsilon = z184;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -931,10 +917,10 @@ struct Mechanism {
     const Scalar s_latitude = precomputed.s_latitude;
     const Scalar c_latitude = precomputed.c_latitude;
     const Scalar z19 = precomputed.z19;
-    const Scalar z21 = precomputed.z21;
-    const Scalar z22 = precomputed.z22;
+    const Scalar z25 = precomputed.z25;
+    const Scalar z26 = precomputed.z26;
+    const Scalar z134 = precomputed.z134;
     const Scalar z135 = precomputed.z135;
-    const Scalar z136 = precomputed.z136;
     const Scalar pi = traits::pi();
     const Scalar z2 = k0 * pi * t;
     const Scalar angles_[] = {z2, q_delta, q_epsilon};
@@ -943,49 +929,49 @@ struct Mechanism {
     const Scalar z3 = sines_[0], z4 = cosines_[0];
     const Scalar s_delta = sines_[1], c_delta = cosines_[1];
     const Scalar s_epsilon = sines_[2], c_epsilon = cosines_[2];
-    const Scalar z24 = s_delta * z22 - c_delta * z21;
-    const Scalar z25 = s_delta * z21 + c_delta * z22;
-    const Scalar z26 = v_delta * s_epsilon - c_epsilon * z24;
-    const Scalar z27 = v_delta * c_epsilon + s_epsilon * z24;
-    const Scalar z30 = v_epsilon + z25;  // angular velocity of thread, z
-    const Scalar z31 = c_delta * c_epsilon;
-    const Scalar z32 = s_delta * c_epsilon;
-    const Scalar z33 = n1 + p_r - z31;
-    const Scalar z34 = s_latitude * z32 - c_latitude * z33;
-    const Scalar z35 = s_latitude * z33 + c_latitude * z32;
-    const Scalar z36 = z3 * s_epsilon - z4 * z34;
-    const Scalar z37 = z3 * z34 + z4 * s_epsilon;
-    const Scalar z91 = s_epsilon * s_epsilon;
-    const Scalar z92 = n1 - z91;
-    const Scalar z121 = c_delta * z19;
-    const Scalar z122 = s_delta * z19;
-    const Scalar z124 = s_epsilon * z121;
-    const Scalar z126 = z35 * z35 + z36 * z36 + z37 * z37;
-    const Scalar z127 = traits::sqrt(z126);
-    const Scalar z128 = n1 / z127;
-    const Scalar z129 = k2 * z128 * z128 * z128;
-    const Scalar z131 = z124 * z129;
-    const Scalar z132 = z122 * z129;
-    const Scalar z137 = s_delta * z136 + c_delta * z135;
-    const Scalar z138 = s_delta * z135 - c_delta * z136;
-    const Scalar z139 = v_delta * z25;  // angular acceleration of meridian, x
-    const Scalar z140 = v_delta * z24;  // angular acceleration of meridian, z
-    const Scalar z142 = s_epsilon * z139;
-    const Scalar z144 = s_epsilon * z137;
-    const Scalar z146 = v_epsilon * z26 - z142;  // angular acceleration of thread, y
-    const Scalar z150 = z26 * z27;
-    const Scalar z152 = z26 * z30;
-    const Scalar z153 = z146 + z152;
-    const Scalar z157 = z132 - z138;  // moment on bob, y
-    const Scalar z158 = z131 - z144;  // moment on bob, z
-    const Scalar z159 = z153 - z157;  // moment on thread, y
-    const Scalar z160 = z140 - z150 - z158;  // moment on thread, z
-    const Scalar z164 = c_epsilon * z159;
-    const Scalar z200 = n1 / z92;
-    const Scalar z201 = z164 * z200;
-    accelerations.delta = z201;
-    accelerations.epsilon = z160;
-    if (!(traits::regular(z92, z92))) return torsor::Status::singular;
+    const Scalar z38 = s_delta * z26 - c_delta * z25;
+    const Scalar z39 = s_delta * z25 + c_delta * z26;
+    const Scalar z50 = v_delta * s_epsilon - c_epsilon * z38;
+    const Scalar z51 = v_delta * c_epsilon + s_epsilon * z38;
+    const Scalar z52 = v_epsilon + z39;
+    const Scalar z68 = c_delta * c_epsilon;
+    const Scalar z69 = s_delta * c_epsilon;
+    const Scalar z85 = s_epsilon * s_epsilon;
+    const Scalar z87 = n1 - z85;
+    const Scalar z115 = n1 + p_r - z68;
+    const Scalar z116 = s_latitude * z69 - c_latitude * z115;
+    const Scalar z117 = s_latitude * z115 + c_latitude * z69;
+    const Scalar z118 = z3 * s_epsilon - z4 * z116;
+    const Scalar z119 = z3 * z116 + z4 * s_epsilon;
+    const Scalar z120 = c_delta * z19;
+    const Scalar z121 = s_delta * z19;
+    const Scalar z123 = s_epsilon * z120;
+    const Scalar z125 = z117 * z117 + z118 * z118 + z119 * z119;
+    const Scalar z126 = traits::sqrt(z125);
+    const Scalar z127 = n1 / z126;
+    const Scalar z128 = k2 * z127 * z127 * z127;
+    const Scalar z130 = z123 * z128;
+    const Scalar z131 = z121 * z128;
+    const Scalar z136 = s_delta * z135 + c_delta * z134;
+    const Scalar z137 = s_delta * z134 - c_delta * z135;
+    const Scalar z138 = v_delta * z39;  // angular acceleration of meridian, x
+    const Scalar z139 = v_delta * z38;  // angular acceleration of meridian, z
+    const Scalar z141 = s_epsilon * z138;
+    const Scalar z143 = s_epsilon * z136;
+    const Scalar z145 = v_epsilon * z50 - z141;  // angular acceleration of thread, y
+    const Scalar z149 = z50 * z51;
+    const Scalar z151 = z50 * z52;
+    const Scalar z152 = z145 + z151;
+    const Scalar z156 = z131 - z137;  // moment on bob, y
+    const Scalar z157 = z130 - z143;  // moment on bob, z
+    const Scalar z158 = z152 - z156;  // moment on thread, y
+    const Scalar z159 = z139 - z149 - z157;  // moment on thread, z
+    const Scalar z163 = c_epsilon * z158;
+    const Scalar z199 = n1 / z87;
+    const Scalar z200 = z163 * z199;
+    accelerations.delta = z200;
+    accelerations.epsilon = z159;
+    if (!(traits::regular(z87, z87))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.delta - accelerations.delta) + (accelerations.epsilon - accelerations.epsilon);
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -1008,9 +994,9 @@ struct Mechanism {
     const Scalar v_epsilon = state.v.epsilon;
     const Scalar s_latitude = precomputed.s_latitude;
     const Scalar c_latitude = precomputed.c_latitude;
-    const Scalar z21 = precomputed.z21;
-    const Scalar z22 = precomputed.z22;
-    const Scalar z23 = precomputed.z23;
+    const Scalar z25 = precomputed.z25;
+    const Scalar z26 = precomputed.z26;
+    const Scalar z37 = precomputed.z37;
     const Scalar pi = traits::pi();
     const Scalar z2 = k0 * pi * t;
     const Scalar angles_[] = {z2, q_delta, q_epsilon};
@@ -1019,25 +1005,25 @@ struct Mechanism {
     const Scalar z3 = sines_[0], z4 = cosines_[0];
     const Scalar s_delta = sines_[1], c_delta = cosines_[1];
     const Scalar s_epsilon = sines_[2], c_epsilon = cosines_[2];
-    const Scalar z24 = s_delta * z22 - c_delta * z21;
-    const Scalar z25 = s_delta * z21 + c_delta * z22;
-    const Scalar z27 = v_delta * c_epsilon + s_epsilon * z24;
-    const Scalar z28 = s_epsilon * z23;
-    const Scalar z29 = c_epsilon * z23;
-    const Scalar z30 = v_epsilon + z25;  // angular velocity of thread, z
-    const Scalar z31 = c_delta * c_epsilon;
-    const Scalar z32 = s_delta * c_epsilon;
-    const Scalar z33 = n1 + p_r - z31;
-    const Scalar z34 = s_latitude * z32 - c_latitude * z33;
-    const Scalar z35 = s_latitude * z33 + c_latitude * z32;
-    const Scalar z36 = z3 * s_epsilon - z4 * z34;
-    const Scalar z37 = z3 * z34 + z4 * s_epsilon;
-    const Scalar z51 = z29 - z30;
-    const Scalar z126 = z35 * z35 + z36 * z36 + z37 * z37;
-    const Scalar z127 = traits::sqrt(z126);
-    const Scalar z128 = n1 / z127;
-    result.kinetic = n0_5 * (z51 * (z29 - z30) + z27 * z27 + z28 * z28);
-    result.force_function = k3 * z128;
+    const Scalar z38 = s_delta * z26 - c_delta * z25;
+    const Scalar z39 = s_delta * z25 + c_delta * z26;
+    const Scalar z51 = v_delta * c_epsilon + s_epsilon * z38;
+    const Scalar z52 = v_epsilon + z39;
+    const Scalar z68 = c_delta * c_epsilon;
+    const Scalar z69 = s_delta * c_epsilon;
+    const Scalar z115 = n1 + p_r - z68;
+    const Scalar z116 = s_latitude * z69 - c_latitude * z115;
+    const Scalar z117 = s_latitude * z115 + c_latitude * z69;
+    const Scalar z118 = z3 * s_epsilon - z4 * z116;
+    const Scalar z119 = z3 * z116 + z4 * s_epsilon;
+    const Scalar z125 = z117 * z117 + z118 * z118 + z119 * z119;
+    const Scalar z126 = traits::sqrt(z125);
+    const Scalar z127 = n1 / z126;
+    const Scalar z201 = s_epsilon * z37;
+    const Scalar z202 = c_epsilon * z37;
+    const Scalar z203 = z52 - z202;
+    result.kinetic = n0_5 * (z203 * (z52 - z202) + z51 * z51 + z201 * z201);
+    result.force_function = k3 * z127;
     result.power = n0;
   }
 
@@ -1056,9 +1042,9 @@ struct Mechanism {
     const Scalar v_epsilon = state.v.epsilon;
     const Scalar s_latitude = precomputed.s_latitude;
     const Scalar c_latitude = precomputed.c_latitude;
-    const Scalar z21 = precomputed.z21;
-    const Scalar z22 = precomputed.z22;
-    const Scalar z23 = precomputed.z23;
+    const Scalar z25 = precomputed.z25;
+    const Scalar z26 = precomputed.z26;
+    const Scalar z37 = precomputed.z37;
     const Scalar pi = traits::pi();
     const Scalar z2 = k0 * pi * t;
     const Scalar angles_[] = {z2, q_delta, q_epsilon};
@@ -1067,28 +1053,28 @@ struct Mechanism {
     const Scalar z3 = sines_[0], z4 = cosines_[0];
     const Scalar s_delta = sines_[1], c_delta = cosines_[1];
     const Scalar s_epsilon = sines_[2], c_epsilon = cosines_[2];
-    const Scalar z24 = s_delta * z22 - c_delta * z21;
-    const Scalar z25 = s_delta * z21 + c_delta * z22;
-    const Scalar z27 = v_delta * c_epsilon + s_epsilon * z24;
-    const Scalar z28 = s_epsilon * z23;
-    const Scalar z29 = c_epsilon * z23;
-    const Scalar z30 = v_epsilon + z25;  // angular velocity of thread, z
-    const Scalar z31 = c_delta * c_epsilon;
-    const Scalar z32 = s_delta * c_epsilon;
-    const Scalar z33 = n1 + p_r - z31;
-    const Scalar z34 = s_latitude * z32 - c_latitude * z33;
-    const Scalar z35 = s_latitude * z33 + c_latitude * z32;
-    const Scalar z36 = z3 * s_epsilon - z4 * z34;
-    const Scalar z37 = z3 * z34 + z4 * s_epsilon;
-    const Scalar z51 = z29 - z30;
-    const Scalar z126 = z35 * z35 + z36 * z36 + z37 * z37;
-    const Scalar z127 = traits::sqrt(z126);
-    const Scalar z128 = n1 / z127;
-    const Scalar z202 = n0_5 * (z29 - z30);
-    const Scalar z203 = n0_5 * z51 + z202;
-    const Scalar z215 = c_epsilon * z27;
-    result.painleve = -n0_5 * (z51 * (z29 - z30) + z27 * z27 + z28 * z28) + v_delta * z215 - v_epsilon * z203 - k3
-        * z128;
+    const Scalar z38 = s_delta * z26 - c_delta * z25;
+    const Scalar z39 = s_delta * z25 + c_delta * z26;
+    const Scalar z51 = v_delta * c_epsilon + s_epsilon * z38;
+    const Scalar z52 = v_epsilon + z39;
+    const Scalar z68 = c_delta * c_epsilon;
+    const Scalar z69 = s_delta * c_epsilon;
+    const Scalar z115 = n1 + p_r - z68;
+    const Scalar z116 = s_latitude * z69 - c_latitude * z115;
+    const Scalar z117 = s_latitude * z115 + c_latitude * z69;
+    const Scalar z118 = z3 * s_epsilon - z4 * z116;
+    const Scalar z119 = z3 * z116 + z4 * s_epsilon;
+    const Scalar z125 = z117 * z117 + z118 * z118 + z119 * z119;
+    const Scalar z126 = traits::sqrt(z125);
+    const Scalar z127 = n1 / z126;
+    const Scalar z201 = s_epsilon * z37;
+    const Scalar z202 = c_epsilon * z37;
+    const Scalar z203 = z52 - z202;
+    const Scalar z210 = n0_5 * (z52 - z202);
+    const Scalar z211 = n0_5 * z203 + z210;
+    const Scalar z223 = c_epsilon * z51;
+    result.painleve = -n0_5 * (z203 * (z52 - z202) + z51 * z51 + z201 * z201) + v_delta * z223 + v_epsilon * z211 - k3
+        * z127;
   }
 
   /// Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released
@@ -1107,10 +1093,10 @@ struct Mechanism {
     const Scalar s_latitude = precomputed.s_latitude;
     const Scalar c_latitude = precomputed.c_latitude;
     const Scalar z19 = precomputed.z19;
-    const Scalar z21 = precomputed.z21;
-    const Scalar z22 = precomputed.z22;
+    const Scalar z25 = precomputed.z25;
+    const Scalar z26 = precomputed.z26;
+    const Scalar z134 = precomputed.z134;
     const Scalar z135 = precomputed.z135;
-    const Scalar z136 = precomputed.z136;
     const Scalar pi = traits::pi();
     const Scalar z2 = k0 * pi * t;
     const Scalar angles_[] = {z2, q_delta, q_epsilon};
@@ -1119,32 +1105,32 @@ struct Mechanism {
     const Scalar z3 = sines_[0], z4 = cosines_[0];
     const Scalar s_delta = sines_[1], c_delta = cosines_[1];
     const Scalar s_epsilon = sines_[2], c_epsilon = cosines_[2];
-    const Scalar z24 = s_delta * z22 - c_delta * z21;
-    const Scalar z25 = s_delta * z21 + c_delta * z22;
-    const Scalar z27 = v_delta * c_epsilon + s_epsilon * z24;
-    const Scalar z30 = v_epsilon + z25;  // angular velocity of thread, z
-    const Scalar z31 = c_delta * c_epsilon;
-    const Scalar z32 = s_delta * c_epsilon;
-    const Scalar z33 = n1 + p_r - z31;
-    const Scalar z34 = s_latitude * z32 - c_latitude * z33;
-    const Scalar z35 = s_latitude * z33 + c_latitude * z32;
-    const Scalar z36 = z3 * s_epsilon - z4 * z34;
-    const Scalar z37 = z3 * z34 + z4 * s_epsilon;
-    const Scalar z121 = c_delta * z19;
-    const Scalar z123 = c_epsilon * z121;
-    const Scalar z125 = n1 - z123;
-    const Scalar z126 = z35 * z35 + z36 * z36 + z37 * z37;
-    const Scalar z127 = traits::sqrt(z126);
-    const Scalar z128 = n1 / z127;
-    const Scalar z129 = k2 * z128 * z128 * z128;
-    const Scalar z130 = z125 * z129;
-    const Scalar z137 = s_delta * z136 + c_delta * z135;
-    const Scalar z143 = c_epsilon * z137;
-    const Scalar z147 = z27 * z27;
-    const Scalar z148 = z30 * z30;
-    const Scalar z149 = z147 + z148;
-    const Scalar z154 = z130 + z143 - z149;  // force on bob, x
-    result.tension = -z154;
+    const Scalar z38 = s_delta * z26 - c_delta * z25;
+    const Scalar z39 = s_delta * z25 + c_delta * z26;
+    const Scalar z51 = v_delta * c_epsilon + s_epsilon * z38;
+    const Scalar z52 = v_epsilon + z39;
+    const Scalar z68 = c_delta * c_epsilon;
+    const Scalar z69 = s_delta * c_epsilon;
+    const Scalar z115 = n1 + p_r - z68;
+    const Scalar z116 = s_latitude * z69 - c_latitude * z115;
+    const Scalar z117 = s_latitude * z115 + c_latitude * z69;
+    const Scalar z118 = z3 * s_epsilon - z4 * z116;
+    const Scalar z119 = z3 * z116 + z4 * s_epsilon;
+    const Scalar z120 = c_delta * z19;
+    const Scalar z122 = c_epsilon * z120;
+    const Scalar z124 = n1 - z122;
+    const Scalar z125 = z117 * z117 + z118 * z118 + z119 * z119;
+    const Scalar z126 = traits::sqrt(z125);
+    const Scalar z127 = n1 / z126;
+    const Scalar z128 = k2 * z127 * z127 * z127;
+    const Scalar z129 = z124 * z128;
+    const Scalar z136 = s_delta * z135 + c_delta * z134;
+    const Scalar z142 = c_epsilon * z136;
+    const Scalar z146 = z51 * z51;
+    const Scalar z147 = z52 * z52;
+    const Scalar z148 = z146 + z147;
+    const Scalar z153 = z129 + z142 - z148;  // force on bob, x
+    result.tension = -z153;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -1169,10 +1155,10 @@ struct Mechanism {
     const Scalar s_latitude = precomputed.s_latitude;
     const Scalar c_latitude = precomputed.c_latitude;
     const Scalar z19 = precomputed.z19;
-    const Scalar z21 = precomputed.z21;
-    const Scalar z22 = precomputed.z22;
+    const Scalar z25 = precomputed.z25;
+    const Scalar z26 = precomputed.z26;
+    const Scalar z134 = precomputed.z134;
     const Scalar z135 = precomputed.z135;
-    const Scalar z136 = precomputed.z136;
     const Scalar pi = traits::pi();
     const Scalar z2 = k0 * pi * t;
     const Scalar angles_[] = {z2, q_delta, q_epsilon};
@@ -1181,136 +1167,136 @@ struct Mechanism {
     const Scalar z3 = sines_[0], z4 = cosines_[0];
     const Scalar s_delta = sines_[1], c_delta = cosines_[1];
     const Scalar s_epsilon = sines_[2], c_epsilon = cosines_[2];
-    const Scalar z24 = s_delta * z22 - c_delta * z21;
-    const Scalar z25 = s_delta * z21 + c_delta * z22;
-    const Scalar z26 = v_delta * s_epsilon - c_epsilon * z24;
-    const Scalar z27 = v_delta * c_epsilon + s_epsilon * z24;
-    const Scalar z30 = v_epsilon + z25;  // angular velocity of thread, z
-    const Scalar z31 = c_delta * c_epsilon;
-    const Scalar z32 = s_delta * c_epsilon;
-    const Scalar z33 = n1 + p_r - z31;
-    const Scalar z34 = s_latitude * z32 - c_latitude * z33;
-    const Scalar z35 = s_latitude * z33 + c_latitude * z32;
-    const Scalar z36 = z3 * s_epsilon - z4 * z34;
-    const Scalar z37 = z3 * z34 + z4 * s_epsilon;
-    const Scalar z79 = s_latitude * z32 + c_latitude * z31;
-    const Scalar z80 = s_latitude * z31 - c_latitude * z32;
-    const Scalar z83 = c_delta * s_epsilon;
-    const Scalar z84 = s_delta * s_epsilon;
-    const Scalar z87 = s_latitude * z84 + c_latitude * z83;
-    const Scalar z88 = s_latitude * z83 - c_latitude * z84;
-    const Scalar z91 = s_epsilon * s_epsilon;
-    const Scalar z92 = n1 - z91;
-    const Scalar z121 = c_delta * z19;
-    const Scalar z122 = s_delta * z19;
-    const Scalar z123 = c_epsilon * z121;
-    const Scalar z124 = s_epsilon * z121;
-    const Scalar z126 = z35 * z35 + z36 * z36 + z37 * z37;
-    const Scalar z127 = traits::sqrt(z126);
-    const Scalar z128 = n1 / z127;
-    const Scalar z129 = k2 * z128 * z128 * z128;
-    const Scalar z131 = z124 * z129;
-    const Scalar z132 = z122 * z129;
-    const Scalar z137 = s_delta * z136 + c_delta * z135;
-    const Scalar z138 = s_delta * z135 - c_delta * z136;
-    const Scalar z139 = v_delta * z25;  // angular acceleration of meridian, x
-    const Scalar z140 = v_delta * z24;  // angular acceleration of meridian, z
-    const Scalar z143 = c_epsilon * z137;
-    const Scalar z144 = s_epsilon * z137;
-    const Scalar z150 = z26 * z27;
-    const Scalar z152 = z26 * z30;
-    const Scalar z157 = z132 - z138;  // moment on bob, y
-    const Scalar z158 = z131 - z144;  // moment on bob, z
-    const Scalar z175 = a_delta * s_epsilon - c_epsilon * z139;
-    const Scalar z176 = a_delta * c_epsilon + s_epsilon * z139;
-    const Scalar z177 = v_epsilon * z27 + z175;  // angular acceleration of thread, x
-    const Scalar z178 = v_epsilon * z26 - z176;  // angular acceleration of thread, y
-    const Scalar z179 = a_epsilon - z140;  // angular acceleration of thread, z
-    const Scalar z181 = z152 + z178;
-    const Scalar z184 = z157 - z181;  // moment on thread, y
-    const Scalar z185 = z150 + z158 + z179;  // moment on thread, z
-    const Scalar z189 = c_epsilon * z184;
-    const Scalar z200 = n1 / z92;
-    const Scalar z227 = s_epsilon * z30;
-    const Scalar z228 = s_epsilon * z25;
-    const Scalar z229 = v_epsilon * s_epsilon - z228;
-    const Scalar z230 = z227 + z229;
-    const Scalar z231 = c_epsilon * z230;
-    const Scalar z232 = z4 * z80;
-    const Scalar z233 = z3 * z80;
-    const Scalar z234 = n2 * (z35 * z79 - z36 * z232 + z37 * z233);
-    const Scalar z235 = n0_5 * z234 / z127;
-    const Scalar z236 = z235 / (z127 * z127);
-    const Scalar z237 = k5 * z128 * z128 * z236;
-    const Scalar z238 = z121 * z129 - z122 * z237;
-    const Scalar z239 = z137 - z238;
-    const Scalar z240 = c_epsilon * z25;
-    const Scalar z241 = z24 * z26 + z30 * z240;
-    const Scalar z242 = s_epsilon * z140;
-    const Scalar z243 = v_epsilon * z240 - z242;
-    const Scalar z244 = z241 + z243;
-    const Scalar z245 = z239 - z244;
-    const Scalar z246 = c_epsilon * z245;
-    const Scalar z247 = s_epsilon * z27 + c_epsilon * z26;
-    const Scalar z248 = z24 - z247;
-    const Scalar z249 = z26 * z228 - z27 * z240;
-    const Scalar z250 = s_epsilon * z122;
-    const Scalar z251 = z124 * z237 + z129 * z250;
-    const Scalar z252 = s_epsilon * z138;
-    const Scalar z253 = z251 - z252;
-    const Scalar z254 = z139 - z249 + z253;
-    const Scalar z255 = n2 * z26;
-    const Scalar z256 = c_epsilon * z255;
-    const Scalar z257 = z3 * c_epsilon + z4 * z87;
-    const Scalar z258 = z3 * z87 - z4 * c_epsilon;
-    const Scalar z259 = n2 * (z35 * z88 + z36 * z257 - z37 * z258);
-    const Scalar z260 = n0_5 * z259 / z127;
-    const Scalar z261 = z260 / (z127 * z127);
-    const Scalar z262 = k5 * z128 * z128 * z261;
-    const Scalar z263 = z122 * z262;
-    const Scalar z264 = z27 * z30;
-    const Scalar z265 = z177 + z264;
-    const Scalar z266 = z263 + z265;
-    const Scalar z267 = s_epsilon * z184 + c_epsilon * z266;
-    const Scalar z268 = z26 * z26 - z27 * z27;
-    const Scalar z269 = z123 * z129 - z124 * z262;
-    const Scalar z270 = z143 - z269;
-    const Scalar z271 = z268 + z270;
-    const Scalar z272 = z200 * z246;
-    const Scalar z273 = z200 * z231;
-    const Scalar z274 = z200 * z267;
-    const Scalar z275 = z200 * z256;
-    result.M[0] = z92;
+    const Scalar z38 = s_delta * z26 - c_delta * z25;
+    const Scalar z39 = s_delta * z25 + c_delta * z26;
+    const Scalar z50 = v_delta * s_epsilon - c_epsilon * z38;
+    const Scalar z51 = v_delta * c_epsilon + s_epsilon * z38;
+    const Scalar z52 = v_epsilon + z39;
+    const Scalar z68 = c_delta * c_epsilon;
+    const Scalar z69 = s_delta * c_epsilon;
+    const Scalar z72 = s_latitude * z69 + c_latitude * z68;
+    const Scalar z73 = s_latitude * z68 - c_latitude * z69;
+    const Scalar z76 = c_delta * s_epsilon;
+    const Scalar z77 = s_delta * s_epsilon;
+    const Scalar z80 = s_latitude * z77 + c_latitude * z76;
+    const Scalar z81 = s_latitude * z76 - c_latitude * z77;
+    const Scalar z85 = s_epsilon * s_epsilon;
+    const Scalar z87 = n1 - z85;
+    const Scalar z115 = n1 + p_r - z68;
+    const Scalar z116 = s_latitude * z69 - c_latitude * z115;
+    const Scalar z117 = s_latitude * z115 + c_latitude * z69;
+    const Scalar z118 = z3 * s_epsilon - z4 * z116;
+    const Scalar z119 = z3 * z116 + z4 * s_epsilon;
+    const Scalar z120 = c_delta * z19;
+    const Scalar z121 = s_delta * z19;
+    const Scalar z122 = c_epsilon * z120;
+    const Scalar z123 = s_epsilon * z120;
+    const Scalar z125 = z117 * z117 + z118 * z118 + z119 * z119;
+    const Scalar z126 = traits::sqrt(z125);
+    const Scalar z127 = n1 / z126;
+    const Scalar z128 = k2 * z127 * z127 * z127;
+    const Scalar z130 = z123 * z128;
+    const Scalar z131 = z121 * z128;
+    const Scalar z136 = s_delta * z135 + c_delta * z134;
+    const Scalar z137 = s_delta * z134 - c_delta * z135;
+    const Scalar z138 = v_delta * z39;  // angular acceleration of meridian, x
+    const Scalar z139 = v_delta * z38;  // angular acceleration of meridian, z
+    const Scalar z142 = c_epsilon * z136;
+    const Scalar z143 = s_epsilon * z136;
+    const Scalar z149 = z50 * z51;
+    const Scalar z151 = z50 * z52;
+    const Scalar z156 = z131 - z137;  // moment on bob, y
+    const Scalar z157 = z130 - z143;  // moment on bob, z
+    const Scalar z174 = a_delta * s_epsilon - c_epsilon * z138;
+    const Scalar z175 = a_delta * c_epsilon + s_epsilon * z138;
+    const Scalar z176 = v_epsilon * z51 + z174;  // angular acceleration of thread, x
+    const Scalar z177 = v_epsilon * z50 - z175;  // angular acceleration of thread, y
+    const Scalar z178 = a_epsilon - z139;  // angular acceleration of thread, z
+    const Scalar z180 = z151 + z177;
+    const Scalar z183 = z156 - z180;  // moment on thread, y
+    const Scalar z184 = z149 + z157 + z178;  // moment on thread, z
+    const Scalar z188 = c_epsilon * z183;
+    const Scalar z199 = n1 / z87;
+    const Scalar z235 = s_epsilon * z52;
+    const Scalar z236 = s_epsilon * z39;
+    const Scalar z237 = v_epsilon * s_epsilon - z236;
+    const Scalar z238 = z235 + z237;
+    const Scalar z239 = c_epsilon * z238;
+    const Scalar z240 = z4 * z73;
+    const Scalar z241 = z3 * z73;
+    const Scalar z242 = n2 * (z72 * z117 - z118 * z240 + z119 * z241);
+    const Scalar z243 = n0_5 * z242 / z126;
+    const Scalar z244 = z243 / (z126 * z126);
+    const Scalar z245 = k5 * z127 * z127 * z244;
+    const Scalar z246 = z120 * z128 - z121 * z245;
+    const Scalar z247 = z136 - z246;
+    const Scalar z248 = c_epsilon * z39;
+    const Scalar z249 = z38 * z50 + z52 * z248;
+    const Scalar z250 = s_epsilon * z139;
+    const Scalar z251 = v_epsilon * z248 - z250;
+    const Scalar z252 = z249 + z251;
+    const Scalar z253 = z247 - z252;
+    const Scalar z254 = c_epsilon * z253;
+    const Scalar z255 = s_epsilon * z51 + c_epsilon * z50;
+    const Scalar z256 = z38 - z255;
+    const Scalar z257 = z50 * z236 - z51 * z248;
+    const Scalar z258 = s_epsilon * z121;
+    const Scalar z259 = z123 * z245 + z128 * z258;
+    const Scalar z260 = s_epsilon * z137;
+    const Scalar z261 = z259 - z260;
+    const Scalar z262 = z138 - z257 + z261;
+    const Scalar z263 = n2 * z50;
+    const Scalar z264 = c_epsilon * z263;
+    const Scalar z265 = z3 * c_epsilon + z4 * z80;
+    const Scalar z266 = z3 * z80 - z4 * c_epsilon;
+    const Scalar z267 = n2 * (z81 * z117 + z118 * z265 - z119 * z266);
+    const Scalar z268 = n0_5 * z267 / z126;
+    const Scalar z269 = z268 / (z126 * z126);
+    const Scalar z270 = k5 * z127 * z127 * z269;
+    const Scalar z271 = z121 * z270;
+    const Scalar z272 = z51 * z52;
+    const Scalar z273 = z176 + z272;
+    const Scalar z274 = z271 + z273;
+    const Scalar z275 = s_epsilon * z183 + c_epsilon * z274;
+    const Scalar z276 = z50 * z50 - z51 * z51;
+    const Scalar z277 = z122 * z128 - z123 * z270;
+    const Scalar z278 = z142 - z277;
+    const Scalar z279 = z276 + z278;
+    const Scalar z280 = z199 * z254;
+    const Scalar z281 = z199 * z239;
+    const Scalar z282 = z199 * z275;
+    const Scalar z283 = z199 * z264;
+    result.M[0] = z87;
     result.M[1] = n0;
     result.M[2] = n0;
     result.M[3] = n1;
-    result.C[0] = -z231;
-    result.C[1] = -z248;
-    result.C[2] = -z256;
+    result.C[0] = -z239;
+    result.C[1] = -z256;
+    result.C[2] = -z264;
     result.C[3] = n0;
-    result.K[0] = -z246;
-    result.K[1] = -z254;
-    result.K[2] = -z267;
-    result.K[3] = -z271;
-    result.F[0] = -z189;
-    result.F[1] = -z185;
+    result.K[0] = -z254;
+    result.K[1] = -z262;
+    result.K[2] = -z275;
+    result.K[3] = -z279;
+    result.F[0] = -z188;
+    result.F[1] = -z184;
     result.A[0] = n0;
     result.A[1] = n0;
-    result.A[2] = z272;
-    result.A[3] = z254;
+    result.A[2] = z280;
+    result.A[3] = z262;
     result.A[4] = n0;
     result.A[5] = n0;
-    result.A[6] = z274;
-    result.A[7] = z271;
+    result.A[6] = z282;
+    result.A[7] = z279;
     result.A[8] = n1;
     result.A[9] = n0;
-    result.A[10] = z273;
-    result.A[11] = z248;
+    result.A[10] = z281;
+    result.A[11] = z256;
     result.A[12] = n0;
     result.A[13] = n1;
-    result.A[14] = z275;
+    result.A[14] = z283;
     result.A[15] = n0;
-    if (!(traits::regular(z92, z92))) return torsor::Status::singular;
+    if (!(traits::regular(z87, z87))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.M[0] - result.M[0]) + (result.C[0] - result.C[0]) + (result.C[1] - result.C[1])
         + (result.C[2] - result.C[2]) + (result.K[0] - result.K[0]) + (result.K[1] - result.K[1]) + (result.K[2]

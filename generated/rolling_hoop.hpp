@@ -9,22 +9,22 @@
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
 // moved across joints, factoring, and what is done once for a set of parameters:
 //   function                        additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   precompute                              4                7          1             0                  0       0     12       -
-//   kinematics                             34               65          0             0                  3       0    105     105
+//   precompute                              4                8          6             0                  0       0     18       -
+//   kinematics                             13               25          0             0                  3       0     44      44
 //   mass_matrix                             2                4          0             0                  1       0      8       9
 //   bias                                    6               18          0             0                  1       0     26      55
 //   inverse_dynamics                       19               27          0             0                  2       0     50     107
-//   forward_dynamics                       28               54          4             0                  2       0     90     142
+//   forward_dynamics                       20               49          3             0                  2       0     76     123
 //   energy                                 14               29          0             0                  3       0     49      55
 //   first_integrals                        15               29          0             0                  3       0     50      56
 //   constraints                             9               16          0             0                  2       0     29      29
-//   linearisation                         213              313          8             0                  2       0    538     713
+//   linearisation                         204              309         14             0                  2       0    531     709
 //   inverse_dynamics_derivatives           31               59          0             0                  2       0     94     266
-//   forward_dynamics_derivatives          127              230          4             0                  2       0    365     645
-//   jets                                  128              150         12             0                  2       0    294       -
+//   forward_dynamics_derivatives           85              190          4             0                  2       0    283     566
+//   jets                                   98              122          8             0                  2       0    232       -
 //   sparse_constraint_jacobian              0                0          0             0                  2       0      4       4
 //   inverse_dynamics_sensitivities          7               13          0             0                  1       0     22      50
-//   forward_dynamics_sensitivities         46               87          4             0                  2       0    141     213
+//   forward_dynamics_sensitivities         32               75          3             0                  2       0    114     181
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 39 results 11 vanish identically, 2 repeat another up to sign
@@ -649,8 +649,11 @@ struct Mechanism {
   /// Parameters and what depends on them only: built once for each set of parameters.
   struct Precomputed {
     Parameters parameters;
-    Scalar z79;
-    Scalar z155;
+    Scalar z59;
+    Scalar z135;
+    Scalar z141;
+    Scalar z144;
+    Scalar z498;
     Scalar y0;
     Scalar y1;
     Scalar y2;
@@ -677,16 +680,22 @@ struct Mechanism {
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar p_A = parameters.A;
     const Scalar p_C = parameters.C;
-    const Scalar z79 = p_A - p_C;
-    const Scalar z155 = n1 / p_C;
-    precomputed.z79 = z79;
-    precomputed.z155 = z155;
+    const Scalar z59 = p_A - p_C;
+    const Scalar z135 = n1 / p_C;
+    const Scalar z141 = n1 + z135;
+    const Scalar z144 = n1 / z141;
+    const Scalar z498 = z135 * z144;
+    precomputed.z59 = z59;
+    precomputed.z135 = z135;
+    precomputed.z141 = z141;
+    precomputed.z144 = z144;
+    precomputed.z498 = z498;
     precomputed.y0 = n2 * p_A;
-    precomputed.y1 = p_C * p_C * z155;
-    precomputed.y2 = n1 - p_C * z155;
-    precomputed.y3 = n1 + z155;
-    precomputed.y4 = p_C * (n1 - p_C * z155);
-    precomputed.y5 = p_C * z155;
+    precomputed.y1 = p_C * z135;
+    precomputed.y2 = p_C * z135 / p_A;
+    precomputed.y3 = -z144 * (n1 - p_C * z135);
+    precomputed.y4 = -z144 * (n1 / p_A - p_C * z135 / p_A);
+    precomputed.y5 = n1 / p_A;
     return precomputed;
   }
 
@@ -852,83 +861,59 @@ struct Mechanism {
     const Scalar s_psi = sines_[1], c_psi = cosines_[1];
     const Scalar s_phi = sines_[2], c_phi = cosines_[2];
     const Scalar z10 = c_theta * v_theta;
-    const Scalar z26 = v_x * c_psi + v_y * s_psi;
-    const Scalar z27 = v_x * s_psi - v_y * c_psi;
-    const Scalar z28 = s_theta * v_psi;
-    const Scalar z29 = c_theta * v_psi;
-    const Scalar z30 = s_theta * z10 - c_theta * z27;
-    const Scalar z31 = s_theta * z27 + c_theta * z10;
-    const Scalar z32 = v_theta * c_phi + s_phi * z28;
-    const Scalar z33 = v_theta * s_phi - c_phi * z28;
-    const Scalar z34 = s_phi * z30 + c_phi * z26;
-    const Scalar z35 = s_phi * z26 - c_phi * z30;
-    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
-    const Scalar z37 = c_theta * s_phi;
+    const Scalar z26 = c_theta * s_psi;
+    const Scalar z27 = s_theta * s_psi;
+    const Scalar z28 = c_theta * c_psi;
+    const Scalar z29 = s_theta * c_psi;
+    const Scalar z31 = c_theta * v_psi;
+    const Scalar z32 = v_theta * c_psi;  // angular velocity of hoop.2, x
+    const Scalar z33 = v_theta * s_psi;  // angular velocity of hoop.2, y
+    const Scalar z34 = c_psi * c_phi - s_phi * z26;
+    const Scalar z35 = c_psi * s_phi + c_phi * z26;
+    const Scalar z36 = s_psi * c_phi + s_phi * z28;
+    const Scalar z37 = s_psi * s_phi - c_phi * z28;
     const Scalar z38 = s_theta * s_phi;
-    const Scalar z39 = s_psi * z37 - c_psi * c_phi;
-    const Scalar z40 = s_psi * c_phi + c_psi * z37;
-    const Scalar z41 = c_theta * c_phi;
-    const Scalar z42 = s_theta * c_phi;
-    const Scalar z43 = s_psi * z41 + c_psi * s_phi;
-    const Scalar z44 = s_psi * s_phi - c_psi * z41;
-    const Scalar z45 = s_theta * s_psi;
-    const Scalar z46 = s_theta * c_psi;
-    const Scalar z47 = s_phi * z35 + c_phi * z34;
-    const Scalar z48 = s_phi * z34 - c_phi * z35;
-    const Scalar z49 = s_theta * z31 - c_theta * z48;
-    const Scalar z50 = s_theta * z48 + c_theta * z31;
-    const Scalar z51 = s_psi * z49 + c_psi * z47;
-    const Scalar z52 = s_psi * z47 - c_psi * z49;
-    const Scalar z53 = s_phi * z33 + c_phi * z32;
-    const Scalar z54 = s_phi * z32 - c_phi * z33;
-    const Scalar z55 = s_theta * z36 - c_theta * z54;
-    const Scalar z56 = s_theta * z54 + c_theta * z36;
-    const Scalar z57 = s_psi * z55 + c_psi * z53;
-    const Scalar z58 = s_psi * z53 - c_psi * z55;
-    const Scalar z59 = c_theta * s_psi;
-    const Scalar z60 = c_theta * c_psi;
-    const Scalar z61 = q_y - z60;
-    const Scalar z62 = q_x + z59;
-    const Scalar z63 = z26 + z29;
-    const Scalar z64 = v_theta - z31;
-    const Scalar z65 = s_theta * z64 + c_theta * z30;
-    const Scalar z67 = s_psi * z65 - c_psi * z63;
-    const Scalar z68 = s_psi * z63 + c_psi * z65;
-    const Scalar z69 = q_x - z62;
-    const Scalar z70 = q_y - z61;
+    const Scalar z39 = s_theta * c_phi;
+    const Scalar z43 = v_phi * z27 + z32;  // angular velocity of hoop, x
+    const Scalar z44 = v_phi * z29 - z33;  // angular velocity of hoop, y
+    const Scalar z45 = c_theta * v_phi + v_psi;  // angular velocity of hoop, z
+    const Scalar z46 = v_x - v_theta * z27 + c_psi * z31;
+    const Scalar z47 = v_y + v_theta * z29 + s_psi * z31;
+    const Scalar z49 = q_x + z26;
+    const Scalar z50 = q_y - z28;
     result.hoop_position[0] = q_x;
     result.hoop_position[1] = q_y;
     result.hoop_position[2] = s_theta;
-    result.hoop_rotation[0] = -z39;
-    result.hoop_rotation[1] = z40;
+    result.hoop_rotation[0] = z34;
+    result.hoop_rotation[1] = z36;
     result.hoop_rotation[2] = z38;
-    result.hoop_rotation[3] = -z43;
-    result.hoop_rotation[4] = -z44;
-    result.hoop_rotation[5] = z42;
-    result.hoop_rotation[6] = z45;
-    result.hoop_rotation[7] = -z46;
+    result.hoop_rotation[3] = -z35;
+    result.hoop_rotation[4] = -z37;
+    result.hoop_rotation[5] = z39;
+    result.hoop_rotation[6] = z27;
+    result.hoop_rotation[7] = -z29;
     result.hoop_rotation[8] = c_theta;
-    result.hoop_velocity[0] = z51;
-    result.hoop_velocity[1] = z52;
-    result.hoop_velocity[2] = z50;
-    result.hoop_angular_velocity[0] = z57;
-    result.hoop_angular_velocity[1] = z58;
-    result.hoop_angular_velocity[2] = z56;
-    result.I_position[0] = z62;
-    result.I_position[1] = z61;
+    result.hoop_velocity[0] = v_x;
+    result.hoop_velocity[1] = v_y;
+    result.hoop_velocity[2] = z10;
+    result.hoop_angular_velocity[0] = z43;
+    result.hoop_angular_velocity[1] = -z44;
+    result.hoop_angular_velocity[2] = z45;
+    result.I_position[0] = z49;
+    result.I_position[1] = z50;
     result.I_position[2] = n0;
-    result.I_velocity[0] = -z67;
-    result.I_velocity[1] = z68;
+    result.I_velocity[0] = z46;
+    result.I_velocity[1] = z47;
     result.I_velocity[2] = n0;
     result.I_jacobian[0] = n1;
     result.I_jacobian[3] = n0;
-    result.I_jacobian[6] = z70;
-    result.I_jacobian[9] = -z45;
+    result.I_jacobian[6] = z28;
+    result.I_jacobian[9] = -z27;
     result.I_jacobian[12] = n0;
     result.I_jacobian[1] = n0;
     result.I_jacobian[4] = n1;
-    result.I_jacobian[7] = -z69;
-    result.I_jacobian[10] = z46;
+    result.I_jacobian[7] = z26;
+    result.I_jacobian[10] = z29;
     result.I_jacobian[13] = n0;
     result.I_jacobian[2] = n0;
     result.I_jacobian[5] = n0;
@@ -945,14 +930,13 @@ struct Mechanism {
     const Scalar q_theta = state.q.theta;
     const Scalar p_A = precomputed.parameters.A;
     const Scalar p_C = precomputed.parameters.C;
-    const Scalar z79 = precomputed.z79;
+    const Scalar z59 = precomputed.z59;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z74 = c_theta * p_C;
-    const Scalar z80 = s_theta * z79;
-    const Scalar z81 = s_theta * z80;
-    const Scalar z83 = p_C + z81;
-    const Scalar z98 = c_theta * c_theta + p_A;
+    const Scalar z54 = c_theta * p_C;
+    const Scalar z61 = c_theta * z59;
+    const Scalar z62 = c_theta * z61 - p_A;
+    const Scalar z78 = c_theta * c_theta + p_A;
     mass[0] = n1;
     mass[1] = n0;
     mass[2] = n0;
@@ -965,17 +949,17 @@ struct Mechanism {
     mass[9] = n0;
     mass[10] = n0;
     mass[11] = n0;
-    mass[12] = z83;
+    mass[12] = -z62;
     mass[13] = n0;
-    mass[14] = z74;
+    mass[14] = z54;
     mass[15] = n0;
     mass[16] = n0;
     mass[17] = n0;
-    mass[18] = z98;
+    mass[18] = z78;
     mass[19] = n0;
     mass[20] = n0;
     mass[21] = n0;
-    mass[22] = z74;
+    mass[22] = z54;
     mass[23] = n0;
     mass[24] = p_C;
   }
@@ -996,29 +980,29 @@ struct Mechanism {
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
     const Scalar z11 = s_theta * v_theta;
-    const Scalar z28 = s_theta * v_psi;
-    const Scalar z29 = c_theta * v_psi;
-    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
-    const Scalar z99 = v_theta * z11;
-    const Scalar z100 = n9_81 - z99;
-    const Scalar z103 = v_theta * z29;  // angular acceleration of hoop.2, y
-    const Scalar z104 = v_theta * z28;  // angular acceleration of hoop.2, z
-    const Scalar z107 = z28 * z36;
-    const Scalar z108 = v_theta * z36;
-    const Scalar z109 = p_C * z107;  // moment on hoop, x
-    const Scalar z110 = p_C * z108;  // moment on hoop, y
-    const Scalar z111 = p_C * z104;  // moment on hoop, z
-    const Scalar z112 = z28 * z29;
-    const Scalar z113 = n2 * z103;
-    const Scalar z114 = p_A * z112 - z109;  // moment on hoop.2, x
-    const Scalar z115 = p_A * z113 - z110;  // moment on hoop.2, y
-    const Scalar z117 = s_theta * z115 - c_theta * z111;
-    const Scalar z121 = c_theta * z100 - z114;
+    const Scalar z30 = s_theta * v_psi;
+    const Scalar z31 = c_theta * v_psi;
+    const Scalar z42 = v_phi + z31;
+    const Scalar z79 = v_theta * z11;
+    const Scalar z80 = n9_81 - z79;
+    const Scalar z83 = v_theta * z31;  // angular acceleration of hoop.2, y
+    const Scalar z84 = v_theta * z30;  // angular acceleration of hoop.2, z
+    const Scalar z87 = z30 * z42;
+    const Scalar z88 = v_theta * z42;
+    const Scalar z89 = p_C * z87;  // moment on hoop, x
+    const Scalar z90 = p_C * z88;  // moment on hoop, y
+    const Scalar z91 = p_C * z84;  // moment on hoop, z
+    const Scalar z92 = z30 * z31;
+    const Scalar z93 = n2 * z83;
+    const Scalar z94 = p_A * z92 - z89;  // moment on hoop.2, x
+    const Scalar z95 = p_A * z93 - z90;  // moment on hoop.2, y
+    const Scalar z97 = s_theta * z95 - c_theta * z91;
+    const Scalar z101 = c_theta * z80 - z94;
     forces.x = n0;
     forces.y = n0;
-    forces.psi = z117;
-    forces.theta = z121;
-    forces.phi = -z111;
+    forces.psi = z97;
+    forces.theta = z101;
+    forces.phi = -z91;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -1046,32 +1030,32 @@ struct Mechanism {
     const Scalar s_psi = sines_[1], c_psi = cosines_[1];
     const Scalar z11 = s_theta * v_theta;
     const Scalar z13 = c_theta * a_theta - v_theta * z11;
-    const Scalar z28 = s_theta * v_psi;
-    const Scalar z29 = c_theta * v_psi;
-    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
-    const Scalar z103 = v_theta * z29;  // angular acceleration of hoop.2, y
-    const Scalar z107 = z28 * z36;
-    const Scalar z108 = v_theta * z36;
-    const Scalar z109 = p_C * z107;  // moment on hoop, x
-    const Scalar z110 = p_C * z108;  // moment on hoop, y
-    const Scalar z112 = z28 * z29;
-    const Scalar z122 = n9_81 + z13;
-    const Scalar z125 = s_theta * a_psi;
-    const Scalar z126 = c_theta * a_psi;
-    const Scalar z129 = v_theta * z29 + z125;  // angular acceleration of hoop.2, y
-    const Scalar z130 = v_theta * z28 - z126;  // angular acceleration of hoop.2, z
-    const Scalar z133 = a_phi - z130;  // angular acceleration of hoop, z
-    const Scalar z134 = p_C * z133;  // moment on hoop, z
-    const Scalar z135 = z103 + z129;
-    const Scalar z136 = p_A * (a_theta - z112) + z109;  // moment on hoop.2, x
-    const Scalar z137 = p_A * z135 - z110;  // moment on hoop.2, y
-    const Scalar z139 = s_theta * z137 + c_theta * z134;
-    const Scalar z146 = c_theta * z122 + z136;
+    const Scalar z30 = s_theta * v_psi;
+    const Scalar z31 = c_theta * v_psi;
+    const Scalar z42 = v_phi + z31;
+    const Scalar z83 = v_theta * z31;  // angular acceleration of hoop.2, y
+    const Scalar z87 = z30 * z42;
+    const Scalar z88 = v_theta * z42;
+    const Scalar z89 = p_C * z87;  // moment on hoop, x
+    const Scalar z90 = p_C * z88;  // moment on hoop, y
+    const Scalar z92 = z30 * z31;
+    const Scalar z102 = n9_81 + z13;
+    const Scalar z105 = s_theta * a_psi;
+    const Scalar z106 = c_theta * a_psi;
+    const Scalar z109 = v_theta * z31 + z105;  // angular acceleration of hoop.2, y
+    const Scalar z110 = v_theta * z30 - z106;  // angular acceleration of hoop.2, z
+    const Scalar z113 = a_phi - z110;  // angular acceleration of hoop, z
+    const Scalar z114 = p_C * z113;  // moment on hoop, z
+    const Scalar z115 = z83 + z109;
+    const Scalar z116 = p_A * (a_theta - z92) + z89;  // moment on hoop.2, x
+    const Scalar z117 = p_A * z115 - z90;  // moment on hoop.2, y
+    const Scalar z119 = s_theta * z117 + c_theta * z114;
+    const Scalar z126 = c_theta * z102 + z116;
     forces.x = a_x + s_psi * l_lambda_along_y1 - c_psi * l_lambda_along_x1;
     forces.y = a_y - s_psi * l_lambda_along_x1 - c_psi * l_lambda_along_y1;
-    forces.psi = -c_theta * l_lambda_along_x1 + z139;
-    forces.theta = -s_theta * l_lambda_along_y1 + z146;
-    forces.phi = z134 - l_lambda_along_x1;
+    forces.psi = -c_theta * l_lambda_along_x1 + z119;
+    forces.theta = -s_theta * l_lambda_along_y1 + z126;
+    forces.phi = z114 - l_lambda_along_x1;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -1091,8 +1075,10 @@ struct Mechanism {
     const Scalar v_phi = state.v.phi;
     const Scalar p_A = precomputed.parameters.A;
     const Scalar p_C = precomputed.parameters.C;
-    const Scalar z79 = precomputed.z79;
-    const Scalar z155 = precomputed.z155;
+    const Scalar z59 = precomputed.z59;
+    const Scalar z135 = precomputed.z135;
+    const Scalar z141 = precomputed.z141;
+    const Scalar z144 = precomputed.z144;
     const Scalar angles_[] = {q_theta, q_psi};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
@@ -1100,67 +1086,59 @@ struct Mechanism {
     const Scalar s_psi = sines_[1], c_psi = cosines_[1];
     const Scalar z10 = c_theta * v_theta;
     const Scalar z11 = s_theta * v_theta;
-    const Scalar z28 = s_theta * v_psi;
-    const Scalar z29 = c_theta * v_psi;
-    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
-    const Scalar z74 = c_theta * p_C;
-    const Scalar z80 = s_theta * z79;
-    const Scalar z81 = s_theta * z80;
-    const Scalar z83 = p_C + z81;
-    const Scalar z98 = c_theta * c_theta + p_A;
-    const Scalar z99 = v_theta * z11;
-    const Scalar z100 = n9_81 - z99;
-    const Scalar z103 = v_theta * z29;  // angular acceleration of hoop.2, y
-    const Scalar z104 = v_theta * z28;  // angular acceleration of hoop.2, z
-    const Scalar z107 = z28 * z36;
-    const Scalar z108 = v_theta * z36;
-    const Scalar z109 = p_C * z107;  // moment on hoop, x
-    const Scalar z110 = p_C * z108;  // moment on hoop, y
-    const Scalar z111 = p_C * z104;  // moment on hoop, z
-    const Scalar z112 = z28 * z29;
-    const Scalar z113 = n2 * z103;
-    const Scalar z114 = p_A * z112 - z109;  // moment on hoop.2, x
-    const Scalar z115 = p_A * z113 - z110;  // moment on hoop.2, y
-    const Scalar z117 = s_theta * z115 - c_theta * z111;
-    const Scalar z121 = c_theta * z100 - z114;
-    const Scalar z148 = v_psi * s_psi;
-    const Scalar z149 = v_psi * c_psi;
-    const Scalar z150 = v_x * z148 - v_y * z149 + z11 * v_psi;
-    const Scalar z152 = v_x * z149 + v_y * z148 - v_theta * z10;
-    const Scalar z156 = z74 * z155;
-    const Scalar z157 = z74 * z156 - z83;
-    const Scalar z158 = n1 / z98;
-    const Scalar z159 = n1 / z157;
-    const Scalar z160 = c_theta - z156;
-    const Scalar z161 = z159 * z160;
-    const Scalar z162 = z155 + z156 * z161;
-    const Scalar z163 = s_theta * z158;
-    const Scalar z164 = n1 - c_theta * z161 + z162;
-    const Scalar z165 = n1 + s_theta * z163;
-    const Scalar z166 = n1 / z165;
-    const Scalar z167 = n1 / z164;
-    const Scalar z168 = z111 * z156 + z117;
-    const Scalar z169 = z159 * z168;
-    const Scalar z170 = z121 * z158;
-    const Scalar z171 = z111 * z155 - z156 * z169;
-    const Scalar z172 = c_theta * z169 - z150 + z171;
-    const Scalar z173 = s_theta * z170 + z152;
-    const Scalar z174 = z167 * z172;
-    const Scalar z175 = z166 * z173;
-    const Scalar z176 = s_psi * z175 + c_psi * z174;
-    const Scalar z177 = s_psi * z174 - c_psi * z175;
-    const Scalar z178 = z161 * z174 + z169;
-    const Scalar z179 = z163 * z175 - z170;
-    const Scalar z180 = z162 * z174 - z171;
-    accelerations.x = -z176;
-    accelerations.y = -z177;
-    accelerations.psi = z178;
-    accelerations.theta = z179;
-    accelerations.phi = -z180;
-    multipliers.lambda_along_x1 = -z174;
-    multipliers.lambda_along_y1 = z175;
-    if (!(traits::regular(-z157, z83) && traits::regular(z98, z98) && traits::regular(p_C, p_C) && traits::regular(z164,
-        z164) && traits::regular(z165, z165))) return torsor::Status::singular;
+    const Scalar z30 = s_theta * v_psi;
+    const Scalar z31 = c_theta * v_psi;
+    const Scalar z42 = v_phi + z31;
+    const Scalar z54 = c_theta * p_C;
+    const Scalar z61 = c_theta * z59;
+    const Scalar z62 = c_theta * z61 - p_A;
+    const Scalar z78 = c_theta * c_theta + p_A;
+    const Scalar z79 = v_theta * z11;
+    const Scalar z80 = n9_81 - z79;
+    const Scalar z83 = v_theta * z31;  // angular acceleration of hoop.2, y
+    const Scalar z84 = v_theta * z30;  // angular acceleration of hoop.2, z
+    const Scalar z87 = z30 * z42;
+    const Scalar z88 = v_theta * z42;
+    const Scalar z89 = p_C * z87;  // moment on hoop, x
+    const Scalar z90 = p_C * z88;  // moment on hoop, y
+    const Scalar z91 = p_C * z84;  // moment on hoop, z
+    const Scalar z92 = z30 * z31;
+    const Scalar z93 = n2 * z83;
+    const Scalar z94 = p_A * z92 - z89;  // moment on hoop.2, x
+    const Scalar z95 = p_A * z93 - z90;  // moment on hoop.2, y
+    const Scalar z101 = c_theta * z80 - z94;
+    const Scalar z128 = v_psi * s_psi;
+    const Scalar z129 = v_psi * c_psi;
+    const Scalar z130 = v_x * z128 - v_y * z129 + z11 * v_psi;
+    const Scalar z132 = v_x * z129 + v_y * z128 - v_theta * z10;
+    const Scalar z136 = z54 * z135;
+    const Scalar z137 = s_theta * s_theta * p_A;
+    const Scalar z138 = n1 / z78;
+    const Scalar z139 = n1 / z137;
+    const Scalar z140 = s_theta * z138;
+    const Scalar z142 = n1 + s_theta * z140;
+    const Scalar z143 = n1 / z142;
+    const Scalar z145 = s_theta * z95;
+    const Scalar z146 = z139 * z145;
+    const Scalar z147 = z101 * z138;
+    const Scalar z148 = z91 * z135 + z136 * z146;
+    const Scalar z149 = c_theta * z146 + z130 - z148;
+    const Scalar z150 = s_theta * z147 + z132;
+    const Scalar z151 = z144 * z149;
+    const Scalar z152 = z143 * z150;
+    const Scalar z153 = s_psi * z152 - c_psi * z151;
+    const Scalar z154 = s_psi * z151 + c_psi * z152;
+    const Scalar z155 = z140 * z152 - z147;
+    const Scalar z156 = z135 * z151 + z148;
+    accelerations.x = -z153;
+    accelerations.y = z154;
+    accelerations.psi = -z146;
+    accelerations.theta = z155;
+    accelerations.phi = z156;
+    multipliers.lambda_along_x1 = z151;
+    multipliers.lambda_along_y1 = z152;
+    if (!(traits::regular(z137, -z62) && traits::regular(z78, z78) && traits::regular(p_C, p_C) && traits::regular(z141,
+        z141) && traits::regular(z142, z142))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.x - accelerations.x) + (accelerations.y - accelerations.y) + (accelerations.psi
         - accelerations.psi) + (accelerations.theta - accelerations.theta) + (accelerations.phi - accelerations.phi)
@@ -1193,18 +1171,18 @@ struct Mechanism {
     const Scalar s_psi = sines_[1], c_psi = cosines_[1];
     const Scalar s_phi = sines_[2], c_phi = cosines_[2];
     const Scalar z10 = c_theta * v_theta;
-    const Scalar z26 = v_x * c_psi + v_y * s_psi;
-    const Scalar z27 = v_x * s_psi - v_y * c_psi;
-    const Scalar z28 = s_theta * v_psi;
-    const Scalar z29 = c_theta * v_psi;
-    const Scalar z30 = s_theta * z10 - c_theta * z27;
-    const Scalar z31 = s_theta * z27 + c_theta * z10;
-    const Scalar z32 = v_theta * c_phi + s_phi * z28;
-    const Scalar z33 = v_theta * s_phi - c_phi * z28;
-    const Scalar z34 = s_phi * z30 + c_phi * z26;
-    const Scalar z35 = s_phi * z26 - c_phi * z30;
-    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
-    result.kinetic = n0_5 * (p_A * (z32 * z32 + z33 * z33) + p_C * z36 * z36 + z31 * z31 + z34 * z34 + z35 * z35);
+    const Scalar z30 = s_theta * v_psi;
+    const Scalar z31 = c_theta * v_psi;
+    const Scalar z40 = v_theta * c_phi + s_phi * z30;
+    const Scalar z41 = v_theta * s_phi - c_phi * z30;
+    const Scalar z42 = v_phi + z31;
+    const Scalar z157 = v_x * c_psi + v_y * s_psi;
+    const Scalar z158 = v_x * s_psi - v_y * c_psi;
+    const Scalar z159 = s_theta * z10 - c_theta * z158;
+    const Scalar z160 = s_theta * z158 + c_theta * z10;
+    const Scalar z161 = s_phi * z159 + c_phi * z157;
+    const Scalar z162 = s_phi * z157 - c_phi * z159;
+    result.kinetic = n0_5 * (p_A * (z40 * z40 + z41 * z41) + p_C * z42 * z42 + z160 * z160 + z161 * z161 + z162 * z162);
     result.force_function = -n9_81 * s_theta;
     result.power = n0;
   }
@@ -1231,19 +1209,19 @@ struct Mechanism {
     const Scalar s_psi = sines_[1], c_psi = cosines_[1];
     const Scalar s_phi = sines_[2], c_phi = cosines_[2];
     const Scalar z10 = c_theta * v_theta;
-    const Scalar z26 = v_x * c_psi + v_y * s_psi;
-    const Scalar z27 = v_x * s_psi - v_y * c_psi;
-    const Scalar z28 = s_theta * v_psi;
-    const Scalar z29 = c_theta * v_psi;
-    const Scalar z30 = s_theta * z10 - c_theta * z27;
-    const Scalar z31 = s_theta * z27 + c_theta * z10;
-    const Scalar z32 = v_theta * c_phi + s_phi * z28;
-    const Scalar z33 = v_theta * s_phi - c_phi * z28;
-    const Scalar z34 = s_phi * z30 + c_phi * z26;
-    const Scalar z35 = s_phi * z26 - c_phi * z30;
-    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
-    result.energy = n0_5 * (p_A * (z32 * z32 + z33 * z33) + p_C * z36 * z36 + z31 * z31 + z34 * z34 + z35 * z35) + n9_81
-        * s_theta;
+    const Scalar z30 = s_theta * v_psi;
+    const Scalar z31 = c_theta * v_psi;
+    const Scalar z40 = v_theta * c_phi + s_phi * z30;
+    const Scalar z41 = v_theta * s_phi - c_phi * z30;
+    const Scalar z42 = v_phi + z31;
+    const Scalar z157 = v_x * c_psi + v_y * s_psi;
+    const Scalar z158 = v_x * s_psi - v_y * c_psi;
+    const Scalar z159 = s_theta * z10 - c_theta * z158;
+    const Scalar z160 = s_theta * z158 + c_theta * z10;
+    const Scalar z161 = s_phi * z159 + c_phi * z157;
+    const Scalar z162 = s_phi * z157 - c_phi * z159;
+    result.energy = n0_5 * (p_A * (z40 * z40 + z41 * z41) + p_C * z42 * z42 + z160 * z160 + z161 * z161 + z162 * z162)
+        + n9_81 * s_theta;
   }
 
   /// Constraints A(q, t) v - b(q, t) = 0, in the order of the multipliers.
@@ -1264,18 +1242,18 @@ struct Mechanism {
     const Scalar s_psi = sines_[1], c_psi = cosines_[1];
     const Scalar z10 = c_theta * v_theta;
     const Scalar z11 = s_theta * v_theta;
-    const Scalar z147 = v_x * c_psi + v_y * s_psi + c_theta * v_psi + v_phi;
-    const Scalar z148 = v_psi * s_psi;
-    const Scalar z149 = v_psi * c_psi;
-    const Scalar z150 = v_x * z148 - v_y * z149 + z11 * v_psi;
-    const Scalar z151 = v_x * s_psi - v_y * c_psi - s_theta * v_theta;
-    const Scalar z152 = v_x * z149 + v_y * z148 - v_theta * z10;
+    const Scalar z127 = v_x * c_psi + v_y * s_psi + c_theta * v_psi + v_phi;
+    const Scalar z128 = v_psi * s_psi;
+    const Scalar z129 = v_psi * c_psi;
+    const Scalar z130 = v_x * z128 - v_y * z129 + z11 * v_psi;
+    const Scalar z131 = v_x * s_psi - v_y * c_psi - s_theta * v_theta;
+    const Scalar z132 = v_x * z129 + v_y * z128 - v_theta * z10;
     result.value[0] = n0;
-    result.rate[0] = z147;
-    result.gamma[0] = -z150;
+    result.rate[0] = z127;
+    result.gamma[0] = -z130;
     result.value[1] = n0;
-    result.rate[1] = -z151;
-    result.gamma[1] = -z152;
+    result.rate[1] = -z131;
+    result.gamma[1] = -z132;
     result.jacobian[0] = c_psi;
     result.jacobian[1] = -s_psi;
     result.jacobian[2] = s_psi;
@@ -1317,7 +1295,7 @@ struct Mechanism {
     const Scalar p_C = precomputed.parameters.C;
     const Scalar l_lambda_along_x1 = multipliers.lambda_along_x1;
     const Scalar l_lambda_along_y1 = multipliers.lambda_along_y1;
-    const Scalar z79 = precomputed.z79;
+    const Scalar z59 = precomputed.z59;
     const Scalar angles_[] = {q_theta, q_psi};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
@@ -1326,254 +1304,252 @@ struct Mechanism {
     const Scalar z10 = c_theta * v_theta;
     const Scalar z11 = s_theta * v_theta;
     const Scalar z13 = c_theta * a_theta - v_theta * z11;
-    const Scalar z26 = v_x * c_psi + v_y * s_psi;
-    const Scalar z27 = v_x * s_psi - v_y * c_psi;
-    const Scalar z28 = s_theta * v_psi;
-    const Scalar z29 = c_theta * v_psi;
-    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
-    const Scalar z74 = c_theta * p_C;
-    const Scalar z80 = s_theta * z79;
-    const Scalar z81 = s_theta * z80;
-    const Scalar z83 = p_C + z81;
-    const Scalar z98 = c_theta * c_theta + p_A;
-    const Scalar z99 = v_theta * z11;
-    const Scalar z103 = v_theta * z29;  // angular acceleration of hoop.2, y
-    const Scalar z104 = v_theta * z28;  // angular acceleration of hoop.2, z
-    const Scalar z107 = z28 * z36;
-    const Scalar z108 = v_theta * z36;
-    const Scalar z109 = p_C * z107;  // moment on hoop, x
-    const Scalar z110 = p_C * z108;  // moment on hoop, y
-    const Scalar z111 = p_C * z104;  // moment on hoop, z
-    const Scalar z112 = z28 * z29;
-    const Scalar z122 = n9_81 + z13;
-    const Scalar z125 = s_theta * a_psi;
-    const Scalar z126 = c_theta * a_psi;
-    const Scalar z129 = v_theta * z29 + z125;  // angular acceleration of hoop.2, y
-    const Scalar z130 = v_theta * z28 - z126;  // angular acceleration of hoop.2, z
-    const Scalar z133 = a_phi - z130;  // angular acceleration of hoop, z
-    const Scalar z134 = p_C * z133;  // moment on hoop, z
-    const Scalar z135 = z103 + z129;
-    const Scalar z136 = p_A * (a_theta - z112) + z109;  // moment on hoop.2, x
-    const Scalar z137 = p_A * z135 - z110;  // moment on hoop.2, y
-    const Scalar z139 = s_theta * z137 + c_theta * z134;
-    const Scalar z146 = c_theta * z122 + z136;
-    const Scalar z148 = v_psi * s_psi;
-    const Scalar z149 = v_psi * c_psi;
-    const Scalar z150 = v_x * z148 - v_y * z149 + z11 * v_psi;
-    const Scalar z152 = v_x * z149 + v_y * z148 - v_theta * z10;
-    const Scalar z181 = p_C * z36;
-    const Scalar z198 = s_psi * l_lambda_along_x1 + c_psi * l_lambda_along_y1;
-    const Scalar z199 = s_psi * l_lambda_along_y1 - c_psi * l_lambda_along_x1;
-    const Scalar z200 = n2 * z10;
-    const Scalar z201 = z10 * p_C;
-    const Scalar z202 = p_A * z200 - z201;
-    const Scalar z203 = z11 * p_C;
-    const Scalar z204 = s_theta * z202 - c_theta * z203;
-    const Scalar z205 = s_theta * z29 + c_theta * z28;
-    const Scalar z206 = s_theta * z36 + c_theta * z28;
-    const Scalar z207 = p_C * z206;
-    const Scalar z208 = p_A * z205 - z207;
-    const Scalar z209 = n2 * z29;
-    const Scalar z210 = p_A * z209 - z181;
-    const Scalar z211 = p_C * z28;
-    const Scalar z212 = s_theta * z210 - c_theta * z211;
-    const Scalar z213 = z104 + z130;
-    const Scalar z214 = p_A * z213 - z111;
-    const Scalar z215 = p_C * z129;
-    const Scalar z216 = s_theta * (z134 + z214) - c_theta * (z137 - z215);
-    const Scalar z217 = s_theta * l_lambda_along_x1 - z216;
-    const Scalar z218 = s_theta * v_theta + z11;
-    const Scalar z219 = c_theta * z218;
-    const Scalar z220 = s_theta * a_theta + v_theta * z10;
-    const Scalar z221 = z28 * z28 - z29 * z29;
-    const Scalar z222 = z28 * z28 - z29 * z36;
-    const Scalar z223 = p_C * z222;
-    const Scalar z224 = p_A * z221 - z223;
-    const Scalar z225 = s_theta * z122 + c_theta * z220 - z224;
-    const Scalar z226 = c_theta * l_lambda_along_y1 + z225;
-    const Scalar z227 = v_theta * p_C;
-    const Scalar z228 = s_theta * z227;
-    const Scalar z229 = a_x * s_psi - a_y * c_psi - s_theta * a_theta + z152;
-    const Scalar z230 = a_x * c_psi + a_y * s_psi + c_theta * a_psi + a_phi - z150;
-    const Scalar z231 = v_x * z148 - v_y * z149;
-    const Scalar z232 = a_x * c_psi + a_y * s_psi - z231;
-    const Scalar z233 = v_x * s_psi - v_y * c_psi + z11;
-    const Scalar z234 = v_x * z149 + v_y * z148;
-    const Scalar z235 = a_x * s_psi - a_y * c_psi + z234;
-    const Scalar z236 = c_theta * v_theta + z10;
-    const Scalar z237 = c_theta * a_theta - z99;
-    const Scalar z238 = z10 * v_psi;
-    const Scalar z239 = s_theta * a_psi + z238;
-    const Scalar z240 = n1 / s_theta;
-    const Scalar z241 = n1 / c_psi;
-    const Scalar z242 = s_theta * s_theta;
-    const Scalar z243 = n1 + s_theta * s_theta / z98;
-    const Scalar z244 = z98 * z243;
-    const Scalar z245 = c_psi * c_psi;
-    const Scalar z246 = n1 + c_theta * c_theta / z83 + n1 / p_C;
-    const Scalar z247 = s_psi * z241;
-    const Scalar z248 = s_psi * z247 + c_psi;
-    const Scalar z249 = z240 * z248;
-    const Scalar z250 = c_theta * z241;
-    const Scalar z251 = s_psi * z250;
-    const Scalar z252 = z240 * z251;
-    const Scalar z253 = z240 * z247;
-    const Scalar z254 = z27 * z241;
-    const Scalar z255 = s_psi * z254 + z26;
-    const Scalar z256 = z240 * z255;
-    const Scalar z257 = z28 * z241;
-    const Scalar z258 = z10 - s_psi * z257;
-    const Scalar z259 = z240 * z258;
-    const Scalar z260 = z28 * z249 + z148 * z247 + z149;
-    const Scalar z261 = z28 * z252 + z148 * z250 - z233;
-    const Scalar z262 = z28 * z253 + z148 * z241;
-    const Scalar z263 = z148 - z149 * z247 + z236 * z249;
-    const Scalar z264 = z26 - z149 * z250 + z236 * z252;
-    const Scalar z265 = z149 * z241 - z236 * z253;
-    const Scalar z266 = z241 * z260;
-    const Scalar z267 = s_psi * z266 - z263;
-    const Scalar z268 = z240 * z267;
-    const Scalar z269 = z241 * z261;
-    const Scalar z270 = s_psi * z269 - z264;
-    const Scalar z271 = z240 * z270;
-    const Scalar z272 = z241 * z262;
-    const Scalar z273 = s_psi * z272 + z265;
-    const Scalar z274 = z240 * z273;
-    const Scalar z275 = z28 * z256 + z148 * z254;
-    const Scalar z276 = z28 * z259 - z148 * z257;
-    const Scalar z277 = z149 * z254 - z236 * z256;
-    const Scalar z278 = z149 * z257 + z236 * z259;
-    const Scalar z279 = z235 + z275;
-    const Scalar z280 = z239 - z276;
-    const Scalar z281 = z232 + z277;
-    const Scalar z282 = z237 - z278;
-    const Scalar z283 = z241 * z279;
-    const Scalar z284 = s_psi * z283 + z281;
-    const Scalar z285 = z240 * z284;
-    const Scalar z286 = z241 * z280;
-    const Scalar z287 = s_psi * z286 - z282;
-    const Scalar z288 = z240 * z287;
-    const Scalar z289 = z230 * z241;
-    const Scalar z290 = s_psi * z289 - z229;
-    const Scalar z291 = z240 * z290;
-    const Scalar z292 = z98 * z249;
-    const Scalar z293 = z98 * z252;
-    const Scalar z294 = z98 * z253;
-    const Scalar z295 = n1 + z247 * z247 + z249 * z292;
-    const Scalar z296 = z247 * z250 + z252 * z292;
-    const Scalar z297 = z241 * z247 + z253 * z292;
-    const Scalar z299 = z83 + z250 * z250 + z252 * z293;
-    const Scalar z300 = z74 + z241 * z250 + z253 * z293;
-    const Scalar z303 = p_C + z241 * z241 + z253 * z294;
-    const Scalar z304 = z247 * z266 + z268 * z292;
-    const Scalar z305 = z247 * z269 + z271 * z292;
-    const Scalar z306 = z247 * z272 + z274 * z292;
-    const Scalar z307 = z250 * z266 + z268 * z293;
-    const Scalar z308 = z250 * z269 + z271 * z293;
-    const Scalar z309 = z250 * z272 + z274 * z293;
-    const Scalar z310 = z241 * z266 + z268 * z294;
-    const Scalar z311 = z241 * z269 + z271 * z294;
-    const Scalar z312 = z241 * z272 + z274 * z294;
-    const Scalar z313 = z212 * z249;
-    const Scalar z314 = z204 - z212 * z252;
-    const Scalar z315 = z212 * z253 + z228;
-    const Scalar z316 = z219 * z249;
-    const Scalar z317 = z208 - z219 * z252;
-    const Scalar z318 = z211 + z219 * z253;
-    const Scalar z319 = z211 * z249;
-    const Scalar z320 = z203 - z211 * z252;
-    const Scalar z321 = z211 * z253;
-    const Scalar z322 = z249 * z316;
-    const Scalar z323 = z249 * z317;
-    const Scalar z324 = z249 * z318;
-    const Scalar z325 = z252 * z316 + z313;
-    const Scalar z326 = z252 * z317 + z314;
-    const Scalar z327 = z252 * z318 + z315;
-    const Scalar z328 = z253 * z316 - z319;
-    const Scalar z329 = z253 * z317 - z320;
-    const Scalar z330 = z253 * z318 - z321;
-    const Scalar z331 = z304 - z322;
-    const Scalar z332 = z305 + z323;
-    const Scalar z333 = z306 - z324;
-    const Scalar z334 = z307 - z325;
-    const Scalar z335 = z308 + z326;
-    const Scalar z336 = z309 - z327;
-    const Scalar z337 = z310 - z328;
-    const Scalar z338 = z311 + z329;
-    const Scalar z339 = z312 - z330;
-    const Scalar z340 = z247 * z283 + z285 * z292;
-    const Scalar z341 = z247 * z286 + z288 * z292;
-    const Scalar z342 = z250 * z283 + z285 * z293;
-    const Scalar z343 = z250 * z286 + z288 * z293;
-    const Scalar z344 = z241 * z283 + z285 * z294;
-    const Scalar z345 = z241 * z286 + z288 * z294;
-    const Scalar z346 = z212 * z256;
-    const Scalar z347 = z212 * z259;
-    const Scalar z348 = z219 * z256;
-    const Scalar z349 = z219 * z259;
-    const Scalar z350 = z211 * z256;
-    const Scalar z351 = z211 * z259;
-    const Scalar z352 = z217 - z347;
-    const Scalar z353 = z226 - z349;
-    const Scalar z354 = z215 - z351;
-    const Scalar z355 = z198 * z247 - z199 - z249 * z348;
-    const Scalar z356 = z249 * z353;
-    const Scalar z357 = z198 * z250 - z252 * z348 - z346;
-    const Scalar z358 = z252 * z353 + z352;
-    const Scalar z359 = z198 * z241 - z253 * z348 + z350;
-    const Scalar z360 = z253 * z353 - z354;
-    const Scalar z361 = z340 + z355;
-    const Scalar z362 = z341 - z356;
-    const Scalar z363 = z342 + z357;
-    const Scalar z364 = z343 - z358;
-    const Scalar z365 = z344 + z359;
-    const Scalar z366 = z345 - z360;
-    const Scalar z367 = a_x + s_psi * l_lambda_along_y1 - c_psi * l_lambda_along_x1;
-    const Scalar z368 = s_theta * l_lambda_along_y1 - z146;
-    const Scalar z369 = a_y - s_psi * l_lambda_along_x1 - c_psi * l_lambda_along_y1 - z247 * z367 + z249 * z368;
-    const Scalar z370 = c_theta * l_lambda_along_x1 - z139 + z250 * z367 - z252 * z368;
-    const Scalar z371 = z134 - l_lambda_along_x1 - z241 * z367 + z253 * z368;
-    const Scalar z372 = z247 * z289 + z291 * z292;
-    const Scalar z373 = z250 * z289 + z291 * z293;
-    const Scalar z374 = z241 * z289 + z291 * z294;
-    const Scalar z375 = z369 + z372;
-    const Scalar z376 = z370 - z373;
-    const Scalar z377 = z371 + z374;
-    const Scalar z378 = n1 / z303;
-    const Scalar z379 = z297 * z378;
-    const Scalar z380 = z300 * z378;
-    const Scalar z381 = z295 - z297 * z379;
-    const Scalar z382 = z296 - z297 * z380;
-    const Scalar z383 = z299 - z300 * z380;
-    const Scalar z384 = n1 / z383;
-    const Scalar z385 = z382 * z384;
-    const Scalar z386 = z381 - z382 * z385;
-    const Scalar z387 = n1 / z386;
-    const Scalar z388 = z334 - z337 * z380;
-    const Scalar z389 = z331 - z337 * z379 - z385 * z388;
-    const Scalar z390 = z387 * z389;
-    const Scalar z391 = z384 * z388 - z385 * z390;
-    const Scalar z392 = z337 * z378 - z379 * z390 - z380 * z391;
-    const Scalar z393 = z335 - z338 * z380;
-    const Scalar z394 = z332 - z338 * z379 - z385 * z393;
-    const Scalar z395 = z387 * z394;
-    const Scalar z396 = z384 * z393 - z385 * z395;
-    const Scalar z397 = z338 * z378 - z379 * z395 - z380 * z396;
-    const Scalar z398 = z363 - z365 * z380;
-    const Scalar z399 = z361 - z365 * z379 - z385 * z398;
-    const Scalar z400 = z387 * z399;
-    const Scalar z401 = z384 * z398 - z385 * z400;
-    const Scalar z402 = z365 * z378 - z379 * z400 - z380 * z401;
-    const Scalar z403 = z336 - z339 * z380;
-    const Scalar z404 = z333 - z339 * z379 - z385 * z403;
-    const Scalar z405 = z387 * z404;
-    const Scalar z406 = z384 * z403 - z385 * z405;
-    const Scalar z407 = z339 * z378 - z379 * z405 - z380 * z406;
-    const Scalar z408 = z364 - z366 * z380;
-    const Scalar z409 = z362 - z366 * z379 - z385 * z408;
-    const Scalar z410 = z387 * z409;
-    const Scalar z411 = z384 * z408 - z385 * z410;
-    const Scalar z412 = z366 * z378 - z379 * z410 - z380 * z411;
+    const Scalar z30 = s_theta * v_psi;
+    const Scalar z31 = c_theta * v_psi;
+    const Scalar z42 = v_phi + z31;
+    const Scalar z54 = c_theta * p_C;
+    const Scalar z61 = c_theta * z59;
+    const Scalar z62 = c_theta * z61 - p_A;
+    const Scalar z78 = c_theta * c_theta + p_A;
+    const Scalar z79 = v_theta * z11;
+    const Scalar z83 = v_theta * z31;  // angular acceleration of hoop.2, y
+    const Scalar z84 = v_theta * z30;  // angular acceleration of hoop.2, z
+    const Scalar z87 = z30 * z42;
+    const Scalar z88 = v_theta * z42;
+    const Scalar z89 = p_C * z87;  // moment on hoop, x
+    const Scalar z90 = p_C * z88;  // moment on hoop, y
+    const Scalar z91 = p_C * z84;  // moment on hoop, z
+    const Scalar z92 = z30 * z31;
+    const Scalar z102 = n9_81 + z13;
+    const Scalar z105 = s_theta * a_psi;
+    const Scalar z106 = c_theta * a_psi;
+    const Scalar z109 = v_theta * z31 + z105;  // angular acceleration of hoop.2, y
+    const Scalar z110 = v_theta * z30 - z106;  // angular acceleration of hoop.2, z
+    const Scalar z113 = a_phi - z110;  // angular acceleration of hoop, z
+    const Scalar z114 = p_C * z113;  // moment on hoop, z
+    const Scalar z115 = z83 + z109;
+    const Scalar z116 = p_A * (a_theta - z92) + z89;  // moment on hoop.2, x
+    const Scalar z117 = p_A * z115 - z90;  // moment on hoop.2, y
+    const Scalar z119 = s_theta * z117 + c_theta * z114;
+    const Scalar z126 = c_theta * z102 + z116;
+    const Scalar z128 = v_psi * s_psi;
+    const Scalar z129 = v_psi * c_psi;
+    const Scalar z130 = v_x * z128 - v_y * z129 + z11 * v_psi;
+    const Scalar z132 = v_x * z129 + v_y * z128 - v_theta * z10;
+    const Scalar z157 = v_x * c_psi + v_y * s_psi;
+    const Scalar z158 = v_x * s_psi - v_y * c_psi;
+    const Scalar z166 = p_C * z42;
+    const Scalar z186 = s_psi * l_lambda_along_x1 + c_psi * l_lambda_along_y1;
+    const Scalar z187 = s_psi * l_lambda_along_y1 - c_psi * l_lambda_along_x1;
+    const Scalar z188 = n2 * z10;
+    const Scalar z189 = z10 * p_C;
+    const Scalar z190 = p_A * z188 - z189;
+    const Scalar z191 = z11 * p_C;
+    const Scalar z192 = s_theta * z190 - c_theta * z191;
+    const Scalar z193 = s_theta * z31 + c_theta * z30;
+    const Scalar z194 = s_theta * z42 + c_theta * z30;
+    const Scalar z195 = p_C * z194;
+    const Scalar z196 = p_A * z193 - z195;
+    const Scalar z197 = n2 * z31;
+    const Scalar z198 = p_A * z197 - z166;
+    const Scalar z199 = p_C * z30;
+    const Scalar z200 = s_theta * z198 - c_theta * z199;
+    const Scalar z201 = z84 + z110;
+    const Scalar z202 = p_A * z201 - z91;
+    const Scalar z203 = p_C * z109;
+    const Scalar z204 = s_theta * (z114 + z202) - c_theta * (z117 - z203);
+    const Scalar z205 = s_theta * l_lambda_along_x1 - z204;
+    const Scalar z206 = s_theta * v_theta + z11;
+    const Scalar z207 = c_theta * z206;
+    const Scalar z208 = s_theta * a_theta + v_theta * z10;
+    const Scalar z209 = z30 * z30 - z31 * z31;
+    const Scalar z210 = z30 * z30 - z31 * z42;
+    const Scalar z211 = p_C * z210;
+    const Scalar z212 = p_A * z209 - z211;
+    const Scalar z213 = s_theta * z102 + c_theta * z208 - z212;
+    const Scalar z214 = c_theta * l_lambda_along_y1 + z213;
+    const Scalar z215 = v_theta * p_C;
+    const Scalar z216 = s_theta * z215;
+    const Scalar z217 = a_x * s_psi - a_y * c_psi - s_theta * a_theta + z132;
+    const Scalar z218 = a_x * c_psi + a_y * s_psi + c_theta * a_psi + a_phi - z130;
+    const Scalar z219 = v_x * z128 - v_y * z129;
+    const Scalar z220 = a_x * c_psi + a_y * s_psi - z219;
+    const Scalar z221 = v_x * s_psi - v_y * c_psi + z11;
+    const Scalar z222 = v_x * z129 + v_y * z128;
+    const Scalar z223 = a_x * s_psi - a_y * c_psi + z222;
+    const Scalar z224 = c_theta * v_theta + z10;
+    const Scalar z225 = c_theta * a_theta - z79;
+    const Scalar z226 = z10 * v_psi;
+    const Scalar z227 = s_theta * a_psi + z226;
+    const Scalar z228 = n1 / s_theta;
+    const Scalar z229 = n1 / c_psi;
+    const Scalar z230 = s_theta * s_theta;
+    const Scalar z231 = n1 + s_theta * s_theta / z78;
+    const Scalar z232 = z78 * z231;
+    const Scalar z233 = c_psi * c_psi;
+    const Scalar z234 = n1 - c_theta * c_theta / z62 + n1 / p_C;
+    const Scalar z235 = s_psi * z229;
+    const Scalar z236 = z228 * z229;
+    const Scalar z237 = c_theta * z229;
+    const Scalar z238 = s_psi * z237;
+    const Scalar z239 = z228 * z238;
+    const Scalar z240 = z228 * z235;
+    const Scalar z241 = z158 * z229;
+    const Scalar z242 = v_x / c_psi;
+    const Scalar z243 = z228 * z242;
+    const Scalar z244 = z30 * z229;
+    const Scalar z245 = z10 - s_psi * z244;
+    const Scalar z246 = z228 * z245;
+    const Scalar z247 = n2 * v_psi / c_psi;
+    const Scalar z248 = z30 * z239 + z128 * z237 - z221;
+    const Scalar z249 = n2 * v_psi * s_psi / c_psi;
+    const Scalar z250 = n2 * c_theta * v_theta / (s_theta * c_psi);
+    const Scalar z251 = z129 * z237 - z157 - z224 * z239;
+    const Scalar z252 = z129 * z229 - z224 * z240;
+    const Scalar z253 = z229 * z247;
+    const Scalar z254 = s_psi * z253 - z250;
+    const Scalar z255 = z228 * z254;
+    const Scalar z256 = z229 * z248;
+    const Scalar z257 = s_psi * z256 + z251;
+    const Scalar z258 = z228 * z257;
+    const Scalar z259 = z229 * z249;
+    const Scalar z260 = s_psi * z259 + z252;
+    const Scalar z261 = z228 * z260;
+    const Scalar z262 = z30 * z243 + z128 * z241;
+    const Scalar z263 = z30 * z246 - z128 * z244;
+    const Scalar z264 = z129 * z241 - z224 * z243;
+    const Scalar z265 = z129 * z244 + z224 * z246;
+    const Scalar z266 = z223 + z262;
+    const Scalar z267 = z227 - z263;
+    const Scalar z268 = z220 + z264;
+    const Scalar z269 = z225 - z265;
+    const Scalar z270 = z229 * z266;
+    const Scalar z271 = s_psi * z270 + z268;
+    const Scalar z272 = z228 * z271;
+    const Scalar z273 = z229 * z267;
+    const Scalar z274 = s_psi * z273 - z269;
+    const Scalar z275 = z228 * z274;
+    const Scalar z276 = z218 * z229;
+    const Scalar z277 = s_psi * z276 - z217;
+    const Scalar z278 = z228 * z277;
+    const Scalar z279 = z78 * z236;
+    const Scalar z280 = z78 * z239;
+    const Scalar z281 = z78 * z240;
+    const Scalar z282 = n1 + z235 * z235 + z236 * z279;
+    const Scalar z283 = z235 * z237 + z239 * z279;
+    const Scalar z284 = z229 * z235 + z240 * z279;
+    const Scalar z286 = z62 - z237 * z237 - z239 * z280;
+    const Scalar z287 = z54 + z229 * z237 + z240 * z280;
+    const Scalar z290 = p_C + z229 * z229 + z240 * z281;
+    const Scalar z291 = z235 * z253 + z255 * z279;
+    const Scalar z292 = z235 * z256 + z258 * z279;
+    const Scalar z293 = z235 * z259 + z261 * z279;
+    const Scalar z294 = z237 * z253 + z255 * z280;
+    const Scalar z295 = z237 * z256 + z258 * z280;
+    const Scalar z296 = z237 * z259 + z261 * z280;
+    const Scalar z297 = z229 * z253 + z255 * z281;
+    const Scalar z298 = z229 * z256 + z258 * z281;
+    const Scalar z299 = z229 * z259 + z261 * z281;
+    const Scalar z300 = z200 * z236;
+    const Scalar z301 = z192 - z200 * z239;
+    const Scalar z302 = z200 * z240 + z216;
+    const Scalar z303 = z207 * z236;
+    const Scalar z304 = z196 - z207 * z239;
+    const Scalar z305 = z199 + z207 * z240;
+    const Scalar z306 = z199 * z236;
+    const Scalar z307 = z191 - z199 * z239;
+    const Scalar z308 = z199 * z240;
+    const Scalar z309 = z236 * z303;
+    const Scalar z310 = z236 * z304;
+    const Scalar z311 = z236 * z305;
+    const Scalar z312 = z239 * z303 + z300;
+    const Scalar z313 = z239 * z304 + z301;
+    const Scalar z314 = z239 * z305 + z302;
+    const Scalar z315 = z240 * z303 - z306;
+    const Scalar z316 = z240 * z304 - z307;
+    const Scalar z317 = z240 * z305 - z308;
+    const Scalar z318 = z291 - z309;
+    const Scalar z319 = z292 + z310;
+    const Scalar z320 = z293 - z311;
+    const Scalar z321 = z294 - z312;
+    const Scalar z322 = z295 + z313;
+    const Scalar z323 = z296 - z314;
+    const Scalar z324 = z297 - z315;
+    const Scalar z325 = z298 + z316;
+    const Scalar z326 = z299 - z317;
+    const Scalar z327 = z235 * z270 + z272 * z279;
+    const Scalar z328 = z235 * z273 + z275 * z279;
+    const Scalar z329 = z237 * z270 + z272 * z280;
+    const Scalar z330 = z237 * z273 + z275 * z280;
+    const Scalar z331 = z229 * z270 + z272 * z281;
+    const Scalar z332 = z229 * z273 + z275 * z281;
+    const Scalar z333 = z200 * z243;
+    const Scalar z334 = z200 * z246;
+    const Scalar z335 = z207 * z243;
+    const Scalar z336 = z207 * z246;
+    const Scalar z337 = z199 * z243;
+    const Scalar z338 = z199 * z246;
+    const Scalar z339 = z205 - z334;
+    const Scalar z340 = z214 - z336;
+    const Scalar z341 = z203 - z338;
+    const Scalar z342 = z186 * z235 - z187 - z236 * z335;
+    const Scalar z343 = z236 * z340;
+    const Scalar z344 = z186 * z237 - z239 * z335 - z333;
+    const Scalar z345 = z239 * z340 + z339;
+    const Scalar z346 = z186 * z229 - z240 * z335 + z337;
+    const Scalar z347 = z240 * z340 - z341;
+    const Scalar z348 = z327 + z342;
+    const Scalar z349 = z328 - z343;
+    const Scalar z350 = z329 + z344;
+    const Scalar z351 = z330 - z345;
+    const Scalar z352 = z331 + z346;
+    const Scalar z353 = z332 - z347;
+    const Scalar z354 = a_x + s_psi * l_lambda_along_y1 - c_psi * l_lambda_along_x1;
+    const Scalar z355 = s_theta * l_lambda_along_y1 - z126;
+    const Scalar z356 = a_x * s_psi / c_psi - a_y + z126 / (s_theta * c_psi);
+    const Scalar z357 = c_theta * l_lambda_along_x1 - z119 + z237 * z354 - z239 * z355;
+    const Scalar z358 = z114 - l_lambda_along_x1 - z229 * z354 + z240 * z355;
+    const Scalar z359 = z235 * z276 + z278 * z279;
+    const Scalar z360 = z237 * z276 + z278 * z280;
+    const Scalar z361 = z229 * z276 + z278 * z281;
+    const Scalar z362 = z356 - z359;
+    const Scalar z363 = z357 - z360;
+    const Scalar z364 = z358 + z361;
+    const Scalar z365 = n1 / z290;
+    const Scalar z366 = z284 * z365;
+    const Scalar z367 = z287 * z365;
+    const Scalar z368 = z282 - z284 * z366;
+    const Scalar z369 = z283 - z284 * z367;
+    const Scalar z370 = z286 + z287 * z367;
+    const Scalar z371 = n1 / z370;
+    const Scalar z372 = z369 * z371;
+    const Scalar z373 = z368 + z369 * z372;
+    const Scalar z374 = n1 / z373;
+    const Scalar z375 = z321 - z324 * z367;
+    const Scalar z376 = z318 - z324 * z366 + z372 * z375;
+    const Scalar z377 = z374 * z376;
+    const Scalar z378 = z371 * z375 - z372 * z377;
+    const Scalar z379 = z324 * z365 - z366 * z377 + z367 * z378;
+    const Scalar z380 = z322 - z325 * z367;
+    const Scalar z381 = z319 - z325 * z366 + z372 * z380;
+    const Scalar z382 = z374 * z381;
+    const Scalar z383 = z371 * z380 - z372 * z382;
+    const Scalar z384 = z325 * z365 - z366 * z382 + z367 * z383;
+    const Scalar z385 = z350 - z352 * z367;
+    const Scalar z386 = z348 - z352 * z366 + z372 * z385;
+    const Scalar z387 = z374 * z386;
+    const Scalar z388 = z371 * z385 - z372 * z387;
+    const Scalar z389 = z352 * z365 - z366 * z387 + z367 * z388;
+    const Scalar z390 = z323 - z326 * z367;
+    const Scalar z391 = z320 - z326 * z366 + z372 * z390;
+    const Scalar z392 = z374 * z391;
+    const Scalar z393 = z371 * z390 - z372 * z392;
+    const Scalar z394 = z326 * z365 - z366 * z392 + z367 * z393;
+    const Scalar z395 = z351 - z353 * z367;
+    const Scalar z396 = z349 - z353 * z366 + z372 * z395;
+    const Scalar z397 = z374 * z396;
+    const Scalar z398 = z371 * z395 - z372 * z397;
+    const Scalar z399 = z353 * z365 - z366 * z397 + z367 * z398;
     result.M[0] = n1;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -1586,17 +1562,17 @@ struct Mechanism {
     result.M[9] = n0;
     result.M[10] = n0;
     result.M[11] = n0;
-    result.M[12] = z83;
+    result.M[12] = -z62;
     result.M[13] = n0;
-    result.M[14] = z74;
+    result.M[14] = z54;
     result.M[15] = n0;
     result.M[16] = n0;
     result.M[17] = n0;
-    result.M[18] = z98;
+    result.M[18] = z78;
     result.M[19] = n0;
     result.M[20] = n0;
     result.M[21] = n0;
-    result.M[22] = z74;
+    result.M[22] = z54;
     result.M[23] = n0;
     result.M[24] = p_C;
     result.C[0] = n0;
@@ -1611,18 +1587,18 @@ struct Mechanism {
     result.C[9] = n0;
     result.C[10] = n0;
     result.C[11] = n0;
-    result.C[12] = z204;
-    result.C[13] = -z208;
-    result.C[14] = -z203;
+    result.C[12] = z192;
+    result.C[13] = -z196;
+    result.C[14] = -z191;
     result.C[15] = n0;
     result.C[16] = n0;
-    result.C[17] = z212;
-    result.C[18] = -z219;
-    result.C[19] = -z211;
+    result.C[17] = z200;
+    result.C[18] = -z207;
+    result.C[19] = -z199;
     result.C[20] = n0;
     result.C[21] = n0;
-    result.C[22] = -z228;
-    result.C[23] = z211;
+    result.C[22] = -z216;
+    result.C[23] = z199;
     result.C[24] = n0;
     result.K[0] = n0;
     result.K[1] = n0;
@@ -1634,16 +1610,16 @@ struct Mechanism {
     result.K[7] = n0;
     result.K[8] = n0;
     result.K[9] = n0;
-    result.K[10] = z198;
-    result.K[11] = z199;
+    result.K[10] = z186;
+    result.K[11] = z187;
     result.K[12] = n0;
     result.K[13] = n0;
     result.K[14] = n0;
     result.K[15] = n0;
     result.K[16] = n0;
-    result.K[17] = z217;
-    result.K[18] = -z226;
-    result.K[19] = -z215;
+    result.K[17] = z205;
+    result.K[18] = -z214;
+    result.K[19] = -z203;
     result.K[20] = n0;
     result.K[21] = n0;
     result.K[22] = n0;
@@ -1651,45 +1627,45 @@ struct Mechanism {
     result.K[24] = n0;
     result.F[0] = -a_x - s_psi * l_lambda_along_y1 + c_psi * l_lambda_along_x1;
     result.F[1] = -a_y + s_psi * l_lambda_along_x1 + c_psi * l_lambda_along_y1;
-    result.F[2] = c_theta * l_lambda_along_x1 - z139;
-    result.F[3] = s_theta * l_lambda_along_y1 - z146;
-    result.F[4] = -z134 + l_lambda_along_x1;
-    result.M_r[0] = z295;
-    result.M_r[1] = z296;
-    result.M_r[2] = z297;
-    result.M_r[3] = z296;
-    result.M_r[4] = z299;
-    result.M_r[5] = z300;
-    result.M_r[6] = z297;
-    result.M_r[7] = z300;
-    result.M_r[8] = z303;
-    result.C_r[0] = z331;
-    result.C_r[1] = z334;
-    result.C_r[2] = z337;
-    result.C_r[3] = z332;
-    result.C_r[4] = z335;
-    result.C_r[5] = z338;
-    result.C_r[6] = z333;
-    result.C_r[7] = z336;
-    result.C_r[8] = z339;
+    result.F[2] = c_theta * l_lambda_along_x1 - z119;
+    result.F[3] = s_theta * l_lambda_along_y1 - z126;
+    result.F[4] = -z114 + l_lambda_along_x1;
+    result.M_r[0] = z282;
+    result.M_r[1] = z283;
+    result.M_r[2] = z284;
+    result.M_r[3] = z283;
+    result.M_r[4] = -z286;
+    result.M_r[5] = z287;
+    result.M_r[6] = z284;
+    result.M_r[7] = z287;
+    result.M_r[8] = z290;
+    result.C_r[0] = z318;
+    result.C_r[1] = z321;
+    result.C_r[2] = z324;
+    result.C_r[3] = z319;
+    result.C_r[4] = z322;
+    result.C_r[5] = z325;
+    result.C_r[6] = z320;
+    result.C_r[7] = z323;
+    result.C_r[8] = z326;
     result.K_r[0] = n0;
     result.K_r[1] = n0;
     result.K_r[2] = n0;
     result.K_r[3] = n0;
     result.K_r[4] = n0;
     result.K_r[5] = n0;
-    result.K_r[6] = -z361;
-    result.K_r[7] = -z363;
-    result.K_r[8] = -z365;
-    result.K_r[9] = -z362;
-    result.K_r[10] = -z364;
-    result.K_r[11] = -z366;
+    result.K_r[6] = -z348;
+    result.K_r[7] = -z350;
+    result.K_r[8] = -z352;
+    result.K_r[9] = -z349;
+    result.K_r[10] = -z351;
+    result.K_r[11] = -z353;
     result.K_r[12] = n0;
     result.K_r[13] = n0;
     result.K_r[14] = n0;
-    result.F_r[0] = -z375;
-    result.F_r[1] = z376;
-    result.F_r[2] = -z377;
+    result.F_r[0] = z362;
+    result.F_r[1] = z363;
+    result.F_r[2] = -z364;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
@@ -1706,22 +1682,22 @@ struct Mechanism {
     result.A[13] = n0;
     result.A[14] = n0;
     result.A[15] = n0;
-    result.A[16] = z254;
+    result.A[16] = z241;
     result.A[17] = n0;
     result.A[18] = n0;
-    result.A[19] = z256;
+    result.A[19] = z243;
     result.A[20] = n0;
-    result.A[21] = z400;
-    result.A[22] = z401;
-    result.A[23] = z402;
-    result.A[24] = z257;
+    result.A[21] = z387;
+    result.A[22] = -z388;
+    result.A[23] = z389;
+    result.A[24] = z244;
     result.A[25] = n0;
     result.A[26] = n0;
-    result.A[27] = -z259;
+    result.A[27] = -z246;
     result.A[28] = n0;
-    result.A[29] = z410;
-    result.A[30] = z411;
-    result.A[31] = z412;
+    result.A[29] = z397;
+    result.A[30] = -z398;
+    result.A[31] = z399;
     result.A[32] = n0;
     result.A[33] = n0;
     result.A[34] = n0;
@@ -1730,57 +1706,56 @@ struct Mechanism {
     result.A[37] = n0;
     result.A[38] = n0;
     result.A[39] = n0;
-    result.A[40] = -z247;
+    result.A[40] = -z235;
     result.A[41] = n1;
     result.A[42] = n0;
-    result.A[43] = -z249;
+    result.A[43] = -z236;
     result.A[44] = n0;
-    result.A[45] = -z390;
-    result.A[46] = -z391;
-    result.A[47] = -z392;
-    result.A[48] = -z250;
+    result.A[45] = -z377;
+    result.A[46] = z378;
+    result.A[47] = -z379;
+    result.A[48] = -z237;
     result.A[49] = n0;
     result.A[50] = n1;
-    result.A[51] = -z252;
+    result.A[51] = -z239;
     result.A[52] = n0;
-    result.A[53] = -z395;
-    result.A[54] = -z396;
-    result.A[55] = -z397;
-    result.A[56] = -z241;
+    result.A[53] = -z382;
+    result.A[54] = z383;
+    result.A[55] = -z384;
+    result.A[56] = -z229;
     result.A[57] = n0;
     result.A[58] = n0;
-    result.A[59] = -z253;
+    result.A[59] = -z240;
     result.A[60] = n1;
-    result.A[61] = -z405;
-    result.A[62] = -z406;
-    result.A[63] = -z407;
-    if (!(traits::regular(z242, z244) && traits::regular(z245, z246) && traits::regular(z386, z295)
-        && traits::regular(z383, z299) && traits::regular(z303, z303))) return torsor::Status::singular;
+    result.A[61] = -z392;
+    result.A[62] = z393;
+    result.A[63] = -z394;
+    if (!(traits::regular(z230, z232) && traits::regular(z233, z234) && traits::regular(z373, z282)
+        && traits::regular(-z370, -z286) && traits::regular(z290, z290))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
-    const Scalar zero = ((((result.M[12] - result.M[12]) + (result.M[14] - result.M[14]) + (result.M[18] - result.M[18])
+    const Scalar zero = (result.M[12] - result.M[12]) + (result.M[14] - result.M[14]) + (result.M[18] - result.M[18])
         + (result.M[22] - result.M[22]) + (result.M[24] - result.M[24]) + (result.C[12] - result.C[12]) + (result.C[13]
-        - result.C[13]) + (result.C[14] - result.C[14]) + (result.C[17] - result.C[17])) + ((result.C[18]
-        - result.C[18]) + (result.C[19] - result.C[19]) + (result.C[22] - result.C[22]) + (result.C[23] - result.C[23])
-        + (result.K[10] - result.K[10]) + (result.K[11] - result.K[11]) + (result.K[17] - result.K[17]) + (result.K[18]
-        - result.K[18]) + (result.K[19] - result.K[19]))) + (((result.F[0] - result.F[0]) + (result.F[1] - result.F[1])
-        + (result.F[2] - result.F[2]) + (result.F[3] - result.F[3]) + (result.F[4] - result.F[4]) + (result.M_r[0]
-        - result.M_r[0]) + (result.M_r[1] - result.M_r[1]) + (result.M_r[2] - result.M_r[2]) + (result.M_r[3]
-        - result.M_r[3])) + ((result.M_r[4] - result.M_r[4]) + (result.M_r[5] - result.M_r[5]) + (result.M_r[6]
-        - result.M_r[6]) + (result.M_r[7] - result.M_r[7]) + (result.M_r[8] - result.M_r[8]) + (result.C_r[0]
-        - result.C_r[0]) + (result.C_r[1] - result.C_r[1]) + (result.C_r[2] - result.C_r[2]) + (result.C_r[3]
-        - result.C_r[3]) + (result.C_r[4] - result.C_r[4])))) + ((((result.C_r[5] - result.C_r[5]) + (result.C_r[6]
-        - result.C_r[6]) + (result.C_r[7] - result.C_r[7]) + (result.C_r[8] - result.C_r[8]) + (result.K_r[6]
-        - result.K_r[6]) + (result.K_r[7] - result.K_r[7]) + (result.K_r[8] - result.K_r[8]) + (result.K_r[9]
-        - result.K_r[9]) + (result.K_r[10] - result.K_r[10])) + ((result.K_r[11] - result.K_r[11]) + (result.F_r[0]
-        - result.F_r[0]) + (result.F_r[1] - result.F_r[1]) + (result.F_r[2] - result.F_r[2]) + (result.A[16]
-        - result.A[16]) + (result.A[19] - result.A[19]) + (result.A[21] - result.A[21]) + (result.A[22] - result.A[22])
-        + (result.A[23] - result.A[23]) + (result.A[24] - result.A[24]))) + (((result.A[27] - result.A[27])
-        + (result.A[29] - result.A[29]) + (result.A[30] - result.A[30]) + (result.A[31] - result.A[31]) + (result.A[40]
-        - result.A[40]) + (result.A[43] - result.A[43]) + (result.A[45] - result.A[45]) + (result.A[46] - result.A[46])
-        + (result.A[47] - result.A[47])) + ((result.A[48] - result.A[48]) + (result.A[51] - result.A[51])
-        + (result.A[53] - result.A[53]) + (result.A[54] - result.A[54]) + (result.A[55] - result.A[55]) + (result.A[56]
-        - result.A[56]) + (result.A[59] - result.A[59]) + (result.A[61] - result.A[61]) + (result.A[62] - result.A[62])
-        + (result.A[63] - result.A[63]))));
+        - result.C[13]) + (result.C[14] - result.C[14]) + (result.C[17] - result.C[17]) + (result.C[18] - result.C[18])
+        + (result.C[19] - result.C[19]) + (result.C[22] - result.C[22]) + (result.C[23] - result.C[23]) + (result.K[10]
+        - result.K[10]) + (result.K[11] - result.K[11]) + (result.K[17] - result.K[17]) + (result.K[18] - result.K[18])
+        + (result.K[19] - result.K[19]) + (result.F[0] - result.F[0]) + (result.F[1] - result.F[1]) + (result.F[2]
+        - result.F[2]) + (result.F[3] - result.F[3]) + (result.F[4] - result.F[4]) + (result.M_r[0] - result.M_r[0])
+        + (result.M_r[1] - result.M_r[1]) + (result.M_r[2] - result.M_r[2]) + (result.M_r[3] - result.M_r[3])
+        + (result.M_r[4] - result.M_r[4]) + (result.M_r[5] - result.M_r[5]) + (result.M_r[6] - result.M_r[6])
+        + (result.M_r[7] - result.M_r[7]) + (result.M_r[8] - result.M_r[8]) + (result.C_r[0] - result.C_r[0])
+        + (result.C_r[1] - result.C_r[1]) + (result.C_r[2] - result.C_r[2]) + (result.C_r[3] - result.C_r[3])
+        + (result.C_r[4] - result.C_r[4]) + (result.C_r[5] - result.C_r[5]) + (result.C_r[6] - result.C_r[6])
+        + (result.C_r[7] - result.C_r[7]) + (result.C_r[8] - result.C_r[8]) + (result.K_r[6] - result.K_r[6])
+        + (result.K_r[7] - result.K_r[7]) + (result.K_r[8] - result.K_r[8]) + (result.K_r[9] - result.K_r[9])
+        + (result.K_r[10] - result.K_r[10]) + (result.K_r[11] - result.K_r[11]) + (result.F_r[0] - result.F_r[0])
+        + (result.F_r[1] - result.F_r[1]) + (result.F_r[2] - result.F_r[2]) + (result.A[16] - result.A[16])
+        + (result.A[19] - result.A[19]) + (result.A[21] - result.A[21]) + (result.A[22] - result.A[22]) + (result.A[23]
+        - result.A[23]) + (result.A[24] - result.A[24]) + (result.A[27] - result.A[27]) + (result.A[29] - result.A[29])
+        + (result.A[30] - result.A[30]) + (result.A[31] - result.A[31]) + (result.A[40] - result.A[40]) + (result.A[43]
+        - result.A[43]) + (result.A[45] - result.A[45]) + (result.A[46] - result.A[46]) + (result.A[47] - result.A[47])
+        + (result.A[48] - result.A[48]) + (result.A[51] - result.A[51]) + (result.A[53] - result.A[53]) + (result.A[54]
+        - result.A[54]) + (result.A[55] - result.A[55]) + (result.A[56] - result.A[56]) + (result.A[59] - result.A[59])
+        + (result.A[61] - result.A[61]) + (result.A[62] - result.A[62]) + (result.A[63] - result.A[63]);
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
@@ -1811,55 +1786,55 @@ struct Mechanism {
     const Scalar z10 = c_theta * v_theta;
     const Scalar z11 = s_theta * v_theta;
     const Scalar z13 = c_theta * a_theta - v_theta * z11;
-    const Scalar z28 = s_theta * v_psi;
-    const Scalar z29 = c_theta * v_psi;
-    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
-    const Scalar z103 = v_theta * z29;  // angular acceleration of hoop.2, y
-    const Scalar z104 = v_theta * z28;  // angular acceleration of hoop.2, z
-    const Scalar z108 = v_theta * z36;
-    const Scalar z110 = p_C * z108;  // moment on hoop, y
-    const Scalar z111 = p_C * z104;  // moment on hoop, z
-    const Scalar z122 = n9_81 + z13;
-    const Scalar z125 = s_theta * a_psi;
-    const Scalar z126 = c_theta * a_psi;
-    const Scalar z129 = v_theta * z29 + z125;  // angular acceleration of hoop.2, y
-    const Scalar z130 = v_theta * z28 - z126;  // angular acceleration of hoop.2, z
-    const Scalar z133 = a_phi - z130;  // angular acceleration of hoop, z
-    const Scalar z134 = p_C * z133;  // moment on hoop, z
-    const Scalar z135 = z103 + z129;
-    const Scalar z137 = p_A * z135 - z110;  // moment on hoop.2, y
-    const Scalar z181 = p_C * z36;
-    const Scalar z198 = s_psi * l_lambda_along_x1 + c_psi * l_lambda_along_y1;
-    const Scalar z199 = s_psi * l_lambda_along_y1 - c_psi * l_lambda_along_x1;
-    const Scalar z200 = n2 * z10;
-    const Scalar z201 = z10 * p_C;
-    const Scalar z202 = p_A * z200 - z201;
-    const Scalar z203 = z11 * p_C;
-    const Scalar z204 = s_theta * z202 - c_theta * z203;
-    const Scalar z205 = s_theta * z29 + c_theta * z28;
-    const Scalar z206 = s_theta * z36 + c_theta * z28;
-    const Scalar z207 = p_C * z206;
-    const Scalar z208 = p_A * z205 - z207;
-    const Scalar z209 = n2 * z29;
-    const Scalar z210 = p_A * z209 - z181;
-    const Scalar z211 = p_C * z28;
-    const Scalar z212 = s_theta * z210 - c_theta * z211;
-    const Scalar z213 = z104 + z130;
-    const Scalar z214 = p_A * z213 - z111;
-    const Scalar z215 = p_C * z129;
-    const Scalar z216 = s_theta * (z134 + z214) - c_theta * (z137 - z215);
-    const Scalar z217 = s_theta * l_lambda_along_x1 - z216;
-    const Scalar z218 = s_theta * v_theta + z11;
-    const Scalar z219 = c_theta * z218;
-    const Scalar z220 = s_theta * a_theta + v_theta * z10;
-    const Scalar z221 = z28 * z28 - z29 * z29;
-    const Scalar z222 = z28 * z28 - z29 * z36;
-    const Scalar z223 = p_C * z222;
-    const Scalar z224 = p_A * z221 - z223;
-    const Scalar z225 = s_theta * z122 + c_theta * z220 - z224;
-    const Scalar z226 = c_theta * l_lambda_along_y1 + z225;
-    const Scalar z227 = v_theta * p_C;
-    const Scalar z228 = s_theta * z227;
+    const Scalar z30 = s_theta * v_psi;
+    const Scalar z31 = c_theta * v_psi;
+    const Scalar z42 = v_phi + z31;
+    const Scalar z83 = v_theta * z31;  // angular acceleration of hoop.2, y
+    const Scalar z84 = v_theta * z30;  // angular acceleration of hoop.2, z
+    const Scalar z88 = v_theta * z42;
+    const Scalar z90 = p_C * z88;  // moment on hoop, y
+    const Scalar z91 = p_C * z84;  // moment on hoop, z
+    const Scalar z102 = n9_81 + z13;
+    const Scalar z105 = s_theta * a_psi;
+    const Scalar z106 = c_theta * a_psi;
+    const Scalar z109 = v_theta * z31 + z105;  // angular acceleration of hoop.2, y
+    const Scalar z110 = v_theta * z30 - z106;  // angular acceleration of hoop.2, z
+    const Scalar z113 = a_phi - z110;  // angular acceleration of hoop, z
+    const Scalar z114 = p_C * z113;  // moment on hoop, z
+    const Scalar z115 = z83 + z109;
+    const Scalar z117 = p_A * z115 - z90;  // moment on hoop.2, y
+    const Scalar z166 = p_C * z42;
+    const Scalar z186 = s_psi * l_lambda_along_x1 + c_psi * l_lambda_along_y1;
+    const Scalar z187 = s_psi * l_lambda_along_y1 - c_psi * l_lambda_along_x1;
+    const Scalar z188 = n2 * z10;
+    const Scalar z189 = z10 * p_C;
+    const Scalar z190 = p_A * z188 - z189;
+    const Scalar z191 = z11 * p_C;
+    const Scalar z192 = s_theta * z190 - c_theta * z191;
+    const Scalar z193 = s_theta * z31 + c_theta * z30;
+    const Scalar z194 = s_theta * z42 + c_theta * z30;
+    const Scalar z195 = p_C * z194;
+    const Scalar z196 = p_A * z193 - z195;
+    const Scalar z197 = n2 * z31;
+    const Scalar z198 = p_A * z197 - z166;
+    const Scalar z199 = p_C * z30;
+    const Scalar z200 = s_theta * z198 - c_theta * z199;
+    const Scalar z201 = z84 + z110;
+    const Scalar z202 = p_A * z201 - z91;
+    const Scalar z203 = p_C * z109;
+    const Scalar z204 = s_theta * (z114 + z202) - c_theta * (z117 - z203);
+    const Scalar z205 = s_theta * l_lambda_along_x1 - z204;
+    const Scalar z206 = s_theta * v_theta + z11;
+    const Scalar z207 = c_theta * z206;
+    const Scalar z208 = s_theta * a_theta + v_theta * z10;
+    const Scalar z209 = z30 * z30 - z31 * z31;
+    const Scalar z210 = z30 * z30 - z31 * z42;
+    const Scalar z211 = p_C * z210;
+    const Scalar z212 = p_A * z209 - z211;
+    const Scalar z213 = s_theta * z102 + c_theta * z208 - z212;
+    const Scalar z214 = c_theta * l_lambda_along_y1 + z213;
+    const Scalar z215 = v_theta * p_C;
+    const Scalar z216 = s_theta * z215;
     result.by_position[0] = n0;
     result.by_position[1] = n0;
     result.by_position[2] = n0;
@@ -1870,16 +1845,16 @@ struct Mechanism {
     result.by_position[7] = n0;
     result.by_position[8] = n0;
     result.by_position[9] = n0;
-    result.by_position[10] = z198;
-    result.by_position[11] = z199;
+    result.by_position[10] = z186;
+    result.by_position[11] = z187;
     result.by_position[12] = n0;
     result.by_position[13] = n0;
     result.by_position[14] = n0;
     result.by_position[15] = n0;
     result.by_position[16] = n0;
-    result.by_position[17] = z217;
-    result.by_position[18] = -z226;
-    result.by_position[19] = -z215;
+    result.by_position[17] = z205;
+    result.by_position[18] = -z214;
+    result.by_position[19] = -z203;
     result.by_position[20] = n0;
     result.by_position[21] = n0;
     result.by_position[22] = n0;
@@ -1897,18 +1872,18 @@ struct Mechanism {
     result.by_velocity[9] = n0;
     result.by_velocity[10] = n0;
     result.by_velocity[11] = n0;
-    result.by_velocity[12] = z204;
-    result.by_velocity[13] = -z208;
-    result.by_velocity[14] = -z203;
+    result.by_velocity[12] = z192;
+    result.by_velocity[13] = -z196;
+    result.by_velocity[14] = -z191;
     result.by_velocity[15] = n0;
     result.by_velocity[16] = n0;
-    result.by_velocity[17] = z212;
-    result.by_velocity[18] = -z219;
-    result.by_velocity[19] = -z211;
+    result.by_velocity[17] = z200;
+    result.by_velocity[18] = -z207;
+    result.by_velocity[19] = -z199;
     result.by_velocity[20] = n0;
     result.by_velocity[21] = n0;
-    result.by_velocity[22] = -z228;
-    result.by_velocity[23] = z211;
+    result.by_velocity[22] = -z216;
+    result.by_velocity[23] = z199;
     result.by_velocity[24] = n0;
   }
 
@@ -1929,8 +1904,11 @@ struct Mechanism {
     const Scalar v_phi = state.v.phi;
     const Scalar p_A = precomputed.parameters.A;
     const Scalar p_C = precomputed.parameters.C;
-    const Scalar z79 = precomputed.z79;
-    const Scalar z155 = precomputed.z155;
+    const Scalar z59 = precomputed.z59;
+    const Scalar z135 = precomputed.z135;
+    const Scalar z141 = precomputed.z141;
+    const Scalar z144 = precomputed.z144;
+    const Scalar z498 = precomputed.z498;
     const Scalar angles_[] = {q_theta, q_psi};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
@@ -1938,200 +1916,167 @@ struct Mechanism {
     const Scalar s_psi = sines_[1], c_psi = cosines_[1];
     const Scalar z10 = c_theta * v_theta;
     const Scalar z11 = s_theta * v_theta;
-    const Scalar z26 = v_x * c_psi + v_y * s_psi;
-    const Scalar z28 = s_theta * v_psi;
-    const Scalar z29 = c_theta * v_psi;
-    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
-    const Scalar z74 = c_theta * p_C;
-    const Scalar z80 = s_theta * z79;
-    const Scalar z81 = s_theta * z80;
-    const Scalar z83 = p_C + z81;
-    const Scalar z98 = c_theta * c_theta + p_A;
-    const Scalar z99 = v_theta * z11;
-    const Scalar z100 = n9_81 - z99;
-    const Scalar z103 = v_theta * z29;  // angular acceleration of hoop.2, y
-    const Scalar z104 = v_theta * z28;  // angular acceleration of hoop.2, z
-    const Scalar z107 = z28 * z36;
-    const Scalar z108 = v_theta * z36;
-    const Scalar z109 = p_C * z107;  // moment on hoop, x
-    const Scalar z110 = p_C * z108;  // moment on hoop, y
-    const Scalar z111 = p_C * z104;  // moment on hoop, z
-    const Scalar z112 = z28 * z29;
-    const Scalar z113 = n2 * z103;
-    const Scalar z114 = p_A * z112 - z109;  // moment on hoop.2, x
-    const Scalar z115 = p_A * z113 - z110;  // moment on hoop.2, y
-    const Scalar z117 = s_theta * z115 - c_theta * z111;
-    const Scalar z121 = c_theta * z100 - z114;
-    const Scalar z148 = v_psi * s_psi;
-    const Scalar z149 = v_psi * c_psi;
-    const Scalar z150 = v_x * z148 - v_y * z149 + z11 * v_psi;
-    const Scalar z152 = v_x * z149 + v_y * z148 - v_theta * z10;
-    const Scalar z156 = z74 * z155;
-    const Scalar z157 = z74 * z156 - z83;
-    const Scalar z158 = n1 / z98;
-    const Scalar z159 = n1 / z157;
-    const Scalar z160 = c_theta - z156;
-    const Scalar z161 = z159 * z160;
-    const Scalar z162 = z155 + z156 * z161;
-    const Scalar z163 = s_theta * z158;
-    const Scalar z164 = n1 - c_theta * z161 + z162;
-    const Scalar z165 = n1 + s_theta * z163;
-    const Scalar z166 = n1 / z165;
-    const Scalar z167 = n1 / z164;
-    const Scalar z168 = z111 * z156 + z117;
-    const Scalar z169 = z159 * z168;
-    const Scalar z170 = z121 * z158;
-    const Scalar z171 = z111 * z155 - z156 * z169;
-    const Scalar z172 = c_theta * z169 - z150 + z171;
-    const Scalar z173 = s_theta * z170 + z152;
-    const Scalar z174 = z167 * z172;
-    const Scalar z175 = z166 * z173;
-    const Scalar z176 = s_psi * z175 + c_psi * z174;
-    const Scalar z177 = s_psi * z174 - c_psi * z175;
-    const Scalar z178 = z161 * z174 + z169;
-    const Scalar z179 = z163 * z175 - z170;
-    const Scalar z180 = z162 * z174 - z171;
-    const Scalar z181 = p_C * z36;
-    const Scalar z200 = n2 * z10;
-    const Scalar z201 = z10 * p_C;
-    const Scalar z202 = p_A * z200 - z201;
-    const Scalar z203 = z11 * p_C;
-    const Scalar z204 = s_theta * z202 - c_theta * z203;
-    const Scalar z205 = s_theta * z29 + c_theta * z28;
-    const Scalar z206 = s_theta * z36 + c_theta * z28;
-    const Scalar z207 = p_C * z206;
-    const Scalar z208 = p_A * z205 - z207;
-    const Scalar z209 = n2 * z29;
-    const Scalar z210 = p_A * z209 - z181;
-    const Scalar z211 = p_C * z28;
-    const Scalar z212 = s_theta * z210 - c_theta * z211;
-    const Scalar z218 = s_theta * v_theta + z11;
-    const Scalar z219 = c_theta * z218;
-    const Scalar z221 = z28 * z28 - z29 * z29;
-    const Scalar z222 = z28 * z28 - z29 * z36;
-    const Scalar z223 = p_C * z222;
-    const Scalar z224 = p_A * z221 - z223;
-    const Scalar z227 = v_theta * p_C;
-    const Scalar z228 = s_theta * z227;
-    const Scalar z231 = v_x * z148 - v_y * z149;
-    const Scalar z233 = v_x * s_psi - v_y * c_psi + z11;
-    const Scalar z234 = v_x * z149 + v_y * z148;
-    const Scalar z236 = c_theta * v_theta + z10;
-    const Scalar z238 = z10 * v_psi;
-    const Scalar z413 = z148 * z167;
-    const Scalar z414 = z149 * z166;
-    const Scalar z415 = s_psi * z414 - c_psi * z413;
-    const Scalar z416 = s_psi * z413 + c_psi * z414;
-    const Scalar z418 = z163 * z414;
-    const Scalar z419 = z162 * z413;
-    const Scalar z420 = c_psi * z167;
-    const Scalar z421 = s_psi * z166;
-    const Scalar z422 = n1 - s_psi * z421 - c_psi * z420;
-    const Scalar z427 = z149 * z167;
-    const Scalar z428 = z148 * z166;
-    const Scalar z429 = s_psi * z428 + c_psi * z427;
-    const Scalar z430 = s_psi * z427 - c_psi * z428;
-    const Scalar z432 = z163 * z428;
-    const Scalar z433 = z162 * z427;
-    const Scalar z434 = s_psi * z167;
-    const Scalar z435 = c_psi * z166;
-    const Scalar z436 = s_psi * z435 - c_psi * z434;
-    const Scalar z437 = n1 - s_psi * z434 - c_psi * z435;
-    const Scalar z441 = s_psi * z176 - c_psi * z177 - z234;
-    const Scalar z442 = s_psi * z177 + c_psi * z176 + z231;
-    const Scalar z443 = s_psi * z176 - c_psi * z177 - z441;
-    const Scalar z444 = s_psi * z177 + c_psi * z176 - z442;
-    const Scalar z445 = z167 * z443;
-    const Scalar z446 = z166 * z444;
-    const Scalar z447 = s_psi * z446 - c_psi * z445 - z177;
-    const Scalar z448 = s_psi * z445 + c_psi * z446 - z176;
-    const Scalar z450 = z163 * z446;
-    const Scalar z451 = z162 * z445;
-    const Scalar z452 = z156 * z203 + z204;
-    const Scalar z453 = z159 * z452;
-    const Scalar z454 = z158 * z208;
-    const Scalar z455 = z155 * z203 - z156 * z453;
-    const Scalar z456 = c_theta * z453 - z233 + z455;
-    const Scalar z457 = s_theta * z454 - z26;
-    const Scalar z458 = z167 * z456;
-    const Scalar z459 = z166 * z457;
-    const Scalar z460 = s_psi * z459 - c_psi * z458;
-    const Scalar z461 = s_psi * z458 + c_psi * z459;
-    const Scalar z462 = z161 * z458 + z453;
-    const Scalar z463 = z163 * z459 - z454;
-    const Scalar z464 = z162 * z458 - z455;
-    const Scalar z465 = z156 * z159;
-    const Scalar z466 = c_theta * z159 - z465;
-    const Scalar z467 = z167 * z466;
-    const Scalar z470 = z159 + z161 * z467;
-    const Scalar z472 = s_theta * z178 + z238;
-    const Scalar z473 = c_theta * z179 - z99;
-    const Scalar z474 = c_theta * z178;
-    const Scalar z475 = v_theta * z28 - z474;  // angular acceleration of hoop.2, z
-    const Scalar z476 = z180 + z475;  // angular acceleration of hoop, z
-    const Scalar z477 = p_C * z476;  // moment on hoop, z
-    const Scalar z478 = z104 + z475;
-    const Scalar z479 = p_A * z478 - z111;
-    const Scalar z480 = s_theta * z178;
-    const Scalar z481 = v_theta * z29 + z480;  // angular acceleration of hoop.2, y
-    const Scalar z482 = z103 + z481;
-    const Scalar z483 = p_A * z482 - z110;  // moment on hoop.2, y
-    const Scalar z484 = p_C * z481;
-    const Scalar z485 = s_theta * (z477 - z479) + c_theta * (z483 - z484);
-    const Scalar z486 = s_theta * z174 - z485;
-    const Scalar z487 = c_theta * z179 - v_theta * z11;
-    const Scalar z488 = n9_81 + z487;
-    const Scalar z489 = s_theta * z179 + v_theta * z10;
-    const Scalar z490 = s_theta * z488 + c_theta * z489 - z224;
-    const Scalar z491 = c_theta * z175 + z490;
-    const Scalar z492 = z156 * z484 - z486;
-    const Scalar z493 = z159 * z492;
-    const Scalar z494 = z158 * z491;
-    const Scalar z495 = z155 * z484 - z156 * z493;
-    const Scalar z496 = c_theta * z493 - z472 + z495;
-    const Scalar z497 = s_theta * z494 + z473;
-    const Scalar z498 = z167 * z496;
-    const Scalar z499 = z166 * z497;
-    const Scalar z500 = s_psi * z499 - c_psi * z498;
-    const Scalar z501 = s_psi * z498 + c_psi * z499;
-    const Scalar z502 = z161 * z498 + z493;
-    const Scalar z503 = z163 * z499 - z494;
-    const Scalar z504 = z162 * z498 - z495;
-    const Scalar z505 = z156 * z211 + z212;
-    const Scalar z506 = z159 * z505;
-    const Scalar z507 = z158 * z219;
-    const Scalar z508 = z155 * z211 - z156 * z506;
-    const Scalar z509 = c_theta * z506 - z28 + z508;
-    const Scalar z510 = s_theta * z507 + z236;
-    const Scalar z511 = z167 * z509;
-    const Scalar z512 = z166 * z510;
-    const Scalar z513 = s_psi * z512 - c_psi * z511;
-    const Scalar z514 = s_psi * z511 + c_psi * z512;
-    const Scalar z515 = z161 * z511 + z506;
-    const Scalar z517 = z162 * z511 - z508;
-    const Scalar z518 = z163 * z166;
-    const Scalar z519 = s_psi * z518;
-    const Scalar z520 = c_psi * z518;
-    const Scalar z521 = z158 - z163 * z518;
-    const Scalar z522 = z159 * z228;
-    const Scalar z523 = z158 * z211;
-    const Scalar z524 = z156 * z522;
-    const Scalar z525 = c_theta * z522 - z524;
-    const Scalar z526 = s_theta * z523;
-    const Scalar z527 = z167 * z525;
-    const Scalar z528 = z166 * z526;
-    const Scalar z529 = s_psi * z528 - c_psi * z527;
-    const Scalar z530 = s_psi * z527 + c_psi * z528;
-    const Scalar z531 = z161 * z527 + z522;
-    const Scalar z532 = z163 * z528 - z523;
-    const Scalar z533 = z162 * z527 + z524;
-    const Scalar z534 = z155 - z156 * z465;
-    const Scalar z535 = c_theta * z465 + z534;
-    const Scalar z536 = z167 * z535;
-    const Scalar z537 = c_psi * z536;
-    const Scalar z538 = s_psi * z536;
-    const Scalar z539 = z161 * z536 + z465;
-    const Scalar z540 = z162 * z536 - z534;
+    const Scalar z30 = s_theta * v_psi;
+    const Scalar z31 = c_theta * v_psi;
+    const Scalar z42 = v_phi + z31;
+    const Scalar z54 = c_theta * p_C;
+    const Scalar z61 = c_theta * z59;
+    const Scalar z62 = c_theta * z61 - p_A;
+    const Scalar z78 = c_theta * c_theta + p_A;
+    const Scalar z79 = v_theta * z11;
+    const Scalar z80 = n9_81 - z79;
+    const Scalar z83 = v_theta * z31;  // angular acceleration of hoop.2, y
+    const Scalar z84 = v_theta * z30;  // angular acceleration of hoop.2, z
+    const Scalar z87 = z30 * z42;
+    const Scalar z88 = v_theta * z42;
+    const Scalar z89 = p_C * z87;  // moment on hoop, x
+    const Scalar z90 = p_C * z88;  // moment on hoop, y
+    const Scalar z91 = p_C * z84;  // moment on hoop, z
+    const Scalar z92 = z30 * z31;
+    const Scalar z93 = n2 * z83;
+    const Scalar z94 = p_A * z92 - z89;  // moment on hoop.2, x
+    const Scalar z95 = p_A * z93 - z90;  // moment on hoop.2, y
+    const Scalar z101 = c_theta * z80 - z94;
+    const Scalar z128 = v_psi * s_psi;
+    const Scalar z129 = v_psi * c_psi;
+    const Scalar z130 = v_x * z128 - v_y * z129 + z11 * v_psi;
+    const Scalar z132 = v_x * z129 + v_y * z128 - v_theta * z10;
+    const Scalar z136 = z54 * z135;
+    const Scalar z137 = s_theta * s_theta * p_A;
+    const Scalar z138 = n1 / z78;
+    const Scalar z139 = n1 / z137;
+    const Scalar z140 = s_theta * z138;
+    const Scalar z142 = n1 + s_theta * z140;
+    const Scalar z143 = n1 / z142;
+    const Scalar z145 = s_theta * z95;
+    const Scalar z146 = z139 * z145;
+    const Scalar z147 = z101 * z138;
+    const Scalar z148 = z91 * z135 + z136 * z146;
+    const Scalar z149 = c_theta * z146 + z130 - z148;
+    const Scalar z150 = s_theta * z147 + z132;
+    const Scalar z151 = z144 * z149;
+    const Scalar z152 = z143 * z150;
+    const Scalar z153 = s_psi * z152 - c_psi * z151;
+    const Scalar z154 = s_psi * z151 + c_psi * z152;
+    const Scalar z155 = z140 * z152 - z147;
+    const Scalar z156 = z135 * z151 + z148;
+    const Scalar z157 = v_x * c_psi + v_y * s_psi;
+    const Scalar z158 = v_x * s_psi - v_y * c_psi;
+    const Scalar z166 = p_C * z42;
+    const Scalar z188 = n2 * z10;
+    const Scalar z189 = z10 * p_C;
+    const Scalar z190 = p_A * z188 - z189;
+    const Scalar z191 = z11 * p_C;
+    const Scalar z193 = s_theta * z31 + c_theta * z30;
+    const Scalar z194 = s_theta * z42 + c_theta * z30;
+    const Scalar z195 = p_C * z194;
+    const Scalar z196 = p_A * z193 - z195;
+    const Scalar z197 = n2 * z31;
+    const Scalar z198 = p_A * z197 - z166;
+    const Scalar z199 = p_C * z30;
+    const Scalar z206 = s_theta * v_theta + z11;
+    const Scalar z207 = c_theta * z206;
+    const Scalar z209 = z30 * z30 - z31 * z31;
+    const Scalar z210 = z30 * z30 - z31 * z42;
+    const Scalar z211 = p_C * z210;
+    const Scalar z212 = p_A * z209 - z211;
+    const Scalar z215 = v_theta * p_C;
+    const Scalar z216 = s_theta * z215;
+    const Scalar z222 = v_x * z129 + v_y * z128;
+    const Scalar z224 = c_theta * v_theta + z10;
+    const Scalar z400 = z128 * z144;
+    const Scalar z401 = z129 * z143;
+    const Scalar z402 = s_psi * z401 - c_psi * z400;
+    const Scalar z403 = s_psi * z400 + c_psi * z401;
+    const Scalar z404 = z140 * z401;
+    const Scalar z405 = z135 * z400;
+    const Scalar z406 = c_psi * z144;
+    const Scalar z407 = s_psi * z143;
+    const Scalar z408 = n1 - s_psi * z407 - c_psi * z406;
+    const Scalar z412 = z129 * z144;
+    const Scalar z413 = z128 * z143;
+    const Scalar z414 = s_psi * z413 + c_psi * z412;
+    const Scalar z415 = s_psi * z412 - c_psi * z413;
+    const Scalar z416 = z140 * z413;
+    const Scalar z417 = z135 * z412;
+    const Scalar z418 = s_psi * z144;
+    const Scalar z419 = c_psi * z143;
+    const Scalar z420 = s_psi * z419 - c_psi * z418;
+    const Scalar z421 = n1 - s_psi * z418 - c_psi * z419;
+    const Scalar z424 = s_psi * z153 + c_psi * z154 - z222;
+    const Scalar z426 = s_psi * z153 + c_psi * z154 - z424;
+    const Scalar z427 = v_psi * (v_x * s_psi - v_y * c_psi);
+    const Scalar z428 = z144 * z426;
+    const Scalar z429 = z143 * z427;
+    const Scalar z430 = s_psi * z429 + c_psi * z428 - z154;
+    const Scalar z431 = s_psi * z428 - c_psi * z429 - z153;
+    const Scalar z432 = z140 * z429;
+    const Scalar z433 = z135 * z428;
+    const Scalar z434 = s_theta * z190;
+    const Scalar z435 = z139 * z434;
+    const Scalar z436 = z138 * z196;
+    const Scalar z437 = z135 * z191 + z136 * z435;
+    const Scalar z438 = s_theta * z436 - z157;
+    const Scalar z439 = z144 * z158;
+    const Scalar z440 = z143 * z438;
+    const Scalar z441 = s_psi * z440 + c_psi * z439;
+    const Scalar z442 = s_psi * z439 - c_psi * z440;
+    const Scalar z443 = z140 * z440 - z436;
+    const Scalar z444 = z135 * z439 + z437;
+    const Scalar z445 = z136 * z139;
+    const Scalar z447 = c_theta * z155 - z79;
+    const Scalar z448 = c_theta * z146;
+    const Scalar z449 = v_theta * z30 + z448;  // angular acceleration of hoop.2, z
+    const Scalar z450 = z156 - z449;  // angular acceleration of hoop, z
+    const Scalar z451 = p_C * z450;  // moment on hoop, z
+    const Scalar z452 = z84 + z449;
+    const Scalar z453 = p_A * z452 - z91;
+    const Scalar z454 = s_theta * z146;
+    const Scalar z455 = v_theta * z31 - z454;  // angular acceleration of hoop.2, y
+    const Scalar z456 = z83 + z455;
+    const Scalar z457 = p_A * z456 - z90;  // moment on hoop.2, y
+    const Scalar z458 = p_C * z455;
+    const Scalar z459 = s_theta * (z451 + z453) - c_theta * (z457 - z458);
+    const Scalar z460 = s_theta * z151 - z459;
+    const Scalar z461 = c_theta * z155 - v_theta * z11;
+    const Scalar z462 = n9_81 + z461;
+    const Scalar z463 = s_theta * z155 + v_theta * z10;
+    const Scalar z464 = s_theta * z462 + c_theta * z463 - z212;
+    const Scalar z465 = c_theta * z152 + z464;
+    const Scalar z466 = z136 * z458 + z460;
+    const Scalar z467 = z139 * z466;
+    const Scalar z468 = z138 * z465;
+    const Scalar z469 = z135 * z458 + z136 * z467;
+    const Scalar z470 = s_theta * z468 + z447;
+    const Scalar z471 = z143 * z470;
+    const Scalar z472 = s_psi * z471;
+    const Scalar z473 = c_psi * z471;
+    const Scalar z474 = z140 * z471 - z468;
+    const Scalar z475 = s_theta * z198;
+    const Scalar z476 = z139 * z475;
+    const Scalar z477 = z138 * z207;
+    const Scalar z478 = z135 * z199 + z136 * z476;
+    const Scalar z479 = s_theta * z477 + z224;
+    const Scalar z480 = z143 * z479;
+    const Scalar z481 = s_psi * z480;
+    const Scalar z482 = c_psi * z480;
+    const Scalar z484 = s_theta / z78;
+    const Scalar z485 = z143 * z484;
+    const Scalar z486 = s_psi * z485;
+    const Scalar z487 = c_psi * z485;
+    const Scalar z488 = z138 - z140 * z485;
+    const Scalar z489 = z139 * z216;
+    const Scalar z490 = z138 * z199;
+    const Scalar z491 = z136 * z489;
+    const Scalar z492 = s_theta * z490;
+    const Scalar z493 = z143 * z492;
+    const Scalar z494 = s_psi * z493;
+    const Scalar z495 = c_psi * z493;
+    const Scalar z496 = z140 * z493 - z490;
+    const Scalar z497 = z135 + z136 * z445;
+    const Scalar z499 = c_psi * z498;
+    const Scalar z500 = s_psi * z498;
+    const Scalar z501 = z135 * z498 - z497;
     result.by_position[0] = n0;
     result.by_position[1] = n0;
     result.by_position[2] = n0;
@@ -2142,105 +2087,105 @@ struct Mechanism {
     result.by_position[7] = n0;
     result.by_position[8] = n0;
     result.by_position[9] = n0;
-    result.by_position[10] = -z447;
-    result.by_position[11] = z448;
+    result.by_position[10] = z430;
+    result.by_position[11] = z431;
     result.by_position[12] = n0;
-    result.by_position[13] = z450;
-    result.by_position[14] = z451;
-    result.by_position[15] = z500;
-    result.by_position[16] = -z501;
-    result.by_position[17] = z502;
-    result.by_position[18] = -z503;
-    result.by_position[19] = -z504;
+    result.by_position[13] = -z432;
+    result.by_position[14] = z433;
+    result.by_position[15] = z472;
+    result.by_position[16] = -z473;
+    result.by_position[17] = -z467;
+    result.by_position[18] = -z474;
+    result.by_position[19] = z469;
     result.by_position[20] = n0;
     result.by_position[21] = n0;
     result.by_position[22] = n0;
     result.by_position[23] = n0;
     result.by_position[24] = n0;
-    result.by_velocity[0] = -z415;
-    result.by_velocity[1] = z416;
+    result.by_velocity[0] = -z402;
+    result.by_velocity[1] = z403;
     result.by_velocity[2] = n0;
-    result.by_velocity[3] = z418;
-    result.by_velocity[4] = z419;
-    result.by_velocity[5] = -z429;
-    result.by_velocity[6] = -z430;
+    result.by_velocity[3] = z404;
+    result.by_velocity[4] = z405;
+    result.by_velocity[5] = -z414;
+    result.by_velocity[6] = -z415;
     result.by_velocity[7] = n0;
-    result.by_velocity[8] = z432;
-    result.by_velocity[9] = -z433;
-    result.by_velocity[10] = z460;
-    result.by_velocity[11] = -z461;
-    result.by_velocity[12] = z462;
-    result.by_velocity[13] = -z463;
-    result.by_velocity[14] = -z464;
-    result.by_velocity[15] = z513;
-    result.by_velocity[16] = -z514;
-    result.by_velocity[17] = z515;
+    result.by_velocity[8] = z416;
+    result.by_velocity[9] = -z417;
+    result.by_velocity[10] = z441;
+    result.by_velocity[11] = z442;
+    result.by_velocity[12] = -z435;
+    result.by_velocity[13] = -z443;
+    result.by_velocity[14] = z444;
+    result.by_velocity[15] = z481;
+    result.by_velocity[16] = -z482;
+    result.by_velocity[17] = -z476;
     result.by_velocity[18] = n0;
-    result.by_velocity[19] = -z517;
-    result.by_velocity[20] = -z529;
-    result.by_velocity[21] = z530;
-    result.by_velocity[22] = -z531;
-    result.by_velocity[23] = z532;
-    result.by_velocity[24] = z533;
-    result.by_force[0] = z422;
-    result.by_force[1] = z436;
+    result.by_velocity[19] = z478;
+    result.by_velocity[20] = -z494;
+    result.by_velocity[21] = z495;
+    result.by_velocity[22] = z489;
+    result.by_velocity[23] = z496;
+    result.by_velocity[24] = -z491;
+    result.by_force[0] = z408;
+    result.by_force[1] = z420;
     result.by_force[2] = n0;
-    result.by_force[3] = z519;
-    result.by_force[4] = -z537;
-    result.by_force[5] = z436;
-    result.by_force[6] = z437;
+    result.by_force[3] = z486;
+    result.by_force[4] = -z499;
+    result.by_force[5] = z420;
+    result.by_force[6] = z421;
     result.by_force[7] = n0;
-    result.by_force[8] = -z520;
-    result.by_force[9] = -z538;
+    result.by_force[8] = -z487;
+    result.by_force[9] = -z500;
     result.by_force[10] = n0;
     result.by_force[11] = n0;
-    result.by_force[12] = -z470;
+    result.by_force[12] = z139;
     result.by_force[13] = n0;
-    result.by_force[14] = z539;
-    result.by_force[15] = z519;
-    result.by_force[16] = -z520;
+    result.by_force[14] = -z445;
+    result.by_force[15] = z486;
+    result.by_force[16] = -z487;
     result.by_force[17] = n0;
-    result.by_force[18] = z521;
+    result.by_force[18] = z488;
     result.by_force[19] = n0;
-    result.by_force[20] = -z537;
-    result.by_force[21] = -z538;
-    result.by_force[22] = z539;
+    result.by_force[20] = -z499;
+    result.by_force[21] = -z500;
+    result.by_force[22] = -z445;
     result.by_force[23] = n0;
-    result.by_force[24] = -z540;
+    result.by_force[24] = -z501;
     result.multipliers_by_position[0] = n0;
     result.multipliers_by_position[1] = n0;
     result.multipliers_by_position[2] = n0;
     result.multipliers_by_position[3] = n0;
-    result.multipliers_by_position[4] = z445;
-    result.multipliers_by_position[5] = z446;
+    result.multipliers_by_position[4] = z428;
+    result.multipliers_by_position[5] = -z429;
     result.multipliers_by_position[6] = n0;
-    result.multipliers_by_position[7] = -z499;
+    result.multipliers_by_position[7] = -z471;
     result.multipliers_by_position[8] = n0;
     result.multipliers_by_position[9] = n0;
-    result.multipliers_by_velocity[0] = z413;
-    result.multipliers_by_velocity[1] = z414;
-    result.multipliers_by_velocity[2] = -z427;
-    result.multipliers_by_velocity[3] = z428;
-    result.multipliers_by_velocity[4] = -z458;
-    result.multipliers_by_velocity[5] = -z459;
+    result.multipliers_by_velocity[0] = z400;
+    result.multipliers_by_velocity[1] = z401;
+    result.multipliers_by_velocity[2] = -z412;
+    result.multipliers_by_velocity[3] = z413;
+    result.multipliers_by_velocity[4] = z439;
+    result.multipliers_by_velocity[5] = -z440;
     result.multipliers_by_velocity[6] = n0;
-    result.multipliers_by_velocity[7] = -z512;
+    result.multipliers_by_velocity[7] = -z480;
     result.multipliers_by_velocity[8] = n0;
-    result.multipliers_by_velocity[9] = z528;
-    result.multipliers_by_force[0] = -z420;
-    result.multipliers_by_force[1] = z421;
-    result.multipliers_by_force[2] = -z434;
-    result.multipliers_by_force[3] = -z435;
+    result.multipliers_by_velocity[9] = z493;
+    result.multipliers_by_force[0] = -z406;
+    result.multipliers_by_force[1] = z407;
+    result.multipliers_by_force[2] = -z418;
+    result.multipliers_by_force[3] = -z419;
     result.multipliers_by_force[4] = n0;
     result.multipliers_by_force[5] = n0;
     result.multipliers_by_force[6] = n0;
-    result.multipliers_by_force[7] = -z518;
-    result.multipliers_by_force[8] = -z536;
+    result.multipliers_by_force[7] = -z485;
+    result.multipliers_by_force[8] = -z498;
     result.multipliers_by_force[9] = n0;
-    if (!(traits::regular(-z157, z83) && traits::regular(z98, z98) && traits::regular(p_C, p_C) && traits::regular(z164,
-        z164) && traits::regular(z165, z165))) return torsor::Status::singular;
+    if (!(traits::regular(z137, -z62) && traits::regular(z78, z78) && traits::regular(p_C, p_C) && traits::regular(z141,
+        z141) && traits::regular(z142, z142))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
-    const Scalar zero = (((result.by_position[10] - result.by_position[10]) + (result.by_position[11]
+    const Scalar zero = (result.by_position[10] - result.by_position[10]) + (result.by_position[11]
         - result.by_position[11]) + (result.by_position[13] - result.by_position[13]) + (result.by_position[14]
         - result.by_position[14]) + (result.by_position[15] - result.by_position[15]) + (result.by_position[16]
         - result.by_position[16]) + (result.by_position[17] - result.by_position[17]) + (result.by_position[18]
@@ -2248,7 +2193,7 @@ struct Mechanism {
         - result.by_velocity[0]) + (result.by_velocity[1] - result.by_velocity[1]) + (result.by_velocity[3]
         - result.by_velocity[3]) + (result.by_velocity[4] - result.by_velocity[4]) + (result.by_velocity[5]
         - result.by_velocity[5]) + (result.by_velocity[6] - result.by_velocity[6]) + (result.by_velocity[8]
-        - result.by_velocity[8])) + ((result.by_velocity[9] - result.by_velocity[9]) + (result.by_velocity[10]
+        - result.by_velocity[8]) + (result.by_velocity[9] - result.by_velocity[9]) + (result.by_velocity[10]
         - result.by_velocity[10]) + (result.by_velocity[11] - result.by_velocity[11]) + (result.by_velocity[12]
         - result.by_velocity[12]) + (result.by_velocity[13] - result.by_velocity[13]) + (result.by_velocity[14]
         - result.by_velocity[14]) + (result.by_velocity[15] - result.by_velocity[15]) + (result.by_velocity[16]
@@ -2256,31 +2201,31 @@ struct Mechanism {
         - result.by_velocity[19]) + (result.by_velocity[20] - result.by_velocity[20]) + (result.by_velocity[21]
         - result.by_velocity[21]) + (result.by_velocity[22] - result.by_velocity[22]) + (result.by_velocity[23]
         - result.by_velocity[23]) + (result.by_velocity[24] - result.by_velocity[24]) + (result.by_force[0]
-        - result.by_force[0]))) + (((result.by_force[1] - result.by_force[1]) + (result.by_force[3]
-        - result.by_force[3]) + (result.by_force[4] - result.by_force[4]) + (result.by_force[5] - result.by_force[5])
-        + (result.by_force[6] - result.by_force[6]) + (result.by_force[8] - result.by_force[8]) + (result.by_force[9]
-        - result.by_force[9]) + (result.by_force[12] - result.by_force[12]) + (result.by_force[14]
-        - result.by_force[14]) + (result.by_force[15] - result.by_force[15]) + (result.by_force[16]
-        - result.by_force[16]) + (result.by_force[18] - result.by_force[18]) + (result.by_force[20]
-        - result.by_force[20]) + (result.by_force[21] - result.by_force[21]) + (result.by_force[22]
-        - result.by_force[22]) + (result.by_force[24] - result.by_force[24])) + (((result.multipliers_by_position[4]
+        - result.by_force[0]) + (result.by_force[1] - result.by_force[1]) + (result.by_force[3] - result.by_force[3])
+        + (result.by_force[4] - result.by_force[4]) + (result.by_force[5] - result.by_force[5]) + (result.by_force[6]
+        - result.by_force[6]) + (result.by_force[8] - result.by_force[8]) + (result.by_force[9] - result.by_force[9])
+        + (result.by_force[12] - result.by_force[12]) + (result.by_force[14] - result.by_force[14])
+        + (result.by_force[15] - result.by_force[15]) + (result.by_force[16] - result.by_force[16])
+        + (result.by_force[18] - result.by_force[18]) + (result.by_force[20] - result.by_force[20])
+        + (result.by_force[21] - result.by_force[21]) + (result.by_force[22] - result.by_force[22])
+        + (result.by_force[24] - result.by_force[24]) + (result.multipliers_by_position[4]
         - result.multipliers_by_position[4]) + (result.multipliers_by_position[5] - result.multipliers_by_position[5])
         + (result.multipliers_by_position[7] - result.multipliers_by_position[7]) + (result.multipliers_by_velocity[0]
         - result.multipliers_by_velocity[0]) + (result.multipliers_by_velocity[1] - result.multipliers_by_velocity[1])
         + (result.multipliers_by_velocity[2] - result.multipliers_by_velocity[2]) + (result.multipliers_by_velocity[3]
-        - result.multipliers_by_velocity[3]) + (result.multipliers_by_velocity[4] - result.multipliers_by_velocity[4]))
-        + ((result.multipliers_by_velocity[5] - result.multipliers_by_velocity[5]) + (result.multipliers_by_velocity[7]
+        - result.multipliers_by_velocity[3]) + (result.multipliers_by_velocity[4] - result.multipliers_by_velocity[4])
+        + (result.multipliers_by_velocity[5] - result.multipliers_by_velocity[5]) + (result.multipliers_by_velocity[7]
         - result.multipliers_by_velocity[7]) + (result.multipliers_by_velocity[9] - result.multipliers_by_velocity[9])
         + (result.multipliers_by_force[0] - result.multipliers_by_force[0]) + (result.multipliers_by_force[1]
         - result.multipliers_by_force[1]) + (result.multipliers_by_force[2] - result.multipliers_by_force[2])
         + (result.multipliers_by_force[3] - result.multipliers_by_force[3]) + (result.multipliers_by_force[7]
-        - result.multipliers_by_force[7]) + (result.multipliers_by_force[8] - result.multipliers_by_force[8]))));
+        - result.multipliers_by_force[7]) + (result.multipliers_by_force[8] - result.multipliers_by_force[8]);
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
 
   /// Taylor coefficients of the motion: coefficients[k] = y^(k)/k! for k = 0..order, 1 <= order <= 30, y positions
-  /// then velocities, the inputs being constant. 41 operations take a convolution at each order.
+  /// then velocities, the inputs being constant. 33 operations take a convolution at each order.
   /// Returns singular where forward_dynamics does.
   TORSOR_DEVICE static torsor::Status jets(const Precomputed& precomputed, const State& state, const Inputs&, int order,
       std::array<Scalar, 10>* coefficients) noexcept {
@@ -2290,94 +2235,75 @@ struct Mechanism {
     const Scalar q_psi = state.q.psi;
     const Scalar p_A = precomputed.parameters.A;
     const Scalar p_C = precomputed.parameters.C;
-    const Scalar z79 = precomputed.z79;
-    const Scalar z155 = precomputed.z155;
+    const Scalar z59 = precomputed.z59;
+    const Scalar z135 = precomputed.z135;
+    const Scalar z141 = precomputed.z141;
+    const Scalar z144 = precomputed.z144;
     const Scalar angles_[] = {q_theta, q_psi};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta = sines_[0], c_theta = cosines_[0];
     const Scalar s_psi = sines_[1], c_psi = cosines_[1];
-    const Scalar z74 = c_theta * p_C;
-    const Scalar z80 = s_theta * z79;
-    const Scalar z81 = s_theta * z80;
-    const Scalar z83 = p_C + z81;
-    const Scalar z98 = c_theta * c_theta + p_A;
-    const Scalar z156 = z74 * z155;
-    const Scalar z157 = z74 * z156 - z83;
-    const Scalar z158 = n1 / z98;
-    const Scalar z159 = n1 / z157;
-    const Scalar z160 = c_theta - z156;
-    const Scalar z161 = z159 * z160;
-    const Scalar z162 = z155 + z156 * z161;
-    const Scalar z163 = s_theta * z158;
-    const Scalar z164 = n1 - c_theta * z161 + z162;
-    const Scalar z165 = n1 + s_theta * z163;
+    const Scalar z61 = c_theta * z59;
+    const Scalar z62 = c_theta * z61 - p_A;
+    const Scalar z78 = c_theta * c_theta + p_A;
+    const Scalar z137 = s_theta * s_theta * p_A;
+    const Scalar z138 = n1 / z78;
+    const Scalar z140 = s_theta * z138;
+    const Scalar z142 = n1 + s_theta * z140;
     const Scalar b5 = state.v.theta;
     const Scalar b8 = state.v.psi;
     const Scalar b6 = s_theta * b5;
+    const Scalar b18 = c_theta * c_theta;
+    const Scalar b19 = p_A + b18;
+    const Scalar i20 = n1 / b19;
     const Scalar f0 = precomputed.y0;
     const Scalar b12 = c_theta * b8;
     const Scalar b11 = state.v.phi;
     const Scalar b13 = b11 + b12;
-    const Scalar b15 = f0 * b12 - p_C * b13;
-    const Scalar b16 = b5 * b15;
-    const Scalar b14 = b6 * b8;
+    const Scalar b23 = f0 * b12 - p_C * b13;
+    const Scalar b24 = b5 * b23;
+    const Scalar b25 = b24 / s_theta;
+    const Scalar i25 = n1 / s_theta;
+    const Scalar b26 = p_A * b12 - p_C * b13;
+    const Scalar b27 = b8 * b26;
+    const Scalar b14 = b5 * b6;
+    const Scalar b15 = -n9_81 + b14;
+    const Scalar b29 = c_theta * b15;
+    const Scalar b28 = s_theta * b27;
+    const Scalar b30 = b29 + b28;
+    const Scalar b31 = b30 / b19;
+    const Scalar i31 = n1 / b19;
     const Scalar f1 = precomputed.y1;
     const Scalar f2 = precomputed.y2;
-    const Scalar b23 = c_theta * c_theta;
-    const Scalar b25 = s_theta * s_theta;
-    const Scalar b26 = -p_C + f1 * b23 - z79 * b25;
-    const Scalar i28 = n1 / b26;
-    const Scalar b24 = p_A + b23;
-    const Scalar i30 = n1 / b24;
-    const Scalar f3 = precomputed.y4;
-    const Scalar b18 = c_theta * b14;
-    const Scalar b17 = s_theta * b16;
-    const Scalar b34 = -f3 * b18 + b17;
-    const Scalar b35 = b34 / b26;
-    const Scalar i35 = n1 / b26;
-    const Scalar b36 = p_A * b12 - p_C * b13;
-    const Scalar b37 = b8 * b36;
-    const Scalar b19 = b5 * b6;
-    const Scalar b20 = -n9_81 + b19;
-    const Scalar b39 = c_theta * b20;
-    const Scalar b38 = s_theta * b37;
-    const Scalar b40 = b39 + b38;
-    const Scalar b41 = b40 / b24;
-    const Scalar i41 = n1 / b24;
-    const Scalar f4 = precomputed.y5;
-    const Scalar b21 = b8 * s_psi;
+    const Scalar b16 = b8 * s_psi;
     const Scalar b0 = state.v.x;
-    const Scalar b22 = b8 * c_psi;
+    const Scalar b17 = b8 * c_psi;
     const Scalar b1 = state.v.y;
-    const Scalar b44 = b0 * b21;
-    const Scalar b45 = b1 * b22;
-    const Scalar b42 = c_theta * b35;
-    const Scalar b46 = f2 * b14 + b44 - b45 - f2 * b42;
-    const Scalar f5 = precomputed.y3;
-    const Scalar b29 = c_theta * z161;
-    const Scalar b33 = -f5 + f2 * b29;
-    const Scalar b47 = b46 / b33;
-    const Scalar i47 = n1 / b33;
-    const Scalar b51 = b5 * b5;
-    const Scalar b52 = c_theta * b51;
-    const Scalar b49 = b0 * b22;
-    const Scalar b50 = b1 * b21;
-    const Scalar b48 = s_theta * b41;
-    const Scalar b53 = b52 - b49 - b50 + b48;
-    const Scalar b31 = s_theta * z163;
-    const Scalar b32 = n1 + b31;
-    const Scalar b54 = b53 / b32;
-    const Scalar i54 = n1 / b32;
-    const Scalar b55 = z155 + f4 * b29;
-    const Scalar b56 = s_psi * b54;
-    const Scalar b57 = c_psi * b47;
-    const Scalar b58 = s_psi * b47;
-    const Scalar b59 = c_psi * b54;
-    const Scalar b60 = z161 * b47;
-    const Scalar b61 = z163 * b54;
-    const Scalar b43 = f4 * b14 - f4 * b42;
-    const Scalar b62 = b47 * b55;
+    const Scalar b40 = b5 * b5;
+    const Scalar b41 = c_theta * b40;
+    const Scalar b38 = b0 * b17;
+    const Scalar b39 = b1 * b16;
+    const Scalar b37 = s_theta * b31;
+    const Scalar b42 = b41 - b38 - b39 + b37;
+    const Scalar b21 = s_theta * z140;
+    const Scalar b22 = n1 + b21;
+    const Scalar b43 = b42 / b22;
+    const Scalar i43 = n1 / b22;
+    const Scalar f3 = precomputed.y3;
+    const Scalar f4 = precomputed.y4;
+    const Scalar b32 = b6 * b8;
+    const Scalar b35 = b0 * b16;
+    const Scalar b36 = b1 * b17;
+    const Scalar b33 = c_theta * b25;
+    const Scalar b44 = f3 * b32 - z144 * b35 + z144 * b36 + f4 * b33;
+    const Scalar f5 = precomputed.y5;
+    const Scalar b46 = c_psi * b44;
+    const Scalar b45 = s_psi * b43;
+    const Scalar b47 = s_psi * b44;
+    const Scalar b48 = c_psi * b43;
+    const Scalar b49 = z140 * b43;
+    const Scalar b34 = f1 * b32 + f2 * b33;
     coefficients[0][0] = state.q.x;
     coefficients[0][1] = state.q.y;
     coefficients[0][2] = state.q.psi;
@@ -2393,13 +2319,13 @@ struct Mechanism {
     coefficients[1][2] = b8;
     coefficients[1][3] = b5;
     coefficients[1][4] = b11;
-    coefficients[1][5] = b56 - b57;
-    coefficients[1][6] = -b58 - b59;
-    coefficients[1][7] = b35 + b60;
-    coefficients[1][8] = b41 - b61;
-    coefficients[1][9] = b43 - b62;
-    torsor::Convolutions<Scalar, 41> operations_;
-    typename torsor::Convolutions<Scalar, 41>::Sums sums_;
+    coefficients[1][5] = -b46 + b45;
+    coefficients[1][6] = -b47 - b48;
+    coefficients[1][7] = -f5 * b25;
+    coefficients[1][8] = b31 - b49;
+    coefficients[1][9] = b34 - z135 * b44;
+    torsor::Convolutions<Scalar, 33> operations_;
+    typename torsor::Convolutions<Scalar, 33>::Sums sums_;
     Scalar number_ = n1, inverse_ = n1;
     for (int k_ = 1; k_ < order; ++k_) {
       const Scalar following_ = number_ + n1, next_ = n1 / following_;
@@ -2420,76 +2346,63 @@ struct Mechanism {
       const Scalar x11 = coefficients[k_][9];
       const Scalar x12 = sums_[5] + c_theta * x8 + b8 * x4;
       const Scalar x13 = x11 + x12;
-      const Scalar x14 = sums_[6] + b6 * x8 + b8 * x6;
-      const Scalar x15 = f0 * x12 - p_C * x13;
-      const Scalar x16 = sums_[7] + b15 * x5 + b5 * x15;  // moment on hoop.2, y
-      const Scalar x17 = sums_[8] + b16 * x3 + s_theta * x16;
-      const Scalar x18 = sums_[9] + b14 * x4 + c_theta * x14;
-      const Scalar x19 = sums_[10] + b6 * x5 + b5 * x6;
-      const Scalar x20 = x19;
-      const Scalar x21 = sums_[11] + s_psi * x8 + b8 * x9;
-      const Scalar x22 = sums_[12] + c_psi * x8 + b8 * x10;
-      const Scalar x23 = sums_[13] + (c_theta + c_theta) * x4;
-      const Scalar x24 = x23;
-      const Scalar x25 = sums_[14] + (s_theta + s_theta) * x3;
-      const Scalar x26 = f1 * x23 - z79 * x25;
-      const Scalar x27 = f2 * x4;
-      const Scalar x28 = (x27 - sums_[15] - z161 * x26) * i28;
-      const Scalar x29 = sums_[16] + z161 * x4 + c_theta * x28;
-      const Scalar x30 = (x3 - sums_[17] - z163 * x24) * i30;
-      const Scalar x31 = sums_[18] + z163 * x3 + s_theta * x30;
-      const Scalar x32 = x31;
-      const Scalar x33 = f2 * x29;
-      const Scalar x34 = -f3 * x18 + x17;
-      const Scalar x35 = (x34 - (sums_[19] + b35 * x26)) * i35;
-      const Scalar x36 = p_A * x12 - p_C * x13;
-      const Scalar x37 = sums_[20] + b36 * x8 + b8 * x36;
-      const Scalar x38 = sums_[21] + b37 * x3 + s_theta * x37;
-      const Scalar x39 = sums_[22] + b20 * x4 + c_theta * x20;
-      const Scalar x40 = x39 + x38;
-      const Scalar x41 = (x40 - (sums_[23] + b41 * x24)) * i41;
-      const Scalar x42 = sums_[24] + b35 * x4 + c_theta * x35;
-      const Scalar x43 = f4 * x14 - f4 * x42;
-      const Scalar x44 = sums_[25] + b21 * x0 + b0 * x21;
-      const Scalar x45 = sums_[26] + b22 * x1 + b1 * x22;
-      const Scalar x46 = f2 * x14 + x44 - x45 - f2 * x42;
-      const Scalar x47 = (x46 - (sums_[27] + b47 * x33)) * i47;
-      const Scalar x48 = sums_[28] + b41 * x3 + s_theta * x41;
-      const Scalar x49 = sums_[29] + b22 * x0 + b0 * x22;
-      const Scalar x50 = sums_[30] + b21 * x1 + b1 * x21;
-      const Scalar x51 = sums_[31] + (b5 + b5) * x5;
-      const Scalar x52 = sums_[32] + c_theta * x51 + b51 * x4;
-      const Scalar x53 = x52 - x49 - x50 + x48;
-      const Scalar x54 = (x53 - (sums_[33] + b54 * x32)) * i54;
-      const Scalar x55 = f4 * x29;
-      const Scalar x56 = sums_[34] + b54 * x9 + s_psi * x54;
-      const Scalar x57 = sums_[35] + b47 * x10 + c_psi * x47;
-      const Scalar x58 = sums_[36] + b47 * x9 + s_psi * x47;
-      const Scalar x59 = sums_[37] + b54 * x10 + c_psi * x54;
-      const Scalar x60 = sums_[38] + b47 * x28 + z161 * x47;
-      const Scalar x61 = sums_[39] + b54 * x30 + z163 * x54;
-      const Scalar x62 = sums_[40] + b47 * x55 + b55 * x47;
+      const Scalar x14 = sums_[6] + b6 * x5 + b5 * x6;
+      const Scalar x15 = x14;
+      const Scalar x16 = sums_[7] + s_psi * x8 + b8 * x9;
+      const Scalar x17 = sums_[8] + c_psi * x8 + b8 * x10;
+      const Scalar x18 = sums_[9] + (c_theta + c_theta) * x4;
+      const Scalar x19 = x18;
+      const Scalar x20 = (x3 - sums_[10] - z140 * x19) * i20;
+      const Scalar x21 = sums_[11] + z140 * x3 + s_theta * x20;
+      const Scalar x22 = x21;
+      const Scalar x23 = f0 * x12 - p_C * x13;
+      const Scalar x24 = sums_[12] + b23 * x5 + b5 * x23;  // moment on hoop.2, y
+      const Scalar x25 = (x24 - (sums_[13] + b25 * x3)) * i25;
+      const Scalar x26 = p_A * x12 - p_C * x13;
+      const Scalar x27 = sums_[14] + b26 * x8 + b8 * x26;
+      const Scalar x28 = sums_[15] + b27 * x3 + s_theta * x27;
+      const Scalar x29 = sums_[16] + b15 * x4 + c_theta * x15;
+      const Scalar x30 = x29 + x28;
+      const Scalar x31 = (x30 - (sums_[17] + b31 * x19)) * i31;
+      const Scalar x32 = sums_[18] + b6 * x8 + b8 * x6;
+      const Scalar x33 = sums_[19] + b25 * x4 + c_theta * x25;
+      const Scalar x34 = f1 * x32 + f2 * x33;
+      const Scalar x35 = sums_[20] + b16 * x0 + b0 * x16;
+      const Scalar x36 = sums_[21] + b17 * x1 + b1 * x17;
+      const Scalar x37 = sums_[22] + b31 * x3 + s_theta * x31;
+      const Scalar x38 = sums_[23] + b17 * x0 + b0 * x17;
+      const Scalar x39 = sums_[24] + b16 * x1 + b1 * x16;
+      const Scalar x40 = sums_[25] + (b5 + b5) * x5;
+      const Scalar x41 = sums_[26] + c_theta * x40 + b40 * x4;
+      const Scalar x42 = x41 - x38 - x39 + x37;
+      const Scalar x43 = (x42 - (sums_[27] + b43 * x22)) * i43;
+      const Scalar x44 = f3 * x32 - z144 * x35 + z144 * x36 + f4 * x33;
+      const Scalar x45 = sums_[28] + b43 * x9 + s_psi * x43;
+      const Scalar x46 = sums_[29] + b44 * x10 + c_psi * x44;
+      const Scalar x47 = sums_[30] + b44 * x9 + s_psi * x44;
+      const Scalar x48 = sums_[31] + b43 * x10 + c_psi * x43;
+      const Scalar x49 = sums_[32] + b43 * x20 + z140 * x43;
       coefficients[k_ + 1][0] = next_ * x0;
       coefficients[k_ + 1][1] = next_ * x1;
       coefficients[k_ + 1][2] = next_ * x8;
       coefficients[k_ + 1][3] = next_ * x5;
       coefficients[k_ + 1][4] = next_ * x11;
-      coefficients[k_ + 1][5] = next_ * (x56 - x57);
-      coefficients[k_ + 1][6] = next_ * (-x58 - x59);
-      coefficients[k_ + 1][7] = next_ * (x35 + x60);
-      coefficients[k_ + 1][8] = next_ * (x41 - x61);
-      coefficients[k_ + 1][9] = next_ * (x43 - x62);
-      const Scalar left_[] = {w2, w2, x3, w7, w7, x4, x6, x5, x3, x4, x5, x8, x8, x4, x3, x28, x4, x30, x3, x35, x8, x3,
-        x4, x41, x4, x0, x1, x47, x3, x0, x1, x5, x4, x54, x9, x10, x9, x10, x28, x30, x47};
-      const Scalar right_[] = {x4, x3, x5, x10, x9, x8, x8, x15, x16, x14, x6, x9, x10, x4, x3, x26, x28, x24, x30, x26,
-        x36, x37, x20, x24, x35, x21, x22, x33, x41, x22, x21, x5, x51, x32, x54, x47, x47, x54, x47, x54, x55};
+      coefficients[k_ + 1][5] = next_ * (-x46 + x45);
+      coefficients[k_ + 1][6] = next_ * (-x47 - x48);
+      coefficients[k_ + 1][7] = next_ * -f5 * x25;
+      coefficients[k_ + 1][8] = next_ * (x31 - x49);
+      coefficients[k_ + 1][9] = next_ * (x34 - z135 * x44);
+      const Scalar left_[] = {w2, w2, x3, w7, w7, x4, x5, x8, x8, x4, x20, x3, x5, x25, x8, x3, x4, x31, x6, x4, x0, x1,
+        x3, x0, x1, x5, x4, x43, x9, x10, x9, x10, x20};
+      const Scalar right_[] = {x4, x3, x5, x10, x9, x8, x6, x9, x10, x4, x19, x20, x23, x3, x26, x27, x15, x19, x8, x25,
+        x16, x17, x31, x17, x16, x5, x40, x22, x43, x44, x44, x43, x43};
       operations_.keep(k_, left_, right_);
       number_ = following_;
       inverse_ = next_;
     }
     static_cast<void>(inverse_);
-    if (!(traits::regular(-z157, z83) && traits::regular(z98, z98) && traits::regular(p_C, p_C) && traits::regular(z164,
-        z164) && traits::regular(z165, z165))) return torsor::Status::singular;
+    if (!(traits::regular(z137, -z62) && traits::regular(z78, z78) && traits::regular(p_C, p_C) && traits::regular(z141,
+        z141) && traits::regular(z142, z142))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (coefficients[order][0] - coefficients[order][0]) + (coefficients[order][1]
         - coefficients[order][1]) + (coefficients[order][2] - coefficients[order][2]) + (coefficients[order][3]
@@ -2534,32 +2447,32 @@ struct Mechanism {
     const Scalar a_phi = accelerations.phi;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z28 = s_theta * v_psi;
-    const Scalar z29 = c_theta * v_psi;
-    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
-    const Scalar z103 = v_theta * z29;  // angular acceleration of hoop.2, y
-    const Scalar z107 = z28 * z36;
-    const Scalar z108 = v_theta * z36;
-    const Scalar z112 = z28 * z29;
-    const Scalar z125 = s_theta * a_psi;
-    const Scalar z126 = c_theta * a_psi;
-    const Scalar z129 = v_theta * z29 + z125;  // angular acceleration of hoop.2, y
-    const Scalar z130 = v_theta * z28 - z126;  // angular acceleration of hoop.2, z
-    const Scalar z133 = a_phi - z130;  // angular acceleration of hoop, z
-    const Scalar z135 = z103 + z129;
-    const Scalar z541 = s_theta * z135;
-    const Scalar z542 = a_theta - z112;
-    const Scalar z543 = s_theta * z108 - c_theta * z133;
+    const Scalar z30 = s_theta * v_psi;
+    const Scalar z31 = c_theta * v_psi;
+    const Scalar z42 = v_phi + z31;
+    const Scalar z83 = v_theta * z31;  // angular acceleration of hoop.2, y
+    const Scalar z87 = z30 * z42;
+    const Scalar z88 = v_theta * z42;
+    const Scalar z92 = z30 * z31;
+    const Scalar z105 = s_theta * a_psi;
+    const Scalar z106 = c_theta * a_psi;
+    const Scalar z109 = v_theta * z31 + z105;  // angular acceleration of hoop.2, y
+    const Scalar z110 = v_theta * z30 - z106;  // angular acceleration of hoop.2, z
+    const Scalar z113 = a_phi - z110;  // angular acceleration of hoop, z
+    const Scalar z115 = z83 + z109;
+    const Scalar z502 = s_theta * z115;
+    const Scalar z503 = a_theta - z92;
+    const Scalar z504 = s_theta * z88 - c_theta * z113;
     result.by_parameter[0] = n0;
     result.by_parameter[1] = n0;
-    result.by_parameter[2] = z541;
-    result.by_parameter[3] = z542;
+    result.by_parameter[2] = z502;
+    result.by_parameter[3] = z503;
     result.by_parameter[4] = n0;
     result.by_parameter[5] = n0;
     result.by_parameter[6] = n0;
-    result.by_parameter[7] = -z543;
-    result.by_parameter[8] = z107;
-    result.by_parameter[9] = z133;
+    result.by_parameter[7] = -z504;
+    result.by_parameter[8] = z87;
+    result.by_parameter[9] = z113;
   }
 
   /// Derivatives of forward_dynamics by the run-time parameters p at fixed (q, v, u), the accelerations and
@@ -2579,8 +2492,10 @@ struct Mechanism {
     const Scalar v_phi = state.v.phi;
     const Scalar p_A = precomputed.parameters.A;
     const Scalar p_C = precomputed.parameters.C;
-    const Scalar z79 = precomputed.z79;
-    const Scalar z155 = precomputed.z155;
+    const Scalar z59 = precomputed.z59;
+    const Scalar z135 = precomputed.z135;
+    const Scalar z141 = precomputed.z141;
+    const Scalar z144 = precomputed.z144;
     const Scalar angles_[] = {q_theta, q_psi};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
@@ -2588,106 +2503,93 @@ struct Mechanism {
     const Scalar s_psi = sines_[1], c_psi = cosines_[1];
     const Scalar z10 = c_theta * v_theta;
     const Scalar z11 = s_theta * v_theta;
-    const Scalar z28 = s_theta * v_psi;
-    const Scalar z29 = c_theta * v_psi;
-    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
-    const Scalar z74 = c_theta * p_C;
-    const Scalar z80 = s_theta * z79;
-    const Scalar z81 = s_theta * z80;
-    const Scalar z83 = p_C + z81;
-    const Scalar z98 = c_theta * c_theta + p_A;
-    const Scalar z99 = v_theta * z11;
-    const Scalar z100 = n9_81 - z99;
-    const Scalar z103 = v_theta * z29;  // angular acceleration of hoop.2, y
-    const Scalar z104 = v_theta * z28;  // angular acceleration of hoop.2, z
-    const Scalar z107 = z28 * z36;
-    const Scalar z108 = v_theta * z36;
-    const Scalar z109 = p_C * z107;  // moment on hoop, x
-    const Scalar z110 = p_C * z108;  // moment on hoop, y
-    const Scalar z111 = p_C * z104;  // moment on hoop, z
-    const Scalar z112 = z28 * z29;
-    const Scalar z113 = n2 * z103;
-    const Scalar z114 = p_A * z112 - z109;  // moment on hoop.2, x
-    const Scalar z115 = p_A * z113 - z110;  // moment on hoop.2, y
-    const Scalar z117 = s_theta * z115 - c_theta * z111;
-    const Scalar z121 = c_theta * z100 - z114;
-    const Scalar z148 = v_psi * s_psi;
-    const Scalar z149 = v_psi * c_psi;
-    const Scalar z150 = v_x * z148 - v_y * z149 + z11 * v_psi;
-    const Scalar z152 = v_x * z149 + v_y * z148 - v_theta * z10;
-    const Scalar z156 = z74 * z155;
-    const Scalar z157 = z74 * z156 - z83;
-    const Scalar z158 = n1 / z98;
-    const Scalar z159 = n1 / z157;
-    const Scalar z160 = c_theta - z156;
-    const Scalar z161 = z159 * z160;
-    const Scalar z162 = z155 + z156 * z161;
-    const Scalar z163 = s_theta * z158;
-    const Scalar z164 = n1 - c_theta * z161 + z162;
-    const Scalar z165 = n1 + s_theta * z163;
-    const Scalar z166 = n1 / z165;
-    const Scalar z167 = n1 / z164;
-    const Scalar z168 = z111 * z156 + z117;
-    const Scalar z169 = z159 * z168;
-    const Scalar z170 = z121 * z158;
-    const Scalar z171 = z111 * z155 - z156 * z169;
-    const Scalar z172 = c_theta * z169 - z150 + z171;
-    const Scalar z173 = s_theta * z170 + z152;
-    const Scalar z174 = z167 * z172;
-    const Scalar z175 = z166 * z173;
-    const Scalar z178 = z161 * z174 + z169;
-    const Scalar z179 = z163 * z175 - z170;
-    const Scalar z180 = z162 * z174 - z171;
-    const Scalar z474 = c_theta * z178;
-    const Scalar z475 = v_theta * z28 - z474;  // angular acceleration of hoop.2, z
-    const Scalar z476 = z180 + z475;  // angular acceleration of hoop, z
-    const Scalar z480 = s_theta * z178;
-    const Scalar z481 = v_theta * z29 + z480;  // angular acceleration of hoop.2, y
-    const Scalar z482 = z103 + z481;
-    const Scalar z547 = s_theta * z482;
-    const Scalar z548 = z112 - z179;
-    const Scalar z549 = z159 * z547;
-    const Scalar z550 = z158 * z548;
-    const Scalar z551 = z156 * z549;
-    const Scalar z552 = c_theta * z549 - z551;
-    const Scalar z553 = s_theta * z550;
-    const Scalar z554 = z167 * z552;
-    const Scalar z555 = z166 * z553;
-    const Scalar z556 = s_psi * z555 - c_psi * z554;
-    const Scalar z557 = s_psi * z554 + c_psi * z555;
-    const Scalar z558 = z161 * z554 + z549;
-    const Scalar z559 = z163 * z555 - z550;
-    const Scalar z560 = z162 * z554 + z551;
-    const Scalar z561 = s_theta * z108 + c_theta * z476;
-    const Scalar z562 = z156 * z476 - z561;
-    const Scalar z563 = z159 * z562;
-    const Scalar z564 = z107 * z158;
-    const Scalar z565 = z155 * z476 - z156 * z563;
-    const Scalar z566 = c_theta * z563 + z565;
-    const Scalar z567 = s_theta * z564;
-    const Scalar z568 = z167 * z566;
-    const Scalar z569 = z166 * z567;
-    const Scalar z570 = s_psi * z569 + c_psi * z568;
-    const Scalar z571 = s_psi * z568 - c_psi * z569;
-    const Scalar z572 = z161 * z568 + z563;
-    const Scalar z573 = z163 * z569 - z564;
-    const Scalar z574 = z162 * z568 - z565;
-    result.by_parameter[0] = z556;
-    result.by_parameter[1] = -z557;
-    result.by_parameter[2] = z558;
-    result.by_parameter[3] = -z559;
-    result.by_parameter[4] = -z560;
-    result.by_parameter[5] = -z570;
-    result.by_parameter[6] = -z571;
-    result.by_parameter[7] = z572;
-    result.by_parameter[8] = z573;
-    result.by_parameter[9] = -z574;
+    const Scalar z30 = s_theta * v_psi;
+    const Scalar z31 = c_theta * v_psi;
+    const Scalar z42 = v_phi + z31;
+    const Scalar z54 = c_theta * p_C;
+    const Scalar z61 = c_theta * z59;
+    const Scalar z62 = c_theta * z61 - p_A;
+    const Scalar z78 = c_theta * c_theta + p_A;
+    const Scalar z79 = v_theta * z11;
+    const Scalar z80 = n9_81 - z79;
+    const Scalar z83 = v_theta * z31;  // angular acceleration of hoop.2, y
+    const Scalar z84 = v_theta * z30;  // angular acceleration of hoop.2, z
+    const Scalar z87 = z30 * z42;
+    const Scalar z88 = v_theta * z42;
+    const Scalar z89 = p_C * z87;  // moment on hoop, x
+    const Scalar z90 = p_C * z88;  // moment on hoop, y
+    const Scalar z91 = p_C * z84;  // moment on hoop, z
+    const Scalar z92 = z30 * z31;
+    const Scalar z93 = n2 * z83;
+    const Scalar z94 = p_A * z92 - z89;  // moment on hoop.2, x
+    const Scalar z95 = p_A * z93 - z90;  // moment on hoop.2, y
+    const Scalar z101 = c_theta * z80 - z94;
+    const Scalar z128 = v_psi * s_psi;
+    const Scalar z129 = v_psi * c_psi;
+    const Scalar z130 = v_x * z128 - v_y * z129 + z11 * v_psi;
+    const Scalar z132 = v_x * z129 + v_y * z128 - v_theta * z10;
+    const Scalar z136 = z54 * z135;
+    const Scalar z137 = s_theta * s_theta * p_A;
+    const Scalar z138 = n1 / z78;
+    const Scalar z139 = n1 / z137;
+    const Scalar z140 = s_theta * z138;
+    const Scalar z142 = n1 + s_theta * z140;
+    const Scalar z143 = n1 / z142;
+    const Scalar z145 = s_theta * z95;
+    const Scalar z146 = z139 * z145;
+    const Scalar z147 = z101 * z138;
+    const Scalar z148 = z91 * z135 + z136 * z146;
+    const Scalar z149 = c_theta * z146 + z130 - z148;
+    const Scalar z150 = s_theta * z147 + z132;
+    const Scalar z151 = z144 * z149;
+    const Scalar z152 = z143 * z150;
+    const Scalar z155 = z140 * z152 - z147;
+    const Scalar z156 = z135 * z151 + z148;
+    const Scalar z448 = c_theta * z146;
+    const Scalar z449 = v_theta * z30 + z448;  // angular acceleration of hoop.2, z
+    const Scalar z450 = z156 - z449;  // angular acceleration of hoop, z
+    const Scalar z454 = s_theta * z146;
+    const Scalar z455 = v_theta * z31 - z454;  // angular acceleration of hoop.2, y
+    const Scalar z456 = z83 + z455;
+    const Scalar z508 = s_theta * z456;
+    const Scalar z509 = z92 - z155;
+    const Scalar z510 = z139 * z508;
+    const Scalar z511 = z138 * z509;
+    const Scalar z512 = z136 * z510;
+    const Scalar z513 = s_theta * z511;
+    const Scalar z514 = z143 * z513;
+    const Scalar z515 = s_psi * z514;
+    const Scalar z516 = c_psi * z514;
+    const Scalar z517 = z140 * z514 - z511;
+    const Scalar z518 = s_theta * z88 - c_theta * z450;
+    const Scalar z519 = z136 * z450 + z518;
+    const Scalar z520 = z139 * z519;
+    const Scalar z521 = z87 * z138;
+    const Scalar z522 = z135 * z450 + z136 * z520;
+    const Scalar z523 = c_theta * z520 - z522;
+    const Scalar z524 = s_theta * z521;
+    const Scalar z525 = z144 * z523;
+    const Scalar z526 = z143 * z524;
+    const Scalar z527 = s_psi * z526 + c_psi * z525;
+    const Scalar z528 = s_psi * z525 - c_psi * z526;
+    const Scalar z529 = z140 * z526 - z521;
+    const Scalar z530 = z135 * z525 + z522;
+    result.by_parameter[0] = z515;
+    result.by_parameter[1] = -z516;
+    result.by_parameter[2] = -z510;
+    result.by_parameter[3] = -z517;
+    result.by_parameter[4] = z512;
+    result.by_parameter[5] = -z527;
+    result.by_parameter[6] = -z528;
+    result.by_parameter[7] = z520;
+    result.by_parameter[8] = z529;
+    result.by_parameter[9] = -z530;
     result.multipliers_by_parameter[0] = n0;
-    result.multipliers_by_parameter[1] = -z555;
-    result.multipliers_by_parameter[2] = -z568;
-    result.multipliers_by_parameter[3] = z569;
-    if (!(traits::regular(-z157, z83) && traits::regular(z98, z98) && traits::regular(p_C, p_C) && traits::regular(z164,
-        z164) && traits::regular(z165, z165))) return torsor::Status::singular;
+    result.multipliers_by_parameter[1] = -z514;
+    result.multipliers_by_parameter[2] = -z525;
+    result.multipliers_by_parameter[3] = z526;
+    if (!(traits::regular(z137, -z62) && traits::regular(z78, z78) && traits::regular(p_C, p_C) && traits::regular(z141,
+        z141) && traits::regular(z142, z142))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.by_parameter[0] - result.by_parameter[0]) + (result.by_parameter[1]
         - result.by_parameter[1]) + (result.by_parameter[2] - result.by_parameter[2]) + (result.by_parameter[3]

@@ -9,19 +9,19 @@
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
 // moved across joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   precompute                1                1          2             0                  0       0      4       -
-//   kinematics               38               70          0             0                  3       0    114     114
+//   precompute                2                1          3             0                  0       0      6       -
+//   kinematics               16               27          0             0                  3       0     49      49
 //   mass_matrix               1                3          0             0                  1       0      6       7
 //   bias                      4               15          0             0                  1       0     21      50
 //   inverse_dynamics         26               33          0             0                  2       0     63     120
-//   forward_dynamics         42               76          4             0                  2       0    126     179
+//   forward_dynamics         32               67          3             0                  2       0    106     154
 //   energy                   14               28          0             0                  3       0     48      54
 //   first_integrals          15               28          0             0                  3       0     49      55
 //   constraints              11               17          0             0                  2       0     32      32
-//   linearisation           249              360          8             0                  3       0    623     690
+//   linearisation           251              367         13             0                  3       0    637     704
 //
 // Not computed because this mechanism does not need it:
-//   kinematics: of 42 results 10 vanish identically
+//   kinematics: of 42 results 10 vanish identically, 2 repeat another up to sign
 //   mass_matrix: of 36 results 28 vanish identically, 1 repeat another up to sign
 //   bias: of 6 results 2 vanish identically
 //   energy: of 3 results 1 vanish identically
@@ -529,10 +529,12 @@ struct Mechanism {
   /// Parameters and what depends on them only: built once for each set of parameters.
   struct Precomputed {
     Parameters parameters;
-    Scalar z82;
-    Scalar z161;
-    Scalar z164;
-    Scalar z256;
+    Scalar z59;
+    Scalar z144;
+    Scalar z147;
+    Scalar z152;
+    Scalar z160;
+    Scalar z245;
   };
 
   /// Values of the scene.
@@ -553,14 +555,18 @@ struct Mechanism {
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar p_A = parameters.A;
     const Scalar p_C = parameters.C;
-    const Scalar z82 = p_A - p_C;
-    const Scalar z161 = n1 / p_C;
-    const Scalar z164 = n1 / p_A;
-    const Scalar z256 = n0_5 * p_C;
-    precomputed.z82 = z82;
-    precomputed.z161 = z161;
-    precomputed.z164 = z164;
-    precomputed.z256 = z256;
+    const Scalar z59 = p_A - p_C;
+    const Scalar z144 = n1 / p_C;
+    const Scalar z147 = n1 / p_A;
+    const Scalar z152 = n1 + z144;
+    const Scalar z160 = n1 / z152;
+    const Scalar z245 = n0_5 * p_C;
+    precomputed.z59 = z59;
+    precomputed.z144 = z144;
+    precomputed.z147 = z147;
+    precomputed.z152 = z152;
+    precomputed.z160 = z160;
+    precomputed.z245 = z245;
     return precomputed;
   }
 
@@ -692,97 +698,70 @@ struct Mechanism {
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
     const Scalar s_phi = sines_[2], c_phi = cosines_[2];
-    const Scalar z26 = v_x * c_psi + v_y * s_psi;
-    const Scalar z27 = v_x * s_psi - v_y * c_psi;
-    const Scalar z28 = v_psi * s_theta;
-    const Scalar z29 = v_psi * c_theta;
-    const Scalar z30 = v_z * s_theta - c_theta * z27;
-    const Scalar z31 = v_z * c_theta + s_theta * z27;
-    const Scalar z32 = v_theta * c_phi + s_phi * z28;
-    const Scalar z33 = v_theta * s_phi - c_phi * z28;
-    const Scalar z34 = s_phi * z30 + c_phi * z26;
-    const Scalar z35 = s_phi * z26 - c_phi * z30;
-    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
-    const Scalar z37 = c_theta * s_phi;
+    const Scalar z26 = s_psi * c_theta;
+    const Scalar z27 = s_psi * s_theta;
+    const Scalar z28 = c_psi * c_theta;
+    const Scalar z29 = c_psi * s_theta;
+    const Scalar z31 = v_psi * c_theta;
+    const Scalar z32 = c_psi * v_theta;  // angular velocity of hoop.2, x
+    const Scalar z33 = s_psi * v_theta;  // angular velocity of hoop.2, y
+    const Scalar z34 = c_psi * c_phi - s_phi * z26;
+    const Scalar z35 = c_psi * s_phi + c_phi * z26;
+    const Scalar z36 = s_psi * c_phi + s_phi * z28;
+    const Scalar z37 = s_psi * s_phi - c_phi * z28;
     const Scalar z38 = s_theta * s_phi;
-    const Scalar z39 = s_psi * z37 - c_psi * c_phi;
-    const Scalar z40 = s_psi * c_phi + c_psi * z37;
-    const Scalar z41 = c_theta * c_phi;
-    const Scalar z42 = s_theta * c_phi;
-    const Scalar z43 = s_psi * z41 + c_psi * s_phi;
-    const Scalar z44 = s_psi * s_phi - c_psi * z41;
-    const Scalar z45 = s_psi * s_theta;
-    const Scalar z46 = c_psi * s_theta;
-    const Scalar z47 = s_phi * z35 + c_phi * z34;
-    const Scalar z48 = s_phi * z34 - c_phi * z35;
-    const Scalar z49 = s_theta * z31 - c_theta * z48;
-    const Scalar z50 = s_theta * z48 + c_theta * z31;
-    const Scalar z51 = s_psi * z49 + c_psi * z47;
-    const Scalar z52 = s_psi * z47 - c_psi * z49;
-    const Scalar z53 = s_phi * z33 + c_phi * z32;
-    const Scalar z54 = s_phi * z32 - c_phi * z33;
-    const Scalar z55 = s_theta * z36 - c_theta * z54;
-    const Scalar z56 = s_theta * z54 + c_theta * z36;
-    const Scalar z57 = s_psi * z55 + c_psi * z53;
-    const Scalar z58 = s_psi * z53 - c_psi * z55;
-    const Scalar z59 = s_psi * c_theta;
-    const Scalar z60 = c_psi * c_theta;
-    const Scalar z61 = q_z - s_theta;
-    const Scalar z62 = q_y - z60;
-    const Scalar z63 = q_x + z59;
-    const Scalar z64 = z26 + z29;
-    const Scalar z65 = v_theta - z31;
-    const Scalar z66 = s_theta * z65 + c_theta * z30;
-    const Scalar z67 = s_theta * z30 - c_theta * z65;
-    const Scalar z68 = s_psi * z66 - c_psi * z64;
-    const Scalar z69 = s_psi * z64 + c_psi * z66;
-    const Scalar z70 = q_x - z63;
-    const Scalar z71 = q_y - z62;
-    const Scalar z72 = q_z - z61;
-    const Scalar z73 = s_psi * z72;
-    const Scalar z74 = c_psi * z72;
-    const Scalar z75 = s_psi * z70 - c_psi * z71;
+    const Scalar z39 = s_theta * c_phi;
+    const Scalar z43 = v_phi * z27 + z32;  // angular velocity of hoop, x
+    const Scalar z44 = v_phi * z29 - z33;  // angular velocity of hoop, y
+    const Scalar z45 = v_psi + c_theta * v_phi;  // angular velocity of hoop, z
+    const Scalar z46 = v_x + c_psi * z31 - v_theta * z27;
+    const Scalar z47 = v_y + s_psi * z31 + v_theta * z29;
+    const Scalar z48 = v_z - v_theta * c_theta;
+    const Scalar z49 = q_x + z26;
+    const Scalar z50 = q_y - z28;
+    const Scalar z51 = q_z - s_theta;
+    const Scalar z52 = s_psi * z26 + c_psi * z28;
     result.hoop_position[0] = q_x;
     result.hoop_position[1] = q_y;
     result.hoop_position[2] = q_z;
-    result.hoop_rotation[0] = -z39;
-    result.hoop_rotation[1] = z40;
+    result.hoop_rotation[0] = z34;
+    result.hoop_rotation[1] = z36;
     result.hoop_rotation[2] = z38;
-    result.hoop_rotation[3] = -z43;
-    result.hoop_rotation[4] = -z44;
-    result.hoop_rotation[5] = z42;
-    result.hoop_rotation[6] = z45;
-    result.hoop_rotation[7] = -z46;
+    result.hoop_rotation[3] = -z35;
+    result.hoop_rotation[4] = -z37;
+    result.hoop_rotation[5] = z39;
+    result.hoop_rotation[6] = z27;
+    result.hoop_rotation[7] = -z29;
     result.hoop_rotation[8] = c_theta;
-    result.hoop_velocity[0] = z51;
-    result.hoop_velocity[1] = z52;
-    result.hoop_velocity[2] = z50;
-    result.hoop_angular_velocity[0] = z57;
-    result.hoop_angular_velocity[1] = z58;
-    result.hoop_angular_velocity[2] = z56;
-    result.I_position[0] = z63;
-    result.I_position[1] = z62;
-    result.I_position[2] = z61;
-    result.I_velocity[0] = -z68;
-    result.I_velocity[1] = z69;
-    result.I_velocity[2] = z67;
+    result.hoop_velocity[0] = v_x;
+    result.hoop_velocity[1] = v_y;
+    result.hoop_velocity[2] = v_z;
+    result.hoop_angular_velocity[0] = z43;
+    result.hoop_angular_velocity[1] = -z44;
+    result.hoop_angular_velocity[2] = z45;
+    result.I_position[0] = z49;
+    result.I_position[1] = z50;
+    result.I_position[2] = z51;
+    result.I_velocity[0] = z46;
+    result.I_velocity[1] = z47;
+    result.I_velocity[2] = z48;
     result.I_jacobian[0] = n1;
     result.I_jacobian[3] = n0;
     result.I_jacobian[6] = n0;
-    result.I_jacobian[9] = z71;
-    result.I_jacobian[12] = -z73;
+    result.I_jacobian[9] = z28;
+    result.I_jacobian[12] = -z27;
     result.I_jacobian[15] = n0;
     result.I_jacobian[1] = n0;
     result.I_jacobian[4] = n1;
     result.I_jacobian[7] = n0;
-    result.I_jacobian[10] = -z70;
-    result.I_jacobian[13] = z74;
+    result.I_jacobian[10] = z26;
+    result.I_jacobian[13] = z29;
     result.I_jacobian[16] = n0;
     result.I_jacobian[2] = n0;
     result.I_jacobian[5] = n0;
     result.I_jacobian[8] = n1;
     result.I_jacobian[11] = n0;
-    result.I_jacobian[14] = z75;
+    result.I_jacobian[14] = -z52;
     result.I_jacobian[17] = n0;
   }
 
@@ -794,13 +773,12 @@ struct Mechanism {
     const Scalar q_theta = state.q.theta;
     const Scalar p_A = precomputed.parameters.A;
     const Scalar p_C = precomputed.parameters.C;
-    const Scalar z82 = precomputed.z82;
+    const Scalar z59 = precomputed.z59;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z77 = c_theta * p_C;
-    const Scalar z83 = s_theta * z82;
-    const Scalar z84 = s_theta * z83;
-    const Scalar z86 = p_C + z84;
+    const Scalar z54 = c_theta * p_C;
+    const Scalar z61 = c_theta * z59;
+    const Scalar z62 = c_theta * z61 - p_A;
     mass[0] = n1;
     mass[1] = n0;
     mass[2] = n0;
@@ -822,9 +800,9 @@ struct Mechanism {
     mass[18] = n0;
     mass[19] = n0;
     mass[20] = n0;
-    mass[21] = z86;
+    mass[21] = -z62;
     mass[22] = n0;
-    mass[23] = z77;
+    mass[23] = z54;
     mass[24] = n0;
     mass[25] = n0;
     mass[26] = n0;
@@ -834,7 +812,7 @@ struct Mechanism {
     mass[30] = n0;
     mass[31] = n0;
     mass[32] = n0;
-    mass[33] = z77;
+    mass[33] = z54;
     mass[34] = n0;
     mass[35] = p_C;
   }
@@ -854,27 +832,27 @@ struct Mechanism {
     const Scalar p_C = precomputed.parameters.C;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z28 = v_psi * s_theta;
-    const Scalar z29 = v_psi * c_theta;
-    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
-    const Scalar z103 = v_theta * z29;  // angular acceleration of hoop.2, y
-    const Scalar z104 = v_theta * z28;  // angular acceleration of hoop.2, z
-    const Scalar z107 = z28 * z36;
-    const Scalar z108 = v_theta * z36;
-    const Scalar z109 = p_C * z107;  // moment on hoop, x
-    const Scalar z110 = p_C * z108;  // moment on hoop, y
-    const Scalar z111 = p_C * z104;  // moment on hoop, z
-    const Scalar z112 = z28 * z29;
-    const Scalar z113 = n2 * z103;
-    const Scalar z114 = p_A * z112 - z109;  // moment on hoop.2, x
-    const Scalar z115 = p_A * z113 - z110;  // moment on hoop.2, y
-    const Scalar z117 = s_theta * z115 - c_theta * z111;
+    const Scalar z30 = v_psi * s_theta;
+    const Scalar z31 = v_psi * c_theta;
+    const Scalar z42 = v_phi + z31;
+    const Scalar z80 = v_theta * z31;  // angular acceleration of hoop.2, y
+    const Scalar z81 = v_theta * z30;  // angular acceleration of hoop.2, z
+    const Scalar z84 = z30 * z42;
+    const Scalar z85 = v_theta * z42;
+    const Scalar z86 = p_C * z84;  // moment on hoop, x
+    const Scalar z87 = p_C * z85;  // moment on hoop, y
+    const Scalar z88 = p_C * z81;  // moment on hoop, z
+    const Scalar z89 = z30 * z31;
+    const Scalar z90 = n2 * z80;
+    const Scalar z91 = p_A * z89 - z86;  // moment on hoop.2, x
+    const Scalar z92 = p_A * z90 - z87;  // moment on hoop.2, y
+    const Scalar z94 = s_theta * z92 - c_theta * z88;
     forces.x = n0;
     forces.y = n0;
     forces.z = n9_81;
-    forces.psi = z117;
-    forces.theta = -z114;
-    forces.phi = -z111;
+    forces.psi = z94;
+    forces.theta = -z91;
+    forces.phi = -z88;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -904,42 +882,42 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
-    const Scalar z28 = v_psi * s_theta;
-    const Scalar z29 = v_psi * c_theta;
-    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
-    const Scalar z45 = s_psi * s_theta;
-    const Scalar z46 = c_psi * s_theta;
-    const Scalar z59 = s_psi * c_theta;
-    const Scalar z60 = c_psi * c_theta;
-    const Scalar z62 = q_y - z60;
-    const Scalar z63 = q_x + z59;
-    const Scalar z70 = q_x - z63;
-    const Scalar z71 = q_y - z62;
-    const Scalar z75 = s_psi * z70 - c_psi * z71;
-    const Scalar z103 = v_theta * z29;  // angular acceleration of hoop.2, y
-    const Scalar z107 = z28 * z36;
-    const Scalar z108 = v_theta * z36;
-    const Scalar z109 = p_C * z107;  // moment on hoop, x
-    const Scalar z110 = p_C * z108;  // moment on hoop, y
-    const Scalar z112 = z28 * z29;
-    const Scalar z121 = n9_81 + a_z;
-    const Scalar z124 = a_psi * s_theta;
-    const Scalar z125 = a_psi * c_theta;
-    const Scalar z128 = v_theta * z29 + z124;  // angular acceleration of hoop.2, y
-    const Scalar z129 = v_theta * z28 - z125;  // angular acceleration of hoop.2, z
-    const Scalar z132 = a_phi - z129;  // angular acceleration of hoop, z
-    const Scalar z133 = p_C * z132;  // moment on hoop, z
-    const Scalar z134 = z103 + z128;
-    const Scalar z135 = p_A * (a_theta - z112) + z109;  // moment on hoop.2, x
-    const Scalar z136 = p_A * z134 - z110;  // moment on hoop.2, y
-    const Scalar z138 = s_theta * z136 + c_theta * z133;
-    const Scalar z157 = z45 * z71 + z46 * z70;
+    const Scalar z26 = s_psi * c_theta;
+    const Scalar z27 = s_psi * s_theta;
+    const Scalar z28 = c_psi * c_theta;
+    const Scalar z29 = c_psi * s_theta;
+    const Scalar z30 = v_psi * s_theta;
+    const Scalar z31 = v_psi * c_theta;
+    const Scalar z42 = v_phi + z31;
+    const Scalar z49 = q_x + z26;
+    const Scalar z50 = q_y - z28;
+    const Scalar z80 = v_theta * z31;  // angular acceleration of hoop.2, y
+    const Scalar z84 = z30 * z42;
+    const Scalar z85 = v_theta * z42;
+    const Scalar z86 = p_C * z84;  // moment on hoop, x
+    const Scalar z87 = p_C * z85;  // moment on hoop, y
+    const Scalar z89 = z30 * z31;
+    const Scalar z98 = n9_81 + a_z;
+    const Scalar z101 = a_psi * s_theta;
+    const Scalar z102 = a_psi * c_theta;
+    const Scalar z105 = v_theta * z31 + z101;  // angular acceleration of hoop.2, y
+    const Scalar z106 = v_theta * z30 - z102;  // angular acceleration of hoop.2, z
+    const Scalar z109 = a_phi - z106;  // angular acceleration of hoop, z
+    const Scalar z110 = p_C * z109;  // moment on hoop, z
+    const Scalar z111 = z80 + z105;
+    const Scalar z112 = p_A * (a_theta - z89) + z86;  // moment on hoop.2, x
+    const Scalar z113 = p_A * z111 - z87;  // moment on hoop.2, y
+    const Scalar z115 = s_theta * z113 + c_theta * z110;
+    const Scalar z132 = q_x - z49;
+    const Scalar z133 = q_y - z50;
+    const Scalar z137 = s_psi * z132 - c_psi * z133;
+    const Scalar z140 = z27 * z133 + z29 * z132;
     forces.x = a_x + s_psi * l_Y_F - c_psi * l_X_F;
     forces.y = a_y - s_psi * l_X_F - c_psi * l_Y_F;
-    forces.z = z121 - l_N;
-    forces.psi = -c_theta * l_X_F + z138;
-    forces.theta = -s_theta * l_Y_F - z75 * l_N + z135;
-    forces.phi = z133 + z157 * l_N - l_X_F;
+    forces.z = z98 - l_N;
+    forces.psi = -c_theta * l_X_F + z115;
+    forces.theta = -s_theta * l_Y_F + z112 - z137 * l_N;
+    forces.phi = z110 + z140 * l_N - l_X_F;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -961,98 +939,90 @@ struct Mechanism {
     const Scalar v_phi = state.v.phi;
     const Scalar p_A = precomputed.parameters.A;
     const Scalar p_C = precomputed.parameters.C;
-    const Scalar z82 = precomputed.z82;
-    const Scalar z161 = precomputed.z161;
-    const Scalar z164 = precomputed.z164;
+    const Scalar z59 = precomputed.z59;
+    const Scalar z144 = precomputed.z144;
+    const Scalar z147 = precomputed.z147;
+    const Scalar z152 = precomputed.z152;
+    const Scalar z160 = precomputed.z160;
     const Scalar angles_[] = {q_psi, q_theta};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
-    const Scalar z28 = v_psi * s_theta;
-    const Scalar z29 = v_psi * c_theta;
-    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
-    const Scalar z45 = s_psi * s_theta;
-    const Scalar z46 = c_psi * s_theta;
-    const Scalar z59 = s_psi * c_theta;
-    const Scalar z60 = c_psi * c_theta;
-    const Scalar z62 = q_y - z60;
-    const Scalar z63 = q_x + z59;
-    const Scalar z70 = q_x - z63;
-    const Scalar z71 = q_y - z62;
-    const Scalar z75 = s_psi * z70 - c_psi * z71;
-    const Scalar z77 = c_theta * p_C;
-    const Scalar z83 = s_theta * z82;
-    const Scalar z84 = s_theta * z83;
-    const Scalar z86 = p_C + z84;
-    const Scalar z103 = v_theta * z29;  // angular acceleration of hoop.2, y
-    const Scalar z104 = v_theta * z28;  // angular acceleration of hoop.2, z
-    const Scalar z107 = z28 * z36;
-    const Scalar z108 = v_theta * z36;
-    const Scalar z109 = p_C * z107;  // moment on hoop, x
-    const Scalar z110 = p_C * z108;  // moment on hoop, y
-    const Scalar z111 = p_C * z104;  // moment on hoop, z
-    const Scalar z112 = z28 * z29;
-    const Scalar z113 = n2 * z103;
-    const Scalar z114 = p_A * z112 - z109;  // moment on hoop.2, x
-    const Scalar z115 = p_A * z113 - z110;  // moment on hoop.2, y
-    const Scalar z117 = s_theta * z115 - c_theta * z111;
-    const Scalar z146 = v_psi * s_psi;
-    const Scalar z147 = v_psi * c_psi;
-    const Scalar z148 = v_theta * s_theta;
-    const Scalar z149 = v_x * z146 - v_y * z147 + v_psi * z148;
-    const Scalar z151 = v_theta * c_theta;
-    const Scalar z152 = v_x * z147 + v_y * z146 - v_theta * z151;
-    const Scalar z154 = v_theta * z148;
-    const Scalar z157 = z45 * z71 + z46 * z70;
-    const Scalar z162 = z77 * z161;
-    const Scalar z163 = z77 * z162 - z86;
-    const Scalar z165 = n1 / z163;
-    const Scalar z166 = c_theta - z162;
-    const Scalar z167 = z165 * z166;
-    const Scalar z168 = z161 + z162 * z167;
-    const Scalar z169 = s_theta * z164;
-    const Scalar z170 = z157 * z162;
-    const Scalar z171 = z165 * z170;
-    const Scalar z172 = z75 * z164;
-    const Scalar z173 = z157 * z161 - z162 * z171;
-    const Scalar z174 = n1 - c_theta * z167 + z168;
-    const Scalar z175 = n1 + s_theta * z169;
-    const Scalar z176 = c_theta * z169;
-    const Scalar z177 = n1 - c_theta * z172;
-    const Scalar z178 = n1 / z177;
-    const Scalar z179 = z176 * z178;
-    const Scalar z180 = z175 - z176 * z179;
-    const Scalar z181 = n1 / z180;
-    const Scalar z182 = n1 / z174;
-    const Scalar z183 = z111 * z162 + z117;
-    const Scalar z184 = z165 * z183;
-    const Scalar z185 = z114 * z164;
-    const Scalar z186 = z111 * z161 - z162 * z184;
-    const Scalar z187 = c_theta * z184 - z149 + z186;
-    const Scalar z188 = s_theta * z185 - z152;
-    const Scalar z189 = n9_81 + c_theta * z185 - z154;
-    const Scalar z190 = z179 * z189 - z188;
-    const Scalar z191 = z182 * z187;
-    const Scalar z192 = z181 * z190;
-    const Scalar z193 = z178 * z189 + z179 * z192;
-    const Scalar z194 = s_psi * z192 + c_psi * z191;
-    const Scalar z195 = s_psi * z191 - c_psi * z192;
-    const Scalar z196 = n9_81 - z193;
-    const Scalar z197 = z167 * z191 - z171 * z193 + z184;
-    const Scalar z198 = z169 * z192 + z172 * z193 + z185;
-    const Scalar z199 = z168 * z191 + z173 * z193 - z186;
-    accelerations.x = -z194;
-    accelerations.y = -z195;
-    accelerations.z = -z196;
-    accelerations.psi = z197;
-    accelerations.theta = z198;
-    accelerations.phi = -z199;
-    multipliers.X_F = -z191;
-    multipliers.Y_F = z192;
-    multipliers.N = z193;
-    if (!(traits::regular(-z163, z86) && traits::regular(p_A, p_A) && traits::regular(p_C, p_C) && traits::regular(z174,
-        z174) && traits::regular(z180, z175) && traits::regular(z177, z177))) return torsor::Status::singular;
+    const Scalar z26 = s_psi * c_theta;
+    const Scalar z27 = s_psi * s_theta;
+    const Scalar z28 = c_psi * c_theta;
+    const Scalar z29 = c_psi * s_theta;
+    const Scalar z30 = v_psi * s_theta;
+    const Scalar z31 = v_psi * c_theta;
+    const Scalar z42 = v_phi + z31;
+    const Scalar z49 = q_x + z26;
+    const Scalar z50 = q_y - z28;
+    const Scalar z54 = c_theta * p_C;
+    const Scalar z61 = c_theta * z59;
+    const Scalar z62 = c_theta * z61 - p_A;
+    const Scalar z80 = v_theta * z31;  // angular acceleration of hoop.2, y
+    const Scalar z81 = v_theta * z30;  // angular acceleration of hoop.2, z
+    const Scalar z84 = z30 * z42;
+    const Scalar z85 = v_theta * z42;
+    const Scalar z86 = p_C * z84;  // moment on hoop, x
+    const Scalar z87 = p_C * z85;  // moment on hoop, y
+    const Scalar z88 = p_C * z81;  // moment on hoop, z
+    const Scalar z89 = z30 * z31;
+    const Scalar z90 = n2 * z80;
+    const Scalar z91 = p_A * z89 - z86;  // moment on hoop.2, x
+    const Scalar z92 = p_A * z90 - z87;  // moment on hoop.2, y
+    const Scalar z123 = v_psi * s_psi;
+    const Scalar z124 = v_psi * c_psi;
+    const Scalar z125 = v_theta * s_theta;
+    const Scalar z126 = v_x * z123 - v_y * z124 + v_psi * z125;
+    const Scalar z128 = v_theta * c_theta;
+    const Scalar z129 = v_x * z124 + v_y * z123 - v_theta * z128;
+    const Scalar z131 = v_theta * z125;
+    const Scalar z132 = q_x - z49;
+    const Scalar z133 = q_y - z50;
+    const Scalar z137 = s_psi * z132 - c_psi * z133;
+    const Scalar z140 = z27 * z133 + z29 * z132;
+    const Scalar z145 = z54 * z144;
+    const Scalar z146 = s_theta * s_theta * p_A;
+    const Scalar z148 = n1 / z146;
+    const Scalar z149 = s_theta * z147;
+    const Scalar z150 = z137 * z147;
+    const Scalar z151 = z140 * z144;
+    const Scalar z153 = n1 + s_theta * z149;
+    const Scalar z154 = c_theta * z149;
+    const Scalar z155 = n1 - c_theta * z150;
+    const Scalar z156 = n1 / z155;
+    const Scalar z157 = z154 * z156;
+    const Scalar z158 = z153 - z154 * z157;
+    const Scalar z159 = n1 / z158;
+    const Scalar z161 = s_theta * z92;
+    const Scalar z162 = z148 * z161;
+    const Scalar z163 = z91 * z147;
+    const Scalar z164 = z88 * z144 + z145 * z162;
+    const Scalar z165 = c_theta * z162 + z126 - z164;
+    const Scalar z166 = s_theta * z163 - z129;
+    const Scalar z167 = n9_81 + c_theta * z163 - z131;
+    const Scalar z168 = z157 * z167 - z166;
+    const Scalar z169 = z160 * z165;
+    const Scalar z170 = z159 * z168;
+    const Scalar z171 = z156 * z167 + z157 * z170;
+    const Scalar z172 = s_psi * z170 - c_psi * z169;
+    const Scalar z173 = s_psi * z169 + c_psi * z170;
+    const Scalar z174 = n9_81 - z171;
+    const Scalar z175 = z149 * z170 + z150 * z171 + z163;
+    const Scalar z176 = z144 * z169 - z151 * z171 + z164;
+    accelerations.x = -z172;
+    accelerations.y = z173;
+    accelerations.z = -z174;
+    accelerations.psi = -z162;
+    accelerations.theta = z175;
+    accelerations.phi = z176;
+    multipliers.X_F = z169;
+    multipliers.Y_F = z170;
+    multipliers.N = z171;
+    if (!(traits::regular(z146, -z62) && traits::regular(p_A, p_A) && traits::regular(p_C, p_C) && traits::regular(z152,
+        z152) && traits::regular(z158, z153) && traits::regular(z155, z155))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.x - accelerations.x) + (accelerations.y - accelerations.y) + (accelerations.z
         - accelerations.z) + (accelerations.psi - accelerations.psi) + (accelerations.theta - accelerations.theta)
@@ -1086,18 +1056,18 @@ struct Mechanism {
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
     const Scalar s_phi = sines_[2], c_phi = cosines_[2];
-    const Scalar z26 = v_x * c_psi + v_y * s_psi;
-    const Scalar z27 = v_x * s_psi - v_y * c_psi;
-    const Scalar z28 = v_psi * s_theta;
-    const Scalar z29 = v_psi * c_theta;
-    const Scalar z30 = v_z * s_theta - c_theta * z27;
-    const Scalar z31 = v_z * c_theta + s_theta * z27;
-    const Scalar z32 = v_theta * c_phi + s_phi * z28;
-    const Scalar z33 = v_theta * s_phi - c_phi * z28;
-    const Scalar z34 = s_phi * z30 + c_phi * z26;
-    const Scalar z35 = s_phi * z26 - c_phi * z30;
-    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
-    result.kinetic = n0_5 * (p_A * (z32 * z32 + z33 * z33) + p_C * z36 * z36 + z31 * z31 + z34 * z34 + z35 * z35);
+    const Scalar z30 = v_psi * s_theta;
+    const Scalar z31 = v_psi * c_theta;
+    const Scalar z40 = v_theta * c_phi + s_phi * z30;
+    const Scalar z41 = v_theta * s_phi - c_phi * z30;
+    const Scalar z42 = v_phi + z31;
+    const Scalar z177 = v_x * c_psi + v_y * s_psi;
+    const Scalar z178 = v_x * s_psi - v_y * c_psi;
+    const Scalar z179 = v_z * s_theta - c_theta * z178;
+    const Scalar z180 = v_z * c_theta + s_theta * z178;
+    const Scalar z181 = s_phi * z179 + c_phi * z177;
+    const Scalar z182 = s_phi * z177 - c_phi * z179;
+    result.kinetic = n0_5 * (p_A * (z40 * z40 + z41 * z41) + p_C * z42 * z42 + z180 * z180 + z181 * z181 + z182 * z182);
     result.force_function = -n9_81 * q_z;
     result.power = n0;
   }
@@ -1125,19 +1095,19 @@ struct Mechanism {
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
     const Scalar s_phi = sines_[2], c_phi = cosines_[2];
-    const Scalar z26 = v_x * c_psi + v_y * s_psi;
-    const Scalar z27 = v_x * s_psi - v_y * c_psi;
-    const Scalar z28 = v_psi * s_theta;
-    const Scalar z29 = v_psi * c_theta;
-    const Scalar z30 = v_z * s_theta - c_theta * z27;
-    const Scalar z31 = v_z * c_theta + s_theta * z27;
-    const Scalar z32 = v_theta * c_phi + s_phi * z28;
-    const Scalar z33 = v_theta * s_phi - c_phi * z28;
-    const Scalar z34 = s_phi * z30 + c_phi * z26;
-    const Scalar z35 = s_phi * z26 - c_phi * z30;
-    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
-    result.energy = n0_5 * (p_A * (z32 * z32 + z33 * z33) + p_C * z36 * z36 + z31 * z31 + z34 * z34 + z35 * z35) + n9_81
-        * q_z;
+    const Scalar z30 = v_psi * s_theta;
+    const Scalar z31 = v_psi * c_theta;
+    const Scalar z40 = v_theta * c_phi + s_phi * z30;
+    const Scalar z41 = v_theta * s_phi - c_phi * z30;
+    const Scalar z42 = v_phi + z31;
+    const Scalar z177 = v_x * c_psi + v_y * s_psi;
+    const Scalar z178 = v_x * s_psi - v_y * c_psi;
+    const Scalar z179 = v_z * s_theta - c_theta * z178;
+    const Scalar z180 = v_z * c_theta + s_theta * z178;
+    const Scalar z181 = s_phi * z179 + c_phi * z177;
+    const Scalar z182 = s_phi * z177 - c_phi * z179;
+    result.energy = n0_5 * (p_A * (z40 * z40 + z41 * z41) + p_C * z42 * z42 + z180 * z180 + z181 * z181 + z182 * z182)
+        + n9_81 * q_z;
   }
 
   /// Constraints A(q, t) v - b(q, t) = 0, in the order of the multipliers.
@@ -1158,26 +1128,26 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
-    const Scalar z61 = q_z - s_theta;
-    const Scalar z145 = v_x * c_psi + v_y * s_psi + v_psi * c_theta + v_phi;
-    const Scalar z146 = v_psi * s_psi;
-    const Scalar z147 = v_psi * c_psi;
-    const Scalar z148 = v_theta * s_theta;
-    const Scalar z149 = v_x * z146 - v_y * z147 + v_psi * z148;
-    const Scalar z150 = v_x * s_psi - v_y * c_psi - v_theta * s_theta;
-    const Scalar z151 = v_theta * c_theta;
-    const Scalar z152 = v_x * z147 + v_y * z146 - v_theta * z151;
-    const Scalar z153 = v_z - z151;
-    const Scalar z154 = v_theta * z148;
+    const Scalar z51 = q_z - s_theta;
+    const Scalar z122 = v_x * c_psi + v_y * s_psi + v_psi * c_theta + v_phi;
+    const Scalar z123 = v_psi * s_psi;
+    const Scalar z124 = v_psi * c_psi;
+    const Scalar z125 = v_theta * s_theta;
+    const Scalar z126 = v_x * z123 - v_y * z124 + v_psi * z125;
+    const Scalar z127 = v_x * s_psi - v_y * c_psi - v_theta * s_theta;
+    const Scalar z128 = v_theta * c_theta;
+    const Scalar z129 = v_x * z124 + v_y * z123 - v_theta * z128;
+    const Scalar z130 = v_z - z128;
+    const Scalar z131 = v_theta * z125;
     result.value[0] = n0;
-    result.rate[0] = z145;
-    result.gamma[0] = -z149;
+    result.rate[0] = z122;
+    result.gamma[0] = -z126;
     result.value[1] = n0;
-    result.rate[1] = -z150;
-    result.gamma[1] = -z152;
-    result.value[2] = z61;
-    result.rate[2] = z153;
-    result.gamma[2] = z154;
+    result.rate[1] = -z127;
+    result.gamma[1] = -z129;
+    result.value[2] = z51;
+    result.rate[2] = z130;
+    result.gamma[2] = z131;
     result.jacobian[0] = c_psi;
     result.jacobian[1] = -s_psi;
     result.jacobian[2] = n0;
@@ -1232,303 +1202,293 @@ struct Mechanism {
     const Scalar l_X_F = multipliers.X_F;
     const Scalar l_Y_F = multipliers.Y_F;
     const Scalar l_N = multipliers.N;
-    const Scalar z82 = precomputed.z82;
-    const Scalar z256 = precomputed.z256;
+    const Scalar z59 = precomputed.z59;
+    const Scalar z245 = precomputed.z245;
     const Scalar angles_[] = {q_psi, q_theta, q_phi};
     Scalar sines_[3], cosines_[3];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
     const Scalar s_phi = sines_[2], c_phi = cosines_[2];
-    const Scalar z26 = v_x * c_psi + v_y * s_psi;
-    const Scalar z27 = v_x * s_psi - v_y * c_psi;
-    const Scalar z28 = v_psi * s_theta;
-    const Scalar z29 = v_psi * c_theta;
-    const Scalar z32 = v_theta * c_phi + s_phi * z28;
-    const Scalar z33 = v_theta * s_phi - c_phi * z28;
-    const Scalar z36 = v_phi + z29;  // angular velocity of hoop, z
-    const Scalar z45 = s_psi * s_theta;
-    const Scalar z46 = c_psi * s_theta;
-    const Scalar z59 = s_psi * c_theta;
-    const Scalar z60 = c_psi * c_theta;
-    const Scalar z62 = q_y - z60;
-    const Scalar z63 = q_x + z59;
-    const Scalar z70 = q_x - z63;
-    const Scalar z71 = q_y - z62;
-    const Scalar z75 = s_psi * z70 - c_psi * z71;
-    const Scalar z77 = c_theta * p_C;
-    const Scalar z83 = s_theta * z82;
-    const Scalar z84 = s_theta * z83;
-    const Scalar z86 = p_C + z84;
-    const Scalar z103 = v_theta * z29;  // angular acceleration of hoop.2, y
-    const Scalar z104 = v_theta * z28;  // angular acceleration of hoop.2, z
-    const Scalar z107 = z28 * z36;
-    const Scalar z108 = v_theta * z36;
-    const Scalar z109 = p_C * z107;  // moment on hoop, x
-    const Scalar z110 = p_C * z108;  // moment on hoop, y
-    const Scalar z112 = z28 * z29;
-    const Scalar z121 = n9_81 + a_z;
-    const Scalar z124 = a_psi * s_theta;
-    const Scalar z125 = a_psi * c_theta;
-    const Scalar z128 = v_theta * z29 + z124;  // angular acceleration of hoop.2, y
-    const Scalar z129 = v_theta * z28 - z125;  // angular acceleration of hoop.2, z
-    const Scalar z132 = a_phi - z129;  // angular acceleration of hoop, z
-    const Scalar z133 = p_C * z132;  // moment on hoop, z
-    const Scalar z135 = p_A * (a_theta - z112) + z109;  // moment on hoop.2, x
-    const Scalar z146 = v_psi * s_psi;
-    const Scalar z147 = v_psi * c_psi;
-    const Scalar z148 = v_theta * s_theta;
-    const Scalar z149 = v_x * z146 - v_y * z147 + v_psi * z148;
-    const Scalar z151 = v_theta * c_theta;
-    const Scalar z152 = v_x * z147 + v_y * z146 - v_theta * z151;
-    const Scalar z154 = v_theta * z148;
-    const Scalar z157 = z45 * z71 + z46 * z70;
-    const Scalar z223 = z33 * z36;
-    const Scalar z224 = z32 * z36;
-    const Scalar z225 = p_C * z223;  // moment on hoop, x
-    const Scalar z226 = p_C * z224;  // moment on hoop, y
-    const Scalar z228 = s_phi * z225 + c_phi * z226;
-    const Scalar z230 = p_A * (z103 + z128) - z228;  // moment on hoop.2, y
-    const Scalar z240 = z28 * z28;
-    const Scalar z241 = z29 * z29;
-    const Scalar z242 = z240 + z241;
-    const Scalar z243 = z104 - z129;
-    const Scalar z244 = z103 - z128;
-    const Scalar z245 = n2 * v_theta;
-    const Scalar z246 = n2 * z28;
-    const Scalar z247 = n2 * z29;
-    const Scalar z253 = n2 * z32;
-    const Scalar z254 = n2 * z33;
-    const Scalar z255 = n2 * z36;
-    const Scalar z257 = z255 * z256;
-    const Scalar z258 = z254 * z256;
-    const Scalar z259 = z253 * z256;
-    const Scalar z260 = s_phi * z259 - c_phi * z258;
-    const Scalar z261 = s_phi * z258 + c_phi * z259;
-    const Scalar z262 = p_A * z246 - z260;
-    const Scalar z263 = p_A * z245 - z261;
-    const Scalar z264 = z261 - z263;
-    const Scalar z265 = c_theta * z264;
-    const Scalar z266 = s_theta * z265;
-    const Scalar z270 = s_theta * z257 - c_theta * z262;
-    const Scalar z293 = p_A * z242 - z28 * z262 - z29 * z257;
-    const Scalar z296 = p_A * z243 - z28 * z263 - z133;
-    const Scalar z297 = p_C * z244 - z29 * z261 + z230;
-    const Scalar z299 = s_theta * z296 + c_theta * z297;
-    const Scalar z302 = p_A * z247 - z257;
-    const Scalar z303 = p_C * z246 - z260;
-    const Scalar z305 = s_theta * z302 - c_theta * z303;
-    const Scalar z309 = p_C * z244 - z29 * z261;
-    const Scalar z311 = s_theta * z261;
-    const Scalar z322 = s_psi * l_Y_F - c_psi * l_X_F;
-    const Scalar z323 = s_psi * l_X_F + c_psi * l_Y_F;
-    const Scalar z324 = c_theta * l_X_F;
-    const Scalar z325 = s_theta * l_Y_F + z75 * l_N;
-    const Scalar z326 = z157 * l_N - l_X_F;
-    const Scalar z331 = s_theta * l_X_F;
-    const Scalar z332 = z299 + z331;
-    const Scalar z333 = s_psi * z45 + c_psi * z46;
-    const Scalar z334 = c_theta * l_Y_F + l_N * z333;
-    const Scalar z335 = z293 + z334;
-    const Scalar z336 = z59 * z71 + z60 * z70;
-    const Scalar z337 = l_N * z336;
-    const Scalar z338 = z309 + z337;
-    const Scalar z339 = p_A * (z103 + z128) - z110;  // moment on hoop.2, y
-    const Scalar z341 = s_theta * z339 + c_theta * z133;
-    const Scalar z348 = a_x + z322;
-    const Scalar z349 = a_y - z323;
-    const Scalar z350 = z121 - l_N;
-    const Scalar z351 = z324 - z341;
-    const Scalar z352 = z135 - z325;
-    const Scalar z353 = z133 + z326;
-    const Scalar z354 = a_z - a_theta * c_theta + z154;
-    const Scalar z355 = a_x * s_psi - a_y * c_psi - a_theta * s_theta + z152;
-    const Scalar z356 = a_x * c_psi + a_y * s_psi + a_psi * c_theta + a_phi - z149;
-    const Scalar z357 = v_x * z146 - v_y * z147;
-    const Scalar z358 = a_x * c_psi + a_y * s_psi - z357;
-    const Scalar z359 = v_x * s_psi - v_y * c_psi + z148;
-    const Scalar z360 = v_x * z147 + v_y * z146;
-    const Scalar z361 = a_x * s_psi - a_y * c_psi + z360;
-    const Scalar z362 = v_theta * s_theta + z148;
-    const Scalar z363 = v_theta * z151;
-    const Scalar z364 = a_theta * s_theta + z363;
-    const Scalar z365 = v_theta * c_theta + z151;
-    const Scalar z366 = a_theta * c_theta - z154;
-    const Scalar z367 = v_psi * z151;
-    const Scalar z368 = a_psi * s_theta + z367;
-    const Scalar z369 = n1 / s_theta;
-    const Scalar z370 = n1 / c_psi;
-    const Scalar z371 = s_theta * s_theta;
-    const Scalar z372 = n1 + s_theta * s_theta / p_A;
-    const Scalar z373 = p_A * z372;
-    const Scalar z374 = c_psi * c_psi;
-    const Scalar z375 = n1 + c_theta * c_theta / z86 + n1 / p_C;
-    const Scalar z376 = s_psi * z370;
-    const Scalar z377 = s_psi * z376 + c_psi;
-    const Scalar z378 = z369 * z377;
-    const Scalar z379 = c_theta * z378;
-    const Scalar z380 = c_theta * z370;
-    const Scalar z381 = s_psi * z380;
-    const Scalar z382 = z369 * z381;
-    const Scalar z383 = c_theta * z382;
-    const Scalar z384 = z369 * z376;
-    const Scalar z385 = c_theta * z384;
-    const Scalar z386 = z27 * z370;
-    const Scalar z387 = s_psi * z386 + z26;
-    const Scalar z388 = z369 * z387;
-    const Scalar z390 = z28 * z370;
-    const Scalar z391 = s_psi * z390 - z151;
-    const Scalar z392 = z369 * z391;
-    const Scalar z394 = z28 * z378 + z146 * z376 + z147;
-    const Scalar z395 = z28 * z382 + z146 * z380 - z359;
-    const Scalar z396 = z28 * z384 + z146 * z370;
-    const Scalar z397 = z146 - z147 * z376 + z365 * z378;
-    const Scalar z398 = z26 - z147 * z380 + z365 * z382;
-    const Scalar z399 = z147 * z370 - z365 * z384;
-    const Scalar z400 = z362 * z378;
-    const Scalar z401 = z362 * z382;
-    const Scalar z402 = z362 * z384;
-    const Scalar z403 = z370 * z394;
+    const Scalar z26 = s_psi * c_theta;
+    const Scalar z27 = s_psi * s_theta;
+    const Scalar z28 = c_psi * c_theta;
+    const Scalar z29 = c_psi * s_theta;
+    const Scalar z30 = v_psi * s_theta;
+    const Scalar z31 = v_psi * c_theta;
+    const Scalar z40 = v_theta * c_phi + s_phi * z30;
+    const Scalar z41 = v_theta * s_phi - c_phi * z30;
+    const Scalar z42 = v_phi + z31;
+    const Scalar z49 = q_x + z26;
+    const Scalar z50 = q_y - z28;
+    const Scalar z54 = c_theta * p_C;
+    const Scalar z61 = c_theta * z59;
+    const Scalar z62 = c_theta * z61 - p_A;
+    const Scalar z80 = v_theta * z31;  // angular acceleration of hoop.2, y
+    const Scalar z81 = v_theta * z30;  // angular acceleration of hoop.2, z
+    const Scalar z84 = z30 * z42;
+    const Scalar z85 = v_theta * z42;
+    const Scalar z86 = p_C * z84;  // moment on hoop, x
+    const Scalar z87 = p_C * z85;  // moment on hoop, y
+    const Scalar z89 = z30 * z31;
+    const Scalar z98 = n9_81 + a_z;
+    const Scalar z101 = a_psi * s_theta;
+    const Scalar z102 = a_psi * c_theta;
+    const Scalar z105 = v_theta * z31 + z101;  // angular acceleration of hoop.2, y
+    const Scalar z106 = v_theta * z30 - z102;  // angular acceleration of hoop.2, z
+    const Scalar z109 = a_phi - z106;  // angular acceleration of hoop, z
+    const Scalar z110 = p_C * z109;  // moment on hoop, z
+    const Scalar z111 = z80 + z105;
+    const Scalar z112 = p_A * (a_theta - z89) + z86;  // moment on hoop.2, x
+    const Scalar z113 = p_A * z111 - z87;  // moment on hoop.2, y
+    const Scalar z115 = s_theta * z113 + c_theta * z110;
+    const Scalar z123 = v_psi * s_psi;
+    const Scalar z124 = v_psi * c_psi;
+    const Scalar z125 = v_theta * s_theta;
+    const Scalar z126 = v_x * z123 - v_y * z124 + v_psi * z125;
+    const Scalar z128 = v_theta * c_theta;
+    const Scalar z129 = v_x * z124 + v_y * z123 - v_theta * z128;
+    const Scalar z131 = v_theta * z125;
+    const Scalar z132 = q_x - z49;
+    const Scalar z133 = q_y - z50;
+    const Scalar z137 = s_psi * z132 - c_psi * z133;
+    const Scalar z140 = z27 * z133 + z29 * z132;
+    const Scalar z177 = v_x * c_psi + v_y * s_psi;
+    const Scalar z178 = v_x * s_psi - v_y * c_psi;
+    const Scalar z212 = z41 * z42;
+    const Scalar z213 = z40 * z42;
+    const Scalar z214 = p_C * z212;  // moment on hoop, x
+    const Scalar z215 = p_C * z213;  // moment on hoop, y
+    const Scalar z217 = s_phi * z214 + c_phi * z215;
+    const Scalar z219 = p_A * (z80 + z105) - z217;  // moment on hoop.2, y
+    const Scalar z229 = z30 * z30;
+    const Scalar z230 = z31 * z31;
+    const Scalar z231 = z229 + z230;
+    const Scalar z232 = z81 - z106;
+    const Scalar z233 = z80 - z105;
+    const Scalar z234 = n2 * v_theta;
+    const Scalar z235 = n2 * z30;
+    const Scalar z236 = n2 * z31;
+    const Scalar z242 = n2 * z40;
+    const Scalar z243 = n2 * z41;
+    const Scalar z244 = n2 * z42;
+    const Scalar z246 = z244 * z245;
+    const Scalar z247 = z243 * z245;
+    const Scalar z248 = z242 * z245;
+    const Scalar z249 = s_phi * z248 - c_phi * z247;
+    const Scalar z250 = s_phi * z247 + c_phi * z248;
+    const Scalar z251 = p_A * z235 - z249;
+    const Scalar z252 = p_A * z234 - z250;
+    const Scalar z253 = z250 - z252;
+    const Scalar z257 = s_theta * z246 - c_theta * z251;
+    const Scalar z258 = c_theta * z253;
+    const Scalar z259 = s_theta * z258;
+    const Scalar z282 = p_A * z231 - z30 * z251 - z31 * z246;
+    const Scalar z285 = p_A * z232 - z30 * z252 - z110;
+    const Scalar z286 = p_C * z233 - z31 * z250 + z219;
+    const Scalar z288 = s_theta * z285 + c_theta * z286;
+    const Scalar z291 = p_A * z236 - z246;
+    const Scalar z292 = p_C * z235 - z249;
+    const Scalar z294 = s_theta * z291 - c_theta * z292;
+    const Scalar z298 = p_C * z233 - z31 * z250;
+    const Scalar z300 = s_theta * z250;
+    const Scalar z311 = s_psi * l_Y_F - c_psi * l_X_F;
+    const Scalar z312 = s_psi * l_X_F + c_psi * l_Y_F;
+    const Scalar z320 = s_theta * l_X_F;
+    const Scalar z321 = z288 + z320;
+    const Scalar z322 = s_psi * z27 + c_psi * z29;
+    const Scalar z323 = c_theta * l_Y_F + l_N * z322;
+    const Scalar z324 = z282 + z323;
+    const Scalar z325 = z26 * z133 + z28 * z132;
+    const Scalar z326 = l_N * z325;
+    const Scalar z327 = z298 + z326;
+    const Scalar z328 = a_z - a_theta * c_theta + z131;
+    const Scalar z329 = a_x * s_psi - a_y * c_psi - a_theta * s_theta + z129;
+    const Scalar z330 = a_x * c_psi + a_y * s_psi + a_psi * c_theta + a_phi - z126;
+    const Scalar z331 = v_x * z123 - v_y * z124;
+    const Scalar z332 = a_x * c_psi + a_y * s_psi - z331;
+    const Scalar z333 = v_x * s_psi - v_y * c_psi + z125;
+    const Scalar z334 = v_x * z124 + v_y * z123;
+    const Scalar z335 = a_x * s_psi - a_y * c_psi + z334;
+    const Scalar z336 = v_theta * s_theta + z125;
+    const Scalar z337 = v_theta * z128;
+    const Scalar z338 = a_theta * s_theta + z337;
+    const Scalar z339 = v_theta * c_theta + z128;
+    const Scalar z340 = a_theta * c_theta - z131;
+    const Scalar z341 = v_psi * z128;
+    const Scalar z342 = a_psi * s_theta + z341;
+    const Scalar z343 = n1 / s_theta;
+    const Scalar z344 = n1 / c_psi;
+    const Scalar z345 = s_theta * s_theta;
+    const Scalar z346 = n1 + s_theta * s_theta / p_A;
+    const Scalar z347 = p_A * z346;
+    const Scalar z348 = c_psi * c_psi;
+    const Scalar z349 = n1 - c_theta * c_theta / z62 + n1 / p_C;
+    const Scalar z350 = s_psi * z344;
+    const Scalar z351 = z343 * z344;
+    const Scalar z352 = c_theta * z351;
+    const Scalar z353 = c_theta * z344;
+    const Scalar z354 = s_psi * z353;
+    const Scalar z355 = z343 * z354;
+    const Scalar z356 = c_theta * z355;
+    const Scalar z357 = z343 * z350;
+    const Scalar z358 = c_theta * z357;
+    const Scalar z359 = z178 * z344;
+    const Scalar z360 = v_x / c_psi;
+    const Scalar z361 = z343 * z360;
+    const Scalar z363 = z30 * z344;
+    const Scalar z364 = s_psi * z363 - z128;
+    const Scalar z365 = z343 * z364;
+    const Scalar z367 = n2 * v_psi / c_psi;
+    const Scalar z368 = z30 * z355 + z123 * z353 - z333;
+    const Scalar z369 = n2 * v_psi * s_psi / c_psi;
+    const Scalar z370 = n2 * v_theta * c_theta / (c_psi * s_theta);
+    const Scalar z371 = z124 * z353 - z177 - z339 * z355;
+    const Scalar z372 = z124 * z344 - z339 * z357;
+    const Scalar z373 = z336 * z351;
+    const Scalar z374 = z336 * z355;
+    const Scalar z375 = z336 * z357;
+    const Scalar z376 = z344 * z367;
+    const Scalar z377 = s_psi * z376 - z370;
+    const Scalar z378 = z343 * z377;
+    const Scalar z379 = c_theta * z378 - z373;
+    const Scalar z380 = z344 * z368;
+    const Scalar z381 = s_psi * z380 + z371;
+    const Scalar z382 = z343 * z381;
+    const Scalar z383 = c_theta * z382 - z374;
+    const Scalar z384 = z344 * z369;
+    const Scalar z385 = s_psi * z384 + z372;
+    const Scalar z386 = z343 * z385;
+    const Scalar z387 = c_theta * z386 - z375;
+    const Scalar z388 = z30 * z361 + z123 * z359;
+    const Scalar z389 = z30 * z365 + z123 * z363;
+    const Scalar z390 = z124 * z359 - z339 * z361;
+    const Scalar z391 = z124 * z363 - z339 * z365;
+    const Scalar z392 = z336 * z361;
+    const Scalar z393 = z336 * z365;
+    const Scalar z394 = z335 + z388;
+    const Scalar z395 = z342 + z389;
+    const Scalar z396 = z332 + z390;
+    const Scalar z397 = z340 - z391;
+    const Scalar z398 = z338 + z393;
+    const Scalar z399 = z344 * z394;
+    const Scalar z400 = s_psi * z399 + z396;
+    const Scalar z401 = z343 * z400;
+    const Scalar z402 = c_theta * z401 - z392;
+    const Scalar z403 = z344 * z395;
     const Scalar z404 = s_psi * z403 - z397;
-    const Scalar z405 = z369 * z404;
-    const Scalar z406 = c_theta * z405 - z400;
-    const Scalar z407 = z370 * z395;
-    const Scalar z408 = s_psi * z407 - z398;
-    const Scalar z409 = z369 * z408;
-    const Scalar z410 = c_theta * z409 - z401;
-    const Scalar z411 = z370 * z396;
-    const Scalar z412 = s_psi * z411 + z399;
-    const Scalar z413 = z369 * z412;
-    const Scalar z414 = c_theta * z413 - z402;
-    const Scalar z415 = z28 * z388 + z146 * z386;
-    const Scalar z416 = z28 * z392 + z146 * z390;
-    const Scalar z417 = z147 * z386 - z365 * z388;
-    const Scalar z418 = z147 * z390 - z365 * z392;
-    const Scalar z419 = z362 * z388;
-    const Scalar z420 = z362 * z392;
-    const Scalar z421 = z361 + z415;
-    const Scalar z422 = z368 + z416;
-    const Scalar z423 = z358 + z417;
-    const Scalar z424 = z366 - z418;
-    const Scalar z425 = z364 + z420;
-    const Scalar z426 = z370 * z421;
-    const Scalar z427 = s_psi * z426 + z423;
-    const Scalar z428 = z369 * z427;
-    const Scalar z429 = c_theta * z428 - z419;
-    const Scalar z430 = z370 * z422;
-    const Scalar z431 = s_psi * z430 - z424;
-    const Scalar z432 = z369 * z431;
-    const Scalar z433 = c_theta * z432 - z425;
-    const Scalar z434 = z356 * z370;
-    const Scalar z435 = s_psi * z434 - z355;
-    const Scalar z436 = z369 * z435;
-    const Scalar z437 = c_theta * z436 + z354;
-    const Scalar z438 = p_A * z378;
-    const Scalar z439 = p_A * z382;
-    const Scalar z440 = p_A * z384;
-    const Scalar z441 = n1 + z376 * z376 + z378 * z438 + z379 * z379;
-    const Scalar z442 = z376 * z380 + z379 * z383 + z382 * z438;
-    const Scalar z443 = z370 * z376 + z379 * z385 + z384 * z438;
-    const Scalar z445 = z86 + z380 * z380 + z382 * z439 + z383 * z383;
-    const Scalar z446 = z77 + z370 * z380 + z383 * z385 + z384 * z439;
-    const Scalar z449 = p_C + z370 * z370 + z384 * z440 + z385 * z385;
-    const Scalar z450 = z376 * z403 + z379 * z406 + z405 * z438;
-    const Scalar z451 = z376 * z407 + z379 * z410 + z409 * z438;
-    const Scalar z452 = z376 * z411 + z379 * z414 + z413 * z438;
-    const Scalar z453 = z380 * z403 + z383 * z406 + z405 * z439;
-    const Scalar z454 = z380 * z407 + z383 * z410 + z409 * z439;
-    const Scalar z455 = z380 * z411 + z383 * z414 + z413 * z439;
-    const Scalar z456 = z370 * z403 + z385 * z406 + z405 * z440;
-    const Scalar z457 = z370 * z407 + z385 * z410 + z409 * z440;
-    const Scalar z458 = z370 * z411 + z385 * z414 + z413 * z440;
-    const Scalar z459 = z305 * z378;
-    const Scalar z460 = z266 + z305 * z382;
-    const Scalar z461 = z305 * z384 + z311;
-    const Scalar z462 = z303 * z378;
-    const Scalar z463 = z303 * z382 - z311;
-    const Scalar z464 = z303 * z384;
-    const Scalar z465 = z270 * z378;
-    const Scalar z466 = z260 * z378;
-    const Scalar z467 = z270 * z382 + z460;
-    const Scalar z468 = z260 * z382 + z461;
-    const Scalar z469 = z270 * z384 - z463;
-    const Scalar z470 = z260 * z384 - z464;
-    const Scalar z471 = z451 - z465;
-    const Scalar z472 = z452 - z466;
-    const Scalar z473 = z453 - z459;
-    const Scalar z474 = z454 - z467;
-    const Scalar z475 = z455 - z468;
-    const Scalar z476 = z456 + z462;
-    const Scalar z477 = z457 - z469;
-    const Scalar z478 = z458 - z470;
-    const Scalar z479 = z376 * z426 + z379 * z429 + z428 * z438;
-    const Scalar z480 = z376 * z430 + z379 * z433 + z432 * z438;
-    const Scalar z481 = z380 * z426 + z383 * z429 + z428 * z439;
-    const Scalar z482 = z380 * z430 + z383 * z433 + z432 * z439;
-    const Scalar z483 = z370 * z426 + z385 * z429 + z428 * z440;
-    const Scalar z484 = z370 * z430 + z385 * z433 + z432 * z440;
-    const Scalar z485 = z305 * z388;
-    const Scalar z486 = z305 * z392;
-    const Scalar z487 = z303 * z388;
-    const Scalar z488 = z303 * z392;
-    const Scalar z489 = z332 + z486;
-    const Scalar z490 = z338 - z488;
-    const Scalar z491 = z322 - z323 * z376;
-    const Scalar z492 = z335 * z378;
-    const Scalar z493 = z323 * z380 - z485;
-    const Scalar z494 = z335 * z382 + z489;
-    const Scalar z495 = z323 * z370 + z487;
-    const Scalar z496 = z335 * z384 + z490;
-    const Scalar z497 = z479 - z491;
-    const Scalar z498 = z480 - z492;
-    const Scalar z499 = z481 + z493;
-    const Scalar z500 = z482 - z494;
-    const Scalar z501 = z483 + z495;
-    const Scalar z502 = z484 - z496;
-    const Scalar z503 = z348 * z376 - z349 + z350 * z379 + z352 * z378;
-    const Scalar z504 = z348 * z380 + z350 * z383 + z351 + z352 * z382;
-    const Scalar z505 = z348 * z370 + z350 * z385 + z352 * z384 - z353;
-    const Scalar z506 = z376 * z434 + z379 * z437 + z436 * z438;
-    const Scalar z507 = z380 * z434 + z383 * z437 + z436 * z439;
-    const Scalar z508 = z370 * z434 + z385 * z437 + z436 * z440;
-    const Scalar z509 = z503 - z506;
-    const Scalar z510 = z504 - z507;
-    const Scalar z511 = z505 - z508;
-    const Scalar z512 = n1 / z449;
-    const Scalar z513 = z443 * z512;
-    const Scalar z514 = z446 * z512;
-    const Scalar z515 = z441 - z443 * z513;
-    const Scalar z516 = z442 - z443 * z514;
-    const Scalar z517 = z445 - z446 * z514;
-    const Scalar z518 = n1 / z517;
-    const Scalar z519 = z516 * z518;
-    const Scalar z520 = z515 - z516 * z519;
-    const Scalar z521 = n1 / z520;
-    const Scalar z522 = z473 - z476 * z514;
-    const Scalar z523 = z450 - z476 * z513 - z519 * z522;
-    const Scalar z524 = z521 * z523;
-    const Scalar z525 = z518 * z522 - z519 * z524;
-    const Scalar z526 = z476 * z512 - z513 * z524 - z514 * z525;
-    const Scalar z527 = z474 - z477 * z514;
-    const Scalar z528 = z471 - z477 * z513 - z519 * z527;
-    const Scalar z529 = z521 * z528;
-    const Scalar z530 = z518 * z527 - z519 * z529;
-    const Scalar z531 = z477 * z512 - z513 * z529 - z514 * z530;
-    const Scalar z532 = z499 - z501 * z514;
-    const Scalar z533 = z497 - z501 * z513 - z519 * z532;
-    const Scalar z534 = z521 * z533;
-    const Scalar z535 = z518 * z532 - z519 * z534;
-    const Scalar z536 = z501 * z512 - z513 * z534 - z514 * z535;
-    const Scalar z537 = z475 - z478 * z514;
-    const Scalar z538 = z472 - z478 * z513 - z519 * z537;
-    const Scalar z539 = z521 * z538;
-    const Scalar z540 = z518 * z537 - z519 * z539;
-    const Scalar z541 = z478 * z512 - z513 * z539 - z514 * z540;
-    const Scalar z542 = z500 - z502 * z514;
-    const Scalar z543 = z498 - z502 * z513 - z519 * z542;
-    const Scalar z544 = z521 * z543;
-    const Scalar z545 = z518 * z542 - z519 * z544;
-    const Scalar z546 = z502 * z512 - z513 * z544 - z514 * z545;
+    const Scalar z405 = z343 * z404;
+    const Scalar z406 = c_theta * z405 - z398;
+    const Scalar z407 = z330 * z344;
+    const Scalar z408 = s_psi * z407 - z329;
+    const Scalar z409 = z343 * z408;
+    const Scalar z410 = c_theta * z409 + z328;
+    const Scalar z411 = p_A * z351;
+    const Scalar z412 = p_A * z355;
+    const Scalar z413 = p_A * z357;
+    const Scalar z414 = n1 + z350 * z350 + z351 * z411 + z352 * z352;
+    const Scalar z415 = z350 * z353 + z352 * z356 + z355 * z411;
+    const Scalar z416 = z344 * z350 + z352 * z358 + z357 * z411;
+    const Scalar z418 = z62 - z353 * z353 - z355 * z412 - z356 * z356;
+    const Scalar z419 = z54 + z344 * z353 + z356 * z358 + z357 * z412;
+    const Scalar z422 = p_C + z344 * z344 + z357 * z413 + z358 * z358;
+    const Scalar z423 = z350 * z376 + z352 * z379 + z378 * z411;
+    const Scalar z424 = z350 * z380 + z352 * z383 + z382 * z411;
+    const Scalar z425 = z350 * z384 + z352 * z387 + z386 * z411;
+    const Scalar z426 = z353 * z376 + z356 * z379 + z378 * z412;
+    const Scalar z427 = z353 * z380 + z356 * z383 + z382 * z412;
+    const Scalar z428 = z353 * z384 + z356 * z387 + z386 * z412;
+    const Scalar z429 = z344 * z376 + z358 * z379 + z378 * z413;
+    const Scalar z430 = z344 * z380 + z358 * z383 + z382 * z413;
+    const Scalar z431 = z344 * z384 + z358 * z387 + z386 * z413;
+    const Scalar z432 = z294 * z351;
+    const Scalar z433 = z259 + z294 * z355;
+    const Scalar z434 = z294 * z357 + z300;
+    const Scalar z435 = z292 * z351;
+    const Scalar z436 = z292 * z355 - z300;
+    const Scalar z438 = z257 * z351;
+    const Scalar z439 = z249 * z351;
+    const Scalar z440 = z257 * z355 + z433;
+    const Scalar z441 = z249 * z355 + z434;
+    const Scalar z442 = z257 * z357 - z436;
+    const Scalar z443 = z424 - z438;
+    const Scalar z444 = z425 - z439;
+    const Scalar z445 = z426 - z432;
+    const Scalar z446 = z427 - z440;
+    const Scalar z447 = z428 - z441;
+    const Scalar z448 = z429 + z435;
+    const Scalar z449 = z430 - z442;
+    const Scalar z450 = z350 * z399 + z352 * z402 + z401 * z411;
+    const Scalar z451 = z350 * z403 + z352 * z406 + z405 * z411;
+    const Scalar z452 = z353 * z399 + z356 * z402 + z401 * z412;
+    const Scalar z453 = z353 * z403 + z356 * z406 + z405 * z412;
+    const Scalar z454 = z344 * z399 + z358 * z402 + z401 * z413;
+    const Scalar z455 = z344 * z403 + z358 * z406 + z405 * z413;
+    const Scalar z456 = z294 * z361;
+    const Scalar z457 = z294 * z365;
+    const Scalar z458 = z292 * z361;
+    const Scalar z459 = z292 * z365;
+    const Scalar z460 = z321 + z457;
+    const Scalar z461 = z327 - z459;
+    const Scalar z462 = l_X_F / c_psi;
+    const Scalar z463 = z324 * z351;
+    const Scalar z464 = z312 * z353 - z456;
+    const Scalar z465 = z324 * z355 + z460;
+    const Scalar z466 = z312 * z344 + z458;
+    const Scalar z467 = z324 * z357 + z461;
+    const Scalar z468 = z450 + z462;
+    const Scalar z469 = z451 - z463;
+    const Scalar z470 = z452 + z464;
+    const Scalar z471 = z453 - z465;
+    const Scalar z472 = z454 + z466;
+    const Scalar z473 = z455 - z467;
+    const Scalar z474 = a_x + s_psi * l_Y_F - c_psi * l_X_F;
+    const Scalar z475 = z98 - l_N;
+    const Scalar z476 = s_theta * l_Y_F - z112 + z137 * l_N;
+    const Scalar z477 = a_y - s_psi * l_X_F - c_psi * l_Y_F - z350 * z474 + z351 * z476 - z352 * z475;
+    const Scalar z478 = c_theta * l_X_F - z115 + z353 * z474 - z355 * z476 + z356 * z475;
+    const Scalar z479 = z110 + z140 * l_N - l_X_F - z344 * z474 + z357 * z476 - z358 * z475;
+    const Scalar z480 = z350 * z407 + z352 * z410 + z409 * z411;
+    const Scalar z481 = z353 * z407 + z356 * z410 + z409 * z412;
+    const Scalar z482 = z344 * z407 + z358 * z410 + z409 * z413;
+    const Scalar z483 = z477 + z480;
+    const Scalar z484 = z478 - z481;
+    const Scalar z485 = z479 + z482;
+    const Scalar z486 = n1 / z422;
+    const Scalar z487 = z416 * z486;
+    const Scalar z488 = z419 * z486;
+    const Scalar z489 = z414 - z416 * z487;
+    const Scalar z490 = z415 - z416 * z488;
+    const Scalar z491 = z418 + z419 * z488;
+    const Scalar z492 = n1 / z491;
+    const Scalar z493 = z490 * z492;
+    const Scalar z494 = z489 + z490 * z493;
+    const Scalar z495 = n1 / z494;
+    const Scalar z496 = z445 - z448 * z488;
+    const Scalar z497 = z423 - z448 * z487 + z493 * z496;
+    const Scalar z498 = z495 * z497;
+    const Scalar z499 = z492 * z496 - z493 * z498;
+    const Scalar z500 = z448 * z486 - z487 * z498 + z488 * z499;
+    const Scalar z501 = z446 - z449 * z488;
+    const Scalar z502 = z443 - z449 * z487 + z493 * z501;
+    const Scalar z503 = z495 * z502;
+    const Scalar z504 = z492 * z501 - z493 * z503;
+    const Scalar z505 = z449 * z486 - z487 * z503 + z488 * z504;
+    const Scalar z506 = z470 - z472 * z488;
+    const Scalar z507 = z468 - z472 * z487 + z493 * z506;
+    const Scalar z508 = z495 * z507;
+    const Scalar z509 = z492 * z506 - z493 * z508;
+    const Scalar z510 = z472 * z486 - z487 * z508 + z488 * z509;
+    const Scalar z511 = z431 * z488 - z447;
+    const Scalar z512 = z431 * z487 - z444 + z493 * z511;
+    const Scalar z513 = z495 * z512;
+    const Scalar z514 = z492 * z511 - z493 * z513;
+    const Scalar z515 = z431 * z486 + z487 * z513 - z488 * z514;
+    const Scalar z516 = z471 - z473 * z488;
+    const Scalar z517 = z469 - z473 * z487 + z493 * z516;
+    const Scalar z518 = z495 * z517;
+    const Scalar z519 = z492 * z516 - z493 * z518;
+    const Scalar z520 = z473 * z486 - z487 * z518 + z488 * z519;
     result.M[0] = n1;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -1550,9 +1510,9 @@ struct Mechanism {
     result.M[18] = n0;
     result.M[19] = n0;
     result.M[20] = n0;
-    result.M[21] = z86;
+    result.M[21] = -z62;
     result.M[22] = n0;
-    result.M[23] = z77;
+    result.M[23] = z54;
     result.M[24] = n0;
     result.M[25] = n0;
     result.M[26] = n0;
@@ -1562,7 +1522,7 @@ struct Mechanism {
     result.M[30] = n0;
     result.M[31] = n0;
     result.M[32] = n0;
-    result.M[33] = z77;
+    result.M[33] = z54;
     result.M[34] = n0;
     result.M[35] = p_C;
     result.C[0] = n0;
@@ -1586,20 +1546,20 @@ struct Mechanism {
     result.C[18] = n0;
     result.C[19] = n0;
     result.C[20] = n0;
-    result.C[21] = -z266;
-    result.C[22] = z270;
-    result.C[23] = -z311;
+    result.C[21] = -z259;
+    result.C[22] = z257;
+    result.C[23] = -z300;
     result.C[24] = n0;
     result.C[25] = n0;
     result.C[26] = n0;
-    result.C[27] = z305;
+    result.C[27] = z294;
     result.C[28] = n0;
-    result.C[29] = -z303;
+    result.C[29] = -z292;
     result.C[30] = n0;
     result.C[31] = n0;
     result.C[32] = n0;
-    result.C[33] = -z311;
-    result.C[34] = z260;
+    result.C[33] = -z300;
+    result.C[34] = z249;
     result.C[35] = n0;
     result.K[0] = n0;
     result.K[1] = n0;
@@ -1619,8 +1579,8 @@ struct Mechanism {
     result.K[15] = n0;
     result.K[16] = n0;
     result.K[17] = n0;
-    result.K[18] = z323;
-    result.K[19] = z322;
+    result.K[18] = z312;
+    result.K[19] = z311;
     result.K[20] = n0;
     result.K[21] = n0;
     result.K[22] = n0;
@@ -1628,57 +1588,57 @@ struct Mechanism {
     result.K[24] = n0;
     result.K[25] = n0;
     result.K[26] = n0;
-    result.K[27] = z332;
-    result.K[28] = -z335;
-    result.K[29] = z338;
+    result.K[27] = z321;
+    result.K[28] = -z324;
+    result.K[29] = z327;
     result.K[30] = n0;
     result.K[31] = n0;
     result.K[32] = n0;
     result.K[33] = n0;
     result.K[34] = n0;
     result.K[35] = n0;
-    result.F[0] = -z348;
-    result.F[1] = -z349;
-    result.F[2] = -z350;
-    result.F[3] = z351;
-    result.F[4] = -z352;
-    result.F[5] = -z353;
-    result.M_r[0] = z441;
-    result.M_r[1] = z442;
-    result.M_r[2] = z443;
-    result.M_r[3] = z442;
-    result.M_r[4] = z445;
-    result.M_r[5] = z446;
-    result.M_r[6] = z443;
-    result.M_r[7] = z446;
-    result.M_r[8] = z449;
-    result.C_r[0] = z450;
-    result.C_r[1] = z473;
-    result.C_r[2] = z476;
-    result.C_r[3] = z471;
-    result.C_r[4] = z474;
-    result.C_r[5] = z477;
-    result.C_r[6] = z472;
-    result.C_r[7] = z475;
-    result.C_r[8] = z478;
+    result.F[0] = -a_x - s_psi * l_Y_F + c_psi * l_X_F;
+    result.F[1] = -a_y + s_psi * l_X_F + c_psi * l_Y_F;
+    result.F[2] = -z98 + l_N;
+    result.F[3] = c_theta * l_X_F - z115;
+    result.F[4] = s_theta * l_Y_F - z112 + z137 * l_N;
+    result.F[5] = -z110 - z140 * l_N + l_X_F;
+    result.M_r[0] = z414;
+    result.M_r[1] = z415;
+    result.M_r[2] = z416;
+    result.M_r[3] = z415;
+    result.M_r[4] = -z418;
+    result.M_r[5] = z419;
+    result.M_r[6] = z416;
+    result.M_r[7] = z419;
+    result.M_r[8] = z422;
+    result.C_r[0] = z423;
+    result.C_r[1] = z445;
+    result.C_r[2] = z448;
+    result.C_r[3] = z443;
+    result.C_r[4] = z446;
+    result.C_r[5] = z449;
+    result.C_r[6] = z444;
+    result.C_r[7] = z447;
+    result.C_r[8] = z431;
     result.K_r[0] = n0;
     result.K_r[1] = n0;
     result.K_r[2] = n0;
     result.K_r[3] = n0;
     result.K_r[4] = n0;
     result.K_r[5] = n0;
-    result.K_r[6] = -z497;
-    result.K_r[7] = -z499;
-    result.K_r[8] = -z501;
-    result.K_r[9] = -z498;
-    result.K_r[10] = -z500;
-    result.K_r[11] = -z502;
+    result.K_r[6] = -z468;
+    result.K_r[7] = -z470;
+    result.K_r[8] = -z472;
+    result.K_r[9] = -z469;
+    result.K_r[10] = -z471;
+    result.K_r[11] = -z473;
     result.K_r[12] = n0;
     result.K_r[13] = n0;
     result.K_r[14] = n0;
-    result.F_r[0] = z509;
-    result.F_r[1] = z510;
-    result.F_r[2] = z511;
+    result.F_r[0] = -z483;
+    result.F_r[1] = z484;
+    result.F_r[2] = -z485;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
@@ -1695,22 +1655,22 @@ struct Mechanism {
     result.A[13] = n0;
     result.A[14] = n0;
     result.A[15] = n0;
-    result.A[16] = z386;
+    result.A[16] = z359;
     result.A[17] = n0;
     result.A[18] = n0;
-    result.A[19] = z388;
+    result.A[19] = z361;
     result.A[20] = n0;
-    result.A[21] = z534;
-    result.A[22] = z535;
-    result.A[23] = z536;
-    result.A[24] = z390;
+    result.A[21] = z508;
+    result.A[22] = -z509;
+    result.A[23] = z510;
+    result.A[24] = z363;
     result.A[25] = n0;
     result.A[26] = n0;
-    result.A[27] = z392;
+    result.A[27] = z365;
     result.A[28] = n0;
-    result.A[29] = z544;
-    result.A[30] = z545;
-    result.A[31] = z546;
+    result.A[29] = z518;
+    result.A[30] = -z519;
+    result.A[31] = z520;
     result.A[32] = n0;
     result.A[33] = n0;
     result.A[34] = n0;
@@ -1719,57 +1679,56 @@ struct Mechanism {
     result.A[37] = n0;
     result.A[38] = n0;
     result.A[39] = n0;
-    result.A[40] = -z376;
+    result.A[40] = -z350;
     result.A[41] = n1;
     result.A[42] = n0;
-    result.A[43] = -z378;
+    result.A[43] = -z351;
     result.A[44] = n0;
-    result.A[45] = -z524;
-    result.A[46] = -z525;
-    result.A[47] = -z526;
-    result.A[48] = -z380;
+    result.A[45] = -z498;
+    result.A[46] = z499;
+    result.A[47] = -z500;
+    result.A[48] = -z353;
     result.A[49] = n0;
     result.A[50] = n1;
-    result.A[51] = -z382;
+    result.A[51] = -z355;
     result.A[52] = n0;
-    result.A[53] = -z529;
-    result.A[54] = -z530;
-    result.A[55] = -z531;
-    result.A[56] = -z370;
+    result.A[53] = -z503;
+    result.A[54] = z504;
+    result.A[55] = -z505;
+    result.A[56] = -z344;
     result.A[57] = n0;
     result.A[58] = n0;
-    result.A[59] = -z384;
+    result.A[59] = -z357;
     result.A[60] = n1;
-    result.A[61] = -z539;
-    result.A[62] = -z540;
-    result.A[63] = -z541;
-    if (!(traits::regular(z371, z373) && traits::regular(z374, z375) && traits::regular(z520, z441)
-        && traits::regular(z517, z445) && traits::regular(z449, z449))) return torsor::Status::singular;
+    result.A[61] = z513;
+    result.A[62] = -z514;
+    result.A[63] = -z515;
+    if (!(traits::regular(z345, z347) && traits::regular(z348, z349) && traits::regular(z494, z414)
+        && traits::regular(-z491, -z418) && traits::regular(z422, z422))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
-    const Scalar zero = ((((result.M[21] - result.M[21]) + (result.M[23] - result.M[23]) + (result.M[28] - result.M[28])
+    const Scalar zero = (result.M[21] - result.M[21]) + (result.M[23] - result.M[23]) + (result.M[28] - result.M[28])
         + (result.M[33] - result.M[33]) + (result.M[35] - result.M[35]) + (result.C[21] - result.C[21]) + (result.C[22]
-        - result.C[22]) + (result.C[23] - result.C[23]) + (result.C[27] - result.C[27])) + ((result.C[29]
-        - result.C[29]) + (result.C[33] - result.C[33]) + (result.C[34] - result.C[34]) + (result.K[18] - result.K[18])
-        + (result.K[19] - result.K[19]) + (result.K[27] - result.K[27]) + (result.K[28] - result.K[28]) + (result.K[29]
-        - result.K[29]) + (result.F[0] - result.F[0]))) + (((result.F[1] - result.F[1]) + (result.F[2] - result.F[2])
-        + (result.F[3] - result.F[3]) + (result.F[4] - result.F[4]) + (result.F[5] - result.F[5]) + (result.M_r[0]
-        - result.M_r[0]) + (result.M_r[1] - result.M_r[1]) + (result.M_r[2] - result.M_r[2]) + (result.M_r[3]
-        - result.M_r[3])) + ((result.M_r[4] - result.M_r[4]) + (result.M_r[5] - result.M_r[5]) + (result.M_r[6]
-        - result.M_r[6]) + (result.M_r[7] - result.M_r[7]) + (result.M_r[8] - result.M_r[8]) + (result.C_r[0]
-        - result.C_r[0]) + (result.C_r[1] - result.C_r[1]) + (result.C_r[2] - result.C_r[2]) + (result.C_r[3]
-        - result.C_r[3]) + (result.C_r[4] - result.C_r[4])))) + ((((result.C_r[5] - result.C_r[5]) + (result.C_r[6]
-        - result.C_r[6]) + (result.C_r[7] - result.C_r[7]) + (result.C_r[8] - result.C_r[8]) + (result.K_r[6]
-        - result.K_r[6]) + (result.K_r[7] - result.K_r[7]) + (result.K_r[8] - result.K_r[8]) + (result.K_r[9]
-        - result.K_r[9]) + (result.K_r[10] - result.K_r[10])) + ((result.K_r[11] - result.K_r[11]) + (result.F_r[0]
-        - result.F_r[0]) + (result.F_r[1] - result.F_r[1]) + (result.F_r[2] - result.F_r[2]) + (result.A[16]
-        - result.A[16]) + (result.A[19] - result.A[19]) + (result.A[21] - result.A[21]) + (result.A[22] - result.A[22])
-        + (result.A[23] - result.A[23]) + (result.A[24] - result.A[24]))) + (((result.A[27] - result.A[27])
-        + (result.A[29] - result.A[29]) + (result.A[30] - result.A[30]) + (result.A[31] - result.A[31]) + (result.A[40]
-        - result.A[40]) + (result.A[43] - result.A[43]) + (result.A[45] - result.A[45]) + (result.A[46] - result.A[46])
-        + (result.A[47] - result.A[47])) + ((result.A[48] - result.A[48]) + (result.A[51] - result.A[51])
-        + (result.A[53] - result.A[53]) + (result.A[54] - result.A[54]) + (result.A[55] - result.A[55]) + (result.A[56]
-        - result.A[56]) + (result.A[59] - result.A[59]) + (result.A[61] - result.A[61]) + (result.A[62] - result.A[62])
-        + (result.A[63] - result.A[63]))));
+        - result.C[22]) + (result.C[23] - result.C[23]) + (result.C[27] - result.C[27]) + (result.C[29] - result.C[29])
+        + (result.C[33] - result.C[33]) + (result.C[34] - result.C[34]) + (result.K[18] - result.K[18]) + (result.K[19]
+        - result.K[19]) + (result.K[27] - result.K[27]) + (result.K[28] - result.K[28]) + (result.K[29] - result.K[29])
+        + (result.F[0] - result.F[0]) + (result.F[1] - result.F[1]) + (result.F[2] - result.F[2]) + (result.F[3]
+        - result.F[3]) + (result.F[4] - result.F[4]) + (result.F[5] - result.F[5]) + (result.M_r[0] - result.M_r[0])
+        + (result.M_r[1] - result.M_r[1]) + (result.M_r[2] - result.M_r[2]) + (result.M_r[3] - result.M_r[3])
+        + (result.M_r[4] - result.M_r[4]) + (result.M_r[5] - result.M_r[5]) + (result.M_r[6] - result.M_r[6])
+        + (result.M_r[7] - result.M_r[7]) + (result.M_r[8] - result.M_r[8]) + (result.C_r[0] - result.C_r[0])
+        + (result.C_r[1] - result.C_r[1]) + (result.C_r[2] - result.C_r[2]) + (result.C_r[3] - result.C_r[3])
+        + (result.C_r[4] - result.C_r[4]) + (result.C_r[5] - result.C_r[5]) + (result.C_r[6] - result.C_r[6])
+        + (result.C_r[7] - result.C_r[7]) + (result.C_r[8] - result.C_r[8]) + (result.K_r[6] - result.K_r[6])
+        + (result.K_r[7] - result.K_r[7]) + (result.K_r[8] - result.K_r[8]) + (result.K_r[9] - result.K_r[9])
+        + (result.K_r[10] - result.K_r[10]) + (result.K_r[11] - result.K_r[11]) + (result.F_r[0] - result.F_r[0])
+        + (result.F_r[1] - result.F_r[1]) + (result.F_r[2] - result.F_r[2]) + (result.A[16] - result.A[16])
+        + (result.A[19] - result.A[19]) + (result.A[21] - result.A[21]) + (result.A[22] - result.A[22]) + (result.A[23]
+        - result.A[23]) + (result.A[24] - result.A[24]) + (result.A[27] - result.A[27]) + (result.A[29] - result.A[29])
+        + (result.A[30] - result.A[30]) + (result.A[31] - result.A[31]) + (result.A[40] - result.A[40]) + (result.A[43]
+        - result.A[43]) + (result.A[45] - result.A[45]) + (result.A[46] - result.A[46]) + (result.A[47] - result.A[47])
+        + (result.A[48] - result.A[48]) + (result.A[51] - result.A[51]) + (result.A[53] - result.A[53]) + (result.A[54]
+        - result.A[54]) + (result.A[55] - result.A[55]) + (result.A[56] - result.A[56]) + (result.A[59] - result.A[59])
+        + (result.A[61] - result.A[61]) + (result.A[62] - result.A[62]) + (result.A[63] - result.A[63]);
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }

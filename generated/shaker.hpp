@@ -582,11 +582,12 @@ struct Mechanism {
     Scalar z3, z4;
     traits::sincos(z2, z3, z4);
     const Scalar z5 = p_omega * z4;
+    const Scalar z11 = n0_01 * z3;
     const Scalar z12 = n0_01 * z5;  // velocity of support, y
-    const Scalar z13 = v_x + z12;  // velocity of mass, y
-    const Scalar z14 = n0_01 * z3 + q_x;
+    const Scalar z13 = q_x + z11;  // place of mass, y
+    const Scalar z14 = v_x + z12;  // velocity of mass, y
     result.mass_position[0] = n0;
-    result.mass_position[1] = z14;
+    result.mass_position[1] = z13;
     result.mass_position[2] = n0;
     result.mass_rotation[0] = n1;
     result.mass_rotation[1] = n0;
@@ -598,7 +599,7 @@ struct Mechanism {
     result.mass_rotation[7] = n0;
     result.mass_rotation[8] = n1;
     result.mass_velocity[0] = n0;
-    result.mass_velocity[1] = z13;
+    result.mass_velocity[1] = z14;
     result.mass_velocity[2] = n0;
     result.mass_angular_velocity[0] = n0;
     result.mass_angular_velocity[1] = n0;
@@ -627,11 +628,11 @@ struct Mechanism {
     traits::sincos(z2, z3, z4);
     const Scalar z6 = p_omega * z3;
     const Scalar z7 = p_omega * z6;
-    const Scalar z18 = n0_2 - q_x;
-    const Scalar z19 = n400 * z18;
-    const Scalar z20 = n9_81 - n0_01 * z7;
-    const Scalar z21 = z19 - z20;
-    forces.x = -z21;
+    const Scalar z17 = n0_2 - q_x;
+    const Scalar z18 = n400 * z17;
+    const Scalar z19 = n9_81 - n0_01 * z7;
+    const Scalar z20 = z18 - z19;
+    forces.x = -z20;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -650,12 +651,12 @@ struct Mechanism {
     traits::sincos(z2, z3, z4);
     const Scalar z6 = p_omega * z3;
     const Scalar z7 = p_omega * z6;
-    const Scalar z18 = n0_2 - q_x;
-    const Scalar z19 = n400 * z18;
-    const Scalar z20 = n9_81 - n0_01 * z7;
-    const Scalar z22 = a_x + z20;
-    const Scalar z23 = z19 - z22;
-    forces.x = -z23;
+    const Scalar z17 = n0_2 - q_x;
+    const Scalar z18 = n400 * z17;
+    const Scalar z19 = n9_81 - n0_01 * z7;
+    const Scalar z21 = a_x + z19;
+    const Scalar z22 = z18 - z21;
+    forces.x = -z22;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -676,11 +677,11 @@ struct Mechanism {
     traits::sincos(z2, z3, z4);
     const Scalar z6 = p_omega * z3;
     const Scalar z7 = p_omega * z6;
-    const Scalar z18 = n0_2 - q_x;
-    const Scalar z19 = n400 * z18;
-    const Scalar z20 = n9_81 - n0_01 * z7;
-    const Scalar z21 = z19 - z20;
-    accelerations.x = z21;
+    const Scalar z17 = n0_2 - q_x;
+    const Scalar z18 = n400 * z17;
+    const Scalar z19 = n9_81 - n0_01 * z7;
+    const Scalar z20 = z18 - z19;
+    accelerations.x = z20;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.x - accelerations.x);
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -693,8 +694,8 @@ struct Mechanism {
     const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
     const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
-    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n200 = traits::constant(200.0, 200.0f, "200/1");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
@@ -705,11 +706,11 @@ struct Mechanism {
     traits::sincos(z2, z3, z4);
     const Scalar z5 = p_omega * z4;
     const Scalar z12 = n0_01 * z5;  // velocity of support, y
-    const Scalar z13 = v_x + z12;  // velocity of mass, y
-    const Scalar z14 = n0_01 * z3 + q_x;
-    const Scalar z18 = n0_2 - q_x;
-    result.kinetic = n0_5 * z13 * z13;
-    result.force_function = -n9_81 * z14 - n200 * z18 * z18;
+    const Scalar z14 = v_x + z12;  // velocity of mass, y
+    const Scalar z17 = n0_2 - q_x;
+    const Scalar z23 = n0_01 * z3 + q_x;
+    result.kinetic = n0_5 * z14 * z14;
+    result.force_function = -n200 * z17 * z17 - n9_81 * z23;
     result.power = n0;
   }
 
@@ -727,9 +728,9 @@ struct Mechanism {
     traits::sincos(z2, z3, z4);
     const Scalar z6 = p_omega * z3;
     const Scalar z7 = p_omega * z6;
-    const Scalar z20 = n9_81 - n0_01 * z7;
-    const Scalar z22 = a_x + z20;
-    result.drive = z22;
+    const Scalar z19 = n9_81 - n0_01 * z7;
+    const Scalar z21 = a_x + z19;
+    result.drive = z21;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -751,15 +752,15 @@ struct Mechanism {
     traits::sincos(z2, z3, z4);
     const Scalar z6 = p_omega * z3;
     const Scalar z7 = p_omega * z6;
-    const Scalar z18 = n0_2 - q_x;
-    const Scalar z19 = n400 * z18;
-    const Scalar z20 = n9_81 - n0_01 * z7;
-    const Scalar z22 = a_x + z20;
-    const Scalar z23 = z19 - z22;
+    const Scalar z17 = n0_2 - q_x;
+    const Scalar z18 = n400 * z17;
+    const Scalar z19 = n9_81 - n0_01 * z7;
+    const Scalar z21 = a_x + z19;
+    const Scalar z22 = z18 - z21;
     result.M[0] = n1;
     result.C[0] = n0;
     result.K[0] = n400;
-    result.F[0] = z23;
+    result.F[0] = z22;
     result.A[0] = n0;
     result.A[1] = -n400;
     result.A[2] = n1;

@@ -581,8 +581,8 @@ struct Mechanism {
     const Scalar v_lambda = state.v.lambda;
     const Scalar q_l = state.q.l;
     const Scalar v_l = state.v.l;
-    const Scalar z6 = v_lambda + v_l;  // velocity of mass, y
-    const Scalar z7 = q_lambda + q_l;
+    const Scalar z6 = q_lambda + q_l;  // place of mass, y
+    const Scalar z7 = v_lambda + v_l;  // velocity of mass, y
     result.support_position[0] = n0;
     result.support_position[1] = q_lambda;
     result.support_position[2] = n0;
@@ -602,7 +602,7 @@ struct Mechanism {
     result.support_angular_velocity[1] = n0;
     result.support_angular_velocity[2] = n0;
     result.mass_position[0] = n0;
-    result.mass_position[1] = z7;
+    result.mass_position[1] = z6;
     result.mass_position[2] = n0;
     result.mass_rotation[0] = n1;
     result.mass_rotation[1] = n0;
@@ -614,7 +614,7 @@ struct Mechanism {
     result.mass_rotation[7] = n0;
     result.mass_rotation[8] = n1;
     result.mass_velocity[0] = n0;
-    result.mass_velocity[1] = z6;
+    result.mass_velocity[1] = z7;
     result.mass_velocity[2] = n0;
     result.mass_angular_velocity[0] = n0;
     result.mass_angular_velocity[1] = n0;
@@ -632,10 +632,10 @@ struct Mechanism {
     result.H_jacobian[2] = n0;
     result.H_jacobian[5] = n0;
     result.P_position[0] = n0;
-    result.P_position[1] = z7;
+    result.P_position[1] = z6;
     result.P_position[2] = n0;
     result.P_velocity[0] = n0;
-    result.P_velocity[1] = z6;
+    result.P_velocity[1] = z7;
     result.P_velocity[2] = n0;
     result.P_jacobian[0] = n0;
     result.P_jacobian[3] = n0;
@@ -741,13 +741,13 @@ struct Mechanism {
     const Scalar v_lambda = state.v.lambda;
     const Scalar q_l = state.q.l;
     const Scalar v_l = state.v.l;
-    const Scalar z6 = v_lambda + v_l;  // velocity of mass, y
-    const Scalar z7 = q_lambda + q_l;
+    const Scalar z6 = q_lambda + q_l;  // place of mass, y
+    const Scalar z7 = v_lambda + v_l;  // velocity of mass, y
     const Scalar z8 = q_l * q_l;
     const Scalar z9 = traits::sqrt(z8);
     const Scalar z12 = n0_2 - z9;
-    result.kinetic = n1_5 * v_lambda * v_lambda + n0_5 * z6 * z6;
-    result.force_function = -n29_43 * q_lambda - n9_81 * z7 - n200 * z12 * z12;
+    result.kinetic = n1_5 * v_lambda * v_lambda + n0_5 * z7 * z7;
+    result.force_function = -n29_43 * q_lambda - n9_81 * z6 - n200 * z12 * z12;
     result.power = n0;
   }
 
@@ -756,19 +756,19 @@ struct Mechanism {
     const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
     const Scalar n29_43 = traits::constant(29.43, 29.43f, "2943/100");
     const Scalar n1_5 = traits::constant(1.5, 1.5f, "3/2");
-    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n200 = traits::constant(200.0, 200.0f, "200/1");
     const Scalar q_lambda = state.q.lambda;
     const Scalar v_lambda = state.v.lambda;
     const Scalar q_l = state.q.l;
     const Scalar v_l = state.v.l;
-    const Scalar z6 = v_lambda + v_l;  // velocity of mass, y
-    const Scalar z7 = q_lambda + q_l;
+    const Scalar z6 = q_lambda + q_l;  // place of mass, y
+    const Scalar z7 = v_lambda + v_l;  // velocity of mass, y
     const Scalar z8 = q_l * q_l;
     const Scalar z9 = traits::sqrt(z8);
     const Scalar z12 = n0_2 - z9;
-    result.energy = n29_43 * q_lambda + n1_5 * v_lambda * v_lambda + n0_5 * z6 * z6 + n9_81 * z7 + n200 * z12 * z12;
+    result.energy = n29_43 * q_lambda + n1_5 * v_lambda * v_lambda + n9_81 * z6 + n0_5 * z7 * z7 + n200 * z12 * z12;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the

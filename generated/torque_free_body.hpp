@@ -624,12 +624,12 @@ struct Mechanism {
   /// Parameters and what depends on them only: built once for each set of parameters.
   struct Precomputed {
     Parameters parameters;
-    Scalar z34;
-    Scalar z36;
-    Scalar z38;
-    Scalar z46;
-    Scalar z47;
-    Scalar z48;
+    Scalar z40;
+    Scalar z42;
+    Scalar z44;
+    Scalar z52;
+    Scalar z53;
+    Scalar z54;
     Scalar y0;
     Scalar y1;
     Scalar y2;
@@ -655,21 +655,21 @@ struct Mechanism {
     const Scalar p_I1 = parameters.I1;
     const Scalar p_I2 = parameters.I2;
     const Scalar p_I3 = parameters.I3;
-    const Scalar z34 = p_I2 - p_I3;
-    const Scalar z36 = p_I1 - p_I3;
-    const Scalar z38 = p_I1 - p_I2;
-    const Scalar z46 = n1 / p_I3;
-    const Scalar z47 = n1 / p_I2;
-    const Scalar z48 = n1 / p_I1;
-    precomputed.z34 = z34;
-    precomputed.z36 = z36;
-    precomputed.z38 = z38;
-    precomputed.z46 = z46;
-    precomputed.z47 = z47;
-    precomputed.z48 = z48;
-    precomputed.y0 = z34 * z48;
-    precomputed.y1 = z36 * z47;
-    precomputed.y2 = z38 * z46;
+    const Scalar z40 = p_I2 - p_I3;
+    const Scalar z42 = p_I1 - p_I3;
+    const Scalar z44 = p_I1 - p_I2;
+    const Scalar z52 = n1 / p_I3;
+    const Scalar z53 = n1 / p_I2;
+    const Scalar z54 = n1 / p_I1;
+    precomputed.z40 = z40;
+    precomputed.z42 = z42;
+    precomputed.z44 = z44;
+    precomputed.z52 = z52;
+    precomputed.z53 = z53;
+    precomputed.z54 = z54;
+    precomputed.y0 = z40 * z54;
+    precomputed.y1 = z42 * z53;
+    precomputed.y2 = z44 * z52;
     return precomputed;
   }
 
@@ -750,14 +750,14 @@ struct Mechanism {
     const Scalar v_e_omega_x = state.v.e_omega_x;
     const Scalar v_e_omega_y = state.v.e_omega_y;
     const Scalar v_e_omega_z = state.v.e_omega_z;
-    const Scalar z88 = n0_5 * (q_e_y * v_e_omega_y + q_e_z * v_e_omega_z + q_e_x * v_e_omega_x);
-    const Scalar z89 = n0_5 * (q_e_y * v_e_omega_z - q_e_z * v_e_omega_y + q_e_w * v_e_omega_x);
-    const Scalar z90 = n0_5 * (q_e_z * v_e_omega_x - q_e_x * v_e_omega_z + q_e_w * v_e_omega_y);
-    const Scalar z91 = n0_5 * (q_e_y * v_e_omega_x - q_e_x * v_e_omega_y - q_e_w * v_e_omega_z);
-    rates[0] = -z88;
-    rates[1] = z89;
-    rates[2] = z90;
-    rates[3] = -z91;
+    const Scalar z94 = n0_5 * (q_e_y * v_e_omega_y + q_e_z * v_e_omega_z + q_e_x * v_e_omega_x);
+    const Scalar z95 = n0_5 * (q_e_y * v_e_omega_z - q_e_z * v_e_omega_y + q_e_w * v_e_omega_x);
+    const Scalar z96 = n0_5 * (q_e_z * v_e_omega_x - q_e_x * v_e_omega_z + q_e_w * v_e_omega_y);
+    const Scalar z97 = n0_5 * (q_e_y * v_e_omega_x - q_e_x * v_e_omega_y - q_e_w * v_e_omega_z);
+    rates[0] = -z94;
+    rates[1] = z95;
+    rates[2] = z96;
+    rates[3] = -z97;
   }
 
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
@@ -791,9 +791,15 @@ struct Mechanism {
     const Scalar z19 = n1 - z1 - z11;
     const Scalar z20 = z17 - z18;
     const Scalar z21 = z17 + z18;
-    const Scalar z31 = z8 * v_e_omega_x + z9 * v_e_omega_y + z21 * v_e_omega_z;
-    const Scalar z32 = z10 * v_e_omega_x + z14 * v_e_omega_y + z15 * v_e_omega_z;
-    const Scalar z33 = z16 * v_e_omega_y + z19 * v_e_omega_z + z20 * v_e_omega_x;
+    const Scalar z31 = z8 * v_e_omega_x;  // angular velocity of e_omega_x, x
+    const Scalar z32 = z10 * v_e_omega_x;  // angular velocity of e_omega_x, y
+    const Scalar z33 = z20 * v_e_omega_x;  // angular velocity of e_omega_x, z
+    const Scalar z34 = z9 * v_e_omega_y + z31;  // angular velocity of e_omega_y, x
+    const Scalar z35 = z14 * v_e_omega_y + z32;  // angular velocity of e_omega_y, y
+    const Scalar z36 = z16 * v_e_omega_y + z33;  // angular velocity of e_omega_y, z
+    const Scalar z37 = z21 * v_e_omega_z + z34;  // angular velocity of body, x
+    const Scalar z38 = z15 * v_e_omega_z + z35;  // angular velocity of body, y
+    const Scalar z39 = z19 * v_e_omega_z + z36;  // angular velocity of body, z
     result.body_position[0] = n0;
     result.body_position[1] = n0;
     result.body_position[2] = n0;
@@ -809,9 +815,9 @@ struct Mechanism {
     result.body_velocity[0] = n0;
     result.body_velocity[1] = n0;
     result.body_velocity[2] = n0;
-    result.body_angular_velocity[0] = z31;
-    result.body_angular_velocity[1] = z32;
-    result.body_angular_velocity[2] = z33;
+    result.body_angular_velocity[0] = z37;
+    result.body_angular_velocity[1] = z38;
+    result.body_angular_velocity[2] = z39;
   }
 
   /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
@@ -839,18 +845,18 @@ struct Mechanism {
     const Scalar v_e_omega_x = state.v.e_omega_x;
     const Scalar v_e_omega_y = state.v.e_omega_y;
     const Scalar v_e_omega_z = state.v.e_omega_z;
-    const Scalar z34 = precomputed.z34;
-    const Scalar z36 = precomputed.z36;
-    const Scalar z38 = precomputed.z38;
-    const Scalar z35 = v_e_omega_y * v_e_omega_z;
-    const Scalar z37 = v_e_omega_x * v_e_omega_z;
-    const Scalar z39 = v_e_omega_x * v_e_omega_y;
-    const Scalar z40 = z34 * z35;  // moment on body, x
-    const Scalar z41 = z36 * z37;  // moment on body, y
-    const Scalar z42 = z38 * z39;  // moment on body, z
-    forces.e_omega_x = -z40;
-    forces.e_omega_y = z41;
-    forces.e_omega_z = -z42;
+    const Scalar z40 = precomputed.z40;
+    const Scalar z42 = precomputed.z42;
+    const Scalar z44 = precomputed.z44;
+    const Scalar z41 = v_e_omega_y * v_e_omega_z;
+    const Scalar z43 = v_e_omega_x * v_e_omega_z;
+    const Scalar z45 = v_e_omega_x * v_e_omega_y;
+    const Scalar z46 = z40 * z41;  // moment on body, x
+    const Scalar z47 = z42 * z43;  // moment on body, y
+    const Scalar z48 = z44 * z45;  // moment on body, z
+    forces.e_omega_x = -z46;
+    forces.e_omega_y = z47;
+    forces.e_omega_z = -z48;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -865,18 +871,18 @@ struct Mechanism {
     const Scalar p_I1 = precomputed.parameters.I1;
     const Scalar p_I2 = precomputed.parameters.I2;
     const Scalar p_I3 = precomputed.parameters.I3;
-    const Scalar z34 = precomputed.z34;
-    const Scalar z36 = precomputed.z36;
-    const Scalar z38 = precomputed.z38;
-    const Scalar z35 = v_e_omega_y * v_e_omega_z;
-    const Scalar z37 = v_e_omega_x * v_e_omega_z;
-    const Scalar z39 = v_e_omega_x * v_e_omega_y;
-    const Scalar z43 = a_e_omega_x * p_I1 - z34 * z35;  // moment on body, x
-    const Scalar z44 = a_e_omega_y * p_I2 + z36 * z37;  // moment on body, y
-    const Scalar z45 = a_e_omega_z * p_I3 - z38 * z39;  // moment on body, z
-    forces.e_omega_x = z43;
-    forces.e_omega_y = z44;
-    forces.e_omega_z = z45;
+    const Scalar z40 = precomputed.z40;
+    const Scalar z42 = precomputed.z42;
+    const Scalar z44 = precomputed.z44;
+    const Scalar z41 = v_e_omega_y * v_e_omega_z;
+    const Scalar z43 = v_e_omega_x * v_e_omega_z;
+    const Scalar z45 = v_e_omega_x * v_e_omega_y;
+    const Scalar z49 = a_e_omega_x * p_I1 - z40 * z41;  // moment on body, x
+    const Scalar z50 = a_e_omega_y * p_I2 + z42 * z43;  // moment on body, y
+    const Scalar z51 = a_e_omega_z * p_I3 - z44 * z45;  // moment on body, z
+    forces.e_omega_x = z49;
+    forces.e_omega_y = z50;
+    forces.e_omega_z = z51;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -891,24 +897,24 @@ struct Mechanism {
     const Scalar p_I1 = precomputed.parameters.I1;
     const Scalar p_I2 = precomputed.parameters.I2;
     const Scalar p_I3 = precomputed.parameters.I3;
-    const Scalar z34 = precomputed.z34;
-    const Scalar z36 = precomputed.z36;
-    const Scalar z38 = precomputed.z38;
-    const Scalar z46 = precomputed.z46;
-    const Scalar z47 = precomputed.z47;
-    const Scalar z48 = precomputed.z48;
-    const Scalar z35 = v_e_omega_y * v_e_omega_z;
-    const Scalar z37 = v_e_omega_x * v_e_omega_z;
-    const Scalar z39 = v_e_omega_x * v_e_omega_y;
-    const Scalar z40 = z34 * z35;  // moment on body, x
-    const Scalar z41 = z36 * z37;  // moment on body, y
-    const Scalar z42 = z38 * z39;  // moment on body, z
-    const Scalar z49 = z42 * z46;
-    const Scalar z50 = z41 * z47;
-    const Scalar z51 = z40 * z48;
-    accelerations.e_omega_x = z51;
-    accelerations.e_omega_y = -z50;
-    accelerations.e_omega_z = z49;
+    const Scalar z40 = precomputed.z40;
+    const Scalar z42 = precomputed.z42;
+    const Scalar z44 = precomputed.z44;
+    const Scalar z52 = precomputed.z52;
+    const Scalar z53 = precomputed.z53;
+    const Scalar z54 = precomputed.z54;
+    const Scalar z41 = v_e_omega_y * v_e_omega_z;
+    const Scalar z43 = v_e_omega_x * v_e_omega_z;
+    const Scalar z45 = v_e_omega_x * v_e_omega_y;
+    const Scalar z46 = z40 * z41;  // moment on body, x
+    const Scalar z47 = z42 * z43;  // moment on body, y
+    const Scalar z48 = z44 * z45;  // moment on body, z
+    const Scalar z55 = z48 * z52;
+    const Scalar z56 = z47 * z53;
+    const Scalar z57 = z46 * z54;
+    accelerations.e_omega_x = z57;
+    accelerations.e_omega_y = -z56;
+    accelerations.e_omega_z = z55;
     if (!(traits::regular(p_I1, p_I1) && traits::regular(p_I2, p_I2) && traits::regular(p_I3,
         p_I3))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
@@ -966,30 +972,30 @@ struct Mechanism {
     const Scalar p_I1 = precomputed.parameters.I1;
     const Scalar p_I2 = precomputed.parameters.I2;
     const Scalar p_I3 = precomputed.parameters.I3;
-    const Scalar z34 = precomputed.z34;
-    const Scalar z36 = precomputed.z36;
-    const Scalar z38 = precomputed.z38;
-    const Scalar z46 = precomputed.z46;
-    const Scalar z47 = precomputed.z47;
-    const Scalar z48 = precomputed.z48;
-    const Scalar z35 = v_e_omega_y * v_e_omega_z;
-    const Scalar z37 = v_e_omega_x * v_e_omega_z;
-    const Scalar z39 = v_e_omega_x * v_e_omega_y;
-    const Scalar z43 = a_e_omega_x * p_I1 - z34 * z35;  // moment on body, x
-    const Scalar z44 = a_e_omega_y * p_I2 + z36 * z37;  // moment on body, y
-    const Scalar z45 = a_e_omega_z * p_I3 - z38 * z39;  // moment on body, z
-    const Scalar z58 = v_e_omega_z * z36;
-    const Scalar z59 = v_e_omega_y * z38;
-    const Scalar z60 = v_e_omega_z * z34;
-    const Scalar z61 = v_e_omega_x * z38;
-    const Scalar z62 = v_e_omega_y * z34;
-    const Scalar z63 = v_e_omega_x * z36;
-    const Scalar z82 = z47 * z58;
-    const Scalar z83 = z46 * z59;
-    const Scalar z84 = z48 * z60;
-    const Scalar z85 = z46 * z61;
-    const Scalar z86 = z48 * z62;
-    const Scalar z87 = z47 * z63;
+    const Scalar z40 = precomputed.z40;
+    const Scalar z42 = precomputed.z42;
+    const Scalar z44 = precomputed.z44;
+    const Scalar z52 = precomputed.z52;
+    const Scalar z53 = precomputed.z53;
+    const Scalar z54 = precomputed.z54;
+    const Scalar z41 = v_e_omega_y * v_e_omega_z;
+    const Scalar z43 = v_e_omega_x * v_e_omega_z;
+    const Scalar z45 = v_e_omega_x * v_e_omega_y;
+    const Scalar z49 = a_e_omega_x * p_I1 - z40 * z41;  // moment on body, x
+    const Scalar z50 = a_e_omega_y * p_I2 + z42 * z43;  // moment on body, y
+    const Scalar z51 = a_e_omega_z * p_I3 - z44 * z45;  // moment on body, z
+    const Scalar z64 = v_e_omega_z * z42;
+    const Scalar z65 = v_e_omega_y * z44;
+    const Scalar z66 = v_e_omega_z * z40;
+    const Scalar z67 = v_e_omega_x * z44;
+    const Scalar z68 = v_e_omega_y * z40;
+    const Scalar z69 = v_e_omega_x * z42;
+    const Scalar z88 = z53 * z64;
+    const Scalar z89 = z52 * z65;
+    const Scalar z90 = z54 * z66;
+    const Scalar z91 = z52 * z67;
+    const Scalar z92 = z54 * z68;
+    const Scalar z93 = z53 * z69;
     result.M[0] = p_I1;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -1000,13 +1006,13 @@ struct Mechanism {
     result.M[7] = n0;
     result.M[8] = p_I3;
     result.C[0] = n0;
-    result.C[1] = z58;
-    result.C[2] = -z59;
-    result.C[3] = -z60;
+    result.C[1] = z64;
+    result.C[2] = -z65;
+    result.C[3] = -z66;
     result.C[4] = n0;
-    result.C[5] = -z61;
-    result.C[6] = -z62;
-    result.C[7] = z63;
+    result.C[5] = -z67;
+    result.C[6] = -z68;
+    result.C[7] = z69;
     result.C[8] = n0;
     result.K[0] = n0;
     result.K[1] = n0;
@@ -1017,9 +1023,9 @@ struct Mechanism {
     result.K[6] = n0;
     result.K[7] = n0;
     result.K[8] = n0;
-    result.F[0] = -z43;
-    result.F[1] = -z44;
-    result.F[2] = -z45;
+    result.F[0] = -z49;
+    result.F[1] = -z50;
+    result.F[2] = -z51;
     result.A[0] = n0;
     result.A[1] = -v_e_omega_z;
     result.A[2] = v_e_omega_y;
@@ -1042,19 +1048,19 @@ struct Mechanism {
     result.A[19] = n0;
     result.A[20] = n0;
     result.A[21] = n0;
-    result.A[22] = -z82;
-    result.A[23] = z83;
+    result.A[22] = -z88;
+    result.A[23] = z89;
     result.A[24] = n0;
     result.A[25] = n1;
     result.A[26] = n0;
-    result.A[27] = z84;
+    result.A[27] = z90;
     result.A[28] = n0;
-    result.A[29] = z85;
+    result.A[29] = z91;
     result.A[30] = n0;
     result.A[31] = n0;
     result.A[32] = n1;
-    result.A[33] = z86;
-    result.A[34] = -z87;
+    result.A[33] = z92;
+    result.A[34] = -z93;
     result.A[35] = n0;
     if (!(traits::regular(p_I1, p_I1) && traits::regular(p_I2, p_I2) && traits::regular(p_I3,
         p_I3))) return torsor::Status::singular;

@@ -9,8 +9,8 @@
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
 // moved across joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   precompute                0                3          1             0                  0       0      4       -
-//   kinematics                8               19          0             0                  2       0     31      31
+//   precompute                0                4          1             0                  0       0      5       -
+//   kinematics                4               10          0             0                  2       0     18      19
 //   mass_matrix               0                1          0             0                  1       0      3       4
 //   bias                      3                8          0             0                  2       0     15      28
 //   inverse_dynamics          7               13          0             0                  2       0     24      43
@@ -497,8 +497,9 @@ struct Mechanism {
   struct Precomputed {
     Parameters parameters;
     Scalar z14;
-    Scalar z54;  ///< force on rotor, z
-    Scalar z80;
+    Scalar z25;
+    Scalar z52;  ///< force on rotor, z
+    Scalar z78;
   };
 
   /// Values of the scene.
@@ -515,17 +516,20 @@ struct Mechanism {
   TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
     Precomputed precomputed{};
     precomputed.parameters = parameters;
+    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
     const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar p_omega = parameters.omega;
     const Scalar p_d = parameters.d;
     const Scalar z14 = p_d * p_d;
-    const Scalar z53 = p_omega * p_omega;
-    const Scalar z54 = n0_002 * z53;  // force on rotor, z
-    const Scalar z80 = n1 / z14;
+    const Scalar z25 = n0_02 * p_omega;
+    const Scalar z51 = p_omega * p_omega;
+    const Scalar z52 = n0_002 * z51;  // force on rotor, z
+    const Scalar z78 = n1 / z14;
     precomputed.z14 = z14;
-    precomputed.z54 = z54;
-    precomputed.z80 = z80;
+    precomputed.z25 = z25;
+    precomputed.z52 = z52;
+    precomputed.z78 = z78;
     return precomputed;
   }
 
@@ -602,28 +606,24 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
     const Scalar p_d = precomputed.parameters.d;
+    const Scalar z25 = precomputed.z25;
     const Scalar z10 = p_omega * t;
     const Scalar angles_[] = {q_theta, z10};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta = sines_[0], c_theta = cosines_[0];
     const Scalar z11 = sines_[1], z12 = cosines_[1];
-    const Scalar z16 = v_X * c_theta;
-    const Scalar z17 = v_X * s_theta;
-    const Scalar z18 = v_X * z12;
-    const Scalar z19 = v_X * z11;
-    const Scalar z20 = s_theta * p_d;
-    const Scalar z21 = c_theta * p_d;
-    const Scalar z22 = q_X + z20;
-    const Scalar z23 = v_theta * p_d + z16;
-    const Scalar z24 = s_theta * z17 + c_theta * z23;
-    const Scalar z25 = s_theta * z23 - c_theta * z17;
-    const Scalar z26 = n0_02 * z11;
-    const Scalar z27 = n0_02 * z12;
-    const Scalar z28 = q_X + z26;
-    const Scalar z29 = n0_02 * p_omega + z18;
-    const Scalar z30 = z11 * z19 + z12 * z29;
-    const Scalar z31 = z11 * z29 - z12 * z19;
+    const Scalar z16 = s_theta * p_d;
+    const Scalar z17 = c_theta * p_d;
+    const Scalar z18 = q_X + z16;
+    const Scalar z19 = v_theta * p_d;
+    const Scalar z20 = v_X + c_theta * z19;
+    const Scalar z21 = s_theta * z19;
+    const Scalar z22 = n0_02 * z11;
+    const Scalar z23 = n0_02 * z12;
+    const Scalar z24 = q_X + z22;
+    const Scalar z26 = v_X + z12 * z25;
+    const Scalar z27 = z11 * z25;
     result.support_position[0] = q_X;
     result.support_position[1] = n0;
     result.support_position[2] = n0;
@@ -642,9 +642,9 @@ struct Mechanism {
     result.support_angular_velocity[0] = n0;
     result.support_angular_velocity[1] = n0;
     result.support_angular_velocity[2] = n0;
-    result.pendulum_position[0] = z22;
+    result.pendulum_position[0] = z18;
     result.pendulum_position[1] = n0;
-    result.pendulum_position[2] = z21;
+    result.pendulum_position[2] = z17;
     result.pendulum_rotation[0] = c_theta;
     result.pendulum_rotation[1] = n0;
     result.pendulum_rotation[2] = -s_theta;
@@ -654,15 +654,15 @@ struct Mechanism {
     result.pendulum_rotation[6] = s_theta;
     result.pendulum_rotation[7] = n0;
     result.pendulum_rotation[8] = c_theta;
-    result.pendulum_velocity[0] = z24;
+    result.pendulum_velocity[0] = z20;
     result.pendulum_velocity[1] = n0;
-    result.pendulum_velocity[2] = -z25;
+    result.pendulum_velocity[2] = -z21;
     result.pendulum_angular_velocity[0] = n0;
     result.pendulum_angular_velocity[1] = v_theta;
     result.pendulum_angular_velocity[2] = n0;
-    result.unbalance_position[0] = z28;
+    result.unbalance_position[0] = z24;
     result.unbalance_position[1] = n0;
-    result.unbalance_position[2] = z27;
+    result.unbalance_position[2] = z23;
     result.unbalance_rotation[0] = z12;
     result.unbalance_rotation[1] = n0;
     result.unbalance_rotation[2] = -z11;
@@ -672,9 +672,9 @@ struct Mechanism {
     result.unbalance_rotation[6] = z11;
     result.unbalance_rotation[7] = n0;
     result.unbalance_rotation[8] = z12;
-    result.unbalance_velocity[0] = z30;
+    result.unbalance_velocity[0] = z26;
     result.unbalance_velocity[1] = n0;
-    result.unbalance_velocity[2] = -z31;
+    result.unbalance_velocity[2] = -z27;
     result.unbalance_angular_velocity[0] = n0;
     result.unbalance_angular_velocity[1] = p_omega;
     result.unbalance_angular_velocity[2] = n0;
@@ -701,10 +701,10 @@ struct Mechanism {
     const Scalar z14 = precomputed.z14;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z21 = c_theta * p_d;
+    const Scalar z17 = c_theta * p_d;
     mass[0] = n11_1;
-    mass[1] = z21;
-    mass[2] = z21;
+    mass[1] = z17;
+    mass[2] = z17;
     mass[3] = z14;
   }
 
@@ -721,25 +721,25 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
     const Scalar p_d = precomputed.parameters.d;
-    const Scalar z54 = precomputed.z54;
+    const Scalar z52 = precomputed.z52;
     const Scalar z10 = p_omega * t;
     const Scalar angles_[] = {q_theta, z10};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta = sines_[0];
     const Scalar z11 = sines_[1];
-    const Scalar z47 = n0_1 - q_X;
-    const Scalar z48 = n1000 * z47;
-    const Scalar z49 = n9_81 * s_theta;
-    const Scalar z56 = z11 * z54;
-    const Scalar z58 = v_theta * v_theta;
-    const Scalar z59 = p_d * z58;  // force on pendulum, z
-    const Scalar z60 = p_d * z49;  // moment on pendulum, y
-    const Scalar z61 = s_theta * z59;
-    const Scalar z63 = z56 + z61;  // force on support, x
-    const Scalar z66 = z48 + z63;
-    forces.X = -z66;
-    forces.theta = z60;
+    const Scalar z45 = n0_1 - q_X;
+    const Scalar z46 = n1000 * z45;
+    const Scalar z47 = n9_81 * s_theta;
+    const Scalar z54 = z11 * z52;
+    const Scalar z56 = v_theta * v_theta;
+    const Scalar z57 = p_d * z56;  // force on pendulum, z
+    const Scalar z58 = p_d * z47;  // moment on pendulum, y
+    const Scalar z59 = s_theta * z57;
+    const Scalar z61 = z54 + z59;  // force on support, x
+    const Scalar z64 = z46 + z61;
+    forces.X = -z64;
+    forces.theta = z58;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -758,26 +758,26 @@ struct Mechanism {
     const Scalar t = state.time;
     const Scalar p_d = precomputed.parameters.d;
     const Scalar z14 = precomputed.z14;
-    const Scalar z54 = precomputed.z54;
+    const Scalar z52 = precomputed.z52;
     const Scalar z10 = p_omega * t;
     const Scalar angles_[] = {q_theta, z10};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta = sines_[0], c_theta = cosines_[0];
     const Scalar z11 = sines_[1];
-    const Scalar z47 = n0_1 - q_X;
-    const Scalar z48 = n1000 * z47;
-    const Scalar z56 = z11 * z54;
-    const Scalar z58 = v_theta * v_theta;
-    const Scalar z59 = p_d * z58;  // force on pendulum, z
-    const Scalar z67 = a_X * c_theta + n9_81 * s_theta;
-    const Scalar z72 = a_theta * p_d;  // force on pendulum, x
-    const Scalar z73 = a_theta * z14 + p_d * z67;  // moment on pendulum, y
-    const Scalar z74 = s_theta * z59 - c_theta * z72;
-    const Scalar z76 = n11_1 * a_X - z56 - z74;  // force on support, x
-    const Scalar z79 = z48 - z76;
-    forces.X = -z79;
-    forces.theta = z73;
+    const Scalar z45 = n0_1 - q_X;
+    const Scalar z46 = n1000 * z45;
+    const Scalar z54 = z11 * z52;
+    const Scalar z56 = v_theta * v_theta;
+    const Scalar z57 = p_d * z56;  // force on pendulum, z
+    const Scalar z65 = a_X * c_theta + n9_81 * s_theta;
+    const Scalar z70 = a_theta * p_d;  // force on pendulum, x
+    const Scalar z71 = a_theta * z14 + p_d * z65;  // moment on pendulum, y
+    const Scalar z72 = s_theta * z57 - c_theta * z70;
+    const Scalar z74 = n11_1 * a_X - z54 - z72;  // force on support, x
+    const Scalar z77 = z46 - z74;
+    forces.X = -z77;
+    forces.theta = z71;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -797,34 +797,34 @@ struct Mechanism {
     const Scalar t = state.time;
     const Scalar p_d = precomputed.parameters.d;
     const Scalar z14 = precomputed.z14;
-    const Scalar z54 = precomputed.z54;
-    const Scalar z80 = precomputed.z80;
+    const Scalar z52 = precomputed.z52;
+    const Scalar z78 = precomputed.z78;
     const Scalar z10 = p_omega * t;
     const Scalar angles_[] = {q_theta, z10};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta = sines_[0], c_theta = cosines_[0];
     const Scalar z11 = sines_[1];
-    const Scalar z21 = c_theta * p_d;
-    const Scalar z47 = n0_1 - q_X;
-    const Scalar z48 = n1000 * z47;
-    const Scalar z49 = n9_81 * s_theta;
-    const Scalar z56 = z11 * z54;
-    const Scalar z58 = v_theta * v_theta;
-    const Scalar z59 = p_d * z58;  // force on pendulum, z
-    const Scalar z60 = p_d * z49;  // moment on pendulum, y
-    const Scalar z61 = s_theta * z59;
-    const Scalar z63 = z56 + z61;  // force on support, x
-    const Scalar z66 = z48 + z63;
-    const Scalar z107 = z21 * z80;
-    const Scalar z108 = n11_1 - z21 * z107;
-    const Scalar z109 = n1 / z108;
-    const Scalar z110 = z60 * z107 + z66;
-    const Scalar z111 = z109 * z110;
-    const Scalar z112 = z60 * z80 + z107 * z111;
-    accelerations.X = z111;
-    accelerations.theta = -z112;
-    if (!(traits::regular(z108, n11_1) && traits::regular(z14, z14))) return torsor::Status::singular;
+    const Scalar z17 = c_theta * p_d;
+    const Scalar z45 = n0_1 - q_X;
+    const Scalar z46 = n1000 * z45;
+    const Scalar z47 = n9_81 * s_theta;
+    const Scalar z54 = z11 * z52;
+    const Scalar z56 = v_theta * v_theta;
+    const Scalar z57 = p_d * z56;  // force on pendulum, z
+    const Scalar z58 = p_d * z47;  // moment on pendulum, y
+    const Scalar z59 = s_theta * z57;
+    const Scalar z61 = z54 + z59;  // force on support, x
+    const Scalar z64 = z46 + z61;
+    const Scalar z106 = z17 * z78;
+    const Scalar z107 = n11_1 - z17 * z106;
+    const Scalar z108 = n1 / z107;
+    const Scalar z109 = z58 * z106 + z64;
+    const Scalar z110 = z108 * z109;
+    const Scalar z111 = z58 * z78 + z106 * z110;
+    accelerations.X = z110;
+    accelerations.theta = -z111;
+    if (!(traits::regular(z107, n11_1) && traits::regular(z14, z14))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.X - accelerations.X) + (accelerations.theta - accelerations.theta);
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -857,20 +857,20 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta = sines_[0], c_theta = cosines_[0];
     const Scalar z11 = sines_[1], z12 = cosines_[1];
-    const Scalar z16 = v_X * c_theta;
-    const Scalar z17 = v_X * s_theta;
-    const Scalar z18 = v_X * z12;
-    const Scalar z19 = v_X * z11;
-    const Scalar z21 = c_theta * p_d;
-    const Scalar z23 = v_theta * p_d + z16;
-    const Scalar z32 = n0_002 * z12;
-    const Scalar z47 = n0_1 - q_X;
-    const Scalar z113 = v_theta * z14 + p_d * z16;
-    const Scalar z114 = n0_002 * p_omega + n0_1 * z18;
-    const Scalar z115 = k2 * p_omega + n0_002 * z18;
-    result.kinetic = n0_5 * (v_theta * z113 + p_omega * z115 + z16 * z23 + z17 * z17 + z18 * z114) + n5 * v_X * v_X
-        + n0_05 * z19 * z19;
-    result.force_function = n9_81 * (z21 + z32) - n500 * z47 * z47;
+    const Scalar z17 = c_theta * p_d;
+    const Scalar z28 = n0_002 * z12;
+    const Scalar z45 = n0_1 - q_X;
+    const Scalar z112 = v_X * c_theta;
+    const Scalar z113 = v_X * s_theta;
+    const Scalar z114 = v_X * z12;
+    const Scalar z115 = v_X * z11;
+    const Scalar z116 = v_theta * p_d + z112;
+    const Scalar z117 = v_theta * z14 + p_d * z112;
+    const Scalar z118 = n0_002 * p_omega + n0_1 * z114;
+    const Scalar z119 = k2 * p_omega + n0_002 * z114;
+    result.kinetic = n0_5 * (v_theta * z117 + p_omega * z119 + z112 * z116 + z113 * z113 + z114 * z118) + n5 * v_X * v_X
+        + n0_05 * z115 * z115;
+    result.force_function = n9_81 * (z17 + z28) - n500 * z45 * z45;
     result.power = n0;
   }
 
@@ -894,73 +894,73 @@ struct Mechanism {
     const Scalar t = state.time;
     const Scalar p_d = precomputed.parameters.d;
     const Scalar z14 = precomputed.z14;
-    const Scalar z54 = precomputed.z54;
-    const Scalar z80 = precomputed.z80;
+    const Scalar z52 = precomputed.z52;
+    const Scalar z78 = precomputed.z78;
     const Scalar z10 = p_omega * t;
     const Scalar angles_[] = {q_theta, z10};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta = sines_[0], c_theta = cosines_[0];
     const Scalar z11 = sines_[1];
-    const Scalar z21 = c_theta * p_d;
-    const Scalar z47 = n0_1 - q_X;
-    const Scalar z48 = n1000 * z47;
-    const Scalar z56 = z11 * z54;
-    const Scalar z58 = v_theta * v_theta;
-    const Scalar z59 = p_d * z58;  // force on pendulum, z
-    const Scalar z67 = a_X * c_theta + n9_81 * s_theta;
-    const Scalar z68 = a_X * s_theta - n9_81 * c_theta;
-    const Scalar z72 = a_theta * p_d;  // force on pendulum, x
-    const Scalar z73 = a_theta * z14 + p_d * z67;  // moment on pendulum, y
-    const Scalar z74 = s_theta * z59 - c_theta * z72;
-    const Scalar z75 = s_theta * z72 + c_theta * z59;
-    const Scalar z76 = n11_1 * a_X - z56 - z74;  // force on support, x
-    const Scalar z79 = z48 - z76;
-    const Scalar z107 = z21 * z80;
-    const Scalar z108 = n11_1 - z21 * z107;
-    const Scalar z109 = n1 / z108;
-    const Scalar z142 = n2 * v_theta;
-    const Scalar z143 = p_d * z142;
-    const Scalar z144 = s_theta * z143;
-    const Scalar z145 = p_d * z68;
-    const Scalar z167 = n1000 * z109;
-    const Scalar z168 = z107 * z167;
-    const Scalar z169 = z75 - z107 * z145;
-    const Scalar z170 = z109 * z169;
-    const Scalar z171 = z80 * z145 - z107 * z170;
-    const Scalar z172 = z109 * z144;
-    const Scalar z173 = z107 * z172;
+    const Scalar z17 = c_theta * p_d;
+    const Scalar z45 = n0_1 - q_X;
+    const Scalar z46 = n1000 * z45;
+    const Scalar z54 = z11 * z52;
+    const Scalar z56 = v_theta * v_theta;
+    const Scalar z57 = p_d * z56;  // force on pendulum, z
+    const Scalar z65 = a_X * c_theta + n9_81 * s_theta;
+    const Scalar z66 = a_X * s_theta - n9_81 * c_theta;
+    const Scalar z70 = a_theta * p_d;  // force on pendulum, x
+    const Scalar z71 = a_theta * z14 + p_d * z65;  // moment on pendulum, y
+    const Scalar z72 = s_theta * z57 - c_theta * z70;
+    const Scalar z73 = s_theta * z70 + c_theta * z57;
+    const Scalar z74 = n11_1 * a_X - z54 - z72;  // force on support, x
+    const Scalar z77 = z46 - z74;
+    const Scalar z106 = z17 * z78;
+    const Scalar z107 = n11_1 - z17 * z106;
+    const Scalar z108 = n1 / z107;
+    const Scalar z146 = n2 * v_theta;
+    const Scalar z147 = p_d * z146;
+    const Scalar z148 = s_theta * z147;
+    const Scalar z149 = p_d * z66;
+    const Scalar z171 = n1000 * z108;
+    const Scalar z172 = z106 * z171;
+    const Scalar z173 = z73 - z106 * z149;
+    const Scalar z174 = z108 * z173;
+    const Scalar z175 = z78 * z149 - z106 * z174;
+    const Scalar z176 = z108 * z148;
+    const Scalar z177 = z106 * z176;
     result.M[0] = n11_1;
-    result.M[1] = z21;
-    result.M[2] = z21;
+    result.M[1] = z17;
+    result.M[2] = z17;
     result.M[3] = z14;
     result.C[0] = n0;
     result.C[1] = n0;
-    result.C[2] = -z144;
+    result.C[2] = -z148;
     result.C[3] = n0;
     result.K[0] = n1000;
     result.K[1] = n0;
-    result.K[2] = -z75;
-    result.K[3] = -z145;
-    result.F[0] = z79;
-    result.F[1] = -z73;
+    result.K[2] = -z73;
+    result.K[3] = -z149;
+    result.F[0] = z77;
+    result.F[1] = -z71;
     result.A[0] = n0;
     result.A[1] = n0;
-    result.A[2] = -z167;
-    result.A[3] = z168;
+    result.A[2] = -z171;
+    result.A[3] = z172;
     result.A[4] = n0;
     result.A[5] = n0;
-    result.A[6] = z170;
-    result.A[7] = z171;
+    result.A[6] = z174;
+    result.A[7] = z175;
     result.A[8] = n1;
     result.A[9] = n0;
     result.A[10] = n0;
     result.A[11] = n0;
     result.A[12] = n0;
     result.A[13] = n1;
-    result.A[14] = z172;
-    result.A[15] = -z173;
-    if (!(traits::regular(z108, n11_1) && traits::regular(z14, z14))) return torsor::Status::singular;
+    result.A[14] = z176;
+    result.A[15] = -z177;
+    if (!(traits::regular(z107, n11_1) && traits::regular(z14, z14))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.M[1] - result.M[1]) + (result.M[2] - result.M[2]) + (result.M[3] - result.M[3])
         + (result.C[2] - result.C[2]) + (result.K[2] - result.K[2]) + (result.K[3] - result.K[3]) + (result.F[0]

@@ -10,7 +10,7 @@
 // moved across joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   precompute                0                3          0             0                  0       0      3       -
-//   kinematics                6               32          0             0                  2       0     42      42
+//   kinematics                2               23          0             0                  2       0     29      29
 //   mass_matrix               1                5          0             0                  1       0      8      10
 //   bias                      3               15          0             0                  1       0     20      23
 //   inverse_dynamics          5               16          0             0                  1       0     23      27
@@ -21,7 +21,7 @@
 //   linearisation            12               42          1             0                  1       0     57      61
 //
 // Not computed because this mechanism does not need it:
-//   kinematics: of 54 results 12 vanish identically, 21 repeat another up to sign
+//   kinematics: of 54 results 12 vanish identically, 22 repeat another up to sign
 //   energy: of 3 results 1 vanish identically
 //   constraints: left out, the scene has no constraints
 //   linearisation: of 8 results 1 vanish identically
@@ -625,67 +625,62 @@ struct Mechanism {
     const Scalar z3 = sines_[0], z4 = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
     const Scalar z11 = v_theta * s_theta;
-    const Scalar z21 = p_omega * s_theta;
-    const Scalar z22 = p_omega * c_theta;
-    const Scalar z23 = n2 * c_theta * p_L;
-    const Scalar z24 = n2 * p_L * z11;  // velocity of sleeve, z
-    const Scalar z25 = s_theta * p_L;
-    const Scalar z26 = c_theta * p_L;
-    const Scalar z27 = z4 * z25;
-    const Scalar z28 = z3 * z25;
-    const Scalar z29 = z4 * c_theta;
-    const Scalar z30 = z3 * c_theta;
-    const Scalar z31 = z4 * s_theta;
-    const Scalar z32 = z3 * s_theta;
-    const Scalar z33 = v_theta * p_L;
-    const Scalar z34 = p_L * z21;
-    const Scalar z35 = c_theta * z33;
-    const Scalar z36 = s_theta * z33;
-    const Scalar z37 = z3 * z34 - z4 * z35;
-    const Scalar z38 = z3 * z35 + z4 * z34;
-    const Scalar z39 = s_theta * z22 - c_theta * z21;
-    const Scalar z40 = s_theta * z21 + c_theta * z22;
-    const Scalar z41 = z3 * v_theta - z4 * z39;
-    const Scalar z42 = z3 * z39 + z4 * v_theta;
-    result.ball_1_position[0] = -z27;
-    result.ball_1_position[1] = -z28;
-    result.ball_1_position[2] = -z26;
-    result.ball_1_rotation[0] = z29;
-    result.ball_1_rotation[1] = z30;
+    const Scalar z21 = z4 * c_theta;
+    const Scalar z22 = z4 * s_theta;
+    const Scalar z23 = z3 * c_theta;
+    const Scalar z24 = z3 * s_theta;
+    const Scalar z25 = p_omega * s_theta;
+    const Scalar z27 = z3 * v_theta;  // angular velocity of arm_1, x
+    const Scalar z28 = z4 * v_theta;  // angular velocity of arm_1, y
+    const Scalar z29 = n2 * c_theta * p_L;
+    const Scalar z30 = n2 * p_L * z11;  // velocity of sleeve, z
+    const Scalar z31 = p_L * z22;
+    const Scalar z32 = p_L * z24;
+    const Scalar z33 = c_theta * p_L;
+    const Scalar z34 = v_theta * p_L;
+    const Scalar z35 = p_L * z25;
+    const Scalar z36 = z3 * z35 - z21 * z34;
+    const Scalar z37 = z4 * z35 + z23 * z34;
+    const Scalar z38 = s_theta * z34;
+    result.ball_1_position[0] = -z31;
+    result.ball_1_position[1] = -z32;
+    result.ball_1_position[2] = -z33;
+    result.ball_1_rotation[0] = z21;
+    result.ball_1_rotation[1] = z23;
     result.ball_1_rotation[2] = -s_theta;
     result.ball_1_rotation[3] = -z3;
     result.ball_1_rotation[4] = z4;
     result.ball_1_rotation[5] = n0;
-    result.ball_1_rotation[6] = z31;
-    result.ball_1_rotation[7] = z32;
+    result.ball_1_rotation[6] = z22;
+    result.ball_1_rotation[7] = z24;
     result.ball_1_rotation[8] = c_theta;
-    result.ball_1_velocity[0] = z37;
-    result.ball_1_velocity[1] = -z38;
-    result.ball_1_velocity[2] = z36;
-    result.ball_1_angular_velocity[0] = -z41;
-    result.ball_1_angular_velocity[1] = z42;
-    result.ball_1_angular_velocity[2] = z40;
-    result.ball_2_position[0] = z27;
-    result.ball_2_position[1] = z28;
-    result.ball_2_position[2] = -z26;
-    result.ball_2_rotation[0] = z29;
-    result.ball_2_rotation[1] = z30;
+    result.ball_1_velocity[0] = z36;
+    result.ball_1_velocity[1] = -z37;
+    result.ball_1_velocity[2] = z38;
+    result.ball_1_angular_velocity[0] = -z27;
+    result.ball_1_angular_velocity[1] = z28;
+    result.ball_1_angular_velocity[2] = p_omega;
+    result.ball_2_position[0] = z31;
+    result.ball_2_position[1] = z32;
+    result.ball_2_position[2] = -z33;
+    result.ball_2_rotation[0] = z21;
+    result.ball_2_rotation[1] = z23;
     result.ball_2_rotation[2] = s_theta;
     result.ball_2_rotation[3] = -z3;
     result.ball_2_rotation[4] = z4;
     result.ball_2_rotation[5] = n0;
-    result.ball_2_rotation[6] = -z31;
-    result.ball_2_rotation[7] = -z32;
+    result.ball_2_rotation[6] = -z22;
+    result.ball_2_rotation[7] = -z24;
     result.ball_2_rotation[8] = c_theta;
-    result.ball_2_velocity[0] = -z37;
-    result.ball_2_velocity[1] = z38;
-    result.ball_2_velocity[2] = z36;
-    result.ball_2_angular_velocity[0] = z41;
-    result.ball_2_angular_velocity[1] = -z42;
-    result.ball_2_angular_velocity[2] = z40;
+    result.ball_2_velocity[0] = -z36;
+    result.ball_2_velocity[1] = z37;
+    result.ball_2_velocity[2] = z38;
+    result.ball_2_angular_velocity[0] = z27;
+    result.ball_2_angular_velocity[1] = -z28;
+    result.ball_2_angular_velocity[2] = p_omega;
     result.sleeve_position[0] = n0;
     result.sleeve_position[1] = n0;
-    result.sleeve_position[2] = -z23;
+    result.sleeve_position[2] = -z29;
     result.sleeve_rotation[0] = z4;
     result.sleeve_rotation[1] = z3;
     result.sleeve_rotation[2] = n0;
@@ -697,7 +692,7 @@ struct Mechanism {
     result.sleeve_rotation[8] = n1;
     result.sleeve_velocity[0] = n0;
     result.sleeve_velocity[1] = n0;
-    result.sleeve_velocity[2] = z24;
+    result.sleeve_velocity[2] = z30;
     result.sleeve_angular_velocity[0] = n0;
     result.sleeve_angular_velocity[1] = n0;
     result.sleeve_angular_velocity[2] = p_omega;
@@ -714,9 +709,9 @@ struct Mechanism {
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
     const Scalar z14 = n2 * s_theta * p_L;
-    const Scalar z70 = z14 * p_M;
-    const Scalar z71 = z14 * z70 + n2 * z16;
-    mass[0] = z71;
+    const Scalar z67 = z14 * p_M;
+    const Scalar z68 = z14 * z67 + n2 * z16;
+    mass[0] = z68;
   }
 
   /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
@@ -736,16 +731,16 @@ struct Mechanism {
     traits::sincos(q_theta, s_theta, c_theta);
     const Scalar z12 = v_theta * c_theta;
     const Scalar z14 = n2 * s_theta * p_L;
-    const Scalar z21 = p_omega * s_theta;
-    const Scalar z22 = p_omega * c_theta;
-    const Scalar z72 = n9_81 * s_theta;
-    const Scalar z76 = v_theta * z12;
-    const Scalar z77 = n9_81 + n2 * p_L * z76;
-    const Scalar z78 = p_M * z77;  // force on sleeve, z
-    const Scalar z79 = z21 * z22;
-    const Scalar z88 = z16 * z79 - z17 * z72;  // moment on arm_2, y
-    const Scalar z95 = z14 * z78 - n2 * z88;
-    forces.theta = z95;
+    const Scalar z25 = p_omega * s_theta;
+    const Scalar z26 = p_omega * c_theta;
+    const Scalar z69 = n9_81 * s_theta;
+    const Scalar z73 = v_theta * z12;
+    const Scalar z74 = n9_81 + n2 * p_L * z73;
+    const Scalar z75 = p_M * z74;  // force on sleeve, z
+    const Scalar z76 = z25 * z26;
+    const Scalar z85 = z16 * z76 - z17 * z69;  // moment on arm_2, y
+    const Scalar z92 = z14 * z75 - n2 * z85;
+    forces.theta = z92;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -766,15 +761,15 @@ struct Mechanism {
     const Scalar z12 = v_theta * c_theta;
     const Scalar z13 = v_theta * z12 + a_theta * s_theta;
     const Scalar z14 = n2 * s_theta * p_L;
-    const Scalar z21 = p_omega * s_theta;
-    const Scalar z22 = p_omega * c_theta;
-    const Scalar z72 = n9_81 * s_theta;
-    const Scalar z79 = z21 * z22;
-    const Scalar z96 = n9_81 + n2 * p_L * z13;
-    const Scalar z97 = p_M * z96;  // force on sleeve, z
-    const Scalar z100 = z16 * (a_theta - z79) + z17 * z72;  // moment on arm_2, y
-    const Scalar z104 = z14 * z97 + n2 * z100;
-    forces.theta = z104;
+    const Scalar z25 = p_omega * s_theta;
+    const Scalar z26 = p_omega * c_theta;
+    const Scalar z69 = n9_81 * s_theta;
+    const Scalar z76 = z25 * z26;
+    const Scalar z93 = n9_81 + n2 * p_L * z13;
+    const Scalar z94 = p_M * z93;  // force on sleeve, z
+    const Scalar z97 = z16 * (a_theta - z76) + z17 * z69;  // moment on arm_2, y
+    const Scalar z101 = z14 * z94 + n2 * z97;
+    forces.theta = z101;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -796,21 +791,21 @@ struct Mechanism {
     traits::sincos(q_theta, s_theta, c_theta);
     const Scalar z12 = v_theta * c_theta;
     const Scalar z14 = n2 * s_theta * p_L;
-    const Scalar z21 = p_omega * s_theta;
-    const Scalar z22 = p_omega * c_theta;
-    const Scalar z70 = z14 * p_M;
-    const Scalar z71 = z14 * z70 + n2 * z16;
-    const Scalar z72 = n9_81 * s_theta;
-    const Scalar z76 = v_theta * z12;
-    const Scalar z77 = n9_81 + n2 * p_L * z76;
-    const Scalar z78 = p_M * z77;  // force on sleeve, z
-    const Scalar z79 = z21 * z22;
-    const Scalar z88 = z16 * z79 - z17 * z72;  // moment on arm_2, y
-    const Scalar z95 = z14 * z78 - n2 * z88;
-    const Scalar z105 = n1 / z71;
-    const Scalar z106 = z95 * z105;
-    accelerations.theta = -z106;
-    if (!(traits::regular(z71, z71))) return torsor::Status::singular;
+    const Scalar z25 = p_omega * s_theta;
+    const Scalar z26 = p_omega * c_theta;
+    const Scalar z67 = z14 * p_M;
+    const Scalar z68 = z14 * z67 + n2 * z16;
+    const Scalar z69 = n9_81 * s_theta;
+    const Scalar z73 = v_theta * z12;
+    const Scalar z74 = n9_81 + n2 * p_L * z73;
+    const Scalar z75 = p_M * z74;  // force on sleeve, z
+    const Scalar z76 = z25 * z26;
+    const Scalar z85 = z16 * z76 - z17 * z69;  // moment on arm_2, y
+    const Scalar z92 = z14 * z75 - n2 * z85;
+    const Scalar z102 = n1 / z68;
+    const Scalar z103 = z92 * z102;
+    accelerations.theta = -z103;
+    if (!(traits::regular(z68, z68))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.theta - accelerations.theta);
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -835,12 +830,12 @@ struct Mechanism {
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
     const Scalar z11 = v_theta * s_theta;
-    const Scalar z21 = p_omega * s_theta;
-    const Scalar z23 = n2 * c_theta * p_L;
-    const Scalar z24 = n2 * p_L * z11;  // velocity of sleeve, z
-    const Scalar z46 = c_theta * z17;
-    result.kinetic = z16 * (v_theta * v_theta + z21 * z21) + n0_5 * p_M * z24 * z24;
-    result.force_function = n9_81 * p_M * z23 + n19_62 * z46;
+    const Scalar z25 = p_omega * s_theta;
+    const Scalar z29 = n2 * c_theta * p_L;
+    const Scalar z30 = n2 * p_L * z11;  // velocity of sleeve, z
+    const Scalar z42 = c_theta * z17;
+    result.kinetic = z16 * (v_theta * v_theta + z25 * z25) + n0_5 * p_M * z30 * z30;
+    result.force_function = n9_81 * p_M * z29 + n19_62 * z42;
     result.power = n0;
   }
 
@@ -861,15 +856,15 @@ struct Mechanism {
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
     const Scalar z11 = v_theta * s_theta;
-    const Scalar z21 = p_omega * s_theta;
-    const Scalar z23 = n2 * c_theta * p_L;
-    const Scalar z24 = n2 * p_L * z11;  // velocity of sleeve, z
-    const Scalar z46 = c_theta * z17;
-    const Scalar z109 = p_M * z24;
-    const Scalar z114 = n2 * p_L * z109;
-    const Scalar z117 = n2 * v_theta * z16 + s_theta * z114;
-    result.painleve = -v_theta * (v_theta * z16 - z117) - p_M * (n9_81 * z23 + n0_5 * z24 * z24) - z16 * z21 * z21
-        - n19_62 * z46;
+    const Scalar z25 = p_omega * s_theta;
+    const Scalar z29 = n2 * c_theta * p_L;
+    const Scalar z30 = n2 * p_L * z11;  // velocity of sleeve, z
+    const Scalar z42 = c_theta * z17;
+    const Scalar z106 = p_M * z30;
+    const Scalar z111 = n2 * p_L * z106;
+    const Scalar z114 = n2 * v_theta * z16 + s_theta * z111;
+    result.painleve = -v_theta * (v_theta * z16 - z114) - p_M * (n9_81 * z29 + n0_5 * z30 * z30) - z16 * z25 * z25
+        - n19_62 * z42;
   }
 
   /// Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released
@@ -883,13 +878,13 @@ struct Mechanism {
     const Scalar z16 = precomputed.z16;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z22 = p_omega * c_theta;
-    const Scalar z74 = v_theta * z22;  // angular acceleration of arm_1, x
-    const Scalar z80 = n2 * z74;
-    const Scalar z87 = z16 * z80;  // moment on arm_2, x
-    const Scalar z92 = s_theta * z87;
-    const Scalar z94 = n2 * z92;  // moment on shaft, z
-    result.motor = z94;
+    const Scalar z26 = p_omega * c_theta;
+    const Scalar z71 = v_theta * z26;  // angular acceleration of arm_1, x
+    const Scalar z77 = n2 * z71;
+    const Scalar z84 = z16 * z77;  // moment on arm_2, x
+    const Scalar z89 = s_theta * z84;
+    const Scalar z91 = n2 * z89;  // moment on shaft, z
+    result.motor = z91;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -914,40 +909,40 @@ struct Mechanism {
     const Scalar z12 = v_theta * c_theta;
     const Scalar z13 = v_theta * z12 + a_theta * s_theta;
     const Scalar z14 = n2 * s_theta * p_L;
-    const Scalar z21 = p_omega * s_theta;
-    const Scalar z22 = p_omega * c_theta;
-    const Scalar z23 = n2 * c_theta * p_L;
-    const Scalar z70 = z14 * p_M;
-    const Scalar z71 = z14 * z70 + n2 * z16;
-    const Scalar z72 = n9_81 * s_theta;
-    const Scalar z73 = n9_81 * c_theta;
-    const Scalar z79 = z21 * z22;
-    const Scalar z96 = n9_81 + n2 * p_L * z13;
-    const Scalar z97 = p_M * z96;  // force on sleeve, z
-    const Scalar z100 = z16 * (a_theta - z79) + z17 * z72;  // moment on arm_2, y
-    const Scalar z104 = z14 * z97 + n2 * z100;
-    const Scalar z105 = n1 / z71;
-    const Scalar z120 = v_theta * c_theta + z12;
-    const Scalar z121 = n2 * p_L * z120;
-    const Scalar z122 = p_M * z121;
-    const Scalar z123 = z14 * z122;
-    const Scalar z124 = v_theta * z11 - a_theta * c_theta;
-    const Scalar z125 = n2 * p_L * z124;
-    const Scalar z126 = p_M * z125;
-    const Scalar z127 = z21 * z21 - z22 * z22;
-    const Scalar z128 = z16 * z127 + z17 * z73;
-    const Scalar z129 = z14 * z126 - z23 * z97 - n2 * z128;
-    const Scalar z130 = z105 * z129;
-    const Scalar z131 = z105 * z123;
-    result.M[0] = z71;
-    result.C[0] = z123;
-    result.K[0] = -z129;
-    result.F[0] = -z104;
+    const Scalar z25 = p_omega * s_theta;
+    const Scalar z26 = p_omega * c_theta;
+    const Scalar z29 = n2 * c_theta * p_L;
+    const Scalar z67 = z14 * p_M;
+    const Scalar z68 = z14 * z67 + n2 * z16;
+    const Scalar z69 = n9_81 * s_theta;
+    const Scalar z70 = n9_81 * c_theta;
+    const Scalar z76 = z25 * z26;
+    const Scalar z93 = n9_81 + n2 * p_L * z13;
+    const Scalar z94 = p_M * z93;  // force on sleeve, z
+    const Scalar z97 = z16 * (a_theta - z76) + z17 * z69;  // moment on arm_2, y
+    const Scalar z101 = z14 * z94 + n2 * z97;
+    const Scalar z102 = n1 / z68;
+    const Scalar z117 = v_theta * c_theta + z12;
+    const Scalar z118 = n2 * p_L * z117;
+    const Scalar z119 = p_M * z118;
+    const Scalar z120 = z14 * z119;
+    const Scalar z121 = v_theta * z11 - a_theta * c_theta;
+    const Scalar z122 = n2 * p_L * z121;
+    const Scalar z123 = p_M * z122;
+    const Scalar z124 = z25 * z25 - z26 * z26;
+    const Scalar z125 = z16 * z124 + z17 * z70;
+    const Scalar z126 = z14 * z123 - z29 * z94 - n2 * z125;
+    const Scalar z127 = z102 * z126;
+    const Scalar z128 = z102 * z120;
+    result.M[0] = z68;
+    result.C[0] = z120;
+    result.K[0] = -z126;
+    result.F[0] = -z101;
     result.A[0] = n0;
-    result.A[1] = z130;
+    result.A[1] = z127;
     result.A[2] = n1;
-    result.A[3] = -z131;
-    if (!(traits::regular(z71, z71))) return torsor::Status::singular;
+    result.A[3] = -z128;
+    if (!(traits::regular(z68, z68))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.M[0] - result.M[0]) + (result.C[0] - result.C[0]) + (result.K[0] - result.K[0])
         + (result.F[0] - result.F[0]) + (result.A[1] - result.A[1]) + (result.A[3] - result.A[3]);

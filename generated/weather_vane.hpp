@@ -614,10 +614,10 @@ struct Mechanism {
     const Scalar v_theta = state.v.theta;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z31 = n0_4 * s_theta;
-    const Scalar z32 = n0_02 * v_theta;
-    const Scalar z40 = z31 + z32;
-    forces.theta = z40;
+    const Scalar z32 = n0_4 * s_theta;
+    const Scalar z33 = n0_02 * v_theta;
+    const Scalar z41 = z32 + z33;
+    forces.theta = z41;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -631,11 +631,11 @@ struct Mechanism {
     const Scalar a_theta = accelerations.theta;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z31 = n0_4 * s_theta;
-    const Scalar z32 = n0_02 * v_theta;
-    const Scalar z42 = n0_045 * a_theta;  // moment on vane, x
-    const Scalar z48 = z31 + z32 + z42;
-    forces.theta = z48;
+    const Scalar z32 = n0_4 * s_theta;
+    const Scalar z33 = n0_02 * v_theta;
+    const Scalar z43 = n0_045 * a_theta;  // moment on vane, x
+    const Scalar z49 = z32 + z33 + z43;
+    forces.theta = z49;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -651,11 +651,11 @@ struct Mechanism {
     const Scalar v_theta = state.v.theta;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z31 = n0_4 * s_theta;
-    const Scalar z32 = n0_02 * v_theta;
-    const Scalar z40 = z31 + z32;
-    const Scalar z49 = n200_over_9 * z40;
-    accelerations.theta = -z49;
+    const Scalar z32 = n0_4 * s_theta;
+    const Scalar z33 = n0_02 * v_theta;
+    const Scalar z41 = z32 + z33;
+    const Scalar z50 = n200_over_9 * z41;
+    accelerations.theta = -z50;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.theta - accelerations.theta);
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -671,10 +671,10 @@ struct Mechanism {
     const Scalar v_theta = state.v.theta;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z32 = n0_02 * v_theta;
+    const Scalar z33 = n0_02 * v_theta;
     result.kinetic = n0_0225 * v_theta * v_theta;
     result.force_function = n0_4 * c_theta;
-    result.power = -v_theta * z32;
+    result.power = -v_theta * z33;
   }
 
   /// Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released
@@ -696,20 +696,20 @@ struct Mechanism {
     const Scalar z7 = traits::formula(0.25464790894703254, 0.2546479f, [&]() -> Scalar {
       return n0_8 / pi;
     });
-    const Scalar z33 = v_theta * v_theta;
-    const Scalar z34 = z7 * z33;  // force on vane, y
-    const Scalar z35 = z6 * z33;  // moment on vane, z
-    const Scalar z41 = a_theta * z7;  // force on vane, z
-    const Scalar z43 = a_theta * z6;  // moment on vane, y
-    const Scalar z44 = s_theta * z41 + c_theta * z34;
-    const Scalar z45 = s_theta * z34 - c_theta * z41;
-    const Scalar z46 = s_theta * z35 - c_theta * z43;
-    const Scalar z47 = s_theta * z43 + c_theta * z35;
+    const Scalar z34 = v_theta * v_theta;
+    const Scalar z35 = z7 * z34;  // force on vane, y
+    const Scalar z36 = z6 * z34;  // moment on vane, z
+    const Scalar z42 = a_theta * z7;  // force on vane, z
+    const Scalar z44 = a_theta * z6;  // moment on vane, y
+    const Scalar z45 = s_theta * z42 + c_theta * z35;
+    const Scalar z46 = s_theta * z35 - c_theta * z42;
+    const Scalar z47 = s_theta * z36 - c_theta * z44;
+    const Scalar z48 = s_theta * z44 + c_theta * z36;
     result.X = n0;
-    result.Y = -z44;
-    result.Z = -z45;
-    result.M_y = z46;
-    result.M_z = -z47;
+    result.Y = -z45;
+    result.Z = -z46;
+    result.M_y = z47;
+    result.M_z = -z48;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -728,18 +728,18 @@ struct Mechanism {
     const Scalar a_theta = accelerations.theta;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z31 = n0_4 * s_theta;
-    const Scalar z32 = n0_02 * v_theta;
-    const Scalar z42 = n0_045 * a_theta;  // moment on vane, x
-    const Scalar z48 = z31 + z32 + z42;
-    const Scalar z51 = n0_4 * c_theta;
-    const Scalar z52 = n200_over_9 * z51;
+    const Scalar z32 = n0_4 * s_theta;
+    const Scalar z33 = n0_02 * v_theta;
+    const Scalar z43 = n0_045 * a_theta;  // moment on vane, x
+    const Scalar z49 = z32 + z33 + z43;
+    const Scalar z52 = n0_4 * c_theta;
+    const Scalar z53 = n200_over_9 * z52;
     result.M[0] = n0_045;
     result.C[0] = n0_02;
-    result.K[0] = z51;
-    result.F[0] = -z48;
+    result.K[0] = z52;
+    result.F[0] = -z49;
     result.A[0] = n0;
-    result.A[1] = -z52;
+    result.A[1] = -z53;
     result.A[2] = n1;
     result.A[3] = -n4_over_9;
     // x - x is 0 for every finite x and not a number for any other.

@@ -10,7 +10,7 @@
 // moved across joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   precompute                1               16          0             0                  1       0     19       -
-//   kinematics               22               52          0             0                  2       0     78      85
+//   kinematics               11               31          0             0                  2       0     46      50
 //   mass_matrix               0                0          0             0                  0       0      0       0
 //   bias                      3                3          0             0                  0       0      6      12
 //   inverse_dynamics          4                4          0             0                  0       0      8      14
@@ -500,17 +500,18 @@ struct Mechanism {
     Parameters parameters;
     Scalar s_slope;
     Scalar c_slope;
-    Scalar z17;
-    Scalar z18;
-    Scalar z19;
-    Scalar z20;
-    Scalar z97;
-    Scalar z98;
-    Scalar z111;
-    Scalar z112;
-    Scalar z113;
-    Scalar z114;
-    Scalar z115;
+    Scalar z22;
+    Scalar z23;
+    Scalar z24;
+    Scalar z91;
+    Scalar z92;
+    Scalar z106;
+    Scalar z107;
+    Scalar z108;
+    Scalar z109;
+    Scalar z110;
+    Scalar z161;
+    Scalar z162;
     Scalar z186;
     Scalar z187;
     Scalar z188;
@@ -542,35 +543,36 @@ struct Mechanism {
     const Scalar p_slope = parameters.slope;
     Scalar s_slope, c_slope;
     traits::sincos(p_slope, s_slope, c_slope);
-    const Scalar z16 = n0_2 * p_omega;
-    const Scalar z17 = p_omega * s_slope;
-    const Scalar z18 = p_omega * c_slope;
-    const Scalar z19 = c_slope * z16;
-    const Scalar z20 = s_slope * z16;
-    const Scalar z97 = n0_3 * s_slope;
-    const Scalar z98 = n0_3 * c_slope;
-    const Scalar z110 = p_omega * p_omega;
-    const Scalar z111 = n0_2 * z110;
-    const Scalar z112 = n9_81 * s_slope;
-    const Scalar z113 = n9_81 * c_slope;
-    const Scalar z114 = z17 * z18;
-    const Scalar z115 = z17 * z17;
-    const Scalar z186 = n0_0005 * z18;
-    const Scalar z187 = n200 - n0_5 * z115;
+    const Scalar z22 = n0_2 * p_omega;
+    const Scalar z23 = p_omega * s_slope;
+    const Scalar z24 = p_omega * c_slope;
+    const Scalar z91 = n0_3 * s_slope;
+    const Scalar z92 = n0_3 * c_slope;
+    const Scalar z105 = p_omega * p_omega;
+    const Scalar z106 = n0_2 * z105;
+    const Scalar z107 = n9_81 * s_slope;
+    const Scalar z108 = n9_81 * c_slope;
+    const Scalar z109 = z23 * z24;
+    const Scalar z110 = z23 * z23;
+    const Scalar z161 = c_slope * z22;
+    const Scalar z162 = s_slope * z22;
+    const Scalar z186 = n0_0005 * z24;
+    const Scalar z187 = n200 - n0_5 * z110;
     const Scalar z188 = n2 * z187;
     precomputed.s_slope = s_slope;
     precomputed.c_slope = c_slope;
-    precomputed.z17 = z17;
-    precomputed.z18 = z18;
-    precomputed.z19 = z19;
-    precomputed.z20 = z20;
-    precomputed.z97 = z97;
-    precomputed.z98 = z98;
-    precomputed.z111 = z111;
-    precomputed.z112 = z112;
-    precomputed.z113 = z113;
-    precomputed.z114 = z114;
-    precomputed.z115 = z115;
+    precomputed.z22 = z22;
+    precomputed.z23 = z23;
+    precomputed.z24 = z24;
+    precomputed.z91 = z91;
+    precomputed.z92 = z92;
+    precomputed.z106 = z106;
+    precomputed.z107 = z107;
+    precomputed.z108 = z108;
+    precomputed.z109 = z109;
+    precomputed.z110 = z110;
+    precomputed.z161 = z161;
+    precomputed.z162 = z162;
     precomputed.z186 = z186;
     precomputed.z187 = z187;
     precomputed.z188 = z188;
@@ -681,49 +683,40 @@ struct Mechanism {
     const Scalar v_phi = state.v.phi;
     const Scalar s_slope = precomputed.s_slope;
     const Scalar c_slope = precomputed.c_slope;
-    const Scalar z17 = precomputed.z17;
-    const Scalar z18 = precomputed.z18;
-    const Scalar z19 = precomputed.z19;
-    const Scalar z20 = precomputed.z20;
+    const Scalar z22 = precomputed.z22;
+    const Scalar z23 = precomputed.z23;
     const Scalar z2 = p_omega * t;
     const Scalar angles_[] = {z2, q_phi};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar z3 = sines_[0], z4 = cosines_[0];
     const Scalar s_phi = sines_[1], c_phi = cosines_[1];
-    const Scalar z21 = q_lambda * z17;
-    const Scalar z22 = v_lambda - z20;  // velocity of S.1, z
-    const Scalar z23 = s_phi * z17;
-    const Scalar z24 = c_phi * z17;
-    const Scalar z25 = s_phi * z19 + c_phi * z21;
-    const Scalar z26 = s_phi * z21 - c_phi * z19;
-    const Scalar z27 = v_phi + z18;  // angular velocity of S, z
-    const Scalar z28 = s_slope * q_lambda;
+    const Scalar z16 = z3 * c_slope;
+    const Scalar z17 = z3 * s_slope;
+    const Scalar z18 = z4 * c_slope;
+    const Scalar z19 = z4 * s_slope;
+    const Scalar z20 = n0_2 * z4;
+    const Scalar z21 = n0_2 * z3;
+    const Scalar z25 = z3 * z22;  // velocity of holder, x
+    const Scalar z26 = z4 * z22;  // velocity of holder, y
+    const Scalar z27 = q_lambda * z17;
+    const Scalar z28 = q_lambda * z19;
     const Scalar z29 = c_slope * q_lambda;
-    const Scalar z30 = z3 * z28 + n0_2 * z4;
-    const Scalar z31 = n0_2 * z3 - z4 * z28;
-    const Scalar z32 = c_slope * s_phi;
-    const Scalar z33 = s_slope * s_phi;
-    const Scalar z34 = z3 * z32 - z4 * c_phi;
-    const Scalar z35 = z3 * c_phi + z4 * z32;
-    const Scalar z36 = c_slope * c_phi;
-    const Scalar z37 = s_slope * c_phi;
-    const Scalar z38 = z3 * z36 + z4 * s_phi;
-    const Scalar z39 = z3 * s_phi - z4 * z36;
-    const Scalar z40 = z3 * s_slope;
-    const Scalar z41 = z4 * s_slope;
-    const Scalar z42 = s_phi * z26 + c_phi * z25;
-    const Scalar z43 = s_phi * z25 - c_phi * z26;
-    const Scalar z44 = s_slope * z22 - c_slope * z43;
-    const Scalar z45 = s_slope * z43 + c_slope * z22;
-    const Scalar z46 = z3 * z44 + z4 * z42;
-    const Scalar z47 = z3 * z42 - z4 * z44;
-    const Scalar z48 = s_phi * z24 - c_phi * z23;
-    const Scalar z49 = s_phi * z23 + c_phi * z24;
-    const Scalar z50 = s_slope * z27 - c_slope * z49;
-    const Scalar z51 = s_slope * z49 + c_slope * z27;
-    const Scalar z52 = z3 * z50 - z4 * z48;
-    const Scalar z53 = z3 * z48 + z4 * z50;
+    const Scalar z30 = z20 + z27;  // place of S.1, x
+    const Scalar z31 = z21 - z28;  // place of S.1, y
+    const Scalar z32 = q_lambda * z23;
+    const Scalar z33 = z4 * z32 + v_lambda * z17 - z25;  // velocity of S.1, x
+    const Scalar z34 = z3 * z32 - v_lambda * z19 + z26;  // velocity of S.1, y
+    const Scalar z35 = c_slope * v_lambda;  // velocity of S.1, z
+    const Scalar z36 = z4 * c_phi - s_phi * z16;
+    const Scalar z37 = z4 * s_phi + c_phi * z16;
+    const Scalar z38 = z3 * c_phi + s_phi * z18;
+    const Scalar z39 = z3 * s_phi - c_phi * z18;
+    const Scalar z40 = s_slope * s_phi;
+    const Scalar z41 = s_slope * c_phi;
+    const Scalar z45 = v_phi * z17;  // angular velocity of S, x
+    const Scalar z46 = v_phi * z19;  // angular velocity of S, y
+    const Scalar z47 = p_omega + c_slope * v_phi;  // angular velocity of S, z
     result.Sigma_position[0] = n0;
     result.Sigma_position[1] = n0;
     result.Sigma_position[2] = n0;
@@ -745,30 +738,30 @@ struct Mechanism {
     result.S_position[0] = z30;
     result.S_position[1] = z31;
     result.S_position[2] = z29;
-    result.S_rotation[0] = -z34;
-    result.S_rotation[1] = z35;
-    result.S_rotation[2] = z33;
-    result.S_rotation[3] = -z38;
+    result.S_rotation[0] = z36;
+    result.S_rotation[1] = z38;
+    result.S_rotation[2] = z40;
+    result.S_rotation[3] = -z37;
     result.S_rotation[4] = -z39;
-    result.S_rotation[5] = z37;
-    result.S_rotation[6] = z40;
-    result.S_rotation[7] = -z41;
+    result.S_rotation[5] = z41;
+    result.S_rotation[6] = z17;
+    result.S_rotation[7] = -z19;
     result.S_rotation[8] = c_slope;
-    result.S_velocity[0] = z46;
-    result.S_velocity[1] = z47;
-    result.S_velocity[2] = z45;
-    result.S_angular_velocity[0] = z52;
-    result.S_angular_velocity[1] = -z53;
-    result.S_angular_velocity[2] = z51;
+    result.S_velocity[0] = z33;
+    result.S_velocity[1] = z34;
+    result.S_velocity[2] = z35;
+    result.S_angular_velocity[0] = z45;
+    result.S_angular_velocity[1] = -z46;
+    result.S_angular_velocity[2] = z47;
     result.G_position[0] = z30;
     result.G_position[1] = z31;
     result.G_position[2] = z29;
-    result.G_velocity[0] = z46;
-    result.G_velocity[1] = z47;
-    result.G_velocity[2] = z45;
-    result.G_jacobian[0] = z40;
+    result.G_velocity[0] = z33;
+    result.G_velocity[1] = z34;
+    result.G_velocity[2] = z35;
+    result.G_jacobian[0] = z17;
     result.G_jacobian[3] = n0;
-    result.G_jacobian[1] = -z41;
+    result.G_jacobian[1] = -z19;
     result.G_jacobian[4] = n0;
     result.G_jacobian[2] = c_slope;
     result.G_jacobian[5] = n0;
@@ -805,14 +798,14 @@ struct Mechanism {
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_lambda = state.q.lambda;
-    const Scalar z98 = precomputed.z98;
-    const Scalar z113 = precomputed.z113;
-    const Scalar z115 = precomputed.z115;
-    const Scalar z99 = q_lambda - z98;
-    const Scalar z106 = n200 * z99;
-    const Scalar z118 = q_lambda * z115 - z113;
-    const Scalar z133 = z106 - n0_5 * z118;  // force on S.1, z
-    forces.lambda = z133;
+    const Scalar z92 = precomputed.z92;
+    const Scalar z108 = precomputed.z108;
+    const Scalar z110 = precomputed.z110;
+    const Scalar z93 = q_lambda - z92;
+    const Scalar z101 = n200 * z93;
+    const Scalar z113 = q_lambda * z110 - z108;
+    const Scalar z128 = z101 - n0_5 * z113;  // force on S.1, z
+    forces.lambda = z128;
     forces.phi = n0;
   }
 
@@ -825,16 +818,16 @@ struct Mechanism {
     const Scalar q_lambda = state.q.lambda;
     const Scalar a_lambda = accelerations.lambda;
     const Scalar a_phi = accelerations.phi;
-    const Scalar z98 = precomputed.z98;
-    const Scalar z113 = precomputed.z113;
-    const Scalar z115 = precomputed.z115;
-    const Scalar z99 = q_lambda - z98;
-    const Scalar z106 = n200 * z99;
-    const Scalar z150 = q_lambda * z115 - a_lambda - z113;
-    const Scalar z151 = n0_0005 * a_phi;  // moment on S, z
-    const Scalar z152 = z106 - n0_5 * z150;  // force on S.1, z
-    forces.lambda = z152;
-    forces.phi = z151;
+    const Scalar z92 = precomputed.z92;
+    const Scalar z108 = precomputed.z108;
+    const Scalar z110 = precomputed.z110;
+    const Scalar z93 = q_lambda - z92;
+    const Scalar z101 = n200 * z93;
+    const Scalar z145 = q_lambda * z110 - a_lambda - z108;
+    const Scalar z146 = n0_0005 * a_phi;  // moment on S, z
+    const Scalar z147 = z101 - n0_5 * z145;  // force on S.1, z
+    forces.lambda = z147;
+    forces.phi = z146;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -848,15 +841,15 @@ struct Mechanism {
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar q_lambda = state.q.lambda;
-    const Scalar z98 = precomputed.z98;
-    const Scalar z113 = precomputed.z113;
-    const Scalar z115 = precomputed.z115;
-    const Scalar z99 = q_lambda - z98;
-    const Scalar z106 = n200 * z99;
-    const Scalar z118 = q_lambda * z115 - z113;
-    const Scalar z133 = z106 - n0_5 * z118;  // force on S.1, z
-    const Scalar z165 = n2 * z133;
-    accelerations.lambda = -z165;
+    const Scalar z92 = precomputed.z92;
+    const Scalar z108 = precomputed.z108;
+    const Scalar z110 = precomputed.z110;
+    const Scalar z93 = q_lambda - z92;
+    const Scalar z101 = n200 * z93;
+    const Scalar z113 = q_lambda * z110 - z108;
+    const Scalar z128 = z101 - n0_5 * z113;  // force on S.1, z
+    const Scalar z160 = n2 * z128;
+    accelerations.lambda = -z160;
     accelerations.phi = n0;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.lambda - accelerations.lambda);
@@ -881,29 +874,29 @@ struct Mechanism {
     const Scalar q_phi = state.q.phi;
     const Scalar v_phi = state.v.phi;
     const Scalar c_slope = precomputed.c_slope;
-    const Scalar z17 = precomputed.z17;
-    const Scalar z18 = precomputed.z18;
-    const Scalar z19 = precomputed.z19;
-    const Scalar z20 = precomputed.z20;
-    const Scalar z97 = precomputed.z97;
-    const Scalar z98 = precomputed.z98;
+    const Scalar z23 = precomputed.z23;
+    const Scalar z24 = precomputed.z24;
+    const Scalar z91 = precomputed.z91;
+    const Scalar z92 = precomputed.z92;
+    const Scalar z161 = precomputed.z161;
+    const Scalar z162 = precomputed.z162;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z21 = q_lambda * z17;
-    const Scalar z22 = v_lambda - z20;  // velocity of S.1, z
-    const Scalar z23 = s_phi * z17;
-    const Scalar z24 = c_phi * z17;
-    const Scalar z25 = s_phi * z19 + c_phi * z21;
-    const Scalar z26 = s_phi * z21 - c_phi * z19;
-    const Scalar z27 = v_phi + z18;  // angular velocity of S, z
     const Scalar z29 = c_slope * q_lambda;
-    const Scalar z99 = q_lambda - z98;
-    const Scalar z100 = s_phi * z97 - n0_2 * c_phi;
-    const Scalar z101 = n0_2 * s_phi + c_phi * z97;
-    const Scalar z103 = z99 * z99 + z100 * z100 + z101 * z101;
-    result.kinetic = n0_25 * (z22 * z22 + z25 * z25 + z26 * z26) + n0_0004 * (z23 * z23 + z24 * z24) + n0_01 * p_omega
-        * p_omega + k4 * z27 * z27;
-    result.force_function = -n4_905 * z29 - n100 * z103;
+    const Scalar z32 = q_lambda * z23;
+    const Scalar z42 = s_phi * z23;
+    const Scalar z43 = c_phi * z23;
+    const Scalar z44 = v_phi + z24;
+    const Scalar z93 = q_lambda - z92;
+    const Scalar z94 = s_phi * z91 - n0_2 * c_phi;
+    const Scalar z95 = n0_2 * s_phi + c_phi * z91;
+    const Scalar z98 = z93 * z93 + z94 * z94 + z95 * z95;
+    const Scalar z163 = v_lambda - z162;  // velocity of S.1, z
+    const Scalar z164 = s_phi * z161 + c_phi * z32;
+    const Scalar z165 = s_phi * z32 - c_phi * z161;
+    result.kinetic = n0_25 * (z163 * z163 + z164 * z164 + z165 * z165) + n0_0004 * (z42 * z42 + z43 * z43) + n0_01
+        * p_omega * p_omega + k4 * z44 * z44;
+    result.force_function = -n4_905 * z29 - n100 * z98;
     result.power = n0;
   }
 
@@ -911,13 +904,13 @@ struct Mechanism {
   TORSOR_DEVICE static void first_integrals(const Precomputed& precomputed, const State& state,
       FirstIntegrals& result) noexcept {
     const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
-    const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
     const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
     const Scalar n0_0004 = traits::constant(4e-04, 4e-04f, "1/2500");
     const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
-    const Scalar k6 = traits::constant(0.00025, 0.00025f, "1/4000");
     const Scalar n4_905 = traits::constant(4.905, 4.905f, "981/200");
+    const Scalar k7 = traits::constant(0.00025, 0.00025f, "1/4000");
     const Scalar n100 = traits::constant(100.0, 100.0f, "100/1");
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar q_lambda = state.q.lambda;
@@ -925,31 +918,31 @@ struct Mechanism {
     const Scalar q_phi = state.q.phi;
     const Scalar v_phi = state.v.phi;
     const Scalar c_slope = precomputed.c_slope;
-    const Scalar z17 = precomputed.z17;
-    const Scalar z18 = precomputed.z18;
-    const Scalar z19 = precomputed.z19;
-    const Scalar z20 = precomputed.z20;
-    const Scalar z97 = precomputed.z97;
-    const Scalar z98 = precomputed.z98;
+    const Scalar z23 = precomputed.z23;
+    const Scalar z24 = precomputed.z24;
+    const Scalar z91 = precomputed.z91;
+    const Scalar z92 = precomputed.z92;
+    const Scalar z161 = precomputed.z161;
+    const Scalar z162 = precomputed.z162;
     const Scalar z186 = precomputed.z186;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z21 = q_lambda * z17;
-    const Scalar z22 = v_lambda - z20;  // velocity of S.1, z
-    const Scalar z23 = s_phi * z17;
-    const Scalar z24 = c_phi * z17;
-    const Scalar z25 = s_phi * z19 + c_phi * z21;
-    const Scalar z26 = s_phi * z21 - c_phi * z19;
-    const Scalar z27 = v_phi + z18;  // angular velocity of S, z
     const Scalar z29 = c_slope * q_lambda;
-    const Scalar z99 = q_lambda - z98;
-    const Scalar z100 = s_phi * z97 - n0_2 * c_phi;
-    const Scalar z101 = n0_2 * s_phi + c_phi * z97;
-    const Scalar z103 = z99 * z99 + z100 * z100 + z101 * z101;
-    const Scalar z168 = n0_0005 * z27;
-    const Scalar z173 = n0_5 * z22;
-    result.painleve = -n0_25 * (z22 * z22 + z25 * z25 + z26 * z26) - n0_0004 * (z23 * z23 + z24 * z24) - n0_01 * p_omega
-        * p_omega + v_lambda * z173 + v_phi * z168 - k6 * z27 * z27 + n4_905 * z29 + n100 * z103;
+    const Scalar z32 = q_lambda * z23;
+    const Scalar z42 = s_phi * z23;
+    const Scalar z43 = c_phi * z23;
+    const Scalar z44 = v_phi + z24;
+    const Scalar z93 = q_lambda - z92;
+    const Scalar z94 = s_phi * z91 - n0_2 * c_phi;
+    const Scalar z95 = n0_2 * s_phi + c_phi * z91;
+    const Scalar z98 = z93 * z93 + z94 * z94 + z95 * z95;
+    const Scalar z163 = v_lambda - z162;  // velocity of S.1, z
+    const Scalar z164 = s_phi * z161 + c_phi * z32;
+    const Scalar z165 = s_phi * z32 - c_phi * z161;
+    const Scalar z170 = n0_5 * z163;
+    const Scalar z172 = n0_0005 * z44;
+    result.painleve = -n0_25 * (z163 * z163 + z164 * z164 + z165 * z165) - n0_0004 * (z42 * z42 + z43 * z43) - n0_01
+        * p_omega * p_omega + v_lambda * z170 + v_phi * z172 + n4_905 * z29 - k7 * z44 * z44 + n100 * z98;
     result.momentum_phi = n0_0005 * v_phi + z186;
   }
 
@@ -970,45 +963,45 @@ struct Mechanism {
     const Scalar a_phi = accelerations.phi;
     const Scalar s_slope = precomputed.s_slope;
     const Scalar c_slope = precomputed.c_slope;
-    const Scalar z17 = precomputed.z17;
-    const Scalar z18 = precomputed.z18;
-    const Scalar z97 = precomputed.z97;
-    const Scalar z98 = precomputed.z98;
-    const Scalar z111 = precomputed.z111;
-    const Scalar z112 = precomputed.z112;
-    const Scalar z113 = precomputed.z113;
-    const Scalar z114 = precomputed.z114;
-    const Scalar z115 = precomputed.z115;
+    const Scalar z23 = precomputed.z23;
+    const Scalar z24 = precomputed.z24;
+    const Scalar z91 = precomputed.z91;
+    const Scalar z92 = precomputed.z92;
+    const Scalar z106 = precomputed.z106;
+    const Scalar z107 = precomputed.z107;
+    const Scalar z108 = precomputed.z108;
+    const Scalar z109 = precomputed.z109;
+    const Scalar z110 = precomputed.z110;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z23 = s_phi * z17;
-    const Scalar z24 = c_phi * z17;
-    const Scalar z27 = v_phi + z18;  // angular velocity of S, z
-    const Scalar z99 = q_lambda - z98;
-    const Scalar z100 = s_phi * z97 - n0_2 * c_phi;
-    const Scalar z101 = n0_2 * s_phi + c_phi * z97;
-    const Scalar z104 = n200 * z100;
-    const Scalar z105 = n200 * z101;
-    const Scalar z106 = n200 * z99;
-    const Scalar z116 = n2 * v_lambda * z17 - z111;
-    const Scalar z117 = q_lambda * z114 + z112;
-    const Scalar z123 = z24 * z27;
-    const Scalar z124 = z23 * z27;
-    const Scalar z125 = n0_0005 * z123;  // moment on S, x
-    const Scalar z126 = n0_0005 * z124;  // moment on S, y
-    const Scalar z127 = s_phi * z105 - c_phi * z104;
-    const Scalar z128 = s_phi * z104 + c_phi * z105;
-    const Scalar z130 = s_phi * z125 - c_phi * z126;
-    const Scalar z131 = n0_5 * z116 + z127;  // force on S.1, x
-    const Scalar z132 = n0_5 * z117 - z128;  // force on S.1, y
-    const Scalar z135 = q_lambda * z131 + z130;  // moment on holder, y
-    const Scalar z150 = q_lambda * z115 - a_lambda - z113;
-    const Scalar z151 = n0_0005 * a_phi;  // moment on S, z
-    const Scalar z152 = z106 - n0_5 * z150;  // force on S.1, z
-    const Scalar z153 = s_slope * z152 - c_slope * z132;
-    const Scalar z156 = s_slope * z135 + c_slope * z151;
-    const Scalar z160 = n0_2 * z153 - z156;  // moment on Sigma, z
-    result.motor = -z160;
+    const Scalar z42 = s_phi * z23;
+    const Scalar z43 = c_phi * z23;
+    const Scalar z44 = v_phi + z24;
+    const Scalar z93 = q_lambda - z92;
+    const Scalar z94 = s_phi * z91 - n0_2 * c_phi;
+    const Scalar z95 = n0_2 * s_phi + c_phi * z91;
+    const Scalar z99 = n200 * z94;
+    const Scalar z100 = n200 * z95;
+    const Scalar z101 = n200 * z93;
+    const Scalar z111 = n2 * v_lambda * z23 - z106;
+    const Scalar z112 = q_lambda * z109 + z107;
+    const Scalar z118 = z43 * z44;
+    const Scalar z119 = z42 * z44;
+    const Scalar z120 = n0_0005 * z118;  // moment on S, x
+    const Scalar z121 = n0_0005 * z119;  // moment on S, y
+    const Scalar z122 = s_phi * z100 - c_phi * z99;
+    const Scalar z123 = s_phi * z99 + c_phi * z100;
+    const Scalar z125 = s_phi * z120 - c_phi * z121;
+    const Scalar z126 = n0_5 * z111 + z122;  // force on S.1, x
+    const Scalar z127 = n0_5 * z112 - z123;  // force on S.1, y
+    const Scalar z130 = q_lambda * z126 + z125;  // moment on holder, y
+    const Scalar z145 = q_lambda * z110 - a_lambda - z108;
+    const Scalar z146 = n0_0005 * a_phi;  // moment on S, z
+    const Scalar z147 = z101 - n0_5 * z145;  // force on S.1, z
+    const Scalar z148 = s_slope * z147 - c_slope * z127;
+    const Scalar z151 = s_slope * z130 + c_slope * z146;
+    const Scalar z155 = n0_2 * z148 - z151;  // moment on Sigma, z
+    result.motor = -z155;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -1023,16 +1016,16 @@ struct Mechanism {
     const Scalar q_lambda = state.q.lambda;
     const Scalar a_lambda = accelerations.lambda;
     const Scalar a_phi = accelerations.phi;
-    const Scalar z98 = precomputed.z98;
-    const Scalar z113 = precomputed.z113;
-    const Scalar z115 = precomputed.z115;
+    const Scalar z92 = precomputed.z92;
+    const Scalar z108 = precomputed.z108;
+    const Scalar z110 = precomputed.z110;
     const Scalar z187 = precomputed.z187;
     const Scalar z188 = precomputed.z188;
-    const Scalar z99 = q_lambda - z98;
-    const Scalar z106 = n200 * z99;
-    const Scalar z150 = q_lambda * z115 - a_lambda - z113;
-    const Scalar z151 = n0_0005 * a_phi;  // moment on S, z
-    const Scalar z152 = z106 - n0_5 * z150;  // force on S.1, z
+    const Scalar z93 = q_lambda - z92;
+    const Scalar z101 = n200 * z93;
+    const Scalar z145 = q_lambda * z110 - a_lambda - z108;
+    const Scalar z146 = n0_0005 * a_phi;  // moment on S, z
+    const Scalar z147 = z101 - n0_5 * z145;  // force on S.1, z
     result.M[0] = n0_5;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -1045,8 +1038,8 @@ struct Mechanism {
     result.K[1] = n0;
     result.K[2] = n0;
     result.K[3] = n0;
-    result.F[0] = -z152;
-    result.F[1] = -z151;
+    result.F[0] = -z147;
+    result.F[1] = -z146;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = -z188;

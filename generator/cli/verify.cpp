@@ -54,6 +54,9 @@ std::string verify_table(const std::string& scene, const std::vector<VerifyRow>&
                         figure(row.worst.scaled), of_bound, figure(row.potential), row.seed,
                         row.searched ? " searched" : "");
     if (layout.with_states || !row.passed()) text += fmt::format("      at {}\n", row.state);
+    if (row.undefined > 0) {
+      text += fmt::format("      without a result (0/0) and without a status at {} more states\n", row.undefined);
+    }
     if (row.worst.scaled > accuracy_bar && !row.reason.empty()) {
       text += fmt::format("      exception, up to {}: {}\n", row.limit, row.reason);
     }
@@ -74,19 +77,16 @@ std::string verify_markdown(const std::string& scene, const std::vector<VerifyRo
       fmt::format("| {} | {} | {} | {} |", scene, rows.size(), counted(within),
                   counted([](const VerifyRow& row) { return row.worst.enclosed; }));
   for (const char* scalar : {"double", "float"}) {
-    std::string excepted, worst;
-    double largest = 0;
-    for (const VerifyRow& row : worst_of_kernels(rows)) {
-      if (row.scalar != scalar) continue;
-      const std::string entry = fmt::format("{} {}", row.kernel, figure(row.worst.scaled));
-      if (!within(row)) {
-        excepted += (excepted.empty() ? "" : ", ") + entry;
-      } else if (row.worst.scaled >= largest) {
-        largest = row.worst.scaled;
-        worst = entry;
-      }
+    const VerifyRow* worst = nullptr;
+    for (const VerifyRow& row : rows) {
+      if (row.scalar == scalar && (worst == nullptr || row.worst.scaled > worst->worst.scaled)) worst = &row;
     }
-    text += fmt::format(" {} | {} |", worst, excepted.empty() ? "" : excepted);
+    if (worst == nullptr) {
+      text += " | | |";
+      continue;
+    }
+    text += fmt::format(" {} {} | {} | {:.3f} |", worst->kernel, worst->group, figure(worst->worst.scaled),
+                        worst->worst.bound == 0 ? 0 : worst->worst.error / worst->worst.bound);
   }
   return text + "\n";
 }
@@ -113,6 +113,7 @@ std::string verify_json(const std::string& scene, const std::vector<VerifyRow>& 
                       {"searched", row.searched},
                       {"state", row.state},
                       {"states", row.states},
+                      {"undefined", row.undefined},
                       {"passed", row.passed()}});
   }
   const bool passed = std::all_of(rows.begin(), rows.end(), [](const VerifyRow& row) { return row.passed(); });

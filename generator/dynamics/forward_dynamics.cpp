@@ -3,7 +3,8 @@
 
 namespace torsor {
 
-Factorisation::Factorisation(Program& program, const ValueMatrix& symmetric) : program_(&program) {
+Factorisation::Factorisation(Program& program, const ValueMatrix& symmetric)
+    : program_(&program), flattening_(program) {
   // From the last row to the first (M = Lᵀ D L): on a tree the parents' pivots come last and no entry fills in
   // (Featherstone, Rigid Body Dynamics Algorithms, 2008, §6.5).
   const std::size_t n = symmetric.size();
@@ -23,7 +24,7 @@ Factorisation::Factorisation(Program& program, const ValueMatrix& symmetric) : p
       if (lower_[k][i].is_zero()) continue;
       for (std::size_t j = 0; j <= i; ++j) {
         if (rest[k][j].is_zero()) continue;
-        rest[i][j] = program.bind(rest[i][j] - lower_[k][i] * rest[k][j]);
+        rest[i][j] = program.bind(flattening_.difference(rest[i][j], lower_[k][i], rest[k][j]));
       }
     }
   }
@@ -35,20 +36,22 @@ std::vector<Value> Factorisation::solve(const std::vector<Value>& right_side) co
   for (std::size_t k = n; k-- > 0;) {
     x[k] = program_->bind(x[k]);
     for (std::size_t i = 0; i < k; ++i) {
-      if (!lower_[k][i].is_zero() && !x[k].is_zero()) x[i] -= lower_[k][i] * x[k];
+      if (lower_[k][i].is_zero() || x[k].is_zero()) continue;
+      x[i] = flattening_.difference(x[i], lower_[k][i], x[k]);
     }
   }
   for (std::size_t k = 0; k < n; ++k) {
     Value sum = x[k] * inverse_pivots_[k];
     for (std::size_t i = 0; i < k; ++i) {
-      if (!lower_[k][i].is_zero() && !x[i].is_zero()) sum -= lower_[k][i] * x[i];
+      if (!lower_[k][i].is_zero() && !x[i].is_zero()) sum = flattening_.difference(sum, lower_[k][i], x[i]);
     }
     x[k] = program_->bind(sum);
   }
   return x;
 }
 
-UnsymmetricFactorisation::UnsymmetricFactorisation(Program& program, const ValueMatrix& matrix) : program_(&program) {
+UnsymmetricFactorisation::UnsymmetricFactorisation(Program& program, const ValueMatrix& matrix)
+    : program_(&program), flattening_(program) {
   const std::size_t n = matrix.size();
   upper_ = matrix;
   lower_.assign(n, std::vector<Value>(n));
@@ -62,7 +65,8 @@ UnsymmetricFactorisation::UnsymmetricFactorisation(Program& program, const Value
       if (upper_[i][k].is_zero()) continue;
       lower_[i][k] = program.bind(upper_[i][k] * inverse_pivots_[k]);
       for (std::size_t j = k + 1; j < n; ++j) {
-        if (!upper_[k][j].is_zero()) upper_[i][j] = program.bind(upper_[i][j] - lower_[i][k] * upper_[k][j]);
+        if (upper_[k][j].is_zero()) continue;
+        upper_[i][j] = program.bind(flattening_.difference(upper_[i][j], lower_[i][k], upper_[k][j]));
       }
     }
   }
@@ -73,13 +77,13 @@ std::vector<Value> UnsymmetricFactorisation::solve(const std::vector<Value>& rig
   std::vector<Value> x = right_side;
   for (std::size_t k = 0; k < n; ++k) {
     for (std::size_t i = 0; i < k; ++i) {
-      if (!lower_[k][i].is_zero()) x[k] -= lower_[k][i] * x[i];
+      if (!lower_[k][i].is_zero()) x[k] = flattening_.difference(x[k], lower_[k][i], x[i]);
     }
     x[k] = program_->bind(x[k]);
   }
   for (std::size_t k = n; k-- > 0;) {
     for (std::size_t j = k + 1; j < n; ++j) {
-      if (!upper_[k][j].is_zero()) x[k] -= upper_[k][j] * x[j];
+      if (!upper_[k][j].is_zero()) x[k] = flattening_.difference(x[k], upper_[k][j], x[j]);
     }
     x[k] = program_->bind(program_->bind(x[k]) * inverse_pivots_[k]);
   }
@@ -98,19 +102,22 @@ Value along(const std::vector<Value>& row, const std::vector<Value>& x) {
 
 MotionSolver::MotionSolver(Program& program, const ValueMatrix& mass, ValueMatrix jacobian, const ValueMatrix& columns,
                            bool friction)
-    : program_(&program), mass_(program, mass), jacobian_(std::move(jacobian)) {
+    : program_(&program), flattening_(program), mass_(program, mass), jacobian_(std::move(jacobian)) {
   // S = A M⁻¹ B.
   const std::size_t m = jacobian_.size();
   method_ = m == 0 ? "an unrolled L D L' of M" : "an unrolled L D L' of M and of the Schur complement A M^-1 A'";
   if (friction) method_ = "an unrolled L D L' of M and L U of the Schur complement A M^-1 B";
   for (const auto& column : columns) effects_.push_back(mass_.solve(column));
   ValueMatrix schur(m, std::vector<Value>(m));
+  const auto entry = [&](std::size_t j, std::size_t k) {
+    return program.bind(flattening_.cheaper(along(jacobian_[j], effects_[k])));
+  };
   for (std::size_t j = 0; j < m; ++j) {
     for (std::size_t k = 0; k < m; ++k) {
       if (friction) {
-        schur[j][k] = program.bind(along(jacobian_[j], effects_[k]));
+        schur[j][k] = entry(j, k);
       } else if (k <= j) {
-        schur[j][k] = schur[k][j] = program.bind(along(jacobian_[j], effects_[k]));
+        schur[j][k] = schur[k][j] = entry(j, k);
       }
     }
   }
@@ -132,7 +139,8 @@ ForwardSolution MotionSolver::solve(const std::vector<Value>& force, const std::
   if (m == 0) return solution;
   std::vector<Value> right_side(m);
   for (std::size_t j = 0; j < m; ++j) {
-    right_side[j] = program_->bind(-(along(jacobian_[j], solution.accelerations) + gamma[j]));
+    const Value sum = -(along(jacobian_[j], solution.accelerations) + gamma[j]);
+    right_side[j] = program_->bind(flattening_.cheaper(sum));
   }
   const auto reduce = [&](const auto& reduced) {
     solution.multipliers = reduced.solve(right_side);

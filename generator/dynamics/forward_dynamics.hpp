@@ -6,13 +6,15 @@
 #include <utility>
 #include <vector>
 
+#include "generator/expression/flattening.hpp"
 #include "generator/expression/program.hpp"
 
 namespace torsor {
 
 using ValueMatrix = std::vector<std::vector<Value>>;
 
-/// L D Lᵀ of a symmetric matrix, unrolled; entries that vanish identically cost nothing.
+/// L D Lᵀ of a symmetric matrix, unrolled; entries that vanish identically cost nothing. Small entries are multiplied
+/// out where that shows what cancels in a pivot: next to a locked angle nothing else is left of it.
 class Factorisation {
  public:
   Factorisation(Program& program, const ValueMatrix& symmetric);
@@ -25,6 +27,7 @@ class Factorisation {
 
  private:
   Program* program_;
+  mutable Flattening flattening_;  ///< remembers what it has multiplied out
   ValueMatrix lower_;
   std::vector<Value> inverse_pivots_;
   std::vector<std::pair<Value, Value>> pivots_;
@@ -41,6 +44,7 @@ class UnsymmetricFactorisation {
 
  private:
   Program* program_;
+  mutable Flattening flattening_;
   ValueMatrix lower_, upper_;
   std::vector<Value> inverse_pivots_;
   std::vector<std::pair<Value, Value>> pivots_;
@@ -65,6 +69,7 @@ class MotionSolver {
 
  private:
   Program* program_;
+  mutable Flattening flattening_;
   Factorisation mass_;
   ValueMatrix jacobian_;
   ValueMatrix effects_;  ///< M⁻¹ column_j

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "generator/dynamics/model.hpp"
+#include "generator/dynamics/nominal_number.hpp"
 
 namespace torsor {
 namespace {
@@ -24,7 +27,10 @@ Vector turn(Program& program, const Link& link, const Vector& v, bool inverse) {
 /// R J Rᵀ (the inverse turn: Rᵀ J R) for a turn about an aligned axis z. With d = J_xx − J_yy, e = J_xy + J_yx and u = s d + c e:
 /// J'_xx = J_xx − s u, J'_yy = J_yy + s u, J'_xy = c u − J_yx, J'_yx = c u − J_xy, and (J_xz, J_yz), (J_zx, J_zy) turn as
 /// vectors. 16 operations for a symmetric array where two general products take 27.
-Matrix turn(Program& program, const Link& link, const Matrix& j, bool inverse) {
+///
+/// Where e vanishes, J_xx cos² + J_yy sin² is written from the smaller of both moments, J_yy + d cos², the other as
+/// J_yy + d sin²: a sum of positive terms, which loses nothing where the squares are near 1.
+Matrix turn(Program& program, const SceneContent& scene, const Link& link, const Matrix& j, bool inverse) {
   if (link.turn == Turn::none) return j;
   if (link.turn == Turn::general) {
     const Matrix back = transpose(link.rotation);
@@ -37,18 +43,33 @@ Matrix turn(Program& program, const Link& link, const Matrix& j, bool inverse) {
   const int y = (z + 2) % 3;
   const Value difference = program.bind(j(x, x) - j(y, y));
   const Value sum = program.bind(j(x, y) + j(y, x));
-  Value u = sine * difference;
-  u += link.cosine * sum;
-  u = program.bind(u);
-  const Value change = program.bind(sine * u);
-  const Value mixed = link.cosine * u;
   const Vector column = turn(program, link, {j(0, z), j(1, z), j(2, z)}, inverse);
   const Vector row = turn(program, link, {j(z, 0), j(z, 1), j(z, 2)}, inverse);
   Matrix turned;
-  turned(x, x) = program.bind(j(x, x) - change);
-  turned(y, y) = program.bind(j(y, y) + change);
-  turned(x, y) = program.bind(mixed - j(y, x));
-  turned(y, x) = program.bind(mixed - j(x, y));
+  const std::optional<double> across = nominal_number(scene, j(x, x));
+  const std::optional<double> along = nominal_number(scene, j(y, y));
+  if (sum.is_zero() && across && along && *across != *along) {
+    const bool first = std::abs(*across) > std::abs(*along);  // the larger moment
+    const Value& least = first ? j(y, y) : j(x, x);
+    const Value spread = first ? difference : program.bind(-difference);
+    const Value by_sine = program.bind(sine * spread), by_cosine = program.bind(link.cosine * spread);
+    turned(first ? x : y, first ? x : y) = program.bind(least + link.cosine * by_cosine);
+    turned(first ? y : x, first ? y : x) = program.bind(least + sine * by_sine);
+    const Value mixed = program.bind(sine * by_cosine);
+    turned(x, y) = turned(y, x) = first ? mixed : -mixed;
+    turned(x, y) -= j(y, x);
+    turned(y, x) -= j(x, y);
+  } else {
+    Value u = sine * difference;
+    u += link.cosine * sum;
+    u = program.bind(u);
+    const Value change = program.bind(sine * u);
+    const Value mixed = link.cosine * u;
+    turned(x, x) = program.bind(j(x, x) - change);
+    turned(y, y) = program.bind(j(y, y) + change);
+    turned(x, y) = program.bind(mixed - j(y, x));
+    turned(y, x) = program.bind(mixed - j(x, y));
+  }
   for (const int i : {x, y}) {
     turned(i, z) = column[i];
     turned(z, i) = row[i];
@@ -60,16 +81,16 @@ Matrix turn(Program& program, const Link& link, const Matrix& j, bool inverse) {
 }  // namespace
 
 Matrix Model::to_parent(const Link& link, const Matrix& j) const {
-  const Matrix turned = turn(*program_, link, j, false);
+  const Matrix turned = turn(*program_, *scene_, link, j, false);
   if (link.placement_rotation.is_identity()) return turned;
   const Matrix placement = constant_matrix(*program_, link.placement_rotation);
   return bound(*program_, placement * turned * transpose(placement));
 }
 
 Matrix Model::from_parent(const Link& link, const Matrix& j) const {
-  if (link.placement_rotation.is_identity()) return turn(*program_, link, j, true);
+  if (link.placement_rotation.is_identity()) return turn(*program_, *scene_, link, j, true);
   const Matrix placement = constant_matrix(*program_, link.placement_rotation);
-  return turn(*program_, link, bound(*program_, transpose(placement) * j * placement), true);
+  return turn(*program_, *scene_, link, bound(*program_, transpose(placement) * j * placement), true);
 }
 
 Vector Model::to_parent(const Link& link, const Vector& v) const {

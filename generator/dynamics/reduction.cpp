@@ -10,7 +10,7 @@ namespace {
 
 ValueMatrix zeros(std::size_t rows, std::size_t columns) { return ValueMatrix(rows, std::vector<Value>(columns)); }
 
-ValueMatrix product(Program& program, const ValueMatrix& x, const ValueMatrix& y, std::size_t columns) {
+ValueMatrix product(Flattening& flattening, const ValueMatrix& x, const ValueMatrix& y, std::size_t columns) {
   ValueMatrix result = zeros(x.size(), columns);
   for (std::size_t i = 0; i < x.size(); ++i) {
     for (std::size_t j = 0; j < columns; ++j) {
@@ -18,7 +18,7 @@ ValueMatrix product(Program& program, const ValueMatrix& x, const ValueMatrix& y
       for (std::size_t k = 0; k < y.size(); ++k) {
         if (!x[i][k].is_zero() && !y[k][j].is_zero()) sum += x[i][k] * y[k][j];
       }
-      result[i][j] = program.bind(sum);
+      result[i][j] = flattening.program().bind(flattening.cheaper(sum));
     }
   }
   return result;
@@ -143,6 +143,7 @@ ReducedLinearisation reduced_linearisation(const Equations& equations) {
   const auto n = static_cast<std::size_t>(model.unknown_count());
   const std::vector<ConstraintRow>& rows = equations.constraints();
   const std::size_t m = rows.size();
+  Flattening flattening(program);
   ReducedLinearisation result;
   result.freedoms = independent_freedoms(equations);
   const IndependentFreedoms& freedoms = result.freedoms;
@@ -182,10 +183,10 @@ ReducedLinearisation reduced_linearisation(const Equations& equations) {
   result.pivots = all.pivots(a_matrix, full.M);
   const ValueMatrix z = holonomic.null_basis(a_matrix, freedoms.coordinates);
   const ValueMatrix basis = all.null_basis(a_matrix, freedoms.velocities);
-  const ValueMatrix v = all.solve(product(program, of_rate, z, k), k);
-  const ValueMatrix along_w = all.solve(product(program, gamma_v, basis, p), p);
-  const ValueMatrix gamma_e = product(program, gamma_v, v, k);
-  const ValueMatrix acceleration_e = product(program, of_acceleration, z, k);
+  const ValueMatrix v = all.solve(product(flattening, of_rate, z, k), k);
+  const ValueMatrix along_w = all.solve(product(flattening, gamma_v, basis, p), p);
+  const ValueMatrix gamma_e = product(flattening, gamma_v, v, k);
+  const ValueMatrix acceleration_e = product(flattening, of_acceleration, z, k);
   const ValueMatrix along_e = all.solve(sum(program, gamma_e, acceleration_e), k);
   const ValueMatrix rest = all.solve(left_over, 1);
 
@@ -196,24 +197,24 @@ ReducedLinearisation reduced_linearisation(const Equations& equations) {
     const auto more = reactions.pivots(columns, full.M);
     result.pivots.insert(result.pivots.end(), more.begin(), more.end());
   }
-  const ValueMatrix left_mass = product(program, left, full.M, n);
-  result.M = product(program, left_mass, basis, p);
+  const ValueMatrix left_mass = product(flattening, left, full.M, n);
+  result.M = product(flattening, left_mass, basis, p);
   for (std::size_t i = 0; result.symmetric && i < p; ++i) {
     for (std::size_t j = 0; j < i; ++j) result.M[i][j] = result.M[j][i];
   }
-  const ValueMatrix inertia_w = product(program, left_mass, along_w, p);
-  const ValueMatrix damping_w = product(program, left, product(program, full.C, basis, p), p);
+  const ValueMatrix inertia_w = product(flattening, left_mass, along_w, p);
+  const ValueMatrix damping_w = product(flattening, left, product(flattening, full.C, basis, p), p);
   result.C = sum(program, inertia_w, damping_w);
-  const ValueMatrix inertia_e = product(program, left_mass, along_e, k);
-  const ValueMatrix damping_e = product(program, full.C, v, k);
-  const ValueMatrix stiffness_e = product(program, full.K, z, k);
-  result.K = sum(program, inertia_e, product(program, left, sum(program, damping_e, stiffness_e), k));
+  const ValueMatrix inertia_e = product(flattening, left_mass, along_e, k);
+  const ValueMatrix damping_e = product(flattening, full.C, v, k);
+  const ValueMatrix stiffness_e = product(flattening, full.K, z, k);
+  result.K = sum(program, inertia_e, product(flattening, left, sum(program, damping_e, stiffness_e), k));
   ValueMatrix force = zeros(n, 1);
   for (std::size_t i = 0; i < n; ++i) force[i][0] = full.F[i];
-  const ValueMatrix reduced_force = product(program, left, force, 1);
-  const ValueMatrix reduced_rest = product(program, left_mass, rest, 1);
-  for (std::size_t i = 0; i < p; ++i) result.F.push_back(program.bind(reduced_force[i][0] - reduced_rest[i][0]));
-  result.E = product(program, left, full.E, model.inputs().size());
+  const ValueMatrix reduced_force = product(flattening, left, force, 1);
+  const ValueMatrix reduced_rest = product(flattening, left_mass, rest, 1);
+  for (std::size_t i = 0; i < p; ++i) result.F.push_back(program.bind(flattening.cheaper(reduced_force[i][0] - reduced_rest[i][0])));
+  result.E = product(flattening, left, full.E, model.inputs().size());
 
   for (const std::size_t i : freedoms.coordinates) {
     const std::vector<Value> turned = turned_row(model, i, z);

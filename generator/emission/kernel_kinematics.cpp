@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/dynamics/point_motion.hpp"
+#include "generator/dynamics/ground_motion.hpp"
 #include "generator/emission/kernel_parts.hpp"
 
 namespace torsor {
@@ -13,49 +13,46 @@ namespace {
 class KinematicsBuilder {
  public:
   explicit KinematicsBuilder(const Equations& equations)
-      : model_(equations.model()), program_(model_.program()), twists_(twists(model_)) {}
+      : model_(equations.model()), program_(model_.program()), motion_(model_) {}
 
   void body(const BodyContent& body) {
     const FramePlace& at = model_.place(body.frame, "body '" + body.name + "'");
     const Vector center = bound(program_, at.origin + at.rotation * lower(program_, body.inertia.center));
-    const Twist& twist = twists_[static_cast<std::size_t>(at.link)];
-    add_vector(body.name + "_position", "centre of mass of " + body.name + " [m]", model_.locate(center, at.link, 0));
-    Matrix rotation;
-    for (int j = 0; j < 3; ++j) {
-      Vector axis;
-      for (int i = 0; i < 3; ++i) axis[i] = program_.number(at.rotation(i, j));
-      const Vector seen = model_.express(axis, at.link, 0);
-      for (int i = 0; i < 3; ++i) rotation(i, j) = seen[i];
-    }
-    add_rotation(body.name + "_rotation", "from the axes of " + body.name + " to the ground's", rotation);
+    const Matrix& turn = motion_.rotation(at.link);
+    const Vector arm = bound(program_, turn * center);
+    add_vector(body.name + "_position", "centre of mass of " + body.name + " [m]",
+               bound(program_, motion_.origin(at.link) + arm));
+    add_rotation(body.name + "_rotation", "from the axes of " + body.name + " to the ground's",
+                 bound(program_, turn * constant_matrix(program_, at.rotation)));
     add_vector(body.name + "_velocity", "velocity of the centre of mass of " + body.name + " [m/s]",
-               velocity_of(twist, center, at.link));
+               motion_.velocity(at.link, center));
     add_vector(body.name + "_angular_velocity", "angular velocity of " + body.name + " [rad/s]",
-               model_.express(twist.angular, at.link, 0));
+               motion_.angular(at.link));
   }
 
   void point(const PointContent& point, int index) {
     const std::string user = "point '" + point.name + "'";
     const int link = model_.place(point.frame, user).link;
     const Vector place = bound(program_, model_.locate(PointHandle{index}, link, user));
-    add_vector(point.name + "_position", "position of " + point.name + " [m]", model_.locate(place, link, 0));
-    add_vector(point.name + "_velocity", "velocity of the material point at " + point.name + " [m/s]",
-               velocity_of(twists_[static_cast<std::size_t>(link)], place, link));
+    const Matrix& turn = motion_.rotation(link);
+    const Vector arm = bound(program_, turn * place);
+    const Vector carried = motion_.velocity(link, place);
+    add_vector(point.name + "_position", "position of " + point.name + " [m]",
+               bound(program_, motion_.origin(link) + arm));
+    add_vector(point.name + "_velocity", "velocity of the material point at " + point.name + " [m/s]", carried);
     const Vector moved = time_derivative(place);
     if (!moved.is_zero()) {
+      const Vector there = bound(program_, turn * bound(program_, moved));
       add_vector(point.name + "_geometric_velocity",
                  "velocity of the point " + point.name + " itself, which moves in its frame [m/s]",
-                 model_.express(velocity(model_, {link, place}, 0), link, 0));
+                 bound(program_, carried + there));
     }
-    const Vector in_ground = bound(program_, model_.locate(place, link, 0));
     const auto n = static_cast<std::size_t>(model_.unknown_count());
     const std::string member = point.name + "_jacobian";
     structure_.members.push_back({member, 3, static_cast<int>(n), "partial velocities of " + point.name, false});
+    const std::vector<Vector> columns = motion_.partial_velocities(link, arm);
     for (int i = 0; i < 3; ++i) {
-      Vector direction;
-      direction[i] = program_.number(Number(1));
-      const std::vector<Value> row = partial_velocities(model_, link, in_ground, direction, 0);
-      for (std::size_t j = 0; j < n; ++j) assign(member, 3 * j + static_cast<std::size_t>(i), row[j]);
+      for (std::size_t j = 0; j < n; ++j) assign(member, 3 * j + static_cast<std::size_t>(i), columns[j][i]);
     }
   }
 
@@ -71,11 +68,6 @@ class KinematicsBuilder {
   }
 
  private:
-  Vector velocity_of(const Twist& twist, const Vector& place, int link) {
-    const Vector local = bound(program_, twist.linear + cross(twist.angular, place));
-    return model_.express(local, link, 0);
-  }
-
   void assign(const std::string& member, std::size_t index, const Value& value) {
     assignments_.push_back({fmt::format("result.{}[{}]", member, index), value});
   }
@@ -94,7 +86,7 @@ class KinematicsBuilder {
 
   const Model& model_;
   Program& program_;
-  std::vector<Twist> twists_;
+  GroundMotion motion_;
   Structure structure_{"Kinematics", "Poses, twists and named points in ground axes.", {}};
   std::vector<Assignment> assignments_;
 };

@@ -11,6 +11,7 @@
 #include "generator/emission/generation_constant.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/expression/evaluation.hpp"
+#include "generator/expression/series_evaluation.hpp"
 #include "generator/verification/ball.hpp"
 #include "generator/verification/running_error.hpp"
 #include "generator/verification/sensitivity.hpp"
@@ -22,7 +23,7 @@ std::vector<Kernel> present_kernels(const Equations& equations, const std::vecto
   std::vector<Kernel> kernels;
   for (const std::string& name : names) {
     Kernel kernel = make_kernel(name, equations);
-    if (kernel.skipped.empty() && !kernel.series) kernels.push_back(std::move(kernel));
+    if (kernel.skipped.empty()) kernels.push_back(std::move(kernel));
   }
   return kernels;
 }
@@ -30,15 +31,47 @@ std::vector<Kernel> present_kernels(const Equations& equations, const std::vecto
 /// "mass[2]" -> "mass"
 std::string result_name(const std::string& target) { return target.substr(0, target.find('[')); }
 
+/// Coefficients of the orders 1 to jet_orders, one order after the other.
+template <class Scalar>
+std::vector<Scalar> coefficients(const SeriesResult& series, Evaluator<Scalar>& here) {
+  std::vector<Scalar> all;
+  SeriesEvaluation<Scalar> evaluation(series.program, series.state, here);
+  if (const auto& solve = series.solve) {
+    evaluation.solve_for(solve->unknowns, solve->start, solve->lower, solve->inverse_pivots);
+  }
+  const auto by_order = evaluation(jet_orders);
+  for (std::size_t k = 1; k < by_order.size(); ++k) all.insert(all.end(), by_order[k].begin(), by_order[k].end());
+  return all;
+}
+
+/// (name, unit) of each result; no name for one that is a constant of the header.
+std::vector<std::pair<std::string, Unit>> results_of(const Kernel& kernel) {
+  std::vector<std::pair<std::string, Unit>> results;
+  for (const Assignment& assignment : kernel.assignments) {
+    const bool constant = assignment.value.is_constant();
+    results.emplace_back(constant ? "" : result_name(assignment.target), assignment.value.unit());
+  }
+  for (int order = 1; kernel.series && order <= jet_orders; ++order) {
+    for (std::size_t i = 0; i < kernel.series->state.size(); ++i) {
+      const std::size_t solved = kernel.series->solve ? kernel.series->solve->unknowns.size() : 0;
+      const bool given = i + solved < kernel.series->state.size();
+      const bool constant = given && order > 1 && kernel.series->program.outputs()[i].terms.empty();
+      results.emplace_back(constant ? "" : fmt::format("coefficients of order {}", order),
+                           kernel.series->state[i]->unit / units::second.pow(order));
+    }
+  }
+  return results;
+}
+
 std::vector<OutputGroup> groups_of(const std::vector<Kernel>& kernels) {
   std::vector<OutputGroup> groups;
   for (std::size_t k = 0; k < kernels.size(); ++k) {
     std::vector<std::pair<std::string, Unit>> keys;
     const std::size_t first = groups.size();
-    for (std::size_t i = 0; i < kernels[k].assignments.size(); ++i) {
-      const Assignment& assignment = kernels[k].assignments[i];
-      if (assignment.value.is_constant()) continue;
-      const std::pair<std::string, Unit> key(result_name(assignment.target), assignment.value.unit());
+    const std::vector<std::pair<std::string, Unit>> results = results_of(kernels[k]);
+    for (std::size_t i = 0; i < results.size(); ++i) {
+      const std::pair<std::string, Unit>& key = results[i];
+      if (key.first.empty()) continue;
       auto place = std::find(keys.begin(), keys.end(), key);
       if (place == keys.end()) {
         const std::string unit = key.second.to_string();
@@ -78,16 +111,18 @@ class Conditions {
       return number.abs().is_one() ? constant : elasticity_input(constant.value(), input_count_++);
     });
     std::map<std::string, Value> values;
-    const std::vector<Kernel> known = present_kernels(equations_, names);
+    std::vector<Kernel> known = present_kernels(equations_, names);
     for (std::size_t k = 0; k < std::min(known.size(), emitted.size()); ++k) {
       // Patterns and base parameters are those of the scene's values: elsewhere results may stand at other places.
       if (known[k].assignments.size() == emitted[k].assignments.size()) continue;
       throw Error(fmt::format("the kernel '{}' with parameters as symbols has other results", emitted[k].name));
     }
-    for (const Kernel& kernel : known) {
+    for (Kernel& kernel : known) {
       for (const Assignment& a : kernel.assignments) values.emplace(kernel.name + "." + a.target, a.value);
+      if (kernel.series) series_.emplace(kernel.name, std::move(*kernel.series));
     }
     for (const Kernel& kernel : emitted) {
+      names_.push_back(kernel.name);
       values_.emplace_back();
       for (const Assignment& a : kernel.assignments) {
         const auto place = values.find(kernel.name + "." + a.target);
@@ -101,13 +136,21 @@ class Conditions {
 
   void move_to(const StressState& state) {
     known_parameters_.clear();
+    known_series_.clear();
     evaluate_.move_to(symbol_values<Elasticity>(Elasticity(3.14159265358979323846264338327950288L),
                                                 [this, &state](const SymbolPointer& symbol) {
                                                   return elasticity_input(value(symbol, state), number(symbol));
                                                 }));
   }
 
-  Elasticity operator()(std::size_t kernel, std::size_t assignment) { return evaluate_(values_[kernel][assignment]); }
+  /// Of one result of a kernel: an assignment, or a coefficient.
+  Elasticity operator()(std::size_t kernel, std::size_t result) {
+    const auto series = series_.find(names_[kernel]);
+    if (series == series_.end()) return evaluate_(values_[kernel][result]);
+    std::vector<Elasticity>& known = known_series_[kernel];
+    if (known.empty()) known = coefficients(series->second, evaluate_);
+    return known[result];
+  }
 
  private:
   std::size_t number(const SymbolPointer& symbol) {
@@ -135,7 +178,10 @@ class Conditions {
   const Scene& scene_;
   Equations equations_;
   Evaluator<Elasticity> evaluate_;
+  std::vector<std::string> names_;          ///< by kernel
   std::vector<std::vector<Value>> values_;  ///< by kernel and assignment
+  std::map<std::string, SeriesResult> series_;
+  std::map<std::size_t, std::vector<Elasticity>> known_series_;
   std::size_t input_count_ = 0;
   std::map<const Symbol*, std::size_t> numbers_;                // looked up only, and so the next one
   std::map<const Symbol*, long double> known_parameters_;
@@ -175,6 +221,8 @@ class AccuracyIn final : public KernelAccuracy {
       for (auto& [pivot, diagonal] : kernel.pivots) pivot = program.bind(pivot), diagonal = program.bind(diagonal);
       const std::vector<Value> values = kernel.values();
       all.insert(all.end(), values.begin(), values.end());
+      if (!kernel.series) continue;
+      for (const SymbolPointer& symbol : kernel.series->state) all.push_back(program.symbol(symbol));
     }
     for (const Atom atom : program.live(all)) {
       const Definition& definition = program[atom];
@@ -184,8 +232,13 @@ class AccuracyIn final : public KernelAccuracy {
       compute_.fix(atom, Running<Float>::rounded_literal(literal(rounded_constant(program, atom))));
     }
     for (const OutputGroup& group : groups_) {
-      std::vector<Value> values;
-      for (const std::size_t i : group.members) values.push_back(kernels_[group.kernel].assignments[i].value);
+      const Kernel& kernel = kernels_[group.kernel];
+      std::vector<Value> values = kernel.series ? kernel.values() : std::vector<Value>();
+      if (kernel.series) {
+        for (const SymbolPointer& symbol : kernel.series->state) values.push_back(program.symbol(symbol));
+      } else {
+        for (const std::size_t i : group.members) values.push_back(kernel.assignments[i].value);
+      }
       group_symbols_.emplace_back();
       for (const Atom atom : program.live(values)) {
         const SymbolPointer& symbol = program[atom].symbol;
@@ -201,6 +254,7 @@ class AccuracyIn final : public KernelAccuracy {
 
   void move_to(const StressState& state) override {
     state_ = &state;
+    known_series_.clear();
     compute_.move_to(symbol_values<Running<Float>>(
         Running<Float>::rounded_literal(static_cast<Float>(3.14159265358979323846)),
         [this](const SymbolPointer& symbol) { return Running<Float>(static_cast<Float>(state_->value(symbol))); }));
@@ -209,9 +263,8 @@ class AccuracyIn final : public KernelAccuracy {
 
   std::vector<double> computed(std::size_t kernel) override {
     std::vector<double> values;
-    for (const Assignment& assignment : kernels_[kernel].assignments) {
-      values.push_back(static_cast<double>(compute_(assignment.value).value()));
-    }
+    const std::size_t count = results_of(kernels_[kernel]).size();
+    for (std::size_t i = 0; i < count; ++i) values.push_back(static_cast<double>(computed_result(kernel, i).value()));
     return values;
   }
 
@@ -234,6 +287,13 @@ class AccuracyIn final : public KernelAccuracy {
     } else {
       return constant.in_double;
     }
+  }
+
+  Running<Float> computed_result(std::size_t kernel, std::size_t result) {
+    if (!kernels_[kernel].series) return compute_(kernels_[kernel].assignments[result].value);
+    std::vector<Running<Float>>& known = known_series_[kernel];
+    if (known.empty()) known = coefficients(*kernels_[kernel].series, compute_);
+    return known[result];
   }
 
   /// As traits::regular of the header.
@@ -264,8 +324,12 @@ class AccuracyIn final : public KernelAccuracy {
     Evaluator<Exact> exact(equations_.program(), symbol_values<Exact>(Exact::pi(), [this](const SymbolPointer& symbol) {
                              return Exact::from_double(state_->value(symbol));
                            }));
-    const std::vector<Assignment>& assignments = kernels_[groups_[group].kernel].assignments;
-    return measure(group, [&](std::size_t, std::size_t i) { return exact(assignments[i].value); });
+    const Kernel& kernel = kernels_[groups_[group].kernel];
+    if (kernel.series) {
+      const std::vector<Exact> all = coefficients(*kernel.series, exact);
+      return measure(group, [&](std::size_t, std::size_t i) { return all[i]; });
+    }
+    return measure(group, [&](std::size_t, std::size_t i) { return exact(kernel.assignments[i].value); });
   }
 
   static long double difference(Float computed, long double truth) { return computed - truth; }
@@ -290,10 +354,13 @@ class AccuracyIn final : public KernelAccuracy {
     long double error = 0, norm = 0, bound = 0;
     std::vector<long double> squares;
     for (const std::size_t i : group.members) {
-      const Running<Float> computed = compute_(kernel.assignments[i].value);
+      const Running<Float> computed = computed_result(group.kernel, i);
       if (!kernel.pivots.empty() && !std::isfinite(computed.value())) return result;
       const auto truth = truth_of(group.kernel, i);
-      if (!std::isfinite(size(truth))) return result;
+      if (!std::isfinite(size(truth))) {
+        result.undefined = kernel.pivots.empty();
+        return result;
+      }
       const long double off = difference(computed.value(), truth);
       error += off * off;
       norm += size(truth) * size(truth);
@@ -312,6 +379,9 @@ class AccuracyIn final : public KernelAccuracy {
     // Where nothing is left of the results, the condition is infinite, but what they are made of has a size.
     const long double allowed = norm == 0 ? std::max(unit, moved * std::numeric_limits<Float>::epsilon())
                                           : unit * std::max(1.0L, moved / norm);
+    // Neither an ulp nor a condition, 0/0: nothing is left but what `long double` or CLN make of zero.
+    result.vanishing = bound > 0 && norm < 0x1p-10L * bound && moved < 0x1p-10L * bound;
+    if (result.vanishing && error > 0 && error <= bound) return result;
     result.counted = true;
     result.error = static_cast<double>(error / unit);
     result.condition = norm == 0 && moved == 0 ? 1.0 : static_cast<double>(moved / norm);
@@ -328,6 +398,7 @@ class AccuracyIn final : public KernelAccuracy {
   Evaluator<Running<Float>> compute_;
   std::vector<SymbolPointer> symbols_;
   std::vector<std::vector<SymbolPointer>> group_symbols_;
+  std::map<std::size_t, std::vector<Running<Float>>> known_series_;  ///< by kernel, at this state
   const StressState* state_ = nullptr;
 };
 

@@ -22,6 +22,7 @@ template <class Float>
 class Running {
  public:
   Running(Float value = 0, double bound = 0) : value_(value), bound_(bound) {}
+  Running(int whole) : Running(static_cast<Float>(whole)) {}  ///< a small one: exact
 
   /// A literal of a header: the number rounded once.
   static Running of_number(const Number& number) {

@@ -37,9 +37,10 @@ struct Found {
 struct Record {
   Found by_error, by_bound;
   double potential = 0;
-  int states = 0;
+  int states = 0, undefined = 0;
 
   void keep(const Found& found) {
+    if (found.accuracy.undefined) ++undefined;
     if (!found.accuracy.counted) return;
     ++states;
     potential = std::max(potential, found.accuracy.potential);
@@ -168,6 +169,7 @@ std::vector<VerifyRow> verify_scene(const Scene& scene, const VerifyOptions& opt
       row.group = group.name;
       row.scalar = precision == Precision::in_double ? "double" : "float";
       row.states = records[g].states;
+      row.undefined = records[g].undefined;
       row.potential = records[g].potential;
       if (const Found& worst = records[g].by_error; worst.state) {
         accuracy->move_to(*worst.state);

@@ -44,13 +44,16 @@ struct VerifyRow {
   std::string state;         ///< NAME=VALUE of what the group depends on
   double potential = 0;      ///< the largest bound of the scaled error at any state looked at [ulp]
   int states = 0;            ///< looked at, without those that the kernel reports itself
+  int undefined = 0;         ///< further states where there is no result, and no status that says so: 0/0, NaN
   double limit = accuracy_bar;
   std::string reason;        ///< of the exception that applies, if any
 
   /// The bound is one: no error may exceed it.
   bool bounded() const { return worst.error <= worst.bound; }
   /// A group that could be measured at no state has shown nothing.
-  bool passed() const { return worst.counted && worst.scaled <= limit && bounded(); }  // false for NaN
+  bool passed() const {
+    return worst.counted ? worst.scaled <= limit && bounded() : worst.vanishing;  // false for NaN
+  }
 };
 
 /// Looks for the worst error of every kernel, in each format: at `states` states of seeds `seed`, `seed` + 1, …, then

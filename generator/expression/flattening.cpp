@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/expression/flattening.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "generator/expression/formula.hpp"
+
+namespace torsor {
+namespace {
+
+Polynomial of_factor(Atom atom, int exponent) { return Polynomial(Term{{{atom, exponent}}, Number(1)}); }
+
+}  // namespace
+
+std::optional<Polynomial> Flattening::product(const Polynomial& a, const Polynomial& b) const {
+  Polynomial result;
+  for (const Term& left : a.terms()) {
+    for (const Term& right : b.terms()) {
+      result.add({left.monomial * right.monomial, left.coefficient * right.coefficient});
+    }
+    if (result.terms().size() > limit_) return std::nullopt;
+  }
+  return result;
+}
+
+const std::optional<Polynomial>& Flattening::flat_definition(Atom atom, std::size_t levels) {
+  auto& known = known_[levels];
+  if (const auto place = known.find(atom); place != known.end()) return place->second;
+  std::optional<Polynomial> made = flat((*program_)[atom].polynomial, levels);
+  return known.emplace(atom, std::move(made)).first->second;
+}
+
+/// A power of one atom, with its definition put back where that is a product or a sum on one of the levels.
+std::optional<Polynomial> Flattening::flat_power(const Factor& factor, std::size_t levels) {
+  const Polynomial opaque = of_factor(factor.atom, factor.exponent);
+  const Definition& definition = (*program_)[factor.atom];
+  if (definition.symbol || definition.function) return opaque;
+  const bool sum = definition.polynomial.terms().size() > 1;
+  const bool all = levels == all_levels;
+  if (sum && levels == 0) return opaque;
+  const std::optional<Polynomial>& inner = flat_definition(factor.atom, sum && !all ? levels - 1 : levels);
+  if (!inner) return all ? std::nullopt : std::optional(opaque);
+  if (factor.exponent < 0) {
+    if (inner->terms().size() != 1) return opaque;
+    const Term& only = inner->terms()[0];
+    return Polynomial(Term{pow(only.monomial, factor.exponent), only.coefficient.pow(factor.exponent)});
+  }
+  Polynomial power = *inner;
+  for (int i = 1; i < factor.exponent; ++i) {
+    const std::optional<Polynomial> longer = product(power, *inner);
+    if (!longer) return all ? std::nullopt : std::optional(opaque);
+    power = *longer;
+  }
+  return power;
+}
+
+std::optional<Polynomial> Flattening::flat(const Polynomial& polynomial, std::size_t levels) {
+  Polynomial result;
+  for (const Term& term : polynomial.terms()) {
+    Polynomial part(Term{{}, term.coefficient});
+    for (const Factor& factor : term.monomial) {
+      const std::optional<Polynomial> power = flat_power(factor, levels);
+      const std::optional<Polynomial> longer = power ? product(part, *power) : std::nullopt;
+      if (!longer) return std::nullopt;
+      part = *longer;
+    }
+    result += part;
+    if (result.terms().size() > limit_) return std::nullopt;
+  }
+  return shortest(std::move(result));
+}
+
+/// With every square of one atom as 1 less the square of another.
+std::optional<Polynomial> Flattening::replaced(const Polynomial& polynomial, Atom square_of, Atom by) const {
+  Polynomial one_less(Number(1));
+  one_less.add({{{by, 2}}, Number(-1)});
+  Polynomial result;
+  for (const Term& term : polynomial.terms()) {
+    Polynomial part{Term{{}, term.coefficient}};
+    for (const Factor& each : term.monomial) {
+      const bool squares = each.atom == square_of && each.exponent >= 2;
+      const int left = squares ? each.exponent % 2 : each.exponent;
+      if (left != 0) part = *product(part, of_factor(each.atom, left));  // as many terms as before
+    }
+    for (const Factor& each : term.monomial) {
+      for (int i = each.atom == square_of ? each.exponent : 0; i >= 2; i -= 2) {
+        std::optional<Polynomial> longer = product(part, one_less);
+        if (!longer) return std::nullopt;
+        part = std::move(*longer);
+      }
+    }
+    result += part;
+    if (result.terms().size() > limit_) return std::nullopt;
+  }
+  return result;
+}
+
+/// Whether terms that never change their sign have different ones: such a sum may cancel.
+bool Flattening::mixed_signs(const Polynomial& polynomial) const {
+  bool positive = false, negative = false;
+  for (const Term& term : polynomial.terms()) {
+    const bool keeps_sign = std::all_of(term.monomial.begin(), term.monomial.end(), [this](const Factor& factor) {
+      const SymbolPointer& symbol = (*program_)[factor.atom].symbol;
+      return factor.exponent % 2 == 0 || (symbol && symbol->kind == SymbolKind::parameter);
+    });
+    if (keeps_sign) (term.coefficient.sign() < 0 ? negative : positive) = true;
+  }
+  return positive && negative;
+}
+
+Polynomial Flattening::shortest(Polynomial polynomial) const {
+  std::vector<Atom> sines;
+  for (const Term& term : polynomial.terms()) {
+    for (const Factor& factor : term.monomial) {
+      const Definition& definition = (*program_)[factor.atom];
+      if (factor.exponent < 2 || definition.partner < 0) continue;
+      const Atom sine = definition.function == Function::sin ? factor.atom : definition.partner;
+      if (std::find(sines.begin(), sines.end(), sine) == sines.end()) sines.push_back(sine);
+    }
+  }
+  std::sort(sines.begin(), sines.end());
+  for (const Atom sine : sines) {
+    const Atom cosine = (*program_)[sine].partner;
+    const Polynomial before = polynomial;
+    for (const bool by_sine : {true, false}) {
+      const std::optional<Polynomial> other =
+          by_sine ? replaced(before, cosine, sine) : replaced(before, sine, cosine);
+      if (!other) continue;
+      const std::size_t now = polynomial.terms().size(), then = other->terms().size();
+      if (then < now || (then == now && mixed_signs(polynomial) && !mixed_signs(*other))) polynomial = *other;
+    }
+  }
+  return polynomial;
+}
+
+std::optional<Value> Flattening::operator()(const Value& value) {
+  if (value.program() == nullptr || value.is_constant()) return value;
+  const std::optional<Polynomial> result = flat(value.polynomial(), all_levels);
+  if (!result) return std::nullopt;
+  return Value(*program_, *result, value.unit());
+}
+
+int Flattening::operations(const Value& value) const {
+  return count(formula(*program_, value.polynomial())).total();
+}
+
+Value Flattening::difference(const Value& a, const Value& b, const Value& c) {
+  const Value plain = a - b * c;
+  if (!program_->passes().identities || b.is_zero() || c.is_zero()) return plain;
+  Value best = plain;
+  int least = 4;  // plainly two, a product and a difference, for a is a definition already; one more for what is saved
+  for (std::size_t levels = 1; levels <= all_levels; ++levels) {
+    const std::optional<Polynomial> left = flat(a.polynomial(), levels), first = flat(b.polynomial(), levels),
+                                    second = flat(c.polynomial(), levels);
+    std::optional<Polynomial> moved = first && second ? product(*first, *second) : std::nullopt;
+    if (!left || !moved) continue;
+    *moved *= Number(-1);
+    *moved += *left;
+    const Value flat(*program_, shortest(std::move(*moved)), plain.unit());
+    const std::size_t terms = flat.polynomial().terms().size(), before = left->terms().size();
+    if (terms == 0) return flat;
+    const int cost = operations(flat) + (terms < before || terms == 1 ? 0 : 1);
+    if (terms > before || cost >= least) continue;
+    best = flat;
+    least = cost;
+  }
+  return best;
+}
+
+Value Flattening::cheaper(const Value& value) {
+  if (!program_->passes().identities || value.is_zero() || value.is_constant()) return value;
+  Value best = value;
+  int least = operations(value) + 1;
+  for (std::size_t levels = 1; levels <= all_levels; ++levels) {
+    const std::optional<Polynomial> sum = flat(value.polynomial(), levels);
+    if (!sum) continue;
+    const Value flat(*program_, *sum, value.unit());
+    const int cost = operations(flat);
+    if (cost >= least) continue;
+    best = flat;
+    least = cost;
+  }
+  return best;
+}
+
+}  // namespace torsor

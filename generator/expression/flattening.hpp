@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <unordered_map>
+
+#include "generator/expression/program.hpp"
+
+namespace torsor {
+
+/// Multiplies small values out, so that what cancels identically does so before anything is rounded: with A, C and
+/// sin, cos of one angle, (A + (C − A) cos²) − C cos² becomes A sin². Computed as it stands, that difference has lost
+/// all digits where sin is small, and the quotients by it with them.
+///
+/// Products are put back wherever they stand, sums so many levels deep (1, 2, 3, then all); what has more than `limit`
+/// terms stays as it is. Every answer equals what it stands for, by sin² + cos² = 1.
+class Flattening {
+ public:
+  explicit Flattening(Program& program, std::size_t limit = 12) : program_(&program), limit_(limit) {}
+
+  Program& program() const { return *program_; }
+
+  /// The value as one flat sum in symbols, functions of them and quotients, in the shortest of its forms; nothing when
+  /// more terms arise than the limit.
+  std::optional<Value> operator()(const Value& value);
+
+  /// a − b c: flat where that takes about as many operations and leaves no more terms than a has; the cheapest form.
+  Value difference(const Value& a, const Value& b, const Value& c);
+
+  /// The value, flat where that takes no more operations than its own formula; the cheapest of these.
+  Value cheaper(const Value& value);
+
+ private:
+  static constexpr std::size_t all_levels = 4;
+
+  std::optional<Polynomial> flat(const Polynomial& polynomial, std::size_t levels);
+  const std::optional<Polynomial>& flat_definition(Atom atom, std::size_t levels);
+  std::optional<Polynomial> flat_power(const Factor& factor, std::size_t levels);
+  std::optional<Polynomial> product(const Polynomial& a, const Polynomial& b) const;
+  std::optional<Polynomial> replaced(const Polynomial& polynomial, Atom square_of, Atom by) const;
+  Polynomial shortest(Polynomial polynomial) const;
+  bool mixed_signs(const Polynomial& polynomial) const;
+  int operations(const Value& value) const;
+
+  Program* program_;
+  std::size_t limit_;
+  std::array<std::unordered_map<Atom, std::optional<Polynomial>>, all_levels + 1> known_;  ///< by levels; looked up only
+};
+
+}  // namespace torsor
