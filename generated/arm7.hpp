@@ -15,7 +15,7 @@
 //   inverse_dynamics        285              300          0             0                  6       0    597     715
 //   forward_dynamics        515              586          6             0                  6       0   1119    1273
 //   energy                  221              307          0             0                  6       0    540     577
-//   linearisation          2156             2503          6             0                  6       0   4677    4732
+//   linearisation          2054             2394          6             0                  6       0   4466    4732
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 153 results 12 vanish identically, 20 repeat another up to sign
@@ -2940,43 +2940,27 @@ struct Mechanism {
     const Scalar k49 = traits::constant(1.0357790547533403, 1.035779f, "517889527376670159/500000000000000000");
     const Scalar k50 = traits::constant(0.03733744848940618, 0.03733745f, "1866872424470309/50000000000000000");
     const Scalar k51 = traits::constant(118.9090909090909, 118.90909f, "1308/11");
-    const Scalar k52 = traits::constant(0.003665297872941088, 0.0036652978f, "114540558529409/31250000000000000");
-    const Scalar k53 = traits::constant(0.001244354094419858, 0.0012443541f, "622177047209929/500000000000000000");
-    const Scalar k54 = traits::constant(0.013508337745659894, 0.013508338f, "13508337745659893/1000000000000000000");
-    const Scalar k55 = traits::constant(0.015636815370587556, 0.015636815f, "3127363074117511/200000000000000000");
-    const Scalar k56 = traits::constant(0.002128477624927662, 0.0021284777f, "1064238812463831/500000000000000000");
-    const Scalar k57 = traits::constant(0.02914515311624745, 0.029145153f, "3643144139530931/125000000000000000");
-    const Scalar k58 = traits::constant(0.010045187828321245, 0.010045188f, "2009037565664249/200000000000000000");
-    const Scalar k59 = traits::constant(0.001451156065026714, 0.0014511561f, "725578032513357/500000000000000000");
-    const Scalar k60 = traits::constant(0.00859403176329453, 0.008594031f, "8594031763294531/1000000000000000000");
-    const Scalar k61 = traits::constant(0.011496343893347959, 0.011496344f, "11496343893347959/1000000000000000000");
-    const Scalar k62 = traits::constant(0.5852255150309718, 0.5852255f, "585225515030971769/1000000000000000000");
-    const Scalar k63 = traits::constant(0.0458473861568155, 0.045847386f, "91694772313631/2000000000000000");
-    const Scalar k64 = traits::constant(0.5393781288741563, 0.5393781f, "539378128874156269/1000000000000000000");
-    const Scalar k65 = traits::constant(0.6310729011877872, 0.6310729f, "631072901187787269/1000000000000000000");
-    const Scalar k66 = traits::constant(0.022178148964878235, 0.022178149f, "5544537241219559/250000000000000000");
-    const Scalar k67 = traits::constant(0.0564296710265277, 0.05642967f, "3526854439157981/62500000000000000");
-    const Scalar k68 = traits::constant(0.03425152206164946, 0.034251522f, "1712576103082473/50000000000000000");
-    const Scalar k69 = traits::constant(0.07860781999140594, 0.07860782f, "19651954997851483/250000000000000000");
-    const Scalar k70 = traits::constant(0.9562715012318808, 0.9562715f, "59766968826992551/62500000000000000");
-    const Scalar k71 = traits::constant(0.023077882494931805, 0.023077883f, "11538941247465903/500000000000000000");
-    const Scalar k72 = traits::constant(0.9793493837268126, 0.9793494f, "489674691863406311/500000000000000000");
-    const Scalar k73 = traits::constant(0.9331936187369491, 0.9331936f, "93319361873694901/100000000000000000");
-    const Scalar k74 = traits::constant(0.014259565994474374, 0.014259566f, "7129782997237187/500000000000000000");
-    const Scalar k75 = traits::constant(203.68042513969144, 203.68042f, "500000000000000000/2454825983680473");
+    const Scalar k52 = traits::constant(203.68042513969144, 203.68042f, "500000000000000000/2454825983680473");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
-    const Scalar k77 = traits::constant(0.002488708188839716, 0.0024887081f, "622177047209929/250000000000000000");
-    const Scalar k78 = traits::constant(0.03127363074117511, 0.03127363f, "3127363074117511/100000000000000000");
-    const Scalar k79 = traits::constant(0.002902312130053428, 0.0029023122f, "725578032513357/250000000000000000");
-    const Scalar k80 = traits::constant(0.091694772313631, 0.09169477f, "91694772313631/1000000000000000");
-    const Scalar k81 = traits::constant(0.1128593420530554, 0.11285934f, "3526854439157981/31250000000000000");
-    const Scalar k82 = traits::constant(0.04615576498986361, 0.046155766f, "11538941247465903/250000000000000000");
-    const Scalar k83 = traits::constant(0.01475269184007975, 0.014752692f, "14752691840079751/1000000000000000000");
-    const Scalar k84 = traits::constant(0.0256820031989088, 0.025682002f, "8025625999659/312500000000000");
-    const Scalar k85 = traits::constant(0.5866766710959985, 0.58667666f, "586676671095998483/1000000000000000000");
-    const Scalar k86 = traits::constant(0.06802553512169374, 0.06802554f, "8503191890211717/125000000000000000");
-    const Scalar k87 = traits::constant(1.0127011722584085, 1.0127012f, "15823455816537633/15625000000000000");
-    const Scalar k88 = traits::constant(0.0001790829744405, 0.00017908297f, "358165948881/2000000000000000");
+    const Scalar k54 = traits::constant(0.002488708188839716, 0.0024887081f, "622177047209929/250000000000000000");
+    const Scalar k55 = traits::constant(0.03127363074117511, 0.03127363f, "3127363074117511/100000000000000000");
+    const Scalar k56 = traits::constant(0.002902312130053428, 0.0029023122f, "725578032513357/250000000000000000");
+    const Scalar k57 = traits::constant(0.091694772313631, 0.09169477f, "91694772313631/1000000000000000");
+    const Scalar k58 = traits::constant(0.1128593420530554, 0.11285934f, "3526854439157981/31250000000000000");
+    const Scalar k59 = traits::constant(0.04615576498986361, 0.046155766f, "11538941247465903/250000000000000000");
+    const Scalar k60 = traits::constant(0.003665297872941088, 0.0036652978f, "114540558529409/31250000000000000");
+    const Scalar k61 = traits::constant(0.001244354094419858, 0.0012443541f, "622177047209929/500000000000000000");
+    const Scalar k62 = traits::constant(0.01475269184007975, 0.014752692f, "14752691840079751/1000000000000000000");
+    const Scalar k63 = traits::constant(0.015636815370587556, 0.015636815f, "3127363074117511/200000000000000000");
+    const Scalar k64 = traits::constant(0.0256820031989088, 0.025682002f, "8025625999659/312500000000000");
+    const Scalar k65 = traits::constant(0.001451156065026714, 0.0014511561f, "725578032513357/500000000000000000");
+    const Scalar k66 = traits::constant(0.5866766710959985, 0.58667666f, "586676671095998483/1000000000000000000");
+    const Scalar k67 = traits::constant(0.0458473861568155, 0.045847386f, "91694772313631/2000000000000000");
+    const Scalar k68 = traits::constant(0.06802553512169374, 0.06802554f, "8503191890211717/125000000000000000");
+    const Scalar k69 = traits::constant(0.0564296710265277, 0.05642967f, "3526854439157981/62500000000000000");
+    const Scalar k70 = traits::constant(1.0127011722584085, 1.0127012f, "15823455816537633/15625000000000000");
+    const Scalar k71 = traits::constant(0.023077882494931805, 0.023077883f, "11538941247465903/500000000000000000");
+    const Scalar k72 = traits::constant(0.0001790829744405, 0.00017908297f, "358165948881/2000000000000000");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar v_q1 = state.v.q1;
     const Scalar a_q1 = accelerations.q1;
@@ -3347,14 +3331,10 @@ struct Mechanism {
     const Scalar z749 = k0 * z555 - k1 * z743;  // force on link7, times 0.0825 m, x
     const Scalar z750 = k1 * z560 - k0 * z744;  // force on link7, times 0.0825 m, y
     const Scalar z751 = k0 * z745 + k1 * z746;  // force on link7, times 0.0825 m, z
-    const Scalar z752 = k2 * z565 + k1 * z736 - k3 * z744 - k10 * z745 + k52 * z746;  // moment on link7, x
-    const Scalar z753 = k3 * z566 + k0 * z736 + k2 * z743 + k53 * z745 - k10 * z746;  // moment on link7, y
     // moment on link7, z
     const Scalar z754 = k8 * z556 + k10 * z569 + k1 * z738 + k0 * z739 + k4 * z742 - k3 * z747 - k2 * z748;
     const Scalar z755 = s_q7 * z750 + c_q7 * z749;
     const Scalar z756 = s_q7 * z749 - c_q7 * z750;
-    const Scalar z757 = s_q7 * z753 - c_q7 * z752;
-    const Scalar z758 = s_q7 * z752 + c_q7 * z753;
     const Scalar z759 = z540 - z730;
     const Scalar z760 = z583 + z728;
     const Scalar z761 = z583 - z728;
@@ -3362,16 +3342,8 @@ struct Mechanism {
     const Scalar z763 = k12 * z539 + z755 + k18 * z759;  // force on link6, times 0.0825 m, x
     const Scalar z764 = k18 * z582 + k12 * z731 - z751;  // force on link6, times 0.0825 m, y
     const Scalar z765 = k12 * z732 - z756 - k18 * z760;  // force on link6, times 0.0825 m, z
-    const Scalar z766 = k16 * z585 - k18 * z720 - k15 * z731 - k14 * z732 + z757 + k54 * z760;  // moment on link6, x
-    // moment on link6, y
-    const Scalar z767 = k15 * z586 + k12 * z720 + k55 * z732 + z754 - n16_over_15 * z756 + k16 * z759 - k14 * z760;
-    // moment on link6, z
-    const Scalar z768 = k56 * z540 - k14 * z589 - k18 * z726 - k12 * z727 + k57 * z730 - n16_over_15 * z751 - z758 + k15
-        * z761 + k16 * z762;
     const Scalar z769 = s_q6 * z764 + c_q6 * z763;
     const Scalar z770 = s_q6 * z763 - c_q6 * z764;
-    const Scalar z771 = s_q6 * z767 + c_q6 * z766;
-    const Scalar z772 = s_q6 * z766 - c_q6 * z767;
     const Scalar z773 = z603 - z723;
     const Scalar z774 = z603 + z723;
     const Scalar z775 = z608 + z722;
@@ -3381,64 +3353,33 @@ struct Mechanism {
     const Scalar z779 = k20 * z602 - z769 + k21 * z773;  // force on link5, times 0.0825 m, x
     const Scalar z780 = k21 * z607 + z765 + k20 * z774;  // force on link5, times 0.0825 m, y
     const Scalar z781 = z770 - k20 * z775 + k21 * z776;  // force on link5, times 0.0825 m, z
-    const Scalar z782 = k25 * z612 - k21 * z717 + z771 - k24 * z774 - k23 * z775 - k58 * z776;  // moment on link5, x
-    const Scalar z783 = k24 * z613 + k20 * z717 + z768 + k25 * z773 - k59 * z775 - k23 * z776;  // moment on link5, y
-    // moment on link5, z
-    const Scalar z784 = k60 * z603 - k23 * z616 + k21 * z719 - k20 * z720 - k61 * z723 - z772 + k24 * z777 + k25 * z778;
     const Scalar z785 = s_q5 * z780 + c_q5 * z779;
     const Scalar z786 = s_q5 * z779 - c_q5 * z780;
-    const Scalar z787 = s_q5 * z783 + c_q5 * z782;
-    const Scalar z788 = s_q5 * z782 - c_q5 * z783;
     const Scalar z789 = z520 - z707;
     const Scalar z790 = z518 - z708;
     const Scalar z791 = k28 * z512 - k29 * z710 + z785;  // force on link4, times 0.0825 m, x
     const Scalar z792 = k29 * z517 - k28 * z711 + z781;  // force on link4, times 0.0825 m, y
     const Scalar z793 = k28 * z712 + k29 * z713 + z786;  // force on link4, times 0.0825 m, z
-    // moment on link4, x
-    const Scalar z794 = k33 * z627 + k29 * z703 + k32 * z711 + k31 * z712 + k62 * z713 + n256_over_55 * z786 - z787;
-    // moment on link4, y
-    const Scalar z795 = k32 * z628 - k28 * z703 - k33 * z710 - k63 * z712 - k31 * z713 - z784 - z786;
-    // moment on link4, z
-    const Scalar z796 = k64 * z513 - k31 * z631 - k29 * z705 - k28 * z706 + k65 * z709 + z781 - n256_over_55 * z785
-        - z788 + k32 * z789 - k33 * z790;
     const Scalar z797 = s_q4 * z792 + c_q4 * z791;
     const Scalar z798 = s_q4 * z791 - c_q4 * z792;
-    const Scalar z799 = s_q4 * z795 + c_q4 * z794;
-    const Scalar z800 = s_q4 * z794 - c_q4 * z795;
     const Scalar z801 = z497 - z697;
     const Scalar z802 = z645 + z695;
     const Scalar z803 = z645 - z695;
     const Scalar z804 = z499 - z696;
     const Scalar z805 = k35 * z496 - z797 - k36 * z801;  // force on link3, times 0.0825 m, x
     const Scalar z806 = k36 * z644 - k35 * z698 - z793;  // force on link3, times 0.0825 m, y
-    const Scalar z808 = k36 * z488 - k40 * z647 - k39 * z698 + k38 * z699 - z799 + k66 * z802;  // moment on link3, x
-    // moment on link3, y
-    const Scalar z809 = k35 * z488 + k39 * z648 + k67 * z699 + z796 + z798 - k40 * z801 + k38 * z802;
-    // moment on link3, z
-    const Scalar z810 = k68 * z497 + k38 * z651 - k36 * z693 + k35 * z694 + k69 * z697 + z793 - z800 + k39 * z803 - k40
-        * z804;
     const Scalar z811 = s_q3 * z806 - c_q3 * z805;
     const Scalar z812 = s_q3 * z805 + c_q3 * z806;
-    const Scalar z813 = s_q3 * z809 + c_q3 * z808;
-    const Scalar z814 = s_q3 * z808 - c_q3 * z809;
     const Scalar z815 = a_q2 + z480;
     const Scalar z816 = z479 + z686;
     const Scalar z817 = z478 - z685;
     const Scalar z818 = z479 - z686;
-    // moment on link2, x
-    const Scalar z822 = k48 * z665 + k70 * z688 - n632_over_165 * z812 - z813 - k47 * z815 + k46 * z816;
-    const Scalar z823 = k47 * z666 + k48 * z687 + k46 * z688 - z810 + k71 * z816;  // moment on link2, y
-    // moment on link2, z
-    const Scalar z824 = k72 * a_q2 - k44 * z476 + k43 * z477 - k73 * z480 - k46 * z667 + n632_over_165 * z811 + z814
-        + k47 * z817 - k48 * z818;
-    const Scalar z828 = s_q2 * z822 - c_q2 * z823;
-    const Scalar z833 = k74 * a_q1 + z828;  // moment on link1, z
-    const Scalar z1375 = k75 * z295;
-    const Scalar z1376 = k75 * z291;
-    const Scalar z1377 = k75 * z285;
-    const Scalar z1378 = k75 * z279;
-    const Scalar z1379 = k75 * z272;
-    const Scalar z1380 = k75 * z267;
+    const Scalar z1375 = k52 * z295;
+    const Scalar z1376 = k52 * z291;
+    const Scalar z1377 = k52 * z285;
+    const Scalar z1378 = k52 * z279;
+    const Scalar z1379 = k52 * z272;
+    const Scalar z1380 = k52 * z267;
     const Scalar z1381 = z295 * z1375 - z468;
     const Scalar z1382 = z295 * z1376 + z454;
     const Scalar z1383 = z291 * z1376 - z450;
@@ -3517,13 +3458,13 @@ struct Mechanism {
     const Scalar z1456 = z1451 - z1452 * z1455;
     const Scalar z1457 = n1 / z1456;
     const Scalar z1781 = k4 * z563 + k2 * z565 + k1 * z736 + k8 * z740 - k3 * z744 - k10 * z745;  // moment on link7, x
-    const Scalar z1782 = k77 * z561 + k3 * z566 + k0 * z736 + k2 * z743 - k10 * z746;  // moment on link7, y
+    const Scalar z1782 = k54 * z561 + k3 * z566 + k0 * z736 + k2 * z743 - k10 * z746;  // moment on link7, y
     const Scalar z1783 = s_q7 * z1782 - c_q7 * z1781;
     const Scalar z1784 = s_q7 * z1781 + c_q7 * z1782;
     // moment on link6, x
     const Scalar z1785 = k17 * z583 + k16 * z585 - k18 * z720 - k13 * z728 - k15 * z731 - k14 * z732 + z1783;
     // moment on link6, y
-    const Scalar z1786 = k78 * z542 + k15 * z586 + k12 * z720 + z754 - n16_over_15 * z756 + k16 * z759 - k14 * z760;
+    const Scalar z1786 = k55 * z542 + k15 * z586 + k12 * z720 + z754 - n16_over_15 * z756 + k16 * z759 - k14 * z760;
     // moment on link6, z
     const Scalar z1787 = k13 * z540 - k14 * z589 - k18 * z726 - k12 * z727 + k17 * z730 - n16_over_15 * z751 + k15
         * z761 + k16 * z762 - z1784;
@@ -3531,7 +3472,7 @@ struct Mechanism {
     const Scalar z1789 = s_q6 * z1785 - c_q6 * z1786;
     // moment on link5, x
     const Scalar z1790 = k26 * z610 - k25 * z612 + k21 * z717 + k22 * z721 + k24 * z774 + k23 * z775 - z1788;
-    const Scalar z1791 = k79 * z608 - k24 * z613 - k20 * z717 - k25 * z773 + k23 * z776 - z1787;  // moment on link5, y
+    const Scalar z1791 = k56 * z608 - k24 * z613 - k20 * z717 - k25 * z773 + k23 * z776 - z1787;  // moment on link5, y
     // moment on link5, z
     const Scalar z1792 = k22 * z603 - k23 * z616 + k21 * z719 - k20 * z720 - k26 * z723 + k24 * z777 + k25 * z778
         - z1789;
@@ -3541,7 +3482,7 @@ struct Mechanism {
     const Scalar z1795 = k34 * z520 + k33 * z627 + k29 * z703 + k30 * z707 + k32 * z711 + k31 * z712 + n256_over_55
         * z786 + z1793;
     // moment on link4, y
-    const Scalar z1796 = k80 * z518 - k32 * z628 + k28 * z703 + k33 * z710 + k31 * z713 + z786 + z1792;
+    const Scalar z1796 = k57 * z518 - k32 * z628 + k28 * z703 + k33 * z710 + k31 * z713 + z786 + z1792;
     // moment on link4, z
     const Scalar z1797 = k30 * z513 - k31 * z631 - k29 * z705 - k28 * z706 + k34 * z709 + z781 - n256_over_55 * z785
         + k32 * z789 - k33 * z790 + z1794;
@@ -3550,14 +3491,20 @@ struct Mechanism {
     // moment on link3, x
     const Scalar z1800 = k36 * z488 + k41 * z645 - k40 * z647 + k37 * z695 - k39 * z698 + k38 * z699 + z1798;
     // moment on link3, y
-    const Scalar z1801 = k35 * z488 + k81 * z499 + k39 * z648 + z798 - k40 * z801 + k38 * z802 + z1797;
+    const Scalar z1801 = k35 * z488 + k58 * z499 + k39 * z648 + z798 - k40 * z801 + k38 * z802 + z1797;
     // moment on link3, z
     const Scalar z1802 = k37 * z497 - k38 * z651 + k36 * z693 - k35 * z694 - k41 * z697 - z793 - k39 * z803 + k40 * z804
         + z1799;
     const Scalar z1803 = s_q3 * z1801 + c_q3 * z1800;
+    const Scalar z1804 = s_q3 * z1800 - c_q3 * z1801;
     // moment on link2, x
     const Scalar z1805 = k49 * z478 + k48 * z665 + k45 * z685 - n632_over_165 * z812 - k47 * z815 + k46 * z816 - z1803;
-    const Scalar z1806 = k82 * z479 + k47 * z666 + k48 * z687 + k46 * z688 + z1802;  // moment on link2, y
+    const Scalar z1806 = k59 * z479 + k47 * z666 + k48 * z687 + k46 * z688 + z1802;  // moment on link2, y
+    // moment on link2, z
+    const Scalar z1807 = k49 * a_q2 - k44 * z476 + k43 * z477 - k45 * z480 - k46 * z667 + n632_over_165 * z811 + k47
+        * z817 - k48 * z818 + z1804;
+    const Scalar z1809 = s_q2 * z1805 - c_q2 * z1806;
+    const Scalar z1812 = k50 * a_q1 + z1809;  // moment on link1, z
     const Scalar z1813 = n2 * v_q1;
     const Scalar z1814 = z482 + z662;
     const Scalar z1815 = n2 * z39;
@@ -3590,13 +3537,13 @@ struct Mechanism {
     const Scalar z1842 = k0 * z1837;
     const Scalar z1843 = k1 * z1835 - k0 * z1836;
     const Scalar z1844 = z1839 + z1840;
-    const Scalar z1845 = k2 * z1836 + k52 * z1837;
-    const Scalar z1846 = k53 * z1836 - k2 * z1837;
-    const Scalar z1847 = k3 * z1835 - k53 * z1837;
+    const Scalar z1845 = k2 * z1836 + k60 * z1837;
+    const Scalar z1846 = k61 * z1836 - k2 * z1837;
+    const Scalar z1847 = k3 * z1835 - k61 * z1837;
     const Scalar z1848 = z1838 - z1840;
-    const Scalar z1849 = k53 * z1835 + k3 * z1837;
-    const Scalar z1850 = k10 * z1835 + k53 * z1836;
-    const Scalar z1851 = k52 * z1835 + k10 * z1836;
+    const Scalar z1849 = k61 * z1835 + k3 * z1837;
+    const Scalar z1850 = k10 * z1835 + k61 * z1836;
+    const Scalar z1851 = k60 * z1835 + k10 * z1836;
     const Scalar z1852 = z1838 + z1839;
     const Scalar z1853 = n16_over_15 * z1833;
     const Scalar z1854 = n16_over_15 * z1832;
@@ -3626,13 +3573,13 @@ struct Mechanism {
     const Scalar z1878 = k12 * z1833 + z1843;
     const Scalar z1879 = k18 * z1831 + k12 * z1832 - z1856;
     const Scalar z1880 = z1869 - z1875 - z1876;
-    const Scalar z1881 = k16 * z1832 + k83 * z1833 - z1859;
-    const Scalar z1882 = k55 * z1832 - k16 * z1833 + z1867;
-    const Scalar z1883 = k15 * z1831 - k55 * z1833 - z1870;
+    const Scalar z1881 = k16 * z1832 + k62 * z1833 - z1859;
+    const Scalar z1882 = k63 * z1832 - k16 * z1833 + z1867;
+    const Scalar z1883 = k15 * z1831 - k63 * z1833 - z1870;
     const Scalar z1884 = z1852 + z1874 - z1876;
-    const Scalar z1885 = k55 * z1831 + k15 * z1833 + z1871;
-    const Scalar z1886 = k14 * z1831 + k55 * z1832 + z1872;
-    const Scalar z1887 = k83 * z1831 + k14 * z1832 - z1860;
+    const Scalar z1885 = k63 * z1831 + k15 * z1833 + z1871;
+    const Scalar z1886 = k14 * z1831 + k63 * z1832 + z1872;
+    const Scalar z1887 = k62 * z1831 + k14 * z1832 - z1860;
     const Scalar z1888 = z1873 + z1874 + z1875;
     const Scalar z1889 = s_q6 * z1878 - c_q6 * z1877;
     const Scalar z1890 = s_q6 * z1877 + c_q6 * z1878;
@@ -3655,13 +3602,13 @@ struct Mechanism {
     const Scalar z1907 = k20 * z1829 - z1879;
     const Scalar z1908 = k21 * z1827 + k20 * z1828 - z1890;
     const Scalar z1909 = z1899 + z1904 + z1905;
-    const Scalar z1910 = k25 * z1828 - k84 * z1829 + z1893;
-    const Scalar z1911 = k59 * z1828 + k25 * z1829 - z1901;
-    const Scalar z1912 = k24 * z1827 + k59 * z1829 + z1895;
+    const Scalar z1910 = k25 * z1828 - k64 * z1829 + z1893;
+    const Scalar z1911 = k65 * z1828 + k25 * z1829 - z1901;
+    const Scalar z1912 = k24 * z1827 + k65 * z1829 + z1895;
     const Scalar z1913 = z1888 + z1903 - z1905;
-    const Scalar z1914 = k59 * z1827 - k24 * z1829 - z1896;
-    const Scalar z1915 = k23 * z1827 - k59 * z1828 + z1902;
-    const Scalar z1916 = k84 * z1827 - k23 * z1828 - z1894;
+    const Scalar z1914 = k65 * z1827 - k24 * z1829 - z1896;
+    const Scalar z1915 = k23 * z1827 - k65 * z1828 + z1902;
+    const Scalar z1916 = k64 * z1827 - k23 * z1828 - z1894;
     const Scalar z1917 = z1900 + z1903 + z1904;
     const Scalar z1918 = n256_over_55 * z1825;
     const Scalar z1919 = n256_over_55 * z1823 - z1824;
@@ -3695,13 +3642,13 @@ struct Mechanism {
     const Scalar z1947 = k28 * z1825 + z1908;
     const Scalar z1948 = k29 * z1823 - k28 * z1824 + z1921;
     const Scalar z1949 = z1934 + z1944 + z1945;
-    const Scalar z1950 = k33 * z1824 + k85 * z1825 + z1935;
-    const Scalar z1951 = k63 * z1824 - k33 * z1825 - z1936;
-    const Scalar z1952 = k32 * z1823 + k63 * z1825 + z1937;
+    const Scalar z1950 = k33 * z1824 + k66 * z1825 + z1935;
+    const Scalar z1951 = k67 * z1824 - k33 * z1825 - z1936;
+    const Scalar z1952 = k32 * z1823 + k67 * z1825 + z1937;
     const Scalar z1953 = z1938 + z1943 + z1945;
-    const Scalar z1954 = k63 * z1823 - k32 * z1825 - z1939;
-    const Scalar z1955 = k31 * z1823 - k63 * z1824 + z1940;
-    const Scalar z1956 = k85 * z1823 - k31 * z1824 + z1941;
+    const Scalar z1954 = k67 * z1823 - k32 * z1825 - z1939;
+    const Scalar z1955 = k31 * z1823 - k67 * z1824 + z1940;
+    const Scalar z1956 = k66 * z1823 - k31 * z1824 + z1941;
     const Scalar z1957 = z1942 + z1943 - z1944;
     const Scalar z1958 = s_q4 * z1947 - c_q4 * z1946;
     const Scalar z1959 = s_q4 * z1946 + c_q4 * z1947;
@@ -3731,13 +3678,13 @@ struct Mechanism {
     const Scalar z1983 = k35 * z1821 - z1948;
     const Scalar z1984 = k36 * z1819 - k35 * z1820 - z1959;
     const Scalar z1985 = z1972 + z1980 - z1981;
-    const Scalar z1986 = k40 * z1820 - k86 * z1821 + z1962;
-    const Scalar z1987 = k67 * z1820 + k40 * z1821 - z1970;
-    const Scalar z1988 = k39 * z1819 - k67 * z1821 + z1973;
+    const Scalar z1986 = k40 * z1820 - k68 * z1821 + z1962;
+    const Scalar z1987 = k69 * z1820 + k40 * z1821 - z1970;
+    const Scalar z1988 = k39 * z1819 - k69 * z1821 + z1973;
     const Scalar z1989 = z1974 + z1979 - z1981;
-    const Scalar z1990 = k67 * z1819 + k39 * z1821 - z1975;
-    const Scalar z1991 = k38 * z1819 - k67 * z1820 + z1976;
-    const Scalar z1992 = k86 * z1819 - k38 * z1820 + z1977;
+    const Scalar z1990 = k69 * z1819 + k39 * z1821 - z1975;
+    const Scalar z1991 = k38 * z1819 - k69 * z1820 + z1976;
+    const Scalar z1992 = k68 * z1819 - k38 * z1820 + z1977;
     const Scalar z1993 = z1978 + z1979 - z1980;
     const Scalar z1994 = n632_over_165 * z1817;
     const Scalar z1995 = n632_over_165 * z1815;
@@ -3766,13 +3713,13 @@ struct Mechanism {
     const Scalar z2018 = k47 * z1816;
     const Scalar z2019 = k46 * z1817;
     const Scalar z2023 = z2010 - z2018 + z2019;
-    const Scalar z2024 = k48 * z1816 - k87 * z1817 + z2011;
+    const Scalar z2024 = k48 * z1816 - k70 * z1817 + z2011;
     const Scalar z2025 = k71 * z1816 + k48 * z1817 + z2012;
     const Scalar z2026 = k47 * z1815 - k71 * z1817 - z2002;
     const Scalar z2027 = z2013 - z2017 + z2019;
     const Scalar z2028 = k71 * z1815 + k47 * z1817 + z2003;
     const Scalar z2029 = k46 * z1815 - k71 * z1816 + z2014;
-    const Scalar z2030 = k87 * z1815 - k46 * z1816 - z2015;
+    const Scalar z2030 = k70 * z1815 - k46 * z1816 - z2015;
     const Scalar z2031 = z2016 + z2017 - z2018;
     const Scalar z2034 = z2023 + z2027;
     const Scalar z2035 = z2024 - z2026;
@@ -3780,7 +3727,7 @@ struct Mechanism {
     const Scalar z2040 = s_q2 * z2034 - c_q2 * z2035;
     const Scalar z2041 = s_q2 * z2040;
     const Scalar z2042 = z2023 - z2041;
-    const Scalar z2046 = k88 * z1813;
+    const Scalar z2046 = k72 * z1813;
     const Scalar z2049 = z2042 + z2046;
     const Scalar z2053 = z2031 + z2046;
     const Scalar z2057 = z2049 - z2053;
@@ -4156,264 +4103,271 @@ struct Mechanism {
     const Scalar z2458 = n632_over_165 * z2455 - z2456;
     const Scalar z2459 = n632_over_165 * z2454 - z2457;
     const Scalar z2463 = s_q2 * z2458 + c_q2 * z2453;
-    const Scalar z2464 = z1380 * z2391 - z2291;
-    const Scalar z2465 = z1379 * z2391 - z1407 * z2464 - z2205;
-    const Scalar z2466 = z1378 * z2391 - z1406 * z2464 - z1427 * z2465 + z2138;
-    const Scalar z2467 = z1377 * z2391 - z1405 * z2464 - z1426 * z2465 - z1441 * z2466 + z2090;
-    const Scalar z2468 = z1376 * z2391 - z1404 * z2464 - z1425 * z2465 - z1440 * z2466 - z1450 * z2467 - z2039;
-    const Scalar z2469 = z1375 * z2391 - z1403 * z2464 - z1424 * z2465 - z1439 * z2466 - z1449 * z2467 - z1455 * z2468
+    const Scalar z2464 = u_tau1 - z1812;
+    const Scalar z2465 = u_tau2 - z1807;
+    const Scalar z2466 = u_tau3 + z1802;
+    const Scalar z2467 = u_tau4 - z1797;
+    const Scalar z2468 = u_tau5 + z1792;
+    const Scalar z2469 = u_tau6 - z1787;
+    const Scalar z2470 = u_tau7 - z754;
+    const Scalar z2471 = z1380 * z2391 - z2291;
+    const Scalar z2472 = z1379 * z2391 - z1407 * z2471 - z2205;
+    const Scalar z2473 = z1378 * z2391 - z1406 * z2471 - z1427 * z2472 + z2138;
+    const Scalar z2474 = z1377 * z2391 - z1405 * z2471 - z1426 * z2472 - z1441 * z2473 + z2090;
+    const Scalar z2475 = z1376 * z2391 - z1404 * z2471 - z1425 * z2472 - z1440 * z2473 - z1450 * z2474 - z2039;
+    const Scalar z2476 = z1375 * z2391 - z1403 * z2471 - z1424 * z2472 - z1439 * z2473 - z1449 * z2474 - z1455 * z2475
         - z2057;
-    const Scalar z2470 = z1457 * z2469;
-    const Scalar z2471 = z1454 * z2468 - z1455 * z2470;
-    const Scalar z2472 = z1448 * z2467 - z1449 * z2470 - z1450 * z2471;
-    const Scalar z2473 = z1438 * z2466 - z1439 * z2470 - z1440 * z2471 - z1441 * z2472;
-    const Scalar z2474 = z1423 * z2465 - z1424 * z2470 - z1425 * z2471 - z1426 * z2472 - z1427 * z2473;
-    const Scalar z2475 = z1402 * z2464 - z1403 * z2470 - z1404 * z2471 - z1405 * z2472 - z1406 * z2473 - z1407 * z2474;
-    const Scalar z2476 = z1375 * z2470 + z1376 * z2471 + z1377 * z2472 + z1378 * z2473 + z1379 * z2474 + z1380 * z2475
-        - k75 * z2391;
-    const Scalar z2477 = z1380 * z2388 + z2288;
-    const Scalar z2478 = z1379 * z2388 - z1407 * z2477 - z2202;
-    const Scalar z2479 = z1378 * z2388 - z1406 * z2477 - z1427 * z2478 - z2135;
-    const Scalar z2480 = z1377 * z2388 - z1405 * z2477 - z1426 * z2478 - z1441 * z2479 - z2087;
-    const Scalar z2481 = z1376 * z2388 - z1404 * z2477 - z1425 * z2478 - z1440 * z2479 - z1450 * z2480 - z2061;
-    const Scalar z2482 = z1375 * z2388 - z1403 * z2477 - z1424 * z2478 - z1439 * z2479 - z1449 * z2480 - z1455 * z2481
+    const Scalar z2477 = z1457 * z2476;
+    const Scalar z2478 = z1454 * z2475 - z1455 * z2477;
+    const Scalar z2479 = z1448 * z2474 - z1449 * z2477 - z1450 * z2478;
+    const Scalar z2480 = z1438 * z2473 - z1439 * z2477 - z1440 * z2478 - z1441 * z2479;
+    const Scalar z2481 = z1423 * z2472 - z1424 * z2477 - z1425 * z2478 - z1426 * z2479 - z1427 * z2480;
+    const Scalar z2482 = z1402 * z2471 - z1403 * z2477 - z1404 * z2478 - z1405 * z2479 - z1406 * z2480 - z1407 * z2481;
+    const Scalar z2483 = z1375 * z2477 + z1376 * z2478 + z1377 * z2479 + z1378 * z2480 + z1379 * z2481 + z1380 * z2482
+        - k52 * z2391;
+    const Scalar z2484 = z1380 * z2388 + z2288;
+    const Scalar z2485 = z1379 * z2388 - z1407 * z2484 - z2202;
+    const Scalar z2486 = z1378 * z2388 - z1406 * z2484 - z1427 * z2485 - z2135;
+    const Scalar z2487 = z1377 * z2388 - z1405 * z2484 - z1426 * z2485 - z1441 * z2486 - z2087;
+    const Scalar z2488 = z1376 * z2388 - z1404 * z2484 - z1425 * z2485 - z1440 * z2486 - z1450 * z2487 - z2061;
+    const Scalar z2489 = z1375 * z2388 - z1403 * z2484 - z1424 * z2485 - z1439 * z2486 - z1449 * z2487 - z1455 * z2488
         - z2071;
-    const Scalar z2483 = z1457 * z2482;
-    const Scalar z2484 = z1454 * z2481 - z1455 * z2483;
-    const Scalar z2485 = z1448 * z2480 - z1449 * z2483 - z1450 * z2484;
-    const Scalar z2486 = z1438 * z2479 - z1439 * z2483 - z1440 * z2484 - z1441 * z2485;
-    const Scalar z2487 = z1423 * z2478 - z1424 * z2483 - z1425 * z2484 - z1426 * z2485 - z1427 * z2486;
-    const Scalar z2488 = z1402 * z2477 - z1403 * z2483 - z1404 * z2484 - z1405 * z2485 - z1406 * z2486 - z1407 * z2487;
-    const Scalar z2489 = z1375 * z2483 + z1376 * z2484 + z1377 * z2485 + z1378 * z2486 + z1379 * z2487 + z1380 * z2488
-        - k75 * z2388;
-    const Scalar z2490 = z1380 * z2389 + z2289;
-    const Scalar z2491 = z1379 * z2389 - z1407 * z2490 - z2203;
-    const Scalar z2492 = z1378 * z2389 - z1406 * z2490 - z1427 * z2491 + z2136;
-    const Scalar z2493 = z1377 * z2389 - z1405 * z2490 - z1426 * z2491 - z1441 * z2492 - z2088;
-    const Scalar z2494 = z1376 * z2389 - z1404 * z2490 - z1425 * z2491 - z1440 * z2492 - z1450 * z2493 + z2062;
-    const Scalar z2495 = z1375 * z2389 - z1403 * z2490 - z1424 * z2491 - z1439 * z2492 - z1449 * z2493 - z1455 * z2494
+    const Scalar z2490 = z1457 * z2489;
+    const Scalar z2491 = z1454 * z2488 - z1455 * z2490;
+    const Scalar z2492 = z1448 * z2487 - z1449 * z2490 - z1450 * z2491;
+    const Scalar z2493 = z1438 * z2486 - z1439 * z2490 - z1440 * z2491 - z1441 * z2492;
+    const Scalar z2494 = z1423 * z2485 - z1424 * z2490 - z1425 * z2491 - z1426 * z2492 - z1427 * z2493;
+    const Scalar z2495 = z1402 * z2484 - z1403 * z2490 - z1404 * z2491 - z1405 * z2492 - z1406 * z2493 - z1407 * z2494;
+    const Scalar z2496 = z1375 * z2490 + z1376 * z2491 + z1377 * z2492 + z1378 * z2493 + z1379 * z2494 + z1380 * z2495
+        - k52 * z2388;
+    const Scalar z2497 = z1380 * z2389 + z2289;
+    const Scalar z2498 = z1379 * z2389 - z1407 * z2497 - z2203;
+    const Scalar z2499 = z1378 * z2389 - z1406 * z2497 - z1427 * z2498 + z2136;
+    const Scalar z2500 = z1377 * z2389 - z1405 * z2497 - z1426 * z2498 - z1441 * z2499 - z2088;
+    const Scalar z2501 = z1376 * z2389 - z1404 * z2497 - z1425 * z2498 - z1440 * z2499 - z1450 * z2500 + z2062;
+    const Scalar z2502 = z1375 * z2389 - z1403 * z2497 - z1424 * z2498 - z1439 * z2499 - z1449 * z2500 - z1455 * z2501
         - z2080;
-    const Scalar z2496 = z1457 * z2495;
-    const Scalar z2497 = z1454 * z2494 - z1455 * z2496;
-    const Scalar z2498 = z1448 * z2493 - z1449 * z2496 - z1450 * z2497;
-    const Scalar z2499 = z1438 * z2492 - z1439 * z2496 - z1440 * z2497 - z1441 * z2498;
-    const Scalar z2500 = z1423 * z2491 - z1424 * z2496 - z1425 * z2497 - z1426 * z2498 - z1427 * z2499;
-    const Scalar z2501 = z1402 * z2490 - z1403 * z2496 - z1404 * z2497 - z1405 * z2498 - z1406 * z2499 - z1407 * z2500;
-    const Scalar z2502 = z1375 * z2496 + z1376 * z2497 + z1377 * z2498 + z1378 * z2499 + z1379 * z2500 + z1380 * z2501
-        - k75 * z2389;
-    const Scalar z2503 = z1380 * z2381 - z2281;
-    const Scalar z2504 = z1379 * z2381 - z1407 * z2503 - z2195;
-    const Scalar z2505 = z1378 * z2381 - z1406 * z2503 - z1427 * z2504 - z2128;
-    const Scalar z2506 = z1377 * z2381 - z1405 * z2503 - z1426 * z2504 - z1441 * z2505 + z2084;
-    const Scalar z2507 = z1376 * z2381 - z1404 * z2503 - z1425 * z2504 - z1440 * z2505 - z1450 * z2506 - z2101;
-    const Scalar z2508 = z1375 * z2381 - z1403 * z2503 - z1424 * z2504 - z1439 * z2505 - z1449 * z2506 - z1455 * z2507
+    const Scalar z2503 = z1457 * z2502;
+    const Scalar z2504 = z1454 * z2501 - z1455 * z2503;
+    const Scalar z2505 = z1448 * z2500 - z1449 * z2503 - z1450 * z2504;
+    const Scalar z2506 = z1438 * z2499 - z1439 * z2503 - z1440 * z2504 - z1441 * z2505;
+    const Scalar z2507 = z1423 * z2498 - z1424 * z2503 - z1425 * z2504 - z1426 * z2505 - z1427 * z2506;
+    const Scalar z2508 = z1402 * z2497 - z1403 * z2503 - z1404 * z2504 - z1405 * z2505 - z1406 * z2506 - z1407 * z2507;
+    const Scalar z2509 = z1375 * z2503 + z1376 * z2504 + z1377 * z2505 + z1378 * z2506 + z1379 * z2507 + z1380 * z2508
+        - k52 * z2389;
+    const Scalar z2510 = z1380 * z2381 - z2281;
+    const Scalar z2511 = z1379 * z2381 - z1407 * z2510 - z2195;
+    const Scalar z2512 = z1378 * z2381 - z1406 * z2510 - z1427 * z2511 - z2128;
+    const Scalar z2513 = z1377 * z2381 - z1405 * z2510 - z1426 * z2511 - z1441 * z2512 + z2084;
+    const Scalar z2514 = z1376 * z2381 - z1404 * z2510 - z1425 * z2511 - z1440 * z2512 - z1450 * z2513 - z2101;
+    const Scalar z2515 = z1375 * z2381 - z1403 * z2510 - z1424 * z2511 - z1439 * z2512 - z1449 * z2513 - z1455 * z2514
         + z2105;
-    const Scalar z2509 = z1457 * z2508;
-    const Scalar z2510 = z1454 * z2507 - z1455 * z2509;
-    const Scalar z2511 = z1448 * z2506 - z1449 * z2509 - z1450 * z2510;
-    const Scalar z2512 = z1438 * z2505 - z1439 * z2509 - z1440 * z2510 - z1441 * z2511;
-    const Scalar z2513 = z1423 * z2504 - z1424 * z2509 - z1425 * z2510 - z1426 * z2511 - z1427 * z2512;
-    const Scalar z2514 = z1402 * z2503 - z1403 * z2509 - z1404 * z2510 - z1405 * z2511 - z1406 * z2512 - z1407 * z2513;
-    const Scalar z2515 = z1375 * z2509 + z1376 * z2510 + z1377 * z2511 + z1378 * z2512 + z1379 * z2513 + z1380 * z2514
-        - k75 * z2381;
-    const Scalar z2516 = z1380 * z2382 - z2282;
-    const Scalar z2517 = z1379 * z2382 - z1407 * z2516 - z2196;
-    const Scalar z2518 = z1378 * z2382 - z1406 * z2516 - z1427 * z2517 + z2129;
-    const Scalar z2519 = z1377 * z2382 - z1405 * z2516 - z1426 * z2517 - z1441 * z2518 + z2085;
-    const Scalar z2520 = z1376 * z2382 - z1404 * z2516 - z1425 * z2517 - z1440 * z2518 - z1450 * z2519 - z2116;
-    const Scalar z2521 = z1375 * z2382 - z1403 * z2516 - z1424 * z2517 - z1439 * z2518 - z1449 * z2519 - z1455 * z2520
+    const Scalar z2516 = z1457 * z2515;
+    const Scalar z2517 = z1454 * z2514 - z1455 * z2516;
+    const Scalar z2518 = z1448 * z2513 - z1449 * z2516 - z1450 * z2517;
+    const Scalar z2519 = z1438 * z2512 - z1439 * z2516 - z1440 * z2517 - z1441 * z2518;
+    const Scalar z2520 = z1423 * z2511 - z1424 * z2516 - z1425 * z2517 - z1426 * z2518 - z1427 * z2519;
+    const Scalar z2521 = z1402 * z2510 - z1403 * z2516 - z1404 * z2517 - z1405 * z2518 - z1406 * z2519 - z1407 * z2520;
+    const Scalar z2522 = z1375 * z2516 + z1376 * z2517 + z1377 * z2518 + z1378 * z2519 + z1379 * z2520 + z1380 * z2521
+        - k52 * z2381;
+    const Scalar z2523 = z1380 * z2382 - z2282;
+    const Scalar z2524 = z1379 * z2382 - z1407 * z2523 - z2196;
+    const Scalar z2525 = z1378 * z2382 - z1406 * z2523 - z1427 * z2524 + z2129;
+    const Scalar z2526 = z1377 * z2382 - z1405 * z2523 - z1426 * z2524 - z1441 * z2525 + z2085;
+    const Scalar z2527 = z1376 * z2382 - z1404 * z2523 - z1425 * z2524 - z1440 * z2525 - z1450 * z2526 - z2116;
+    const Scalar z2528 = z1375 * z2382 - z1403 * z2523 - z1424 * z2524 - z1439 * z2525 - z1449 * z2526 - z1455 * z2527
         + z2120;
-    const Scalar z2522 = z1457 * z2521;
-    const Scalar z2523 = z1454 * z2520 - z1455 * z2522;
-    const Scalar z2524 = z1448 * z2519 - z1449 * z2522 - z1450 * z2523;
-    const Scalar z2525 = z1438 * z2518 - z1439 * z2522 - z1440 * z2523 - z1441 * z2524;
-    const Scalar z2526 = z1423 * z2517 - z1424 * z2522 - z1425 * z2523 - z1426 * z2524 - z1427 * z2525;
-    const Scalar z2527 = z1402 * z2516 - z1403 * z2522 - z1404 * z2523 - z1405 * z2524 - z1406 * z2525 - z1407 * z2526;
-    const Scalar z2528 = z1375 * z2522 + z1376 * z2523 + z1377 * z2524 + z1378 * z2525 + z1379 * z2526 + z1380 * z2527
-        - k75 * z2382;
-    const Scalar z2529 = z1380 * z2374 - z2274;
-    const Scalar z2530 = z1379 * z2374 - z1407 * z2529 - z2188;
-    const Scalar z2531 = z1378 * z2374 - z1406 * z2529 - z1427 * z2530 + z2124;
-    const Scalar z2532 = z1377 * z2374 - z1405 * z2529 - z1426 * z2530 - z1441 * z2531 - z2149;
-    const Scalar z2533 = z1376 * z2374 - z1404 * z2529 - z1425 * z2530 - z1440 * z2531 - z1450 * z2532 - z2155;
-    const Scalar z2534 = z1375 * z2374 - z1403 * z2529 - z1424 * z2530 - z1439 * z2531 - z1449 * z2532 - z1455 * z2533
+    const Scalar z2529 = z1457 * z2528;
+    const Scalar z2530 = z1454 * z2527 - z1455 * z2529;
+    const Scalar z2531 = z1448 * z2526 - z1449 * z2529 - z1450 * z2530;
+    const Scalar z2532 = z1438 * z2525 - z1439 * z2529 - z1440 * z2530 - z1441 * z2531;
+    const Scalar z2533 = z1423 * z2524 - z1424 * z2529 - z1425 * z2530 - z1426 * z2531 - z1427 * z2532;
+    const Scalar z2534 = z1402 * z2523 - z1403 * z2529 - z1404 * z2530 - z1405 * z2531 - z1406 * z2532 - z1407 * z2533;
+    const Scalar z2535 = z1375 * z2529 + z1376 * z2530 + z1377 * z2531 + z1378 * z2532 + z1379 * z2533 + z1380 * z2534
+        - k52 * z2382;
+    const Scalar z2536 = z1380 * z2374 - z2274;
+    const Scalar z2537 = z1379 * z2374 - z1407 * z2536 - z2188;
+    const Scalar z2538 = z1378 * z2374 - z1406 * z2536 - z1427 * z2537 + z2124;
+    const Scalar z2539 = z1377 * z2374 - z1405 * z2536 - z1426 * z2537 - z1441 * z2538 - z2149;
+    const Scalar z2540 = z1376 * z2374 - z1404 * z2536 - z1425 * z2537 - z1440 * z2538 - z1450 * z2539 - z2155;
+    const Scalar z2541 = z1375 * z2374 - z1403 * z2536 - z1424 * z2537 - z1439 * z2538 - z1449 * z2539 - z1455 * z2540
         - z2159;
-    const Scalar z2535 = z1457 * z2534;
-    const Scalar z2536 = z1454 * z2533 - z1455 * z2535;
-    const Scalar z2537 = z1448 * z2532 - z1449 * z2535 - z1450 * z2536;
-    const Scalar z2538 = z1438 * z2531 - z1439 * z2535 - z1440 * z2536 - z1441 * z2537;
-    const Scalar z2539 = z1423 * z2530 - z1424 * z2535 - z1425 * z2536 - z1426 * z2537 - z1427 * z2538;
-    const Scalar z2540 = z1402 * z2529 - z1403 * z2535 - z1404 * z2536 - z1405 * z2537 - z1406 * z2538 - z1407 * z2539;
-    const Scalar z2541 = z1375 * z2535 + z1376 * z2536 + z1377 * z2537 + z1378 * z2538 + z1379 * z2539 + z1380 * z2540
-        - k75 * z2374;
-    const Scalar z2542 = z1380 * z2375 + z2275;
-    const Scalar z2543 = z1379 * z2375 - z1407 * z2542 - z2189;
-    const Scalar z2544 = z1378 * z2375 - z1406 * z2542 - z1427 * z2543 - z2125;
-    const Scalar z2545 = z1377 * z2375 - z1405 * z2542 - z1426 * z2543 - z1441 * z2544 - z2170;
-    const Scalar z2546 = z1376 * z2375 - z1404 * z2542 - z1425 * z2543 - z1440 * z2544 - z1450 * z2545 - z2176;
-    const Scalar z2547 = z1375 * z2375 - z1403 * z2542 - z1424 * z2543 - z1439 * z2544 - z1449 * z2545 - z1455 * z2546
+    const Scalar z2542 = z1457 * z2541;
+    const Scalar z2543 = z1454 * z2540 - z1455 * z2542;
+    const Scalar z2544 = z1448 * z2539 - z1449 * z2542 - z1450 * z2543;
+    const Scalar z2545 = z1438 * z2538 - z1439 * z2542 - z1440 * z2543 - z1441 * z2544;
+    const Scalar z2546 = z1423 * z2537 - z1424 * z2542 - z1425 * z2543 - z1426 * z2544 - z1427 * z2545;
+    const Scalar z2547 = z1402 * z2536 - z1403 * z2542 - z1404 * z2543 - z1405 * z2544 - z1406 * z2545 - z1407 * z2546;
+    const Scalar z2548 = z1375 * z2542 + z1376 * z2543 + z1377 * z2544 + z1378 * z2545 + z1379 * z2546 + z1380 * z2547
+        - k52 * z2374;
+    const Scalar z2549 = z1380 * z2375 + z2275;
+    const Scalar z2550 = z1379 * z2375 - z1407 * z2549 - z2189;
+    const Scalar z2551 = z1378 * z2375 - z1406 * z2549 - z1427 * z2550 - z2125;
+    const Scalar z2552 = z1377 * z2375 - z1405 * z2549 - z1426 * z2550 - z1441 * z2551 - z2170;
+    const Scalar z2553 = z1376 * z2375 - z1404 * z2549 - z1425 * z2550 - z1440 * z2551 - z1450 * z2552 - z2176;
+    const Scalar z2554 = z1375 * z2375 - z1403 * z2549 - z1424 * z2550 - z1439 * z2551 - z1449 * z2552 - z1455 * z2553
         - z2180;
-    const Scalar z2548 = z1457 * z2547;
-    const Scalar z2549 = z1454 * z2546 - z1455 * z2548;
-    const Scalar z2550 = z1448 * z2545 - z1449 * z2548 - z1450 * z2549;
-    const Scalar z2551 = z1438 * z2544 - z1439 * z2548 - z1440 * z2549 - z1441 * z2550;
-    const Scalar z2552 = z1423 * z2543 - z1424 * z2548 - z1425 * z2549 - z1426 * z2550 - z1427 * z2551;
-    const Scalar z2553 = z1402 * z2542 - z1403 * z2548 - z1404 * z2549 - z1405 * z2550 - z1406 * z2551 - z1407 * z2552;
-    const Scalar z2554 = z1375 * z2548 + z1376 * z2549 + z1377 * z2550 + z1378 * z2551 + z1379 * z2552 + z1380 * z2553
-        - k75 * z2375;
-    const Scalar z2555 = z1380 * z2367 - z2267;
-    const Scalar z2556 = z1379 * z2367 - z1407 * z2555 + z2184;
-    const Scalar z2557 = z1378 * z2367 - z1406 * z2555 - z1427 * z2556 - z2217;
-    const Scalar z2558 = z1377 * z2367 - z1405 * z2555 - z1426 * z2556 - z1441 * z2557 + z2223;
-    const Scalar z2559 = z1376 * z2367 - z1404 * z2555 - z1425 * z2556 - z1440 * z2557 - z1450 * z2558 + z2229;
-    const Scalar z2560 = z1375 * z2367 - z1403 * z2555 - z1424 * z2556 - z1439 * z2557 - z1449 * z2558 - z1455 * z2559
+    const Scalar z2555 = z1457 * z2554;
+    const Scalar z2556 = z1454 * z2553 - z1455 * z2555;
+    const Scalar z2557 = z1448 * z2552 - z1449 * z2555 - z1450 * z2556;
+    const Scalar z2558 = z1438 * z2551 - z1439 * z2555 - z1440 * z2556 - z1441 * z2557;
+    const Scalar z2559 = z1423 * z2550 - z1424 * z2555 - z1425 * z2556 - z1426 * z2557 - z1427 * z2558;
+    const Scalar z2560 = z1402 * z2549 - z1403 * z2555 - z1404 * z2556 - z1405 * z2557 - z1406 * z2558 - z1407 * z2559;
+    const Scalar z2561 = z1375 * z2555 + z1376 * z2556 + z1377 * z2557 + z1378 * z2558 + z1379 * z2559 + z1380 * z2560
+        - k52 * z2375;
+    const Scalar z2562 = z1380 * z2367 - z2267;
+    const Scalar z2563 = z1379 * z2367 - z1407 * z2562 + z2184;
+    const Scalar z2564 = z1378 * z2367 - z1406 * z2562 - z1427 * z2563 - z2217;
+    const Scalar z2565 = z1377 * z2367 - z1405 * z2562 - z1426 * z2563 - z1441 * z2564 + z2223;
+    const Scalar z2566 = z1376 * z2367 - z1404 * z2562 - z1425 * z2563 - z1440 * z2564 - z1450 * z2565 + z2229;
+    const Scalar z2567 = z1375 * z2367 - z1403 * z2562 - z1424 * z2563 - z1439 * z2564 - z1449 * z2565 - z1455 * z2566
         - z2233;
-    const Scalar z2561 = z1457 * z2560;
-    const Scalar z2562 = z1454 * z2559 - z1455 * z2561;
-    const Scalar z2563 = z1448 * z2558 - z1449 * z2561 - z1450 * z2562;
-    const Scalar z2564 = z1438 * z2557 - z1439 * z2561 - z1440 * z2562 - z1441 * z2563;
-    const Scalar z2565 = z1423 * z2556 - z1424 * z2561 - z1425 * z2562 - z1426 * z2563 - z1427 * z2564;
-    const Scalar z2566 = z1402 * z2555 - z1403 * z2561 - z1404 * z2562 - z1405 * z2563 - z1406 * z2564 - z1407 * z2565;
-    const Scalar z2567 = z1375 * z2561 + z1376 * z2562 + z1377 * z2563 + z1378 * z2564 + z1379 * z2565 + z1380 * z2566
-        - k75 * z2367;
-    const Scalar z2568 = z1380 * z2368 - z2268;
-    const Scalar z2569 = z1379 * z2368 - z1407 * z2568 - z2185;
-    const Scalar z2570 = z1378 * z2368 - z1406 * z2568 - z1427 * z2569 + z2245;
-    const Scalar z2571 = z1377 * z2368 - z1405 * z2568 - z1426 * z2569 - z1441 * z2570 + z2251;
-    const Scalar z2572 = z1376 * z2368 - z1404 * z2568 - z1425 * z2569 - z1440 * z2570 - z1450 * z2571 + z2257;
-    const Scalar z2573 = z1375 * z2368 - z1403 * z2568 - z1424 * z2569 - z1439 * z2570 - z1449 * z2571 - z1455 * z2572
+    const Scalar z2568 = z1457 * z2567;
+    const Scalar z2569 = z1454 * z2566 - z1455 * z2568;
+    const Scalar z2570 = z1448 * z2565 - z1449 * z2568 - z1450 * z2569;
+    const Scalar z2571 = z1438 * z2564 - z1439 * z2568 - z1440 * z2569 - z1441 * z2570;
+    const Scalar z2572 = z1423 * z2563 - z1424 * z2568 - z1425 * z2569 - z1426 * z2570 - z1427 * z2571;
+    const Scalar z2573 = z1402 * z2562 - z1403 * z2568 - z1404 * z2569 - z1405 * z2570 - z1406 * z2571 - z1407 * z2572;
+    const Scalar z2574 = z1375 * z2568 + z1376 * z2569 + z1377 * z2570 + z1378 * z2571 + z1379 * z2572 + z1380 * z2573
+        - k52 * z2367;
+    const Scalar z2575 = z1380 * z2368 - z2268;
+    const Scalar z2576 = z1379 * z2368 - z1407 * z2575 - z2185;
+    const Scalar z2577 = z1378 * z2368 - z1406 * z2575 - z1427 * z2576 + z2245;
+    const Scalar z2578 = z1377 * z2368 - z1405 * z2575 - z1426 * z2576 - z1441 * z2577 + z2251;
+    const Scalar z2579 = z1376 * z2368 - z1404 * z2575 - z1425 * z2576 - z1440 * z2577 - z1450 * z2578 + z2257;
+    const Scalar z2580 = z1375 * z2368 - z1403 * z2575 - z1424 * z2576 - z1439 * z2577 - z1449 * z2578 - z1455 * z2579
         + z2261;
-    const Scalar z2574 = z1457 * z2573;
-    const Scalar z2575 = z1454 * z2572 - z1455 * z2574;
-    const Scalar z2576 = z1448 * z2571 - z1449 * z2574 - z1450 * z2575;
-    const Scalar z2577 = z1438 * z2570 - z1439 * z2574 - z1440 * z2575 - z1441 * z2576;
-    const Scalar z2578 = z1423 * z2569 - z1424 * z2574 - z1425 * z2575 - z1426 * z2576 - z1427 * z2577;
-    const Scalar z2579 = z1402 * z2568 - z1403 * z2574 - z1404 * z2575 - z1405 * z2576 - z1406 * z2577 - z1407 * z2578;
-    const Scalar z2580 = z1375 * z2574 + z1376 * z2575 + z1377 * z2576 + z1378 * z2577 + z1379 * z2578 + z1380 * z2579
-        - k75 * z2368;
-    const Scalar z2581 = z1380 * z2363 - z2265;
-    const Scalar z2582 = z1379 * z2363 - z1407 * z2581 - z2300;
-    const Scalar z2583 = z1378 * z2363 - z1406 * z2581 - z1427 * z2582 - z2307;
-    const Scalar z2584 = z1377 * z2363 - z1405 * z2581 - z1426 * z2582 - z1441 * z2583 + z2313;
-    const Scalar z2585 = z1376 * z2363 - z1404 * z2581 - z1425 * z2582 - z1440 * z2583 - z1450 * z2584 + z2319;
-    const Scalar z2586 = z1375 * z2363 - z1403 * z2581 - z1424 * z2582 - z1439 * z2583 - z1449 * z2584 - z1455 * z2585
+    const Scalar z2581 = z1457 * z2580;
+    const Scalar z2582 = z1454 * z2579 - z1455 * z2581;
+    const Scalar z2583 = z1448 * z2578 - z1449 * z2581 - z1450 * z2582;
+    const Scalar z2584 = z1438 * z2577 - z1439 * z2581 - z1440 * z2582 - z1441 * z2583;
+    const Scalar z2585 = z1423 * z2576 - z1424 * z2581 - z1425 * z2582 - z1426 * z2583 - z1427 * z2584;
+    const Scalar z2586 = z1402 * z2575 - z1403 * z2581 - z1404 * z2582 - z1405 * z2583 - z1406 * z2584 - z1407 * z2585;
+    const Scalar z2587 = z1375 * z2581 + z1376 * z2582 + z1377 * z2583 + z1378 * z2584 + z1379 * z2585 + z1380 * z2586
+        - k52 * z2368;
+    const Scalar z2588 = z1380 * z2363 - z2265;
+    const Scalar z2589 = z1379 * z2363 - z1407 * z2588 - z2300;
+    const Scalar z2590 = z1378 * z2363 - z1406 * z2588 - z1427 * z2589 - z2307;
+    const Scalar z2591 = z1377 * z2363 - z1405 * z2588 - z1426 * z2589 - z1441 * z2590 + z2313;
+    const Scalar z2592 = z1376 * z2363 - z1404 * z2588 - z1425 * z2589 - z1440 * z2590 - z1450 * z2591 + z2319;
+    const Scalar z2593 = z1375 * z2363 - z1403 * z2588 - z1424 * z2589 - z1439 * z2590 - z1449 * z2591 - z1455 * z2592
         - z2323;
-    const Scalar z2587 = z1457 * z2586;
-    const Scalar z2588 = z1454 * z2585 - z1455 * z2587;
-    const Scalar z2589 = z1448 * z2584 - z1449 * z2587 - z1450 * z2588;
-    const Scalar z2590 = z1438 * z2583 - z1439 * z2587 - z1440 * z2588 - z1441 * z2589;
-    const Scalar z2591 = z1423 * z2582 - z1424 * z2587 - z1425 * z2588 - z1426 * z2589 - z1427 * z2590;
-    const Scalar z2592 = z1402 * z2581 - z1403 * z2587 - z1404 * z2588 - z1405 * z2589 - z1406 * z2590 - z1407 * z2591;
-    const Scalar z2593 = z1375 * z2587 + z1376 * z2588 + z1377 * z2589 + z1378 * z2590 + z1379 * z2591 + z1380 * z2592
-        - k75 * z2363;
-    const Scalar z2594 = z1380 * z2364 - z2266;
-    const Scalar z2595 = z1379 * z2364 - z1407 * z2594 + z2332;
-    const Scalar z2596 = z1378 * z2364 - z1406 * z2594 - z1427 * z2595 - z2339;
-    const Scalar z2597 = z1377 * z2364 - z1405 * z2594 - z1426 * z2595 - z1441 * z2596 + z2345;
-    const Scalar z2598 = z1376 * z2364 - z1404 * z2594 - z1425 * z2595 - z1440 * z2596 - z1450 * z2597 + z2351;
-    const Scalar z2599 = z1375 * z2364 - z1403 * z2594 - z1424 * z2595 - z1439 * z2596 - z1449 * z2597 - z1455 * z2598
+    const Scalar z2594 = z1457 * z2593;
+    const Scalar z2595 = z1454 * z2592 - z1455 * z2594;
+    const Scalar z2596 = z1448 * z2591 - z1449 * z2594 - z1450 * z2595;
+    const Scalar z2597 = z1438 * z2590 - z1439 * z2594 - z1440 * z2595 - z1441 * z2596;
+    const Scalar z2598 = z1423 * z2589 - z1424 * z2594 - z1425 * z2595 - z1426 * z2596 - z1427 * z2597;
+    const Scalar z2599 = z1402 * z2588 - z1403 * z2594 - z1404 * z2595 - z1405 * z2596 - z1406 * z2597 - z1407 * z2598;
+    const Scalar z2600 = z1375 * z2594 + z1376 * z2595 + z1377 * z2596 + z1378 * z2597 + z1379 * z2598 + z1380 * z2599
+        - k52 * z2363;
+    const Scalar z2601 = z1380 * z2364 - z2266;
+    const Scalar z2602 = z1379 * z2364 - z1407 * z2601 + z2332;
+    const Scalar z2603 = z1378 * z2364 - z1406 * z2601 - z1427 * z2602 - z2339;
+    const Scalar z2604 = z1377 * z2364 - z1405 * z2601 - z1426 * z2602 - z1441 * z2603 + z2345;
+    const Scalar z2605 = z1376 * z2364 - z1404 * z2601 - z1425 * z2602 - z1440 * z2603 - z1450 * z2604 + z2351;
+    const Scalar z2606 = z1375 * z2364 - z1403 * z2601 - z1424 * z2602 - z1439 * z2603 - z1449 * z2604 - z1455 * z2605
         - z2355;
-    const Scalar z2600 = z1457 * z2599;
-    const Scalar z2601 = z1454 * z2598 - z1455 * z2600;
-    const Scalar z2602 = z1448 * z2597 - z1449 * z2600 - z1450 * z2601;
-    const Scalar z2603 = z1438 * z2596 - z1439 * z2600 - z1440 * z2601 - z1441 * z2602;
-    const Scalar z2604 = z1423 * z2595 - z1424 * z2600 - z1425 * z2601 - z1426 * z2602 - z1427 * z2603;
-    const Scalar z2605 = z1402 * z2594 - z1403 * z2600 - z1404 * z2601 - z1405 * z2602 - z1406 * z2603 - z1407 * z2604;
-    const Scalar z2606 = z1375 * z2600 + z1376 * z2601 + z1377 * z2602 + z1378 * z2603 + z1379 * z2604 + z1380 * z2605
-        - k75 * z2364;
-    const Scalar z2607 = z1380 * z2359 - z2402;
-    const Scalar z2608 = z1379 * z2359 - z1407 * z2607 + z2406;
-    const Scalar z2609 = z1378 * z2359 - z1406 * z2607 - z1427 * z2608 + z2413;
-    const Scalar z2610 = z1377 * z2359 - z1405 * z2607 - z1426 * z2608 - z1441 * z2609 + z2419;
-    const Scalar z2611 = z1376 * z2359 - z1404 * z2607 - z1425 * z2608 - z1440 * z2609 - z1450 * z2610 + z2425;
-    const Scalar z2612 = z1375 * z2359 - z1403 * z2607 - z1424 * z2608 - z1439 * z2609 - z1449 * z2610 - z1455 * z2611
+    const Scalar z2607 = z1457 * z2606;
+    const Scalar z2608 = z1454 * z2605 - z1455 * z2607;
+    const Scalar z2609 = z1448 * z2604 - z1449 * z2607 - z1450 * z2608;
+    const Scalar z2610 = z1438 * z2603 - z1439 * z2607 - z1440 * z2608 - z1441 * z2609;
+    const Scalar z2611 = z1423 * z2602 - z1424 * z2607 - z1425 * z2608 - z1426 * z2609 - z1427 * z2610;
+    const Scalar z2612 = z1402 * z2601 - z1403 * z2607 - z1404 * z2608 - z1405 * z2609 - z1406 * z2610 - z1407 * z2611;
+    const Scalar z2613 = z1375 * z2607 + z1376 * z2608 + z1377 * z2609 + z1378 * z2610 + z1379 * z2611 + z1380 * z2612
+        - k52 * z2364;
+    const Scalar z2614 = z1380 * z2359 - z2402;
+    const Scalar z2615 = z1379 * z2359 - z1407 * z2614 + z2406;
+    const Scalar z2616 = z1378 * z2359 - z1406 * z2614 - z1427 * z2615 + z2413;
+    const Scalar z2617 = z1377 * z2359 - z1405 * z2614 - z1426 * z2615 - z1441 * z2616 + z2419;
+    const Scalar z2618 = z1376 * z2359 - z1404 * z2614 - z1425 * z2615 - z1440 * z2616 - z1450 * z2617 + z2425;
+    const Scalar z2619 = z1375 * z2359 - z1403 * z2614 - z1424 * z2615 - z1439 * z2616 - z1449 * z2617 - z1455 * z2618
         + z2429;
-    const Scalar z2613 = z1457 * z2612;
-    const Scalar z2614 = z1454 * z2611 - z1455 * z2613;
-    const Scalar z2615 = z1448 * z2610 - z1449 * z2613 - z1450 * z2614;
-    const Scalar z2616 = z1438 * z2609 - z1439 * z2613 - z1440 * z2614 - z1441 * z2615;
-    const Scalar z2617 = z1423 * z2608 - z1424 * z2613 - z1425 * z2614 - z1426 * z2615 - z1427 * z2616;
-    const Scalar z2618 = z1402 * z2607 - z1403 * z2613 - z1404 * z2614 - z1405 * z2615 - z1406 * z2616 - z1407 * z2617;
-    const Scalar z2619 = z1375 * z2613 + z1376 * z2614 + z1377 * z2615 + z1378 * z2616 + z1379 * z2617 + z1380 * z2618
-        - k75 * z2359;
-    const Scalar z2620 = z1380 * z2360 - z2436;
-    const Scalar z2621 = z1379 * z2360 - z1407 * z2620 + z2440;
-    const Scalar z2622 = z1378 * z2360 - z1406 * z2620 - z1427 * z2621 - z2447;
-    const Scalar z2623 = z1377 * z2360 - z1405 * z2620 - z1426 * z2621 - z1441 * z2622 + z2453;
-    const Scalar z2624 = z1376 * z2360 - z1404 * z2620 - z1425 * z2621 - z1440 * z2622 - z1450 * z2623 + z2459;
-    const Scalar z2625 = z1375 * z2360 - z1403 * z2620 - z1424 * z2621 - z1439 * z2622 - z1449 * z2623 - z1455 * z2624
+    const Scalar z2620 = z1457 * z2619;
+    const Scalar z2621 = z1454 * z2618 - z1455 * z2620;
+    const Scalar z2622 = z1448 * z2617 - z1449 * z2620 - z1450 * z2621;
+    const Scalar z2623 = z1438 * z2616 - z1439 * z2620 - z1440 * z2621 - z1441 * z2622;
+    const Scalar z2624 = z1423 * z2615 - z1424 * z2620 - z1425 * z2621 - z1426 * z2622 - z1427 * z2623;
+    const Scalar z2625 = z1402 * z2614 - z1403 * z2620 - z1404 * z2621 - z1405 * z2622 - z1406 * z2623 - z1407 * z2624;
+    const Scalar z2626 = z1375 * z2620 + z1376 * z2621 + z1377 * z2622 + z1378 * z2623 + z1379 * z2624 + z1380 * z2625
+        - k52 * z2359;
+    const Scalar z2627 = z1380 * z2360 - z2436;
+    const Scalar z2628 = z1379 * z2360 - z1407 * z2627 + z2440;
+    const Scalar z2629 = z1378 * z2360 - z1406 * z2627 - z1427 * z2628 - z2447;
+    const Scalar z2630 = z1377 * z2360 - z1405 * z2627 - z1426 * z2628 - z1441 * z2629 + z2453;
+    const Scalar z2631 = z1376 * z2360 - z1404 * z2627 - z1425 * z2628 - z1440 * z2629 - z1450 * z2630 + z2459;
+    const Scalar z2632 = z1375 * z2360 - z1403 * z2627 - z1424 * z2628 - z1439 * z2629 - z1449 * z2630 - z1455 * z2631
         - z2463;
-    const Scalar z2626 = z1457 * z2625;
-    const Scalar z2627 = z1454 * z2624 - z1455 * z2626;
-    const Scalar z2628 = z1448 * z2623 - z1449 * z2626 - z1450 * z2627;
-    const Scalar z2629 = z1438 * z2622 - z1439 * z2626 - z1440 * z2627 - z1441 * z2628;
-    const Scalar z2630 = z1423 * z2621 - z1424 * z2626 - z1425 * z2627 - z1426 * z2628 - z1427 * z2629;
-    const Scalar z2631 = z1402 * z2620 - z1403 * z2626 - z1404 * z2627 - z1405 * z2628 - z1406 * z2629 - z1407 * z2630;
-    const Scalar z2632 = z1375 * z2626 + z1376 * z2627 + z1377 * z2628 + z1378 * z2629 + z1379 * z2630 + z1380 * z2631
-        - k75 * z2360;
-    const Scalar z2633 = z1455 * z1457;
-    const Scalar z2634 = z1449 * z1457 - z1450 * z2633;
-    const Scalar z2635 = z1439 * z1457 - z1440 * z2633 - z1441 * z2634;
-    const Scalar z2636 = z1424 * z1457 - z1425 * z2633 - z1426 * z2634 - z1427 * z2635;
-    const Scalar z2637 = z1403 * z1457 - z1404 * z2633 - z1405 * z2634 - z1406 * z2635 - z1407 * z2636;
-    const Scalar z2638 = z1375 * z1457 - z1376 * z2633 - z1377 * z2634 - z1378 * z2635 - z1379 * z2636 - z1380 * z2637;
-    const Scalar z2639 = z1454 + z1455 * z2633;
-    const Scalar z2640 = z1449 * z2633 - z1450 * z2639;
-    const Scalar z2641 = z1439 * z2633 - z1440 * z2639 - z1441 * z2640;
-    const Scalar z2642 = z1424 * z2633 - z1425 * z2639 - z1426 * z2640 - z1427 * z2641;
-    const Scalar z2643 = z1403 * z2633 - z1404 * z2639 - z1405 * z2640 - z1406 * z2641 - z1407 * z2642;
-    const Scalar z2644 = z1375 * z2633 - z1376 * z2639 - z1377 * z2640 - z1378 * z2641 - z1379 * z2642 - z1380 * z2643;
-    const Scalar z2645 = z1449 - z1450 * z1455;
-    const Scalar z2646 = z1457 * z2645;
-    const Scalar z2647 = z1450 * z1454 - z1455 * z2646;
-    const Scalar z2648 = z1448 + z1449 * z2646 + z1450 * z2647;
-    const Scalar z2649 = z1439 * z2646 + z1440 * z2647 - z1441 * z2648;
-    const Scalar z2650 = z1424 * z2646 + z1425 * z2647 - z1426 * z2648 - z1427 * z2649;
-    const Scalar z2651 = z1403 * z2646 + z1404 * z2647 - z1405 * z2648 - z1406 * z2649 - z1407 * z2650;
-    const Scalar z2652 = z1375 * z2646 + z1376 * z2647 - z1377 * z2648 - z1378 * z2649 - z1379 * z2650 - z1380 * z2651;
-    const Scalar z2653 = z1440 - z1441 * z1450;
-    const Scalar z2654 = z1439 - z1441 * z1449 - z1455 * z2653;
-    const Scalar z2655 = z1457 * z2654;
-    const Scalar z2656 = z1454 * z2653 - z1455 * z2655;
-    const Scalar z2657 = z1441 * z1448 - z1449 * z2655 - z1450 * z2656;
-    const Scalar z2658 = z1438 + z1439 * z2655 + z1440 * z2656 + z1441 * z2657;
-    const Scalar z2659 = z1424 * z2655 + z1425 * z2656 + z1426 * z2657 - z1427 * z2658;
-    const Scalar z2660 = z1403 * z2655 + z1404 * z2656 + z1405 * z2657 - z1406 * z2658 - z1407 * z2659;
-    const Scalar z2661 = z1375 * z2655 + z1376 * z2656 + z1377 * z2657 - z1378 * z2658 - z1379 * z2659 - z1380 * z2660;
-    const Scalar z2662 = z1426 - z1427 * z1441;
-    const Scalar z2663 = z1425 - z1427 * z1440 - z1450 * z2662;
-    const Scalar z2664 = z1424 - z1427 * z1439 - z1449 * z2662 - z1455 * z2663;
-    const Scalar z2665 = z1457 * z2664;
-    const Scalar z2666 = z1454 * z2663 - z1455 * z2665;
-    const Scalar z2667 = z1448 * z2662 - z1449 * z2665 - z1450 * z2666;
-    const Scalar z2668 = z1427 * z1438 - z1439 * z2665 - z1440 * z2666 - z1441 * z2667;
-    const Scalar z2669 = z1423 + z1424 * z2665 + z1425 * z2666 + z1426 * z2667 + z1427 * z2668;
-    const Scalar z2670 = z1403 * z2665 + z1404 * z2666 + z1405 * z2667 + z1406 * z2668 - z1407 * z2669;
-    const Scalar z2671 = z1375 * z2665 + z1376 * z2666 + z1377 * z2667 + z1378 * z2668 - z1379 * z2669 - z1380 * z2670;
-    const Scalar z2672 = z1406 - z1407 * z1427;
-    const Scalar z2673 = z1405 - z1407 * z1426 - z1441 * z2672;
-    const Scalar z2674 = z1404 - z1407 * z1425 - z1440 * z2672 - z1450 * z2673;
-    const Scalar z2675 = z1403 - z1407 * z1424 - z1439 * z2672 - z1449 * z2673 - z1455 * z2674;
-    const Scalar z2676 = z1457 * z2675;
-    const Scalar z2677 = z1454 * z2674 - z1455 * z2676;
-    const Scalar z2678 = z1448 * z2673 - z1449 * z2676 - z1450 * z2677;
-    const Scalar z2679 = z1438 * z2672 - z1439 * z2676 - z1440 * z2677 - z1441 * z2678;
-    const Scalar z2680 = z1407 * z1423 - z1424 * z2676 - z1425 * z2677 - z1426 * z2678 - z1427 * z2679;
-    const Scalar z2681 = z1402 + z1403 * z2676 + z1404 * z2677 + z1405 * z2678 + z1406 * z2679 + z1407 * z2680;
-    const Scalar z2682 = z1375 * z2676 + z1376 * z2677 + z1377 * z2678 + z1378 * z2679 + z1379 * z2680 - z1380 * z2681;
-    const Scalar z2683 = z1379 - z1380 * z1407;
-    const Scalar z2684 = z1378 - z1380 * z1406 - z1427 * z2683;
-    const Scalar z2685 = z1377 - z1380 * z1405 - z1426 * z2683 - z1441 * z2684;
-    const Scalar z2686 = z1376 - z1380 * z1404 - z1425 * z2683 - z1440 * z2684 - z1450 * z2685;
-    const Scalar z2687 = z1375 - z1380 * z1403 - z1424 * z2683 - z1439 * z2684 - z1449 * z2685 - z1455 * z2686;
-    const Scalar z2688 = z1457 * z2687;
-    const Scalar z2689 = z1454 * z2686 - z1455 * z2688;
-    const Scalar z2690 = z1448 * z2685 - z1449 * z2688 - z1450 * z2689;
-    const Scalar z2691 = z1438 * z2684 - z1439 * z2688 - z1440 * z2689 - z1441 * z2690;
-    const Scalar z2692 = z1423 * z2683 - z1424 * z2688 - z1425 * z2689 - z1426 * z2690 - z1427 * z2691;
-    const Scalar z2693 = z1380 * z1402 - z1403 * z2688 - z1404 * z2689 - z1405 * z2690 - z1406 * z2691 - z1407 * z2692;
-    const Scalar z2694 = k75 - z1375 * z2688 - z1376 * z2689 - z1377 * z2690 - z1378 * z2691 - z1379 * z2692 - z1380
-        * z2693;
+    const Scalar z2633 = z1457 * z2632;
+    const Scalar z2634 = z1454 * z2631 - z1455 * z2633;
+    const Scalar z2635 = z1448 * z2630 - z1449 * z2633 - z1450 * z2634;
+    const Scalar z2636 = z1438 * z2629 - z1439 * z2633 - z1440 * z2634 - z1441 * z2635;
+    const Scalar z2637 = z1423 * z2628 - z1424 * z2633 - z1425 * z2634 - z1426 * z2635 - z1427 * z2636;
+    const Scalar z2638 = z1402 * z2627 - z1403 * z2633 - z1404 * z2634 - z1405 * z2635 - z1406 * z2636 - z1407 * z2637;
+    const Scalar z2639 = z1375 * z2633 + z1376 * z2634 + z1377 * z2635 + z1378 * z2636 + z1379 * z2637 + z1380 * z2638
+        - k52 * z2360;
+    const Scalar z2640 = z1455 * z1457;
+    const Scalar z2641 = z1449 * z1457 - z1450 * z2640;
+    const Scalar z2642 = z1439 * z1457 - z1440 * z2640 - z1441 * z2641;
+    const Scalar z2643 = z1424 * z1457 - z1425 * z2640 - z1426 * z2641 - z1427 * z2642;
+    const Scalar z2644 = z1403 * z1457 - z1404 * z2640 - z1405 * z2641 - z1406 * z2642 - z1407 * z2643;
+    const Scalar z2645 = z1375 * z1457 - z1376 * z2640 - z1377 * z2641 - z1378 * z2642 - z1379 * z2643 - z1380 * z2644;
+    const Scalar z2646 = z1454 + z1455 * z2640;
+    const Scalar z2647 = z1449 * z2640 - z1450 * z2646;
+    const Scalar z2648 = z1439 * z2640 - z1440 * z2646 - z1441 * z2647;
+    const Scalar z2649 = z1424 * z2640 - z1425 * z2646 - z1426 * z2647 - z1427 * z2648;
+    const Scalar z2650 = z1403 * z2640 - z1404 * z2646 - z1405 * z2647 - z1406 * z2648 - z1407 * z2649;
+    const Scalar z2651 = z1375 * z2640 - z1376 * z2646 - z1377 * z2647 - z1378 * z2648 - z1379 * z2649 - z1380 * z2650;
+    const Scalar z2652 = z1449 - z1450 * z1455;
+    const Scalar z2653 = z1457 * z2652;
+    const Scalar z2654 = z1450 * z1454 - z1455 * z2653;
+    const Scalar z2655 = z1448 + z1449 * z2653 + z1450 * z2654;
+    const Scalar z2656 = z1439 * z2653 + z1440 * z2654 - z1441 * z2655;
+    const Scalar z2657 = z1424 * z2653 + z1425 * z2654 - z1426 * z2655 - z1427 * z2656;
+    const Scalar z2658 = z1403 * z2653 + z1404 * z2654 - z1405 * z2655 - z1406 * z2656 - z1407 * z2657;
+    const Scalar z2659 = z1375 * z2653 + z1376 * z2654 - z1377 * z2655 - z1378 * z2656 - z1379 * z2657 - z1380 * z2658;
+    const Scalar z2660 = z1440 - z1441 * z1450;
+    const Scalar z2661 = z1439 - z1441 * z1449 - z1455 * z2660;
+    const Scalar z2662 = z1457 * z2661;
+    const Scalar z2663 = z1454 * z2660 - z1455 * z2662;
+    const Scalar z2664 = z1441 * z1448 - z1449 * z2662 - z1450 * z2663;
+    const Scalar z2665 = z1438 + z1439 * z2662 + z1440 * z2663 + z1441 * z2664;
+    const Scalar z2666 = z1424 * z2662 + z1425 * z2663 + z1426 * z2664 - z1427 * z2665;
+    const Scalar z2667 = z1403 * z2662 + z1404 * z2663 + z1405 * z2664 - z1406 * z2665 - z1407 * z2666;
+    const Scalar z2668 = z1375 * z2662 + z1376 * z2663 + z1377 * z2664 - z1378 * z2665 - z1379 * z2666 - z1380 * z2667;
+    const Scalar z2669 = z1426 - z1427 * z1441;
+    const Scalar z2670 = z1425 - z1427 * z1440 - z1450 * z2669;
+    const Scalar z2671 = z1424 - z1427 * z1439 - z1449 * z2669 - z1455 * z2670;
+    const Scalar z2672 = z1457 * z2671;
+    const Scalar z2673 = z1454 * z2670 - z1455 * z2672;
+    const Scalar z2674 = z1448 * z2669 - z1449 * z2672 - z1450 * z2673;
+    const Scalar z2675 = z1427 * z1438 - z1439 * z2672 - z1440 * z2673 - z1441 * z2674;
+    const Scalar z2676 = z1423 + z1424 * z2672 + z1425 * z2673 + z1426 * z2674 + z1427 * z2675;
+    const Scalar z2677 = z1403 * z2672 + z1404 * z2673 + z1405 * z2674 + z1406 * z2675 - z1407 * z2676;
+    const Scalar z2678 = z1375 * z2672 + z1376 * z2673 + z1377 * z2674 + z1378 * z2675 - z1379 * z2676 - z1380 * z2677;
+    const Scalar z2679 = z1406 - z1407 * z1427;
+    const Scalar z2680 = z1405 - z1407 * z1426 - z1441 * z2679;
+    const Scalar z2681 = z1404 - z1407 * z1425 - z1440 * z2679 - z1450 * z2680;
+    const Scalar z2682 = z1403 - z1407 * z1424 - z1439 * z2679 - z1449 * z2680 - z1455 * z2681;
+    const Scalar z2683 = z1457 * z2682;
+    const Scalar z2684 = z1454 * z2681 - z1455 * z2683;
+    const Scalar z2685 = z1448 * z2680 - z1449 * z2683 - z1450 * z2684;
+    const Scalar z2686 = z1438 * z2679 - z1439 * z2683 - z1440 * z2684 - z1441 * z2685;
+    const Scalar z2687 = z1407 * z1423 - z1424 * z2683 - z1425 * z2684 - z1426 * z2685 - z1427 * z2686;
+    const Scalar z2688 = z1402 + z1403 * z2683 + z1404 * z2684 + z1405 * z2685 + z1406 * z2686 + z1407 * z2687;
+    const Scalar z2689 = z1375 * z2683 + z1376 * z2684 + z1377 * z2685 + z1378 * z2686 + z1379 * z2687 - z1380 * z2688;
+    const Scalar z2690 = z1379 - z1380 * z1407;
+    const Scalar z2691 = z1378 - z1380 * z1406 - z1427 * z2690;
+    const Scalar z2692 = z1377 - z1380 * z1405 - z1426 * z2690 - z1441 * z2691;
+    const Scalar z2693 = z1376 - z1380 * z1404 - z1425 * z2690 - z1440 * z2691 - z1450 * z2692;
+    const Scalar z2694 = z1375 - z1380 * z1403 - z1424 * z2690 - z1439 * z2691 - z1449 * z2692 - z1455 * z2693;
+    const Scalar z2695 = z1457 * z2694;
+    const Scalar z2696 = z1454 * z2693 - z1455 * z2695;
+    const Scalar z2697 = z1448 * z2692 - z1449 * z2695 - z1450 * z2696;
+    const Scalar z2698 = z1438 * z2691 - z1439 * z2695 - z1440 * z2696 - z1441 * z2697;
+    const Scalar z2699 = z1423 * z2690 - z1424 * z2695 - z1425 * z2696 - z1426 * z2697 - z1427 * z2698;
+    const Scalar z2700 = z1380 * z1402 - z1403 * z2695 - z1404 * z2696 - z1405 * z2697 - z1406 * z2698 - z1407 * z2699;
+    const Scalar z2701 = k52 - z1375 * z2695 - z1376 * z2696 - z1377 * z2697 - z1378 * z2698 - z1379 * z2699 - z1380
+        * z2700;
     result.M[0] = z468;
     result.M[1] = -z454;
     result.M[2] = -z434;
@@ -4561,13 +4515,13 @@ struct Mechanism {
     result.K[46] = -z2406;
     result.K[47] = -z2402;
     result.K[48] = z2359;
-    result.F[0] = u_tau1 - z833;
-    result.F[1] = u_tau2 - z824;
-    result.F[2] = u_tau3 - z810;
-    result.F[3] = u_tau4 - z796;
-    result.F[4] = u_tau5 + z784;
-    result.F[5] = u_tau6 - z768;
-    result.F[6] = u_tau7 - z754;
+    result.F[0] = z2464;
+    result.F[1] = z2465;
+    result.F[2] = z2466;
+    result.F[3] = z2467;
+    result.F[4] = z2468;
+    result.F[5] = z2469;
+    result.F[6] = z2470;
     result.E[0] = n1;
     result.E[1] = n0;
     result.E[2] = n0;
@@ -4638,13 +4592,13 @@ struct Mechanism {
     result.A[18] = n0;
     result.A[19] = n0;
     result.A[20] = n0;
-    result.A[21] = -z2483;
-    result.A[22] = -z2484;
-    result.A[23] = z2485;
-    result.A[24] = -z2486;
-    result.A[25] = -z2487;
-    result.A[26] = z2488;
-    result.A[27] = z2489;
+    result.A[21] = -z2490;
+    result.A[22] = -z2491;
+    result.A[23] = z2492;
+    result.A[24] = -z2493;
+    result.A[25] = -z2494;
+    result.A[26] = z2495;
+    result.A[27] = z2496;
     result.A[28] = n0;
     result.A[29] = n0;
     result.A[30] = n0;
@@ -4652,13 +4606,13 @@ struct Mechanism {
     result.A[32] = n0;
     result.A[33] = n0;
     result.A[34] = n0;
-    result.A[35] = -z2509;
-    result.A[36] = -z2510;
-    result.A[37] = z2511;
-    result.A[38] = -z2512;
-    result.A[39] = -z2513;
-    result.A[40] = z2514;
-    result.A[41] = z2515;
+    result.A[35] = -z2516;
+    result.A[36] = -z2517;
+    result.A[37] = z2518;
+    result.A[38] = -z2519;
+    result.A[39] = -z2520;
+    result.A[40] = z2521;
+    result.A[41] = z2522;
     result.A[42] = n0;
     result.A[43] = n0;
     result.A[44] = n0;
@@ -4666,13 +4620,13 @@ struct Mechanism {
     result.A[46] = n0;
     result.A[47] = n0;
     result.A[48] = n0;
-    result.A[49] = z2535;
-    result.A[50] = z2536;
-    result.A[51] = -z2537;
-    result.A[52] = z2538;
-    result.A[53] = z2539;
-    result.A[54] = -z2540;
-    result.A[55] = -z2541;
+    result.A[49] = z2542;
+    result.A[50] = z2543;
+    result.A[51] = -z2544;
+    result.A[52] = z2545;
+    result.A[53] = z2546;
+    result.A[54] = -z2547;
+    result.A[55] = -z2548;
     result.A[56] = n0;
     result.A[57] = n0;
     result.A[58] = n0;
@@ -4680,13 +4634,13 @@ struct Mechanism {
     result.A[60] = n0;
     result.A[61] = n0;
     result.A[62] = n0;
-    result.A[63] = z2561;
-    result.A[64] = z2562;
-    result.A[65] = -z2563;
-    result.A[66] = z2564;
-    result.A[67] = z2565;
-    result.A[68] = -z2566;
-    result.A[69] = -z2567;
+    result.A[63] = z2568;
+    result.A[64] = z2569;
+    result.A[65] = -z2570;
+    result.A[66] = z2571;
+    result.A[67] = z2572;
+    result.A[68] = -z2573;
+    result.A[69] = -z2574;
     result.A[70] = n0;
     result.A[71] = n0;
     result.A[72] = n0;
@@ -4694,13 +4648,13 @@ struct Mechanism {
     result.A[74] = n0;
     result.A[75] = n0;
     result.A[76] = n0;
-    result.A[77] = z2587;
-    result.A[78] = z2588;
-    result.A[79] = -z2589;
-    result.A[80] = z2590;
-    result.A[81] = z2591;
-    result.A[82] = -z2592;
-    result.A[83] = -z2593;
+    result.A[77] = z2594;
+    result.A[78] = z2595;
+    result.A[79] = -z2596;
+    result.A[80] = z2597;
+    result.A[81] = z2598;
+    result.A[82] = -z2599;
+    result.A[83] = -z2600;
     result.A[84] = n0;
     result.A[85] = n0;
     result.A[86] = n0;
@@ -4708,13 +4662,13 @@ struct Mechanism {
     result.A[88] = n0;
     result.A[89] = n0;
     result.A[90] = n0;
-    result.A[91] = -z2613;
-    result.A[92] = -z2614;
-    result.A[93] = z2615;
-    result.A[94] = -z2616;
-    result.A[95] = -z2617;
-    result.A[96] = z2618;
-    result.A[97] = z2619;
+    result.A[91] = -z2620;
+    result.A[92] = -z2621;
+    result.A[93] = z2622;
+    result.A[94] = -z2623;
+    result.A[95] = -z2624;
+    result.A[96] = z2625;
+    result.A[97] = z2626;
     result.A[98] = n1;
     result.A[99] = n0;
     result.A[100] = n0;
@@ -4722,13 +4676,13 @@ struct Mechanism {
     result.A[102] = n0;
     result.A[103] = n0;
     result.A[104] = n0;
-    result.A[105] = z2470;
-    result.A[106] = z2471;
-    result.A[107] = -z2472;
-    result.A[108] = z2473;
-    result.A[109] = z2474;
-    result.A[110] = -z2475;
-    result.A[111] = -z2476;
+    result.A[105] = z2477;
+    result.A[106] = z2478;
+    result.A[107] = -z2479;
+    result.A[108] = z2480;
+    result.A[109] = z2481;
+    result.A[110] = -z2482;
+    result.A[111] = -z2483;
     result.A[112] = n0;
     result.A[113] = n1;
     result.A[114] = n0;
@@ -4736,13 +4690,13 @@ struct Mechanism {
     result.A[116] = n0;
     result.A[117] = n0;
     result.A[118] = n0;
-    result.A[119] = -z2496;
-    result.A[120] = -z2497;
-    result.A[121] = z2498;
-    result.A[122] = -z2499;
-    result.A[123] = -z2500;
-    result.A[124] = z2501;
-    result.A[125] = z2502;
+    result.A[119] = -z2503;
+    result.A[120] = -z2504;
+    result.A[121] = z2505;
+    result.A[122] = -z2506;
+    result.A[123] = -z2507;
+    result.A[124] = z2508;
+    result.A[125] = z2509;
     result.A[126] = n0;
     result.A[127] = n0;
     result.A[128] = n1;
@@ -4750,13 +4704,13 @@ struct Mechanism {
     result.A[130] = n0;
     result.A[131] = n0;
     result.A[132] = n0;
-    result.A[133] = z2522;
-    result.A[134] = z2523;
-    result.A[135] = -z2524;
-    result.A[136] = z2525;
-    result.A[137] = z2526;
-    result.A[138] = -z2527;
-    result.A[139] = -z2528;
+    result.A[133] = z2529;
+    result.A[134] = z2530;
+    result.A[135] = -z2531;
+    result.A[136] = z2532;
+    result.A[137] = z2533;
+    result.A[138] = -z2534;
+    result.A[139] = -z2535;
     result.A[140] = n0;
     result.A[141] = n0;
     result.A[142] = n0;
@@ -4764,13 +4718,13 @@ struct Mechanism {
     result.A[144] = n0;
     result.A[145] = n0;
     result.A[146] = n0;
-    result.A[147] = z2548;
-    result.A[148] = z2549;
-    result.A[149] = -z2550;
-    result.A[150] = z2551;
-    result.A[151] = z2552;
-    result.A[152] = -z2553;
-    result.A[153] = -z2554;
+    result.A[147] = z2555;
+    result.A[148] = z2556;
+    result.A[149] = -z2557;
+    result.A[150] = z2558;
+    result.A[151] = z2559;
+    result.A[152] = -z2560;
+    result.A[153] = -z2561;
     result.A[154] = n0;
     result.A[155] = n0;
     result.A[156] = n0;
@@ -4778,13 +4732,13 @@ struct Mechanism {
     result.A[158] = n1;
     result.A[159] = n0;
     result.A[160] = n0;
-    result.A[161] = -z2574;
-    result.A[162] = -z2575;
-    result.A[163] = z2576;
-    result.A[164] = -z2577;
-    result.A[165] = -z2578;
-    result.A[166] = z2579;
-    result.A[167] = z2580;
+    result.A[161] = -z2581;
+    result.A[162] = -z2582;
+    result.A[163] = z2583;
+    result.A[164] = -z2584;
+    result.A[165] = -z2585;
+    result.A[166] = z2586;
+    result.A[167] = z2587;
     result.A[168] = n0;
     result.A[169] = n0;
     result.A[170] = n0;
@@ -4792,13 +4746,13 @@ struct Mechanism {
     result.A[172] = n0;
     result.A[173] = n1;
     result.A[174] = n0;
-    result.A[175] = -z2600;
-    result.A[176] = -z2601;
-    result.A[177] = z2602;
-    result.A[178] = -z2603;
-    result.A[179] = -z2604;
-    result.A[180] = z2605;
-    result.A[181] = z2606;
+    result.A[175] = -z2607;
+    result.A[176] = -z2608;
+    result.A[177] = z2609;
+    result.A[178] = -z2610;
+    result.A[179] = -z2611;
+    result.A[180] = z2612;
+    result.A[181] = z2613;
     result.A[182] = n0;
     result.A[183] = n0;
     result.A[184] = n0;
@@ -4806,13 +4760,13 @@ struct Mechanism {
     result.A[186] = n0;
     result.A[187] = n0;
     result.A[188] = n1;
-    result.A[189] = -z2626;
-    result.A[190] = -z2627;
-    result.A[191] = z2628;
-    result.A[192] = -z2629;
-    result.A[193] = -z2630;
-    result.A[194] = z2631;
-    result.A[195] = z2632;
+    result.A[189] = -z2633;
+    result.A[190] = -z2634;
+    result.A[191] = z2635;
+    result.A[192] = -z2636;
+    result.A[193] = -z2637;
+    result.A[194] = z2638;
+    result.A[195] = z2639;
     result.B[0] = n0;
     result.B[1] = n0;
     result.B[2] = n0;
@@ -4821,12 +4775,12 @@ struct Mechanism {
     result.B[5] = n0;
     result.B[6] = n0;
     result.B[7] = -z1457;
-    result.B[8] = z2633;
-    result.B[9] = -z2634;
-    result.B[10] = z2635;
-    result.B[11] = z2636;
-    result.B[12] = -z2637;
-    result.B[13] = z2638;
+    result.B[8] = z2640;
+    result.B[9] = -z2641;
+    result.B[10] = z2642;
+    result.B[11] = z2643;
+    result.B[12] = -z2644;
+    result.B[13] = z2645;
     result.B[14] = n0;
     result.B[15] = n0;
     result.B[16] = n0;
@@ -4834,13 +4788,13 @@ struct Mechanism {
     result.B[18] = n0;
     result.B[19] = n0;
     result.B[20] = n0;
-    result.B[21] = z2633;
-    result.B[22] = -z2639;
-    result.B[23] = z2640;
-    result.B[24] = -z2641;
-    result.B[25] = -z2642;
-    result.B[26] = z2643;
-    result.B[27] = -z2644;
+    result.B[21] = z2640;
+    result.B[22] = -z2646;
+    result.B[23] = z2647;
+    result.B[24] = -z2648;
+    result.B[25] = -z2649;
+    result.B[26] = z2650;
+    result.B[27] = -z2651;
     result.B[28] = n0;
     result.B[29] = n0;
     result.B[30] = n0;
@@ -4848,13 +4802,13 @@ struct Mechanism {
     result.B[32] = n0;
     result.B[33] = n0;
     result.B[34] = n0;
-    result.B[35] = -z2646;
-    result.B[36] = -z2647;
-    result.B[37] = -z2648;
-    result.B[38] = z2649;
-    result.B[39] = z2650;
-    result.B[40] = -z2651;
-    result.B[41] = z2652;
+    result.B[35] = -z2653;
+    result.B[36] = -z2654;
+    result.B[37] = -z2655;
+    result.B[38] = z2656;
+    result.B[39] = z2657;
+    result.B[40] = -z2658;
+    result.B[41] = z2659;
     result.B[42] = n0;
     result.B[43] = n0;
     result.B[44] = n0;
@@ -4862,13 +4816,13 @@ struct Mechanism {
     result.B[46] = n0;
     result.B[47] = n0;
     result.B[48] = n0;
-    result.B[49] = z2655;
-    result.B[50] = z2656;
-    result.B[51] = -z2657;
-    result.B[52] = -z2658;
-    result.B[53] = -z2659;
-    result.B[54] = z2660;
-    result.B[55] = -z2661;
+    result.B[49] = z2662;
+    result.B[50] = z2663;
+    result.B[51] = -z2664;
+    result.B[52] = -z2665;
+    result.B[53] = -z2666;
+    result.B[54] = z2667;
+    result.B[55] = -z2668;
     result.B[56] = n0;
     result.B[57] = n0;
     result.B[58] = n0;
@@ -4876,13 +4830,13 @@ struct Mechanism {
     result.B[60] = n0;
     result.B[61] = n0;
     result.B[62] = n0;
-    result.B[63] = z2665;
-    result.B[64] = z2666;
-    result.B[65] = -z2667;
-    result.B[66] = z2668;
-    result.B[67] = -z2669;
-    result.B[68] = z2670;
-    result.B[69] = -z2671;
+    result.B[63] = z2672;
+    result.B[64] = z2673;
+    result.B[65] = -z2674;
+    result.B[66] = z2675;
+    result.B[67] = -z2676;
+    result.B[68] = z2677;
+    result.B[69] = -z2678;
     result.B[70] = n0;
     result.B[71] = n0;
     result.B[72] = n0;
@@ -4890,13 +4844,13 @@ struct Mechanism {
     result.B[74] = n0;
     result.B[75] = n0;
     result.B[76] = n0;
-    result.B[77] = -z2676;
-    result.B[78] = -z2677;
-    result.B[79] = z2678;
-    result.B[80] = -z2679;
-    result.B[81] = -z2680;
-    result.B[82] = -z2681;
-    result.B[83] = z2682;
+    result.B[77] = -z2683;
+    result.B[78] = -z2684;
+    result.B[79] = z2685;
+    result.B[80] = -z2686;
+    result.B[81] = -z2687;
+    result.B[82] = -z2688;
+    result.B[83] = z2689;
     result.B[84] = n0;
     result.B[85] = n0;
     result.B[86] = n0;
@@ -4904,101 +4858,105 @@ struct Mechanism {
     result.B[88] = n0;
     result.B[89] = n0;
     result.B[90] = n0;
-    result.B[91] = z2688;
-    result.B[92] = z2689;
-    result.B[93] = -z2690;
-    result.B[94] = z2691;
-    result.B[95] = z2692;
-    result.B[96] = -z2693;
-    result.B[97] = z2694;
+    result.B[91] = z2695;
+    result.B[92] = z2696;
+    result.B[93] = -z2697;
+    result.B[94] = z2698;
+    result.B[95] = z2699;
+    result.B[96] = -z2700;
+    result.B[97] = z2701;
     if (!(traits::regular(-z1456, z468) && traits::regular(-z1453, z450) && traits::regular(-z1447, z424)
         && traits::regular(-z1437, z391) && traits::regular(-z1422, z349) && traits::regular(-z1401,
         z308))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
-    const Scalar zero = (result.M[0] - result.M[0]) + (result.M[1] - result.M[1]) + (result.M[2] - result.M[2])
+    const Scalar zero = ((((((result.M[0] - result.M[0]) + (result.M[1] - result.M[1]) + (result.M[2] - result.M[2])
         + (result.M[3] - result.M[3]) + (result.M[4] - result.M[4]) + (result.M[5] - result.M[5]) + (result.M[6]
-        - result.M[6]) + (result.M[7] - result.M[7]) + (result.M[8] - result.M[8]) + (result.M[9] - result.M[9])
+        - result.M[6]) + (result.M[7] - result.M[7])) + ((result.M[8] - result.M[8]) + (result.M[9] - result.M[9])
         + (result.M[10] - result.M[10]) + (result.M[11] - result.M[11]) + (result.M[12] - result.M[12]) + (result.M[13]
-        - result.M[13]) + (result.M[14] - result.M[14]) + (result.M[15] - result.M[15]) + (result.M[16] - result.M[16])
-        + (result.M[17] - result.M[17]) + (result.M[18] - result.M[18]) + (result.M[19] - result.M[19]) + (result.M[20]
-        - result.M[20]) + (result.M[21] - result.M[21]) + (result.M[22] - result.M[22]) + (result.M[23] - result.M[23])
-        + (result.M[24] - result.M[24]) + (result.M[25] - result.M[25]) + (result.M[26] - result.M[26]) + (result.M[27]
-        - result.M[27]) + (result.M[28] - result.M[28]) + (result.M[29] - result.M[29]) + (result.M[30] - result.M[30])
-        + (result.M[31] - result.M[31]) + (result.M[32] - result.M[32]) + (result.M[33] - result.M[33]) + (result.M[34]
-        - result.M[34]) + (result.M[35] - result.M[35]) + (result.M[36] - result.M[36]) + (result.M[37] - result.M[37])
-        + (result.M[38] - result.M[38]) + (result.M[39] - result.M[39]) + (result.M[40] - result.M[40]) + (result.M[41]
-        - result.M[41]) + (result.M[42] - result.M[42]) + (result.M[43] - result.M[43]) + (result.M[44] - result.M[44])
-        + (result.M[45] - result.M[45]) + (result.M[46] - result.M[46]) + (result.M[47] - result.M[47]) + (result.C[0]
-        - result.C[0]) + (result.C[1] - result.C[1]) + (result.C[2] - result.C[2]) + (result.C[3] - result.C[3])
-        + (result.C[4] - result.C[4]) + (result.C[5] - result.C[5]) + (result.C[6] - result.C[6]) + (result.C[7]
-        - result.C[7]) + (result.C[8] - result.C[8]) + (result.C[9] - result.C[9]) + (result.C[10] - result.C[10])
-        + (result.C[11] - result.C[11]) + (result.C[12] - result.C[12]) + (result.C[13] - result.C[13]) + (result.C[14]
-        - result.C[14]) + (result.C[15] - result.C[15]) + (result.C[16] - result.C[16]) + (result.C[17] - result.C[17])
-        + (result.C[18] - result.C[18]) + (result.C[19] - result.C[19]) + (result.C[20] - result.C[20]) + (result.C[21]
-        - result.C[21]) + (result.C[22] - result.C[22]) + (result.C[23] - result.C[23]) + (result.C[24] - result.C[24])
+        - result.M[13]) + (result.M[14] - result.M[14]) + (result.M[15] - result.M[15]) + (result.M[16]
+        - result.M[16]))) + (((result.M[17] - result.M[17]) + (result.M[18] - result.M[18]) + (result.M[19]
+        - result.M[19]) + (result.M[20] - result.M[20]) + (result.M[21] - result.M[21]) + (result.M[22] - result.M[22])
+        + (result.M[23] - result.M[23]) + (result.M[24] - result.M[24]) + (result.M[25] - result.M[25]))
+        + ((result.M[26] - result.M[26]) + (result.M[27] - result.M[27]) + (result.M[28] - result.M[28]) + (result.M[29]
+        - result.M[29]) + (result.M[30] - result.M[30]) + (result.M[31] - result.M[31]) + (result.M[32] - result.M[32])
+        + (result.M[33] - result.M[33]) + (result.M[34] - result.M[34])))) + ((((result.M[35] - result.M[35])
+        + (result.M[36] - result.M[36]) + (result.M[37] - result.M[37]) + (result.M[38] - result.M[38]) + (result.M[39]
+        - result.M[39]) + (result.M[40] - result.M[40]) + (result.M[41] - result.M[41]) + (result.M[42] - result.M[42])
+        + (result.M[43] - result.M[43])) + ((result.M[44] - result.M[44]) + (result.M[45] - result.M[45])
+        + (result.M[46] - result.M[46]) + (result.M[47] - result.M[47]) + (result.C[0] - result.C[0]) + (result.C[1]
+        - result.C[1]) + (result.C[2] - result.C[2]) + (result.C[3] - result.C[3]) + (result.C[4] - result.C[4])))
+        + (((result.C[5] - result.C[5]) + (result.C[6] - result.C[6]) + (result.C[7] - result.C[7]) + (result.C[8]
+        - result.C[8]) + (result.C[9] - result.C[9]) + (result.C[10] - result.C[10]) + (result.C[11] - result.C[11])
+        + (result.C[12] - result.C[12]) + (result.C[13] - result.C[13])) + ((result.C[14] - result.C[14])
+        + (result.C[15] - result.C[15]) + (result.C[16] - result.C[16]) + (result.C[17] - result.C[17]) + (result.C[18]
+        - result.C[18]) + (result.C[19] - result.C[19]) + (result.C[20] - result.C[20]) + (result.C[21] - result.C[21])
+        + (result.C[22] - result.C[22]))))) + (((((result.C[23] - result.C[23]) + (result.C[24] - result.C[24])
         + (result.C[25] - result.C[25]) + (result.C[26] - result.C[26]) + (result.C[27] - result.C[27]) + (result.C[28]
-        - result.C[28]) + (result.C[29] - result.C[29]) + (result.C[30] - result.C[30]) + (result.C[31] - result.C[31])
-        + (result.C[32] - result.C[32]) + (result.C[33] - result.C[33]) + (result.C[34] - result.C[34]) + (result.C[35]
-        - result.C[35]) + (result.C[36] - result.C[36]) + (result.C[37] - result.C[37]) + (result.C[38] - result.C[38])
-        + (result.C[39] - result.C[39]) + (result.C[40] - result.C[40]) + (result.C[41] - result.C[41]) + (result.C[42]
-        - result.C[42]) + (result.C[43] - result.C[43]) + (result.C[44] - result.C[44]) + (result.C[45] - result.C[45])
-        + (result.C[46] - result.C[46]) + (result.C[47] - result.C[47]) + (result.K[7] - result.K[7]) + (result.K[8]
-        - result.K[8]) + (result.K[9] - result.K[9]) + (result.K[10] - result.K[10]) + (result.K[11] - result.K[11])
-        + (result.K[12] - result.K[12]) + (result.K[13] - result.K[13]) + (result.K[14] - result.K[14]) + (result.K[15]
-        - result.K[15]) + (result.K[16] - result.K[16]) + (result.K[17] - result.K[17]) + (result.K[18] - result.K[18])
-        + (result.K[19] - result.K[19]) + (result.K[20] - result.K[20]) + (result.K[21] - result.K[21]) + (result.K[22]
-        - result.K[22]) + (result.K[23] - result.K[23]) + (result.K[24] - result.K[24]) + (result.K[25] - result.K[25])
-        + (result.K[26] - result.K[26]) + (result.K[27] - result.K[27]) + (result.K[28] - result.K[28]) + (result.K[29]
-        - result.K[29]) + (result.K[30] - result.K[30]) + (result.K[31] - result.K[31]) + (result.K[32] - result.K[32])
-        + (result.K[33] - result.K[33]) + (result.K[34] - result.K[34]) + (result.K[35] - result.K[35]) + (result.K[36]
-        - result.K[36]) + (result.K[37] - result.K[37]) + (result.K[38] - result.K[38]) + (result.K[39] - result.K[39])
-        + (result.K[40] - result.K[40]) + (result.K[41] - result.K[41]) + (result.K[42] - result.K[42]) + (result.K[43]
-        - result.K[43]) + (result.K[44] - result.K[44]) + (result.K[45] - result.K[45]) + (result.K[46] - result.K[46])
-        + (result.K[47] - result.K[47]) + (result.K[48] - result.K[48]) + (result.F[0] - result.F[0]) + (result.F[1]
-        - result.F[1]) + (result.F[2] - result.F[2]) + (result.F[3] - result.F[3]) + (result.F[4] - result.F[4])
+        - result.C[28]) + (result.C[29] - result.C[29]) + (result.C[30] - result.C[30])) + ((result.C[31]
+        - result.C[31]) + (result.C[32] - result.C[32]) + (result.C[33] - result.C[33]) + (result.C[34] - result.C[34])
+        + (result.C[35] - result.C[35]) + (result.C[36] - result.C[36]) + (result.C[37] - result.C[37]) + (result.C[38]
+        - result.C[38]) + (result.C[39] - result.C[39]))) + (((result.C[40] - result.C[40]) + (result.C[41]
+        - result.C[41]) + (result.C[42] - result.C[42]) + (result.C[43] - result.C[43]) + (result.C[44] - result.C[44])
+        + (result.C[45] - result.C[45]) + (result.C[46] - result.C[46]) + (result.C[47] - result.C[47]) + (result.K[7]
+        - result.K[7])) + ((result.K[8] - result.K[8]) + (result.K[9] - result.K[9]) + (result.K[10] - result.K[10])
+        + (result.K[11] - result.K[11]) + (result.K[12] - result.K[12]) + (result.K[13] - result.K[13]) + (result.K[14]
+        - result.K[14]) + (result.K[15] - result.K[15]) + (result.K[16] - result.K[16])))) + ((((result.K[17]
+        - result.K[17]) + (result.K[18] - result.K[18]) + (result.K[19] - result.K[19]) + (result.K[20] - result.K[20])
+        + (result.K[21] - result.K[21]) + (result.K[22] - result.K[22]) + (result.K[23] - result.K[23]) + (result.K[24]
+        - result.K[24]) + (result.K[25] - result.K[25])) + ((result.K[26] - result.K[26]) + (result.K[27]
+        - result.K[27]) + (result.K[28] - result.K[28]) + (result.K[29] - result.K[29]) + (result.K[30] - result.K[30])
+        + (result.K[31] - result.K[31]) + (result.K[32] - result.K[32]) + (result.K[33] - result.K[33]) + (result.K[34]
+        - result.K[34]))) + (((result.K[35] - result.K[35]) + (result.K[36] - result.K[36]) + (result.K[37]
+        - result.K[37]) + (result.K[38] - result.K[38]) + (result.K[39] - result.K[39]) + (result.K[40] - result.K[40])
+        + (result.K[41] - result.K[41]) + (result.K[42] - result.K[42]) + (result.K[43] - result.K[43]))
+        + ((result.K[44] - result.K[44]) + (result.K[45] - result.K[45]) + (result.K[46] - result.K[46]) + (result.K[47]
+        - result.K[47]) + (result.K[48] - result.K[48]) + (result.F[0] - result.F[0]) + (result.F[1] - result.F[1])
+        + (result.F[2] - result.F[2]) + (result.F[3] - result.F[3])))))) + ((((((result.F[4] - result.F[4])
         + (result.F[5] - result.F[5]) + (result.F[6] - result.F[6]) + (result.A[21] - result.A[21]) + (result.A[22]
-        - result.A[22]) + (result.A[23] - result.A[23]) + (result.A[24] - result.A[24]) + (result.A[25] - result.A[25])
-        + (result.A[26] - result.A[26]) + (result.A[27] - result.A[27]) + (result.A[35] - result.A[35]) + (result.A[36]
+        - result.A[22]) + (result.A[23] - result.A[23]) + (result.A[24] - result.A[24]) + (result.A[25] - result.A[25]))
+        + ((result.A[26] - result.A[26]) + (result.A[27] - result.A[27]) + (result.A[35] - result.A[35]) + (result.A[36]
         - result.A[36]) + (result.A[37] - result.A[37]) + (result.A[38] - result.A[38]) + (result.A[39] - result.A[39])
-        + (result.A[40] - result.A[40]) + (result.A[41] - result.A[41]) + (result.A[49] - result.A[49]) + (result.A[50]
-        - result.A[50]) + (result.A[51] - result.A[51]) + (result.A[52] - result.A[52]) + (result.A[53] - result.A[53])
-        + (result.A[54] - result.A[54]) + (result.A[55] - result.A[55]) + (result.A[63] - result.A[63]) + (result.A[64]
-        - result.A[64]) + (result.A[65] - result.A[65]) + (result.A[66] - result.A[66]) + (result.A[67] - result.A[67])
-        + (result.A[68] - result.A[68]) + (result.A[69] - result.A[69]) + (result.A[77] - result.A[77]) + (result.A[78]
-        - result.A[78]) + (result.A[79] - result.A[79]) + (result.A[80] - result.A[80]) + (result.A[81] - result.A[81])
-        + (result.A[82] - result.A[82]) + (result.A[83] - result.A[83]) + (result.A[91] - result.A[91]) + (result.A[92]
-        - result.A[92]) + (result.A[93] - result.A[93]) + (result.A[94] - result.A[94]) + (result.A[95] - result.A[95])
-        + (result.A[96] - result.A[96]) + (result.A[97] - result.A[97]) + (result.A[105] - result.A[105])
-        + (result.A[106] - result.A[106]) + (result.A[107] - result.A[107]) + (result.A[108] - result.A[108])
-        + (result.A[109] - result.A[109]) + (result.A[110] - result.A[110]) + (result.A[111] - result.A[111])
-        + (result.A[119] - result.A[119]) + (result.A[120] - result.A[120]) + (result.A[121] - result.A[121])
-        + (result.A[122] - result.A[122]) + (result.A[123] - result.A[123]) + (result.A[124] - result.A[124])
-        + (result.A[125] - result.A[125]) + (result.A[133] - result.A[133]) + (result.A[134] - result.A[134])
-        + (result.A[135] - result.A[135]) + (result.A[136] - result.A[136]) + (result.A[137] - result.A[137])
-        + (result.A[138] - result.A[138]) + (result.A[139] - result.A[139]) + (result.A[147] - result.A[147])
-        + (result.A[148] - result.A[148]) + (result.A[149] - result.A[149]) + (result.A[150] - result.A[150])
-        + (result.A[151] - result.A[151]) + (result.A[152] - result.A[152]) + (result.A[153] - result.A[153])
-        + (result.A[161] - result.A[161]) + (result.A[162] - result.A[162]) + (result.A[163] - result.A[163])
-        + (result.A[164] - result.A[164]) + (result.A[165] - result.A[165]) + (result.A[166] - result.A[166])
-        + (result.A[167] - result.A[167]) + (result.A[175] - result.A[175]) + (result.A[176] - result.A[176])
-        + (result.A[177] - result.A[177]) + (result.A[178] - result.A[178]) + (result.A[179] - result.A[179])
-        + (result.A[180] - result.A[180]) + (result.A[181] - result.A[181]) + (result.A[189] - result.A[189])
-        + (result.A[190] - result.A[190]) + (result.A[191] - result.A[191]) + (result.A[192] - result.A[192])
-        + (result.A[193] - result.A[193]) + (result.A[194] - result.A[194]) + (result.A[195] - result.A[195])
-        + (result.B[7] - result.B[7]) + (result.B[8] - result.B[8]) + (result.B[9] - result.B[9]) + (result.B[10]
-        - result.B[10]) + (result.B[11] - result.B[11]) + (result.B[12] - result.B[12]) + (result.B[13] - result.B[13])
-        + (result.B[21] - result.B[21]) + (result.B[22] - result.B[22]) + (result.B[23] - result.B[23]) + (result.B[24]
-        - result.B[24]) + (result.B[25] - result.B[25]) + (result.B[26] - result.B[26]) + (result.B[27] - result.B[27])
-        + (result.B[35] - result.B[35]) + (result.B[36] - result.B[36]) + (result.B[37] - result.B[37]) + (result.B[38]
-        - result.B[38]) + (result.B[39] - result.B[39]) + (result.B[40] - result.B[40]) + (result.B[41] - result.B[41])
-        + (result.B[49] - result.B[49]) + (result.B[50] - result.B[50]) + (result.B[51] - result.B[51]) + (result.B[52]
-        - result.B[52]) + (result.B[53] - result.B[53]) + (result.B[54] - result.B[54]) + (result.B[55] - result.B[55])
-        + (result.B[63] - result.B[63]) + (result.B[64] - result.B[64]) + (result.B[65] - result.B[65]) + (result.B[66]
-        - result.B[66]) + (result.B[67] - result.B[67]) + (result.B[68] - result.B[68]) + (result.B[69] - result.B[69])
-        + (result.B[77] - result.B[77]) + (result.B[78] - result.B[78]) + (result.B[79] - result.B[79]) + (result.B[80]
-        - result.B[80]) + (result.B[81] - result.B[81]) + (result.B[82] - result.B[82]) + (result.B[83] - result.B[83])
+        + (result.A[40] - result.A[40]) + (result.A[41] - result.A[41]))) + (((result.A[49] - result.A[49])
+        + (result.A[50] - result.A[50]) + (result.A[51] - result.A[51]) + (result.A[52] - result.A[52]) + (result.A[53]
+        - result.A[53]) + (result.A[54] - result.A[54]) + (result.A[55] - result.A[55]) + (result.A[63] - result.A[63])
+        + (result.A[64] - result.A[64])) + ((result.A[65] - result.A[65]) + (result.A[66] - result.A[66])
+        + (result.A[67] - result.A[67]) + (result.A[68] - result.A[68]) + (result.A[69] - result.A[69]) + (result.A[77]
+        - result.A[77]) + (result.A[78] - result.A[78]) + (result.A[79] - result.A[79]) + (result.A[80]
+        - result.A[80])))) + ((((result.A[81] - result.A[81]) + (result.A[82] - result.A[82]) + (result.A[83]
+        - result.A[83]) + (result.A[91] - result.A[91]) + (result.A[92] - result.A[92]) + (result.A[93] - result.A[93])
+        + (result.A[94] - result.A[94]) + (result.A[95] - result.A[95]) + (result.A[96] - result.A[96]))
+        + ((result.A[97] - result.A[97]) + (result.A[105] - result.A[105]) + (result.A[106] - result.A[106])
+        + (result.A[107] - result.A[107]) + (result.A[108] - result.A[108]) + (result.A[109] - result.A[109])
+        + (result.A[110] - result.A[110]) + (result.A[111] - result.A[111]) + (result.A[119] - result.A[119])))
+        + (((result.A[120] - result.A[120]) + (result.A[121] - result.A[121]) + (result.A[122] - result.A[122])
+        + (result.A[123] - result.A[123]) + (result.A[124] - result.A[124]) + (result.A[125] - result.A[125])
+        + (result.A[133] - result.A[133]) + (result.A[134] - result.A[134]) + (result.A[135] - result.A[135]))
+        + ((result.A[136] - result.A[136]) + (result.A[137] - result.A[137]) + (result.A[138] - result.A[138])
+        + (result.A[139] - result.A[139]) + (result.A[147] - result.A[147]) + (result.A[148] - result.A[148])
+        + (result.A[149] - result.A[149]) + (result.A[150] - result.A[150]) + (result.A[151] - result.A[151])))))
+        + (((((result.A[152] - result.A[152]) + (result.A[153] - result.A[153]) + (result.A[161] - result.A[161])
+        + (result.A[162] - result.A[162]) + (result.A[163] - result.A[163]) + (result.A[164] - result.A[164])
+        + (result.A[165] - result.A[165]) + (result.A[166] - result.A[166]) + (result.A[167] - result.A[167]))
+        + ((result.A[175] - result.A[175]) + (result.A[176] - result.A[176]) + (result.A[177] - result.A[177])
+        + (result.A[178] - result.A[178]) + (result.A[179] - result.A[179]) + (result.A[180] - result.A[180])
+        + (result.A[181] - result.A[181]) + (result.A[189] - result.A[189]) + (result.A[190] - result.A[190])))
+        + (((result.A[191] - result.A[191]) + (result.A[192] - result.A[192]) + (result.A[193] - result.A[193])
+        + (result.A[194] - result.A[194]) + (result.A[195] - result.A[195]) + (result.B[7] - result.B[7]) + (result.B[8]
+        - result.B[8]) + (result.B[9] - result.B[9]) + (result.B[10] - result.B[10])) + ((result.B[11] - result.B[11])
+        + (result.B[12] - result.B[12]) + (result.B[13] - result.B[13]) + (result.B[21] - result.B[21]) + (result.B[22]
+        - result.B[22]) + (result.B[23] - result.B[23]) + (result.B[24] - result.B[24]) + (result.B[25] - result.B[25])
+        + (result.B[26] - result.B[26])))) + ((((result.B[27] - result.B[27]) + (result.B[35] - result.B[35])
+        + (result.B[36] - result.B[36]) + (result.B[37] - result.B[37]) + (result.B[38] - result.B[38]) + (result.B[39]
+        - result.B[39]) + (result.B[40] - result.B[40]) + (result.B[41] - result.B[41]) + (result.B[49] - result.B[49]))
+        + ((result.B[50] - result.B[50]) + (result.B[51] - result.B[51]) + (result.B[52] - result.B[52]) + (result.B[53]
+        - result.B[53]) + (result.B[54] - result.B[54]) + (result.B[55] - result.B[55]) + (result.B[63] - result.B[63])
+        + (result.B[64] - result.B[64]) + (result.B[65] - result.B[65]))) + (((result.B[66] - result.B[66])
+        + (result.B[67] - result.B[67]) + (result.B[68] - result.B[68]) + (result.B[69] - result.B[69]) + (result.B[77]
+        - result.B[77]) + (result.B[78] - result.B[78]) + (result.B[79] - result.B[79]) + (result.B[80] - result.B[80])
+        + (result.B[81] - result.B[81])) + ((result.B[82] - result.B[82]) + (result.B[83] - result.B[83])
         + (result.B[91] - result.B[91]) + (result.B[92] - result.B[92]) + (result.B[93] - result.B[93]) + (result.B[94]
-        - result.B[94]) + (result.B[95] - result.B[95]) + (result.B[96] - result.B[96]) + (result.B[97] - result.B[97]);
+        - result.B[94]) + (result.B[95] - result.B[95]) + (result.B[96] - result.B[96]) + (result.B[97]
+        - result.B[97]))))));
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }

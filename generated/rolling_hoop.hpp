@@ -1733,29 +1733,30 @@ struct Mechanism {
     if (!(traits::regular(z230, z232) && traits::regular(z233, z234) && traits::regular(z373, z282)
         && traits::regular(-z370, -z286) && traits::regular(z290, z290))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
-    const Scalar zero = (result.M[12] - result.M[12]) + (result.M[14] - result.M[14]) + (result.M[18] - result.M[18])
+    const Scalar zero = ((((result.M[12] - result.M[12]) + (result.M[14] - result.M[14]) + (result.M[18] - result.M[18])
         + (result.M[22] - result.M[22]) + (result.M[24] - result.M[24]) + (result.C[12] - result.C[12]) + (result.C[13]
-        - result.C[13]) + (result.C[14] - result.C[14]) + (result.C[17] - result.C[17]) + (result.C[18] - result.C[18])
-        + (result.C[19] - result.C[19]) + (result.C[22] - result.C[22]) + (result.C[23] - result.C[23]) + (result.K[10]
-        - result.K[10]) + (result.K[11] - result.K[11]) + (result.K[17] - result.K[17]) + (result.K[18] - result.K[18])
-        + (result.K[19] - result.K[19]) + (result.F[0] - result.F[0]) + (result.F[1] - result.F[1]) + (result.F[2]
-        - result.F[2]) + (result.F[3] - result.F[3]) + (result.F[4] - result.F[4]) + (result.M_r[0] - result.M_r[0])
-        + (result.M_r[1] - result.M_r[1]) + (result.M_r[2] - result.M_r[2]) + (result.M_r[3] - result.M_r[3])
-        + (result.M_r[4] - result.M_r[4]) + (result.M_r[5] - result.M_r[5]) + (result.M_r[6] - result.M_r[6])
-        + (result.M_r[7] - result.M_r[7]) + (result.M_r[8] - result.M_r[8]) + (result.C_r[0] - result.C_r[0])
-        + (result.C_r[1] - result.C_r[1]) + (result.C_r[2] - result.C_r[2]) + (result.C_r[3] - result.C_r[3])
-        + (result.C_r[4] - result.C_r[4]) + (result.C_r[5] - result.C_r[5]) + (result.C_r[6] - result.C_r[6])
-        + (result.C_r[7] - result.C_r[7]) + (result.C_r[8] - result.C_r[8]) + (result.K_r[6] - result.K_r[6])
-        + (result.K_r[7] - result.K_r[7]) + (result.K_r[8] - result.K_r[8]) + (result.K_r[9] - result.K_r[9])
-        + (result.K_r[10] - result.K_r[10]) + (result.K_r[11] - result.K_r[11]) + (result.F_r[0] - result.F_r[0])
-        + (result.F_r[1] - result.F_r[1]) + (result.F_r[2] - result.F_r[2]) + (result.A[16] - result.A[16])
-        + (result.A[19] - result.A[19]) + (result.A[21] - result.A[21]) + (result.A[22] - result.A[22]) + (result.A[23]
-        - result.A[23]) + (result.A[24] - result.A[24]) + (result.A[27] - result.A[27]) + (result.A[29] - result.A[29])
-        + (result.A[30] - result.A[30]) + (result.A[31] - result.A[31]) + (result.A[40] - result.A[40]) + (result.A[43]
-        - result.A[43]) + (result.A[45] - result.A[45]) + (result.A[46] - result.A[46]) + (result.A[47] - result.A[47])
-        + (result.A[48] - result.A[48]) + (result.A[51] - result.A[51]) + (result.A[53] - result.A[53]) + (result.A[54]
-        - result.A[54]) + (result.A[55] - result.A[55]) + (result.A[56] - result.A[56]) + (result.A[59] - result.A[59])
-        + (result.A[61] - result.A[61]) + (result.A[62] - result.A[62]) + (result.A[63] - result.A[63]);
+        - result.C[13]) + (result.C[14] - result.C[14]) + (result.C[17] - result.C[17])) + ((result.C[18]
+        - result.C[18]) + (result.C[19] - result.C[19]) + (result.C[22] - result.C[22]) + (result.C[23] - result.C[23])
+        + (result.K[10] - result.K[10]) + (result.K[11] - result.K[11]) + (result.K[17] - result.K[17]) + (result.K[18]
+        - result.K[18]) + (result.K[19] - result.K[19]))) + (((result.F[0] - result.F[0]) + (result.F[1] - result.F[1])
+        + (result.F[2] - result.F[2]) + (result.F[3] - result.F[3]) + (result.F[4] - result.F[4]) + (result.M_r[0]
+        - result.M_r[0]) + (result.M_r[1] - result.M_r[1]) + (result.M_r[2] - result.M_r[2]) + (result.M_r[3]
+        - result.M_r[3])) + ((result.M_r[4] - result.M_r[4]) + (result.M_r[5] - result.M_r[5]) + (result.M_r[6]
+        - result.M_r[6]) + (result.M_r[7] - result.M_r[7]) + (result.M_r[8] - result.M_r[8]) + (result.C_r[0]
+        - result.C_r[0]) + (result.C_r[1] - result.C_r[1]) + (result.C_r[2] - result.C_r[2]) + (result.C_r[3]
+        - result.C_r[3]) + (result.C_r[4] - result.C_r[4])))) + ((((result.C_r[5] - result.C_r[5]) + (result.C_r[6]
+        - result.C_r[6]) + (result.C_r[7] - result.C_r[7]) + (result.C_r[8] - result.C_r[8]) + (result.K_r[6]
+        - result.K_r[6]) + (result.K_r[7] - result.K_r[7]) + (result.K_r[8] - result.K_r[8]) + (result.K_r[9]
+        - result.K_r[9]) + (result.K_r[10] - result.K_r[10])) + ((result.K_r[11] - result.K_r[11]) + (result.F_r[0]
+        - result.F_r[0]) + (result.F_r[1] - result.F_r[1]) + (result.F_r[2] - result.F_r[2]) + (result.A[16]
+        - result.A[16]) + (result.A[19] - result.A[19]) + (result.A[21] - result.A[21]) + (result.A[22] - result.A[22])
+        + (result.A[23] - result.A[23]) + (result.A[24] - result.A[24]))) + (((result.A[27] - result.A[27])
+        + (result.A[29] - result.A[29]) + (result.A[30] - result.A[30]) + (result.A[31] - result.A[31]) + (result.A[40]
+        - result.A[40]) + (result.A[43] - result.A[43]) + (result.A[45] - result.A[45]) + (result.A[46] - result.A[46])
+        + (result.A[47] - result.A[47])) + ((result.A[48] - result.A[48]) + (result.A[51] - result.A[51])
+        + (result.A[53] - result.A[53]) + (result.A[54] - result.A[54]) + (result.A[55] - result.A[55]) + (result.A[56]
+        - result.A[56]) + (result.A[59] - result.A[59]) + (result.A[61] - result.A[61]) + (result.A[62] - result.A[62])
+        + (result.A[63] - result.A[63]))));
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
@@ -2185,7 +2186,7 @@ struct Mechanism {
     if (!(traits::regular(z137, -z62) && traits::regular(z78, z78) && traits::regular(p_C, p_C) && traits::regular(z141,
         z141) && traits::regular(z142, z142))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
-    const Scalar zero = (result.by_position[10] - result.by_position[10]) + (result.by_position[11]
+    const Scalar zero = (((result.by_position[10] - result.by_position[10]) + (result.by_position[11]
         - result.by_position[11]) + (result.by_position[13] - result.by_position[13]) + (result.by_position[14]
         - result.by_position[14]) + (result.by_position[15] - result.by_position[15]) + (result.by_position[16]
         - result.by_position[16]) + (result.by_position[17] - result.by_position[17]) + (result.by_position[18]
@@ -2193,7 +2194,7 @@ struct Mechanism {
         - result.by_velocity[0]) + (result.by_velocity[1] - result.by_velocity[1]) + (result.by_velocity[3]
         - result.by_velocity[3]) + (result.by_velocity[4] - result.by_velocity[4]) + (result.by_velocity[5]
         - result.by_velocity[5]) + (result.by_velocity[6] - result.by_velocity[6]) + (result.by_velocity[8]
-        - result.by_velocity[8]) + (result.by_velocity[9] - result.by_velocity[9]) + (result.by_velocity[10]
+        - result.by_velocity[8])) + ((result.by_velocity[9] - result.by_velocity[9]) + (result.by_velocity[10]
         - result.by_velocity[10]) + (result.by_velocity[11] - result.by_velocity[11]) + (result.by_velocity[12]
         - result.by_velocity[12]) + (result.by_velocity[13] - result.by_velocity[13]) + (result.by_velocity[14]
         - result.by_velocity[14]) + (result.by_velocity[15] - result.by_velocity[15]) + (result.by_velocity[16]
@@ -2201,25 +2202,25 @@ struct Mechanism {
         - result.by_velocity[19]) + (result.by_velocity[20] - result.by_velocity[20]) + (result.by_velocity[21]
         - result.by_velocity[21]) + (result.by_velocity[22] - result.by_velocity[22]) + (result.by_velocity[23]
         - result.by_velocity[23]) + (result.by_velocity[24] - result.by_velocity[24]) + (result.by_force[0]
-        - result.by_force[0]) + (result.by_force[1] - result.by_force[1]) + (result.by_force[3] - result.by_force[3])
-        + (result.by_force[4] - result.by_force[4]) + (result.by_force[5] - result.by_force[5]) + (result.by_force[6]
-        - result.by_force[6]) + (result.by_force[8] - result.by_force[8]) + (result.by_force[9] - result.by_force[9])
-        + (result.by_force[12] - result.by_force[12]) + (result.by_force[14] - result.by_force[14])
-        + (result.by_force[15] - result.by_force[15]) + (result.by_force[16] - result.by_force[16])
-        + (result.by_force[18] - result.by_force[18]) + (result.by_force[20] - result.by_force[20])
-        + (result.by_force[21] - result.by_force[21]) + (result.by_force[22] - result.by_force[22])
-        + (result.by_force[24] - result.by_force[24]) + (result.multipliers_by_position[4]
+        - result.by_force[0]))) + (((result.by_force[1] - result.by_force[1]) + (result.by_force[3]
+        - result.by_force[3]) + (result.by_force[4] - result.by_force[4]) + (result.by_force[5] - result.by_force[5])
+        + (result.by_force[6] - result.by_force[6]) + (result.by_force[8] - result.by_force[8]) + (result.by_force[9]
+        - result.by_force[9]) + (result.by_force[12] - result.by_force[12]) + (result.by_force[14]
+        - result.by_force[14]) + (result.by_force[15] - result.by_force[15]) + (result.by_force[16]
+        - result.by_force[16]) + (result.by_force[18] - result.by_force[18]) + (result.by_force[20]
+        - result.by_force[20]) + (result.by_force[21] - result.by_force[21]) + (result.by_force[22]
+        - result.by_force[22]) + (result.by_force[24] - result.by_force[24])) + (((result.multipliers_by_position[4]
         - result.multipliers_by_position[4]) + (result.multipliers_by_position[5] - result.multipliers_by_position[5])
         + (result.multipliers_by_position[7] - result.multipliers_by_position[7]) + (result.multipliers_by_velocity[0]
         - result.multipliers_by_velocity[0]) + (result.multipliers_by_velocity[1] - result.multipliers_by_velocity[1])
         + (result.multipliers_by_velocity[2] - result.multipliers_by_velocity[2]) + (result.multipliers_by_velocity[3]
-        - result.multipliers_by_velocity[3]) + (result.multipliers_by_velocity[4] - result.multipliers_by_velocity[4])
-        + (result.multipliers_by_velocity[5] - result.multipliers_by_velocity[5]) + (result.multipliers_by_velocity[7]
+        - result.multipliers_by_velocity[3]) + (result.multipliers_by_velocity[4] - result.multipliers_by_velocity[4]))
+        + ((result.multipliers_by_velocity[5] - result.multipliers_by_velocity[5]) + (result.multipliers_by_velocity[7]
         - result.multipliers_by_velocity[7]) + (result.multipliers_by_velocity[9] - result.multipliers_by_velocity[9])
         + (result.multipliers_by_force[0] - result.multipliers_by_force[0]) + (result.multipliers_by_force[1]
         - result.multipliers_by_force[1]) + (result.multipliers_by_force[2] - result.multipliers_by_force[2])
         + (result.multipliers_by_force[3] - result.multipliers_by_force[3]) + (result.multipliers_by_force[7]
-        - result.multipliers_by_force[7]) + (result.multipliers_by_force[8] - result.multipliers_by_force[8]);
+        - result.multipliers_by_force[7]) + (result.multipliers_by_force[8] - result.multipliers_by_force[8]))));
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }

@@ -18,7 +18,7 @@
 //   energy                   14               28          0             0                  3       0     48      54
 //   first_integrals          15               28          0             0                  3       0     49      55
 //   constraints              11               17          0             0                  2       0     32      32
-//   linearisation           251              367         13             0                  3       0    637     704
+//   linearisation           239              355         13             0                  3       0    613     680
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 42 results 10 vanish identically, 2 repeat another up to sign
@@ -1238,10 +1238,7 @@ struct Mechanism {
     const Scalar z106 = v_theta * z30 - z102;  // angular acceleration of hoop.2, z
     const Scalar z109 = a_phi - z106;  // angular acceleration of hoop, z
     const Scalar z110 = p_C * z109;  // moment on hoop, z
-    const Scalar z111 = z80 + z105;
     const Scalar z112 = p_A * (a_theta - z89) + z86;  // moment on hoop.2, x
-    const Scalar z113 = p_A * z111 - z87;  // moment on hoop.2, y
-    const Scalar z115 = s_theta * z113 + c_theta * z110;
     const Scalar z123 = v_psi * s_psi;
     const Scalar z124 = v_psi * c_psi;
     const Scalar z125 = v_theta * s_theta;
@@ -1294,6 +1291,9 @@ struct Mechanism {
     const Scalar z300 = s_theta * z250;
     const Scalar z311 = s_psi * l_Y_F - c_psi * l_X_F;
     const Scalar z312 = s_psi * l_X_F + c_psi * l_Y_F;
+    const Scalar z313 = c_theta * l_X_F;
+    const Scalar z314 = s_theta * l_Y_F + z137 * l_N;
+    const Scalar z315 = z140 * l_N - l_X_F;
     const Scalar z320 = s_theta * l_X_F;
     const Scalar z321 = z288 + z320;
     const Scalar z322 = s_psi * z27 + c_psi * z29;
@@ -1302,193 +1302,198 @@ struct Mechanism {
     const Scalar z325 = z26 * z133 + z28 * z132;
     const Scalar z326 = l_N * z325;
     const Scalar z327 = z298 + z326;
-    const Scalar z328 = a_z - a_theta * c_theta + z131;
-    const Scalar z329 = a_x * s_psi - a_y * c_psi - a_theta * s_theta + z129;
-    const Scalar z330 = a_x * c_psi + a_y * s_psi + a_psi * c_theta + a_phi - z126;
-    const Scalar z331 = v_x * z123 - v_y * z124;
-    const Scalar z332 = a_x * c_psi + a_y * s_psi - z331;
-    const Scalar z333 = v_x * s_psi - v_y * c_psi + z125;
-    const Scalar z334 = v_x * z124 + v_y * z123;
-    const Scalar z335 = a_x * s_psi - a_y * c_psi + z334;
-    const Scalar z336 = v_theta * s_theta + z125;
-    const Scalar z337 = v_theta * z128;
-    const Scalar z338 = a_theta * s_theta + z337;
-    const Scalar z339 = v_theta * c_theta + z128;
-    const Scalar z340 = a_theta * c_theta - z131;
-    const Scalar z341 = v_psi * z128;
-    const Scalar z342 = a_psi * s_theta + z341;
-    const Scalar z343 = n1 / s_theta;
-    const Scalar z344 = n1 / c_psi;
-    const Scalar z345 = s_theta * s_theta;
-    const Scalar z346 = n1 + s_theta * s_theta / p_A;
-    const Scalar z347 = p_A * z346;
-    const Scalar z348 = c_psi * c_psi;
-    const Scalar z349 = n1 - c_theta * c_theta / z62 + n1 / p_C;
-    const Scalar z350 = s_psi * z344;
-    const Scalar z351 = z343 * z344;
-    const Scalar z352 = c_theta * z351;
-    const Scalar z353 = c_theta * z344;
-    const Scalar z354 = s_psi * z353;
-    const Scalar z355 = z343 * z354;
-    const Scalar z356 = c_theta * z355;
-    const Scalar z357 = z343 * z350;
-    const Scalar z358 = c_theta * z357;
-    const Scalar z359 = z178 * z344;
-    const Scalar z360 = v_x / c_psi;
-    const Scalar z361 = z343 * z360;
-    const Scalar z363 = z30 * z344;
-    const Scalar z364 = s_psi * z363 - z128;
-    const Scalar z365 = z343 * z364;
-    const Scalar z367 = n2 * v_psi / c_psi;
-    const Scalar z368 = z30 * z355 + z123 * z353 - z333;
-    const Scalar z369 = n2 * v_psi * s_psi / c_psi;
-    const Scalar z370 = n2 * v_theta * c_theta / (c_psi * s_theta);
-    const Scalar z371 = z124 * z353 - z177 - z339 * z355;
-    const Scalar z372 = z124 * z344 - z339 * z357;
-    const Scalar z373 = z336 * z351;
-    const Scalar z374 = z336 * z355;
-    const Scalar z375 = z336 * z357;
-    const Scalar z376 = z344 * z367;
-    const Scalar z377 = s_psi * z376 - z370;
-    const Scalar z378 = z343 * z377;
-    const Scalar z379 = c_theta * z378 - z373;
-    const Scalar z380 = z344 * z368;
-    const Scalar z381 = s_psi * z380 + z371;
-    const Scalar z382 = z343 * z381;
-    const Scalar z383 = c_theta * z382 - z374;
-    const Scalar z384 = z344 * z369;
-    const Scalar z385 = s_psi * z384 + z372;
-    const Scalar z386 = z343 * z385;
-    const Scalar z387 = c_theta * z386 - z375;
-    const Scalar z388 = z30 * z361 + z123 * z359;
-    const Scalar z389 = z30 * z365 + z123 * z363;
-    const Scalar z390 = z124 * z359 - z339 * z361;
-    const Scalar z391 = z124 * z363 - z339 * z365;
-    const Scalar z392 = z336 * z361;
-    const Scalar z393 = z336 * z365;
-    const Scalar z394 = z335 + z388;
-    const Scalar z395 = z342 + z389;
-    const Scalar z396 = z332 + z390;
-    const Scalar z397 = z340 - z391;
-    const Scalar z398 = z338 + z393;
-    const Scalar z399 = z344 * z394;
-    const Scalar z400 = s_psi * z399 + z396;
-    const Scalar z401 = z343 * z400;
-    const Scalar z402 = c_theta * z401 - z392;
-    const Scalar z403 = z344 * z395;
-    const Scalar z404 = s_psi * z403 - z397;
-    const Scalar z405 = z343 * z404;
-    const Scalar z406 = c_theta * z405 - z398;
-    const Scalar z407 = z330 * z344;
-    const Scalar z408 = s_psi * z407 - z329;
-    const Scalar z409 = z343 * z408;
-    const Scalar z410 = c_theta * z409 + z328;
-    const Scalar z411 = p_A * z351;
-    const Scalar z412 = p_A * z355;
-    const Scalar z413 = p_A * z357;
-    const Scalar z414 = n1 + z350 * z350 + z351 * z411 + z352 * z352;
-    const Scalar z415 = z350 * z353 + z352 * z356 + z355 * z411;
-    const Scalar z416 = z344 * z350 + z352 * z358 + z357 * z411;
-    const Scalar z418 = z62 - z353 * z353 - z355 * z412 - z356 * z356;
-    const Scalar z419 = z54 + z344 * z353 + z356 * z358 + z357 * z412;
-    const Scalar z422 = p_C + z344 * z344 + z357 * z413 + z358 * z358;
-    const Scalar z423 = z350 * z376 + z352 * z379 + z378 * z411;
-    const Scalar z424 = z350 * z380 + z352 * z383 + z382 * z411;
-    const Scalar z425 = z350 * z384 + z352 * z387 + z386 * z411;
-    const Scalar z426 = z353 * z376 + z356 * z379 + z378 * z412;
-    const Scalar z427 = z353 * z380 + z356 * z383 + z382 * z412;
-    const Scalar z428 = z353 * z384 + z356 * z387 + z386 * z412;
-    const Scalar z429 = z344 * z376 + z358 * z379 + z378 * z413;
-    const Scalar z430 = z344 * z380 + z358 * z383 + z382 * z413;
-    const Scalar z431 = z344 * z384 + z358 * z387 + z386 * z413;
-    const Scalar z432 = z294 * z351;
-    const Scalar z433 = z259 + z294 * z355;
-    const Scalar z434 = z294 * z357 + z300;
-    const Scalar z435 = z292 * z351;
-    const Scalar z436 = z292 * z355 - z300;
-    const Scalar z438 = z257 * z351;
-    const Scalar z439 = z249 * z351;
-    const Scalar z440 = z257 * z355 + z433;
-    const Scalar z441 = z249 * z355 + z434;
-    const Scalar z442 = z257 * z357 - z436;
-    const Scalar z443 = z424 - z438;
-    const Scalar z444 = z425 - z439;
-    const Scalar z445 = z426 - z432;
-    const Scalar z446 = z427 - z440;
-    const Scalar z447 = z428 - z441;
-    const Scalar z448 = z429 + z435;
-    const Scalar z449 = z430 - z442;
-    const Scalar z450 = z350 * z399 + z352 * z402 + z401 * z411;
-    const Scalar z451 = z350 * z403 + z352 * z406 + z405 * z411;
-    const Scalar z452 = z353 * z399 + z356 * z402 + z401 * z412;
-    const Scalar z453 = z353 * z403 + z356 * z406 + z405 * z412;
-    const Scalar z454 = z344 * z399 + z358 * z402 + z401 * z413;
-    const Scalar z455 = z344 * z403 + z358 * z406 + z405 * z413;
-    const Scalar z456 = z294 * z361;
-    const Scalar z457 = z294 * z365;
-    const Scalar z458 = z292 * z361;
-    const Scalar z459 = z292 * z365;
-    const Scalar z460 = z321 + z457;
-    const Scalar z461 = z327 - z459;
-    const Scalar z462 = l_X_F / c_psi;
-    const Scalar z463 = z324 * z351;
-    const Scalar z464 = z312 * z353 - z456;
-    const Scalar z465 = z324 * z355 + z460;
-    const Scalar z466 = z312 * z344 + z458;
-    const Scalar z467 = z324 * z357 + z461;
-    const Scalar z468 = z450 + z462;
-    const Scalar z469 = z451 - z463;
-    const Scalar z470 = z452 + z464;
-    const Scalar z471 = z453 - z465;
-    const Scalar z472 = z454 + z466;
-    const Scalar z473 = z455 - z467;
-    const Scalar z474 = a_x + s_psi * l_Y_F - c_psi * l_X_F;
-    const Scalar z475 = z98 - l_N;
-    const Scalar z476 = s_theta * l_Y_F - z112 + z137 * l_N;
-    const Scalar z477 = a_y - s_psi * l_X_F - c_psi * l_Y_F - z350 * z474 + z351 * z476 - z352 * z475;
-    const Scalar z478 = c_theta * l_X_F - z115 + z353 * z474 - z355 * z476 + z356 * z475;
-    const Scalar z479 = z110 + z140 * l_N - l_X_F - z344 * z474 + z357 * z476 - z358 * z475;
-    const Scalar z480 = z350 * z407 + z352 * z410 + z409 * z411;
-    const Scalar z481 = z353 * z407 + z356 * z410 + z409 * z412;
-    const Scalar z482 = z344 * z407 + z358 * z410 + z409 * z413;
-    const Scalar z483 = z477 + z480;
-    const Scalar z484 = z478 - z481;
-    const Scalar z485 = z479 + z482;
-    const Scalar z486 = n1 / z422;
-    const Scalar z487 = z416 * z486;
-    const Scalar z488 = z419 * z486;
-    const Scalar z489 = z414 - z416 * z487;
-    const Scalar z490 = z415 - z416 * z488;
-    const Scalar z491 = z418 + z419 * z488;
-    const Scalar z492 = n1 / z491;
-    const Scalar z493 = z490 * z492;
-    const Scalar z494 = z489 + z490 * z493;
-    const Scalar z495 = n1 / z494;
-    const Scalar z496 = z445 - z448 * z488;
-    const Scalar z497 = z423 - z448 * z487 + z493 * z496;
-    const Scalar z498 = z495 * z497;
-    const Scalar z499 = z492 * z496 - z493 * z498;
-    const Scalar z500 = z448 * z486 - z487 * z498 + z488 * z499;
-    const Scalar z501 = z446 - z449 * z488;
-    const Scalar z502 = z443 - z449 * z487 + z493 * z501;
-    const Scalar z503 = z495 * z502;
-    const Scalar z504 = z492 * z501 - z493 * z503;
-    const Scalar z505 = z449 * z486 - z487 * z503 + z488 * z504;
-    const Scalar z506 = z470 - z472 * z488;
-    const Scalar z507 = z468 - z472 * z487 + z493 * z506;
-    const Scalar z508 = z495 * z507;
-    const Scalar z509 = z492 * z506 - z493 * z508;
-    const Scalar z510 = z472 * z486 - z487 * z508 + z488 * z509;
-    const Scalar z511 = z431 * z488 - z447;
-    const Scalar z512 = z431 * z487 - z444 + z493 * z511;
-    const Scalar z513 = z495 * z512;
-    const Scalar z514 = z492 * z511 - z493 * z513;
-    const Scalar z515 = z431 * z486 + z487 * z513 - z488 * z514;
-    const Scalar z516 = z471 - z473 * z488;
-    const Scalar z517 = z469 - z473 * z487 + z493 * z516;
-    const Scalar z518 = z495 * z517;
-    const Scalar z519 = z492 * z516 - z493 * z518;
-    const Scalar z520 = z473 * z486 - z487 * z518 + z488 * z519;
+    const Scalar z328 = p_A * (z80 + z105) - z87;  // moment on hoop.2, y
+    const Scalar z330 = s_theta * z328 + c_theta * z110;
+    const Scalar z337 = a_x + z311;
+    const Scalar z338 = a_y - z312;
+    const Scalar z339 = z98 - l_N;
+    const Scalar z340 = z313 - z330;
+    const Scalar z341 = z112 - z314;
+    const Scalar z342 = z110 + z315;
+    const Scalar z343 = a_z - a_theta * c_theta + z131;
+    const Scalar z344 = a_x * s_psi - a_y * c_psi - a_theta * s_theta + z129;
+    const Scalar z345 = a_x * c_psi + a_y * s_psi + a_psi * c_theta + a_phi - z126;
+    const Scalar z346 = v_x * z123 - v_y * z124;
+    const Scalar z347 = a_x * c_psi + a_y * s_psi - z346;
+    const Scalar z348 = v_x * s_psi - v_y * c_psi + z125;
+    const Scalar z349 = v_x * z124 + v_y * z123;
+    const Scalar z350 = a_x * s_psi - a_y * c_psi + z349;
+    const Scalar z351 = v_theta * s_theta + z125;
+    const Scalar z352 = v_theta * z128;
+    const Scalar z353 = a_theta * s_theta + z352;
+    const Scalar z354 = v_theta * c_theta + z128;
+    const Scalar z355 = a_theta * c_theta - z131;
+    const Scalar z356 = v_psi * z128;
+    const Scalar z357 = a_psi * s_theta + z356;
+    const Scalar z358 = n1 / s_theta;
+    const Scalar z359 = n1 / c_psi;
+    const Scalar z360 = s_theta * s_theta;
+    const Scalar z361 = n1 + s_theta * s_theta / p_A;
+    const Scalar z362 = p_A * z361;
+    const Scalar z363 = c_psi * c_psi;
+    const Scalar z364 = n1 - c_theta * c_theta / z62 + n1 / p_C;
+    const Scalar z365 = s_psi * z359;
+    const Scalar z366 = z358 * z359;
+    const Scalar z367 = c_theta * z366;
+    const Scalar z368 = c_theta * z359;
+    const Scalar z369 = s_psi * z368;
+    const Scalar z370 = z358 * z369;
+    const Scalar z371 = c_theta * z370;
+    const Scalar z372 = z358 * z365;
+    const Scalar z373 = c_theta * z372;
+    const Scalar z374 = z178 * z359;
+    const Scalar z375 = v_x / c_psi;
+    const Scalar z376 = z358 * z375;
+    const Scalar z378 = z30 * z359;
+    const Scalar z379 = s_psi * z378 - z128;
+    const Scalar z380 = z358 * z379;
+    const Scalar z382 = n2 * v_psi / c_psi;
+    const Scalar z383 = z30 * z370 + z123 * z368 - z348;
+    const Scalar z384 = n2 * v_psi * s_psi / c_psi;
+    const Scalar z385 = n2 * v_theta * c_theta / (c_psi * s_theta);
+    const Scalar z386 = z124 * z368 - z177 - z354 * z370;
+    const Scalar z387 = z124 * z359 - z354 * z372;
+    const Scalar z388 = z351 * z366;
+    const Scalar z389 = z351 * z370;
+    const Scalar z390 = z351 * z372;
+    const Scalar z391 = z359 * z382;
+    const Scalar z392 = s_psi * z391 - z385;
+    const Scalar z393 = z358 * z392;
+    const Scalar z394 = c_theta * z393 - z388;
+    const Scalar z395 = z359 * z383;
+    const Scalar z396 = s_psi * z395 + z386;
+    const Scalar z397 = z358 * z396;
+    const Scalar z398 = c_theta * z397 - z389;
+    const Scalar z399 = z359 * z384;
+    const Scalar z400 = s_psi * z399 + z387;
+    const Scalar z401 = z358 * z400;
+    const Scalar z402 = c_theta * z401 - z390;
+    const Scalar z403 = z30 * z376 + z123 * z374;
+    const Scalar z404 = z30 * z380 + z123 * z378;
+    const Scalar z405 = z124 * z374 - z354 * z376;
+    const Scalar z406 = z124 * z378 - z354 * z380;
+    const Scalar z407 = z351 * z376;
+    const Scalar z408 = z351 * z380;
+    const Scalar z409 = z350 + z403;
+    const Scalar z410 = z357 + z404;
+    const Scalar z411 = z347 + z405;
+    const Scalar z412 = z355 - z406;
+    const Scalar z413 = z353 + z408;
+    const Scalar z414 = z359 * z409;
+    const Scalar z415 = s_psi * z414 + z411;
+    const Scalar z416 = z358 * z415;
+    const Scalar z417 = c_theta * z416 - z407;
+    const Scalar z418 = z359 * z410;
+    const Scalar z419 = s_psi * z418 - z412;
+    const Scalar z420 = z358 * z419;
+    const Scalar z421 = c_theta * z420 - z413;
+    const Scalar z422 = z345 * z359;
+    const Scalar z423 = s_psi * z422 - z344;
+    const Scalar z424 = z358 * z423;
+    const Scalar z425 = c_theta * z424 + z343;
+    const Scalar z426 = p_A * z366;
+    const Scalar z427 = p_A * z370;
+    const Scalar z428 = p_A * z372;
+    const Scalar z429 = n1 + z365 * z365 + z366 * z426 + z367 * z367;
+    const Scalar z430 = z365 * z368 + z367 * z371 + z370 * z426;
+    const Scalar z431 = z359 * z365 + z367 * z373 + z372 * z426;
+    const Scalar z433 = z62 - z368 * z368 - z370 * z427 - z371 * z371;
+    const Scalar z434 = z54 + z359 * z368 + z371 * z373 + z372 * z427;
+    const Scalar z437 = p_C + z359 * z359 + z372 * z428 + z373 * z373;
+    const Scalar z438 = z365 * z391 + z367 * z394 + z393 * z426;
+    const Scalar z439 = z365 * z395 + z367 * z398 + z397 * z426;
+    const Scalar z440 = z365 * z399 + z367 * z402 + z401 * z426;
+    const Scalar z441 = z368 * z391 + z371 * z394 + z393 * z427;
+    const Scalar z442 = z368 * z395 + z371 * z398 + z397 * z427;
+    const Scalar z443 = z368 * z399 + z371 * z402 + z401 * z427;
+    const Scalar z444 = z359 * z391 + z373 * z394 + z393 * z428;
+    const Scalar z445 = z359 * z395 + z373 * z398 + z397 * z428;
+    const Scalar z446 = z359 * z399 + z373 * z402 + z401 * z428;
+    const Scalar z447 = z294 * z366;
+    const Scalar z448 = z259 + z294 * z370;
+    const Scalar z449 = z294 * z372 + z300;
+    const Scalar z450 = z292 * z366;
+    const Scalar z451 = z292 * z370 - z300;
+    const Scalar z453 = z257 * z366;
+    const Scalar z454 = z249 * z366;
+    const Scalar z455 = z257 * z370 + z448;
+    const Scalar z456 = z249 * z370 + z449;
+    const Scalar z457 = z257 * z372 - z451;
+    const Scalar z458 = z439 - z453;
+    const Scalar z459 = z440 - z454;
+    const Scalar z460 = z441 - z447;
+    const Scalar z461 = z442 - z455;
+    const Scalar z462 = z443 - z456;
+    const Scalar z463 = z444 + z450;
+    const Scalar z464 = z445 - z457;
+    const Scalar z465 = z365 * z414 + z367 * z417 + z416 * z426;
+    const Scalar z466 = z365 * z418 + z367 * z421 + z420 * z426;
+    const Scalar z467 = z368 * z414 + z371 * z417 + z416 * z427;
+    const Scalar z468 = z368 * z418 + z371 * z421 + z420 * z427;
+    const Scalar z469 = z359 * z414 + z373 * z417 + z416 * z428;
+    const Scalar z470 = z359 * z418 + z373 * z421 + z420 * z428;
+    const Scalar z471 = z294 * z376;
+    const Scalar z472 = z294 * z380;
+    const Scalar z473 = z292 * z376;
+    const Scalar z474 = z292 * z380;
+    const Scalar z475 = z321 + z472;
+    const Scalar z476 = z327 - z474;
+    const Scalar z477 = l_X_F / c_psi;
+    const Scalar z478 = z324 * z366;
+    const Scalar z479 = z312 * z368 - z471;
+    const Scalar z480 = z324 * z370 + z475;
+    const Scalar z481 = z312 * z359 + z473;
+    const Scalar z482 = z324 * z372 + z476;
+    const Scalar z483 = z465 + z477;
+    const Scalar z484 = z466 - z478;
+    const Scalar z485 = z467 + z479;
+    const Scalar z486 = z468 - z480;
+    const Scalar z487 = z469 + z481;
+    const Scalar z488 = z470 - z482;
+    const Scalar z489 = z337 * z365 - z338 + z339 * z367 + z341 * z366;
+    const Scalar z490 = z337 * z368 + z339 * z371 + z340 + z341 * z370;
+    const Scalar z491 = z337 * z359 + z339 * z373 + z341 * z372 - z342;
+    const Scalar z492 = z365 * z422 + z367 * z425 + z424 * z426;
+    const Scalar z493 = z368 * z422 + z371 * z425 + z424 * z427;
+    const Scalar z494 = z359 * z422 + z373 * z425 + z424 * z428;
+    const Scalar z495 = z489 - z492;
+    const Scalar z496 = z490 - z493;
+    const Scalar z497 = z491 - z494;
+    const Scalar z498 = n1 / z437;
+    const Scalar z499 = z431 * z498;
+    const Scalar z500 = z434 * z498;
+    const Scalar z501 = z429 - z431 * z499;
+    const Scalar z502 = z430 - z431 * z500;
+    const Scalar z503 = z433 + z434 * z500;
+    const Scalar z504 = n1 / z503;
+    const Scalar z505 = z502 * z504;
+    const Scalar z506 = z501 + z502 * z505;
+    const Scalar z507 = n1 / z506;
+    const Scalar z508 = z460 - z463 * z500;
+    const Scalar z509 = z438 - z463 * z499 + z505 * z508;
+    const Scalar z510 = z507 * z509;
+    const Scalar z511 = z504 * z508 - z505 * z510;
+    const Scalar z512 = z463 * z498 - z499 * z510 + z500 * z511;
+    const Scalar z513 = z461 - z464 * z500;
+    const Scalar z514 = z458 - z464 * z499 + z505 * z513;
+    const Scalar z515 = z507 * z514;
+    const Scalar z516 = z504 * z513 - z505 * z515;
+    const Scalar z517 = z464 * z498 - z499 * z515 + z500 * z516;
+    const Scalar z518 = z485 - z487 * z500;
+    const Scalar z519 = z483 - z487 * z499 + z505 * z518;
+    const Scalar z520 = z507 * z519;
+    const Scalar z521 = z504 * z518 - z505 * z520;
+    const Scalar z522 = z487 * z498 - z499 * z520 + z500 * z521;
+    const Scalar z523 = z446 * z500 - z462;
+    const Scalar z524 = z446 * z499 - z459 + z505 * z523;
+    const Scalar z525 = z507 * z524;
+    const Scalar z526 = z504 * z523 - z505 * z525;
+    const Scalar z527 = z446 * z498 + z499 * z525 - z500 * z526;
+    const Scalar z528 = z486 - z488 * z500;
+    const Scalar z529 = z484 - z488 * z499 + z505 * z528;
+    const Scalar z530 = z507 * z529;
+    const Scalar z531 = z504 * z528 - z505 * z530;
+    const Scalar z532 = z488 * z498 - z499 * z530 + z500 * z531;
     result.M[0] = n1;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -1597,48 +1602,48 @@ struct Mechanism {
     result.K[33] = n0;
     result.K[34] = n0;
     result.K[35] = n0;
-    result.F[0] = -a_x - s_psi * l_Y_F + c_psi * l_X_F;
-    result.F[1] = -a_y + s_psi * l_X_F + c_psi * l_Y_F;
-    result.F[2] = -z98 + l_N;
-    result.F[3] = c_theta * l_X_F - z115;
-    result.F[4] = s_theta * l_Y_F - z112 + z137 * l_N;
-    result.F[5] = -z110 - z140 * l_N + l_X_F;
-    result.M_r[0] = z414;
-    result.M_r[1] = z415;
-    result.M_r[2] = z416;
-    result.M_r[3] = z415;
-    result.M_r[4] = -z418;
-    result.M_r[5] = z419;
-    result.M_r[6] = z416;
-    result.M_r[7] = z419;
-    result.M_r[8] = z422;
-    result.C_r[0] = z423;
-    result.C_r[1] = z445;
-    result.C_r[2] = z448;
-    result.C_r[3] = z443;
-    result.C_r[4] = z446;
-    result.C_r[5] = z449;
-    result.C_r[6] = z444;
-    result.C_r[7] = z447;
-    result.C_r[8] = z431;
+    result.F[0] = -z337;
+    result.F[1] = -z338;
+    result.F[2] = -z339;
+    result.F[3] = z340;
+    result.F[4] = -z341;
+    result.F[5] = -z342;
+    result.M_r[0] = z429;
+    result.M_r[1] = z430;
+    result.M_r[2] = z431;
+    result.M_r[3] = z430;
+    result.M_r[4] = -z433;
+    result.M_r[5] = z434;
+    result.M_r[6] = z431;
+    result.M_r[7] = z434;
+    result.M_r[8] = z437;
+    result.C_r[0] = z438;
+    result.C_r[1] = z460;
+    result.C_r[2] = z463;
+    result.C_r[3] = z458;
+    result.C_r[4] = z461;
+    result.C_r[5] = z464;
+    result.C_r[6] = z459;
+    result.C_r[7] = z462;
+    result.C_r[8] = z446;
     result.K_r[0] = n0;
     result.K_r[1] = n0;
     result.K_r[2] = n0;
     result.K_r[3] = n0;
     result.K_r[4] = n0;
     result.K_r[5] = n0;
-    result.K_r[6] = -z468;
-    result.K_r[7] = -z470;
-    result.K_r[8] = -z472;
-    result.K_r[9] = -z469;
-    result.K_r[10] = -z471;
-    result.K_r[11] = -z473;
+    result.K_r[6] = -z483;
+    result.K_r[7] = -z485;
+    result.K_r[8] = -z487;
+    result.K_r[9] = -z484;
+    result.K_r[10] = -z486;
+    result.K_r[11] = -z488;
     result.K_r[12] = n0;
     result.K_r[13] = n0;
     result.K_r[14] = n0;
-    result.F_r[0] = -z483;
-    result.F_r[1] = z484;
-    result.F_r[2] = -z485;
+    result.F_r[0] = z495;
+    result.F_r[1] = z496;
+    result.F_r[2] = z497;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
@@ -1655,22 +1660,22 @@ struct Mechanism {
     result.A[13] = n0;
     result.A[14] = n0;
     result.A[15] = n0;
-    result.A[16] = z359;
+    result.A[16] = z374;
     result.A[17] = n0;
     result.A[18] = n0;
-    result.A[19] = z361;
+    result.A[19] = z376;
     result.A[20] = n0;
-    result.A[21] = z508;
-    result.A[22] = -z509;
-    result.A[23] = z510;
-    result.A[24] = z363;
+    result.A[21] = z520;
+    result.A[22] = -z521;
+    result.A[23] = z522;
+    result.A[24] = z378;
     result.A[25] = n0;
     result.A[26] = n0;
-    result.A[27] = z365;
+    result.A[27] = z380;
     result.A[28] = n0;
-    result.A[29] = z518;
-    result.A[30] = -z519;
-    result.A[31] = z520;
+    result.A[29] = z530;
+    result.A[30] = -z531;
+    result.A[31] = z532;
     result.A[32] = n0;
     result.A[33] = n0;
     result.A[34] = n0;
@@ -1679,56 +1684,57 @@ struct Mechanism {
     result.A[37] = n0;
     result.A[38] = n0;
     result.A[39] = n0;
-    result.A[40] = -z350;
+    result.A[40] = -z365;
     result.A[41] = n1;
     result.A[42] = n0;
-    result.A[43] = -z351;
+    result.A[43] = -z366;
     result.A[44] = n0;
-    result.A[45] = -z498;
-    result.A[46] = z499;
-    result.A[47] = -z500;
-    result.A[48] = -z353;
+    result.A[45] = -z510;
+    result.A[46] = z511;
+    result.A[47] = -z512;
+    result.A[48] = -z368;
     result.A[49] = n0;
     result.A[50] = n1;
-    result.A[51] = -z355;
+    result.A[51] = -z370;
     result.A[52] = n0;
-    result.A[53] = -z503;
-    result.A[54] = z504;
-    result.A[55] = -z505;
-    result.A[56] = -z344;
+    result.A[53] = -z515;
+    result.A[54] = z516;
+    result.A[55] = -z517;
+    result.A[56] = -z359;
     result.A[57] = n0;
     result.A[58] = n0;
-    result.A[59] = -z357;
+    result.A[59] = -z372;
     result.A[60] = n1;
-    result.A[61] = z513;
-    result.A[62] = -z514;
-    result.A[63] = -z515;
-    if (!(traits::regular(z345, z347) && traits::regular(z348, z349) && traits::regular(z494, z414)
-        && traits::regular(-z491, -z418) && traits::regular(z422, z422))) return torsor::Status::singular;
+    result.A[61] = z525;
+    result.A[62] = -z526;
+    result.A[63] = -z527;
+    if (!(traits::regular(z360, z362) && traits::regular(z363, z364) && traits::regular(z506, z429)
+        && traits::regular(-z503, -z433) && traits::regular(z437, z437))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
-    const Scalar zero = (result.M[21] - result.M[21]) + (result.M[23] - result.M[23]) + (result.M[28] - result.M[28])
+    const Scalar zero = ((((result.M[21] - result.M[21]) + (result.M[23] - result.M[23]) + (result.M[28] - result.M[28])
         + (result.M[33] - result.M[33]) + (result.M[35] - result.M[35]) + (result.C[21] - result.C[21]) + (result.C[22]
-        - result.C[22]) + (result.C[23] - result.C[23]) + (result.C[27] - result.C[27]) + (result.C[29] - result.C[29])
-        + (result.C[33] - result.C[33]) + (result.C[34] - result.C[34]) + (result.K[18] - result.K[18]) + (result.K[19]
-        - result.K[19]) + (result.K[27] - result.K[27]) + (result.K[28] - result.K[28]) + (result.K[29] - result.K[29])
-        + (result.F[0] - result.F[0]) + (result.F[1] - result.F[1]) + (result.F[2] - result.F[2]) + (result.F[3]
-        - result.F[3]) + (result.F[4] - result.F[4]) + (result.F[5] - result.F[5]) + (result.M_r[0] - result.M_r[0])
-        + (result.M_r[1] - result.M_r[1]) + (result.M_r[2] - result.M_r[2]) + (result.M_r[3] - result.M_r[3])
-        + (result.M_r[4] - result.M_r[4]) + (result.M_r[5] - result.M_r[5]) + (result.M_r[6] - result.M_r[6])
-        + (result.M_r[7] - result.M_r[7]) + (result.M_r[8] - result.M_r[8]) + (result.C_r[0] - result.C_r[0])
-        + (result.C_r[1] - result.C_r[1]) + (result.C_r[2] - result.C_r[2]) + (result.C_r[3] - result.C_r[3])
-        + (result.C_r[4] - result.C_r[4]) + (result.C_r[5] - result.C_r[5]) + (result.C_r[6] - result.C_r[6])
-        + (result.C_r[7] - result.C_r[7]) + (result.C_r[8] - result.C_r[8]) + (result.K_r[6] - result.K_r[6])
-        + (result.K_r[7] - result.K_r[7]) + (result.K_r[8] - result.K_r[8]) + (result.K_r[9] - result.K_r[9])
-        + (result.K_r[10] - result.K_r[10]) + (result.K_r[11] - result.K_r[11]) + (result.F_r[0] - result.F_r[0])
-        + (result.F_r[1] - result.F_r[1]) + (result.F_r[2] - result.F_r[2]) + (result.A[16] - result.A[16])
-        + (result.A[19] - result.A[19]) + (result.A[21] - result.A[21]) + (result.A[22] - result.A[22]) + (result.A[23]
-        - result.A[23]) + (result.A[24] - result.A[24]) + (result.A[27] - result.A[27]) + (result.A[29] - result.A[29])
-        + (result.A[30] - result.A[30]) + (result.A[31] - result.A[31]) + (result.A[40] - result.A[40]) + (result.A[43]
-        - result.A[43]) + (result.A[45] - result.A[45]) + (result.A[46] - result.A[46]) + (result.A[47] - result.A[47])
-        + (result.A[48] - result.A[48]) + (result.A[51] - result.A[51]) + (result.A[53] - result.A[53]) + (result.A[54]
-        - result.A[54]) + (result.A[55] - result.A[55]) + (result.A[56] - result.A[56]) + (result.A[59] - result.A[59])
-        + (result.A[61] - result.A[61]) + (result.A[62] - result.A[62]) + (result.A[63] - result.A[63]);
+        - result.C[22]) + (result.C[23] - result.C[23]) + (result.C[27] - result.C[27])) + ((result.C[29]
+        - result.C[29]) + (result.C[33] - result.C[33]) + (result.C[34] - result.C[34]) + (result.K[18] - result.K[18])
+        + (result.K[19] - result.K[19]) + (result.K[27] - result.K[27]) + (result.K[28] - result.K[28]) + (result.K[29]
+        - result.K[29]) + (result.F[0] - result.F[0]))) + (((result.F[1] - result.F[1]) + (result.F[2] - result.F[2])
+        + (result.F[3] - result.F[3]) + (result.F[4] - result.F[4]) + (result.F[5] - result.F[5]) + (result.M_r[0]
+        - result.M_r[0]) + (result.M_r[1] - result.M_r[1]) + (result.M_r[2] - result.M_r[2]) + (result.M_r[3]
+        - result.M_r[3])) + ((result.M_r[4] - result.M_r[4]) + (result.M_r[5] - result.M_r[5]) + (result.M_r[6]
+        - result.M_r[6]) + (result.M_r[7] - result.M_r[7]) + (result.M_r[8] - result.M_r[8]) + (result.C_r[0]
+        - result.C_r[0]) + (result.C_r[1] - result.C_r[1]) + (result.C_r[2] - result.C_r[2]) + (result.C_r[3]
+        - result.C_r[3]) + (result.C_r[4] - result.C_r[4])))) + ((((result.C_r[5] - result.C_r[5]) + (result.C_r[6]
+        - result.C_r[6]) + (result.C_r[7] - result.C_r[7]) + (result.C_r[8] - result.C_r[8]) + (result.K_r[6]
+        - result.K_r[6]) + (result.K_r[7] - result.K_r[7]) + (result.K_r[8] - result.K_r[8]) + (result.K_r[9]
+        - result.K_r[9]) + (result.K_r[10] - result.K_r[10])) + ((result.K_r[11] - result.K_r[11]) + (result.F_r[0]
+        - result.F_r[0]) + (result.F_r[1] - result.F_r[1]) + (result.F_r[2] - result.F_r[2]) + (result.A[16]
+        - result.A[16]) + (result.A[19] - result.A[19]) + (result.A[21] - result.A[21]) + (result.A[22] - result.A[22])
+        + (result.A[23] - result.A[23]) + (result.A[24] - result.A[24]))) + (((result.A[27] - result.A[27])
+        + (result.A[29] - result.A[29]) + (result.A[30] - result.A[30]) + (result.A[31] - result.A[31]) + (result.A[40]
+        - result.A[40]) + (result.A[43] - result.A[43]) + (result.A[45] - result.A[45]) + (result.A[46] - result.A[46])
+        + (result.A[47] - result.A[47])) + ((result.A[48] - result.A[48]) + (result.A[51] - result.A[51])
+        + (result.A[53] - result.A[53]) + (result.A[54] - result.A[54]) + (result.A[55] - result.A[55]) + (result.A[56]
+        - result.A[56]) + (result.A[59] - result.A[59]) + (result.A[61] - result.A[61]) + (result.A[62] - result.A[62])
+        + (result.A[63] - result.A[63]))));
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }

@@ -3377,806 +3377,806 @@ struct Mechanism {
     const Scalar z1812 = z1809 - n0_5603 * z1810;  // moment on frame.2, z
     const Scalar z1814 = s_roll * z1806 + c_roll * z1812;
     const Scalar z1821 = z31 * z1800 - z32 * z1801;
-    const Scalar z1822 = a_z - a_roll * z79 - z91;
-    const Scalar z1823 = a_z + a_roll * z156 - a_pitch * z167 - a_steer * z189 + z215;
-    const Scalar z1824 = a_x + a_yaw * z241 - a_roll * z243 + a_pitch * z246 + a_steer * z267 + a_front * z273 + z306;
-    const Scalar z1825 = -z223 * (a_pitch + a_rear) + a_y - a_yaw * z216 + a_roll * z220 - z239;
-    const Scalar z1826 = a_y - a_yaw * z240 + a_roll * z244 - a_pitch * z247 - a_steer * z268 - a_front * z274 - z321;
-    const Scalar z1827 = z222 * (a_pitch + a_rear) + a_x + a_yaw * z217 - a_roll * z219 + z233;
-    const Scalar z1844 = v_yaw * z1590 - v_roll * z244 + v_pitch * z1597 + v_steer * z1602 - v_front * z1609;
-    const Scalar z1845 = v_yaw * z1590 - v_roll * z244 + v_pitch * z1597 + v_steer * z1602 - v_front * z1609 + z283;
-    const Scalar z1846 = z112 * z281 - z117 * z142 + z308;
-    const Scalar z1847 = s_roll * z1846 - z48 * z285 - z60 * z1590 + z63 * z242;
-    const Scalar z1848 = z314 + z1846;
-    const Scalar z1849 = z252 * z1848 + z253 * z301 - z266 * z317 + z289 * z1601;
-    const Scalar z1850 = z308 - z1846;
-    const Scalar z1851 = z109 * z1850 - z110 * z304 + z138 * z1608 - z141 * z272;
-    const Scalar z1852 = v_yaw * z1846 + v_roll * z312 + v_pitch * z1847 - v_steer * z1849 - v_front * z1851;
-    const Scalar z1853 = a_yaw * z1590 - a_roll * z244 + a_pitch * z1597 + a_steer * z1602 - a_front * z1609 - z1852;
-    const Scalar z1854 = z1596 * (v_pitch + v_rear) + v_yaw * z1587 - v_roll * z219;
-    const Scalar z1855 = z1596 * (v_pitch + v_rear) + v_yaw * z1587 - v_roll * z219 - z236;
-    const Scalar z1856 = z51 * z226 - z55 * z67;
-    const Scalar z1857 = s_roll * z1856 - z49 * z230 + z60 * z1587 + z66 * z218;
-    const Scalar z1858 = z1857 * (v_pitch + v_rear) + v_yaw * z1856 - v_roll * z231;
-    const Scalar z1859 = z1596 * (a_pitch + a_rear) + a_yaw * z1587 - a_roll * z219 + z1858;
-    const Scalar z1860 = v_yaw * z1589 + v_roll * z243 + v_pitch * z1598 + v_steer * z1604 - v_front * z1611;
-    const Scalar z1861 = v_yaw * z1589 + v_roll * z243 + v_pitch * z1598 + v_steer * z1604 - v_front * z1611 + z311;
-    const Scalar z1862 = z113 * z281 - z117 * z144 - z279;
-    const Scalar z1863 = s_roll * z1862 + z49 * z285 + z60 * z1589 - z66 * z242;
-    const Scalar z1864 = z293 - z1862;
-    const Scalar z1865 = z252 * z1864 + z254 * z301 + z266 * z298 + z289 * z1603;
-    const Scalar z1866 = z279 + z1862;
-    const Scalar z1867 = z109 * z1866 + z111 * z304 + z138 * z1610 + z143 * z272;
-    const Scalar z1868 = v_yaw * z1862 + v_roll * z286 + v_pitch * z1863 + v_steer * z1865 + v_front * z1867;
-    const Scalar z1869 = a_yaw * z1589 + a_roll * z243 + a_pitch * z1598 + a_steer * z1604 - a_front * z1611 + z1868;
-    const Scalar z1870 = z1595 * (v_pitch + v_rear) + v_yaw * z1588 + v_roll * z220;
-    const Scalar z1871 = z1595 * (v_pitch + v_rear) + v_yaw * z1588 + v_roll * z220 - z228;
-    const Scalar z1872 = z50 * z226 - z55 * z64;
-    const Scalar z1873 = s_roll * z1872 - z48 * z230 + z60 * z1588 + z63 * z218;
-    const Scalar z1874 = z1873 * (v_pitch + v_rear) + v_yaw * z1872 + v_roll * z237;
-    const Scalar z1875 = z1595 * (a_pitch + a_rear) + a_yaw * z1588 + a_roll * z220 + z1874;
-    const Scalar z1876 = s_yaw * z60 + s_roll * z61;
-    const Scalar z1877 = s_roll * z1876 + c_roll * z63 + z48 * z62 + z60 * z72;
-    const Scalar z1878 = c_yaw * z60 - s_roll * z65;
-    const Scalar z1879 = s_roll * z1878 + c_roll * z66 + z49 * z62 + z60 * z74;
-    const Scalar z1880 = n2 * (s_roll * z62 - c_roll * z60);
-    const Scalar z1881 = n2 * (z50 * z1877 + z51 * z1879 - z52 * z1880 - z64 * z73 - z67 * z75 - z68 * z76);
-    const Scalar z1882 = n0_5 * (z69 * z78 / (z54 * z54) + z1881 / z54);
-    const Scalar z1883 = n0_3 * z1882;
-    const Scalar z1884 = v_roll * c_roll + z60;
-    const Scalar z1885 = s_yaw * z1884 + n2 * s_roll * z61;
-    const Scalar z1886 = v_roll * s_roll + z62;
-    const Scalar z1887 = n2 * (c_roll * z63 + z60 * z72) + s_roll * z1885 + z48 * z1886;
-    const Scalar z1888 = c_yaw * z1884 - n2 * s_roll * z65;
-    const Scalar z1889 = n2 * (c_roll * z66 + z60 * z74) + s_roll * z1888 + z49 * z1886;
-    const Scalar z1890 = n2 * s_roll * z1886 - n4 * c_roll * z60;
-    const Scalar z1891 = n2 * (z50 * z1887 + z51 * z1889 - z52 * z1890) - n4 * (z64 * z73 + z67 * z75 + z68 * z76);
-    const Scalar z1892 = n0_5 * (z69 * z78 / (z54 * z54) + z70 * z77 / (z54 * z54) + z1891 / z54);
-    const Scalar z1893 = n0_3 * z1892;
-    const Scalar z1894 = s_yaw * z83 + s_roll * z81 - n2 * z60 * z61;
-    const Scalar z1895 = -n2 * (z60 * z1876 - z62 * z63) + s_roll * z1894 - c_roll * z82 - z48 * z80 + z72 * z83;
-    const Scalar z1896 = c_yaw * z83 + s_roll * z85 + n2 * z60 * z65;
-    const Scalar z1897 = -n2 * (z60 * z1878 - z62 * z66) + s_roll * z1896 - c_roll * z86 - z49 * z80 + z74 * z83;
-    const Scalar z1898 = n2 * (s_roll * z80 + c_roll * z83) + n4 * z60 * z62;
-    const Scalar z1899 = n2 * (z50 * z1895 + z51 * z1897 + z52 * z1898 + z73 * z84 + z75 * z87 - z76 * z88) + n4 * (z64
-        * z1877 + z67 * z1879 - z68 * z1880);
-    const Scalar z1900 = n0_5 * (z69 * z1882 / (z54 * z54) + z70 * z1881 / (z54 * z54) + z78 * z89 / (z54 * z54) - z1899
+    const Scalar z1847 = a_z - a_roll * z79 - z91;
+    const Scalar z1848 = a_z + a_roll * z156 - a_pitch * z167 - a_steer * z189 + z215;
+    const Scalar z1849 = a_x + a_yaw * z241 - a_roll * z243 + a_pitch * z246 + a_steer * z267 + a_front * z273 + z306;
+    const Scalar z1850 = -z223 * (a_pitch + a_rear) + a_y - a_yaw * z216 + a_roll * z220 - z239;
+    const Scalar z1851 = a_y - a_yaw * z240 + a_roll * z244 - a_pitch * z247 - a_steer * z268 - a_front * z274 - z321;
+    const Scalar z1852 = z222 * (a_pitch + a_rear) + a_x + a_yaw * z217 - a_roll * z219 + z233;
+    const Scalar z1869 = v_yaw * z1590 - v_roll * z244 + v_pitch * z1597 + v_steer * z1602 - v_front * z1609;
+    const Scalar z1870 = v_yaw * z1590 - v_roll * z244 + v_pitch * z1597 + v_steer * z1602 - v_front * z1609 + z283;
+    const Scalar z1871 = z112 * z281 - z117 * z142 + z308;
+    const Scalar z1872 = s_roll * z1871 - z48 * z285 - z60 * z1590 + z63 * z242;
+    const Scalar z1873 = z314 + z1871;
+    const Scalar z1874 = z252 * z1873 + z253 * z301 - z266 * z317 + z289 * z1601;
+    const Scalar z1875 = z308 - z1871;
+    const Scalar z1876 = z109 * z1875 - z110 * z304 + z138 * z1608 - z141 * z272;
+    const Scalar z1877 = v_yaw * z1871 + v_roll * z312 + v_pitch * z1872 - v_steer * z1874 - v_front * z1876;
+    const Scalar z1878 = a_yaw * z1590 - a_roll * z244 + a_pitch * z1597 + a_steer * z1602 - a_front * z1609 - z1877;
+    const Scalar z1879 = z1596 * (v_pitch + v_rear) + v_yaw * z1587 - v_roll * z219;
+    const Scalar z1880 = z1596 * (v_pitch + v_rear) + v_yaw * z1587 - v_roll * z219 - z236;
+    const Scalar z1881 = z51 * z226 - z55 * z67;
+    const Scalar z1882 = s_roll * z1881 - z49 * z230 + z60 * z1587 + z66 * z218;
+    const Scalar z1883 = z1882 * (v_pitch + v_rear) + v_yaw * z1881 - v_roll * z231;
+    const Scalar z1884 = z1596 * (a_pitch + a_rear) + a_yaw * z1587 - a_roll * z219 + z1883;
+    const Scalar z1885 = v_yaw * z1589 + v_roll * z243 + v_pitch * z1598 + v_steer * z1604 - v_front * z1611;
+    const Scalar z1886 = v_yaw * z1589 + v_roll * z243 + v_pitch * z1598 + v_steer * z1604 - v_front * z1611 + z311;
+    const Scalar z1887 = z113 * z281 - z117 * z144 - z279;
+    const Scalar z1888 = s_roll * z1887 + z49 * z285 + z60 * z1589 - z66 * z242;
+    const Scalar z1889 = z293 - z1887;
+    const Scalar z1890 = z252 * z1889 + z254 * z301 + z266 * z298 + z289 * z1603;
+    const Scalar z1891 = z279 + z1887;
+    const Scalar z1892 = z109 * z1891 + z111 * z304 + z138 * z1610 + z143 * z272;
+    const Scalar z1893 = v_yaw * z1887 + v_roll * z286 + v_pitch * z1888 + v_steer * z1890 + v_front * z1892;
+    const Scalar z1894 = a_yaw * z1589 + a_roll * z243 + a_pitch * z1598 + a_steer * z1604 - a_front * z1611 + z1893;
+    const Scalar z1895 = z1595 * (v_pitch + v_rear) + v_yaw * z1588 + v_roll * z220;
+    const Scalar z1896 = z1595 * (v_pitch + v_rear) + v_yaw * z1588 + v_roll * z220 - z228;
+    const Scalar z1897 = z50 * z226 - z55 * z64;
+    const Scalar z1898 = s_roll * z1897 - z48 * z230 + z60 * z1588 + z63 * z218;
+    const Scalar z1899 = z1898 * (v_pitch + v_rear) + v_yaw * z1897 + v_roll * z237;
+    const Scalar z1900 = z1595 * (a_pitch + a_rear) + a_yaw * z1588 + a_roll * z220 + z1899;
+    const Scalar z1901 = s_yaw * z60 + s_roll * z61;
+    const Scalar z1902 = s_roll * z1901 + c_roll * z63 + z48 * z62 + z60 * z72;
+    const Scalar z1903 = c_yaw * z60 - s_roll * z65;
+    const Scalar z1904 = s_roll * z1903 + c_roll * z66 + z49 * z62 + z60 * z74;
+    const Scalar z1905 = n2 * (s_roll * z62 - c_roll * z60);
+    const Scalar z1906 = n2 * (z50 * z1902 + z51 * z1904 - z52 * z1905 - z64 * z73 - z67 * z75 - z68 * z76);
+    const Scalar z1907 = n0_5 * (z69 * z78 / (z54 * z54) + z1906 / z54);
+    const Scalar z1908 = n0_3 * z1907;
+    const Scalar z1909 = v_roll * c_roll + z60;
+    const Scalar z1910 = s_yaw * z1909 + n2 * s_roll * z61;
+    const Scalar z1911 = v_roll * s_roll + z62;
+    const Scalar z1912 = n2 * (c_roll * z63 + z60 * z72) + s_roll * z1910 + z48 * z1911;
+    const Scalar z1913 = c_yaw * z1909 - n2 * s_roll * z65;
+    const Scalar z1914 = n2 * (c_roll * z66 + z60 * z74) + s_roll * z1913 + z49 * z1911;
+    const Scalar z1915 = n2 * s_roll * z1911 - n4 * c_roll * z60;
+    const Scalar z1916 = n2 * (z50 * z1912 + z51 * z1914 - z52 * z1915) - n4 * (z64 * z73 + z67 * z75 + z68 * z76);
+    const Scalar z1917 = n0_5 * (z69 * z78 / (z54 * z54) + z70 * z77 / (z54 * z54) + z1916 / z54);
+    const Scalar z1918 = n0_3 * z1917;
+    const Scalar z1919 = s_yaw * z83 + s_roll * z81 - n2 * z60 * z61;
+    const Scalar z1920 = -n2 * (z60 * z1901 - z62 * z63) + s_roll * z1919 - c_roll * z82 - z48 * z80 + z72 * z83;
+    const Scalar z1921 = c_yaw * z83 + s_roll * z85 + n2 * z60 * z65;
+    const Scalar z1922 = -n2 * (z60 * z1903 - z62 * z66) + s_roll * z1921 - c_roll * z86 - z49 * z80 + z74 * z83;
+    const Scalar z1923 = n2 * (s_roll * z80 + c_roll * z83) + n4 * z60 * z62;
+    const Scalar z1924 = n2 * (z50 * z1920 + z51 * z1922 + z52 * z1923 + z73 * z84 + z75 * z87 - z76 * z88) + n4 * (z64
+        * z1902 + z67 * z1904 - z68 * z1905);
+    const Scalar z1925 = n0_5 * (z69 * z1907 / (z54 * z54) + z70 * z1906 / (z54 * z54) + z78 * z89 / (z54 * z54) - z1924
         / z54) + z69 * z70 * z78 / (z54 * z54 * z54);
-    const Scalar z1901 = n0_3 * z1900;
-    const Scalar z1902 = a_roll * z1628 + z1901;
-    const Scalar z1903 = s_yaw * z138 - z61 * z109;
-    const Scalar z1904 = z108 * z141 + z109 * z1903 + z110 * z139 + z138 * z149;
-    const Scalar z1905 = c_yaw * z138 + z65 * z109;
-    const Scalar z1906 = z108 * z143 - z109 * z1905 + z111 * z139 - z138 * z151;
-    const Scalar z1907 = n2 * (z108 * z138 - z109 * z139);
-    const Scalar z1908 = n2 * (z112 * z1904 + z113 * z1906 + z114 * z1907 + z142 * z150 + z144 * z152 - z145 * z153);
-    const Scalar z1909 = n0_5 * (z146 * z155 / (z116 * z116) - z1908 / z116);
-    const Scalar z1910 = z278 - n0_35 * z1909;
-    const Scalar z1911 = n2 * (s_roll * z134 + c_roll * z125) - z93 * z1886 - z98 * z1884;
-    const Scalar z1912 = n2 * (s_roll * z127 - c_roll * z137) - c_steer * z1884 + z107 * z1886;
-    const Scalar z1913 = s_yaw * z1912 - n2 * z61 * z109;
-    const Scalar z1914 = n2 * (s_roll * z137 + c_roll * z127) + c_steer * z1886 + z107 * z1884;
-    const Scalar z1915 = n2 * (z108 * z141 + z138 * z149) + z109 * z1913 + z110 * z1914;
-    const Scalar z1916 = c_yaw * z1912 + n2 * z65 * z109;
-    const Scalar z1917 = n2 * (z108 * z143 - z138 * z151) - z109 * z1916 + z111 * z1914;
-    const Scalar z1918 = n4 * z108 * z138 - n2 * z109 * z1914;
-    const Scalar z1919 = n2 * (z112 * z1915 + z113 * z1917 + z114 * z1918) + n4 * (z142 * z150 + z144 * z152 - z145
+    const Scalar z1926 = n0_3 * z1925;
+    const Scalar z1927 = a_roll * z1628 + z1926;
+    const Scalar z1928 = s_yaw * z138 - z61 * z109;
+    const Scalar z1929 = z108 * z141 + z109 * z1928 + z110 * z139 + z138 * z149;
+    const Scalar z1930 = c_yaw * z138 + z65 * z109;
+    const Scalar z1931 = z108 * z143 - z109 * z1930 + z111 * z139 - z138 * z151;
+    const Scalar z1932 = n2 * (z108 * z138 - z109 * z139);
+    const Scalar z1933 = n2 * (z112 * z1929 + z113 * z1931 + z114 * z1932 + z142 * z150 + z144 * z152 - z145 * z153);
+    const Scalar z1934 = n0_5 * (z146 * z155 / (z116 * z116) - z1933 / z116);
+    const Scalar z1935 = z278 - n0_35 * z1934;
+    const Scalar z1936 = n2 * (s_roll * z134 + c_roll * z125) - z93 * z1911 - z98 * z1909;
+    const Scalar z1937 = n2 * (s_roll * z127 - c_roll * z137) - c_steer * z1909 + z107 * z1911;
+    const Scalar z1938 = s_yaw * z1937 - n2 * z61 * z109;
+    const Scalar z1939 = n2 * (s_roll * z137 + c_roll * z127) + c_steer * z1911 + z107 * z1909;
+    const Scalar z1940 = n2 * (z108 * z141 + z138 * z149) + z109 * z1938 + z110 * z1939;
+    const Scalar z1941 = c_yaw * z1937 + n2 * z65 * z109;
+    const Scalar z1942 = n2 * (z108 * z143 - z138 * z151) - z109 * z1941 + z111 * z1939;
+    const Scalar z1943 = n4 * z108 * z138 - n2 * z109 * z1939;
+    const Scalar z1944 = n2 * (z112 * z1940 + z113 * z1942 + z114 * z1943) + n4 * (z142 * z150 + z144 * z152 - z145
         * z153);
-    const Scalar z1920 = n0_5 * (z146 * z155 / (z116 * z116) + z147 * z154 / (z116 * z116) - z1919 / z116);
-    const Scalar z1921 = z1911 - n0_35 * z1920;
-    const Scalar z1922 = n2 * (z60 * z134 - z62 * z125) + s_roll * z202 - c_roll * z193 - z80 * z93 + z83 * z98;
-    const Scalar z1923 = s_yaw * z208 + n2 * z61 * z138 + z81 * z109;
-    const Scalar z1924 = n2 * (z138 * z1903 - z139 * z141) + z108 * z207 - z109 * z1923 + z110 * z205 - z149 * z208;
-    const Scalar z1925 = c_yaw * z208 - n2 * z65 * z138 + z85 * z109;
-    const Scalar z1926 = -n2 * (z138 * z1905 + z139 * z143) + z108 * z210 + z109 * z1925 + z111 * z205 + z151 * z208;
-    const Scalar z1927 = n2 * (z108 * z208 + z109 * z205) + n4 * z138 * z139;
-    const Scalar z1928 = n2 * (z112 * z1924 + z113 * z1926 - z114 * z1927 + z150 * z209 + z152 * z211 + z153 * z212)
-        - n4 * (z142 * z1904 + z144 * z1906 + z145 * z1907);
-    const Scalar z1929 = n0_5 * (z146 * z1909 / (z116 * z116) - z147 * z1908 / (z116 * z116) + z155 * z213 / (z116
-        * z116) - z1928 / z116) + z146 * z147 * z155 / (z116 * z116 * z116);
-    const Scalar z1930 = z1922 + n0_35 * z1929;
-    const Scalar z1931 = a_roll * z1636 + a_pitch * z1653 - a_steer * z1668 - z1930;
-    const Scalar z1932 = v_yaw * z1620 + v_roll * z1641 + v_pitch * z1656 - v_steer * z1673 - v_front * z1684;
-    const Scalar z1933 = v_yaw * z1620 + v_roll * z1641 + v_pitch * z1656 - v_steer * z1673 - v_front * z1684 - z286;
-    const Scalar z1934 = n0_7 * z147 * z155 / (z116 * z116 * z116) + n0_35 * z1909 / (z116 * z116);
-    const Scalar z1935 = c_yaw * z135 - z65 * z100;
-    const Scalar z1936 = z113 * z1934 + z117 * z1906 - z144 * z1617 - z152 * z281 + z1935;
-    const Scalar z1937 = z114 * z1934 + z117 * z1907 - z145 * z1617 + z153 * z281 + z278;
-    const Scalar z1938 = s_yaw * z1937 - z61 * z1640;
-    const Scalar z1939 = s_roll * z1936 - c_roll * z283 + z49 * z1937 - z60 * z1620 + z62 * z241 + z66 * z1640 - z74
-        * z285 - z242 * z1878;
-    const Scalar z1940 = c_yaw * z299 - z65 * z258;
-    const Scalar z1941 = z1936 - z1940;
-    const Scalar z1942 = z292 + z1937;
-    const Scalar z1943 = c_yaw * z289 - z65 * z252;
-    const Scalar z1944 = z251 * z295 - z252 * z1941 + z254 * z1942 + z265 * z297 - z266 * z1943 + z289 * z1670 - z298
+    const Scalar z1945 = n0_5 * (z146 * z155 / (z116 * z116) + z147 * z154 / (z116 * z116) - z1944 / z116);
+    const Scalar z1946 = z1936 - n0_35 * z1945;
+    const Scalar z1947 = n2 * (z60 * z134 - z62 * z125) + s_roll * z202 - c_roll * z193 - z80 * z93 + z83 * z98;
+    const Scalar z1948 = s_yaw * z208 + n2 * z61 * z138 + z81 * z109;
+    const Scalar z1949 = n2 * (z138 * z1928 - z139 * z141) + z108 * z207 - z109 * z1948 + z110 * z205 - z149 * z208;
+    const Scalar z1950 = c_yaw * z208 - n2 * z65 * z138 + z85 * z109;
+    const Scalar z1951 = -n2 * (z138 * z1930 + z139 * z143) + z108 * z210 + z109 * z1950 + z111 * z205 + z151 * z208;
+    const Scalar z1952 = n2 * (z108 * z208 + z109 * z205) + n4 * z138 * z139;
+    const Scalar z1953 = n2 * (z112 * z1949 + z113 * z1951 - z114 * z1952 + z150 * z209 + z152 * z211 + z153 * z212)
+        - n4 * (z142 * z1929 + z144 * z1931 + z145 * z1932);
+    const Scalar z1954 = n0_5 * (z146 * z1934 / (z116 * z116) - z147 * z1933 / (z116 * z116) + z155 * z213 / (z116
+        * z116) - z1953 / z116) + z146 * z147 * z155 / (z116 * z116 * z116);
+    const Scalar z1955 = z1947 + n0_35 * z1954;
+    const Scalar z1956 = a_roll * z1636 + a_pitch * z1653 - a_steer * z1668 - z1955;
+    const Scalar z1957 = v_yaw * z1620 + v_roll * z1641 + v_pitch * z1656 - v_steer * z1673 - v_front * z1684;
+    const Scalar z1958 = v_yaw * z1620 + v_roll * z1641 + v_pitch * z1656 - v_steer * z1673 - v_front * z1684 - z286;
+    const Scalar z1959 = n0_7 * z147 * z155 / (z116 * z116 * z116) + n0_35 * z1934 / (z116 * z116);
+    const Scalar z1960 = c_yaw * z135 - z65 * z100;
+    const Scalar z1961 = z113 * z1959 + z117 * z1931 - z144 * z1617 - z152 * z281 + z1960;
+    const Scalar z1962 = z114 * z1959 + z117 * z1932 - z145 * z1617 + z153 * z281 + z278;
+    const Scalar z1963 = s_yaw * z1962 - z61 * z1640;
+    const Scalar z1964 = s_roll * z1961 - c_roll * z283 + z49 * z1962 - z60 * z1620 + z62 * z241 + z66 * z1640 - z74
+        * z285 - z242 * z1903;
+    const Scalar z1965 = c_yaw * z299 - z65 * z258;
+    const Scalar z1966 = z1961 - z1965;
+    const Scalar z1967 = z292 + z1962;
+    const Scalar z1968 = c_yaw * z289 - z65 * z252;
+    const Scalar z1969 = z251 * z295 - z252 * z1966 + z254 * z1967 + z265 * z297 - z266 * z1968 + z289 * z1670 - z298
         * z1672 + z301 * z1671;
-    const Scalar z1945 = z1935 - z1936;
-    const Scalar z1946 = z278 - z1937;
-    const Scalar z1947 = z108 * z303 - z109 * z1945 - z111 * z1946 + z138 * z1682 + z139 * z271 + z143 * z1683 - z151
-        * z304 + z272 * z1905;
-    const Scalar z1948 = v_yaw * z1936 + v_roll * z1938 + v_pitch * z1939 + v_steer * z1944 + v_front * z1947;
-    const Scalar z1949 = a_yaw * z1620 + a_roll * z1641 + a_pitch * z1656 - a_steer * z1673 - a_front * z1684 - z1948;
-    const Scalar z1950 = z1655 * (v_pitch + v_rear) + v_yaw * z1614 - v_roll * z1639;
-    const Scalar z1951 = z1655 * (v_pitch + v_rear) + v_yaw * z1614 - v_roll * z1639 + z237;
-    const Scalar z1952 = n0_6 * z70 * z78 / (z54 * z54 * z54) + n0_3 * z1882 / (z54 * z54);
-    const Scalar z1953 = z50 * z1952 - z55 * z1877 - z64 * z1613 - z73 * z226;
-    const Scalar z1954 = z52 * z1952 + z55 * z1880 - z68 * z1613 - z76 * z226;
-    const Scalar z1955 = c_yaw * z1954 - z65 * z1637;
-    const Scalar z1956 = s_roll * z1953 - c_roll * z236 + z48 * z1954 + z60 * z1614 + z62 * z216 - z63 * z1637 + z72
-        * z230 + z218 * z1876;
-    const Scalar z1957 = z1956 * (v_pitch + v_rear) + v_yaw * z1953 - v_roll * z1955;
-    const Scalar z1958 = z1655 * (a_pitch + a_rear) + a_yaw * z1614 - a_roll * z1639 + z1957;
-    const Scalar z1959 = v_yaw * z1618 + v_roll * z1642 + v_pitch * z1657 - v_steer * z1677 - v_front * z1686;
-    const Scalar z1960 = v_yaw * z1618 + v_roll * z1642 + v_pitch * z1657 - v_steer * z1677 - v_front * z1686 - z312;
-    const Scalar z1961 = s_yaw * z135 + z61 * z100;
-    const Scalar z1962 = z112 * z1934 + z117 * z1904 - z142 * z1617 - z150 * z281 - z1961;
-    const Scalar z1963 = c_yaw * z1937 + z65 * z1640;
-    const Scalar z1964 = s_roll * z1962 - c_roll * z311 - z48 * z1937 - z60 * z1618 + z62 * z240 - z63 * z1640 + z72
-        * z285 + z242 * z1876;
-    const Scalar z1965 = s_yaw * z299 + z61 * z258;
-    const Scalar z1966 = z1962 + z1965;
-    const Scalar z1967 = s_yaw * z289 + z61 * z252;
-    const Scalar z1968 = z251 * z316 - z252 * z1966 - z253 * z1942 + z264 * z297 + z266 * z1967 + z289 * z1675 - z301
+    const Scalar z1970 = z1960 - z1961;
+    const Scalar z1971 = z278 - z1962;
+    const Scalar z1972 = z108 * z303 - z109 * z1970 - z111 * z1971 + z138 * z1682 + z139 * z271 + z143 * z1683 - z151
+        * z304 + z272 * z1930;
+    const Scalar z1973 = v_yaw * z1961 + v_roll * z1963 + v_pitch * z1964 + v_steer * z1969 + v_front * z1972;
+    const Scalar z1974 = a_yaw * z1620 + a_roll * z1641 + a_pitch * z1656 - a_steer * z1673 - a_front * z1684 - z1973;
+    const Scalar z1975 = z1655 * (v_pitch + v_rear) + v_yaw * z1614 - v_roll * z1639;
+    const Scalar z1976 = z1655 * (v_pitch + v_rear) + v_yaw * z1614 - v_roll * z1639 + z237;
+    const Scalar z1977 = n0_6 * z70 * z78 / (z54 * z54 * z54) + n0_3 * z1907 / (z54 * z54);
+    const Scalar z1978 = z50 * z1977 - z55 * z1902 - z64 * z1613 - z73 * z226;
+    const Scalar z1979 = z52 * z1977 + z55 * z1905 - z68 * z1613 - z76 * z226;
+    const Scalar z1980 = c_yaw * z1979 - z65 * z1637;
+    const Scalar z1981 = s_roll * z1978 - c_roll * z236 + z48 * z1979 + z60 * z1614 + z62 * z216 - z63 * z1637 + z72
+        * z230 + z218 * z1901;
+    const Scalar z1982 = z1981 * (v_pitch + v_rear) + v_yaw * z1978 - v_roll * z1980;
+    const Scalar z1983 = z1655 * (a_pitch + a_rear) + a_yaw * z1614 - a_roll * z1639 + z1982;
+    const Scalar z1984 = v_yaw * z1618 + v_roll * z1642 + v_pitch * z1657 - v_steer * z1677 - v_front * z1686;
+    const Scalar z1985 = v_yaw * z1618 + v_roll * z1642 + v_pitch * z1657 - v_steer * z1677 - v_front * z1686 - z312;
+    const Scalar z1986 = s_yaw * z135 + z61 * z100;
+    const Scalar z1987 = z112 * z1959 + z117 * z1929 - z142 * z1617 - z150 * z281 - z1986;
+    const Scalar z1988 = c_yaw * z1962 + z65 * z1640;
+    const Scalar z1989 = s_roll * z1987 - c_roll * z311 - z48 * z1962 - z60 * z1618 + z62 * z240 - z63 * z1640 + z72
+        * z285 + z242 * z1901;
+    const Scalar z1990 = s_yaw * z299 + z61 * z258;
+    const Scalar z1991 = z1987 + z1990;
+    const Scalar z1992 = s_yaw * z289 + z61 * z252;
+    const Scalar z1993 = z251 * z316 - z252 * z1991 - z253 * z1967 + z264 * z297 + z266 * z1992 + z289 * z1675 - z301
         * z1676 - z317 * z1672;
-    const Scalar z1969 = z1961 + z1962;
-    const Scalar z1970 = z108 * z319 + z109 * z1969 - z110 * z1946 - z138 * z1685 + z139 * z270 + z141 * z1683 + z149
-        * z304 - z272 * z1903;
-    const Scalar z1971 = v_yaw * z1962 + v_roll * z1963 + v_pitch * z1964 + v_steer * z1968 + v_front * z1970;
-    const Scalar z1972 = a_yaw * z1618 + a_roll * z1642 + a_pitch * z1657 - a_steer * z1677 - a_front * z1686 - z1971;
-    const Scalar z1973 = z1654 * (v_pitch + v_rear) + v_yaw * z1615 + v_roll * z1638;
-    const Scalar z1974 = z1654 * (v_pitch + v_rear) + v_yaw * z1615 + v_roll * z1638 - z231;
-    const Scalar z1975 = z51 * z1952 - z55 * z1879 - z67 * z1613 - z75 * z226;
-    const Scalar z1976 = s_yaw * z1954 + z61 * z1637;
-    const Scalar z1977 = s_roll * z1975 + c_roll * z228 + z49 * z1954 + z60 * z1615 - z62 * z217 - z66 * z1637 + z74
-        * z230 + z218 * z1878;
-    const Scalar z1978 = z1977 * (v_pitch + v_rear) + v_yaw * z1975 + v_roll * z1976;
-    const Scalar z1979 = z1654 * (a_pitch + a_rear) + a_yaw * z1615 + a_roll * z1638 + z1978;
-    const Scalar z1980 = c_roll * z277 + z62 * z97;
-    const Scalar z1981 = s_roll * z140 + z60 * z106;
-    const Scalar z1982 = s_yaw * z1981 - c_yaw * z137 + z61 * z159 + z65 * z107;
-    const Scalar z1983 = c_roll * z140 - z62 * z106;
-    const Scalar z1984 = z109 * z1982 + z110 * z1983 - z138 * z160 + z141 * z158;
-    const Scalar z1985 = s_yaw * z137 + c_yaw * z1981 + z61 * z107 - z65 * z159;
-    const Scalar z1986 = z109 * z1985 - z111 * z1983 - z138 * z162 - z143 * z158;
-    const Scalar z1987 = n2 * (z109 * z1983 - z138 * z158);
-    const Scalar z1988 = n2 * (z112 * z1984 - z113 * z1986 - z114 * z1987 + z142 * z161 - z144 * z163 - z145 * z164);
-    const Scalar z1989 = n0_5 * (z146 * z166 / (z116 * z116) - z1988 / z116);
-    const Scalar z1990 = z1980 + n0_35 * z1989;
-    const Scalar z1991 = v_pitch * s_pitch + z131;
-    const Scalar z1992 = v_pitch * c_pitch + z126;
-    const Scalar z1993 = n2 * (s_pitch * z133 + c_pitch * z130) + z95 * z1991 - z96 * z1992;
-    const Scalar z1994 = c_roll * z1993 + n2 * z62 * z97;
-    const Scalar z1995 = n2 * (s_pitch * z124 - c_pitch * z123) + z39 * z1991 + z41 * z1992;
-    const Scalar z1996 = s_roll * z1995 + n2 * z60 * z106;
-    const Scalar z1997 = n2 * (s_pitch * z123 + c_pitch * z124) + z39 * z1992 - z41 * z1991;
-    const Scalar z1998 = n2 * (z61 * z159 + z65 * z107) + s_yaw * z1996 - c_yaw * z1997;
-    const Scalar z1999 = c_roll * z1995 - n2 * z62 * z106;
-    const Scalar z2000 = -n2 * (z138 * z160 - z141 * z158) + z109 * z1998 + z110 * z1999;
-    const Scalar z2001 = n2 * (z61 * z107 - z65 * z159) + s_yaw * z1997 + c_yaw * z1996;
-    const Scalar z2002 = -n2 * (z138 * z162 + z143 * z158) + z109 * z2001 - z111 * z1999;
-    const Scalar z2003 = n2 * z109 * z1999 - n4 * z138 * z158;
-    const Scalar z2004 = n2 * (z112 * z2000 - z113 * z2002 - z114 * z2003) + n4 * (z142 * z161 - z144 * z163 - z145
+    const Scalar z1994 = z1986 + z1987;
+    const Scalar z1995 = z108 * z319 + z109 * z1994 - z110 * z1971 - z138 * z1685 + z139 * z270 + z141 * z1683 + z149
+        * z304 - z272 * z1928;
+    const Scalar z1996 = v_yaw * z1987 + v_roll * z1988 + v_pitch * z1989 + v_steer * z1993 + v_front * z1995;
+    const Scalar z1997 = a_yaw * z1618 + a_roll * z1642 + a_pitch * z1657 - a_steer * z1677 - a_front * z1686 - z1996;
+    const Scalar z1998 = z1654 * (v_pitch + v_rear) + v_yaw * z1615 + v_roll * z1638;
+    const Scalar z1999 = z1654 * (v_pitch + v_rear) + v_yaw * z1615 + v_roll * z1638 - z231;
+    const Scalar z2000 = z51 * z1977 - z55 * z1904 - z67 * z1613 - z75 * z226;
+    const Scalar z2001 = s_yaw * z1979 + z61 * z1637;
+    const Scalar z2002 = s_roll * z2000 + c_roll * z228 + z49 * z1979 + z60 * z1615 - z62 * z217 - z66 * z1637 + z74
+        * z230 + z218 * z1903;
+    const Scalar z2003 = z2002 * (v_pitch + v_rear) + v_yaw * z2000 + v_roll * z2001;
+    const Scalar z2004 = z1654 * (a_pitch + a_rear) + a_yaw * z1615 + a_roll * z1638 + z2003;
+    const Scalar z2005 = c_roll * z277 + z62 * z97;
+    const Scalar z2006 = s_roll * z140 + z60 * z106;
+    const Scalar z2007 = s_yaw * z2006 - c_yaw * z137 + z61 * z159 + z65 * z107;
+    const Scalar z2008 = c_roll * z140 - z62 * z106;
+    const Scalar z2009 = z109 * z2007 + z110 * z2008 - z138 * z160 + z141 * z158;
+    const Scalar z2010 = s_yaw * z137 + c_yaw * z2006 + z61 * z107 - z65 * z159;
+    const Scalar z2011 = z109 * z2010 - z111 * z2008 - z138 * z162 - z143 * z158;
+    const Scalar z2012 = n2 * (z109 * z2008 - z138 * z158);
+    const Scalar z2013 = n2 * (z112 * z2009 - z113 * z2011 - z114 * z2012 + z142 * z161 - z144 * z163 - z145 * z164);
+    const Scalar z2014 = n0_5 * (z146 * z166 / (z116 * z116) - z2013 / z116);
+    const Scalar z2015 = z2005 + n0_35 * z2014;
+    const Scalar z2016 = v_pitch * s_pitch + z131;
+    const Scalar z2017 = v_pitch * c_pitch + z126;
+    const Scalar z2018 = n2 * (s_pitch * z133 + c_pitch * z130) + z95 * z2016 - z96 * z2017;
+    const Scalar z2019 = c_roll * z2018 + n2 * z62 * z97;
+    const Scalar z2020 = n2 * (s_pitch * z124 - c_pitch * z123) + z39 * z2016 + z41 * z2017;
+    const Scalar z2021 = s_roll * z2020 + n2 * z60 * z106;
+    const Scalar z2022 = n2 * (s_pitch * z123 + c_pitch * z124) + z39 * z2017 - z41 * z2016;
+    const Scalar z2023 = n2 * (z61 * z159 + z65 * z107) + s_yaw * z2021 - c_yaw * z2022;
+    const Scalar z2024 = c_roll * z2020 - n2 * z62 * z106;
+    const Scalar z2025 = -n2 * (z138 * z160 - z141 * z158) + z109 * z2023 + z110 * z2024;
+    const Scalar z2026 = n2 * (z61 * z107 - z65 * z159) + s_yaw * z2022 + c_yaw * z2021;
+    const Scalar z2027 = -n2 * (z138 * z162 + z143 * z158) + z109 * z2026 - z111 * z2024;
+    const Scalar z2028 = n2 * z109 * z2024 - n4 * z138 * z158;
+    const Scalar z2029 = n2 * (z112 * z2025 - z113 * z2027 - z114 * z2028) + n4 * (z142 * z161 - z144 * z163 - z145
         * z164);
-    const Scalar z2005 = n0_5 * (z146 * z166 / (z116 * z116) + z147 * z165 / (z116 * z116) - z2004 / z116);
-    const Scalar z2006 = z1994 + n0_35 * z2005;
-    const Scalar z2007 = n2 * (z126 * z133 - z130 * z131) + s_pitch * z199 + c_pitch * z197 + z95 * z201 + z96 * z200;
-    const Scalar z2008 = c_roll * z2007 - n2 * z62 * z277 + z80 * z97;
-    const Scalar z2009 = s_roll * z206 - n2 * z60 * z140 + z83 * z106;
-    const Scalar z2010 = -n2 * (z61 * z1981 + z65 * z137) + s_yaw * z2009 - c_yaw * z204 + z81 * z159 - z85 * z107;
-    const Scalar z2011 = c_roll * z206 + n2 * z62 * z140 + z80 * z106;
-    const Scalar z2012 = n2 * (z138 * z1982 - z141 * z1983) + z109 * z2010 + z110 * z2011 + z158 * z207 + z160 * z208;
-    const Scalar z2013 = -n2 * (z61 * z137 - z65 * z1981) + s_yaw * z204 + c_yaw * z2009 + z81 * z107 + z85 * z159;
-    const Scalar z2014 = n2 * (z138 * z1985 + z143 * z1983) + z109 * z2013 - z111 * z2011 - z158 * z210 + z162 * z208;
-    const Scalar z2015 = n2 * (z109 * z2011 + z158 * z208) + n4 * z138 * z1983;
-    const Scalar z2016 = n2 * (z112 * z2012 - z113 * z2014 - z114 * z2015 + z161 * z209 - z163 * z211 + z164 * z212)
-        - n4 * (z142 * z1984 - z144 * z1986 - z145 * z1987);
-    const Scalar z2017 = n0_5 * (z146 * z1989 / (z116 * z116) - z147 * z1988 / (z116 * z116) + z166 * z213 / (z116
-        * z116) - z2016 / z116) + z146 * z147 * z166 / (z116 * z116 * z116);
-    const Scalar z2018 = z2008 - n0_35 * z2017;
-    const Scalar z2019 = a_roll * z1697 + a_pitch * z1713 + a_steer * z1729 + z2018;
-    const Scalar z2020 = v_yaw * z1693 + v_roll * z1699 + v_pitch * z1714 - v_steer * z1738 - v_front * z1747;
-    const Scalar z2021 = v_yaw * z1693 + v_roll * z1699 + v_pitch * z1714 - v_steer * z1738 - v_front * z1747 + z287;
-    const Scalar z2022 = n0_7 * z147 * z166 / (z116 * z116 * z116) + n0_35 * z1989 / (z116 * z116);
-    const Scalar z2023 = s_roll * z277 - z60 * z97;
-    const Scalar z2024 = s_yaw * z134 - c_yaw * z2023 - z61 * z98 - z65 * z1645;
-    const Scalar z2025 = z113 * z2022 - z117 * z1986 - z144 * z1690 + z163 * z281 + z2024;
-    const Scalar z2026 = z114 * z2022 - z117 * z1987 - z145 * z1690 + z164 * z281 - z1980;
-    const Scalar z2027 = s_yaw * z2026 - z61 * z1698;
-    const Scalar z2028 = s_roll * z2025 + z49 * z2026 - z60 * z1693 + z66 * z1698;
-    const Scalar z2029 = s_roll * z290 + z60 * z255;
-    const Scalar z2030 = s_yaw * z291 - c_yaw * z2029 + z61 * z256 + z65 * z1731;
-    const Scalar z2031 = z2025 + z2030;
-    const Scalar z2032 = c_roll * z290 - z62 * z255;
-    const Scalar z2033 = z2026 - z2032;
-    const Scalar z2034 = c_roll * z296 + z62 * z249;
-    const Scalar z2035 = s_roll * z296 - z60 * z249;
-    const Scalar z2036 = s_yaw * z288 + c_yaw * z2035 + z61 * z250 + z65 * z1734;
-    const Scalar z2037 = z252 * z2031 - z254 * z2033 - z265 * z2034 - z266 * z2036 - z289 * z1733 + z295 * z1730 - z298
+    const Scalar z2030 = n0_5 * (z146 * z166 / (z116 * z116) + z147 * z165 / (z116 * z116) - z2029 / z116);
+    const Scalar z2031 = z2019 + n0_35 * z2030;
+    const Scalar z2032 = n2 * (z126 * z133 - z130 * z131) + s_pitch * z199 + c_pitch * z197 + z95 * z201 + z96 * z200;
+    const Scalar z2033 = c_roll * z2032 - n2 * z62 * z277 + z80 * z97;
+    const Scalar z2034 = s_roll * z206 - n2 * z60 * z140 + z83 * z106;
+    const Scalar z2035 = -n2 * (z61 * z2006 + z65 * z137) + s_yaw * z2034 - c_yaw * z204 + z81 * z159 - z85 * z107;
+    const Scalar z2036 = c_roll * z206 + n2 * z62 * z140 + z80 * z106;
+    const Scalar z2037 = n2 * (z138 * z2007 - z141 * z2008) + z109 * z2035 + z110 * z2036 + z158 * z207 + z160 * z208;
+    const Scalar z2038 = -n2 * (z61 * z137 - z65 * z2006) + s_yaw * z204 + c_yaw * z2034 + z81 * z107 + z85 * z159;
+    const Scalar z2039 = n2 * (z138 * z2010 + z143 * z2008) + z109 * z2038 - z111 * z2036 - z158 * z210 + z162 * z208;
+    const Scalar z2040 = n2 * (z109 * z2036 + z158 * z208) + n4 * z138 * z2008;
+    const Scalar z2041 = n2 * (z112 * z2037 - z113 * z2039 - z114 * z2040 + z161 * z209 - z163 * z211 + z164 * z212)
+        - n4 * (z142 * z2009 - z144 * z2011 - z145 * z2012);
+    const Scalar z2042 = n0_5 * (z146 * z2014 / (z116 * z116) - z147 * z2013 / (z116 * z116) + z166 * z213 / (z116
+        * z116) - z2041 / z116) + z146 * z147 * z166 / (z116 * z116 * z116);
+    const Scalar z2043 = z2033 - n0_35 * z2042;
+    const Scalar z2044 = a_roll * z1697 + a_pitch * z1713 + a_steer * z1729 + z2043;
+    const Scalar z2045 = v_yaw * z1693 + v_roll * z1699 + v_pitch * z1714 - v_steer * z1738 - v_front * z1747;
+    const Scalar z2046 = v_yaw * z1693 + v_roll * z1699 + v_pitch * z1714 - v_steer * z1738 - v_front * z1747 + z287;
+    const Scalar z2047 = n0_7 * z147 * z166 / (z116 * z116 * z116) + n0_35 * z2014 / (z116 * z116);
+    const Scalar z2048 = s_roll * z277 - z60 * z97;
+    const Scalar z2049 = s_yaw * z134 - c_yaw * z2048 - z61 * z98 - z65 * z1645;
+    const Scalar z2050 = z113 * z2047 - z117 * z2011 - z144 * z1690 + z163 * z281 + z2049;
+    const Scalar z2051 = z114 * z2047 - z117 * z2012 - z145 * z1690 + z164 * z281 - z2005;
+    const Scalar z2052 = s_yaw * z2051 - z61 * z1698;
+    const Scalar z2053 = s_roll * z2050 + z49 * z2051 - z60 * z1693 + z66 * z1698;
+    const Scalar z2054 = s_roll * z290 + z60 * z255;
+    const Scalar z2055 = s_yaw * z291 - c_yaw * z2054 + z61 * z256 + z65 * z1731;
+    const Scalar z2056 = z2050 + z2055;
+    const Scalar z2057 = c_roll * z290 - z62 * z255;
+    const Scalar z2058 = z2051 - z2057;
+    const Scalar z2059 = c_roll * z296 + z62 * z249;
+    const Scalar z2060 = s_roll * z296 - z60 * z249;
+    const Scalar z2061 = s_yaw * z288 + c_yaw * z2060 + z61 * z250 + z65 * z1734;
+    const Scalar z2062 = z252 * z2056 - z254 * z2058 - z265 * z2059 - z266 * z2061 - z289 * z1733 + z295 * z1730 - z298
         * z1737 + z301 * z1735;
-    const Scalar z2038 = z2024 - z2025;
-    const Scalar z2039 = z1980 + z2026;
-    const Scalar z2040 = z109 * z2038 - z111 * z2039 + z138 * z1745 + z143 * z1746 - z158 * z303 - z162 * z304 - z271
-        * z1983 - z272 * z1985;
-    const Scalar z2041 = v_yaw * z2025 + v_roll * z2027 + v_pitch * z2028 - v_steer * z2037 - v_front * z2040;
-    const Scalar z2042 = a_yaw * z1693 + a_roll * z1699 + a_pitch * z1714 - a_steer * z1738 - a_front * z1747 - z2041;
-    const Scalar z2043 = v_yaw * z1691 + v_roll * z1700 + v_pitch * z1715 - v_steer * z1742 - v_front * z1749;
-    const Scalar z2044 = v_yaw * z1691 + v_roll * z1700 + v_pitch * z1715 - v_steer * z1742 - v_front * z1749 + z313;
-    const Scalar z2045 = s_yaw * z2023 + c_yaw * z134 - z61 * z1645 + z65 * z98;
-    const Scalar z2046 = z112 * z2022 + z117 * z1984 - z142 * z1690 - z161 * z281 + z2045;
-    const Scalar z2047 = c_yaw * z2026 + z65 * z1698;
-    const Scalar z2048 = s_roll * z2046 - z48 * z2026 - z60 * z1691 - z63 * z1698;
-    const Scalar z2049 = s_yaw * z2029 + c_yaw * z291 + z61 * z1731 - z65 * z256;
-    const Scalar z2050 = z2046 + z2049;
-    const Scalar z2051 = s_yaw * z2035 - c_yaw * z288 - z61 * z1734 + z65 * z250;
-    const Scalar z2052 = z252 * z2050 + z253 * z2033 - z264 * z2034 + z266 * z2051 - z289 * z1740 + z301 * z1741 + z316
+    const Scalar z2063 = z2049 - z2050;
+    const Scalar z2064 = z2005 + z2051;
+    const Scalar z2065 = z109 * z2063 - z111 * z2064 + z138 * z1745 + z143 * z1746 - z158 * z303 - z162 * z304 - z271
+        * z2008 - z272 * z2010;
+    const Scalar z2066 = v_yaw * z2050 + v_roll * z2052 + v_pitch * z2053 - v_steer * z2062 - v_front * z2065;
+    const Scalar z2067 = a_yaw * z1693 + a_roll * z1699 + a_pitch * z1714 - a_steer * z1738 - a_front * z1747 - z2066;
+    const Scalar z2068 = v_yaw * z1691 + v_roll * z1700 + v_pitch * z1715 - v_steer * z1742 - v_front * z1749;
+    const Scalar z2069 = v_yaw * z1691 + v_roll * z1700 + v_pitch * z1715 - v_steer * z1742 - v_front * z1749 + z313;
+    const Scalar z2070 = s_yaw * z2048 + c_yaw * z134 - z61 * z1645 + z65 * z98;
+    const Scalar z2071 = z112 * z2047 + z117 * z2009 - z142 * z1690 - z161 * z281 + z2070;
+    const Scalar z2072 = c_yaw * z2051 + z65 * z1698;
+    const Scalar z2073 = s_roll * z2071 - z48 * z2051 - z60 * z1691 - z63 * z1698;
+    const Scalar z2074 = s_yaw * z2054 + c_yaw * z291 + z61 * z1731 - z65 * z256;
+    const Scalar z2075 = z2071 + z2074;
+    const Scalar z2076 = s_yaw * z2060 - c_yaw * z288 - z61 * z1734 + z65 * z250;
+    const Scalar z2077 = z252 * z2075 + z253 * z2058 - z264 * z2059 + z266 * z2076 - z289 * z1740 + z301 * z1741 + z316
         * z1730 - z317 * z1737;
-    const Scalar z2053 = z2045 - z2046;
-    const Scalar z2054 = z109 * z2053 - z110 * z2039 + z138 * z1748 + z141 * z1746 - z158 * z319 + z160 * z304 - z270
-        * z1983 + z272 * z1982;
-    const Scalar z2055 = v_yaw * z2046 + v_roll * z2047 + v_pitch * z2048 - v_steer * z2052 - v_front * z2054;
-    const Scalar z2056 = a_yaw * z1691 + a_roll * z1700 + a_pitch * z1715 - a_steer * z1742 - a_front * z1749 - z2055;
-    const Scalar z2057 = z32 * z127;
-    const Scalar z2058 = z31 * z127;
-    const Scalar z2059 = n0_08 * z2057 - n0_35 * z2058;
-    const Scalar z2060 = -z122 * (n1 - z31 * z31);
-    const Scalar z2061 = z31 * z32 * z122;
-    const Scalar z2062 = n0_08 * z2060 + n0_35 * z2061;
-    const Scalar z2063 = -z122 * (n1 - z32 * z32);
-    const Scalar z2064 = n0_08 * z2061 + n0_35 * z2063;
-    const Scalar z2065 = s_pitch * z2062 - c_pitch * z2064 + z126 * z173 + z131 * z175;
-    const Scalar z2066 = s_roll * z2059 + c_roll * z2065 - z60 * z170 - z62 * z176;
-    const Scalar z2067 = s_pitch * z2057 + c_pitch * z2058 - z126 * z168 + z131 * z169;
-    const Scalar z2068 = s_roll * z2067 - c_roll * z122 + s_steer * z62 - z60 * z178;
-    const Scalar z2069 = s_pitch * z2058 - c_pitch * z2057 - z126 * z169 - z131 * z168;
-    const Scalar z2070 = s_yaw * z2068 + c_yaw * z2069 - z61 * z180 + z65 * z181;
-    const Scalar z2071 = s_roll * z122 + c_roll * z2067 + s_steer * z60 + z62 * z178;
-    const Scalar z2072 = z109 * z2070 + z110 * z2071 + z138 * z182 + z141 * z179;
-    const Scalar z2073 = s_yaw * z2069 - c_yaw * z2068 - z61 * z181 - z65 * z180;
-    const Scalar z2074 = z109 * z2073 + z111 * z2071 + z138 * z184 + z143 * z179;
-    const Scalar z2075 = n2 * (z109 * z2071 - z138 * z179);
-    const Scalar z2076 = n2 * (z112 * z2072 + z113 * z2074 - z114 * z2075 - z142 * z183 - z144 * z185 - z145 * z186);
-    const Scalar z2077 = n0_5 * (z146 * z188 / (z116 * z116) + z2076 / z116);
-    const Scalar z2078 = z2066 - n0_35 * z2077;
-    const Scalar z2079 = v_steer * s_steer + z127;
-    const Scalar z2080 = z32 * z2079;
-    const Scalar z2081 = z31 * z2079;
-    const Scalar z2082 = n0_08 * z2080 - n0_35 * z2081;
-    const Scalar z2083 = v_steer * c_steer + z122;
-    const Scalar z2084 = -z2083 * (n1 - z31 * z31);
-    const Scalar z2085 = z31 * z32 * z2083;
-    const Scalar z2086 = n0_08 * z2084 + n0_35 * z2085;
-    const Scalar z2087 = -z2083 * (n1 - z32 * z32);
-    const Scalar z2088 = n0_08 * z2085 + n0_35 * z2087;
-    const Scalar z2089 = n2 * (z126 * z173 + z131 * z175) + s_pitch * z2086 - c_pitch * z2088;
-    const Scalar z2090 = -n2 * (z60 * z170 + z62 * z176) + s_roll * z2082 + c_roll * z2089;
-    const Scalar z2091 = -n2 * (z126 * z168 - z131 * z169) + s_pitch * z2080 + c_pitch * z2081;
-    const Scalar z2092 = n2 * (s_steer * z62 - z60 * z178) + s_roll * z2091 - c_roll * z2083;
-    const Scalar z2093 = -n2 * (z126 * z169 + z131 * z168) + s_pitch * z2081 - c_pitch * z2080;
-    const Scalar z2094 = -n2 * (z61 * z180 - z65 * z181) + s_yaw * z2092 + c_yaw * z2093;
-    const Scalar z2095 = n2 * (s_steer * z60 + z62 * z178) + s_roll * z2083 + c_roll * z2091;
-    const Scalar z2096 = n2 * (z138 * z182 + z141 * z179) + z109 * z2094 + z110 * z2095;
-    const Scalar z2097 = -n2 * (z61 * z181 + z65 * z180) + s_yaw * z2093 - c_yaw * z2092;
-    const Scalar z2098 = n2 * (z138 * z184 + z143 * z179) + z109 * z2097 + z111 * z2095;
-    const Scalar z2099 = n2 * z109 * z2095 - n4 * z138 * z179;
-    const Scalar z2100 = n2 * (z112 * z2096 + z113 * z2098 - z114 * z2099) - n4 * (z142 * z183 + z144 * z185 + z145
+    const Scalar z2078 = z2070 - z2071;
+    const Scalar z2079 = z109 * z2078 - z110 * z2064 + z138 * z1748 + z141 * z1746 - z158 * z319 + z160 * z304 - z270
+        * z2008 + z272 * z2007;
+    const Scalar z2080 = v_yaw * z2071 + v_roll * z2072 + v_pitch * z2073 - v_steer * z2077 - v_front * z2079;
+    const Scalar z2081 = a_yaw * z1691 + a_roll * z1700 + a_pitch * z1715 - a_steer * z1742 - a_front * z1749 - z2080;
+    const Scalar z2082 = z32 * z127;
+    const Scalar z2083 = z31 * z127;
+    const Scalar z2084 = n0_08 * z2082 - n0_35 * z2083;
+    const Scalar z2085 = -z122 * (n1 - z31 * z31);
+    const Scalar z2086 = z31 * z32 * z122;
+    const Scalar z2087 = n0_08 * z2085 + n0_35 * z2086;
+    const Scalar z2088 = -z122 * (n1 - z32 * z32);
+    const Scalar z2089 = n0_08 * z2086 + n0_35 * z2088;
+    const Scalar z2090 = s_pitch * z2087 - c_pitch * z2089 + z126 * z173 + z131 * z175;
+    const Scalar z2091 = s_roll * z2084 + c_roll * z2090 - z60 * z170 - z62 * z176;
+    const Scalar z2092 = s_pitch * z2082 + c_pitch * z2083 - z126 * z168 + z131 * z169;
+    const Scalar z2093 = s_roll * z2092 - c_roll * z122 + s_steer * z62 - z60 * z178;
+    const Scalar z2094 = s_pitch * z2083 - c_pitch * z2082 - z126 * z169 - z131 * z168;
+    const Scalar z2095 = s_yaw * z2093 + c_yaw * z2094 - z61 * z180 + z65 * z181;
+    const Scalar z2096 = s_roll * z122 + c_roll * z2092 + s_steer * z60 + z62 * z178;
+    const Scalar z2097 = z109 * z2095 + z110 * z2096 + z138 * z182 + z141 * z179;
+    const Scalar z2098 = s_yaw * z2094 - c_yaw * z2093 - z61 * z181 - z65 * z180;
+    const Scalar z2099 = z109 * z2098 + z111 * z2096 + z138 * z184 + z143 * z179;
+    const Scalar z2100 = n2 * (z109 * z2096 - z138 * z179);
+    const Scalar z2101 = n2 * (z112 * z2097 + z113 * z2099 - z114 * z2100 - z142 * z183 - z144 * z185 - z145 * z186);
+    const Scalar z2102 = n0_5 * (z146 * z188 / (z116 * z116) + z2101 / z116);
+    const Scalar z2103 = z2091 - n0_35 * z2102;
+    const Scalar z2104 = v_steer * s_steer + z127;
+    const Scalar z2105 = z32 * z2104;
+    const Scalar z2106 = z31 * z2104;
+    const Scalar z2107 = n0_08 * z2105 - n0_35 * z2106;
+    const Scalar z2108 = v_steer * c_steer + z122;
+    const Scalar z2109 = -z2108 * (n1 - z31 * z31);
+    const Scalar z2110 = z31 * z32 * z2108;
+    const Scalar z2111 = n0_08 * z2109 + n0_35 * z2110;
+    const Scalar z2112 = -z2108 * (n1 - z32 * z32);
+    const Scalar z2113 = n0_08 * z2110 + n0_35 * z2112;
+    const Scalar z2114 = n2 * (z126 * z173 + z131 * z175) + s_pitch * z2111 - c_pitch * z2113;
+    const Scalar z2115 = -n2 * (z60 * z170 + z62 * z176) + s_roll * z2107 + c_roll * z2114;
+    const Scalar z2116 = -n2 * (z126 * z168 - z131 * z169) + s_pitch * z2105 + c_pitch * z2106;
+    const Scalar z2117 = n2 * (s_steer * z62 - z60 * z178) + s_roll * z2116 - c_roll * z2108;
+    const Scalar z2118 = -n2 * (z126 * z169 + z131 * z168) + s_pitch * z2106 - c_pitch * z2105;
+    const Scalar z2119 = -n2 * (z61 * z180 - z65 * z181) + s_yaw * z2117 + c_yaw * z2118;
+    const Scalar z2120 = n2 * (s_steer * z60 + z62 * z178) + s_roll * z2108 + c_roll * z2116;
+    const Scalar z2121 = n2 * (z138 * z182 + z141 * z179) + z109 * z2119 + z110 * z2120;
+    const Scalar z2122 = -n2 * (z61 * z181 + z65 * z180) + s_yaw * z2118 - c_yaw * z2117;
+    const Scalar z2123 = n2 * (z138 * z184 + z143 * z179) + z109 * z2122 + z111 * z2120;
+    const Scalar z2124 = n2 * z109 * z2120 - n4 * z138 * z179;
+    const Scalar z2125 = n2 * (z112 * z2121 + z113 * z2123 - z114 * z2124) - n4 * (z142 * z183 + z144 * z185 + z145
         * z186);
-    const Scalar z2101 = n0_5 * (z146 * z188 / (z116 * z116) + z147 * z187 / (z116 * z116) + z2100 / z116);
-    const Scalar z2102 = z2090 - n0_35 * z2101;
-    const Scalar z2103 = z32 * z194;
-    const Scalar z2104 = z31 * z194;
-    const Scalar z2105 = n0_08 * z2103 - n0_35 * z2104;
-    const Scalar z2106 = -z190 * (n1 - z31 * z31);
-    const Scalar z2107 = z31 * z32 * z190;
-    const Scalar z2108 = n0_08 * z2106 + n0_35 * z2107;
-    const Scalar z2109 = -z190 * (n1 - z32 * z32);
-    const Scalar z2110 = n0_08 * z2107 + n0_35 * z2109;
-    const Scalar z2111 = -n2 * (z126 * z2062 + z131 * z2064) + s_pitch * z2108 - c_pitch * z2110 + z173 * z200 - z175
+    const Scalar z2126 = n0_5 * (z146 * z188 / (z116 * z116) + z147 * z187 / (z116 * z116) + z2125 / z116);
+    const Scalar z2127 = z2115 - n0_35 * z2126;
+    const Scalar z2128 = z32 * z194;
+    const Scalar z2129 = z31 * z194;
+    const Scalar z2130 = n0_08 * z2128 - n0_35 * z2129;
+    const Scalar z2131 = -z190 * (n1 - z31 * z31);
+    const Scalar z2132 = z31 * z32 * z190;
+    const Scalar z2133 = n0_08 * z2131 + n0_35 * z2132;
+    const Scalar z2134 = -z190 * (n1 - z32 * z32);
+    const Scalar z2135 = n0_08 * z2132 + n0_35 * z2134;
+    const Scalar z2136 = -n2 * (z126 * z2087 + z131 * z2089) + s_pitch * z2133 - c_pitch * z2135 + z173 * z200 - z175
         * z201;
-    const Scalar z2112 = n2 * (z60 * z2059 - z62 * z2065) + s_roll * z2105 - c_roll * z2111 - z80 * z176 + z83 * z170;
-    const Scalar z2113 = n2 * (z126 * z2057 - z131 * z2058) + s_pitch * z2103 + c_pitch * z2104 + z168 * z200 + z169
+    const Scalar z2137 = n2 * (z60 * z2084 - z62 * z2090) + s_roll * z2130 - c_roll * z2136 - z80 * z176 + z83 * z170;
+    const Scalar z2138 = n2 * (z126 * z2082 - z131 * z2083) + s_pitch * z2128 + c_pitch * z2129 + z168 * z200 + z169
         * z201;
-    const Scalar z2114 = n2 * (z60 * z2067 + z62 * z122) + s_roll * z2113 + c_roll * z190 + s_steer * z80 + z83 * z178;
-    const Scalar z2115 = n2 * (z126 * z2058 + z131 * z2057) + s_pitch * z2104 - c_pitch * z2103 - z168 * z201 + z169
+    const Scalar z2139 = n2 * (z60 * z2092 + z62 * z122) + s_roll * z2138 + c_roll * z190 + s_steer * z80 + z83 * z178;
+    const Scalar z2140 = n2 * (z126 * z2083 + z131 * z2082) + s_pitch * z2129 - c_pitch * z2128 - z168 * z201 + z169
         * z200;
-    const Scalar z2116 = n2 * (z61 * z2068 - z65 * z2069) + s_yaw * z2114 + c_yaw * z2115 + z81 * z180 + z85 * z181;
-    const Scalar z2117 = -n2 * (z60 * z122 - z62 * z2067) + s_roll * z190 - c_roll * z2113 + s_steer * z83 - z80 * z178;
-    const Scalar z2118 = -n2 * (z138 * z2070 - z141 * z2071) + z109 * z2116 - z110 * z2117 - z179 * z207 + z182 * z208;
-    const Scalar z2119 = n2 * (z61 * z2069 + z65 * z2068) + s_yaw * z2115 - c_yaw * z2114 + z81 * z181 - z85 * z180;
-    const Scalar z2120 = -n2 * (z138 * z2073 - z143 * z2071) + z109 * z2119 - z111 * z2117 - z179 * z210 + z184 * z208;
-    const Scalar z2121 = n2 * (z109 * z2117 + z179 * z208) + n4 * z138 * z2071;
-    const Scalar z2122 = n2 * (z112 * z2118 + z113 * z2120 + z114 * z2121 + z183 * z209 + z185 * z211 - z186 * z212)
-        + n4 * (z142 * z2072 + z144 * z2074 - z145 * z2075);
-    const Scalar z2123 = n0_5 * (z146 * z2077 / (z116 * z116) + z147 * z2076 / (z116 * z116) + z188 * z213 / (z116
-        * z116) - z2122 / z116) + z146 * z147 * z188 / (z116 * z116 * z116);
-    const Scalar z2124 = z2112 + n0_35 * z2123;
-    const Scalar z2125 = a_roll * z1760 - a_pitch * z1767 - a_steer * z1784 - z2124;
-    const Scalar z2126 = v_yaw * z1756 + v_roll * z1762 + v_pitch * z1768 - v_steer * z1785 + v_front * z1791;
-    const Scalar z2127 = v_yaw * z1756 + v_roll * z1762 + v_pitch * z1768 - v_steer * z1785 + v_front * z1791 - z302;
-    const Scalar z2128 = n0_7 * z147 * z188 / (z116 * z116 * z116) + n0_35 * z2077 / (z116 * z116);
-    const Scalar z2129 = s_pitch * z2064 + c_pitch * z2062 + z126 * z175 - z131 * z173;
-    const Scalar z2130 = s_roll * z2065 - c_roll * z2059 + z60 * z176 - z62 * z170;
-    const Scalar z2131 = s_yaw * z2129 + c_yaw * z2130 + z61 * z1718 - z65 * z1660;
-    const Scalar z2132 = z113 * z2128 - z117 * z2074 - z144 * z1753 - z185 * z281 + z2131;
-    const Scalar z2133 = z114 * z2128 + z117 * z2075 - z145 * z1753 - z186 * z281 + z2066;
-    const Scalar z2134 = s_yaw * z2133 - z61 * z1761;
-    const Scalar z2135 = s_roll * z2132 + z49 * z2133 - z60 * z1756 + z66 * z1761;
-    const Scalar z2136 = z252 * z2132 - z254 * z2133 - z289 * z1756 - z298 * z1761;
-    const Scalar z2137 = z2131 - z2132;
-    const Scalar z2138 = z2066 - z2133;
-    const Scalar z2139 = z109 * z2137 + z111 * z2138 - z138 * z1789 - z143 * z1790 + z179 * z303 + z184 * z304 + z271
-        * z2071 - z272 * z2073;
-    const Scalar z2140 = v_yaw * z2132 + v_roll * z2134 + v_pitch * z2135 - v_steer * z2136 - v_front * z2139;
-    const Scalar z2141 = a_yaw * z1756 + a_roll * z1762 + a_pitch * z1768 - a_steer * z1785 + a_front * z1791 - z2140;
-    const Scalar z2142 = v_yaw * z1754 + v_roll * z1763 + v_pitch * z1769 - v_steer * z1786 - v_front * z1793;
-    const Scalar z2143 = v_yaw * z1754 + v_roll * z1763 + v_pitch * z1769 - v_steer * z1786 - v_front * z1793 - z318;
-    const Scalar z2144 = s_yaw * z2130 - c_yaw * z2129 + z61 * z1660 + z65 * z1718;
-    const Scalar z2145 = z112 * z2128 - z117 * z2072 - z142 * z1753 - z183 * z281 - z2144;
-    const Scalar z2146 = c_yaw * z2133 + z65 * z1761;
-    const Scalar z2147 = s_roll * z2145 - z48 * z2133 - z60 * z1754 - z63 * z1761;
-    const Scalar z2148 = z252 * z2145 + z253 * z2133 - z289 * z1754 - z317 * z1761;
-    const Scalar z2149 = z2144 + z2145;
-    const Scalar z2150 = z109 * z2149 - z110 * z2138 - z138 * z1792 + z141 * z1790 - z179 * z319 - z182 * z304 - z270
-        * z2071 + z272 * z2070;
-    const Scalar z2151 = v_yaw * z2145 + v_roll * z2146 + v_pitch * z2147 - v_steer * z2148 + v_front * z2150;
-    const Scalar z2152 = a_yaw * z1754 + a_roll * z1763 + a_pitch * z1769 - a_steer * z1786 - a_front * z1793 - z2151;
-    const Scalar z2153 = n1 / z167;
-    const Scalar z2154 = z246 * z2153;
-    const Scalar z2155 = z223 * z2153;
-    const Scalar z2156 = z247 * z2153;
-    const Scalar z2157 = z222 * z2153;
-    const Scalar z2158 = n1 / z273;
-    const Scalar z2159 = z274 * z2158;
-    const Scalar z2160 = z240 - z241 * z2159;
-    const Scalar z2161 = z216 - z2160;
-    const Scalar z2162 = n1 / z2161;
-    const Scalar z2163 = z217 * z2162;
-    const Scalar z2164 = n1 - z2159 * z2163;
-    const Scalar z2165 = n1 / z2164;
-    const Scalar z2166 = z167 * z167;
-    const Scalar z2167 = n1_over_94 + z156 * z156 / z542 + z167 * z167 / z518 + z189 * z189 / z587;
-    const Scalar z2168 = z518 * z2167;
-    const Scalar z2169 = z273 * z273;
-    const Scalar z2170 = n1_over_94 + z241 * z241 / z564 + z243 * z243 / z542 + z246 * z246 / z518 + z267 * z267 / z587
+    const Scalar z2141 = n2 * (z61 * z2093 - z65 * z2094) + s_yaw * z2139 + c_yaw * z2140 + z81 * z180 + z85 * z181;
+    const Scalar z2142 = -n2 * (z60 * z122 - z62 * z2092) + s_roll * z190 - c_roll * z2138 + s_steer * z83 - z80 * z178;
+    const Scalar z2143 = -n2 * (z138 * z2095 - z141 * z2096) + z109 * z2141 - z110 * z2142 - z179 * z207 + z182 * z208;
+    const Scalar z2144 = n2 * (z61 * z2094 + z65 * z2093) + s_yaw * z2140 - c_yaw * z2139 + z81 * z181 - z85 * z180;
+    const Scalar z2145 = -n2 * (z138 * z2098 - z143 * z2096) + z109 * z2144 - z111 * z2142 - z179 * z210 + z184 * z208;
+    const Scalar z2146 = n2 * (z109 * z2142 + z179 * z208) + n4 * z138 * z2096;
+    const Scalar z2147 = n2 * (z112 * z2143 + z113 * z2145 + z114 * z2146 + z183 * z209 + z185 * z211 - z186 * z212)
+        + n4 * (z142 * z2097 + z144 * z2099 - z145 * z2100);
+    const Scalar z2148 = n0_5 * (z146 * z2102 / (z116 * z116) + z147 * z2101 / (z116 * z116) + z188 * z213 / (z116
+        * z116) - z2147 / z116) + z146 * z147 * z188 / (z116 * z116 * z116);
+    const Scalar z2149 = z2137 + n0_35 * z2148;
+    const Scalar z2150 = a_roll * z1760 - a_pitch * z1767 - a_steer * z1784 - z2149;
+    const Scalar z2151 = v_yaw * z1756 + v_roll * z1762 + v_pitch * z1768 - v_steer * z1785 + v_front * z1791;
+    const Scalar z2152 = v_yaw * z1756 + v_roll * z1762 + v_pitch * z1768 - v_steer * z1785 + v_front * z1791 - z302;
+    const Scalar z2153 = n0_7 * z147 * z188 / (z116 * z116 * z116) + n0_35 * z2102 / (z116 * z116);
+    const Scalar z2154 = s_pitch * z2089 + c_pitch * z2087 + z126 * z175 - z131 * z173;
+    const Scalar z2155 = s_roll * z2090 - c_roll * z2084 + z60 * z176 - z62 * z170;
+    const Scalar z2156 = s_yaw * z2154 + c_yaw * z2155 + z61 * z1718 - z65 * z1660;
+    const Scalar z2157 = z113 * z2153 - z117 * z2099 - z144 * z1753 - z185 * z281 + z2156;
+    const Scalar z2158 = z114 * z2153 + z117 * z2100 - z145 * z1753 - z186 * z281 + z2091;
+    const Scalar z2159 = s_yaw * z2158 - z61 * z1761;
+    const Scalar z2160 = s_roll * z2157 + z49 * z2158 - z60 * z1756 + z66 * z1761;
+    const Scalar z2161 = z252 * z2157 - z254 * z2158 - z289 * z1756 - z298 * z1761;
+    const Scalar z2162 = z2156 - z2157;
+    const Scalar z2163 = z2091 - z2158;
+    const Scalar z2164 = z109 * z2162 + z111 * z2163 - z138 * z1789 - z143 * z1790 + z179 * z303 + z184 * z304 + z271
+        * z2096 - z272 * z2098;
+    const Scalar z2165 = v_yaw * z2157 + v_roll * z2159 + v_pitch * z2160 - v_steer * z2161 - v_front * z2164;
+    const Scalar z2166 = a_yaw * z1756 + a_roll * z1762 + a_pitch * z1768 - a_steer * z1785 + a_front * z1791 - z2165;
+    const Scalar z2167 = v_yaw * z1754 + v_roll * z1763 + v_pitch * z1769 - v_steer * z1786 - v_front * z1793;
+    const Scalar z2168 = v_yaw * z1754 + v_roll * z1763 + v_pitch * z1769 - v_steer * z1786 - v_front * z1793 - z318;
+    const Scalar z2169 = s_yaw * z2155 - c_yaw * z2154 + z61 * z1660 + z65 * z1718;
+    const Scalar z2170 = z112 * z2153 - z117 * z2097 - z142 * z1753 - z183 * z281 - z2169;
+    const Scalar z2171 = c_yaw * z2158 + z65 * z1761;
+    const Scalar z2172 = s_roll * z2170 - z48 * z2158 - z60 * z1754 - z63 * z1761;
+    const Scalar z2173 = z252 * z2170 + z253 * z2158 - z289 * z1754 - z317 * z1761;
+    const Scalar z2174 = z2169 + z2170;
+    const Scalar z2175 = z109 * z2174 - z110 * z2163 - z138 * z1792 + z141 * z1790 - z179 * z319 - z182 * z304 - z270
+        * z2096 + z272 * z2095;
+    const Scalar z2176 = v_yaw * z2170 + v_roll * z2171 + v_pitch * z2172 - v_steer * z2173 + v_front * z2175;
+    const Scalar z2177 = a_yaw * z1754 + a_roll * z1763 + a_pitch * z1769 - a_steer * z1786 - a_front * z1793 - z2176;
+    const Scalar z2178 = n1 / z167;
+    const Scalar z2179 = z246 * z2178;
+    const Scalar z2180 = z223 * z2178;
+    const Scalar z2181 = z247 * z2178;
+    const Scalar z2182 = z222 * z2178;
+    const Scalar z2183 = n1 / z273;
+    const Scalar z2184 = z274 * z2183;
+    const Scalar z2185 = z240 - z241 * z2184;
+    const Scalar z2186 = z216 - z2185;
+    const Scalar z2187 = n1 / z2186;
+    const Scalar z2188 = z217 * z2187;
+    const Scalar z2189 = n1 - z2184 * z2188;
+    const Scalar z2190 = n1 / z2189;
+    const Scalar z2191 = z167 * z167;
+    const Scalar z2192 = n1_over_94 + z156 * z156 / z542 + z167 * z167 / z518 + z189 * z189 / z587;
+    const Scalar z2193 = z518 * z2192;
+    const Scalar z2194 = z273 * z273;
+    const Scalar z2195 = n1_over_94 + z241 * z241 / z564 + z243 * z243 / z542 + z246 * z246 / z518 + z267 * z267 / z587
         + n25_over_7 * z273 * z273;
-    const Scalar z2171 = n0_28 * z2170;
-    const Scalar z2172 = z2161 * z2161;
-    const Scalar z2173 = n1_over_94 + z240 * z240 / z564 + z244 * z244 / z542 + z247 * z247 / z518 + z268 * z268 / z587
+    const Scalar z2196 = n0_28 * z2195;
+    const Scalar z2197 = z2186 * z2186;
+    const Scalar z2198 = n1_over_94 + z240 * z240 / z564 + z244 * z244 / z542 + z247 * z247 / z518 + z268 * z268 / z587
         + n25_over_7 * z274 * z274;
-    const Scalar z2174 = z564 * z2173;
-    const Scalar z2175 = z2164 * z2164;
-    const Scalar z2176 = z222 * z222 * (n25_over_3 + n1 / z518) + n1_over_94 + z217 * z217 / z564 + z219 * z219 / z542;
-    const Scalar z2177 = n94 * z2176;
-    const Scalar z2178 = z79 + z156;
-    const Scalar z2179 = z2153 * z2178;
-    const Scalar z2180 = z189 * z2153;
-    const Scalar z2181 = z243 - z2154 * z2178;
-    const Scalar z2182 = z220 - z2155 * z2178;
-    const Scalar z2183 = z244 - z2156 * z2178 - z2159 * z2181 - z2182;
-    const Scalar z2184 = z219 - z2157 * z2178 + z2163 * z2183;
-    const Scalar z2185 = z2165 * z2184;
-    const Scalar z2186 = z2159 * z2185 + z2183;
-    const Scalar z2187 = z2162 * z2186;
-    const Scalar z2188 = z216 * z2187 + z2182;
-    const Scalar z2189 = z241 * z2187 + z2181 - z2185;
-    const Scalar z2190 = z2158 * z2189;
-    const Scalar z2191 = z189 * z2154 - z267;
-    const Scalar z2192 = z189 * z2155;
-    const Scalar z2193 = z189 * z2156 - z268 - z2159 * z2191 - z2192;
-    const Scalar z2194 = z189 * z2157 + z2163 * z2193;
-    const Scalar z2195 = z2165 * z2194;
-    const Scalar z2196 = z2159 * z2195 + z2193;
-    const Scalar z2197 = z2162 * z2196;
-    const Scalar z2198 = z216 * z2197 + z2192;
-    const Scalar z2199 = z241 * z2197 + z2191 - z2195;
-    const Scalar z2200 = z2158 * z2199;
-    const Scalar z2201 = z222 - z223 * z2163;
-    const Scalar z2202 = z2165 * z2201;
-    const Scalar z2203 = z223 - z2159 * z2202;
-    const Scalar z2204 = z2162 * z2203;
-    const Scalar z2205 = z216 * z2204 - z223;
-    const Scalar z2206 = z241 * z2204 + z2202;
-    const Scalar z2207 = z2158 * z2206;
-    const Scalar z2208 = z1910 - z1990 * z2179;
-    const Scalar z2209 = z1990 * z2180 - z2078;
-    const Scalar z2210 = z1932 + z2020 * z2179;
-    const Scalar z2211 = z2020 * z2180 + z2126;
-    const Scalar z2212 = z1959 + z2043 * z2179;
-    const Scalar z2213 = z2043 * z2180 + z2142;
-    const Scalar z2214 = z1844 * z2159 - z1854 - z1860;
-    const Scalar z2215 = z1870 + z2163 * z2214;
-    const Scalar z2216 = z2165 * z2215;
-    const Scalar z2217 = z2159 * z2216 + z2214;
-    const Scalar z2218 = z2162 * z2217;
-    const Scalar z2219 = z216 * z2218 + z1854;
-    const Scalar z2220 = z241 * z2218 - z1844 - z2216;
-    const Scalar z2221 = z2158 * z2220;
-    const Scalar z2222 = z1883 - z2208;
-    const Scalar z2223 = z2154 * z2222 + z2210;
-    const Scalar z2224 = z1950 - z2155 * z2222;
-    const Scalar z2225 = z2156 * z2222 - z2159 * z2223 + z2212 + z2224;
-    const Scalar z2226 = z1973 + z2157 * z2222 + z2163 * z2225;
-    const Scalar z2227 = z2165 * z2226;
-    const Scalar z2228 = z2159 * z2227 + z2225;
-    const Scalar z2229 = z2162 * z2228;
-    const Scalar z2230 = z216 * z2229 - z2224;
-    const Scalar z2231 = z241 * z2229 + z2223 - z2227;
-    const Scalar z2232 = z2158 * z2231;
-    const Scalar z2233 = z2153 * z2222;
-    const Scalar z2234 = z2154 * z2209 + z2211;
-    const Scalar z2235 = z2155 * z2209;
-    const Scalar z2236 = z2156 * z2209 - z2159 * z2234 + z2213 - z2235;
-    const Scalar z2237 = z2157 * z2209 + z2163 * z2236;
-    const Scalar z2238 = z2165 * z2237;
-    const Scalar z2239 = z2159 * z2238 + z2236;
-    const Scalar z2240 = z2162 * z2239;
-    const Scalar z2241 = z216 * z2240 + z2235;
-    const Scalar z2242 = z241 * z2240 + z2234 - z2238;
-    const Scalar z2243 = z2158 * z2242;
-    const Scalar z2244 = z2153 * z2209;
-    const Scalar z2245 = z1921 - z2006 * z2179;
-    const Scalar z2246 = z2006 * z2180 - z2102;
-    const Scalar z2247 = z232 * z2179 + z1871 * z2187 + z1974;
-    const Scalar z2248 = z232 * z2180 - z1871 * z2197;
-    const Scalar z2249 = z232 + z1871 * z2204;
-    const Scalar z2250 = z238 * z2179 + z1855 * z2187 - z1951;
-    const Scalar z2251 = z238 * z2180 - z1855 * z2197;
-    const Scalar z2252 = z238 + z1855 * z2204;
-    const Scalar z2253 = z305 * z2190 - z1845 * z2187 + z1933 + z2021 * z2179;
-    const Scalar z2254 = z305 * z2200 - z1845 * z2197 - z2021 * z2180 - z2127;
-    const Scalar z2255 = z305 * z2207 - z1845 * z2204;
-    const Scalar z2256 = z320 * z2190 - z1861 * z2187 + z1960 + z2044 * z2179;
-    const Scalar z2257 = z320 * z2200 - z1861 * z2197 - z2044 * z2180 - z2143;
-    const Scalar z2258 = z320 * z2207 - z1861 * z2204;
-    const Scalar z2259 = z1893 - z2245;
-    const Scalar z2260 = z2154 * z2259 + z2253;
-    const Scalar z2261 = z2155 * z2259 + z2250;
-    const Scalar z2262 = z2156 * z2259 - z2159 * z2260 + z2256 - z2261;
-    const Scalar z2263 = z2157 * z2259 + z2163 * z2262 + z2247;
-    const Scalar z2264 = z2165 * z2263;
-    const Scalar z2265 = z2159 * z2264 + z2262;
-    const Scalar z2266 = z2162 * z2265;
-    const Scalar z2267 = z216 * z2266 + z2261;
-    const Scalar z2268 = z241 * z2266 + z2260 - z2264;
-    const Scalar z2269 = z2158 * z2268;
-    const Scalar z2270 = z2153 * z2259;
-    const Scalar z2271 = z2154 * z2246 - z2254;
-    const Scalar z2272 = z2155 * z2246 + z2251;
-    const Scalar z2273 = z2156 * z2246 - z2159 * z2271 - z2257 - z2272;
-    const Scalar z2274 = z2157 * z2246 + z2163 * z2273 + z2248;
-    const Scalar z2275 = z2165 * z2274;
-    const Scalar z2276 = z2159 * z2275 + z2273;
-    const Scalar z2277 = z2162 * z2276;
-    const Scalar z2278 = z216 * z2277 + z2272;
-    const Scalar z2279 = z241 * z2277 + z2271 - z2275;
-    const Scalar z2280 = z2158 * z2279;
-    const Scalar z2281 = z2153 * z2246;
-    const Scalar z2282 = z2159 * z2255 + z2252 - z2258;
-    const Scalar z2283 = z2163 * z2282 - z2249;
-    const Scalar z2284 = z2165 * z2283;
-    const Scalar z2285 = z2159 * z2284 + z2282;
-    const Scalar z2286 = z2162 * z2285;
-    const Scalar z2287 = z216 * z2286 - z2252;
-    const Scalar z2288 = z241 * z2286 - z2255 - z2284;
-    const Scalar z2289 = z2158 * z2288;
-    const Scalar z2290 = z2006 * z2233;
-    const Scalar z2291 = z2006 * z2244;
-    const Scalar z2292 = z1871 * z2218;
-    const Scalar z2293 = z232 * z2233 - z1871 * z2229;
-    const Scalar z2294 = z232 * z2244 - z1871 * z2240;
-    const Scalar z2295 = z1855 * z2218;
-    const Scalar z2296 = z238 * z2233 - z1855 * z2229;
-    const Scalar z2297 = z238 * z2244 - z1855 * z2240;
-    const Scalar z2298 = z305 * z2221 - z1845 * z2218;
-    const Scalar z2299 = z305 * z2232 - z1845 * z2229 - z2021 * z2233;
-    const Scalar z2300 = z305 * z2243 - z1845 * z2240 - z2021 * z2244;
-    const Scalar z2301 = z320 * z2221 - z1861 * z2218;
-    const Scalar z2302 = z320 * z2232 - z1861 * z2229 - z2044 * z2233;
-    const Scalar z2303 = z320 * z2243 - z1861 * z2240 - z2044 * z2244;
-    const Scalar z2304 = z1931 + z2019 * z2179;
-    const Scalar z2305 = z2019 * z2180 + z2125;
-    const Scalar z2306 = z1949 + z2042 * z2179;
-    const Scalar z2307 = z2042 * z2180 + z2141;
-    const Scalar z2308 = z1972 + z2056 * z2179;
-    const Scalar z2309 = z2056 * z2180 + z2152;
-    const Scalar z2310 = z2290 + z2304;
-    const Scalar z2311 = z2291 + z2305;
-    const Scalar z2312 = z1875 - z2292;
-    const Scalar z2313 = z1979 + z2293;
-    const Scalar z2314 = z1859 - z2295;
-    const Scalar z2315 = z1958 - z2296;
-    const Scalar z2316 = z1853 + z2298;
-    const Scalar z2317 = z2299 - z2306;
-    const Scalar z2318 = z2300 - z2307;
-    const Scalar z2319 = z1869 + z2301;
-    const Scalar z2320 = z2302 - z2308;
-    const Scalar z2321 = z2303 - z2309;
-    const Scalar z2322 = z2159 * z2316 - z2314 - z2319;
-    const Scalar z2323 = z2163 * z2322 + z2312;
-    const Scalar z2324 = z2165 * z2323;
-    const Scalar z2325 = z2159 * z2324 + z2322;
-    const Scalar z2326 = z2162 * z2325;
-    const Scalar z2327 = z216 * z2326 + z2314;
-    const Scalar z2328 = z241 * z2326 - z2316 - z2324;
-    const Scalar z2329 = z2158 * z2328;
-    const Scalar z2330 = z1902 + z2310;
-    const Scalar z2331 = z2154 * z2330 - z2317;
-    const Scalar z2332 = z2155 * z2330 - z2315;
-    const Scalar z2333 = z2156 * z2330 - z2159 * z2331 - z2320 - z2332;
-    const Scalar z2334 = z2157 * z2330 + z2163 * z2333 + z2313;
-    const Scalar z2335 = z2165 * z2334;
-    const Scalar z2336 = z2159 * z2335 + z2333;
-    const Scalar z2337 = z2162 * z2336;
-    const Scalar z2338 = z216 * z2337 + z2332;
-    const Scalar z2339 = z241 * z2337 + z2331 - z2335;
-    const Scalar z2340 = z2158 * z2339;
-    const Scalar z2341 = z2153 * z2330;
-    const Scalar z2342 = z2154 * z2311 - z2318;
-    const Scalar z2343 = z2155 * z2311 + z2297;
-    const Scalar z2344 = z2156 * z2311 - z2159 * z2342 - z2321 - z2343;
-    const Scalar z2345 = z2157 * z2311 + z2163 * z2344 + z2294;
-    const Scalar z2346 = z2165 * z2345;
-    const Scalar z2347 = z2159 * z2346 + z2344;
-    const Scalar z2348 = z2162 * z2347;
-    const Scalar z2349 = z216 * z2348 + z2343;
-    const Scalar z2350 = z241 * z2348 + z2342 - z2346;
-    const Scalar z2351 = z2158 * z2350;
-    const Scalar z2352 = z2153 * z2311;
-    const Scalar z2353 = z1822 - z1823;
-    const Scalar z2354 = z1824 - z2154 * z2353;
-    const Scalar z2355 = z1825 + z2155 * z2353;
-    const Scalar z2356 = z1826 + z2156 * z2353 + z2159 * z2354 - z2355;
-    const Scalar z2357 = z1827 - z2157 * z2353 - z2163 * z2356;
-    const Scalar z2358 = z2165 * z2357;
-    const Scalar z2359 = z2159 * z2358 - z2356;
-    const Scalar z2360 = z2162 * z2359;
-    const Scalar z2361 = z216 * z2360 - z2355;
-    const Scalar z2362 = z241 * z2360 + z2354 - z2358;
-    const Scalar z2363 = z2158 * z2362;
-    const Scalar z2364 = z2153 * z2353;
-    const Scalar z2365 = z527 * z2179 - z548 - z565 * z2187 + n94 * z2185;
-    const Scalar z2366 = z528 * z2179 - z549 - z566 * z2187 + n94 * z2188;
-    const Scalar z2367 = n94 * z79 + z524 * z2179 + z545;
-    const Scalar z2368 = z446 * z2190 + z526 * z2179 + z547 - z564 * z2187 + z565 * z2185 + z566 * z2188;
-    const Scalar z2369 = z79 * z545 + z443 * z2190 + z521 * z2179 + z542 - z547 * z2187 - z548 * z2185 - z549 * z2188;
-    const Scalar z2370 = z79 * z524 + z441 * z2190 + z518 * z2179 + z521 - z526 * z2187 + z527 * z2185 + z528 * z2188;
-    const Scalar z2371 = z79 * z466 - z459 * z2179 + z463 + z468 * z2187 + z469 * z2185 - z470 * z2188;
-    const Scalar z2372 = z515 * z2187 - n0_12 * z2179;
-    const Scalar z2373 = z441 * z2179 + z443 - z446 * z2187 + n0_28 * z2190;
-    const Scalar z2374 = z469 - z527 * z2180 - z565 * z2197 + n94 * z2195;
-    const Scalar z2375 = z470 + z528 * z2180 + z566 * z2197 - n94 * z2198;
-    const Scalar z2376 = z466 - z524 * z2180;
-    const Scalar z2377 = z446 * z2200 - z468 - z526 * z2180 - z564 * z2197 + z565 * z2195 + z566 * z2198;
-    const Scalar z2379 = z441 * z2200 - z459 - z518 * z2180 - z526 * z2197 + z527 * z2195 + z528 * z2198;
-    const Scalar z2380 = z459 * z2180 + z468 * z2197 + z469 * z2195 - z470 * z2198 + z587;
-    const Scalar z2381 = z515 * z2197 + n0_12 * z2180;
-    const Scalar z2382 = z441 * z2180 + z446 * z2197 - n0_28 * z2200;
-    const Scalar z2383 = z565 * z2204 + n94 * z2202;
-    const Scalar z2384 = z566 * z2204 - n94 * z2205;
-    const Scalar z2385 = z446 * z2207 + z515 - z564 * z2204 - z565 * z2202 + z566 * z2205;
-    const Scalar z2387 = n0_12 + z441 * z2207 - z526 * z2204 - z527 * z2202 + z528 * z2205;
-    const Scalar z2389 = n0_12 - z515 * z2204;
-    const Scalar z2390 = z446 * z2204 - n0_28 * z2207;
-    const Scalar z2391 = z79 * z2367 + z2179 * z2370 + z2185 * z2365 - z2187 * z2368 + z2188 * z2366 + z2190 * z2373
-        + z2369;
-    const Scalar z2392 = z2180 * z2370 - z2195 * z2365 + z2197 * z2368 - z2198 * z2366 - z2200 * z2373 - z2371;
-    const Scalar z2393 = z2202 * z2365 + z2204 * z2368 - z2205 * z2366 - z2207 * z2373 + z2372;
-    const Scalar z2395 = z2180 * z2379 - z2195 * z2374 + z2197 * z2377 + z2198 * z2375 + z2200 * z2382 - z2380;
-    const Scalar z2396 = z2202 * z2374 + z2204 * z2377 + z2205 * z2375 + z2207 * z2382 + z2381;
-    const Scalar z2399 = z2202 * z2383 - z2204 * z2385 - z2205 * z2384 - z2207 * z2390 + z2389;
-    const Scalar z2400 = z1893 * z2367 - z2264 * z2365 + z2266 * z2368 - z2267 * z2366 - z2269 * z2373 + z2270 * z2370;
-    const Scalar z2401 = z2275 * z2365 - z2277 * z2368 + z2278 * z2366 + z2280 * z2373 - z2281 * z2370;
-    const Scalar z2402 = z2284 * z2365 - z2286 * z2368 + z2287 * z2366 + z2289 * z2373;
-    const Scalar z2403 = z1893 * z2376 - z2264 * z2374 + z2266 * z2377 + z2267 * z2375 + z2269 * z2382 + z2270 * z2379;
-    const Scalar z2404 = z2275 * z2374 - z2277 * z2377 - z2278 * z2375 - z2280 * z2382 - z2281 * z2379;
-    const Scalar z2405 = z2284 * z2374 - z2286 * z2377 - z2287 * z2375 - z2289 * z2382;
-    const Scalar z2406 = z2264 * z2383 + z2266 * z2385 + z2267 * z2384 + z2269 * z2390 + z2270 * z2387;
-    const Scalar z2407 = z2275 * z2383 + z2277 * z2385 + z2278 * z2384 + z2280 * z2390 + z2281 * z2387;
-    const Scalar z2408 = z2284 * z2383 + z2286 * z2385 + z2287 * z2384 + z2289 * z2390;
-    const Scalar z2409 = z1280 * z2187 - z1367 + z1425 * z2179;
-    const Scalar z2410 = z1280 * z2197 - z1425 * z2180 - z1533;
-    const Scalar z2411 = z1280 * z2204;
-    const Scalar z2412 = z1279 * z2187 + z1368 - z1426 * z2179;
-    const Scalar z2413 = z1279 * z2197 + z1426 * z2180 + z1534;
-    const Scalar z2414 = z1279 * z2204;
-    const Scalar z2415 = z1364 + z1422 * z2179;
-    const Scalar z2416 = z1422 * z2180 + z1530;
-    const Scalar z2417 = z1314 * z2187 + z1366 - z1424 * z2179 - z1554 * z2190;
-    const Scalar z2418 = z1314 * z2197 + z1424 * z2180 - z1532 - z1554 * z2200;
-    const Scalar z2419 = z1314 * z2204 + z1440 - z1554 * z2207;
-    const Scalar z2420 = z1271 * z2187 - z1333 + z1419 * z2179 + z1549 * z2190;
-    const Scalar z2421 = z1271 * z2197 - z1419 * z2180 + z1527 + z1549 * z2200;
-    const Scalar z2422 = z1271 * z2204 - z1435 + z1549 * z2207;
-    const Scalar z2423 = z1379 * z2179 - z1381 - z1383 * z2187 + z1545 * z2190;
-    const Scalar z2424 = z1379 * z2180 + z1383 * z2197 - z1523 - z1545 * z2200;
-    const Scalar z2425 = z1383 * z2204 - z1545 * z2207;
-    const Scalar z2426 = z1465 * z2179 - z1469 - z1471 * z2187 - z1571 * z2190;
-    const Scalar z2427 = z1465 * z2180 + z1471 * z2197 + z1571 * z2200;
-    const Scalar z2428 = z1471 * z2204 + z1571 * z2207;
-    const Scalar z2429 = z1438 - z1440 * z2187;
-    const Scalar z2430 = z1440 * z2197;
-    const Scalar z2431 = z1440 * z2204;
-    const Scalar z2432 = z1548 * z2179 + z1552 + z1554 * z2187;
-    const Scalar z2433 = z1543 + z1548 * z2180 - z1554 * z2197;
-    const Scalar z2434 = z1554 * z2204;
-    const Scalar z2435 = z79 * z2415 - z2179 * z2423 - z2185 * z2409 - z2187 * z2417 + z2188 * z2412 + z2190 * z2432
-        - z2420;
-    const Scalar z2436 = z79 * z2416 - z2179 * z2424 + z2185 * z2410 + z2187 * z2418 - z2188 * z2413 + z2190 * z2433
-        + z2421;
-    const Scalar z2437 = z2179 * z2425 - z2185 * z2411 - z2187 * z2419 + z2188 * z2414 + z2190 * z2434 - z2422;
-    const Scalar z2438 = z2180 * z2423 - z2195 * z2409 - z2197 * z2417 + z2198 * z2412 + z2200 * z2432 + z2426;
-    const Scalar z2439 = z2180 * z2424 + z2195 * z2410 + z2197 * z2418 - z2198 * z2413 + z2200 * z2433 + z2427;
-    const Scalar z2440 = z2180 * z2425 + z2195 * z2411 + z2197 * z2419 - z2198 * z2414 - z2200 * z2434 + z2428;
-    const Scalar z2441 = z2202 * z2409 - z2204 * z2417 + z2205 * z2412 + z2207 * z2432 + z2429;
-    const Scalar z2442 = z2202 * z2410 - z2204 * z2418 + z2205 * z2413 - z2207 * z2433 - z2430;
-    const Scalar z2443 = z2202 * z2411 - z2204 * z2419 + z2205 * z2414 + z2207 * z2434 - z2431;
-    const Scalar z2444 = z2400 + z2435;
-    const Scalar z2445 = z2401 - z2436;
-    const Scalar z2446 = z2402 + z2437;
-    const Scalar z2447 = z2403 + z2438;
-    const Scalar z2448 = z2404 - z2439;
-    const Scalar z2449 = z2405 - z2440;
-    const Scalar z2450 = z2406 + z2441;
-    const Scalar z2451 = z2407 - z2442;
-    const Scalar z2452 = z2408 - z2443;
-    const Scalar z2453 = z2324 * z2365 - z2326 * z2368 + z2327 * z2366 + z2329 * z2373;
-    const Scalar z2454 = z1902 * z2367 - z2335 * z2365 + z2337 * z2368 - z2338 * z2366 - z2340 * z2373 + z2341 * z2370;
-    const Scalar z2455 = z2346 * z2365 - z2348 * z2368 + z2349 * z2366 + z2351 * z2373 - z2352 * z2370;
-    const Scalar z2456 = z2324 * z2374 - z2326 * z2377 - z2327 * z2375 - z2329 * z2382;
-    const Scalar z2457 = z1902 * z2376 - z2335 * z2374 + z2337 * z2377 + z2338 * z2375 + z2340 * z2382 + z2341 * z2379;
-    const Scalar z2458 = z2346 * z2374 - z2348 * z2377 - z2349 * z2375 - z2351 * z2382 - z2352 * z2379;
-    const Scalar z2459 = z2324 * z2383 + z2326 * z2385 + z2327 * z2384 + z2329 * z2390;
-    const Scalar z2460 = z2335 * z2383 + z2337 * z2385 + z2338 * z2384 + z2340 * z2390 + z2341 * z2387;
-    const Scalar z2461 = z2346 * z2383 + z2348 * z2385 + z2349 * z2384 + z2351 * z2390 + z2352 * z2387;
-    const Scalar z2462 = z1280 * z2218;
-    const Scalar z2463 = z1280 * z2229 - z1425 * z2233;
-    const Scalar z2464 = z1280 * z2240 - z1425 * z2244;
-    const Scalar z2465 = z1279 * z2218;
-    const Scalar z2466 = z1279 * z2229 + z1426 * z2233;
-    const Scalar z2467 = z1279 * z2240 + z1426 * z2244;
-    const Scalar z2468 = z1422 * z2233;
-    const Scalar z2469 = z1422 * z2244;
-    const Scalar z2470 = z1314 * z2218 - z1554 * z2221;
-    const Scalar z2471 = z1314 * z2229 + z1424 * z2233 - z1554 * z2232;
-    const Scalar z2472 = z1314 * z2240 + z1424 * z2244 - z1554 * z2243;
-    const Scalar z2473 = z1271 * z2218 + z1549 * z2221;
-    const Scalar z2474 = z1271 * z2229 - z1419 * z2233 + z1549 * z2232;
-    const Scalar z2475 = z1271 * z2240 - z1419 * z2244 + z1549 * z2243;
-    const Scalar z2476 = z1383 * z2218 - z1545 * z2221;
-    const Scalar z2477 = z1379 * z2233 + z1383 * z2229 - z1545 * z2232;
-    const Scalar z2478 = z1379 * z2244 + z1383 * z2240 - z1545 * z2243;
-    const Scalar z2479 = z1471 * z2218 + z1571 * z2221;
-    const Scalar z2480 = z1465 * z2233 + z1471 * z2229 + z1571 * z2232;
-    const Scalar z2481 = z1465 * z2244 + z1471 * z2240 + z1571 * z2243;
-    const Scalar z2482 = z1440 * z2218;
-    const Scalar z2483 = z1440 * z2229;
-    const Scalar z2484 = z1440 * z2240;
-    const Scalar z2485 = z1554 * z2218;
-    const Scalar z2486 = z1548 * z2233 - z1554 * z2229;
-    const Scalar z2487 = z1548 * z2244 - z1554 * z2240;
-    const Scalar z2488 = z1350 + z1404 * z2179;
-    const Scalar z2489 = z1404 * z2180 + z1502;
-    const Scalar z2490 = z1351 - z1405 * z2179;
-    const Scalar z2491 = z1405 * z2180 + z1503;
-    const Scalar z2492 = z1347 - z1401 * z2179;
-    const Scalar z2493 = z1401 * z2180 - z1499;
-    const Scalar z2494 = z1622 - z1695 * z2179;
-    const Scalar z2495 = z1695 * z2180 - z1758;
-    const Scalar z2496 = z1644 + z1702 * z2179;
-    const Scalar z2497 = z1702 * z2180 + z1765;
-    const Scalar z2498 = z1659 - z1717 * z2179;
-    const Scalar z2499 = z1717 * z2180 - z1771;
-    const Scalar z2500 = z1679 - z1744 * z2179;
-    const Scalar z2501 = z1744 * z2180 - z1788;
-    const Scalar z2502 = z1688 + z1751 * z2179;
-    const Scalar z2503 = z1751 * z2180 - z1795;
-    const Scalar z2504 = z1321 - z2462;
-    const Scalar z2505 = z2463 + z2488;
-    const Scalar z2506 = z2464 + z2489;
-    const Scalar z2507 = z1322 + z2465;
-    const Scalar z2508 = z2466 + z2490;
-    const Scalar z2509 = z2467 - z2491;
-    const Scalar z2510 = z2468 + z2492;
-    const Scalar z2511 = z2469 - z2493;
-    const Scalar z2512 = z1592 + z2470;
-    const Scalar z2513 = z2471 + z2494;
-    const Scalar z2514 = z2472 - z2495;
-    const Scalar z2515 = z1594 + z2473;
-    const Scalar z2516 = z2474 + z2496;
-    const Scalar z2517 = z2475 + z2497;
-    const Scalar z2518 = z1600 + z2476;
-    const Scalar z2519 = z2477 + z2498;
-    const Scalar z2520 = z2478 - z2499;
-    const Scalar z2521 = z1606 + z2479;
-    const Scalar z2522 = z2480 + z2500;
-    const Scalar z2523 = z2481 - z2501;
-    const Scalar z2524 = z1607 - z2482;
-    const Scalar z2525 = z1681 - z2483;
-    const Scalar z2526 = z1612 + z2485;
-    const Scalar z2527 = z2486 - z2502;
-    const Scalar z2528 = z2487 - z2503;
-    const Scalar z2529 = z2179 * z2518 + z2185 * z2504 - z2187 * z2512 + z2188 * z2507 + z2190 * z2526 - z2515;
-    const Scalar z2530 = z79 * z2510 - z2179 * z2519 + z2185 * z2505 + z2187 * z2513 - z2188 * z2508 + z2190 * z2527
-        + z2516;
-    const Scalar z2531 = z79 * z2511 - z2179 * z2520 + z2185 * z2506 + z2187 * z2514 - z2188 * z2509 + z2190 * z2528
-        + z2517;
-    const Scalar z2532 = z2180 * z2518 - z2195 * z2504 + z2197 * z2512 - z2198 * z2507 - z2200 * z2526 + z2521;
-    const Scalar z2533 = z2180 * z2519 + z2195 * z2505 + z2197 * z2513 - z2198 * z2508 + z2200 * z2527 + z2522;
-    const Scalar z2534 = z2180 * z2520 + z2195 * z2506 + z2197 * z2514 - z2198 * z2509 + z2200 * z2528 + z2523;
-    const Scalar z2535 = z2202 * z2504 + z2204 * z2512 - z2205 * z2507 - z2207 * z2526 - z2524;
-    const Scalar z2536 = z2202 * z2505 - z2204 * z2513 + z2205 * z2508 - z2207 * z2527 + z2525;
-    const Scalar z2537 = z2202 * z2506 - z2204 * z2514 + z2205 * z2509 - z2207 * z2528 - z2484;
-    const Scalar z2538 = z2453 + z2529;
-    const Scalar z2539 = z2454 + z2530;
-    const Scalar z2540 = z2455 - z2531;
-    const Scalar z2541 = z2456 - z2532;
-    const Scalar z2542 = z2457 + z2533;
-    const Scalar z2543 = z2458 - z2534;
-    const Scalar z2544 = z2459 + z2535;
-    const Scalar z2545 = z2460 - z2536;
-    const Scalar z2546 = z2461 - z2537;
-    const Scalar z2547 = z1116 - l_lambda_rear_rolls_x - l_lambda_front_rolls_x;
-    const Scalar z2548 = z1117 + l_lambda_rear_rolls_y + l_lambda_front_rolls_y;
-    const Scalar z2549 = z1118 - l_lambda_rear_touches - l_lambda_front_touches;
-    const Scalar z2550 = z216 * l_lambda_rear_rolls_y + z217 * l_lambda_rear_rolls_x + z240 * l_lambda_front_rolls_y
+    const Scalar z2199 = z564 * z2198;
+    const Scalar z2200 = z2189 * z2189;
+    const Scalar z2201 = z222 * z222 * (n25_over_3 + n1 / z518) + n1_over_94 + z217 * z217 / z564 + z219 * z219 / z542;
+    const Scalar z2202 = n94 * z2201;
+    const Scalar z2203 = z79 + z156;
+    const Scalar z2204 = z2178 * z2203;
+    const Scalar z2205 = z189 * z2178;
+    const Scalar z2206 = z243 - z2179 * z2203;
+    const Scalar z2207 = z220 - z2180 * z2203;
+    const Scalar z2208 = z244 - z2181 * z2203 - z2184 * z2206 - z2207;
+    const Scalar z2209 = z219 - z2182 * z2203 + z2188 * z2208;
+    const Scalar z2210 = z2190 * z2209;
+    const Scalar z2211 = z2184 * z2210 + z2208;
+    const Scalar z2212 = z2187 * z2211;
+    const Scalar z2213 = z216 * z2212 + z2207;
+    const Scalar z2214 = z241 * z2212 + z2206 - z2210;
+    const Scalar z2215 = z2183 * z2214;
+    const Scalar z2216 = z189 * z2179 - z267;
+    const Scalar z2217 = z189 * z2180;
+    const Scalar z2218 = z189 * z2181 - z268 - z2184 * z2216 - z2217;
+    const Scalar z2219 = z189 * z2182 + z2188 * z2218;
+    const Scalar z2220 = z2190 * z2219;
+    const Scalar z2221 = z2184 * z2220 + z2218;
+    const Scalar z2222 = z2187 * z2221;
+    const Scalar z2223 = z216 * z2222 + z2217;
+    const Scalar z2224 = z241 * z2222 + z2216 - z2220;
+    const Scalar z2225 = z2183 * z2224;
+    const Scalar z2226 = z222 - z223 * z2188;
+    const Scalar z2227 = z2190 * z2226;
+    const Scalar z2228 = z223 - z2184 * z2227;
+    const Scalar z2229 = z2187 * z2228;
+    const Scalar z2230 = z216 * z2229 - z223;
+    const Scalar z2231 = z241 * z2229 + z2227;
+    const Scalar z2232 = z2183 * z2231;
+    const Scalar z2233 = z1935 - z2015 * z2204;
+    const Scalar z2234 = z2015 * z2205 - z2103;
+    const Scalar z2235 = z1957 + z2045 * z2204;
+    const Scalar z2236 = z2045 * z2205 + z2151;
+    const Scalar z2237 = z1984 + z2068 * z2204;
+    const Scalar z2238 = z2068 * z2205 + z2167;
+    const Scalar z2239 = z1869 * z2184 - z1879 - z1885;
+    const Scalar z2240 = z1895 + z2188 * z2239;
+    const Scalar z2241 = z2190 * z2240;
+    const Scalar z2242 = z2184 * z2241 + z2239;
+    const Scalar z2243 = z2187 * z2242;
+    const Scalar z2244 = z216 * z2243 + z1879;
+    const Scalar z2245 = z241 * z2243 - z1869 - z2241;
+    const Scalar z2246 = z2183 * z2245;
+    const Scalar z2247 = z1908 - z2233;
+    const Scalar z2248 = z2179 * z2247 + z2235;
+    const Scalar z2249 = z1975 - z2180 * z2247;
+    const Scalar z2250 = z2181 * z2247 - z2184 * z2248 + z2237 + z2249;
+    const Scalar z2251 = z1998 + z2182 * z2247 + z2188 * z2250;
+    const Scalar z2252 = z2190 * z2251;
+    const Scalar z2253 = z2184 * z2252 + z2250;
+    const Scalar z2254 = z2187 * z2253;
+    const Scalar z2255 = z216 * z2254 - z2249;
+    const Scalar z2256 = z241 * z2254 + z2248 - z2252;
+    const Scalar z2257 = z2183 * z2256;
+    const Scalar z2258 = z2178 * z2247;
+    const Scalar z2259 = z2179 * z2234 + z2236;
+    const Scalar z2260 = z2180 * z2234;
+    const Scalar z2261 = z2181 * z2234 - z2184 * z2259 + z2238 - z2260;
+    const Scalar z2262 = z2182 * z2234 + z2188 * z2261;
+    const Scalar z2263 = z2190 * z2262;
+    const Scalar z2264 = z2184 * z2263 + z2261;
+    const Scalar z2265 = z2187 * z2264;
+    const Scalar z2266 = z216 * z2265 + z2260;
+    const Scalar z2267 = z241 * z2265 + z2259 - z2263;
+    const Scalar z2268 = z2183 * z2267;
+    const Scalar z2269 = z2178 * z2234;
+    const Scalar z2270 = z1946 - z2031 * z2204;
+    const Scalar z2271 = z2031 * z2205 - z2127;
+    const Scalar z2272 = z232 * z2204 + z1896 * z2212 + z1999;
+    const Scalar z2273 = z232 * z2205 - z1896 * z2222;
+    const Scalar z2274 = z232 + z1896 * z2229;
+    const Scalar z2275 = z238 * z2204 + z1880 * z2212 - z1976;
+    const Scalar z2276 = z238 * z2205 - z1880 * z2222;
+    const Scalar z2277 = z238 + z1880 * z2229;
+    const Scalar z2278 = z305 * z2215 - z1870 * z2212 + z1958 + z2046 * z2204;
+    const Scalar z2279 = z305 * z2225 - z1870 * z2222 - z2046 * z2205 - z2152;
+    const Scalar z2280 = z305 * z2232 - z1870 * z2229;
+    const Scalar z2281 = z320 * z2215 - z1886 * z2212 + z1985 + z2069 * z2204;
+    const Scalar z2282 = z320 * z2225 - z1886 * z2222 - z2069 * z2205 - z2168;
+    const Scalar z2283 = z320 * z2232 - z1886 * z2229;
+    const Scalar z2284 = z1918 - z2270;
+    const Scalar z2285 = z2179 * z2284 + z2278;
+    const Scalar z2286 = z2180 * z2284 + z2275;
+    const Scalar z2287 = z2181 * z2284 - z2184 * z2285 + z2281 - z2286;
+    const Scalar z2288 = z2182 * z2284 + z2188 * z2287 + z2272;
+    const Scalar z2289 = z2190 * z2288;
+    const Scalar z2290 = z2184 * z2289 + z2287;
+    const Scalar z2291 = z2187 * z2290;
+    const Scalar z2292 = z216 * z2291 + z2286;
+    const Scalar z2293 = z241 * z2291 + z2285 - z2289;
+    const Scalar z2294 = z2183 * z2293;
+    const Scalar z2295 = z2178 * z2284;
+    const Scalar z2296 = z2179 * z2271 - z2279;
+    const Scalar z2297 = z2180 * z2271 + z2276;
+    const Scalar z2298 = z2181 * z2271 - z2184 * z2296 - z2282 - z2297;
+    const Scalar z2299 = z2182 * z2271 + z2188 * z2298 + z2273;
+    const Scalar z2300 = z2190 * z2299;
+    const Scalar z2301 = z2184 * z2300 + z2298;
+    const Scalar z2302 = z2187 * z2301;
+    const Scalar z2303 = z216 * z2302 + z2297;
+    const Scalar z2304 = z241 * z2302 + z2296 - z2300;
+    const Scalar z2305 = z2183 * z2304;
+    const Scalar z2306 = z2178 * z2271;
+    const Scalar z2307 = z2184 * z2280 + z2277 - z2283;
+    const Scalar z2308 = z2188 * z2307 - z2274;
+    const Scalar z2309 = z2190 * z2308;
+    const Scalar z2310 = z2184 * z2309 + z2307;
+    const Scalar z2311 = z2187 * z2310;
+    const Scalar z2312 = z216 * z2311 - z2277;
+    const Scalar z2313 = z241 * z2311 - z2280 - z2309;
+    const Scalar z2314 = z2183 * z2313;
+    const Scalar z2315 = z2031 * z2258;
+    const Scalar z2316 = z2031 * z2269;
+    const Scalar z2317 = z1896 * z2243;
+    const Scalar z2318 = z232 * z2258 - z1896 * z2254;
+    const Scalar z2319 = z232 * z2269 - z1896 * z2265;
+    const Scalar z2320 = z1880 * z2243;
+    const Scalar z2321 = z238 * z2258 - z1880 * z2254;
+    const Scalar z2322 = z238 * z2269 - z1880 * z2265;
+    const Scalar z2323 = z305 * z2246 - z1870 * z2243;
+    const Scalar z2324 = z305 * z2257 - z1870 * z2254 - z2046 * z2258;
+    const Scalar z2325 = z305 * z2268 - z1870 * z2265 - z2046 * z2269;
+    const Scalar z2326 = z320 * z2246 - z1886 * z2243;
+    const Scalar z2327 = z320 * z2257 - z1886 * z2254 - z2069 * z2258;
+    const Scalar z2328 = z320 * z2268 - z1886 * z2265 - z2069 * z2269;
+    const Scalar z2329 = z1956 + z2044 * z2204;
+    const Scalar z2330 = z2044 * z2205 + z2150;
+    const Scalar z2331 = z1974 + z2067 * z2204;
+    const Scalar z2332 = z2067 * z2205 + z2166;
+    const Scalar z2333 = z1997 + z2081 * z2204;
+    const Scalar z2334 = z2081 * z2205 + z2177;
+    const Scalar z2335 = z2315 + z2329;
+    const Scalar z2336 = z2316 + z2330;
+    const Scalar z2337 = z1900 - z2317;
+    const Scalar z2338 = z2004 + z2318;
+    const Scalar z2339 = z1884 - z2320;
+    const Scalar z2340 = z1983 - z2321;
+    const Scalar z2341 = z1878 + z2323;
+    const Scalar z2342 = z2324 - z2331;
+    const Scalar z2343 = z2325 - z2332;
+    const Scalar z2344 = z1894 + z2326;
+    const Scalar z2345 = z2327 - z2333;
+    const Scalar z2346 = z2328 - z2334;
+    const Scalar z2347 = z2184 * z2341 - z2339 - z2344;
+    const Scalar z2348 = z2188 * z2347 + z2337;
+    const Scalar z2349 = z2190 * z2348;
+    const Scalar z2350 = z2184 * z2349 + z2347;
+    const Scalar z2351 = z2187 * z2350;
+    const Scalar z2352 = z216 * z2351 + z2339;
+    const Scalar z2353 = z241 * z2351 - z2341 - z2349;
+    const Scalar z2354 = z2183 * z2353;
+    const Scalar z2355 = z1927 + z2335;
+    const Scalar z2356 = z2179 * z2355 - z2342;
+    const Scalar z2357 = z2180 * z2355 - z2340;
+    const Scalar z2358 = z2181 * z2355 - z2184 * z2356 - z2345 - z2357;
+    const Scalar z2359 = z2182 * z2355 + z2188 * z2358 + z2338;
+    const Scalar z2360 = z2190 * z2359;
+    const Scalar z2361 = z2184 * z2360 + z2358;
+    const Scalar z2362 = z2187 * z2361;
+    const Scalar z2363 = z216 * z2362 + z2357;
+    const Scalar z2364 = z241 * z2362 + z2356 - z2360;
+    const Scalar z2365 = z2183 * z2364;
+    const Scalar z2366 = z2178 * z2355;
+    const Scalar z2367 = z2179 * z2336 - z2343;
+    const Scalar z2368 = z2180 * z2336 + z2322;
+    const Scalar z2369 = z2181 * z2336 - z2184 * z2367 - z2346 - z2368;
+    const Scalar z2370 = z2182 * z2336 + z2188 * z2369 + z2319;
+    const Scalar z2371 = z2190 * z2370;
+    const Scalar z2372 = z2184 * z2371 + z2369;
+    const Scalar z2373 = z2187 * z2372;
+    const Scalar z2374 = z216 * z2373 + z2368;
+    const Scalar z2375 = z241 * z2373 + z2367 - z2371;
+    const Scalar z2376 = z2183 * z2375;
+    const Scalar z2377 = z2178 * z2336;
+    const Scalar z2378 = z1847 - z1848;
+    const Scalar z2379 = z1849 - z2179 * z2378;
+    const Scalar z2380 = z1850 + z2180 * z2378;
+    const Scalar z2381 = z1851 + z2181 * z2378 + z2184 * z2379 - z2380;
+    const Scalar z2382 = z1852 - z2182 * z2378 - z2188 * z2381;
+    const Scalar z2383 = z2190 * z2382;
+    const Scalar z2384 = z2184 * z2383 - z2381;
+    const Scalar z2385 = z2187 * z2384;
+    const Scalar z2386 = z216 * z2385 - z2380;
+    const Scalar z2387 = z241 * z2385 + z2379 - z2383;
+    const Scalar z2388 = z2183 * z2387;
+    const Scalar z2389 = z2178 * z2378;
+    const Scalar z2390 = z527 * z2204 - z548 - z565 * z2212 + n94 * z2210;
+    const Scalar z2391 = z528 * z2204 - z549 - z566 * z2212 + n94 * z2213;
+    const Scalar z2392 = n94 * z79 + z524 * z2204 + z545;
+    const Scalar z2393 = z446 * z2215 + z526 * z2204 + z547 - z564 * z2212 + z565 * z2210 + z566 * z2213;
+    const Scalar z2394 = z79 * z545 + z443 * z2215 + z521 * z2204 + z542 - z547 * z2212 - z548 * z2210 - z549 * z2213;
+    const Scalar z2395 = z79 * z524 + z441 * z2215 + z518 * z2204 + z521 - z526 * z2212 + z527 * z2210 + z528 * z2213;
+    const Scalar z2396 = z79 * z466 - z459 * z2204 + z463 + z468 * z2212 + z469 * z2210 - z470 * z2213;
+    const Scalar z2397 = z515 * z2212 - n0_12 * z2204;
+    const Scalar z2398 = z441 * z2204 + z443 - z446 * z2212 + n0_28 * z2215;
+    const Scalar z2399 = z469 - z527 * z2205 - z565 * z2222 + n94 * z2220;
+    const Scalar z2400 = z470 + z528 * z2205 + z566 * z2222 - n94 * z2223;
+    const Scalar z2401 = z466 - z524 * z2205;
+    const Scalar z2402 = z446 * z2225 - z468 - z526 * z2205 - z564 * z2222 + z565 * z2220 + z566 * z2223;
+    const Scalar z2404 = z441 * z2225 - z459 - z518 * z2205 - z526 * z2222 + z527 * z2220 + z528 * z2223;
+    const Scalar z2405 = z459 * z2205 + z468 * z2222 + z469 * z2220 - z470 * z2223 + z587;
+    const Scalar z2406 = z515 * z2222 + n0_12 * z2205;
+    const Scalar z2407 = z441 * z2205 + z446 * z2222 - n0_28 * z2225;
+    const Scalar z2408 = z565 * z2229 + n94 * z2227;
+    const Scalar z2409 = z566 * z2229 - n94 * z2230;
+    const Scalar z2410 = z446 * z2232 + z515 - z564 * z2229 - z565 * z2227 + z566 * z2230;
+    const Scalar z2412 = n0_12 + z441 * z2232 - z526 * z2229 - z527 * z2227 + z528 * z2230;
+    const Scalar z2414 = n0_12 - z515 * z2229;
+    const Scalar z2415 = z446 * z2229 - n0_28 * z2232;
+    const Scalar z2416 = z79 * z2392 + z2204 * z2395 + z2210 * z2390 - z2212 * z2393 + z2213 * z2391 + z2215 * z2398
+        + z2394;
+    const Scalar z2417 = z2205 * z2395 - z2220 * z2390 + z2222 * z2393 - z2223 * z2391 - z2225 * z2398 - z2396;
+    const Scalar z2418 = z2227 * z2390 + z2229 * z2393 - z2230 * z2391 - z2232 * z2398 + z2397;
+    const Scalar z2420 = z2205 * z2404 - z2220 * z2399 + z2222 * z2402 + z2223 * z2400 + z2225 * z2407 - z2405;
+    const Scalar z2421 = z2227 * z2399 + z2229 * z2402 + z2230 * z2400 + z2232 * z2407 + z2406;
+    const Scalar z2424 = z2227 * z2408 - z2229 * z2410 - z2230 * z2409 - z2232 * z2415 + z2414;
+    const Scalar z2425 = z1918 * z2392 - z2289 * z2390 + z2291 * z2393 - z2292 * z2391 - z2294 * z2398 + z2295 * z2395;
+    const Scalar z2426 = z2300 * z2390 - z2302 * z2393 + z2303 * z2391 + z2305 * z2398 - z2306 * z2395;
+    const Scalar z2427 = z2309 * z2390 - z2311 * z2393 + z2312 * z2391 + z2314 * z2398;
+    const Scalar z2428 = z1918 * z2401 - z2289 * z2399 + z2291 * z2402 + z2292 * z2400 + z2294 * z2407 + z2295 * z2404;
+    const Scalar z2429 = z2300 * z2399 - z2302 * z2402 - z2303 * z2400 - z2305 * z2407 - z2306 * z2404;
+    const Scalar z2430 = z2309 * z2399 - z2311 * z2402 - z2312 * z2400 - z2314 * z2407;
+    const Scalar z2431 = z2289 * z2408 + z2291 * z2410 + z2292 * z2409 + z2294 * z2415 + z2295 * z2412;
+    const Scalar z2432 = z2300 * z2408 + z2302 * z2410 + z2303 * z2409 + z2305 * z2415 + z2306 * z2412;
+    const Scalar z2433 = z2309 * z2408 + z2311 * z2410 + z2312 * z2409 + z2314 * z2415;
+    const Scalar z2434 = z1280 * z2212 - z1367 + z1425 * z2204;
+    const Scalar z2435 = z1280 * z2222 - z1425 * z2205 - z1533;
+    const Scalar z2436 = z1280 * z2229;
+    const Scalar z2437 = z1279 * z2212 + z1368 - z1426 * z2204;
+    const Scalar z2438 = z1279 * z2222 + z1426 * z2205 + z1534;
+    const Scalar z2439 = z1279 * z2229;
+    const Scalar z2440 = z1364 + z1422 * z2204;
+    const Scalar z2441 = z1422 * z2205 + z1530;
+    const Scalar z2442 = z1314 * z2212 + z1366 - z1424 * z2204 - z1554 * z2215;
+    const Scalar z2443 = z1314 * z2222 + z1424 * z2205 - z1532 - z1554 * z2225;
+    const Scalar z2444 = z1314 * z2229 + z1440 - z1554 * z2232;
+    const Scalar z2445 = z1271 * z2212 - z1333 + z1419 * z2204 + z1549 * z2215;
+    const Scalar z2446 = z1271 * z2222 - z1419 * z2205 + z1527 + z1549 * z2225;
+    const Scalar z2447 = z1271 * z2229 - z1435 + z1549 * z2232;
+    const Scalar z2448 = z1379 * z2204 - z1381 - z1383 * z2212 + z1545 * z2215;
+    const Scalar z2449 = z1379 * z2205 + z1383 * z2222 - z1523 - z1545 * z2225;
+    const Scalar z2450 = z1383 * z2229 - z1545 * z2232;
+    const Scalar z2451 = z1465 * z2204 - z1469 - z1471 * z2212 - z1571 * z2215;
+    const Scalar z2452 = z1465 * z2205 + z1471 * z2222 + z1571 * z2225;
+    const Scalar z2453 = z1471 * z2229 + z1571 * z2232;
+    const Scalar z2454 = z1438 - z1440 * z2212;
+    const Scalar z2455 = z1440 * z2222;
+    const Scalar z2456 = z1440 * z2229;
+    const Scalar z2457 = z1548 * z2204 + z1552 + z1554 * z2212;
+    const Scalar z2458 = z1543 + z1548 * z2205 - z1554 * z2222;
+    const Scalar z2459 = z1554 * z2229;
+    const Scalar z2460 = z79 * z2440 - z2204 * z2448 - z2210 * z2434 - z2212 * z2442 + z2213 * z2437 + z2215 * z2457
+        - z2445;
+    const Scalar z2461 = z79 * z2441 - z2204 * z2449 + z2210 * z2435 + z2212 * z2443 - z2213 * z2438 + z2215 * z2458
+        + z2446;
+    const Scalar z2462 = z2204 * z2450 - z2210 * z2436 - z2212 * z2444 + z2213 * z2439 + z2215 * z2459 - z2447;
+    const Scalar z2463 = z2205 * z2448 - z2220 * z2434 - z2222 * z2442 + z2223 * z2437 + z2225 * z2457 + z2451;
+    const Scalar z2464 = z2205 * z2449 + z2220 * z2435 + z2222 * z2443 - z2223 * z2438 + z2225 * z2458 + z2452;
+    const Scalar z2465 = z2205 * z2450 + z2220 * z2436 + z2222 * z2444 - z2223 * z2439 - z2225 * z2459 + z2453;
+    const Scalar z2466 = z2227 * z2434 - z2229 * z2442 + z2230 * z2437 + z2232 * z2457 + z2454;
+    const Scalar z2467 = z2227 * z2435 - z2229 * z2443 + z2230 * z2438 - z2232 * z2458 - z2455;
+    const Scalar z2468 = z2227 * z2436 - z2229 * z2444 + z2230 * z2439 + z2232 * z2459 - z2456;
+    const Scalar z2469 = z2425 + z2460;
+    const Scalar z2470 = z2426 - z2461;
+    const Scalar z2471 = z2427 + z2462;
+    const Scalar z2472 = z2428 + z2463;
+    const Scalar z2473 = z2429 - z2464;
+    const Scalar z2474 = z2430 - z2465;
+    const Scalar z2475 = z2431 + z2466;
+    const Scalar z2476 = z2432 - z2467;
+    const Scalar z2477 = z2433 - z2468;
+    const Scalar z2478 = z2349 * z2390 - z2351 * z2393 + z2352 * z2391 + z2354 * z2398;
+    const Scalar z2479 = z1927 * z2392 - z2360 * z2390 + z2362 * z2393 - z2363 * z2391 - z2365 * z2398 + z2366 * z2395;
+    const Scalar z2480 = z2371 * z2390 - z2373 * z2393 + z2374 * z2391 + z2376 * z2398 - z2377 * z2395;
+    const Scalar z2481 = z2349 * z2399 - z2351 * z2402 - z2352 * z2400 - z2354 * z2407;
+    const Scalar z2482 = z1927 * z2401 - z2360 * z2399 + z2362 * z2402 + z2363 * z2400 + z2365 * z2407 + z2366 * z2404;
+    const Scalar z2483 = z2371 * z2399 - z2373 * z2402 - z2374 * z2400 - z2376 * z2407 - z2377 * z2404;
+    const Scalar z2484 = z2349 * z2408 + z2351 * z2410 + z2352 * z2409 + z2354 * z2415;
+    const Scalar z2485 = z2360 * z2408 + z2362 * z2410 + z2363 * z2409 + z2365 * z2415 + z2366 * z2412;
+    const Scalar z2486 = z2371 * z2408 + z2373 * z2410 + z2374 * z2409 + z2376 * z2415 + z2377 * z2412;
+    const Scalar z2487 = z1280 * z2243;
+    const Scalar z2488 = z1280 * z2254 - z1425 * z2258;
+    const Scalar z2489 = z1280 * z2265 - z1425 * z2269;
+    const Scalar z2490 = z1279 * z2243;
+    const Scalar z2491 = z1279 * z2254 + z1426 * z2258;
+    const Scalar z2492 = z1279 * z2265 + z1426 * z2269;
+    const Scalar z2493 = z1422 * z2258;
+    const Scalar z2494 = z1422 * z2269;
+    const Scalar z2495 = z1314 * z2243 - z1554 * z2246;
+    const Scalar z2496 = z1314 * z2254 + z1424 * z2258 - z1554 * z2257;
+    const Scalar z2497 = z1314 * z2265 + z1424 * z2269 - z1554 * z2268;
+    const Scalar z2498 = z1271 * z2243 + z1549 * z2246;
+    const Scalar z2499 = z1271 * z2254 - z1419 * z2258 + z1549 * z2257;
+    const Scalar z2500 = z1271 * z2265 - z1419 * z2269 + z1549 * z2268;
+    const Scalar z2501 = z1383 * z2243 - z1545 * z2246;
+    const Scalar z2502 = z1379 * z2258 + z1383 * z2254 - z1545 * z2257;
+    const Scalar z2503 = z1379 * z2269 + z1383 * z2265 - z1545 * z2268;
+    const Scalar z2504 = z1471 * z2243 + z1571 * z2246;
+    const Scalar z2505 = z1465 * z2258 + z1471 * z2254 + z1571 * z2257;
+    const Scalar z2506 = z1465 * z2269 + z1471 * z2265 + z1571 * z2268;
+    const Scalar z2507 = z1440 * z2243;
+    const Scalar z2508 = z1440 * z2254;
+    const Scalar z2509 = z1440 * z2265;
+    const Scalar z2510 = z1554 * z2243;
+    const Scalar z2511 = z1548 * z2258 - z1554 * z2254;
+    const Scalar z2512 = z1548 * z2269 - z1554 * z2265;
+    const Scalar z2513 = z1350 + z1404 * z2204;
+    const Scalar z2514 = z1404 * z2205 + z1502;
+    const Scalar z2515 = z1351 - z1405 * z2204;
+    const Scalar z2516 = z1405 * z2205 + z1503;
+    const Scalar z2517 = z1347 - z1401 * z2204;
+    const Scalar z2518 = z1401 * z2205 - z1499;
+    const Scalar z2519 = z1622 - z1695 * z2204;
+    const Scalar z2520 = z1695 * z2205 - z1758;
+    const Scalar z2521 = z1644 + z1702 * z2204;
+    const Scalar z2522 = z1702 * z2205 + z1765;
+    const Scalar z2523 = z1659 - z1717 * z2204;
+    const Scalar z2524 = z1717 * z2205 - z1771;
+    const Scalar z2525 = z1679 - z1744 * z2204;
+    const Scalar z2526 = z1744 * z2205 - z1788;
+    const Scalar z2527 = z1688 + z1751 * z2204;
+    const Scalar z2528 = z1751 * z2205 - z1795;
+    const Scalar z2529 = z1321 - z2487;
+    const Scalar z2530 = z2488 + z2513;
+    const Scalar z2531 = z2489 + z2514;
+    const Scalar z2532 = z1322 + z2490;
+    const Scalar z2533 = z2491 + z2515;
+    const Scalar z2534 = z2492 - z2516;
+    const Scalar z2535 = z2493 + z2517;
+    const Scalar z2536 = z2494 - z2518;
+    const Scalar z2537 = z1592 + z2495;
+    const Scalar z2538 = z2496 + z2519;
+    const Scalar z2539 = z2497 - z2520;
+    const Scalar z2540 = z1594 + z2498;
+    const Scalar z2541 = z2499 + z2521;
+    const Scalar z2542 = z2500 + z2522;
+    const Scalar z2543 = z1600 + z2501;
+    const Scalar z2544 = z2502 + z2523;
+    const Scalar z2545 = z2503 - z2524;
+    const Scalar z2546 = z1606 + z2504;
+    const Scalar z2547 = z2505 + z2525;
+    const Scalar z2548 = z2506 - z2526;
+    const Scalar z2549 = z1607 - z2507;
+    const Scalar z2550 = z1681 - z2508;
+    const Scalar z2551 = z1612 + z2510;
+    const Scalar z2552 = z2511 - z2527;
+    const Scalar z2553 = z2512 - z2528;
+    const Scalar z2554 = z2204 * z2543 + z2210 * z2529 - z2212 * z2537 + z2213 * z2532 + z2215 * z2551 - z2540;
+    const Scalar z2555 = z79 * z2535 - z2204 * z2544 + z2210 * z2530 + z2212 * z2538 - z2213 * z2533 + z2215 * z2552
+        + z2541;
+    const Scalar z2556 = z79 * z2536 - z2204 * z2545 + z2210 * z2531 + z2212 * z2539 - z2213 * z2534 + z2215 * z2553
+        + z2542;
+    const Scalar z2557 = z2205 * z2543 - z2220 * z2529 + z2222 * z2537 - z2223 * z2532 - z2225 * z2551 + z2546;
+    const Scalar z2558 = z2205 * z2544 + z2220 * z2530 + z2222 * z2538 - z2223 * z2533 + z2225 * z2552 + z2547;
+    const Scalar z2559 = z2205 * z2545 + z2220 * z2531 + z2222 * z2539 - z2223 * z2534 + z2225 * z2553 + z2548;
+    const Scalar z2560 = z2227 * z2529 + z2229 * z2537 - z2230 * z2532 - z2232 * z2551 - z2549;
+    const Scalar z2561 = z2227 * z2530 - z2229 * z2538 + z2230 * z2533 - z2232 * z2552 + z2550;
+    const Scalar z2562 = z2227 * z2531 - z2229 * z2539 + z2230 * z2534 - z2232 * z2553 - z2509;
+    const Scalar z2563 = z2478 + z2554;
+    const Scalar z2564 = z2479 + z2555;
+    const Scalar z2565 = z2480 - z2556;
+    const Scalar z2566 = z2481 - z2557;
+    const Scalar z2567 = z2482 + z2558;
+    const Scalar z2568 = z2483 - z2559;
+    const Scalar z2569 = z2484 + z2560;
+    const Scalar z2570 = z2485 - z2561;
+    const Scalar z2571 = z2486 - z2562;
+    const Scalar z2572 = z1116 - l_lambda_rear_rolls_x - l_lambda_front_rolls_x;
+    const Scalar z2573 = z1117 + l_lambda_rear_rolls_y + l_lambda_front_rolls_y;
+    const Scalar z2574 = z1118 - l_lambda_rear_touches - l_lambda_front_touches;
+    const Scalar z2575 = z216 * l_lambda_rear_rolls_y + z217 * l_lambda_rear_rolls_x + z240 * l_lambda_front_rolls_y
         + z241 * l_lambda_front_rolls_x - z1814;
-    const Scalar z2551 = z167 * l_lambda_front_touches + z222 * l_lambda_rear_rolls_x + z223 * l_lambda_rear_rolls_y
+    const Scalar z2576 = z167 * l_lambda_front_touches + z222 * l_lambda_rear_rolls_x + z223 * l_lambda_rear_rolls_y
         + z246 * l_lambda_front_rolls_x + z247 * l_lambda_front_rolls_y - z1806;
-    const Scalar z2552 = z273 * l_lambda_front_rolls_x + z274 * l_lambda_front_rolls_y - z1071;
-    const Scalar z2553 = z79 * (l_lambda_rear_touches + z2549) - z156 * l_lambda_front_touches - z219
+    const Scalar z2577 = z273 * l_lambda_front_rolls_x + z274 * l_lambda_front_rolls_y - z1071;
+    const Scalar z2578 = z79 * (l_lambda_rear_touches + z2574) - z156 * l_lambda_front_touches - z219
         * l_lambda_rear_rolls_x - z220 * l_lambda_rear_rolls_y - z243 * l_lambda_front_rolls_x - z244
-        * l_lambda_front_rolls_y - z1811 + z2179 * z2551 - z2185 * z2547 - z2187 * z2550 + z2188 * z2548 + z2190
-        * z2552;
-    const Scalar z2554 = z189 * l_lambda_front_touches + z267 * l_lambda_front_rolls_x + z268 * l_lambda_front_rolls_y
-        + z1821 - z2180 * z2551 - z2195 * z2547 - z2197 * z2550 + z2198 * z2548 + z2200 * z2552;
-    const Scalar z2555 = z222 * l_lambda_rear_rolls_x + z223 * l_lambda_rear_rolls_y - z1090 + z2202 * z2547 - z2204
-        * z2550 + z2205 * z2548 + z2207 * z2552;
-    const Scalar z2556 = z1822 * z2367 + z2358 * z2365 - z2360 * z2368 + z2361 * z2366 + z2363 * z2373 + z2364 * z2370;
-    const Scalar z2557 = z1822 * z2376 + z2358 * z2374 - z2360 * z2377 - z2361 * z2375 - z2363 * z2382 + z2364 * z2379;
-    const Scalar z2558 = z2358 * z2383 + z2360 * z2385 + z2361 * z2384 + z2363 * z2390 - z2364 * z2387;
-    const Scalar z2559 = z2553 + z2556;
-    const Scalar z2560 = z2554 + z2557;
-    const Scalar z2561 = z2555 - z2558;
-    const Scalar z2562 = n1 / z2399;
-    const Scalar z2563 = z2393 * z2562;
-    const Scalar z2564 = z2396 * z2562;
-    const Scalar z2565 = z2391 - z2393 * z2563;
-    const Scalar z2566 = z2392 + z2393 * z2564;
-    const Scalar z2567 = z2395 + z2396 * z2564;
-    const Scalar z2568 = n1 / z2567;
-    const Scalar z2569 = z2566 * z2568;
-    const Scalar z2570 = z2565 + z2566 * z2569;
-    const Scalar z2571 = n1 / z2570;
-    const Scalar z2572 = z2447 + z2450 * z2564;
-    const Scalar z2573 = z2444 + z2450 * z2563 - z2569 * z2572;
-    const Scalar z2574 = z2571 * z2573;
-    const Scalar z2575 = z2568 * z2572 + z2569 * z2574;
-    const Scalar z2576 = z2450 * z2562 + z2563 * z2574 - z2564 * z2575;
-    const Scalar z2577 = z2448 - z2451 * z2564;
-    const Scalar z2578 = z2445 - z2451 * z2563 - z2569 * z2577;
-    const Scalar z2579 = z2571 * z2578;
-    const Scalar z2580 = z2568 * z2577 + z2569 * z2579;
-    const Scalar z2581 = z2451 * z2562 - z2563 * z2579 + z2564 * z2580;
-    const Scalar z2582 = z2541 - z2544 * z2564;
-    const Scalar z2583 = z2538 - z2544 * z2563 - z2569 * z2582;
-    const Scalar z2584 = z2571 * z2583;
-    const Scalar z2585 = z2568 * z2582 + z2569 * z2584;
-    const Scalar z2586 = z2544 * z2562 - z2563 * z2584 + z2564 * z2585;
-    const Scalar z2587 = z2449 - z2452 * z2564;
-    const Scalar z2588 = z2446 - z2452 * z2563 - z2569 * z2587;
-    const Scalar z2589 = z2571 * z2588;
-    const Scalar z2590 = z2568 * z2587 + z2569 * z2589;
-    const Scalar z2591 = z2452 * z2562 - z2563 * z2589 + z2564 * z2590;
-    const Scalar z2592 = z2542 + z2545 * z2564;
-    const Scalar z2593 = z2539 + z2545 * z2563 - z2569 * z2592;
-    const Scalar z2594 = z2571 * z2593;
-    const Scalar z2595 = z2568 * z2592 + z2569 * z2594;
-    const Scalar z2596 = z2545 * z2562 + z2563 * z2594 - z2564 * z2595;
-    const Scalar z2597 = z2543 - z2546 * z2564;
-    const Scalar z2598 = z2540 - z2546 * z2563 - z2569 * z2597;
-    const Scalar z2599 = z2571 * z2598;
-    const Scalar z2600 = z2568 * z2597 + z2569 * z2599;
-    const Scalar z2601 = z2546 * z2562 - z2563 * z2599 + z2564 * z2600;
+        * l_lambda_front_rolls_y - z1811 + z2204 * z2576 - z2210 * z2572 - z2212 * z2575 + z2213 * z2573 + z2215
+        * z2577;
+    const Scalar z2579 = z189 * l_lambda_front_touches + z267 * l_lambda_front_rolls_x + z268 * l_lambda_front_rolls_y
+        + z1821 - z2205 * z2576 - z2220 * z2572 - z2222 * z2575 + z2223 * z2573 + z2225 * z2577;
+    const Scalar z2580 = z222 * l_lambda_rear_rolls_x + z223 * l_lambda_rear_rolls_y - z1090 + z2227 * z2572 - z2229
+        * z2575 + z2230 * z2573 + z2232 * z2577;
+    const Scalar z2581 = z1847 * z2392 + z2383 * z2390 - z2385 * z2393 + z2386 * z2391 + z2388 * z2398 + z2389 * z2395;
+    const Scalar z2582 = z1847 * z2401 + z2383 * z2399 - z2385 * z2402 - z2386 * z2400 - z2388 * z2407 + z2389 * z2404;
+    const Scalar z2583 = z2383 * z2408 + z2385 * z2410 + z2386 * z2409 + z2388 * z2415 - z2389 * z2412;
+    const Scalar z2584 = z2578 + z2581;
+    const Scalar z2585 = z2579 + z2582;
+    const Scalar z2586 = z2580 - z2583;
+    const Scalar z2587 = n1 / z2424;
+    const Scalar z2588 = z2418 * z2587;
+    const Scalar z2589 = z2421 * z2587;
+    const Scalar z2590 = z2416 - z2418 * z2588;
+    const Scalar z2591 = z2417 + z2418 * z2589;
+    const Scalar z2592 = z2420 + z2421 * z2589;
+    const Scalar z2593 = n1 / z2592;
+    const Scalar z2594 = z2591 * z2593;
+    const Scalar z2595 = z2590 + z2591 * z2594;
+    const Scalar z2596 = n1 / z2595;
+    const Scalar z2597 = z2472 + z2475 * z2589;
+    const Scalar z2598 = z2469 + z2475 * z2588 - z2594 * z2597;
+    const Scalar z2599 = z2596 * z2598;
+    const Scalar z2600 = z2593 * z2597 + z2594 * z2599;
+    const Scalar z2601 = z2475 * z2587 + z2588 * z2599 - z2589 * z2600;
+    const Scalar z2602 = z2473 - z2476 * z2589;
+    const Scalar z2603 = z2470 - z2476 * z2588 - z2594 * z2602;
+    const Scalar z2604 = z2596 * z2603;
+    const Scalar z2605 = z2593 * z2602 + z2594 * z2604;
+    const Scalar z2606 = z2476 * z2587 - z2588 * z2604 + z2589 * z2605;
+    const Scalar z2607 = z2566 - z2569 * z2589;
+    const Scalar z2608 = z2563 - z2569 * z2588 - z2594 * z2607;
+    const Scalar z2609 = z2596 * z2608;
+    const Scalar z2610 = z2593 * z2607 + z2594 * z2609;
+    const Scalar z2611 = z2569 * z2587 - z2588 * z2609 + z2589 * z2610;
+    const Scalar z2612 = z2474 - z2477 * z2589;
+    const Scalar z2613 = z2471 - z2477 * z2588 - z2594 * z2612;
+    const Scalar z2614 = z2596 * z2613;
+    const Scalar z2615 = z2593 * z2612 + z2594 * z2614;
+    const Scalar z2616 = z2477 * z2587 - z2588 * z2614 + z2589 * z2615;
+    const Scalar z2617 = z2567 + z2570 * z2589;
+    const Scalar z2618 = z2564 + z2570 * z2588 - z2594 * z2617;
+    const Scalar z2619 = z2596 * z2618;
+    const Scalar z2620 = z2593 * z2617 + z2594 * z2619;
+    const Scalar z2621 = z2570 * z2587 + z2588 * z2619 - z2589 * z2620;
+    const Scalar z2622 = z2568 - z2571 * z2589;
+    const Scalar z2623 = z2565 - z2571 * z2588 - z2594 * z2622;
+    const Scalar z2624 = z2596 * z2623;
+    const Scalar z2625 = z2593 * z2622 + z2594 * z2624;
+    const Scalar z2626 = z2571 * z2587 - z2588 * z2624 + z2589 * z2625;
     result.M[0] = n94;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -4432,48 +4432,48 @@ struct Mechanism {
     result.F[6] = z189 * l_lambda_front_touches + z267 * l_lambda_front_rolls_x + z268 * l_lambda_front_rolls_y + z1821;
     result.F[7] = z222 * l_lambda_rear_rolls_x + z223 * l_lambda_rear_rolls_y - z1090;
     result.F[8] = z273 * l_lambda_front_rolls_x + z274 * l_lambda_front_rolls_y - z1071;
-    result.M_r[0] = z2391;
-    result.M_r[1] = -z2392;
-    result.M_r[2] = -z2393;
-    result.M_r[3] = -z2392;
-    result.M_r[4] = -z2395;
-    result.M_r[5] = -z2396;
-    result.M_r[6] = -z2393;
-    result.M_r[7] = -z2396;
-    result.M_r[8] = z2399;
-    result.C_r[0] = z2444;
-    result.C_r[1] = z2447;
-    result.C_r[2] = z2450;
-    result.C_r[3] = z2445;
-    result.C_r[4] = z2448;
-    result.C_r[5] = -z2451;
-    result.C_r[6] = z2446;
-    result.C_r[7] = z2449;
-    result.C_r[8] = -z2452;
+    result.M_r[0] = z2416;
+    result.M_r[1] = -z2417;
+    result.M_r[2] = -z2418;
+    result.M_r[3] = -z2417;
+    result.M_r[4] = -z2420;
+    result.M_r[5] = -z2421;
+    result.M_r[6] = -z2418;
+    result.M_r[7] = -z2421;
+    result.M_r[8] = z2424;
+    result.C_r[0] = z2469;
+    result.C_r[1] = z2472;
+    result.C_r[2] = z2475;
+    result.C_r[3] = z2470;
+    result.C_r[4] = z2473;
+    result.C_r[5] = -z2476;
+    result.C_r[6] = z2471;
+    result.C_r[7] = z2474;
+    result.C_r[8] = -z2477;
     result.K_r[0] = n0;
     result.K_r[1] = n0;
     result.K_r[2] = n0;
     result.K_r[3] = n0;
     result.K_r[4] = n0;
     result.K_r[5] = n0;
-    result.K_r[6] = z2538;
-    result.K_r[7] = z2541;
-    result.K_r[8] = -z2544;
-    result.K_r[9] = z2539;
-    result.K_r[10] = z2542;
-    result.K_r[11] = z2545;
-    result.K_r[12] = z2540;
-    result.K_r[13] = z2543;
-    result.K_r[14] = -z2546;
+    result.K_r[6] = z2563;
+    result.K_r[7] = z2566;
+    result.K_r[8] = -z2569;
+    result.K_r[9] = z2564;
+    result.K_r[10] = z2567;
+    result.K_r[11] = z2570;
+    result.K_r[12] = z2565;
+    result.K_r[13] = z2568;
+    result.K_r[14] = -z2571;
     result.K_r[15] = n0;
     result.K_r[16] = n0;
     result.K_r[17] = n0;
     result.K_r[18] = n0;
     result.K_r[19] = n0;
     result.K_r[20] = n0;
-    result.F_r[0] = z2559;
-    result.F_r[1] = z2560;
-    result.F_r[2] = z2561;
+    result.F_r[0] = z2584;
+    result.F_r[1] = z2585;
+    result.F_r[2] = z2586;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
@@ -4494,36 +4494,36 @@ struct Mechanism {
     result.A[17] = n0;
     result.A[18] = n0;
     result.A[19] = n0;
-    result.A[20] = z2216;
-    result.A[21] = -z2219;
-    result.A[22] = -z2218;
+    result.A[20] = z2241;
+    result.A[21] = -z2244;
+    result.A[22] = -z2243;
     result.A[23] = n0;
     result.A[24] = n0;
     result.A[25] = n0;
-    result.A[26] = z2221;
-    result.A[27] = -z2584;
-    result.A[28] = z2585;
-    result.A[29] = z2586;
-    result.A[30] = -z2227;
-    result.A[31] = z2230;
-    result.A[32] = z2229;
+    result.A[26] = z2246;
+    result.A[27] = -z2609;
+    result.A[28] = z2610;
+    result.A[29] = z2611;
+    result.A[30] = -z2252;
+    result.A[31] = z2255;
+    result.A[32] = z2254;
     result.A[33] = n0;
     result.A[34] = n0;
     result.A[35] = n0;
-    result.A[36] = -z2232;
-    result.A[37] = -z2594;
-    result.A[38] = z2595;
-    result.A[39] = -z2596;
-    result.A[40] = z2238;
-    result.A[41] = -z2241;
-    result.A[42] = -z2240;
+    result.A[36] = -z2257;
+    result.A[37] = -z2619;
+    result.A[38] = z2620;
+    result.A[39] = -z2621;
+    result.A[40] = z2263;
+    result.A[41] = -z2266;
+    result.A[42] = -z2265;
     result.A[43] = n0;
     result.A[44] = n0;
     result.A[45] = n0;
-    result.A[46] = z2243;
-    result.A[47] = -z2599;
-    result.A[48] = z2600;
-    result.A[49] = z2601;
+    result.A[46] = z2268;
+    result.A[47] = -z2624;
+    result.A[48] = z2625;
+    result.A[49] = z2626;
     result.A[50] = n0;
     result.A[51] = n0;
     result.A[52] = n0;
@@ -4544,98 +4544,100 @@ struct Mechanism {
     result.A[67] = n0;
     result.A[68] = n0;
     result.A[69] = n0;
-    result.A[70] = z2185;
-    result.A[71] = -z2188;
-    result.A[72] = -z2187;
+    result.A[70] = z2210;
+    result.A[71] = -z2213;
+    result.A[72] = -z2212;
     result.A[73] = n1;
     result.A[74] = n0;
     result.A[75] = n0;
     result.A[76] = n0;
-    result.A[77] = -z2574;
-    result.A[78] = z2575;
-    result.A[79] = -z2576;
-    result.A[80] = z2195;
-    result.A[81] = -z2198;
-    result.A[82] = -z2197;
+    result.A[77] = -z2599;
+    result.A[78] = z2600;
+    result.A[79] = -z2601;
+    result.A[80] = z2220;
+    result.A[81] = -z2223;
+    result.A[82] = -z2222;
     result.A[83] = n0;
     result.A[84] = n1;
     result.A[85] = n0;
-    result.A[86] = z2200;
-    result.A[87] = -z2579;
-    result.A[88] = z2580;
-    result.A[89] = z2581;
-    result.A[90] = -z2202;
-    result.A[91] = -z2205;
-    result.A[92] = -z2204;
+    result.A[86] = z2225;
+    result.A[87] = -z2604;
+    result.A[88] = z2605;
+    result.A[89] = z2606;
+    result.A[90] = -z2227;
+    result.A[91] = -z2230;
+    result.A[92] = -z2229;
     result.A[93] = n0;
     result.A[94] = n0;
     result.A[95] = n1;
-    result.A[96] = z2207;
-    result.A[97] = -z2589;
-    result.A[98] = z2590;
-    result.A[99] = z2591;
-    if (!(traits::regular(z2166, z2168) && traits::regular(z2169, z2171) && traits::regular(z2172, z2174)
-        && traits::regular(z2175, z2177) && traits::regular(z2570, z2391) && traits::regular(-z2567, -z2395)
-        && traits::regular(z2399, z2399))) return torsor::Status::singular;
+    result.A[96] = z2232;
+    result.A[97] = -z2614;
+    result.A[98] = z2615;
+    result.A[99] = z2616;
+    if (!(traits::regular(z2191, z2193) && traits::regular(z2194, z2196) && traits::regular(z2197, z2199)
+        && traits::regular(z2200, z2202) && traits::regular(z2595, z2416) && traits::regular(-z2592, -z2420)
+        && traits::regular(z2424, z2424))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
-    const Scalar zero = (result.M[3] - result.M[3]) + (result.M[4] - result.M[4]) + (result.M[5] - result.M[5])
+    const Scalar zero = (((((result.M[3] - result.M[3]) + (result.M[4] - result.M[4]) + (result.M[5] - result.M[5])
         + (result.M[6] - result.M[6]) + (result.M[12] - result.M[12]) + (result.M[13] - result.M[13]) + (result.M[14]
         - result.M[14]) + (result.M[15] - result.M[15]) + (result.M[22] - result.M[22]) + (result.M[23] - result.M[23])
-        + (result.M[24] - result.M[24]) + (result.M[27] - result.M[27]) + (result.M[28] - result.M[28]) + (result.M[30]
-        - result.M[30]) + (result.M[31] - result.M[31]) + (result.M[32] - result.M[32]) + (result.M[33] - result.M[33])
-        + (result.M[34] - result.M[34]) + (result.M[35] - result.M[35]) + (result.M[36] - result.M[36]) + (result.M[37]
-        - result.M[37]) + (result.M[38] - result.M[38]) + (result.M[39] - result.M[39]) + (result.M[40] - result.M[40])
-        + (result.M[41] - result.M[41]) + (result.M[42] - result.M[42]) + (result.M[44] - result.M[44]) + (result.M[45]
-        - result.M[45]) + (result.M[46] - result.M[46]) + (result.M[47] - result.M[47]) + (result.M[48] - result.M[48])
-        + (result.M[49] - result.M[49]) + (result.M[50] - result.M[50]) + (result.M[51] - result.M[51]) + (result.M[53]
-        - result.M[53]) + (result.M[54] - result.M[54]) + (result.M[55] - result.M[55]) + (result.M[56] - result.M[56])
-        + (result.M[57] - result.M[57]) + (result.M[58] - result.M[58]) + (result.M[59] - result.M[59]) + (result.M[60]
-        - result.M[60]) + (result.M[66] - result.M[66]) + (result.M[75] - result.M[75]) + (result.M[76] - result.M[76])
-        + (result.M[77] - result.M[77]) + (result.C[27] - result.C[27]) + (result.C[28] - result.C[28]) + (result.C[30]
-        - result.C[30]) + (result.C[31] - result.C[31]) + (result.C[32] - result.C[32]) + (result.C[33] - result.C[33])
-        + (result.C[34] - result.C[34]) + (result.C[35] - result.C[35]) + (result.C[36] - result.C[36]) + (result.C[37]
-        - result.C[37]) + (result.C[38] - result.C[38]) + (result.C[39] - result.C[39]) + (result.C[40] - result.C[40])
-        + (result.C[41] - result.C[41]) + (result.C[42] - result.C[42]) + (result.C[43] - result.C[43]) + (result.C[44]
-        - result.C[44]) + (result.C[45] - result.C[45]) + (result.C[46] - result.C[46]) + (result.C[47] - result.C[47])
-        + (result.C[48] - result.C[48]) + (result.C[49] - result.C[49]) + (result.C[50] - result.C[50]) + (result.C[51]
-        - result.C[51]) + (result.C[53] - result.C[53]) + (result.C[54] - result.C[54]) + (result.C[55] - result.C[55])
-        + (result.C[56] - result.C[56]) + (result.C[57] - result.C[57]) + (result.C[58] - result.C[58]) + (result.C[59]
-        - result.C[59]) + (result.C[62] - result.C[62]) + (result.C[66] - result.C[66]) + (result.C[67] - result.C[67])
-        + (result.C[75] - result.C[75]) + (result.C[76] - result.C[76]) + (result.C[77] - result.C[77]) + (result.C[78]
-        - result.C[78]) + (result.K[27] - result.K[27]) + (result.K[28] - result.K[28]) + (result.K[30] - result.K[30])
+        + (result.M[24] - result.M[24]) + (result.M[27] - result.M[27])) + ((result.M[28] - result.M[28])
+        + (result.M[30] - result.M[30]) + (result.M[31] - result.M[31]) + (result.M[32] - result.M[32]) + (result.M[33]
+        - result.M[33]) + (result.M[34] - result.M[34]) + (result.M[35] - result.M[35]) + (result.M[36] - result.M[36])
+        + (result.M[37] - result.M[37]) + (result.M[38] - result.M[38]) + (result.M[39] - result.M[39]) + (result.M[40]
+        - result.M[40]))) + (((result.M[41] - result.M[41]) + (result.M[42] - result.M[42]) + (result.M[44]
+        - result.M[44]) + (result.M[45] - result.M[45]) + (result.M[46] - result.M[46]) + (result.M[47] - result.M[47])
+        + (result.M[48] - result.M[48]) + (result.M[49] - result.M[49]) + (result.M[50] - result.M[50]) + (result.M[51]
+        - result.M[51]) + (result.M[53] - result.M[53]) + (result.M[54] - result.M[54])) + ((result.M[55]
+        - result.M[55]) + (result.M[56] - result.M[56]) + (result.M[57] - result.M[57]) + (result.M[58] - result.M[58])
+        + (result.M[59] - result.M[59]) + (result.M[60] - result.M[60]) + (result.M[66] - result.M[66]) + (result.M[75]
+        - result.M[75]) + (result.M[76] - result.M[76]) + (result.M[77] - result.M[77]) + (result.C[27] - result.C[27])
+        + (result.C[28] - result.C[28]) + (result.C[30] - result.C[30])))) + ((((result.C[31] - result.C[31])
+        + (result.C[32] - result.C[32]) + (result.C[33] - result.C[33]) + (result.C[34] - result.C[34]) + (result.C[35]
+        - result.C[35]) + (result.C[36] - result.C[36]) + (result.C[37] - result.C[37]) + (result.C[38] - result.C[38])
+        + (result.C[39] - result.C[39]) + (result.C[40] - result.C[40]) + (result.C[41] - result.C[41]) + (result.C[42]
+        - result.C[42])) + ((result.C[43] - result.C[43]) + (result.C[44] - result.C[44]) + (result.C[45]
+        - result.C[45]) + (result.C[46] - result.C[46]) + (result.C[47] - result.C[47]) + (result.C[48] - result.C[48])
+        + (result.C[49] - result.C[49]) + (result.C[50] - result.C[50]) + (result.C[51] - result.C[51]) + (result.C[53]
+        - result.C[53]) + (result.C[54] - result.C[54]) + (result.C[55] - result.C[55]))) + (((result.C[56]
+        - result.C[56]) + (result.C[57] - result.C[57]) + (result.C[58] - result.C[58]) + (result.C[59] - result.C[59])
+        + (result.C[62] - result.C[62]) + (result.C[66] - result.C[66]) + (result.C[67] - result.C[67]) + (result.C[75]
+        - result.C[75]) + (result.C[76] - result.C[76]) + (result.C[77] - result.C[77]) + (result.C[78] - result.C[78])
+        + (result.K[27] - result.K[27])) + ((result.K[28] - result.K[28]) + (result.K[30] - result.K[30])
         + (result.K[31] - result.K[31]) + (result.K[32] - result.K[32]) + (result.K[33] - result.K[33]) + (result.K[34]
         - result.K[34]) + (result.K[35] - result.K[35]) + (result.K[36] - result.K[36]) + (result.K[37] - result.K[37])
         + (result.K[38] - result.K[38]) + (result.K[39] - result.K[39]) + (result.K[40] - result.K[40]) + (result.K[41]
-        - result.K[41]) + (result.K[42] - result.K[42]) + (result.K[43] - result.K[43]) + (result.K[44] - result.K[44])
-        + (result.K[45] - result.K[45]) + (result.K[46] - result.K[46]) + (result.K[47] - result.K[47]) + (result.K[48]
-        - result.K[48]) + (result.K[49] - result.K[49]) + (result.K[50] - result.K[50]) + (result.K[51] - result.K[51])
-        + (result.K[53] - result.K[53]) + (result.K[54] - result.K[54]) + (result.K[55] - result.K[55]) + (result.K[56]
-        - result.K[56]) + (result.K[57] - result.K[57]) + (result.K[58] - result.K[58]) + (result.K[59] - result.K[59])
-        + (result.K[60] - result.K[60]) + (result.K[62] - result.K[62]) + (result.F[0] - result.F[0]) + (result.F[1]
-        - result.F[1]) + (result.F[2] - result.F[2]) + (result.F[3] - result.F[3]) + (result.F[4] - result.F[4])
-        + (result.F[5] - result.F[5]) + (result.F[6] - result.F[6]) + (result.F[7] - result.F[7]) + (result.F[8]
-        - result.F[8]) + (result.M_r[0] - result.M_r[0]) + (result.M_r[1] - result.M_r[1]) + (result.M_r[2]
-        - result.M_r[2]) + (result.M_r[3] - result.M_r[3]) + (result.M_r[4] - result.M_r[4]) + (result.M_r[5]
-        - result.M_r[5]) + (result.M_r[6] - result.M_r[6]) + (result.M_r[7] - result.M_r[7]) + (result.M_r[8]
-        - result.M_r[8]) + (result.C_r[0] - result.C_r[0]) + (result.C_r[1] - result.C_r[1]) + (result.C_r[2]
-        - result.C_r[2]) + (result.C_r[3] - result.C_r[3]) + (result.C_r[4] - result.C_r[4]) + (result.C_r[5]
-        - result.C_r[5]) + (result.C_r[6] - result.C_r[6]) + (result.C_r[7] - result.C_r[7]) + (result.C_r[8]
-        - result.C_r[8]) + (result.K_r[6] - result.K_r[6]) + (result.K_r[7] - result.K_r[7]) + (result.K_r[8]
-        - result.K_r[8]) + (result.K_r[9] - result.K_r[9]) + (result.K_r[10] - result.K_r[10]) + (result.K_r[11]
-        - result.K_r[11]) + (result.K_r[12] - result.K_r[12]) + (result.K_r[13] - result.K_r[13]) + (result.K_r[14]
-        - result.K_r[14]) + (result.F_r[0] - result.F_r[0]) + (result.F_r[1] - result.F_r[1]) + (result.F_r[2]
-        - result.F_r[2]) + (result.A[20] - result.A[20]) + (result.A[21] - result.A[21]) + (result.A[22] - result.A[22])
-        + (result.A[26] - result.A[26]) + (result.A[27] - result.A[27]) + (result.A[28] - result.A[28]) + (result.A[29]
-        - result.A[29]) + (result.A[30] - result.A[30]) + (result.A[31] - result.A[31]) + (result.A[32] - result.A[32])
-        + (result.A[36] - result.A[36]) + (result.A[37] - result.A[37]) + (result.A[38] - result.A[38]) + (result.A[39]
-        - result.A[39]) + (result.A[40] - result.A[40]) + (result.A[41] - result.A[41]) + (result.A[42] - result.A[42])
-        + (result.A[46] - result.A[46]) + (result.A[47] - result.A[47]) + (result.A[48] - result.A[48]) + (result.A[49]
-        - result.A[49]) + (result.A[70] - result.A[70]) + (result.A[71] - result.A[71]) + (result.A[72] - result.A[72])
-        + (result.A[77] - result.A[77]) + (result.A[78] - result.A[78]) + (result.A[79] - result.A[79]) + (result.A[80]
-        - result.A[80]) + (result.A[81] - result.A[81]) + (result.A[82] - result.A[82]) + (result.A[86] - result.A[86])
-        + (result.A[87] - result.A[87]) + (result.A[88] - result.A[88]) + (result.A[89] - result.A[89]) + (result.A[90]
-        - result.A[90]) + (result.A[91] - result.A[91]) + (result.A[92] - result.A[92]) + (result.A[96] - result.A[96])
-        + (result.A[97] - result.A[97]) + (result.A[98] - result.A[98]) + (result.A[99] - result.A[99]);
+        - result.K[41]))))) + (((((result.K[42] - result.K[42]) + (result.K[43] - result.K[43]) + (result.K[44]
+        - result.K[44]) + (result.K[45] - result.K[45]) + (result.K[46] - result.K[46]) + (result.K[47] - result.K[47])
+        + (result.K[48] - result.K[48]) + (result.K[49] - result.K[49]) + (result.K[50] - result.K[50]) + (result.K[51]
+        - result.K[51]) + (result.K[53] - result.K[53]) + (result.K[54] - result.K[54])) + ((result.K[55]
+        - result.K[55]) + (result.K[56] - result.K[56]) + (result.K[57] - result.K[57]) + (result.K[58] - result.K[58])
+        + (result.K[59] - result.K[59]) + (result.K[60] - result.K[60]) + (result.K[62] - result.K[62]) + (result.F[0]
+        - result.F[0]) + (result.F[1] - result.F[1]) + (result.F[2] - result.F[2]) + (result.F[3] - result.F[3])
+        + (result.F[4] - result.F[4]))) + (((result.F[5] - result.F[5]) + (result.F[6] - result.F[6]) + (result.F[7]
+        - result.F[7]) + (result.F[8] - result.F[8]) + (result.M_r[0] - result.M_r[0]) + (result.M_r[1] - result.M_r[1])
+        + (result.M_r[2] - result.M_r[2]) + (result.M_r[3] - result.M_r[3]) + (result.M_r[4] - result.M_r[4])
+        + (result.M_r[5] - result.M_r[5]) + (result.M_r[6] - result.M_r[6]) + (result.M_r[7] - result.M_r[7]))
+        + ((result.M_r[8] - result.M_r[8]) + (result.C_r[0] - result.C_r[0]) + (result.C_r[1] - result.C_r[1])
+        + (result.C_r[2] - result.C_r[2]) + (result.C_r[3] - result.C_r[3]) + (result.C_r[4] - result.C_r[4])
+        + (result.C_r[5] - result.C_r[5]) + (result.C_r[6] - result.C_r[6]) + (result.C_r[7] - result.C_r[7])
+        + (result.C_r[8] - result.C_r[8]) + (result.K_r[6] - result.K_r[6]) + (result.K_r[7] - result.K_r[7])
+        + (result.K_r[8] - result.K_r[8])))) + ((((result.K_r[9] - result.K_r[9]) + (result.K_r[10] - result.K_r[10])
+        + (result.K_r[11] - result.K_r[11]) + (result.K_r[12] - result.K_r[12]) + (result.K_r[13] - result.K_r[13])
+        + (result.K_r[14] - result.K_r[14]) + (result.F_r[0] - result.F_r[0]) + (result.F_r[1] - result.F_r[1])
+        + (result.F_r[2] - result.F_r[2]) + (result.A[20] - result.A[20]) + (result.A[21] - result.A[21])
+        + (result.A[22] - result.A[22])) + ((result.A[26] - result.A[26]) + (result.A[27] - result.A[27])
+        + (result.A[28] - result.A[28]) + (result.A[29] - result.A[29]) + (result.A[30] - result.A[30]) + (result.A[31]
+        - result.A[31]) + (result.A[32] - result.A[32]) + (result.A[36] - result.A[36]) + (result.A[37] - result.A[37])
+        + (result.A[38] - result.A[38]) + (result.A[39] - result.A[39]) + (result.A[40] - result.A[40]) + (result.A[41]
+        - result.A[41]))) + (((result.A[42] - result.A[42]) + (result.A[46] - result.A[46]) + (result.A[47]
+        - result.A[47]) + (result.A[48] - result.A[48]) + (result.A[49] - result.A[49]) + (result.A[70] - result.A[70])
+        + (result.A[71] - result.A[71]) + (result.A[72] - result.A[72]) + (result.A[77] - result.A[77]) + (result.A[78]
+        - result.A[78]) + (result.A[79] - result.A[79]) + (result.A[80] - result.A[80])) + ((result.A[81]
+        - result.A[81]) + (result.A[82] - result.A[82]) + (result.A[86] - result.A[86]) + (result.A[87] - result.A[87])
+        + (result.A[88] - result.A[88]) + (result.A[89] - result.A[89]) + (result.A[90] - result.A[90]) + (result.A[91]
+        - result.A[91]) + (result.A[92] - result.A[92]) + (result.A[96] - result.A[96]) + (result.A[97] - result.A[97])
+        + (result.A[98] - result.A[98]) + (result.A[99] - result.A[99])))));
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
