@@ -6,11 +6,13 @@
 
 namespace torsor {
 
-// Both are defined by every generated header, which may be included before this one or after it.
+// All are defined by every generated header, which may be included before this one or after it.
 template <class Scalar>
 struct scalar_traits;
 template <class Scalar, bool in_float>
 struct SineCosine;
+template <class Scalar>
+bool rounds_to_one_side(const Scalar& x) noexcept;
 
 /// What a kernel needs of its scalar, for packs. Pivots are regular when they are in every lane; the sines and cosines
 /// are those of generated headers: the same core, and beyond its bound, lane by lane, the same exact reduction.
