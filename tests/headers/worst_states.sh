@@ -12,9 +12,8 @@ command -v g++ > /dev/null || { echo "g++ is not installed"; exit 77; }
 mkdir -p "$folder"
 mechanism="$(sed -nE 's/^(inline )?namespace ([A-Za-z_0-9:]+) *\{.*/\2/p' "$header" | grep -vx torsor | tail -n 1)"
 long="${TORSOR_LONG_TESTS:-}"
-# Kernels whose results may vanish identically and leave the rounding of their terms, as docs/accuracy.md has them.
-mapfile -t excepted < <(awk -F' *\\| *' -v scene="$mechanism" '$1 == scene && $4 == "double" && $5 == "inf" { print $2 }' \
-  "$here/../../docs/accuracy_exceptions.txt" | sort -u)
+# Kernels whose results may cancel, all but for the rounding of their terms.
+mapfile -t excepted < <(awk -F ' *[|] *' -v scene="$mechanism" '$1 == scene { print $2 }' "$here/stress/exceptions.txt")
 
 source="$folder/by_number.cpp"
 printf '#include "%s"\n#include "%s/stress/kernels_by_number.hpp"\n%s template struct %s::Mechanism<double>;\n%s\n' \
