@@ -4,7 +4,7 @@
 namespace torsor {
 
 Factorisation::Factorisation(Program& program, const ValueMatrix& symmetric)
-    : program_(&program), flattening_(program) {
+    : program_(&program), flattening_(Flattening::of_matrix(program, symmetric.size())) {
   // From the last row to the first (M = Lᵀ D L): on a tree the parents' pivots come last and no entry fills in
   // (Featherstone, Rigid Body Dynamics Algorithms, 2008, §6.5).
   const std::size_t n = symmetric.size();
@@ -51,7 +51,7 @@ std::vector<Value> Factorisation::solve(const std::vector<Value>& right_side) co
 }
 
 UnsymmetricFactorisation::UnsymmetricFactorisation(Program& program, const ValueMatrix& matrix)
-    : program_(&program), flattening_(program) {
+    : program_(&program), flattening_(Flattening::of_matrix(program, matrix.size())) {
   const std::size_t n = matrix.size();
   upper_ = matrix;
   lower_.assign(n, std::vector<Value>(n));

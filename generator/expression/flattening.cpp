@@ -147,7 +147,7 @@ int Flattening::operations(const Value& value) const {
 
 Value Flattening::difference(const Value& a, const Value& b, const Value& c) {
   const Value plain = a - b * c;
-  if (!program_->passes().identities || b.is_zero() || c.is_zero()) return plain;
+  if (limit_ == 0 || !program_->passes().identities || b.is_zero() || c.is_zero()) return plain;
   Value best = plain;
   int least = 4;  // plainly two, a product and a difference, for a is a definition already; one more for what is saved
   for (std::size_t levels = 1; levels <= all_levels; ++levels) {
@@ -169,7 +169,7 @@ Value Flattening::difference(const Value& a, const Value& b, const Value& c) {
 }
 
 Value Flattening::cheaper(const Value& value) {
-  if (!program_->passes().identities || value.is_zero() || value.is_constant()) return value;
+  if (limit_ == 0 || !program_->passes().identities || value.is_zero() || value.is_constant()) return value;
   Value best = value;
   int least = operations(value) + 1;
   for (std::size_t levels = 1; levels <= all_levels; ++levels) {
