@@ -151,17 +151,20 @@ Value Flattening::difference(const Value& a, const Value& b, const Value& c) {
   Value best = plain;
   int least = 4;  // plainly two, a product and a difference, for a is a definition already; one more for what is saved
   for (std::size_t levels = 1; levels <= all_levels; ++levels) {
-    const std::optional<Polynomial> left = flat(a.polynomial(), levels), first = flat(b.polynomial(), levels),
-                                    second = flat(c.polynomial(), levels);
-    std::optional<Polynomial> moved = first && second ? product(*first, *second) : std::nullopt;
-    if (!left || !moved) continue;
+    const std::optional<Polynomial> left = flat(a.polynomial(), levels);
+    const std::optional<Polynomial> first = left ? flat(b.polynomial(), levels) : std::nullopt;
+    const std::optional<Polynomial> second = first ? flat(c.polynomial(), levels) : std::nullopt;
+    std::optional<Polynomial> moved = second ? product(*first, *second) : std::nullopt;
+    if (!moved) continue;
     *moved *= Number(-1);
     *moved += *left;
     const Value flat(*program_, shortest(std::move(*moved)), plain.unit());
     const std::size_t terms = flat.polynomial().terms().size(), before = left->terms().size();
     if (terms == 0) return flat;
+    // A sum of so many terms has as many additions less one, however it is factored.
+    if (terms > before || static_cast<int>(terms) > least) continue;
     const int cost = operations(flat) + (terms < before || terms == 1 ? 0 : 1);
-    if (terms > before || cost >= least) continue;
+    if (cost >= least) continue;
     best = flat;
     least = cost;
   }

@@ -20,8 +20,8 @@ class Flattening {
  public:
   explicit Flattening(Program& program, std::size_t limit = 12) : program_(&program), limit_(limit) {}
 
-  /// For the elimination of a matrix: beyond twenty rows nothing is multiplied out, for the entries of such a matrix are
-  /// too long, and trying each of n³/6 takes seconds.
+  /// For the elimination of a matrix: beyond twenty rows nothing is multiplied out, for the entries of such a matrix
+  /// are too long, and trying each of n³/6 takes seconds.
   static Flattening of_matrix(Program& program, std::size_t rows) {
     return rows <= 20 ? Flattening(program) : Flattening(program, 0);
   }
