@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
   std::string output;
   app.add_option("--chains", chains, "numbers of joints: serial chains, three kernels, instead of the arm")
       ->delimiter(',');
-  app.add_option("--output", output, "folder for growth.csv and its pictures");
+  app.add_option("--output", output, "folder for growth.csv and its pictures")->check(CLI::ExistingDirectory);
   CLI11_PARSE(app, argc, argv);
   try {
     if (chains.empty())

@@ -7,6 +7,7 @@ Measured is the time to the mass matrix and the forcing vector, nothing simplifi
 cse(), which is what one would compile (left empty where cse() passes the limit). Every run is a process of its own.
 """
 import argparse
+import importlib.metadata
 import math
 import resource
 import subprocess
@@ -97,6 +98,7 @@ def main():
     if options.alone:
         return alone(options.alone[0], int(options.alone[1]))
     rows = ['method,joints,seconds,operations']
+    print('SymPy %s' % importlib.metadata.version('sympy'))
     print('%-16s%8s%10s%12s' % ('method', 'joints', 'seconds', 'operations'))
     for name in ('LagrangesMethod', 'KanesMethod'):
         for joints in range(1, options.joints + 1):

@@ -106,7 +106,7 @@ int main(int argc, char** argv) {
   CLI::App app{"Times of generated kernels and of other libraries for the same mechanisms."};
   Options options;
   app.add_option("--references", options.references, "folder of models.json and mjcf/")->capture_default_str();
-  app.add_option("--output", options.output, "folder for CSV files and pictures");
+  app.add_option("--output", options.output, "folder for CSV files and pictures")->check(CLI::ExistingDirectory);
   app.add_option("--models", options.models, "some models only")->delimiter(',');
   app.add_option("--turns", options.turns, "how often each competitor goes through all states")->capture_default_str();
   app.add_option("--states", options.states, "random states of each model")->capture_default_str();

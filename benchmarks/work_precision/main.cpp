@@ -72,7 +72,7 @@ bool run(const Options& options) {
 int main(int argc, char** argv) {
   CLI::App app{"Run time against true error of integrators on generated right-hand sides."};
   Options options;
-  app.add_option("--output", options.output, "folder for CSV files and pictures");
+  app.add_option("--output", options.output, "folder for CSV files and pictures")->check(CLI::ExistingDirectory);
   app.add_option("--problems", options.problems, "some problems only; none: no table of them")->delimiter(',');
   app.add_option("--integrators", options.ways, "some integrators only, as the table names them")->delimiter(',');
   app.add_option("--turns", options.turns, "how often each setting is run, at most")->capture_default_str();

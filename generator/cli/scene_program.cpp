@@ -145,19 +145,14 @@ int equations(const Scene& scene, const Request& request) {
   return 0;
 }
 
-/// A kernel that was asked for by name and is absent deserves a word; `all` means all that there are.
-void tell_absent(const Scene& scene, const Request& request) {
-  if (request.kernels == "all") return;
-  const Equations equations(scene);
-  for (const std::string& name : parse_kernel_list(request.kernels)) {
-    const std::string skipped = make_kernel(name, equations).skipped;
-    if (!skipped.empty()) std::fprintf(stderr, "note: the kernel %s is absent: %s\n", name.c_str(), skipped.c_str());
-  }
-}
-
 int generate(const Scene& scene, const Request& request) {
-  tell_absent(scene, request);
-  write(request.output, generate_header(scene, parse_kernel_list(request.kernels), model_options(scene, request)));
+  const GeneratedHeader header =
+      generate_header(scene, parse_kernel_list(request.kernels), model_options(scene, request));
+  write(request.output, header.text);
+  if (request.kernels == "all") return 0;  // all that there are: what is absent was not asked for
+  for (const auto& [name, why] : header.absent) {
+    std::fprintf(stderr, "note: the kernel %s is absent: %s\n", name.c_str(), why.c_str());
+  }
   return 0;
 }
 
