@@ -11,7 +11,7 @@
 #include "benchmarks/generation/growth.hpp"
 #include "benchmarks/generation/resources.hpp"
 #include "examples/arm7/scene.cpp"
-#include "generator/cli/commands.hpp"
+#include "generator/cli/command_texts.hpp"
 #include "generator/emission/header.hpp"
 #include "generator/emission/kernel.hpp"
 #include "generator/reading/print_equations.hpp"

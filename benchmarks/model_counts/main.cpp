@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "benchmarks/model_counts/models.hpp"
-#include "generator/cli/commands.hpp"
+#include "generator/cli/command_texts.hpp"
 #include "generator/emission/kernel.hpp"
 #include "generator/expression/error.hpp"
 

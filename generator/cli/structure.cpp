@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "generator/cli/commands.hpp"
+#include "generator/cli/command_texts.hpp"
 #include "generator/dynamics/mobility.hpp"
 #include "generator/dynamics/reduced_graph.hpp"
 #include "generator/emission/graph_printer.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/cli/commands.hpp"
+#include "generator/cli/command_texts.hpp"
 #include "generator/dynamics/mobility.hpp"
 #include "generator/dynamics/unknowns_report.hpp"
 #include "tests/examples/scenes.hpp"

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "benchmarks/model_counts/models.hpp"
-#include "generator/cli/commands.hpp"
+#include "generator/cli/command_texts.hpp"
 #include "generator/import/urdf.hpp"
 
 namespace torsor::urdf_counts_test {

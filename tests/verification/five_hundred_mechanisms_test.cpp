@@ -15,7 +15,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/cli/commands.hpp"
+#include "generator/cli/command_texts.hpp"
 #include "generator/expression/error.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/verification/mechanism_comparisons.hpp"

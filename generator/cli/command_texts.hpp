@@ -60,13 +60,4 @@ std::string structure_json(const Scene& scene, const std::vector<std::string>& i
 std::string graph_text(const Scene& scene, const std::string& format, const std::string& kind,
                        const std::vector<std::string>& inputs_outputs);
 
-struct GeneratedHeader {
-  std::string text;
-  std::vector<std::pair<std::string, std::string>> absent;  ///< kernels that were asked for and left out, and why
-};
-
-/// The generated header for some kernels.
-GeneratedHeader generate_header(const Scene& scene, const std::vector<std::string>& kernels,
-                                const ModelOptions& options);
-
 }  // namespace torsor

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/cli/command_set.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "generator/expression/error.hpp"
+
+namespace torsor {
+
+CLI::App& CommandSet::add(const std::string& name, const std::string& text, Run run) {
+  CLI::App* command = app_.add_subcommand(name, text);
+  if (source_.add_options) source_.add_options(*command);
+  command->callback([this, run = std::move(run)] { chosen_ = run; });
+  command->add_option("-o,--output", output_, "file to write; the standard output when absent or -");
+  return *command;
+}
+
+void add_about(CLI::App& command, About& about, const std::string& text) {
+  command.add_option_function<std::vector<std::string>>(
+      "--about",
+      [&about](const std::vector<std::string>& assignments) {
+        for (const std::string& assignment : assignments) {
+          const std::size_t equals = assignment.find('=');
+          if (equals == std::string::npos) {
+            throw UsageError(fmt::format("--about takes NAME=VALUE, e.g. theta=0, and got '{}'", assignment));
+          }
+          about.emplace_back(assignment.substr(0, equals), assignment.substr(equals + 1));
+        }
+      },
+      text);
+}
+
+}  // namespace torsor

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "generator/cli/command_line.hpp"
+
+namespace torsor {
+
+/// What a command leaves: its text goes where --output says, its notes to the standard error, after the text.
+struct CommandResult {
+  std::string text;
+  bool passed = true;  ///< false: what was checked does not hold, exit code 1
+  std::vector<std::string> notes = {};
+};
+
+/// The commands of a program while they are declared, and the one that the command line chose.
+class CommandSet {
+ public:
+  using Run = std::function<CommandResult(const Scene&)>;
+
+  CommandSet(CLI::App& app, const SceneSource& source) : app_(app), source_(source) {}
+
+  /// Declares a command, with --output and the options of the source; the caller adds those of the command itself.
+  CLI::App& add(const std::string& name, const std::string& text, Run run);
+
+  const std::string& output() const { return output_; }
+  CommandResult run(const Scene& scene) const { return chosen_(scene); }
+
+ private:
+  CLI::App& app_;
+  const SceneSource& source_;
+  std::string output_ = "-";
+  Run chosen_;
+};
+
+// Each adds the commands of its file, with their options.
+void add_equations_command(CommandSet& commands);
+void add_kernel_commands(CommandSet& commands);        ///< generate, counts, passes
+void add_verification_commands(CommandSet& commands);  ///< check, verify, reference
+void add_statics_commands(CommandSet& commands);       ///< force-function, unknowns, theorem, statics
+void add_structure_commands(CommandSet& commands);     ///< structure, graph, list
+
+/// --about NAME=VALUE, e.g. theta=0; repeatable.
+using About = std::vector<std::pair<std::string, std::string>>;
+void add_about(CLI::App& command, About& about, const std::string& text);
+
+}  // namespace torsor

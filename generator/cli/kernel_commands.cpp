@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "generator/cli/command_set.hpp"
+#include "generator/cli/command_texts.hpp"
+#include "generator/cli/kernel_options.hpp"
+#include "generator/emission/header.hpp"
+#include "generator/emission/kernel.hpp"
+
+namespace torsor {
+namespace {
+
+struct KernelRequest : KernelOptions {
+  StateOptions states;
+  bool json = false;
+};
+
+CommandResult generate(const Scene& scene, const KernelOptions& request) {
+  const ModelOptions options = request.model(scene);
+  const Equations equations(scene, options);
+  CommandResult result;
+  std::vector<Kernel> kernels;
+  for (const std::string& name : request.names()) {
+    kernels.push_back(make_kernel(name, equations));
+    const std::string& why = kernels.back().skipped;
+    if (why.empty() || request.kernels == "all") continue;  // all that there are: what is absent was not asked for
+    result.notes.push_back(fmt::format("the kernel {} is absent: {}", name, why));
+  }
+  result.text = emit_header(equations, kernels, {options});
+  return result;
+}
+
+CommandResult counts(const Scene& scene, const KernelRequest& request) {
+  const SceneCounts counted = count_scene(scene, request.names(), request.model(scene));
+  return {request.json ? counts_json({counted}) : counts_table({counted})};
+}
+
+CommandResult passes(const Scene& scene, const KernelRequest& request) {
+  const StateOptions& states = request.states;
+  const PassReport report =
+      report_passes(scene, request.names(), request.model(scene), {states.digits, states.states, states.seed});
+  return {request.json ? passes_json(report) : passes_table(report), report.equal()};
+}
+
+}  // namespace
+
+void add_kernel_commands(CommandSet& commands) {
+  const auto request = std::make_shared<KernelRequest>();
+  CLI::App& generating = commands.add("generate", "write the specialised C++17 header",
+                                      [request](const Scene& scene) { return generate(scene, *request); });
+  add_kernel_options(generating, *request);
+  generating.get_option("--output")->required()->description("file to write; - for the standard output");
+
+  CLI::App& counting = commands.add("counts", "count the operations of the emitted kernels",
+                                    [request](const Scene& scene) { return counts(scene, *request); });
+  add_kernel_options(counting, *request);
+  counting.add_flag("--json", request->json, "print JSON");
+
+  CLI::App& comparing =
+      commands.add("passes", "tell what each pass saves, that it changes no result, and what it does to errors",
+                   [request](const Scene& scene) { return passes(scene, *request); });
+  add_kernel_options(comparing, *request);
+  add_state_options(comparing, request->states);
+  comparing.add_flag("--json", request->json, "print JSON");
+}
+
+}  // namespace torsor

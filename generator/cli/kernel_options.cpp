@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/cli/kernel_options.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "generator/emission/kernel.hpp"
+#include "generator/expression/error.hpp"
+
+namespace torsor {
+namespace {
+
+ForwardMethod forward_method(const std::string& name) {
+  if (name == "cheapest") return ForwardMethod::cheapest;
+  if (name == "factorisation") return ForwardMethod::factorisation;
+  if (name == "articulated_body") return ForwardMethod::articulated_body;
+  throw UsageError(fmt::format("unknown method '{}' in --forward: use cheapest, factorisation or articulated_body", name));
+}
+
+void check_parameter(const Scene& scene, const std::string& name) {
+  const auto& parameters = scene.content().parameters;
+  if (std::any_of(parameters.begin(), parameters.end(), [&](const auto& p) { return p.symbol->name == name; })) return;
+  std::string known;
+  for (const auto& p : parameters) known += (known.empty() ? "" : ", ") + p.symbol->name;
+  throw UsageError(fmt::format("unknown parameter '{}' in --run-time: the scene '{}' has {}", name, scene.name(),
+                               known.empty() ? "none" : known));
+}
+
+}  // namespace
+
+std::vector<std::string> KernelOptions::names() const { return parse_kernel_list(kernels); }
+
+ModelOptions KernelOptions::model(const Scene& scene) const {
+  ModelOptions options;
+  options.forward = forward_method(forward);
+  options.passes = passes_without(without);
+  if (run_time == "all") {
+    options.all_run_time = true;
+    return options;
+  }
+  for (std::size_t begin = 0; begin < run_time.size();) {
+    const std::size_t end = std::min(run_time.find(',', begin), run_time.size());
+    const std::string name = run_time.substr(begin, end - begin);
+    begin = end + 1;
+    check_parameter(scene, name);
+    options.run_time.insert(name);
+  }
+  return options;
+}
+
+void add_kernel_list(CLI::App& command, KernelOptions& options) {
+  command
+      .add_option("--kernels", options.kernels,
+                  fmt::format("comma-separated list of {}; or all (the default), which leaves out second derivatives "
+                              "and sensitivities",
+                              fmt::join(kernel_names(), ", ")))
+      ->each([](const std::string& list) { parse_kernel_list(list); });  // refused before the scene is even built
+}
+
+void add_kernel_options(CLI::App& command, KernelOptions& options) {
+  add_kernel_list(command, options);
+  command.add_option("--run-time", options.run_time, "parameters that stay symbols, comma-separated, or all");
+  command
+      .add_option("--forward", options.forward,
+                  "method of forward_dynamics: cheapest, factorisation or articulated_body")
+      ->capture_default_str();
+  std::string passes;
+  for (const PassName& pass : pass_names()) passes += fmt::format("{}{}", passes.empty() ? "" : ", ", pass.name);
+  command.add_option("--without", options.without, "passes to leave out, comma-separated: " + passes);
+}
+
+void add_digits(CLI::App& command, int& digits, const std::string& text, int least) {
+  command.add_option("--digits", digits, text)->capture_default_str()->check(CLI::Range(least, 1000));
+}
+
+void add_states(CLI::App& command, int& states, const std::string& text) {
+  command.add_option("--states", states, text)->capture_default_str()->check(CLI::Range(1, 1000000));
+}
+
+void add_state_options(CLI::App& command, StateOptions& options) {
+  add_digits(command, options.digits, "digits of CLN, more where the error depends on them", 20);
+  add_states(command, options.states, "number of states to begin with");
+  command.add_option("--seed", options.seed, "of the first state")->capture_default_str();
+}
+
+}  // namespace torsor

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "generator/cli/command_line.hpp"
+#include "generator/dynamics/equations.hpp"
+
+namespace torsor {
+
+/// Which kernels, and how they are derived: the options that commands on kernels share, as they are written.
+struct KernelOptions {
+  std::string kernels = "all";
+  std::string run_time;
+  std::string forward = "cheapest";
+  std::string without;
+
+  std::vector<std::string> names() const;
+  /// Throws UsageError for an unknown parameter, method or pass.
+  ModelOptions model(const Scene& scene) const;
+};
+
+void add_kernel_list(CLI::App& command, KernelOptions& options);
+/// The list, and --run-time, --forward, --without.
+void add_kernel_options(CLI::App& command, KernelOptions& options);
+
+/// States at which kernels are looked at.
+struct StateOptions {
+  int digits = 50;
+  int states = 64;
+  std::uint64_t seed = 1;
+};
+
+void add_state_options(CLI::App& command, StateOptions& options);
+void add_digits(CLI::App& command, int& digits, const std::string& text, int least);
+void add_states(CLI::App& command, int& states, const std::string& text);
+
+}  // namespace torsor

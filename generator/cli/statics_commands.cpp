@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "generator/cli/command_set.hpp"
+#include "generator/dynamics/unknowns_report.hpp"
+#include "generator/expression/error.hpp"
+#include "generator/reading/force_function_text.hpp"
+#include "generator/reading/statics_text.hpp"
+#include "generator/reading/theorem_text.hpp"
+
+namespace torsor {
+namespace {
+
+void add_force_function(CommandSet& commands) {
+  const auto selection = std::make_shared<ActionSelection>();
+  CLI::App& command =
+      commands.add("force-function", "tell whether actions have a potential energy, a force function or neither",
+                   [selection](const Scene& scene) { return CommandResult{force_function_text(scene, *selection)}; });
+  command.add_option("--actions", selection->actions, "names, comma-separated; gravity is the weight; all when absent")
+      ->delimiter(',');
+  command.add_option("--bodies", selection->bodies, "bodies on which they are counted; both ends of all when absent")
+      ->delimiter(',');
+}
+
+struct UnknownsRequest {
+  std::vector<std::string> bodies;
+  std::string point;
+  std::string axes = "ground";
+};
+
+CommandResult unknowns(const Scene& scene, const UnknownsRequest& request) {
+  if (request.bodies.empty() != request.point.empty()) {
+    throw UsageError("--isolate BODIES and --at POINT go together: the point at which moments are taken");
+  }
+  ModelOptions options;
+  options.symbolic_parameters = true;
+  const Equations equations(scene, options);
+  std::string text = unknowns_report(equations);
+  if (!request.bodies.empty()) text += isolation_report(equations, request.bodies, {request.point, request.axes}).text;
+  return {text};
+}
+
+void add_unknowns(CommandSet& commands) {
+  const auto request = std::make_shared<UnknownsRequest>();
+  CLI::App& command =
+      commands.add("unknowns", "count unknowns against equations, and tell which theorem gives which reaction",
+                   [request](const Scene& scene) { return unknowns(scene, *request); });
+  command.add_option("--isolate", request->bodies, "bodies to isolate, comma-separated")->delimiter(',');
+  command.add_option("--at", request->point, "point at which their moments are taken");
+  command.add_option("--axes", request->axes, "frame along whose axes the theorems are written")->capture_default_str();
+}
+
+void add_theorem(CommandSet& commands) {
+  const auto request = std::make_shared<TheoremRequest>();
+  CLI::App& command = commands.add(
+      "theorem", "write Newton-Euler's theorem or the energy theorem for some bodies, reactions by name",
+      [request](const Scene& scene) { return CommandResult{theorem_text(scene, *request)}; });
+  command.add_option("--kind", request->kind, "resultant, moment or energy")->capture_default_str();
+  command.add_option("--bodies", request->bodies, "bodies to isolate, comma-separated; all when absent")->delimiter(',');
+  command.add_option("--at", request->point, "point at which moments are taken, or a frame for its origin");
+  command.add_option("--direction", request->direction, "x, y, z or components 0,1,0")->capture_default_str();
+  command.add_option("--axes", request->axes, "frame along whose axes the direction is given")->capture_default_str();
+  command.add_option("--observer", request->observer, "frame from which motion is seen")->capture_default_str();
+}
+
+void add_statics(CommandSet& commands) {
+  const auto about = std::make_shared<About>();
+  CLI::App& command = commands.add(
+      "statics", "equations of equilibrium; at a state also its stability by Lejeune-Dirichlet and Hurwitz",
+      [about](const Scene& scene) { return CommandResult{statics_text(scene, *about)}; });
+  add_about(command, *about, "the state, NAME=VALUE, e.g. theta=0; repeatable");
+}
+
+}  // namespace
+
+void add_statics_commands(CommandSet& commands) {
+  add_force_function(commands);
+  add_unknowns(commands);
+  add_theorem(commands);
+  add_statics(commands);
+}
+
+}  // namespace torsor

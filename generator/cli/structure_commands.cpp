@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "generator/cli/command_set.hpp"
+#include "generator/cli/command_texts.hpp"
+
+namespace torsor {
+namespace {
+
+struct StructureRequest {
+  std::vector<std::string> inputs_outputs;
+  bool json = false;
+  std::string graph = "structure";
+  std::string graph_format = "dot";
+};
+
+void add_inputs_outputs(CLI::App& command, StructureRequest& request) {
+  command
+      .add_option("--inputs-outputs", request.inputs_outputs,
+                  "joints that count as those with the outside, comma-separated; those of the ground when absent")
+      ->delimiter(',');
+}
+
+}  // namespace
+
+void add_structure_commands(CommandSet& commands) {
+  const auto request = std::make_shared<StructureRequest>();
+  CLI::App& structure = commands.add(
+      "structure", "count loops, mobility and redundancy; name what is internal or indeterminate",
+      [request](const Scene& scene) {
+        return CommandResult{request->json ? structure_json(scene, request->inputs_outputs)
+                                           : structure_text(scene, request->inputs_outputs)};
+      });
+  add_inputs_outputs(structure, *request);
+  structure.add_flag("--json", request->json, "print JSON");
+
+  CLI::App& graph = commands.add(
+      "graph", "draw the graph of bodies and joints", [request](const Scene& scene) {
+        return CommandResult{graph_text(scene, request->graph_format, request->graph, request->inputs_outputs)};
+      });
+  add_inputs_outputs(graph, *request);
+  graph.add_option("--format", request->graph_format, "dot (for Graphviz) or svg")->capture_default_str();
+  graph.add_option("--of", request->graph, "structure, analysis (with constraints and actions) or reduced")
+      ->capture_default_str();
+
+  CLI::App& list = commands.add(
+      "list", "print what the scene contains and the kernels it offers",
+      [request](const Scene& scene) { return CommandResult{request->json ? list_json(scene) : list_text(scene)}; });
+  list.add_flag("--json", request->json, "print JSON");
+}
+
+}  // namespace torsor

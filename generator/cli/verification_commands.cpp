@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <memory>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "generator/cli/command_set.hpp"
+#include "generator/cli/command_texts.hpp"
+#include "generator/cli/kernel_options.hpp"
+#include "generator/expression/decimal.hpp"
+#include "generator/expression/error.hpp"
+#include "generator/verification/reference_cache.hpp"
+
+namespace torsor {
+namespace {
+
+struct CheckRequest : KernelOptions {
+  int digits = 50;
+  int states = 20;
+  bool json = false;
+};
+
+CommandResult check(const Scene& scene, const CheckRequest& request) {
+  const std::vector<CheckResult> results = check_scene(scene, {request.digits, request.states, request.names()});
+  return {request.json ? check_json(scene.name(), results) : check_table(scene.name(), results),
+          std::all_of(results.begin(), results.end(), [](const CheckResult& r) { return r.passed(); })};
+}
+
+struct VerifyRequest : KernelOptions {
+  StateOptions states;
+  int climbs = 2;
+  int range = double_states.large;
+  std::string scalar = "both";
+  std::string exceptions;
+  VerifyLayout layout;
+  bool markdown = false;
+  bool json = false;
+};
+
+std::string file_text(const std::string& path) {
+  std::ifstream stream(path);
+  if (!stream) throw FileError(fmt::format("cannot read '{}': does it exist, and may you read it?", path));
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+CommandResult verify(const Scene& scene, const VerifyRequest& request) {
+  VerifyOptions options;
+  options.model = request.model(scene);
+  options.kernels = request.names();
+  options.digits = request.states.digits;
+  options.states = request.states.states;
+  options.climbs = request.climbs;
+  options.seed = request.states.seed;
+  options.range = request.range;
+  if (request.scalar == "double") options.precisions = {Precision::in_double};
+  if (request.scalar == "float") options.precisions = {Precision::in_float};
+  if (!request.exceptions.empty()) options.exceptions = parse_accuracy_exceptions(file_text(request.exceptions));
+  const std::vector<VerifyRow> rows = verify_scene(scene, options);
+  CommandResult result;
+  result.passed = std::all_of(rows.begin(), rows.end(), [](const VerifyRow& row) { return row.passed(); });
+  result.text = request.json       ? verify_json(scene.name(), rows)
+                : request.markdown ? verify_markdown(scene.name(), rows)
+                                   : verify_table(scene.name(), rows, request.layout);
+  return result;
+}
+
+struct ReferenceRequest : ReferenceOptions {
+  std::string cache;
+};
+
+/// Times are positive and increase; what is wrong is quoted as the user wrote it.
+void check_times(const std::vector<std::string>& times) {
+  Number before;
+  for (const std::string& text : times) {
+    Number time;
+    try {
+      time = parse_decimal(text);
+    } catch (const Error& error) {
+      throw UsageError(fmt::format("--times: {}", error.what()));
+    }
+    if (!(before < time)) {
+      throw UsageError(fmt::format("--times: '{}' does not come after what is before it: times are positive and increase", text));
+    }
+    before = time;
+  }
+}
+
+CommandResult reference(const Scene& scene, const ReferenceRequest& request) {
+  check_times(request.times);
+  return {request.cache.empty() ? reference_csv(scene, request) : cached_reference_csv(scene, request, request.cache)};
+}
+
+void add_check(CommandSet& commands) {
+  const auto request = std::make_shared<CheckRequest>();
+  CLI::App& command = commands.add("check", "compare independent derivations at random states",
+                                   [request](const Scene& scene) { return check(scene, *request); });
+  add_kernel_list(command, *request);
+  add_digits(command, request->digits, "digits of the comparison", 20);
+  add_states(command, request->states, "number of states");
+  command.add_flag("--json", request->json, "print JSON");
+}
+
+void add_verify(CommandSet& commands) {
+  const auto request = std::make_shared<VerifyRequest>();
+  CLI::App& command = commands.add("verify", "find the worst errors of the kernels in double and float, against CLN",
+                                   [request](const Scene& scene) { return verify(scene, *request); });
+  add_kernel_options(command, *request);
+  add_state_options(command, request->states);
+  command.add_option("--climbs", request->climbs, "searches for a worse state, for each group of results")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 1000));
+  command.add_option("--range", request->range, "sizes of states go up to 2^±RANGE, in float to 2^±10 at most")
+      ->capture_default_str()
+      ->check(CLI::Range(4, double_states.large));
+  command.add_option("--scalar", request->scalar, "double, float or both")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"double", "float", "both"}));
+  command.add_option("--exceptions", request->exceptions,
+                     "file of groups that may exceed the bar: scene | kernel | group | scalar | limit | reason");
+  command.add_flag("--all", request->layout.every_group, "every group of results, not the worst of each kernel only");
+  command.add_flag("--markdown", request->markdown, "print one row of the table in docs/accuracy.md");
+  command.add_flag("--show-states", request->layout.with_states, "print the state of each row");
+  command.add_flag("--json", request->json, "print JSON");
+}
+
+void add_reference(CommandSet& commands) {
+  const auto request = std::make_shared<ReferenceRequest>();
+  request->digits = 50;
+  CLI::App& command = commands.add("reference", "integrate the motion in high precision by an independent road",
+                                   [request](const Scene& scene) { return reference(scene, *request); });
+  add_digits(command, request->digits, "digits of the result", 10);
+  command.add_option("--times", request->times, "comma-separated times in seconds, increasing")
+      ->required()
+      ->delimiter(',');
+  command.add_option("--cache", request->cache, "folder that keeps references, so that none is integrated twice");
+}
+
+}  // namespace
+
+void add_verification_commands(CommandSet& commands) {
+  add_check(commands);
+  add_verify(commands);
+  add_reference(commands);
+}
+
+}  // namespace torsor
