@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "runtime/simd_pack.hpp"
+#include "runtime/simd_sincos.hpp"
 
 namespace torsor {
 
@@ -46,7 +47,11 @@ struct scalar_traits<runtime::Simd<Number, lanes, instructions>> {
     lane_by_lane(angles, sines, cosines, N, Number(-1));
 #else
     using Core = SineCosine<Scalar, is_float>;
-    for (int i = 0; i < N; ++i) Core::core(angles[i], sines[i], cosines[i]);
+    if constexpr (Scalar::in_register) {
+      runtime::sincos_in_registers<is_float>(angles, sines, cosines);
+    } else {
+      for (int i = 0; i < N; ++i) Core::core(angles[i], sines[i], cosines[i]);
+    }
     const Number bound = static_cast<Number>(Core::bound);
     Scalar sum = abs(angles[0]);
     for (int i = 1; i < N; ++i) sum += abs(angles[i]);
