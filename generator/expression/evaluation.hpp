@@ -53,7 +53,12 @@ class Evaluator {
  private:
   Scalar constant(const Number& number) {
     if constexpr (std::is_same_v<Scalar, Real>) {
-      return Real(number, Real::working_digits());
+      const int digits = Real::working_digits();
+      if (number.is_rational()) return Real(number, digits);  // one division
+      if (constant_digits_ != digits) constants_.clear();
+      constant_digits_ = digits;
+      if (const auto place = constants_.find(number); place != constants_.end()) return place->second;
+      return constants_.emplace(number, Real(number, digits)).first->second;
     } else {
       if (const auto place = constants_.find(number); place != constants_.end()) return place->second;
       if (of_number_) return constants_.emplace(number, of_number_(number)).first->second;
@@ -130,6 +135,7 @@ class Evaluator {
   std::unordered_map<Atom, Scalar> fixed_;        // looked up only, and so the next one
   std::function<Scalar(const Number&)> of_number_;
   std::unordered_map<Number, Scalar> constants_;  // rounding an exact number takes longer than using it
+  int constant_digits_ = 0;                       // of Real: those that the constants were rounded to
 };
 
 extern template class Evaluator<double>;

@@ -31,41 +31,47 @@ const std::optional<Polynomial>& Flattening::flat_definition(Atom atom, std::siz
   return known.emplace(atom, std::move(made)).first->second;
 }
 
-/// A power of one atom, with its definition put back where that is a product or a sum on one of the levels.
-std::optional<Polynomial> Flattening::flat_power(const Factor& factor, std::size_t levels) {
-  const Polynomial opaque = of_factor(factor.atom, factor.exponent);
+/// part · factor, with the definition of the factor's atom put back where that is a product or a sum on one of the
+/// levels.
+Flattening::Power Flattening::multiply_power(Polynomial& part, const Factor& factor, std::size_t levels) {
   const Definition& definition = (*program_)[factor.atom];
-  if (definition.symbol || definition.function) return opaque;
+  if (definition.symbol || definition.function) return Power::stays;
   const bool sum = definition.polynomial.terms().size() > 1;
   const bool all = levels == all_levels;
-  if (sum && levels == 0) return opaque;
+  if (sum && levels == 0) return Power::stays;
   const std::optional<Polynomial>& inner = flat_definition(factor.atom, sum && !all ? levels - 1 : levels);
-  if (!inner) return all ? std::nullopt : std::optional(opaque);
+  if (!inner) return all ? Power::too_long : Power::stays;
+  std::optional<Polynomial> power;  // of an exponent other than one
   if (factor.exponent < 0) {
-    if (inner->terms().size() != 1) return opaque;
+    if (inner->terms().size() != 1) return Power::stays;
     const Term& only = inner->terms()[0];
-    return Polynomial(Term{pow(only.monomial, factor.exponent), only.coefficient.pow(factor.exponent)});
+    power = Polynomial(Term{pow(only.monomial, factor.exponent), only.coefficient.pow(factor.exponent)});
   }
-  Polynomial power = *inner;
   for (int i = 1; i < factor.exponent; ++i) {
-    const std::optional<Polynomial> longer = product(power, *inner);
-    if (!longer) return all ? std::nullopt : std::optional(opaque);
-    power = *longer;
+    std::optional<Polynomial> longer = product(power ? *power : *inner, *inner);
+    if (!longer) return all ? Power::too_long : Power::stays;
+    power = std::move(longer);
   }
-  return power;
+  std::optional<Polynomial> longer = product(part, power ? *power : *inner);
+  if (!longer) return Power::too_long;
+  part = std::move(*longer);
+  return Power::put_back;
 }
 
 std::optional<Polynomial> Flattening::flat(const Polynomial& polynomial, std::size_t levels) {
   Polynomial result;
   for (const Term& term : polynomial.terms()) {
     Polynomial part(Term{{}, term.coefficient});
+    Monomial staying;  // multiplied in at the end: it makes no term more
     for (const Factor& factor : term.monomial) {
-      const std::optional<Polynomial> power = flat_power(factor, levels);
-      const std::optional<Polynomial> longer = power ? product(part, *power) : std::nullopt;
-      if (!longer) return std::nullopt;
-      part = *longer;
+      const Power power = multiply_power(part, factor, levels);
+      if (power == Power::too_long) return std::nullopt;
+      if (power == Power::stays) staying.push_back(factor);
     }
-    result += part;
+    const std::optional<Polynomial> whole =
+        staying.empty() ? std::move(part) : product(part, Polynomial(Term{std::move(staying), Number(1)}));
+    if (!whole) return std::nullopt;
+    result += *whole;
     if (result.terms().size() > limit_) return std::nullopt;
   }
   return shortest(std::move(result));
@@ -150,11 +156,15 @@ Value Flattening::difference(const Value& a, const Value& b, const Value& c) {
   if (limit_ == 0 || !program_->passes().identities || b.is_zero() || c.is_zero()) return plain;
   Value best = plain;
   int least = 4;  // plainly two, a product and a difference, for a is a definition already; one more for what is saved
+  std::optional<Polynomial> left, first, second;
   for (std::size_t levels = 1; levels <= all_levels; ++levels) {
-    const std::optional<Polynomial> left = flat(a.polynomial(), levels);
-    const std::optional<Polynomial> first = left ? flat(b.polynomial(), levels) : std::nullopt;
-    const std::optional<Polynomial> second = first ? flat(c.polynomial(), levels) : std::nullopt;
-    std::optional<Polynomial> moved = second ? product(*first, *second) : std::nullopt;
+    std::optional<Polynomial> left_now = flat(a.polynomial(), levels);
+    std::optional<Polynomial> first_now = left_now ? flat(b.polynomial(), levels) : std::nullopt;
+    std::optional<Polynomial> second_now = first_now ? flat(c.polynomial(), levels) : std::nullopt;
+    if (!second_now) continue;
+    if (second == second_now && first == first_now && left == left_now) continue;  // nothing more was put back
+    left = std::move(left_now), first = std::move(first_now), second = std::move(second_now);
+    std::optional<Polynomial> moved = product(*first, *second);
     if (!moved) continue;
     *moved *= Number(-1);
     *moved += *left;
@@ -175,9 +185,11 @@ Value Flattening::cheaper(const Value& value) {
   if (limit_ == 0 || !program_->passes().identities || value.is_zero() || value.is_constant()) return value;
   Value best = value;
   int least = operations(value) + 1;
+  std::optional<Polynomial> sum;
   for (std::size_t levels = 1; levels <= all_levels; ++levels) {
-    const std::optional<Polynomial> sum = flat(value.polynomial(), levels);
-    if (!sum) continue;
+    std::optional<Polynomial> now = flat(value.polynomial(), levels);
+    if (!now || now == sum) continue;  // too long, or nothing more was put back
+    sum = std::move(now);
     const Value flat(*program_, *sum, value.unit());
     const int cost = operations(flat);
     if (cost >= least) continue;

@@ -43,7 +43,9 @@ class Flattening {
 
   std::optional<Polynomial> flat(const Polynomial& polynomial, std::size_t levels);
   const std::optional<Polynomial>& flat_definition(Atom atom, std::size_t levels);
-  std::optional<Polynomial> flat_power(const Factor& factor, std::size_t levels);
+  /// A power of one atom put back into a product: what it becomes, or that it stays, or that it is too long.
+  enum class Power { put_back, stays, too_long };
+  Power multiply_power(Polynomial& part, const Factor& factor, std::size_t levels);
   std::optional<Polynomial> product(const Polynomial& a, const Polynomial& b) const;
   std::optional<Polynomial> replaced(const Polynomial& polynomial, Atom square_of, Atom by) const;
   Polynomial shortest(Polynomial polynomial) const;

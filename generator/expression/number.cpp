@@ -130,9 +130,6 @@ Number Number::sqrt3() { return from_parts(0, 0, 1, 0); }
 
 const cln::cl_RA& Number::part(int index) const { return parts_[index]; }
 
-bool Number::is_zero() const { return cln::zerop(parts_[0]) && is_rational(); }
-bool Number::is_one() const { return parts_[0] == 1 && is_rational(); }
-bool Number::is_rational() const { return cln::zerop(parts_[1]) && cln::zerop(parts_[2]) && cln::zerop(parts_[3]); }
 bool Number::is_integer() const { return is_rational() && cln::denominator(parts_[0]) == 1; }
 
 int Number::sign() const {
@@ -156,22 +153,36 @@ int Number::sign() const {
 
 Number Number::abs() const { return sign() < 0 ? -*this : *this; }
 
-Number Number::operator-() const { return from_parts(-parts_[0], -parts_[1], -parts_[2], -parts_[3]); }
+Number Number::operator-() const {
+  Number result;
+  for (int index = 0; index < 4; ++index) {
+    if (!is_small(parts_[index], 0)) result.parts_[index] = -parts_[index];
+  }
+  return result;
+}
 
 Number& Number::operator+=(const Number& other) {
-  for (int index = 0; index < 4; ++index) parts_[index] = parts_[index] + other.parts_[index];
+  for (int index = 0; index < 4; ++index) {
+    if (!is_small(other.parts_[index], 0)) parts_[index] = parts_[index] + other.parts_[index];
+  }
   return *this;
 }
 
 Number& Number::operator-=(const Number& other) {
-  for (int index = 0; index < 4; ++index) parts_[index] = parts_[index] - other.parts_[index];
+  for (int index = 0; index < 4; ++index) {
+    if (!is_small(other.parts_[index], 0)) parts_[index] = parts_[index] - other.parts_[index];
+  }
   return *this;
 }
 
 Number& Number::operator*=(const Number& other) {
+  if (other.is_one()) return *this;
+  if (is_one()) return *this = other;
   if (other.is_rational()) {
     const cln::cl_RA factor = other.parts_[0];  // a copy: `other` may be this number
-    for (cln::cl_RA& part : parts_) part = part * factor;
+    for (cln::cl_RA& part : parts_) {
+      if (!is_small(part, 0)) part = part * factor;
+    }
     return *this;
   }
   if (is_rational()) return *this = Number(other) *= *this;
@@ -274,7 +285,10 @@ std::size_t Number::hash() const {
 
 bool operator==(const Number& left, const Number& right) {
   for (int index = 0; index < 4; ++index) {
-    if (left.parts_[index] != right.parts_[index]) return false;
+    const cln::cl_RA& a = left.parts_[index];
+    const cln::cl_RA& b = right.parts_[index];
+    if (a.word == b.word) continue;
+    if (!a.pointer_p() || !b.pointer_p() || a != b) return false;
   }
   return true;
 }

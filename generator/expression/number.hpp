@@ -38,9 +38,9 @@ class Number {
   /// Coefficient of 1, √2, √3, √6 for index 0, 1, 2, 3.
   const cln::cl_RA& part(int index) const;
 
-  bool is_zero() const;
-  bool is_one() const;
-  bool is_rational() const;
+  bool is_zero() const { return is_small(parts_[0], 0) && is_rational(); }
+  bool is_one() const { return is_small(parts_[0], 1) && is_rational(); }
+  bool is_rational() const { return is_small(parts_[1], 0) && is_small(parts_[2], 0) && is_small(parts_[3], 0); }
   bool is_integer() const;
   /// -1, 0 or 1: the true sign, by enclosures of growing precision once the number is known not to be zero.
   int sign() const;
@@ -87,7 +87,10 @@ class Number {
   friend std::strong_ordering operator<=>(const Number& left, const Number& right);
 
  private:
-  cln::cl_RA parts_[4];  // CLN keeps small integers in the word itself: zeros cost nothing
+  // CLN keeps small integers in the word itself: zeros cost nothing, and to know one takes no call.
+  static bool is_small(const cln::cl_RA& part, int value) { return part.word == cln::cl_combine(cl_FN_tag, value); }
+
+  cln::cl_RA parts_[4];
 };
 
 /// Order by value: deterministic, and equal only for equal numbers.

@@ -51,14 +51,14 @@ Number Polynomial::constant() const {
 
 int Polynomial::sign() const { return terms_.empty() ? 0 : terms_[0].coefficient.sign(); }
 
-void Polynomial::add(const Term& term) {
+void Polynomial::add(Term term) {
   const auto place = std::lower_bound(terms_.begin(), terms_.end(), term.monomial,
                                       [](const Term& t, const Monomial& m) { return t.monomial < m; });
   if (place == terms_.end() || place->monomial != term.monomial) {
-    if (!term.coefficient.is_zero()) terms_.insert(place, term);
+    if (!term.coefficient.is_zero()) terms_.insert(place, std::move(term));
     return;
   }
-  place->coefficient = place->coefficient + term.coefficient;
+  place->coefficient += term.coefficient;
   if (place->coefficient.is_zero()) terms_.erase(place);
 }
 
@@ -90,7 +90,7 @@ Polynomial& Polynomial::operator*=(const Number& factor) {
   if (factor.is_zero()) {
     terms_.clear();
   } else if (!factor.is_one()) {
-    for (Term& term : terms_) term.coefficient = term.coefficient * factor;
+    for (Term& term : terms_) term.coefficient *= factor;
   }
   return *this;
 }

@@ -54,7 +54,7 @@ class Polynomial {
   Polynomial& operator+=(const Polynomial& other);
   Polynomial& operator*=(const Number& factor);
   void erase(std::size_t term) { terms_.erase(terms_.begin() + static_cast<std::ptrdiff_t>(term)); }
-  void add(const Term& term);
+  void add(Term term);
 
   friend bool operator==(const Polynomial&, const Polynomial&) = default;
   std::size_t hash() const;

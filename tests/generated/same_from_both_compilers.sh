@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # same_from_both_compilers.sh FOLDER FOLDER PROGRAM...: the programs of both folders write the same header for each kernel
-# alone, and the same equations. Exits with 77 when the first folder lacks a program.
+# alone, the same counts, and the same equations in both forms. Exits with 77 when the first folder lacks a program.
 set -euo pipefail
 first="$1" second="$2"
 shift 2
@@ -17,9 +17,13 @@ for program in "$@"; do
     cmp /tmp/first.$$ /tmp/second.$$ || differ "$program: the kernel $kernel"
     compared=$((compared + 1))
   done
-  "$first/$program" equations > /tmp/first.$$
-  "$second/$program" equations > /tmp/second.$$
-  cmp /tmp/first.$$ /tmp/second.$$ || differ "$program: the page of equations"
+  for output in equations "equations --format latex" "counts --json"; do
+    # shellcheck disable=SC2086  # words of a command
+    "$first/$program" $output > /tmp/first.$$
+    # shellcheck disable=SC2086
+    "$second/$program" $output > /tmp/second.$$
+    [ -s /tmp/first.$$ ] && cmp /tmp/first.$$ /tmp/second.$$ || differ "$program: $output"
+  done
 done
 rm -f /tmp/first.$$ /tmp/second.$$
 [ "$different" = 0 ] && [ "$compared" -gt 0 ] || exit 1
