@@ -1,60 +1,103 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// batch [FILE.csv]: nanoseconds for one state of a seven-joint arm, by the single kernels and by packs as wide as this
-// processor's registers, on one thread. All ways take turns in one run; the median of the turns is printed, how many
-// times faster than the single kernel in double it is, and the spread (a quarter of the turns below, a quarter above).
+// batch: nanoseconds for one of many states of the panda, by the single kernels, by packs as wide as this processor's
+// registers and by MuJoCo where it is installed, on one thread, after their results were found equal. --help tells the
+// options, docs/benchmarks.md what is measured.
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
-#include <cstring>
-#include <vector>
+#include <stdexcept>
+#include <string>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
-#include "benchmarks/batch/measured.hpp"
+#include "benchmarks/batch/packs.hpp"
+#include "benchmarks/kernels/comparison.hpp"
+#include "benchmarks/kernels/measured.hpp"
+#include "benchmarks/kernels/peers.hpp"
+#include "benchmarks/kernels/timing.hpp"
+
+namespace native_build {
+kernels::Measured measured_panda();
+}
 
 namespace {
 
-constexpr int turns = 301;
+using namespace kernels;
 
-double nanoseconds(const Way& way) {
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
-  way.run();
-  return std::chrono::duration<double, std::nano>(Clock::now() - start).count() / double{table_size};
+struct Options {
+  std::string references = TORSOR_SOURCE_DIR "/tests/reference";
+  std::string csv;
+  int turns = 1001;
+  std::size_t states = 256;
+};
+
+std::string text_of(const Spread& spread) {
+  return fmt::format("{:.1f} ({:.1f} to {:.1f})", spread.median, spread.lower, spread.upper);
+}
+
+/// The single kernel in double first.
+std::vector<Way> all_ways(const Options& options, const Chain& chain, Quantity quantity, const Batch& batch) {
+  std::vector<Way> ways = native_build::measured_panda().ways(quantity, batch);
+  for (Way& way : packed_ways(quantity, batch)) ways.push_back(std::move(way));
+  for (Way& way : peer_ways(options.references, chain, quantity, batch)) {
+    if (way.competitor == "MuJoCo") ways.push_back(std::move(way));
+  }
+  return ways;
+}
+
+void measure(const Options& options, const Chain& chain, Quantity quantity, std::string& csv) {
+  const Batch batch = random_batch(chain.joints.size(), options.states);
+  const std::vector<Way> ways = all_ways(options, chain, quantity, batch);
+  const std::vector<double> difference = differences(ways, quantity, batch.states);
+  const std::vector<Timing> timings = time_in_turns(ways, batch.states, options.turns);
+  const bool with_peer = ways.back().competitor == "MuJoCo";
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    const auto& [ns, ratio] = timings[i];
+    const double than_peer = with_peer ? timings.back().ratio.median / ratio.median : 0;
+    fmt::print("{:<18}{:<20}{:<8}{:>28}{:>10.2f}{:>10}{:>9.0e}\n", name_of(quantity), ways[i].competitor,
+               ways[i].scalar, text_of(ns), 1 / ratio.median, with_peer ? fmt::format("{:.1f}", than_peer) : "-",
+               difference[i]);
+    std::string name = ways[i].competitor;  // a cell holds no comma
+    name.erase(std::remove(name.begin(), name.end(), ','), name.end());
+    csv += fmt::format("{},{},{},{:.3f},{:.3f},{:.3f},{:.4f},{},{:.1e}\n", name_of(quantity), name, ways[i].scalar,
+                       ns.median, ns.lower, ns.upper, 1 / ratio.median,
+                       with_peer ? fmt::format("{:.3f}", than_peer) : "", difference[i]);
+  }
+  std::fflush(stdout);
+}
+
+void run(const Options& options) {
+  const std::vector<Chain> chains = read_chains(options.references + "/models.json");
+  const auto chain = std::find_if(chains.begin(), chains.end(), [](const Chain& each) { return each.name == "panda"; });
+  if (chain == chains.end()) throw std::runtime_error("models.json has no chain panda");
+  fmt::print("{:<18}{:<20}{:<8}{:>28}{:>10}{:>10}{:>9}\n", "quantity", "", "scalar", "ns for one state (quartiles)",
+             "x single", "x MuJoCo", "differs");
+  std::string csv =
+      "quantity,competitor,scalar,ns,ns_lower_quartile,ns_upper_quartile,times_single,times_mujoco,difference\n";
+  for (const Quantity quantity : quantities) measure(options, *chain, quantity, csv);
+  if (options.csv.empty()) return;
+  std::FILE* file = std::fopen(options.csv.c_str(), "w");
+  if (file == nullptr) throw std::runtime_error("cannot write " + options.csv);
+  const bool written = std::fputs(csv.c_str(), file) >= 0;
+  if (std::fclose(file) != 0 || !written)
+    throw std::runtime_error("cannot write " + options.csv + ": is the disk full?");
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::FILE* csv = argc > 1 ? std::fopen(argv[1], "w") : nullptr;
-  if (argc > 1 && csv == nullptr) {
-    fmt::print(stderr, "batch: cannot write {}\n", argv[1]);
-    return 3;
-  }
-  const auto all = ways();
-  std::vector<std::vector<double>> times(all.size());
-  for (int turn = 0; turn < turns; ++turn) {
-    for (std::size_t i = 0; i < all.size(); ++i) times[i].push_back(nanoseconds(all[i]));
-  }
-  if (csv != nullptr) fmt::print(csv, "kernel,scalar,lanes,ns,ratio,ns_lower_quartile,ns_upper_quartile,difference\n");
-  fmt::print("{:<18}{:<8}{:>6}{:>9}{:>8}   {:<18}{}\n", "kernel", "scalar", "lanes", "ns", "ratio", "quartiles",
-             "difference");
-  double single = 0;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    std::sort(times[i].begin(), times[i].end());
-    const double low = times[i][turns / 4], median = times[i][turns / 2], high = times[i][3 * turns / 4];
-    if (all[i].lanes == 1 && std::strcmp(all[i].scalar, "double") == 0) single = median;
-    const double difference = worst_difference(all[i].kernel, all[i].scalar);
-    fmt::print("{:<18}{:<8}{:>6}{:>9.1f}{:>8.2f}   {:<18}{:.0e}\n", all[i].kernel, all[i].scalar, all[i].lanes, median,
-               single / median, fmt::format("{:.1f} to {:.1f}", low, high), difference);
-    if (csv != nullptr) {
-      fmt::print(csv, "{},{},{},{:.3f},{:.4f},{:.3f},{:.3f},{:.1e}\n", all[i].kernel, all[i].scalar, all[i].lanes,
-                 median, single / median, low, high, difference);
-    }
-  }
-  if (csv != nullptr && std::fclose(csv) != 0) {
-    fmt::print(stderr, "batch: cannot write {}: is the disk full?\n", argv[1]);
-    return 3;
+  CLI::App app{"Times of generated kernels for many states of one arm, and of MuJoCo's for the same states."};
+  Options options;
+  app.add_option("--references", options.references, "folder of models.json and mjcf/")->capture_default_str();
+  app.add_option("--csv", options.csv, "file to write");
+  app.add_option("--turns", options.turns, "how often each competitor goes through the states")->capture_default_str();
+  app.add_option("--states", options.states, "random states")->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  try {
+    run(options);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "batch: %s\n", error.what());
+    return 1;
   }
   return 0;
 }
