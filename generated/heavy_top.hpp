@@ -17,7 +17,7 @@
 //   energy                    6               16          0             0                  3       0     28      29
 //   first_integrals           8               19          0             0                  3       0     33      34
 //   linearisation            34               90          1             0                  2       0    129     182
-//   jets                     35               53          2             0                  2       0     94       -
+//   jets                     33               51          2             0                  2       0     90       -
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 18 results 3 repeat another up to sign
@@ -1195,13 +1195,12 @@ struct Mechanism {
     const Scalar n945_over_64 = traits::constant(14.765625, 14.765625f, "945/64");
     const Scalar n15_over_32 = traits::constant(0.46875, 0.46875f, "15/32");
     const Scalar n975_over_64 = traits::constant(15.234375, 15.234375f, "975/64");
-    const Scalar n975_over_32 = traits::constant(30.46875, 30.46875f, "975/32");
-    const Scalar k4 = traits::constant(127.43563816688015, 127.43564f, "0;0;2943/40;0");
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n2_over_65 = traits::constant(0.03076923076923077, 0.03076923f, "2/65");
-    const Scalar n64_over_975 = traits::constant(0.06564102564102564, 0.06564102f, "64/975");
+    const Scalar n128_over_65 = traits::constant(1.9692307692307693, 1.9692308f, "128/65");
+    const Scalar k5 = traits::constant(8.365005992492646, 8.365006f, "0;0;7848/1625;0");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n63_over_65 = traits::constant(0.9692307692307692, 0.9692308f, "63/65");
     const Scalar k8 = traits::constant(4.829538461538461, 4.8295383f, "7848/1625");
-    const Scalar k9 = traits::constant(8.365005992492646, 8.365006f, "0;0;7848/1625;0");
     const Scalar q_alpha = state.q.alpha;
     const Scalar q_beta = state.q.beta;
     const Scalar angles_[] = {q_alpha, q_beta};
@@ -1213,21 +1212,20 @@ struct Mechanism {
     const Scalar z53 = n15_over_32 + c_beta * z52;
     const Scalar z143 = n975_over_64 * c_beta * c_beta;
     const Scalar b1 = state.v.alpha;
-    const Scalar b10 = b1 * s_beta;
     const Scalar b8 = state.v.gamma;
-    const Scalar b11 = b8 - b10;
-    const Scalar b12 = n975_over_32 * b10 + n15_over_32 * b11;
+    const Scalar b10 = b1 * s_beta;
+    const Scalar b11 = n2_over_65 * b8 + n128_over_65 * b10;
     const Scalar b5 = state.v.beta;
-    const Scalar b13 = b5 * b12;
-    const Scalar b14 = k4 * c_alpha - b13;
-    const Scalar b15 = b14 / c_beta;
-    const Scalar i15 = n1 / c_beta;
-    const Scalar b16 = b10 + n2_over_65 * b11;
+    const Scalar b12 = b5 * b11;
+    const Scalar b13 = k5 * c_alpha - b12;
+    const Scalar b14 = b13 / c_beta;
+    const Scalar i14 = n1 / c_beta;
+    const Scalar b15 = n2_over_65 * b8 + n63_over_65 * b10;
     const Scalar b9 = b1 * c_beta;
-    const Scalar b18 = s_alpha * s_beta;
-    const Scalar b17 = b9 * b16;
-    const Scalar b19 = b5 * b9;
-    const Scalar b20 = s_beta * b15;
+    const Scalar b17 = s_alpha * s_beta;
+    const Scalar b16 = b9 * b15;
+    const Scalar b18 = b5 * b9;
+    const Scalar b19 = s_beta * b14;
     coefficients[0][0] = state.q.alpha;
     coefficients[0][1] = state.q.beta;
     coefficients[0][2] = state.q.gamma;
@@ -1237,9 +1235,9 @@ struct Mechanism {
     coefficients[1][0] = b1;
     coefficients[1][1] = b5;
     coefficients[1][2] = b8;
-    coefficients[1][3] = -n64_over_975 * b15;
-    coefficients[1][4] = -k8 * c_beta + k9 * b18 - b17;
-    coefficients[1][5] = b19 - n64_over_975 * b20;
+    coefficients[1][3] = -b14;
+    coefficients[1][4] = -k8 * c_beta + k5 * b17 - b16;
+    coefficients[1][5] = b18 - b19;
     torsor::Convolutions<Scalar, 12> operations_;
     typename torsor::Convolutions<Scalar, 12>::Sums sums_;
     Scalar number_ = n1, inverse_ = n1;
@@ -1259,24 +1257,23 @@ struct Mechanism {
       const Scalar x8 = coefficients[k_][5];
       const Scalar x9 = sums_[4] + c_beta * x1 + b1 * x7;
       const Scalar x10 = sums_[5] + s_beta * x1 + b1 * x6;
-      const Scalar x11 = x8 - x10;
-      const Scalar x12 = n975_over_32 * x10 + n15_over_32 * x11;
-      const Scalar x13 = sums_[6] + b12 * x5 + b5 * x12;
-      const Scalar x14 = k4 * x3 - x13;
-      const Scalar x15 = (x14 - (sums_[7] + b15 * x7)) * i15;
-      const Scalar x16 = x10 + n2_over_65 * x11;
-      const Scalar x17 = sums_[8] + b16 * x9 + b9 * x16;
-      const Scalar x18 = sums_[9] + s_alpha * x6 + s_beta * x2;
-      const Scalar x19 = sums_[10] + b9 * x5 + b5 * x9;
-      const Scalar x20 = sums_[11] + b15 * x6 + s_beta * x15;
+      const Scalar x11 = n2_over_65 * x8 + n128_over_65 * x10;
+      const Scalar x12 = sums_[6] + b11 * x5 + b5 * x11;
+      const Scalar x13 = k5 * x3 - x12;
+      const Scalar x14 = (x13 - (sums_[7] + b14 * x7)) * i14;
+      const Scalar x15 = n2_over_65 * x8 + n63_over_65 * x10;
+      const Scalar x16 = sums_[8] + b15 * x9 + b9 * x15;
+      const Scalar x17 = sums_[9] + s_alpha * x6 + s_beta * x2;
+      const Scalar x18 = sums_[10] + b9 * x5 + b5 * x9;
+      const Scalar x19 = sums_[11] + b14 * x6 + s_beta * x14;
       coefficients[k_ + 1][0] = next_ * x1;
       coefficients[k_ + 1][1] = next_ * x5;
       coefficients[k_ + 1][2] = next_ * x8;
-      coefficients[k_ + 1][3] = next_ * -n64_over_975 * x15;
-      coefficients[k_ + 1][4] = next_ * (-k8 * x7 + k9 * x18 - x17);
-      coefficients[k_ + 1][5] = next_ * (x19 - n64_over_975 * x20);
-      const Scalar left_[] = {w0, w0, w4, w4, x1, x1, x5, x15, x9, x2, x5, x6};
-      const Scalar right_[] = {x3, x2, x7, x6, x7, x6, x12, x7, x16, x6, x9, x15};
+      coefficients[k_ + 1][3] = next_ * -x14;
+      coefficients[k_ + 1][4] = next_ * (-k8 * x7 + k5 * x17 - x16);
+      coefficients[k_ + 1][5] = next_ * (x18 - x19);
+      const Scalar left_[] = {w0, w0, w4, w4, x1, x1, x5, x14, x9, x2, x5, x6};
+      const Scalar right_[] = {x3, x2, x7, x6, x7, x6, x11, x7, x15, x6, x9, x14};
       operations_.keep(k_, left_, right_);
       number_ = following_;
       inverse_ = next_;

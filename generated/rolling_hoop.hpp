@@ -9,7 +9,7 @@
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
 // moved across joints, factoring, and what is done once for a set of parameters:
 //   function                        additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   precompute                              4                8          6             0                  0       0     18       -
+//   precompute                              6                4          4             0                  0       0     14       -
 //   kinematics                             13               25          0             0                  3       0     44      44
 //   mass_matrix                             2                4          0             0                  1       0      8       9
 //   bias                                    6               18          0             0                  1       0     26      55
@@ -21,7 +21,7 @@
 //   linearisation                         204              309         14             0                  2       0    531     709
 //   inverse_dynamics_derivatives           31               59          0             0                  2       0     94     266
 //   forward_dynamics_derivatives           85              190          4             0                  2       0    283     566
-//   jets                                   98              122          8             0                  2       0    232       -
+//   jets                                   93              121          9             0                  2       0    227       -
 //   sparse_constraint_jacobian              0                0          0             0                  2       0      4       4
 //   inverse_dynamics_sensitivities          7               13          0             0                  1       0     22      50
 //   forward_dynamics_sensitivities         32               75          3             0                  2       0    114     181
@@ -690,12 +690,12 @@ struct Mechanism {
     precomputed.z141 = z141;
     precomputed.z144 = z144;
     precomputed.z498 = z498;
-    precomputed.y0 = n2 * p_A;
-    precomputed.y1 = p_C * z135;
-    precomputed.y2 = p_C * z135 / p_A;
-    precomputed.y3 = -z144 * (n1 - p_C * z135);
-    precomputed.y4 = -z144 * (n1 / p_A - p_C * z135 / p_A);
-    precomputed.y5 = n1 / p_A;
+    precomputed.y0 = n1 + p_A;
+    precomputed.y1 = p_C / p_A;
+    precomputed.y2 = n2 - p_C / p_A;
+    precomputed.y3 = p_A - p_C;
+    precomputed.y4 = p_C * z135;
+    precomputed.y5 = -z144 * (n1 - p_C * z135);
     return precomputed;
   }
 
@@ -2226,7 +2226,7 @@ struct Mechanism {
   }
 
   /// Taylor coefficients of the motion: coefficients[k] = y^(k)/k! for k = 0..order, 1 <= order <= 30, y positions
-  /// then velocities, the inputs being constant. 33 operations take a convolution at each order.
+  /// then velocities, the inputs being constant. 32 operations take a convolution at each order.
   /// Returns singular where forward_dynamics does.
   TORSOR_DEVICE static torsor::Status jets(const Precomputed& precomputed, const State& state, const Inputs&, int order,
       std::array<Scalar, 10>* coefficients) noexcept {
@@ -2253,58 +2253,55 @@ struct Mechanism {
     const Scalar z140 = s_theta * z138;
     const Scalar z142 = n1 + s_theta * z140;
     const Scalar b5 = state.v.theta;
-    const Scalar b8 = state.v.psi;
-    const Scalar b6 = s_theta * b5;
-    const Scalar b18 = c_theta * c_theta;
-    const Scalar b19 = p_A + b18;
-    const Scalar i20 = n1 / b19;
+    const Scalar b9 = state.v.psi;
+    const Scalar b16 = c_theta * c_theta;
+    const Scalar b17 = p_A + b16;
+    const Scalar i18 = n1 / b17;
+    const Scalar i19 = n1 / b17;
     const Scalar f0 = precomputed.y0;
-    const Scalar b12 = c_theta * b8;
-    const Scalar b11 = state.v.phi;
-    const Scalar b13 = b11 + b12;
-    const Scalar b23 = f0 * b12 - p_C * b13;
-    const Scalar b24 = b5 * b23;
-    const Scalar b25 = b24 / s_theta;
-    const Scalar i25 = n1 / s_theta;
-    const Scalar b26 = p_A * b12 - p_C * b13;
-    const Scalar b27 = b8 * b26;
-    const Scalar b14 = b5 * b6;
-    const Scalar b15 = -n9_81 + b14;
-    const Scalar b29 = c_theta * b15;
-    const Scalar b28 = s_theta * b27;
-    const Scalar b30 = b29 + b28;
-    const Scalar b31 = b30 / b19;
-    const Scalar i31 = n1 / b19;
     const Scalar f1 = precomputed.y1;
     const Scalar f2 = precomputed.y2;
-    const Scalar b16 = b8 * s_psi;
-    const Scalar b0 = state.v.x;
-    const Scalar b17 = b8 * c_psi;
-    const Scalar b1 = state.v.y;
-    const Scalar b40 = b5 * b5;
-    const Scalar b41 = c_theta * b40;
-    const Scalar b38 = b0 * b17;
-    const Scalar b39 = b1 * b16;
-    const Scalar b37 = s_theta * b31;
-    const Scalar b42 = b41 - b38 - b39 + b37;
-    const Scalar b21 = s_theta * z140;
-    const Scalar b22 = n1 + b21;
-    const Scalar b43 = b42 / b22;
-    const Scalar i43 = n1 / b22;
+    const Scalar b12 = state.v.phi;
+    const Scalar b13 = c_theta * b9;
+    const Scalar b21 = f1 * b12 - f2 * b13;
+    const Scalar b22 = b5 * b21;
+    const Scalar b23 = b22 / s_theta;
+    const Scalar i23 = n1 / s_theta;
     const Scalar f3 = precomputed.y3;
+    const Scalar b24 = p_C * b12 - f3 * b13;
+    const Scalar b25 = b9 * b24;
+    const Scalar b6 = c_theta * b5;
+    const Scalar b7 = s_theta * b5;
+    const Scalar b27 = b6 * b7;
+    const Scalar b26 = s_theta * b25;
+    const Scalar b28 = n9_81 * c_theta - b27 + b26;
+    const Scalar b29 = b28 / b17;
+    const Scalar i29 = n1 / b17;
     const Scalar f4 = precomputed.y4;
-    const Scalar b32 = b6 * b8;
-    const Scalar b35 = b0 * b16;
-    const Scalar b36 = b1 * b17;
-    const Scalar b33 = c_theta * b25;
-    const Scalar b44 = f3 * b32 - z144 * b35 + z144 * b36 + f4 * b33;
+    const Scalar b14 = b9 * s_psi;
+    const Scalar b0 = state.v.x;
+    const Scalar b15 = b9 * c_psi;
+    const Scalar b1 = state.v.y;
+    const Scalar b36 = b0 * b15;
+    const Scalar b37 = b1 * b14;
+    const Scalar b38 = b5 * b6;
+    const Scalar b35 = s_theta * b29;
+    const Scalar b39 = b36 + b37 - b38 + b35;
+    const Scalar b20 = f0 * z138;
+    const Scalar b40 = b39 / b20;
+    const Scalar i40 = n1 / b20;
     const Scalar f5 = precomputed.y5;
-    const Scalar b46 = c_psi * b44;
-    const Scalar b45 = s_psi * b43;
-    const Scalar b47 = s_psi * b44;
-    const Scalar b48 = c_psi * b43;
-    const Scalar b49 = z140 * b43;
-    const Scalar b34 = f1 * b32 + f2 * b33;
+    const Scalar b30 = b7 * b9;
+    const Scalar b33 = b0 * b14;
+    const Scalar b34 = b1 * b15;
+    const Scalar b31 = c_theta * b23;
+    const Scalar b41 = f5 * b30 - z144 * b33 + z144 * b34 - f5 * b31;
+    const Scalar b43 = c_psi * b41;
+    const Scalar b42 = s_psi * b40;
+    const Scalar b44 = s_psi * b41;
+    const Scalar b45 = c_psi * b40;
+    const Scalar b46 = z140 * b40;
+    const Scalar b32 = f4 * b30 - f4 * b31;
     coefficients[0][0] = state.q.x;
     coefficients[0][1] = state.q.y;
     coefficients[0][2] = state.q.psi;
@@ -2317,16 +2314,16 @@ struct Mechanism {
     coefficients[0][9] = state.v.phi;
     coefficients[1][0] = b0;
     coefficients[1][1] = b1;
-    coefficients[1][2] = b8;
+    coefficients[1][2] = b9;
     coefficients[1][3] = b5;
-    coefficients[1][4] = b11;
-    coefficients[1][5] = -b46 + b45;
-    coefficients[1][6] = -b47 - b48;
-    coefficients[1][7] = -f5 * b25;
-    coefficients[1][8] = b31 - b49;
-    coefficients[1][9] = b34 - z135 * b44;
-    torsor::Convolutions<Scalar, 33> operations_;
-    typename torsor::Convolutions<Scalar, 33>::Sums sums_;
+    coefficients[1][4] = b12;
+    coefficients[1][5] = -b43 - b42;
+    coefficients[1][6] = -b44 + b45;
+    coefficients[1][7] = b23;
+    coefficients[1][8] = -b29 + b46;
+    coefficients[1][9] = b32 - z135 * b41;
+    torsor::Convolutions<Scalar, 32> operations_;
+    typename torsor::Convolutions<Scalar, 32>::Sums sums_;
     Scalar number_ = n1, inverse_ = n1;
     for (int k_ = 1; k_ < order; ++k_) {
       const Scalar following_ = number_ + n1, next_ = n1 / following_;
@@ -2338,65 +2335,62 @@ struct Mechanism {
       const Scalar w2 = number_ * x2;
       const Scalar x4 = -inverse_ * sums_[1] - s_theta * x2;
       const Scalar x5 = coefficients[k_][8];
-      const Scalar x6 = sums_[2] + s_theta * x5 + b5 * x3;
-      const Scalar x7 = coefficients[k_][2];
-      const Scalar x8 = coefficients[k_][7];
-      const Scalar x9 = inverse_ * sums_[3] + c_psi * x7;
-      const Scalar w7 = number_ * x7;
-      const Scalar x10 = -inverse_ * sums_[4] - s_psi * x7;
-      const Scalar x11 = coefficients[k_][9];
-      const Scalar x12 = sums_[5] + c_theta * x8 + b8 * x4;
-      const Scalar x13 = x11 + x12;
-      const Scalar x14 = sums_[6] + b6 * x5 + b5 * x6;
-      const Scalar x15 = x14;
-      const Scalar x16 = sums_[7] + s_psi * x8 + b8 * x9;
-      const Scalar x17 = sums_[8] + c_psi * x8 + b8 * x10;
-      const Scalar x18 = sums_[9] + (c_theta + c_theta) * x4;
-      const Scalar x19 = x18;
-      const Scalar x20 = (x3 - sums_[10] - z140 * x19) * i20;
-      const Scalar x21 = sums_[11] + z140 * x3 + s_theta * x20;
-      const Scalar x22 = x21;
-      const Scalar x23 = f0 * x12 - p_C * x13;
-      const Scalar x24 = sums_[12] + b23 * x5 + b5 * x23;  // moment on hoop.2, y
-      const Scalar x25 = (x24 - (sums_[13] + b25 * x3)) * i25;
-      const Scalar x26 = p_A * x12 - p_C * x13;
-      const Scalar x27 = sums_[14] + b26 * x8 + b8 * x26;
-      const Scalar x28 = sums_[15] + b27 * x3 + s_theta * x27;
-      const Scalar x29 = sums_[16] + b15 * x4 + c_theta * x15;
-      const Scalar x30 = x29 + x28;
-      const Scalar x31 = (x30 - (sums_[17] + b31 * x19)) * i31;
-      const Scalar x32 = sums_[18] + b6 * x8 + b8 * x6;
-      const Scalar x33 = sums_[19] + b25 * x4 + c_theta * x25;
-      const Scalar x34 = f1 * x32 + f2 * x33;
-      const Scalar x35 = sums_[20] + b16 * x0 + b0 * x16;
-      const Scalar x36 = sums_[21] + b17 * x1 + b1 * x17;
-      const Scalar x37 = sums_[22] + b31 * x3 + s_theta * x31;
-      const Scalar x38 = sums_[23] + b17 * x0 + b0 * x17;
-      const Scalar x39 = sums_[24] + b16 * x1 + b1 * x16;
-      const Scalar x40 = sums_[25] + (b5 + b5) * x5;
-      const Scalar x41 = sums_[26] + c_theta * x40 + b40 * x4;
-      const Scalar x42 = x41 - x38 - x39 + x37;
-      const Scalar x43 = (x42 - (sums_[27] + b43 * x22)) * i43;
-      const Scalar x44 = f3 * x32 - z144 * x35 + z144 * x36 + f4 * x33;
-      const Scalar x45 = sums_[28] + b43 * x9 + s_psi * x43;
-      const Scalar x46 = sums_[29] + b44 * x10 + c_psi * x44;
-      const Scalar x47 = sums_[30] + b44 * x9 + s_psi * x44;
-      const Scalar x48 = sums_[31] + b43 * x10 + c_psi * x43;
-      const Scalar x49 = sums_[32] + b43 * x20 + z140 * x43;
+      const Scalar x6 = sums_[2] + c_theta * x5 + b5 * x4;
+      const Scalar x7 = sums_[3] + s_theta * x5 + b5 * x3;
+      const Scalar x8 = coefficients[k_][2];
+      const Scalar x9 = coefficients[k_][7];
+      const Scalar x10 = inverse_ * sums_[4] + c_psi * x8;
+      const Scalar w8 = number_ * x8;
+      const Scalar x11 = -inverse_ * sums_[5] - s_psi * x8;
+      const Scalar x12 = coefficients[k_][9];
+      const Scalar x13 = sums_[6] + c_theta * x9 + b9 * x4;
+      const Scalar x14 = sums_[7] + s_psi * x9 + b9 * x10;
+      const Scalar x15 = sums_[8] + c_psi * x9 + b9 * x11;
+      const Scalar x16 = sums_[9] + (c_theta + c_theta) * x4;
+      const Scalar x17 = x16;
+      const Scalar x18 = (sums_[10] + z138 * x17) * -i18;
+      const Scalar x19 = (x3 - sums_[11] - z140 * x17) * i19;
+      const Scalar x20 = f0 * x18;
+      const Scalar x21 = f1 * x12 - f2 * x13;
+      const Scalar x22 = sums_[12] + b21 * x5 + b5 * x21;
+      const Scalar x23 = (x22 - (sums_[13] + b23 * x3)) * i23;
+      const Scalar x24 = p_C * x12 - f3 * x13;
+      const Scalar x25 = sums_[14] + b24 * x9 + b9 * x24;
+      const Scalar x26 = sums_[15] + b25 * x3 + s_theta * x25;
+      const Scalar x27 = sums_[16] + b6 * x7 + b7 * x6;
+      const Scalar x28 = n9_81 * x4 - x27 + x26;
+      const Scalar x29 = (x28 - (sums_[17] + b29 * x17)) * i29;
+      const Scalar x30 = sums_[18] + b7 * x9 + b9 * x7;
+      const Scalar x31 = sums_[19] + b23 * x4 + c_theta * x23;
+      const Scalar x32 = f4 * x30 - f4 * x31;
+      const Scalar x33 = sums_[20] + b14 * x0 + b0 * x14;
+      const Scalar x34 = sums_[21] + b15 * x1 + b1 * x15;
+      const Scalar x35 = sums_[22] + b29 * x3 + s_theta * x29;
+      const Scalar x36 = sums_[23] + b15 * x0 + b0 * x15;
+      const Scalar x37 = sums_[24] + b14 * x1 + b1 * x14;
+      const Scalar x38 = sums_[25] + b6 * x5 + b5 * x6;
+      const Scalar x39 = x36 + x37 - x38 + x35;
+      const Scalar x40 = (x39 - (sums_[26] + b40 * x20)) * i40;
+      const Scalar x41 = f5 * x30 - z144 * x33 + z144 * x34 - f5 * x31;
+      const Scalar x42 = sums_[27] + b40 * x10 + s_psi * x40;
+      const Scalar x43 = sums_[28] + b41 * x11 + c_psi * x41;
+      const Scalar x44 = sums_[29] + b41 * x10 + s_psi * x41;
+      const Scalar x45 = sums_[30] + b40 * x11 + c_psi * x40;
+      const Scalar x46 = sums_[31] + b40 * x19 + z140 * x40;
       coefficients[k_ + 1][0] = next_ * x0;
       coefficients[k_ + 1][1] = next_ * x1;
-      coefficients[k_ + 1][2] = next_ * x8;
+      coefficients[k_ + 1][2] = next_ * x9;
       coefficients[k_ + 1][3] = next_ * x5;
-      coefficients[k_ + 1][4] = next_ * x11;
-      coefficients[k_ + 1][5] = next_ * (-x46 + x45);
-      coefficients[k_ + 1][6] = next_ * (-x47 - x48);
-      coefficients[k_ + 1][7] = next_ * -f5 * x25;
-      coefficients[k_ + 1][8] = next_ * (x31 - x49);
-      coefficients[k_ + 1][9] = next_ * (x34 - z135 * x44);
-      const Scalar left_[] = {w2, w2, x3, w7, w7, x4, x5, x8, x8, x4, x20, x3, x5, x25, x8, x3, x4, x31, x6, x4, x0, x1,
-        x3, x0, x1, x5, x4, x43, x9, x10, x9, x10, x20};
-      const Scalar right_[] = {x4, x3, x5, x10, x9, x8, x6, x9, x10, x4, x19, x20, x23, x3, x26, x27, x15, x19, x8, x25,
-        x16, x17, x31, x17, x16, x5, x40, x22, x43, x44, x44, x43, x43};
+      coefficients[k_ + 1][4] = next_ * x12;
+      coefficients[k_ + 1][5] = next_ * (-x43 - x42);
+      coefficients[k_ + 1][6] = next_ * (-x44 + x45);
+      coefficients[k_ + 1][7] = next_ * x23;
+      coefficients[k_ + 1][8] = next_ * (-x29 + x46);
+      coefficients[k_ + 1][9] = next_ * (x32 - z135 * x41);
+      const Scalar left_[] = {w2, w2, x4, x3, w8, w8, x4, x9, x9, x4, x18, x19, x5, x23, x9, x3, x6, x29, x7, x4, x0,
+        x1, x3, x0, x1, x5, x40, x10, x11, x10, x11, x19};
+      const Scalar right_[] = {x4, x3, x5, x5, x11, x10, x9, x10, x11, x4, x17, x17, x21, x3, x24, x25, x7, x17, x9,
+        x23, x14, x15, x29, x15, x14, x6, x20, x40, x41, x41, x40, x40};
       operations_.keep(k_, left_, right_);
       number_ = following_;
       inverse_ = next_;

@@ -10,6 +10,9 @@ namespace {
 constexpr std::size_t longest_sum = 8;
 constexpr std::size_t longest_coefficient = 4;
 
+/// Of so many products at most a product of sums is made.
+constexpr std::size_t most_products = 12;
+
 std::size_t at(int node) { return static_cast<std::size_t>(node); }
 
 Polynomial unity() { return Polynomial(Number(1)); }
@@ -175,13 +178,7 @@ void SeriesLowering::multiply_by_node(Product& result, int node, int exponent) c
     node = origin.right;
     exponent = -exponent;
   }
-  const auto place = std::lower_bound(result.powers.begin(), result.powers.end(), node,
-                                      [](const Power& power, int n) { return power.node < n; });
-  if (place == result.powers.end() || place->node != node) {
-    result.powers.insert(place, {node, exponent});
-  } else if ((place->exponent += exponent) == 0) {
-    result.powers.erase(place);
-  }
+  result.multiply(node, exponent);
 }
 
 void SeriesLowering::multiply(Product& result, Atom atom, int exponent) {
@@ -205,28 +202,58 @@ void SeriesLowering::multiply(Product& result, Atom atom, int exponent) {
   multiply_by_node(result, operand.node, exponent);
 }
 
+/// A sum that stands in a product and is multiplied in, unless too many products come of it.
+bool SeriesLowering::is_multiplied_in(const Factor& factor, std::size_t times) const {
+  const std::size_t count = pieces_[at(factor.atom)].size();
+  return factor.exponent == 1 && !constant_[at(factor.atom)] && inlined_[at(factor.atom)] && count > 1 &&
+         count * times <= most_products;
+}
+
+std::vector<SeriesLowering::Product> SeriesLowering::multiplied(const Term& term, const Number& coefficient) {
+  std::vector<Product> products = {{Polynomial(coefficient), {}}};
+  for (const Factor& factor : term.monomial) {
+    if (!is_multiplied_in(factor, products.size())) {
+      for (Product& each : products) multiply(each, factor.atom, factor.exponent);
+      continue;
+    }
+    std::vector<Product> longer;
+    for (const Product& each : products) {
+      for (const Piece& piece : pieces_[at(factor.atom)]) {
+        Product product = each;
+        product.coefficient = product_of(product.coefficient, piece.product.coefficient);
+        for (const Power& power : piece.product.powers) multiply_by_node(product, power.node, power.exponent);
+        if (piece.atom >= 0) multiply(product, piece.atom, 1);
+        longer.push_back(std::move(product));
+      }
+    }
+    products = std::move(longer);
+  }
+  return products;
+}
+
 std::vector<SeriesLowering::Piece> SeriesLowering::pieces_of(const Polynomial& polynomial) {
   std::vector<Piece> pieces;
   for (const Term& term : polynomial.terms()) {
-    Piece piece{{Polynomial(Term{{}, term.coefficient}), {}}, -1};
+    Atom alone = -1;
     int degree = 0;
     for (const Factor& factor : term.monomial) {
       if (constant_[at(factor.atom)]) continue;
-      piece.atom = factor.exponent == 1 ? factor.atom : -1;
+      alone = factor.exponent == 1 ? factor.atom : -1;
       ++degree;
     }
-    if (degree != 1) piece.atom = -1;
-    for (const Factor& factor : term.monomial) {
-      if (factor.atom != piece.atom) multiply(piece.product, factor.atom, factor.exponent);
-    }
-    if (piece.product.coefficient.is_zero()) continue;
-    if (piece.atom < 0 || !inlined_[at(piece.atom)]) {
-      pieces.push_back(std::move(piece));
-      continue;
-    }
-    for (Piece inner : pieces_[at(piece.atom)]) {
-      inner.product.coefficient = product_of(inner.product.coefficient, piece.product.coefficient);
-      pieces.push_back(std::move(inner));
+    if (degree != 1) alone = -1;
+    Term rest = term;
+    std::erase_if(rest.monomial, [alone](const Factor& factor) { return factor.atom == alone; });
+    for (Product& product : multiplied(rest, term.coefficient)) {
+      if (product.coefficient.is_zero()) continue;
+      if (alone < 0 || !inlined_[at(alone)]) {
+        pieces.push_back({std::move(product), alone});
+        continue;
+      }
+      for (Piece inner : pieces_[at(alone)]) {
+        inner.product.coefficient = product_of(inner.product.coefficient, product.coefficient);
+        pieces.push_back(std::move(inner));
+      }
     }
   }
   return pieces;
@@ -287,6 +314,8 @@ int SeriesLowering::value_of(const std::vector<Power>& powers) {
 
 /// Takes the factor that most products share out, again and again.
 SeriesForm SeriesLowering::lowered(std::vector<Product> products) {
+  unite_squares(products);
+  unite_quotients(products);
   SeriesForm form;
   while (!products.empty()) {
     std::vector<Product> nonlinear;

@@ -30,6 +30,8 @@ class SeriesLowering {
   struct Product {
     Polynomial coefficient;
     std::vector<Power> powers;  ///< by node, no exponent zero
+
+    void multiply(int node, int exponent);
   };
   /// coefficient · atom, if there is an atom, else a product.
   struct Piece {
@@ -45,9 +47,15 @@ class SeriesLowering {
   void define_function(Atom atom);
   bool is_constant(const Polynomial& polynomial) const;
   std::vector<Piece> pieces_of(const Polynomial& polynomial);
+  std::vector<Product> multiplied(const Term& term, const Number& coefficient);
+  bool is_multiplied_in(const Factor& factor, std::size_t times) const;
   const SeriesForm& form_of(Atom atom);
   SeriesForm lowered(const std::vector<Piece>& pieces, SeriesForm& expanded);
   SeriesForm lowered(std::vector<Product> products);
+  void unite_squares(std::vector<Product>& products) const;
+  void unite_quotients(std::vector<Product>& products) const;
+  Product in_factors(const Product& product) const;
+  void multiply_by_factors(Product& result, int node, int exponent) const;
   SeriesForm taken_out(std::pair<int, bool> factor, std::vector<Product> inside);
   Scaled scaled(const SeriesForm& form);
   int exact(const SeriesForm& form);
@@ -57,6 +65,7 @@ class SeriesLowering {
   int value_of(const std::vector<Power>& powers);
   void multiply(Product& product, Atom atom, int exponent);
   void multiply_by_node(Product& product, int node, int exponent) const;
+  static void add(std::vector<Product>& sum, Product product);
   int append(SeriesNode node);
 
   const Program& program_;

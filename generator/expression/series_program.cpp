@@ -12,12 +12,23 @@ namespace torsor {
 namespace {
 
 /// Programs of more definitions are not searched for what is better multiplied in; and how often the others are.
-constexpr std::size_t most_searched = 80;
+constexpr std::size_t most_searched = 80, most_searched_by_threes = 60;
 constexpr int most_rounds = 3;
 
 bool is_function(SeriesNode::Kind kind) { return kind >= SeriesNode::Kind::square_root; }
 
 using Lowered = std::pair<std::vector<SeriesNode>, std::vector<SeriesForm>>;
+
+/// Linear terms, and more so those with a factor.
+double cost(const SeriesForm& form) {
+  double sum = 0;
+  for (const SeriesForm::Term& term : form.terms) {
+    const Polynomial& factor = term.coefficient;
+    const bool is_one = factor.is_constant() && (factor.constant().is_one() || (-factor.constant()).is_one());
+    sum += is_one ? 0.01 : 0.013;
+  }
+  return sum;
+}
 
 /// Convolutions; a square has one operand to keep. Linear terms decide between equals.
 double cost(const Lowered& lowered) {
@@ -25,9 +36,9 @@ double cost(const Lowered& lowered) {
   for (const SeriesNode& node : lowered.first) {
     const bool square = node.kind == SeriesNode::Kind::product && node.left == node.right;
     if (is_nonlinear(node)) sum += square || node.kind == SeriesNode::Kind::square_root ? 0.95 : 1;
-    sum += 0.01 * static_cast<double>(node.form.terms.size());
+    sum += cost(node.form);
   }
-  for (const SeriesForm& output : lowered.second) sum += 0.01 * static_cast<double>(output.terms.size());
+  for (const SeriesForm& output : lowered.second) sum += cost(output);
   return sum;
 }
 
@@ -48,7 +59,13 @@ class Search {
     for (int round = 0; round < most_rounds; ++round) {
       const double before = cost_;
       for (const Atom atom : candidates_) try_toggled({atom});
-      for (const auto& [a, b] : pairs()) try_toggled({a, b});
+      const std::set<std::pair<Atom, Atom>> together = pairs();
+      for (const auto& [a, b] : together) try_toggled({a, b});
+      if (candidates_.size() <= most_searched_by_threes) {
+        for (const auto& [a, b] : together) {
+          for (const Atom c : standing_in(a, b)) try_toggled({a, b, c});
+        }
+      }
       if (cost_ == before) break;
     }
     return std::move(best_);
@@ -92,6 +109,19 @@ class Search {
     };
     for (const Atom atom : live_) search(program_[atom].polynomial);
     for (const Value& output : outputs_) search(output.polynomial());
+    return found;
+  }
+
+  /// Definitions that stand in one of these two.
+  std::set<Atom> standing_in(Atom a, Atom b) const {
+    std::set<Atom> found;
+    for (const Atom each : {a, b}) {
+      for (const Term& term : program_[each].polynomial.terms()) {
+        for (const Factor& factor : term.monomial) {
+          if (is_candidate(factor.atom) && factor.atom != a && factor.atom != b) found.insert(factor.atom);
+        }
+      }
+    }
     return found;
   }
 

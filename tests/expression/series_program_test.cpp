@@ -115,5 +115,33 @@ TEST(SeriesProgram, TakesFewConvolutions) {
   EXPECT_EQ(nonlinear({x * y + z * y + x * u + z * u}), 1);  // (x + z) y, or x + z taken out
 }
 
+TEST(SeriesProgram, KnowsSquaresOfSinesAndWhatCancelsWithThem) {
+  const Expression x = moving("x"), y = moving("y"), z = moving("z"), p = make_symbol("p");
+  const Expression s = sin(x), c = cos(x);                       // take two convolutions, if used
+  EXPECT_EQ(nonlinear({y * (p * s) * s + y * c * (p * c)}), 0);  // p y
+  EXPECT_EQ(nonlinear({p * s * s + 3 * c * c}), 3);              // p + (3 - p) cos²
+  const Expression divisor = 2 + c * c;
+  EXPECT_EQ(nonlinear({1 + s * s / divisor}), 4);                        // 3 / (2 + cos²)
+  EXPECT_EQ(nonlinear({y / (1 + s * s / divisor)}), 4);                  // y (2 + cos²) / 3
+  EXPECT_EQ(nonlinear({(z + y / divisor) / (1 + s * s / divisor)}), 4);  // (z (2 + cos²) + y) / 3
+  EXPECT_EQ(nonlinear({z + y / divisor, (z + y / divisor) * x}), 5);     // used twice: made once
+}
+
+TEST(SeriesProgram, IsTheSameSeriesWhereDivisorsCancel) {
+  const auto of = [](const Expression& x) {
+    const Expression s = sin(x), c = cos(x), divisor = 2 + c * c;
+    return (exp(x) + x * s / divisor) / (1 + s * s / divisor) + s * s * x + 3 * c * c * x;
+  };
+  // By another road: 1 + s²/d = 3/d multiplied out by hand, with double angles in the place of squares.
+  const auto by_hand = [](const Expression& x) {
+    const Expression divisor = (5 + cos(2 * x)) / 2;
+    return (exp(x) * divisor + x * sin(x)) / 3 + x * (2 + cos(2 * x));
+  };
+  const WorkingDigits precision(60);
+  const std::vector<Real> found = coefficients_of(of, 30), expected = coefficients_of(by_hand, 30);
+  // As in expect_series.
+  for (std::size_t k = 0; k < found.size(); ++k) EXPECT_LT(relative_difference(found[k], expected[k]), 1e-45) << k;
+}
+
 }  // namespace
 }  // namespace torsor::series_program_test
