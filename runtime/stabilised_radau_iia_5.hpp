@@ -13,26 +13,28 @@
 
 namespace torsor::runtime {
 
-/// A motion (see `equations_of_motion`) with multipliers and q' = v, of a mechanism with the kernels `constraints` and
+/// A motion (see `equations_of_motion`) with multipliers, of a mechanism with the kernels `constraints` and
 /// `mass_matrix`.
 template <class S>
 concept HasStabilisedForm = requires {
   typename S::Mechanism;
   requires HasMassMatrixAndBias<typename S::Mechanism> && HasConstraints<typename S::Mechanism>;
-  requires !HasCoordinateRates<typename S::Mechanism>;
 };
 
 /// The index-2 form of a constrained motion that is stabilised on position and velocity, as RadauFormula wants it:
-///   q' = v + M⁻¹Aᵀ μ,   v' = a(q, v) + M⁻¹Aᵀ η,   0 = g(q, t),   0 = A v - b,
-/// a being the accelerations of the motion (kernel `forward_dynamics`). On the exact motion μ = η = 0: they carry what
-/// the discretisation and rounding would move off the constraints, along the directions least by the metric of the
-/// masses. M⁻¹Aᵀ is frozen with the Jacobian, which costs nothing in order since μ and η are as small as the error of a
-/// step. Constraints on velocities alone have no μ, those that repeat others neither.
+///   q' = N (v + M⁻¹Aᵀ μ),   v' = a(q, v) + M⁻¹Aᵀ η,   0 = g(q, t),   0 = A v - b,
+/// a being the accelerations of the motion (kernel `forward_dynamics`) and N = 1, but for quaternions and other
+/// coordinates with rates of their own (kernel `coordinate_rates`). On the exact motion μ = η = 0: they carry what the
+/// discretisation and rounding would move off the constraints, along the directions least by the metric of the masses.
+/// N M⁻¹Aᵀ and M⁻¹Aᵀ are frozen with the Jacobian, which costs nothing in order since μ and η are as small as the error
+/// of a step. Constraints on velocities alone have no μ, those that repeat others neither. These equations keep the
+/// norm of quaternions, but for the error of a step, which is taken away before the constraints are met at its end.
 /// Source: Gear, Leimkuhler & Gupta, J. Comp. Appl. Math. 12 (1985); Hairer-Wanner II, VII.1 (1.30) and VII.2.
 template <class S, class Scalar, std::size_t size>
 class StabilisedEquations {
   using M = typename std::remove_cv_t<S>::Mechanism;
-  static constexpr std::size_t n = size / 2, m = static_cast<std::size_t>(M::multiplier_count);
+  static constexpr std::size_t nq = coordinates_of<M>, n = velocities_of<M>;
+  static constexpr std::size_t m = static_cast<std::size_t>(M::multiplier_count);
 
  public:
   static constexpr std::size_t extra = 2 * m, all = size + extra;
@@ -81,19 +83,30 @@ class StabilisedEquations {
   void solve(Extended& r) const noexcept { real_.solve(*this, r); }
   void solve(Pairs& r) const noexcept { pair_.solve(*this, r); }
 
-  /// Takes away what Newton's method left of the constraints at the end of a step, along the same directions.
+  /// Takes away what Newton's method left of the constraints at the end of a step, along the same directions;
+  /// quaternions get their norm back.
   template <class F>
   [[nodiscard]] bool finish(F& f, Scalar t, const Vector& y, Vector& change) const {
+    constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
     Scalar moved = Scalar(0);
-    for (int round = 0; round < 8; ++round) {
+    Scalar terms = Scalar(0);  // the largest residual in units of its terms
+    for (int round = 0; round < 20; ++round) {
       Vector x;
       for (std::size_t i = 0; i < size; ++i) x[i] = y[i] + change[i];
+      if constexpr (HasQuaternions<M>) {
+        Vector of_norm = x;
+        normalise_quaternions<M>(of_norm);
+        for (std::size_t i = 0; i < size; ++i) change[i] += of_norm[i] - x[i];
+        x = of_norm;
+      }
       Residual c = residual(f, t, x);
       if (!all_finite(c)) {
         f.evaluation = Evaluation::not_finite;
         return false;
       }
+      terms = in_terms(c, x);
       projection_.solve(c);
+      const Scalar last = moved;
       moved = Scalar(0);
       for (std::size_t i = 0; i < size; ++i) {
         Scalar correction = Scalar(0);
@@ -102,15 +115,16 @@ class StabilisedEquations {
         if (correction != Scalar(0))
           moved = std::max(moved, std::abs(correction) / (std::abs(x[i]) + std::abs(change[i])));
       }
-      if (moved <= std::numeric_limits<Scalar>::epsilon()) break;
+      if (moved <= epsilon || (terms <= Scalar(4) * epsilon && round > 0 && moved > last / Scalar(2))) break;
     }
-    if (moved <= Scalar(1e3) * std::numeric_limits<Scalar>::epsilon()) return true;  // else B no longer serves
+    if (std::min(terms, moved) <= few_roundings) return true;  // else B no longer serves
     f.evaluation = Evaluation::singular;
     return false;
   }
 
  private:
   using Residual = std::array<Scalar, extra>;
+  static constexpr Scalar few_roundings = Scalar(1e3) * std::numeric_limits<Scalar>::epsilon();
 
   static constexpr Scalar unit(std::size_t i, std::size_t j) noexcept { return i == j ? Scalar(1) : Scalar(0); }
 
@@ -150,7 +164,7 @@ class StabilisedEquations {
     }
 
    private:
-    using Inner = ShiftedSystem<Field, Scalar, size, true>;
+    using Inner = ShiftedSystem<Field, Scalar, size, !HasCoordinateRates<M>>;
     Inner inner_;
     std::array<typename Inner::Vector, extra> responses_{};
     Lu<Field, extra> complement_;
@@ -183,13 +197,24 @@ class StabilisedEquations {
     return c;
   }
 
+  // The largest residual relative to the terms it is a sum of: a rounding, whatever coordinate passes through zero.
+  Scalar in_terms(const Residual& c, const Vector& x) const noexcept {
+    Scalar largest = Scalar(0);
+    for (std::size_t j = 0; j < extra; ++j) {
+      Scalar terms = Scalar(0);
+      for (std::size_t i = 0; i < size; ++i) terms += std::abs(C_[i * extra + j] * x[i]);
+      if (c[j] != Scalar(0)) largest = std::max(largest, std::abs(c[j]) / terms);
+    }
+    return largest;
+  }
+
   // C = ∂(g, A v - b)/∂(q, v): differences by q, A by v. A constraint whose value no coordinate moves is one on
   // velocities.
   template <class F>
   void derive_constraints(const F& f, Scalar t, const Vector& y) {
     const auto here = constraints_at(f, t, y);
     for (std::size_t j = 0; j < m; ++j) counts_[j] = false;
-    for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t k = 0; k < nq; ++k) {
       Vector moved = y;
       moved[k] += std::sqrt(std::numeric_limits<Scalar>::epsilon()) * std::max(Scalar(1e-3), std::abs(y[k]));
       const Scalar delta = moved[k] - y[k];
@@ -197,9 +222,13 @@ class StabilisedEquations {
       for (std::size_t j = 0; j < m; ++j) {
         C_[k * extra + j] = (there.value[j] - here.value[j]) / delta;
         C_[k * extra + m + j] = (there.rate[j] - here.rate[j]) / delta;
-        C_[(n + k) * extra + j] = Scalar(0);
-        C_[(n + k) * extra + m + j] = here.jacobian[k * m + j];
         counts_[j] = counts_[j] || there.value[j] != here.value[j];
+      }
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+      for (std::size_t j = 0; j < m; ++j) {
+        C_[(nq + k) * extra + j] = Scalar(0);
+        C_[(nq + k) * extra + m + j] = here.jacobian[k * m + j];
       }
     }
     for (std::size_t j = 0; j < m; ++j) counts_[m + j] = true;
@@ -210,21 +239,45 @@ class StabilisedEquations {
     }
   }
 
-  // B = diag(M⁻¹Aᵀ, M⁻¹Aᵀ).
+  // N u: the rates of the coordinates that velocities u bring, less those without any.
+  template <class F>
+  static std::array<Scalar, nq> rates_by(const F& f, const typename M::State& state, const std::array<Scalar, n>& u) {
+    std::array<Scalar, nq> rates;
+    if constexpr (HasCoordinateRates<M>) {
+      typename M::State moving = state, resting = state;
+      for (std::size_t k = 0; k < n; ++k) {
+        moving.v[static_cast<int>(k)] = u[k];
+        resting.v[static_cast<int>(k)] = Scalar(0);
+      }
+      std::array<Scalar, nq> rest;
+      M::coordinate_rates(f.system().precomputed(), moving, rates);
+      M::coordinate_rates(f.system().precomputed(), resting, rest);
+      for (std::size_t k = 0; k < nq; ++k) rates[k] -= rest[k];
+    } else {
+      rates = u;
+    }
+    return rates;
+  }
+
+  // B = diag(N M⁻¹Aᵀ, M⁻¹Aᵀ).
   template <class F>
   Evaluation find_directions(const F& f, Scalar t, const Vector& y) {
+    const typename M::State state = unpack<M>(t, y);
     Lu<Scalar, n> mass;
-    M::mass_matrix(f.system().precomputed(), unpack<M>(t, y), mass.matrix());
+    M::mass_matrix(f.system().precomputed(), state, mass.matrix());
     const Evaluation evaluation = mass.factorise();
     if (evaluation != Evaluation::ok) return evaluation;
     B_.fill(Scalar(0));
     for (std::size_t j = 0; j < m; ++j) {
       std::array<Scalar, n> column;
-      for (std::size_t k = 0; k < n; ++k) column[k] = C_[(n + k) * extra + m + j];
+      for (std::size_t k = 0; k < n; ++k) column[k] = C_[(nq + k) * extra + m + j];
       mass.solve(column);
+      const std::array<Scalar, nq> rates = rates_by(f, state, column);
+      for (std::size_t k = 0; k < nq; ++k) {
+        if (counts_[j]) B_[j * size + k] = rates[k];
+      }
       for (std::size_t k = 0; k < n; ++k) {
-        if (counts_[j]) B_[j * size + k] = column[k];
-        if (counts_[m + j]) B_[(m + j) * size + n + k] = column[k];
+        if (counts_[m + j]) B_[(m + j) * size + nq + k] = column[k];
       }
     }
     return Evaluation::ok;
@@ -239,8 +292,8 @@ class StabilisedEquations {
 };
 
 /// Radau IIA of order 5 on the stabilised index-2 form (see StabilisedEquations): every step ends on the constraints,
-/// in position and in velocity, to rounding; otherwise as RadauIia5. For motions of mechanisms with multipliers and q'
-/// = v, with the kernels `constraints` and `mass_matrix`; the start must satisfy its constraints.
+/// in position and in velocity, to rounding, and with quaternions of norm 1; otherwise as RadauIia5. For motions of
+/// mechanisms with multipliers and the kernels `constraints` and `mass_matrix`; the start must satisfy its constraints.
 struct StabilisedRadauIia5 {
   double relative_tolerance = 1e-9;      ///< 0, or at least four roundings of the scalar
   double absolute_tolerance = 1e-12;     ///< in the units of the state, the same for every component
@@ -254,10 +307,9 @@ struct StabilisedRadauIia5 {
 
   template <class S, class Scalar, std::size_t size>
   [[nodiscard]] auto start(S& system, std::array<Scalar, size>& y, Scalar t) const noexcept {
-    static_assert(
-        HasStabilisedForm<std::remove_cv_t<S>>,
-        "the stabilised form needs equations_of_motion of a mechanism with multipliers and q' = v that has the "
-        "kernels constraints and mass_matrix");
+    static_assert(HasStabilisedForm<std::remove_cv_t<S>>,
+                  "the stabilised form needs equations_of_motion of a mechanism with multipliers that has the kernels "
+                  "constraints and mass_matrix");
     using Formula = RadauFormula<StabilisedEquations<S, Scalar, size>, Scalar, size>;
     return AdaptiveRun<Formula, StabilisedRadauIia5, S, Scalar, size>(system, y, t, *this);
   }
