@@ -28,10 +28,21 @@ struct EnsembleOptions {
 /// the same record whenever it is called. What it throws ends the run and reaches the caller.
 using EnsembleMember = std::function<void(std::uint64_t index, std::span<double> record)>;
 
+/// Members that are computed together, as a SIMD register's lanes are: `compute` writes the records of members first to
+/// first + count - 1, one behind the other. Groups begin at multiples of `together`; the last may be smaller. One that
+/// is in the file in part is computed anew, so what a member's record depends on in its group stays the same.
+struct EnsembleGroups {
+  std::uint64_t together = 1;
+  std::function<void(std::uint64_t first, std::uint64_t count, std::span<double> records)> compute;
+};
+
 /// Computes the records of members 0, ..., head.count - 1 that a file does not hold yet and appends each as soon as
 /// those before it are there. Interrupt it at any time, by whatever means, and call it again: the file ends up the same
 /// byte by byte, whatever the number of threads. Throws FileError, see RecordFile, and what the members throw.
 EnsembleProgress run_ensemble(const std::filesystem::path& file, const RecordHead& head, const EnsembleMember& member,
+                              const EnsembleOptions& options = {});
+/// As above; as many groups are under way at once as there are threads.
+EnsembleProgress run_ensemble(const std::filesystem::path& file, const RecordHead& head, const EnsembleGroups& groups,
                               const EnsembleOptions& options = {});
 
 /// A progress callback that keeps one line up to date, "340 of 1000 members, 34 %", and goes on.

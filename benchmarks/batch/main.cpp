@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "benchmarks/batch/ensemble.hpp"
 #include "benchmarks/batch/packs.hpp"
 #include "benchmarks/kernels/comparison.hpp"
 #include "benchmarks/kernels/measured.hpp"
@@ -54,7 +55,7 @@ void measure(const Options& options, const Chain& chain, Quantity quantity, std:
   for (std::size_t i = 0; i < ways.size(); ++i) {
     const auto& [ns, ratio] = timings[i];
     const double than_peer = with_peer ? timings.back().ratio.median / ratio.median : 0;
-    fmt::print("{:<18}{:<20}{:<8}{:>28}{:>10.2f}{:>10}{:>9.0e}\n", name_of(quantity), ways[i].competitor,
+    fmt::print("{:<18}{:<22}{:<8}{:>28}{:>10.2f}{:>10}{:>9.0e}\n", name_of(quantity), ways[i].competitor,
                ways[i].scalar, text_of(ns), 1 / ratio.median, with_peer ? fmt::format("{:.1f}", than_peer) : "-",
                difference[i]);
     std::string name = ways[i].competitor;  // a cell holds no comma
@@ -66,15 +67,29 @@ void measure(const Options& options, const Chain& chain, Quantity quantity, std:
   std::fflush(stdout);
 }
 
+/// One step of Runge-Kutta's method, for members of an ensemble.
+void measure_ensemble(int turns, std::string& csv) {
+  for (const auto& [name, scalar, timing, difference] : ensemble_times(turns)) {
+    const auto& [ns, ratio] = timing;
+    fmt::print("{:<18}{:<22}{:<8}{:>28}{:>10.2f}{:>10}{:>9.0e}\n", "ensemble's step", name, scalar, text_of(ns),
+               1 / ratio.median, "-", difference);
+    std::string cell = name;
+    cell.erase(std::remove(cell.begin(), cell.end(), ','), cell.end());
+    csv += fmt::format("ensemble_step,{},{},{:.3f},{:.3f},{:.3f},{:.4f},,{:.1e}\n", cell, scalar, ns.median, ns.lower,
+                       ns.upper, 1 / ratio.median, difference);
+  }
+}
+
 void run(const Options& options) {
   const std::vector<Chain> chains = read_chains(options.references + "/models.json");
   const auto chain = std::find_if(chains.begin(), chains.end(), [](const Chain& each) { return each.name == "panda"; });
   if (chain == chains.end()) throw std::runtime_error("models.json has no chain panda");
-  fmt::print("{:<18}{:<20}{:<8}{:>28}{:>10}{:>10}{:>9}\n", "quantity", "", "scalar", "ns for one state (quartiles)",
+  fmt::print("{:<18}{:<22}{:<8}{:>28}{:>10}{:>10}{:>9}\n", "quantity", "", "scalar", "ns for one state (quartiles)",
              "x single", "x MuJoCo", "differs");
   std::string csv =
       "quantity,competitor,scalar,ns,ns_lower_quartile,ns_upper_quartile,times_single,times_mujoco,difference\n";
   for (const Quantity quantity : quantities) measure(options, *chain, quantity, csv);
+  measure_ensemble(options.turns, csv);
   if (options.csv.empty()) return;
   std::FILE* file = std::fopen(options.csv.c_str(), "w");
   if (file == nullptr) throw std::runtime_error("cannot write " + options.csv);

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Nothing is fused here: the members of a pack have the bits of members alone.
+#include "runtime/packed_motion_ensemble.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include "generated/heavy_top.hpp"
+#include "generated/torque_free_body.hpp"
+#include "tests/runtime/temporary_folder.hpp"
+
+namespace torsor::packed_ensemble_test {
+
+using namespace torsor::runtime;
+using Top = heavy_top::Mechanism<double>;
+using Body = torque_free_body::Mechanism<double>;
+
+const std::vector<double> times = {0.1, 0.25, 1.0};
+
+/// Tops from states of their own; a pack's first start at the same time.
+Member<Top> top(std::uint64_t i) {
+  Member<Top> member;
+  const auto x = static_cast<double>(i);
+  for (int k = 0; k < 3; ++k) {
+    member.state.q[k] = 0.3 + 0.01 * x + 0.1 * k;
+    member.state.v[k] = 1.0 - 0.02 * x * (k + 1);
+  }
+  return member;
+}
+
+/// Bodies with inertias of their own, whose quaternions every step brings back to their norm.
+Member<Body> body(std::uint64_t i) {
+  Member<Body> member;
+  const auto x = static_cast<double>(i);
+  member.parameters.I2 = member.parameters.I1 * (1.1 + 0.01 * x);
+  for (int k = 0; k < 3; ++k) member.state.v[k] = 2.0 - 0.3 * k + 0.05 * x;
+  return member;
+}
+
+template <class Ensemble>
+std::vector<double> records_of(const Ensemble& ensemble, const RecordHead& head) {
+  std::vector<double> records(head.count * head.numbers);
+  const EnsembleGroups groups = ensemble.groups();
+  for (std::uint64_t first = 0; first < head.count; first += groups.together) {
+    const std::uint64_t count = std::min(groups.together, head.count - first);
+    groups.compute(first, count, std::span(records).subspan(first * head.numbers, count * head.numbers));
+  }
+  return records;
+}
+
+/// How many of the members' records differ in a bit from those of members alone.
+template <template <class> class Mechanism, class Members, class Method>
+int different(std::uint64_t count, Members members, const Method& method, std::vector<double>* found = nullptr) {
+  using M = Mechanism<double>;
+  const auto packed = packed_motion_ensemble<Mechanism, double>(count, members, times, method);
+  const auto alone = motion_ensemble<M>(count, members, times, method);
+  const RecordHead head = alone.head();
+  EXPECT_EQ(packed.head().count, head.count);
+  EXPECT_EQ(packed.head().numbers, head.numbers);
+  EXPECT_NE(packed.head().question, head.question);
+  const std::vector<double> records = records_of(packed, head);
+  int differing = 0;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    std::vector<double> expected(head.numbers);
+    alone(i, expected);
+    differing += std::memcmp(expected.data(), &records[i * head.numbers], head.numbers * sizeof(double)) != 0;
+  }
+  if (found != nullptr) *found = records;
+  return differing;
+}
+
+// 11 members: the last pack is not full, whatever the number of lanes.
+TEST(PackedEnsemble, GivesEachMemberTheBitsOfItsSingleRun) {
+  std::vector<double> records;
+  EXPECT_EQ((different<heavy_top::Mechanism>(11, top, RungeKutta4{.step = 3e-3}, &records)), 0);
+  // They went to the end: 4 evaluations for each of 34 + 50 + 250 steps.
+  const std::size_t numbers = records.size() / 11;
+  for (std::size_t i = 0; i < 11; ++i) {
+    EXPECT_EQ(records[i * numbers], 0.0);
+    EXPECT_EQ(records[i * numbers + 2], 1.0);
+    EXPECT_EQ(records[i * numbers + 3], 4.0 * (34 + 50 + 250));
+    EXPECT_TRUE(std::isfinite(records[i * numbers + numbers - 1]));
+  }
+  EXPECT_EQ((different<heavy_top::Mechanism>(11, top, RungeKutta4{.step = 3e-3, .compensated = true})), 0);
+  EXPECT_EQ((different<heavy_top::Mechanism>(11, top, Midpoint{.step = 3e-3})), 0);
+}
+
+TEST(PackedEnsemble, AsksForMembersAgainWhereAGroupFailsOnly) {
+  constexpr int lanes = native_lanes<double>;
+  int asked = 0;
+  const auto counted = [&asked](std::uint64_t i) {
+    ++asked;
+    return top(i);
+  };
+  const auto ensemble =
+      packed_motion_ensemble<heavy_top::Mechanism, double>(3 * lanes, counted, times, RungeKutta4{0.1});
+  const RecordHead head = ensemble.head();
+  asked = 0;
+  records_of(ensemble, head);
+  EXPECT_EQ(asked, 3 * lanes);
+  const auto failing = packed_motion_ensemble<heavy_top::Mechanism, double>(
+      3 * lanes,
+      [&asked](std::uint64_t i) {
+        ++asked;
+        Member<Top> member = top(i);
+        if (i == lanes) member.state.q[1] = std::acos(0.0);
+        return member;
+      },
+      times, RungeKutta4{0.1});
+  asked = 0;
+  records_of(failing, head);
+  EXPECT_EQ(asked, 4 * lanes);
+}
+
+TEST(PackedEnsemble, TakesParametersOfEachMemberAndNormsOfQuaternions) {
+  std::vector<double> records;
+  EXPECT_EQ((different<torque_free_body::Mechanism>(11, body, RungeKutta4{.step = 5e-3}, &records)), 0);
+  const std::size_t numbers = records.size() / 11;
+  const double* w = &records[numbers - 7];  // of the first member, at the end
+  // Four squares and a sum, rounded; the steps alone would be 1e-10 away.
+  EXPECT_NEAR(w[0] * w[0] + w[1] * w[1] + w[2] * w[2] + w[3] * w[3], 1.0, 1e-15);
+  EXPECT_NE(records[numbers - 1], records[2 * numbers - 1]);
+}
+
+TEST(PackedEnsemble, ComputesAGroupWithAFailureMemberByMember) {
+  // The middle axis turned so far that the outer ones agree, at once; and rates without bounds.
+  const auto members = [](std::uint64_t i) {
+    Member<Top> member = top(i);
+    if (i == 5) member.state.q[1] = std::acos(0.0);
+    if (i == 9) member.state.v[1] = 1e200;
+    return member;
+  };
+  std::vector<double> records;
+  EXPECT_EQ((different<heavy_top::Mechanism>(11, members, RungeKutta4{.step = 3e-3}, &records)), 0);
+  const std::size_t numbers = records.size() / 11;
+  for (std::size_t i = 0; i < 11; ++i) {
+    const bool fails = i == 5 || i == 9;
+    EXPECT_EQ(records[i * numbers] == static_cast<double>(IntegrationStatus::model_failure), fails) << i;
+    EXPECT_EQ(std::isnan(records[i * numbers + numbers - 1]), fails) << i;
+  }
+}
+
+TEST(PackedEnsemble, ComputesMembersThatStartAtDifferentTimesAlone) {
+  const auto members = [](std::uint64_t i) {
+    Member<Top> member = top(i);
+    member.state.time = i == 3 ? 0.05 : 0.0;
+    return member;
+  };
+  EXPECT_EQ((different<heavy_top::Mechanism>(11, members, RungeKutta4{.step = 3e-3})), 0);
+}
+
+TEST(PackedEnsemble, SaysOfInvalidOptionsWhatMembersAloneSay) {
+  EXPECT_EQ((different<heavy_top::Mechanism>(3, top, RungeKutta4{.step = 0.0})), 0);
+}
+
+class PackedEnsembleFile : public TemporaryFolder {};
+
+TEST_F(PackedEnsembleFile, DoesNotDependOnThreadsAndResumesInsideAGroup) {
+  const auto ensemble =
+      packed_motion_ensemble<heavy_top::Mechanism, double>(150, top, {0.1}, RungeKutta4{.step = 0.01});
+  const RecordHead head = ensemble.head();
+  run_ensemble(folder / "one", head, ensemble.groups());
+  const std::string expected = contents(folder / "one");
+  const Records records = read_records(folder / "one");
+  ASSERT_TRUE(records.complete());
+  EXPECT_EQ(member_motion<Top>(records[149]).states.size(), 1U);
+  run_ensemble(folder / "three", head, ensemble.groups(), {.threads = 3});
+  EXPECT_EQ(contents(folder / "three"), expected);
+  // 7 words, then two more than the numbers of each record: see runtime/record_file.hpp
+  const std::size_t record = (head.numbers + 2) * 8;
+  for (const std::size_t kept : {0U, 1U, 2U, 3U, 5U, 66U, 149U}) {
+    for (const unsigned threads : {1U, 2U}) {
+      put("cut", expected.substr(0, 56 + kept * record));
+      const EnsembleProgress progress = run_ensemble(folder / "cut", head, ensemble.groups(), {.threads = threads});
+      EXPECT_EQ(progress.found, kept);
+      EXPECT_EQ(contents(folder / "cut"), expected) << kept << " kept, " << threads << " threads";
+    }
+  }
+}
+
+TEST_F(PackedEnsembleFile, EndsWhenTheCallbackSaysSoAndGoesOn) {
+  const auto ensemble =
+      packed_motion_ensemble<heavy_top::Mechanism, double>(150, top, {0.1}, RungeKutta4{.step = 0.01});
+  run_ensemble(folder / "whole", ensemble.head(), ensemble.groups());
+  const auto until = [](std::uint64_t most) { return [most](const EnsembleProgress& p) { return p.done < most; }; };
+  run_ensemble(folder / "parts", ensemble.head(), ensemble.groups(), {.progress = until(10)});
+  const EnsembleProgress last = run_ensemble(folder / "parts", ensemble.head(), ensemble.groups(), {.threads = 2});
+  EXPECT_GE(last.found, 10U);
+  EXPECT_LT(last.found, 150U);
+  EXPECT_EQ(contents(folder / "parts"), contents(folder / "whole"));
+}
+
+}  // namespace torsor::packed_ensemble_test
