@@ -754,14 +754,14 @@ struct Mechanism {
     const Scalar z35 = n9_81 * c_theta;
     const Scalar z38 = z14 * z15;
     const Scalar z53 = a_theta + z34 - z38;  // moment on bead, y
-    const Scalar z63 = z14 * z14 - z15 * z15;
-    const Scalar z64 = z35 + z63;
+    const Scalar z64 = z14 * z14 - z15 * z15;
+    const Scalar z65 = z35 + z64;
     result.M[0] = n1;
     result.C[0] = n0;
-    result.K[0] = z64;
+    result.K[0] = z65;
     result.F[0] = -z53;
     result.A[0] = n0;
-    result.A[1] = -z64;
+    result.A[1] = -z65;
     result.A[2] = n1;
     result.A[3] = n0;
     // x - x is 0 for every finite x and not a number for any other.

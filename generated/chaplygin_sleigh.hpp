@@ -12,12 +12,12 @@
 //   kinematics                4                5          0             0                  1       0     11      11
 //   mass_matrix               0                2          0             0                  1       0      4       4
 //   bias                      0                4          0             0                  1       0      6       6
-//   inverse_dynamics          8               13          0             0                  1       0     23      26
+//   inverse_dynamics          8               13          0             0                  1       0     23      23
 //   forward_dynamics         16               37          3             0                  1       0     58      58
 //   energy                    6               11          0             0                  1       0     19      21
 //   first_integrals           6               11          0             0                  1       0     19      21
 //   constraints               2                6          0             0                  1       0     10      10
-//   linearisation            27               60          5             0                  1       0     94     104
+//   linearisation            27               60          5             0                  1       0     94      97
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 33 results 17 vanish identically, 2 repeat another up to sign
@@ -744,39 +744,39 @@ struct Mechanism {
     const Scalar z28 = n0_5 * z27;  // force on sleigh, x
     const Scalar z29 = c_phi * z28;
     const Scalar z30 = s_phi * z28;
-    const Scalar z42 = v_phi * c_phi;
-    const Scalar z43 = v_phi * s_phi;
-    const Scalar z44 = v_x * z42 + v_y * z43;
-    const Scalar z46 = n4_over_3 * z12;
-    const Scalar z47 = n4_over_3 * z11;
-    const Scalar z48 = n1 - z12 * z46;
-    const Scalar z49 = z12 * z47;
-    const Scalar z50 = n1 - z11 * z47;
-    const Scalar z51 = n1 / z50;
-    const Scalar z52 = z49 * z51;
-    const Scalar z53 = z48 - z49 * z52;
+    const Scalar z45 = v_phi * c_phi;
+    const Scalar z46 = v_phi * s_phi;
+    const Scalar z47 = v_x * z45 + v_y * z46;
+    const Scalar z49 = n4_over_3 * z12;
+    const Scalar z50 = n4_over_3 * z11;
+    const Scalar z51 = n1 - z12 * z49;
+    const Scalar z52 = z12 * z50;
+    const Scalar z53 = n1 - z11 * z50;
     const Scalar z54 = n1 / z53;
-    const Scalar z55 = s_phi + c_phi * z52;
-    const Scalar z56 = z54 * z55;
-    const Scalar z57 = c_phi * z51 + z52 * z56;
-    const Scalar z58 = z46 * z56 + z47 * z57;
-    const Scalar z59 = s_phi * z56 + c_phi * z57;
-    const Scalar z60 = n1 / z59;
-    const Scalar z61 = z29 - z30 * z52;
-    const Scalar z62 = z54 * z61;
-    const Scalar z63 = z30 * z51 - z52 * z62;
-    const Scalar z64 = z46 * z62 - z47 * z63;
-    const Scalar z65 = s_phi * z62 - c_phi * z63 + z44;
-    const Scalar z66 = z60 * z65;
-    const Scalar z67 = z56 * z66 - z62;
-    const Scalar z68 = z57 * z66 + z63;
-    const Scalar z69 = z58 * z66 - z64;
-    accelerations.x = -z67;
-    accelerations.y = z68;
-    accelerations.phi = -z69;
-    multipliers.N = z66;
-    if (!(traits::regular(z53, n1) && traits::regular(z50, n1) && traits::regular(z59,
-        z59))) return torsor::Status::singular;
+    const Scalar z55 = z52 * z54;
+    const Scalar z56 = z51 - z52 * z55;
+    const Scalar z57 = n1 / z56;
+    const Scalar z58 = s_phi + c_phi * z55;
+    const Scalar z59 = z57 * z58;
+    const Scalar z60 = c_phi * z54 + z55 * z59;
+    const Scalar z61 = z49 * z59 + z50 * z60;
+    const Scalar z62 = s_phi * z59 + c_phi * z60;
+    const Scalar z63 = n1 / z62;
+    const Scalar z64 = z29 - z30 * z55;
+    const Scalar z65 = z57 * z64;
+    const Scalar z66 = z30 * z54 - z55 * z65;
+    const Scalar z67 = z49 * z65 - z50 * z66;
+    const Scalar z68 = s_phi * z65 - c_phi * z66 + z47;
+    const Scalar z69 = z63 * z68;
+    const Scalar z70 = z59 * z69 - z65;
+    const Scalar z71 = z60 * z69 + z66;
+    const Scalar z72 = z61 * z69 - z67;
+    accelerations.x = -z70;
+    accelerations.y = z71;
+    accelerations.phi = -z72;
+    multipliers.N = z69;
+    if (!(traits::regular(z56, n1) && traits::regular(z53, n1) && traits::regular(z62,
+        z62))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.x - accelerations.x) + (accelerations.y - accelerations.y) + (accelerations.phi
         - accelerations.phi) + (multipliers.N - multipliers.N);
@@ -795,11 +795,11 @@ struct Mechanism {
     const Scalar v_phi = state.v.phi;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z41 = v_x * s_phi - v_y * c_phi;
-    const Scalar z70 = v_x * c_phi + v_y * s_phi;
-    const Scalar z71 = n0_5 * v_phi - z41;
-    const Scalar z72 = n0_75 * v_phi - n0_5 * z41;
-    result.kinetic = n0_5 * (v_phi * z72 - z41 * z71 + z70 * z70);
+    const Scalar z44 = v_x * s_phi - v_y * c_phi;
+    const Scalar z73 = v_x * c_phi + v_y * s_phi;
+    const Scalar z74 = n0_5 * v_phi - z44;
+    const Scalar z75 = n0_75 * v_phi - n0_5 * z44;
+    result.kinetic = n0_5 * (v_phi * z75 - z44 * z74 + z73 * z73);
     result.force_function = n0;
     result.power = n0;
   }
@@ -814,11 +814,11 @@ struct Mechanism {
     const Scalar v_phi = state.v.phi;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z41 = v_x * s_phi - v_y * c_phi;
-    const Scalar z70 = v_x * c_phi + v_y * s_phi;
-    const Scalar z71 = n0_5 * v_phi - z41;
-    const Scalar z72 = n0_75 * v_phi - n0_5 * z41;
-    result.energy = n0_5 * (v_phi * z72 - z41 * z71 + z70 * z70);
+    const Scalar z44 = v_x * s_phi - v_y * c_phi;
+    const Scalar z73 = v_x * c_phi + v_y * s_phi;
+    const Scalar z74 = n0_5 * v_phi - z44;
+    const Scalar z75 = n0_75 * v_phi - n0_5 * z44;
+    result.energy = n0_5 * (v_phi * z75 - z44 * z74 + z73 * z73);
   }
 
   /// Constraints A(q, t) v - b(q, t) = 0, in the order of the multipliers.
@@ -830,13 +830,13 @@ struct Mechanism {
     const Scalar v_phi = state.v.phi;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z41 = v_x * s_phi - v_y * c_phi;
-    const Scalar z42 = v_phi * c_phi;
-    const Scalar z43 = v_phi * s_phi;
-    const Scalar z44 = v_x * z42 + v_y * z43;
+    const Scalar z44 = v_x * s_phi - v_y * c_phi;
+    const Scalar z45 = v_phi * c_phi;
+    const Scalar z46 = v_phi * s_phi;
+    const Scalar z47 = v_x * z45 + v_y * z46;
     result.value[0] = n0;
-    result.rate[0] = -z41;
-    result.gamma[0] = -z44;
+    result.rate[0] = -z44;
+    result.gamma[0] = -z47;
     result.jacobian[0] = -s_phi;
     result.jacobian[1] = c_phi;
     result.jacobian[2] = n0;
@@ -879,53 +879,53 @@ struct Mechanism {
     const Scalar z37 = s_phi * z28 - c_phi * z34;
     const Scalar z38 = a_x - z36;  // force on along_y, x
     const Scalar z39 = a_y - z37;  // force on along_y, y
-    const Scalar z42 = v_phi * c_phi;
-    const Scalar z43 = v_phi * s_phi;
-    const Scalar z44 = v_x * z42 + v_y * z43;
-    const Scalar z70 = v_x * c_phi + v_y * s_phi;
-    const Scalar z81 = n2 * v_phi;
-    const Scalar z82 = n0_5 * z81;
-    const Scalar z83 = c_phi * z82;
-    const Scalar z84 = c_phi * l_N + z37;
-    const Scalar z85 = s_phi * z82;
-    const Scalar z86 = s_phi * l_N - z36;
-    const Scalar z87 = n0_5 * z32;
-    const Scalar z106 = a_x * s_phi - a_y * c_phi + z44;
-    const Scalar z107 = v_x * z43 - v_y * z42;
-    const Scalar z108 = a_x * c_phi + a_y * s_phi - z107;
-    const Scalar z109 = n1 / c_phi;
-    const Scalar z110 = c_phi * c_phi;
-    const Scalar z111 = s_phi * z109;
-    const Scalar z112 = z70 * z109;
-    const Scalar z113 = v_phi / c_phi;
-    const Scalar z114 = z109 * z113;
-    const Scalar z115 = z43 * z112;
-    const Scalar z116 = z108 + z115;
-    const Scalar z117 = z109 * z116;
-    const Scalar z118 = z106 * z109;
-    const Scalar z119 = n1 / (c_phi * c_phi);
-    const Scalar z120 = z111 * z114;
-    const Scalar z121 = z111 * z112;
-    const Scalar z122 = z11 * z114;
-    const Scalar z123 = z11 * z112;
-    const Scalar z124 = z113 - z121;
-    const Scalar z125 = z111 * z117;
-    const Scalar z126 = z11 * z117;
-    const Scalar z127 = z84 + z86 * z111;
-    const Scalar z128 = z125 + z127;
-    const Scalar z129 = z87 - z126;
-    const Scalar z131 = a_x + s_phi * z39 / c_phi - z36;
-    const Scalar z132 = z111 * z118;
-    const Scalar z133 = z11 * z118;
-    const Scalar z134 = z131 + z132;
-    const Scalar z135 = z35 + z133;
-    const Scalar z136 = n1 / z119;
-    const Scalar z137 = z120 * z136;
-    const Scalar z138 = n4_over_3 * z122;
-    const Scalar z139 = z124 * z136;
-    const Scalar z140 = n4_over_3 * z123;
-    const Scalar z141 = z128 * z136;
-    const Scalar z142 = n4_over_3 * z129;
+    const Scalar z45 = v_phi * c_phi;
+    const Scalar z46 = v_phi * s_phi;
+    const Scalar z47 = v_x * z45 + v_y * z46;
+    const Scalar z73 = v_x * c_phi + v_y * s_phi;
+    const Scalar z84 = n2 * v_phi;
+    const Scalar z85 = n0_5 * z84;
+    const Scalar z86 = c_phi * z85;
+    const Scalar z87 = c_phi * l_N + z37;
+    const Scalar z88 = s_phi * z85;
+    const Scalar z89 = s_phi * l_N - z36;
+    const Scalar z90 = n0_5 * z32;
+    const Scalar z109 = a_x * s_phi - a_y * c_phi + z47;
+    const Scalar z110 = v_x * z46 - v_y * z45;
+    const Scalar z111 = a_x * c_phi + a_y * s_phi - z110;
+    const Scalar z112 = n1 / c_phi;
+    const Scalar z113 = c_phi * c_phi;
+    const Scalar z114 = s_phi * z112;
+    const Scalar z115 = z73 * z112;
+    const Scalar z116 = v_phi / c_phi;
+    const Scalar z117 = z112 * z116;
+    const Scalar z118 = z46 * z115;
+    const Scalar z119 = z111 + z118;
+    const Scalar z120 = z112 * z119;
+    const Scalar z121 = z109 * z112;
+    const Scalar z122 = n1 / (c_phi * c_phi);
+    const Scalar z123 = z114 * z117;
+    const Scalar z124 = z114 * z115;
+    const Scalar z125 = z11 * z117;
+    const Scalar z126 = z11 * z115;
+    const Scalar z127 = z116 - z124;
+    const Scalar z128 = z114 * z120;
+    const Scalar z129 = z11 * z120;
+    const Scalar z130 = z87 + z89 * z114;
+    const Scalar z131 = z128 + z130;
+    const Scalar z132 = z90 - z129;
+    const Scalar z134 = a_x + s_phi * z39 / c_phi - z36;
+    const Scalar z135 = z114 * z121;
+    const Scalar z136 = z11 * z121;
+    const Scalar z137 = z134 + z135;
+    const Scalar z138 = z35 + z136;
+    const Scalar z139 = n1 / z122;
+    const Scalar z140 = z123 * z139;
+    const Scalar z141 = n4_over_3 * z125;
+    const Scalar z142 = z127 * z139;
+    const Scalar z143 = n4_over_3 * z126;
+    const Scalar z144 = z131 * z139;
+    const Scalar z145 = n4_over_3 * z132;
     result.M[0] = n1;
     result.M[1] = n0;
     result.M[2] = -z12;
@@ -941,8 +941,8 @@ struct Mechanism {
     result.C[3] = n0;
     result.C[4] = n0;
     result.C[5] = n0;
-    result.C[6] = -z83;
-    result.C[7] = -z85;
+    result.C[6] = -z86;
+    result.C[7] = -z88;
     result.C[8] = n0;
     result.K[0] = n0;
     result.K[1] = n0;
@@ -950,28 +950,28 @@ struct Mechanism {
     result.K[3] = n0;
     result.K[4] = n0;
     result.K[5] = n0;
-    result.K[6] = z84;
-    result.K[7] = z86;
-    result.K[8] = -z87;
+    result.K[6] = z87;
+    result.K[7] = z89;
+    result.K[8] = -z90;
     result.F[0] = -s_phi * l_N - z38;
     result.F[1] = c_phi * l_N - z39;
     result.F[2] = -z35;
-    result.M_r[0] = z119;
+    result.M_r[0] = z122;
     result.M_r[1] = n0;
     result.M_r[2] = n0;
     result.M_r[3] = n0_75;
-    result.C_r[0] = z120;
-    result.C_r[1] = z122;
-    result.C_r[2] = -z124;
-    result.C_r[3] = z123;
+    result.C_r[0] = z123;
+    result.C_r[1] = z125;
+    result.C_r[2] = -z127;
+    result.C_r[3] = z126;
     result.K_r[0] = n0;
     result.K_r[1] = n0;
     result.K_r[2] = n0;
     result.K_r[3] = n0;
-    result.K_r[4] = z128;
-    result.K_r[5] = -z129;
-    result.F_r[0] = -z134;
-    result.F_r[1] = -z135;
+    result.K_r[4] = z131;
+    result.K_r[5] = -z132;
+    result.F_r[0] = -z137;
+    result.F_r[1] = -z138;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
@@ -983,21 +983,21 @@ struct Mechanism {
     result.A[8] = n0;
     result.A[9] = n0;
     result.A[10] = n0;
-    result.A[11] = z112;
+    result.A[11] = z115;
     result.A[12] = n0;
-    result.A[13] = -z141;
-    result.A[14] = z142;
+    result.A[13] = -z144;
+    result.A[14] = z145;
     result.A[15] = n1;
-    result.A[16] = z111;
+    result.A[16] = z114;
     result.A[17] = n0;
-    result.A[18] = -z137;
-    result.A[19] = -z138;
+    result.A[18] = -z140;
+    result.A[19] = -z141;
     result.A[20] = n0;
     result.A[21] = n0;
     result.A[22] = n1;
-    result.A[23] = z139;
-    result.A[24] = -z140;
-    if (!(traits::regular(z110, n1) && traits::regular(z119, z119))) return torsor::Status::singular;
+    result.A[23] = z142;
+    result.A[24] = -z143;
+    if (!(traits::regular(z113, n1) && traits::regular(z122, z122))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.M[2] - result.M[2]) + (result.M[5] - result.M[5]) + (result.M[6] - result.M[6])
         + (result.M[7] - result.M[7]) + (result.C[6] - result.C[6]) + (result.C[7] - result.C[7]) + (result.K[6]

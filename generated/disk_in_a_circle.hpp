@@ -13,8 +13,8 @@
 //   kinematics               16               34          0             0                  3       0     56      56
 //   mass_matrix               1                3          0             0                  1       0      6      11
 //   bias                      4               15          0             0                  1       0     21      54
-//   inverse_dynamics         20               29          0             0                  2       0     53     114
-//   forward_dynamics         24               62          3             0                  2       0     93     147
+//   inverse_dynamics         20               29          0             0                  2       0     53      93
+//   forward_dynamics         24               62          3             0                  2       0     93     129
 //   energy                   14               28          0             0                  3       0     48      58
 //   constraints              16               30          0             0                  2       0     50      50
 //
@@ -527,8 +527,8 @@ struct Mechanism {
     Scalar z25;
     Scalar z26;
     Scalar z67;
-    Scalar z153;
     Scalar z156;
+    Scalar z159;
   };
 
   /// Values of the scene.
@@ -550,13 +550,13 @@ struct Mechanism {
     const Scalar z25 = n0_25 * p_rho * p_rho;
     const Scalar z26 = n0_5 * p_rho * p_rho;
     const Scalar z67 = z25 - z26;
-    const Scalar z153 = n1 / z26;
-    const Scalar z156 = n1 / z25;
+    const Scalar z156 = n1 / z26;
+    const Scalar z159 = n1 / z25;
     precomputed.z25 = z25;
     precomputed.z26 = z26;
     precomputed.z67 = z67;
-    precomputed.z153 = z153;
     precomputed.z156 = z156;
+    precomputed.z159 = z159;
     return precomputed;
   }
 
@@ -864,14 +864,14 @@ struct Mechanism {
     const Scalar z120 = z25 * (a_theta - z97) + z94;  // moment on disk.2, x
     const Scalar z121 = z25 * z119 - z95;  // moment on disk.2, y
     const Scalar z123 = s_theta * z121 + c_theta * z118;
-    const Scalar z130 = c_theta * p_rho;
-    const Scalar z141 = s_theta * z49 + c_theta * z130;
+    const Scalar z133 = c_theta * p_rho;
+    const Scalar z144 = s_theta * z49 + c_theta * z133;
     forces.x = a_x + s_psi * l_Y - c_psi * l_X;
     forces.y = a_y - s_psi * l_X - c_psi * l_Y;
     forces.z = z106 - l_N;
-    forces.psi = z123 - z130 * l_X;
-    forces.theta = -z49 * l_Y + z120 + z130 * l_N;
-    forces.phi = z118 - z141 * l_X;
+    forces.psi = z123 - z133 * l_X;
+    forces.theta = -z49 * l_Y + z120 + z133 * l_N;
+    forces.phi = z118 - z144 * l_X;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -894,8 +894,8 @@ struct Mechanism {
     const Scalar z25 = precomputed.z25;
     const Scalar z26 = precomputed.z26;
     const Scalar z67 = precomputed.z67;
-    const Scalar z153 = precomputed.z153;
     const Scalar z156 = precomputed.z156;
+    const Scalar z159 = precomputed.z159;
     const Scalar angles_[] = {q_psi, q_theta};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
@@ -919,56 +919,56 @@ struct Mechanism {
     const Scalar z98 = n2 * z88;
     const Scalar z99 = z25 * z97 - z94;  // moment on disk.2, x
     const Scalar z100 = z25 * z98 - z95;  // moment on disk.2, y
-    const Scalar z130 = c_theta * p_rho;
-    const Scalar z135 = v_theta * c_theta;
-    const Scalar z136 = p_rho * z135;
-    const Scalar z138 = v_theta * s_theta;
-    const Scalar z139 = v_theta * z138;
-    const Scalar z140 = p_rho * z139;
-    const Scalar z141 = s_theta * z49 + c_theta * z130;
-    const Scalar z143 = v_psi * s_psi;
-    const Scalar z144 = v_psi * c_psi;
-    const Scalar z149 = v_x * z144 + v_y * z143 - v_theta * z136;
-    const Scalar z154 = z62 * z153;
-    const Scalar z155 = z62 * z154 + z70;
-    const Scalar z157 = n1 / z155;
-    const Scalar z158 = z130 * z156;
-    const Scalar z159 = z141 * z153;
-    const Scalar z160 = z49 * z156;
-    const Scalar z161 = n1 + z130 * z158;
-    const Scalar z162 = z49 * z158;
-    const Scalar z163 = n1 + z49 * z160;
-    const Scalar z164 = n1 / z163;
-    const Scalar z165 = z162 * z164;
-    const Scalar z166 = z161 - z162 * z165;
+    const Scalar z133 = c_theta * p_rho;
+    const Scalar z138 = v_theta * c_theta;
+    const Scalar z139 = p_rho * z138;
+    const Scalar z141 = v_theta * s_theta;
+    const Scalar z142 = v_theta * z141;
+    const Scalar z143 = p_rho * z142;
+    const Scalar z144 = s_theta * z49 + c_theta * z133;
+    const Scalar z146 = v_psi * s_psi;
+    const Scalar z147 = v_psi * c_psi;
+    const Scalar z152 = v_x * z147 + v_y * z146 - v_theta * z139;
+    const Scalar z157 = z62 * z156;
+    const Scalar z158 = z62 * z157 + z70;
+    const Scalar z160 = n1 / z158;
+    const Scalar z161 = z133 * z159;
+    const Scalar z162 = z144 * z156;
+    const Scalar z163 = z49 * z159;
+    const Scalar z164 = n1 + z133 * z161;
+    const Scalar z165 = z49 * z161;
+    const Scalar z166 = n1 + z49 * z163;
     const Scalar z167 = n1 / z166;
-    const Scalar z168 = s_theta * z100;
-    const Scalar z169 = z157 * z168;
-    const Scalar z170 = z99 * z156;
-    const Scalar z171 = z96 * z153 - z154 * z169;
-    const Scalar z172 = n9_81 + z130 * z170 - z140;
-    const Scalar z173 = v_psi * (v_x * s_psi - v_y * c_psi);
-    const Scalar z174 = z49 * z170 - z149;
-    const Scalar z175 = z165 * z174 - z172;
-    const Scalar z176 = z167 * z175;
-    const Scalar z177 = n1_over_3 * z173;
-    const Scalar z178 = z164 * z174 + z165 * z176;
-    const Scalar z179 = s_psi * z178 + c_psi * z177;
-    const Scalar z180 = s_psi * z177 - c_psi * z178;
-    const Scalar z181 = n9_81 + z176;
-    const Scalar z182 = z158 * z176 - z160 * z178 + z170;
-    const Scalar z183 = z159 * z177 + z171;
-    accelerations.x = z179;
-    accelerations.y = z180;
-    accelerations.z = -z181;
-    accelerations.psi = z169;
-    accelerations.theta = z182;
-    accelerations.phi = z183;
-    multipliers.N = -z176;
-    multipliers.X = z177;
-    multipliers.Y = -z178;
-    if (!(traits::regular(-z155, -z70) && traits::regular(z25, z25) && traits::regular(z26, z26)
-        && traits::regular(z166, z161) && traits::regular(z163, z163))) return torsor::Status::singular;
+    const Scalar z168 = z165 * z167;
+    const Scalar z169 = z164 - z165 * z168;
+    const Scalar z170 = n1 / z169;
+    const Scalar z171 = s_theta * z100;
+    const Scalar z172 = z160 * z171;
+    const Scalar z173 = z99 * z159;
+    const Scalar z174 = z96 * z156 - z157 * z172;
+    const Scalar z175 = n9_81 + z133 * z173 - z143;
+    const Scalar z176 = v_psi * (v_x * s_psi - v_y * c_psi);
+    const Scalar z177 = z49 * z173 - z152;
+    const Scalar z178 = z168 * z177 - z175;
+    const Scalar z179 = z170 * z178;
+    const Scalar z180 = n1_over_3 * z176;
+    const Scalar z181 = z167 * z177 + z168 * z179;
+    const Scalar z182 = s_psi * z181 + c_psi * z180;
+    const Scalar z183 = s_psi * z180 - c_psi * z181;
+    const Scalar z184 = n9_81 + z179;
+    const Scalar z185 = z161 * z179 - z163 * z181 + z173;
+    const Scalar z186 = z162 * z180 + z174;
+    accelerations.x = z182;
+    accelerations.y = z183;
+    accelerations.z = -z184;
+    accelerations.psi = z172;
+    accelerations.theta = z185;
+    accelerations.phi = z186;
+    multipliers.N = -z179;
+    multipliers.X = z180;
+    multipliers.Y = -z181;
+    if (!(traits::regular(-z158, -z70) && traits::regular(z25, z25) && traits::regular(z26, z26)
+        && traits::regular(z169, z164) && traits::regular(z166, z166))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.x - accelerations.x) + (accelerations.y - accelerations.y) + (accelerations.z
         - accelerations.z) + (accelerations.psi - accelerations.psi) + (accelerations.theta - accelerations.theta)
@@ -1007,13 +1007,13 @@ struct Mechanism {
     const Scalar z41 = v_theta * c_phi + s_phi * z31;
     const Scalar z42 = v_theta * s_phi - c_phi * z31;
     const Scalar z43 = v_phi + z32;
-    const Scalar z184 = v_x * c_psi + v_y * s_psi;
-    const Scalar z185 = v_x * s_psi - v_y * c_psi;
-    const Scalar z186 = v_z * s_theta - c_theta * z185;
-    const Scalar z187 = v_z * c_theta + s_theta * z185;
-    const Scalar z188 = s_phi * z186 + c_phi * z184;
-    const Scalar z189 = s_phi * z184 - c_phi * z186;
-    result.kinetic = n0_5 * (z25 * (z41 * z41 + z42 * z42) + z26 * z43 * z43 + z187 * z187 + z188 * z188 + z189 * z189);
+    const Scalar z187 = v_x * c_psi + v_y * s_psi;
+    const Scalar z188 = v_x * s_psi - v_y * c_psi;
+    const Scalar z189 = v_z * s_theta - c_theta * z188;
+    const Scalar z190 = v_z * c_theta + s_theta * z188;
+    const Scalar z191 = s_phi * z189 + c_phi * z187;
+    const Scalar z192 = s_phi * z187 - c_phi * z189;
+    result.kinetic = n0_5 * (z25 * (z41 * z41 + z42 * z42) + z26 * z43 * z43 + z190 * z190 + z191 * z191 + z192 * z192);
     result.force_function = -n9_81 * q_z;
     result.power = n0;
   }
@@ -1040,31 +1040,31 @@ struct Mechanism {
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
     const Scalar z49 = s_theta * p_rho;
     const Scalar z57 = q_z - z49;
-    const Scalar z130 = c_theta * p_rho;
-    const Scalar z135 = v_theta * c_theta;
-    const Scalar z136 = p_rho * z135;
-    const Scalar z137 = v_z - z136;
-    const Scalar z138 = v_theta * s_theta;
-    const Scalar z139 = v_theta * z138;
-    const Scalar z140 = p_rho * z139;
-    const Scalar z141 = s_theta * z49 + c_theta * z130;
-    const Scalar z142 = v_x * c_psi + v_y * s_psi + v_psi * z130 + v_phi * z141;
-    const Scalar z143 = v_psi * s_psi;
-    const Scalar z144 = v_psi * c_psi;
-    const Scalar z145 = p_rho * z138;
-    const Scalar z146 = s_theta * z136 - c_theta * z145 + z49 * z135 - z130 * z138;
-    const Scalar z147 = v_x * z143 - v_y * z144 + v_psi * z145 - v_phi * z146;
-    const Scalar z148 = v_x * s_psi - v_y * c_psi - v_theta * z49;
-    const Scalar z149 = v_x * z144 + v_y * z143 - v_theta * z136;
+    const Scalar z133 = c_theta * p_rho;
+    const Scalar z138 = v_theta * c_theta;
+    const Scalar z139 = p_rho * z138;
+    const Scalar z140 = v_z - z139;
+    const Scalar z141 = v_theta * s_theta;
+    const Scalar z142 = v_theta * z141;
+    const Scalar z143 = p_rho * z142;
+    const Scalar z144 = s_theta * z49 + c_theta * z133;
+    const Scalar z145 = v_x * c_psi + v_y * s_psi + v_psi * z133 + v_phi * z144;
+    const Scalar z146 = v_psi * s_psi;
+    const Scalar z147 = v_psi * c_psi;
+    const Scalar z148 = p_rho * z141;
+    const Scalar z149 = s_theta * z139 - c_theta * z148 + z49 * z138 - z133 * z141;
+    const Scalar z150 = v_x * z146 - v_y * z147 + v_psi * z148 - v_phi * z149;
+    const Scalar z151 = v_x * s_psi - v_y * c_psi - v_theta * z49;
+    const Scalar z152 = v_x * z147 + v_y * z146 - v_theta * z139;
     result.value[0] = z57;
-    result.rate[0] = z137;
-    result.gamma[0] = z140;
+    result.rate[0] = z140;
+    result.gamma[0] = z143;
     result.value[1] = n0;
-    result.rate[1] = z142;
-    result.gamma[1] = -z147;
+    result.rate[1] = z145;
+    result.gamma[1] = -z150;
     result.value[2] = n0;
-    result.rate[2] = -z148;
-    result.gamma[2] = -z149;
+    result.rate[2] = -z151;
+    result.gamma[2] = -z152;
     result.jacobian[0] = n0;
     result.jacobian[1] = c_psi;
     result.jacobian[2] = -s_psi;
@@ -1075,13 +1075,13 @@ struct Mechanism {
     result.jacobian[7] = n0;
     result.jacobian[8] = n0;
     result.jacobian[9] = n0;
-    result.jacobian[10] = z130;
+    result.jacobian[10] = z133;
     result.jacobian[11] = n0;
-    result.jacobian[12] = -z130;
+    result.jacobian[12] = -z133;
     result.jacobian[13] = n0;
     result.jacobian[14] = z49;
     result.jacobian[15] = n0;
-    result.jacobian[16] = z141;
+    result.jacobian[16] = z144;
     result.jacobian[17] = n0;
   }
 };

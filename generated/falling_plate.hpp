@@ -13,12 +13,12 @@
 //   kinematics               12               30          0             0                  2       0     46      46
 //   mass_matrix               4                9          0             0                  1       0     15      21
 //   bias                     14               39          0             0                  1       0     55      70
-//   inverse_dynamics         31               54          0             0                  2       0     89     102
+//   inverse_dynamics         22               50          0             0                  1       0     74      89
 //   forward_dynamics         21               52          2             0                  1       0     77      92
 //   energy                   15               30          0             0                  2       0     49      59
-//   first_integrals          23               42          0             0                  2       0     69      80
+//   first_integrals          19               36          0             0                  2       0     59      70
 //   reactions                16               31          0             0                  2       0     51      79
-//   linearisation            85              158          2             0                  2       0    249     289
+//   linearisation            75              158          2             0                  1       0    237     280
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 18 results 1 vanish identically
@@ -515,7 +515,6 @@ struct Mechanism {
     Scalar z24;
     Scalar z25;
     Scalar z26;
-    Scalar z28;
     Scalar z29;
     Scalar z30;
     Scalar z110;
@@ -554,7 +553,6 @@ struct Mechanism {
     precomputed.z24 = z24;
     precomputed.z25 = z25;
     precomputed.z26 = z26;
-    precomputed.z28 = z28;
     precomputed.z29 = z29;
     precomputed.z30 = z30;
     precomputed.z110 = z110;
@@ -815,7 +813,6 @@ struct Mechanism {
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar a_x = accelerations.x;
     const Scalar a_y = accelerations.y;
-    const Scalar q_alpha = state.q.alpha;
     const Scalar v_alpha = state.v.alpha;
     const Scalar a_alpha = accelerations.alpha;
     const Scalar p_b = precomputed.parameters.b;
@@ -824,63 +821,59 @@ struct Mechanism {
     const Scalar a_beta = accelerations.beta;
     const Scalar p_F = precomputed.parameters.F;
     const Scalar z24 = precomputed.z24;
-    const Scalar z28 = precomputed.z28;
+    const Scalar z25 = precomputed.z25;
+    const Scalar z26 = precomputed.z26;
     const Scalar z29 = precomputed.z29;
     const Scalar z30 = precomputed.z30;
     const Scalar z110 = precomputed.z110;
-    const Scalar angles_[] = {q_alpha, q_beta};
-    Scalar sines_[2], cosines_[2];
-    torsor::sines_and_cosines(angles_, sines_, cosines_);
-    const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
-    const Scalar s_beta = sines_[1], c_beta = cosines_[1];
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
     const Scalar z16 = s_beta * v_beta;
     const Scalar z17 = c_beta * v_beta;
-    const Scalar z19 = s_beta * a_beta + v_beta * z17;
     const Scalar z20 = p_b * s_beta;
     const Scalar z35 = p_b * c_beta;
     const Scalar z43 = v_alpha * s_beta;
     const Scalar z44 = v_alpha * c_beta;
+    const Scalar z57 = s_beta * p_F;
+    const Scalar z65 = s_beta * z26;
+    const Scalar z68 = s_beta * z65;
+    const Scalar z71 = z25 + z68;
+    const Scalar z80 = z35 * z35 - z71;
+    const Scalar z93 = z20 * z20;
+    const Scalar z96 = z20 * z20 + z24 - n2 * z93;
+    const Scalar z97 = v_beta * z17;
     const Scalar z98 = v_alpha * v_alpha;
+    const Scalar z99 = n2 * v_alpha * p_b * z16;
+    const Scalar z100 = p_b * z97 + z35 * z98;
+    const Scalar z102 = n9_81 * c_beta - s_beta * z100;
     const Scalar z103 = v_beta * z44;  // angular acceleration of plate, y
     const Scalar z104 = v_beta * z43;  // angular acceleration of plate, z
+    const Scalar z105 = n2 * z104;
     const Scalar z106 = z44 * z44;
     const Scalar z107 = v_beta * v_beta;
     const Scalar z108 = z106 + z107;
     const Scalar z109 = z43 * z44;
+    const Scalar z111 = n2 * z103;
     const Scalar z112 = z43 * z43;
     const Scalar z113 = z107 - z112;
+    const Scalar z114 = p_b * z105;  // force on plate, x
     const Scalar z115 = p_b * z108;  // force on plate, y
-    const Scalar z136 = a_x * c_alpha + a_y * s_alpha;
-    const Scalar z137 = a_x * s_alpha - a_y * c_alpha;
-    const Scalar z138 = n2 * v_alpha * p_b * z16 - a_alpha * z35 - z136;
-    const Scalar z139 = p_b * z19 + z35 * z98 - z137;
-    const Scalar z140 = a_alpha * s_beta;
-    const Scalar z141 = a_alpha * c_beta;
-    const Scalar z143 = n9_81 * c_beta - s_beta * z139;
-    const Scalar z144 = v_beta * z44 + z140;  // angular acceleration of plate, y
-    const Scalar z145 = v_beta * z43 - z141;  // angular acceleration of plate, z
-    const Scalar z146 = z104 + z145;
-    const Scalar z147 = a_beta + z109;
-    const Scalar z148 = z103 - z144;
-    const Scalar z149 = z103 + z144;
-    const Scalar z150 = p_b * z146;  // force on plate, x
-    const Scalar z151 = p_b * z147;  // force on plate, z
-    const Scalar z152 = p_b * z143 + a_beta * z24 - p_F * z148 - z109 * z110;  // moment on plate, x
-    const Scalar z153 = p_F * z147 + z29 * z149;  // moment on plate, y
-    const Scalar z154 = p_b * z138 + p_F * z113 - z30 * z146;  // moment on plate, z
-    const Scalar z155 = c_beta * z115 + s_beta * z151;
-    const Scalar z158 = c_beta * z154 + s_beta * z153;
-    const Scalar z159 = a_alpha * z28 + z158;  // moment on tilted, z
-    const Scalar z160 = z138 - z150;  // force on foot, x
-    const Scalar z161 = z139 - z155;  // force on foot, y
-    const Scalar z164 = z35 * z160 - z159;  // moment on turned, z
-    const Scalar z165 = s_alpha * z161 + c_alpha * z160;
-    const Scalar z166 = s_alpha * z160 - c_alpha * z161;
-    const Scalar z171 = z20 * z161 + z152;
-    forces.x = -z165;
-    forces.y = -z166;
-    forces.alpha = -z164;
-    forces.beta = z171;
+    const Scalar z116 = p_b * z109;  // force on plate, z
+    const Scalar z117 = p_b * z102 - z109 * z110;  // moment on plate, x
+    const Scalar z118 = p_F * z109 + z29 * z111;  // moment on plate, y
+    const Scalar z119 = p_b * z99 + p_F * z113 - z30 * z105;  // moment on plate, z
+    const Scalar z120 = c_beta * z115 + s_beta * z116;
+    const Scalar z123 = c_beta * z119 + s_beta * z118;
+    const Scalar z124 = z99 - z114;  // force on foot, x
+    const Scalar z125 = z100 - z120;  // force on foot, y
+    const Scalar z128 = z35 * z124 - z123;  // moment on turned, z
+    const Scalar z135 = z20 * z125 + z117;
+    const Scalar z172 = a_alpha * z80 - a_beta * z57 + z128;
+    const Scalar z173 = a_alpha * z57 + a_beta * z96 + z135;
+    forces.x = a_x;
+    forces.y = a_y;
+    forces.alpha = -z172;
+    forces.beta = z173;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -945,13 +938,13 @@ struct Mechanism {
     const Scalar z125 = z100 - z120;  // force on foot, y
     const Scalar z128 = z35 * z124 - z123;  // moment on turned, z
     const Scalar z135 = z20 * z125 + z117;
-    const Scalar z172 = n1 / z96;
-    const Scalar z175 = z57 * z172;
+    const Scalar z174 = n1 / z96;
+    const Scalar z175 = z57 * z174;
     const Scalar z176 = z57 * z175 + z80;
     const Scalar z177 = n1 / z176;
     const Scalar z178 = z128 + z135 * z175;
     const Scalar z179 = z177 * z178;
-    const Scalar z180 = z135 * z172 - z175 * z179;
+    const Scalar z180 = z135 * z174 - z175 * z179;
     accelerations.x = n0;
     accelerations.y = n0;
     accelerations.alpha = -z179;
@@ -1034,14 +1027,10 @@ struct Mechanism {
     const Scalar z43 = v_alpha * s_beta;
     const Scalar z44 = v_alpha * c_beta;
     const Scalar z57 = s_beta * p_F;
-    const Scalar z59 = s_alpha * z20;
-    const Scalar z60 = c_alpha * z20;
     const Scalar z65 = s_beta * z26;
     const Scalar z68 = s_beta * z65;
     const Scalar z71 = z25 + z68;
     const Scalar z80 = z35 * z35 - z71;
-    const Scalar z94 = s_alpha * z20 - z59;
-    const Scalar z95 = c_alpha * z20 - z60;
     const Scalar z181 = v_x * c_alpha + v_y * s_alpha;
     const Scalar z182 = v_x * s_alpha - v_y * c_alpha;
     const Scalar z183 = v_alpha * z35 + z181;
@@ -1055,8 +1044,8 @@ struct Mechanism {
     const Scalar z191 = p_b * z183 - z25 * z44;
     result.energy = -n0_5 * (v_beta * z189 - z43 * z190 + z44 * z191 + z183 * z187 - z185 * z185 + z186 * z188) + n9_81
         * z20;
-    result.momentum_x = v_x - v_beta * z94;
-    result.momentum_y = v_y + v_beta * z95;
+    result.momentum_x = v_x;
+    result.momentum_y = v_y;
     result.momentum_alpha = -v_alpha * z80 + v_beta * z57;
   }
 
@@ -1125,7 +1114,6 @@ struct Mechanism {
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar a_x = accelerations.x;
     const Scalar a_y = accelerations.y;
-    const Scalar q_alpha = state.q.alpha;
     const Scalar v_alpha = state.v.alpha;
     const Scalar a_alpha = accelerations.alpha;
     const Scalar p_b = precomputed.parameters.b;
@@ -1136,137 +1124,131 @@ struct Mechanism {
     const Scalar z24 = precomputed.z24;
     const Scalar z25 = precomputed.z25;
     const Scalar z26 = precomputed.z26;
-    const Scalar z28 = precomputed.z28;
     const Scalar z29 = precomputed.z29;
     const Scalar z30 = precomputed.z30;
     const Scalar z110 = precomputed.z110;
-    const Scalar angles_[] = {q_alpha, q_beta};
-    Scalar sines_[2], cosines_[2];
-    torsor::sines_and_cosines(angles_, sines_, cosines_);
-    const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
-    const Scalar s_beta = sines_[1], c_beta = cosines_[1];
+    Scalar s_beta, c_beta;
+    traits::sincos(q_beta, s_beta, c_beta);
     const Scalar z16 = s_beta * v_beta;
     const Scalar z17 = c_beta * v_beta;
-    const Scalar z19 = s_beta * a_beta + v_beta * z17;
     const Scalar z20 = p_b * s_beta;
     const Scalar z35 = p_b * c_beta;
     const Scalar z43 = v_alpha * s_beta;
     const Scalar z44 = v_alpha * c_beta;
+    const Scalar z56 = c_beta * p_F;
     const Scalar z57 = s_beta * p_F;
     const Scalar z65 = s_beta * z26;
+    const Scalar z66 = c_beta * z26;
     const Scalar z68 = s_beta * z65;
     const Scalar z71 = z25 + z68;
     const Scalar z80 = z35 * z35 - z71;
     const Scalar z93 = z20 * z20;
     const Scalar z96 = z20 * z20 + z24 - n2 * z93;
+    const Scalar z97 = v_beta * z17;
     const Scalar z98 = v_alpha * v_alpha;
+    const Scalar z99 = n2 * v_alpha * p_b * z16;
+    const Scalar z100 = p_b * z97 + z35 * z98;
+    const Scalar z102 = n9_81 * c_beta - s_beta * z100;
     const Scalar z103 = v_beta * z44;  // angular acceleration of plate, y
     const Scalar z104 = v_beta * z43;  // angular acceleration of plate, z
+    const Scalar z105 = n2 * z104;
     const Scalar z106 = z44 * z44;
     const Scalar z107 = v_beta * v_beta;
     const Scalar z108 = z106 + z107;
     const Scalar z109 = z43 * z44;
+    const Scalar z111 = n2 * z103;
     const Scalar z112 = z43 * z43;
     const Scalar z113 = z107 - z112;
+    const Scalar z114 = p_b * z105;  // force on plate, x
     const Scalar z115 = p_b * z108;  // force on plate, y
-    const Scalar z136 = a_x * c_alpha + a_y * s_alpha;
-    const Scalar z137 = a_x * s_alpha - a_y * c_alpha;
-    const Scalar z138 = n2 * v_alpha * p_b * z16 - a_alpha * z35 - z136;
-    const Scalar z139 = p_b * z19 + z35 * z98 - z137;
-    const Scalar z140 = a_alpha * s_beta;
-    const Scalar z141 = a_alpha * c_beta;
-    const Scalar z143 = n9_81 * c_beta - s_beta * z139;
-    const Scalar z144 = v_beta * z44 + z140;  // angular acceleration of plate, y
-    const Scalar z145 = v_beta * z43 - z141;  // angular acceleration of plate, z
-    const Scalar z146 = z104 + z145;
-    const Scalar z147 = a_beta + z109;
-    const Scalar z148 = z103 - z144;
-    const Scalar z149 = z103 + z144;
-    const Scalar z150 = p_b * z146;  // force on plate, x
-    const Scalar z151 = p_b * z147;  // force on plate, z
-    const Scalar z152 = p_b * z143 + a_beta * z24 - p_F * z148 - z109 * z110;  // moment on plate, x
-    const Scalar z153 = p_F * z147 + z29 * z149;  // moment on plate, y
-    const Scalar z154 = p_b * z138 + p_F * z113 - z30 * z146;  // moment on plate, z
-    const Scalar z155 = c_beta * z115 + s_beta * z151;
-    const Scalar z158 = c_beta * z154 + s_beta * z153;
-    const Scalar z159 = a_alpha * z28 + z158;  // moment on tilted, z
-    const Scalar z160 = z138 - z150;  // force on foot, x
-    const Scalar z161 = z139 - z155;  // force on foot, y
-    const Scalar z164 = z35 * z160 - z159;  // moment on turned, z
-    const Scalar z165 = s_alpha * z161 + c_alpha * z160;
-    const Scalar z166 = s_alpha * z160 - c_alpha * z161;
-    const Scalar z171 = z20 * z161 + z152;
-    const Scalar z172 = n1 / z96;
-    const Scalar z175 = z57 * z172;
+    const Scalar z116 = p_b * z109;  // force on plate, z
+    const Scalar z117 = p_b * z102 - z109 * z110;  // moment on plate, x
+    const Scalar z118 = p_F * z109 + z29 * z111;  // moment on plate, y
+    const Scalar z119 = p_b * z99 + p_F * z113 - z30 * z105;  // moment on plate, z
+    const Scalar z120 = c_beta * z115 + s_beta * z116;
+    const Scalar z123 = c_beta * z119 + s_beta * z118;
+    const Scalar z124 = z99 - z114;  // force on foot, x
+    const Scalar z125 = z100 - z120;  // force on foot, y
+    const Scalar z128 = z35 * z124 - z123;  // moment on turned, z
+    const Scalar z135 = z20 * z125 + z117;
+    const Scalar z172 = a_alpha * z80 - a_beta * z57 + z128;
+    const Scalar z173 = a_alpha * z57 + a_beta * z96 + z135;
+    const Scalar z174 = n1 / z96;
+    const Scalar z175 = z57 * z174;
     const Scalar z176 = z57 * z175 + z80;
     const Scalar z177 = n1 / z176;
-    const Scalar z224 = n2 * v_alpha;
-    const Scalar z225 = z35 * z224;
-    const Scalar z226 = n2 * c_beta * z44;
-    const Scalar z227 = p_b * z226;
-    const Scalar z228 = c_beta * z43 + s_beta * z44;
-    const Scalar z229 = p_b * z228;
-    const Scalar z230 = c_beta * z227 + s_beta * z229;
-    const Scalar z231 = z225 - z230;
-    const Scalar z232 = n2 * p_b * z16;
-    const Scalar z233 = n2 * z16;
-    const Scalar z234 = p_b * z233;
-    const Scalar z235 = z232 - z234;
-    const Scalar z240 = n2 * s_beta * z43;
-    const Scalar z241 = p_b * z232 - p_F * z240 - z30 * z233;
-    const Scalar z242 = n2 * z17;
-    const Scalar z243 = p_F * z228 + z29 * z242;
-    const Scalar z244 = c_beta * z241 + s_beta * z243;
-    const Scalar z245 = z35 * z235 - z244;
-    const Scalar z249 = s_beta * z225;
-    const Scalar z250 = p_b * z249 + z110 * z228;
-    const Scalar z251 = z20 * z231 - z250;
-    const Scalar z255 = c_beta * v_beta + z17;
-    const Scalar z256 = p_b * z255;
-    const Scalar z257 = n2 * v_beta;
-    const Scalar z258 = p_b * z257;
-    const Scalar z259 = c_beta * z258;
-    const Scalar z260 = z256 - z259;
-    const Scalar z261 = n2 * v_alpha * p_b * s_beta;
-    const Scalar z262 = n2 * z43;
-    const Scalar z263 = p_b * z262;
-    const Scalar z264 = z261 - z263;
-    const Scalar z266 = c_beta * a_beta - v_beta * z16;
-    const Scalar z267 = p_b * z266 - z20 * z98;
-    const Scalar z268 = n2 * z43 * z44;
-    const Scalar z269 = p_b * z268;
-    const Scalar z270 = z43 * z43 - z44 * z44;
-    const Scalar z271 = p_b * z270;
-    const Scalar z272 = c_beta * (z151 - z269) - s_beta * (z115 + z271);
-    const Scalar z273 = z267 - z272;
-    const Scalar z274 = n2 * v_alpha * p_b * z17 + a_alpha * z20;
-    const Scalar z275 = p_b * z149;
-    const Scalar z276 = z274 - z275;
-    const Scalar z280 = p_b * z261 + p_F * z257 - z30 * z262;
-    const Scalar z281 = n2 * z44;
-    const Scalar z282 = z29 * z281;
-    const Scalar z283 = c_beta * z280 + s_beta * z282;
-    const Scalar z284 = z35 * z264 - z283;
-    const Scalar z285 = p_b * z274 - p_F * z268 - z30 * z149;
-    const Scalar z286 = p_F * z270 + z29 * z146;
-    const Scalar z287 = c_beta * (z153 + z285) - s_beta * (z154 + z286);
-    const Scalar z288 = z20 * z160 - z35 * z276 + z287;
-    const Scalar z289 = s_beta * z256;
-    const Scalar z290 = p_b * z289;
-    const Scalar z291 = z20 * z260 - z290;
-    const Scalar z292 = s_beta * (n9_81 + z267) + c_beta * z139;
-    const Scalar z293 = z104 - z145;
-    const Scalar z294 = p_b * z292 - p_F * z293 - z110 * z270;
-    const Scalar z295 = z20 * z273 + z35 * z161 - z294;
-    const Scalar z297 = z175 * z251 + z245;
-    const Scalar z298 = z177 * z297;
-    const Scalar z299 = z172 * z251 - z175 * z298;
-    const Scalar z300 = z175 * z295 - z288;
-    const Scalar z301 = z177 * z300;
-    const Scalar z302 = z172 * z295 - z175 * z301;
-    const Scalar z303 = z175 * z291 + z284;
-    const Scalar z304 = z177 * z303;
-    const Scalar z305 = z172 * z291 - z175 * z304;
+    const Scalar z224 = n2 * p_b * z16;
+    const Scalar z225 = n2 * z16;
+    const Scalar z226 = p_b * z225;
+    const Scalar z227 = z224 - z226;
+    const Scalar z228 = n2 * s_beta * z43;
+    const Scalar z229 = p_b * z224 - p_F * z228 - z30 * z225;
+    const Scalar z230 = c_beta * z43 + s_beta * z44;
+    const Scalar z231 = n2 * z17;
+    const Scalar z232 = p_F * z230 + z29 * z231;
+    const Scalar z233 = c_beta * z229 + s_beta * z232;
+    const Scalar z234 = z35 * z227 - z233;
+    const Scalar z235 = n2 * v_alpha;
+    const Scalar z236 = z35 * z235;
+    const Scalar z237 = n2 * c_beta * z44;
+    const Scalar z238 = p_b * z237;
+    const Scalar z239 = p_b * z230;
+    const Scalar z240 = c_beta * z238 + s_beta * z239;
+    const Scalar z241 = z236 - z240;
+    const Scalar z242 = s_beta * z236;
+    const Scalar z243 = p_b * z242 + z110 * z230;
+    const Scalar z244 = z20 * z241 - z243;
+    const Scalar z245 = n2 * v_alpha * p_b * s_beta;
+    const Scalar z246 = n2 * z43;
+    const Scalar z247 = p_b * z246;
+    const Scalar z248 = z245 - z247;
+    const Scalar z249 = n2 * v_beta;
+    const Scalar z250 = p_b * z245 + p_F * z249 - z30 * z246;
+    const Scalar z251 = n2 * z44;
+    const Scalar z252 = z29 * z251;
+    const Scalar z253 = c_beta * z250 + s_beta * z252;
+    const Scalar z254 = z35 * z248 - z253;
+    const Scalar z255 = c_beta * z65 + s_beta * z66;
+    const Scalar z256 = n2 * z20 * z35 + z255;
+    const Scalar z257 = n2 * v_alpha * p_b * z17;
+    const Scalar z258 = p_b * z111;
+    const Scalar z259 = z257 - z258;
+    const Scalar z260 = n2 * z43 * z44;
+    const Scalar z261 = p_b * z257 - p_F * z260 - z30 * z111;
+    const Scalar z262 = z43 * z43 - z44 * z44;
+    const Scalar z263 = p_F * z262 + z29 * z105;
+    const Scalar z264 = c_beta * (z118 + z261) - s_beta * (z119 + z263);
+    const Scalar z265 = z20 * z124 - z35 * z259 + z264;
+    const Scalar z266 = a_alpha * z256 + a_beta * z56 + z265;
+    const Scalar z267 = c_beta * v_beta + z17;
+    const Scalar z268 = p_b * z267;
+    const Scalar z269 = p_b * z249;
+    const Scalar z270 = c_beta * z269;
+    const Scalar z271 = z268 - z270;
+    const Scalar z272 = s_beta * z268;
+    const Scalar z273 = p_b * z272;
+    const Scalar z274 = z20 * z271 - z273;
+    const Scalar z275 = n2 * z20 * z35;
+    const Scalar z276 = n2 * (z20 * z35 - z275);
+    const Scalar z277 = v_beta * z16;
+    const Scalar z278 = p_b * z277 + z20 * z98;
+    const Scalar z279 = p_b * z260;
+    const Scalar z280 = p_b * z262;
+    const Scalar z281 = c_beta * (z116 - z279) - s_beta * (z115 + z280);
+    const Scalar z282 = z278 + z281;
+    const Scalar z283 = s_beta * (n9_81 - z278) + c_beta * z100;
+    const Scalar z284 = p_b * z283 - z110 * z262;
+    const Scalar z285 = z20 * z282 - z35 * z125 + z284;
+    const Scalar z286 = a_alpha * z56 + a_beta * z276 - z285;
+    const Scalar z287 = z175 * z244 + z234;
+    const Scalar z288 = z177 * z287;
+    const Scalar z289 = z174 * z244 - z175 * z288;
+    const Scalar z290 = z175 * z286 - z266;
+    const Scalar z291 = z177 * z290;
+    const Scalar z292 = z174 * z286 - z175 * z291;
+    const Scalar z293 = z175 * z274 + z254;
+    const Scalar z294 = z177 * z293;
+    const Scalar z295 = z174 * z274 - z175 * z294;
     result.M[0] = n1;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -1293,12 +1275,12 @@ struct Mechanism {
     result.C[7] = n0;
     result.C[8] = n0;
     result.C[9] = n0;
-    result.C[10] = -z245;
-    result.C[11] = z251;
+    result.C[10] = -z234;
+    result.C[11] = z244;
     result.C[12] = n0;
     result.C[13] = n0;
-    result.C[14] = -z284;
-    result.C[15] = z291;
+    result.C[14] = -z254;
+    result.C[15] = z274;
     result.K[0] = n0;
     result.K[1] = n0;
     result.K[2] = n0;
@@ -1313,12 +1295,12 @@ struct Mechanism {
     result.K[11] = n0;
     result.K[12] = n0;
     result.K[13] = n0;
-    result.K[14] = z288;
-    result.K[15] = z295;
-    result.F[0] = z165;
-    result.F[1] = z166;
-    result.F[2] = z164;
-    result.F[3] = -z171;
+    result.K[14] = z266;
+    result.K[15] = z286;
+    result.F[0] = -a_x;
+    result.F[1] = -a_y;
+    result.F[2] = z172;
+    result.F[3] = -z173;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
@@ -1349,8 +1331,8 @@ struct Mechanism {
     result.A[27] = n0;
     result.A[28] = n0;
     result.A[29] = n0;
-    result.A[30] = -z301;
-    result.A[31] = -z302;
+    result.A[30] = -z291;
+    result.A[31] = -z292;
     result.A[32] = n1;
     result.A[33] = n0;
     result.A[34] = n0;
@@ -1373,16 +1355,16 @@ struct Mechanism {
     result.A[51] = n0;
     result.A[52] = n0;
     result.A[53] = n0;
-    result.A[54] = -z298;
-    result.A[55] = -z299;
+    result.A[54] = -z288;
+    result.A[55] = -z289;
     result.A[56] = n0;
     result.A[57] = n0;
     result.A[58] = n0;
     result.A[59] = n1;
     result.A[60] = n0;
     result.A[61] = n0;
-    result.A[62] = -z304;
-    result.A[63] = -z305;
+    result.A[62] = -z294;
+    result.A[63] = -z295;
     if (!(traits::regular(-z176, -z80) && traits::regular(z96, z96))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.M[10] - result.M[10]) + (result.M[11] - result.M[11]) + (result.M[14] - result.M[14])

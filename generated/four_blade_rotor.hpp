@@ -13,11 +13,11 @@
 //   kinematics               62              129          0             0                  0       0    191     193
 //   mass_matrix               0                0          0             0                  0       0      0      16
 //   bias                     16               40          0             0                  0       0     56      68
-//   inverse_dynamics         34               53          0             0                  0       0     87     131
+//   inverse_dynamics         18               43          0             0                  0       0     61      87
 //   forward_dynamics         16               42          0             0                  0       0     58      86
 //   energy                   17               29          0             0                  0       0     46      55
 //   first_integrals          17               30          0             0                  0       0     47      62
-//   linearisation            56              101          0             0                  0       0    157     221
+//   linearisation            40               91          0             0                  0       0    131     171
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 72 results 21 repeat another up to sign
@@ -514,8 +514,8 @@ struct Mechanism {
     Scalar z111;
     Scalar z112;
     Scalar z113;
-    Scalar z175;
-    Scalar z176;
+    Scalar z178;
+    Scalar z179;
   };
 
   /// Values of the scene.
@@ -553,15 +553,15 @@ struct Mechanism {
     const Scalar z111 = n0_4 - z108;
     const Scalar z112 = z100 - z109;
     const Scalar z113 = z101 + z110;
-    const Scalar z175 = n1 / z112;
-    const Scalar z176 = n1 / z111;
+    const Scalar z178 = n1 / z112;
+    const Scalar z179 = n1 / z111;
     precomputed.s_alpha = s_alpha;
     precomputed.c_alpha = c_alpha;
     precomputed.z111 = z111;
     precomputed.z112 = z112;
     precomputed.z113 = z113;
-    precomputed.z175 = z175;
-    precomputed.z176 = z176;
+    precomputed.z178 = z178;
+    precomputed.z179 = z179;
     return precomputed;
   }
 
@@ -658,14 +658,14 @@ struct Mechanism {
     const Scalar v_e_omega_x = state.v.e_omega_x;
     const Scalar v_e_omega_y = state.v.e_omega_y;
     const Scalar v_e_omega_z = state.v.e_omega_z;
-    const Scalar z363 = n0_5 * (q_e_y * v_e_omega_y + q_e_z * v_e_omega_z + q_e_x * v_e_omega_x);
-    const Scalar z364 = n0_5 * (q_e_y * v_e_omega_z - q_e_z * v_e_omega_y + q_e_w * v_e_omega_x);
-    const Scalar z365 = n0_5 * (q_e_z * v_e_omega_x - q_e_x * v_e_omega_z + q_e_w * v_e_omega_y);
-    const Scalar z366 = n0_5 * (q_e_y * v_e_omega_x - q_e_x * v_e_omega_y - q_e_w * v_e_omega_z);
-    rates[0] = -z363;
-    rates[1] = z364;
-    rates[2] = z365;
-    rates[3] = -z366;
+    const Scalar z354 = n0_5 * (q_e_y * v_e_omega_y + q_e_z * v_e_omega_z + q_e_x * v_e_omega_x);
+    const Scalar z355 = n0_5 * (q_e_y * v_e_omega_z - q_e_z * v_e_omega_y + q_e_w * v_e_omega_x);
+    const Scalar z356 = n0_5 * (q_e_z * v_e_omega_x - q_e_x * v_e_omega_z + q_e_w * v_e_omega_y);
+    const Scalar z357 = n0_5 * (q_e_y * v_e_omega_x - q_e_x * v_e_omega_y - q_e_w * v_e_omega_z);
+    rates[0] = -z354;
+    rates[1] = z355;
+    rates[2] = z356;
+    rates[3] = -z357;
   }
 
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
@@ -915,7 +915,6 @@ struct Mechanism {
       const Accelerations& accelerations, const Multipliers&, GeneralizedForces& forces) noexcept {
     const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
     const Scalar n665 = traits::constant(665.0, 665.0f, "665/1");
-    const Scalar n1330 = traits::constant(1330.0, 1330.0f, "1330/1");
     const Scalar v_e_omega_x = state.v.e_omega_x;
     const Scalar a_e_omega_x = accelerations.e_omega_x;
     const Scalar v_e_omega_y = state.v.e_omega_y;
@@ -924,75 +923,9 @@ struct Mechanism {
     const Scalar a_e_omega_z = accelerations.e_omega_z;
     const Scalar s_alpha = precomputed.s_alpha;
     const Scalar c_alpha = precomputed.c_alpha;
-    const Scalar z46 = v_e_omega_y * c_alpha + v_e_omega_z * s_alpha;
-    const Scalar z47 = v_e_omega_y * s_alpha - v_e_omega_z * c_alpha;
-    const Scalar z54 = v_e_omega_x * c_alpha - v_e_omega_z * s_alpha;
-    const Scalar z55 = v_e_omega_x * s_alpha + v_e_omega_z * c_alpha;
-    const Scalar z62 = v_e_omega_y * c_alpha - v_e_omega_z * s_alpha;
-    const Scalar z63 = v_e_omega_y * s_alpha + v_e_omega_z * c_alpha;
-    const Scalar z70 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
-    const Scalar z71 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
-    const Scalar z114 = z70 * z71;
-    const Scalar z115 = v_e_omega_y * z70;
-    const Scalar z120 = z62 * z63;
-    const Scalar z121 = v_e_omega_x * z62;
-    const Scalar z126 = z54 * z55;
-    const Scalar z127 = v_e_omega_y * z54;
-    const Scalar z132 = z46 * z47;
-    const Scalar z133 = v_e_omega_x * z46;
-    const Scalar z138 = v_e_omega_y * v_e_omega_z;
-    const Scalar z139 = v_e_omega_x * v_e_omega_z;
-    const Scalar z144 = a_e_omega_y * s_alpha - a_e_omega_z * c_alpha;
-    const Scalar z146 = a_e_omega_x * s_alpha + a_e_omega_z * c_alpha;
-    const Scalar z148 = a_e_omega_y * s_alpha + a_e_omega_z * c_alpha;
-    const Scalar z150 = a_e_omega_x * s_alpha - a_e_omega_z * c_alpha;
-    const Scalar z151 = z115 - z150;
-    const Scalar z152 = n0_4 * (a_e_omega_y + z114);  // moment on blade_4, x
-    const Scalar z153 = n0_4 * z151;  // moment on blade_4, z
-    const Scalar z154 = s_alpha * z153;
-    const Scalar z155 = c_alpha * z153;
-    const Scalar z156 = z121 - z148;
-    const Scalar z157 = n0_4 * (a_e_omega_x + z120);  // moment on blade_3, x
-    const Scalar z158 = n0_4 * z156;  // moment on blade_3, z
-    const Scalar z159 = s_alpha * z158;
-    const Scalar z160 = c_alpha * z158;
-    const Scalar z161 = z127 + z146;
-    const Scalar z162 = n0_4 * (a_e_omega_y - z126);  // moment on blade_2, x
-    const Scalar z163 = n0_4 * z161;  // moment on blade_2, z
-    const Scalar z164 = s_alpha * z163;
-    const Scalar z165 = c_alpha * z163;
-    const Scalar z166 = z133 + z144;
-    const Scalar z167 = n0_4 * (a_e_omega_x - z132);  // moment on blade_1, x
-    const Scalar z168 = n0_4 * z166;  // moment on blade_1, z
-    const Scalar z169 = s_alpha * z168;
-    const Scalar z170 = c_alpha * z168;
-    const Scalar z171 = n665 * (a_e_omega_x + z138) - z154 + z157 + z164 + z167;  // moment on rotor, x
-    const Scalar z172 = n665 * (a_e_omega_y - z139) + z152 - z159 + z162 + z169;  // moment on rotor, y
-    const Scalar z173 = n1330 * a_e_omega_z + z155 - z160 + z165 - z170;  // moment on rotor, z
-    forces.e_omega_x = z171;
-    forces.e_omega_y = z172;
-    forces.e_omega_z = z173;
-  }
-
-  /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
-  /// an unrolled L D L' of M. Returns singular when a pivot is not
-  /// positive relative to its diagonal entry.
-  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
-      const Inputs&, Accelerations& accelerations, Multipliers&) noexcept {
-    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
-    const Scalar n665 = traits::constant(665.0, 665.0f, "665/1");
-    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
-    const Scalar v_e_omega_x = state.v.e_omega_x;
-    const Scalar v_e_omega_y = state.v.e_omega_y;
-    const Scalar v_e_omega_z = state.v.e_omega_z;
-    const Scalar s_alpha = precomputed.s_alpha;
-    const Scalar c_alpha = precomputed.c_alpha;
     const Scalar z111 = precomputed.z111;
     const Scalar z112 = precomputed.z112;
     const Scalar z113 = precomputed.z113;
-    const Scalar z175 = precomputed.z175;
-    const Scalar z176 = precomputed.z176;
     const Scalar z46 = v_e_omega_y * c_alpha + v_e_omega_z * s_alpha;
     const Scalar z47 = v_e_omega_y * s_alpha - v_e_omega_z * c_alpha;
     const Scalar z54 = v_e_omega_x * c_alpha - v_e_omega_z * s_alpha;
@@ -1025,10 +958,69 @@ struct Mechanism {
     const Scalar z139 = v_e_omega_x * v_e_omega_z;
     const Scalar z140 = z118 - z122 - z130 + z134 - n665 * z138;  // moment on rotor, x
     const Scalar z141 = z116 - z124 - z128 + z136 - n665 * z139;  // moment on rotor, y
-    const Scalar z178 = z141 * z175;
-    const Scalar z179 = z140 * z176;
-    accelerations.e_omega_x = z179;
-    accelerations.e_omega_y = z178;
+    const Scalar z174 = a_e_omega_x * z111 - z140;
+    const Scalar z175 = a_e_omega_y * z112 - z141;
+    const Scalar z176 = a_e_omega_z * z113;
+    forces.e_omega_x = z174;
+    forces.e_omega_y = -z175;
+    forces.e_omega_z = -z176;
+  }
+
+  /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
+  /// an unrolled L D L' of M. Returns singular when a pivot is not
+  /// positive relative to its diagonal entry.
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
+      const Inputs&, Accelerations& accelerations, Multipliers&) noexcept {
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n665 = traits::constant(665.0, 665.0f, "665/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar v_e_omega_x = state.v.e_omega_x;
+    const Scalar v_e_omega_y = state.v.e_omega_y;
+    const Scalar v_e_omega_z = state.v.e_omega_z;
+    const Scalar s_alpha = precomputed.s_alpha;
+    const Scalar c_alpha = precomputed.c_alpha;
+    const Scalar z111 = precomputed.z111;
+    const Scalar z112 = precomputed.z112;
+    const Scalar z113 = precomputed.z113;
+    const Scalar z178 = precomputed.z178;
+    const Scalar z179 = precomputed.z179;
+    const Scalar z46 = v_e_omega_y * c_alpha + v_e_omega_z * s_alpha;
+    const Scalar z47 = v_e_omega_y * s_alpha - v_e_omega_z * c_alpha;
+    const Scalar z54 = v_e_omega_x * c_alpha - v_e_omega_z * s_alpha;
+    const Scalar z55 = v_e_omega_x * s_alpha + v_e_omega_z * c_alpha;
+    const Scalar z62 = v_e_omega_y * c_alpha - v_e_omega_z * s_alpha;
+    const Scalar z63 = v_e_omega_y * s_alpha + v_e_omega_z * c_alpha;
+    const Scalar z70 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
+    const Scalar z71 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
+    const Scalar z114 = z70 * z71;
+    const Scalar z115 = v_e_omega_y * z70;
+    const Scalar z116 = n0_4 * z114;  // moment on blade_4, x
+    const Scalar z117 = n0_4 * z115;  // moment on blade_4, z
+    const Scalar z118 = s_alpha * z117;
+    const Scalar z120 = z62 * z63;
+    const Scalar z121 = v_e_omega_x * z62;
+    const Scalar z122 = n0_4 * z120;  // moment on blade_3, x
+    const Scalar z123 = n0_4 * z121;  // moment on blade_3, z
+    const Scalar z124 = s_alpha * z123;
+    const Scalar z126 = z54 * z55;
+    const Scalar z127 = v_e_omega_y * z54;
+    const Scalar z128 = n0_4 * z126;  // moment on blade_2, x
+    const Scalar z129 = n0_4 * z127;  // moment on blade_2, z
+    const Scalar z130 = s_alpha * z129;
+    const Scalar z132 = z46 * z47;
+    const Scalar z133 = v_e_omega_x * z46;
+    const Scalar z134 = n0_4 * z132;  // moment on blade_1, x
+    const Scalar z135 = n0_4 * z133;  // moment on blade_1, z
+    const Scalar z136 = s_alpha * z135;
+    const Scalar z138 = v_e_omega_y * v_e_omega_z;
+    const Scalar z139 = v_e_omega_x * v_e_omega_z;
+    const Scalar z140 = z118 - z122 - z130 + z134 - n665 * z138;  // moment on rotor, x
+    const Scalar z141 = z116 - z124 - z128 + z136 - n665 * z139;  // moment on rotor, y
+    const Scalar z181 = z141 * z178;
+    const Scalar z182 = z140 * z179;
+    accelerations.e_omega_x = z182;
+    accelerations.e_omega_y = z181;
     accelerations.e_omega_z = n0;
     if (!(traits::regular(z111, z111) && traits::regular(-z112, -z112) && traits::regular(-z113,
         -z113))) return torsor::Status::singular;
@@ -1098,7 +1090,6 @@ struct Mechanism {
       const Accelerations& accelerations, const Multipliers&, const Inputs&, Linearisation& result) noexcept {
     const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
     const Scalar n665 = traits::constant(665.0, 665.0f, "665/1");
-    const Scalar n1330 = traits::constant(1330.0, 1330.0f, "1330/1");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
@@ -1113,8 +1104,8 @@ struct Mechanism {
     const Scalar z111 = precomputed.z111;
     const Scalar z112 = precomputed.z112;
     const Scalar z113 = precomputed.z113;
-    const Scalar z175 = precomputed.z175;
-    const Scalar z176 = precomputed.z176;
+    const Scalar z178 = precomputed.z178;
+    const Scalar z179 = precomputed.z179;
     const Scalar z46 = v_e_omega_y * c_alpha + v_e_omega_z * s_alpha;
     const Scalar z47 = v_e_omega_y * s_alpha - v_e_omega_z * c_alpha;
     const Scalar z54 = v_e_omega_x * c_alpha - v_e_omega_z * s_alpha;
@@ -1125,79 +1116,69 @@ struct Mechanism {
     const Scalar z71 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
     const Scalar z114 = z70 * z71;
     const Scalar z115 = v_e_omega_y * z70;
+    const Scalar z116 = n0_4 * z114;  // moment on blade_4, x
+    const Scalar z117 = n0_4 * z115;  // moment on blade_4, z
+    const Scalar z118 = s_alpha * z117;
     const Scalar z120 = z62 * z63;
     const Scalar z121 = v_e_omega_x * z62;
+    const Scalar z122 = n0_4 * z120;  // moment on blade_3, x
+    const Scalar z123 = n0_4 * z121;  // moment on blade_3, z
+    const Scalar z124 = s_alpha * z123;
     const Scalar z126 = z54 * z55;
     const Scalar z127 = v_e_omega_y * z54;
+    const Scalar z128 = n0_4 * z126;  // moment on blade_2, x
+    const Scalar z129 = n0_4 * z127;  // moment on blade_2, z
+    const Scalar z130 = s_alpha * z129;
     const Scalar z132 = z46 * z47;
     const Scalar z133 = v_e_omega_x * z46;
+    const Scalar z134 = n0_4 * z132;  // moment on blade_1, x
+    const Scalar z135 = n0_4 * z133;  // moment on blade_1, z
+    const Scalar z136 = s_alpha * z135;
     const Scalar z138 = v_e_omega_y * v_e_omega_z;
     const Scalar z139 = v_e_omega_x * v_e_omega_z;
-    const Scalar z144 = a_e_omega_y * s_alpha - a_e_omega_z * c_alpha;
-    const Scalar z146 = a_e_omega_x * s_alpha + a_e_omega_z * c_alpha;
-    const Scalar z148 = a_e_omega_y * s_alpha + a_e_omega_z * c_alpha;
-    const Scalar z150 = a_e_omega_x * s_alpha - a_e_omega_z * c_alpha;
-    const Scalar z151 = z115 - z150;
-    const Scalar z152 = n0_4 * (a_e_omega_y + z114);  // moment on blade_4, x
-    const Scalar z153 = n0_4 * z151;  // moment on blade_4, z
-    const Scalar z154 = s_alpha * z153;
-    const Scalar z155 = c_alpha * z153;
-    const Scalar z156 = z121 - z148;
-    const Scalar z157 = n0_4 * (a_e_omega_x + z120);  // moment on blade_3, x
-    const Scalar z158 = n0_4 * z156;  // moment on blade_3, z
-    const Scalar z159 = s_alpha * z158;
-    const Scalar z160 = c_alpha * z158;
-    const Scalar z161 = z127 + z146;
-    const Scalar z162 = n0_4 * (a_e_omega_y - z126);  // moment on blade_2, x
-    const Scalar z163 = n0_4 * z161;  // moment on blade_2, z
-    const Scalar z164 = s_alpha * z163;
-    const Scalar z165 = c_alpha * z163;
-    const Scalar z166 = z133 + z144;
-    const Scalar z167 = n0_4 * (a_e_omega_x - z132);  // moment on blade_1, x
-    const Scalar z168 = n0_4 * z166;  // moment on blade_1, z
-    const Scalar z169 = s_alpha * z168;
-    const Scalar z170 = c_alpha * z168;
-    const Scalar z171 = n665 * (a_e_omega_x + z138) - z154 + z157 + z164 + z167;  // moment on rotor, x
-    const Scalar z172 = n665 * (a_e_omega_y - z139) + z152 - z159 + z162 + z169;  // moment on rotor, y
-    const Scalar z173 = n1330 * a_e_omega_z + z155 - z160 + z165 - z170;  // moment on rotor, z
-    const Scalar z211 = s_alpha * z70 + c_alpha * z71;
-    const Scalar z212 = n0_4 * z211;
-    const Scalar z213 = n0_4 * z62;
-    const Scalar z214 = s_alpha * z213;
-    const Scalar z215 = s_alpha * z54 + c_alpha * z55;
-    const Scalar z216 = n0_4 * z215;
-    const Scalar z217 = n0_4 * z46;
-    const Scalar z218 = s_alpha * z217;
-    const Scalar z219 = n665 * v_e_omega_z - z212 + z214 + z216 - z218;
-    const Scalar z224 = n0_4 * z70;
-    const Scalar z225 = s_alpha * z224;
-    const Scalar z226 = s_alpha * z62 + c_alpha * z63;
-    const Scalar z227 = n0_4 * z226;
-    const Scalar z228 = n0_4 * z54;
-    const Scalar z229 = s_alpha * z228;
-    const Scalar z230 = s_alpha * z46 + c_alpha * z47;
-    const Scalar z231 = n0_4 * z230;
-    const Scalar z232 = n665 * v_e_omega_z - z225 + z227 + z229 - z231;
-    const Scalar z240 = v_e_omega_y * s_alpha;
+    const Scalar z140 = z118 - z122 - z130 + z134 - n665 * z138;  // moment on rotor, x
+    const Scalar z141 = z116 - z124 - z128 + z136 - n665 * z139;  // moment on rotor, y
+    const Scalar z174 = a_e_omega_x * z111 - z140;
+    const Scalar z175 = a_e_omega_y * z112 - z141;
+    const Scalar z176 = a_e_omega_z * z113;
+    const Scalar z214 = s_alpha * z70 + c_alpha * z71;
+    const Scalar z215 = n0_4 * z214;
+    const Scalar z216 = n0_4 * z62;
+    const Scalar z217 = s_alpha * z216;
+    const Scalar z218 = s_alpha * z54 + c_alpha * z55;
+    const Scalar z219 = n0_4 * z218;
+    const Scalar z220 = n0_4 * z46;
+    const Scalar z221 = s_alpha * z220;
+    const Scalar z222 = n665 * v_e_omega_z - z215 + z217 + z219 - z221;
+    const Scalar z223 = n0_4 * z70;
+    const Scalar z224 = s_alpha * z223;
+    const Scalar z225 = s_alpha * z62 + c_alpha * z63;
+    const Scalar z226 = n0_4 * z225;
+    const Scalar z227 = n0_4 * z54;
+    const Scalar z228 = s_alpha * z227;
+    const Scalar z229 = s_alpha * z46 + c_alpha * z47;
+    const Scalar z230 = n0_4 * z229;
+    const Scalar z231 = n665 * v_e_omega_z - z224 + z226 + z228 - z230;
+    const Scalar z235 = v_e_omega_y * s_alpha;
+    const Scalar z236 = n0_4 * z235;
+    const Scalar z237 = s_alpha * z236;
+    const Scalar z238 = s_alpha * z63 - c_alpha * z62;
+    const Scalar z239 = n0_4 * z238;
+    const Scalar z240 = s_alpha * z47 - c_alpha * z46;
     const Scalar z241 = n0_4 * z240;
-    const Scalar z242 = s_alpha * z241;
-    const Scalar z243 = s_alpha * z63 - c_alpha * z62;
+    const Scalar z242 = n665 * v_e_omega_y - n2 * z237 - z239 - z241;
+    const Scalar z243 = s_alpha * z71 - c_alpha * z70;
     const Scalar z244 = n0_4 * z243;
-    const Scalar z245 = s_alpha * z47 - c_alpha * z46;
+    const Scalar z245 = v_e_omega_x * s_alpha;
     const Scalar z246 = n0_4 * z245;
-    const Scalar z247 = n665 * v_e_omega_y - n2 * z242 - z244 - z246;
-    const Scalar z248 = s_alpha * z71 - c_alpha * z70;
+    const Scalar z247 = s_alpha * z246;
+    const Scalar z248 = s_alpha * z55 - c_alpha * z54;
     const Scalar z249 = n0_4 * z248;
-    const Scalar z250 = v_e_omega_x * s_alpha;
-    const Scalar z251 = n0_4 * z250;
-    const Scalar z252 = s_alpha * z251;
-    const Scalar z253 = s_alpha * z55 - c_alpha * z54;
-    const Scalar z254 = n0_4 * z253;
-    const Scalar z255 = n665 * v_e_omega_x - z249 - n2 * z252 - z254;
-    const Scalar z357 = z175 * z219;
-    const Scalar z359 = z176 * z232;
-    const Scalar z361 = z176 * z247;
-    const Scalar z362 = z175 * z255;
+    const Scalar z250 = n665 * v_e_omega_x - z244 - n2 * z247 - z249;
+    const Scalar z350 = z178 * z222;
+    const Scalar z351 = z179 * z231;
+    const Scalar z352 = z179 * z242;
+    const Scalar z353 = z178 * z250;
     result.M[0] = z111;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -1208,13 +1189,13 @@ struct Mechanism {
     result.M[7] = n0;
     result.M[8] = -z113;
     result.C[0] = n0;
-    result.C[1] = -z219;
+    result.C[1] = -z222;
     result.C[2] = n0;
-    result.C[3] = z232;
+    result.C[3] = z231;
     result.C[4] = n0;
     result.C[5] = n0;
-    result.C[6] = z247;
-    result.C[7] = -z255;
+    result.C[6] = z242;
+    result.C[7] = -z250;
     result.C[8] = n0;
     result.K[0] = n0;
     result.K[1] = n0;
@@ -1225,9 +1206,9 @@ struct Mechanism {
     result.K[6] = n0;
     result.K[7] = n0;
     result.K[8] = n0;
-    result.F[0] = -z171;
-    result.F[1] = -z172;
-    result.F[2] = -z173;
+    result.F[0] = -z174;
+    result.F[1] = z175;
+    result.F[2] = z176;
     result.A[0] = n0;
     result.A[1] = -v_e_omega_z;
     result.A[2] = v_e_omega_y;
@@ -1250,19 +1231,19 @@ struct Mechanism {
     result.A[19] = n0;
     result.A[20] = n0;
     result.A[21] = n0;
-    result.A[22] = -z357;
+    result.A[22] = -z350;
     result.A[23] = n0;
     result.A[24] = n0;
     result.A[25] = n1;
     result.A[26] = n0;
-    result.A[27] = -z359;
+    result.A[27] = -z351;
     result.A[28] = n0;
     result.A[29] = n0;
     result.A[30] = n0;
     result.A[31] = n0;
     result.A[32] = n1;
-    result.A[33] = -z361;
-    result.A[34] = -z362;
+    result.A[33] = -z352;
+    result.A[34] = -z353;
     result.A[35] = n0;
     if (!(traits::regular(z111, z111) && traits::regular(-z112, -z112) && traits::regular(-z113,
         -z113))) return torsor::Status::singular;

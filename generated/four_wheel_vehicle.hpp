@@ -12,8 +12,8 @@
 //   kinematics               32               51          0             0                  5       0     93      95
 //   mass_matrix               0                0          0             0                  0       0      0       0
 //   bias                      0                4          0             0                  0       0      4       4
-//   inverse_dynamics         37               40          0             0                  1       0     79     284
-//   forward_dynamics         68               97          0             0                  1       0    167     341
+//   inverse_dynamics         36               38          0             0                  1       0     76      83
+//   forward_dynamics         68               97          0             0                  1       0    167     174
 //   energy                   40               68          0             0                  5       0    118     142
 //   constraints              32               50          0             0                  1       0     84      88
 //
@@ -1015,14 +1015,13 @@ struct Mechanism {
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar k2 = traits::constant(0.8660254037844386, 0.8660254f, "0;0;1/2;0");
     const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
-    const Scalar n0_9 = traits::constant(0.9, 0.9f, "9/10");
-    const Scalar k5 = traits::constant(1022.8718707889797, 1022.8719f, "1300;0;-160;0");
-    const Scalar n4 = traits::constant(4.0, 4.0f, "4/1");
     const Scalar n880 = traits::constant(880.0, 880.0f, "880/1");
-    const Scalar k8 = traits::constant(0.7320508075688773, 0.73205084f, "-1;0;1;0");
-    const Scalar k9 = traits::constant(1.224744871391589, 1.2247449f, "0;0;0;1/2");
-    const Scalar k10 = traits::constant(0.189468690981506, 0.1894687f, "0;1;0;-1/2");
-    const Scalar k11 = traits::constant(1.1339745962155614, 1.1339746f, "2;0;-1/2;0");
+    const Scalar k5 = traits::constant(1024.8718707889795, 1024.8718f, "1302;0;-160;0");
+    const Scalar n0_9 = traits::constant(0.9, 0.9f, "9/10");
+    const Scalar k7 = traits::constant(0.7320508075688773, 0.73205084f, "-1;0;1;0");
+    const Scalar k8 = traits::constant(1.224744871391589, 1.2247449f, "0;0;0;1/2");
+    const Scalar k9 = traits::constant(0.189468690981506, 0.1894687f, "0;1;0;-1/2");
+    const Scalar k10 = traits::constant(1.1339745962155614, 1.1339746f, "2;0;-1/2;0");
     const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
     const Scalar a_x = accelerations.x;
     const Scalar a_y = accelerations.y;
@@ -1054,31 +1053,26 @@ struct Mechanism {
     const Scalar z106 = n3 * v_phi_2;
     const Scalar z107 = n3 * v_phi_3;
     const Scalar z108 = n3 * v_phi_4;
-    const Scalar z144 = n0_9 * a_phi_4;  // moment on wheel_4, x
-    const Scalar z145 = n0_5 * a_psi;  // moment on steered_4, z
-    const Scalar z146 = n0_9 * a_phi_3;  // moment on wheel_3, x
-    const Scalar z147 = n0_9 * a_phi_2;  // moment on wheel_2, x
-    const Scalar z150 = n0_9 * a_phi_1;  // moment on wheel_1, x
-    const Scalar z155 = k5 * a_psi + n4 * z145;  // moment on S, z
     const Scalar z158 = n880 * a_x;  // force on S.y, x
     const Scalar z159 = n880 * a_y;  // force on S.y, y
-    const Scalar z161 = z105 + z150;
-    const Scalar z162 = z106 + z147;
-    const Scalar z163 = z107 + z146;
-    const Scalar z164 = z108 + z144;
+    const Scalar z165 = k5 * a_psi;
+    const Scalar z166 = n0_9 * a_phi_1 + z105;
+    const Scalar z167 = n0_9 * a_phi_2 + z106;
+    const Scalar z168 = n0_9 * a_phi_3 + z107;
+    const Scalar z169 = n0_9 * a_phi_4 + z108;
     forces.x = s_psi * (l_lambda_wheel_3_y + l_lambda_wheel_4_y) - c_psi * (l_lambda_wheel_3_x + l_lambda_wheel_4_x)
         - z32 * l_lambda_wheel_1_x + z33 * l_lambda_wheel_1_y - z49 * l_lambda_wheel_2_x + z50 * l_lambda_wheel_2_y
         + z158;
     forces.y = -s_psi * (l_lambda_wheel_3_x + l_lambda_wheel_4_x) - c_psi * (l_lambda_wheel_3_y + l_lambda_wheel_4_y)
         - z32 * l_lambda_wheel_1_y - z33 * l_lambda_wheel_1_x - z49 * l_lambda_wheel_2_y - z50 * l_lambda_wheel_2_x
         + z159;
-    forces.psi = k8 * (l_lambda_wheel_3_y - l_lambda_wheel_4_y) + z155 + k9 * l_lambda_wheel_1_x + k10
-        * l_lambda_wheel_1_y + n0_5 * l_lambda_wheel_2_x + k11 * l_lambda_wheel_2_y - l_lambda_wheel_3_x
+    forces.psi = k7 * (l_lambda_wheel_3_y - l_lambda_wheel_4_y) + z165 + k8 * l_lambda_wheel_1_x + k9
+        * l_lambda_wheel_1_y + n0_5 * l_lambda_wheel_2_x + k10 * l_lambda_wheel_2_y - l_lambda_wheel_3_x
         - l_lambda_wheel_4_x;
-    forces.phi_1 = z161 - n0_3 * l_lambda_wheel_1_y;
-    forces.phi_2 = z162 - n0_3 * l_lambda_wheel_2_y;
-    forces.phi_3 = z163 - n0_3 * l_lambda_wheel_3_y;
-    forces.phi_4 = z164 - n0_3 * l_lambda_wheel_4_y;
+    forces.phi_1 = z166 - n0_3 * l_lambda_wheel_1_y;
+    forces.phi_2 = z167 - n0_3 * l_lambda_wheel_2_y;
+    forces.phi_3 = z168 - n0_3 * l_lambda_wheel_3_y;
+    forces.phi_4 = z169 - n0_3 * l_lambda_wheel_4_y;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -1157,66 +1151,66 @@ struct Mechanism {
     const Scalar z106 = n3 * v_phi_2;
     const Scalar z107 = n3 * v_phi_3;
     const Scalar z108 = n3 * v_phi_4;
-    const Scalar z166 = v_psi * c_psi;
-    const Scalar z167 = v_psi * s_psi;
-    const Scalar z168 = k0 * (z166 - z167);
-    const Scalar z169 = k0 * (z166 + z167);
-    const Scalar z170 = v_x * z168 + v_y * z169;
-    const Scalar z172 = v_x * z169 - v_y * z168;
-    const Scalar z174 = n0_5 * z166 - k2 * z167;
-    const Scalar z175 = k2 * z166 + n0_5 * z167;
-    const Scalar z176 = v_x * z174 + v_y * z175;
-    const Scalar z178 = v_x * z175 - v_y * z174;
-    const Scalar z182 = v_x * z166 + v_y * z167;
-    const Scalar z192 = u_C3 - z107;
-    const Scalar z193 = u_C4 - z108;
-    const Scalar z194 = n1_over_880 * z32;
-    const Scalar z195 = n1_over_880 * z33;
-    const Scalar z196 = n1_over_880 * z49;
-    const Scalar z197 = n1_over_880 * z50;
-    const Scalar z198 = n1_over_880 * s_psi;
-    const Scalar z199 = n1_over_880 * c_psi;
-    const Scalar z200 = n10_over_9 * z105;
-    const Scalar z201 = n10_over_9 * z106;
-    const Scalar z202 = n10_over_9 * z192;
-    const Scalar z203 = n10_over_9 * z193;
-    const Scalar z204 = z172 + n0_3 * z200;
-    const Scalar z205 = z178 + n0_3 * z201;
-    const Scalar z206 = z182 - n0_3 * z202;
-    const Scalar z207 = z182 - n0_3 * z203;
-    const Scalar z208 = z206 - k7 * z207;
-    const Scalar z209 = z205 - k8 * z207 - k9 * z208;
-    const Scalar z210 = z176 - k10 * z207 - k11 * z208 + k12 * z209;
-    const Scalar z211 = z204 - k13 * z207 - k14 * z208 - k15 * z209 + k16 * z210;
-    const Scalar z212 = z170 - k17 * z207 + k18 * z208 + k19 * z209 - k20 * z210 - k21 * z211;
-    const Scalar z213 = k22 * z212;
-    const Scalar z214 = k23 * z211 - k21 * z213;
-    const Scalar z215 = k24 * z210 - k20 * z213 + k16 * z214;
-    const Scalar z216 = k25 * z209 + k19 * z213 - k15 * z214 + k12 * z215;
-    const Scalar z217 = k26 * z208 + k18 * z213 - k14 * z214 - k11 * z215 - k9 * z216;
-    const Scalar z218 = k27 * z207 - k17 * z213 - k13 * z214 - k10 * z215 - k8 * z216 - k7 * z217;
-    const Scalar z219 = z198 * (z217 + z218) + z194 * z213 + z195 * z214 + z196 * z215 + z197 * z216;
-    const Scalar z220 = z199 * (z217 + z218) + z194 * z214 - z195 * z213 + z196 * z216 - z197 * z215;
-    const Scalar z221 = -k28 * (z217 - z218) + k29 * z213 - k30 * z214 + k31 * z215 - k32 * z216;
-    const Scalar z222 = z200 - n1_over_3 * z214;
-    const Scalar z223 = z201 - n1_over_3 * z216;
-    const Scalar z224 = z202 + n1_over_3 * z217;
-    const Scalar z225 = z203 + n1_over_3 * z218;
-    accelerations.x = -z219;
-    accelerations.y = z220;
-    accelerations.psi = z221;
-    accelerations.phi_1 = -z222;
-    accelerations.phi_2 = -z223;
-    accelerations.phi_3 = z224;
-    accelerations.phi_4 = z225;
-    multipliers.lambda_wheel_1_x = -z213;
-    multipliers.lambda_wheel_1_y = z214;
-    multipliers.lambda_wheel_2_x = -z215;
-    multipliers.lambda_wheel_2_y = z216;
+    const Scalar z171 = v_psi * c_psi;
+    const Scalar z172 = v_psi * s_psi;
+    const Scalar z173 = k0 * (z171 - z172);
+    const Scalar z174 = k0 * (z171 + z172);
+    const Scalar z175 = v_x * z173 + v_y * z174;
+    const Scalar z177 = v_x * z174 - v_y * z173;
+    const Scalar z179 = n0_5 * z171 - k2 * z172;
+    const Scalar z180 = k2 * z171 + n0_5 * z172;
+    const Scalar z181 = v_x * z179 + v_y * z180;
+    const Scalar z183 = v_x * z180 - v_y * z179;
+    const Scalar z187 = v_x * z171 + v_y * z172;
+    const Scalar z197 = u_C3 - z107;
+    const Scalar z198 = u_C4 - z108;
+    const Scalar z199 = n1_over_880 * z32;
+    const Scalar z200 = n1_over_880 * z33;
+    const Scalar z201 = n1_over_880 * z49;
+    const Scalar z202 = n1_over_880 * z50;
+    const Scalar z203 = n1_over_880 * s_psi;
+    const Scalar z204 = n1_over_880 * c_psi;
+    const Scalar z205 = n10_over_9 * z105;
+    const Scalar z206 = n10_over_9 * z106;
+    const Scalar z207 = n10_over_9 * z197;
+    const Scalar z208 = n10_over_9 * z198;
+    const Scalar z209 = z177 + n0_3 * z205;
+    const Scalar z210 = z183 + n0_3 * z206;
+    const Scalar z211 = z187 - n0_3 * z207;
+    const Scalar z212 = z187 - n0_3 * z208;
+    const Scalar z213 = z211 - k7 * z212;
+    const Scalar z214 = z210 - k8 * z212 - k9 * z213;
+    const Scalar z215 = z181 - k10 * z212 - k11 * z213 + k12 * z214;
+    const Scalar z216 = z209 - k13 * z212 - k14 * z213 - k15 * z214 + k16 * z215;
+    const Scalar z217 = z175 - k17 * z212 + k18 * z213 + k19 * z214 - k20 * z215 - k21 * z216;
+    const Scalar z218 = k22 * z217;
+    const Scalar z219 = k23 * z216 - k21 * z218;
+    const Scalar z220 = k24 * z215 - k20 * z218 + k16 * z219;
+    const Scalar z221 = k25 * z214 + k19 * z218 - k15 * z219 + k12 * z220;
+    const Scalar z222 = k26 * z213 + k18 * z218 - k14 * z219 - k11 * z220 - k9 * z221;
+    const Scalar z223 = k27 * z212 - k17 * z218 - k13 * z219 - k10 * z220 - k8 * z221 - k7 * z222;
+    const Scalar z224 = z203 * (z222 + z223) + z199 * z218 + z200 * z219 + z201 * z220 + z202 * z221;
+    const Scalar z225 = z204 * (z222 + z223) + z199 * z219 - z200 * z218 + z201 * z221 - z202 * z220;
+    const Scalar z226 = -k28 * (z222 - z223) + k29 * z218 - k30 * z219 + k31 * z220 - k32 * z221;
+    const Scalar z227 = z205 - n1_over_3 * z219;
+    const Scalar z228 = z206 - n1_over_3 * z221;
+    const Scalar z229 = z207 + n1_over_3 * z222;
+    const Scalar z230 = z208 + n1_over_3 * z223;
+    accelerations.x = -z224;
+    accelerations.y = z225;
+    accelerations.psi = z226;
+    accelerations.phi_1 = -z227;
+    accelerations.phi_2 = -z228;
+    accelerations.phi_3 = z229;
+    accelerations.phi_4 = z230;
+    multipliers.lambda_wheel_1_x = -z218;
+    multipliers.lambda_wheel_1_y = z219;
+    multipliers.lambda_wheel_2_x = -z220;
+    multipliers.lambda_wheel_2_y = z221;
     multipliers.lambda_wheel_3_x = n0;
-    multipliers.lambda_wheel_3_y = z217;
+    multipliers.lambda_wheel_3_y = z222;
     multipliers.lambda_wheel_4_x = n0;
-    multipliers.lambda_wheel_4_y = z218;
+    multipliers.lambda_wheel_4_y = z223;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.x - accelerations.x) + (accelerations.y - accelerations.y) + (accelerations.psi
         - accelerations.psi) + (accelerations.phi_1 - accelerations.phi_1) + (accelerations.phi_2 - accelerations.phi_2)
@@ -1278,28 +1272,28 @@ struct Mechanism {
     const Scalar z106 = n3 * v_phi_2;
     const Scalar z107 = n3 * v_phi_3;
     const Scalar z108 = n3 * v_phi_4;
-    const Scalar z226 = v_x * c_psi + v_y * s_psi;
-    const Scalar z227 = v_x * s_psi - v_y * c_psi;
-    const Scalar z228 = v_psi - z226;
-    const Scalar z229 = k1 * v_psi - z227;
-    const Scalar z230 = k2 * (z228 + z229);
-    const Scalar z231 = k2 * (z228 - z229);
-    const Scalar z232 = c_phi_1 * z231;
-    const Scalar z233 = s_phi_1 * z231;
-    const Scalar z234 = k1 * v_psi + z227;
-    const Scalar z235 = k3 * z228 - n0_5 * z234;
-    const Scalar z236 = n0_5 * z228 + k3 * z234;
-    const Scalar z237 = c_phi_2 * z236;
-    const Scalar z238 = s_phi_2 * z236;
-    const Scalar z239 = v_psi + z226;
-    const Scalar z240 = c_phi_3 * z234;
-    const Scalar z241 = s_phi_3 * z234;
-    const Scalar z242 = c_phi_4 * z229;
-    const Scalar z243 = s_phi_4 * z229;
-    result.kinetic = n10 * (z230 * z230 + z232 * z232 + z233 * z233 + z235 * z235 + z237 * z237 + z238 * z238 + z240
-        * z240 + z241 * z241 + z242 * z242 + z243 * z243) + n0_25 * (z45 * z45 + z46 * z46 + z61 * z61 + z62 * z62 + z73
+    const Scalar z231 = v_x * c_psi + v_y * s_psi;
+    const Scalar z232 = v_x * s_psi - v_y * c_psi;
+    const Scalar z233 = v_psi - z231;
+    const Scalar z234 = k1 * v_psi - z232;
+    const Scalar z235 = k2 * (z233 + z234);
+    const Scalar z236 = k2 * (z233 - z234);
+    const Scalar z237 = c_phi_1 * z236;
+    const Scalar z238 = s_phi_1 * z236;
+    const Scalar z239 = k1 * v_psi + z232;
+    const Scalar z240 = k3 * z233 - n0_5 * z239;
+    const Scalar z241 = n0_5 * z233 + k3 * z239;
+    const Scalar z242 = c_phi_2 * z241;
+    const Scalar z243 = s_phi_2 * z241;
+    const Scalar z244 = v_psi + z231;
+    const Scalar z245 = c_phi_3 * z239;
+    const Scalar z246 = s_phi_3 * z239;
+    const Scalar z247 = c_phi_4 * z234;
+    const Scalar z248 = s_phi_4 * z234;
+    result.kinetic = n10 * (z235 * z235 + z237 * z237 + z238 * z238 + z240 * z240 + z242 * z242 + z243 * z243 + z245
+        * z245 + z246 * z246 + z247 * z247 + z248 * z248) + n0_25 * (z45 * z45 + z46 * z46 + z61 * z61 + z62 * z62 + z73
         * z73 + z74 * z74 + z85 * z85 + z86 * z86) + n0_45 * (v_phi_1 * v_phi_1 + v_phi_2 * v_phi_2 + v_phi_3 * v_phi_3
-        + v_phi_4 * v_phi_4) + n400 * (z226 * z226 + z227 * z227) + n450 * v_psi * v_psi + n20 * z239 * z239;
+        + v_phi_4 * v_phi_4) + n400 * (z231 * z231 + z232 * z232) + n450 * v_psi * v_psi + n20 * z244 * z244;
     result.force_function = n0;
     result.power = v_phi_3 * (u_C3 - z107) + v_phi_4 * (u_C4 - z108) - v_phi_1 * z105 - v_phi_2 * z106;
   }
@@ -1330,49 +1324,49 @@ struct Mechanism {
     const Scalar z33 = k0 * (s_psi - c_psi);
     const Scalar z49 = n0_5 * s_psi + k2 * c_psi;
     const Scalar z50 = k2 * s_psi - n0_5 * c_psi;
-    const Scalar z165 = v_x * z32 + v_y * z33 - k3 * v_psi;
-    const Scalar z166 = v_psi * c_psi;
-    const Scalar z167 = v_psi * s_psi;
-    const Scalar z168 = k0 * (z166 - z167);
-    const Scalar z169 = k0 * (z166 + z167);
-    const Scalar z170 = v_x * z168 + v_y * z169;
-    const Scalar z171 = v_x * z33 - v_y * z32 + k4 * v_psi - n0_3 * v_phi_1;
-    const Scalar z172 = v_x * z169 - v_y * z168;
-    const Scalar z173 = v_x * z49 + v_y * z50 - n0_5 * v_psi;
-    const Scalar z174 = n0_5 * z166 - k2 * z167;
-    const Scalar z175 = k2 * z166 + n0_5 * z167;
-    const Scalar z176 = v_x * z174 + v_y * z175;
-    const Scalar z177 = v_x * z50 - v_y * z49 + k6 * v_psi - n0_3 * v_phi_2;
-    const Scalar z178 = v_x * z175 - v_y * z174;
-    const Scalar z179 = v_x * c_psi + v_y * s_psi + v_psi;
-    const Scalar z180 = v_x * z167 - v_y * z166;
-    const Scalar z181 = v_x * s_psi - v_y * c_psi + k7 * v_psi - n0_3 * v_phi_3;
-    const Scalar z182 = v_x * z166 + v_y * z167;
-    const Scalar z183 = v_x * s_psi - v_y * c_psi - k7 * v_psi - n0_3 * v_phi_4;
+    const Scalar z170 = v_x * z32 + v_y * z33 - k3 * v_psi;
+    const Scalar z171 = v_psi * c_psi;
+    const Scalar z172 = v_psi * s_psi;
+    const Scalar z173 = k0 * (z171 - z172);
+    const Scalar z174 = k0 * (z171 + z172);
+    const Scalar z175 = v_x * z173 + v_y * z174;
+    const Scalar z176 = v_x * z33 - v_y * z32 + k4 * v_psi - n0_3 * v_phi_1;
+    const Scalar z177 = v_x * z174 - v_y * z173;
+    const Scalar z178 = v_x * z49 + v_y * z50 - n0_5 * v_psi;
+    const Scalar z179 = n0_5 * z171 - k2 * z172;
+    const Scalar z180 = k2 * z171 + n0_5 * z172;
+    const Scalar z181 = v_x * z179 + v_y * z180;
+    const Scalar z182 = v_x * z50 - v_y * z49 + k6 * v_psi - n0_3 * v_phi_2;
+    const Scalar z183 = v_x * z180 - v_y * z179;
+    const Scalar z184 = v_x * c_psi + v_y * s_psi + v_psi;
+    const Scalar z185 = v_x * z172 - v_y * z171;
+    const Scalar z186 = v_x * s_psi - v_y * c_psi + k7 * v_psi - n0_3 * v_phi_3;
+    const Scalar z187 = v_x * z171 + v_y * z172;
+    const Scalar z188 = v_x * s_psi - v_y * c_psi - k7 * v_psi - n0_3 * v_phi_4;
     result.value[0] = n0;
-    result.rate[0] = z165;
-    result.gamma[0] = z170;
+    result.rate[0] = z170;
+    result.gamma[0] = z175;
     result.value[1] = n0;
-    result.rate[1] = -z171;
-    result.gamma[1] = -z172;
+    result.rate[1] = -z176;
+    result.gamma[1] = -z177;
     result.value[2] = n0;
-    result.rate[2] = z173;
-    result.gamma[2] = z176;
+    result.rate[2] = z178;
+    result.gamma[2] = z181;
     result.value[3] = n0;
-    result.rate[3] = -z177;
-    result.gamma[3] = -z178;
+    result.rate[3] = -z182;
+    result.gamma[3] = -z183;
     result.value[4] = n0;
-    result.rate[4] = z179;
-    result.gamma[4] = -z180;
+    result.rate[4] = z184;
+    result.gamma[4] = -z185;
     result.value[5] = n0;
-    result.rate[5] = -z181;
-    result.gamma[5] = -z182;
+    result.rate[5] = -z186;
+    result.gamma[5] = -z187;
     result.value[6] = n0;
-    result.rate[6] = z179;
-    result.gamma[6] = -z180;
+    result.rate[6] = z184;
+    result.gamma[6] = -z185;
     result.value[7] = n0;
-    result.rate[7] = -z183;
-    result.gamma[7] = -z182;
+    result.rate[7] = -z188;
+    result.gamma[7] = -z187;
     result.jacobian[0] = z32;
     result.jacobian[1] = -z33;
     result.jacobian[2] = z49;

@@ -13,11 +13,11 @@
 //   kinematics               25               50          0             0                  3       0     81      85
 //   mass_matrix               0                0          0             0                  0       0      0       0
 //   bias                      1                4          0             0                  1       0      7      50
-//   inverse_dynamics         12               17          0             0                  1       0     31      87
+//   inverse_dynamics          9               14          0             0                  1       0     25      80
 //   forward_dynamics         12               20          0             0                  1       0     34     105
 //   energy                   13               29          0             0                  2       0     46      50
 //   constraints               3                4          0             0                  0       0      7      20
-//   linearisation            30               38          0             0                  1       0     70     164
+//   linearisation            27               35          0             0                  1       0     64     157
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 84 results 41 vanish identically, 8 repeat another up to sign
@@ -534,25 +534,25 @@ struct Mechanism {
     Parameters parameters;
     Scalar z49;
     Scalar z50;
-    Scalar z102;
     Scalar z104;
-    Scalar z113;
-    Scalar z114;
+    Scalar z106;
     Scalar z115;
+    Scalar z116;
     Scalar z117;
-    Scalar z118;
     Scalar z119;
-    Scalar z228;
-    Scalar z229;
+    Scalar z120;
+    Scalar z121;
     Scalar z230;
+    Scalar z231;
     Scalar z232;
     Scalar z234;
-    Scalar z235;
-    Scalar z240;
-    Scalar z241;
+    Scalar z236;
+    Scalar z237;
     Scalar z242;
-    Scalar z248;
+    Scalar z243;
+    Scalar z244;
     Scalar z250;
+    Scalar z252;
   };
 
   /// Values of the scene.
@@ -595,53 +595,53 @@ struct Mechanism {
     const Scalar p_d = parameters.d;
     const Scalar z49 = k0 * p_d;
     const Scalar z50 = k1 * p_d + k2 * z49;
-    const Scalar z101 = k2 * p_d - k1 * z49;
-    const Scalar z102 = n0_1 - z101;
-    const Scalar z103 = n0_1 - z102;
-    const Scalar z104 = k2 * z50 - k1 * z103;
-    const Scalar z112 = z102 - k1 * z104;
-    const Scalar z113 = k4 * z112;
-    const Scalar z114 = k5 * z104 - k1 * z113;
-    const Scalar z115 = z102 * z113 + z104 * z114;
-    const Scalar z116 = k6 + k7 * p_d;
-    const Scalar z117 = k8 * z116;
-    const Scalar z118 = z115 - z116 * z117;
-    const Scalar z119 = n1 / z118;
-    const Scalar z228 = n1 / z104;
-    const Scalar z229 = n0_02 * z228;
-    const Scalar z230 = z104 * z104;
-    const Scalar z231 = k11 * z102 * z102 + k5 * z104 * z104;
-    const Scalar z232 = n0_0003 * z231;
-    const Scalar z233 = k13 - z102 * z229;
-    const Scalar z234 = k14 * z233;
-    const Scalar z235 = z102 * z228;
-    const Scalar z239 = k15 - k16 / z104;
-    const Scalar z240 = k17 - k18 / z104;
-    const Scalar z241 = n0_02 * z234;
-    const Scalar z242 = z234 * z241 - z235 * z240 + z239;
-    const Scalar z248 = n1 / z242;
-    const Scalar z250 = z234 * z248;
+    const Scalar z103 = k2 * p_d - k1 * z49;
+    const Scalar z104 = n0_1 - z103;
+    const Scalar z105 = n0_1 - z104;
+    const Scalar z106 = k2 * z50 - k1 * z105;
+    const Scalar z114 = z104 - k1 * z106;
+    const Scalar z115 = k4 * z114;
+    const Scalar z116 = k5 * z106 - k1 * z115;
+    const Scalar z117 = z104 * z115 + z106 * z116;
+    const Scalar z118 = k6 + k7 * p_d;
+    const Scalar z119 = k8 * z118;
+    const Scalar z120 = z117 - z118 * z119;
+    const Scalar z121 = n1 / z120;
+    const Scalar z230 = n1 / z106;
+    const Scalar z231 = n0_02 * z230;
+    const Scalar z232 = z106 * z106;
+    const Scalar z233 = k11 * z104 * z104 + k5 * z106 * z106;
+    const Scalar z234 = n0_0003 * z233;
+    const Scalar z235 = k13 - z104 * z231;
+    const Scalar z236 = k14 * z235;
+    const Scalar z237 = z104 * z230;
+    const Scalar z241 = k15 - k16 / z106;
+    const Scalar z242 = k17 - k18 / z106;
+    const Scalar z243 = n0_02 * z236;
+    const Scalar z244 = z236 * z243 - z237 * z242 + z241;
+    const Scalar z250 = n1 / z244;
+    const Scalar z252 = z236 * z250;
     precomputed.z49 = z49;
     precomputed.z50 = z50;
-    precomputed.z102 = z102;
     precomputed.z104 = z104;
-    precomputed.z113 = z113;
-    precomputed.z114 = z114;
+    precomputed.z106 = z106;
     precomputed.z115 = z115;
+    precomputed.z116 = z116;
     precomputed.z117 = z117;
-    precomputed.z118 = z118;
     precomputed.z119 = z119;
-    precomputed.z228 = z228;
-    precomputed.z229 = z229;
+    precomputed.z120 = z120;
+    precomputed.z121 = z121;
     precomputed.z230 = z230;
+    precomputed.z231 = z231;
     precomputed.z232 = z232;
     precomputed.z234 = z234;
-    precomputed.z235 = z235;
-    precomputed.z240 = z240;
-    precomputed.z241 = z241;
+    precomputed.z236 = z236;
+    precomputed.z237 = z237;
     precomputed.z242 = z242;
-    precomputed.z248 = z248;
+    precomputed.z243 = z243;
+    precomputed.z244 = z244;
     precomputed.z250 = z250;
+    precomputed.z252 = z252;
     return precomputed;
   }
 
@@ -934,13 +934,13 @@ struct Mechanism {
   TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Multipliers& multipliers, GeneralizedForces& forces) noexcept {
     const Scalar n98_1 = traits::constant(98.1, 98.1f, "981/10");
-    const Scalar k1 = traits::constant(0.9659258262890683, 0.9659258f, "0;1/4;0;1/4");
-    const Scalar k2 = traits::constant(0.25881904510252074, 0.25881904f, "0;-1/4;0;1/4");
-    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
-    const Scalar n0_0003 = traits::constant(3e-04, 3e-04f, "3/10000");
     const Scalar n0_006 = traits::constant(0.006, 0.006f, "3/500");
-    const Scalar n0_0044 = traits::constant(0.0044, 0.0044f, "11/2500");
+    const Scalar k2 = traits::constant(0.25881904510252074, 0.25881904f, "0;-1/4;0;1/4");
     const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
+    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
+    const Scalar k5 = traits::constant(0.017468819381011653, 0.01746882f, "447/20000;3/1000;-41/40000;-3/1000");
+    const Scalar k6 = traits::constant(0.0002897777478867205, 0.00028977776f, "0;3/40000;0;3/40000");
+    const Scalar n0_0003 = traits::constant(3e-04, 3e-04f, "3/10000");
     const Scalar k8 = traits::constant(0.11155394517270574, 0.111553945f, "1/10;1/80;0;-1/400");
     const Scalar q_alpha = state.q.alpha;
     const Scalar a_alpha = accelerations.alpha;
@@ -948,23 +948,19 @@ struct Mechanism {
     const Scalar a_gamma = accelerations.gamma;
     const Scalar l_T_A = multipliers.T_A;
     const Scalar l_T_E = multipliers.T_E;
-    const Scalar z102 = precomputed.z102;
     const Scalar z104 = precomputed.z104;
+    const Scalar z106 = precomputed.z106;
     Scalar s_alpha, c_alpha;
     traits::sincos(q_alpha, s_alpha, c_alpha);
     const Scalar z68 = n98_1 * s_alpha;
-    const Scalar z89 = k1 * a_alpha;
-    const Scalar z90 = k2 * a_alpha;
-    const Scalar z91 = a_alpha - z68;
-    const Scalar z92 = a_beta + z89;  // angular acceleration of S2, x
+    const Scalar z80 = n0_006 * z68;  // moment on inclined, y
+    const Scalar z84 = k2 * z80;
+    const Scalar z87 = n0_01 * z68 - z84;  // moment on S1, x
     const Scalar z93 = n0_02 * a_gamma;  // moment on S3, x
-    const Scalar z94 = n0_0003 * z92;  // moment on S2, x
-    const Scalar z95 = n0_006 * z90;  // force on inclined, times 0.1 m, z
-    const Scalar z96 = n0_0044 * z90 - n0_006 * z91;  // moment on inclined, y
-    const Scalar z97 = k1 * z94 + k2 * z96;
-    const Scalar z100 = n0_02 * a_alpha - n0_01 * z68 - z95 + z97;  // moment on S1, x
-    forces.alpha = z100 - z102 * l_T_A - k8 * l_T_E;
-    forces.beta = z94 - z104 * l_T_A - n0_02 * l_T_E;
+    const Scalar z101 = k5 * a_alpha + k6 * a_beta - z87;
+    const Scalar z102 = k6 * a_alpha + n0_0003 * a_beta;
+    forces.alpha = z101 - z104 * l_T_A - k8 * l_T_E;
+    forces.beta = z102 - z106 * l_T_A - n0_02 * l_T_E;
     forces.gamma = z93 + k8 * l_T_E;
   }
 
@@ -993,40 +989,40 @@ struct Mechanism {
     const Scalar q_alpha = state.q.alpha;
     const Scalar u_C1 = inputs.C1;
     const Scalar u_C3 = inputs.C3;
-    const Scalar z102 = precomputed.z102;
     const Scalar z104 = precomputed.z104;
-    const Scalar z113 = precomputed.z113;
-    const Scalar z114 = precomputed.z114;
+    const Scalar z106 = precomputed.z106;
     const Scalar z115 = precomputed.z115;
+    const Scalar z116 = precomputed.z116;
     const Scalar z117 = precomputed.z117;
-    const Scalar z118 = precomputed.z118;
     const Scalar z119 = precomputed.z119;
+    const Scalar z120 = precomputed.z120;
+    const Scalar z121 = precomputed.z121;
     Scalar s_alpha, c_alpha;
     traits::sincos(q_alpha, s_alpha, c_alpha);
     const Scalar z68 = n98_1 * s_alpha;
     const Scalar z80 = n0_006 * z68;  // moment on inclined, y
     const Scalar z84 = k2 * z80;
     const Scalar z87 = n0_01 * z68 - z84;  // moment on S1, x
-    const Scalar z111 = u_C1 + z87;
-    const Scalar z120 = k4 * z111;
-    const Scalar z121 = k5 * z120;
-    const Scalar z122 = n50 * u_C3;
-    const Scalar z123 = z102 * z120 - z104 * z121;
-    const Scalar z124 = k7 * (u_C1 + z87) - k8 * u_C3;
-    const Scalar z125 = z117 * z124 - z123;
-    const Scalar z126 = z119 * z125;
-    const Scalar z127 = z117 * z126 + k9 * z124;
-    const Scalar z128 = z113 * z126 + z120 - k7 * z127;
-    const Scalar z129 = z114 * z126 - z121 - k10 * z127;
-    const Scalar z130 = z122 + k8 * z127;
-    accelerations.alpha = z128;
-    accelerations.beta = z129;
-    accelerations.gamma = z130;
+    const Scalar z113 = u_C1 + z87;
+    const Scalar z122 = k4 * z113;
+    const Scalar z123 = k5 * z122;
+    const Scalar z124 = n50 * u_C3;
+    const Scalar z125 = z104 * z122 - z106 * z123;
+    const Scalar z126 = k7 * (u_C1 + z87) - k8 * u_C3;
+    const Scalar z127 = z119 * z126 - z125;
+    const Scalar z128 = z121 * z127;
+    const Scalar z129 = z119 * z128 + k9 * z126;
+    const Scalar z130 = z115 * z128 + z122 - k7 * z129;
+    const Scalar z131 = z116 * z128 - z123 - k10 * z129;
+    const Scalar z132 = z124 + k8 * z129;
+    accelerations.alpha = z130;
+    accelerations.beta = z131;
+    accelerations.gamma = z132;
     multipliers.lambda_rolling_A_x = n0;
-    multipliers.T_A = z126;
+    multipliers.T_A = z128;
     multipliers.lambda_rolling_E_x = n0;
-    multipliers.T_E = -z127;
-    if (!(traits::regular(z118, z115))) return torsor::Status::singular;
+    multipliers.T_E = -z129;
+    if (!(traits::regular(z120, z117))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.alpha - accelerations.alpha) + (accelerations.beta - accelerations.beta)
         + (accelerations.gamma - accelerations.gamma) + (multipliers.T_A - multipliers.T_A) + (multipliers.T_E
@@ -1068,16 +1064,16 @@ struct Mechanism {
     const Scalar z33 = c_beta * z24;
     const Scalar z34 = s_beta * z24;
     const Scalar z35 = v_beta + z23;
-    const Scalar z131 = s_beta * z22;
-    const Scalar z132 = c_beta * z22;
-    const Scalar z133 = n0_06 * z34 - z131;
-    const Scalar z134 = n0_06 * z33 - z132;
-    const Scalar z135 = n0_0044 * z33 - n0_06 * z132;
-    const Scalar z136 = n0_0044 * z34 - n0_06 * z131;
-    const Scalar z137 = k5 * c_alpha;
-    result.kinetic = n0_5 * (z33 * z135 + z34 * z136 - z131 * z133 - z132 * z134) + n0_005 * v_alpha * v_alpha + n0_01
+    const Scalar z133 = s_beta * z22;
+    const Scalar z134 = c_beta * z22;
+    const Scalar z135 = n0_06 * z34 - z133;
+    const Scalar z136 = n0_06 * z33 - z134;
+    const Scalar z137 = n0_0044 * z33 - n0_06 * z134;
+    const Scalar z138 = n0_0044 * z34 - n0_06 * z133;
+    const Scalar z139 = k5 * c_alpha;
+    result.kinetic = n0_5 * (z33 * z137 + z34 * z138 - z133 * z135 - z134 * z136) + n0_005 * v_alpha * v_alpha + n0_01
         * v_gamma * v_gamma + k9 * z35 * z35;
-    result.force_function = -n9_81 * (z20 - z137);
+    result.force_function = -n9_81 * (z20 - z139);
     result.power = v_alpha * u_C1 + v_gamma * u_C3;
   }
 
@@ -1090,28 +1086,28 @@ struct Mechanism {
     const Scalar v_alpha = state.v.alpha;
     const Scalar v_beta = state.v.beta;
     const Scalar v_gamma = state.v.gamma;
-    const Scalar z102 = precomputed.z102;
     const Scalar z104 = precomputed.z104;
-    const Scalar z105 = v_alpha * z102 + v_beta * z104;
-    const Scalar z106 = k0 * (v_alpha - v_gamma) + n0_02 * v_beta;
+    const Scalar z106 = precomputed.z106;
+    const Scalar z107 = v_alpha * z104 + v_beta * z106;
+    const Scalar z108 = k0 * (v_alpha - v_gamma) + n0_02 * v_beta;
     result.value[0] = n0;
     result.rate[0] = n0;
     result.gamma[0] = n0;
     result.value[1] = n0;
-    result.rate[1] = z105;
+    result.rate[1] = z107;
     result.gamma[1] = n0;
     result.value[2] = n0;
     result.rate[2] = n0;
     result.gamma[2] = n0;
     result.value[3] = n0;
-    result.rate[3] = z106;
+    result.rate[3] = z108;
     result.gamma[3] = n0;
     result.jacobian[0] = n0;
-    result.jacobian[1] = z102;
+    result.jacobian[1] = z104;
     result.jacobian[2] = n0;
     result.jacobian[3] = k0;
     result.jacobian[4] = n0;
-    result.jacobian[5] = z104;
+    result.jacobian[5] = z106;
     result.jacobian[6] = n0;
     result.jacobian[7] = n0_02;
     result.jacobian[8] = n0;
@@ -1130,18 +1126,16 @@ struct Mechanism {
       const Accelerations& accelerations, const Multipliers& multipliers, const Inputs& inputs,
       Linearisation& result) noexcept {
     const Scalar n98_1 = traits::constant(98.1, 98.1f, "981/10");
-    const Scalar k1 = traits::constant(0.9659258262890683, 0.9659258f, "0;1/4;0;1/4");
-    const Scalar k2 = traits::constant(0.25881904510252074, 0.25881904f, "0;-1/4;0;1/4");
-    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
-    const Scalar n0_0003 = traits::constant(3e-04, 3e-04f, "3/10000");
     const Scalar n0_006 = traits::constant(0.006, 0.006f, "3/500");
-    const Scalar n0_0044 = traits::constant(0.0044, 0.0044f, "11/2500");
+    const Scalar k2 = traits::constant(0.25881904510252074, 0.25881904f, "0;-1/4;0;1/4");
     const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
+    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
+    const Scalar k5 = traits::constant(0.017468819381011653, 0.01746882f, "447/20000;3/1000;-41/40000;-3/1000");
+    const Scalar k6 = traits::constant(0.0002897777478867205, 0.00028977776f, "0;3/40000;0;3/40000");
+    const Scalar n0_0003 = traits::constant(3e-04, 3e-04f, "3/10000");
     const Scalar k8 = traits::constant(0.11155394517270574, 0.111553945f, "1/10;1/80;0;-1/400");
     const Scalar k9 = traits::constant(8.96427283187357, 8.9642725f,
         "1544000/148921;-194500/148921;-20000/148921;41100/148921");
-    const Scalar k10 = traits::constant(0.017468819381011653, 0.01746882f, "447/20000;3/1000;-41/40000;-3/1000");
-    const Scalar k11 = traits::constant(0.0002897777478867205, 0.00028977776f, "0;3/40000;0;3/40000");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar q_alpha = state.q.alpha;
@@ -1152,51 +1146,47 @@ struct Mechanism {
     const Scalar u_C3 = inputs.C3;
     const Scalar l_T_A = multipliers.T_A;
     const Scalar l_T_E = multipliers.T_E;
-    const Scalar z102 = precomputed.z102;
     const Scalar z104 = precomputed.z104;
-    const Scalar z228 = precomputed.z228;
-    const Scalar z229 = precomputed.z229;
+    const Scalar z106 = precomputed.z106;
     const Scalar z230 = precomputed.z230;
+    const Scalar z231 = precomputed.z231;
     const Scalar z232 = precomputed.z232;
     const Scalar z234 = precomputed.z234;
-    const Scalar z235 = precomputed.z235;
-    const Scalar z240 = precomputed.z240;
-    const Scalar z241 = precomputed.z241;
+    const Scalar z236 = precomputed.z236;
+    const Scalar z237 = precomputed.z237;
     const Scalar z242 = precomputed.z242;
-    const Scalar z248 = precomputed.z248;
+    const Scalar z243 = precomputed.z243;
+    const Scalar z244 = precomputed.z244;
     const Scalar z250 = precomputed.z250;
+    const Scalar z252 = precomputed.z252;
     Scalar s_alpha, c_alpha;
     traits::sincos(q_alpha, s_alpha, c_alpha);
     const Scalar z67 = n98_1 * c_alpha;
     const Scalar z68 = n98_1 * s_alpha;
-    const Scalar z89 = k1 * a_alpha;
-    const Scalar z90 = k2 * a_alpha;
-    const Scalar z91 = a_alpha - z68;
-    const Scalar z92 = a_beta + z89;  // angular acceleration of S2, x
+    const Scalar z80 = n0_006 * z68;  // moment on inclined, y
+    const Scalar z84 = k2 * z80;
+    const Scalar z87 = n0_01 * z68 - z84;  // moment on S1, x
     const Scalar z93 = n0_02 * a_gamma;  // moment on S3, x
-    const Scalar z94 = n0_0003 * z92;  // moment on S2, x
-    const Scalar z95 = n0_006 * z90;  // force on inclined, times 0.1 m, z
-    const Scalar z96 = n0_0044 * z90 - n0_006 * z91;  // moment on inclined, y
-    const Scalar z97 = k1 * z94 + k2 * z96;
-    const Scalar z100 = n0_02 * a_alpha - n0_01 * z68 - z95 + z97;  // moment on S1, x
-    const Scalar z155 = n0_006 * z67;
-    const Scalar z156 = k2 * z155;
-    const Scalar z157 = n0_01 * z67 - z156;
-    const Scalar z226 = a_alpha * z102 + a_beta * z104;
-    const Scalar z227 = k8 * (a_alpha - a_gamma) + n0_02 * a_beta;
-    const Scalar z236 = z226 * z229 - z227;
-    const Scalar z237 = k9 * z236;
-    const Scalar z238 = z226 * z228;
-    const Scalar z243 = z94 - z104 * l_T_A - n0_02 * l_T_E;
-    const Scalar z244 = u_C3 - z93 - k8 * l_T_E;
-    const Scalar z245 = u_C1 - z100 + z102 * l_T_A + k8 * l_T_E + z234 * z244 + z235 * z243;
-    const Scalar z246 = z237 * z241 + z238 * z240;
-    const Scalar z247 = z245 + z246;
-    const Scalar z249 = z157 * z248;
-    result.M[0] = k10;
-    result.M[1] = k11;
+    const Scalar z101 = k5 * a_alpha + k6 * a_beta - z87;
+    const Scalar z102 = k6 * a_alpha + n0_0003 * a_beta;
+    const Scalar z157 = n0_006 * z67;
+    const Scalar z158 = k2 * z157;
+    const Scalar z159 = n0_01 * z67 - z158;
+    const Scalar z228 = a_alpha * z104 + a_beta * z106;
+    const Scalar z229 = k8 * (a_alpha - a_gamma) + n0_02 * a_beta;
+    const Scalar z238 = z228 * z231 - z229;
+    const Scalar z239 = k9 * z238;
+    const Scalar z240 = z228 * z230;
+    const Scalar z245 = z102 - z106 * l_T_A - n0_02 * l_T_E;
+    const Scalar z246 = u_C3 - z93 - k8 * l_T_E;
+    const Scalar z247 = u_C1 - z101 + z104 * l_T_A + k8 * l_T_E + z236 * z246 + z237 * z245;
+    const Scalar z248 = z239 * z243 + z240 * z242;
+    const Scalar z249 = z247 + z248;
+    const Scalar z251 = z159 * z250;
+    result.M[0] = k5;
+    result.M[1] = k6;
     result.M[2] = n0;
-    result.M[3] = k11;
+    result.M[3] = k6;
     result.M[4] = n0_0003;
     result.M[5] = n0;
     result.M[6] = n0;
@@ -1211,7 +1201,7 @@ struct Mechanism {
     result.C[6] = n0;
     result.C[7] = n0;
     result.C[8] = n0;
-    result.K[0] = -z157;
+    result.K[0] = -z159;
     result.K[1] = n0;
     result.K[2] = n0;
     result.K[3] = n0;
@@ -1220,8 +1210,8 @@ struct Mechanism {
     result.K[6] = n0;
     result.K[7] = n0;
     result.K[8] = n0;
-    result.F[0] = u_C1 - z100 + z102 * l_T_A + k8 * l_T_E;
-    result.F[1] = -z94 + z104 * l_T_A + n0_02 * l_T_E;
+    result.F[0] = u_C1 - z101 + z104 * l_T_A + k8 * l_T_E;
+    result.F[1] = -z102 + z106 * l_T_A + n0_02 * l_T_E;
     result.F[2] = u_C3 - z93 - k8 * l_T_E;
     result.E[0] = n1;
     result.E[1] = n0;
@@ -1229,18 +1219,18 @@ struct Mechanism {
     result.E[3] = n0;
     result.E[4] = n0;
     result.E[5] = n1;
-    result.M_r[0] = z242;
+    result.M_r[0] = z244;
     result.C_r[0] = n0;
-    result.K_r[0] = -z157;
+    result.K_r[0] = -z159;
     result.K_r[1] = n0;
     result.K_r[2] = n0;
-    result.F_r[0] = z247;
+    result.F_r[0] = z249;
     result.E_r[0] = n1;
-    result.E_r[1] = z234;
+    result.E_r[1] = z236;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
-    result.A[3] = z249;
+    result.A[3] = z251;
     result.A[4] = n0;
     result.A[5] = n0;
     result.A[6] = n0;
@@ -1250,18 +1240,18 @@ struct Mechanism {
     result.A[10] = n0;
     result.A[11] = n0;
     result.A[12] = n1;
-    result.A[13] = -z235;
-    result.A[14] = z234;
+    result.A[13] = -z237;
+    result.A[14] = z236;
     result.A[15] = n0;
     result.B[0] = n0;
     result.B[1] = n0;
     result.B[2] = n0;
-    result.B[3] = z248;
+    result.B[3] = z250;
     result.B[4] = n0;
     result.B[5] = n0;
     result.B[6] = n0;
-    result.B[7] = z250;
-    if (!(traits::regular(z230, z232) && traits::regular(z242, z242))) return torsor::Status::singular;
+    result.B[7] = z252;
+    if (!(traits::regular(z232, z234) && traits::regular(z244, z244))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.K[0] - result.K[0]) + (result.F[0] - result.F[0]) + (result.F[1] - result.F[1])
         + (result.F[2] - result.F[2]) + (result.M_r[0] - result.M_r[0]) + (result.K_r[0] - result.K_r[0])

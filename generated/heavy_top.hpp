@@ -914,18 +914,18 @@ struct Mechanism {
     const Scalar z73 = n2 * z60;
     const Scalar z77 = n15 * z57 - z66 - n975_over_64 * z73;  // moment on second, x
     const Scalar z78 = n15 * z58 - z68 - n975_over_64 * z69;  // moment on second, z
-    const Scalar z142 = n32_over_15 * z47;
-    const Scalar z143 = n975_over_64 * c_beta * c_beta;
-    const Scalar z144 = n1 / z143;
-    const Scalar z145 = c_beta * z77;
-    const Scalar z146 = z144 * z145;
-    const Scalar z147 = n64_over_975 * z78;
-    const Scalar z150 = z142 * z146;
-    const Scalar z151 = z61 - z150;
-    accelerations.alpha = -z146;
-    accelerations.beta = z147;
-    accelerations.gamma = z151;
-    if (!(traits::regular(z143, z53))) return torsor::Status::singular;
+    const Scalar z145 = n32_over_15 * z47;
+    const Scalar z146 = n975_over_64 * c_beta * c_beta;
+    const Scalar z147 = n1 / z146;
+    const Scalar z148 = c_beta * z77;
+    const Scalar z149 = z147 * z148;
+    const Scalar z150 = n64_over_975 * z78;
+    const Scalar z153 = z145 * z149;
+    const Scalar z154 = z61 - z153;
+    accelerations.alpha = -z149;
+    accelerations.beta = z150;
+    accelerations.gamma = z154;
+    if (!(traits::regular(z146, z53))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.alpha - accelerations.alpha) + (accelerations.beta - accelerations.beta)
         + (accelerations.gamma - accelerations.gamma);
@@ -960,9 +960,9 @@ struct Mechanism {
     const Scalar z40 = v_gamma - z28;
     const Scalar z49 = n15 * c_beta;
     const Scalar z50 = n15 * s_beta;
-    const Scalar z153 = s_alpha * z49;
+    const Scalar z156 = s_alpha * z49;
     result.kinetic = n975_over_128 * (z38 * z38 + z39 * z39) + n15_over_64 * z40 * z40;
-    result.force_function = -n4_905 * z50 - k4 * z153;
+    result.force_function = -n4_905 * z50 - k4 * z156;
     result.power = n0;
   }
 
@@ -994,8 +994,8 @@ struct Mechanism {
     const Scalar z47 = n15_over_32 * s_beta;
     const Scalar z49 = n15 * c_beta;
     const Scalar z50 = n15 * s_beta;
-    const Scalar z153 = s_alpha * z49;
-    result.energy = n975_over_128 * (z38 * z38 + z39 * z39) + n15_over_64 * z40 * z40 + n4_905 * z50 + k5 * z153;
+    const Scalar z156 = s_alpha * z49;
+    result.energy = n975_over_128 * (z38 * z38 + z39 * z39) + n15_over_64 * z40 * z40 + n4_905 * z50 + k5 * z156;
     result.momentum_gamma = -v_alpha * z47 + n15_over_32 * v_gamma;
   }
 
@@ -1055,56 +1055,56 @@ struct Mechanism {
     const Scalar z95 = n15 * z57 - z66 - n975_over_64 * z92;  // moment on second, x
     const Scalar z96 = n975_over_64 * (a_beta + z69) - n15 * z58 + z68;  // moment on second, z
     const Scalar z99 = s_beta * z90 - c_beta * z95;
-    const Scalar z142 = n32_over_15 * z47;
-    const Scalar z143 = n975_over_64 * c_beta * c_beta;
-    const Scalar z144 = n1 / z143;
-    const Scalar z154 = n15_over_32 * z40;
-    const Scalar z166 = v_beta * c_beta;
-    const Scalar z167 = n15_over_32 * z166;
-    const Scalar z168 = v_beta * s_beta;
-    const Scalar z169 = n15_over_32 * z168;
-    const Scalar z170 = n2 * z168;
-    const Scalar z171 = z169 - n975_over_64 * z170;
-    const Scalar z172 = s_beta * z167 + c_beta * z171;
-    const Scalar z173 = n15 * z56;
-    const Scalar z174 = c_beta * z173;
-    const Scalar z175 = s_beta * z27 - c_beta * z40;
-    const Scalar z176 = n15_over_32 * z175;
-    const Scalar z177 = s_beta * z27 + c_beta * z28;
-    const Scalar z178 = z176 - n975_over_64 * z177;
-    const Scalar z179 = s_beta * z57;
-    const Scalar z180 = n15 * z179;
-    const Scalar z181 = n15_over_32 * z27;
-    const Scalar z182 = n2 * z28;
-    const Scalar z183 = z154 + n975_over_64 * z182;
-    const Scalar z184 = s_beta * z181 - c_beta * z183;
-    const Scalar z185 = n15_over_32 * z85;
-    const Scalar z186 = z61 + z86;
-    const Scalar z187 = z67 - n975_over_64 * z186;
-    const Scalar z188 = s_beta * (z95 + z185) + c_beta * (z90 - z187);
-    const Scalar z189 = z27 * z27 + z28 * z40;
-    const Scalar z190 = n15_over_32 * z189;
-    const Scalar z191 = z27 * z27 - z28 * z28;
-    const Scalar z192 = n15 * z59 + z190 - n975_over_64 * z191;
-    const Scalar z193 = n15_over_32 * v_beta;
-    const Scalar z194 = c_beta * z193;
-    const Scalar z265 = z144 * z174;
-    const Scalar z266 = n64_over_975 * z180;
-    const Scalar z267 = z142 * z265;
-    const Scalar z268 = c_beta * z171;
-    const Scalar z269 = z144 * z268;
-    const Scalar z270 = n64_over_975 * z178;
-    const Scalar z271 = z142 * z269 - n32_over_15 * z167;
-    const Scalar z272 = z142 * z185 - z188;
-    const Scalar z273 = z144 * z272;
-    const Scalar z274 = n64_over_975 * z192;
-    const Scalar z275 = z142 * z273 + n32_over_15 * z185;
-    const Scalar z276 = c_beta * z183;
-    const Scalar z277 = z144 * z276;
-    const Scalar z278 = z142 * z277 + n32_over_15 * z181;
-    const Scalar z279 = z144 * z194;
-    const Scalar z280 = n64_over_975 * z181;
-    const Scalar z281 = z142 * z279;
+    const Scalar z145 = n32_over_15 * z47;
+    const Scalar z146 = n975_over_64 * c_beta * c_beta;
+    const Scalar z147 = n1 / z146;
+    const Scalar z157 = n15_over_32 * z40;
+    const Scalar z169 = v_beta * c_beta;
+    const Scalar z170 = n15_over_32 * z169;
+    const Scalar z171 = v_beta * s_beta;
+    const Scalar z172 = n15_over_32 * z171;
+    const Scalar z173 = n2 * z171;
+    const Scalar z174 = z172 - n975_over_64 * z173;
+    const Scalar z175 = s_beta * z170 + c_beta * z174;
+    const Scalar z176 = n15 * z56;
+    const Scalar z177 = c_beta * z176;
+    const Scalar z178 = s_beta * z27 - c_beta * z40;
+    const Scalar z179 = n15_over_32 * z178;
+    const Scalar z180 = s_beta * z27 + c_beta * z28;
+    const Scalar z181 = z179 - n975_over_64 * z180;
+    const Scalar z182 = s_beta * z57;
+    const Scalar z183 = n15 * z182;
+    const Scalar z184 = n15_over_32 * z27;
+    const Scalar z185 = n2 * z28;
+    const Scalar z186 = z157 + n975_over_64 * z185;
+    const Scalar z187 = s_beta * z184 - c_beta * z186;
+    const Scalar z188 = n15_over_32 * z85;
+    const Scalar z189 = z61 + z86;
+    const Scalar z190 = z67 - n975_over_64 * z189;
+    const Scalar z191 = s_beta * (z95 + z188) + c_beta * (z90 - z190);
+    const Scalar z192 = z27 * z27 + z28 * z40;
+    const Scalar z193 = n15_over_32 * z192;
+    const Scalar z194 = z27 * z27 - z28 * z28;
+    const Scalar z195 = n15 * z59 + z193 - n975_over_64 * z194;
+    const Scalar z196 = n15_over_32 * v_beta;
+    const Scalar z197 = c_beta * z196;
+    const Scalar z268 = z147 * z177;
+    const Scalar z269 = n64_over_975 * z183;
+    const Scalar z270 = z145 * z268;
+    const Scalar z271 = c_beta * z174;
+    const Scalar z272 = z147 * z271;
+    const Scalar z273 = n64_over_975 * z181;
+    const Scalar z274 = z145 * z272 - n32_over_15 * z170;
+    const Scalar z275 = z145 * z188 - z191;
+    const Scalar z276 = z147 * z275;
+    const Scalar z277 = n64_over_975 * z195;
+    const Scalar z278 = z145 * z276 + n32_over_15 * z188;
+    const Scalar z279 = c_beta * z186;
+    const Scalar z280 = z147 * z279;
+    const Scalar z281 = z145 * z280 + n32_over_15 * z184;
+    const Scalar z282 = z147 * z197;
+    const Scalar z283 = n64_over_975 * z184;
+    const Scalar z284 = z145 * z282;
     result.M[0] = z53;
     result.M[1] = n0;
     result.M[2] = -z47;
@@ -1114,21 +1114,21 @@ struct Mechanism {
     result.M[6] = -z47;
     result.M[7] = n0;
     result.M[8] = n15_over_32;
-    result.C[0] = z172;
-    result.C[1] = -z178;
-    result.C[2] = -z167;
-    result.C[3] = z184;
+    result.C[0] = z175;
+    result.C[1] = -z181;
+    result.C[2] = -z170;
+    result.C[3] = z187;
     result.C[4] = n0;
-    result.C[5] = -z181;
-    result.C[6] = -z194;
-    result.C[7] = z181;
+    result.C[5] = -z184;
+    result.C[6] = -z197;
+    result.C[7] = z184;
     result.C[8] = n0;
-    result.K[0] = -z174;
-    result.K[1] = -z180;
+    result.K[0] = -z177;
+    result.K[1] = -z183;
     result.K[2] = n0;
-    result.K[3] = -z188;
-    result.K[4] = -z192;
-    result.K[5] = z185;
+    result.K[3] = -z191;
+    result.K[4] = -z195;
+    result.K[5] = z188;
     result.K[6] = n0;
     result.K[7] = n0;
     result.K[8] = n0;
@@ -1138,15 +1138,15 @@ struct Mechanism {
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
-    result.A[3] = z265;
-    result.A[4] = z266;
-    result.A[5] = z267;
+    result.A[3] = z268;
+    result.A[4] = z269;
+    result.A[5] = z270;
     result.A[6] = n0;
     result.A[7] = n0;
     result.A[8] = n0;
-    result.A[9] = -z273;
-    result.A[10] = z274;
-    result.A[11] = -z275;
+    result.A[9] = -z276;
+    result.A[10] = z277;
+    result.A[11] = -z278;
     result.A[12] = n0;
     result.A[13] = n0;
     result.A[14] = n0;
@@ -1156,22 +1156,22 @@ struct Mechanism {
     result.A[18] = n1;
     result.A[19] = n0;
     result.A[20] = n0;
-    result.A[21] = -z269;
-    result.A[22] = z270;
-    result.A[23] = -z271;
+    result.A[21] = -z272;
+    result.A[22] = z273;
+    result.A[23] = -z274;
     result.A[24] = n0;
     result.A[25] = n1;
     result.A[26] = n0;
-    result.A[27] = z277;
+    result.A[27] = z280;
     result.A[28] = n0;
-    result.A[29] = z278;
+    result.A[29] = z281;
     result.A[30] = n0;
     result.A[31] = n0;
     result.A[32] = n1;
-    result.A[33] = z279;
-    result.A[34] = -z280;
-    result.A[35] = z281;
-    if (!(traits::regular(z143, z53))) return torsor::Status::singular;
+    result.A[33] = z282;
+    result.A[34] = -z283;
+    result.A[35] = z284;
+    if (!(traits::regular(z146, z53))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.M[0] - result.M[0]) + (result.M[2] - result.M[2]) + (result.M[6] - result.M[6])
         + (result.C[0] - result.C[0]) + (result.C[1] - result.C[1]) + (result.C[2] - result.C[2]) + (result.C[3]
@@ -1210,7 +1210,7 @@ struct Mechanism {
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
     const Scalar z52 = n945_over_64 * c_beta;
     const Scalar z53 = n15_over_32 + c_beta * z52;
-    const Scalar z143 = n975_over_64 * c_beta * c_beta;
+    const Scalar z146 = n975_over_64 * c_beta * c_beta;
     const Scalar b1 = state.v.alpha;
     const Scalar b8 = state.v.gamma;
     const Scalar b10 = b1 * s_beta;
@@ -1279,7 +1279,7 @@ struct Mechanism {
       inverse_ = next_;
     }
     static_cast<void>(inverse_);
-    if (!(traits::regular(z143, z53))) return torsor::Status::singular;
+    if (!(traits::regular(z146, z53))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (coefficients[order][0] - coefficients[order][0]) + (coefficients[order][1]
         - coefficients[order][1]) + (coefficients[order][2] - coefficients[order][2]) + (coefficients[order][3]

@@ -13,11 +13,11 @@
 //   kinematics               56              101          0             0                  2       0    161     168
 //   mass_matrix               0                0          0             0                  0       0      0       8
 //   bias                      0                0          0             0                  0       0      0       0
-//   inverse_dynamics         17               33          0             0                  1       0     52      62
-//   forward_dynamics         13               27          0             0                  1       0     42      59
+//   inverse_dynamics          0                1          0             0                  0       0      1       9
+//   forward_dynamics          0                1          0             0                  0       0      1      10
 //   energy                   13               26          0             0                  1       0     41      53
 //   reactions                35               60          0             0                  1       0     97     128
-//   linearisation            18               33          0             0                  1       0     53      70
+//   linearisation             1                1          0             0                  0       0      2      11
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 153 results 13 vanish identically, 80 repeat another up to sign
@@ -935,100 +935,24 @@ struct Mechanism {
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
-  TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State& state,
+  TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State&,
       const Accelerations& accelerations, const Multipliers&, GeneralizedForces& forces) noexcept {
-    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
-    const Scalar n1330 = traits::constant(1330.0, 1330.0f, "1330/1");
-    const Scalar q_phi = state.q.phi;
-    const Scalar v_phi = state.v.phi;
     const Scalar a_phi = accelerations.phi;
-    const Scalar s_alpha = precomputed.s_alpha;
-    const Scalar c_alpha = precomputed.c_alpha;
-    const Scalar z25 = precomputed.z25;
-    const Scalar z26 = precomputed.z26;
-    Scalar s_phi, c_phi;
-    traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z33 = c_phi * z25;
-    const Scalar z34 = s_phi * z25;
-    const Scalar z35 = v_phi + z26;
-    const Scalar z45 = s_alpha * z35 - c_alpha * z34;
-    const Scalar z53 = s_alpha * z35 - c_alpha * z33;
-    const Scalar z61 = s_alpha * z35 + c_alpha * z34;
-    const Scalar z69 = s_alpha * z35 + c_alpha * z33;
-    const Scalar z156 = v_phi * z34;  // angular acceleration of rotor, x
-    const Scalar z157 = v_phi * z33;  // angular acceleration of rotor, y
-    const Scalar z171 = z34 * z69;
-    const Scalar z178 = z33 * z61;
-    const Scalar z185 = z34 * z53;
-    const Scalar z192 = z33 * z45;
-    const Scalar z211 = a_phi * c_alpha + s_alpha * z157;
-    const Scalar z213 = a_phi * c_alpha - s_alpha * z156;
-    const Scalar z215 = a_phi * c_alpha - s_alpha * z157;
-    const Scalar z217 = a_phi * c_alpha + s_alpha * z156;
-    const Scalar z218 = z171 - z217;
-    const Scalar z219 = n0_4 * z218;  // moment on blade_4, z
-    const Scalar z221 = c_alpha * z219;
-    const Scalar z222 = z178 + z215;
-    const Scalar z223 = n0_4 * z222;  // moment on blade_3, z
-    const Scalar z225 = c_alpha * z223;
-    const Scalar z226 = z185 + z213;
-    const Scalar z227 = n0_4 * z226;  // moment on blade_2, z
-    const Scalar z229 = c_alpha * z227;
-    const Scalar z230 = z192 - z211;
-    const Scalar z231 = n0_4 * z230;  // moment on blade_1, z
-    const Scalar z233 = c_alpha * z231;
-    const Scalar z236 = n1330 * a_phi - z221 + z225 + z229 - z233;  // moment on rotor, z
-    forces.phi = z236;
+    const Scalar z117 = precomputed.z117;
+    const Scalar z242 = a_phi * z117;
+    forces.phi = -z242;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
   /// an unrolled L D L' of M. Returns singular when a pivot is not
   /// positive relative to its diagonal entry.
-  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
+  TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State&,
       const Inputs& inputs, Accelerations& accelerations, Multipliers&) noexcept {
-    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
-    const Scalar q_phi = state.q.phi;
-    const Scalar v_phi = state.v.phi;
     const Scalar u_C = inputs.C;
-    const Scalar s_alpha = precomputed.s_alpha;
-    const Scalar c_alpha = precomputed.c_alpha;
-    const Scalar z25 = precomputed.z25;
-    const Scalar z26 = precomputed.z26;
     const Scalar z117 = precomputed.z117;
     const Scalar z243 = precomputed.z243;
-    Scalar s_phi, c_phi;
-    traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z33 = c_phi * z25;
-    const Scalar z34 = s_phi * z25;
-    const Scalar z35 = v_phi + z26;
-    const Scalar z45 = s_alpha * z35 - c_alpha * z34;
-    const Scalar z53 = s_alpha * z35 - c_alpha * z33;
-    const Scalar z61 = s_alpha * z35 + c_alpha * z34;
-    const Scalar z69 = s_alpha * z35 + c_alpha * z33;
-    const Scalar z156 = v_phi * z34;  // angular acceleration of rotor, x
-    const Scalar z157 = v_phi * z33;  // angular acceleration of rotor, y
-    const Scalar z159 = s_alpha * z157;
-    const Scalar z163 = s_alpha * z156;
-    const Scalar z171 = z34 * z69;
-    const Scalar z172 = z163 - z171;
-    const Scalar z174 = n0_4 * z172;  // moment on blade_4, z
-    const Scalar z176 = c_alpha * z174;
-    const Scalar z178 = z33 * z61;
-    const Scalar z179 = z159 - z178;
-    const Scalar z181 = n0_4 * z179;  // moment on blade_3, z
-    const Scalar z183 = c_alpha * z181;
-    const Scalar z185 = z34 * z53;
-    const Scalar z186 = z163 - z185;
-    const Scalar z188 = n0_4 * z186;  // moment on blade_2, z
-    const Scalar z190 = c_alpha * z188;
-    const Scalar z192 = z33 * z45;
-    const Scalar z193 = z159 - z192;
-    const Scalar z195 = n0_4 * z193;  // moment on blade_1, z
-    const Scalar z197 = c_alpha * z195;
-    const Scalar z202 = z176 - z183 - z190 + z197;  // moment on rotor, z
-    const Scalar z242 = u_C - z202;
-    const Scalar z244 = z242 * z243;
+    const Scalar z244 = u_C * z243;
     accelerations.phi = -z244;
     if (!(traits::regular(-z117, -z117))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
@@ -1151,58 +1075,19 @@ struct Mechanism {
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
   /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
-  TORSOR_DEVICE static torsor::Status linearisation(const Precomputed& precomputed, const State& state,
+  TORSOR_DEVICE static torsor::Status linearisation(const Precomputed& precomputed, const State&,
       const Accelerations& accelerations, const Multipliers&, const Inputs& inputs, Linearisation& result) noexcept {
-    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
-    const Scalar n1330 = traits::constant(1330.0, 1330.0f, "1330/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
-    const Scalar q_phi = state.q.phi;
-    const Scalar v_phi = state.v.phi;
     const Scalar a_phi = accelerations.phi;
     const Scalar u_C = inputs.C;
-    const Scalar s_alpha = precomputed.s_alpha;
-    const Scalar c_alpha = precomputed.c_alpha;
-    const Scalar z25 = precomputed.z25;
-    const Scalar z26 = precomputed.z26;
     const Scalar z117 = precomputed.z117;
     const Scalar z243 = precomputed.z243;
-    Scalar s_phi, c_phi;
-    traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z33 = c_phi * z25;
-    const Scalar z34 = s_phi * z25;
-    const Scalar z35 = v_phi + z26;
-    const Scalar z45 = s_alpha * z35 - c_alpha * z34;
-    const Scalar z53 = s_alpha * z35 - c_alpha * z33;
-    const Scalar z61 = s_alpha * z35 + c_alpha * z34;
-    const Scalar z69 = s_alpha * z35 + c_alpha * z33;
-    const Scalar z156 = v_phi * z34;  // angular acceleration of rotor, x
-    const Scalar z157 = v_phi * z33;  // angular acceleration of rotor, y
-    const Scalar z171 = z34 * z69;
-    const Scalar z178 = z33 * z61;
-    const Scalar z185 = z34 * z53;
-    const Scalar z192 = z33 * z45;
-    const Scalar z211 = a_phi * c_alpha + s_alpha * z157;
-    const Scalar z213 = a_phi * c_alpha - s_alpha * z156;
-    const Scalar z215 = a_phi * c_alpha - s_alpha * z157;
-    const Scalar z217 = a_phi * c_alpha + s_alpha * z156;
-    const Scalar z218 = z171 - z217;
-    const Scalar z219 = n0_4 * z218;  // moment on blade_4, z
-    const Scalar z221 = c_alpha * z219;
-    const Scalar z222 = z178 + z215;
-    const Scalar z223 = n0_4 * z222;  // moment on blade_3, z
-    const Scalar z225 = c_alpha * z223;
-    const Scalar z226 = z185 + z213;
-    const Scalar z227 = n0_4 * z226;  // moment on blade_2, z
-    const Scalar z229 = c_alpha * z227;
-    const Scalar z230 = z192 - z211;
-    const Scalar z231 = n0_4 * z230;  // moment on blade_1, z
-    const Scalar z233 = c_alpha * z231;
-    const Scalar z236 = n1330 * a_phi - z221 + z225 + z229 - z233;  // moment on rotor, z
+    const Scalar z242 = a_phi * z117;
     result.M[0] = -z117;
     result.C[0] = n0;
     result.K[0] = n0;
-    result.F[0] = u_C - z236;
+    result.F[0] = u_C + z242;
     result.E[0] = n1;
     result.A[0] = n0;
     result.A[1] = n0;

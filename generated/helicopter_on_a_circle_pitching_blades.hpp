@@ -1357,18 +1357,18 @@ struct Mechanism {
     const Scalar z307 = z221 + z224 - z282;
     const Scalar z308 = z226 + z228 + z275;
     const Scalar z309 = z230 - z232 - z268;
-    const Scalar z363 = u_C + z305;
-    const Scalar z364 = n1 / z168;
-    const Scalar z365 = z363 * z364;
-    const Scalar z366 = n2_5 * z306;
-    const Scalar z367 = n2_5 * z307;
-    const Scalar z368 = n2_5 * z308;
-    const Scalar z369 = n2_5 * z309;
-    accelerations.phi = z365;
-    accelerations.alpha_1 = z366;
-    accelerations.alpha_2 = -z367;
-    accelerations.alpha_3 = -z368;
-    accelerations.alpha_4 = z369;
+    const Scalar z368 = u_C + z305;
+    const Scalar z369 = n1 / z168;
+    const Scalar z370 = z368 * z369;
+    const Scalar z371 = n2_5 * z306;
+    const Scalar z372 = n2_5 * z307;
+    const Scalar z373 = n2_5 * z308;
+    const Scalar z374 = n2_5 * z309;
+    accelerations.phi = z370;
+    accelerations.alpha_1 = z371;
+    accelerations.alpha_2 = -z372;
+    accelerations.alpha_3 = -z373;
+    accelerations.alpha_4 = z374;
     if (!(traits::regular(z168, z168))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.phi - accelerations.phi) + (accelerations.alpha_1 - accelerations.alpha_1)
@@ -1437,10 +1437,10 @@ struct Mechanism {
     const Scalar z229 = s_phi * p_alpha_c - q_alpha_4 + p_alpha;
     const Scalar z231 = v_alpha_4 - p_alpha_c * z222;
     const Scalar z232 = p_c * z231;
-    const Scalar z370 = s_phi * z35;
-    const Scalar z371 = c_phi * z35;
+    const Scalar z375 = s_phi * z35;
+    const Scalar z376 = c_phi * z35;
     result.kinetic = n0_2 * (z63 * z63 + z64 * z64 + z75 * z75 + z76 * z76 + z87 * z87 + z88 * z88 + z99 * z99 + z100
-        * z100) + n332_5 * (z50 * z50 + z51 * z51) + n60 * (z370 * z370 + z371 * z371) + n665 * z52 * z52;
+        * z100) + n332_5 * (z50 * z50 + z51 * z51) + n60 * (z375 * z375 + z376 * z376) + n665 * z52 * z52;
     result.force_function = -p_k * n0_5 * (z214 * z214 + z220 * z220 + z225 * z225 + z229 * z229);
     result.power = v_phi * u_C - z217 * z219 - z223 * z224 - z227 * z228 - z231 * z232;
   }

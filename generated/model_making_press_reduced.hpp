@@ -12,11 +12,11 @@
 //   kinematics                0                2          2             0                  1       0      6       6
 //   mass_matrix               0                0          0             0                  0       0      0       0
 //   bias                      2                3          0             0                  0       0      5       5
-//   inverse_dynamics          7                8          1             0                  0       0     16      16
+//   inverse_dynamics          6                6          0             0                  0       0     12      12
 //   forward_dynamics          6                9          0             0                  0       0     15      15
 //   energy                    5               13          2             0                  0       0     20      22
 //   constraints               2                2          2             0                  0       0      6       6
-//   linearisation            14               11          1             0                  0       0     26      27
+//   linearisation            13                9          0             0                  0       0     22      23
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 36 results 23 vanish identically, 2 repeat another up to sign
@@ -691,11 +691,12 @@ struct Mechanism {
   TORSOR_DEVICE static void inverse_dynamics(const Precomputed&, const State& state, const Accelerations& accelerations,
       const Multipliers& multipliers, GeneralizedForces& forces) noexcept {
     const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n0_0001 = traits::constant(1e-04, 1e-04f, "1/10000");
     const Scalar n20000 = traits::constant(20000.0, 20000.0f, "20000/1");
     const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
-    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
-    const Scalar n0_0001 = traits::constant(1e-04, 1e-04f, "1/10000");
-    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n8_2404 = traits::constant(8.2404, 8.2404f, "20601/2500");
+    const Scalar n2_943 = traits::constant(2.943, 2.943f, "2943/1000");
     const Scalar n0_84 = traits::constant(0.84, 0.84f, "21/25");
     const Scalar q_a_z = state.q.a_z;
     const Scalar a_a_z = accelerations.a_z;
@@ -706,17 +707,20 @@ struct Mechanism {
     const Scalar z7 = traits::formula(0.0006366197723675813, 0.00063661975f, [&]() -> Scalar {
       return n0_002 / pi;
     });
+    const Scalar z12 = traits::formula(0.0001909859317102744, 0.00019098593f, [&]() -> Scalar {
+      return n0_3 * z7;
+    });
+    const Scalar z13 = traits::formula(0.0001001215854203708, 0.000100121586f, [&]() -> Scalar {
+      return n0_0001 + z7 * z12;
+    });
     const Scalar z14 = n20000 * q_a_z;
     const Scalar z15 = n0_0005 * v_omega_z;
-    const Scalar z19 = n9_81 + a_a_z;
-    const Scalar z20 = n9_81 + n0_002 * a_omega_z / pi;
-    const Scalar z21 = n0_0001 * a_omega_z;  // moment on screw, z
-    const Scalar z22 = n0_3 * z20;  // force on screw.1, z
-    const Scalar z23 = n0_84 * z19;  // force on traverse, z
-    const Scalar z24 = z14 + z23;
-    const Scalar z25 = z7 * z22 + z15 + z21;
-    forces.a_z = z24 + l_lambda_LB_z;
-    forces.omega_z = -z7 * l_lambda_LB_z + z25;
+    const Scalar z17 = n8_2404 + z14;
+    const Scalar z18 = n2_943 * z7 + z15;
+    const Scalar z26 = n0_84 * a_a_z + z17;
+    const Scalar z27 = a_omega_z * z13 + z18;
+    forces.a_z = z26 + l_lambda_LB_z;
+    forces.omega_z = -z7 * l_lambda_LB_z + z27;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -750,29 +754,29 @@ struct Mechanism {
     const Scalar z15 = n0_0005 * v_omega_z;
     const Scalar z17 = n8_2404 + z14;
     const Scalar z18 = n2_943 * z7 + z15;
-    const Scalar z29 = u_C - z18;
-    const Scalar z30 = traits::formula(9987.856223025203, 9987.856f, [&]() -> Scalar {
+    const Scalar z31 = u_C - z18;
+    const Scalar z32 = traits::formula(9987.856223025203, 9987.856f, [&]() -> Scalar {
       return n1 / z13;
     });
-    const Scalar z31 = traits::formula(6.358466755142436, 6.3584666f, [&]() -> Scalar {
-      return z7 * z30;
+    const Scalar z33 = traits::formula(6.358466755142436, 6.3584666f, [&]() -> Scalar {
+      return z7 * z32;
     });
-    const Scalar z32 = traits::formula(1.1945241161344562, 1.1945242f, [&]() -> Scalar {
-      return n25_over_21 + z7 * z31;
+    const Scalar z34 = traits::formula(1.1945241161344562, 1.1945242f, [&]() -> Scalar {
+      return n25_over_21 + z7 * z33;
     });
-    const Scalar z33 = traits::formula(0.8371534626157683, 0.83715343f, [&]() -> Scalar {
-      return n1 / z32;
+    const Scalar z35 = traits::formula(0.8371534626157683, 0.83715343f, [&]() -> Scalar {
+      return n1 / z34;
     });
-    const Scalar z34 = n25_over_21 * z17;
-    const Scalar z35 = z29 * z30;
-    const Scalar z36 = z7 * z35 + z34;
-    const Scalar z37 = z33 * z36;
-    const Scalar z38 = z34 - n25_over_21 * z37;
-    const Scalar z39 = z31 * z37 - z35;
-    accelerations.a_z = -z38;
-    accelerations.omega_z = -z39;
-    multipliers.lambda_LB_z = -z37;
-    if (!(traits::regular(z13, z13) && traits::regular(z32, z32))) return torsor::Status::singular;
+    const Scalar z36 = n25_over_21 * z17;
+    const Scalar z37 = z31 * z32;
+    const Scalar z38 = z7 * z37 + z36;
+    const Scalar z39 = z35 * z38;
+    const Scalar z40 = z36 - n25_over_21 * z39;
+    const Scalar z41 = z33 * z39 - z37;
+    accelerations.a_z = -z40;
+    accelerations.omega_z = -z41;
+    multipliers.lambda_LB_z = -z39;
+    if (!(traits::regular(z13, z13) && traits::regular(z34, z34))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.a_z - accelerations.a_z) + (accelerations.omega_z - accelerations.omega_z)
         + (multipliers.lambda_LB_z - multipliers.lambda_LB_z);
@@ -820,10 +824,10 @@ struct Mechanism {
     });
     const Scalar z10 = n0_002 * q_omega_z / pi;
     const Scalar z11 = n0_002 * v_omega_z / pi;  // velocity of screw.1, z
-    const Scalar z26 = q_a_z - z10;
-    const Scalar z27 = v_a_z - z11;
-    result.value[0] = -z26;
-    result.rate[0] = -z27;
+    const Scalar z28 = q_a_z - z10;
+    const Scalar z29 = v_a_z - z11;
+    result.value[0] = -z28;
+    result.rate[0] = -z29;
     result.gamma[0] = n0;
     result.jacobian[0] = -n1;
     result.jacobian[1] = z7;
@@ -843,9 +847,10 @@ struct Mechanism {
     const Scalar n0_0001 = traits::constant(1e-04, 1e-04f, "1/10000");
     const Scalar n20000 = traits::constant(20000.0, 20000.0f, "20000/1");
     const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
-    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n8_2404 = traits::constant(8.2404, 8.2404f, "20601/2500");
+    const Scalar n2_943 = traits::constant(2.943, 2.943f, "2943/1000");
     const Scalar n0_84 = traits::constant(0.84, 0.84f, "21/25");
-    const Scalar k7 = traits::constant(0.00168, 0.00168f, "21/12500");
+    const Scalar k8 = traits::constant(0.00168, 0.00168f, "21/12500");
     const Scalar n40 = traits::constant(40.0, 40.0f, "40/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
@@ -867,38 +872,35 @@ struct Mechanism {
     });
     const Scalar z14 = n20000 * q_a_z;
     const Scalar z15 = n0_0005 * v_omega_z;
-    const Scalar z19 = n9_81 + a_a_z;
-    const Scalar z20 = n9_81 + n0_002 * a_omega_z / pi;
-    const Scalar z21 = n0_0001 * a_omega_z;  // moment on screw, z
-    const Scalar z22 = n0_3 * z20;  // force on screw.1, z
-    const Scalar z23 = n0_84 * z19;  // force on traverse, z
-    const Scalar z24 = z14 + z23;
-    const Scalar z25 = z7 * z22 + z15 + z21;
-    const Scalar z44 = a_a_z - a_omega_z * z7;
-    const Scalar z45 = traits::formula(0.0005347606087887683, 0.0005347606f, [&]() -> Scalar {
-      return k7 / pi;
+    const Scalar z17 = n8_2404 + z14;
+    const Scalar z18 = n2_943 * z7 + z15;
+    const Scalar z26 = n0_84 * a_a_z + z17;
+    const Scalar z27 = a_omega_z * z13 + z18;
+    const Scalar z46 = a_a_z - a_omega_z * z7;
+    const Scalar z47 = traits::formula(0.0005347606087887683, 0.0005347606f, [&]() -> Scalar {
+      return k8 / pi;
     });
-    const Scalar z46 = traits::formula(0.00010046202459740906, 0.00010046203f, [&]() -> Scalar {
-      return z7 * z45 + z13;
+    const Scalar z48 = traits::formula(0.00010046202459740906, 0.00010046203f, [&]() -> Scalar {
+      return z7 * z47 + z13;
     });
-    const Scalar z47 = traits::formula(12.732395447351626, 12.732395f, [&]() -> Scalar {
+    const Scalar z49 = traits::formula(12.732395447351626, 12.732395f, [&]() -> Scalar {
       return n40 / pi;
     });
-    const Scalar z48 = traits::formula(0.008105694691387022, 0.008105694f, [&]() -> Scalar {
-      return z7 * z47;
+    const Scalar z50 = traits::formula(0.008105694691387022, 0.008105694f, [&]() -> Scalar {
+      return z7 * z49;
     });
-    const Scalar z49 = z24 + l_lambda_LB_z;
-    const Scalar z50 = z7 * (l_lambda_LB_z - z49) + u_C - z25;
-    const Scalar z51 = z44 * z45;
-    const Scalar z52 = z50 + z51;
-    const Scalar z53 = traits::formula(9954.01002525476, 9954.01f, [&]() -> Scalar {
-      return n1 / z46;
+    const Scalar z51 = z26 + l_lambda_LB_z;
+    const Scalar z52 = z7 * (l_lambda_LB_z - z51) + u_C - z27;
+    const Scalar z53 = z46 * z47;
+    const Scalar z54 = z52 + z53;
+    const Scalar z55 = traits::formula(9954.01002525476, 9954.01f, [&]() -> Scalar {
+      return n1 / z48;
     });
-    const Scalar z54 = traits::formula(80.6841662197207, 80.684166f, [&]() -> Scalar {
-      return z48 * z53;
+    const Scalar z56 = traits::formula(80.6841662197207, 80.684166f, [&]() -> Scalar {
+      return z50 * z55;
     });
-    const Scalar z55 = traits::formula(4.977005012627379, 4.977005f, [&]() -> Scalar {
-      return n0_0005 * z53;
+    const Scalar z57 = traits::formula(4.977005012627379, 4.977005f, [&]() -> Scalar {
+      return n0_0005 * z55;
     });
     result.M[0] = n0_84;
     result.M[1] = n0;
@@ -912,22 +914,22 @@ struct Mechanism {
     result.K[1] = n0;
     result.K[2] = n0;
     result.K[3] = n0;
-    result.F[0] = -z24 - l_lambda_LB_z;
-    result.F[1] = z7 * l_lambda_LB_z + u_C - z25;
+    result.F[0] = -z26 - l_lambda_LB_z;
+    result.F[1] = z7 * l_lambda_LB_z + u_C - z27;
     result.E[0] = n0;
     result.E[1] = n1;
-    result.M_r[0] = z46;
+    result.M_r[0] = z48;
     result.C_r[0] = n0_0005;
-    result.K_r[0] = z48;
-    result.F_r[0] = z52;
+    result.K_r[0] = z50;
+    result.F_r[0] = z54;
     result.E_r[0] = n1;
     result.A[0] = n0;
-    result.A[1] = -z54;
+    result.A[1] = -z56;
     result.A[2] = n1;
-    result.A[3] = -z55;
+    result.A[3] = -z57;
     result.B[0] = n0;
-    result.B[1] = z53;
-    if (!(traits::regular(z46, z46))) return torsor::Status::singular;
+    result.B[1] = z55;
+    if (!(traits::regular(z48, z48))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.M[3] - result.M[3]) + (result.F[0] - result.F[0]) + (result.F[1] - result.F[1])
         + (result.M_r[0] - result.M_r[0]) + (result.K_r[0] - result.K_r[0]) + (result.F_r[0] - result.F_r[0])

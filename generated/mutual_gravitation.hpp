@@ -12,11 +12,11 @@
 //   kinematics               12               28          0             0                  1       0     42      42
 //   mass_matrix               1                5          0             0                  0       0      6       6
 //   bias                      6               23          1             1                  0       0     31      31
-//   inverse_dynamics         20               35          1             1                  1       0     59      59
+//   inverse_dynamics          9               30          1             1                  0       0     41      41
 //   forward_dynamics          7               28          2             1                  0       0     38      38
 //   energy                   10               19          1             1                  1       0     33      35
-//   first_integrals          21               40          1             1                  1       0     65      67
-//   linearisation            32               79          4             1                  1       0    118     118
+//   first_integrals          12               25          1             1                  1       0     41      43
+//   linearisation            20               69          4             1                  0       0     94      94
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 72 results 32 vanish identically, 15 repeat another up to sign
@@ -782,22 +782,23 @@ struct Mechanism {
       const Multipliers&, GeneralizedForces& forces) noexcept {
     const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
     const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n1_5 = traits::constant(1.5, 1.5f, "3/2");
+    const Scalar n4 = traits::constant(4.0, 4.0f, "4/1");
     const Scalar a_X = accelerations.X;
     const Scalar a_Y = accelerations.Y;
-    const Scalar q_phi = state.q.phi;
     const Scalar v_phi = state.v.phi;
     const Scalar a_phi = accelerations.phi;
     const Scalar q_r = state.q.r;
     const Scalar v_r = state.v.r;
     const Scalar a_r = accelerations.r;
-    Scalar s_phi, c_phi;
-    traits::sincos(q_phi, s_phi, c_phi);
     const Scalar z18 = n0_25 * q_r;
     const Scalar z26 = n0_75 * q_r;
+    const Scalar z35 = z26 * z26;
+    const Scalar z39 = n3 * z18 * z18;
+    const Scalar z42 = z35 + z39;
     const Scalar z56 = n0_25 * q_r + z26;
     const Scalar z57 = n0_75 * q_r + z18;
     const Scalar z58 = z56 * z56;
@@ -807,25 +808,23 @@ struct Mechanism {
     const Scalar z62 = z56 * z61;
     const Scalar z63 = z57 * z61;
     const Scalar z64 = v_phi * v_phi;
-    const Scalar z79 = a_X * c_phi + a_Y * s_phi;
-    const Scalar z80 = a_X * s_phi - a_Y * c_phi;
-    const Scalar z81 = n0_25 * a_r - z18 * z64 - z79;
-    const Scalar z82 = n0_5 * v_phi * v_r + a_phi * z18 + z80;
-    const Scalar z83 = n0_75 * a_r - z26 * z64 + z79;
-    const Scalar z84 = n1_5 * v_phi * v_r + a_phi * z26 - z80;
-    const Scalar z85 = z63 + z83;  // force on second, x
-    const Scalar z86 = z62 + n3 * z81;  // force on first, x
-    const Scalar z87 = n3 * z82;  // force on first, y
-    const Scalar z88 = z85 - z86;  // force on line, x
-    const Scalar z89 = z84 - z87;  // force on line, y
-    const Scalar z90 = z18 * z87 + z26 * z84;  // moment on line, z
-    const Scalar z91 = s_phi * z89 - c_phi * z88;
-    const Scalar z92 = s_phi * z88 + c_phi * z89;
-    const Scalar z94 = n0_75 * z85 + n0_25 * z86;
-    forces.X = -z91;
-    forces.Y = z92;
-    forces.r = z94;
-    forces.phi = z90;
+    const Scalar z65 = z18 * z64;
+    const Scalar z66 = n0_5 * v_phi * v_r;
+    const Scalar z67 = z26 * z64;
+    const Scalar z68 = n1_5 * v_phi * v_r;
+    const Scalar z69 = z63 - z67;  // force on second, x
+    const Scalar z70 = z62 - n3 * z65;  // force on first, x
+    const Scalar z71 = n3 * z66;  // force on first, y
+    const Scalar z74 = z18 * z71 + z26 * z68;  // moment on line, z
+    const Scalar z78 = n0_75 * z69 + n0_25 * z70;
+    const Scalar z95 = n4 * a_X;
+    const Scalar z96 = n4 * a_Y;
+    const Scalar z97 = n0_75 * a_r + z78;
+    const Scalar z98 = a_phi * z42 + z74;
+    forces.X = z95;
+    forces.Y = z96;
+    forces.r = z97;
+    forces.phi = z98;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -867,9 +866,9 @@ struct Mechanism {
     const Scalar z71 = n3 * z66;  // force on first, y
     const Scalar z74 = z18 * z71 + z26 * z68;  // moment on line, z
     const Scalar z78 = n0_75 * z69 + n0_25 * z70;
-    const Scalar z95 = n1 / z42;
+    const Scalar z99 = n1 / z42;
     const Scalar z100 = n4_over_3 * z78;
-    const Scalar z101 = z74 * z95;
+    const Scalar z101 = z74 * z99;
     accelerations.X = n0;
     accelerations.Y = n0;
     accelerations.r = -z100;
@@ -935,16 +934,8 @@ struct Mechanism {
     const Scalar z18 = n0_25 * q_r;
     const Scalar z26 = n0_75 * q_r;
     const Scalar z35 = z26 * z26;
-    const Scalar z36 = n3 * c_phi;
-    const Scalar z37 = n3 * s_phi;
     const Scalar z39 = n3 * z18 * z18;
-    const Scalar z40 = n3 * z18;
-    const Scalar z41 = z26 - z40;
     const Scalar z42 = z35 + z39;
-    const Scalar z43 = s_phi * z41;
-    const Scalar z44 = c_phi * z41;
-    const Scalar z54 = n0_75 * c_phi - n0_25 * z36;
-    const Scalar z55 = n0_75 * s_phi - n0_25 * z37;
     const Scalar z56 = n0_25 * q_r + z26;
     const Scalar z58 = z56 * z56;
     const Scalar z59 = traits::sqrt(z58);
@@ -956,9 +947,9 @@ struct Mechanism {
     const Scalar z106 = v_phi * z26 - z103;
     const Scalar z107 = n0_75 * v_r + z102;  // velocity of second, x
     result.energy = n1_5 * (z104 * z104 + z105 * z105) + n0_5 * (z106 * z106 + z107 * z107) - n3 * z60;
-    result.momentum_X = n4 * v_X - v_phi * z43 + v_r * z54;
-    result.momentum_Y = n4 * v_Y + v_phi * z44 + v_r * z55;
-    result.momentum_phi = -v_X * z43 + v_Y * z44 + v_phi * z42;
+    result.momentum_X = n4 * v_X;
+    result.momentum_Y = n4 * v_Y;
+    result.momentum_phi = v_phi * z42;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -971,21 +962,18 @@ struct Mechanism {
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n1_5 = traits::constant(1.5, 1.5f, "3/2");
+    const Scalar n4 = traits::constant(4.0, 4.0f, "4/1");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n9 = traits::constant(9.0, 9.0f, "9/1");
     const Scalar n4_over_3 = traits::constant(1.3333333333333333, 1.3333334f, "4/3");
-    const Scalar n4 = traits::constant(4.0, 4.0f, "4/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar a_X = accelerations.X;
     const Scalar a_Y = accelerations.Y;
-    const Scalar q_phi = state.q.phi;
     const Scalar v_phi = state.v.phi;
     const Scalar a_phi = accelerations.phi;
     const Scalar q_r = state.q.r;
     const Scalar v_r = state.v.r;
     const Scalar a_r = accelerations.r;
-    Scalar s_phi, c_phi;
-    traits::sincos(q_phi, s_phi, c_phi);
     const Scalar z18 = n0_25 * q_r;
     const Scalar z26 = n0_75 * q_r;
     const Scalar z35 = z26 * z26;
@@ -1000,55 +988,54 @@ struct Mechanism {
     const Scalar z62 = z56 * z61;
     const Scalar z63 = z57 * z61;
     const Scalar z64 = v_phi * v_phi;
-    const Scalar z79 = a_X * c_phi + a_Y * s_phi;
-    const Scalar z80 = a_X * s_phi - a_Y * c_phi;
-    const Scalar z81 = n0_25 * a_r - z18 * z64 - z79;
-    const Scalar z82 = n0_5 * v_phi * v_r + a_phi * z18 + z80;
-    const Scalar z83 = n0_75 * a_r - z26 * z64 + z79;
-    const Scalar z84 = n1_5 * v_phi * v_r + a_phi * z26 - z80;
-    const Scalar z85 = z63 + z83;  // force on second, x
-    const Scalar z86 = z62 + n3 * z81;  // force on first, x
-    const Scalar z87 = n3 * z82;  // force on first, y
-    const Scalar z88 = z85 - z86;  // force on line, x
-    const Scalar z89 = z84 - z87;  // force on line, y
-    const Scalar z90 = z18 * z87 + z26 * z84;  // moment on line, z
-    const Scalar z91 = s_phi * z89 - c_phi * z88;
-    const Scalar z92 = s_phi * z88 + c_phi * z89;
-    const Scalar z94 = n0_75 * z85 + n0_25 * z86;
-    const Scalar z95 = n1 / z42;
-    const Scalar z130 = n1_5 * v_phi;
-    const Scalar z131 = n0_5 * v_phi;
-    const Scalar z132 = n3 * z131;
-    const Scalar z135 = n0_75 * a_phi;
-    const Scalar z136 = n0_25 * a_phi;
-    const Scalar z137 = n3 * z136;
-    const Scalar z139 = n2 * z56;
-    const Scalar z140 = n0_5 * z139 / z59;
-    const Scalar z141 = z140 / (z59 * z59);
-    const Scalar z142 = n9 * z60 * z60 * z141;
-    const Scalar z143 = z57 * z142 - z61;
-    const Scalar z144 = n0_75 * z64;
-    const Scalar z145 = z143 + z144;
-    const Scalar z146 = z56 * z142 - z61;
-    const Scalar z147 = n0_25 * z64;
-    const Scalar z148 = z146 + n3 * z147;
-    const Scalar z153 = n0_75 * z145 + n0_25 * z148;
-    const Scalar z154 = z18 * z132 + z26 * z130;
-    const Scalar z155 = z18 * z137 + z26 * z135 + n0_75 * z84 + n0_25 * z87;
-    const Scalar z156 = n1_5 * v_r;
-    const Scalar z157 = n0_5 * v_r;
-    const Scalar z158 = n3 * z157;
-    const Scalar z160 = n2 * v_phi;
-    const Scalar z161 = z26 * z160;
-    const Scalar z162 = z18 * z160;
-    const Scalar z163 = n3 * z162;
-    const Scalar z173 = n0_75 * z161 + n0_25 * z163;
-    const Scalar z175 = z18 * z158 + z26 * z156;
-    const Scalar z177 = n4_over_3 * z153;
-    const Scalar z178 = z95 * z155;
-    const Scalar z179 = z95 * z154;
-    const Scalar z182 = n4_over_3 * z173;
-    const Scalar z183 = z95 * z175;
+    const Scalar z65 = z18 * z64;
+    const Scalar z66 = n0_5 * v_phi * v_r;
+    const Scalar z67 = z26 * z64;
+    const Scalar z68 = n1_5 * v_phi * v_r;
+    const Scalar z69 = z63 - z67;  // force on second, x
+    const Scalar z70 = z62 - n3 * z65;  // force on first, x
+    const Scalar z71 = n3 * z66;  // force on first, y
+    const Scalar z74 = z18 * z71 + z26 * z68;  // moment on line, z
+    const Scalar z78 = n0_75 * z69 + n0_25 * z70;
+    const Scalar z95 = n4 * a_X;
+    const Scalar z96 = n4 * a_Y;
+    const Scalar z97 = n0_75 * a_r + z78;
+    const Scalar z98 = a_phi * z42 + z74;
+    const Scalar z99 = n1 / z42;
+    const Scalar z130 = n2 * z56;
+    const Scalar z131 = n0_5 * z130 / z59;
+    const Scalar z132 = z131 / (z59 * z59);
+    const Scalar z133 = n9 * z60 * z60 * z132;
+    const Scalar z134 = z57 * z133 - z61;
+    const Scalar z135 = n0_75 * z64;
+    const Scalar z136 = z134 + z135;
+    const Scalar z137 = z56 * z133 - z61;
+    const Scalar z138 = n0_25 * z64;
+    const Scalar z139 = z137 + n3 * z138;
+    const Scalar z140 = n0_75 * z136 + n0_25 * z139;
+    const Scalar z141 = n0_5 * v_phi;
+    const Scalar z142 = n3 * z141;
+    const Scalar z143 = n1_5 * v_phi;
+    const Scalar z144 = z18 * z142 + z26 * z143;
+    const Scalar z145 = n1_5 * z26;
+    const Scalar z146 = n1_5 * z18;
+    const Scalar z147 = z145 + z146;
+    const Scalar z148 = n0_75 * z68 + n0_25 * z71;
+    const Scalar z149 = a_phi * z147 + z148;
+    const Scalar z150 = n2 * v_phi;
+    const Scalar z151 = z26 * z150;
+    const Scalar z152 = z18 * z150;
+    const Scalar z153 = n3 * z152;
+    const Scalar z154 = n0_75 * z151 + n0_25 * z153;
+    const Scalar z155 = n0_5 * v_r;
+    const Scalar z156 = n3 * z155;
+    const Scalar z157 = n1_5 * v_r;
+    const Scalar z158 = z18 * z156 + z26 * z157;
+    const Scalar z159 = n4_over_3 * z140;
+    const Scalar z160 = z99 * z149;
+    const Scalar z161 = z99 * z144;
+    const Scalar z162 = n4_over_3 * z154;
+    const Scalar z163 = z99 * z158;
     result.M[0] = n4;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -1076,11 +1063,11 @@ struct Mechanism {
     result.C[8] = n0;
     result.C[9] = n0;
     result.C[10] = n0;
-    result.C[11] = z154;
+    result.C[11] = z144;
     result.C[12] = n0;
     result.C[13] = n0;
-    result.C[14] = -z173;
-    result.C[15] = z175;
+    result.C[14] = -z154;
+    result.C[15] = z158;
     result.K[0] = n0;
     result.K[1] = n0;
     result.K[2] = n0;
@@ -1091,16 +1078,16 @@ struct Mechanism {
     result.K[7] = n0;
     result.K[8] = n0;
     result.K[9] = n0;
-    result.K[10] = -z153;
-    result.K[11] = z155;
+    result.K[10] = -z140;
+    result.K[11] = z149;
     result.K[12] = n0;
     result.K[13] = n0;
     result.K[14] = n0;
     result.K[15] = n0;
-    result.F[0] = z91;
-    result.F[1] = -z92;
-    result.F[2] = -z94;
-    result.F[3] = -z90;
+    result.F[0] = -z95;
+    result.F[1] = -z96;
+    result.F[2] = -z97;
+    result.F[3] = -z98;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
@@ -1123,8 +1110,8 @@ struct Mechanism {
     result.A[19] = n0;
     result.A[20] = n0;
     result.A[21] = n0;
-    result.A[22] = z177;
-    result.A[23] = -z178;
+    result.A[22] = z159;
+    result.A[23] = -z160;
     result.A[24] = n0;
     result.A[25] = n0;
     result.A[26] = n0;
@@ -1156,15 +1143,15 @@ struct Mechanism {
     result.A[52] = n0;
     result.A[53] = n0;
     result.A[54] = n0;
-    result.A[55] = -z179;
+    result.A[55] = -z161;
     result.A[56] = n0;
     result.A[57] = n0;
     result.A[58] = n0;
     result.A[59] = n1;
     result.A[60] = n0;
     result.A[61] = n0;
-    result.A[62] = z182;
-    result.A[63] = -z183;
+    result.A[62] = z162;
+    result.A[63] = -z163;
     if (!(traits::regular(z42, z42))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.M[15] - result.M[15]) + (result.C[11] - result.C[11]) + (result.C[14] - result.C[14])

@@ -708,9 +708,9 @@ struct Mechanism {
     const Scalar z12 = n0_01 * z5;  // velocity of support, y
     const Scalar z14 = v_x + z12;  // velocity of mass, y
     const Scalar z17 = n0_2 - q_x;
-    const Scalar z23 = n0_01 * z3 + q_x;
+    const Scalar z24 = n0_01 * z3 + q_x;
     result.kinetic = n0_5 * z14 * z14;
-    result.force_function = -n200 * z17 * z17 - n9_81 * z23;
+    result.force_function = -n200 * z17 * z17 - n9_81 * z24;
     result.power = n0;
   }
 

@@ -717,11 +717,11 @@ struct Mechanism {
     const Scalar z11 = n400 - n80 * z10;
     const Scalar z13 = q_l * z11;
     const Scalar z14 = n9_81 + z13;  // force on mass, y
-    const Scalar z20 = n29_43 - z13;
-    const Scalar z21 = n1_over_3 * z20;
-    const Scalar z22 = z14 - z21;
-    accelerations.lambda = -z21;
-    accelerations.l = -z22;
+    const Scalar z22 = n29_43 - z13;
+    const Scalar z23 = n1_over_3 * z22;
+    const Scalar z24 = z14 - z23;
+    accelerations.lambda = -z23;
+    accelerations.l = -z24;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.lambda - accelerations.lambda) + (accelerations.l - accelerations.l);
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -797,13 +797,13 @@ struct Mechanism {
     const Scalar z17 = a_l + z16;
     const Scalar z18 = z13 + z17;  // force on mass, y
     const Scalar z19 = z13 - n3 * z16 - z18;  // force on support, y
-    const Scalar z27 = n2 * q_l;
-    const Scalar z28 = n0_5 * z27 / z9;
-    const Scalar z29 = z28 / (z9 * z9);
-    const Scalar z30 = n80 * z29;
-    const Scalar z31 = q_l * z30 + z11;
-    const Scalar z32 = n1_over_3 * z31;
-    const Scalar z33 = z31 + z32;
+    const Scalar z29 = n2 * q_l;
+    const Scalar z30 = n0_5 * z29 / z9;
+    const Scalar z31 = z30 / (z9 * z9);
+    const Scalar z32 = n80 * z31;
+    const Scalar z33 = q_l * z32 + z11;
+    const Scalar z34 = n1_over_3 * z33;
+    const Scalar z35 = z33 + z34;
     result.M[0] = n4;
     result.M[1] = n1;
     result.M[2] = n1;
@@ -815,7 +815,7 @@ struct Mechanism {
     result.K[0] = n0;
     result.K[1] = n0;
     result.K[2] = n0;
-    result.K[3] = z31;
+    result.K[3] = z33;
     result.F[0] = z19;
     result.F[1] = -z18;
     result.A[0] = n0;
@@ -824,8 +824,8 @@ struct Mechanism {
     result.A[3] = n0;
     result.A[4] = n0;
     result.A[5] = n0;
-    result.A[6] = z32;
-    result.A[7] = -z33;
+    result.A[6] = z34;
+    result.A[7] = -z35;
     result.A[8] = n1;
     result.A[9] = n0;
     result.A[10] = n0;

@@ -497,9 +497,9 @@ struct Mechanism {
   /// Parameters and what depends on them only: built once for each set of parameters.
   struct Precomputed {
     Parameters parameters;
-    Scalar z30;
-    Scalar z31;
     Scalar z32;
+    Scalar z33;
+    Scalar z34;
   };
 
   /// Values of the scene.
@@ -523,12 +523,12 @@ struct Mechanism {
     const Scalar n10 = traits::constant(10.0, 10.0f, "10/1");
     const Scalar p_k2 = parameters.k2;
     const Scalar p_c2 = parameters.c2;
-    const Scalar z30 = n100 + p_k2;
-    const Scalar z31 = n10 * p_k2;
-    const Scalar z32 = n10 * p_c2;
-    precomputed.z30 = z30;
-    precomputed.z31 = z31;
+    const Scalar z32 = n100 + p_k2;
+    const Scalar z33 = n10 * p_k2;
+    const Scalar z34 = n10 * p_c2;
     precomputed.z32 = z32;
+    precomputed.z33 = z33;
+    precomputed.z34 = z34;
     return precomputed;
   }
 
@@ -747,9 +747,9 @@ struct Mechanism {
     const Scalar z19 = p_f * z17;
     const Scalar z20 = z6 + z9 + z12 - z19;
     const Scalar z21 = z9 + z12;
-    const Scalar z27 = n10 * z21;
+    const Scalar z29 = n10 * z21;
     accelerations.x1 = -z20;
-    accelerations.x2 = z27;
+    accelerations.x2 = z29;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.x1 - accelerations.x1) + (accelerations.x2 - accelerations.x2);
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -802,9 +802,9 @@ struct Mechanism {
     const Scalar p_f = precomputed.parameters.f;
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
-    const Scalar z30 = precomputed.z30;
-    const Scalar z31 = precomputed.z31;
     const Scalar z32 = precomputed.z32;
+    const Scalar z33 = precomputed.z33;
+    const Scalar z34 = precomputed.z34;
     const Scalar z16 = p_omega * t;
     Scalar z18, z17;
     traits::sincos(z16, z18, z17);
@@ -826,7 +826,7 @@ struct Mechanism {
     result.C[1] = -p_c2;
     result.C[2] = -p_c2;
     result.C[3] = p_c2;
-    result.K[0] = z30;
+    result.K[0] = z32;
     result.K[1] = -p_k2;
     result.K[2] = -p_k2;
     result.K[3] = p_k2;
@@ -834,20 +834,20 @@ struct Mechanism {
     result.F[1] = z25;
     result.A[0] = n0;
     result.A[1] = n0;
-    result.A[2] = -z30;
-    result.A[3] = z31;
+    result.A[2] = -z32;
+    result.A[3] = z33;
     result.A[4] = n0;
     result.A[5] = n0;
     result.A[6] = p_k2;
-    result.A[7] = -z31;
+    result.A[7] = -z33;
     result.A[8] = n1;
     result.A[9] = n0;
     result.A[10] = -p_c2;
-    result.A[11] = z32;
+    result.A[11] = z34;
     result.A[12] = n0;
     result.A[13] = n1;
     result.A[14] = p_c2;
-    result.A[15] = -z32;
+    result.A[15] = -z34;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.C[0] - result.C[0]) + (result.C[1] - result.C[1]) + (result.C[2] - result.C[2])
         + (result.C[3] - result.C[3]) + (result.K[0] - result.K[0]) + (result.K[1] - result.K[1]) + (result.K[2]

@@ -627,9 +627,9 @@ struct Mechanism {
     Scalar z40;
     Scalar z42;
     Scalar z44;
-    Scalar z52;
-    Scalar z53;
-    Scalar z54;
+    Scalar z55;
+    Scalar z56;
+    Scalar z57;
     Scalar y0;
     Scalar y1;
     Scalar y2;
@@ -658,18 +658,18 @@ struct Mechanism {
     const Scalar z40 = p_I2 - p_I3;
     const Scalar z42 = p_I1 - p_I3;
     const Scalar z44 = p_I1 - p_I2;
-    const Scalar z52 = n1 / p_I3;
-    const Scalar z53 = n1 / p_I2;
-    const Scalar z54 = n1 / p_I1;
+    const Scalar z55 = n1 / p_I3;
+    const Scalar z56 = n1 / p_I2;
+    const Scalar z57 = n1 / p_I1;
     precomputed.z40 = z40;
     precomputed.z42 = z42;
     precomputed.z44 = z44;
-    precomputed.z52 = z52;
-    precomputed.z53 = z53;
-    precomputed.z54 = z54;
-    precomputed.y0 = z40 * z54;
-    precomputed.y1 = z42 * z53;
-    precomputed.y2 = z44 * z52;
+    precomputed.z55 = z55;
+    precomputed.z56 = z56;
+    precomputed.z57 = z57;
+    precomputed.y0 = z40 * z57;
+    precomputed.y1 = z42 * z56;
+    precomputed.y2 = z44 * z55;
     return precomputed;
   }
 
@@ -750,14 +750,14 @@ struct Mechanism {
     const Scalar v_e_omega_x = state.v.e_omega_x;
     const Scalar v_e_omega_y = state.v.e_omega_y;
     const Scalar v_e_omega_z = state.v.e_omega_z;
-    const Scalar z94 = n0_5 * (q_e_y * v_e_omega_y + q_e_z * v_e_omega_z + q_e_x * v_e_omega_x);
-    const Scalar z95 = n0_5 * (q_e_y * v_e_omega_z - q_e_z * v_e_omega_y + q_e_w * v_e_omega_x);
-    const Scalar z96 = n0_5 * (q_e_z * v_e_omega_x - q_e_x * v_e_omega_z + q_e_w * v_e_omega_y);
-    const Scalar z97 = n0_5 * (q_e_y * v_e_omega_x - q_e_x * v_e_omega_y - q_e_w * v_e_omega_z);
-    rates[0] = -z94;
-    rates[1] = z95;
-    rates[2] = z96;
-    rates[3] = -z97;
+    const Scalar z97 = n0_5 * (q_e_y * v_e_omega_y + q_e_z * v_e_omega_z + q_e_x * v_e_omega_x);
+    const Scalar z98 = n0_5 * (q_e_y * v_e_omega_z - q_e_z * v_e_omega_y + q_e_w * v_e_omega_x);
+    const Scalar z99 = n0_5 * (q_e_z * v_e_omega_x - q_e_x * v_e_omega_z + q_e_w * v_e_omega_y);
+    const Scalar z100 = n0_5 * (q_e_y * v_e_omega_x - q_e_x * v_e_omega_y - q_e_w * v_e_omega_z);
+    rates[0] = -z97;
+    rates[1] = z98;
+    rates[2] = z99;
+    rates[3] = -z100;
   }
 
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
@@ -900,21 +900,21 @@ struct Mechanism {
     const Scalar z40 = precomputed.z40;
     const Scalar z42 = precomputed.z42;
     const Scalar z44 = precomputed.z44;
-    const Scalar z52 = precomputed.z52;
-    const Scalar z53 = precomputed.z53;
-    const Scalar z54 = precomputed.z54;
+    const Scalar z55 = precomputed.z55;
+    const Scalar z56 = precomputed.z56;
+    const Scalar z57 = precomputed.z57;
     const Scalar z41 = v_e_omega_y * v_e_omega_z;
     const Scalar z43 = v_e_omega_x * v_e_omega_z;
     const Scalar z45 = v_e_omega_x * v_e_omega_y;
     const Scalar z46 = z40 * z41;  // moment on body, x
     const Scalar z47 = z42 * z43;  // moment on body, y
     const Scalar z48 = z44 * z45;  // moment on body, z
-    const Scalar z55 = z48 * z52;
-    const Scalar z56 = z47 * z53;
-    const Scalar z57 = z46 * z54;
-    accelerations.e_omega_x = z57;
-    accelerations.e_omega_y = -z56;
-    accelerations.e_omega_z = z55;
+    const Scalar z58 = z48 * z55;
+    const Scalar z59 = z47 * z56;
+    const Scalar z60 = z46 * z57;
+    accelerations.e_omega_x = z60;
+    accelerations.e_omega_y = -z59;
+    accelerations.e_omega_z = z58;
     if (!(traits::regular(p_I1, p_I1) && traits::regular(p_I2, p_I2) && traits::regular(p_I3,
         p_I3))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
@@ -975,27 +975,27 @@ struct Mechanism {
     const Scalar z40 = precomputed.z40;
     const Scalar z42 = precomputed.z42;
     const Scalar z44 = precomputed.z44;
-    const Scalar z52 = precomputed.z52;
-    const Scalar z53 = precomputed.z53;
-    const Scalar z54 = precomputed.z54;
+    const Scalar z55 = precomputed.z55;
+    const Scalar z56 = precomputed.z56;
+    const Scalar z57 = precomputed.z57;
     const Scalar z41 = v_e_omega_y * v_e_omega_z;
     const Scalar z43 = v_e_omega_x * v_e_omega_z;
     const Scalar z45 = v_e_omega_x * v_e_omega_y;
     const Scalar z49 = a_e_omega_x * p_I1 - z40 * z41;  // moment on body, x
     const Scalar z50 = a_e_omega_y * p_I2 + z42 * z43;  // moment on body, y
     const Scalar z51 = a_e_omega_z * p_I3 - z44 * z45;  // moment on body, z
-    const Scalar z64 = v_e_omega_z * z42;
-    const Scalar z65 = v_e_omega_y * z44;
-    const Scalar z66 = v_e_omega_z * z40;
-    const Scalar z67 = v_e_omega_x * z44;
-    const Scalar z68 = v_e_omega_y * z40;
-    const Scalar z69 = v_e_omega_x * z42;
-    const Scalar z88 = z53 * z64;
-    const Scalar z89 = z52 * z65;
-    const Scalar z90 = z54 * z66;
-    const Scalar z91 = z52 * z67;
-    const Scalar z92 = z54 * z68;
-    const Scalar z93 = z53 * z69;
+    const Scalar z67 = v_e_omega_z * z42;
+    const Scalar z68 = v_e_omega_y * z44;
+    const Scalar z69 = v_e_omega_z * z40;
+    const Scalar z70 = v_e_omega_x * z44;
+    const Scalar z71 = v_e_omega_y * z40;
+    const Scalar z72 = v_e_omega_x * z42;
+    const Scalar z91 = z56 * z67;
+    const Scalar z92 = z55 * z68;
+    const Scalar z93 = z57 * z69;
+    const Scalar z94 = z55 * z70;
+    const Scalar z95 = z57 * z71;
+    const Scalar z96 = z56 * z72;
     result.M[0] = p_I1;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -1006,13 +1006,13 @@ struct Mechanism {
     result.M[7] = n0;
     result.M[8] = p_I3;
     result.C[0] = n0;
-    result.C[1] = z64;
-    result.C[2] = -z65;
-    result.C[3] = -z66;
+    result.C[1] = z67;
+    result.C[2] = -z68;
+    result.C[3] = -z69;
     result.C[4] = n0;
-    result.C[5] = -z67;
-    result.C[6] = -z68;
-    result.C[7] = z69;
+    result.C[5] = -z70;
+    result.C[6] = -z71;
+    result.C[7] = z72;
     result.C[8] = n0;
     result.K[0] = n0;
     result.K[1] = n0;
@@ -1048,19 +1048,19 @@ struct Mechanism {
     result.A[19] = n0;
     result.A[20] = n0;
     result.A[21] = n0;
-    result.A[22] = -z88;
-    result.A[23] = z89;
+    result.A[22] = -z91;
+    result.A[23] = z92;
     result.A[24] = n0;
     result.A[25] = n1;
     result.A[26] = n0;
-    result.A[27] = z90;
+    result.A[27] = z93;
     result.A[28] = n0;
-    result.A[29] = z91;
+    result.A[29] = z94;
     result.A[30] = n0;
     result.A[31] = n0;
     result.A[32] = n1;
-    result.A[33] = z92;
-    result.A[34] = -z93;
+    result.A[33] = z95;
+    result.A[34] = -z96;
     result.A[35] = n0;
     if (!(traits::regular(p_I1, p_I1) && traits::regular(p_I2, p_I2) && traits::regular(p_I3,
         p_I3))) return torsor::Status::singular;

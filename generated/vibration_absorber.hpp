@@ -13,10 +13,10 @@
 //   kinematics                4               10          0             0                  2       0     18      19
 //   mass_matrix               0                1          0             0                  1       0      3       4
 //   bias                      3                8          0             0                  2       0     15      28
-//   inverse_dynamics          7               13          0             0                  2       0     24      43
+//   inverse_dynamics          7               13          0             0                  2       0     24      38
 //   forward_dynamics          6               15          1             0                  2       0     26      41
 //   energy                   13               27          0             0                  2       0     44      50
-//   linearisation            12               32          1             0                  2       0     49      70
+//   linearisation            12               32          1             0                  2       0     49      65
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 66 results 38 vanish identically, 6 repeat another up to sign
@@ -499,7 +499,7 @@ struct Mechanism {
     Scalar z14;
     Scalar z25;
     Scalar z52;  ///< force on rotor, z
-    Scalar z78;
+    Scalar z80;
   };
 
   /// Values of the scene.
@@ -525,11 +525,11 @@ struct Mechanism {
     const Scalar z25 = n0_02 * p_omega;
     const Scalar z51 = p_omega * p_omega;
     const Scalar z52 = n0_002 * z51;  // force on rotor, z
-    const Scalar z78 = n1 / z14;
+    const Scalar z80 = n1 / z14;
     precomputed.z14 = z14;
     precomputed.z25 = z25;
     precomputed.z52 = z52;
-    precomputed.z78 = z78;
+    precomputed.z80 = z80;
     return precomputed;
   }
 
@@ -798,7 +798,7 @@ struct Mechanism {
     const Scalar p_d = precomputed.parameters.d;
     const Scalar z14 = precomputed.z14;
     const Scalar z52 = precomputed.z52;
-    const Scalar z78 = precomputed.z78;
+    const Scalar z80 = precomputed.z80;
     const Scalar z10 = p_omega * t;
     const Scalar angles_[] = {q_theta, z10};
     Scalar sines_[2], cosines_[2];
@@ -816,15 +816,15 @@ struct Mechanism {
     const Scalar z59 = s_theta * z57;
     const Scalar z61 = z54 + z59;  // force on support, x
     const Scalar z64 = z46 + z61;
-    const Scalar z106 = z17 * z78;
-    const Scalar z107 = n11_1 - z17 * z106;
-    const Scalar z108 = n1 / z107;
-    const Scalar z109 = z58 * z106 + z64;
-    const Scalar z110 = z108 * z109;
-    const Scalar z111 = z58 * z78 + z106 * z110;
-    accelerations.X = z110;
-    accelerations.theta = -z111;
-    if (!(traits::regular(z107, n11_1) && traits::regular(z14, z14))) return torsor::Status::singular;
+    const Scalar z108 = z17 * z80;
+    const Scalar z109 = n11_1 - z17 * z108;
+    const Scalar z110 = n1 / z109;
+    const Scalar z111 = z58 * z108 + z64;
+    const Scalar z112 = z110 * z111;
+    const Scalar z113 = z58 * z80 + z108 * z112;
+    accelerations.X = z112;
+    accelerations.theta = -z113;
+    if (!(traits::regular(z109, n11_1) && traits::regular(z14, z14))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.X - accelerations.X) + (accelerations.theta - accelerations.theta);
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -860,16 +860,16 @@ struct Mechanism {
     const Scalar z17 = c_theta * p_d;
     const Scalar z28 = n0_002 * z12;
     const Scalar z45 = n0_1 - q_X;
-    const Scalar z112 = v_X * c_theta;
-    const Scalar z113 = v_X * s_theta;
-    const Scalar z114 = v_X * z12;
-    const Scalar z115 = v_X * z11;
-    const Scalar z116 = v_theta * p_d + z112;
-    const Scalar z117 = v_theta * z14 + p_d * z112;
-    const Scalar z118 = n0_002 * p_omega + n0_1 * z114;
-    const Scalar z119 = k2 * p_omega + n0_002 * z114;
-    result.kinetic = n0_5 * (v_theta * z117 + p_omega * z119 + z112 * z116 + z113 * z113 + z114 * z118) + n5 * v_X * v_X
-        + n0_05 * z115 * z115;
+    const Scalar z114 = v_X * c_theta;
+    const Scalar z115 = v_X * s_theta;
+    const Scalar z116 = v_X * z12;
+    const Scalar z117 = v_X * z11;
+    const Scalar z118 = v_theta * p_d + z114;
+    const Scalar z119 = v_theta * z14 + p_d * z114;
+    const Scalar z120 = n0_002 * p_omega + n0_1 * z116;
+    const Scalar z121 = k2 * p_omega + n0_002 * z116;
+    result.kinetic = n0_5 * (v_theta * z119 + p_omega * z121 + z114 * z118 + z115 * z115 + z116 * z120) + n5 * v_X * v_X
+        + n0_05 * z117 * z117;
     result.force_function = n9_81 * (z17 + z28) - n500 * z45 * z45;
     result.power = n0;
   }
@@ -895,7 +895,7 @@ struct Mechanism {
     const Scalar p_d = precomputed.parameters.d;
     const Scalar z14 = precomputed.z14;
     const Scalar z52 = precomputed.z52;
-    const Scalar z78 = precomputed.z78;
+    const Scalar z80 = precomputed.z80;
     const Scalar z10 = p_omega * t;
     const Scalar angles_[] = {q_theta, z10};
     Scalar sines_[2], cosines_[2];
@@ -916,51 +916,51 @@ struct Mechanism {
     const Scalar z73 = s_theta * z70 + c_theta * z57;
     const Scalar z74 = n11_1 * a_X - z54 - z72;  // force on support, x
     const Scalar z77 = z46 - z74;
-    const Scalar z106 = z17 * z78;
-    const Scalar z107 = n11_1 - z17 * z106;
-    const Scalar z108 = n1 / z107;
-    const Scalar z146 = n2 * v_theta;
-    const Scalar z147 = p_d * z146;
-    const Scalar z148 = s_theta * z147;
-    const Scalar z149 = p_d * z66;
-    const Scalar z171 = n1000 * z108;
-    const Scalar z172 = z106 * z171;
-    const Scalar z173 = z73 - z106 * z149;
+    const Scalar z108 = z17 * z80;
+    const Scalar z109 = n11_1 - z17 * z108;
+    const Scalar z110 = n1 / z109;
+    const Scalar z148 = n2 * v_theta;
+    const Scalar z149 = p_d * z148;
+    const Scalar z150 = s_theta * z149;
+    const Scalar z151 = p_d * z66;
+    const Scalar z173 = n1000 * z110;
     const Scalar z174 = z108 * z173;
-    const Scalar z175 = z78 * z149 - z106 * z174;
-    const Scalar z176 = z108 * z148;
-    const Scalar z177 = z106 * z176;
+    const Scalar z175 = z73 - z108 * z151;
+    const Scalar z176 = z110 * z175;
+    const Scalar z177 = z80 * z151 - z108 * z176;
+    const Scalar z178 = z110 * z150;
+    const Scalar z179 = z108 * z178;
     result.M[0] = n11_1;
     result.M[1] = z17;
     result.M[2] = z17;
     result.M[3] = z14;
     result.C[0] = n0;
     result.C[1] = n0;
-    result.C[2] = -z148;
+    result.C[2] = -z150;
     result.C[3] = n0;
     result.K[0] = n1000;
     result.K[1] = n0;
     result.K[2] = -z73;
-    result.K[3] = -z149;
+    result.K[3] = -z151;
     result.F[0] = z77;
     result.F[1] = -z71;
     result.A[0] = n0;
     result.A[1] = n0;
-    result.A[2] = -z171;
-    result.A[3] = z172;
+    result.A[2] = -z173;
+    result.A[3] = z174;
     result.A[4] = n0;
     result.A[5] = n0;
-    result.A[6] = z174;
-    result.A[7] = z175;
+    result.A[6] = z176;
+    result.A[7] = z177;
     result.A[8] = n1;
     result.A[9] = n0;
     result.A[10] = n0;
     result.A[11] = n0;
     result.A[12] = n0;
     result.A[13] = n1;
-    result.A[14] = z176;
-    result.A[15] = -z177;
-    if (!(traits::regular(z107, n11_1) && traits::regular(z14, z14))) return torsor::Status::singular;
+    result.A[14] = z178;
+    result.A[15] = -z179;
+    if (!(traits::regular(z109, n11_1) && traits::regular(z14, z14))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.M[1] - result.M[1]) + (result.M[2] - result.M[2]) + (result.M[3] - result.M[3])
         + (result.C[2] - result.C[2]) + (result.K[2] - result.K[2]) + (result.K[3] - result.K[3]) + (result.F[0]

@@ -802,9 +802,9 @@ struct Mechanism {
     const Scalar z76 = z25 * z26;
     const Scalar z85 = z16 * z76 - z17 * z69;  // moment on arm_2, y
     const Scalar z92 = z14 * z75 - n2 * z85;
-    const Scalar z102 = n1 / z68;
-    const Scalar z103 = z92 * z102;
-    accelerations.theta = -z103;
+    const Scalar z103 = n1 / z68;
+    const Scalar z104 = z92 * z103;
+    accelerations.theta = -z104;
     if (!(traits::regular(z68, z68))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.theta - accelerations.theta);
@@ -860,10 +860,10 @@ struct Mechanism {
     const Scalar z29 = n2 * c_theta * p_L;
     const Scalar z30 = n2 * p_L * z11;  // velocity of sleeve, z
     const Scalar z42 = c_theta * z17;
-    const Scalar z106 = p_M * z30;
-    const Scalar z111 = n2 * p_L * z106;
-    const Scalar z114 = n2 * v_theta * z16 + s_theta * z111;
-    result.painleve = -v_theta * (v_theta * z16 - z114) - p_M * (n9_81 * z29 + n0_5 * z30 * z30) - z16 * z25 * z25
+    const Scalar z107 = p_M * z30;
+    const Scalar z112 = n2 * p_L * z107;
+    const Scalar z115 = n2 * v_theta * z16 + s_theta * z112;
+    result.painleve = -v_theta * (v_theta * z16 - z115) - p_M * (n9_81 * z29 + n0_5 * z30 * z30) - z16 * z25 * z25
         - n19_62 * z42;
   }
 
@@ -921,27 +921,27 @@ struct Mechanism {
     const Scalar z94 = p_M * z93;  // force on sleeve, z
     const Scalar z97 = z16 * (a_theta - z76) + z17 * z69;  // moment on arm_2, y
     const Scalar z101 = z14 * z94 + n2 * z97;
-    const Scalar z102 = n1 / z68;
-    const Scalar z117 = v_theta * c_theta + z12;
-    const Scalar z118 = n2 * p_L * z117;
-    const Scalar z119 = p_M * z118;
-    const Scalar z120 = z14 * z119;
-    const Scalar z121 = v_theta * z11 - a_theta * c_theta;
-    const Scalar z122 = n2 * p_L * z121;
-    const Scalar z123 = p_M * z122;
-    const Scalar z124 = z25 * z25 - z26 * z26;
-    const Scalar z125 = z16 * z124 + z17 * z70;
-    const Scalar z126 = z14 * z123 - z29 * z94 - n2 * z125;
-    const Scalar z127 = z102 * z126;
-    const Scalar z128 = z102 * z120;
+    const Scalar z103 = n1 / z68;
+    const Scalar z118 = v_theta * c_theta + z12;
+    const Scalar z119 = n2 * p_L * z118;
+    const Scalar z120 = p_M * z119;
+    const Scalar z121 = z14 * z120;
+    const Scalar z122 = v_theta * z11 - a_theta * c_theta;
+    const Scalar z123 = n2 * p_L * z122;
+    const Scalar z124 = p_M * z123;
+    const Scalar z125 = z25 * z25 - z26 * z26;
+    const Scalar z126 = z16 * z125 + z17 * z70;
+    const Scalar z127 = z14 * z124 - z29 * z94 - n2 * z126;
+    const Scalar z128 = z103 * z127;
+    const Scalar z129 = z103 * z121;
     result.M[0] = z68;
-    result.C[0] = z120;
-    result.K[0] = -z126;
+    result.C[0] = z121;
+    result.K[0] = -z127;
     result.F[0] = -z101;
     result.A[0] = n0;
-    result.A[1] = z127;
+    result.A[1] = z128;
     result.A[2] = n1;
-    result.A[3] = -z128;
+    result.A[3] = -z129;
     if (!(traits::regular(z68, z68))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.M[0] - result.M[0]) + (result.C[0] - result.C[0]) + (result.K[0] - result.K[0])

@@ -654,8 +654,8 @@ struct Mechanism {
     const Scalar z32 = n0_4 * s_theta;
     const Scalar z33 = n0_02 * v_theta;
     const Scalar z41 = z32 + z33;
-    const Scalar z50 = n200_over_9 * z41;
-    accelerations.theta = -z50;
+    const Scalar z51 = n200_over_9 * z41;
+    accelerations.theta = -z51;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.theta - accelerations.theta);
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -732,14 +732,14 @@ struct Mechanism {
     const Scalar z33 = n0_02 * v_theta;
     const Scalar z43 = n0_045 * a_theta;  // moment on vane, x
     const Scalar z49 = z32 + z33 + z43;
-    const Scalar z52 = n0_4 * c_theta;
-    const Scalar z53 = n200_over_9 * z52;
+    const Scalar z53 = n0_4 * c_theta;
+    const Scalar z54 = n200_over_9 * z53;
     result.M[0] = n0_045;
     result.C[0] = n0_02;
-    result.K[0] = z52;
+    result.K[0] = z53;
     result.F[0] = -z49;
     result.A[0] = n0;
-    result.A[1] = -z53;
+    result.A[1] = -z54;
     result.A[2] = n1;
     result.A[3] = -n4_over_9;
     // x - x is 0 for every finite x and not a number for any other.

@@ -510,11 +510,11 @@ struct Mechanism {
     Scalar z108;
     Scalar z109;
     Scalar z110;
-    Scalar z161;
     Scalar z162;
-    Scalar z186;
+    Scalar z163;
     Scalar z187;
     Scalar z188;
+    Scalar z189;
   };
 
   /// Values of the scene.
@@ -554,11 +554,11 @@ struct Mechanism {
     const Scalar z108 = n9_81 * c_slope;
     const Scalar z109 = z23 * z24;
     const Scalar z110 = z23 * z23;
-    const Scalar z161 = c_slope * z22;
-    const Scalar z162 = s_slope * z22;
-    const Scalar z186 = n0_0005 * z24;
-    const Scalar z187 = n200 - n0_5 * z110;
-    const Scalar z188 = n2 * z187;
+    const Scalar z162 = c_slope * z22;
+    const Scalar z163 = s_slope * z22;
+    const Scalar z187 = n0_0005 * z24;
+    const Scalar z188 = n200 - n0_5 * z110;
+    const Scalar z189 = n2 * z188;
     precomputed.s_slope = s_slope;
     precomputed.c_slope = c_slope;
     precomputed.z22 = z22;
@@ -571,11 +571,11 @@ struct Mechanism {
     precomputed.z108 = z108;
     precomputed.z109 = z109;
     precomputed.z110 = z110;
-    precomputed.z161 = z161;
     precomputed.z162 = z162;
-    precomputed.z186 = z186;
+    precomputed.z163 = z163;
     precomputed.z187 = z187;
     precomputed.z188 = z188;
+    precomputed.z189 = z189;
     return precomputed;
   }
 
@@ -848,8 +848,8 @@ struct Mechanism {
     const Scalar z101 = n200 * z93;
     const Scalar z113 = q_lambda * z110 - z108;
     const Scalar z128 = z101 - n0_5 * z113;  // force on S.1, z
-    const Scalar z160 = n2 * z128;
-    accelerations.lambda = -z160;
+    const Scalar z161 = n2 * z128;
+    accelerations.lambda = -z161;
     accelerations.phi = n0;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.lambda - accelerations.lambda);
@@ -878,8 +878,8 @@ struct Mechanism {
     const Scalar z24 = precomputed.z24;
     const Scalar z91 = precomputed.z91;
     const Scalar z92 = precomputed.z92;
-    const Scalar z161 = precomputed.z161;
     const Scalar z162 = precomputed.z162;
+    const Scalar z163 = precomputed.z163;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
     const Scalar z29 = c_slope * q_lambda;
@@ -891,10 +891,10 @@ struct Mechanism {
     const Scalar z94 = s_phi * z91 - n0_2 * c_phi;
     const Scalar z95 = n0_2 * s_phi + c_phi * z91;
     const Scalar z98 = z93 * z93 + z94 * z94 + z95 * z95;
-    const Scalar z163 = v_lambda - z162;  // velocity of S.1, z
-    const Scalar z164 = s_phi * z161 + c_phi * z32;
-    const Scalar z165 = s_phi * z32 - c_phi * z161;
-    result.kinetic = n0_25 * (z163 * z163 + z164 * z164 + z165 * z165) + n0_0004 * (z42 * z42 + z43 * z43) + n0_01
+    const Scalar z164 = v_lambda - z163;  // velocity of S.1, z
+    const Scalar z165 = s_phi * z162 + c_phi * z32;
+    const Scalar z166 = s_phi * z32 - c_phi * z162;
+    result.kinetic = n0_25 * (z164 * z164 + z165 * z165 + z166 * z166) + n0_0004 * (z42 * z42 + z43 * z43) + n0_01
         * p_omega * p_omega + k4 * z44 * z44;
     result.force_function = -n4_905 * z29 - n100 * z98;
     result.power = n0;
@@ -922,9 +922,9 @@ struct Mechanism {
     const Scalar z24 = precomputed.z24;
     const Scalar z91 = precomputed.z91;
     const Scalar z92 = precomputed.z92;
-    const Scalar z161 = precomputed.z161;
     const Scalar z162 = precomputed.z162;
-    const Scalar z186 = precomputed.z186;
+    const Scalar z163 = precomputed.z163;
+    const Scalar z187 = precomputed.z187;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
     const Scalar z29 = c_slope * q_lambda;
@@ -936,14 +936,14 @@ struct Mechanism {
     const Scalar z94 = s_phi * z91 - n0_2 * c_phi;
     const Scalar z95 = n0_2 * s_phi + c_phi * z91;
     const Scalar z98 = z93 * z93 + z94 * z94 + z95 * z95;
-    const Scalar z163 = v_lambda - z162;  // velocity of S.1, z
-    const Scalar z164 = s_phi * z161 + c_phi * z32;
-    const Scalar z165 = s_phi * z32 - c_phi * z161;
-    const Scalar z170 = n0_5 * z163;
-    const Scalar z172 = n0_0005 * z44;
-    result.painleve = -n0_25 * (z163 * z163 + z164 * z164 + z165 * z165) - n0_0004 * (z42 * z42 + z43 * z43) - n0_01
-        * p_omega * p_omega + v_lambda * z170 + v_phi * z172 + n4_905 * z29 - k7 * z44 * z44 + n100 * z98;
-    result.momentum_phi = n0_0005 * v_phi + z186;
+    const Scalar z164 = v_lambda - z163;  // velocity of S.1, z
+    const Scalar z165 = s_phi * z162 + c_phi * z32;
+    const Scalar z166 = s_phi * z32 - c_phi * z162;
+    const Scalar z171 = n0_5 * z164;
+    const Scalar z173 = n0_0005 * z44;
+    result.painleve = -n0_25 * (z164 * z164 + z165 * z165 + z166 * z166) - n0_0004 * (z42 * z42 + z43 * z43) - n0_01
+        * p_omega * p_omega + v_lambda * z171 + v_phi * z173 + n4_905 * z29 - k7 * z44 * z44 + n100 * z98;
+    result.momentum_phi = n0_0005 * v_phi + z187;
   }
 
   /// Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released
@@ -1019,8 +1019,8 @@ struct Mechanism {
     const Scalar z92 = precomputed.z92;
     const Scalar z108 = precomputed.z108;
     const Scalar z110 = precomputed.z110;
-    const Scalar z187 = precomputed.z187;
     const Scalar z188 = precomputed.z188;
+    const Scalar z189 = precomputed.z189;
     const Scalar z93 = q_lambda - z92;
     const Scalar z101 = n200 * z93;
     const Scalar z145 = q_lambda * z110 - a_lambda - z108;
@@ -1034,7 +1034,7 @@ struct Mechanism {
     result.C[1] = n0;
     result.C[2] = n0;
     result.C[3] = n0;
-    result.K[0] = z187;
+    result.K[0] = z188;
     result.K[1] = n0;
     result.K[2] = n0;
     result.K[3] = n0;
@@ -1042,7 +1042,7 @@ struct Mechanism {
     result.F[1] = -z146;
     result.A[0] = n0;
     result.A[1] = n0;
-    result.A[2] = -z188;
+    result.A[2] = -z189;
     result.A[3] = n0;
     result.A[4] = n0;
     result.A[5] = n0;

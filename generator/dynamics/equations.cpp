@@ -5,9 +5,16 @@
 
 #include "generator/dynamics/articulated_body.hpp"
 #include "generator/expression/error.hpp"
+#include "generator/expression/evaluation.hpp"
 #include "generator/expression/formula.hpp"
 
 namespace torsor {
+namespace {
+
+/// Beyond so many unknowns the mass matrix costs more than a recursion, and what vanishes shows by itself.
+constexpr int most_for_parts = 12;
+
+}  // namespace
 
 Equations::Equations(const Scene& scene, const ModelOptions& options)
     : scene_(scene),
@@ -33,9 +40,15 @@ const ConstraintRank& Equations::redundancy() const {
 }
 
 const ValueMatrix& Equations::mass() const {
-  if (!mass_) mass_ = mass_matrix(model_);
+  if (!mass_) {
+    mass_ = mass_matrix(model_);
+    // Coordinates may uncouple (a centre of mass and what moves about it) where joint by joint nothing says so.
+    if (few_unknowns()) clear_vanishing(*mass_);
+  }
   return *mass_;
 }
+
+bool Equations::few_unknowns() const { return model_.unknown_count() <= most_for_parts; }
 
 std::vector<Value> Equations::inertia_and_passive(AccelerationInput input) const {
   std::vector<Value> forces = inertia_forces(model_, input, actions().wrenches);
@@ -47,13 +60,23 @@ std::vector<Value> Equations::inertia_and_passive(AccelerationInput input) const
 }
 
 const std::vector<Value>& Equations::bias() const {
-  if (!bias_) bias_ = inertia_and_passive(AccelerationInput::zero);
+  if (!bias_) {
+    bias_ = inertia_and_passive(AccelerationInput::zero);
+    if (few_unknowns()) clear_vanishing(*bias_);
+  }
   return *bias_;
 }
 
 const std::vector<Value>& Equations::inverse_dynamics() const {
   if (!inverse_) {
     std::vector<Value> forces = inertia_and_passive(AccelerationInput::symbols);
+    const auto of_unknowns = [this](const std::vector<Value>& all) {
+      return count(*program_, {all.begin(), all.begin() + model_.unknown_count()}).total();
+    };
+    if (few_unknowns()) {
+      std::vector<Value> expanded = expanded_inverse_dynamics(forces);
+      if (of_unknowns(expanded) < of_unknowns(forces)) forces = std::move(expanded);
+    }
     for (const ConstraintRow& row : constraints()) {
       const Value lambda = program_->symbol(row.multiplier);
       for (std::size_t i = 0; i < forces.size(); ++i) {
@@ -63,6 +86,20 @@ const std::vector<Value>& Equations::inverse_dynamics() const {
     inverse_ = std::move(forces);
   }
   return *inverse_;
+}
+
+std::vector<Value> Equations::expanded_inverse_dynamics(const std::vector<Value>& recursive) const {
+  std::vector<Value> forces = recursive;
+  for (std::size_t i = 0; i < mass().size(); ++i) {
+    forces[i] = bias()[i];
+    for (std::size_t j = 0; j < mass().size(); ++j) {
+      if (mass()[i][j].is_zero()) continue;
+      const Value acceleration = program_->symbol(model_.coordinates()[j].a);
+      forces[i] += mass()[i][j] * acceleration;
+    }
+    forces[i] = program_->bind(forces[i]);
+  }
+  return forces;
 }
 
 std::vector<Value> Equations::of_inputs() const {

@@ -29,7 +29,9 @@ class Equations {
   const ConstraintRank& redundancy() const;
   const ValueMatrix& mass() const;                       ///< unknowns only
   const std::vector<Value>& bias() const;                ///< h_i, every coordinate (released ones last)
-  const std::vector<Value>& inverse_dynamics() const;    ///< M q̈ + h − Σ λ_j column_j, every coordinate
+  /// M q̈ + h − Σ λ_j column_j, every coordinate: by one recursion, or from M and h where that has fewer operations, as
+  /// in coordinates that M does not couple.
+  const std::vector<Value>& inverse_dynamics() const;
   /// Unknowns only: L D Lᵀ of the mass matrix or the articulated-body recursion, whichever has fewer operations or the
   /// options ask for.
   const ForwardSolution& forward() const;
@@ -44,7 +46,10 @@ class Equations {
   Value power() const;
 
  private:
+  bool few_unknowns() const;
   std::vector<Value> inertia_and_passive(AccelerationInput input) const;
+  /// M q̈ + h from its parts, of the unknowns; released coordinates as `recursive` has them.
+  std::vector<Value> expanded_inverse_dynamics(const std::vector<Value>& recursive) const;
   const MotionSolver& solver() const;
   /// q̈ = q̈_r + M⁻¹ (E u + Q − P(q̈_r)), q̈_r of reference_motion: less to compute than the bias.
   ForwardSolution forward_about_reference() const;

@@ -40,19 +40,6 @@ ValueMatrix transposed(const ValueMatrix& x, std::size_t columns) {
   return result;
 }
 
-/// Entries that vanish identically without showing it would be carried through everything that follows.
-void clear_vanishing(ValueMatrix& matrix) {
-  std::vector<Value> all;
-  for (const auto& row : matrix) all.insert(all.end(), row.begin(), row.end());
-  const std::vector<bool> zero = vanish(all);
-  std::size_t k = 0;
-  for (auto& row : matrix) {
-    for (Value& entry : row) {
-      if (zero[k++]) entry = Value();
-    }
-  }
-}
-
 /// Solves the first constraints of the order of elimination for the dependent freedoms.
 class DependentFreedoms {
  public:

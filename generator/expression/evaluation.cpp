@@ -51,6 +51,23 @@ std::vector<bool> vanish(const std::vector<Value>& values) {
   return result;
 }
 
+void clear_vanishing(std::vector<Value>& values) {
+  const std::vector<bool> zero = vanish(values);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (zero[i]) values[i] = Value();
+  }
+}
+
+void clear_vanishing(std::vector<std::vector<Value>>& matrix) {
+  std::vector<Value> all;
+  for (const auto& row : matrix) all.insert(all.end(), row.begin(), row.end());
+  clear_vanishing(all);
+  std::size_t k = 0;
+  for (auto& row : matrix) {
+    for (Value& entry : row) entry = all[k++];
+  }
+}
+
 bool vanishes(const Value& value) {
   if (value.is_zero()) return true;
   return !value.is_constant() && vanish({value})[0];
