@@ -2,7 +2,9 @@
 #include "generator/expression/formula.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <utility>
 
 namespace torsor {
 namespace {
@@ -19,12 +21,15 @@ Formula of_term(const Monomial& monomial, const Number& size) {
   }
   const auto collapse = [](Formula product) {
     if (product.children.empty()) return Formula::of_number(Number(1));
-    return product.children.size() == 1 ? product.children[0] : product;
+    if (product.children.size() != 1) return product;
+    Formula only = std::move(product.children[0]);
+    return only;
   };
-  if (denominator.children.empty()) return collapse(numerator);
+  if (denominator.children.empty()) return collapse(std::move(numerator));
   Formula quotient;
   quotient.kind = Formula::Kind::quotient;
-  quotient.children = {collapse(numerator), collapse(denominator)};
+  quotient.children.push_back(collapse(std::move(numerator)));
+  quotient.children.push_back(collapse(std::move(denominator)));
   return quotient;
 }
 
@@ -45,13 +50,15 @@ std::optional<Atom> most_shared_atom(const Polynomial& polynomial, int& uses) {
 }
 
 std::optional<Number> most_shared_size(const Polynomial& polynomial, int& uses) {
+  std::vector<Number> sizes;  // but for one
+  for (const Term& term : polynomial.terms()) {
+    Number size = term.coefficient.abs();
+    if (!size.is_one()) sizes.push_back(std::move(size));
+  }
   std::optional<Number> best;
   uses = 1;
-  for (const Term& term : polynomial.terms()) {
-    const Number size = term.coefficient.abs();
-    if (size.is_one()) continue;
-    const auto same = std::count_if(polynomial.terms().begin(), polynomial.terms().end(),
-                                    [&](const Term& other) { return other.coefficient.abs() == size; });
+  for (const Number& size : sizes) {
+    const auto same = std::count(sizes.begin(), sizes.end(), size);
     if (same > uses) best = size, uses = static_cast<int>(same);
   }
   return best;
@@ -62,7 +69,8 @@ Formula multiplied(const Formula& factor, Formula rest) {
   product.kind = Formula::Kind::product;
   product.children.push_back(factor);
   if (rest.kind == Formula::Kind::product) {
-    product.children.insert(product.children.end(), rest.children.begin(), rest.children.end());
+    product.children.insert(product.children.end(), std::make_move_iterator(rest.children.begin()),
+                            std::make_move_iterator(rest.children.end()));
   } else {
     product.children.push_back(std::move(rest));
   }
@@ -134,8 +142,9 @@ Formula factored(const Polynomial& polynomial) {
       append(sum, of_term(term.monomial, term.coefficient.abs()), term.coefficient.sign() < 0);
     }
   }
-  if (sum.children.size() == 1 && !sum.negative[0]) return sum.children[0];
-  return sum;
+  if (sum.children.size() != 1 || sum.negative[0]) return sum;
+  Formula only = std::move(sum.children[0]);
+  return only;
 }
 
 Formula expanded(const Polynomial& polynomial) {
@@ -145,8 +154,9 @@ Formula expanded(const Polynomial& polynomial) {
   for (const Term& term : polynomial.terms()) {
     append(sum, of_term(term.monomial, term.coefficient.abs()), term.coefficient.sign() < 0);
   }
-  if (sum.children.size() == 1 && !sum.negative[0]) return sum.children[0];
-  return sum;
+  if (sum.children.size() != 1 || sum.negative[0]) return sum;
+  Formula only = std::move(sum.children[0]);
+  return only;
 }
 
 Formula formula(const Program& program, const Polynomial& sum) {

@@ -22,6 +22,12 @@ namespace torsor {
 class Number {
  public:
   Number() = default;
+  // Copying a part of CLN's counts a reference and never fails: vectors of terms move when they grow.
+  Number(const Number&) noexcept = default;
+  Number(Number&&) noexcept = default;
+  Number& operator=(const Number&) noexcept = default;
+  Number& operator=(Number&&) noexcept = default;
+  ~Number() = default;
   template <std::integral Integer>
   requires(!std::same_as<Integer, bool>) Number(Integer value) : parts_{cln::cl_RA(cln::cl_I(value)), 0, 0, 0} {}
   Number(const cln::cl_RA& value) : parts_{value, 0, 0, 0} {}
