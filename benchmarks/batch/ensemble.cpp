@@ -9,7 +9,7 @@
 #include <memory>
 
 #include MODEL_HEADER
-#include "runtime/packed_motion_ensemble.hpp"
+#include "runtime/batch/packed_motion_ensemble.hpp"
 
 namespace {
 

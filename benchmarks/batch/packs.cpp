@@ -9,7 +9,7 @@
 #include <string>
 
 #include MODEL_HEADER
-#include "runtime/batch.hpp"
+#include "runtime/batch/batch.hpp"
 
 namespace {
 

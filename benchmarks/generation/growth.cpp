@@ -16,7 +16,7 @@
 #include "generator/emission/header.hpp"
 #include "generator/emission/kernel.hpp"
 #include "generator/expression/formula.hpp"
-#include "runtime/plot.hpp"
+#include "runtime/records/plot.hpp"
 
 namespace torsor {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "runtime/plot.hpp"
+#include "runtime/records/plot.hpp"
 
 namespace kernels {
 namespace {

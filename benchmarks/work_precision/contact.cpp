@@ -12,11 +12,11 @@
 #include <fmt/format.h>
 
 #include "benchmarks/work_precision/processor_time.hpp"
-#include "runtime/dormand_prince_54.hpp"
-#include "runtime/dormand_prince_853.hpp"
-#include "runtime/events.hpp"
-#include "runtime/midpoint.hpp"
-#include "runtime/runge_kutta_4.hpp"
+#include "runtime/integration/dormand_prince_54.hpp"
+#include "runtime/integration/dormand_prince_853.hpp"
+#include "runtime/integration/events.hpp"
+#include "runtime/integration/midpoint.hpp"
+#include "runtime/integration/runge_kutta_4.hpp"
 
 namespace work_precision {
 namespace {

@@ -16,15 +16,15 @@
 #include "benchmarks/work_precision/drift.hpp"
 #include "benchmarks/work_precision/processor_time.hpp"
 #include "generated/rolling_hoop.hpp"
-#include "runtime/dormand_prince_853.hpp"
-#include "runtime/file.hpp"
-#include "runtime/gauss_collocation.hpp"
+#include "runtime/constraints/projection.hpp"
+#include "runtime/integration/dormand_prince_853.hpp"
+#include "runtime/integration/gauss_collocation.hpp"
+#include "runtime/integration/observers.hpp"
+#include "runtime/integration/runge_kutta_4.hpp"
+#include "runtime/integration/taylor.hpp"
+#include "runtime/integration/variational_integrator.hpp"
 #include "runtime/mechanism.hpp"
-#include "runtime/observers.hpp"
-#include "runtime/projection.hpp"
-#include "runtime/runge_kutta_4.hpp"
-#include "runtime/taylor.hpp"
-#include "runtime/variational_integrator.hpp"
+#include "runtime/records/file.hpp"
 
 namespace work_precision {
 namespace {

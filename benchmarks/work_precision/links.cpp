@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include "benchmarks/work_precision/processor_time.hpp"
-#include "runtime/file.hpp"
-#include "runtime/plot.hpp"
+#include "runtime/records/file.hpp"
+#include "runtime/records/plot.hpp"
 
 namespace work_precision {
 namespace {

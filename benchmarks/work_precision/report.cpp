@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "runtime/file.hpp"
-#include "runtime/plot.hpp"
+#include "runtime/records/file.hpp"
+#include "runtime/records/plot.hpp"
 
 namespace work_precision {
 namespace {

@@ -8,8 +8,8 @@
 #include "benchmarks/work_precision/ways.hpp"
 #include "generated/andrews_squeezer.hpp"
 #include "generated/flyball_governor.hpp"
-#include "runtime/radau_iia_5.hpp"
-#include "runtime/stabilised_radau_iia_5.hpp"
+#include "runtime/integration/radau_iia_5.hpp"
+#include "runtime/integration/stabilised_radau_iia_5.hpp"
 
 namespace work_precision {
 namespace {

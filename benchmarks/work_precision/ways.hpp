@@ -12,15 +12,15 @@
 #include <vector>
 
 #include "benchmarks/work_precision/problem.hpp"
-#include "runtime/dormand_prince_54.hpp"
-#include "runtime/dormand_prince_853.hpp"
-#include "runtime/gauss_collocation.hpp"
+#include "runtime/integration/dormand_prince_54.hpp"
+#include "runtime/integration/dormand_prince_853.hpp"
+#include "runtime/integration/gauss_collocation.hpp"
+#include "runtime/integration/midpoint.hpp"
+#include "runtime/integration/runge_kutta_4.hpp"
+#include "runtime/integration/taylor.hpp"
 #include "runtime/mechanism.hpp"
-#include "runtime/midpoint.hpp"
-#include "runtime/runge_kutta_4.hpp"
-#include "runtime/taylor.hpp"
 #ifdef BENCHMARK_SUNDIALS
-#include "runtime/sundials.hpp"
+#include "runtime/sundials/sundials.hpp"
 #endif
 #ifdef BENCHMARK_ODEINT
 #include "benchmarks/work_precision/odeint.hpp"

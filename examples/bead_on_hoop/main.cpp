@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "generated/bead_on_hoop.hpp"
-#include "runtime/demonstration.hpp"
+#include "runtime/integration/demonstration.hpp"
+#include "runtime/integration/work_precision.hpp"
 #include "runtime/mechanism.hpp"
-#include "runtime/plot.hpp"
-#include "runtime/work_precision.hpp"
+#include "runtime/records/plot.hpp"
 
 namespace {
 

@@ -5,10 +5,10 @@
 #include <string>
 
 #include "generated/disk_in_a_circle.hpp"
-#include "runtime/contact_regime.hpp"
-#include "runtime/demonstration.hpp"
+#include "runtime/events/contact_regime.hpp"
+#include "runtime/integration/demonstration.hpp"
+#include "runtime/integration/work_precision.hpp"
 #include "runtime/mechanism.hpp"
-#include "runtime/work_precision.hpp"
 
 namespace {
 

@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "generated/elastic_wing.hpp"
-#include "runtime/demonstration.hpp"
-#include "runtime/linear_system.hpp"
+#include "runtime/integration/demonstration.hpp"
+#include "runtime/integration/work_precision.hpp"
 #include "runtime/mechanism.hpp"
-#include "runtime/modes.hpp"
-#include "runtime/plot.hpp"
-#include "runtime/trajectory.hpp"
-#include "runtime/work_precision.hpp"
+#include "runtime/records/plot.hpp"
+#include "runtime/records/trajectory.hpp"
+#include "runtime/small_motions/linear_system.hpp"
+#include "runtime/small_motions/modes.hpp"
 
 namespace {
 

@@ -6,9 +6,9 @@
 
 #include "generated/helicopter_on_a_circle.hpp"
 #include "generated/helicopter_on_a_circle_pitching_blades.hpp"
-#include "runtime/demonstration.hpp"
+#include "runtime/integration/demonstration.hpp"
+#include "runtime/integration/work_precision.hpp"
 #include "runtime/mechanism.hpp"
-#include "runtime/work_precision.hpp"
 
 namespace {
 

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "generated/mutual_gravitation.hpp"
-#include "runtime/demonstration.hpp"
+#include "runtime/integration/demonstration.hpp"
+#include "runtime/integration/work_precision.hpp"
 #include "runtime/mechanism.hpp"
-#include "runtime/work_precision.hpp"
 
 namespace {
 

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "generated/quadruped.hpp"
-#include "runtime/demonstration.hpp"
+#include "runtime/integration/demonstration.hpp"
+#include "runtime/integration/work_precision.hpp"
 #include "runtime/mechanism.hpp"
-#include "runtime/work_precision.hpp"
 
 namespace {
 

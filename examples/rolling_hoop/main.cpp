@@ -9,9 +9,9 @@
 
 #include "generated/rolling_hoop.hpp"
 #include "generated/rolling_hoop_contact_forces.hpp"
-#include "runtime/demonstration.hpp"
+#include "runtime/integration/demonstration.hpp"
+#include "runtime/integration/work_precision.hpp"
 #include "runtime/mechanism.hpp"
-#include "runtime/work_precision.hpp"
 
 namespace {
 

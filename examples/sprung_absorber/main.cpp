@@ -7,10 +7,10 @@
 #include <string>
 
 #include "generated/sprung_absorber.hpp"
-#include "runtime/demonstration.hpp"
+#include "runtime/integration/demonstration.hpp"
+#include "runtime/integration/work_precision.hpp"
 #include "runtime/mechanism.hpp"
-#include "runtime/plot.hpp"
-#include "runtime/work_precision.hpp"
+#include "runtime/records/plot.hpp"
 
 namespace {
 

@@ -4,10 +4,10 @@
 #include <string>
 
 #include "generated/tumbler.hpp"
-#include "runtime/contact_regime.hpp"
-#include "runtime/demonstration.hpp"
+#include "runtime/events/contact_regime.hpp"
+#include "runtime/integration/demonstration.hpp"
+#include "runtime/integration/work_precision.hpp"
 #include "runtime/mechanism.hpp"
-#include "runtime/work_precision.hpp"
 
 namespace {
 

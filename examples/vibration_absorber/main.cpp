@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "generated/vibration_absorber.hpp"
-#include "runtime/demonstration.hpp"
-#include "runtime/equilibrium_stability.hpp"
-#include "runtime/forced_response.hpp"
+#include "runtime/integration/demonstration.hpp"
+#include "runtime/integration/work_precision.hpp"
 #include "runtime/mechanism.hpp"
-#include "runtime/plot.hpp"
-#include "runtime/steady_states.hpp"
-#include "runtime/trajectory.hpp"
-#include "runtime/work_precision.hpp"
+#include "runtime/records/plot.hpp"
+#include "runtime/records/trajectory.hpp"
+#include "runtime/small_motions/equilibrium_stability.hpp"
+#include "runtime/small_motions/forced_response.hpp"
+#include "runtime/small_motions/steady_states.hpp"
 
 namespace {
 

@@ -4,10 +4,10 @@
 #include <string>
 
 #include "generated/whipple_bicycle.hpp"
-#include "runtime/demonstration.hpp"
+#include "runtime/integration/demonstration.hpp"
+#include "runtime/integration/work_precision.hpp"
 #include "runtime/mechanism.hpp"
-#include "runtime/modes.hpp"
-#include "runtime/work_precision.hpp"
+#include "runtime/small_motions/modes.hpp"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "generator/dynamics/equations.hpp"
+#include "generator/dynamics/equations/equations.hpp"
 #include "generator/expression/formula.hpp"
 #include "generator/verification/check.hpp"
 #include "generator/verification/pass_report.hpp"

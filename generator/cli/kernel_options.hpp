@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "generator/cli/command_line.hpp"
-#include "generator/dynamics/equations.hpp"
+#include "generator/dynamics/equations/equations.hpp"
 
 namespace torsor {
 

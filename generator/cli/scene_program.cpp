@@ -12,7 +12,7 @@
 
 #include "generator/cli/command_line.hpp"
 #include "generator/cli/command_set.hpp"
-#include "generator/dynamics/validation.hpp"
+#include "generator/dynamics/equations/validation.hpp"
 #include "generator/emission/output_file.hpp"
 #include "generator/expression/error.hpp"
 

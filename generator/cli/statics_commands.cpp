@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "generator/cli/command_set.hpp"
-#include "generator/dynamics/unknowns_report.hpp"
+#include "generator/dynamics/theorems/unknowns_report.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/reading/force_function_text.hpp"
 #include "generator/reading/statics_text.hpp"

@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "generator/cli/command_texts.hpp"
-#include "generator/dynamics/mobility.hpp"
-#include "generator/dynamics/reduced_graph.hpp"
+#include "generator/dynamics/structure/mobility.hpp"
+#include "generator/dynamics/structure/reduced_graph.hpp"
 #include "generator/emission/graph_printer.hpp"
 #include "generator/expression/error.hpp"
 

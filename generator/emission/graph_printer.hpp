@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "generator/dynamics/mobility.hpp"
-#include "generator/dynamics/reduced_graph.hpp"
+#include "generator/dynamics/structure/mobility.hpp"
+#include "generator/dynamics/structure/reduced_graph.hpp"
 #include "generator/mechanics/analysis_graph.hpp"
 #include "generator/mechanics/structure_graph.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/dynamics/equations.hpp"
+#include "generator/dynamics/equations/equations.hpp"
 #include "generator/emission/kernel.hpp"
 
 namespace torsor {

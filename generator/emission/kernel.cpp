@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "generator/dynamics/energy.hpp"
-#include "generator/dynamics/painleve.hpp"
-#include "generator/dynamics/parameter_sensitivities.hpp"
+#include "generator/dynamics/derivatives/parameter_sensitivities.hpp"
+#include "generator/dynamics/forces/energy.hpp"
+#include "generator/dynamics/theorems/painleve.hpp"
 #include "generator/emission/kernel_derivatives.hpp"
 #include "generator/emission/kernel_jets.hpp"
 #include "generator/emission/kernel_kinematics.hpp"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "generator/dynamics/equations.hpp"
+#include "generator/dynamics/equations/equations.hpp"
 #include "generator/expression/series_program.hpp"
 
 namespace torsor {

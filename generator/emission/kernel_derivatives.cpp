@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/emission/kernel_derivatives.hpp"
 
-#include "generator/dynamics/forward_derivatives.hpp"
-#include "generator/dynamics/linearisation.hpp"
+#include "generator/dynamics/derivatives/forward_derivatives.hpp"
+#include "generator/dynamics/derivatives/linearisation.hpp"
 #include "generator/emission/kernel_kinematics.hpp"
 #include "generator/emission/kernel_parts.hpp"
 

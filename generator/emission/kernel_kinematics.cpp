@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/dynamics/ground_motion.hpp"
+#include "generator/dynamics/motion/ground_motion.hpp"
 #include "generator/emission/kernel_parts.hpp"
 
 namespace torsor {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/dynamics/reduction.hpp"
+#include "generator/dynamics/derivatives/reduction.hpp"
 #include "generator/emission/kernel_kinematics.hpp"
 #include "generator/emission/kernel_parts.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/dynamics/base_parameters.hpp"
-#include "generator/dynamics/regressor.hpp"
+#include "generator/dynamics/recursions/base_parameters.hpp"
+#include "generator/dynamics/recursions/regressor.hpp"
 #include "generator/emission/cpp_names.hpp"
 #include "generator/emission/formula_printer.hpp"
 #include "generator/emission/kernel_parts.hpp"

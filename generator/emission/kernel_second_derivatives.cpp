@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/dynamics/forward_second_derivatives.hpp"
-#include "generator/dynamics/second_derivatives.hpp"
+#include "generator/dynamics/derivatives/forward_second_derivatives.hpp"
+#include "generator/dynamics/derivatives/second_derivatives.hpp"
 #include "generator/emission/kernel_kinematics.hpp"
 #include "generator/emission/kernel_parts.hpp"
 

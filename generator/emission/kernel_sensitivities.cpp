@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/emission/kernel_sensitivities.hpp"
 
-#include "generator/dynamics/parameter_sensitivities.hpp"
+#include "generator/dynamics/derivatives/parameter_sensitivities.hpp"
 #include "generator/emission/kernel_parts.hpp"
 
 namespace torsor {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/dynamics/equations.hpp"
+#include "generator/dynamics/equations/equations.hpp"
 
 namespace torsor {
 

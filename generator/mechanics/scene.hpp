@@ -175,7 +175,7 @@ class Scene {
   // --- contact laws in an assumed regime ----------------------------------------------------------------------------
   // Each uses the multiplier N of `normal` as the normal force N = n · R(other → body) ≥ 0 [N]: give that constraint as
   // a distance, or name its reaction along n. Nothing watches the regime: N < 0 (the contact opens) and a slip that
-  // stops are for the caller to see (runtime/contact_regime.hpp). Adhering is a no_slip constraint, without friction.
+  // stops are for the caller to see (runtime/events/contact_regime.hpp). Adhering is a no_slip constraint, without friction.
   /// Coulomb's law while sliding: at `point` of `body` the force T = −f N G/|G|, and the opposite on `other`. `direction`
   /// is G, of any length: the velocity of slip of body on other or a direction known beforehand (course, §6.2.3, whose
   /// printed T lacks the division by |G|).

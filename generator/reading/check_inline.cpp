@@ -4,7 +4,7 @@
 #include <map>
 #include <random>
 
-#include "generator/dynamics/validation.hpp"
+#include "generator/dynamics/equations/validation.hpp"
 #include "generator/expression/evaluation.hpp"
 #include "generator/reading/lagrange_equations.hpp"
 #include "generator/reading/written.hpp"

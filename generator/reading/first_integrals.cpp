@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/dynamics/painleve.hpp"
+#include "generator/dynamics/theorems/painleve.hpp"
 
 namespace torsor::reading {
 

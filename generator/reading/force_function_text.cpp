@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/dynamics/force_function.hpp"
-#include "generator/dynamics/validation.hpp"
+#include "generator/dynamics/equations/validation.hpp"
+#include "generator/dynamics/theorems/force_function.hpp"
 #include "generator/reading/inline_view.hpp"
 #include "generator/reading/notation.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "generator/dynamics/selected_actions.hpp"
+#include "generator/dynamics/forces/selected_actions.hpp"
 
 namespace torsor {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "generator/dynamics/energy.hpp"
+#include "generator/dynamics/forces/energy.hpp"
 
 namespace torsor::reading {
 namespace {

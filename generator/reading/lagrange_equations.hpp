@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/dynamics/equations.hpp"
+#include "generator/dynamics/equations/equations.hpp"
 #include "generator/reading/inline_view.hpp"
 
 namespace torsor::reading {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/dynamics/validation.hpp"
+#include "generator/dynamics/equations/validation.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/reading/definitions_view.hpp"
 #include "generator/reading/first_integrals.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/dynamics/forward_dynamics.hpp"
+#include "generator/dynamics/recursions/forward_dynamics.hpp"
 #include "generator/reading/definitions_view.hpp"
 #include "generator/reading/inline_view.hpp"
 #include "generator/reading/page.hpp"

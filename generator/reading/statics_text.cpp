@@ -7,13 +7,13 @@
 
 #include <fmt/format.h>
 
-#include "generator/dynamics/flat_polynomials.hpp"
-#include "generator/dynamics/initial_numbers.hpp"
-#include "generator/dynamics/joint_reactions.hpp"
-#include "generator/dynamics/linearisation.hpp"
-#include "generator/dynamics/routh.hpp"
-#include "generator/dynamics/stability.hpp"
-#include "generator/dynamics/validation.hpp"
+#include "generator/dynamics/derivatives/linearisation.hpp"
+#include "generator/dynamics/equations/validation.hpp"
+#include "generator/dynamics/motion/initial_numbers.hpp"
+#include "generator/dynamics/theorems/flat_polynomials.hpp"
+#include "generator/dynamics/theorems/joint_reactions.hpp"
+#include "generator/dynamics/theorems/routh.hpp"
+#include "generator/dynamics/theorems/stability.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/reading/formula_text.hpp"
 #include "generator/reading/readable_page.hpp"

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "generator/dynamics/theorem_equations.hpp"
-#include "generator/dynamics/validation.hpp"
+#include "generator/dynamics/equations/validation.hpp"
+#include "generator/dynamics/theorems/theorem_equations.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/reading/formula_text.hpp"
 #include "generator/reading/readable_page.hpp"

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/dynamics/painleve.hpp"
+#include "generator/dynamics/theorems/painleve.hpp"
 #include "generator/expression/derivative.hpp"
 #include "generator/verification/check_jets.hpp"
 #include "generator/verification/check_kernels.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generator/dynamics/independent_freedoms.hpp"
+#include "generator/dynamics/equations/independent_freedoms.hpp"
 #include "generator/expression/evaluation.hpp"
 
 namespace torsor {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/dynamics/equations.hpp"
+#include "generator/dynamics/equations/equations.hpp"
 #include "generator/emission/kernel.hpp"
 #include "generator/verification/stress_state.hpp"
 

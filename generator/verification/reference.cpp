@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/dynamics/validation.hpp"
+#include "generator/dynamics/equations/validation.hpp"
 #include "generator/expression/decimal.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/expression/evaluation.hpp"

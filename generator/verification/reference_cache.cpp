@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/dynamics/validation.hpp"
+#include "generator/dynamics/equations/validation.hpp"
 #include "generator/emission/output_file.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/mechanics/parameter_value.hpp"

@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-#include "runtime/parallel.hpp"
+#include "runtime/batch/parallel.hpp"
 
 namespace torsor::runtime {
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "runtime/ensemble.hpp"
+#include "runtime/batch/ensemble.hpp"
 
 namespace torsor::runtime {
 

@@ -19,8 +19,8 @@
 #include <limits>
 #include <type_traits>
 
-#include "runtime/integrate.hpp"
-#include "runtime/jacobian.hpp"
+#include "runtime/integration/integrate.hpp"
+#include "runtime/numerics/jacobian.hpp"
 #include "runtime/status.hpp"
 #include "runtime/system.hpp"
 

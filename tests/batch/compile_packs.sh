@@ -9,7 +9,7 @@ command -v "$compiler" > /dev/null || { echo "$compiler is not installed"; exit 
 mkdir -p "$folder"
 for name in "$@"; do
   source="$folder/$name.cpp"
-  printf '#include "runtime/simd.hpp"\n#include "generated/%s.hpp"\n' "$name" > "$source"
+  printf '#include "runtime/batch/simd.hpp"\n#include "generated/%s.hpp"\n' "$name" > "$source"
   for scalar in "NativeSimd<double>" "Simd<float, 3>"; do
     printf 'template struct %s::Mechanism<torsor::runtime::%s>;\n' "$name" "$scalar" >> "$source"
   done

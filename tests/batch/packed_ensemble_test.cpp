@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Nothing is fused here: the members of a pack have the bits of members alone.
-#include "runtime/packed_motion_ensemble.hpp"
+#include "runtime/batch/packed_motion_ensemble.hpp"
 
 #include <gtest/gtest.h>
 
@@ -169,7 +169,7 @@ TEST_F(PackedEnsembleFile, DoesNotDependOnThreadsAndResumesInsideAGroup) {
   EXPECT_EQ(member_motion<Top>(records[149]).states.size(), 1U);
   run_ensemble(folder / "three", head, ensemble.groups(), {.threads = 3});
   EXPECT_EQ(contents(folder / "three"), expected);
-  // 7 words, then two more than the numbers of each record: see runtime/record_file.hpp
+  // 7 words, then two more than the numbers of each record: see runtime/records/record_file.hpp
   const std::size_t record = (head.numbers + 2) * 8;
   for (const std::size_t kept : {0U, 1U, 2U, 3U, 5U, 66U, 149U}) {
     for (const unsigned threads : {1U, 2U}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Packs of every set of options against numbers: bit by bit where nothing is fused, else within what rounding can do.
-#include "runtime/simd.hpp"
+#include "runtime/batch/simd.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/painleve.hpp"
+#include "generator/dynamics/theorems/painleve.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
 namespace torsor::actions_formula_test {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/energy.hpp"
-#include "generator/dynamics/equations.hpp"
+#include "generator/dynamics/equations/equations.hpp"
+#include "generator/dynamics/forces/energy.hpp"
 #include "generator/expression/derivative.hpp"
 #include "generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/actions.hpp"
+#include "generator/dynamics/forces/actions.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/linearisation.hpp"
+#include "generator/dynamics/derivatives/linearisation.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
 namespace torsor::actions_test {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The articulated-body recursion against the factorised mass matrix: two roads to the same accelerations.
-#include "generator/dynamics/articulated_body.hpp"
+#include "generator/dynamics/recursions/articulated_body.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/equations.hpp"
+#include "generator/dynamics/equations/equations.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/expression/evaluation.hpp"
 #include "generator/verification/random_state.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Derivatives of the motion through articulated bodies against those that solve with the factorisation of M.
-#include "generator/dynamics/articulated_derivatives.hpp"
+#include "generator/dynamics/derivatives/articulated_derivatives.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/body_screws.hpp"
+#include "generator/dynamics/motion/body_screws.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/energy.hpp"
+#include "generator/dynamics/forces/energy.hpp"
 #include "tests/dynamics/point_cloud.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "generator/dynamics/equations.hpp"
+#include "generator/dynamics/equations/equations.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
 namespace torsor::cancellation_test {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "generator/dynamics/equations.hpp"
+#include "generator/dynamics/equations/equations.hpp"
 #include "generator/expression/derivative.hpp"
 #include "generator/expression/evaluation.hpp"
 #include "generator/verification/random_state.hpp"

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "generator/dynamics/equations.hpp"
+#include "generator/dynamics/equations/equations.hpp"
 #include "generator/expression/evaluation.hpp"
 #include "generator/verification/dense_linear.hpp"
 

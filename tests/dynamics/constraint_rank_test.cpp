@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/constraint_rank.hpp"
+#include "generator/dynamics/equations/constraint_rank.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/validation.hpp"
+#include "generator/dynamics/equations/validation.hpp"
 #include "tests/dynamics/constrained_motion.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 

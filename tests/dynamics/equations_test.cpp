@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/equations.hpp"
+#include "generator/dynamics/equations/equations.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/linearisation.hpp"
+#include "generator/dynamics/derivatives/linearisation.hpp"
 #include "generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/expression/test_symbols.hpp"

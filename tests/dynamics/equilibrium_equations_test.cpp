@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/equilibrium_equations.hpp"
+#include "generator/dynamics/theorems/equilibrium_equations.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/flat_polynomials.hpp"
-#include "generator/dynamics/linearisation.hpp"
-#include "generator/dynamics/stability.hpp"
+#include "generator/dynamics/derivatives/linearisation.hpp"
+#include "generator/dynamics/theorems/flat_polynomials.hpp"
+#include "generator/dynamics/theorems/stability.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
 namespace torsor::equilibrium_equations_test {

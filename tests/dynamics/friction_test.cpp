@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/linearisation.hpp"
-#include "generator/dynamics/painleve.hpp"
-#include "generator/dynamics/validation.hpp"
+#include "generator/dynamics/derivatives/linearisation.hpp"
+#include "generator/dynamics/equations/validation.hpp"
+#include "generator/dynamics/theorems/painleve.hpp"
 #include "generator/verification/check.hpp"
 #include "generator/verification/dense_linear.hpp"
 #include "tests/dynamics/simple_scenes.hpp"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/ground_motion.hpp"
+#include "generator/dynamics/motion/ground_motion.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/equations.hpp"
-#include "generator/dynamics/motion.hpp"
+#include "generator/dynamics/equations/equations.hpp"
+#include "generator/dynamics/motion/motion.hpp"
 #include "generator/emission/kernel.hpp"
 #include "generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/equations.hpp"
-#include "generator/dynamics/point_motion.hpp"
+#include "generator/dynamics/equations/equations.hpp"
+#include "generator/dynamics/motion/point_motion.hpp"
 #include "generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/dynamics/simple_scenes.hpp"

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "benchmarks/model_counts/models.hpp"
-#include "generator/dynamics/equations.hpp"
-#include "generator/dynamics/inertia_derivatives.hpp"
-#include "generator/dynamics/linearisation.hpp"
+#include "generator/dynamics/derivatives/linearisation.hpp"
+#include "generator/dynamics/equations/equations.hpp"
+#include "generator/dynamics/recursions/inertia_derivatives.hpp"
 #include "generator/expression/evaluation.hpp"
 #include "generator/expression/formula.hpp"
 #include "generator/verification/random_state.hpp"

@@ -8,8 +8,8 @@
 #include <tuple>
 #include <vector>
 
-#include "generator/dynamics/equations.hpp"
-#include "generator/dynamics/validation.hpp"
+#include "generator/dynamics/equations/equations.hpp"
+#include "generator/dynamics/equations/validation.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/expression/evaluation.hpp"
 #include "generator/expression/derivative.hpp"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "generator/dynamics/point_motion.hpp"
+#include "generator/dynamics/motion/point_motion.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
 namespace torsor::lowest_point_test {

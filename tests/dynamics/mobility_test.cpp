@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/mobility.hpp"
+#include "generator/dynamics/structure/mobility.hpp"
 
 #include <gtest/gtest.h>
 

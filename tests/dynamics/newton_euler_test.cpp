@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/newton_euler.hpp"
+#include "generator/dynamics/theorems/newton_euler.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/constraint_wrench.hpp"
+#include "generator/dynamics/forces/constraint_wrench.hpp"
 #include "tests/dynamics/point_cloud.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/dynamics/simple_scenes.hpp"

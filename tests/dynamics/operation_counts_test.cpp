@@ -4,7 +4,7 @@
 #include <map>
 
 #include "benchmarks/model_counts/models.hpp"
-#include "generator/dynamics/equations.hpp"
+#include "generator/dynamics/equations/equations.hpp"
 #include "generator/expression/formula.hpp"
 
 namespace torsor::operation_counts_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/painleve.hpp"
+#include "generator/dynamics/theorems/painleve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Derivatives by parameters against central differences in sixty digits, and against the regressor.
-#include "generator/dynamics/parameter_sensitivities.hpp"
+#include "generator/dynamics/derivatives/parameter_sensitivities.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/regressor.hpp"
+#include "generator/dynamics/recursions/regressor.hpp"
 #include "generator/emission/kernel.hpp"
 #include "tests/dynamics/central_differences.hpp"
 #include "tests/dynamics/random_mechanism.hpp"

@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "generator/dynamics/body_screws.hpp"
-#include "generator/dynamics/equations.hpp"
+#include "generator/dynamics/equations/equations.hpp"
+#include "generator/dynamics/motion/body_screws.hpp"
 #include "generator/expression/derivative.hpp"
 #include "generator/verification/random_state.hpp"
 #include "tests/expression/test_symbols.hpp"

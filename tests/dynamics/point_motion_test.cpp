@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/point_motion.hpp"
+#include "generator/dynamics/motion/point_motion.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/contact_motion.hpp"
-#include "generator/dynamics/equations.hpp"
+#include "generator/dynamics/equations/equations.hpp"
+#include "generator/dynamics/motion/contact_motion.hpp"
 #include "generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/dynamics/simple_scenes.hpp"

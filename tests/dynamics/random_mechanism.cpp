@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "generator/dynamics/equations.hpp"
+#include "generator/dynamics/equations/equations.hpp"
 #include "generator/expression/error.hpp"
 #include "tests/dynamics/random_loops.hpp"
 #include "tests/dynamics/random_source.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/reduced_graph.hpp"
+#include "generator/dynamics/structure/reduced_graph.hpp"
 
 #include <gtest/gtest.h>
 

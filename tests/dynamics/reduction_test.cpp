@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/reduction.hpp"
+#include "generator/dynamics/derivatives/reduction.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "generator/dynamics/validation.hpp"
+#include "generator/dynamics/equations/validation.hpp"
 #include "generator/emission/kernel.hpp"
 #include "tests/dynamics/constrained_motion.hpp"
 #include "tests/dynamics/random_mechanism.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/regressor.hpp"
+#include "generator/dynamics/recursions/regressor.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "benchmarks/model_counts/models.hpp"
-#include "generator/dynamics/base_parameters.hpp"
+#include "generator/dynamics/recursions/base_parameters.hpp"
 #include "generator/emission/kernel.hpp"
 #include "generator/expression/real_elimination.hpp"
 #include "generator/verification/random_state.hpp"

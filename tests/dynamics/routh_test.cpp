@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/routh.hpp"
+#include "generator/dynamics/theorems/routh.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "generator/dynamics/equilibrium_equations.hpp"
-#include "generator/dynamics/linearisation.hpp"
+#include "generator/dynamics/derivatives/linearisation.hpp"
+#include "generator/dynamics/theorems/equilibrium_equations.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
 namespace torsor::routh_test {

@@ -2,8 +2,8 @@
 // A constraint is left out because it repeats others: that must hold whatever values parameters get later.
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/constraint_rank.hpp"
-#include "generator/dynamics/validation.hpp"
+#include "generator/dynamics/equations/constraint_rank.hpp"
+#include "generator/dynamics/equations/validation.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
 namespace torsor::run_time_redundancy_test {

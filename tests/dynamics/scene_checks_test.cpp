@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a scene says of its joints, contacts and initial state is refused when it is not so.
-#include "generator/dynamics/scene_checks.hpp"
+#include "generator/dynamics/equations/scene_checks.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/validation.hpp"
+#include "generator/dynamics/equations/validation.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
 namespace torsor::scene_checks_test {

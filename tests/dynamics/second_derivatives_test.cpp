@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Second derivatives against central differences of the first ones in sixty digits, and against a closed form.
-#include "generator/dynamics/second_derivatives.hpp"
+#include "generator/dynamics/derivatives/second_derivatives.hpp"
 
 #include <gtest/gtest.h>
 
 #include "benchmarks/model_counts/models.hpp"
-#include "generator/dynamics/forward_derivatives.hpp"
-#include "generator/dynamics/forward_second_derivatives.hpp"
+#include "generator/dynamics/derivatives/forward_derivatives.hpp"
+#include "generator/dynamics/derivatives/forward_second_derivatives.hpp"
 #include "generator/emission/kernel.hpp"
 #include "generator/expression/formula.hpp"
 #include "tests/dynamics/central_differences.hpp"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "generator/dynamics/equations.hpp"
+#include "generator/dynamics/equations/equations.hpp"
 #include "tests/expression/test_symbols.hpp"
 
 namespace torsor::testing_mechanisms {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/theorem_equations.hpp"
+#include "generator/dynamics/theorems/theorem_equations.hpp"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
-#include "generator/dynamics/joint_actions.hpp"
+#include "generator/dynamics/theorems/joint_actions.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/dynamics/unknowns_report.hpp"
+#include "generator/dynamics/theorems/unknowns_report.hpp"
 
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/articulated_body.hpp"
-#include "generator/dynamics/joint_reactions.hpp"
+#include "generator/dynamics/recursions/articulated_body.hpp"
+#include "generator/dynamics/theorems/joint_reactions.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "generator/cli/command_texts.hpp"
-#include "generator/dynamics/mobility.hpp"
-#include "generator/dynamics/unknowns_report.hpp"
+#include "generator/dynamics/structure/mobility.hpp"
+#include "generator/dynamics/theorems/unknowns_report.hpp"
 #include "tests/examples/scenes.hpp"
 
 // What the course asks of a graph: to be drawn (the press has its own test), and to say which equations to write.

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "runtime/mechanism.hpp"
-#include "runtime/reference.hpp"
+#include "runtime/records/reference.hpp"
 #include "tests/examples/motion.hpp"
 
 namespace {

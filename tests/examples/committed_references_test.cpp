@@ -16,7 +16,7 @@
 #include "generated/whipple_bicycle.hpp"
 #include "generated/winder.hpp"
 #include "runtime/mechanism.hpp"
-#include "runtime/reference.hpp"
+#include "runtime/records/reference.hpp"
 #include "tests/examples/motion.hpp"
 
 // The committed references of the examples whose own tests compare with other truths only. They come from Lagrange's

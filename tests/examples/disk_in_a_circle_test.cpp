@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 
-#include "runtime/contact_regime.hpp"
+#include "runtime/events/contact_regime.hpp"
 #include "runtime/mechanism.hpp"
-#include "runtime/reference.hpp"
+#include "runtime/records/reference.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 

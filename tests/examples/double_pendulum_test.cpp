@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 
-#include "runtime/dormand_prince_54.hpp"
-#include "runtime/integrate.hpp"
+#include "runtime/integration/dormand_prince_54.hpp"
+#include "runtime/integration/integrate.hpp"
 #include "runtime/mechanism.hpp"
-#include "runtime/reference.hpp"
+#include "runtime/records/reference.hpp"
 
 namespace {
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <cstddef>
 
-#include "runtime/dormand_prince_54.hpp"
-#include "runtime/integrate.hpp"
+#include "runtime/integration/dormand_prince_54.hpp"
+#include "runtime/integration/integrate.hpp"
 #include "runtime/mechanism.hpp"
 
 namespace examples {

@@ -7,9 +7,9 @@
 #include <array>
 #include <cmath>
 
-#include "runtime/decompositions.hpp"
 #include "runtime/mechanism.hpp"
-#include "runtime/reference.hpp"
+#include "runtime/numerics/decompositions.hpp"
+#include "runtime/records/reference.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 

@@ -9,9 +9,9 @@
 #include <numbers>
 
 #include "generated/four_wheel_vehicle_all_wheels.hpp"
-#include "runtime/decompositions.hpp"
 #include "runtime/mechanism.hpp"
-#include "runtime/reference.hpp"
+#include "runtime/numerics/decompositions.hpp"
+#include "runtime/records/reference.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 

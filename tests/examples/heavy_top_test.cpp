@@ -10,9 +10,9 @@
 #include <string>
 
 #include "generator/verification/real_scalar_traits.hpp"
-#include "runtime/decompositions.hpp"
-#include "runtime/dormand_prince_853.hpp"
+#include "runtime/integration/dormand_prince_853.hpp"
 #include "runtime/mechanism.hpp"
+#include "runtime/numerics/decompositions.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 #include "tests/examples/reference_digits.hpp"

@@ -12,7 +12,7 @@
 
 #include "generated/helicopter_on_a_circle_pitching_blades.hpp"
 #include "runtime/mechanism.hpp"
-#include "runtime/reference.hpp"
+#include "runtime/records/reference.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 

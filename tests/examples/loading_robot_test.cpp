@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "runtime/mechanism.hpp"
-#include "runtime/reference.hpp"
+#include "runtime/records/reference.hpp"
 #include "tests/examples/motion.hpp"
 
-#include "generator/dynamics/unknowns_report.hpp"
+#include "generator/dynamics/theorems/unknowns_report.hpp"
 #include "tests/examples/scenes.hpp"
 
 namespace {

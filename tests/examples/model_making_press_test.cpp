@@ -12,11 +12,11 @@
 #include "generated/model_making_press.hpp"
 #include "generated/model_making_press_reduced.hpp"
 #include "runtime/mechanism.hpp"
-#include "runtime/reference.hpp"
+#include "runtime/records/reference.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
-#include "generator/dynamics/reduced_graph.hpp"
+#include "generator/dynamics/structure/reduced_graph.hpp"
 #include "generator/emission/graph_printer.hpp"
 #include "tests/examples/scenes.hpp"
 

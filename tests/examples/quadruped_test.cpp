@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "runtime/mechanism.hpp"
-#include "runtime/reference.hpp"
+#include "runtime/records/reference.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 

@@ -10,9 +10,9 @@
 
 #include "generated/rolling_hoop_contact_forces.hpp"
 #include "runtime/mechanism.hpp"
-#include "runtime/stability.hpp"
-#include "runtime/reference.hpp"
-#include "runtime/runge_kutta_4.hpp"
+#include "runtime/small_motions/stability.hpp"
+#include "runtime/records/reference.hpp"
+#include "runtime/integration/runge_kutta_4.hpp"
 #include "tests/examples/motion.hpp"
 
 namespace {

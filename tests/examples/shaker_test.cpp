@@ -10,11 +10,11 @@
 #include "generated/shaker_free_support.hpp"
 #include "generated/shaker_from_mass.hpp"
 #include "runtime/mechanism.hpp"
-#include "runtime/reference.hpp"
+#include "runtime/records/reference.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
-#include "generator/dynamics/force_function.hpp"
+#include "generator/dynamics/theorems/force_function.hpp"
 #include "generator/expression/evaluation.hpp"
 #include "generator/reading/force_function_text.hpp"
 #include "tests/examples/scenes.hpp"

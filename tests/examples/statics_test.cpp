@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "generated/rolling_hoop.hpp"
-#include "runtime/equilibrium_stability.hpp"
-#include "runtime/steady_states.hpp"
+#include "runtime/small_motions/equilibrium_stability.hpp"
+#include "runtime/small_motions/steady_states.hpp"
 
 // Steady motions of generated mechanisms, found without being told the answer.
 namespace {

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "runtime/equilibrium_stability.hpp"
-#include "runtime/forced_response.hpp"
 #include "runtime/mechanism.hpp"
-#include "runtime/reference.hpp"
-#include "runtime/steady_states.hpp"
+#include "runtime/records/reference.hpp"
+#include "runtime/small_motions/equilibrium_stability.hpp"
+#include "runtime/small_motions/forced_response.hpp"
+#include "runtime/small_motions/steady_states.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 

@@ -10,9 +10,9 @@
 #include <complex>
 #include <vector>
 
-#include "runtime/matrix_exponential.hpp"
 #include "runtime/mechanism.hpp"
-#include "runtime/modes.hpp"
+#include "runtime/numerics/matrix_exponential.hpp"
+#include "runtime/small_motions/modes.hpp"
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 #include "tests/examples/reference_digits.hpp"

@@ -10,7 +10,7 @@
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
-#include "generator/dynamics/mobility.hpp"
+#include "generator/dynamics/structure/mobility.hpp"
 #include "generator/mechanics/structure_graph.hpp"
 #include "tests/examples/scenes.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/work_precision.hpp"
+#include "runtime/integration/work_precision.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "generated/double_pendulum.hpp"
-#include "runtime/demonstration.hpp"
+#include "runtime/integration/demonstration.hpp"
 #include "runtime/mechanism.hpp"
 
 namespace {

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/dynamics/equations.hpp"
-#include "generator/dynamics/validation.hpp"
+#include "generator/dynamics/equations/equations.hpp"
+#include "generator/dynamics/equations/validation.hpp"
 #include "generator/expression/decimal.hpp"
 #include "generator/expression/evaluation.hpp"
 #include "generator/import/urdf.hpp"

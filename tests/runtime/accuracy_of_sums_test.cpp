@@ -7,12 +7,12 @@
 #include <type_traits>
 
 #include "generated/torque_free_body.hpp"
-#include "runtime/dormand_prince_54.hpp"
-#include "runtime/dormand_prince_853.hpp"
+#include "runtime/integration/dormand_prince_54.hpp"
+#include "runtime/integration/dormand_prince_853.hpp"
+#include "runtime/integration/runge_kutta_4.hpp"
+#include "runtime/integration/taylor.hpp"
 #include "runtime/mechanism.hpp"
-#include "runtime/narrow_system.hpp"
-#include "runtime/runge_kutta_4.hpp"
-#include "runtime/taylor.hpp"
+#include "runtime/steps/narrow_system.hpp"
 #include "tests/runtime/mechanisms.hpp"
 
 // Compensated sums of the state, and derivatives narrower than the state.

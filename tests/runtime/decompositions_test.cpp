@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/decompositions.hpp"
+#include "runtime/numerics/decompositions.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/motion_ensemble.hpp"
+#include "runtime/batch/motion_ensemble.hpp"
 
 #include <gtest/gtest.h>
 

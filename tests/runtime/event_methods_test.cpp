@@ -13,15 +13,15 @@
 #include <string>
 #include <vector>
 
-#include "runtime/angles_within_a_turn.hpp"
-#include "runtime/dormand_prince_54.hpp"
-#include "runtime/dormand_prince_853.hpp"
-#include "runtime/events.hpp"
-#include "runtime/gauss_collocation.hpp"
-#include "runtime/radau_iia_5.hpp"
-#include "runtime/runge_kutta_4.hpp"
-#include "runtime/stoermer_verlet.hpp"
-#include "runtime/taylor.hpp"
+#include "runtime/integration/dormand_prince_54.hpp"
+#include "runtime/integration/dormand_prince_853.hpp"
+#include "runtime/integration/events.hpp"
+#include "runtime/integration/gauss_collocation.hpp"
+#include "runtime/integration/radau_iia_5.hpp"
+#include "runtime/integration/runge_kutta_4.hpp"
+#include "runtime/integration/stoermer_verlet.hpp"
+#include "runtime/integration/taylor.hpp"
+#include "runtime/steps/angles_within_a_turn.hpp"
 
 namespace event_methods_test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/events.hpp"
+#include "runtime/integration/events.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,10 +12,10 @@
 #include <random>
 #include <vector>
 
-#include "runtime/dormand_prince_54.hpp"
-#include "runtime/midpoint.hpp"
-#include "runtime/observers.hpp"
-#include "runtime/runge_kutta_4.hpp"
+#include "runtime/integration/dormand_prince_54.hpp"
+#include "runtime/integration/midpoint.hpp"
+#include "runtime/integration/observers.hpp"
+#include "runtime/integration/runge_kutta_4.hpp"
 
 namespace events_test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/forced_response.hpp"
+#include "runtime/small_motions/forced_response.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "runtime/dormand_prince_54.hpp"
-#include "runtime/fourier_series.hpp"
-#include "runtime/integrate.hpp"
-#include "runtime/modes.hpp"
+#include "runtime/integration/dormand_prince_54.hpp"
+#include "runtime/integration/integrate.hpp"
+#include "runtime/small_motions/fourier_series.hpp"
+#include "runtime/small_motions/modes.hpp"
 #include "tests/runtime/linear_systems.hpp"
 
 namespace forced_response_test {

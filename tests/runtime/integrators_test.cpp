@@ -6,10 +6,10 @@
 #include <cmath>
 #include <vector>
 
-#include "runtime/dormand_prince_54.hpp"
+#include "runtime/integration/dormand_prince_54.hpp"
+#include "runtime/integration/midpoint.hpp"
+#include "runtime/integration/runge_kutta_4.hpp"
 #include "runtime/mechanism.hpp"
-#include "runtime/midpoint.hpp"
-#include "runtime/runge_kutta_4.hpp"
 #include "tests/runtime/mechanisms.hpp"
 
 namespace integrators_test {

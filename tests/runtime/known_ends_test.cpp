@@ -10,12 +10,12 @@
 #include <utility>
 
 #include "generated/double_pendulum.hpp"
-#include "runtime/dormand_prince_54.hpp"
-#include "runtime/dormand_prince_853.hpp"
+#include "runtime/integration/dormand_prince_54.hpp"
+#include "runtime/integration/dormand_prince_853.hpp"
+#include "runtime/integration/radau_iia_5.hpp"
+#include "runtime/integration/runge_kutta_4.hpp"
+#include "runtime/integration/taylor.hpp"
 #include "runtime/mechanism.hpp"
-#include "runtime/radau_iia_5.hpp"
-#include "runtime/runge_kutta_4.hpp"
-#include "runtime/taylor.hpp"
 
 namespace known_ends_test {
 namespace {

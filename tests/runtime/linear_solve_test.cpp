@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/linear_solve.hpp"
+#include "runtime/numerics/linear_solve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "runtime/dormand_prince_54.hpp"
-#include "runtime/linear_solve.hpp"
+#include "runtime/integration/dormand_prince_54.hpp"
+#include "runtime/numerics/linear_solve.hpp"
 #include "tests/runtime/mechanisms.hpp"
 
 namespace mechanism_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/modes.hpp"
+#include "runtime/small_motions/modes.hpp"
 
 #include <gtest/gtest.h>
 

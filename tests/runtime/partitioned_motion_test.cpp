@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/partitioned_motion.hpp"
+#include "runtime/constraints/partitioned_motion.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <array>
 #include <cmath>
 
-#include "runtime/constrained_motion.hpp"
-#include "runtime/dormand_prince_853.hpp"
+#include "runtime/constraints/constrained_motion.hpp"
+#include "runtime/integration/dormand_prince_853.hpp"
 #include "tests/runtime/closed_loops.hpp"
 
 namespace partitioned_motion_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/plot.hpp"
+#include "runtime/records/plot.hpp"
 
 #include <gtest/gtest.h>
 

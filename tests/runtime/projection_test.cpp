@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/projection.hpp"
+#include "runtime/constraints/projection.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,10 +14,10 @@
 #include "generated/andrews_squeezer.hpp"
 #include "generated/model_making_press.hpp"
 #include "generated/torque_free_body.hpp"
-#include "runtime/constrained_motion.hpp"
-#include "runtime/dormand_prince_54.hpp"
-#include "runtime/dormand_prince_853.hpp"
-#include "runtime/runge_kutta_4.hpp"
+#include "runtime/constraints/constrained_motion.hpp"
+#include "runtime/integration/dormand_prince_54.hpp"
+#include "runtime/integration/dormand_prince_853.hpp"
+#include "runtime/integration/runge_kutta_4.hpp"
 #include "tests/runtime/closed_loops.hpp"
 
 namespace projection_test {

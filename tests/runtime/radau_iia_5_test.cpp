@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/radau_iia_5.hpp"
+#include "runtime/integration/radau_iia_5.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "generated/flyball_governor.hpp"
 #include "generated/torque_free_body.hpp"
-#include "runtime/dormand_prince_853.hpp"
+#include "runtime/integration/dormand_prince_853.hpp"
 #include "runtime/mechanism.hpp"
 #include "tests/runtime/static_mechanisms.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/stabilised_radau_iia_5.hpp"
+#include "runtime/integration/stabilised_radau_iia_5.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,15 +11,15 @@
 #include <span>
 #include <string>
 
-#include "runtime/dormand_prince_54.hpp"
-#include "runtime/dormand_prince_853.hpp"
-#include "runtime/gauss_collocation.hpp"
-#include "runtime/linear_solve.hpp"
-#include "runtime/midpoint.hpp"
-#include "runtime/radau_iia_5.hpp"
-#include "runtime/runge_kutta_4.hpp"
-#include "runtime/stoermer_verlet.hpp"
-#include "runtime/taylor.hpp"
+#include "runtime/integration/dormand_prince_54.hpp"
+#include "runtime/integration/dormand_prince_853.hpp"
+#include "runtime/integration/gauss_collocation.hpp"
+#include "runtime/integration/midpoint.hpp"
+#include "runtime/integration/radau_iia_5.hpp"
+#include "runtime/integration/runge_kutta_4.hpp"
+#include "runtime/integration/stoermer_verlet.hpp"
+#include "runtime/integration/taylor.hpp"
+#include "runtime/numerics/linear_solve.hpp"
 
 namespace stress_test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/sundials.hpp"
+#include "runtime/sundials/sundials.hpp"
 
 #include <gtest/gtest.h>
 

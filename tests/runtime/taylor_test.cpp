@@ -9,12 +9,12 @@
 #include <span>
 
 #include "generated/double_pendulum.hpp"
-#include "runtime/angles_within_a_turn.hpp"
-#include "runtime/dormand_prince_54.hpp"
-#include "runtime/dormand_prince_853.hpp"
+#include "runtime/integration/dormand_prince_54.hpp"
+#include "runtime/integration/dormand_prince_853.hpp"
+#include "runtime/integration/observers.hpp"
+#include "runtime/integration/taylor.hpp"
 #include "runtime/mechanism.hpp"
-#include "runtime/observers.hpp"
-#include "runtime/taylor.hpp"
+#include "runtime/steps/angles_within_a_turn.hpp"
 
 namespace taylor_test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/variational_integrator.hpp"
+#include "runtime/integration/variational_integrator.hpp"
 
 #include <gtest/gtest.h>
 

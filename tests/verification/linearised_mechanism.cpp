@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "generator/dynamics/forward_derivatives.hpp"
-#include "generator/dynamics/reduction.hpp"
+#include "generator/dynamics/derivatives/forward_derivatives.hpp"
+#include "generator/dynamics/derivatives/reduction.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/mechanics/parameter_value.hpp"
 #include "generator/verification/random_state.hpp"

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/dynamics/painleve.hpp"
+#include "generator/dynamics/theorems/painleve.hpp"
 #include "generator/expression/derivative.hpp"
 #include "generator/verification/check.hpp"
 #include "generator/verification/dense_linear.hpp"

@@ -1,0 +1,418 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/dynamics/equations/constraint_rank.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "generator/dynamics/equations/configuration_sample.hpp"
+#include "generator/dynamics/forces/constraints.hpp"
+#include "generator/dynamics/forces/virtual_power.hpp"
+#include "generator/expression/error.hpp"
+
+namespace torsor {
+namespace {
+
+constexpr int constraint_digits = 50;
+using Row = std::vector<Real>;
+
+Real product(const Row& a, const Row& b) {
+  Real sum(0);
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+Real length(const Row& a) { return sqrt(product(a, a)); }
+
+Real decimal(const char* text) { return Real::parse(text); }
+Real tolerance() { return Real::from_double(ConstraintRank::tolerance); }
+
+/// Rows met in turn: each either extends an orthonormal basis or depends on those before it.
+class Basis {
+ public:
+  Basis(std::size_t size, Real null_length) : size_(size), null_length_(std::move(null_length)) {}
+
+  /// Whether the row is independent of the ones accepted before; if so it is accepted under that index.
+  bool add(std::size_t index, const Row& row) {
+    const Real whole = length(row);
+    Row rest = row;
+    std::vector<Real> along(directions_.size(), Real(0));
+    for (int pass = 0; pass < 2; ++pass) {  // twice is enough (Golub & Van Loan, 5.2.8)
+      for (std::size_t k = 0; k < directions_.size(); ++k) {
+        const Real part = product(rest, directions_[k]);
+        along[k] += part;
+        for (std::size_t i = 0; i < size_; ++i) rest[i] -= part * directions_[k][i];
+      }
+    }
+    const Real left = length(rest);
+    if (!(whole > null_length_) || !(left > whole * tolerance())) {
+      dependent_.push_back({index, whole > null_length_ ? along : std::vector<Real>(along.size(), Real(0))});
+      return false;
+    }
+    for (Real& r : rest) r /= left;
+    directions_.push_back(rest);
+    along.push_back(left);
+    independent_.push_back({index, along});
+    return true;
+  }
+
+  /// Coefficients c with row = Σ_k c_k row of the k-th accepted one, for every dependent row: (index, c).
+  std::vector<std::pair<std::size_t, std::vector<Real>>> combinations() const {
+    std::vector<std::pair<std::size_t, std::vector<Real>>> all;
+    for (const auto& [index, along] : dependent_) {
+      std::vector<Real> rest = along;
+      rest.resize(independent_.size(), Real(0));
+      std::vector<Real> c(independent_.size(), Real(0));
+      for (std::size_t k = independent_.size(); k-- > 0;) {  // rows are lower triangular in the directions
+        c[k] = rest[k] / independent_[k].second[k];
+        for (std::size_t i = 0; i <= k; ++i) rest[i] -= c[k] * independent_[k].second[i];
+      }
+      all.emplace_back(index, std::move(c));
+    }
+    return all;
+  }
+
+  std::vector<std::size_t> independent() const {
+    std::vector<std::size_t> indices;
+    for (const auto& [index, along] : independent_) indices.push_back(index);
+    return indices;
+  }
+  std::size_t rank() const { return directions_.size(); }
+  const std::vector<Row>& directions() const { return directions_; }
+
+  /// δ of least length with row_k · δ = wanted_k for the accepted rows.
+  Row least(const std::vector<Real>& wanted) const {
+    Row delta(size_, Real(0));
+    std::vector<Real> y;
+    for (std::size_t k = 0; k < directions_.size(); ++k) {
+      Real rest = wanted[k];
+      for (std::size_t i = 0; i < k; ++i) rest -= independent_[k].second[i] * y[i];
+      y.push_back(rest / independent_[k].second[k]);
+      for (std::size_t i = 0; i < size_; ++i) delta[i] += y[k] * directions_[k][i];
+    }
+    return delta;
+  }
+
+ private:
+  std::size_t size_;
+  Real null_length_;
+  std::vector<Row> directions_;
+  std::vector<std::pair<std::size_t, std::vector<Real>>> independent_, dependent_;
+};
+
+class RankFinder {
+ public:
+  RankFinder(const Scene& scene, const ModelOptions& options)
+      : program_(Model::resolver(scene, options)), model_(scene, program_, options), rows_(constraint_rows(model_)), here_(model_) {
+    n_ = static_cast<std::size_t>(model_.unknown_count());
+    const std::vector<std::vector<Value>> mass = mass_matrix(model_);
+    for (std::size_t i = 0; i < n_; ++i) {
+      const Real inertia = here_(mass[i][i]);
+      metric_.push_back(inertia > Real(0) ? Real(1) / sqrt(inertia) : Real(1));
+    }
+    for (const bool holonomic : {true, false}) {
+      for (std::size_t j = 0; j < rows_.size(); ++j) {
+        if (rows_[j].holonomic == holonomic) order_.push_back(j);
+      }
+    }
+    holonomic_count_ = static_cast<std::size_t>(
+        std::count_if(rows_.begin(), rows_.end(), [](const ConstraintRow& row) { return row.holonomic; }));
+  }
+
+  ConstraintRank find() {
+    ConstraintRank result;
+    const std::vector<std::size_t> held = basis(here_, holonomic_count_).independent();
+    ConfigurationSample start = here_;
+    result.closed = restore(start, held) && closed(start, Real(0));
+    if (result.closed) here_ = start;
+    result.rank_at_start = basis(here_, order_.size()).rank();
+    ConfigurationSample away = here_;
+    if (result.closed)
+      away = displaced(held);
+    else
+      away.scatter();
+    const Basis generic = basis(away, order_.size());
+    result.kept = generic.independent();
+    std::sort(result.kept.begin(), result.kept.end());
+    result.determinate.assign(rows_.size(), true);
+    const auto all = model_.coordinates().size();
+    result.determinate_released.assign(all - n_, true);
+    const std::vector<std::size_t> accepted = generic.independent();
+    for (const auto& [index, c] : generic.combinations()) {
+      result.dropped.push_back(index);
+      result.determinate[index] = false;
+      for (std::size_t k = 0; k < c.size(); ++k) {
+        if (abs(c[k]) * length(row(away, accepted[k])) > length(row(away, index)) * tolerance())
+          result.determinate[accepted[k]] = false;
+      }
+      if (result.closed) refuse_contradiction(away, index, accepted, c);
+      for (std::size_t r = n_; r < all; ++r) {
+        Real difference = away(rows_[index].column[r]);
+        Real size = abs(difference);
+        for (std::size_t k = 0; k < c.size(); ++k) {
+          const Real part = c[k] * away(rows_[accepted[k]].column[r]);
+          difference -= part;
+          size += abs(part);
+        }
+        if (abs(difference) > size * tolerance()) result.determinate_released[r - n_] = false;
+      }
+    }
+    std::sort(result.dropped.begin(), result.dropped.end());
+    refuse_friction(result);
+    if (result.closed && result.redundant()) refuse_other_values(away, result);
+    ConfigurationSample& chosen = result.closed && !result.singular_start() ? here_ : away;
+    for (std::size_t j = 0; j < rows_.size(); ++j) {
+      Row scaled = row(chosen, j);
+      const Real size = length(scaled);
+      if (!size.is_zero()) {
+        for (Real& entry : scaled) entry /= size;
+      }
+      result.scaled_rows.push_back(std::move(scaled));
+    }
+    return result;
+  }
+
+ private:
+  /// A row in the metric: entries over √M_ii.
+  Row row(ConfigurationSample& at, std::size_t j) const {
+    Row entries;
+    for (std::size_t i = 0; i < n_; ++i) entries.push_back(at(rows_[j].jacobian[i]) * metric_[i]);
+    return entries;
+  }
+
+  /// The first rows of the order (holonomic ones come first).
+  Basis basis(ConfigurationSample& at, std::size_t count) const {
+    Real largest = *std::max_element(metric_.begin(), metric_.end());
+    std::vector<Row> rows;
+    for (std::size_t k = 0; k < count; ++k) {
+      rows.push_back(row(at, order_[k]));
+      largest = std::max(largest, length(rows.back()));
+    }
+    Basis result(n_, largest * decimal("1e-25"));  // a row of rounding errors is null
+    for (std::size_t k = 0; k < count; ++k) result.add(order_[k], rows[k]);
+    return result;
+  }
+
+  void move(ConfigurationSample& at, const Row& in_metric, const Real& factor) const {
+    Row delta;
+    for (std::size_t i = 0; i < n_; ++i) delta.push_back(factor * metric_[i] * in_metric[i]);
+    at.displace(delta);
+  }
+
+  /// Newton's method onto f = 0 for those rows, by displacements of least length; false when it does not converge.
+  bool restore(ConfigurationSample& at, const std::vector<std::size_t>& held) const {
+    if (held.empty()) return true;
+    for (int iteration = 0; iteration < 15; ++iteration) {
+      Basis rows(n_, Real(0));
+      std::vector<Real> wanted;
+      Real worst(0);
+      for (const std::size_t j : held) {
+        const Row entries = row(at, j);
+        const Real size = length(entries);
+        const Real f = at(rows_[j].value);
+        if (size.is_nan() || f.is_nan() || !rows.add(j, entries)) return false;
+        wanted.push_back(-f);
+        worst = std::max(worst, abs(f) / size);
+      }
+      const Row delta = rows.least(wanted);
+      move(at, delta, Real(1));
+      Real longest(0);
+      for (std::size_t i = 0; i < n_; ++i) longest = std::max(longest, abs(delta[i] * metric_[i]));
+      if (longest > Real(1000)) return false;
+      if (longest < decimal("1e-25")) return true;  // quadratic: the error left is its square
+    }
+    return false;
+  }
+
+  /// Whether every holonomic row holds, up to `part` of the displacement (in the metric).
+  bool closed(ConfigurationSample& at, const Real& displacement) const {
+    for (std::size_t k = 0; k < holonomic_count_; ++k) {
+      const std::size_t j = order_[k];
+      const Real size = length(row(at, j));
+      const Real f = abs(at(rows_[j].value));
+      const Real allowed = std::max(tolerance(), size * displacement * decimal("1e-7"));
+      if (f > allowed) return false;
+    }
+    return true;
+  }
+
+  /// A neighbour of the initial configuration that no accident distinguishes, and a later time.
+  ConfigurationSample displaced(const std::vector<std::size_t>& held) const {
+    ConfigurationSample start = here_;
+    const Basis normal = basis(start, holonomic_count_);
+    Row direction;
+    unsigned long long random = 20061;
+    for (std::size_t i = 0; i < n_; ++i) {
+      random = (random * 1103515245ULL + 12345ULL) % 2147483648ULL;
+      direction.push_back(Real(Number::rational(static_cast<int>(random % 2001ULL) - 1000, 1000), constraint_digits));
+    }
+    for (const Row& n : normal.directions()) {
+      const Real part = product(direction, n);
+      for (std::size_t i = 0; i < n_; ++i) direction[i] -= part * n[i];
+    }
+    // A twentieth of a radian, or of the extent of the mechanism when nothing turns.
+    Real turned(0), moved(0);
+    for (std::size_t i = 0; i < n_; ++i) {
+      const bool angle = model_.coordinates()[i].q->unit.is_dimensionless();
+      Real& largest = angle ? turned : moved;
+      largest = std::max(largest, abs(direction[i] * metric_[i]));
+    }
+    Real extent = start.extent(units::metre);
+    if (extent.is_zero()) extent = Real(1);
+    Real reach(0);
+    if (turned > decimal("1e-20"))
+      reach = decimal("1/20") / turned;
+    else if (moved > decimal("1e-20"))
+      reach = extent * decimal("1/20") / moved;
+    // The rows that count at the start first; where it is singular, those that count beside it.
+    for (const bool beside : {false, true}) {
+      Real factor = reach;
+      Real time = decimal("1/32");
+      for (int attempt = 0; attempt < 12; ++attempt, factor /= Real(2), time /= Real(2)) {
+        ConfigurationSample away = here_;
+        away.set_time(time);
+        move(away, direction, factor);
+        const std::vector<std::size_t> rows = beside ? basis(away, holonomic_count_).independent() : held;
+        if (!restore(away, rows)) continue;
+        if (closed(away, factor * length(direction))) return away;
+        break;  // these rows can be satisfied and others not: a smaller step would only hide it
+      }
+    }
+    refuse_rigid(start);
+    return start;
+  }
+
+  /// Beside the initial configuration no other satisfies all holonomic constraints: right if they leave no freedom.
+  void refuse_rigid(ConfigurationSample& start) const {
+    const Basis holonomic = basis(start, holonomic_count_);
+    if (holonomic.combinations().empty()) return;
+    const std::string& name = rows_[holonomic.combinations().front().first].name;
+    throw SceneError(fmt::format(
+        "constraint '{}' depends on those before it at the initial configuration, and no neighbouring "
+        "configuration satisfies them all: it contradicts them, or the closed loop cannot move; drop it, or "
+        "correct the dimensions",
+        name));
+  }
+
+  void refuse_contradiction(ConfigurationSample& at, std::size_t index, const std::vector<std::size_t>& accepted,
+                            const std::vector<Real>& c) const {
+    // Σ a_i q̇_i = b: the same combination must hold for b, that is for minus the rate at rest.
+    Real difference = at(rows_[index].rate);
+    Real size = abs(difference);
+    for (std::size_t k = 0; k < c.size(); ++k) {
+      const Real part = c[k] * at(rows_[accepted[k]].rate);
+      difference -= part;
+      size += abs(part);
+    }
+    if (!(abs(difference) > size * decimal("1e-7")) || !(abs(difference) > tolerance())) return;
+    throw SceneError(
+        fmt::format("constraint '{}' asks for a velocity that contradicts the constraints it depends on: "
+                    "no motion satisfies them all; drop it or correct its law of time",
+                    rows_[index].name));
+  }
+
+  /// A parameter that may change later must not make a constraint that was left out count.
+  void refuse_other_values(const ConfigurationSample& away, const ConstraintRank& rank) const {
+    std::vector<SymbolPointer> all;
+    for (const ParameterContent& parameter : model_.scene().parameters) {
+      const ModelOptions& options = model_.options();
+      if (parameter.run_time || options.all_run_time || options.run_time.contains(parameter.symbol->name))
+        all.push_back(parameter.symbol);
+    }
+    if (all.empty()) return;
+    const std::optional<std::size_t> row = counting_at_other_values(away, rank, all);
+    if (!row) return;
+    std::string names;
+    const auto add = [&names](const SymbolPointer& p) { names += (names.empty() ? "'" : ", '") + p->name + "'"; };
+    for (const SymbolPointer& parameter : all) {
+      if (counting_at_other_values(away, rank, {parameter})) add(parameter);
+    }
+    if (names.empty()) std::for_each(all.begin(), all.end(), add);
+    throw SceneError(
+        fmt::format("constraint '{}' repeats others only at the values that the run-time parameters {} have in the scene: "
+                    "at others it counts, and would not be enforced; make them constant, or leave the constraint out",
+                    rows_[*row].name, names));
+  }
+
+  /// A row left out that others do not imply once these parameters have changed a little and the rows kept were
+  /// satisfied anew.
+  std::optional<std::size_t> counting_at_other_values(const ConfigurationSample& away, const ConstraintRank& rank,
+                                                      const std::vector<SymbolPointer>& parameters) const {
+    std::vector<std::size_t> held;
+    for (const std::size_t j : rank.kept) {
+      if (rows_[j].holonomic) held.push_back(j);
+    }
+    Real part = decimal("1/32");
+    for (int attempt = 0; attempt < 8; ++attempt, part /= Real(2)) {
+      ConfigurationSample other = away;
+      other.vary(parameters, part);
+      if (!restore(other, held)) continue;
+      const std::vector<std::size_t> counting = basis(other, order_.size()).independent();
+      for (const std::size_t j : rank.dropped) {
+        if (std::find(counting.begin(), counting.end(), j) != counting.end()) return j;
+        if (rows_[j].holonomic && abs(other(rows_[j].value)) > tolerance() * length(row(other, j))) return j;
+      }
+      return std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+  void refuse_friction(const ConstraintRank& rank) const {
+    for (std::size_t j = 0; j < rows_.size(); ++j) {
+      if (!rows_[j].friction || rank.determinate[j]) continue;
+      throw SceneError(
+          fmt::format("constraint '{}' carries friction but repeats other constraints: its normal force is "
+                      "indeterminate, and the motion with it; release one of the constraints",
+                      rows_[j].name));
+    }
+  }
+
+  Program program_;
+  Model model_;
+  std::vector<ConstraintRow> rows_;
+  ConfigurationSample here_;
+  std::size_t n_ = 0, holonomic_count_ = 0;
+  std::vector<Real> metric_;
+  std::vector<std::size_t> order_;  ///< holonomic rows, then the others
+};
+
+}  // namespace
+
+ConstraintRank constraint_rank(const Scene& scene, const ModelOptions& options) {
+  const WorkingDigits precision(constraint_digits);
+  return RankFinder(scene, options).find();
+}
+
+std::vector<std::string> notes(const ConstraintRank& rank, const Scene& scene) {
+  const SceneContent& content = scene.content();
+  std::vector<std::string> sentences;
+  if (rank.redundant()) {
+    std::string dropped, shared, reactions;
+    const auto add = [](std::string& list, const std::string& name) { list += (list.empty() ? "" : ", ") + name; };
+    for (const std::size_t j : rank.dropped) add(dropped, content.constraints[j].name);
+    for (const std::size_t j : rank.kept) {
+      if (!rank.determinate[j]) add(shared, content.constraints[j].multiplier->name);
+    }
+    std::size_t released = 0;
+    for (const CoordinateContent& c : content.coordinates) {
+      if (c.released && !c.law && !rank.determinate_released[released++]) add(reactions, c.q->name);
+    }
+    sentences.push_back(
+        fmt::format("Constraints that repeat others are left out, their multipliers are 0: {}.", dropped));
+    if (!shared.empty()) {
+      sentences.push_back(
+          fmt::format("Indeterminate, as they are shared with those in a way that no motion tells: {}.", shared));
+    }
+    if (!reactions.empty())
+      sentences.push_back(fmt::format("Indeterminate reactions for the same reason: {}.", reactions));
+  }
+  if (rank.singular_start()) {
+    sentences.push_back(
+        fmt::format("The initial configuration is singular: {} of {} constraints are independent there.",
+                    rank.rank_at_start, rank.kept.size()));
+  }
+  return sentences;
+}
+
+}  // namespace torsor

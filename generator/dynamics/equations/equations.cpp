@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/dynamics/equations/equations.hpp"
+
+#include <fmt/format.h>
+
+#include "generator/dynamics/recursions/articulated_body.hpp"
+#include "generator/expression/error.hpp"
+#include "generator/expression/evaluation.hpp"
+#include "generator/expression/formula.hpp"
+
+namespace torsor {
+namespace {
+
+/// Beyond so many unknowns the mass matrix costs more than a recursion, and what vanishes shows by itself.
+constexpr int most_for_parts = 12;
+
+}  // namespace
+
+Equations::Equations(const Scene& scene, const ModelOptions& options)
+    : scene_(scene),
+      program_(std::make_unique<Program>(Model::resolver(scene_, options), options.passes)),
+      model_(scene_, *program_, options) {}
+
+const AppliedActions& Equations::actions() const {
+  if (!actions_) actions_ = applied_actions(model_);
+  return *actions_;
+}
+
+const std::vector<ConstraintRow>& Equations::constraints() const {
+  if (!constraints_) constraints_ = constraint_rows(model_);
+  return *constraints_;
+}
+
+const ConstraintRank& Equations::redundancy() const {
+  if (!redundancy_) {
+    const bool free = scene_.content().constraints.empty();
+    redundancy_ = free ? ConstraintRank{} : constraint_rank(scene_, model_.options());
+  }
+  return *redundancy_;
+}
+
+const ValueMatrix& Equations::mass() const {
+  if (!mass_) {
+    mass_ = mass_matrix(model_);
+    // Coordinates may uncouple (a centre of mass and what moves about it) where joint by joint nothing says so.
+    if (few_unknowns()) clear_vanishing(*mass_);
+  }
+  return *mass_;
+}
+
+bool Equations::few_unknowns() const { return model_.unknown_count() <= most_for_parts; }
+
+std::vector<Value> Equations::inertia_and_passive(AccelerationInput input) const {
+  std::vector<Value> forces = inertia_forces(model_, input, actions().wrenches);
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    forces[i] -= actions().passive[i];
+    forces[i] = program_->bind(forces[i]);
+  }
+  return forces;
+}
+
+const std::vector<Value>& Equations::bias() const {
+  if (!bias_) {
+    bias_ = inertia_and_passive(AccelerationInput::zero);
+    if (few_unknowns()) clear_vanishing(*bias_);
+  }
+  return *bias_;
+}
+
+const std::vector<Value>& Equations::inverse_dynamics() const {
+  if (!inverse_) {
+    std::vector<Value> forces = inertia_and_passive(AccelerationInput::symbols);
+    const auto of_unknowns = [this](const std::vector<Value>& all) {
+      return count(*program_, {all.begin(), all.begin() + model_.unknown_count()}).total();
+    };
+    if (few_unknowns()) {
+      std::vector<Value> expanded = expanded_inverse_dynamics(forces);
+      if (of_unknowns(expanded) < of_unknowns(forces)) forces = std::move(expanded);
+    }
+    for (const ConstraintRow& row : constraints()) {
+      const Value lambda = program_->symbol(row.multiplier);
+      for (std::size_t i = 0; i < forces.size(); ++i) {
+        if (!row.column[i].is_zero()) forces[i] -= row.column[i] * lambda;
+      }
+    }
+    inverse_ = std::move(forces);
+  }
+  return *inverse_;
+}
+
+std::vector<Value> Equations::expanded_inverse_dynamics(const std::vector<Value>& recursive) const {
+  std::vector<Value> forces = recursive;
+  for (std::size_t i = 0; i < mass().size(); ++i) {
+    forces[i] = bias()[i];
+    for (std::size_t j = 0; j < mass().size(); ++j) {
+      if (mass()[i][j].is_zero()) continue;
+      const Value acceleration = program_->symbol(model_.coordinates()[j].a);
+      forces[i] += mass()[i][j] * acceleration;
+    }
+    forces[i] = program_->bind(forces[i]);
+  }
+  return forces;
+}
+
+std::vector<Value> Equations::of_inputs() const {
+  std::vector<Value> forces(static_cast<std::size_t>(model_.unknown_count()));
+  const std::vector<SymbolPointer> inputs = model_.inputs();
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    for (std::size_t k = 0; k < inputs.size(); ++k) {
+      const Value& partial = actions().inputs[k][i];
+      if (!partial.is_zero()) forces[i] += partial * program_->symbol(inputs[k]);
+    }
+  }
+  return forces;
+}
+
+const ForwardSolution& Equations::forward() const {
+  if (forward_) return *forward_;
+  const ForwardMethod method = model_.options().forward;
+  const bool recursion_possible = constraints().empty() && has_simple_joints(model_);
+  if (method == ForwardMethod::articulated_body && !recursion_possible) {
+    throw UsageError(
+        fmt::format("the articulated-body recursion does not fit the scene '{}': it needs a tree without "
+                    "constraints in which each coordinate is the displacement of one joint",
+                    scene_.name()));
+  }
+  std::optional<ForwardSolution> recursive;
+  if (recursion_possible && method != ForwardMethod::factorisation) {
+    std::vector<Value> efforts = of_inputs();
+    for (std::size_t i = 0; i < efforts.size(); ++i) efforts[i] = program_->bind(efforts[i] + actions().passive[i]);
+    recursive = articulated_forward(model_, efforts, actions().wrenches);
+  }
+  if (method == ForwardMethod::articulated_body) return *(forward_ = std::move(recursive));
+  const ForwardSolution& factored = forward_by_factorisation();
+  const auto cost = [this](const ForwardSolution& s) { return count(*program_, s.accelerations).total(); };
+  if (recursive && cost(*recursive) < cost(factored)) return *(forward_ = std::move(recursive));
+  return *(forward_ = factored);
+}
+
+Value Equations::power() const {
+  Value sum = actions().power;
+  for (std::size_t j = 0; j < constraints().size(); ++j) {
+    const ConstraintRow& row = constraints()[j];
+    if (row.friction) sum += forward().multipliers[j] * row.friction_power;
+  }
+  return sum;
+}
+
+const MotionSolver& Equations::solver() const {
+  if (!solver_) {
+    const auto unknowns = [this](const std::vector<Value>& all) {
+      return std::vector<Value>(all.begin(), all.begin() + model_.unknown_count());
+    };
+    ValueMatrix jacobian, columns;
+    bool friction = false;
+    for (const std::size_t j : redundancy().kept) {
+      const ConstraintRow& row = constraints()[j];
+      friction = friction || row.friction;
+      jacobian.push_back(unknowns(row.jacobian));
+      columns.push_back(unknowns(row.column));
+    }
+    const ValueMatrix& matrix = mass();
+    solver_.emplace(*program_, matrix, std::move(jacobian), columns, friction);
+  }
+  return *solver_;
+}
+
+ForwardSolution Equations::solve(const std::vector<Value>& force, const std::vector<Value>& gamma) const {
+  const std::vector<std::size_t>& kept = redundancy().kept;
+  std::vector<Value> kept_gamma;
+  for (const std::size_t j : kept) kept_gamma.push_back(gamma[j]);
+  ForwardSolution solution = solver().solve(force, kept_gamma);
+  std::vector<Value> multipliers(constraints().size());
+  for (std::size_t k = 0; k < kept.size(); ++k) multipliers[kept[k]] = solution.multipliers[k];
+  solution.multipliers = std::move(multipliers);
+  return solution;
+}
+
+const ForwardSolution& Equations::forward_by_factorisation() const {
+  if (factored_) return *factored_;
+  std::vector<Value> force = of_inputs();
+  for (std::size_t i = 0; i < force.size(); ++i) force[i] = program_->bind(force[i] - bias()[i]);
+  std::vector<Value> gamma;
+  for (const ConstraintRow& row : constraints()) gamma.push_back(row.gamma);
+  factored_ = solve(force, gamma);
+  if (constraints().empty() && has_simple_joints(model_)) {
+    ForwardSolution other = forward_about_reference();
+    const auto cost = [this](const ForwardSolution& s) { return count(*program_, s.accelerations).total(); };
+    if (cost(other) < cost(*factored_)) factored_ = std::move(other);
+  }
+  return *factored_;
+}
+
+ForwardSolution Equations::forward_about_reference() const {
+  const ReferenceForces reference = reference_forces(model_, actions().wrenches);
+  std::vector<Value> force = of_inputs();
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    const Value effort = program_->bind(force[i] + actions().passive[i]);
+    force[i] = program_->bind(effort - reference.forces[i]);
+  }
+  ForwardSolution solution = solve(force, {});
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    solution.accelerations[i] = program_->bind(solution.accelerations[i] + reference.accelerations[i]);
+  }
+  return solution;
+}
+
+}  // namespace torsor

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "generator/dynamics/equations/constraint_rank.hpp"
+#include "generator/dynamics/forces/actions.hpp"
+#include "generator/dynamics/forces/constraints.hpp"
+#include "generator/dynamics/forces/virtual_power.hpp"
+#include "generator/dynamics/recursions/forward_dynamics.hpp"
+
+namespace torsor {
+
+/// The equations of one scene in one program, each part derived when first asked for:
+/// M q̈ + h = E u + B λ, A q̈ + γ = 0, with B = Aᵀ unless contacts have friction.
+class Equations {
+ public:
+  explicit Equations(const Scene& scene, const ModelOptions& options = {});
+
+  const Scene& scene() const { return scene_; }
+  Program& program() const { return *program_; }
+  const Model& model() const { return model_; }
+
+  const AppliedActions& actions() const;
+  const std::vector<ConstraintRow>& constraints() const;
+  /// Which constraints repeat others: `forward` leaves those out and takes their multipliers as zero.
+  const ConstraintRank& redundancy() const;
+  const ValueMatrix& mass() const;                       ///< unknowns only
+  const std::vector<Value>& bias() const;                ///< h_i, every coordinate (released ones last)
+  /// M q̈ + h − Σ λ_j column_j, every coordinate: by one recursion, or from M and h where that has fewer operations, as
+  /// in coordinates that M does not couple.
+  const std::vector<Value>& inverse_dynamics() const;
+  /// Unknowns only: L D Lᵀ of the mass matrix or the articulated-body recursion, whichever has fewer operations or the
+  /// options ask for.
+  const ForwardSolution& forward() const;
+  /// The same by L D Lᵀ, whatever it costs: for those who solve with it further.
+  const ForwardSolution& forward_by_factorisation() const;
+  std::vector<Value> of_inputs() const;                  ///< (E u)_i, unknowns only
+  /// Solves M a = force + B λ, A a + γ = 0 by factorisation, γ for every constraint; multipliers of constraints that
+  /// repeat others are zero.
+  ForwardSolution solve(const std::vector<Value>& force, const std::vector<Value>& gamma) const;
+  /// Power [W] of everything that has no force function. That of friction is N times a velocity, N being the multiplier
+  /// of the motion: forward().multipliers, at the inputs.
+  Value power() const;
+
+ private:
+  bool few_unknowns() const;
+  std::vector<Value> inertia_and_passive(AccelerationInput input) const;
+  /// M q̈ + h from its parts, of the unknowns; released coordinates as `recursive` has them.
+  std::vector<Value> expanded_inverse_dynamics(const std::vector<Value>& recursive) const;
+  const MotionSolver& solver() const;
+  /// q̈ = q̈_r + M⁻¹ (E u + Q − P(q̈_r)), q̈_r of reference_motion: less to compute than the bias.
+  ForwardSolution forward_about_reference() const;
+
+  Scene scene_;
+  std::unique_ptr<Program> program_;
+  Model model_;
+  mutable std::optional<AppliedActions> actions_;
+  mutable std::optional<std::vector<ConstraintRow>> constraints_;
+  mutable std::optional<ConstraintRank> redundancy_;
+  mutable std::optional<ValueMatrix> mass_;
+  mutable std::optional<std::vector<Value>> bias_, inverse_;
+  mutable std::optional<MotionSolver> solver_;
+  mutable std::optional<ForwardSolution> forward_, factored_;
+};
+
+}  // namespace torsor

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/dynamics/equations/scene_checks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "generator/expression/as_index.hpp"
+#include "generator/expression/error.hpp"
+#include "generator/expression/evaluation.hpp"
+#include "generator/mechanics/parameter_value.hpp"
+#include "generator/mechanics/triple_algebra.hpp"
+
+namespace torsor {
+namespace {
+
+/// Nothing where the formula needs more than parameters that have values.
+std::optional<Real> value_if_known(const SceneContent& scene, const Expression& formula) {
+  try {
+    return parameter_value(scene, formula);
+  } catch (const SceneError&) {
+    return std::nullopt;
+  }
+}
+
+/// Axes of frame a that a closing joint keeps along the same ones of frame b.
+std::vector<std::size_t> axes_kept_along(JointType type) {
+  switch (type) {
+    case JointType::weld:
+    case JointType::prismatic:
+      return {0, 1, 2};
+    case JointType::revolute:
+    case JointType::helical:
+    case JointType::cylindrical:
+      return {0};
+    case JointType::planar:
+      return {2};
+    case JointType::universal:
+    case JointType::spherical:
+    case JointType::line_contact:
+    case JointType::sphere_in_cylinder:
+    case JointType::point_contact:
+    case JointType::free:
+      return {};
+  }
+  return {};
+}
+
+std::string triple_text(const Triple& v) {
+  return fmt::format("({}, {}, {})", v[0].to_string(), v[1].to_string(), v[2].to_string());
+}
+
+std::string name_of_frame(const SceneContent& scene, const FrameReference& frame, const std::string& user) {
+  return scene.frames[as_index(scene.frame_index(frame, user))].name;
+}
+
+}  // namespace
+
+void check_universal_joints(const SceneContent& scene) {
+  for (const JointContent& joint : scene.joints) {
+    if (joint.type != JointType::universal || joint.closes_loop) continue;
+    const Triple& first = scene.frames[as_index(joint.first)].axis;
+    const Triple& second = scene.frames[as_index(joint.last)].axis;
+    const Real product = parameter_value(scene, dot(first, second), true);
+    const Real size = sqrt(parameter_value(scene, folded_product(dot(first, first), dot(second, second)), true));
+    if (!(abs(product) > size * Real::from_double(1e-12))) continue;
+    throw SceneError(
+        fmt::format("the axes {} and {} of the universal joint '{}' are not perpendicular (the cosine of "
+                    "their angle is {:.6g}): correct one, or make the joint of two revolute ones",
+                    triple_text(first), triple_text(second), joint.name, (product / size).to_double()));
+  }
+}
+
+void check_friction_coefficients(const SceneContent& scene) {
+  for (const ContactFriction& friction : scene.frictions) {
+    const std::optional<Real> value = value_if_known(scene, friction.coefficient);
+    if (!value || !(*value < Real(0))) continue;
+    throw SceneError(
+        fmt::format("friction '{}' has the coefficient {} = {:.6g} and must not have a negative one: its "
+                    "force would push along the slip; turn the direction instead",
+                    friction.name, friction.coefficient.to_string(), value->to_double()));
+  }
+}
+
+void check_slipping_bodies(const Model& model) {
+  const SceneContent& scene = model.scene();
+  for (const ConstraintContent& constraint : scene.constraints) {
+    const auto* law = std::get_if<NoSlip>(&constraint.law);
+    if (law == nullptr) continue;
+    const std::string user = "constraint '" + constraint.name + "'";
+    if (model.place(law->body, user).link != model.place(law->on, user).link) continue;
+    throw SceneError(
+        fmt::format("constraint '{}': frame '{}' cannot slip on frame '{}', for both are of one body; name "
+                    "the other body in contact",
+                    constraint.name, name_of_frame(scene, law->body, user), name_of_frame(scene, law->on, user)));
+  }
+}
+
+void check_closing_joints(const Equations& equations) {
+  const Model& model = equations.model();
+  const SceneContent& scene = model.scene();
+  Program& program = equations.program();
+  static const std::array<const Triple*, 3> axes{&axis::x, &axis::y, &axis::z};
+  for (const JointContent& joint : scene.joints) {
+    if (!joint.closes_loop) continue;
+    const std::string user = "joint '" + joint.name + "'";
+    for (const std::size_t i : axes_kept_along(joint.type)) {
+      const Vector of_a = bound(program, model.express(*axes[i], joint.a, 0, user));
+      const Vector of_b = bound(program, model.express(*axes[i], joint.b, 0, user));
+      const Value cosine = program.bind(dot(of_a, of_b));
+      Evaluator<Real> start(program, [&scene](const SymbolPointer& symbol) { return initial_value(scene, symbol); });
+      const double value = start(cosine).to_double();
+      if (value > 0.5) continue;  // 1 when assembled as it is meant to be
+      throw SceneError(fmt::format(
+          "joint '{}' is assembled the wrong way round: at the start axis {} of frame '{}' and "
+          "that of frame '{}' have a cosine of {:.6g} and must have 1; correct initial(...) of "
+          "the coordinates it ties, or the placement of one frame",
+          joint.name, "xyz"[i], name_of_frame(scene, joint.a, user), name_of_frame(scene, joint.b, user), value));
+    }
+  }
+}
+
+}  // namespace torsor

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "generator/dynamics/equations/equations.hpp"
+
+namespace torsor {
+
+// Parts of `validate`: what a scene says of its joints and contacts must be what it promises. Each throws SceneError
+// with one line that names the object, the value and the remedy.
+
+/// The two directions of a universal joint are perpendicular.
+void check_universal_joints(const SceneContent& scene);
+
+/// Coefficients and lengths of friction f, h, k are not negative, as far as they are known: formulas of parameters that
+/// have values.
+void check_friction_coefficients(const SceneContent& scene);
+
+/// What is not to slip on a body is not part of it.
+void check_slipping_bodies(const Model& model);
+
+/// A closing joint starts in the orientation it is meant to have: its conditions a_i · b_j = 0 hold half a turn off
+/// too, where those of the axes that shall coincide are opposite, a_i · b_i = −1. For an initial state that satisfies
+/// the constraints, with a value for every parameter.
+void check_closing_joints(const Equations& equations);
+
+}  // namespace torsor

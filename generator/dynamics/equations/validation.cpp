@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/dynamics/equations/validation.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "generator/dynamics/equations/equations.hpp"
+#include "generator/dynamics/equations/scene_checks.hpp"
+#include "generator/expression/error.hpp"
+#include "generator/expression/evaluation.hpp"
+#include "generator/mechanics/inertia_validity.hpp"
+#include "generator/mechanics/parameter_value.hpp"
+
+namespace torsor {
+namespace {
+
+constexpr int generic_digits = 50;
+
+/// A generic state.
+Evaluator<Real>::SymbolValue generic_state(int trial) {
+  return [trial](const SymbolPointer& symbol) { return generic_value(symbol, trial); };
+}
+
+void check_coordinates(const Scene& scene) {
+  const SceneContent& content = scene.content();
+  for (const AttitudeContent& attitude : content.attitudes) {
+    if (attitude.frame.empty()) {
+      throw SceneError(fmt::format("attitude '{}' turns nothing: give it to a spherical, point_contact, "
+                                   "sphere_in_cylinder or free joint",
+                                   attitude.name));
+    }
+    if (attitude.initial && std::all_of(attitude.initial->begin(), attitude.initial->end(),
+                                        [](const Expression& e) { return e.is_zero(); })) {
+      throw SceneError(fmt::format("attitude '{}' starts from the null quaternion, which is no orientation: start from "
+                                   "(1, 0, 0, 0)",
+                                   attitude.name));
+    }
+  }
+  for (const CoordinateContent& c : content.coordinates) {
+    if (c.law && (c.initial_value || c.initial_rate)) {
+      throw SceneError(fmt::format("coordinate '{}' is driven by the law {} and cannot also be an unknown with an "
+                                   "initial value: drop initial('{}') or drive('{}')",
+                                   c.q->name, c.law->to_string(), c.q->name, c.q->name));
+    }
+    if (c.law && c.released) {
+      throw SceneError(fmt::format("coordinate '{}' is released, held at zero, and cannot follow a law of time", c.q->name));
+    }
+  }
+  if (std::none_of(content.coordinates.begin(), content.coordinates.end(), [](const auto& c) { return c.unknown(); })) {
+    throw SceneError(fmt::format("the scene '{}' has no unknown coordinate: nothing is left to derive; add "
+                                 "coordinate(...) and use it in a joint",
+                                 scene.name()));
+  }
+}
+
+/// Every coordinate must appear in a joint, a released one as a joint's whole displacement.
+void check_joints(const Model& model) {
+  const auto& coordinates = model.coordinates();
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    const auto moves = [i](const Link& link) {
+      return std::any_of(link.partials.begin(), link.partials.end(),
+                         [i](const auto& partial) { return partial.first == static_cast<int>(i); });
+    };
+    if (std::any_of(model.links().begin(), model.links().end(), moves)) continue;
+    throw SceneError(fmt::format("coordinate '{}' moves nothing: no joint uses it{}", coordinates[i].q->name,
+                                 coordinates[i].released ? " as its whole displacement" : ""));
+  }
+}
+
+/// Frames that move with a coordinate, and what is attached to them, for the message about missing mass.
+std::string moved_by(const Model& model, int coordinate) {
+  std::vector<bool> moved(model.links().size(), false);
+  std::string bodies;
+  for (std::size_t k = 1; k < moved.size(); ++k) {
+    const Link& link = model.links()[k];
+    moved[k] = moved[static_cast<std::size_t>(link.parent)];
+    for (const auto& [i, partial] : link.partials) moved[k] = moved[k] || i == coordinate;
+  }
+  for (const BodyContent& body : model.scene().bodies) {
+    if (!moved[static_cast<std::size_t>(model.place(body.frame, body.name).link)]) continue;
+    bodies += (bodies.empty() ? "body '" : ", '") + body.name + "'";
+  }
+  return bodies.empty() ? "frames without any body" : bodies;
+}
+
+void check_masses(const Equations& equations) {
+  const Model& model = equations.model();
+  const ValueMatrix& mass = equations.mass();
+  const std::size_t n = mass.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!std::all_of(mass[i].begin(), mass[i].end(), [](const Value& m) { return vanishes(m); })) continue;
+    throw SceneError(fmt::format("coordinate '{}' must accelerate but has no inertia: it moves {} with zero mass; give "
+                                 "a mass, or drive the coordinate by a law of time",
+                                 model.coordinates()[i].q->name, moved_by(model, static_cast<int>(i))));
+  }
+  // A positive pivot for every coordinate at one of a few generic states, or the matrix is singular everywhere.
+  std::vector<bool> regular(n, false);
+  for (int trial = 0; trial < 3; ++trial) {
+    Evaluator<Real> evaluate(equations.program(), generic_state(trial));
+    std::vector<std::vector<Real>> m;
+    for (const auto& row : mass) m.push_back(evaluate(row));
+    for (std::size_t k = 0; k < n; ++k) {
+      const Real floor = abs(evaluate(mass[k][k])) * Real(Number(10).pow(-30), generic_digits);
+      if (!(m[k][k] > floor)) break;
+      regular[k] = true;
+      for (std::size_t i = k + 1; i < n; ++i) {
+        const Real factor = m[i][k] / m[k][k];
+        for (std::size_t j = k; j < n; ++j) m[i][j] -= factor * m[k][j];
+      }
+    }
+  }
+  const auto bad = std::find(regular.begin(), regular.end(), false);
+  if (bad == regular.end()) return;
+  const auto k = static_cast<std::size_t>(bad - regular.begin());
+  throw SceneError(fmt::format("the mass matrix is singular at every state: coordinate '{}' can accelerate without moving "
+                               "any mass; it moves {}: give masses or inertias, or remove a redundant coordinate",
+                               model.coordinates()[k].q->name, moved_by(model, static_cast<int>(k))));
+}
+
+void check_reactions(const Equations& equations) {
+  for (std::size_t j = 0; j < equations.constraints().size(); ++j) {
+    const ConstraintRow& row = equations.constraints()[j];
+    const auto& reaction = equations.scene().content().constraints[j].reaction;
+    if (!reaction) continue;
+    for (int i = 0; i < equations.model().unknown_count(); ++i) {
+      Value difference = row.ideal[static_cast<std::size_t>(i)];
+      difference -= row.jacobian[static_cast<std::size_t>(i)];
+      if (vanishes(difference)) continue;
+      throw SceneError(fmt::format("reaction '{}' does not enforce constraint '{}': along coordinate '{}' its power is "
+                                   "{} and the constraint needs {}; check the point and the direction",
+                                   reaction->name, row.name, equations.model().coordinates()[static_cast<std::size_t>(i)].q->name,
+                                   to_string(row.ideal[static_cast<std::size_t>(i)]),
+                                   to_string(row.jacobian[static_cast<std::size_t>(i)])));
+    }
+  }
+}
+
+bool lacks_values(const Scene& scene) {
+  const auto& parameters = scene.content().parameters;
+  return std::any_of(parameters.begin(), parameters.end(), [](const auto& p) { return !p.value; });
+}
+
+void check_initial_state(const Equations& equations) {
+  if (equations.constraints().empty() || lacks_values(equations.scene())) return;
+  Evaluator<Real> evaluate(equations.program(), [&equations](const SymbolPointer& symbol) {
+    return initial_value(equations.scene().content(), symbol);
+  });
+  for (const ConstraintRow& row : equations.constraints()) {
+    // Decimals given for irrational positions carry some twelve digits.
+    constexpr double tolerance = 1e-9;
+    const std::array<std::pair<const Value*, const char*>, 2> residuals{{{&row.value, "value"}, {&row.rate, "rate"}}};
+    for (const auto& [residual, what] : residuals) {
+      const double size = evaluate(*residual).to_double();
+      if (std::abs(size) <= tolerance) continue;
+      const Unit& unit = residual->unit();
+      throw SceneError(fmt::format("inconsistent initial state: constraint '{}' has the {} {:.6g}{} at t = 0 and must "
+                                   "have 0; correct initial(...) of the coordinates it ties",
+                                   row.name, what, size, unit.is_dimensionless() ? "" : " " + unit.to_string()));
+    }
+  }
+}
+
+}  // namespace
+
+void validate(const Scene& scene) {
+  const WorkingDigits precision(generic_digits);
+  check_coordinates(scene);
+  for (const BodyContent& body : scene.content().bodies) check_inertia(scene.content(), body);
+  check_universal_joints(scene.content());
+  check_friction_coefficients(scene.content());
+  const Equations equations(scene);
+  check_joints(equations.model());
+  check_slipping_bodies(equations.model());
+  equations.actions();
+  equations.constraints();
+  check_masses(equations);
+  check_reactions(equations);
+  equations.bias();
+  for (std::size_t i = 0; i < scene.content().points.size(); ++i) {
+    equations.model().locate(PointHandle{static_cast<int>(i)}, 0, "point '" + scene.content().points[i].name + "'");
+  }
+  check_initial_state(equations);
+  if (!lacks_values(scene)) check_closing_joints(equations);
+  equations.redundancy();
+}
+
+std::vector<Real> initial_state(const Scene& scene) {
+  if (lacks_values(scene)) return {};
+  std::vector<Real> state;
+  Program program(Model::resolver(scene, {}));
+  const Model model(scene, program);
+  for (const SymbolPointer& q : model.positions()) state.push_back(initial_value(scene.content(), q));
+  for (int i = 0; i < model.unknown_count(); ++i) {
+    state.push_back(initial_value(scene.content(), model.coordinates()[static_cast<std::size_t>(i)].v));
+  }
+  return state;
+}
+
+}  // namespace torsor

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/dynamics/forces/constraint_wrench.hpp"
+
+namespace torsor {
+namespace {
+
+class WrenchOfLaw {
+ public:
+  WrenchOfLaw(const Model& model, std::string user, WrenchOnLinks& wrenches)
+      : model_(model), program_(model.program()), user_(std::move(user)), wrenches_(wrenches) {}
+
+  /// AB · d = 0: a force d on the body of B at B and −d on that of A at A, one line where the loop is closed.
+  bool operator()(const Closure& law) {
+    const Vector direction = lower(program_, law.direction);
+    const auto push = [&](const PointReference& point, const Vector& force) {
+      const Vector place = bound(program_, model_.locate(point, 0, user_));
+      add_one(model_, wrenches_, link_of(point), {force, Vector()}, place, 0);
+    };
+    push(law.b, direction);
+    push(law.a, -direction);
+    return true;
+  }
+
+  bool operator()(const NoSlip& law) {
+    const int axes = model_.place(law.axes, user_).link;
+    const Vector direction = bound(program_, model_.express(law.direction, law.axes, axes, user_));
+    const Vector point = bound(program_, model_.locate(law.contact, axes, user_));
+    const int on = model_.place(law.on, user_).link;
+    add_pair(model_, wrenches_, model_.place(law.body, user_).link, on, {direction, Vector()}, point, axes);
+    return true;
+  }
+
+  bool operator()(const PointInPlane& law) {
+    const int plane = model_.place(law.plane, user_).link;
+    const Vector normal = bound(program_, model_.express(axis::z, law.plane, plane, user_));
+    const Vector point = bound(program_, model_.locate(law.point, plane, user_));
+    add_pair(model_, wrenches_, link_of(law.point), plane, {normal, Vector()}, point, plane);
+    return true;
+  }
+
+  bool operator()(const JointClosure& law) {
+    const FramePlace& at_a = model_.place(law.a, user_);
+    const FramePlace& at_b = model_.place(law.b, user_);
+    const int axes = at_a.link;
+    const Vector a_i = axis_of(at_a, law.i, axes);
+    const Vector b = bound(program_, model_.locate(at_b.origin, at_b.link, axes));
+    Wrench unit;
+    switch (law.kind) {
+      case JointClosure::Kind::offset:
+        unit.resultant = a_i;
+        break;
+      case JointClosure::Kind::alignment: {  // d(a_i · b_j) = Ω(b/a) · (b_j ∧ a_i)
+        const Vector b_j = axis_of(at_b, law.j, axes);
+        const Vector couple = cross(b_j, a_i);
+        unit.moment = law.sign > 0 ? couple : -couple;
+        break;
+      }
+      case JointClosure::Kind::screw:  // where the loop is closed
+        unit.resultant = a_i;
+        unit.moment = -(program_.lower(law.pitch) * a_i);
+        break;
+    }
+    add_pair(model_, wrenches_, at_b.link, at_a.link, unit, b, axes);
+    return true;
+  }
+
+  template <class Formula>
+  bool operator()(const Formula&) {
+    return false;
+  }
+
+  static void add_one(const Model& model, WrenchOnLinks& wrenches, int on, const Wrench& at_point, const Vector& point,
+                      int axes) {
+    Program& program = model.program();
+    const Vector force = bound(program, at_point.resultant);
+    const Vector moment = bound(program, at_point.moment);
+    const Vector place = bound(program, model.locate(point, axes, on));
+    const Vector turned = bound(program, model.express(force, axes, on));
+    Wrench& sum = wrenches[on];
+    sum.resultant += turned;
+    sum.moment += model.express(moment, axes, on);
+    sum.moment += cross(place, turned);
+  }
+
+ private:
+  Vector axis_of(const FramePlace& at, int i, int axes) const {
+    Vector unit;
+    for (int k = 0; k < 3; ++k) unit[k] = program_.number(at.rotation(k, i));
+    return bound(program_, model_.express(unit, at.link, axes));
+  }
+
+  int link_of(const PointReference& point) const {
+    const SceneContent& scene = model_.scene();
+    return model_.place(scene.points[static_cast<std::size_t>(scene.point_index(point, user_))].frame, user_).link;
+  }
+
+  const Model& model_;
+  Program& program_;
+  std::string user_;
+  WrenchOnLinks& wrenches_;
+};
+
+void add_friction_of(const Model& model, int index, WrenchOnLinks& wrenches) {
+  Program& program = model.program();
+  for (const ContactFriction& friction : model.scene().frictions) {
+    if (friction.constraint != index) continue;
+    const std::string user = "friction '" + friction.name + "'";
+    const int axes = model.place(friction.axes, user).link;
+    const Vector given = lower(program, friction.direction);
+    const Value length = program.sqrt(program.bind(dot(given, given)));
+    const Value intensity = program.bind(-(program.lower(friction.coefficient) / length));
+    const Vector direction = bound(program, model.express(friction.direction, friction.axes, axes, user));
+    const Vector effort = bound(program, intensity * direction);
+    Vector point;
+    if (friction.point) point = bound(program, model.locate(*friction.point, axes, user));
+    const Wrench unit = friction.point ? Wrench{effort, Vector()} : Wrench{Vector(), effort};
+    add_pair(model, wrenches, model.place(friction.body, user).link, model.place(friction.other, user).link, unit,
+             point, axes);
+  }
+}
+
+}  // namespace
+
+void add_pair(const Model& model, WrenchOnLinks& wrenches, int on, int other, const Wrench& at_point,
+              const Vector& point, int axes) {
+  WrenchOfLaw::add_one(model, wrenches, on, at_point, point, axes);
+  WrenchOfLaw::add_one(model, wrenches, other, {-at_point.resultant, -at_point.moment}, point, axes);
+}
+
+std::optional<WrenchOnLinks> constraint_wrench(const Model& model, int index) {
+  Program& program = model.program();
+  const ConstraintContent& constraint = model.scene().constraints[static_cast<std::size_t>(index)];
+  WrenchOnLinks wrenches;
+  if (const auto& reaction = constraint.reaction) {
+    const std::string user = "reaction '" + reaction->name + "'";
+    const int axes = model.place(reaction->axes, user).link;
+    const Vector direction = bound(program, model.express(reaction->direction, reaction->axes, axes, user));
+    const Vector point = bound(program, model.locate(reaction->contact, axes, user));
+    add_pair(model, wrenches, model.place(reaction->body, user).link, model.place(reaction->other, user).link,
+             {direction, Vector()}, point, axes);
+  } else if (!std::visit(WrenchOfLaw(model, "constraint '" + constraint.name + "'", wrenches), constraint.law)) {
+    return std::nullopt;
+  }
+  add_friction_of(model, index, wrenches);
+  for (auto& [link, wrench] : wrenches) {
+    wrench.resultant = bound(program, wrench.resultant);
+    wrench.moment = bound(program, wrench.moment);
+  }
+  return wrenches;
+}
+
+}  // namespace torsor

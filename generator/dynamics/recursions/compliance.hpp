@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "generator/dynamics/recursions/articulated_body.hpp"
+
+namespace torsor {
+
+/// {α, β} = [A D; Dᵀ L] {N, F}: what a wrench on a link, at its origin, in its axes, does to its accelerations when all
+/// joints are free. Null for the ground.
+struct Compliance {
+  Matrix angular;  ///< A, symmetric
+  Matrix mixed;    ///< D
+  Matrix linear;   ///< L, symmetric
+
+  AccelerationChange operator*(const Wrench& wrench) const;
+};
+
+/// Of matter of a carrier, seen from the origin of a link that it carries, in that one's axes.
+Compliance from_carrier(const Model& model, const Link& link, const Compliance& carrier);
+
+/// A link's, from that `before` its joint moves: (1 − s gᵀ) C (1 − g sᵀ) + s sᵀ/d.
+Compliance with_joint(Program& program, const Link& link, const ArticulatedJoint& joint, const Compliance& before);
+
+/// What a unit force of the joint does to the link before its joint moves, by reaction on the carrier: −C g. `after` is
+/// with_joint's.
+AccelerationChange reaction(Program& program, const Link& link, const ArticulatedJoint& joint, const Compliance& before,
+                            const Compliance& after);
+
+}  // namespace torsor

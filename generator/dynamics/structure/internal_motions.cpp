@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/dynamics/structure/internal_motions.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "generator/expression/as_index.hpp"
+
+namespace torsor {
+namespace {
+
+constexpr const char* twist_components[] = {"Omega_x", "Omega_y", "Omega_z", "V_x", "V_y", "V_z"};
+constexpr const char* wrench_components[] = {"F_x", "F_y", "F_z", "M_x", "M_y", "M_z"};
+
+/// Six rows for each body: its twist relative to the ground from the freedoms that are left.
+std::vector<RealRows> body_twists(const Mobility& mobility, const std::vector<TwistEdge>& edges,
+                                  const std::vector<bool>& blocked) {
+  const std::size_t columns = blocked.size();
+  std::vector<RealRows> twists(mobility.graph.bodies.size(), RealRows(6, RealRow(columns, Real(0))));
+  std::vector<bool> reached(twists.size(), false);
+  reached[0] = true;
+  for (bool changed = true; changed;) {
+    changed = false;
+    std::size_t column = 0;
+    for (const TwistEdge& edge : edges) {
+      const std::size_t first = column;
+      column += edge.motion.twists.size();
+      if (reached[as_index(edge.a)] == reached[as_index(edge.b)]) continue;
+      const bool down = reached[as_index(edge.a)];
+      const std::size_t from = as_index(down ? edge.a : edge.b), to = as_index(down ? edge.b : edge.a);
+      twists[to] = twists[from];
+      for (std::size_t c = 0; c < edge.motion.twists.size(); ++c) {
+        for (std::size_t k = 0; k < 6; ++k) twists[to][k][first + c] += Real(down ? 1 : -1) * edge.motion.twists[c][k];
+      }
+      reached[to] = changed = true;
+    }
+  }
+  for (RealRows& rows : twists) rows = without_columns(rows, blocked);
+  return twists;
+}
+
+RealRow times(const RealRows& rows, const RealRow& x) {
+  RealRow result;
+  for (const RealRow& row : rows) {
+    Real sum;
+    for (std::size_t i = 0; i < x.size(); ++i) sum += row[i] * x[i];
+    result.push_back(sum + Real(0));
+  }
+  return result;
+}
+
+std::string motion_text(const RealRows& twists) {
+  const TwistClass found = recognise_twists(twists);
+  if (!found.type) return fmt::format("moves with {} freedoms", found.freedoms);
+  switch (*found.type) {
+    case JointType::revolute:
+      return "turns about " + direction_text(*found.direction);
+    case JointType::prismatic:
+      return "slides along " + direction_text(*found.direction);
+    case JointType::helical:
+      return "screws along " + direction_text(*found.direction);
+    case JointType::spherical:
+      return "turns about a point";
+    default:
+      return fmt::format("moves as in a joint: {}", found.text());
+  }
+}
+
+}  // namespace
+
+RealRows without_columns(const RealRows& matrix, const std::vector<bool>& marked) {
+  RealRows result;
+  for (const RealRow& row : matrix) {
+    result.emplace_back();
+    for (std::size_t j = 0; j < marked.size(); ++j) {
+      if (!marked[j]) result.back().push_back(row[j]);
+    }
+  }
+  return result;
+}
+
+int inner_count(const std::vector<bool>& marked) {
+  return static_cast<int>(std::count(marked.begin(), marked.end(), false));
+}
+
+void describe_internal_motions(Mobility& mobility, const std::vector<TwistEdge>& edges) {
+  std::vector<bool> blocked;
+  std::vector<std::string> names;
+  for (const TwistEdge& edge : edges) {
+    blocked.insert(blocked.end(), edge.motion.twists.size(), edge.outside);
+    for (const std::string& name : edge.motion.names) {
+      if (!edge.outside) names.push_back(edge.name + ": " + name);
+    }
+  }
+  const int columns = inner_count(blocked);
+  const RealRows closure = without_columns(closure_matrix(edges, mobility.loops), blocked);
+  const RealRows motions = kernel(closure, columns, twist_tolerance());
+  if (motions.empty()) return;
+  for (std::size_t c = 0; c < names.size(); ++c) {
+    if (std::any_of(motions.begin(), motions.end(), [c](const RealRow& x) { return !is_small(x[c]); })) {
+      mobility.internal_freedoms.push_back(names[c]);
+    }
+  }
+  const std::vector<RealRows> twists = body_twists(mobility, edges, blocked);
+  int alone = 0;
+  std::vector<int> alone_of(twists.size(), 0);
+  for (std::size_t body = 1; body < twists.size(); ++body) {
+    RealRows resting = closure;
+    for (std::size_t other = 1; other < twists.size(); ++other) {
+      if (other != body) resting.insert(resting.end(), twists[other].begin(), twists[other].end());
+    }
+    RealRows own;
+    for (const RealRow& x : kernel(resting, columns, twist_tolerance())) own.push_back(times(twists[body], x));
+    const int freedoms = rank(own, 6, twist_tolerance());
+    if (freedoms == 0) continue;
+    alone_of[body] = freedoms;
+    alone += freedoms;
+    mobility.internal.push_back({{mobility.graph.bodies[body].name}, freedoms, motion_text(own)});
+  }
+  const int together = static_cast<int>(motions.size()) - alone;
+  if (together == 0) return;
+  InternalMotion rest{{}, together, "move together"};
+  for (std::size_t body = 1; body < twists.size(); ++body) {
+    RealRows all;
+    for (const RealRow& x : motions) all.push_back(times(twists[body], x));
+    // What it cannot do alone, it does with others.
+    if (rank(all, 6, twist_tolerance()) > alone_of[body]) rest.bodies.push_back(mobility.graph.bodies[body].name);
+  }
+  mobility.internal.push_back(std::move(rest));
+}
+
+void describe_indeterminate(Mobility& mobility, const std::vector<TwistEdge>& edges, const JointSpace& space) {
+  const RealRows matrix = closure_matrix(edges, mobility.loops);
+  const int equations = static_cast<int>(matrix.size());
+  if (equations == 0) return;
+  const std::size_t columns = matrix[0].size();
+  const RealRows stresses = kernel(transposed(matrix, static_cast<int>(columns)), equations, twist_tolerance());
+  if (stresses.empty()) return;
+  for (std::size_t e = 0; e < matrix.size(); ++e) {
+    if (std::all_of(stresses.begin(), stresses.end(), [e](const RealRow& y) { return is_small(y[e]); })) continue;
+    mobility.redundant.push_back(fmt::format("loop {}: {}", e / 6 + 1, twist_components[e % 6]));
+  }
+  for (std::size_t j = 0; j < edges.size(); ++j) {
+    const RealPose place = space.place(mobility.graph.joints[j]);
+    std::array<bool, 6> felt{};
+    for (const RealRow& y : stresses) {
+      RealVector force{Real(0), Real(0), Real(0)}, moment = force;
+      for (std::size_t l = 0; l < mobility.loops.size(); ++l) {
+        for (const auto& [joint, sense] : mobility.loops[l].joints) {
+          if (joint != static_cast<int>(j)) continue;
+          for (std::size_t k = 0; k < 3; ++k) {
+            moment[k] += Real(sense) * y[6 * l + k];  // what multiplies Ω is a moment, at the ground's origin
+            force[k] += Real(sense) * y[6 * l + 3 + k];
+          }
+        }
+      }
+      moment = moment + cross(force, place.origin);
+      for (int k = 0; k < 3; ++k) {
+        felt[as_index(k)] = felt[as_index(k)] || !is_small(dot(force, column(place.rotation, k)));
+        felt[as_index(k + 3)] = felt[as_index(k + 3)] || !is_small(dot(moment, column(place.rotation, k)));
+      }
+    }
+    IndeterminateReaction reaction{mobility.graph.joints[j].name, {}};
+    for (std::size_t k = 0; k < 6; ++k) {
+      if (felt[k]) reaction.components.emplace_back(wrench_components[k]);
+    }
+    if (!reaction.components.empty()) mobility.indeterminate.push_back(std::move(reaction));
+  }
+}
+
+}  // namespace torsor

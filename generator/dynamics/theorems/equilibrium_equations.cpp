@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/dynamics/theorems/equilibrium_equations.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generator/dynamics/forces/energy.hpp"
+#include "generator/dynamics/theorems/flat_polynomials.hpp"
+#include "generator/expression/derivative.hpp"
+#include "generator/expression/error.hpp"
+#include "generator/expression/evaluation.hpp"
+
+namespace torsor {
+namespace {
+
+bool vanishes_at_rest(SymbolKind kind) { return kind == SymbolKind::velocity || kind == SymbolKind::acceleration; }
+
+/// Why the forces at rest have no force function, or what else must be known before Lejeune-Dirichlet is believed.
+std::vector<std::string> remarks_on(const Equations& equations, bool from_potential) {
+  std::vector<std::string> remarks;
+  std::string names;
+  for (const std::string& name : equations.actions().without_force_function) {
+    names += (names.empty() ? "'" : ", '") + name + "'";
+  }
+  if (!from_potential) {
+    remarks.push_back(names.empty() ? "the forces at rest do not derive from U + T0: T depends on time explicitly"
+                                    : "the forces at rest do not derive from U + T0: " + names + " act at rest");
+  } else if (!names.empty()) {
+    remarks.push_back("Lejeune-Dirichlet presupposes that " + names + " dissipate and that inputs are zero");
+  }
+  return remarks;
+}
+
+}  // namespace
+
+EquilibriumEquations equilibrium_equations(const Equations& equations) {
+  const Model& model = equations.model();
+  Program& program = model.program();
+  const auto n = static_cast<std::size_t>(model.unknown_count());
+  Substitution at_rest(program, [&program](const SymbolPointer& symbol) -> std::optional<Value> {
+    if (!vanishes_at_rest(symbol->kind)) return std::nullopt;
+    return program.number(Number(), symbol->unit);
+  });
+  EquilibriumEquations result;
+  std::vector<Value> forces;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Value force = at_rest(equations.bias()[i]);
+    forces.push_back(program.bind(force));
+    result.freedoms.push_back(model.coordinates()[i].v);
+  }
+  result.rows = forces;
+  for (const ConstraintRow& row : equations.constraints()) {
+    const Value lambda = program.symbol(row.multiplier);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Value column = at_rest(row.column[i]);
+      if (!column.is_zero()) result.rows[i] -= column * lambda;
+    }
+    if (row.holonomic) result.conditions.push_back(row.value);
+    const Value imposed = at_rest(row.rate);
+    if (!vanishes(imposed)) result.conditions.push_back(imposed);
+  }
+  const std::vector<SymbolPointer> motors = model.inputs();
+  for (std::size_t k = 0; k < motors.size(); ++k) {
+    const Value input = program.symbol(motors[k]);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Value effect = at_rest(equations.actions().inputs[k][i]);
+      if (!effect.is_zero()) result.rows[i] -= effect * input;
+    }
+  }
+
+  const Value t0 = at_rest(kinetic_energy(model));
+  result.driven = !vanishes(t0);
+  const Value gravity = gravity_force_function(model);
+  result.potential = -gravity;
+  result.potential -= equations.actions().spring_force_function;
+  if (result.driven) result.potential -= t0;
+  std::vector<Value> differences = forces;
+  result.hessian.assign(n, {});
+  for (std::size_t j = 0; j < n; ++j) {
+    Derivation along = model.along(static_cast<int>(j));
+    if (!result.potential.is_zero()) {
+      const Value slope = along(result.potential);
+      differences[j] -= slope;
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      const Value entry = along(result.rows[i]);
+      result.hessian[i].push_back(program.bind(entry));
+    }
+  }
+  const std::vector<bool> same = vanish(differences);
+  result.from_potential = std::all_of(same.begin(), same.end(), [](bool each) { return each; });
+  result.remarks = remarks_on(equations, result.from_potential);
+  return result;
+}
+
+std::string print_equilibrium(const EquilibriumEquations& statics) {
+  std::string text;
+  if (statics.from_potential) {
+    text += fmt::format("{} = {}\n", statics.driven ? "-(U + T0)" : "-U", readable(multiplied_out(statics.potential)));
+  }
+  for (const std::string& remark : statics.remarks) text += remark + "\n";
+  for (std::size_t i = 0; i < statics.rows.size(); ++i) {
+    std::string name = statics.freedoms[i]->name;
+    while (!name.empty() && name.back() == '\'') name.pop_back();
+    text += fmt::format("{}:  0 = {}\n", name, readable(multiplied_out(statics.rows[i])));
+  }
+  for (const Value& condition : statics.conditions) {
+    text += fmt::format("0 = {}\n", readable(multiplied_out(condition)));
+  }
+  return text;
+}
+
+AtState::AtState(const Equations& equations, Named state) : program_(&equations.program()) {
+  for (const auto& [what, formula] : state) {
+    const SymbolPointer symbol = what.as_symbol();
+    if (!symbol) {
+      throw UsageError(fmt::format("'{}' is no symbol whose value a state can give: name a coordinate or a velocity",
+                                   what.to_string()));
+    }
+    if (!formula.is_zero() && !(formula.unit() == symbol->unit)) {
+      throw UnitError(fmt::format("the state {} = {} has the unit {} and must be in {}", symbol->name,
+                                  formula.to_string(), formula.unit().to_string(), symbol->unit.to_string()));
+    }
+    const Value value = program_->lower(formula);
+    state_.emplace_back(symbol, value.is_zero() ? program_->number(Number(), symbol->unit) : value);
+  }
+}
+
+Value AtState::operator()(const Value& value) const { return (*this)(std::vector<Value>{value})[0]; }
+
+std::vector<Value> AtState::operator()(const std::vector<Value>& values) const {
+  Substitution substitution(*program_, [this](const SymbolPointer& symbol) -> std::optional<Value> {
+    for (const auto& [known, replacement] : state_) {
+      if (known == symbol) return replacement;
+    }
+    if (!vanishes_at_rest(symbol->kind)) return std::nullopt;
+    return program_->number(Number(), symbol->unit);
+  });
+  std::vector<Value> result;
+  for (const Value& value : values) result.push_back(substitution(value));
+  return result;
+}
+
+ValueMatrix AtState::operator()(const ValueMatrix& matrix) const {
+  ValueMatrix result;
+  for (const std::vector<Value>& row : matrix) result.push_back((*this)(row));
+  return result;
+}
+
+}  // namespace torsor

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/dynamics/theorems/joint_actions.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "generator/dynamics/forces/constraint_wrench.hpp"
+#include "generator/expression/as_index.hpp"
+
+namespace torsor {
+namespace {
+
+using Numbers = std::vector<Number>;
+
+/// For each row k of a matrix some v with S v = e_k, where there is one: [S | 1] in row echelon form.
+std::vector<std::optional<Numbers>> unit_solutions(std::vector<Numbers> rows, std::size_t columns) {
+  const std::size_t count = rows.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    rows[k].resize(columns + count);
+    rows[k][columns + k] = Number(1);
+  }
+  std::vector<std::size_t> pivots;
+  for (std::size_t column = 0; column < columns && pivots.size() < count; ++column) {
+    const std::size_t done = pivots.size();
+    std::size_t best = done;
+    while (best < count && rows[best][column].is_zero()) ++best;
+    if (best == count) continue;
+    std::swap(rows[done], rows[best]);
+    const Number pivot = rows[done][column];
+    for (Number& entry : rows[done]) entry /= pivot;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (i == done || rows[i][column].is_zero()) continue;
+      const Number factor = rows[i][column];
+      for (std::size_t j = column; j < columns + count; ++j) rows[i][j] -= factor * rows[done][j];
+    }
+    pivots.push_back(column);
+  }
+  std::vector<std::optional<Numbers>> solutions;
+  for (std::size_t k = 0; k < count; ++k) {
+    bool solvable = true;
+    for (std::size_t i = pivots.size(); i < count; ++i) solvable = solvable && rows[i][columns + k].is_zero();
+    solutions.emplace_back();
+    if (!solvable) continue;
+    solutions.back().emplace(columns);
+    for (std::size_t i = 0; i < pivots.size(); ++i) (*solutions.back())[pivots[i]] = rows[i][columns + k];
+  }
+  return solutions;
+}
+
+class Namer {
+ public:
+  explicit Namer(const Equations& equations)
+      : equations_(equations), model_(equations.model()), program_(equations.program()) {
+    next_index_ = model_.scene().symbol_count;
+    find_forces();
+    find_efforts();
+    loaded_ = equations.actions().wrenches;
+    for (std::size_t j = 0; j < equations.constraints().size(); ++j) {
+      if (const auto unit = constraint_wrench(model_, static_cast<int>(j))) loaded_.insert(unit->begin(), unit->end());
+    }
+  }
+
+  JointAction action(const Connection& connection) {
+    JointAction result{connection, {}, {}, {}};
+    std::array<bool, 6> given{true, true, true, true, true, true};
+    for (const ReactionComponent& component : connection.components) {
+      std::vector<std::size_t> entries;
+      for (std::size_t e = 0; e < 6; ++e) {
+        if (!is_negligible(component.direction[e])) entries.push_back(e);
+      }
+      for (const std::size_t e : entries) given[e] = false;
+      if (entries.size() > 1) {
+        result.remarks.push_back(fmt::format("of joint {} only {} is unknown: what works in the joint gives the rest",
+                                             connection.name, component.name));
+      }
+    }
+    const std::optional<std::array<Value, 6>> efforts = efforts_along(connection, given);
+    bool named_freedom = false;
+    for (std::size_t e = 0; e < 6; ++e) {
+      Value& place = (e < 3 ? result.wrench.resultant : result.wrench.moment)[static_cast<int>(e % 3)];
+      if (given[e] && efforts) {
+        place = (*efforts)[e];
+      } else {
+        named_freedom = named_freedom || given[e];
+        result.unknowns.push_back(symbol(connection.name, e));
+        place = program_.symbol(result.unknowns.back());
+      }
+    }
+    if (named_freedom) {
+      result.remarks.push_back(
+          fmt::format("what motors, springs and dampers do along the freedoms of joint {} is in its named components",
+                      connection.name));
+    }
+    return result;
+  }
+
+ private:
+  SymbolPointer symbol(const std::string& joint, std::size_t entry) {
+    static constexpr const char* names[6] = {"X", "Y", "Z", "L", "M", "N"};
+    return std::make_shared<const Symbol>(Symbol{fmt::format("[{} {}]", joint, names[entry]),
+                                                 entry < 3 ? units::newton : units::newton_metre,
+                                                 SymbolKind::multiplier, next_index_++, nullptr});
+  }
+
+  /// Q_i of what works on formulas: inputs, springs, dampers, efforts, constraints whose force no wrench describes.
+  void find_forces() {
+    const AppliedActions& actions = equations_.actions();
+    const std::vector<SymbolPointer> inputs = model_.inputs();
+    for (std::size_t i = 0; i < as_index(model_.unknown_count()); ++i) {
+      Value force = actions.passive[i];
+      for (std::size_t k = 0; k < inputs.size(); ++k) {
+        if (!actions.inputs[k][i].is_zero()) force += actions.inputs[k][i] * program_.symbol(inputs[k]);
+      }
+      for (std::size_t j = 0; j < equations_.constraints().size(); ++j) {
+        const ConstraintRow& row = equations_.constraints()[j];
+        if (row.column[i].is_zero() || constraint_wrench(model_, static_cast<int>(j))) continue;
+        force += row.column[i] * program_.symbol(row.multiplier);
+      }
+      idle_ = idle_ && force.is_zero();
+      forces_.push_back(force);
+    }
+  }
+
+  /// By link: the action along its joint, of those that can move alone. Coordinates that enter any displacement in
+  /// another way than with a constant factor are held still.
+  void find_efforts() {
+    const std::size_t n = forces_.size();
+    std::vector<bool> still(n, false);
+    for (const Link& link : model_.links()) {
+      const bool constant = std::all_of(link.partials.begin(), link.partials.end(),
+                                        [](const auto& entry) { return entry.second.is_constant(); });
+      for (const auto& [i, partial] : link.partials) {
+        if (!constant && as_index(i) < n) still[as_index(i)] = true;
+      }
+    }
+    std::vector<Numbers> rows;
+    for (const Link& link : model_.links()) {
+      rows.emplace_back(n);
+      for (const auto& [i, partial] : link.partials) {
+        if (as_index(i) < n && !still[as_index(i)]) rows.back()[as_index(i)] = partial.polynomial().constant();
+      }
+    }
+    for (const std::optional<Numbers>& motion : unit_solutions(rows, n)) {
+      efforts_.emplace_back();
+      if (!motion) continue;
+      Value effort;
+      for (std::size_t i = 0; i < n; ++i) {
+        if (!(*motion)[i].is_zero()) effort += (*motion)[i] * forces_[i];
+      }
+      efforts_.back() = program_.bind(effort);
+    }
+  }
+
+  /// The components along the freedoms, zero for the others; nothing when they are not seen one by one.
+  std::optional<std::array<Value, 6>> efforts_along(const Connection& connection, std::array<bool, 6> open) {
+    std::array<Value, 6> result;
+    std::vector<int> chain;
+    for (int link = connection.bottom; link != connection.from; link = model_.links()[as_index(link)].parent) {
+      chain.insert(chain.begin(), link);
+      if (link != connection.bottom && loaded_.count(link) > 0) return std::nullopt;
+    }
+    if (idle_) return result;
+    const Vector at = bound(program_, model_.locate(Vector(), connection.bottom, connection.top));
+    for (const int link : chain) {
+      if (!efforts_[as_index(link)]) continue;
+      const auto place = single_component(link, at, connection.top);
+      if (!place || !open[place->first]) return std::nullopt;
+      const Value& effort = *efforts_[as_index(link)];
+      result[place->first] = place->second ? effort : -effort;
+      open[place->first] = false;
+    }
+    if (std::any_of(open.begin(), open.end(), [](bool each) { return each; })) return std::nullopt;
+    return result;
+  }
+
+  /// Where the twist of one joint is ± one unit component at the bottom's origin: which, and whether its sign is plus.
+  std::optional<std::pair<std::size_t, bool>> single_component(int link, const Vector& at, int axes) const {
+    const Link& joint = model_.links()[as_index(link)];
+    const Vector axis = bound(program_, model_.express(model_.axis_in_parent(joint), joint.parent, axes));
+    const bool slides = joint.joint == JointKind::prismatic;
+    if (!slides) {
+      const Vector origin = model_.locate(model_.origin_in_parent(joint), joint.parent, axes);
+      if (!vanishes(cross(axis, bound(program_, at - origin)))) return std::nullopt;
+    }
+    std::optional<std::pair<std::size_t, bool>> found;
+    for (int i = 0; i < 3; ++i) {
+      if (vanishes(axis[i])) continue;
+      const Value one = program_.number(Number(1), axis[i].unit());
+      const bool plus = vanishes(axis[i] - one), minus = vanishes(axis[i] + one);
+      if (found || (!plus && !minus)) return std::nullopt;
+      found.emplace(as_index(slides ? i : i + 3), plus);
+    }
+    return found;
+  }
+
+  const Equations& equations_;
+  const Model& model_;
+  Program& program_;
+  int next_index_ = 0;
+  bool idle_ = true;  ///< nothing works on formulas
+  std::vector<Value> forces_;
+  std::vector<std::optional<Value>> efforts_;
+  WrenchOnLinks loaded_;  ///< links on which something acts directly
+};
+
+}  // namespace
+
+std::vector<JointAction> joint_actions(const Equations& equations) {
+  std::vector<JointAction> result;
+  Namer namer(equations);
+  for (const Connection& connection : connections(equations)) result.push_back(namer.action(connection));
+  return result;
+}
+
+Wrench as_asked(const Model& model, const JointAction& action, const ScrewQuery& query) {
+  const Connection& joint = action.connection;
+  const Vector at = bound(model.program(), model.locate(Vector(), joint.bottom, joint.top));
+  return as_asked(model, reduced_at(action.wrench, -at), joint.top, query);  // that starts from the origin of the link
+}
+
+}  // namespace torsor

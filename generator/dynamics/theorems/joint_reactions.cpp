@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/dynamics/theorems/joint_reactions.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace torsor {
+namespace {
+
+constexpr int digits = 50;
+using Row = std::vector<Real>;
+
+/// Basis of {x : rows x = 0}, one vector for each column without a pivot, 1 there and 0 at the others; pivots are
+/// sought in the columns in the given order.
+std::vector<Row> null_space(std::vector<Row> rows, const std::vector<std::size_t>& columns) {
+  std::vector<std::size_t> pivots;
+  std::size_t done = 0;
+  for (const std::size_t column : columns) {
+    std::size_t best = done;
+    for (std::size_t i = done; i < rows.size(); ++i) {
+      if (abs(rows[i][column]) > abs(rows[best][column])) best = i;
+    }
+    if (done == rows.size() || is_negligible(rows[best][column])) continue;
+    std::swap(rows[done], rows[best]);
+    const Real pivot = rows[done][column];
+    for (Real& entry : rows[done]) entry = entry / pivot;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (i == done) continue;
+      const Real factor = rows[i][column];
+      for (std::size_t j = 0; j < rows[i].size(); ++j) rows[i][j] -= factor * rows[done][j];
+    }
+    pivots.push_back(column);
+    ++done;
+  }
+  std::vector<Row> basis;
+  for (std::size_t free = 0; free < columns.size(); ++free) {
+    if (std::find(pivots.begin(), pivots.end(), free) != pivots.end()) continue;
+    Row vector(columns.size(), Real(0));
+    vector[free] = Real(1);
+    for (std::size_t k = 0; k < pivots.size(); ++k) vector[pivots[k]] = -rows[k][free];
+    basis.push_back(std::move(vector));
+  }
+  return basis;
+}
+
+std::string name_of(const Row& component) {
+  static constexpr const char* names[6] = {"X", "Y", "Z", "L", "M", "N"};
+  std::string text;
+  for (std::size_t i = 0; i < 6; ++i) {
+    if (is_negligible(component[i])) continue;
+    const double k = component[i].to_double();
+    const bool one = is_negligible(abs(component[i]) - Real(1));
+    const std::string size = one ? "" : fmt::format("{:.4g} ", std::abs(k));
+    text += text.empty() ? (k < 0 ? "-" : "") : (k < 0 ? " - " : " + ");
+    text += size + names[i];
+  }
+  return text;
+}
+
+class Finder {
+ public:
+  explicit Finder(const Equations& equations)
+      : model_(equations.model()), program_(equations.program()), evaluate_(at_generic_state(equations)) {
+    const std::size_t count = model_.links().size();
+    massive_.assign(count, false);
+    children_.assign(count, 0);
+    massive_[0] = true;
+    for (const BodyContent& body : model_.scene().bodies) {
+      massive_[static_cast<std::size_t>(model_.place(body.frame, body.name).link)] = true;
+    }
+    for (std::size_t k = 1; k < count; ++k) ++children_[static_cast<std::size_t>(model_.links()[k].parent)];
+    const auto n = static_cast<std::size_t>(model_.unknown_count());
+    for (std::size_t k = 0; k < count; ++k) {  // ∂s_k/∂q_i
+      Row row(n, Real(0));
+      for (const auto& [i, partial] : model_.links()[k].partials) {
+        if (static_cast<std::size_t>(i) < n) row[static_cast<std::size_t>(i)] = evaluate_(partial);
+      }
+      partials_.push_back(std::move(row));
+    }
+  }
+
+  std::vector<Connection> all() {
+    std::vector<Connection> found;
+    for (std::size_t k = 1; k < massive_.size(); ++k) {
+      const auto parent = static_cast<std::size_t>(model_.links()[k].parent);
+      if (passes_through(parent)) continue;
+      Connection connection;
+      connection.top = static_cast<int>(k);
+      connection.from = static_cast<int>(parent);
+      std::vector<int> chain{connection.top};
+      while (passes_through(static_cast<std::size_t>(chain.back()))) chain.push_back(child_of(chain.back()));
+      connection.bottom = chain.back();
+      connection.name = name_of_joint(chain);
+      connection.components = components(chain);
+      found.push_back(std::move(connection));
+    }
+    return found;
+  }
+
+ private:
+  bool passes_through(std::size_t link) const { return !massive_[link] && children_[link] == 1; }
+
+  int child_of(int link) const {
+    const auto& links = model_.links();
+    const auto child = std::find_if(links.begin(), links.end(), [link](const Link& l) { return l.parent == link; });
+    return static_cast<int>(child - links.begin());
+  }
+
+  std::string name_of_joint(const std::vector<int>& chain) const {
+    const std::string user = "a report on joints";
+    for (const JointContent& joint : model_.scene().joints) {
+      if (joint.closes_loop || joint.last < joint.first) continue;
+      const int last = model_.place(FrameHandle{joint.last}, user).link;
+      if (last == chain.back()) return joint.name;
+    }
+    return model_.links()[static_cast<std::size_t>(chain.back())].name;
+  }
+
+  /// (v, ω) at the bottom's origin for a unit rate of one joint, in the top's axes.
+  Row twist_of(int link, const Vector& at, int axes) {
+    const Link& joint = model_.links()[static_cast<std::size_t>(link)];
+    const Vector axis = bound(program_, model_.express(model_.axis_in_parent(joint), joint.parent, axes));
+    Vector linear = axis;
+    Vector angular;
+    if (joint.joint != JointKind::prismatic) {
+      const Vector origin = model_.locate(model_.origin_in_parent(joint), joint.parent, axes);
+      linear = cross(axis, bound(program_, at - origin));
+      angular = axis;
+    }
+    Row row;
+    for (const Vector& part : {linear, angular}) {
+      for (int i = 0; i < 3; ++i) row.push_back(evaluate_(part[i]));
+    }
+    return row;
+  }
+
+  std::vector<ReactionComponent> components(const std::vector<int>& chain) {
+    const int top = chain.front();
+    const Vector at = bound(program_, model_.locate(Vector(), chain.back(), top));
+    std::vector<Row> own;
+    for (const int link : chain) own.push_back(twist_of(link, at, top));
+    // Virtual motions in which no other joint moves, and the twists they give the body.
+    std::vector<Row> others;
+    for (std::size_t k = 1; k < partials_.size(); ++k) {
+      if (std::find(chain.begin(), chain.end(), static_cast<int>(k)) == chain.end()) others.push_back(partials_[k]);
+    }
+    std::vector<std::size_t> order(static_cast<std::size_t>(model_.unknown_count()));
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::vector<Row> twists;
+    for (const Row& motion : null_space(others, order)) {
+      Row twist(6, Real(0));
+      for (std::size_t c = 0; c < chain.size(); ++c) {
+        Real rate(0);
+        const Row& partials = partials_[static_cast<std::size_t>(chain[c])];
+        for (std::size_t i = 0; i < motion.size(); ++i) rate += partials[i] * motion[i];
+        for (std::size_t j = 0; j < 6; ++j) twist[j] += rate * own[c][j];
+      }
+      twists.push_back(std::move(twist));
+    }
+    // R·V + M·Ω = 0; moments are expressed by forces where a twist ties both (helical joints).
+    std::vector<ReactionComponent> result;
+    for (const Row& wrench : null_space(twists, {3, 4, 5, 0, 1, 2})) {
+      ReactionComponent component{name_of(wrench), {}};
+      std::copy(wrench.begin(), wrench.end(), component.direction.begin());
+      result.push_back(std::move(component));
+    }
+    return result;
+  }
+
+  const Model& model_;
+  Program& program_;
+  Evaluator<Real> evaluate_;
+  std::vector<bool> massive_;
+  std::vector<int> children_;
+  std::vector<Row> partials_;
+};
+
+}  // namespace
+
+Evaluator<Real> at_generic_state(const Equations& equations) {
+  return {equations.program(), [](const SymbolPointer& symbol) {
+            if (symbol->kind == SymbolKind::pi) return Real::pi(digits);
+            if (const auto attitude = symbol->attitude.lock()) {
+              constexpr std::array<int, 4> fifths{1, 2, 4, 2};  // 1 + 4 + 16 + 4 = 25
+              const auto place = std::find(attitude->e.begin(), attitude->e.end(), symbol);
+              if (place != attitude->e.end()) {
+                const auto k = static_cast<std::size_t>(place - attitude->e.begin() + attitude->omega[0]->index);
+                return Real(Number::rational(fifths[k % 4], 5), digits);
+              }
+            }
+            const long scrambled = (symbol->index + 1) * 7919L % 4007;
+            return Real(Number::rational(1000 + scrambled, 3001), digits);
+          }};
+}
+
+bool is_negligible(const Real& x) { return abs(x) < Real(Number(10).pow(-30), digits); }
+
+std::vector<Connection> connections(const Equations& equations) {
+  const WorkingDigits precision(digits);
+  return Finder(equations).all();
+}
+
+}  // namespace torsor

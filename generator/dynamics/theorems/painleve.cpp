@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/dynamics/theorems/painleve.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "generator/dynamics/forces/energy.hpp"
+#include "generator/dynamics/theorems/joint_reactions.hpp"
+#include "generator/expression/derivative.hpp"
+#include "generator/expression/evaluation.hpp"
+
+namespace torsor {
+namespace {
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "'" : ", '") + name + "'";
+  return text;
+}
+
+/// Momenta of cyclic coordinates, as rows of M v: there what a body's own axes mix has fallen out already, so that
+/// rounding is that of the terms which matter. `at_rest` are the momenta where every v is zero (driven mechanisms).
+void add_momenta(const Equations& equations, const std::vector<Value>& momenta, const std::vector<Value>& along_q,
+                 Substitution& at_rest, PainleveReport& report) {
+  const Model& model = equations.model();
+  const std::vector<Value> applied = applied_forces(model, equations.actions());
+  const Value gravity = gravity_force_function(model);
+  const std::vector<Value> turning = turning_terms(model, momenta);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(model.unknown_count()); ++i) {
+    const SymbolPointer& q = model.coordinates()[i].q;
+    const auto& inputs = equations.actions().inputs;
+    const auto& rows = equations.constraints();
+    const bool worked_on =
+        std::any_of(inputs.begin(), inputs.end(), [i](const auto& input) { return !input[i].is_zero(); }) ||
+        std::any_of(rows.begin(), rows.end(), [i](const ConstraintRow& row) { return !vanishes(row.column[i]); });
+    if (worked_on || !vanishes(along_q[i]) || momenta[i].is_zero()) continue;
+    Value force = applied[i];
+    if (!gravity.is_zero()) force += model.along(static_cast<int>(i))(gravity);
+    force -= turning[i];
+    if (!vanishes(force)) continue;
+    const Unit unit = units::joule / model.coordinates()[i].v->unit;
+    const std::string meaning = model.coordinates()[i].attitude < 0
+                                    ? fmt::format("dT/d{}' of the cyclic coordinate '{}'", q->name, q->name)
+                                    : fmt::format("dT/d{}, constant in the moving axes", q->name);
+    Value momentum = at_rest(momenta[i]);
+    for (int j = 0; j < model.unknown_count(); ++j) {
+      momentum += equations.mass()[i][static_cast<std::size_t>(j)] * model.v(j);
+    }
+    report.first_integrals.push_back(
+        {"momentum_" + q->name, fmt::format("{} [{}]", meaning, unit.to_string()), momentum});
+  }
+}
+
+}  // namespace
+
+PainleveReport painleve(const Equations& equations) {
+  const Model& model = equations.model();
+  Program& program = model.program();
+  const Value t = kinetic_energy(model);
+  std::vector<SymbolPointer> velocities;
+  for (int i = 0; i < model.unknown_count(); ++i) {
+    velocities.push_back(model.coordinates()[static_cast<std::size_t>(i)].v);
+  }
+  PainleveReport report;
+  if (t.is_zero()) {
+    report.failing_conditions.push_back("nothing has mass");
+    return report;
+  }
+  const std::vector<Value> momenta = gradient(t, velocities);
+  const std::vector<Value> along_q = gradient_along(t, velocities);
+  bool driven = false;
+  for (const CoordinateContent& c : equations.scene().content().coordinates) driven = driven || c.law.has_value();
+  const SymbolPointer& time = equations.scene().content().time;
+  Derivation by_time = partial_derivation(program, time);
+  report.explicit_rate = by_time(t);
+  Substitution at_rest(program, [&](const SymbolPointer& symbol) -> std::optional<Value> {
+    if (symbol->kind != SymbolKind::velocity) return std::nullopt;
+    return program.number(Number(), symbol->unit);
+  });
+  // A joint may follow a law of time without a driven coordinate; T0 shows it even where T does not depend on time.
+  driven = driven || !report.explicit_rate.is_zero() || !vanishes(at_rest(t));
+
+  Value doubled;
+  for (int i = 0; i < model.unknown_count(); ++i) doubled += momenta[static_cast<std::size_t>(i)] * model.v(i);
+  report.t2_minus_t0 = driven ? doubled - t : t;
+
+  Value u = gravity_force_function(model);
+  u += equations.actions().spring_force_function;
+  if (!equations.actions().without_force_function.empty()) {
+    report.failing_conditions.push_back(
+        fmt::format("{} {} no force function", joined(equations.actions().without_force_function),
+                    equations.actions().without_force_function.size() == 1 ? "has" : "have"));
+  }
+  if (!vanishes(report.explicit_rate)) report.failing_conditions.emplace_back("T depends on time explicitly");
+  if (!u.is_zero() && !vanishes(by_time(u))) {
+    report.failing_conditions.emplace_back("the force function U depends on time explicitly");
+  }
+  for (const ConstraintRow& row : equations.constraints()) {
+    if (vanishes(at_rest(row.rate))) continue;
+    report.failing_conditions.push_back(fmt::format("constraint '{}' imposes a velocity (b is not zero)", row.name));
+  }
+  if (report.failing_conditions.empty()) {
+    Value integral = report.t2_minus_t0;
+    integral -= u;
+    report.first_integrals.push_back(driven ? FirstIntegral{"painleve", "T2 - T0 - U [J]", integral}
+                                            : FirstIntegral{"energy", "T - U [J]", integral});
+  }
+  add_momenta(equations, momenta, along_q, at_rest, report);
+  return report;
+}
+
+std::vector<MissingMomentum> missing_momenta(const Equations& equations, const PainleveReport& report) {
+  const Model& model = equations.model();
+  const auto n = static_cast<std::size_t>(model.unknown_count());
+  std::vector<SymbolPointer> velocities;
+  for (std::size_t i = 0; i < n; ++i) velocities.push_back(model.coordinates()[i].v);
+  const Value t = kinetic_energy(model);
+  if (t.is_zero()) return {};
+  const std::vector<Value> momenta = gradient(t, velocities);
+  const std::vector<Value> along_q = gradient_along(t, velocities);
+  const std::vector<Value> turning = turning_terms(model, momenta);
+  Value u = gravity_force_function(model);
+  u += equations.actions().spring_force_function;
+  std::vector<std::pair<std::string, std::vector<Value>>> forces;  // of the actions that have no force function
+  for (const ActionContent& action : model.scene().actions) {
+    if (has_force_function(action) || std::holds_alternative<Motor>(action)) continue;
+    const AppliedActions one = applied_actions(model, [&](const ActionContent& other) { return &other == &action; });
+    forces.emplace_back(name_of(action), applied_forces(model, one));
+  }
+  const std::vector<SymbolPointer> inputs = model.inputs();
+  for (std::size_t k = 0; k < inputs.size(); ++k) forces.emplace_back(inputs[k]->name, equations.actions().inputs[k]);
+  const WorkingDigits precision(50);
+  Evaluator<Real> evaluate = at_generic_state(equations);  // quaternions have norm 1 there
+  const auto is_there = [&](const Value& value) { return !value.is_zero() && !is_negligible(evaluate(value)); };
+  std::vector<MissingMomentum> missing;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::string& name = model.coordinates()[i].q->name;
+    const auto& found = report.first_integrals;
+    if (std::any_of(found.begin(), found.end(), [&](const auto& each) { return each.name == "momentum_" + name; }))
+      continue;
+    MissingMomentum each{name, {}};
+    if (momenta[i].is_zero()) each.reasons.emplace_back("T has no momentum along it");
+    if (is_there(along_q[i])) each.reasons.emplace_back("T depends on it");
+    if (is_there(turning[i])) each.reasons.emplace_back("its axes turn with the body");
+    if (!u.is_zero() && is_there(model.along(static_cast<int>(i))(u))) each.reasons.emplace_back("U depends on it");
+    std::vector<std::string> working;
+    for (const auto& [action, force] : forces) {
+      if (is_there(force[i])) working.push_back(action);
+    }
+    for (const ConstraintRow& row : equations.constraints()) {
+      if (is_there(row.column[i])) working.push_back(row.name);
+    }
+    if (!working.empty()) {
+      each.reasons.push_back(fmt::format("{} act{} along it", joined(working), working.size() == 1 ? "s" : ""));
+    }
+    if (each.reasons.empty()) each.reasons.emplace_back("what stands against it vanishes for unit quaternions only");
+    missing.push_back(std::move(each));
+  }
+  return missing;
+}
+
+}  // namespace torsor

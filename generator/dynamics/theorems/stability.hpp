@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/dynamics/theorems/equilibrium_equations.hpp"
+#include "generator/expression/evaluation.hpp"
+
+namespace torsor {
+
+/// Leading minors of a matrix, multiplied out: a symmetric one is positive definite exactly when all are positive
+/// (Sylvester). Of the Hessian of −(U + T0) at a rest they are the conditions of Lejeune-Dirichlet as formulas.
+std::vector<Value> sylvester_conditions(Program& program, const ValueMatrix& matrix);
+
+/// What Lejeune-Dirichlet says about one rest.
+struct LejeuneDirichlet {
+  bool stable = false;  ///< if not, the criterion cannot conclude
+  std::string reason;
+  std::vector<Real> residual;  ///< what is left of the equations there: whether it is a rest is for the reader to see
+  std::vector<Real> pivots;    ///< of L D Lᵀ of the Hessian of −(U + T0), until one is not positive
+};
+
+/// Stable where −(U + T0) has a strict minimum, also with dissipative and gyroscopic forces (Pommier, §7.4.2);
+/// otherwise nothing is concluded. At the working precision; `state` gives every symbol its value (coordinates,
+/// parameters that are symbols, time, inputs). A pivot below n roundings of its diagonal entry counts as zero. Throws
+/// UsageError for a scene with constraints: reduce it to independent coordinates, or use the runtime's search.
+LejeuneDirichlet lejeune_dirichlet(const Equations& equations, const EquilibriumEquations& statics,
+                                   const Evaluator<Real>::SymbolValue& state);
+
+}  // namespace torsor

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/dynamics/theorems/theorem_equations.hpp"
+
+#include <algorithm>
+
+#include "generator/dynamics/theorems/joint_actions.hpp"
+#include "generator/expression/as_index.hpp"
+
+namespace torsor {
+namespace {
+
+/// Keeps the names that a result is written with, in the order of the joints.
+void name_joints(TheoremEquation& equation, const Program& program, const std::vector<const JointAction*>& joints) {
+  std::vector<const Symbol*> live;
+  for (const Atom atom : program.live({equation.right})) live.push_back(program[atom].symbol.get());
+  for (const JointAction* joint : joints) {
+    bool used = false;
+    for (const SymbolPointer& unknown : joint->unknowns) {
+      if (std::find(live.begin(), live.end(), unknown.get()) == live.end()) continue;
+      equation.unknowns.push_back(unknown);
+      used = true;
+    }
+    if (used) equation.remarks.insert(equation.remarks.end(), joint->remarks.begin(), joint->remarks.end());
+  }
+}
+
+}  // namespace
+
+TheoremEquation theorem_equation(const Equations& equations, const BodyNames& bodies, const ScrewQuery& query,
+                                 Theorem theorem, const Triple& direction) {
+  const Model& model = equations.model();
+  Program& program = equations.program();
+  const std::vector<bool> inside = isolated_links(model, bodies, "Newton-Euler's theorem");
+  const NewtonEulerEquation known = newton_euler(equations, bodies, query, theorem, direction);
+  const Vector u = lower(program, direction);
+  const std::vector<JointAction> joints = joint_actions(equations);
+  TheoremEquation equation;
+  equation.left = known.dynamic;
+  equation.right = known.known + known.constraints;
+  std::vector<const JointAction*> across;
+  for (const JointAction& joint : joints) {
+    const bool on_body = inside[as_index(joint.connection.bottom)];
+    if (on_body == inside[as_index(joint.connection.from)]) continue;
+    across.push_back(&joint);
+    const Wrench wrench = as_asked(model, joint, query);
+    const Value along = dot(bound(program, theorem == Theorem::resultant ? wrench.resultant : wrench.moment), u);
+    if (on_body) {
+      equation.right += along;
+    } else {
+      equation.right -= along;
+    }
+  }
+  name_joints(equation, program, across);
+  return equation;
+}
+
+EnergyEquation energy_equation(const Equations& equations, const BodyNames& bodies, const FrameReference& observer) {
+  const Model& model = equations.model();
+  Program& program = equations.program();
+  const std::string user = "the energy theorem";
+  const std::vector<bool> inside = isolated_links(model, bodies, user);
+  const int reference = model.place(observer, user).link;
+  EnergyEquation result;
+  result.kinetic_energy = program.bind(kinetic_energy(model, bodies, observer));
+  const EnergyTheorem without_joints = energy_theorem_without_joints(equations, bodies, observer);
+  result.equation.left = without_joints.kinetic_rate;
+  result.external_power = without_joints.external_power;
+  result.internal_power = without_joints.internal_power;
+  const std::vector<JointAction> joints = joint_actions(equations);
+  std::vector<const JointAction*> concerned;
+  for (const JointAction& joint : joints) {
+    const int top = joint.connection.top, bottom = joint.connection.bottom, from = joint.connection.from;
+    const bool on_body = inside[as_index(bottom)], on_carrier = inside[as_index(from)];
+    if (!on_body && !on_carrier) continue;
+    concerned.push_back(&joint);
+    const Vector force = bound(program, model.express(joint.wrench.resultant, top, bottom));
+    const Wrench wrench{force, bound(program, model.express(joint.wrench.moment, top, bottom))};
+    const Twist of_joint = relative_twist(model, bottom, from);
+    if (on_body && on_carrier) {
+      result.internal_power += reciprocal_product(wrench, of_joint);
+      continue;
+    }
+    const Twist of_body = relative_twist(model, bottom, reference);
+    // The opposite acts on the carrier, at its own point there.
+    result.external_power +=
+        on_body
+            ? reciprocal_product(wrench, of_body)
+            : reciprocal_product(wrench, Twist{of_joint.angular - of_body.angular, of_joint.linear - of_body.linear});
+  }
+  result.equation.right = result.external_power + result.internal_power;
+  name_joints(result.equation, program, concerned);
+  return result;
+}
+
+}  // namespace torsor

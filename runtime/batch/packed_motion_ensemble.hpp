@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "runtime/batch/batch.hpp"
+#include "runtime/batch/motion_ensemble.hpp"
+
+namespace torsor::runtime {
+
+/// A method of fixed step made of an explicit formula: Midpoint, RungeKutta4.
+template <class Method>
+concept ExplicitFixedStep = requires(const Method& method) {
+  typename Method::Formula;
+  { method.step } -> std::convertible_to<double>;
+  { method.compensated } -> std::convertible_to<bool>;
+};
+
+/// The equations of motion of a pack of members, for a formula. They fail where one lane fails.
+template <HasForwardDynamics Packed, class InputLaw>
+class PackedMotion {
+ public:
+  using Pack = ScalarOf<Packed>;
+  using Vector = StateVector<Packed>;
+
+  PackedMotion(const typename Packed::Parameters& parameters, const InputLaw& law) noexcept
+      : motion_(parameters, law) {}
+
+  [[nodiscard]] bool operator()(const Pack& t, const Vector& y, Vector& dydt) {
+    ++calls;
+    return motion_(t, y, dydt) == Evaluation::ok && every_finite(dydt);
+  }
+
+  /// As EquationsOfMotion does, lane by lane.
+  [[nodiscard]] bool settle(Vector& y) const noexcept {
+    if constexpr (HasQuaternions<Packed>) {
+      for (const int first : Packed::quaternions) {
+        const auto w = static_cast<std::size_t>(first);
+        const Pack square = y[w] * y[w] + y[w + 1] * y[w + 1] + y[w + 2] * y[w + 2] + y[w + 3] * y[w + 3];
+        const Pack scale = Pack(1) / Pack::sqrt(square);
+        for (std::size_t k = 0; k < 4; ++k) y[w + k] *= scale;
+      }
+    }
+    return every_finite(y);
+  }
+
+  [[nodiscard]] static bool every_finite(const Vector& values) noexcept {
+    const Pack largest(std::numeric_limits<typename Pack::Lane>::max());
+    auto finite = abs(values[0]) <= largest;
+    for (std::size_t i = 1; i < values.size(); ++i) finite = finite && abs(values[i]) <= largest;
+    return all(finite);
+  }
+
+  std::int64_t calls = 0;
+
+ private:
+  EquationsOfMotion<Packed, InputLaw> motion_;
+};
+
+/// A formula for FixedStepRun whose state stands beside the run's own, which is idle: intervals are cut into steps as
+/// for a number.
+template <class Motion, class Sum>
+class PackedSteps {
+ public:
+  PackedSteps(Motion& motion, typename Motion::Vector& y, const Sum& sum) noexcept
+      : motion_(&motion), y_(&y), sum_(sum) {}
+
+  template <class F, class Number>
+  [[nodiscard]] IntegrationStatus step(F&, Number t, Number h, const std::array<Number, 1>& idle,
+                                       std::array<Number, 1>& next) {
+    using Pack = typename Motion::Pack;
+    next = idle;
+    typename Motion::Vector reached;
+    const bool done = sum_.step(*motion_, Pack(t), Pack(h), *y_, reached) && Motion::every_finite(reached) &&
+                      motion_->settle(reached);
+    if (done) *y_ = reached;
+    return done ? IntegrationStatus::reached_end : IntegrationStatus::model_failure;
+  }
+
+ private:
+  Motion* motion_;
+  typename Motion::Vector* y_;
+  Sum sum_;
+};
+
+/// A MotionEnsemble whose members take their steps in packs, as many at once as a register has lanes:
+///   run_ensemble(file, ensemble.head(), ensemble.groups(), options)
+/// Each lane's operations are those of a member alone: without fused multiply-adds (-ffp-contract=off) the records are
+/// the same bit by bit, with them both stay within the same bound of rounding. A group of which one member fails, or
+/// whose members start at different times, is computed member by member. `InputLaw` is given for both scalars.
+template <template <class> class Mechanism, class Number, class Members, ExplicitFixedStep Method,
+          template <class> class InputLaw = NoInputs, int lanes = native_lanes<Number>>
+class PackedMotionEnsemble {
+ public:
+  using Single = Mechanism<Number>;
+  using Packed = Mechanism<Simd<Number, lanes>>;
+  using Alone = MotionEnsemble<Single, Members, Method, InputLaw<Single>>;
+
+  PackedMotionEnsemble(std::uint64_t count, Members members, std::vector<Number> times, Method method,
+                       InputLaw<Single> law = {}, InputLaw<Packed> packed_law = {}, std::string label = {})
+      : members_(members),
+        times_(times),
+        method_(method),
+        packed_law_(std::move(packed_law)),
+        alone_(count, std::move(members), std::move(times), method, std::move(law), std::move(label)) {}
+
+  /// Another question than that of the members alone, because fused operations may round otherwise.
+  [[nodiscard]] RecordHead head() const {
+    RecordHead head = alone_.head();
+    head.question = Digest{}.add("packs").add(head.question).add(std::uint64_t{lanes}).value();
+    return head;
+  }
+
+  /// For run_ensemble; the ensemble must outlive it.
+  [[nodiscard]] EnsembleGroups groups() const {
+    return {lanes, [this](std::uint64_t first, std::uint64_t count, std::span<double> records) {
+              compute(first, count, records);
+            }};
+  }
+
+  /// The records of members first to first + count - 1, at most as many as there are lanes.
+  void compute(std::uint64_t first, std::uint64_t count, std::span<double> records) const {
+    if (in_a_pack(first, count, records)) return;
+    const std::size_t numbers = records.size() / count;
+    for (std::uint64_t i = 0; i < count; ++i) alone_(first + i, records.subspan(i * numbers, numbers));
+  }
+
+ private:
+  using Motion = PackedMotion<Packed, InputLaw<Packed>>;
+  using Vector = typename Motion::Vector;
+  using Sum = SummedFormula<typename Method::Formula, typename Motion::Pack, std::tuple_size_v<Vector>>;
+
+  /// False where the members cannot go together to the end.
+  bool in_a_pack(std::uint64_t first, std::uint64_t count, std::span<double> records) const {
+    Batch<typename Single::Parameters, typename Packed::Parameters, Number, lanes> parameters(lanes);
+    Vector y;
+    Number start = Number(0);
+    // Lanes beyond the last member repeat it.
+    for (int lane = 0; lane < lanes; ++lane) {
+      const Member<Single> member = members_(first + std::min(static_cast<std::uint64_t>(lane), count - 1));
+      if (lane == 0) start = member.state.time;
+      if (!(member.state.time == start)) return false;
+      parameters.set(static_cast<std::size_t>(lane), member.parameters);
+      const StateVector<Single> alone = pack<Single>(member.state);
+      for (std::size_t k = 0; k < y.size(); ++k) y[k].set(lane, alone[k]);
+    }
+    if (!Motion::every_finite(y)) return false;
+
+    Motion motion(parameters.block(0), packed_law_);
+    using Steps = PackedSteps<Motion, Sum>;
+    const auto idle_system = [](Number, const std::array<Number, 1>&, std::array<Number, 1>&) noexcept {
+      return Evaluation::ok;
+    };
+    std::array<Number, 1> idle{};
+    FixedStepRun<Steps, decltype(idle_system), Number, 1> run(idle_system, idle, start, method_.step,
+                                                              Steps(motion, y, Sum(method_.compensated)));
+    const std::size_t numbers = records.size() / count;
+    std::size_t next = Alone::lead;
+    const IgnoreSteps ignore;
+    for (const Number time : times_) {
+      run.advance(time, ignore);
+      if (run.result().status != IntegrationStatus::reached_end) return false;
+      for (std::uint64_t i = 0; i < count; ++i) {
+        for (std::size_t k = 0; k < y.size(); ++k) {
+          records[i * numbers + next + k] = static_cast<double>(y[k][static_cast<int>(i)]);
+        }
+      }
+      next += y.size();
+    }
+    for (std::uint64_t i = 0; i < count; ++i) {
+      records[i * numbers] = static_cast<double>(IntegrationStatus::reached_end);
+      records[i * numbers + 1] = static_cast<double>(Evaluation::ok);
+      records[i * numbers + 2] = static_cast<double>(run.result().time);
+      records[i * numbers + 3] = static_cast<double>(motion.calls);
+    }
+    return true;
+  }
+
+  Members members_;
+  std::vector<Number> times_;
+  Method method_;
+  InputLaw<Packed> packed_law_;
+  Alone alone_;
+};
+
+/// `const auto ensemble = packed_motion_ensemble<arm7::Mechanism, double>(1000, members, times, RungeKutta4{.step =
+/// 1e-3});`
+template <template <class> class Mechanism, class Number, template <class> class InputLaw = NoInputs, class Members,
+          ExplicitFixedStep Method>
+[[nodiscard]] auto packed_motion_ensemble(std::uint64_t count, Members members, std::vector<Number> times,
+                                          Method method, InputLaw<Mechanism<Number>> law = {},
+                                          InputLaw<Mechanism<NativeSimd<Number>>> packed_law = {},
+                                          std::string label = {}) {
+  return PackedMotionEnsemble<Mechanism, Number, Members, Method, InputLaw>(
+      count, std::move(members), std::move(times), method, std::move(law), std::move(packed_law), std::move(label));
+}
+
+}  // namespace torsor::runtime

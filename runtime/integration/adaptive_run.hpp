@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "runtime/status.hpp"
+#include "runtime/steps/accumulated_state.hpp"
+#include "runtime/steps/dense_step.hpp"
+#include "runtime/steps/step_control.hpp"
+#include "runtime/system.hpp"
+
+namespace torsor::runtime {
+
+/// One integration under way with steps of a method's own choice: the part that all adaptive methods share (the clock,
+/// limits, rejections, statuses, statistics, observers). `advance` may be called again and again; the step length is
+/// kept from call to call.
+///
+/// `Options` has relative_tolerance, absolute_tolerance, first_step, largest_step, step_limit and compensated.
+/// `Formula` has
+///   Step                                              what observers may evaluate inside a step;
+///   usable(options)                                   whether its own options make sense;
+///   prepare(f, range, y, tolerances, length)          the first slopes, and the first length where `length` is 0;
+///   attempt(f, t, h, state, tolerances, error)        one step to state.next(), kept when its weighted error is <= 1;
+///   shorter(h, error), longer(h, error, planned, after_rejection)   lengths to try next;
+///   refine(f, t, h, state)                            what only an interpolant needs, before the step is kept;
+///   settles                                           declared where attempt has settled the state already;
+///   interpolant(t, t_next, h, state), accept()        before and after the step is kept.
+/// The functions that call the model return an Evaluation; one that is not ok rejects the step.
+template <class Formula, class Options, class S, class Scalar, std::size_t size>
+class AdaptiveRun {
+ public:
+  using Vector = std::array<Scalar, size>;
+  using Step = typename Formula::Step;
+
+  AdaptiveRun(S& system, Vector& y, Scalar t, const Options& options) noexcept
+      : f_(system),
+        options_(options),
+        tolerances_{static_cast<Scalar>(options.relative_tolerance), static_cast<Scalar>(options.absolute_tolerance)},
+        largest_(options.largest_step > 0.0 ? static_cast<Scalar>(options.largest_step)
+                                            : std::numeric_limits<Scalar>::infinity()),
+        state_(y, options.compensated),
+        formula_(options) {
+    result_.time = t;
+  }
+
+  template <class Observer>
+  void advance(Scalar end, Observer& observer) {
+    if (result_.status != IntegrationStatus::reached_end || !usable(end)) return;
+    if (end == result_.time) return;
+    if (!prepared_ && !prepare(end)) return;
+    bool after_rejection = false;
+    while (result_.time != end) {
+      const Scalar t = result_.time;
+      const Scalar remaining = end - t;
+      // A step that all but reaches the end is stretched to it, so that none of a rounding's length is left over.
+      const bool last = length_ * Scalar(1.01) >= std::abs(remaining);
+      const Scalar t_next = last ? end : t + std::copysign(length_, remaining);
+      const Scalar h = t_next - t;  // what the clock really advances, so that rounding of time never accumulates
+      if (!last && !(std::abs(h) > smallest_step(t))) return give_up();
+      if (result_.statistics.accepted + result_.statistics.rejected >= options_.step_limit) {
+        result_.status = IntegrationStatus::too_many_steps;
+        return;
+      }
+      Scalar error = Scalar(0);
+      refusal_ = attempt<Observer>(t, h, error);
+      if (refusal_ != Evaluation::ok || !(error <= Scalar(1))) {
+        ++result_.statistics.rejected;
+        if (refusal_ != Evaluation::ok) error = std::numeric_limits<Scalar>::infinity();
+        length_ = formula_.shorter(std::abs(h), error);
+        after_rejection = true;
+        continue;
+      }
+      length_ = std::min(formula_.longer(std::abs(h), error, length_, after_rejection), largest_);
+      after_rejection = false;
+      ++result_.statistics.accepted;
+      if (!keep(t, t_next, h, observer)) stop();
+      if (result_.status != IntegrationStatus::reached_end) return;
+    }
+  }
+
+  void stop() noexcept { result_.status = IntegrationStatus::stopped_by_observer; }
+
+  [[nodiscard]] Result<Scalar> result() const noexcept {
+    Result<Scalar> result = result_;
+    result.statistics.calls = f_.calls;
+    result.statistics.jacobians = f_.jacobians;
+    result.statistics.decompositions = f_.decompositions;
+    return result;
+  }
+
+ private:
+  static Scalar smallest_step(Scalar t) noexcept {
+    return std::max(Scalar(10) * std::numeric_limits<Scalar>::epsilon() * std::abs(t),
+                    std::numeric_limits<Scalar>::min());
+  }
+
+  bool usable(Scalar end) noexcept {
+    const auto& o = options_;
+    using Precision = typename PrecisionOf<S, Scalar>::type;
+    const bool options = Tolerances<Precision>::usable(o.relative_tolerance, o.absolute_tolerance) &&
+                         o.first_step >= 0.0 && o.largest_step >= 0.0 && o.step_limit > 0 && Formula::usable(o);
+    if (!options || !std::isfinite(end) || !std::isfinite(result_.time) || !all_finite(state_.now())) {
+      result_.status = IntegrationStatus::invalid_options;
+    }
+    return result_.status == IntegrationStatus::reached_end;
+  }
+
+  void give_up() noexcept {
+    result_.evaluation = refusal_;
+    result_.status = refusal_ == Evaluation::ok ? IntegrationStatus::step_too_small : IntegrationStatus::model_failure;
+  }
+
+  bool prepare(Scalar end) {
+    const StepRange<Scalar> range{result_.time, end, largest_};
+    length_ = std::min(static_cast<Scalar>(options_.first_step), largest_);
+    refusal_ = formula_.prepare(f_, range, state_.now(), tolerances_, length_);
+    prepared_ = refusal_ == Evaluation::ok;
+    if (!prepared_) give_up();
+    return prepared_;
+  }
+
+  template <class Observer>
+  Evaluation attempt(Scalar t, Scalar h, Scalar& error) {
+    const Evaluation evaluation = formula_.attempt(f_, t, h, state_, tolerances_, error);
+    if (evaluation != Evaluation::ok || !(error <= Scalar(1))) return evaluation;
+    if constexpr (!requires { Formula::settles; }) {
+      before_settling_ = state_.next();
+      if (!state_.settle(f_, t + h)) return f_.evaluation;
+    }
+    if constexpr (takes_steps<Observer, Step>) return formula_.refine(f_, t, h, state_);
+    return evaluation;
+  }
+
+  // Tells the observer and moves on; the interpolant is only built for those who take it, between settled states. The
+  // last slope stays when the state is settled: it moves by less than the error estimate.
+  template <class Observer>
+  bool keep(Scalar t, Scalar t_next, Scalar h, Observer& observer) {
+    result_.time = t_next;
+    if constexpr (takes_steps<Observer, Step>) {
+      const Step step = interpolant(t, t_next, h);
+      move_on();
+      return notify(observer, step);
+    } else {
+      move_on();
+      return notify(observer, t_next, state_.now());
+    }
+  }
+
+  // Led to where the step went, not to where settling brought coordinates that jump.
+  Step interpolant(Scalar t, Scalar t_next, Scalar h) noexcept {
+    if constexpr (!requires { Formula::settles; }) {
+      const Vector settled = state_.next();
+      state_.replace(f_.unwound(settled, before_settling_));
+      const Step step = formula_.interpolant(t, t_next, h, state_);
+      state_.replace(settled);
+      return step;
+    } else {
+      return formula_.interpolant(t, t_next, h, state_);
+    }
+  }
+
+  void move_on() noexcept {
+    state_.accept();
+    formula_.accept();
+  }
+
+  CheckedSystem<S, Scalar, size> f_;
+  Options options_;
+  Tolerances<Scalar> tolerances_;
+  Scalar largest_;
+  Scalar length_ = Scalar(0);  // of the step to try next, positive
+  Evaluation refusal_ = Evaluation::ok;
+  bool prepared_ = false;
+  Result<Scalar> result_;
+  Vector before_settling_{};
+  AccumulatedState<Scalar, size> state_;
+  Formula formula_;
+};
+
+}  // namespace torsor::runtime

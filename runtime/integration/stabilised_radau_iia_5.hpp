@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+#include "runtime/integration/radau_iia_5.hpp"
+#include "runtime/mechanism.hpp"
+
+namespace torsor::runtime {
+
+/// A motion (see `equations_of_motion`) with multipliers, of a mechanism with the kernels `constraints` and
+/// `mass_matrix`.
+template <class S>
+concept HasStabilisedForm = requires {
+  typename S::Mechanism;
+  requires HasMassMatrixAndBias<typename S::Mechanism> && HasConstraints<typename S::Mechanism>;
+};
+
+/// The index-2 form of a constrained motion that is stabilised on position and velocity, as RadauFormula wants it:
+///   q' = N (v + M⁻¹Aᵀ μ),   v' = a(q, v) + M⁻¹Aᵀ η,   0 = g(q, t),   0 = A v - b,
+/// a being the accelerations of the motion (kernel `forward_dynamics`) and N = 1, but for quaternions and other
+/// coordinates with rates of their own (kernel `coordinate_rates`). On the exact motion μ = η = 0: they carry what the
+/// discretisation and rounding would move off the constraints, along the directions least by the metric of the masses.
+/// N M⁻¹Aᵀ and M⁻¹Aᵀ are frozen with the Jacobian, which costs nothing in order since μ and η are as small as the error
+/// of a step. Constraints on velocities alone have no μ, those that repeat others neither. These equations keep the
+/// norm of quaternions, but for the error of a step, which is taken away before the constraints are met at its end.
+/// Source: Gear, Leimkuhler & Gupta, J. Comp. Appl. Math. 12 (1985); Hairer-Wanner II, VII.1 (1.30) and VII.2.
+template <class S, class Scalar, std::size_t size>
+class StabilisedEquations {
+  using M = typename std::remove_cv_t<S>::Mechanism;
+  static constexpr std::size_t nq = coordinates_of<M>, n = velocities_of<M>;
+  static constexpr std::size_t m = static_cast<std::size_t>(M::multiplier_count);
+
+ public:
+  static constexpr std::size_t extra = 2 * m, all = size + extra;
+  using Vector = std::array<Scalar, size>;
+  using Extended = std::array<Scalar, all>;
+  using Pairs = std::array<Complex<Scalar>, all>;
+
+  template <class F>
+  [[nodiscard]] bool linearise(F& f, Scalar t, const Vector& y, const Vector& slope) {
+    if (!evaluate_jacobian(f, t, y, slope, J_)) return false;
+    derive_constraints(f, t, y);
+    f.evaluation = find_directions(f, t, y);
+    if (f.evaluation != Evaluation::ok) return false;
+    auto& matrix = projection_.matrix();
+    for (std::size_t j = 0; j < extra; ++j) {
+      Vector column;
+      for (std::size_t i = 0; i < size; ++i) column[i] = B_[j * size + i];
+      for (std::size_t i = 0; i < extra; ++i) matrix[j * extra + i] = counts_[i] ? along(i, column) : unit(i, j);
+    }
+    f.evaluation = projection_.factorise();
+    return f.evaluation == Evaluation::ok;
+  }
+
+  template <class F>
+  [[nodiscard]] Evaluation factorise(F& f, Scalar real, const Complex<Scalar>& pair) noexcept {
+    f.decompositions += 2;
+    const Evaluation evaluation = real_.factorise(*this, real);
+    return evaluation == Evaluation::ok ? pair_.factorise(*this, pair) : evaluation;
+  }
+
+  template <class F>
+  [[nodiscard]] bool evaluate(F& f, Scalar t, const Extended& x, Extended& result) {
+    Vector y, slope;
+    std::copy_n(x.begin(), size, y.begin());
+    if (!f(t, y, slope)) return false;
+    for (std::size_t i = 0; i < size; ++i) result[i] = slope[i];
+    for (std::size_t j = 0; j < extra; ++j) {
+      for (std::size_t i = 0; i < size; ++i) result[i] += B_[j * size + i] * x[size + j];
+    }
+    const Residual c = residual(f, t, y);
+    for (std::size_t j = 0; j < extra; ++j) result[size + j] = c[j];
+    if (!all_finite(result)) f.evaluation = Evaluation::not_finite;
+    return f.evaluation == Evaluation::ok;
+  }
+
+  void solve(Extended& r) const noexcept { real_.solve(*this, r); }
+  void solve(Pairs& r) const noexcept { pair_.solve(*this, r); }
+
+  /// Takes away what Newton's method left of the constraints at the end of a step, along the same directions;
+  /// quaternions get their norm back.
+  template <class F>
+  [[nodiscard]] bool finish(F& f, Scalar t, const Vector& y, Vector& change) const {
+    constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
+    Scalar moved = Scalar(0);
+    Scalar terms = Scalar(0);  // the largest residual in units of its terms
+    for (int round = 0; round < 20; ++round) {
+      Vector x;
+      for (std::size_t i = 0; i < size; ++i) x[i] = y[i] + change[i];
+      if constexpr (HasQuaternions<M>) {
+        Vector of_norm = x;
+        normalise_quaternions<M>(of_norm);
+        for (std::size_t i = 0; i < size; ++i) change[i] += of_norm[i] - x[i];
+        x = of_norm;
+      }
+      Residual c = residual(f, t, x);
+      if (!all_finite(c)) {
+        f.evaluation = Evaluation::not_finite;
+        return false;
+      }
+      terms = in_terms(c, x);
+      projection_.solve(c);
+      const Scalar last = moved;
+      moved = Scalar(0);
+      for (std::size_t i = 0; i < size; ++i) {
+        Scalar correction = Scalar(0);
+        for (std::size_t j = 0; j < extra; ++j) correction += B_[j * size + i] * c[j];
+        change[i] -= correction;
+        if (correction != Scalar(0))
+          moved = std::max(moved, std::abs(correction) / (std::abs(x[i]) + std::abs(change[i])));
+      }
+      if (moved <= epsilon || (terms <= Scalar(4) * epsilon && round > 0 && moved > last / Scalar(2))) break;
+    }
+    if (std::min(terms, moved) <= few_roundings) return true;  // else B no longer serves
+    f.evaluation = Evaluation::singular;
+    return false;
+  }
+
+ private:
+  using Residual = std::array<Scalar, extra>;
+  static constexpr Scalar few_roundings = Scalar(1e3) * std::numeric_limits<Scalar>::epsilon();
+
+  static constexpr Scalar unit(std::size_t i, std::size_t j) noexcept { return i == j ? Scalar(1) : Scalar(0); }
+
+  /// (γ I - J, -B; -C, 0) by the Schur complement C (γ I - J)⁻¹ B.
+  template <class Field>
+  class Bordered {
+   public:
+    [[nodiscard]] Evaluation factorise(const StabilisedEquations& e, const Field& gamma) noexcept {
+      const Evaluation evaluation = inner_.factorise(e.J_, gamma);
+      if (evaluation != Evaluation::ok) return evaluation;
+      auto& matrix = complement_.matrix();
+      for (std::size_t j = 0; j < extra; ++j) {
+        auto& response = responses_[j];
+        for (std::size_t i = 0; i < size; ++i) response[i] = Field{e.B_[j * size + i]};
+        inner_.solve(e.J_, response);
+        for (std::size_t i = 0; i < extra; ++i) {
+          matrix[j * extra + i] = e.counts_[i] ? e.along(i, response) : Field{unit(i, j)};
+        }
+      }
+      return complement_.factorise();
+    }
+
+    void solve(const StabilisedEquations& e, std::array<Field, all>& r) const noexcept {
+      typename Inner::Vector x;
+      std::copy_n(r.begin(), size, x.begin());
+      inner_.solve(e.J_, x);
+      std::array<Field, extra> z;
+      for (std::size_t j = 0; j < extra; ++j) {
+        z[j] = e.counts_[j] ? Field{} - r[size + j] - e.along(j, x) : Field{};
+      }
+      complement_.solve(z);
+      for (std::size_t j = 0; j < extra; ++j) {
+        for (std::size_t i = 0; i < size; ++i) x[i] = x[i] + responses_[j][i] * z[j];
+        r[size + j] = z[j];
+      }
+      std::copy_n(x.begin(), size, r.begin());
+    }
+
+   private:
+    using Inner = ShiftedSystem<Field, Scalar, size, !HasCoordinateRates<M>>;
+    Inner inner_;
+    std::array<typename Inner::Vector, extra> responses_{};
+    Lu<Field, extra> complement_;
+  };
+
+  // Row i of C times a column.
+  template <class Field>
+  [[nodiscard]] Field along(std::size_t i, const std::array<Field, size>& column) const noexcept {
+    Field sum{};
+    for (std::size_t k = 0; k < size; ++k) sum = sum + C_[k * extra + i] * column[k];
+    return sum;
+  }
+
+  template <class F>
+  static typename M::Constraints constraints_at(const F& f, Scalar t, const Vector& y) {
+    typename M::Constraints constraints{};
+    M::constraints(f.system().precomputed(), unpack<M>(t, y), constraints);
+    return constraints;
+  }
+
+  // g, then A v - b; 0 where a row does not count.
+  template <class F>
+  Residual residual(const F& f, Scalar t, const Vector& y) const {
+    const auto constraints = constraints_at(f, t, y);
+    Residual c;
+    for (std::size_t j = 0; j < m; ++j) {
+      c[j] = counts_[j] ? constraints.value[j] : Scalar(0);
+      c[m + j] = counts_[m + j] ? constraints.rate[j] : Scalar(0);
+    }
+    return c;
+  }
+
+  // The largest residual relative to the terms it is a sum of: a rounding, whatever coordinate passes through zero.
+  Scalar in_terms(const Residual& c, const Vector& x) const noexcept {
+    Scalar largest = Scalar(0);
+    for (std::size_t j = 0; j < extra; ++j) {
+      Scalar terms = Scalar(0);
+      for (std::size_t i = 0; i < size; ++i) terms += std::abs(C_[i * extra + j] * x[i]);
+      if (c[j] != Scalar(0)) largest = std::max(largest, std::abs(c[j]) / terms);
+    }
+    return largest;
+  }
+
+  // C = ∂(g, A v - b)/∂(q, v): differences by q, A by v. A constraint whose value no coordinate moves is one on
+  // velocities.
+  template <class F>
+  void derive_constraints(const F& f, Scalar t, const Vector& y) {
+    const auto here = constraints_at(f, t, y);
+    for (std::size_t j = 0; j < m; ++j) counts_[j] = false;
+    for (std::size_t k = 0; k < nq; ++k) {
+      Vector moved = y;
+      moved[k] += std::sqrt(std::numeric_limits<Scalar>::epsilon()) * std::max(Scalar(1e-3), std::abs(y[k]));
+      const Scalar delta = moved[k] - y[k];
+      const auto there = constraints_at(f, t, moved);
+      for (std::size_t j = 0; j < m; ++j) {
+        C_[k * extra + j] = (there.value[j] - here.value[j]) / delta;
+        C_[k * extra + m + j] = (there.rate[j] - here.rate[j]) / delta;
+        counts_[j] = counts_[j] || there.value[j] != here.value[j];
+      }
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+      for (std::size_t j = 0; j < m; ++j) {
+        C_[(nq + k) * extra + j] = Scalar(0);
+        C_[(nq + k) * extra + m + j] = here.jacobian[k * m + j];
+      }
+    }
+    for (std::size_t j = 0; j < m; ++j) counts_[m + j] = true;
+    if constexpr (HasRedundantConstraints<M>) {
+      for (const int j : M::redundant_multipliers) {
+        counts_[static_cast<std::size_t>(j)] = counts_[m + static_cast<std::size_t>(j)] = false;
+      }
+    }
+  }
+
+  // N u: the rates of the coordinates that velocities u bring, less those without any.
+  template <class F>
+  static std::array<Scalar, nq> rates_by(const F& f, const typename M::State& state, const std::array<Scalar, n>& u) {
+    std::array<Scalar, nq> rates;
+    if constexpr (HasCoordinateRates<M>) {
+      typename M::State moving = state, resting = state;
+      for (std::size_t k = 0; k < n; ++k) {
+        moving.v[static_cast<int>(k)] = u[k];
+        resting.v[static_cast<int>(k)] = Scalar(0);
+      }
+      std::array<Scalar, nq> rest;
+      M::coordinate_rates(f.system().precomputed(), moving, rates);
+      M::coordinate_rates(f.system().precomputed(), resting, rest);
+      for (std::size_t k = 0; k < nq; ++k) rates[k] -= rest[k];
+    } else {
+      rates = u;
+    }
+    return rates;
+  }
+
+  // B = diag(N M⁻¹Aᵀ, M⁻¹Aᵀ).
+  template <class F>
+  Evaluation find_directions(const F& f, Scalar t, const Vector& y) {
+    const typename M::State state = unpack<M>(t, y);
+    Lu<Scalar, n> mass;
+    M::mass_matrix(f.system().precomputed(), state, mass.matrix());
+    const Evaluation evaluation = mass.factorise();
+    if (evaluation != Evaluation::ok) return evaluation;
+    B_.fill(Scalar(0));
+    for (std::size_t j = 0; j < m; ++j) {
+      std::array<Scalar, n> column;
+      for (std::size_t k = 0; k < n; ++k) column[k] = C_[(nq + k) * extra + m + j];
+      mass.solve(column);
+      const std::array<Scalar, nq> rates = rates_by(f, state, column);
+      for (std::size_t k = 0; k < nq; ++k) {
+        if (counts_[j]) B_[j * size + k] = rates[k];
+      }
+      for (std::size_t k = 0; k < n; ++k) {
+        if (counts_[m + j]) B_[(m + j) * size + nq + k] = column[k];
+      }
+    }
+    return Evaluation::ok;
+  }
+
+  JacobianMatrix<Scalar, size> J_{};
+  std::array<Scalar, size * extra> B_{}, C_{};  // column by column
+  std::array<bool, extra> counts_{};
+  Lu<Scalar, extra> projection_;
+  Bordered<Scalar> real_;
+  Bordered<Complex<Scalar>> pair_;
+};
+
+/// Radau IIA of order 5 on the stabilised index-2 form (see StabilisedEquations): every step ends on the constraints,
+/// in position and in velocity, to rounding, and with quaternions of norm 1; otherwise as RadauIia5. For motions of
+/// mechanisms with multipliers and the kernels `constraints` and `mass_matrix`; the start must satisfy its constraints.
+struct StabilisedRadauIia5 {
+  double relative_tolerance = 1e-9;      ///< 0, or at least four roundings of the scalar
+  double absolute_tolerance = 1e-12;     ///< in the units of the state, the same for every component
+  double first_step = 0.0;               ///< 0: chosen from the equations
+  double largest_step = 0.0;             ///< 0: no limit
+  std::int64_t step_limit = 10'000'000;  ///< accepted and rejected together
+  bool compensated = false;              ///< carry what rounding loses of each sum of state and step
+
+  static constexpr int order = 5;
+  static constexpr bool coarse_inside = true;  ///< events are located on steps of the method
+
+  template <class S, class Scalar, std::size_t size>
+  [[nodiscard]] auto start(S& system, std::array<Scalar, size>& y, Scalar t) const noexcept {
+    static_assert(HasStabilisedForm<std::remove_cv_t<S>>,
+                  "the stabilised form needs equations_of_motion of a mechanism with multipliers that has the kernels "
+                  "constraints and mass_matrix");
+    using Formula = RadauFormula<StabilisedEquations<S, Scalar, size>, Scalar, size>;
+    return AdaptiveRun<Formula, StabilisedRadauIia5, S, Scalar, size>(system, y, t, *this);
+  }
+};
+
+}  // namespace torsor::runtime

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "runtime/small_motions/fourier_series.hpp"
+
+#include <Eigen/Core>
+#include <complex>
+#include <cstddef>
+#include <numbers>
+#include <stdexcept>
+
+#include "runtime/small_motions/forced_response.hpp"
+
+namespace torsor::runtime {
+
+Eigen::VectorXd FourierSeries::operator()(double t) const {
+  Eigen::VectorXd sum = coefficients.front().real();
+  for (std::size_t n = 1; n < coefficients.size(); ++n) {
+    const std::complex<double> turn = std::polar(1.0, static_cast<double>(n) * angular_frequency * t);
+    sum += 2.0 * (coefficients[n] * turn).real();
+  }
+  return sum;
+}
+
+FourierSeries fourier_series(const std::function<Eigen::VectorXd(double)>& function, double angular_frequency,
+                             int harmonics, int samples) {
+  if (harmonics < 0 || samples <= 2 * harmonics || !(angular_frequency > 0.0)) {
+    throw std::invalid_argument("a Fourier series needs a positive frequency and more than two samples a harmonic");
+  }
+  FourierSeries series{angular_frequency, {}};
+  for (int k = 0; k < samples; ++k) {
+    const Eigen::VectorXd value = function(2.0 * std::numbers::pi * k / (samples * angular_frequency));
+    for (int n = 0; n <= harmonics; ++n) {
+      if (k == 0) series.coefficients.emplace_back(Eigen::VectorXcd::Zero(value.size()));
+      // n k is reduced before it becomes an angle, so that high harmonics lose no digit.
+      const auto remainder = (static_cast<long>(n) * k) % samples;
+      const std::complex<double> turn =
+          std::polar(1.0 / samples, -2.0 * std::numbers::pi * static_cast<double>(remainder) / samples);
+      series.coefficients[static_cast<std::size_t>(n)] += turn * value;
+    }
+  }
+  return series;
+}
+
+std::optional<FourierSeries> periodic_response(const LinearSystem& system, const FourierSeries& force) {
+  FourierSeries response{force.angular_frequency, {}};
+  for (std::size_t n = 0; n < force.coefficients.size(); ++n) {
+    if (force.coefficients[n].isZero(0.0)) {
+      response.coefficients.emplace_back(Eigen::VectorXcd::Zero(system.size()));
+      continue;
+    }
+    const auto amplitude =
+        FrequencyResponse(system, force.coefficients[n])(static_cast<double>(n) * force.angular_frequency);
+    if (!amplitude) return std::nullopt;
+    response.coefficients.push_back(*amplitude);
+  }
+  return response;
+}
+
+}  // namespace torsor::runtime

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <span>
+#include <utility>
+
+#include "runtime/steps/taylor_step.hpp"
+#include "runtime/system.hpp"
+
+namespace torsor::runtime {
+
+/// A system evaluated in a narrower scalar than the state's: kernels in float, the state, its sums and the step control
+/// in double. Rounding then enters with the length of a step, h |f| 6e-8, instead of with the state itself.
+///   auto motion = narrow_system<float>(equations_of_motion<Mechanism<float>>());
+///   std::array<double, 4> y = ...;  integrate(motion, y, 0, 10, DormandPrince54{1e-6, 1e-6});
+/// Adaptive methods refuse relative tolerances below four roundings of the narrow scalar (`invalid_options`): what they
+/// estimate there would be its noise.
+template <std::floating_point Narrow, class S>
+class NarrowSystem {
+ public:
+  /// What derivatives are computed in.
+  using Precision = Narrow;
+
+  explicit NarrowSystem(S system) noexcept : system_(std::move(system)) {}
+
+  template <std::floating_point Scalar, std::size_t size>
+  [[nodiscard]] Evaluation operator()(const Scalar& t, const std::array<Scalar, size>& y,
+                                      std::array<Scalar, size>& dydt) const
+      noexcept(noexcept(std::declval<const S&>()(Narrow(), std::declval<const std::array<Narrow, size>&>(),
+                                                 std::declval<std::array<Narrow, size>&>()))) {
+    std::array<Narrow, size> slope{};
+    const Evaluation evaluation = to_evaluation(system_(static_cast<Narrow>(t), narrowed(y), slope));
+    dydt = widened<Scalar>(slope);
+    return evaluation;
+  }
+
+  template <std::floating_point Scalar, std::size_t size>
+  requires HasTaylorCoefficients<const S, Narrow, size>
+  [[nodiscard]] Evaluation jets(const Scalar& t, const std::array<Scalar, size>& y,
+                                std::span<std::array<Scalar, size>> c) const noexcept {
+    std::array<std::array<Narrow, size>, 31> narrow{};
+    const Evaluation evaluation = to_evaluation(system_.jets(
+        static_cast<Narrow>(t), narrowed(y), std::span<std::array<Narrow, size>>(narrow.data(), c.size())));
+    for (std::size_t k = 1; k < c.size(); ++k) c[k] = widened<Scalar>(narrow[k]);
+    c[0] = y;
+    return evaluation;
+  }
+
+  template <std::floating_point Scalar, std::size_t size>
+  requires requires(const S& system, std::array<Scalar, size>& y) { system.project(y); }
+  void project(std::array<Scalar, size>& y) const noexcept { system_.project(y); }
+
+  /// A projection that takes the time is of the narrow scalar: what it changes is added to the state.
+  template <std::floating_point Scalar, std::size_t size>
+  requires requires(const S& system, const Narrow& t, std::array<Narrow, size>& y) { system.project(t, y); }
+  [[nodiscard]] Evaluation project(const Scalar& t, std::array<Scalar, size>& y) const noexcept {
+    const std::array<Narrow, size> before = narrowed(y);
+    std::array<Narrow, size> after = before;
+    CheckedSystem<const S, Narrow, size> system(system_);
+    if (!system.settle(static_cast<Narrow>(t), after)) return system.evaluation;
+    for (std::size_t i = 0; i < size; ++i) y[i] += static_cast<Scalar>(after[i]) - static_cast<Scalar>(before[i]);
+    return Evaluation::ok;
+  }
+
+ private:
+  template <class Scalar, std::size_t size>
+  [[nodiscard]] static std::array<Narrow, size> narrowed(const std::array<Scalar, size>& y) noexcept {
+    std::array<Narrow, size> result;
+    for (std::size_t i = 0; i < size; ++i) result[i] = static_cast<Narrow>(y[i]);
+    return result;
+  }
+  template <class Scalar, std::size_t size>
+  [[nodiscard]] static std::array<Scalar, size> widened(const std::array<Narrow, size>& y) noexcept {
+    std::array<Scalar, size> result;
+    for (std::size_t i = 0; i < size; ++i) result[i] = static_cast<Scalar>(y[i]);
+    return result;
+  }
+
+  S system_;
+};
+
+template <std::floating_point Narrow, class S>
+[[nodiscard]] NarrowSystem<Narrow, S> narrow_system(S system) noexcept {
+  return NarrowSystem<Narrow, S>(std::move(system));
+}
+
+}  // namespace torsor::runtime
