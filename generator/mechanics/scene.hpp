@@ -21,7 +21,7 @@ namespace torsor {
 /// Names are unique in a scene. Frames are tied by joints: the child's axes coincide with the parent's when the joint's
 /// coordinate is zero, apart from the joint's placement. A joint's coordinate may be any formula of coordinates and
 /// time, so that absolute angles, mimic joints and motions imposed by a law of time need nothing special. `validate`
-/// (dynamics/validation.hpp) looks at the whole scene; every program calls it before deriving anything.
+/// (generator/dynamics/equations/validation.hpp) looks at the whole scene; every program calls it before deriving anything.
 class Scene {
  public:
   explicit Scene(std::string name, std::string title = {});

@@ -7,7 +7,7 @@
 
 namespace torsor {
 
-/// What a person reads of classify_force_function (dynamics/force_function.hpp): the Q_i and the whole power of the
+/// What a person reads of classify_force_function (generator/dynamics/theorems/force_function.hpp): the Q_i and the whole power of the
 /// selected actions, which of the three cases it is, why, and U. Formulas with parameters as symbols.
 std::string force_function_text(const Scene& scene, const ActionSelection& selection);
 

@@ -19,7 +19,7 @@ struct TheoremRequest {
 };
 
 /// Newton-Euler's theorem along a direction, or the energy theorem, for bodies of a scene as a person writes it
-/// (dynamics/theorem_equations.hpp), parameters as symbols, and a word on the unknowns in it. What is too long is given
+/// (generator/dynamics/theorems/theorem_equations.hpp), parameters as symbols, and a word on the unknowns in it. What is too long is given
 /// by named definitions. Throws UsageError for words it does not know and a moment without a point, SceneError for
 /// names.
 std::string theorem_text(const Scene& scene, const TheoremRequest& request);

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # check_sources.sh ROOT: the rules of the layout that a compiler does not check. Prints each violation and fails.
-#  * a file of generator/ includes its own floor or a lower one; runtime/ and examples' mains never include generator/;
+#  * a file of generator/ includes its own floor or a lower one, and so within the folders of generator/dynamics and
+#    runtime; runtime/ and examples' mains never include generator/;
 #  * a generated header includes <array> and <cmath> only;
 #  * the SPDX line near the top names the licence of the folder;
 #  * no source is above 500 lines (what is generated may be).
@@ -16,9 +17,19 @@ awk '
     floors = "expression 0 geometry 1 mechanics 2 dynamics 3 import 3 emission 4 reading 4 verification 5 cli 6 torsor.hpp 7 queries.hpp 7"  # the umbrella headers stand on all
     count = split(floors, word, " ")
     for (i = 1; i < count; i += 2) height[word[i]] = word[i + 1]
+    rooms("generator/dynamics", "motion forces recursions structure equations derivatives theorems")
+    rooms("runtime", "numerics records steps constraints events integration small_motions sundials batch mpi")
+    room_height["runtime"] = 0  # the contract between mechanisms and methods, in the folder itself
     split("runtime templates cmake examples generated", list, " ")
     for (i in list) mit[list[i]] = 1
   }
+  # Folders within a folder, lowest first.
+  function rooms(parent, names,   list, i) {
+    split(names, list, " ")
+    for (i in list) room_height[parent "/" list[i]] = i + 0
+  }
+  function room_of(path) { sub(/\/[^\/]*$/, "", path); return path }
+  function parent_of(path) { return path ~ /^generator\/dynamics\// ? "generator/dynamics" : path ~ /^runtime\// ? "runtime" : "" }
   function violation(text) { print text; bad = 1 }
   function included(line,   path) {
     if (line !~ /^[ \t]*#[ \t]*include[ \t]*["<]/) return ""
@@ -27,7 +38,7 @@ awk '
     sub(/[">].*$/, "", path)
     return path
   }
-  function check(file,   part, folder, line, number, licence, spdx, path, piece, code) {
+  function check(file,   part, folder, line, number, licence, spdx, path, piece, code, room, other) {
     split(file, part, "/")
     folder = file ~ /\// ? part[1] : ""
     licence = folder in mit ? "MIT" : "GPL-3.0-or-later"
@@ -49,6 +60,14 @@ awk '
         else if (!(piece[2] in height)) violation(file ":" number ": generator/" piece[2] " is no floor")
         else if (height[piece[2]] > height[part[2]])
           violation(file ":" number ": floor " part[2] " includes the higher floor " piece[2] " (" path ")")
+      }
+      if (parent_of(file) != "" && parent_of(file) == parent_of(path)) {
+        room = room_of(file)
+        other = room_of(path)
+        if (!(room in room_height)) violation(file ": " room " is no folder of " parent_of(file))
+        else if (!(other in room_height)) violation(file ":" number ": " other " is no folder of " parent_of(file))
+        else if (room_height[other] > room_height[room])
+          violation(file ":" number ": " room " includes " other ", which stands higher (" path ")")
       }
       if (folder == "generator" && piece[1] == "runtime") violation(file ":" number ": generator includes runtime (" path ")")
       if (folder == "runtime" && piece[1] == "generator") violation(file ":" number ": runtime includes generator (" path ")")

@@ -15,8 +15,10 @@ put() {  # put FILE LINE...
 }
 for i in 1 2 3 4 5 6; do put "generator/expression/file_$i.hpp" "$gpl"; done
 put generator/mechanics/body.hpp "$gpl" '#include "generator/expression/file_1.hpp"'
-put generator/dynamics/lagrange.hpp "$gpl" '#include "generator/mechanics/body.hpp"'
-put runtime/solve.hpp "$mit" '#include <Eigen/Dense>'
+put generator/dynamics/theorems/lagrange.hpp "$gpl" '#include "generator/mechanics/body.hpp"'
+put runtime/system.hpp "$mit"
+put runtime/events/guard.hpp "$mit" '#include "runtime/system.hpp"'
+put runtime/numerics/solve.hpp "$mit" '#include <Eigen/Dense>'
 put generated/arm.hpp "$mit" '#include <array>' '#include <cmath>'
 put scripts/run '#!/bin/sh' '# SPDX-License-Identifier: GPL-3.0-or-later'
 bash "$check" "$tree" || { echo "a clean tree was refused"; exit 1; }
@@ -29,10 +31,14 @@ expect() {  # expect TEXT FILE LINE...: with that file the check must fail and p
   grep -qF -- "$text" <<< "$output" || { echo "$file: expected '$text', got: $output"; exit 1; }
   if [ -n "$before" ]; then printf '%s\n' "$before" > "$file"; else rm "$file"; fi
 }
-expect 'includes the higher floor dynamics' generator/mechanics/x.cpp "$gpl" '#include "generator/dynamics/lagrange.hpp"'
+expect 'includes the higher floor dynamics' generator/mechanics/x.cpp "$gpl" '#include "generator/dynamics/theorems/lagrange.hpp"'
 expect 'includes the higher floor cli' generator/verification/x.hpp "$gpl" '#  include "generator/cli/main.hpp"'
-expect 'generator includes runtime' generator/cli/x.cpp "$gpl" '#include "runtime/solve.hpp"'
+expect 'generator includes runtime' generator/cli/x.cpp "$gpl" '#include "runtime/numerics/solve.hpp"'
 expect 'is no floor' generator/misc/x.cpp "$gpl" '#include "generator/mechanics/body.hpp"'
+expect 'which stands higher' runtime/numerics/x.hpp "$mit" '#include "runtime/events/guard.hpp"'
+expect 'which stands higher' runtime/x.hpp "$mit" '#include "runtime/events/guard.hpp"'
+expect 'which stands higher' generator/dynamics/motion/x.cpp "$gpl" '#include "generator/dynamics/theorems/lagrange.hpp"'
+expect 'is no folder of generator/dynamics' generator/dynamics/x.cpp "$gpl" '#include "generator/dynamics/theorems/lagrange.hpp"'
 expect 'runtime includes generator' runtime/x.hpp "$mit" '#include "generator/expression/file_1.hpp"'
 expect 'a main includes generator' examples/arm/main.cpp "$mit" '#include "generator/mechanics/body.hpp"'
 expect 'only <array> and <cmath>' generated/x.hpp "$mit" '#include <vector>'
