@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # compile_alone.sh COMPILER HEADER FOLDER: compiles every kernel of the header, in double and in float and with nothing
 # else, under the flags of its contract; then looks at what the object asks of the outside and whether it holds state.
-# Float is optimised too where the header is below 60 kB, or TORSOR_LONG_TESTS is set. Ends with 77 (skipped) when the
-# compiler is not installed.
+# Float is optimised too where the header is below 60 kB, or TORSOR_LONG_TESTS is set, which adds -O1 and -O3. Ends with
+# 77 (skipped) when the compiler is not installed.
 set -euo pipefail
 compiler="$1" header="$2" folder="$3"
 command -v "$compiler" > /dev/null || { echo "$compiler is not installed"; exit 77; }
@@ -19,7 +19,9 @@ done < <(sed -nE 's/^[[:space:]]*#[[:space:]]*include[[:space:]]*["<]([^">]*)[">
 mechanism="$(sed -nE 's/^(inline )?namespace ([A-Za-z_0-9:]+) *\{.*/\2/p' "$header" | grep -vx torsor | tail -n 1)"
 [ -n "$mechanism" ] || { echo "$header: found no namespace but torsor"; exit 1; }
 
-for level in -O2 -O0; do
+levels=(-O2 -O0)
+[ -z "${TORSOR_LONG_TESTS:-}" ] || levels+=(-O3 -O1)
+for level in "${levels[@]}"; do
   object="$folder/$compiler$level.o" source="$folder/$compiler$level.cpp"
   printf '#include "%s"\ntemplate struct %s::Mechanism<double>;\n' "$header" "$mechanism" > "$source"
   if [ $level = -O0 ] || [ -n "${TORSOR_LONG_TESTS:-}" ] || [ "$(stat -c %s "$header")" -lt 60000 ]; then

@@ -3,8 +3,8 @@
 # worst_states.sh HEADER FOLDER PROGRAM: every kernel of the header at random and at the worst states, under each
 # rounding, made by each compiler there is at -O0 and -O2, and with fused multiply-add. PROGRAM is the object of
 # stress/states.cpp; objects of the kernels are those that compile_alone.sh left in FOLDER, or are made here.
-# TORSOR_LONG_TESTS: 240 000 states instead of 10 000 (ten million over all examples), large headers with fused
-# multiply-add too.
+# TORSOR_LONG_TESTS: 240 000 states instead of 10 000 (ten million over all examples), -O1 and -O3 too, large headers
+# with fused multiply-add too.
 set -euo pipefail
 header="$1" folder="$2" program="$3"
 here="$(cd "$(dirname "$0")" && pwd)"
@@ -21,11 +21,13 @@ printf '#include "%s"\n#include "%s/stress/kernels_by_number.hpp"\n%s template s
 g++ -std=c++17 -O0 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -fno-exceptions -fno-rtti \
   -c "$source" -o "$folder/by_number.o"
 
+levels=(-O2 -O0)
+[ -z "$long" ] || levels+=(-O1 -O3)
 states() { echo "$1:" "${@:2}"; "$folder/states-$1" "${@:2}"; }
 first=""
 for compiler in g++ clang++; do
   command -v "$compiler" > /dev/null || continue
-  for level in -O2 -O0; do
+  for level in "${levels[@]}"; do
     made="$compiler$level"
     [ -e "$folder/$made.o" ] || bash "$here/compile_alone.sh" "$compiler" "$header" "$folder"
     g++ "$folder/by_number.o" "$folder/$made.o" "$program" -o "$folder/states-$made"
