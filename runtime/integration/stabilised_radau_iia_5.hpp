@@ -84,12 +84,13 @@ class StabilisedEquations {
   void solve(Pairs& r) const noexcept { pair_.solve(*this, r); }
 
   /// Takes away what Newton's method left of the constraints at the end of a step, along the same directions;
-  /// quaternions get their norm back.
+  /// quaternions get their norm back. Where the residual is rounding already and the directions magnify it (a mechanism
+  /// near a position where its constraints lose their rank), the state stays as it is. False, with
+  /// Evaluation::singular, where the corrections do not end; Evaluation::not_finite where something overflows.
   template <class F>
   [[nodiscard]] bool finish(F& f, Scalar t, const Vector& y, Vector& change) const {
     constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
     Scalar moved = Scalar(0);
-    Scalar terms = Scalar(0);  // the largest residual in units of its terms
     for (int round = 0; round < 20; ++round) {
       Vector x;
       for (std::size_t i = 0; i < size; ++i) x[i] = y[i] + change[i];
@@ -100,24 +101,30 @@ class StabilisedEquations {
         x = of_norm;
       }
       Residual c = residual(f, t, x);
-      if (!all_finite(c)) {
+      const Scalar terms = in_terms(c, x);
+      projection_.solve(c);
+      Vector correction{};
+      for (std::size_t j = 0; j < extra; ++j) {
+        for (std::size_t i = 0; i < size; ++i) correction[i] += B_[j * size + i] * c[j];
+      }
+      if (std::isnan(terms) || !all_finite(correction)) {
         f.evaluation = Evaluation::not_finite;
         return false;
       }
-      terms = in_terms(c, x);
-      projection_.solve(c);
       const Scalar last = moved;
       moved = Scalar(0);
       for (std::size_t i = 0; i < size; ++i) {
-        Scalar correction = Scalar(0);
-        for (std::size_t j = 0; j < extra; ++j) correction += B_[j * size + i] * c[j];
-        change[i] -= correction;
-        if (correction != Scalar(0))
-          moved = std::max(moved, std::abs(correction) / (std::abs(x[i]) + std::abs(change[i])));
+        if (correction[i] == Scalar(0)) continue;
+        moved = std::max(moved, std::abs(correction[i]) / (std::abs(x[i]) + std::abs(change[i] - correction[i])));
       }
-      if (moved <= epsilon || (terms <= Scalar(4) * epsilon && round > 0 && moved > last / Scalar(2))) break;
+      // What is left is rounding: of the residual, which would be magnified, or of the corrections, which go to and
+      // fro.
+      if (terms <= few_roundings && moved > magnified * terms) return true;
+      if (terms <= Scalar(4) * epsilon && round > 0 && moved > last / Scalar(2)) return true;
+      for (std::size_t i = 0; i < size; ++i) change[i] -= correction[i];
+      if (moved <= epsilon) return true;
     }
-    if (std::min(terms, moved) <= few_roundings) return true;  // else B no longer serves
+    if (moved <= few_roundings) return true;  // else B no longer serves
     f.evaluation = Evaluation::singular;
     return false;
   }
@@ -125,6 +132,7 @@ class StabilisedEquations {
  private:
   using Residual = std::array<Scalar, extra>;
   static constexpr Scalar few_roundings = Scalar(1e3) * std::numeric_limits<Scalar>::epsilon();
+  static constexpr Scalar magnified = Scalar(1e5);
 
   static constexpr Scalar unit(std::size_t i, std::size_t j) noexcept { return i == j ? Scalar(1) : Scalar(0); }
 
@@ -198,12 +206,16 @@ class StabilisedEquations {
   }
 
   // The largest residual relative to the terms it is a sum of: a rounding, whatever coordinate passes through zero.
+  // Infinite where all terms vanish, not a number where one is not.
   Scalar in_terms(const Residual& c, const Vector& x) const noexcept {
     Scalar largest = Scalar(0);
     for (std::size_t j = 0; j < extra; ++j) {
       Scalar terms = Scalar(0);
       for (std::size_t i = 0; i < size; ++i) terms += std::abs(C_[i * extra + j] * x[i]);
-      if (c[j] != Scalar(0)) largest = std::max(largest, std::abs(c[j]) / terms);
+      if (c[j] == Scalar(0)) continue;
+      const Scalar relative = std::abs(c[j]) / terms;
+      if (std::isnan(relative)) return relative;  // a maximum would drop it
+      largest = std::max(largest, relative);
     }
     return largest;
   }

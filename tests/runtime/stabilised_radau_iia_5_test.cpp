@@ -112,5 +112,97 @@ TEST(StabilisedRadauIia5, ReportsConstraintsThatLoseTheirRank) {
   EXPECT_EQ(result.evaluation, Evaluation::singular);
 }
 
+/// A point at rest, held on x = y and on x - y + δ (z - 1) = 0: two planes that δ turns against each other. Where
+/// x is above 1.5 the second is not a number.
+struct NearlyParallelPlanes {
+  static constexpr int coordinate_count = 3, velocity_count = 3, input_count = 0, parameter_count = 1,
+                       multiplier_count = 2;
+  struct Parameters {
+    static constexpr int size = 1;
+    double delta = 1;
+  };
+  using Coordinates = mechanisms::Values<double, 3>;
+  using Velocities = mechanisms::Values<double, 3>;
+  using Accelerations = mechanisms::Values<double, 3>;
+  using GeneralizedForces = mechanisms::Values<double, 3>;
+  using Inputs = mechanisms::Nothing;
+  using Multipliers = mechanisms::Values<double, 2>;
+  struct State {
+    double time;
+    Coordinates q;
+    Velocities v;
+  };
+  struct Precomputed {
+    Parameters parameters;
+  };
+  struct Constraints {
+    std::array<double, 2> value, rate;
+    std::array<double, 6> jacobian;
+    std::array<double, 2> gamma;
+  };
+  static Parameters default_parameters() noexcept { return {}; }
+  static Precomputed precompute(const Parameters& p) noexcept { return {p}; }
+  static State initial_state() noexcept { return {0, {{1, 1, 1}}, {{0, 0, 0}}}; }
+  static void mass_matrix(const Precomputed&, const State&, std::array<double, 9>& mass) noexcept {
+    mass = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  }
+  static void bias(const Precomputed&, const State&, GeneralizedForces& h) noexcept { h = {}; }
+  static void constraints(const Precomputed& p, const State& s, Constraints& c) noexcept {
+    const double delta = p.parameters.delta;
+    c.value = {s.q[0] - s.q[1], s.q[0] - s.q[1] + delta * (s.q[2] - 1)};
+    if (s.q[0] > 1.5) c.value[1] = std::sqrt(-s.q[0]);
+    c.rate = {s.v[0] - s.v[1], s.v[0] - s.v[1] + delta * s.v[2]};
+    c.jacobian = {1, 1, -1, -1, 0, delta};
+    c.gamma = {};
+  }
+  static mechanisms::Status forward_dynamics(const Precomputed&, const State&, const Inputs&, Accelerations& a,
+                                             Multipliers& lambda) noexcept {
+    a = {};
+    lambda = {};
+    return mechanisms::Status::ok;
+  }
+};
+
+/// What the last projection of a step makes of a change of the state that the planes start in.
+struct LastWord {
+  bool accepted = false;
+  Evaluation evaluation = Evaluation::ok;
+  std::array<double, 6> change{};
+};
+LastWord last_word(double delta, const std::array<double, 6>& change) {
+  using Motion = EquationsOfMotion<NearlyParallelPlanes>;
+  Motion motion(NearlyParallelPlanes::Parameters{delta});
+  CheckedSystem<Motion, double, 6> f(motion);
+  StabilisedEquations<Motion, double, 6> equations;
+  const std::array<double, 6> y = motion.initial();
+  EXPECT_TRUE(equations.linearise(f, 0.0, y, {}));
+  LastWord word;
+  word.change = change;
+  word.accepted = equations.finish(f, 0.0, y, word.change);
+  word.evaluation = f.evaluation;
+  return word;
+}
+
+TEST(StabilisedRadauIia5, DoesNotMagnifyRoundingInItsLastProjection) {
+  // z is off by 1e-6, which planes that differ by 1e-7 see as 1e-13 of terms of 2: rounding, which says nothing of z.
+  const LastWord magnified = last_word(1e-7, {0, 0, 1e-6, 0, 0, 0});
+  EXPECT_TRUE(magnified.accepted);
+  EXPECT_EQ(magnified.change[2], 1e-6);
+  // Planes that are not parallel bring it back, to the last bits of 1.
+  const LastWord plain = last_word(1, {0, 0, 1e-3, 0, 0, 0});
+  EXPECT_TRUE(plain.accepted);
+  EXPECT_NEAR(plain.change[2], 0.0, 2 * 2.3e-16);
+  // And where the residual is more than rounding it is taken away whatever the angle: 1e-5 of z is 1e-11.
+  const LastWord seen = last_word(1e-6, {0, 0, 1e-5, 0, 0, 0});
+  EXPECT_TRUE(seen.accepted);
+  EXPECT_LT(std::abs(seen.change[2]), 1e-5 / 10);
+}
+
+TEST(StabilisedRadauIia5, RefusesToEndAStepWhereConstraintsAreNotFinite) {
+  const LastWord word = last_word(1, {1, 1, 0, 0, 0, 0});
+  EXPECT_FALSE(word.accepted);
+  EXPECT_EQ(word.evaluation, Evaluation::not_finite);
+}
+
 }  // namespace
 }  // namespace stabilised_radau_iia_5_test
