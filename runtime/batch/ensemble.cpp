@@ -6,6 +6,7 @@
 #include <exception>
 #include <mutex>
 #include <ostream>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
@@ -151,6 +152,11 @@ class Run {
 
 EnsembleProgress run_ensemble(const std::filesystem::path& path, const RecordHead& head, const EnsembleGroups& groups,
                               const EnsembleOptions& options) {
+  if (groups.together == 0) {
+    throw std::invalid_argument(
+        "run_ensemble: EnsembleGroups::together is 0, so that no group has a member: give the number of members that "
+        "are computed together, 1 or more");
+  }
   RecordFile file(path, head);
   Run run(file, head, options);
   if (!run.tell() || file.complete()) return run.progress();

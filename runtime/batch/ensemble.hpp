@@ -30,9 +30,11 @@ using EnsembleMember = std::function<void(std::uint64_t index, std::span<double>
 
 /// Members that are computed together, as a SIMD register's lanes are: `compute` writes the records of members first to
 /// first + count - 1, one behind the other. Groups begin at multiples of `together`; the last may be smaller. One that
-/// is in the file in part is computed anew, so what a member's record depends on in its group stays the same.
+/// is in the file in part is computed anew, so what a member's record depends on in its group stays the same. If a
+/// record depends on `together` (by what is fused, or by its neighbours) it must be part of the head's question: else a
+/// file may be continued with groups of another size.
 struct EnsembleGroups {
-  std::uint64_t together = 1;
+  std::uint64_t together = 1;  ///< 1 or more
   std::function<void(std::uint64_t first, std::uint64_t count, std::span<double> records)> compute;
 };
 
@@ -41,7 +43,8 @@ struct EnsembleGroups {
 /// byte by byte, whatever the number of threads. Throws FileError, see RecordFile, and what the members throw.
 EnsembleProgress run_ensemble(const std::filesystem::path& file, const RecordHead& head, const EnsembleMember& member,
                               const EnsembleOptions& options = {});
-/// As above; as many groups are under way at once as there are threads.
+/// As above; as many groups are under way at once as there are threads. Throws std::invalid_argument where
+/// `groups.together` is 0, before the file is touched.
 EnsembleProgress run_ensemble(const std::filesystem::path& file, const RecordHead& head, const EnsembleGroups& groups,
                               const EnsembleOptions& options = {});
 

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <sstream>
+#include <stdexcept>
 #include <thread>
 
 #include "tests/runtime/mechanisms.hpp"
@@ -114,6 +115,16 @@ TEST_F(Ensemble, RefusesWhatIsNoFileOfRecords) {
   }
   EXPECT_NE(error_of<FileError>([&] { run_ensemble(folder, seven, squares); }), "");
   EXPECT_NE(error_of<FileError>([&] { run_ensemble(folder / "none" / "results", seven, squares); }), "");
+}
+
+TEST_F(Ensemble, RefusesGroupsWithoutMembers) {
+  for (const unsigned threads : {1U, 2U}) {
+    const std::string error = error_of<std::invalid_argument>([&] {
+      run_ensemble(file("empty"), seven, EnsembleGroups{0, [](auto, auto, auto) {}}, {.threads = threads});
+    });
+    EXPECT_TRUE(mentions(error, {"EnsembleGroups::together", "is 0", "1 or more"}));
+    EXPECT_FALSE(std::filesystem::exists(file("empty")));
+  }
 }
 
 TEST_F(Ensemble, RefusesAFileThatIsBeingWritten) {
