@@ -153,13 +153,14 @@ concept HasJets = HasForwardDynamics<M> &&
 /// The most that can be asked of the kernel `jets`.
 inline constexpr std::size_t jet_order_max = 30;
 
-/// Gives the unit quaternions among the coordinates of y their norm back.
+/// Gives the unit quaternions among the coordinates of y their norm back; of packs too, lane by lane.
 template <HasQuaternions M, class Scalar>
 void normalise_quaternions(std::array<Scalar, coordinates_of<M> + velocities_of<M>>& y) noexcept {
   for (const int first : M::quaternions) {
     const auto w = static_cast<std::size_t>(first);
     const Scalar square = y[w] * y[w] + y[w + 1] * y[w + 1] + y[w + 2] * y[w + 2] + y[w + 3] * y[w + 3];
-    const Scalar scale = Scalar(1) / std::sqrt(square);
+    using std::sqrt;
+    const Scalar scale = Scalar(1) / sqrt(square);
     for (std::size_t k = 0; k < 4; ++k) y[w + k] *= scale;
   }
 }

@@ -42,14 +42,7 @@ class PackedMotion {
 
   /// As EquationsOfMotion does, lane by lane.
   [[nodiscard]] bool settle(Vector& y) const noexcept {
-    if constexpr (HasQuaternions<Packed>) {
-      for (const int first : Packed::quaternions) {
-        const auto w = static_cast<std::size_t>(first);
-        const Pack square = y[w] * y[w] + y[w + 1] * y[w + 1] + y[w + 2] * y[w + 2] + y[w + 3] * y[w + 3];
-        const Pack scale = Pack(1) / Pack::sqrt(square);
-        for (std::size_t k = 0; k < 4; ++k) y[w + k] *= scale;
-      }
-    }
+    if constexpr (HasQuaternions<Packed>) normalise_quaternions<Packed>(y);
     return every_finite(y);
   }
 
@@ -96,7 +89,10 @@ class PackedSteps {
 ///   run_ensemble(file, ensemble.head(), ensemble.groups(), options)
 /// Each lane's operations are those of a member alone: without fused multiply-adds (-ffp-contract=off) the records are
 /// the same bit by bit, with them both stay within the same bound of rounding. A group of which one member fails, or
-/// whose members start at different times, is computed member by member. `InputLaw` is given for both scalars.
+/// whose members start at different times, is computed member by member.
+/// `InputLaw` is given for both scalars, or for none. Both are called from several threads at once, each for members of
+/// its own, and must give in each lane what the law of one member gives for that lane's state: else a record depends on
+/// whether its group was computed in a pack. What they depend on, gains say, belongs into `label`.
 template <template <class> class Mechanism, class Number, class Members, ExplicitFixedStep Method,
           template <class> class InputLaw = NoInputs, int lanes = native_lanes<Number>>
 class PackedMotionEnsemble {
@@ -106,12 +102,18 @@ class PackedMotionEnsemble {
   using Alone = MotionEnsemble<Single, Members, Method, InputLaw<Single>>;
 
   PackedMotionEnsemble(std::uint64_t count, Members members, std::vector<Number> times, Method method,
-                       InputLaw<Single> law = {}, InputLaw<Packed> packed_law = {}, std::string label = {})
+                       InputLaw<Single> law, InputLaw<Packed> packed_law, std::string label = {})
       : members_(members),
         times_(times),
         method_(method),
         packed_law_(std::move(packed_law)),
         alone_(count, std::move(members), std::move(times), method, std::move(law), std::move(label)) {}
+
+  /// Of mechanisms without inputs, or with inputs that are zero.
+  PackedMotionEnsemble(std::uint64_t count, Members members, std::vector<Number> times, Method method,
+                       std::string label = {}) requires std::same_as<InputLaw<Single>, NoInputs<Single>>
+      : PackedMotionEnsemble(count, std::move(members), std::move(times), std::move(method), {}, {}, std::move(label)) {
+  }
 
   /// Another question than that of the members alone, because fused operations may round otherwise.
   [[nodiscard]] RecordHead head() const {
@@ -194,14 +196,23 @@ class PackedMotionEnsemble {
 
 /// `const auto ensemble = packed_motion_ensemble<arm7::Mechanism, double>(1000, members, times, RungeKutta4{.step =
 /// 1e-3});`
-template <template <class> class Mechanism, class Number, template <class> class InputLaw = NoInputs, class Members,
+template <template <class> class Mechanism, class Number, class Members, ExplicitFixedStep Method>
+[[nodiscard]] auto packed_motion_ensemble(std::uint64_t count, Members members, std::vector<Number> times,
+                                          Method method, std::string label = {}) {
+  return PackedMotionEnsemble<Mechanism, Number, Members, Method>(count, std::move(members), std::move(times),
+                                                                  std::move(method), std::move(label));
+}
+
+/// With a law of inputs for one member and for a pack of them: `packed_motion_ensemble<arm7::Mechanism, double,
+/// Law>(1000, members, times, method, Law<Single>{gains}, Law<Packed>{gains})`. See PackedMotionEnsemble.
+template <template <class> class Mechanism, class Number, template <class> class InputLaw, class Members,
           ExplicitFixedStep Method>
 [[nodiscard]] auto packed_motion_ensemble(std::uint64_t count, Members members, std::vector<Number> times,
-                                          Method method, InputLaw<Mechanism<Number>> law = {},
-                                          InputLaw<Mechanism<NativeSimd<Number>>> packed_law = {},
-                                          std::string label = {}) {
-  return PackedMotionEnsemble<Mechanism, Number, Members, Method, InputLaw>(
-      count, std::move(members), std::move(times), method, std::move(law), std::move(packed_law), std::move(label));
+                                          Method method, InputLaw<Mechanism<Number>> law,
+                                          InputLaw<Mechanism<NativeSimd<Number>>> packed_law, std::string label = {}) {
+  return PackedMotionEnsemble<Mechanism, Number, Members, Method, InputLaw>(count, std::move(members), std::move(times),
+                                                                            std::move(method), std::move(law),
+                                                                            std::move(packed_law), std::move(label));
 }
 
 }  // namespace torsor::runtime

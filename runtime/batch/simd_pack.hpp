@@ -258,6 +258,7 @@ class Simd {
     for (int i = 0; i < lanes; ++i) result.values_[i] = std::sqrt(Number(a.values_[i]));
     return result;
   }
+  [[nodiscard]] friend TORSOR_SIMD_INLINED Simd sqrt(const Simd& a) noexcept { return Simd::sqrt(a); }
 
   /// Sine and cosine of r + n pi/2 from those of r and from `turned`, n plus a number so large (1.5 2^52 or 1.5 2^23)
   /// that the last bit counts 1: the last two bits are n modulo 4. Only of packs that fill a register.

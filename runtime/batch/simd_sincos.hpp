@@ -50,7 +50,8 @@ struct scalar_traits<runtime::SideBySide<Pack, count>> {
 namespace runtime {
 
 /// Sines and cosines of `count` angles, up to SineCosine's bound, in packs that fill a register: bit by bit what
-/// SineCosine::core gives, by fewer operations and with several at work.
+/// SineCosine::core gives where the compiler fuses nothing else (-ffp-contract=off), within the same bound where it
+/// does; by fewer operations and with several at work.
 ///  * n is exact in 21 bits (float: 10), n P and n Q are exact, so a product that is fused with its sum rounds as one
 ///    that is not, and may be formed twice;
 ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "generated/heavy_top.hpp"
+#include "generated/satellite_arms.hpp"
 #include "generated/torque_free_body.hpp"
 #include "tests/runtime/temporary_folder.hpp"
 
@@ -150,6 +151,52 @@ TEST(PackedEnsemble, ComputesMembersThatStartAtDifferentTimesAlone) {
     return member;
   };
   EXPECT_EQ((different<heavy_top::Mechanism>(11, members, RungeKutta4{.step = 3e-3})), 0);
+}
+
+/// Torques of the arms by gains that are set when the law is made.
+template <class M>
+struct Regulator {
+  ScalarOf<M> stiffness, damping;
+  typename M::Inputs operator()(const typename M::State& state) const noexcept {
+    typename M::Inputs inputs{};
+    for (int i = 0; i < 2; ++i) inputs[i] = -(stiffness * state.q[i + 1] + damping * state.v[i + 1]);
+    return inputs;
+  }
+};
+
+template <class... Laws>
+concept TakesLaws = requires(Member<satellite_arms::Mechanism<double>> (*members)(std::uint64_t), Laws... laws) {
+  packed_motion_ensemble<satellite_arms::Mechanism, double, Regulator>(1, members, times, RungeKutta4{}, laws...);
+};
+
+TEST(PackedEnsemble, TakesTheGainsOfItsLaws) {
+  using Arms = satellite_arms::Mechanism<double>;
+  using Alone = Regulator<Arms>;
+  using InPacks = Regulator<satellite_arms::Mechanism<NativeSimd<double>>>;
+  // A law for members alone would leave packs to gains of zero: both, or none.
+  static_assert(TakesLaws<Alone, InPacks> && !TakesLaws<Alone> && !TakesLaws<>);
+  const auto members = [](std::uint64_t i) {
+    Member<Arms> member;
+    for (int k = 0; k < 3; ++k) member.state.q[k] = 0.2 + 0.05 * static_cast<double>(i) - 0.1 * k;
+    return member;
+  };
+  const RungeKutta4 method{.step = 5e-3};
+  const auto records_with = [&](double stiffness, double damping) {
+    using Pack = NativeSimd<double>;
+    const auto packed = packed_motion_ensemble<satellite_arms::Mechanism, double, Regulator>(
+        11, members, times, method, Alone{stiffness, damping}, InPacks{Pack(stiffness), Pack(damping)}, "regulated");
+    const auto alone = motion_ensemble<Arms>(11, members, times, method, Alone{stiffness, damping}, "regulated");
+    const RecordHead head = alone.head();
+    const std::vector<double> records = records_of(packed, head);
+    for (std::uint64_t i = 0; i < 11; ++i) {
+      std::vector<double> expected(head.numbers);
+      alone(i, expected);
+      EXPECT_EQ(std::memcmp(expected.data(), &records[i * head.numbers], head.numbers * sizeof(double)), 0) << i;
+      EXPECT_EQ(records[i * head.numbers], static_cast<double>(IntegrationStatus::reached_end));
+    }
+    return records;
+  };
+  EXPECT_NE(records_with(3.0, 0.5), records_with(0.0, 0.0));
 }
 
 TEST(PackedEnsemble, SaysOfInvalidOptionsWhatMembersAloneSay) {
