@@ -115,10 +115,8 @@ TEST(StabilisedRadauIia5, ReportsConstraintsThatLoseTheirRank) {
 /// A point at rest, held on x = y and on x - y + δ (z - 1) = 0: two planes that δ turns against each other. Where
 /// x is above 1.5 the second is not a number.
 struct NearlyParallelPlanes {
-  static constexpr int coordinate_count = 3, velocity_count = 3, input_count = 0, parameter_count = 1,
-                       multiplier_count = 2;
+  static constexpr int coordinate_count = 3, velocity_count = 3, input_count = 0, multiplier_count = 2;
   struct Parameters {
-    static constexpr int size = 1;
     double delta = 1;
   };
   using Coordinates = mechanisms::Values<double, 3>;
