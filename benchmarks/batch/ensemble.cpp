@@ -7,6 +7,8 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <stdexcept>
+#include <string>
 
 #include MODEL_HEADER
 #include "runtime/batch/packed_motion_ensemble.hpp"
@@ -58,14 +60,23 @@ std::vector<Way> ways(const char* scalar) {
            std::vector<double>(member_count * numbers)}};
 }
 
-double difference(const std::vector<double>& records, const std::vector<double>& expected) {
+/// The greatest difference of a state, as a part of the greatest number. Throws where a member did not reach its end or
+/// a number is none.
+double difference(const Way& way, const std::vector<double>& expected) {
+  const std::vector<double>& records = way.records;
   const std::size_t numbers = records.size() / member_count;
   double greatest = 0, worst = 0;
   for (std::size_t i = 0; i < records.size(); ++i) {
+    if (i % numbers == 0 && records[i] != static_cast<double>(IntegrationStatus::reached_end))
+      throw std::runtime_error("ensemble: " + way.times.name + ", " + way.times.scalar + ": member " +
+                               std::to_string(i / numbers) + " did not reach its end");
     if (i % numbers < 4) continue;  // how it ended, not a state
-    greatest = std::max(greatest, std::abs(expected[i]));
     const double each = std::abs(records[i] - expected[i]);
-    if (!(each <= worst)) worst = each;
+    if (!std::isfinite(each))
+      throw std::runtime_error("ensemble: " + way.times.name + ", " + way.times.scalar + ": member " +
+                               std::to_string(i / numbers) + " has a state that is not finite");
+    greatest = std::max(greatest, std::abs(expected[i]));
+    worst = std::max(worst, each);
   }
   return worst / greatest;
 }
@@ -75,6 +86,14 @@ double difference(const std::vector<double>& records, const std::vector<double>&
 std::vector<EnsembleTimes> ensemble_times(int turns) {
   std::vector<Way> all = ways<double>("double");
   for (Way& way : ways<float>("float")) all.push_back(std::move(way));
+  // Equal results first; float is printed, not bounded.
+  for (Way& way : all) way.run(way.records);
+  for (Way& way : all) {
+    way.times.difference = difference(way, all[0].records);
+    if (way.times.scalar == "double" && !(way.times.difference <= 1e-9))
+      throw std::runtime_error("ensemble: " + way.times.name + " differs from members alone by " +
+                               std::to_string(way.times.difference));
+  }
   for (int turn = 0; turn < turns; ++turn) {
     for (Way& way : all) {
       using Clock = std::chrono::steady_clock;
@@ -88,7 +107,6 @@ std::vector<EnsembleTimes> ensemble_times(int turns) {
   std::vector<EnsembleTimes> times;
   for (Way& way : all) {
     way.times.timing = {kernels::spread_of(way.nanoseconds), kernels::spread_of(way.ratios)};
-    way.times.difference = difference(way.records, all[0].records);
     times.push_back(way.times);
   }
   return times;
