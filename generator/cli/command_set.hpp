@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "generator/cli/command_line.hpp"
@@ -26,7 +27,8 @@ class CommandSet {
   /// Declares a command, with --output and the options of the source; the caller adds those of the command itself.
   CLI::App& add(const std::string& name, const std::string& text, Run run);
 
-  const std::string& output() const { return output_; }
+  const std::string& output() const { return output_; }  ///< a file's name, or - for the standard output
+  /// Runs the command that the command line chose; to be called once it has been read.
   CommandResult run(const Scene& scene) const { return chosen_(scene); }
 
  private:
@@ -43,7 +45,7 @@ void add_verification_commands(CommandSet& commands);  ///< check, verify, refer
 void add_statics_commands(CommandSet& commands);       ///< force-function, unknowns, theorem, statics
 void add_structure_commands(CommandSet& commands);     ///< structure, graph, list
 
-/// --about NAME=VALUE, e.g. theta=0; repeatable.
+/// Adds --about NAME=VALUE, e.g. theta=0; repeatable. A word without = is a UsageError while the command line is read.
 using About = std::vector<std::pair<std::string, std::string>>;
 void add_about(CLI::App& command, About& about, const std::string& text);
 

@@ -17,7 +17,7 @@ struct KernelOptions {
   std::string forward = "cheapest";
   std::string without;
 
-  std::vector<std::string> names() const;
+  std::vector<std::string> names() const;  ///< of the kernels; an unknown one is a UsageError
   /// Throws UsageError for an unknown parameter, method or pass.
   ModelOptions model(const Scene& scene) const;
 };
@@ -34,6 +34,7 @@ struct StateOptions {
 };
 
 void add_state_options(CLI::App& command, StateOptions& options);
+/// --digits, from `least` to 1000, and --states, from 1 to a million.
 void add_digits(CLI::App& command, int& digits, const std::string& text, int least);
 void add_states(CLI::App& command, int& states, const std::string& text);
 

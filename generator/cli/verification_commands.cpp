@@ -121,9 +121,10 @@ void add_verify(CommandSet& commands) {
   command.add_option("--exceptions", request->exceptions,
                      "file of groups that may exceed the bar: scene | kernel | group | scalar | limit | reason");
   command.add_flag("--all", request->layout.every_group, "every group of results, not the worst of each kernel only");
-  command.add_flag("--markdown", request->markdown, "print one row of the table in docs/accuracy.md");
+  CLI::Option* markdown =
+      command.add_flag("--markdown", request->markdown, "print one row of the table in docs/accuracy.md");
   command.add_flag("--show-states", request->layout.with_states, "print the state of each row");
-  command.add_flag("--json", request->json, "print JSON");
+  command.add_flag("--json", request->json, "print JSON")->excludes(markdown);
 }
 
 void add_reference(CommandSet& commands) {

@@ -19,7 +19,7 @@
 #include "generator/emission/kernel_sensitivities.hpp"
 #include "generator/emission/kernel_sparse_jacobian.hpp"
 #include "generator/expression/error.hpp"
-#include "generator/expression/evaluation.hpp"
+#include "generator/expression/vanishing.hpp"
 
 namespace torsor {
 namespace {
@@ -195,10 +195,8 @@ Kernel make_reactions(const Equations& equations) {
 void clear_vanishing(Kernel& kernel) {
   std::vector<Value> values;
   for (const Assignment& assignment : kernel.assignments) values.push_back(assignment.value);
-  const std::vector<bool> zero = vanish(values);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (zero[i]) kernel.assignments[i].value = Value();
-  }
+  clear_vanishing(values);
+  for (std::size_t i = 0; i < values.size(); ++i) kernel.assignments[i].value = std::move(values[i]);
 }
 
 std::string no_unknowns(const Equations& equations) {

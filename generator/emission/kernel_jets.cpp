@@ -10,7 +10,7 @@
 
 #include "generator/emission/series_emitter.hpp"
 #include "generator/expression/derivative.hpp"
-#include "generator/expression/evaluation.hpp"
+#include "generator/expression/vanishing.hpp"
 
 namespace torsor {
 
@@ -66,10 +66,7 @@ Kernel make_jets(const Equations& equations) {
     kernel.skipped = "nothing moves";
     return kernel;
   }
-  const std::vector<bool> zero = vanish(rates);
-  for (std::size_t i = 0; i < rates.size(); ++i) {
-    if (zero[i]) rates[i] = Value();
-  }
+  clear_vanishing(rates);
   kernel.arguments = {Argument::inputs};
   kernel.pivots = solution.pivots;
   kernel.series = SeriesResult{SeriesProgram(equations.program(), rates), state, {}};

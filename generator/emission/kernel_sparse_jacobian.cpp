@@ -6,7 +6,7 @@
 
 #include "generator/emission/formula_printer.hpp"
 #include "generator/emission/kernel_parts.hpp"
-#include "generator/expression/evaluation.hpp"
+#include "generator/expression/vanishing.hpp"
 
 namespace torsor {
 namespace {

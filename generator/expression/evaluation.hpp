@@ -141,13 +141,4 @@ class Evaluator {
 extern template class Evaluator<double>;
 extern template class Evaluator<Real>;
 
-/// Whether a value vanishes identically: exactly when it has no term, else tested at three pseudo-random states with
-/// 60 digits (an identity of analytic functions fails at a random point with probability one).
-bool vanishes(const Value& value);
-/// The same for many values of one program, whose definitions are evaluated once for all.
-std::vector<bool> vanish(const std::vector<Value>& values);
-/// Makes zeros of those that vanish identically without showing it, which would be carried through all that follows.
-void clear_vanishing(std::vector<Value>& values);
-void clear_vanishing(std::vector<std::vector<Value>>& matrix);
-
 }  // namespace torsor

@@ -93,7 +93,7 @@ SeriesLowering::Product SeriesLowering::in_factors(const Product& product) const
 /// p / d + q = (p + q d) / d where a single product is left of p + q d: so are pivots of mass matrices of bodies of
 /// revolution, whose reciprocals then are products.
 void SeriesLowering::unite_quotients(std::vector<Product>& products) const {
-  if (products.size() < 2 || products.size() > longest_united) return;
+  if (!program_.passes().identities || products.size() < 2 || products.size() > longest_united) return;
   std::vector<Product> factored;
   for (const Product& each : products) factored.push_back(in_factors(each));
   int divisor = -1;

@@ -183,6 +183,7 @@ void SeriesLowering::multiply_by_node(Product& result, int node, int exponent) c
 
 void SeriesLowering::multiply(Product& result, Atom atom, int exponent) {
   const auto by_constant = [&](const Polynomial& known) {
+    if (known.is_zero() && exponent < 0) throw Error("a Taylor series is divided by what vanishes identically");
     result.coefficient = known.is_zero() ? Polynomial() : product_of(result.coefficient, power(known, exponent));
   };
   if (!constant_[at(atom)] && inlined_[at(atom)] && pieces_[at(atom)].size() == 1) {

@@ -40,9 +40,10 @@ bool is_nonlinear(const SeriesNode& node);
 
 /// The live part of a program as operations between Taylor series in time, with few that are not linear: sums of flat
 /// monomials are factored, factors times a sum take one product, a quotient is one operation and so is each reciprocal,
-/// equal operations are made once, and what is constant in time multiplies coefficients only. Inputs, parameters and
+/// equal operations are made once, sums make use of sin² + cos² = 1 and of divisors that cancel, and what is constant in
+/// time multiplies coefficients only. Inputs, parameters and
 /// numbers are constant; time, coordinates and velocities are series. Definitions are multiplied into what uses them
-/// where that saves operations: in programs that are not large each is tried, in small ones each pair too.
+/// where that saves operations: in programs that are not large each is tried alone and with each other, in small ones by threes too.
 ///
 /// Deterministic: nodes are numbered in the order of the program.
 class SeriesProgram {

@@ -5,7 +5,7 @@
 
 #include "generator/expression/derivative.hpp"
 #include "generator/expression/error.hpp"
-#include "generator/expression/evaluation.hpp"
+#include "generator/expression/vanishing.hpp"
 #include "generator/geometry/dyad.hpp"
 
 namespace torsor {

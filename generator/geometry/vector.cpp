@@ -2,7 +2,7 @@
 #include "generator/geometry/vector.hpp"
 
 #include "generator/expression/derivative.hpp"
-#include "generator/expression/evaluation.hpp"
+#include "generator/expression/vanishing.hpp"
 
 namespace torsor {
 namespace {

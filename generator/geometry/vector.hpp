@@ -5,6 +5,7 @@
 #include <string>
 
 #include "generator/expression/program.hpp"
+#include "generator/expression/vanishing.hpp"
 #include "generator/geometry/rotation.hpp"
 #include "generator/geometry/triple.hpp"
 

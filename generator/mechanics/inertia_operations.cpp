@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "generator/expression/error.hpp"
-#include "generator/expression/evaluation.hpp"
+#include "generator/expression/vanishing.hpp"
 #include "generator/mechanics/triple_algebra.hpp"
 
 namespace torsor {

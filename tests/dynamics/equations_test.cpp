@@ -27,6 +27,11 @@ double distance(const std::vector<Real>& x, const std::vector<Real>& y) {
   return difference.is_zero() ? 0 : (difference / size).to_double();
 }
 
+std::vector<Value> recursion_less_passive(const Equations& equations, std::vector<Value> recursion) {
+  for (std::size_t i = 0; i < recursion.size(); ++i) recursion[i] -= equations.actions().passive[i];
+  return recursion;
+}
+
 TEST_P(RandomEquations, AreTheSameWithAndWithoutRegroupedInertia) {
   const Scene scene = random_mechanism(GetParam());
   const Equations regrouped(scene);
@@ -76,9 +81,72 @@ TEST_P(RandomEquations, AreLinearInAccelerationsWithTheMassMatrixAndTheBias) {
     for (std::size_t j = 0; j < n; ++j)
       sum += evaluate(equations.mass()[i][j]) * evaluate(model.a(static_cast<int>(j)));
     sums.push_back(sum);
-    whole.push_back(evaluate(equations.inverse_dynamics()[i]));
+  }
+  // By one recursion, which inverse_dynamics() need not be.
+  const std::vector<Value> recursion = recursion_less_passive(
+      equations, inertia_forces(model, AccelerationInput::symbols, equations.actions().wrenches));
+  std::vector<Real> chosen;
+  for (std::size_t i = 0; i < n; ++i) {
+    whole.push_back(evaluate(recursion[i]));
+    chosen.push_back(evaluate(equations.inverse_dynamics()[i]));
   }
   EXPECT_LT(distance(sums, whole), 1e-45);
+  EXPECT_LT(distance(chosen, whole), 1e-45);
+}
+
+/// A mass of 3 kg and one of 1 kg about their centre, which they leave at r/4 and 3 r/4.
+TEST(Equations, ShowThatTheCentreOfMassUncouples) {
+  using namespace literals;
+  Scene scene("pair");
+  const Expression X = scene.coordinate("X", "m"), r = scene.coordinate("r", "m");
+  const FrameHandle centre = scene.prismatic("centre", scene.ground(), axis::x, X);
+  const FrameHandle first = scene.prismatic("first", centre, axis::x, r / 4);
+  const FrameHandle second = scene.prismatic("second", centre, axis::x, -3 * r / 4);
+  scene.body("first", first, Inertia::point(Expression::quantity("3", "kg")));
+  scene.body("second", second, Inertia::point(Expression::quantity("1", "kg")));
+  const Equations equations(scene);
+  EXPECT_TRUE(equations.mass()[0][1].is_zero());
+  EXPECT_TRUE(equations.mass()[1][0].is_zero());
+  // 4 X'' and 3/4 r''; joint by joint both forces depend on both accelerations.
+  EXPECT_EQ(count(equations.program(), equations.inverse_dynamics()).total(), 2);
+  const std::vector<Value> recursion =
+      inertia_forces(equations.model(), AccelerationInput::symbols, equations.actions().wrenches);
+  EXPECT_GT(count(equations.program(), recursion).total(), 2);
+  const RandomState state(scene, 3);
+  const WorkingDigits precision(60);
+  Evaluator<Real> evaluate(equations.program(), state.in_real());
+  EXPECT_LT(distance(evaluate(equations.inverse_dynamics()), evaluate(recursion)), 1e-55);
+}
+
+/// A chain costs less by one recursion.
+TEST(Equations, TakeTheRecursionWhereItCostsLess) {
+  Scene scene("chain");
+  FrameHandle link = scene.ground();
+  for (int k = 1; k <= 5; ++k) {
+    const std::string name = "q" + std::to_string(k);
+    const Expression angle = scene.coordinate(name, "rad");
+    link = scene.revolute("link" + std::to_string(k), link, k % 2 == 0 ? axis::z : axis::y, angle);
+    scene.body("link" + std::to_string(k), link,
+               Inertia::point(Expression::quantity("1", "kg")).at({Expression::quantity("1", "m"), 0, 0}));
+  }
+  const Equations equations(scene);
+  const std::vector<Value> recursion =
+      inertia_forces(equations.model(), AccelerationInput::symbols, equations.actions().wrenches);
+  EXPECT_EQ(count(equations.program(), equations.inverse_dynamics()).total(),
+            count(equations.program(), recursion_less_passive(equations, recursion)).total());
+}
+
+/// A force that is next to nothing but near 2 m is a force.
+TEST(Equations, KeepAForceThatActsInOneRegionOnly) {
+  Scene scene("cart");
+  const Expression x = scene.coordinate("x", "m");
+  const FrameHandle cart = scene.prismatic("cart", scene.ground(), axis::x, x);
+  scene.body("cart", cart, Inertia::point(Expression::quantity("1", "kg")));
+  scene.effort("wall", x,
+               Expression::quantity("-1", "N") * exp((x - Expression::quantity("2", "m")) / Expression::quantity("0.001", "m")));
+  const Equations equations(scene);
+  EXPECT_FALSE(equations.bias()[0].is_zero());
+  EXPECT_FALSE(equations.forward().accelerations[0].is_zero());
 }
 
 /// Central differences of the residual r = M q̈ + h − Aᵀλ − E u, step 1e-20: truncation and rounding leave 1e-38.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "generator/dynamics/equations/equations.hpp"
+#include "generator/expression/vanishing.hpp"
 #include "generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/dynamics/simple_scenes.hpp"

@@ -4,6 +4,7 @@
 #include "generator/dynamics/derivatives/linearisation.hpp"
 #include "generator/dynamics/equations/validation.hpp"
 #include "generator/dynamics/theorems/painleve.hpp"
+#include "generator/expression/vanishing.hpp"
 #include "generator/verification/check.hpp"
 #include "generator/verification/dense_linear.hpp"
 #include "tests/dynamics/simple_scenes.hpp"

@@ -6,6 +6,7 @@
 #include "generator/dynamics/equations/equations.hpp"
 #include "generator/dynamics/forces/energy.hpp"
 #include "generator/expression/derivative.hpp"
+#include "generator/expression/vanishing.hpp"
 #include "generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/expression/test_symbols.hpp"

@@ -5,6 +5,7 @@
 
 #include "generator/dynamics/equations/equations.hpp"
 #include "generator/dynamics/motion/contact_motion.hpp"
+#include "generator/expression/vanishing.hpp"
 #include "generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/dynamics/simple_scenes.hpp"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/expression/evaluation.hpp"
+#include "generator/expression/vanishing.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
 namespace torsor::kernel_kinematics_test {

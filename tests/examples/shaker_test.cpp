@@ -15,7 +15,7 @@
 #include "tests/examples/motion.hpp"
 
 #include "generator/dynamics/theorems/force_function.hpp"
-#include "generator/expression/evaluation.hpp"
+#include "generator/expression/vanishing.hpp"
 #include "generator/reading/force_function_text.hpp"
 #include "tests/examples/scenes.hpp"
 

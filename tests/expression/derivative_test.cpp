@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/expression/derivative.hpp"
+#include "generator/expression/vanishing.hpp"
 
 #include <gtest/gtest.h>
 

@@ -58,47 +58,5 @@ TEST(Evaluator, AsksForEachSymbolOnceAndForgetsItWhenMoved) {
   EXPECT_EQ(evaluate(program.lower(x * 7)), 21.0);
 }
 
-TEST(Vanishes, RecognisesIdentitiesThatNoTermByTermComparisonSees) {
-  Program program;
-  const Expression x = make_symbol("x");
-  const Expression y = make_symbol("y");
-  const auto zero = [&](const Expression& f) { return vanishes(program.lower(f)); };
-  EXPECT_TRUE(zero(sin(2 * x) - 2 * sin(x) * cos(x)));
-  EXPECT_TRUE(zero((x + y) * (x - y) - (x * x - y * y)));
-  EXPECT_TRUE(zero(exp(x + y) - exp(x) * exp(y)));
-  EXPECT_TRUE(zero(x - x));
-  EXPECT_TRUE(zero(pow(sin(0.3_r), 2) + pow(cos(0.3_r), 2) - 1));
-}
-
-TEST(Vanishes, IsNotFooledBySmallOrUndefinedValues) {
-  Program program;
-  const Expression x = make_symbol("x");
-  const auto zero = [&](const Expression& f) { return vanishes(program.lower(f)); };
-  EXPECT_FALSE(zero(sin(x) - x));
-  EXPECT_FALSE(zero(x * Expression(Number(10).pow(-30))));
-  EXPECT_FALSE(zero(Expression(Number(10).pow(-90))));
-  EXPECT_FALSE(zero(sqrt(-x - 1)));  // not a number anywhere
-}
-
-TEST(Vanishes, LooksAtBothSignsOfWhatMoves) {
-  Program program;
-  const Expression x = TestCoordinate("x").q;
-  const Expression length = make_symbol("length");
-  EXPECT_FALSE(vanishes(program.lower(sqrt(x * x) - x)));
-  EXPECT_FALSE(vanishes(program.lower(sqrt(x * x) + x)));
-  EXPECT_TRUE(vanishes(program.lower(sqrt(x * x) * sqrt(x * x) - x * x)));
-  EXPECT_TRUE(vanishes(program.lower(sqrt(length * length) - length)));  // parameters are taken for sizes
-}
-
-TEST(Vanishes, AnswersForManyValuesAtOnce) {
-  Program program;
-  const Expression x = make_symbol("x");
-  const std::vector<Value> values{program.lower(sin(2 * x) - 2 * sin(x) * cos(x)), Value(), program.lower(x),
-                                  program.lower(3), program.lower(exp(x) * exp(-x) - 1)};
-  EXPECT_EQ(vanish(values), (std::vector<bool>{true, true, false, false, true}));
-  EXPECT_EQ(vanish({}), std::vector<bool>{});
-  EXPECT_EQ(vanish({Value()}), std::vector<bool>{true});
-}
-
 }  // namespace
 }  // namespace torsor::evaluation_test

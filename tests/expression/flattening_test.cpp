@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "generator/expression/evaluation.hpp"
+#include "generator/expression/vanishing.hpp"
 #include "generator/mechanics/scene.hpp"
 
 namespace torsor::flattening_test {

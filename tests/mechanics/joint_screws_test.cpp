@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/expression/vanishing.hpp"
 #include "generator/mechanics/joint_screws.hpp"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "generator/expression/evaluation.hpp"
+#include "generator/expression/vanishing.hpp"
 
 namespace torsor {
 namespace {

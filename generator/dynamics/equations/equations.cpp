@@ -5,13 +5,14 @@
 
 #include "generator/dynamics/recursions/articulated_body.hpp"
 #include "generator/expression/error.hpp"
-#include "generator/expression/evaluation.hpp"
 #include "generator/expression/formula.hpp"
+#include "generator/expression/vanishing.hpp"
 
 namespace torsor {
 namespace {
 
-/// Beyond so many unknowns the mass matrix costs more than a recursion, and what vanishes shows by itself.
+/// Of longer chains the mass matrix alone costs more than a recursion (panda's, of seven, more than half of one), and
+/// asking all of its entries whether they vanish takes longer than deriving them.
 constexpr int most_for_parts = 12;
 
 }  // namespace

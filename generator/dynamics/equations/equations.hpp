@@ -27,7 +27,8 @@ class Equations {
   const std::vector<ConstraintRow>& constraints() const;
   /// Which constraints repeat others: `forward` leaves those out and takes their multipliers as zero.
   const ConstraintRank& redundancy() const;
-  const ValueMatrix& mass() const;                       ///< unknowns only
+  /// M, unknowns only. Of up to twelve unknowns what vanishes identically is zero, here and in the bias.
+  const ValueMatrix& mass() const;
   const std::vector<Value>& bias() const;                ///< h_i, every coordinate (released ones last)
   /// M q̈ + h − Σ λ_j column_j, every coordinate: by one recursion, or from M and h where that has fewer operations, as
   /// in coordinates that M does not couple.

@@ -10,6 +10,7 @@
 #include "generator/dynamics/equations/scene_checks.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/expression/evaluation.hpp"
+#include "generator/expression/vanishing.hpp"
 #include "generator/mechanics/inertia_validity.hpp"
 #include "generator/mechanics/parameter_value.hpp"
 

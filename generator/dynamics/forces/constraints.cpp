@@ -8,7 +8,7 @@
 #include "generator/dynamics/forces/friction.hpp"
 #include "generator/expression/derivative.hpp"
 #include "generator/expression/error.hpp"
-#include "generator/expression/evaluation.hpp"
+#include "generator/expression/vanishing.hpp"
 
 namespace torsor {
 namespace {

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "generator/dynamics/motion/motion.hpp"
-#include "generator/expression/evaluation.hpp"
+#include "generator/expression/vanishing.hpp"
 
 namespace torsor {
 namespace {

@@ -9,7 +9,7 @@
 #include "generator/dynamics/theorems/flat_polynomials.hpp"
 #include "generator/expression/derivative.hpp"
 #include "generator/expression/error.hpp"
-#include "generator/expression/evaluation.hpp"
+#include "generator/expression/vanishing.hpp"
 
 namespace torsor {
 namespace {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "generator/expression/derivative.hpp"
-#include "generator/expression/evaluation.hpp"
+#include "generator/expression/vanishing.hpp"
 
 namespace torsor {
 namespace {

@@ -9,6 +9,7 @@
 #include "generator/dynamics/theorems/joint_reactions.hpp"
 #include "generator/expression/derivative.hpp"
 #include "generator/expression/evaluation.hpp"
+#include "generator/expression/vanishing.hpp"
 
 namespace torsor {
 namespace {

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "generator/expression/program.hpp"
+
+namespace torsor {
+
+/// Whether a value vanishes identically: exactly when it has no term, else tested with 60 digits at pseudo-random states
+/// of numbers around one. At each it must be less than 10^-40, and of what its terms come to without their signs: a small
+/// number, however small, is none that vanishes. An identity of analytic functions fails at a random point with
+/// probability one; where square roots, exponentials or logarithms enter, which may be silent in one region and act in
+/// another (a stop, a wall), numbers between 10^-3 and 10^4 of either sign are tried as well.
+bool vanishes(const Value& value);
+/// The same for many values of one program, whose definitions are evaluated once for all.
+std::vector<bool> vanish(const std::vector<Value>& values);
+/// Makes zeros of those that vanish identically without showing it, which would be carried through all that follows.
+void clear_vanishing(std::vector<Value>& values);
+void clear_vanishing(std::vector<std::vector<Value>>& matrix);
+
+}  // namespace torsor
