@@ -394,6 +394,8 @@ struct Mechanism {
   using traits = torsor::scalar_traits<Scalar>;
 
   static constexpr const char* name = "andrews_squeezer";
+  /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
+  static constexpr unsigned long long fingerprint = 0x198deb3f461a5db2ULL;
   static constexpr int coordinate_count = 7;
   static constexpr int velocity_count = 7;
   static constexpr int input_count = 0;

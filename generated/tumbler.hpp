@@ -393,6 +393,8 @@ struct Mechanism {
   using traits = torsor::scalar_traits<Scalar>;
 
   static constexpr const char* name = "tumbler";
+  /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
+  static constexpr unsigned long long fingerprint = 0xf45d2088b7a6cbbfULL;
   static constexpr int coordinate_count = 6;
   static constexpr int velocity_count = 6;
   static constexpr int input_count = 0;

@@ -2,6 +2,9 @@
 #include "generator/emission/header.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <map>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -15,6 +18,7 @@
 #include "generator/emission/text_template.hpp"
 #include "generator/expression/decimal.hpp"
 #include "generator/expression/error.hpp"
+#include "generator/expression/fnv.hpp"
 
 namespace torsor {
 namespace {
@@ -166,26 +170,33 @@ std::string emit_header(const Equations& equations, const std::vector<Kernel>& k
   const std::string degrees = std::to_string(equations.model().unknown_count());
   const auto without_licence = [](std::string_view text) { return std::string(text.substr(text.find('\n') + 1)); };
   const bool jets = std::any_of(present.begin(), present.end(), [](const Kernel& kernel) { return kernel.series.has_value(); });
-  return fill_template("mechanism.hpp.in", embedded_template("mechanism.hpp.in"),
-                       {{"provenance", provenance_comment(provenance)},
-                        {"scene_name", scene.name()},
-                        {"sincos", without_licence(embedded_template("sincos.hpp"))},
-                        {"jet_support", jets ? without_licence(embedded_template("jets.hpp")) + "\n" : ""},
-                        {"coordinate_count", size(equations.model().positions().size())},
-                        {"velocity_count", degrees},
-                        {"input_count", size(equations.model().inputs().size())},
-                        {"parameter_count", size(parameters.size())},
-                        {"multiplier_count", size(content.constraints.size())},
-                        {"quaternions", quaternion_table(equations.model()) + redundancy_table(equations) +
-                                            limits_table(equations.model())},
-                        {"structures", blocks_text(common_text)},
-                        {"precomputed_members", precomputed_structure(program, schedule)},
-                        {"default_parameters", default_parameters_body(scene, parameters)},
-                        {"precompute", precompute.body},
-                        {"initial_parameters", start.reads_parameters ? " parameters" : ""},
-                        {"initial_state", start.body},
-                        {"kernel_structures", structure_texts.empty() ? "" : blocks_text(structure_texts) + "\n"},
-                        {"kernels", blocks_text(functions)}});
+  std::map<std::string, std::string> values = {
+      {"provenance", provenance_comment(provenance)},
+      {"scene_name", scene.name()},
+      {"sincos", without_licence(embedded_template("sincos.hpp"))},
+      {"jet_support", jets ? without_licence(embedded_template("jets.hpp")) + "\n" : ""},
+      {"coordinate_count", size(equations.model().positions().size())},
+      {"velocity_count", degrees},
+      {"input_count", size(equations.model().inputs().size())},
+      {"parameter_count", size(parameters.size())},
+      {"multiplier_count", size(content.constraints.size())},
+      {"quaternions",
+       quaternion_table(equations.model()) + redundancy_table(equations) + limits_table(equations.model())},
+      {"structures", blocks_text(common_text)},
+      {"precomputed_members", precomputed_structure(program, schedule)},
+      {"default_parameters", default_parameters_body(scene, parameters)},
+      {"precompute", precompute.body},
+      {"initial_parameters", start.reads_parameters ? " parameters" : ""},
+      {"initial_state", start.body},
+      {"kernel_structures", structure_texts.empty() ? "" : blocks_text(structure_texts) + "\n"},
+      {"kernels", blocks_text(functions)}};
+  const auto with_fingerprint = [&values](std::uint64_t bits) {
+    values["fingerprint"] = fmt::format("{:016x}", bits);
+    return fill_template("mechanism.hpp.in", embedded_template("mechanism.hpp.in"), values);
+  };
+  const std::string text = with_fingerprint(0);
+  // Not of the head comment, which tells where the scene came from and where the header was written to.
+  return with_fingerprint(Fnv().add(std::string_view(text).substr(text.find("#pragma once"))).value());
 }
 
 }  // namespace torsor

@@ -15,8 +15,8 @@ struct HeaderOptions {
 
 /// The generated header of a scene: one C++17 file that includes <array> and <cmath> only, with
 /// `<scene>::Mechanism<Scalar>`, its structures and the kernels, in the order given. Kernels with a reason to be
-/// skipped are named in the head comment only. The same equations give the same bytes. Throws SceneError for a name
-/// that cannot stand in C++.
+/// skipped are named in the head comment only. The same equations give the same bytes; the member `fingerprint` tells
+/// headers apart that differ in more than the head comment. Throws SceneError for a name that cannot stand in C++.
 std::string emit_header(const Equations& equations, const std::vector<Kernel>& kernels,
                         const HeaderOptions& options = {});
 

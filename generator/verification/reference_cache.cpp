@@ -12,6 +12,7 @@
 #include "generator/dynamics/equations/validation.hpp"
 #include "generator/emission/output_file.hpp"
 #include "generator/expression/error.hpp"
+#include "generator/expression/fnv.hpp"
 #include "generator/mechanics/parameter_value.hpp"
 #include "generator/verification/lagrange_road.hpp"
 
@@ -21,29 +22,27 @@ namespace {
 /// To be raised whenever references are integrated in another way.
 constexpr std::uint64_t method = 1;
 
-class Fnv {
+class Question {
  public:
-  Fnv& add(std::string_view text) {
-    for (const char letter : text) step(static_cast<unsigned char>(letter));
-    step(0);  // ends it: two texts in a row are told from others
+  Question& add(std::string_view text) {
+    bytes_.add(text).add(std::string_view("", 1));  // a zero ends it: two texts in a row are told from others
     return *this;
   }
-  Fnv& add(std::uint64_t value) { return add(std::to_string(value)); }
-  Fnv& add(const Polynomial& polynomial) {
+  Question& add(std::uint64_t value) { return add(std::to_string(value)); }
+  Question& add(const Polynomial& polynomial) {
     for (const Term& term : polynomial.terms()) {
       add(term.coefficient.to_exact());
       for (const Factor& factor : term.monomial) add(fmt::format("{}^{}", factor.atom, factor.exponent));
     }
     return add("");
   }
-  std::uint64_t value() const { return value_; }
+  std::uint64_t value() const { return bytes_.value(); }
 
  private:
-  void step(unsigned char byte) { value_ = (value_ ^ byte) * 0x100000001b3U; }
-  std::uint64_t value_ = 0xcbf29ce484222325U;
+  Fnv bytes_;
 };
 
-void add_definition(Fnv& digest, const Scene& scene, const Definition& definition, Atom atom) {
+void add_definition(Question& digest, const Scene& scene, const Definition& definition, Atom atom) {
   digest.add(static_cast<std::uint64_t>(atom));
   if (definition.function) {
     digest.add(to_string(*definition.function)).add(static_cast<std::uint64_t>(definition.argument));
@@ -64,7 +63,7 @@ std::optional<std::string> kept(const std::string& path) {
   const std::size_t end = text.rfind("# digest ");
   if (end == std::string::npos) return std::nullopt;
   const std::string rows = text.substr(0, end);
-  if (text.substr(end) != fmt::format("# digest {:016x}\n", Fnv().add(rows).value())) return std::nullopt;
+  if (text.substr(end) != fmt::format("# digest {:016x}\n", Question().add(rows).value())) return std::nullopt;
   return rows;
 }
 
@@ -72,7 +71,7 @@ std::optional<std::string> kept(const std::string& path) {
 
 std::uint64_t reference_digest(const Scene& scene, const ReferenceOptions& options) {
   const WorkingDigits precision(options.digits + 15);
-  Fnv digest;
+  Question digest;
   digest.add(method).add(static_cast<std::uint64_t>(options.digits)).add(scene.name());
   digest.add(scene.command_line("reference"));
   for (const std::string& time : options.times) digest.add(time);
@@ -105,7 +104,7 @@ std::string cached_reference_csv(const Scene& scene, const ReferenceOptions& opt
   const std::string text = reference_csv(scene, options);
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  write_file_if_changed(path, text + fmt::format("# digest {:016x}\n", Fnv().add(text).value()));
+  write_file_if_changed(path, text + fmt::format("# digest {:016x}\n", Question().add(text).value()));
   return text;
 }
 

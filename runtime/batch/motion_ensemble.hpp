@@ -70,7 +70,7 @@ struct MemberMotion {
 /// by the same method through the same times. `members(i)` gives a Member<M>, the same whenever it is asked, from any
 /// thread. The records of `run_ensemble(file, ensemble.head(), ensemble)` have: status, what the model said, the last
 /// time, calls, then [q; v] at each time; what was not reached is not a number. `label` tells apart what cannot be seen
-/// from here: the law of inputs, the version of the header.
+/// from here: the law of inputs, and the version of a mechanism without a `fingerprint`.
 template <HasForwardDynamics M, class Members, class Method, class InputLaw = NoInputs<M>>
 requires std::same_as<std::invoke_result_t<const Members&, std::uint64_t>, Member<M>>
 class MotionEnsemble {
@@ -87,11 +87,12 @@ class MotionEnsemble {
         law_(std::move(law)),
         label_(std::move(label)) {}
 
-  /// The question: every member, the times, the method, the label.
+  /// The question: the mechanism, every member, the times, the method, the label.
   [[nodiscard]] RecordHead head() const {
     Digest digest;
     digest.add(std::string_view(label_)).add(std::uint64_t{sizeof(Scalar)}).add(std::uint64_t{size});
     if constexpr (requires { M::name; }) digest.add(std::string_view(M::name));
+    if constexpr (requires { M::fingerprint; }) digest.add(static_cast<std::uint64_t>(M::fingerprint));
     for (const Scalar time : times_) digest.add(static_cast<double>(time));
     add_to_digest(digest, method_);
     for (std::uint64_t i = 0; i < count_; ++i) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/emission/header.hpp"
 
+#include <iomanip>
 #include <regex>
 #include <sstream>
 
@@ -107,6 +108,41 @@ TEST(Header, IsTheSameForTheSameScene) {
   const std::string first = header();
   const std::vector<std::string> disturbance(1000, std::string(100, 'x'));  // other addresses for the second
   EXPECT_EQ(first, header());
+}
+
+Scene block_of(const std::string& mass, const std::string& title) {
+  Scene scene("block", title);
+  scene.body("block", scene.prismatic("slide", scene.ground(), axis::x, scene.coordinate("x", "m")),
+             Inertia::point(Expression::quantity(mass, "kg")));
+  return scene;
+}
+
+std::string fingerprint_in(const std::string& header) {
+  return header.substr(header.find("fingerprint = 0x") + 16, 16);
+}
+
+TEST(Header, HasTheFingerprintOfItsTextBelowTheHead) {
+  const Equations equations(block_of("2", ""));
+  std::string header = emit_header(equations, kernels_of(equations, "bias,mass_matrix"));
+  const std::string fingerprint = fingerprint_in(header);
+  header.replace(header.find(fingerprint), 16, 16, '0');
+  // FNV-1a with 64 bits: http://www.isthe.com/chongo/tech/comp/fnv/, offset basis and prime in decimal as given there.
+  unsigned long long bits = 14695981039346656037ULL;
+  for (std::size_t i = header.find("#pragma once"); i < header.size(); ++i) {
+    bits = (bits ^ static_cast<unsigned char>(header[i])) * 1099511628211ULL;
+  }
+  std::ostringstream text;
+  text << std::hex << std::setw(16) << std::setfill('0') << bits;
+  EXPECT_EQ(fingerprint, text.str());
+}
+
+TEST(Header, HasAnotherFingerprintForAnotherMassButNotForAnotherTitle) {
+  const auto fingerprint = [](const Scene& scene) {
+    const Equations equations(scene);
+    return fingerprint_in(emit_header(equations, kernels_of(equations, "mass_matrix")));
+  };
+  EXPECT_EQ(fingerprint(block_of("2", "A block")), fingerprint(block_of("2", "The same")));
+  EXPECT_NE(fingerprint(block_of("2", "A block")), fingerprint(block_of("2.5", "A block")));
 }
 
 TEST(Header, HasOnlyTheKernelsAskedFor) {

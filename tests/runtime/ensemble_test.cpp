@@ -9,6 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <thread>
+#include <type_traits>
 
 #include "tests/runtime/mechanisms.hpp"
 #include "tests/runtime/temporary_folder.hpp"
@@ -278,6 +279,24 @@ TEST(MotionEnsemble, AsksAnotherQuestionWhenAnythingChanges) {
   EXPECT_EQ(motion_ensemble<Oscillator>(9, oscillator, times, method).head().question, questions.front());
   std::sort(questions.begin(), questions.end());
   EXPECT_EQ(std::adjacent_find(questions.begin(), questions.end()), questions.end());
+}
+
+/// What a header becomes that is written again, with another mass folded in say.
+template <unsigned long long version>
+struct WrittenAgain : Oscillator {
+  static constexpr unsigned long long fingerprint = version;
+};
+
+TEST(MotionEnsemble, AsksAnotherQuestionOfAnotherHeaderOfTheSameName) {
+  const auto question = []<class M>(std::type_identity<M>) {
+    const auto members = [](std::uint64_t) { return Member<M>{}; };
+    return motion_ensemble<M>(2, members, {0.5}, DormandPrince54{}).head().question;
+  };
+  const std::uint64_t without = question(std::type_identity<Oscillator>{});
+  const std::uint64_t first = question(std::type_identity<WrittenAgain<1>>{});
+  EXPECT_NE(first, without);
+  EXPECT_NE(first, question(std::type_identity<WrittenAgain<2>>{}));
+  EXPECT_EQ(first, question(std::type_identity<WrittenAgain<1>>{}));
 }
 
 }  // namespace
