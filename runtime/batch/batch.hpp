@@ -4,7 +4,10 @@
 #include <array>
 #include <cstddef>
 #include <cstring>
+#include <initializer_list>
 #include <span>
+#include <stdexcept>
+#include <string>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -69,6 +72,25 @@ class Batch {
     std::memcpy(const_cast<char*>(address(i, k)), &number, sizeof(Number));
   }
 
+  /// The block of a value in all lanes.
+  [[nodiscard]] static Packed repeated(const Single& value) noexcept {
+    Packed block{};
+    for (std::size_t k = 0; k < entry_count; ++k) {
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        std::memcpy(reinterpret_cast<char*>(&block) + (k * lanes + lane) * sizeof(Number),
+                    reinterpret_cast<const char*>(&value) + k * sizeof(Number), sizeof(Number));
+      }
+    }
+    return block;
+  }
+  /// State i becomes what its lane of such a block is.
+  void set_from(std::size_t i, const Packed& block) noexcept {
+    for (std::size_t k = 0; k < entry_count; ++k) {
+      std::memcpy(const_cast<char*>(address(i, k)),
+                  reinterpret_cast<const char*>(&block) + (k * lanes + i % lanes) * sizeof(Number), sizeof(Number));
+    }
+  }
+
   [[nodiscard]] std::size_t block_count() const noexcept { return blocks_.size(); }
   [[nodiscard]] Packed& block(std::size_t b) noexcept { return blocks_[b]; }
   [[nodiscard]] const Packed& block(std::size_t b) const noexcept { return blocks_[b]; }
@@ -123,12 +145,15 @@ class BatchOf {
   explicit BatchOf(const typename Single::Parameters& parameters = Single::default_parameters())
       : single_(Single::precompute(parameters)), packed_(Packed::precompute(broadcast(parameters))) {}
 
-  /// Calls `kernel(std::type_identity<M>{}, precomputed, values...)` for every block of the batches, which have equal
-  /// sizes, with M = Packed. It returns nothing, or a status; where that is not 0 for a block, the kernel is asked
-  /// again with M = Single for each state of the block, and what it says then is that state's status. The results of
-  /// states that did not fail are good whatever their neighbours did; those of others are what the kernel left.
+  /// Calls `kernel(std::type_identity<M>{}, precomputed, values...)` for every block of the batches, with M = Packed. It
+  /// returns nothing, or a status; where that is not 0 for a block, it is called once more for each state of the block,
+  /// with that state in all lanes: what it says then is that state's status, and what it leaves that state's results.
+  /// So neither depends on the neighbours, and a kernel may return before it has written everything. It must not read
+  /// what it writes: that is not the same at the second call. The results of states that fail are what it left.
+  /// Throws std::invalid_argument when the batches, or the statuses, are not of one size.
   template <class Kernel, class... Batches>
   BatchReport for_each(const Kernel& kernel, const BatchOptions& options, Batches&... batches) const {
+    require_one_size(options, {batches.size()...});
     const std::size_t blocks = std::get<0>(std::tie(batches...)).block_count();
     const unsigned parts = thread_count(options.threads);
     std::vector<BatchReport> reports(parts);
@@ -172,7 +197,21 @@ class BatchOf {
 
  private:
   static typename Packed::Parameters broadcast(const typename Single::Parameters& parameters) {
-    return Parameters(1, parameters).block(0);
+    return Parameters::repeated(parameters);
+  }
+
+  static void require_one_size(const BatchOptions& options, std::initializer_list<std::size_t> sizes) {
+    const std::size_t size = *sizes.begin();
+    for (const std::size_t other : sizes) {
+      if (other != size) {
+        throw std::invalid_argument("BatchOf: one batch holds " + std::to_string(size) + " states and another " +
+                                    std::to_string(other) + "; give them one size");
+      }
+    }
+    if (!options.statuses.empty() && options.statuses.size() != size) {
+      throw std::invalid_argument("BatchOf: there are " + std::to_string(options.statuses.size()) + " statuses for " +
+                                  std::to_string(size) + " states; give one for each, or none");
+    }
   }
 
   template <class Kernel, class... Batches>
@@ -204,15 +243,24 @@ class BatchOf {
                 Batches&... batches) const {
     const std::size_t end = std::min(size_of(batches...), (b + 1) * lanes);
     for (std::size_t i = b * lanes; i < end; ++i) {
-      std::tuple<typename std::remove_const_t<Batches>::Value...> values(batches[i]...);
+      std::tuple blocks{Batches::repeated(batches[i])...};
       const Evaluation evaluation = std::apply(
-          [&](auto&... value) { return to_evaluation(kernel(std::type_identity<Single>{}, single_, value...)); },
-          values);
+          [&](auto&... block) {
+            const Evaluation said = to_evaluation(kernel(std::type_identity<Packed>{}, packed_, block...));
+            (keep(batches, i, block), ...);
+            return said;
+          },
+          blocks);
       if (!options.statuses.empty()) options.statuses[i] = evaluation;
       if (evaluation == Evaluation::ok) continue;
       ++report.failed;
       report.worst = std::max(report.worst, evaluation);
     }
+  }
+
+  template <class Values>
+  static void keep(Values& values, std::size_t i, const typename std::remove_const_t<Values>::Block& block) noexcept {
+    if constexpr (!std::is_const_v<Values>) values.set_from(i, block);
   }
 
   typename Single::Precomputed single_;

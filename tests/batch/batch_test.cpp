@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <concepts>
 #include <cstring>
 #include <random>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "generated/heavy_top.hpp"
@@ -138,6 +141,56 @@ TEST(BatchOf, SaysWhichStatesFailedAndSparesTheirNeighbours) {
     EXPECT_EQ(evaluation == Evaluation::ok, i != 5 && i != 12 && i != 19) << i;
     EXPECT_TRUE(evaluation != Evaluation::ok || same_bits(results.a[i], a)) << i;
   }
+}
+
+TEST(BatchOf, FinishesTheNeighboursOfAStateThatAKernelGaveUp) {
+  Tops::States states = random_states(20, 8);
+  for (const std::size_t i : {5U, 19U}) states.set_entry(i, 2, std::acos(0.0));  // two axes agree
+  Tops::Arrays<1> kinetic(20);
+  std::vector<Evaluation> statuses(20, Evaluation::not_finite);
+  const auto kernel = []<class M>(std::type_identity<M>, const auto& precomputed, const typename M::State& state,
+                                  auto& result) {
+    // Roundings of fused operations differ between numbers and packs: packs alone tell what becomes of a pack's lane.
+    static_assert(std::same_as<M, Tops::Packed>);
+    typename M::Accelerations a;
+    typename M::Multipliers none;
+    const auto status = M::forward_dynamics(precomputed, state, {}, a, none);
+    if (status != torsor::Status::ok) return status;
+    typename M::Energy energy;
+    M::energy(precomputed, state, {}, energy);
+    result[0] = energy.kinetic;
+    return status;
+  };
+  const BatchReport report = Tops().for_each(kernel, {.statuses = statuses}, states, kinetic);
+  EXPECT_EQ(report.failed, 2U);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    ASSERT_EQ(statuses[i] == Evaluation::ok, i != 5 && i != 19) << i;
+    Top::Energy energy;
+    Top::energy(Tops().single(), states[i], {}, energy);
+    EXPECT_EQ(kinetic[i][0], statuses[i] == Evaluation::ok ? energy.kinetic : 0.0) << i;
+  }
+}
+
+TEST(BatchOf, RefusesBatchesAndStatusesOfDifferentSizes) {
+  const Tops tops;
+  const Tops::States states(9);
+  Tops::Accelerations a(9), fewer(8);
+  Tops::Multipliers none(9);
+  std::vector<Evaluation> statuses(8);
+  const auto error_of = [&](const Tops::Inputs& inputs, Tops::Accelerations& results, const BatchOptions& options) {
+    try {
+      tops.forward_dynamics(states, inputs, results, none, options);
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(error_of(Tops::Inputs(9), a, {}), "");
+  EXPECT_EQ(error_of(Tops::Inputs(8), a, {}),
+            "BatchOf: one batch holds 9 states and another 8; give them one size");
+  EXPECT_NE(error_of(Tops::Inputs(9), fewer, {}), "");
+  EXPECT_EQ(error_of(Tops::Inputs(9), a, {.statuses = statuses}),
+            "BatchOf: there are 8 statuses for 9 states; give one for each, or none");
 }
 
 TEST(BatchOf, TakesParametersForAllAndInputsForEach) {
