@@ -85,13 +85,7 @@ std::string in_words(const RecordHead& head) {
 RecordFile::RecordFile(const std::filesystem::path& path, const RecordHead& head)
     : path_(path), head_(head), buffer_(head.numbers + 2) {
   const Head words = words_of(head_);
-  std::error_code ignored;
-  if (!std::filesystem::exists(path_, ignored)) {
-    open_behind(0);
-    write(words);
-    flush();
-    return;
-  }
+  open_alone();
   std::uint64_t good = 0;
   {
     std::ifstream stream = open_file(path_);
@@ -106,14 +100,17 @@ RecordFile::RecordFile(const std::filesystem::path& path, const RecordHead& head
       good = sizeof words + written_ * buffer_.size() * sizeof(std::uint64_t);
     }
   }
-  open_behind(good);
+  std::error_code error;
+  std::filesystem::resize_file(path_, good, error);
+  if (error) detail::fail_to_write(path_, error.value());
   if (good == 0) write(words);
   flush();
 }
 
 RecordFile::~RecordFile() = default;
 
-void RecordFile::open_behind(std::uint64_t bytes) {
+/// For appending, and before a byte is read: what another process has in hand may grow until it is locked.
+void RecordFile::open_alone() {
   errno = 0;
   file_.reset(std::fopen(path_.string().c_str(), "ab"));
   if (!file_) detail::fail_to_write(path_, errno);
@@ -121,9 +118,6 @@ void RecordFile::open_behind(std::uint64_t bytes) {
   if (::flock(::fileno(file_.get()), LOCK_EX | LOCK_NB) != 0)
     refuse(path_, "is being written by another process; wait for it, or choose another file");
 #endif
-  std::error_code error;
-  std::filesystem::resize_file(path_, bytes, error);
-  if (error) detail::fail_to_write(path_, error.value());
 }
 
 void RecordFile::write(std::span<const std::uint64_t> words) {

@@ -42,7 +42,7 @@ class RecordFile {
   void flush();
 
  private:
-  void open_behind(std::uint64_t bytes);
+  void open_alone();
   void write(std::span<const std::uint64_t> words);
 
   struct Close {

@@ -3,14 +3,23 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
 #include <type_traits>
 
+#if __has_include(<sys/file.h>)
+#include <sys/file.h>
+#endif
+
+#include "runtime/records/record_file.hpp"
 #include "tests/runtime/mechanisms.hpp"
 #include "tests/runtime/temporary_folder.hpp"
 
@@ -137,6 +146,42 @@ TEST_F(Ensemble, RefusesAFileThatIsBeingWritten) {
   EXPECT_TRUE(mentions(error, {"results", "being written"}));
   EXPECT_EQ(contents(file()), whole());
 }
+
+#if __has_include(<sys/file.h>)
+// What another process is writing may be half a head, or grow before it is cut: it is not read before it is locked.
+TEST_F(Ensemble, LocksTheFileBeforeItReadsIt) {
+  const std::filesystem::path path = put("results", "something else");
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> other(std::fopen(path.c_str(), "rb"), std::fclose);
+  ASSERT_EQ(::flock(::fileno(other.get()), LOCK_EX | LOCK_NB), 0);
+  EXPECT_TRUE(mentions(error_of<FileError>([&] { RecordFile(path, seven); }), {"results", "being written"}));
+}
+
+TEST_F(Ensemble, LosesNoRecordToAnotherWriter) {
+  constexpr RecordHead many{5, 200, 3};
+  std::atomic<std::uint64_t> kept{0};  // records of files that were closed
+  std::atomic<bool> lost{false};
+  const auto write = [&] {
+    for (bool complete = false; !complete && !lost;) {
+      const std::uint64_t before = kept;
+      try {
+        RecordFile records(file(), many);
+        if (records.written() < before) lost = true;
+        complete = records.complete();
+        if (complete) continue;
+        records.append(std::array{1.0, 2.0, 3.0});
+        records.flush();
+        kept = records.written();
+      } catch (const FileError&) {  // the other is writing
+      }
+    }
+  };
+  std::jthread other(write);
+  write();
+  other.join();
+  EXPECT_FALSE(lost);
+  EXPECT_EQ(read_records(file()).size(), 200U);
+}
+#endif
 
 TEST_F(Ensemble, WritesTheSameBytesOnAnyNumberOfThreads) {
   constexpr RecordHead many{5, 500, 3};
