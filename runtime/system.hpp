@@ -41,6 +41,13 @@ template <class Scalar, std::size_t size>
   return finite;
 }
 
+/// A system that says how a state is put back where it belongs.
+template <class S, class Scalar, std::size_t size>
+concept Settles = requires(S& system, const Scalar& t, std::array<Scalar, size>& y) {
+  system.project(t, y);
+}
+|| requires(S& system, std::array<Scalar, size>& y) { system.project(y); };
+
 /// A system that counts its calls and takes no derivative for granted: a value that is not finite is a failure even
 /// when the system itself reports none.
 template <class S, class Scalar, std::size_t size>

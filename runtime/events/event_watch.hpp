@@ -42,15 +42,27 @@ class EventWatch {
   [[nodiscard]] bool restarts() const noexcept { return restarts_; }
   [[nodiscard]] Scalar time() const noexcept { return event_time_; }
   [[nodiscard]] const Vector& state() const noexcept { return event_state_; }
+  /// How the system failed to settle a state after a reset or at the end of a step, if it did.
+  [[nodiscard]] Evaluation failure() const noexcept { return failure_; }
   /// Evaluations of the model made here.
   [[nodiscard]] std::int64_t calls() const noexcept { return calls_; }
 
-  /// Steps of a method with an interpolant.
+  /// Steps of a method with an interpolant, which leaves the invariants of the system by its error: where a guard may
+  /// have an event, the states inside the step are settled.
   template <class Step>
   requires DenseOutput<Step, Scalar, size>
   bool operator()(const Step& step) {
-    if (by_stepping()) y_start_ = step(step.start);
-    return look_through(step) && shown(step, step.end, step(step.end));
+    if constexpr (Settles<S, Scalar, size>) {
+      const SettledStep<S, Step, Scalar, size> settled{system_, step, step.start, step.end};
+      if (by_stepping()) y_start_ = settled(settled.start);
+      Vector y_end = step(step.end);
+      CheckedSystem<S, Scalar, size> f(system_);
+      if (!f.settle(step.end, y_end)) return fail(f.evaluation, step.start, settled(step.start));
+      return (clear_but_for_settling(step, settled) || look_through(settled)) && shown(settled, step.end, y_end);
+    } else {
+      if (by_stepping()) y_start_ = step(step.start);
+      return look_through(step) && shown(step, step.end, step(step.end));
+    }
   }
 
   /// Steps of a method without one: a cubic shows whether there may be an event, steps of the method locate it.
@@ -280,7 +292,17 @@ class EventWatch {
     if (!tell(Event<Scalar, size>{i, time, rising, false, y})) return;
     const Response response = set_.response(i);
     if (response == Response::note) return;
-    if (!set_.reset(i, time, y)) {
+    const Vector before = y;
+    const bool go_on = set_.reset(i, time, y);
+    const Vector as_reset = y;
+    CheckedSystem<S, Scalar, size> f(system_);
+    if (!f.settle(time, y)) {
+      y = before;
+      fail(f.evaluation, time, y);
+      return;
+    }
+    y = f.unwound(y, as_reset);
+    if (!go_on) {
       result_.status = EventStatus::stopped_at_event;
       return;
     }
@@ -335,6 +357,12 @@ class EventWatch {
     return false;
   }
 
+  bool fail(Evaluation evaluation, Scalar time, const Vector& y) {
+    failure_ = evaluation;
+    result_.status = EventStatus::integration_failed;
+    return end_at(time, result_.guard, y);
+  }
+
   template <class Step>
   void end_piece(const Step& step, Scalar time, const Vector& y) {
     end_at(time, 0, y);
@@ -368,8 +396,29 @@ class EventWatch {
     known = f(t, y, slope_end) && known;
     calls_ += f.calls;
     const HermiteStep<Scalar, size> cubic{start_, t, y_start_, y, slope_start_, slope_end};
-    bool clear = known;
     if (known) sample(cubic, start_);
+    const bool clear = known && clear_by_curvature({});
+    slope_start_ = slope_end;
+    has_slope_ = known;
+    return clear;
+  }
+
+  // Spares most steps the settling of every sample: an interpolant is farthest off near the middle of the step.
+  template <class Step, class Settled>
+  bool clear_but_for_settling(const Step& step, const Settled& settled) {
+    sample(step, step.start);
+    const Scalar middle = step.start + (step.end - step.start) / Scalar(2);
+    const Vector y = step(middle), y_settled = settled(middle);
+    std::array<Scalar, count> moved{};
+    for (std::size_t i = 0; i < count; ++i) {
+      moved[i] = Scalar(16) * std::abs(set_.value(i, middle, y_settled) - set_.value(i, middle, y));
+    }
+    return clear_by_curvature(moved);
+  }
+
+  // Every guard sampled stays on its side by more than its curvature and a doubt.
+  [[nodiscard]] bool clear_by_curvature(const std::array<Scalar, count>& doubt) const noexcept {
+    bool clear = true;
     for (std::size_t i = 0; clear && i < count; ++i) {
       const auto& memory = memory_[i];
       const Values& g = values_[i];
@@ -378,11 +427,10 @@ class EventWatch {
         const Scalar chord = g[0] + static_cast<Scalar>(Polynomial::places[j]) * (g[Polynomial::degree] - g[0]);
         curvature = std::max(curvature, std::abs(g[j] - chord));
       }
-      clear = memory.side != Scalar(0) && !memory.fresh && !memory.visiting && std::isfinite(curvature) &&
-              Polynomial(g).stays_above(memory.side, -curvature);
+      const Scalar room = curvature + doubt[i];
+      clear = memory.side != Scalar(0) && !memory.fresh && !memory.visiting && std::isfinite(room) &&
+              Polynomial(g).stays_above(memory.side, -room);
     }
-    slope_start_ = slope_end;
-    has_slope_ = known;
     return clear;
   }
 
@@ -396,6 +444,7 @@ class EventWatch {
   Scalar start_ = Scalar(0), event_time_ = Scalar(0);
   Vector y_start_{}, slope_start_{}, event_state_{}, before_reset_{};
   bool has_slope_ = false, restarts_ = false;
+  Evaluation failure_ = Evaluation::ok;
   std::int64_t calls_ = 0;
   long long events_ = 0;
   std::array<EventMemory<Scalar, size>, count> memory_{};

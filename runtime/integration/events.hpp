@@ -18,11 +18,12 @@ namespace torsor::runtime {
 ///
 /// Crossings are located to neighbouring numbers of time on the method's interpolant, or on steps of the method where
 /// it has none (see guard.hpp for `by_stepping`, and for what counts as grazing). At a barrier the state is the last
-/// one on its side, at any other guard the first beyond. `on_event(const Event&)` is told of each crossing and grazing
-/// in time, before a reset; `observer(t, y)` sees the start, the ends of steps and of what resets cut off, and the
-/// states after resets, or, instead, the steps themselves as something with start, end and operator()(time). Either
-/// ends the integration by returning false. A guard at zero at the start has no event until it has left zero. Nothing
-/// is allocated. The end comes back in the result, y is the state at `result.time`.
+/// one on its side, at any other guard the first beyond. Where the system has a `project`, events lie on settled
+/// states, and what a reset leaves is settled before the method starts again. `on_event(const Event&)` is told of each
+/// crossing and grazing in time, before a reset; `observer(t, y)` sees the start, the ends of steps and of what resets
+/// cut off, and the states after resets, or, instead, the steps themselves as something with start, end and
+/// operator()(time). Either ends the integration by returning false. A guard at zero at the start has no event until it
+/// has left zero. Nothing is allocated. The end comes back in the result, y is the state at `result.time`.
 template <class S, class Scalar, std::size_t size, class Method, class Set, class OnEvent = IgnoreSteps,
           class Observer = IgnoreSteps>
 requires System<S, Scalar, size>
@@ -50,6 +51,10 @@ requires System<S, Scalar, size>
       result.time = watch.time();
     } else if (!result.integration) {
       result.status = EventStatus::integration_failed;
+    }
+    if (watch.failure() != Evaluation::ok) {
+      result.integration.status = IntegrationStatus::model_failure;
+      result.integration.evaluation = watch.failure();
     }
   };
   while (result.status == EventStatus::reached_end) {

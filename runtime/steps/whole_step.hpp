@@ -49,6 +49,24 @@ struct RepeatedStep {
   }
 };
 
+/// A step whose states inside are put where the system says that they belong, as those at its ends are: the norm of a
+/// quaternion, the closure of a loop. Without the jumps of coordinates that settling may bring. Where it fails, states
+/// that are no numbers.
+template <class S, class Step, class Scalar, std::size_t size>
+struct SettledStep {
+  S& system;
+  const Step& step;
+  Scalar start, end;
+
+  [[nodiscard]] std::array<Scalar, size> operator()(Scalar time) const {
+    CheckedSystem<S, Scalar, size> f(system);
+    const std::array<Scalar, size> inside = step(time);
+    std::array<Scalar, size> y = inside;
+    if (!f.settle(time, y)) y.fill(std::numeric_limits<Scalar>::quiet_NaN());
+    return f.unwound(y, inside);
+  }
+};
+
 /// The cubic through the states and slopes at both ends of a step; error h⁴/384 |y⁗|.
 template <class Scalar, std::size_t size>
 struct HermiteStep {
