@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -20,15 +21,20 @@ class Bars {
   [[nodiscard]] bool all() const { return all_; }
 
  private:
+  // What was not run, and what no one reached, is NaN and missed: no comparison with it holds.
   void add(const std::string& what, double measured, double bar, bool met) {
-    if (std::isnan(measured)) return;  // not run
     if (!printed_) fmt::print("\n{:<84}{:>10}{:>10}\n", "promised", "measured", "bar");
     printed_ = true;
     all_ = all_ && met;
-    fmt::print("{:<84}{:>10.3g}{:>10.3g}  {}\n", what, measured, bar, met ? "met" : "MISSED");
+    const std::string value = std::isnan(measured) ? "none" : fmt::format("{:.3g}", measured);
+    fmt::print("{:<84}{:>10}{:>10.3g}  {}\n", what, value, bar, met ? "met" : "MISSED");
   }
   bool all_ = true, printed_ = false;
 };
+
+bool was_run(const std::vector<Row>& rows, const std::string& problem) {
+  return std::any_of(rows.begin(), rows.end(), [&](const Row& row) { return row.problem == problem; });
+}
 
 bool fits(const Row& row, const std::string& library, const std::string& beginning) {
   return row.way->library == library && row.way->name.starts_with(beginning);
@@ -60,6 +66,7 @@ double smallest_error(const std::vector<Row>& rows, const std::string& problem) 
 
 void ratios(Bars& bars, const std::vector<Row>& rows) {
   for (const std::string problem : {"dp_mild", "top", "hoop", "chain5"}) {
+    if (!was_run(rows, problem)) continue;
     for (const double error : {1e-9, 1e-12}) {
       const double ours = time_to(rows, problem, "torsor", "", error);
       const auto text = [&](const char* others) { return fmt::format("{}, {:.0e}: {}", problem, error, others); };
@@ -77,18 +84,23 @@ void ratios(Bars& bars, const std::vector<Row>& rows) {
 }
 
 // Every adaptive way at every tolerance: the end within 100 times the tolerance times how errors grow, and the energy
-// within 1e4 times the tolerance; or a failure that says so.
+// within 1e4 times the tolerance; or a failure that says so, where rounding or a coarse tolerance excuses it.
 void no_wrong_answer(Bars& bars, const std::vector<Row>& rows) {
   constexpr double growth = 9.4e5;
   double end = std::numeric_limits<double>::quiet_NaN(), energy = end;
+  int failures = 0;
   for (const Row& row : rows) {
-    if (row.problem != "dp_hard" || row.way->library != "torsor" || row.way->fixed_step || !row.outcome.reached)
+    if (row.problem != "dp_hard" || row.way->library != "torsor" || row.way->fixed_step) continue;
+    if (!row.outcome.reached) {
+      failures += row.setting < 2e-4 && row.setting > 5e-12;
       continue;
+    }
     end = std::fmax(end, row.outcome.error / (100 * row.setting * growth));
     energy = std::fmax(energy, row.outcome.energy / (1e4 * row.setting));
   }
   bars.at_most("dp_hard: largest error of ours at any tolerance, in units of 100 tolerance 9.4e5", end, 1);
   bars.at_most("dp_hard: largest error of the energy, in units of 1e4 tolerance", energy, 1);
+  bars.at_most("dp_hard: failures of ours at tolerances from 1e-4 to 1e-11", failures, 0);
 }
 
 void long_run(Bars& bars, const std::vector<Drift>& drifts) {
@@ -112,10 +124,12 @@ void long_run(Bars& bars, const std::vector<Drift>& drifts) {
 bool print_bars(const std::vector<Row>& rows, const std::vector<Drift>& drifts) {
   Bars bars;
   ratios(bars, rows);
-  bars.at_most("dp_mild: smallest error", smallest_error(rows, "dp_mild"), 2e-15);
-  bars.at_most("top: smallest error", smallest_error(rows, "top"), 5e-14);
-  bars.at_most("hoop: smallest error", smallest_error(rows, "hoop"), 5e-14);
-  no_wrong_answer(bars, rows);
+  for (const auto& [problem, bar] : {std::pair{"dp_mild", 2e-15}, std::pair{"top", 5e-14}, std::pair{"hoop", 5e-14}}) {
+    if (was_run(rows, problem)) {
+      bars.at_most(fmt::format("{}: smallest error", problem), smallest_error(rows, problem), bar);
+    }
+  }
+  if (was_run(rows, "dp_hard")) no_wrong_answer(bars, rows);
   long_run(bars, drifts);
   return bars.all();
 }

@@ -9,8 +9,9 @@
 namespace work_precision {
 
 /// What is promised of the integrators, each with what was measured and whether it holds: ratios of times to reach an
-/// error, smallest errors, no wrong end of dp_hard at any tolerance, the energy over 10^4 s. Promises about what was
-/// not run are left out. Whether all hold.
+/// error, smallest errors, no wrong end of dp_hard at any tolerance, the energy over 10^4 s. Promises about problems
+/// that were not measured are left out; one whose peer is not there, or that no one reached, is missed. Whether all
+/// hold.
 bool print_bars(const std::vector<Row>& rows, const std::vector<Drift>& drifts);
 
 }  // namespace work_precision

@@ -63,7 +63,7 @@ bool run(const Options& options) {
   if (options.contact) measure_contact(options.turns);
   if (options.invariants) measure_invariants(options.output);
   std::vector<Drift> drifts;
-  if (options.drift) drifts = measure_drift(options.output);
+  if (options.drift || options.bars) drifts = measure_drift(options.output);
   return !options.bars || print_bars(all, drifts);
 }
 
@@ -74,14 +74,16 @@ int main(int argc, char** argv) {
   Options options;
   app.add_option("--output", options.output, "folder for CSV files and pictures")->check(CLI::ExistingDirectory);
   app.add_option("--problems", options.problems, "some problems only; none: no table of them")->delimiter(',');
-  app.add_option("--integrators", options.ways, "some integrators only, as the table names them")->delimiter(',');
+  CLI::Option* ways =
+      app.add_option("--integrators", options.ways, "some integrators only, as the table names them")->delimiter(',');
   app.add_option("--turns", options.turns, "how often each setting is run, at most")->capture_default_str();
   app.add_option("--seconds", options.seconds, "for each setting")->capture_default_str();
   app.add_flag("--drift", options.drift, "also the energy over 10^4 s");
   app.add_flag("--invariants", options.invariants, "also momentum and constraints over 10^6 steps and 10^4 s");
   app.add_flag("--links", options.links, "also pendulums of 2 to 32 links");
   app.add_flag("--contact", options.contact, "also a bouncing and a sliding ball");
-  app.add_flag("--bars", options.bars, "also what is promised and whether it holds; 1 if not");
+  app.add_flag("--bars", options.bars, "also --drift, and what is promised and whether it holds; 1 if not")
+      ->excludes(ways);
   CLI11_PARSE(app, argc, argv);
   try {
     return run(options) ? 0 : 1;

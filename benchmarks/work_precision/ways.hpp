@@ -16,8 +16,10 @@
 #include "runtime/integration/dormand_prince_853.hpp"
 #include "runtime/integration/gauss_collocation.hpp"
 #include "runtime/integration/midpoint.hpp"
+#include "runtime/integration/radau_iia_5.hpp"
 #include "runtime/integration/runge_kutta_4.hpp"
 #include "runtime/integration/taylor.hpp"
+#include "runtime/integration/variational_integrator.hpp"
 #include "runtime/mechanism.hpp"
 #ifdef BENCHMARK_SUNDIALS
 #include "runtime/sundials/sundials.hpp"
@@ -110,6 +112,8 @@ std::vector<Way> all_ways(const Case<M, count, InputLaw>& problem) {
                      [](double s) { return of_tolerance<DormandPrince853>(s); }));
   ways.push_back(way(shared, "torsor", "Dormand-Prince 5(4)", false, all,
                      [](double s) { return of_tolerance<DormandPrince54>(s); }));
+  ways.push_back(way(shared, "torsor", "Radau IIA 5", false, tolerances(1e-3, 1e-13),
+                     [](double s) { return of_tolerance<RadauIia5>(s); }));
   ways.push_back(
       way(shared, "torsor", "Runge-Kutta 4", true, steps(0.1, 11), [](double s) { return RungeKutta4{.step = s}; }));
   ways.push_back(way(shared, "torsor", "midpoint", true, steps(0.1, 11), [](double s) { return Midpoint{.step = s}; }));
@@ -117,6 +121,10 @@ std::vector<Way> all_ways(const Case<M, count, InputLaw>& problem) {
                      [](double s) { return GaussCollocation<3>{.step = s}; }));
   ways.push_back(way(shared, "torsor", "Gauss collocation 12", true, steps(0.2, 6),
                      [](double s) { return GaussCollocation<6>{.step = s}; }));
+  if constexpr (HasLagrangian<const Motion>) {
+    ways.push_back(way(shared, "torsor", "variational 6", true, steps(0.1, 8),
+                       [](double s) { return VariationalIntegrator<3>{.step = s}; }));
+  }
 #ifdef BENCHMARK_ODEINT
   for (Way& each : odeint_ways(shared, all)) ways.push_back(std::move(each));
 #endif
