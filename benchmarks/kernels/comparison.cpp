@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "generator/verification/worst.hpp"
+
 namespace kernels {
 namespace {
 
@@ -15,7 +17,7 @@ double difference(const std::vector<double>& numbers, const std::vector<double>&
   for (std::size_t i = 0; i < expected.size(); ++i) {
     greatest = std::max(greatest, std::abs(expected[i]));
     const double each = std::abs(numbers.at(i) - expected[i]);
-    if (!(each <= difference)) difference = each;  // what is no number differs
+    if (torsor::is_worse(each, difference)) difference = each;
   }
   return difference / greatest;
 }
@@ -31,7 +33,7 @@ std::vector<double> differences(const std::vector<Way>& ways, Quantity quantity,
       const std::vector<double> numbers = ways[i].result();
       if (i == 0) expected = numbers;
       const double each = difference(numbers, expected);
-      if (!(each <= worst[i])) worst[i] = each;
+      if (torsor::is_worse(each, worst[i])) worst[i] = each;
       if (ways[i].scalar == "double" && !(each <= 1e-9)) {
         throw std::runtime_error(fmt::format("{} of {} differs from {} by {:.1e} in state {}", name_of(quantity),
                                              ways[i].label(), ways[0].label(), each, k));

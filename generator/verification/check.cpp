@@ -12,6 +12,7 @@
 #include "generator/verification/check_kernels.hpp"
 #include "generator/verification/lagrange_road.hpp"
 #include "generator/verification/random_state.hpp"
+#include "generator/verification/worst.hpp"
 
 namespace torsor {
 namespace {
@@ -24,7 +25,7 @@ class Worst {
     const double difference = abs(x - y).to_double();
     const double size = std::max(abs(x).to_double(), abs(scale).to_double());
     const double relative = difference == 0 ? 0 : difference / size;
-    if (!(relative <= worst_)) worst_ = relative;  // a NaN stays
+    if (is_worse(relative, worst_)) worst_ = relative;
   }
   double value() const { return worst_; }
 

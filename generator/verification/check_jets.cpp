@@ -10,6 +10,7 @@
 #include "generator/expression/series_evaluation.hpp"
 #include "generator/verification/condition.hpp"
 #include "generator/verification/random_state.hpp"
+#include "generator/verification/worst.hpp"
 
 namespace torsor {
 namespace {
@@ -121,7 +122,7 @@ class JetCheck {
   }
 
   static void keep(double& worst, double value) {
-    if (!(value <= worst)) worst = value;  // a NaN stays
+    if (is_worse(value, worst)) worst = value;
   }
 
   const Scene& scene_;

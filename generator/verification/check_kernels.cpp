@@ -11,6 +11,7 @@
 #include "generator/verification/condition.hpp"
 #include "generator/verification/random_state.hpp"
 #include "generator/verification/sensitivity.hpp"
+#include "generator/verification/worst.hpp"
 
 namespace torsor {
 namespace {
@@ -97,7 +98,7 @@ std::vector<CheckResult> check_kernels(const Scene& scene, const CheckOptions& o
       const double allowance = kernel.pivots.empty() ? 1 : std::max(1.0, condition / 10);
       for (const auto& group : groups_by_unit(kernel)) {
         const double relative = relative_error(kernel, group, fast, exact, sensitive, allowance * worst[i]) / allowance;
-        if (!(relative <= worst[i])) worst[i] = relative;
+        if (is_worse(relative, worst[i])) worst[i] = relative;
       }
     }
   }

@@ -2,6 +2,8 @@
 #include "generator/verification/verify.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <sstream>
 
@@ -19,7 +21,7 @@ double height(const Accuracy& accuracy, Objective objective) {
   if (!accuracy.counted) return -1;
   // An infinite bound has lost its meaning, and with it the way uphill.
   if (objective == Objective::potential) return accuracy.potential < 1e300 ? accuracy.potential : -1;
-  return accuracy.scaled;
+  return std::isnan(accuracy.scaled) ? std::numeric_limits<double>::infinity() : accuracy.scaled;
 }
 
 struct Found {

@@ -18,6 +18,7 @@
 #include "generator/expression/high_precision.hpp"
 #include "generator/verification/dense_linear.hpp"
 #include "generator/verification/real_scalar_traits.hpp"
+#include "generator/verification/worst.hpp"
 
 namespace examples {
 
@@ -238,7 +239,7 @@ inline double worst_difference(const Results& results, const Results& truth, std
     if (!difference.is_zero()) {
       relative = size.is_zero() ? std::numeric_limits<double>::infinity() : sqrt(difference / size).to_double();
     }
-    if (!(relative <= worst)) {
+    if (torsor::is_worse(relative, worst)) {
       worst = relative;
       where = key;
     }

@@ -16,6 +16,7 @@
 
 #include <gtest/gtest.h>
 
+#include "generator/verification/worst.hpp"
 #include "tests/sincos/truth.hpp"
 #include "tests/sincos/variant.hpp"
 
@@ -39,8 +40,8 @@ struct Worst {
   double sine = 0, cosine = 0, at_sine = 0, at_cosine = 0;
 
   void add(double angle, double of_sine, double of_cosine) {
-    if (!(of_sine <= sine)) sine = of_sine, at_sine = angle;
-    if (!(of_cosine <= cosine)) cosine = of_cosine, at_cosine = angle;
+    if (torsor::is_worse(of_sine, sine)) sine = of_sine, at_sine = angle;
+    if (torsor::is_worse(of_cosine, cosine)) cosine = of_cosine, at_cosine = angle;
   }
 };
 
