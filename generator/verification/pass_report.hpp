@@ -12,7 +12,8 @@ namespace torsor {
 /// One kernel without one pass.
 struct PassEffect {
   int operations = 0;     ///< at every state
-  double difference = 0;  ///< from the kernel with all passes, in CLN: ‖y - y₀‖ / ‖y₀‖, the largest of all units of results
+  /// From the kernel with all passes, in CLN: ‖y - y₀‖ / ‖y₀‖, the largest of all states and units of results.
+  double difference = 0;
   double error = 0;       ///< worst error in double, scaled by max(1, condition) [ulp]; see KernelAccuracy
 };
 
@@ -34,7 +35,7 @@ struct PassReport {
 
 struct PassReportOptions {
   int digits = 50;
-  int states = 16;
+  int states = 16;  ///< random ones for the difference, as many of `verify` for the error
   std::uint64_t seed = 1;
 };
 

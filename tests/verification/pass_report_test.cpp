@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
 #include "generator/emission/kernel.hpp"
 #include "generator/expression/error.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
@@ -73,6 +77,22 @@ TEST(PassReport, TellsResultsThatDiffer) {
   EXPECT_TRUE(report.equal());
   report.kernels[0].without[0].difference = 1e-30;
   EXPECT_FALSE(report.equal());
+}
+
+TEST(PassReport, ComparesAllStatesThatAreAskedFor) {
+  const Scene scene = random_mechanism(910);
+  const auto differences = [&scene](int states, std::uint64_t seed) {
+    std::vector<double> found;
+    for (const PassEffect& effect :
+         report_passes(scene, {"mass_matrix"}, {}, {.digits = 20, .states = states, .seed = seed}).kernels[0].without) {
+      found.push_back(effect.difference);
+    }
+    return found;
+  };
+  // Of roundings, that are others at each state.
+  const std::vector<double> first = differences(1, 1), second = differences(1, 2), both = differences(2, 1);
+  EXPECT_NE(first, second);
+  for (std::size_t i = 0; i < both.size(); ++i) EXPECT_EQ(both[i], std::max(first[i], second[i])) << i;
 }
 
 TEST(PassReport, CountsWhatEquationsWithoutThePassCount) {
