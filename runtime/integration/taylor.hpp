@@ -32,7 +32,9 @@ namespace torsor::runtime {
 /// No step is believed for its coefficients alone, which vanish at regular orders for some motions: the polynomial's
 /// slope at its end must agree with the equations' there, c[1] of the next step,
 ///   h |y_p'(t + h) - f(t + h, y_p(t + h))| <= (p + 1) (absolute + relative |y|)   in each component,
-/// which is the same as a local error within the tolerance; otherwise the step is halved.
+/// which is the same as a local error within the tolerance; otherwise the step is halved. Only what rounding makes of
+/// the two slopes is not held against a step; for the equations' that is measured, component by component, by a second
+/// evaluation where the first disagrees.
 struct Taylor {
   double relative_tolerance = 1e-9;      ///< 0, or at least four roundings of the scalar
   double absolute_tolerance = 1e-12;     ///< in the units of the state, the same for every component
@@ -108,14 +110,10 @@ class Taylor::Formula {
     if (!state.settle(f, t + h)) return f.evaluation;
     choose_next(state.next());
     if (!f.jets(t + h, state.next(), span(next(), next_order_))) return f.evaluation;
-    const Scalar noise = rounding_of_slopes(state);
-    error = Scalar(0);
-    for (std::size_t i = 0; i < size; ++i) {
-      const Scalar defect = std::abs(h * (slope[i] - next()[1][i]));
-      const Scalar magnitude = std::max(std::abs(state.now()[i]), std::abs(state.next()[i]));
-      const Scalar allowed = static_cast<Scalar>(order_ + 1) * (tolerances.absolute + tolerances.relative * magnitude);
-      const Scalar rounding = std::abs(h) * (noise + Scalar(16) * epsilon * std::abs(slope[i]));
-      if (defect > rounding) error = std::max(error, (defect - rounding) / allowed);
+    Vector noise{};
+    error = disagreement(h, slope, state, tolerances, noise);
+    if (error > Scalar(1) && rounding_of_slopes(f, t + h, state, noise)) {
+      error = disagreement(h, slope, state, tolerances, noise);
     }
     return std::isfinite(error) ? Evaluation::ok : Evaluation::not_finite;
   }
@@ -154,15 +152,36 @@ class Taylor::Formula {
     return {c.data(), degree + 1};
   }
 
-  // What the rounding of the state itself makes of its slopes, by how much these change with it over the step.
-  [[nodiscard]] Scalar rounding_of_slopes(const State& state) noexcept {
-    Scalar largest = Scalar(0), moved = Scalar(0), change = Scalar(0);
+  // The largest difference of the polynomial's slope at its end from the equations', beyond what rounding makes of
+  // either, as a part of what is allowed.
+  [[nodiscard]] Scalar disagreement(Scalar h, const Vector& slope, const State& state,
+                                    const Tolerances<Scalar>& tolerances, const Vector& noise) noexcept {
+    Scalar error = Scalar(0);
     for (std::size_t i = 0; i < size; ++i) {
-      largest = std::max(largest, std::abs(state.next()[i]));
-      moved = std::max(moved, std::abs(state.next()[i] - state.now()[i]));
-      change = std::max(change, std::abs(next()[1][i] - now()[1][i]));
+      const Scalar defect = std::abs(h * (slope[i] - next()[1][i]));
+      const Scalar magnitude = std::max(std::abs(state.now()[i]), std::abs(state.next()[i]));
+      const Scalar allowed = static_cast<Scalar>(order_ + 1) * (tolerances.absolute + tolerances.relative * magnitude);
+      const Scalar rounding = std::abs(h) * (noise[i] + Scalar(16) * epsilon * std::abs(slope[i]));
+      if (defect > rounding) error = std::max(error, (defect - rounding) / allowed);
     }
-    return moved > Scalar(0) ? Scalar(4) * epsilon * largest * (change / moved) : Scalar(0);
+    return error;
+  }
+
+  // What the rounding of the state makes of each of its slopes, in that slope's own unit: how much they change when the
+  // state moves by some roundings, of every component another number, so that no two cancel. False: they could not be
+  // computed there.
+  template <class F>
+  [[nodiscard]] bool rounding_of_slopes(F& f, Scalar t, const State& state, Vector& noise) {
+    Vector moved;
+    for (std::size_t i = 0; i < size; ++i) {
+      const Scalar magnitude = std::max(std::abs(state.now()[i]), std::abs(state.next()[i]));
+      const Scalar roundings = static_cast<Scalar>(4 + i % 4) * (i % 2 == 0 ? epsilon : -epsilon);
+      moved[i] = state.next()[i] + roundings * magnitude;
+    }
+    std::array<Vector, 2> there;
+    if (!f.jets(t, moved, std::span<Vector>(there))) return false;
+    for (std::size_t i = 0; i < size; ++i) noise[i] = std::abs(there[1][i] - next()[1][i]);
+    return true;
   }
 
   // The tolerance as a part of the state's own size.
