@@ -15,6 +15,7 @@
 #include "generator/emission/kernel_linearisation.hpp"
 #include "generator/emission/kernel_parts.hpp"
 #include "generator/emission/kernel_regressor.hpp"
+#include "generator/emission/kernel_residual.hpp"
 #include "generator/emission/kernel_second_derivatives.hpp"
 #include "generator/emission/kernel_sensitivities.hpp"
 #include "generator/emission/kernel_sparse_jacobian.hpp"
@@ -231,6 +232,8 @@ const std::vector<Entry>& entries() {
                                       {"regressor", make_regressor},
                                       {"jets", make_jets},
                                       {"sparse_constraint_jacobian", make_sparse_constraint_jacobian},
+                                      {"residual", make_residual, no_unknowns},
+                                      {"residual_jacobian", make_residual_jacobian, no_unknowns},
                                       {"inverse_dynamics_second_derivatives", make_inverse_dynamics_second_derivatives,
                                        no_unknowns},
                                       {"forward_dynamics_second_derivatives", make_forward_dynamics_second_derivatives,

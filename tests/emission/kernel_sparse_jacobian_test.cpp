@@ -6,24 +6,12 @@
 #include "generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
+#include "tests/emission/compressed_tables.hpp"
 
 namespace torsor::kernel_sparse_jacobian_test {
 namespace {
 
-/// Numbers of the table `name[] = {...};`.
-std::vector<std::size_t> numbers(const std::string& tables, const std::string& name) {
-  std::vector<std::size_t> all;
-  const std::size_t begin = tables.find(name + "[] = {");
-  if (begin == std::string::npos) return all;
-  std::string list = tables.substr(begin + name.size() + 6);
-  list = list.substr(0, list.find('}'));
-  for (std::size_t at = 0; at < list.size();) {
-    const std::size_t end = std::min(list.find(',', at), list.size());
-    all.push_back(std::stoul(list.substr(at, end - at)));
-    at = end + 1;
-  }
-  return all;
-}
+using testing_headers::numbers;
 
 /// Two carts, three constraints: that the first keeps to y = 2 x, that the second follows it in x, and a condition on
 /// rates whose entry along the last coordinate is 1 - sin² - cos² = 0.

@@ -39,6 +39,10 @@ TORSOR_KERNEL(inverse_dynamics_derivatives, any<const typename M::Accelerations>
 TORSOR_KERNEL(forward_dynamics_derivatives, any<const typename M::Inputs>(),
               any<typename M::ForwardDynamicsDerivatives>());
 TORSOR_KERNEL(sparse_constraint_jacobian, any<typename M::SparseConstraintJacobian>());
+TORSOR_KERNEL(residual, any<const typename M::Accelerations>(), any<const typename M::Multipliers>(),
+              any<const typename M::Inputs>(), any<std::array<double, M::velocity_count + M::multiplier_count>>());
+TORSOR_KERNEL(residual_jacobian, any<const typename M::Accelerations>(), any<const typename M::Multipliers>(),
+              any<const typename M::Inputs>(), any<typename M::ResidualJacobian>());
 TORSOR_KERNEL(inverse_dynamics_second_derivatives, any<const typename M::Accelerations>(),
               any<const typename M::Multipliers>(), any<typename M::InverseDynamicsSecondDerivatives>());
 TORSOR_KERNEL(forward_dynamics_second_derivatives, any<const typename M::Inputs>(),
@@ -166,6 +170,16 @@ void evaluate(const double* in, Results& results) {
     typename M::SparseConstraintJacobian result{};
     M::sparse_constraint_jacobian(p, s, result);
     results.add("sparse_constraint_jacobian", -1, result);
+  }
+  if constexpr (Has<M, residual>::value) {
+    std::array<double, M::velocity_count + M::multiplier_count> result{};
+    M::residual(p, s, a, lambda, u, result);
+    results.add("residual", -1, result);
+  }
+  if constexpr (Has<M, residual_jacobian>::value) {
+    typename M::ResidualJacobian result{};
+    M::residual_jacobian(p, s, a, lambda, u, result);
+    results.add("residual_jacobian", -1, result);
   }
   if constexpr (Has<M, inverse_dynamics_second_derivatives>::value) {
     typename M::InverseDynamicsSecondDerivatives result{};

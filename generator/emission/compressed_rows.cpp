@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/emission/compressed_rows.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "generator/emission/formula_printer.hpp"
+#include "generator/emission/kernel_parts.hpp"
+#include "generator/expression/vanishing.hpp"
+
+namespace torsor {
+
+CompressedRows::CompressedRows(const ValueMatrix& matrix) {
+  std::vector<Value> all;
+  for (const std::vector<Value>& row : matrix) all.insert(all.end(), row.begin(), row.end());
+  const std::vector<bool> zero = vanish(all);
+  std::size_t entry = 0;
+  for (const std::vector<Value>& row : matrix) {
+    for (std::size_t j = 0; j < row.size(); ++j, ++entry) {
+      if (zero[entry]) continue;
+      values.push_back(row[j]);
+      columns.push_back(j);
+    }
+    row_starts.push_back(columns.size());
+  }
+}
+
+void CompressedRows::assign(Kernel& kernel, const std::string& target) const {
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    kernel.assignments.push_back({element(target + ".values", k), values[k]});
+  }
+}
+
+std::string CompressedRows::tables(const std::string& name) const {
+  const auto table = [](const std::string& table_name, const std::vector<std::size_t>& entries) {
+    return wrapped(fmt::format("static constexpr int {}[] = {{{}}};", table_name, fmt::join(entries, ", ")), 2) + "\n";
+  };
+  return fmt::format("static constexpr int {}_nonzeros = {};\n", name, values.size()) +
+         table(name + "_row_start", row_starts) + table(name + "_column", columns);
+}
+
+}  // namespace torsor

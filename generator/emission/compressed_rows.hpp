@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "generator/emission/kernel.hpp"
+
+namespace torsor {
+
+/// A matrix without the entries that vanish identically, as most sparse solvers read it: those of row i from
+/// row_starts[i] to row_starts[i + 1], each with its column.
+struct CompressedRows {
+  std::vector<std::size_t> row_starts{0}, columns;
+  std::vector<Value> values;
+
+  /// What vanishes is decided in sixty digits at random states (vanishing.hpp), so that the pattern is a constant.
+  explicit CompressedRows(const ValueMatrix& matrix);
+  /// `target.values[k] = ...` of a kernel, in the order of the rows.
+  void assign(Kernel& kernel, const std::string& target) const;
+  /// Declarations `<name>_nonzeros`, `<name>_row_start[]` and `<name>_column[]` of a header.
+  std::string tables(const std::string& name) const;
+};
+
+}  // namespace torsor
