@@ -3,20 +3,22 @@
 // Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
 // Free to embed under the MIT licence.
 //
-// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, constraints, linearisation
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, constraints, linearisation, residual, residual_jacobian
 // Parameters set at run time: none
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
 // moved across joints, factoring, and what is done once for a set of parameters:
-//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   kinematics               64               95          0             0                  7       0    173     173
-//   mass_matrix               9                7          0             0                  3       0     22      24
-//   bias                     20               35          1             1                  4       0     65      87
-//   inverse_dynamics         73               98          1             1                  7       0    187     222
-//   forward_dynamics        236              356         12             1                  7       0    619     661
-//   energy                   29               50          0             1                  4       0     88      94
-//   constraints              87              142          0             0                  7       0    243     249
-//   linearisation           554              773         20             1                  7       0   1362    1495
+//   function           additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   kinematics                64               95          0             0                  7       0    173     173
+//   mass_matrix                9                7          0             0                  3       0     22      24
+//   bias                      20               35          1             1                  4       0     65      87
+//   inverse_dynamics          73               98          1             1                  7       0    187     222
+//   forward_dynamics         236              356         12             1                  7       0    619     661
+//   energy                    29               50          0             1                  4       0     88      94
+//   constraints               87              142          0             0                  7       0    243     249
+//   linearisation            554              773         20             1                  7       0   1362    1495
+//   residual                 131              204          1             1                  7       0    351     392
+//   residual_jacobian        230              367          3             1                  7       0    615     739
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 315 results 201 vanish identically, 18 repeat another up to sign
@@ -25,9 +27,10 @@
 //   constraints: of 60 results 20 vanish identically, 8 repeat another up to sign
 //   reactions: left out, the scene releases no joint direction (released_coordinate)
 //   linearisation: of 162 results 113 vanish identically, 3 repeat another up to sign
+//   residual_jacobian: of 123 results 49 repeat another up to sign
 //
 // To write this file again:
-//   andrews_squeezer_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output andrews_squeezer.hpp
+//   andrews_squeezer_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation,residual,residual_jacobian --output andrews_squeezer.hpp
 #pragma once
 
 #include <array>
@@ -395,7 +398,7 @@ struct Mechanism {
 
   static constexpr const char* name = "andrews_squeezer";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x198deb3f461a5db2ULL;
+  static constexpr unsigned long long fingerprint = 0xd71b617789268ec1ULL;
   static constexpr int coordinate_count = 7;
   static constexpr int velocity_count = 7;
   static constexpr int input_count = 0;
@@ -672,6 +675,20 @@ struct Mechanism {
   /// Velocities that w of the linearisation deviates: places in v.
   static constexpr int independent_velocity_count = 1;
   static constexpr int independent_velocities[] = {0};
+
+  /// Derivatives of the residual in compressed rows.
+  struct ResidualJacobian {
+    std::array<Scalar, 123> values;  ///< entries, row by row
+  };
+  /// Where the values of ResidualJacobian stand: those of row i from row_start[i] to row_start[i + 1], each in its
+  /// column: of unknown j by position j, by velocity n + j, by acceleration 2 n + j, by multiplier k 3 n + k.
+  static constexpr int residual_jacobian_nonzeros = 123;
+  static constexpr int residual_jacobian_row_start[] = {0, 12, 23, 27, 34, 42, 49, 57, 66, 75, 87, 99, 111, 123};
+  static constexpr int residual_jacobian_column[] = {0, 1, 7, 8, 14, 15, 21, 22, 23, 24, 25, 26, 0, 1, 7, 14, 15, 21,
+      22, 23, 24, 25, 26, 2, 16, 21, 22, 3, 4, 11, 17, 18, 23, 24, 3, 4, 10, 11, 17, 18, 23, 24, 5, 6, 13, 19, 20, 25,
+      26, 5, 6, 12, 13, 19, 20, 25, 26, 0, 1, 2, 7, 8, 9, 14, 15, 16, 0, 1, 2, 7, 8, 9, 14, 15, 16, 0, 1, 3, 4, 7, 8,
+      10, 11, 14, 15, 17, 18, 0, 1, 3, 4, 7, 8, 10, 11, 14, 15, 17, 18, 0, 1, 5, 6, 7, 8, 12, 13, 14, 15, 19, 20, 0, 1,
+      5, 6, 7, 8, 12, 13, 14, 15, 19, 20};
 
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
   /// matrices column by column.
@@ -2815,6 +2832,653 @@ struct Mechanism {
         + (result.F_r[0] - result.F_r[0]) + (result.A[1] - result.A[1]) + (result.A[3] - result.A[3]);
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
+  }
+
+  /// Residual of the equations of motion, zero along motions:
+  /// r = (M a + h - A' lambda - E u, A a + gamma).
+  TORSOR_DEVICE static void residual(const Precomputed&, const State& state, const Accelerations& accelerations,
+      const Multipliers& multipliers, const Inputs&, std::array<Scalar, 13>& residual) noexcept {
+    const Scalar n0_018 = traits::constant(0.018, 0.018f, "9/500");
+    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
+    const Scalar k2 = traits::constant(0.03635, 0.03635f, "727/20000");
+    const Scalar k3 = traits::constant(0.03273, 0.03273f, "3273/100000");
+    const Scalar n0_035 = traits::constant(0.035, 0.035f, "7/200");
+    const Scalar n0_014 = traits::constant(0.014, 0.014f, "7/500");
+    const Scalar n0_072 = traits::constant(0.072, 0.072f, "9/125");
+    const Scalar k7 = traits::constant(0.03927, 0.03927f, "3927/100000");
+    const Scalar k8 = traits::constant(0.05035, 0.05035f, "1007/20000");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n4530 = traits::constant(4530.0, 4530.0f, "4530/1");
+    const Scalar n352_6605 = traits::constant(352.6605, 352.6605f, "705321/2000");
+    const Scalar n0_175 = traits::constant(0.175, 0.175f, "7/40");
+    const Scalar k13 = traits::constant(1.635096e-06, 1.635096e-06f, "204387/125000000000");
+    const Scalar k14 = traits::constant(1.679e-06, 1.679e-06f, "1679/1000000000");
+    const Scalar k15 = traits::constant(8.03380146e-07, 8.0338015e-07f, "401690073/500000000000000");
+    const Scalar k16 = traits::constant(3.981529833e-05, 3.98153e-05f, "3981529833/100000000000000");
+    const Scalar k17 = traits::constant(6.6455736e-05, 6.645574e-05f, "8306967/125000000000");
+    const Scalar k18 = traits::constant(1.6170147425e-05, 1.6170148e-05f, "646805897/40000000000000");
+    const Scalar k19 = traits::constant(9.237125e-07, 9.237125e-07f, "73897/80000000000");
+    const Scalar n0_033 = traits::constant(0.033, 0.033f, "33/1000");
+    const Scalar k21 = traits::constant(2.4094568e-06, 2.4094568e-06f, "3011821/1250000000000");
+    const Scalar n0_028 = traits::constant(0.028, 0.028f, "7/250");
+    const Scalar n0_007 = traits::constant(0.007, 0.007f, "7/1000");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n0_04 = traits::constant(0.04, 0.04f, "1/25");
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    const Scalar a_beta = accelerations.beta;
+    const Scalar q_Theta = state.q.Theta;
+    const Scalar v_Theta = state.v.Theta;
+    const Scalar a_Theta = accelerations.Theta;
+    const Scalar q_gamma = state.q.gamma;
+    const Scalar v_gamma = state.v.gamma;
+    const Scalar a_gamma = accelerations.gamma;
+    const Scalar q_delta = state.q.delta;
+    const Scalar v_delta = state.v.delta;
+    const Scalar a_delta = accelerations.delta;
+    const Scalar q_Phi = state.q.Phi;
+    const Scalar v_Phi = state.v.Phi;
+    const Scalar a_Phi = accelerations.Phi;
+    const Scalar q_epsilon = state.q.epsilon;
+    const Scalar v_epsilon = state.v.epsilon;
+    const Scalar a_epsilon = accelerations.epsilon;
+    const Scalar q_Omega = state.q.Omega;
+    const Scalar v_Omega = state.v.Omega;
+    const Scalar a_Omega = accelerations.Omega;
+    const Scalar l_lambda_E3_x = multipliers.lambda_E3_x;
+    const Scalar l_lambda_E3_y = multipliers.lambda_E3_y;
+    const Scalar l_lambda_E4_x = multipliers.lambda_E4_x;
+    const Scalar l_lambda_E4_y = multipliers.lambda_E4_y;
+    const Scalar l_lambda_E6_x = multipliers.lambda_E6_x;
+    const Scalar l_lambda_E6_y = multipliers.lambda_E6_y;
+    const Scalar angles_[] = {q_beta, q_Theta, q_gamma, q_delta, q_Phi, q_epsilon, q_Omega};
+    Scalar sines_[7], cosines_[7];
+    torsor::sines_and_cosines(angles_, sines_, cosines_);
+    const Scalar s_beta = sines_[0], c_beta = cosines_[0];
+    const Scalar s_Theta = sines_[1], c_Theta = cosines_[1];
+    const Scalar s_gamma = sines_[2], c_gamma = cosines_[2];
+    const Scalar s_delta = sines_[3], c_delta = cosines_[3];
+    const Scalar s_Phi = sines_[4], c_Phi = cosines_[4];
+    const Scalar s_epsilon = sines_[5], c_epsilon = cosines_[5];
+    const Scalar s_Omega = sines_[6], c_Omega = cosines_[6];
+    const Scalar z41 = v_beta + v_Theta;
+    const Scalar z52 = v_delta + v_Phi;
+    const Scalar z63 = v_epsilon + v_Omega;
+    const Scalar z116 = n0_018 * s_gamma + n0_02 * c_gamma;
+    const Scalar z117 = n0_02 * s_gamma - n0_018 * c_gamma;
+    const Scalar z122 = k2 - z116;
+    const Scalar z123 = k3 + z117;
+    const Scalar z131 = n0_035 * s_gamma;
+    const Scalar z132 = n0_035 * c_gamma;
+    const Scalar z212 = n0_014 + z122;
+    const Scalar z213 = n0_072 - z123;
+    const Scalar z214 = k7 * s_gamma + k8 * c_gamma;
+    const Scalar z215 = k8 * s_gamma - k7 * c_gamma;
+    const Scalar z216 = n0_02 - z214;
+    const Scalar z217 = n0_018 - z215;
+    const Scalar z218 = z212 * z212 + z213 * z213;
+    const Scalar z219 = traits::sqrt(z218);
+    const Scalar z220 = n1 / z219;
+    const Scalar z221 = n4530 - n352_6605 * z220;
+    const Scalar z223 = z216 * z221;
+    const Scalar z224 = z217 * z221;
+    const Scalar z225 = n0_018 * z223 - n0_02 * z224;
+    const Scalar z226 = v_beta * v_beta;
+    const Scalar z227 = n0_175 * z226;
+    const Scalar z230 = v_delta * v_delta;
+    const Scalar z233 = v_epsilon * v_epsilon;
+    const Scalar z236 = z63 * z63;
+    const Scalar z237 = k13 * z236;  // force on K6, times 0.04 m, x
+    const Scalar z244 = z52 * z52;
+    const Scalar z245 = k13 * z244;  // force on K4, times 0.04 m, y
+    const Scalar z255 = z41 * z41;
+    const Scalar z256 = k14 * z255;  // force on K2, times 0.04 m, x
+    const Scalar z262 = n0_175 * a_beta;
+    const Scalar z264 = s_Theta * z227 + c_Theta * z262;
+    const Scalar z265 = a_beta + a_Theta;  // angular acceleration of K2, z
+    const Scalar z266 = a_delta * s_Phi - c_Phi * z230;
+    const Scalar z268 = a_delta + a_Phi;  // angular acceleration of K4, z
+    const Scalar z270 = a_epsilon * s_Omega - c_Omega * z233;
+    const Scalar z271 = a_epsilon + a_Omega;  // angular acceleration of K6, z
+    const Scalar z272 = k13 * z271;  // force on K6, times 0.04 m, y
+    const Scalar z273 = k13 * z270 - k15 * z271;  // moment on K6, z
+    const Scalar z274 = s_Omega * z272 + c_Omega * z237;
+    const Scalar z278 = k16 * a_epsilon - z273 - z274;  // moment on K7, z
+    const Scalar z279 = k13 * z268;  // force on K4, times 0.04 m, x
+    const Scalar z280 = k13 * z266 + k15 * z268;  // moment on K4, z
+    const Scalar z282 = s_Phi * z279 + c_Phi * z245;
+    const Scalar z285 = k17 * a_delta + z280 + z282;  // moment on K5, z
+    const Scalar z288 = k18 * a_gamma + z225;  // moment on K3, z
+    const Scalar z289 = k14 * z265;  // force on K2, times 0.04 m, y
+    const Scalar z290 = k14 * z264 - k19 * z265;  // moment on K2, z
+    const Scalar z292 = s_Theta * z256 - c_Theta * z289;
+    const Scalar z295 = n0_033 - k21 * a_beta + z290 - n0_175 * z292;  // moment on K1, z
+    const Scalar z302 = n0_028 * c_Theta;
+    const Scalar z303 = n0_028 * s_Theta;
+    const Scalar z304 = n0_007 - z302;
+    const Scalar z305 = s_beta * z303 + c_beta * z304;
+    const Scalar z306 = s_beta * z304 - c_beta * z303;
+    const Scalar z309 = v_gamma * c_gamma;
+    const Scalar z311 = v_beta * c_beta;
+    const Scalar z312 = v_Theta * c_Theta;
+    const Scalar z313 = n0_028 * z312;
+    const Scalar z314 = v_beta * s_beta;
+    const Scalar z315 = v_Theta * s_Theta;
+    const Scalar z316 = n0_028 * z315;
+    const Scalar z319 = s_beta * z302 + c_beta * z303;
+    const Scalar z324 = v_gamma * s_gamma;
+    const Scalar z325 = v_gamma * z324;
+    const Scalar z326 = n0_035 * z325;
+    const Scalar z327 = v_Theta * z315;
+    const Scalar z328 = n0_028 * z327;
+    const Scalar z329 = v_Theta * z312;
+    const Scalar z330 = n0_028 * z329;
+    const Scalar z331 = v_beta * z314;
+    const Scalar z332 = v_beta * z311;
+    const Scalar z333 = -n2 * (z311 * z313 - z314 * z316) + s_beta * z328 - c_beta * z330 + z303 * z331 + z304 * z332;
+    const Scalar z334 = z326 - z333;
+    const Scalar z338 = s_beta * z303 - c_beta * z302;
+    const Scalar z339 = v_gamma * z309;
+    const Scalar z340 = n0_035 * z339;
+    const Scalar z341 = n2 * (z311 * z316 + z313 * z314) + s_beta * z330 + c_beta * z328 + z303 * z332 - z304 * z331;
+    const Scalar z342 = z340 - z341;
+    const Scalar z343 = n0_02 * s_Phi;
+    const Scalar z344 = n0_02 * c_Phi;
+    const Scalar z345 = n0_04 + z343;
+    const Scalar z346 = s_delta * z344 + c_delta * z345;
+    const Scalar z347 = s_delta * z345 - c_delta * z344;
+    const Scalar z352 = v_delta * c_delta;
+    const Scalar z353 = v_Phi * s_Phi;
+    const Scalar z354 = n0_02 * z353;
+    const Scalar z355 = v_delta * s_delta;
+    const Scalar z356 = v_Phi * c_Phi;
+    const Scalar z357 = n0_02 * z356;
+    const Scalar z360 = s_delta * z343 - c_delta * z344;
+    const Scalar z365 = v_Phi * z356;
+    const Scalar z366 = n0_02 * z365;
+    const Scalar z367 = v_Phi * z353;
+    const Scalar z368 = n0_02 * z367;
+    const Scalar z369 = v_delta * z355;
+    const Scalar z370 = v_delta * z352;
+    const Scalar z371 = n2 * (z352 * z354 + z355 * z357) + s_delta * z366 + c_delta * z368 + z344 * z369 + z345 * z370;
+    const Scalar z372 = z333 - z371;
+    const Scalar z375 = s_delta * z344 + c_delta * z343;
+    const Scalar z376 = -n2 * (z352 * z357 - z354 * z355) + s_delta * z368 - c_delta * z366 - z344 * z370 + z345 * z369;
+    const Scalar z377 = z341 + z376;
+    const Scalar z378 = n0_02 * c_Omega;
+    const Scalar z379 = n0_02 * s_Omega;
+    const Scalar z380 = n0_04 - z379;
+    const Scalar z381 = s_epsilon * z380 + c_epsilon * z378;
+    const Scalar z382 = s_epsilon * z378 - c_epsilon * z380;
+    const Scalar z387 = v_epsilon * c_epsilon;
+    const Scalar z388 = v_Omega * c_Omega;
+    const Scalar z389 = n0_02 * z388;
+    const Scalar z390 = v_epsilon * s_epsilon;
+    const Scalar z391 = v_Omega * s_Omega;
+    const Scalar z392 = n0_02 * z391;
+    const Scalar z395 = s_epsilon * z378 + c_epsilon * z379;
+    const Scalar z400 = v_Omega * z391;
+    const Scalar z401 = n0_02 * z400;
+    const Scalar z402 = v_Omega * z388;
+    const Scalar z403 = n0_02 * z402;
+    const Scalar z404 = v_epsilon * z387;
+    const Scalar z405 = v_epsilon * z390;
+    const Scalar z406 = -n2 * (z387 * z389 - z390 * z392) + s_epsilon * z401 - c_epsilon * z403 - z378 * z404 - z380
+        * z405;
+    const Scalar z407 = z333 + z406;
+    const Scalar z410 = s_epsilon * z379 - c_epsilon * z378;
+    const Scalar z411 = n2 * (z387 * z392 + z389 * z390) + s_epsilon * z403 + c_epsilon * z401 + z378 * z405 - z380
+        * z404;
+    const Scalar z412 = z341 + z411;
+    const Scalar z647 = a_beta * z306 - a_Theta * z319 - a_epsilon * z382 - a_Omega * z395 + z407;
+    const Scalar z648 = a_beta * z306 - a_Theta * z319 - a_delta * z347 - a_Phi * z360 + z372;
+    const Scalar z649 = a_beta * z306 - a_Theta * z319 + a_gamma * z132 - z334;
+    const Scalar z650 = a_beta * z305 + a_Theta * z338 - a_gamma * z131 - z342;
+    const Scalar z651 = a_beta * z305 + a_Theta * z338 - a_epsilon * z381 + a_Omega * z410 + z412;
+    const Scalar z652 = a_beta * z305 + a_Theta * z338 - a_delta * z346 - a_Phi * z375 + z377;
+    residual[0] = -z305 * (l_lambda_E3_y + l_lambda_E4_y + l_lambda_E6_y) + z306 * (l_lambda_E3_x + l_lambda_E4_x
+        + l_lambda_E6_x) - z295;
+    residual[1] = -z319 * (l_lambda_E3_x + l_lambda_E4_x + l_lambda_E6_x) - z338 * (l_lambda_E3_y + l_lambda_E4_y
+        + l_lambda_E6_y) - z290;
+    residual[2] = z131 * l_lambda_E3_y + z132 * l_lambda_E3_x + z288;
+    residual[3] = z280 - z360 * l_lambda_E4_x + z375 * l_lambda_E4_y;
+    residual[4] = z285 + z346 * l_lambda_E4_y - z347 * l_lambda_E4_x;
+    residual[5] = -z273 - z395 * l_lambda_E6_x - z410 * l_lambda_E6_y;
+    residual[6] = z278 + z381 * l_lambda_E6_y - z382 * l_lambda_E6_x;
+    residual[7] = -z649;
+    residual[8] = z650;
+    residual[9] = -z648;
+    residual[10] = z652;
+    residual[11] = -z647;
+    residual[12] = z651;
+  }
+
+  /// Derivatives of residual by (q, v, a, lambda) without those that vanish identically: `values` of
+  /// compressed rows. r = (M a + h - A' lambda - E u, A a + gamma).
+  TORSOR_DEVICE static void residual_jacobian(const Precomputed&, const State& state,
+      const Accelerations& accelerations, const Multipliers& multipliers, const Inputs&,
+      ResidualJacobian& result) noexcept {
+    const Scalar n0_018 = traits::constant(0.018, 0.018f, "9/500");
+    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
+    const Scalar k2 = traits::constant(0.03635, 0.03635f, "727/20000");
+    const Scalar k3 = traits::constant(0.03273, 0.03273f, "3273/100000");
+    const Scalar n0_035 = traits::constant(0.035, 0.035f, "7/200");
+    const Scalar k5 = traits::constant(1.635096e-06, 1.635096e-06f, "204387/125000000000");
+    const Scalar k6 = traits::constant(8.03380146e-07, 8.0338015e-07f, "401690073/500000000000000");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar k8 = traits::constant(3.981529833e-05, 3.98153e-05f, "3981529833/100000000000000");
+    const Scalar k9 = traits::constant(6.6455736e-05, 6.645574e-05f, "8306967/125000000000");
+    const Scalar k10 = traits::constant(1.679e-06, 1.679e-06f, "1679/1000000000");
+    const Scalar k11 = traits::constant(9.237125e-07, 9.237125e-07f, "73897/80000000000");
+    const Scalar n0_175 = traits::constant(0.175, 0.175f, "7/40");
+    const Scalar n0_35 = traits::constant(0.35, 0.35f, "7/20");
+    const Scalar k14 = traits::constant(2.4094568e-06, 2.4094568e-06f, "3011821/1250000000000");
+    const Scalar n0_014 = traits::constant(0.014, 0.014f, "7/500");
+    const Scalar n0_072 = traits::constant(0.072, 0.072f, "9/125");
+    const Scalar k17 = traits::constant(0.03927, 0.03927f, "3927/100000");
+    const Scalar k18 = traits::constant(0.05035, 0.05035f, "1007/20000");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n4530 = traits::constant(4530.0, 4530.0f, "4530/1");
+    const Scalar n352_6605 = traits::constant(352.6605, 352.6605f, "705321/2000");
+    const Scalar n0_028 = traits::constant(0.028, 0.028f, "7/250");
+    const Scalar n0_007 = traits::constant(0.007, 0.007f, "7/1000");
+    const Scalar n0_04 = traits::constant(0.04, 0.04f, "1/25");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar k26 = traits::constant(1.6170147425e-05, 1.6170148e-05f, "646805897/40000000000000");
+    const Scalar q_beta = state.q.beta;
+    const Scalar v_beta = state.v.beta;
+    const Scalar a_beta = accelerations.beta;
+    const Scalar q_Theta = state.q.Theta;
+    const Scalar v_Theta = state.v.Theta;
+    const Scalar a_Theta = accelerations.Theta;
+    const Scalar q_gamma = state.q.gamma;
+    const Scalar v_gamma = state.v.gamma;
+    const Scalar a_gamma = accelerations.gamma;
+    const Scalar q_delta = state.q.delta;
+    const Scalar v_delta = state.v.delta;
+    const Scalar a_delta = accelerations.delta;
+    const Scalar q_Phi = state.q.Phi;
+    const Scalar v_Phi = state.v.Phi;
+    const Scalar a_Phi = accelerations.Phi;
+    const Scalar q_epsilon = state.q.epsilon;
+    const Scalar v_epsilon = state.v.epsilon;
+    const Scalar a_epsilon = accelerations.epsilon;
+    const Scalar q_Omega = state.q.Omega;
+    const Scalar v_Omega = state.v.Omega;
+    const Scalar a_Omega = accelerations.Omega;
+    const Scalar l_lambda_E3_x = multipliers.lambda_E3_x;
+    const Scalar l_lambda_E3_y = multipliers.lambda_E3_y;
+    const Scalar l_lambda_E4_x = multipliers.lambda_E4_x;
+    const Scalar l_lambda_E4_y = multipliers.lambda_E4_y;
+    const Scalar l_lambda_E6_x = multipliers.lambda_E6_x;
+    const Scalar l_lambda_E6_y = multipliers.lambda_E6_y;
+    const Scalar angles_[] = {q_beta, q_Theta, q_gamma, q_delta, q_Phi, q_epsilon, q_Omega};
+    Scalar sines_[7], cosines_[7];
+    torsor::sines_and_cosines(angles_, sines_, cosines_);
+    const Scalar s_beta = sines_[0], c_beta = cosines_[0];
+    const Scalar s_Theta = sines_[1], c_Theta = cosines_[1];
+    const Scalar s_gamma = sines_[2], c_gamma = cosines_[2];
+    const Scalar s_delta = sines_[3], c_delta = cosines_[3];
+    const Scalar s_Phi = sines_[4], c_Phi = cosines_[4];
+    const Scalar s_epsilon = sines_[5], c_epsilon = cosines_[5];
+    const Scalar s_Omega = sines_[6], c_Omega = cosines_[6];
+    const Scalar z41 = v_beta + v_Theta;
+    const Scalar z52 = v_delta + v_Phi;
+    const Scalar z63 = v_epsilon + v_Omega;
+    const Scalar z116 = n0_018 * s_gamma + n0_02 * c_gamma;
+    const Scalar z117 = n0_02 * s_gamma - n0_018 * c_gamma;
+    const Scalar z122 = k2 - z116;
+    const Scalar z123 = k3 + z117;
+    const Scalar z131 = n0_035 * s_gamma;
+    const Scalar z132 = n0_035 * c_gamma;
+    const Scalar z160 = k5 * s_Omega;
+    const Scalar z162 = k6 - z160;
+    const Scalar z170 = k6 - n2 * z160;
+    const Scalar z175 = k8 + z170;
+    const Scalar z177 = k5 * s_Phi;
+    const Scalar z178 = k6 + z177;
+    const Scalar z186 = k6 + n2 * z177;
+    const Scalar z191 = k9 + z186;
+    const Scalar z193 = k10 * c_Theta;
+    const Scalar z194 = k11 - n0_175 * z193;
+    const Scalar z202 = k11 - n0_35 * z193;
+    const Scalar z205 = k14 + z202;
+    const Scalar z212 = n0_014 + z122;
+    const Scalar z213 = n0_072 - z123;
+    const Scalar z214 = k17 * s_gamma + k18 * c_gamma;
+    const Scalar z215 = k18 * s_gamma - k17 * c_gamma;
+    const Scalar z216 = n0_02 - z214;
+    const Scalar z217 = n0_018 - z215;
+    const Scalar z218 = z212 * z212 + z213 * z213;
+    const Scalar z219 = traits::sqrt(z218);
+    const Scalar z220 = n1 / z219;
+    const Scalar z221 = n4530 - n352_6605 * z220;
+    const Scalar z226 = v_beta * v_beta;
+    const Scalar z227 = n0_175 * z226;
+    const Scalar z230 = v_delta * v_delta;
+    const Scalar z233 = v_epsilon * v_epsilon;
+    const Scalar z236 = z63 * z63;
+    const Scalar z237 = k5 * z236;  // force on K6, times 0.04 m, x
+    const Scalar z244 = z52 * z52;
+    const Scalar z245 = k5 * z244;  // force on K4, times 0.04 m, y
+    const Scalar z255 = z41 * z41;
+    const Scalar z256 = k10 * z255;  // force on K2, times 0.04 m, x
+    const Scalar z262 = n0_175 * a_beta;
+    const Scalar z263 = s_Theta * z262 - c_Theta * z227;
+    const Scalar z265 = a_beta + a_Theta;  // angular acceleration of K2, z
+    const Scalar z267 = a_delta * c_Phi + s_Phi * z230;
+    const Scalar z268 = a_delta + a_Phi;  // angular acceleration of K4, z
+    const Scalar z269 = a_epsilon * c_Omega + s_Omega * z233;
+    const Scalar z271 = a_epsilon + a_Omega;  // angular acceleration of K6, z
+    const Scalar z272 = k5 * z271;  // force on K6, times 0.04 m, y
+    const Scalar z275 = s_Omega * z237 - c_Omega * z272;
+    const Scalar z279 = k5 * z268;  // force on K4, times 0.04 m, x
+    const Scalar z281 = s_Phi * z245 - c_Phi * z279;
+    const Scalar z289 = k10 * z265;  // force on K2, times 0.04 m, y
+    const Scalar z291 = s_Theta * z289 + c_Theta * z256;
+    const Scalar z302 = n0_028 * c_Theta;
+    const Scalar z303 = n0_028 * s_Theta;
+    const Scalar z304 = n0_007 - z302;
+    const Scalar z305 = s_beta * z303 + c_beta * z304;
+    const Scalar z306 = s_beta * z304 - c_beta * z303;
+    const Scalar z309 = v_gamma * c_gamma;
+    const Scalar z311 = v_beta * c_beta;
+    const Scalar z312 = v_Theta * c_Theta;
+    const Scalar z313 = n0_028 * z312;
+    const Scalar z314 = v_beta * s_beta;
+    const Scalar z315 = v_Theta * s_Theta;
+    const Scalar z316 = n0_028 * z315;
+    const Scalar z319 = s_beta * z302 + c_beta * z303;
+    const Scalar z324 = v_gamma * s_gamma;
+    const Scalar z325 = v_gamma * z324;
+    const Scalar z326 = n0_035 * z325;
+    const Scalar z327 = v_Theta * z315;
+    const Scalar z328 = n0_028 * z327;
+    const Scalar z329 = v_Theta * z312;
+    const Scalar z330 = n0_028 * z329;
+    const Scalar z331 = v_beta * z314;
+    const Scalar z332 = v_beta * z311;
+    const Scalar z333 = -n2 * (z311 * z313 - z314 * z316) + s_beta * z328 - c_beta * z330 + z303 * z331 + z304 * z332;
+    const Scalar z338 = s_beta * z303 - c_beta * z302;
+    const Scalar z339 = v_gamma * z309;
+    const Scalar z340 = n0_035 * z339;
+    const Scalar z341 = n2 * (z311 * z316 + z313 * z314) + s_beta * z330 + c_beta * z328 + z303 * z332 - z304 * z331;
+    const Scalar z343 = n0_02 * s_Phi;
+    const Scalar z344 = n0_02 * c_Phi;
+    const Scalar z345 = n0_04 + z343;
+    const Scalar z346 = s_delta * z344 + c_delta * z345;
+    const Scalar z347 = s_delta * z345 - c_delta * z344;
+    const Scalar z352 = v_delta * c_delta;
+    const Scalar z353 = v_Phi * s_Phi;
+    const Scalar z354 = n0_02 * z353;
+    const Scalar z355 = v_delta * s_delta;
+    const Scalar z356 = v_Phi * c_Phi;
+    const Scalar z357 = n0_02 * z356;
+    const Scalar z360 = s_delta * z343 - c_delta * z344;
+    const Scalar z365 = v_Phi * z356;
+    const Scalar z366 = n0_02 * z365;
+    const Scalar z367 = v_Phi * z353;
+    const Scalar z368 = n0_02 * z367;
+    const Scalar z369 = v_delta * z355;
+    const Scalar z370 = v_delta * z352;
+    const Scalar z371 = n2 * (z352 * z354 + z355 * z357) + s_delta * z366 + c_delta * z368 + z344 * z369 + z345 * z370;
+    const Scalar z375 = s_delta * z344 + c_delta * z343;
+    const Scalar z376 = -n2 * (z352 * z357 - z354 * z355) + s_delta * z368 - c_delta * z366 - z344 * z370 + z345 * z369;
+    const Scalar z378 = n0_02 * c_Omega;
+    const Scalar z379 = n0_02 * s_Omega;
+    const Scalar z380 = n0_04 - z379;
+    const Scalar z381 = s_epsilon * z380 + c_epsilon * z378;
+    const Scalar z382 = s_epsilon * z378 - c_epsilon * z380;
+    const Scalar z387 = v_epsilon * c_epsilon;
+    const Scalar z388 = v_Omega * c_Omega;
+    const Scalar z389 = n0_02 * z388;
+    const Scalar z390 = v_epsilon * s_epsilon;
+    const Scalar z391 = v_Omega * s_Omega;
+    const Scalar z392 = n0_02 * z391;
+    const Scalar z395 = s_epsilon * z378 + c_epsilon * z379;
+    const Scalar z400 = v_Omega * z391;
+    const Scalar z401 = n0_02 * z400;
+    const Scalar z402 = v_Omega * z388;
+    const Scalar z403 = n0_02 * z402;
+    const Scalar z404 = v_epsilon * z387;
+    const Scalar z405 = v_epsilon * z390;
+    const Scalar z406 = -n2 * (z387 * z389 - z390 * z392) + s_epsilon * z401 - c_epsilon * z403 - z378 * z404 - z380
+        * z405;
+    const Scalar z410 = s_epsilon * z379 - c_epsilon * z378;
+    const Scalar z411 = n2 * (z387 * z392 + z389 * z390) + s_epsilon * z403 + c_epsilon * z401 + z378 * z405 - z380
+        * z404;
+    const Scalar z598 = n2 * v_beta;
+    const Scalar z599 = n0_175 * z598;
+    const Scalar z600 = s_Theta * z599;
+    const Scalar z601 = k10 * z600;
+    const Scalar z602 = n2 * z41;
+    const Scalar z603 = k10 * z602;
+    const Scalar z604 = s_Theta * z603;
+    const Scalar z605 = z601 - n0_175 * z604;
+    const Scalar z606 = z305 * (l_lambda_E3_x + l_lambda_E4_x + l_lambda_E6_x) + z306 * (l_lambda_E3_y + l_lambda_E4_y
+        + l_lambda_E6_y);
+    const Scalar z607 = z319 * (l_lambda_E3_y + l_lambda_E4_y + l_lambda_E6_y) - z338 * (l_lambda_E3_x + l_lambda_E4_x
+        + l_lambda_E6_x);
+    const Scalar z608 = n0_175 * z604;
+    const Scalar z609 = k10 * z263;
+    const Scalar z610 = n0_175 * z291 + z609;
+    const Scalar z611 = z319 * (l_lambda_E3_y + l_lambda_E4_y + l_lambda_E6_y) - z338 * (l_lambda_E3_x + l_lambda_E4_x
+        + l_lambda_E6_x) - z610;
+    const Scalar z612 = z319 * (l_lambda_E3_y + l_lambda_E4_y + l_lambda_E6_y) - z338 * (l_lambda_E3_x + l_lambda_E4_x
+        + l_lambda_E6_x) - z609;
+    const Scalar z613 = n2 * (z116 * z213 - z117 * z212);
+    const Scalar z614 = n0_5 * z613 / z219;
+    const Scalar z615 = z614 / (z219 * z219);
+    const Scalar z616 = n352_6605 * z615;
+    const Scalar z617 = z215 * z221 - z216 * z616;
+    const Scalar z618 = z214 * z221 + z217 * z616;
+    const Scalar z619 = n0_018 * z617 + n0_02 * z618;
+    const Scalar z620 = z131 * l_lambda_E3_x - z132 * l_lambda_E3_y - z619;
+    const Scalar z621 = k5 * z267;
+    const Scalar z622 = z360 * l_lambda_E4_y + z375 * l_lambda_E4_x - z621;
+    const Scalar z623 = n2 * z52;
+    const Scalar z624 = k5 * z623;
+    const Scalar z625 = c_Phi * z624;
+    const Scalar z626 = z281 - z621;
+    const Scalar z627 = z360 * l_lambda_E4_y + z375 * l_lambda_E4_x + z626;
+    const Scalar z628 = n2 * v_delta;
+    const Scalar z629 = c_Phi * z628;
+    const Scalar z630 = k5 * z629;
+    const Scalar z631 = z360 * l_lambda_E4_y + z375 * l_lambda_E4_x;
+    const Scalar z632 = z625 - z630;
+    const Scalar z633 = z346 * l_lambda_E4_x + z347 * l_lambda_E4_y;
+    const Scalar z634 = k5 * z269;
+    const Scalar z635 = z395 * l_lambda_E6_y - z410 * l_lambda_E6_x + z634;
+    const Scalar z636 = n2 * z63;
+    const Scalar z637 = k5 * z636;
+    const Scalar z638 = c_Omega * z637;
+    const Scalar z639 = z275 - z634;
+    const Scalar z640 = z395 * l_lambda_E6_y - z410 * l_lambda_E6_x - z639;
+    const Scalar z641 = n2 * v_epsilon;
+    const Scalar z642 = c_Omega * z641;
+    const Scalar z643 = k5 * z642;
+    const Scalar z644 = z395 * l_lambda_E6_y - z410 * l_lambda_E6_x;
+    const Scalar z645 = z638 - z643;
+    const Scalar z646 = z381 * l_lambda_E6_x + z382 * l_lambda_E6_y;
+    const Scalar z653 = v_beta * s_beta + z314;
+    const Scalar z654 = v_beta * c_beta + z311;
+    const Scalar z655 = n2 * (s_beta * z316 - c_beta * z313) + z303 * z653 + z304 * z654;
+    const Scalar z656 = a_beta * z305 + a_Theta * z338 + z341;
+    const Scalar z657 = n2 * (s_beta * z313 + c_beta * z316) + z303 * z654 - z304 * z653;
+    const Scalar z658 = a_beta * z306 - a_Theta * z319 + z333;
+    const Scalar z660 = v_Theta * s_Theta + z315;
+    const Scalar z661 = n0_028 * z660;
+    const Scalar z662 = v_Theta * c_Theta + z312;
+    const Scalar z663 = n0_028 * z662;
+    const Scalar z664 = -n2 * (z302 * z311 - z303 * z314) + s_beta * z661 - c_beta * z663;
+    const Scalar z665 = n2 * (z311 * z316 + z313 * z314) + s_beta * z330 + c_beta * z328 + z302 * z331 + z303 * z332;
+    const Scalar z666 = z338 * (a_beta + a_Theta) + z665;
+    const Scalar z668 = n2 * (z302 * z314 + z303 * z311) + s_beta * z663 + c_beta * z661;
+    const Scalar z669 = -n2 * (z311 * z313 - z314 * z316) + s_beta * z328 - c_beta * z330 - z302 * z332 + z303 * z331;
+    const Scalar z670 = z319 * (a_beta + a_Theta) - z669;
+    const Scalar z671 = v_gamma * s_gamma + z324;
+    const Scalar z672 = n0_035 * z671;
+    const Scalar z673 = a_gamma * z131 + z340;
+    const Scalar z674 = v_gamma * c_gamma + z309;
+    const Scalar z675 = n0_035 * z674;
+    const Scalar z676 = a_gamma * z132 - z326;
+    const Scalar z678 = v_Phi * c_Phi + z356;
+    const Scalar z679 = n0_02 * z678;
+    const Scalar z680 = v_Phi * s_Phi + z353;
+    const Scalar z681 = n0_02 * z680;
+    const Scalar z682 = n2 * (z343 * z352 + z344 * z355) + s_delta * z679 + c_delta * z681;
+    const Scalar z683 = -n2 * (z352 * z357 - z354 * z355) + s_delta * z368 - c_delta * z366 + z343 * z369 - z344 * z370;
+    const Scalar z684 = z375 * (a_delta + a_Phi) - z683;
+    const Scalar z686 = n2 * (z343 * z355 - z344 * z352) + s_delta * z681 - c_delta * z679;
+    const Scalar z687 = n2 * (z352 * z354 + z355 * z357) + s_delta * z366 + c_delta * z368 + z343 * z370 + z344 * z369;
+    const Scalar z688 = z360 * (a_delta + a_Phi) + z687;
+    const Scalar z689 = v_delta * s_delta + z355;
+    const Scalar z690 = v_delta * c_delta + z352;
+    const Scalar z691 = n2 * (s_delta * z357 + c_delta * z354) + z344 * z689 + z345 * z690;
+    const Scalar z692 = a_delta * z346 + a_Phi * z375 - z376;
+    const Scalar z693 = n2 * (s_delta * z354 - c_delta * z357) - z344 * z690 + z345 * z689;
+    const Scalar z694 = a_delta * z347 + a_Phi * z360 + z371;
+    const Scalar z696 = v_Omega * s_Omega + z391;
+    const Scalar z697 = n0_02 * z696;
+    const Scalar z698 = v_Omega * c_Omega + z388;
+    const Scalar z699 = n0_02 * z698;
+    const Scalar z700 = -n2 * (z378 * z387 - z379 * z390) + s_epsilon * z697 - c_epsilon * z699;
+    const Scalar z701 = n2 * (z387 * z392 + z389 * z390) + s_epsilon * z403 + c_epsilon * z401 + z378 * z405 + z379
+        * z404;
+    const Scalar z702 = z410 * (a_epsilon + a_Omega) + z701;
+    const Scalar z704 = n2 * (z378 * z390 + z379 * z387) + s_epsilon * z699 + c_epsilon * z697;
+    const Scalar z705 = -n2 * (z387 * z389 - z390 * z392) + s_epsilon * z401 - c_epsilon * z403 - z378 * z404 + z379
+        * z405;
+    const Scalar z706 = z395 * (a_epsilon + a_Omega) - z705;
+    const Scalar z707 = v_epsilon * c_epsilon + z387;
+    const Scalar z708 = v_epsilon * s_epsilon + z390;
+    const Scalar z709 = n2 * (s_epsilon * z392 - c_epsilon * z389) - z378 * z707 - z380 * z708;
+    const Scalar z710 = a_epsilon * z381 - a_Omega * z410 - z411;
+    const Scalar z711 = n2 * (s_epsilon * z389 + c_epsilon * z392) + z378 * z708 - z380 * z707;
+    const Scalar z712 = a_epsilon * z382 + a_Omega * z395 - z406;
+    result.values[0] = z606;
+    result.values[1] = -z611;
+    result.values[2] = -z605;
+    result.values[3] = z608;
+    result.values[4] = z205;
+    result.values[5] = z194;
+    result.values[6] = z306;
+    result.values[7] = -z305;
+    result.values[8] = z306;
+    result.values[9] = -z305;
+    result.values[10] = z306;
+    result.values[11] = -z305;
+    result.values[12] = -z607;
+    result.values[13] = -z612;
+    result.values[14] = -z601;
+    result.values[15] = z194;
+    result.values[16] = k11;
+    result.values[17] = -z319;
+    result.values[18] = -z338;
+    result.values[19] = -z319;
+    result.values[20] = -z338;
+    result.values[21] = -z319;
+    result.values[22] = -z338;
+    result.values[23] = -z620;
+    result.values[24] = k26;
+    result.values[25] = z132;
+    result.values[26] = z131;
+    result.values[27] = -z622;
+    result.values[28] = -z631;
+    result.values[29] = -z630;
+    result.values[30] = k6;
+    result.values[31] = z178;
+    result.values[32] = -z360;
+    result.values[33] = z375;
+    result.values[34] = -z627;
+    result.values[35] = -z633;
+    result.values[36] = z625;
+    result.values[37] = z632;
+    result.values[38] = z178;
+    result.values[39] = z191;
+    result.values[40] = -z347;
+    result.values[41] = z346;
+    result.values[42] = -z635;
+    result.values[43] = -z644;
+    result.values[44] = z643;
+    result.values[45] = k6;
+    result.values[46] = z162;
+    result.values[47] = -z395;
+    result.values[48] = -z410;
+    result.values[49] = -z640;
+    result.values[50] = -z646;
+    result.values[51] = -z638;
+    result.values[52] = -z645;
+    result.values[53] = z162;
+    result.values[54] = z175;
+    result.values[55] = -z382;
+    result.values[56] = z381;
+    result.values[57] = -z656;
+    result.values[58] = -z666;
+    result.values[59] = z673;
+    result.values[60] = -z655;
+    result.values[61] = -z664;
+    result.values[62] = z672;
+    result.values[63] = -z306;
+    result.values[64] = z319;
+    result.values[65] = -z132;
+    result.values[66] = -z658;
+    result.values[67] = z670;
+    result.values[68] = -z676;
+    result.values[69] = z657;
+    result.values[70] = z668;
+    result.values[71] = -z675;
+    result.values[72] = z305;
+    result.values[73] = z338;
+    result.values[74] = -z131;
+    result.values[75] = -z656;
+    result.values[76] = -z666;
+    result.values[77] = z684;
+    result.values[78] = z692;
+    result.values[79] = -z655;
+    result.values[80] = -z664;
+    result.values[81] = z682;
+    result.values[82] = z691;
+    result.values[83] = -z306;
+    result.values[84] = z319;
+    result.values[85] = z360;
+    result.values[86] = z347;
+    result.values[87] = -z658;
+    result.values[88] = z670;
+    result.values[89] = z688;
+    result.values[90] = z694;
+    result.values[91] = z657;
+    result.values[92] = z668;
+    result.values[93] = z686;
+    result.values[94] = z693;
+    result.values[95] = z305;
+    result.values[96] = z338;
+    result.values[97] = -z375;
+    result.values[98] = -z346;
+    result.values[99] = -z656;
+    result.values[100] = -z666;
+    result.values[101] = -z702;
+    result.values[102] = z710;
+    result.values[103] = -z655;
+    result.values[104] = -z664;
+    result.values[105] = -z700;
+    result.values[106] = -z709;
+    result.values[107] = -z306;
+    result.values[108] = z319;
+    result.values[109] = z395;
+    result.values[110] = z382;
+    result.values[111] = -z658;
+    result.values[112] = z670;
+    result.values[113] = z706;
+    result.values[114] = z712;
+    result.values[115] = z657;
+    result.values[116] = z668;
+    result.values[117] = z704;
+    result.values[118] = z711;
+    result.values[119] = z305;
+    result.values[120] = z338;
+    result.values[121] = z410;
+    result.values[122] = -z381;
   }
 };
 

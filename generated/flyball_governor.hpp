@@ -3,20 +3,22 @@
 // Made by torsor 0.1.0; change the scene and write the file again, do not edit it.
 // Free to embed under the MIT licence.
 //
-// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, linearisation
+// Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, linearisation, residual, residual_jacobian
 // Parameters set at run time: none
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
 // moved across joints, factoring, and what is done once for a set of parameters:
-//   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   kinematics               30               57          0             0                  3       0     93      93
-//   mass_matrix               4                8          0             0                  2       0     16      21
-//   bias                     34               79          4             2                  2       0    123     126
-//   inverse_dynamics         42               91          4             2                  2       0    143     151
-//   forward_dynamics         38               91          5             2                  2       0    140     148
-//   energy                   32               66          2             2                  2       0    106     116
-//   first_integrals           4                9          0             0                  2       0     17      22
-//   linearisation           119              297         25             2                  2       0    447     482
+//   function           additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
+//   kinematics                30               57          0             0                  3       0     93      93
+//   mass_matrix                4                8          0             0                  2       0     16      21
+//   bias                      34               79          4             2                  2       0    123     126
+//   inverse_dynamics          42               91          4             2                  2       0    143     151
+//   forward_dynamics          38               91          5             2                  2       0    140     148
+//   energy                    32               66          2             2                  2       0    106     116
+//   first_integrals            4                9          0             0                  2       0     17      22
+//   linearisation            119              297         25             2                  2       0    447     482
+//   residual                  42               91          4             2                  2       0    143     151
+//   residual_jacobian         98              245         24             2                  2       0    373     403
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 180 results 57 vanish identically, 63 repeat another up to sign
@@ -26,7 +28,7 @@
 //   linearisation: of 116 results 62 vanish identically
 //
 // To write this file again:
-//   flyball_governor_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation --output flyball_governor.hpp
+//   flyball_governor_scene generate --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,first_integrals,constraints,reactions,linearisation,residual,residual_jacobian --output flyball_governor.hpp
 #pragma once
 
 #include <array>
@@ -394,7 +396,7 @@ struct Mechanism {
 
   static constexpr const char* name = "flyball_governor";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x5752f9c5e053cdd1ULL;
+  static constexpr unsigned long long fingerprint = 0x56af1fd519bd8b85ULL;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 4;
   static constexpr int input_count = 0;
@@ -613,6 +615,17 @@ struct Mechanism {
     std::array<Scalar, 4> F;  ///< right-hand side
     std::array<Scalar, 64> A;  ///< state matrix of x = (e, e'): x' = A x + B du (8 x 8)
   };
+
+  /// Derivatives of the residual in compressed rows.
+  struct ResidualJacobian {
+    std::array<Scalar, 25> values;  ///< entries, row by row
+  };
+  /// Where the values of ResidualJacobian stand: those of row i from row_start[i] to row_start[i + 1], each in its
+  /// column: of unknown j by position j, by velocity n + j, by acceleration 2 n + j, by multiplier k 3 n + k.
+  static constexpr int residual_jacobian_nonzeros = 25;
+  static constexpr int residual_jacobian_row_start[] = {0, 6, 13, 19, 25};
+  static constexpr int residual_jacobian_column[] = {2, 3, 4, 6, 7, 8, 1, 2, 3, 5, 6, 7, 9, 1, 2, 4, 5, 6, 10, 1, 3, 4,
+      5, 7, 11};
 
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
   /// matrices column by column.
@@ -1821,6 +1834,397 @@ struct Mechanism {
         + (result.A[61] - result.A[61]) + (result.A[63] - result.A[63]);
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
+  }
+
+  /// Residual of the equations of motion, zero along motions:
+  /// r = M a + h - E u.
+  TORSOR_DEVICE static void residual(const Precomputed&, const State& state, const Accelerations& accelerations,
+      const Multipliers&, const Inputs&, std::array<Scalar, 4>& residual) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n5_15 = traits::constant(5.15, 5.15f, "103/20");
+    const Scalar k3 = traits::constant(5.0999975, 5.0999975f, "2039999/400000");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar k5 = traits::constant(0.031515, 0.031515f, "6303/200000");
+    const Scalar n800000 = traits::constant(8e+05, 8e+05f, "800000/1");
+    const Scalar n400000 = traits::constant(4e+05, 4e+05f, "400000/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n40000 = traits::constant(40000.0, 40000.0f, "40000/1");
+    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar k12 = traits::constant(2.5e-06, 2.5e-06f, "1/400000");
+    const Scalar n5_1 = traits::constant(5.1, 5.1f, "51/10");
+    const Scalar n29_43 = traits::constant(29.43, 29.43f, "2943/100");
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    const Scalar k16 = traits::constant(5.1000025, 5.1000023f, "2040001/400000");
+    const Scalar v_psi = state.v.psi;
+    const Scalar a_psi = accelerations.psi;
+    const Scalar q_s = state.q.s;
+    const Scalar v_s = state.v.s;
+    const Scalar a_s = accelerations.s;
+    const Scalar q_beta_1 = state.q.beta_1;
+    const Scalar v_beta_1 = state.v.beta_1;
+    const Scalar a_beta_1 = accelerations.beta_1;
+    const Scalar q_beta_2 = state.q.beta_2;
+    const Scalar v_beta_2 = state.v.beta_2;
+    const Scalar a_beta_2 = accelerations.beta_2;
+    const Scalar angles_[] = {q_beta_1, q_beta_2};
+    Scalar sines_[2], cosines_[2];
+    torsor::sines_and_cosines(angles_, sines_, cosines_);
+    const Scalar s_beta_1 = sines_[0], c_beta_1 = cosines_[0];
+    const Scalar s_beta_2 = sines_[1], c_beta_2 = cosines_[1];
+    const Scalar z25 = v_psi * s_beta_1;
+    const Scalar z26 = v_psi * c_beta_1;
+    const Scalar z35 = v_psi * s_beta_2;
+    const Scalar z36 = v_psi * c_beta_2;
+    const Scalar z41 = n0_5 * s_beta_1;
+    const Scalar z44 = n1 - z41;
+    const Scalar z55 = v_beta_1 * c_beta_1;
+    const Scalar z58 = n0_5 * s_beta_2;
+    const Scalar z61 = n1 - z58;
+    const Scalar z72 = v_beta_2 * c_beta_2;
+    const Scalar z80 = n5_15 * c_beta_2;
+    const Scalar z83 = k3 * c_beta_2;
+    const Scalar z84 = c_beta_2 * z83;
+    const Scalar z90 = n0_1 * z80 + z84;
+    const Scalar z92 = k5 + z90;
+    const Scalar z94 = n5_15 * c_beta_1;
+    const Scalar z97 = k3 * c_beta_1;
+    const Scalar z98 = c_beta_1 * z97;
+    const Scalar z104 = n0_1 * z94 + z98;
+    const Scalar z110 = z92 + z104;
+    const Scalar z116 = n1 - q_s;
+    const Scalar z117 = s_beta_1 * z116;
+    const Scalar z118 = c_beta_1 * z116;
+    const Scalar z119 = n0_5 - z117;
+    const Scalar z122 = q_s - z44;
+    const Scalar z124 = z118 * z118 + z119 * z119;
+    const Scalar z125 = traits::sqrt(z124);
+    const Scalar z126 = n1 / z125;
+    const Scalar z127 = n800000 - n400000 * z126;
+    const Scalar z130 = z118 * z127;
+    const Scalar z132 = z122 * z127;
+    const Scalar z133 = v_beta_1 * s_beta_1;
+    const Scalar z134 = v_s * c_beta_1 + z116 * z133;
+    const Scalar z135 = v_s * s_beta_1 - z55 * z116;
+    const Scalar z136 = n2 * (z118 * z134 - z119 * z135);
+    const Scalar z137 = n0_5 * z136;
+    const Scalar z138 = n40000 * z137 / z124;
+    const Scalar z140 = z118 * z138;
+    const Scalar z142 = z122 * z138;
+    const Scalar z143 = s_beta_2 * z116;
+    const Scalar z144 = c_beta_2 * z116;
+    const Scalar z145 = n0_5 - z143;
+    const Scalar z148 = q_s - z61;
+    const Scalar z150 = z144 * z144 + z145 * z145;
+    const Scalar z151 = traits::sqrt(z150);
+    const Scalar z152 = n1 / z151;
+    const Scalar z153 = n800000 - n400000 * z152;
+    const Scalar z156 = z144 * z153;
+    const Scalar z158 = z148 * z153;
+    const Scalar z159 = v_beta_2 * s_beta_2;
+    const Scalar z160 = v_s * c_beta_2 + z116 * z159;
+    const Scalar z161 = v_s * s_beta_2 - z72 * z116;
+    const Scalar z162 = n2 * (z144 * z160 - z145 * z161);
+    const Scalar z163 = n0_5 * z162;
+    const Scalar z164 = n40000 * z163 / z150;
+    const Scalar z166 = z144 * z164;
+    const Scalar z168 = z148 * z164;
+    const Scalar z170 = z132 - z142 + z158 - z168;
+    const Scalar z174 = n0_5 * (z130 - z140);
+    const Scalar z177 = n0_5 * (z156 - z166);
+    const Scalar z178 = v_psi * v_psi;
+    const Scalar z179 = n0_05 * z178;
+    const Scalar z181 = s_beta_1 * z179 - n9_81 * c_beta_1;
+    const Scalar z182 = v_beta_1 * z26;  // angular acceleration of rod_1, x
+    const Scalar z183 = v_beta_1 * z25;  // angular acceleration of rod_1, z
+    const Scalar z185 = s_beta_2 * z179 - n9_81 * c_beta_2;
+    const Scalar z186 = v_beta_2 * z36;  // angular acceleration of rod_2, x
+    const Scalar z187 = v_beta_2 * z35;  // angular acceleration of rod_2, z
+    const Scalar z191 = n2 * z187;
+    const Scalar z192 = z35 * z36;
+    const Scalar z193 = n2 * z186;
+    const Scalar z195 = n5_15 * z191;  // force on rod_2, y
+    const Scalar z197 = k12 * z193;  // moment on rod_2, x
+    const Scalar z198 = z177 - n5_15 * z185 - k3 * z192;  // moment on rod_2, y
+    const Scalar z199 = n5_1 * z191;  // moment on rod_2, z
+    const Scalar z203 = s_beta_2 * z197 - c_beta_2 * z199;
+    const Scalar z207 = n2 * z183;
+    const Scalar z208 = z25 * z26;
+    const Scalar z209 = n2 * z182;
+    const Scalar z211 = n5_15 * z207;  // force on rod_1, y
+    const Scalar z213 = k12 * z209;  // moment on rod_1, x
+    const Scalar z214 = z174 - n5_15 * z181 - k3 * z208;  // moment on rod_1, y
+    const Scalar z215 = n5_1 * z207;  // moment on rod_1, z
+    const Scalar z219 = s_beta_1 * z213 - c_beta_1 * z215;
+    const Scalar z220 = n29_43 + z170;  // force on slider, z
+    const Scalar z226 = n0_05 * (z195 + z211) - z203 - z219;  // moment on shaft, z
+    const Scalar z268 = a_psi * z110 - z226;
+    const Scalar z269 = n3 * a_s + z220;
+    const Scalar z270 = k16 * a_beta_1 - z214;
+    const Scalar z271 = k16 * a_beta_2 - z198;
+    residual[0] = z268;
+    residual[1] = z269;
+    residual[2] = z270;
+    residual[3] = z271;
+  }
+
+  /// Derivatives of residual by (q, v, a, lambda) without those that vanish identically: `values` of
+  /// compressed rows. r = M a + h - E u.
+  TORSOR_DEVICE static void residual_jacobian(const Precomputed&, const State& state,
+      const Accelerations& accelerations, const Multipliers&, const Inputs&, ResidualJacobian& result) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n5_15 = traits::constant(5.15, 5.15f, "103/20");
+    const Scalar k3 = traits::constant(5.0999975, 5.0999975f, "2039999/400000");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar k5 = traits::constant(0.031515, 0.031515f, "6303/200000");
+    const Scalar n800000 = traits::constant(8e+05, 8e+05f, "800000/1");
+    const Scalar n400000 = traits::constant(4e+05, 4e+05f, "400000/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n40000 = traits::constant(40000.0, 40000.0f, "40000/1");
+    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar k12 = traits::constant(2.5e-06, 2.5e-06f, "1/400000");
+    const Scalar n5_1 = traits::constant(5.1, 5.1f, "51/10");
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    const Scalar k15 = traits::constant(5.1000025, 5.1000023f, "2040001/400000");
+    const Scalar v_psi = state.v.psi;
+    const Scalar a_psi = accelerations.psi;
+    const Scalar q_s = state.q.s;
+    const Scalar v_s = state.v.s;
+    const Scalar q_beta_1 = state.q.beta_1;
+    const Scalar v_beta_1 = state.v.beta_1;
+    const Scalar q_beta_2 = state.q.beta_2;
+    const Scalar v_beta_2 = state.v.beta_2;
+    const Scalar angles_[] = {q_beta_1, q_beta_2};
+    Scalar sines_[2], cosines_[2];
+    torsor::sines_and_cosines(angles_, sines_, cosines_);
+    const Scalar s_beta_1 = sines_[0], c_beta_1 = cosines_[0];
+    const Scalar s_beta_2 = sines_[1], c_beta_2 = cosines_[1];
+    const Scalar z25 = v_psi * s_beta_1;
+    const Scalar z26 = v_psi * c_beta_1;
+    const Scalar z35 = v_psi * s_beta_2;
+    const Scalar z36 = v_psi * c_beta_2;
+    const Scalar z41 = n0_5 * s_beta_1;
+    const Scalar z44 = n1 - z41;
+    const Scalar z55 = v_beta_1 * c_beta_1;
+    const Scalar z58 = n0_5 * s_beta_2;
+    const Scalar z61 = n1 - z58;
+    const Scalar z72 = v_beta_2 * c_beta_2;
+    const Scalar z79 = n5_15 * s_beta_2;
+    const Scalar z80 = n5_15 * c_beta_2;
+    const Scalar z82 = k3 * s_beta_2;
+    const Scalar z83 = k3 * c_beta_2;
+    const Scalar z84 = c_beta_2 * z83;
+    const Scalar z90 = n0_1 * z80 + z84;
+    const Scalar z92 = k5 + z90;
+    const Scalar z93 = n5_15 * s_beta_1;
+    const Scalar z94 = n5_15 * c_beta_1;
+    const Scalar z96 = k3 * s_beta_1;
+    const Scalar z97 = k3 * c_beta_1;
+    const Scalar z98 = c_beta_1 * z97;
+    const Scalar z104 = n0_1 * z94 + z98;
+    const Scalar z110 = z92 + z104;
+    const Scalar z116 = n1 - q_s;
+    const Scalar z117 = s_beta_1 * z116;
+    const Scalar z118 = c_beta_1 * z116;
+    const Scalar z119 = n0_5 - z117;
+    const Scalar z120 = n0_5 * c_beta_1;
+    const Scalar z122 = q_s - z44;
+    const Scalar z124 = z118 * z118 + z119 * z119;
+    const Scalar z125 = traits::sqrt(z124);
+    const Scalar z126 = n1 / z125;
+    const Scalar z127 = n800000 - n400000 * z126;
+    const Scalar z133 = v_beta_1 * s_beta_1;
+    const Scalar z134 = v_s * c_beta_1 + z116 * z133;
+    const Scalar z135 = v_s * s_beta_1 - z55 * z116;
+    const Scalar z136 = n2 * (z118 * z134 - z119 * z135);
+    const Scalar z137 = n0_5 * z136;
+    const Scalar z138 = n40000 * z137 / z124;
+    const Scalar z143 = s_beta_2 * z116;
+    const Scalar z144 = c_beta_2 * z116;
+    const Scalar z145 = n0_5 - z143;
+    const Scalar z146 = n0_5 * c_beta_2;
+    const Scalar z148 = q_s - z61;
+    const Scalar z150 = z144 * z144 + z145 * z145;
+    const Scalar z151 = traits::sqrt(z150);
+    const Scalar z152 = n1 / z151;
+    const Scalar z153 = n800000 - n400000 * z152;
+    const Scalar z159 = v_beta_2 * s_beta_2;
+    const Scalar z160 = v_s * c_beta_2 + z116 * z159;
+    const Scalar z161 = v_s * s_beta_2 - z72 * z116;
+    const Scalar z162 = n2 * (z144 * z160 - z145 * z161);
+    const Scalar z163 = n0_5 * z162;
+    const Scalar z164 = n40000 * z163 / z150;
+    const Scalar z178 = v_psi * v_psi;
+    const Scalar z179 = n0_05 * z178;
+    const Scalar z180 = n9_81 * s_beta_1 + c_beta_1 * z179;
+    const Scalar z182 = v_beta_1 * z26;  // angular acceleration of rod_1, x
+    const Scalar z183 = v_beta_1 * z25;  // angular acceleration of rod_1, z
+    const Scalar z184 = n9_81 * s_beta_2 + c_beta_2 * z179;
+    const Scalar z186 = v_beta_2 * z36;  // angular acceleration of rod_2, x
+    const Scalar z187 = v_beta_2 * z35;  // angular acceleration of rod_2, z
+    const Scalar z191 = n2 * z187;
+    const Scalar z193 = n2 * z186;
+    const Scalar z197 = k12 * z193;  // moment on rod_2, x
+    const Scalar z199 = n5_1 * z191;  // moment on rod_2, z
+    const Scalar z207 = n2 * z183;
+    const Scalar z209 = n2 * z182;
+    const Scalar z213 = k12 * z209;  // moment on rod_1, x
+    const Scalar z215 = n5_1 * z207;  // moment on rod_1, z
+    const Scalar z346 = n2 * z159;
+    const Scalar z347 = n5_15 * z346;
+    const Scalar z348 = n2 * z72;
+    const Scalar z349 = k12 * z348;
+    const Scalar z350 = n5_1 * z346;
+    const Scalar z351 = s_beta_2 * z349 - c_beta_2 * z350;
+    const Scalar z352 = n2 * z133;
+    const Scalar z353 = n5_15 * z352;
+    const Scalar z354 = n2 * z55;
+    const Scalar z355 = k12 * z354;
+    const Scalar z356 = n5_1 * z352;
+    const Scalar z357 = s_beta_1 * z355 - c_beta_1 * z356;
+    const Scalar z358 = n0_05 * (z347 + z353) - z351 - z357;
+    const Scalar z359 = n2 * v_psi;
+    const Scalar z360 = n0_05 * z359;
+    const Scalar z361 = s_beta_1 * z360;
+    const Scalar z362 = s_beta_1 * z26 + c_beta_1 * z25;
+    const Scalar z363 = n5_15 * z361 + k3 * z362;
+    const Scalar z364 = s_beta_2 * z360;
+    const Scalar z365 = s_beta_2 * z36 + c_beta_2 * z35;
+    const Scalar z366 = n5_15 * z364 + k3 * z365;
+    const Scalar z367 = n2 * (s_beta_1 * z119 - c_beta_1 * z118);
+    const Scalar z368 = n0_5 * z367;
+    const Scalar z369 = n40000 * z368 / z124;
+    const Scalar z370 = z122 * z369;
+    const Scalar z371 = n2 * (s_beta_2 * z145 - c_beta_2 * z144);
+    const Scalar z372 = n0_5 * z371;
+    const Scalar z373 = n40000 * z372 / z150;
+    const Scalar z374 = z148 * z373;
+    const Scalar z375 = z370 + z374;
+    const Scalar z376 = n0_5 * z367 / z125;
+    const Scalar z377 = z376 / (z125 * z125);
+    const Scalar z378 = n400000 * z377;
+    const Scalar z379 = z122 * z378 + z127;
+    const Scalar z380 = n2 * (s_beta_1 * z135 + c_beta_1 * z134 + z55 * z119 + z118 * z133);
+    const Scalar z381 = n0_5 * z380;
+    const Scalar z382 = n40000 * (z137 * z367 / (z124 * z124) + z381 / z124);
+    const Scalar z383 = z122 * z382 - z138;
+    const Scalar z384 = n0_5 * z371 / z151;
+    const Scalar z385 = z384 / (z151 * z151);
+    const Scalar z386 = n400000 * z385;
+    const Scalar z387 = z148 * z386 + z153;
+    const Scalar z388 = n2 * (s_beta_2 * z161 + c_beta_2 * z160 + z72 * z145 + z144 * z159);
+    const Scalar z389 = n0_5 * z388;
+    const Scalar z390 = n40000 * (z163 * z371 / (z150 * z150) + z389 / z150);
+    const Scalar z391 = z148 * z390 - z164;
+    const Scalar z392 = z379 + z383 + z387 + z391;
+    const Scalar z393 = z118 * z369;
+    const Scalar z394 = n0_5 * z393;
+    const Scalar z395 = c_beta_1 * z127 - z118 * z378;
+    const Scalar z396 = c_beta_1 * z138 + z118 * z382;
+    const Scalar z397 = n0_5 * (z395 - z396);
+    const Scalar z398 = z144 * z373;
+    const Scalar z399 = n0_5 * z398;
+    const Scalar z400 = c_beta_2 * z153 - z144 * z386;
+    const Scalar z401 = c_beta_2 * z164 + z144 * z390;
+    const Scalar z402 = n0_5 * (z400 - z401);
+    const Scalar z403 = n2 * z25;
+    const Scalar z404 = n5_15 * z403;
+    const Scalar z405 = n2 * z26;
+    const Scalar z406 = k12 * z405;
+    const Scalar z407 = n5_1 * z403;
+    const Scalar z408 = s_beta_1 * z406 - c_beta_1 * z407;
+    const Scalar z409 = n0_05 * z404 - z408;
+    const Scalar z410 = s_beta_1 * z97 + c_beta_1 * z96;
+    const Scalar z411 = n0_1 * z93 + z410;
+    const Scalar z412 = n5_15 * z209;
+    const Scalar z413 = k12 * z207;
+    const Scalar z414 = n5_1 * z209;
+    const Scalar z415 = s_beta_1 * (z215 - z413) + c_beta_1 * (z213 - z414);
+    const Scalar z416 = n0_05 * z412 - z415;
+    const Scalar z417 = a_psi * z411 + z416;
+    const Scalar z418 = z118 * n2 * (z117 + z119);
+    const Scalar z419 = n0_5 * z418;
+    const Scalar z420 = n40000 * z419 / z124;
+    const Scalar z421 = z122 * z420;
+    const Scalar z422 = n0_5 * z418 / z125;
+    const Scalar z423 = z422 / (z125 * z125);
+    const Scalar z424 = n400000 * z423;
+    const Scalar z425 = z120 * z127 - z122 * z424;
+    const Scalar z426 = z134 * n2 * (z117 + z119);
+    const Scalar z427 = n0_5 * z426;
+    const Scalar z428 = n40000 * (z137 * z418 / (z124 * z124) - z427 / z124);
+    const Scalar z429 = z120 * z138 + z122 * z428;
+    const Scalar z430 = z425 - z429;
+    const Scalar z431 = z118 * z420;
+    const Scalar z432 = n0_5 * z431;
+    const Scalar z433 = z117 * z127 + z118 * z424;
+    const Scalar z434 = z117 * z138 - z118 * z428;
+    const Scalar z435 = n0_5 * (z433 - z434);
+    const Scalar z436 = z25 * z25 - z26 * z26;
+    const Scalar z437 = n5_15 * z180 + z435 - k3 * z436;
+    const Scalar z438 = n2 * z35;
+    const Scalar z439 = n5_15 * z438;
+    const Scalar z440 = n2 * z36;
+    const Scalar z441 = k12 * z440;
+    const Scalar z442 = n5_1 * z438;
+    const Scalar z443 = s_beta_2 * z441 - c_beta_2 * z442;
+    const Scalar z444 = n0_05 * z439 - z443;
+    const Scalar z445 = s_beta_2 * z83 + c_beta_2 * z82;
+    const Scalar z446 = n0_1 * z79 + z445;
+    const Scalar z447 = n5_15 * z193;
+    const Scalar z448 = k12 * z191;
+    const Scalar z449 = n5_1 * z193;
+    const Scalar z450 = s_beta_2 * (z199 - z448) + c_beta_2 * (z197 - z449);
+    const Scalar z451 = n0_05 * z447 - z450;
+    const Scalar z452 = a_psi * z446 + z451;
+    const Scalar z453 = z144 * n2 * (z143 + z145);
+    const Scalar z454 = n0_5 * z453;
+    const Scalar z455 = n40000 * z454 / z150;
+    const Scalar z456 = z148 * z455;
+    const Scalar z457 = n0_5 * z453 / z151;
+    const Scalar z458 = z457 / (z151 * z151);
+    const Scalar z459 = n400000 * z458;
+    const Scalar z460 = z146 * z153 - z148 * z459;
+    const Scalar z461 = z160 * n2 * (z143 + z145);
+    const Scalar z462 = n0_5 * z461;
+    const Scalar z463 = n40000 * (z163 * z453 / (z150 * z150) - z462 / z150);
+    const Scalar z464 = z146 * z164 + z148 * z463;
+    const Scalar z465 = z460 - z464;
+    const Scalar z466 = z144 * z455;
+    const Scalar z467 = n0_5 * z466;
+    const Scalar z468 = z143 * z153 + z144 * z459;
+    const Scalar z469 = z143 * z164 - z144 * z463;
+    const Scalar z470 = n0_5 * (z468 - z469);
+    const Scalar z471 = z35 * z35 - z36 * z36;
+    const Scalar z472 = n5_15 * z184 + z470 - k3 * z471;
+    result.values[0] = -z417;
+    result.values[1] = -z452;
+    result.values[2] = -z358;
+    result.values[3] = -z409;
+    result.values[4] = -z444;
+    result.values[5] = z110;
+    result.values[6] = z392;
+    result.values[7] = z430;
+    result.values[8] = z465;
+    result.values[9] = z375;
+    result.values[10] = -z421;
+    result.values[11] = -z456;
+    result.values[12] = n3;
+    result.values[13] = z397;
+    result.values[14] = z437;
+    result.values[15] = z363;
+    result.values[16] = -z394;
+    result.values[17] = z432;
+    result.values[18] = k15;
+    result.values[19] = z402;
+    result.values[20] = z472;
+    result.values[21] = z366;
+    result.values[22] = -z399;
+    result.values[23] = z467;
+    result.values[24] = k15;
   }
 };
 

@@ -6,6 +6,7 @@
 #include <Eigen/Sparse>
 #include <cmath>
 
+#include "generated/andrews_squeezer.hpp"
 #include "generated/double_pendulum.hpp"
 #include "generated/rolling_hoop.hpp"
 
@@ -147,6 +148,28 @@ TEST(SparseJacobianKernel, IsReadByEigenAsTheJacobian) {
       constraints.jacobian.data());
   EXPECT_EQ(Eigen::MatrixXd(a), dense);
   EXPECT_LT(a.nonZeros(), dense.size());
+}
+
+TEST(ResidualJacobianKernel, IsReadByEigenAndHoldsMassAndConstraints) {
+  using Squeezer = andrews_squeezer::Mechanism<double>;
+  constexpr int n = Squeezer::velocity_count, m = Squeezer::multiplier_count;
+  const auto precomputed = Squeezer::precompute(Squeezer::default_parameters());
+  const Squeezer::State state = Squeezer::initial_state();
+  Squeezer::ResidualJacobian sparse;
+  Squeezer::residual_jacobian(precomputed, state, {}, {}, {}, sparse);
+  const Eigen::MatrixXd all = Eigen::Map<const Eigen::SparseMatrix<double, Eigen::RowMajor>>(
+      n + m, 3 * n + m, Squeezer::residual_jacobian_nonzeros, Squeezer::residual_jacobian_row_start,
+      Squeezer::residual_jacobian_column, sparse.values.data());
+  std::array<double, n * n> mass{};
+  Squeezer::mass_matrix(precomputed, state, mass);
+  Squeezer::Constraints constraints;
+  Squeezer::constraints(precomputed, state, constraints);
+  const Eigen::Map<const Eigen::Matrix<double, m, n>> a(constraints.jacobian.data());
+  EXPECT_EQ(all.block(0, 2 * n, n, n), (Eigen::Map<const Eigen::Matrix<double, n, n>>(mass.data())));
+  EXPECT_EQ(all.block(n, 2 * n, m, n), a);
+  EXPECT_EQ(all.rightCols(m).topRows(n), -a.transpose());
+  EXPECT_TRUE(all.bottomRightCorner(m, m).isZero(0));
+  EXPECT_LT(2 * Squeezer::residual_jacobian_nonzeros, all.size());
 }
 
 }  // namespace

@@ -82,6 +82,23 @@ TEST(Sundials, TakesTheGeneratedJacobianOfAStiffMechanism) {
 
 TEST(Sundials, SolvesTheImplicitFormOfAStiffMechanism) { expect_governor(with_tolerance<Ida>(1e-9), 1e-6); }
 
+/// The governor whose residual's Jacobian must be found by differences.
+struct GovernorByDifferences : Governor {
+  static void residual_jacobian() = delete;
+};
+static_assert(HasResidualJacobian<Governor> && !HasResidualJacobian<GovernorByDifferences>);
+TEST(Sundials, TakesTheGeneratedJacobianOfTheImplicitForm) {
+  const Statistics given = expect_governor(with_tolerance<Ida>(1e-9), 1e-6);
+  const auto motion = equations_of_motion<GovernorByDifferences>();
+  auto y = motion.initial();
+  const auto result = integrate(motion, y, 0, 1, with_tolerance<Ida>(1e-9));
+  ASSERT_TRUE(result) << describe(result);
+  const Statistics& differences = result.statistics;
+  EXPECT_GT(given.jacobians, 0);
+  // Differences cost a call for each of eight unknowns; half of that is left for steps that differ.
+  EXPECT_LT(given.calls, differences.calls - 4 * differences.jacobians);
+}
+
 /// The Cartesian pendulum of A01 with the kernel `inverse_dynamics`.
 struct CartesianPendulum : mechanisms::CartesianPendulum<double> {
   static void inverse_dynamics(const Precomputed&, const State& s, const Accelerations& a, const Multipliers& lambda,
