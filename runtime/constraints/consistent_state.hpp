@@ -193,8 +193,9 @@ requires(M::multiplier_count > 0) class ConsistentStateSearch {
       e.value(i) = constraints.value[k] / size_[k];
       e.rate(i) = constraints.rate[k] / size_[k];
     }
-    for (const Scalar& q : y) e.size = std::max(e.size, std::abs(q));
-    e.size = std::max(e.size, std::numeric_limits<Scalar>::min());
+    // Near zero the lengths of the mechanism round, not the coordinates.
+    e.size = Scalar(1e-3);
+    for (std::size_t i = 0; i < coordinates_of<M>; ++i) e.size = std::max(e.size, std::abs(y[i]));
     return e;
   }
 

@@ -46,6 +46,18 @@ TEST(ConsistentState, FindsTheRestFromOneFixedCrank) {
   EXPECT_EQ(found.free_velocities, 0);
 }
 
+TEST(ConsistentState, ClosesTheLoopWhateverTheSpeed) {
+  // Turning at 1e6 rad/s and open by 1e-11: positions are found as exactly as at rest.
+  StateWishes<FourBar> wishes;
+  wishes.position_fixed[0] = wishes.velocity_fixed[0] = true;
+  const auto exact = four_bar(1.3);
+  StateVector<FourBar> y{1.3, exact[1] + 1e-11, exact[2], 1e6, 0.0, 0.0};
+  const auto found = find_consistent_state<FourBar>(FourBar::precompute({}), 0.0, y, wishes);
+  ASSERT_TRUE(found) << describe(found);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(y[i], exact[i], 16 * epsilon);
+  EXPECT_EQ(y[3], 1e6);
+}
+
 TEST(ConsistentState, SaysWhichFixedValuesConflictAndByHowMuch) {
   // Both cranks fixed so that their ends are d apart, the coupler is 0.9: at best it points from one to the other.
   StateWishes<FourBar> wishes;
