@@ -34,10 +34,11 @@ struct Projection {
 
 /// Puts a state onto its constraints by the least change in the metric of the masses:
 ///   δq = -M⁻¹ Aᵀ (A M⁻¹ Aᵀ)⁺ f(q, t), repeated until f is down to rounding;   δv = -M⁻¹ Aᵀ (A M⁻¹ Aᵀ)⁺ (A v - b),
-/// with unit quaternions turned by δq and given their norm back. Constraints that repeat others within `rank_tolerance`
-/// are left out of the factor and must close by themselves. `singular` when f has no zero near, or constraints contradict
-/// each other in position or in velocity; y is then left alone. Source: Hairer-Wanner II, VII.2 (projection); Lubich,
-/// Engstler, Nowak & Pöhle 1995 (mass metric).
+/// with unit quaternions turned by δq and given their norm back. A coordinate so large (an angle wound up) that its
+/// share of a change is lost in its rounding is left to the others, which close the loop without it. Constraints that
+/// repeat others within `rank_tolerance` are left out of the factor and must close by themselves. `singular` when f has
+/// no zero near, or constraints contradict each other in position or in velocity; y is then left alone. Source:
+/// Hairer-Wanner II, VII.2 (projection); Lubich, Engstler, Nowak & Pöhle 1995 (mass metric).
 template <HasConstraintMetric M>
 [[nodiscard]] Projection<ScalarOf<M>> project_on_constraints(
     const typename M::Precomputed& precomputed, ScalarOf<M> t, StateVector<M>& y,
@@ -100,41 +101,77 @@ class ConstraintState {
   bool read(const typename M::Precomputed& precomputed, Scalar t, const StateVector<M>& y) noexcept {
     state_ = unpack<M>(t, y);
     M::constraints(precomputed, state_, constraints_);
-    position = velocity = rounding = Scalar(0);
-    Scalar largest = Scalar(0);
-    speed = Scalar(0);
+    position = velocity = open = Scalar(0);
+    largest = speed = Scalar(0);
+    at_rounding = true;
     for (std::size_t i = 0; i < coordinates_of<M>; ++i) largest = std::max(largest, std::abs(y[i]));
-    if (!(largest > Scalar(0))) largest = Scalar(1);
     for (std::size_t i = 0; i < nv; ++i) speed = std::max(speed, std::abs(state_.v[static_cast<int>(i)]));
     bool finite = true;
     for (std::size_t i = 0; i < m; ++i) {
-      Scalar size = Scalar(0);
-      for (std::size_t j = 0; j < nv; ++j) size += std::abs(constraints_.jacobian[j * m + i]);
+      Scalar size = Scalar(0), terms = Scalar(0);
+      for (std::size_t j = 0; j < nv; ++j) {
+        const Scalar entry = std::abs(constraints_.jacobian[j * m + i]);
+        const Scalar coordinate = HasCoordinateRates<M> ? largest : std::abs(y[j]);
+        size += entry;
+        terms += entry * std::min(coordinate, turn);
+      }
       const Scalar over = size > Scalar(0) ? Scalar(1) / size : Scalar(1);
-      position = std::max(position, std::abs(constraints_.value[i]) * over);
+      const Scalar off = std::abs(constraints_.value[i]);
+      position = std::max(position, off * over);
+      open += off * over;
+      at_rounding = at_rounding && off <= Scalar(2) * epsilon * terms;
       velocity = std::max(velocity, std::abs(constraints_.rate[i]) * over);
       finite = finite && std::isfinite(constraints_.value[i]) && std::isfinite(constraints_.rate[i]);
     }
-    rounding = Scalar(2) * std::numeric_limits<Scalar>::epsilon() * largest;
-    rounding_of_velocity = Scalar(2) * std::numeric_limits<Scalar>::epsilon() * speed;
+    rounding_of_velocity = Scalar(2) * epsilon * speed;
     return finite && std::isfinite(position) && std::isfinite(velocity);
   }
 
+  /// What is held counts as infinitely heavy.
   template <class Factor>
-  [[nodiscard]] Evaluation factorise(const typename M::Precomputed& precomputed, Factor& factor,
-                                     Scalar rank_tolerance) {
+  [[nodiscard]] Evaluation factorise(const typename M::Precomputed& precomputed, Factor& factor, Scalar rank_tolerance,
+                                     const std::array<bool, nv>& held = {}) {
     std::array<Scalar, nv * nv> mass;
     M::mass_matrix(precomputed, state_, mass);
+    for (std::size_t i = 0; i < nv; ++i) {
+      if (held[i]) mass[i * (nv + 1)] /= epsilon * epsilon;
+    }
     return factor.factorise(mass, constraints_.jacobian, rank_tolerance);
+  }
+
+  /// Marks the coordinates of which a change is lost in rounding; whether there are more than before.
+  static bool hold_lost(const StateVector<M>& y, const Eigen::Matrix<Scalar, static_cast<int>(nv), 1>& change,
+                        std::array<bool, nv>& held) noexcept {
+    bool more = false;
+    if constexpr (!HasCoordinateRates<M>) {
+      for (std::size_t i = 0; i < nv; ++i) {
+        const bool lost = std::abs(y[i]) > turn && std::abs(change(static_cast<int>(i))) < epsilon * std::abs(y[i]);
+        more = more || (lost && !held[i]);
+        held[i] = held[i] || lost;
+      }
+    }
+    return more;
   }
 
   [[nodiscard]] Residual value() const noexcept { return Eigen::Map<const Residual>(constraints_.value.data()); }
   [[nodiscard]] Residual rate() const noexcept { return Eigen::Map<const Residual>(constraints_.rate.data()); }
 
-  Scalar position = Scalar(0), velocity = Scalar(0), rounding = Scalar(0), rounding_of_velocity = Scalar(0);
-  Scalar speed = Scalar(0);  // the largest velocity
+  /// Whether a residual on which Newton's method stands still may be rounding. Of the coordinates and of lengths that
+  /// are none, magnified near a change point; not magnified, of angles wound up and of places far away.
+  [[nodiscard]] bool closed() const noexcept {
+    const Scalar size = std::clamp(largest, Scalar(1e-3), turn);
+    return position <= Scalar(2) * epsilon * (Scalar(1e6) * size + Scalar(16) * largest);
+  }
+
+  Scalar position = Scalar(0), velocity = Scalar(0), rounding_of_velocity = Scalar(0);
+  Scalar open = Scalar(0);     // the sum of what `position` is the largest of
+  Scalar largest = Scalar(0);  // of the coordinates
+  Scalar speed = Scalar(0);    // the largest velocity
+  bool at_rounding = false;    // each f_i is below two roundings of Σ_j |A_ij q_j|, of no angle more than a turn
 
  private:
+  static constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
+  static constexpr Scalar turn = static_cast<Scalar>(6.28318530717958647692528676655900577L);
   typename M::State state_{};
   typename M::Constraints constraints_{};
 };
@@ -157,30 +194,35 @@ Projection<ScalarOf<M>> project_on_constraints(const typename M::Precomputed& pr
   };
   if (!here.read(precomputed, t, next)) return fail(Evaluation::not_finite);
   bool factored = false;
-  // Newton's steps end where rounding does: at the second that no longer halves the residual.
+  // Newton's steps end where rounding does: at the first that no longer halves the residual.
   constexpr int limit = 30;
-  for (; here.position > here.rounding; ++result.iterations) {
-    if (result.iterations == limit) return fail(Evaluation::singular);
+  std::array<bool, State::nv> held{};
+  bool any_held = false;
+  for (; !here.at_rounding && result.iterations < limit; ++result.iterations) {
     // Off its zeros by d, a redundant constraint looks independent by some d.
     const Scalar tolerance = std::max(rank_tolerance, std::min(Scalar(1e-3), Scalar(4) * here.position));
-    if (const Evaluation e = here.factorise(precomputed, factor, tolerance); e != Evaluation::ok) return fail(e);
+    if (const Evaluation e = here.factorise(precomputed, factor, tolerance, held); e != Evaluation::ok) return fail(e);
     // What was left out for that reason alone may hold a velocity.
-    factored = factor.rank() == static_cast<int>(State::m) || !(tolerance > rank_tolerance);
+    factored = !any_held && (factor.rank() == static_cast<int>(State::m) || !(tolerance > rank_tolerance));
     result.rank = factor.rank();
     result.least_share = factor.least_share();
+    const auto change = factor.least_change(-here.value());
     StateVector<M> trial = next;
-    detail::displace<M>(precomputed, t, factor.least_change(-here.value()), trial);
+    detail::displace<M>(precomputed, t, change, trial);
     State there;
     if (!there.read(precomputed, t, trial)) return fail(Evaluation::not_finite);
-    const bool halves = there.position < here.position / Scalar(2);
-    if (there.position < here.position) {
+    const bool halves = there.open < here.open / Scalar(2);
+    if (there.open < here.open) {
       next = trial;
       here = there;
     }
-    if (!halves) break;
+    if (halves) continue;
+    // An angle wound up has lost its share of the change in its rounding: the others must do without it.
+    if (!State::hold_lost(next, change, held)) break;
+    any_held = true;
   }
   // What is left is rounding, or a place from which no zero is reached.
-  if (!(here.position <= Scalar(1e6) * here.rounding)) return fail(Evaluation::singular);
+  if (!here.at_rounding && !here.closed()) return fail(Evaluation::singular);
   for (int repeat = 0; repeat < 3 && here.velocity > here.rounding_of_velocity; ++repeat) {
     if (!factored) {
       if (const Evaluation e = here.factorise(precomputed, factor, rank_tolerance); e != Evaluation::ok) return fail(e);

@@ -225,6 +225,51 @@ TEST(Projection, TakesTheRankOfRedundantLoops) {
   EXPECT_LT(of_press.velocity, 1e-14);
 }
 
+/// The four-bar with a crank next to nothing in mass, which takes nearly all of every correction.
+struct LightCrank : mechanisms::FourBar {
+  static constexpr std::array<double, 2> mass{1e-6, 0.7};
+};
+TEST(Projection, ClosesTheLoopOfACrankWoundUp) {
+  // An angle of 1e5 turns is known to 6e-11 rad: the other two must close the loop to roundings of its metre.
+  const auto wind_up = [](auto mechanism, double turns) {
+    using M = decltype(mechanism);
+    auto y = pack<M>(M::initial_state());
+    y[0] += 2 * std::numbers::pi * turns;
+    y[3] = 7.0;
+    const auto result = project_on_constraints<M>(M::precompute({}), 0.0, y);
+    EXPECT_EQ(result.evaluation, Evaluation::ok) << turns;
+    const auto left = violation<M>(y);
+    EXPECT_LT(left[0], 8 * 1.1e-16) << turns;
+    EXPECT_LT(left[1], 7 * 8 * 1.1e-16) << turns;
+  };
+  for (const double turns : {1e3, -1e4, 1e5, 1e7}) {
+    wind_up(FourBar{}, turns);
+    wind_up(mechanisms::CrankLoop<LightCrank>{}, turns);
+  }
+  // And so it stays while it moves.
+  const auto bars = projected(constrained_motion<FourBar>());
+  auto y = bars.initial();
+  y[0] += 2e5 * std::numbers::pi;
+  double worst = 0.0;
+  ASSERT_TRUE(integrate(bars, y, 0, 2, RungeKutta4{.step = 1e-2}, [&](double t, const auto& s) {
+    if (t > 0) worst = std::max(worst, violation<FourBar>(s)[0]);
+  }));
+  EXPECT_LT(worst, 1e-13);
+}
+
+/// A parallelogram whose base and coupler differ by a rounding: nothing at angles near zero is so small.
+struct RoundedLengths : mechanisms::FourBar {
+  static constexpr std::array<double, 2> crank{0.3, 0.3}, base{0, 0.3}, coupler{0, 0.1 + 0.2};
+};
+TEST(Projection, TakesTheRoundingOfLengthsForWhatItIsNearZeroAngles) {
+  using M = mechanisms::CrankLoop<RoundedLengths>;
+  for (double angle = 1e-14; angle < 1e-4; angle *= 7) {
+    StateVector<M> y{angle, angle, angle / 3, 0, 0, 0};
+    EXPECT_EQ(project_on_constraints<M>(M::precompute({}), 0.0, y).evaluation, Evaluation::ok) << angle;
+    EXPECT_LT(violation<M>(y)[0], 2 * 1.1e-16) << angle;
+  }
+}
+
 TEST(ConstrainedMotion, AgreesWithTheGeneratedForwardDynamics) {
   const Squeezer::State state = unpack<Squeezer>(0.03, squeezer_at_003);
   Squeezer::Accelerations by_kernel{}, by_factor{};
