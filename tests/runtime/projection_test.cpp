@@ -157,7 +157,7 @@ TEST(Projection, BringsAndrewsSqueezerToItsReference) {
   }
 }
 
-TEST(Projection, KeepsClosedLoopsClosedForAMillionSteps) {
+TEST(Projection, KeepsClosedLoopsClosedOverManySteps) {
   const std::int64_t steps = long_tests() ? 1'000'000 : 5'000;
   double worst = 0.0;
   const auto squeezer = projected(equations_of_motion<Squeezer>());
