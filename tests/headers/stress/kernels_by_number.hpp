@@ -59,6 +59,8 @@ TORSOR_KERNEL(jets, any<const typename M::Inputs>(), 1,
 #undef TORSOR_KERNEL
 template <class M>
 using quaternions = decltype(M::quaternions[0]);
+template <class M>
+using columns = decltype(any<typename M::Constraints>().columns);
 
 /// Results one after the other in a buffer, or their number alone where there is none.
 struct Results {
@@ -150,6 +152,9 @@ void evaluate(const double* in, Results& results) {
     typename M::Constraints result{};
     M::constraints(p, s, result);
     results.add("constraints", -1, result);
+    // Once more by themselves, for the condition of the matrix that is solved with.
+    results.add("constraint_jacobian", -1, result.jacobian);
+    if constexpr (Has<M, columns>::value) results.add("constraint_columns", -1, result.columns);
   }
   if constexpr (Has<M, reactions>::value) {
     typename M::Reactions result{};
