@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// batch: nanoseconds for one of many states of the panda, by the single kernels, by packs as wide as this processor's
-// registers and by MuJoCo where it is installed, on one thread, after their results were found equal. --help tells the
-// options, docs/benchmarks.md what is measured.
+// batch: nanoseconds for one of many states of the panda, by the single kernels, by packs of each kind of registers that
+// this processor has and by MuJoCo where it is installed, on one thread, after their results were found equal; then of an
+// ensemble's step, and of a large batch on several threads. --help tells the options, docs/benchmarks.md what is measured.
 #include <algorithm>
 #include <cstdio>
 #include <stdexcept>
@@ -12,6 +12,7 @@
 
 #include "benchmarks/batch/ensemble.hpp"
 #include "benchmarks/batch/packs.hpp"
+#include "benchmarks/batch/threads.hpp"
 #include "benchmarks/kernels/comparison.hpp"
 #include "benchmarks/kernels/measured.hpp"
 #include "benchmarks/kernels/peers.hpp"
@@ -30,6 +31,7 @@ struct Options {
   std::string csv;
   int turns = 1001;
   std::size_t states = 256;
+  std::size_t large = 65536;  // their states, inputs and results do not fit a cache of 2 MB
 };
 
 std::string text_of(const Spread& spread) {
@@ -39,7 +41,14 @@ std::string text_of(const Spread& spread) {
 /// The single kernel in double first.
 std::vector<Way> all_ways(const Options& options, const Chain& chain, Quantity quantity, const Batch& batch) {
   std::vector<Way> ways = native_build::measured_panda().ways(quantity, batch);
-  for (Way& way : packed_ways(quantity, batch)) ways.push_back(std::move(way));
+  constexpr PackedWays* packed[] = {
+#define PACKED(kind) packed_ways_##kind,
+#include "packs.inc"
+#undef PACKED
+  };
+  for (PackedWays* const packed_ways : packed) {
+    for (Way& way : packed_ways(quantity, batch)) ways.push_back(std::move(way));
+  }
   for (Way& way : peer_ways(options.references, chain, quantity, batch)) {
     if (way.competitor == "MuJoCo") ways.push_back(std::move(way));
   }
@@ -55,12 +64,12 @@ void measure(const Options& options, const Chain& chain, Quantity quantity, std:
   for (std::size_t i = 0; i < ways.size(); ++i) {
     const auto& [ns, ratio] = timings[i];
     const double than_peer = with_peer ? timings.back().ratio.median / ratio.median : 0;
-    fmt::print("{:<18}{:<22}{:<8}{:>28}{:>10.2f}{:>10}{:>9.0e}\n", name_of(quantity), ways[i].competitor,
+    fmt::print("{:<18}{:<32}{:<8}{:>28}{:>10.2f}{:>10}{:>9.0e}\n", name_of(quantity), ways[i].competitor,
                ways[i].scalar, text_of(ns), 1 / ratio.median, with_peer ? fmt::format("{:.1f}", than_peer) : "-",
                difference[i]);
     std::string name = ways[i].competitor;  // a cell holds no comma
     name.erase(std::remove(name.begin(), name.end(), ','), name.end());
-    csv += fmt::format("{},{},{},{:.3f},{:.3f},{:.3f},{:.4f},{},{:.1e}\n", name_of(quantity), name, ways[i].scalar,
+    csv += fmt::format("{},{},{},1,{:.3f},{:.3f},{:.3f},{:.4f},{},{:.1e}\n", name_of(quantity), name, ways[i].scalar,
                        ns.median, ns.lower, ns.upper, 1 / ratio.median,
                        with_peer ? fmt::format("{:.3f}", than_peer) : "", difference[i]);
   }
@@ -71,12 +80,26 @@ void measure(const Options& options, const Chain& chain, Quantity quantity, std:
 void measure_ensemble(int turns, std::string& csv) {
   for (const auto& [name, scalar, timing, difference] : ensemble_times(turns)) {
     const auto& [ns, ratio] = timing;
-    fmt::print("{:<18}{:<22}{:<8}{:>28}{:>10.2f}{:>10}{:>9.0e}\n", "ensemble's step", name, scalar, text_of(ns),
+    fmt::print("{:<18}{:<32}{:<8}{:>28}{:>10.2f}{:>10}{:>9.0e}\n", "ensemble's step", name, scalar, text_of(ns),
                1 / ratio.median, "-", difference);
     std::string cell = name;
     cell.erase(std::remove(cell.begin(), cell.end(), ','), cell.end());
-    csv += fmt::format("ensemble_step,{},{},{:.3f},{:.3f},{:.3f},{:.4f},,{:.1e}\n", cell, scalar, ns.median, ns.lower,
+    csv += fmt::format("ensemble_step,{},{},1,{:.3f},{:.3f},{:.3f},{:.4f},,{:.1e}\n", cell, scalar, ns.median, ns.lower,
                        ns.upper, 1 / ratio.median, difference);
+  }
+}
+
+/// A batch that leaves the caches. A call takes milliseconds, and so fewer turns are enough.
+void measure_threads(const Options& options, std::string& csv) {
+  fmt::print("\n{:<18}{:<32}{:<8}{:>28}{:>14}\n", "forward_dynamics", fmt::format("{} states", options.large), "scalar",
+             "ns for one state (quartiles)", "x one thread");
+  for (const auto& [threads, scalar, lanes, timing] : thread_times(options.large, 1 + options.turns / 20)) {
+    const auto& [ns, ratio] = timing;
+    fmt::print("{:<18}{:<32}{:<8}{:>28}{:>14.2f}\n", "",
+               fmt::format("packs of {}, {} thread{}", lanes, threads, threads == 1 ? "" : "s"), scalar, text_of(ns),
+               1 / ratio.median);
+    csv += fmt::format("forward_dynamics_large,torsor packs of {},{},{},{:.3f},{:.3f},{:.3f},,,\n", lanes, scalar,
+                       threads, ns.median, ns.lower, ns.upper);
   }
 }
 
@@ -84,12 +107,13 @@ void run(const Options& options) {
   const std::vector<Chain> chains = read_chains(options.references + "/models.json");
   const auto chain = std::find_if(chains.begin(), chains.end(), [](const Chain& each) { return each.name == "panda"; });
   if (chain == chains.end()) throw std::runtime_error("models.json has no chain panda");
-  fmt::print("{:<18}{:<22}{:<8}{:>28}{:>10}{:>10}{:>9}\n", "quantity", "", "scalar", "ns for one state (quartiles)",
+  fmt::print("{:<18}{:<32}{:<8}{:>28}{:>10}{:>10}{:>9}\n", "quantity", "", "scalar", "ns for one state (quartiles)",
              "x single", "x MuJoCo", "differs");
   std::string csv =
-      "quantity,competitor,scalar,ns,ns_lower_quartile,ns_upper_quartile,times_single,times_mujoco,difference\n";
+      "quantity,competitor,scalar,threads,ns,ns_lower_quartile,ns_upper_quartile,times_single,times_mujoco,difference\n";
   for (const Quantity quantity : quantities) measure(options, *chain, quantity, csv);
   measure_ensemble(options.turns, csv);
+  measure_threads(options, csv);
   if (options.csv.empty()) return;
   std::FILE* file = std::fopen(options.csv.c_str(), "w");
   if (file == nullptr) throw std::runtime_error("cannot write " + options.csv);
@@ -107,6 +131,9 @@ int main(int argc, char** argv) {
   app.add_option("--csv", options.csv, "file to write");
   app.add_option("--turns", options.turns, "how often each competitor goes through the states")->capture_default_str();
   app.add_option("--states", options.states, "random states")->capture_default_str();
+  app.add_option("--large", options.large, "random states of the batch on several threads")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   try {
     run(options);

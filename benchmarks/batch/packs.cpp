@@ -1,30 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Compiled for this processor, as the single kernels are. The build defines MODEL_HEADER and MODEL_OPTIONS.
-#include "benchmarks/batch/packs.hpp"
-
+// Compiled for this processor, once for each kind of registers. The build defines MODEL_HEADER and MODEL_OPTIONS, and of
+// each kind PACKED_WAYS, the function, PACKED_REGISTERS, its name for people, and PACKED_BYTES, how many a pack has. The
+// namespaces are renamed for each, so that no linker takes one kind's functions for another's.
 #include <algorithm>
 #include <array>
 #include <memory>
 #include <stdexcept>
 #include <string>
 
+#define torsor PACKED_NAMESPACE
+#define panda PACKED_MECHANISM
 #include MODEL_HEADER
 #include "runtime/batch/batch.hpp"
+
+#include "benchmarks/kernels/batch.hpp"
+#include "benchmarks/kernels/way.hpp"
 
 namespace {
 
 using kernels::Batch;
 using kernels::Quantity;
 using kernels::Way;
-using torsor::runtime::native_lanes;
+
+template <class Number>
+constexpr int pack_lanes = PACKED_BYTES / static_cast<int>(sizeof(Number));
 
 /// The states of a batch and the results of kernels, in packs.
 template <class Number>
 struct Packs {
-  using Arms = torsor::runtime::BatchOf<panda::Mechanism, Number>;
+  using Arms = torsor::runtime::BatchOf<panda::Mechanism, Number, pack_lanes<Number>>;
   using M = typename Arms::Packed;
   static constexpr int n = M::coordinate_count;
-  static constexpr std::size_t lanes = native_lanes<Number>;
+  static constexpr std::size_t lanes = pack_lanes<Number>;
 
   explicit Packs(const Batch& batch)
       : states(batch.states),
@@ -101,9 +108,12 @@ Way way(Quantity quantity, const Batch& batch, const char* scalar) {
       all->last = end - 1;
     };
   };
-  Way result{
-      "torsor, packs of " + std::to_string(native_lanes<Number>), MODEL_OPTIONS, scalar, kernels::name_of(quantity), {},
-      [all, quantity] { return all->result(quantity); }};
+  Way result{"torsor, packs of " + std::to_string(pack_lanes<Number>) + " (" PACKED_REGISTERS ")",
+             MODEL_OPTIONS,
+             scalar,
+             kernels::name_of(quantity),
+             {},
+             [all, quantity] { return all->result(quantity); }};
   if (quantity == Quantity::inverse_dynamics) result.run = loop(&Packs<Number>::inverse_dynamics);
   if (quantity == Quantity::mass_matrix) result.run = loop(&Packs<Number>::mass_matrix);
   if (quantity == Quantity::forward_dynamics) result.run = loop(&Packs<Number>::forward_dynamics);
@@ -112,6 +122,6 @@ Way way(Quantity quantity, const Batch& batch, const char* scalar) {
 
 }  // namespace
 
-std::vector<Way> packed_ways(Quantity quantity, const Batch& batch) {
+std::vector<Way> PACKED_WAYS(Quantity quantity, const Batch& batch) {
   return {way<double>(quantity, batch, "double"), way<float>(quantity, batch, "float")};
 }
