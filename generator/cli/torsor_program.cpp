@@ -25,6 +25,7 @@ struct FileRequest {
   std::vector<std::string> points, initial;
   bool no_dampers = false;
   bool no_motors = false;
+  bool accept_inertia = false;
 };
 
 void add_options(CLI::App& command, FileRequest& request) {
@@ -42,6 +43,8 @@ void add_options(CLI::App& command, FileRequest& request) {
       ->delimiter(',');
   command.add_flag("--no-dampers", request.no_dampers, "take <dynamics damping> as data: it does not act");
   command.add_flag("--no-motors", request.no_motors, "no input torque or force in any joint");
+  command.add_flag("--accept-inertia", request.accept_inertia,
+                   "take moments of inertia of which one is larger than the sum of the others, as no matter has");
 }
 
 Number option_number(const std::string& option, const std::string& text) {
@@ -78,6 +81,7 @@ UrdfOptions urdf_options(const FileRequest& request) {
   options.angle_tolerance = option_number("--angle-tolerance", request.angle_tolerance);
   options.dampers = !request.no_dampers;
   options.motors = !request.no_motors;
+  options.accept_inertia = request.accept_inertia;
   options.name = request.name;
   options.points = request.points;
   for (const std::string& assignment : request.initial) {

@@ -28,7 +28,10 @@ struct UrdfOptions {
   Number angle_tolerance = Number::rational(1, 1000000000);
   bool dampers = true;  ///< <dynamics damping="c"> acts: the effort −c q̇; otherwise it is data only
   bool motors = true;   ///< a motor on every joint that turns or slides and follows no other
-  std::string name;     ///< of the scene; the robot's when empty
+  /// Takes moments of inertia that no matter has (one larger than the sum of the others), and tells so in the notes;
+  /// negative ones, and negative masses, are refused all the same.
+  bool accept_inertia = false;
+  std::string name;  ///< of the scene; the robot's when empty
   /// Links whose origins become points of the scene, <link>_origin: the kernel kinematics has their Jacobians.
   std::vector<std::string> points;
   /// State at t = 0 where it is not zero, by set_initial: {"elbow", "0.3"}, {"elbow'", "1"}, {"base_attitude_w",
@@ -71,10 +74,11 @@ struct ImportedRobot {
 /// Numbers are exact: a decimal is that rational. An angle within the tolerance of a multiple of π/12 is that multiple;
 /// another one turns by rational sines and cosines, good to 10⁻¹⁸ of the angle, that form a rotation exactly. Axes are
 /// normalised in the same way. What was changed is told in the notes of the scene's origin, which generated headers
-/// quote. Visual, collision and unknown elements are ignored.
+/// quote, and so what has no effect: soft limits, accelerations, ends of a continuous joint. Visual, collision and
+/// unknown elements are ignored.
 ///
 /// Throws FileError, "file:line: <element>: what is wrong; what to do", for XML that cannot be read, an unknown type of
-/// joint, missing or wrong elements, attributes and numbers, a graph that is no tree, a mimic of nothing or of itself,
+/// joint, missing or wrong elements, unknown attributes, wrong numbers, a graph that is no tree, a mimic of nothing or of itself,
 /// inertia that no matter has; UsageError for options that contradict the file.
 ImportedRobot read_urdf(const std::string& path, const UrdfOptions& options = {});
 

@@ -39,6 +39,7 @@ std::string arguments(const UrdfRobot& robot, const UrdfOptions& options) {
   }
   if (!options.dampers) text += " --no-dampers";
   if (!options.motors) text += " --no-motors";
+  if (options.accept_inertia) text += " --accept-inertia";
   if (!options.name.empty()) text += " --name " + options.name;
   if (!options.points.empty()) text += " --points " + quoted(fmt::format("{}", fmt::join(options.points, ",")));
   std::string initial;
@@ -72,7 +73,7 @@ void append(std::vector<std::string>& notes, const std::string& title, const std
 }  // namespace
 
 SceneOrigin urdf_origin(const UrdfRobot& robot, const UrdfOptions& options, const std::vector<UrdfJointData>& joints,
-                        const std::vector<std::string>& renamed) {
+                        const std::vector<std::string>& renamed, const std::vector<std::string>& odd_inertia) {
   SceneOrigin origin{base_name(robot.file), arguments(robot, options), {}};
   append(origin.notes, "Names that became identifiers:", renamed);
   append(origin.notes, "Angles and axes that were made exact:", robot.changes.lines());
@@ -82,6 +83,9 @@ SceneOrigin urdf_origin(const UrdfRobot& robot, const UrdfOptions& options, cons
     if (std::string line = data_line(joint); !line.empty()) data.push_back(std::move(line));
   }
   append(origin.notes, "Stated of joints, in SI, and not in the kernels:", data);
+  append(origin.notes, "Stated of joints and without effect:", robot.without_effect);
+  append(origin.notes, "Links whose moments of inertia no matter has, taken as they are (--accept-inertia):",
+         odd_inertia);
   return origin;
 }
 

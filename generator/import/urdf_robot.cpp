@@ -32,12 +32,14 @@ class Reader {
   Reader(UrdfRobot& robot, const Number& tolerance) : robot_(robot), tolerance_(tolerance) {}
 
   void link(const XmlElement& element) {
+    element.require_only({"name", "type"});
     UrdfLink link{element.place(), element.text("name"), std::nullopt};
     if (const auto inertial = element.child("inertial")) link.inertial = read_inertial(*inertial, "link " + link.name);
     robot_.links.push_back(std::move(link));
   }
 
   void joint(const XmlElement& element) {
+    element.require_only({"name", "type"});
     UrdfJoint joint;
     joint.place = element.place();
     joint.name = element.text("name");
@@ -52,11 +54,27 @@ class Reader {
   }
 
  private:
+  /// Tells of attributes that are there.
+  void tell_without_effect(const XmlElement& element, const std::vector<const char*>& attributes,
+                           const UrdfJoint& joint, const std::string& why = "") {
+    std::vector<std::string> given;
+    for (const char* name : attributes) {
+      if (element.optional_number(name).has_value()) given.push_back(fmt::format("{} {}", name, element.text(name)));
+    }
+    if (given.empty()) return;
+    robot_.without_effect.push_back(
+        fmt::format("{}: {} of <{}>{}", joint.name, fmt::join(given, ", "), element.name(), why));
+  }
+
   /// Axis, limits, damping. What other joints say of them, such as a null axis, means nothing.
   void read_motion(const XmlElement& element, UrdfJoint& joint, const std::string& where) {
     if (const auto axis = element.child("axis")) joint.axis = direction(*axis, where);
     if (const auto limit = element.child("limit")) {
-      if (joint.type != UrdfJointType::continuous) {
+      limit->require_only({"lower", "upper", "velocity", "effort", "acceleration", "deceleration", "jerk"});
+      tell_without_effect(*limit, {"acceleration", "deceleration", "jerk"}, joint);
+      if (joint.type == UrdfJointType::continuous) {
+        tell_without_effect(*limit, {"lower", "upper"}, joint, ", because the joint is continuous");
+      } else {
         joint.lower = limit->optional_number("lower");
         joint.upper = limit->optional_number("upper");
       }
@@ -66,7 +84,12 @@ class Reader {
         limit->fail("lower is larger than upper; exchange them");
       }
     }
+    if (const auto safety = element.child("safety_controller")) {
+      safety->require_only({"soft_lower_limit", "soft_upper_limit", "k_position", "k_velocity"});
+      tell_without_effect(*safety, {"soft_lower_limit", "soft_upper_limit", "k_position", "k_velocity"}, joint);
+    }
     if (const auto dynamics = element.child("dynamics")) {
+      dynamics->require_only({"damping", "friction"});
       joint.damping = dynamics->optional_number("damping");
       joint.friction = dynamics->optional_number("friction");
       for (const auto& value : {joint.damping, joint.friction}) {
@@ -126,6 +149,7 @@ class Reader {
   UrdfInertial read_inertial(const XmlElement& element, const std::string& where) {
     UrdfInertial inertial;
     inertial.place = element.place();
+    element.require_only({});
     UrdfPlacement origin;
     if (const auto given = element.child("origin")) origin = placement(*given, where);
     inertial.center = origin.xyz;

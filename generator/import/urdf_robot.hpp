@@ -86,6 +86,7 @@ struct UrdfRobot {
   std::vector<UrdfLink> links;
   std::vector<UrdfJoint> joints;
   UrdfChanges changes;
+  std::vector<std::string> without_effect;  ///< what is read of joints and used nowhere, a line each
   std::vector<std::string> almost;  ///< angles that look like a multiple of π/12 and are beyond the tolerance
 };
 

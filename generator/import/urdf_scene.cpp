@@ -60,7 +60,7 @@ class SceneBuilder {
     add_points();
     set_initial(scene_, options_.initial);
     ImportedRobot imported{std::move(scene_), std::move(data_)};
-    imported.scene.came_from(urdf_origin(robot_, options_, imported.joints, renamed_));
+    imported.scene.came_from(urdf_origin(robot_, options_, imported.joints, renamed_, odd_inertia_));
     return imported;
   }
 
@@ -229,12 +229,27 @@ class SceneBuilder {
     const Expression xy = moment(0, 1);
     const Expression xz = moment(0, 2);
     const Expression yz = moment(1, 2);
-    scene_.body(frame, frame, Inertia::general(mass, xx, yy, zz, xy, xz, yz).at(center));
-    try {
-      check_inertia(scene_.content(), scene_.content().bodies.back());
-    } catch (const SceneError& error) {
-      inertial.place.fail(error.what());
-    }
+    const Inertia inertia = Inertia::general(mass, xx, yy, zz, xy, xz, yz).at(center);
+    scene_.body(frame, frame, inertia, moments_of(link, inertia));
+  }
+
+  /// Whether the link's moments must be taken as they are. Refuses those that may not.
+  Moments moments_of(const UrdfLink& link, const Inertia& inertia) {
+    const auto refusal = [&](Moments moments) -> std::string {
+      try {
+        check_inertia(scene_.content(), {frames_.at(link.name), frames_.at(link.name), inertia, moments});
+      } catch (const SceneError& error) {
+        return error.what();
+      }
+      return "";
+    };
+    const std::string reason = refusal(Moments::of_matter);
+    if (reason.empty()) return Moments::of_matter;
+    const std::string anyway = refusal(Moments::as_given);
+    if (!anyway.empty()) link.inertial->place.fail(anyway);
+    if (!options_.accept_inertia) link.inertial->place.fail(reason + "; --accept-inertia takes them as they are");
+    odd_inertia_.push_back(link.name);
+    return Moments::as_given;
   }
 
   void add_actions(const UrdfJoint& joint) {
@@ -266,6 +281,7 @@ class SceneBuilder {
   const UrdfOptions& options_;
   std::string root_;
   std::vector<std::string> renamed_;
+  std::vector<std::string> odd_inertia_;  ///< links
   Scene scene_;
   Identifiers symbols_{{"t"}};
   Identifiers frame_names_{{"ground"}};

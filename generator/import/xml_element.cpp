@@ -121,9 +121,12 @@ std::array<XmlNumber, 3> XmlElement::three_numbers(const char* attribute) const 
 
 void XmlElement::require_only(const std::vector<std::string_view>& attributes) const {
   for (const auto* attribute = element_->FirstAttribute(); attribute != nullptr; attribute = attribute->Next()) {
-    if (std::find(attributes.begin(), attributes.end(), attribute->Name()) != attributes.end()) continue;
-    fail(fmt::format("has an attribute {}, which would be ignored; the attributes are {}", attribute->Name(),
-                     fmt::join(attributes, ", ")));
+    const std::string_view name = attribute->Name();
+    if (name.find(':') != std::string_view::npos) continue;
+    if (std::find(attributes.begin(), attributes.end(), name) != attributes.end()) continue;
+    fail(fmt::format("has an attribute {}, which would be ignored; {}", name,
+                     attributes.empty() ? std::string("the element has none")
+                                        : fmt::format("the attributes are {}", fmt::join(attributes, ", "))));
   }
 }
 

@@ -50,7 +50,8 @@ class XmlElement {
   std::optional<Number> optional_number(const char* attribute) const;
   /// Three decimals; the attribute must be there.
   std::array<XmlNumber, 3> three_numbers(const char* attribute) const;
-  /// Refuses any other attribute: a misspelt one must not go unnoticed.
+  /// Refuses any other attribute: a misspelt one must not go unnoticed. Those with a prefix (drake:acceleration) belong
+  /// to others.
   void require_only(const std::vector<std::string_view>& attributes) const;
 
   /// The child of that name, none when there is none; two are refused.

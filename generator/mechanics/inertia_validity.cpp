@@ -99,7 +99,8 @@ void check_inertia(const SceneContent& scene, const BodyContent& body) {
   // In plane motion only one moment matters, and the others are often left out: zeros as written are not values.
   const bool complete = !inertia.xx.is_zero() && !inertia.yy.is_zero() && !inertia.zz.is_zero();
   const bool negative = moments[0] < -slack;
-  if (!negative && (!complete || moments[0] + moments[1] >= moments[2] - slack)) return;
+  const bool as_they_are = !complete || body.moments == Moments::as_given;
+  if (!negative && (as_they_are || moments[0] + moments[1] >= moments[2] - slack)) return;
   throw SceneError(
       fmt::format("body '{}' has the principal moments of inertia {:.6g}, {:.6g} and {:.6g} kg m^2 about its "
                   "centre of mass: of no matter is one larger than the sum of the others, or negative; "

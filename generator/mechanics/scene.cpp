@@ -213,10 +213,10 @@ PointHandle Scene::sphere_contact(const std::string& name, const FrameReference&
   return add_point({name, frame, {}, LowestPoint{std::nullopt, radius, plane}});
 }
 
-void Scene::body(const std::string& name, const FrameReference& frame, const Inertia& inertia) {
+void Scene::body(const std::string& name, const FrameReference& frame, const Inertia& inertia, Moments moments) {
   require_identifier(name, "body");
   claim(name, "body");
-  content_.bodies.push_back({name, frame, inertia});
+  content_.bodies.push_back({name, frame, inertia, moments});
 }
 
 }  // namespace torsor

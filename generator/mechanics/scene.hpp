@@ -121,7 +121,8 @@ class Scene {
   /// The same of a sphere: P = C − r n.
   PointHandle sphere_contact(const std::string& name, const FrameReference& frame, const Expression& radius,
                              const FrameReference& plane);
-  void body(const std::string& name, const FrameReference& frame, const Inertia& inertia);
+  void body(const std::string& name, const FrameReference& frame, const Inertia& inertia,
+            Moments moments = Moments::of_matter);
 
   // --- actions ------------------------------------------------------------------------------------------------------
   /// Uniform gravity, components in the ground frame [m/s²].

@@ -86,7 +86,13 @@ struct LowestPoint { std::optional<Triple> axis; Expression radius; FrameReferen
 
 /// A point by its components in a frame, or (`lowest`) a point of contact around the frame's origin.
 struct PointContent { std::string name; FrameReference frame; Triple components; std::optional<LowestPoint> lowest = std::nullopt; };
-struct BodyContent { std::string name; FrameReference frame; Inertia inertia; };
+
+/// Whether the moments of inertia of a body must be such as matter can have.
+enum class Moments {
+  of_matter,  ///< none is larger than the sum of the others
+  as_given,   ///< also what was identified or guessed; never negative
+};
+struct BodyContent { std::string name; FrameReference frame; Inertia inertia; Moments moments = Moments::of_matter; };
 
 struct ParameterContent { SymbolPointer symbol; std::optional<Expression> value; bool run_time = false; };
 

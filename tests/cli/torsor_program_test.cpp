@@ -61,6 +61,7 @@ TEST(TorsorTool, WritesTheSameHeaderAgainByTheCommandInTheHeader) {
                                          "--angle-tolerance",
                                          "1e-5",
                                          "--no-dampers",
+                                         "--accept-inertia",
                                          "--initial",
                                          "turn=0.25,turn'=-1",
                                          "--name",
@@ -78,15 +79,16 @@ TEST(TorsorTool, WritesTheSameHeaderAgainByTheCommandInTheHeader) {
   EXPECT_EQ(first.out.find("tests/import"), std::string::npos);
   EXPECT_NE(
       first.out.find("//   torsor generate arm.urdf --base floating --gravity 0,0.5,-9.81 --angle-tolerance 1e-05 "
-                     "--no-dampers --name walker --initial \"turn=0.25,turn'=-1\" --kernels mass_matrix,energy "
-                     "--output walker.hpp\n"),
+                     "--no-dampers --accept-inertia --name walker --initial \"turn=0.25,turn'=-1\" --kernels "
+                     "mass_matrix,energy --output walker.hpp\n"),
       std::string::npos)
       << first.out.substr(0, 4000);
   EXPECT_NE(first.out.find("//   1.5708 is pi/2: joint turn (rpy)\n"), std::string::npos);
   EXPECT_EQ(torsor_tool(arguments).out, first.out);
   const Outcome again = torsor_tool({"generate", arm, "--base", "floating", "--gravity", "0,0.5,-9.81",
-                                     "--angle-tolerance", "1e-05", "--no-dampers", "--name", "walker", "--initial",
-                                     "turn=0.25,turn'=-1", "--kernels", "mass_matrix,energy", "--output", "-"});
+                                     "--angle-tolerance", "1e-05", "--no-dampers", "--accept-inertia", "--name", "walker",
+                                     "--initial", "turn=0.25,turn'=-1", "--kernels", "mass_matrix,energy", "--output",
+                                     "-"});
   EXPECT_EQ(again.out, first.out);
 }
 

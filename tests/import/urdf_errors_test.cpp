@@ -93,6 +93,25 @@ TEST(UrdfErrors, OfAJointNameWhatIsMissing) {
                  "5: <dynamics> of <joint name=\"j\">: damping and friction take energy away; they are never negative");
 }
 
+TEST(UrdfErrors, OfMisspeltAttributesNameThoseThereAre) {
+  expect_refused(with_joint(ends + "<dynamics dampng=\"1\"/>"),
+                 "5: <dynamics> of <joint name=\"j\">: has an attribute dampng, which would be ignored; the attributes "
+                 "are damping, friction");
+  expect_refused(with_joint(ends + "<limit uper=\"1\"/>"),
+                 "5: <limit> of <joint name=\"j\">: has an attribute uper, which would be ignored; the attributes are "
+                 "lower, upper, velocity, effort, acceleration, deceleration, jerk");
+  expect_refused(with_joint(ends + "<safety_controller k_speed=\"1\"/>"),
+                 "5: <safety_controller> of <joint name=\"j\">: has an attribute k_speed, which would be ignored; the "
+                 "attributes are soft_lower_limit, soft_upper_limit, k_position, k_velocity");
+  expect_refused(with_joint(ends, "name=\"j\" type=\"revolute\" axis=\"0 0 1\""),
+                 "4: <joint name=\"j\">: has an attribute axis, which would be ignored; the attributes are name, type");
+  expect_refused("<robot name=\"r\">\n<link name=\"a\" mass=\"1\"/></robot>",
+                 "2: <link name=\"a\">: has an attribute mass, which would be ignored; the attributes are name, type");
+  expect_refused("<robot name=\"r\"><link name=\"a\">\n<inertial mass=\"1\"/></link></robot>",
+                 "2: <inertial> of <link name=\"a\">: has an attribute mass, which would be ignored; the element has "
+                 "none");
+}
+
 TEST(UrdfErrors, OfNumbersQuoteThem) {
   const std::string origin = "5: <origin> of <joint name=\"j\">: ";
   expect_refused(with_joint(ends + "<origin xyz=\"0 1\"/>"),
@@ -196,7 +215,27 @@ TEST(UrdfErrors, OfInertiaNameTheLink) {
       place +
           "body 'a' has the principal moments of inertia 1, 1 and 3 kg m^2 about its centre of mass: of no "
           "matter is one larger than the sum of the others, or negative; check the entries, the sign of the "
-          "products (xy = -int x y dm) and that the operator is about the centre of mass");
+          "products (xy = -int x y dm) and that the operator is about the centre of mass; --accept-inertia takes them "
+          "as they are");
+}
+
+TEST(UrdfErrors, OfNegativeMassAndMomentsNoOptionAccepts) {
+  UrdfOptions options;
+  options.accept_inertia = true;
+  const auto refused = [&](const std::string& mass, const std::string& xx, const std::string& what) {
+    try {
+      read_urdf_text(with_inertial("<mass value=\"" + mass + "\"/><inertia ixx=\"" + xx +
+                                   "\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"3\"/>"),
+                     "bad.urdf", options);
+    } catch (const FileError& error) {
+      const std::string text = error.what();
+      return text.find(what) != std::string::npos && text.find("--accept-inertia") == std::string::npos;
+    }
+    return false;
+  };
+  EXPECT_TRUE(refused("-1", "1", "has the mass -1 kg"));
+  EXPECT_TRUE(refused("1", "-1", "principal moments of inertia -1, 1 and 3"));
+  EXPECT_FALSE(refused("1", "1", ""));
 }
 
 TEST(UrdfErrors, OfOptionsAreBadUsage) {

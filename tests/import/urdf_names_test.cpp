@@ -92,6 +92,40 @@ TEST(UrdfData, OfJointsIsKeptAndTold) {
   EXPECT_EQ(coordinates[1].limits->upper, std::nullopt);
 }
 
+TEST(UrdfData, WithoutEffectIsTold) {
+  const ImportedRobot robot = read_urdf_text(
+      testing_urdf::robot("<link name=\"base\"/>" + link("arm") + link("wheel") +
+                          joint("hinge", "revolute", "base", "arm",
+                                "<limit upper=\"2\" jerk=\"30\" acceleration=\"4\" drake:acceleration=\"5\"/>"
+                                "<safety_controller soft_upper_limit=\"1.5\" k_velocity=\"10\"/>") +
+                          joint("axle", "continuous", "arm", "wheel", "<limit lower=\"-1\" upper=\"1\" effort=\"3\"/>")),
+      "machine.urdf");
+  const std::vector<std::string> expected{"Stated of joints and without effect:",
+                                          "  hinge: acceleration 4, jerk 30 of <limit>",
+                                          "  hinge: soft_upper_limit 1.5, k_velocity 10 of <safety_controller>",
+                                          "  axle: lower -1, upper 1 of <limit>, because the joint is continuous"};
+  EXPECT_EQ(robot.scene.content().origin.notes, expected);
+  EXPECT_EQ(robot.joints[1].lower, std::nullopt);
+  EXPECT_EQ(robot.joints[1].effort, Number(3));
+}
+
+TEST(UrdfOptions, AcceptInertiaThatNoMatterHasAndTellTheLinks) {
+  const std::string text = testing_urdf::robot(
+      "<link name=\"base\"/>" + link("arm") +
+      "<link name=\"tool\"><inertial><mass value=\"1\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" "
+      "izz=\"3\"/></inertial></link>" +
+      joint("hinge", "revolute", "base", "arm", "") + joint("wrist", "revolute", "arm", "tool", ""));
+  EXPECT_THROW(read_urdf_text(text, "machine.urdf"), FileError);
+  UrdfOptions options;
+  options.accept_inertia = true;
+  const Scene scene = read_urdf_text(text, "machine.urdf", options).scene;
+  validate(scene);
+  const std::vector<std::string> expected{
+      "Links whose moments of inertia no matter has, taken as they are (--accept-inertia):", "  tool"};
+  EXPECT_EQ(scene.content().origin.notes, expected);
+  EXPECT_EQ(scene.content().origin.arguments, "machine.urdf --accept-inertia");
+}
+
 TEST(UrdfData, OfFixedJointsMayHoldANullAxis) {
   const Scene scene =
       read("<link name=\"base\"/>" + link("arm") + link("tool") + joint("hinge", "revolute", "base", "arm", "") +
