@@ -37,7 +37,8 @@ enum class EventStatus : int {
     case EventStatus::beyond_barrier:
       return "the state lies beyond a barrier at the start or after a reset: begin where its guard is not negative";
     case EventStatus::guard_not_followed:
-      return "a guard is not finite, or oscillates too fast within a step: limit the step";
+      return "a guard is not finite, oscillates too fast within a step, or crosses zero on the method's interpolant "
+             "but not on its steps: limit the step";
     case EventStatus::too_many_events:
       return "the limit of events was met: raise it";
     case EventStatus::integration_failed:

@@ -266,7 +266,11 @@ class EventWatch {
     // A state is kept on its side of a barrier, and put beyond any other guard.
     time = barriers_only ? located.before : look_from;
     Vector y = step(time);
-    if (by_stepping()) locate_by_stepping(step, place, barriers_only, time, y);
+    if (by_stepping() && !locate_by_stepping(step, place, barriers_only, time, y)) {
+      result_.status = EventStatus::guard_not_followed;
+      end_at(time, place, y);
+      return look_from;
+    }
     look_from = earlier(step, look_from, time) ? time : look_from;
     for (std::size_t i = 0; i < count; ++i) {
       if (!due_[i]) continue;
@@ -315,16 +319,21 @@ class EventWatch {
     }
   }
 
-  // The interpolant is right to the method's error; the method's own step from the start of the step is righter.
+  // The interpolant is right to the method's error; the method's own step from the start of the step is righter. False
+  // where its steps do not cross: the interpolant is wrong there.
   template <class Step>
-  void locate_by_stepping(const Step& step, std::size_t i, bool stay_before, Scalar& time, Vector& y) {
+  bool locate_by_stepping(const Step& step, std::size_t i, bool stay_before, Scalar& time, Vector& y) {
     const Vector y_end = step(step.end);
     const RepeatedStep<S, Method, Scalar, size> repeated{system_,  method_, step.start, step.end,
                                                          y_start_, y_end,   calls_};
+    if (departures_[i].before == departures_[i].after) {  // beyond zero from the start
+      y = repeated(time);
+      return true;
+    }
     const Scalar side = memory_[i].side;
     const auto guard = [&](Scalar t) { return side * set_.value(i, t, repeated(t)); };
     const Scalar h = step.end - step.start;
-    for (Scalar reach = Scalar(1e-8); reach < Scalar(100); reach *= Scalar(100)) {
+    for (Scalar reach = Scalar(1e-8); reach < Scalar(5); reach *= Scalar(10)) {
       const auto inside = [&](Scalar t) {
         return earlier(step, t, step.start) ? Scalar(step.start) : earlier(step, step.end, t) ? Scalar(step.end) : t;
       };
@@ -335,8 +344,9 @@ class EventWatch {
       narrow(bracket, guard);
       time = stay_before ? bracket.before : bracket.after;
       y = repeated(time);
-      return;
+      return true;
     }
+    return false;
   }
 
   template <class Step>

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "generated/flyball_governor.hpp"
+#include "runtime/integration/events.hpp"
 #include "runtime/mechanism.hpp"
 #include "tests/runtime/mechanisms.hpp"
 
@@ -55,6 +56,29 @@ TEST(Sundials, MeetsEllipticFunctionsWithEachIntegrator) {
   expect_pendulum(with_tolerance<Cvode>(1e-11), 1e-11 * 4000 * 60);
   expect_pendulum(with_tolerance<ArkodeExplicit>(1e-11), 1e-11 * 1000 * 60);
   expect_pendulum(with_tolerance<ArkodeImplicit>(1e-11), 1e-11 * 1000 * 60);
+}
+
+// The pendulum from 2 rad at rest passes the vertical after a quarter of its period, K(sin 1)/√g, at √(2 g (1 - cos
+// 2)).
+template <class Method>
+void expect_event(const Method& method, double allowed) {
+  std::array<double, 2> y{2.0, 0.0};
+  int told = 0;
+  const auto vertical = stop_at([](double, const std::array<double, 2>& s) { return s[0]; });
+  const auto result = integrate_with_events(equations_of_motion<mechanisms::Pendulum<double>>(), y, 0, 10, method,
+                                            Events(vertical), [&](const auto&) { ++told; });
+  ASSERT_EQ(result.status, EventStatus::stopped_at_event) << describe(result.status);
+  EXPECT_EQ(told, 1);
+  EXPECT_NEAR(result.time, std::comp_ellint_1(std::sin(1.0)) / std::sqrt(9.81), allowed);
+  EXPECT_NEAR(y[0], 0.0, allowed);  // a step up to there is solved anew for each time tried, as well as the tolerance
+  EXPECT_NEAR(y[1], -std::sqrt(2 * 9.81 * (1 - std::cos(2.0))), 10 * allowed);
+}
+TEST(Sundials, LocatesEventsOnStepsOfEachIntegrator) {
+  // Some hundred steps within the tolerance; a speed of 5 changes by up to 10 a second.
+  expect_event(adams(1e-8), 1e-8 * 300);
+  expect_event(with_tolerance<Cvode>(1e-8), 1e-8 * 1000);
+  expect_event(with_tolerance<ArkodeExplicit>(1e-8), 1e-8 * 300);
+  expect_event(with_tolerance<ArkodeImplicit>(1e-8), 1e-8 * 300);
 }
 
 // Governor at t = 1 in quadruple precision: psi, s, two beta, spin, s', two beta'.
@@ -117,6 +141,17 @@ TEST(Sundials, CarriesTheMultipliersAsUnknowns) {
   ASSERT_TRUE(integrate(equations_of_motion<mechanisms::Pendulum<double>>(), angle, 0, 1, adams(1e-12)));
   EXPECT_NEAR(y[0], std::sin(angle[0]), 1e-7);
   EXPECT_NEAR(y[1], -std::cos(angle[0]), 1e-7);
+}
+
+TEST(Sundials, LocatesEventsOfTheImplicitForm) {
+  // From the horizontal at rest: the vertical after K(sin π/4)/√g.
+  const auto motion = equations_of_motion<CartesianPendulum>();
+  auto y = motion.initial();
+  const auto vertical = stop_at([](double, const auto& s) { return s[0]; });
+  const auto result = integrate_with_events(motion, y, 0, 1, with_tolerance<Ida>(1e-10), Events(vertical));
+  ASSERT_EQ(result.status, EventStatus::stopped_at_event) << describe(result.status);
+  EXPECT_NEAR(result.time, std::comp_ellint_1(std::sqrt(0.5)) / std::sqrt(9.81), 1e-7);
+  EXPECT_NEAR(y[1], -1.0, 1e-7);
 }
 
 TEST(Sundials, GoesThroughGivenTimesAndBackwards) {
