@@ -35,6 +35,7 @@ struct VerifyRequest : KernelOptions {
   int range = double_states.large;
   std::string scalar = "both";
   std::string exceptions;
+  bool every_exception_needed = false;
   VerifyLayout layout;
   bool markdown = false;
   bool json = false;
@@ -64,6 +65,13 @@ CommandResult verify(const Scene& scene, const VerifyRequest& request) {
   result.text = request.json       ? verify_json(scene.name(), rows)
                 : request.markdown ? verify_markdown(scene.name(), rows)
                                    : verify_table(scene.name(), rows, request.layout);
+  if (!request.every_exception_needed) return result;
+  for (const AccuracyException& e : needless_exceptions(scene.name(), rows, options.exceptions)) {
+    result.passed = false;
+    result.notes.push_back(
+        fmt::format("the exception '{} | {} | {} | {}' is not needed, within {} ulp or not there: remove it from {}",
+                    e.scene, e.kernel, e.group, e.scalar, accuracy_bar, request.exceptions));
+  }
   return result;
 }
 
@@ -118,8 +126,14 @@ void add_verify(CommandSet& commands) {
   command.add_option("--scalar", request->scalar, "double, float or both")
       ->capture_default_str()
       ->check(CLI::IsMember({"double", "float", "both"}));
-  command.add_option("--exceptions", request->exceptions,
-                     "file of groups that may exceed the bar: scene | kernel | group | scalar | limit | reason");
+  CLI::Option* exceptions =
+      command.add_option("--exceptions", request->exceptions,
+                         "file of groups that may exceed the bar: scene | kernel | group | scalar | limit | reason");
+  command
+      .add_flag(
+          "--every-exception-needed", request->every_exception_needed,
+          "fail too where the file excepts what stays within the bar; with the kernels and the search it was made with")
+      ->needs(exceptions);
   command.add_flag("--all", request->layout.every_group, "every group of results, not the worst of each kernel only");
   CLI::Option* markdown =
       command.add_flag("--markdown", request->markdown, "print one row of the table in docs/accuracy.md");

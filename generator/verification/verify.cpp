@@ -118,14 +118,15 @@ std::string trimmed(const std::string& text) {
   return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
 }
 
+bool fits(const std::string& pattern, const std::string& name) { return pattern == "*" || pattern == name; }
+
+bool applies(const AccuracyException& e, const VerifyRow& row) {
+  return fits(e.kernel, row.kernel) && fits(e.group, row.group) && fits(e.scalar, row.scalar);
+}
+
 void apply_exceptions(VerifyRow& row, const std::string& scene, const std::vector<AccuracyException>& exceptions) {
-  const auto fits = [](const std::string& pattern, const std::string& name) {
-    return pattern == "*" || pattern == name;
-  };
   for (const AccuracyException& e : exceptions) {
-    const bool applies = fits(e.scene, scene) && fits(e.kernel, row.kernel) && fits(e.group, row.group) &&
-                         fits(e.scalar, row.scalar);
-    if (!applies) continue;
+    if (!fits(e.scene, scene) || !applies(e, row)) continue;
     row.limit = e.limit;
     row.reason = e.reason;
     return;
@@ -185,6 +186,18 @@ std::vector<VerifyRow> verify_scene(const Scene& scene, const VerifyOptions& opt
     }
   }
   return rows;
+}
+
+std::vector<AccuracyException> needless_exceptions(const std::string& scene, const std::vector<VerifyRow>& rows,
+                                                   const std::vector<AccuracyException>& exceptions) {
+  std::vector<AccuracyException> needless;
+  for (const AccuracyException& e : exceptions) {
+    const bool needed = std::any_of(rows.begin(), rows.end(), [&](const VerifyRow& row) {
+      return applies(e, row) && row.worst.counted && !(row.worst.scaled <= accuracy_bar);
+    });
+    if (fits(e.scene, scene) && !needed) needless.push_back(e);
+  }
+  return needless;
 }
 
 }  // namespace torsor

@@ -61,4 +61,9 @@ struct VerifyRow {
 /// so on `climbs` times. The worst found is measured with CLN. The same result for the same options, everywhere.
 std::vector<VerifyRow> verify_scene(const Scene& scene, const VerifyOptions& options);
 
+/// The exceptions for a scene that no row needs: what they name stays within the bar, or is not among the rows. A
+/// longer search, or other kernels, may need others: rows are those of the search that the exceptions were written for.
+std::vector<AccuracyException> needless_exceptions(const std::string& scene, const std::vector<VerifyRow>& rows,
+                                                   const std::vector<AccuracyException>& exceptions);
+
 }  // namespace torsor

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <fstream>
+
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/scene_runner.hpp"
@@ -33,6 +36,18 @@ TEST(VerifyCommand, RefusesWhatItCannotDo) {
   const Outcome missing = run(pendulum, {"verify", "--exceptions", "/no/such/file"});
   EXPECT_EQ(missing.code, 3);
   EXPECT_NE(missing.err.find("/no/such/file"), std::string::npos) << missing.err;
+}
+
+TEST(VerifyCommand, FailsWhereAnExceptionIsNotNeededAndNamesIt) {
+  const std::filesystem::path list = std::filesystem::path(::testing::TempDir()) / "needless_exceptions.txt";
+  std::ofstream(list) << "pendulum | bias | * | double | 9 | none\n";
+  std::vector<std::string> command{"verify", "--kernels", "bias", "--states", "4", "--exceptions", list.string()};
+  EXPECT_EQ(run(pendulum, command).code, 0);
+  command.push_back("--every-exception-needed");
+  const Outcome found = run(pendulum, command);
+  EXPECT_EQ(found.code, 1);
+  EXPECT_NE(found.err.find("'pendulum | bias | * | double' is not needed"), std::string::npos) << found.err;
+  EXPECT_EQ(run(pendulum, {"verify", "--every-exception-needed"}).code, 2);
 }
 
 }  // namespace

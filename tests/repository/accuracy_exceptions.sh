@@ -1,7 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# accuracy_exceptions.sh FILE MOST: every exception names one group and a limit that is a number, once; at most MOST.
+# accuracy_exceptions.sh FILE MOST: every exception names one group, of a scene that there is, and a limit that is a
+# number, once; at most MOST. Whether each is needed says `verify --every-exception-needed`.
 set -euo pipefail
+generated="$(dirname "$1")/../generated"
+for scene in $(awk -F ' *[|] *' '/^#/ || /^ *$/ { next } { print $1 }' "$1" | sort -u); do
+  [ -e "$generated/$scene.hpp" ] || { echo "no such scene: $scene"; exit 1; }
+done
 awk -F ' *[|] *' -v most="$2" '
   /^#/ || /^ *$/ { next }
   NF != 6 { print "not six fields: " $0; bad = 1; next }

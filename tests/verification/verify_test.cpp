@@ -87,6 +87,21 @@ TEST(Verify, FlagsAKnownCancellation) {
   rows = verify_scene(scene, options);
   EXPECT_TRUE(flagged(rows)->passed());
   EXPECT_EQ(flagged(rows)->reason, "it cancels");
+  EXPECT_TRUE(needless_exceptions(scene.name(), rows, options.exceptions).empty());
+}
+
+/// One of a result that needs none, one of a kernel that is not there; that of another scene is not looked at.
+TEST(Verify, FindsExceptionsThatAreNotNeeded) {
+  const Scene scene = pendulum();
+  VerifyOptions options = asked({"bias"}, 4);
+  options.precisions = {Precision::in_double};
+  options.exceptions = parse_accuracy_exceptions(scene.name() + " | bias | * | double | 9 | none\n" + scene.name() +
+                                                 " | energy | * | double | 9 | not asked for\n"
+                                                 "another_scene | bias | * | double | 9 | none\n");
+  const auto needless = needless_exceptions(scene.name(), verify_scene(scene, options), options.exceptions);
+  ASSERT_EQ(needless.size(), 2U);
+  EXPECT_EQ(needless[0].kernel, "bias");
+  EXPECT_EQ(needless[1].kernel, "energy");
 }
 
 TEST(Verify, RefusesAnExceptionThatItCannotRead) {
