@@ -24,8 +24,9 @@ struct Drift {
 /// error, drift.csv with that error over time, and drift.svg. No files where `folder` is empty.
 std::vector<Drift> measure_drift(const std::filesystem::path& folder);
 
-/// Energy, momentum and constraints over 10^6 steps and over 10^4 s: the heavy top (energy and the momentum of its spin)
-/// and a rolling hoop (energy and its constraints on velocities), by methods that keep them and by methods that do not.
+/// Energy, momentum and constraints over 10^6 steps and over 10^4 s: the heavy top (energy and the momentum of its spin),
+/// a rolling hoop (energy and its constraints on velocities) and Andrews' squeezing mechanism (energy and the gaps of its
+/// loops), by methods that keep them and by methods that do not.
 /// A table, and invariants.csv where there is a folder.
 void measure_invariants(const std::filesystem::path& folder);
 

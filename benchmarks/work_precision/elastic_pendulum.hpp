@@ -5,9 +5,9 @@
 
 namespace work_precision {
 
-/// A unit mass on a spring from the origin (k = 1e4 N/m, rest length 1 m) in the plane under gravity along -y, by hand
-/// to the contract of generated headers: stiff without damping, so that its fast mode lives on.
-template <class Scalar>
+/// A unit mass on a spring from the origin (k = frequency² N/m, rest length 1 m) in the plane under gravity along -y, by
+/// hand to the contract of generated headers: stiff without damping, so that its fast mode lives on.
+template <class Scalar, int frequency>
 struct ElasticPendulum {
   static constexpr int coordinate_count = 2, velocity_count = 2, input_count = 0, multiplier_count = 0;
   enum class Status : int { ok = 0, singular = 1 };
@@ -36,7 +36,7 @@ struct ElasticPendulum {
   struct Energy {
     Scalar kinetic, force_function;
   };
-  static constexpr Scalar stiffness = Scalar(1e4), gravity = Scalar(9.81);
+  static constexpr Scalar stiffness = Scalar(frequency) * Scalar(frequency), gravity = Scalar(9.81);
 
   static Parameters default_parameters() noexcept { return {}; }
   static Precomputed precompute(const Parameters& p) noexcept { return {p}; }

@@ -15,6 +15,7 @@
 
 #include "benchmarks/work_precision/drift.hpp"
 #include "benchmarks/work_precision/processor_time.hpp"
+#include "generated/andrews_squeezer.hpp"
 #include "generated/rolling_hoop.hpp"
 #include "runtime/constraints/projection.hpp"
 #include "runtime/integration/dormand_prince_853.hpp"
@@ -32,6 +33,7 @@ namespace {
 using namespace torsor::runtime;
 using Top = work_precision_top::Mechanism<double>;
 using Hoop = rolling_hoop::Mechanism<double>;
+using Squeezer = andrews_squeezer::Mechanism<double>;
 
 /// Largest changes so far, of the energy and of what else should stay, at a tenth of a run and at its end.
 struct Change {
@@ -58,6 +60,20 @@ std::array<double, 2> kept(const StateVector<Hoop>& y) {
   Hoop::Constraints constraints{};
   Hoop::constraints(precomputed, state, constraints);
   return {integrals.energy, std::max(std::abs(constraints.rate[0]), std::abs(constraints.rate[1]))};
+}
+
+/// The energy without what the motor has done, its constant torque times its angle, and the largest gap of the loops.
+std::array<double, 2> kept(const StateVector<Squeezer>& y) {
+  constexpr double torque = 0.033;
+  static const auto precomputed = Squeezer::precompute(Squeezer::default_parameters());
+  const auto state = unpack<Squeezer>(0.0, y);
+  Squeezer::Energy energy{};
+  Squeezer::energy(precomputed, state, {}, energy);
+  Squeezer::Constraints constraints{};
+  Squeezer::constraints(precomputed, state, constraints);
+  double gap = 0.0;
+  for (const double value : constraints.value) gap = std::max(gap, std::abs(value));
+  return {energy.kinetic - energy.force_function - torque * state.q.beta, gap};
 }
 
 template <class Motion, class Method>
@@ -92,10 +108,10 @@ Method sharp(double tolerance, Method method = {}) {
 }
 
 void print(const char* other, const std::vector<Change>& changes) {
-  fmt::print("{:<8}{:<40}{:>24}{:>24}{:>10}{:>10}\n", "motion", "integrator", "energy, a tenth, all", other, "steps",
+  fmt::print("{:<9}{:<40}{:>24}{:>24}{:>10}{:>10}\n", "motion", "integrator", "energy, a tenth, all", other, "steps",
              "s");
   for (const Change& change : changes) {
-    fmt::print("{:<8}{:<40}{:>24}{:>24}{:>10}{:>10.2f}\n", change.motion, change.method,
+    fmt::print("{:<9}{:<40}{:>24}{:>24}{:>10}{:>10.2f}\n", change.motion, change.method,
                change.result ? fmt::format("{:.1e} {:.1e}", change.energy[0], change.energy[1]) : "failed",
                fmt::format("{:.1e} {:.1e}", change.other[0], change.other[1]), change.result.statistics.accepted,
                change.seconds);
@@ -140,8 +156,25 @@ void measure_invariants(const std::filesystem::path& folder) {
   fmt::print("\nrolling hoop: largest relative change of the energy, largest rate of the contact [m/s]\n");
   print("slip, a tenth, all", rolling);
 
+  std::vector<Change> closed;
+  const auto squeezer = equations_of_motion<Squeezer>();
+  const auto closing = projected(equations_of_motion<Squeezer>());
+  const double short_step = 5e-8, squeezer_end = short_step * static_cast<double>(million);
+  const auto add_closed = [&](std::string name, const auto& motion, const auto& method) {
+    closed.push_back(change_of("squeezer", std::move(name), motion, squeezer_end, method));
+  };
+  add_closed("Runge-Kutta 4, h 5e-8, 10^6 steps", squeezer, RungeKutta4{.step = short_step});
+  add_closed("the same, projected", closing, RungeKutta4{.step = short_step});
+  add_closed("Dormand-Prince 8(5,3) 1e-12, 0.05 s", squeezer, sharp<DormandPrince853>(1e-12));
+  add_closed("the same, projected", closing, sharp<DormandPrince853>(1e-12));
+  fmt::print(
+      "\nAndrews' squeezing mechanism: largest relative change of the energy less the motor's work, largest gap of "
+      "its loops [m]\n");
+  print("gap, a tenth, all", closed);
+
   if (folder.empty()) return;
   changes.insert(changes.end(), rolling.begin(), rolling.end());
+  changes.insert(changes.end(), closed.begin(), closed.end());
   std::string text = "motion,integrator,energy_of_a_tenth,energy,other_of_a_tenth,other,steps,seconds\n";
   for (const Change& change : changes) {
     std::string method = change.method;

@@ -45,7 +45,7 @@ bool run(const Options& options) {
   std::deque<Problem> problems;  // rows point into them
   std::vector<Row> all;
   for (const auto make : {double_pendulum_mild, double_pendulum_easy, double_pendulum_hard, top, hoop, chain5, ur5,
-                          governor, elastic_pendulum, squeezer}) {
+                          governor, elastic_pendulum, stiffer_pendulum, squeezer}) {
     Problem problem = make();
     if (!chosen(options.problems, problem.name)) continue;
     std::erase_if(problem.ways, [&](const Way& way) { return !chosen(options.ways, way.label()); });

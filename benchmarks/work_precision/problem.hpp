@@ -43,6 +43,7 @@ Problem chain5();
 Problem ur5();
 Problem governor();
 Problem elastic_pendulum();
+Problem stiffer_pendulum();
 Problem squeezer();
 
 }  // namespace work_precision

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stiff and constrained motions, where implicit methods are compared: the flyball governor, a pendulum on a stiff
-// spring, Andrews' squeezing mechanism.
+// Stiff and constrained motions, where implicit methods are compared: the flyball governor, a pendulum on a stiff and
+// on a stiffer spring, Andrews' squeezing mechanism.
+#include <array>
 #include <limits>
+#include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "benchmarks/work_precision/elastic_pendulum.hpp"
 #include "benchmarks/work_precision/ways.hpp"
@@ -10,6 +14,7 @@
 #include "generated/flyball_governor.hpp"
 #include "runtime/integration/radau_iia_5.hpp"
 #include "runtime/integration/stabilised_radau_iia_5.hpp"
+#include "runtime/integration/stoermer_verlet.hpp"
 
 namespace work_precision {
 namespace {
@@ -64,15 +69,33 @@ Problem governor() {
   return {"governor", "stiff flyball governor (roots at -2e4 1/s), 10 s", stiff_ways(motion, 0.02)};
 }
 
-Problem elastic_pendulum() {
+namespace {
+
+// A constant mass and a force of the place alone are what Störmer-Verlet asks for; it is stable below 2 / frequency.
+template <int frequency>
+Problem elastic_pendulum(std::string name, std::string text, const std::array<double, 4>& end) {
   using State = std::array<double, 4>;
-  const Case<ElasticPendulum<double>, 4> motion{{1, 0, 0, 0},
-                                                2,
-                                                {0.78716337934128783673767423, -0.61969057482201185317075261,
-                                                 2.1477596957501236496262230, 2.7408659966747509639371353},
-                                                [](const State& y) { return y; },
-                                                9.81};
-  return {"elastic_pendulum", "pendulum on a spring of 100 rad/s, 2 s", stiff_ways(motion, 0.02)};
+  using Motion = Case<ElasticPendulum<double, frequency>, 4>;
+  const Motion motion{{1, 0, 0, 0}, 2, end, [](const State& y) { return y; }, 9.81};
+  std::vector<Way> ways = stiff_ways(motion, 2.0 / frequency);
+  ways.push_back(way(std::make_shared<const Motion>(motion), "torsor", "Stoermer-Verlet", true,
+                     steps(1.0 / frequency, frequency > 1000 ? 8 : 12),
+                     [](double s) { return StoermerVerlet{.step = s}; }));
+  return {std::move(name), std::move(text), std::move(ways)};
+}
+
+}  // namespace
+
+Problem elastic_pendulum() {
+  return elastic_pendulum<100>("elastic_pendulum", "pendulum on a spring of 100 rad/s, 2 s",
+                               {0.78716337934128783673767423, -0.61969057482201185317075261,
+                                2.1477596957501236496262230, 2.7408659966747509639371353});
+}
+
+Problem stiffer_pendulum() {
+  return elastic_pendulum<10000>("stiffer_pendulum", "pendulum on a spring of 1e4 rad/s, 2 s",
+                                 {0.79356556126269921386207737, -0.60848505169155606162579651,
+                                  2.1024423862766915008686121, 2.7419353602363155999197867});
 }
 
 Problem squeezer() {
