@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -21,9 +22,9 @@ namespace {
 
 constexpr int report_tag = 1, values_tag = 2, text_tag = 3, order_tag = 4;
 
-/// What a worker says when it asks for work: the members it brings, or the length of the text of its failure.
+/// What a worker says when it asks for work: the members it brings, or that it failed, and the length of the text.
 struct Report {
-  std::uint64_t first = 0, count = 0, failure = 0;
+  std::uint64_t first = 0, count = 0, failed = 0, letters = 0;
 };
 /// What it is told: members to compute, none when there is nothing left to do.
 struct Order {
@@ -84,18 +85,18 @@ std::exception_ptr work(MPI_Comm communicator, const RecordHead& head, const Ens
     if (report.count > 0) {
       MPI_Send(values.data(), static_cast<int>(values.size()), MPI_DOUBLE, writer, values_tag, communicator);
     }
-    if (report.failure > 0) {
+    if (report.failed != 0) {
       const std::string text = text_of(failure);
       MPI_Send(text.data(), static_cast<int>(text.size()), MPI_CHAR, writer, text_tag, communicator);
     }
     const auto order = receive_words<Order>(writer, order_tag, communicator);
     if (order.count == 0) return failure;
-    report = {order.first, order.count, 0};
+    report = {order.first, order.count, 0, 0};
     try {
       values = compute(order, head, member, threads);
     } catch (...) {
       failure = std::current_exception();
-      report = {0, 0, std::max<std::uint64_t>(1, text_of(failure).size())};
+      report = {0, 0, 1, text_of(failure).size()};
     }
   }
 }
@@ -123,7 +124,7 @@ class Writer {
       int worker = MPI_ANY_SOURCE;
       const auto report = receive_words<Report>(worker, report_tag, communicator_);
       if (report.count > 0) take(worker, report);
-      if (report.failure > 0) take_failure(worker, report);
+      if (report.failed != 0) take_failure(worker, report);
       idle_.push_back(worker);
       guarded([&] { write(); });
       while (!idle_.empty() && give(idle_.front())) idle_.pop_front();
@@ -131,8 +132,8 @@ class Writer {
   }
 
   [[nodiscard]] const EnsembleProgress& progress() const noexcept { return progress_; }
-  std::exception_ptr failure;  ///< in this process
-  std::string text;            ///< of this or another process's failure
+  std::exception_ptr failure;       ///< in this process
+  std::optional<std::string> text;  ///< of this or another process's failure, if any; it may be empty
 
  private:
   template <class Action>
@@ -154,10 +155,10 @@ class Writer {
              MPI_STATUS_IGNORE);
   }
   void take_failure(int worker, const Report& report) {
-    std::string words(report.failure, ' ');
+    std::string words(report.letters, ' ');
     MPI_Recv(words.data(), static_cast<int>(words.size()), MPI_CHAR, worker, text_tag, communicator_,
              MPI_STATUS_IGNORE);
-    if (text.empty()) text = words;
+    if (!text) text = words;
     ended_ = true;
   }
 
@@ -202,13 +203,14 @@ class Writer {
   EnsembleProgress progress_;
 };
 
-/// Tells all processes whether one failed, with its words, and throws in all of them if so.
-void agree(MPI_Comm communicator, const std::exception_ptr& own, std::string text) {
-  auto size = static_cast<std::uint64_t>(text.size());
-  MPI_Bcast(&size, 1, MPI_UINT64_T, 0, communicator);
-  if (size == 0) return;
-  text.resize(size);
-  MPI_Bcast(text.data(), static_cast<int>(size), MPI_CHAR, 0, communicator);
+/// Tells all processes whether one failed, which the first knows, with its words, and throws in all of them if so.
+void agree(MPI_Comm communicator, const std::exception_ptr& own, const std::optional<std::string>& failure) {
+  std::string text = failure.value_or("");
+  std::array<std::uint64_t, 2> words{failure ? 1U : 0U, text.size()};  // whether, and how many letters
+  MPI_Bcast(words.data(), 2, MPI_UINT64_T, 0, communicator);
+  if (words[0] == 0) return;
+  text.resize(words[1]);
+  MPI_Bcast(text.data(), static_cast<int>(text.size()), MPI_CHAR, 0, communicator);
   if (own) std::rethrow_exception(own);
   throw EnsembleError(text);
 }
@@ -218,10 +220,12 @@ void require_one_question(MPI_Comm communicator, const RecordHead& head, bool wr
   MPI_Bcast(first.data(), 3, MPI_UINT64_T, 0, communicator);
   int different = words != first ? 1 : 0, any = 0;
   MPI_Reduce(&different, &any, 1, MPI_INT, MPI_MAX, 0, communicator);
-  agree(communicator, nullptr,
-        writer && any != 0 ? "the processes of an ensemble were given different questions: mechanism, members, times "
-                             "and method must be the same in all of them"
-                           : "");
+  std::optional<std::string> text;
+  if (writer && any != 0) {
+    text = "the processes of an ensemble were given different questions: mechanism, members, times and method must be "
+           "the same in all of them";
+  }
+  agree(communicator, nullptr, text);
 }
 
 }  // namespace
@@ -243,7 +247,7 @@ EnsembleProgress run_ensemble_over_mpi(MPI_Comm communicator, const std::filesys
 
   std::array<std::uint64_t, 3> reached{};
   std::exception_ptr own;
-  std::string text;
+  std::optional<std::string> text;
   std::unique_ptr<RecordFile> file;
   if (rank == 0) {
     try {

@@ -130,6 +130,16 @@ TEST_F(EnsembleOverMpi, ThrowsInAllProcessesWhatAMemberThrowsInOne) {
   expect_whole();
 }
 
+TEST_F(EnsembleOverMpi, ThrowsInAllProcessesWhatHasNoWords) {
+  const auto fails = [](std::uint64_t, std::span<double>) { throw std::runtime_error(""); };
+  EXPECT_THROW(run_ensemble_over_mpi(MPI_COMM_WORLD, folder / "results", many, fails), std::runtime_error);
+  // In the process that writes
+  const auto progress = [](const EnsembleProgress&) -> bool { throw std::runtime_error(""); };
+  EXPECT_THROW(run({.progress = progress}), std::runtime_error);
+  run();
+  expect_whole();
+}
+
 TEST_F(EnsembleOverMpi, RefusesAFileInAllProcesses) {
   put("something else");
   EXPECT_NE(error_of([&] { run(); }).find("is no file of records"), std::string::npos);
