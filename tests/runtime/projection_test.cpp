@@ -13,7 +13,6 @@
 
 #include "generated/andrews_squeezer.hpp"
 #include "generated/model_making_press.hpp"
-#include "generated/torque_free_body.hpp"
 #include "runtime/constraints/constrained_motion.hpp"
 #include "runtime/integration/dormand_prince_54.hpp"
 #include "runtime/integration/dormand_prince_853.hpp"
@@ -27,7 +26,6 @@ using namespace torsor::runtime;
 using Pendulum = mechanisms::CartesianPendulum<double>;
 using Squeezer = andrews_squeezer::Mechanism<double>;
 using Press = model_making_press::Mechanism<double>;
-using Body = torque_free_body::Mechanism<double>;
 using ThreeCranks = mechanisms::CrankLoop<mechanisms::ThreeEqualCranks>;
 using ThreeCranksSmallSwing = mechanisms::CrankLoop<mechanisms::ThreeEqualCranksSmallSwing>;
 using FourBar = mechanisms::CrankLoop<mechanisms::FourBar>;
@@ -333,28 +331,6 @@ TEST(Projection, ThatFailsEndsTheIntegrationAtTheLastGoodState) {
   const auto adaptive = integrate(Leaving{}, y, 0, 1, DormandPrince54{});
   EXPECT_EQ(adaptive.status, IntegrationStatus::model_failure);
   EXPECT_NEAR(adaptive.time, 0.5, 1e-12);  // creeps up to it
-}
-
-TEST(Quaternions, KeepNormAndPhaseOverManyRevolutionsThroughTheLockOfEulerAngles) {
-  // Free turn about the axis of greatest inertia, which moves the two others through every attitude between: Euler
-  // angles about z x z lock twice a revolution when the turn is about x. ω stays, the attitude is
-  // (cos ωt/2, sin ωt/2 n).
-  const double revolutions = long_tests() ? 1e6 : 1e3, omega = 2 * std::numbers::pi;
-  const DormandPrince853 method{.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12, .step_limit = 100'000'000};
-  const auto motion = equations_of_motion<Body>(Body::Parameters{3.0, 2.0, 1.0});
-  StateVector<Body> y{1, 0, 0, 0, omega, 0, 0};
-  double worst = 0.0;
-  const auto result = integrate(motion, y, 0, revolutions, method, [&](double, const auto& s) {
-    const double square = s[0] * s[0] + s[1] * s[1] + s[2] * s[2] + s[3] * s[3];
-    worst = std::max(worst, std::abs(square - 1));
-  });
-  ASSERT_TRUE(result) << describe(result);
-  EXPECT_LT(worst, 1e-15);
-  // After whole revolutions the quaternion is ±1; each step of some a tenth of a turn may lose the tolerance in phase.
-  EXPECT_NEAR(std::abs(y[0]), 1.0, 1e-12 * 20 * revolutions);
-  EXPECT_NEAR(y[1], 0.0, 1e-12 * 20 * revolutions);
-  EXPECT_NEAR(y[2], 0.0, 1e-12);
-  EXPECT_EQ(y[4], omega);
 }
 
 }  // namespace
