@@ -120,6 +120,15 @@ StressState StressState::with_step(std::size_t symbol, std::mt19937_64& random) 
   return result;
 }
 
+StressState StressState::with(const std::string& name, double value) const {
+  StressState result = *this;
+  for (const SymbolPointer& symbol : symbols_) {
+    if (symbol->name == name) result.values_[symbol.get()] = rounded(value);
+  }
+  result.normalise();
+  return result;
+}
+
 StressState StressState::jittered(std::mt19937_64& random) const {
   StressState result = *this;
   for (const SymbolPointer& symbol : symbols_) {

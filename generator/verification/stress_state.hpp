@@ -34,6 +34,8 @@ class StressState {
   /// The same state but for one symbol, which takes a step: a little, by a power of two, to a multiple of π/2, to what
   /// another one of its kind has, to zero, to the other sign.
   StressState with_step(std::size_t symbol, std::mt19937_64& random) const;
+  /// The same state but for the symbol of this name, exact in the format.
+  StressState with(const std::string& name, double value) const;
   /// The same state but for the last bits of all numbers.
   StressState jittered(std::mt19937_64& random) const;
 
