@@ -1,110 +1,116 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "benchmarks/work_precision/contact.hpp"
-
-#include <algorithm>
-#include <array>
+// Contact: a ball that bounces, and bounces until it rests, and one that slides until it rolls. Events by ours, by the
+// root finding of SUNDIALS, and by hand on the dense output of Boost.odeint.
 #include <cmath>
-#include <cstddef>
-#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-
-#include "benchmarks/work_precision/processor_time.hpp"
-#include "runtime/integration/dormand_prince_54.hpp"
-#include "runtime/integration/dormand_prince_853.hpp"
+#include "benchmarks/work_precision/contact_motions.hpp"
+#include "benchmarks/work_precision/contact_peers.hpp"
+#include "benchmarks/work_precision/ways.hpp"
 #include "runtime/integration/events.hpp"
-#include "runtime/integration/midpoint.hpp"
-#include "runtime/integration/runge_kutta_4.hpp"
 
 namespace work_precision {
 namespace {
 
 using namespace torsor::runtime;
-constexpr double gravity = 9.81;
 
-struct ContactOutcome {
-  bool reached = false;
-  double error = 0.0;  ///< of the time at which the motion changes for good, relative, and of the state there
-  Statistics statistics{};
-  long long events = 0;
-};
-
-/// Dropped from 1 m with a coefficient of restitution of 0.8: at rest from 4.06371... s on.
-template <class Method>
-ContactOutcome bounce(const Method& method) {
-  constexpr double e = 0.8, end = 4.0637127688715781400573;
-  const auto fall = [](double, const std::array<double, 2>& y, std::array<double, 2>& rate) noexcept {
-    rate = {y[1], -gravity};
-    return Evaluation::ok;
-  };
-  const auto floor = barrier([](double, const std::array<double, 2>& y) noexcept { return y[0]; },
-                             [](double, std::array<double, 2>& y) noexcept { y[1] *= -e; });
-  std::array<double, 2> y{1.0, 0.0};
-  const auto result = integrate_with_events(fall, y, 0, 10, method, Events(floor));
-  return {result.status == EventStatus::accumulation, std::abs(result.accumulation_time / end - 1.0),
-          result.integration.statistics, static_cast<long long>(result.fired[0])};
+template <class Motion, class Method>
+Outcome by_events(const Method& method) {
+  ContactEnd<Motion> end{0.0, Motion::start};
+  const auto event =
+      barrier([](double, const typename Motion::State& y) noexcept { return Motion::guard(y); },
+              [&](double, typename Motion::State& y) noexcept { return Motion::after(y, ++end.events); });
+  const auto result = integrate_with_events(Motion(), end.y, 0.0, contact_end, method, Events(event));
+  end.reached = result.status == EventStatus::stopped_at_event;
+  end.time = result.time;
+  end.statistics = result.integration.statistics;
+  return Motion::outcome(end);
 }
 
-/// A billiard ball thrown at 2 m/s without spin on cloth of mu = 0.2: it rolls from 2 v/(7 mu g) on, at 5/7 of the
-/// speed, 12 v^2/(49 mu g) away. y = (x, v, omega).
+/// The bouncing that ends in 4.06 s after infinitely many impacts: the error of that time, relative.
 template <class Method>
-ContactOutcome slide(const Method& method) {
-  constexpr double speed = 2.0, mu = 0.2, radius = 0.05;
-  constexpr double end = 2 * speed / (7 * mu * gravity);
-  using State = std::array<double, 3>;
-  const auto sliding = [](double, const State& y, State& rate) noexcept {
-    rate = {y[1], -mu * gravity, 2.5 * mu * gravity / radius};
-    return Evaluation::ok;
-  };
-  const auto rolls = stop_at([](double, const State& y) noexcept { return y[1] - radius * y[2]; });
-  State y{0.0, speed, 0.0};
-  const auto result = integrate_with_events(sliding, y, 0, 10, method, Events(rolls));
-  const double error = std::max({std::abs(result.time / end - 1.0), std::abs(y[1] / (5.0 / 7.0 * speed) - 1.0),
-                                 std::abs(y[0] / (12 * speed * speed / (49 * mu * gravity)) - 1.0)});
-  return {result.status == EventStatus::stopped_at_event, error, result.integration.statistics,
-          static_cast<long long>(result.fired[0])};
+Outcome until_rest(const Method& method) {
+  constexpr double rest = 4.0637127688715781400573;  // √(2 h/g) (1 + e)/(1 - e)
+  auto y = BouncingBall::start;
+  const auto floor = barrier([](double, const BouncingBall::State& at) noexcept { return BouncingBall::guard(at); },
+                             [](double, BouncingBall::State& at) noexcept { (void)BouncingBall::after(at, 0); });
+  const auto result = integrate_with_events(BouncingBall(), y, 0.0, contact_end, method, Events(floor));
+  const double energy = y[1] * y[1] / 2 + BouncingBall::gravity * y[0];
+  return {result.status == EventStatus::accumulation, std::abs(result.accumulation_time / rest - 1),
+          std::abs(energy) / BouncingBall::gravity, result.integration.statistics};
 }
 
-struct Contact {
-  std::string problem, method;
-  std::function<ContactOutcome()> run;
-};
+// What fits a plain right-hand side; `run(method)` gives the outcome.
+template <class Run>
+std::vector<Way> our_ways(Run run) {
+  const std::vector<double> all = tolerances(1e-3, 1e-13);
+  std::vector<Way> ways;
+  const auto add = [&](std::string name, bool fixed_step, const std::vector<double>& settings, auto make) {
+    ways.push_back({"torsor", std::move(name), fixed_step, settings, [=](double s) { return run(make(s)); }});
+  };
+  add("Taylor", false, all, [](double s) { return of_tolerance<Taylor>(s); });
+  add("Dormand-Prince 8(5,3)", false, all, [](double s) { return of_tolerance<DormandPrince853>(s); });
+  add("Dormand-Prince 5(4)", false, all, [](double s) { return of_tolerance<DormandPrince54>(s); });
+  add("Radau IIA 5", false, all, [](double s) { return of_tolerance<RadauIia5>(s); });
+  add("Runge-Kutta 4", true, steps(0.1, 6), [](double s) { return RungeKutta4{.step = s}; });
+  add("midpoint", true, steps(0.1, 6), [](double s) { return Midpoint{.step = s}; });
+  add("Gauss collocation 6", true, steps(0.1, 6), [](double s) { return GaussCollocation<3>{.step = s}; });
+  add("Gauss collocation 12", true, steps(0.1, 6), [](double s) { return GaussCollocation<6>{.step = s}; });
+  return ways;
+}
 
-template <class Method>
-void add(std::vector<Contact>& all, const std::string& name, const Method& method) {
-  all.push_back({"bouncing", name, [method] { return bounce(method); }});
-  all.push_back({"sliding", name, [method] { return slide(method); }});
+template <class Motion>
+std::vector<Way> contact_ways() {
+  std::vector<Way> ways = our_ways([](const auto& method) { return by_events<Motion>(method); });
+  [[maybe_unused]] const auto add = [&](std::string library, std::string name, auto run) {
+    ways.push_back({std::move(library), std::move(name), false, tolerances(1e-3, 1e-13),
+                    [=](double s) { return Motion::outcome(run(s)); }});
+  };
+#ifdef BENCHMARK_ODEINT
+  namespace odeint = boost::numeric::odeint;
+  using State = typename Motion::State;
+  add("Boost.odeint", "dopri5",
+      [](double s) { return by_odeint<Motion>(odeint::make_dense_output(s, s, odeint::runge_kutta_dopri5<State>())); });
+  add("Boost.odeint", "Bulirsch-Stoer",
+      [](double s) { return by_odeint<Motion>(odeint::bulirsch_stoer_dense_out<State>(s, s)); });
+#endif
+#ifdef BENCHMARK_SUNDIALS
+  const auto cvode = [](double s, Cvode::Multistep multistep) {
+    Cvode method = of_tolerance<Cvode>(s);
+    method.multistep = multistep;
+    return by_sundials<Motion>(method, {CVodeRootInit, CVodeSetRootDirection}, CVodeReInit);
+  };
+  add("SUNDIALS", "CVODE Adams", [=](double s) { return cvode(s, Cvode::Multistep::adams); });
+  add("SUNDIALS", "CVODE BDF", [=](double s) { return cvode(s, Cvode::Multistep::backward_differentiation); });
+  const auto arkode = [](double s, int order) {
+    ArkodeExplicit method = of_tolerance<ArkodeExplicit>(s);
+    method.order = order;
+    return by_sundials<Motion>(method, {ERKStepRootInit, ERKStepSetRootDirection},
+                               [](void* memory, double t, N_Vector y) {
+                                 return ERKStepReInit(memory, Workplace<Motion>::right_hand_side, t, y);
+                               });
+  };
+  add("SUNDIALS", "ARKODE 5", [=](double s) { return arkode(s, 5); });
+  add("SUNDIALS", "ARKODE 8", [=](double s) { return arkode(s, 8); });
+#endif
+  return ways;
 }
 
 }  // namespace
 
-void measure_contact(int turns) {
-  std::vector<Contact> all;
-  add(all, "Dormand-Prince 8(5,3)", DormandPrince853{.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12});
-  add(all, "Dormand-Prince 5(4)", DormandPrince54{.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12});
-  add(all, "Runge-Kutta 4, h 0.05", RungeKutta4{.step = 0.05});
-  add(all, "midpoint, h 0.05", Midpoint{.step = 0.05});
-  std::stable_sort(all.begin(), all.end(), [](const Contact& a, const Contact& b) { return a.problem < b.problem; });
-  std::vector<std::vector<double>> times(all.size());
-  std::vector<ContactOutcome> outcomes(all.size());
-  for (int turn = 0; turn < turns; ++turn) {
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const double start = processor_seconds();
-      outcomes[i] = all[i].run();
-      times[i].push_back((processor_seconds() - start) * 1e6);
-    }
-  }
-  fmt::print("\nballs that bounce until they rest and slide until they roll, against their closed forms\n");
-  fmt::print("{:<10}{:<26}{:>14}{:>10}{:>10}{:>10}\n", "motion", "integrator", "error", "us", "calls", "events");
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    std::sort(times[i].begin(), times[i].end());
-    const ContactOutcome& outcome = outcomes[i];
-    fmt::print("{:<10}{:<26}{:>14}{:>10.1f}{:>10}{:>10}\n", all[i].problem, all[i].method,
-               outcome.reached ? fmt::format("{:.1e}", outcome.error) : "failed", times[i][times[i].size() / 2],
-               outcome.statistics.calls, outcome.events);
-  }
+Problem bouncing() {
+  return {"bouncing", "ball dropped from 1 m, restitution 0.8, to the tenth impact", contact_ways<BouncingBall>()};
+}
+
+Problem resting() {
+  return {"resting", "the same ball until it rests after infinitely many impacts",
+          our_ways([](const auto& method) { return until_rest(method); })};
+}
+
+Problem sliding() {
+  return {"sliding", "billiard ball from 2 m/s without spin until it rolls", contact_ways<SlidingBall>()};
 }
 
 }  // namespace work_precision

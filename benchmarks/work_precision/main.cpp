@@ -12,7 +12,6 @@
 #include <CLI/CLI.hpp>
 
 #include "benchmarks/work_precision/bars.hpp"
-#include "benchmarks/work_precision/contact.hpp"
 #include "benchmarks/work_precision/drift.hpp"
 #include "benchmarks/work_precision/links.hpp"
 #include "benchmarks/work_precision/measure.hpp"
@@ -28,7 +27,7 @@ struct Options {
   std::vector<std::string> problems, ways;
   int turns = 31;
   double seconds = 0.2;
-  bool drift = false, invariants = false, links = false, contact = false, bars = false;
+  bool drift = false, invariants = false, links = false, bars = false;
 };
 
 /// Whether all that is promised holds, where that was asked for.
@@ -45,7 +44,7 @@ bool run(const Options& options) {
   std::deque<Problem> problems;  // rows point into them
   std::vector<Row> all;
   for (const auto make : {double_pendulum_mild, double_pendulum_easy, double_pendulum_hard, top, hoop, chain5, ur5,
-                          governor, elastic_pendulum, stiffer_pendulum, squeezer}) {
+                          governor, elastic_pendulum, stiffer_pendulum, squeezer, bouncing, resting, sliding}) {
     Problem problem = make();
     if (!chosen(options.problems, problem.name)) continue;
     std::erase_if(problem.ways, [&](const Way& way) { return !chosen(options.ways, way.label()); });
@@ -60,7 +59,6 @@ bool run(const Options& options) {
   std::fflush(stdout);
   if (!options.output.empty()) write_all(all, options.output);
   if (options.links) measure_links(options.output, options.turns);
-  if (options.contact) measure_contact(options.turns);
   if (options.invariants) measure_invariants(options.output);
   std::vector<Drift> drifts;
   if (options.drift || options.bars) drifts = measure_drift(options.output);
@@ -81,7 +79,6 @@ int main(int argc, char** argv) {
   app.add_flag("--drift", options.drift, "also the energy over 10^4 s");
   app.add_flag("--invariants", options.invariants, "also momentum and constraints over 10^6 steps and 10^4 s");
   app.add_flag("--links", options.links, "also pendulums of 2 to 32 links");
-  app.add_flag("--contact", options.contact, "also a bouncing and a sliding ball");
   app.add_flag("--bars", options.bars, "also --drift, and what is promised and whether it holds; 1 if not")
       ->excludes(ways);
   CLI11_PARSE(app, argc, argv);

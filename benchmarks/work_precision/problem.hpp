@@ -45,5 +45,8 @@ Problem governor();
 Problem elastic_pendulum();
 Problem stiffer_pendulum();
 Problem squeezer();
+Problem bouncing();
+Problem resting();
+Problem sliding();
 
 }  // namespace work_precision

@@ -90,6 +90,10 @@ void print_reach(const std::vector<Row>& rows) {
     }
     fmt::print("{:<10}{:<28}{:>18}{:>18}{:>12}\n", problem, "integrator", "1e-9", "1e-12", "smallest");
     for (const std::string& label : labels) {
+      const bool was_run = std::any_of(rows.begin(), rows.end(), [&](const Row& row) {
+        return row.problem == problem && row.way->label() == label;
+      });
+      if (!was_run) continue;
       const Reach reach = reach_of(rows, problem, label);
       fmt::print("{:<10}{:<28}{:>18}{:>18}{:>12.1e}\n", "", label, time_and_ratio(reach.nine, best.nine),
                  time_and_ratio(reach.twelve, best.twelve), reach.smallest);
