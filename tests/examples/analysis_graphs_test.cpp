@@ -11,6 +11,8 @@
 #include "generator/dynamics/theorems/unknowns_report.hpp"
 #include "tests/examples/scenes.hpp"
 
+namespace torsor::analysis_graphs_test {
+
 // What the course asks of a graph: to be drawn (the press has its own test), and to say which equations to write.
 
 namespace {
@@ -70,3 +72,4 @@ TEST(AnalysisGraphs, AreDrawnOnThePages) {
 }
 
 }  // namespace
+}  // namespace torsor::analysis_graphs_test

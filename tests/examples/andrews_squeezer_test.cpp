@@ -13,6 +13,7 @@
 #include "tests/examples/motion.hpp"
 #include "tests/examples/reference_digits.hpp"
 
+namespace torsor::andrews_squeezer_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -162,3 +163,4 @@ TEST(AndrewsSqueezer, IsLinearisedWhileItMoves) {
 }
 
 }  // namespace
+}  // namespace torsor::andrews_squeezer_test

@@ -11,6 +11,7 @@
 #include "runtime/records/reference.hpp"
 #include "tests/examples/motion.hpp"
 
+namespace torsor::arm7_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -251,3 +252,4 @@ TEST(Arm7, MeetsItsCommittedReference) {
 }
 
 }  // namespace
+}  // namespace torsor::arm7_test

@@ -12,6 +12,7 @@
 #include "tests/examples/motion.hpp"
 #include "tests/examples/reference_digits.hpp"
 
+namespace torsor::bead_on_hoop_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -123,3 +124,4 @@ TEST(BeadOnHoop, TakesItsEnergyFromTheMotor) {
 }
 
 }  // namespace
+}  // namespace torsor::bead_on_hoop_test

@@ -12,6 +12,7 @@
 #include "tests/examples/motion.hpp"
 #include "tests/examples/reference_digits.hpp"
 
+namespace torsor::chaplygin_sleigh_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -130,3 +131,4 @@ TEST(ChaplyginSleigh, ObeysTheEnergyTheorem) {
 }
 
 }  // namespace
+}  // namespace torsor::chaplygin_sleigh_test

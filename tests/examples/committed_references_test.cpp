@@ -19,6 +19,8 @@
 #include "runtime/records/reference.hpp"
 #include "tests/examples/motion.hpp"
 
+namespace torsor::committed_references_test {
+
 // The committed references of the examples whose own tests compare with other truths only. They come from Lagrange's
 // operator and an extrapolation in high precision; the kernels come from virtual power.
 
@@ -73,3 +75,4 @@ TEST(CommittedReference, IsMetByWhippleBicycle) { expect_met<whipple_bicycle::Me
 TEST(CommittedReference, IsMetByWinder) { expect_met<winder::Mechanism<double>>("winder"); }
 
 }  // namespace
+}  // namespace torsor::committed_references_test

@@ -12,6 +12,7 @@
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
+namespace torsor::disk_in_a_circle_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -141,3 +142,4 @@ TEST(DiskInACircle, ObeysTheEnergyTheoremOffItsCircle) {
 }
 
 }  // namespace
+}  // namespace torsor::disk_in_a_circle_test

@@ -11,6 +11,7 @@
 #include "runtime/mechanism.hpp"
 #include "runtime/records/reference.hpp"
 
+namespace torsor::double_pendulum_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -132,3 +133,4 @@ TEST(DoublePendulum, HasARegressorWhoseTablesLeadFromInertialParametersToForces)
 }
 
 }  // namespace
+}  // namespace torsor::double_pendulum_test

@@ -13,6 +13,7 @@
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
+namespace torsor::elastic_wing_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -130,3 +131,4 @@ TEST(ElasticWing, ObeysTheEnergyTheoremInAGust) {
 }
 
 }  // namespace
+}  // namespace torsor::elastic_wing_test

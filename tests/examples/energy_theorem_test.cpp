@@ -15,6 +15,8 @@
 #include "generated/vibration_absorber.hpp"
 #include "runtime/mechanism.hpp"
 
+namespace torsor::energy_theorem_test {
+
 // The energy theorem along a run of the examples whose own tests look at other things.
 
 namespace {
@@ -99,3 +101,4 @@ TEST(EnergyTheorem, HoldsForTheVibrationAbsorberAndWhatTurnsItsRotor) {
 }
 
 }  // namespace
+}  // namespace torsor::energy_theorem_test

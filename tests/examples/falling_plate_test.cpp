@@ -11,6 +11,7 @@
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
+namespace torsor::falling_plate_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -175,3 +176,4 @@ TEST(FallingPlate, ObeysTheEnergyTheorem) {
 }
 
 }  // namespace
+}  // namespace torsor::falling_plate_test

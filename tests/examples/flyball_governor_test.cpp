@@ -13,6 +13,7 @@
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
+namespace torsor::flyball_governor_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -108,3 +109,4 @@ TEST(FlyballGovernor, ObeysTheEnergyTheorem) {
 }
 
 }  // namespace
+}  // namespace torsor::flyball_governor_test

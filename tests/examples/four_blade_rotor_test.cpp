@@ -14,6 +14,7 @@
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
+namespace torsor::four_blade_rotor_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -94,3 +95,4 @@ TEST(FourBladeRotor, ObeysTheEnergyTheorem) {
 }
 
 }  // namespace
+}  // namespace torsor::four_blade_rotor_test

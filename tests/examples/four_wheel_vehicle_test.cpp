@@ -15,6 +15,7 @@
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
+namespace torsor::four_wheel_vehicle_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -224,3 +225,4 @@ TEST(FourWheelVehicle, ObeysTheEnergyTheorem) {
 }
 
 }  // namespace
+}  // namespace torsor::four_wheel_vehicle_test

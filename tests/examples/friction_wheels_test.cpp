@@ -11,6 +11,7 @@
 #include "tests/examples/motion.hpp"
 #include "tests/examples/reference_digits.hpp"
 
+namespace torsor::friction_wheels_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -131,3 +132,4 @@ TEST(FrictionWheels, ObeyTheEnergyTheorem) {
 }
 
 }  // namespace
+}  // namespace torsor::friction_wheels_test

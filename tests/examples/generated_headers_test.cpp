@@ -23,6 +23,7 @@
 #include "generator/expression/number.hpp"
 #include "tests/examples/kernel_comparison.hpp"
 
+namespace torsor::generated_headers_test {
 namespace {
 
 using examples::Evaluated;
@@ -145,3 +146,4 @@ TEST(GeneratedHeaders, HaveCorrectlyRoundedLiterals) {
 }
 
 }  // namespace
+}  // namespace torsor::generated_headers_test

@@ -13,6 +13,7 @@
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
+namespace torsor::graham_variator_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -171,3 +172,4 @@ TEST(GrahamVariator, ObeysTheEnergyTheorem) {
 }
 
 }  // namespace
+}  // namespace torsor::graham_variator_test

@@ -17,6 +17,7 @@
 #include "tests/examples/motion.hpp"
 #include "tests/examples/reference_digits.hpp"
 
+namespace torsor::heavy_top_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -218,3 +219,4 @@ TEST(HeavyTop, ObeysTheEnergyTheorem) {
 }
 
 }  // namespace
+}  // namespace torsor::heavy_top_test

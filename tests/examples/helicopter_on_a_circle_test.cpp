@@ -16,6 +16,7 @@
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
+namespace torsor::helicopter_on_a_circle_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -247,3 +248,4 @@ TEST(HelicopterOnACircle, ObeysTheEnergyTheoremWithSwingingBlades) {
 }
 
 }  // namespace
+}  // namespace torsor::helicopter_on_a_circle_test

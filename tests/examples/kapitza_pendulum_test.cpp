@@ -12,6 +12,7 @@
 #include "tests/examples/motion.hpp"
 #include "tests/examples/reference_digits.hpp"
 
+namespace torsor::kapitza_pendulum_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -130,3 +131,4 @@ TEST(KapitzaPendulum, TakesItsEnergyFromTheShaker) {
 }
 
 }  // namespace
+}  // namespace torsor::kapitza_pendulum_test

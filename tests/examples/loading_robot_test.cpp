@@ -16,6 +16,7 @@
 #include "generator/dynamics/theorems/unknowns_report.hpp"
 #include "tests/examples/scenes.hpp"
 
+namespace torsor::loading_robot_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -199,3 +200,4 @@ TEST(LoadingRobot, MeetsItsCommittedReference) {
 }
 
 }  // namespace
+}  // namespace torsor::loading_robot_test

@@ -12,6 +12,8 @@
 #include "tests/dynamics/simple_scenes.hpp"
 #include "tests/examples/scenes.hpp"
 
+namespace torsor::misprints_test {
+
 // Statements of the course (Pommier) that are wrong as printed, each against what is right, where no other test of the
 // operation or the example does so. A kernel made of the printed version fails here.
 
@@ -137,3 +139,4 @@ TEST(Misprint, MotionImposedInTheAbsorberIsThatOfTheUnbalance) {
 }
 
 }  // namespace
+}  // namespace torsor::misprints_test

@@ -20,6 +20,7 @@
 #include "generator/emission/graph_printer.hpp"
 #include "tests/examples/scenes.hpp"
 
+namespace torsor::model_making_press_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -220,3 +221,4 @@ TEST(ModelMakingPress, MeetsItsCommittedReference) {
 }
 
 }  // namespace
+}  // namespace torsor::model_making_press_test

@@ -12,6 +12,7 @@
 #include "tests/examples/motion.hpp"
 #include "tests/examples/reference_digits.hpp"
 
+namespace torsor::mutual_gravitation_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -150,3 +151,4 @@ TEST(MutualGravitation, ObeysTheEnergyTheorem) {
 }
 
 }  // namespace
+}  // namespace torsor::mutual_gravitation_test

@@ -11,6 +11,7 @@
 #include "runtime/mechanism.hpp"
 #include "tests/examples/energy_theorem.hpp"
 
+namespace torsor::nose_radar_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -116,3 +117,4 @@ TEST(NoseRadar, ObeysTheEnergyTheoremWithItsMotors) {
 }
 
 }  // namespace
+}  // namespace torsor::nose_radar_test

@@ -11,6 +11,7 @@
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
+namespace torsor::passenger_in_vehicle_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -151,3 +152,4 @@ TEST(PassengerInVehicle, ObeysTheEnergyTheorem) {
 }
 
 }  // namespace
+}  // namespace torsor::passenger_in_vehicle_test

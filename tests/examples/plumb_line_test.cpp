@@ -10,6 +10,7 @@
 #include "runtime/mechanism.hpp"
 #include "tests/examples/energy_theorem.hpp"
 
+namespace torsor::plumb_line_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -129,3 +130,4 @@ TEST(PlumbLine, ObeysTheEnergyTheoremWithThePowerOfTheTurningEarth) {
 }
 
 }  // namespace
+}  // namespace torsor::plumb_line_test

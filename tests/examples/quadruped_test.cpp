@@ -11,6 +11,7 @@
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
+namespace torsor::quadruped_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -206,3 +207,4 @@ TEST(Quadruped, ObeysTheEnergyTheorem) {
 }
 
 }  // namespace
+}  // namespace torsor::quadruped_test

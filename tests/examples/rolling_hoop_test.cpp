@@ -15,6 +15,7 @@
 #include "runtime/integration/runge_kutta_4.hpp"
 #include "tests/examples/motion.hpp"
 
+namespace torsor::rolling_hoop_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -343,3 +344,4 @@ TEST(RollingHoop, SharesTheWeightCorrectlyAmongSixCoordinates) {
 }
 
 }  // namespace
+}  // namespace torsor::rolling_hoop_test

@@ -12,6 +12,7 @@
 #include "runtime/records/reference.hpp"
 #include "tests/examples/motion.hpp"
 
+namespace torsor::satellite_arms_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -146,3 +147,4 @@ TEST(SatelliteArms, MeetTheirCommittedReference) {
 }
 
 }  // namespace
+}  // namespace torsor::satellite_arms_test

@@ -11,6 +11,7 @@
 #include "runtime/mechanism.hpp"
 #include "tests/examples/energy_theorem.hpp"
 
+namespace torsor::segment_in_sphere_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -115,3 +116,4 @@ TEST(SegmentInSphere, ObeysTheEnergyTheorem) {
 }
 
 }  // namespace
+}  // namespace torsor::segment_in_sphere_test

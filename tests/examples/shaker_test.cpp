@@ -19,6 +19,7 @@
 #include "generator/reading/force_function_text.hpp"
 #include "tests/examples/scenes.hpp"
 
+namespace torsor::shaker_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -206,3 +207,4 @@ TEST(Shaker, MeetsItsCommittedReferences) {
 }
 
 }  // namespace
+}  // namespace torsor::shaker_test

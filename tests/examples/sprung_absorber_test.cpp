@@ -11,6 +11,7 @@
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
+namespace torsor::sprung_absorber_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -123,3 +124,4 @@ TEST(SprungAbsorber, ObeysTheEnergyTheorem) {
 }
 
 }  // namespace
+}  // namespace torsor::sprung_absorber_test

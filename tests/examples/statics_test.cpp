@@ -9,6 +9,8 @@
 #include "runtime/small_motions/equilibrium_stability.hpp"
 #include "runtime/small_motions/steady_states.hpp"
 
+namespace torsor::statics_test {
+
 // Steady motions of generated mechanisms, found without being told the answer.
 namespace {
 
@@ -56,3 +58,4 @@ TEST(RollingDisc, FindsItsSteadyCircles) {
 }
 
 }  // namespace
+}  // namespace torsor::statics_test

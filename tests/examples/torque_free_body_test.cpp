@@ -13,6 +13,7 @@
 #include "tests/examples/motion.hpp"
 #include "tests/examples/reference_digits.hpp"
 
+namespace torsor::torque_free_body_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -134,3 +135,4 @@ TEST(TorqueFreeBody, ObeysTheEnergyTheorem) {
 }
 
 }  // namespace
+}  // namespace torsor::torque_free_body_test

@@ -12,6 +12,7 @@
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
+namespace torsor::tumbler_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -205,3 +206,4 @@ TEST(Tumbler, ObeysTheEnergyTheorem) {
 }
 
 }  // namespace
+}  // namespace torsor::tumbler_test

@@ -20,6 +20,7 @@
 #include "generator/reading/print_equations.hpp"
 #include "tests/examples/scenes.hpp"
 
+namespace torsor::vibration_absorber_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -284,3 +285,4 @@ TEST(VibrationAbsorber, MeetsItsCommittedReference) {
 }
 
 }  // namespace
+}  // namespace torsor::vibration_absorber_test

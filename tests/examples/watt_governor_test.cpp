@@ -10,6 +10,7 @@
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
+namespace torsor::watt_governor_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -99,3 +100,4 @@ TEST(WattGovernor, ObeysTheEnergyTheoremWithTheMotorsPower) {
 }
 
 }  // namespace
+}  // namespace torsor::watt_governor_test

@@ -12,6 +12,7 @@
 #include "tests/examples/energy_theorem.hpp"
 #include "tests/examples/motion.hpp"
 
+namespace torsor::weather_vane_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -159,3 +160,4 @@ TEST(WeatherVane, ObeysTheEnergyTheorem) {
 }
 
 }  // namespace
+}  // namespace torsor::weather_vane_test

@@ -17,6 +17,7 @@
 #include "tests/examples/motion.hpp"
 #include "tests/examples/reference_digits.hpp"
 
+namespace torsor::whipple_bicycle_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -236,3 +237,4 @@ TEST(WhippleBicycle, ObeysTheEnergyTheoremOnTheRoad) {
 }
 
 }  // namespace
+}  // namespace torsor::whipple_bicycle_test

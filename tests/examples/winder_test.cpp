@@ -14,6 +14,7 @@
 #include "generator/mechanics/structure_graph.hpp"
 #include "tests/examples/scenes.hpp"
 
+namespace torsor::winder_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -110,3 +111,4 @@ TEST(Winder, ObeysTheEnergyTheoremWithTheMotorsPower) {
 }
 
 }  // namespace
+}  // namespace torsor::winder_test

@@ -15,6 +15,7 @@
 #include "runtime/integration/demonstration.hpp"
 #include "runtime/mechanism.hpp"
 
+namespace torsor::work_precision_test {
 namespace {
 
 using namespace torsor::runtime;
@@ -91,7 +92,7 @@ TEST_F(Demonstration, FindsTheReferenceInTheNearestFolderAboveTheProgram) {
   const fs::path expected = root / "generated" / "known_here_only.reference.csv";
   std::ofstream(expected) << "time,x\n1,2\n";
   EXPECT_EQ(find_reference(root / "build" / "bin" / "program", "known_here_only"), fs::canonical(expected));
-  EXPECT_THROW((void)find_reference(root / "build" / "bin" / "program", "known_nowhere"), FileError);
+  EXPECT_THROW((void)find_reference(root / "build" / "bin" / "program", "known_nowhere"), torsor::runtime::FileError);
   fs::remove_all(root);
 }
 
@@ -112,3 +113,4 @@ TEST_F(Demonstration, ReportsAFileItCannotRead) {
 }
 
 }  // namespace
+}  // namespace torsor::work_precision_test
