@@ -11,6 +11,7 @@
 #include <string>
 
 #include MODEL_HEADER
+#include "generated/double_pendulum.hpp"
 #include "runtime/batch/packed_motion_ensemble.hpp"
 
 namespace {
@@ -20,6 +21,8 @@ using namespace torsor::runtime;
 constexpr std::uint64_t member_count = 16;  // few: a turn that another program interrupts would take several
 constexpr int step_count = 10;
 constexpr RungeKutta4 method{.step = 1e-3};
+constexpr double tolerance = 1e-12;
+constexpr Taylor taylor{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
 
 template <class Number>
 Member<panda::Mechanism<Number>> member(std::uint64_t i) {
@@ -31,6 +34,14 @@ Member<panda::Mechanism<Number>> member(std::uint64_t i) {
   return result;
 }
 
+/// Starts as different as those of a study: steps, and how many there are, differ from lane to lane.
+Member<double_pendulum::Mechanism<double>> pendulum(std::uint64_t i) {
+  Member<double_pendulum::Mechanism<double>> result;
+  result.state.q[0] = 1.0 + 0.1 * static_cast<double>(i);
+  result.state.q[1] = 2.5 - 0.1 * static_cast<double>(i);
+  return result;
+}
+
 /// One way to compute all members' records.
 struct Way {
   EnsembleTimes times;
@@ -38,21 +49,23 @@ struct Way {
   std::vector<double> records{}, nanoseconds{}, ratios{};
 };
 
-template <class Number>
-std::vector<Way> ways(const char* scalar) {
-  using M = panda::Mechanism<Number>;
-  const std::vector<Number> end = {Number(step_count * 1e-3)};
-  const auto alone = motion_ensemble<M>(member_count, member<Number>, end, method);
-  const auto packed = std::make_shared<decltype(packed_motion_ensemble<panda::Mechanism, Number>(
-      member_count, member<Number>, end, method))>(member_count, member<Number>, end, method);
+/// Members alone, and in packs.
+template <template <class> class Mechanism, class Number, class Method>
+std::vector<Way> ways(const char* quantity, const char* scalar, Member<Mechanism<Number>> (*members)(std::uint64_t),
+                      Number end, const Method& by) {
+  const std::vector<Number> times = {end};
+  const auto alone = motion_ensemble<Mechanism<Number>>(member_count, members, times, by);
+  const auto packed =
+      std::make_shared<decltype(packed_motion_ensemble<Mechanism, Number>(member_count, members, times, by))>(
+          member_count, members, times, by);
   const std::size_t numbers = alone.head().numbers;
   const EnsembleGroups groups = packed->groups();
-  return {{{"torsor, members alone", scalar, {}},
+  return {{{quantity, "torsor, members alone", scalar, {}},
            [alone, numbers](std::span<double> records) {
              for (std::uint64_t i = 0; i < member_count; ++i) alone(i, records.subspan(i * numbers, numbers));
            },
            std::vector<double>(member_count * numbers)},
-          {{"torsor, packs of " + std::to_string(groups.together), scalar, {}},
+          {{quantity, "torsor, packs of " + std::to_string(groups.together), scalar, {}},
            [packed, groups, numbers](std::span<double> records) {
              for (std::uint64_t i = 0; i < member_count; i += groups.together)
                groups.compute(i, groups.together, records.subspan(i * numbers, groups.together * numbers));
@@ -81,11 +94,8 @@ double difference(const Way& way, const std::vector<double>& expected) {
   return worst / greatest;
 }
 
-}  // namespace
-
-std::vector<EnsembleTimes> ensemble_times(int turns) {
-  std::vector<Way> all = ways<double>("double");
-  for (Way& way : ways<float>("float")) all.push_back(std::move(way));
+/// In turns; the nanoseconds are for one of `parts` that each turn of a way does.
+std::vector<EnsembleTimes> measured(std::vector<Way> all, double parts, int turns) {
   // Equal results first; float is printed, not bounded.
   for (Way& way : all) way.run(way.records);
   for (Way& way : all) {
@@ -100,7 +110,7 @@ std::vector<EnsembleTimes> ensemble_times(int turns) {
       const auto start = Clock::now();
       way.run(way.records);
       const std::chrono::duration<double, std::nano> taken = Clock::now() - start;
-      way.nanoseconds.push_back(taken.count() / static_cast<double>(member_count * step_count));
+      way.nanoseconds.push_back(taken.count() / parts);
       way.ratios.push_back(way.nanoseconds.back() / all[0].nanoseconds.back());
     }
   }
@@ -109,5 +119,19 @@ std::vector<EnsembleTimes> ensemble_times(int turns) {
     way.times.timing = {kernels::spread_of(way.nanoseconds), kernels::spread_of(way.ratios)};
     times.push_back(way.times);
   }
+  return times;
+}
+
+}  // namespace
+
+std::vector<EnsembleTimes> ensemble_times(int turns) {
+  constexpr double end = step_count * 1e-3;
+  std::vector<Way> steps = ways<panda::Mechanism, double>("step", "double", member<double>, end, method);
+  for (Way& way : ways<panda::Mechanism, float>("step", "float", member<float>, static_cast<float>(end), method))
+    steps.push_back(std::move(way));
+  std::vector<EnsembleTimes> times = measured(std::move(steps), double{member_count} * step_count, turns);
+  std::vector<Way> seconds = ways<double_pendulum::Mechanism, double>("Taylor", "double", pendulum, 1.0, taylor);
+  for (EnsembleTimes& each : measured(std::move(seconds), double{member_count}, turns))
+    times.push_back(std::move(each));
   return times;
 }

@@ -6,8 +6,10 @@
 
 #include "benchmarks/kernels/timing.hpp"
 
-/// Nanoseconds for one Runge-Kutta step of one member of an ensemble of pandas that fall, on one thread.
+/// Nanoseconds for one member of an ensemble, on one thread: for one Runge-Kutta step of pandas that fall, or for a
+/// whole second by Taylor's method, to 1e-12, of double pendulums that turn over.
 struct EnsembleTimes {
+  std::string quantity;    ///< "step" or "Taylor"
   std::string name;        ///< alone, or in packs of so many
   std::string scalar;      ///< double or float
   kernels::Timing timing;  ///< the ratio is to members alone in double

@@ -76,16 +76,16 @@ void measure(const Options& options, const Chain& chain, Quantity quantity, std:
   std::fflush(stdout);
 }
 
-/// One step of Runge-Kutta's method, for members of an ensemble.
+/// Members of an ensemble: one step of Runge-Kutta's method, and a second by Taylor's.
 void measure_ensemble(int turns, std::string& csv) {
-  for (const auto& [name, scalar, timing, difference] : ensemble_times(turns)) {
+  for (const auto& [quantity, name, scalar, timing, difference] : ensemble_times(turns)) {
     const auto& [ns, ratio] = timing;
-    fmt::print("{:<18}{:<32}{:<8}{:>28}{:>10.2f}{:>10}{:>9.0e}\n", "ensemble's step", name, scalar, text_of(ns),
+    fmt::print("{:<18}{:<32}{:<8}{:>28}{:>10.2f}{:>10}{:>9.0e}\n", "ensemble's " + quantity, name, scalar, text_of(ns),
                1 / ratio.median, "-", difference);
     std::string cell = name;
     cell.erase(std::remove(cell.begin(), cell.end(), ','), cell.end());
-    csv += fmt::format("ensemble_step,{},{},1,{:.3f},{:.3f},{:.3f},{:.4f},,{:.1e}\n", cell, scalar, ns.median, ns.lower,
-                       ns.upper, 1 / ratio.median, difference);
+    csv += fmt::format("ensemble_{},{},{},1,{:.3f},{:.3f},{:.3f},{:.4f},,{:.1e}\n", quantity, cell, scalar, ns.median,
+                       ns.lower, ns.upper, 1 / ratio.median, difference);
   }
 }
 

@@ -14,6 +14,7 @@
 
 #include "runtime/batch/batch.hpp"
 #include "runtime/batch/motion_ensemble.hpp"
+#include "runtime/batch/packed_taylor.hpp"
 
 namespace torsor::runtime {
 
@@ -24,6 +25,10 @@ concept ExplicitFixedStep = requires(const Method& method) {
   { method.step } -> std::convertible_to<double>;
   { method.compensated } -> std::convertible_to<bool>;
 };
+
+/// A method whose steps packs can take.
+template <class Method>
+concept PackableMethod = ExplicitFixedStep<Method> || std::same_as<Method, Taylor>;
 
 /// The equations of motion of a pack of members, for a formula. They fail where one lane fails.
 template <HasForwardDynamics Packed, class InputLaw>
@@ -88,12 +93,13 @@ class PackedSteps {
 /// A MotionEnsemble whose members take their steps in packs, as many at once as a register has lanes:
 ///   run_ensemble(file, ensemble.head(), ensemble.groups(), options)
 /// Each lane's operations are those of a member alone: without fused multiply-adds (-ffp-contract=off) the records are
-/// the same bit by bit, with them both stay within the same bound of rounding. A group of which one member fails, or
-/// whose members start at different times, is computed member by member.
+/// the same bit by bit, with them both stay within the same bound of rounding. With a fixed step a group of which one
+/// member fails, or whose members start at different times, is computed member by member; with Taylor's method each
+/// lane has steps of its own, and goes as far as it gets: see PackedTaylor.
 /// `InputLaw` is given for both scalars, or for none. Both are called from several threads at once, each for members of
 /// its own, and must give in each lane what the law of one member gives for that lane's state: else a record depends on
 /// whether its group was computed in a pack. What they depend on, gains say, belongs into `label`.
-template <template <class> class Mechanism, class Number, class Members, ExplicitFixedStep Method,
+template <template <class> class Mechanism, class Number, class Members, PackableMethod Method,
           template <class> class InputLaw = NoInputs, int lanes = native_lanes<Number>>
 class PackedMotionEnsemble {
  public:
@@ -106,6 +112,7 @@ class PackedMotionEnsemble {
       : members_(members),
         times_(times),
         method_(method),
+        law_(law),
         packed_law_(std::move(packed_law)),
         alone_(count, std::move(members), std::move(times), method, std::move(law), std::move(label)) {}
 
@@ -131,15 +138,40 @@ class PackedMotionEnsemble {
 
   /// The records of members first to first + count - 1, at most as many as there are lanes.
   void compute(std::uint64_t first, std::uint64_t count, std::span<double> records) const {
-    if (in_a_pack(first, count, records)) return;
-    const std::size_t numbers = records.size() / count;
-    for (std::uint64_t i = 0; i < count; ++i) alone_(first + i, records.subspan(i * numbers, numbers));
+    if constexpr (std::same_as<Method, Taylor>) {
+      in_lanes(first, count, records);
+    } else {
+      if (in_a_pack(first, count, records)) return;
+      const std::size_t numbers = records.size() / count;
+      for (std::uint64_t i = 0; i < count; ++i) alone_(first + i, records.subspan(i * numbers, numbers));
+    }
   }
 
  private:
   using Motion = PackedMotion<Packed, InputLaw<Packed>>;
   using Vector = typename Motion::Vector;
-  using Sum = SummedFormula<typename Method::Formula, typename Motion::Pack, std::tuple_size_v<Vector>>;
+
+  /// Each lane with steps of its own.
+  void in_lanes(std::uint64_t first, std::uint64_t count, std::span<double> records) const {
+    std::vector<Member<Single>> members;
+    for (std::uint64_t i = 0; i < count; ++i) members.push_back(members_(first + i));
+    std::fill(records.begin(), records.end(), std::numeric_limits<double>::quiet_NaN());
+    const std::size_t numbers = records.size() / count;
+    PackedTaylor<Mechanism, Number, InputLaw, lanes> motions(members, method_, law_, packed_law_);
+    motions.integrate_through(times_, [&](std::size_t i, std::size_t time, const StateVector<Single>& y) {
+      for (std::size_t k = 0; k < y.size(); ++k) {
+        records[i * numbers + Alone::lead + time * y.size() + k] = static_cast<double>(y[k]);
+      }
+    });
+    for (std::size_t i = 0; i < count; ++i) write_end(motions.result(i), records.subspan(i * numbers, numbers));
+  }
+
+  static void write_end(const Result<Number>& result, std::span<double> record) noexcept {
+    record[0] = static_cast<double>(result.status);
+    record[1] = static_cast<double>(result.evaluation);
+    record[2] = static_cast<double>(result.time);
+    record[3] = static_cast<double>(result.statistics.calls);
+  }
 
   /// False where the members cannot go together to the end.
   bool in_a_pack(std::uint64_t first, std::uint64_t count, std::span<double> records) const {
@@ -158,6 +190,7 @@ class PackedMotionEnsemble {
     if (!Motion::every_finite(y)) return false;
 
     Motion motion(parameters.block(0), packed_law_);
+    using Sum = SummedFormula<typename Method::Formula, typename Motion::Pack, std::tuple_size_v<Vector>>;
     using Steps = PackedSteps<Motion, Sum>;
     const auto idle_system = [](Number, const std::array<Number, 1>&, std::array<Number, 1>&) noexcept {
       return Evaluation::ok;
@@ -178,25 +211,23 @@ class PackedMotionEnsemble {
       }
       next += y.size();
     }
-    for (std::uint64_t i = 0; i < count; ++i) {
-      records[i * numbers] = static_cast<double>(IntegrationStatus::reached_end);
-      records[i * numbers + 1] = static_cast<double>(Evaluation::ok);
-      records[i * numbers + 2] = static_cast<double>(run.result().time);
-      records[i * numbers + 3] = static_cast<double>(motion.calls);
-    }
+    Result<Number> result = run.result();
+    result.statistics.calls = motion.calls;
+    for (std::uint64_t i = 0; i < count; ++i) write_end(result, records.subspan(i * numbers, numbers));
     return true;
   }
 
   Members members_;
   std::vector<Number> times_;
   Method method_;
+  InputLaw<Single> law_;
   InputLaw<Packed> packed_law_;
   Alone alone_;
 };
 
 /// `const auto ensemble = packed_motion_ensemble<arm7::Mechanism, double>(1000, members, times, RungeKutta4{.step =
 /// 1e-3});`
-template <template <class> class Mechanism, class Number, class Members, ExplicitFixedStep Method>
+template <template <class> class Mechanism, class Number, class Members, PackableMethod Method>
 [[nodiscard]] auto packed_motion_ensemble(std::uint64_t count, Members members, std::vector<Number> times,
                                           Method method, std::string label = {}) {
   return PackedMotionEnsemble<Mechanism, Number, Members, Method>(count, std::move(members), std::move(times),
@@ -206,7 +237,7 @@ template <template <class> class Mechanism, class Number, class Members, Explici
 /// With a law of inputs for one member and for a pack of them: `packed_motion_ensemble<arm7::Mechanism, double,
 /// Law>(1000, members, times, method, Law<Single>{gains}, Law<Packed>{gains})`. See PackedMotionEnsemble.
 template <template <class> class Mechanism, class Number, template <class> class InputLaw, class Members,
-          ExplicitFixedStep Method>
+          PackableMethod Method>
 [[nodiscard]] auto packed_motion_ensemble(std::uint64_t count, Members members, std::vector<Number> times,
                                           Method method, InputLaw<Mechanism<Number>> law,
                                           InputLaw<Mechanism<NativeSimd<Number>>> packed_law, std::string label = {}) {

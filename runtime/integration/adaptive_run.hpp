@@ -9,6 +9,7 @@
 #include "runtime/status.hpp"
 #include "runtime/steps/accumulated_state.hpp"
 #include "runtime/steps/dense_step.hpp"
+#include "runtime/steps/step_clock.hpp"
 #include "runtime/steps/step_control.hpp"
 #include "runtime/system.hpp"
 
@@ -39,52 +40,38 @@ class AdaptiveRun {
       : f_(system),
         options_(options),
         tolerances_{static_cast<Scalar>(options.relative_tolerance), static_cast<Scalar>(options.absolute_tolerance)},
-        largest_(options.largest_step > 0.0 ? static_cast<Scalar>(options.largest_step)
-                                            : std::numeric_limits<Scalar>::infinity()),
+        clock_(options.largest_step),
         state_(y, options.compensated),
         formula_(options) {
-    result_.time = t;
+    clock_.result.time = t;
   }
 
   template <class Observer>
   void advance(Scalar end, Observer& observer) {
-    if (result_.status != IntegrationStatus::reached_end || !usable(end)) return;
-    if (end == result_.time) return;
+    if (!running() || !usable(end)) return;
+    if (end == clock_.result.time) return;
     if (!prepared_ && !prepare(end)) return;
-    bool after_rejection = false;
-    while (result_.time != end) {
-      const Scalar t = result_.time;
-      const Scalar remaining = end - t;
-      // A step that all but reaches the end is stretched to it, so that none of a rounding's length is left over.
-      const bool last = length_ * Scalar(1.01) >= std::abs(remaining);
-      const Scalar t_next = last ? end : t + std::copysign(length_, remaining);
-      const Scalar h = t_next - t;  // what the clock really advances, so that rounding of time never accumulates
-      if (!last && !(std::abs(h) > smallest_step(t))) return give_up();
-      if (result_.statistics.accepted + result_.statistics.rejected >= options_.step_limit) {
-        result_.status = IntegrationStatus::too_many_steps;
-        return;
-      }
+    clock_.set_out();
+    while (clock_.result.time != end) {
+      if (!clock_.plan(end, options_.step_limit)) return;
+      const Scalar t = clock_.result.time, h = clock_.h, length = std::abs(h);
       Scalar error = Scalar(0);
-      refusal_ = attempt<Observer>(t, h, error);
-      if (refusal_ != Evaluation::ok || !(error <= Scalar(1))) {
-        ++result_.statistics.rejected;
-        if (refusal_ != Evaluation::ok) error = std::numeric_limits<Scalar>::infinity();
-        length_ = formula_.shorter(std::abs(h), error);
-        after_rejection = true;
+      const Evaluation evaluation = attempt<Observer>(t, h, error);
+      if (evaluation != Evaluation::ok || !(error <= Scalar(1))) {
+        if (evaluation != Evaluation::ok) error = std::numeric_limits<Scalar>::infinity();
+        clock_.refuse(evaluation, formula_.shorter(length, error));
         continue;
       }
-      length_ = std::min(formula_.longer(std::abs(h), error, length_, after_rejection), largest_);
-      after_rejection = false;
-      ++result_.statistics.accepted;
-      if (!keep(t, t_next, h, observer)) stop();
-      if (result_.status != IntegrationStatus::reached_end) return;
+      clock_.keep(formula_.longer(length, error, clock_.length, clock_.after_rejection()));
+      if (!keep(t, clock_.t_next, h, observer)) stop();
+      if (!running()) return;
     }
   }
 
-  void stop() noexcept { result_.status = IntegrationStatus::stopped_by_observer; }
+  void stop() noexcept { clock_.result.status = IntegrationStatus::stopped_by_observer; }
 
   [[nodiscard]] Result<Scalar> result() const noexcept {
-    Result<Scalar> result = result_;
+    Result<Scalar> result = clock_.result;
     result.statistics.calls = f_.calls;
     result.statistics.jacobians = f_.jacobians;
     result.statistics.decompositions = f_.decompositions;
@@ -92,33 +79,25 @@ class AdaptiveRun {
   }
 
  private:
-  static Scalar smallest_step(Scalar t) noexcept {
-    return std::max(Scalar(10) * std::numeric_limits<Scalar>::epsilon() * std::abs(t),
-                    std::numeric_limits<Scalar>::min());
-  }
+  [[nodiscard]] bool running() const noexcept { return clock_.result.status == IntegrationStatus::reached_end; }
 
   bool usable(Scalar end) noexcept {
     const auto& o = options_;
     using Precision = typename PrecisionOf<S, Scalar>::type;
     const bool options = Tolerances<Precision>::usable(o.relative_tolerance, o.absolute_tolerance) &&
                          o.first_step >= 0.0 && o.largest_step >= 0.0 && o.step_limit > 0 && Formula::usable(o);
-    if (!options || !std::isfinite(end) || !std::isfinite(result_.time) || !all_finite(state_.now())) {
-      result_.status = IntegrationStatus::invalid_options;
+    if (!options || !std::isfinite(end) || !std::isfinite(clock_.result.time) || !all_finite(state_.now())) {
+      clock_.result.status = IntegrationStatus::invalid_options;
     }
-    return result_.status == IntegrationStatus::reached_end;
-  }
-
-  void give_up() noexcept {
-    result_.evaluation = refusal_;
-    result_.status = refusal_ == Evaluation::ok ? IntegrationStatus::step_too_small : IntegrationStatus::model_failure;
+    return running();
   }
 
   bool prepare(Scalar end) {
-    const StepRange<Scalar> range{result_.time, end, largest_};
-    length_ = std::min(static_cast<Scalar>(options_.first_step), largest_);
-    refusal_ = formula_.prepare(f_, range, state_.now(), tolerances_, length_);
-    prepared_ = refusal_ == Evaluation::ok;
-    if (!prepared_) give_up();
+    const StepRange<Scalar> range{clock_.result.time, end, clock_.largest};
+    clock_.length = std::min(static_cast<Scalar>(options_.first_step), clock_.largest);
+    clock_.refusal = formula_.prepare(f_, range, state_.now(), tolerances_, clock_.length);
+    prepared_ = clock_.refusal == Evaluation::ok;
+    if (!prepared_) clock_.give_up();
     return prepared_;
   }
 
@@ -138,7 +117,6 @@ class AdaptiveRun {
   // last slope stays when the state is settled: it moves by less than the error estimate.
   template <class Observer>
   bool keep(Scalar t, Scalar t_next, Scalar h, Observer& observer) {
-    result_.time = t_next;
     if constexpr (takes_steps<Observer, Step>) {
       const Step step = interpolant(t, t_next, h);
       move_on();
@@ -170,11 +148,8 @@ class AdaptiveRun {
   CheckedSystem<S, Scalar, size> f_;
   Options options_;
   Tolerances<Scalar> tolerances_;
-  Scalar largest_;
-  Scalar length_ = Scalar(0);  // of the step to try next, positive
-  Evaluation refusal_ = Evaluation::ok;
+  StepClock<Scalar> clock_;
   bool prepared_ = false;
-  Result<Scalar> result_;
   Vector before_settling_{};
   AccumulatedState<Scalar, size> state_;
   Formula formula_;

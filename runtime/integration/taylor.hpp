@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 
 #include "runtime/integration/adaptive_run.hpp"
 #include "runtime/integration/integrate.hpp"
 #include "runtime/status.hpp"
 #include "runtime/steps/step_control.hpp"
+#include "runtime/steps/taylor_rule.hpp"
 #include "runtime/steps/taylor_step.hpp"
 #include "runtime/system.hpp"
 
@@ -66,8 +65,7 @@ class Taylor::Formula {
   using Coefficients = typename Step::Coefficients;
   static constexpr bool settles = true;
 
-  explicit Formula(const Taylor& options) noexcept
-      : order_(static_cast<std::size_t>(options.order)), chosen_(options.order == 0) {}
+  explicit Formula(const Taylor& options) noexcept : rule_(options.order) {}
 
   static bool usable(const Taylor& o) noexcept {
     return o.order == 0 || (o.order >= least_order && o.order <= largest_order);
@@ -76,54 +74,33 @@ class Taylor::Formula {
   template <class F>
   Evaluation prepare(F& f, const StepRange<Scalar>& range, const Vector& y, const Tolerances<Scalar>& tolerances,
                      Scalar& length) {
-    tolerances_ = tolerances;
-    part_ = part_of(y);
-    if (chosen_) order_ = order_for(part_);
-    next_part_ = part_;
-    next_order_ = order_;
-    if (!f.jets(range.start, y, span(now(), order_))) return f.evaluation;
-    if (!(length > Scalar(0))) {
-      const Scalar reach = std::min(std::abs(range.end - range.start), range.longest);
-      length = std::min(std::max(proposal(now(), order_, part_), range.shortest()), reach);
-    }
+    rule_.start(y, tolerances);
+    if (!f.jets(range.start, y, span(now(), rule_.order()))) return f.evaluation;
+    if (!(length > Scalar(0))) length = rule_.first(each(now()), range);
     return Evaluation::ok;
   }
 
-  // The polynomial by Horner's rule without its first coefficient, whose sum with the rest is the state's own, and its
-  // slope by the derivative of that rule.
   template <class F>
-  Evaluation attempt(F& f, Scalar t, Scalar h, State& state, const Tolerances<Scalar>& tolerances, Scalar& error) {
-    const Coefficients& c = now();
-    Vector rest = c[order_], slope{}, increment;
-    for (std::size_t k = order_ - 1; k > 0; --k) {
-      for (std::size_t i = 0; i < size; ++i) {
-        slope[i] = slope[i] * h + rest[i];
-        rest[i] = rest[i] * h + c[k][i];
-      }
-    }
-    for (std::size_t i = 0; i < size; ++i) {
-      slope[i] = slope[i] * h + rest[i];
-      increment[i] = rest[i] * h;
-    }
+  Evaluation attempt(F& f, Scalar t, Scalar h, State& state, const Tolerances<Scalar>&, Scalar& error) {
+    Vector slope, increment;
+    evaluate_taylor(now(), rule_.order(), h, increment, slope);
     state.propose(increment);
     if (!all_finite(state.next()) || !all_finite(slope)) return Evaluation::not_finite;
     if (!state.settle(f, t + h)) return f.evaluation;
-    choose_next(state.next());
-    if (!f.jets(t + h, state.next(), span(next(), next_order_))) return f.evaluation;
+    rule_.choose_next(state.next());
+    if (!f.jets(t + h, state.next(), span(next(), rule_.next_order()))) return f.evaluation;
     Vector noise{};
-    error = disagreement(h, slope, state, tolerances, noise);
+    error = rule_.disagreement(h, slope, next()[1], state.now(), state.next(), noise);
     if (error > Scalar(1) && rounding_of_slopes(f, t + h, state, noise)) {
-      error = disagreement(h, slope, state, tolerances, noise);
+      error = rule_.disagreement(h, slope, next()[1], state.now(), state.next(), noise);
     }
     return std::isfinite(error) ? Evaluation::ok : Evaluation::not_finite;
   }
 
-  [[nodiscard]] static Scalar shorter(Scalar h, Scalar) noexcept { return h / Scalar(2); }
+  [[nodiscard]] static Scalar shorter(Scalar h, Scalar) noexcept { return TaylorRule<Scalar, size>::shorter(h); }
 
-  // From the coefficients at the end of the step; its own length limits how fast steps grow.
   [[nodiscard]] Scalar longer(Scalar h, Scalar, Scalar planned, bool after_rejection) const noexcept {
-    const Scalar wanted = proposal(c_[1 - current_], next_order_, next_part_);
-    return std::min(wanted, after_rejection ? Scalar(2) * h : Scalar(10) * std::max(h, planned));
+    return rule_.longer(each(c_[1 - current_]), h, planned, after_rejection);
   }
 
   template <class F>
@@ -132,103 +109,36 @@ class Taylor::Formula {
   }
 
   [[nodiscard]] Step interpolant(Scalar t, Scalar t_next, Scalar, const State&) const noexcept {
-    return Step(t, t_next, order_, c_[current_]);
+    return Step(t, t_next, rule_.order(), c_[current_]);
   }
 
   void accept() noexcept {
     current_ = 1 - current_;
-    order_ = next_order_;
-    part_ = next_part_;
+    rule_.accept();
   }
 
  private:
-  static constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
-  static constexpr std::size_t considered = 4;  // coefficients that decide on a step
-
   [[nodiscard]] Coefficients& now() noexcept { return c_[current_]; }
   [[nodiscard]] Coefficients& next() noexcept { return c_[1 - current_]; }
 
   [[nodiscard]] static std::span<Vector> span(Coefficients& c, std::size_t degree) noexcept {
     return {c.data(), degree + 1};
   }
-
-  // The largest difference of the polynomial's slope at its end from the equations', beyond what rounding makes of
-  // either, as a part of what is allowed.
-  [[nodiscard]] Scalar disagreement(Scalar h, const Vector& slope, const State& state,
-                                    const Tolerances<Scalar>& tolerances, const Vector& noise) noexcept {
-    Scalar error = Scalar(0);
-    for (std::size_t i = 0; i < size; ++i) {
-      const Scalar defect = std::abs(h * (slope[i] - next()[1][i]));
-      const Scalar magnitude = std::max(std::abs(state.now()[i]), std::abs(state.next()[i]));
-      const Scalar allowed = static_cast<Scalar>(order_ + 1) * (tolerances.absolute + tolerances.relative * magnitude);
-      const Scalar rounding = std::abs(h) * (noise[i] + Scalar(16) * epsilon * std::abs(slope[i]));
-      if (defect > rounding) error = std::max(error, (defect - rounding) / allowed);
-    }
-    return error;
+  [[nodiscard]] static auto each(const Coefficients& c) noexcept {
+    return [&c](std::size_t k) -> const Vector& { return c[k]; };
   }
 
-  // What the rounding of the state makes of each of its slopes, in that slope's own unit: how much they change when the
-  // state moves by some roundings, of every component another number, so that no two cancel. False: they could not be
-  // computed there.
+  // False: the slopes could not be computed there.
   template <class F>
   [[nodiscard]] bool rounding_of_slopes(F& f, Scalar t, const State& state, Vector& noise) {
-    Vector moved;
-    for (std::size_t i = 0; i < size; ++i) {
-      const Scalar magnitude = std::max(std::abs(state.now()[i]), std::abs(state.next()[i]));
-      const Scalar roundings = static_cast<Scalar>(4 + i % 4) * (i % 2 == 0 ? epsilon : -epsilon);
-      moved[i] = state.next()[i] + roundings * magnitude;
-    }
+    const Vector moved = TaylorRule<Scalar, size>::some_roundings_from(state.now(), state.next());
     std::array<Vector, 2> there;
     if (!f.jets(t, moved, std::span<Vector>(there))) return false;
     for (std::size_t i = 0; i < size; ++i) noise[i] = std::abs(there[1][i] - next()[1][i]);
     return true;
   }
 
-  // The tolerance as a part of the state's own size.
-  [[nodiscard]] Scalar part_of(const Vector& y) const noexcept {
-    Scalar largest = Scalar(0);
-    for (const Scalar& value : y) largest = std::max(largest, std::abs(value));
-    Scalar part = tolerances_.relative;
-    if (tolerances_.absolute > Scalar(0)) part += largest > Scalar(0) ? tolerances_.absolute / largest : Scalar(0);
-    return std::clamp(part > Scalar(0) ? part : tolerances_.absolute, epsilon, Scalar(0.1));
-  }
-  [[nodiscard]] static std::size_t order_for(Scalar part) noexcept {
-    const double wanted = 1.0 - 0.55 * std::log(static_cast<double>(part));
-    return static_cast<std::size_t>(
-        std::clamp(2 * static_cast<int>(std::ceil(wanted / 2.0)), least_order, largest_order));
-  }
-
-  // What the next step is made with: the same, unless the order would be another by four.
-  void choose_next(const Vector& y) noexcept {
-    next_order_ = order_;
-    next_part_ = part_;
-    if (!chosen_ || !(tolerances_.absolute > Scalar(0))) return;
-    const Scalar part = part_of(y);
-    const std::size_t best = order_for(part);
-    if (best + 4 > order_ && best < order_ + 4) return;
-    next_order_ = best;
-    next_part_ = part;
-  }
-
-  // The step that the coefficients at one time allow.
-  [[nodiscard]] Scalar proposal(const Coefficients& c, std::size_t degree, Scalar part) const noexcept {
-    Vector scale;
-    for (std::size_t i = 0; i < size; ++i) {
-      scale[i] = part / (tolerances_.absolute + tolerances_.relative * std::abs(c[0][i]));
-    }
-    Scalar steepest = -std::numeric_limits<Scalar>::infinity();  // log2 of 1/ρ
-    for (std::size_t k = degree + 1 - considered; k <= degree; ++k) {
-      Scalar norm = Scalar(0);
-      for (std::size_t i = 0; i < size; ++i) norm = std::max(norm, scale[i] * std::abs(c[k][i]));
-      if (norm > Scalar(0)) steepest = std::max(steepest, std::log2(norm) / static_cast<Scalar>(k));
-    }
-    return Scalar(0.95) * std::exp2(std::log2(part) / static_cast<Scalar>(degree + 1) - steepest);
-  }
-
-  Tolerances<Scalar> tolerances_{};
-  Scalar part_ = Scalar(0), next_part_ = Scalar(0);
-  std::size_t order_, next_order_ = 0;
-  bool chosen_;
+  TaylorRule<Scalar, size> rule_;
   std::array<Coefficients, 2> c_;  // at the start of a step and at its end, in turn
   std::size_t current_ = 0;
 };

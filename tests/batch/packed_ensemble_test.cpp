@@ -11,15 +11,15 @@
 #include "generated/heavy_top.hpp"
 #include "generated/satellite_arms.hpp"
 #include "generated/torque_free_body.hpp"
+#include "tests/batch/packed_records.hpp"
 #include "tests/runtime/temporary_folder.hpp"
 
 namespace torsor::packed_ensemble_test {
 
 using namespace torsor::runtime;
+using namespace torsor::packed_records;
 using Top = heavy_top::Mechanism<double>;
 using Body = torque_free_body::Mechanism<double>;
-
-const std::vector<double> times = {0.1, 0.25, 1.0};
 
 /// Tops from states of their own; a pack's first start at the same time.
 Member<Top> top(std::uint64_t i) {
@@ -39,38 +39,6 @@ Member<Body> body(std::uint64_t i) {
   member.parameters.I2 = member.parameters.I1 * (1.1 + 0.01 * x);
   for (int k = 0; k < 3; ++k) member.state.v[k] = 2.0 - 0.3 * k + 0.05 * x;
   return member;
-}
-
-template <class Ensemble>
-std::vector<double> records_of(const Ensemble& ensemble, const RecordHead& head) {
-  std::vector<double> records(head.count * head.numbers);
-  const EnsembleGroups groups = ensemble.groups();
-  for (std::uint64_t first = 0; first < head.count; first += groups.together) {
-    const std::uint64_t count = std::min(groups.together, head.count - first);
-    groups.compute(first, count, std::span(records).subspan(first * head.numbers, count * head.numbers));
-  }
-  return records;
-}
-
-/// How many of the members' records differ in a bit from those of members alone.
-template <template <class> class Mechanism, class Members, class Method>
-int different(std::uint64_t count, Members members, const Method& method, std::vector<double>* found = nullptr) {
-  using M = Mechanism<double>;
-  const auto packed = packed_motion_ensemble<Mechanism, double>(count, members, times, method);
-  const auto alone = motion_ensemble<M>(count, members, times, method);
-  const RecordHead head = alone.head();
-  EXPECT_EQ(packed.head().count, head.count);
-  EXPECT_EQ(packed.head().numbers, head.numbers);
-  EXPECT_NE(packed.head().question, head.question);
-  const std::vector<double> records = records_of(packed, head);
-  int differing = 0;
-  for (std::uint64_t i = 0; i < count; ++i) {
-    std::vector<double> expected(head.numbers);
-    alone(i, expected);
-    differing += std::memcmp(expected.data(), &records[i * head.numbers], head.numbers * sizeof(double)) != 0;
-  }
-  if (found != nullptr) *found = records;
-  return differing;
 }
 
 // 11 members: the last pack is not full, whatever the number of lanes.
