@@ -10,19 +10,19 @@
 // moved across joints, factoring, and what is done once for a set of parameters:
 //   function                             additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   kinematics                                   4                4          0             0                  2       0     12      12
-//   mass_matrix                                  7                2          0             0                  1       0     11      11
-//   bias                                         6                8          0             0                  2       0     18      23
+//   mass_matrix                                  1                0          0             0                  1       0      3       3
+//   bias                                         4                8          0             0                  2       0     16      23
 //   inverse_dynamics                            10                9          0             0                  2       0     23      26
-//   forward_dynamics                            15               14          1             0                  2       0     34      39
+//   forward_dynamics                             7               12          1             0                  2       0     24      31
 //   energy                                       6                8          0             0                  3       0     20      24
 //   first_integrals                              7                8          0             0                  3       0     21      25
-//   linearisation                               32               34          1             0                  2       0     71      97
+//   linearisation                               26               32          1             0                  2       0     63      89
 //   inverse_dynamics_derivatives                13               15          0             0                  2       0     32      56
-//   forward_dynamics_derivatives                32               38          1             0                  2       0     75     111
+//   forward_dynamics_derivatives                24               36          1             0                  2       0     65     103
 //   regressor                                    7               12          0             0                  2       0     23      23
-//   jets                                        40               44          1             0                  2       0     89       -
-//   inverse_dynamics_second_derivatives         17               18          0             0                  2       0     39      63
-//   forward_dynamics_second_derivatives         73               87          1             0                  2       0    165     207
+//   jets                                        32               42          1             0                  2       0     79       -
+//   inverse_dynamics_second_derivatives         15               16          0             0                  2       0     35      59
+//   forward_dynamics_second_derivatives         56               78          1             0                  2       0    139     180
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 36 results 16 vanish identically, 6 repeat another up to sign
@@ -34,7 +34,7 @@
 //   inverse_dynamics_derivatives: of 8 results 2 vanish identically
 //   forward_dynamics_derivatives: of 12 results 1 repeat another up to sign
 //   regressor: of 12 results 4 vanish identically
-//   inverse_dynamics_second_derivatives: of 32 results 14 vanish identically, 8 repeat another up to sign
+//   inverse_dynamics_second_derivatives: of 32 results 14 vanish identically, 9 repeat another up to sign
 //   forward_dynamics_second_derivatives: of 24 results 4 vanish identically, 6 repeat another up to sign
 //
 // To write this file again:
@@ -520,7 +520,7 @@ struct Mechanism {
 
   static constexpr const char* name = "double_pendulum";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x01035bef56d277bdULL;
+  static constexpr unsigned long long fingerprint = 0xfaa88eb27699bc89ULL;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -803,21 +803,16 @@ struct Mechanism {
 
   /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
   TORSOR_DEVICE static void mass_matrix(const Precomputed&, const State& state, std::array<Scalar, 4>& mass) noexcept {
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar q_theta_1 = state.q.theta_1;
     const Scalar q_theta_2 = state.q.theta_2;
     const Scalar z8 = q_theta_1 - q_theta_2;
     Scalar z9, z10;
     traits::sincos(z8, z9, z10);
-    const Scalar z19 = n1 + z10;
-    const Scalar z25 = n1 + n2 * z10;
-    const Scalar z28 = n2 + z25;
-    const Scalar z29 = n1 - n2 * z19 + z28;
-    const Scalar z30 = n1 - z19;
-    mass[0] = z29;
-    mass[1] = -z30;
-    mass[2] = -z30;
+    mass[0] = n2;
+    mass[1] = z10;
+    mass[2] = z10;
     mass[3] = n1;
   }
 
@@ -836,17 +831,16 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
     const Scalar z9 = sines_[1], z10 = cosines_[1];
-    const Scalar z31 = n9_81 * s_theta_1;
-    const Scalar z32 = n9_81 * c_theta_1;
-    const Scalar z33 = v_theta_1 * v_theta_1;
-    const Scalar z34 = z32 + z33;
-    const Scalar z35 = z9 * z34 - z10 * z31;
-    const Scalar z37 = v_theta_2 * v_theta_2;
-    const Scalar z38 = z9 * z37;
-    const Scalar z41 = n2 * z31 - z35 + z38;  // moment on upper, z
-    const Scalar z42 = z35 + z41;
-    forces.theta_1 = z42;
-    forces.theta_2 = -z35;
+    const Scalar z29 = n9_81 * s_theta_1;
+    const Scalar z30 = n9_81 * c_theta_1;
+    const Scalar z31 = v_theta_1 * v_theta_1;
+    const Scalar z32 = z30 + z31;
+    const Scalar z33 = z9 * z32 - z10 * z29;
+    const Scalar z35 = v_theta_2 * v_theta_2;
+    const Scalar z36 = z9 * z35;
+    const Scalar z40 = n2 * z29 + z36;
+    forces.theta_1 = z40;
+    forces.theta_2 = -z33;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -866,19 +860,19 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
     const Scalar z9 = sines_[1], z10 = cosines_[1];
-    const Scalar z31 = n9_81 * s_theta_1;
-    const Scalar z32 = n9_81 * c_theta_1;
-    const Scalar z33 = v_theta_1 * v_theta_1;
-    const Scalar z34 = z32 + z33;
-    const Scalar z37 = v_theta_2 * v_theta_2;
-    const Scalar z43 = a_theta_1 + z31;
-    const Scalar z44 = z9 * z34 - z10 * z43;
-    const Scalar z46 = a_theta_2 - z44;  // moment on lower, z
-    const Scalar z47 = a_theta_2 * z10 + z9 * z37;
-    const Scalar z51 = n2 * (a_theta_1 + z31) + z46 + z47;  // moment on upper, z
-    const Scalar z52 = z46 - z51;
-    forces.theta_1 = -z52;
-    forces.theta_2 = z46;
+    const Scalar z29 = n9_81 * s_theta_1;
+    const Scalar z30 = n9_81 * c_theta_1;
+    const Scalar z31 = v_theta_1 * v_theta_1;
+    const Scalar z32 = z30 + z31;
+    const Scalar z35 = v_theta_2 * v_theta_2;
+    const Scalar z41 = a_theta_1 + z29;
+    const Scalar z42 = z9 * z32 - z10 * z41;
+    const Scalar z44 = a_theta_2 - z42;  // moment on lower, z
+    const Scalar z45 = a_theta_2 * z10 + z9 * z35;
+    const Scalar z49 = n2 * (a_theta_1 + z29) + z44 + z45;  // moment on upper, z
+    const Scalar z50 = z44 - z49;
+    forces.theta_1 = -z50;
+    forces.theta_2 = z44;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -886,9 +880,9 @@ struct Mechanism {
   /// positive relative to its diagonal entry.
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs&,
       Accelerations& accelerations, Multipliers&) noexcept {
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar q_theta_1 = state.q.theta_1;
     const Scalar v_theta_1 = state.v.theta_1;
     const Scalar q_theta_2 = state.q.theta_2;
@@ -899,28 +893,22 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
     const Scalar z9 = sines_[1], z10 = cosines_[1];
-    const Scalar z19 = n1 + z10;
-    const Scalar z25 = n1 + n2 * z10;
-    const Scalar z28 = n2 + z25;
-    const Scalar z29 = n1 - n2 * z19 + z28;
-    const Scalar z30 = n1 - z19;
-    const Scalar z31 = n9_81 * s_theta_1;
-    const Scalar z32 = n9_81 * c_theta_1;
-    const Scalar z33 = v_theta_1 * v_theta_1;
-    const Scalar z34 = z32 + z33;
-    const Scalar z35 = z9 * z34 - z10 * z31;
-    const Scalar z37 = v_theta_2 * v_theta_2;
-    const Scalar z38 = z9 * z37;
-    const Scalar z41 = n2 * z31 - z35 + z38;  // moment on upper, z
-    const Scalar z42 = z35 + z41;
-    const Scalar z55 = z19 * z19 - z28;
-    const Scalar z56 = n1 / z55;
-    const Scalar z57 = z30 * z35 - z42;
-    const Scalar z58 = z56 * z57;
-    const Scalar z59 = z30 * z58 - z35;
-    accelerations.theta_1 = -z58;
-    accelerations.theta_2 = -z59;
-    if (!(traits::regular(-z55, z29))) return torsor::Status::singular;
+    const Scalar z29 = n9_81 * s_theta_1;
+    const Scalar z30 = n9_81 * c_theta_1;
+    const Scalar z31 = v_theta_1 * v_theta_1;
+    const Scalar z32 = z30 + z31;
+    const Scalar z33 = z9 * z32 - z10 * z29;
+    const Scalar z35 = v_theta_2 * v_theta_2;
+    const Scalar z36 = z9 * z35;
+    const Scalar z40 = n2 * z29 + z36;
+    const Scalar z53 = n2 - z10 * z10;
+    const Scalar z54 = n1 / z53;
+    const Scalar z55 = z10 * z33 + z40;
+    const Scalar z56 = z54 * z55;
+    const Scalar z57 = z10 * z56 + z33;
+    accelerations.theta_1 = -z56;
+    accelerations.theta_2 = z57;
+    if (!(traits::regular(z53, n2))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (accelerations.theta_1 - accelerations.theta_1) + (accelerations.theta_2
         - accelerations.theta_2);
@@ -945,10 +933,10 @@ struct Mechanism {
     const Scalar c_theta_1 = cosines_[0];
     const Scalar z9 = sines_[1], z10 = cosines_[1];
     const Scalar c_theta_2 = cosines_[2];
-    const Scalar z60 = v_theta_1 * z10;
-    const Scalar z61 = v_theta_1 * z9;
-    const Scalar z62 = v_theta_2 + z60;
-    result.kinetic = n0_5 * (z62 * (v_theta_2 + z60) + v_theta_1 * v_theta_1 + z61 * z61);
+    const Scalar z58 = v_theta_1 * z10;
+    const Scalar z59 = v_theta_1 * z9;
+    const Scalar z60 = v_theta_2 + z58;
+    result.kinetic = n0_5 * (z60 * (v_theta_2 + z58) + v_theta_1 * v_theta_1 + z59 * z59);
     result.force_function = n19_62 * c_theta_1 + n9_81 * c_theta_2;
     result.power = n0;
   }
@@ -969,10 +957,10 @@ struct Mechanism {
     const Scalar c_theta_1 = cosines_[0];
     const Scalar z9 = sines_[1], z10 = cosines_[1];
     const Scalar c_theta_2 = cosines_[2];
-    const Scalar z60 = v_theta_1 * z10;
-    const Scalar z61 = v_theta_1 * z9;
-    const Scalar z62 = v_theta_2 + z60;
-    result.energy = n0_5 * (z62 * (v_theta_2 + z60) + v_theta_1 * v_theta_1 + z61 * z61) - n19_62 * c_theta_1 - n9_81
+    const Scalar z58 = v_theta_1 * z10;
+    const Scalar z59 = v_theta_1 * z9;
+    const Scalar z60 = v_theta_2 + z58;
+    result.energy = n0_5 * (z60 * (v_theta_2 + z58) + v_theta_1 * v_theta_1 + z59 * z59) - n19_62 * c_theta_1 - n9_81
         * c_theta_2;
   }
 
@@ -980,9 +968,9 @@ struct Mechanism {
   /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
   TORSOR_DEVICE static torsor::Status linearisation(const Precomputed&, const State& state,
       const Accelerations& accelerations, const Multipliers&, const Inputs&, Linearisation& result) noexcept {
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_theta_1 = state.q.theta_1;
     const Scalar v_theta_1 = state.v.theta_1;
@@ -996,84 +984,79 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
     const Scalar z9 = sines_[1], z10 = cosines_[1];
-    const Scalar z19 = n1 + z10;
-    const Scalar z25 = n1 + n2 * z10;
-    const Scalar z28 = n2 + z25;
-    const Scalar z29 = n1 - n2 * z19 + z28;
-    const Scalar z30 = n1 - z19;
-    const Scalar z31 = n9_81 * s_theta_1;
-    const Scalar z32 = n9_81 * c_theta_1;
-    const Scalar z33 = v_theta_1 * v_theta_1;
-    const Scalar z34 = z32 + z33;
-    const Scalar z37 = v_theta_2 * v_theta_2;
-    const Scalar z43 = a_theta_1 + z31;
-    const Scalar z44 = z9 * z34 - z10 * z43;
-    const Scalar z45 = z9 * z43 + z10 * z34;
-    const Scalar z46 = a_theta_2 - z44;  // moment on lower, z
-    const Scalar z47 = a_theta_2 * z10 + z9 * z37;
-    const Scalar z48 = a_theta_2 * z9 - z10 * z37;
-    const Scalar z51 = n2 * (a_theta_1 + z31) + z46 + z47;  // moment on upper, z
-    const Scalar z52 = z46 - z51;
-    const Scalar z55 = z19 * z19 - z28;
-    const Scalar z56 = n1 / z55;
-    const Scalar z69 = n2 * v_theta_1;
-    const Scalar z70 = z9 * z69;
-    const Scalar z71 = z9 * (z31 - z43) + z10 * (z32 - z34);
-    const Scalar z72 = n2 * z32 - z48 + z71;
-    const Scalar z73 = z71 - z72;
-    const Scalar z74 = n2 * v_theta_2;
-    const Scalar z75 = z9 * z74;
-    const Scalar z76 = z45 + z48;
-    const Scalar z77 = z45 - z76;
-    const Scalar z78 = z30 * z71 - z73;
-    const Scalar z79 = z56 * z78;
-    const Scalar z80 = z30 * z79 - z71;
-    const Scalar z81 = z30 * z70;
-    const Scalar z82 = z56 * z81;
-    const Scalar z83 = z30 * z82 - z70;
-    const Scalar z84 = z30 * z45 - z77;
-    const Scalar z85 = z56 * z84;
-    const Scalar z86 = z30 * z85 - z45;
-    const Scalar z87 = z56 * z75;
-    const Scalar z88 = z30 * z87;
-    result.M[0] = z29;
-    result.M[1] = -z30;
-    result.M[2] = -z30;
+    const Scalar z29 = n9_81 * s_theta_1;
+    const Scalar z30 = n9_81 * c_theta_1;
+    const Scalar z31 = v_theta_1 * v_theta_1;
+    const Scalar z32 = z30 + z31;
+    const Scalar z35 = v_theta_2 * v_theta_2;
+    const Scalar z41 = a_theta_1 + z29;
+    const Scalar z42 = z9 * z32 - z10 * z41;
+    const Scalar z43 = z9 * z41 + z10 * z32;
+    const Scalar z44 = a_theta_2 - z42;  // moment on lower, z
+    const Scalar z45 = a_theta_2 * z10 + z9 * z35;
+    const Scalar z46 = a_theta_2 * z9 - z10 * z35;
+    const Scalar z49 = n2 * (a_theta_1 + z29) + z44 + z45;  // moment on upper, z
+    const Scalar z50 = z44 - z49;
+    const Scalar z53 = n2 - z10 * z10;
+    const Scalar z54 = n1 / z53;
+    const Scalar z67 = n2 * v_theta_1;
+    const Scalar z68 = z9 * z67;
+    const Scalar z69 = z9 * (z29 - z41) + z10 * (z30 - z32);
+    const Scalar z70 = n2 * z30 - z46 + z69;
+    const Scalar z71 = z69 - z70;
+    const Scalar z72 = n2 * v_theta_2;
+    const Scalar z73 = z9 * z72;
+    const Scalar z74 = z43 + z46;
+    const Scalar z75 = z43 - z74;
+    const Scalar z76 = z10 * z69 + z71;
+    const Scalar z77 = z54 * z76;
+    const Scalar z78 = z10 * z77 + z69;
+    const Scalar z79 = z10 * z68;
+    const Scalar z80 = z54 * z79;
+    const Scalar z81 = z10 * z80 + z68;
+    const Scalar z82 = z10 * z43 + z75;
+    const Scalar z83 = z54 * z82;
+    const Scalar z84 = z10 * z83 + z43;
+    const Scalar z85 = z54 * z73;
+    const Scalar z86 = z10 * z85;
+    result.M[0] = n2;
+    result.M[1] = z10;
+    result.M[2] = z10;
     result.M[3] = n1;
     result.C[0] = n0;
-    result.C[1] = -z70;
-    result.C[2] = z75;
+    result.C[1] = -z68;
+    result.C[2] = z73;
     result.C[3] = n0;
-    result.K[0] = -z73;
-    result.K[1] = z71;
-    result.K[2] = -z77;
-    result.K[3] = z45;
-    result.F[0] = z52;
-    result.F[1] = -z46;
+    result.K[0] = -z71;
+    result.K[1] = z69;
+    result.K[2] = -z75;
+    result.K[3] = z43;
+    result.F[0] = z50;
+    result.F[1] = -z44;
     result.A[0] = n0;
     result.A[1] = n0;
-    result.A[2] = z79;
-    result.A[3] = z80;
+    result.A[2] = z77;
+    result.A[3] = -z78;
     result.A[4] = n0;
     result.A[5] = n0;
-    result.A[6] = z85;
-    result.A[7] = z86;
+    result.A[6] = z83;
+    result.A[7] = -z84;
     result.A[8] = n1;
     result.A[9] = n0;
-    result.A[10] = -z82;
-    result.A[11] = -z83;
+    result.A[10] = -z80;
+    result.A[11] = z81;
     result.A[12] = n0;
     result.A[13] = n1;
-    result.A[14] = z87;
-    result.A[15] = z88;
-    if (!(traits::regular(-z55, z29))) return torsor::Status::singular;
+    result.A[14] = -z85;
+    result.A[15] = z86;
+    if (!(traits::regular(z53, n2))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
-    const Scalar zero = (result.M[0] - result.M[0]) + (result.M[1] - result.M[1]) + (result.M[2] - result.M[2])
-        + (result.C[1] - result.C[1]) + (result.C[2] - result.C[2]) + (result.K[0] - result.K[0]) + (result.K[1]
-        - result.K[1]) + (result.K[2] - result.K[2]) + (result.K[3] - result.K[3]) + (result.F[0] - result.F[0])
-        + (result.F[1] - result.F[1]) + (result.A[2] - result.A[2]) + (result.A[3] - result.A[3]) + (result.A[6]
-        - result.A[6]) + (result.A[7] - result.A[7]) + (result.A[10] - result.A[10]) + (result.A[11] - result.A[11])
-        + (result.A[14] - result.A[14]) + (result.A[15] - result.A[15]);
+    const Scalar zero = (result.M[1] - result.M[1]) + (result.M[2] - result.M[2]) + (result.C[1] - result.C[1])
+        + (result.C[2] - result.C[2]) + (result.K[0] - result.K[0]) + (result.K[1] - result.K[1]) + (result.K[2]
+        - result.K[2]) + (result.K[3] - result.K[3]) + (result.F[0] - result.F[0]) + (result.F[1] - result.F[1])
+        + (result.A[2] - result.A[2]) + (result.A[3] - result.A[3]) + (result.A[6] - result.A[6]) + (result.A[7]
+        - result.A[7]) + (result.A[10] - result.A[10]) + (result.A[11] - result.A[11]) + (result.A[14] - result.A[14])
+        + (result.A[15] - result.A[15]);
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
@@ -1096,30 +1079,30 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
     const Scalar z9 = sines_[1], z10 = cosines_[1];
-    const Scalar z31 = n9_81 * s_theta_1;
-    const Scalar z32 = n9_81 * c_theta_1;
-    const Scalar z33 = v_theta_1 * v_theta_1;
-    const Scalar z34 = z32 + z33;
-    const Scalar z37 = v_theta_2 * v_theta_2;
-    const Scalar z43 = a_theta_1 + z31;
-    const Scalar z45 = z9 * z43 + z10 * z34;
-    const Scalar z48 = a_theta_2 * z9 - z10 * z37;
-    const Scalar z69 = n2 * v_theta_1;
-    const Scalar z70 = z9 * z69;
-    const Scalar z71 = z9 * (z31 - z43) + z10 * (z32 - z34);
-    const Scalar z72 = n2 * z32 - z48 + z71;
-    const Scalar z73 = z71 - z72;
-    const Scalar z74 = n2 * v_theta_2;
-    const Scalar z75 = z9 * z74;
-    const Scalar z76 = z45 + z48;
-    const Scalar z77 = z45 - z76;
-    result.by_position[0] = -z73;
-    result.by_position[1] = z71;
-    result.by_position[2] = -z77;
-    result.by_position[3] = z45;
+    const Scalar z29 = n9_81 * s_theta_1;
+    const Scalar z30 = n9_81 * c_theta_1;
+    const Scalar z31 = v_theta_1 * v_theta_1;
+    const Scalar z32 = z30 + z31;
+    const Scalar z35 = v_theta_2 * v_theta_2;
+    const Scalar z41 = a_theta_1 + z29;
+    const Scalar z43 = z9 * z41 + z10 * z32;
+    const Scalar z46 = a_theta_2 * z9 - z10 * z35;
+    const Scalar z67 = n2 * v_theta_1;
+    const Scalar z68 = z9 * z67;
+    const Scalar z69 = z9 * (z29 - z41) + z10 * (z30 - z32);
+    const Scalar z70 = n2 * z30 - z46 + z69;
+    const Scalar z71 = z69 - z70;
+    const Scalar z72 = n2 * v_theta_2;
+    const Scalar z73 = z9 * z72;
+    const Scalar z74 = z43 + z46;
+    const Scalar z75 = z43 - z74;
+    result.by_position[0] = -z71;
+    result.by_position[1] = z69;
+    result.by_position[2] = -z75;
+    result.by_position[3] = z43;
     result.by_velocity[0] = n0;
-    result.by_velocity[1] = -z70;
-    result.by_velocity[2] = z75;
+    result.by_velocity[1] = -z68;
+    result.by_velocity[2] = z73;
     result.by_velocity[3] = n0;
   }
 
@@ -1127,9 +1110,9 @@ struct Mechanism {
   /// solving with the factorisation of the motion. Returns singular where forward_dynamics does.
   TORSOR_DEVICE static torsor::Status forward_dynamics_derivatives(const Precomputed&, const State& state,
       const Inputs&, ForwardDynamicsDerivatives& result) noexcept {
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar q_theta_1 = state.q.theta_1;
     const Scalar v_theta_1 = state.v.theta_1;
     const Scalar q_theta_2 = state.q.theta_2;
@@ -1140,63 +1123,57 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
     const Scalar z9 = sines_[1], z10 = cosines_[1];
-    const Scalar z19 = n1 + z10;
-    const Scalar z25 = n1 + n2 * z10;
-    const Scalar z28 = n2 + z25;
-    const Scalar z29 = n1 - n2 * z19 + z28;
-    const Scalar z30 = n1 - z19;
-    const Scalar z31 = n9_81 * s_theta_1;
-    const Scalar z32 = n9_81 * c_theta_1;
-    const Scalar z33 = v_theta_1 * v_theta_1;
-    const Scalar z34 = z32 + z33;
-    const Scalar z35 = z9 * z34 - z10 * z31;
-    const Scalar z37 = v_theta_2 * v_theta_2;
-    const Scalar z38 = z9 * z37;
-    const Scalar z41 = n2 * z31 - z35 + z38;  // moment on upper, z
-    const Scalar z42 = z35 + z41;
-    const Scalar z55 = z19 * z19 - z28;
-    const Scalar z56 = n1 / z55;
-    const Scalar z57 = z30 * z35 - z42;
-    const Scalar z58 = z56 * z57;
-    const Scalar z59 = z30 * z58 - z35;
-    const Scalar z69 = n2 * v_theta_1;
-    const Scalar z70 = z9 * z69;
-    const Scalar z74 = n2 * v_theta_2;
-    const Scalar z75 = z9 * z74;
-    const Scalar z81 = z30 * z70;
-    const Scalar z82 = z56 * z81;
-    const Scalar z83 = z30 * z82 - z70;
-    const Scalar z87 = z56 * z75;
-    const Scalar z88 = z30 * z87;
-    const Scalar z89 = z31 - z58;
-    const Scalar z90 = z9 * (z31 - z89) + z10 * (z32 - z34);
-    const Scalar z91 = z9 * z59 + z10 * z37;
-    const Scalar z92 = n2 * z32 + z90 + z91;
-    const Scalar z93 = z90 - z92;
-    const Scalar z94 = z30 * z90 - z93;
-    const Scalar z95 = z56 * z94;
-    const Scalar z96 = z30 * z95 - z90;
-    const Scalar z97 = z30 * z56;
-    const Scalar z98 = z9 * z89 + z10 * z34;
-    const Scalar z99 = z91 - z98;
-    const Scalar z100 = z98 + z99;
-    const Scalar z101 = z30 * z98 - z100;
-    const Scalar z102 = z56 * z101;
-    const Scalar z103 = z30 * z102 - z98;
-    const Scalar z104 = n1 - z30 * z97;
-    result.by_position[0] = z95;
-    result.by_position[1] = z96;
-    result.by_position[2] = z102;
-    result.by_position[3] = z103;
-    result.by_velocity[0] = -z82;
-    result.by_velocity[1] = -z83;
-    result.by_velocity[2] = z87;
-    result.by_velocity[3] = z88;
-    result.by_force[0] = -z56;
-    result.by_force[1] = -z97;
-    result.by_force[2] = -z97;
-    result.by_force[3] = z104;
-    if (!(traits::regular(-z55, z29))) return torsor::Status::singular;
+    const Scalar z29 = n9_81 * s_theta_1;
+    const Scalar z30 = n9_81 * c_theta_1;
+    const Scalar z31 = v_theta_1 * v_theta_1;
+    const Scalar z32 = z30 + z31;
+    const Scalar z33 = z9 * z32 - z10 * z29;
+    const Scalar z35 = v_theta_2 * v_theta_2;
+    const Scalar z36 = z9 * z35;
+    const Scalar z40 = n2 * z29 + z36;
+    const Scalar z53 = n2 - z10 * z10;
+    const Scalar z54 = n1 / z53;
+    const Scalar z55 = z10 * z33 + z40;
+    const Scalar z56 = z54 * z55;
+    const Scalar z57 = z10 * z56 + z33;
+    const Scalar z67 = n2 * v_theta_1;
+    const Scalar z68 = z9 * z67;
+    const Scalar z72 = n2 * v_theta_2;
+    const Scalar z73 = z9 * z72;
+    const Scalar z79 = z10 * z68;
+    const Scalar z80 = z54 * z79;
+    const Scalar z81 = z10 * z80 + z68;
+    const Scalar z85 = z54 * z73;
+    const Scalar z86 = z10 * z85;
+    const Scalar z87 = z29 - z56;
+    const Scalar z88 = z9 * (z29 - z87) + z10 * (z30 - z32);
+    const Scalar z89 = z9 * z57 - z10 * z35;
+    const Scalar z90 = n2 * z30 + z88 - z89;
+    const Scalar z91 = z88 - z90;
+    const Scalar z92 = z10 * z88 + z91;
+    const Scalar z93 = z54 * z92;
+    const Scalar z94 = z10 * z93 + z88;
+    const Scalar z95 = z10 * z54;
+    const Scalar z96 = z9 * z87 + z10 * z32;
+    const Scalar z97 = z89 + z96;
+    const Scalar z98 = z96 - z97;
+    const Scalar z99 = z10 * z96 + z98;
+    const Scalar z100 = z54 * z99;
+    const Scalar z101 = z10 * z100 + z96;
+    const Scalar z102 = n1 + z10 * z95;
+    result.by_position[0] = z93;
+    result.by_position[1] = -z94;
+    result.by_position[2] = z100;
+    result.by_position[3] = -z101;
+    result.by_velocity[0] = -z80;
+    result.by_velocity[1] = z81;
+    result.by_velocity[2] = -z85;
+    result.by_velocity[3] = z86;
+    result.by_force[0] = z54;
+    result.by_force[1] = -z95;
+    result.by_force[2] = -z95;
+    result.by_force[3] = z102;
+    if (!(traits::regular(z53, n2))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.by_position[0] - result.by_position[0]) + (result.by_position[1]
         - result.by_position[1]) + (result.by_position[2] - result.by_position[2]) + (result.by_position[3]
@@ -1227,26 +1204,26 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
     const Scalar z9 = sines_[1], z10 = cosines_[1];
-    const Scalar z31 = n9_81 * s_theta_1;
-    const Scalar z32 = n9_81 * c_theta_1;
-    const Scalar z33 = v_theta_1 * v_theta_1;
-    const Scalar z34 = z32 + z33;
-    const Scalar z37 = v_theta_2 * v_theta_2;
-    const Scalar z43 = a_theta_1 + z31;
-    const Scalar z44 = z9 * z34 - z10 * z43;
-    const Scalar z45 = z9 * z43 + z10 * z34;
-    const Scalar z47 = a_theta_2 * z10 + z9 * z37;
-    const Scalar z48 = a_theta_2 * z9 - z10 * z37;
-    result.Y[0] = z32;
+    const Scalar z29 = n9_81 * s_theta_1;
+    const Scalar z30 = n9_81 * c_theta_1;
+    const Scalar z31 = v_theta_1 * v_theta_1;
+    const Scalar z32 = z30 + z31;
+    const Scalar z35 = v_theta_2 * v_theta_2;
+    const Scalar z41 = a_theta_1 + z29;
+    const Scalar z42 = z9 * z32 - z10 * z41;
+    const Scalar z43 = z9 * z41 + z10 * z32;
+    const Scalar z45 = a_theta_2 * z10 + z9 * z35;
+    const Scalar z46 = a_theta_2 * z9 - z10 * z35;
+    result.Y[0] = z30;
     result.Y[1] = n0;
-    result.Y[2] = -z31;
+    result.Y[2] = -z29;
     result.Y[3] = n0;
     result.Y[4] = a_theta_1;
     result.Y[5] = n0;
-    result.Y[6] = z48;
-    result.Y[7] = z45;
-    result.Y[8] = -z47;
-    result.Y[9] = z44;
+    result.Y[6] = z46;
+    result.Y[7] = z43;
+    result.Y[8] = -z45;
+    result.Y[9] = z42;
     result.Y[10] = n0;
     result.Y[11] = a_theta_2;
   }
@@ -1257,9 +1234,9 @@ struct Mechanism {
   /// Returns singular where forward_dynamics does.
   TORSOR_DEVICE static torsor::Status jets(const Precomputed&, const State& state, const Inputs&, int order,
       std::array<Scalar, 4>* coefficients) noexcept {
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n19_62 = traits::constant(19.62, 19.62f, "981/50");
     const Scalar q_theta_1 = state.q.theta_1;
     const Scalar v_theta_1 = state.v.theta_1;
@@ -1271,30 +1248,24 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
     const Scalar z9 = sines_[1], z10 = cosines_[1];
-    const Scalar z19 = n1 + z10;
-    const Scalar z25 = n1 + n2 * z10;
-    const Scalar z28 = n2 + z25;
-    const Scalar z29 = n1 - n2 * z19 + z28;
-    const Scalar z30 = n1 - z19;
-    const Scalar z31 = n9_81 * s_theta_1;
-    const Scalar z32 = n9_81 * c_theta_1;
-    const Scalar z33 = v_theta_1 * v_theta_1;
-    const Scalar z34 = z32 + z33;
-    const Scalar z35 = z9 * z34 - z10 * z31;
-    const Scalar z37 = v_theta_2 * v_theta_2;
-    const Scalar z38 = z9 * z37;
-    const Scalar z41 = n2 * z31 - z35 + z38;  // moment on upper, z
-    const Scalar z42 = z35 + z41;
-    const Scalar z55 = z19 * z19 - z28;
-    const Scalar z56 = n1 / z55;
-    const Scalar z57 = z30 * z35 - z42;
-    const Scalar z58 = z56 * z57;
-    const Scalar z59 = z30 * z58 - z35;
+    const Scalar z29 = n9_81 * s_theta_1;
+    const Scalar z30 = n9_81 * c_theta_1;
+    const Scalar z31 = v_theta_1 * v_theta_1;
+    const Scalar z32 = z30 + z31;
+    const Scalar z33 = z9 * z32 - z10 * z29;
+    const Scalar z35 = v_theta_2 * v_theta_2;
+    const Scalar z36 = z9 * z35;
+    const Scalar z40 = n2 * z29 + z36;
+    const Scalar z53 = n2 - z10 * z10;
+    const Scalar z54 = n1 / z53;
+    const Scalar z55 = z10 * z33 + z40;
+    const Scalar z56 = z54 * z55;
+    const Scalar z57 = z10 * z56 + z33;
     const Scalar b11 = v_theta_2 * v_theta_2;
     const Scalar b14 = v_theta_1 * v_theta_1;
     const Scalar b15 = n9_81 * c_theta_1 + b14;
-    const Scalar b7 = -z59;
-    const Scalar b2 = -z58;
+    const Scalar b7 = z57;
+    const Scalar b2 = -z56;
     const Scalar b17 = b2 + n9_81 * s_theta_1;
     coefficients[0][0] = state.q.theta_1;
     coefficients[0][1] = state.q.theta_2;
@@ -1302,8 +1273,8 @@ struct Mechanism {
     coefficients[0][3] = state.v.theta_2;
     coefficients[1][0] = v_theta_1;
     coefficients[1][1] = v_theta_2;
-    coefficients[1][2] = -z58;
-    coefficients[1][3] = -z59;
+    coefficients[1][2] = -z56;
+    coefficients[1][3] = z57;
     torsor::Convolutions<Scalar, 10> operations_;
     typename torsor::Convolutions<Scalar, 10>::Sums sums_;
     Scalar number_ = n1, inverse_ = n1;
@@ -1331,9 +1302,9 @@ struct Mechanism {
       const Scalar o18 = sums_[9] + b17 * x10;
       const Scalar p18 = o18 + z10 * o17;
       const Scalar r1 = -(-x16 + p18);
-      const Scalar r0 = -(n19_62 * x3 + x12 + o13) + z30 * r1;
-      const Scalar a0 = -z56 * r0;
-      const Scalar a1 = r1 + z30 * a0;
+      const Scalar r0 = -(n19_62 * x3 + x12 + o13) - z10 * r1;
+      const Scalar a0 = z54 * r0;
+      const Scalar a1 = r1 - z10 * a0;
       const Scalar x17 = o17 + a0;
       coefficients[k_ + 1][2] = next_ * a0;
       coefficients[k_ + 1][3] = next_ * a1;
@@ -1346,7 +1317,7 @@ struct Mechanism {
       inverse_ = next_;
     }
     static_cast<void>(inverse_);
-    if (!(traits::regular(-z55, z29))) return torsor::Status::singular;
+    if (!(traits::regular(z53, n2))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (coefficients[order][0] - coefficients[order][0]) + (coefficients[order][1]
         - coefficients[order][1]) + (coefficients[order][2] - coefficients[order][2]) + (coefficients[order][3]
@@ -1376,51 +1347,49 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
     const Scalar z9 = sines_[1], z10 = cosines_[1];
-    const Scalar z31 = n9_81 * s_theta_1;
-    const Scalar z32 = n9_81 * c_theta_1;
-    const Scalar z33 = v_theta_1 * v_theta_1;
-    const Scalar z34 = z32 + z33;
-    const Scalar z37 = v_theta_2 * v_theta_2;
-    const Scalar z43 = a_theta_1 + z31;
-    const Scalar z44 = z9 * z34 - z10 * z43;
-    const Scalar z47 = a_theta_2 * z10 + z9 * z37;
-    const Scalar z69 = n2 * v_theta_1;
-    const Scalar z74 = n2 * v_theta_2;
-    const Scalar z106 = n2 * z9;
-    const Scalar z107 = n2 * z9 - z106;
-    const Scalar z108 = z9 * (z32 - z34) - z10 * (z31 - z43);
-    const Scalar z109 = n2 * z31 + z47 + z108;
-    const Scalar z110 = z108 - z109;
-    const Scalar z111 = z10 * z69;
-    const Scalar z112 = z10 * z74;
-    const Scalar z113 = z47 + z108;
-    const Scalar z114 = z108 - z113;
-    const Scalar z115 = z44 - z47;
-    const Scalar z116 = z44 - z115;
-    const Scalar z117 = n2 * z9 - z107;
-    result.by_position_position[0] = z110;
-    result.by_position_position[1] = -z108;
-    result.by_position_position[2] = -z114;
-    result.by_position_position[3] = z108;
-    result.by_position_position[4] = -z114;
-    result.by_position_position[5] = z108;
-    result.by_position_position[6] = -z116;
-    result.by_position_position[7] = z44;
+    const Scalar z29 = n9_81 * s_theta_1;
+    const Scalar z30 = n9_81 * c_theta_1;
+    const Scalar z31 = v_theta_1 * v_theta_1;
+    const Scalar z32 = z30 + z31;
+    const Scalar z35 = v_theta_2 * v_theta_2;
+    const Scalar z41 = a_theta_1 + z29;
+    const Scalar z42 = z9 * z32 - z10 * z41;
+    const Scalar z45 = a_theta_2 * z10 + z9 * z35;
+    const Scalar z67 = n2 * v_theta_1;
+    const Scalar z72 = n2 * v_theta_2;
+    const Scalar z104 = z9 * (z30 - z32) - z10 * (z29 - z41);
+    const Scalar z105 = n2 * z29 + z45 + z104;
+    const Scalar z106 = z104 - z105;
+    const Scalar z107 = z10 * z67;
+    const Scalar z108 = z10 * z72;
+    const Scalar z109 = z45 + z104;
+    const Scalar z110 = z104 - z109;
+    const Scalar z111 = z42 - z45;
+    const Scalar z112 = z42 - z111;
+    const Scalar z113 = n2 * z9;
+    result.by_position_position[0] = z106;
+    result.by_position_position[1] = -z104;
+    result.by_position_position[2] = -z110;
+    result.by_position_position[3] = z104;
+    result.by_position_position[4] = -z110;
+    result.by_position_position[5] = z104;
+    result.by_position_position[6] = -z112;
+    result.by_position_position[7] = z42;
     result.by_position_velocity[0] = n0;
-    result.by_position_velocity[1] = -z111;
+    result.by_position_velocity[1] = -z107;
     result.by_position_velocity[2] = n0;
-    result.by_position_velocity[3] = z111;
-    result.by_position_velocity[4] = z112;
+    result.by_position_velocity[3] = z107;
+    result.by_position_velocity[4] = z108;
     result.by_position_velocity[5] = n0;
-    result.by_position_velocity[6] = -z112;
+    result.by_position_velocity[6] = -z108;
     result.by_position_velocity[7] = n0;
     result.by_velocity_velocity[0] = n0;
-    result.by_velocity_velocity[1] = -z117;
+    result.by_velocity_velocity[1] = -z113;
     result.by_velocity_velocity[2] = n0;
     result.by_velocity_velocity[3] = n0;
     result.by_velocity_velocity[4] = n0;
     result.by_velocity_velocity[5] = n0;
-    result.by_velocity_velocity[6] = z106;
+    result.by_velocity_velocity[6] = z113;
     result.by_velocity_velocity[7] = n0;
     result.by_acceleration_position[0] = n0;
     result.by_acceleration_position[1] = -z9;
@@ -1438,9 +1407,9 @@ struct Mechanism {
   /// j of page k is [i + rows * (j + columns * k)].
   TORSOR_DEVICE static torsor::Status forward_dynamics_second_derivatives(const Precomputed&, const State& state,
       const Inputs&, ForwardDynamicsSecondDerivatives& result) noexcept {
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_theta_1 = state.q.theta_1;
     const Scalar v_theta_1 = state.v.theta_1;
@@ -1452,117 +1421,109 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
     const Scalar z9 = sines_[1], z10 = cosines_[1];
-    const Scalar z19 = n1 + z10;
-    const Scalar z25 = n1 + n2 * z10;
-    const Scalar z28 = n2 + z25;
-    const Scalar z29 = n1 - n2 * z19 + z28;
-    const Scalar z30 = n1 - z19;
-    const Scalar z31 = n9_81 * s_theta_1;
-    const Scalar z32 = n9_81 * c_theta_1;
-    const Scalar z33 = v_theta_1 * v_theta_1;
-    const Scalar z34 = z32 + z33;
-    const Scalar z35 = z9 * z34 - z10 * z31;
-    const Scalar z37 = v_theta_2 * v_theta_2;
-    const Scalar z38 = z9 * z37;
-    const Scalar z41 = n2 * z31 - z35 + z38;  // moment on upper, z
-    const Scalar z42 = z35 + z41;
-    const Scalar z55 = z19 * z19 - z28;
-    const Scalar z56 = n1 / z55;
-    const Scalar z57 = z30 * z35 - z42;
-    const Scalar z58 = z56 * z57;
-    const Scalar z59 = z30 * z58 - z35;
-    const Scalar z69 = n2 * v_theta_1;
-    const Scalar z70 = z9 * z69;
-    const Scalar z74 = n2 * v_theta_2;
-    const Scalar z75 = z9 * z74;
-    const Scalar z81 = z30 * z70;
-    const Scalar z82 = z56 * z81;
-    const Scalar z83 = z30 * z82 - z70;
-    const Scalar z87 = z56 * z75;
-    const Scalar z88 = z30 * z87;
-    const Scalar z89 = z31 - z58;
-    const Scalar z90 = z9 * (z31 - z89) + z10 * (z32 - z34);
-    const Scalar z91 = z9 * z59 + z10 * z37;
-    const Scalar z92 = n2 * z32 + z90 + z91;
-    const Scalar z93 = z90 - z92;
-    const Scalar z94 = z30 * z90 - z93;
-    const Scalar z95 = z56 * z94;
-    const Scalar z96 = z30 * z95 - z90;
-    const Scalar z98 = z9 * z89 + z10 * z34;
-    const Scalar z99 = z91 - z98;
-    const Scalar z100 = z98 + z99;
-    const Scalar z101 = z30 * z98 - z100;
-    const Scalar z102 = z56 * z101;
-    const Scalar z103 = z30 * z102 - z98;
-    const Scalar z106 = n2 * z9;
-    const Scalar z107 = n2 * z9 - z106;
-    const Scalar z111 = z10 * z69;
-    const Scalar z112 = z10 * z74;
-    const Scalar z117 = n2 * z9 - z107;
-    const Scalar z118 = z9 * (z32 - z34) - z10 * (z31 - z89);
-    const Scalar z119 = z9 * z37 - z10 * z59;
-    const Scalar z120 = z118 + z119;
-    const Scalar z121 = z118 - z120;
-    const Scalar z122 = z9 * (z96 - z103) - z107 * (z95 - z102) - z121;
-    const Scalar z123 = z9 * (z95 - z102) + z118;
-    const Scalar z124 = z30 * z123 + z122;
-    const Scalar z125 = z56 * z124;
-    const Scalar z126 = z30 * z125 - z123;
-    const Scalar z127 = z9 * z34 - z10 * z89;
-    const Scalar z128 = z119 - z127;
-    const Scalar z129 = z127 + z128;
-    const Scalar z130 = n2 * (z9 * z103 - z102 * z107) - z129;
-    const Scalar z131 = n2 * z9 * z102 + z127;
-    const Scalar z132 = z30 * z131 + z130;
-    const Scalar z133 = z56 * z132;
-    const Scalar z134 = z30 * z133 - z131;
-    const Scalar z135 = n2 * z31 + z118 + z119;
-    const Scalar z136 = z118 - z135;
-    const Scalar z137 = n2 * (z9 * z96 - z95 * z107) - z136;
-    const Scalar z138 = n2 * z9 * z95 + z118;
-    const Scalar z139 = z30 * z138 + z137;
-    const Scalar z140 = z56 * z139;
-    const Scalar z141 = z30 * z140 - z138;
-    const Scalar z142 = z9 * z83 - z82 * z107;
-    const Scalar z143 = z9 * z82 - z111;
-    const Scalar z144 = z30 * z143 + z142;
-    const Scalar z145 = z56 * z144;
-    const Scalar z146 = z30 * z145 - z143;
-    const Scalar z147 = z9 * z88 - z87 * z107 - z112;
-    const Scalar z148 = z9 * z87;
-    const Scalar z149 = z30 * z148 + z147;
-    const Scalar z150 = z56 * z149;
-    const Scalar z151 = z30 * z150 - z148;
-    const Scalar z153 = z56 * z106;
-    const Scalar z154 = z30 * z153;
-    const Scalar z155 = z30 * z117 - z107;
-    const Scalar z156 = z56 * z155;
-    const Scalar z157 = z30 * z156 - z117;
-    result.by_position_position[0] = -z140;
-    result.by_position_position[1] = -z141;
-    result.by_position_position[2] = z125;
-    result.by_position_position[3] = z126;
-    result.by_position_position[4] = z125;
-    result.by_position_position[5] = z126;
-    result.by_position_position[6] = z133;
-    result.by_position_position[7] = z134;
-    result.by_position_velocity[0] = z145;
-    result.by_position_velocity[1] = z146;
-    result.by_position_velocity[2] = -z145;
-    result.by_position_velocity[3] = -z146;
-    result.by_position_velocity[4] = -z150;
-    result.by_position_velocity[5] = -z151;
-    result.by_position_velocity[6] = z150;
-    result.by_position_velocity[7] = z151;
-    result.by_velocity_velocity[0] = -z156;
-    result.by_velocity_velocity[1] = -z157;
+    const Scalar z29 = n9_81 * s_theta_1;
+    const Scalar z30 = n9_81 * c_theta_1;
+    const Scalar z31 = v_theta_1 * v_theta_1;
+    const Scalar z32 = z30 + z31;
+    const Scalar z33 = z9 * z32 - z10 * z29;
+    const Scalar z35 = v_theta_2 * v_theta_2;
+    const Scalar z36 = z9 * z35;
+    const Scalar z40 = n2 * z29 + z36;
+    const Scalar z53 = n2 - z10 * z10;
+    const Scalar z54 = n1 / z53;
+    const Scalar z55 = z10 * z33 + z40;
+    const Scalar z56 = z54 * z55;
+    const Scalar z57 = z10 * z56 + z33;
+    const Scalar z67 = n2 * v_theta_1;
+    const Scalar z68 = z9 * z67;
+    const Scalar z72 = n2 * v_theta_2;
+    const Scalar z73 = z9 * z72;
+    const Scalar z79 = z10 * z68;
+    const Scalar z80 = z54 * z79;
+    const Scalar z81 = z10 * z80 + z68;
+    const Scalar z85 = z54 * z73;
+    const Scalar z86 = z10 * z85;
+    const Scalar z87 = z29 - z56;
+    const Scalar z88 = z9 * (z29 - z87) + z10 * (z30 - z32);
+    const Scalar z89 = z9 * z57 - z10 * z35;
+    const Scalar z90 = n2 * z30 + z88 - z89;
+    const Scalar z91 = z88 - z90;
+    const Scalar z92 = z10 * z88 + z91;
+    const Scalar z93 = z54 * z92;
+    const Scalar z94 = z10 * z93 + z88;
+    const Scalar z96 = z9 * z87 + z10 * z32;
+    const Scalar z97 = z89 + z96;
+    const Scalar z98 = z96 - z97;
+    const Scalar z99 = z10 * z96 + z98;
+    const Scalar z100 = z54 * z99;
+    const Scalar z101 = z10 * z100 + z96;
+    const Scalar z107 = z10 * z67;
+    const Scalar z108 = z10 * z72;
+    const Scalar z113 = n2 * z9;
+    const Scalar z114 = z9 * (z30 - z32) - z10 * (z29 - z87);
+    const Scalar z115 = z9 * z35 + z10 * z57;
+    const Scalar z116 = z114 + z115;
+    const Scalar z117 = z114 - z116;
+    const Scalar z118 = z9 * (z94 - z101) + z117;
+    const Scalar z119 = z9 * (z93 - z100) + z114;
+    const Scalar z120 = z10 * z119 + z118;
+    const Scalar z121 = z54 * z120;
+    const Scalar z122 = z10 * z121 + z119;
+    const Scalar z123 = z9 * z32 - z10 * z87;
+    const Scalar z124 = z115 - z123;
+    const Scalar z125 = z123 + z124;
+    const Scalar z126 = n2 * z9 * z101 + z125;
+    const Scalar z127 = n2 * z9 * z100 + z123;
+    const Scalar z128 = z10 * z127 + z126;
+    const Scalar z129 = z54 * z128;
+    const Scalar z130 = z10 * z129 + z127;
+    const Scalar z131 = n2 * z29 + z114 + z115;
+    const Scalar z132 = z114 - z131;
+    const Scalar z133 = n2 * z9 * z94 + z132;
+    const Scalar z134 = n2 * z9 * z93 + z114;
+    const Scalar z135 = z10 * z134 + z133;
+    const Scalar z136 = z54 * z135;
+    const Scalar z137 = z10 * z136 + z134;
+    const Scalar z138 = z9 * z81;
+    const Scalar z139 = z9 * z80 - z107;
+    const Scalar z140 = z10 * z139 + z138;
+    const Scalar z141 = z54 * z140;
+    const Scalar z142 = z10 * z141 + z139;
+    const Scalar z143 = z9 * z86 - z108;
+    const Scalar z144 = z9 * z85;
+    const Scalar z145 = z10 * z144 + z143;
+    const Scalar z146 = z54 * z145;
+    const Scalar z147 = z10 * z146 + z144;
+    const Scalar z148 = z54 * z113;
+    const Scalar z149 = z10 * z148;
+    const Scalar z150 = z10 * z113;
+    const Scalar z151 = z54 * z150;
+    const Scalar z152 = z10 * z151 + z113;
+    result.by_position_position[0] = -z136;
+    result.by_position_position[1] = z137;
+    result.by_position_position[2] = z121;
+    result.by_position_position[3] = -z122;
+    result.by_position_position[4] = z121;
+    result.by_position_position[5] = -z122;
+    result.by_position_position[6] = z129;
+    result.by_position_position[7] = -z130;
+    result.by_position_velocity[0] = z141;
+    result.by_position_velocity[1] = -z142;
+    result.by_position_velocity[2] = -z141;
+    result.by_position_velocity[3] = z142;
+    result.by_position_velocity[4] = z146;
+    result.by_position_velocity[5] = -z147;
+    result.by_position_velocity[6] = -z146;
+    result.by_position_velocity[7] = z147;
+    result.by_velocity_velocity[0] = -z151;
+    result.by_velocity_velocity[1] = z152;
     result.by_velocity_velocity[2] = n0;
     result.by_velocity_velocity[3] = n0;
     result.by_velocity_velocity[4] = n0;
     result.by_velocity_velocity[5] = n0;
-    result.by_velocity_velocity[6] = z153;
-    result.by_velocity_velocity[7] = z154;
-    if (!(traits::regular(-z55, z29))) return torsor::Status::singular;
+    result.by_velocity_velocity[6] = -z148;
+    result.by_velocity_velocity[7] = z149;
+    if (!(traits::regular(z53, n2))) return torsor::Status::singular;
     // x - x is 0 for every finite x and not a number for any other.
     const Scalar zero = (result.by_position_position[0] - result.by_position_position[0])
         + (result.by_position_position[1] - result.by_position_position[1]) + (result.by_position_position[2]

@@ -199,4 +199,35 @@ Value Flattening::cheaper(const Value& value) {
   return best;
 }
 
+Value cancelled(const Program& program, const Value& value) {
+  constexpr int levels = 3;
+  if (!program.passes().identities) return value;
+  const std::size_t at_most = value.polynomial().terms().size();
+  Polynomial now = value.polynomial(), best = now;
+  std::size_t least = at_most + 1;
+  for (int level = 0; level < levels; ++level) {
+    Polynomial next;
+    std::size_t put_in = 0;
+    for (const Term& term : now.terms()) {
+      const bool alone = term.monomial.size() == 1 && term.monomial[0].exponent == 1;
+      const Polynomial* sum = alone ? &program[term.monomial[0].atom].polynomial : nullptr;
+      if (sum == nullptr || sum->terms().size() < 2) {
+        next.add(term);
+        ++put_in;
+        continue;
+      }
+      for (const Term& inner : sum->terms()) next.add({inner.monomial, term.coefficient * inner.coefficient});
+      put_in += sum->terms().size();
+    }
+    now = std::move(next);
+    const std::size_t left = now.terms().size();
+    // Two terms that become one are no gain, two that vanish are.
+    if (left + 2 <= put_in && left < least) {
+      best = now;
+      least = left;
+    }
+  }
+  return least <= at_most ? Value(*value.program(), best, value.unit()) : value;
+}
+
 }  // namespace torsor

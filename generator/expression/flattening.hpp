@@ -57,4 +57,8 @@ class Flattening {
   std::array<std::unordered_map<Atom, std::optional<Polynomial>>, all_levels + 1> known_;  ///< by levels; looked up only
 };
 
+/// The value with the sums that it adds put back, where terms of theirs cancel identically and no more are left than it
+/// had: (a + b) + (c − b) becomes a + c. Computed as it stands, b would take digits of a and c with it.
+Value cancelled(const Program& program, const Value& value);
+
 }  // namespace torsor

@@ -219,6 +219,11 @@ TEST(ExtremeParameters, OfADoublePendulumWithJets) {
   expect_within_bounds({extreme_pendulum(Angle::of_the_joint), {}, "", kernels}, 24);
 }
 
+// A force along an absolute angle is the difference of the moments in two joints.
+TEST(ExtremeParameters, OfADoublePendulumWithAbsoluteAngles) {
+  expect_within_bounds({extreme_pendulum(Angle::absolute), {}, "", kernels}, 24);
+}
+
 TEST(ExtremeParameters, OfAGimbalNearItsLock) { expect_within_bounds({extreme_gimbal(), {}, "q2", kernels}, 24); }
 
 TEST(ExtremeParameters, OfAFourBar) { expect_within_bounds({extreme_four_bar(), {}, "", kernels}, 24); }

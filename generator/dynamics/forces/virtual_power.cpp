@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/dynamics/forces/virtual_power.hpp"
 
+#include <algorithm>
+
+#include "generator/expression/flattening.hpp"
+
 namespace torsor {
 namespace {
 
@@ -109,10 +113,18 @@ std::vector<Value> along_coordinates(const Model& model, const std::vector<Wrenc
     const Value effort = model.program().bind(dot(link.axis, revolute ? load[k].moment : load[k].resultant));
     for (const auto& [i, partial] : link.partials) forces[static_cast<std::size_t>(i)] += partial * effort;
   }
+  if (moves_by_several(model)) {
+    for (Value& force : forces) force = cancelled(model.program(), force);
+  }
   return forces;
 }
 
 }  // namespace
+
+bool moves_by_several(const Model& model) {
+  const auto& links = model.links();
+  return std::any_of(links.begin(), links.end(), [](const Link& link) { return link.partials.size() > 1; });
+}
 
 std::vector<Value> inertia_forces(const Model& model, AccelerationInput input, const std::map<int, Wrench>& wrenches,
                                   MassProperties Link::*properties) {

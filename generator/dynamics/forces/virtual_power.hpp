@@ -36,6 +36,11 @@ ReferenceForces reference_forces(const Model& model, const std::map<int, Wrench>
 std::vector<Wrench> joint_wrenches(const Model& model, std::vector<Acceleration>& motion, const std::vector<Axes>& axes,
                                    const std::map<int, Wrench>& wrenches, MassProperties Link::*properties);
 
+/// Whether some joint's displacement depends on several coordinates: of absolute angles it is a difference. Most of what
+/// neighbouring joints give to a generalised force then cancels identically, and is left out: moments of long links
+/// would take all digits of those of short ones with them.
+bool moves_by_several(const Model& model);
+
 /// Mass matrix M (row by row, symmetric) of the unknowns by composite bodies (Walker & Orin, 1982).
 std::vector<std::vector<Value>> mass_matrix(const Model& model);
 

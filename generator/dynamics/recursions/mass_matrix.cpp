@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/dynamics/forces/virtual_power.hpp"
 #include "generator/dynamics/recursions/composite_bodies.hpp"
+#include "generator/expression/flattening.hpp"
 
 namespace torsor {
 
@@ -27,8 +28,9 @@ std::vector<std::vector<Value>> mass_matrix(const Model& model) {
       }
     }
   }
+  const bool several = moves_by_several(model);
   for (auto& row : joints) {
-    for (Value& entry : row) entry = program.bind(entry);
+    for (Value& entry : row) entry = program.bind(several ? cancelled(program, entry) : entry);
   }
   return joints;
 }
