@@ -72,17 +72,18 @@ TEST(Flattening, AnswersNothingBeyondItsLimitAndWithoutIdentitiesLeavesAllAsItSt
 TEST(Cancelled, PutsSumsBackWhoseTermsCancel) {
   Angle of;
   const Value first = of.bound(of.a * of.x + of.c), second = of.bound(of.a * of.x / 2 + of.y);
-  const Value third = of.bound(of.y + cos(of.q));
-  const Value left = cancelled(of.program, first - 2 * second + of.program.bind(third + of.program.lower(of.y)));
+  const Value y = of.program.lower(of.y), third = of.bound(of.y + cos(of.q));
+  const Value last = of.program.bind(third + y);
+  const Value left = cancelled(of.program, first - 2 * second + last);
   EXPECT_EQ(left.polynomial().terms().size(), 2U) << to_string(left);
   EXPECT_TRUE(vanishes(left - of.program.lower(of.c + cos(of.q))));
 }
 
 TEST(Cancelled, LeavesSumsAloneOfWhichNothingCancels) {
   Angle of;
-  const Value sum = of.bound(of.a + of.x) + of.bound(of.c + of.y);
+  const Value first = of.bound(of.a + of.x), second = of.bound(of.c + of.y), x = of.program.lower(of.x);
+  const Value sum = first + second, once_more = first + x;  // a + 2 x: no term vanishes
   EXPECT_EQ(to_string(cancelled(of.program, sum)), to_string(sum));
-  const Value once_more = of.bound(of.a + of.x) + of.program.lower(of.x);  // a + 2 x: no term vanishes
   EXPECT_EQ(to_string(cancelled(of.program, once_more)), to_string(once_more));
 }
 
