@@ -6,14 +6,15 @@
 // Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, linearisation
 // Parameters set at run time: none
 //
-// Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
-// moved across joints, factoring, and what is done once for a set of parameters:
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
+// costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
+// joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   kinematics              252              343          0             0                  7       0    609     609
 //   mass_matrix             162              181          0             0                  6       0    355     395
 //   bias                    266              292          0             0                  6       0    570     684
 //   inverse_dynamics        285              300          0             0                  6       0    597     715
-//   forward_dynamics        515              586          6             0                  6       0   1119    1273
+//   forward_dynamics        554              589          6             0                  6       0   1161    1340
 //   energy                  221              307          0             0                  6       0    540     577
 //   linearisation          2054             2394          6             0                  6       0   4466    4732
 //
@@ -394,7 +395,7 @@ struct Mechanism {
 
   static constexpr const char* name = "arm7";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xb64753c85a21d07aULL;
+  static constexpr unsigned long long fingerprint = 0xf91f215ac662c357ULL;
   static constexpr int coordinate_count = 7;
   static constexpr int velocity_count = 7;
   static constexpr int input_count = 7;
@@ -2021,81 +2022,114 @@ struct Mechanism {
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
-  /// an unrolled L D L' of M. Returns singular when a pivot is not
+  /// the articulated-body recursion. Returns singular when a pivot is not
   /// positive relative to its diagonal entry.
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs& inputs,
       Accelerations& accelerations, Multipliers&) noexcept {
     const Scalar k0 = traits::constant(0.000638177502105, 0.0006381775f, "127635500421/200000000000000");
     const Scalar k1 = traits::constant(0.00025801376238, 0.00025801375f, "12900688119/50000000000000");
-    const Scalar k2 = traits::constant(0.000548359106408232, 0.0005483591f, "68544888301029/125000000000000000");
-    const Scalar k3 = traits::constant(0.001672482661783778, 0.0016724827f, "836241330891889/500000000000000000");
-    const Scalar k4 = traits::constant(0.004909651967360946, 0.004909652f, "2454825983680473/500000000000000000");
-    const Scalar n16_over_15 = traits::constant(1.0666666666666667, 1.0666667f, "16/15");
-    const Scalar n256_over_55 = traits::constant(4.654545454545454, 4.6545453f, "256/55");
-    const Scalar n632_over_165 = traits::constant(3.83030303030303, 3.830303f, "632/165");
-    const Scalar k8 = traits::constant(0.00242094377852123, 0.0024209437f, "242094377852123/100000000000000000");
-    const Scalar k9 = traits::constant(0.000790217436631504, 0.0007902174f, "49388589789469/62500000000000000");
-    const Scalar k10 = traits::constant(0.000395108718315752, 0.0003951087f, "49388589789469/125000000000000000");
-    const Scalar n32_over_15 = traits::constant(2.1333333333333333, 2.1333334f, "32/15");
-    const Scalar k12 = traits::constant(0.0136098230973375, 0.013609823f, "1088785847787/80000000000000");
-    const Scalar k13 = traits::constant(0.000884123530507804, 0.00088412355f, "221030882626951/250000000000000000");
-    const Scalar k14 = traits::constant(0.005511034382675315, 0.0055110343f, "1102206876535063/200000000000000000");
-    const Scalar k15 = traits::constant(0.000103758917218685, 0.00010375892f, "20751783443737/200000000000000000");
-    const Scalar k16 = traits::constant(9.3569097314605e-05, 9.35691e-05f, "18713819462921/200000000000000000");
-    const Scalar k17 = traits::constant(0.030389507210667306, 0.030389506f, "15194753605333653/500000000000000000");
-    const Scalar k18 = traits::constant(0.0056786982094425, 0.0056786984f, "2271479283777/400000000000000");
+    const Scalar k2 = traits::constant(0.0136098230973375, 0.013609823f, "1088785847787/80000000000000");
+    const Scalar k3 = traits::constant(118.9090909090909, 118.90909f, "1308/11");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
-    const Scalar k20 = traits::constant(0.001208932934385, 0.001208933f, "241786586877/200000000000000");
-    const Scalar k21 = traits::constant(0.0055993270925625, 0.005599327f, "89589233481/16000000000000");
-    const Scalar k22 = traits::constant(0.024230847133882086, 0.024230847f, "12115423566941043/500000000000000000");
-    const Scalar k23 = traits::constant(0.00151524447332703, 0.0015152445f, "151524447332703/100000000000000000");
-    const Scalar k24 = traits::constant(0.004600245517563106, 0.0046002455f, "2300122758781553/500000000000000000");
-    const Scalar k25 = traits::constant(0.00216405205209813, 0.002164052f, "216405205209813/100000000000000000");
-    const Scalar k26 = traits::constant(0.027133159263935513, 0.02713316f, "13566579631967757/500000000000000000");
-    const Scalar n512_over_55 = traits::constant(9.309090909090909, 9.309091f, "512/55");
-    const Scalar k28 = traits::constant(0.040431622658625, 0.040431622f, "323452981269/8000000000000");
-    const Scalar k29 = traits::constant(0.1419563931722475, 0.14195639f, "56782557268899/400000000000000");
-    const Scalar k30 = traits::constant(0.540829284939183, 0.5408293f, "540829284939182983/1000000000000000000");
-    const Scalar k31 = traits::constant(0.13876407268546084, 0.13876407f, "2775281453709217/20000000000000000");
-    const Scalar k32 = traits::constant(0.0039053550262761, 0.003905355f, "39053550262761/10000000000000000");
-    const Scalar k33 = traits::constant(0.00164448757736927, 0.0016444876f, "164448757736927/100000000000000000");
-    const Scalar k34 = traits::constant(0.632524057252814, 0.6325241f, "632524057252813983/1000000000000000000");
-    const Scalar k35 = traits::constant(0.05644303168944, 0.056443032f, "352768948059/6250000000000");
-    const Scalar k36 = traits::constant(0.002328735327435, 0.0023287353f, "465747065487/200000000000000");
-    const Scalar k37 = traits::constant(0.01159586409516604, 0.011595864f, "289896602379151/25000000000000000");
-    const Scalar k38 = traits::constant(0.000121912420950744, 0.000121912424f, "15239052618843/125000000000000000");
-    const Scalar k39 = traits::constant(0.005487648106562256, 0.0054876483f, "342978006660141/62500000000000000");
-    const Scalar k40 = traits::constant(0.004377257121839584, 0.004377257f, "136789285057487/31250000000000000");
-    const Scalar k41 = traits::constant(0.12445520614822143, 0.124455206f, "15556900768527679/125000000000000000");
-    const Scalar k42 = traits::constant(7.66060606060606, 7.660606f, "1264/165");
-    const Scalar k43 = traits::constant(0.9896232897634767, 0.9896233f, "494811644881738353/500000000000000000");
-    const Scalar k44 = traits::constant(0.00398335888393552, 0.003983359f, "24895993024597/6250000000000000");
-    const Scalar k45 = traits::constant(0.01026110182100817, 0.010261102f, "1026110182100817/100000000000000000");
-    const Scalar k46 = traits::constant(0.0007689361029464, 0.0007689361f, "961170128683/1250000000000000");
-    const Scalar k47 = traits::constant(1.0357790547533403, 1.035779f, "517889527376670159/500000000000000000");
-    const Scalar k48 = traits::constant(0.03733744848940618, 0.03733745f, "1866872424470309/50000000000000000");
-    const Scalar k49 = traits::constant(118.9090909090909, 118.90909f, "1308/11");
-    const Scalar k50 = traits::constant(0.003665297872941088, 0.0036652978f, "114540558529409/31250000000000000");
-    const Scalar k51 = traits::constant(0.001244354094419858, 0.0012443541f, "622177047209929/500000000000000000");
-    const Scalar k52 = traits::constant(203.68042513969144, 203.68042f, "500000000000000000/2454825983680473");
+    const Scalar n632_over_165 = traits::constant(3.83030303030303, 3.830303f, "632/165");
+    const Scalar k6 = traits::constant(0.001912455486279113, 0.0019124555f,
+        "234737271017512068684213682403/122741299184023650000000000000000");
+    const Scalar k7 = traits::constant(0.0011638166668808073, 0.0011638167f,
+        "2289236693989909821068240931/1967007999743968750000000000000");
+    const Scalar k8 = traits::constant(0.0018512092489531573, 0.0018512092f,
+        "87392241645381231173852980099/47208191993855250000000000000000");
+    const Scalar k9 = traits::constant(6.124623732595589e-05, 6.124624e-05f,
+        "1566133904066847423374152947/25571103996671593750000000000000");
+    const Scalar k10 = traits::constant(0.0005819083334404037, 0.00058190833f,
+        "2289236693989909821068240931/3934015999487937500000000000000");
+    const Scalar k11 = traits::constant(1.66148435449818e-05, 1.6614844e-05f,
+        "26145224133978912711969/1573606399795175000000000000");
+    const Scalar k12 = traits::constant(0.00024621399065086636, 0.00024621398f,
+        "8058833357272104627825099/32731013115739640000000000000");
+    const Scalar k13 = traits::constant(8.789289891643862e-05, 8.78929e-05f,
+        "276617656462916412711969/3147212799590350000000000000");
+    const Scalar k14 = traits::constant(7.127805537145681e-05, 7.127805e-05f,
+        "224327208194958587288031/3147212799590350000000000000");
+    const Scalar k15 = traits::constant(2.881756122843343e-05, 2.8817562e-05f,
+        "294758742041088971924817/10228441598668637500000000000");
+    const Scalar k16 = traits::constant(0.00021739642942243296, 0.00021739643f,
+        "2736771301054084583717571/12588851198361400000000000000");
+    const Scalar k17 = traits::constant(6.939380324317125e-05, 6.9393805e-05f,
+        "908531793641317803111/13092405246295856000000000");
+    const Scalar k18 = traits::constant(6.707545849645603e-05, 6.707546e-05f,
+        "42220148303687543541/629442559918070000000000");
+    const Scalar k19 = traits::constant(1.3559230271319343e-05, 1.355923e-05f,
+        "55475917981235919387/4091376639467455000000000");
+    const Scalar k20 = traits::constant(8.29530335144906e-05, 8.295303e-05f,
+        "417713358146643363519/5035540479344560000000000");
+    const Scalar k21 = traits::constant(3.3537729248228015e-05, 3.353773e-05f,
+        "42220148303687543541/1258885119836140000000000");
+    const Scalar n16_over_15 = traits::constant(1.0666666666666667, 1.0666667f, "16/15");
+    const Scalar k23 = traits::constant(0.000884123530507804, 0.00088412355f, "221030882626951/250000000000000000");
+    const Scalar k24 = traits::constant(0.005511034382675315, 0.0055110343f, "1102206876535063/200000000000000000");
+    const Scalar k25 = traits::constant(0.000103758917218685, 0.00010375892f, "20751783443737/200000000000000000");
+    const Scalar k26 = traits::constant(9.3569097314605e-05, 9.35691e-05f, "18713819462921/200000000000000000");
+    const Scalar n32_over_15 = traits::constant(2.1333333333333333, 2.1333334f, "32/15");
+    const Scalar k28 = traits::constant(0.030389507210667306, 0.030389506f, "15194753605333653/500000000000000000");
+    const Scalar k29 = traits::constant(0.0056786982094425, 0.0056786984f, "2271479283777/400000000000000");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
-    const Scalar k54 = traits::constant(0.013508337745659894, 0.013508338f, "13508337745659893/1000000000000000000");
-    const Scalar k55 = traits::constant(0.015636815370587556, 0.015636815f, "3127363074117511/200000000000000000");
-    const Scalar k56 = traits::constant(0.002128477624927662, 0.0021284777f, "1064238812463831/500000000000000000");
-    const Scalar k57 = traits::constant(0.010045187828321245, 0.010045188f, "2009037565664249/200000000000000000");
-    const Scalar k58 = traits::constant(0.001451156065026714, 0.0014511561f, "725578032513357/500000000000000000");
-    const Scalar k59 = traits::constant(0.00859403176329453, 0.008594031f, "8594031763294531/1000000000000000000");
-    const Scalar k60 = traits::constant(0.5852255150309718, 0.5852255f, "585225515030971769/1000000000000000000");
-    const Scalar k61 = traits::constant(0.0458473861568155, 0.045847386f, "91694772313631/2000000000000000");
-    const Scalar k62 = traits::constant(0.5393781288741563, 0.5393781f, "539378128874156269/1000000000000000000");
-    const Scalar k63 = traits::constant(0.022178148964878235, 0.022178149f, "5544537241219559/250000000000000000");
-    const Scalar k64 = traits::constant(0.0564296710265277, 0.05642967f, "3526854439157981/62500000000000000");
-    const Scalar k65 = traits::constant(0.03425152206164946, 0.034251522f, "1712576103082473/50000000000000000");
-    const Scalar k66 = traits::constant(0.9562715012318808, 0.9562715f, "59766968826992551/62500000000000000");
-    const Scalar k67 = traits::constant(0.023077882494931805, 0.023077883f, "11538941247465903/500000000000000000");
-    const Scalar k68 = traits::constant(0.25610805358974, 0.25610805f, "12805402679487/50000000000000");
-    const Scalar k69 = traits::constant(0.000167639551695, 0.00016763955f, "33527910339/200000000000000");
-    const Scalar k70 = traits::constant(0.9331936187369491, 0.9331936f, "93319361873694901/100000000000000000");
+    const Scalar k31 = traits::constant(0.024230847133882086, 0.024230847f, "12115423566941043/500000000000000000");
+    const Scalar k32 = traits::constant(0.004600245517563106, 0.0046002455f, "2300122758781553/500000000000000000");
+    const Scalar k33 = traits::constant(0.027133159263935513, 0.02713316f, "13566579631967757/500000000000000000");
+    const Scalar k34 = traits::constant(0.0055993270925625, 0.005599327f, "89589233481/16000000000000");
+    const Scalar k35 = traits::constant(0.001208932934385, 0.001208933f, "241786586877/200000000000000");
+    const Scalar k36 = traits::constant(0.00216405205209813, 0.002164052f, "216405205209813/100000000000000000");
+    const Scalar k37 = traits::constant(0.00151524447332703, 0.0015152445f, "151524447332703/100000000000000000");
+    const Scalar n256_over_55 = traits::constant(4.654545454545454, 4.6545453f, "256/55");
+    const Scalar k39 = traits::constant(0.540829284939183, 0.5408293f, "540829284939182983/1000000000000000000");
+    const Scalar k40 = traits::constant(0.13876407268546084, 0.13876407f, "2775281453709217/20000000000000000");
+    const Scalar k41 = traits::constant(0.0039053550262761, 0.003905355f, "39053550262761/10000000000000000");
+    const Scalar k42 = traits::constant(0.00164448757736927, 0.0016444876f, "164448757736927/100000000000000000");
+    const Scalar k43 = traits::constant(0.632524057252814, 0.6325241f, "632524057252813983/1000000000000000000");
+    const Scalar k44 = traits::constant(0.1419563931722475, 0.14195639f, "56782557268899/400000000000000");
+    const Scalar k45 = traits::constant(0.040431622658625, 0.040431622f, "323452981269/8000000000000");
+    const Scalar k46 = traits::constant(0.01159586409516604, 0.011595864f, "289896602379151/25000000000000000");
+    const Scalar k47 = traits::constant(0.000121912420950744, 0.000121912424f, "15239052618843/125000000000000000");
+    const Scalar k48 = traits::constant(0.005487648106562256, 0.0054876483f, "342978006660141/62500000000000000");
+    const Scalar k49 = traits::constant(0.004377257121839584, 0.004377257f, "136789285057487/31250000000000000");
+    const Scalar k50 = traits::constant(0.12445520614822143, 0.124455206f, "15556900768527679/125000000000000000");
+    const Scalar k51 = traits::constant(0.002328735327435, 0.0023287353f, "465747065487/200000000000000");
+    const Scalar k52 = traits::constant(0.05644303168944, 0.056443032f, "352768948059/6250000000000");
+    const Scalar k53 = traits::constant(0.9896232897634767, 0.9896233f, "494811644881738353/500000000000000000");
+    const Scalar k54 = traits::constant(0.01026110182100817, 0.010261102f, "1026110182100817/100000000000000000");
+    const Scalar k55 = traits::constant(1.0357790547533403, 1.035779f, "517889527376670159/500000000000000000");
+    const Scalar k56 = traits::constant(0.0007689361029464, 0.0007689361f, "961170128683/1250000000000000");
+    const Scalar k57 = traits::constant(0.00398335888393552, 0.003983359f, "24895993024597/6250000000000000");
+    const Scalar k58 = traits::constant(0.03733744848940618, 0.03733745f, "1866872424470309/50000000000000000");
+    const Scalar k59 = traits::constant(0.001672482661783778, 0.0016724827f, "836241330891889/500000000000000000");
+    const Scalar k60 = traits::constant(0.000548359106408232, 0.0005483591f, "68544888301029/125000000000000000");
+    const Scalar k61 = traits::constant(0.000395108718315752, 0.0003951087f, "49388589789469/125000000000000000");
+    const Scalar k62 = traits::constant(0.003665297872941088, 0.0036652978f, "114540558529409/31250000000000000");
+    const Scalar k63 = traits::constant(0.001244354094419858, 0.0012443541f, "622177047209929/500000000000000000");
+    const Scalar k64 = traits::constant(0.00242094377852123, 0.0024209437f, "242094377852123/100000000000000000");
+    const Scalar k65 = traits::constant(203.68042513969144, 203.68042f, "500000000000000000/2454825983680473");
+    const Scalar k66 = traits::constant(0.34065197959088267, 0.340652f, "64326256222453/188832767975421");
+    const Scalar k67 = traits::constant(0.11169001592245, 0.111690015f, "91393184401372/818275327893491");
+    const Scalar k68 = traits::constant(0.05255235281344973, 0.052552354f, "43002293730000/818275327893491");
+    const Scalar k69 = traits::constant(0.12998426494333273, 0.12998426f, "8181762847500/62944255991807");
+    const Scalar k70 = traits::constant(0.013508337745659894, 0.013508338f, "13508337745659893/1000000000000000000");
+    const Scalar k71 = traits::constant(0.015636815370587556, 0.015636815f, "3127363074117511/200000000000000000");
+    const Scalar k72 = traits::constant(0.002128477624927662, 0.0021284777f, "1064238812463831/500000000000000000");
+    const Scalar k73 = traits::constant(0.010045187828321245, 0.010045188f, "2009037565664249/200000000000000000");
+    const Scalar k74 = traits::constant(0.001451156065026714, 0.0014511561f, "725578032513357/500000000000000000");
+    const Scalar k75 = traits::constant(0.00859403176329453, 0.008594031f, "8594031763294531/1000000000000000000");
+    const Scalar k76 = traits::constant(0.5852255150309718, 0.5852255f, "585225515030971769/1000000000000000000");
+    const Scalar k77 = traits::constant(0.0458473861568155, 0.045847386f, "91694772313631/2000000000000000");
+    const Scalar k78 = traits::constant(0.5393781288741563, 0.5393781f, "539378128874156269/1000000000000000000");
+    const Scalar k79 = traits::constant(0.022178148964878235, 0.022178149f, "5544537241219559/250000000000000000");
+    const Scalar k80 = traits::constant(0.0564296710265277, 0.05642967f, "3526854439157981/62500000000000000");
+    const Scalar k81 = traits::constant(0.03425152206164946, 0.034251522f, "1712576103082473/50000000000000000");
+    const Scalar k82 = traits::constant(0.9562715012318808, 0.9562715f, "59766968826992551/62500000000000000");
+    const Scalar k83 = traits::constant(0.023077882494931805, 0.023077883f, "11538941247465903/500000000000000000");
+    const Scalar k84 = traits::constant(0.25610805358974, 0.25610805f, "12805402679487/50000000000000");
+    const Scalar k85 = traits::constant(0.000167639551695, 0.00016763955f, "33527910339/200000000000000");
+    const Scalar k86 = traits::constant(0.9331936187369491, 0.9331936f, "93319361873694901/100000000000000000");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar v_q1 = state.v.q1;
     const Scalar q_q2 = state.q.q2;
     const Scalar v_q2 = state.v.q2;
@@ -2144,183 +2178,9 @@ struct Mechanism {
     const Scalar z139 = v_q7 - z118;
     const Scalar z264 = k0 * s_q7 - k1 * c_q7;
     const Scalar z265 = k1 * s_q7 + k0 * c_q7;
-    const Scalar z266 = k2 * s_q7 - k3 * c_q7;
-    const Scalar z267 = k3 * s_q7 + k2 * c_q7;
-    const Scalar z268 = k4 + n16_over_15 * z265;
-    const Scalar z269 = c_q6 * z264;
-    const Scalar z270 = s_q6 * z264;
-    const Scalar z271 = s_q6 * z268 + c_q6 * z266;
-    const Scalar z272 = s_q6 * z266 - c_q6 * z268;
-    const Scalar z273 = s_q5 * z265 - c_q5 * z269;
-    const Scalar z274 = s_q5 * z269 + c_q5 * z265;
-    const Scalar z275 = s_q5 * z267 - c_q5 * z271;
-    const Scalar z276 = s_q5 * z271 + c_q5 * z267;
-    const Scalar z277 = n256_over_55 * z274 - z275;
-    const Scalar z278 = z272 + z274;
-    const Scalar z279 = z270 - n256_over_55 * z273 - z276;
-    const Scalar z280 = s_q4 * z270 + c_q4 * z273;
-    const Scalar z281 = s_q4 * z273 - c_q4 * z270;
-    const Scalar z282 = s_q4 * z278 - c_q4 * z277;
-    const Scalar z283 = s_q4 * z277 + c_q4 * z278;
-    const Scalar z284 = z279 + z281;
-    const Scalar z285 = z274 - z283;
-    const Scalar z286 = s_q3 * z274 + c_q3 * z280;
-    const Scalar z287 = s_q3 * z280 - c_q3 * z274;
-    const Scalar z288 = s_q3 * z284 - c_q3 * z282;
-    const Scalar z289 = s_q3 * z282 + c_q3 * z284;
-    const Scalar z290 = n632_over_165 * z287 - z288;
-    const Scalar z291 = n632_over_165 * z286 - z289;
-    const Scalar z295 = s_q2 * z290 - c_q2 * z285;
-    const Scalar z296 = k8 * s_q7 - k9 * c_q7;
-    const Scalar z297 = s_q7 * z296;
-    const Scalar z298 = k8 - z297;
-    const Scalar z299 = k10 + c_q7 * z296;
-    const Scalar z300 = n16_over_15 * z264 - z299;
-    const Scalar z301 = k4 + n32_over_15 * z265;
-    const Scalar z302 = n32_over_15 * z265 + z297;
-    const Scalar z303 = k12 + z265;
-    const Scalar z304 = k13 - z298;
-    const Scalar z305 = k14 - z266;
-    const Scalar z306 = k15 + z300;
-    const Scalar z307 = k16 + z267;
-    const Scalar z308 = k17 + z302;
-    const Scalar z309 = s_q6 * z303 - k18 * c_q6;
-    const Scalar z310 = k18 * s_q6 + c_q6 * z303;
-    const Scalar z311 = s_q6 * z307 + c_q6 * z306;
-    const Scalar z312 = s_q6 * z306 - c_q6 * z307;
-    const Scalar z313 = c_q5 * z309;
-    const Scalar z314 = s_q5 * z309;
-    const Scalar z315 = s_q5 * z308 - c_q5 * z311;
-    const Scalar z316 = s_q5 * z311 + c_q5 * z308;
-    const Scalar z317 = n256_over_55 * z314 + z315;
-    const Scalar z318 = z312 - z314;
-    const Scalar z319 = z310 - n256_over_55 * z313 - z316;
-    const Scalar z320 = s_q4 * z310 + c_q4 * z313;
-    const Scalar z321 = s_q4 * z313 - c_q4 * z310;
-    const Scalar z322 = s_q4 * z318 + c_q4 * z317;
-    const Scalar z323 = s_q4 * z317 - c_q4 * z318;
-    const Scalar z324 = z319 + z321;
-    const Scalar z325 = z314 - z323;
-    const Scalar z326 = s_q3 * z314 - c_q3 * z320;
-    const Scalar z327 = s_q3 * z320 + c_q3 * z314;
-    const Scalar z328 = s_q3 * z324 - c_q3 * z322;
-    const Scalar z329 = s_q3 * z322 + c_q3 * z324;
-    const Scalar z330 = n632_over_165 * z327 - z328;
-    const Scalar z331 = n632_over_165 * z326 + z329;
-    const Scalar z335 = s_q2 * z330 + c_q2 * z325;
-    const Scalar z336 = z301 + z304;
-    const Scalar z337 = n2 * z305;
-    const Scalar z338 = s_q6 * z336 - c_q6 * z337;
-    const Scalar z339 = s_q6 * z338;
-    const Scalar z340 = z304 - z339;
-    const Scalar z341 = z301 - z339;
-    const Scalar z342 = c_q6 * z338 + z305;
-    const Scalar z343 = k20 - z310;
-    const Scalar z344 = k21 - z264;
-    const Scalar z345 = k22 - z340;
-    const Scalar z346 = k23 - z311;
-    const Scalar z347 = k24 + z342;
-    const Scalar z348 = k25 + z312;
-    const Scalar z349 = k26 + z341;
-    const Scalar z350 = s_q5 * z343 - c_q5 * z344;
-    const Scalar z351 = s_q5 * z344 + c_q5 * z343;
-    const Scalar z352 = s_q5 * z348 + c_q5 * z347;
-    const Scalar z353 = s_q5 * z347 - c_q5 * z348;
-    const Scalar z354 = n256_over_55 * z351 - z352;
-    const Scalar z355 = z349 + z351;
-    const Scalar z356 = n256_over_55 * z350 - z353;
-    const Scalar z357 = c_q4 * z350;
-    const Scalar z358 = s_q4 * z350;
-    const Scalar z359 = s_q4 * z355 - c_q4 * z354;
-    const Scalar z360 = s_q4 * z354 + c_q4 * z355;
-    const Scalar z361 = z356 - z358;
-    const Scalar z362 = z351 - z360;
-    const Scalar z363 = s_q3 * z351 + c_q3 * z357;
-    const Scalar z364 = s_q3 * z357 - c_q3 * z351;
-    const Scalar z365 = s_q3 * z361 + c_q3 * z359;
-    const Scalar z366 = s_q3 * z359 - c_q3 * z361;
-    const Scalar z367 = n632_over_165 * z364 + z365;
-    const Scalar z368 = n632_over_165 * z363 - z366;
-    const Scalar z372 = s_q2 * z367 - c_q2 * z362;
-    const Scalar z373 = z308 - z345;
-    const Scalar z374 = n2 * z346;
-    const Scalar z375 = s_q5 * z373 + c_q5 * z374;
-    const Scalar z376 = s_q5 * z375;
-    const Scalar z377 = z345 + z376;
-    const Scalar z378 = z308 - z376;
-    const Scalar z379 = c_q5 * z375 - z346;
-    const Scalar z380 = n512_over_55 * z309 + z377;
-    const Scalar z381 = z309 + n256_over_55 * z351 - z352;
-    const Scalar z382 = z350 + z379;
-    const Scalar z383 = z349 + n2 * z351;
-    const Scalar z384 = n512_over_55 * z309 + n2 * z351 + z378;
-    const Scalar z385 = k28 + z351;
-    const Scalar z386 = k29 + z309;
-    const Scalar z387 = k30 + z380;
-    const Scalar z388 = k31 + z381;
-    const Scalar z389 = k32 + z382;
-    const Scalar z390 = k33 + z356;
-    const Scalar z391 = k34 + z384;
-    const Scalar z392 = s_q4 * z385 - c_q4 * z386;
-    const Scalar z393 = s_q4 * z386 + c_q4 * z385;
-    const Scalar z394 = s_q4 * z390 + c_q4 * z389;
-    const Scalar z395 = s_q4 * z389 - c_q4 * z390;
-    const Scalar z396 = z391 - z393;
-    const Scalar z397 = c_q3 * z392;
-    const Scalar z398 = s_q3 * z392;
-    const Scalar z399 = s_q3 * z396 + c_q3 * z394;
-    const Scalar z400 = s_q3 * z394 - c_q3 * z396;
-    const Scalar z401 = n632_over_165 * z398 - z399;
-    const Scalar z402 = n632_over_165 * z397 + z400;
-    const Scalar z406 = s_q2 * z401 + c_q2 * z395;
-    const Scalar z407 = z383 - z387;
-    const Scalar z408 = n2 * z388;
-    const Scalar z409 = s_q4 * z407 - c_q4 * z408;
-    const Scalar z410 = s_q4 * z409;
-    const Scalar z411 = z387 + z410;
-    const Scalar z412 = z383 - z410;
-    const Scalar z413 = c_q4 * z409 + z388;
-    const Scalar z414 = z350 - z394;
-    const Scalar z415 = z392 - z413;
-    const Scalar z416 = z391 - n2 * z393;
-    const Scalar z417 = n2 * z393 - z412;
-    const Scalar z418 = k35 - z393;
-    const Scalar z419 = k36 - z350;
-    const Scalar z420 = k37 + z411;
-    const Scalar z421 = k38 - z414;
-    const Scalar z422 = k39 - z415;
-    const Scalar z423 = k40 + z395;
-    const Scalar z424 = k41 - z417;
-    const Scalar z425 = s_q3 * z418 + c_q3 * z419;
-    const Scalar z426 = s_q3 * z419 - c_q3 * z418;
-    const Scalar z427 = s_q3 * z423 - c_q3 * z422;
-    const Scalar z428 = s_q3 * z422 + c_q3 * z423;
-    const Scalar z429 = n632_over_165 * z426 + z427;
-    const Scalar z430 = n632_over_165 * z425 + z428;
-    const Scalar z434 = s_q2 * z429 - c_q2 * z424;
-    const Scalar z435 = z416 - z420;
-    const Scalar z436 = n2 * z421;
-    const Scalar z437 = s_q3 * z435 + c_q3 * z436;
-    const Scalar z438 = s_q3 * z437;
-    const Scalar z439 = z420 + z438;
-    const Scalar z440 = z416 - z438;
-    const Scalar z441 = c_q3 * z437 - z421;
-    const Scalar z442 = k42 * z392 - z439;
-    const Scalar z443 = k42 * z392 - z440;
-    const Scalar z446 = k43 - z442;
-    const Scalar z447 = k44 + z429;
-    const Scalar z448 = k45 - z441;
-    const Scalar z449 = k46 + z430;
-    const Scalar z450 = k47 - z443;
-    const Scalar z454 = s_q2 * z448 + c_q2 * z449;
-    const Scalar z455 = z424 - z446;
-    const Scalar z456 = n2 * z447;
-    const Scalar z457 = s_q2 * z455 + c_q2 * z456;
-    const Scalar z458 = s_q2 * z457;
-    const Scalar z460 = z424 - z458;
-    const Scalar z468 = k48 + z460;
-    const Scalar z476 = k49 * s_q2;
-    const Scalar z477 = k49 * c_q2;
+    const Scalar z303 = k2 + z265;
+    const Scalar z476 = k3 * s_q2;
+    const Scalar z477 = k3 * c_q2;
     const Scalar z478 = v_q2 * z40;  // angular acceleration of link2, x
     const Scalar z479 = v_q2 * z39;  // angular acceleration of link2, y
     const Scalar z480 = z39 * z40;
@@ -2405,6 +2265,273 @@ struct Mechanism {
     const Scalar z665 = z481 - z662;
     const Scalar z666 = z481 - z482;
     const Scalar z667 = z482 - z662;
+    const Scalar z841 = k6 * s_q7 - k7 * c_q7;
+    const Scalar z842 = s_q7 * z841;
+    const Scalar z843 = k8 - z842;
+    const Scalar z844 = k9 - z842;
+    const Scalar z845 = k10 + c_q7 * z841;
+    const Scalar z846 = k11 * s_q7 + k12 * c_q7;
+    const Scalar z847 = s_q7 * z846;
+    const Scalar z848 = k13 - z847;
+    const Scalar z849 = k14 + z847;
+    const Scalar z850 = k15 - c_q7 * z846;
+    const Scalar z851 = k16 - c_q7 * z846;
+    const Scalar z852 = k17 * s_q7 - k18 * c_q7;
+    const Scalar z853 = s_q7 * z852;
+    const Scalar z854 = k19 + z853;
+    const Scalar z855 = k20 - z853;
+    const Scalar z856 = k21 + c_q7 * z852;
+    const Scalar z857 = n16_over_15 * z856;
+    const Scalar z858 = n16_over_15 * z855;
+    const Scalar z859 = k23 - z843;
+    const Scalar z860 = n16_over_15 * z850;
+    const Scalar z861 = k24 + z860;
+    const Scalar z862 = n16_over_15 * z858;
+    const Scalar z863 = n16_over_15 * z264 - z845;
+    const Scalar z864 = k25 + z863;
+    const Scalar z865 = n16_over_15 * z849;
+    const Scalar z866 = k26 - z865;
+    const Scalar z867 = n32_over_15 * z265 - z844;
+    const Scalar z868 = k28 + z867;
+    const Scalar z869 = k29 + z850;
+    const Scalar z870 = k2 - z858;
+    const Scalar z871 = k29 - z851;
+    const Scalar z872 = n1 / z868;
+    const Scalar z873 = z864 * z872;
+    const Scalar z874 = z866 * z872;
+    const Scalar z875 = z871 * z872;
+    const Scalar z876 = z303 * z872;
+    const Scalar z877 = z849 * z872;
+    const Scalar z878 = z848 + z871 * z873;
+    const Scalar z879 = z859 + z864 * z873;
+    const Scalar z880 = z854 + z871 * z875;
+    const Scalar z881 = z264 - z303 * z873;
+    const Scalar z882 = z849 * z873 - z869;
+    const Scalar z883 = z857 + z871 * z874;
+    const Scalar z884 = z861 + z864 * z874;
+    const Scalar z885 = z871 * z876;
+    const Scalar z886 = z303 * z874;
+    const Scalar z887 = z862 + z866 * z874;
+    const Scalar z888 = z303 * z876;
+    const Scalar z889 = z849 * z874 + z870;
+    const Scalar z890 = z856 - z871 * z877;
+    const Scalar z891 = z303 * z877;
+    const Scalar z892 = z849 * z877 + z855;
+    const Scalar z893 = z879 - z887;
+    const Scalar z894 = n2 * z884;
+    const Scalar z895 = s_q6 * z893 - c_q6 * z894;
+    const Scalar z896 = s_q6 * z895;
+    const Scalar z897 = z879 - z896;
+    const Scalar z898 = z887 + z896;
+    const Scalar z899 = c_q6 * z895 + z884;
+    const Scalar z900 = z878 + z886;
+    const Scalar z901 = z881 + z883;
+    const Scalar z902 = s_q6 * z889 + c_q6 * z882;
+    const Scalar z903 = s_q6 * z882 - c_q6 * z889;
+    const Scalar z904 = s_q6 * z900 - c_q6 * z901;
+    const Scalar z905 = s_q6 * z904;
+    const Scalar z906 = z878 - z905;
+    const Scalar z907 = z886 - z905;
+    const Scalar z908 = c_q6 * z904 + z883;
+    const Scalar z909 = c_q6 * z904 + z881;
+    const Scalar z910 = z880 - z888;
+    const Scalar z911 = n2 * z885;
+    const Scalar z912 = s_q6 * z891 + c_q6 * z890;
+    const Scalar z913 = s_q6 * z890 - c_q6 * z891;
+    const Scalar z914 = s_q6 * z910 + c_q6 * z911;
+    const Scalar z915 = s_q6 * z914;
+    const Scalar z916 = z880 - z915;
+    const Scalar z917 = z888 + z915;
+    const Scalar z918 = c_q6 * z914 - z885;
+    const Scalar z919 = k31 - z897;
+    const Scalar z920 = k32 + z899;
+    const Scalar z921 = k33 - z898;
+    const Scalar z922 = k34 + z908;
+    const Scalar z923 = k34 - z909;
+    const Scalar z924 = k35 + z903;
+    const Scalar z925 = n1 / z921;
+    const Scalar z926 = z920 * z925;
+    const Scalar z927 = k36 * z925;
+    const Scalar z928 = z923 * z925;
+    const Scalar z929 = z924 * z925;
+    const Scalar z930 = z907 * z925;
+    const Scalar z931 = z906 - z923 * z926;
+    const Scalar z932 = z919 - z920 * z926;
+    const Scalar z933 = z916 + z923 * z928;
+    const Scalar z934 = z902 + z924 * z926;
+    const Scalar z935 = z907 * z926 - z922;
+    const Scalar z936 = z923 * z927;
+    const Scalar z937 = k37 - z920 * z927;
+    const Scalar z938 = z912 + z923 * z929;
+    const Scalar z939 = z924 * z927;
+    const Scalar z940 = k36 * z927;
+    const Scalar z941 = z892 + z924 * z929;
+    const Scalar z942 = k35 + z907 * z927;
+    const Scalar z943 = z918 + z923 * z930;
+    const Scalar z944 = z913 + z924 * z930;
+    const Scalar z945 = z907 * z930 + z917;
+    const Scalar z946 = z932 + z940;
+    const Scalar z947 = n2 * z937;
+    const Scalar z948 = s_q5 * z946 - c_q5 * z947;
+    const Scalar z949 = s_q5 * z948;
+    const Scalar z950 = z932 - z949;
+    const Scalar z951 = z940 - z949;
+    const Scalar z952 = c_q5 * z948 + z937;
+    const Scalar z953 = z931 - z939;
+    const Scalar z954 = z934 - z936;
+    const Scalar z955 = s_q5 * z942 + c_q5 * z935;
+    const Scalar z956 = s_q5 * z935 - c_q5 * z942;
+    const Scalar z957 = s_q5 * z953 - c_q5 * z954;
+    const Scalar z958 = s_q5 * z957;
+    const Scalar z959 = z931 - z958;
+    const Scalar z960 = z939 + z958;
+    const Scalar z961 = c_q5 * z957 - z936;
+    const Scalar z962 = c_q5 * z957 + z934;
+    const Scalar z963 = z933 - z941;
+    const Scalar z964 = n2 * z938;
+    const Scalar z965 = s_q5 * z944 - c_q5 * z943;
+    const Scalar z966 = s_q5 * z943 + c_q5 * z944;
+    const Scalar z967 = s_q5 * z963 + c_q5 * z964;
+    const Scalar z968 = s_q5 * z967;
+    const Scalar z969 = z933 - z968;
+    const Scalar z970 = z941 + z968;
+    const Scalar z971 = c_q5 * z967 - z938;
+    const Scalar z972 = z959 + n256_over_55 * z971;
+    const Scalar z973 = z955 - n256_over_55 * z966;
+    const Scalar z974 = z961 + n256_over_55 * z970;
+    const Scalar z975 = z962 + z965 - n256_over_55 * z969;
+    const Scalar z976 = z945 + z956 - n256_over_55 * z965;
+    const Scalar z977 = z960 - z966 - n256_over_55 * z971;
+    const Scalar z978 = -n256_over_55 * (z961 + z974) + z950;
+    const Scalar z979 = k39 + z978;
+    const Scalar z980 = k40 - z974;
+    const Scalar z981 = -n256_over_55 * (z960 - z972) + z952 - z973;
+    const Scalar z982 = k41 - z981;
+    const Scalar z983 = k42 - z977;
+    const Scalar z984 = -n256_over_55 * (z962 + z975) + z951 + z956 + z976;
+    const Scalar z985 = k43 - z984;
+    const Scalar z986 = k44 - z974;
+    const Scalar z987 = k45 - z970;
+    const Scalar z988 = k44 + z975;
+    const Scalar z989 = k45 - z976;
+    const Scalar z990 = n1 / z985;
+    const Scalar z991 = z982 * z990;
+    const Scalar z992 = z983 * z990;
+    const Scalar z993 = z988 * z990;
+    const Scalar z994 = z989 * z990;
+    const Scalar z995 = z977 * z990;
+    const Scalar z996 = z972 + z988 * z991;
+    const Scalar z997 = z979 - z982 * z991;
+    const Scalar z998 = z969 + z988 * z993;
+    const Scalar z999 = z973 - z989 * z991;
+    const Scalar z1000 = z977 * z991 - z986;
+    const Scalar z1001 = z971 - z988 * z992;
+    const Scalar z1002 = z980 + z982 * z992;
+    const Scalar z1003 = z965 - z988 * z994;
+    const Scalar z1004 = z966 - z989 * z992;
+    const Scalar z1005 = z970 + z983 * z992;
+    const Scalar z1006 = z945 + z989 * z994;
+    const Scalar z1007 = z977 * z992 + z987;
+    const Scalar z1008 = z971 + z988 * z995;
+    const Scalar z1009 = z966 + z989 * z995;
+    const Scalar z1010 = z970 + z977 * z995;
+    const Scalar z1011 = z997 + z1005;
+    const Scalar z1012 = n2 * z1002;
+    const Scalar z1013 = s_q4 * z1011 + c_q4 * z1012;
+    const Scalar z1014 = s_q4 * z1013;
+    const Scalar z1015 = z997 - z1014;
+    const Scalar z1016 = z1005 - z1014;
+    const Scalar z1017 = c_q4 * z1013 - z1002;
+    const Scalar z1018 = z996 - z1004;
+    const Scalar z1019 = z999 - z1001;
+    const Scalar z1020 = s_q4 * z1007 + c_q4 * z1000;
+    const Scalar z1021 = s_q4 * z1000 - c_q4 * z1007;
+    const Scalar z1022 = s_q4 * z1018 - c_q4 * z1019;
+    const Scalar z1023 = s_q4 * z1022;
+    const Scalar z1024 = z996 - z1023;
+    const Scalar z1025 = z1004 + z1023;
+    const Scalar z1026 = c_q4 * z1022 - z1001;
+    const Scalar z1027 = c_q4 * z1022 + z999;
+    const Scalar z1028 = z998 - z1006;
+    const Scalar z1029 = n2 * z1003;
+    const Scalar z1030 = s_q4 * z1009 - c_q4 * z1008;
+    const Scalar z1031 = s_q4 * z1008 + c_q4 * z1009;
+    const Scalar z1032 = s_q4 * z1028 - c_q4 * z1029;
+    const Scalar z1033 = s_q4 * z1032;
+    const Scalar z1034 = z998 - z1033;
+    const Scalar z1035 = z1006 + z1033;
+    const Scalar z1036 = c_q4 * z1032 + z1003;
+    const Scalar z1037 = z1027 + z1030;
+    const Scalar z1038 = z1010 - z1021;
+    const Scalar z1039 = z1025 - z1031;
+    const Scalar z1040 = k46 + z1015;
+    const Scalar z1041 = k47 + z1026;
+    const Scalar z1042 = z1017 + z1020;
+    const Scalar z1043 = k48 - z1042;
+    const Scalar z1044 = k49 + z1039;
+    const Scalar z1045 = z1016 - z1021 + z1038;
+    const Scalar z1046 = k50 - z1045;
+    const Scalar z1049 = k51 - z1037;
+    const Scalar z1050 = k52 - z1038;
+    const Scalar z1051 = n1 / z1046;
+    const Scalar z1052 = z1043 * z1051;
+    const Scalar z1053 = z1044 * z1051;
+    const Scalar z1054 = z1049 * z1051;
+    const Scalar z1055 = z1050 * z1051;
+    const Scalar z1057 = z1024 - z1049 * z1052;
+    const Scalar z1058 = z1040 - z1043 * z1052;
+    const Scalar z1059 = z1034 + z1049 * z1054;
+    const Scalar z1060 = z1020 + z1050 * z1052;
+    const Scalar z1062 = z1036 - z1049 * z1053;
+    const Scalar z1063 = z1041 + z1043 * z1053;
+    const Scalar z1064 = z1030 + z1049 * z1055;
+    const Scalar z1065 = z1031 + z1050 * z1053;
+    const Scalar z1066 = z1035 + z1044 * z1053;
+    const Scalar z1067 = z1010 + z1050 * z1055;
+    const Scalar z1072 = z1058 + z1066;
+    const Scalar z1073 = n2 * z1063;
+    const Scalar z1074 = s_q3 * z1072 - c_q3 * z1073;
+    const Scalar z1075 = s_q3 * z1074;
+    const Scalar z1076 = z1058 - z1075;
+    const Scalar z1077 = z1066 - z1075;
+    const Scalar z1078 = c_q3 * z1074 + z1063;
+    const Scalar z1079 = z1057 - z1065;
+    const Scalar z1080 = z1060 + z1062;
+    const Scalar z1083 = s_q3 * z1079 + c_q3 * z1080;
+    const Scalar z1084 = s_q3 * z1083;
+    const Scalar z1085 = z1057 - z1084;
+    const Scalar z1086 = z1065 + z1084;
+    const Scalar z1087 = c_q3 * z1083 - z1062;
+    const Scalar z1088 = c_q3 * z1083 - z1060;
+    const Scalar z1089 = z1059 - z1067;
+    const Scalar z1090 = n2 * z1064;
+    const Scalar z1093 = s_q3 * z1089 - c_q3 * z1090;
+    const Scalar z1094 = s_q3 * z1093;
+    const Scalar z1095 = z1059 - z1094;
+    const Scalar z1096 = z1067 + z1094;
+    const Scalar z1097 = c_q3 * z1093 + z1064;
+    const Scalar z1098 = z1085 + n632_over_165 * z1097;
+    const Scalar z1100 = z1087 + n632_over_165 * z1096;
+    const Scalar z1101 = z1088 - n632_over_165 * z1095;
+    const Scalar z1104 = -n632_over_165 * (z1087 + z1100) + z1076;
+    const Scalar z1105 = k53 + z1104;
+    const Scalar z1106 = -n632_over_165 * (z1086 - z1098) + z1078;
+    const Scalar z1107 = k54 + z1106;
+    const Scalar z1108 = -n632_over_165 * (z1088 + z1101) + z1077;
+    const Scalar z1109 = k55 - z1108;
+    const Scalar z1113 = n1 / z1109;
+    const Scalar z1114 = z1107 * z1113;
+    const Scalar z1115 = k56 * z1113;
+    const Scalar z1120 = z1105 - z1107 * z1114;
+    const Scalar z1125 = k57 + z1107 * z1115;
+    const Scalar z1128 = k56 * z1115;
+    const Scalar z1134 = z1120 + z1128;
+    const Scalar z1135 = n2 * z1125;
+    const Scalar z1136 = s_q2 * z1134 - c_q2 * z1135;
+    const Scalar z1137 = s_q2 * z1136;
+    const Scalar z1139 = z1128 - z1137;
+    const Scalar z1162 = k58 - z1139;
+    const Scalar z1166 = n1 / z1162;
     const Scalar z1172 = c_q4 * z492;
     const Scalar z1173 = s_q4 * z492;
     const Scalar z1174 = z491 + z497;
@@ -2444,206 +2571,166 @@ struct Mechanism {
     const Scalar z1208 = k0 * z555 - k1 * z556;
     const Scalar z1209 = k0 * z556 - k1 * z560;
     const Scalar z1210 = k0 * z1204 + k1 * z1205;
-    const Scalar z1211 = k3 * z556 - k2 * z565 + k1 * z1198 + k10 * z1204 - k50 * z1205;
-    const Scalar z1212 = k2 * z556 + k3 * z566 - k0 * z1198 + k51 * z1204 - k10 * z1205;
-    const Scalar z1213 = k8 * z556 + k10 * z569 + k1 * z1200 + k0 * z1201 - k3 * z1206 - k2 * z1207;
+    const Scalar z1211 = k59 * z556 - k60 * z565 + k1 * z1198 + k61 * z1204 - k62 * z1205;
+    const Scalar z1212 = k60 * z556 + k59 * z566 - k0 * z1198 + k63 * z1204 - k61 * z1205;
+    const Scalar z1213 = k64 * z556 + k61 * z569 + k1 * z1200 + k0 * z1201 - k59 * z1206 - k60 * z1207;
     const Scalar z1214 = u_tau7 - z1213;
+    const Scalar z1215 = k65 * z1214;
+    const Scalar z1216 = z1211 - k66 * z1214;
+    const Scalar z1217 = z1212 + k67 * z1214;
+    const Scalar z1218 = z1208 - k68 * z1214;
+    const Scalar z1219 = z1209 - k69 * z1214;
+    const Scalar z1220 = s_q7 * z1219 - c_q7 * z1218;
+    const Scalar z1221 = s_q7 * z1218 + c_q7 * z1219;
+    const Scalar z1222 = s_q7 * z1217 + c_q7 * z1216;
+    const Scalar z1223 = s_q7 * z1216 - c_q7 * z1217;
     const Scalar z1224 = z583 + z1192;
     const Scalar z1225 = z583 - z1192;
     const Scalar z1226 = z542 - z1193;
-    const Scalar z1228 = k12 * z540 + k18 * z582 - z1210;
+    const Scalar z1227 = k2 * z539 + k29 * z540 - z1220;
+    const Scalar z1228 = k2 * z540 + k29 * z582 - z1210;
+    const Scalar z1229 = k2 * z1194 - z1221 - k29 * z1224;
+    const Scalar z1230 = k25 * z540 - k26 * z585 + k29 * z1185 + k24 * z1194 - z1222 - k70 * z1224;
+    const Scalar z1231 = u_tau7 + k26 * z540 + k25 * z586 + k2 * z1185 + k71 * z1194 - n16_over_15 * z1221 - k24
+        * z1224;
+    const Scalar z1232 = k72 * z540 - k24 * z589 - k29 * z1190 - k2 * z1191 - n16_over_15 * z1210 + z1223 + k25 * z1225
+        + k26 * z1226;
+    const Scalar z1233 = u_tau6 - z1232;
+    const Scalar z1234 = z872 * z1233;
+    const Scalar z1235 = z873 * z1233 + z1230;
+    const Scalar z1236 = z874 * z1233 - z1231;
+    const Scalar z1237 = z875 * z1233 - z1227;
+    const Scalar z1238 = z876 * z1233 + z1228;
+    const Scalar z1239 = z877 * z1233 + z1229;
+    const Scalar z1240 = s_q6 * z1238 - c_q6 * z1237;
+    const Scalar z1241 = s_q6 * z1237 + c_q6 * z1238;
+    const Scalar z1242 = s_q6 * z1236 + c_q6 * z1235;
+    const Scalar z1243 = s_q6 * z1235 - c_q6 * z1236;
     const Scalar z1244 = z608 + z1187;
     const Scalar z1245 = z610 + z1186;
     const Scalar z1246 = z610 - z1186;
     const Scalar z1247 = z608 - z1187;
+    const Scalar z1248 = k35 * z602 + k34 * z603 - z1240;
+    const Scalar z1249 = k35 * z603 + k34 * z607 + z1239;
+    const Scalar z1250 = z1241 + k35 * z1244 - k34 * z1245;
+    const Scalar z1251 = k32 * z603 - k36 * z612 + k34 * z1182 + z1242 + k37 * z1244 + k73 * z1245;
+    const Scalar z1252 = u_tau6 + k36 * z603 + k32 * z613 + k35 * z1182 - k74 * z1244 - k37 * z1245;
+    const Scalar z1253 = k75 * z603 - k37 * z616 + k34 * z1184 - k35 * z1185 + z1243 + k32 * z1246 + k36 * z1247;
+    const Scalar z1254 = u_tau5 + z1253;
+    const Scalar z1255 = z925 * z1254;
+    const Scalar z1256 = z926 * z1254 + z1251;
+    const Scalar z1257 = z927 * z1254 - z1252;
+    const Scalar z1258 = z928 * z1254 - z1248;
+    const Scalar z1259 = z929 * z1254 + z1249;
+    const Scalar z1260 = z930 * z1254 - z1250;
+    const Scalar z1261 = s_q5 * z1259 - c_q5 * z1258;
+    const Scalar z1262 = s_q5 * z1258 + c_q5 * z1259;
+    const Scalar z1263 = s_q5 * z1257 + c_q5 * z1256;
+    const Scalar z1264 = s_q5 * z1256 - c_q5 * z1257;
     const Scalar z1265 = z520 - z1175;
     const Scalar z1266 = z518 - z1176;
-    const Scalar z1382 = k52 * z295;
-    const Scalar z1383 = k52 * z291;
-    const Scalar z1384 = k52 * z285;
-    const Scalar z1385 = k52 * z279;
-    const Scalar z1386 = k52 * z272;
-    const Scalar z1387 = k52 * z267;
-    const Scalar z1388 = z295 * z1382 - z468;
-    const Scalar z1389 = z295 * z1383 + z454;
-    const Scalar z1390 = z291 * z1383 - z450;
-    const Scalar z1391 = z295 * z1384 - z434;
-    const Scalar z1392 = z291 * z1384 - z430;
-    const Scalar z1393 = z285 * z1384 - z424;
-    const Scalar z1394 = z295 * z1385 - z406;
-    const Scalar z1395 = z291 * z1385 - z402;
-    const Scalar z1396 = z285 * z1385 + z395;
-    const Scalar z1397 = z279 * z1385 - z391;
-    const Scalar z1398 = z295 * z1386 - z372;
-    const Scalar z1399 = z291 * z1386 - z368;
-    const Scalar z1400 = z285 * z1386 - z362;
-    const Scalar z1401 = z279 * z1386 + z356;
-    const Scalar z1402 = z272 * z1386 - z349;
-    const Scalar z1403 = z295 * z1387 - z335;
-    const Scalar z1404 = z291 * z1387 + z331;
-    const Scalar z1405 = z285 * z1387 + z325;
-    const Scalar z1406 = z279 * z1387 - z319;
-    const Scalar z1407 = z272 * z1387 - z312;
-    const Scalar z1408 = z267 * z1387 - z308;
-    const Scalar z1409 = n1 / z1408;
-    const Scalar z1410 = z1403 * z1409;
-    const Scalar z1411 = z1404 * z1409;
-    const Scalar z1412 = z1405 * z1409;
-    const Scalar z1413 = z1406 * z1409;
-    const Scalar z1414 = z1407 * z1409;
-    const Scalar z1415 = z1388 - z1403 * z1410;
-    const Scalar z1416 = z1389 - z1403 * z1411;
-    const Scalar z1417 = z1390 - z1404 * z1411;
-    const Scalar z1418 = z1391 - z1403 * z1412;
-    const Scalar z1419 = z1392 - z1404 * z1412;
-    const Scalar z1420 = z1393 - z1405 * z1412;
-    const Scalar z1421 = z1394 - z1403 * z1413;
-    const Scalar z1422 = z1395 - z1404 * z1413;
-    const Scalar z1423 = z1396 - z1405 * z1413;
-    const Scalar z1424 = z1397 - z1406 * z1413;
-    const Scalar z1425 = z1398 - z1403 * z1414;
-    const Scalar z1426 = z1399 - z1404 * z1414;
-    const Scalar z1427 = z1400 - z1405 * z1414;
-    const Scalar z1428 = z1401 - z1406 * z1414;
-    const Scalar z1429 = z1402 - z1407 * z1414;
-    const Scalar z1430 = n1 / z1429;
-    const Scalar z1431 = z1425 * z1430;
-    const Scalar z1432 = z1426 * z1430;
-    const Scalar z1433 = z1427 * z1430;
-    const Scalar z1434 = z1428 * z1430;
-    const Scalar z1435 = z1415 - z1425 * z1431;
-    const Scalar z1436 = z1416 - z1425 * z1432;
-    const Scalar z1437 = z1417 - z1426 * z1432;
-    const Scalar z1438 = z1418 - z1425 * z1433;
-    const Scalar z1439 = z1419 - z1426 * z1433;
-    const Scalar z1440 = z1420 - z1427 * z1433;
-    const Scalar z1441 = z1421 - z1425 * z1434;
-    const Scalar z1442 = z1422 - z1426 * z1434;
-    const Scalar z1443 = z1423 - z1427 * z1434;
-    const Scalar z1444 = z1424 - z1428 * z1434;
-    const Scalar z1445 = n1 / z1444;
-    const Scalar z1446 = z1441 * z1445;
-    const Scalar z1447 = z1442 * z1445;
-    const Scalar z1448 = z1443 * z1445;
-    const Scalar z1449 = z1435 - z1441 * z1446;
-    const Scalar z1450 = z1436 - z1441 * z1447;
-    const Scalar z1451 = z1437 - z1442 * z1447;
-    const Scalar z1452 = z1438 - z1441 * z1448;
-    const Scalar z1453 = z1439 - z1442 * z1448;
-    const Scalar z1454 = z1440 - z1443 * z1448;
-    const Scalar z1455 = n1 / z1454;
-    const Scalar z1456 = z1452 * z1455;
-    const Scalar z1457 = z1453 * z1455;
-    const Scalar z1458 = z1449 - z1452 * z1456;
-    const Scalar z1459 = z1450 - z1452 * z1457;
-    const Scalar z1460 = z1451 - z1453 * z1457;
-    const Scalar z1461 = n1 / z1460;
-    const Scalar z1462 = z1459 * z1461;
-    const Scalar z1463 = z1458 - z1459 * z1462;
-    const Scalar z1464 = n1 / z1463;
-    const Scalar z1478 = s_q7 * z1209 - c_q7 * z1208;
-    const Scalar z1479 = s_q7 * z1208 + c_q7 * z1209;
-    const Scalar z1480 = s_q7 * z1212 + c_q7 * z1211;
-    const Scalar z1481 = s_q7 * z1211 - c_q7 * z1212;
-    const Scalar z1482 = k12 * z539 + k18 * z540 - z1478;  // force on link6, times 0.0825 m, x
-    const Scalar z1483 = k12 * z1194 - k18 * z1224 - z1479;  // force on link6, times 0.0825 m, z
-    // moment on link6, x
-    const Scalar z1484 = k15 * z540 - k16 * z585 + k18 * z1185 + k14 * z1194 - k54 * z1224 - z1480;
-    // moment on link6, y
-    const Scalar z1485 = k16 * z540 + k15 * z586 + k12 * z1185 + k55 * z1194 + z1213 - k14 * z1224 - n16_over_15
-        * z1479;
-    // moment on link6, z
-    const Scalar z1486 = k56 * z540 - k14 * z589 - k18 * z1190 - k12 * z1191 - n16_over_15 * z1210 + k15 * z1225 + k16
-        * z1226 + z1481;
-    const Scalar z1487 = s_q6 * z1228 + c_q6 * z1482;
-    const Scalar z1488 = s_q6 * z1482 - c_q6 * z1228;
-    const Scalar z1489 = s_q6 * z1485 - c_q6 * z1484;
-    const Scalar z1490 = s_q6 * z1484 + c_q6 * z1485;
-    const Scalar z1491 = k20 * z602 + k21 * z603 - z1487;  // force on link5, times 0.0825 m, x
-    const Scalar z1492 = k20 * z603 + k21 * z607 + z1483;  // force on link5, times 0.0825 m, y
-    const Scalar z1493 = k20 * z1244 - k21 * z1245 - z1488;  // force on link5, times 0.0825 m, z
-    // moment on link5, x
-    const Scalar z1494 = k24 * z603 - k25 * z612 + k21 * z1182 + k23 * z1244 + k57 * z1245 - z1489;
-    // moment on link5, y
-    const Scalar z1495 = k25 * z603 + k24 * z613 + k20 * z1182 - k58 * z1244 - k23 * z1245 + z1486;
-    // moment on link5, z
-    const Scalar z1496 = k59 * z603 - k23 * z616 + k21 * z1184 - k20 * z1185 + k24 * z1246 + k25 * z1247 + z1490;
-    const Scalar z1497 = s_q5 * z1492 + c_q5 * z1491;
-    const Scalar z1498 = s_q5 * z1491 - c_q5 * z1492;
-    const Scalar z1499 = s_q5 * z1495 - c_q5 * z1494;
-    const Scalar z1500 = s_q5 * z1494 + c_q5 * z1495;
-    const Scalar z1501 = k28 * z512 - k29 * z513 + z1497;  // force on link4, times 0.0825 m, x
-    const Scalar z1502 = k28 * z513 - k29 * z517 + z1493;  // force on link4, times 0.0825 m, y
-    const Scalar z1503 = k28 * z1177 + k29 * z1178 + z1498;  // force on link4, times 0.0825 m, z
-    // moment on link4, x
-    const Scalar z1504 = k32 * z513 + k33 * z627 + k29 * z1174 + k31 * z1177 + k60 * z1178 + n256_over_55 * z1498
-        - z1499;
-    // moment on link4, y
-    const Scalar z1505 = k33 * z513 - k32 * z628 + k28 * z1174 + k61 * z1177 + k31 * z1178 + z1496 + z1498;
-    // moment on link4, z
-    const Scalar z1506 = k29 * z506 - k28 * z507 - k62 * z513 + k31 * z631 - k32 * z1265 + k33 * z1266 + z1493
-        + n256_over_55 * z1497 - z1500;
-    const Scalar z1507 = s_q4 * z1502 - c_q4 * z1501;
-    const Scalar z1508 = s_q4 * z1501 + c_q4 * z1502;
-    const Scalar z1509 = s_q4 * z1505 - c_q4 * z1504;
-    const Scalar z1510 = s_q4 * z1504 + c_q4 * z1505;
-    const Scalar z1511 = k35 * z496 - k36 * z497 + z1507;  // force on link3, times 0.0825 m, x
-    const Scalar z1512 = k35 * z497 - k36 * z644 + z1503;  // force on link3, times 0.0825 m, y
-    const Scalar z1514 = k36 * z488 - k39 * z497 + k38 * z500 + k63 * z646 - k40 * z647 + z1509;  // moment on link3, x
-    // moment on link3, y
-    const Scalar z1515 = k35 * z488 - k40 * z497 + k64 * z500 + k38 * z646 + k39 * z648 - z1506 + z1508;
-    // moment on link3, z
-    const Scalar z1516 = k36 * z490 - k35 * z491 - k65 * z497 + k39 * z649 - k40 * z650 - k38 * z651 - z1503 + z1510;
-    const Scalar z1517 = s_q3 * z1512 + c_q3 * z1511;
-    const Scalar z1518 = s_q3 * z1511 - c_q3 * z1512;
-    const Scalar z1519 = s_q3 * z1515 + c_q3 * z1514;
-    const Scalar z1520 = s_q3 * z1514 - c_q3 * z1515;
-    // moment on link2, x
-    const Scalar z1524 = k45 * z480 - k66 * z484 - k44 * z664 - k46 * z665 + n632_over_165 * z1518 + z1519;
-    const Scalar z1525 = k46 * z480 - k44 * z484 - k67 * z664 - k45 * z666 - z1516;  // moment on link2, y
-    // moment on link2, z
-    const Scalar z1526 = k68 * z476 - k69 * z477 + k70 * z480 + k44 * z667 + n632_over_165 * z1517 - z1520;
-    const Scalar z1530 = s_q2 * z1524 - c_q2 * z1525;
-    const Scalar z1535 = u_tau1 + z1530;
-    const Scalar z1536 = u_tau2 + z1526;
-    const Scalar z1537 = u_tau3 + z1516;
-    const Scalar z1538 = u_tau4 + z1506;
-    const Scalar z1539 = u_tau5 + z1496;
-    const Scalar z1540 = u_tau6 - z1486;
-    const Scalar z1541 = z1214 * z1387 + z1540;
-    const Scalar z1542 = z1214 * z1386 - z1414 * z1541 - z1539;
-    const Scalar z1543 = z1214 * z1385 - z1413 * z1541 - z1434 * z1542 - z1538;
-    const Scalar z1544 = z1214 * z1384 - z1412 * z1541 - z1433 * z1542 - z1448 * z1543 + z1537;
-    const Scalar z1545 = z1214 * z1383 - z1411 * z1541 - z1432 * z1542 - z1447 * z1543 - z1457 * z1544 - z1536;
-    const Scalar z1546 = z1214 * z1382 - z1410 * z1541 - z1431 * z1542 - z1446 * z1543 - z1456 * z1544 - z1462 * z1545
-        - z1535;
-    const Scalar z1547 = z1464 * z1546;
-    const Scalar z1548 = z1461 * z1545 - z1462 * z1547;
-    const Scalar z1549 = z1455 * z1544 - z1456 * z1547 - z1457 * z1548;
-    const Scalar z1550 = z1445 * z1543 - z1446 * z1547 - z1447 * z1548 - z1448 * z1549;
-    const Scalar z1551 = z1430 * z1542 - z1431 * z1547 - z1432 * z1548 - z1433 * z1549 - z1434 * z1550;
-    const Scalar z1552 = z1409 * z1541 - z1410 * z1547 - z1411 * z1548 - z1412 * z1549 - z1413 * z1550 - z1414 * z1551;
-    const Scalar z1553 = k52 * z1214 - z1382 * z1547 - z1383 * z1548 - z1384 * z1549 - z1385 * z1550 - z1386 * z1551
-        - z1387 * z1552;
-    const Scalar z1554 = z479 - z1549;
-    const Scalar z1555 = z493 - z1550;
-    const Scalar z1556 = z1176 + z1551;
-    const Scalar z1557 = z1187 - z1552;
-    const Scalar z1558 = z1193 - z1553;
-    accelerations.q1 = z1547;
-    accelerations.q2 = z1548;
-    accelerations.q3 = z1554;
-    accelerations.q4 = -z1555;
-    accelerations.q5 = z1556;
-    accelerations.q6 = z1557;
-    accelerations.q7 = -z1558;
-    if (!(traits::regular(-z1463, z468) && traits::regular(-z1460, z450) && traits::regular(-z1454, z424)
-        && traits::regular(-z1444, z391) && traits::regular(-z1429, z349) && traits::regular(-z1408,
-        z308))) return torsor::Status::singular;
-    // x - x is 0 for every finite x and not a number for any other.
-    const Scalar zero = (accelerations.q1 - accelerations.q1) + (accelerations.q2 - accelerations.q2)
-        + (accelerations.q3 - accelerations.q3) + (accelerations.q4 - accelerations.q4) + (accelerations.q5
-        - accelerations.q5) + (accelerations.q6 - accelerations.q6) + (accelerations.q7 - accelerations.q7);
+    const Scalar z1267 = k45 * z512 - k44 * z513 + z1261;
+    const Scalar z1268 = k45 * z513 - k44 * z517 - z1260;
+    const Scalar z1269 = k45 * z1177 + k44 * z1178 - z1262;
+    const Scalar z1270 = k41 * z513 + k42 * z627 + k44 * z1174 + k40 * z1177 + k76 * z1178 - n256_over_55 * z1262
+        + z1263;
+    const Scalar z1271 = u_tau5 - k42 * z513 + k41 * z628 - k45 * z1174 - k77 * z1177 - k40 * z1178 + z1262;
+    const Scalar z1272 = k44 * z506 - k45 * z507 - k78 * z513 + k40 * z631 - z1260 + n256_over_55 * z1261 - z1264 - k41
+        * z1265 + k42 * z1266;
+    const Scalar z1273 = u_tau4 + z1272;
+    const Scalar z1274 = z990 * z1273;
+    const Scalar z1275 = z991 * z1273 - z1270;
+    const Scalar z1276 = z992 * z1273 - z1271;
+    const Scalar z1277 = z993 * z1273 - z1267;
+    const Scalar z1278 = z994 * z1273 - z1268;
+    const Scalar z1279 = z995 * z1273 - z1269;
+    const Scalar z1280 = s_q4 * z1278 - c_q4 * z1277;
+    const Scalar z1281 = s_q4 * z1277 + c_q4 * z1278;
+    const Scalar z1282 = s_q4 * z1276 + c_q4 * z1275;
+    const Scalar z1283 = s_q4 * z1275 - c_q4 * z1276;
+    const Scalar z1284 = k52 * z496 - k51 * z497 - z1280;
+    const Scalar z1285 = k52 * z497 - k51 * z644 - z1279;
+    const Scalar z1287 = k51 * z488 - k48 * z497 + k47 * z500 + k79 * z646 - k49 * z647 + z1282;
+    const Scalar z1288 = u_tau4 + k52 * z488 - k49 * z497 + k80 * z500 + k47 * z646 + k48 * z648 - z1281;
+    const Scalar z1289 = k51 * z490 - k52 * z491 - k81 * z497 + k48 * z649 - k49 * z650 - k47 * z651 + z1279 - z1283;
+    const Scalar z1290 = u_tau3 + z1289;
+    const Scalar z1291 = z1051 * z1290;
+    const Scalar z1292 = z1052 * z1290 - z1287;
+    const Scalar z1293 = z1053 * z1290 + z1288;
+    const Scalar z1294 = z1054 * z1290 + z1284;
+    const Scalar z1295 = z1055 * z1290 + z1285;
+    const Scalar z1297 = s_q3 * z1295 + c_q3 * z1294;
+    const Scalar z1298 = s_q3 * z1294 - c_q3 * z1295;
+    const Scalar z1299 = s_q3 * z1293 - c_q3 * z1292;
+    const Scalar z1300 = s_q3 * z1292 + c_q3 * z1293;
+    const Scalar z1304 = k54 * z480 - k82 * z484 - k57 * z664 - k56 * z665 + n632_over_165 * z1298 + z1299;
+    const Scalar z1305 = u_tau3 + k56 * z480 - k57 * z484 - k83 * z664 - k54 * z666;
+    const Scalar z1306 = k84 * z476 - k85 * z477 + k86 * z480 + k57 * z667 + n632_over_165 * z1297 + z1300;
+    const Scalar z1307 = u_tau2 + z1306;
+    const Scalar z1308 = z1113 * z1307;
+    const Scalar z1309 = z1114 * z1307 + z1304;
+    const Scalar z1310 = z1115 * z1307 - z1305;
+    const Scalar z1317 = s_q2 * z1309 + c_q2 * z1310;
+    const Scalar z1322 = u_tau1 + z1317;
+    const Scalar z1323 = z1166 * z1322;
+    const Scalar z1329 = s_q2 * z1323;
+    const Scalar z1330 = c_q2 * z1323;
+    const Scalar z1331 = z1114 * z1329 + z1115 * z1330 + z1308;
+    const Scalar z1332 = n632_over_165 * z1331;
+    const Scalar z1333 = n632_over_165 * z1329;
+    const Scalar z1334 = s_q3 * z1331 - c_q3 * z1329;
+    const Scalar z1335 = s_q3 * z1329 + c_q3 * z1331;
+    const Scalar z1336 = s_q3 * z1333 + c_q3 * z1332;
+    const Scalar z1337 = s_q3 * z1332 - c_q3 * z1333;
+    const Scalar z1338 = z1052 * z1334 + z1053 * z1335 + z1054 * z1336 + z1055 * z1337 + z1291;
+    const Scalar z1339 = z1330 - z1338;
+    const Scalar z1340 = z479 - z1339;  // acceleration of joint link3
+    const Scalar z1341 = z1337 - z1338;
+    const Scalar z1342 = s_q4 * z1338 + c_q4 * z1334;
+    const Scalar z1343 = s_q4 * z1334 - c_q4 * z1338;
+    const Scalar z1344 = s_q4 * z1335 - c_q4 * z1336;
+    const Scalar z1345 = s_q4 * z1336 + c_q4 * z1335;
+    const Scalar z1346 = z991 * z1342 + z992 * z1343 + z993 * z1344 + z994 * z1345 + z995 * z1341 - z1274;
+    const Scalar z1347 = z1335 - z1346;
+    const Scalar z1348 = z493 - z1347;  // acceleration of joint link4
+    const Scalar z1349 = z1344 - n256_over_55 * z1346;
+    const Scalar z1350 = z1345 - z1346;
+    const Scalar z1351 = z1341 + n256_over_55 * z1342 - z1343;
+    const Scalar z1352 = s_q5 * z1346 + c_q5 * z1342;
+    const Scalar z1353 = s_q5 * z1342 - c_q5 * z1346;
+    const Scalar z1354 = s_q5 * z1351 + c_q5 * z1349;
+    const Scalar z1355 = s_q5 * z1349 - c_q5 * z1351;
+    const Scalar z1356 = z926 * z1352 + z927 * z1353 - z928 * z1354 + z929 * z1355 - z930 * z1350 + z1255;
+    const Scalar z1357 = z1343 + z1356;
+    const Scalar z1358 = z1176 + z1357;  // acceleration of joint link5
+    const Scalar z1359 = s_q6 * z1356 + c_q6 * z1352;
+    const Scalar z1360 = s_q6 * z1352 - c_q6 * z1356;
+    const Scalar z1361 = s_q6 * z1350 + c_q6 * z1354;
+    const Scalar z1362 = s_q6 * z1354 - c_q6 * z1350;
+    const Scalar z1363 = z873 * z1359 + z874 * z1360 + z875 * z1361 - z876 * z1362 + z877 * z1355 + z1234;
+    const Scalar z1364 = z1353 - z1363;
+    const Scalar z1365 = z1187 - z1364;  // acceleration of joint link6
+    const Scalar z1367 = z1355 - n16_over_15 * z1360;
+    const Scalar z1368 = s_q7 * z1363 + c_q7 * z1359;
+    const Scalar z1369 = s_q7 * z1359 - c_q7 * z1363;
+    const Scalar z1370 = s_q7 * z1367 + c_q7 * z1361;
+    const Scalar z1371 = s_q7 * z1361 - c_q7 * z1367;
+    const Scalar z1372 = z1215 + k66 * z1368 - k67 * z1369 + k68 * z1370 - k69 * z1371;
+    const Scalar z1373 = z1360 - z1372;
+    const Scalar z1374 = z1193 + z1373;  // acceleration of joint link7
+    accelerations.q1 = z1323;
+    accelerations.q2 = z1331;
+    accelerations.q3 = z1340;
+    accelerations.q4 = -z1348;
+    accelerations.q5 = z1358;
+    accelerations.q6 = z1365;
+    accelerations.q7 = -z1374;
+    if (!(traits::regular(z868, z868) && traits::regular(z921, z921) && traits::regular(z985, z985)
+        && traits::regular(z1046, z1046) && traits::regular(z1109, z1109) && traits::regular(z1162,
+        z1162))) return torsor::Status::singular;
+    // 0 x is 0 for every finite x and not a number for any other.
+    const Scalar zero = n0 * accelerations.q1 * accelerations.q2 * accelerations.q3 * accelerations.q4
+        * accelerations.q5 * accelerations.q6 * accelerations.q7;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
@@ -4870,95 +4957,51 @@ struct Mechanism {
     if (!(traits::regular(-z1463, z468) && traits::regular(-z1460, z450) && traits::regular(-z1454, z424)
         && traits::regular(-z1444, z391) && traits::regular(-z1429, z349) && traits::regular(-z1408,
         z308))) return torsor::Status::singular;
-    // x - x is 0 for every finite x and not a number for any other.
-    const Scalar zero = ((((((result.M[0] - result.M[0]) + (result.M[1] - result.M[1]) + (result.M[2] - result.M[2])
-        + (result.M[3] - result.M[3]) + (result.M[4] - result.M[4]) + (result.M[5] - result.M[5]) + (result.M[6]
-        - result.M[6]) + (result.M[7] - result.M[7])) + ((result.M[8] - result.M[8]) + (result.M[9] - result.M[9])
-        + (result.M[10] - result.M[10]) + (result.M[11] - result.M[11]) + (result.M[12] - result.M[12]) + (result.M[13]
-        - result.M[13]) + (result.M[14] - result.M[14]) + (result.M[15] - result.M[15]) + (result.M[16]
-        - result.M[16]))) + (((result.M[17] - result.M[17]) + (result.M[18] - result.M[18]) + (result.M[19]
-        - result.M[19]) + (result.M[20] - result.M[20]) + (result.M[21] - result.M[21]) + (result.M[22] - result.M[22])
-        + (result.M[23] - result.M[23]) + (result.M[24] - result.M[24]) + (result.M[25] - result.M[25]))
-        + ((result.M[26] - result.M[26]) + (result.M[27] - result.M[27]) + (result.M[28] - result.M[28]) + (result.M[29]
-        - result.M[29]) + (result.M[30] - result.M[30]) + (result.M[31] - result.M[31]) + (result.M[32] - result.M[32])
-        + (result.M[33] - result.M[33]) + (result.M[34] - result.M[34])))) + ((((result.M[35] - result.M[35])
-        + (result.M[36] - result.M[36]) + (result.M[37] - result.M[37]) + (result.M[38] - result.M[38]) + (result.M[39]
-        - result.M[39]) + (result.M[40] - result.M[40]) + (result.M[41] - result.M[41]) + (result.M[42] - result.M[42])
-        + (result.M[43] - result.M[43])) + ((result.M[44] - result.M[44]) + (result.M[45] - result.M[45])
-        + (result.M[46] - result.M[46]) + (result.M[47] - result.M[47]) + (result.C[0] - result.C[0]) + (result.C[1]
-        - result.C[1]) + (result.C[2] - result.C[2]) + (result.C[3] - result.C[3]) + (result.C[4] - result.C[4])))
-        + (((result.C[5] - result.C[5]) + (result.C[6] - result.C[6]) + (result.C[7] - result.C[7]) + (result.C[8]
-        - result.C[8]) + (result.C[9] - result.C[9]) + (result.C[10] - result.C[10]) + (result.C[11] - result.C[11])
-        + (result.C[12] - result.C[12]) + (result.C[13] - result.C[13])) + ((result.C[14] - result.C[14])
-        + (result.C[15] - result.C[15]) + (result.C[16] - result.C[16]) + (result.C[17] - result.C[17]) + (result.C[18]
-        - result.C[18]) + (result.C[19] - result.C[19]) + (result.C[20] - result.C[20]) + (result.C[21] - result.C[21])
-        + (result.C[22] - result.C[22]))))) + (((((result.C[23] - result.C[23]) + (result.C[24] - result.C[24])
-        + (result.C[25] - result.C[25]) + (result.C[26] - result.C[26]) + (result.C[27] - result.C[27]) + (result.C[28]
-        - result.C[28]) + (result.C[29] - result.C[29]) + (result.C[30] - result.C[30])) + ((result.C[31]
-        - result.C[31]) + (result.C[32] - result.C[32]) + (result.C[33] - result.C[33]) + (result.C[34] - result.C[34])
-        + (result.C[35] - result.C[35]) + (result.C[36] - result.C[36]) + (result.C[37] - result.C[37]) + (result.C[38]
-        - result.C[38]) + (result.C[39] - result.C[39]))) + (((result.C[40] - result.C[40]) + (result.C[41]
-        - result.C[41]) + (result.C[42] - result.C[42]) + (result.C[43] - result.C[43]) + (result.C[44] - result.C[44])
-        + (result.C[45] - result.C[45]) + (result.C[46] - result.C[46]) + (result.C[47] - result.C[47]) + (result.K[7]
-        - result.K[7])) + ((result.K[8] - result.K[8]) + (result.K[9] - result.K[9]) + (result.K[10] - result.K[10])
-        + (result.K[11] - result.K[11]) + (result.K[12] - result.K[12]) + (result.K[13] - result.K[13]) + (result.K[14]
-        - result.K[14]) + (result.K[15] - result.K[15]) + (result.K[16] - result.K[16])))) + ((((result.K[17]
-        - result.K[17]) + (result.K[18] - result.K[18]) + (result.K[19] - result.K[19]) + (result.K[20] - result.K[20])
-        + (result.K[21] - result.K[21]) + (result.K[22] - result.K[22]) + (result.K[23] - result.K[23]) + (result.K[24]
-        - result.K[24]) + (result.K[25] - result.K[25])) + ((result.K[26] - result.K[26]) + (result.K[27]
-        - result.K[27]) + (result.K[28] - result.K[28]) + (result.K[29] - result.K[29]) + (result.K[30] - result.K[30])
-        + (result.K[31] - result.K[31]) + (result.K[32] - result.K[32]) + (result.K[33] - result.K[33]) + (result.K[34]
-        - result.K[34]))) + (((result.K[35] - result.K[35]) + (result.K[36] - result.K[36]) + (result.K[37]
-        - result.K[37]) + (result.K[38] - result.K[38]) + (result.K[39] - result.K[39]) + (result.K[40] - result.K[40])
-        + (result.K[41] - result.K[41]) + (result.K[42] - result.K[42]) + (result.K[43] - result.K[43]))
-        + ((result.K[44] - result.K[44]) + (result.K[45] - result.K[45]) + (result.K[46] - result.K[46]) + (result.K[47]
-        - result.K[47]) + (result.K[48] - result.K[48]) + (result.F[0] - result.F[0]) + (result.F[1] - result.F[1])
-        + (result.F[2] - result.F[2]) + (result.F[3] - result.F[3])))))) + ((((((result.F[4] - result.F[4])
-        + (result.F[5] - result.F[5]) + (result.F[6] - result.F[6]) + (result.A[21] - result.A[21]) + (result.A[22]
-        - result.A[22]) + (result.A[23] - result.A[23]) + (result.A[24] - result.A[24]) + (result.A[25] - result.A[25]))
-        + ((result.A[26] - result.A[26]) + (result.A[27] - result.A[27]) + (result.A[35] - result.A[35]) + (result.A[36]
-        - result.A[36]) + (result.A[37] - result.A[37]) + (result.A[38] - result.A[38]) + (result.A[39] - result.A[39])
-        + (result.A[40] - result.A[40]) + (result.A[41] - result.A[41]))) + (((result.A[49] - result.A[49])
-        + (result.A[50] - result.A[50]) + (result.A[51] - result.A[51]) + (result.A[52] - result.A[52]) + (result.A[53]
-        - result.A[53]) + (result.A[54] - result.A[54]) + (result.A[55] - result.A[55]) + (result.A[63] - result.A[63])
-        + (result.A[64] - result.A[64])) + ((result.A[65] - result.A[65]) + (result.A[66] - result.A[66])
-        + (result.A[67] - result.A[67]) + (result.A[68] - result.A[68]) + (result.A[69] - result.A[69]) + (result.A[77]
-        - result.A[77]) + (result.A[78] - result.A[78]) + (result.A[79] - result.A[79]) + (result.A[80]
-        - result.A[80])))) + ((((result.A[81] - result.A[81]) + (result.A[82] - result.A[82]) + (result.A[83]
-        - result.A[83]) + (result.A[91] - result.A[91]) + (result.A[92] - result.A[92]) + (result.A[93] - result.A[93])
-        + (result.A[94] - result.A[94]) + (result.A[95] - result.A[95]) + (result.A[96] - result.A[96]))
-        + ((result.A[97] - result.A[97]) + (result.A[105] - result.A[105]) + (result.A[106] - result.A[106])
-        + (result.A[107] - result.A[107]) + (result.A[108] - result.A[108]) + (result.A[109] - result.A[109])
-        + (result.A[110] - result.A[110]) + (result.A[111] - result.A[111]) + (result.A[119] - result.A[119])))
-        + (((result.A[120] - result.A[120]) + (result.A[121] - result.A[121]) + (result.A[122] - result.A[122])
-        + (result.A[123] - result.A[123]) + (result.A[124] - result.A[124]) + (result.A[125] - result.A[125])
-        + (result.A[133] - result.A[133]) + (result.A[134] - result.A[134]) + (result.A[135] - result.A[135]))
-        + ((result.A[136] - result.A[136]) + (result.A[137] - result.A[137]) + (result.A[138] - result.A[138])
-        + (result.A[139] - result.A[139]) + (result.A[147] - result.A[147]) + (result.A[148] - result.A[148])
-        + (result.A[149] - result.A[149]) + (result.A[150] - result.A[150]) + (result.A[151] - result.A[151])))))
-        + (((((result.A[152] - result.A[152]) + (result.A[153] - result.A[153]) + (result.A[161] - result.A[161])
-        + (result.A[162] - result.A[162]) + (result.A[163] - result.A[163]) + (result.A[164] - result.A[164])
-        + (result.A[165] - result.A[165]) + (result.A[166] - result.A[166]) + (result.A[167] - result.A[167]))
-        + ((result.A[175] - result.A[175]) + (result.A[176] - result.A[176]) + (result.A[177] - result.A[177])
-        + (result.A[178] - result.A[178]) + (result.A[179] - result.A[179]) + (result.A[180] - result.A[180])
-        + (result.A[181] - result.A[181]) + (result.A[189] - result.A[189]) + (result.A[190] - result.A[190])))
-        + (((result.A[191] - result.A[191]) + (result.A[192] - result.A[192]) + (result.A[193] - result.A[193])
-        + (result.A[194] - result.A[194]) + (result.A[195] - result.A[195]) + (result.B[7] - result.B[7]) + (result.B[8]
-        - result.B[8]) + (result.B[9] - result.B[9]) + (result.B[10] - result.B[10])) + ((result.B[11] - result.B[11])
-        + (result.B[12] - result.B[12]) + (result.B[13] - result.B[13]) + (result.B[21] - result.B[21]) + (result.B[22]
-        - result.B[22]) + (result.B[23] - result.B[23]) + (result.B[24] - result.B[24]) + (result.B[25] - result.B[25])
-        + (result.B[26] - result.B[26])))) + ((((result.B[27] - result.B[27]) + (result.B[35] - result.B[35])
-        + (result.B[36] - result.B[36]) + (result.B[37] - result.B[37]) + (result.B[38] - result.B[38]) + (result.B[39]
-        - result.B[39]) + (result.B[40] - result.B[40]) + (result.B[41] - result.B[41]) + (result.B[49] - result.B[49]))
-        + ((result.B[50] - result.B[50]) + (result.B[51] - result.B[51]) + (result.B[52] - result.B[52]) + (result.B[53]
-        - result.B[53]) + (result.B[54] - result.B[54]) + (result.B[55] - result.B[55]) + (result.B[63] - result.B[63])
-        + (result.B[64] - result.B[64]) + (result.B[65] - result.B[65]))) + (((result.B[66] - result.B[66])
-        + (result.B[67] - result.B[67]) + (result.B[68] - result.B[68]) + (result.B[69] - result.B[69]) + (result.B[77]
-        - result.B[77]) + (result.B[78] - result.B[78]) + (result.B[79] - result.B[79]) + (result.B[80] - result.B[80])
-        + (result.B[81] - result.B[81])) + ((result.B[82] - result.B[82]) + (result.B[83] - result.B[83])
-        + (result.B[91] - result.B[91]) + (result.B[92] - result.B[92]) + (result.B[93] - result.B[93]) + (result.B[94]
-        - result.B[94]) + (result.B[95] - result.B[95]) + (result.B[96] - result.B[96]) + (result.B[97]
-        - result.B[97]))))));
+    // 0 x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (((((n0 * result.M[0] * result.M[1] * result.M[2] * result.M[3] * result.M[4] * result.M[5]
+        * result.M[6] * result.M[7]) * (n0 * result.M[8] * result.M[9] * result.M[10] * result.M[11] * result.M[12]
+        * result.M[13] * result.M[14] * result.M[15] * result.M[16])) * ((n0 * result.M[17] * result.M[18]
+        * result.M[19] * result.M[20] * result.M[21] * result.M[22] * result.M[23] * result.M[24] * result.M[25]) * (n0
+        * result.M[26] * result.M[27] * result.M[28] * result.M[29] * result.M[30] * result.M[31] * result.M[32]
+        * result.M[33] * result.M[34]))) * (((n0 * result.M[35] * result.M[36] * result.M[37] * result.M[38]
+        * result.M[39] * result.M[40] * result.M[41] * result.M[42] * result.M[43]) * (n0 * result.M[44] * result.M[45]
+        * result.M[46] * result.M[47] * result.C[0] * result.C[1] * result.C[2] * result.C[3] * result.C[4])) * ((n0
+        * result.C[5] * result.C[6] * result.C[7] * result.C[8] * result.C[9] * result.C[10] * result.C[11]
+        * result.C[12] * result.C[13]) * (n0 * result.C[14] * result.C[15] * result.C[16] * result.C[17] * result.C[18]
+        * result.C[19] * result.C[20] * result.C[21] * result.C[22])))) * ((((n0 * result.C[23] * result.C[24]
+        * result.C[25] * result.C[26] * result.C[27] * result.C[28] * result.C[29] * result.C[30]) * (n0 * result.C[31]
+        * result.C[32] * result.C[33] * result.C[34] * result.C[35] * result.C[36] * result.C[37] * result.C[38]
+        * result.C[39])) * ((n0 * result.C[40] * result.C[41] * result.C[42] * result.C[43] * result.C[44]
+        * result.C[45] * result.C[46] * result.C[47] * result.K[7]) * (n0 * result.K[8] * result.K[9] * result.K[10]
+        * result.K[11] * result.K[12] * result.K[13] * result.K[14] * result.K[15] * result.K[16]))) * (((n0
+        * result.K[17] * result.K[18] * result.K[19] * result.K[20] * result.K[21] * result.K[22] * result.K[23]
+        * result.K[24] * result.K[25]) * (n0 * result.K[26] * result.K[27] * result.K[28] * result.K[29] * result.K[30]
+        * result.K[31] * result.K[32] * result.K[33] * result.K[34])) * ((n0 * result.K[35] * result.K[36]
+        * result.K[37] * result.K[38] * result.K[39] * result.K[40] * result.K[41] * result.K[42] * result.K[43]) * (n0
+        * result.K[44] * result.K[45] * result.K[46] * result.K[47] * result.K[48] * result.F[0] * result.F[1]
+        * result.F[2] * result.F[3]))))) * (((((n0 * result.F[4] * result.F[5] * result.F[6] * result.A[21]
+        * result.A[22] * result.A[23] * result.A[24] * result.A[25]) * (n0 * result.A[26] * result.A[27] * result.A[35]
+        * result.A[36] * result.A[37] * result.A[38] * result.A[39] * result.A[40] * result.A[41])) * ((n0
+        * result.A[49] * result.A[50] * result.A[51] * result.A[52] * result.A[53] * result.A[54] * result.A[55]
+        * result.A[63] * result.A[64]) * (n0 * result.A[65] * result.A[66] * result.A[67] * result.A[68] * result.A[69]
+        * result.A[77] * result.A[78] * result.A[79] * result.A[80]))) * (((n0 * result.A[81] * result.A[82]
+        * result.A[83] * result.A[91] * result.A[92] * result.A[93] * result.A[94] * result.A[95] * result.A[96]) * (n0
+        * result.A[97] * result.A[105] * result.A[106] * result.A[107] * result.A[108] * result.A[109] * result.A[110]
+        * result.A[111] * result.A[119])) * ((n0 * result.A[120] * result.A[121] * result.A[122] * result.A[123]
+        * result.A[124] * result.A[125] * result.A[133] * result.A[134] * result.A[135]) * (n0 * result.A[136]
+        * result.A[137] * result.A[138] * result.A[139] * result.A[147] * result.A[148] * result.A[149] * result.A[150]
+        * result.A[151])))) * ((((n0 * result.A[152] * result.A[153] * result.A[161] * result.A[162] * result.A[163]
+        * result.A[164] * result.A[165] * result.A[166] * result.A[167]) * (n0 * result.A[175] * result.A[176]
+        * result.A[177] * result.A[178] * result.A[179] * result.A[180] * result.A[181] * result.A[189]
+        * result.A[190])) * ((n0 * result.A[191] * result.A[192] * result.A[193] * result.A[194] * result.A[195]
+        * result.B[7] * result.B[8] * result.B[9] * result.B[10]) * (n0 * result.B[11] * result.B[12] * result.B[13]
+        * result.B[21] * result.B[22] * result.B[23] * result.B[24] * result.B[25] * result.B[26]))) * (((n0
+        * result.B[27] * result.B[35] * result.B[36] * result.B[37] * result.B[38] * result.B[39] * result.B[40]
+        * result.B[41] * result.B[49]) * (n0 * result.B[50] * result.B[51] * result.B[52] * result.B[53] * result.B[54]
+        * result.B[55] * result.B[63] * result.B[64] * result.B[65])) * ((n0 * result.B[66] * result.B[67]
+        * result.B[68] * result.B[69] * result.B[77] * result.B[78] * result.B[79] * result.B[80] * result.B[81]) * (n0
+        * result.B[82] * result.B[83] * result.B[91] * result.B[92] * result.B[93] * result.B[94] * result.B[95]
+        * result.B[96] * result.B[97])))));
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }

@@ -6,8 +6,9 @@
 // Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, constraints
 // Parameters set at run time: alpha_1, alpha_2, alpha_3, alpha_4
 //
-// Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
-// moved across joints, factoring, and what is done once for a set of parameters:
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
+// costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
+// joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   precompute               12               24          0             0                  4       0     44       -
 //   kinematics               64               73          0             0                  9       0    155     155
@@ -394,7 +395,7 @@ struct Mechanism {
 
   static constexpr const char* name = "four_wheel_vehicle_all_wheels";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x8aa2ac55c9069bd3ULL;
+  static constexpr unsigned long long fingerprint = 0x3b18b0f3287e6db5ULL;
   static constexpr int coordinate_count = 11;
   static constexpr int velocity_count = 11;
   static constexpr int input_count = 0;
@@ -1636,6 +1637,7 @@ struct Mechanism {
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
     const Scalar n1_over_3 = traits::constant(0.3333333333333333, 0.33333334f, "1/3");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar v_x = state.v.x;
     const Scalar v_y = state.v.y;
     const Scalar q_psi = state.q.psi;
@@ -2158,17 +2160,12 @@ struct Mechanism {
         && traits::regular(-z778, -z624) && traits::regular(z775, z626) && traits::regular(-z769, -z629)
         && traits::regular(z759, z633) && traits::regular(-z744, -z638) && traits::regular(z723, z644)
         && traits::regular(-z695, -z651) && traits::regular(z659, z659))) return torsor::Status::singular;
-    // x - x is 0 for every finite x and not a number for any other.
-    const Scalar zero = (accelerations.x - accelerations.x) + (accelerations.y - accelerations.y) + (accelerations.psi
-        - accelerations.psi) + (accelerations.phi_1 - accelerations.phi_1) + (accelerations.phi_2 - accelerations.phi_2)
-        + (accelerations.phi_3 - accelerations.phi_3) + (accelerations.phi_4 - accelerations.phi_4) + (accelerations.s_1
-        - accelerations.s_1) + (accelerations.s_2 - accelerations.s_2) + (accelerations.s_3 - accelerations.s_3)
-        + (accelerations.s_4 - accelerations.s_4) + (multipliers.lambda_wheel_1_x - multipliers.lambda_wheel_1_x)
-        + (multipliers.lambda_wheel_1_y - multipliers.lambda_wheel_1_y) + (multipliers.lambda_wheel_2_x
-        - multipliers.lambda_wheel_2_x) + (multipliers.lambda_wheel_2_y - multipliers.lambda_wheel_2_y)
-        + (multipliers.lambda_wheel_3_x - multipliers.lambda_wheel_3_x) + (multipliers.lambda_wheel_3_y
-        - multipliers.lambda_wheel_3_y) + (multipliers.lambda_wheel_4_x - multipliers.lambda_wheel_4_x)
-        + (multipliers.lambda_wheel_4_y - multipliers.lambda_wheel_4_y);
+    // 0 x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (n0 * accelerations.x * accelerations.y * accelerations.psi * accelerations.phi_1
+        * accelerations.phi_2 * accelerations.phi_3 * accelerations.phi_4 * accelerations.s_1 * accelerations.s_2) * (n0
+        * accelerations.s_3 * accelerations.s_4 * multipliers.lambda_wheel_1_x * multipliers.lambda_wheel_1_y
+        * multipliers.lambda_wheel_2_x * multipliers.lambda_wheel_2_y * multipliers.lambda_wheel_3_x
+        * multipliers.lambda_wheel_3_y * multipliers.lambda_wheel_4_x * multipliers.lambda_wheel_4_y);
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }

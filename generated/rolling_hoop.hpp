@@ -6,8 +6,9 @@
 // Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, constraints, linearisation, inverse_dynamics_derivatives, forward_dynamics_derivatives, jets, sparse_constraint_jacobian, inverse_dynamics_sensitivities, forward_dynamics_sensitivities
 // Parameters set at run time: A, C
 //
-// Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
-// moved across joints, factoring, and what is done once for a set of parameters:
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
+// costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
+// joints, factoring, and what is done once for a set of parameters:
 //   function                        additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   precompute                              6                4          4             0                  0       0     14       -
 //   kinematics                             13               25          0             0                  3       0     44      44
@@ -523,7 +524,7 @@ struct Mechanism {
 
   static constexpr const char* name = "rolling_hoop";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x5abadcc56fb8a248ULL;
+  static constexpr unsigned long long fingerprint = 0x35c79253fa6d08a8ULL;
   static constexpr int coordinate_count = 5;
   static constexpr int velocity_count = 5;
   static constexpr int input_count = 0;
@@ -1068,6 +1069,7 @@ struct Mechanism {
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar v_x = state.v.x;
     const Scalar v_y = state.v.y;
     const Scalar q_theta = state.q.theta;
@@ -1141,11 +1143,9 @@ struct Mechanism {
     multipliers.lambda_along_y1 = z155;
     if (!(traits::regular(z140, -z62) && traits::regular(z78, z78) && traits::regular(p_C, p_C) && traits::regular(z144,
         z144) && traits::regular(z145, z145))) return torsor::Status::singular;
-    // x - x is 0 for every finite x and not a number for any other.
-    const Scalar zero = (accelerations.x - accelerations.x) + (accelerations.y - accelerations.y) + (accelerations.psi
-        - accelerations.psi) + (accelerations.theta - accelerations.theta) + (accelerations.phi - accelerations.phi)
-        + (multipliers.lambda_along_x1 - multipliers.lambda_along_x1) + (multipliers.lambda_along_y1
-        - multipliers.lambda_along_y1);
+    // 0 x is 0 for every finite x and not a number for any other.
+    const Scalar zero = n0 * accelerations.x * accelerations.y * accelerations.psi * accelerations.theta
+        * accelerations.phi * multipliers.lambda_along_x1 * multipliers.lambda_along_y1;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
@@ -1734,31 +1734,19 @@ struct Mechanism {
     result.A[63] = -z397;
     if (!(traits::regular(z233, z235) && traits::regular(z236, z237) && traits::regular(z376, z285)
         && traits::regular(-z373, -z289) && traits::regular(z293, z293))) return torsor::Status::singular;
-    // x - x is 0 for every finite x and not a number for any other.
-    const Scalar zero = ((((result.M[12] - result.M[12]) + (result.M[14] - result.M[14]) + (result.M[18] - result.M[18])
-        + (result.M[22] - result.M[22]) + (result.M[24] - result.M[24]) + (result.C[12] - result.C[12]) + (result.C[13]
-        - result.C[13]) + (result.C[14] - result.C[14]) + (result.C[17] - result.C[17])) + ((result.C[18]
-        - result.C[18]) + (result.C[19] - result.C[19]) + (result.C[22] - result.C[22]) + (result.C[23] - result.C[23])
-        + (result.K[10] - result.K[10]) + (result.K[11] - result.K[11]) + (result.K[17] - result.K[17]) + (result.K[18]
-        - result.K[18]) + (result.K[19] - result.K[19]))) + (((result.F[0] - result.F[0]) + (result.F[1] - result.F[1])
-        + (result.F[2] - result.F[2]) + (result.F[3] - result.F[3]) + (result.F[4] - result.F[4]) + (result.M_r[0]
-        - result.M_r[0]) + (result.M_r[1] - result.M_r[1]) + (result.M_r[2] - result.M_r[2]) + (result.M_r[3]
-        - result.M_r[3])) + ((result.M_r[4] - result.M_r[4]) + (result.M_r[5] - result.M_r[5]) + (result.M_r[6]
-        - result.M_r[6]) + (result.M_r[7] - result.M_r[7]) + (result.M_r[8] - result.M_r[8]) + (result.C_r[0]
-        - result.C_r[0]) + (result.C_r[1] - result.C_r[1]) + (result.C_r[2] - result.C_r[2]) + (result.C_r[3]
-        - result.C_r[3]) + (result.C_r[4] - result.C_r[4])))) + ((((result.C_r[5] - result.C_r[5]) + (result.C_r[6]
-        - result.C_r[6]) + (result.C_r[7] - result.C_r[7]) + (result.C_r[8] - result.C_r[8]) + (result.K_r[6]
-        - result.K_r[6]) + (result.K_r[7] - result.K_r[7]) + (result.K_r[8] - result.K_r[8]) + (result.K_r[9]
-        - result.K_r[9]) + (result.K_r[10] - result.K_r[10])) + ((result.K_r[11] - result.K_r[11]) + (result.F_r[0]
-        - result.F_r[0]) + (result.F_r[1] - result.F_r[1]) + (result.F_r[2] - result.F_r[2]) + (result.A[16]
-        - result.A[16]) + (result.A[19] - result.A[19]) + (result.A[21] - result.A[21]) + (result.A[22] - result.A[22])
-        + (result.A[23] - result.A[23]) + (result.A[24] - result.A[24]))) + (((result.A[27] - result.A[27])
-        + (result.A[29] - result.A[29]) + (result.A[30] - result.A[30]) + (result.A[31] - result.A[31]) + (result.A[40]
-        - result.A[40]) + (result.A[43] - result.A[43]) + (result.A[45] - result.A[45]) + (result.A[46] - result.A[46])
-        + (result.A[47] - result.A[47])) + ((result.A[48] - result.A[48]) + (result.A[51] - result.A[51])
-        + (result.A[53] - result.A[53]) + (result.A[54] - result.A[54]) + (result.A[55] - result.A[55]) + (result.A[56]
-        - result.A[56]) + (result.A[59] - result.A[59]) + (result.A[61] - result.A[61]) + (result.A[62] - result.A[62])
-        + (result.A[63] - result.A[63]))));
+    // 0 x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (((n0 * result.M[12] * result.M[14] * result.M[18] * result.M[22] * result.M[24] * result.C[12]
+        * result.C[13] * result.C[14] * result.C[17]) * (n0 * result.C[18] * result.C[19] * result.C[22] * result.C[23]
+        * result.K[10] * result.K[11] * result.K[17] * result.K[18] * result.K[19])) * ((n0 * result.F[0] * result.F[1]
+        * result.F[2] * result.F[3] * result.F[4] * result.M_r[0] * result.M_r[1] * result.M_r[2] * result.M_r[3]) * (n0
+        * result.M_r[4] * result.M_r[5] * result.M_r[6] * result.M_r[7] * result.M_r[8] * result.C_r[0] * result.C_r[1]
+        * result.C_r[2] * result.C_r[3] * result.C_r[4]))) * (((n0 * result.C_r[5] * result.C_r[6] * result.C_r[7]
+        * result.C_r[8] * result.K_r[6] * result.K_r[7] * result.K_r[8] * result.K_r[9] * result.K_r[10]) * (n0
+        * result.K_r[11] * result.F_r[0] * result.F_r[1] * result.F_r[2] * result.A[16] * result.A[19] * result.A[21]
+        * result.A[22] * result.A[23] * result.A[24])) * ((n0 * result.A[27] * result.A[29] * result.A[30]
+        * result.A[31] * result.A[40] * result.A[43] * result.A[45] * result.A[46] * result.A[47]) * (n0 * result.A[48]
+        * result.A[51] * result.A[53] * result.A[54] * result.A[55] * result.A[56] * result.A[59] * result.A[61]
+        * result.A[62] * result.A[63])));
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
@@ -2187,42 +2175,25 @@ struct Mechanism {
     result.multipliers_by_force[9] = n0;
     if (!(traits::regular(z140, -z62) && traits::regular(z78, z78) && traits::regular(p_C, p_C) && traits::regular(z144,
         z144) && traits::regular(z145, z145))) return torsor::Status::singular;
-    // x - x is 0 for every finite x and not a number for any other.
-    const Scalar zero = (((result.by_position[10] - result.by_position[10]) + (result.by_position[11]
-        - result.by_position[11]) + (result.by_position[13] - result.by_position[13]) + (result.by_position[14]
-        - result.by_position[14]) + (result.by_position[15] - result.by_position[15]) + (result.by_position[16]
-        - result.by_position[16]) + (result.by_position[17] - result.by_position[17]) + (result.by_position[18]
-        - result.by_position[18]) + (result.by_position[19] - result.by_position[19]) + (result.by_velocity[0]
-        - result.by_velocity[0]) + (result.by_velocity[1] - result.by_velocity[1]) + (result.by_velocity[3]
-        - result.by_velocity[3]) + (result.by_velocity[4] - result.by_velocity[4]) + (result.by_velocity[5]
-        - result.by_velocity[5]) + (result.by_velocity[6] - result.by_velocity[6]) + (result.by_velocity[8]
-        - result.by_velocity[8])) + ((result.by_velocity[9] - result.by_velocity[9]) + (result.by_velocity[10]
-        - result.by_velocity[10]) + (result.by_velocity[11] - result.by_velocity[11]) + (result.by_velocity[12]
-        - result.by_velocity[12]) + (result.by_velocity[13] - result.by_velocity[13]) + (result.by_velocity[14]
-        - result.by_velocity[14]) + (result.by_velocity[15] - result.by_velocity[15]) + (result.by_velocity[16]
-        - result.by_velocity[16]) + (result.by_velocity[17] - result.by_velocity[17]) + (result.by_velocity[19]
-        - result.by_velocity[19]) + (result.by_velocity[20] - result.by_velocity[20]) + (result.by_velocity[21]
-        - result.by_velocity[21]) + (result.by_velocity[22] - result.by_velocity[22]) + (result.by_velocity[23]
-        - result.by_velocity[23]) + (result.by_velocity[24] - result.by_velocity[24]) + (result.by_force[0]
-        - result.by_force[0]))) + (((result.by_force[1] - result.by_force[1]) + (result.by_force[3]
-        - result.by_force[3]) + (result.by_force[4] - result.by_force[4]) + (result.by_force[5] - result.by_force[5])
-        + (result.by_force[6] - result.by_force[6]) + (result.by_force[8] - result.by_force[8]) + (result.by_force[9]
-        - result.by_force[9]) + (result.by_force[12] - result.by_force[12]) + (result.by_force[14]
-        - result.by_force[14]) + (result.by_force[15] - result.by_force[15]) + (result.by_force[16]
-        - result.by_force[16]) + (result.by_force[18] - result.by_force[18]) + (result.by_force[20]
-        - result.by_force[20]) + (result.by_force[21] - result.by_force[21]) + (result.by_force[22]
-        - result.by_force[22]) + (result.by_force[24] - result.by_force[24])) + (((result.multipliers_by_position[4]
-        - result.multipliers_by_position[4]) + (result.multipliers_by_position[5] - result.multipliers_by_position[5])
-        + (result.multipliers_by_position[7] - result.multipliers_by_position[7]) + (result.multipliers_by_velocity[0]
-        - result.multipliers_by_velocity[0]) + (result.multipliers_by_velocity[1] - result.multipliers_by_velocity[1])
-        + (result.multipliers_by_velocity[2] - result.multipliers_by_velocity[2]) + (result.multipliers_by_velocity[3]
-        - result.multipliers_by_velocity[3]) + (result.multipliers_by_velocity[4] - result.multipliers_by_velocity[4]))
-        + ((result.multipliers_by_velocity[5] - result.multipliers_by_velocity[5]) + (result.multipliers_by_velocity[7]
-        - result.multipliers_by_velocity[7]) + (result.multipliers_by_velocity[9] - result.multipliers_by_velocity[9])
-        + (result.multipliers_by_force[0] - result.multipliers_by_force[0]) + (result.multipliers_by_force[1]
-        - result.multipliers_by_force[1]) + (result.multipliers_by_force[2] - result.multipliers_by_force[2])
-        + (result.multipliers_by_force[3] - result.multipliers_by_force[3]) + (result.multipliers_by_force[7]
-        - result.multipliers_by_force[7]) + (result.multipliers_by_force[8] - result.multipliers_by_force[8]))));
+    // 0 x is 0 for every finite x and not a number for any other.
+    const Scalar zero = ((n0 * result.by_position[10] * result.by_position[11] * result.by_position[13]
+        * result.by_position[14] * result.by_position[15] * result.by_position[16] * result.by_position[17]
+        * result.by_position[18] * result.by_position[19] * result.by_velocity[0] * result.by_velocity[1]
+        * result.by_velocity[3] * result.by_velocity[4] * result.by_velocity[5] * result.by_velocity[6]
+        * result.by_velocity[8]) * (n0 * result.by_velocity[9] * result.by_velocity[10] * result.by_velocity[11]
+        * result.by_velocity[12] * result.by_velocity[13] * result.by_velocity[14] * result.by_velocity[15]
+        * result.by_velocity[16] * result.by_velocity[17] * result.by_velocity[19] * result.by_velocity[20]
+        * result.by_velocity[21] * result.by_velocity[22] * result.by_velocity[23] * result.by_velocity[24]
+        * result.by_force[0])) * ((n0 * result.by_force[1] * result.by_force[3] * result.by_force[4]
+        * result.by_force[5] * result.by_force[6] * result.by_force[8] * result.by_force[9] * result.by_force[12]
+        * result.by_force[14] * result.by_force[15] * result.by_force[16] * result.by_force[18] * result.by_force[20]
+        * result.by_force[21] * result.by_force[22] * result.by_force[24]) * ((n0 * result.multipliers_by_position[4]
+        * result.multipliers_by_position[5] * result.multipliers_by_position[7] * result.multipliers_by_velocity[0]
+        * result.multipliers_by_velocity[1] * result.multipliers_by_velocity[2] * result.multipliers_by_velocity[3]
+        * result.multipliers_by_velocity[4]) * (n0 * result.multipliers_by_velocity[5]
+        * result.multipliers_by_velocity[7] * result.multipliers_by_velocity[9] * result.multipliers_by_force[0]
+        * result.multipliers_by_force[1] * result.multipliers_by_force[2] * result.multipliers_by_force[3]
+        * result.multipliers_by_force[7] * result.multipliers_by_force[8])));
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
@@ -2234,6 +2205,7 @@ struct Mechanism {
       std::array<Scalar, 10>* coefficients) noexcept {
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_theta = state.q.theta;
     const Scalar q_psi = state.q.psi;
     const Scalar p_A = precomputed.parameters.A;
@@ -2400,13 +2372,10 @@ struct Mechanism {
     static_cast<void>(inverse_);
     if (!(traits::regular(z140, -z62) && traits::regular(z78, z78) && traits::regular(p_C, p_C) && traits::regular(z144,
         z144) && traits::regular(z145, z145))) return torsor::Status::singular;
-    // x - x is 0 for every finite x and not a number for any other.
-    const Scalar zero = (coefficients[order][0] - coefficients[order][0]) + (coefficients[order][1]
-        - coefficients[order][1]) + (coefficients[order][2] - coefficients[order][2]) + (coefficients[order][3]
-        - coefficients[order][3]) + (coefficients[order][4] - coefficients[order][4]) + (coefficients[order][5]
-        - coefficients[order][5]) + (coefficients[order][6] - coefficients[order][6]) + (coefficients[order][7]
-        - coefficients[order][7]) + (coefficients[order][8] - coefficients[order][8]) + (coefficients[order][9]
-        - coefficients[order][9]);
+    // 0 x is 0 for every finite x and not a number for any other.
+    const Scalar zero = n0 * coefficients[order][0] * coefficients[order][1] * coefficients[order][2]
+        * coefficients[order][3] * coefficients[order][4] * coefficients[order][5] * coefficients[order][6]
+        * coefficients[order][7] * coefficients[order][8] * coefficients[order][9];
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
@@ -2587,15 +2556,11 @@ struct Mechanism {
     result.multipliers_by_parameter[3] = z529;
     if (!(traits::regular(z140, -z62) && traits::regular(z78, z78) && traits::regular(p_C, p_C) && traits::regular(z144,
         z144) && traits::regular(z145, z145))) return torsor::Status::singular;
-    // x - x is 0 for every finite x and not a number for any other.
-    const Scalar zero = (result.by_parameter[0] - result.by_parameter[0]) + (result.by_parameter[1]
-        - result.by_parameter[1]) + (result.by_parameter[2] - result.by_parameter[2]) + (result.by_parameter[3]
-        - result.by_parameter[3]) + (result.by_parameter[4] - result.by_parameter[4]) + (result.by_parameter[5]
-        - result.by_parameter[5]) + (result.by_parameter[6] - result.by_parameter[6]) + (result.by_parameter[7]
-        - result.by_parameter[7]) + (result.by_parameter[8] - result.by_parameter[8]) + (result.by_parameter[9]
-        - result.by_parameter[9]) + (result.multipliers_by_parameter[1] - result.multipliers_by_parameter[1])
-        + (result.multipliers_by_parameter[2] - result.multipliers_by_parameter[2])
-        + (result.multipliers_by_parameter[3] - result.multipliers_by_parameter[3]);
+    // 0 x is 0 for every finite x and not a number for any other.
+    const Scalar zero = n0 * result.by_parameter[0] * result.by_parameter[1] * result.by_parameter[2]
+        * result.by_parameter[3] * result.by_parameter[4] * result.by_parameter[5] * result.by_parameter[6]
+        * result.by_parameter[7] * result.by_parameter[8] * result.by_parameter[9] * result.multipliers_by_parameter[1]
+        * result.multipliers_by_parameter[2] * result.multipliers_by_parameter[3];
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }

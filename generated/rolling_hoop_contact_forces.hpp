@@ -6,8 +6,9 @@
 // Kernels: kinematics, mass_matrix, bias, inverse_dynamics, forward_dynamics, energy, first_integrals, constraints, linearisation
 // Parameters set at run time: A, C
 //
-// Operations in the text of each function (a sine-cosine pair counts 2 in the total); before: without inertia
-// moved across joints, factoring, and what is done once for a set of parameters:
+// Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
+// costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
+// joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   precompute                2                1          3             0                  0       0      6       -
 //   kinematics               16               27          0             0                  3       0     49      49
@@ -398,7 +399,7 @@ struct Mechanism {
 
   static constexpr const char* name = "rolling_hoop_contact_forces";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x68d8f965756ecd88ULL;
+  static constexpr unsigned long long fingerprint = 0x936f5ec215abd214ULL;
   static constexpr int coordinate_count = 6;
   static constexpr int velocity_count = 6;
   static constexpr int input_count = 0;
@@ -930,6 +931,7 @@ struct Mechanism {
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_x = state.q.x;
     const Scalar v_x = state.v.x;
     const Scalar q_y = state.q.y;
@@ -1025,11 +1027,9 @@ struct Mechanism {
     multipliers.N = z174;
     if (!(traits::regular(z149, -z62) && traits::regular(p_A, p_A) && traits::regular(p_C, p_C) && traits::regular(z155,
         z155) && traits::regular(z161, z156) && traits::regular(z158, z158))) return torsor::Status::singular;
-    // x - x is 0 for every finite x and not a number for any other.
-    const Scalar zero = (accelerations.x - accelerations.x) + (accelerations.y - accelerations.y) + (accelerations.z
-        - accelerations.z) + (accelerations.psi - accelerations.psi) + (accelerations.theta - accelerations.theta)
-        + (accelerations.phi - accelerations.phi) + (multipliers.X_F - multipliers.X_F) + (multipliers.Y_F
-        - multipliers.Y_F) + (multipliers.N - multipliers.N);
+    // 0 x is 0 for every finite x and not a number for any other.
+    const Scalar zero = n0 * accelerations.x * accelerations.y * accelerations.z * accelerations.psi
+        * accelerations.theta * accelerations.phi * multipliers.X_F * multipliers.Y_F * multipliers.N;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }
@@ -1712,31 +1712,19 @@ struct Mechanism {
     result.A[63] = -z530;
     if (!(traits::regular(z363, z365) && traits::regular(z366, z367) && traits::regular(z509, z432)
         && traits::regular(-z506, -z436) && traits::regular(z440, z440))) return torsor::Status::singular;
-    // x - x is 0 for every finite x and not a number for any other.
-    const Scalar zero = ((((result.M[21] - result.M[21]) + (result.M[23] - result.M[23]) + (result.M[28] - result.M[28])
-        + (result.M[33] - result.M[33]) + (result.M[35] - result.M[35]) + (result.C[21] - result.C[21]) + (result.C[22]
-        - result.C[22]) + (result.C[23] - result.C[23]) + (result.C[27] - result.C[27])) + ((result.C[29]
-        - result.C[29]) + (result.C[33] - result.C[33]) + (result.C[34] - result.C[34]) + (result.K[18] - result.K[18])
-        + (result.K[19] - result.K[19]) + (result.K[27] - result.K[27]) + (result.K[28] - result.K[28]) + (result.K[29]
-        - result.K[29]) + (result.F[0] - result.F[0]))) + (((result.F[1] - result.F[1]) + (result.F[2] - result.F[2])
-        + (result.F[3] - result.F[3]) + (result.F[4] - result.F[4]) + (result.F[5] - result.F[5]) + (result.M_r[0]
-        - result.M_r[0]) + (result.M_r[1] - result.M_r[1]) + (result.M_r[2] - result.M_r[2]) + (result.M_r[3]
-        - result.M_r[3])) + ((result.M_r[4] - result.M_r[4]) + (result.M_r[5] - result.M_r[5]) + (result.M_r[6]
-        - result.M_r[6]) + (result.M_r[7] - result.M_r[7]) + (result.M_r[8] - result.M_r[8]) + (result.C_r[0]
-        - result.C_r[0]) + (result.C_r[1] - result.C_r[1]) + (result.C_r[2] - result.C_r[2]) + (result.C_r[3]
-        - result.C_r[3]) + (result.C_r[4] - result.C_r[4])))) + ((((result.C_r[5] - result.C_r[5]) + (result.C_r[6]
-        - result.C_r[6]) + (result.C_r[7] - result.C_r[7]) + (result.C_r[8] - result.C_r[8]) + (result.K_r[6]
-        - result.K_r[6]) + (result.K_r[7] - result.K_r[7]) + (result.K_r[8] - result.K_r[8]) + (result.K_r[9]
-        - result.K_r[9]) + (result.K_r[10] - result.K_r[10])) + ((result.K_r[11] - result.K_r[11]) + (result.F_r[0]
-        - result.F_r[0]) + (result.F_r[1] - result.F_r[1]) + (result.F_r[2] - result.F_r[2]) + (result.A[16]
-        - result.A[16]) + (result.A[19] - result.A[19]) + (result.A[21] - result.A[21]) + (result.A[22] - result.A[22])
-        + (result.A[23] - result.A[23]) + (result.A[24] - result.A[24]))) + (((result.A[27] - result.A[27])
-        + (result.A[29] - result.A[29]) + (result.A[30] - result.A[30]) + (result.A[31] - result.A[31]) + (result.A[40]
-        - result.A[40]) + (result.A[43] - result.A[43]) + (result.A[45] - result.A[45]) + (result.A[46] - result.A[46])
-        + (result.A[47] - result.A[47])) + ((result.A[48] - result.A[48]) + (result.A[51] - result.A[51])
-        + (result.A[53] - result.A[53]) + (result.A[54] - result.A[54]) + (result.A[55] - result.A[55]) + (result.A[56]
-        - result.A[56]) + (result.A[59] - result.A[59]) + (result.A[61] - result.A[61]) + (result.A[62] - result.A[62])
-        + (result.A[63] - result.A[63]))));
+    // 0 x is 0 for every finite x and not a number for any other.
+    const Scalar zero = (((n0 * result.M[21] * result.M[23] * result.M[28] * result.M[33] * result.M[35] * result.C[21]
+        * result.C[22] * result.C[23] * result.C[27]) * (n0 * result.C[29] * result.C[33] * result.C[34] * result.K[18]
+        * result.K[19] * result.K[27] * result.K[28] * result.K[29] * result.F[0])) * ((n0 * result.F[1] * result.F[2]
+        * result.F[3] * result.F[4] * result.F[5] * result.M_r[0] * result.M_r[1] * result.M_r[2] * result.M_r[3]) * (n0
+        * result.M_r[4] * result.M_r[5] * result.M_r[6] * result.M_r[7] * result.M_r[8] * result.C_r[0] * result.C_r[1]
+        * result.C_r[2] * result.C_r[3] * result.C_r[4]))) * (((n0 * result.C_r[5] * result.C_r[6] * result.C_r[7]
+        * result.C_r[8] * result.K_r[6] * result.K_r[7] * result.K_r[8] * result.K_r[9] * result.K_r[10]) * (n0
+        * result.K_r[11] * result.F_r[0] * result.F_r[1] * result.F_r[2] * result.A[16] * result.A[19] * result.A[21]
+        * result.A[22] * result.A[23] * result.A[24])) * ((n0 * result.A[27] * result.A[29] * result.A[30]
+        * result.A[31] * result.A[40] * result.A[43] * result.A[45] * result.A[46] * result.A[47]) * (n0 * result.A[48]
+        * result.A[51] * result.A[53] * result.A[54] * result.A[55] * result.A[56] * result.A[59] * result.A[61]
+        * result.A[62] * result.A[63])));
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
     return torsor::Status::ok;
   }

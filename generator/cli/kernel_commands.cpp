@@ -54,7 +54,7 @@ void add_kernel_commands(CommandSet& commands) {
   add_kernel_options(generating, *request);
   generating.get_option("--output")->required()->description("file to write; - for the standard output");
 
-  CLI::App& counting = commands.add("counts", "count the operations of the emitted kernels",
+  CLI::App& counting = commands.add("counts", "count the operations of the emitted kernels, tests of their Status left out",
                                     [request](const Scene& scene) { return counts(scene, *request); });
   add_kernel_options(counting, *request);
   counting.add_flag("--json", request->json, "print JSON");

@@ -18,21 +18,19 @@ namespace {
 
 constexpr std::size_t function_indentation = 4;
 
-/// Of more results than these the check that they are finite is a sum of sums, of each value once: one addition waits
-/// for the other.
-constexpr std::size_t many_results = 64;
-constexpr std::size_t flat_sum = 16;
+/// So many products in the check that results are finite wait for each other.
+constexpr std::size_t finite_group = 16;
 
-std::string sum_of_differences(const std::vector<std::string>& of, std::size_t begin, std::size_t end,
-                               std::size_t flat) {
-  std::string sum;
-  if (end - begin > flat) {
+/// 0 times some results; of many a product of such products.
+std::string zero_times(const std::string& zero, const std::vector<std::string>& of, std::size_t begin, std::size_t end) {
+  if (end - begin > finite_group) {
     const std::size_t middle = begin + (end - begin) / 2;
-    const std::string first = sum_of_differences(of, begin, middle, flat);
-    return "(" + first + ") + (" + sum_of_differences(of, middle, end, flat) + ")";
+    const std::string first = zero_times(zero, of, begin, middle);
+    return "(" + first + ") * (" + zero_times(zero, of, middle, end) + ")";
   }
-  for (std::size_t i = begin; i < end; ++i) sum += fmt::format("{}({} - {})", sum.empty() ? "" : " + ", of[i], of[i]);
-  return sum;
+  std::string product = zero;
+  for (std::size_t i = begin; i < end; ++i) product += " * " + of[i];
+  return product;
 }
 
 bool is_trigonometric(const Definition& definition) {
@@ -256,15 +254,10 @@ std::string FunctionEmitter::text(const Polynomial& sum) {
 
 void FunctionEmitter::assign(const std::string& target, const Value& value) {
   line(fmt::format("{} = {};", target, text_of(value, target)));
-  if (value.is_constant()) return;
-  results_.push_back(target);
-  if (!repeats_) distinct_results_.push_back(target);
+  if (!value.is_constant() && !repeats_) results_.push_back(target);
 }
 
-void FunctionEmitter::check_finite(const std::string& target) {
-  results_.push_back(target);
-  distinct_results_.push_back(target);
-}
+void FunctionEmitter::check_finite(const std::string& target) { results_.push_back(target); }
 
 void FunctionEmitter::return_status(const std::vector<std::pair<Value, Value>>& pivots) {
   const auto operand = [this](const Value& value) {
@@ -284,11 +277,9 @@ void FunctionEmitter::return_status(const std::vector<std::pair<Value, Value>>& 
   }
   if (!condition.empty()) line(fmt::format("if (!({})) return torsor::Status::singular;", condition));
   if (!results_.empty()) {
-    const bool many = results_.size() > many_results;
-    const std::vector<std::string>& checked = many ? distinct_results_ : results_;
-    const std::string difference = sum_of_differences(checked, 0, checked.size(), many ? flat_sum : many_results);
-    line("// x - x is 0 for every finite x and not a number for any other.");
-    line(fmt::format("const Scalar zero = {};", difference));
+    const std::string product = zero_times(name(Number()), results_, 0, results_.size());
+    line("// 0 x is 0 for every finite x and not a number for any other.");
+    line(fmt::format("const Scalar zero = {};", product));
     line(fmt::format("if (!traits::regular({}, zero)) return torsor::Status::not_finite;", name(Number(1))));
   }
   line("return torsor::Status::ok;");

@@ -32,7 +32,8 @@ class FunctionEmitter {
   void provide(const SumTable& ready, const std::string& prefix);
   void compute(const Block& block);
   void assign(const std::string& target, const Value& value);
-  /// Returns Status::singular when a pivot is not regular, not_finite when an assigned result is not, else ok.
+  /// Returns Status::singular when a pivot is not regular, not_finite when an assigned result is not, else ok. That
+  /// takes one multiplication for each of them, which the operations leave out: they are those of the equations.
   void return_status(const std::vector<std::pair<Value, Value>>& pivots);
   /// A result that return_status looks at.
   void check_finite(const std::string& target);
@@ -64,8 +65,7 @@ class FunctionEmitter {
   SumTable written_;                  ///< results that cost something, with
   std::vector<std::string> places_;   ///< where each was written
   std::vector<bool> place_negative_;  ///< and whether with the other sign
-  std::vector<std::string> results_;  ///< targets of results that could be not finite
-  std::vector<std::string> distinct_results_;  ///< those that repeat no other
+  std::vector<std::string> results_;  ///< targets of results that could be not finite and repeat no other
   bool repeats_ = false;  ///< whether the last result did, up to sign
   std::string bindings_, code_;
   bool reads_ready_ = false;

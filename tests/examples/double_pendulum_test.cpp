@@ -132,5 +132,22 @@ TEST(DoublePendulum, HasARegressorWhoseTablesLeadFromInertialParametersToForces)
   }
 }
 
+// Rates of 1e120 make accelerations of about 1e240: their product overflows, and they are finite.
+TEST(DoublePendulum, TellsLargeResultsFromThoseThatAreNotFinite) {
+  const auto precomputed = Pendulum::precompute(Pendulum::default_parameters());
+  const auto status_at = [&](double rate, Pendulum::Accelerations& a) {
+    Pendulum::State state{};
+    state.q = {0.4, -1.1};
+    state.v = {rate, rate / 2};
+    Pendulum::Multipliers lambda;
+    return Pendulum::forward_dynamics(precomputed, state, {}, a, lambda);
+  };
+  Pendulum::Accelerations a{};
+  EXPECT_EQ(status_at(1e120, a), torsor::Status::ok);
+  EXPECT_GT(std::abs(a.theta_1), 1e200);
+  EXPECT_GT(std::abs(a.theta_2), 1e200);
+  for (const double rate : {1e160, HUGE_VAL, std::nan("")}) EXPECT_EQ(status_at(rate, a), torsor::Status::not_finite);
+}
+
 }  // namespace
 }  // namespace torsor::double_pendulum_test

@@ -15,6 +15,22 @@ namespace {
 /// asking all of its entries whether they vanish takes longer than deriving them.
 constexpr int most_for_parts = 12;
 
+/// Everything that the kernel computes, what it tests included.
+int cost_of(const Program& program, const ForwardSolution& solution) {
+  std::vector<Value> values = solution.accelerations;
+  for (const auto& [pivot, diagonal] : solution.pivots) {
+    values.push_back(pivot);
+    values.push_back(diagonal);
+  }
+  return count(program, values).total();
+}
+
+/// The recursion subtracts from the inertia of one articulated body after the other, L D Lᵀ from entries of M, which hold
+/// the whole arm's: of Panda's accelerations the recursion keeps four bits more. On long chains that is worth some
+/// operations.
+constexpr double worth_accuracy = 1.05;
+constexpr int long_chain = 5;
+
 }  // namespace
 
 Equations::Equations(const Scene& scene, const ModelOptions& options)
@@ -133,8 +149,11 @@ const ForwardSolution& Equations::forward() const {
   }
   if (method == ForwardMethod::articulated_body) return *(forward_ = std::move(recursive));
   const ForwardSolution& factored = forward_by_factorisation();
-  const auto cost = [this](const ForwardSolution& s) { return count(*program_, s.accelerations).total(); };
-  if (recursive && cost(*recursive) < cost(factored)) return *(forward_ = std::move(recursive));
+  if (recursive) {
+    const int cost = cost_of(*program_, *recursive), other = cost_of(*program_, factored);
+    const bool accurate = model_.unknown_count() >= long_chain && cost <= worth_accuracy * other;
+    if (cost < other || accurate) return *(forward_ = std::move(recursive));
+  }
   return *(forward_ = factored);
 }
 
@@ -186,8 +205,7 @@ const ForwardSolution& Equations::forward_by_factorisation() const {
   factored_ = solve(force, gamma);
   if (constraints().empty() && has_simple_joints(model_)) {
     ForwardSolution other = forward_about_reference();
-    const auto cost = [this](const ForwardSolution& s) { return count(*program_, s.accelerations).total(); };
-    if (cost(other) < cost(*factored_)) factored_ = std::move(other);
+    if (cost_of(*program_, other) < cost_of(*program_, *factored_)) factored_ = std::move(other);
   }
   return *factored_;
 }
