@@ -18,9 +18,14 @@ constexpr int digits = 60;
 struct Sized {
   Real value, size;
 
-  Sized(Real v, Real s) : value(std::move(v)), size(std::move(s)) {}
+  /// Sizes that multiply along a long elimination leave even CLN's exponents; nothing asks how far beyond one they are.
+  Sized(Real v, Real s) : value(std::move(v)), size(huge() < s ? huge() : std::move(s)) {}
   explicit Sized(const Real& v) : value(v), size(abs(v)) {}
   static Sized of_number(const Number& number) { return Sized(Real(number, digits)); }
+  static const Real& huge() {
+    static const Real number(Number(10).pow(1000), digits);
+    return number;
+  }
 
   Sized operator-() const { return {-value, size}; }
   friend Sized operator+(const Sized& a, const Sized& b) { return {a.value + b.value, a.size + b.size}; }

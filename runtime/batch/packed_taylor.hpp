@@ -280,7 +280,7 @@ class PackedTaylor {
         const bool finite = all_finite(lane_of(c[1], i)) && all_finite(lane_of(c[order], i));
         lane.said = finite ? Evaluation::ok : Evaluation::not_finite;
       } else {
-        std::array<Vector, room> own;
+        std::array<Vector, room> own{};  // a lane that fails leaves some unwritten
         lane.said = jets_alone(lane, t[i], lane_of(y, i), std::span(own).first(order + 1));
         for (std::size_t k = 0; k <= order; ++k) set_lane(c[k], i, own[k]);
       }

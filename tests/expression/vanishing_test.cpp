@@ -53,6 +53,16 @@ TEST(Vanishes, AnswersForManyValuesAtOnce) {
   EXPECT_EQ(vanish({Value()}), std::vector<bool>{true});
 }
 
+TEST(Vanishes, FollowsTermsThatGrowBeyondAllExponents) {
+  Program program;
+  const Expression x = make_symbol("x");
+  const Value one = program.bind(program.lower(x + 2)) - program.bind(program.lower(x + 1));
+  Value power = program.bind(one);  // of terms larger than 3: those of its power 2^80 are more than 10^(10^23)
+  for (int k = 0; k < 80; ++k) power = program.bind(power * power);
+  EXPECT_TRUE(vanishes(power - one));
+  EXPECT_FALSE(vanishes(power + one));
+}
+
 TEST(Vanishes, TellsWhatIsSmallFromWhatCancels) {
   Program program;
   const Expression x = TestCoordinate("x").q;

@@ -34,7 +34,7 @@ class Equations {
   /// in coordinates that M does not couple.
   const std::vector<Value>& inverse_dynamics() const;
   /// Unknowns only: L D Lᵀ of the mass matrix or the articulated-body recursion, whichever has fewer operations or the
-  /// options ask for; of five and more unknowns within 5 % the recursion, which is more accurate.
+  /// options ask for; of eight and more unknowns within 5 % the recursion, which is more accurate.
   const ForwardSolution& forward() const;
   /// The same by L D Lᵀ, whatever it costs: for those who solve with it further.
   const ForwardSolution& forward_by_factorisation() const;
