@@ -29,7 +29,7 @@ for compiler in g++ clang++; do
   command -v "$compiler" > /dev/null || continue
   for level in "${levels[@]}"; do
     made="$compiler$level"
-    [ -e "$folder/$made.o" ] || bash "$here/compile_alone.sh" "$compiler" "$header" "$folder"
+    [ "$folder/$made.o" -nt "$header" ] || bash "$here/compile_alone.sh" "$compiler" "$header" "$folder"
     g++ "$folder/by_number.o" "$folder/$made.o" "$program" -o "$folder/states-$made"
     if [ -z "$first" ]; then
       first="$made"
