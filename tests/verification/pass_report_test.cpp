@@ -82,11 +82,10 @@ TEST(PassReport, TellsResultsThatDiffer) {
 TEST(PassReport, ComparesAllStatesThatAreAskedFor) {
   const Scene scene = random_mechanism(910);
   const auto differences = [&scene](int states, std::uint64_t seed) {
+    const PassReport report =
+        report_passes(scene, {"mass_matrix"}, {}, {.digits = 20, .states = states, .seed = seed});
     std::vector<double> found;
-    for (const PassEffect& effect :
-         report_passes(scene, {"mass_matrix"}, {}, {.digits = 20, .states = states, .seed = seed}).kernels[0].without) {
-      found.push_back(effect.difference);
-    }
+    for (const PassEffect& effect : report.kernels[0].without) found.push_back(effect.difference);
     return found;
   };
   // Of roundings, that are others at each state.
