@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "benchmarks/work_precision/report.hpp"
+#include "generator/verification/worst.hpp"
 
 namespace work_precision {
 namespace {
@@ -89,9 +90,6 @@ void no_wrong_answer(Bars& bars, const std::vector<Row>& rows) {
   constexpr double growth = 9.4e5;
   double end = 0, energy = 0;
   int failures = 0, reached = 0;
-  const auto take = [](double& worst, double x) {  // what is not a number stays the worst
-    if (!std::isnan(worst) && !(x <= worst)) worst = x;
-  };
   for (const Row& row : rows) {
     if (row.problem != "dp_hard" || row.way->library != "torsor" || row.way->fixed_step) continue;
     if (!row.outcome.reached) {
@@ -99,8 +97,10 @@ void no_wrong_answer(Bars& bars, const std::vector<Row>& rows) {
       continue;
     }
     ++reached;
-    take(end, row.outcome.error / (100 * row.setting * growth));
-    take(energy, row.outcome.energy / (1e4 * row.setting));
+    const double of_end = row.outcome.error / (100 * row.setting * growth);
+    const double of_energy = row.outcome.energy / (1e4 * row.setting);
+    if (torsor::is_worse(of_end, end)) end = of_end;
+    if (torsor::is_worse(of_energy, energy)) energy = of_energy;
   }
   if (reached == 0) end = energy = std::numeric_limits<double>::quiet_NaN();
   bars.at_most("dp_hard: largest error of ours at any tolerance, in units of 100 tolerance 9.4e5", end, 1);

@@ -41,12 +41,10 @@ Kernel make_residual(const Equations& equations) {
                           equations.inverse_dynamics().begin() + equations.model().unknown_count());
   const std::vector<Value> of_motors = equations.of_inputs();
   for (std::size_t i = 0; i < n; ++i) rows[i] -= of_motors[i];
-  if (m > 0) {
-    const std::vector<Value> rates = constraint_accelerations(equations);
-    for (std::size_t j = 0; j < m; ++j) {
-      const bool repeated = repeats_others(equations, j);
-      rows.push_back(repeated ? equations.program().symbol(equations.constraints()[j].multiplier) : rates[j]);
-    }
+  const std::vector<Value> rates = constraint_accelerations(equations);
+  for (std::size_t j = 0; j < m; ++j) {
+    const bool repeated = repeats_others(equations, j);
+    rows.push_back(repeated ? equations.program().symbol(equations.constraints()[j].multiplier) : rates[j]);
   }
   assign_vector(kernel, "residual", rows, n + m);
   return kernel;
@@ -66,21 +64,20 @@ Kernel make_residual_jacobian(const Equations& equations) {
     }
     for (std::size_t k = 0; k < m; ++k) jacobian[i][3 * n + k] = -equations.constraints()[k].column[i];
   }
-  const std::vector<Value> rates = m > 0 ? constraint_accelerations(equations) : std::vector<Value>();
-  for (std::size_t k = 0; k < m; ++k) {
-    std::vector<Value>& row = jacobian[n + k];
-    if (repeats_others(equations, k)) {
-      row[3 * n + k] = program.number(Number(1));
-      continue;
-    }
-    for (std::size_t j = 0; j < n; ++j) {
-      Derivation by_position = equations.model().along(static_cast<int>(j));
-      Derivation by_velocity = partial_derivation(program, equations.model().coordinates()[j].v);
+  const std::vector<Value> rates = constraint_accelerations(equations);
+  for (std::size_t j = 0; j < n; ++j) {
+    // One for all rows: each remembers the definitions that it has met.
+    Derivation by_position = equations.model().along(static_cast<int>(j));
+    Derivation by_velocity = partial_derivation(program, equations.model().coordinates()[j].v);
+    for (std::size_t k = 0; k < m; ++k) {
+      if (repeats_others(equations, k)) continue;
+      std::vector<Value>& row = jacobian[n + k];
       row[j] = by_position(rates[k]);
       row[n + j] = by_velocity(rates[k]);
       row[2 * n + j] = equations.constraints()[k].jacobian[j];
     }
   }
+  for (const std::size_t k : equations.redundancy().dropped) jacobian[n + k][3 * n + k] = program.number(Number(1));
   Kernel kernel;
   const CompressedRows rows(jacobian);
   rows.assign(kernel, "result");

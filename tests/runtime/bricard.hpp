@@ -16,30 +16,12 @@ namespace mechanisms {
 /// inertia J about each joint; gravity along -z, the first axis.
 /// Its motion: cos θ + cos φ + cos θ cos φ = 0 for the angles θ, φ, θ, φ, θ (Chen, You & Tarnai, Int. J. Solids Struct.
 /// 42 (2005) 2287-2301, (7) with a twist of a quarter turn), θ between ±2π/3.
-struct Bricard {
-  static constexpr int nv = 5, m = 5;
-  static constexpr int coordinate_count = nv, velocity_count = nv, input_count = 0, parameter_count = 0,
-                       multiplier_count = m;
+struct Bricard : Contract<5, 5> {
+  static constexpr int nv = velocity_count, m = multiplier_count, parameter_count = 0;
   static constexpr double rotor = 0.1;
   using Parameters = Nothing;
-  using Coordinates = Values<double, nv>;
-  using Velocities = Values<double, nv>;
-  using Accelerations = Values<double, nv>;
-  using GeneralizedForces = Values<double, nv>;
-  using Inputs = Nothing;
-  using Multipliers = Values<double, m>;
-  struct State {
-    double time;
-    Coordinates q;
-    Velocities v;
-  };
   struct Precomputed {
     Parameters parameters;
-  };
-  struct Constraints {
-    std::array<double, m> value, rate;
-    std::array<double, std::size_t{m} * nv> jacobian;
-    std::array<double, m> gamma;
   };
   static Parameters default_parameters() noexcept { return {}; }
   static Precomputed precompute(const Parameters& p) noexcept { return {p}; }

@@ -150,31 +150,14 @@ TEST(PartitionedMotion, TellsWhatIsNoNumberFromWhatDoesNotSuit) {
 }
 
 /// Two points of masses 1 and r on a line, tied by a rod: a force of 1 on the first.
-struct Rod {
-  static constexpr int coordinate_count = 2, velocity_count = 2, multiplier_count = 1;
-  [[maybe_unused]] static constexpr int input_count = 0, parameter_count = 1;
+struct Rod : mechanisms::Contract<2, 1> {
+  [[maybe_unused]] static constexpr int parameter_count = 1;
   struct Parameters {
     [[maybe_unused]] static constexpr int size = 1;
     double mass;
   };
-  using Coordinates = mechanisms::Values<double, 2>;
-  using Velocities = Coordinates;
-  using Accelerations = Coordinates;
-  using GeneralizedForces = Coordinates;
-  using Inputs = mechanisms::Nothing;
-  using Multipliers = mechanisms::Values<double, 1>;
-  struct State {
-    double time;
-    Coordinates q;
-    Velocities v;
-  };
   struct Precomputed {
     Parameters parameters;
-  };
-  struct Constraints {
-    std::array<double, 1> value, rate;
-    std::array<double, 2> jacobian;
-    std::array<double, 1> gamma;
   };
   static Parameters default_parameters() noexcept { return {1.0}; }
   static Precomputed precompute(const Parameters& p) noexcept { return {p}; }

@@ -19,6 +19,33 @@ struct Nothing {
   static constexpr int size = 0;
 };
 
+/// Sizes and structures of mechanisms in double without inputs: n velocities, m multipliers, nq coordinates.
+template <int n, int m, int nq = n>
+struct Contract {
+  static constexpr int coordinate_count = nq, velocity_count = n, multiplier_count = m, input_count = 0;
+  using Coordinates = Values<double, nq>;
+  using Velocities = Values<double, n>;
+  using Accelerations = Values<double, n>;
+  using GeneralizedForces = Values<double, n>;
+  using Inputs = Nothing;
+  using Multipliers = Values<double, m>;
+  struct State {
+    double time;
+    Coordinates q;
+    Velocities v;
+  };
+  struct Constraints {
+    std::array<double, static_cast<std::size_t>(m)> value, rate;
+    std::array<double, static_cast<std::size_t>(m* n)> jacobian;
+    std::array<double, static_cast<std::size_t>(m)> gamma;
+  };
+  struct Linearisation {
+    std::array<double, static_cast<std::size_t>(n*n)> M, C, K;
+    std::array<double, static_cast<std::size_t>(n)> F;
+  };
+  static State initial_state() noexcept { return {}; }
+};
+
 template <class Scalar>
 inline constexpr Scalar gravity = Scalar(9.81);
 

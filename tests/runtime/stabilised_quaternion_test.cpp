@@ -15,6 +15,7 @@ namespace stabilised_quaternion_test {
 namespace {
 
 using namespace torsor::runtime;
+using mechanisms::Contract;
 using mechanisms::Nothing;
 using mechanisms::Values;
 using Vector3 = std::array<double, 3>;
@@ -27,29 +28,12 @@ Vector3 cross(const Vector3& a, const Vector3& b) {
 /// ground's axes, angular ones along the body's. `Hold` gives masses, gravity and the constraints
 ///   0 = g,   0 = A v,   A v' + γ = 0.
 template <class Hold>
-struct HeldFreely {
-  static constexpr int coordinate_count = 7, velocity_count = 6, input_count = 0, parameter_count = 0,
-                       multiplier_count = 3, quaternion_count = 1;
+struct HeldFreely : Contract<6, 3, 7> {
+  static constexpr int parameter_count = 0, quaternion_count = 1;
   static constexpr int quaternions[] = {3};
   using Parameters = Nothing;
-  using Coordinates = Values<double, 7>;
-  using Velocities = Values<double, 6>;
-  using Accelerations = Values<double, 6>;
-  using GeneralizedForces = Values<double, 6>;
-  using Inputs = Nothing;
-  using Multipliers = Values<double, 3>;
-  struct State {
-    double time;
-    Coordinates q;
-    Velocities v;
-  };
   struct Precomputed {
     Parameters parameters;
-  };
-  struct Constraints {
-    std::array<double, 3> value, rate;
-    std::array<double, 18> jacobian;
-    std::array<double, 3> gamma;
   };
   static Parameters default_parameters() noexcept { return {}; }
   static Precomputed precompute(const Parameters& p) noexcept { return {p}; }

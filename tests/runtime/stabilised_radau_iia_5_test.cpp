@@ -114,29 +114,12 @@ TEST(StabilisedRadauIia5, ReportsConstraintsThatLoseTheirRank) {
 
 /// A point at rest, held on x = y and on x - y + δ (z - 1) = 0: two planes that δ turns against each other. Where
 /// x is above 1.5 the second is not a number.
-struct NearlyParallelPlanes {
-  static constexpr int coordinate_count = 3, velocity_count = 3, input_count = 0, multiplier_count = 2;
+struct NearlyParallelPlanes : mechanisms::Contract<3, 2> {
   struct Parameters {
     double delta = 1;
   };
-  using Coordinates = mechanisms::Values<double, 3>;
-  using Velocities = mechanisms::Values<double, 3>;
-  using Accelerations = mechanisms::Values<double, 3>;
-  using GeneralizedForces = mechanisms::Values<double, 3>;
-  using Inputs = mechanisms::Nothing;
-  using Multipliers = mechanisms::Values<double, 2>;
-  struct State {
-    double time;
-    Coordinates q;
-    Velocities v;
-  };
   struct Precomputed {
     Parameters parameters;
-  };
-  struct Constraints {
-    std::array<double, 2> value, rate;
-    std::array<double, 6> jacobian;
-    std::array<double, 2> gamma;
   };
   static Parameters default_parameters() noexcept { return {}; }
   static Precomputed precompute(const Parameters& p) noexcept { return {p}; }

@@ -8,27 +8,6 @@
 // Mechanisms for statics, written by hand to the contract of generated headers.
 namespace mechanisms {
 
-/// What all of them share; n coordinates, m multipliers.
-template <int n, int m>
-struct Contract {
-  static constexpr int coordinate_count = n, velocity_count = n, multiplier_count = m;
-  using Coordinates = Values<double, n>;
-  using Velocities = Values<double, n>;
-  using Accelerations = Values<double, n>;
-  using GeneralizedForces = Values<double, n>;
-  using Multipliers = Values<double, m>;
-  struct State {
-    double time;
-    Coordinates q;
-    Velocities v;
-  };
-  struct Linearisation {
-    std::array<double, static_cast<std::size_t>(n*n)> M, C, K;
-    std::array<double, static_cast<std::size_t>(n)> F;
-  };
-  static State initial_state() noexcept { return {}; }
-};
-
 /// A pendulum (m = L = 1) hinged at the distance a from a vertical axis about which all turns at omega, in its plane,
 /// theta from the downward vertical outwards: T0 = ½ ω² (a + sin θ)², U = g cos θ, friction c. a = 0 is a bead on a
 /// hoop.
@@ -71,11 +50,6 @@ struct PointOnCurve : Contract<2, 1> {
   using Parameters = Nothing;
   struct Precomputed {
     Parameters parameters;
-  };
-  struct Constraints {
-    std::array<double, 1> value, rate;
-    std::array<double, 2> jacobian;
-    std::array<double, 1> gamma;
   };
   static Parameters default_parameters() noexcept { return {}; }
   static Precomputed precompute(const Parameters& p) noexcept { return {p}; }
@@ -120,11 +94,6 @@ struct TwiceOnCurve : Contract<2, 2> {
   using Inputs = Nothing;
   using Parameters = Nothing;
   using Precomputed = typename Once::Precomputed;
-  struct Constraints {
-    std::array<double, 2> value, rate;
-    std::array<double, 4> jacobian;
-    std::array<double, 2> gamma;
-  };
   static Parameters default_parameters() noexcept { return {}; }
   static Precomputed precompute(const Parameters& p) noexcept { return {p}; }
   static void constraints(const Precomputed& p, const State& s, Constraints& c) noexcept {
