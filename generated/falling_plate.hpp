@@ -38,7 +38,7 @@
 #include <cmath>
 
 #ifndef TORSOR_KERNEL_SUPPORT
-#define TORSOR_KERNEL_SUPPORT 2
+#define TORSOR_KERNEL_SUPPORT 3
 // Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
 #ifndef TORSOR_DEVICE
 #define TORSOR_DEVICE
@@ -52,7 +52,7 @@
 //  * two polynomials of least greatest error give the sine and the cosine of r, |r| <= pi/4;
 //  * angles beyond `bound` are rare: they are reduced exactly, in integers, by a function that is not inlined, and so
 //    are all angles under another rounding, which would give the nearest integers wrong.
-// The core has no branch, so that compilers turn a loop over several angles into vector instructions.
+// The core has no branch, so that several angles go through it at once.
 #ifndef TORSOR_STD_SINCOS
 #if defined(__FAST_MATH__) || defined(_M_FP_FAST) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0)
 #define TORSOR_STD_SINCOS  // sums would be reassociated or hold more digits than their type
@@ -100,21 +100,19 @@ struct SineCosine {
       S = S01 + z2 * number(0.0, -0x1.9953f2p-13f);
       C = C01 + z2 * number(0.0, 0x1.99e0eep-16f);
     } else {
-      const Scalar z4 = z2 * z2;
       const Scalar S01 = number(-0x1.5555555555548p-3, 0.0f) + z * number(0x1.111111110f73p-7, 0.0f);
       const Scalar S23 = number(-0x1.a01a019be9217p-13, 0.0f) + z * number(0x1.71de35552b518p-19, 0.0f);
       const Scalar S45 = number(-0x1.ae5e4b83e1601p-26, 0.0f) + z * number(0x1.5d8b55934597bp-33, 0.0f);
       const Scalar C01 = number(0x1.555555555554cp-5, 0.0f) + z * number(-0x1.6c16c16c1521bp-10, 0.0f);
       const Scalar C23 = number(0x1.a01a019cbeb68p-16, 0.0f) + z * number(-0x1.27e4f8121198fp-22, 0.0f);
       const Scalar C45 = number(0x1.1ee9f0cbf70d6p-29, 0.0f) + z * number(-0x1.8fb0e15d5f2ap-37, 0.0f);
-      S = (S01 + z2 * S23) + z4 * S45;
-      C = (C01 + z2 * C23) + z4 * C45;
+      S = S01 + z2 * (S23 + z2 * S45);
+      C = C01 + z2 * (C23 + z2 * C45);
     }
-    const Scalar half_z = half * z, w = one - half_z;
-    // Far below an ulp, it makes the correction of -0 a -0, and so the sine.
-    const Scalar tiny = number(0x1p-100, 0x1p-60f);
-    sine = high + (high * (tiny + z * S) - rest * w);
-    cosine = w + (((one - w) - half_z) + (z2 * C + high * rest));
+    const Scalar half_z = half * z, w = one - half_z, high_z = high * z;
+    // What waits for S and C comes last. The correction of -0 is a 0, which subtracted leaves it -0.
+    sine = high - (rest * w - high_z * S);
+    cosine = w + ((((one - w) - half_z) + high * rest) + z2 * C);
   }
 
   /// Of n pi/2 more.
@@ -129,21 +127,31 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// For |x| <= bound; what is no number gives no number. Exact are n times the first three parts of pi/2, the first
-  /// difference, and each rounded difference together with its rounding error.
-  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
-    const Scalar n = rounded(x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f));
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n plus a number so large that its last bit counts 1; what is no
+  /// number gives no number.
+  ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
+  ///    others do, and may be formed twice;
+  ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
+  ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
+  TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
+                                                        Scalar& cosine) noexcept {
+    const Scalar shift = number(0x1.8p52, 0x1.8p23f);
+    const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
+    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift;
+    const Scalar n = shifted - shift;
     const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
-    const Scalar second = n * number(0x1.0b4611a6p-34, 0x1.ed5p-14f);
-    const Scalar third = n * number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    const Scalar fourth = n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
-    const Scalar r = first - second;
-    const Scalar taken = first - r;
-    const Scalar error = (first - (r + taken)) - (second - taken);
-    const Scalar high = r - third;
-    const Scalar rest = ((third - (r - high)) - error) + fourth;
+    const Scalar r = first - n * P;
+    const Scalar error = (first - r) - n * P;
+    const Scalar high = r - n * Q;
+    const Scalar rest = ((n * Q - (r - high)) - error) + n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
     of_reduced(high, rest, sine, cosine);
-    turn(n, sine, cosine);
+  }
+
+  /// For |x| <= bound.
+  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
+    Scalar shifted;
+    of_remainder(x, shifted, sine, cosine);
+    turn(shifted - number(0x1.8p52, 0x1.8p23f), sine, cosine);
   }
 };
 
@@ -262,61 +270,151 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
 #endif
 }
 
-/// Of some angles up to the bound, a multiple of what a vector holds. Local arrays, which nothing else can point to.
-template <int size, class Scalar>
-TORSOR_DEVICE TORSOR_INLINED void sincos_of_block(const Scalar* angles, Scalar* sines, Scalar* cosines) noexcept {
-  Scalar x[size], s[size], c[size];
-  for (int i = 0; i < size; ++i) x[i] = angles[i];
-  // Compilers make vector instructions of a loop, but not always of a row of statements.
-#if defined(__clang__)
-#pragma clang loop unroll(disable)
-#elif defined(__GNUC__) && !defined(__CUDACC__)
-#pragma GCC unroll 1
+}  // namespace torsor
+// Sines and cosines of several angles at once: by vector registers where GNU C++ has types for them, which compilers
+// without AVX make of narrower ones; loops over numbers are not left to compilers to find.
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define TORSOR_VECTOR_TYPES
 #endif
-  for (int i = 0; i < size; ++i) SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::core(x[i], s[i], c[i]);
-  for (int i = 0; i < size; ++i) sines[i] = s[i];
-  for (int i = 0; i < size; ++i) cosines[i] = c[i];
+
+namespace torsor {
+
+#if defined(TORSOR_VECTOR_TYPES)
+/// 0, 1, ... as arguments of a template.
+template <int... place>
+struct Places {};
+template <int count, int... place>
+struct FirstPlaces : FirstPlaces<count - 1, count - 1, place...> {};
+template <int... place>
+struct FirstPlaces<0, place...> {
+  using type = Places<place...>;
+};
+
+/// Some registers of equally many numbers, which take the same operations by turns: while the one waits for its last
+/// result, the other is at work. A scalar for SineCosine, of which it needs constants, sums and products only.
+template <class Number, int lanes, int count>
+struct Registers {
+  typedef Number Numbers __attribute__((vector_size(lanes * sizeof(Number))));
+  using Bits = decltype(Numbers{} < Numbers{});
+  Numbers part[count];
+
+  TORSOR_INLINED friend Registers operator+(const Registers& a, const Registers& b) noexcept {
+    Registers sum;
+    for (int i = 0; i < count; ++i) sum.part[i] = a.part[i] + b.part[i];
+    return sum;
+  }
+  TORSOR_INLINED friend Registers operator-(const Registers& a, const Registers& b) noexcept {
+    Registers difference;
+    for (int i = 0; i < count; ++i) difference.part[i] = a.part[i] - b.part[i];
+    return difference;
+  }
+  TORSOR_INLINED friend Registers operator*(const Registers& a, const Registers& b) noexcept {
+    Registers product;
+    for (int i = 0; i < count; ++i) product.part[i] = a.part[i] * b.part[i];
+    return product;
+  }
+};
+
+template <class Number, int lanes, int count>
+struct scalar_traits<Registers<Number, lanes, count>> {
+  using Scalar = Registers<Number, lanes, count>;
+  TORSOR_INLINED static Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    constexpr bool is_float = sizeof(Number) == sizeof(float);
+    const Number number = is_float ? static_cast<Number>(in_float) : static_cast<Number>(in_double);
+    Scalar result;
+    for (int i = 0; i < count; ++i) {
+      for (int lane = 0; lane < lanes; ++lane) result.part[i][lane] = number;
+    }
+    return result;
+  }
+};
+
+/// Of angles up to the bound, bit by bit what SineCosine::core gives where nothing is fused. The quarter of the turn is
+/// in the last two bits of `shifted`: it is chosen by bits, not by products.
+template <class Number, int lanes, int count>
+TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& angles,
+                                        Registers<Number, lanes, count>& sines,
+                                        Registers<Number, lanes, count>& cosines) noexcept {
+  using Scalar = Registers<Number, lanes, count>;
+  using Numbers = typename Scalar::Numbers;
+  using Bits = typename Scalar::Bits;
+  constexpr int sign_bit = 8 * static_cast<int>(sizeof(Number)) - 1;
+  Scalar shifted, sine, cosine;
+  SineCosine<Scalar, sizeof(Number) == sizeof(float)>::of_remainder(angles, shifted, sine, cosine);
+  const Bits sign = (Bits)scalar_traits<Scalar>::constant(-0.0, -0.0f, nullptr).part[0];
+  for (int i = 0; i < count; ++i) {
+    const Bits bits = (Bits)shifted.part[i], s = (Bits)sine.part[i], c = (Bits)cosine.part[i];
+    const Bits odd = Bits{} - (bits & 1);  // all bits or none
+    const Bits upper = bits << (sign_bit - 1);
+    // The sine is negated for n = 2 and 3, the cosine for 1 and 2.
+    sines.part[i] = (Numbers)(((odd & c) | (~odd & s)) ^ (upper & sign));
+    cosines.part[i] = (Numbers)(((odd & s) | (~odd & c)) ^ ((upper ^ odd) & sign));
+  }
 }
 
-/// Of several angles at once, in float or double: as many as a vector holds go through the core together.
-template <class Scalar, int N>
-TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
-                                            Scalar (&cosines)[N]) noexcept {
-  constexpr int narrow = 16 / sizeof(Scalar);
+/// Of the angles first to first + size - 1, up to the bound, in one register or two; idle lanes get 0. Returns the sum
+/// of their squares. Places are constants before anything is optimised: lanes then come from registers and go there,
+/// where a way through memory would be stored in parts and loaded whole.
+template <int size, class Number, int N, int... lane, int... place>
+TORSOR_INLINED Number sincos_of_some(int first, const Number (&angles)[N], Number (&sines)[N], Number (&cosines)[N],
+                                     Places<lane...>, Places<place...>) noexcept {
+  constexpr int lanes = sizeof...(lane), count = size > lanes ? 2 : 1;
+  using Some = Registers<Number, lanes, count>;
+  const auto angle = [&](int i) noexcept { return i < size ? angles[first + i] : Number(0); };
+  Some x, s, c;
+  x.part[0] = typename Some::Numbers{angle(lane)...};
+  if constexpr (count == 2) x.part[1] = typename Some::Numbers{angle(lane + lanes)...};
+  sincos_of_registers(x, s, c);
+  ((sines[first + place] = s.part[place / lanes][place % lanes]), ...);
+  ((cosines[first + place] = c.part[place / lanes][place % lanes]), ...);
+  typename Some::Numbers squares = x.part[0] * x.part[0];
+  if constexpr (count == 2) squares += x.part[1] * x.part[1];
+  return (squares[lane] + ...);
+}
+
+/// Of several angles up to the bound, by two registers at a time. Returns the sum of their squares.
+template <class Number, int N>
+TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&sines)[N],
+                                          Number (&cosines)[N]) noexcept {
+  constexpr int narrow = 16 / static_cast<int>(sizeof(Number));
 #if defined(__AVX__)
-  constexpr int wide = 32 / sizeof(Scalar);
+  // Registers of AVX-512 gain nothing for so few numbers.
+  constexpr int lanes = N <= narrow ? narrow : 2 * narrow;
 #else
-  constexpr int wide = narrow;
+  constexpr int lanes = narrow;
 #endif
-#if defined(__CUDA_ARCH__) || defined(TORSOR_STD_SINCOS)
-  constexpr bool by_vectors = false;
-#elif defined(__clang__)
-  constexpr bool by_vectors = N >= 4;  // it leaves a loop over two as it is
-#else
-  constexpr bool by_vectors = N >= narrow;
-#endif
-  if constexpr (by_vectors) {
-    constexpr int vector = N >= wide ? wide : narrow, rest = N % vector;
-    // Of a rest some angles are done again: a whole vector costs less than two or three alone.
+  constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
+  using AllLanes = typename FirstPlaces<lanes>::type;
+  Number squares = 0;
+  // One copy of the code: its constants stay where they are.
 #if defined(__clang__)
-    sincos_of_block<N - rest>(angles, sines, cosines);  // best as one loop
-    if constexpr (rest > 1) {
-      sincos_of_block<vector>(angles + (N - vector), sines + (N - vector), cosines + (N - vector));
-    }
+#pragma clang loop unroll(disable)
 #else
-    for (int next = 0; next < N - (rest == 1); next += vector) {
-      const int first = next + vector <= N ? next : N - vector;
-      sincos_of_block<vector>(angles + first, sines + first, cosines + first);
-    }
+#pragma GCC unroll 1
 #endif
-    if constexpr (rest == 1) sincos_of_one(angles[N - 1], sines[N - 1], cosines[N - 1]);
+  for (int i = 0; i < whole; i += both)
+    squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+  if constexpr (rest > 0)
+    squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
+  return squares;
+}
+#endif
+
+/// Of several angles at once, in float or double.
+template <class Scalar, int N>
+TORSOR_DEVICE TORSOR_INLINED void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
+#if defined(TORSOR_VECTOR_TYPES) && !defined(TORSOR_STD_SINCOS)
+  constexpr bool at_once = N > 1;
+#else
+  constexpr bool at_once = false;
+#endif
+  if constexpr (at_once) {
+    const Scalar squares = sincos_in_registers(angles, sines, cosines);
     constexpr Scalar bound = static_cast<Scalar>(SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::bound);
-    Scalar sum = 0;
-    for (int i = 0; i < N; ++i) sum += std::abs(angles[i]);
-    const bool to_one_side = rounds_to_one_side(sum);
-    if (sum <= bound && !to_one_side) return;
+    if (squares <= bound * bound && !rounds_to_one_side(squares)) return;
     for (int i = 0; i < N; ++i) {
-      if (std::abs(angles[i]) > bound || to_one_side) sincos_far(angles[i], sines[i], cosines[i]);
+      if (std::abs(angles[i]) > bound || rounds_to_one_side(angles[i])) sincos_far(angles[i], sines[i], cosines[i]);
     }
   } else {
     for (int i = 0; i < N; ++i) sincos_of_one(angles[i], sines[i], cosines[i]);
@@ -325,17 +423,19 @@ TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&
 
 /// Of several angles of any scalar: at once where its traits have a `sincos` of arrays, else one by one.
 template <class Scalar, int N>
-TORSOR_DEVICE auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N], int) noexcept
+TORSOR_DEVICE TORSOR_INLINED auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], int) noexcept
     -> decltype(scalar_traits<Scalar>::sincos(angles, sines, cosines)) {
   scalar_traits<Scalar>::sincos(angles, sines, cosines);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N],
-                                    long) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], long) noexcept {
   for (int i = 0; i < N; ++i) scalar_traits<Scalar>::sincos(angles[i], sines[i], cosines[i]);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
   sincos_by_traits(angles, sines, cosines, 0);
 }
 
@@ -372,7 +472,8 @@ struct scalar_traits {
   }
   /// Of several angles at once; a specialisation without it gets them one by one.
   template <int N>
-  TORSOR_DEVICE static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+  TORSOR_DEVICE TORSOR_INLINED static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                  Scalar (&cosines)[N]) noexcept {
     sincos_of_several(angles, sines, cosines);
   }
   TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
@@ -385,7 +486,7 @@ struct scalar_traits {
 };
 
 }  // namespace torsor
-#elif TORSOR_KERNEL_SUPPORT != 2
+#elif TORSOR_KERNEL_SUPPORT != 3
 #error "headers of incompatible versions of torsor meet here: write them again with one version"
 #endif
 
@@ -399,7 +500,7 @@ struct Mechanism {
 
   static constexpr const char* name = "falling_plate";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x94ac1d3121a2b6f6ULL;
+  static constexpr unsigned long long fingerprint = 0x9be5ab5e98a4177dULL;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 4;
   static constexpr int input_count = 0;
@@ -667,31 +768,31 @@ struct Mechanism {
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
     const Scalar z16 = s_beta * v_beta;
-    const Scalar z20 = p_b * s_beta;
+    const Scalar z35 = p_b * c_beta;
+    const Scalar z44 = v_alpha * c_beta;
     const Scalar z31 = s_alpha * p_b * c_beta;
     const Scalar z32 = c_alpha * p_b * c_beta;
-    const Scalar z33 = q_x + z31;  // place of foot, x
-    const Scalar z34 = q_y - z32;  // place of foot, y
-    const Scalar z35 = p_b * c_beta;
-    const Scalar z36 = v_alpha * z35;
-    const Scalar z37 = v_x - s_alpha * p_b * z16 + c_alpha * z36;  // velocity of foot, x
-    const Scalar z38 = v_y + s_alpha * z36 + c_alpha * p_b * z16;  // velocity of foot, y
     const Scalar z39 = s_alpha * c_beta;
-    const Scalar z40 = s_alpha * s_beta;
     const Scalar z41 = c_alpha * c_beta;
+    const Scalar z40 = s_alpha * s_beta;
     const Scalar z42 = c_alpha * s_beta;
-    const Scalar z44 = v_alpha * c_beta;
+    const Scalar z52 = p_b * v_beta;
+    const Scalar z20 = p_b * s_beta;
     const Scalar z45 = c_alpha * v_beta;  // angular velocity of plate, x
     const Scalar z46 = s_alpha * v_beta;  // angular velocity of plate, y
+    const Scalar z55 = c_beta * z52;
+    const Scalar z36 = v_alpha * z35;
     const Scalar z47 = p_b * z39;
     const Scalar z48 = p_b * z41;
+    const Scalar z51 = p_b * z44;
+    const Scalar z33 = q_x + z31;  // place of foot, x
+    const Scalar z34 = q_y - z32;  // place of foot, y
+    const Scalar z37 = v_x - s_alpha * p_b * z16 + c_alpha * z36;  // velocity of foot, x
+    const Scalar z38 = v_y + c_alpha * p_b * z16 + s_alpha * z36;  // velocity of foot, y
     const Scalar z49 = z33 - z47;
     const Scalar z50 = z34 + z48;
-    const Scalar z51 = p_b * z44;
-    const Scalar z52 = p_b * v_beta;
     const Scalar z53 = c_alpha * z51 - z37 - z40 * z52;
     const Scalar z54 = s_alpha * z51 - z38 + z42 * z52;
-    const Scalar z55 = c_beta * z52;
     result.plate_position[0] = z49;
     result.plate_position[1] = z50;
     result.plate_position[2] = z20;
@@ -726,15 +827,15 @@ struct Mechanism {
     const Scalar z26 = precomputed.z26;
     Scalar s_beta, c_beta;
     traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z65 = s_beta * z26;
     const Scalar z20 = p_b * s_beta;
     const Scalar z35 = p_b * c_beta;
     const Scalar z57 = s_beta * p_F;
-    const Scalar z65 = s_beta * z26;
     const Scalar z68 = s_beta * z65;
-    const Scalar z71 = z25 + z68;
-    const Scalar z80 = z35 * z35 - z71;
     const Scalar z93 = z20 * z20;
+    const Scalar z71 = z25 + z68;
     const Scalar z96 = z20 * z20 + z24 - n2 * z93;
+    const Scalar z80 = z35 * z35 - z71;
     mass[0] = n1;
     mass[1] = n0;
     mass[2] = n0;
@@ -772,35 +873,35 @@ struct Mechanism {
     traits::sincos(q_beta, s_beta, c_beta);
     const Scalar z16 = s_beta * v_beta;
     const Scalar z17 = c_beta * v_beta;
-    const Scalar z20 = p_b * s_beta;
     const Scalar z35 = p_b * c_beta;
     const Scalar z43 = v_alpha * s_beta;
-    const Scalar z44 = v_alpha * c_beta;
-    const Scalar z97 = v_beta * z17;
     const Scalar z98 = v_alpha * v_alpha;
+    const Scalar z44 = v_alpha * c_beta;
+    const Scalar z107 = v_beta * v_beta;
+    const Scalar z20 = p_b * s_beta;
+    const Scalar z97 = v_beta * z17;
     const Scalar z99 = n2 * v_alpha * p_b * z16;
-    const Scalar z100 = p_b * z97 + z35 * z98;
-    const Scalar z102 = n9_81 * c_beta - s_beta * z100;
     const Scalar z103 = v_beta * z44;  // angular acceleration of plate, y
     const Scalar z104 = v_beta * z43;  // angular acceleration of plate, z
-    const Scalar z105 = n2 * z104;
     const Scalar z106 = z44 * z44;
-    const Scalar z107 = v_beta * v_beta;
-    const Scalar z108 = z106 + z107;
     const Scalar z109 = z43 * z44;
-    const Scalar z111 = n2 * z103;
     const Scalar z112 = z43 * z43;
+    const Scalar z100 = z35 * z98 + p_b * z97;
+    const Scalar z105 = n2 * z104;
+    const Scalar z108 = z106 + z107;
+    const Scalar z111 = n2 * z103;
     const Scalar z113 = z107 - z112;
+    const Scalar z116 = p_b * z109;  // force on plate, z
     const Scalar z114 = p_b * z105;  // force on plate, x
     const Scalar z115 = p_b * z108;  // force on plate, y
-    const Scalar z116 = p_b * z109;  // force on plate, z
-    const Scalar z117 = p_b * z102 - z109 * z110;  // moment on plate, x
     const Scalar z118 = p_F * z109 + z29 * z111;  // moment on plate, y
     const Scalar z119 = p_b * z99 + p_F * z113 - z30 * z105;  // moment on plate, z
-    const Scalar z120 = c_beta * z115 + s_beta * z116;
-    const Scalar z123 = c_beta * z119 + s_beta * z118;
+    const Scalar z102 = n9_81 * c_beta - s_beta * z100;
+    const Scalar z120 = s_beta * z116 + c_beta * z115;
     const Scalar z124 = z99 - z114;  // force on foot, x
+    const Scalar z117 = p_b * z102 - z109 * z110;  // moment on plate, x
     const Scalar z125 = z100 - z120;  // force on foot, y
+    const Scalar z123 = s_beta * z118 + c_beta * z119;
     const Scalar z128 = z35 * z124 - z123;  // moment on turned, z
     const Scalar z135 = z20 * z125 + z117;
     forces.x = n0;
@@ -833,46 +934,46 @@ struct Mechanism {
     traits::sincos(q_beta, s_beta, c_beta);
     const Scalar z16 = s_beta * v_beta;
     const Scalar z17 = c_beta * v_beta;
-    const Scalar z20 = p_b * s_beta;
     const Scalar z35 = p_b * c_beta;
     const Scalar z43 = v_alpha * s_beta;
-    const Scalar z44 = v_alpha * c_beta;
-    const Scalar z57 = s_beta * p_F;
-    const Scalar z65 = s_beta * z26;
-    const Scalar z68 = s_beta * z65;
-    const Scalar z71 = z25 + z68;
-    const Scalar z80 = z35 * z35 - z71;
-    const Scalar z93 = z20 * z20;
-    const Scalar z96 = z20 * z20 + z24 - n2 * z93;
-    const Scalar z97 = v_beta * z17;
     const Scalar z98 = v_alpha * v_alpha;
+    const Scalar z44 = v_alpha * c_beta;
+    const Scalar z107 = v_beta * v_beta;
+    const Scalar z65 = s_beta * z26;
+    const Scalar z20 = p_b * s_beta;
+    const Scalar z57 = s_beta * p_F;
+    const Scalar z68 = s_beta * z65;
+    const Scalar z93 = z20 * z20;
+    const Scalar z97 = v_beta * z17;
     const Scalar z99 = n2 * v_alpha * p_b * z16;
-    const Scalar z100 = p_b * z97 + z35 * z98;
-    const Scalar z102 = n9_81 * c_beta - s_beta * z100;
     const Scalar z103 = v_beta * z44;  // angular acceleration of plate, y
     const Scalar z104 = v_beta * z43;  // angular acceleration of plate, z
-    const Scalar z105 = n2 * z104;
     const Scalar z106 = z44 * z44;
-    const Scalar z107 = v_beta * v_beta;
-    const Scalar z108 = z106 + z107;
     const Scalar z109 = z43 * z44;
-    const Scalar z111 = n2 * z103;
     const Scalar z112 = z43 * z43;
+    const Scalar z71 = z25 + z68;
+    const Scalar z96 = z20 * z20 + z24 - n2 * z93;
+    const Scalar z100 = z35 * z98 + p_b * z97;
+    const Scalar z105 = n2 * z104;
+    const Scalar z108 = z106 + z107;
+    const Scalar z111 = n2 * z103;
     const Scalar z113 = z107 - z112;
+    const Scalar z116 = p_b * z109;  // force on plate, z
+    const Scalar z80 = z35 * z35 - z71;
     const Scalar z114 = p_b * z105;  // force on plate, x
     const Scalar z115 = p_b * z108;  // force on plate, y
-    const Scalar z116 = p_b * z109;  // force on plate, z
-    const Scalar z117 = p_b * z102 - z109 * z110;  // moment on plate, x
     const Scalar z118 = p_F * z109 + z29 * z111;  // moment on plate, y
     const Scalar z119 = p_b * z99 + p_F * z113 - z30 * z105;  // moment on plate, z
-    const Scalar z120 = c_beta * z115 + s_beta * z116;
-    const Scalar z123 = c_beta * z119 + s_beta * z118;
+    const Scalar z102 = n9_81 * c_beta - s_beta * z100;
+    const Scalar z120 = s_beta * z116 + c_beta * z115;
     const Scalar z124 = z99 - z114;  // force on foot, x
+    const Scalar z117 = p_b * z102 - z109 * z110;  // moment on plate, x
     const Scalar z125 = z100 - z120;  // force on foot, y
+    const Scalar z123 = s_beta * z118 + c_beta * z119;
     const Scalar z128 = z35 * z124 - z123;  // moment on turned, z
     const Scalar z135 = z20 * z125 + z117;
-    const Scalar z172 = a_alpha * z80 - a_beta * z57 + z128;
-    const Scalar z173 = a_alpha * z57 + a_beta * z96 + z135;
+    const Scalar z172 = z128 + a_alpha * z80 - a_beta * z57;
+    const Scalar z173 = z135 + a_alpha * z57 + a_beta * z96;
     forces.x = a_x;
     forces.y = a_y;
     forces.alpha = -z172;
@@ -901,51 +1002,51 @@ struct Mechanism {
     const Scalar z110 = precomputed.z110;
     Scalar s_beta, c_beta;
     traits::sincos(q_beta, s_beta, c_beta);
+    const Scalar z20 = p_b * s_beta;
+    const Scalar z65 = s_beta * z26;
     const Scalar z16 = s_beta * v_beta;
     const Scalar z17 = c_beta * v_beta;
-    const Scalar z20 = p_b * s_beta;
     const Scalar z35 = p_b * c_beta;
     const Scalar z43 = v_alpha * s_beta;
-    const Scalar z44 = v_alpha * c_beta;
-    const Scalar z57 = s_beta * p_F;
-    const Scalar z65 = s_beta * z26;
-    const Scalar z68 = s_beta * z65;
-    const Scalar z71 = z25 + z68;
-    const Scalar z80 = z35 * z35 - z71;
-    const Scalar z93 = z20 * z20;
-    const Scalar z96 = z20 * z20 + z24 - n2 * z93;
-    const Scalar z97 = v_beta * z17;
     const Scalar z98 = v_alpha * v_alpha;
+    const Scalar z44 = v_alpha * c_beta;
+    const Scalar z107 = v_beta * v_beta;
+    const Scalar z57 = s_beta * p_F;
+    const Scalar z68 = s_beta * z65;
+    const Scalar z93 = z20 * z20;
+    const Scalar z97 = v_beta * z17;
     const Scalar z99 = n2 * v_alpha * p_b * z16;
-    const Scalar z100 = p_b * z97 + z35 * z98;
-    const Scalar z102 = n9_81 * c_beta - s_beta * z100;
     const Scalar z103 = v_beta * z44;  // angular acceleration of plate, y
     const Scalar z104 = v_beta * z43;  // angular acceleration of plate, z
-    const Scalar z105 = n2 * z104;
     const Scalar z106 = z44 * z44;
-    const Scalar z107 = v_beta * v_beta;
-    const Scalar z108 = z106 + z107;
     const Scalar z109 = z43 * z44;
-    const Scalar z111 = n2 * z103;
     const Scalar z112 = z43 * z43;
+    const Scalar z71 = z25 + z68;
+    const Scalar z96 = z20 * z20 + z24 - n2 * z93;
+    const Scalar z100 = z35 * z98 + p_b * z97;
+    const Scalar z105 = n2 * z104;
+    const Scalar z108 = z106 + z107;
+    const Scalar z111 = n2 * z103;
     const Scalar z113 = z107 - z112;
+    const Scalar z116 = p_b * z109;  // force on plate, z
+    const Scalar z80 = z35 * z35 - z71;
     const Scalar z114 = p_b * z105;  // force on plate, x
     const Scalar z115 = p_b * z108;  // force on plate, y
-    const Scalar z116 = p_b * z109;  // force on plate, z
-    const Scalar z117 = p_b * z102 - z109 * z110;  // moment on plate, x
     const Scalar z118 = p_F * z109 + z29 * z111;  // moment on plate, y
     const Scalar z119 = p_b * z99 + p_F * z113 - z30 * z105;  // moment on plate, z
-    const Scalar z120 = c_beta * z115 + s_beta * z116;
-    const Scalar z123 = c_beta * z119 + s_beta * z118;
+    const Scalar z102 = n9_81 * c_beta - s_beta * z100;
+    const Scalar z174 = n1 / z96;
+    const Scalar z120 = s_beta * z116 + c_beta * z115;
     const Scalar z124 = z99 - z114;  // force on foot, x
+    const Scalar z117 = p_b * z102 - z109 * z110;  // moment on plate, x
     const Scalar z125 = z100 - z120;  // force on foot, y
+    const Scalar z123 = s_beta * z118 + c_beta * z119;
     const Scalar z128 = z35 * z124 - z123;  // moment on turned, z
     const Scalar z135 = z20 * z125 + z117;
-    const Scalar z174 = n1 / z96;
     const Scalar z175 = z57 * z174;
     const Scalar z176 = z57 * z175 + z80;
-    const Scalar z177 = n1 / z176;
     const Scalar z178 = z128 + z135 * z175;
+    const Scalar z177 = n1 / z176;
     const Scalar z179 = z177 * z178;
     const Scalar z180 = z135 * z174 - z175 * z179;
     accelerations.x = n0;
@@ -982,22 +1083,22 @@ struct Mechanism {
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
     const Scalar z16 = s_beta * v_beta;
-    const Scalar z20 = p_b * s_beta;
+    const Scalar z182 = v_x * s_alpha - v_y * c_alpha;
     const Scalar z35 = p_b * c_beta;
+    const Scalar z181 = v_x * c_alpha + v_y * s_alpha;
     const Scalar z43 = v_alpha * s_beta;
     const Scalar z44 = v_alpha * c_beta;
-    const Scalar z181 = v_x * c_alpha + v_y * s_alpha;
-    const Scalar z182 = v_x * s_alpha - v_y * c_alpha;
+    const Scalar z20 = p_b * s_beta;
+    const Scalar z190 = v_beta * p_F + p_B * z43;
     const Scalar z183 = v_alpha * z35 + z181;
     const Scalar z184 = p_b * z16 - z182;  // velocity of foot, y
     const Scalar z185 = c_beta * z184;
     const Scalar z186 = s_beta * z184;
     const Scalar z187 = p_b * z44 - z183;
+    const Scalar z191 = p_b * z183 - z25 * z44;
     const Scalar z188 = p_b * v_beta - z186;
     const Scalar z189 = p_b * z186 - v_beta * z24 - p_F * z43;
-    const Scalar z190 = v_beta * p_F + p_B * z43;
-    const Scalar z191 = p_b * z183 - z25 * z44;
-    result.kinetic = -n0_5 * (v_beta * z189 - z43 * z190 + z44 * z191 + z183 * z187 - z185 * z185 + z186 * z188);
+    result.kinetic = -n0_5 * (z183 * z187 - z43 * z190 - z185 * z185 + z44 * z191 + z186 * z188 + v_beta * z189);
     result.force_function = -n9_81 * z20;
     result.power = n0;
   }
@@ -1025,27 +1126,27 @@ struct Mechanism {
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
     const Scalar z16 = s_beta * v_beta;
-    const Scalar z20 = p_b * s_beta;
+    const Scalar z182 = v_x * s_alpha - v_y * c_alpha;
     const Scalar z35 = p_b * c_beta;
+    const Scalar z181 = v_x * c_alpha + v_y * s_alpha;
+    const Scalar z65 = s_beta * z26;
     const Scalar z43 = v_alpha * s_beta;
     const Scalar z44 = v_alpha * c_beta;
+    const Scalar z20 = p_b * s_beta;
     const Scalar z57 = s_beta * p_F;
-    const Scalar z65 = s_beta * z26;
     const Scalar z68 = s_beta * z65;
+    const Scalar z190 = v_beta * p_F + p_B * z43;
     const Scalar z71 = z25 + z68;
-    const Scalar z80 = z35 * z35 - z71;
-    const Scalar z181 = v_x * c_alpha + v_y * s_alpha;
-    const Scalar z182 = v_x * s_alpha - v_y * c_alpha;
     const Scalar z183 = v_alpha * z35 + z181;
     const Scalar z184 = p_b * z16 - z182;  // velocity of foot, y
+    const Scalar z80 = z35 * z35 - z71;
     const Scalar z185 = c_beta * z184;
     const Scalar z186 = s_beta * z184;
     const Scalar z187 = p_b * z44 - z183;
+    const Scalar z191 = p_b * z183 - z25 * z44;
     const Scalar z188 = p_b * v_beta - z186;
     const Scalar z189 = p_b * z186 - v_beta * z24 - p_F * z43;
-    const Scalar z190 = v_beta * p_F + p_B * z43;
-    const Scalar z191 = p_b * z183 - z25 * z44;
-    result.energy = -n0_5 * (v_beta * z189 - z43 * z190 + z44 * z191 + z183 * z187 - z185 * z185 + z186 * z188) + n9_81
+    result.energy = -n0_5 * (z183 * z187 - z43 * z190 - z185 * z185 + z44 * z191 + z186 * z188 + v_beta * z189) + n9_81
         * z20;
     result.momentum_x = v_x;
     result.momentum_y = v_y;
@@ -1075,34 +1176,34 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
-    const Scalar z16 = s_beta * v_beta;
-    const Scalar z35 = p_b * c_beta;
     const Scalar z43 = v_alpha * s_beta;
     const Scalar z44 = v_alpha * c_beta;
+    const Scalar z141 = a_alpha * c_beta;
+    const Scalar z107 = v_beta * v_beta;
+    const Scalar z140 = a_alpha * s_beta;
+    const Scalar z16 = s_beta * v_beta;
+    const Scalar z136 = a_x * c_alpha + a_y * s_alpha;
+    const Scalar z35 = p_b * c_beta;
     const Scalar z103 = v_beta * z44;  // angular acceleration of plate, y
     const Scalar z104 = v_beta * z43;  // angular acceleration of plate, z
     const Scalar z106 = z44 * z44;
-    const Scalar z107 = v_beta * v_beta;
-    const Scalar z108 = z106 + z107;
     const Scalar z109 = z43 * z44;
     const Scalar z112 = z43 * z43;
-    const Scalar z113 = z107 - z112;
-    const Scalar z115 = p_b * z108;  // force on plate, y
-    const Scalar z136 = a_x * c_alpha + a_y * s_alpha;
-    const Scalar z138 = n2 * v_alpha * p_b * z16 - a_alpha * z35 - z136;
-    const Scalar z140 = a_alpha * s_beta;
-    const Scalar z141 = a_alpha * c_beta;
     const Scalar z144 = v_beta * z44 + z140;  // angular acceleration of plate, y
     const Scalar z145 = v_beta * z43 - z141;  // angular acceleration of plate, z
-    const Scalar z146 = z104 + z145;
+    const Scalar z108 = z106 + z107;
+    const Scalar z113 = z107 - z112;
     const Scalar z147 = a_beta + z109;
+    const Scalar z138 = n2 * v_alpha * p_b * z16 - z136 - a_alpha * z35;
+    const Scalar z146 = z104 + z145;
     const Scalar z149 = z103 + z144;
+    const Scalar z115 = p_b * z108;  // force on plate, y
     const Scalar z151 = p_b * z147;  // force on plate, z
     const Scalar z153 = p_F * z147 + z29 * z149;  // moment on plate, y
-    const Scalar z154 = p_b * z138 + p_F * z113 - z30 * z146;  // moment on plate, z
     const Scalar z156 = c_beta * z151 - s_beta * z115;
-    const Scalar z157 = c_beta * z153 - s_beta * z154;
+    const Scalar z154 = p_F * z113 - z30 * z146 + p_b * z138;  // moment on plate, z
     const Scalar z162 = n9_81 + z156;  // force on foot, z
+    const Scalar z157 = c_beta * z153 - s_beta * z154;
     result.N = z162;
     result.moment = z157;
   }
@@ -1132,125 +1233,125 @@ struct Mechanism {
     const Scalar z110 = precomputed.z110;
     Scalar s_beta, c_beta;
     traits::sincos(q_beta, s_beta, c_beta);
-    const Scalar z16 = s_beta * v_beta;
     const Scalar z17 = c_beta * v_beta;
+    const Scalar z43 = v_alpha * s_beta;
+    const Scalar z16 = s_beta * v_beta;
     const Scalar z20 = p_b * s_beta;
     const Scalar z35 = p_b * c_beta;
-    const Scalar z43 = v_alpha * s_beta;
     const Scalar z44 = v_alpha * c_beta;
-    const Scalar z56 = c_beta * p_F;
-    const Scalar z57 = s_beta * p_F;
-    const Scalar z65 = s_beta * z26;
-    const Scalar z66 = c_beta * z26;
-    const Scalar z68 = s_beta * z65;
-    const Scalar z71 = z25 + z68;
-    const Scalar z80 = z35 * z35 - z71;
-    const Scalar z93 = z20 * z20;
-    const Scalar z96 = z20 * z20 + z24 - n2 * z93;
-    const Scalar z97 = v_beta * z17;
     const Scalar z98 = v_alpha * v_alpha;
+    const Scalar z107 = v_beta * v_beta;
+    const Scalar z65 = s_beta * z26;
+    const Scalar z249 = n2 * v_beta;
+    const Scalar z235 = n2 * v_alpha;
+    const Scalar z57 = s_beta * p_F;
+    const Scalar z245 = n2 * v_alpha * p_b * s_beta;
+    const Scalar z66 = c_beta * z26;
+    const Scalar z269 = p_b * z249;
+    const Scalar z56 = c_beta * p_F;
+    const Scalar z270 = c_beta * z269;
+    const Scalar z68 = s_beta * z65;
+    const Scalar z93 = z20 * z20;
+    const Scalar z97 = v_beta * z17;
     const Scalar z99 = n2 * v_alpha * p_b * z16;
-    const Scalar z100 = p_b * z97 + z35 * z98;
-    const Scalar z102 = n9_81 * c_beta - s_beta * z100;
     const Scalar z103 = v_beta * z44;  // angular acceleration of plate, y
     const Scalar z104 = v_beta * z43;  // angular acceleration of plate, z
-    const Scalar z105 = n2 * z104;
     const Scalar z106 = z44 * z44;
-    const Scalar z107 = v_beta * v_beta;
-    const Scalar z108 = z106 + z107;
     const Scalar z109 = z43 * z44;
-    const Scalar z111 = n2 * z103;
     const Scalar z112 = z43 * z43;
-    const Scalar z113 = z107 - z112;
-    const Scalar z114 = p_b * z105;  // force on plate, x
-    const Scalar z115 = p_b * z108;  // force on plate, y
-    const Scalar z116 = p_b * z109;  // force on plate, z
-    const Scalar z117 = p_b * z102 - z109 * z110;  // moment on plate, x
-    const Scalar z118 = p_F * z109 + z29 * z111;  // moment on plate, y
-    const Scalar z119 = p_b * z99 + p_F * z113 - z30 * z105;  // moment on plate, z
-    const Scalar z120 = c_beta * z115 + s_beta * z116;
-    const Scalar z123 = c_beta * z119 + s_beta * z118;
-    const Scalar z124 = z99 - z114;  // force on foot, x
-    const Scalar z125 = z100 - z120;  // force on foot, y
-    const Scalar z128 = z35 * z124 - z123;  // moment on turned, z
-    const Scalar z135 = z20 * z125 + z117;
-    const Scalar z172 = a_alpha * z80 - a_beta * z57 + z128;
-    const Scalar z173 = a_alpha * z57 + a_beta * z96 + z135;
-    const Scalar z174 = n1 / z96;
-    const Scalar z175 = z57 * z174;
-    const Scalar z176 = z57 * z175 + z80;
-    const Scalar z177 = n1 / z176;
     const Scalar z224 = n2 * p_b * z16;
     const Scalar z225 = n2 * z16;
-    const Scalar z226 = p_b * z225;
-    const Scalar z227 = z224 - z226;
     const Scalar z228 = n2 * s_beta * z43;
-    const Scalar z229 = p_b * z224 - p_F * z228 - z30 * z225;
     const Scalar z230 = c_beta * z43 + s_beta * z44;
     const Scalar z231 = n2 * z17;
-    const Scalar z232 = p_F * z230 + z29 * z231;
-    const Scalar z233 = c_beta * z229 + s_beta * z232;
-    const Scalar z234 = z35 * z227 - z233;
-    const Scalar z235 = n2 * v_alpha;
     const Scalar z236 = z35 * z235;
     const Scalar z237 = n2 * c_beta * z44;
-    const Scalar z238 = p_b * z237;
-    const Scalar z239 = p_b * z230;
-    const Scalar z240 = c_beta * z238 + s_beta * z239;
-    const Scalar z241 = z236 - z240;
-    const Scalar z242 = s_beta * z236;
-    const Scalar z243 = p_b * z242 + z110 * z230;
-    const Scalar z244 = z20 * z241 - z243;
-    const Scalar z245 = n2 * v_alpha * p_b * s_beta;
     const Scalar z246 = n2 * z43;
-    const Scalar z247 = p_b * z246;
-    const Scalar z248 = z245 - z247;
-    const Scalar z249 = n2 * v_beta;
-    const Scalar z250 = p_b * z245 + p_F * z249 - z30 * z246;
     const Scalar z251 = n2 * z44;
-    const Scalar z252 = z29 * z251;
-    const Scalar z253 = c_beta * z250 + s_beta * z252;
-    const Scalar z254 = z35 * z248 - z253;
     const Scalar z255 = c_beta * z65 + s_beta * z66;
-    const Scalar z256 = n2 * z20 * z35 + z255;
     const Scalar z257 = n2 * v_alpha * p_b * z17;
+    const Scalar z260 = n2 * z43 * z44;
+    const Scalar z262 = z43 * z43 - z44 * z44;
+    const Scalar z267 = c_beta * v_beta + z17;
+    const Scalar z275 = n2 * z20 * z35;
+    const Scalar z277 = v_beta * z16;
+    const Scalar z71 = z25 + z68;
+    const Scalar z96 = z20 * z20 + z24 - n2 * z93;
+    const Scalar z100 = z35 * z98 + p_b * z97;
+    const Scalar z105 = n2 * z104;
+    const Scalar z108 = z106 + z107;
+    const Scalar z111 = n2 * z103;
+    const Scalar z113 = z107 - z112;
+    const Scalar z116 = p_b * z109;  // force on plate, z
+    const Scalar z226 = p_b * z225;
+    const Scalar z229 = p_b * z224 - p_F * z228 - z30 * z225;
+    const Scalar z238 = p_b * z237;
+    const Scalar z242 = s_beta * z236;
+    const Scalar z247 = p_b * z246;
+    const Scalar z250 = p_F * z249 + p_b * z245 - z30 * z246;
+    const Scalar z278 = z20 * z98 + p_b * z277;
+    const Scalar z252 = z29 * z251;
+    const Scalar z227 = z224 - z226;
+    const Scalar z248 = z245 - z247;
+    const Scalar z115 = p_b * z108;  // force on plate, y
+    const Scalar z119 = p_b * z99 + p_F * z113 - z30 * z105;  // moment on plate, z
+    const Scalar z253 = s_beta * z252 + c_beta * z250;
+    const Scalar z118 = p_F * z109 + z29 * z111;  // moment on plate, y
+    const Scalar z254 = z35 * z248 - z253;
+    const Scalar z261 = p_b * z257 - p_F * z260 - z30 * z111;
+    const Scalar z279 = p_b * z260;
     const Scalar z258 = p_b * z111;
     const Scalar z259 = z257 - z258;
-    const Scalar z260 = n2 * z43 * z44;
-    const Scalar z261 = p_b * z257 - p_F * z260 - z30 * z111;
-    const Scalar z262 = z43 * z43 - z44 * z44;
-    const Scalar z263 = p_F * z262 + z29 * z105;
+    const Scalar z263 = z29 * z105 + p_F * z262;
     const Scalar z264 = c_beta * (z118 + z261) - s_beta * (z119 + z263);
-    const Scalar z265 = z20 * z124 - z35 * z259 + z264;
-    const Scalar z266 = a_alpha * z256 + a_beta * z56 + z265;
-    const Scalar z267 = c_beta * v_beta + z17;
-    const Scalar z268 = p_b * z267;
-    const Scalar z269 = p_b * z249;
-    const Scalar z270 = c_beta * z269;
-    const Scalar z271 = z268 - z270;
-    const Scalar z272 = s_beta * z268;
-    const Scalar z273 = p_b * z272;
-    const Scalar z274 = z20 * z271 - z273;
-    const Scalar z275 = n2 * z20 * z35;
-    const Scalar z276 = n2 * (z20 * z35 - z275);
-    const Scalar z277 = v_beta * z16;
-    const Scalar z278 = p_b * z277 + z20 * z98;
-    const Scalar z279 = p_b * z260;
+    const Scalar z283 = c_beta * z100 + s_beta * (n9_81 - z278);
+    const Scalar z123 = s_beta * z118 + c_beta * z119;
     const Scalar z280 = p_b * z262;
-    const Scalar z281 = c_beta * (z116 - z279) - s_beta * (z115 + z280);
-    const Scalar z282 = z278 + z281;
-    const Scalar z283 = s_beta * (n9_81 - z278) + c_beta * z100;
     const Scalar z284 = p_b * z283 - z110 * z262;
-    const Scalar z285 = z20 * z282 - z35 * z125 + z284;
-    const Scalar z286 = a_alpha * z56 + a_beta * z276 - z285;
+    const Scalar z114 = p_b * z105;  // force on plate, x
+    const Scalar z120 = s_beta * z116 + c_beta * z115;
+    const Scalar z281 = c_beta * (z116 - z279) - s_beta * (z115 + z280);
+    const Scalar z124 = z99 - z114;  // force on foot, x
+    const Scalar z125 = z100 - z120;  // force on foot, y
+    const Scalar z174 = n1 / z96;
+    const Scalar z80 = z35 * z35 - z71;
+    const Scalar z175 = z57 * z174;
+    const Scalar z282 = z278 + z281;
+    const Scalar z232 = z29 * z231 + p_F * z230;
+    const Scalar z239 = p_b * z230;
+    const Scalar z268 = p_b * z267;
+    const Scalar z176 = z57 * z175 + z80;
+    const Scalar z102 = n9_81 * c_beta - s_beta * z100;
+    const Scalar z265 = z264 + z20 * z124 - z35 * z259;
+    const Scalar z285 = z284 - z35 * z125 + z20 * z282;
+    const Scalar z240 = c_beta * z238 + s_beta * z239;
+    const Scalar z272 = s_beta * z268;
+    const Scalar z233 = s_beta * z232 + c_beta * z229;
+    const Scalar z241 = z236 - z240;
+    const Scalar z243 = p_b * z242 + z110 * z230;
+    const Scalar z256 = n2 * z20 * z35 + z255;
+    const Scalar z271 = z268 - z270;
+    const Scalar z273 = p_b * z272;
+    const Scalar z276 = n2 * (z20 * z35 - z275);
+    const Scalar z117 = p_b * z102 - z109 * z110;  // moment on plate, x
+    const Scalar z234 = z35 * z227 - z233;
+    const Scalar z244 = z20 * z241 - z243;
+    const Scalar z266 = z265 + a_beta * z56 + a_alpha * z256;
+    const Scalar z274 = z20 * z271 - z273;
+    const Scalar z286 = a_alpha * z56 - z285 + a_beta * z276;
+    const Scalar z128 = z35 * z124 - z123;  // moment on turned, z
+    const Scalar z135 = z20 * z125 + z117;
+    const Scalar z177 = n1 / z176;
     const Scalar z287 = z175 * z244 + z234;
-    const Scalar z288 = z177 * z287;
-    const Scalar z289 = z174 * z244 - z175 * z288;
     const Scalar z290 = z175 * z286 - z266;
-    const Scalar z291 = z177 * z290;
-    const Scalar z292 = z174 * z286 - z175 * z291;
     const Scalar z293 = z175 * z274 + z254;
+    const Scalar z288 = z177 * z287;
+    const Scalar z291 = z177 * z290;
     const Scalar z294 = z177 * z293;
+    const Scalar z172 = z128 + a_alpha * z80 - a_beta * z57;
+    const Scalar z173 = z135 + a_alpha * z57 + a_beta * z96;
+    const Scalar z289 = z174 * z244 - z175 * z288;
+    const Scalar z292 = z174 * z286 - z175 * z291;
     const Scalar z295 = z174 * z274 - z175 * z294;
     result.M[0] = n1;
     result.M[1] = n0;

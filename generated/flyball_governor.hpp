@@ -36,7 +36,7 @@
 #include <cmath>
 
 #ifndef TORSOR_KERNEL_SUPPORT
-#define TORSOR_KERNEL_SUPPORT 2
+#define TORSOR_KERNEL_SUPPORT 3
 // Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
 #ifndef TORSOR_DEVICE
 #define TORSOR_DEVICE
@@ -50,7 +50,7 @@
 //  * two polynomials of least greatest error give the sine and the cosine of r, |r| <= pi/4;
 //  * angles beyond `bound` are rare: they are reduced exactly, in integers, by a function that is not inlined, and so
 //    are all angles under another rounding, which would give the nearest integers wrong.
-// The core has no branch, so that compilers turn a loop over several angles into vector instructions.
+// The core has no branch, so that several angles go through it at once.
 #ifndef TORSOR_STD_SINCOS
 #if defined(__FAST_MATH__) || defined(_M_FP_FAST) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0)
 #define TORSOR_STD_SINCOS  // sums would be reassociated or hold more digits than their type
@@ -98,21 +98,19 @@ struct SineCosine {
       S = S01 + z2 * number(0.0, -0x1.9953f2p-13f);
       C = C01 + z2 * number(0.0, 0x1.99e0eep-16f);
     } else {
-      const Scalar z4 = z2 * z2;
       const Scalar S01 = number(-0x1.5555555555548p-3, 0.0f) + z * number(0x1.111111110f73p-7, 0.0f);
       const Scalar S23 = number(-0x1.a01a019be9217p-13, 0.0f) + z * number(0x1.71de35552b518p-19, 0.0f);
       const Scalar S45 = number(-0x1.ae5e4b83e1601p-26, 0.0f) + z * number(0x1.5d8b55934597bp-33, 0.0f);
       const Scalar C01 = number(0x1.555555555554cp-5, 0.0f) + z * number(-0x1.6c16c16c1521bp-10, 0.0f);
       const Scalar C23 = number(0x1.a01a019cbeb68p-16, 0.0f) + z * number(-0x1.27e4f8121198fp-22, 0.0f);
       const Scalar C45 = number(0x1.1ee9f0cbf70d6p-29, 0.0f) + z * number(-0x1.8fb0e15d5f2ap-37, 0.0f);
-      S = (S01 + z2 * S23) + z4 * S45;
-      C = (C01 + z2 * C23) + z4 * C45;
+      S = S01 + z2 * (S23 + z2 * S45);
+      C = C01 + z2 * (C23 + z2 * C45);
     }
-    const Scalar half_z = half * z, w = one - half_z;
-    // Far below an ulp, it makes the correction of -0 a -0, and so the sine.
-    const Scalar tiny = number(0x1p-100, 0x1p-60f);
-    sine = high + (high * (tiny + z * S) - rest * w);
-    cosine = w + (((one - w) - half_z) + (z2 * C + high * rest));
+    const Scalar half_z = half * z, w = one - half_z, high_z = high * z;
+    // What waits for S and C comes last. The correction of -0 is a 0, which subtracted leaves it -0.
+    sine = high - (rest * w - high_z * S);
+    cosine = w + ((((one - w) - half_z) + high * rest) + z2 * C);
   }
 
   /// Of n pi/2 more.
@@ -127,21 +125,31 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// For |x| <= bound; what is no number gives no number. Exact are n times the first three parts of pi/2, the first
-  /// difference, and each rounded difference together with its rounding error.
-  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
-    const Scalar n = rounded(x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f));
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n plus a number so large that its last bit counts 1; what is no
+  /// number gives no number.
+  ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
+  ///    others do, and may be formed twice;
+  ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
+  ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
+  TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
+                                                        Scalar& cosine) noexcept {
+    const Scalar shift = number(0x1.8p52, 0x1.8p23f);
+    const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
+    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift;
+    const Scalar n = shifted - shift;
     const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
-    const Scalar second = n * number(0x1.0b4611a6p-34, 0x1.ed5p-14f);
-    const Scalar third = n * number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    const Scalar fourth = n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
-    const Scalar r = first - second;
-    const Scalar taken = first - r;
-    const Scalar error = (first - (r + taken)) - (second - taken);
-    const Scalar high = r - third;
-    const Scalar rest = ((third - (r - high)) - error) + fourth;
+    const Scalar r = first - n * P;
+    const Scalar error = (first - r) - n * P;
+    const Scalar high = r - n * Q;
+    const Scalar rest = ((n * Q - (r - high)) - error) + n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
     of_reduced(high, rest, sine, cosine);
-    turn(n, sine, cosine);
+  }
+
+  /// For |x| <= bound.
+  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
+    Scalar shifted;
+    of_remainder(x, shifted, sine, cosine);
+    turn(shifted - number(0x1.8p52, 0x1.8p23f), sine, cosine);
   }
 };
 
@@ -260,61 +268,151 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
 #endif
 }
 
-/// Of some angles up to the bound, a multiple of what a vector holds. Local arrays, which nothing else can point to.
-template <int size, class Scalar>
-TORSOR_DEVICE TORSOR_INLINED void sincos_of_block(const Scalar* angles, Scalar* sines, Scalar* cosines) noexcept {
-  Scalar x[size], s[size], c[size];
-  for (int i = 0; i < size; ++i) x[i] = angles[i];
-  // Compilers make vector instructions of a loop, but not always of a row of statements.
-#if defined(__clang__)
-#pragma clang loop unroll(disable)
-#elif defined(__GNUC__) && !defined(__CUDACC__)
-#pragma GCC unroll 1
+}  // namespace torsor
+// Sines and cosines of several angles at once: by vector registers where GNU C++ has types for them, which compilers
+// without AVX make of narrower ones; loops over numbers are not left to compilers to find.
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define TORSOR_VECTOR_TYPES
 #endif
-  for (int i = 0; i < size; ++i) SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::core(x[i], s[i], c[i]);
-  for (int i = 0; i < size; ++i) sines[i] = s[i];
-  for (int i = 0; i < size; ++i) cosines[i] = c[i];
+
+namespace torsor {
+
+#if defined(TORSOR_VECTOR_TYPES)
+/// 0, 1, ... as arguments of a template.
+template <int... place>
+struct Places {};
+template <int count, int... place>
+struct FirstPlaces : FirstPlaces<count - 1, count - 1, place...> {};
+template <int... place>
+struct FirstPlaces<0, place...> {
+  using type = Places<place...>;
+};
+
+/// Some registers of equally many numbers, which take the same operations by turns: while the one waits for its last
+/// result, the other is at work. A scalar for SineCosine, of which it needs constants, sums and products only.
+template <class Number, int lanes, int count>
+struct Registers {
+  typedef Number Numbers __attribute__((vector_size(lanes * sizeof(Number))));
+  using Bits = decltype(Numbers{} < Numbers{});
+  Numbers part[count];
+
+  TORSOR_INLINED friend Registers operator+(const Registers& a, const Registers& b) noexcept {
+    Registers sum;
+    for (int i = 0; i < count; ++i) sum.part[i] = a.part[i] + b.part[i];
+    return sum;
+  }
+  TORSOR_INLINED friend Registers operator-(const Registers& a, const Registers& b) noexcept {
+    Registers difference;
+    for (int i = 0; i < count; ++i) difference.part[i] = a.part[i] - b.part[i];
+    return difference;
+  }
+  TORSOR_INLINED friend Registers operator*(const Registers& a, const Registers& b) noexcept {
+    Registers product;
+    for (int i = 0; i < count; ++i) product.part[i] = a.part[i] * b.part[i];
+    return product;
+  }
+};
+
+template <class Number, int lanes, int count>
+struct scalar_traits<Registers<Number, lanes, count>> {
+  using Scalar = Registers<Number, lanes, count>;
+  TORSOR_INLINED static Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    constexpr bool is_float = sizeof(Number) == sizeof(float);
+    const Number number = is_float ? static_cast<Number>(in_float) : static_cast<Number>(in_double);
+    Scalar result;
+    for (int i = 0; i < count; ++i) {
+      for (int lane = 0; lane < lanes; ++lane) result.part[i][lane] = number;
+    }
+    return result;
+  }
+};
+
+/// Of angles up to the bound, bit by bit what SineCosine::core gives where nothing is fused. The quarter of the turn is
+/// in the last two bits of `shifted`: it is chosen by bits, not by products.
+template <class Number, int lanes, int count>
+TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& angles,
+                                        Registers<Number, lanes, count>& sines,
+                                        Registers<Number, lanes, count>& cosines) noexcept {
+  using Scalar = Registers<Number, lanes, count>;
+  using Numbers = typename Scalar::Numbers;
+  using Bits = typename Scalar::Bits;
+  constexpr int sign_bit = 8 * static_cast<int>(sizeof(Number)) - 1;
+  Scalar shifted, sine, cosine;
+  SineCosine<Scalar, sizeof(Number) == sizeof(float)>::of_remainder(angles, shifted, sine, cosine);
+  const Bits sign = (Bits)scalar_traits<Scalar>::constant(-0.0, -0.0f, nullptr).part[0];
+  for (int i = 0; i < count; ++i) {
+    const Bits bits = (Bits)shifted.part[i], s = (Bits)sine.part[i], c = (Bits)cosine.part[i];
+    const Bits odd = Bits{} - (bits & 1);  // all bits or none
+    const Bits upper = bits << (sign_bit - 1);
+    // The sine is negated for n = 2 and 3, the cosine for 1 and 2.
+    sines.part[i] = (Numbers)(((odd & c) | (~odd & s)) ^ (upper & sign));
+    cosines.part[i] = (Numbers)(((odd & s) | (~odd & c)) ^ ((upper ^ odd) & sign));
+  }
 }
 
-/// Of several angles at once, in float or double: as many as a vector holds go through the core together.
-template <class Scalar, int N>
-TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
-                                            Scalar (&cosines)[N]) noexcept {
-  constexpr int narrow = 16 / sizeof(Scalar);
+/// Of the angles first to first + size - 1, up to the bound, in one register or two; idle lanes get 0. Returns the sum
+/// of their squares. Places are constants before anything is optimised: lanes then come from registers and go there,
+/// where a way through memory would be stored in parts and loaded whole.
+template <int size, class Number, int N, int... lane, int... place>
+TORSOR_INLINED Number sincos_of_some(int first, const Number (&angles)[N], Number (&sines)[N], Number (&cosines)[N],
+                                     Places<lane...>, Places<place...>) noexcept {
+  constexpr int lanes = sizeof...(lane), count = size > lanes ? 2 : 1;
+  using Some = Registers<Number, lanes, count>;
+  const auto angle = [&](int i) noexcept { return i < size ? angles[first + i] : Number(0); };
+  Some x, s, c;
+  x.part[0] = typename Some::Numbers{angle(lane)...};
+  if constexpr (count == 2) x.part[1] = typename Some::Numbers{angle(lane + lanes)...};
+  sincos_of_registers(x, s, c);
+  ((sines[first + place] = s.part[place / lanes][place % lanes]), ...);
+  ((cosines[first + place] = c.part[place / lanes][place % lanes]), ...);
+  typename Some::Numbers squares = x.part[0] * x.part[0];
+  if constexpr (count == 2) squares += x.part[1] * x.part[1];
+  return (squares[lane] + ...);
+}
+
+/// Of several angles up to the bound, by two registers at a time. Returns the sum of their squares.
+template <class Number, int N>
+TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&sines)[N],
+                                          Number (&cosines)[N]) noexcept {
+  constexpr int narrow = 16 / static_cast<int>(sizeof(Number));
 #if defined(__AVX__)
-  constexpr int wide = 32 / sizeof(Scalar);
+  // Registers of AVX-512 gain nothing for so few numbers.
+  constexpr int lanes = N <= narrow ? narrow : 2 * narrow;
 #else
-  constexpr int wide = narrow;
+  constexpr int lanes = narrow;
 #endif
-#if defined(__CUDA_ARCH__) || defined(TORSOR_STD_SINCOS)
-  constexpr bool by_vectors = false;
-#elif defined(__clang__)
-  constexpr bool by_vectors = N >= 4;  // it leaves a loop over two as it is
-#else
-  constexpr bool by_vectors = N >= narrow;
-#endif
-  if constexpr (by_vectors) {
-    constexpr int vector = N >= wide ? wide : narrow, rest = N % vector;
-    // Of a rest some angles are done again: a whole vector costs less than two or three alone.
+  constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
+  using AllLanes = typename FirstPlaces<lanes>::type;
+  Number squares = 0;
+  // One copy of the code: its constants stay where they are.
 #if defined(__clang__)
-    sincos_of_block<N - rest>(angles, sines, cosines);  // best as one loop
-    if constexpr (rest > 1) {
-      sincos_of_block<vector>(angles + (N - vector), sines + (N - vector), cosines + (N - vector));
-    }
+#pragma clang loop unroll(disable)
 #else
-    for (int next = 0; next < N - (rest == 1); next += vector) {
-      const int first = next + vector <= N ? next : N - vector;
-      sincos_of_block<vector>(angles + first, sines + first, cosines + first);
-    }
+#pragma GCC unroll 1
 #endif
-    if constexpr (rest == 1) sincos_of_one(angles[N - 1], sines[N - 1], cosines[N - 1]);
+  for (int i = 0; i < whole; i += both)
+    squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+  if constexpr (rest > 0)
+    squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
+  return squares;
+}
+#endif
+
+/// Of several angles at once, in float or double.
+template <class Scalar, int N>
+TORSOR_DEVICE TORSOR_INLINED void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
+#if defined(TORSOR_VECTOR_TYPES) && !defined(TORSOR_STD_SINCOS)
+  constexpr bool at_once = N > 1;
+#else
+  constexpr bool at_once = false;
+#endif
+  if constexpr (at_once) {
+    const Scalar squares = sincos_in_registers(angles, sines, cosines);
     constexpr Scalar bound = static_cast<Scalar>(SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::bound);
-    Scalar sum = 0;
-    for (int i = 0; i < N; ++i) sum += std::abs(angles[i]);
-    const bool to_one_side = rounds_to_one_side(sum);
-    if (sum <= bound && !to_one_side) return;
+    if (squares <= bound * bound && !rounds_to_one_side(squares)) return;
     for (int i = 0; i < N; ++i) {
-      if (std::abs(angles[i]) > bound || to_one_side) sincos_far(angles[i], sines[i], cosines[i]);
+      if (std::abs(angles[i]) > bound || rounds_to_one_side(angles[i])) sincos_far(angles[i], sines[i], cosines[i]);
     }
   } else {
     for (int i = 0; i < N; ++i) sincos_of_one(angles[i], sines[i], cosines[i]);
@@ -323,17 +421,19 @@ TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&
 
 /// Of several angles of any scalar: at once where its traits have a `sincos` of arrays, else one by one.
 template <class Scalar, int N>
-TORSOR_DEVICE auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N], int) noexcept
+TORSOR_DEVICE TORSOR_INLINED auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], int) noexcept
     -> decltype(scalar_traits<Scalar>::sincos(angles, sines, cosines)) {
   scalar_traits<Scalar>::sincos(angles, sines, cosines);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N],
-                                    long) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], long) noexcept {
   for (int i = 0; i < N; ++i) scalar_traits<Scalar>::sincos(angles[i], sines[i], cosines[i]);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
   sincos_by_traits(angles, sines, cosines, 0);
 }
 
@@ -370,7 +470,8 @@ struct scalar_traits {
   }
   /// Of several angles at once; a specialisation without it gets them one by one.
   template <int N>
-  TORSOR_DEVICE static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+  TORSOR_DEVICE TORSOR_INLINED static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                  Scalar (&cosines)[N]) noexcept {
     sincos_of_several(angles, sines, cosines);
   }
   TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
@@ -383,7 +484,7 @@ struct scalar_traits {
 };
 
 }  // namespace torsor
-#elif TORSOR_KERNEL_SUPPORT != 2
+#elif TORSOR_KERNEL_SUPPORT != 3
 #error "headers of incompatible versions of torsor meet here: write them again with one version"
 #endif
 
@@ -397,7 +498,7 @@ struct Mechanism {
 
   static constexpr const char* name = "flyball_governor";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x011e74ed5e6be851ULL;
+  static constexpr unsigned long long fingerprint = 0x5cb2cab22b1e1e22ULL;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 4;
   static constexpr int input_count = 0;
@@ -649,64 +750,64 @@ struct Mechanism {
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_beta_1 = sines_[1], c_beta_1 = cosines_[1];
     const Scalar s_beta_2 = sines_[2], c_beta_2 = cosines_[2];
-    const Scalar z18 = c_psi * c_beta_1;
-    const Scalar z19 = c_psi * s_beta_1;
-    const Scalar z20 = s_psi * c_beta_1;
-    const Scalar z21 = s_psi * s_beta_1;
-    const Scalar z22 = n0_05 * c_psi;
-    const Scalar z23 = n0_05 * s_psi;
     const Scalar z24 = n0_05 * v_psi;
+    const Scalar z20 = s_psi * c_beta_1;
+    const Scalar z33 = s_psi * c_beta_2;
+    const Scalar z19 = c_psi * s_beta_1;
+    const Scalar z21 = s_psi * s_beta_1;
     const Scalar z26 = v_psi * c_beta_1;
-    const Scalar z27 = s_psi * v_beta_1;  // angular velocity of rod_1, x
-    const Scalar z28 = c_psi * v_beta_1;  // angular velocity of rod_1, y
     const Scalar z29 = s_psi * z24;  // velocity of rod_1, x
     const Scalar z30 = c_psi * z24;  // velocity of rod_1, y
-    const Scalar z31 = c_psi * c_beta_2;
     const Scalar z32 = c_psi * s_beta_2;
-    const Scalar z33 = s_psi * c_beta_2;
     const Scalar z34 = s_psi * s_beta_2;
     const Scalar z36 = v_psi * c_beta_2;
+    const Scalar z46 = n0_5 * v_beta_1;
+    const Scalar z63 = n0_5 * v_beta_2;
+    const Scalar z18 = c_psi * c_beta_1;
+    const Scalar z31 = c_psi * c_beta_2;
+    const Scalar z22 = n0_05 * c_psi;
+    const Scalar z23 = n0_05 * s_psi;
+    const Scalar z41 = n0_5 * s_beta_1;
+    const Scalar z58 = n0_5 * s_beta_2;
+    const Scalar z27 = s_psi * v_beta_1;  // angular velocity of rod_1, x
+    const Scalar z28 = c_psi * v_beta_1;  // angular velocity of rod_1, y
     const Scalar z37 = s_psi * v_beta_2;  // angular velocity of rod_2, x
     const Scalar z38 = c_psi * v_beta_2;  // angular velocity of rod_2, y
+    const Scalar z49 = c_beta_1 * z46;
+    const Scalar z52 = n1 - s_beta_1;
+    const Scalar z55 = v_beta_1 * c_beta_1;
+    const Scalar z66 = c_beta_2 * z63;
+    const Scalar z69 = n1 - s_beta_2;
+    const Scalar z72 = v_beta_2 * c_beta_2;
     const Scalar z39 = n0_5 * z18;
     const Scalar z40 = n0_5 * z20;
-    const Scalar z41 = n0_5 * s_beta_1;
-    const Scalar z42 = z22 + z39;
-    const Scalar z43 = z23 + z40;
     const Scalar z44 = n1 - z41;
     const Scalar z45 = n0_5 * z26;
-    const Scalar z46 = n0_5 * v_beta_1;
-    const Scalar z47 = s_psi * z45 + z19 * z46 + z29;
-    const Scalar z48 = c_psi * z45 - z21 * z46 + z30;
-    const Scalar z49 = c_beta_1 * z46;
     const Scalar z50 = z18 + z22;
     const Scalar z51 = z20 + z23;
-    const Scalar z52 = n1 - s_beta_1;
-    const Scalar z53 = s_psi * z26 + v_beta_1 * z19 + z29;
-    const Scalar z54 = c_psi * z26 - v_beta_1 * z21 + z30;
-    const Scalar z55 = v_beta_1 * c_beta_1;
+    const Scalar z53 = z29 + s_psi * z26 + v_beta_1 * z19;
+    const Scalar z54 = z30 + c_psi * z26 - v_beta_1 * z21;
     const Scalar z56 = n0_5 * z31;
     const Scalar z57 = n0_5 * z33;
-    const Scalar z58 = n0_5 * s_beta_2;
-    const Scalar z59 = z22 + z56;
-    const Scalar z60 = z23 + z57;
     const Scalar z61 = n1 - z58;
     const Scalar z62 = n0_5 * z36;
-    const Scalar z63 = n0_5 * v_beta_2;
-    const Scalar z64 = s_psi * z62 + z29 + z32 * z63;
-    const Scalar z65 = c_psi * z62 + z30 - z34 * z63;
-    const Scalar z66 = c_beta_2 * z63;
     const Scalar z67 = z22 + z31;
     const Scalar z68 = z23 + z33;
-    const Scalar z69 = n1 - s_beta_2;
-    const Scalar z70 = s_psi * z36 + v_beta_2 * z32 + z29;
-    const Scalar z71 = c_psi * z36 - v_beta_2 * z34 + z30;
-    const Scalar z72 = v_beta_2 * c_beta_2;
+    const Scalar z70 = z29 + s_psi * z36 + v_beta_2 * z32;
+    const Scalar z71 = z30 + c_psi * z36 - v_beta_2 * z34;
     const Scalar z73 = c_psi * z41;
     const Scalar z74 = s_psi * z41;
-    const Scalar z75 = s_psi * z40 + c_psi * z39;
     const Scalar z76 = c_psi * z58;
     const Scalar z77 = s_psi * z58;
+    const Scalar z42 = z22 + z39;
+    const Scalar z43 = z23 + z40;
+    const Scalar z47 = z19 * z46 + z29 + s_psi * z45;
+    const Scalar z48 = z30 - z21 * z46 + c_psi * z45;
+    const Scalar z59 = z22 + z56;
+    const Scalar z60 = z23 + z57;
+    const Scalar z64 = z29 + z32 * z63 + s_psi * z62;
+    const Scalar z65 = z30 - z34 * z63 + c_psi * z62;
+    const Scalar z75 = s_psi * z40 + c_psi * z39;
     const Scalar z78 = s_psi * z57 + c_psi * z56;
     result.shaft_position[0] = n0;
     result.shaft_position[1] = n0;
@@ -892,8 +993,8 @@ struct Mechanism {
 
   /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
   TORSOR_DEVICE static void mass_matrix(const Precomputed&, const State& state, std::array<Scalar, 16>& mass) noexcept {
+    const Scalar k0 = traits::constant(5.0999975, 5.0999975f, "2039999/400000");
     const Scalar n5_15 = traits::constant(5.15, 5.15f, "103/20");
-    const Scalar k1 = traits::constant(5.0999975, 5.0999975f, "2039999/400000");
     const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
     const Scalar k3 = traits::constant(0.031515, 0.031515f, "6303/200000");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
@@ -906,15 +1007,15 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar c_beta_1 = cosines_[0];
     const Scalar c_beta_2 = cosines_[1];
+    const Scalar z83 = k0 * c_beta_2;
     const Scalar z80 = n5_15 * c_beta_2;
-    const Scalar z83 = k1 * c_beta_2;
-    const Scalar z84 = c_beta_2 * z83;
-    const Scalar z90 = n0_1 * z80 + z84;
-    const Scalar z92 = k3 + z90;
+    const Scalar z97 = k0 * c_beta_1;
     const Scalar z94 = n5_15 * c_beta_1;
-    const Scalar z97 = k1 * c_beta_1;
+    const Scalar z84 = c_beta_2 * z83;
     const Scalar z98 = c_beta_1 * z97;
+    const Scalar z90 = n0_1 * z80 + z84;
     const Scalar z104 = n0_1 * z94 + z98;
+    const Scalar z92 = k3 + z90;
     const Scalar z110 = z92 + z104;
     mass[0] = z110;
     mass[1] = n0;
@@ -937,18 +1038,18 @@ struct Mechanism {
   /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
   /// actions included. M a + h = E u + A' lambda.
   TORSOR_DEVICE static void bias(const Precomputed&, const State& state, GeneralizedForces& forces) noexcept {
-    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
-    const Scalar n800000 = traits::constant(8e+05, 8e+05f, "800000/1");
-    const Scalar n400000 = traits::constant(4e+05, 4e+05f, "400000/1");
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
-    const Scalar n40000 = traits::constant(40000.0, 40000.0f, "40000/1");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n5_15 = traits::constant(5.15, 5.15f, "103/20");
-    const Scalar k9 = traits::constant(2.5e-06, 2.5e-06f, "1/400000");
-    const Scalar k10 = traits::constant(5.0999975, 5.0999975f, "2039999/400000");
+    const Scalar k6 = traits::constant(2.5e-06, 2.5e-06f, "1/400000");
     const Scalar n5_1 = traits::constant(5.1, 5.1f, "51/10");
+    const Scalar n40000 = traits::constant(40000.0, 40000.0f, "40000/1");
+    const Scalar n800000 = traits::constant(8e+05, 8e+05f, "800000/1");
+    const Scalar n400000 = traits::constant(4e+05, 4e+05f, "400000/1");
+    const Scalar k11 = traits::constant(5.0999975, 5.0999975f, "2039999/400000");
     const Scalar n29_43 = traits::constant(29.43, 29.43f, "2943/100");
     const Scalar v_psi = state.v.psi;
     const Scalar q_s = state.q.s;
@@ -962,82 +1063,82 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_beta_1 = sines_[0], c_beta_1 = cosines_[0];
     const Scalar s_beta_2 = sines_[1], c_beta_2 = cosines_[1];
-    const Scalar z25 = v_psi * s_beta_1;
-    const Scalar z26 = v_psi * c_beta_1;
-    const Scalar z35 = v_psi * s_beta_2;
-    const Scalar z36 = v_psi * c_beta_2;
-    const Scalar z41 = n0_5 * s_beta_1;
-    const Scalar z44 = n1 - z41;
-    const Scalar z55 = v_beta_1 * c_beta_1;
-    const Scalar z58 = n0_5 * s_beta_2;
-    const Scalar z61 = n1 - z58;
-    const Scalar z72 = v_beta_2 * c_beta_2;
     const Scalar z116 = n1 - q_s;
+    const Scalar z133 = v_beta_1 * s_beta_1;
+    const Scalar z159 = v_beta_2 * s_beta_2;
+    const Scalar z55 = v_beta_1 * c_beta_1;
+    const Scalar z72 = v_beta_2 * c_beta_2;
+    const Scalar z36 = v_psi * c_beta_2;
     const Scalar z117 = s_beta_1 * z116;
     const Scalar z118 = c_beta_1 * z116;
-    const Scalar z119 = n0_5 - z117;
-    const Scalar z122 = q_s - z44;
-    const Scalar z124 = z118 * z118 + z119 * z119;
-    const Scalar z125 = traits::sqrt(z124);
-    const Scalar z126 = n1 / z125;
-    const Scalar z127 = n800000 - n400000 * z126;
-    const Scalar z130 = z118 * z127;
-    const Scalar z132 = z122 * z127;
-    const Scalar z133 = v_beta_1 * s_beta_1;
-    const Scalar z134 = v_s * c_beta_1 + z116 * z133;
-    const Scalar z135 = v_s * s_beta_1 - z55 * z116;
-    const Scalar z136 = n2 * (z118 * z134 - z119 * z135);
-    const Scalar z137 = n0_5 * z136;
-    const Scalar z138 = n40000 * z137 / z124;
-    const Scalar z140 = z118 * z138;
-    const Scalar z142 = z122 * z138;
     const Scalar z143 = s_beta_2 * z116;
     const Scalar z144 = c_beta_2 * z116;
-    const Scalar z145 = n0_5 - z143;
-    const Scalar z148 = q_s - z61;
-    const Scalar z150 = z144 * z144 + z145 * z145;
-    const Scalar z151 = traits::sqrt(z150);
-    const Scalar z152 = n1 / z151;
-    const Scalar z153 = n800000 - n400000 * z152;
-    const Scalar z156 = z144 * z153;
-    const Scalar z158 = z148 * z153;
-    const Scalar z159 = v_beta_2 * s_beta_2;
-    const Scalar z160 = v_s * c_beta_2 + z116 * z159;
-    const Scalar z161 = v_s * s_beta_2 - z72 * z116;
-    const Scalar z162 = n2 * (z144 * z160 - z145 * z161);
-    const Scalar z163 = n0_5 * z162;
-    const Scalar z164 = n40000 * z163 / z150;
-    const Scalar z166 = z144 * z164;
-    const Scalar z168 = z148 * z164;
-    const Scalar z170 = z132 - z142 + z158 - z168;
-    const Scalar z174 = n0_5 * (z130 - z140);
-    const Scalar z177 = n0_5 * (z156 - z166);
+    const Scalar z41 = n0_5 * s_beta_1;
+    const Scalar z35 = v_psi * s_beta_2;
+    const Scalar z25 = v_psi * s_beta_1;
+    const Scalar z26 = v_psi * c_beta_1;
+    const Scalar z58 = n0_5 * s_beta_2;
     const Scalar z178 = v_psi * v_psi;
     const Scalar z179 = n0_05 * z178;
     const Scalar z181 = s_beta_1 * z179 - n9_81 * c_beta_1;
+    const Scalar z185 = s_beta_2 * z179 - n9_81 * c_beta_2;
+    const Scalar z44 = n1 - z41;
+    const Scalar z61 = n1 - z58;
+    const Scalar z119 = n0_5 - z117;
+    const Scalar z134 = v_s * c_beta_1 + z116 * z133;
+    const Scalar z135 = v_s * s_beta_1 - z55 * z116;
+    const Scalar z145 = n0_5 - z143;
+    const Scalar z160 = v_s * c_beta_2 + z116 * z159;
+    const Scalar z161 = v_s * s_beta_2 - z72 * z116;
     const Scalar z182 = v_beta_1 * z26;  // angular acceleration of rod_1, x
     const Scalar z183 = v_beta_1 * z25;  // angular acceleration of rod_1, z
-    const Scalar z185 = s_beta_2 * z179 - n9_81 * c_beta_2;
     const Scalar z186 = v_beta_2 * z36;  // angular acceleration of rod_2, x
     const Scalar z187 = v_beta_2 * z35;  // angular acceleration of rod_2, z
-    const Scalar z191 = n2 * z187;
     const Scalar z192 = z35 * z36;
-    const Scalar z193 = n2 * z186;
-    const Scalar z195 = n5_15 * z191;  // force on rod_2, y
-    const Scalar z197 = k9 * z193;  // moment on rod_2, x
-    const Scalar z198 = z177 - n5_15 * z185 - k10 * z192;  // moment on rod_2, y
-    const Scalar z199 = n5_1 * z191;  // moment on rod_2, z
-    const Scalar z203 = s_beta_2 * z197 - c_beta_2 * z199;
-    const Scalar z207 = n2 * z183;
     const Scalar z208 = z25 * z26;
+    const Scalar z122 = q_s - z44;
+    const Scalar z124 = z118 * z118 + z119 * z119;
+    const Scalar z148 = q_s - z61;
+    const Scalar z150 = z144 * z144 + z145 * z145;
+    const Scalar z191 = n2 * z187;
+    const Scalar z193 = n2 * z186;
+    const Scalar z207 = n2 * z183;
     const Scalar z209 = n2 * z182;
+    const Scalar z136 = n2 * (z118 * z134 - z119 * z135);
+    const Scalar z162 = n2 * (z144 * z160 - z145 * z161);
+    const Scalar z195 = n5_15 * z191;  // force on rod_2, y
+    const Scalar z197 = k6 * z193;  // moment on rod_2, x
+    const Scalar z199 = n5_1 * z191;  // moment on rod_2, z
     const Scalar z211 = n5_15 * z207;  // force on rod_1, y
-    const Scalar z213 = k9 * z209;  // moment on rod_1, x
-    const Scalar z214 = z174 - n5_15 * z181 - k10 * z208;  // moment on rod_1, y
+    const Scalar z213 = k6 * z209;  // moment on rod_1, x
     const Scalar z215 = n5_1 * z207;  // moment on rod_1, z
+    const Scalar z125 = traits::sqrt(z124);
+    const Scalar z151 = traits::sqrt(z150);
+    const Scalar z203 = s_beta_2 * z197 - c_beta_2 * z199;
     const Scalar z219 = s_beta_1 * z213 - c_beta_1 * z215;
-    const Scalar z220 = n29_43 + z170;  // force on slider, z
+    const Scalar z137 = n0_5 * z136;
+    const Scalar z163 = n0_5 * z162;
     const Scalar z226 = n0_05 * (z195 + z211) - z203 - z219;  // moment on shaft, z
+    const Scalar z138 = n40000 * z137 / z124;
+    const Scalar z164 = n40000 * z163 / z150;
+    const Scalar z126 = n1 / z125;
+    const Scalar z152 = n1 / z151;
+    const Scalar z140 = z118 * z138;
+    const Scalar z142 = z122 * z138;
+    const Scalar z166 = z144 * z164;
+    const Scalar z168 = z148 * z164;
+    const Scalar z127 = n800000 - n400000 * z126;
+    const Scalar z153 = n800000 - n400000 * z152;
+    const Scalar z130 = z118 * z127;
+    const Scalar z132 = z122 * z127;
+    const Scalar z156 = z144 * z153;
+    const Scalar z158 = z148 * z153;
+    const Scalar z170 = z132 - z142 + z158 - z168;
+    const Scalar z174 = n0_5 * (z130 - z140);
+    const Scalar z177 = n0_5 * (z156 - z166);
+    const Scalar z198 = z177 - n5_15 * z185 - k11 * z192;  // moment on rod_2, y
+    const Scalar z214 = z174 - n5_15 * z181 - k11 * z208;  // moment on rod_1, y
+    const Scalar z220 = n29_43 + z170;  // force on slider, z
     forces.psi = -z226;
     forces.s = z220;
     forces.beta_1 = -z214;
@@ -1047,20 +1148,20 @@ struct Mechanism {
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
   TORSOR_DEVICE static void inverse_dynamics(const Precomputed&, const State& state, const Accelerations& accelerations,
       const Multipliers&, GeneralizedForces& forces) noexcept {
-    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
-    const Scalar n5_15 = traits::constant(5.15, 5.15f, "103/20");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
     const Scalar k3 = traits::constant(5.0999975, 5.0999975f, "2039999/400000");
+    const Scalar n5_15 = traits::constant(5.15, 5.15f, "103/20");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
-    const Scalar k5 = traits::constant(0.031515, 0.031515f, "6303/200000");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar k8 = traits::constant(2.5e-06, 2.5e-06f, "1/400000");
+    const Scalar n5_1 = traits::constant(5.1, 5.1f, "51/10");
+    const Scalar k10 = traits::constant(0.031515, 0.031515f, "6303/200000");
+    const Scalar n40000 = traits::constant(40000.0, 40000.0f, "40000/1");
     const Scalar n800000 = traits::constant(8e+05, 8e+05f, "800000/1");
     const Scalar n400000 = traits::constant(4e+05, 4e+05f, "400000/1");
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
-    const Scalar n40000 = traits::constant(40000.0, 40000.0f, "40000/1");
-    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
-    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
-    const Scalar k12 = traits::constant(2.5e-06, 2.5e-06f, "1/400000");
-    const Scalar n5_1 = traits::constant(5.1, 5.1f, "51/10");
     const Scalar n29_43 = traits::constant(29.43, 29.43f, "2943/100");
     const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
     const Scalar k16 = traits::constant(5.1000025, 5.1000023f, "2040001/400000");
@@ -1080,93 +1181,93 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_beta_1 = sines_[0], c_beta_1 = cosines_[0];
     const Scalar s_beta_2 = sines_[1], c_beta_2 = cosines_[1];
-    const Scalar z25 = v_psi * s_beta_1;
-    const Scalar z26 = v_psi * c_beta_1;
-    const Scalar z35 = v_psi * s_beta_2;
-    const Scalar z36 = v_psi * c_beta_2;
-    const Scalar z41 = n0_5 * s_beta_1;
-    const Scalar z44 = n1 - z41;
-    const Scalar z55 = v_beta_1 * c_beta_1;
-    const Scalar z58 = n0_5 * s_beta_2;
-    const Scalar z61 = n1 - z58;
-    const Scalar z72 = v_beta_2 * c_beta_2;
-    const Scalar z80 = n5_15 * c_beta_2;
-    const Scalar z83 = k3 * c_beta_2;
-    const Scalar z84 = c_beta_2 * z83;
-    const Scalar z90 = n0_1 * z80 + z84;
-    const Scalar z92 = k5 + z90;
-    const Scalar z94 = n5_15 * c_beta_1;
-    const Scalar z97 = k3 * c_beta_1;
-    const Scalar z98 = c_beta_1 * z97;
-    const Scalar z104 = n0_1 * z94 + z98;
-    const Scalar z110 = z92 + z104;
     const Scalar z116 = n1 - q_s;
+    const Scalar z133 = v_beta_1 * s_beta_1;
+    const Scalar z159 = v_beta_2 * s_beta_2;
+    const Scalar z55 = v_beta_1 * c_beta_1;
+    const Scalar z72 = v_beta_2 * c_beta_2;
+    const Scalar z36 = v_psi * c_beta_2;
     const Scalar z117 = s_beta_1 * z116;
     const Scalar z118 = c_beta_1 * z116;
-    const Scalar z119 = n0_5 - z117;
-    const Scalar z122 = q_s - z44;
-    const Scalar z124 = z118 * z118 + z119 * z119;
-    const Scalar z125 = traits::sqrt(z124);
-    const Scalar z126 = n1 / z125;
-    const Scalar z127 = n800000 - n400000 * z126;
-    const Scalar z130 = z118 * z127;
-    const Scalar z132 = z122 * z127;
-    const Scalar z133 = v_beta_1 * s_beta_1;
-    const Scalar z134 = v_s * c_beta_1 + z116 * z133;
-    const Scalar z135 = v_s * s_beta_1 - z55 * z116;
-    const Scalar z136 = n2 * (z118 * z134 - z119 * z135);
-    const Scalar z137 = n0_5 * z136;
-    const Scalar z138 = n40000 * z137 / z124;
-    const Scalar z140 = z118 * z138;
-    const Scalar z142 = z122 * z138;
     const Scalar z143 = s_beta_2 * z116;
     const Scalar z144 = c_beta_2 * z116;
+    const Scalar z41 = n0_5 * s_beta_1;
+    const Scalar z35 = v_psi * s_beta_2;
+    const Scalar z25 = v_psi * s_beta_1;
+    const Scalar z26 = v_psi * c_beta_1;
+    const Scalar z58 = n0_5 * s_beta_2;
+    const Scalar z178 = v_psi * v_psi;
+    const Scalar z179 = n0_05 * z178;
+    const Scalar z83 = k3 * c_beta_2;
+    const Scalar z80 = n5_15 * c_beta_2;
+    const Scalar z97 = k3 * c_beta_1;
+    const Scalar z94 = n5_15 * c_beta_1;
+    const Scalar z181 = s_beta_1 * z179 - n9_81 * c_beta_1;
+    const Scalar z185 = s_beta_2 * z179 - n9_81 * c_beta_2;
+    const Scalar z44 = n1 - z41;
+    const Scalar z61 = n1 - z58;
+    const Scalar z84 = c_beta_2 * z83;
+    const Scalar z98 = c_beta_1 * z97;
+    const Scalar z119 = n0_5 - z117;
+    const Scalar z134 = v_s * c_beta_1 + z116 * z133;
+    const Scalar z135 = v_s * s_beta_1 - z55 * z116;
     const Scalar z145 = n0_5 - z143;
-    const Scalar z148 = q_s - z61;
-    const Scalar z150 = z144 * z144 + z145 * z145;
-    const Scalar z151 = traits::sqrt(z150);
-    const Scalar z152 = n1 / z151;
-    const Scalar z153 = n800000 - n400000 * z152;
-    const Scalar z156 = z144 * z153;
-    const Scalar z158 = z148 * z153;
-    const Scalar z159 = v_beta_2 * s_beta_2;
     const Scalar z160 = v_s * c_beta_2 + z116 * z159;
     const Scalar z161 = v_s * s_beta_2 - z72 * z116;
+    const Scalar z182 = v_beta_1 * z26;  // angular acceleration of rod_1, x
+    const Scalar z183 = v_beta_1 * z25;  // angular acceleration of rod_1, z
+    const Scalar z186 = v_beta_2 * z36;  // angular acceleration of rod_2, x
+    const Scalar z187 = v_beta_2 * z35;  // angular acceleration of rod_2, z
+    const Scalar z192 = z35 * z36;
+    const Scalar z208 = z25 * z26;
+    const Scalar z90 = n0_1 * z80 + z84;
+    const Scalar z104 = n0_1 * z94 + z98;
+    const Scalar z122 = q_s - z44;
+    const Scalar z124 = z118 * z118 + z119 * z119;
+    const Scalar z148 = q_s - z61;
+    const Scalar z150 = z144 * z144 + z145 * z145;
+    const Scalar z191 = n2 * z187;
+    const Scalar z193 = n2 * z186;
+    const Scalar z207 = n2 * z183;
+    const Scalar z209 = n2 * z182;
+    const Scalar z136 = n2 * (z118 * z134 - z119 * z135);
     const Scalar z162 = n2 * (z144 * z160 - z145 * z161);
+    const Scalar z195 = n5_15 * z191;  // force on rod_2, y
+    const Scalar z197 = k8 * z193;  // moment on rod_2, x
+    const Scalar z199 = n5_1 * z191;  // moment on rod_2, z
+    const Scalar z211 = n5_15 * z207;  // force on rod_1, y
+    const Scalar z213 = k8 * z209;  // moment on rod_1, x
+    const Scalar z215 = n5_1 * z207;  // moment on rod_1, z
+    const Scalar z92 = k10 + z90;
+    const Scalar z125 = traits::sqrt(z124);
+    const Scalar z151 = traits::sqrt(z150);
+    const Scalar z203 = s_beta_2 * z197 - c_beta_2 * z199;
+    const Scalar z219 = s_beta_1 * z213 - c_beta_1 * z215;
+    const Scalar z110 = z92 + z104;
+    const Scalar z137 = n0_5 * z136;
     const Scalar z163 = n0_5 * z162;
+    const Scalar z226 = n0_05 * (z195 + z211) - z203 - z219;  // moment on shaft, z
+    const Scalar z138 = n40000 * z137 / z124;
     const Scalar z164 = n40000 * z163 / z150;
+    const Scalar z268 = a_psi * z110 - z226;
+    const Scalar z126 = n1 / z125;
+    const Scalar z152 = n1 / z151;
+    const Scalar z140 = z118 * z138;
+    const Scalar z142 = z122 * z138;
     const Scalar z166 = z144 * z164;
     const Scalar z168 = z148 * z164;
+    const Scalar z127 = n800000 - n400000 * z126;
+    const Scalar z153 = n800000 - n400000 * z152;
+    const Scalar z130 = z118 * z127;
+    const Scalar z132 = z122 * z127;
+    const Scalar z156 = z144 * z153;
+    const Scalar z158 = z148 * z153;
     const Scalar z170 = z132 - z142 + z158 - z168;
     const Scalar z174 = n0_5 * (z130 - z140);
     const Scalar z177 = n0_5 * (z156 - z166);
-    const Scalar z178 = v_psi * v_psi;
-    const Scalar z179 = n0_05 * z178;
-    const Scalar z181 = s_beta_1 * z179 - n9_81 * c_beta_1;
-    const Scalar z182 = v_beta_1 * z26;  // angular acceleration of rod_1, x
-    const Scalar z183 = v_beta_1 * z25;  // angular acceleration of rod_1, z
-    const Scalar z185 = s_beta_2 * z179 - n9_81 * c_beta_2;
-    const Scalar z186 = v_beta_2 * z36;  // angular acceleration of rod_2, x
-    const Scalar z187 = v_beta_2 * z35;  // angular acceleration of rod_2, z
-    const Scalar z191 = n2 * z187;
-    const Scalar z192 = z35 * z36;
-    const Scalar z193 = n2 * z186;
-    const Scalar z195 = n5_15 * z191;  // force on rod_2, y
-    const Scalar z197 = k12 * z193;  // moment on rod_2, x
     const Scalar z198 = z177 - n5_15 * z185 - k3 * z192;  // moment on rod_2, y
-    const Scalar z199 = n5_1 * z191;  // moment on rod_2, z
-    const Scalar z203 = s_beta_2 * z197 - c_beta_2 * z199;
-    const Scalar z207 = n2 * z183;
-    const Scalar z208 = z25 * z26;
-    const Scalar z209 = n2 * z182;
-    const Scalar z211 = n5_15 * z207;  // force on rod_1, y
-    const Scalar z213 = k12 * z209;  // moment on rod_1, x
     const Scalar z214 = z174 - n5_15 * z181 - k3 * z208;  // moment on rod_1, y
-    const Scalar z215 = n5_1 * z207;  // moment on rod_1, z
-    const Scalar z219 = s_beta_1 * z213 - c_beta_1 * z215;
     const Scalar z220 = n29_43 + z170;  // force on slider, z
-    const Scalar z226 = n0_05 * (z195 + z211) - z203 - z219;  // moment on shaft, z
-    const Scalar z268 = a_psi * z110 - z226;
     const Scalar z269 = n3 * a_s + z220;
     const Scalar z270 = k16 * a_beta_1 - z214;
     const Scalar z271 = k16 * a_beta_2 - z198;
@@ -1181,23 +1282,23 @@ struct Mechanism {
   /// positive relative to its diagonal entry.
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs&,
       Accelerations& accelerations, Multipliers&) noexcept {
-    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar k1 = traits::constant(5.0999975, 5.0999975f, "2039999/400000");
     const Scalar n5_15 = traits::constant(5.15, 5.15f, "103/20");
-    const Scalar k3 = traits::constant(5.0999975, 5.0999975f, "2039999/400000");
-    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
-    const Scalar k5 = traits::constant(0.031515, 0.031515f, "6303/200000");
-    const Scalar n800000 = traits::constant(8e+05, 8e+05f, "800000/1");
-    const Scalar n400000 = traits::constant(4e+05, 4e+05f, "400000/1");
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
-    const Scalar n40000 = traits::constant(40000.0, 40000.0f, "40000/1");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
-    const Scalar k12 = traits::constant(2.5e-06, 2.5e-06f, "1/400000");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar k8 = traits::constant(2.5e-06, 2.5e-06f, "1/400000");
     const Scalar n5_1 = traits::constant(5.1, 5.1f, "51/10");
+    const Scalar k10 = traits::constant(0.031515, 0.031515f, "6303/200000");
+    const Scalar n40000 = traits::constant(40000.0, 40000.0f, "40000/1");
+    const Scalar n800000 = traits::constant(8e+05, 8e+05f, "800000/1");
+    const Scalar n400000 = traits::constant(4e+05, 4e+05f, "400000/1");
     const Scalar n29_43 = traits::constant(29.43, 29.43f, "2943/100");
-    const Scalar k15 = traits::constant(0.19607833525571802, 0.19607833f, "400000/2040001");
     const Scalar n1_over_3 = traits::constant(0.3333333333333333, 0.33333334f, "1/3");
+    const Scalar k16 = traits::constant(0.19607833525571802, 0.19607833f, "400000/2040001");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar v_psi = state.v.psi;
     const Scalar q_s = state.q.s;
@@ -1211,97 +1312,97 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_beta_1 = sines_[0], c_beta_1 = cosines_[0];
     const Scalar s_beta_2 = sines_[1], c_beta_2 = cosines_[1];
-    const Scalar z25 = v_psi * s_beta_1;
-    const Scalar z26 = v_psi * c_beta_1;
-    const Scalar z35 = v_psi * s_beta_2;
-    const Scalar z36 = v_psi * c_beta_2;
-    const Scalar z41 = n0_5 * s_beta_1;
-    const Scalar z44 = n1 - z41;
-    const Scalar z55 = v_beta_1 * c_beta_1;
-    const Scalar z58 = n0_5 * s_beta_2;
-    const Scalar z61 = n1 - z58;
-    const Scalar z72 = v_beta_2 * c_beta_2;
-    const Scalar z80 = n5_15 * c_beta_2;
-    const Scalar z83 = k3 * c_beta_2;
-    const Scalar z84 = c_beta_2 * z83;
-    const Scalar z90 = n0_1 * z80 + z84;
-    const Scalar z92 = k5 + z90;
-    const Scalar z94 = n5_15 * c_beta_1;
-    const Scalar z97 = k3 * c_beta_1;
-    const Scalar z98 = c_beta_1 * z97;
-    const Scalar z104 = n0_1 * z94 + z98;
-    const Scalar z110 = z92 + z104;
     const Scalar z116 = n1 - q_s;
+    const Scalar z133 = v_beta_1 * s_beta_1;
+    const Scalar z159 = v_beta_2 * s_beta_2;
+    const Scalar z55 = v_beta_1 * c_beta_1;
+    const Scalar z72 = v_beta_2 * c_beta_2;
+    const Scalar z83 = k1 * c_beta_2;
     const Scalar z117 = s_beta_1 * z116;
     const Scalar z118 = c_beta_1 * z116;
-    const Scalar z119 = n0_5 - z117;
-    const Scalar z122 = q_s - z44;
-    const Scalar z124 = z118 * z118 + z119 * z119;
-    const Scalar z125 = traits::sqrt(z124);
-    const Scalar z126 = n1 / z125;
-    const Scalar z127 = n800000 - n400000 * z126;
-    const Scalar z130 = z118 * z127;
-    const Scalar z132 = z122 * z127;
-    const Scalar z133 = v_beta_1 * s_beta_1;
-    const Scalar z134 = v_s * c_beta_1 + z116 * z133;
-    const Scalar z135 = v_s * s_beta_1 - z55 * z116;
-    const Scalar z136 = n2 * (z118 * z134 - z119 * z135);
-    const Scalar z137 = n0_5 * z136;
-    const Scalar z138 = n40000 * z137 / z124;
-    const Scalar z140 = z118 * z138;
-    const Scalar z142 = z122 * z138;
     const Scalar z143 = s_beta_2 * z116;
     const Scalar z144 = c_beta_2 * z116;
-    const Scalar z145 = n0_5 - z143;
-    const Scalar z148 = q_s - z61;
-    const Scalar z150 = z144 * z144 + z145 * z145;
-    const Scalar z151 = traits::sqrt(z150);
-    const Scalar z152 = n1 / z151;
-    const Scalar z153 = n800000 - n400000 * z152;
-    const Scalar z156 = z144 * z153;
-    const Scalar z158 = z148 * z153;
-    const Scalar z159 = v_beta_2 * s_beta_2;
-    const Scalar z160 = v_s * c_beta_2 + z116 * z159;
-    const Scalar z161 = v_s * s_beta_2 - z72 * z116;
-    const Scalar z162 = n2 * (z144 * z160 - z145 * z161);
-    const Scalar z163 = n0_5 * z162;
-    const Scalar z164 = n40000 * z163 / z150;
-    const Scalar z166 = z144 * z164;
-    const Scalar z168 = z148 * z164;
-    const Scalar z170 = z132 - z142 + z158 - z168;
-    const Scalar z174 = n0_5 * (z130 - z140);
-    const Scalar z177 = n0_5 * (z156 - z166);
+    const Scalar z36 = v_psi * c_beta_2;
+    const Scalar z80 = n5_15 * c_beta_2;
+    const Scalar z97 = k1 * c_beta_1;
+    const Scalar z41 = n0_5 * s_beta_1;
+    const Scalar z35 = v_psi * s_beta_2;
+    const Scalar z94 = n5_15 * c_beta_1;
+    const Scalar z25 = v_psi * s_beta_1;
+    const Scalar z26 = v_psi * c_beta_1;
+    const Scalar z58 = n0_5 * s_beta_2;
     const Scalar z178 = v_psi * v_psi;
     const Scalar z179 = n0_05 * z178;
     const Scalar z181 = s_beta_1 * z179 - n9_81 * c_beta_1;
+    const Scalar z185 = s_beta_2 * z179 - n9_81 * c_beta_2;
+    const Scalar z44 = n1 - z41;
+    const Scalar z61 = n1 - z58;
+    const Scalar z84 = c_beta_2 * z83;
+    const Scalar z98 = c_beta_1 * z97;
+    const Scalar z119 = n0_5 - z117;
+    const Scalar z134 = v_s * c_beta_1 + z116 * z133;
+    const Scalar z135 = v_s * s_beta_1 - z55 * z116;
+    const Scalar z145 = n0_5 - z143;
+    const Scalar z160 = v_s * c_beta_2 + z116 * z159;
+    const Scalar z161 = v_s * s_beta_2 - z72 * z116;
     const Scalar z182 = v_beta_1 * z26;  // angular acceleration of rod_1, x
     const Scalar z183 = v_beta_1 * z25;  // angular acceleration of rod_1, z
-    const Scalar z185 = s_beta_2 * z179 - n9_81 * c_beta_2;
     const Scalar z186 = v_beta_2 * z36;  // angular acceleration of rod_2, x
     const Scalar z187 = v_beta_2 * z35;  // angular acceleration of rod_2, z
-    const Scalar z191 = n2 * z187;
     const Scalar z192 = z35 * z36;
-    const Scalar z193 = n2 * z186;
-    const Scalar z195 = n5_15 * z191;  // force on rod_2, y
-    const Scalar z197 = k12 * z193;  // moment on rod_2, x
-    const Scalar z198 = z177 - n5_15 * z185 - k3 * z192;  // moment on rod_2, y
-    const Scalar z199 = n5_1 * z191;  // moment on rod_2, z
-    const Scalar z203 = s_beta_2 * z197 - c_beta_2 * z199;
-    const Scalar z207 = n2 * z183;
     const Scalar z208 = z25 * z26;
+    const Scalar z90 = n0_1 * z80 + z84;
+    const Scalar z104 = n0_1 * z94 + z98;
+    const Scalar z122 = q_s - z44;
+    const Scalar z124 = z118 * z118 + z119 * z119;
+    const Scalar z148 = q_s - z61;
+    const Scalar z150 = z144 * z144 + z145 * z145;
+    const Scalar z191 = n2 * z187;
+    const Scalar z193 = n2 * z186;
+    const Scalar z207 = n2 * z183;
     const Scalar z209 = n2 * z182;
+    const Scalar z136 = n2 * (z118 * z134 - z119 * z135);
+    const Scalar z162 = n2 * (z144 * z160 - z145 * z161);
+    const Scalar z195 = n5_15 * z191;  // force on rod_2, y
+    const Scalar z197 = k8 * z193;  // moment on rod_2, x
+    const Scalar z199 = n5_1 * z191;  // moment on rod_2, z
     const Scalar z211 = n5_15 * z207;  // force on rod_1, y
-    const Scalar z213 = k12 * z209;  // moment on rod_1, x
-    const Scalar z214 = z174 - n5_15 * z181 - k3 * z208;  // moment on rod_1, y
+    const Scalar z213 = k8 * z209;  // moment on rod_1, x
     const Scalar z215 = n5_1 * z207;  // moment on rod_1, z
+    const Scalar z92 = k10 + z90;
+    const Scalar z125 = traits::sqrt(z124);
+    const Scalar z151 = traits::sqrt(z150);
+    const Scalar z203 = s_beta_2 * z197 - c_beta_2 * z199;
     const Scalar z219 = s_beta_1 * z213 - c_beta_1 * z215;
-    const Scalar z220 = n29_43 + z170;  // force on slider, z
-    const Scalar z226 = n0_05 * (z195 + z211) - z203 - z219;  // moment on shaft, z
+    const Scalar z110 = z92 + z104;
     const Scalar z299 = n1 / z110;
-    const Scalar z302 = k15 * z198;
-    const Scalar z306 = k15 * z214;
-    const Scalar z310 = n1_over_3 * z220;
+    const Scalar z137 = n0_5 * z136;
+    const Scalar z163 = n0_5 * z162;
+    const Scalar z226 = n0_05 * (z195 + z211) - z203 - z219;  // moment on shaft, z
+    const Scalar z138 = n40000 * z137 / z124;
+    const Scalar z164 = n40000 * z163 / z150;
+    const Scalar z126 = n1 / z125;
+    const Scalar z152 = n1 / z151;
     const Scalar z314 = z226 * z299;
+    const Scalar z140 = z118 * z138;
+    const Scalar z142 = z122 * z138;
+    const Scalar z166 = z144 * z164;
+    const Scalar z168 = z148 * z164;
+    const Scalar z127 = n800000 - n400000 * z126;
+    const Scalar z153 = n800000 - n400000 * z152;
+    const Scalar z130 = z118 * z127;
+    const Scalar z132 = z122 * z127;
+    const Scalar z156 = z144 * z153;
+    const Scalar z158 = z148 * z153;
+    const Scalar z170 = z132 - z142 + z158 - z168;
+    const Scalar z174 = n0_5 * (z130 - z140);
+    const Scalar z177 = n0_5 * (z156 - z166);
+    const Scalar z198 = z177 - n5_15 * z185 - k1 * z192;  // moment on rod_2, y
+    const Scalar z214 = z174 - n5_15 * z181 - k1 * z208;  // moment on rod_1, y
+    const Scalar z220 = n29_43 + z170;  // force on slider, z
+    const Scalar z310 = n1_over_3 * z220;
+    const Scalar z302 = k16 * z198;
+    const Scalar z306 = k16 * z214;
     accelerations.psi = z314;
     accelerations.s = -z310;
     accelerations.beta_1 = z306;
@@ -1315,22 +1416,22 @@ struct Mechanism {
 
   /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
   TORSOR_DEVICE static void energy(const Precomputed&, const State& state, const Inputs&, Energy& result) noexcept {
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
     const Scalar n5_15 = traits::constant(5.15, 5.15f, "103/20");
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n5_3 = traits::constant(5.3, 5.3f, "53/10");
+    const Scalar k5 = traits::constant(5.1000025, 5.1000023f, "2040001/400000");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n40000 = traits::constant(40000.0, 40000.0f, "40000/1");
-    const Scalar n5_3 = traits::constant(5.3, 5.3f, "53/10");
-    const Scalar k7 = traits::constant(5.1000025, 5.1000023f, "2040001/400000");
-    const Scalar k8 = traits::constant(2.55000125, 2.5500011f, "2040001/800000");
-    const Scalar k9 = traits::constant(2.5e-06, 2.5e-06f, "1/400000");
-    const Scalar k10 = traits::constant(0.0025025, 0.0025025f, "1001/400000");
+    const Scalar k8 = traits::constant(0.0025025, 0.0025025f, "1001/400000");
     const Scalar n1_5 = traits::constant(1.5, 1.5f, "3/2");
-    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
-    const Scalar n400000 = traits::constant(4e+05, 4e+05f, "400000/1");
+    const Scalar k10 = traits::constant(2.55000125, 2.5500011f, "2040001/800000");
+    const Scalar k11 = traits::constant(2.5e-06, 2.5e-06f, "1/400000");
     const Scalar n105_4575 = traits::constant(105.4575, 105.4575f, "42183/400");
     const Scalar n29_43 = traits::constant(29.43, 29.43f, "2943/100");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n400000 = traits::constant(4e+05, 4e+05f, "400000/1");
     const Scalar v_psi = state.v.psi;
     const Scalar q_s = state.q.s;
     const Scalar v_s = state.v.s;
@@ -1343,54 +1444,54 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_beta_1 = sines_[0], c_beta_1 = cosines_[0];
     const Scalar s_beta_2 = sines_[1], c_beta_2 = cosines_[1];
-    const Scalar z24 = n0_05 * v_psi;
-    const Scalar z25 = v_psi * s_beta_1;
-    const Scalar z26 = v_psi * c_beta_1;
-    const Scalar z35 = v_psi * s_beta_2;
-    const Scalar z36 = v_psi * c_beta_2;
+    const Scalar z116 = n1 - q_s;
+    const Scalar z133 = v_beta_1 * s_beta_1;
+    const Scalar z159 = v_beta_2 * s_beta_2;
     const Scalar z55 = v_beta_1 * c_beta_1;
     const Scalar z72 = v_beta_2 * c_beta_2;
-    const Scalar z79 = n5_15 * s_beta_2;
-    const Scalar z93 = n5_15 * s_beta_1;
-    const Scalar z116 = n1 - q_s;
+    const Scalar z24 = n0_05 * v_psi;
     const Scalar z117 = s_beta_1 * z116;
     const Scalar z118 = c_beta_1 * z116;
-    const Scalar z119 = n0_5 - z117;
-    const Scalar z124 = z118 * z118 + z119 * z119;
-    const Scalar z125 = traits::sqrt(z124);
-    const Scalar z128 = n0_5 - z125;
-    const Scalar z133 = v_beta_1 * s_beta_1;
-    const Scalar z134 = v_s * c_beta_1 + z116 * z133;
-    const Scalar z135 = v_s * s_beta_1 - z55 * z116;
-    const Scalar z136 = n2 * (z118 * z134 - z119 * z135);
-    const Scalar z137 = n0_5 * z136;
-    const Scalar z138 = n40000 * z137 / z124;
     const Scalar z143 = s_beta_2 * z116;
     const Scalar z144 = c_beta_2 * z116;
+    const Scalar z26 = v_psi * c_beta_1;
+    const Scalar z36 = v_psi * c_beta_2;
+    const Scalar z25 = v_psi * s_beta_1;
+    const Scalar z35 = v_psi * s_beta_2;
+    const Scalar z79 = n5_15 * s_beta_2;
+    const Scalar z93 = n5_15 * s_beta_1;
+    const Scalar z119 = n0_5 - z117;
+    const Scalar z134 = v_s * c_beta_1 + z116 * z133;
+    const Scalar z135 = v_s * s_beta_1 - z55 * z116;
     const Scalar z145 = n0_5 - z143;
-    const Scalar z150 = z144 * z144 + z145 * z145;
-    const Scalar z151 = traits::sqrt(z150);
-    const Scalar z154 = n0_5 - z151;
-    const Scalar z159 = v_beta_2 * s_beta_2;
     const Scalar z160 = v_s * c_beta_2 + z116 * z159;
     const Scalar z161 = v_s * s_beta_2 - z72 * z116;
-    const Scalar z162 = n2 * (z144 * z160 - z145 * z161);
-    const Scalar z163 = n0_5 * z162;
-    const Scalar z164 = n40000 * z163 / z150;
     const Scalar z322 = n5_3 * z24 + n5_15 * z26;
-    const Scalar z323 = n5_15 * z24 + k7 * z26;
+    const Scalar z323 = n5_15 * z24 + k5 * z26;
     const Scalar z324 = n5_3 * z24 + n5_15 * z36;
-    const Scalar z325 = n5_15 * z24 + k7 * z36;
-    result.kinetic = n0_5 * (z24 * (z322 + z324) + z26 * z323 + z36 * z325) + k8 * (v_beta_1 * v_beta_1 + v_beta_2
-        * v_beta_2) + k9 * (z25 * z25 + z35 * z35) + k10 * v_psi * v_psi + n1_5 * v_s * v_s;
-    result.force_function = n9_81 * (z79 + z93) - n400000 * (z128 * z128 + z154 * z154) - n105_4575 - n29_43 * q_s;
+    const Scalar z325 = n5_15 * z24 + k5 * z36;
+    const Scalar z124 = z118 * z118 + z119 * z119;
+    const Scalar z150 = z144 * z144 + z145 * z145;
+    const Scalar z136 = n2 * (z118 * z134 - z119 * z135);
+    const Scalar z162 = n2 * (z144 * z160 - z145 * z161);
+    const Scalar z125 = traits::sqrt(z124);
+    const Scalar z151 = traits::sqrt(z150);
+    const Scalar z137 = n0_5 * z136;
+    const Scalar z163 = n0_5 * z162;
+    const Scalar z138 = n40000 * z137 / z124;
+    const Scalar z164 = n40000 * z163 / z150;
+    const Scalar z128 = n0_5 - z125;
+    const Scalar z154 = n0_5 - z151;
+    result.kinetic = k8 * v_psi * v_psi + n1_5 * v_s * v_s + k10 * (v_beta_1 * v_beta_1 + v_beta_2 * v_beta_2) + k11
+        * (z25 * z25 + z35 * z35) + n0_5 * (z26 * z323 + z36 * z325 + z24 * (z322 + z324));
+    result.force_function = -n105_4575 - n29_43 * q_s + n9_81 * (z79 + z93) - n400000 * (z128 * z128 + z154 * z154);
     result.power = -z137 * z138 - z163 * z164;
   }
 
   /// First integrals: constant along every motion.
   TORSOR_DEVICE static void first_integrals(const Precomputed&, const State& state, FirstIntegrals& result) noexcept {
+    const Scalar k0 = traits::constant(5.0999975, 5.0999975f, "2039999/400000");
     const Scalar n5_15 = traits::constant(5.15, 5.15f, "103/20");
-    const Scalar k1 = traits::constant(5.0999975, 5.0999975f, "2039999/400000");
     const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
     const Scalar k3 = traits::constant(0.031515, 0.031515f, "6303/200000");
     const Scalar v_psi = state.v.psi;
@@ -1401,15 +1502,15 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar c_beta_1 = cosines_[0];
     const Scalar c_beta_2 = cosines_[1];
+    const Scalar z83 = k0 * c_beta_2;
     const Scalar z80 = n5_15 * c_beta_2;
-    const Scalar z83 = k1 * c_beta_2;
-    const Scalar z84 = c_beta_2 * z83;
-    const Scalar z90 = n0_1 * z80 + z84;
-    const Scalar z92 = k3 + z90;
+    const Scalar z97 = k0 * c_beta_1;
     const Scalar z94 = n5_15 * c_beta_1;
-    const Scalar z97 = k1 * c_beta_1;
+    const Scalar z84 = c_beta_2 * z83;
     const Scalar z98 = c_beta_1 * z97;
+    const Scalar z90 = n0_1 * z80 + z84;
     const Scalar z104 = n0_1 * z94 + z98;
+    const Scalar z92 = k3 + z90;
     const Scalar z110 = z92 + z104;
     result.momentum_psi = v_psi * z110;
   }
@@ -1418,23 +1519,23 @@ struct Mechanism {
   /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
   TORSOR_DEVICE static torsor::Status linearisation(const Precomputed&, const State& state,
       const Accelerations& accelerations, const Multipliers&, const Inputs&, Linearisation& result) noexcept {
-    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar k1 = traits::constant(5.0999975, 5.0999975f, "2039999/400000");
     const Scalar n5_15 = traits::constant(5.15, 5.15f, "103/20");
-    const Scalar k3 = traits::constant(5.0999975, 5.0999975f, "2039999/400000");
-    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
-    const Scalar k5 = traits::constant(0.031515, 0.031515f, "6303/200000");
-    const Scalar n800000 = traits::constant(8e+05, 8e+05f, "800000/1");
-    const Scalar n400000 = traits::constant(4e+05, 4e+05f, "400000/1");
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
-    const Scalar n40000 = traits::constant(40000.0, 40000.0f, "40000/1");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
-    const Scalar k12 = traits::constant(2.5e-06, 2.5e-06f, "1/400000");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar k8 = traits::constant(2.5e-06, 2.5e-06f, "1/400000");
     const Scalar n5_1 = traits::constant(5.1, 5.1f, "51/10");
+    const Scalar k10 = traits::constant(0.031515, 0.031515f, "6303/200000");
+    const Scalar n40000 = traits::constant(40000.0, 40000.0f, "40000/1");
+    const Scalar n800000 = traits::constant(8e+05, 8e+05f, "800000/1");
+    const Scalar n400000 = traits::constant(4e+05, 4e+05f, "400000/1");
+    const Scalar k14 = traits::constant(5.1000025, 5.1000023f, "2040001/400000");
     const Scalar n29_43 = traits::constant(29.43, 29.43f, "2943/100");
     const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
-    const Scalar k16 = traits::constant(5.1000025, 5.1000023f, "2040001/400000");
     const Scalar k17 = traits::constant(0.19607833525571802, 0.19607833f, "400000/2040001");
     const Scalar n1_over_3 = traits::constant(0.3333333333333333, 0.33333334f, "1/3");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
@@ -1454,233 +1555,233 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_beta_1 = sines_[0], c_beta_1 = cosines_[0];
     const Scalar s_beta_2 = sines_[1], c_beta_2 = cosines_[1];
-    const Scalar z25 = v_psi * s_beta_1;
-    const Scalar z26 = v_psi * c_beta_1;
-    const Scalar z35 = v_psi * s_beta_2;
-    const Scalar z36 = v_psi * c_beta_2;
-    const Scalar z41 = n0_5 * s_beta_1;
-    const Scalar z44 = n1 - z41;
-    const Scalar z55 = v_beta_1 * c_beta_1;
-    const Scalar z58 = n0_5 * s_beta_2;
-    const Scalar z61 = n1 - z58;
-    const Scalar z72 = v_beta_2 * c_beta_2;
-    const Scalar z79 = n5_15 * s_beta_2;
-    const Scalar z80 = n5_15 * c_beta_2;
-    const Scalar z82 = k3 * s_beta_2;
-    const Scalar z83 = k3 * c_beta_2;
-    const Scalar z84 = c_beta_2 * z83;
-    const Scalar z90 = n0_1 * z80 + z84;
-    const Scalar z92 = k5 + z90;
-    const Scalar z93 = n5_15 * s_beta_1;
-    const Scalar z94 = n5_15 * c_beta_1;
-    const Scalar z96 = k3 * s_beta_1;
-    const Scalar z97 = k3 * c_beta_1;
-    const Scalar z98 = c_beta_1 * z97;
-    const Scalar z104 = n0_1 * z94 + z98;
-    const Scalar z110 = z92 + z104;
     const Scalar z116 = n1 - q_s;
+    const Scalar z133 = v_beta_1 * s_beta_1;
+    const Scalar z159 = v_beta_2 * s_beta_2;
+    const Scalar z55 = v_beta_1 * c_beta_1;
+    const Scalar z72 = v_beta_2 * c_beta_2;
+    const Scalar z25 = v_psi * s_beta_1;
     const Scalar z117 = s_beta_1 * z116;
     const Scalar z118 = c_beta_1 * z116;
-    const Scalar z119 = n0_5 - z117;
-    const Scalar z120 = n0_5 * c_beta_1;
-    const Scalar z122 = q_s - z44;
-    const Scalar z124 = z118 * z118 + z119 * z119;
-    const Scalar z125 = traits::sqrt(z124);
-    const Scalar z126 = n1 / z125;
-    const Scalar z127 = n800000 - n400000 * z126;
-    const Scalar z130 = z118 * z127;
-    const Scalar z132 = z122 * z127;
-    const Scalar z133 = v_beta_1 * s_beta_1;
-    const Scalar z134 = v_s * c_beta_1 + z116 * z133;
-    const Scalar z135 = v_s * s_beta_1 - z55 * z116;
-    const Scalar z136 = n2 * (z118 * z134 - z119 * z135);
-    const Scalar z137 = n0_5 * z136;
-    const Scalar z138 = n40000 * z137 / z124;
-    const Scalar z140 = z118 * z138;
-    const Scalar z142 = z122 * z138;
     const Scalar z143 = s_beta_2 * z116;
     const Scalar z144 = c_beta_2 * z116;
-    const Scalar z145 = n0_5 - z143;
-    const Scalar z146 = n0_5 * c_beta_2;
-    const Scalar z148 = q_s - z61;
-    const Scalar z150 = z144 * z144 + z145 * z145;
-    const Scalar z151 = traits::sqrt(z150);
-    const Scalar z152 = n1 / z151;
-    const Scalar z153 = n800000 - n400000 * z152;
-    const Scalar z156 = z144 * z153;
-    const Scalar z158 = z148 * z153;
-    const Scalar z159 = v_beta_2 * s_beta_2;
-    const Scalar z160 = v_s * c_beta_2 + z116 * z159;
-    const Scalar z161 = v_s * s_beta_2 - z72 * z116;
-    const Scalar z162 = n2 * (z144 * z160 - z145 * z161);
-    const Scalar z163 = n0_5 * z162;
-    const Scalar z164 = n40000 * z163 / z150;
-    const Scalar z166 = z144 * z164;
-    const Scalar z168 = z148 * z164;
-    const Scalar z170 = z132 - z142 + z158 - z168;
-    const Scalar z174 = n0_5 * (z130 - z140);
-    const Scalar z177 = n0_5 * (z156 - z166);
+    const Scalar z35 = v_psi * s_beta_2;
+    const Scalar z83 = k1 * c_beta_2;
+    const Scalar z26 = v_psi * c_beta_1;
+    const Scalar z36 = v_psi * c_beta_2;
+    const Scalar z80 = n5_15 * c_beta_2;
+    const Scalar z97 = k1 * c_beta_1;
+    const Scalar z41 = n0_5 * s_beta_1;
+    const Scalar z94 = n5_15 * c_beta_1;
+    const Scalar z58 = n0_5 * s_beta_2;
     const Scalar z178 = v_psi * v_psi;
     const Scalar z179 = n0_05 * z178;
-    const Scalar z180 = n9_81 * s_beta_1 + c_beta_1 * z179;
+    const Scalar z82 = k1 * s_beta_2;
+    const Scalar z96 = k1 * s_beta_1;
+    const Scalar z120 = n0_5 * c_beta_1;
+    const Scalar z146 = n0_5 * c_beta_2;
+    const Scalar z79 = n5_15 * s_beta_2;
     const Scalar z181 = s_beta_1 * z179 - n9_81 * c_beta_1;
-    const Scalar z182 = v_beta_1 * z26;  // angular acceleration of rod_1, x
-    const Scalar z183 = v_beta_1 * z25;  // angular acceleration of rod_1, z
-    const Scalar z184 = n9_81 * s_beta_2 + c_beta_2 * z179;
     const Scalar z185 = s_beta_2 * z179 - n9_81 * c_beta_2;
-    const Scalar z186 = v_beta_2 * z36;  // angular acceleration of rod_2, x
-    const Scalar z187 = v_beta_2 * z35;  // angular acceleration of rod_2, z
-    const Scalar z191 = n2 * z187;
-    const Scalar z192 = z35 * z36;
-    const Scalar z193 = n2 * z186;
-    const Scalar z195 = n5_15 * z191;  // force on rod_2, y
-    const Scalar z197 = k12 * z193;  // moment on rod_2, x
-    const Scalar z198 = z177 - n5_15 * z185 - k3 * z192;  // moment on rod_2, y
-    const Scalar z199 = n5_1 * z191;  // moment on rod_2, z
-    const Scalar z203 = s_beta_2 * z197 - c_beta_2 * z199;
-    const Scalar z207 = n2 * z183;
-    const Scalar z208 = z25 * z26;
-    const Scalar z209 = n2 * z182;
-    const Scalar z211 = n5_15 * z207;  // force on rod_1, y
-    const Scalar z213 = k12 * z209;  // moment on rod_1, x
-    const Scalar z214 = z174 - n5_15 * z181 - k3 * z208;  // moment on rod_1, y
-    const Scalar z215 = n5_1 * z207;  // moment on rod_1, z
-    const Scalar z219 = s_beta_1 * z213 - c_beta_1 * z215;
-    const Scalar z220 = n29_43 + z170;  // force on slider, z
-    const Scalar z226 = n0_05 * (z195 + z211) - z203 - z219;  // moment on shaft, z
-    const Scalar z268 = a_psi * z110 - z226;
-    const Scalar z269 = n3 * a_s + z220;
-    const Scalar z270 = k16 * a_beta_1 - z214;
-    const Scalar z271 = k16 * a_beta_2 - z198;
-    const Scalar z299 = n1 / z110;
-    const Scalar z346 = n2 * z159;
-    const Scalar z347 = n5_15 * z346;
-    const Scalar z348 = n2 * z72;
-    const Scalar z349 = k12 * z348;
-    const Scalar z350 = n5_1 * z346;
-    const Scalar z351 = s_beta_2 * z349 - c_beta_2 * z350;
-    const Scalar z352 = n2 * z133;
-    const Scalar z353 = n5_15 * z352;
-    const Scalar z354 = n2 * z55;
-    const Scalar z355 = k12 * z354;
-    const Scalar z356 = n5_1 * z352;
-    const Scalar z357 = s_beta_1 * z355 - c_beta_1 * z356;
-    const Scalar z358 = n0_05 * (z347 + z353) - z351 - z357;
+    const Scalar z93 = n5_15 * s_beta_1;
+    const Scalar z180 = n9_81 * s_beta_1 + c_beta_1 * z179;
+    const Scalar z184 = n9_81 * s_beta_2 + c_beta_2 * z179;
+    const Scalar z44 = n1 - z41;
+    const Scalar z61 = n1 - z58;
     const Scalar z359 = n2 * v_psi;
     const Scalar z360 = n0_05 * z359;
+    const Scalar z84 = c_beta_2 * z83;
     const Scalar z361 = s_beta_1 * z360;
+    const Scalar z98 = c_beta_1 * z97;
+    const Scalar z119 = n0_5 - z117;
+    const Scalar z134 = v_s * c_beta_1 + z116 * z133;
+    const Scalar z135 = v_s * s_beta_1 - z55 * z116;
+    const Scalar z145 = n0_5 - z143;
+    const Scalar z160 = v_s * c_beta_2 + z116 * z159;
+    const Scalar z161 = v_s * s_beta_2 - z72 * z116;
+    const Scalar z182 = v_beta_1 * z26;  // angular acceleration of rod_1, x
+    const Scalar z183 = v_beta_1 * z25;  // angular acceleration of rod_1, z
+    const Scalar z186 = v_beta_2 * z36;  // angular acceleration of rod_2, x
+    const Scalar z187 = v_beta_2 * z35;  // angular acceleration of rod_2, z
+    const Scalar z192 = z35 * z36;
+    const Scalar z208 = z25 * z26;
+    const Scalar z346 = n2 * z159;
+    const Scalar z348 = n2 * z72;
+    const Scalar z352 = n2 * z133;
+    const Scalar z354 = n2 * z55;
+    const Scalar z90 = n0_1 * z80 + z84;
     const Scalar z362 = s_beta_1 * z26 + c_beta_1 * z25;
-    const Scalar z363 = n5_15 * z361 + k3 * z362;
+    const Scalar z104 = n0_1 * z94 + z98;
+    const Scalar z122 = q_s - z44;
+    const Scalar z124 = z118 * z118 + z119 * z119;
+    const Scalar z148 = q_s - z61;
+    const Scalar z150 = z144 * z144 + z145 * z145;
+    const Scalar z191 = n2 * z187;
+    const Scalar z193 = n2 * z186;
+    const Scalar z207 = n2 * z183;
+    const Scalar z209 = n2 * z182;
+    const Scalar z347 = n5_15 * z346;
+    const Scalar z349 = k8 * z348;
+    const Scalar z350 = n5_1 * z346;
+    const Scalar z353 = n5_15 * z352;
+    const Scalar z355 = k8 * z354;
+    const Scalar z356 = n5_1 * z352;
+    const Scalar z136 = n2 * (z118 * z134 - z119 * z135);
+    const Scalar z162 = n2 * (z144 * z160 - z145 * z161);
+    const Scalar z195 = n5_15 * z191;  // force on rod_2, y
+    const Scalar z197 = k8 * z193;  // moment on rod_2, x
+    const Scalar z199 = n5_1 * z191;  // moment on rod_2, z
+    const Scalar z211 = n5_15 * z207;  // force on rod_1, y
+    const Scalar z213 = k8 * z209;  // moment on rod_1, x
+    const Scalar z351 = s_beta_2 * z349 - c_beta_2 * z350;
+    const Scalar z357 = s_beta_1 * z355 - c_beta_1 * z356;
+    const Scalar z92 = k10 + z90;
     const Scalar z364 = s_beta_2 * z360;
-    const Scalar z365 = s_beta_2 * z36 + c_beta_2 * z35;
-    const Scalar z366 = n5_15 * z364 + k3 * z365;
+    const Scalar z110 = z92 + z104;
+    const Scalar z125 = traits::sqrt(z124);
+    const Scalar z151 = traits::sqrt(z150);
     const Scalar z367 = n2 * (s_beta_1 * z119 - c_beta_1 * z118);
+    const Scalar z358 = n0_05 * (z347 + z353) - z351 - z357;
+    const Scalar z137 = n0_5 * z136;
+    const Scalar z163 = n0_5 * z162;
+    const Scalar z371 = n2 * (s_beta_2 * z145 - c_beta_2 * z144);
+    const Scalar z363 = n5_15 * z361 + k1 * z362;
     const Scalar z368 = n0_5 * z367;
     const Scalar z369 = n40000 * z368 / z124;
-    const Scalar z370 = z122 * z369;
-    const Scalar z371 = n2 * (s_beta_2 * z145 - c_beta_2 * z144);
     const Scalar z372 = n0_5 * z371;
     const Scalar z373 = n40000 * z372 / z150;
-    const Scalar z374 = z148 * z373;
-    const Scalar z375 = z370 + z374;
+    const Scalar z138 = n40000 * z137 / z124;
+    const Scalar z164 = n40000 * z163 / z150;
     const Scalar z376 = n0_5 * z367 / z125;
+    const Scalar z126 = n1 / z125;
+    const Scalar z152 = n1 / z151;
+    const Scalar z215 = n5_1 * z207;  // moment on rod_1, z
+    const Scalar z203 = s_beta_2 * z197 - c_beta_2 * z199;
+    const Scalar z219 = s_beta_1 * z213 - c_beta_1 * z215;
+    const Scalar z365 = s_beta_2 * z36 + c_beta_2 * z35;
+    const Scalar z366 = n5_15 * z364 + k1 * z365;
+    const Scalar z140 = z118 * z138;
+    const Scalar z166 = z144 * z164;
+    const Scalar z226 = n0_05 * (z195 + z211) - z203 - z219;  // moment on shaft, z
+    const Scalar z142 = z122 * z138;
+    const Scalar z168 = z148 * z164;
+    const Scalar z370 = z122 * z369;
+    const Scalar z127 = n800000 - n400000 * z126;
+    const Scalar z380 = n2 * (z118 * z133 + z55 * z119 + s_beta_1 * z135 + c_beta_1 * z134);
+    const Scalar z268 = a_psi * z110 - z226;
+    const Scalar z153 = n800000 - n400000 * z152;
     const Scalar z377 = z376 / (z125 * z125);
-    const Scalar z378 = n400000 * z377;
-    const Scalar z379 = z122 * z378 + z127;
-    const Scalar z380 = n2 * (s_beta_1 * z135 + c_beta_1 * z134 + z55 * z119 + z118 * z133);
+    const Scalar z299 = n1 / z110;
+    const Scalar z130 = z118 * z127;
+    const Scalar z174 = n0_5 * (z130 - z140);
     const Scalar z381 = n0_5 * z380;
+    const Scalar z156 = z144 * z153;
+    const Scalar z177 = n0_5 * (z156 - z166);
+    const Scalar z132 = z122 * z127;
+    const Scalar z388 = n2 * (z144 * z159 + z72 * z145 + s_beta_2 * z161 + c_beta_2 * z160);
+    const Scalar z214 = z174 - n5_15 * z181 - k1 * z208;  // moment on rod_1, y
+    const Scalar z198 = z177 - n5_15 * z185 - k1 * z192;  // moment on rod_2, y
     const Scalar z382 = n40000 * (z137 * z367 / (z124 * z124) + z381 / z124);
-    const Scalar z383 = z122 * z382 - z138;
+    const Scalar z270 = k14 * a_beta_1 - z214;
+    const Scalar z389 = n0_5 * z388;
+    const Scalar z271 = k14 * a_beta_2 - z198;
+    const Scalar z390 = n40000 * (z163 * z371 / (z150 * z150) + z389 / z150);
     const Scalar z384 = n0_5 * z371 / z151;
     const Scalar z385 = z384 / (z151 * z151);
-    const Scalar z386 = n400000 * z385;
-    const Scalar z387 = z148 * z386 + z153;
-    const Scalar z388 = n2 * (s_beta_2 * z161 + c_beta_2 * z160 + z72 * z145 + z144 * z159);
-    const Scalar z389 = n0_5 * z388;
-    const Scalar z390 = n40000 * (z163 * z371 / (z150 * z150) + z389 / z150);
-    const Scalar z391 = z148 * z390 - z164;
-    const Scalar z392 = z379 + z383 + z387 + z391;
+    const Scalar z378 = n400000 * z377;
     const Scalar z393 = z118 * z369;
     const Scalar z394 = n0_5 * z393;
-    const Scalar z395 = c_beta_1 * z127 - z118 * z378;
-    const Scalar z396 = c_beta_1 * z138 + z118 * z382;
-    const Scalar z397 = n0_5 * (z395 - z396);
-    const Scalar z398 = z144 * z373;
-    const Scalar z399 = n0_5 * z398;
-    const Scalar z400 = c_beta_2 * z153 - z144 * z386;
-    const Scalar z401 = c_beta_2 * z164 + z144 * z390;
-    const Scalar z402 = n0_5 * (z400 - z401);
-    const Scalar z403 = n2 * z25;
-    const Scalar z404 = n5_15 * z403;
-    const Scalar z405 = n2 * z26;
-    const Scalar z406 = k12 * z405;
-    const Scalar z407 = n5_1 * z403;
-    const Scalar z408 = s_beta_1 * z406 - c_beta_1 * z407;
-    const Scalar z409 = n0_05 * z404 - z408;
+    const Scalar z158 = z148 * z153;
+    const Scalar z170 = z132 - z142 + z158 - z168;
     const Scalar z410 = s_beta_1 * z97 + c_beta_1 * z96;
     const Scalar z411 = n0_1 * z93 + z410;
-    const Scalar z412 = n5_15 * z209;
-    const Scalar z413 = k12 * z207;
-    const Scalar z414 = n5_1 * z209;
-    const Scalar z415 = s_beta_1 * (z215 - z413) + c_beta_1 * (z213 - z414);
-    const Scalar z416 = n0_05 * z412 - z415;
-    const Scalar z417 = a_psi * z411 + z416;
+    const Scalar z426 = z134 * n2 * (z117 + z119);
     const Scalar z418 = z118 * n2 * (z117 + z119);
+    const Scalar z427 = n0_5 * z426;
+    const Scalar z413 = k8 * z207;
+    const Scalar z422 = n0_5 * z418 / z125;
+    const Scalar z428 = n40000 * (z137 * z418 / (z124 * z124) - z427 / z124);
     const Scalar z419 = n0_5 * z418;
     const Scalar z420 = n40000 * z419 / z124;
-    const Scalar z421 = z122 * z420;
-    const Scalar z422 = n0_5 * z418 / z125;
-    const Scalar z423 = z422 / (z125 * z125);
-    const Scalar z424 = n400000 * z423;
-    const Scalar z425 = z120 * z127 - z122 * z424;
-    const Scalar z426 = z134 * n2 * (z117 + z119);
-    const Scalar z427 = n0_5 * z426;
-    const Scalar z428 = n40000 * (z137 * z418 / (z124 * z124) - z427 / z124);
-    const Scalar z429 = z120 * z138 + z122 * z428;
-    const Scalar z430 = z425 - z429;
-    const Scalar z431 = z118 * z420;
-    const Scalar z432 = n0_5 * z431;
-    const Scalar z433 = z117 * z127 + z118 * z424;
-    const Scalar z434 = z117 * z138 - z118 * z428;
-    const Scalar z435 = n0_5 * (z433 - z434);
-    const Scalar z436 = z25 * z25 - z26 * z26;
-    const Scalar z437 = n5_15 * z180 + z435 - k3 * z436;
-    const Scalar z438 = n2 * z35;
-    const Scalar z439 = n5_15 * z438;
-    const Scalar z440 = n2 * z36;
-    const Scalar z441 = k12 * z440;
-    const Scalar z442 = n5_1 * z438;
-    const Scalar z443 = s_beta_2 * z441 - c_beta_2 * z442;
-    const Scalar z444 = n0_05 * z439 - z443;
+    const Scalar z386 = n400000 * z385;
+    const Scalar z220 = n29_43 + z170;  // force on slider, z
+    const Scalar z269 = n3 * a_s + z220;
     const Scalar z445 = s_beta_2 * z83 + c_beta_2 * z82;
     const Scalar z446 = n0_1 * z79 + z445;
-    const Scalar z447 = n5_15 * z193;
-    const Scalar z448 = k12 * z191;
-    const Scalar z449 = n5_1 * z193;
-    const Scalar z450 = s_beta_2 * (z199 - z448) + c_beta_2 * (z197 - z449);
-    const Scalar z451 = n0_05 * z447 - z450;
-    const Scalar z452 = a_psi * z446 + z451;
-    const Scalar z453 = z144 * n2 * (z143 + z145);
-    const Scalar z454 = n0_5 * z453;
-    const Scalar z455 = n40000 * z454 / z150;
-    const Scalar z456 = z148 * z455;
-    const Scalar z457 = n0_5 * z453 / z151;
-    const Scalar z458 = z457 / (z151 * z151);
-    const Scalar z459 = n400000 * z458;
-    const Scalar z460 = z146 * z153 - z148 * z459;
+    const Scalar z473 = z299 * z358;
     const Scalar z461 = z160 * n2 * (z143 + z145);
+    const Scalar z423 = z422 / (z125 * z125);
+    const Scalar z453 = z144 * n2 * (z143 + z145);
     const Scalar z462 = n0_5 * z461;
     const Scalar z463 = n40000 * (z163 * z453 / (z150 * z150) - z462 / z150);
-    const Scalar z464 = z146 * z164 + z148 * z463;
-    const Scalar z465 = z460 - z464;
-    const Scalar z466 = z144 * z455;
-    const Scalar z467 = n0_5 * z466;
+    const Scalar z448 = k8 * z191;
+    const Scalar z457 = n0_5 * z453 / z151;
+    const Scalar z454 = n0_5 * z453;
+    const Scalar z455 = n40000 * z454 / z150;
+    const Scalar z414 = n5_1 * z209;
+    const Scalar z415 = s_beta_1 * (z215 - z413) + c_beta_1 * (z213 - z414);
+    const Scalar z412 = n5_15 * z209;
+    const Scalar z449 = n5_1 * z193;
+    const Scalar z450 = s_beta_2 * (z199 - z448) + c_beta_2 * (z197 - z449);
+    const Scalar z458 = z457 / (z151 * z151);
+    const Scalar z424 = n400000 * z423;
+    const Scalar z447 = n5_15 * z193;
+    const Scalar z405 = n2 * z26;
+    const Scalar z406 = k8 * z405;
+    const Scalar z436 = z25 * z25 - z26 * z26;
+    const Scalar z416 = n0_05 * z412 - z415;
+    const Scalar z403 = n2 * z25;
+    const Scalar z433 = z117 * z127 + z118 * z424;
+    const Scalar z451 = n0_05 * z447 - z450;
+    const Scalar z417 = a_psi * z411 + z416;
+    const Scalar z434 = z117 * z138 - z118 * z428;
+    const Scalar z435 = n0_5 * (z433 - z434);
+    const Scalar z452 = a_psi * z446 + z451;
+    const Scalar z459 = n400000 * z458;
+    const Scalar z425 = z120 * z127 - z122 * z424;
+    const Scalar z429 = z120 * z138 + z122 * z428;
+    const Scalar z430 = z425 - z429;
+    const Scalar z437 = n5_15 * z180 + z435 - k1 * z436;
+    const Scalar z440 = n2 * z36;
+    const Scalar z441 = k8 * z440;
+    const Scalar z471 = z35 * z35 - z36 * z36;
+    const Scalar z438 = n2 * z35;
     const Scalar z468 = z143 * z153 + z144 * z459;
     const Scalar z469 = z143 * z164 - z144 * z463;
     const Scalar z470 = n0_5 * (z468 - z469);
-    const Scalar z471 = z35 * z35 - z36 * z36;
-    const Scalar z472 = n5_15 * z184 + z470 - k3 * z471;
-    const Scalar z473 = z299 * z358;
+    const Scalar z460 = z146 * z153 - z148 * z459;
+    const Scalar z464 = z146 * z164 + z148 * z463;
+    const Scalar z465 = z460 - z464;
+    const Scalar z383 = z122 * z382 - z138;
+    const Scalar z396 = c_beta_1 * z138 + z118 * z382;
+    const Scalar z472 = n5_15 * z184 + z470 - k1 * z471;
+    const Scalar z391 = z148 * z390 - z164;
+    const Scalar z407 = n5_1 * z403;
+    const Scalar z401 = c_beta_2 * z164 + z144 * z390;
+    const Scalar z442 = n5_1 * z438;
+    const Scalar z408 = s_beta_1 * z406 - c_beta_1 * z407;
+    const Scalar z379 = z122 * z378 + z127;
+    const Scalar z395 = c_beta_1 * z127 - z118 * z378;
+    const Scalar z400 = c_beta_2 * z153 - z144 * z386;
+    const Scalar z443 = s_beta_2 * z441 - c_beta_2 * z442;
+    const Scalar z404 = n5_15 * z403;
+    const Scalar z439 = n5_15 * z438;
+    const Scalar z374 = z148 * z373;
+    const Scalar z387 = z148 * z386 + z153;
+    const Scalar z398 = z144 * z373;
+    const Scalar z431 = z118 * z420;
+    const Scalar z466 = z144 * z455;
+    const Scalar z375 = z370 + z374;
+    const Scalar z392 = z383 + z391 + z379 + z387;
+    const Scalar z397 = n0_5 * (z395 - z396);
+    const Scalar z399 = n0_5 * z398;
+    const Scalar z402 = n0_5 * (z400 - z401);
+    const Scalar z409 = n0_05 * z404 - z408;
+    const Scalar z421 = z122 * z420;
+    const Scalar z432 = n0_5 * z431;
+    const Scalar z444 = n0_05 * z439 - z443;
+    const Scalar z456 = z148 * z455;
+    const Scalar z467 = n0_5 * z466;
     const Scalar z474 = k17 * z363;
     const Scalar z475 = k17 * z366;
     const Scalar z476 = n1_over_3 * z392;
@@ -1711,12 +1812,12 @@ struct Mechanism {
     result.M[7] = n0;
     result.M[8] = n0;
     result.M[9] = n0;
-    result.M[10] = k16;
+    result.M[10] = k14;
     result.M[11] = n0;
     result.M[12] = n0;
     result.M[13] = n0;
     result.M[14] = n0;
-    result.M[15] = k16;
+    result.M[15] = k14;
     result.C[0] = -z358;
     result.C[1] = n0;
     result.C[2] = z363;
@@ -1834,20 +1935,20 @@ struct Mechanism {
   /// r = M a + h - E u.
   TORSOR_DEVICE static void residual(const Precomputed&, const State& state, const Accelerations& accelerations,
       const Multipliers&, const Inputs&, std::array<Scalar, 4>& residual) noexcept {
-    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
-    const Scalar n5_15 = traits::constant(5.15, 5.15f, "103/20");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
     const Scalar k3 = traits::constant(5.0999975, 5.0999975f, "2039999/400000");
+    const Scalar n5_15 = traits::constant(5.15, 5.15f, "103/20");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
-    const Scalar k5 = traits::constant(0.031515, 0.031515f, "6303/200000");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar k8 = traits::constant(2.5e-06, 2.5e-06f, "1/400000");
+    const Scalar n5_1 = traits::constant(5.1, 5.1f, "51/10");
+    const Scalar k10 = traits::constant(0.031515, 0.031515f, "6303/200000");
+    const Scalar n40000 = traits::constant(40000.0, 40000.0f, "40000/1");
     const Scalar n800000 = traits::constant(8e+05, 8e+05f, "800000/1");
     const Scalar n400000 = traits::constant(4e+05, 4e+05f, "400000/1");
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
-    const Scalar n40000 = traits::constant(40000.0, 40000.0f, "40000/1");
-    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
-    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
-    const Scalar k12 = traits::constant(2.5e-06, 2.5e-06f, "1/400000");
-    const Scalar n5_1 = traits::constant(5.1, 5.1f, "51/10");
     const Scalar n29_43 = traits::constant(29.43, 29.43f, "2943/100");
     const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
     const Scalar k16 = traits::constant(5.1000025, 5.1000023f, "2040001/400000");
@@ -1867,93 +1968,93 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_beta_1 = sines_[0], c_beta_1 = cosines_[0];
     const Scalar s_beta_2 = sines_[1], c_beta_2 = cosines_[1];
-    const Scalar z25 = v_psi * s_beta_1;
-    const Scalar z26 = v_psi * c_beta_1;
-    const Scalar z35 = v_psi * s_beta_2;
-    const Scalar z36 = v_psi * c_beta_2;
-    const Scalar z41 = n0_5 * s_beta_1;
-    const Scalar z44 = n1 - z41;
-    const Scalar z55 = v_beta_1 * c_beta_1;
-    const Scalar z58 = n0_5 * s_beta_2;
-    const Scalar z61 = n1 - z58;
-    const Scalar z72 = v_beta_2 * c_beta_2;
-    const Scalar z80 = n5_15 * c_beta_2;
-    const Scalar z83 = k3 * c_beta_2;
-    const Scalar z84 = c_beta_2 * z83;
-    const Scalar z90 = n0_1 * z80 + z84;
-    const Scalar z92 = k5 + z90;
-    const Scalar z94 = n5_15 * c_beta_1;
-    const Scalar z97 = k3 * c_beta_1;
-    const Scalar z98 = c_beta_1 * z97;
-    const Scalar z104 = n0_1 * z94 + z98;
-    const Scalar z110 = z92 + z104;
     const Scalar z116 = n1 - q_s;
+    const Scalar z133 = v_beta_1 * s_beta_1;
+    const Scalar z159 = v_beta_2 * s_beta_2;
+    const Scalar z55 = v_beta_1 * c_beta_1;
+    const Scalar z72 = v_beta_2 * c_beta_2;
+    const Scalar z36 = v_psi * c_beta_2;
     const Scalar z117 = s_beta_1 * z116;
     const Scalar z118 = c_beta_1 * z116;
-    const Scalar z119 = n0_5 - z117;
-    const Scalar z122 = q_s - z44;
-    const Scalar z124 = z118 * z118 + z119 * z119;
-    const Scalar z125 = traits::sqrt(z124);
-    const Scalar z126 = n1 / z125;
-    const Scalar z127 = n800000 - n400000 * z126;
-    const Scalar z130 = z118 * z127;
-    const Scalar z132 = z122 * z127;
-    const Scalar z133 = v_beta_1 * s_beta_1;
-    const Scalar z134 = v_s * c_beta_1 + z116 * z133;
-    const Scalar z135 = v_s * s_beta_1 - z55 * z116;
-    const Scalar z136 = n2 * (z118 * z134 - z119 * z135);
-    const Scalar z137 = n0_5 * z136;
-    const Scalar z138 = n40000 * z137 / z124;
-    const Scalar z140 = z118 * z138;
-    const Scalar z142 = z122 * z138;
     const Scalar z143 = s_beta_2 * z116;
     const Scalar z144 = c_beta_2 * z116;
+    const Scalar z41 = n0_5 * s_beta_1;
+    const Scalar z35 = v_psi * s_beta_2;
+    const Scalar z25 = v_psi * s_beta_1;
+    const Scalar z26 = v_psi * c_beta_1;
+    const Scalar z58 = n0_5 * s_beta_2;
+    const Scalar z178 = v_psi * v_psi;
+    const Scalar z179 = n0_05 * z178;
+    const Scalar z83 = k3 * c_beta_2;
+    const Scalar z80 = n5_15 * c_beta_2;
+    const Scalar z97 = k3 * c_beta_1;
+    const Scalar z94 = n5_15 * c_beta_1;
+    const Scalar z181 = s_beta_1 * z179 - n9_81 * c_beta_1;
+    const Scalar z185 = s_beta_2 * z179 - n9_81 * c_beta_2;
+    const Scalar z44 = n1 - z41;
+    const Scalar z61 = n1 - z58;
+    const Scalar z84 = c_beta_2 * z83;
+    const Scalar z98 = c_beta_1 * z97;
+    const Scalar z119 = n0_5 - z117;
+    const Scalar z134 = v_s * c_beta_1 + z116 * z133;
+    const Scalar z135 = v_s * s_beta_1 - z55 * z116;
     const Scalar z145 = n0_5 - z143;
-    const Scalar z148 = q_s - z61;
-    const Scalar z150 = z144 * z144 + z145 * z145;
-    const Scalar z151 = traits::sqrt(z150);
-    const Scalar z152 = n1 / z151;
-    const Scalar z153 = n800000 - n400000 * z152;
-    const Scalar z156 = z144 * z153;
-    const Scalar z158 = z148 * z153;
-    const Scalar z159 = v_beta_2 * s_beta_2;
     const Scalar z160 = v_s * c_beta_2 + z116 * z159;
     const Scalar z161 = v_s * s_beta_2 - z72 * z116;
+    const Scalar z182 = v_beta_1 * z26;  // angular acceleration of rod_1, x
+    const Scalar z183 = v_beta_1 * z25;  // angular acceleration of rod_1, z
+    const Scalar z186 = v_beta_2 * z36;  // angular acceleration of rod_2, x
+    const Scalar z187 = v_beta_2 * z35;  // angular acceleration of rod_2, z
+    const Scalar z192 = z35 * z36;
+    const Scalar z208 = z25 * z26;
+    const Scalar z90 = n0_1 * z80 + z84;
+    const Scalar z104 = n0_1 * z94 + z98;
+    const Scalar z122 = q_s - z44;
+    const Scalar z124 = z118 * z118 + z119 * z119;
+    const Scalar z148 = q_s - z61;
+    const Scalar z150 = z144 * z144 + z145 * z145;
+    const Scalar z191 = n2 * z187;
+    const Scalar z193 = n2 * z186;
+    const Scalar z207 = n2 * z183;
+    const Scalar z209 = n2 * z182;
+    const Scalar z136 = n2 * (z118 * z134 - z119 * z135);
     const Scalar z162 = n2 * (z144 * z160 - z145 * z161);
+    const Scalar z195 = n5_15 * z191;  // force on rod_2, y
+    const Scalar z197 = k8 * z193;  // moment on rod_2, x
+    const Scalar z199 = n5_1 * z191;  // moment on rod_2, z
+    const Scalar z211 = n5_15 * z207;  // force on rod_1, y
+    const Scalar z213 = k8 * z209;  // moment on rod_1, x
+    const Scalar z215 = n5_1 * z207;  // moment on rod_1, z
+    const Scalar z92 = k10 + z90;
+    const Scalar z125 = traits::sqrt(z124);
+    const Scalar z151 = traits::sqrt(z150);
+    const Scalar z203 = s_beta_2 * z197 - c_beta_2 * z199;
+    const Scalar z219 = s_beta_1 * z213 - c_beta_1 * z215;
+    const Scalar z110 = z92 + z104;
+    const Scalar z137 = n0_5 * z136;
     const Scalar z163 = n0_5 * z162;
+    const Scalar z226 = n0_05 * (z195 + z211) - z203 - z219;  // moment on shaft, z
+    const Scalar z138 = n40000 * z137 / z124;
     const Scalar z164 = n40000 * z163 / z150;
+    const Scalar z268 = a_psi * z110 - z226;
+    const Scalar z126 = n1 / z125;
+    const Scalar z152 = n1 / z151;
+    const Scalar z140 = z118 * z138;
+    const Scalar z142 = z122 * z138;
     const Scalar z166 = z144 * z164;
     const Scalar z168 = z148 * z164;
+    const Scalar z127 = n800000 - n400000 * z126;
+    const Scalar z153 = n800000 - n400000 * z152;
+    const Scalar z130 = z118 * z127;
+    const Scalar z132 = z122 * z127;
+    const Scalar z156 = z144 * z153;
+    const Scalar z158 = z148 * z153;
     const Scalar z170 = z132 - z142 + z158 - z168;
     const Scalar z174 = n0_5 * (z130 - z140);
     const Scalar z177 = n0_5 * (z156 - z166);
-    const Scalar z178 = v_psi * v_psi;
-    const Scalar z179 = n0_05 * z178;
-    const Scalar z181 = s_beta_1 * z179 - n9_81 * c_beta_1;
-    const Scalar z182 = v_beta_1 * z26;  // angular acceleration of rod_1, x
-    const Scalar z183 = v_beta_1 * z25;  // angular acceleration of rod_1, z
-    const Scalar z185 = s_beta_2 * z179 - n9_81 * c_beta_2;
-    const Scalar z186 = v_beta_2 * z36;  // angular acceleration of rod_2, x
-    const Scalar z187 = v_beta_2 * z35;  // angular acceleration of rod_2, z
-    const Scalar z191 = n2 * z187;
-    const Scalar z192 = z35 * z36;
-    const Scalar z193 = n2 * z186;
-    const Scalar z195 = n5_15 * z191;  // force on rod_2, y
-    const Scalar z197 = k12 * z193;  // moment on rod_2, x
     const Scalar z198 = z177 - n5_15 * z185 - k3 * z192;  // moment on rod_2, y
-    const Scalar z199 = n5_1 * z191;  // moment on rod_2, z
-    const Scalar z203 = s_beta_2 * z197 - c_beta_2 * z199;
-    const Scalar z207 = n2 * z183;
-    const Scalar z208 = z25 * z26;
-    const Scalar z209 = n2 * z182;
-    const Scalar z211 = n5_15 * z207;  // force on rod_1, y
-    const Scalar z213 = k12 * z209;  // moment on rod_1, x
     const Scalar z214 = z174 - n5_15 * z181 - k3 * z208;  // moment on rod_1, y
-    const Scalar z215 = n5_1 * z207;  // moment on rod_1, z
-    const Scalar z219 = s_beta_1 * z213 - c_beta_1 * z215;
     const Scalar z220 = n29_43 + z170;  // force on slider, z
-    const Scalar z226 = n0_05 * (z195 + z211) - z203 - z219;  // moment on shaft, z
-    const Scalar z268 = a_psi * z110 - z226;
     const Scalar z269 = n3 * a_s + z220;
     const Scalar z270 = k16 * a_beta_1 - z214;
     const Scalar z271 = k16 * a_beta_2 - z198;
@@ -1967,20 +2068,20 @@ struct Mechanism {
   /// compressed rows. r = M a + h - E u.
   TORSOR_DEVICE static void residual_jacobian(const Precomputed&, const State& state,
       const Accelerations& accelerations, const Multipliers&, const Inputs&, ResidualJacobian& result) noexcept {
-    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar k2 = traits::constant(5.0999975, 5.0999975f, "2039999/400000");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
     const Scalar n5_15 = traits::constant(5.15, 5.15f, "103/20");
-    const Scalar k3 = traits::constant(5.0999975, 5.0999975f, "2039999/400000");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
-    const Scalar k5 = traits::constant(0.031515, 0.031515f, "6303/200000");
+    const Scalar k8 = traits::constant(2.5e-06, 2.5e-06f, "1/400000");
+    const Scalar n5_1 = traits::constant(5.1, 5.1f, "51/10");
+    const Scalar n40000 = traits::constant(40000.0, 40000.0f, "40000/1");
+    const Scalar k11 = traits::constant(0.031515, 0.031515f, "6303/200000");
     const Scalar n800000 = traits::constant(8e+05, 8e+05f, "800000/1");
     const Scalar n400000 = traits::constant(4e+05, 4e+05f, "400000/1");
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
-    const Scalar n40000 = traits::constant(40000.0, 40000.0f, "40000/1");
-    const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
-    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
-    const Scalar k12 = traits::constant(2.5e-06, 2.5e-06f, "1/400000");
-    const Scalar n5_1 = traits::constant(5.1, 5.1f, "51/10");
     const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
     const Scalar k15 = traits::constant(5.1000025, 5.1000023f, "2040001/400000");
     const Scalar v_psi = state.v.psi;
@@ -1996,204 +2097,204 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_beta_1 = sines_[0], c_beta_1 = cosines_[0];
     const Scalar s_beta_2 = sines_[1], c_beta_2 = cosines_[1];
-    const Scalar z25 = v_psi * s_beta_1;
-    const Scalar z26 = v_psi * c_beta_1;
-    const Scalar z35 = v_psi * s_beta_2;
-    const Scalar z36 = v_psi * c_beta_2;
-    const Scalar z41 = n0_5 * s_beta_1;
-    const Scalar z44 = n1 - z41;
-    const Scalar z55 = v_beta_1 * c_beta_1;
-    const Scalar z58 = n0_5 * s_beta_2;
-    const Scalar z61 = n1 - z58;
-    const Scalar z72 = v_beta_2 * c_beta_2;
-    const Scalar z79 = n5_15 * s_beta_2;
-    const Scalar z80 = n5_15 * c_beta_2;
-    const Scalar z82 = k3 * s_beta_2;
-    const Scalar z83 = k3 * c_beta_2;
-    const Scalar z84 = c_beta_2 * z83;
-    const Scalar z90 = n0_1 * z80 + z84;
-    const Scalar z92 = k5 + z90;
-    const Scalar z93 = n5_15 * s_beta_1;
-    const Scalar z94 = n5_15 * c_beta_1;
-    const Scalar z96 = k3 * s_beta_1;
-    const Scalar z97 = k3 * c_beta_1;
-    const Scalar z98 = c_beta_1 * z97;
-    const Scalar z104 = n0_1 * z94 + z98;
-    const Scalar z110 = z92 + z104;
     const Scalar z116 = n1 - q_s;
+    const Scalar z133 = v_beta_1 * s_beta_1;
+    const Scalar z159 = v_beta_2 * s_beta_2;
+    const Scalar z55 = v_beta_1 * c_beta_1;
+    const Scalar z72 = v_beta_2 * c_beta_2;
+    const Scalar z25 = v_psi * s_beta_1;
     const Scalar z117 = s_beta_1 * z116;
     const Scalar z118 = c_beta_1 * z116;
-    const Scalar z119 = n0_5 - z117;
-    const Scalar z120 = n0_5 * c_beta_1;
-    const Scalar z122 = q_s - z44;
-    const Scalar z124 = z118 * z118 + z119 * z119;
-    const Scalar z125 = traits::sqrt(z124);
-    const Scalar z126 = n1 / z125;
-    const Scalar z127 = n800000 - n400000 * z126;
-    const Scalar z133 = v_beta_1 * s_beta_1;
-    const Scalar z134 = v_s * c_beta_1 + z116 * z133;
-    const Scalar z135 = v_s * s_beta_1 - z55 * z116;
-    const Scalar z136 = n2 * (z118 * z134 - z119 * z135);
-    const Scalar z137 = n0_5 * z136;
-    const Scalar z138 = n40000 * z137 / z124;
     const Scalar z143 = s_beta_2 * z116;
     const Scalar z144 = c_beta_2 * z116;
-    const Scalar z145 = n0_5 - z143;
+    const Scalar z35 = v_psi * s_beta_2;
+    const Scalar z26 = v_psi * c_beta_1;
+    const Scalar z36 = v_psi * c_beta_2;
+    const Scalar z41 = n0_5 * s_beta_1;
+    const Scalar z58 = n0_5 * s_beta_2;
+    const Scalar z83 = k2 * c_beta_2;
+    const Scalar z97 = k2 * c_beta_1;
+    const Scalar z178 = v_psi * v_psi;
+    const Scalar z359 = n2 * v_psi;
+    const Scalar z82 = k2 * s_beta_2;
+    const Scalar z96 = k2 * s_beta_1;
+    const Scalar z179 = n0_05 * z178;
+    const Scalar z80 = n5_15 * c_beta_2;
+    const Scalar z120 = n0_5 * c_beta_1;
     const Scalar z146 = n0_5 * c_beta_2;
-    const Scalar z148 = q_s - z61;
-    const Scalar z150 = z144 * z144 + z145 * z145;
-    const Scalar z151 = traits::sqrt(z150);
-    const Scalar z152 = n1 / z151;
-    const Scalar z153 = n800000 - n400000 * z152;
-    const Scalar z159 = v_beta_2 * s_beta_2;
+    const Scalar z360 = n0_05 * z359;
+    const Scalar z79 = n5_15 * s_beta_2;
+    const Scalar z93 = n5_15 * s_beta_1;
+    const Scalar z180 = n9_81 * s_beta_1 + c_beta_1 * z179;
+    const Scalar z184 = n9_81 * s_beta_2 + c_beta_2 * z179;
+    const Scalar z94 = n5_15 * c_beta_1;
+    const Scalar z361 = s_beta_1 * z360;
+    const Scalar z364 = s_beta_2 * z360;
+    const Scalar z44 = n1 - z41;
+    const Scalar z61 = n1 - z58;
+    const Scalar z84 = c_beta_2 * z83;
+    const Scalar z98 = c_beta_1 * z97;
+    const Scalar z119 = n0_5 - z117;
+    const Scalar z134 = v_s * c_beta_1 + z116 * z133;
+    const Scalar z135 = v_s * s_beta_1 - z55 * z116;
+    const Scalar z145 = n0_5 - z143;
     const Scalar z160 = v_s * c_beta_2 + z116 * z159;
     const Scalar z161 = v_s * s_beta_2 - z72 * z116;
-    const Scalar z162 = n2 * (z144 * z160 - z145 * z161);
-    const Scalar z163 = n0_5 * z162;
-    const Scalar z164 = n40000 * z163 / z150;
-    const Scalar z178 = v_psi * v_psi;
-    const Scalar z179 = n0_05 * z178;
-    const Scalar z180 = n9_81 * s_beta_1 + c_beta_1 * z179;
     const Scalar z182 = v_beta_1 * z26;  // angular acceleration of rod_1, x
     const Scalar z183 = v_beta_1 * z25;  // angular acceleration of rod_1, z
-    const Scalar z184 = n9_81 * s_beta_2 + c_beta_2 * z179;
     const Scalar z186 = v_beta_2 * z36;  // angular acceleration of rod_2, x
     const Scalar z187 = v_beta_2 * z35;  // angular acceleration of rod_2, z
+    const Scalar z346 = n2 * z159;
+    const Scalar z348 = n2 * z72;
+    const Scalar z352 = n2 * z133;
+    const Scalar z354 = n2 * z55;
+    const Scalar z362 = s_beta_1 * z26 + c_beta_1 * z25;
+    const Scalar z365 = s_beta_2 * z36 + c_beta_2 * z35;
+    const Scalar z90 = n0_1 * z80 + z84;
+    const Scalar z104 = n0_1 * z94 + z98;
+    const Scalar z122 = q_s - z44;
+    const Scalar z124 = z118 * z118 + z119 * z119;
+    const Scalar z148 = q_s - z61;
+    const Scalar z150 = z144 * z144 + z145 * z145;
     const Scalar z191 = n2 * z187;
     const Scalar z193 = n2 * z186;
-    const Scalar z197 = k12 * z193;  // moment on rod_2, x
-    const Scalar z199 = n5_1 * z191;  // moment on rod_2, z
     const Scalar z207 = n2 * z183;
     const Scalar z209 = n2 * z182;
-    const Scalar z213 = k12 * z209;  // moment on rod_1, x
-    const Scalar z215 = n5_1 * z207;  // moment on rod_1, z
-    const Scalar z346 = n2 * z159;
     const Scalar z347 = n5_15 * z346;
-    const Scalar z348 = n2 * z72;
-    const Scalar z349 = k12 * z348;
+    const Scalar z349 = k8 * z348;
     const Scalar z350 = n5_1 * z346;
-    const Scalar z351 = s_beta_2 * z349 - c_beta_2 * z350;
-    const Scalar z352 = n2 * z133;
     const Scalar z353 = n5_15 * z352;
-    const Scalar z354 = n2 * z55;
-    const Scalar z355 = k12 * z354;
+    const Scalar z355 = k8 * z354;
     const Scalar z356 = n5_1 * z352;
+    const Scalar z367 = n2 * (s_beta_1 * z119 - c_beta_1 * z118);
+    const Scalar z371 = n2 * (s_beta_2 * z145 - c_beta_2 * z144);
+    const Scalar z136 = n2 * (z118 * z134 - z119 * z135);
+    const Scalar z162 = n2 * (z144 * z160 - z145 * z161);
+    const Scalar z380 = n2 * (z118 * z133 + z55 * z119 + s_beta_1 * z135 + c_beta_1 * z134);
+    const Scalar z388 = n2 * (z144 * z159 + z72 * z145 + s_beta_2 * z161 + c_beta_2 * z160);
+    const Scalar z363 = n5_15 * z361 + k2 * z362;
+    const Scalar z366 = n5_15 * z364 + k2 * z365;
+    const Scalar z351 = s_beta_2 * z349 - c_beta_2 * z350;
     const Scalar z357 = s_beta_1 * z355 - c_beta_1 * z356;
     const Scalar z358 = n0_05 * (z347 + z353) - z351 - z357;
-    const Scalar z359 = n2 * v_psi;
-    const Scalar z360 = n0_05 * z359;
-    const Scalar z361 = s_beta_1 * z360;
-    const Scalar z362 = s_beta_1 * z26 + c_beta_1 * z25;
-    const Scalar z363 = n5_15 * z361 + k3 * z362;
-    const Scalar z364 = s_beta_2 * z360;
-    const Scalar z365 = s_beta_2 * z36 + c_beta_2 * z35;
-    const Scalar z366 = n5_15 * z364 + k3 * z365;
-    const Scalar z367 = n2 * (s_beta_1 * z119 - c_beta_1 * z118);
+    const Scalar z137 = n0_5 * z136;
+    const Scalar z163 = n0_5 * z162;
+    const Scalar z381 = n0_5 * z380;
+    const Scalar z389 = n0_5 * z388;
+    const Scalar z382 = n40000 * (z137 * z367 / (z124 * z124) + z381 / z124);
+    const Scalar z390 = n40000 * (z163 * z371 / (z150 * z150) + z389 / z150);
+    const Scalar z92 = k11 + z90;
+    const Scalar z110 = z92 + z104;
+    const Scalar z125 = traits::sqrt(z124);
+    const Scalar z151 = traits::sqrt(z150);
+    const Scalar z376 = n0_5 * z367 / z125;
     const Scalar z368 = n0_5 * z367;
     const Scalar z369 = n40000 * z368 / z124;
-    const Scalar z370 = z122 * z369;
-    const Scalar z371 = n2 * (s_beta_2 * z145 - c_beta_2 * z144);
+    const Scalar z384 = n0_5 * z371 / z151;
     const Scalar z372 = n0_5 * z371;
     const Scalar z373 = n40000 * z372 / z150;
-    const Scalar z374 = z148 * z373;
-    const Scalar z375 = z370 + z374;
-    const Scalar z376 = n0_5 * z367 / z125;
-    const Scalar z377 = z376 / (z125 * z125);
-    const Scalar z378 = n400000 * z377;
-    const Scalar z379 = z122 * z378 + z127;
-    const Scalar z380 = n2 * (s_beta_1 * z135 + c_beta_1 * z134 + z55 * z119 + z118 * z133);
-    const Scalar z381 = n0_5 * z380;
-    const Scalar z382 = n40000 * (z137 * z367 / (z124 * z124) + z381 / z124);
-    const Scalar z383 = z122 * z382 - z138;
-    const Scalar z384 = n0_5 * z371 / z151;
-    const Scalar z385 = z384 / (z151 * z151);
-    const Scalar z386 = n400000 * z385;
-    const Scalar z387 = z148 * z386 + z153;
-    const Scalar z388 = n2 * (s_beta_2 * z161 + c_beta_2 * z160 + z72 * z145 + z144 * z159);
-    const Scalar z389 = n0_5 * z388;
-    const Scalar z390 = n40000 * (z163 * z371 / (z150 * z150) + z389 / z150);
-    const Scalar z391 = z148 * z390 - z164;
-    const Scalar z392 = z379 + z383 + z387 + z391;
-    const Scalar z393 = z118 * z369;
-    const Scalar z394 = n0_5 * z393;
-    const Scalar z395 = c_beta_1 * z127 - z118 * z378;
-    const Scalar z396 = c_beta_1 * z138 + z118 * z382;
-    const Scalar z397 = n0_5 * (z395 - z396);
-    const Scalar z398 = z144 * z373;
-    const Scalar z399 = n0_5 * z398;
-    const Scalar z400 = c_beta_2 * z153 - z144 * z386;
-    const Scalar z401 = c_beta_2 * z164 + z144 * z390;
-    const Scalar z402 = n0_5 * (z400 - z401);
-    const Scalar z403 = n2 * z25;
-    const Scalar z404 = n5_15 * z403;
+    const Scalar z126 = n1 / z125;
+    const Scalar z152 = n1 / z151;
+    const Scalar z138 = n40000 * z137 / z124;
+    const Scalar z164 = n40000 * z163 / z150;
+    const Scalar z199 = n5_1 * z191;  // moment on rod_2, z
+    const Scalar z215 = n5_1 * z207;  // moment on rod_1, z
+    const Scalar z197 = k8 * z193;  // moment on rod_2, x
+    const Scalar z213 = k8 * z209;  // moment on rod_1, x
     const Scalar z405 = n2 * z26;
-    const Scalar z406 = k12 * z405;
-    const Scalar z407 = n5_1 * z403;
-    const Scalar z408 = s_beta_1 * z406 - c_beta_1 * z407;
-    const Scalar z409 = n0_05 * z404 - z408;
+    const Scalar z406 = k8 * z405;
+    const Scalar z403 = n2 * z25;
+    const Scalar z383 = z122 * z382 - z138;
+    const Scalar z127 = n800000 - n400000 * z126;
     const Scalar z410 = s_beta_1 * z97 + c_beta_1 * z96;
     const Scalar z411 = n0_1 * z93 + z410;
-    const Scalar z412 = n5_15 * z209;
-    const Scalar z413 = k12 * z207;
-    const Scalar z414 = n5_1 * z209;
-    const Scalar z415 = s_beta_1 * (z215 - z413) + c_beta_1 * (z213 - z414);
-    const Scalar z416 = n0_05 * z412 - z415;
-    const Scalar z417 = a_psi * z411 + z416;
-    const Scalar z418 = z118 * n2 * (z117 + z119);
-    const Scalar z419 = n0_5 * z418;
-    const Scalar z420 = n40000 * z419 / z124;
-    const Scalar z421 = z122 * z420;
-    const Scalar z422 = n0_5 * z418 / z125;
-    const Scalar z423 = z422 / (z125 * z125);
-    const Scalar z424 = n400000 * z423;
-    const Scalar z425 = z120 * z127 - z122 * z424;
+    const Scalar z153 = n800000 - n400000 * z152;
+    const Scalar z445 = s_beta_2 * z83 + c_beta_2 * z82;
+    const Scalar z436 = z25 * z25 - z26 * z26;
+    const Scalar z446 = n0_1 * z79 + z445;
     const Scalar z426 = z134 * n2 * (z117 + z119);
+    const Scalar z418 = z118 * n2 * (z117 + z119);
+    const Scalar z461 = z160 * n2 * (z143 + z145);
+    const Scalar z453 = z144 * n2 * (z143 + z145);
     const Scalar z427 = n0_5 * z426;
     const Scalar z428 = n40000 * (z137 * z418 / (z124 * z124) - z427 / z124);
-    const Scalar z429 = z120 * z138 + z122 * z428;
-    const Scalar z430 = z425 - z429;
-    const Scalar z431 = z118 * z420;
-    const Scalar z432 = n0_5 * z431;
-    const Scalar z433 = z117 * z127 + z118 * z424;
-    const Scalar z434 = z117 * z138 - z118 * z428;
-    const Scalar z435 = n0_5 * (z433 - z434);
-    const Scalar z436 = z25 * z25 - z26 * z26;
-    const Scalar z437 = n5_15 * z180 + z435 - k3 * z436;
-    const Scalar z438 = n2 * z35;
-    const Scalar z439 = n5_15 * z438;
-    const Scalar z440 = n2 * z36;
-    const Scalar z441 = k12 * z440;
-    const Scalar z442 = n5_1 * z438;
-    const Scalar z443 = s_beta_2 * z441 - c_beta_2 * z442;
-    const Scalar z444 = n0_05 * z439 - z443;
-    const Scalar z445 = s_beta_2 * z83 + c_beta_2 * z82;
-    const Scalar z446 = n0_1 * z79 + z445;
-    const Scalar z447 = n5_15 * z193;
-    const Scalar z448 = k12 * z191;
-    const Scalar z449 = n5_1 * z193;
-    const Scalar z450 = s_beta_2 * (z199 - z448) + c_beta_2 * (z197 - z449);
-    const Scalar z451 = n0_05 * z447 - z450;
-    const Scalar z452 = a_psi * z446 + z451;
-    const Scalar z453 = z144 * n2 * (z143 + z145);
-    const Scalar z454 = n0_5 * z453;
-    const Scalar z455 = n40000 * z454 / z150;
-    const Scalar z456 = z148 * z455;
-    const Scalar z457 = n0_5 * z453 / z151;
-    const Scalar z458 = z457 / (z151 * z151);
-    const Scalar z459 = n400000 * z458;
-    const Scalar z460 = z146 * z153 - z148 * z459;
-    const Scalar z461 = z160 * n2 * (z143 + z145);
     const Scalar z462 = n0_5 * z461;
     const Scalar z463 = n40000 * (z163 * z453 / (z150 * z150) - z462 / z150);
-    const Scalar z464 = z146 * z164 + z148 * z463;
-    const Scalar z465 = z460 - z464;
-    const Scalar z466 = z144 * z455;
-    const Scalar z467 = n0_5 * z466;
+    const Scalar z413 = k8 * z207;
+    const Scalar z448 = k8 * z191;
+    const Scalar z377 = z376 / (z125 * z125);
+    const Scalar z385 = z384 / (z151 * z151);
+    const Scalar z378 = n400000 * z377;
+    const Scalar z386 = n400000 * z385;
+    const Scalar z396 = c_beta_1 * z138 + z118 * z382;
+    const Scalar z422 = n0_5 * z418 / z125;
+    const Scalar z423 = z422 / (z125 * z125);
+    const Scalar z419 = n0_5 * z418;
+    const Scalar z420 = n40000 * z419 / z124;
+    const Scalar z457 = n0_5 * z453 / z151;
+    const Scalar z458 = z457 / (z151 * z151);
+    const Scalar z454 = n0_5 * z453;
+    const Scalar z455 = n40000 * z454 / z150;
+    const Scalar z414 = n5_1 * z209;
+    const Scalar z415 = s_beta_1 * (z215 - z413) + c_beta_1 * (z213 - z414);
+    const Scalar z412 = n5_15 * z209;
+    const Scalar z449 = n5_1 * z193;
+    const Scalar z450 = s_beta_2 * (z199 - z448) + c_beta_2 * (z197 - z449);
+    const Scalar z447 = n5_15 * z193;
+    const Scalar z424 = n400000 * z423;
+    const Scalar z434 = z117 * z138 - z118 * z428;
+    const Scalar z429 = z120 * z138 + z122 * z428;
+    const Scalar z416 = n0_05 * z412 - z415;
+    const Scalar z459 = n400000 * z458;
+    const Scalar z433 = z117 * z127 + z118 * z424;
+    const Scalar z425 = z120 * z127 - z122 * z424;
+    const Scalar z417 = a_psi * z411 + z416;
+    const Scalar z430 = z425 - z429;
+    const Scalar z435 = n0_5 * (z433 - z434);
+    const Scalar z440 = n2 * z36;
+    const Scalar z451 = n0_05 * z447 - z450;
     const Scalar z468 = z143 * z153 + z144 * z459;
+    const Scalar z437 = n5_15 * z180 + z435 - k2 * z436;
     const Scalar z469 = z143 * z164 - z144 * z463;
+    const Scalar z438 = n2 * z35;
+    const Scalar z441 = k8 * z440;
+    const Scalar z391 = z148 * z390 - z164;
+    const Scalar z407 = n5_1 * z403;
+    const Scalar z452 = a_psi * z446 + z451;
+    const Scalar z442 = n5_1 * z438;
+    const Scalar z379 = z122 * z378 + z127;
+    const Scalar z395 = c_beta_1 * z127 - z118 * z378;
+    const Scalar z400 = c_beta_2 * z153 - z144 * z386;
+    const Scalar z397 = n0_5 * (z395 - z396);
+    const Scalar z401 = c_beta_2 * z164 + z144 * z390;
+    const Scalar z404 = n5_15 * z403;
+    const Scalar z408 = s_beta_1 * z406 - c_beta_1 * z407;
+    const Scalar z439 = n5_15 * z438;
+    const Scalar z443 = s_beta_2 * z441 - c_beta_2 * z442;
+    const Scalar z370 = z122 * z369;
     const Scalar z470 = n0_5 * (z468 - z469);
     const Scalar z471 = z35 * z35 - z36 * z36;
-    const Scalar z472 = n5_15 * z184 + z470 - k3 * z471;
+    const Scalar z374 = z148 * z373;
+    const Scalar z387 = z148 * z386 + z153;
+    const Scalar z393 = z118 * z369;
+    const Scalar z398 = z144 * z373;
+    const Scalar z431 = z118 * z420;
+    const Scalar z460 = z146 * z153 - z148 * z459;
+    const Scalar z464 = z146 * z164 + z148 * z463;
+    const Scalar z466 = z144 * z455;
+    const Scalar z375 = z370 + z374;
+    const Scalar z392 = z383 + z391 + z379 + z387;
+    const Scalar z394 = n0_5 * z393;
+    const Scalar z399 = n0_5 * z398;
+    const Scalar z402 = n0_5 * (z400 - z401);
+    const Scalar z409 = n0_05 * z404 - z408;
+    const Scalar z421 = z122 * z420;
+    const Scalar z432 = n0_5 * z431;
+    const Scalar z444 = n0_05 * z439 - z443;
+    const Scalar z456 = z148 * z455;
+    const Scalar z465 = z460 - z464;
+    const Scalar z467 = n0_5 * z466;
+    const Scalar z472 = n5_15 * z184 + z470 - k2 * z471;
     result.values[0] = -z417;
     result.values[1] = -z452;
     result.values[2] = -z358;

@@ -38,7 +38,7 @@
 #include <cmath>
 
 #ifndef TORSOR_KERNEL_SUPPORT
-#define TORSOR_KERNEL_SUPPORT 2
+#define TORSOR_KERNEL_SUPPORT 3
 // Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
 #ifndef TORSOR_DEVICE
 #define TORSOR_DEVICE
@@ -52,7 +52,7 @@
 //  * two polynomials of least greatest error give the sine and the cosine of r, |r| <= pi/4;
 //  * angles beyond `bound` are rare: they are reduced exactly, in integers, by a function that is not inlined, and so
 //    are all angles under another rounding, which would give the nearest integers wrong.
-// The core has no branch, so that compilers turn a loop over several angles into vector instructions.
+// The core has no branch, so that several angles go through it at once.
 #ifndef TORSOR_STD_SINCOS
 #if defined(__FAST_MATH__) || defined(_M_FP_FAST) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0)
 #define TORSOR_STD_SINCOS  // sums would be reassociated or hold more digits than their type
@@ -100,21 +100,19 @@ struct SineCosine {
       S = S01 + z2 * number(0.0, -0x1.9953f2p-13f);
       C = C01 + z2 * number(0.0, 0x1.99e0eep-16f);
     } else {
-      const Scalar z4 = z2 * z2;
       const Scalar S01 = number(-0x1.5555555555548p-3, 0.0f) + z * number(0x1.111111110f73p-7, 0.0f);
       const Scalar S23 = number(-0x1.a01a019be9217p-13, 0.0f) + z * number(0x1.71de35552b518p-19, 0.0f);
       const Scalar S45 = number(-0x1.ae5e4b83e1601p-26, 0.0f) + z * number(0x1.5d8b55934597bp-33, 0.0f);
       const Scalar C01 = number(0x1.555555555554cp-5, 0.0f) + z * number(-0x1.6c16c16c1521bp-10, 0.0f);
       const Scalar C23 = number(0x1.a01a019cbeb68p-16, 0.0f) + z * number(-0x1.27e4f8121198fp-22, 0.0f);
       const Scalar C45 = number(0x1.1ee9f0cbf70d6p-29, 0.0f) + z * number(-0x1.8fb0e15d5f2ap-37, 0.0f);
-      S = (S01 + z2 * S23) + z4 * S45;
-      C = (C01 + z2 * C23) + z4 * C45;
+      S = S01 + z2 * (S23 + z2 * S45);
+      C = C01 + z2 * (C23 + z2 * C45);
     }
-    const Scalar half_z = half * z, w = one - half_z;
-    // Far below an ulp, it makes the correction of -0 a -0, and so the sine.
-    const Scalar tiny = number(0x1p-100, 0x1p-60f);
-    sine = high + (high * (tiny + z * S) - rest * w);
-    cosine = w + (((one - w) - half_z) + (z2 * C + high * rest));
+    const Scalar half_z = half * z, w = one - half_z, high_z = high * z;
+    // What waits for S and C comes last. The correction of -0 is a 0, which subtracted leaves it -0.
+    sine = high - (rest * w - high_z * S);
+    cosine = w + ((((one - w) - half_z) + high * rest) + z2 * C);
   }
 
   /// Of n pi/2 more.
@@ -129,21 +127,31 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// For |x| <= bound; what is no number gives no number. Exact are n times the first three parts of pi/2, the first
-  /// difference, and each rounded difference together with its rounding error.
-  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
-    const Scalar n = rounded(x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f));
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n plus a number so large that its last bit counts 1; what is no
+  /// number gives no number.
+  ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
+  ///    others do, and may be formed twice;
+  ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
+  ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
+  TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
+                                                        Scalar& cosine) noexcept {
+    const Scalar shift = number(0x1.8p52, 0x1.8p23f);
+    const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
+    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift;
+    const Scalar n = shifted - shift;
     const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
-    const Scalar second = n * number(0x1.0b4611a6p-34, 0x1.ed5p-14f);
-    const Scalar third = n * number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    const Scalar fourth = n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
-    const Scalar r = first - second;
-    const Scalar taken = first - r;
-    const Scalar error = (first - (r + taken)) - (second - taken);
-    const Scalar high = r - third;
-    const Scalar rest = ((third - (r - high)) - error) + fourth;
+    const Scalar r = first - n * P;
+    const Scalar error = (first - r) - n * P;
+    const Scalar high = r - n * Q;
+    const Scalar rest = ((n * Q - (r - high)) - error) + n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
     of_reduced(high, rest, sine, cosine);
-    turn(n, sine, cosine);
+  }
+
+  /// For |x| <= bound.
+  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
+    Scalar shifted;
+    of_remainder(x, shifted, sine, cosine);
+    turn(shifted - number(0x1.8p52, 0x1.8p23f), sine, cosine);
   }
 };
 
@@ -262,61 +270,151 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
 #endif
 }
 
-/// Of some angles up to the bound, a multiple of what a vector holds. Local arrays, which nothing else can point to.
-template <int size, class Scalar>
-TORSOR_DEVICE TORSOR_INLINED void sincos_of_block(const Scalar* angles, Scalar* sines, Scalar* cosines) noexcept {
-  Scalar x[size], s[size], c[size];
-  for (int i = 0; i < size; ++i) x[i] = angles[i];
-  // Compilers make vector instructions of a loop, but not always of a row of statements.
-#if defined(__clang__)
-#pragma clang loop unroll(disable)
-#elif defined(__GNUC__) && !defined(__CUDACC__)
-#pragma GCC unroll 1
+}  // namespace torsor
+// Sines and cosines of several angles at once: by vector registers where GNU C++ has types for them, which compilers
+// without AVX make of narrower ones; loops over numbers are not left to compilers to find.
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define TORSOR_VECTOR_TYPES
 #endif
-  for (int i = 0; i < size; ++i) SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::core(x[i], s[i], c[i]);
-  for (int i = 0; i < size; ++i) sines[i] = s[i];
-  for (int i = 0; i < size; ++i) cosines[i] = c[i];
+
+namespace torsor {
+
+#if defined(TORSOR_VECTOR_TYPES)
+/// 0, 1, ... as arguments of a template.
+template <int... place>
+struct Places {};
+template <int count, int... place>
+struct FirstPlaces : FirstPlaces<count - 1, count - 1, place...> {};
+template <int... place>
+struct FirstPlaces<0, place...> {
+  using type = Places<place...>;
+};
+
+/// Some registers of equally many numbers, which take the same operations by turns: while the one waits for its last
+/// result, the other is at work. A scalar for SineCosine, of which it needs constants, sums and products only.
+template <class Number, int lanes, int count>
+struct Registers {
+  typedef Number Numbers __attribute__((vector_size(lanes * sizeof(Number))));
+  using Bits = decltype(Numbers{} < Numbers{});
+  Numbers part[count];
+
+  TORSOR_INLINED friend Registers operator+(const Registers& a, const Registers& b) noexcept {
+    Registers sum;
+    for (int i = 0; i < count; ++i) sum.part[i] = a.part[i] + b.part[i];
+    return sum;
+  }
+  TORSOR_INLINED friend Registers operator-(const Registers& a, const Registers& b) noexcept {
+    Registers difference;
+    for (int i = 0; i < count; ++i) difference.part[i] = a.part[i] - b.part[i];
+    return difference;
+  }
+  TORSOR_INLINED friend Registers operator*(const Registers& a, const Registers& b) noexcept {
+    Registers product;
+    for (int i = 0; i < count; ++i) product.part[i] = a.part[i] * b.part[i];
+    return product;
+  }
+};
+
+template <class Number, int lanes, int count>
+struct scalar_traits<Registers<Number, lanes, count>> {
+  using Scalar = Registers<Number, lanes, count>;
+  TORSOR_INLINED static Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    constexpr bool is_float = sizeof(Number) == sizeof(float);
+    const Number number = is_float ? static_cast<Number>(in_float) : static_cast<Number>(in_double);
+    Scalar result;
+    for (int i = 0; i < count; ++i) {
+      for (int lane = 0; lane < lanes; ++lane) result.part[i][lane] = number;
+    }
+    return result;
+  }
+};
+
+/// Of angles up to the bound, bit by bit what SineCosine::core gives where nothing is fused. The quarter of the turn is
+/// in the last two bits of `shifted`: it is chosen by bits, not by products.
+template <class Number, int lanes, int count>
+TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& angles,
+                                        Registers<Number, lanes, count>& sines,
+                                        Registers<Number, lanes, count>& cosines) noexcept {
+  using Scalar = Registers<Number, lanes, count>;
+  using Numbers = typename Scalar::Numbers;
+  using Bits = typename Scalar::Bits;
+  constexpr int sign_bit = 8 * static_cast<int>(sizeof(Number)) - 1;
+  Scalar shifted, sine, cosine;
+  SineCosine<Scalar, sizeof(Number) == sizeof(float)>::of_remainder(angles, shifted, sine, cosine);
+  const Bits sign = (Bits)scalar_traits<Scalar>::constant(-0.0, -0.0f, nullptr).part[0];
+  for (int i = 0; i < count; ++i) {
+    const Bits bits = (Bits)shifted.part[i], s = (Bits)sine.part[i], c = (Bits)cosine.part[i];
+    const Bits odd = Bits{} - (bits & 1);  // all bits or none
+    const Bits upper = bits << (sign_bit - 1);
+    // The sine is negated for n = 2 and 3, the cosine for 1 and 2.
+    sines.part[i] = (Numbers)(((odd & c) | (~odd & s)) ^ (upper & sign));
+    cosines.part[i] = (Numbers)(((odd & s) | (~odd & c)) ^ ((upper ^ odd) & sign));
+  }
 }
 
-/// Of several angles at once, in float or double: as many as a vector holds go through the core together.
-template <class Scalar, int N>
-TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
-                                            Scalar (&cosines)[N]) noexcept {
-  constexpr int narrow = 16 / sizeof(Scalar);
+/// Of the angles first to first + size - 1, up to the bound, in one register or two; idle lanes get 0. Returns the sum
+/// of their squares. Places are constants before anything is optimised: lanes then come from registers and go there,
+/// where a way through memory would be stored in parts and loaded whole.
+template <int size, class Number, int N, int... lane, int... place>
+TORSOR_INLINED Number sincos_of_some(int first, const Number (&angles)[N], Number (&sines)[N], Number (&cosines)[N],
+                                     Places<lane...>, Places<place...>) noexcept {
+  constexpr int lanes = sizeof...(lane), count = size > lanes ? 2 : 1;
+  using Some = Registers<Number, lanes, count>;
+  const auto angle = [&](int i) noexcept { return i < size ? angles[first + i] : Number(0); };
+  Some x, s, c;
+  x.part[0] = typename Some::Numbers{angle(lane)...};
+  if constexpr (count == 2) x.part[1] = typename Some::Numbers{angle(lane + lanes)...};
+  sincos_of_registers(x, s, c);
+  ((sines[first + place] = s.part[place / lanes][place % lanes]), ...);
+  ((cosines[first + place] = c.part[place / lanes][place % lanes]), ...);
+  typename Some::Numbers squares = x.part[0] * x.part[0];
+  if constexpr (count == 2) squares += x.part[1] * x.part[1];
+  return (squares[lane] + ...);
+}
+
+/// Of several angles up to the bound, by two registers at a time. Returns the sum of their squares.
+template <class Number, int N>
+TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&sines)[N],
+                                          Number (&cosines)[N]) noexcept {
+  constexpr int narrow = 16 / static_cast<int>(sizeof(Number));
 #if defined(__AVX__)
-  constexpr int wide = 32 / sizeof(Scalar);
+  // Registers of AVX-512 gain nothing for so few numbers.
+  constexpr int lanes = N <= narrow ? narrow : 2 * narrow;
 #else
-  constexpr int wide = narrow;
+  constexpr int lanes = narrow;
 #endif
-#if defined(__CUDA_ARCH__) || defined(TORSOR_STD_SINCOS)
-  constexpr bool by_vectors = false;
-#elif defined(__clang__)
-  constexpr bool by_vectors = N >= 4;  // it leaves a loop over two as it is
-#else
-  constexpr bool by_vectors = N >= narrow;
-#endif
-  if constexpr (by_vectors) {
-    constexpr int vector = N >= wide ? wide : narrow, rest = N % vector;
-    // Of a rest some angles are done again: a whole vector costs less than two or three alone.
+  constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
+  using AllLanes = typename FirstPlaces<lanes>::type;
+  Number squares = 0;
+  // One copy of the code: its constants stay where they are.
 #if defined(__clang__)
-    sincos_of_block<N - rest>(angles, sines, cosines);  // best as one loop
-    if constexpr (rest > 1) {
-      sincos_of_block<vector>(angles + (N - vector), sines + (N - vector), cosines + (N - vector));
-    }
+#pragma clang loop unroll(disable)
 #else
-    for (int next = 0; next < N - (rest == 1); next += vector) {
-      const int first = next + vector <= N ? next : N - vector;
-      sincos_of_block<vector>(angles + first, sines + first, cosines + first);
-    }
+#pragma GCC unroll 1
 #endif
-    if constexpr (rest == 1) sincos_of_one(angles[N - 1], sines[N - 1], cosines[N - 1]);
+  for (int i = 0; i < whole; i += both)
+    squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+  if constexpr (rest > 0)
+    squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
+  return squares;
+}
+#endif
+
+/// Of several angles at once, in float or double.
+template <class Scalar, int N>
+TORSOR_DEVICE TORSOR_INLINED void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
+#if defined(TORSOR_VECTOR_TYPES) && !defined(TORSOR_STD_SINCOS)
+  constexpr bool at_once = N > 1;
+#else
+  constexpr bool at_once = false;
+#endif
+  if constexpr (at_once) {
+    const Scalar squares = sincos_in_registers(angles, sines, cosines);
     constexpr Scalar bound = static_cast<Scalar>(SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::bound);
-    Scalar sum = 0;
-    for (int i = 0; i < N; ++i) sum += std::abs(angles[i]);
-    const bool to_one_side = rounds_to_one_side(sum);
-    if (sum <= bound && !to_one_side) return;
+    if (squares <= bound * bound && !rounds_to_one_side(squares)) return;
     for (int i = 0; i < N; ++i) {
-      if (std::abs(angles[i]) > bound || to_one_side) sincos_far(angles[i], sines[i], cosines[i]);
+      if (std::abs(angles[i]) > bound || rounds_to_one_side(angles[i])) sincos_far(angles[i], sines[i], cosines[i]);
     }
   } else {
     for (int i = 0; i < N; ++i) sincos_of_one(angles[i], sines[i], cosines[i]);
@@ -325,17 +423,19 @@ TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&
 
 /// Of several angles of any scalar: at once where its traits have a `sincos` of arrays, else one by one.
 template <class Scalar, int N>
-TORSOR_DEVICE auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N], int) noexcept
+TORSOR_DEVICE TORSOR_INLINED auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], int) noexcept
     -> decltype(scalar_traits<Scalar>::sincos(angles, sines, cosines)) {
   scalar_traits<Scalar>::sincos(angles, sines, cosines);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N],
-                                    long) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], long) noexcept {
   for (int i = 0; i < N; ++i) scalar_traits<Scalar>::sincos(angles[i], sines[i], cosines[i]);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
   sincos_by_traits(angles, sines, cosines, 0);
 }
 
@@ -372,7 +472,8 @@ struct scalar_traits {
   }
   /// Of several angles at once; a specialisation without it gets them one by one.
   template <int N>
-  TORSOR_DEVICE static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+  TORSOR_DEVICE TORSOR_INLINED static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                  Scalar (&cosines)[N]) noexcept {
     sincos_of_several(angles, sines, cosines);
   }
   TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
@@ -385,7 +486,7 @@ struct scalar_traits {
 };
 
 }  // namespace torsor
-#elif TORSOR_KERNEL_SUPPORT != 2
+#elif TORSOR_KERNEL_SUPPORT != 3
 #error "headers of incompatible versions of torsor meet here: write them again with one version"
 #endif
 
@@ -399,7 +500,7 @@ struct Mechanism {
 
   static constexpr const char* name = "four_blade_rotor";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xaff42f9f5e03ae46ULL;
+  static constexpr unsigned long long fingerprint = 0xd886bd240adf2c7bULL;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -691,84 +792,84 @@ struct Mechanism {
     const Scalar z3 = n2 * q_e_z * q_e_z;
     const Scalar z5 = n2 * q_e_y * q_e_x;
     const Scalar z7 = n2 * q_e_z * q_e_w;
-    const Scalar z8 = n1 - z1 - z3;
-    const Scalar z9 = z5 - z7;
-    const Scalar z10 = z5 + z7;
     const Scalar z11 = n2 * q_e_x * q_e_x;
     const Scalar z12 = n2 * q_e_y * q_e_z;
     const Scalar z13 = n2 * q_e_x * q_e_w;
+    const Scalar z17 = n2 * q_e_z * q_e_x;
+    const Scalar z18 = n2 * q_e_y * q_e_w;
+    const Scalar z8 = n1 - z1 - z3;
+    const Scalar z9 = z5 - z7;
+    const Scalar z10 = z5 + z7;
     const Scalar z14 = n1 - z3 - z11;
     const Scalar z15 = z12 - z13;
     const Scalar z16 = z12 + z13;
-    const Scalar z17 = n2 * q_e_z * q_e_x;
-    const Scalar z18 = n2 * q_e_y * q_e_w;
-    const Scalar z19 = n1 - z1 - z11;
     const Scalar z20 = z17 - z18;
     const Scalar z21 = z17 + z18;
+    const Scalar z19 = n1 - z1 - z11;
+    const Scalar z47 = v_e_omega_y * s_alpha - v_e_omega_z * c_alpha;
+    const Scalar z54 = v_e_omega_x * c_alpha - v_e_omega_z * s_alpha;
+    const Scalar z55 = v_e_omega_x * s_alpha + v_e_omega_z * c_alpha;
+    const Scalar z63 = v_e_omega_y * s_alpha + v_e_omega_z * c_alpha;
+    const Scalar z71 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
     const Scalar z31 = z8 * v_e_omega_x;  // angular velocity of e_omega_x, x
     const Scalar z32 = z10 * v_e_omega_x;  // angular velocity of e_omega_x, y
     const Scalar z33 = z20 * v_e_omega_x;  // angular velocity of e_omega_x, z
+    const Scalar z40 = z9 * c_alpha + z21 * s_alpha;
+    const Scalar z42 = z15 * s_alpha + z14 * c_alpha;
+    const Scalar z44 = z16 * c_alpha + z19 * s_alpha;
+    const Scalar z46 = v_e_omega_y * c_alpha + v_e_omega_z * s_alpha;
+    const Scalar z48 = z8 * c_alpha - z21 * s_alpha;
+    const Scalar z50 = z10 * c_alpha - z15 * s_alpha;
+    const Scalar z53 = z20 * s_alpha + z19 * c_alpha;
+    const Scalar z56 = z9 * c_alpha - z21 * s_alpha;
+    const Scalar z58 = z14 * c_alpha - z15 * s_alpha;
+    const Scalar z60 = z16 * c_alpha - z19 * s_alpha;
+    const Scalar z62 = v_e_omega_y * c_alpha - v_e_omega_z * s_alpha;
+    const Scalar z64 = z21 * s_alpha + z8 * c_alpha;
+    const Scalar z66 = z10 * c_alpha + z15 * s_alpha;
+    const Scalar z68 = z20 * c_alpha + z19 * s_alpha;
+    const Scalar z70 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
+    const Scalar z75 = n3 * z47;
+    const Scalar z83 = n3 * z55;
+    const Scalar z84 = n3 * z54;
+    const Scalar z88 = n3 * z63;
+    const Scalar z93 = n3 * z71;
     const Scalar z34 = z9 * v_e_omega_y + z31;  // angular velocity of e_omega_y, x
+    const Scalar z37 = z21 * v_e_omega_z + z34;  // angular velocity of rotor, x
     const Scalar z35 = z14 * v_e_omega_y + z32;  // angular velocity of e_omega_y, y
     const Scalar z36 = z16 * v_e_omega_y + z33;  // angular velocity of e_omega_y, z
-    const Scalar z37 = z21 * v_e_omega_z + z34;  // angular velocity of rotor, x
-    const Scalar z38 = z15 * v_e_omega_z + z35;  // angular velocity of rotor, y
-    const Scalar z39 = z19 * v_e_omega_z + z36;  // angular velocity of rotor, z
-    const Scalar z40 = z9 * c_alpha + z21 * s_alpha;
     const Scalar z41 = z9 * s_alpha - z21 * c_alpha;
-    const Scalar z42 = z14 * c_alpha + z15 * s_alpha;
+    const Scalar z38 = z15 * v_e_omega_z + z35;  // angular velocity of rotor, y
     const Scalar z43 = z14 * s_alpha - z15 * c_alpha;
-    const Scalar z44 = z16 * c_alpha + z19 * s_alpha;
+    const Scalar z39 = z19 * v_e_omega_z + z36;  // angular velocity of rotor, z
     const Scalar z45 = z16 * s_alpha - z19 * c_alpha;
-    const Scalar z46 = v_e_omega_y * c_alpha + v_e_omega_z * s_alpha;
-    const Scalar z47 = v_e_omega_y * s_alpha - v_e_omega_z * c_alpha;
-    const Scalar z48 = z8 * c_alpha - z21 * s_alpha;
-    const Scalar z49 = z8 * s_alpha + z21 * c_alpha;
-    const Scalar z50 = z10 * c_alpha - z15 * s_alpha;
+    const Scalar z76 = n3 * z46;
+    const Scalar z77 = z40 * z75 - z41 * z76;
+    const Scalar z49 = z21 * c_alpha + z8 * s_alpha;
     const Scalar z51 = z10 * s_alpha + z15 * c_alpha;
+    const Scalar z78 = z42 * z75 - z43 * z76;
     const Scalar z52 = z19 * s_alpha - z20 * c_alpha;
-    const Scalar z53 = z19 * c_alpha + z20 * s_alpha;
-    const Scalar z54 = v_e_omega_x * c_alpha - v_e_omega_z * s_alpha;
-    const Scalar z55 = v_e_omega_x * s_alpha + v_e_omega_z * c_alpha;
-    const Scalar z56 = z9 * c_alpha - z21 * s_alpha;
     const Scalar z57 = z9 * s_alpha + z21 * c_alpha;
-    const Scalar z58 = z14 * c_alpha - z15 * s_alpha;
-    const Scalar z59 = z14 * s_alpha + z15 * c_alpha;
-    const Scalar z60 = z16 * c_alpha - z19 * s_alpha;
+    const Scalar z79 = z44 * z75 - z45 * z76;
+    const Scalar z59 = z15 * c_alpha + z14 * s_alpha;
     const Scalar z61 = z16 * s_alpha + z19 * c_alpha;
-    const Scalar z62 = v_e_omega_y * c_alpha - v_e_omega_z * s_alpha;
-    const Scalar z63 = v_e_omega_y * s_alpha + v_e_omega_z * c_alpha;
-    const Scalar z64 = z8 * c_alpha + z21 * s_alpha;
     const Scalar z65 = z8 * s_alpha - z21 * c_alpha;
-    const Scalar z66 = z10 * c_alpha + z15 * s_alpha;
     const Scalar z67 = z10 * s_alpha - z15 * c_alpha;
-    const Scalar z68 = z19 * s_alpha + z20 * c_alpha;
     const Scalar z69 = z19 * c_alpha - z20 * s_alpha;
-    const Scalar z70 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
-    const Scalar z71 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
+    const Scalar z89 = n3 * z62;
+    const Scalar z94 = n3 * z70;
     const Scalar z72 = n3 * z8;
     const Scalar z73 = n3 * z10;
     const Scalar z74 = n3 * z20;
-    const Scalar z75 = n3 * z47;
-    const Scalar z76 = n3 * z46;
-    const Scalar z77 = z40 * z75 - z41 * z76;
-    const Scalar z78 = z42 * z75 - z43 * z76;
-    const Scalar z79 = z44 * z75 - z45 * z76;
     const Scalar z80 = n3 * z9;
     const Scalar z81 = n3 * z14;
     const Scalar z82 = n3 * z16;
-    const Scalar z83 = n3 * z55;
-    const Scalar z84 = n3 * z54;
     const Scalar z85 = z48 * z83 - z49 * z84;
     const Scalar z86 = z50 * z83 - z51 * z84;
-    const Scalar z87 = z52 * z83 + z53 * z84;
-    const Scalar z88 = n3 * z63;
-    const Scalar z89 = n3 * z62;
+    const Scalar z87 = z53 * z84 + z52 * z83;
     const Scalar z90 = z56 * z88 - z57 * z89;
     const Scalar z91 = z58 * z88 - z59 * z89;
     const Scalar z92 = z60 * z88 - z61 * z89;
-    const Scalar z93 = n3 * z71;
-    const Scalar z94 = n3 * z70;
     const Scalar z95 = z64 * z93 - z65 * z94;
     const Scalar z96 = z66 * z93 - z67 * z94;
     const Scalar z97 = z68 * z93 + z69 * z94;
@@ -878,36 +979,36 @@ struct Mechanism {
     const Scalar c_alpha = precomputed.c_alpha;
     const Scalar z46 = v_e_omega_y * c_alpha + v_e_omega_z * s_alpha;
     const Scalar z47 = v_e_omega_y * s_alpha - v_e_omega_z * c_alpha;
+    const Scalar z70 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
+    const Scalar z71 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
     const Scalar z54 = v_e_omega_x * c_alpha - v_e_omega_z * s_alpha;
+    const Scalar z114 = z70 * z71;
+    const Scalar z132 = z46 * z47;
     const Scalar z55 = v_e_omega_x * s_alpha + v_e_omega_z * c_alpha;
     const Scalar z62 = v_e_omega_y * c_alpha - v_e_omega_z * s_alpha;
     const Scalar z63 = v_e_omega_y * s_alpha + v_e_omega_z * c_alpha;
-    const Scalar z70 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
-    const Scalar z71 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
-    const Scalar z114 = z70 * z71;
-    const Scalar z115 = v_e_omega_y * z70;
     const Scalar z116 = n0_4 * z114;  // moment on blade_4, x
-    const Scalar z117 = n0_4 * z115;  // moment on blade_4, z
-    const Scalar z118 = s_alpha * z117;
-    const Scalar z120 = z62 * z63;
-    const Scalar z121 = v_e_omega_x * z62;
-    const Scalar z122 = n0_4 * z120;  // moment on blade_3, x
-    const Scalar z123 = n0_4 * z121;  // moment on blade_3, z
-    const Scalar z124 = s_alpha * z123;
-    const Scalar z126 = z54 * z55;
-    const Scalar z127 = v_e_omega_y * z54;
-    const Scalar z128 = n0_4 * z126;  // moment on blade_2, x
-    const Scalar z129 = n0_4 * z127;  // moment on blade_2, z
-    const Scalar z130 = s_alpha * z129;
-    const Scalar z132 = z46 * z47;
-    const Scalar z133 = v_e_omega_x * z46;
     const Scalar z134 = n0_4 * z132;  // moment on blade_1, x
-    const Scalar z135 = n0_4 * z133;  // moment on blade_1, z
-    const Scalar z136 = s_alpha * z135;
     const Scalar z138 = v_e_omega_y * v_e_omega_z;
     const Scalar z139 = v_e_omega_x * v_e_omega_z;
-    const Scalar z140 = z118 - z122 - z130 + z134 - n665 * z138;  // moment on rotor, x
-    const Scalar z141 = z116 - z124 - z128 + z136 - n665 * z139;  // moment on rotor, y
+    const Scalar z115 = v_e_omega_y * z70;
+    const Scalar z120 = z62 * z63;
+    const Scalar z121 = v_e_omega_x * z62;
+    const Scalar z126 = z54 * z55;
+    const Scalar z117 = n0_4 * z115;  // moment on blade_4, z
+    const Scalar z122 = n0_4 * z120;  // moment on blade_3, x
+    const Scalar z123 = n0_4 * z121;  // moment on blade_3, z
+    const Scalar z127 = v_e_omega_y * z54;
+    const Scalar z128 = n0_4 * z126;  // moment on blade_2, x
+    const Scalar z133 = v_e_omega_x * z46;
+    const Scalar z118 = s_alpha * z117;
+    const Scalar z124 = s_alpha * z123;
+    const Scalar z129 = n0_4 * z127;  // moment on blade_2, z
+    const Scalar z135 = n0_4 * z133;  // moment on blade_1, z
+    const Scalar z130 = s_alpha * z129;
+    const Scalar z136 = s_alpha * z135;
+    const Scalar z140 = z134 - n665 * z138 - z122 + z118 - z130;  // moment on rotor, x
+    const Scalar z141 = z116 - n665 * z139 - z128 - z124 + z136;  // moment on rotor, y
     forces.e_omega_x = -z140;
     forces.e_omega_y = z141;
     forces.e_omega_z = n0;
@@ -931,39 +1032,39 @@ struct Mechanism {
     const Scalar z113 = precomputed.z113;
     const Scalar z46 = v_e_omega_y * c_alpha + v_e_omega_z * s_alpha;
     const Scalar z47 = v_e_omega_y * s_alpha - v_e_omega_z * c_alpha;
+    const Scalar z70 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
+    const Scalar z71 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
     const Scalar z54 = v_e_omega_x * c_alpha - v_e_omega_z * s_alpha;
+    const Scalar z114 = z70 * z71;
+    const Scalar z132 = z46 * z47;
     const Scalar z55 = v_e_omega_x * s_alpha + v_e_omega_z * c_alpha;
     const Scalar z62 = v_e_omega_y * c_alpha - v_e_omega_z * s_alpha;
     const Scalar z63 = v_e_omega_y * s_alpha + v_e_omega_z * c_alpha;
-    const Scalar z70 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
-    const Scalar z71 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
-    const Scalar z114 = z70 * z71;
-    const Scalar z115 = v_e_omega_y * z70;
     const Scalar z116 = n0_4 * z114;  // moment on blade_4, x
-    const Scalar z117 = n0_4 * z115;  // moment on blade_4, z
-    const Scalar z118 = s_alpha * z117;
-    const Scalar z120 = z62 * z63;
-    const Scalar z121 = v_e_omega_x * z62;
-    const Scalar z122 = n0_4 * z120;  // moment on blade_3, x
-    const Scalar z123 = n0_4 * z121;  // moment on blade_3, z
-    const Scalar z124 = s_alpha * z123;
-    const Scalar z126 = z54 * z55;
-    const Scalar z127 = v_e_omega_y * z54;
-    const Scalar z128 = n0_4 * z126;  // moment on blade_2, x
-    const Scalar z129 = n0_4 * z127;  // moment on blade_2, z
-    const Scalar z130 = s_alpha * z129;
-    const Scalar z132 = z46 * z47;
-    const Scalar z133 = v_e_omega_x * z46;
     const Scalar z134 = n0_4 * z132;  // moment on blade_1, x
-    const Scalar z135 = n0_4 * z133;  // moment on blade_1, z
-    const Scalar z136 = s_alpha * z135;
     const Scalar z138 = v_e_omega_y * v_e_omega_z;
     const Scalar z139 = v_e_omega_x * v_e_omega_z;
-    const Scalar z140 = z118 - z122 - z130 + z134 - n665 * z138;  // moment on rotor, x
-    const Scalar z141 = z116 - z124 - z128 + z136 - n665 * z139;  // moment on rotor, y
+    const Scalar z115 = v_e_omega_y * z70;
+    const Scalar z120 = z62 * z63;
+    const Scalar z121 = v_e_omega_x * z62;
+    const Scalar z126 = z54 * z55;
+    const Scalar z117 = n0_4 * z115;  // moment on blade_4, z
+    const Scalar z122 = n0_4 * z120;  // moment on blade_3, x
+    const Scalar z123 = n0_4 * z121;  // moment on blade_3, z
+    const Scalar z127 = v_e_omega_y * z54;
+    const Scalar z128 = n0_4 * z126;  // moment on blade_2, x
+    const Scalar z133 = v_e_omega_x * z46;
+    const Scalar z118 = s_alpha * z117;
+    const Scalar z124 = s_alpha * z123;
+    const Scalar z129 = n0_4 * z127;  // moment on blade_2, z
+    const Scalar z135 = n0_4 * z133;  // moment on blade_1, z
+    const Scalar z130 = s_alpha * z129;
+    const Scalar z176 = a_e_omega_z * z113;
+    const Scalar z136 = s_alpha * z135;
+    const Scalar z140 = z134 - n665 * z138 - z122 + z118 - z130;  // moment on rotor, x
+    const Scalar z141 = z116 - n665 * z139 - z128 - z124 + z136;  // moment on rotor, y
     const Scalar z174 = a_e_omega_x * z111 - z140;
     const Scalar z175 = a_e_omega_y * z112 - z141;
-    const Scalar z176 = a_e_omega_z * z113;
     forces.e_omega_x = z174;
     forces.e_omega_y = -z175;
     forces.e_omega_z = -z176;
@@ -990,38 +1091,38 @@ struct Mechanism {
     const Scalar z179 = precomputed.z179;
     const Scalar z46 = v_e_omega_y * c_alpha + v_e_omega_z * s_alpha;
     const Scalar z47 = v_e_omega_y * s_alpha - v_e_omega_z * c_alpha;
+    const Scalar z70 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
+    const Scalar z71 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
     const Scalar z54 = v_e_omega_x * c_alpha - v_e_omega_z * s_alpha;
+    const Scalar z114 = z70 * z71;
+    const Scalar z132 = z46 * z47;
     const Scalar z55 = v_e_omega_x * s_alpha + v_e_omega_z * c_alpha;
     const Scalar z62 = v_e_omega_y * c_alpha - v_e_omega_z * s_alpha;
     const Scalar z63 = v_e_omega_y * s_alpha + v_e_omega_z * c_alpha;
-    const Scalar z70 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
-    const Scalar z71 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
-    const Scalar z114 = z70 * z71;
-    const Scalar z115 = v_e_omega_y * z70;
     const Scalar z116 = n0_4 * z114;  // moment on blade_4, x
-    const Scalar z117 = n0_4 * z115;  // moment on blade_4, z
-    const Scalar z118 = s_alpha * z117;
-    const Scalar z120 = z62 * z63;
-    const Scalar z121 = v_e_omega_x * z62;
-    const Scalar z122 = n0_4 * z120;  // moment on blade_3, x
-    const Scalar z123 = n0_4 * z121;  // moment on blade_3, z
-    const Scalar z124 = s_alpha * z123;
-    const Scalar z126 = z54 * z55;
-    const Scalar z127 = v_e_omega_y * z54;
-    const Scalar z128 = n0_4 * z126;  // moment on blade_2, x
-    const Scalar z129 = n0_4 * z127;  // moment on blade_2, z
-    const Scalar z130 = s_alpha * z129;
-    const Scalar z132 = z46 * z47;
-    const Scalar z133 = v_e_omega_x * z46;
     const Scalar z134 = n0_4 * z132;  // moment on blade_1, x
-    const Scalar z135 = n0_4 * z133;  // moment on blade_1, z
-    const Scalar z136 = s_alpha * z135;
     const Scalar z138 = v_e_omega_y * v_e_omega_z;
     const Scalar z139 = v_e_omega_x * v_e_omega_z;
-    const Scalar z140 = z118 - z122 - z130 + z134 - n665 * z138;  // moment on rotor, x
-    const Scalar z141 = z116 - z124 - z128 + z136 - n665 * z139;  // moment on rotor, y
-    const Scalar z181 = z141 * z178;
+    const Scalar z115 = v_e_omega_y * z70;
+    const Scalar z120 = z62 * z63;
+    const Scalar z121 = v_e_omega_x * z62;
+    const Scalar z126 = z54 * z55;
+    const Scalar z117 = n0_4 * z115;  // moment on blade_4, z
+    const Scalar z122 = n0_4 * z120;  // moment on blade_3, x
+    const Scalar z123 = n0_4 * z121;  // moment on blade_3, z
+    const Scalar z127 = v_e_omega_y * z54;
+    const Scalar z128 = n0_4 * z126;  // moment on blade_2, x
+    const Scalar z133 = v_e_omega_x * z46;
+    const Scalar z118 = s_alpha * z117;
+    const Scalar z124 = s_alpha * z123;
+    const Scalar z129 = n0_4 * z127;  // moment on blade_2, z
+    const Scalar z135 = n0_4 * z133;  // moment on blade_1, z
+    const Scalar z130 = s_alpha * z129;
+    const Scalar z136 = s_alpha * z135;
+    const Scalar z140 = z134 - n665 * z138 - z122 + z118 - z130;  // moment on rotor, x
+    const Scalar z141 = z116 - n665 * z139 - z128 - z124 + z136;  // moment on rotor, y
     const Scalar z182 = z140 * z179;
+    const Scalar z181 = z141 * z178;
     accelerations.e_omega_x = z182;
     accelerations.e_omega_y = z181;
     accelerations.e_omega_z = n0;
@@ -1036,9 +1137,9 @@ struct Mechanism {
   /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
   TORSOR_DEVICE static void energy(const Precomputed& precomputed, const State& state, const Inputs&,
       Energy& result) noexcept {
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
     const Scalar n166_25 = traits::constant(166.25, 166.25f, "665/4");
     const Scalar n166_45 = traits::constant(166.45, 166.45f, "3329/20");
-    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar v_e_omega_x = state.v.e_omega_x;
     const Scalar v_e_omega_y = state.v.e_omega_y;
@@ -1053,8 +1154,8 @@ struct Mechanism {
     const Scalar z63 = v_e_omega_y * s_alpha + v_e_omega_z * c_alpha;
     const Scalar z70 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
     const Scalar z71 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
-    result.kinetic = n166_25 * (z46 * z46 + z54 * z54 + z62 * z62 + z70 * z70) + n166_45 * (z47 * z47 + z55 * z55 + z63
-        * z63 + z71 * z71) + n0_4 * (v_e_omega_x * v_e_omega_x + v_e_omega_y * v_e_omega_y);
+    result.kinetic = n0_4 * (v_e_omega_x * v_e_omega_x + v_e_omega_y * v_e_omega_y) + n166_25 * (z46 * z46 + z54 * z54
+        + z62 * z62 + z70 * z70) + n166_45 * (z47 * z47 + z55 * z55 + z63 * z63 + z71 * z71);
     result.force_function = n0;
     result.power = n0;
   }
@@ -1062,9 +1163,9 @@ struct Mechanism {
   /// First integrals: constant along every motion.
   TORSOR_DEVICE static void first_integrals(const Precomputed& precomputed, const State& state,
       FirstIntegrals& result) noexcept {
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
     const Scalar n166_25 = traits::constant(166.25, 166.25f, "665/4");
     const Scalar n166_45 = traits::constant(166.45, 166.45f, "3329/20");
-    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
     const Scalar v_e_omega_x = state.v.e_omega_x;
     const Scalar v_e_omega_y = state.v.e_omega_y;
     const Scalar v_e_omega_z = state.v.e_omega_z;
@@ -1079,8 +1180,8 @@ struct Mechanism {
     const Scalar z63 = v_e_omega_y * s_alpha + v_e_omega_z * c_alpha;
     const Scalar z70 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
     const Scalar z71 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
-    result.energy = n166_25 * (z46 * z46 + z54 * z54 + z62 * z62 + z70 * z70) + n166_45 * (z47 * z47 + z55 * z55 + z63
-        * z63 + z71 * z71) + n0_4 * (v_e_omega_x * v_e_omega_x + v_e_omega_y * v_e_omega_y);
+    result.energy = n0_4 * (v_e_omega_x * v_e_omega_x + v_e_omega_y * v_e_omega_y) + n166_25 * (z46 * z46 + z54 * z54
+        + z62 * z62 + z70 * z70) + n166_45 * (z47 * z47 + z55 * z55 + z63 * z63 + z71 * z71);
     result.momentum_e_omega_z = -v_e_omega_z * z113;
   }
 
@@ -1108,75 +1209,75 @@ struct Mechanism {
     const Scalar z113 = precomputed.z113;
     const Scalar z178 = precomputed.z178;
     const Scalar z179 = precomputed.z179;
+    const Scalar z63 = v_e_omega_y * s_alpha + v_e_omega_z * c_alpha;
+    const Scalar z71 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
     const Scalar z46 = v_e_omega_y * c_alpha + v_e_omega_z * s_alpha;
     const Scalar z47 = v_e_omega_y * s_alpha - v_e_omega_z * c_alpha;
+    const Scalar z70 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
+    const Scalar z62 = v_e_omega_y * c_alpha - v_e_omega_z * s_alpha;
+    const Scalar z114 = z70 * z71;
+    const Scalar z132 = z46 * z47;
     const Scalar z54 = v_e_omega_x * c_alpha - v_e_omega_z * s_alpha;
     const Scalar z55 = v_e_omega_x * s_alpha + v_e_omega_z * c_alpha;
-    const Scalar z62 = v_e_omega_y * c_alpha - v_e_omega_z * s_alpha;
-    const Scalar z63 = v_e_omega_y * s_alpha + v_e_omega_z * c_alpha;
-    const Scalar z70 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
-    const Scalar z71 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
-    const Scalar z114 = z70 * z71;
-    const Scalar z115 = v_e_omega_y * z70;
+    const Scalar z216 = n0_4 * z62;
+    const Scalar z223 = n0_4 * z70;
     const Scalar z116 = n0_4 * z114;  // moment on blade_4, x
-    const Scalar z117 = n0_4 * z115;  // moment on blade_4, z
-    const Scalar z118 = s_alpha * z117;
-    const Scalar z120 = z62 * z63;
-    const Scalar z121 = v_e_omega_x * z62;
-    const Scalar z122 = n0_4 * z120;  // moment on blade_3, x
-    const Scalar z123 = n0_4 * z121;  // moment on blade_3, z
-    const Scalar z124 = s_alpha * z123;
-    const Scalar z126 = z54 * z55;
-    const Scalar z127 = v_e_omega_y * z54;
-    const Scalar z128 = n0_4 * z126;  // moment on blade_2, x
-    const Scalar z129 = n0_4 * z127;  // moment on blade_2, z
-    const Scalar z130 = s_alpha * z129;
-    const Scalar z132 = z46 * z47;
-    const Scalar z133 = v_e_omega_x * z46;
     const Scalar z134 = n0_4 * z132;  // moment on blade_1, x
-    const Scalar z135 = n0_4 * z133;  // moment on blade_1, z
-    const Scalar z136 = s_alpha * z135;
     const Scalar z138 = v_e_omega_y * v_e_omega_z;
     const Scalar z139 = v_e_omega_x * v_e_omega_z;
-    const Scalar z140 = z118 - z122 - z130 + z134 - n665 * z138;  // moment on rotor, x
-    const Scalar z141 = z116 - z124 - z128 + z136 - n665 * z139;  // moment on rotor, y
+    const Scalar z238 = s_alpha * z63 - c_alpha * z62;
+    const Scalar z243 = s_alpha * z71 - c_alpha * z70;
+    const Scalar z115 = v_e_omega_y * z70;
+    const Scalar z120 = z62 * z63;
+    const Scalar z121 = v_e_omega_x * z62;
+    const Scalar z126 = z54 * z55;
+    const Scalar z217 = s_alpha * z216;
+    const Scalar z224 = s_alpha * z223;
+    const Scalar z235 = v_e_omega_y * s_alpha;
+    const Scalar z245 = v_e_omega_x * s_alpha;
+    const Scalar z220 = n0_4 * z46;
+    const Scalar z225 = s_alpha * z62 + c_alpha * z63;
+    const Scalar z239 = n0_4 * z238;
+    const Scalar z244 = n0_4 * z243;
+    const Scalar z117 = n0_4 * z115;  // moment on blade_4, z
+    const Scalar z122 = n0_4 * z120;  // moment on blade_3, x
+    const Scalar z123 = n0_4 * z121;  // moment on blade_3, z
+    const Scalar z127 = v_e_omega_y * z54;
+    const Scalar z128 = n0_4 * z126;  // moment on blade_2, x
+    const Scalar z133 = v_e_omega_x * z46;
+    const Scalar z236 = n0_4 * z235;
+    const Scalar z246 = n0_4 * z245;
+    const Scalar z214 = s_alpha * z70 + c_alpha * z71;
+    const Scalar z221 = s_alpha * z220;
+    const Scalar z226 = n0_4 * z225;
+    const Scalar z227 = n0_4 * z54;
+    const Scalar z118 = s_alpha * z117;
+    const Scalar z124 = s_alpha * z123;
+    const Scalar z129 = n0_4 * z127;  // moment on blade_2, z
+    const Scalar z135 = n0_4 * z133;  // moment on blade_1, z
+    const Scalar z237 = s_alpha * z236;
+    const Scalar z247 = s_alpha * z246;
+    const Scalar z215 = n0_4 * z214;
+    const Scalar z218 = s_alpha * z54 + c_alpha * z55;
+    const Scalar z228 = s_alpha * z227;
+    const Scalar z229 = s_alpha * z46 + c_alpha * z47;
+    const Scalar z240 = s_alpha * z47 - c_alpha * z46;
+    const Scalar z248 = s_alpha * z55 - c_alpha * z54;
+    const Scalar z130 = s_alpha * z129;
+    const Scalar z136 = s_alpha * z135;
+    const Scalar z219 = n0_4 * z218;
+    const Scalar z230 = n0_4 * z229;
+    const Scalar z241 = n0_4 * z240;
+    const Scalar z249 = n0_4 * z248;
+    const Scalar z140 = z134 - n665 * z138 - z122 + z118 - z130;  // moment on rotor, x
+    const Scalar z141 = z116 - n665 * z139 - z128 - z124 + z136;  // moment on rotor, y
+    const Scalar z222 = n665 * v_e_omega_z + z217 - z221 - z215 + z219;
+    const Scalar z231 = n665 * v_e_omega_z - z224 + z226 + z228 - z230;
+    const Scalar z242 = n665 * v_e_omega_y - z239 - n2 * z237 - z241;
+    const Scalar z250 = n665 * v_e_omega_x - z244 - n2 * z247 - z249;
     const Scalar z174 = a_e_omega_x * z111 - z140;
     const Scalar z175 = a_e_omega_y * z112 - z141;
     const Scalar z176 = a_e_omega_z * z113;
-    const Scalar z214 = s_alpha * z70 + c_alpha * z71;
-    const Scalar z215 = n0_4 * z214;
-    const Scalar z216 = n0_4 * z62;
-    const Scalar z217 = s_alpha * z216;
-    const Scalar z218 = s_alpha * z54 + c_alpha * z55;
-    const Scalar z219 = n0_4 * z218;
-    const Scalar z220 = n0_4 * z46;
-    const Scalar z221 = s_alpha * z220;
-    const Scalar z222 = n665 * v_e_omega_z - z215 + z217 + z219 - z221;
-    const Scalar z223 = n0_4 * z70;
-    const Scalar z224 = s_alpha * z223;
-    const Scalar z225 = s_alpha * z62 + c_alpha * z63;
-    const Scalar z226 = n0_4 * z225;
-    const Scalar z227 = n0_4 * z54;
-    const Scalar z228 = s_alpha * z227;
-    const Scalar z229 = s_alpha * z46 + c_alpha * z47;
-    const Scalar z230 = n0_4 * z229;
-    const Scalar z231 = n665 * v_e_omega_z - z224 + z226 + z228 - z230;
-    const Scalar z235 = v_e_omega_y * s_alpha;
-    const Scalar z236 = n0_4 * z235;
-    const Scalar z237 = s_alpha * z236;
-    const Scalar z238 = s_alpha * z63 - c_alpha * z62;
-    const Scalar z239 = n0_4 * z238;
-    const Scalar z240 = s_alpha * z47 - c_alpha * z46;
-    const Scalar z241 = n0_4 * z240;
-    const Scalar z242 = n665 * v_e_omega_y - n2 * z237 - z239 - z241;
-    const Scalar z243 = s_alpha * z71 - c_alpha * z70;
-    const Scalar z244 = n0_4 * z243;
-    const Scalar z245 = v_e_omega_x * s_alpha;
-    const Scalar z246 = n0_4 * z245;
-    const Scalar z247 = s_alpha * z246;
-    const Scalar z248 = s_alpha * z55 - c_alpha * z54;
-    const Scalar z249 = n0_4 * z248;
-    const Scalar z250 = n665 * v_e_omega_x - z244 - n2 * z247 - z249;
     const Scalar z350 = z178 * z222;
     const Scalar z351 = z179 * z231;
     const Scalar z352 = z179 * z242;

@@ -38,7 +38,7 @@
 #include <cmath>
 
 #ifndef TORSOR_KERNEL_SUPPORT
-#define TORSOR_KERNEL_SUPPORT 2
+#define TORSOR_KERNEL_SUPPORT 3
 // Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
 #ifndef TORSOR_DEVICE
 #define TORSOR_DEVICE
@@ -52,7 +52,7 @@
 //  * two polynomials of least greatest error give the sine and the cosine of r, |r| <= pi/4;
 //  * angles beyond `bound` are rare: they are reduced exactly, in integers, by a function that is not inlined, and so
 //    are all angles under another rounding, which would give the nearest integers wrong.
-// The core has no branch, so that compilers turn a loop over several angles into vector instructions.
+// The core has no branch, so that several angles go through it at once.
 #ifndef TORSOR_STD_SINCOS
 #if defined(__FAST_MATH__) || defined(_M_FP_FAST) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0)
 #define TORSOR_STD_SINCOS  // sums would be reassociated or hold more digits than their type
@@ -100,21 +100,19 @@ struct SineCosine {
       S = S01 + z2 * number(0.0, -0x1.9953f2p-13f);
       C = C01 + z2 * number(0.0, 0x1.99e0eep-16f);
     } else {
-      const Scalar z4 = z2 * z2;
       const Scalar S01 = number(-0x1.5555555555548p-3, 0.0f) + z * number(0x1.111111110f73p-7, 0.0f);
       const Scalar S23 = number(-0x1.a01a019be9217p-13, 0.0f) + z * number(0x1.71de35552b518p-19, 0.0f);
       const Scalar S45 = number(-0x1.ae5e4b83e1601p-26, 0.0f) + z * number(0x1.5d8b55934597bp-33, 0.0f);
       const Scalar C01 = number(0x1.555555555554cp-5, 0.0f) + z * number(-0x1.6c16c16c1521bp-10, 0.0f);
       const Scalar C23 = number(0x1.a01a019cbeb68p-16, 0.0f) + z * number(-0x1.27e4f8121198fp-22, 0.0f);
       const Scalar C45 = number(0x1.1ee9f0cbf70d6p-29, 0.0f) + z * number(-0x1.8fb0e15d5f2ap-37, 0.0f);
-      S = (S01 + z2 * S23) + z4 * S45;
-      C = (C01 + z2 * C23) + z4 * C45;
+      S = S01 + z2 * (S23 + z2 * S45);
+      C = C01 + z2 * (C23 + z2 * C45);
     }
-    const Scalar half_z = half * z, w = one - half_z;
-    // Far below an ulp, it makes the correction of -0 a -0, and so the sine.
-    const Scalar tiny = number(0x1p-100, 0x1p-60f);
-    sine = high + (high * (tiny + z * S) - rest * w);
-    cosine = w + (((one - w) - half_z) + (z2 * C + high * rest));
+    const Scalar half_z = half * z, w = one - half_z, high_z = high * z;
+    // What waits for S and C comes last. The correction of -0 is a 0, which subtracted leaves it -0.
+    sine = high - (rest * w - high_z * S);
+    cosine = w + ((((one - w) - half_z) + high * rest) + z2 * C);
   }
 
   /// Of n pi/2 more.
@@ -129,21 +127,31 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// For |x| <= bound; what is no number gives no number. Exact are n times the first three parts of pi/2, the first
-  /// difference, and each rounded difference together with its rounding error.
-  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
-    const Scalar n = rounded(x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f));
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n plus a number so large that its last bit counts 1; what is no
+  /// number gives no number.
+  ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
+  ///    others do, and may be formed twice;
+  ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
+  ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
+  TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
+                                                        Scalar& cosine) noexcept {
+    const Scalar shift = number(0x1.8p52, 0x1.8p23f);
+    const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
+    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift;
+    const Scalar n = shifted - shift;
     const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
-    const Scalar second = n * number(0x1.0b4611a6p-34, 0x1.ed5p-14f);
-    const Scalar third = n * number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    const Scalar fourth = n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
-    const Scalar r = first - second;
-    const Scalar taken = first - r;
-    const Scalar error = (first - (r + taken)) - (second - taken);
-    const Scalar high = r - third;
-    const Scalar rest = ((third - (r - high)) - error) + fourth;
+    const Scalar r = first - n * P;
+    const Scalar error = (first - r) - n * P;
+    const Scalar high = r - n * Q;
+    const Scalar rest = ((n * Q - (r - high)) - error) + n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
     of_reduced(high, rest, sine, cosine);
-    turn(n, sine, cosine);
+  }
+
+  /// For |x| <= bound.
+  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
+    Scalar shifted;
+    of_remainder(x, shifted, sine, cosine);
+    turn(shifted - number(0x1.8p52, 0x1.8p23f), sine, cosine);
   }
 };
 
@@ -262,61 +270,151 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
 #endif
 }
 
-/// Of some angles up to the bound, a multiple of what a vector holds. Local arrays, which nothing else can point to.
-template <int size, class Scalar>
-TORSOR_DEVICE TORSOR_INLINED void sincos_of_block(const Scalar* angles, Scalar* sines, Scalar* cosines) noexcept {
-  Scalar x[size], s[size], c[size];
-  for (int i = 0; i < size; ++i) x[i] = angles[i];
-  // Compilers make vector instructions of a loop, but not always of a row of statements.
-#if defined(__clang__)
-#pragma clang loop unroll(disable)
-#elif defined(__GNUC__) && !defined(__CUDACC__)
-#pragma GCC unroll 1
+}  // namespace torsor
+// Sines and cosines of several angles at once: by vector registers where GNU C++ has types for them, which compilers
+// without AVX make of narrower ones; loops over numbers are not left to compilers to find.
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define TORSOR_VECTOR_TYPES
 #endif
-  for (int i = 0; i < size; ++i) SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::core(x[i], s[i], c[i]);
-  for (int i = 0; i < size; ++i) sines[i] = s[i];
-  for (int i = 0; i < size; ++i) cosines[i] = c[i];
+
+namespace torsor {
+
+#if defined(TORSOR_VECTOR_TYPES)
+/// 0, 1, ... as arguments of a template.
+template <int... place>
+struct Places {};
+template <int count, int... place>
+struct FirstPlaces : FirstPlaces<count - 1, count - 1, place...> {};
+template <int... place>
+struct FirstPlaces<0, place...> {
+  using type = Places<place...>;
+};
+
+/// Some registers of equally many numbers, which take the same operations by turns: while the one waits for its last
+/// result, the other is at work. A scalar for SineCosine, of which it needs constants, sums and products only.
+template <class Number, int lanes, int count>
+struct Registers {
+  typedef Number Numbers __attribute__((vector_size(lanes * sizeof(Number))));
+  using Bits = decltype(Numbers{} < Numbers{});
+  Numbers part[count];
+
+  TORSOR_INLINED friend Registers operator+(const Registers& a, const Registers& b) noexcept {
+    Registers sum;
+    for (int i = 0; i < count; ++i) sum.part[i] = a.part[i] + b.part[i];
+    return sum;
+  }
+  TORSOR_INLINED friend Registers operator-(const Registers& a, const Registers& b) noexcept {
+    Registers difference;
+    for (int i = 0; i < count; ++i) difference.part[i] = a.part[i] - b.part[i];
+    return difference;
+  }
+  TORSOR_INLINED friend Registers operator*(const Registers& a, const Registers& b) noexcept {
+    Registers product;
+    for (int i = 0; i < count; ++i) product.part[i] = a.part[i] * b.part[i];
+    return product;
+  }
+};
+
+template <class Number, int lanes, int count>
+struct scalar_traits<Registers<Number, lanes, count>> {
+  using Scalar = Registers<Number, lanes, count>;
+  TORSOR_INLINED static Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    constexpr bool is_float = sizeof(Number) == sizeof(float);
+    const Number number = is_float ? static_cast<Number>(in_float) : static_cast<Number>(in_double);
+    Scalar result;
+    for (int i = 0; i < count; ++i) {
+      for (int lane = 0; lane < lanes; ++lane) result.part[i][lane] = number;
+    }
+    return result;
+  }
+};
+
+/// Of angles up to the bound, bit by bit what SineCosine::core gives where nothing is fused. The quarter of the turn is
+/// in the last two bits of `shifted`: it is chosen by bits, not by products.
+template <class Number, int lanes, int count>
+TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& angles,
+                                        Registers<Number, lanes, count>& sines,
+                                        Registers<Number, lanes, count>& cosines) noexcept {
+  using Scalar = Registers<Number, lanes, count>;
+  using Numbers = typename Scalar::Numbers;
+  using Bits = typename Scalar::Bits;
+  constexpr int sign_bit = 8 * static_cast<int>(sizeof(Number)) - 1;
+  Scalar shifted, sine, cosine;
+  SineCosine<Scalar, sizeof(Number) == sizeof(float)>::of_remainder(angles, shifted, sine, cosine);
+  const Bits sign = (Bits)scalar_traits<Scalar>::constant(-0.0, -0.0f, nullptr).part[0];
+  for (int i = 0; i < count; ++i) {
+    const Bits bits = (Bits)shifted.part[i], s = (Bits)sine.part[i], c = (Bits)cosine.part[i];
+    const Bits odd = Bits{} - (bits & 1);  // all bits or none
+    const Bits upper = bits << (sign_bit - 1);
+    // The sine is negated for n = 2 and 3, the cosine for 1 and 2.
+    sines.part[i] = (Numbers)(((odd & c) | (~odd & s)) ^ (upper & sign));
+    cosines.part[i] = (Numbers)(((odd & s) | (~odd & c)) ^ ((upper ^ odd) & sign));
+  }
 }
 
-/// Of several angles at once, in float or double: as many as a vector holds go through the core together.
-template <class Scalar, int N>
-TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
-                                            Scalar (&cosines)[N]) noexcept {
-  constexpr int narrow = 16 / sizeof(Scalar);
+/// Of the angles first to first + size - 1, up to the bound, in one register or two; idle lanes get 0. Returns the sum
+/// of their squares. Places are constants before anything is optimised: lanes then come from registers and go there,
+/// where a way through memory would be stored in parts and loaded whole.
+template <int size, class Number, int N, int... lane, int... place>
+TORSOR_INLINED Number sincos_of_some(int first, const Number (&angles)[N], Number (&sines)[N], Number (&cosines)[N],
+                                     Places<lane...>, Places<place...>) noexcept {
+  constexpr int lanes = sizeof...(lane), count = size > lanes ? 2 : 1;
+  using Some = Registers<Number, lanes, count>;
+  const auto angle = [&](int i) noexcept { return i < size ? angles[first + i] : Number(0); };
+  Some x, s, c;
+  x.part[0] = typename Some::Numbers{angle(lane)...};
+  if constexpr (count == 2) x.part[1] = typename Some::Numbers{angle(lane + lanes)...};
+  sincos_of_registers(x, s, c);
+  ((sines[first + place] = s.part[place / lanes][place % lanes]), ...);
+  ((cosines[first + place] = c.part[place / lanes][place % lanes]), ...);
+  typename Some::Numbers squares = x.part[0] * x.part[0];
+  if constexpr (count == 2) squares += x.part[1] * x.part[1];
+  return (squares[lane] + ...);
+}
+
+/// Of several angles up to the bound, by two registers at a time. Returns the sum of their squares.
+template <class Number, int N>
+TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&sines)[N],
+                                          Number (&cosines)[N]) noexcept {
+  constexpr int narrow = 16 / static_cast<int>(sizeof(Number));
 #if defined(__AVX__)
-  constexpr int wide = 32 / sizeof(Scalar);
+  // Registers of AVX-512 gain nothing for so few numbers.
+  constexpr int lanes = N <= narrow ? narrow : 2 * narrow;
 #else
-  constexpr int wide = narrow;
+  constexpr int lanes = narrow;
 #endif
-#if defined(__CUDA_ARCH__) || defined(TORSOR_STD_SINCOS)
-  constexpr bool by_vectors = false;
-#elif defined(__clang__)
-  constexpr bool by_vectors = N >= 4;  // it leaves a loop over two as it is
-#else
-  constexpr bool by_vectors = N >= narrow;
-#endif
-  if constexpr (by_vectors) {
-    constexpr int vector = N >= wide ? wide : narrow, rest = N % vector;
-    // Of a rest some angles are done again: a whole vector costs less than two or three alone.
+  constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
+  using AllLanes = typename FirstPlaces<lanes>::type;
+  Number squares = 0;
+  // One copy of the code: its constants stay where they are.
 #if defined(__clang__)
-    sincos_of_block<N - rest>(angles, sines, cosines);  // best as one loop
-    if constexpr (rest > 1) {
-      sincos_of_block<vector>(angles + (N - vector), sines + (N - vector), cosines + (N - vector));
-    }
+#pragma clang loop unroll(disable)
 #else
-    for (int next = 0; next < N - (rest == 1); next += vector) {
-      const int first = next + vector <= N ? next : N - vector;
-      sincos_of_block<vector>(angles + first, sines + first, cosines + first);
-    }
+#pragma GCC unroll 1
 #endif
-    if constexpr (rest == 1) sincos_of_one(angles[N - 1], sines[N - 1], cosines[N - 1]);
+  for (int i = 0; i < whole; i += both)
+    squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+  if constexpr (rest > 0)
+    squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
+  return squares;
+}
+#endif
+
+/// Of several angles at once, in float or double.
+template <class Scalar, int N>
+TORSOR_DEVICE TORSOR_INLINED void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
+#if defined(TORSOR_VECTOR_TYPES) && !defined(TORSOR_STD_SINCOS)
+  constexpr bool at_once = N > 1;
+#else
+  constexpr bool at_once = false;
+#endif
+  if constexpr (at_once) {
+    const Scalar squares = sincos_in_registers(angles, sines, cosines);
     constexpr Scalar bound = static_cast<Scalar>(SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::bound);
-    Scalar sum = 0;
-    for (int i = 0; i < N; ++i) sum += std::abs(angles[i]);
-    const bool to_one_side = rounds_to_one_side(sum);
-    if (sum <= bound && !to_one_side) return;
+    if (squares <= bound * bound && !rounds_to_one_side(squares)) return;
     for (int i = 0; i < N; ++i) {
-      if (std::abs(angles[i]) > bound || to_one_side) sincos_far(angles[i], sines[i], cosines[i]);
+      if (std::abs(angles[i]) > bound || rounds_to_one_side(angles[i])) sincos_far(angles[i], sines[i], cosines[i]);
     }
   } else {
     for (int i = 0; i < N; ++i) sincos_of_one(angles[i], sines[i], cosines[i]);
@@ -325,17 +423,19 @@ TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&
 
 /// Of several angles of any scalar: at once where its traits have a `sincos` of arrays, else one by one.
 template <class Scalar, int N>
-TORSOR_DEVICE auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N], int) noexcept
+TORSOR_DEVICE TORSOR_INLINED auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], int) noexcept
     -> decltype(scalar_traits<Scalar>::sincos(angles, sines, cosines)) {
   scalar_traits<Scalar>::sincos(angles, sines, cosines);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N],
-                                    long) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], long) noexcept {
   for (int i = 0; i < N; ++i) scalar_traits<Scalar>::sincos(angles[i], sines[i], cosines[i]);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
   sincos_by_traits(angles, sines, cosines, 0);
 }
 
@@ -372,7 +472,8 @@ struct scalar_traits {
   }
   /// Of several angles at once; a specialisation without it gets them one by one.
   template <int N>
-  TORSOR_DEVICE static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+  TORSOR_DEVICE TORSOR_INLINED static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                  Scalar (&cosines)[N]) noexcept {
     sincos_of_several(angles, sines, cosines);
   }
   TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
@@ -385,7 +486,7 @@ struct scalar_traits {
 };
 
 }  // namespace torsor
-#elif TORSOR_KERNEL_SUPPORT != 2
+#elif TORSOR_KERNEL_SUPPORT != 3
 #error "headers of incompatible versions of torsor meet here: write them again with one version"
 #endif
 
@@ -399,7 +500,7 @@ struct Mechanism {
 
   static constexpr const char* name = "four_wheel_vehicle";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x836992846f16a3eaULL;
+  static constexpr unsigned long long fingerprint = 0xc348a1e6f2a4de11ULL;
   static constexpr int coordinate_count = 7;
   static constexpr int velocity_count = 7;
   static constexpr int input_count = 2;
@@ -654,8 +755,8 @@ struct Mechanism {
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
   /// matrices column by column.
   TORSOR_DEVICE static void kinematics(const Precomputed&, const State& state, Kinematics& result) noexcept {
-    const Scalar k0 = traits::constant(0.7071067811865476, 0.70710677f, "0;1/2;0;0");
-    const Scalar k1 = traits::constant(0.7320508075688773, 0.73205084f, "-1;0;1;0");
+    const Scalar k0 = traits::constant(0.7320508075688773, 0.73205084f, "-1;0;1;0");
+    const Scalar k1 = traits::constant(0.7071067811865476, 0.70710677f, "0;1/2;0;0");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar k3 = traits::constant(0.8660254037844386, 0.8660254f, "0;0;1/2;0");
     const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
@@ -683,37 +784,19 @@ struct Mechanism {
     const Scalar s_phi_2 = sines_[2], c_phi_2 = cosines_[2];
     const Scalar s_phi_3 = sines_[3], c_phi_3 = cosines_[3];
     const Scalar s_phi_4 = sines_[4], c_phi_4 = cosines_[4];
-    const Scalar z32 = k0 * (s_psi + c_psi);
-    const Scalar z33 = k0 * (s_psi - c_psi);
-    const Scalar z34 = s_psi - k1 * c_psi;
-    const Scalar z35 = k1 * s_psi + c_psi;
-    const Scalar z36 = q_x - z34;  // place of steered_1, x
-    const Scalar z37 = q_y + z35;  // place of steered_1, y
-    const Scalar z38 = k1 * v_psi;
-    const Scalar z39 = v_x - v_psi * c_psi - s_psi * z38;  // velocity of steered_1, x
-    const Scalar z40 = v_y - v_psi * s_psi + c_psi * z38;  // velocity of steered_1, y
-    const Scalar z41 = c_phi_1 * z33;
-    const Scalar z42 = s_phi_1 * z33;
-    const Scalar z43 = c_phi_1 * z32;
-    const Scalar z44 = s_phi_1 * z32;
-    const Scalar z47 = v_phi_1 * z32;  // angular velocity of wheel_1, x
-    const Scalar z48 = v_phi_1 * z33;  // angular velocity of wheel_1, y
+    const Scalar z38 = k0 * v_psi;
+    const Scalar z32 = k1 * (s_psi + c_psi);
+    const Scalar z33 = k1 * (s_psi - c_psi);
+    const Scalar z34 = s_psi - k0 * c_psi;
+    const Scalar z35 = k0 * s_psi + c_psi;
     const Scalar z49 = n0_5 * s_psi + k3 * c_psi;
     const Scalar z50 = k3 * s_psi - n0_5 * c_psi;
-    const Scalar z51 = s_psi + k1 * c_psi;
-    const Scalar z52 = k1 * s_psi - c_psi;
-    const Scalar z53 = q_x - z51;  // place of steered_2, x
-    const Scalar z54 = q_y - z52;  // place of steered_2, y
+    const Scalar z51 = s_psi + k0 * c_psi;
+    const Scalar z52 = k0 * s_psi - c_psi;
+    const Scalar z39 = v_x - v_psi * c_psi - s_psi * z38;  // velocity of steered_1, x
+    const Scalar z40 = v_y - v_psi * s_psi + c_psi * z38;  // velocity of steered_1, y
     const Scalar z55 = v_x - v_psi * c_psi + s_psi * z38;  // velocity of steered_2, x
     const Scalar z56 = v_y - v_psi * s_psi - c_psi * z38;  // velocity of steered_2, y
-    const Scalar z57 = c_phi_2 * z50;
-    const Scalar z58 = s_phi_2 * z50;
-    const Scalar z59 = c_phi_2 * z49;
-    const Scalar z60 = s_phi_2 * z49;
-    const Scalar z63 = v_phi_2 * z49;  // angular velocity of wheel_2, x
-    const Scalar z64 = v_phi_2 * z50;  // angular velocity of wheel_2, y
-    const Scalar z65 = q_x + z34;  // place of steered_3, x
-    const Scalar z66 = q_y - z35;  // place of steered_3, y
     const Scalar z67 = v_x + v_psi * c_psi + s_psi * z38;  // velocity of steered_3, x
     const Scalar z68 = v_y + v_psi * s_psi - c_psi * z38;  // velocity of steered_3, y
     const Scalar z69 = s_psi * c_phi_3;
@@ -722,8 +805,6 @@ struct Mechanism {
     const Scalar z72 = c_psi * s_phi_3;
     const Scalar z75 = c_psi * v_phi_3;  // angular velocity of wheel_3, x
     const Scalar z76 = s_psi * v_phi_3;  // angular velocity of wheel_3, y
-    const Scalar z77 = q_x + z51;  // place of steered_4, x
-    const Scalar z78 = q_y + z52;  // place of steered_4, y
     const Scalar z79 = v_x + v_psi * c_psi - s_psi * z38;  // velocity of steered_4, x
     const Scalar z80 = v_y + v_psi * s_psi + c_psi * z38;  // velocity of steered_4, y
     const Scalar z81 = s_psi * c_phi_4;
@@ -732,6 +813,26 @@ struct Mechanism {
     const Scalar z84 = c_psi * s_phi_4;
     const Scalar z87 = c_psi * v_phi_4;  // angular velocity of wheel_4, x
     const Scalar z88 = s_psi * v_phi_4;  // angular velocity of wheel_4, y
+    const Scalar z36 = q_x - z34;  // place of steered_1, x
+    const Scalar z37 = q_y + z35;  // place of steered_1, y
+    const Scalar z53 = q_x - z51;  // place of steered_2, x
+    const Scalar z54 = q_y - z52;  // place of steered_2, y
+    const Scalar z65 = q_x + z34;  // place of steered_3, x
+    const Scalar z66 = q_y - z35;  // place of steered_3, y
+    const Scalar z77 = q_x + z51;  // place of steered_4, x
+    const Scalar z78 = q_y + z52;  // place of steered_4, y
+    const Scalar z41 = c_phi_1 * z33;
+    const Scalar z42 = s_phi_1 * z33;
+    const Scalar z43 = c_phi_1 * z32;
+    const Scalar z44 = s_phi_1 * z32;
+    const Scalar z47 = v_phi_1 * z32;  // angular velocity of wheel_1, x
+    const Scalar z48 = v_phi_1 * z33;  // angular velocity of wheel_1, y
+    const Scalar z57 = c_phi_2 * z50;
+    const Scalar z58 = s_phi_2 * z50;
+    const Scalar z59 = c_phi_2 * z49;
+    const Scalar z60 = s_phi_2 * z49;
+    const Scalar z63 = v_phi_2 * z49;  // angular velocity of wheel_2, x
+    const Scalar z64 = v_phi_2 * z50;  // angular velocity of wheel_2, y
     result.chassis_position[0] = q_x;
     result.chassis_position[1] = q_y;
     result.chassis_position[2] = n0_3;
@@ -1014,17 +1115,17 @@ struct Mechanism {
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
   TORSOR_DEVICE static void inverse_dynamics(const Precomputed&, const State& state, const Accelerations& accelerations,
       const Multipliers& multipliers, GeneralizedForces& forces) noexcept {
-    const Scalar k0 = traits::constant(0.7071067811865476, 0.70710677f, "0;1/2;0;0");
-    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
-    const Scalar k2 = traits::constant(0.8660254037844386, 0.8660254f, "0;0;1/2;0");
     const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    const Scalar k1 = traits::constant(0.7071067811865476, 0.70710677f, "0;1/2;0;0");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar k3 = traits::constant(0.8660254037844386, 0.8660254f, "0;0;1/2;0");
     const Scalar n880 = traits::constant(880.0, 880.0f, "880/1");
     const Scalar k5 = traits::constant(1024.8718707889795, 1024.8718f, "1302;0;-160;0");
     const Scalar n0_9 = traits::constant(0.9, 0.9f, "9/10");
-    const Scalar k7 = traits::constant(0.7320508075688773, 0.73205084f, "-1;0;1;0");
-    const Scalar k8 = traits::constant(1.224744871391589, 1.2247449f, "0;0;0;1/2");
-    const Scalar k9 = traits::constant(0.189468690981506, 0.1894687f, "0;1;0;-1/2");
-    const Scalar k10 = traits::constant(1.1339745962155614, 1.1339746f, "2;0;-1/2;0");
+    const Scalar k7 = traits::constant(1.224744871391589, 1.2247449f, "0;0;0;1/2");
+    const Scalar k8 = traits::constant(0.189468690981506, 0.1894687f, "0;1;0;-1/2");
+    const Scalar k9 = traits::constant(1.1339745962155614, 1.1339746f, "2;0;-1/2;0");
+    const Scalar k10 = traits::constant(0.7320508075688773, 0.73205084f, "-1;0;1;0");
     const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
     const Scalar a_x = accelerations.x;
     const Scalar a_y = accelerations.y;
@@ -1048,14 +1149,14 @@ struct Mechanism {
     const Scalar l_lambda_wheel_4_y = multipliers.lambda_wheel_4_y;
     Scalar s_psi, c_psi;
     traits::sincos(q_psi, s_psi, c_psi);
-    const Scalar z32 = k0 * (s_psi + c_psi);
-    const Scalar z33 = k0 * (s_psi - c_psi);
-    const Scalar z49 = n0_5 * s_psi + k2 * c_psi;
-    const Scalar z50 = k2 * s_psi - n0_5 * c_psi;
     const Scalar z105 = n3 * v_phi_1;
     const Scalar z106 = n3 * v_phi_2;
     const Scalar z107 = n3 * v_phi_3;
     const Scalar z108 = n3 * v_phi_4;
+    const Scalar z32 = k1 * (s_psi + c_psi);
+    const Scalar z33 = k1 * (s_psi - c_psi);
+    const Scalar z49 = n0_5 * s_psi + k3 * c_psi;
+    const Scalar z50 = k3 * s_psi - n0_5 * c_psi;
     const Scalar z158 = n880 * a_x;  // force on S.y, x
     const Scalar z159 = n880 * a_y;  // force on S.y, y
     const Scalar z165 = k5 * a_psi;
@@ -1063,15 +1164,14 @@ struct Mechanism {
     const Scalar z167 = n0_9 * a_phi_2 + z106;
     const Scalar z168 = n0_9 * a_phi_3 + z107;
     const Scalar z169 = n0_9 * a_phi_4 + z108;
-    forces.x = s_psi * (l_lambda_wheel_3_y + l_lambda_wheel_4_y) - c_psi * (l_lambda_wheel_3_x + l_lambda_wheel_4_x)
-        - z32 * l_lambda_wheel_1_x + z33 * l_lambda_wheel_1_y - z49 * l_lambda_wheel_2_x + z50 * l_lambda_wheel_2_y
-        + z158;
-    forces.y = -s_psi * (l_lambda_wheel_3_x + l_lambda_wheel_4_x) - c_psi * (l_lambda_wheel_3_y + l_lambda_wheel_4_y)
-        - z32 * l_lambda_wheel_1_y - z33 * l_lambda_wheel_1_x - z49 * l_lambda_wheel_2_y - z50 * l_lambda_wheel_2_x
-        + z159;
-    forces.psi = k7 * (l_lambda_wheel_3_y - l_lambda_wheel_4_y) + z165 + k8 * l_lambda_wheel_1_x + k9
-        * l_lambda_wheel_1_y + n0_5 * l_lambda_wheel_2_x + k10 * l_lambda_wheel_2_y - l_lambda_wheel_3_x
-        - l_lambda_wheel_4_x;
+    forces.x = z158 + s_psi * (l_lambda_wheel_3_y + l_lambda_wheel_4_y) - c_psi * (l_lambda_wheel_3_x
+        + l_lambda_wheel_4_x) - z32 * l_lambda_wheel_1_x + z33 * l_lambda_wheel_1_y - z49 * l_lambda_wheel_2_x + z50
+        * l_lambda_wheel_2_y;
+    forces.y = -s_psi * (l_lambda_wheel_3_x + l_lambda_wheel_4_x) + z159 - c_psi * (l_lambda_wheel_3_y
+        + l_lambda_wheel_4_y) - z32 * l_lambda_wheel_1_y - z33 * l_lambda_wheel_1_x - z49 * l_lambda_wheel_2_y - z50
+        * l_lambda_wheel_2_x;
+    forces.psi = k7 * l_lambda_wheel_1_x - l_lambda_wheel_3_x + k8 * l_lambda_wheel_1_y + n0_5 * l_lambda_wheel_2_x + k9
+        * l_lambda_wheel_2_y - l_lambda_wheel_4_x + k10 * (l_lambda_wheel_3_y - l_lambda_wheel_4_y) + z165;
     forces.phi_1 = z166 - n0_3 * l_lambda_wheel_1_y;
     forces.phi_2 = z167 - n0_3 * l_lambda_wheel_2_y;
     forces.phi_3 = z168 - n0_3 * l_lambda_wheel_3_y;
@@ -1083,12 +1183,12 @@ struct Mechanism {
   /// positive relative to its diagonal entry.
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs& inputs,
       Accelerations& accelerations, Multipliers& multipliers) noexcept {
-    const Scalar k0 = traits::constant(0.7071067811865476, 0.70710677f, "0;1/2;0;0");
-    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
-    const Scalar k2 = traits::constant(0.8660254037844386, 0.8660254f, "0;0;1/2;0");
     const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
-    const Scalar n1_over_880 = traits::constant(0.0011363636363636363, 0.0011363636f, "1/880");
     const Scalar n10_over_9 = traits::constant(1.1111111111111112, 1.1111112f, "10/9");
+    const Scalar k2 = traits::constant(0.7071067811865476, 0.70710677f, "0;1/2;0;0");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar k4 = traits::constant(0.8660254037844386, 0.8660254f, "0;0;1/2;0");
+    const Scalar n1_over_880 = traits::constant(0.0011363636363636363, 0.0011363636f, "1/880");
     const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
     const Scalar k7 = traits::constant(0.006034576682862498, 0.006034577f,
         "-47006191/3371970601;0;38887200/3371970601;0");
@@ -1121,17 +1221,17 @@ struct Mechanism {
         "869737739680/89519463013;0;9416037180/89519463013;0");
     const Scalar k24 = traits::constant(730.7739671779823, 730.774f,
         "16040869583970/21117691201;0;-351381498000/21117691201;0");
-    const Scalar k25 = traits::constant(9.76952417527508, 9.769525f,
+    const Scalar n1_over_3 = traits::constant(0.3333333333333333, 0.33333334f, "1/3");
+    const Scalar k26 = traits::constant(9.76952417527508, 9.769525f,
         "129883377835200/13518896323201;0;1264285440000/13518896323201;0");
-    const Scalar k26 = traits::constant(9.837140758022175, 9.837141f, "38852009/4027329;0;49100/447481;0");
-    const Scalar k27 = traits::constant(9.836782527565767, 9.836782f,
+    const Scalar k27 = traits::constant(9.837140758022175, 9.837141f, "38852009/4027329;0;49100/447481;0");
+    const Scalar k28 = traits::constant(9.836782527565767, 9.836782f,
         "32510763120/3371970601;0;380230400/3371970601;0");
-    const Scalar k28 = traits::constant(0.0007142851984076027, 0.0007142852f, "-137/269734;0;571/809202;0");
     const Scalar k29 = traits::constant(0.0011950224279731092, 0.0011950224f, "0;20/134867;0;217/539468");
     const Scalar k30 = traits::constant(0.0001848706129827203, 0.00018487062f, "0;177/269734;0;-491/1618404");
     const Scalar k31 = traits::constant(0.0004878658632859967, 0.00048786585f, "217/539468;0;20/404601;0");
     const Scalar k32 = traits::constant(0.0011064549906541887, 0.001106455f, "197/134867;0;-331/1618404;0");
-    const Scalar n1_over_3 = traits::constant(0.3333333333333333, 0.33333334f, "1/3");
+    const Scalar k33 = traits::constant(0.0007142851984076027, 0.0007142852f, "-137/269734;0;571/809202;0");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar v_x = state.v.x;
@@ -1146,42 +1246,42 @@ struct Mechanism {
     const Scalar u_C4 = inputs.C4;
     Scalar s_psi, c_psi;
     traits::sincos(q_psi, s_psi, c_psi);
-    const Scalar z32 = k0 * (s_psi + c_psi);
-    const Scalar z33 = k0 * (s_psi - c_psi);
-    const Scalar z49 = n0_5 * s_psi + k2 * c_psi;
-    const Scalar z50 = k2 * s_psi - n0_5 * c_psi;
-    const Scalar z105 = n3 * v_phi_1;
-    const Scalar z106 = n3 * v_phi_2;
-    const Scalar z107 = n3 * v_phi_3;
-    const Scalar z108 = n3 * v_phi_4;
     const Scalar z171 = v_psi * c_psi;
     const Scalar z172 = v_psi * s_psi;
-    const Scalar z173 = k0 * (z171 - z172);
-    const Scalar z174 = k0 * (z171 + z172);
-    const Scalar z175 = v_x * z173 + v_y * z174;
-    const Scalar z177 = v_x * z174 - v_y * z173;
-    const Scalar z179 = n0_5 * z171 - k2 * z172;
-    const Scalar z180 = k2 * z171 + n0_5 * z172;
-    const Scalar z181 = v_x * z179 + v_y * z180;
-    const Scalar z183 = v_x * z180 - v_y * z179;
-    const Scalar z187 = v_x * z171 + v_y * z172;
+    const Scalar z107 = n3 * v_phi_3;
+    const Scalar z108 = n3 * v_phi_4;
+    const Scalar z105 = n3 * v_phi_1;
+    const Scalar z106 = n3 * v_phi_2;
     const Scalar z197 = u_C3 - z107;
     const Scalar z198 = u_C4 - z108;
+    const Scalar z205 = n10_over_9 * z105;
+    const Scalar z206 = n10_over_9 * z106;
+    const Scalar z32 = k2 * (s_psi + c_psi);
+    const Scalar z207 = n10_over_9 * z197;
+    const Scalar z208 = n10_over_9 * z198;
+    const Scalar z33 = k2 * (s_psi - c_psi);
+    const Scalar z49 = n0_5 * s_psi + k4 * c_psi;
+    const Scalar z50 = k4 * s_psi - n0_5 * c_psi;
+    const Scalar z203 = n1_over_880 * s_psi;
+    const Scalar z204 = n1_over_880 * c_psi;
+    const Scalar z173 = k2 * (z171 - z172);
+    const Scalar z174 = k2 * (z171 + z172);
+    const Scalar z179 = n0_5 * z171 - k4 * z172;
+    const Scalar z180 = k4 * z171 + n0_5 * z172;
+    const Scalar z187 = v_x * z171 + v_y * z172;
     const Scalar z199 = n1_over_880 * z32;
     const Scalar z200 = n1_over_880 * z33;
     const Scalar z201 = n1_over_880 * z49;
     const Scalar z202 = n1_over_880 * z50;
-    const Scalar z203 = n1_over_880 * s_psi;
-    const Scalar z204 = n1_over_880 * c_psi;
-    const Scalar z205 = n10_over_9 * z105;
-    const Scalar z206 = n10_over_9 * z106;
-    const Scalar z207 = n10_over_9 * z197;
-    const Scalar z208 = n10_over_9 * z198;
-    const Scalar z209 = z177 + n0_3 * z205;
-    const Scalar z210 = z183 + n0_3 * z206;
+    const Scalar z175 = v_x * z173 + v_y * z174;
+    const Scalar z177 = v_x * z174 - v_y * z173;
+    const Scalar z181 = v_x * z179 + v_y * z180;
+    const Scalar z183 = v_x * z180 - v_y * z179;
     const Scalar z211 = z187 - n0_3 * z207;
     const Scalar z212 = z187 - n0_3 * z208;
     const Scalar z213 = z211 - k7 * z212;
+    const Scalar z209 = z177 + n0_3 * z205;
+    const Scalar z210 = z183 + n0_3 * z206;
     const Scalar z214 = z210 - k8 * z212 - k9 * z213;
     const Scalar z215 = z181 - k10 * z212 - k11 * z213 + k12 * z214;
     const Scalar z216 = z209 - k13 * z212 - k14 * z213 - k15 * z214 + k16 * z215;
@@ -1189,15 +1289,15 @@ struct Mechanism {
     const Scalar z218 = k22 * z217;
     const Scalar z219 = k23 * z216 - k21 * z218;
     const Scalar z220 = k24 * z215 - k20 * z218 + k16 * z219;
-    const Scalar z221 = k25 * z214 + k19 * z218 - k15 * z219 + k12 * z220;
-    const Scalar z222 = k26 * z213 + k18 * z218 - k14 * z219 - k11 * z220 - k9 * z221;
-    const Scalar z223 = k27 * z212 - k17 * z218 - k13 * z219 - k10 * z220 - k8 * z221 - k7 * z222;
-    const Scalar z224 = z203 * (z222 + z223) + z199 * z218 + z200 * z219 + z201 * z220 + z202 * z221;
-    const Scalar z225 = z204 * (z222 + z223) + z199 * z219 - z200 * z218 + z201 * z221 - z202 * z220;
-    const Scalar z226 = -k28 * (z222 - z223) + k29 * z218 - k30 * z219 + k31 * z220 - k32 * z221;
     const Scalar z227 = z205 - n1_over_3 * z219;
+    const Scalar z221 = k26 * z214 + k19 * z218 - k15 * z219 + k12 * z220;
+    const Scalar z222 = k27 * z213 + k18 * z218 - k14 * z219 - k11 * z220 - k9 * z221;
     const Scalar z228 = z206 - n1_over_3 * z221;
+    const Scalar z223 = k28 * z212 - k17 * z218 - k13 * z219 - k10 * z220 - k8 * z221 - k7 * z222;
     const Scalar z229 = z207 + n1_over_3 * z222;
+    const Scalar z224 = z199 * z218 + z200 * z219 + z201 * z220 + z202 * z221 + z203 * (z222 + z223);
+    const Scalar z225 = z199 * z219 - z200 * z218 - z202 * z220 + z201 * z221 + z204 * (z222 + z223);
+    const Scalar z226 = k29 * z218 - k30 * z219 + k31 * z220 - k32 * z221 - k33 * (z222 - z223);
     const Scalar z230 = z208 + n1_over_3 * z223;
     accelerations.x = -z224;
     accelerations.y = z225;
@@ -1231,12 +1331,12 @@ struct Mechanism {
     const Scalar k2 = traits::constant(0.7071067811865476, 0.70710677f, "0;1/2;0;0");
     const Scalar k3 = traits::constant(0.8660254037844386, 0.8660254f, "0;0;1/2;0");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
-    const Scalar n10 = traits::constant(10.0, 10.0f, "10/1");
-    const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
-    const Scalar n0_45 = traits::constant(0.45, 0.45f, "9/20");
-    const Scalar n400 = traits::constant(400.0, 400.0f, "400/1");
     const Scalar n450 = traits::constant(450.0, 450.0f, "450/1");
+    const Scalar n0_45 = traits::constant(0.45, 0.45f, "9/20");
     const Scalar n20 = traits::constant(20.0, 20.0f, "20/1");
+    const Scalar n400 = traits::constant(400.0, 400.0f, "400/1");
+    const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
+    const Scalar n10 = traits::constant(10.0, 10.0f, "10/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar v_x = state.v.x;
     const Scalar v_y = state.v.y;
@@ -1260,6 +1360,8 @@ struct Mechanism {
     const Scalar s_phi_2 = sines_[2], c_phi_2 = cosines_[2];
     const Scalar s_phi_3 = sines_[3], c_phi_3 = cosines_[3];
     const Scalar s_phi_4 = sines_[4], c_phi_4 = cosines_[4];
+    const Scalar z231 = v_x * c_psi + v_y * s_psi;
+    const Scalar z232 = v_x * s_psi - v_y * c_psi;
     const Scalar z45 = v_psi * s_phi_1;
     const Scalar z46 = v_psi * c_phi_1;
     const Scalar z61 = v_psi * s_phi_2;
@@ -1272,30 +1374,28 @@ struct Mechanism {
     const Scalar z106 = n3 * v_phi_2;
     const Scalar z107 = n3 * v_phi_3;
     const Scalar z108 = n3 * v_phi_4;
-    const Scalar z231 = v_x * c_psi + v_y * s_psi;
-    const Scalar z232 = v_x * s_psi - v_y * c_psi;
     const Scalar z233 = v_psi - z231;
     const Scalar z234 = k1 * v_psi - z232;
+    const Scalar z239 = k1 * v_psi + z232;
+    const Scalar z244 = v_psi + z231;
     const Scalar z235 = k2 * (z233 + z234);
     const Scalar z236 = k2 * (z233 - z234);
-    const Scalar z237 = c_phi_1 * z236;
-    const Scalar z238 = s_phi_1 * z236;
-    const Scalar z239 = k1 * v_psi + z232;
     const Scalar z240 = k3 * z233 - n0_5 * z239;
     const Scalar z241 = n0_5 * z233 + k3 * z239;
-    const Scalar z242 = c_phi_2 * z241;
-    const Scalar z243 = s_phi_2 * z241;
-    const Scalar z244 = v_psi + z231;
     const Scalar z245 = c_phi_3 * z239;
     const Scalar z246 = s_phi_3 * z239;
     const Scalar z247 = c_phi_4 * z234;
     const Scalar z248 = s_phi_4 * z234;
-    result.kinetic = n10 * (z235 * z235 + z237 * z237 + z238 * z238 + z240 * z240 + z242 * z242 + z243 * z243 + z245
-        * z245 + z246 * z246 + z247 * z247 + z248 * z248) + n0_25 * (z45 * z45 + z46 * z46 + z61 * z61 + z62 * z62 + z73
-        * z73 + z74 * z74 + z85 * z85 + z86 * z86) + n0_45 * (v_phi_1 * v_phi_1 + v_phi_2 * v_phi_2 + v_phi_3 * v_phi_3
-        + v_phi_4 * v_phi_4) + n400 * (z231 * z231 + z232 * z232) + n450 * v_psi * v_psi + n20 * z244 * z244;
+    const Scalar z237 = c_phi_1 * z236;
+    const Scalar z238 = s_phi_1 * z236;
+    const Scalar z242 = c_phi_2 * z241;
+    const Scalar z243 = s_phi_2 * z241;
+    result.kinetic = n450 * v_psi * v_psi + n0_45 * (v_phi_1 * v_phi_1 + v_phi_2 * v_phi_2 + v_phi_3 * v_phi_3 + v_phi_4
+        * v_phi_4) + n20 * z244 * z244 + n400 * (z231 * z231 + z232 * z232) + n0_25 * (z45 * z45 + z46 * z46 + z61 * z61
+        + z62 * z62 + z73 * z73 + z74 * z74 + z85 * z85 + z86 * z86) + n10 * (z245 * z245 + z246 * z246 + z247 * z247
+        + z248 * z248 + z235 * z235 + z240 * z240 + z237 * z237 + z238 * z238 + z242 * z242 + z243 * z243);
     result.force_function = n0;
-    result.power = v_phi_3 * (u_C3 - z107) + v_phi_4 * (u_C4 - z108) - v_phi_1 * z105 - v_phi_2 * z106;
+    result.power = -v_phi_1 * z105 + v_phi_3 * (u_C3 - z107) + v_phi_4 * (u_C4 - z108) - v_phi_2 * z106;
   }
 
   /// Constraints A(q, t) v - b(q, t) = 0, in the order of the multipliers.
@@ -1303,11 +1403,11 @@ struct Mechanism {
     const Scalar k0 = traits::constant(0.7071067811865476, 0.70710677f, "0;1/2;0;0");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar k2 = traits::constant(0.8660254037844386, 0.8660254f, "0;0;1/2;0");
-    const Scalar k3 = traits::constant(1.224744871391589, 1.2247449f, "0;0;0;1/2");
-    const Scalar k4 = traits::constant(0.189468690981506, 0.1894687f, "0;1;0;-1/2");
+    const Scalar k3 = traits::constant(0.7320508075688773, 0.73205084f, "-1;0;1;0");
     const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
-    const Scalar k6 = traits::constant(1.1339745962155614, 1.1339746f, "2;0;-1/2;0");
-    const Scalar k7 = traits::constant(0.7320508075688773, 0.73205084f, "-1;0;1;0");
+    const Scalar k5 = traits::constant(1.224744871391589, 1.2247449f, "0;0;0;1/2");
+    const Scalar k6 = traits::constant(0.189468690981506, 0.1894687f, "0;1;0;-1/2");
+    const Scalar k7 = traits::constant(1.1339745962155614, 1.1339746f, "2;0;-1/2;0");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar v_x = state.v.x;
@@ -1320,29 +1420,29 @@ struct Mechanism {
     const Scalar v_phi_4 = state.v.phi_4;
     Scalar s_psi, c_psi;
     traits::sincos(q_psi, s_psi, c_psi);
-    const Scalar z32 = k0 * (s_psi + c_psi);
-    const Scalar z33 = k0 * (s_psi - c_psi);
-    const Scalar z49 = n0_5 * s_psi + k2 * c_psi;
-    const Scalar z50 = k2 * s_psi - n0_5 * c_psi;
-    const Scalar z170 = v_x * z32 + v_y * z33 - k3 * v_psi;
     const Scalar z171 = v_psi * c_psi;
     const Scalar z172 = v_psi * s_psi;
+    const Scalar z32 = k0 * (s_psi + c_psi);
+    const Scalar z49 = n0_5 * s_psi + k2 * c_psi;
+    const Scalar z33 = k0 * (s_psi - c_psi);
+    const Scalar z50 = k2 * s_psi - n0_5 * c_psi;
+    const Scalar z184 = v_psi + v_x * c_psi + v_y * s_psi;
+    const Scalar z186 = k3 * v_psi - n0_3 * v_phi_3 + v_x * s_psi - v_y * c_psi;
+    const Scalar z188 = v_x * s_psi - v_y * c_psi - k3 * v_psi - n0_3 * v_phi_4;
     const Scalar z173 = k0 * (z171 - z172);
     const Scalar z174 = k0 * (z171 + z172);
-    const Scalar z175 = v_x * z173 + v_y * z174;
-    const Scalar z176 = v_x * z33 - v_y * z32 + k4 * v_psi - n0_3 * v_phi_1;
-    const Scalar z177 = v_x * z174 - v_y * z173;
-    const Scalar z178 = v_x * z49 + v_y * z50 - n0_5 * v_psi;
     const Scalar z179 = n0_5 * z171 - k2 * z172;
     const Scalar z180 = k2 * z171 + n0_5 * z172;
-    const Scalar z181 = v_x * z179 + v_y * z180;
-    const Scalar z182 = v_x * z50 - v_y * z49 + k6 * v_psi - n0_3 * v_phi_2;
-    const Scalar z183 = v_x * z180 - v_y * z179;
-    const Scalar z184 = v_x * c_psi + v_y * s_psi + v_psi;
     const Scalar z185 = v_x * z172 - v_y * z171;
-    const Scalar z186 = v_x * s_psi - v_y * c_psi + k7 * v_psi - n0_3 * v_phi_3;
     const Scalar z187 = v_x * z171 + v_y * z172;
-    const Scalar z188 = v_x * s_psi - v_y * c_psi - k7 * v_psi - n0_3 * v_phi_4;
+    const Scalar z170 = v_x * z32 + v_y * z33 - k5 * v_psi;
+    const Scalar z176 = k6 * v_psi - n0_3 * v_phi_1 + v_x * z33 - v_y * z32;
+    const Scalar z178 = v_x * z49 + v_y * z50 - n0_5 * v_psi;
+    const Scalar z182 = k7 * v_psi - n0_3 * v_phi_2 + v_x * z50 - v_y * z49;
+    const Scalar z175 = v_x * z173 + v_y * z174;
+    const Scalar z177 = v_x * z174 - v_y * z173;
+    const Scalar z181 = v_x * z179 + v_y * z180;
+    const Scalar z183 = v_x * z180 - v_y * z179;
     result.value[0] = n0;
     result.rate[0] = z170;
     result.gamma[0] = z175;
@@ -1383,14 +1483,14 @@ struct Mechanism {
     result.jacobian[13] = c_psi;
     result.jacobian[14] = s_psi;
     result.jacobian[15] = c_psi;
-    result.jacobian[16] = -k3;
-    result.jacobian[17] = -k4;
+    result.jacobian[16] = -k5;
+    result.jacobian[17] = -k6;
     result.jacobian[18] = -n0_5;
-    result.jacobian[19] = -k6;
+    result.jacobian[19] = -k7;
     result.jacobian[20] = n1;
-    result.jacobian[21] = -k7;
+    result.jacobian[21] = -k3;
     result.jacobian[22] = n1;
-    result.jacobian[23] = k7;
+    result.jacobian[23] = k3;
     result.jacobian[24] = n0;
     result.jacobian[25] = n0_3;
     result.jacobian[26] = n0;

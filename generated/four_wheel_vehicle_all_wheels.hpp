@@ -34,7 +34,7 @@
 #include <cmath>
 
 #ifndef TORSOR_KERNEL_SUPPORT
-#define TORSOR_KERNEL_SUPPORT 2
+#define TORSOR_KERNEL_SUPPORT 3
 // Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
 #ifndef TORSOR_DEVICE
 #define TORSOR_DEVICE
@@ -48,7 +48,7 @@
 //  * two polynomials of least greatest error give the sine and the cosine of r, |r| <= pi/4;
 //  * angles beyond `bound` are rare: they are reduced exactly, in integers, by a function that is not inlined, and so
 //    are all angles under another rounding, which would give the nearest integers wrong.
-// The core has no branch, so that compilers turn a loop over several angles into vector instructions.
+// The core has no branch, so that several angles go through it at once.
 #ifndef TORSOR_STD_SINCOS
 #if defined(__FAST_MATH__) || defined(_M_FP_FAST) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0)
 #define TORSOR_STD_SINCOS  // sums would be reassociated or hold more digits than their type
@@ -96,21 +96,19 @@ struct SineCosine {
       S = S01 + z2 * number(0.0, -0x1.9953f2p-13f);
       C = C01 + z2 * number(0.0, 0x1.99e0eep-16f);
     } else {
-      const Scalar z4 = z2 * z2;
       const Scalar S01 = number(-0x1.5555555555548p-3, 0.0f) + z * number(0x1.111111110f73p-7, 0.0f);
       const Scalar S23 = number(-0x1.a01a019be9217p-13, 0.0f) + z * number(0x1.71de35552b518p-19, 0.0f);
       const Scalar S45 = number(-0x1.ae5e4b83e1601p-26, 0.0f) + z * number(0x1.5d8b55934597bp-33, 0.0f);
       const Scalar C01 = number(0x1.555555555554cp-5, 0.0f) + z * number(-0x1.6c16c16c1521bp-10, 0.0f);
       const Scalar C23 = number(0x1.a01a019cbeb68p-16, 0.0f) + z * number(-0x1.27e4f8121198fp-22, 0.0f);
       const Scalar C45 = number(0x1.1ee9f0cbf70d6p-29, 0.0f) + z * number(-0x1.8fb0e15d5f2ap-37, 0.0f);
-      S = (S01 + z2 * S23) + z4 * S45;
-      C = (C01 + z2 * C23) + z4 * C45;
+      S = S01 + z2 * (S23 + z2 * S45);
+      C = C01 + z2 * (C23 + z2 * C45);
     }
-    const Scalar half_z = half * z, w = one - half_z;
-    // Far below an ulp, it makes the correction of -0 a -0, and so the sine.
-    const Scalar tiny = number(0x1p-100, 0x1p-60f);
-    sine = high + (high * (tiny + z * S) - rest * w);
-    cosine = w + (((one - w) - half_z) + (z2 * C + high * rest));
+    const Scalar half_z = half * z, w = one - half_z, high_z = high * z;
+    // What waits for S and C comes last. The correction of -0 is a 0, which subtracted leaves it -0.
+    sine = high - (rest * w - high_z * S);
+    cosine = w + ((((one - w) - half_z) + high * rest) + z2 * C);
   }
 
   /// Of n pi/2 more.
@@ -125,21 +123,31 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// For |x| <= bound; what is no number gives no number. Exact are n times the first three parts of pi/2, the first
-  /// difference, and each rounded difference together with its rounding error.
-  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
-    const Scalar n = rounded(x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f));
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n plus a number so large that its last bit counts 1; what is no
+  /// number gives no number.
+  ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
+  ///    others do, and may be formed twice;
+  ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
+  ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
+  TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
+                                                        Scalar& cosine) noexcept {
+    const Scalar shift = number(0x1.8p52, 0x1.8p23f);
+    const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
+    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift;
+    const Scalar n = shifted - shift;
     const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
-    const Scalar second = n * number(0x1.0b4611a6p-34, 0x1.ed5p-14f);
-    const Scalar third = n * number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    const Scalar fourth = n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
-    const Scalar r = first - second;
-    const Scalar taken = first - r;
-    const Scalar error = (first - (r + taken)) - (second - taken);
-    const Scalar high = r - third;
-    const Scalar rest = ((third - (r - high)) - error) + fourth;
+    const Scalar r = first - n * P;
+    const Scalar error = (first - r) - n * P;
+    const Scalar high = r - n * Q;
+    const Scalar rest = ((n * Q - (r - high)) - error) + n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
     of_reduced(high, rest, sine, cosine);
-    turn(n, sine, cosine);
+  }
+
+  /// For |x| <= bound.
+  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
+    Scalar shifted;
+    of_remainder(x, shifted, sine, cosine);
+    turn(shifted - number(0x1.8p52, 0x1.8p23f), sine, cosine);
   }
 };
 
@@ -258,61 +266,151 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
 #endif
 }
 
-/// Of some angles up to the bound, a multiple of what a vector holds. Local arrays, which nothing else can point to.
-template <int size, class Scalar>
-TORSOR_DEVICE TORSOR_INLINED void sincos_of_block(const Scalar* angles, Scalar* sines, Scalar* cosines) noexcept {
-  Scalar x[size], s[size], c[size];
-  for (int i = 0; i < size; ++i) x[i] = angles[i];
-  // Compilers make vector instructions of a loop, but not always of a row of statements.
-#if defined(__clang__)
-#pragma clang loop unroll(disable)
-#elif defined(__GNUC__) && !defined(__CUDACC__)
-#pragma GCC unroll 1
+}  // namespace torsor
+// Sines and cosines of several angles at once: by vector registers where GNU C++ has types for them, which compilers
+// without AVX make of narrower ones; loops over numbers are not left to compilers to find.
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define TORSOR_VECTOR_TYPES
 #endif
-  for (int i = 0; i < size; ++i) SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::core(x[i], s[i], c[i]);
-  for (int i = 0; i < size; ++i) sines[i] = s[i];
-  for (int i = 0; i < size; ++i) cosines[i] = c[i];
+
+namespace torsor {
+
+#if defined(TORSOR_VECTOR_TYPES)
+/// 0, 1, ... as arguments of a template.
+template <int... place>
+struct Places {};
+template <int count, int... place>
+struct FirstPlaces : FirstPlaces<count - 1, count - 1, place...> {};
+template <int... place>
+struct FirstPlaces<0, place...> {
+  using type = Places<place...>;
+};
+
+/// Some registers of equally many numbers, which take the same operations by turns: while the one waits for its last
+/// result, the other is at work. A scalar for SineCosine, of which it needs constants, sums and products only.
+template <class Number, int lanes, int count>
+struct Registers {
+  typedef Number Numbers __attribute__((vector_size(lanes * sizeof(Number))));
+  using Bits = decltype(Numbers{} < Numbers{});
+  Numbers part[count];
+
+  TORSOR_INLINED friend Registers operator+(const Registers& a, const Registers& b) noexcept {
+    Registers sum;
+    for (int i = 0; i < count; ++i) sum.part[i] = a.part[i] + b.part[i];
+    return sum;
+  }
+  TORSOR_INLINED friend Registers operator-(const Registers& a, const Registers& b) noexcept {
+    Registers difference;
+    for (int i = 0; i < count; ++i) difference.part[i] = a.part[i] - b.part[i];
+    return difference;
+  }
+  TORSOR_INLINED friend Registers operator*(const Registers& a, const Registers& b) noexcept {
+    Registers product;
+    for (int i = 0; i < count; ++i) product.part[i] = a.part[i] * b.part[i];
+    return product;
+  }
+};
+
+template <class Number, int lanes, int count>
+struct scalar_traits<Registers<Number, lanes, count>> {
+  using Scalar = Registers<Number, lanes, count>;
+  TORSOR_INLINED static Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    constexpr bool is_float = sizeof(Number) == sizeof(float);
+    const Number number = is_float ? static_cast<Number>(in_float) : static_cast<Number>(in_double);
+    Scalar result;
+    for (int i = 0; i < count; ++i) {
+      for (int lane = 0; lane < lanes; ++lane) result.part[i][lane] = number;
+    }
+    return result;
+  }
+};
+
+/// Of angles up to the bound, bit by bit what SineCosine::core gives where nothing is fused. The quarter of the turn is
+/// in the last two bits of `shifted`: it is chosen by bits, not by products.
+template <class Number, int lanes, int count>
+TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& angles,
+                                        Registers<Number, lanes, count>& sines,
+                                        Registers<Number, lanes, count>& cosines) noexcept {
+  using Scalar = Registers<Number, lanes, count>;
+  using Numbers = typename Scalar::Numbers;
+  using Bits = typename Scalar::Bits;
+  constexpr int sign_bit = 8 * static_cast<int>(sizeof(Number)) - 1;
+  Scalar shifted, sine, cosine;
+  SineCosine<Scalar, sizeof(Number) == sizeof(float)>::of_remainder(angles, shifted, sine, cosine);
+  const Bits sign = (Bits)scalar_traits<Scalar>::constant(-0.0, -0.0f, nullptr).part[0];
+  for (int i = 0; i < count; ++i) {
+    const Bits bits = (Bits)shifted.part[i], s = (Bits)sine.part[i], c = (Bits)cosine.part[i];
+    const Bits odd = Bits{} - (bits & 1);  // all bits or none
+    const Bits upper = bits << (sign_bit - 1);
+    // The sine is negated for n = 2 and 3, the cosine for 1 and 2.
+    sines.part[i] = (Numbers)(((odd & c) | (~odd & s)) ^ (upper & sign));
+    cosines.part[i] = (Numbers)(((odd & s) | (~odd & c)) ^ ((upper ^ odd) & sign));
+  }
 }
 
-/// Of several angles at once, in float or double: as many as a vector holds go through the core together.
-template <class Scalar, int N>
-TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
-                                            Scalar (&cosines)[N]) noexcept {
-  constexpr int narrow = 16 / sizeof(Scalar);
+/// Of the angles first to first + size - 1, up to the bound, in one register or two; idle lanes get 0. Returns the sum
+/// of their squares. Places are constants before anything is optimised: lanes then come from registers and go there,
+/// where a way through memory would be stored in parts and loaded whole.
+template <int size, class Number, int N, int... lane, int... place>
+TORSOR_INLINED Number sincos_of_some(int first, const Number (&angles)[N], Number (&sines)[N], Number (&cosines)[N],
+                                     Places<lane...>, Places<place...>) noexcept {
+  constexpr int lanes = sizeof...(lane), count = size > lanes ? 2 : 1;
+  using Some = Registers<Number, lanes, count>;
+  const auto angle = [&](int i) noexcept { return i < size ? angles[first + i] : Number(0); };
+  Some x, s, c;
+  x.part[0] = typename Some::Numbers{angle(lane)...};
+  if constexpr (count == 2) x.part[1] = typename Some::Numbers{angle(lane + lanes)...};
+  sincos_of_registers(x, s, c);
+  ((sines[first + place] = s.part[place / lanes][place % lanes]), ...);
+  ((cosines[first + place] = c.part[place / lanes][place % lanes]), ...);
+  typename Some::Numbers squares = x.part[0] * x.part[0];
+  if constexpr (count == 2) squares += x.part[1] * x.part[1];
+  return (squares[lane] + ...);
+}
+
+/// Of several angles up to the bound, by two registers at a time. Returns the sum of their squares.
+template <class Number, int N>
+TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&sines)[N],
+                                          Number (&cosines)[N]) noexcept {
+  constexpr int narrow = 16 / static_cast<int>(sizeof(Number));
 #if defined(__AVX__)
-  constexpr int wide = 32 / sizeof(Scalar);
+  // Registers of AVX-512 gain nothing for so few numbers.
+  constexpr int lanes = N <= narrow ? narrow : 2 * narrow;
 #else
-  constexpr int wide = narrow;
+  constexpr int lanes = narrow;
 #endif
-#if defined(__CUDA_ARCH__) || defined(TORSOR_STD_SINCOS)
-  constexpr bool by_vectors = false;
-#elif defined(__clang__)
-  constexpr bool by_vectors = N >= 4;  // it leaves a loop over two as it is
-#else
-  constexpr bool by_vectors = N >= narrow;
-#endif
-  if constexpr (by_vectors) {
-    constexpr int vector = N >= wide ? wide : narrow, rest = N % vector;
-    // Of a rest some angles are done again: a whole vector costs less than two or three alone.
+  constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
+  using AllLanes = typename FirstPlaces<lanes>::type;
+  Number squares = 0;
+  // One copy of the code: its constants stay where they are.
 #if defined(__clang__)
-    sincos_of_block<N - rest>(angles, sines, cosines);  // best as one loop
-    if constexpr (rest > 1) {
-      sincos_of_block<vector>(angles + (N - vector), sines + (N - vector), cosines + (N - vector));
-    }
+#pragma clang loop unroll(disable)
 #else
-    for (int next = 0; next < N - (rest == 1); next += vector) {
-      const int first = next + vector <= N ? next : N - vector;
-      sincos_of_block<vector>(angles + first, sines + first, cosines + first);
-    }
+#pragma GCC unroll 1
 #endif
-    if constexpr (rest == 1) sincos_of_one(angles[N - 1], sines[N - 1], cosines[N - 1]);
+  for (int i = 0; i < whole; i += both)
+    squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+  if constexpr (rest > 0)
+    squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
+  return squares;
+}
+#endif
+
+/// Of several angles at once, in float or double.
+template <class Scalar, int N>
+TORSOR_DEVICE TORSOR_INLINED void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
+#if defined(TORSOR_VECTOR_TYPES) && !defined(TORSOR_STD_SINCOS)
+  constexpr bool at_once = N > 1;
+#else
+  constexpr bool at_once = false;
+#endif
+  if constexpr (at_once) {
+    const Scalar squares = sincos_in_registers(angles, sines, cosines);
     constexpr Scalar bound = static_cast<Scalar>(SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::bound);
-    Scalar sum = 0;
-    for (int i = 0; i < N; ++i) sum += std::abs(angles[i]);
-    const bool to_one_side = rounds_to_one_side(sum);
-    if (sum <= bound && !to_one_side) return;
+    if (squares <= bound * bound && !rounds_to_one_side(squares)) return;
     for (int i = 0; i < N; ++i) {
-      if (std::abs(angles[i]) > bound || to_one_side) sincos_far(angles[i], sines[i], cosines[i]);
+      if (std::abs(angles[i]) > bound || rounds_to_one_side(angles[i])) sincos_far(angles[i], sines[i], cosines[i]);
     }
   } else {
     for (int i = 0; i < N; ++i) sincos_of_one(angles[i], sines[i], cosines[i]);
@@ -321,17 +419,19 @@ TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&
 
 /// Of several angles of any scalar: at once where its traits have a `sincos` of arrays, else one by one.
 template <class Scalar, int N>
-TORSOR_DEVICE auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N], int) noexcept
+TORSOR_DEVICE TORSOR_INLINED auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], int) noexcept
     -> decltype(scalar_traits<Scalar>::sincos(angles, sines, cosines)) {
   scalar_traits<Scalar>::sincos(angles, sines, cosines);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N],
-                                    long) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], long) noexcept {
   for (int i = 0; i < N; ++i) scalar_traits<Scalar>::sincos(angles[i], sines[i], cosines[i]);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
   sincos_by_traits(angles, sines, cosines, 0);
 }
 
@@ -368,7 +468,8 @@ struct scalar_traits {
   }
   /// Of several angles at once; a specialisation without it gets them one by one.
   template <int N>
-  TORSOR_DEVICE static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+  TORSOR_DEVICE TORSOR_INLINED static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                  Scalar (&cosines)[N]) noexcept {
     sincos_of_several(angles, sines, cosines);
   }
   TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
@@ -381,7 +482,7 @@ struct scalar_traits {
 };
 
 }  // namespace torsor
-#elif TORSOR_KERNEL_SUPPORT != 2
+#elif TORSOR_KERNEL_SUPPORT != 3
 #error "headers of incompatible versions of torsor meet here: write them again with one version"
 #endif
 
@@ -395,7 +496,7 @@ struct Mechanism {
 
   static constexpr const char* name = "four_wheel_vehicle_all_wheels";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x3b18b0f3287e6db5ULL;
+  static constexpr unsigned long long fingerprint = 0xb378b7929d258ec6ULL;
   static constexpr int coordinate_count = 11;
   static constexpr int velocity_count = 11;
   static constexpr int input_count = 0;
@@ -835,79 +936,63 @@ struct Mechanism {
     const Scalar z81 = sines_[6], z82 = cosines_[6];
     const Scalar z105 = sines_[7], z106 = cosines_[7];
     const Scalar z127 = sines_[8], z128 = cosines_[8];
+    const Scalar z62 = k0 * v_psi;
     const Scalar z58 = s_psi - k0 * c_psi;
     const Scalar z59 = k0 * s_psi + c_psi;
-    const Scalar z60 = q_x - z58;  // place of steered_1, x
-    const Scalar z61 = q_y + z59;  // place of steered_1, y
-    const Scalar z62 = k0 * v_psi;
+    const Scalar z83 = s_psi + k0 * c_psi;
     const Scalar z63 = v_x - v_psi * c_psi - s_psi * z62;  // velocity of steered_1, x
     const Scalar z64 = v_y - v_psi * s_psi + c_psi * z62;  // velocity of steered_1, y
+    const Scalar z87 = v_x - v_psi * c_psi + s_psi * z62;  // velocity of steered_2, x
+    const Scalar z88 = v_y - v_psi * s_psi - c_psi * z62;  // velocity of steered_2, y
+    const Scalar z109 = v_x + v_psi * c_psi + s_psi * z62;  // velocity of steered_3, x
+    const Scalar z110 = v_y + v_psi * s_psi - c_psi * z62;  // velocity of steered_3, y
+    const Scalar z131 = v_x + v_psi * c_psi - s_psi * z62;  // velocity of steered_4, x
+    const Scalar z132 = v_y + v_psi * s_psi + c_psi * z62;  // velocity of steered_4, y
+    const Scalar z84 = k0 * s_psi - c_psi;
+    const Scalar z69 = v_psi * q_s_1;
+    const Scalar z93 = v_psi * q_s_2;
+    const Scalar z115 = v_psi * q_s_3;
+    const Scalar z137 = v_psi * q_s_4;
     const Scalar z65 = q_s_1 * z57;
     const Scalar z66 = q_s_1 * z56;
-    const Scalar z67 = z60 + z65;  // place of axle_1, x
-    const Scalar z68 = z61 + z66;  // place of axle_1, y
-    const Scalar z69 = v_psi * q_s_1;
-    const Scalar z70 = v_s_1 * z57 - z56 * z69 + z63;  // velocity of axle_1, x
-    const Scalar z71 = v_s_1 * z56 + z57 * z69 + z64;  // velocity of axle_1, y
+    const Scalar z89 = q_s_2 * z82;
+    const Scalar z90 = q_s_2 * z81;
+    const Scalar z111 = q_s_3 * z106;
+    const Scalar z112 = q_s_3 * z105;
+    const Scalar z133 = q_s_4 * z128;
+    const Scalar z134 = q_s_4 * z127;
     const Scalar z72 = c_phi_1 * z56;
     const Scalar z73 = s_phi_1 * z56;
     const Scalar z74 = c_phi_1 * z57;
     const Scalar z75 = s_phi_1 * z57;
     const Scalar z78 = v_phi_1 * z57;  // angular velocity of wheel_1, x
     const Scalar z79 = v_phi_1 * z56;  // angular velocity of wheel_1, y
-    const Scalar z83 = s_psi + k0 * c_psi;
-    const Scalar z84 = k0 * s_psi - c_psi;
-    const Scalar z85 = q_x - z83;  // place of steered_2, x
-    const Scalar z86 = q_y - z84;  // place of steered_2, y
-    const Scalar z87 = v_x - v_psi * c_psi + s_psi * z62;  // velocity of steered_2, x
-    const Scalar z88 = v_y - v_psi * s_psi - c_psi * z62;  // velocity of steered_2, y
-    const Scalar z89 = q_s_2 * z82;
-    const Scalar z90 = q_s_2 * z81;
-    const Scalar z91 = z85 + z89;  // place of axle_2, x
-    const Scalar z92 = z86 + z90;  // place of axle_2, y
-    const Scalar z93 = v_psi * q_s_2;
-    const Scalar z94 = v_s_2 * z82 - z81 * z93 + z87;  // velocity of axle_2, x
-    const Scalar z95 = v_s_2 * z81 + z82 * z93 + z88;  // velocity of axle_2, y
     const Scalar z96 = c_phi_2 * z81;
     const Scalar z97 = s_phi_2 * z81;
     const Scalar z98 = c_phi_2 * z82;
     const Scalar z99 = s_phi_2 * z82;
     const Scalar z102 = v_phi_2 * z82;  // angular velocity of wheel_2, x
     const Scalar z103 = v_phi_2 * z81;  // angular velocity of wheel_2, y
-    const Scalar z107 = q_x + z58;  // place of steered_3, x
-    const Scalar z108 = q_y - z59;  // place of steered_3, y
-    const Scalar z109 = v_x + v_psi * c_psi + s_psi * z62;  // velocity of steered_3, x
-    const Scalar z110 = v_y + v_psi * s_psi - c_psi * z62;  // velocity of steered_3, y
-    const Scalar z111 = q_s_3 * z106;
-    const Scalar z112 = q_s_3 * z105;
-    const Scalar z113 = z107 + z111;  // place of axle_3, x
-    const Scalar z114 = z108 + z112;  // place of axle_3, y
-    const Scalar z115 = v_psi * q_s_3;
-    const Scalar z116 = v_s_3 * z106 - z105 * z115 + z109;  // velocity of axle_3, x
-    const Scalar z117 = v_s_3 * z105 + z106 * z115 + z110;  // velocity of axle_3, y
     const Scalar z118 = c_phi_3 * z105;
     const Scalar z119 = s_phi_3 * z105;
     const Scalar z120 = c_phi_3 * z106;
     const Scalar z121 = s_phi_3 * z106;
     const Scalar z124 = v_phi_3 * z106;  // angular velocity of wheel_3, x
     const Scalar z125 = v_phi_3 * z105;  // angular velocity of wheel_3, y
-    const Scalar z129 = q_x + z83;  // place of steered_4, x
-    const Scalar z130 = q_y + z84;  // place of steered_4, y
-    const Scalar z131 = v_x + v_psi * c_psi - s_psi * z62;  // velocity of steered_4, x
-    const Scalar z132 = v_y + v_psi * s_psi + c_psi * z62;  // velocity of steered_4, y
-    const Scalar z133 = q_s_4 * z128;
-    const Scalar z134 = q_s_4 * z127;
-    const Scalar z135 = z129 + z133;  // place of axle_4, x
-    const Scalar z136 = z130 + z134;  // place of axle_4, y
-    const Scalar z137 = v_psi * q_s_4;
-    const Scalar z138 = v_s_4 * z128 - z127 * z137 + z131;  // velocity of axle_4, x
-    const Scalar z139 = v_s_4 * z127 + z128 * z137 + z132;  // velocity of axle_4, y
     const Scalar z140 = c_phi_4 * z127;
     const Scalar z141 = s_phi_4 * z127;
     const Scalar z142 = c_phi_4 * z128;
     const Scalar z143 = s_phi_4 * z128;
     const Scalar z146 = v_phi_4 * z128;  // angular velocity of wheel_4, x
     const Scalar z147 = v_phi_4 * z127;  // angular velocity of wheel_4, y
+    const Scalar z60 = q_x - z58;  // place of steered_1, x
+    const Scalar z61 = q_y + z59;  // place of steered_1, y
+    const Scalar z85 = q_x - z83;  // place of steered_2, x
+    const Scalar z86 = q_y - z84;  // place of steered_2, y
+    const Scalar z107 = q_x + z58;  // place of steered_3, x
+    const Scalar z108 = q_y - z59;  // place of steered_3, y
+    const Scalar z129 = q_x + z83;  // place of steered_4, x
+    const Scalar z130 = q_y + z84;  // place of steered_4, y
     const Scalar z148 = z58 - z65;
     const Scalar z149 = z59 + z66;
     const Scalar z152 = z83 - z89;
@@ -916,6 +1001,22 @@ struct Mechanism {
     const Scalar z157 = z59 - z112;
     const Scalar z160 = z83 + z133;
     const Scalar z161 = z84 + z134;
+    const Scalar z67 = z60 + z65;  // place of axle_1, x
+    const Scalar z68 = z61 + z66;  // place of axle_1, y
+    const Scalar z91 = z85 + z89;  // place of axle_2, x
+    const Scalar z92 = z86 + z90;  // place of axle_2, y
+    const Scalar z113 = z107 + z111;  // place of axle_3, x
+    const Scalar z114 = z108 + z112;  // place of axle_3, y
+    const Scalar z135 = z129 + z133;  // place of axle_4, x
+    const Scalar z136 = z130 + z134;  // place of axle_4, y
+    const Scalar z70 = z63 + v_s_1 * z57 - z56 * z69;  // velocity of axle_1, x
+    const Scalar z71 = z64 + v_s_1 * z56 + z57 * z69;  // velocity of axle_1, y
+    const Scalar z94 = z87 + v_s_2 * z82 - z81 * z93;  // velocity of axle_2, x
+    const Scalar z95 = z88 + v_s_2 * z81 + z82 * z93;  // velocity of axle_2, y
+    const Scalar z116 = z109 + v_s_3 * z106 - z105 * z115;  // velocity of axle_3, x
+    const Scalar z117 = z110 + v_s_3 * z105 + z106 * z115;  // velocity of axle_3, y
+    const Scalar z138 = z131 + v_s_4 * z128 - z127 * z137;  // velocity of axle_4, x
+    const Scalar z139 = z132 + v_s_4 * z127 + z128 * z137;  // velocity of axle_4, y
     result.chassis_position[0] = q_x;
     result.chassis_position[1] = q_y;
     result.chassis_position[2] = n0_3;
@@ -1168,11 +1269,11 @@ struct Mechanism {
   TORSOR_DEVICE static void mass_matrix(const Precomputed& precomputed, const State& state,
       std::array<Scalar, 121>& mass) noexcept {
     const Scalar n20 = traits::constant(20.0, 20.0f, "20/1");
+    const Scalar k1 = traits::constant(14.641016151377546, 14.641016f, "-20;0;20;0");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
-    const Scalar k2 = traits::constant(30.71796769724491, 30.717968f, "100;0;-40;0");
+    const Scalar k3 = traits::constant(30.71796769724491, 30.717968f, "100;0;-40;0");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
-    const Scalar k4 = traits::constant(1.4641016151377546, 1.4641017f, "-2;0;2;0");
-    const Scalar k5 = traits::constant(14.641016151377546, 14.641016f, "-20;0;20;0");
+    const Scalar k5 = traits::constant(1.4641016151377546, 1.4641017f, "-2;0;2;0");
     const Scalar n900 = traits::constant(900.0, 900.0f, "900/1");
     const Scalar n880 = traits::constant(880.0, 880.0f, "880/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
@@ -1204,55 +1305,55 @@ struct Mechanism {
     const Scalar z276 = precomputed.z276;
     Scalar s_psi, c_psi;
     traits::sincos(q_psi, s_psi, c_psi);
-    const Scalar z171 = s_psi * z169 - c_psi * z168;
-    const Scalar z172 = s_psi * z168 + c_psi * z169;
-    const Scalar z174 = n20 * q_s_4 * q_s_4;
     const Scalar z175 = n20 * q_s_4;
-    const Scalar z176 = n0_5 + z174;
-    const Scalar z177 = s_alpha_4 * z175;
-    const Scalar z178 = c_alpha_4 * z175;
-    const Scalar z192 = k2 + z176 - n2 * z177 + k4 * z178;
-    const Scalar z193 = k5 + z178;
-    const Scalar z194 = n20 - z177;
-    const Scalar z195 = n900 + z192;
-    const Scalar z203 = s_psi * z201 - c_psi * z200;
-    const Scalar z204 = s_psi * z200 + c_psi * z201;
-    const Scalar z206 = n20 * q_s_3 * q_s_3;
     const Scalar z207 = n20 * q_s_3;
-    const Scalar z208 = n0_5 + z206;
-    const Scalar z209 = s_alpha_3 * z207;
-    const Scalar z210 = c_alpha_3 * z207;
-    const Scalar z224 = k2 + z208 - n2 * z209 - k4 * z210;
-    const Scalar z225 = k5 - z210;
-    const Scalar z226 = n20 - z209;
-    const Scalar z227 = z193 - z225;
-    const Scalar z228 = z194 + z226;
-    const Scalar z232 = z195 + z224;
-    const Scalar z240 = s_psi * z238 - c_psi * z237;
-    const Scalar z241 = s_psi * z237 + c_psi * z238;
-    const Scalar z243 = n20 * q_s_2 * q_s_2;
     const Scalar z244 = n20 * q_s_2;
-    const Scalar z245 = n0_5 + z243;
+    const Scalar z174 = n20 * q_s_4 * q_s_4;
+    const Scalar z281 = n20 * q_s_1;
+    const Scalar z177 = s_alpha_4 * z175;
+    const Scalar z209 = s_alpha_3 * z207;
+    const Scalar z178 = c_alpha_4 * z175;
+    const Scalar z210 = c_alpha_3 * z207;
     const Scalar z246 = s_alpha_2 * z244;
     const Scalar z247 = c_alpha_2 * z244;
-    const Scalar z261 = k2 + z245 + n2 * z246 - k4 * z247;
-    const Scalar z262 = k5 - z247;
+    const Scalar z193 = k1 + z178;
+    const Scalar z194 = n20 - z177;
+    const Scalar z225 = k1 - z210;
+    const Scalar z226 = n20 - z209;
+    const Scalar z176 = n0_5 + z174;
+    const Scalar z206 = n20 * q_s_3 * q_s_3;
+    const Scalar z283 = s_alpha_1 * z281;
+    const Scalar z227 = z193 - z225;
+    const Scalar z228 = z194 + z226;
+    const Scalar z262 = k1 - z247;
     const Scalar z263 = n20 + z246;
+    const Scalar z284 = c_alpha_1 * z281;
+    const Scalar z192 = k3 - n2 * z177 + k5 * z178 + z176;
+    const Scalar z208 = n0_5 + z206;
+    const Scalar z243 = n20 * q_s_2 * q_s_2;
     const Scalar z264 = z227 - z262;
     const Scalar z265 = z228 - z263;
-    const Scalar z269 = z232 + z261;
-    const Scalar z277 = s_psi * z275 - c_psi * z274;
-    const Scalar z278 = s_psi * z274 + c_psi * z275;
-    const Scalar z280 = n20 * q_s_1 * q_s_1;
-    const Scalar z281 = n20 * q_s_1;
-    const Scalar z282 = n0_5 + z280;
-    const Scalar z283 = s_alpha_1 * z281;
-    const Scalar z284 = c_alpha_1 * z281;
-    const Scalar z298 = k2 + z282 + n2 * z283 + k4 * z284;
-    const Scalar z299 = k5 + z284;
+    const Scalar z299 = k1 + z284;
     const Scalar z300 = n20 + z283;
+    const Scalar z195 = n900 + z192;
+    const Scalar z224 = k3 - n2 * z209 - k5 * z210 + z208;
+    const Scalar z245 = n0_5 + z243;
+    const Scalar z280 = n20 * q_s_1 * q_s_1;
     const Scalar z301 = z264 + z299;
     const Scalar z302 = z265 - z300;
+    const Scalar z232 = z195 + z224;
+    const Scalar z261 = k3 + n2 * z246 - k5 * z247 + z245;
+    const Scalar z282 = n0_5 + z280;
+    const Scalar z298 = k3 + n2 * z283 + k5 * z284 + z282;
+    const Scalar z269 = z232 + z261;
+    const Scalar z171 = s_psi * z169 - c_psi * z168;
+    const Scalar z172 = s_psi * z168 + c_psi * z169;
+    const Scalar z203 = s_psi * z201 - c_psi * z200;
+    const Scalar z204 = s_psi * z200 + c_psi * z201;
+    const Scalar z240 = s_psi * z238 - c_psi * z237;
+    const Scalar z241 = s_psi * z237 + c_psi * z238;
+    const Scalar z277 = s_psi * z275 - c_psi * z274;
+    const Scalar z278 = s_psi * z274 + c_psi * z275;
     const Scalar z306 = z269 + z298;
     const Scalar z307 = s_psi * z301 - c_psi * z302;
     const Scalar z308 = s_psi * z302 + c_psi * z301;
@@ -1411,44 +1512,44 @@ struct Mechanism {
     const Scalar z322 = k0 * z321;
     const Scalar z323 = s_alpha_1 * z321 + c_alpha_1 * z322;
     const Scalar z324 = s_alpha_1 * z322 - c_alpha_1 * z321;
-    const Scalar z325 = q_s_1 * z321 + z323;
-    const Scalar z326 = n2 * v_psi * v_s_1 + z324;
     const Scalar z328 = s_alpha_2 * z321 - c_alpha_2 * z322;
-    const Scalar z329 = s_alpha_2 * z322 + c_alpha_2 * z321;
-    const Scalar z330 = q_s_2 * z321 + z328;
-    const Scalar z331 = n2 * v_psi * v_s_2 - z329;
-    const Scalar z333 = s_alpha_3 * z321 + c_alpha_3 * z322;
+    const Scalar z329 = c_alpha_2 * z321 + s_alpha_2 * z322;
+    const Scalar z339 = c_alpha_4 * z321 + s_alpha_4 * z322;
     const Scalar z334 = s_alpha_3 * z322 - c_alpha_3 * z321;
-    const Scalar z335 = q_s_3 * z321 - z333;
-    const Scalar z336 = n2 * v_psi * v_s_3 - z334;
-    const Scalar z338 = s_alpha_4 * z321 - c_alpha_4 * z322;
-    const Scalar z339 = s_alpha_4 * z322 + c_alpha_4 * z321;
-    const Scalar z340 = q_s_4 * z321 - z338;
+    const Scalar z331 = n2 * v_psi * v_s_2 - z329;
     const Scalar z341 = n2 * v_psi * v_s_4 + z339;
-    const Scalar z344 = n20 * z340;  // force on axle_4, x
+    const Scalar z333 = s_alpha_3 * z321 + c_alpha_3 * z322;
+    const Scalar z338 = s_alpha_4 * z321 - c_alpha_4 * z322;
+    const Scalar z336 = n2 * v_psi * v_s_3 - z334;
     const Scalar z345 = n20 * z341;  // force on axle_4, y
+    const Scalar z361 = n20 * z331;  // force on axle_2, y
+    const Scalar z335 = q_s_3 * z321 - z333;
+    const Scalar z340 = q_s_4 * z321 - z338;
+    const Scalar z326 = n2 * v_psi * v_s_1 + z324;
     const Scalar z346 = q_s_4 * z345;  // moment on steered_4, z
+    const Scalar z353 = n20 * z336;  // force on axle_3, y
+    const Scalar z362 = q_s_2 * z361;  // moment on steered_2, z
+    const Scalar z330 = q_s_2 * z321 + z328;
+    const Scalar z344 = n20 * z340;  // force on axle_4, x
+    const Scalar z352 = n20 * z335;  // force on axle_3, x
+    const Scalar z354 = q_s_3 * z353;  // moment on steered_3, z
+    const Scalar z369 = n20 * z326;  // force on axle_1, y
+    const Scalar z325 = q_s_1 * z321 + z323;
+    const Scalar z360 = n20 * z330;  // force on axle_2, x
+    const Scalar z370 = q_s_1 * z369;  // moment on steered_1, z
+    const Scalar z368 = n20 * z325;  // force on axle_1, x
     const Scalar z347 = s_alpha_4 * z345 + c_alpha_4 * z344;
     const Scalar z348 = s_alpha_4 * z344 - c_alpha_4 * z345;
-    const Scalar z352 = n20 * z335;  // force on axle_3, x
-    const Scalar z353 = n20 * z336;  // force on axle_3, y
-    const Scalar z354 = q_s_3 * z353;  // moment on steered_3, z
-    const Scalar z355 = s_alpha_3 * z353 + c_alpha_3 * z352;
+    const Scalar z355 = c_alpha_3 * z352 + s_alpha_3 * z353;
     const Scalar z356 = s_alpha_3 * z352 - c_alpha_3 * z353;
-    const Scalar z360 = n20 * z330;  // force on axle_2, x
-    const Scalar z361 = n20 * z331;  // force on axle_2, y
-    const Scalar z362 = q_s_2 * z361;  // moment on steered_2, z
     const Scalar z363 = s_alpha_2 * z361 + c_alpha_2 * z360;
     const Scalar z364 = s_alpha_2 * z360 - c_alpha_2 * z361;
-    const Scalar z368 = n20 * z325;  // force on axle_1, x
-    const Scalar z369 = n20 * z326;  // force on axle_1, y
-    const Scalar z370 = q_s_1 * z369;  // moment on steered_1, z
-    const Scalar z371 = s_alpha_1 * z369 + c_alpha_1 * z368;
+    const Scalar z371 = c_alpha_1 * z368 + s_alpha_1 * z369;
     const Scalar z372 = s_alpha_1 * z368 - c_alpha_1 * z369;
     const Scalar z375 = z347 + z355 + z363 + z371;  // force on S, x
     const Scalar z376 = z348 + z356 + z364 + z372;  // force on S, y
     // moment on S, z
-    const Scalar z379 = -k0 * (z348 - z356 - z364 + z372) + z346 - z347 + z354 - z355 + z362 + z363 + z370 + z371;
+    const Scalar z379 = z346 + z362 + z354 + z370 - z347 - z355 + z363 + z371 - k0 * (z348 - z356 - z364 + z372);
     const Scalar z380 = s_psi * z376 - c_psi * z375;
     const Scalar z381 = s_psi * z375 + c_psi * z376;
     forces.x = z380;
@@ -1467,9 +1568,9 @@ struct Mechanism {
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
   TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Multipliers& multipliers, GeneralizedForces& forces) noexcept {
-    const Scalar k0 = traits::constant(0.7320508075688773, 0.73205084f, "-1;0;1;0");
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n0_9 = traits::constant(0.9, 0.9f, "9/10");
+    const Scalar k1 = traits::constant(0.7320508075688773, 0.73205084f, "-1;0;1;0");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n20 = traits::constant(20.0, 20.0f, "20/1");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n900 = traits::constant(900.0, 900.0f, "900/1");
@@ -1539,76 +1640,76 @@ struct Mechanism {
     const Scalar z321 = v_psi * v_psi;
     const Scalar z385 = a_x * c_psi + a_y * s_psi;
     const Scalar z386 = a_x * s_psi - a_y * c_psi;
-    const Scalar z387 = a_psi + k0 * z321 - z385;
-    const Scalar z388 = k0 * a_psi - z321 - z386;
-    const Scalar z389 = s_alpha_1 * z388 - c_alpha_1 * z387;
-    const Scalar z390 = s_alpha_1 * z387 + c_alpha_1 * z388;
-    const Scalar z391 = q_s_1 * z321 - a_s_1 - z389;
-    const Scalar z392 = n2 * v_psi * v_s_1 + a_psi * q_s_1 + z390;
-    const Scalar z393 = a_psi - k0 * z321 - z385;
-    const Scalar z394 = k0 * a_psi + z321 + z386;
-    const Scalar z395 = s_alpha_2 * z394 + c_alpha_2 * z393;
-    const Scalar z396 = s_alpha_2 * z393 - c_alpha_2 * z394;
-    const Scalar z397 = q_s_2 * z321 - a_s_2 + z395;
-    const Scalar z398 = n2 * v_psi * v_s_2 + a_psi * q_s_2 + z396;
-    const Scalar z399 = a_psi + k0 * z321 + z385;
-    const Scalar z400 = k0 * a_psi - z321 + z386;
-    const Scalar z401 = s_alpha_3 * z400 - c_alpha_3 * z399;
-    const Scalar z402 = s_alpha_3 * z399 + c_alpha_3 * z400;
-    const Scalar z403 = q_s_3 * z321 - a_s_3 + z401;
-    const Scalar z404 = n2 * v_psi * v_s_3 + a_psi * q_s_3 - z402;
-    const Scalar z405 = a_psi - k0 * z321 + z385;
-    const Scalar z406 = k0 * a_psi + z321 - z386;
-    const Scalar z407 = s_alpha_4 * z406 + c_alpha_4 * z405;
-    const Scalar z408 = s_alpha_4 * z405 - c_alpha_4 * z406;
-    const Scalar z409 = q_s_4 * z321 - a_s_4 - z407;
-    const Scalar z410 = n2 * v_psi * v_s_4 + a_psi * q_s_4 - z408;
     const Scalar z411 = n0_9 * a_phi_4;  // moment on wheel_4, x
-    const Scalar z412 = n20 * z409;  // force on axle_4, x
-    const Scalar z413 = n20 * z410;  // force on axle_4, y
-    const Scalar z414 = n0_5 * a_psi + q_s_4 * z413;  // moment on steered_4, z
-    const Scalar z415 = s_alpha_4 * z413 + c_alpha_4 * z412;
-    const Scalar z416 = s_alpha_4 * z412 - c_alpha_4 * z413;
     const Scalar z419 = n0_9 * a_phi_3;  // moment on wheel_3, x
-    const Scalar z420 = n20 * z403;  // force on axle_3, x
-    const Scalar z421 = n20 * z404;  // force on axle_3, y
-    const Scalar z422 = n0_5 * a_psi + q_s_3 * z421;  // moment on steered_3, z
-    const Scalar z423 = s_alpha_3 * z421 + c_alpha_3 * z420;
-    const Scalar z424 = s_alpha_3 * z420 - c_alpha_3 * z421;
     const Scalar z427 = n0_9 * a_phi_2;  // moment on wheel_2, x
-    const Scalar z428 = n20 * z397;  // force on axle_2, x
-    const Scalar z429 = n20 * z398;  // force on axle_2, y
-    const Scalar z430 = n0_5 * a_psi + q_s_2 * z429;  // moment on steered_2, z
-    const Scalar z431 = s_alpha_2 * z429 + c_alpha_2 * z428;
-    const Scalar z432 = s_alpha_2 * z428 - c_alpha_2 * z429;
     const Scalar z435 = n0_9 * a_phi_1;  // moment on wheel_1, x
-    const Scalar z436 = n20 * z391;  // force on axle_1, x
-    const Scalar z437 = n20 * z392;  // force on axle_1, y
-    const Scalar z438 = n0_5 * a_psi + q_s_1 * z437;  // moment on steered_1, z
-    const Scalar z439 = s_alpha_1 * z437 + c_alpha_1 * z436;
-    const Scalar z440 = s_alpha_1 * z436 - c_alpha_1 * z437;
-    const Scalar z443 = z415 + z423 + z431 + z439;  // force on S, x
-    const Scalar z444 = z416 + z424 + z432 + z440;  // force on S, y
-    // moment on S, z
-    const Scalar z447 = -k0 * (z416 - z424 - z432 + z440) + n900 * a_psi + z414 - z415 + z422 - z423 + z430 + z431
-        + z438 + z439;
-    const Scalar z448 = s_psi * z444 - c_psi * z443;
-    const Scalar z449 = s_psi * z443 + c_psi * z444;
-    const Scalar z452 = n800 * a_x + z448;  // force on S.y, x
-    const Scalar z453 = n800 * a_y - z449;  // force on S.y, y
     const Scalar z464 = q_s_1 + z462;
     const Scalar z473 = q_s_2 + z471;
     const Scalar z482 = q_s_3 - z480;
     const Scalar z491 = q_s_4 - z489;
+    const Scalar z387 = a_psi + k1 * z321 - z385;
+    const Scalar z388 = k1 * a_psi - z321 - z386;
+    const Scalar z393 = a_psi - k1 * z321 - z385;
+    const Scalar z394 = k1 * a_psi + z321 + z386;
+    const Scalar z399 = a_psi + k1 * z321 + z385;
+    const Scalar z400 = k1 * a_psi - z321 + z386;
+    const Scalar z405 = a_psi - k1 * z321 + z385;
+    const Scalar z406 = k1 * a_psi + z321 - z386;
+    const Scalar z389 = s_alpha_1 * z388 - c_alpha_1 * z387;
+    const Scalar z390 = s_alpha_1 * z387 + c_alpha_1 * z388;
+    const Scalar z395 = s_alpha_2 * z394 + c_alpha_2 * z393;
+    const Scalar z396 = s_alpha_2 * z393 - c_alpha_2 * z394;
+    const Scalar z401 = s_alpha_3 * z400 - c_alpha_3 * z399;
+    const Scalar z402 = s_alpha_3 * z399 + c_alpha_3 * z400;
+    const Scalar z407 = s_alpha_4 * z406 + c_alpha_4 * z405;
+    const Scalar z408 = s_alpha_4 * z405 - c_alpha_4 * z406;
+    const Scalar z391 = q_s_1 * z321 - a_s_1 - z389;
+    const Scalar z392 = z390 + a_psi * q_s_1 + n2 * v_psi * v_s_1;
+    const Scalar z397 = q_s_2 * z321 - a_s_2 + z395;
+    const Scalar z398 = z396 + a_psi * q_s_2 + n2 * v_psi * v_s_2;
+    const Scalar z403 = q_s_3 * z321 - a_s_3 + z401;
+    const Scalar z404 = a_psi * q_s_3 - z402 + n2 * v_psi * v_s_3;
+    const Scalar z409 = q_s_4 * z321 - a_s_4 - z407;
+    const Scalar z410 = a_psi * q_s_4 - z408 + n2 * v_psi * v_s_4;
+    const Scalar z412 = n20 * z409;  // force on axle_4, x
+    const Scalar z420 = n20 * z403;  // force on axle_3, x
+    const Scalar z428 = n20 * z397;  // force on axle_2, x
+    const Scalar z436 = n20 * z391;  // force on axle_1, x
+    const Scalar z413 = n20 * z410;  // force on axle_4, y
+    const Scalar z421 = n20 * z404;  // force on axle_3, y
+    const Scalar z429 = n20 * z398;  // force on axle_2, y
+    const Scalar z437 = n20 * z392;  // force on axle_1, y
+    const Scalar z414 = n0_5 * a_psi + q_s_4 * z413;  // moment on steered_4, z
+    const Scalar z415 = c_alpha_4 * z412 + s_alpha_4 * z413;
+    const Scalar z416 = s_alpha_4 * z412 - c_alpha_4 * z413;
+    const Scalar z422 = n0_5 * a_psi + q_s_3 * z421;  // moment on steered_3, z
+    const Scalar z423 = c_alpha_3 * z420 + s_alpha_3 * z421;
+    const Scalar z424 = s_alpha_3 * z420 - c_alpha_3 * z421;
+    const Scalar z431 = c_alpha_2 * z428 + s_alpha_2 * z429;
+    const Scalar z432 = s_alpha_2 * z428 - c_alpha_2 * z429;
+    const Scalar z430 = n0_5 * a_psi + q_s_2 * z429;  // moment on steered_2, z
+    const Scalar z439 = c_alpha_1 * z436 + s_alpha_1 * z437;
+    const Scalar z440 = s_alpha_1 * z436 - c_alpha_1 * z437;
+    const Scalar z443 = z415 + z423 + z431 + z439;  // force on S, x
+    const Scalar z444 = z416 + z424 + z432 + z440;  // force on S, y
+    const Scalar z438 = n0_5 * a_psi + q_s_1 * z437;  // moment on steered_1, z
+    // moment on S, z
+    const Scalar z447 = n900 * a_psi + z414 - z415 + z422 - z423 + z430 + z431 + z438 + z439 - k1 * (z416 - z424 - z432
+        + z440);
+    const Scalar z448 = s_psi * z444 - c_psi * z443;
+    const Scalar z449 = s_psi * z443 + c_psi * z444;
+    const Scalar z452 = n800 * a_x + z448;  // force on S.y, x
+    const Scalar z453 = n800 * a_y - z449;  // force on S.y, y
     forces.x = z56 * l_lambda_wheel_1_y - z57 * l_lambda_wheel_1_x + z81 * l_lambda_wheel_2_y - z82 * l_lambda_wheel_2_x
         + z105 * l_lambda_wheel_3_y - z106 * l_lambda_wheel_3_x + z127 * l_lambda_wheel_4_y - z128 * l_lambda_wheel_4_x
         + z452;
     forces.y = -z56 * l_lambda_wheel_1_x - z57 * l_lambda_wheel_1_y - z81 * l_lambda_wheel_2_x - z82
         * l_lambda_wheel_2_y - z105 * l_lambda_wheel_3_x - z106 * l_lambda_wheel_3_y - z127 * l_lambda_wheel_4_x - z128
         * l_lambda_wheel_4_y + z453;
-    forces.psi = z447 - z463 * l_lambda_wheel_1_x - z464 * l_lambda_wheel_1_y + z472 * l_lambda_wheel_2_x - z473
-        * l_lambda_wheel_2_y + z481 * l_lambda_wheel_3_x - z482 * l_lambda_wheel_3_y - z490 * l_lambda_wheel_4_x - z491
-        * l_lambda_wheel_4_y;
+    forces.psi = z472 * l_lambda_wheel_2_x - z463 * l_lambda_wheel_1_x + z481 * l_lambda_wheel_3_x - z490
+        * l_lambda_wheel_4_x - z464 * l_lambda_wheel_1_y - z473 * l_lambda_wheel_2_y - z482 * l_lambda_wheel_3_y - z491
+        * l_lambda_wheel_4_y + z447;
     forces.phi_1 = z435 - n0_3 * l_lambda_wheel_1_y;
     forces.phi_2 = z427 - n0_3 * l_lambda_wheel_2_y;
     forces.phi_3 = z419 - n0_3 * l_lambda_wheel_3_y;
@@ -1629,8 +1730,8 @@ struct Mechanism {
     const Scalar k2 = traits::constant(30.71796769724491, 30.717968f, "100;0;-40;0");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar k4 = traits::constant(1.4641016151377546, 1.4641017f, "-2;0;2;0");
-    const Scalar k5 = traits::constant(14.641016151377546, 14.641016f, "-20;0;20;0");
     const Scalar n900 = traits::constant(900.0, 900.0f, "900/1");
+    const Scalar k6 = traits::constant(14.641016151377546, 14.641016f, "-20;0;20;0");
     const Scalar k7 = traits::constant(0.7320508075688773, 0.73205084f, "-1;0;1;0");
     const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
     const Scalar n880 = traits::constant(880.0, 880.0f, "880/1");
@@ -1698,445 +1799,445 @@ struct Mechanism {
     const Scalar z81 = sines_[2], z82 = cosines_[2];
     const Scalar z105 = sines_[3], z106 = cosines_[3];
     const Scalar z127 = sines_[4], z128 = cosines_[4];
-    const Scalar z171 = s_psi * z169 - c_psi * z168;
-    const Scalar z172 = s_psi * z168 + c_psi * z169;
-    const Scalar z174 = n20 * q_s_4 * q_s_4;
     const Scalar z175 = n20 * q_s_4;
-    const Scalar z176 = n0_5 + z174;
-    const Scalar z177 = s_alpha_4 * z175;
-    const Scalar z178 = c_alpha_4 * z175;
-    const Scalar z192 = k2 + z176 - n2 * z177 + k4 * z178;
-    const Scalar z193 = k5 + z178;
-    const Scalar z194 = n20 - z177;
-    const Scalar z195 = n900 + z192;
-    const Scalar z203 = s_psi * z201 - c_psi * z200;
-    const Scalar z204 = s_psi * z200 + c_psi * z201;
-    const Scalar z206 = n20 * q_s_3 * q_s_3;
     const Scalar z207 = n20 * q_s_3;
-    const Scalar z208 = n0_5 + z206;
-    const Scalar z209 = s_alpha_3 * z207;
-    const Scalar z210 = c_alpha_3 * z207;
-    const Scalar z224 = k2 + z208 - n2 * z209 - k4 * z210;
-    const Scalar z225 = k5 - z210;
-    const Scalar z226 = n20 - z209;
-    const Scalar z227 = z193 - z225;
-    const Scalar z228 = z194 + z226;
-    const Scalar z232 = z195 + z224;
-    const Scalar z240 = s_psi * z238 - c_psi * z237;
-    const Scalar z241 = s_psi * z237 + c_psi * z238;
-    const Scalar z243 = n20 * q_s_2 * q_s_2;
     const Scalar z244 = n20 * q_s_2;
-    const Scalar z245 = n0_5 + z243;
-    const Scalar z246 = s_alpha_2 * z244;
-    const Scalar z247 = c_alpha_2 * z244;
-    const Scalar z261 = k2 + z245 + n2 * z246 - k4 * z247;
-    const Scalar z262 = k5 - z247;
-    const Scalar z263 = n20 + z246;
-    const Scalar z264 = z227 - z262;
-    const Scalar z265 = z228 - z263;
-    const Scalar z269 = z232 + z261;
-    const Scalar z277 = s_psi * z275 - c_psi * z274;
-    const Scalar z278 = s_psi * z274 + c_psi * z275;
-    const Scalar z280 = n20 * q_s_1 * q_s_1;
+    const Scalar z174 = n20 * q_s_4 * q_s_4;
     const Scalar z281 = n20 * q_s_1;
-    const Scalar z282 = n0_5 + z280;
+    const Scalar z177 = s_alpha_4 * z175;
+    const Scalar z209 = s_alpha_3 * z207;
+    const Scalar z178 = c_alpha_4 * z175;
+    const Scalar z246 = s_alpha_2 * z244;
+    const Scalar z210 = c_alpha_3 * z207;
+    const Scalar z206 = n20 * q_s_3 * q_s_3;
+    const Scalar z176 = n0_5 + z174;
     const Scalar z283 = s_alpha_1 * z281;
+    const Scalar z247 = c_alpha_2 * z244;
+    const Scalar z208 = n0_5 + z206;
+    const Scalar z243 = n20 * q_s_2 * q_s_2;
+    const Scalar z192 = k2 - n2 * z177 + k4 * z178 + z176;
     const Scalar z284 = c_alpha_1 * z281;
-    const Scalar z298 = k2 + z282 + n2 * z283 + k4 * z284;
-    const Scalar z299 = k5 + z284;
-    const Scalar z300 = n20 + z283;
-    const Scalar z301 = z264 + z299;
-    const Scalar z302 = z265 - z300;
+    const Scalar z224 = k2 - n2 * z209 - k4 * z210 + z208;
+    const Scalar z245 = n0_5 + z243;
+    const Scalar z280 = n20 * q_s_1 * q_s_1;
+    const Scalar z261 = k2 + n2 * z246 - k4 * z247 + z245;
+    const Scalar z195 = n900 + z192;
+    const Scalar z282 = n0_5 + z280;
+    const Scalar z232 = z195 + z224;
+    const Scalar z194 = n20 - z177;
+    const Scalar z226 = n20 - z209;
+    const Scalar z298 = k2 + n2 * z283 + k4 * z284 + z282;
+    const Scalar z269 = z232 + z261;
+    const Scalar z193 = k6 + z178;
+    const Scalar z225 = k6 - z210;
+    const Scalar z228 = z194 + z226;
+    const Scalar z263 = n20 + z246;
+    const Scalar z227 = z193 - z225;
+    const Scalar z262 = k6 - z247;
+    const Scalar z265 = z228 - z263;
     const Scalar z306 = z269 + z298;
-    const Scalar z307 = s_psi * z301 - c_psi * z302;
+    const Scalar z300 = n20 + z283;
+    const Scalar z264 = z227 - z262;
+    const Scalar z299 = k6 + z284;
+    const Scalar z302 = z265 - z300;
+    const Scalar z172 = s_psi * z168 + c_psi * z169;
+    const Scalar z301 = z264 + z299;
+    const Scalar z204 = s_psi * z200 + c_psi * z201;
+    const Scalar z241 = s_psi * z237 + c_psi * z238;
     const Scalar z308 = s_psi * z302 + c_psi * z301;
+    const Scalar z278 = s_psi * z274 + c_psi * z275;
+    const Scalar z171 = s_psi * z169 - c_psi * z168;
+    const Scalar z307 = s_psi * z301 - c_psi * z302;
+    const Scalar z203 = s_psi * z201 - c_psi * z200;
+    const Scalar z514 = z170 * z508 - z306;
+    const Scalar z240 = s_psi * z238 - c_psi * z237;
+    const Scalar z523 = z202 * z517 + z514;
+    const Scalar z277 = s_psi * z275 - c_psi * z274;
+    const Scalar z532 = z239 * z526 + z523;
+    const Scalar z491 = q_s_4 - z489;
+    const Scalar z482 = q_s_3 - z480;
+    const Scalar z473 = q_s_2 + z471;
     const Scalar z321 = v_psi * v_psi;
     const Scalar z322 = k7 * z321;
-    const Scalar z323 = s_alpha_1 * z321 + c_alpha_1 * z322;
-    const Scalar z324 = s_alpha_1 * z322 - c_alpha_1 * z321;
-    const Scalar z325 = q_s_1 * z321 + z323;
-    const Scalar z326 = n2 * v_psi * v_s_1 + z324;
-    const Scalar z328 = s_alpha_2 * z321 - c_alpha_2 * z322;
-    const Scalar z329 = s_alpha_2 * z322 + c_alpha_2 * z321;
-    const Scalar z330 = q_s_2 * z321 + z328;
-    const Scalar z331 = n2 * v_psi * v_s_2 - z329;
-    const Scalar z333 = s_alpha_3 * z321 + c_alpha_3 * z322;
-    const Scalar z334 = s_alpha_3 * z322 - c_alpha_3 * z321;
-    const Scalar z335 = q_s_3 * z321 - z333;
-    const Scalar z336 = n2 * v_psi * v_s_3 - z334;
-    const Scalar z338 = s_alpha_4 * z321 - c_alpha_4 * z322;
-    const Scalar z339 = s_alpha_4 * z322 + c_alpha_4 * z321;
-    const Scalar z340 = q_s_4 * z321 - z338;
-    const Scalar z341 = n2 * v_psi * v_s_4 + z339;
-    const Scalar z344 = n20 * z340;  // force on axle_4, x
-    const Scalar z345 = n20 * z341;  // force on axle_4, y
-    const Scalar z346 = q_s_4 * z345;  // moment on steered_4, z
-    const Scalar z347 = s_alpha_4 * z345 + c_alpha_4 * z344;
-    const Scalar z348 = s_alpha_4 * z344 - c_alpha_4 * z345;
-    const Scalar z352 = n20 * z335;  // force on axle_3, x
-    const Scalar z353 = n20 * z336;  // force on axle_3, y
-    const Scalar z354 = q_s_3 * z353;  // moment on steered_3, z
-    const Scalar z355 = s_alpha_3 * z353 + c_alpha_3 * z352;
-    const Scalar z356 = s_alpha_3 * z352 - c_alpha_3 * z353;
-    const Scalar z360 = n20 * z330;  // force on axle_2, x
-    const Scalar z361 = n20 * z331;  // force on axle_2, y
-    const Scalar z362 = q_s_2 * z361;  // moment on steered_2, z
-    const Scalar z363 = s_alpha_2 * z361 + c_alpha_2 * z360;
-    const Scalar z364 = s_alpha_2 * z360 - c_alpha_2 * z361;
-    const Scalar z368 = n20 * z325;  // force on axle_1, x
-    const Scalar z369 = n20 * z326;  // force on axle_1, y
-    const Scalar z370 = q_s_1 * z369;  // moment on steered_1, z
-    const Scalar z371 = s_alpha_1 * z369 + c_alpha_1 * z368;
-    const Scalar z372 = s_alpha_1 * z368 - c_alpha_1 * z369;
-    const Scalar z375 = z347 + z355 + z363 + z371;  // force on S, x
-    const Scalar z376 = z348 + z356 + z364 + z372;  // force on S, y
-    // moment on S, z
-    const Scalar z379 = -k7 * (z348 - z356 - z364 + z372) + z346 - z347 + z354 - z355 + z362 + z363 + z370 + z371;
-    const Scalar z380 = s_psi * z376 - c_psi * z375;
-    const Scalar z381 = s_psi * z375 + c_psi * z376;
     const Scalar z464 = q_s_1 + z462;
-    const Scalar z466 = v_psi * z56;
-    const Scalar z467 = v_psi * z57;
-    const Scalar z468 = v_x * z466 - v_y * z467;
-    const Scalar z470 = v_x * z467 + v_y * z466 - v_psi * v_s_1;
-    const Scalar z473 = q_s_2 + z471;
-    const Scalar z475 = v_psi * z81;
-    const Scalar z476 = v_psi * z82;
-    const Scalar z477 = v_x * z475 - v_y * z476;
-    const Scalar z479 = v_x * z476 + v_y * z475 - v_psi * v_s_2;
-    const Scalar z482 = q_s_3 - z480;
-    const Scalar z484 = v_psi * z105;
-    const Scalar z485 = v_psi * z106;
-    const Scalar z486 = v_x * z484 - v_y * z485;
-    const Scalar z488 = v_x * z485 + v_y * z484 - v_psi * v_s_3;
-    const Scalar z491 = q_s_4 - z489;
-    const Scalar z493 = v_psi * z127;
-    const Scalar z494 = v_psi * z128;
-    const Scalar z495 = v_x * z493 - v_y * z494;
-    const Scalar z497 = v_x * z494 + v_y * z493 - v_psi * v_s_4;
-    const Scalar z506 = n0_05 * z171;
     const Scalar z507 = n0_05 * z172;
-    const Scalar z509 = n880 - z171 * z506;
-    const Scalar z510 = z171 * z507;
-    const Scalar z511 = n880 - z172 * z507;
-    const Scalar z512 = z171 * z508 - z307;
-    const Scalar z513 = z172 * z508 - z308;
-    const Scalar z514 = z170 * z508 - z306;
-    const Scalar z515 = n0_05 * z203;
+    const Scalar z541 = z276 * z535 + z532;
     const Scalar z516 = n0_05 * z204;
-    const Scalar z518 = z203 * z515 - z509;
-    const Scalar z519 = z203 * z516 + z510;
-    const Scalar z520 = z204 * z516 - z511;
-    const Scalar z521 = z203 * z517 + z512;
-    const Scalar z522 = z204 * z517 + z513;
-    const Scalar z523 = z202 * z517 + z514;
-    const Scalar z524 = n0_05 * z240;
     const Scalar z525 = n0_05 * z241;
-    const Scalar z527 = z240 * z524 + z518;
+    const Scalar z534 = n0_05 * z278;
+    const Scalar z511 = n880 - z172 * z507;
+    const Scalar z542 = n1 / z541;
+    const Scalar z506 = n0_05 * z171;
+    const Scalar z510 = z171 * z507;
+    const Scalar z509 = n880 - z171 * z506;
+    const Scalar z515 = n0_05 * z203;
+    const Scalar z520 = z204 * z516 - z511;
+    const Scalar z519 = z203 * z516 + z510;
+    const Scalar z518 = z203 * z515 - z509;
+    const Scalar z524 = n0_05 * z240;
     const Scalar z528 = z240 * z525 + z519;
     const Scalar z529 = z241 * z525 + z520;
-    const Scalar z530 = z240 * z526 - z521;
-    const Scalar z531 = z241 * z526 - z522;
-    const Scalar z532 = z239 * z526 + z523;
     const Scalar z533 = n0_05 * z277;
-    const Scalar z534 = n0_05 * z278;
-    const Scalar z536 = z277 * z533 + z527;
+    const Scalar z527 = z240 * z524 + z518;
     const Scalar z537 = z277 * z534 + z528;
     const Scalar z538 = z278 * z534 + z529;
-    const Scalar z539 = z277 * z535 + z530;
+    const Scalar z333 = s_alpha_3 * z321 + c_alpha_3 * z322;
+    const Scalar z513 = z172 * z508 - z308;
+    const Scalar z512 = z171 * z508 - z307;
+    const Scalar z536 = z277 * z533 + z527;
+    const Scalar z522 = z204 * z517 + z513;
+    const Scalar z521 = z203 * z517 + z512;
+    const Scalar z338 = s_alpha_4 * z321 - c_alpha_4 * z322;
+    const Scalar z339 = c_alpha_4 * z321 + s_alpha_4 * z322;
+    const Scalar z531 = z241 * z526 - z522;
+    const Scalar z530 = z240 * z526 - z521;
+    const Scalar z328 = s_alpha_2 * z321 - c_alpha_2 * z322;
     const Scalar z540 = z278 * z535 + z531;
-    const Scalar z541 = z276 * z535 + z532;
-    const Scalar z542 = n1 / z541;
-    const Scalar z543 = z539 * z542;
+    const Scalar z539 = z277 * z535 + z530;
+    const Scalar z329 = c_alpha_2 * z321 + s_alpha_2 * z322;
     const Scalar z544 = z540 * z542;
-    const Scalar z545 = z536 - z539 * z543;
-    const Scalar z546 = z537 - z539 * z544;
+    const Scalar z543 = z539 * z542;
+    const Scalar z334 = s_alpha_3 * z322 - c_alpha_3 * z321;
+    const Scalar z335 = q_s_3 * z321 - z333;
     const Scalar z547 = z538 - z540 * z544;
+    const Scalar z546 = z537 - z539 * z544;
+    const Scalar z545 = z536 - z539 * z543;
+    const Scalar z340 = q_s_4 * z321 - z338;
     const Scalar z548 = n1 / z547;
+    const Scalar z341 = n2 * v_psi * v_s_4 + z339;
+    const Scalar z323 = s_alpha_1 * z321 + c_alpha_1 * z322;
+    const Scalar z330 = q_s_2 * z321 + z328;
+    const Scalar z331 = n2 * v_psi * v_s_2 - z329;
+    const Scalar z336 = n2 * v_psi * v_s_3 - z334;
+    const Scalar z344 = n20 * z340;  // force on axle_4, x
+    const Scalar z345 = n20 * z341;  // force on axle_4, y
+    const Scalar z352 = n20 * z335;  // force on axle_3, x
+    const Scalar z324 = s_alpha_1 * z322 - c_alpha_1 * z321;
+    const Scalar z325 = q_s_1 * z321 + z323;
+    const Scalar z353 = n20 * z336;  // force on axle_3, y
+    const Scalar z360 = n20 * z330;  // force on axle_2, x
     const Scalar z549 = z546 * z548;
+    const Scalar z361 = n20 * z331;  // force on axle_2, y
+    const Scalar z326 = n2 * v_psi * v_s_1 + z324;
+    const Scalar z368 = n20 * z325;  // force on axle_1, x
     const Scalar z550 = z545 - z546 * z549;
+    const Scalar z561 = z57 + z464 * z544;
+    const Scalar z347 = s_alpha_4 * z345 + c_alpha_4 * z344;
+    const Scalar z348 = s_alpha_4 * z344 - c_alpha_4 * z345;
     const Scalar z551 = n1 / z550;
+    const Scalar z355 = c_alpha_3 * z352 + s_alpha_3 * z353;
+    const Scalar z356 = s_alpha_3 * z352 - c_alpha_3 * z353;
+    const Scalar z369 = n20 * z326;  // force on axle_1, y
+    const Scalar z363 = s_alpha_2 * z361 + c_alpha_2 * z360;
+    const Scalar z346 = q_s_4 * z345;  // moment on steered_4, z
+    const Scalar z354 = q_s_3 * z353;  // moment on steered_3, z
+    const Scalar z570 = z81 - z525;
+    const Scalar z571 = z82 + z524 + z549 * z570;
+    const Scalar z364 = s_alpha_2 * z360 - c_alpha_2 * z361;
+    const Scalar z362 = q_s_2 * z361;  // moment on steered_2, z
+    const Scalar z579 = z82 + z473 * z544;
+    const Scalar z580 = z81 + z473 * z543 - z549 * z579;
+    const Scalar z572 = z551 * z571;
+    const Scalar z562 = z56 + z464 * z543 - z549 * z561;
+    const Scalar z581 = z551 * z580;
+    const Scalar z573 = z548 * z570 + z549 * z572;
+    const Scalar z563 = z551 * z562;
+    const Scalar z371 = c_alpha_1 * z368 + s_alpha_1 * z369;
+    const Scalar z564 = z548 * z561 - z549 * z563;
+    const Scalar z372 = s_alpha_1 * z368 - c_alpha_1 * z369;
+    const Scalar z370 = q_s_1 * z369;  // moment on steered_1, z
+    // moment on S, z
+    const Scalar z379 = z346 + z362 + z354 + z370 - z347 - z355 + z363 + z371 - k7 * (z348 - z356 - z364 + z372);
+    const Scalar z375 = z347 + z355 + z363 + z371;  // force on S, x
+    const Scalar z376 = z348 + z356 + z364 + z372;  // force on S, y
+    const Scalar z582 = z548 * z579 - z549 * z581;
+    const Scalar z583 = z473 * z542 + z543 * z581 + z544 * z582;
+    const Scalar z574 = z543 * z572 - z544 * z573;
+    const Scalar z586 = z515 * z581 + z516 * z582 + z517 * z583;
+    const Scalar z587 = z506 * z581 + z507 * z582 + z508 * z583;
+    const Scalar z577 = z515 * z572 - z516 * z573 + z517 * z574;
+    const Scalar z578 = z506 * z572 - z507 * z573 + z508 * z574;
+    const Scalar z565 = z464 * z542 + z543 * z563 + z544 * z564;
+    const Scalar z576 = n0_05 - z524 * z572 + z525 * z573 + z526 * z574;
+    const Scalar z380 = s_psi * z376 - c_psi * z375;
+    const Scalar z381 = s_psi * z375 + c_psi * z376;
+    const Scalar z588 = z105 - z516;
+    const Scalar z589 = z106 + z515 + z549 * z588;
+    const Scalar z567 = z524 * z563 + z525 * z564 - z526 * z565;
+    const Scalar z590 = z551 * z589;
+    const Scalar z568 = z515 * z563 + z516 * z564 + z517 * z565;
+    const Scalar z569 = z506 * z563 + z507 * z564 + z508 * z565;
     const Scalar z552 = z56 - z534;
     const Scalar z553 = z57 + z533 + z549 * z552;
+    const Scalar z467 = v_psi * z57;
+    const Scalar z476 = v_psi * z82;
+    const Scalar z485 = v_psi * z106;
+    const Scalar z494 = v_psi * z128;
+    const Scalar z466 = v_psi * z56;
+    const Scalar z591 = z548 * z588 + z549 * z590;
     const Scalar z554 = z551 * z553;
+    const Scalar z592 = z543 * z590 - z544 * z591;
     const Scalar z555 = z548 * z552 + z549 * z554;
+    const Scalar z475 = v_psi * z81;
+    const Scalar z484 = v_psi * z105;
+    const Scalar z493 = v_psi * z127;
+    const Scalar z468 = v_x * z466 - v_y * z467;
+    const Scalar z470 = v_x * z467 + v_y * z466 - v_psi * v_s_1;
+    const Scalar z597 = z106 + z482 * z544;
+    const Scalar z596 = z506 * z590 - z507 * z591 + z508 * z592;
+    const Scalar z595 = n0_05 - z515 * z590 + z516 * z591 - z517 * z592;
     const Scalar z556 = z543 * z554 - z544 * z555;
-    const Scalar z557 = n0_05 - z533 * z554 + z534 * z555 + z535 * z556;
     const Scalar z558 = z524 * z554 - z525 * z555 - z526 * z556;
     const Scalar z559 = z515 * z554 - z516 * z555 + z517 * z556;
     const Scalar z560 = z506 * z554 - z507 * z555 + z508 * z556;
-    const Scalar z561 = z57 + z464 * z544;
-    const Scalar z562 = z56 + z464 * z543 - z549 * z561;
-    const Scalar z563 = z551 * z562;
-    const Scalar z564 = z548 * z561 - z549 * z563;
-    const Scalar z565 = z464 * z542 + z543 * z563 + z544 * z564;
-    const Scalar z566 = z533 * z563 + z534 * z564 - z535 * z565;
-    const Scalar z567 = z524 * z563 + z525 * z564 - z526 * z565;
-    const Scalar z568 = z515 * z563 + z516 * z564 + z517 * z565;
-    const Scalar z569 = z506 * z563 + z507 * z564 + z508 * z565;
-    const Scalar z570 = z81 - z525;
-    const Scalar z571 = z82 + z524 + z549 * z570;
-    const Scalar z572 = z551 * z571;
-    const Scalar z573 = z548 * z570 + z549 * z572;
-    const Scalar z574 = z543 * z572 - z544 * z573;
-    const Scalar z575 = z533 * z572 - z534 * z573 - z535 * z574;
-    const Scalar z576 = n0_05 - z524 * z572 + z525 * z573 + z526 * z574;
-    const Scalar z577 = z515 * z572 - z516 * z573 + z517 * z574;
-    const Scalar z578 = z506 * z572 - z507 * z573 + z508 * z574;
-    const Scalar z579 = z82 + z473 * z544;
-    const Scalar z580 = z81 + z473 * z543 - z549 * z579;
-    const Scalar z581 = z551 * z580;
-    const Scalar z582 = z548 * z579 - z549 * z581;
-    const Scalar z583 = z473 * z542 + z543 * z581 + z544 * z582;
-    const Scalar z584 = z533 * z581 + z534 * z582 - z535 * z583;
-    const Scalar z585 = z524 * z581 + z525 * z582 - z526 * z583;
-    const Scalar z586 = z515 * z581 + z516 * z582 + z517 * z583;
-    const Scalar z587 = z506 * z581 + z507 * z582 + z508 * z583;
-    const Scalar z588 = z105 - z516;
-    const Scalar z589 = z106 + z515 + z549 * z588;
-    const Scalar z590 = z551 * z589;
-    const Scalar z591 = z548 * z588 + z549 * z590;
-    const Scalar z592 = z543 * z590 - z544 * z591;
-    const Scalar z593 = z533 * z590 - z534 * z591 - z535 * z592;
-    const Scalar z594 = z524 * z590 - z525 * z591 - z526 * z592;
-    const Scalar z595 = n0_05 - z515 * z590 + z516 * z591 - z517 * z592;
-    const Scalar z596 = z506 * z590 - z507 * z591 + z508 * z592;
-    const Scalar z597 = z106 + z482 * z544;
+    const Scalar z557 = n0_05 - z533 * z554 + z534 * z555 + z535 * z556;
+    const Scalar z477 = v_x * z475 - v_y * z476;
+    const Scalar z479 = v_x * z476 + v_y * z475 - v_psi * v_s_2;
     const Scalar z598 = z105 + z482 * z543 - z549 * z597;
     const Scalar z599 = z551 * z598;
+    const Scalar z486 = v_x * z484 - v_y * z485;
+    const Scalar z488 = v_x * z485 + v_y * z484 - v_psi * v_s_3;
     const Scalar z600 = z548 * z597 - z549 * z599;
-    const Scalar z601 = z482 * z542 + z543 * z599 + z544 * z600;
-    const Scalar z602 = z533 * z599 + z534 * z600 - z535 * z601;
-    const Scalar z603 = z524 * z599 + z525 * z600 - z526 * z601;
-    const Scalar z604 = z515 * z599 + z516 * z600 + z517 * z601;
-    const Scalar z605 = z506 * z599 + z507 * z600 + z508 * z601;
     const Scalar z606 = z127 - z507;
     const Scalar z607 = z128 + z506 + z549 * z606;
+    const Scalar z601 = z482 * z542 + z543 * z599 + z544 * z600;
+    const Scalar z495 = v_x * z493 - v_y * z494;
+    const Scalar z497 = v_x * z494 + v_y * z493 - v_psi * v_s_4;
     const Scalar z608 = z551 * z607;
     const Scalar z609 = z548 * z606 + z549 * z608;
-    const Scalar z610 = z543 * z608 - z544 * z609;
-    const Scalar z611 = z533 * z608 - z534 * z609 - z535 * z610;
-    const Scalar z612 = z524 * z608 - z525 * z609 - z526 * z610;
-    const Scalar z613 = z515 * z608 - z516 * z609 + z517 * z610;
-    const Scalar z614 = n0_05 - z506 * z608 + z507 * z609 - z508 * z610;
     const Scalar z615 = z128 + z491 * z544;
     const Scalar z616 = z127 + z491 * z543 - z549 * z615;
+    const Scalar z610 = z543 * z608 - z544 * z609;
+    const Scalar z605 = z506 * z599 + z507 * z600 + z508 * z601;
     const Scalar z617 = z551 * z616;
+    const Scalar z614 = n0_05 - z506 * z608 + z507 * z609 - z508 * z610;
     const Scalar z618 = z548 * z615 - z549 * z617;
     const Scalar z619 = z491 * z542 + z543 * z617 + z544 * z618;
-    const Scalar z620 = z533 * z617 + z534 * z618 - z535 * z619;
-    const Scalar z621 = z524 * z617 + z525 * z618 - z526 * z619;
-    const Scalar z622 = z515 * z617 + z516 * z618 + z517 * z619;
-    const Scalar z623 = z506 * z617 + z507 * z618 + z508 * z619;
-    const Scalar z624 = z56 * z555 + z57 * z554 - z463 * z556 - z557;
-    const Scalar z625 = z56 * z554 - z57 * z555 + z464 * z556;
-    const Scalar z626 = n0_1 - z56 * z563 - z57 * z564 - z464 * z565;
-    const Scalar z627 = z81 * z555 + z82 * z554 + z472 * z556 + z558;
-    const Scalar z628 = z81 * z564 - z82 * z563 - z472 * z565 - z567;
-    const Scalar z629 = z81 * z573 + z82 * z572 + z472 * z574 - z576;
-    const Scalar z630 = z81 * z554 - z82 * z555 + z473 * z556;
-    const Scalar z631 = z81 * z563 + z82 * z564 + z473 * z565;
-    const Scalar z632 = z81 * z572 - z82 * z573 + z473 * z574;
-    const Scalar z633 = n0_1 - z81 * z581 - z82 * z582 - z473 * z583;
-    const Scalar z634 = z105 * z555 + z106 * z554 + z481 * z556 + z559;
-    const Scalar z635 = z105 * z564 - z106 * z563 - z481 * z565 - z568;
-    const Scalar z636 = z105 * z573 + z106 * z572 + z481 * z574 + z577;
-    const Scalar z637 = z105 * z582 - z106 * z581 - z481 * z583 - z586;
-    const Scalar z638 = z105 * z591 + z106 * z590 + z481 * z592 - z595;
-    const Scalar z639 = z105 * z554 - z106 * z555 + z482 * z556;
-    const Scalar z640 = z105 * z563 + z106 * z564 + z482 * z565;
-    const Scalar z641 = z105 * z572 - z106 * z573 + z482 * z574;
-    const Scalar z642 = z105 * z581 + z106 * z582 + z482 * z583;
-    const Scalar z643 = z105 * z590 - z106 * z591 + z482 * z592;
-    const Scalar z644 = n0_1 - z105 * z599 - z106 * z600 - z482 * z601;
-    const Scalar z645 = z127 * z555 + z128 * z554 - z490 * z556 + z560;
-    const Scalar z646 = z127 * z564 - z128 * z563 + z490 * z565 - z569;
-    const Scalar z647 = z127 * z573 + z128 * z572 - z490 * z574 + z578;
-    const Scalar z648 = z127 * z582 - z128 * z581 + z490 * z583 - z587;
-    const Scalar z649 = z127 * z591 + z128 * z590 - z490 * z592 + z596;
-    const Scalar z650 = z127 * z600 - z128 * z599 + z490 * z601 - z605;
-    const Scalar z651 = z127 * z609 + z128 * z608 - z490 * z610 - z614;
-    const Scalar z652 = z127 * z554 - z128 * z555 + z491 * z556;
-    const Scalar z653 = z127 * z563 + z128 * z564 + z491 * z565;
-    const Scalar z654 = z127 * z572 - z128 * z573 + z491 * z574;
-    const Scalar z655 = z127 * z581 + z128 * z582 + z491 * z583;
-    const Scalar z656 = z127 * z590 - z128 * z591 + z491 * z592;
-    const Scalar z657 = z127 * z599 + z128 * z600 + z491 * z601;
     const Scalar z658 = z127 * z608 - z128 * z609 + z491 * z610;
     const Scalar z659 = n0_1 - z127 * z617 - z128 * z618 - z491 * z619;
     const Scalar z660 = n1 / z659;
-    const Scalar z661 = z652 * z660;
-    const Scalar z662 = z653 * z660;
-    const Scalar z663 = z654 * z660;
-    const Scalar z664 = z655 * z660;
+    const Scalar z651 = z128 * z608 + z127 * z609 - z490 * z610 - z614;
+    const Scalar z650 = z127 * z600 - z605 - z128 * z599 + z490 * z601;
+    const Scalar z657 = z127 * z599 + z128 * z600 + z491 * z601;
+    const Scalar z644 = n0_1 - z105 * z599 - z106 * z600 - z482 * z601;
+    const Scalar z643 = z105 * z590 - z106 * z591 + z482 * z592;
+    const Scalar z649 = z128 * z590 + z127 * z591 - z490 * z592 + z596;
+    const Scalar z656 = z127 * z590 - z128 * z591 + z491 * z592;
+    const Scalar z638 = z106 * z590 + z105 * z591 + z481 * z592 - z595;
     const Scalar z665 = z656 * z660;
-    const Scalar z666 = z657 * z660;
-    const Scalar z667 = z658 * z660;
-    const Scalar z668 = z624 + z652 * z661;
-    const Scalar z669 = z625 + z652 * z662;
-    const Scalar z670 = z626 - z653 * z662;
-    const Scalar z671 = z627 + z652 * z663;
-    const Scalar z672 = z628 - z653 * z663;
+    const Scalar z637 = z105 * z582 - z586 - z106 * z581 - z481 * z583;
+    const Scalar z642 = z105 * z581 + z106 * z582 + z482 * z583;
+    const Scalar z648 = z127 * z582 - z587 - z128 * z581 + z490 * z583;
+    const Scalar z655 = z127 * z581 + z128 * z582 + z491 * z583;
+    const Scalar z633 = n0_1 - z81 * z581 - z82 * z582 - z473 * z583;
+    const Scalar z664 = z655 * z660;
+    const Scalar z632 = z81 * z572 - z82 * z573 + z473 * z574;
+    const Scalar z636 = z106 * z572 + z105 * z573 + z481 * z574 + z577;
+    const Scalar z641 = z105 * z572 - z106 * z573 + z482 * z574;
+    const Scalar z647 = z128 * z572 + z127 * z573 - z490 * z574 + z578;
+    const Scalar z654 = z127 * z572 - z128 * z573 + z491 * z574;
+    const Scalar z629 = z82 * z572 + z81 * z573 + z472 * z574 - z576;
+    const Scalar z663 = z654 * z660;
+    const Scalar z628 = z81 * z564 - z567 - z82 * z563 - z472 * z565;
+    const Scalar z631 = z81 * z563 + z82 * z564 + z473 * z565;
+    const Scalar z635 = z105 * z564 - z568 - z106 * z563 - z481 * z565;
+    const Scalar z640 = z105 * z563 + z106 * z564 + z482 * z565;
+    const Scalar z646 = z127 * z564 - z569 - z128 * z563 + z490 * z565;
+    const Scalar z653 = z127 * z563 + z128 * z564 + z491 * z565;
+    const Scalar z626 = n0_1 - z56 * z563 - z57 * z564 - z464 * z565;
+    const Scalar z662 = z653 * z660;
+    const Scalar z625 = z56 * z554 - z57 * z555 + z464 * z556;
+    const Scalar z627 = z82 * z554 + z81 * z555 + z472 * z556 + z558;
+    const Scalar z630 = z81 * z554 - z82 * z555 + z473 * z556;
+    const Scalar z634 = z106 * z554 + z105 * z555 + z481 * z556 + z559;
+    const Scalar z639 = z105 * z554 - z106 * z555 + z482 * z556;
+    const Scalar z645 = z128 * z554 + z127 * z555 - z490 * z556 + z560;
+    const Scalar z652 = z127 * z554 - z128 * z555 + z491 * z556;
+    const Scalar z624 = z57 * z554 + z56 * z555 - z463 * z556 - z557;
+    const Scalar z661 = z652 * z660;
+    const Scalar z566 = z533 * z563 + z534 * z564 - z535 * z565;
     const Scalar z673 = z629 + z654 * z663;
+    const Scalar z672 = z628 - z653 * z663;
+    const Scalar z670 = z626 - z653 * z662;
+    const Scalar z669 = z625 + z652 * z662;
+    const Scalar z671 = z627 + z652 * z663;
     const Scalar z674 = z630 + z652 * z664;
-    const Scalar z675 = z631 + z653 * z664;
-    const Scalar z676 = z632 + z654 * z664;
-    const Scalar z677 = z633 - z655 * z664;
-    const Scalar z678 = z634 + z652 * z665;
-    const Scalar z679 = z635 - z653 * z665;
-    const Scalar z680 = z636 + z654 * z665;
-    const Scalar z681 = z637 - z655 * z665;
+    const Scalar z668 = z624 + z652 * z661;
+    const Scalar z667 = z658 * z660;
+    const Scalar z666 = z657 * z660;
+    const Scalar z575 = z533 * z572 - z534 * z573 - z535 * z574;
     const Scalar z682 = z638 + z656 * z665;
+    const Scalar z681 = z637 - z655 * z665;
+    const Scalar z677 = z633 - z655 * z664;
+    const Scalar z676 = z632 + z654 * z664;
+    const Scalar z680 = z636 + z654 * z665;
+    const Scalar z675 = z631 + z653 * z664;
+    const Scalar z679 = z635 - z653 * z665;
+    const Scalar z678 = z634 + z652 * z665;
     const Scalar z683 = z639 + z652 * z666;
+    const Scalar z584 = z533 * z581 + z534 * z582 - z535 * z583;
     const Scalar z684 = z640 + z653 * z666;
-    const Scalar z685 = z641 + z654 * z666;
-    const Scalar z686 = z642 + z655 * z666;
-    const Scalar z687 = z643 + z656 * z666;
-    const Scalar z688 = z644 - z657 * z666;
-    const Scalar z689 = z645 + z652 * z667;
+    const Scalar z585 = z524 * z581 + z525 * z582 - z526 * z583;
     const Scalar z690 = z646 - z653 * z667;
-    const Scalar z691 = z647 + z654 * z667;
+    const Scalar z689 = z645 + z652 * z667;
+    const Scalar z688 = z644 - z657 * z666;
+    const Scalar z687 = z643 + z656 * z666;
+    const Scalar z686 = z642 + z655 * z666;
     const Scalar z692 = z648 - z655 * z667;
+    const Scalar z685 = z641 + z654 * z666;
+    const Scalar z691 = z647 + z654 * z667;
+    const Scalar z593 = z533 * z590 - z534 * z591 - z535 * z592;
     const Scalar z693 = z649 + z656 * z667;
-    const Scalar z694 = z650 - z657 * z667;
+    const Scalar z594 = z524 * z590 - z525 * z591 - z526 * z592;
     const Scalar z695 = z651 + z658 * z667;
+    const Scalar z694 = z650 - z657 * z667;
     const Scalar z696 = n1 / z695;
-    const Scalar z697 = z689 * z696;
-    const Scalar z698 = z690 * z696;
-    const Scalar z699 = z691 * z696;
-    const Scalar z700 = z692 * z696;
-    const Scalar z701 = z693 * z696;
+    const Scalar z602 = z533 * z599 + z534 * z600 - z535 * z601;
+    const Scalar z603 = z524 * z599 + z525 * z600 - z526 * z601;
+    const Scalar z604 = z515 * z599 + z516 * z600 + z517 * z601;
+    const Scalar z611 = z533 * z608 - z534 * z609 - z535 * z610;
+    const Scalar z612 = z524 * z608 - z525 * z609 - z526 * z610;
     const Scalar z702 = z694 * z696;
-    const Scalar z703 = z668 - z689 * z697;
-    const Scalar z704 = z669 + z689 * z698;
-    const Scalar z705 = z670 + z690 * z698;
-    const Scalar z706 = z671 - z689 * z699;
-    const Scalar z707 = z672 - z690 * z699;
-    const Scalar z708 = z673 - z691 * z699;
-    const Scalar z709 = z674 + z689 * z700;
-    const Scalar z710 = z675 - z690 * z700;
-    const Scalar z711 = z676 + z691 * z700;
+    const Scalar z701 = z693 * z696;
+    const Scalar z700 = z692 * z696;
+    const Scalar z699 = z691 * z696;
     const Scalar z712 = z677 + z692 * z700;
-    const Scalar z713 = z678 - z689 * z701;
-    const Scalar z714 = z679 - z690 * z701;
-    const Scalar z715 = z680 - z691 * z701;
-    const Scalar z716 = z681 - z692 * z701;
+    const Scalar z711 = z676 + z691 * z700;
+    const Scalar z708 = z673 - z691 * z699;
+    const Scalar z707 = z672 - z690 * z699;
+    const Scalar z710 = z675 - z690 * z700;
+    const Scalar z706 = z671 - z689 * z699;
+    const Scalar z709 = z674 + z689 * z700;
+    const Scalar z698 = z690 * z696;
+    const Scalar z705 = z670 + z690 * z698;
+    const Scalar z704 = z669 + z689 * z698;
+    const Scalar z697 = z689 * z696;
+    const Scalar z703 = z668 - z689 * z697;
+    const Scalar z613 = z515 * z608 - z516 * z609 + z517 * z610;
     const Scalar z717 = z682 - z693 * z701;
-    const Scalar z718 = z683 + z689 * z702;
+    const Scalar z716 = z681 - z692 * z701;
+    const Scalar z715 = z680 - z691 * z701;
+    const Scalar z714 = z679 - z690 * z701;
     const Scalar z719 = z684 - z690 * z702;
+    const Scalar z713 = z678 - z689 * z701;
+    const Scalar z718 = z683 + z689 * z702;
+    const Scalar z620 = z533 * z617 + z534 * z618 - z535 * z619;
     const Scalar z720 = z685 + z691 * z702;
+    const Scalar z621 = z524 * z617 + z525 * z618 - z526 * z619;
     const Scalar z721 = z686 - z692 * z702;
+    const Scalar z622 = z515 * z617 + z516 * z618 + z517 * z619;
     const Scalar z722 = z687 + z693 * z702;
+    const Scalar z623 = z506 * z617 + z507 * z618 + z508 * z619;
     const Scalar z723 = z688 + z694 * z702;
     const Scalar z724 = n1 / z723;
-    const Scalar z725 = z718 * z724;
-    const Scalar z726 = z719 * z724;
-    const Scalar z727 = z720 * z724;
-    const Scalar z728 = z721 * z724;
-    const Scalar z729 = z722 * z724;
-    const Scalar z730 = z703 + z718 * z725;
-    const Scalar z731 = z704 + z718 * z726;
-    const Scalar z732 = z705 - z719 * z726;
-    const Scalar z733 = z706 + z718 * z727;
-    const Scalar z734 = z707 - z719 * z727;
-    const Scalar z735 = z708 + z720 * z727;
-    const Scalar z736 = z709 + z718 * z728;
-    const Scalar z737 = z710 + z719 * z728;
-    const Scalar z738 = z711 + z720 * z728;
-    const Scalar z739 = z712 - z721 * z728;
-    const Scalar z740 = z713 + z718 * z729;
-    const Scalar z741 = z714 - z719 * z729;
-    const Scalar z742 = z715 + z720 * z729;
-    const Scalar z743 = z716 - z721 * z729;
-    const Scalar z744 = z717 + z722 * z729;
-    const Scalar z745 = n1 / z744;
-    const Scalar z746 = z740 * z745;
-    const Scalar z747 = z741 * z745;
-    const Scalar z748 = z742 * z745;
-    const Scalar z749 = z743 * z745;
-    const Scalar z750 = z730 - z740 * z746;
-    const Scalar z751 = z731 + z740 * z747;
-    const Scalar z752 = z732 + z741 * z747;
-    const Scalar z753 = z733 - z740 * z748;
-    const Scalar z754 = z734 - z741 * z748;
-    const Scalar z755 = z735 - z742 * z748;
-    const Scalar z756 = z736 + z740 * z749;
-    const Scalar z757 = z737 - z741 * z749;
-    const Scalar z758 = z738 + z742 * z749;
-    const Scalar z759 = z739 + z743 * z749;
-    const Scalar z760 = n1 / z759;
-    const Scalar z761 = z756 * z760;
-    const Scalar z762 = z757 * z760;
-    const Scalar z763 = z758 * z760;
-    const Scalar z764 = z750 + z756 * z761;
-    const Scalar z765 = z751 + z756 * z762;
-    const Scalar z766 = z752 - z757 * z762;
-    const Scalar z767 = z753 + z756 * z763;
-    const Scalar z768 = z754 - z757 * z763;
-    const Scalar z769 = z755 + z758 * z763;
-    const Scalar z770 = n1 / z769;
-    const Scalar z771 = z767 * z770;
-    const Scalar z772 = z768 * z770;
-    const Scalar z773 = z764 - z767 * z771;
-    const Scalar z774 = z765 + z767 * z772;
-    const Scalar z775 = z766 + z768 * z772;
-    const Scalar z776 = n1 / z775;
-    const Scalar z777 = z774 * z776;
-    const Scalar z778 = z773 + z774 * z777;
-    const Scalar z779 = n1 / z778;
     const Scalar z780 = z344 * z508 + z352 * z517 - z360 * z526 - z368 * z535 + z379;
-    const Scalar z781 = z344 * z507 + z352 * z516 + z360 * z525 + z368 * z534 - z381 + z544 * z780;
-    const Scalar z782 = z344 * z506 + z352 * z515 + z360 * z524 + z368 * z533 - z380 + z543 * z780 - z549 * z781;
+    const Scalar z781 = z344 * z507 - z381 + z352 * z516 + z360 * z525 + z368 * z534 + z544 * z780;
+    const Scalar z782 = z344 * z506 - z380 + z352 * z515 + z360 * z524 + z368 * z533 + z543 * z780 - z549 * z781;
     const Scalar z783 = z551 * z782;
+    const Scalar z729 = z722 * z724;
+    const Scalar z744 = z717 + z722 * z729;
+    const Scalar z743 = z716 - z721 * z729;
     const Scalar z784 = z548 * z781 - z549 * z783;
+    const Scalar z742 = z715 + z720 * z729;
+    const Scalar z745 = n1 / z744;
+    const Scalar z741 = z714 - z719 * z729;
     const Scalar z785 = z542 * z780 + z543 * z783 + z544 * z784;
+    const Scalar z740 = z713 + z718 * z729;
+    const Scalar z728 = z721 * z724;
     const Scalar z786 = n0_05 * z368 - z533 * z783 - z534 * z784 + z535 * z785;
     const Scalar z787 = n0_05 * z360 - z524 * z783 - z525 * z784 + z526 * z785;
     const Scalar z788 = n0_05 * z352 - z515 * z783 - z516 * z784 - z517 * z785;
     const Scalar z789 = n0_05 * z344 - z506 * z783 - z507 * z784 - z508 * z785;
-    const Scalar z790 = z56 * z784 - z57 * z783 + z463 * z785 - z468 + z786;
-    const Scalar z791 = z56 * z783 + z57 * z784 + z464 * z785 - z470;
-    const Scalar z792 = z81 * z784 - z82 * z783 - z472 * z785 - z477 + z787;
-    const Scalar z793 = z81 * z783 + z82 * z784 + z473 * z785 - z479;
-    const Scalar z794 = z105 * z784 - z106 * z783 - z481 * z785 - z486 + z788;
-    const Scalar z795 = z105 * z783 + z106 * z784 + z482 * z785 - z488;
-    const Scalar z796 = z127 * z784 - z128 * z783 + z490 * z785 - z495 + z789;
-    const Scalar z797 = z127 * z783 + z128 * z784 + z491 * z785 - z497;
+    const Scalar z739 = z712 - z721 * z728;
+    const Scalar z791 = z56 * z783 - z470 + z57 * z784 + z464 * z785;
+    const Scalar z793 = z81 * z783 - z479 + z82 * z784 + z473 * z785;
+    const Scalar z795 = z105 * z783 - z488 + z106 * z784 + z482 * z785;
+    const Scalar z797 = z127 * z783 - z497 + z128 * z784 + z491 * z785;
+    const Scalar z738 = z711 + z720 * z728;
+    const Scalar z737 = z710 + z719 * z728;
+    const Scalar z736 = z709 + z718 * z728;
+    const Scalar z790 = z56 * z784 - z468 - z57 * z783 + z463 * z785 + z786;
+    const Scalar z792 = z81 * z784 - z477 - z82 * z783 - z472 * z785 + z787;
+    const Scalar z794 = z105 * z784 - z486 - z106 * z783 - z481 * z785 + z788;
+    const Scalar z796 = z127 * z784 - z495 - z128 * z783 + z490 * z785 + z789;
     const Scalar z798 = z667 * z797 - z796;
-    const Scalar z799 = z666 * z797 + z702 * z798 + z795;
-    const Scalar z800 = z665 * z797 - z701 * z798 + z729 * z799 - z794;
-    const Scalar z801 = z664 * z797 + z700 * z798 + z728 * z799 + z749 * z800 + z793;
-    const Scalar z802 = z663 * z797 - z699 * z798 + z727 * z799 - z748 * z800 + z763 * z801 - z792;
-    const Scalar z803 = z662 * z797 + z698 * z798 + z726 * z799 + z747 * z800 + z762 * z801 + z772 * z802 + z791;
-    const Scalar z804 = z661 * z797 - z697 * z798 + z725 * z799 - z746 * z800 + z761 * z801 - z771 * z802 + z777 * z803
-        - z790;
+    const Scalar z749 = z743 * z745;
+    const Scalar z759 = z739 + z743 * z749;
+    const Scalar z758 = z738 + z742 * z749;
+    const Scalar z757 = z737 - z741 * z749;
+    const Scalar z756 = z736 + z740 * z749;
+    const Scalar z760 = n1 / z759;
+    const Scalar z799 = z795 + z666 * z797 + z702 * z798;
+    const Scalar z800 = z665 * z797 - z794 - z701 * z798 + z729 * z799;
+    const Scalar z727 = z720 * z724;
+    const Scalar z735 = z708 + z720 * z727;
+    const Scalar z734 = z707 - z719 * z727;
+    const Scalar z733 = z706 + z718 * z727;
+    const Scalar z801 = z793 + z664 * z797 + z700 * z798 + z728 * z799 + z749 * z800;
+    const Scalar z748 = z742 * z745;
+    const Scalar z755 = z735 - z742 * z748;
+    const Scalar z754 = z734 - z741 * z748;
+    const Scalar z753 = z733 - z740 * z748;
+    const Scalar z763 = z758 * z760;
+    const Scalar z802 = z663 * z797 - z792 - z699 * z798 + z727 * z799 - z748 * z800 + z763 * z801;
+    const Scalar z769 = z755 + z758 * z763;
+    const Scalar z768 = z754 - z757 * z763;
+    const Scalar z770 = n1 / z769;
+    const Scalar z767 = z753 + z756 * z763;
+    const Scalar z726 = z719 * z724;
+    const Scalar z732 = z705 - z719 * z726;
+    const Scalar z731 = z704 + z718 * z726;
+    const Scalar z747 = z741 * z745;
+    const Scalar z762 = z757 * z760;
+    const Scalar z725 = z718 * z724;
+    const Scalar z730 = z703 + z718 * z725;
+    const Scalar z752 = z732 + z741 * z747;
+    const Scalar z751 = z731 + z740 * z747;
+    const Scalar z746 = z740 * z745;
+    const Scalar z761 = z756 * z760;
+    const Scalar z750 = z730 - z740 * z746;
+    const Scalar z766 = z752 - z757 * z762;
+    const Scalar z765 = z751 + z756 * z762;
+    const Scalar z772 = z768 * z770;
+    const Scalar z771 = z767 * z770;
+    const Scalar z764 = z750 + z756 * z761;
+    const Scalar z774 = z765 + z767 * z772;
+    const Scalar z775 = z766 + z768 * z772;
+    const Scalar z803 = z791 + z662 * z797 + z698 * z798 + z726 * z799 + z747 * z800 + z762 * z801 + z772 * z802;
+    const Scalar z773 = z764 - z767 * z771;
+    const Scalar z776 = n1 / z775;
+    const Scalar z777 = z774 * z776;
+    const Scalar z778 = z773 + z774 * z777;
+    const Scalar z804 = z661 * z797 - z790 - z697 * z798 + z725 * z799 - z746 * z800 + z761 * z801 - z771 * z802 + z777
+        * z803;
+    const Scalar z779 = n1 / z778;
     const Scalar z805 = z779 * z804;
     const Scalar z806 = z776 * z803 - z777 * z805;
     const Scalar z807 = z770 * z802 - z771 * z805 - z772 * z806;
+    const Scalar z816 = n1_over_3 * z806;
     const Scalar z808 = z760 * z801 - z761 * z805 + z762 * z806 - z763 * z807;
     const Scalar z809 = z745 * z800 - z746 * z805 - z747 * z806 - z748 * z807 - z749 * z808;
+    const Scalar z817 = n1_over_3 * z808;
     const Scalar z810 = z724 * z799 - z725 * z805 + z726 * z806 - z727 * z807 + z728 * z808 - z729 * z809;
     const Scalar z811 = z696 * z798 - z697 * z805 - z698 * z806 - z699 * z807 - z700 * z808 - z701 * z809 - z702 * z810;
+    const Scalar z818 = n1_over_3 * z810;
     const Scalar z812 = z660 * z797 - z661 * z805 + z662 * z806 - z663 * z807 + z664 * z808 - z665 * z809 + z666 * z810
         - z667 * z811;
-    const Scalar z813 = z554 * z805 - z563 * z806 + z572 * z807 - z581 * z808 + z590 * z809 - z599 * z810 + z608 * z811
-        - z617 * z812 - z783;
-    const Scalar z814 = z555 * z805 + z564 * z806 + z573 * z807 + z582 * z808 + z591 * z809 + z600 * z810 + z609 * z811
-        + z618 * z812 + z784;
-    const Scalar z815 = z556 * z805 - z565 * z806 + z574 * z807 - z583 * z808 + z592 * z809 - z601 * z810 + z610 * z811
-        - z619 * z812 - z785;
-    const Scalar z816 = n1_over_3 * z806;
-    const Scalar z817 = n1_over_3 * z808;
-    const Scalar z818 = n1_over_3 * z810;
+    const Scalar z813 = z554 * z805 - z783 - z563 * z806 + z572 * z807 - z581 * z808 + z590 * z809 - z599 * z810 + z608
+        * z811 - z617 * z812;
+    const Scalar z814 = z784 + z555 * z805 + z564 * z806 + z573 * z807 + z582 * z808 + z591 * z809 + z600 * z810 + z609
+        * z811 + z618 * z812;
+    const Scalar z815 = z556 * z805 - z785 - z565 * z806 + z574 * z807 - z583 * z808 + z592 * z809 - z601 * z810 + z610
+        * z811 - z619 * z812;
+    const Scalar z820 = z557 * z805 - z786 + z566 * z806 - z575 * z807 + z584 * z808 - z593 * z809 + z602 * z810 - z611
+        * z811 + z620 * z812;
+    const Scalar z821 = z787 + z558 * z805 - z567 * z806 - z576 * z807 - z585 * z808 + z594 * z809 - z603 * z810 + z612
+        * z811 - z621 * z812;
     const Scalar z819 = n1_over_3 * z812;
-    const Scalar z820 = z557 * z805 + z566 * z806 - z575 * z807 + z584 * z808 - z593 * z809 + z602 * z810 - z611 * z811
-        + z620 * z812 - z786;
-    const Scalar z821 = z558 * z805 - z567 * z806 - z576 * z807 - z585 * z808 + z594 * z809 - z603 * z810 + z612 * z811
-        - z621 * z812 + z787;
-    const Scalar z822 = z559 * z805 - z568 * z806 + z577 * z807 - z586 * z808 - z595 * z809 - z604 * z810 + z613 * z811
-        - z622 * z812 + z788;
-    const Scalar z823 = z560 * z805 - z569 * z806 + z578 * z807 - z587 * z808 + z596 * z809 - z605 * z810 - z614 * z811
-        - z623 * z812 + z789;
+    const Scalar z822 = z788 + z559 * z805 - z568 * z806 + z577 * z807 - z586 * z808 - z595 * z809 - z604 * z810 + z613
+        * z811 - z622 * z812;
+    const Scalar z823 = z789 + z560 * z805 - z569 * z806 + z578 * z807 - z587 * z808 + z596 * z809 - z605 * z810 - z614
+        * z811 - z623 * z812;
     accelerations.x = z813;
     accelerations.y = z814;
     accelerations.psi = -z815;
@@ -2174,11 +2275,11 @@ struct Mechanism {
   TORSOR_DEVICE static void energy(const Precomputed& precomputed, const State& state, const Inputs&,
       Energy& result) noexcept {
     const Scalar k0 = traits::constant(0.7320508075688773, 0.73205084f, "-1;0;1;0");
-    const Scalar n10 = traits::constant(10.0, 10.0f, "10/1");
-    const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
+    const Scalar n450 = traits::constant(450.0, 450.0f, "450/1");
     const Scalar n0_45 = traits::constant(0.45, 0.45f, "9/20");
     const Scalar n400 = traits::constant(400.0, 400.0f, "400/1");
-    const Scalar n450 = traits::constant(450.0, 450.0f, "450/1");
+    const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
+    const Scalar n10 = traits::constant(10.0, 10.0f, "10/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar v_x = state.v.x;
     const Scalar v_y = state.v.y;
@@ -2216,6 +2317,8 @@ struct Mechanism {
     const Scalar s_phi_2 = sines_[2], c_phi_2 = cosines_[2];
     const Scalar s_phi_3 = sines_[3], c_phi_3 = cosines_[3];
     const Scalar s_phi_4 = sines_[4], c_phi_4 = cosines_[4];
+    const Scalar z824 = v_x * c_psi + v_y * s_psi;
+    const Scalar z825 = v_x * s_psi - v_y * c_psi;
     const Scalar z76 = v_psi * s_phi_1;
     const Scalar z77 = v_psi * c_phi_1;
     const Scalar z100 = v_psi * s_phi_2;
@@ -2224,41 +2327,39 @@ struct Mechanism {
     const Scalar z123 = v_psi * c_phi_3;
     const Scalar z144 = v_psi * s_phi_4;
     const Scalar z145 = v_psi * c_phi_4;
-    const Scalar z824 = v_x * c_psi + v_y * s_psi;
-    const Scalar z825 = v_x * s_psi - v_y * c_psi;
     const Scalar z826 = v_psi - z824;
     const Scalar z827 = k0 * v_psi - z825;
+    const Scalar z834 = k0 * v_psi + z825;
+    const Scalar z841 = v_psi + z824;
     const Scalar z828 = s_alpha_1 * z827 - c_alpha_1 * z826;
     const Scalar z829 = s_alpha_1 * z826 + c_alpha_1 * z827;
-    const Scalar z830 = v_psi * q_s_1 + z829;
-    const Scalar z831 = v_s_1 + z828;  // velocity of axle_1, x
-    const Scalar z832 = c_phi_1 * z830;
-    const Scalar z833 = s_phi_1 * z830;
-    const Scalar z834 = k0 * v_psi + z825;
-    const Scalar z835 = s_alpha_2 * z834 + c_alpha_2 * z826;
+    const Scalar z835 = c_alpha_2 * z826 + s_alpha_2 * z834;
     const Scalar z836 = s_alpha_2 * z826 - c_alpha_2 * z834;
-    const Scalar z837 = v_psi * q_s_2 + z836;
-    const Scalar z838 = v_s_2 - z835;  // velocity of axle_2, x
-    const Scalar z839 = c_phi_2 * z837;
-    const Scalar z840 = s_phi_2 * z837;
-    const Scalar z841 = v_psi + z824;
     const Scalar z842 = s_alpha_3 * z834 - c_alpha_3 * z841;
     const Scalar z843 = s_alpha_3 * z841 + c_alpha_3 * z834;
-    const Scalar z844 = v_psi * q_s_3 - z843;
-    const Scalar z845 = v_s_3 - z842;  // velocity of axle_3, x
-    const Scalar z846 = c_phi_3 * z844;
-    const Scalar z847 = s_phi_3 * z844;
-    const Scalar z848 = s_alpha_4 * z827 + c_alpha_4 * z841;
+    const Scalar z848 = c_alpha_4 * z841 + s_alpha_4 * z827;
     const Scalar z849 = s_alpha_4 * z841 - c_alpha_4 * z827;
+    const Scalar z830 = v_psi * q_s_1 + z829;
+    const Scalar z837 = v_psi * q_s_2 + z836;
+    const Scalar z838 = v_s_2 - z835;  // velocity of axle_2, x
+    const Scalar z844 = v_psi * q_s_3 - z843;
     const Scalar z850 = v_psi * q_s_4 - z849;
     const Scalar z851 = v_s_4 + z848;  // velocity of axle_4, x
+    const Scalar z831 = v_s_1 + z828;  // velocity of axle_1, x
+    const Scalar z845 = v_s_3 - z842;  // velocity of axle_3, x
+    const Scalar z832 = c_phi_1 * z830;
+    const Scalar z833 = s_phi_1 * z830;
+    const Scalar z839 = c_phi_2 * z837;
+    const Scalar z840 = s_phi_2 * z837;
+    const Scalar z846 = c_phi_3 * z844;
+    const Scalar z847 = s_phi_3 * z844;
     const Scalar z852 = c_phi_4 * z850;
     const Scalar z853 = s_phi_4 * z850;
-    result.kinetic = n10 * (z831 * z831 + z832 * z832 + z833 * z833 + z838 * z838 + z839 * z839 + z840 * z840 + z845
-        * z845 + z846 * z846 + z847 * z847 + z851 * z851 + z852 * z852 + z853 * z853) + n0_25 * (z76 * z76 + z77 * z77
-        + z100 * z100 + z101 * z101 + z122 * z122 + z123 * z123 + z144 * z144 + z145 * z145) + n0_45 * (v_phi_1
-        * v_phi_1 + v_phi_2 * v_phi_2 + v_phi_3 * v_phi_3 + v_phi_4 * v_phi_4) + n400 * (z824 * z824 + z825 * z825)
-        + n450 * v_psi * v_psi;
+    result.kinetic = n450 * v_psi * v_psi + n0_45 * (v_phi_1 * v_phi_1 + v_phi_2 * v_phi_2 + v_phi_3 * v_phi_3 + v_phi_4
+        * v_phi_4) + n400 * (z824 * z824 + z825 * z825) + n0_25 * (z76 * z76 + z77 * z77 + z100 * z100 + z101 * z101
+        + z122 * z122 + z123 * z123 + z144 * z144 + z145 * z145) + n10 * (z838 * z838 + z851 * z851 + z831 * z831 + z845
+        * z845 + z832 * z832 + z833 * z833 + z839 * z839 + z840 * z840 + z846 * z846 + z847 * z847 + z852 * z852 + z853
+        * z853);
     result.force_function = n0;
     result.power = n0;
   }
@@ -2308,33 +2409,33 @@ struct Mechanism {
     const Scalar z81 = sines_[1], z82 = cosines_[1];
     const Scalar z105 = sines_[2], z106 = cosines_[2];
     const Scalar z127 = sines_[3], z128 = cosines_[3];
-    const Scalar z464 = q_s_1 + z462;
-    const Scalar z465 = v_x * z57 + v_y * z56 + v_psi * z463 + v_s_1;
-    const Scalar z466 = v_psi * z56;
     const Scalar z467 = v_psi * z57;
-    const Scalar z468 = v_x * z466 - v_y * z467;
-    const Scalar z469 = v_x * z56 - v_y * z57 - v_psi * z464 - n0_3 * v_phi_1;
-    const Scalar z470 = v_x * z467 + v_y * z466 - v_psi * v_s_1;
-    const Scalar z473 = q_s_2 + z471;
-    const Scalar z474 = v_x * z82 + v_y * z81 - v_psi * z472 + v_s_2;
-    const Scalar z475 = v_psi * z81;
     const Scalar z476 = v_psi * z82;
-    const Scalar z477 = v_x * z475 - v_y * z476;
-    const Scalar z478 = v_x * z81 - v_y * z82 - v_psi * z473 - n0_3 * v_phi_2;
-    const Scalar z479 = v_x * z476 + v_y * z475 - v_psi * v_s_2;
-    const Scalar z482 = q_s_3 - z480;
-    const Scalar z483 = v_x * z106 + v_y * z105 - v_psi * z481 + v_s_3;
-    const Scalar z484 = v_psi * z105;
     const Scalar z485 = v_psi * z106;
-    const Scalar z486 = v_x * z484 - v_y * z485;
-    const Scalar z487 = v_x * z105 - v_y * z106 - v_psi * z482 - n0_3 * v_phi_3;
-    const Scalar z488 = v_x * z485 + v_y * z484 - v_psi * v_s_3;
-    const Scalar z491 = q_s_4 - z489;
-    const Scalar z492 = v_x * z128 + v_y * z127 + v_psi * z490 + v_s_4;
-    const Scalar z493 = v_psi * z127;
     const Scalar z494 = v_psi * z128;
-    const Scalar z495 = v_x * z493 - v_y * z494;
+    const Scalar z464 = q_s_1 + z462;
+    const Scalar z466 = v_psi * z56;
+    const Scalar z473 = q_s_2 + z471;
+    const Scalar z475 = v_psi * z81;
+    const Scalar z482 = q_s_3 - z480;
+    const Scalar z484 = v_psi * z105;
+    const Scalar z491 = q_s_4 - z489;
+    const Scalar z493 = v_psi * z127;
+    const Scalar z465 = v_psi * z463 + v_s_1 + v_x * z57 + v_y * z56;
+    const Scalar z469 = v_x * z56 - v_y * z57 - v_psi * z464 - n0_3 * v_phi_1;
+    const Scalar z474 = v_s_2 - v_psi * z472 + v_x * z82 + v_y * z81;
+    const Scalar z478 = v_x * z81 - v_y * z82 - v_psi * z473 - n0_3 * v_phi_2;
+    const Scalar z483 = v_s_3 - v_psi * z481 + v_x * z106 + v_y * z105;
+    const Scalar z487 = v_x * z105 - v_y * z106 - v_psi * z482 - n0_3 * v_phi_3;
+    const Scalar z492 = v_psi * z490 + v_s_4 + v_x * z128 + v_y * z127;
     const Scalar z496 = v_x * z127 - v_y * z128 - v_psi * z491 - n0_3 * v_phi_4;
+    const Scalar z468 = v_x * z466 - v_y * z467;
+    const Scalar z470 = v_x * z467 + v_y * z466 - v_psi * v_s_1;
+    const Scalar z477 = v_x * z475 - v_y * z476;
+    const Scalar z479 = v_x * z476 + v_y * z475 - v_psi * v_s_2;
+    const Scalar z486 = v_x * z484 - v_y * z485;
+    const Scalar z488 = v_x * z485 + v_y * z484 - v_psi * v_s_3;
+    const Scalar z495 = v_x * z493 - v_y * z494;
     const Scalar z497 = v_x * z494 + v_y * z493 - v_psi * v_s_4;
     result.value[0] = n0;
     result.rate[0] = z465;

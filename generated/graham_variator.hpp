@@ -41,7 +41,7 @@
 #include <cmath>
 
 #ifndef TORSOR_KERNEL_SUPPORT
-#define TORSOR_KERNEL_SUPPORT 2
+#define TORSOR_KERNEL_SUPPORT 3
 // Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
 #ifndef TORSOR_DEVICE
 #define TORSOR_DEVICE
@@ -55,7 +55,7 @@
 //  * two polynomials of least greatest error give the sine and the cosine of r, |r| <= pi/4;
 //  * angles beyond `bound` are rare: they are reduced exactly, in integers, by a function that is not inlined, and so
 //    are all angles under another rounding, which would give the nearest integers wrong.
-// The core has no branch, so that compilers turn a loop over several angles into vector instructions.
+// The core has no branch, so that several angles go through it at once.
 #ifndef TORSOR_STD_SINCOS
 #if defined(__FAST_MATH__) || defined(_M_FP_FAST) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0)
 #define TORSOR_STD_SINCOS  // sums would be reassociated or hold more digits than their type
@@ -103,21 +103,19 @@ struct SineCosine {
       S = S01 + z2 * number(0.0, -0x1.9953f2p-13f);
       C = C01 + z2 * number(0.0, 0x1.99e0eep-16f);
     } else {
-      const Scalar z4 = z2 * z2;
       const Scalar S01 = number(-0x1.5555555555548p-3, 0.0f) + z * number(0x1.111111110f73p-7, 0.0f);
       const Scalar S23 = number(-0x1.a01a019be9217p-13, 0.0f) + z * number(0x1.71de35552b518p-19, 0.0f);
       const Scalar S45 = number(-0x1.ae5e4b83e1601p-26, 0.0f) + z * number(0x1.5d8b55934597bp-33, 0.0f);
       const Scalar C01 = number(0x1.555555555554cp-5, 0.0f) + z * number(-0x1.6c16c16c1521bp-10, 0.0f);
       const Scalar C23 = number(0x1.a01a019cbeb68p-16, 0.0f) + z * number(-0x1.27e4f8121198fp-22, 0.0f);
       const Scalar C45 = number(0x1.1ee9f0cbf70d6p-29, 0.0f) + z * number(-0x1.8fb0e15d5f2ap-37, 0.0f);
-      S = (S01 + z2 * S23) + z4 * S45;
-      C = (C01 + z2 * C23) + z4 * C45;
+      S = S01 + z2 * (S23 + z2 * S45);
+      C = C01 + z2 * (C23 + z2 * C45);
     }
-    const Scalar half_z = half * z, w = one - half_z;
-    // Far below an ulp, it makes the correction of -0 a -0, and so the sine.
-    const Scalar tiny = number(0x1p-100, 0x1p-60f);
-    sine = high + (high * (tiny + z * S) - rest * w);
-    cosine = w + (((one - w) - half_z) + (z2 * C + high * rest));
+    const Scalar half_z = half * z, w = one - half_z, high_z = high * z;
+    // What waits for S and C comes last. The correction of -0 is a 0, which subtracted leaves it -0.
+    sine = high - (rest * w - high_z * S);
+    cosine = w + ((((one - w) - half_z) + high * rest) + z2 * C);
   }
 
   /// Of n pi/2 more.
@@ -132,21 +130,31 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// For |x| <= bound; what is no number gives no number. Exact are n times the first three parts of pi/2, the first
-  /// difference, and each rounded difference together with its rounding error.
-  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
-    const Scalar n = rounded(x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f));
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n plus a number so large that its last bit counts 1; what is no
+  /// number gives no number.
+  ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
+  ///    others do, and may be formed twice;
+  ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
+  ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
+  TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
+                                                        Scalar& cosine) noexcept {
+    const Scalar shift = number(0x1.8p52, 0x1.8p23f);
+    const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
+    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift;
+    const Scalar n = shifted - shift;
     const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
-    const Scalar second = n * number(0x1.0b4611a6p-34, 0x1.ed5p-14f);
-    const Scalar third = n * number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    const Scalar fourth = n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
-    const Scalar r = first - second;
-    const Scalar taken = first - r;
-    const Scalar error = (first - (r + taken)) - (second - taken);
-    const Scalar high = r - third;
-    const Scalar rest = ((third - (r - high)) - error) + fourth;
+    const Scalar r = first - n * P;
+    const Scalar error = (first - r) - n * P;
+    const Scalar high = r - n * Q;
+    const Scalar rest = ((n * Q - (r - high)) - error) + n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
     of_reduced(high, rest, sine, cosine);
-    turn(n, sine, cosine);
+  }
+
+  /// For |x| <= bound.
+  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
+    Scalar shifted;
+    of_remainder(x, shifted, sine, cosine);
+    turn(shifted - number(0x1.8p52, 0x1.8p23f), sine, cosine);
   }
 };
 
@@ -265,61 +273,151 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
 #endif
 }
 
-/// Of some angles up to the bound, a multiple of what a vector holds. Local arrays, which nothing else can point to.
-template <int size, class Scalar>
-TORSOR_DEVICE TORSOR_INLINED void sincos_of_block(const Scalar* angles, Scalar* sines, Scalar* cosines) noexcept {
-  Scalar x[size], s[size], c[size];
-  for (int i = 0; i < size; ++i) x[i] = angles[i];
-  // Compilers make vector instructions of a loop, but not always of a row of statements.
-#if defined(__clang__)
-#pragma clang loop unroll(disable)
-#elif defined(__GNUC__) && !defined(__CUDACC__)
-#pragma GCC unroll 1
+}  // namespace torsor
+// Sines and cosines of several angles at once: by vector registers where GNU C++ has types for them, which compilers
+// without AVX make of narrower ones; loops over numbers are not left to compilers to find.
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define TORSOR_VECTOR_TYPES
 #endif
-  for (int i = 0; i < size; ++i) SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::core(x[i], s[i], c[i]);
-  for (int i = 0; i < size; ++i) sines[i] = s[i];
-  for (int i = 0; i < size; ++i) cosines[i] = c[i];
+
+namespace torsor {
+
+#if defined(TORSOR_VECTOR_TYPES)
+/// 0, 1, ... as arguments of a template.
+template <int... place>
+struct Places {};
+template <int count, int... place>
+struct FirstPlaces : FirstPlaces<count - 1, count - 1, place...> {};
+template <int... place>
+struct FirstPlaces<0, place...> {
+  using type = Places<place...>;
+};
+
+/// Some registers of equally many numbers, which take the same operations by turns: while the one waits for its last
+/// result, the other is at work. A scalar for SineCosine, of which it needs constants, sums and products only.
+template <class Number, int lanes, int count>
+struct Registers {
+  typedef Number Numbers __attribute__((vector_size(lanes * sizeof(Number))));
+  using Bits = decltype(Numbers{} < Numbers{});
+  Numbers part[count];
+
+  TORSOR_INLINED friend Registers operator+(const Registers& a, const Registers& b) noexcept {
+    Registers sum;
+    for (int i = 0; i < count; ++i) sum.part[i] = a.part[i] + b.part[i];
+    return sum;
+  }
+  TORSOR_INLINED friend Registers operator-(const Registers& a, const Registers& b) noexcept {
+    Registers difference;
+    for (int i = 0; i < count; ++i) difference.part[i] = a.part[i] - b.part[i];
+    return difference;
+  }
+  TORSOR_INLINED friend Registers operator*(const Registers& a, const Registers& b) noexcept {
+    Registers product;
+    for (int i = 0; i < count; ++i) product.part[i] = a.part[i] * b.part[i];
+    return product;
+  }
+};
+
+template <class Number, int lanes, int count>
+struct scalar_traits<Registers<Number, lanes, count>> {
+  using Scalar = Registers<Number, lanes, count>;
+  TORSOR_INLINED static Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    constexpr bool is_float = sizeof(Number) == sizeof(float);
+    const Number number = is_float ? static_cast<Number>(in_float) : static_cast<Number>(in_double);
+    Scalar result;
+    for (int i = 0; i < count; ++i) {
+      for (int lane = 0; lane < lanes; ++lane) result.part[i][lane] = number;
+    }
+    return result;
+  }
+};
+
+/// Of angles up to the bound, bit by bit what SineCosine::core gives where nothing is fused. The quarter of the turn is
+/// in the last two bits of `shifted`: it is chosen by bits, not by products.
+template <class Number, int lanes, int count>
+TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& angles,
+                                        Registers<Number, lanes, count>& sines,
+                                        Registers<Number, lanes, count>& cosines) noexcept {
+  using Scalar = Registers<Number, lanes, count>;
+  using Numbers = typename Scalar::Numbers;
+  using Bits = typename Scalar::Bits;
+  constexpr int sign_bit = 8 * static_cast<int>(sizeof(Number)) - 1;
+  Scalar shifted, sine, cosine;
+  SineCosine<Scalar, sizeof(Number) == sizeof(float)>::of_remainder(angles, shifted, sine, cosine);
+  const Bits sign = (Bits)scalar_traits<Scalar>::constant(-0.0, -0.0f, nullptr).part[0];
+  for (int i = 0; i < count; ++i) {
+    const Bits bits = (Bits)shifted.part[i], s = (Bits)sine.part[i], c = (Bits)cosine.part[i];
+    const Bits odd = Bits{} - (bits & 1);  // all bits or none
+    const Bits upper = bits << (sign_bit - 1);
+    // The sine is negated for n = 2 and 3, the cosine for 1 and 2.
+    sines.part[i] = (Numbers)(((odd & c) | (~odd & s)) ^ (upper & sign));
+    cosines.part[i] = (Numbers)(((odd & s) | (~odd & c)) ^ ((upper ^ odd) & sign));
+  }
 }
 
-/// Of several angles at once, in float or double: as many as a vector holds go through the core together.
-template <class Scalar, int N>
-TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
-                                            Scalar (&cosines)[N]) noexcept {
-  constexpr int narrow = 16 / sizeof(Scalar);
+/// Of the angles first to first + size - 1, up to the bound, in one register or two; idle lanes get 0. Returns the sum
+/// of their squares. Places are constants before anything is optimised: lanes then come from registers and go there,
+/// where a way through memory would be stored in parts and loaded whole.
+template <int size, class Number, int N, int... lane, int... place>
+TORSOR_INLINED Number sincos_of_some(int first, const Number (&angles)[N], Number (&sines)[N], Number (&cosines)[N],
+                                     Places<lane...>, Places<place...>) noexcept {
+  constexpr int lanes = sizeof...(lane), count = size > lanes ? 2 : 1;
+  using Some = Registers<Number, lanes, count>;
+  const auto angle = [&](int i) noexcept { return i < size ? angles[first + i] : Number(0); };
+  Some x, s, c;
+  x.part[0] = typename Some::Numbers{angle(lane)...};
+  if constexpr (count == 2) x.part[1] = typename Some::Numbers{angle(lane + lanes)...};
+  sincos_of_registers(x, s, c);
+  ((sines[first + place] = s.part[place / lanes][place % lanes]), ...);
+  ((cosines[first + place] = c.part[place / lanes][place % lanes]), ...);
+  typename Some::Numbers squares = x.part[0] * x.part[0];
+  if constexpr (count == 2) squares += x.part[1] * x.part[1];
+  return (squares[lane] + ...);
+}
+
+/// Of several angles up to the bound, by two registers at a time. Returns the sum of their squares.
+template <class Number, int N>
+TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&sines)[N],
+                                          Number (&cosines)[N]) noexcept {
+  constexpr int narrow = 16 / static_cast<int>(sizeof(Number));
 #if defined(__AVX__)
-  constexpr int wide = 32 / sizeof(Scalar);
+  // Registers of AVX-512 gain nothing for so few numbers.
+  constexpr int lanes = N <= narrow ? narrow : 2 * narrow;
 #else
-  constexpr int wide = narrow;
+  constexpr int lanes = narrow;
 #endif
-#if defined(__CUDA_ARCH__) || defined(TORSOR_STD_SINCOS)
-  constexpr bool by_vectors = false;
-#elif defined(__clang__)
-  constexpr bool by_vectors = N >= 4;  // it leaves a loop over two as it is
-#else
-  constexpr bool by_vectors = N >= narrow;
-#endif
-  if constexpr (by_vectors) {
-    constexpr int vector = N >= wide ? wide : narrow, rest = N % vector;
-    // Of a rest some angles are done again: a whole vector costs less than two or three alone.
+  constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
+  using AllLanes = typename FirstPlaces<lanes>::type;
+  Number squares = 0;
+  // One copy of the code: its constants stay where they are.
 #if defined(__clang__)
-    sincos_of_block<N - rest>(angles, sines, cosines);  // best as one loop
-    if constexpr (rest > 1) {
-      sincos_of_block<vector>(angles + (N - vector), sines + (N - vector), cosines + (N - vector));
-    }
+#pragma clang loop unroll(disable)
 #else
-    for (int next = 0; next < N - (rest == 1); next += vector) {
-      const int first = next + vector <= N ? next : N - vector;
-      sincos_of_block<vector>(angles + first, sines + first, cosines + first);
-    }
+#pragma GCC unroll 1
 #endif
-    if constexpr (rest == 1) sincos_of_one(angles[N - 1], sines[N - 1], cosines[N - 1]);
+  for (int i = 0; i < whole; i += both)
+    squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+  if constexpr (rest > 0)
+    squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
+  return squares;
+}
+#endif
+
+/// Of several angles at once, in float or double.
+template <class Scalar, int N>
+TORSOR_DEVICE TORSOR_INLINED void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
+#if defined(TORSOR_VECTOR_TYPES) && !defined(TORSOR_STD_SINCOS)
+  constexpr bool at_once = N > 1;
+#else
+  constexpr bool at_once = false;
+#endif
+  if constexpr (at_once) {
+    const Scalar squares = sincos_in_registers(angles, sines, cosines);
     constexpr Scalar bound = static_cast<Scalar>(SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::bound);
-    Scalar sum = 0;
-    for (int i = 0; i < N; ++i) sum += std::abs(angles[i]);
-    const bool to_one_side = rounds_to_one_side(sum);
-    if (sum <= bound && !to_one_side) return;
+    if (squares <= bound * bound && !rounds_to_one_side(squares)) return;
     for (int i = 0; i < N; ++i) {
-      if (std::abs(angles[i]) > bound || to_one_side) sincos_far(angles[i], sines[i], cosines[i]);
+      if (std::abs(angles[i]) > bound || rounds_to_one_side(angles[i])) sincos_far(angles[i], sines[i], cosines[i]);
     }
   } else {
     for (int i = 0; i < N; ++i) sincos_of_one(angles[i], sines[i], cosines[i]);
@@ -328,17 +426,19 @@ TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&
 
 /// Of several angles of any scalar: at once where its traits have a `sincos` of arrays, else one by one.
 template <class Scalar, int N>
-TORSOR_DEVICE auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N], int) noexcept
+TORSOR_DEVICE TORSOR_INLINED auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], int) noexcept
     -> decltype(scalar_traits<Scalar>::sincos(angles, sines, cosines)) {
   scalar_traits<Scalar>::sincos(angles, sines, cosines);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N],
-                                    long) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], long) noexcept {
   for (int i = 0; i < N; ++i) scalar_traits<Scalar>::sincos(angles[i], sines[i], cosines[i]);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
   sincos_by_traits(angles, sines, cosines, 0);
 }
 
@@ -375,7 +475,8 @@ struct scalar_traits {
   }
   /// Of several angles at once; a specialisation without it gets them one by one.
   template <int N>
-  TORSOR_DEVICE static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+  TORSOR_DEVICE TORSOR_INLINED static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                  Scalar (&cosines)[N]) noexcept {
     sincos_of_several(angles, sines, cosines);
   }
   TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
@@ -388,7 +489,7 @@ struct scalar_traits {
 };
 
 }  // namespace torsor
-#elif TORSOR_KERNEL_SUPPORT != 2
+#elif TORSOR_KERNEL_SUPPORT != 3
 #error "headers of incompatible versions of torsor meet here: write them again with one version"
 #endif
 
@@ -402,7 +503,7 @@ struct Mechanism {
 
   static constexpr const char* name = "graham_variator";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x84ba7864a5b24643ULL;
+  static constexpr unsigned long long fingerprint = 0xeadbdaa7fdccb514ULL;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 2;
@@ -621,7 +722,7 @@ struct Mechanism {
     const Scalar z241 = k15 - k16 / z106;
     const Scalar z242 = k17 - k18 / z106;
     const Scalar z243 = n0_02 * z236;
-    const Scalar z244 = z236 * z243 - z237 * z242 + z241;
+    const Scalar z244 = z241 + z236 * z243 - z237 * z242;
     const Scalar z250 = n1 / z244;
     const Scalar z252 = z236 * z250;
     precomputed.z49 = z49;
@@ -743,9 +844,9 @@ struct Mechanism {
     const Scalar k0 = traits::constant(0.25881904510252074, 0.25881904f, "0;-1/4;0;1/4");
     const Scalar k1 = traits::constant(0.9659258262890683, 0.9659258f, "0;1/4;0;1/4");
     const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
-    const Scalar n0_06 = traits::constant(0.06, 0.06f, "3/50");
-    const Scalar n0_03 = traits::constant(0.03, 0.03f, "3/100");
     const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
+    const Scalar n0_03 = traits::constant(0.03, 0.03f, "3/100");
+    const Scalar n0_06 = traits::constant(0.06, 0.06f, "3/50");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar k8 = traits::constant(0.0579555495773441, 0.05795555f, "0;3/200;0;3/200");
@@ -765,48 +866,48 @@ struct Mechanism {
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
     const Scalar s_gamma = sines_[2], c_gamma = cosines_[2];
-    const Scalar z16 = k0 * c_alpha;
+    const Scalar z24 = k0 * v_alpha;
     const Scalar z17 = k1 * c_alpha;
-    const Scalar z18 = k0 * s_alpha;
     const Scalar z19 = k1 * s_alpha;
-    const Scalar z20 = n0_1 * c_alpha;
-    const Scalar z21 = n0_1 * s_alpha;
     const Scalar z22 = n0_1 * v_alpha;
     const Scalar z23 = k1 * v_alpha;
-    const Scalar z24 = k0 * v_alpha;
+    const Scalar z16 = k0 * c_alpha;
+    const Scalar z34 = s_beta * z24;
+    const Scalar z18 = k0 * s_alpha;
     const Scalar z25 = s_alpha * z22;  // velocity of inclined, y
     const Scalar z26 = c_alpha * z22;  // velocity of inclined, z
+    const Scalar z33 = c_beta * z24;
+    const Scalar z53 = z23 * z49 - z24 * p_d;
+    const Scalar z60 = n0_02 * z23 - n0_03 * z24;
+    const Scalar z20 = n0_1 * c_alpha;
+    const Scalar z21 = n0_1 * s_alpha;
     const Scalar z27 = k0 * c_beta;
     const Scalar z28 = k0 * s_beta;
+    const Scalar z36 = v_alpha + k1 * v_beta;  // angular velocity of S2, x
     const Scalar z29 = s_alpha * s_beta - c_beta * z17;
     const Scalar z30 = s_alpha * c_beta + s_beta * z17;
     const Scalar z31 = c_alpha * s_beta + c_beta * z19;
     const Scalar z32 = c_alpha * c_beta - s_beta * z19;
-    const Scalar z33 = c_beta * z24;
-    const Scalar z34 = s_beta * z24;
-    const Scalar z36 = v_alpha + k1 * v_beta;  // angular velocity of S2, x
     const Scalar z37 = v_beta * z16;  // angular velocity of S2, y
     const Scalar z38 = v_beta * z18;  // angular velocity of S2, z
     const Scalar z39 = n0_06 * z16;
     const Scalar z40 = n0_06 * z18;
-    const Scalar z41 = z20 - z39;
-    const Scalar z42 = z21 - z40;
     const Scalar z43 = n0_06 * z34;
     const Scalar z44 = n0_06 * z33;
-    const Scalar z46 = z25 - z29 * z43 - z30 * z44;
-    const Scalar z47 = z26 - z31 * z43 - z32 * z44;
     const Scalar z51 = z16 * p_d - z17 * z49;
     const Scalar z52 = z18 * p_d - z19 * z49;
-    const Scalar z53 = z23 * z49 - z24 * p_d;
     const Scalar z54 = s_alpha * z53 + z25;
     const Scalar z55 = c_alpha * z53 + z26;
-    const Scalar z56 = z20 - z51;
-    const Scalar z57 = z21 - z52;
     const Scalar z58 = n0_03 * z16 - n0_02 * z17;
     const Scalar z59 = n0_03 * z18 - n0_02 * z19;
-    const Scalar z60 = n0_02 * z23 - n0_03 * z24;
     const Scalar z61 = s_alpha * z60 + z25;
     const Scalar z62 = c_alpha * z60 + z26;
+    const Scalar z41 = z20 - z39;
+    const Scalar z42 = z21 - z40;
+    const Scalar z46 = z25 - z29 * z43 - z30 * z44;
+    const Scalar z47 = z26 - z31 * z43 - z32 * z44;
+    const Scalar z56 = z20 - z51;
+    const Scalar z57 = z21 - z52;
     const Scalar z63 = z20 - z58;
     const Scalar z64 = z21 - z59;
     result.S1_position[0] = n0;
@@ -937,13 +1038,13 @@ struct Mechanism {
   TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Multipliers& multipliers, GeneralizedForces& forces) noexcept {
     const Scalar n98_1 = traits::constant(98.1, 98.1f, "981/10");
-    const Scalar n0_006 = traits::constant(0.006, 0.006f, "3/500");
-    const Scalar k2 = traits::constant(0.25881904510252074, 0.25881904f, "0;-1/4;0;1/4");
-    const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
     const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
-    const Scalar k5 = traits::constant(0.017468819381011653, 0.01746882f, "447/20000;3/1000;-41/40000;-3/1000");
-    const Scalar k6 = traits::constant(0.0002897777478867205, 0.00028977776f, "0;3/40000;0;3/40000");
+    const Scalar k2 = traits::constant(0.0002897777478867205, 0.00028977776f, "0;3/40000;0;3/40000");
     const Scalar n0_0003 = traits::constant(3e-04, 3e-04f, "3/10000");
+    const Scalar n0_006 = traits::constant(0.006, 0.006f, "3/500");
+    const Scalar k5 = traits::constant(0.25881904510252074, 0.25881904f, "0;-1/4;0;1/4");
+    const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
+    const Scalar k7 = traits::constant(0.017468819381011653, 0.01746882f, "447/20000;3/1000;-41/40000;-3/1000");
     const Scalar k8 = traits::constant(0.11155394517270574, 0.111553945f, "1/10;1/80;0;-1/400");
     const Scalar q_alpha = state.q.alpha;
     const Scalar a_alpha = accelerations.alpha;
@@ -956,12 +1057,12 @@ struct Mechanism {
     Scalar s_alpha, c_alpha;
     traits::sincos(q_alpha, s_alpha, c_alpha);
     const Scalar z68 = n98_1 * s_alpha;
-    const Scalar z80 = n0_006 * z68;  // moment on inclined, y
-    const Scalar z84 = k2 * z80;
-    const Scalar z87 = n0_01 * z68 - z84;  // moment on S1, x
     const Scalar z93 = n0_02 * a_gamma;  // moment on S3, x
-    const Scalar z101 = k5 * a_alpha + k6 * a_beta - z87;
-    const Scalar z102 = k6 * a_alpha + n0_0003 * a_beta;
+    const Scalar z102 = k2 * a_alpha + n0_0003 * a_beta;
+    const Scalar z80 = n0_006 * z68;  // moment on inclined, y
+    const Scalar z84 = k5 * z80;
+    const Scalar z87 = n0_01 * z68 - z84;  // moment on S1, x
+    const Scalar z101 = k7 * a_alpha - z87 + k2 * a_beta;
     forces.alpha = z101 - z104 * l_T_A - k8 * l_T_E;
     forces.beta = z102 - z106 * l_T_A - n0_02 * l_T_E;
     forces.gamma = z93 + k8 * l_T_E;
@@ -973,16 +1074,16 @@ struct Mechanism {
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
       const Inputs& inputs, Accelerations& accelerations, Multipliers& multipliers) noexcept {
     const Scalar n98_1 = traits::constant(98.1, 98.1f, "981/10");
-    const Scalar n0_006 = traits::constant(0.006, 0.006f, "3/500");
-    const Scalar k2 = traits::constant(0.25881904510252074, 0.25881904f, "0;-1/4;0;1/4");
-    const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
-    const Scalar k4 = traits::constant(58.17702669501042, 58.177025f,
-        "10423180000/199644649;-1286500000/199644649;-606230000/598933947;1372100000/199644649");
-    const Scalar k5 = traits::constant(0.9659258262890683, 0.9659258f, "0;1/4;0;1/4");
     const Scalar n50 = traits::constant(50.0, 50.0f, "50/1");
-    const Scalar k7 = traits::constant(5.365982994617848, 5.365983f,
+    const Scalar n0_006 = traits::constant(0.006, 0.006f, "3/500");
+    const Scalar k3 = traits::constant(0.25881904510252074, 0.25881904f, "0;-1/4;0;1/4");
+    const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
+    const Scalar k5 = traits::constant(5.365982994617848, 5.365983f,
         "961276000/199644649;-45929425/199644649;59014000/598933947;57520575/199644649");
-    const Scalar k8 = traits::constant(5.577697258635287, 5.5776973f, "5;5/8;0;-1/8");
+    const Scalar k6 = traits::constant(5.577697258635287, 5.5776973f, "5;5/8;0;-1/8");
+    const Scalar k7 = traits::constant(58.17702669501042, 58.177025f,
+        "10423180000/199644649;-1286500000/199644649;-606230000/598933947;1372100000/199644649");
+    const Scalar k8 = traits::constant(0.9659258262890683, 0.9659258f, "0;1/4;0;1/4");
     const Scalar k9 = traits::constant(0.4080831129300902, 0.4080831f,
         "81606996074311354948800/187435544049510497429929;-4833141400108286640000/187435544049510497429929;-670503431205999804000/187435544049510497429929;1175234291156953584000/187435544049510497429929");
     const Scalar k10 = traits::constant(61.48352510873733, 61.483524f,
@@ -1003,21 +1104,21 @@ struct Mechanism {
     Scalar s_alpha, c_alpha;
     traits::sincos(q_alpha, s_alpha, c_alpha);
     const Scalar z68 = n98_1 * s_alpha;
+    const Scalar z124 = n50 * u_C3;
     const Scalar z80 = n0_006 * z68;  // moment on inclined, y
-    const Scalar z84 = k2 * z80;
+    const Scalar z84 = k3 * z80;
     const Scalar z87 = n0_01 * z68 - z84;  // moment on S1, x
     const Scalar z113 = u_C1 + z87;
-    const Scalar z122 = k4 * z113;
-    const Scalar z123 = k5 * z122;
-    const Scalar z124 = n50 * u_C3;
+    const Scalar z126 = k5 * (u_C1 + z87) - k6 * u_C3;
+    const Scalar z122 = k7 * z113;
+    const Scalar z123 = k8 * z122;
     const Scalar z125 = z104 * z122 - z106 * z123;
-    const Scalar z126 = k7 * (u_C1 + z87) - k8 * u_C3;
     const Scalar z127 = z119 * z126 - z125;
     const Scalar z128 = z121 * z127;
-    const Scalar z129 = z119 * z128 + k9 * z126;
-    const Scalar z130 = z115 * z128 + z122 - k7 * z129;
+    const Scalar z129 = k9 * z126 + z119 * z128;
+    const Scalar z130 = z115 * z128 + z122 - k5 * z129;
     const Scalar z131 = z116 * z128 - z123 - k10 * z129;
-    const Scalar z132 = z124 + k8 * z129;
+    const Scalar z132 = z124 + k6 * z129;
     accelerations.alpha = z130;
     accelerations.beta = z131;
     accelerations.gamma = z132;
@@ -1036,16 +1137,16 @@ struct Mechanism {
   /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
   TORSOR_DEVICE static void energy(const Precomputed&, const State& state, const Inputs& inputs,
       Energy& result) noexcept {
+    const Scalar k0 = traits::constant(0.25881904510252074, 0.25881904f, "0;-1/4;0;1/4");
     const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
-    const Scalar k1 = traits::constant(0.9659258262890683, 0.9659258f, "0;1/4;0;1/4");
-    const Scalar k2 = traits::constant(0.25881904510252074, 0.25881904f, "0;-1/4;0;1/4");
+    const Scalar k2 = traits::constant(0.9659258262890683, 0.9659258f, "0;1/4;0;1/4");
+    const Scalar k3 = traits::constant(0.015529142706151246, 0.015529143f, "0;-3/200;0;3/200");
     const Scalar n0_06 = traits::constant(0.06, 0.06f, "3/50");
     const Scalar n0_0044 = traits::constant(0.0044, 0.0044f, "11/2500");
-    const Scalar k5 = traits::constant(0.015529142706151246, 0.015529143f, "0;-3/200;0;3/200");
-    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n0_005 = traits::constant(0.005, 0.005f, "1/200");
     const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
-    const Scalar k9 = traits::constant(0.00015, 0.00015f, "3/20000");
+    const Scalar k8 = traits::constant(0.00015, 0.00015f, "3/20000");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar q_alpha = state.q.alpha;
     const Scalar v_alpha = state.v.alpha;
@@ -1059,22 +1160,22 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
-    const Scalar z20 = n0_1 * c_alpha;
+    const Scalar z24 = k0 * v_alpha;
     const Scalar z22 = n0_1 * v_alpha;
-    const Scalar z23 = k1 * v_alpha;
-    const Scalar z24 = k2 * v_alpha;
+    const Scalar z23 = k2 * v_alpha;
+    const Scalar z20 = n0_1 * c_alpha;
+    const Scalar z139 = k3 * c_alpha;
     const Scalar z33 = c_beta * z24;
     const Scalar z34 = s_beta * z24;
-    const Scalar z35 = v_beta + z23;
     const Scalar z133 = s_beta * z22;
     const Scalar z134 = c_beta * z22;
+    const Scalar z35 = v_beta + z23;
     const Scalar z135 = n0_06 * z34 - z133;
     const Scalar z136 = n0_06 * z33 - z134;
     const Scalar z137 = n0_0044 * z33 - n0_06 * z134;
     const Scalar z138 = n0_0044 * z34 - n0_06 * z133;
-    const Scalar z139 = k5 * c_alpha;
-    result.kinetic = n0_5 * (z33 * z137 + z34 * z138 - z133 * z135 - z134 * z136) + n0_005 * v_alpha * v_alpha + n0_01
-        * v_gamma * v_gamma + k9 * z35 * z35;
+    result.kinetic = n0_005 * v_alpha * v_alpha + n0_01 * v_gamma * v_gamma + k8 * z35 * z35 + n0_5 * (z33 * z137 + z34
+        * z138 - z133 * z135 - z134 * z136);
     result.force_function = -n9_81 * (z20 - z139);
     result.power = v_alpha * u_C1 + v_gamma * u_C3;
   }
@@ -1082,8 +1183,8 @@ struct Mechanism {
   /// Constraints A(q, t) v - b(q, t) = 0, in the order of the multipliers.
   TORSOR_DEVICE static void constraints(const Precomputed& precomputed, const State& state,
       Constraints& result) noexcept {
-    const Scalar k0 = traits::constant(0.11155394517270574, 0.111553945f, "1/10;1/80;0;-1/400");
     const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
+    const Scalar k1 = traits::constant(0.11155394517270574, 0.111553945f, "1/10;1/80;0;-1/400");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar v_alpha = state.v.alpha;
     const Scalar v_beta = state.v.beta;
@@ -1091,7 +1192,7 @@ struct Mechanism {
     const Scalar z104 = precomputed.z104;
     const Scalar z106 = precomputed.z106;
     const Scalar z107 = v_alpha * z104 + v_beta * z106;
-    const Scalar z108 = k0 * (v_alpha - v_gamma) + n0_02 * v_beta;
+    const Scalar z108 = n0_02 * v_beta + k1 * (v_alpha - v_gamma);
     result.value[0] = n0;
     result.rate[0] = n0;
     result.gamma[0] = n0;
@@ -1107,7 +1208,7 @@ struct Mechanism {
     result.jacobian[0] = n0;
     result.jacobian[1] = z104;
     result.jacobian[2] = n0;
-    result.jacobian[3] = k0;
+    result.jacobian[3] = k1;
     result.jacobian[4] = n0;
     result.jacobian[5] = z106;
     result.jacobian[6] = n0;
@@ -1115,7 +1216,7 @@ struct Mechanism {
     result.jacobian[8] = n0;
     result.jacobian[9] = n0;
     result.jacobian[10] = n0;
-    result.jacobian[11] = -k0;
+    result.jacobian[11] = -k1;
   }
 
   /// Linearisation about a state that satisfies the constraints. M d'' + C d' + K d = F + E du in all freedoms d, at
@@ -1128,16 +1229,16 @@ struct Mechanism {
       const Accelerations& accelerations, const Multipliers& multipliers, const Inputs& inputs,
       Linearisation& result) noexcept {
     const Scalar n98_1 = traits::constant(98.1, 98.1f, "981/10");
-    const Scalar n0_006 = traits::constant(0.006, 0.006f, "3/500");
-    const Scalar k2 = traits::constant(0.25881904510252074, 0.25881904f, "0;-1/4;0;1/4");
-    const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
-    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
-    const Scalar k5 = traits::constant(0.017468819381011653, 0.01746882f, "447/20000;3/1000;-41/40000;-3/1000");
-    const Scalar k6 = traits::constant(0.0002897777478867205, 0.00028977776f, "0;3/40000;0;3/40000");
+    const Scalar k1 = traits::constant(0.0002897777478867205, 0.00028977776f, "0;3/40000;0;3/40000");
     const Scalar n0_0003 = traits::constant(3e-04, 3e-04f, "3/10000");
-    const Scalar k8 = traits::constant(0.11155394517270574, 0.111553945f, "1/10;1/80;0;-1/400");
-    const Scalar k9 = traits::constant(8.96427283187357, 8.9642725f,
+    const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
+    const Scalar k4 = traits::constant(0.11155394517270574, 0.111553945f, "1/10;1/80;0;-1/400");
+    const Scalar k5 = traits::constant(8.96427283187357, 8.9642725f,
         "1544000/148921;-194500/148921;-20000/148921;41100/148921");
+    const Scalar n0_006 = traits::constant(0.006, 0.006f, "3/500");
+    const Scalar k7 = traits::constant(0.25881904510252074, 0.25881904f, "0;-1/4;0;1/4");
+    const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
+    const Scalar k9 = traits::constant(0.017468819381011653, 0.01746882f, "447/20000;3/1000;-41/40000;-3/1000");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar q_alpha = state.q.alpha;
@@ -1163,32 +1264,32 @@ struct Mechanism {
     const Scalar z252 = precomputed.z252;
     Scalar s_alpha, c_alpha;
     traits::sincos(q_alpha, s_alpha, c_alpha);
-    const Scalar z67 = n98_1 * c_alpha;
     const Scalar z68 = n98_1 * s_alpha;
-    const Scalar z80 = n0_006 * z68;  // moment on inclined, y
-    const Scalar z84 = k2 * z80;
-    const Scalar z87 = n0_01 * z68 - z84;  // moment on S1, x
+    const Scalar z102 = k1 * a_alpha + n0_0003 * a_beta;
     const Scalar z93 = n0_02 * a_gamma;  // moment on S3, x
-    const Scalar z101 = k5 * a_alpha + k6 * a_beta - z87;
-    const Scalar z102 = k6 * a_alpha + n0_0003 * a_beta;
-    const Scalar z157 = n0_006 * z67;
-    const Scalar z158 = k2 * z157;
-    const Scalar z159 = n0_01 * z67 - z158;
     const Scalar z228 = a_alpha * z104 + a_beta * z106;
-    const Scalar z229 = k8 * (a_alpha - a_gamma) + n0_02 * a_beta;
+    const Scalar z229 = n0_02 * a_beta + k4 * (a_alpha - a_gamma);
+    const Scalar z246 = u_C3 - k4 * l_T_E - z93;
+    const Scalar z67 = n98_1 * c_alpha;
     const Scalar z238 = z228 * z231 - z229;
-    const Scalar z239 = k9 * z238;
     const Scalar z240 = z228 * z230;
     const Scalar z245 = z102 - z106 * l_T_A - n0_02 * l_T_E;
-    const Scalar z246 = u_C3 - z93 - k8 * l_T_E;
-    const Scalar z247 = u_C1 - z101 + z104 * l_T_A + k8 * l_T_E + z236 * z246 + z237 * z245;
-    const Scalar z248 = z239 * z243 + z240 * z242;
-    const Scalar z249 = z247 + z248;
+    const Scalar z239 = k5 * z238;
+    const Scalar z248 = z240 * z242 + z239 * z243;
+    const Scalar z80 = n0_006 * z68;  // moment on inclined, y
+    const Scalar z157 = n0_006 * z67;
+    const Scalar z84 = k7 * z80;
+    const Scalar z158 = k7 * z157;
+    const Scalar z87 = n0_01 * z68 - z84;  // moment on S1, x
+    const Scalar z159 = n0_01 * z67 - z158;
+    const Scalar z101 = k9 * a_alpha - z87 + k1 * a_beta;
     const Scalar z251 = z159 * z250;
-    result.M[0] = k5;
-    result.M[1] = k6;
+    const Scalar z247 = u_C1 + z104 * l_T_A + k4 * l_T_E + z236 * z246 + z237 * z245 - z101;
+    const Scalar z249 = z247 + z248;
+    result.M[0] = k9;
+    result.M[1] = k1;
     result.M[2] = n0;
-    result.M[3] = k6;
+    result.M[3] = k1;
     result.M[4] = n0_0003;
     result.M[5] = n0;
     result.M[6] = n0;
@@ -1212,9 +1313,9 @@ struct Mechanism {
     result.K[6] = n0;
     result.K[7] = n0;
     result.K[8] = n0;
-    result.F[0] = u_C1 - z101 + z104 * l_T_A + k8 * l_T_E;
+    result.F[0] = u_C1 + z104 * l_T_A + k4 * l_T_E - z101;
     result.F[1] = -z102 + z106 * l_T_A + n0_02 * l_T_E;
-    result.F[2] = u_C3 - z93 - k8 * l_T_E;
+    result.F[2] = u_C3 - k4 * l_T_E - z93;
     result.E[0] = n1;
     result.E[1] = n0;
     result.E[2] = n0;

@@ -36,7 +36,7 @@
 #include <cmath>
 
 #ifndef TORSOR_KERNEL_SUPPORT
-#define TORSOR_KERNEL_SUPPORT 2
+#define TORSOR_KERNEL_SUPPORT 3
 // Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
 #ifndef TORSOR_DEVICE
 #define TORSOR_DEVICE
@@ -50,7 +50,7 @@
 //  * two polynomials of least greatest error give the sine and the cosine of r, |r| <= pi/4;
 //  * angles beyond `bound` are rare: they are reduced exactly, in integers, by a function that is not inlined, and so
 //    are all angles under another rounding, which would give the nearest integers wrong.
-// The core has no branch, so that compilers turn a loop over several angles into vector instructions.
+// The core has no branch, so that several angles go through it at once.
 #ifndef TORSOR_STD_SINCOS
 #if defined(__FAST_MATH__) || defined(_M_FP_FAST) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0)
 #define TORSOR_STD_SINCOS  // sums would be reassociated or hold more digits than their type
@@ -98,21 +98,19 @@ struct SineCosine {
       S = S01 + z2 * number(0.0, -0x1.9953f2p-13f);
       C = C01 + z2 * number(0.0, 0x1.99e0eep-16f);
     } else {
-      const Scalar z4 = z2 * z2;
       const Scalar S01 = number(-0x1.5555555555548p-3, 0.0f) + z * number(0x1.111111110f73p-7, 0.0f);
       const Scalar S23 = number(-0x1.a01a019be9217p-13, 0.0f) + z * number(0x1.71de35552b518p-19, 0.0f);
       const Scalar S45 = number(-0x1.ae5e4b83e1601p-26, 0.0f) + z * number(0x1.5d8b55934597bp-33, 0.0f);
       const Scalar C01 = number(0x1.555555555554cp-5, 0.0f) + z * number(-0x1.6c16c16c1521bp-10, 0.0f);
       const Scalar C23 = number(0x1.a01a019cbeb68p-16, 0.0f) + z * number(-0x1.27e4f8121198fp-22, 0.0f);
       const Scalar C45 = number(0x1.1ee9f0cbf70d6p-29, 0.0f) + z * number(-0x1.8fb0e15d5f2ap-37, 0.0f);
-      S = (S01 + z2 * S23) + z4 * S45;
-      C = (C01 + z2 * C23) + z4 * C45;
+      S = S01 + z2 * (S23 + z2 * S45);
+      C = C01 + z2 * (C23 + z2 * C45);
     }
-    const Scalar half_z = half * z, w = one - half_z;
-    // Far below an ulp, it makes the correction of -0 a -0, and so the sine.
-    const Scalar tiny = number(0x1p-100, 0x1p-60f);
-    sine = high + (high * (tiny + z * S) - rest * w);
-    cosine = w + (((one - w) - half_z) + (z2 * C + high * rest));
+    const Scalar half_z = half * z, w = one - half_z, high_z = high * z;
+    // What waits for S and C comes last. The correction of -0 is a 0, which subtracted leaves it -0.
+    sine = high - (rest * w - high_z * S);
+    cosine = w + ((((one - w) - half_z) + high * rest) + z2 * C);
   }
 
   /// Of n pi/2 more.
@@ -127,21 +125,31 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// For |x| <= bound; what is no number gives no number. Exact are n times the first three parts of pi/2, the first
-  /// difference, and each rounded difference together with its rounding error.
-  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
-    const Scalar n = rounded(x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f));
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n plus a number so large that its last bit counts 1; what is no
+  /// number gives no number.
+  ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
+  ///    others do, and may be formed twice;
+  ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
+  ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
+  TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
+                                                        Scalar& cosine) noexcept {
+    const Scalar shift = number(0x1.8p52, 0x1.8p23f);
+    const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
+    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift;
+    const Scalar n = shifted - shift;
     const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
-    const Scalar second = n * number(0x1.0b4611a6p-34, 0x1.ed5p-14f);
-    const Scalar third = n * number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    const Scalar fourth = n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
-    const Scalar r = first - second;
-    const Scalar taken = first - r;
-    const Scalar error = (first - (r + taken)) - (second - taken);
-    const Scalar high = r - third;
-    const Scalar rest = ((third - (r - high)) - error) + fourth;
+    const Scalar r = first - n * P;
+    const Scalar error = (first - r) - n * P;
+    const Scalar high = r - n * Q;
+    const Scalar rest = ((n * Q - (r - high)) - error) + n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
     of_reduced(high, rest, sine, cosine);
-    turn(n, sine, cosine);
+  }
+
+  /// For |x| <= bound.
+  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
+    Scalar shifted;
+    of_remainder(x, shifted, sine, cosine);
+    turn(shifted - number(0x1.8p52, 0x1.8p23f), sine, cosine);
   }
 };
 
@@ -260,61 +268,151 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
 #endif
 }
 
-/// Of some angles up to the bound, a multiple of what a vector holds. Local arrays, which nothing else can point to.
-template <int size, class Scalar>
-TORSOR_DEVICE TORSOR_INLINED void sincos_of_block(const Scalar* angles, Scalar* sines, Scalar* cosines) noexcept {
-  Scalar x[size], s[size], c[size];
-  for (int i = 0; i < size; ++i) x[i] = angles[i];
-  // Compilers make vector instructions of a loop, but not always of a row of statements.
-#if defined(__clang__)
-#pragma clang loop unroll(disable)
-#elif defined(__GNUC__) && !defined(__CUDACC__)
-#pragma GCC unroll 1
+}  // namespace torsor
+// Sines and cosines of several angles at once: by vector registers where GNU C++ has types for them, which compilers
+// without AVX make of narrower ones; loops over numbers are not left to compilers to find.
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define TORSOR_VECTOR_TYPES
 #endif
-  for (int i = 0; i < size; ++i) SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::core(x[i], s[i], c[i]);
-  for (int i = 0; i < size; ++i) sines[i] = s[i];
-  for (int i = 0; i < size; ++i) cosines[i] = c[i];
+
+namespace torsor {
+
+#if defined(TORSOR_VECTOR_TYPES)
+/// 0, 1, ... as arguments of a template.
+template <int... place>
+struct Places {};
+template <int count, int... place>
+struct FirstPlaces : FirstPlaces<count - 1, count - 1, place...> {};
+template <int... place>
+struct FirstPlaces<0, place...> {
+  using type = Places<place...>;
+};
+
+/// Some registers of equally many numbers, which take the same operations by turns: while the one waits for its last
+/// result, the other is at work. A scalar for SineCosine, of which it needs constants, sums and products only.
+template <class Number, int lanes, int count>
+struct Registers {
+  typedef Number Numbers __attribute__((vector_size(lanes * sizeof(Number))));
+  using Bits = decltype(Numbers{} < Numbers{});
+  Numbers part[count];
+
+  TORSOR_INLINED friend Registers operator+(const Registers& a, const Registers& b) noexcept {
+    Registers sum;
+    for (int i = 0; i < count; ++i) sum.part[i] = a.part[i] + b.part[i];
+    return sum;
+  }
+  TORSOR_INLINED friend Registers operator-(const Registers& a, const Registers& b) noexcept {
+    Registers difference;
+    for (int i = 0; i < count; ++i) difference.part[i] = a.part[i] - b.part[i];
+    return difference;
+  }
+  TORSOR_INLINED friend Registers operator*(const Registers& a, const Registers& b) noexcept {
+    Registers product;
+    for (int i = 0; i < count; ++i) product.part[i] = a.part[i] * b.part[i];
+    return product;
+  }
+};
+
+template <class Number, int lanes, int count>
+struct scalar_traits<Registers<Number, lanes, count>> {
+  using Scalar = Registers<Number, lanes, count>;
+  TORSOR_INLINED static Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    constexpr bool is_float = sizeof(Number) == sizeof(float);
+    const Number number = is_float ? static_cast<Number>(in_float) : static_cast<Number>(in_double);
+    Scalar result;
+    for (int i = 0; i < count; ++i) {
+      for (int lane = 0; lane < lanes; ++lane) result.part[i][lane] = number;
+    }
+    return result;
+  }
+};
+
+/// Of angles up to the bound, bit by bit what SineCosine::core gives where nothing is fused. The quarter of the turn is
+/// in the last two bits of `shifted`: it is chosen by bits, not by products.
+template <class Number, int lanes, int count>
+TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& angles,
+                                        Registers<Number, lanes, count>& sines,
+                                        Registers<Number, lanes, count>& cosines) noexcept {
+  using Scalar = Registers<Number, lanes, count>;
+  using Numbers = typename Scalar::Numbers;
+  using Bits = typename Scalar::Bits;
+  constexpr int sign_bit = 8 * static_cast<int>(sizeof(Number)) - 1;
+  Scalar shifted, sine, cosine;
+  SineCosine<Scalar, sizeof(Number) == sizeof(float)>::of_remainder(angles, shifted, sine, cosine);
+  const Bits sign = (Bits)scalar_traits<Scalar>::constant(-0.0, -0.0f, nullptr).part[0];
+  for (int i = 0; i < count; ++i) {
+    const Bits bits = (Bits)shifted.part[i], s = (Bits)sine.part[i], c = (Bits)cosine.part[i];
+    const Bits odd = Bits{} - (bits & 1);  // all bits or none
+    const Bits upper = bits << (sign_bit - 1);
+    // The sine is negated for n = 2 and 3, the cosine for 1 and 2.
+    sines.part[i] = (Numbers)(((odd & c) | (~odd & s)) ^ (upper & sign));
+    cosines.part[i] = (Numbers)(((odd & s) | (~odd & c)) ^ ((upper ^ odd) & sign));
+  }
 }
 
-/// Of several angles at once, in float or double: as many as a vector holds go through the core together.
-template <class Scalar, int N>
-TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
-                                            Scalar (&cosines)[N]) noexcept {
-  constexpr int narrow = 16 / sizeof(Scalar);
+/// Of the angles first to first + size - 1, up to the bound, in one register or two; idle lanes get 0. Returns the sum
+/// of their squares. Places are constants before anything is optimised: lanes then come from registers and go there,
+/// where a way through memory would be stored in parts and loaded whole.
+template <int size, class Number, int N, int... lane, int... place>
+TORSOR_INLINED Number sincos_of_some(int first, const Number (&angles)[N], Number (&sines)[N], Number (&cosines)[N],
+                                     Places<lane...>, Places<place...>) noexcept {
+  constexpr int lanes = sizeof...(lane), count = size > lanes ? 2 : 1;
+  using Some = Registers<Number, lanes, count>;
+  const auto angle = [&](int i) noexcept { return i < size ? angles[first + i] : Number(0); };
+  Some x, s, c;
+  x.part[0] = typename Some::Numbers{angle(lane)...};
+  if constexpr (count == 2) x.part[1] = typename Some::Numbers{angle(lane + lanes)...};
+  sincos_of_registers(x, s, c);
+  ((sines[first + place] = s.part[place / lanes][place % lanes]), ...);
+  ((cosines[first + place] = c.part[place / lanes][place % lanes]), ...);
+  typename Some::Numbers squares = x.part[0] * x.part[0];
+  if constexpr (count == 2) squares += x.part[1] * x.part[1];
+  return (squares[lane] + ...);
+}
+
+/// Of several angles up to the bound, by two registers at a time. Returns the sum of their squares.
+template <class Number, int N>
+TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&sines)[N],
+                                          Number (&cosines)[N]) noexcept {
+  constexpr int narrow = 16 / static_cast<int>(sizeof(Number));
 #if defined(__AVX__)
-  constexpr int wide = 32 / sizeof(Scalar);
+  // Registers of AVX-512 gain nothing for so few numbers.
+  constexpr int lanes = N <= narrow ? narrow : 2 * narrow;
 #else
-  constexpr int wide = narrow;
+  constexpr int lanes = narrow;
 #endif
-#if defined(__CUDA_ARCH__) || defined(TORSOR_STD_SINCOS)
-  constexpr bool by_vectors = false;
-#elif defined(__clang__)
-  constexpr bool by_vectors = N >= 4;  // it leaves a loop over two as it is
-#else
-  constexpr bool by_vectors = N >= narrow;
-#endif
-  if constexpr (by_vectors) {
-    constexpr int vector = N >= wide ? wide : narrow, rest = N % vector;
-    // Of a rest some angles are done again: a whole vector costs less than two or three alone.
+  constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
+  using AllLanes = typename FirstPlaces<lanes>::type;
+  Number squares = 0;
+  // One copy of the code: its constants stay where they are.
 #if defined(__clang__)
-    sincos_of_block<N - rest>(angles, sines, cosines);  // best as one loop
-    if constexpr (rest > 1) {
-      sincos_of_block<vector>(angles + (N - vector), sines + (N - vector), cosines + (N - vector));
-    }
+#pragma clang loop unroll(disable)
 #else
-    for (int next = 0; next < N - (rest == 1); next += vector) {
-      const int first = next + vector <= N ? next : N - vector;
-      sincos_of_block<vector>(angles + first, sines + first, cosines + first);
-    }
+#pragma GCC unroll 1
 #endif
-    if constexpr (rest == 1) sincos_of_one(angles[N - 1], sines[N - 1], cosines[N - 1]);
+  for (int i = 0; i < whole; i += both)
+    squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+  if constexpr (rest > 0)
+    squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
+  return squares;
+}
+#endif
+
+/// Of several angles at once, in float or double.
+template <class Scalar, int N>
+TORSOR_DEVICE TORSOR_INLINED void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
+#if defined(TORSOR_VECTOR_TYPES) && !defined(TORSOR_STD_SINCOS)
+  constexpr bool at_once = N > 1;
+#else
+  constexpr bool at_once = false;
+#endif
+  if constexpr (at_once) {
+    const Scalar squares = sincos_in_registers(angles, sines, cosines);
     constexpr Scalar bound = static_cast<Scalar>(SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::bound);
-    Scalar sum = 0;
-    for (int i = 0; i < N; ++i) sum += std::abs(angles[i]);
-    const bool to_one_side = rounds_to_one_side(sum);
-    if (sum <= bound && !to_one_side) return;
+    if (squares <= bound * bound && !rounds_to_one_side(squares)) return;
     for (int i = 0; i < N; ++i) {
-      if (std::abs(angles[i]) > bound || to_one_side) sincos_far(angles[i], sines[i], cosines[i]);
+      if (std::abs(angles[i]) > bound || rounds_to_one_side(angles[i])) sincos_far(angles[i], sines[i], cosines[i]);
     }
   } else {
     for (int i = 0; i < N; ++i) sincos_of_one(angles[i], sines[i], cosines[i]);
@@ -323,17 +421,19 @@ TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&
 
 /// Of several angles of any scalar: at once where its traits have a `sincos` of arrays, else one by one.
 template <class Scalar, int N>
-TORSOR_DEVICE auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N], int) noexcept
+TORSOR_DEVICE TORSOR_INLINED auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], int) noexcept
     -> decltype(scalar_traits<Scalar>::sincos(angles, sines, cosines)) {
   scalar_traits<Scalar>::sincos(angles, sines, cosines);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N],
-                                    long) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], long) noexcept {
   for (int i = 0; i < N; ++i) scalar_traits<Scalar>::sincos(angles[i], sines[i], cosines[i]);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
   sincos_by_traits(angles, sines, cosines, 0);
 }
 
@@ -370,7 +470,8 @@ struct scalar_traits {
   }
   /// Of several angles at once; a specialisation without it gets them one by one.
   template <int N>
-  TORSOR_DEVICE static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+  TORSOR_DEVICE TORSOR_INLINED static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                  Scalar (&cosines)[N]) noexcept {
     sincos_of_several(angles, sines, cosines);
   }
   TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
@@ -383,7 +484,7 @@ struct scalar_traits {
 };
 
 }  // namespace torsor
-#elif TORSOR_KERNEL_SUPPORT != 2
+#elif TORSOR_KERNEL_SUPPORT != 3
 #error "headers of incompatible versions of torsor meet here: write them again with one version"
 #endif
 
@@ -511,7 +612,7 @@ struct Mechanism {
 
   static constexpr const char* name = "heavy_top";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xce3966cad6c09414ULL;
+  static constexpr unsigned long long fingerprint = 0xb184e1a19bc6eb7aULL;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -696,8 +797,8 @@ struct Mechanism {
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
   /// matrices column by column.
   TORSOR_DEVICE static void kinematics(const Precomputed&, const State& state, Kinematics& result) noexcept {
+    const Scalar k0 = traits::constant(0.8660254037844386, 0.8660254f, "0;0;1/2;0");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
-    const Scalar k1 = traits::constant(0.8660254037844386, 0.8660254f, "0;0;1/2;0");
     const Scalar q_alpha = state.q.alpha;
     const Scalar v_alpha = state.v.alpha;
     const Scalar q_beta = state.q.beta;
@@ -710,35 +811,35 @@ struct Mechanism {
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
     const Scalar s_gamma = sines_[2], c_gamma = cosines_[2];
+    const Scalar z17 = k0 * s_alpha;
     const Scalar z15 = n0_5 * s_alpha;
     const Scalar z16 = n0_5 * c_alpha;
-    const Scalar z17 = k1 * s_alpha;
-    const Scalar z18 = k1 * c_alpha;
-    const Scalar z19 = k1 * v_alpha;  // angular velocity of first, x
-    const Scalar z20 = n0_5 * v_alpha;  // angular velocity of first, z
-    const Scalar z21 = s_beta * z15 + k1 * c_beta;
-    const Scalar z22 = k1 * s_beta - c_beta * z15;
+    const Scalar z18 = k0 * c_alpha;
     const Scalar z23 = c_alpha * s_beta;
+    const Scalar z27 = v_alpha * c_beta;
+    const Scalar z19 = k0 * v_alpha;  // angular velocity of first, x
+    const Scalar z20 = n0_5 * v_alpha;  // angular velocity of first, z
     const Scalar z24 = c_alpha * c_beta;
+    const Scalar z30 = s_alpha * v_beta;  // angular velocity of second, y
+    const Scalar z21 = k0 * c_beta + s_beta * z15;
+    const Scalar z22 = k0 * s_beta - c_beta * z15;
     const Scalar z25 = s_beta * z17 - n0_5 * c_beta;
     const Scalar z26 = n0_5 * s_beta + c_beta * z17;
-    const Scalar z27 = v_alpha * c_beta;
     const Scalar z29 = v_beta * z16 + z19;  // angular velocity of second, x
-    const Scalar z30 = s_alpha * v_beta;  // angular velocity of second, y
     const Scalar z31 = v_beta * z18 - z20;  // angular velocity of second, z
-    const Scalar z32 = s_gamma * z16 - c_gamma * z21;
-    const Scalar z33 = s_gamma * z21 + c_gamma * z16;
     const Scalar z34 = s_alpha * s_gamma + c_gamma * z23;
     const Scalar z35 = s_alpha * c_gamma - s_gamma * z23;
-    const Scalar z36 = s_gamma * z18 - c_gamma * z25;
-    const Scalar z37 = s_gamma * z25 + c_gamma * z18;
     const Scalar z38 = v_beta * s_gamma - c_gamma * z27;
     const Scalar z39 = v_beta * c_gamma + s_gamma * z27;
-    const Scalar z41 = v_gamma * z22 - z29;  // angular velocity of top, x
     const Scalar z42 = v_gamma * z24 - z30;  // angular velocity of top, y
+    const Scalar z32 = s_gamma * z16 - c_gamma * z21;
+    const Scalar z33 = c_gamma * z16 + s_gamma * z21;
+    const Scalar z41 = v_gamma * z22 - z29;  // angular velocity of top, x
     const Scalar z43 = v_gamma * z26 + z31;  // angular velocity of top, z
-    const Scalar z44 = z32 * z39 - z33 * z38;
     const Scalar z45 = z34 * z39 - z35 * z38;
+    const Scalar z36 = s_gamma * z18 - c_gamma * z25;
+    const Scalar z37 = c_gamma * z18 + s_gamma * z25;
+    const Scalar z44 = z32 * z39 - z33 * z38;
     const Scalar z46 = z36 * z39 - z37 * z38;
     result.top_position[0] = -z22;
     result.top_position[1] = z24;
@@ -762,15 +863,15 @@ struct Mechanism {
 
   /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
   TORSOR_DEVICE static void mass_matrix(const Precomputed&, const State& state, std::array<Scalar, 9>& mass) noexcept {
-    const Scalar n15_over_32 = traits::constant(0.46875, 0.46875f, "15/32");
     const Scalar n945_over_64 = traits::constant(14.765625, 14.765625f, "945/64");
+    const Scalar n15_over_32 = traits::constant(0.46875, 0.46875f, "15/32");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar n975_over_64 = traits::constant(15.234375, 15.234375f, "975/64");
     const Scalar q_beta = state.q.beta;
     Scalar s_beta, c_beta;
     traits::sincos(q_beta, s_beta, c_beta);
-    const Scalar z47 = n15_over_32 * s_beta;
     const Scalar z52 = n945_over_64 * c_beta;
+    const Scalar z47 = n15_over_32 * s_beta;
     const Scalar z53 = n15_over_32 + c_beta * z52;
     mass[0] = z53;
     mass[1] = n0;
@@ -802,21 +903,21 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
-    const Scalar z27 = v_alpha * c_beta;
     const Scalar z28 = v_alpha * s_beta;
-    const Scalar z40 = v_gamma - z28;
     const Scalar z56 = k0 * s_alpha;
+    const Scalar z27 = v_alpha * c_beta;
     const Scalar z57 = k0 * c_alpha;
+    const Scalar z40 = v_gamma - z28;
     const Scalar z58 = s_beta * z56 - n4_905 * c_beta;
     const Scalar z60 = v_beta * z28;  // angular acceleration of second, x
     const Scalar z61 = v_beta * z27;  // angular acceleration of second, y
+    const Scalar z69 = z27 * z28;
     const Scalar z64 = v_beta * z40;
     const Scalar z65 = z27 * z40;
-    const Scalar z66 = n15_over_32 * z64;  // moment on top, x
     const Scalar z67 = n15_over_32 * z61;  // moment on top, y
-    const Scalar z68 = n15_over_32 * z65;  // moment on top, z
-    const Scalar z69 = z27 * z28;
     const Scalar z73 = n2 * z60;
+    const Scalar z66 = n15_over_32 * z64;  // moment on top, x
+    const Scalar z68 = n15_over_32 * z65;  // moment on top, z
     const Scalar z77 = n15 * z57 - z66 - n975_over_64 * z73;  // moment on second, x
     const Scalar z78 = n15 * z58 - z68 - n975_over_64 * z69;  // moment on second, z
     const Scalar z81 = s_beta * z67 + c_beta * z77;
@@ -846,27 +947,27 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
-    const Scalar z27 = v_alpha * c_beta;
     const Scalar z28 = v_alpha * s_beta;
-    const Scalar z40 = v_gamma - z28;
-    const Scalar z56 = k0 * s_alpha;
+    const Scalar z27 = v_alpha * c_beta;
+    const Scalar z84 = a_alpha * s_beta;
+    const Scalar z83 = a_alpha * c_beta;
     const Scalar z57 = k0 * c_alpha;
+    const Scalar z56 = k0 * s_alpha;
+    const Scalar z40 = v_gamma - z28;
     const Scalar z58 = s_beta * z56 - n4_905 * c_beta;
     const Scalar z60 = v_beta * z28;  // angular acceleration of second, x
-    const Scalar z64 = v_beta * z40;
-    const Scalar z65 = z27 * z40;
-    const Scalar z66 = n15_over_32 * z64;  // moment on top, x
-    const Scalar z68 = n15_over_32 * z65;  // moment on top, z
     const Scalar z69 = z27 * z28;
-    const Scalar z83 = a_alpha * c_beta;
-    const Scalar z84 = a_alpha * s_beta;
     const Scalar z85 = v_beta * z28 - z83;  // angular acceleration of second, x
     const Scalar z86 = v_beta * z27 + z84;  // angular acceleration of second, y
+    const Scalar z64 = v_beta * z40;
+    const Scalar z65 = z27 * z40;
     const Scalar z88 = a_gamma - z86;  // angular acceleration of top, y
-    const Scalar z90 = n15_over_32 * z88;  // moment on top, y
     const Scalar z92 = z60 + z85;
+    const Scalar z66 = n15_over_32 * z64;  // moment on top, x
+    const Scalar z68 = n15_over_32 * z65;  // moment on top, z
+    const Scalar z90 = n15_over_32 * z88;  // moment on top, y
     const Scalar z95 = n15 * z57 - z66 - n975_over_64 * z92;  // moment on second, x
-    const Scalar z96 = n975_over_64 * (a_beta + z69) - n15 * z58 + z68;  // moment on second, z
+    const Scalar z96 = z68 + n975_over_64 * (a_beta + z69) - n15 * z58;  // moment on second, z
     const Scalar z99 = s_beta * z90 - c_beta * z95;
     forces.alpha = -z99;
     forces.beta = z96;
@@ -878,15 +979,15 @@ struct Mechanism {
   /// positive relative to its diagonal entry.
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs&,
       Accelerations& accelerations, Multipliers&) noexcept {
+    const Scalar n975_over_64 = traits::constant(15.234375, 15.234375f, "975/64");
+    const Scalar k1 = traits::constant(8.495709211125343, 8.495709f, "0;0;981/200;0");
     const Scalar n15_over_32 = traits::constant(0.46875, 0.46875f, "15/32");
     const Scalar n945_over_64 = traits::constant(14.765625, 14.765625f, "945/64");
-    const Scalar k2 = traits::constant(8.495709211125343, 8.495709f, "0;0;981/200;0");
     const Scalar n4_905 = traits::constant(4.905, 4.905f, "981/200");
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
-    const Scalar n15 = traits::constant(15.0, 15.0f, "15/1");
-    const Scalar n975_over_64 = traits::constant(15.234375, 15.234375f, "975/64");
     const Scalar n32_over_15 = traits::constant(2.1333333333333333, 2.1333334f, "32/15");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n15 = traits::constant(15.0, 15.0f, "15/1");
     const Scalar n64_over_975 = traits::constant(0.06564102564102564, 0.06564102f, "64/975");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_alpha = state.q.alpha;
@@ -899,31 +1000,31 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
-    const Scalar z27 = v_alpha * c_beta;
     const Scalar z28 = v_alpha * s_beta;
-    const Scalar z40 = v_gamma - z28;
+    const Scalar z146 = n975_over_64 * c_beta * c_beta;
+    const Scalar z57 = k1 * c_alpha;
+    const Scalar z56 = k1 * s_alpha;
+    const Scalar z27 = v_alpha * c_beta;
     const Scalar z47 = n15_over_32 * s_beta;
     const Scalar z52 = n945_over_64 * c_beta;
+    const Scalar z40 = v_gamma - z28;
     const Scalar z53 = n15_over_32 + c_beta * z52;
-    const Scalar z56 = k2 * s_alpha;
-    const Scalar z57 = k2 * c_alpha;
     const Scalar z58 = s_beta * z56 - n4_905 * c_beta;
     const Scalar z60 = v_beta * z28;  // angular acceleration of second, x
     const Scalar z61 = v_beta * z27;  // angular acceleration of second, y
+    const Scalar z69 = z27 * z28;
+    const Scalar z145 = n32_over_15 * z47;
     const Scalar z64 = v_beta * z40;
     const Scalar z65 = z27 * z40;
+    const Scalar z73 = n2 * z60;
+    const Scalar z147 = n1 / z146;
     const Scalar z66 = n15_over_32 * z64;  // moment on top, x
     const Scalar z68 = n15_over_32 * z65;  // moment on top, z
-    const Scalar z69 = z27 * z28;
-    const Scalar z73 = n2 * z60;
     const Scalar z77 = n15 * z57 - z66 - n975_over_64 * z73;  // moment on second, x
     const Scalar z78 = n15 * z58 - z68 - n975_over_64 * z69;  // moment on second, z
-    const Scalar z145 = n32_over_15 * z47;
-    const Scalar z146 = n975_over_64 * c_beta * c_beta;
-    const Scalar z147 = n1 / z146;
     const Scalar z148 = c_beta * z77;
-    const Scalar z149 = z147 * z148;
     const Scalar z150 = n64_over_975 * z78;
+    const Scalar z149 = z147 * z148;
     const Scalar z153 = z145 * z149;
     const Scalar z154 = z61 - z153;
     accelerations.alpha = -z149;
@@ -939,8 +1040,8 @@ struct Mechanism {
   /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
   TORSOR_DEVICE static void energy(const Precomputed&, const State& state, const Inputs&, Energy& result) noexcept {
     const Scalar n15 = traits::constant(15.0, 15.0f, "15/1");
-    const Scalar n975_over_128 = traits::constant(7.6171875, 7.6171875f, "975/128");
     const Scalar n15_over_64 = traits::constant(0.234375, 0.234375f, "15/64");
+    const Scalar n975_over_128 = traits::constant(7.6171875, 7.6171875f, "975/128");
     const Scalar n4_905 = traits::constant(4.905, 4.905f, "981/200");
     const Scalar k4 = traits::constant(8.495709211125343, 8.495709f, "0;0;981/200;0");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
@@ -958,25 +1059,25 @@ struct Mechanism {
     const Scalar s_gamma = sines_[2], c_gamma = cosines_[2];
     const Scalar z27 = v_alpha * c_beta;
     const Scalar z28 = v_alpha * s_beta;
+    const Scalar z49 = n15 * c_beta;
+    const Scalar z50 = n15 * s_beta;
     const Scalar z38 = v_beta * s_gamma - c_gamma * z27;
     const Scalar z39 = v_beta * c_gamma + s_gamma * z27;
     const Scalar z40 = v_gamma - z28;
-    const Scalar z49 = n15 * c_beta;
-    const Scalar z50 = n15 * s_beta;
     const Scalar z156 = s_alpha * z49;
-    result.kinetic = n975_over_128 * (z38 * z38 + z39 * z39) + n15_over_64 * z40 * z40;
+    result.kinetic = n15_over_64 * z40 * z40 + n975_over_128 * (z38 * z38 + z39 * z39);
     result.force_function = -n4_905 * z50 - k4 * z156;
     result.power = n0;
   }
 
   /// First integrals: constant along every motion.
   TORSOR_DEVICE static void first_integrals(const Precomputed&, const State& state, FirstIntegrals& result) noexcept {
-    const Scalar n15_over_32 = traits::constant(0.46875, 0.46875f, "15/32");
     const Scalar n15 = traits::constant(15.0, 15.0f, "15/1");
-    const Scalar n975_over_128 = traits::constant(7.6171875, 7.6171875f, "975/128");
-    const Scalar n15_over_64 = traits::constant(0.234375, 0.234375f, "15/64");
+    const Scalar n15_over_32 = traits::constant(0.46875, 0.46875f, "15/32");
     const Scalar n4_905 = traits::constant(4.905, 4.905f, "981/200");
-    const Scalar k5 = traits::constant(8.495709211125343, 8.495709f, "0;0;981/200;0");
+    const Scalar k3 = traits::constant(8.495709211125343, 8.495709f, "0;0;981/200;0");
+    const Scalar n15_over_64 = traits::constant(0.234375, 0.234375f, "15/64");
+    const Scalar n975_over_128 = traits::constant(7.6171875, 7.6171875f, "975/128");
     const Scalar q_alpha = state.q.alpha;
     const Scalar v_alpha = state.v.alpha;
     const Scalar q_beta = state.q.beta;
@@ -991,14 +1092,14 @@ struct Mechanism {
     const Scalar s_gamma = sines_[2], c_gamma = cosines_[2];
     const Scalar z27 = v_alpha * c_beta;
     const Scalar z28 = v_alpha * s_beta;
+    const Scalar z49 = n15 * c_beta;
+    const Scalar z47 = n15_over_32 * s_beta;
+    const Scalar z50 = n15 * s_beta;
     const Scalar z38 = v_beta * s_gamma - c_gamma * z27;
     const Scalar z39 = v_beta * c_gamma + s_gamma * z27;
     const Scalar z40 = v_gamma - z28;
-    const Scalar z47 = n15_over_32 * s_beta;
-    const Scalar z49 = n15 * c_beta;
-    const Scalar z50 = n15 * s_beta;
     const Scalar z156 = s_alpha * z49;
-    result.energy = n975_over_128 * (z38 * z38 + z39 * z39) + n15_over_64 * z40 * z40 + n4_905 * z50 + k5 * z156;
+    result.energy = n4_905 * z50 + k3 * z156 + n15_over_64 * z40 * z40 + n975_over_128 * (z38 * z38 + z39 * z39);
     result.momentum_gamma = -v_alpha * z47 + n15_over_32 * v_gamma;
   }
 
@@ -1006,15 +1107,15 @@ struct Mechanism {
   /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
   TORSOR_DEVICE static torsor::Status linearisation(const Precomputed&, const State& state,
       const Accelerations& accelerations, const Multipliers&, const Inputs&, Linearisation& result) noexcept {
+    const Scalar k0 = traits::constant(8.495709211125343, 8.495709f, "0;0;981/200;0");
+    const Scalar n975_over_64 = traits::constant(15.234375, 15.234375f, "975/64");
     const Scalar n15_over_32 = traits::constant(0.46875, 0.46875f, "15/32");
     const Scalar n945_over_64 = traits::constant(14.765625, 14.765625f, "945/64");
-    const Scalar k2 = traits::constant(8.495709211125343, 8.495709f, "0;0;981/200;0");
     const Scalar n4_905 = traits::constant(4.905, 4.905f, "981/200");
-    const Scalar n15 = traits::constant(15.0, 15.0f, "15/1");
-    const Scalar n975_over_64 = traits::constant(15.234375, 15.234375f, "975/64");
     const Scalar n32_over_15 = traits::constant(2.1333333333333333, 2.1333334f, "32/15");
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n15 = traits::constant(15.0, 15.0f, "15/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n64_over_975 = traits::constant(0.06564102564102564, 0.06564102f, "64/975");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_alpha = state.q.alpha;
@@ -1030,84 +1131,84 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
-    const Scalar z27 = v_alpha * c_beta;
     const Scalar z28 = v_alpha * s_beta;
-    const Scalar z40 = v_gamma - z28;
+    const Scalar z27 = v_alpha * c_beta;
+    const Scalar z84 = a_alpha * s_beta;
+    const Scalar z83 = a_alpha * c_beta;
+    const Scalar z57 = k0 * c_alpha;
+    const Scalar z146 = n975_over_64 * c_beta * c_beta;
+    const Scalar z171 = v_beta * s_beta;
+    const Scalar z56 = k0 * s_alpha;
     const Scalar z47 = n15_over_32 * s_beta;
+    const Scalar z169 = v_beta * c_beta;
+    const Scalar z196 = n15_over_32 * v_beta;
+    const Scalar z197 = c_beta * z196;
     const Scalar z52 = n945_over_64 * c_beta;
+    const Scalar z40 = v_gamma - z28;
     const Scalar z53 = n15_over_32 + c_beta * z52;
-    const Scalar z56 = k2 * s_alpha;
-    const Scalar z57 = k2 * c_alpha;
     const Scalar z58 = s_beta * z56 - n4_905 * c_beta;
     const Scalar z59 = n4_905 * s_beta + c_beta * z56;
     const Scalar z60 = v_beta * z28;  // angular acceleration of second, x
     const Scalar z61 = v_beta * z27;  // angular acceleration of second, y
-    const Scalar z64 = v_beta * z40;
-    const Scalar z65 = z27 * z40;
-    const Scalar z66 = n15_over_32 * z64;  // moment on top, x
-    const Scalar z67 = n15_over_32 * z61;  // moment on top, y
-    const Scalar z68 = n15_over_32 * z65;  // moment on top, z
     const Scalar z69 = z27 * z28;
-    const Scalar z83 = a_alpha * c_beta;
-    const Scalar z84 = a_alpha * s_beta;
     const Scalar z85 = v_beta * z28 - z83;  // angular acceleration of second, x
     const Scalar z86 = v_beta * z27 + z84;  // angular acceleration of second, y
-    const Scalar z88 = a_gamma - z86;  // angular acceleration of top, y
-    const Scalar z90 = n15_over_32 * z88;  // moment on top, y
-    const Scalar z92 = z60 + z85;
-    const Scalar z95 = n15 * z57 - z66 - n975_over_64 * z92;  // moment on second, x
-    const Scalar z96 = n975_over_64 * (a_beta + z69) - n15 * z58 + z68;  // moment on second, z
-    const Scalar z99 = s_beta * z90 - c_beta * z95;
     const Scalar z145 = n32_over_15 * z47;
-    const Scalar z146 = n975_over_64 * c_beta * c_beta;
-    const Scalar z147 = n1 / z146;
-    const Scalar z157 = n15_over_32 * z40;
-    const Scalar z169 = v_beta * c_beta;
     const Scalar z170 = n15_over_32 * z169;
-    const Scalar z171 = v_beta * s_beta;
     const Scalar z172 = n15_over_32 * z171;
     const Scalar z173 = n2 * z171;
-    const Scalar z174 = z172 - n975_over_64 * z173;
-    const Scalar z175 = s_beta * z170 + c_beta * z174;
     const Scalar z176 = n15 * z56;
-    const Scalar z177 = c_beta * z176;
-    const Scalar z178 = s_beta * z27 - c_beta * z40;
-    const Scalar z179 = n15_over_32 * z178;
     const Scalar z180 = s_beta * z27 + c_beta * z28;
-    const Scalar z181 = z179 - n975_over_64 * z180;
     const Scalar z182 = s_beta * z57;
-    const Scalar z183 = n15 * z182;
     const Scalar z184 = n15_over_32 * z27;
     const Scalar z185 = n2 * z28;
-    const Scalar z186 = z157 + n975_over_64 * z185;
-    const Scalar z187 = s_beta * z184 - c_beta * z186;
+    const Scalar z194 = z27 * z27 - z28 * z28;
+    const Scalar z64 = v_beta * z40;
+    const Scalar z65 = z27 * z40;
+    const Scalar z67 = n15_over_32 * z61;  // moment on top, y
+    const Scalar z147 = n1 / z146;
+    const Scalar z157 = n15_over_32 * z40;
+    const Scalar z174 = z172 - n975_over_64 * z173;
+    const Scalar z177 = c_beta * z176;
+    const Scalar z178 = s_beta * z27 - c_beta * z40;
+    const Scalar z183 = n15 * z182;
+    const Scalar z192 = z27 * z27 + z28 * z40;
+    const Scalar z283 = n64_over_975 * z184;
+    const Scalar z88 = a_gamma - z86;  // angular acceleration of top, y
+    const Scalar z92 = z60 + z85;
     const Scalar z188 = n15_over_32 * z85;
     const Scalar z189 = z61 + z86;
-    const Scalar z190 = z67 - n975_over_64 * z189;
-    const Scalar z191 = s_beta * (z95 + z188) + c_beta * (z90 - z190);
-    const Scalar z192 = z27 * z27 + z28 * z40;
-    const Scalar z193 = n15_over_32 * z192;
-    const Scalar z194 = z27 * z27 - z28 * z28;
-    const Scalar z195 = n15 * z59 + z193 - n975_over_64 * z194;
-    const Scalar z196 = n15_over_32 * v_beta;
-    const Scalar z197 = c_beta * z196;
-    const Scalar z268 = z147 * z177;
+    const Scalar z66 = n15_over_32 * z64;  // moment on top, x
+    const Scalar z68 = n15_over_32 * z65;  // moment on top, z
+    const Scalar z186 = z157 + n975_over_64 * z185;
     const Scalar z269 = n64_over_975 * z183;
-    const Scalar z270 = z145 * z268;
+    const Scalar z90 = n15_over_32 * z88;  // moment on top, y
+    const Scalar z175 = s_beta * z170 + c_beta * z174;
+    const Scalar z179 = n15_over_32 * z178;
+    const Scalar z190 = z67 - n975_over_64 * z189;
+    const Scalar z193 = n15_over_32 * z192;
     const Scalar z271 = c_beta * z174;
-    const Scalar z272 = z147 * z271;
+    const Scalar z95 = n15 * z57 - z66 - n975_over_64 * z92;  // moment on second, x
+    const Scalar z96 = z68 + n975_over_64 * (a_beta + z69) - n15 * z58;  // moment on second, z
+    const Scalar z181 = z179 - n975_over_64 * z180;
+    const Scalar z187 = s_beta * z184 - c_beta * z186;
+    const Scalar z195 = n15 * z59 + z193 - n975_over_64 * z194;
+    const Scalar z279 = c_beta * z186;
     const Scalar z273 = n64_over_975 * z181;
+    const Scalar z268 = z147 * z177;
+    const Scalar z272 = z147 * z271;
+    const Scalar z280 = z147 * z279;
+    const Scalar z282 = z147 * z197;
+    const Scalar z99 = s_beta * z90 - c_beta * z95;
+    const Scalar z191 = c_beta * (z90 - z190) + s_beta * (z95 + z188);
+    const Scalar z277 = n64_over_975 * z195;
+    const Scalar z270 = z145 * z268;
     const Scalar z274 = z145 * z272 - n32_over_15 * z170;
+    const Scalar z281 = n32_over_15 * z184 + z145 * z280;
+    const Scalar z284 = z145 * z282;
     const Scalar z275 = z145 * z188 - z191;
     const Scalar z276 = z147 * z275;
-    const Scalar z277 = n64_over_975 * z195;
-    const Scalar z278 = z145 * z276 + n32_over_15 * z188;
-    const Scalar z279 = c_beta * z186;
-    const Scalar z280 = z147 * z279;
-    const Scalar z281 = z145 * z280 + n32_over_15 * z184;
-    const Scalar z282 = z147 * z197;
-    const Scalar z283 = n64_over_975 * z184;
-    const Scalar z284 = z145 * z282;
+    const Scalar z278 = n32_over_15 * z188 + z145 * z276;
     result.M[0] = z53;
     result.M[1] = n0;
     result.M[2] = -z47;
@@ -1191,8 +1292,8 @@ struct Mechanism {
   TORSOR_DEVICE static torsor::Status jets(const Precomputed&, const State& state, const Inputs&, int order,
       std::array<Scalar, 6>* coefficients) noexcept {
     const Scalar n945_over_64 = traits::constant(14.765625, 14.765625f, "945/64");
-    const Scalar n15_over_32 = traits::constant(0.46875, 0.46875f, "15/32");
     const Scalar n975_over_64 = traits::constant(15.234375, 15.234375f, "975/64");
+    const Scalar n15_over_32 = traits::constant(0.46875, 0.46875f, "15/32");
     const Scalar n2_over_65 = traits::constant(0.03076923076923077, 0.03076923f, "2/65");
     const Scalar n128_over_65 = traits::constant(1.9692307692307693, 1.9692308f, "128/65");
     const Scalar k5 = traits::constant(8.365005992492646, 8.365006f, "0;0;7848/1625;0");
@@ -1208,8 +1309,8 @@ struct Mechanism {
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
     const Scalar z52 = n945_over_64 * c_beta;
-    const Scalar z53 = n15_over_32 + c_beta * z52;
     const Scalar z146 = n975_over_64 * c_beta * c_beta;
+    const Scalar z53 = n15_over_32 + c_beta * z52;
     const Scalar b1 = state.v.alpha;
     const Scalar b8 = state.v.gamma;
     const Scalar b10 = b1 * s_beta;

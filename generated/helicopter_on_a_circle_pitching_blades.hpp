@@ -32,7 +32,7 @@
 #include <cmath>
 
 #ifndef TORSOR_KERNEL_SUPPORT
-#define TORSOR_KERNEL_SUPPORT 2
+#define TORSOR_KERNEL_SUPPORT 3
 // Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
 #ifndef TORSOR_DEVICE
 #define TORSOR_DEVICE
@@ -46,7 +46,7 @@
 //  * two polynomials of least greatest error give the sine and the cosine of r, |r| <= pi/4;
 //  * angles beyond `bound` are rare: they are reduced exactly, in integers, by a function that is not inlined, and so
 //    are all angles under another rounding, which would give the nearest integers wrong.
-// The core has no branch, so that compilers turn a loop over several angles into vector instructions.
+// The core has no branch, so that several angles go through it at once.
 #ifndef TORSOR_STD_SINCOS
 #if defined(__FAST_MATH__) || defined(_M_FP_FAST) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0)
 #define TORSOR_STD_SINCOS  // sums would be reassociated or hold more digits than their type
@@ -94,21 +94,19 @@ struct SineCosine {
       S = S01 + z2 * number(0.0, -0x1.9953f2p-13f);
       C = C01 + z2 * number(0.0, 0x1.99e0eep-16f);
     } else {
-      const Scalar z4 = z2 * z2;
       const Scalar S01 = number(-0x1.5555555555548p-3, 0.0f) + z * number(0x1.111111110f73p-7, 0.0f);
       const Scalar S23 = number(-0x1.a01a019be9217p-13, 0.0f) + z * number(0x1.71de35552b518p-19, 0.0f);
       const Scalar S45 = number(-0x1.ae5e4b83e1601p-26, 0.0f) + z * number(0x1.5d8b55934597bp-33, 0.0f);
       const Scalar C01 = number(0x1.555555555554cp-5, 0.0f) + z * number(-0x1.6c16c16c1521bp-10, 0.0f);
       const Scalar C23 = number(0x1.a01a019cbeb68p-16, 0.0f) + z * number(-0x1.27e4f8121198fp-22, 0.0f);
       const Scalar C45 = number(0x1.1ee9f0cbf70d6p-29, 0.0f) + z * number(-0x1.8fb0e15d5f2ap-37, 0.0f);
-      S = (S01 + z2 * S23) + z4 * S45;
-      C = (C01 + z2 * C23) + z4 * C45;
+      S = S01 + z2 * (S23 + z2 * S45);
+      C = C01 + z2 * (C23 + z2 * C45);
     }
-    const Scalar half_z = half * z, w = one - half_z;
-    // Far below an ulp, it makes the correction of -0 a -0, and so the sine.
-    const Scalar tiny = number(0x1p-100, 0x1p-60f);
-    sine = high + (high * (tiny + z * S) - rest * w);
-    cosine = w + (((one - w) - half_z) + (z2 * C + high * rest));
+    const Scalar half_z = half * z, w = one - half_z, high_z = high * z;
+    // What waits for S and C comes last. The correction of -0 is a 0, which subtracted leaves it -0.
+    sine = high - (rest * w - high_z * S);
+    cosine = w + ((((one - w) - half_z) + high * rest) + z2 * C);
   }
 
   /// Of n pi/2 more.
@@ -123,21 +121,31 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// For |x| <= bound; what is no number gives no number. Exact are n times the first three parts of pi/2, the first
-  /// difference, and each rounded difference together with its rounding error.
-  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
-    const Scalar n = rounded(x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f));
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n plus a number so large that its last bit counts 1; what is no
+  /// number gives no number.
+  ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
+  ///    others do, and may be formed twice;
+  ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
+  ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
+  TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
+                                                        Scalar& cosine) noexcept {
+    const Scalar shift = number(0x1.8p52, 0x1.8p23f);
+    const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
+    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift;
+    const Scalar n = shifted - shift;
     const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
-    const Scalar second = n * number(0x1.0b4611a6p-34, 0x1.ed5p-14f);
-    const Scalar third = n * number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    const Scalar fourth = n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
-    const Scalar r = first - second;
-    const Scalar taken = first - r;
-    const Scalar error = (first - (r + taken)) - (second - taken);
-    const Scalar high = r - third;
-    const Scalar rest = ((third - (r - high)) - error) + fourth;
+    const Scalar r = first - n * P;
+    const Scalar error = (first - r) - n * P;
+    const Scalar high = r - n * Q;
+    const Scalar rest = ((n * Q - (r - high)) - error) + n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
     of_reduced(high, rest, sine, cosine);
-    turn(n, sine, cosine);
+  }
+
+  /// For |x| <= bound.
+  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
+    Scalar shifted;
+    of_remainder(x, shifted, sine, cosine);
+    turn(shifted - number(0x1.8p52, 0x1.8p23f), sine, cosine);
   }
 };
 
@@ -256,61 +264,151 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
 #endif
 }
 
-/// Of some angles up to the bound, a multiple of what a vector holds. Local arrays, which nothing else can point to.
-template <int size, class Scalar>
-TORSOR_DEVICE TORSOR_INLINED void sincos_of_block(const Scalar* angles, Scalar* sines, Scalar* cosines) noexcept {
-  Scalar x[size], s[size], c[size];
-  for (int i = 0; i < size; ++i) x[i] = angles[i];
-  // Compilers make vector instructions of a loop, but not always of a row of statements.
-#if defined(__clang__)
-#pragma clang loop unroll(disable)
-#elif defined(__GNUC__) && !defined(__CUDACC__)
-#pragma GCC unroll 1
+}  // namespace torsor
+// Sines and cosines of several angles at once: by vector registers where GNU C++ has types for them, which compilers
+// without AVX make of narrower ones; loops over numbers are not left to compilers to find.
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define TORSOR_VECTOR_TYPES
 #endif
-  for (int i = 0; i < size; ++i) SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::core(x[i], s[i], c[i]);
-  for (int i = 0; i < size; ++i) sines[i] = s[i];
-  for (int i = 0; i < size; ++i) cosines[i] = c[i];
+
+namespace torsor {
+
+#if defined(TORSOR_VECTOR_TYPES)
+/// 0, 1, ... as arguments of a template.
+template <int... place>
+struct Places {};
+template <int count, int... place>
+struct FirstPlaces : FirstPlaces<count - 1, count - 1, place...> {};
+template <int... place>
+struct FirstPlaces<0, place...> {
+  using type = Places<place...>;
+};
+
+/// Some registers of equally many numbers, which take the same operations by turns: while the one waits for its last
+/// result, the other is at work. A scalar for SineCosine, of which it needs constants, sums and products only.
+template <class Number, int lanes, int count>
+struct Registers {
+  typedef Number Numbers __attribute__((vector_size(lanes * sizeof(Number))));
+  using Bits = decltype(Numbers{} < Numbers{});
+  Numbers part[count];
+
+  TORSOR_INLINED friend Registers operator+(const Registers& a, const Registers& b) noexcept {
+    Registers sum;
+    for (int i = 0; i < count; ++i) sum.part[i] = a.part[i] + b.part[i];
+    return sum;
+  }
+  TORSOR_INLINED friend Registers operator-(const Registers& a, const Registers& b) noexcept {
+    Registers difference;
+    for (int i = 0; i < count; ++i) difference.part[i] = a.part[i] - b.part[i];
+    return difference;
+  }
+  TORSOR_INLINED friend Registers operator*(const Registers& a, const Registers& b) noexcept {
+    Registers product;
+    for (int i = 0; i < count; ++i) product.part[i] = a.part[i] * b.part[i];
+    return product;
+  }
+};
+
+template <class Number, int lanes, int count>
+struct scalar_traits<Registers<Number, lanes, count>> {
+  using Scalar = Registers<Number, lanes, count>;
+  TORSOR_INLINED static Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    constexpr bool is_float = sizeof(Number) == sizeof(float);
+    const Number number = is_float ? static_cast<Number>(in_float) : static_cast<Number>(in_double);
+    Scalar result;
+    for (int i = 0; i < count; ++i) {
+      for (int lane = 0; lane < lanes; ++lane) result.part[i][lane] = number;
+    }
+    return result;
+  }
+};
+
+/// Of angles up to the bound, bit by bit what SineCosine::core gives where nothing is fused. The quarter of the turn is
+/// in the last two bits of `shifted`: it is chosen by bits, not by products.
+template <class Number, int lanes, int count>
+TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& angles,
+                                        Registers<Number, lanes, count>& sines,
+                                        Registers<Number, lanes, count>& cosines) noexcept {
+  using Scalar = Registers<Number, lanes, count>;
+  using Numbers = typename Scalar::Numbers;
+  using Bits = typename Scalar::Bits;
+  constexpr int sign_bit = 8 * static_cast<int>(sizeof(Number)) - 1;
+  Scalar shifted, sine, cosine;
+  SineCosine<Scalar, sizeof(Number) == sizeof(float)>::of_remainder(angles, shifted, sine, cosine);
+  const Bits sign = (Bits)scalar_traits<Scalar>::constant(-0.0, -0.0f, nullptr).part[0];
+  for (int i = 0; i < count; ++i) {
+    const Bits bits = (Bits)shifted.part[i], s = (Bits)sine.part[i], c = (Bits)cosine.part[i];
+    const Bits odd = Bits{} - (bits & 1);  // all bits or none
+    const Bits upper = bits << (sign_bit - 1);
+    // The sine is negated for n = 2 and 3, the cosine for 1 and 2.
+    sines.part[i] = (Numbers)(((odd & c) | (~odd & s)) ^ (upper & sign));
+    cosines.part[i] = (Numbers)(((odd & s) | (~odd & c)) ^ ((upper ^ odd) & sign));
+  }
 }
 
-/// Of several angles at once, in float or double: as many as a vector holds go through the core together.
-template <class Scalar, int N>
-TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
-                                            Scalar (&cosines)[N]) noexcept {
-  constexpr int narrow = 16 / sizeof(Scalar);
+/// Of the angles first to first + size - 1, up to the bound, in one register or two; idle lanes get 0. Returns the sum
+/// of their squares. Places are constants before anything is optimised: lanes then come from registers and go there,
+/// where a way through memory would be stored in parts and loaded whole.
+template <int size, class Number, int N, int... lane, int... place>
+TORSOR_INLINED Number sincos_of_some(int first, const Number (&angles)[N], Number (&sines)[N], Number (&cosines)[N],
+                                     Places<lane...>, Places<place...>) noexcept {
+  constexpr int lanes = sizeof...(lane), count = size > lanes ? 2 : 1;
+  using Some = Registers<Number, lanes, count>;
+  const auto angle = [&](int i) noexcept { return i < size ? angles[first + i] : Number(0); };
+  Some x, s, c;
+  x.part[0] = typename Some::Numbers{angle(lane)...};
+  if constexpr (count == 2) x.part[1] = typename Some::Numbers{angle(lane + lanes)...};
+  sincos_of_registers(x, s, c);
+  ((sines[first + place] = s.part[place / lanes][place % lanes]), ...);
+  ((cosines[first + place] = c.part[place / lanes][place % lanes]), ...);
+  typename Some::Numbers squares = x.part[0] * x.part[0];
+  if constexpr (count == 2) squares += x.part[1] * x.part[1];
+  return (squares[lane] + ...);
+}
+
+/// Of several angles up to the bound, by two registers at a time. Returns the sum of their squares.
+template <class Number, int N>
+TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&sines)[N],
+                                          Number (&cosines)[N]) noexcept {
+  constexpr int narrow = 16 / static_cast<int>(sizeof(Number));
 #if defined(__AVX__)
-  constexpr int wide = 32 / sizeof(Scalar);
+  // Registers of AVX-512 gain nothing for so few numbers.
+  constexpr int lanes = N <= narrow ? narrow : 2 * narrow;
 #else
-  constexpr int wide = narrow;
+  constexpr int lanes = narrow;
 #endif
-#if defined(__CUDA_ARCH__) || defined(TORSOR_STD_SINCOS)
-  constexpr bool by_vectors = false;
-#elif defined(__clang__)
-  constexpr bool by_vectors = N >= 4;  // it leaves a loop over two as it is
-#else
-  constexpr bool by_vectors = N >= narrow;
-#endif
-  if constexpr (by_vectors) {
-    constexpr int vector = N >= wide ? wide : narrow, rest = N % vector;
-    // Of a rest some angles are done again: a whole vector costs less than two or three alone.
+  constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
+  using AllLanes = typename FirstPlaces<lanes>::type;
+  Number squares = 0;
+  // One copy of the code: its constants stay where they are.
 #if defined(__clang__)
-    sincos_of_block<N - rest>(angles, sines, cosines);  // best as one loop
-    if constexpr (rest > 1) {
-      sincos_of_block<vector>(angles + (N - vector), sines + (N - vector), cosines + (N - vector));
-    }
+#pragma clang loop unroll(disable)
 #else
-    for (int next = 0; next < N - (rest == 1); next += vector) {
-      const int first = next + vector <= N ? next : N - vector;
-      sincos_of_block<vector>(angles + first, sines + first, cosines + first);
-    }
+#pragma GCC unroll 1
 #endif
-    if constexpr (rest == 1) sincos_of_one(angles[N - 1], sines[N - 1], cosines[N - 1]);
+  for (int i = 0; i < whole; i += both)
+    squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+  if constexpr (rest > 0)
+    squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
+  return squares;
+}
+#endif
+
+/// Of several angles at once, in float or double.
+template <class Scalar, int N>
+TORSOR_DEVICE TORSOR_INLINED void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
+#if defined(TORSOR_VECTOR_TYPES) && !defined(TORSOR_STD_SINCOS)
+  constexpr bool at_once = N > 1;
+#else
+  constexpr bool at_once = false;
+#endif
+  if constexpr (at_once) {
+    const Scalar squares = sincos_in_registers(angles, sines, cosines);
     constexpr Scalar bound = static_cast<Scalar>(SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::bound);
-    Scalar sum = 0;
-    for (int i = 0; i < N; ++i) sum += std::abs(angles[i]);
-    const bool to_one_side = rounds_to_one_side(sum);
-    if (sum <= bound && !to_one_side) return;
+    if (squares <= bound * bound && !rounds_to_one_side(squares)) return;
     for (int i = 0; i < N; ++i) {
-      if (std::abs(angles[i]) > bound || to_one_side) sincos_far(angles[i], sines[i], cosines[i]);
+      if (std::abs(angles[i]) > bound || rounds_to_one_side(angles[i])) sincos_far(angles[i], sines[i], cosines[i]);
     }
   } else {
     for (int i = 0; i < N; ++i) sincos_of_one(angles[i], sines[i], cosines[i]);
@@ -319,17 +417,19 @@ TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&
 
 /// Of several angles of any scalar: at once where its traits have a `sincos` of arrays, else one by one.
 template <class Scalar, int N>
-TORSOR_DEVICE auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N], int) noexcept
+TORSOR_DEVICE TORSOR_INLINED auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], int) noexcept
     -> decltype(scalar_traits<Scalar>::sincos(angles, sines, cosines)) {
   scalar_traits<Scalar>::sincos(angles, sines, cosines);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N],
-                                    long) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], long) noexcept {
   for (int i = 0; i < N; ++i) scalar_traits<Scalar>::sincos(angles[i], sines[i], cosines[i]);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
   sincos_by_traits(angles, sines, cosines, 0);
 }
 
@@ -366,7 +466,8 @@ struct scalar_traits {
   }
   /// Of several angles at once; a specialisation without it gets them one by one.
   template <int N>
-  TORSOR_DEVICE static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+  TORSOR_DEVICE TORSOR_INLINED static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                  Scalar (&cosines)[N]) noexcept {
     sincos_of_several(angles, sines, cosines);
   }
   TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
@@ -379,7 +480,7 @@ struct scalar_traits {
 };
 
 }  // namespace torsor
-#elif TORSOR_KERNEL_SUPPORT != 2
+#elif TORSOR_KERNEL_SUPPORT != 3
 #error "headers of incompatible versions of torsor meet here: write them again with one version"
 #endif
 
@@ -393,7 +494,7 @@ struct Mechanism {
 
   static constexpr const char* name = "helicopter_on_a_circle_pitching_blades";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x6cb837eaf2283633ULL;
+  static constexpr unsigned long long fingerprint = 0x1c6662edf49e0d10ULL;
   static constexpr int coordinate_count = 5;
   static constexpr int velocity_count = 5;
   static constexpr int input_count = 1;
@@ -679,8 +780,8 @@ struct Mechanism {
   /// matrices column by column.
   TORSOR_DEVICE static void kinematics(const Precomputed& precomputed, const State& state,
       Kinematics& result) noexcept {
-    const Scalar n100 = traits::constant(100.0, 100.0f, "100/1");
     const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    const Scalar n100 = traits::constant(100.0, 100.0f, "100/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
@@ -709,81 +810,81 @@ struct Mechanism {
     const Scalar s_alpha_2 = sines_[3], c_alpha_2 = cosines_[3];
     const Scalar s_alpha_3 = sines_[4], c_alpha_3 = cosines_[4];
     const Scalar s_alpha_4 = sines_[5], c_alpha_4 = cosines_[5];
-    const Scalar z33 = n100 * z4;
-    const Scalar z34 = n100 * z3;
+    const Scalar z38 = z4 * c_theta;
+    const Scalar z40 = z3 * c_theta;
+    const Scalar z50 = c_phi * z42;
+    const Scalar z51 = s_phi * z42;
     const Scalar z36 = z3 * z35;  // velocity of outwards, x
     const Scalar z37 = z4 * z35;  // velocity of outwards, y
-    const Scalar z38 = z4 * c_theta;
     const Scalar z39 = z4 * s_theta;
-    const Scalar z40 = z3 * c_theta;
     const Scalar z41 = z3 * s_theta;
+    const Scalar z52 = v_phi + z43;
+    const Scalar z48 = s_theta * c_phi;
+    const Scalar z49 = s_theta * s_phi;
+    const Scalar z55 = p_omega + c_theta * v_phi;  // angular velocity of rotor, z
+    const Scalar z109 = n3 * z52;
+    const Scalar z33 = n100 * z4;
+    const Scalar z34 = n100 * z3;
+    const Scalar z60 = c_theta * s_alpha_1 - c_alpha_1 * z49;
+    const Scalar z61 = c_theta * c_alpha_1 + s_alpha_1 * z49;
+    const Scalar z67 = v_alpha_1 * z48 + z55;  // angular velocity of blade_1, z
+    const Scalar z72 = c_theta * s_alpha_2 - c_alpha_2 * z48;
+    const Scalar z73 = c_theta * c_alpha_2 + s_alpha_2 * z48;
+    const Scalar z79 = v_alpha_2 * z49 - z55;  // angular velocity of blade_2, z
+    const Scalar z84 = c_theta * s_alpha_3 + c_alpha_3 * z49;
+    const Scalar z85 = c_theta * c_alpha_3 - s_alpha_3 * z49;
+    const Scalar z91 = v_alpha_3 * z48 - z55;  // angular velocity of blade_3, z
+    const Scalar z96 = c_theta * s_alpha_4 + c_alpha_4 * z48;
+    const Scalar z97 = c_theta * c_alpha_4 - s_alpha_4 * z48;
+    const Scalar z103 = v_alpha_4 * z49 + z55;  // angular velocity of blade_4, z
+    const Scalar z106 = n3 * z48;
+    const Scalar z110 = n3 * z51;
+    const Scalar z116 = n3 * z49;
+    const Scalar z119 = n3 * z50;
     const Scalar z44 = z3 * s_phi - c_phi * z38;
     const Scalar z45 = z3 * c_phi + s_phi * z38;
     const Scalar z46 = z4 * s_phi + c_phi * z40;
     const Scalar z47 = z4 * c_phi - s_phi * z40;
-    const Scalar z48 = s_theta * c_phi;
-    const Scalar z49 = s_theta * s_phi;
-    const Scalar z50 = c_phi * z42;
-    const Scalar z51 = s_phi * z42;
-    const Scalar z52 = v_phi + z43;
     const Scalar z53 = v_phi * z39;  // angular velocity of rotor, x
     const Scalar z54 = v_phi * z41;  // angular velocity of rotor, y
-    const Scalar z55 = p_omega + c_theta * v_phi;  // angular velocity of rotor, z
+    const Scalar z113 = c_theta * z110 - z49 * z109;
+    const Scalar z122 = c_theta * z119 - z48 * z109;
     const Scalar z56 = s_alpha_1 * z39 + c_alpha_1 * z45;
     const Scalar z57 = s_alpha_1 * z45 - c_alpha_1 * z39;
     const Scalar z58 = s_alpha_1 * z41 - c_alpha_1 * z47;
-    const Scalar z59 = s_alpha_1 * z47 + c_alpha_1 * z41;
-    const Scalar z60 = c_theta * s_alpha_1 - c_alpha_1 * z49;
-    const Scalar z61 = c_theta * c_alpha_1 + s_alpha_1 * z49;
+    const Scalar z59 = c_alpha_1 * z41 + s_alpha_1 * z47;
     const Scalar z65 = v_alpha_1 * z44 + z53;  // angular velocity of blade_1, x
     const Scalar z66 = v_alpha_1 * z46 - z54;  // angular velocity of blade_1, y
-    const Scalar z67 = v_alpha_1 * z48 + z55;  // angular velocity of blade_1, z
     const Scalar z68 = s_alpha_2 * z39 - c_alpha_2 * z44;
-    const Scalar z69 = s_alpha_2 * z44 + c_alpha_2 * z39;
+    const Scalar z104 = n3 * z44;
+    const Scalar z105 = n3 * z46;
+    const Scalar z114 = n3 * z45;
+    const Scalar z115 = n3 * z47;
+    const Scalar z69 = c_alpha_2 * z39 + s_alpha_2 * z44;
     const Scalar z70 = s_alpha_2 * z41 + c_alpha_2 * z46;
     const Scalar z71 = s_alpha_2 * z46 - c_alpha_2 * z41;
-    const Scalar z72 = c_theta * s_alpha_2 - c_alpha_2 * z48;
-    const Scalar z73 = c_theta * c_alpha_2 + s_alpha_2 * z48;
     const Scalar z77 = v_alpha_2 * z45 + z53;  // angular velocity of blade_2, x
     const Scalar z78 = v_alpha_2 * z47 - z54;  // angular velocity of blade_2, y
-    const Scalar z79 = v_alpha_2 * z49 - z55;  // angular velocity of blade_2, z
     const Scalar z80 = s_alpha_3 * z39 - c_alpha_3 * z45;
-    const Scalar z81 = s_alpha_3 * z45 + c_alpha_3 * z39;
+    const Scalar z81 = c_alpha_3 * z39 + s_alpha_3 * z45;
     const Scalar z82 = s_alpha_3 * z41 + c_alpha_3 * z47;
     const Scalar z83 = s_alpha_3 * z47 - c_alpha_3 * z41;
-    const Scalar z84 = c_theta * s_alpha_3 + c_alpha_3 * z49;
-    const Scalar z85 = c_theta * c_alpha_3 - s_alpha_3 * z49;
     const Scalar z89 = v_alpha_3 * z44 - z53;  // angular velocity of blade_3, x
     const Scalar z90 = v_alpha_3 * z46 + z54;  // angular velocity of blade_3, y
-    const Scalar z91 = v_alpha_3 * z48 - z55;  // angular velocity of blade_3, z
     const Scalar z92 = s_alpha_4 * z39 + c_alpha_4 * z44;
     const Scalar z93 = s_alpha_4 * z44 - c_alpha_4 * z39;
     const Scalar z94 = s_alpha_4 * z41 - c_alpha_4 * z46;
-    const Scalar z95 = s_alpha_4 * z46 + c_alpha_4 * z41;
-    const Scalar z96 = c_theta * s_alpha_4 + c_alpha_4 * z48;
-    const Scalar z97 = c_theta * c_alpha_4 - s_alpha_4 * z48;
+    const Scalar z95 = c_alpha_4 * z41 + s_alpha_4 * z46;
     const Scalar z101 = v_alpha_4 * z45 - z53;  // angular velocity of blade_4, x
     const Scalar z102 = v_alpha_4 * z47 + z54;  // angular velocity of blade_4, y
-    const Scalar z103 = v_alpha_4 * z49 + z55;  // angular velocity of blade_4, z
-    const Scalar z104 = n3 * z44;
-    const Scalar z105 = n3 * z46;
-    const Scalar z106 = n3 * z48;
     const Scalar z107 = z33 - z104;
     const Scalar z108 = z34 + z105;
-    const Scalar z109 = n3 * z52;
-    const Scalar z110 = n3 * z51;
     const Scalar z111 = z36 + z39 * z110 + z45 * z109;
     const Scalar z112 = z37 - z41 * z110 + z47 * z109;
-    const Scalar z113 = c_theta * z110 - z49 * z109;
-    const Scalar z114 = n3 * z45;
-    const Scalar z115 = n3 * z47;
-    const Scalar z116 = n3 * z49;
     const Scalar z117 = z33 - z114;
     const Scalar z118 = z34 + z115;
-    const Scalar z119 = n3 * z50;
     const Scalar z120 = z36 + z39 * z119 - z44 * z109;
     const Scalar z121 = z37 - z41 * z119 - z46 * z109;
-    const Scalar z122 = c_theta * z119 - z48 * z109;
     const Scalar z123 = z33 + z104;
     const Scalar z124 = z34 - z105;
     const Scalar z125 = z36 - z39 * z110 - z45 * z109;
@@ -976,16 +1077,16 @@ struct Mechanism {
     const Scalar s_alpha_3 = sines_[2];
     const Scalar s_alpha_4 = sines_[3];
     const Scalar z135 = n0_4 * s_alpha_4;
-    const Scalar z138 = s_alpha_4 * z135;
-    const Scalar z140 = n1331_6 - z138;
     const Scalar z143 = n0_4 * s_alpha_3;
-    const Scalar z146 = s_alpha_3 * z143;
-    const Scalar z150 = z140 - z146;
     const Scalar z151 = n0_4 * s_alpha_2;
-    const Scalar z154 = s_alpha_2 * z151;
-    const Scalar z159 = z150 - z154;
     const Scalar z160 = n0_4 * s_alpha_1;
+    const Scalar z138 = s_alpha_4 * z135;
+    const Scalar z146 = s_alpha_3 * z143;
+    const Scalar z154 = s_alpha_2 * z151;
     const Scalar z163 = s_alpha_1 * z160;
+    const Scalar z140 = n1331_6 - z138;
+    const Scalar z150 = z140 - z146;
+    const Scalar z159 = z150 - z154;
     const Scalar z168 = z159 - z163;
     mass[0] = z168;
     mass[1] = n0;
@@ -1043,14 +1144,20 @@ struct Mechanism {
     const Scalar s_alpha_2 = sines_[2], c_alpha_2 = cosines_[2];
     const Scalar s_alpha_3 = sines_[3], c_alpha_3 = cosines_[3];
     const Scalar s_alpha_4 = sines_[4], c_alpha_4 = cosines_[4];
+    const Scalar z52 = v_phi + z43;
     const Scalar z50 = c_phi * z42;
     const Scalar z51 = s_phi * z42;
-    const Scalar z52 = v_phi + z43;
+    const Scalar z216 = v_phi * s_phi;
+    const Scalar z214 = p_alpha - q_alpha_1 + c_phi * p_alpha_c;
+    const Scalar z225 = q_alpha_3 - p_alpha + c_phi * p_alpha_c;
+    const Scalar z222 = v_phi * c_phi;
+    const Scalar z220 = q_alpha_2 - p_alpha + s_phi * p_alpha_c;
+    const Scalar z229 = p_alpha - q_alpha_4 + s_phi * p_alpha_c;
     const Scalar z62 = s_alpha_1 * z52 - c_alpha_1 * z51;
-    const Scalar z63 = s_alpha_1 * z51 + c_alpha_1 * z52;
+    const Scalar z63 = c_alpha_1 * z52 + s_alpha_1 * z51;
     const Scalar z64 = v_alpha_1 + z50;
     const Scalar z74 = s_alpha_2 * z52 - c_alpha_2 * z50;
-    const Scalar z75 = s_alpha_2 * z50 + c_alpha_2 * z52;
+    const Scalar z75 = c_alpha_2 * z52 + s_alpha_2 * z50;
     const Scalar z76 = v_alpha_2 - z51;
     const Scalar z86 = s_alpha_3 * z52 + c_alpha_3 * z51;
     const Scalar z87 = s_alpha_3 * z51 - c_alpha_3 * z52;
@@ -1058,64 +1165,58 @@ struct Mechanism {
     const Scalar z98 = s_alpha_4 * z52 + c_alpha_4 * z50;
     const Scalar z99 = s_alpha_4 * z50 - c_alpha_4 * z52;
     const Scalar z100 = v_alpha_4 + z51;
-    const Scalar z214 = c_phi * p_alpha_c - q_alpha_1 + p_alpha;
-    const Scalar z215 = p_k * z214;
-    const Scalar z216 = v_phi * s_phi;
     const Scalar z217 = v_alpha_1 + p_alpha_c * z216;
-    const Scalar z219 = z217 * p_c;
-    const Scalar z220 = s_phi * p_alpha_c + q_alpha_2 - p_alpha;
-    const Scalar z221 = p_k * z220;
-    const Scalar z222 = v_phi * c_phi;
     const Scalar z223 = v_alpha_2 + p_alpha_c * z222;
-    const Scalar z224 = p_c * z223;
-    const Scalar z225 = c_phi * p_alpha_c + q_alpha_3 - p_alpha;
-    const Scalar z226 = p_k * z225;
     const Scalar z227 = v_alpha_3 - p_alpha_c * z216;
-    const Scalar z228 = p_c * z227;
-    const Scalar z229 = s_phi * p_alpha_c - q_alpha_4 + p_alpha;
-    const Scalar z230 = p_k * z229;
     const Scalar z231 = v_alpha_4 - p_alpha_c * z222;
-    const Scalar z232 = p_c * z231;
     const Scalar z239 = v_phi * z51;  // angular acceleration of rotor, x
     const Scalar z240 = v_phi * z50;  // angular acceleration of rotor, y
+    const Scalar z215 = p_k * z214;
+    const Scalar z221 = p_k * z220;
+    const Scalar z226 = p_k * z225;
+    const Scalar z230 = p_k * z229;
     const Scalar z242 = s_alpha_1 * z240;
-    const Scalar z246 = v_alpha_1 * z62 - z242;  // angular acceleration of blade_1, z
     const Scalar z248 = s_alpha_2 * z239;
-    const Scalar z252 = v_alpha_2 * z74 + z248;  // angular acceleration of blade_2, z
     const Scalar z254 = s_alpha_3 * z240;
-    const Scalar z258 = v_alpha_3 * z86 + z254;  // angular acceleration of blade_3, z
     const Scalar z260 = s_alpha_4 * z239;
-    const Scalar z264 = v_alpha_4 * z98 - z260;  // angular acceleration of blade_4, z
-    const Scalar z265 = z98 * z99;
+    const Scalar z219 = z217 * p_c;
+    const Scalar z224 = p_c * z223;
+    const Scalar z228 = p_c * z227;
+    const Scalar z232 = p_c * z231;
     const Scalar z266 = z98 * z100;
-    const Scalar z267 = z264 + z266;
-    const Scalar z268 = n0_4 * (z240 - z265);  // moment on blade_4, x
-    const Scalar z269 = n0_4 * z267;  // moment on blade_4, z
-    const Scalar z271 = c_alpha_4 * z269;
-    const Scalar z272 = z86 * z87;
     const Scalar z273 = z86 * z88;
-    const Scalar z274 = z258 + z273;
-    const Scalar z275 = n0_4 * (z239 - z272);  // moment on blade_3, x
-    const Scalar z276 = n0_4 * z274;  // moment on blade_3, z
-    const Scalar z278 = c_alpha_3 * z276;
     const Scalar z279 = z74 * z75;
     const Scalar z280 = z74 * z76;
-    const Scalar z281 = z252 + z280;
-    const Scalar z282 = n0_4 * (z240 - z279);  // moment on blade_2, x
-    const Scalar z283 = n0_4 * z281;  // moment on blade_2, z
-    const Scalar z285 = c_alpha_2 * z283;
     const Scalar z286 = z62 * z63;
     const Scalar z287 = z62 * z64;
-    const Scalar z288 = z246 + z287;
+    const Scalar z246 = v_alpha_1 * z62 - z242;  // angular acceleration of blade_1, z
+    const Scalar z252 = v_alpha_2 * z74 + z248;  // angular acceleration of blade_2, z
+    const Scalar z258 = v_alpha_3 * z86 + z254;  // angular acceleration of blade_3, z
+    const Scalar z264 = v_alpha_4 * z98 - z260;  // angular acceleration of blade_4, z
+    const Scalar z265 = z98 * z99;
+    const Scalar z272 = z86 * z87;
+    const Scalar z282 = n0_4 * (z240 - z279);  // moment on blade_2, x
     const Scalar z289 = n0_4 * (z239 - z286);  // moment on blade_1, x
+    const Scalar z267 = z264 + z266;
+    const Scalar z268 = n0_4 * (z240 - z265);  // moment on blade_4, x
+    const Scalar z274 = z258 + z273;
+    const Scalar z275 = n0_4 * (z239 - z272);  // moment on blade_3, x
+    const Scalar z281 = z252 + z280;
+    const Scalar z288 = z246 + z287;
+    const Scalar z269 = n0_4 * z267;  // moment on blade_4, z
+    const Scalar z276 = n0_4 * z274;  // moment on blade_3, z
+    const Scalar z283 = n0_4 * z281;  // moment on blade_2, z
     const Scalar z290 = n0_4 * z288;  // moment on blade_1, z
-    const Scalar z292 = c_alpha_1 * z290;
-    const Scalar z297 = z271 + z278 + z285 + z292;  // moment on rotor, z
-    const Scalar z305 = p_alpha_c * (s_phi * (z215 - z219 + z226 + z228) - c_phi * (z221 + z224 + z230 - z232)) + z297;
     const Scalar z306 = z215 - z219 + z289;
     const Scalar z307 = z221 + z224 - z282;
+    const Scalar z271 = c_alpha_4 * z269;
+    const Scalar z278 = c_alpha_3 * z276;
+    const Scalar z285 = c_alpha_2 * z283;
+    const Scalar z292 = c_alpha_1 * z290;
     const Scalar z308 = z226 + z228 + z275;
     const Scalar z309 = z230 - z232 - z268;
+    const Scalar z297 = z271 + z278 + z285 + z292;  // moment on rotor, z
+    const Scalar z305 = p_alpha_c * (s_phi * (z215 + z226 - z219 + z228) - c_phi * (z221 + z230 + z224 - z232)) + z297;
     forces.phi = -z305;
     forces.alpha_1 = -z306;
     forces.alpha_2 = z307;
@@ -1157,14 +1258,20 @@ struct Mechanism {
     const Scalar s_alpha_2 = sines_[2], c_alpha_2 = cosines_[2];
     const Scalar s_alpha_3 = sines_[3], c_alpha_3 = cosines_[3];
     const Scalar s_alpha_4 = sines_[4], c_alpha_4 = cosines_[4];
-    const Scalar z50 = c_phi * z42;
     const Scalar z51 = s_phi * z42;
     const Scalar z52 = v_phi + z43;
+    const Scalar z50 = c_phi * z42;
+    const Scalar z216 = v_phi * s_phi;
+    const Scalar z214 = p_alpha - q_alpha_1 + c_phi * p_alpha_c;
+    const Scalar z225 = q_alpha_3 - p_alpha + c_phi * p_alpha_c;
+    const Scalar z222 = v_phi * c_phi;
+    const Scalar z220 = q_alpha_2 - p_alpha + s_phi * p_alpha_c;
+    const Scalar z229 = p_alpha - q_alpha_4 + s_phi * p_alpha_c;
     const Scalar z62 = s_alpha_1 * z52 - c_alpha_1 * z51;
-    const Scalar z63 = s_alpha_1 * z51 + c_alpha_1 * z52;
+    const Scalar z63 = c_alpha_1 * z52 + s_alpha_1 * z51;
     const Scalar z64 = v_alpha_1 + z50;
     const Scalar z74 = s_alpha_2 * z52 - c_alpha_2 * z50;
-    const Scalar z75 = s_alpha_2 * z50 + c_alpha_2 * z52;
+    const Scalar z75 = c_alpha_2 * z52 + s_alpha_2 * z50;
     const Scalar z76 = v_alpha_2 - z51;
     const Scalar z86 = s_alpha_3 * z52 + c_alpha_3 * z51;
     const Scalar z87 = s_alpha_3 * z51 - c_alpha_3 * z52;
@@ -1172,68 +1279,62 @@ struct Mechanism {
     const Scalar z98 = s_alpha_4 * z52 + c_alpha_4 * z50;
     const Scalar z99 = s_alpha_4 * z50 - c_alpha_4 * z52;
     const Scalar z100 = v_alpha_4 + z51;
-    const Scalar z214 = c_phi * p_alpha_c - q_alpha_1 + p_alpha;
-    const Scalar z215 = p_k * z214;
-    const Scalar z216 = v_phi * s_phi;
     const Scalar z217 = v_alpha_1 + p_alpha_c * z216;
-    const Scalar z219 = z217 * p_c;
-    const Scalar z220 = s_phi * p_alpha_c + q_alpha_2 - p_alpha;
-    const Scalar z221 = p_k * z220;
-    const Scalar z222 = v_phi * c_phi;
     const Scalar z223 = v_alpha_2 + p_alpha_c * z222;
-    const Scalar z224 = p_c * z223;
-    const Scalar z225 = c_phi * p_alpha_c + q_alpha_3 - p_alpha;
-    const Scalar z226 = p_k * z225;
     const Scalar z227 = v_alpha_3 - p_alpha_c * z216;
-    const Scalar z228 = p_c * z227;
-    const Scalar z229 = s_phi * p_alpha_c - q_alpha_4 + p_alpha;
-    const Scalar z230 = p_k * z229;
     const Scalar z231 = v_alpha_4 - p_alpha_c * z222;
-    const Scalar z232 = p_c * z231;
     const Scalar z239 = v_phi * z51;  // angular acceleration of rotor, x
     const Scalar z240 = v_phi * z50;  // angular acceleration of rotor, y
-    const Scalar z265 = z98 * z99;
+    const Scalar z215 = p_k * z214;
+    const Scalar z221 = p_k * z220;
+    const Scalar z226 = p_k * z225;
+    const Scalar z230 = p_k * z229;
+    const Scalar z311 = a_phi * c_alpha_1 + s_alpha_1 * z240;
+    const Scalar z312 = a_alpha_1 - z239;  // angular acceleration of blade_1, x
+    const Scalar z316 = a_phi * c_alpha_2 - s_alpha_2 * z239;
+    const Scalar z317 = a_alpha_2 - z240;  // angular acceleration of blade_2, x
+    const Scalar z321 = a_phi * c_alpha_3 - s_alpha_3 * z240;
+    const Scalar z322 = a_alpha_3 + z239;  // angular acceleration of blade_3, x
+    const Scalar z326 = a_phi * c_alpha_4 + s_alpha_4 * z239;
+    const Scalar z327 = a_alpha_4 + z240;  // angular acceleration of blade_4, x
+    const Scalar z219 = z217 * p_c;
+    const Scalar z224 = p_c * z223;
+    const Scalar z228 = p_c * z227;
+    const Scalar z232 = p_c * z231;
     const Scalar z266 = z98 * z100;
-    const Scalar z272 = z86 * z87;
     const Scalar z273 = z86 * z88;
     const Scalar z279 = z74 * z75;
     const Scalar z280 = z74 * z76;
     const Scalar z286 = z62 * z63;
     const Scalar z287 = z62 * z64;
-    const Scalar z311 = a_phi * c_alpha_1 + s_alpha_1 * z240;
-    const Scalar z312 = a_alpha_1 - z239;  // angular acceleration of blade_1, x
+    const Scalar z265 = z98 * z99;
+    const Scalar z272 = z86 * z87;
     const Scalar z314 = v_alpha_1 * z62 - z311;  // angular acceleration of blade_1, z
-    const Scalar z316 = a_phi * c_alpha_2 - s_alpha_2 * z239;
-    const Scalar z317 = a_alpha_2 - z240;  // angular acceleration of blade_2, x
     const Scalar z319 = v_alpha_2 * z74 - z316;  // angular acceleration of blade_2, z
-    const Scalar z321 = a_phi * c_alpha_3 - s_alpha_3 * z240;
-    const Scalar z322 = a_alpha_3 + z239;  // angular acceleration of blade_3, x
-    const Scalar z324 = v_alpha_3 * z86 - z321;  // angular acceleration of blade_3, z
-    const Scalar z326 = a_phi * c_alpha_4 + s_alpha_4 * z239;
-    const Scalar z327 = a_alpha_4 + z240;  // angular acceleration of blade_4, x
     const Scalar z329 = v_alpha_4 * z98 - z326;  // angular acceleration of blade_4, z
-    const Scalar z330 = z266 + z329;
-    const Scalar z331 = n0_4 * (z265 - z327);  // moment on blade_4, x
-    const Scalar z332 = n0_4 * z330;  // moment on blade_4, z
-    const Scalar z334 = c_alpha_4 * z332;
-    const Scalar z335 = z273 + z324;
-    const Scalar z336 = n0_4 * (z272 - z322);  // moment on blade_3, x
-    const Scalar z337 = n0_4 * z335;  // moment on blade_3, z
-    const Scalar z339 = c_alpha_3 * z337;
-    const Scalar z340 = z280 + z319;
+    const Scalar z324 = v_alpha_3 * z86 - z321;  // angular acceleration of blade_3, z
     const Scalar z341 = n0_4 * (z279 + z317);  // moment on blade_2, x
-    const Scalar z342 = n0_4 * z340;  // moment on blade_2, z
-    const Scalar z344 = c_alpha_2 * z342;
+    const Scalar z331 = n0_4 * (z265 - z327);  // moment on blade_4, x
+    const Scalar z330 = z266 + z329;
+    const Scalar z335 = z273 + z324;
+    const Scalar z340 = z280 + z319;
     const Scalar z345 = z287 + z314;
-    const Scalar z346 = n0_4 * (z286 + z312);  // moment on blade_1, x
+    const Scalar z336 = n0_4 * (z272 - z322);  // moment on blade_3, x
+    const Scalar z332 = n0_4 * z330;  // moment on blade_4, z
+    const Scalar z337 = n0_4 * z335;  // moment on blade_3, z
+    const Scalar z342 = n0_4 * z340;  // moment on blade_2, z
     const Scalar z347 = n0_4 * z345;  // moment on blade_1, z
+    const Scalar z346 = n0_4 * (z286 + z312);  // moment on blade_1, x
+    const Scalar z334 = c_alpha_4 * z332;
+    const Scalar z339 = c_alpha_3 * z337;
+    const Scalar z344 = c_alpha_2 * z342;
     const Scalar z349 = c_alpha_1 * z347;
-    const Scalar z352 = n1330 * a_phi - z334 - z339 - z344 - z349;  // moment on rotor, z
-    const Scalar z358 = p_alpha_c * (s_phi * (z215 - z219 + z226 + z228) - c_phi * (z221 + z224 + z230 - z232)) - z352;
     const Scalar z359 = z215 - z219 - z346;
+    const Scalar z352 = n1330 * a_phi - z334 - z339 - z344 - z349;  // moment on rotor, z
     const Scalar z360 = z221 + z224 + z341;
     const Scalar z361 = z226 + z228 - z336;
     const Scalar z362 = z230 - z232 + z331;
+    const Scalar z358 = p_alpha_c * (s_phi * (z215 + z226 - z219 + z228) - c_phi * (z221 + z230 + z224 - z232)) - z352;
     forces.phi = -z358;
     forces.alpha_1 = -z359;
     forces.alpha_2 = z360;
@@ -1276,14 +1377,24 @@ struct Mechanism {
     const Scalar s_alpha_2 = sines_[2], c_alpha_2 = cosines_[2];
     const Scalar s_alpha_3 = sines_[3], c_alpha_3 = cosines_[3];
     const Scalar s_alpha_4 = sines_[4], c_alpha_4 = cosines_[4];
+    const Scalar z52 = v_phi + z43;
     const Scalar z50 = c_phi * z42;
     const Scalar z51 = s_phi * z42;
-    const Scalar z52 = v_phi + z43;
+    const Scalar z135 = n0_4 * s_alpha_4;
+    const Scalar z216 = v_phi * s_phi;
+    const Scalar z214 = p_alpha - q_alpha_1 + c_phi * p_alpha_c;
+    const Scalar z225 = q_alpha_3 - p_alpha + c_phi * p_alpha_c;
+    const Scalar z143 = n0_4 * s_alpha_3;
+    const Scalar z222 = v_phi * c_phi;
+    const Scalar z220 = q_alpha_2 - p_alpha + s_phi * p_alpha_c;
+    const Scalar z229 = p_alpha - q_alpha_4 + s_phi * p_alpha_c;
+    const Scalar z151 = n0_4 * s_alpha_2;
+    const Scalar z160 = n0_4 * s_alpha_1;
     const Scalar z62 = s_alpha_1 * z52 - c_alpha_1 * z51;
-    const Scalar z63 = s_alpha_1 * z51 + c_alpha_1 * z52;
+    const Scalar z63 = c_alpha_1 * z52 + s_alpha_1 * z51;
     const Scalar z64 = v_alpha_1 + z50;
     const Scalar z74 = s_alpha_2 * z52 - c_alpha_2 * z50;
-    const Scalar z75 = s_alpha_2 * z50 + c_alpha_2 * z52;
+    const Scalar z75 = c_alpha_2 * z52 + s_alpha_2 * z50;
     const Scalar z76 = v_alpha_2 - z51;
     const Scalar z86 = s_alpha_3 * z52 + c_alpha_3 * z51;
     const Scalar z87 = s_alpha_3 * z51 - c_alpha_3 * z52;
@@ -1291,83 +1402,73 @@ struct Mechanism {
     const Scalar z98 = s_alpha_4 * z52 + c_alpha_4 * z50;
     const Scalar z99 = s_alpha_4 * z50 - c_alpha_4 * z52;
     const Scalar z100 = v_alpha_4 + z51;
-    const Scalar z135 = n0_4 * s_alpha_4;
     const Scalar z138 = s_alpha_4 * z135;
-    const Scalar z140 = n1331_6 - z138;
-    const Scalar z143 = n0_4 * s_alpha_3;
     const Scalar z146 = s_alpha_3 * z143;
-    const Scalar z150 = z140 - z146;
-    const Scalar z151 = n0_4 * s_alpha_2;
     const Scalar z154 = s_alpha_2 * z151;
-    const Scalar z159 = z150 - z154;
-    const Scalar z160 = n0_4 * s_alpha_1;
     const Scalar z163 = s_alpha_1 * z160;
-    const Scalar z168 = z159 - z163;
-    const Scalar z214 = c_phi * p_alpha_c - q_alpha_1 + p_alpha;
-    const Scalar z215 = p_k * z214;
-    const Scalar z216 = v_phi * s_phi;
     const Scalar z217 = v_alpha_1 + p_alpha_c * z216;
-    const Scalar z219 = z217 * p_c;
-    const Scalar z220 = s_phi * p_alpha_c + q_alpha_2 - p_alpha;
-    const Scalar z221 = p_k * z220;
-    const Scalar z222 = v_phi * c_phi;
     const Scalar z223 = v_alpha_2 + p_alpha_c * z222;
-    const Scalar z224 = p_c * z223;
-    const Scalar z225 = c_phi * p_alpha_c + q_alpha_3 - p_alpha;
-    const Scalar z226 = p_k * z225;
     const Scalar z227 = v_alpha_3 - p_alpha_c * z216;
-    const Scalar z228 = p_c * z227;
-    const Scalar z229 = s_phi * p_alpha_c - q_alpha_4 + p_alpha;
-    const Scalar z230 = p_k * z229;
     const Scalar z231 = v_alpha_4 - p_alpha_c * z222;
-    const Scalar z232 = p_c * z231;
     const Scalar z239 = v_phi * z51;  // angular acceleration of rotor, x
     const Scalar z240 = v_phi * z50;  // angular acceleration of rotor, y
+    const Scalar z215 = p_k * z214;
+    const Scalar z221 = p_k * z220;
+    const Scalar z226 = p_k * z225;
+    const Scalar z230 = p_k * z229;
+    const Scalar z140 = n1331_6 - z138;
     const Scalar z242 = s_alpha_1 * z240;
-    const Scalar z246 = v_alpha_1 * z62 - z242;  // angular acceleration of blade_1, z
     const Scalar z248 = s_alpha_2 * z239;
-    const Scalar z252 = v_alpha_2 * z74 + z248;  // angular acceleration of blade_2, z
     const Scalar z254 = s_alpha_3 * z240;
-    const Scalar z258 = v_alpha_3 * z86 + z254;  // angular acceleration of blade_3, z
     const Scalar z260 = s_alpha_4 * z239;
-    const Scalar z264 = v_alpha_4 * z98 - z260;  // angular acceleration of blade_4, z
-    const Scalar z265 = z98 * z99;
+    const Scalar z219 = z217 * p_c;
+    const Scalar z224 = p_c * z223;
+    const Scalar z228 = p_c * z227;
+    const Scalar z232 = p_c * z231;
     const Scalar z266 = z98 * z100;
-    const Scalar z267 = z264 + z266;
-    const Scalar z268 = n0_4 * (z240 - z265);  // moment on blade_4, x
-    const Scalar z269 = n0_4 * z267;  // moment on blade_4, z
-    const Scalar z271 = c_alpha_4 * z269;
-    const Scalar z272 = z86 * z87;
     const Scalar z273 = z86 * z88;
-    const Scalar z274 = z258 + z273;
-    const Scalar z275 = n0_4 * (z239 - z272);  // moment on blade_3, x
-    const Scalar z276 = n0_4 * z274;  // moment on blade_3, z
-    const Scalar z278 = c_alpha_3 * z276;
     const Scalar z279 = z74 * z75;
     const Scalar z280 = z74 * z76;
-    const Scalar z281 = z252 + z280;
-    const Scalar z282 = n0_4 * (z240 - z279);  // moment on blade_2, x
-    const Scalar z283 = n0_4 * z281;  // moment on blade_2, z
-    const Scalar z285 = c_alpha_2 * z283;
     const Scalar z286 = z62 * z63;
     const Scalar z287 = z62 * z64;
-    const Scalar z288 = z246 + z287;
+    const Scalar z150 = z140 - z146;
+    const Scalar z246 = v_alpha_1 * z62 - z242;  // angular acceleration of blade_1, z
+    const Scalar z252 = v_alpha_2 * z74 + z248;  // angular acceleration of blade_2, z
+    const Scalar z258 = v_alpha_3 * z86 + z254;  // angular acceleration of blade_3, z
+    const Scalar z264 = v_alpha_4 * z98 - z260;  // angular acceleration of blade_4, z
+    const Scalar z265 = z98 * z99;
+    const Scalar z272 = z86 * z87;
+    const Scalar z282 = n0_4 * (z240 - z279);  // moment on blade_2, x
     const Scalar z289 = n0_4 * (z239 - z286);  // moment on blade_1, x
+    const Scalar z159 = z150 - z154;
+    const Scalar z267 = z264 + z266;
+    const Scalar z268 = n0_4 * (z240 - z265);  // moment on blade_4, x
+    const Scalar z274 = z258 + z273;
+    const Scalar z281 = z252 + z280;
+    const Scalar z288 = z246 + z287;
+    const Scalar z275 = n0_4 * (z239 - z272);  // moment on blade_3, x
+    const Scalar z168 = z159 - z163;
+    const Scalar z269 = n0_4 * z267;  // moment on blade_4, z
+    const Scalar z276 = n0_4 * z274;  // moment on blade_3, z
+    const Scalar z283 = n0_4 * z281;  // moment on blade_2, z
     const Scalar z290 = n0_4 * z288;  // moment on blade_1, z
-    const Scalar z292 = c_alpha_1 * z290;
-    const Scalar z297 = z271 + z278 + z285 + z292;  // moment on rotor, z
-    const Scalar z305 = p_alpha_c * (s_phi * (z215 - z219 + z226 + z228) - c_phi * (z221 + z224 + z230 - z232)) + z297;
     const Scalar z306 = z215 - z219 + z289;
+    const Scalar z271 = c_alpha_4 * z269;
+    const Scalar z278 = c_alpha_3 * z276;
+    const Scalar z285 = c_alpha_2 * z283;
+    const Scalar z292 = c_alpha_1 * z290;
     const Scalar z307 = z221 + z224 - z282;
+    const Scalar z297 = z271 + z278 + z285 + z292;  // moment on rotor, z
     const Scalar z308 = z226 + z228 + z275;
     const Scalar z309 = z230 - z232 - z268;
-    const Scalar z368 = u_C + z305;
     const Scalar z369 = n1 / z168;
-    const Scalar z370 = z368 * z369;
     const Scalar z371 = n2_5 * z306;
     const Scalar z372 = n2_5 * z307;
     const Scalar z373 = n2_5 * z308;
     const Scalar z374 = n2_5 * z309;
+    const Scalar z305 = p_alpha_c * (s_phi * (z215 + z226 - z219 + z228) - c_phi * (z221 + z230 + z224 - z232)) + z297;
+    const Scalar z368 = u_C + z305;
+    const Scalar z370 = z368 * z369;
     accelerations.phi = z370;
     accelerations.alpha_1 = z371;
     accelerations.alpha_2 = -z372;
@@ -1384,10 +1485,10 @@ struct Mechanism {
   /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
   TORSOR_DEVICE static void energy(const Precomputed& precomputed, const State& state, const Inputs& inputs,
       Energy& result) noexcept {
-    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
+    const Scalar n665 = traits::constant(665.0, 665.0f, "665/1");
     const Scalar n332_5 = traits::constant(332.5, 332.5f, "665/2");
     const Scalar n60 = traits::constant(60.0, 60.0f, "60/1");
-    const Scalar n665 = traits::constant(665.0, 665.0f, "665/1");
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar q_phi = state.q.phi;
     const Scalar v_phi = state.v.phi;
@@ -1418,32 +1519,32 @@ struct Mechanism {
     const Scalar z50 = c_phi * z42;
     const Scalar z51 = s_phi * z42;
     const Scalar z52 = v_phi + z43;
-    const Scalar z63 = s_alpha_1 * z51 + c_alpha_1 * z52;
+    const Scalar z216 = v_phi * s_phi;
+    const Scalar z222 = v_phi * c_phi;
+    const Scalar z214 = p_alpha - q_alpha_1 + c_phi * p_alpha_c;
+    const Scalar z220 = q_alpha_2 - p_alpha + s_phi * p_alpha_c;
+    const Scalar z225 = q_alpha_3 - p_alpha + c_phi * p_alpha_c;
+    const Scalar z229 = p_alpha - q_alpha_4 + s_phi * p_alpha_c;
+    const Scalar z375 = s_phi * z35;
+    const Scalar z376 = c_phi * z35;
+    const Scalar z63 = c_alpha_1 * z52 + s_alpha_1 * z51;
     const Scalar z64 = v_alpha_1 + z50;
-    const Scalar z75 = s_alpha_2 * z50 + c_alpha_2 * z52;
+    const Scalar z75 = c_alpha_2 * z52 + s_alpha_2 * z50;
     const Scalar z76 = v_alpha_2 - z51;
     const Scalar z87 = s_alpha_3 * z51 - c_alpha_3 * z52;
     const Scalar z88 = v_alpha_3 - z50;
     const Scalar z99 = s_alpha_4 * z50 - c_alpha_4 * z52;
     const Scalar z100 = v_alpha_4 + z51;
-    const Scalar z214 = c_phi * p_alpha_c - q_alpha_1 + p_alpha;
-    const Scalar z216 = v_phi * s_phi;
     const Scalar z217 = v_alpha_1 + p_alpha_c * z216;
-    const Scalar z219 = z217 * p_c;
-    const Scalar z220 = s_phi * p_alpha_c + q_alpha_2 - p_alpha;
-    const Scalar z222 = v_phi * c_phi;
     const Scalar z223 = v_alpha_2 + p_alpha_c * z222;
-    const Scalar z224 = p_c * z223;
-    const Scalar z225 = c_phi * p_alpha_c + q_alpha_3 - p_alpha;
     const Scalar z227 = v_alpha_3 - p_alpha_c * z216;
-    const Scalar z228 = p_c * z227;
-    const Scalar z229 = s_phi * p_alpha_c - q_alpha_4 + p_alpha;
     const Scalar z231 = v_alpha_4 - p_alpha_c * z222;
+    const Scalar z219 = z217 * p_c;
+    const Scalar z224 = p_c * z223;
+    const Scalar z228 = p_c * z227;
     const Scalar z232 = p_c * z231;
-    const Scalar z375 = s_phi * z35;
-    const Scalar z376 = c_phi * z35;
-    result.kinetic = n0_2 * (z63 * z63 + z64 * z64 + z75 * z75 + z76 * z76 + z87 * z87 + z88 * z88 + z99 * z99 + z100
-        * z100) + n332_5 * (z50 * z50 + z51 * z51) + n60 * (z375 * z375 + z376 * z376) + n665 * z52 * z52;
+    result.kinetic = n665 * z52 * z52 + n332_5 * (z50 * z50 + z51 * z51) + n60 * (z375 * z375 + z376 * z376) + n0_2
+        * (z64 * z64 + z76 * z76 + z88 * z88 + z100 * z100 + z63 * z63 + z75 * z75 + z87 * z87 + z99 * z99);
     result.force_function = -p_k * n0_5 * (z214 * z214 + z220 * z220 + z225 * z225 + z229 * z229);
     result.power = v_phi * u_C - z217 * z219 - z223 * z224 - z227 * z228 - z231 * z232;
   }
@@ -1483,14 +1584,14 @@ struct Mechanism {
     const Scalar s_alpha_2 = sines_[2], c_alpha_2 = cosines_[2];
     const Scalar s_alpha_3 = sines_[3], c_alpha_3 = cosines_[3];
     const Scalar s_alpha_4 = sines_[4], c_alpha_4 = cosines_[4];
-    const Scalar z50 = c_phi * z42;
-    const Scalar z51 = s_phi * z42;
     const Scalar z52 = v_phi + z43;
+    const Scalar z51 = s_phi * z42;
+    const Scalar z50 = c_phi * z42;
     const Scalar z62 = s_alpha_1 * z52 - c_alpha_1 * z51;
-    const Scalar z63 = s_alpha_1 * z51 + c_alpha_1 * z52;
+    const Scalar z63 = c_alpha_1 * z52 + s_alpha_1 * z51;
     const Scalar z64 = v_alpha_1 + z50;
     const Scalar z74 = s_alpha_2 * z52 - c_alpha_2 * z50;
-    const Scalar z75 = s_alpha_2 * z50 + c_alpha_2 * z52;
+    const Scalar z75 = c_alpha_2 * z52 + s_alpha_2 * z50;
     const Scalar z76 = v_alpha_2 - z51;
     const Scalar z86 = s_alpha_3 * z52 + c_alpha_3 * z51;
     const Scalar z87 = s_alpha_3 * z51 - c_alpha_3 * z52;
@@ -1500,50 +1601,50 @@ struct Mechanism {
     const Scalar z100 = v_alpha_4 + z51;
     const Scalar z239 = v_phi * z51;  // angular acceleration of rotor, x
     const Scalar z240 = v_phi * z50;  // angular acceleration of rotor, y
-    const Scalar z265 = z98 * z99;
+    const Scalar z293 = z51 * z52;
+    const Scalar z294 = z50 * z52;
+    const Scalar z311 = a_phi * c_alpha_1 + s_alpha_1 * z240;
+    const Scalar z312 = a_alpha_1 - z239;  // angular acceleration of blade_1, x
+    const Scalar z316 = a_phi * c_alpha_2 - s_alpha_2 * z239;
+    const Scalar z317 = a_alpha_2 - z240;  // angular acceleration of blade_2, x
+    const Scalar z321 = a_phi * c_alpha_3 - s_alpha_3 * z240;
+    const Scalar z322 = a_alpha_3 + z239;  // angular acceleration of blade_3, x
+    const Scalar z326 = a_phi * c_alpha_4 + s_alpha_4 * z239;
+    const Scalar z327 = a_alpha_4 + z240;  // angular acceleration of blade_4, x
     const Scalar z266 = z98 * z100;
-    const Scalar z272 = z86 * z87;
     const Scalar z273 = z86 * z88;
     const Scalar z279 = z74 * z75;
     const Scalar z280 = z74 * z76;
     const Scalar z286 = z62 * z63;
     const Scalar z287 = z62 * z64;
-    const Scalar z293 = z51 * z52;
-    const Scalar z294 = z50 * z52;
-    const Scalar z311 = a_phi * c_alpha_1 + s_alpha_1 * z240;
-    const Scalar z312 = a_alpha_1 - z239;  // angular acceleration of blade_1, x
+    const Scalar z265 = z98 * z99;
+    const Scalar z272 = z86 * z87;
     const Scalar z314 = v_alpha_1 * z62 - z311;  // angular acceleration of blade_1, z
-    const Scalar z316 = a_phi * c_alpha_2 - s_alpha_2 * z239;
-    const Scalar z317 = a_alpha_2 - z240;  // angular acceleration of blade_2, x
     const Scalar z319 = v_alpha_2 * z74 - z316;  // angular acceleration of blade_2, z
-    const Scalar z321 = a_phi * c_alpha_3 - s_alpha_3 * z240;
-    const Scalar z322 = a_alpha_3 + z239;  // angular acceleration of blade_3, x
     const Scalar z324 = v_alpha_3 * z86 - z321;  // angular acceleration of blade_3, z
-    const Scalar z326 = a_phi * c_alpha_4 + s_alpha_4 * z239;
-    const Scalar z327 = a_alpha_4 + z240;  // angular acceleration of blade_4, x
     const Scalar z329 = v_alpha_4 * z98 - z326;  // angular acceleration of blade_4, z
-    const Scalar z330 = z266 + z329;
+    const Scalar z341 = n0_4 * (z279 + z317);  // moment on blade_2, x
+    const Scalar z346 = n0_4 * (z286 + z312);  // moment on blade_1, x
     const Scalar z331 = n0_4 * (z265 - z327);  // moment on blade_4, x
+    const Scalar z336 = n0_4 * (z272 - z322);  // moment on blade_3, x
+    const Scalar z330 = z266 + z329;
+    const Scalar z335 = z273 + z324;
+    const Scalar z340 = z280 + z319;
+    const Scalar z345 = z287 + z314;
     const Scalar z332 = n0_4 * z330;  // moment on blade_4, z
+    const Scalar z337 = n0_4 * z335;  // moment on blade_3, z
+    const Scalar z342 = n0_4 * z340;  // moment on blade_2, z
+    const Scalar z347 = n0_4 * z345;  // moment on blade_1, z
     const Scalar z333 = s_alpha_4 * z332;
     const Scalar z334 = c_alpha_4 * z332;
-    const Scalar z335 = z273 + z324;
-    const Scalar z336 = n0_4 * (z272 - z322);  // moment on blade_3, x
-    const Scalar z337 = n0_4 * z335;  // moment on blade_3, z
     const Scalar z338 = s_alpha_3 * z337;
     const Scalar z339 = c_alpha_3 * z337;
-    const Scalar z340 = z280 + z319;
-    const Scalar z341 = n0_4 * (z279 + z317);  // moment on blade_2, x
-    const Scalar z342 = n0_4 * z340;  // moment on blade_2, z
     const Scalar z343 = s_alpha_2 * z342;
     const Scalar z344 = c_alpha_2 * z342;
-    const Scalar z345 = z287 + z314;
-    const Scalar z346 = n0_4 * (z286 + z312);  // moment on blade_1, x
-    const Scalar z347 = n0_4 * z345;  // moment on blade_1, z
     const Scalar z348 = s_alpha_1 * z347;
     const Scalar z349 = c_alpha_1 * z347;
-    const Scalar z350 = n1330 * z293 - z333 - z336 + z343 - z346;  // moment on rotor, x
-    const Scalar z351 = n1330 * z294 - z331 + z338 - z341 - z348;  // moment on rotor, y
+    const Scalar z350 = n1330 * z293 - z346 - z336 - z333 + z343;  // moment on rotor, x
+    const Scalar z351 = n1330 * z294 - z341 - z331 + z338 - z348;  // moment on rotor, y
     const Scalar z352 = n1330 * a_phi - z334 - z339 - z344 - z349;  // moment on rotor, z
     const Scalar z353 = s_phi * z351 - c_phi * z350;
     const Scalar z354 = s_phi * z350 + c_phi * z351;

@@ -34,7 +34,7 @@
 #include <cmath>
 
 #ifndef TORSOR_KERNEL_SUPPORT
-#define TORSOR_KERNEL_SUPPORT 2
+#define TORSOR_KERNEL_SUPPORT 3
 // Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
 #ifndef TORSOR_DEVICE
 #define TORSOR_DEVICE
@@ -48,7 +48,7 @@
 //  * two polynomials of least greatest error give the sine and the cosine of r, |r| <= pi/4;
 //  * angles beyond `bound` are rare: they are reduced exactly, in integers, by a function that is not inlined, and so
 //    are all angles under another rounding, which would give the nearest integers wrong.
-// The core has no branch, so that compilers turn a loop over several angles into vector instructions.
+// The core has no branch, so that several angles go through it at once.
 #ifndef TORSOR_STD_SINCOS
 #if defined(__FAST_MATH__) || defined(_M_FP_FAST) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0)
 #define TORSOR_STD_SINCOS  // sums would be reassociated or hold more digits than their type
@@ -96,21 +96,19 @@ struct SineCosine {
       S = S01 + z2 * number(0.0, -0x1.9953f2p-13f);
       C = C01 + z2 * number(0.0, 0x1.99e0eep-16f);
     } else {
-      const Scalar z4 = z2 * z2;
       const Scalar S01 = number(-0x1.5555555555548p-3, 0.0f) + z * number(0x1.111111110f73p-7, 0.0f);
       const Scalar S23 = number(-0x1.a01a019be9217p-13, 0.0f) + z * number(0x1.71de35552b518p-19, 0.0f);
       const Scalar S45 = number(-0x1.ae5e4b83e1601p-26, 0.0f) + z * number(0x1.5d8b55934597bp-33, 0.0f);
       const Scalar C01 = number(0x1.555555555554cp-5, 0.0f) + z * number(-0x1.6c16c16c1521bp-10, 0.0f);
       const Scalar C23 = number(0x1.a01a019cbeb68p-16, 0.0f) + z * number(-0x1.27e4f8121198fp-22, 0.0f);
       const Scalar C45 = number(0x1.1ee9f0cbf70d6p-29, 0.0f) + z * number(-0x1.8fb0e15d5f2ap-37, 0.0f);
-      S = (S01 + z2 * S23) + z4 * S45;
-      C = (C01 + z2 * C23) + z4 * C45;
+      S = S01 + z2 * (S23 + z2 * S45);
+      C = C01 + z2 * (C23 + z2 * C45);
     }
-    const Scalar half_z = half * z, w = one - half_z;
-    // Far below an ulp, it makes the correction of -0 a -0, and so the sine.
-    const Scalar tiny = number(0x1p-100, 0x1p-60f);
-    sine = high + (high * (tiny + z * S) - rest * w);
-    cosine = w + (((one - w) - half_z) + (z2 * C + high * rest));
+    const Scalar half_z = half * z, w = one - half_z, high_z = high * z;
+    // What waits for S and C comes last. The correction of -0 is a 0, which subtracted leaves it -0.
+    sine = high - (rest * w - high_z * S);
+    cosine = w + ((((one - w) - half_z) + high * rest) + z2 * C);
   }
 
   /// Of n pi/2 more.
@@ -125,21 +123,31 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// For |x| <= bound; what is no number gives no number. Exact are n times the first three parts of pi/2, the first
-  /// difference, and each rounded difference together with its rounding error.
-  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
-    const Scalar n = rounded(x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f));
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n plus a number so large that its last bit counts 1; what is no
+  /// number gives no number.
+  ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
+  ///    others do, and may be formed twice;
+  ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
+  ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
+  TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
+                                                        Scalar& cosine) noexcept {
+    const Scalar shift = number(0x1.8p52, 0x1.8p23f);
+    const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
+    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift;
+    const Scalar n = shifted - shift;
     const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
-    const Scalar second = n * number(0x1.0b4611a6p-34, 0x1.ed5p-14f);
-    const Scalar third = n * number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    const Scalar fourth = n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
-    const Scalar r = first - second;
-    const Scalar taken = first - r;
-    const Scalar error = (first - (r + taken)) - (second - taken);
-    const Scalar high = r - third;
-    const Scalar rest = ((third - (r - high)) - error) + fourth;
+    const Scalar r = first - n * P;
+    const Scalar error = (first - r) - n * P;
+    const Scalar high = r - n * Q;
+    const Scalar rest = ((n * Q - (r - high)) - error) + n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
     of_reduced(high, rest, sine, cosine);
-    turn(n, sine, cosine);
+  }
+
+  /// For |x| <= bound.
+  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
+    Scalar shifted;
+    of_remainder(x, shifted, sine, cosine);
+    turn(shifted - number(0x1.8p52, 0x1.8p23f), sine, cosine);
   }
 };
 
@@ -258,61 +266,151 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
 #endif
 }
 
-/// Of some angles up to the bound, a multiple of what a vector holds. Local arrays, which nothing else can point to.
-template <int size, class Scalar>
-TORSOR_DEVICE TORSOR_INLINED void sincos_of_block(const Scalar* angles, Scalar* sines, Scalar* cosines) noexcept {
-  Scalar x[size], s[size], c[size];
-  for (int i = 0; i < size; ++i) x[i] = angles[i];
-  // Compilers make vector instructions of a loop, but not always of a row of statements.
-#if defined(__clang__)
-#pragma clang loop unroll(disable)
-#elif defined(__GNUC__) && !defined(__CUDACC__)
-#pragma GCC unroll 1
+}  // namespace torsor
+// Sines and cosines of several angles at once: by vector registers where GNU C++ has types for them, which compilers
+// without AVX make of narrower ones; loops over numbers are not left to compilers to find.
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define TORSOR_VECTOR_TYPES
 #endif
-  for (int i = 0; i < size; ++i) SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::core(x[i], s[i], c[i]);
-  for (int i = 0; i < size; ++i) sines[i] = s[i];
-  for (int i = 0; i < size; ++i) cosines[i] = c[i];
+
+namespace torsor {
+
+#if defined(TORSOR_VECTOR_TYPES)
+/// 0, 1, ... as arguments of a template.
+template <int... place>
+struct Places {};
+template <int count, int... place>
+struct FirstPlaces : FirstPlaces<count - 1, count - 1, place...> {};
+template <int... place>
+struct FirstPlaces<0, place...> {
+  using type = Places<place...>;
+};
+
+/// Some registers of equally many numbers, which take the same operations by turns: while the one waits for its last
+/// result, the other is at work. A scalar for SineCosine, of which it needs constants, sums and products only.
+template <class Number, int lanes, int count>
+struct Registers {
+  typedef Number Numbers __attribute__((vector_size(lanes * sizeof(Number))));
+  using Bits = decltype(Numbers{} < Numbers{});
+  Numbers part[count];
+
+  TORSOR_INLINED friend Registers operator+(const Registers& a, const Registers& b) noexcept {
+    Registers sum;
+    for (int i = 0; i < count; ++i) sum.part[i] = a.part[i] + b.part[i];
+    return sum;
+  }
+  TORSOR_INLINED friend Registers operator-(const Registers& a, const Registers& b) noexcept {
+    Registers difference;
+    for (int i = 0; i < count; ++i) difference.part[i] = a.part[i] - b.part[i];
+    return difference;
+  }
+  TORSOR_INLINED friend Registers operator*(const Registers& a, const Registers& b) noexcept {
+    Registers product;
+    for (int i = 0; i < count; ++i) product.part[i] = a.part[i] * b.part[i];
+    return product;
+  }
+};
+
+template <class Number, int lanes, int count>
+struct scalar_traits<Registers<Number, lanes, count>> {
+  using Scalar = Registers<Number, lanes, count>;
+  TORSOR_INLINED static Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    constexpr bool is_float = sizeof(Number) == sizeof(float);
+    const Number number = is_float ? static_cast<Number>(in_float) : static_cast<Number>(in_double);
+    Scalar result;
+    for (int i = 0; i < count; ++i) {
+      for (int lane = 0; lane < lanes; ++lane) result.part[i][lane] = number;
+    }
+    return result;
+  }
+};
+
+/// Of angles up to the bound, bit by bit what SineCosine::core gives where nothing is fused. The quarter of the turn is
+/// in the last two bits of `shifted`: it is chosen by bits, not by products.
+template <class Number, int lanes, int count>
+TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& angles,
+                                        Registers<Number, lanes, count>& sines,
+                                        Registers<Number, lanes, count>& cosines) noexcept {
+  using Scalar = Registers<Number, lanes, count>;
+  using Numbers = typename Scalar::Numbers;
+  using Bits = typename Scalar::Bits;
+  constexpr int sign_bit = 8 * static_cast<int>(sizeof(Number)) - 1;
+  Scalar shifted, sine, cosine;
+  SineCosine<Scalar, sizeof(Number) == sizeof(float)>::of_remainder(angles, shifted, sine, cosine);
+  const Bits sign = (Bits)scalar_traits<Scalar>::constant(-0.0, -0.0f, nullptr).part[0];
+  for (int i = 0; i < count; ++i) {
+    const Bits bits = (Bits)shifted.part[i], s = (Bits)sine.part[i], c = (Bits)cosine.part[i];
+    const Bits odd = Bits{} - (bits & 1);  // all bits or none
+    const Bits upper = bits << (sign_bit - 1);
+    // The sine is negated for n = 2 and 3, the cosine for 1 and 2.
+    sines.part[i] = (Numbers)(((odd & c) | (~odd & s)) ^ (upper & sign));
+    cosines.part[i] = (Numbers)(((odd & s) | (~odd & c)) ^ ((upper ^ odd) & sign));
+  }
 }
 
-/// Of several angles at once, in float or double: as many as a vector holds go through the core together.
-template <class Scalar, int N>
-TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
-                                            Scalar (&cosines)[N]) noexcept {
-  constexpr int narrow = 16 / sizeof(Scalar);
+/// Of the angles first to first + size - 1, up to the bound, in one register or two; idle lanes get 0. Returns the sum
+/// of their squares. Places are constants before anything is optimised: lanes then come from registers and go there,
+/// where a way through memory would be stored in parts and loaded whole.
+template <int size, class Number, int N, int... lane, int... place>
+TORSOR_INLINED Number sincos_of_some(int first, const Number (&angles)[N], Number (&sines)[N], Number (&cosines)[N],
+                                     Places<lane...>, Places<place...>) noexcept {
+  constexpr int lanes = sizeof...(lane), count = size > lanes ? 2 : 1;
+  using Some = Registers<Number, lanes, count>;
+  const auto angle = [&](int i) noexcept { return i < size ? angles[first + i] : Number(0); };
+  Some x, s, c;
+  x.part[0] = typename Some::Numbers{angle(lane)...};
+  if constexpr (count == 2) x.part[1] = typename Some::Numbers{angle(lane + lanes)...};
+  sincos_of_registers(x, s, c);
+  ((sines[first + place] = s.part[place / lanes][place % lanes]), ...);
+  ((cosines[first + place] = c.part[place / lanes][place % lanes]), ...);
+  typename Some::Numbers squares = x.part[0] * x.part[0];
+  if constexpr (count == 2) squares += x.part[1] * x.part[1];
+  return (squares[lane] + ...);
+}
+
+/// Of several angles up to the bound, by two registers at a time. Returns the sum of their squares.
+template <class Number, int N>
+TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&sines)[N],
+                                          Number (&cosines)[N]) noexcept {
+  constexpr int narrow = 16 / static_cast<int>(sizeof(Number));
 #if defined(__AVX__)
-  constexpr int wide = 32 / sizeof(Scalar);
+  // Registers of AVX-512 gain nothing for so few numbers.
+  constexpr int lanes = N <= narrow ? narrow : 2 * narrow;
 #else
-  constexpr int wide = narrow;
+  constexpr int lanes = narrow;
 #endif
-#if defined(__CUDA_ARCH__) || defined(TORSOR_STD_SINCOS)
-  constexpr bool by_vectors = false;
-#elif defined(__clang__)
-  constexpr bool by_vectors = N >= 4;  // it leaves a loop over two as it is
-#else
-  constexpr bool by_vectors = N >= narrow;
-#endif
-  if constexpr (by_vectors) {
-    constexpr int vector = N >= wide ? wide : narrow, rest = N % vector;
-    // Of a rest some angles are done again: a whole vector costs less than two or three alone.
+  constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
+  using AllLanes = typename FirstPlaces<lanes>::type;
+  Number squares = 0;
+  // One copy of the code: its constants stay where they are.
 #if defined(__clang__)
-    sincos_of_block<N - rest>(angles, sines, cosines);  // best as one loop
-    if constexpr (rest > 1) {
-      sincos_of_block<vector>(angles + (N - vector), sines + (N - vector), cosines + (N - vector));
-    }
+#pragma clang loop unroll(disable)
 #else
-    for (int next = 0; next < N - (rest == 1); next += vector) {
-      const int first = next + vector <= N ? next : N - vector;
-      sincos_of_block<vector>(angles + first, sines + first, cosines + first);
-    }
+#pragma GCC unroll 1
 #endif
-    if constexpr (rest == 1) sincos_of_one(angles[N - 1], sines[N - 1], cosines[N - 1]);
+  for (int i = 0; i < whole; i += both)
+    squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+  if constexpr (rest > 0)
+    squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
+  return squares;
+}
+#endif
+
+/// Of several angles at once, in float or double.
+template <class Scalar, int N>
+TORSOR_DEVICE TORSOR_INLINED void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
+#if defined(TORSOR_VECTOR_TYPES) && !defined(TORSOR_STD_SINCOS)
+  constexpr bool at_once = N > 1;
+#else
+  constexpr bool at_once = false;
+#endif
+  if constexpr (at_once) {
+    const Scalar squares = sincos_in_registers(angles, sines, cosines);
     constexpr Scalar bound = static_cast<Scalar>(SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::bound);
-    Scalar sum = 0;
-    for (int i = 0; i < N; ++i) sum += std::abs(angles[i]);
-    const bool to_one_side = rounds_to_one_side(sum);
-    if (sum <= bound && !to_one_side) return;
+    if (squares <= bound * bound && !rounds_to_one_side(squares)) return;
     for (int i = 0; i < N; ++i) {
-      if (std::abs(angles[i]) > bound || to_one_side) sincos_far(angles[i], sines[i], cosines[i]);
+      if (std::abs(angles[i]) > bound || rounds_to_one_side(angles[i])) sincos_far(angles[i], sines[i], cosines[i]);
     }
   } else {
     for (int i = 0; i < N; ++i) sincos_of_one(angles[i], sines[i], cosines[i]);
@@ -321,17 +419,19 @@ TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&
 
 /// Of several angles of any scalar: at once where its traits have a `sincos` of arrays, else one by one.
 template <class Scalar, int N>
-TORSOR_DEVICE auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N], int) noexcept
+TORSOR_DEVICE TORSOR_INLINED auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], int) noexcept
     -> decltype(scalar_traits<Scalar>::sincos(angles, sines, cosines)) {
   scalar_traits<Scalar>::sincos(angles, sines, cosines);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N],
-                                    long) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], long) noexcept {
   for (int i = 0; i < N; ++i) scalar_traits<Scalar>::sincos(angles[i], sines[i], cosines[i]);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
   sincos_by_traits(angles, sines, cosines, 0);
 }
 
@@ -368,7 +468,8 @@ struct scalar_traits {
   }
   /// Of several angles at once; a specialisation without it gets them one by one.
   template <int N>
-  TORSOR_DEVICE static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+  TORSOR_DEVICE TORSOR_INLINED static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                  Scalar (&cosines)[N]) noexcept {
     sincos_of_several(angles, sines, cosines);
   }
   TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
@@ -381,7 +482,7 @@ struct scalar_traits {
 };
 
 }  // namespace torsor
-#elif TORSOR_KERNEL_SUPPORT != 2
+#elif TORSOR_KERNEL_SUPPORT != 3
 #error "headers of incompatible versions of torsor meet here: write them again with one version"
 #endif
 
@@ -395,7 +496,7 @@ struct Mechanism {
 
   static constexpr const char* name = "loading_robot";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x868f526075a39268ULL;
+  static constexpr unsigned long long fingerprint = 0xf9d136a082fa0ab7ULL;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 3;
@@ -622,36 +723,36 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar z26 = sines_[1], z27 = cosines_[1];
+    const Scalar z15 = n0_5 * v_alpha;
+    const Scalar z22 = v_alpha * q_x;
+    const Scalar z28 = v_alpha + v_beta;
+    const Scalar z31 = n0_3 * v_alpha;
     const Scalar z13 = n0_5 * s_alpha;
     const Scalar z14 = n0_5 * c_alpha;
-    const Scalar z15 = n0_5 * v_alpha;
     const Scalar z16 = c_alpha * z15;  // velocity of guide, x
     const Scalar z17 = s_alpha * z15;  // velocity of guide, y
     const Scalar z18 = c_alpha * q_x;
     const Scalar z19 = s_alpha * q_x;
-    const Scalar z20 = z13 - z18;  // place of S2, x
-    const Scalar z21 = z14 + z19;  // place of S2, y
-    const Scalar z22 = v_alpha * q_x;
-    const Scalar z23 = s_alpha * z22 - c_alpha * v_x + z16;  // velocity of S2, x
-    const Scalar z24 = s_alpha * v_x + c_alpha * z22 - z17;  // velocity of S2, y
-    const Scalar z28 = v_alpha + v_beta;
-    const Scalar z29 = n0_5 * s_alpha - n0_3 * c_alpha;
-    const Scalar z30 = n0_3 * s_alpha + n0_5 * c_alpha;
-    const Scalar z31 = n0_3 * v_alpha;
-    const Scalar z32 = s_alpha * z31 + c_alpha * z15;
-    const Scalar z33 = s_alpha * z15 - c_alpha * z31;
+    const Scalar z38 = n0_4 * v_alpha;
+    const Scalar z45 = n0_2 * z28;
     const Scalar z34 = n0_4 * c_alpha;
     const Scalar z35 = n0_4 * s_alpha;
-    const Scalar z36 = z20 - z34;
-    const Scalar z37 = z21 + z35;
-    const Scalar z38 = n0_4 * v_alpha;
-    const Scalar z39 = s_alpha * z38 + z23;
-    const Scalar z40 = c_alpha * z38 + z24;
     const Scalar z41 = n0_2 * z27;
     const Scalar z42 = n0_2 * z26;
+    const Scalar z29 = n0_5 * s_alpha - n0_3 * c_alpha;
+    const Scalar z30 = n0_3 * s_alpha + n0_5 * c_alpha;
+    const Scalar z32 = s_alpha * z31 + c_alpha * z15;
+    const Scalar z33 = s_alpha * z15 - c_alpha * z31;
+    const Scalar z20 = z13 - z18;  // place of S2, x
+    const Scalar z21 = z14 + z19;  // place of S2, y
+    const Scalar z23 = z16 + s_alpha * z22 - c_alpha * v_x;  // velocity of S2, x
+    const Scalar z24 = s_alpha * v_x - z17 + c_alpha * z22;  // velocity of S2, y
+    const Scalar z36 = z20 - z34;
+    const Scalar z37 = z21 + z35;
     const Scalar z43 = z20 + z41;
     const Scalar z44 = z21 - z42;
-    const Scalar z45 = n0_2 * z28;
+    const Scalar z39 = s_alpha * z38 + z23;
+    const Scalar z40 = c_alpha * z38 + z24;
     const Scalar z46 = z23 - z26 * z45;
     const Scalar z47 = z24 - z27 * z45;
     result.S1_position[0] = -z29;
@@ -754,13 +855,13 @@ struct Mechanism {
     const Scalar q_beta = state.q.beta;
     Scalar s_beta, c_beta;
     traits::sincos(q_beta, s_beta, c_beta);
-    const Scalar z48 = n1_6 * s_beta;
     const Scalar z49 = n1_6 * c_beta;
+    const Scalar z48 = n1_6 * s_beta;
     const Scalar z50 = n0_5 - q_x * z49;
-    const Scalar z51 = n0_5 * z48 - z50;
     const Scalar z57 = n10 - z49;
     const Scalar z58 = n16_5 - z48;
     const Scalar z61 = q_x * (n33 * q_x + n2 * z57) + n0_5;
+    const Scalar z51 = n0_5 * z48 - z50;
     const Scalar z65 = n8_25 - z48 + z61;
     const Scalar z70 = n36 + z65;
     mass[0] = z70;
@@ -778,9 +879,9 @@ struct Mechanism {
   /// actions included. M a + h = E u + A' lambda.
   TORSOR_DEVICE static void bias(const Precomputed&, const State& state, GeneralizedForces& forces) noexcept {
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n1_6 = traits::constant(1.6, 1.6f, "8/5");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
-    const Scalar n1_6 = traits::constant(1.6, 1.6f, "8/5");
     const Scalar n10 = traits::constant(10.0, 10.0f, "10/1");
     const Scalar n33 = traits::constant(33.0, 33.0f, "33/1");
     const Scalar n30 = traits::constant(30.0, 30.0f, "30/1");
@@ -796,21 +897,21 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
-    const Scalar z28 = v_alpha + v_beta;
-    const Scalar z74 = n9_81 * s_alpha;
     const Scalar z75 = n9_81 * c_alpha;
     const Scalar z76 = v_alpha * v_alpha;
+    const Scalar z74 = n9_81 * s_alpha;
+    const Scalar z28 = v_alpha + v_beta;
+    const Scalar z82 = z28 * z28;
+    const Scalar z83 = n1_6 * z82;  // force on S3, x
+    const Scalar z85 = c_beta * z83;
+    const Scalar z86 = s_beta * z83;
     const Scalar z77 = z75 - n0_5 * z76;
     const Scalar z78 = q_x * z76 - z74;
     const Scalar z79 = n2 * v_alpha * v_x + z77;
+    const Scalar z87 = n10 * z76 - z85 + n33 * z78;  // force on S2, x
     const Scalar z81 = s_beta * z78 + c_beta * z79;
-    const Scalar z82 = z28 * z28;
-    const Scalar z83 = n1_6 * z82;  // force on S3, x
-    const Scalar z84 = n1_6 * z81;  // moment on S3, z
-    const Scalar z85 = c_beta * z83;
-    const Scalar z86 = s_beta * z83;
-    const Scalar z87 = n10 * z76 + n33 * z78 - z85;  // force on S2, x
     const Scalar z88 = n33 * z79 + z86;  // force on S2, y
+    const Scalar z84 = n1_6 * z81;  // moment on S3, z
     const Scalar z89 = n10 * z79 - z84;  // moment on S2, z
     const Scalar z90 = q_x * z88 + z89;  // moment on guide, z
     const Scalar z93 = n30 * z74 - n18 * z75 - n0_5 * z87 - z90;  // moment on S1, z
@@ -823,8 +924,8 @@ struct Mechanism {
   TORSOR_DEVICE static void inverse_dynamics(const Precomputed&, const State& state, const Accelerations& accelerations,
       const Multipliers&, GeneralizedForces& forces) noexcept {
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
-    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n1_6 = traits::constant(1.6, 1.6f, "8/5");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n10 = traits::constant(10.0, 10.0f, "10/1");
     const Scalar n33 = traits::constant(33.0, 33.0f, "33/1");
@@ -845,24 +946,24 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
-    const Scalar z28 = v_alpha + v_beta;
-    const Scalar z74 = n9_81 * s_alpha;
     const Scalar z75 = n9_81 * c_alpha;
     const Scalar z76 = v_alpha * v_alpha;
-    const Scalar z77 = z75 - n0_5 * z76;
-    const Scalar z82 = z28 * z28;
-    const Scalar z83 = n1_6 * z82;  // force on S3, x
-    const Scalar z94 = n0_5 * a_alpha - z74;
-    const Scalar z95 = q_x * z76 - a_x + z94;
-    const Scalar z96 = n2 * v_alpha * v_x + a_alpha * q_x + z77;
-    const Scalar z98 = s_beta * z95 + c_beta * z96;
+    const Scalar z74 = n9_81 * s_alpha;
+    const Scalar z28 = v_alpha + v_beta;
     const Scalar z99 = a_alpha + a_beta;  // angular acceleration of S3, z
+    const Scalar z82 = z28 * z28;
     const Scalar z100 = n1_6 * z99;  // force on S3, y
-    const Scalar z101 = n1_6 * z98 - n0_5 * z99;  // moment on S3, z
+    const Scalar z83 = n1_6 * z82;  // force on S3, x
     const Scalar z102 = s_beta * z100 + c_beta * z83;
     const Scalar z103 = s_beta * z83 - c_beta * z100;
-    const Scalar z104 = n10 * z76 + n33 * z95 - z102;  // force on S2, x
-    const Scalar z105 = n10 * a_alpha + n33 * z96 + z103;  // force on S2, y
+    const Scalar z77 = z75 - n0_5 * z76;
+    const Scalar z94 = n0_5 * a_alpha - z74;
+    const Scalar z95 = q_x * z76 - a_x + z94;
+    const Scalar z96 = z77 + a_alpha * q_x + n2 * v_alpha * v_x;
+    const Scalar z104 = n10 * z76 - z102 + n33 * z95;  // force on S2, x
+    const Scalar z98 = s_beta * z95 + c_beta * z96;
+    const Scalar z105 = n10 * a_alpha + z103 + n33 * z96;  // force on S2, y
+    const Scalar z101 = n1_6 * z98 - n0_5 * z99;  // moment on S3, z
     const Scalar z106 = n10 * z96 - z101;  // moment on S2, z
     const Scalar z107 = q_x * z105 + z106;  // moment on guide, z
     const Scalar z110 = n36 * a_alpha - n30 * z74 + n18 * z75 + n0_5 * z104 + z107;  // moment on S1, z
@@ -877,17 +978,17 @@ struct Mechanism {
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs& inputs,
       Accelerations& accelerations, Multipliers&) noexcept {
     const Scalar n1_6 = traits::constant(1.6, 1.6f, "8/5");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n10 = traits::constant(10.0, 10.0f, "10/1");
     const Scalar n16_5 = traits::constant(16.5, 16.5f, "33/2");
-    const Scalar n33 = traits::constant(33.0, 33.0f, "33/1");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n33 = traits::constant(33.0, 33.0f, "33/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n8_25 = traits::constant(8.25, 8.25f, "33/4");
     const Scalar n36 = traits::constant(36.0, 36.0f, "36/1");
-    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n30 = traits::constant(30.0, 30.0f, "30/1");
     const Scalar n18 = traits::constant(18.0, 18.0f, "18/1");
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_alpha = state.q.alpha;
     const Scalar v_alpha = state.v.alpha;
@@ -903,46 +1004,46 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
-    const Scalar z28 = v_alpha + v_beta;
     const Scalar z48 = n1_6 * s_beta;
     const Scalar z49 = n1_6 * c_beta;
-    const Scalar z50 = n0_5 - q_x * z49;
-    const Scalar z51 = n0_5 * z48 - z50;
-    const Scalar z57 = n10 - z49;
-    const Scalar z58 = n16_5 - z48;
-    const Scalar z61 = q_x * (n33 * q_x + n2 * z57) + n0_5;
-    const Scalar z65 = n8_25 - z48 + z61;
-    const Scalar z70 = n36 + z65;
-    const Scalar z74 = n9_81 * s_alpha;
     const Scalar z75 = n9_81 * c_alpha;
     const Scalar z76 = v_alpha * v_alpha;
-    const Scalar z77 = z75 - n0_5 * z76;
-    const Scalar z78 = q_x * z76 - z74;
-    const Scalar z79 = n2 * v_alpha * v_x + z77;
-    const Scalar z81 = s_beta * z78 + c_beta * z79;
+    const Scalar z74 = n9_81 * s_alpha;
+    const Scalar z28 = v_alpha + v_beta;
     const Scalar z82 = z28 * z28;
     const Scalar z83 = n1_6 * z82;  // force on S3, x
-    const Scalar z84 = n1_6 * z81;  // moment on S3, z
     const Scalar z85 = c_beta * z83;
     const Scalar z86 = s_beta * z83;
-    const Scalar z87 = n10 * z76 + n33 * z78 - z85;  // force on S2, x
-    const Scalar z88 = n33 * z79 + z86;  // force on S2, y
-    const Scalar z89 = n10 * z79 - z84;  // moment on S2, z
-    const Scalar z90 = q_x * z88 + z89;  // moment on guide, z
-    const Scalar z93 = n30 * z74 - n18 * z75 - n0_5 * z87 - z90;  // moment on S1, z
-    const Scalar z114 = u_C01 + z93;
-    const Scalar z115 = u_F12 + z87;
-    const Scalar z116 = u_C23 + z84;
-    const Scalar z117 = n2 * z51;
+    const Scalar z50 = n0_5 - q_x * z49;
+    const Scalar z57 = n10 - z49;
+    const Scalar z58 = n16_5 - z48;
+    const Scalar z77 = z75 - n0_5 * z76;
+    const Scalar z78 = q_x * z76 - z74;
     const Scalar z118 = n2 * z48;
-    const Scalar z119 = z51 * z117 - z70;
-    const Scalar z120 = z51 * z118 - z58;
+    const Scalar z61 = q_x * (n33 * q_x + n2 * z57) + n0_5;
     const Scalar z121 = n33 - z48 * z118;
+    const Scalar z51 = n0_5 * z48 - z50;
+    const Scalar z79 = n2 * v_alpha * v_x + z77;
+    const Scalar z87 = n10 * z76 - z85 + n33 * z78;  // force on S2, x
     const Scalar z122 = n1 / z121;
-    const Scalar z123 = z120 * z122;
-    const Scalar z124 = z119 + z120 * z123;
-    const Scalar z125 = n1 / z124;
+    const Scalar z81 = s_beta * z78 + c_beta * z79;
+    const Scalar z88 = n33 * z79 + z86;  // force on S2, y
+    const Scalar z115 = u_F12 + z87;
+    const Scalar z117 = n2 * z51;
+    const Scalar z120 = z51 * z118 - z58;
+    const Scalar z65 = n8_25 - z48 + z61;
+    const Scalar z84 = n1_6 * z81;  // moment on S3, z
+    const Scalar z70 = n36 + z65;
+    const Scalar z89 = n10 * z79 - z84;  // moment on S2, z
+    const Scalar z116 = u_C23 + z84;
+    const Scalar z119 = z51 * z117 - z70;
     const Scalar z126 = z115 - z116 * z118;
+    const Scalar z90 = q_x * z88 + z89;  // moment on guide, z
+    const Scalar z123 = z120 * z122;
+    const Scalar z93 = n30 * z74 - n18 * z75 - n0_5 * z87 - z90;  // moment on S1, z
+    const Scalar z124 = z119 + z120 * z123;
+    const Scalar z114 = u_C01 + z93;
+    const Scalar z125 = n1 / z124;
     const Scalar z127 = z114 + z116 * z117 - z123 * z126;
     const Scalar z128 = z125 * z127;
     const Scalar z129 = z122 * z126 + z123 * z128;
@@ -962,17 +1063,17 @@ struct Mechanism {
       Energy& result) noexcept {
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n1_6 = traits::constant(1.6, 1.6f, "8/5");
+    const Scalar n18 = traits::constant(18.0, 18.0f, "18/1");
+    const Scalar n30 = traits::constant(30.0, 30.0f, "30/1");
     const Scalar n10 = traits::constant(10.0, 10.0f, "10/1");
     const Scalar n25 = traits::constant(25.0, 25.0f, "25/1");
     const Scalar n6 = traits::constant(6.0, 6.0f, "6/1");
     const Scalar n8 = traits::constant(8.0, 8.0f, "8/1");
-    const Scalar n18 = traits::constant(18.0, 18.0f, "18/1");
-    const Scalar n30 = traits::constant(30.0, 30.0f, "30/1");
     const Scalar n15 = traits::constant(15.0, 15.0f, "15/1");
     const Scalar n12_5 = traits::constant(12.5, 12.5f, "25/2");
     const Scalar n4 = traits::constant(4.0, 4.0f, "4/1");
-    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n323_73 = traits::constant(323.73, 323.73f, "32373/100");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar q_alpha = state.q.alpha;
     const Scalar v_alpha = state.v.alpha;
     const Scalar q_x = state.q.x;
@@ -990,22 +1091,22 @@ struct Mechanism {
     const Scalar z15 = n0_5 * v_alpha;
     const Scalar z22 = v_alpha * q_x;
     const Scalar z28 = v_alpha + v_beta;
-    const Scalar z48 = n1_6 * s_beta;
     const Scalar z49 = n1_6 * c_beta;
-    const Scalar z131 = v_x - z15;  // velocity of S2, x
-    const Scalar z132 = s_beta * z22 + c_beta * z131;
-    const Scalar z133 = s_beta * z131 - c_beta * z22;
-    const Scalar z134 = n10 * v_alpha + n25 * z22;
-    const Scalar z135 = n6 * v_alpha + n10 * z22;
-    const Scalar z136 = n1_6 * z28 + n8 * z133;
-    const Scalar z137 = n0_5 * z28 + n1_6 * z133;
+    const Scalar z48 = n1_6 * s_beta;
     const Scalar z139 = n18 * s_alpha + n30 * c_alpha;
+    const Scalar z131 = v_x - z15;  // velocity of S2, x
+    const Scalar z134 = n10 * v_alpha + n25 * z22;
+    const Scalar z133 = s_beta * z131 - c_beta * z22;
+    const Scalar z132 = s_beta * z22 + c_beta * z131;
+    const Scalar z135 = n6 * v_alpha + n10 * z22;
     const Scalar z141 = s_alpha * q_x + n0_5 * c_alpha;
     const Scalar z143 = n10 * s_alpha;
     const Scalar z145 = s_alpha * z49 + c_alpha * z48;
-    result.kinetic = n0_5 * (v_alpha * z135 + z22 * z134 + z28 * z137 + z133 * z136) + n15 * v_alpha * v_alpha + n12_5
-        * z131 * z131 + n4 * z132 * z132;
-    result.force_function = -n9_81 * (z139 + z143 - z145) - n323_73 * z141;
+    const Scalar z136 = n1_6 * z28 + n8 * z133;
+    const Scalar z137 = n0_5 * z28 + n1_6 * z133;
+    result.kinetic = n15 * v_alpha * v_alpha + n12_5 * z131 * z131 + n4 * z132 * z132 + n0_5 * (v_alpha * z135 + z22
+        * z134 + z28 * z137 + z133 * z136);
+    result.force_function = -n323_73 * z141 - n9_81 * (z139 + z143 - z145);
     result.power = v_alpha * u_C01 + v_x * u_F12 + v_beta * u_C23;
   }
 
@@ -1014,8 +1115,8 @@ struct Mechanism {
   TORSOR_DEVICE static void reactions(const Precomputed&, const State& state, const Accelerations& accelerations,
       const Multipliers&, const Inputs&, Reactions& result) noexcept {
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
-    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n1_6 = traits::constant(1.6, 1.6f, "8/5");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n10 = traits::constant(10.0, 10.0f, "10/1");
     const Scalar n33 = traits::constant(33.0, 33.0f, "33/1");
@@ -1035,14 +1136,14 @@ struct Mechanism {
     const Scalar z28 = v_alpha + v_beta;
     const Scalar z75 = n9_81 * c_alpha;
     const Scalar z76 = v_alpha * v_alpha;
-    const Scalar z77 = z75 - n0_5 * z76;
-    const Scalar z82 = z28 * z28;
-    const Scalar z83 = n1_6 * z82;  // force on S3, x
-    const Scalar z96 = n2 * v_alpha * v_x + a_alpha * q_x + z77;
     const Scalar z99 = a_alpha + a_beta;  // angular acceleration of S3, z
+    const Scalar z82 = z28 * z28;
     const Scalar z100 = n1_6 * z99;  // force on S3, y
+    const Scalar z83 = n1_6 * z82;  // force on S3, x
     const Scalar z103 = s_beta * z83 - c_beta * z100;
-    const Scalar z105 = n10 * a_alpha + n33 * z96 + z103;  // force on S2, y
+    const Scalar z77 = z75 - n0_5 * z76;
+    const Scalar z96 = z77 + a_alpha * q_x + n2 * v_alpha * v_x;
+    const Scalar z105 = n10 * a_alpha + z103 + n33 * z96;  // force on S2, y
     result.Y12 = z105;
   }
 
@@ -1051,17 +1152,17 @@ struct Mechanism {
   TORSOR_DEVICE static torsor::Status linearisation(const Precomputed&, const State& state,
       const Accelerations& accelerations, const Multipliers&, const Inputs& inputs, Linearisation& result) noexcept {
     const Scalar n1_6 = traits::constant(1.6, 1.6f, "8/5");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n33 = traits::constant(33.0, 33.0f, "33/1");
     const Scalar n10 = traits::constant(10.0, 10.0f, "10/1");
     const Scalar n16_5 = traits::constant(16.5, 16.5f, "33/2");
-    const Scalar n33 = traits::constant(33.0, 33.0f, "33/1");
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n8_25 = traits::constant(8.25, 8.25f, "33/4");
     const Scalar n36 = traits::constant(36.0, 36.0f, "36/1");
-    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
-    const Scalar n30 = traits::constant(30.0, 30.0f, "30/1");
     const Scalar n18 = traits::constant(18.0, 18.0f, "18/1");
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n30 = traits::constant(30.0, 30.0f, "30/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_alpha = state.q.alpha;
     const Scalar v_alpha = state.v.alpha;
@@ -1080,121 +1181,121 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
-    const Scalar z28 = v_alpha + v_beta;
     const Scalar z48 = n1_6 * s_beta;
     const Scalar z49 = n1_6 * c_beta;
-    const Scalar z50 = n0_5 - q_x * z49;
-    const Scalar z51 = n0_5 * z48 - z50;
-    const Scalar z57 = n10 - z49;
-    const Scalar z58 = n16_5 - z48;
-    const Scalar z61 = q_x * (n33 * q_x + n2 * z57) + n0_5;
-    const Scalar z65 = n8_25 - z48 + z61;
-    const Scalar z70 = n36 + z65;
-    const Scalar z74 = n9_81 * s_alpha;
     const Scalar z75 = n9_81 * c_alpha;
     const Scalar z76 = v_alpha * v_alpha;
-    const Scalar z77 = z75 - n0_5 * z76;
-    const Scalar z82 = z28 * z28;
-    const Scalar z83 = n1_6 * z82;  // force on S3, x
-    const Scalar z94 = n0_5 * a_alpha - z74;
-    const Scalar z95 = q_x * z76 - a_x + z94;
-    const Scalar z96 = n2 * v_alpha * v_x + a_alpha * q_x + z77;
-    const Scalar z97 = s_beta * z96 - c_beta * z95;
-    const Scalar z98 = s_beta * z95 + c_beta * z96;
-    const Scalar z99 = a_alpha + a_beta;  // angular acceleration of S3, z
-    const Scalar z100 = n1_6 * z99;  // force on S3, y
-    const Scalar z101 = n1_6 * z98 - n0_5 * z99;  // moment on S3, z
-    const Scalar z102 = s_beta * z100 + c_beta * z83;
-    const Scalar z103 = s_beta * z83 - c_beta * z100;
-    const Scalar z104 = n10 * z76 + n33 * z95 - z102;  // force on S2, x
-    const Scalar z105 = n10 * a_alpha + n33 * z96 + z103;  // force on S2, y
-    const Scalar z106 = n10 * z96 - z101;  // moment on S2, z
-    const Scalar z107 = q_x * z105 + z106;  // moment on guide, z
-    const Scalar z110 = n36 * a_alpha - n30 * z74 + n18 * z75 + n0_5 * z104 + z107;  // moment on S1, z
-    const Scalar z117 = n2 * z51;
-    const Scalar z118 = n2 * z48;
-    const Scalar z119 = z51 * z117 - z70;
-    const Scalar z120 = z51 * z118 - z58;
-    const Scalar z121 = n33 - z48 * z118;
-    const Scalar z122 = n1 / z121;
-    const Scalar z123 = z120 * z122;
-    const Scalar z124 = z119 + z120 * z123;
-    const Scalar z125 = n1 / z124;
+    const Scalar z28 = v_alpha + v_beta;
     const Scalar z159 = n2 * v_alpha;
-    const Scalar z160 = q_x * z159;
-    const Scalar z161 = n2 * z28;
-    const Scalar z162 = n1_6 * z161;
-    const Scalar z163 = c_beta * z162;
-    const Scalar z164 = n10 * z159 + n33 * z160 - z163;
+    const Scalar z82 = z28 * z28;
     const Scalar z165 = n0_5 * z159;
+    const Scalar z74 = n9_81 * s_alpha;
+    const Scalar z99 = a_alpha + a_beta;  // angular acceleration of S3, z
+    const Scalar z160 = q_x * z159;
+    const Scalar z100 = n1_6 * z99;  // force on S3, y
+    const Scalar z83 = n1_6 * z82;  // force on S3, x
     const Scalar z166 = n2 * v_x - z165;
-    const Scalar z167 = s_beta * z162;
-    const Scalar z168 = n33 * z166 + z167;
+    const Scalar z161 = n2 * z28;
+    const Scalar z188 = a_alpha * c_beta + s_beta * z76;
+    const Scalar z103 = s_beta * z83 - c_beta * z100;
+    const Scalar z162 = n1_6 * z161;
     const Scalar z169 = s_beta * z160 + c_beta * z166;
-    const Scalar z170 = n1_6 * z169;
-    const Scalar z171 = n10 * z166 - z170;
-    const Scalar z172 = q_x * z168 + z171;
-    const Scalar z173 = n0_5 * z164 + z172;
+    const Scalar z163 = c_beta * z162;
+    const Scalar z167 = s_beta * z162;
+    const Scalar z182 = c_beta * z159;
+    const Scalar z187 = n33 * a_alpha;
+    const Scalar z102 = s_beta * z100 + c_beta * z83;
+    const Scalar z181 = n33 * z159;
+    const Scalar z186 = n33 * z76;
+    const Scalar z50 = n0_5 - q_x * z49;
+    const Scalar z57 = n10 - z49;
+    const Scalar z58 = n16_5 - z48;
+    const Scalar z77 = z75 - n0_5 * z76;
+    const Scalar z94 = n0_5 * a_alpha - z74;
+    const Scalar z118 = n2 * z48;
     const Scalar z174 = n33 * z75;
     const Scalar z175 = n33 * z74;
     const Scalar z176 = s_beta * z75 + c_beta * z74;
-    const Scalar z177 = n1_6 * z176;
-    const Scalar z178 = n10 * z74 - z177;
-    const Scalar z179 = q_x * z175 + z178;
-    const Scalar z180 = n18 * z74 + n30 * z75 + n0_5 * z174 + z179;
-    const Scalar z181 = n33 * z159;
-    const Scalar z182 = c_beta * z159;
     const Scalar z183 = n1_6 * z182;
-    const Scalar z184 = n10 * z159 - z183;
-    const Scalar z185 = q_x * z181 + z184;
-    const Scalar z186 = n33 * z76;
-    const Scalar z187 = n33 * a_alpha;
-    const Scalar z188 = a_alpha * c_beta + s_beta * z76;
-    const Scalar z189 = n1_6 * z188;
-    const Scalar z190 = n10 * a_alpha - z189;
-    const Scalar z191 = q_x * z187 + z105 + z190;
-    const Scalar z192 = n0_5 * z186 + z191;
+    const Scalar z164 = n10 * z159 - z163 + n33 * z160;
+    const Scalar z168 = n33 * z166 + z167;
     const Scalar z193 = q_x * z167;
+    const Scalar z61 = q_x * (n33 * q_x + n2 * z57) + n0_5;
+    const Scalar z121 = n33 - z48 * z118;
+    const Scalar z184 = n10 * z159 - z183;
+    const Scalar z213 = z118 * z183;
+    const Scalar z51 = n0_5 * z48 - z50;
+    const Scalar z95 = q_x * z76 - a_x + z94;
+    const Scalar z96 = z77 + a_alpha * q_x + n2 * v_alpha * v_x;
+    const Scalar z170 = n1_6 * z169;
+    const Scalar z189 = n1_6 * z188;
     const Scalar z194 = n0_5 * z163 - z193;
+    const Scalar z104 = n10 * z76 - z102 + n33 * z95;  // force on S2, x
+    const Scalar z122 = n1 / z121;
+    const Scalar z171 = n10 * z166 - z170;
+    const Scalar z177 = n1_6 * z176;
+    const Scalar z185 = q_x * z181 + z184;
+    const Scalar z190 = n10 * a_alpha - z189;
+    const Scalar z208 = z118 * z189 - z186;
+    const Scalar z117 = n2 * z51;
+    const Scalar z120 = z51 * z118 - z58;
+    const Scalar z178 = n10 * z74 - z177;
+    const Scalar z198 = z118 * z177 - z174;
+    const Scalar z203 = z118 * z170 - z164;
+    const Scalar z65 = n8_25 - z48 + z61;
+    const Scalar z172 = q_x * z168 + z171;
+    const Scalar z97 = s_beta * z96 - c_beta * z95;
+    const Scalar z98 = s_beta * z95 + c_beta * z96;
+    const Scalar z105 = n10 * a_alpha + z103 + n33 * z96;  // force on S2, y
+    const Scalar z70 = n36 + z65;
+    const Scalar z179 = q_x * z175 + z178;
+    const Scalar z173 = n0_5 * z164 + z172;
+    const Scalar z101 = n1_6 * z98 - n0_5 * z99;  // moment on S3, z
+    const Scalar z191 = q_x * z187 + z190 + z105;
+    const Scalar z119 = z51 * z117 - z70;
+    const Scalar z180 = n18 * z74 + n30 * z75 + n0_5 * z174 + z179;
+    const Scalar z123 = z120 * z122;
     const Scalar z195 = n1_6 * z97;
     const Scalar z196 = q_x * z102 + z195;
-    const Scalar z197 = n0_5 * z103 + z196;
-    const Scalar z198 = z118 * z177 - z174;
-    const Scalar z199 = z117 * z177 + z123 * z198 - z180;
-    const Scalar z200 = z125 * z199;
-    const Scalar z201 = z122 * z198 - z123 * z200;
-    const Scalar z202 = z117 * z200 - z118 * z201 - n2 * z177;
-    const Scalar z203 = z118 * z170 - z164;
-    const Scalar z204 = z117 * z170 + z123 * z203 - z173;
-    const Scalar z205 = z125 * z204;
-    const Scalar z206 = z122 * z203 - z123 * z205;
-    const Scalar z207 = z117 * z205 - z118 * z206 - n2 * z170;
-    const Scalar z208 = z118 * z189 - z186;
-    const Scalar z209 = z117 * z189 + z123 * z208 - z192;
-    const Scalar z210 = z125 * z209;
-    const Scalar z211 = z122 * z208 - z123 * z210;
-    const Scalar z212 = z117 * z210 - z118 * z211 - n2 * z189;
-    const Scalar z213 = z118 * z183;
-    const Scalar z214 = z117 * z183 + z123 * z213 - z185;
-    const Scalar z215 = z125 * z214;
-    const Scalar z216 = z122 * z213 - z123 * z215;
-    const Scalar z217 = z117 * z215 - z118 * z216 - n2 * z183;
+    const Scalar z124 = z119 + z120 * z123;
+    const Scalar z192 = n0_5 * z186 + z191;
     const Scalar z218 = z103 + z118 * z195;
-    const Scalar z219 = z117 * z195 + z123 * z218 + z197;
-    const Scalar z220 = z125 * z219;
-    const Scalar z221 = z122 * z218 - z123 * z220;
-    const Scalar z222 = z117 * z220 - z118 * z221 - n2 * z195;
+    const Scalar z197 = n0_5 * z103 + z196;
+    const Scalar z125 = n1 / z124;
+    const Scalar z199 = z117 * z177 - z180 + z123 * z198;
+    const Scalar z204 = z117 * z170 - z173 + z123 * z203;
+    const Scalar z209 = z117 * z189 - z192 + z123 * z208;
+    const Scalar z214 = z117 * z183 - z185 + z123 * z213;
+    const Scalar z219 = z197 + z117 * z195 + z123 * z218;
     const Scalar z223 = z123 * z163 + z194;
-    const Scalar z224 = z125 * z223;
-    const Scalar z225 = z122 * z163 - z123 * z224;
-    const Scalar z226 = z117 * z224 - z118 * z225;
-    const Scalar z227 = z123 * z125;
-    const Scalar z228 = z117 * z125 + z118 * z227;
-    const Scalar z229 = z122 - z123 * z227;
-    const Scalar z230 = z117 * z227 - z118 * z229;
     const Scalar z231 = z117 + z118 * z123;
+    const Scalar z106 = n10 * z96 - z101;  // moment on S2, z
+    const Scalar z200 = z125 * z199;
+    const Scalar z205 = z125 * z204;
+    const Scalar z210 = z125 * z209;
+    const Scalar z215 = z125 * z214;
+    const Scalar z220 = z125 * z219;
+    const Scalar z224 = z125 * z223;
+    const Scalar z227 = z123 * z125;
     const Scalar z232 = z125 * z231;
+    const Scalar z201 = z122 * z198 - z123 * z200;
+    const Scalar z206 = z122 * z203 - z123 * z205;
+    const Scalar z211 = z122 * z208 - z123 * z210;
+    const Scalar z216 = z122 * z213 - z123 * z215;
+    const Scalar z221 = z122 * z218 - z123 * z220;
+    const Scalar z225 = z122 * z163 - z123 * z224;
+    const Scalar z229 = z122 - z123 * z227;
     const Scalar z233 = z118 * z122 - z123 * z232;
+    const Scalar z107 = q_x * z105 + z106;  // moment on guide, z
+    const Scalar z110 = n36 * a_alpha - n30 * z74 + n18 * z75 + n0_5 * z104 + z107;  // moment on S1, z
+    const Scalar z202 = z117 * z200 - n2 * z177 - z118 * z201;
+    const Scalar z207 = z117 * z205 - n2 * z170 - z118 * z206;
+    const Scalar z212 = z117 * z210 - n2 * z189 - z118 * z211;
+    const Scalar z217 = z117 * z215 - n2 * z183 - z118 * z216;
+    const Scalar z222 = z117 * z220 - n2 * z195 - z118 * z221;
+    const Scalar z226 = z117 * z224 - z118 * z225;
+    const Scalar z228 = z117 * z125 + z118 * z227;
+    const Scalar z230 = z117 * z227 - z118 * z229;
     const Scalar z234 = n2 - z117 * z232 + z118 * z233;
     result.M[0] = z70;
     result.M[1] = -z58;

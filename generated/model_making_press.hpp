@@ -37,7 +37,7 @@
 #include <cmath>
 
 #ifndef TORSOR_KERNEL_SUPPORT
-#define TORSOR_KERNEL_SUPPORT 2
+#define TORSOR_KERNEL_SUPPORT 3
 // Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
 #ifndef TORSOR_DEVICE
 #define TORSOR_DEVICE
@@ -51,7 +51,7 @@
 //  * two polynomials of least greatest error give the sine and the cosine of r, |r| <= pi/4;
 //  * angles beyond `bound` are rare: they are reduced exactly, in integers, by a function that is not inlined, and so
 //    are all angles under another rounding, which would give the nearest integers wrong.
-// The core has no branch, so that compilers turn a loop over several angles into vector instructions.
+// The core has no branch, so that several angles go through it at once.
 #ifndef TORSOR_STD_SINCOS
 #if defined(__FAST_MATH__) || defined(_M_FP_FAST) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0)
 #define TORSOR_STD_SINCOS  // sums would be reassociated or hold more digits than their type
@@ -99,21 +99,19 @@ struct SineCosine {
       S = S01 + z2 * number(0.0, -0x1.9953f2p-13f);
       C = C01 + z2 * number(0.0, 0x1.99e0eep-16f);
     } else {
-      const Scalar z4 = z2 * z2;
       const Scalar S01 = number(-0x1.5555555555548p-3, 0.0f) + z * number(0x1.111111110f73p-7, 0.0f);
       const Scalar S23 = number(-0x1.a01a019be9217p-13, 0.0f) + z * number(0x1.71de35552b518p-19, 0.0f);
       const Scalar S45 = number(-0x1.ae5e4b83e1601p-26, 0.0f) + z * number(0x1.5d8b55934597bp-33, 0.0f);
       const Scalar C01 = number(0x1.555555555554cp-5, 0.0f) + z * number(-0x1.6c16c16c1521bp-10, 0.0f);
       const Scalar C23 = number(0x1.a01a019cbeb68p-16, 0.0f) + z * number(-0x1.27e4f8121198fp-22, 0.0f);
       const Scalar C45 = number(0x1.1ee9f0cbf70d6p-29, 0.0f) + z * number(-0x1.8fb0e15d5f2ap-37, 0.0f);
-      S = (S01 + z2 * S23) + z4 * S45;
-      C = (C01 + z2 * C23) + z4 * C45;
+      S = S01 + z2 * (S23 + z2 * S45);
+      C = C01 + z2 * (C23 + z2 * C45);
     }
-    const Scalar half_z = half * z, w = one - half_z;
-    // Far below an ulp, it makes the correction of -0 a -0, and so the sine.
-    const Scalar tiny = number(0x1p-100, 0x1p-60f);
-    sine = high + (high * (tiny + z * S) - rest * w);
-    cosine = w + (((one - w) - half_z) + (z2 * C + high * rest));
+    const Scalar half_z = half * z, w = one - half_z, high_z = high * z;
+    // What waits for S and C comes last. The correction of -0 is a 0, which subtracted leaves it -0.
+    sine = high - (rest * w - high_z * S);
+    cosine = w + ((((one - w) - half_z) + high * rest) + z2 * C);
   }
 
   /// Of n pi/2 more.
@@ -128,21 +126,31 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// For |x| <= bound; what is no number gives no number. Exact are n times the first three parts of pi/2, the first
-  /// difference, and each rounded difference together with its rounding error.
-  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
-    const Scalar n = rounded(x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f));
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n plus a number so large that its last bit counts 1; what is no
+  /// number gives no number.
+  ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
+  ///    others do, and may be formed twice;
+  ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
+  ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
+  TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
+                                                        Scalar& cosine) noexcept {
+    const Scalar shift = number(0x1.8p52, 0x1.8p23f);
+    const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
+    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift;
+    const Scalar n = shifted - shift;
     const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
-    const Scalar second = n * number(0x1.0b4611a6p-34, 0x1.ed5p-14f);
-    const Scalar third = n * number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    const Scalar fourth = n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
-    const Scalar r = first - second;
-    const Scalar taken = first - r;
-    const Scalar error = (first - (r + taken)) - (second - taken);
-    const Scalar high = r - third;
-    const Scalar rest = ((third - (r - high)) - error) + fourth;
+    const Scalar r = first - n * P;
+    const Scalar error = (first - r) - n * P;
+    const Scalar high = r - n * Q;
+    const Scalar rest = ((n * Q - (r - high)) - error) + n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
     of_reduced(high, rest, sine, cosine);
-    turn(n, sine, cosine);
+  }
+
+  /// For |x| <= bound.
+  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
+    Scalar shifted;
+    of_remainder(x, shifted, sine, cosine);
+    turn(shifted - number(0x1.8p52, 0x1.8p23f), sine, cosine);
   }
 };
 
@@ -261,61 +269,151 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
 #endif
 }
 
-/// Of some angles up to the bound, a multiple of what a vector holds. Local arrays, which nothing else can point to.
-template <int size, class Scalar>
-TORSOR_DEVICE TORSOR_INLINED void sincos_of_block(const Scalar* angles, Scalar* sines, Scalar* cosines) noexcept {
-  Scalar x[size], s[size], c[size];
-  for (int i = 0; i < size; ++i) x[i] = angles[i];
-  // Compilers make vector instructions of a loop, but not always of a row of statements.
-#if defined(__clang__)
-#pragma clang loop unroll(disable)
-#elif defined(__GNUC__) && !defined(__CUDACC__)
-#pragma GCC unroll 1
+}  // namespace torsor
+// Sines and cosines of several angles at once: by vector registers where GNU C++ has types for them, which compilers
+// without AVX make of narrower ones; loops over numbers are not left to compilers to find.
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define TORSOR_VECTOR_TYPES
 #endif
-  for (int i = 0; i < size; ++i) SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::core(x[i], s[i], c[i]);
-  for (int i = 0; i < size; ++i) sines[i] = s[i];
-  for (int i = 0; i < size; ++i) cosines[i] = c[i];
+
+namespace torsor {
+
+#if defined(TORSOR_VECTOR_TYPES)
+/// 0, 1, ... as arguments of a template.
+template <int... place>
+struct Places {};
+template <int count, int... place>
+struct FirstPlaces : FirstPlaces<count - 1, count - 1, place...> {};
+template <int... place>
+struct FirstPlaces<0, place...> {
+  using type = Places<place...>;
+};
+
+/// Some registers of equally many numbers, which take the same operations by turns: while the one waits for its last
+/// result, the other is at work. A scalar for SineCosine, of which it needs constants, sums and products only.
+template <class Number, int lanes, int count>
+struct Registers {
+  typedef Number Numbers __attribute__((vector_size(lanes * sizeof(Number))));
+  using Bits = decltype(Numbers{} < Numbers{});
+  Numbers part[count];
+
+  TORSOR_INLINED friend Registers operator+(const Registers& a, const Registers& b) noexcept {
+    Registers sum;
+    for (int i = 0; i < count; ++i) sum.part[i] = a.part[i] + b.part[i];
+    return sum;
+  }
+  TORSOR_INLINED friend Registers operator-(const Registers& a, const Registers& b) noexcept {
+    Registers difference;
+    for (int i = 0; i < count; ++i) difference.part[i] = a.part[i] - b.part[i];
+    return difference;
+  }
+  TORSOR_INLINED friend Registers operator*(const Registers& a, const Registers& b) noexcept {
+    Registers product;
+    for (int i = 0; i < count; ++i) product.part[i] = a.part[i] * b.part[i];
+    return product;
+  }
+};
+
+template <class Number, int lanes, int count>
+struct scalar_traits<Registers<Number, lanes, count>> {
+  using Scalar = Registers<Number, lanes, count>;
+  TORSOR_INLINED static Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    constexpr bool is_float = sizeof(Number) == sizeof(float);
+    const Number number = is_float ? static_cast<Number>(in_float) : static_cast<Number>(in_double);
+    Scalar result;
+    for (int i = 0; i < count; ++i) {
+      for (int lane = 0; lane < lanes; ++lane) result.part[i][lane] = number;
+    }
+    return result;
+  }
+};
+
+/// Of angles up to the bound, bit by bit what SineCosine::core gives where nothing is fused. The quarter of the turn is
+/// in the last two bits of `shifted`: it is chosen by bits, not by products.
+template <class Number, int lanes, int count>
+TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& angles,
+                                        Registers<Number, lanes, count>& sines,
+                                        Registers<Number, lanes, count>& cosines) noexcept {
+  using Scalar = Registers<Number, lanes, count>;
+  using Numbers = typename Scalar::Numbers;
+  using Bits = typename Scalar::Bits;
+  constexpr int sign_bit = 8 * static_cast<int>(sizeof(Number)) - 1;
+  Scalar shifted, sine, cosine;
+  SineCosine<Scalar, sizeof(Number) == sizeof(float)>::of_remainder(angles, shifted, sine, cosine);
+  const Bits sign = (Bits)scalar_traits<Scalar>::constant(-0.0, -0.0f, nullptr).part[0];
+  for (int i = 0; i < count; ++i) {
+    const Bits bits = (Bits)shifted.part[i], s = (Bits)sine.part[i], c = (Bits)cosine.part[i];
+    const Bits odd = Bits{} - (bits & 1);  // all bits or none
+    const Bits upper = bits << (sign_bit - 1);
+    // The sine is negated for n = 2 and 3, the cosine for 1 and 2.
+    sines.part[i] = (Numbers)(((odd & c) | (~odd & s)) ^ (upper & sign));
+    cosines.part[i] = (Numbers)(((odd & s) | (~odd & c)) ^ ((upper ^ odd) & sign));
+  }
 }
 
-/// Of several angles at once, in float or double: as many as a vector holds go through the core together.
-template <class Scalar, int N>
-TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
-                                            Scalar (&cosines)[N]) noexcept {
-  constexpr int narrow = 16 / sizeof(Scalar);
+/// Of the angles first to first + size - 1, up to the bound, in one register or two; idle lanes get 0. Returns the sum
+/// of their squares. Places are constants before anything is optimised: lanes then come from registers and go there,
+/// where a way through memory would be stored in parts and loaded whole.
+template <int size, class Number, int N, int... lane, int... place>
+TORSOR_INLINED Number sincos_of_some(int first, const Number (&angles)[N], Number (&sines)[N], Number (&cosines)[N],
+                                     Places<lane...>, Places<place...>) noexcept {
+  constexpr int lanes = sizeof...(lane), count = size > lanes ? 2 : 1;
+  using Some = Registers<Number, lanes, count>;
+  const auto angle = [&](int i) noexcept { return i < size ? angles[first + i] : Number(0); };
+  Some x, s, c;
+  x.part[0] = typename Some::Numbers{angle(lane)...};
+  if constexpr (count == 2) x.part[1] = typename Some::Numbers{angle(lane + lanes)...};
+  sincos_of_registers(x, s, c);
+  ((sines[first + place] = s.part[place / lanes][place % lanes]), ...);
+  ((cosines[first + place] = c.part[place / lanes][place % lanes]), ...);
+  typename Some::Numbers squares = x.part[0] * x.part[0];
+  if constexpr (count == 2) squares += x.part[1] * x.part[1];
+  return (squares[lane] + ...);
+}
+
+/// Of several angles up to the bound, by two registers at a time. Returns the sum of their squares.
+template <class Number, int N>
+TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&sines)[N],
+                                          Number (&cosines)[N]) noexcept {
+  constexpr int narrow = 16 / static_cast<int>(sizeof(Number));
 #if defined(__AVX__)
-  constexpr int wide = 32 / sizeof(Scalar);
+  // Registers of AVX-512 gain nothing for so few numbers.
+  constexpr int lanes = N <= narrow ? narrow : 2 * narrow;
 #else
-  constexpr int wide = narrow;
+  constexpr int lanes = narrow;
 #endif
-#if defined(__CUDA_ARCH__) || defined(TORSOR_STD_SINCOS)
-  constexpr bool by_vectors = false;
-#elif defined(__clang__)
-  constexpr bool by_vectors = N >= 4;  // it leaves a loop over two as it is
-#else
-  constexpr bool by_vectors = N >= narrow;
-#endif
-  if constexpr (by_vectors) {
-    constexpr int vector = N >= wide ? wide : narrow, rest = N % vector;
-    // Of a rest some angles are done again: a whole vector costs less than two or three alone.
+  constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
+  using AllLanes = typename FirstPlaces<lanes>::type;
+  Number squares = 0;
+  // One copy of the code: its constants stay where they are.
 #if defined(__clang__)
-    sincos_of_block<N - rest>(angles, sines, cosines);  // best as one loop
-    if constexpr (rest > 1) {
-      sincos_of_block<vector>(angles + (N - vector), sines + (N - vector), cosines + (N - vector));
-    }
+#pragma clang loop unroll(disable)
 #else
-    for (int next = 0; next < N - (rest == 1); next += vector) {
-      const int first = next + vector <= N ? next : N - vector;
-      sincos_of_block<vector>(angles + first, sines + first, cosines + first);
-    }
+#pragma GCC unroll 1
 #endif
-    if constexpr (rest == 1) sincos_of_one(angles[N - 1], sines[N - 1], cosines[N - 1]);
+  for (int i = 0; i < whole; i += both)
+    squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+  if constexpr (rest > 0)
+    squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
+  return squares;
+}
+#endif
+
+/// Of several angles at once, in float or double.
+template <class Scalar, int N>
+TORSOR_DEVICE TORSOR_INLINED void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
+#if defined(TORSOR_VECTOR_TYPES) && !defined(TORSOR_STD_SINCOS)
+  constexpr bool at_once = N > 1;
+#else
+  constexpr bool at_once = false;
+#endif
+  if constexpr (at_once) {
+    const Scalar squares = sincos_in_registers(angles, sines, cosines);
     constexpr Scalar bound = static_cast<Scalar>(SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::bound);
-    Scalar sum = 0;
-    for (int i = 0; i < N; ++i) sum += std::abs(angles[i]);
-    const bool to_one_side = rounds_to_one_side(sum);
-    if (sum <= bound && !to_one_side) return;
+    if (squares <= bound * bound && !rounds_to_one_side(squares)) return;
     for (int i = 0; i < N; ++i) {
-      if (std::abs(angles[i]) > bound || to_one_side) sincos_far(angles[i], sines[i], cosines[i]);
+      if (std::abs(angles[i]) > bound || rounds_to_one_side(angles[i])) sincos_far(angles[i], sines[i], cosines[i]);
     }
   } else {
     for (int i = 0; i < N; ++i) sincos_of_one(angles[i], sines[i], cosines[i]);
@@ -324,17 +422,19 @@ TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&
 
 /// Of several angles of any scalar: at once where its traits have a `sincos` of arrays, else one by one.
 template <class Scalar, int N>
-TORSOR_DEVICE auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N], int) noexcept
+TORSOR_DEVICE TORSOR_INLINED auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], int) noexcept
     -> decltype(scalar_traits<Scalar>::sincos(angles, sines, cosines)) {
   scalar_traits<Scalar>::sincos(angles, sines, cosines);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N],
-                                    long) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], long) noexcept {
   for (int i = 0; i < N; ++i) scalar_traits<Scalar>::sincos(angles[i], sines[i], cosines[i]);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
   sincos_by_traits(angles, sines, cosines, 0);
 }
 
@@ -371,7 +471,8 @@ struct scalar_traits {
   }
   /// Of several angles at once; a specialisation without it gets them one by one.
   template <int N>
-  TORSOR_DEVICE static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+  TORSOR_DEVICE TORSOR_INLINED static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                  Scalar (&cosines)[N]) noexcept {
     sincos_of_several(angles, sines, cosines);
   }
   TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
@@ -384,7 +485,7 @@ struct scalar_traits {
 };
 
 }  // namespace torsor
-#elif TORSOR_KERNEL_SUPPORT != 2
+#elif TORSOR_KERNEL_SUPPORT != 3
 #error "headers of incompatible versions of torsor meet here: write them again with one version"
 #endif
 
@@ -398,7 +499,7 @@ struct Mechanism {
 
   static constexpr const char* name = "model_making_press";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xc8fc68e436b32045ULL;
+  static constexpr unsigned long long fingerprint = 0x445d2e59ed642e96ULL;
   static constexpr int coordinate_count = 11;
   static constexpr int velocity_count = 9;
   static constexpr int input_count = 1;
@@ -739,81 +840,81 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_a = sines_[0], c_a = cosines_[0];
     const Scalar s_omega_z = sines_[1], c_omega_z = cosines_[1];
+    const Scalar pi = traits::pi();
     const Scalar z9 = n2 * q_lower_y * q_lower_y;
+    const Scalar z37 = n2 * q_upper_y * q_upper_y;
     const Scalar z11 = n2 * q_lower_z * q_lower_z;
     const Scalar z13 = n2 * q_lower_y * q_lower_x;
     const Scalar z15 = n2 * q_lower_z * q_lower_w;
-    const Scalar z16 = n1 - z9 - z11;
-    const Scalar z17 = z13 - z15;
-    const Scalar z18 = z13 + z15;
-    const Scalar z19 = n2 * q_lower_x * q_lower_x;
-    const Scalar z20 = n2 * q_lower_y * q_lower_z;
-    const Scalar z21 = n2 * q_lower_x * q_lower_w;
-    const Scalar z22 = n1 - z11 - z19;
-    const Scalar z23 = z20 - z21;
-    const Scalar z24 = z20 + z21;
-    const Scalar z25 = n2 * q_lower_z * q_lower_x;
-    const Scalar z26 = n2 * q_lower_y * q_lower_w;
-    const Scalar z27 = n1 - z9 - z19;
-    const Scalar z28 = z25 - z26;
-    const Scalar z29 = z25 + z26;
-    const Scalar z37 = n2 * q_upper_y * q_upper_y;
     const Scalar z39 = n2 * q_upper_z * q_upper_z;
     const Scalar z41 = n2 * q_upper_y * q_upper_x;
     const Scalar z43 = n2 * q_upper_z * q_upper_w;
+    const Scalar z16 = n1 - z9 - z11;
+    const Scalar z18 = z13 + z15;
+    const Scalar z19 = n2 * q_lower_x * q_lower_x;
     const Scalar z44 = n1 - z37 - z39;
-    const Scalar z45 = z41 - z43;
     const Scalar z46 = z41 + z43;
     const Scalar z47 = n2 * q_upper_x * q_upper_x;
-    const Scalar z48 = n2 * q_upper_y * q_upper_z;
-    const Scalar z49 = n2 * q_upper_x * q_upper_w;
+    const Scalar z17 = z13 - z15;
+    const Scalar z22 = n1 - z11 - z19;
+    const Scalar z25 = n2 * q_lower_z * q_lower_x;
+    const Scalar z26 = n2 * q_lower_y * q_lower_w;
+    const Scalar z45 = z41 - z43;
     const Scalar z50 = n1 - z39 - z47;
-    const Scalar z51 = z48 - z49;
-    const Scalar z52 = z48 + z49;
     const Scalar z53 = n2 * q_upper_z * q_upper_x;
     const Scalar z54 = n2 * q_upper_y * q_upper_w;
-    const Scalar z55 = n1 - z37 - z47;
+    const Scalar z20 = n2 * q_lower_y * q_lower_z;
+    const Scalar z21 = n2 * q_lower_x * q_lower_w;
+    const Scalar z48 = n2 * q_upper_y * q_upper_z;
+    const Scalar z49 = n2 * q_upper_x * q_upper_w;
+    const Scalar z28 = z25 - z26;
     const Scalar z56 = z53 - z54;
+    const Scalar z23 = z20 - z21;
+    const Scalar z29 = z25 + z26;
+    const Scalar z51 = z48 - z49;
     const Scalar z57 = z53 + z54;
-    const Scalar pi = traits::pi();
     const Scalar z71 = s_a * z18 - c_a * z16;
-    const Scalar z72 = s_a * z22 - c_a * z17;
-    const Scalar z73 = s_a * z23 - c_a * z29;
     const Scalar z74 = s_a * z16 + c_a * z18;
+    const Scalar z98 = s_a * z46 - c_a * z44;
+    const Scalar z101 = s_a * z44 + c_a * z46;
+    const Scalar z24 = z20 + z21;
+    const Scalar z52 = z48 + z49;
+    const Scalar z72 = s_a * z22 - c_a * z17;
     const Scalar z75 = s_a * z17 + c_a * z22;
+    const Scalar z87 = v_a + z28 * v_lower_omega_x;  // angular velocity of lower_omega_x, z
+    const Scalar z99 = s_a * z50 - c_a * z45;
+    const Scalar z102 = s_a * z45 + c_a * z50;
+    const Scalar z110 = v_a + z56 * v_upper_omega_x;  // angular velocity of upper_omega_x, z
+    const Scalar z27 = n1 - z9 - z19;
+    const Scalar z55 = n1 - z37 - z47;
+    const Scalar z73 = s_a * z23 - c_a * z29;
     const Scalar z76 = s_a * z29 + c_a * z23;
-    const Scalar z77 = n0_1 * c_a;
-    const Scalar z78 = n0_1 * s_a;
-    const Scalar z79 = n0_1 - z77;  // place of lower_omega_x, x
-    const Scalar z80 = n0_1 * v_a;
+    const Scalar z93 = z24 * v_lower_omega_y + z87;  // angular velocity of lower_omega_y, z
+    const Scalar z100 = s_a * z51 - c_a * z57;
+    const Scalar z103 = s_a * z57 + c_a * z51;
+    const Scalar z114 = z52 * v_upper_omega_y + z110;  // angular velocity of upper_omega_y, z
     const Scalar z85 = v_lower_omega_x * z71;  // angular velocity of lower_omega_x, x
     const Scalar z86 = v_lower_omega_x * z74;  // angular velocity of lower_omega_x, y
-    const Scalar z87 = v_a + z28 * v_lower_omega_x;  // angular velocity of lower_omega_x, z
-    const Scalar z88 = s_a * z80;  // velocity of lower_omega_x, x
-    const Scalar z89 = c_a * z80;  // velocity of lower_omega_x, y
-    const Scalar z91 = v_lower_omega_y * z72 + z85;  // angular velocity of lower_omega_y, x
-    const Scalar z92 = v_lower_omega_y * z75 + z86;  // angular velocity of lower_omega_y, y
-    const Scalar z93 = z24 * v_lower_omega_y + z87;  // angular velocity of lower_omega_y, z
-    const Scalar z95 = v_lower_omega_z * z73 + z91;  // angular velocity of lower_cup, x
-    const Scalar z96 = v_lower_omega_z * z76 + z92;  // angular velocity of lower_cup, y
-    const Scalar z97 = z27 * v_lower_omega_z + z93;  // angular velocity of lower_cup, z
-    const Scalar z98 = s_a * z46 - c_a * z44;
-    const Scalar z99 = s_a * z50 - c_a * z45;
-    const Scalar z100 = s_a * z51 - c_a * z57;
-    const Scalar z101 = s_a * z44 + c_a * z46;
-    const Scalar z102 = s_a * z45 + c_a * z50;
-    const Scalar z103 = s_a * z57 + c_a * z51;
     const Scalar z108 = v_upper_omega_x * z98;  // angular velocity of upper_omega_x, x
     const Scalar z109 = v_upper_omega_x * z101;  // angular velocity of upper_omega_x, y
-    const Scalar z110 = v_a + z56 * v_upper_omega_x;  // angular velocity of upper_omega_x, z
+    const Scalar z77 = n0_1 * c_a;
+    const Scalar z80 = n0_1 * v_a;
+    const Scalar z78 = n0_1 * s_a;
+    const Scalar z79 = n0_1 - z77;  // place of lower_omega_x, x
+    const Scalar z88 = s_a * z80;  // velocity of lower_omega_x, x
+    const Scalar z91 = v_lower_omega_y * z72 + z85;  // angular velocity of lower_omega_y, x
+    const Scalar z92 = v_lower_omega_y * z75 + z86;  // angular velocity of lower_omega_y, y
+    const Scalar z89 = c_a * z80;  // velocity of lower_omega_x, y
     const Scalar z112 = v_upper_omega_y * z99 + z108;  // angular velocity of upper_omega_y, x
     const Scalar z113 = v_upper_omega_y * z102 + z109;  // angular velocity of upper_omega_y, y
-    const Scalar z114 = z52 * v_upper_omega_y + z110;  // angular velocity of upper_omega_y, z
-    const Scalar z116 = v_upper_omega_z * z100 + z112;  // angular velocity of upper_cup, x
-    const Scalar z117 = v_upper_omega_z * z103 + z113;  // angular velocity of upper_cup, y
+    const Scalar z97 = z27 * v_lower_omega_z + z93;  // angular velocity of lower_cup, z
     const Scalar z118 = z55 * v_upper_omega_z + z114;  // angular velocity of upper_cup, z
     const Scalar z119 = n0_002 * q_omega_z / pi;
     const Scalar z120 = n0_002 * v_omega_z / pi;  // velocity of screw.1, z
+    const Scalar z95 = v_lower_omega_z * z73 + z91;  // angular velocity of lower_cup, x
+    const Scalar z96 = v_lower_omega_z * z76 + z92;  // angular velocity of lower_cup, y
+    const Scalar z116 = v_upper_omega_z * z100 + z112;  // angular velocity of upper_cup, x
+    const Scalar z117 = v_upper_omega_z * z103 + z113;  // angular velocity of upper_cup, y
     result.traverse_position[0] = -z79;
     result.traverse_position[1] = z78;
     result.traverse_position[2] = q_a_z;
@@ -890,14 +991,14 @@ struct Mechanism {
 
   /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
   TORSOR_DEVICE static void mass_matrix(const Precomputed&, const State& state, std::array<Scalar, 81>& mass) noexcept {
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
-    const Scalar k3 = traits::constant(1e-05, 1e-05f, "1/100000");
-    const Scalar n0_0002 = traits::constant(2e-04, 2e-04f, "1/5000");
-    const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
     const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
     const Scalar n0_0001 = traits::constant(1e-04, 1e-04f, "1/10000");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar k5 = traits::constant(1e-05, 1e-05f, "1/100000");
+    const Scalar n0_0002 = traits::constant(2e-04, 2e-04f, "1/5000");
+    const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
     const Scalar n0_84 = traits::constant(0.84, 0.84f, "21/25");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_lower_y = state.q.lower_y;
@@ -908,46 +1009,46 @@ struct Mechanism {
     const Scalar q_upper_z = state.q.upper_z;
     const Scalar q_upper_x = state.q.upper_x;
     const Scalar q_upper_w = state.q.upper_w;
-    const Scalar z9 = n2 * q_lower_y * q_lower_y;
-    const Scalar z19 = n2 * q_lower_x * q_lower_x;
-    const Scalar z20 = n2 * q_lower_y * q_lower_z;
-    const Scalar z21 = n2 * q_lower_x * q_lower_w;
-    const Scalar z24 = z20 + z21;
-    const Scalar z25 = n2 * q_lower_z * q_lower_x;
-    const Scalar z26 = n2 * q_lower_y * q_lower_w;
-    const Scalar z27 = n1 - z9 - z19;
-    const Scalar z28 = z25 - z26;
-    const Scalar z37 = n2 * q_upper_y * q_upper_y;
-    const Scalar z47 = n2 * q_upper_x * q_upper_x;
-    const Scalar z48 = n2 * q_upper_y * q_upper_z;
-    const Scalar z49 = n2 * q_upper_x * q_upper_w;
-    const Scalar z52 = z48 + z49;
-    const Scalar z53 = n2 * q_upper_z * q_upper_x;
-    const Scalar z54 = n2 * q_upper_y * q_upper_w;
-    const Scalar z55 = n1 - z37 - z47;
-    const Scalar z56 = z53 - z54;
     const Scalar pi = traits::pi();
     const Scalar z68 = traits::formula(0.0006366197723675813, 0.00063661975f, [&]() -> Scalar {
       return n0_002 / pi;
     });
-    const Scalar z123 = k3 * z55;
-    const Scalar z128 = k3 * z52;
-    const Scalar z133 = k3 * z56;
-    const Scalar z144 = z52 * z128 + z55 * z123 + z56 * z133;
-    const Scalar z146 = n0_0002 + z144;
-    const Scalar z148 = n0_01 + z146;
-    const Scalar z151 = k3 * z27;
-    const Scalar z156 = k3 * z24;
-    const Scalar z161 = k3 * z28;
-    const Scalar z172 = z24 * z156 + z27 * z151 + z28 * z161;
-    const Scalar z174 = n0_0002 + z172;
-    const Scalar z180 = z148 + z174;
     const Scalar z192 = traits::formula(0.0001909859317102744, 0.00019098593f, [&]() -> Scalar {
       return n0_3 * z68;
     });
     const Scalar z193 = traits::formula(0.0001001215854203708, 0.000100121586f, [&]() -> Scalar {
       return n0_0001 + z68 * z192;
     });
+    const Scalar z37 = n2 * q_upper_y * q_upper_y;
+    const Scalar z48 = n2 * q_upper_y * q_upper_z;
+    const Scalar z49 = n2 * q_upper_x * q_upper_w;
+    const Scalar z9 = n2 * q_lower_y * q_lower_y;
+    const Scalar z20 = n2 * q_lower_y * q_lower_z;
+    const Scalar z21 = n2 * q_lower_x * q_lower_w;
+    const Scalar z47 = n2 * q_upper_x * q_upper_x;
+    const Scalar z52 = z48 + z49;
+    const Scalar z19 = n2 * q_lower_x * q_lower_x;
+    const Scalar z24 = z20 + z21;
+    const Scalar z55 = n1 - z37 - z47;
+    const Scalar z128 = k5 * z52;
+    const Scalar z53 = n2 * q_upper_z * q_upper_x;
+    const Scalar z54 = n2 * q_upper_y * q_upper_w;
+    const Scalar z27 = n1 - z9 - z19;
+    const Scalar z123 = k5 * z55;
+    const Scalar z156 = k5 * z24;
+    const Scalar z25 = n2 * q_lower_z * q_lower_x;
+    const Scalar z26 = n2 * q_lower_y * q_lower_w;
+    const Scalar z56 = z53 - z54;
+    const Scalar z151 = k5 * z27;
+    const Scalar z28 = z25 - z26;
+    const Scalar z133 = k5 * z56;
+    const Scalar z161 = k5 * z28;
+    const Scalar z144 = z52 * z128 + z55 * z123 + z56 * z133;
+    const Scalar z172 = z24 * z156 + z27 * z151 + z28 * z161;
+    const Scalar z146 = n0_0002 + z144;
+    const Scalar z174 = n0_0002 + z172;
+    const Scalar z148 = n0_01 + z146;
+    const Scalar z180 = z148 + z174;
     mass[0] = n0_84;
     mass[1] = n0;
     mass[2] = n0;
@@ -968,7 +1069,7 @@ struct Mechanism {
     mass[17] = n0;
     mass[18] = n0;
     mass[19] = z161;
-    mass[20] = k3;
+    mass[20] = k5;
     mass[21] = n0;
     mass[22] = n0;
     mass[23] = n0;
@@ -978,7 +1079,7 @@ struct Mechanism {
     mass[27] = n0;
     mass[28] = z156;
     mass[29] = n0;
-    mass[30] = k3;
+    mass[30] = k5;
     mass[31] = n0;
     mass[32] = n0;
     mass[33] = n0;
@@ -988,7 +1089,7 @@ struct Mechanism {
     mass[37] = z151;
     mass[38] = n0;
     mass[39] = n0;
-    mass[40] = k3;
+    mass[40] = k5;
     mass[41] = n0;
     mass[42] = n0;
     mass[43] = n0;
@@ -998,7 +1099,7 @@ struct Mechanism {
     mass[47] = n0;
     mass[48] = n0;
     mass[49] = n0;
-    mass[50] = k3;
+    mass[50] = k5;
     mass[51] = n0;
     mass[52] = n0;
     mass[53] = n0;
@@ -1008,7 +1109,7 @@ struct Mechanism {
     mass[57] = n0;
     mass[58] = n0;
     mass[59] = n0;
-    mass[60] = k3;
+    mass[60] = k5;
     mass[61] = n0;
     mass[62] = n0;
     mass[63] = n0;
@@ -1018,7 +1119,7 @@ struct Mechanism {
     mass[67] = n0;
     mass[68] = n0;
     mass[69] = n0;
-    mass[70] = k3;
+    mass[70] = k5;
     mass[71] = n0;
     mass[72] = n0;
     mass[73] = n0;
@@ -1034,16 +1135,16 @@ struct Mechanism {
   /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
   /// actions included. M a + h = E u + A' lambda.
   TORSOR_DEVICE static void bias(const Precomputed&, const State& state, GeneralizedForces& forces) noexcept {
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
-    const Scalar n20000 = traits::constant(20000.0, 20000.0f, "20000/1");
-    const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
-    const Scalar k8 = traits::constant(1e-05, 1e-05f, "1/100000");
+    const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
+    const Scalar n20000 = traits::constant(20000.0, 20000.0f, "20000/1");
     const Scalar n7_848 = traits::constant(7.848, 7.848f, "981/125");
+    const Scalar k9 = traits::constant(1e-05, 1e-05f, "1/100000");
     const Scalar n2_943 = traits::constant(2.943, 2.943f, "2943/1000");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_a_z = state.q.a_z;
@@ -1063,84 +1164,84 @@ struct Mechanism {
     const Scalar v_upper_omega_y = state.v.upper_omega_y;
     const Scalar v_upper_omega_z = state.v.upper_omega_z;
     const Scalar v_omega_z = state.v.omega_z;
-    const Scalar z9 = n2 * q_lower_y * q_lower_y;
-    const Scalar z11 = n2 * q_lower_z * q_lower_z;
-    const Scalar z13 = n2 * q_lower_y * q_lower_x;
-    const Scalar z15 = n2 * q_lower_z * q_lower_w;
-    const Scalar z16 = n1 - z9 - z11;
-    const Scalar z17 = z13 - z15;
-    const Scalar z19 = n2 * q_lower_x * q_lower_x;
-    const Scalar z20 = n2 * q_lower_y * q_lower_z;
-    const Scalar z21 = n2 * q_lower_x * q_lower_w;
-    const Scalar z24 = z20 + z21;
-    const Scalar z25 = n2 * q_lower_z * q_lower_x;
-    const Scalar z26 = n2 * q_lower_y * q_lower_w;
-    const Scalar z27 = n1 - z9 - z19;
-    const Scalar z28 = z25 - z26;
-    const Scalar z29 = z25 + z26;
-    const Scalar z37 = n2 * q_upper_y * q_upper_y;
-    const Scalar z39 = n2 * q_upper_z * q_upper_z;
-    const Scalar z41 = n2 * q_upper_y * q_upper_x;
-    const Scalar z43 = n2 * q_upper_z * q_upper_w;
-    const Scalar z44 = n1 - z37 - z39;
-    const Scalar z45 = z41 - z43;
-    const Scalar z47 = n2 * q_upper_x * q_upper_x;
-    const Scalar z48 = n2 * q_upper_y * q_upper_z;
-    const Scalar z49 = n2 * q_upper_x * q_upper_w;
-    const Scalar z52 = z48 + z49;
-    const Scalar z53 = n2 * q_upper_z * q_upper_x;
-    const Scalar z54 = n2 * q_upper_y * q_upper_w;
-    const Scalar z55 = n1 - z37 - z47;
-    const Scalar z56 = z53 - z54;
-    const Scalar z57 = z53 + z54;
     const Scalar pi = traits::pi();
     const Scalar z68 = traits::formula(0.0006366197723675813, 0.00063661975f, [&]() -> Scalar {
       return n0_002 / pi;
     });
-    const Scalar z81 = v_a * z28;
+    const Scalar z9 = n2 * q_lower_y * q_lower_y;
+    const Scalar z13 = n2 * q_lower_y * q_lower_x;
+    const Scalar z15 = n2 * q_lower_z * q_lower_w;
+    const Scalar z37 = n2 * q_upper_y * q_upper_y;
+    const Scalar z41 = n2 * q_upper_y * q_upper_x;
+    const Scalar z43 = n2 * q_upper_z * q_upper_w;
+    const Scalar z197 = v_a * v_a;
+    const Scalar z17 = z13 - z15;
+    const Scalar z19 = n2 * q_lower_x * q_lower_x;
+    const Scalar z20 = n2 * q_lower_y * q_lower_z;
+    const Scalar z21 = n2 * q_lower_x * q_lower_w;
+    const Scalar z45 = z41 - z43;
+    const Scalar z47 = n2 * q_upper_x * q_upper_x;
+    const Scalar z48 = n2 * q_upper_y * q_upper_z;
+    const Scalar z49 = n2 * q_upper_x * q_upper_w;
+    const Scalar z198 = n0_1 * z197;
+    const Scalar z24 = z20 + z21;
+    const Scalar z25 = n2 * q_lower_z * q_lower_x;
+    const Scalar z26 = n2 * q_lower_y * q_lower_w;
+    const Scalar z27 = n1 - z9 - z19;
+    const Scalar z52 = z48 + z49;
+    const Scalar z53 = n2 * q_upper_z * q_upper_x;
+    const Scalar z54 = n2 * q_upper_y * q_upper_w;
+    const Scalar z55 = n1 - z37 - z47;
+    const Scalar z11 = n2 * q_lower_z * q_lower_z;
+    const Scalar z39 = n2 * q_upper_z * q_upper_z;
+    const Scalar z29 = z25 + z26;
+    const Scalar z57 = z53 + z54;
+    const Scalar z16 = n1 - z9 - z11;
+    const Scalar z44 = n1 - z37 - z39;
+    const Scalar z200 = z17 * z198 - n9_81 * z24;
+    const Scalar z209 = z45 * z198 - n9_81 * z52;
+    const Scalar z28 = z25 - z26;
+    const Scalar z56 = z53 - z54;
+    const Scalar z201 = n9_81 * z27 - z29 * z198;
+    const Scalar z210 = n9_81 * z55 - z57 * z198;
+    const Scalar z218 = n0_02 * z209;  // force on upper_cup, y
+    const Scalar z230 = n0_02 * z200;  // force on lower_cup, y
+    const Scalar z219 = n0_02 * z210;  // force on upper_cup, z
+    const Scalar z231 = n0_02 * z201;  // force on lower_cup, z
+    const Scalar z199 = z16 * z198 - n9_81 * z28;
+    const Scalar z208 = z44 * z198 - n9_81 * z56;
+    const Scalar z217 = n0_02 * z208;  // force on upper_cup, x
+    const Scalar z229 = n0_02 * z199;  // force on lower_cup, x
     const Scalar z82 = v_a * z24;
     const Scalar z83 = v_a * z27;
-    const Scalar z104 = v_a * z56;
     const Scalar z105 = v_a * z52;
     const Scalar z106 = v_a * z55;
-    const Scalar z194 = n20000 * q_a_z;
-    const Scalar z195 = n0_0005 * v_omega_z;
-    const Scalar z197 = v_a * v_a;
-    const Scalar z198 = n0_1 * z197;
-    const Scalar z199 = z16 * z198 - n9_81 * z28;
-    const Scalar z200 = z17 * z198 - n9_81 * z24;
-    const Scalar z201 = n9_81 * z27 - z29 * z198;
+    const Scalar z225 = z52 * z218 - z55 * z219 + z56 * z217;
+    const Scalar z237 = z24 * z230 - z27 * z231 + z28 * z229;
+    const Scalar z81 = v_a * z28;
+    const Scalar z104 = v_a * z56;
     const Scalar z202 = v_lower_omega_x * z83;  // angular acceleration of lower_omega_x, y
     const Scalar z203 = v_lower_omega_x * z82;  // angular acceleration of lower_omega_x, z
     const Scalar z204 = v_lower_omega_y * z83;  // angular acceleration of lower_omega_y, x
-    const Scalar z205 = v_lower_omega_y * z81 - z203;  // angular acceleration of lower_omega_y, z
-    const Scalar z206 = v_lower_omega_z * z82 - z204;  // angular acceleration of lower_cup, x
-    const Scalar z207 = v_lower_omega_z * z81 - z202;  // angular acceleration of lower_cup, y
-    const Scalar z208 = z44 * z198 - n9_81 * z56;
-    const Scalar z209 = z45 * z198 - n9_81 * z52;
-    const Scalar z210 = n9_81 * z55 - z57 * z198;
     const Scalar z211 = v_upper_omega_x * z106;  // angular acceleration of upper_omega_x, y
     const Scalar z212 = v_upper_omega_x * z105;  // angular acceleration of upper_omega_x, z
     const Scalar z213 = v_upper_omega_y * z106;  // angular acceleration of upper_omega_y, x
+    const Scalar z243 = z225 + z237;  // force on ring_A, z
+    const Scalar z195 = n0_0005 * v_omega_z;
+    const Scalar z194 = n20000 * q_a_z;
+    const Scalar z205 = v_lower_omega_y * z81 - z203;  // angular acceleration of lower_omega_y, z
+    const Scalar z206 = v_lower_omega_z * z82 - z204;  // angular acceleration of lower_cup, x
+    const Scalar z207 = v_lower_omega_z * z81 - z202;  // angular acceleration of lower_cup, y
     const Scalar z214 = v_upper_omega_y * z104 - z212;  // angular acceleration of upper_omega_y, z
     const Scalar z215 = v_upper_omega_z * z105 - z213;  // angular acceleration of upper_cup, x
     const Scalar z216 = v_upper_omega_z * z104 - z211;  // angular acceleration of upper_cup, y
-    const Scalar z217 = n0_02 * z208;  // force on upper_cup, x
-    const Scalar z218 = n0_02 * z209;  // force on upper_cup, y
-    const Scalar z219 = n0_02 * z210;  // force on upper_cup, z
-    const Scalar z220 = k8 * z215;  // moment on upper_cup, x
-    const Scalar z221 = k8 * z216;  // moment on upper_cup, y
-    const Scalar z222 = k8 * z214;  // moment on upper_cup, z
-    const Scalar z225 = z52 * z218 - z55 * z219 + z56 * z217;
-    const Scalar z229 = n0_02 * z199;  // force on lower_cup, x
-    const Scalar z230 = n0_02 * z200;  // force on lower_cup, y
-    const Scalar z231 = n0_02 * z201;  // force on lower_cup, z
-    const Scalar z232 = k8 * z206;  // moment on lower_cup, x
-    const Scalar z233 = k8 * z207;  // moment on lower_cup, y
-    const Scalar z234 = k8 * z205;  // moment on lower_cup, z
-    const Scalar z237 = z24 * z230 - z27 * z231 + z28 * z229;
-    const Scalar z243 = z225 + z237;  // force on ring_A, z
     const Scalar z251 = n7_848 - z243;  // force on ring_A.1, z
+    const Scalar z220 = k9 * z215;  // moment on upper_cup, x
+    const Scalar z221 = k9 * z216;  // moment on upper_cup, y
+    const Scalar z222 = k9 * z214;  // moment on upper_cup, z
+    const Scalar z232 = k9 * z206;  // moment on lower_cup, x
+    const Scalar z233 = k9 * z207;  // moment on lower_cup, y
+    const Scalar z234 = k9 * z205;  // moment on lower_cup, z
     const Scalar z252 = z194 + z251;
     const Scalar z253 = n2_943 * z68 + z195;
     forces.a_z = z252;
@@ -1157,19 +1258,19 @@ struct Mechanism {
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
   TORSOR_DEVICE static void inverse_dynamics(const Precomputed&, const State& state, const Accelerations& accelerations,
       const Multipliers& multipliers, GeneralizedForces& forces) noexcept {
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
-    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
-    const Scalar k4 = traits::constant(1e-05, 1e-05f, "1/100000");
-    const Scalar n0_0002 = traits::constant(2e-04, 2e-04f, "1/5000");
-    const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
     const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
     const Scalar n0_0001 = traits::constant(1e-04, 1e-04f, "1/10000");
-    const Scalar n20000 = traits::constant(20000.0, 20000.0f, "20000/1");
-    const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar k6 = traits::constant(1e-05, 1e-05f, "1/100000");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
+    const Scalar n0_0002 = traits::constant(2e-04, 2e-04f, "1/5000");
+    const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
+    const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
+    const Scalar n20000 = traits::constant(20000.0, 20000.0f, "20000/1");
     const Scalar n7_848 = traits::constant(7.848, 7.848f, "981/125");
     const Scalar n2_943 = traits::constant(2.943, 2.943f, "2943/1000");
     const Scalar n0_84 = traits::constant(0.84, 0.84f, "21/25");
@@ -1212,170 +1313,170 @@ struct Mechanism {
     const Scalar l_lambda_L5_ry = multipliers.lambda_L5_ry;
     Scalar s_a, c_a;
     traits::sincos(q_a, s_a, c_a);
-    const Scalar z9 = n2 * q_lower_y * q_lower_y;
-    const Scalar z11 = n2 * q_lower_z * q_lower_z;
-    const Scalar z13 = n2 * q_lower_y * q_lower_x;
-    const Scalar z15 = n2 * q_lower_z * q_lower_w;
-    const Scalar z16 = n1 - z9 - z11;
-    const Scalar z17 = z13 - z15;
-    const Scalar z19 = n2 * q_lower_x * q_lower_x;
-    const Scalar z20 = n2 * q_lower_y * q_lower_z;
-    const Scalar z21 = n2 * q_lower_x * q_lower_w;
-    const Scalar z23 = z20 - z21;
-    const Scalar z24 = z20 + z21;
-    const Scalar z25 = n2 * q_lower_z * q_lower_x;
-    const Scalar z26 = n2 * q_lower_y * q_lower_w;
-    const Scalar z27 = n1 - z9 - z19;
-    const Scalar z28 = z25 - z26;
-    const Scalar z29 = z25 + z26;
-    const Scalar z37 = n2 * q_upper_y * q_upper_y;
-    const Scalar z39 = n2 * q_upper_z * q_upper_z;
-    const Scalar z41 = n2 * q_upper_y * q_upper_x;
-    const Scalar z43 = n2 * q_upper_z * q_upper_w;
-    const Scalar z44 = n1 - z37 - z39;
-    const Scalar z45 = z41 - z43;
-    const Scalar z47 = n2 * q_upper_x * q_upper_x;
-    const Scalar z48 = n2 * q_upper_y * q_upper_z;
-    const Scalar z49 = n2 * q_upper_x * q_upper_w;
-    const Scalar z51 = z48 - z49;
-    const Scalar z52 = z48 + z49;
-    const Scalar z53 = n2 * q_upper_z * q_upper_x;
-    const Scalar z54 = n2 * q_upper_y * q_upper_w;
-    const Scalar z55 = n1 - z37 - z47;
-    const Scalar z56 = z53 - z54;
-    const Scalar z57 = z53 + z54;
     const Scalar pi = traits::pi();
     const Scalar z68 = traits::formula(0.0006366197723675813, 0.00063661975f, [&]() -> Scalar {
       return n0_002 / pi;
     });
-    const Scalar z77 = n0_1 * c_a;
-    const Scalar z78 = n0_1 * s_a;
-    const Scalar z79 = n0_1 - z77;  // place of lower_omega_x, x
-    const Scalar z81 = v_a * z28;
-    const Scalar z82 = v_a * z24;
-    const Scalar z83 = v_a * z27;
-    const Scalar z104 = v_a * z56;
-    const Scalar z105 = v_a * z52;
-    const Scalar z106 = v_a * z55;
-    const Scalar z119 = n0_002 * q_omega_z / pi;
-    const Scalar z123 = k4 * z55;
-    const Scalar z128 = k4 * z52;
-    const Scalar z133 = k4 * z56;
-    const Scalar z144 = z52 * z128 + z55 * z123 + z56 * z133;
-    const Scalar z146 = n0_0002 + z144;
-    const Scalar z148 = n0_01 + z146;
-    const Scalar z151 = k4 * z27;
-    const Scalar z156 = k4 * z24;
-    const Scalar z161 = k4 * z28;
-    const Scalar z172 = z24 * z156 + z27 * z151 + z28 * z161;
-    const Scalar z174 = n0_0002 + z172;
-    const Scalar z180 = z148 + z174;
     const Scalar z192 = traits::formula(0.0001909859317102744, 0.00019098593f, [&]() -> Scalar {
       return n0_3 * z68;
     });
     const Scalar z193 = traits::formula(0.0001001215854203708, 0.000100121586f, [&]() -> Scalar {
       return n0_0001 + z68 * z192;
     });
-    const Scalar z194 = n20000 * q_a_z;
-    const Scalar z195 = n0_0005 * v_omega_z;
+    const Scalar z9 = n2 * q_lower_y * q_lower_y;
+    const Scalar z13 = n2 * q_lower_y * q_lower_x;
+    const Scalar z15 = n2 * q_lower_z * q_lower_w;
+    const Scalar z37 = n2 * q_upper_y * q_upper_y;
+    const Scalar z41 = n2 * q_upper_y * q_upper_x;
+    const Scalar z43 = n2 * q_upper_z * q_upper_w;
     const Scalar z197 = v_a * v_a;
+    const Scalar z17 = z13 - z15;
+    const Scalar z19 = n2 * q_lower_x * q_lower_x;
+    const Scalar z20 = n2 * q_lower_y * q_lower_z;
+    const Scalar z21 = n2 * q_lower_x * q_lower_w;
+    const Scalar z45 = z41 - z43;
+    const Scalar z47 = n2 * q_upper_x * q_upper_x;
+    const Scalar z48 = n2 * q_upper_y * q_upper_z;
+    const Scalar z49 = n2 * q_upper_x * q_upper_w;
     const Scalar z198 = n0_1 * z197;
-    const Scalar z199 = z16 * z198 - n9_81 * z28;
+    const Scalar z25 = n2 * q_lower_z * q_lower_x;
+    const Scalar z26 = n2 * q_lower_y * q_lower_w;
+    const Scalar z24 = z20 + z21;
+    const Scalar z27 = n1 - z9 - z19;
+    const Scalar z52 = z48 + z49;
+    const Scalar z53 = n2 * q_upper_z * q_upper_x;
+    const Scalar z54 = n2 * q_upper_y * q_upper_w;
+    const Scalar z55 = n1 - z37 - z47;
+    const Scalar z11 = n2 * q_lower_z * q_lower_z;
+    const Scalar z28 = z25 - z26;
+    const Scalar z39 = n2 * q_upper_z * q_upper_z;
+    const Scalar z29 = z25 + z26;
+    const Scalar z57 = z53 + z54;
+    const Scalar z16 = n1 - z9 - z11;
+    const Scalar z44 = n1 - z37 - z39;
+    const Scalar z161 = k6 * z28;
     const Scalar z200 = z17 * z198 - n9_81 * z24;
+    const Scalar z209 = z45 * z198 - n9_81 * z52;
+    const Scalar z56 = z53 - z54;
+    const Scalar z128 = k6 * z52;
+    const Scalar z156 = k6 * z24;
     const Scalar z201 = n9_81 * z27 - z29 * z198;
+    const Scalar z210 = n9_81 * z55 - z57 * z198;
+    const Scalar z218 = n0_02 * z209;  // force on upper_cup, y
+    const Scalar z230 = n0_02 * z200;  // force on lower_cup, y
+    const Scalar z123 = k6 * z55;
+    const Scalar z219 = n0_02 * z210;  // force on upper_cup, z
+    const Scalar z231 = n0_02 * z201;  // force on lower_cup, z
+    const Scalar z133 = k6 * z56;
+    const Scalar z199 = z16 * z198 - n9_81 * z28;
+    const Scalar z208 = z44 * z198 - n9_81 * z56;
+    const Scalar z82 = v_a * z24;
+    const Scalar z83 = v_a * z27;
+    const Scalar z105 = v_a * z52;
+    const Scalar z106 = v_a * z55;
+    const Scalar z151 = k6 * z27;
+    const Scalar z217 = n0_02 * z208;  // force on upper_cup, x
+    const Scalar z229 = n0_02 * z199;  // force on lower_cup, x
+    const Scalar z81 = v_a * z28;
+    const Scalar z104 = v_a * z56;
     const Scalar z202 = v_lower_omega_x * z83;  // angular acceleration of lower_omega_x, y
     const Scalar z203 = v_lower_omega_x * z82;  // angular acceleration of lower_omega_x, z
+    const Scalar z225 = z52 * z218 - z55 * z219 + z56 * z217;
     const Scalar z204 = v_lower_omega_y * z83;  // angular acceleration of lower_omega_y, x
-    const Scalar z205 = v_lower_omega_y * z81 - z203;  // angular acceleration of lower_omega_y, z
-    const Scalar z206 = v_lower_omega_z * z82 - z204;  // angular acceleration of lower_cup, x
-    const Scalar z207 = v_lower_omega_z * z81 - z202;  // angular acceleration of lower_cup, y
-    const Scalar z208 = z44 * z198 - n9_81 * z56;
-    const Scalar z209 = z45 * z198 - n9_81 * z52;
-    const Scalar z210 = n9_81 * z55 - z57 * z198;
     const Scalar z211 = v_upper_omega_x * z106;  // angular acceleration of upper_omega_x, y
     const Scalar z212 = v_upper_omega_x * z105;  // angular acceleration of upper_omega_x, z
+    const Scalar z237 = z24 * z230 - z27 * z231 + z28 * z229;
     const Scalar z213 = v_upper_omega_y * z106;  // angular acceleration of upper_omega_y, x
+    const Scalar z119 = n0_002 * q_omega_z / pi;
+    const Scalar z144 = z52 * z128 + z55 * z123 + z56 * z133;
+    const Scalar z206 = v_lower_omega_z * z82 - z204;  // angular acceleration of lower_cup, x
+    const Scalar z205 = v_lower_omega_y * z81 - z203;  // angular acceleration of lower_omega_y, z
+    const Scalar z207 = v_lower_omega_z * z81 - z202;  // angular acceleration of lower_cup, y
     const Scalar z214 = v_upper_omega_y * z104 - z212;  // angular acceleration of upper_omega_y, z
     const Scalar z215 = v_upper_omega_z * z105 - z213;  // angular acceleration of upper_cup, x
     const Scalar z216 = v_upper_omega_z * z104 - z211;  // angular acceleration of upper_cup, y
-    const Scalar z217 = n0_02 * z208;  // force on upper_cup, x
-    const Scalar z218 = n0_02 * z209;  // force on upper_cup, y
-    const Scalar z219 = n0_02 * z210;  // force on upper_cup, z
-    const Scalar z220 = k4 * z215;  // moment on upper_cup, x
-    const Scalar z221 = k4 * z216;  // moment on upper_cup, y
-    const Scalar z222 = k4 * z214;  // moment on upper_cup, z
-    const Scalar z225 = z52 * z218 - z55 * z219 + z56 * z217;
-    const Scalar z229 = n0_02 * z199;  // force on lower_cup, x
-    const Scalar z230 = n0_02 * z200;  // force on lower_cup, y
-    const Scalar z231 = n0_02 * z201;  // force on lower_cup, z
-    const Scalar z232 = k4 * z206;  // moment on lower_cup, x
-    const Scalar z233 = k4 * z207;  // moment on lower_cup, y
-    const Scalar z234 = k4 * z205;  // moment on lower_cup, z
-    const Scalar z237 = z24 * z230 - z27 * z231 + z28 * z229;
+    const Scalar z347 = q_a_z - z119;
+    const Scalar z369 = q_lower_y * q_lower_y - q_lower_z * q_lower_z;
+    const Scalar z370 = q_lower_x * q_lower_x - q_lower_w * q_lower_w;
+    const Scalar z146 = n0_0002 + z144;
+    const Scalar z172 = z24 * z156 + z27 * z151 + z28 * z161;
     const Scalar z243 = z225 + z237;  // force on ring_A, z
+    const Scalar z78 = n0_1 * s_a;
+    const Scalar z195 = n0_0005 * v_omega_z;
+    const Scalar z23 = z20 - z21;
+    const Scalar z375 = q_lower_y * q_lower_x + q_lower_z * q_lower_w;
+    const Scalar z51 = z48 - z49;
+    const Scalar z426 = q_upper_y * q_upper_y - q_upper_z * q_upper_z;
+    const Scalar z383 = z27 * z68;
+    const Scalar z427 = q_upper_x * q_upper_x - q_upper_w * q_upper_w;
+    const Scalar z220 = k6 * z215;  // moment on upper_cup, x
+    const Scalar z331 = z220 + k6 * a_upper_omega_x + a_a * z133;
+    const Scalar z221 = k6 * z216;  // moment on upper_cup, y
+    const Scalar z222 = k6 * z214;  // moment on upper_cup, z
+    const Scalar z232 = k6 * z206;  // moment on lower_cup, x
+    const Scalar z233 = k6 * z207;  // moment on lower_cup, y
+    const Scalar z234 = k6 * z205;  // moment on lower_cup, z
+    const Scalar z371 = z369 - z370;
+    const Scalar z401 = z369 + z370;
+    const Scalar z376 = n2 * z375;
+    const Scalar z428 = z426 - z427;
+    const Scalar z77 = n0_1 * c_a;
+    const Scalar z368 = z23 * z77 + z29 * z78;
+    const Scalar z432 = q_upper_y * q_upper_x + q_upper_z * q_upper_w;
+    const Scalar z148 = n0_01 + z146;
+    const Scalar z174 = n0_0002 + z172;
+    const Scalar z194 = n20000 * q_a_z;
+    const Scalar z425 = z51 * z77 + z57 * z78;
     const Scalar z251 = n7_848 - z243;  // force on ring_A.1, z
+    const Scalar z372 = q_lower_y * q_lower_x - q_lower_z * q_lower_w;
+    const Scalar z377 = q_lower_z * q_lower_z - q_lower_x * q_lower_x;
+    const Scalar z180 = z148 + z174;
+    const Scalar z378 = q_lower_y * q_lower_y - q_lower_w * q_lower_w;
+    const Scalar z327 = a_lower_omega_x * z161 + a_lower_omega_y * z156 + a_upper_omega_x * z133 + a_upper_omega_y
+        * z128 + a_lower_omega_z * z151 + a_upper_omega_z * z123 + a_a * z180;
+    const Scalar z429 = q_upper_y * q_upper_x - q_upper_z * q_upper_w;
+    const Scalar z79 = n0_1 - z77;  // place of lower_omega_x, x
+    const Scalar z433 = n2 * z432;
+    const Scalar z434 = q_upper_z * q_upper_z - q_upper_x * q_upper_x;
+    const Scalar z328 = z232 + k6 * a_lower_omega_x + a_a * z161;
+    const Scalar z435 = q_upper_y * q_upper_y - q_upper_w * q_upper_w;
     const Scalar z252 = z194 + z251;
     const Scalar z253 = n2_943 * z68 + z195;
+    const Scalar z373 = n2 * z372;
+    const Scalar z379 = z377 + z378;
+    const Scalar z430 = n2 * z429;
+    const Scalar z436 = z434 + z435;
+    const Scalar z374 = z24 * z347 + z78 * z371 + z79 * z373;
+    const Scalar z381 = q_lower_y * q_lower_w - q_lower_z * q_lower_x;
+    const Scalar z382 = q_lower_y * q_lower_z + q_lower_x * q_lower_w;
+    const Scalar z438 = q_upper_y * q_upper_w - q_upper_z * q_upper_x;
+    const Scalar z380 = z28 * z347 + z78 * z376 - z79 * z379;
+    const Scalar z439 = q_upper_y * q_upper_z + q_upper_x * q_upper_w;
     const Scalar z326 = n0_84 * a_a_z + z252;
-    const Scalar z327 = a_a * z180 + a_lower_omega_x * z161 + a_lower_omega_y * z156 + a_lower_omega_z * z151
-        + a_upper_omega_x * z133 + a_upper_omega_y * z128 + a_upper_omega_z * z123;
-    const Scalar z328 = a_a * z161 + k4 * a_lower_omega_x + z232;
-    const Scalar z329 = a_a * z156 + k4 * a_lower_omega_y - z233;
-    const Scalar z330 = a_a * z151 + k4 * a_lower_omega_z + z234;
-    const Scalar z331 = a_a * z133 + k4 * a_upper_omega_x + z220;
-    const Scalar z332 = a_a * z128 + k4 * a_upper_omega_y - z221;
-    const Scalar z333 = a_a * z123 + k4 * a_upper_omega_z + z222;
+    const Scalar z329 = k6 * a_lower_omega_y - z233 + a_a * z156;
+    const Scalar z330 = z234 + k6 * a_lower_omega_z + a_a * z151;
+    const Scalar z332 = k6 * a_upper_omega_y - z221 + a_a * z128;
+    const Scalar z333 = z222 + k6 * a_upper_omega_z + a_a * z123;
     const Scalar z334 = a_omega_z * z193 + z253;
     const Scalar z335 = n0_2 * c_a;
     const Scalar z336 = n0_2 * s_a;
-    const Scalar z347 = q_a_z - z119;
-    const Scalar z368 = z23 * z77 + z29 * z78;
-    const Scalar z369 = q_lower_y * q_lower_y - q_lower_z * q_lower_z;
-    const Scalar z370 = q_lower_x * q_lower_x - q_lower_w * q_lower_w;
-    const Scalar z371 = z369 - z370;
-    const Scalar z372 = q_lower_y * q_lower_x - q_lower_z * q_lower_w;
-    const Scalar z373 = n2 * z372;
-    const Scalar z374 = z24 * z347 + z78 * z371 + z79 * z373;
-    const Scalar z375 = q_lower_y * q_lower_x + q_lower_z * q_lower_w;
-    const Scalar z376 = n2 * z375;
-    const Scalar z377 = q_lower_z * q_lower_z - q_lower_x * q_lower_x;
-    const Scalar z378 = q_lower_y * q_lower_y - q_lower_w * q_lower_w;
-    const Scalar z379 = z377 + z378;
-    const Scalar z380 = z28 * z347 + z78 * z376 - z79 * z379;
-    const Scalar z381 = q_lower_y * q_lower_w - q_lower_z * q_lower_x;
-    const Scalar z382 = q_lower_y * q_lower_z + q_lower_x * q_lower_w;
-    const Scalar z383 = z27 * z68;
-    const Scalar z401 = z369 + z370;
     const Scalar z402 = n2 * z381;
     const Scalar z405 = z377 - z378;
     const Scalar z406 = n2 * z382;
-    const Scalar z425 = z51 * z77 + z57 * z78;
-    const Scalar z426 = q_upper_y * q_upper_y - q_upper_z * q_upper_z;
-    const Scalar z427 = q_upper_x * q_upper_x - q_upper_w * q_upper_w;
-    const Scalar z428 = z426 - z427;
-    const Scalar z429 = q_upper_y * q_upper_x - q_upper_z * q_upper_w;
-    const Scalar z430 = n2 * z429;
     const Scalar z431 = z52 * z347 + z78 * z428 + z79 * z430;
-    const Scalar z432 = q_upper_y * q_upper_x + q_upper_z * q_upper_w;
-    const Scalar z433 = n2 * z432;
-    const Scalar z434 = q_upper_z * q_upper_z - q_upper_x * q_upper_x;
-    const Scalar z435 = q_upper_y * q_upper_y - q_upper_w * q_upper_w;
-    const Scalar z436 = z434 + z435;
     const Scalar z437 = z56 * z347 + z78 * z433 - z79 * z436;
-    const Scalar z438 = q_upper_y * q_upper_w - q_upper_z * q_upper_x;
-    const Scalar z439 = q_upper_y * q_upper_z + q_upper_x * q_upper_w;
     const Scalar z440 = z55 * z68;
     const Scalar z456 = z426 + z427;
     const Scalar z457 = n2 * z438;
     const Scalar z460 = z434 - z435;
     const Scalar z461 = n2 * z439;
-    forces.a_z = z27 * l_lambda_L3_z + z55 * l_lambda_L5_z + z326;
+    forces.a_z = z326 + z27 * l_lambda_L3_z + z55 * l_lambda_L5_z;
     forces.a = z327 - z335 * l_lambda_L2_y - z336 * l_lambda_L2_z + z368 * l_lambda_L3_z + z425 * l_lambda_L5_z;
-    forces.lower_omega_x = z328 - z374 * l_lambda_L3_z - z401 * l_lambda_L3_rx;
-    forces.lower_omega_y = z329 + z380 * l_lambda_L3_z + z405 * l_lambda_L3_ry;
+    forces.lower_omega_x = z328 - z401 * l_lambda_L3_rx - z374 * l_lambda_L3_z;
+    forces.lower_omega_y = z405 * l_lambda_L3_ry + z329 + z380 * l_lambda_L3_z;
     forces.lower_omega_z = z330 + z402 * l_lambda_L3_rx - z406 * l_lambda_L3_ry;
-    forces.upper_omega_x = z331 - z431 * l_lambda_L5_z - z456 * l_lambda_L5_rx;
-    forces.upper_omega_y = z332 + z437 * l_lambda_L5_z + z460 * l_lambda_L5_ry;
+    forces.upper_omega_x = z331 - z456 * l_lambda_L5_rx - z431 * l_lambda_L5_z;
+    forces.upper_omega_y = z460 * l_lambda_L5_ry + z332 + z437 * l_lambda_L5_z;
     forces.upper_omega_z = z333 + z457 * l_lambda_L5_rx - z461 * l_lambda_L5_ry;
     forces.omega_z = z334 - z383 * l_lambda_L3_z - z440 * l_lambda_L5_z;
   }
@@ -1385,24 +1486,24 @@ struct Mechanism {
   /// positive relative to its diagonal entry.
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs& inputs,
       Accelerations& accelerations, Multipliers& multipliers) noexcept {
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
-    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
-    const Scalar k4 = traits::constant(1e-05, 1e-05f, "1/100000");
-    const Scalar n0_0002 = traits::constant(2e-04, 2e-04f, "1/5000");
-    const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
     const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
     const Scalar n0_0001 = traits::constant(1e-04, 1e-04f, "1/10000");
-    const Scalar n20000 = traits::constant(20000.0, 20000.0f, "20000/1");
-    const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar k5 = traits::constant(1e-05, 1e-05f, "1/100000");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar n0_0002 = traits::constant(2e-04, 2e-04f, "1/5000");
+    const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
     const Scalar n7_848 = traits::constant(7.848, 7.848f, "981/125");
-    const Scalar n2_943 = traits::constant(2.943, 2.943f, "2943/1000");
     const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
-    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n4 = traits::constant(4.0, 4.0f, "4/1");
+    const Scalar n20000 = traits::constant(20000.0, 20000.0f, "20000/1");
+    const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
+    const Scalar n2_943 = traits::constant(2.943, 2.943f, "2943/1000");
     const Scalar n100000 = traits::constant(1e+05, 1e+05f, "100000/1");
     const Scalar n25_over_21 = traits::constant(1.1904761904761905, 1.1904762f, "25/21");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
@@ -1429,380 +1530,380 @@ struct Mechanism {
     const Scalar u_C = inputs.C;
     Scalar s_a, c_a;
     traits::sincos(q_a, s_a, c_a);
-    const Scalar z9 = n2 * q_lower_y * q_lower_y;
-    const Scalar z11 = n2 * q_lower_z * q_lower_z;
-    const Scalar z13 = n2 * q_lower_y * q_lower_x;
-    const Scalar z15 = n2 * q_lower_z * q_lower_w;
-    const Scalar z16 = n1 - z9 - z11;
-    const Scalar z17 = z13 - z15;
-    const Scalar z19 = n2 * q_lower_x * q_lower_x;
-    const Scalar z20 = n2 * q_lower_y * q_lower_z;
-    const Scalar z21 = n2 * q_lower_x * q_lower_w;
-    const Scalar z23 = z20 - z21;
-    const Scalar z24 = z20 + z21;
-    const Scalar z25 = n2 * q_lower_z * q_lower_x;
-    const Scalar z26 = n2 * q_lower_y * q_lower_w;
-    const Scalar z27 = n1 - z9 - z19;
-    const Scalar z28 = z25 - z26;
-    const Scalar z29 = z25 + z26;
-    const Scalar z37 = n2 * q_upper_y * q_upper_y;
-    const Scalar z39 = n2 * q_upper_z * q_upper_z;
-    const Scalar z41 = n2 * q_upper_y * q_upper_x;
-    const Scalar z43 = n2 * q_upper_z * q_upper_w;
-    const Scalar z44 = n1 - z37 - z39;
-    const Scalar z45 = z41 - z43;
-    const Scalar z47 = n2 * q_upper_x * q_upper_x;
-    const Scalar z48 = n2 * q_upper_y * q_upper_z;
-    const Scalar z49 = n2 * q_upper_x * q_upper_w;
-    const Scalar z52 = z48 + z49;
-    const Scalar z53 = n2 * q_upper_z * q_upper_x;
-    const Scalar z54 = n2 * q_upper_y * q_upper_w;
-    const Scalar z55 = n1 - z37 - z47;
-    const Scalar z56 = z53 - z54;
-    const Scalar z57 = z53 + z54;
     const Scalar pi = traits::pi();
     const Scalar z68 = traits::formula(0.0006366197723675813, 0.00063661975f, [&]() -> Scalar {
       return n0_002 / pi;
     });
-    const Scalar z77 = n0_1 * c_a;
-    const Scalar z78 = n0_1 * s_a;
-    const Scalar z79 = n0_1 - z77;  // place of lower_omega_x, x
-    const Scalar z81 = v_a * z28;
-    const Scalar z82 = v_a * z24;
-    const Scalar z83 = v_a * z27;
-    const Scalar z104 = v_a * z56;
-    const Scalar z105 = v_a * z52;
-    const Scalar z106 = v_a * z55;
-    const Scalar z119 = n0_002 * q_omega_z / pi;
-    const Scalar z120 = n0_002 * v_omega_z / pi;  // velocity of screw.1, z
-    const Scalar z123 = k4 * z55;
-    const Scalar z128 = k4 * z52;
-    const Scalar z133 = k4 * z56;
-    const Scalar z144 = z52 * z128 + z55 * z123 + z56 * z133;
-    const Scalar z146 = n0_0002 + z144;
-    const Scalar z148 = n0_01 + z146;
-    const Scalar z151 = k4 * z27;
-    const Scalar z156 = k4 * z24;
-    const Scalar z161 = k4 * z28;
-    const Scalar z172 = z24 * z156 + z27 * z151 + z28 * z161;
-    const Scalar z174 = n0_0002 + z172;
-    const Scalar z180 = z148 + z174;
     const Scalar z192 = traits::formula(0.0001909859317102744, 0.00019098593f, [&]() -> Scalar {
       return n0_3 * z68;
     });
     const Scalar z193 = traits::formula(0.0001001215854203708, 0.000100121586f, [&]() -> Scalar {
       return n0_0001 + z68 * z192;
     });
-    const Scalar z194 = n20000 * q_a_z;
-    const Scalar z195 = n0_0005 * v_omega_z;
-    const Scalar z197 = v_a * v_a;
-    const Scalar z198 = n0_1 * z197;
-    const Scalar z199 = z16 * z198 - n9_81 * z28;
-    const Scalar z200 = z17 * z198 - n9_81 * z24;
-    const Scalar z201 = n9_81 * z27 - z29 * z198;
-    const Scalar z202 = v_lower_omega_x * z83;  // angular acceleration of lower_omega_x, y
-    const Scalar z203 = v_lower_omega_x * z82;  // angular acceleration of lower_omega_x, z
-    const Scalar z204 = v_lower_omega_y * z83;  // angular acceleration of lower_omega_y, x
-    const Scalar z205 = v_lower_omega_y * z81 - z203;  // angular acceleration of lower_omega_y, z
-    const Scalar z206 = v_lower_omega_z * z82 - z204;  // angular acceleration of lower_cup, x
-    const Scalar z207 = v_lower_omega_z * z81 - z202;  // angular acceleration of lower_cup, y
-    const Scalar z208 = z44 * z198 - n9_81 * z56;
-    const Scalar z209 = z45 * z198 - n9_81 * z52;
-    const Scalar z210 = n9_81 * z55 - z57 * z198;
-    const Scalar z211 = v_upper_omega_x * z106;  // angular acceleration of upper_omega_x, y
-    const Scalar z212 = v_upper_omega_x * z105;  // angular acceleration of upper_omega_x, z
-    const Scalar z213 = v_upper_omega_y * z106;  // angular acceleration of upper_omega_y, x
-    const Scalar z214 = v_upper_omega_y * z104 - z212;  // angular acceleration of upper_omega_y, z
-    const Scalar z215 = v_upper_omega_z * z105 - z213;  // angular acceleration of upper_cup, x
-    const Scalar z216 = v_upper_omega_z * z104 - z211;  // angular acceleration of upper_cup, y
-    const Scalar z217 = n0_02 * z208;  // force on upper_cup, x
-    const Scalar z218 = n0_02 * z209;  // force on upper_cup, y
-    const Scalar z219 = n0_02 * z210;  // force on upper_cup, z
-    const Scalar z220 = k4 * z215;  // moment on upper_cup, x
-    const Scalar z221 = k4 * z216;  // moment on upper_cup, y
-    const Scalar z222 = k4 * z214;  // moment on upper_cup, z
-    const Scalar z225 = z52 * z218 - z55 * z219 + z56 * z217;
-    const Scalar z229 = n0_02 * z199;  // force on lower_cup, x
-    const Scalar z230 = n0_02 * z200;  // force on lower_cup, y
-    const Scalar z231 = n0_02 * z201;  // force on lower_cup, z
-    const Scalar z232 = k4 * z206;  // moment on lower_cup, x
-    const Scalar z233 = k4 * z207;  // moment on lower_cup, y
-    const Scalar z234 = k4 * z205;  // moment on lower_cup, z
-    const Scalar z237 = z24 * z230 - z27 * z231 + z28 * z229;
-    const Scalar z243 = z225 + z237;  // force on ring_A, z
-    const Scalar z251 = n7_848 - z243;  // force on ring_A.1, z
-    const Scalar z252 = z194 + z251;
-    const Scalar z253 = n2_943 * z68 + z195;
-    const Scalar z335 = n0_2 * c_a;
-    const Scalar z339 = v_a * c_a;
-    const Scalar z341 = v_a * s_a;
-    const Scalar z342 = v_a * z341;
-    const Scalar z343 = n0_2 * z342;
-    const Scalar z345 = v_a * z339;
+    const Scalar z474 = traits::formula(9987.856223025203, 9987.856f, [&]() -> Scalar {
+      return n1 / z193;
+    });
+    const Scalar z37 = n2 * q_upper_y * q_upper_y;
+    const Scalar z48 = n2 * q_upper_y * q_upper_z;
+    const Scalar z49 = n2 * q_upper_x * q_upper_w;
+    const Scalar z9 = n2 * q_lower_y * q_lower_y;
+    const Scalar z20 = n2 * q_lower_y * q_lower_z;
+    const Scalar z21 = n2 * q_lower_x * q_lower_w;
+    const Scalar z47 = n2 * q_upper_x * q_upper_x;
+    const Scalar z52 = z48 + z49;
+    const Scalar z19 = n2 * q_lower_x * q_lower_x;
+    const Scalar z24 = z20 + z21;
+    const Scalar z55 = n1 - z37 - z47;
+    const Scalar z128 = k5 * z52;
+    const Scalar z53 = n2 * q_upper_z * q_upper_x;
+    const Scalar z54 = n2 * q_upper_y * q_upper_w;
+    const Scalar z27 = n1 - z9 - z19;
+    const Scalar z123 = k5 * z55;
+    const Scalar z156 = k5 * z24;
+    const Scalar z25 = n2 * q_lower_z * q_lower_x;
+    const Scalar z26 = n2 * q_lower_y * q_lower_w;
+    const Scalar z56 = z53 - z54;
+    const Scalar z151 = k5 * z27;
+    const Scalar z28 = z25 - z26;
+    const Scalar z133 = k5 * z56;
+    const Scalar z119 = n0_002 * q_omega_z / pi;
+    const Scalar z161 = k5 * z28;
+    const Scalar z144 = z52 * z128 + z55 * z123 + z56 * z133;
+    const Scalar z172 = z24 * z156 + z27 * z151 + z28 * z161;
     const Scalar z347 = q_a_z - z119;
+    const Scalar z78 = n0_1 * s_a;
+    const Scalar z23 = z20 - z21;
+    const Scalar z77 = n0_1 * c_a;
+    const Scalar z29 = z25 + z26;
+    const Scalar z13 = n2 * q_lower_y * q_lower_x;
+    const Scalar z146 = n0_0002 + z144;
+    const Scalar z15 = n2 * q_lower_z * q_lower_w;
+    const Scalar z41 = n2 * q_upper_y * q_upper_x;
+    const Scalar z148 = n0_01 + z146;
+    const Scalar z174 = n0_0002 + z172;
+    const Scalar z43 = n2 * q_upper_z * q_upper_w;
+    const Scalar z197 = v_a * v_a;
+    const Scalar z17 = z13 - z15;
+    const Scalar z180 = z148 + z174;
+    const Scalar z45 = z41 - z43;
+    const Scalar z198 = n0_1 * z197;
+    const Scalar z11 = n2 * q_lower_z * q_lower_z;
     const Scalar z351 = n0_5 * (q_lower_z * v_lower_omega_x - q_lower_x * v_lower_omega_z + q_lower_w
         * v_lower_omega_y);
     const Scalar z352 = n0_5 * (q_lower_y * v_lower_omega_x - q_lower_x * v_lower_omega_y - q_lower_w
         * v_lower_omega_z);
-    const Scalar z353 = n2 * (q_lower_y * z352 - q_lower_z * z351);
+    const Scalar z39 = n2 * q_upper_z * q_upper_z;
+    const Scalar z57 = z53 + z54;
+    const Scalar z16 = n1 - z9 - z11;
+    const Scalar z369 = q_lower_y * q_lower_y - q_lower_z * q_lower_z;
+    const Scalar z370 = q_lower_x * q_lower_x - q_lower_w * q_lower_w;
+    const Scalar z79 = n0_1 - z77;  // place of lower_omega_x, x
     const Scalar z354 = n0_5 * (q_lower_y * v_lower_omega_z - q_lower_z * v_lower_omega_y + q_lower_w
         * v_lower_omega_x);
+    const Scalar z368 = z23 * z77 + z29 * z78;
     const Scalar z355 = n0_5 * (q_lower_y * v_lower_omega_y + q_lower_z * v_lower_omega_z + q_lower_x
         * v_lower_omega_x);
-    const Scalar z356 = n2 * (q_lower_x * z355 - q_lower_w * z354);
-    const Scalar z357 = z353 - z356;
-    const Scalar z358 = n0_1 * z339;
+    const Scalar z44 = n1 - z37 - z39;
+    const Scalar z377 = q_lower_z * q_lower_z - q_lower_x * q_lower_x;
+    const Scalar z200 = z17 * z198 - n9_81 * z24;
+    const Scalar z209 = z45 * z198 - n9_81 * z52;
+    const Scalar z210 = n9_81 * z55 - z57 * z198;
+    const Scalar z218 = n0_02 * z209;  // force on upper_cup, y
+    const Scalar z230 = n0_02 * z200;  // force on lower_cup, y
+    const Scalar z219 = n0_02 * z210;  // force on upper_cup, z
+    const Scalar z199 = z16 * z198 - n9_81 * z28;
+    const Scalar z208 = z44 * z198 - n9_81 * z56;
+    const Scalar z201 = n9_81 * z27 - z29 * z198;
+    const Scalar z231 = n0_02 * z201;  // force on lower_cup, z
+    const Scalar z217 = n0_02 * z208;  // force on upper_cup, x
+    const Scalar z229 = n0_02 * z199;  // force on lower_cup, x
+    const Scalar z225 = z52 * z218 - z55 * z219 + z56 * z217;
+    const Scalar z378 = q_lower_y * q_lower_y - q_lower_w * q_lower_w;
+    const Scalar z382 = q_lower_y * q_lower_z + q_lower_x * q_lower_w;
+    const Scalar z237 = z24 * z230 - z27 * z231 + z28 * z229;
+    const Scalar z381 = q_lower_y * q_lower_w - q_lower_z * q_lower_x;
+    const Scalar z371 = z369 - z370;
+    const Scalar z243 = z225 + z237;  // force on ring_A, z
+    const Scalar z372 = q_lower_y * q_lower_x - q_lower_z * q_lower_w;
+    const Scalar z373 = n2 * z372;
+    const Scalar z251 = n7_848 - z243;  // force on ring_A.1, z
+    const Scalar z105 = v_a * z52;
+    const Scalar z106 = v_a * z55;
+    const Scalar z104 = v_a * z56;
+    const Scalar z375 = q_lower_y * q_lower_x + q_lower_z * q_lower_w;
+    const Scalar z374 = z24 * z347 + z78 * z371 + z79 * z373;
+    const Scalar z376 = n2 * z375;
+    const Scalar z82 = v_a * z24;
+    const Scalar z379 = z377 + z378;
+    const Scalar z380 = z28 * z347 + z78 * z376 - z79 * z379;
+    const Scalar z81 = v_a * z28;
+    const Scalar z383 = z27 * z68;
+    const Scalar z386 = n0_5 * (v_lower_omega_x * z351 - v_lower_omega_y * z354 + v_lower_omega_z * z355);
+    const Scalar z335 = n0_2 * c_a;
+    const Scalar z83 = v_a * z27;
+    const Scalar z389 = n0_5 * (v_lower_omega_x * z354 + v_lower_omega_y * z351 - v_lower_omega_z * z352);
+    const Scalar z387 = n0_5 * (v_lower_omega_x * z352 + v_lower_omega_y * z355 + v_lower_omega_z * z354);
+    const Scalar z390 = n0_5 * (v_lower_omega_x * z355 - v_lower_omega_y * z352 - v_lower_omega_z * z351);
+    const Scalar z388 = n4 * z351 * z352 + n2 * (q_lower_y * z386 + q_lower_z * z387);
+    const Scalar z391 = n4 * z354 * z355 + n2 * (q_lower_x * z389 + q_lower_w * z390);
+    const Scalar z204 = v_lower_omega_y * z83;  // angular acceleration of lower_omega_y, x
+    const Scalar z202 = v_lower_omega_x * z83;  // angular acceleration of lower_omega_x, y
+    const Scalar z206 = v_lower_omega_z * z82 - z204;  // angular acceleration of lower_cup, x
+    const Scalar z203 = v_lower_omega_x * z82;  // angular acceleration of lower_omega_x, z
+    const Scalar z207 = v_lower_omega_z * z81 - z202;  // angular acceleration of lower_cup, y
+    const Scalar z205 = v_lower_omega_y * z81 - z203;  // angular acceleration of lower_omega_y, z
+    const Scalar z232 = k5 * z206;  // moment on lower_cup, x
+    const Scalar z233 = k5 * z207;  // moment on lower_cup, y
+    const Scalar z194 = n20000 * q_a_z;
+    const Scalar z252 = z194 + z251;
+    const Scalar z234 = k5 * z205;  // moment on lower_cup, z
+    const Scalar z120 = n0_002 * v_omega_z / pi;  // velocity of screw.1, z
+    const Scalar z405 = z377 - z378;
+    const Scalar z401 = z369 + z370;
+    const Scalar z406 = n2 * z382;
+    const Scalar z402 = n2 * z381;
+    const Scalar z393 = n4 * z352 * z354 + n2 * (q_lower_z * z390 + q_lower_x * z386);
+    const Scalar z397 = n4 * (q_lower_x * z390 - z354 * z354);
+    const Scalar z394 = n4 * z351 * z355 + n2 * (q_lower_y * z389 + q_lower_w * z387);
+    const Scalar z396 = n4 * (q_lower_y * z387 - z351 * z351);
+    const Scalar z398 = z396 + z397;
+    const Scalar z362 = v_a_z - z120;
+    const Scalar z392 = z388 - z391;
+    const Scalar z403 = z388 + z391;
+    const Scalar z341 = v_a * s_a;
     const Scalar z359 = n4 * q_lower_y * z351;
     const Scalar z360 = n4 * q_lower_x * z354;
     const Scalar z361 = z359 + z360;
-    const Scalar z362 = v_a_z - z120;
+    const Scalar z395 = z393 + z394;
+    const Scalar z407 = z393 - z394;
+    const Scalar z212 = v_upper_omega_x * z105;  // angular acceleration of upper_omega_x, z
+    const Scalar z214 = v_upper_omega_y * z104 - z212;  // angular acceleration of upper_omega_y, z
+    const Scalar z213 = v_upper_omega_y * z106;  // angular acceleration of upper_omega_y, x
+    const Scalar z215 = v_upper_omega_z * z105 - z213;  // angular acceleration of upper_cup, x
+    const Scalar z211 = v_upper_omega_x * z106;  // angular acceleration of upper_omega_x, y
+    const Scalar z216 = v_upper_omega_z * z104 - z211;  // angular acceleration of upper_cup, y
+    const Scalar z222 = k5 * z214;  // moment on upper_cup, z
+    const Scalar z339 = v_a * c_a;
+    const Scalar z342 = v_a * z341;
+    const Scalar z220 = k5 * z215;  // moment on upper_cup, x
+    const Scalar z366 = n0_1 * z341;
+    const Scalar z353 = n2 * (q_lower_y * z352 - q_lower_z * z351);
     const Scalar z363 = n2 * (q_lower_z * z354 - q_lower_x * z352);
+    const Scalar z356 = n2 * (q_lower_x * z355 - q_lower_w * z354);
+    const Scalar z357 = z353 - z356;
     const Scalar z364 = n2 * (q_lower_y * z355 - q_lower_w * z351);
     const Scalar z365 = z363 - z364;
-    const Scalar z366 = n0_1 * z341;
-    const Scalar z368 = z23 * z77 + z29 * z78;
-    const Scalar z369 = q_lower_y * q_lower_y - q_lower_z * q_lower_z;
-    const Scalar z370 = q_lower_x * q_lower_x - q_lower_w * q_lower_w;
-    const Scalar z371 = z369 - z370;
-    const Scalar z372 = q_lower_y * q_lower_x - q_lower_z * q_lower_w;
-    const Scalar z373 = n2 * z372;
-    const Scalar z374 = z24 * z347 + z78 * z371 + z79 * z373;
-    const Scalar z375 = q_lower_y * q_lower_x + q_lower_z * q_lower_w;
-    const Scalar z376 = n2 * z375;
-    const Scalar z377 = q_lower_z * q_lower_z - q_lower_x * q_lower_x;
-    const Scalar z378 = q_lower_y * q_lower_y - q_lower_w * q_lower_w;
-    const Scalar z379 = z377 + z378;
-    const Scalar z380 = z28 * z347 + z78 * z376 - z79 * z379;
-    const Scalar z381 = q_lower_y * q_lower_w - q_lower_z * q_lower_x;
-    const Scalar z382 = q_lower_y * q_lower_z + q_lower_x * q_lower_w;
-    const Scalar z383 = z27 * z68;
-    const Scalar z384 = n0_1 * z342;
-    const Scalar z385 = n0_1 * z345;
-    const Scalar z386 = n0_5 * (v_lower_omega_x * z351 - v_lower_omega_y * z354 + v_lower_omega_z * z355);
-    const Scalar z387 = n0_5 * (v_lower_omega_x * z352 + v_lower_omega_y * z355 + v_lower_omega_z * z354);
-    const Scalar z388 = n2 * (q_lower_y * z386 + q_lower_z * z387) + n4 * z351 * z352;
-    const Scalar z389 = n0_5 * (v_lower_omega_x * z354 + v_lower_omega_y * z351 - v_lower_omega_z * z352);
-    const Scalar z390 = n0_5 * (v_lower_omega_x * z355 - v_lower_omega_y * z352 - v_lower_omega_z * z351);
-    const Scalar z391 = n2 * (q_lower_x * z389 + q_lower_w * z390) + n4 * z354 * z355;
-    const Scalar z392 = z388 - z391;
-    const Scalar z393 = n2 * (q_lower_z * z390 + q_lower_x * z386) + n4 * z352 * z354;
-    const Scalar z394 = n2 * (q_lower_y * z389 + q_lower_w * z387) + n4 * z351 * z355;
-    const Scalar z395 = z393 + z394;
-    const Scalar z396 = n4 * (q_lower_y * z387 - z351 * z351);
-    const Scalar z397 = n4 * (q_lower_x * z390 - z354 * z354);
-    const Scalar z398 = z396 + z397;
-    const Scalar z399 = n2 * (z357 * z358 + z361 * z362 - z365 * z366) + z23 * z384 - z29 * z385 + z78 * z392 + z79
-        * z395 - z347 * z398;
-    const Scalar z401 = z369 + z370;
-    const Scalar z402 = n2 * z381;
-    const Scalar z403 = z388 + z391;
-    const Scalar z405 = z377 - z378;
-    const Scalar z406 = n2 * z382;
-    const Scalar z407 = z393 - z394;
-    const Scalar z411 = n0_5 * (q_upper_z * v_upper_omega_x - q_upper_x * v_upper_omega_z + q_upper_w
-        * v_upper_omega_y);
-    const Scalar z412 = n0_5 * (q_upper_y * v_upper_omega_x - q_upper_x * v_upper_omega_y - q_upper_w
-        * v_upper_omega_z);
-    const Scalar z414 = n0_5 * (q_upper_y * v_upper_omega_z - q_upper_z * v_upper_omega_y + q_upper_w
-        * v_upper_omega_x);
-    const Scalar z415 = n0_5 * (q_upper_y * v_upper_omega_y + q_upper_z * v_upper_omega_z + q_upper_x
-        * v_upper_omega_x);
-    const Scalar z426 = q_upper_y * q_upper_y - q_upper_z * q_upper_z;
-    const Scalar z427 = q_upper_x * q_upper_x - q_upper_w * q_upper_w;
-    const Scalar z434 = q_upper_z * q_upper_z - q_upper_x * q_upper_x;
-    const Scalar z435 = q_upper_y * q_upper_y - q_upper_w * q_upper_w;
-    const Scalar z438 = q_upper_y * q_upper_w - q_upper_z * q_upper_x;
-    const Scalar z439 = q_upper_y * q_upper_z + q_upper_x * q_upper_w;
-    const Scalar z441 = n0_5 * (v_upper_omega_x * z411 - v_upper_omega_y * z414 + v_upper_omega_z * z415);
-    const Scalar z442 = n0_5 * (v_upper_omega_x * z412 + v_upper_omega_y * z415 + v_upper_omega_z * z414);
-    const Scalar z443 = n2 * (q_upper_y * z441 + q_upper_z * z442) + n4 * z411 * z412;
-    const Scalar z444 = n0_5 * (v_upper_omega_x * z414 + v_upper_omega_y * z411 - v_upper_omega_z * z412);
-    const Scalar z445 = n0_5 * (v_upper_omega_x * z415 - v_upper_omega_y * z412 - v_upper_omega_z * z411);
-    const Scalar z446 = n2 * (q_upper_x * z444 + q_upper_w * z445) + n4 * z414 * z415;
-    const Scalar z448 = n2 * (q_upper_z * z445 + q_upper_x * z441) + n4 * z412 * z414;
-    const Scalar z449 = n2 * (q_upper_y * z444 + q_upper_w * z442) + n4 * z411 * z415;
-    const Scalar z456 = z426 + z427;
-    const Scalar z457 = n2 * z438;
-    const Scalar z458 = z443 + z446;
-    const Scalar z460 = z434 - z435;
-    const Scalar z461 = n2 * z439;
-    const Scalar z462 = z448 - z449;
-    const Scalar z473 = u_C - z253;
-    const Scalar z474 = traits::formula(9987.856223025203, 9987.856f, [&]() -> Scalar {
-      return n1 / z193;
-    });
+    const Scalar z221 = k5 * z216;  // moment on upper_cup, y
+    const Scalar z195 = n0_0005 * v_omega_z;
+    const Scalar z253 = n2_943 * z68 + z195;
     const Scalar z475 = n100000 * z123;
     const Scalar z476 = z123 * z475 - z180;
     const Scalar z477 = n100000 * z128;
-    const Scalar z478 = z128 * z477 + z476;
     const Scalar z479 = n100000 * z133;
-    const Scalar z480 = z133 * z479 + z478;
     const Scalar z481 = n100000 * z151;
-    const Scalar z482 = z151 * z481 + z480;
+    const Scalar z473 = u_C - z253;
     const Scalar z483 = n100000 * z156;
-    const Scalar z484 = z156 * z483 + z482;
     const Scalar z485 = n100000 * z161;
+    const Scalar z478 = z128 * z477 + z476;
+    const Scalar z434 = q_upper_z * q_upper_z - q_upper_x * q_upper_x;
+    const Scalar z435 = q_upper_y * q_upper_y - q_upper_w * q_upper_w;
+    const Scalar z480 = z133 * z479 + z478;
+    const Scalar z460 = z434 - z435;
+    const Scalar z439 = q_upper_y * q_upper_z + q_upper_x * q_upper_w;
+    const Scalar z461 = n2 * z439;
+    const Scalar z426 = q_upper_y * q_upper_y - q_upper_z * q_upper_z;
+    const Scalar z482 = z151 * z481 + z480;
+    const Scalar z427 = q_upper_x * q_upper_x - q_upper_w * q_upper_w;
+    const Scalar z456 = z426 + z427;
+    const Scalar z484 = z156 * z483 + z482;
+    const Scalar z438 = q_upper_y * q_upper_w - q_upper_z * q_upper_x;
+    const Scalar z457 = n2 * z438;
+    const Scalar z411 = n0_5 * (q_upper_z * v_upper_omega_x - q_upper_x * v_upper_omega_z + q_upper_w
+        * v_upper_omega_y);
     const Scalar z486 = z161 * z485 + z484;
+    const Scalar z414 = n0_5 * (q_upper_y * v_upper_omega_z - q_upper_z * v_upper_omega_y + q_upper_w
+        * v_upper_omega_x);
     const Scalar z487 = n1 / z486;
+    const Scalar z415 = n0_5 * (q_upper_y * v_upper_omega_y + q_upper_z * v_upper_omega_z + q_upper_x
+        * v_upper_omega_x);
+    const Scalar z412 = n0_5 * (q_upper_y * v_upper_omega_x - q_upper_x * v_upper_omega_y - q_upper_w
+        * v_upper_omega_z);
+    const Scalar z441 = n0_5 * (v_upper_omega_x * z411 - v_upper_omega_y * z414 + v_upper_omega_z * z415);
+    const Scalar z444 = n0_5 * (v_upper_omega_x * z414 + v_upper_omega_y * z411 - v_upper_omega_z * z412);
     const Scalar z488 = z335 * z487;
+    const Scalar z445 = n0_5 * (v_upper_omega_x * z415 - v_upper_omega_y * z412 - v_upper_omega_z * z411);
     const Scalar z489 = z485 * z488;
     const Scalar z490 = z483 * z488;
-    const Scalar z491 = z481 * z488;
     const Scalar z492 = z479 * z488;
-    const Scalar z493 = z477 * z488;
-    const Scalar z494 = z475 * z488;
-    const Scalar z495 = z368 + z374 * z485 - z380 * z483;
-    const Scalar z496 = n25_over_21 * z27;
-    const Scalar z497 = z487 * z495;
-    const Scalar z498 = n100000 * z374 - z485 * z497;
-    const Scalar z499 = n100000 * z380 + z483 * z497;
-    const Scalar z500 = z481 * z497;
-    const Scalar z501 = z479 * z497;
-    const Scalar z502 = z477 * z497;
-    const Scalar z503 = z475 * z497;
-    const Scalar z504 = z383 * z474;
-    const Scalar z505 = z401 * z485 - z402 * z481;
-    const Scalar z506 = z487 * z505;
-    const Scalar z507 = n100000 * z401 - z485 * z506;
-    const Scalar z508 = z483 * z506;
-    const Scalar z509 = n100000 * z402 + z481 * z506;
-    const Scalar z510 = z479 * z506;
-    const Scalar z511 = z477 * z506;
-    const Scalar z512 = z475 * z506;
-    const Scalar z513 = z405 * z483 - z406 * z481;
-    const Scalar z514 = z487 * z513;
-    const Scalar z515 = z485 * z514;
-    const Scalar z516 = n100000 * z405 - z483 * z514;
-    const Scalar z517 = n100000 * z406 + z481 * z514;
-    const Scalar z518 = z479 * z514;
-    const Scalar z519 = z477 * z514;
-    const Scalar z520 = z475 * z514;
-    const Scalar z521 = z456 * z479 - z457 * z475;
-    const Scalar z522 = z487 * z521;
-    const Scalar z523 = z485 * z522;
-    const Scalar z524 = z483 * z522;
-    const Scalar z525 = z481 * z522;
-    const Scalar z526 = n100000 * z456 - z479 * z522;
-    const Scalar z527 = z477 * z522;
-    const Scalar z528 = n100000 * z457 + z475 * z522;
+    const Scalar z491 = z481 * z488;
+    const Scalar z442 = n0_5 * (v_upper_omega_x * z412 + v_upper_omega_y * z415 + v_upper_omega_z * z414);
+    const Scalar z358 = n0_1 * z339;
+    const Scalar z345 = v_a * z339;
+    const Scalar z385 = n0_1 * z345;
+    const Scalar z384 = n0_1 * z342;
+    const Scalar z343 = n0_2 * z342;
+    const Scalar z537 = z335 * z488;
     const Scalar z529 = z460 * z477 - z461 * z475;
+    const Scalar z399 = z78 * z392 - z347 * z398 + z79 * z395 + z23 * z384 - z29 * z385 + n2 * (z361 * z362 + z357
+        * z358 - z365 * z366);
     const Scalar z530 = z487 * z529;
-    const Scalar z531 = z485 * z530;
-    const Scalar z532 = z483 * z530;
-    const Scalar z533 = z481 * z530;
-    const Scalar z534 = z479 * z530;
     const Scalar z535 = n100000 * z460 - z477 * z530;
     const Scalar z536 = n100000 * z461 + z475 * z530;
-    const Scalar z537 = z335 * z488;
-    const Scalar z538 = z368 * z488 + z374 * z489 - z380 * z490;
-    const Scalar z539 = z27 * z496 - z368 * z497 + z374 * z498 + z380 * z499 + z383 * z504;
-    const Scalar z540 = z401 * z489 - z402 * z491;
-    const Scalar z541 = z401 * z498 + z402 * z500;
-    const Scalar z542 = z401 * z507 + z402 * z509;
-    const Scalar z543 = z405 * z490 - z406 * z491;
-    const Scalar z544 = z405 * z499 - z406 * z500;
-    const Scalar z545 = z405 * z508 - z406 * z509;
-    const Scalar z546 = z405 * z516 + z406 * z517;
-    const Scalar z547 = z456 * z492 - z457 * z494;
-    const Scalar z548 = z456 * z501 - z457 * z503;
-    const Scalar z549 = z456 * z510 - z457 * z512;
-    const Scalar z550 = z456 * z518 - z457 * z520;
-    const Scalar z551 = z456 * z526 + z457 * z528;
-    const Scalar z552 = z460 * z493 - z461 * z494;
-    const Scalar z553 = z460 * z502 - z461 * z503;
-    const Scalar z554 = z460 * z511 - z461 * z512;
-    const Scalar z555 = z460 * z519 - z461 * z520;
-    const Scalar z556 = z460 * z527 - z461 * z528;
+    const Scalar z521 = z456 * z479 - z457 * z475;
+    const Scalar z522 = z487 * z521;
     const Scalar z557 = z460 * z535 + z461 * z536;
+    const Scalar z513 = z405 * z483 - z406 * z481;
+    const Scalar z514 = z487 * z513;
+    const Scalar z527 = z477 * z522;
+    const Scalar z526 = n100000 * z456 - z479 * z522;
+    const Scalar z528 = n100000 * z457 + z475 * z522;
     const Scalar z558 = n1 / z557;
-    const Scalar z559 = z552 * z558;
-    const Scalar z560 = z553 * z558;
+    const Scalar z556 = z460 * z527 - z461 * z528;
+    const Scalar z551 = z456 * z526 + z457 * z528;
+    const Scalar z518 = z479 * z514;
+    const Scalar z519 = z477 * z514;
+    const Scalar z516 = n100000 * z405 - z483 * z514;
+    const Scalar z520 = z475 * z514;
+    const Scalar z517 = n100000 * z406 + z481 * z514;
+    const Scalar z550 = z456 * z518 - z457 * z520;
+    const Scalar z555 = z460 * z519 - z461 * z520;
+    const Scalar z505 = z401 * z485 - z402 * z481;
+    const Scalar z506 = z487 * z505;
+    const Scalar z546 = z405 * z516 + z406 * z517;
+    const Scalar z496 = n25_over_21 * z27;
+    const Scalar z495 = z368 + z374 * z485 - z380 * z483;
+    const Scalar z497 = z487 * z495;
+    const Scalar z508 = z483 * z506;
+    const Scalar z510 = z479 * z506;
+    const Scalar z511 = z477 * z506;
+    const Scalar z507 = n100000 * z401 - z485 * z506;
+    const Scalar z509 = n100000 * z402 + z481 * z506;
+    const Scalar z512 = z475 * z506;
+    const Scalar z545 = z405 * z508 - z406 * z509;
+    const Scalar z549 = z456 * z510 - z457 * z512;
+    const Scalar z554 = z460 * z511 - z461 * z512;
+    const Scalar z504 = z383 * z474;
+    const Scalar z542 = z401 * z507 + z402 * z509;
+    const Scalar z499 = n100000 * z380 + z483 * z497;
     const Scalar z561 = z554 * z558;
-    const Scalar z562 = z555 * z558;
-    const Scalar z563 = z556 * z558;
-    const Scalar z564 = z537 + z552 * z559;
-    const Scalar z565 = z538 + z552 * z560;
-    const Scalar z566 = z539 - z553 * z560;
-    const Scalar z567 = z540 + z552 * z561;
-    const Scalar z568 = z541 - z553 * z561;
+    const Scalar z500 = z481 * z497;
+    const Scalar z501 = z479 * z497;
+    const Scalar z534 = z479 * z530;
+    const Scalar z502 = z477 * z497;
+    const Scalar z493 = z477 * z488;
+    const Scalar z498 = n100000 * z374 - z485 * z497;
+    const Scalar z503 = z475 * z497;
+    const Scalar z494 = z475 * z488;
+    const Scalar z541 = z402 * z500 + z401 * z498;
+    const Scalar z544 = z405 * z499 - z406 * z500;
+    const Scalar z548 = z456 * z501 - z457 * z503;
+    const Scalar z553 = z460 * z502 - z461 * z503;
+    const Scalar z539 = z27 * z496 + z383 * z504 - z368 * z497 + z374 * z498 + z380 * z499;
+    const Scalar z538 = z368 * z488 + z374 * z489 - z380 * z490;
+    const Scalar z560 = z553 * z558;
+    const Scalar z540 = z401 * z489 - z402 * z491;
+    const Scalar z543 = z405 * z490 - z406 * z491;
+    const Scalar z547 = z456 * z492 - z457 * z494;
+    const Scalar z552 = z460 * z493 - z461 * z494;
+    const Scalar z559 = z552 * z558;
+    const Scalar z443 = n4 * z411 * z412 + n2 * (q_upper_y * z441 + q_upper_z * z442);
+    const Scalar z448 = n4 * z412 * z414 + n2 * (q_upper_z * z445 + q_upper_x * z441);
+    const Scalar z446 = n4 * z414 * z415 + n2 * (q_upper_x * z444 + q_upper_w * z445);
+    const Scalar z449 = n4 * z411 * z415 + n2 * (q_upper_y * z444 + q_upper_w * z442);
+    const Scalar z458 = z443 + z446;
+    const Scalar z462 = z448 - z449;
     const Scalar z569 = z542 - z554 * z561;
-    const Scalar z570 = z543 + z552 * z562;
-    const Scalar z571 = z544 + z553 * z562;
-    const Scalar z572 = z545 + z554 * z562;
-    const Scalar z573 = z546 - z555 * z562;
-    const Scalar z574 = z547 + z552 * z563;
-    const Scalar z575 = z548 + z553 * z563;
-    const Scalar z576 = z549 + z554 * z563;
-    const Scalar z577 = z550 + z555 * z563;
+    const Scalar z568 = z541 - z553 * z561;
+    const Scalar z566 = z539 - z553 * z560;
+    const Scalar z614 = n25_over_21 * z252;
+    const Scalar z565 = z538 + z552 * z560;
+    const Scalar z567 = z540 + z552 * z561;
+    const Scalar z564 = z537 + z552 * z559;
+    const Scalar z563 = z556 * z558;
     const Scalar z578 = z551 - z556 * z563;
+    const Scalar z577 = z550 + z555 * z563;
+    const Scalar z576 = z549 + z554 * z563;
+    const Scalar z575 = z548 + z553 * z563;
     const Scalar z579 = n1 / z578;
-    const Scalar z580 = z574 * z579;
-    const Scalar z581 = z575 * z579;
-    const Scalar z582 = z576 * z579;
+    const Scalar z574 = z547 + z552 * z563;
+    const Scalar z562 = z555 * z558;
+    const Scalar z573 = z546 - z555 * z562;
+    const Scalar z572 = z545 + z554 * z562;
+    const Scalar z571 = z544 + z553 * z562;
+    const Scalar z570 = z543 + z552 * z562;
+    const Scalar z515 = z485 * z514;
+    const Scalar z615 = n100000 * z232;
+    const Scalar z616 = n100000 * z233;
+    const Scalar z617 = n100000 * z234;
+    const Scalar z618 = n100000 * z220;
+    const Scalar z620 = n100000 * z222;
+    const Scalar z621 = z473 * z474;
+    const Scalar z622 = z27 * z614 - z374 * z615 - z380 * z616 + z383 * z621 + z399;
+    const Scalar z619 = n100000 * z221;
     const Scalar z583 = z577 * z579;
-    const Scalar z584 = z564 + z574 * z580;
-    const Scalar z585 = z565 + z574 * z581;
-    const Scalar z586 = z566 - z575 * z581;
-    const Scalar z587 = z567 + z574 * z582;
-    const Scalar z588 = z568 - z575 * z582;
-    const Scalar z589 = z569 - z576 * z582;
-    const Scalar z590 = z570 + z574 * z583;
-    const Scalar z591 = z571 + z575 * z583;
-    const Scalar z592 = z572 + z576 * z583;
+    const Scalar z582 = z576 * z579;
+    const Scalar z581 = z575 * z579;
+    const Scalar z580 = z574 * z579;
     const Scalar z593 = z573 - z577 * z583;
+    const Scalar z592 = z572 + z576 * z583;
+    const Scalar z589 = z569 - z576 * z582;
+    const Scalar z588 = z568 - z575 * z582;
     const Scalar z594 = n1 / z593;
-    const Scalar z595 = z590 * z594;
-    const Scalar z596 = z591 * z594;
+    const Scalar z591 = z571 + z575 * z583;
+    const Scalar z586 = z566 - z575 * z581;
+    const Scalar z585 = z565 + z574 * z581;
+    const Scalar z587 = z567 + z574 * z582;
+    const Scalar z590 = z570 + z574 * z583;
+    const Scalar z584 = z564 + z574 * z580;
+    const Scalar z523 = z485 * z522;
+    const Scalar z623 = z401 * z615 - z403 - z402 * z617;
+    const Scalar z531 = z485 * z530;
+    const Scalar z524 = z483 * z522;
+    const Scalar z624 = z407 + z406 * z617 + z405 * z616;
+    const Scalar z532 = z483 * z530;
+    const Scalar z525 = z481 * z522;
+    const Scalar z625 = z456 * z618 - z458 - z457 * z620;
+    const Scalar z626 = z462 + z461 * z620 + z460 * z619;
+    const Scalar z627 = z563 * z626 - z625;
+    const Scalar z533 = z481 * z530;
     const Scalar z597 = z592 * z594;
-    const Scalar z598 = z584 + z590 * z595;
-    const Scalar z599 = z585 + z590 * z596;
-    const Scalar z600 = z586 - z591 * z596;
-    const Scalar z601 = z587 + z590 * z597;
-    const Scalar z602 = z588 - z591 * z597;
     const Scalar z603 = z589 - z592 * z597;
+    const Scalar z602 = z588 - z591 * z597;
+    const Scalar z601 = z587 + z590 * z597;
+    const Scalar z628 = z624 + z562 * z626 + z583 * z627;
     const Scalar z604 = n1 / z603;
+    const Scalar z596 = z591 * z594;
+    const Scalar z600 = z586 - z591 * z596;
+    const Scalar z599 = z585 + z590 * z596;
+    const Scalar z629 = z561 * z626 - z623 + z582 * z627 + z597 * z628;
+    const Scalar z595 = z590 * z594;
+    const Scalar z598 = z584 + z590 * z595;
     const Scalar z605 = z601 * z604;
     const Scalar z606 = z602 * z604;
     const Scalar z607 = z598 + z601 * z605;
     const Scalar z608 = z599 - z601 * z606;
     const Scalar z609 = z600 - z602 * z606;
+    const Scalar z630 = z622 + z560 * z626 + z581 * z627 + z596 * z628 - z606 * z629;
     const Scalar z610 = n1 / z609;
     const Scalar z611 = z608 * z610;
     const Scalar z612 = z607 + z608 * z611;
-    const Scalar z613 = n1 / z612;
-    const Scalar z614 = n25_over_21 * z252;
-    const Scalar z615 = n100000 * z232;
-    const Scalar z616 = n100000 * z233;
-    const Scalar z617 = n100000 * z234;
-    const Scalar z618 = n100000 * z220;
-    const Scalar z619 = n100000 * z221;
-    const Scalar z620 = n100000 * z222;
-    const Scalar z621 = z473 * z474;
-    const Scalar z622 = z27 * z614 - z374 * z615 - z380 * z616 + z383 * z621 + z399;
-    const Scalar z623 = z401 * z615 - z402 * z617 - z403;
-    const Scalar z624 = z405 * z616 + z406 * z617 + z407;
-    const Scalar z625 = z456 * z618 - z457 * z620 - z458;
-    const Scalar z626 = z460 * z619 + z461 * z620 + z462;
-    const Scalar z627 = z563 * z626 - z625;
-    const Scalar z628 = z562 * z626 + z583 * z627 + z624;
-    const Scalar z629 = z561 * z626 + z582 * z627 + z597 * z628 - z623;
-    const Scalar z630 = z560 * z626 + z581 * z627 + z596 * z628 - z606 * z629 + z622;
     const Scalar z631 = z343 + z559 * z626 + z580 * z627 + z595 * z628 + z605 * z629 + z611 * z630;
+    const Scalar z613 = n1 / z612;
     const Scalar z632 = z613 * z631;
     const Scalar z633 = z610 * z630 - z611 * z632;
     const Scalar z634 = z604 * z629 - z605 * z632 - z606 * z633;
+    const Scalar z638 = z496 * z633 - z614;
+    const Scalar z646 = z504 * z633 - z621;
     const Scalar z635 = z594 * z628 - z595 * z632 + z596 * z633 + z597 * z634;
     const Scalar z636 = z579 * z627 - z580 * z632 + z581 * z633 + z582 * z634 + z583 * z635;
     const Scalar z637 = z558 * z626 - z559 * z632 + z560 * z633 + z561 * z634 + z562 * z635 + z563 * z636;
-    const Scalar z638 = z496 * z633 - z614;
     const Scalar z639 = z488 * z632 - z497 * z633 - z506 * z634 - z514 * z635 - z522 * z636 - z530 * z637;
-    const Scalar z640 = z489 * z632 + z498 * z633 + z507 * z634 - z515 * z635 - z523 * z636 - z531 * z637 + z615;
-    const Scalar z641 = z490 * z632 - z499 * z633 - z508 * z634 + z516 * z635 - z524 * z636 - z532 * z637 - z616;
-    const Scalar z642 = z491 * z632 - z500 * z633 - z509 * z634 - z517 * z635 - z525 * z636 - z533 * z637 + z617;
-    const Scalar z643 = z492 * z632 - z501 * z633 - z510 * z634 - z518 * z635 + z526 * z636 - z534 * z637 + z618;
-    const Scalar z644 = z493 * z632 - z502 * z633 - z511 * z634 - z519 * z635 - z527 * z636 + z535 * z637 - z619;
-    const Scalar z645 = z494 * z632 - z503 * z633 - z512 * z634 - z520 * z635 - z528 * z636 - z536 * z637 + z620;
-    const Scalar z646 = z504 * z633 - z621;
+    const Scalar z640 = z615 + z489 * z632 + z498 * z633 + z507 * z634 - z515 * z635 - z523 * z636 - z531 * z637;
+    const Scalar z641 = z490 * z632 - z616 - z499 * z633 - z508 * z634 + z516 * z635 - z524 * z636 - z532 * z637;
+    const Scalar z642 = z617 + z491 * z632 - z500 * z633 - z509 * z634 - z517 * z635 - z525 * z636 - z533 * z637;
+    const Scalar z643 = z618 + z492 * z632 - z501 * z633 - z510 * z634 - z518 * z635 + z526 * z636 - z534 * z637;
+    const Scalar z644 = z493 * z632 - z619 - z502 * z633 - z511 * z634 - z519 * z635 - z527 * z636 + z535 * z637;
+    const Scalar z645 = z620 + z494 * z632 - z503 * z633 - z512 * z634 - z520 * z635 - z528 * z636 - z536 * z637;
     accelerations.a_z = z638;
     accelerations.a = z639;
     accelerations.lower_omega_x = -z640;
@@ -1839,16 +1940,16 @@ struct Mechanism {
   TORSOR_DEVICE static void energy(const Precomputed&, const State& state, const Inputs& inputs,
       Energy& result) noexcept {
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
     const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
-    const Scalar k5 = traits::constant(5e-06, 5e-06f, "1/200000");
-    const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
     const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
     const Scalar n0_005 = traits::constant(0.005, 0.005f, "1/200");
-    const Scalar k9 = traits::constant(5e-05, 5e-05f, "1/20000");
+    const Scalar k7 = traits::constant(5e-05, 5e-05f, "1/20000");
     const Scalar n0_15 = traits::constant(0.15, 0.15f, "3/20");
+    const Scalar k9 = traits::constant(5e-06, 5e-06f, "1/200000");
+    const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
     const Scalar n8_2404 = traits::constant(8.2404, 8.2404f, "20601/2500");
     const Scalar n10000 = traits::constant(10000.0, 10000.0f, "10000/1");
     const Scalar n2_943 = traits::constant(2.943, 2.943f, "2943/1000");
@@ -1872,47 +1973,47 @@ struct Mechanism {
     const Scalar q_omega_z = state.q.omega_z;
     const Scalar v_omega_z = state.v.omega_z;
     const Scalar u_C = inputs.C;
+    const Scalar pi = traits::pi();
     const Scalar z9 = n2 * q_lower_y * q_lower_y;
+    const Scalar z37 = n2 * q_upper_y * q_upper_y;
     const Scalar z11 = n2 * q_lower_z * q_lower_z;
-    const Scalar z13 = n2 * q_lower_y * q_lower_x;
-    const Scalar z15 = n2 * q_lower_z * q_lower_w;
-    const Scalar z18 = z13 + z15;
-    const Scalar z19 = n2 * q_lower_x * q_lower_x;
     const Scalar z20 = n2 * q_lower_y * q_lower_z;
     const Scalar z21 = n2 * q_lower_x * q_lower_w;
-    const Scalar z22 = n1 - z11 - z19;
-    const Scalar z23 = z20 - z21;
-    const Scalar z24 = z20 + z21;
     const Scalar z25 = n2 * q_lower_z * q_lower_x;
     const Scalar z26 = n2 * q_lower_y * q_lower_w;
-    const Scalar z27 = n1 - z9 - z19;
-    const Scalar z28 = z25 - z26;
-    const Scalar z37 = n2 * q_upper_y * q_upper_y;
     const Scalar z39 = n2 * q_upper_z * q_upper_z;
-    const Scalar z41 = n2 * q_upper_y * q_upper_x;
-    const Scalar z43 = n2 * q_upper_z * q_upper_w;
-    const Scalar z46 = z41 + z43;
-    const Scalar z47 = n2 * q_upper_x * q_upper_x;
     const Scalar z48 = n2 * q_upper_y * q_upper_z;
     const Scalar z49 = n2 * q_upper_x * q_upper_w;
-    const Scalar z50 = n1 - z39 - z47;
-    const Scalar z51 = z48 - z49;
-    const Scalar z52 = z48 + z49;
     const Scalar z53 = n2 * q_upper_z * q_upper_x;
     const Scalar z54 = n2 * q_upper_y * q_upper_w;
-    const Scalar z55 = n1 - z37 - z47;
+    const Scalar z19 = n2 * q_lower_x * q_lower_x;
+    const Scalar z47 = n2 * q_upper_x * q_upper_x;
+    const Scalar z13 = n2 * q_lower_y * q_lower_x;
+    const Scalar z15 = n2 * q_lower_z * q_lower_w;
+    const Scalar z23 = z20 - z21;
+    const Scalar z24 = z20 + z21;
+    const Scalar z28 = z25 - z26;
+    const Scalar z41 = n2 * q_upper_y * q_upper_x;
+    const Scalar z43 = n2 * q_upper_z * q_upper_w;
+    const Scalar z51 = z48 - z49;
+    const Scalar z52 = z48 + z49;
     const Scalar z56 = z53 - z54;
-    const Scalar pi = traits::pi();
     const Scalar z80 = n0_1 * v_a;
+    const Scalar z27 = n1 - z9 - z19;
+    const Scalar z55 = n1 - z37 - z47;
+    const Scalar z18 = z13 + z15;
+    const Scalar z22 = n1 - z11 - z19;
+    const Scalar z46 = z41 + z43;
+    const Scalar z50 = n1 - z39 - z47;
     const Scalar z81 = v_a * z28;
     const Scalar z82 = v_a * z24;
     const Scalar z83 = v_a * z27;
-    const Scalar z84 = v_lower_omega_x + z81;
-    const Scalar z90 = v_lower_omega_y + z82;
-    const Scalar z94 = v_lower_omega_z + z83;
     const Scalar z104 = v_a * z56;
     const Scalar z105 = v_a * z52;
     const Scalar z106 = v_a * z55;
+    const Scalar z84 = v_lower_omega_x + z81;
+    const Scalar z90 = v_lower_omega_y + z82;
+    const Scalar z94 = v_lower_omega_z + z83;
     const Scalar z107 = v_upper_omega_x + z104;
     const Scalar z111 = v_upper_omega_y + z105;
     const Scalar z115 = v_upper_omega_z + z106;
@@ -1921,26 +2022,26 @@ struct Mechanism {
     const Scalar z195 = n0_0005 * v_omega_z;
     const Scalar z647 = v_a_z * z28 + z18 * z80;
     const Scalar z648 = v_a_z * z24 + z22 * z80;
-    const Scalar z649 = v_a_z * z27 + z23 * z80;
+    const Scalar z649 = z23 * z80 + v_a_z * z27;
     const Scalar z650 = v_a_z * z56 + z46 * z80;
     const Scalar z651 = v_a_z * z52 + z50 * z80;
-    const Scalar z652 = v_a_z * z55 + z51 * z80;
-    result.kinetic = k5 * (z84 * z84 + z90 * z90 + z94 * z94 + z107 * z107 + z111 * z111 + z115 * z115) + n0_01 * (z647
-        * z647 + z648 * z648 + z649 * z649 + z650 * z650 + z651 * z651 + z652 * z652) + n0_4 * v_a_z * v_a_z + n0_005
-        * v_a * v_a + k9 * v_omega_z * v_omega_z + n0_15 * z120 * z120;
+    const Scalar z652 = z51 * z80 + v_a_z * z55;
+    result.kinetic = n0_4 * v_a_z * v_a_z + n0_005 * v_a * v_a + k7 * v_omega_z * v_omega_z + n0_15 * z120 * z120 + k9
+        * (z84 * z84 + z90 * z90 + z94 * z94 + z107 * z107 + z111 * z111 + z115 * z115) + n0_01 * (z647 * z647 + z648
+        * z648 + z649 * z649 + z650 * z650 + z651 * z651 + z652 * z652);
     result.force_function = -q_a_z * (n8_2404 + n10000 * q_a_z) - n2_943 * z119;
     result.power = -v_omega_z * (z195 - u_C);
   }
 
   /// Constraints A(q, t) v - b(q, t) = 0, in the order of the multipliers.
   TORSOR_DEVICE static void constraints(const Precomputed&, const State& state, Constraints& result) noexcept {
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n4 = traits::constant(4.0, 4.0f, "4/1");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
     const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
-    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
-    const Scalar n4 = traits::constant(4.0, 4.0f, "4/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_a_z = state.q.a_z;
     const Scalar v_a_z = state.v.a_z;
@@ -1964,168 +2065,168 @@ struct Mechanism {
     const Scalar v_omega_z = state.v.omega_z;
     Scalar s_a, c_a;
     traits::sincos(q_a, s_a, c_a);
-    const Scalar z9 = n2 * q_lower_y * q_lower_y;
-    const Scalar z19 = n2 * q_lower_x * q_lower_x;
-    const Scalar z20 = n2 * q_lower_y * q_lower_z;
-    const Scalar z21 = n2 * q_lower_x * q_lower_w;
-    const Scalar z23 = z20 - z21;
-    const Scalar z24 = z20 + z21;
-    const Scalar z25 = n2 * q_lower_z * q_lower_x;
-    const Scalar z26 = n2 * q_lower_y * q_lower_w;
-    const Scalar z27 = n1 - z9 - z19;
-    const Scalar z28 = z25 - z26;
-    const Scalar z29 = z25 + z26;
-    const Scalar z37 = n2 * q_upper_y * q_upper_y;
-    const Scalar z47 = n2 * q_upper_x * q_upper_x;
-    const Scalar z48 = n2 * q_upper_y * q_upper_z;
-    const Scalar z49 = n2 * q_upper_x * q_upper_w;
-    const Scalar z51 = z48 - z49;
-    const Scalar z52 = z48 + z49;
-    const Scalar z53 = n2 * q_upper_z * q_upper_x;
-    const Scalar z54 = n2 * q_upper_y * q_upper_w;
-    const Scalar z55 = n1 - z37 - z47;
-    const Scalar z56 = z53 - z54;
-    const Scalar z57 = z53 + z54;
     const Scalar pi = traits::pi();
     const Scalar z68 = traits::formula(0.0006366197723675813, 0.00063661975f, [&]() -> Scalar {
       return n0_002 / pi;
     });
-    const Scalar z77 = n0_1 * c_a;
-    const Scalar z78 = n0_1 * s_a;
-    const Scalar z79 = n0_1 - z77;  // place of lower_omega_x, x
-    const Scalar z119 = n0_002 * q_omega_z / pi;
-    const Scalar z120 = n0_002 * v_omega_z / pi;  // velocity of screw.1, z
-    const Scalar z335 = n0_2 * c_a;
-    const Scalar z336 = n0_2 * s_a;
-    const Scalar z337 = n0_1 - z335;
-    const Scalar z338 = n0_1 + z337;
-    const Scalar z339 = v_a * c_a;
-    const Scalar z340 = n0_2 * z339;
-    const Scalar z341 = v_a * s_a;
-    const Scalar z342 = v_a * z341;
-    const Scalar z343 = n0_2 * z342;
-    const Scalar z344 = n0_2 * z341;
-    const Scalar z345 = v_a * z339;
-    const Scalar z346 = n0_2 * z345;
-    const Scalar z347 = q_a_z - z119;
-    const Scalar z350 = z23 * z78 + z27 * z347 + z29 * z79;
     const Scalar z351 = n0_5 * (q_lower_z * v_lower_omega_x - q_lower_x * v_lower_omega_z + q_lower_w
         * v_lower_omega_y);
-    const Scalar z352 = n0_5 * (q_lower_y * v_lower_omega_x - q_lower_x * v_lower_omega_y - q_lower_w
-        * v_lower_omega_z);
-    const Scalar z353 = n2 * (q_lower_y * z352 - q_lower_z * z351);
     const Scalar z354 = n0_5 * (q_lower_y * v_lower_omega_z - q_lower_z * v_lower_omega_y + q_lower_w
         * v_lower_omega_x);
-    const Scalar z355 = n0_5 * (q_lower_y * v_lower_omega_y + q_lower_z * v_lower_omega_z + q_lower_x
-        * v_lower_omega_x);
-    const Scalar z356 = n2 * (q_lower_x * z355 - q_lower_w * z354);
-    const Scalar z357 = z353 - z356;
-    const Scalar z358 = n0_1 * z339;
-    const Scalar z359 = n4 * q_lower_y * z351;
-    const Scalar z360 = n4 * q_lower_x * z354;
-    const Scalar z361 = z359 + z360;
-    const Scalar z362 = v_a_z - z120;
-    const Scalar z363 = n2 * (q_lower_z * z354 - q_lower_x * z352);
-    const Scalar z364 = n2 * (q_lower_y * z355 - q_lower_w * z351);
-    const Scalar z365 = z363 - z364;
-    const Scalar z366 = n0_1 * z341;
-    const Scalar z367 = z23 * z358 + z27 * z362 + z29 * z366 - z78 * z357 + z79 * z365 - z347 * z361;
-    const Scalar z368 = z23 * z77 + z29 * z78;
-    const Scalar z369 = q_lower_y * q_lower_y - q_lower_z * q_lower_z;
-    const Scalar z370 = q_lower_x * q_lower_x - q_lower_w * q_lower_w;
-    const Scalar z371 = z369 - z370;
-    const Scalar z372 = q_lower_y * q_lower_x - q_lower_z * q_lower_w;
-    const Scalar z373 = n2 * z372;
-    const Scalar z374 = z24 * z347 + z78 * z371 + z79 * z373;
-    const Scalar z375 = q_lower_y * q_lower_x + q_lower_z * q_lower_w;
-    const Scalar z376 = n2 * z375;
-    const Scalar z377 = q_lower_z * q_lower_z - q_lower_x * q_lower_x;
-    const Scalar z378 = q_lower_y * q_lower_y - q_lower_w * q_lower_w;
-    const Scalar z379 = z377 + z378;
-    const Scalar z380 = z28 * z347 + z78 * z376 - z79 * z379;
-    const Scalar z381 = q_lower_y * q_lower_w - q_lower_z * q_lower_x;
-    const Scalar z382 = q_lower_y * q_lower_z + q_lower_x * q_lower_w;
-    const Scalar z383 = z27 * z68;
-    const Scalar z384 = n0_1 * z342;
-    const Scalar z385 = n0_1 * z345;
-    const Scalar z386 = n0_5 * (v_lower_omega_x * z351 - v_lower_omega_y * z354 + v_lower_omega_z * z355);
-    const Scalar z387 = n0_5 * (v_lower_omega_x * z352 + v_lower_omega_y * z355 + v_lower_omega_z * z354);
-    const Scalar z388 = n2 * (q_lower_y * z386 + q_lower_z * z387) + n4 * z351 * z352;
-    const Scalar z389 = n0_5 * (v_lower_omega_x * z354 + v_lower_omega_y * z351 - v_lower_omega_z * z352);
-    const Scalar z390 = n0_5 * (v_lower_omega_x * z355 - v_lower_omega_y * z352 - v_lower_omega_z * z351);
-    const Scalar z391 = n2 * (q_lower_x * z389 + q_lower_w * z390) + n4 * z354 * z355;
-    const Scalar z392 = z388 - z391;
-    const Scalar z393 = n2 * (q_lower_z * z390 + q_lower_x * z386) + n4 * z352 * z354;
-    const Scalar z394 = n2 * (q_lower_y * z389 + q_lower_w * z387) + n4 * z351 * z355;
-    const Scalar z395 = z393 + z394;
-    const Scalar z396 = n4 * (q_lower_y * z387 - z351 * z351);
-    const Scalar z397 = n4 * (q_lower_x * z390 - z354 * z354);
-    const Scalar z398 = z396 + z397;
-    const Scalar z399 = n2 * (z357 * z358 + z361 * z362 - z365 * z366) + z23 * z384 - z29 * z385 + z78 * z392 + z79
-        * z395 - z347 * z398;
-    const Scalar z400 = z353 + z356;
-    const Scalar z401 = z369 + z370;
-    const Scalar z402 = n2 * z381;
-    const Scalar z403 = z388 + z391;
-    const Scalar z404 = z363 + z364;
-    const Scalar z405 = z377 - z378;
-    const Scalar z406 = n2 * z382;
-    const Scalar z407 = z393 - z394;
-    const Scalar z410 = z51 * z78 + z55 * z347 + z57 * z79;
     const Scalar z411 = n0_5 * (q_upper_z * v_upper_omega_x - q_upper_x * v_upper_omega_z + q_upper_w
         * v_upper_omega_y);
+    const Scalar z352 = n0_5 * (q_lower_y * v_lower_omega_x - q_lower_x * v_lower_omega_y - q_lower_w
+        * v_lower_omega_z);
+    const Scalar z355 = n0_5 * (q_lower_y * v_lower_omega_y + q_lower_z * v_lower_omega_z + q_lower_x
+        * v_lower_omega_x);
+    const Scalar z386 = n0_5 * (v_lower_omega_x * z351 - v_lower_omega_y * z354 + v_lower_omega_z * z355);
+    const Scalar z389 = n0_5 * (v_lower_omega_x * z354 + v_lower_omega_y * z351 - v_lower_omega_z * z352);
+    const Scalar z387 = n0_5 * (v_lower_omega_x * z352 + v_lower_omega_y * z355 + v_lower_omega_z * z354);
+    const Scalar z390 = n0_5 * (v_lower_omega_x * z355 - v_lower_omega_y * z352 - v_lower_omega_z * z351);
+    const Scalar z9 = n2 * q_lower_y * q_lower_y;
     const Scalar z412 = n0_5 * (q_upper_y * v_upper_omega_x - q_upper_x * v_upper_omega_y - q_upper_w
         * v_upper_omega_z);
+    const Scalar z37 = n2 * q_upper_y * q_upper_y;
+    const Scalar z19 = n2 * q_lower_x * q_lower_x;
+    const Scalar z47 = n2 * q_upper_x * q_upper_x;
+    const Scalar z120 = n0_002 * v_omega_z / pi;  // velocity of screw.1, z
+    const Scalar z388 = n4 * z351 * z352 + n2 * (q_lower_y * z386 + q_lower_z * z387);
+    const Scalar z391 = n4 * z354 * z355 + n2 * (q_lower_x * z389 + q_lower_w * z390);
+    const Scalar z27 = n1 - z9 - z19;
+    const Scalar z55 = n1 - z37 - z47;
+    const Scalar z78 = n0_1 * s_a;
+    const Scalar z119 = n0_002 * q_omega_z / pi;
+    const Scalar z359 = n4 * q_lower_y * z351;
+    const Scalar z360 = n4 * q_lower_x * z354;
+    const Scalar z362 = v_a_z - z120;
+    const Scalar z392 = z388 - z391;
+    const Scalar z396 = n4 * (q_lower_y * z387 - z351 * z351);
+    const Scalar z397 = n4 * (q_lower_x * z390 - z354 * z354);
+    const Scalar z347 = q_a_z - z119;
+    const Scalar z361 = z359 + z360;
+    const Scalar z398 = z396 + z397;
+    const Scalar z77 = n0_1 * c_a;
+    const Scalar z353 = n2 * (q_lower_y * z352 - q_lower_z * z351);
+    const Scalar z356 = n2 * (q_lower_x * z355 - q_lower_w * z354);
+    const Scalar z393 = n4 * z352 * z354 + n2 * (q_lower_z * z390 + q_lower_x * z386);
+    const Scalar z394 = n4 * z351 * z355 + n2 * (q_lower_y * z389 + q_lower_w * z387);
     const Scalar z413 = n2 * (q_upper_y * z412 - q_upper_z * z411);
+    const Scalar z341 = v_a * s_a;
+    const Scalar z79 = n0_1 - z77;  // place of lower_omega_x, x
+    const Scalar z357 = z353 - z356;
+    const Scalar z395 = z393 + z394;
+    const Scalar z20 = n2 * q_lower_y * q_lower_z;
     const Scalar z414 = n0_5 * (q_upper_y * v_upper_omega_z - q_upper_z * v_upper_omega_y + q_upper_w
         * v_upper_omega_x);
+    const Scalar z21 = n2 * q_lower_x * q_lower_w;
     const Scalar z415 = n0_5 * (q_upper_y * v_upper_omega_y + q_upper_z * v_upper_omega_z + q_upper_x
         * v_upper_omega_x);
-    const Scalar z416 = n2 * (q_upper_x * z415 - q_upper_w * z414);
-    const Scalar z417 = z413 - z416;
+    const Scalar z48 = n2 * q_upper_y * q_upper_z;
+    const Scalar z49 = n2 * q_upper_x * q_upper_w;
+    const Scalar z400 = z353 + z356;
+    const Scalar z339 = v_a * c_a;
+    const Scalar z342 = v_a * z341;
+    const Scalar z403 = z388 + z391;
+    const Scalar z25 = n2 * q_lower_z * q_lower_x;
+    const Scalar z26 = n2 * q_lower_y * q_lower_w;
+    const Scalar z407 = z393 - z394;
+    const Scalar z53 = n2 * q_upper_z * q_upper_x;
+    const Scalar z54 = n2 * q_upper_y * q_upper_w;
+    const Scalar z363 = n2 * (q_lower_z * z354 - q_lower_x * z352);
+    const Scalar z23 = z20 - z21;
+    const Scalar z24 = z20 + z21;
     const Scalar z418 = n4 * q_upper_y * z411;
+    const Scalar z364 = n2 * (q_lower_y * z355 - q_lower_w * z351);
     const Scalar z419 = n4 * q_upper_x * z414;
     const Scalar z420 = z418 + z419;
+    const Scalar z416 = n2 * (q_upper_x * z415 - q_upper_w * z414);
+    const Scalar z336 = n0_2 * s_a;
+    const Scalar z340 = n0_2 * z339;
+    const Scalar z343 = n0_2 * z342;
+    const Scalar z384 = n0_1 * z342;
+    const Scalar z344 = n0_2 * z341;
+    const Scalar z366 = n0_1 * z341;
+    const Scalar z383 = z27 * z68;
+    const Scalar z404 = z363 + z364;
+    const Scalar z365 = z363 - z364;
+    const Scalar z417 = z413 - z416;
+    const Scalar z51 = z48 - z49;
+    const Scalar z52 = z48 + z49;
+    const Scalar z358 = n0_1 * z339;
+    const Scalar z345 = v_a * z339;
+    const Scalar z346 = n0_2 * z345;
+    const Scalar z385 = n0_1 * z345;
+    const Scalar z28 = z25 - z26;
+    const Scalar z29 = z25 + z26;
+    const Scalar z350 = z27 * z347 + z23 * z78 + z29 * z79;
+    const Scalar z399 = z78 * z392 - z347 * z398 + z79 * z395 + z23 * z384 - z29 * z385 + n2 * (z361 * z362 + z357
+        * z358 - z365 * z366);
+    const Scalar z56 = z53 - z54;
+    const Scalar z369 = q_lower_y * q_lower_y - q_lower_z * q_lower_z;
+    const Scalar z367 = z27 * z362 - z347 * z361 - z78 * z357 + z23 * z358 + z29 * z366 + z79 * z365;
+    const Scalar z370 = q_lower_x * q_lower_x - q_lower_w * q_lower_w;
+    const Scalar z375 = q_lower_y * q_lower_x + q_lower_z * q_lower_w;
     const Scalar z421 = n2 * (q_upper_z * z414 - q_upper_x * z412);
     const Scalar z422 = n2 * (q_upper_y * z415 - q_upper_w * z411);
-    const Scalar z423 = z421 - z422;
-    const Scalar z424 = z51 * z358 + z55 * z362 + z57 * z366 - z78 * z417 + z79 * z423 - z347 * z420;
-    const Scalar z425 = z51 * z77 + z57 * z78;
+    const Scalar z368 = z23 * z77 + z29 * z78;
     const Scalar z426 = q_upper_y * q_upper_y - q_upper_z * q_upper_z;
     const Scalar z427 = q_upper_x * q_upper_x - q_upper_w * q_upper_w;
-    const Scalar z428 = z426 - z427;
-    const Scalar z429 = q_upper_y * q_upper_x - q_upper_z * q_upper_w;
-    const Scalar z430 = n2 * z429;
-    const Scalar z431 = z52 * z347 + z78 * z428 + z79 * z430;
+    const Scalar z57 = z53 + z54;
     const Scalar z432 = q_upper_y * q_upper_x + q_upper_z * q_upper_w;
+    const Scalar z425 = z51 * z77 + z57 * z78;
+    const Scalar z371 = z369 - z370;
+    const Scalar z401 = z369 + z370;
+    const Scalar z376 = n2 * z375;
+    const Scalar z423 = z421 - z422;
+    const Scalar z428 = z426 - z427;
     const Scalar z433 = n2 * z432;
+    const Scalar z410 = z55 * z347 + z51 * z78 + z57 * z79;
+    const Scalar z424 = z55 * z362 - z347 * z420 - z78 * z417 + z51 * z358 + z57 * z366 + z79 * z423;
+    const Scalar z372 = q_lower_y * q_lower_x - q_lower_z * q_lower_w;
+    const Scalar z373 = n2 * z372;
+    const Scalar z377 = q_lower_z * q_lower_z - q_lower_x * q_lower_x;
+    const Scalar z378 = q_lower_y * q_lower_y - q_lower_w * q_lower_w;
+    const Scalar z374 = z24 * z347 + z78 * z371 + z79 * z373;
+    const Scalar z405 = z377 - z378;
+    const Scalar z379 = z377 + z378;
+    const Scalar z429 = q_upper_y * q_upper_x - q_upper_z * q_upper_w;
+    const Scalar z380 = z28 * z347 + z78 * z376 - z79 * z379;
     const Scalar z434 = q_upper_z * q_upper_z - q_upper_x * q_upper_x;
     const Scalar z435 = q_upper_y * q_upper_y - q_upper_w * q_upper_w;
+    const Scalar z335 = n0_2 * c_a;
+    const Scalar z440 = z55 * z68;
+    const Scalar z430 = n2 * z429;
     const Scalar z436 = z434 + z435;
+    const Scalar z431 = z52 * z347 + z78 * z428 + z79 * z430;
+    const Scalar z337 = n0_1 - z335;
+    const Scalar z441 = n0_5 * (v_upper_omega_x * z411 - v_upper_omega_y * z414 + v_upper_omega_z * z415);
+    const Scalar z381 = q_lower_y * q_lower_w - q_lower_z * q_lower_x;
+    const Scalar z382 = q_lower_y * q_lower_z + q_lower_x * q_lower_w;
     const Scalar z437 = z56 * z347 + z78 * z433 - z79 * z436;
     const Scalar z438 = q_upper_y * q_upper_w - q_upper_z * q_upper_x;
     const Scalar z439 = q_upper_y * q_upper_z + q_upper_x * q_upper_w;
-    const Scalar z440 = z55 * z68;
-    const Scalar z441 = n0_5 * (v_upper_omega_x * z411 - v_upper_omega_y * z414 + v_upper_omega_z * z415);
-    const Scalar z442 = n0_5 * (v_upper_omega_x * z412 + v_upper_omega_y * z415 + v_upper_omega_z * z414);
-    const Scalar z443 = n2 * (q_upper_y * z441 + q_upper_z * z442) + n4 * z411 * z412;
+    const Scalar z338 = n0_1 + z337;
     const Scalar z444 = n0_5 * (v_upper_omega_x * z414 + v_upper_omega_y * z411 - v_upper_omega_z * z412);
+    const Scalar z442 = n0_5 * (v_upper_omega_x * z412 + v_upper_omega_y * z415 + v_upper_omega_z * z414);
+    const Scalar z455 = z413 + z416;
     const Scalar z445 = n0_5 * (v_upper_omega_x * z415 - v_upper_omega_y * z412 - v_upper_omega_z * z411);
-    const Scalar z446 = n2 * (q_upper_x * z444 + q_upper_w * z445) + n4 * z414 * z415;
-    const Scalar z447 = z443 - z446;
-    const Scalar z448 = n2 * (q_upper_z * z445 + q_upper_x * z441) + n4 * z412 * z414;
-    const Scalar z449 = n2 * (q_upper_y * z444 + q_upper_w * z442) + n4 * z411 * z415;
-    const Scalar z450 = z448 + z449;
+    const Scalar z443 = n4 * z411 * z412 + n2 * (q_upper_y * z441 + q_upper_z * z442);
+    const Scalar z456 = z426 + z427;
+    const Scalar z446 = n4 * z414 * z415 + n2 * (q_upper_x * z444 + q_upper_w * z445);
     const Scalar z451 = n4 * (q_upper_y * z442 - z411 * z411);
+    const Scalar z449 = n4 * z411 * z415 + n2 * (q_upper_y * z444 + q_upper_w * z442);
+    const Scalar z447 = z443 - z446;
     const Scalar z452 = n4 * (q_upper_x * z445 - z414 * z414);
     const Scalar z453 = z451 + z452;
-    const Scalar z454 = n2 * (z358 * z417 + z362 * z420 - z366 * z423) + z51 * z384 - z57 * z385 + z78 * z447 + z79
-        * z450 - z347 * z453;
-    const Scalar z455 = z413 + z416;
-    const Scalar z456 = z426 + z427;
+    const Scalar z448 = n4 * z412 * z414 + n2 * (q_upper_z * z445 + q_upper_x * z441);
+    const Scalar z450 = z448 + z449;
+    const Scalar z402 = n2 * z381;
+    const Scalar z406 = n2 * z382;
     const Scalar z457 = n2 * z438;
     const Scalar z458 = z443 + z446;
     const Scalar z459 = z421 + z422;
+    const Scalar z454 = z78 * z447 - z347 * z453 + z79 * z450 + z51 * z384 - z57 * z385 + n2 * (z362 * z420 + z358
+        * z417 - z366 * z423);
     const Scalar z460 = z434 - z435;
     const Scalar z461 = n2 * z439;
     const Scalar z462 = z448 - z449;

@@ -35,7 +35,7 @@
 #include <cmath>
 
 #ifndef TORSOR_KERNEL_SUPPORT
-#define TORSOR_KERNEL_SUPPORT 2
+#define TORSOR_KERNEL_SUPPORT 3
 // Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
 #ifndef TORSOR_DEVICE
 #define TORSOR_DEVICE
@@ -49,7 +49,7 @@
 //  * two polynomials of least greatest error give the sine and the cosine of r, |r| <= pi/4;
 //  * angles beyond `bound` are rare: they are reduced exactly, in integers, by a function that is not inlined, and so
 //    are all angles under another rounding, which would give the nearest integers wrong.
-// The core has no branch, so that compilers turn a loop over several angles into vector instructions.
+// The core has no branch, so that several angles go through it at once.
 #ifndef TORSOR_STD_SINCOS
 #if defined(__FAST_MATH__) || defined(_M_FP_FAST) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0)
 #define TORSOR_STD_SINCOS  // sums would be reassociated or hold more digits than their type
@@ -97,21 +97,19 @@ struct SineCosine {
       S = S01 + z2 * number(0.0, -0x1.9953f2p-13f);
       C = C01 + z2 * number(0.0, 0x1.99e0eep-16f);
     } else {
-      const Scalar z4 = z2 * z2;
       const Scalar S01 = number(-0x1.5555555555548p-3, 0.0f) + z * number(0x1.111111110f73p-7, 0.0f);
       const Scalar S23 = number(-0x1.a01a019be9217p-13, 0.0f) + z * number(0x1.71de35552b518p-19, 0.0f);
       const Scalar S45 = number(-0x1.ae5e4b83e1601p-26, 0.0f) + z * number(0x1.5d8b55934597bp-33, 0.0f);
       const Scalar C01 = number(0x1.555555555554cp-5, 0.0f) + z * number(-0x1.6c16c16c1521bp-10, 0.0f);
       const Scalar C23 = number(0x1.a01a019cbeb68p-16, 0.0f) + z * number(-0x1.27e4f8121198fp-22, 0.0f);
       const Scalar C45 = number(0x1.1ee9f0cbf70d6p-29, 0.0f) + z * number(-0x1.8fb0e15d5f2ap-37, 0.0f);
-      S = (S01 + z2 * S23) + z4 * S45;
-      C = (C01 + z2 * C23) + z4 * C45;
+      S = S01 + z2 * (S23 + z2 * S45);
+      C = C01 + z2 * (C23 + z2 * C45);
     }
-    const Scalar half_z = half * z, w = one - half_z;
-    // Far below an ulp, it makes the correction of -0 a -0, and so the sine.
-    const Scalar tiny = number(0x1p-100, 0x1p-60f);
-    sine = high + (high * (tiny + z * S) - rest * w);
-    cosine = w + (((one - w) - half_z) + (z2 * C + high * rest));
+    const Scalar half_z = half * z, w = one - half_z, high_z = high * z;
+    // What waits for S and C comes last. The correction of -0 is a 0, which subtracted leaves it -0.
+    sine = high - (rest * w - high_z * S);
+    cosine = w + ((((one - w) - half_z) + high * rest) + z2 * C);
   }
 
   /// Of n pi/2 more.
@@ -126,21 +124,31 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// For |x| <= bound; what is no number gives no number. Exact are n times the first three parts of pi/2, the first
-  /// difference, and each rounded difference together with its rounding error.
-  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
-    const Scalar n = rounded(x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f));
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n plus a number so large that its last bit counts 1; what is no
+  /// number gives no number.
+  ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
+  ///    others do, and may be formed twice;
+  ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
+  ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
+  TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
+                                                        Scalar& cosine) noexcept {
+    const Scalar shift = number(0x1.8p52, 0x1.8p23f);
+    const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
+    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift;
+    const Scalar n = shifted - shift;
     const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
-    const Scalar second = n * number(0x1.0b4611a6p-34, 0x1.ed5p-14f);
-    const Scalar third = n * number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    const Scalar fourth = n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
-    const Scalar r = first - second;
-    const Scalar taken = first - r;
-    const Scalar error = (first - (r + taken)) - (second - taken);
-    const Scalar high = r - third;
-    const Scalar rest = ((third - (r - high)) - error) + fourth;
+    const Scalar r = first - n * P;
+    const Scalar error = (first - r) - n * P;
+    const Scalar high = r - n * Q;
+    const Scalar rest = ((n * Q - (r - high)) - error) + n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
     of_reduced(high, rest, sine, cosine);
-    turn(n, sine, cosine);
+  }
+
+  /// For |x| <= bound.
+  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
+    Scalar shifted;
+    of_remainder(x, shifted, sine, cosine);
+    turn(shifted - number(0x1.8p52, 0x1.8p23f), sine, cosine);
   }
 };
 
@@ -259,61 +267,151 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
 #endif
 }
 
-/// Of some angles up to the bound, a multiple of what a vector holds. Local arrays, which nothing else can point to.
-template <int size, class Scalar>
-TORSOR_DEVICE TORSOR_INLINED void sincos_of_block(const Scalar* angles, Scalar* sines, Scalar* cosines) noexcept {
-  Scalar x[size], s[size], c[size];
-  for (int i = 0; i < size; ++i) x[i] = angles[i];
-  // Compilers make vector instructions of a loop, but not always of a row of statements.
-#if defined(__clang__)
-#pragma clang loop unroll(disable)
-#elif defined(__GNUC__) && !defined(__CUDACC__)
-#pragma GCC unroll 1
+}  // namespace torsor
+// Sines and cosines of several angles at once: by vector registers where GNU C++ has types for them, which compilers
+// without AVX make of narrower ones; loops over numbers are not left to compilers to find.
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define TORSOR_VECTOR_TYPES
 #endif
-  for (int i = 0; i < size; ++i) SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::core(x[i], s[i], c[i]);
-  for (int i = 0; i < size; ++i) sines[i] = s[i];
-  for (int i = 0; i < size; ++i) cosines[i] = c[i];
+
+namespace torsor {
+
+#if defined(TORSOR_VECTOR_TYPES)
+/// 0, 1, ... as arguments of a template.
+template <int... place>
+struct Places {};
+template <int count, int... place>
+struct FirstPlaces : FirstPlaces<count - 1, count - 1, place...> {};
+template <int... place>
+struct FirstPlaces<0, place...> {
+  using type = Places<place...>;
+};
+
+/// Some registers of equally many numbers, which take the same operations by turns: while the one waits for its last
+/// result, the other is at work. A scalar for SineCosine, of which it needs constants, sums and products only.
+template <class Number, int lanes, int count>
+struct Registers {
+  typedef Number Numbers __attribute__((vector_size(lanes * sizeof(Number))));
+  using Bits = decltype(Numbers{} < Numbers{});
+  Numbers part[count];
+
+  TORSOR_INLINED friend Registers operator+(const Registers& a, const Registers& b) noexcept {
+    Registers sum;
+    for (int i = 0; i < count; ++i) sum.part[i] = a.part[i] + b.part[i];
+    return sum;
+  }
+  TORSOR_INLINED friend Registers operator-(const Registers& a, const Registers& b) noexcept {
+    Registers difference;
+    for (int i = 0; i < count; ++i) difference.part[i] = a.part[i] - b.part[i];
+    return difference;
+  }
+  TORSOR_INLINED friend Registers operator*(const Registers& a, const Registers& b) noexcept {
+    Registers product;
+    for (int i = 0; i < count; ++i) product.part[i] = a.part[i] * b.part[i];
+    return product;
+  }
+};
+
+template <class Number, int lanes, int count>
+struct scalar_traits<Registers<Number, lanes, count>> {
+  using Scalar = Registers<Number, lanes, count>;
+  TORSOR_INLINED static Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    constexpr bool is_float = sizeof(Number) == sizeof(float);
+    const Number number = is_float ? static_cast<Number>(in_float) : static_cast<Number>(in_double);
+    Scalar result;
+    for (int i = 0; i < count; ++i) {
+      for (int lane = 0; lane < lanes; ++lane) result.part[i][lane] = number;
+    }
+    return result;
+  }
+};
+
+/// Of angles up to the bound, bit by bit what SineCosine::core gives where nothing is fused. The quarter of the turn is
+/// in the last two bits of `shifted`: it is chosen by bits, not by products.
+template <class Number, int lanes, int count>
+TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& angles,
+                                        Registers<Number, lanes, count>& sines,
+                                        Registers<Number, lanes, count>& cosines) noexcept {
+  using Scalar = Registers<Number, lanes, count>;
+  using Numbers = typename Scalar::Numbers;
+  using Bits = typename Scalar::Bits;
+  constexpr int sign_bit = 8 * static_cast<int>(sizeof(Number)) - 1;
+  Scalar shifted, sine, cosine;
+  SineCosine<Scalar, sizeof(Number) == sizeof(float)>::of_remainder(angles, shifted, sine, cosine);
+  const Bits sign = (Bits)scalar_traits<Scalar>::constant(-0.0, -0.0f, nullptr).part[0];
+  for (int i = 0; i < count; ++i) {
+    const Bits bits = (Bits)shifted.part[i], s = (Bits)sine.part[i], c = (Bits)cosine.part[i];
+    const Bits odd = Bits{} - (bits & 1);  // all bits or none
+    const Bits upper = bits << (sign_bit - 1);
+    // The sine is negated for n = 2 and 3, the cosine for 1 and 2.
+    sines.part[i] = (Numbers)(((odd & c) | (~odd & s)) ^ (upper & sign));
+    cosines.part[i] = (Numbers)(((odd & s) | (~odd & c)) ^ ((upper ^ odd) & sign));
+  }
 }
 
-/// Of several angles at once, in float or double: as many as a vector holds go through the core together.
-template <class Scalar, int N>
-TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
-                                            Scalar (&cosines)[N]) noexcept {
-  constexpr int narrow = 16 / sizeof(Scalar);
+/// Of the angles first to first + size - 1, up to the bound, in one register or two; idle lanes get 0. Returns the sum
+/// of their squares. Places are constants before anything is optimised: lanes then come from registers and go there,
+/// where a way through memory would be stored in parts and loaded whole.
+template <int size, class Number, int N, int... lane, int... place>
+TORSOR_INLINED Number sincos_of_some(int first, const Number (&angles)[N], Number (&sines)[N], Number (&cosines)[N],
+                                     Places<lane...>, Places<place...>) noexcept {
+  constexpr int lanes = sizeof...(lane), count = size > lanes ? 2 : 1;
+  using Some = Registers<Number, lanes, count>;
+  const auto angle = [&](int i) noexcept { return i < size ? angles[first + i] : Number(0); };
+  Some x, s, c;
+  x.part[0] = typename Some::Numbers{angle(lane)...};
+  if constexpr (count == 2) x.part[1] = typename Some::Numbers{angle(lane + lanes)...};
+  sincos_of_registers(x, s, c);
+  ((sines[first + place] = s.part[place / lanes][place % lanes]), ...);
+  ((cosines[first + place] = c.part[place / lanes][place % lanes]), ...);
+  typename Some::Numbers squares = x.part[0] * x.part[0];
+  if constexpr (count == 2) squares += x.part[1] * x.part[1];
+  return (squares[lane] + ...);
+}
+
+/// Of several angles up to the bound, by two registers at a time. Returns the sum of their squares.
+template <class Number, int N>
+TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&sines)[N],
+                                          Number (&cosines)[N]) noexcept {
+  constexpr int narrow = 16 / static_cast<int>(sizeof(Number));
 #if defined(__AVX__)
-  constexpr int wide = 32 / sizeof(Scalar);
+  // Registers of AVX-512 gain nothing for so few numbers.
+  constexpr int lanes = N <= narrow ? narrow : 2 * narrow;
 #else
-  constexpr int wide = narrow;
+  constexpr int lanes = narrow;
 #endif
-#if defined(__CUDA_ARCH__) || defined(TORSOR_STD_SINCOS)
-  constexpr bool by_vectors = false;
-#elif defined(__clang__)
-  constexpr bool by_vectors = N >= 4;  // it leaves a loop over two as it is
-#else
-  constexpr bool by_vectors = N >= narrow;
-#endif
-  if constexpr (by_vectors) {
-    constexpr int vector = N >= wide ? wide : narrow, rest = N % vector;
-    // Of a rest some angles are done again: a whole vector costs less than two or three alone.
+  constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
+  using AllLanes = typename FirstPlaces<lanes>::type;
+  Number squares = 0;
+  // One copy of the code: its constants stay where they are.
 #if defined(__clang__)
-    sincos_of_block<N - rest>(angles, sines, cosines);  // best as one loop
-    if constexpr (rest > 1) {
-      sincos_of_block<vector>(angles + (N - vector), sines + (N - vector), cosines + (N - vector));
-    }
+#pragma clang loop unroll(disable)
 #else
-    for (int next = 0; next < N - (rest == 1); next += vector) {
-      const int first = next + vector <= N ? next : N - vector;
-      sincos_of_block<vector>(angles + first, sines + first, cosines + first);
-    }
+#pragma GCC unroll 1
 #endif
-    if constexpr (rest == 1) sincos_of_one(angles[N - 1], sines[N - 1], cosines[N - 1]);
+  for (int i = 0; i < whole; i += both)
+    squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+  if constexpr (rest > 0)
+    squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
+  return squares;
+}
+#endif
+
+/// Of several angles at once, in float or double.
+template <class Scalar, int N>
+TORSOR_DEVICE TORSOR_INLINED void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
+#if defined(TORSOR_VECTOR_TYPES) && !defined(TORSOR_STD_SINCOS)
+  constexpr bool at_once = N > 1;
+#else
+  constexpr bool at_once = false;
+#endif
+  if constexpr (at_once) {
+    const Scalar squares = sincos_in_registers(angles, sines, cosines);
     constexpr Scalar bound = static_cast<Scalar>(SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::bound);
-    Scalar sum = 0;
-    for (int i = 0; i < N; ++i) sum += std::abs(angles[i]);
-    const bool to_one_side = rounds_to_one_side(sum);
-    if (sum <= bound && !to_one_side) return;
+    if (squares <= bound * bound && !rounds_to_one_side(squares)) return;
     for (int i = 0; i < N; ++i) {
-      if (std::abs(angles[i]) > bound || to_one_side) sincos_far(angles[i], sines[i], cosines[i]);
+      if (std::abs(angles[i]) > bound || rounds_to_one_side(angles[i])) sincos_far(angles[i], sines[i], cosines[i]);
     }
   } else {
     for (int i = 0; i < N; ++i) sincos_of_one(angles[i], sines[i], cosines[i]);
@@ -322,17 +420,19 @@ TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&
 
 /// Of several angles of any scalar: at once where its traits have a `sincos` of arrays, else one by one.
 template <class Scalar, int N>
-TORSOR_DEVICE auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N], int) noexcept
+TORSOR_DEVICE TORSOR_INLINED auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], int) noexcept
     -> decltype(scalar_traits<Scalar>::sincos(angles, sines, cosines)) {
   scalar_traits<Scalar>::sincos(angles, sines, cosines);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N],
-                                    long) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], long) noexcept {
   for (int i = 0; i < N; ++i) scalar_traits<Scalar>::sincos(angles[i], sines[i], cosines[i]);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
   sincos_by_traits(angles, sines, cosines, 0);
 }
 
@@ -369,7 +469,8 @@ struct scalar_traits {
   }
   /// Of several angles at once; a specialisation without it gets them one by one.
   template <int N>
-  TORSOR_DEVICE static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+  TORSOR_DEVICE TORSOR_INLINED static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                  Scalar (&cosines)[N]) noexcept {
     sincos_of_several(angles, sines, cosines);
   }
   TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
@@ -382,7 +483,7 @@ struct scalar_traits {
 };
 
 }  // namespace torsor
-#elif TORSOR_KERNEL_SUPPORT != 2
+#elif TORSOR_KERNEL_SUPPORT != 3
 #error "headers of incompatible versions of torsor meet here: write them again with one version"
 #endif
 
@@ -396,7 +497,7 @@ struct Mechanism {
 
   static constexpr const char* name = "nose_radar";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x8bc53aa7900fa7efULL;
+  static constexpr unsigned long long fingerprint = 0x8a2a0d92b1efce94ULL;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 3;
@@ -615,29 +716,29 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
-    const Scalar z13 = c_alpha * c_beta;
-    const Scalar z14 = c_alpha * s_beta;
-    const Scalar z15 = s_alpha * c_beta;
-    const Scalar z16 = s_alpha * s_beta;
-    const Scalar z17 = n0_4 * c_alpha;
-    const Scalar z18 = n0_4 * s_alpha;
-    const Scalar z19 = q_x + z17;  // place of hinge, x
     const Scalar z20 = n0_4 * v_alpha;
+    const Scalar z14 = c_alpha * s_beta;
+    const Scalar z16 = s_alpha * s_beta;
+    const Scalar z33 = n0_25 * v_beta;
     const Scalar z22 = v_alpha * c_beta;
-    const Scalar z23 = s_alpha * v_beta;  // angular velocity of hinge, x
-    const Scalar z24 = c_alpha * v_beta;  // angular velocity of hinge, y
+    const Scalar z13 = c_alpha * c_beta;
     const Scalar z25 = v_x - s_alpha * z20;  // velocity of hinge, x
     const Scalar z26 = c_alpha * z20;  // velocity of hinge, y
+    const Scalar z15 = s_alpha * c_beta;
+    const Scalar z17 = n0_4 * c_alpha;
+    const Scalar z18 = n0_4 * s_alpha;
+    const Scalar z23 = s_alpha * v_beta;  // angular velocity of hinge, x
+    const Scalar z24 = c_alpha * v_beta;  // angular velocity of hinge, y
+    const Scalar z29 = n0_25 * s_beta;
+    const Scalar z36 = c_beta * z33;
+    const Scalar z19 = q_x + z17;  // place of hinge, x
     const Scalar z27 = n0_25 * z13;
     const Scalar z28 = n0_25 * z15;
-    const Scalar z29 = n0_25 * s_beta;
+    const Scalar z32 = n0_25 * z22;
     const Scalar z30 = z19 + z27;
     const Scalar z31 = z18 + z28;
-    const Scalar z32 = n0_25 * z22;
-    const Scalar z33 = n0_25 * v_beta;
-    const Scalar z34 = s_alpha * z32 + z14 * z33 - z25;
-    const Scalar z35 = c_alpha * z32 - z16 * z33 + z26;
-    const Scalar z36 = c_beta * z33;
+    const Scalar z34 = z14 * z33 - z25 + s_alpha * z32;
+    const Scalar z35 = z26 - z16 * z33 + c_alpha * z32;
     result.aircraft_position[0] = q_x;
     result.aircraft_position[1] = n0;
     result.aircraft_position[2] = n0;
@@ -698,9 +799,9 @@ struct Mechanism {
   TORSOR_DEVICE static void mass_matrix(const Precomputed&, const State& state, std::array<Scalar, 9>& mass) noexcept {
     const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
     const Scalar n0_35 = traits::constant(0.35, 0.35f, "7/20");
+    const Scalar n4_8 = traits::constant(4.8, 4.8f, "24/5");
     const Scalar n1_92 = traits::constant(1.92, 1.92f, "48/25");
     const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
-    const Scalar n4_8 = traits::constant(4.8, 4.8f, "24/5");
     const Scalar n1_2 = traits::constant(1.2, 1.2f, "6/5");
     const Scalar n9012 = traits::constant(9012.0, 9012.0f, "9012/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
@@ -712,15 +813,15 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
-    const Scalar z44 = n3 * s_beta;
     const Scalar z45 = n3 * c_beta;
-    const Scalar z47 = c_alpha * z44;
     const Scalar z52 = n0_35 * c_beta;
+    const Scalar z44 = n3 * s_beta;
+    const Scalar z47 = c_alpha * z44;
     const Scalar z53 = c_beta * z52;
-    const Scalar z58 = n1_92 + n0_8 * z45 + z53;
     const Scalar z59 = n4_8 + z45;
-    const Scalar z61 = n1_2 + z58;
+    const Scalar z58 = n1_92 + n0_8 * z45 + z53;
     const Scalar z62 = s_alpha * z59;
+    const Scalar z61 = n1_2 + z58;
     mass[0] = n9012;
     mass[1] = -z62;
     mass[2] = -z47;
@@ -736,11 +837,11 @@ struct Mechanism {
   /// actions included. M a + h = E u + A' lambda.
   TORSOR_DEVICE static void bias(const Precomputed&, const State& state, GeneralizedForces& forces) noexcept {
     const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n12 = traits::constant(12.0, 12.0f, "12/1");
-    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
-    const Scalar n0_45 = traits::constant(0.45, 0.45f, "9/20");
     const Scalar n0_35 = traits::constant(0.35, 0.35f, "7/20");
+    const Scalar n0_45 = traits::constant(0.45, 0.45f, "9/20");
     const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
     const Scalar q_alpha = state.q.alpha;
     const Scalar v_alpha = state.v.alpha;
@@ -751,31 +852,31 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
-    const Scalar z21 = v_alpha * s_beta;
-    const Scalar z22 = v_alpha * c_beta;
     const Scalar z75 = v_alpha * v_alpha;
+    const Scalar z22 = v_alpha * c_beta;
+    const Scalar z21 = v_alpha * s_beta;
+    const Scalar z81 = v_beta * v_beta;
     const Scalar z76 = n0_4 * z75;
     const Scalar z77 = c_beta * z76;
     const Scalar z78 = s_beta * z76;
     const Scalar z79 = v_beta * z22;  // angular acceleration of hinge, x
     const Scalar z80 = v_beta * z21;  // angular acceleration of hinge, z
-    const Scalar z81 = v_beta * v_beta;
     const Scalar z82 = z22 * z22;
+    const Scalar z85 = z21 * z22;
+    const Scalar z89 = n3 * z78;  // moment on antenna, y
     const Scalar z83 = z81 + z82;
     const Scalar z84 = n2 * z80;
-    const Scalar z85 = z21 * z22;
+    const Scalar z88 = n12 * z78 + n3 * z85;  // force on antenna, z
+    const Scalar z90 = n2 * z79;
+    const Scalar z92 = n0_35 * z85 + z89;  // moment on hinge, y
     const Scalar z86 = n12 * z77 + n3 * z83;  // force on antenna, x
     const Scalar z87 = n3 * z84;  // force on antenna, y
-    const Scalar z88 = n12 * z78 + n3 * z85;  // force on antenna, z
-    const Scalar z89 = n3 * z78;  // moment on antenna, y
-    const Scalar z90 = n2 * z79;
     const Scalar z91 = n0_45 * z90;  // moment on hinge, x
-    const Scalar z92 = n0_35 * z85 + z89;  // moment on hinge, y
     const Scalar z93 = n0_8 * z84;  // moment on hinge, z
-    const Scalar z94 = s_beta * z88 + c_beta * z86;
     const Scalar z97 = s_beta * z91 - c_beta * z93;
-    const Scalar z99 = n0_4 * z87 - z97;  // moment on unit_1, z
+    const Scalar z94 = s_beta * z88 + c_beta * z86;
     const Scalar z100 = s_alpha * z87 - c_alpha * z94;
+    const Scalar z99 = n0_4 * z87 - z97;  // moment on unit_1, z
     forces.x = z100;
     forces.alpha = -z99;
     forces.beta = z92;
@@ -788,9 +889,9 @@ struct Mechanism {
     const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
     const Scalar n12 = traits::constant(12.0, 12.0f, "12/1");
     const Scalar n0_45 = traits::constant(0.45, 0.45f, "9/20");
+    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
     const Scalar n1_25 = traits::constant(1.25, 1.25f, "5/4");
     const Scalar n0_35 = traits::constant(0.35, 0.35f, "7/20");
-    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
     const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
     const Scalar n9000 = traits::constant(9000.0, 9000.0f, "9000/1");
     const Scalar a_x = accelerations.x;
@@ -808,36 +909,36 @@ struct Mechanism {
     const Scalar z21 = v_alpha * s_beta;
     const Scalar z22 = v_alpha * c_beta;
     const Scalar z75 = v_alpha * v_alpha;
+    const Scalar z104 = a_x * c_alpha;
+    const Scalar z106 = a_alpha * s_beta;
+    const Scalar z105 = a_x * s_alpha;
+    const Scalar z107 = a_alpha * c_beta;
+    const Scalar z81 = v_beta * v_beta;
     const Scalar z79 = v_beta * z22;  // angular acceleration of hinge, x
     const Scalar z80 = v_beta * z21;  // angular acceleration of hinge, z
-    const Scalar z81 = v_beta * v_beta;
     const Scalar z82 = z22 * z22;
-    const Scalar z83 = z81 + z82;
     const Scalar z85 = z21 * z22;
-    const Scalar z104 = a_x * c_alpha;
-    const Scalar z105 = a_x * s_alpha;
-    const Scalar z106 = a_alpha * s_beta;
-    const Scalar z107 = a_alpha * c_beta;
     const Scalar z108 = n0_4 * z75 - z104;
     const Scalar z109 = n0_4 * a_alpha - z105;
-    const Scalar z110 = c_beta * z108;
-    const Scalar z111 = s_beta * z108;
     const Scalar z112 = v_beta * z22 + z106;  // angular acceleration of hinge, x
     const Scalar z113 = v_beta * z21 - z107;  // angular acceleration of hinge, z
-    const Scalar z114 = z80 + z113;
+    const Scalar z83 = z81 + z82;
     const Scalar z115 = a_beta + z85;
-    const Scalar z116 = n3 * z83 + n12 * z110;  // force on antenna, x
-    const Scalar z117 = n12 * z109 - n3 * z114;  // force on antenna, y
-    const Scalar z118 = n12 * z111 + n3 * z115;  // force on antenna, z
-    const Scalar z119 = n3 * z111;  // moment on antenna, y
+    const Scalar z110 = c_beta * z108;
+    const Scalar z111 = s_beta * z108;
+    const Scalar z114 = z80 + z113;
     const Scalar z120 = n3 * z109;  // moment on antenna, z
     const Scalar z121 = z79 + z112;
+    const Scalar z116 = n3 * z83 + n12 * z110;  // force on antenna, x
+    const Scalar z117 = n12 * z109 - n3 * z114;  // force on antenna, y
+    const Scalar z118 = n3 * z115 + n12 * z111;  // force on antenna, z
+    const Scalar z119 = n3 * z111;  // moment on antenna, y
     const Scalar z122 = n0_45 * z121;  // moment on hinge, x
-    const Scalar z123 = n1_25 * a_beta + n0_35 * z85 + z119;  // moment on hinge, y
     const Scalar z124 = n0_8 * z114 - z120;  // moment on hinge, z
-    const Scalar z125 = s_beta * z118 + c_beta * z116;
+    const Scalar z123 = z119 + n1_25 * a_beta + n0_35 * z85;  // moment on hinge, y
     const Scalar z128 = s_beta * z122 - c_beta * z124;
-    const Scalar z130 = n0_75 * a_alpha + n0_4 * z117 + z128;  // moment on unit_1, z
+    const Scalar z125 = s_beta * z118 + c_beta * z116;
+    const Scalar z130 = z128 + n0_75 * a_alpha + n0_4 * z117;  // moment on unit_1, z
     const Scalar z131 = s_alpha * z117 + c_alpha * z125;
     const Scalar z135 = n9000 * a_x - z131;  // force on aircraft, x
     forces.x = z135;
@@ -852,15 +953,15 @@ struct Mechanism {
       Accelerations& accelerations, Multipliers&) noexcept {
     const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
     const Scalar n0_35 = traits::constant(0.35, 0.35f, "7/20");
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n4_8 = traits::constant(4.8, 4.8f, "24/5");
     const Scalar n1_92 = traits::constant(1.92, 1.92f, "48/25");
     const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
-    const Scalar n4_8 = traits::constant(4.8, 4.8f, "24/5");
-    const Scalar n1_2 = traits::constant(1.2, 1.2f, "6/5");
-    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n12 = traits::constant(12.0, 12.0f, "12/1");
     const Scalar n0_45 = traits::constant(0.45, 0.45f, "9/20");
     const Scalar n9012 = traits::constant(9012.0, 9012.0f, "9012/1");
+    const Scalar n1_2 = traits::constant(1.2, 1.2f, "6/5");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_alpha = state.q.alpha;
@@ -875,50 +976,50 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
+    const Scalar z45 = n3 * c_beta;
+    const Scalar z52 = n0_35 * c_beta;
+    const Scalar z75 = v_alpha * v_alpha;
     const Scalar z21 = v_alpha * s_beta;
     const Scalar z22 = v_alpha * c_beta;
     const Scalar z44 = n3 * s_beta;
-    const Scalar z45 = n3 * c_beta;
-    const Scalar z47 = c_alpha * z44;
-    const Scalar z52 = n0_35 * c_beta;
-    const Scalar z53 = c_beta * z52;
-    const Scalar z58 = n1_92 + n0_8 * z45 + z53;
-    const Scalar z59 = n4_8 + z45;
-    const Scalar z61 = n1_2 + z58;
-    const Scalar z62 = s_alpha * z59;
-    const Scalar z75 = v_alpha * v_alpha;
     const Scalar z76 = n0_4 * z75;
+    const Scalar z81 = v_beta * v_beta;
     const Scalar z77 = c_beta * z76;
     const Scalar z78 = s_beta * z76;
+    const Scalar z47 = c_alpha * z44;
+    const Scalar z53 = c_beta * z52;
+    const Scalar z59 = n4_8 + z45;
     const Scalar z79 = v_beta * z22;  // angular acceleration of hinge, x
     const Scalar z80 = v_beta * z21;  // angular acceleration of hinge, z
-    const Scalar z81 = v_beta * v_beta;
     const Scalar z82 = z22 * z22;
+    const Scalar z85 = z21 * z22;
+    const Scalar z89 = n3 * z78;  // moment on antenna, y
+    const Scalar z58 = n1_92 + n0_8 * z45 + z53;
+    const Scalar z62 = s_alpha * z59;
     const Scalar z83 = z81 + z82;
     const Scalar z84 = n2 * z80;
-    const Scalar z85 = z21 * z22;
+    const Scalar z88 = n12 * z78 + n3 * z85;  // force on antenna, z
+    const Scalar z90 = n2 * z79;
+    const Scalar z92 = n0_35 * z85 + z89;  // moment on hinge, y
+    const Scalar z142 = n0_8 * z47;
     const Scalar z86 = n12 * z77 + n3 * z83;  // force on antenna, x
     const Scalar z87 = n3 * z84;  // force on antenna, y
-    const Scalar z88 = n12 * z78 + n3 * z85;  // force on antenna, z
-    const Scalar z89 = n3 * z78;  // moment on antenna, y
-    const Scalar z90 = n2 * z79;
     const Scalar z91 = n0_45 * z90;  // moment on hinge, x
-    const Scalar z92 = n0_35 * z85 + z89;  // moment on hinge, y
     const Scalar z93 = n0_8 * z84;  // moment on hinge, z
-    const Scalar z94 = s_beta * z88 + c_beta * z86;
+    const Scalar z143 = n9012 - z47 * z142;
+    const Scalar z61 = n1_2 + z58;
+    const Scalar z141 = u_elevation - z92;
     const Scalar z97 = s_beta * z91 - c_beta * z93;
-    const Scalar z99 = n0_4 * z87 - z97;  // moment on unit_1, z
+    const Scalar z94 = s_beta * z88 + c_beta * z86;
+    const Scalar z144 = n1 / z61;
     const Scalar z100 = s_alpha * z87 - c_alpha * z94;
+    const Scalar z99 = n0_4 * z87 - z97;  // moment on unit_1, z
     const Scalar z139 = u_thrust - z100;
     const Scalar z140 = u_azimuth + z99;
-    const Scalar z141 = u_elevation - z92;
-    const Scalar z142 = n0_8 * z47;
-    const Scalar z143 = n9012 - z47 * z142;
-    const Scalar z144 = n1 / z61;
     const Scalar z145 = z62 * z144;
     const Scalar z146 = z62 * z145 - z143;
+    const Scalar z148 = z141 * z142 + z139 + z140 * z145;
     const Scalar z147 = n1 / z146;
-    const Scalar z148 = z139 + z140 * z145 + z141 * z142;
     const Scalar z149 = z147 * z148;
     const Scalar z150 = z140 * z144 - z145 * z149;
     const Scalar z151 = n0_8 * z141 - z142 * z149;
@@ -939,11 +1040,11 @@ struct Mechanism {
     const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
     const Scalar n12 = traits::constant(12.0, 12.0f, "12/1");
     const Scalar n1_25 = traits::constant(1.25, 1.25f, "5/4");
-    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n4500 = traits::constant(4500.0, 4500.0f, "4500/1");
     const Scalar n0_15 = traits::constant(0.15, 0.15f, "3/20");
     const Scalar n0_45 = traits::constant(0.45, 0.45f, "9/20");
     const Scalar n6 = traits::constant(6.0, 6.0f, "6/1");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar v_x = state.v.x;
     const Scalar q_alpha = state.q.alpha;
@@ -958,19 +1059,19 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
-    const Scalar z21 = v_alpha * s_beta;
+    const Scalar z153 = v_x * s_alpha;
     const Scalar z22 = v_alpha * c_beta;
     const Scalar z152 = v_x * c_alpha;
-    const Scalar z153 = v_x * s_alpha;
+    const Scalar z21 = v_alpha * s_beta;
     const Scalar z154 = n0_4 * v_alpha - z153;
     const Scalar z155 = c_beta * z152;
     const Scalar z156 = s_beta * z152;
-    const Scalar z157 = n3 * z22 + n12 * z154;
     const Scalar z158 = n3 * v_beta - n12 * z156;
     const Scalar z159 = n1_25 * v_beta - n3 * z156;
+    const Scalar z157 = n3 * z22 + n12 * z154;
     const Scalar z160 = n1_25 * z22 + n3 * z154;
-    result.kinetic = n0_5 * (v_beta * z159 + z22 * z160 + z154 * z157 - z156 * z158) + n4500 * v_x * v_x + n0_15
-        * v_alpha * v_alpha + n0_45 * z21 * z21 + n6 * z155 * z155;
+    result.kinetic = n4500 * v_x * v_x + n0_15 * v_alpha * v_alpha + n0_45 * z21 * z21 + n6 * z155 * z155 + n0_5
+        * (v_beta * z159 + z22 * z160 + z154 * z157 - z156 * z158);
     result.force_function = n0;
     result.power = v_x * u_thrust + v_alpha * u_azimuth + v_beta * u_elevation;
   }
@@ -997,24 +1098,24 @@ struct Mechanism {
     const Scalar z21 = v_alpha * s_beta;
     const Scalar z22 = v_alpha * c_beta;
     const Scalar z75 = v_alpha * v_alpha;
-    const Scalar z80 = v_beta * z21;  // angular acceleration of hinge, z
-    const Scalar z81 = v_beta * v_beta;
-    const Scalar z82 = z22 * z22;
-    const Scalar z83 = z81 + z82;
-    const Scalar z85 = z21 * z22;
     const Scalar z104 = a_x * c_alpha;
+    const Scalar z81 = v_beta * v_beta;
     const Scalar z105 = a_x * s_alpha;
     const Scalar z107 = a_alpha * c_beta;
+    const Scalar z80 = v_beta * z21;  // angular acceleration of hinge, z
+    const Scalar z82 = z22 * z22;
+    const Scalar z85 = z21 * z22;
     const Scalar z108 = n0_4 * z75 - z104;
     const Scalar z109 = n0_4 * a_alpha - z105;
+    const Scalar z113 = v_beta * z21 - z107;  // angular acceleration of hinge, z
+    const Scalar z83 = z81 + z82;
+    const Scalar z115 = a_beta + z85;
     const Scalar z110 = c_beta * z108;
     const Scalar z111 = s_beta * z108;
-    const Scalar z113 = v_beta * z21 - z107;  // angular acceleration of hinge, z
     const Scalar z114 = z80 + z113;
-    const Scalar z115 = a_beta + z85;
     const Scalar z116 = n3 * z83 + n12 * z110;  // force on antenna, x
     const Scalar z117 = n12 * z109 - n3 * z114;  // force on antenna, y
-    const Scalar z118 = n12 * z111 + n3 * z115;  // force on antenna, z
+    const Scalar z118 = n3 * z115 + n12 * z111;  // force on antenna, z
     const Scalar z125 = s_beta * z118 + c_beta * z116;
     const Scalar z131 = s_alpha * z117 + c_alpha * z125;
     result.F_x = -z131;
@@ -1027,19 +1128,19 @@ struct Mechanism {
       const Accelerations& accelerations, const Multipliers&, const Inputs& inputs, Linearisation& result) noexcept {
     const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
     const Scalar n0_35 = traits::constant(0.35, 0.35f, "7/20");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
+    const Scalar n4_8 = traits::constant(4.8, 4.8f, "24/5");
+    const Scalar n12 = traits::constant(12.0, 12.0f, "12/1");
     const Scalar n1_92 = traits::constant(1.92, 1.92f, "48/25");
     const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
-    const Scalar n4_8 = traits::constant(4.8, 4.8f, "24/5");
-    const Scalar n1_2 = traits::constant(1.2, 1.2f, "6/5");
-    const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
-    const Scalar n12 = traits::constant(12.0, 12.0f, "12/1");
     const Scalar n0_45 = traits::constant(0.45, 0.45f, "9/20");
+    const Scalar n9012 = traits::constant(9012.0, 9012.0f, "9012/1");
+    const Scalar n1_2 = traits::constant(1.2, 1.2f, "6/5");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n1_25 = traits::constant(1.25, 1.25f, "5/4");
     const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
     const Scalar n9000 = traits::constant(9000.0, 9000.0f, "9000/1");
-    const Scalar n9012 = traits::constant(9012.0, 9012.0f, "9012/1");
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar a_x = accelerations.x;
     const Scalar q_alpha = state.q.alpha;
@@ -1056,130 +1157,130 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
+    const Scalar z45 = n3 * c_beta;
+    const Scalar z52 = n0_35 * c_beta;
     const Scalar z21 = v_alpha * s_beta;
     const Scalar z22 = v_alpha * c_beta;
-    const Scalar z44 = n3 * s_beta;
-    const Scalar z45 = n3 * c_beta;
-    const Scalar z47 = c_alpha * z44;
-    const Scalar z52 = n0_35 * c_beta;
-    const Scalar z53 = c_beta * z52;
-    const Scalar z58 = n1_92 + n0_8 * z45 + z53;
-    const Scalar z59 = n4_8 + z45;
-    const Scalar z61 = n1_2 + z58;
-    const Scalar z62 = s_alpha * z59;
     const Scalar z75 = v_alpha * v_alpha;
-    const Scalar z79 = v_beta * z22;  // angular acceleration of hinge, x
-    const Scalar z80 = v_beta * z21;  // angular acceleration of hinge, z
-    const Scalar z81 = v_beta * v_beta;
-    const Scalar z82 = z22 * z22;
-    const Scalar z83 = z81 + z82;
-    const Scalar z85 = z21 * z22;
     const Scalar z104 = a_x * c_alpha;
-    const Scalar z105 = a_x * s_alpha;
-    const Scalar z106 = a_alpha * s_beta;
-    const Scalar z107 = a_alpha * c_beta;
-    const Scalar z108 = n0_4 * z75 - z104;
-    const Scalar z109 = n0_4 * a_alpha - z105;
-    const Scalar z110 = c_beta * z108;
-    const Scalar z111 = s_beta * z108;
-    const Scalar z112 = v_beta * z22 + z106;  // angular acceleration of hinge, x
-    const Scalar z113 = v_beta * z21 - z107;  // angular acceleration of hinge, z
-    const Scalar z114 = z80 + z113;
-    const Scalar z115 = a_beta + z85;
-    const Scalar z116 = n3 * z83 + n12 * z110;  // force on antenna, x
-    const Scalar z117 = n12 * z109 - n3 * z114;  // force on antenna, y
-    const Scalar z118 = n12 * z111 + n3 * z115;  // force on antenna, z
-    const Scalar z119 = n3 * z111;  // moment on antenna, y
-    const Scalar z120 = n3 * z109;  // moment on antenna, z
-    const Scalar z121 = z79 + z112;
-    const Scalar z122 = n0_45 * z121;  // moment on hinge, x
-    const Scalar z123 = n1_25 * a_beta + n0_35 * z85 + z119;  // moment on hinge, y
-    const Scalar z124 = n0_8 * z114 - z120;  // moment on hinge, z
-    const Scalar z125 = s_beta * z118 + c_beta * z116;
-    const Scalar z128 = s_beta * z122 - c_beta * z124;
-    const Scalar z130 = n0_75 * a_alpha + n0_4 * z117 + z128;  // moment on unit_1, z
-    const Scalar z131 = s_alpha * z117 + c_alpha * z125;
-    const Scalar z135 = n9000 * a_x - z131;  // force on aircraft, x
-    const Scalar z142 = n0_8 * z47;
-    const Scalar z143 = n9012 - z47 * z142;
-    const Scalar z144 = n1 / z61;
-    const Scalar z145 = z62 * z144;
-    const Scalar z146 = z62 * z145 - z143;
-    const Scalar z147 = n1 / z146;
-    const Scalar z182 = v_beta * s_beta;
-    const Scalar z183 = n2 * z182;
-    const Scalar z184 = n3 * z183;
+    const Scalar z81 = v_beta * v_beta;
     const Scalar z185 = n2 * v_alpha;
     const Scalar z186 = n0_4 * z185;
-    const Scalar z187 = s_beta * z186;
-    const Scalar z188 = s_beta * z22 + c_beta * z21;
-    const Scalar z189 = n12 * z187 + n3 * z188;
-    const Scalar z190 = n2 * c_beta * z22;
+    const Scalar z105 = a_x * s_alpha;
+    const Scalar z106 = a_alpha * s_beta;
+    const Scalar z44 = n3 * s_beta;
+    const Scalar z107 = a_alpha * c_beta;
+    const Scalar z182 = v_beta * s_beta;
     const Scalar z191 = c_beta * z186;
-    const Scalar z192 = n3 * z190 + n12 * z191;
-    const Scalar z193 = s_beta * z189 + c_beta * z192;
-    const Scalar z194 = s_alpha * z184 - c_alpha * z193;
-    const Scalar z195 = n12 * z104;
-    const Scalar z196 = s_beta * z105;
-    const Scalar z197 = n12 * z196;
-    const Scalar z198 = c_beta * z105;
-    const Scalar z199 = n12 * z198;
-    const Scalar z200 = s_beta * z197 + c_beta * z199;
-    const Scalar z201 = s_alpha * (z125 + z195) - c_alpha * (z117 + z200);
+    const Scalar z187 = s_beta * z186;
     const Scalar z202 = v_beta * c_beta;
-    const Scalar z203 = n2 * z202;
-    const Scalar z204 = n0_45 * z203;
-    const Scalar z205 = n0_8 * z183;
-    const Scalar z206 = s_beta * z204 - c_beta * z205;
-    const Scalar z207 = n0_4 * z184 - z206;
-    const Scalar z208 = n3 * z104;
-    const Scalar z209 = c_beta * z208;
-    const Scalar z210 = n0_4 * z195 + z209;
-    const Scalar z211 = n3 * z187;
-    const Scalar z212 = n0_35 * z188 + z211;
-    const Scalar z213 = n3 * z196;
-    const Scalar z214 = n2 * z21;
-    const Scalar z215 = n3 * z214;
     const Scalar z216 = n2 * v_beta;
     const Scalar z217 = n3 * z216;
     const Scalar z218 = c_beta * z217;
-    const Scalar z219 = s_alpha * z215 - c_alpha * z218;
-    const Scalar z220 = n3 * z121;
+    const Scalar z47 = c_alpha * z44;
+    const Scalar z53 = c_beta * z52;
+    const Scalar z59 = n4_8 + z45;
+    const Scalar z79 = v_beta * z22;  // angular acceleration of hinge, x
+    const Scalar z80 = v_beta * z21;  // angular acceleration of hinge, z
+    const Scalar z82 = z22 * z22;
+    const Scalar z85 = z21 * z22;
+    const Scalar z108 = n0_4 * z75 - z104;
+    const Scalar z109 = n0_4 * a_alpha - z105;
+    const Scalar z112 = v_beta * z22 + z106;  // angular acceleration of hinge, x
+    const Scalar z113 = v_beta * z21 - z107;  // angular acceleration of hinge, z
+    const Scalar z183 = n2 * z182;
+    const Scalar z188 = s_beta * z22 + c_beta * z21;
+    const Scalar z190 = n2 * c_beta * z22;
+    const Scalar z195 = n12 * z104;
+    const Scalar z196 = s_beta * z105;
+    const Scalar z198 = c_beta * z105;
+    const Scalar z203 = n2 * z202;
+    const Scalar z208 = n3 * z104;
+    const Scalar z214 = n2 * z21;
     const Scalar z221 = z21 * z21 - z22 * z22;
-    const Scalar z222 = n12 * z110 - n3 * z221;
     const Scalar z223 = n2 * z21 * z22;
-    const Scalar z224 = n12 * z111 + n3 * z223;
-    const Scalar z225 = s_beta * (z116 - z222) - c_beta * (z118 - z224);
-    const Scalar z226 = s_alpha * z220 + c_alpha * z225;
     const Scalar z227 = n2 * z22;
+    const Scalar z211 = n3 * z187;
+    const Scalar z58 = n1_92 + n0_8 * z45 + z53;
+    const Scalar z62 = s_alpha * z59;
+    const Scalar z83 = z81 + z82;
+    const Scalar z115 = a_beta + z85;
+    const Scalar z142 = n0_8 * z47;
+    const Scalar z184 = n3 * z183;
+    const Scalar z192 = n12 * z191 + n3 * z190;
+    const Scalar z197 = n12 * z196;
+    const Scalar z199 = n12 * z198;
+    const Scalar z204 = n0_45 * z203;
+    const Scalar z205 = n0_8 * z183;
+    const Scalar z209 = c_beta * z208;
+    const Scalar z213 = n3 * z196;
+    const Scalar z215 = n3 * z214;
     const Scalar z228 = n0_45 * z227;
     const Scalar z229 = n0_8 * z214;
+    const Scalar z110 = c_beta * z108;
+    const Scalar z111 = s_beta * z108;
+    const Scalar z114 = z80 + z113;
+    const Scalar z120 = n3 * z109;  // moment on antenna, z
+    const Scalar z121 = z79 + z112;
+    const Scalar z143 = n9012 - z47 * z142;
+    const Scalar z200 = s_beta * z197 + c_beta * z199;
+    const Scalar z206 = s_beta * z204 - c_beta * z205;
+    const Scalar z210 = n0_4 * z195 + z209;
+    const Scalar z219 = s_alpha * z215 - c_alpha * z218;
     const Scalar z230 = s_beta * z228 - c_beta * z229;
-    const Scalar z231 = n0_4 * z215 - z230;
-    const Scalar z232 = n0_45 * z114;
+    const Scalar z61 = n1_2 + z58;
+    const Scalar z118 = n3 * z115 + n12 * z111;  // force on antenna, z
+    const Scalar z116 = n3 * z83 + n12 * z110;  // force on antenna, x
+    const Scalar z222 = n12 * z110 - n3 * z221;
+    const Scalar z144 = n1 / z61;
+    const Scalar z224 = n3 * z223 + n12 * z111;
+    const Scalar z122 = n0_45 * z121;  // moment on hinge, x
+    const Scalar z125 = s_beta * z118 + c_beta * z116;
     const Scalar z233 = n0_8 * z121;
-    const Scalar z234 = s_beta * (z124 - z232) + c_beta * (z122 - z233);
-    const Scalar z235 = n0_4 * z220 - z234;
+    const Scalar z225 = s_beta * (z116 - z222) - c_beta * (z118 - z224);
+    const Scalar z189 = n12 * z187 + n3 * z188;
+    const Scalar z117 = n12 * z109 - n3 * z114;  // force on antenna, y
+    const Scalar z124 = n0_8 * z114 - z120;  // moment on hinge, z
+    const Scalar z145 = z62 * z144;
+    const Scalar z220 = n3 * z121;
+    const Scalar z232 = n0_45 * z114;
+    const Scalar z193 = c_beta * z192 + s_beta * z189;
+    const Scalar z146 = z62 * z145 - z143;
     const Scalar z236 = n3 * z110;
+    const Scalar z194 = s_alpha * z184 - c_alpha * z193;
+    const Scalar z201 = s_alpha * (z125 + z195) - c_alpha * (z117 + z200);
+    const Scalar z212 = n0_35 * z188 + z211;
+    const Scalar z226 = s_alpha * z220 + c_alpha * z225;
+    const Scalar z234 = c_beta * (z122 - z233) + s_beta * (z124 - z232);
     const Scalar z237 = n0_35 * z221 - z236;
-    const Scalar z238 = z142 * z213 - z145 * z210 + z201;
+    const Scalar z207 = n0_4 * z184 - z206;
+    const Scalar z235 = n0_4 * z220 - z234;
+    const Scalar z231 = n0_4 * z215 - z230;
+    const Scalar z147 = n1 / z146;
+    const Scalar z238 = z142 * z213 + z201 - z145 * z210;
+    const Scalar z242 = z142 * z212 + z194 - z145 * z207;
+    const Scalar z246 = z142 * z237 - z226 + z145 * z235;
+    const Scalar z119 = n3 * z111;  // moment on antenna, y
+    const Scalar z128 = s_beta * z122 - c_beta * z124;
     const Scalar z239 = z147 * z238;
-    const Scalar z240 = z144 * z210 + z145 * z239;
-    const Scalar z241 = z142 * z239 - n0_8 * z213;
-    const Scalar z242 = z142 * z212 - z145 * z207 + z194;
     const Scalar z243 = z147 * z242;
-    const Scalar z244 = z144 * z207 + z145 * z243;
-    const Scalar z245 = z142 * z243 - n0_8 * z212;
-    const Scalar z246 = z142 * z237 + z145 * z235 - z226;
     const Scalar z247 = z147 * z246;
-    const Scalar z248 = z144 * z235 - z145 * z247;
-    const Scalar z249 = z142 * z247 - n0_8 * z237;
     const Scalar z250 = z145 * z231 - z219;
+    const Scalar z131 = s_alpha * z117 + c_alpha * z125;
     const Scalar z251 = z147 * z250;
-    const Scalar z252 = z144 * z231 - z145 * z251;
-    const Scalar z253 = z142 * z251;
     const Scalar z254 = z145 * z147;
     const Scalar z255 = z142 * z147;
+    const Scalar z123 = z119 + n1_25 * a_beta + n0_35 * z85;  // moment on hinge, y
+    const Scalar z130 = z128 + n0_75 * a_alpha + n0_4 * z117;  // moment on unit_1, z
+    const Scalar z135 = n9000 * a_x - z131;  // force on aircraft, x
+    const Scalar z240 = z144 * z210 + z145 * z239;
+    const Scalar z241 = z142 * z239 - n0_8 * z213;
+    const Scalar z244 = z144 * z207 + z145 * z243;
+    const Scalar z245 = z142 * z243 - n0_8 * z212;
+    const Scalar z248 = z144 * z235 - z145 * z247;
+    const Scalar z249 = z142 * z247 - n0_8 * z237;
+    const Scalar z252 = z144 * z231 - z145 * z251;
+    const Scalar z253 = z142 * z251;
     const Scalar z256 = z144 - z145 * z254;
     const Scalar z257 = z142 * z254;
     const Scalar z258 = z145 * z255;

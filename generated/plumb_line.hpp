@@ -36,7 +36,7 @@
 #include <cmath>
 
 #ifndef TORSOR_KERNEL_SUPPORT
-#define TORSOR_KERNEL_SUPPORT 2
+#define TORSOR_KERNEL_SUPPORT 3
 // Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
 #ifndef TORSOR_DEVICE
 #define TORSOR_DEVICE
@@ -50,7 +50,7 @@
 //  * two polynomials of least greatest error give the sine and the cosine of r, |r| <= pi/4;
 //  * angles beyond `bound` are rare: they are reduced exactly, in integers, by a function that is not inlined, and so
 //    are all angles under another rounding, which would give the nearest integers wrong.
-// The core has no branch, so that compilers turn a loop over several angles into vector instructions.
+// The core has no branch, so that several angles go through it at once.
 #ifndef TORSOR_STD_SINCOS
 #if defined(__FAST_MATH__) || defined(_M_FP_FAST) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0)
 #define TORSOR_STD_SINCOS  // sums would be reassociated or hold more digits than their type
@@ -98,21 +98,19 @@ struct SineCosine {
       S = S01 + z2 * number(0.0, -0x1.9953f2p-13f);
       C = C01 + z2 * number(0.0, 0x1.99e0eep-16f);
     } else {
-      const Scalar z4 = z2 * z2;
       const Scalar S01 = number(-0x1.5555555555548p-3, 0.0f) + z * number(0x1.111111110f73p-7, 0.0f);
       const Scalar S23 = number(-0x1.a01a019be9217p-13, 0.0f) + z * number(0x1.71de35552b518p-19, 0.0f);
       const Scalar S45 = number(-0x1.ae5e4b83e1601p-26, 0.0f) + z * number(0x1.5d8b55934597bp-33, 0.0f);
       const Scalar C01 = number(0x1.555555555554cp-5, 0.0f) + z * number(-0x1.6c16c16c1521bp-10, 0.0f);
       const Scalar C23 = number(0x1.a01a019cbeb68p-16, 0.0f) + z * number(-0x1.27e4f8121198fp-22, 0.0f);
       const Scalar C45 = number(0x1.1ee9f0cbf70d6p-29, 0.0f) + z * number(-0x1.8fb0e15d5f2ap-37, 0.0f);
-      S = (S01 + z2 * S23) + z4 * S45;
-      C = (C01 + z2 * C23) + z4 * C45;
+      S = S01 + z2 * (S23 + z2 * S45);
+      C = C01 + z2 * (C23 + z2 * C45);
     }
-    const Scalar half_z = half * z, w = one - half_z;
-    // Far below an ulp, it makes the correction of -0 a -0, and so the sine.
-    const Scalar tiny = number(0x1p-100, 0x1p-60f);
-    sine = high + (high * (tiny + z * S) - rest * w);
-    cosine = w + (((one - w) - half_z) + (z2 * C + high * rest));
+    const Scalar half_z = half * z, w = one - half_z, high_z = high * z;
+    // What waits for S and C comes last. The correction of -0 is a 0, which subtracted leaves it -0.
+    sine = high - (rest * w - high_z * S);
+    cosine = w + ((((one - w) - half_z) + high * rest) + z2 * C);
   }
 
   /// Of n pi/2 more.
@@ -127,21 +125,31 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// For |x| <= bound; what is no number gives no number. Exact are n times the first three parts of pi/2, the first
-  /// difference, and each rounded difference together with its rounding error.
-  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
-    const Scalar n = rounded(x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f));
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n plus a number so large that its last bit counts 1; what is no
+  /// number gives no number.
+  ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
+  ///    others do, and may be formed twice;
+  ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
+  ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
+  TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
+                                                        Scalar& cosine) noexcept {
+    const Scalar shift = number(0x1.8p52, 0x1.8p23f);
+    const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
+    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift;
+    const Scalar n = shifted - shift;
     const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
-    const Scalar second = n * number(0x1.0b4611a6p-34, 0x1.ed5p-14f);
-    const Scalar third = n * number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    const Scalar fourth = n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
-    const Scalar r = first - second;
-    const Scalar taken = first - r;
-    const Scalar error = (first - (r + taken)) - (second - taken);
-    const Scalar high = r - third;
-    const Scalar rest = ((third - (r - high)) - error) + fourth;
+    const Scalar r = first - n * P;
+    const Scalar error = (first - r) - n * P;
+    const Scalar high = r - n * Q;
+    const Scalar rest = ((n * Q - (r - high)) - error) + n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
     of_reduced(high, rest, sine, cosine);
-    turn(n, sine, cosine);
+  }
+
+  /// For |x| <= bound.
+  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
+    Scalar shifted;
+    of_remainder(x, shifted, sine, cosine);
+    turn(shifted - number(0x1.8p52, 0x1.8p23f), sine, cosine);
   }
 };
 
@@ -260,61 +268,151 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
 #endif
 }
 
-/// Of some angles up to the bound, a multiple of what a vector holds. Local arrays, which nothing else can point to.
-template <int size, class Scalar>
-TORSOR_DEVICE TORSOR_INLINED void sincos_of_block(const Scalar* angles, Scalar* sines, Scalar* cosines) noexcept {
-  Scalar x[size], s[size], c[size];
-  for (int i = 0; i < size; ++i) x[i] = angles[i];
-  // Compilers make vector instructions of a loop, but not always of a row of statements.
-#if defined(__clang__)
-#pragma clang loop unroll(disable)
-#elif defined(__GNUC__) && !defined(__CUDACC__)
-#pragma GCC unroll 1
+}  // namespace torsor
+// Sines and cosines of several angles at once: by vector registers where GNU C++ has types for them, which compilers
+// without AVX make of narrower ones; loops over numbers are not left to compilers to find.
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define TORSOR_VECTOR_TYPES
 #endif
-  for (int i = 0; i < size; ++i) SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::core(x[i], s[i], c[i]);
-  for (int i = 0; i < size; ++i) sines[i] = s[i];
-  for (int i = 0; i < size; ++i) cosines[i] = c[i];
+
+namespace torsor {
+
+#if defined(TORSOR_VECTOR_TYPES)
+/// 0, 1, ... as arguments of a template.
+template <int... place>
+struct Places {};
+template <int count, int... place>
+struct FirstPlaces : FirstPlaces<count - 1, count - 1, place...> {};
+template <int... place>
+struct FirstPlaces<0, place...> {
+  using type = Places<place...>;
+};
+
+/// Some registers of equally many numbers, which take the same operations by turns: while the one waits for its last
+/// result, the other is at work. A scalar for SineCosine, of which it needs constants, sums and products only.
+template <class Number, int lanes, int count>
+struct Registers {
+  typedef Number Numbers __attribute__((vector_size(lanes * sizeof(Number))));
+  using Bits = decltype(Numbers{} < Numbers{});
+  Numbers part[count];
+
+  TORSOR_INLINED friend Registers operator+(const Registers& a, const Registers& b) noexcept {
+    Registers sum;
+    for (int i = 0; i < count; ++i) sum.part[i] = a.part[i] + b.part[i];
+    return sum;
+  }
+  TORSOR_INLINED friend Registers operator-(const Registers& a, const Registers& b) noexcept {
+    Registers difference;
+    for (int i = 0; i < count; ++i) difference.part[i] = a.part[i] - b.part[i];
+    return difference;
+  }
+  TORSOR_INLINED friend Registers operator*(const Registers& a, const Registers& b) noexcept {
+    Registers product;
+    for (int i = 0; i < count; ++i) product.part[i] = a.part[i] * b.part[i];
+    return product;
+  }
+};
+
+template <class Number, int lanes, int count>
+struct scalar_traits<Registers<Number, lanes, count>> {
+  using Scalar = Registers<Number, lanes, count>;
+  TORSOR_INLINED static Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    constexpr bool is_float = sizeof(Number) == sizeof(float);
+    const Number number = is_float ? static_cast<Number>(in_float) : static_cast<Number>(in_double);
+    Scalar result;
+    for (int i = 0; i < count; ++i) {
+      for (int lane = 0; lane < lanes; ++lane) result.part[i][lane] = number;
+    }
+    return result;
+  }
+};
+
+/// Of angles up to the bound, bit by bit what SineCosine::core gives where nothing is fused. The quarter of the turn is
+/// in the last two bits of `shifted`: it is chosen by bits, not by products.
+template <class Number, int lanes, int count>
+TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& angles,
+                                        Registers<Number, lanes, count>& sines,
+                                        Registers<Number, lanes, count>& cosines) noexcept {
+  using Scalar = Registers<Number, lanes, count>;
+  using Numbers = typename Scalar::Numbers;
+  using Bits = typename Scalar::Bits;
+  constexpr int sign_bit = 8 * static_cast<int>(sizeof(Number)) - 1;
+  Scalar shifted, sine, cosine;
+  SineCosine<Scalar, sizeof(Number) == sizeof(float)>::of_remainder(angles, shifted, sine, cosine);
+  const Bits sign = (Bits)scalar_traits<Scalar>::constant(-0.0, -0.0f, nullptr).part[0];
+  for (int i = 0; i < count; ++i) {
+    const Bits bits = (Bits)shifted.part[i], s = (Bits)sine.part[i], c = (Bits)cosine.part[i];
+    const Bits odd = Bits{} - (bits & 1);  // all bits or none
+    const Bits upper = bits << (sign_bit - 1);
+    // The sine is negated for n = 2 and 3, the cosine for 1 and 2.
+    sines.part[i] = (Numbers)(((odd & c) | (~odd & s)) ^ (upper & sign));
+    cosines.part[i] = (Numbers)(((odd & s) | (~odd & c)) ^ ((upper ^ odd) & sign));
+  }
 }
 
-/// Of several angles at once, in float or double: as many as a vector holds go through the core together.
-template <class Scalar, int N>
-TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
-                                            Scalar (&cosines)[N]) noexcept {
-  constexpr int narrow = 16 / sizeof(Scalar);
+/// Of the angles first to first + size - 1, up to the bound, in one register or two; idle lanes get 0. Returns the sum
+/// of their squares. Places are constants before anything is optimised: lanes then come from registers and go there,
+/// where a way through memory would be stored in parts and loaded whole.
+template <int size, class Number, int N, int... lane, int... place>
+TORSOR_INLINED Number sincos_of_some(int first, const Number (&angles)[N], Number (&sines)[N], Number (&cosines)[N],
+                                     Places<lane...>, Places<place...>) noexcept {
+  constexpr int lanes = sizeof...(lane), count = size > lanes ? 2 : 1;
+  using Some = Registers<Number, lanes, count>;
+  const auto angle = [&](int i) noexcept { return i < size ? angles[first + i] : Number(0); };
+  Some x, s, c;
+  x.part[0] = typename Some::Numbers{angle(lane)...};
+  if constexpr (count == 2) x.part[1] = typename Some::Numbers{angle(lane + lanes)...};
+  sincos_of_registers(x, s, c);
+  ((sines[first + place] = s.part[place / lanes][place % lanes]), ...);
+  ((cosines[first + place] = c.part[place / lanes][place % lanes]), ...);
+  typename Some::Numbers squares = x.part[0] * x.part[0];
+  if constexpr (count == 2) squares += x.part[1] * x.part[1];
+  return (squares[lane] + ...);
+}
+
+/// Of several angles up to the bound, by two registers at a time. Returns the sum of their squares.
+template <class Number, int N>
+TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&sines)[N],
+                                          Number (&cosines)[N]) noexcept {
+  constexpr int narrow = 16 / static_cast<int>(sizeof(Number));
 #if defined(__AVX__)
-  constexpr int wide = 32 / sizeof(Scalar);
+  // Registers of AVX-512 gain nothing for so few numbers.
+  constexpr int lanes = N <= narrow ? narrow : 2 * narrow;
 #else
-  constexpr int wide = narrow;
+  constexpr int lanes = narrow;
 #endif
-#if defined(__CUDA_ARCH__) || defined(TORSOR_STD_SINCOS)
-  constexpr bool by_vectors = false;
-#elif defined(__clang__)
-  constexpr bool by_vectors = N >= 4;  // it leaves a loop over two as it is
-#else
-  constexpr bool by_vectors = N >= narrow;
-#endif
-  if constexpr (by_vectors) {
-    constexpr int vector = N >= wide ? wide : narrow, rest = N % vector;
-    // Of a rest some angles are done again: a whole vector costs less than two or three alone.
+  constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
+  using AllLanes = typename FirstPlaces<lanes>::type;
+  Number squares = 0;
+  // One copy of the code: its constants stay where they are.
 #if defined(__clang__)
-    sincos_of_block<N - rest>(angles, sines, cosines);  // best as one loop
-    if constexpr (rest > 1) {
-      sincos_of_block<vector>(angles + (N - vector), sines + (N - vector), cosines + (N - vector));
-    }
+#pragma clang loop unroll(disable)
 #else
-    for (int next = 0; next < N - (rest == 1); next += vector) {
-      const int first = next + vector <= N ? next : N - vector;
-      sincos_of_block<vector>(angles + first, sines + first, cosines + first);
-    }
+#pragma GCC unroll 1
 #endif
-    if constexpr (rest == 1) sincos_of_one(angles[N - 1], sines[N - 1], cosines[N - 1]);
+  for (int i = 0; i < whole; i += both)
+    squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+  if constexpr (rest > 0)
+    squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
+  return squares;
+}
+#endif
+
+/// Of several angles at once, in float or double.
+template <class Scalar, int N>
+TORSOR_DEVICE TORSOR_INLINED void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
+#if defined(TORSOR_VECTOR_TYPES) && !defined(TORSOR_STD_SINCOS)
+  constexpr bool at_once = N > 1;
+#else
+  constexpr bool at_once = false;
+#endif
+  if constexpr (at_once) {
+    const Scalar squares = sincos_in_registers(angles, sines, cosines);
     constexpr Scalar bound = static_cast<Scalar>(SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::bound);
-    Scalar sum = 0;
-    for (int i = 0; i < N; ++i) sum += std::abs(angles[i]);
-    const bool to_one_side = rounds_to_one_side(sum);
-    if (sum <= bound && !to_one_side) return;
+    if (squares <= bound * bound && !rounds_to_one_side(squares)) return;
     for (int i = 0; i < N; ++i) {
-      if (std::abs(angles[i]) > bound || to_one_side) sincos_far(angles[i], sines[i], cosines[i]);
+      if (std::abs(angles[i]) > bound || rounds_to_one_side(angles[i])) sincos_far(angles[i], sines[i], cosines[i]);
     }
   } else {
     for (int i = 0; i < N; ++i) sincos_of_one(angles[i], sines[i], cosines[i]);
@@ -323,17 +421,19 @@ TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&
 
 /// Of several angles of any scalar: at once where its traits have a `sincos` of arrays, else one by one.
 template <class Scalar, int N>
-TORSOR_DEVICE auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N], int) noexcept
+TORSOR_DEVICE TORSOR_INLINED auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], int) noexcept
     -> decltype(scalar_traits<Scalar>::sincos(angles, sines, cosines)) {
   scalar_traits<Scalar>::sincos(angles, sines, cosines);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N],
-                                    long) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], long) noexcept {
   for (int i = 0; i < N; ++i) scalar_traits<Scalar>::sincos(angles[i], sines[i], cosines[i]);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
   sincos_by_traits(angles, sines, cosines, 0);
 }
 
@@ -370,7 +470,8 @@ struct scalar_traits {
   }
   /// Of several angles at once; a specialisation without it gets them one by one.
   template <int N>
-  TORSOR_DEVICE static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+  TORSOR_DEVICE TORSOR_INLINED static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                  Scalar (&cosines)[N]) noexcept {
     sincos_of_several(angles, sines, cosines);
   }
   TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
@@ -383,7 +484,7 @@ struct scalar_traits {
 };
 
 }  // namespace torsor
-#elif TORSOR_KERNEL_SUPPORT != 2
+#elif TORSOR_KERNEL_SUPPORT != 3
 #error "headers of incompatible versions of torsor meet here: write them again with one version"
 #endif
 
@@ -397,7 +498,7 @@ struct Mechanism {
 
   static constexpr const char* name = "plumb_line";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x62c79a7c09469350ULL;
+  static constexpr unsigned long long fingerprint = 0x730ba03565bad4e4ULL;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -669,42 +770,42 @@ struct Mechanism {
     const Scalar z20 = traits::formula(7.27220521664304e-05, 7.2722054e-05f, [&]() -> Scalar {
       return k0 * pi;
     });
-    const Scalar z21 = z4 * c_latitude;
-    const Scalar z23 = z3 * c_latitude;
-    const Scalar z30 = z4 * z29;
-    const Scalar z31 = z4 * z28;
-    const Scalar z32 = z3 * z29;
-    const Scalar z33 = z3 * z28;
-    const Scalar z34 = z19 * z21;
-    const Scalar z35 = z19 * z23;
     const Scalar z38 = s_delta * z26 - c_delta * z25;
+    const Scalar z30 = z4 * z29;
+    const Scalar z32 = z3 * z29;
     const Scalar z39 = s_delta * z25 + c_delta * z26;
-    const Scalar z40 = z3 * v_delta;  // angular velocity of meridian, x
-    const Scalar z41 = z4 * v_delta;  // angular velocity of meridian, y
+    const Scalar z31 = z4 * z28;
+    const Scalar z33 = z3 * z28;
     const Scalar z42 = z3 * z37;  // velocity of meridian, x
     const Scalar z43 = z4 * z37;  // velocity of meridian, y
+    const Scalar z48 = c_epsilon * z28;
+    const Scalar z49 = s_epsilon * z28;
+    const Scalar z21 = z4 * c_latitude;
+    const Scalar z23 = z3 * c_latitude;
+    const Scalar z40 = z3 * v_delta;  // angular velocity of meridian, x
+    const Scalar z41 = z4 * v_delta;  // angular velocity of meridian, y
+    const Scalar z55 = v_epsilon * z29 + z20;  // angular velocity of thread, z
+    const Scalar z58 = z36 - z48;
+    const Scalar z65 = z4 * z48;
+    const Scalar z66 = z3 * z48;
+    const Scalar z51 = v_delta * c_epsilon + s_epsilon * z38;
+    const Scalar z52 = v_epsilon + z39;
+    const Scalar z34 = z19 * z21;
+    const Scalar z35 = z19 * z23;
     const Scalar z44 = z3 * s_epsilon - c_epsilon * z30;
     const Scalar z45 = z3 * c_epsilon + s_epsilon * z30;
     const Scalar z46 = z4 * s_epsilon + c_epsilon * z32;
     const Scalar z47 = z4 * c_epsilon - s_epsilon * z32;
-    const Scalar z48 = c_epsilon * z28;
-    const Scalar z49 = s_epsilon * z28;
-    const Scalar z51 = v_delta * c_epsilon + s_epsilon * z38;
-    const Scalar z52 = v_epsilon + z39;
     const Scalar z53 = v_epsilon * z31 + z40;  // angular velocity of thread, x
     const Scalar z54 = v_epsilon * z33 - z41;  // angular velocity of thread, y
-    const Scalar z55 = v_epsilon * z29 + z20;  // angular velocity of thread, z
+    const Scalar z61 = z49 * z52 + z29 * z51;
     const Scalar z56 = z34 + z44;
     const Scalar z57 = z35 - z46;
-    const Scalar z58 = z36 - z48;
     const Scalar z59 = z31 * z51 + z42 - z45 * z52;
     const Scalar z60 = z33 * z51 - z43 + z47 * z52;
-    const Scalar z61 = z29 * z51 + z49 * z52;
-    const Scalar z62 = z29 * z46 + z33 * z48;
+    const Scalar z62 = z33 * z48 + z29 * z46;
     const Scalar z63 = z29 * z44 - z31 * z48;
     const Scalar z64 = z31 * z46 + z33 * z44;
-    const Scalar z65 = z4 * z48;
-    const Scalar z66 = z3 * z48;
     const Scalar z67 = z3 * z46 - z4 * z44;
     result.bob_position[0] = z56;
     result.bob_position[1] = z57;
@@ -793,37 +894,37 @@ struct Mechanism {
     const Scalar z3 = sines_[0], z4 = cosines_[0];
     const Scalar s_delta = sines_[1], c_delta = cosines_[1];
     const Scalar s_epsilon = sines_[2], c_epsilon = cosines_[2];
-    const Scalar z38 = s_delta * z26 - c_delta * z25;
+    const Scalar z68 = c_delta * c_epsilon;
+    const Scalar z69 = s_delta * c_epsilon;
     const Scalar z39 = s_delta * z25 + c_delta * z26;
+    const Scalar z38 = s_delta * z26 - c_delta * z25;
+    const Scalar z120 = c_delta * z19;
+    const Scalar z121 = s_delta * z19;
+    const Scalar z136 = s_delta * z135 + c_delta * z134;
+    const Scalar z137 = s_delta * z134 - c_delta * z135;
+    const Scalar z115 = n1 + p_r - z68;
+    const Scalar z123 = s_epsilon * z120;
+    const Scalar z116 = s_latitude * z69 - c_latitude * z115;
+    const Scalar z117 = c_latitude * z69 + s_latitude * z115;
     const Scalar z50 = v_delta * s_epsilon - c_epsilon * z38;
     const Scalar z51 = v_delta * c_epsilon + s_epsilon * z38;
     const Scalar z52 = v_epsilon + z39;
-    const Scalar z68 = c_delta * c_epsilon;
-    const Scalar z69 = s_delta * c_epsilon;
-    const Scalar z115 = n1 + p_r - z68;
-    const Scalar z116 = s_latitude * z69 - c_latitude * z115;
-    const Scalar z117 = s_latitude * z115 + c_latitude * z69;
+    const Scalar z138 = v_delta * z39;  // angular acceleration of meridian, x
+    const Scalar z139 = v_delta * z38;  // angular acceleration of meridian, z
+    const Scalar z143 = s_epsilon * z136;
     const Scalar z118 = z3 * s_epsilon - z4 * z116;
-    const Scalar z119 = z3 * z116 + z4 * s_epsilon;
-    const Scalar z120 = c_delta * z19;
-    const Scalar z121 = s_delta * z19;
-    const Scalar z123 = s_epsilon * z120;
+    const Scalar z119 = z4 * s_epsilon + z3 * z116;
+    const Scalar z141 = s_epsilon * z138;
+    const Scalar z149 = z50 * z51;
+    const Scalar z151 = z50 * z52;
+    const Scalar z145 = v_epsilon * z50 - z141;  // angular acceleration of thread, y
     const Scalar z125 = z117 * z117 + z118 * z118 + z119 * z119;
+    const Scalar z152 = z145 + z151;
     const Scalar z126 = traits::sqrt(z125);
     const Scalar z127 = n1 / z126;
     const Scalar z128 = k2 * z127 * z127 * z127;
     const Scalar z130 = z123 * z128;
     const Scalar z131 = z121 * z128;
-    const Scalar z136 = s_delta * z135 + c_delta * z134;
-    const Scalar z137 = s_delta * z134 - c_delta * z135;
-    const Scalar z138 = v_delta * z39;  // angular acceleration of meridian, x
-    const Scalar z139 = v_delta * z38;  // angular acceleration of meridian, z
-    const Scalar z141 = s_epsilon * z138;
-    const Scalar z143 = s_epsilon * z136;
-    const Scalar z145 = v_epsilon * z50 - z141;  // angular acceleration of thread, y
-    const Scalar z149 = z50 * z51;
-    const Scalar z151 = z50 * z52;
-    const Scalar z152 = z145 + z151;
     const Scalar z156 = z131 - z137;  // moment on bob, y
     const Scalar z157 = z130 - z143;  // moment on bob, z
     const Scalar z158 = z152 - z156;  // moment on thread, y
@@ -862,42 +963,42 @@ struct Mechanism {
     const Scalar z3 = sines_[0], z4 = cosines_[0];
     const Scalar s_delta = sines_[1], c_delta = cosines_[1];
     const Scalar s_epsilon = sines_[2], c_epsilon = cosines_[2];
-    const Scalar z38 = s_delta * z26 - c_delta * z25;
+    const Scalar z68 = c_delta * c_epsilon;
+    const Scalar z69 = s_delta * c_epsilon;
     const Scalar z39 = s_delta * z25 + c_delta * z26;
+    const Scalar z38 = s_delta * z26 - c_delta * z25;
+    const Scalar z120 = c_delta * z19;
+    const Scalar z121 = s_delta * z19;
+    const Scalar z136 = s_delta * z135 + c_delta * z134;
+    const Scalar z137 = s_delta * z134 - c_delta * z135;
+    const Scalar z115 = n1 + p_r - z68;
+    const Scalar z123 = s_epsilon * z120;
+    const Scalar z116 = s_latitude * z69 - c_latitude * z115;
+    const Scalar z117 = c_latitude * z69 + s_latitude * z115;
     const Scalar z50 = v_delta * s_epsilon - c_epsilon * z38;
     const Scalar z51 = v_delta * c_epsilon + s_epsilon * z38;
     const Scalar z52 = v_epsilon + z39;
-    const Scalar z68 = c_delta * c_epsilon;
-    const Scalar z69 = s_delta * c_epsilon;
-    const Scalar z115 = n1 + p_r - z68;
-    const Scalar z116 = s_latitude * z69 - c_latitude * z115;
-    const Scalar z117 = s_latitude * z115 + c_latitude * z69;
+    const Scalar z138 = v_delta * z39;  // angular acceleration of meridian, x
+    const Scalar z139 = v_delta * z38;  // angular acceleration of meridian, z
+    const Scalar z143 = s_epsilon * z136;
     const Scalar z118 = z3 * s_epsilon - z4 * z116;
-    const Scalar z119 = z3 * z116 + z4 * s_epsilon;
-    const Scalar z120 = c_delta * z19;
-    const Scalar z121 = s_delta * z19;
-    const Scalar z123 = s_epsilon * z120;
+    const Scalar z119 = z4 * s_epsilon + z3 * z116;
+    const Scalar z175 = a_delta * c_epsilon + s_epsilon * z138;
+    const Scalar z178 = a_epsilon - z139;  // angular acceleration of thread, z
+    const Scalar z149 = z50 * z51;
+    const Scalar z151 = z50 * z52;
     const Scalar z125 = z117 * z117 + z118 * z118 + z119 * z119;
+    const Scalar z177 = v_epsilon * z50 - z175;  // angular acceleration of thread, y
+    const Scalar z180 = z151 + z177;
     const Scalar z126 = traits::sqrt(z125);
     const Scalar z127 = n1 / z126;
     const Scalar z128 = k2 * z127 * z127 * z127;
     const Scalar z130 = z123 * z128;
     const Scalar z131 = z121 * z128;
-    const Scalar z136 = s_delta * z135 + c_delta * z134;
-    const Scalar z137 = s_delta * z134 - c_delta * z135;
-    const Scalar z138 = v_delta * z39;  // angular acceleration of meridian, x
-    const Scalar z139 = v_delta * z38;  // angular acceleration of meridian, z
-    const Scalar z143 = s_epsilon * z136;
-    const Scalar z149 = z50 * z51;
-    const Scalar z151 = z50 * z52;
     const Scalar z156 = z131 - z137;  // moment on bob, y
     const Scalar z157 = z130 - z143;  // moment on bob, z
-    const Scalar z175 = a_delta * c_epsilon + s_epsilon * z138;
-    const Scalar z177 = v_epsilon * z50 - z175;  // angular acceleration of thread, y
-    const Scalar z178 = a_epsilon - z139;  // angular acceleration of thread, z
-    const Scalar z180 = z151 + z177;
     const Scalar z183 = z156 - z180;  // moment on thread, y
-    const Scalar z184 = z149 + z157 + z178;  // moment on thread, z
+    const Scalar z184 = z178 + z149 + z157;  // moment on thread, z
     const Scalar z188 = c_epsilon * z183;
     forces.delta = z188;
     forces.epsilon = z184;
@@ -933,45 +1034,45 @@ struct Mechanism {
     const Scalar z3 = sines_[0], z4 = cosines_[0];
     const Scalar s_delta = sines_[1], c_delta = cosines_[1];
     const Scalar s_epsilon = sines_[2], c_epsilon = cosines_[2];
-    const Scalar z38 = s_delta * z26 - c_delta * z25;
+    const Scalar z68 = c_delta * c_epsilon;
+    const Scalar z69 = s_delta * c_epsilon;
     const Scalar z39 = s_delta * z25 + c_delta * z26;
+    const Scalar z38 = s_delta * z26 - c_delta * z25;
+    const Scalar z85 = s_epsilon * s_epsilon;
+    const Scalar z121 = s_delta * z19;
+    const Scalar z120 = c_delta * z19;
+    const Scalar z137 = s_delta * z134 - c_delta * z135;
+    const Scalar z136 = s_delta * z135 + c_delta * z134;
+    const Scalar z87 = n1 - z85;
+    const Scalar z115 = n1 + p_r - z68;
+    const Scalar z123 = s_epsilon * z120;
+    const Scalar z116 = s_latitude * z69 - c_latitude * z115;
+    const Scalar z117 = c_latitude * z69 + s_latitude * z115;
+    const Scalar z201 = n1 / z87;
     const Scalar z50 = v_delta * s_epsilon - c_epsilon * z38;
     const Scalar z51 = v_delta * c_epsilon + s_epsilon * z38;
     const Scalar z52 = v_epsilon + z39;
-    const Scalar z68 = c_delta * c_epsilon;
-    const Scalar z69 = s_delta * c_epsilon;
-    const Scalar z85 = s_epsilon * s_epsilon;
-    const Scalar z87 = n1 - z85;
-    const Scalar z115 = n1 + p_r - z68;
-    const Scalar z116 = s_latitude * z69 - c_latitude * z115;
-    const Scalar z117 = s_latitude * z115 + c_latitude * z69;
+    const Scalar z138 = v_delta * z39;  // angular acceleration of meridian, x
+    const Scalar z139 = v_delta * z38;  // angular acceleration of meridian, z
+    const Scalar z143 = s_epsilon * z136;
     const Scalar z118 = z3 * s_epsilon - z4 * z116;
-    const Scalar z119 = z3 * z116 + z4 * s_epsilon;
-    const Scalar z120 = c_delta * z19;
-    const Scalar z121 = s_delta * z19;
-    const Scalar z123 = s_epsilon * z120;
+    const Scalar z119 = z4 * s_epsilon + z3 * z116;
+    const Scalar z141 = s_epsilon * z138;
+    const Scalar z149 = z50 * z51;
+    const Scalar z151 = z50 * z52;
+    const Scalar z145 = v_epsilon * z50 - z141;  // angular acceleration of thread, y
     const Scalar z125 = z117 * z117 + z118 * z118 + z119 * z119;
+    const Scalar z152 = z145 + z151;
     const Scalar z126 = traits::sqrt(z125);
     const Scalar z127 = n1 / z126;
     const Scalar z128 = k2 * z127 * z127 * z127;
     const Scalar z130 = z123 * z128;
     const Scalar z131 = z121 * z128;
-    const Scalar z136 = s_delta * z135 + c_delta * z134;
-    const Scalar z137 = s_delta * z134 - c_delta * z135;
-    const Scalar z138 = v_delta * z39;  // angular acceleration of meridian, x
-    const Scalar z139 = v_delta * z38;  // angular acceleration of meridian, z
-    const Scalar z141 = s_epsilon * z138;
-    const Scalar z143 = s_epsilon * z136;
-    const Scalar z145 = v_epsilon * z50 - z141;  // angular acceleration of thread, y
-    const Scalar z149 = z50 * z51;
-    const Scalar z151 = z50 * z52;
-    const Scalar z152 = z145 + z151;
     const Scalar z156 = z131 - z137;  // moment on bob, y
     const Scalar z157 = z130 - z143;  // moment on bob, z
     const Scalar z158 = z152 - z156;  // moment on thread, y
     const Scalar z159 = z139 - z149 - z157;  // moment on thread, z
     const Scalar z163 = c_epsilon * z158;
-    const Scalar z201 = n1 / z87;
     const Scalar z202 = z163 * z201;
     accelerations.delta = z202;
     accelerations.epsilon = z159;
@@ -1009,24 +1110,24 @@ struct Mechanism {
     const Scalar z3 = sines_[0], z4 = cosines_[0];
     const Scalar s_delta = sines_[1], c_delta = cosines_[1];
     const Scalar s_epsilon = sines_[2], c_epsilon = cosines_[2];
-    const Scalar z38 = s_delta * z26 - c_delta * z25;
-    const Scalar z39 = s_delta * z25 + c_delta * z26;
-    const Scalar z51 = v_delta * c_epsilon + s_epsilon * z38;
-    const Scalar z52 = v_epsilon + z39;
     const Scalar z68 = c_delta * c_epsilon;
     const Scalar z69 = s_delta * c_epsilon;
+    const Scalar z39 = s_delta * z25 + c_delta * z26;
+    const Scalar z38 = s_delta * z26 - c_delta * z25;
+    const Scalar z204 = c_epsilon * z37;
+    const Scalar z203 = s_epsilon * z37;
     const Scalar z115 = n1 + p_r - z68;
     const Scalar z116 = s_latitude * z69 - c_latitude * z115;
-    const Scalar z117 = s_latitude * z115 + c_latitude * z69;
+    const Scalar z117 = c_latitude * z69 + s_latitude * z115;
+    const Scalar z51 = v_delta * c_epsilon + s_epsilon * z38;
+    const Scalar z52 = v_epsilon + z39;
     const Scalar z118 = z3 * s_epsilon - z4 * z116;
-    const Scalar z119 = z3 * z116 + z4 * s_epsilon;
+    const Scalar z119 = z4 * s_epsilon + z3 * z116;
+    const Scalar z205 = z52 - z204;
     const Scalar z125 = z117 * z117 + z118 * z118 + z119 * z119;
     const Scalar z126 = traits::sqrt(z125);
     const Scalar z127 = n1 / z126;
-    const Scalar z203 = s_epsilon * z37;
-    const Scalar z204 = c_epsilon * z37;
-    const Scalar z205 = z52 - z204;
-    result.kinetic = n0_5 * (z205 * (z52 - z204) + z51 * z51 + z203 * z203);
+    result.kinetic = n0_5 * (z203 * z203 + z51 * z51 + z205 * (z52 - z204));
     result.force_function = k3 * z127;
     result.power = n0;
   }
@@ -1057,27 +1158,27 @@ struct Mechanism {
     const Scalar z3 = sines_[0], z4 = cosines_[0];
     const Scalar s_delta = sines_[1], c_delta = cosines_[1];
     const Scalar s_epsilon = sines_[2], c_epsilon = cosines_[2];
-    const Scalar z38 = s_delta * z26 - c_delta * z25;
-    const Scalar z39 = s_delta * z25 + c_delta * z26;
-    const Scalar z51 = v_delta * c_epsilon + s_epsilon * z38;
-    const Scalar z52 = v_epsilon + z39;
     const Scalar z68 = c_delta * c_epsilon;
     const Scalar z69 = s_delta * c_epsilon;
+    const Scalar z39 = s_delta * z25 + c_delta * z26;
+    const Scalar z204 = c_epsilon * z37;
+    const Scalar z38 = s_delta * z26 - c_delta * z25;
+    const Scalar z203 = s_epsilon * z37;
     const Scalar z115 = n1 + p_r - z68;
     const Scalar z116 = s_latitude * z69 - c_latitude * z115;
-    const Scalar z117 = s_latitude * z115 + c_latitude * z69;
+    const Scalar z117 = c_latitude * z69 + s_latitude * z115;
+    const Scalar z51 = v_delta * c_epsilon + s_epsilon * z38;
+    const Scalar z52 = v_epsilon + z39;
     const Scalar z118 = z3 * s_epsilon - z4 * z116;
-    const Scalar z119 = z3 * z116 + z4 * s_epsilon;
-    const Scalar z125 = z117 * z117 + z118 * z118 + z119 * z119;
-    const Scalar z126 = traits::sqrt(z125);
-    const Scalar z127 = n1 / z126;
-    const Scalar z203 = s_epsilon * z37;
-    const Scalar z204 = c_epsilon * z37;
+    const Scalar z119 = z4 * s_epsilon + z3 * z116;
     const Scalar z205 = z52 - z204;
     const Scalar z212 = n0_5 * (z52 - z204);
-    const Scalar z213 = n0_5 * z205 + z212;
     const Scalar z225 = c_epsilon * z51;
-    result.painleve = -n0_5 * (z205 * (z52 - z204) + z51 * z51 + z203 * z203) + v_delta * z225 + v_epsilon * z213 - k3
+    const Scalar z125 = z117 * z117 + z118 * z118 + z119 * z119;
+    const Scalar z213 = n0_5 * z205 + z212;
+    const Scalar z126 = traits::sqrt(z125);
+    const Scalar z127 = n1 / z126;
+    result.painleve = v_delta * z225 - n0_5 * (z203 * z203 + z51 * z51 + z205 * (z52 - z204)) + v_epsilon * z213 - k3
         * z127;
   }
 
@@ -1109,31 +1210,31 @@ struct Mechanism {
     const Scalar z3 = sines_[0], z4 = cosines_[0];
     const Scalar s_delta = sines_[1], c_delta = cosines_[1];
     const Scalar s_epsilon = sines_[2], c_epsilon = cosines_[2];
-    const Scalar z38 = s_delta * z26 - c_delta * z25;
-    const Scalar z39 = s_delta * z25 + c_delta * z26;
-    const Scalar z51 = v_delta * c_epsilon + s_epsilon * z38;
-    const Scalar z52 = v_epsilon + z39;
     const Scalar z68 = c_delta * c_epsilon;
     const Scalar z69 = s_delta * c_epsilon;
-    const Scalar z115 = n1 + p_r - z68;
-    const Scalar z116 = s_latitude * z69 - c_latitude * z115;
-    const Scalar z117 = s_latitude * z115 + c_latitude * z69;
-    const Scalar z118 = z3 * s_epsilon - z4 * z116;
-    const Scalar z119 = z3 * z116 + z4 * s_epsilon;
+    const Scalar z38 = s_delta * z26 - c_delta * z25;
+    const Scalar z39 = s_delta * z25 + c_delta * z26;
     const Scalar z120 = c_delta * z19;
+    const Scalar z136 = s_delta * z135 + c_delta * z134;
+    const Scalar z115 = n1 + p_r - z68;
     const Scalar z122 = c_epsilon * z120;
+    const Scalar z116 = s_latitude * z69 - c_latitude * z115;
+    const Scalar z117 = c_latitude * z69 + s_latitude * z115;
     const Scalar z124 = n1 - z122;
+    const Scalar z51 = v_delta * c_epsilon + s_epsilon * z38;
+    const Scalar z52 = v_epsilon + z39;
+    const Scalar z142 = c_epsilon * z136;
+    const Scalar z118 = z3 * s_epsilon - z4 * z116;
+    const Scalar z119 = z4 * s_epsilon + z3 * z116;
+    const Scalar z147 = z52 * z52;
+    const Scalar z146 = z51 * z51;
     const Scalar z125 = z117 * z117 + z118 * z118 + z119 * z119;
+    const Scalar z148 = z146 + z147;
     const Scalar z126 = traits::sqrt(z125);
     const Scalar z127 = n1 / z126;
     const Scalar z128 = k2 * z127 * z127 * z127;
     const Scalar z129 = z124 * z128;
-    const Scalar z136 = s_delta * z135 + c_delta * z134;
-    const Scalar z142 = c_epsilon * z136;
-    const Scalar z146 = z51 * z51;
-    const Scalar z147 = z52 * z52;
-    const Scalar z148 = z146 + z147;
-    const Scalar z153 = z129 + z142 - z148;  // force on bob, x
+    const Scalar z153 = z142 - z148 + z129;  // force on bob, x
     result.tension = -z153;
   }
 
@@ -1143,9 +1244,9 @@ struct Mechanism {
       const Accelerations& accelerations, const Multipliers&, const Inputs&, Linearisation& result) noexcept {
     const Scalar k0 = traits::constant(2.3148148148148147e-05, 2.3148148e-05f, "1/43200");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
-    const Scalar k2 = traits::constant(3.9847914e+14, 3.9847915e+14f, "398479140000000/1");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar k4 = traits::constant(3.9847914e+14, 3.9847915e+14f, "398479140000000/1");
     const Scalar k5 = traits::constant(1.19543742e+15, 1.1954374e+15f, "1195437420000000/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar t = state.time;
@@ -1171,105 +1272,105 @@ struct Mechanism {
     const Scalar z3 = sines_[0], z4 = cosines_[0];
     const Scalar s_delta = sines_[1], c_delta = cosines_[1];
     const Scalar s_epsilon = sines_[2], c_epsilon = cosines_[2];
-    const Scalar z38 = s_delta * z26 - c_delta * z25;
+    const Scalar z68 = c_delta * c_epsilon;
+    const Scalar z69 = s_delta * c_epsilon;
+    const Scalar z77 = s_delta * s_epsilon;
+    const Scalar z76 = c_delta * s_epsilon;
     const Scalar z39 = s_delta * z25 + c_delta * z26;
+    const Scalar z38 = s_delta * z26 - c_delta * z25;
+    const Scalar z85 = s_epsilon * s_epsilon;
+    const Scalar z120 = c_delta * z19;
+    const Scalar z121 = s_delta * z19;
+    const Scalar z137 = s_delta * z134 - c_delta * z135;
+    const Scalar z136 = s_delta * z135 + c_delta * z134;
+    const Scalar z72 = s_latitude * z69 + c_latitude * z68;
+    const Scalar z73 = s_latitude * z68 - c_latitude * z69;
+    const Scalar z80 = s_latitude * z77 + c_latitude * z76;
+    const Scalar z81 = s_latitude * z76 - c_latitude * z77;
+    const Scalar z87 = n1 - z85;
+    const Scalar z115 = n1 + p_r - z68;
+    const Scalar z122 = c_epsilon * z120;
+    const Scalar z123 = s_epsilon * z120;
+    const Scalar z260 = s_epsilon * z121;
+    const Scalar z116 = s_latitude * z69 - c_latitude * z115;
+    const Scalar z117 = c_latitude * z69 + s_latitude * z115;
+    const Scalar z201 = n1 / z87;
     const Scalar z50 = v_delta * s_epsilon - c_epsilon * z38;
     const Scalar z51 = v_delta * c_epsilon + s_epsilon * z38;
     const Scalar z52 = v_epsilon + z39;
-    const Scalar z68 = c_delta * c_epsilon;
-    const Scalar z69 = s_delta * c_epsilon;
-    const Scalar z72 = s_latitude * z69 + c_latitude * z68;
-    const Scalar z73 = s_latitude * z68 - c_latitude * z69;
-    const Scalar z76 = c_delta * s_epsilon;
-    const Scalar z77 = s_delta * s_epsilon;
-    const Scalar z80 = s_latitude * z77 + c_latitude * z76;
-    const Scalar z81 = s_latitude * z76 - c_latitude * z77;
-    const Scalar z85 = s_epsilon * s_epsilon;
-    const Scalar z87 = n1 - z85;
-    const Scalar z115 = n1 + p_r - z68;
-    const Scalar z116 = s_latitude * z69 - c_latitude * z115;
-    const Scalar z117 = s_latitude * z115 + c_latitude * z69;
-    const Scalar z118 = z3 * s_epsilon - z4 * z116;
-    const Scalar z119 = z3 * z116 + z4 * s_epsilon;
-    const Scalar z120 = c_delta * z19;
-    const Scalar z121 = s_delta * z19;
-    const Scalar z122 = c_epsilon * z120;
-    const Scalar z123 = s_epsilon * z120;
-    const Scalar z125 = z117 * z117 + z118 * z118 + z119 * z119;
-    const Scalar z126 = traits::sqrt(z125);
-    const Scalar z127 = n1 / z126;
-    const Scalar z128 = k2 * z127 * z127 * z127;
-    const Scalar z130 = z123 * z128;
-    const Scalar z131 = z121 * z128;
-    const Scalar z136 = s_delta * z135 + c_delta * z134;
-    const Scalar z137 = s_delta * z134 - c_delta * z135;
     const Scalar z138 = v_delta * z39;  // angular acceleration of meridian, x
     const Scalar z139 = v_delta * z38;  // angular acceleration of meridian, z
     const Scalar z142 = c_epsilon * z136;
     const Scalar z143 = s_epsilon * z136;
-    const Scalar z149 = z50 * z51;
-    const Scalar z151 = z50 * z52;
-    const Scalar z156 = z131 - z137;  // moment on bob, y
-    const Scalar z157 = z130 - z143;  // moment on bob, z
+    const Scalar z238 = s_epsilon * z39;
+    const Scalar z250 = c_epsilon * z39;
+    const Scalar z262 = s_epsilon * z137;
+    const Scalar z118 = z3 * s_epsilon - z4 * z116;
+    const Scalar z119 = z4 * s_epsilon + z3 * z116;
     const Scalar z174 = a_delta * s_epsilon - c_epsilon * z138;
     const Scalar z175 = a_delta * c_epsilon + s_epsilon * z138;
-    const Scalar z176 = v_epsilon * z51 + z174;  // angular acceleration of thread, x
-    const Scalar z177 = v_epsilon * z50 - z175;  // angular acceleration of thread, y
     const Scalar z178 = a_epsilon - z139;  // angular acceleration of thread, z
-    const Scalar z180 = z151 + z177;
-    const Scalar z183 = z156 - z180;  // moment on thread, y
-    const Scalar z184 = z149 + z157 + z178;  // moment on thread, z
-    const Scalar z188 = c_epsilon * z183;
-    const Scalar z201 = n1 / z87;
     const Scalar z237 = s_epsilon * z52;
-    const Scalar z238 = s_epsilon * z39;
     const Scalar z239 = v_epsilon * s_epsilon - z238;
-    const Scalar z240 = z237 + z239;
-    const Scalar z241 = c_epsilon * z240;
     const Scalar z242 = z4 * z73;
     const Scalar z243 = z3 * z73;
-    const Scalar z244 = n2 * (z72 * z117 - z118 * z242 + z119 * z243);
-    const Scalar z245 = n0_5 * z244 / z126;
-    const Scalar z246 = z245 / (z126 * z126);
-    const Scalar z247 = k5 * z127 * z127 * z246;
-    const Scalar z248 = z120 * z128 - z121 * z247;
-    const Scalar z249 = z136 - z248;
-    const Scalar z250 = c_epsilon * z39;
-    const Scalar z251 = z38 * z50 + z52 * z250;
     const Scalar z252 = s_epsilon * z139;
-    const Scalar z253 = v_epsilon * z250 - z252;
-    const Scalar z254 = z251 + z253;
-    const Scalar z255 = z249 - z254;
-    const Scalar z256 = c_epsilon * z255;
-    const Scalar z257 = s_epsilon * z51 + c_epsilon * z50;
-    const Scalar z258 = z38 - z257;
-    const Scalar z259 = z50 * z238 - z51 * z250;
-    const Scalar z260 = s_epsilon * z121;
-    const Scalar z261 = z123 * z247 + z128 * z260;
-    const Scalar z262 = s_epsilon * z137;
-    const Scalar z263 = z261 - z262;
-    const Scalar z264 = z138 - z259 + z263;
-    const Scalar z265 = n2 * z50;
-    const Scalar z266 = c_epsilon * z265;
     const Scalar z267 = z3 * c_epsilon + z4 * z80;
     const Scalar z268 = z3 * z80 - z4 * c_epsilon;
-    const Scalar z269 = n2 * (z81 * z117 + z118 * z267 - z119 * z268);
-    const Scalar z270 = n0_5 * z269 / z126;
-    const Scalar z271 = z270 / (z126 * z126);
-    const Scalar z272 = k5 * z127 * z127 * z271;
-    const Scalar z273 = z121 * z272;
+    const Scalar z149 = z50 * z51;
+    const Scalar z151 = z50 * z52;
+    const Scalar z251 = z52 * z250 + z38 * z50;
+    const Scalar z257 = s_epsilon * z51 + c_epsilon * z50;
+    const Scalar z259 = z50 * z238 - z51 * z250;
+    const Scalar z265 = n2 * z50;
     const Scalar z274 = z51 * z52;
-    const Scalar z275 = z176 + z274;
-    const Scalar z276 = z273 + z275;
-    const Scalar z277 = s_epsilon * z183 + c_epsilon * z276;
     const Scalar z278 = z50 * z50 - z51 * z51;
-    const Scalar z279 = z122 * z128 - z123 * z272;
-    const Scalar z280 = z142 - z279;
-    const Scalar z281 = z278 + z280;
-    const Scalar z282 = z201 * z256;
-    const Scalar z283 = z201 * z241;
-    const Scalar z284 = z201 * z277;
+    const Scalar z253 = v_epsilon * z250 - z252;
+    const Scalar z244 = n2 * (z72 * z117 - z118 * z242 + z119 * z243);
+    const Scalar z269 = n2 * (z81 * z117 + z118 * z267 - z119 * z268);
+    const Scalar z125 = z117 * z117 + z118 * z118 + z119 * z119;
+    const Scalar z258 = z38 - z257;
+    const Scalar z126 = traits::sqrt(z125);
+    const Scalar z177 = v_epsilon * z50 - z175;  // angular acceleration of thread, y
+    const Scalar z176 = v_epsilon * z51 + z174;  // angular acceleration of thread, x
+    const Scalar z180 = z151 + z177;
+    const Scalar z275 = z176 + z274;
+    const Scalar z254 = z251 + z253;
+    const Scalar z240 = z237 + z239;
+    const Scalar z241 = c_epsilon * z240;
+    const Scalar z266 = c_epsilon * z265;
     const Scalar z285 = z201 * z266;
+    const Scalar z283 = z201 * z241;
+    const Scalar z127 = n1 / z126;
+    const Scalar z245 = n0_5 * z244 / z126;
+    const Scalar z270 = n0_5 * z269 / z126;
+    const Scalar z128 = k4 * z127 * z127 * z127;
+    const Scalar z246 = z245 / (z126 * z126);
+    const Scalar z271 = z270 / (z126 * z126);
+    const Scalar z130 = z123 * z128;
+    const Scalar z131 = z121 * z128;
+    const Scalar z156 = z131 - z137;  // moment on bob, y
+    const Scalar z157 = z130 - z143;  // moment on bob, z
+    const Scalar z247 = k5 * z127 * z127 * z246;
+    const Scalar z272 = k5 * z127 * z127 * z271;
+    const Scalar z183 = z156 - z180;  // moment on thread, y
+    const Scalar z184 = z178 + z149 + z157;  // moment on thread, z
+    const Scalar z248 = z120 * z128 - z121 * z247;
+    const Scalar z261 = z128 * z260 + z123 * z247;
+    const Scalar z273 = z121 * z272;
+    const Scalar z279 = z122 * z128 - z123 * z272;
+    const Scalar z188 = c_epsilon * z183;
+    const Scalar z276 = z273 + z275;
+    const Scalar z249 = z136 - z248;
+    const Scalar z263 = z261 - z262;
+    const Scalar z280 = z142 - z279;
+    const Scalar z277 = s_epsilon * z183 + c_epsilon * z276;
+    const Scalar z255 = z249 - z254;
+    const Scalar z264 = z138 - z259 + z263;
+    const Scalar z281 = z278 + z280;
+    const Scalar z256 = c_epsilon * z255;
+    const Scalar z284 = z201 * z277;
+    const Scalar z282 = z201 * z256;
     result.M[0] = z87;
     result.M[1] = n0;
     result.M[2] = n0;

@@ -49,7 +49,7 @@
 #include <cmath>
 
 #ifndef TORSOR_KERNEL_SUPPORT
-#define TORSOR_KERNEL_SUPPORT 2
+#define TORSOR_KERNEL_SUPPORT 3
 // Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
 #ifndef TORSOR_DEVICE
 #define TORSOR_DEVICE
@@ -63,7 +63,7 @@
 //  * two polynomials of least greatest error give the sine and the cosine of r, |r| <= pi/4;
 //  * angles beyond `bound` are rare: they are reduced exactly, in integers, by a function that is not inlined, and so
 //    are all angles under another rounding, which would give the nearest integers wrong.
-// The core has no branch, so that compilers turn a loop over several angles into vector instructions.
+// The core has no branch, so that several angles go through it at once.
 #ifndef TORSOR_STD_SINCOS
 #if defined(__FAST_MATH__) || defined(_M_FP_FAST) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0)
 #define TORSOR_STD_SINCOS  // sums would be reassociated or hold more digits than their type
@@ -111,21 +111,19 @@ struct SineCosine {
       S = S01 + z2 * number(0.0, -0x1.9953f2p-13f);
       C = C01 + z2 * number(0.0, 0x1.99e0eep-16f);
     } else {
-      const Scalar z4 = z2 * z2;
       const Scalar S01 = number(-0x1.5555555555548p-3, 0.0f) + z * number(0x1.111111110f73p-7, 0.0f);
       const Scalar S23 = number(-0x1.a01a019be9217p-13, 0.0f) + z * number(0x1.71de35552b518p-19, 0.0f);
       const Scalar S45 = number(-0x1.ae5e4b83e1601p-26, 0.0f) + z * number(0x1.5d8b55934597bp-33, 0.0f);
       const Scalar C01 = number(0x1.555555555554cp-5, 0.0f) + z * number(-0x1.6c16c16c1521bp-10, 0.0f);
       const Scalar C23 = number(0x1.a01a019cbeb68p-16, 0.0f) + z * number(-0x1.27e4f8121198fp-22, 0.0f);
       const Scalar C45 = number(0x1.1ee9f0cbf70d6p-29, 0.0f) + z * number(-0x1.8fb0e15d5f2ap-37, 0.0f);
-      S = (S01 + z2 * S23) + z4 * S45;
-      C = (C01 + z2 * C23) + z4 * C45;
+      S = S01 + z2 * (S23 + z2 * S45);
+      C = C01 + z2 * (C23 + z2 * C45);
     }
-    const Scalar half_z = half * z, w = one - half_z;
-    // Far below an ulp, it makes the correction of -0 a -0, and so the sine.
-    const Scalar tiny = number(0x1p-100, 0x1p-60f);
-    sine = high + (high * (tiny + z * S) - rest * w);
-    cosine = w + (((one - w) - half_z) + (z2 * C + high * rest));
+    const Scalar half_z = half * z, w = one - half_z, high_z = high * z;
+    // What waits for S and C comes last. The correction of -0 is a 0, which subtracted leaves it -0.
+    sine = high - (rest * w - high_z * S);
+    cosine = w + ((((one - w) - half_z) + high * rest) + z2 * C);
   }
 
   /// Of n pi/2 more.
@@ -140,21 +138,31 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// For |x| <= bound; what is no number gives no number. Exact are n times the first three parts of pi/2, the first
-  /// difference, and each rounded difference together with its rounding error.
-  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
-    const Scalar n = rounded(x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f));
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n plus a number so large that its last bit counts 1; what is no
+  /// number gives no number.
+  ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
+  ///    others do, and may be formed twice;
+  ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
+  ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
+  TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
+                                                        Scalar& cosine) noexcept {
+    const Scalar shift = number(0x1.8p52, 0x1.8p23f);
+    const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
+    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift;
+    const Scalar n = shifted - shift;
     const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
-    const Scalar second = n * number(0x1.0b4611a6p-34, 0x1.ed5p-14f);
-    const Scalar third = n * number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    const Scalar fourth = n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
-    const Scalar r = first - second;
-    const Scalar taken = first - r;
-    const Scalar error = (first - (r + taken)) - (second - taken);
-    const Scalar high = r - third;
-    const Scalar rest = ((third - (r - high)) - error) + fourth;
+    const Scalar r = first - n * P;
+    const Scalar error = (first - r) - n * P;
+    const Scalar high = r - n * Q;
+    const Scalar rest = ((n * Q - (r - high)) - error) + n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
     of_reduced(high, rest, sine, cosine);
-    turn(n, sine, cosine);
+  }
+
+  /// For |x| <= bound.
+  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
+    Scalar shifted;
+    of_remainder(x, shifted, sine, cosine);
+    turn(shifted - number(0x1.8p52, 0x1.8p23f), sine, cosine);
   }
 };
 
@@ -273,61 +281,151 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
 #endif
 }
 
-/// Of some angles up to the bound, a multiple of what a vector holds. Local arrays, which nothing else can point to.
-template <int size, class Scalar>
-TORSOR_DEVICE TORSOR_INLINED void sincos_of_block(const Scalar* angles, Scalar* sines, Scalar* cosines) noexcept {
-  Scalar x[size], s[size], c[size];
-  for (int i = 0; i < size; ++i) x[i] = angles[i];
-  // Compilers make vector instructions of a loop, but not always of a row of statements.
-#if defined(__clang__)
-#pragma clang loop unroll(disable)
-#elif defined(__GNUC__) && !defined(__CUDACC__)
-#pragma GCC unroll 1
+}  // namespace torsor
+// Sines and cosines of several angles at once: by vector registers where GNU C++ has types for them, which compilers
+// without AVX make of narrower ones; loops over numbers are not left to compilers to find.
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define TORSOR_VECTOR_TYPES
 #endif
-  for (int i = 0; i < size; ++i) SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::core(x[i], s[i], c[i]);
-  for (int i = 0; i < size; ++i) sines[i] = s[i];
-  for (int i = 0; i < size; ++i) cosines[i] = c[i];
+
+namespace torsor {
+
+#if defined(TORSOR_VECTOR_TYPES)
+/// 0, 1, ... as arguments of a template.
+template <int... place>
+struct Places {};
+template <int count, int... place>
+struct FirstPlaces : FirstPlaces<count - 1, count - 1, place...> {};
+template <int... place>
+struct FirstPlaces<0, place...> {
+  using type = Places<place...>;
+};
+
+/// Some registers of equally many numbers, which take the same operations by turns: while the one waits for its last
+/// result, the other is at work. A scalar for SineCosine, of which it needs constants, sums and products only.
+template <class Number, int lanes, int count>
+struct Registers {
+  typedef Number Numbers __attribute__((vector_size(lanes * sizeof(Number))));
+  using Bits = decltype(Numbers{} < Numbers{});
+  Numbers part[count];
+
+  TORSOR_INLINED friend Registers operator+(const Registers& a, const Registers& b) noexcept {
+    Registers sum;
+    for (int i = 0; i < count; ++i) sum.part[i] = a.part[i] + b.part[i];
+    return sum;
+  }
+  TORSOR_INLINED friend Registers operator-(const Registers& a, const Registers& b) noexcept {
+    Registers difference;
+    for (int i = 0; i < count; ++i) difference.part[i] = a.part[i] - b.part[i];
+    return difference;
+  }
+  TORSOR_INLINED friend Registers operator*(const Registers& a, const Registers& b) noexcept {
+    Registers product;
+    for (int i = 0; i < count; ++i) product.part[i] = a.part[i] * b.part[i];
+    return product;
+  }
+};
+
+template <class Number, int lanes, int count>
+struct scalar_traits<Registers<Number, lanes, count>> {
+  using Scalar = Registers<Number, lanes, count>;
+  TORSOR_INLINED static Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    constexpr bool is_float = sizeof(Number) == sizeof(float);
+    const Number number = is_float ? static_cast<Number>(in_float) : static_cast<Number>(in_double);
+    Scalar result;
+    for (int i = 0; i < count; ++i) {
+      for (int lane = 0; lane < lanes; ++lane) result.part[i][lane] = number;
+    }
+    return result;
+  }
+};
+
+/// Of angles up to the bound, bit by bit what SineCosine::core gives where nothing is fused. The quarter of the turn is
+/// in the last two bits of `shifted`: it is chosen by bits, not by products.
+template <class Number, int lanes, int count>
+TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& angles,
+                                        Registers<Number, lanes, count>& sines,
+                                        Registers<Number, lanes, count>& cosines) noexcept {
+  using Scalar = Registers<Number, lanes, count>;
+  using Numbers = typename Scalar::Numbers;
+  using Bits = typename Scalar::Bits;
+  constexpr int sign_bit = 8 * static_cast<int>(sizeof(Number)) - 1;
+  Scalar shifted, sine, cosine;
+  SineCosine<Scalar, sizeof(Number) == sizeof(float)>::of_remainder(angles, shifted, sine, cosine);
+  const Bits sign = (Bits)scalar_traits<Scalar>::constant(-0.0, -0.0f, nullptr).part[0];
+  for (int i = 0; i < count; ++i) {
+    const Bits bits = (Bits)shifted.part[i], s = (Bits)sine.part[i], c = (Bits)cosine.part[i];
+    const Bits odd = Bits{} - (bits & 1);  // all bits or none
+    const Bits upper = bits << (sign_bit - 1);
+    // The sine is negated for n = 2 and 3, the cosine for 1 and 2.
+    sines.part[i] = (Numbers)(((odd & c) | (~odd & s)) ^ (upper & sign));
+    cosines.part[i] = (Numbers)(((odd & s) | (~odd & c)) ^ ((upper ^ odd) & sign));
+  }
 }
 
-/// Of several angles at once, in float or double: as many as a vector holds go through the core together.
-template <class Scalar, int N>
-TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
-                                            Scalar (&cosines)[N]) noexcept {
-  constexpr int narrow = 16 / sizeof(Scalar);
+/// Of the angles first to first + size - 1, up to the bound, in one register or two; idle lanes get 0. Returns the sum
+/// of their squares. Places are constants before anything is optimised: lanes then come from registers and go there,
+/// where a way through memory would be stored in parts and loaded whole.
+template <int size, class Number, int N, int... lane, int... place>
+TORSOR_INLINED Number sincos_of_some(int first, const Number (&angles)[N], Number (&sines)[N], Number (&cosines)[N],
+                                     Places<lane...>, Places<place...>) noexcept {
+  constexpr int lanes = sizeof...(lane), count = size > lanes ? 2 : 1;
+  using Some = Registers<Number, lanes, count>;
+  const auto angle = [&](int i) noexcept { return i < size ? angles[first + i] : Number(0); };
+  Some x, s, c;
+  x.part[0] = typename Some::Numbers{angle(lane)...};
+  if constexpr (count == 2) x.part[1] = typename Some::Numbers{angle(lane + lanes)...};
+  sincos_of_registers(x, s, c);
+  ((sines[first + place] = s.part[place / lanes][place % lanes]), ...);
+  ((cosines[first + place] = c.part[place / lanes][place % lanes]), ...);
+  typename Some::Numbers squares = x.part[0] * x.part[0];
+  if constexpr (count == 2) squares += x.part[1] * x.part[1];
+  return (squares[lane] + ...);
+}
+
+/// Of several angles up to the bound, by two registers at a time. Returns the sum of their squares.
+template <class Number, int N>
+TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&sines)[N],
+                                          Number (&cosines)[N]) noexcept {
+  constexpr int narrow = 16 / static_cast<int>(sizeof(Number));
 #if defined(__AVX__)
-  constexpr int wide = 32 / sizeof(Scalar);
+  // Registers of AVX-512 gain nothing for so few numbers.
+  constexpr int lanes = N <= narrow ? narrow : 2 * narrow;
 #else
-  constexpr int wide = narrow;
+  constexpr int lanes = narrow;
 #endif
-#if defined(__CUDA_ARCH__) || defined(TORSOR_STD_SINCOS)
-  constexpr bool by_vectors = false;
-#elif defined(__clang__)
-  constexpr bool by_vectors = N >= 4;  // it leaves a loop over two as it is
-#else
-  constexpr bool by_vectors = N >= narrow;
-#endif
-  if constexpr (by_vectors) {
-    constexpr int vector = N >= wide ? wide : narrow, rest = N % vector;
-    // Of a rest some angles are done again: a whole vector costs less than two or three alone.
+  constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
+  using AllLanes = typename FirstPlaces<lanes>::type;
+  Number squares = 0;
+  // One copy of the code: its constants stay where they are.
 #if defined(__clang__)
-    sincos_of_block<N - rest>(angles, sines, cosines);  // best as one loop
-    if constexpr (rest > 1) {
-      sincos_of_block<vector>(angles + (N - vector), sines + (N - vector), cosines + (N - vector));
-    }
+#pragma clang loop unroll(disable)
 #else
-    for (int next = 0; next < N - (rest == 1); next += vector) {
-      const int first = next + vector <= N ? next : N - vector;
-      sincos_of_block<vector>(angles + first, sines + first, cosines + first);
-    }
+#pragma GCC unroll 1
 #endif
-    if constexpr (rest == 1) sincos_of_one(angles[N - 1], sines[N - 1], cosines[N - 1]);
+  for (int i = 0; i < whole; i += both)
+    squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+  if constexpr (rest > 0)
+    squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
+  return squares;
+}
+#endif
+
+/// Of several angles at once, in float or double.
+template <class Scalar, int N>
+TORSOR_DEVICE TORSOR_INLINED void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
+#if defined(TORSOR_VECTOR_TYPES) && !defined(TORSOR_STD_SINCOS)
+  constexpr bool at_once = N > 1;
+#else
+  constexpr bool at_once = false;
+#endif
+  if constexpr (at_once) {
+    const Scalar squares = sincos_in_registers(angles, sines, cosines);
     constexpr Scalar bound = static_cast<Scalar>(SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::bound);
-    Scalar sum = 0;
-    for (int i = 0; i < N; ++i) sum += std::abs(angles[i]);
-    const bool to_one_side = rounds_to_one_side(sum);
-    if (sum <= bound && !to_one_side) return;
+    if (squares <= bound * bound && !rounds_to_one_side(squares)) return;
     for (int i = 0; i < N; ++i) {
-      if (std::abs(angles[i]) > bound || to_one_side) sincos_far(angles[i], sines[i], cosines[i]);
+      if (std::abs(angles[i]) > bound || rounds_to_one_side(angles[i])) sincos_far(angles[i], sines[i], cosines[i]);
     }
   } else {
     for (int i = 0; i < N; ++i) sincos_of_one(angles[i], sines[i], cosines[i]);
@@ -336,17 +434,19 @@ TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&
 
 /// Of several angles of any scalar: at once where its traits have a `sincos` of arrays, else one by one.
 template <class Scalar, int N>
-TORSOR_DEVICE auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N], int) noexcept
+TORSOR_DEVICE TORSOR_INLINED auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], int) noexcept
     -> decltype(scalar_traits<Scalar>::sincos(angles, sines, cosines)) {
   scalar_traits<Scalar>::sincos(angles, sines, cosines);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N],
-                                    long) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], long) noexcept {
   for (int i = 0; i < N; ++i) scalar_traits<Scalar>::sincos(angles[i], sines[i], cosines[i]);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
   sincos_by_traits(angles, sines, cosines, 0);
 }
 
@@ -383,7 +483,8 @@ struct scalar_traits {
   }
   /// Of several angles at once; a specialisation without it gets them one by one.
   template <int N>
-  TORSOR_DEVICE static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+  TORSOR_DEVICE TORSOR_INLINED static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                  Scalar (&cosines)[N]) noexcept {
     sincos_of_several(angles, sines, cosines);
   }
   TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
@@ -396,7 +497,7 @@ struct scalar_traits {
 };
 
 }  // namespace torsor
-#elif TORSOR_KERNEL_SUPPORT != 2
+#elif TORSOR_KERNEL_SUPPORT != 3
 #error "headers of incompatible versions of torsor meet here: write them again with one version"
 #endif
 
@@ -524,7 +625,7 @@ struct Mechanism {
 
   static constexpr const char* name = "rolling_hoop";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x35c79253fa6d08a8ULL;
+  static constexpr unsigned long long fingerprint = 0x808f8834322537e5ULL;
   static constexpr int coordinate_count = 5;
   static constexpr int velocity_count = 5;
   static constexpr int input_count = 0;
@@ -863,23 +964,23 @@ struct Mechanism {
     const Scalar s_theta = sines_[0], c_theta = cosines_[0];
     const Scalar s_psi = sines_[1], c_psi = cosines_[1];
     const Scalar s_phi = sines_[2], c_phi = cosines_[2];
-    const Scalar z10 = c_theta * v_theta;
-    const Scalar z26 = c_theta * s_psi;
     const Scalar z27 = s_theta * s_psi;
-    const Scalar z28 = c_theta * c_psi;
     const Scalar z29 = s_theta * c_psi;
+    const Scalar z26 = c_theta * s_psi;
+    const Scalar z28 = c_theta * c_psi;
     const Scalar z31 = c_theta * v_psi;
     const Scalar z32 = v_theta * c_psi;  // angular velocity of hoop.2, x
     const Scalar z33 = v_theta * s_psi;  // angular velocity of hoop.2, y
+    const Scalar z10 = c_theta * v_theta;
+    const Scalar z38 = s_theta * s_phi;
+    const Scalar z39 = s_theta * c_phi;
+    const Scalar z45 = c_theta * v_phi + v_psi;  // angular velocity of hoop, z
     const Scalar z34 = c_psi * c_phi - s_phi * z26;
     const Scalar z35 = c_psi * s_phi + c_phi * z26;
     const Scalar z36 = s_psi * c_phi + s_phi * z28;
     const Scalar z37 = s_psi * s_phi - c_phi * z28;
-    const Scalar z38 = s_theta * s_phi;
-    const Scalar z39 = s_theta * c_phi;
     const Scalar z43 = v_phi * z27 + z32;  // angular velocity of hoop, x
     const Scalar z44 = v_phi * z29 - z33;  // angular velocity of hoop, y
-    const Scalar z45 = c_theta * v_phi + v_psi;  // angular velocity of hoop, z
     const Scalar z46 = v_x - v_theta * z27 + c_psi * z31;
     const Scalar z47 = v_y + v_theta * z29 + s_psi * z31;
     const Scalar z49 = q_x + z26;
@@ -936,10 +1037,10 @@ struct Mechanism {
     const Scalar z59 = precomputed.z59;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z54 = c_theta * p_C;
     const Scalar z61 = c_theta * z59;
-    const Scalar z62 = c_theta * z61 - p_A;
+    const Scalar z54 = c_theta * p_C;
     const Scalar z78 = c_theta * c_theta + p_A;
+    const Scalar z62 = c_theta * z61 - p_A;
     mass[0] = n1;
     mass[1] = n0;
     mass[2] = n0;
@@ -982,21 +1083,21 @@ struct Mechanism {
     const Scalar p_C = precomputed.parameters.C;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z11 = s_theta * v_theta;
-    const Scalar z30 = s_theta * v_psi;
     const Scalar z31 = c_theta * v_psi;
+    const Scalar z30 = s_theta * v_psi;
+    const Scalar z11 = s_theta * v_theta;
     const Scalar z42 = v_phi + z31;
     const Scalar z79 = v_theta * z11;
-    const Scalar z80 = n9_81 - z79;
     const Scalar z83 = v_theta * z31;  // angular acceleration of hoop.2, y
     const Scalar z84 = v_theta * z30;  // angular acceleration of hoop.2, z
+    const Scalar z92 = z30 * z31;
+    const Scalar z80 = n9_81 - z79;
     const Scalar z87 = z30 * z42;
     const Scalar z88 = v_theta * z42;
+    const Scalar z91 = p_C * z84;  // moment on hoop, z
+    const Scalar z93 = n2 * z83;
     const Scalar z89 = p_C * z87;  // moment on hoop, x
     const Scalar z90 = p_C * z88;  // moment on hoop, y
-    const Scalar z91 = p_C * z84;  // moment on hoop, z
-    const Scalar z92 = z30 * z31;
-    const Scalar z93 = n2 * z83;
     const Scalar z94 = p_A * z92 - z89;  // moment on hoop.2, x
     const Scalar z95 = p_A * z93 - z90;  // moment on hoop.2, y
     const Scalar z97 = s_theta * z95 - c_theta * z91;
@@ -1031,28 +1132,28 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta = sines_[0], c_theta = cosines_[0];
     const Scalar s_psi = sines_[1], c_psi = cosines_[1];
-    const Scalar z11 = s_theta * v_theta;
-    const Scalar z13 = c_theta * a_theta - v_theta * z11;
     const Scalar z30 = s_theta * v_psi;
     const Scalar z31 = c_theta * v_psi;
+    const Scalar z106 = c_theta * a_psi;
+    const Scalar z105 = s_theta * a_psi;
+    const Scalar z11 = s_theta * v_theta;
+    const Scalar z13 = c_theta * a_theta - v_theta * z11;
     const Scalar z42 = v_phi + z31;
     const Scalar z83 = v_theta * z31;  // angular acceleration of hoop.2, y
-    const Scalar z87 = z30 * z42;
-    const Scalar z88 = v_theta * z42;
-    const Scalar z89 = p_C * z87;  // moment on hoop, x
-    const Scalar z90 = p_C * z88;  // moment on hoop, y
     const Scalar z92 = z30 * z31;
-    const Scalar z102 = n9_81 + z13;
-    const Scalar z105 = s_theta * a_psi;
-    const Scalar z106 = c_theta * a_psi;
     const Scalar z109 = v_theta * z31 + z105;  // angular acceleration of hoop.2, y
     const Scalar z110 = v_theta * z30 - z106;  // angular acceleration of hoop.2, z
+    const Scalar z87 = z30 * z42;
+    const Scalar z88 = v_theta * z42;
+    const Scalar z102 = n9_81 + z13;
     const Scalar z113 = a_phi - z110;  // angular acceleration of hoop, z
-    const Scalar z114 = p_C * z113;  // moment on hoop, z
     const Scalar z115 = z83 + z109;
+    const Scalar z89 = p_C * z87;  // moment on hoop, x
+    const Scalar z90 = p_C * z88;  // moment on hoop, y
+    const Scalar z114 = p_C * z113;  // moment on hoop, z
     const Scalar z116 = p_A * (a_theta - z92) + z89;  // moment on hoop.2, x
     const Scalar z117 = p_A * z115 - z90;  // moment on hoop.2, y
-    const Scalar z119 = s_theta * z117 + c_theta * z114;
+    const Scalar z119 = c_theta * z114 + s_theta * z117;
     const Scalar z126 = c_theta * z102 + z116;
     forces.x = a_x + s_psi * l_lambda_along_y1 - c_psi * l_lambda_along_x1;
     forces.y = a_y - s_psi * l_lambda_along_x1 - c_psi * l_lambda_along_y1;
@@ -1066,9 +1167,9 @@ struct Mechanism {
   /// positive relative to its diagonal entry.
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
       const Inputs&, Accelerations& accelerations, Multipliers& multipliers) noexcept {
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar v_x = state.v.x;
     const Scalar v_y = state.v.y;
@@ -1088,52 +1189,52 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta = sines_[0], c_theta = cosines_[0];
     const Scalar s_psi = sines_[1], c_psi = cosines_[1];
-    const Scalar z10 = c_theta * v_theta;
-    const Scalar z11 = s_theta * v_theta;
-    const Scalar z30 = s_theta * v_psi;
-    const Scalar z31 = c_theta * v_psi;
-    const Scalar z42 = v_phi + z31;
-    const Scalar z54 = c_theta * p_C;
-    const Scalar z61 = c_theta * z59;
-    const Scalar z62 = c_theta * z61 - p_A;
     const Scalar z78 = c_theta * c_theta + p_A;
+    const Scalar z31 = c_theta * v_psi;
+    const Scalar z140 = s_theta * s_theta * p_A;
+    const Scalar z30 = s_theta * v_psi;
+    const Scalar z131 = v_psi * s_psi;
+    const Scalar z11 = s_theta * v_theta;
+    const Scalar z132 = v_psi * c_psi;
+    const Scalar z54 = c_theta * p_C;
+    const Scalar z10 = c_theta * v_theta;
+    const Scalar z61 = c_theta * z59;
+    const Scalar z42 = v_phi + z31;
+    const Scalar z62 = c_theta * z61 - p_A;
     const Scalar z79 = v_theta * z11;
-    const Scalar z80 = n9_81 - z79;
     const Scalar z83 = v_theta * z31;  // angular acceleration of hoop.2, y
     const Scalar z84 = v_theta * z30;  // angular acceleration of hoop.2, z
-    const Scalar z87 = z30 * z42;
-    const Scalar z88 = v_theta * z42;
-    const Scalar z89 = p_C * z87;  // moment on hoop, x
-    const Scalar z90 = p_C * z88;  // moment on hoop, y
-    const Scalar z91 = p_C * z84;  // moment on hoop, z
     const Scalar z92 = z30 * z31;
-    const Scalar z93 = n2 * z83;
-    const Scalar z94 = p_A * z92 - z89;  // moment on hoop.2, x
-    const Scalar z95 = p_A * z93 - z90;  // moment on hoop.2, y
-    const Scalar z101 = c_theta * z80 - z94;
-    const Scalar z131 = v_psi * s_psi;
-    const Scalar z132 = v_psi * c_psi;
     const Scalar z133 = v_x * z131 - v_y * z132 + z11 * v_psi;
     const Scalar z135 = v_x * z132 + v_y * z131 - v_theta * z10;
     const Scalar z139 = z54 * z138;
-    const Scalar z140 = s_theta * s_theta * p_A;
     const Scalar z141 = n1 / z78;
+    const Scalar z80 = n9_81 - z79;
+    const Scalar z87 = z30 * z42;
+    const Scalar z88 = v_theta * z42;
+    const Scalar z91 = p_C * z84;  // moment on hoop, z
+    const Scalar z93 = n2 * z83;
     const Scalar z142 = n1 / z140;
-    const Scalar z143 = s_theta * z141;
-    const Scalar z145 = n1 + s_theta * z143;
-    const Scalar z146 = n1 / z145;
+    const Scalar z89 = p_C * z87;  // moment on hoop, x
+    const Scalar z90 = p_C * z88;  // moment on hoop, y
+    const Scalar z94 = p_A * z92 - z89;  // moment on hoop.2, x
+    const Scalar z95 = p_A * z93 - z90;  // moment on hoop.2, y
+    const Scalar z101 = c_theta * z80 - z94;
     const Scalar z148 = s_theta * z95;
+    const Scalar z143 = s_theta * z141;
     const Scalar z149 = z142 * z148;
+    const Scalar z145 = n1 + s_theta * z143;
     const Scalar z150 = z101 * z141;
     const Scalar z151 = z91 * z138 + z139 * z149;
-    const Scalar z152 = c_theta * z149 + z133 - z151;
     const Scalar z153 = s_theta * z150 + z135;
+    const Scalar z146 = n1 / z145;
+    const Scalar z152 = c_theta * z149 + z133 - z151;
     const Scalar z154 = z147 * z152;
+    const Scalar z159 = z138 * z154 + z151;
     const Scalar z155 = z146 * z153;
     const Scalar z156 = s_psi * z155 - c_psi * z154;
     const Scalar z157 = s_psi * z154 + c_psi * z155;
     const Scalar z158 = z143 * z155 - z150;
-    const Scalar z159 = z138 * z154 + z151;
     accelerations.x = -z156;
     accelerations.y = z157;
     accelerations.psi = -z149;
@@ -1173,18 +1274,18 @@ struct Mechanism {
     const Scalar s_psi = sines_[1], c_psi = cosines_[1];
     const Scalar s_phi = sines_[2], c_phi = cosines_[2];
     const Scalar z10 = c_theta * v_theta;
+    const Scalar z161 = v_x * s_psi - v_y * c_psi;
+    const Scalar z160 = v_x * c_psi + v_y * s_psi;
     const Scalar z30 = s_theta * v_psi;
     const Scalar z31 = c_theta * v_psi;
     const Scalar z40 = v_theta * c_phi + s_phi * z30;
     const Scalar z41 = v_theta * s_phi - c_phi * z30;
     const Scalar z42 = v_phi + z31;
-    const Scalar z160 = v_x * c_psi + v_y * s_psi;
-    const Scalar z161 = v_x * s_psi - v_y * c_psi;
     const Scalar z162 = s_theta * z10 - c_theta * z161;
-    const Scalar z163 = s_theta * z161 + c_theta * z10;
-    const Scalar z164 = s_phi * z162 + c_phi * z160;
+    const Scalar z163 = c_theta * z10 + s_theta * z161;
+    const Scalar z164 = c_phi * z160 + s_phi * z162;
     const Scalar z165 = s_phi * z160 - c_phi * z162;
-    result.kinetic = n0_5 * (p_A * (z40 * z40 + z41 * z41) + p_C * z42 * z42 + z163 * z163 + z164 * z164 + z165 * z165);
+    result.kinetic = n0_5 * (p_C * z42 * z42 + z163 * z163 + p_A * (z40 * z40 + z41 * z41) + z164 * z164 + z165 * z165);
     result.force_function = -n9_81 * s_theta;
     result.power = n0;
   }
@@ -1192,8 +1293,8 @@ struct Mechanism {
   /// First integrals: constant along every motion.
   TORSOR_DEVICE static void first_integrals(const Precomputed& precomputed, const State& state,
       FirstIntegrals& result) noexcept {
-    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar v_x = state.v.x;
     const Scalar v_y = state.v.y;
     const Scalar q_theta = state.q.theta;
@@ -1211,19 +1312,19 @@ struct Mechanism {
     const Scalar s_psi = sines_[1], c_psi = cosines_[1];
     const Scalar s_phi = sines_[2], c_phi = cosines_[2];
     const Scalar z10 = c_theta * v_theta;
+    const Scalar z161 = v_x * s_psi - v_y * c_psi;
+    const Scalar z160 = v_x * c_psi + v_y * s_psi;
     const Scalar z30 = s_theta * v_psi;
     const Scalar z31 = c_theta * v_psi;
     const Scalar z40 = v_theta * c_phi + s_phi * z30;
     const Scalar z41 = v_theta * s_phi - c_phi * z30;
     const Scalar z42 = v_phi + z31;
-    const Scalar z160 = v_x * c_psi + v_y * s_psi;
-    const Scalar z161 = v_x * s_psi - v_y * c_psi;
     const Scalar z162 = s_theta * z10 - c_theta * z161;
-    const Scalar z163 = s_theta * z161 + c_theta * z10;
-    const Scalar z164 = s_phi * z162 + c_phi * z160;
+    const Scalar z163 = c_theta * z10 + s_theta * z161;
+    const Scalar z164 = c_phi * z160 + s_phi * z162;
     const Scalar z165 = s_phi * z160 - c_phi * z162;
-    result.energy = n0_5 * (p_A * (z40 * z40 + z41 * z41) + p_C * z42 * z42 + z163 * z163 + z164 * z164 + z165 * z165)
-        + n9_81 * s_theta;
+    result.energy = n9_81 * s_theta + n0_5 * (p_C * z42 * z42 + z163 * z163 + p_A * (z40 * z40 + z41 * z41) + z164
+        * z164 + z165 * z165);
   }
 
   /// Constraints A(q, t) v - b(q, t) = 0, in the order of the multipliers.
@@ -1242,13 +1343,13 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta = sines_[0], c_theta = cosines_[0];
     const Scalar s_psi = sines_[1], c_psi = cosines_[1];
-    const Scalar z10 = c_theta * v_theta;
-    const Scalar z11 = s_theta * v_theta;
-    const Scalar z130 = v_x * c_psi + v_y * s_psi + c_theta * v_psi + v_phi;
     const Scalar z131 = v_psi * s_psi;
     const Scalar z132 = v_psi * c_psi;
-    const Scalar z133 = v_x * z131 - v_y * z132 + z11 * v_psi;
+    const Scalar z10 = c_theta * v_theta;
+    const Scalar z11 = s_theta * v_theta;
+    const Scalar z130 = v_phi + v_x * c_psi + v_y * s_psi + c_theta * v_psi;
     const Scalar z134 = v_x * s_psi - v_y * c_psi - s_theta * v_theta;
+    const Scalar z133 = v_x * z131 - v_y * z132 + z11 * v_psi;
     const Scalar z135 = v_x * z132 + v_y * z131 - v_theta * z10;
     result.value[0] = n0;
     result.rate[0] = z130;
@@ -1277,9 +1378,9 @@ struct Mechanism {
   TORSOR_DEVICE static torsor::Status linearisation(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Multipliers& multipliers, const Inputs&,
       Linearisation& result) noexcept {
-    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar v_x = state.v.x;
     const Scalar a_x = accelerations.x;
@@ -1303,212 +1404,245 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta = sines_[0], c_theta = cosines_[0];
     const Scalar s_psi = sines_[1], c_psi = cosines_[1];
-    const Scalar z10 = c_theta * v_theta;
-    const Scalar z11 = s_theta * v_theta;
-    const Scalar z13 = c_theta * a_theta - v_theta * z11;
+    const Scalar z232 = n1 / c_psi;
+    const Scalar z231 = n1 / s_theta;
+    const Scalar z78 = c_theta * c_theta + p_A;
+    const Scalar z61 = c_theta * z59;
+    const Scalar z54 = c_theta * p_C;
     const Scalar z30 = s_theta * v_psi;
     const Scalar z31 = c_theta * v_psi;
+    const Scalar z106 = c_theta * a_psi;
+    const Scalar z132 = v_psi * c_psi;
+    const Scalar z10 = c_theta * v_theta;
+    const Scalar z11 = s_theta * v_theta;
+    const Scalar z105 = s_theta * a_psi;
+    const Scalar z131 = v_psi * s_psi;
+    const Scalar z245 = v_x / c_psi;
+    const Scalar z161 = v_x * s_psi - v_y * c_psi;
+    const Scalar z160 = v_x * c_psi + v_y * s_psi;
+    const Scalar z250 = n2 * v_psi / c_psi;
+    const Scalar z252 = n2 * v_psi * s_psi / c_psi;
+    const Scalar z218 = v_theta * p_C;
+    const Scalar z189 = s_psi * l_lambda_along_x1 + c_psi * l_lambda_along_y1;
+    const Scalar z190 = s_psi * l_lambda_along_y1 - c_psi * l_lambda_along_x1;
+    const Scalar z219 = s_theta * z218;
+    const Scalar z233 = s_theta * s_theta;
+    const Scalar z236 = c_psi * c_psi;
+    const Scalar z13 = c_theta * a_theta - v_theta * z11;
+    const Scalar z253 = n2 * c_theta * v_theta / (s_theta * c_psi);
     const Scalar z42 = v_phi + z31;
-    const Scalar z54 = c_theta * p_C;
-    const Scalar z61 = c_theta * z59;
     const Scalar z62 = c_theta * z61 - p_A;
-    const Scalar z78 = c_theta * c_theta + p_A;
     const Scalar z79 = v_theta * z11;
     const Scalar z83 = v_theta * z31;  // angular acceleration of hoop.2, y
     const Scalar z84 = v_theta * z30;  // angular acceleration of hoop.2, z
-    const Scalar z87 = z30 * z42;
-    const Scalar z88 = v_theta * z42;
-    const Scalar z89 = p_C * z87;  // moment on hoop, x
-    const Scalar z90 = p_C * z88;  // moment on hoop, y
-    const Scalar z91 = p_C * z84;  // moment on hoop, z
     const Scalar z92 = z30 * z31;
-    const Scalar z102 = n9_81 + z13;
-    const Scalar z105 = s_theta * a_psi;
-    const Scalar z106 = c_theta * a_psi;
     const Scalar z109 = v_theta * z31 + z105;  // angular acceleration of hoop.2, y
     const Scalar z110 = v_theta * z30 - z106;  // angular acceleration of hoop.2, z
-    const Scalar z113 = a_phi - z110;  // angular acceleration of hoop, z
-    const Scalar z114 = p_C * z113;  // moment on hoop, z
-    const Scalar z115 = z83 + z109;
-    const Scalar z116 = p_A * (a_theta - z92) + z89;  // moment on hoop.2, x
-    const Scalar z117 = p_A * z115 - z90;  // moment on hoop.2, y
-    const Scalar z119 = s_theta * z117 + c_theta * z114;
-    const Scalar z126 = c_theta * z102 + z116;
-    const Scalar z131 = v_psi * s_psi;
-    const Scalar z132 = v_psi * c_psi;
     const Scalar z133 = v_x * z131 - v_y * z132 + z11 * v_psi;
     const Scalar z135 = v_x * z132 + v_y * z131 - v_theta * z10;
-    const Scalar z160 = v_x * c_psi + v_y * s_psi;
-    const Scalar z161 = v_x * s_psi - v_y * c_psi;
-    const Scalar z169 = p_C * z42;
-    const Scalar z189 = s_psi * l_lambda_along_x1 + c_psi * l_lambda_along_y1;
-    const Scalar z190 = s_psi * l_lambda_along_y1 - c_psi * l_lambda_along_x1;
     const Scalar z191 = n2 * z10;
     const Scalar z192 = z10 * p_C;
-    const Scalar z193 = p_A * z191 - z192;
     const Scalar z194 = z11 * p_C;
-    const Scalar z195 = s_theta * z193 - c_theta * z194;
     const Scalar z196 = s_theta * z31 + c_theta * z30;
-    const Scalar z197 = s_theta * z42 + c_theta * z30;
-    const Scalar z198 = p_C * z197;
-    const Scalar z199 = p_A * z196 - z198;
     const Scalar z200 = n2 * z31;
-    const Scalar z201 = p_A * z200 - z169;
     const Scalar z202 = p_C * z30;
-    const Scalar z203 = s_theta * z201 - c_theta * z202;
-    const Scalar z204 = z84 + z110;
-    const Scalar z205 = p_A * z204 - z91;
-    const Scalar z206 = p_C * z109;
-    const Scalar z207 = s_theta * (z114 + z205) - c_theta * (z117 - z206);
-    const Scalar z208 = s_theta * l_lambda_along_x1 - z207;
     const Scalar z209 = s_theta * v_theta + z11;
-    const Scalar z210 = c_theta * z209;
     const Scalar z211 = s_theta * a_theta + v_theta * z10;
     const Scalar z212 = z30 * z30 - z31 * z31;
-    const Scalar z213 = z30 * z30 - z31 * z42;
-    const Scalar z214 = p_C * z213;
-    const Scalar z215 = p_A * z212 - z214;
-    const Scalar z216 = s_theta * z102 + c_theta * z211 - z215;
-    const Scalar z217 = c_theta * l_lambda_along_y1 + z216;
-    const Scalar z218 = v_theta * p_C;
-    const Scalar z219 = s_theta * z218;
-    const Scalar z220 = a_x * s_psi - a_y * c_psi - s_theta * a_theta + z135;
-    const Scalar z221 = a_x * c_psi + a_y * s_psi + c_theta * a_psi + a_phi - z133;
     const Scalar z222 = v_x * z131 - v_y * z132;
-    const Scalar z223 = a_x * c_psi + a_y * s_psi - z222;
-    const Scalar z224 = v_x * s_psi - v_y * c_psi + z11;
+    const Scalar z224 = z11 + v_x * s_psi - v_y * c_psi;
     const Scalar z225 = v_x * z132 + v_y * z131;
-    const Scalar z226 = a_x * s_psi - a_y * c_psi + z225;
     const Scalar z227 = c_theta * v_theta + z10;
-    const Scalar z228 = c_theta * a_theta - z79;
     const Scalar z229 = z10 * v_psi;
-    const Scalar z230 = s_theta * a_psi + z229;
-    const Scalar z231 = n1 / s_theta;
-    const Scalar z232 = n1 / c_psi;
-    const Scalar z233 = s_theta * s_theta;
     const Scalar z234 = n1 + s_theta * s_theta / z78;
-    const Scalar z235 = z78 * z234;
-    const Scalar z236 = c_psi * c_psi;
-    const Scalar z237 = n1 - c_theta * c_theta / z62 + n1 / p_C;
-    const Scalar z238 = s_psi * z232;
-    const Scalar z239 = z231 * z232;
-    const Scalar z240 = c_theta * z232;
-    const Scalar z241 = s_psi * z240;
-    const Scalar z242 = z231 * z241;
-    const Scalar z243 = z231 * z238;
-    const Scalar z244 = z161 * z232;
-    const Scalar z245 = v_x / c_psi;
+    const Scalar z87 = z30 * z42;
+    const Scalar z88 = v_theta * z42;
+    const Scalar z91 = p_C * z84;  // moment on hoop, z
+    const Scalar z169 = p_C * z42;
+    const Scalar z193 = p_A * z191 - z192;
+    const Scalar z213 = z30 * z30 - z31 * z42;
+    const Scalar z204 = z84 + z110;
+    const Scalar z113 = a_phi - z110;  // angular acceleration of hoop, z
+    const Scalar z115 = z83 + z109;
+    const Scalar z201 = p_A * z200 - z169;
+    const Scalar z205 = p_A * z204 - z91;
+    const Scalar z214 = p_C * z213;
+    const Scalar z90 = p_C * z88;  // moment on hoop, y
+    const Scalar z117 = p_A * z115 - z90;  // moment on hoop.2, y
+    const Scalar z215 = p_A * z212 - z214;
     const Scalar z246 = z231 * z245;
-    const Scalar z247 = z30 * z232;
-    const Scalar z248 = z10 - s_psi * z247;
-    const Scalar z249 = z231 * z248;
-    const Scalar z250 = n2 * v_psi / c_psi;
-    const Scalar z251 = z30 * z242 + z131 * z240 - z224;
-    const Scalar z252 = n2 * v_psi * s_psi / c_psi;
-    const Scalar z253 = n2 * c_theta * v_theta / (s_theta * c_psi);
-    const Scalar z254 = z132 * z240 - z160 - z227 * z242;
-    const Scalar z255 = z132 * z232 - z227 * z243;
+    const Scalar z114 = p_C * z113;  // moment on hoop, z
+    const Scalar z244 = z161 * z232;
+    const Scalar z206 = p_C * z109;
+    const Scalar z226 = z225 + a_x * s_psi - a_y * c_psi;
+    const Scalar z230 = s_theta * a_psi + z229;
+    const Scalar z102 = n9_81 + z13;
+    const Scalar z216 = c_theta * z211 - z215 + s_theta * z102;
+    const Scalar z235 = z78 * z234;
+    const Scalar z197 = c_theta * z30 + s_theta * z42;
+    const Scalar z223 = a_x * c_psi - z222 + a_y * s_psi;
+    const Scalar z228 = c_theta * a_theta - z79;
+    const Scalar z198 = p_C * z197;
+    const Scalar z199 = p_A * z196 - z198;
+    const Scalar z203 = s_theta * z201 - c_theta * z202;
+    const Scalar z207 = s_theta * (z114 + z205) - c_theta * (z117 - z206);
     const Scalar z256 = z232 * z250;
-    const Scalar z257 = s_psi * z256 - z253;
-    const Scalar z258 = z231 * z257;
-    const Scalar z259 = z232 * z251;
-    const Scalar z260 = s_psi * z259 + z254;
-    const Scalar z261 = z231 * z260;
     const Scalar z262 = z232 * z252;
-    const Scalar z263 = s_psi * z262 + z255;
-    const Scalar z264 = z231 * z263;
-    const Scalar z265 = z30 * z246 + z131 * z244;
-    const Scalar z266 = z30 * z249 - z131 * z247;
-    const Scalar z267 = z132 * z244 - z227 * z246;
-    const Scalar z268 = z132 * z247 + z227 * z249;
-    const Scalar z269 = z226 + z265;
-    const Scalar z270 = z230 - z266;
-    const Scalar z271 = z223 + z267;
-    const Scalar z272 = z228 - z268;
-    const Scalar z273 = z232 * z269;
-    const Scalar z274 = s_psi * z273 + z271;
-    const Scalar z275 = z231 * z274;
-    const Scalar z276 = z232 * z270;
-    const Scalar z277 = s_psi * z276 - z272;
-    const Scalar z278 = z231 * z277;
+    const Scalar z210 = c_theta * z209;
+    const Scalar z195 = s_theta * z193 - c_theta * z194;
+    const Scalar z208 = s_theta * l_lambda_along_x1 - z207;
+    const Scalar z217 = c_theta * l_lambda_along_y1 + z216;
+    const Scalar z257 = s_psi * z256 - z253;
+    const Scalar z89 = p_C * z87;  // moment on hoop, x
+    const Scalar z116 = p_A * (a_theta - z92) + z89;  // moment on hoop.2, x
+    const Scalar z258 = z231 * z257;
+    const Scalar z221 = a_phi + a_x * c_psi + a_y * s_psi + c_theta * a_psi - z133;
+    const Scalar z126 = c_theta * z102 + z116;
+    const Scalar z119 = c_theta * z114 + s_theta * z117;
+    const Scalar z220 = a_x * s_psi - a_y * c_psi - s_theta * a_theta + z135;
     const Scalar z279 = z221 * z232;
     const Scalar z280 = s_psi * z279 - z220;
+    const Scalar z237 = n1 + n1 / p_C - c_theta * c_theta / z62;
+    const Scalar z238 = s_psi * z232;
     const Scalar z281 = z231 * z280;
-    const Scalar z282 = z78 * z239;
-    const Scalar z283 = z78 * z242;
-    const Scalar z284 = z78 * z243;
-    const Scalar z285 = n1 + z238 * z238 + z239 * z282;
-    const Scalar z286 = z238 * z240 + z242 * z282;
-    const Scalar z287 = z232 * z238 + z243 * z282;
-    const Scalar z289 = z62 - z240 * z240 - z242 * z283;
-    const Scalar z290 = z54 + z232 * z240 + z243 * z283;
-    const Scalar z293 = p_C + z232 * z232 + z243 * z284;
-    const Scalar z294 = z238 * z256 + z258 * z282;
-    const Scalar z295 = z238 * z259 + z261 * z282;
-    const Scalar z296 = z238 * z262 + z264 * z282;
-    const Scalar z297 = z240 * z256 + z258 * z283;
-    const Scalar z298 = z240 * z259 + z261 * z283;
-    const Scalar z299 = z240 * z262 + z264 * z283;
-    const Scalar z300 = z232 * z256 + z258 * z284;
-    const Scalar z301 = z232 * z259 + z261 * z284;
-    const Scalar z302 = z232 * z262 + z264 * z284;
-    const Scalar z303 = z203 * z239;
-    const Scalar z304 = z195 - z203 * z242;
+    const Scalar z243 = z231 * z238;
+    const Scalar z240 = c_theta * z232;
+    const Scalar z241 = s_psi * z240;
+    const Scalar z247 = z30 * z232;
+    const Scalar z248 = z10 - s_psi * z247;
     const Scalar z305 = z203 * z243 + z219;
-    const Scalar z306 = z210 * z239;
+    const Scalar z242 = z231 * z241;
+    const Scalar z284 = z78 * z243;
+    const Scalar z239 = z231 * z232;
+    const Scalar z293 = p_C + z232 * z232 + z243 * z284;
+    const Scalar z249 = z231 * z248;
+    const Scalar z251 = z131 * z240 - z224 + z30 * z242;
+    const Scalar z254 = z132 * z240 - z160 - z227 * z242;
+    const Scalar z259 = z232 * z251;
+    const Scalar z304 = z195 - z203 * z242;
     const Scalar z307 = z199 - z210 * z242;
-    const Scalar z308 = z202 + z210 * z243;
-    const Scalar z309 = z202 * z239;
+    const Scalar z260 = s_psi * z259 + z254;
     const Scalar z310 = z194 - z202 * z242;
-    const Scalar z311 = z202 * z243;
-    const Scalar z312 = z239 * z306;
-    const Scalar z313 = z239 * z307;
-    const Scalar z314 = z239 * z308;
-    const Scalar z315 = z242 * z306 + z303;
     const Scalar z316 = z242 * z307 + z304;
-    const Scalar z317 = z242 * z308 + z305;
-    const Scalar z318 = z243 * z306 - z309;
     const Scalar z319 = z243 * z307 - z310;
+    const Scalar z261 = z231 * z260;
+    const Scalar z313 = z239 * z307;
+    const Scalar z283 = z78 * z242;
+    const Scalar z290 = z54 + z232 * z240 + z243 * z283;
+    const Scalar z289 = z62 - z240 * z240 - z242 * z283;
+    const Scalar z282 = z78 * z239;
+    const Scalar z265 = z30 * z246 + z131 * z244;
+    const Scalar z266 = z30 * z249 - z131 * z247;
+    const Scalar z269 = z226 + z265;
+    const Scalar z270 = z230 - z266;
+    const Scalar z267 = z132 * z244 - z227 * z246;
+    const Scalar z271 = z223 + z267;
+    const Scalar z268 = z132 * z247 + z227 * z249;
+    const Scalar z255 = z132 * z232 - z227 * z243;
+    const Scalar z272 = z228 - z268;
+    const Scalar z273 = z232 * z269;
+    const Scalar z276 = z232 * z270;
+    const Scalar z263 = s_psi * z262 + z255;
+    const Scalar z274 = s_psi * z273 + z271;
+    const Scalar z277 = s_psi * z276 - z272;
+    const Scalar z264 = z231 * z263;
+    const Scalar z368 = n1 / z293;
+    const Scalar z275 = z231 * z274;
+    const Scalar z278 = z231 * z277;
+    const Scalar z370 = z290 * z368;
+    const Scalar z286 = z238 * z240 + z242 * z282;
+    const Scalar z373 = z289 + z290 * z370;
+    const Scalar z287 = z232 * z238 + z243 * z282;
+    const Scalar z372 = z286 - z287 * z370;
+    const Scalar z285 = n1 + z238 * z238 + z239 * z282;
+    const Scalar z374 = n1 / z373;
+    const Scalar z369 = z287 * z368;
+    const Scalar z371 = z285 - z287 * z369;
+    const Scalar z336 = z203 * z246;
+    const Scalar z340 = z202 * z246;
+    const Scalar z338 = z210 * z246;
+    const Scalar z345 = z189 * z238 - z190 - z239 * z338;
+    const Scalar z347 = z189 * z240 - z336 - z242 * z338;
+    const Scalar z349 = z340 + z189 * z232 - z243 * z338;
+    const Scalar z337 = z203 * z249;
+    const Scalar z342 = z208 - z337;
+    const Scalar z303 = z203 * z239;
+    const Scalar z339 = z210 * z249;
+    const Scalar z343 = z217 - z339;
+    const Scalar z341 = z202 * z249;
+    const Scalar z344 = z206 - z341;
+    const Scalar z375 = z372 * z374;
+    const Scalar z306 = z210 * z239;
+    const Scalar z308 = z202 + z210 * z243;
+    const Scalar z376 = z371 + z372 * z375;
+    const Scalar z315 = z242 * z306 + z303;
+    const Scalar z317 = z242 * z308 + z305;
+    const Scalar z348 = z242 * z343 + z342;
+    const Scalar z350 = z243 * z343 - z344;
+    const Scalar z346 = z239 * z343;
+    const Scalar z377 = n1 / z376;
+    const Scalar z309 = z202 * z239;
+    const Scalar z311 = z202 * z243;
+    const Scalar z318 = z243 * z306 - z309;
+    const Scalar z312 = z239 * z306;
+    const Scalar z314 = z239 * z308;
     const Scalar z320 = z243 * z308 - z311;
+    const Scalar z294 = z238 * z256 + z258 * z282;
     const Scalar z321 = z294 - z312;
+    const Scalar z295 = z238 * z259 + z261 * z282;
     const Scalar z322 = z295 + z313;
+    const Scalar z296 = z238 * z262 + z264 * z282;
     const Scalar z323 = z296 - z314;
+    const Scalar z297 = z240 * z256 + z258 * z283;
+    const Scalar z300 = z232 * z256 + z258 * z284;
     const Scalar z324 = z297 - z315;
-    const Scalar z325 = z298 + z316;
-    const Scalar z326 = z299 - z317;
     const Scalar z327 = z300 - z318;
+    const Scalar z298 = z240 * z259 + z261 * z283;
+    const Scalar z301 = z232 * z259 + z261 * z284;
+    const Scalar z325 = z298 + z316;
     const Scalar z328 = z301 + z319;
+    const Scalar z378 = z324 - z327 * z370;
+    const Scalar z299 = z240 * z262 + z264 * z283;
+    const Scalar z302 = z232 * z262 + z264 * z284;
+    const Scalar z326 = z299 - z317;
     const Scalar z329 = z302 - z320;
+    const Scalar z383 = z325 - z328 * z370;
+    const Scalar z379 = z321 - z327 * z369 + z375 * z378;
+    const Scalar z393 = z326 - z329 * z370;
+    const Scalar z384 = z322 - z328 * z369 + z375 * z383;
+    const Scalar z394 = z323 - z329 * z369 + z375 * z393;
+    const Scalar z380 = z377 * z379;
+    const Scalar z385 = z377 * z384;
+    const Scalar z381 = z374 * z378 - z375 * z380;
+    const Scalar z395 = z377 * z394;
+    const Scalar z386 = z374 * z383 - z375 * z385;
+    const Scalar z382 = z327 * z368 - z369 * z380 + z370 * z381;
+    const Scalar z387 = z328 * z368 - z369 * z385 + z370 * z386;
+    const Scalar z396 = z374 * z393 - z375 * z395;
+    const Scalar z397 = z329 * z368 - z369 * z395 + z370 * z396;
     const Scalar z330 = z238 * z273 + z275 * z282;
     const Scalar z331 = z238 * z276 + z278 * z282;
     const Scalar z332 = z240 * z273 + z275 * z283;
-    const Scalar z333 = z240 * z276 + z278 * z283;
     const Scalar z334 = z232 * z273 + z275 * z284;
+    const Scalar z333 = z240 * z276 + z278 * z283;
     const Scalar z335 = z232 * z276 + z278 * z284;
-    const Scalar z336 = z203 * z246;
-    const Scalar z337 = z203 * z249;
-    const Scalar z338 = z210 * z246;
-    const Scalar z339 = z210 * z249;
-    const Scalar z340 = z202 * z246;
-    const Scalar z341 = z202 * z249;
-    const Scalar z342 = z208 - z337;
-    const Scalar z343 = z217 - z339;
-    const Scalar z344 = z206 - z341;
-    const Scalar z345 = z189 * z238 - z190 - z239 * z338;
-    const Scalar z346 = z239 * z343;
-    const Scalar z347 = z189 * z240 - z242 * z338 - z336;
-    const Scalar z348 = z242 * z343 + z342;
-    const Scalar z349 = z189 * z232 - z243 * z338 + z340;
-    const Scalar z350 = z243 * z343 - z344;
     const Scalar z351 = z330 + z345;
     const Scalar z352 = z331 - z346;
     const Scalar z353 = z332 + z347;
     const Scalar z354 = z333 - z348;
     const Scalar z355 = z334 + z349;
     const Scalar z356 = z335 - z350;
+    const Scalar z388 = z353 - z355 * z370;
+    const Scalar z398 = z354 - z356 * z370;
     const Scalar z357 = a_x + s_psi * l_lambda_along_y1 - c_psi * l_lambda_along_x1;
+    const Scalar z389 = z351 - z355 * z369 + z375 * z388;
+    const Scalar z399 = z352 - z356 * z369 + z375 * z398;
+    const Scalar z390 = z377 * z389;
+    const Scalar z400 = z377 * z399;
     const Scalar z358 = s_theta * l_lambda_along_y1 - z126;
     const Scalar z359 = a_x * s_psi / c_psi - a_y + z126 / (s_theta * c_psi);
+    const Scalar z391 = z374 * z388 - z375 * z390;
+    const Scalar z401 = z374 * z398 - z375 * z400;
     const Scalar z360 = c_theta * l_lambda_along_x1 - z119 + z240 * z357 - z242 * z358;
     const Scalar z361 = z114 - l_lambda_along_x1 - z232 * z357 + z243 * z358;
     const Scalar z362 = z238 * z279 + z281 * z282;
@@ -1517,40 +1651,7 @@ struct Mechanism {
     const Scalar z365 = z359 - z362;
     const Scalar z366 = z360 - z363;
     const Scalar z367 = z361 + z364;
-    const Scalar z368 = n1 / z293;
-    const Scalar z369 = z287 * z368;
-    const Scalar z370 = z290 * z368;
-    const Scalar z371 = z285 - z287 * z369;
-    const Scalar z372 = z286 - z287 * z370;
-    const Scalar z373 = z289 + z290 * z370;
-    const Scalar z374 = n1 / z373;
-    const Scalar z375 = z372 * z374;
-    const Scalar z376 = z371 + z372 * z375;
-    const Scalar z377 = n1 / z376;
-    const Scalar z378 = z324 - z327 * z370;
-    const Scalar z379 = z321 - z327 * z369 + z375 * z378;
-    const Scalar z380 = z377 * z379;
-    const Scalar z381 = z374 * z378 - z375 * z380;
-    const Scalar z382 = z327 * z368 - z369 * z380 + z370 * z381;
-    const Scalar z383 = z325 - z328 * z370;
-    const Scalar z384 = z322 - z328 * z369 + z375 * z383;
-    const Scalar z385 = z377 * z384;
-    const Scalar z386 = z374 * z383 - z375 * z385;
-    const Scalar z387 = z328 * z368 - z369 * z385 + z370 * z386;
-    const Scalar z388 = z353 - z355 * z370;
-    const Scalar z389 = z351 - z355 * z369 + z375 * z388;
-    const Scalar z390 = z377 * z389;
-    const Scalar z391 = z374 * z388 - z375 * z390;
     const Scalar z392 = z355 * z368 - z369 * z390 + z370 * z391;
-    const Scalar z393 = z326 - z329 * z370;
-    const Scalar z394 = z323 - z329 * z369 + z375 * z393;
-    const Scalar z395 = z377 * z394;
-    const Scalar z396 = z374 * z393 - z375 * z395;
-    const Scalar z397 = z329 * z368 - z369 * z395 + z370 * z396;
-    const Scalar z398 = z354 - z356 * z370;
-    const Scalar z399 = z352 - z356 * z369 + z375 * z398;
-    const Scalar z400 = z377 * z399;
-    const Scalar z401 = z374 * z398 - z375 * z400;
     const Scalar z402 = z356 * z368 - z369 * z400 + z370 * z401;
     result.M[0] = n1;
     result.M[1] = n0;
@@ -1754,8 +1855,8 @@ struct Mechanism {
   /// Derivatives of inverse_dynamics at (q, v, a, lambda). That by accelerations is the mass matrix.
   TORSOR_DEVICE static void inverse_dynamics_derivatives(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Multipliers& multipliers, InverseDynamicsDerivatives& result) noexcept {
-    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
@@ -1774,58 +1875,58 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta = sines_[0], c_theta = cosines_[0];
     const Scalar s_psi = sines_[1], c_psi = cosines_[1];
-    const Scalar z10 = c_theta * v_theta;
-    const Scalar z11 = s_theta * v_theta;
-    const Scalar z13 = c_theta * a_theta - v_theta * z11;
     const Scalar z30 = s_theta * v_psi;
     const Scalar z31 = c_theta * v_psi;
+    const Scalar z106 = c_theta * a_psi;
+    const Scalar z105 = s_theta * a_psi;
+    const Scalar z10 = c_theta * v_theta;
+    const Scalar z11 = s_theta * v_theta;
+    const Scalar z218 = v_theta * p_C;
+    const Scalar z189 = s_psi * l_lambda_along_x1 + c_psi * l_lambda_along_y1;
+    const Scalar z190 = s_psi * l_lambda_along_y1 - c_psi * l_lambda_along_x1;
+    const Scalar z219 = s_theta * z218;
+    const Scalar z13 = c_theta * a_theta - v_theta * z11;
     const Scalar z42 = v_phi + z31;
     const Scalar z83 = v_theta * z31;  // angular acceleration of hoop.2, y
     const Scalar z84 = v_theta * z30;  // angular acceleration of hoop.2, z
-    const Scalar z88 = v_theta * z42;
-    const Scalar z90 = p_C * z88;  // moment on hoop, y
-    const Scalar z91 = p_C * z84;  // moment on hoop, z
-    const Scalar z102 = n9_81 + z13;
-    const Scalar z105 = s_theta * a_psi;
-    const Scalar z106 = c_theta * a_psi;
     const Scalar z109 = v_theta * z31 + z105;  // angular acceleration of hoop.2, y
     const Scalar z110 = v_theta * z30 - z106;  // angular acceleration of hoop.2, z
-    const Scalar z113 = a_phi - z110;  // angular acceleration of hoop, z
-    const Scalar z114 = p_C * z113;  // moment on hoop, z
-    const Scalar z115 = z83 + z109;
-    const Scalar z117 = p_A * z115 - z90;  // moment on hoop.2, y
-    const Scalar z169 = p_C * z42;
-    const Scalar z189 = s_psi * l_lambda_along_x1 + c_psi * l_lambda_along_y1;
-    const Scalar z190 = s_psi * l_lambda_along_y1 - c_psi * l_lambda_along_x1;
     const Scalar z191 = n2 * z10;
     const Scalar z192 = z10 * p_C;
-    const Scalar z193 = p_A * z191 - z192;
     const Scalar z194 = z11 * p_C;
-    const Scalar z195 = s_theta * z193 - c_theta * z194;
     const Scalar z196 = s_theta * z31 + c_theta * z30;
-    const Scalar z197 = s_theta * z42 + c_theta * z30;
-    const Scalar z198 = p_C * z197;
-    const Scalar z199 = p_A * z196 - z198;
     const Scalar z200 = n2 * z31;
-    const Scalar z201 = p_A * z200 - z169;
     const Scalar z202 = p_C * z30;
-    const Scalar z203 = s_theta * z201 - c_theta * z202;
-    const Scalar z204 = z84 + z110;
-    const Scalar z205 = p_A * z204 - z91;
-    const Scalar z206 = p_C * z109;
-    const Scalar z207 = s_theta * (z114 + z205) - c_theta * (z117 - z206);
-    const Scalar z208 = s_theta * l_lambda_along_x1 - z207;
     const Scalar z209 = s_theta * v_theta + z11;
-    const Scalar z210 = c_theta * z209;
     const Scalar z211 = s_theta * a_theta + v_theta * z10;
     const Scalar z212 = z30 * z30 - z31 * z31;
+    const Scalar z88 = v_theta * z42;
+    const Scalar z91 = p_C * z84;  // moment on hoop, z
+    const Scalar z169 = p_C * z42;
+    const Scalar z193 = p_A * z191 - z192;
+    const Scalar z197 = c_theta * z30 + s_theta * z42;
     const Scalar z213 = z30 * z30 - z31 * z42;
+    const Scalar z102 = n9_81 + z13;
+    const Scalar z113 = a_phi - z110;  // angular acceleration of hoop, z
+    const Scalar z115 = z83 + z109;
+    const Scalar z204 = z84 + z110;
+    const Scalar z206 = p_C * z109;
+    const Scalar z210 = c_theta * z209;
+    const Scalar z90 = p_C * z88;  // moment on hoop, y
+    const Scalar z201 = p_A * z200 - z169;
+    const Scalar z114 = p_C * z113;  // moment on hoop, z
+    const Scalar z195 = s_theta * z193 - c_theta * z194;
+    const Scalar z198 = p_C * z197;
+    const Scalar z205 = p_A * z204 - z91;
     const Scalar z214 = p_C * z213;
+    const Scalar z117 = p_A * z115 - z90;  // moment on hoop.2, y
+    const Scalar z199 = p_A * z196 - z198;
+    const Scalar z203 = s_theta * z201 - c_theta * z202;
     const Scalar z215 = p_A * z212 - z214;
-    const Scalar z216 = s_theta * z102 + c_theta * z211 - z215;
+    const Scalar z207 = s_theta * (z114 + z205) - c_theta * (z117 - z206);
+    const Scalar z216 = c_theta * z211 - z215 + s_theta * z102;
+    const Scalar z208 = s_theta * l_lambda_along_x1 - z207;
     const Scalar z217 = c_theta * l_lambda_along_y1 + z216;
-    const Scalar z218 = v_theta * p_C;
-    const Scalar z219 = s_theta * z218;
     result.by_position[0] = n0;
     result.by_position[1] = n0;
     result.by_position[2] = n0;
@@ -1882,9 +1983,9 @@ struct Mechanism {
   /// solving with the factorisation of the motion. Returns singular where forward_dynamics does.
   TORSOR_DEVICE static torsor::Status forward_dynamics_derivatives(const Precomputed& precomputed, const State& state,
       const Inputs&, ForwardDynamicsDerivatives& result) noexcept {
-    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar v_x = state.v.x;
     const Scalar v_y = state.v.y;
@@ -1905,166 +2006,166 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta = sines_[0], c_theta = cosines_[0];
     const Scalar s_psi = sines_[1], c_psi = cosines_[1];
-    const Scalar z10 = c_theta * v_theta;
-    const Scalar z11 = s_theta * v_theta;
-    const Scalar z30 = s_theta * v_psi;
-    const Scalar z31 = c_theta * v_psi;
-    const Scalar z42 = v_phi + z31;
-    const Scalar z54 = c_theta * p_C;
-    const Scalar z61 = c_theta * z59;
-    const Scalar z62 = c_theta * z61 - p_A;
     const Scalar z78 = c_theta * c_theta + p_A;
-    const Scalar z79 = v_theta * z11;
-    const Scalar z80 = n9_81 - z79;
-    const Scalar z83 = v_theta * z31;  // angular acceleration of hoop.2, y
-    const Scalar z84 = v_theta * z30;  // angular acceleration of hoop.2, z
-    const Scalar z87 = z30 * z42;
-    const Scalar z88 = v_theta * z42;
-    const Scalar z89 = p_C * z87;  // moment on hoop, x
-    const Scalar z90 = p_C * z88;  // moment on hoop, y
-    const Scalar z91 = p_C * z84;  // moment on hoop, z
-    const Scalar z92 = z30 * z31;
-    const Scalar z93 = n2 * z83;
-    const Scalar z94 = p_A * z92 - z89;  // moment on hoop.2, x
-    const Scalar z95 = p_A * z93 - z90;  // moment on hoop.2, y
-    const Scalar z101 = c_theta * z80 - z94;
+    const Scalar z31 = c_theta * v_psi;
+    const Scalar z140 = s_theta * s_theta * p_A;
+    const Scalar z30 = s_theta * v_psi;
+    const Scalar z11 = s_theta * v_theta;
     const Scalar z131 = v_psi * s_psi;
     const Scalar z132 = v_psi * c_psi;
+    const Scalar z54 = c_theta * p_C;
+    const Scalar z10 = c_theta * v_theta;
+    const Scalar z160 = v_x * c_psi + v_y * s_psi;
+    const Scalar z430 = v_psi * (v_x * s_psi - v_y * c_psi);
+    const Scalar z161 = v_x * s_psi - v_y * c_psi;
+    const Scalar z218 = v_theta * p_C;
+    const Scalar z409 = c_psi * z147;
+    const Scalar z421 = s_psi * z147;
+    const Scalar z219 = s_theta * z218;
+    const Scalar z61 = c_theta * z59;
+    const Scalar z42 = v_phi + z31;
+    const Scalar z62 = c_theta * z61 - p_A;
+    const Scalar z79 = v_theta * z11;
+    const Scalar z83 = v_theta * z31;  // angular acceleration of hoop.2, y
+    const Scalar z84 = v_theta * z30;  // angular acceleration of hoop.2, z
+    const Scalar z92 = z30 * z31;
     const Scalar z133 = v_x * z131 - v_y * z132 + z11 * v_psi;
     const Scalar z135 = v_x * z132 + v_y * z131 - v_theta * z10;
     const Scalar z139 = z54 * z138;
-    const Scalar z140 = s_theta * s_theta * p_A;
-    const Scalar z141 = n1 / z78;
-    const Scalar z142 = n1 / z140;
-    const Scalar z143 = s_theta * z141;
-    const Scalar z145 = n1 + s_theta * z143;
-    const Scalar z146 = n1 / z145;
-    const Scalar z148 = s_theta * z95;
-    const Scalar z149 = z142 * z148;
-    const Scalar z150 = z101 * z141;
-    const Scalar z151 = z91 * z138 + z139 * z149;
-    const Scalar z152 = c_theta * z149 + z133 - z151;
-    const Scalar z153 = s_theta * z150 + z135;
-    const Scalar z154 = z147 * z152;
-    const Scalar z155 = z146 * z153;
-    const Scalar z156 = s_psi * z155 - c_psi * z154;
-    const Scalar z157 = s_psi * z154 + c_psi * z155;
-    const Scalar z158 = z143 * z155 - z150;
-    const Scalar z159 = z138 * z154 + z151;
-    const Scalar z160 = v_x * c_psi + v_y * s_psi;
-    const Scalar z161 = v_x * s_psi - v_y * c_psi;
-    const Scalar z169 = p_C * z42;
     const Scalar z191 = n2 * z10;
     const Scalar z192 = z10 * p_C;
-    const Scalar z193 = p_A * z191 - z192;
     const Scalar z194 = z11 * p_C;
     const Scalar z196 = s_theta * z31 + c_theta * z30;
-    const Scalar z197 = s_theta * z42 + c_theta * z30;
-    const Scalar z198 = p_C * z197;
-    const Scalar z199 = p_A * z196 - z198;
     const Scalar z200 = n2 * z31;
-    const Scalar z201 = p_A * z200 - z169;
     const Scalar z202 = p_C * z30;
     const Scalar z209 = s_theta * v_theta + z11;
-    const Scalar z210 = c_theta * z209;
     const Scalar z212 = z30 * z30 - z31 * z31;
-    const Scalar z213 = z30 * z30 - z31 * z42;
-    const Scalar z214 = p_C * z213;
-    const Scalar z215 = p_A * z212 - z214;
-    const Scalar z218 = v_theta * p_C;
-    const Scalar z219 = s_theta * z218;
     const Scalar z225 = v_x * z132 + v_y * z131;
     const Scalar z227 = c_theta * v_theta + z10;
     const Scalar z403 = z131 * z147;
+    const Scalar z415 = z132 * z147;
+    const Scalar z141 = n1 / z78;
+    const Scalar z80 = n9_81 - z79;
+    const Scalar z87 = z30 * z42;
+    const Scalar z88 = v_theta * z42;
+    const Scalar z91 = p_C * z84;  // moment on hoop, z
+    const Scalar z93 = n2 * z83;
+    const Scalar z142 = n1 / z140;
+    const Scalar z169 = p_C * z42;
+    const Scalar z193 = p_A * z191 - z192;
+    const Scalar z197 = c_theta * z30 + s_theta * z42;
+    const Scalar z213 = z30 * z30 - z31 * z42;
+    const Scalar z408 = z138 * z403;
+    const Scalar z420 = z138 * z415;
+    const Scalar z210 = c_theta * z209;
+    const Scalar z442 = z147 * z161;
+    const Scalar z89 = p_C * z87;  // moment on hoop, x
+    const Scalar z90 = p_C * z88;  // moment on hoop, y
+    const Scalar z201 = p_A * z200 - z169;
+    const Scalar z198 = p_C * z197;
+    const Scalar z214 = p_C * z213;
+    const Scalar z437 = s_theta * z193;
+    const Scalar z94 = p_A * z92 - z89;  // moment on hoop.2, x
+    const Scalar z95 = p_A * z93 - z90;  // moment on hoop.2, y
+    const Scalar z199 = p_A * z196 - z198;
+    const Scalar z215 = p_A * z212 - z214;
+    const Scalar z101 = c_theta * z80 - z94;
+    const Scalar z148 = s_theta * z95;
+    const Scalar z143 = s_theta * z141;
+    const Scalar z439 = z141 * z199;
+    const Scalar z149 = z142 * z148;
+    const Scalar z438 = z142 * z437;
+    const Scalar z448 = z139 * z142;
+    const Scalar z145 = n1 + s_theta * z143;
+    const Scalar z150 = z101 * z141;
+    const Scalar z441 = s_theta * z439 - z160;
+    const Scalar z151 = z91 * z138 + z139 * z149;
+    const Scalar z440 = z138 * z194 + z139 * z438;
+    const Scalar z451 = c_theta * z149;
+    const Scalar z457 = s_theta * z149;
+    const Scalar z153 = s_theta * z150 + z135;
+    const Scalar z146 = n1 / z145;
+    const Scalar z452 = v_theta * z30 + z451;  // angular acceleration of hoop.2, z
+    const Scalar z458 = v_theta * z31 - z457;  // angular acceleration of hoop.2, y
+    const Scalar z152 = c_theta * z149 + z133 - z151;
+    const Scalar z478 = s_theta * z201;
+    const Scalar z479 = z142 * z478;
+    const Scalar z447 = z138 * z442 + z440;
+    const Scalar z154 = z147 * z152;
+    const Scalar z480 = z141 * z210;
+    const Scalar z455 = z84 + z452;
+    const Scalar z459 = z83 + z458;
+    const Scalar z461 = p_C * z458;
+    const Scalar z159 = z138 * z154 + z151;
+    const Scalar z456 = p_A * z455 - z91;
+    const Scalar z460 = p_A * z459 - z90;  // moment on hoop.2, y
+    const Scalar z453 = z159 - z452;  // angular acceleration of hoop, z
+    const Scalar z155 = z146 * z153;
+    const Scalar z481 = z138 * z202 + z139 * z479;
     const Scalar z404 = z132 * z146;
+    const Scalar z410 = s_psi * z146;
+    const Scalar z416 = z131 * z146;
+    const Scalar z422 = c_psi * z146;
+    const Scalar z432 = z146 * z430;
+    const Scalar z443 = z146 * z441;
+    const Scalar z454 = p_C * z453;  // moment on hoop, z
+    const Scalar z156 = s_psi * z155 - c_psi * z154;
+    const Scalar z411 = n1 - c_psi * z409 - s_psi * z410;
+    const Scalar z462 = s_theta * (z454 + z456) - c_theta * (z460 - z461);
+    const Scalar z482 = s_theta * z480 + z227;
+    const Scalar z158 = z143 * z155 - z150;
+    const Scalar z157 = s_psi * z154 + c_psi * z155;
+    const Scalar z446 = z143 * z443 - z439;
+    const Scalar z466 = v_theta * z10 + s_theta * z158;
+    const Scalar z464 = c_theta * z158 - v_theta * z11;
+    const Scalar z427 = c_psi * z157 - z225 + s_psi * z156;
+    const Scalar z465 = n9_81 + z464;
+    const Scalar z429 = c_psi * z157 - z427 + s_psi * z156;
+    const Scalar z467 = c_theta * z466 - z215 + s_theta * z465;
+    const Scalar z450 = c_theta * z158 - z79;
+    const Scalar z463 = s_theta * z154 - z462;
+    const Scalar z468 = c_theta * z155 + z467;
+    const Scalar z493 = z141 * z202;
+    const Scalar z431 = z147 * z429;
+    const Scalar z469 = z139 * z461 + z463;
+    const Scalar z487 = s_theta / z78;
+    const Scalar z495 = s_theta * z493;
+    const Scalar z471 = z141 * z468;
+    const Scalar z470 = z142 * z469;
+    const Scalar z488 = z146 * z487;
+    const Scalar z496 = z146 * z495;
+    const Scalar z500 = z138 + z139 * z448;
+    const Scalar z473 = s_theta * z471 + z450;
+    const Scalar z483 = z146 * z482;
+    const Scalar z492 = z142 * z219;
     const Scalar z405 = s_psi * z404 - c_psi * z403;
     const Scalar z406 = s_psi * z403 + c_psi * z404;
+    const Scalar z474 = z146 * z473;
     const Scalar z407 = z143 * z404;
-    const Scalar z408 = z138 * z403;
-    const Scalar z409 = c_psi * z147;
-    const Scalar z410 = s_psi * z146;
-    const Scalar z411 = n1 - s_psi * z410 - c_psi * z409;
-    const Scalar z415 = z132 * z147;
-    const Scalar z416 = z131 * z146;
-    const Scalar z417 = s_psi * z416 + c_psi * z415;
+    const Scalar z417 = c_psi * z415 + s_psi * z416;
     const Scalar z418 = s_psi * z415 - c_psi * z416;
     const Scalar z419 = z143 * z416;
-    const Scalar z420 = z138 * z415;
-    const Scalar z421 = s_psi * z147;
-    const Scalar z422 = c_psi * z146;
     const Scalar z423 = s_psi * z422 - c_psi * z421;
     const Scalar z424 = n1 - s_psi * z421 - c_psi * z422;
-    const Scalar z427 = s_psi * z156 + c_psi * z157 - z225;
-    const Scalar z429 = s_psi * z156 + c_psi * z157 - z427;
-    const Scalar z430 = v_psi * (v_x * s_psi - v_y * c_psi);
-    const Scalar z431 = z147 * z429;
-    const Scalar z432 = z146 * z430;
-    const Scalar z433 = s_psi * z432 + c_psi * z431 - z157;
-    const Scalar z434 = s_psi * z431 - c_psi * z432 - z156;
+    const Scalar z433 = s_psi * z432 - z157 + c_psi * z431;
+    const Scalar z434 = s_psi * z431 - z156 - c_psi * z432;
     const Scalar z435 = z143 * z432;
     const Scalar z436 = z138 * z431;
-    const Scalar z437 = s_theta * z193;
-    const Scalar z438 = z142 * z437;
-    const Scalar z439 = z141 * z199;
-    const Scalar z440 = z138 * z194 + z139 * z438;
-    const Scalar z441 = s_theta * z439 - z160;
-    const Scalar z442 = z147 * z161;
-    const Scalar z443 = z146 * z441;
-    const Scalar z444 = s_psi * z443 + c_psi * z442;
+    const Scalar z444 = c_psi * z442 + s_psi * z443;
     const Scalar z445 = s_psi * z442 - c_psi * z443;
-    const Scalar z446 = z143 * z443 - z439;
-    const Scalar z447 = z138 * z442 + z440;
-    const Scalar z448 = z139 * z142;
-    const Scalar z450 = c_theta * z158 - z79;
-    const Scalar z451 = c_theta * z149;
-    const Scalar z452 = v_theta * z30 + z451;  // angular acceleration of hoop.2, z
-    const Scalar z453 = z159 - z452;  // angular acceleration of hoop, z
-    const Scalar z454 = p_C * z453;  // moment on hoop, z
-    const Scalar z455 = z84 + z452;
-    const Scalar z456 = p_A * z455 - z91;
-    const Scalar z457 = s_theta * z149;
-    const Scalar z458 = v_theta * z31 - z457;  // angular acceleration of hoop.2, y
-    const Scalar z459 = z83 + z458;
-    const Scalar z460 = p_A * z459 - z90;  // moment on hoop.2, y
-    const Scalar z461 = p_C * z458;
-    const Scalar z462 = s_theta * (z454 + z456) - c_theta * (z460 - z461);
-    const Scalar z463 = s_theta * z154 - z462;
-    const Scalar z464 = c_theta * z158 - v_theta * z11;
-    const Scalar z465 = n9_81 + z464;
-    const Scalar z466 = s_theta * z158 + v_theta * z10;
-    const Scalar z467 = s_theta * z465 + c_theta * z466 - z215;
-    const Scalar z468 = c_theta * z155 + z467;
-    const Scalar z469 = z139 * z461 + z463;
-    const Scalar z470 = z142 * z469;
-    const Scalar z471 = z141 * z468;
     const Scalar z472 = z138 * z461 + z139 * z470;
-    const Scalar z473 = s_theta * z471 + z450;
-    const Scalar z474 = z146 * z473;
     const Scalar z475 = s_psi * z474;
     const Scalar z476 = c_psi * z474;
     const Scalar z477 = z143 * z474 - z471;
-    const Scalar z478 = s_theta * z201;
-    const Scalar z479 = z142 * z478;
-    const Scalar z480 = z141 * z210;
-    const Scalar z481 = z138 * z202 + z139 * z479;
-    const Scalar z482 = s_theta * z480 + z227;
-    const Scalar z483 = z146 * z482;
     const Scalar z484 = s_psi * z483;
     const Scalar z485 = c_psi * z483;
-    const Scalar z487 = s_theta / z78;
-    const Scalar z488 = z146 * z487;
     const Scalar z489 = s_psi * z488;
     const Scalar z490 = c_psi * z488;
     const Scalar z491 = z141 - z143 * z488;
-    const Scalar z492 = z142 * z219;
-    const Scalar z493 = z141 * z202;
     const Scalar z494 = z139 * z492;
-    const Scalar z495 = s_theta * z493;
-    const Scalar z496 = z146 * z495;
     const Scalar z497 = s_psi * z496;
     const Scalar z498 = c_psi * z496;
     const Scalar z499 = z143 * z496 - z493;
-    const Scalar z500 = z138 + z139 * z448;
     const Scalar z502 = c_psi * z501;
     const Scalar z503 = s_psi * z501;
     const Scalar z504 = z138 * z501 - z500;
@@ -2219,10 +2320,10 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta = sines_[0], c_theta = cosines_[0];
     const Scalar s_psi = sines_[1], c_psi = cosines_[1];
-    const Scalar z61 = c_theta * z59;
-    const Scalar z62 = c_theta * z61 - p_A;
     const Scalar z78 = c_theta * c_theta + p_A;
+    const Scalar z61 = c_theta * z59;
     const Scalar z140 = s_theta * s_theta * p_A;
+    const Scalar z62 = c_theta * z61 - p_A;
     const Scalar z141 = n1 / z78;
     const Scalar z143 = s_theta * z141;
     const Scalar z145 = n1 + s_theta * z143;
@@ -2413,21 +2514,21 @@ struct Mechanism {
     const Scalar a_phi = accelerations.phi;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z30 = s_theta * v_psi;
     const Scalar z31 = c_theta * v_psi;
+    const Scalar z30 = s_theta * v_psi;
+    const Scalar z106 = c_theta * a_psi;
+    const Scalar z105 = s_theta * a_psi;
     const Scalar z42 = v_phi + z31;
     const Scalar z83 = v_theta * z31;  // angular acceleration of hoop.2, y
-    const Scalar z87 = z30 * z42;
-    const Scalar z88 = v_theta * z42;
     const Scalar z92 = z30 * z31;
-    const Scalar z105 = s_theta * a_psi;
-    const Scalar z106 = c_theta * a_psi;
     const Scalar z109 = v_theta * z31 + z105;  // angular acceleration of hoop.2, y
     const Scalar z110 = v_theta * z30 - z106;  // angular acceleration of hoop.2, z
+    const Scalar z87 = z30 * z42;
+    const Scalar z88 = v_theta * z42;
+    const Scalar z506 = a_theta - z92;
     const Scalar z113 = a_phi - z110;  // angular acceleration of hoop, z
     const Scalar z115 = z83 + z109;
     const Scalar z505 = s_theta * z115;
-    const Scalar z506 = a_theta - z92;
     const Scalar z507 = s_theta * z88 - c_theta * z113;
     result.by_parameter[0] = n0;
     result.by_parameter[1] = n0;
@@ -2445,9 +2546,9 @@ struct Mechanism {
   /// multipliers being those of the motion. Returns singular where forward_dynamics does.
   TORSOR_DEVICE static torsor::Status forward_dynamics_sensitivities(const Precomputed& precomputed, const State& state,
       const Inputs&, ForwardDynamicsSensitivities& result) noexcept {
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar v_x = state.v.x;
     const Scalar v_y = state.v.y;
@@ -2467,78 +2568,78 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta = sines_[0], c_theta = cosines_[0];
     const Scalar s_psi = sines_[1], c_psi = cosines_[1];
-    const Scalar z10 = c_theta * v_theta;
-    const Scalar z11 = s_theta * v_theta;
-    const Scalar z30 = s_theta * v_psi;
     const Scalar z31 = c_theta * v_psi;
-    const Scalar z42 = v_phi + z31;
-    const Scalar z54 = c_theta * p_C;
-    const Scalar z61 = c_theta * z59;
-    const Scalar z62 = c_theta * z61 - p_A;
+    const Scalar z140 = s_theta * s_theta * p_A;
+    const Scalar z131 = v_psi * s_psi;
     const Scalar z78 = c_theta * c_theta + p_A;
+    const Scalar z30 = s_theta * v_psi;
+    const Scalar z132 = v_psi * c_psi;
+    const Scalar z11 = s_theta * v_theta;
+    const Scalar z54 = c_theta * p_C;
+    const Scalar z10 = c_theta * v_theta;
+    const Scalar z61 = c_theta * z59;
+    const Scalar z42 = v_phi + z31;
+    const Scalar z62 = c_theta * z61 - p_A;
     const Scalar z79 = v_theta * z11;
-    const Scalar z80 = n9_81 - z79;
     const Scalar z83 = v_theta * z31;  // angular acceleration of hoop.2, y
     const Scalar z84 = v_theta * z30;  // angular acceleration of hoop.2, z
-    const Scalar z87 = z30 * z42;
-    const Scalar z88 = v_theta * z42;
-    const Scalar z89 = p_C * z87;  // moment on hoop, x
-    const Scalar z90 = p_C * z88;  // moment on hoop, y
-    const Scalar z91 = p_C * z84;  // moment on hoop, z
     const Scalar z92 = z30 * z31;
-    const Scalar z93 = n2 * z83;
-    const Scalar z94 = p_A * z92 - z89;  // moment on hoop.2, x
-    const Scalar z95 = p_A * z93 - z90;  // moment on hoop.2, y
-    const Scalar z101 = c_theta * z80 - z94;
-    const Scalar z131 = v_psi * s_psi;
-    const Scalar z132 = v_psi * c_psi;
     const Scalar z133 = v_x * z131 - v_y * z132 + z11 * v_psi;
     const Scalar z135 = v_x * z132 + v_y * z131 - v_theta * z10;
     const Scalar z139 = z54 * z138;
-    const Scalar z140 = s_theta * s_theta * p_A;
     const Scalar z141 = n1 / z78;
+    const Scalar z80 = n9_81 - z79;
+    const Scalar z87 = z30 * z42;
+    const Scalar z88 = v_theta * z42;
+    const Scalar z91 = p_C * z84;  // moment on hoop, z
+    const Scalar z93 = n2 * z83;
     const Scalar z142 = n1 / z140;
-    const Scalar z143 = s_theta * z141;
-    const Scalar z145 = n1 + s_theta * z143;
-    const Scalar z146 = n1 / z145;
+    const Scalar z89 = p_C * z87;  // moment on hoop, x
+    const Scalar z90 = p_C * z88;  // moment on hoop, y
+    const Scalar z94 = p_A * z92 - z89;  // moment on hoop.2, x
+    const Scalar z95 = p_A * z93 - z90;  // moment on hoop.2, y
+    const Scalar z101 = c_theta * z80 - z94;
     const Scalar z148 = s_theta * z95;
+    const Scalar z143 = s_theta * z141;
+    const Scalar z524 = z87 * z141;
     const Scalar z149 = z142 * z148;
+    const Scalar z145 = n1 + s_theta * z143;
     const Scalar z150 = z101 * z141;
+    const Scalar z527 = s_theta * z524;
     const Scalar z151 = z91 * z138 + z139 * z149;
-    const Scalar z152 = c_theta * z149 + z133 - z151;
-    const Scalar z153 = s_theta * z150 + z135;
-    const Scalar z154 = z147 * z152;
-    const Scalar z155 = z146 * z153;
-    const Scalar z158 = z143 * z155 - z150;
-    const Scalar z159 = z138 * z154 + z151;
     const Scalar z451 = c_theta * z149;
-    const Scalar z452 = v_theta * z30 + z451;  // angular acceleration of hoop.2, z
-    const Scalar z453 = z159 - z452;  // angular acceleration of hoop, z
     const Scalar z457 = s_theta * z149;
+    const Scalar z153 = s_theta * z150 + z135;
+    const Scalar z146 = n1 / z145;
+    const Scalar z452 = v_theta * z30 + z451;  // angular acceleration of hoop.2, z
     const Scalar z458 = v_theta * z31 - z457;  // angular acceleration of hoop.2, y
+    const Scalar z152 = c_theta * z149 + z133 - z151;
+    const Scalar z154 = z147 * z152;
     const Scalar z459 = z83 + z458;
+    const Scalar z159 = z138 * z154 + z151;
     const Scalar z511 = s_theta * z459;
-    const Scalar z512 = z92 - z158;
     const Scalar z513 = z142 * z511;
-    const Scalar z514 = z141 * z512;
+    const Scalar z453 = z159 - z452;  // angular acceleration of hoop, z
+    const Scalar z155 = z146 * z153;
+    const Scalar z529 = z146 * z527;
     const Scalar z515 = z139 * z513;
+    const Scalar z521 = s_theta * z88 - c_theta * z453;
+    const Scalar z158 = z143 * z155 - z150;
+    const Scalar z532 = z143 * z529 - z524;
+    const Scalar z522 = z139 * z453 + z521;
+    const Scalar z512 = z92 - z158;
+    const Scalar z514 = z141 * z512;
+    const Scalar z523 = z142 * z522;
     const Scalar z516 = s_theta * z514;
+    const Scalar z525 = z138 * z453 + z139 * z523;
     const Scalar z517 = z146 * z516;
+    const Scalar z526 = c_theta * z523 - z525;
     const Scalar z518 = s_psi * z517;
     const Scalar z519 = c_psi * z517;
     const Scalar z520 = z143 * z517 - z514;
-    const Scalar z521 = s_theta * z88 - c_theta * z453;
-    const Scalar z522 = z139 * z453 + z521;
-    const Scalar z523 = z142 * z522;
-    const Scalar z524 = z87 * z141;
-    const Scalar z525 = z138 * z453 + z139 * z523;
-    const Scalar z526 = c_theta * z523 - z525;
-    const Scalar z527 = s_theta * z524;
     const Scalar z528 = z147 * z526;
-    const Scalar z529 = z146 * z527;
     const Scalar z530 = s_psi * z529 + c_psi * z528;
     const Scalar z531 = s_psi * z528 - c_psi * z529;
-    const Scalar z532 = z143 * z529 - z524;
     const Scalar z533 = z138 * z528 + z525;
     result.by_parameter[0] = z518;
     result.by_parameter[1] = -z519;

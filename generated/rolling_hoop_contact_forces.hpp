@@ -38,7 +38,7 @@
 #include <cmath>
 
 #ifndef TORSOR_KERNEL_SUPPORT
-#define TORSOR_KERNEL_SUPPORT 2
+#define TORSOR_KERNEL_SUPPORT 3
 // Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
 #ifndef TORSOR_DEVICE
 #define TORSOR_DEVICE
@@ -52,7 +52,7 @@
 //  * two polynomials of least greatest error give the sine and the cosine of r, |r| <= pi/4;
 //  * angles beyond `bound` are rare: they are reduced exactly, in integers, by a function that is not inlined, and so
 //    are all angles under another rounding, which would give the nearest integers wrong.
-// The core has no branch, so that compilers turn a loop over several angles into vector instructions.
+// The core has no branch, so that several angles go through it at once.
 #ifndef TORSOR_STD_SINCOS
 #if defined(__FAST_MATH__) || defined(_M_FP_FAST) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0)
 #define TORSOR_STD_SINCOS  // sums would be reassociated or hold more digits than their type
@@ -100,21 +100,19 @@ struct SineCosine {
       S = S01 + z2 * number(0.0, -0x1.9953f2p-13f);
       C = C01 + z2 * number(0.0, 0x1.99e0eep-16f);
     } else {
-      const Scalar z4 = z2 * z2;
       const Scalar S01 = number(-0x1.5555555555548p-3, 0.0f) + z * number(0x1.111111110f73p-7, 0.0f);
       const Scalar S23 = number(-0x1.a01a019be9217p-13, 0.0f) + z * number(0x1.71de35552b518p-19, 0.0f);
       const Scalar S45 = number(-0x1.ae5e4b83e1601p-26, 0.0f) + z * number(0x1.5d8b55934597bp-33, 0.0f);
       const Scalar C01 = number(0x1.555555555554cp-5, 0.0f) + z * number(-0x1.6c16c16c1521bp-10, 0.0f);
       const Scalar C23 = number(0x1.a01a019cbeb68p-16, 0.0f) + z * number(-0x1.27e4f8121198fp-22, 0.0f);
       const Scalar C45 = number(0x1.1ee9f0cbf70d6p-29, 0.0f) + z * number(-0x1.8fb0e15d5f2ap-37, 0.0f);
-      S = (S01 + z2 * S23) + z4 * S45;
-      C = (C01 + z2 * C23) + z4 * C45;
+      S = S01 + z2 * (S23 + z2 * S45);
+      C = C01 + z2 * (C23 + z2 * C45);
     }
-    const Scalar half_z = half * z, w = one - half_z;
-    // Far below an ulp, it makes the correction of -0 a -0, and so the sine.
-    const Scalar tiny = number(0x1p-100, 0x1p-60f);
-    sine = high + (high * (tiny + z * S) - rest * w);
-    cosine = w + (((one - w) - half_z) + (z2 * C + high * rest));
+    const Scalar half_z = half * z, w = one - half_z, high_z = high * z;
+    // What waits for S and C comes last. The correction of -0 is a 0, which subtracted leaves it -0.
+    sine = high - (rest * w - high_z * S);
+    cosine = w + ((((one - w) - half_z) + high * rest) + z2 * C);
   }
 
   /// Of n pi/2 more.
@@ -129,21 +127,31 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// For |x| <= bound; what is no number gives no number. Exact are n times the first three parts of pi/2, the first
-  /// difference, and each rounded difference together with its rounding error.
-  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
-    const Scalar n = rounded(x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f));
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n plus a number so large that its last bit counts 1; what is no
+  /// number gives no number.
+  ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
+  ///    others do, and may be formed twice;
+  ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
+  ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
+  TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
+                                                        Scalar& cosine) noexcept {
+    const Scalar shift = number(0x1.8p52, 0x1.8p23f);
+    const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
+    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift;
+    const Scalar n = shifted - shift;
     const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
-    const Scalar second = n * number(0x1.0b4611a6p-34, 0x1.ed5p-14f);
-    const Scalar third = n * number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    const Scalar fourth = n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
-    const Scalar r = first - second;
-    const Scalar taken = first - r;
-    const Scalar error = (first - (r + taken)) - (second - taken);
-    const Scalar high = r - third;
-    const Scalar rest = ((third - (r - high)) - error) + fourth;
+    const Scalar r = first - n * P;
+    const Scalar error = (first - r) - n * P;
+    const Scalar high = r - n * Q;
+    const Scalar rest = ((n * Q - (r - high)) - error) + n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
     of_reduced(high, rest, sine, cosine);
-    turn(n, sine, cosine);
+  }
+
+  /// For |x| <= bound.
+  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
+    Scalar shifted;
+    of_remainder(x, shifted, sine, cosine);
+    turn(shifted - number(0x1.8p52, 0x1.8p23f), sine, cosine);
   }
 };
 
@@ -262,61 +270,151 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
 #endif
 }
 
-/// Of some angles up to the bound, a multiple of what a vector holds. Local arrays, which nothing else can point to.
-template <int size, class Scalar>
-TORSOR_DEVICE TORSOR_INLINED void sincos_of_block(const Scalar* angles, Scalar* sines, Scalar* cosines) noexcept {
-  Scalar x[size], s[size], c[size];
-  for (int i = 0; i < size; ++i) x[i] = angles[i];
-  // Compilers make vector instructions of a loop, but not always of a row of statements.
-#if defined(__clang__)
-#pragma clang loop unroll(disable)
-#elif defined(__GNUC__) && !defined(__CUDACC__)
-#pragma GCC unroll 1
+}  // namespace torsor
+// Sines and cosines of several angles at once: by vector registers where GNU C++ has types for them, which compilers
+// without AVX make of narrower ones; loops over numbers are not left to compilers to find.
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define TORSOR_VECTOR_TYPES
 #endif
-  for (int i = 0; i < size; ++i) SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::core(x[i], s[i], c[i]);
-  for (int i = 0; i < size; ++i) sines[i] = s[i];
-  for (int i = 0; i < size; ++i) cosines[i] = c[i];
+
+namespace torsor {
+
+#if defined(TORSOR_VECTOR_TYPES)
+/// 0, 1, ... as arguments of a template.
+template <int... place>
+struct Places {};
+template <int count, int... place>
+struct FirstPlaces : FirstPlaces<count - 1, count - 1, place...> {};
+template <int... place>
+struct FirstPlaces<0, place...> {
+  using type = Places<place...>;
+};
+
+/// Some registers of equally many numbers, which take the same operations by turns: while the one waits for its last
+/// result, the other is at work. A scalar for SineCosine, of which it needs constants, sums and products only.
+template <class Number, int lanes, int count>
+struct Registers {
+  typedef Number Numbers __attribute__((vector_size(lanes * sizeof(Number))));
+  using Bits = decltype(Numbers{} < Numbers{});
+  Numbers part[count];
+
+  TORSOR_INLINED friend Registers operator+(const Registers& a, const Registers& b) noexcept {
+    Registers sum;
+    for (int i = 0; i < count; ++i) sum.part[i] = a.part[i] + b.part[i];
+    return sum;
+  }
+  TORSOR_INLINED friend Registers operator-(const Registers& a, const Registers& b) noexcept {
+    Registers difference;
+    for (int i = 0; i < count; ++i) difference.part[i] = a.part[i] - b.part[i];
+    return difference;
+  }
+  TORSOR_INLINED friend Registers operator*(const Registers& a, const Registers& b) noexcept {
+    Registers product;
+    for (int i = 0; i < count; ++i) product.part[i] = a.part[i] * b.part[i];
+    return product;
+  }
+};
+
+template <class Number, int lanes, int count>
+struct scalar_traits<Registers<Number, lanes, count>> {
+  using Scalar = Registers<Number, lanes, count>;
+  TORSOR_INLINED static Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    constexpr bool is_float = sizeof(Number) == sizeof(float);
+    const Number number = is_float ? static_cast<Number>(in_float) : static_cast<Number>(in_double);
+    Scalar result;
+    for (int i = 0; i < count; ++i) {
+      for (int lane = 0; lane < lanes; ++lane) result.part[i][lane] = number;
+    }
+    return result;
+  }
+};
+
+/// Of angles up to the bound, bit by bit what SineCosine::core gives where nothing is fused. The quarter of the turn is
+/// in the last two bits of `shifted`: it is chosen by bits, not by products.
+template <class Number, int lanes, int count>
+TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& angles,
+                                        Registers<Number, lanes, count>& sines,
+                                        Registers<Number, lanes, count>& cosines) noexcept {
+  using Scalar = Registers<Number, lanes, count>;
+  using Numbers = typename Scalar::Numbers;
+  using Bits = typename Scalar::Bits;
+  constexpr int sign_bit = 8 * static_cast<int>(sizeof(Number)) - 1;
+  Scalar shifted, sine, cosine;
+  SineCosine<Scalar, sizeof(Number) == sizeof(float)>::of_remainder(angles, shifted, sine, cosine);
+  const Bits sign = (Bits)scalar_traits<Scalar>::constant(-0.0, -0.0f, nullptr).part[0];
+  for (int i = 0; i < count; ++i) {
+    const Bits bits = (Bits)shifted.part[i], s = (Bits)sine.part[i], c = (Bits)cosine.part[i];
+    const Bits odd = Bits{} - (bits & 1);  // all bits or none
+    const Bits upper = bits << (sign_bit - 1);
+    // The sine is negated for n = 2 and 3, the cosine for 1 and 2.
+    sines.part[i] = (Numbers)(((odd & c) | (~odd & s)) ^ (upper & sign));
+    cosines.part[i] = (Numbers)(((odd & s) | (~odd & c)) ^ ((upper ^ odd) & sign));
+  }
 }
 
-/// Of several angles at once, in float or double: as many as a vector holds go through the core together.
-template <class Scalar, int N>
-TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
-                                            Scalar (&cosines)[N]) noexcept {
-  constexpr int narrow = 16 / sizeof(Scalar);
+/// Of the angles first to first + size - 1, up to the bound, in one register or two; idle lanes get 0. Returns the sum
+/// of their squares. Places are constants before anything is optimised: lanes then come from registers and go there,
+/// where a way through memory would be stored in parts and loaded whole.
+template <int size, class Number, int N, int... lane, int... place>
+TORSOR_INLINED Number sincos_of_some(int first, const Number (&angles)[N], Number (&sines)[N], Number (&cosines)[N],
+                                     Places<lane...>, Places<place...>) noexcept {
+  constexpr int lanes = sizeof...(lane), count = size > lanes ? 2 : 1;
+  using Some = Registers<Number, lanes, count>;
+  const auto angle = [&](int i) noexcept { return i < size ? angles[first + i] : Number(0); };
+  Some x, s, c;
+  x.part[0] = typename Some::Numbers{angle(lane)...};
+  if constexpr (count == 2) x.part[1] = typename Some::Numbers{angle(lane + lanes)...};
+  sincos_of_registers(x, s, c);
+  ((sines[first + place] = s.part[place / lanes][place % lanes]), ...);
+  ((cosines[first + place] = c.part[place / lanes][place % lanes]), ...);
+  typename Some::Numbers squares = x.part[0] * x.part[0];
+  if constexpr (count == 2) squares += x.part[1] * x.part[1];
+  return (squares[lane] + ...);
+}
+
+/// Of several angles up to the bound, by two registers at a time. Returns the sum of their squares.
+template <class Number, int N>
+TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&sines)[N],
+                                          Number (&cosines)[N]) noexcept {
+  constexpr int narrow = 16 / static_cast<int>(sizeof(Number));
 #if defined(__AVX__)
-  constexpr int wide = 32 / sizeof(Scalar);
+  // Registers of AVX-512 gain nothing for so few numbers.
+  constexpr int lanes = N <= narrow ? narrow : 2 * narrow;
 #else
-  constexpr int wide = narrow;
+  constexpr int lanes = narrow;
 #endif
-#if defined(__CUDA_ARCH__) || defined(TORSOR_STD_SINCOS)
-  constexpr bool by_vectors = false;
-#elif defined(__clang__)
-  constexpr bool by_vectors = N >= 4;  // it leaves a loop over two as it is
-#else
-  constexpr bool by_vectors = N >= narrow;
-#endif
-  if constexpr (by_vectors) {
-    constexpr int vector = N >= wide ? wide : narrow, rest = N % vector;
-    // Of a rest some angles are done again: a whole vector costs less than two or three alone.
+  constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
+  using AllLanes = typename FirstPlaces<lanes>::type;
+  Number squares = 0;
+  // One copy of the code: its constants stay where they are.
 #if defined(__clang__)
-    sincos_of_block<N - rest>(angles, sines, cosines);  // best as one loop
-    if constexpr (rest > 1) {
-      sincos_of_block<vector>(angles + (N - vector), sines + (N - vector), cosines + (N - vector));
-    }
+#pragma clang loop unroll(disable)
 #else
-    for (int next = 0; next < N - (rest == 1); next += vector) {
-      const int first = next + vector <= N ? next : N - vector;
-      sincos_of_block<vector>(angles + first, sines + first, cosines + first);
-    }
+#pragma GCC unroll 1
 #endif
-    if constexpr (rest == 1) sincos_of_one(angles[N - 1], sines[N - 1], cosines[N - 1]);
+  for (int i = 0; i < whole; i += both)
+    squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+  if constexpr (rest > 0)
+    squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
+  return squares;
+}
+#endif
+
+/// Of several angles at once, in float or double.
+template <class Scalar, int N>
+TORSOR_DEVICE TORSOR_INLINED void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
+#if defined(TORSOR_VECTOR_TYPES) && !defined(TORSOR_STD_SINCOS)
+  constexpr bool at_once = N > 1;
+#else
+  constexpr bool at_once = false;
+#endif
+  if constexpr (at_once) {
+    const Scalar squares = sincos_in_registers(angles, sines, cosines);
     constexpr Scalar bound = static_cast<Scalar>(SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::bound);
-    Scalar sum = 0;
-    for (int i = 0; i < N; ++i) sum += std::abs(angles[i]);
-    const bool to_one_side = rounds_to_one_side(sum);
-    if (sum <= bound && !to_one_side) return;
+    if (squares <= bound * bound && !rounds_to_one_side(squares)) return;
     for (int i = 0; i < N; ++i) {
-      if (std::abs(angles[i]) > bound || to_one_side) sincos_far(angles[i], sines[i], cosines[i]);
+      if (std::abs(angles[i]) > bound || rounds_to_one_side(angles[i])) sincos_far(angles[i], sines[i], cosines[i]);
     }
   } else {
     for (int i = 0; i < N; ++i) sincos_of_one(angles[i], sines[i], cosines[i]);
@@ -325,17 +423,19 @@ TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&
 
 /// Of several angles of any scalar: at once where its traits have a `sincos` of arrays, else one by one.
 template <class Scalar, int N>
-TORSOR_DEVICE auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N], int) noexcept
+TORSOR_DEVICE TORSOR_INLINED auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], int) noexcept
     -> decltype(scalar_traits<Scalar>::sincos(angles, sines, cosines)) {
   scalar_traits<Scalar>::sincos(angles, sines, cosines);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N],
-                                    long) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], long) noexcept {
   for (int i = 0; i < N; ++i) scalar_traits<Scalar>::sincos(angles[i], sines[i], cosines[i]);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
   sincos_by_traits(angles, sines, cosines, 0);
 }
 
@@ -372,7 +472,8 @@ struct scalar_traits {
   }
   /// Of several angles at once; a specialisation without it gets them one by one.
   template <int N>
-  TORSOR_DEVICE static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+  TORSOR_DEVICE TORSOR_INLINED static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                  Scalar (&cosines)[N]) noexcept {
     sincos_of_several(angles, sines, cosines);
   }
   TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
@@ -385,7 +486,7 @@ struct scalar_traits {
 };
 
 }  // namespace torsor
-#elif TORSOR_KERNEL_SUPPORT != 2
+#elif TORSOR_KERNEL_SUPPORT != 3
 #error "headers of incompatible versions of torsor meet here: write them again with one version"
 #endif
 
@@ -399,7 +500,7 @@ struct Mechanism {
 
   static constexpr const char* name = "rolling_hoop_contact_forces";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x936f5ec215abd214ULL;
+  static constexpr unsigned long long fingerprint = 0x659755c777a8e98fULL;
   static constexpr int coordinate_count = 6;
   static constexpr int velocity_count = 6;
   static constexpr int input_count = 0;
@@ -701,28 +802,28 @@ struct Mechanism {
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
     const Scalar s_phi = sines_[2], c_phi = cosines_[2];
+    const Scalar z31 = v_psi * c_theta;
     const Scalar z26 = s_psi * c_theta;
     const Scalar z27 = s_psi * s_theta;
     const Scalar z28 = c_psi * c_theta;
     const Scalar z29 = c_psi * s_theta;
-    const Scalar z31 = v_psi * c_theta;
     const Scalar z32 = c_psi * v_theta;  // angular velocity of hoop.2, x
     const Scalar z33 = s_psi * v_theta;  // angular velocity of hoop.2, y
+    const Scalar z38 = s_theta * s_phi;
+    const Scalar z39 = s_theta * c_phi;
+    const Scalar z45 = v_psi + c_theta * v_phi;  // angular velocity of hoop, z
+    const Scalar z48 = v_z - v_theta * c_theta;
+    const Scalar z51 = q_z - s_theta;
     const Scalar z34 = c_psi * c_phi - s_phi * z26;
     const Scalar z35 = c_psi * s_phi + c_phi * z26;
     const Scalar z36 = s_psi * c_phi + s_phi * z28;
     const Scalar z37 = s_psi * s_phi - c_phi * z28;
-    const Scalar z38 = s_theta * s_phi;
-    const Scalar z39 = s_theta * c_phi;
     const Scalar z43 = v_phi * z27 + z32;  // angular velocity of hoop, x
     const Scalar z44 = v_phi * z29 - z33;  // angular velocity of hoop, y
-    const Scalar z45 = v_psi + c_theta * v_phi;  // angular velocity of hoop, z
     const Scalar z46 = v_x + c_psi * z31 - v_theta * z27;
     const Scalar z47 = v_y + s_psi * z31 + v_theta * z29;
-    const Scalar z48 = v_z - v_theta * c_theta;
     const Scalar z49 = q_x + z26;
     const Scalar z50 = q_y - z28;
-    const Scalar z51 = q_z - s_theta;
     const Scalar z52 = s_psi * z26 + c_psi * z28;
     result.hoop_position[0] = q_x;
     result.hoop_position[1] = q_y;
@@ -779,8 +880,8 @@ struct Mechanism {
     const Scalar z59 = precomputed.z59;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z54 = c_theta * p_C;
     const Scalar z61 = c_theta * z59;
+    const Scalar z54 = c_theta * p_C;
     const Scalar z62 = c_theta * z61 - p_A;
     mass[0] = n1;
     mass[1] = n0;
@@ -835,18 +936,18 @@ struct Mechanism {
     const Scalar p_C = precomputed.parameters.C;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z30 = v_psi * s_theta;
     const Scalar z31 = v_psi * c_theta;
+    const Scalar z30 = v_psi * s_theta;
     const Scalar z42 = v_phi + z31;
     const Scalar z80 = v_theta * z31;  // angular acceleration of hoop.2, y
     const Scalar z81 = v_theta * z30;  // angular acceleration of hoop.2, z
+    const Scalar z89 = z30 * z31;
     const Scalar z84 = z30 * z42;
     const Scalar z85 = v_theta * z42;
+    const Scalar z88 = p_C * z81;  // moment on hoop, z
+    const Scalar z90 = n2 * z80;
     const Scalar z86 = p_C * z84;  // moment on hoop, x
     const Scalar z87 = p_C * z85;  // moment on hoop, y
-    const Scalar z88 = p_C * z81;  // moment on hoop, z
-    const Scalar z89 = z30 * z31;
-    const Scalar z90 = n2 * z80;
     const Scalar z91 = p_A * z89 - z86;  // moment on hoop.2, x
     const Scalar z92 = p_A * z90 - z87;  // moment on hoop.2, y
     const Scalar z94 = s_theta * z92 - c_theta * z88;
@@ -885,42 +986,42 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
-    const Scalar z26 = s_psi * c_theta;
-    const Scalar z27 = s_psi * s_theta;
-    const Scalar z28 = c_psi * c_theta;
-    const Scalar z29 = c_psi * s_theta;
     const Scalar z30 = v_psi * s_theta;
     const Scalar z31 = v_psi * c_theta;
+    const Scalar z102 = a_psi * c_theta;
+    const Scalar z101 = a_psi * s_theta;
+    const Scalar z26 = s_psi * c_theta;
+    const Scalar z28 = c_psi * c_theta;
+    const Scalar z27 = s_psi * s_theta;
+    const Scalar z29 = c_psi * s_theta;
+    const Scalar z98 = n9_81 + a_z;
     const Scalar z42 = v_phi + z31;
     const Scalar z49 = q_x + z26;
     const Scalar z50 = q_y - z28;
     const Scalar z80 = v_theta * z31;  // angular acceleration of hoop.2, y
-    const Scalar z84 = z30 * z42;
-    const Scalar z85 = v_theta * z42;
-    const Scalar z86 = p_C * z84;  // moment on hoop, x
-    const Scalar z87 = p_C * z85;  // moment on hoop, y
     const Scalar z89 = z30 * z31;
-    const Scalar z98 = n9_81 + a_z;
-    const Scalar z101 = a_psi * s_theta;
-    const Scalar z102 = a_psi * c_theta;
     const Scalar z105 = v_theta * z31 + z101;  // angular acceleration of hoop.2, y
     const Scalar z106 = v_theta * z30 - z102;  // angular acceleration of hoop.2, z
-    const Scalar z109 = a_phi - z106;  // angular acceleration of hoop, z
-    const Scalar z110 = p_C * z109;  // moment on hoop, z
-    const Scalar z111 = z80 + z105;
-    const Scalar z112 = p_A * (a_theta - z89) + z86;  // moment on hoop.2, x
-    const Scalar z113 = p_A * z111 - z87;  // moment on hoop.2, y
-    const Scalar z115 = s_theta * z113 + c_theta * z110;
+    const Scalar z84 = z30 * z42;
+    const Scalar z85 = v_theta * z42;
     const Scalar z135 = q_x - z49;
     const Scalar z136 = q_y - z50;
+    const Scalar z109 = a_phi - z106;  // angular acceleration of hoop, z
+    const Scalar z111 = z80 + z105;
+    const Scalar z86 = p_C * z84;  // moment on hoop, x
+    const Scalar z87 = p_C * z85;  // moment on hoop, y
     const Scalar z140 = s_psi * z135 - c_psi * z136;
     const Scalar z143 = z27 * z136 + z29 * z135;
+    const Scalar z110 = p_C * z109;  // moment on hoop, z
+    const Scalar z112 = p_A * (a_theta - z89) + z86;  // moment on hoop.2, x
+    const Scalar z113 = p_A * z111 - z87;  // moment on hoop.2, y
+    const Scalar z115 = c_theta * z110 + s_theta * z113;
     forces.x = a_x + s_psi * l_Y_F - c_psi * l_X_F;
     forces.y = a_y - s_psi * l_X_F - c_psi * l_Y_F;
     forces.z = z98 - l_N;
     forces.psi = -c_theta * l_X_F + z115;
     forces.theta = -s_theta * l_Y_F + z112 - z140 * l_N;
-    forces.phi = z110 + z143 * l_N - l_X_F;
+    forces.phi = z110 - l_X_F + z143 * l_N;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -928,8 +1029,8 @@ struct Mechanism {
   /// positive relative to its diagonal entry.
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
       const Inputs&, Accelerations& accelerations, Multipliers& multipliers) noexcept {
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_x = state.q.x;
@@ -954,68 +1055,68 @@ struct Mechanism {
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
     const Scalar z26 = s_psi * c_theta;
-    const Scalar z27 = s_psi * s_theta;
     const Scalar z28 = c_psi * c_theta;
-    const Scalar z29 = c_psi * s_theta;
-    const Scalar z30 = v_psi * s_theta;
     const Scalar z31 = v_psi * c_theta;
+    const Scalar z149 = s_theta * s_theta * p_A;
+    const Scalar z152 = s_theta * z150;
+    const Scalar z30 = v_psi * s_theta;
+    const Scalar z127 = v_psi * c_psi;
+    const Scalar z126 = v_psi * s_psi;
+    const Scalar z128 = v_theta * s_theta;
+    const Scalar z131 = v_theta * c_theta;
+    const Scalar z54 = c_theta * p_C;
+    const Scalar z27 = s_psi * s_theta;
+    const Scalar z29 = c_psi * s_theta;
+    const Scalar z61 = c_theta * z59;
     const Scalar z42 = v_phi + z31;
     const Scalar z49 = q_x + z26;
     const Scalar z50 = q_y - z28;
-    const Scalar z54 = c_theta * p_C;
-    const Scalar z61 = c_theta * z59;
     const Scalar z62 = c_theta * z61 - p_A;
     const Scalar z80 = v_theta * z31;  // angular acceleration of hoop.2, y
     const Scalar z81 = v_theta * z30;  // angular acceleration of hoop.2, z
-    const Scalar z84 = z30 * z42;
-    const Scalar z85 = v_theta * z42;
-    const Scalar z86 = p_C * z84;  // moment on hoop, x
-    const Scalar z87 = p_C * z85;  // moment on hoop, y
-    const Scalar z88 = p_C * z81;  // moment on hoop, z
     const Scalar z89 = z30 * z31;
-    const Scalar z90 = n2 * z80;
-    const Scalar z91 = p_A * z89 - z86;  // moment on hoop.2, x
-    const Scalar z92 = p_A * z90 - z87;  // moment on hoop.2, y
-    const Scalar z126 = v_psi * s_psi;
-    const Scalar z127 = v_psi * c_psi;
-    const Scalar z128 = v_theta * s_theta;
     const Scalar z129 = v_x * z126 - v_y * z127 + v_psi * z128;
-    const Scalar z131 = v_theta * c_theta;
     const Scalar z132 = v_x * z127 + v_y * z126 - v_theta * z131;
     const Scalar z134 = v_theta * z128;
-    const Scalar z135 = q_x - z49;
-    const Scalar z136 = q_y - z50;
-    const Scalar z140 = s_psi * z135 - c_psi * z136;
-    const Scalar z143 = z27 * z136 + z29 * z135;
     const Scalar z148 = z54 * z147;
-    const Scalar z149 = s_theta * s_theta * p_A;
-    const Scalar z151 = n1 / z149;
-    const Scalar z152 = s_theta * z150;
-    const Scalar z153 = z140 * z150;
-    const Scalar z154 = z143 * z147;
     const Scalar z156 = n1 + s_theta * z152;
     const Scalar z157 = c_theta * z152;
+    const Scalar z84 = z30 * z42;
+    const Scalar z85 = v_theta * z42;
+    const Scalar z88 = p_C * z81;  // moment on hoop, z
+    const Scalar z90 = n2 * z80;
+    const Scalar z135 = q_x - z49;
+    const Scalar z136 = q_y - z50;
+    const Scalar z151 = n1 / z149;
+    const Scalar z86 = p_C * z84;  // moment on hoop, x
+    const Scalar z87 = p_C * z85;  // moment on hoop, y
+    const Scalar z140 = s_psi * z135 - c_psi * z136;
+    const Scalar z143 = z27 * z136 + z29 * z135;
+    const Scalar z91 = p_A * z89 - z86;  // moment on hoop.2, x
+    const Scalar z92 = p_A * z90 - z87;  // moment on hoop.2, y
+    const Scalar z153 = z140 * z150;
+    const Scalar z154 = z143 * z147;
+    const Scalar z164 = s_theta * z92;
+    const Scalar z166 = z91 * z150;
     const Scalar z158 = n1 - c_theta * z153;
+    const Scalar z165 = z151 * z164;
+    const Scalar z169 = s_theta * z166 - z132;
+    const Scalar z170 = n9_81 - z134 + c_theta * z166;
+    const Scalar z167 = z88 * z147 + z148 * z165;
     const Scalar z159 = n1 / z158;
+    const Scalar z168 = c_theta * z165 + z129 - z167;
+    const Scalar z172 = z163 * z168;
     const Scalar z160 = z157 * z159;
     const Scalar z161 = z156 - z157 * z160;
-    const Scalar z162 = n1 / z161;
-    const Scalar z164 = s_theta * z92;
-    const Scalar z165 = z151 * z164;
-    const Scalar z166 = z91 * z150;
-    const Scalar z167 = z88 * z147 + z148 * z165;
-    const Scalar z168 = c_theta * z165 + z129 - z167;
-    const Scalar z169 = s_theta * z166 - z132;
-    const Scalar z170 = n9_81 + c_theta * z166 - z134;
     const Scalar z171 = z160 * z170 - z169;
-    const Scalar z172 = z163 * z168;
+    const Scalar z162 = n1 / z161;
     const Scalar z173 = z162 * z171;
     const Scalar z174 = z159 * z170 + z160 * z173;
     const Scalar z175 = s_psi * z173 - c_psi * z172;
     const Scalar z176 = s_psi * z172 + c_psi * z173;
     const Scalar z177 = n9_81 - z174;
-    const Scalar z178 = z152 * z173 + z153 * z174 + z166;
-    const Scalar z179 = z147 * z172 - z154 * z174 + z167;
+    const Scalar z178 = z166 + z152 * z173 + z153 * z174;
+    const Scalar z179 = z167 + z147 * z172 - z154 * z174;
     accelerations.x = -z175;
     accelerations.y = z176;
     accelerations.z = -z177;
@@ -1058,18 +1159,18 @@ struct Mechanism {
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
     const Scalar s_phi = sines_[2], c_phi = cosines_[2];
+    const Scalar z181 = v_x * s_psi - v_y * c_psi;
+    const Scalar z180 = v_x * c_psi + v_y * s_psi;
     const Scalar z30 = v_psi * s_theta;
     const Scalar z31 = v_psi * c_theta;
     const Scalar z40 = v_theta * c_phi + s_phi * z30;
     const Scalar z41 = v_theta * s_phi - c_phi * z30;
     const Scalar z42 = v_phi + z31;
-    const Scalar z180 = v_x * c_psi + v_y * s_psi;
-    const Scalar z181 = v_x * s_psi - v_y * c_psi;
     const Scalar z182 = v_z * s_theta - c_theta * z181;
     const Scalar z183 = v_z * c_theta + s_theta * z181;
-    const Scalar z184 = s_phi * z182 + c_phi * z180;
+    const Scalar z184 = c_phi * z180 + s_phi * z182;
     const Scalar z185 = s_phi * z180 - c_phi * z182;
-    result.kinetic = n0_5 * (p_A * (z40 * z40 + z41 * z41) + p_C * z42 * z42 + z183 * z183 + z184 * z184 + z185 * z185);
+    result.kinetic = n0_5 * (p_C * z42 * z42 + z183 * z183 + p_A * (z40 * z40 + z41 * z41) + z184 * z184 + z185 * z185);
     result.force_function = -n9_81 * q_z;
     result.power = n0;
   }
@@ -1077,8 +1178,8 @@ struct Mechanism {
   /// First integrals: constant along every motion.
   TORSOR_DEVICE static void first_integrals(const Precomputed& precomputed, const State& state,
       FirstIntegrals& result) noexcept {
-    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar v_x = state.v.x;
     const Scalar v_y = state.v.y;
     const Scalar q_z = state.q.z;
@@ -1097,19 +1198,19 @@ struct Mechanism {
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
     const Scalar s_phi = sines_[2], c_phi = cosines_[2];
+    const Scalar z181 = v_x * s_psi - v_y * c_psi;
+    const Scalar z180 = v_x * c_psi + v_y * s_psi;
     const Scalar z30 = v_psi * s_theta;
     const Scalar z31 = v_psi * c_theta;
     const Scalar z40 = v_theta * c_phi + s_phi * z30;
     const Scalar z41 = v_theta * s_phi - c_phi * z30;
     const Scalar z42 = v_phi + z31;
-    const Scalar z180 = v_x * c_psi + v_y * s_psi;
-    const Scalar z181 = v_x * s_psi - v_y * c_psi;
     const Scalar z182 = v_z * s_theta - c_theta * z181;
     const Scalar z183 = v_z * c_theta + s_theta * z181;
-    const Scalar z184 = s_phi * z182 + c_phi * z180;
+    const Scalar z184 = c_phi * z180 + s_phi * z182;
     const Scalar z185 = s_phi * z180 - c_phi * z182;
-    result.energy = n0_5 * (p_A * (z40 * z40 + z41 * z41) + p_C * z42 * z42 + z183 * z183 + z184 * z184 + z185 * z185)
-        + n9_81 * q_z;
+    result.energy = n9_81 * q_z + n0_5 * (p_C * z42 * z42 + z183 * z183 + p_A * (z40 * z40 + z41 * z41) + z184 * z184
+        + z185 * z185);
   }
 
   /// Constraints A(q, t) v - b(q, t) = 0, in the order of the multipliers.
@@ -1130,14 +1231,14 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
-    const Scalar z51 = q_z - s_theta;
-    const Scalar z125 = v_x * c_psi + v_y * s_psi + v_psi * c_theta + v_phi;
     const Scalar z126 = v_psi * s_psi;
     const Scalar z127 = v_psi * c_psi;
     const Scalar z128 = v_theta * s_theta;
-    const Scalar z129 = v_x * z126 - v_y * z127 + v_psi * z128;
-    const Scalar z130 = v_x * s_psi - v_y * c_psi - v_theta * s_theta;
     const Scalar z131 = v_theta * c_theta;
+    const Scalar z51 = q_z - s_theta;
+    const Scalar z125 = v_phi + v_x * c_psi + v_y * s_psi + v_psi * c_theta;
+    const Scalar z130 = v_x * s_psi - v_y * c_psi - v_theta * s_theta;
+    const Scalar z129 = v_x * z126 - v_y * z127 + v_psi * z128;
     const Scalar z132 = v_x * z127 + v_y * z126 - v_theta * z131;
     const Scalar z133 = v_z - z131;
     const Scalar z134 = v_theta * z128;
@@ -1179,8 +1280,8 @@ struct Mechanism {
   TORSOR_DEVICE static torsor::Status linearisation(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Multipliers& multipliers, const Inputs&,
       Linearisation& result) noexcept {
-    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_x = state.q.x;
@@ -1212,289 +1313,289 @@ struct Mechanism {
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
     const Scalar s_phi = sines_[2], c_phi = cosines_[2];
-    const Scalar z26 = s_psi * c_theta;
-    const Scalar z27 = s_psi * s_theta;
-    const Scalar z28 = c_psi * c_theta;
-    const Scalar z29 = c_psi * s_theta;
     const Scalar z30 = v_psi * s_theta;
     const Scalar z31 = v_psi * c_theta;
+    const Scalar z61 = c_theta * z59;
+    const Scalar z54 = c_theta * p_C;
+    const Scalar z127 = v_psi * c_psi;
+    const Scalar z102 = a_psi * c_theta;
+    const Scalar z128 = v_theta * s_theta;
+    const Scalar z101 = a_psi * s_theta;
+    const Scalar z126 = v_psi * s_psi;
+    const Scalar z131 = v_theta * c_theta;
+    const Scalar z181 = v_x * s_psi - v_y * c_psi;
+    const Scalar z28 = c_psi * c_theta;
+    const Scalar z237 = n2 * v_theta;
+    const Scalar z26 = s_psi * c_theta;
+    const Scalar z180 = v_x * c_psi + v_y * s_psi;
+    const Scalar z27 = s_psi * s_theta;
+    const Scalar z29 = c_psi * s_theta;
+    const Scalar z323 = s_theta * l_X_F;
+    const Scalar z315 = s_psi * l_X_F + c_psi * l_Y_F;
+    const Scalar z314 = s_psi * l_Y_F - c_psi * l_X_F;
+    const Scalar z316 = c_theta * l_X_F;
+    const Scalar z98 = n9_81 + a_z;
+    const Scalar z342 = z98 - l_N;
     const Scalar z40 = v_theta * c_phi + s_phi * z30;
     const Scalar z41 = v_theta * s_phi - c_phi * z30;
     const Scalar z42 = v_phi + z31;
     const Scalar z49 = q_x + z26;
     const Scalar z50 = q_y - z28;
-    const Scalar z54 = c_theta * p_C;
-    const Scalar z61 = c_theta * z59;
     const Scalar z62 = c_theta * z61 - p_A;
     const Scalar z80 = v_theta * z31;  // angular acceleration of hoop.2, y
     const Scalar z81 = v_theta * z30;  // angular acceleration of hoop.2, z
-    const Scalar z84 = z30 * z42;
-    const Scalar z85 = v_theta * z42;
-    const Scalar z86 = p_C * z84;  // moment on hoop, x
-    const Scalar z87 = p_C * z85;  // moment on hoop, y
+    const Scalar z361 = n1 / s_theta;
     const Scalar z89 = z30 * z31;
-    const Scalar z98 = n9_81 + a_z;
-    const Scalar z101 = a_psi * s_theta;
-    const Scalar z102 = a_psi * c_theta;
     const Scalar z105 = v_theta * z31 + z101;  // angular acceleration of hoop.2, y
     const Scalar z106 = v_theta * z30 - z102;  // angular acceleration of hoop.2, z
-    const Scalar z109 = a_phi - z106;  // angular acceleration of hoop, z
-    const Scalar z110 = p_C * z109;  // moment on hoop, z
-    const Scalar z112 = p_A * (a_theta - z89) + z86;  // moment on hoop.2, x
-    const Scalar z126 = v_psi * s_psi;
-    const Scalar z127 = v_psi * c_psi;
-    const Scalar z128 = v_theta * s_theta;
     const Scalar z129 = v_x * z126 - v_y * z127 + v_psi * z128;
-    const Scalar z131 = v_theta * c_theta;
     const Scalar z132 = v_x * z127 + v_y * z126 - v_theta * z131;
     const Scalar z134 = v_theta * z128;
-    const Scalar z135 = q_x - z49;
-    const Scalar z136 = q_y - z50;
-    const Scalar z140 = s_psi * z135 - c_psi * z136;
-    const Scalar z143 = z27 * z136 + z29 * z135;
-    const Scalar z180 = v_x * c_psi + v_y * s_psi;
-    const Scalar z181 = v_x * s_psi - v_y * c_psi;
-    const Scalar z215 = z41 * z42;
-    const Scalar z216 = z40 * z42;
-    const Scalar z217 = p_C * z215;  // moment on hoop, x
-    const Scalar z218 = p_C * z216;  // moment on hoop, y
-    const Scalar z220 = s_phi * z217 + c_phi * z218;
-    const Scalar z222 = p_A * (z80 + z105) - z220;  // moment on hoop.2, y
     const Scalar z232 = z30 * z30;
     const Scalar z233 = z31 * z31;
-    const Scalar z234 = z232 + z233;
-    const Scalar z235 = z81 - z106;
-    const Scalar z236 = z80 - z105;
-    const Scalar z237 = n2 * v_theta;
     const Scalar z238 = n2 * z30;
     const Scalar z239 = n2 * z31;
-    const Scalar z245 = n2 * z40;
-    const Scalar z246 = n2 * z41;
-    const Scalar z247 = n2 * z42;
-    const Scalar z249 = z247 * z248;
-    const Scalar z250 = z246 * z248;
-    const Scalar z251 = z245 * z248;
-    const Scalar z252 = s_phi * z251 - c_phi * z250;
-    const Scalar z253 = s_phi * z250 + c_phi * z251;
-    const Scalar z254 = p_A * z238 - z252;
-    const Scalar z255 = p_A * z237 - z253;
-    const Scalar z256 = z253 - z255;
-    const Scalar z260 = s_theta * z249 - c_theta * z254;
-    const Scalar z261 = c_theta * z256;
-    const Scalar z262 = s_theta * z261;
-    const Scalar z285 = p_A * z234 - z30 * z254 - z31 * z249;
-    const Scalar z288 = p_A * z235 - z30 * z255 - z110;
-    const Scalar z289 = p_C * z236 - z31 * z253 + z222;
-    const Scalar z291 = s_theta * z288 + c_theta * z289;
-    const Scalar z294 = p_A * z239 - z249;
-    const Scalar z295 = p_C * z238 - z252;
-    const Scalar z297 = s_theta * z294 - c_theta * z295;
-    const Scalar z301 = p_C * z236 - z31 * z253;
-    const Scalar z303 = s_theta * z253;
-    const Scalar z314 = s_psi * l_Y_F - c_psi * l_X_F;
-    const Scalar z315 = s_psi * l_X_F + c_psi * l_Y_F;
-    const Scalar z316 = c_theta * l_X_F;
-    const Scalar z317 = s_theta * l_Y_F + z140 * l_N;
-    const Scalar z318 = z143 * l_N - l_X_F;
-    const Scalar z323 = s_theta * l_X_F;
-    const Scalar z324 = z291 + z323;
     const Scalar z325 = s_psi * z27 + c_psi * z29;
-    const Scalar z326 = c_theta * l_Y_F + l_N * z325;
-    const Scalar z327 = z285 + z326;
-    const Scalar z328 = z26 * z136 + z28 * z135;
-    const Scalar z329 = l_N * z328;
-    const Scalar z330 = z301 + z329;
-    const Scalar z331 = p_A * (z80 + z105) - z87;  // moment on hoop.2, y
-    const Scalar z333 = s_theta * z331 + c_theta * z110;
-    const Scalar z340 = a_x + z314;
-    const Scalar z341 = a_y - z315;
-    const Scalar z342 = z98 - l_N;
-    const Scalar z343 = z316 - z333;
-    const Scalar z344 = z112 - z317;
-    const Scalar z345 = z110 + z318;
-    const Scalar z346 = a_z - a_theta * c_theta + z134;
-    const Scalar z347 = a_x * s_psi - a_y * c_psi - a_theta * s_theta + z132;
-    const Scalar z348 = a_x * c_psi + a_y * s_psi + a_psi * c_theta + a_phi - z129;
     const Scalar z349 = v_x * z126 - v_y * z127;
-    const Scalar z350 = a_x * c_psi + a_y * s_psi - z349;
-    const Scalar z351 = v_x * s_psi - v_y * c_psi + z128;
+    const Scalar z351 = z128 + v_x * s_psi - v_y * c_psi;
     const Scalar z352 = v_x * z127 + v_y * z126;
-    const Scalar z353 = a_x * s_psi - a_y * c_psi + z352;
     const Scalar z354 = v_theta * s_theta + z128;
     const Scalar z355 = v_theta * z131;
-    const Scalar z356 = a_theta * s_theta + z355;
     const Scalar z357 = v_theta * c_theta + z131;
-    const Scalar z358 = a_theta * c_theta - z134;
     const Scalar z359 = v_psi * z131;
-    const Scalar z360 = a_psi * s_theta + z359;
-    const Scalar z361 = n1 / s_theta;
+    const Scalar z84 = z30 * z42;
     const Scalar z362 = n1 / c_psi;
+    const Scalar z85 = v_theta * z42;
     const Scalar z363 = s_theta * s_theta;
-    const Scalar z364 = n1 + s_theta * s_theta / p_A;
-    const Scalar z365 = p_A * z364;
+    const Scalar z135 = q_x - z49;
+    const Scalar z136 = q_y - z50;
+    const Scalar z234 = z232 + z233;
+    const Scalar z247 = n2 * z42;
+    const Scalar z346 = a_z - a_theta * c_theta + z134;
+    const Scalar z356 = a_theta * s_theta + z355;
+    const Scalar z360 = a_psi * s_theta + z359;
+    const Scalar z235 = z81 - z106;
+    const Scalar z109 = a_phi - z106;  // angular acceleration of hoop, z
+    const Scalar z358 = a_theta * c_theta - z134;
+    const Scalar z328 = z26 * z136 + z28 * z135;
+    const Scalar z143 = z27 * z136 + z29 * z135;
+    const Scalar z140 = s_psi * z135 - c_psi * z136;
+    const Scalar z110 = p_C * z109;  // moment on hoop, z
+    const Scalar z249 = z247 * z248;
+    const Scalar z353 = z352 + a_x * s_psi - a_y * c_psi;
+    const Scalar z350 = a_x * c_psi - z349 + a_y * s_psi;
+    const Scalar z294 = p_A * z239 - z249;
+    const Scalar z329 = l_N * z328;
+    const Scalar z326 = c_theta * l_Y_F + l_N * z325;
+    const Scalar z87 = p_C * z85;  // moment on hoop, y
+    const Scalar z331 = p_A * (z80 + z105) - z87;  // moment on hoop.2, y
+    const Scalar z348 = a_phi + a_x * c_psi + a_y * s_psi + a_psi * c_theta - z129;
+    const Scalar z86 = p_C * z84;  // moment on hoop, x
+    const Scalar z112 = p_A * (a_theta - z89) + z86;  // moment on hoop.2, x
+    const Scalar z377 = z181 * z362;
+    const Scalar z318 = z143 * l_N - l_X_F;
+    const Scalar z333 = c_theta * z110 + s_theta * z331;
+    const Scalar z343 = z316 - z333;
+    const Scalar z347 = a_x * s_psi - a_y * c_psi - a_theta * s_theta + z132;
+    const Scalar z340 = a_x + z314;
+    const Scalar z345 = z110 + z318;
+    const Scalar z317 = s_theta * l_Y_F + z140 * l_N;
+    const Scalar z344 = z112 - z317;
     const Scalar z366 = c_psi * c_psi;
-    const Scalar z367 = n1 - c_theta * c_theta / z62 + n1 / p_C;
+    const Scalar z367 = n1 + n1 / p_C - c_theta * c_theta / z62;
     const Scalar z368 = s_psi * z362;
-    const Scalar z369 = z361 * z362;
-    const Scalar z370 = c_theta * z369;
+    const Scalar z375 = z361 * z368;
     const Scalar z371 = c_theta * z362;
     const Scalar z372 = s_psi * z371;
+    const Scalar z215 = z41 * z42;
+    const Scalar z246 = n2 * z41;
+    const Scalar z216 = z40 * z42;
+    const Scalar z217 = p_C * z215;  // moment on hoop, x
+    const Scalar z245 = n2 * z40;
     const Scalar z373 = z361 * z372;
-    const Scalar z374 = c_theta * z373;
-    const Scalar z375 = z361 * z368;
+    const Scalar z250 = z246 * z248;
+    const Scalar z218 = p_C * z216;  // moment on hoop, y
+    const Scalar z251 = z245 * z248;
+    const Scalar z220 = s_phi * z217 + c_phi * z218;
+    const Scalar z386 = z126 * z371 - z351 + z30 * z373;
+    const Scalar z389 = z127 * z371 - z180 - z357 * z373;
     const Scalar z376 = c_theta * z375;
-    const Scalar z377 = z181 * z362;
-    const Scalar z378 = v_x / c_psi;
-    const Scalar z379 = z361 * z378;
+    const Scalar z374 = c_theta * z373;
     const Scalar z381 = z30 * z362;
     const Scalar z382 = s_psi * z381 - z131;
-    const Scalar z383 = z361 * z382;
-    const Scalar z385 = n2 * v_psi / c_psi;
-    const Scalar z386 = z30 * z373 + z126 * z371 - z351;
-    const Scalar z387 = n2 * v_psi * s_psi / c_psi;
-    const Scalar z388 = n2 * v_theta * c_theta / (c_psi * s_theta);
-    const Scalar z389 = z127 * z371 - z180 - z357 * z373;
-    const Scalar z390 = z127 * z362 - z357 * z375;
-    const Scalar z391 = z354 * z369;
-    const Scalar z392 = z354 * z373;
-    const Scalar z393 = z354 * z375;
-    const Scalar z394 = z362 * z385;
-    const Scalar z395 = s_psi * z394 - z388;
-    const Scalar z396 = z361 * z395;
-    const Scalar z397 = c_theta * z396 - z391;
+    const Scalar z222 = p_A * (z80 + z105) - z220;  // moment on hoop.2, y
+    const Scalar z236 = z80 - z105;
     const Scalar z398 = z362 * z386;
     const Scalar z399 = s_psi * z398 + z389;
+    const Scalar z383 = z361 * z382;
+    const Scalar z378 = v_x / c_psi;
+    const Scalar z379 = z361 * z378;
+    const Scalar z253 = s_phi * z250 + c_phi * z251;
+    const Scalar z252 = s_phi * z251 - c_phi * z250;
+    const Scalar z255 = p_A * z237 - z253;
+    const Scalar z289 = z222 + p_C * z236 - z31 * z253;
+    const Scalar z288 = p_A * z235 - z110 - z30 * z255;
+    const Scalar z256 = z253 - z255;
+    const Scalar z261 = c_theta * z256;
+    const Scalar z301 = p_C * z236 - z31 * z253;
+    const Scalar z291 = s_theta * z288 + c_theta * z289;
+    const Scalar z330 = z301 + z329;
+    const Scalar z262 = s_theta * z261;
+    const Scalar z303 = s_theta * z253;
+    const Scalar z324 = z291 + z323;
     const Scalar z400 = z361 * z399;
-    const Scalar z401 = c_theta * z400 - z392;
-    const Scalar z402 = z362 * z387;
-    const Scalar z403 = s_psi * z402 + z390;
-    const Scalar z404 = z361 * z403;
-    const Scalar z405 = c_theta * z404 - z393;
+    const Scalar z369 = z361 * z362;
     const Scalar z406 = z30 * z379 + z126 * z377;
-    const Scalar z407 = z30 * z383 + z126 * z381;
+    const Scalar z407 = z126 * z381 + z30 * z383;
     const Scalar z408 = z127 * z377 - z357 * z379;
     const Scalar z409 = z127 * z381 - z357 * z383;
-    const Scalar z410 = z354 * z379;
-    const Scalar z411 = z354 * z383;
+    const Scalar z390 = z127 * z362 - z357 * z375;
+    const Scalar z385 = n2 * v_psi / c_psi;
+    const Scalar z394 = z362 * z385;
+    const Scalar z387 = n2 * v_psi * s_psi / c_psi;
+    const Scalar z402 = z362 * z387;
+    const Scalar z370 = c_theta * z369;
+    const Scalar z388 = n2 * v_theta * c_theta / (c_psi * s_theta);
+    const Scalar z395 = s_psi * z394 - z388;
+    const Scalar z403 = s_psi * z402 + z390;
+    const Scalar z295 = p_C * z238 - z252;
+    const Scalar z254 = p_A * z238 - z252;
+    const Scalar z285 = p_A * z234 - z31 * z249 - z30 * z254;
     const Scalar z412 = z353 + z406;
     const Scalar z413 = z360 + z407;
     const Scalar z414 = z350 + z408;
+    const Scalar z260 = s_theta * z249 - c_theta * z254;
     const Scalar z415 = z358 - z409;
-    const Scalar z416 = z356 + z411;
+    const Scalar z327 = z285 + z326;
     const Scalar z417 = z362 * z412;
-    const Scalar z418 = s_psi * z417 + z414;
-    const Scalar z419 = z361 * z418;
-    const Scalar z420 = c_theta * z419 - z410;
     const Scalar z421 = z362 * z413;
+    const Scalar z418 = s_psi * z417 + z414;
     const Scalar z422 = s_psi * z421 - z415;
+    const Scalar z297 = s_theta * z294 - c_theta * z295;
+    const Scalar z396 = z361 * z395;
+    const Scalar z404 = z361 * z403;
+    const Scalar z419 = z361 * z418;
     const Scalar z423 = z361 * z422;
-    const Scalar z424 = c_theta * z423 - z416;
     const Scalar z425 = z348 * z362;
     const Scalar z426 = s_psi * z425 - z347;
+    const Scalar z431 = p_A * z375;
+    const Scalar z440 = p_C + z362 * z362 + z375 * z431 + z376 * z376;
     const Scalar z427 = z361 * z426;
+    const Scalar z430 = p_A * z373;
+    const Scalar z437 = z54 + z362 * z371 + z374 * z376 + z375 * z430;
+    const Scalar z436 = z62 - z371 * z371 - z373 * z430 - z374 * z374;
     const Scalar z428 = c_theta * z427 + z346;
     const Scalar z429 = p_A * z369;
-    const Scalar z430 = p_A * z373;
-    const Scalar z431 = p_A * z375;
+    const Scalar z433 = z368 * z371 + z373 * z429 + z370 * z374;
+    const Scalar z434 = z362 * z368 + z375 * z429 + z370 * z376;
+    const Scalar z411 = z354 * z383;
+    const Scalar z416 = z356 + z411;
     const Scalar z432 = n1 + z368 * z368 + z369 * z429 + z370 * z370;
-    const Scalar z433 = z368 * z371 + z370 * z374 + z373 * z429;
-    const Scalar z434 = z362 * z368 + z370 * z376 + z375 * z429;
-    const Scalar z436 = z62 - z371 * z371 - z373 * z430 - z374 * z374;
-    const Scalar z437 = z54 + z362 * z371 + z374 * z376 + z375 * z430;
-    const Scalar z440 = p_C + z362 * z362 + z375 * z431 + z376 * z376;
-    const Scalar z441 = z368 * z394 + z370 * z397 + z396 * z429;
-    const Scalar z442 = z368 * z398 + z370 * z401 + z400 * z429;
-    const Scalar z443 = z368 * z402 + z370 * z405 + z404 * z429;
-    const Scalar z444 = z371 * z394 + z374 * z397 + z396 * z430;
-    const Scalar z445 = z371 * z398 + z374 * z401 + z400 * z430;
-    const Scalar z446 = z371 * z402 + z374 * z405 + z404 * z430;
-    const Scalar z447 = z362 * z394 + z376 * z397 + z396 * z431;
-    const Scalar z448 = z362 * z398 + z376 * z401 + z400 * z431;
-    const Scalar z449 = z362 * z402 + z376 * z405 + z404 * z431;
-    const Scalar z450 = z297 * z369;
+    const Scalar z424 = c_theta * z423 - z416;
+    const Scalar z391 = z354 * z369;
+    const Scalar z397 = c_theta * z396 - z391;
+    const Scalar z392 = z354 * z373;
+    const Scalar z401 = c_theta * z400 - z392;
+    const Scalar z393 = z354 * z375;
+    const Scalar z410 = z354 * z379;
+    const Scalar z405 = c_theta * z404 - z393;
+    const Scalar z420 = c_theta * z419 - z410;
+    const Scalar z442 = z368 * z398 + z400 * z429 + z370 * z401;
+    const Scalar z443 = z368 * z402 + z404 * z429 + z370 * z405;
+    const Scalar z444 = z371 * z394 + z396 * z430 + z374 * z397;
+    const Scalar z445 = z371 * z398 + z400 * z430 + z374 * z401;
+    const Scalar z441 = z368 * z394 + z396 * z429 + z370 * z397;
+    const Scalar z341 = a_y - z315;
+    const Scalar z447 = z362 * z394 + z396 * z431 + z376 * z397;
+    const Scalar z448 = z362 * z398 + z400 * z431 + z376 * z401;
     const Scalar z451 = z262 + z297 * z373;
-    const Scalar z452 = z297 * z375 + z303;
-    const Scalar z453 = z295 * z369;
-    const Scalar z454 = z295 * z373 - z303;
-    const Scalar z456 = z260 * z369;
-    const Scalar z457 = z252 * z369;
     const Scalar z458 = z260 * z373 + z451;
+    const Scalar z452 = z297 * z375 + z303;
+    const Scalar z454 = z295 * z373 - z303;
     const Scalar z459 = z252 * z373 + z452;
-    const Scalar z460 = z260 * z375 - z454;
-    const Scalar z461 = z442 - z456;
-    const Scalar z462 = z443 - z457;
-    const Scalar z463 = z444 - z450;
     const Scalar z464 = z445 - z458;
-    const Scalar z465 = z446 - z459;
-    const Scalar z466 = z447 + z453;
+    const Scalar z457 = z252 * z369;
+    const Scalar z462 = z443 - z457;
+    const Scalar z460 = z260 * z375 - z454;
+    const Scalar z456 = z260 * z369;
+    const Scalar z461 = z442 - z456;
     const Scalar z467 = z448 - z460;
-    const Scalar z468 = z368 * z417 + z370 * z420 + z419 * z429;
-    const Scalar z469 = z368 * z421 + z370 * z424 + z423 * z429;
-    const Scalar z470 = z371 * z417 + z374 * z420 + z419 * z430;
-    const Scalar z471 = z371 * z421 + z374 * z424 + z423 * z430;
-    const Scalar z472 = z362 * z417 + z376 * z420 + z419 * z431;
-    const Scalar z473 = z362 * z421 + z376 * z424 + z423 * z431;
-    const Scalar z474 = z297 * z379;
-    const Scalar z475 = z297 * z383;
-    const Scalar z476 = z295 * z379;
-    const Scalar z477 = z295 * z383;
-    const Scalar z478 = z324 + z475;
-    const Scalar z479 = z330 - z477;
-    const Scalar z480 = l_X_F / c_psi;
+    const Scalar z446 = z371 * z402 + z404 * z430 + z374 * z405;
+    const Scalar z449 = z362 * z402 + z404 * z431 + z376 * z405;
+    const Scalar z465 = z446 - z459;
+    const Scalar z450 = z297 * z369;
+    const Scalar z463 = z444 - z450;
+    const Scalar z453 = z295 * z369;
+    const Scalar z466 = z447 + z453;
+    const Scalar z468 = z368 * z417 + z419 * z429 + z370 * z420;
+    const Scalar z469 = z368 * z421 + z423 * z429 + z370 * z424;
+    const Scalar z364 = n1 + s_theta * s_theta / p_A;
+    const Scalar z365 = p_A * z364;
+    const Scalar z501 = n1 / z440;
+    const Scalar z492 = z340 * z368 - z341 + z342 * z370 + z344 * z369;
+    const Scalar z495 = z368 * z425 + z427 * z429 + z370 * z428;
+    const Scalar z498 = z492 - z495;
     const Scalar z481 = z327 * z369;
+    const Scalar z487 = z469 - z481;
+    const Scalar z493 = z343 + z340 * z371 + z344 * z373 + z342 * z374;
+    const Scalar z494 = z340 * z362 - z345 + z342 * z376 + z344 * z375;
+    const Scalar z503 = z437 * z501;
+    const Scalar z506 = z436 + z437 * z503;
+    const Scalar z505 = z433 - z434 * z503;
+    const Scalar z511 = z463 - z466 * z503;
+    const Scalar z516 = z464 - z467 * z503;
+    const Scalar z507 = n1 / z506;
+    const Scalar z526 = z449 * z503 - z465;
+    const Scalar z502 = z434 * z501;
+    const Scalar z504 = z432 - z434 * z502;
+    const Scalar z475 = z297 * z383;
+    const Scalar z478 = z324 + z475;
+    const Scalar z477 = z295 * z383;
+    const Scalar z479 = z330 - z477;
+    const Scalar z474 = z297 * z379;
+    const Scalar z476 = z295 * z379;
     const Scalar z482 = z315 * z371 - z474;
     const Scalar z483 = z327 * z373 + z478;
-    const Scalar z484 = z315 * z362 + z476;
     const Scalar z485 = z327 * z375 + z479;
-    const Scalar z486 = z468 + z480;
-    const Scalar z487 = z469 - z481;
+    const Scalar z484 = z315 * z362 + z476;
+    const Scalar z470 = z371 * z417 + z419 * z430 + z374 * z420;
+    const Scalar z472 = z362 * z417 + z419 * z431 + z376 * z420;
     const Scalar z488 = z470 + z482;
-    const Scalar z489 = z471 - z483;
     const Scalar z490 = z472 + z484;
-    const Scalar z491 = z473 - z485;
-    const Scalar z492 = z340 * z368 - z341 + z342 * z370 + z344 * z369;
-    const Scalar z493 = z340 * z371 + z342 * z374 + z343 + z344 * z373;
-    const Scalar z494 = z340 * z362 + z342 * z376 + z344 * z375 - z345;
-    const Scalar z495 = z368 * z425 + z370 * z428 + z427 * z429;
-    const Scalar z496 = z371 * z425 + z374 * z428 + z427 * z430;
-    const Scalar z497 = z362 * z425 + z376 * z428 + z427 * z431;
-    const Scalar z498 = z492 - z495;
-    const Scalar z499 = z493 - z496;
-    const Scalar z500 = z494 - z497;
-    const Scalar z501 = n1 / z440;
-    const Scalar z502 = z434 * z501;
-    const Scalar z503 = z437 * z501;
-    const Scalar z504 = z432 - z434 * z502;
-    const Scalar z505 = z433 - z434 * z503;
-    const Scalar z506 = z436 + z437 * z503;
-    const Scalar z507 = n1 / z506;
     const Scalar z508 = z505 * z507;
     const Scalar z509 = z504 + z505 * z508;
-    const Scalar z510 = n1 / z509;
-    const Scalar z511 = z463 - z466 * z503;
     const Scalar z512 = z441 - z466 * z502 + z508 * z511;
-    const Scalar z513 = z510 * z512;
-    const Scalar z514 = z507 * z511 - z508 * z513;
-    const Scalar z515 = z466 * z501 - z502 * z513 + z503 * z514;
-    const Scalar z516 = z464 - z467 * z503;
-    const Scalar z517 = z461 - z467 * z502 + z508 * z516;
-    const Scalar z518 = z510 * z517;
-    const Scalar z519 = z507 * z516 - z508 * z518;
-    const Scalar z520 = z467 * z501 - z502 * z518 + z503 * z519;
     const Scalar z521 = z488 - z490 * z503;
-    const Scalar z522 = z486 - z490 * z502 + z508 * z521;
-    const Scalar z523 = z510 * z522;
-    const Scalar z524 = z507 * z521 - z508 * z523;
-    const Scalar z525 = z490 * z501 - z502 * z523 + z503 * z524;
-    const Scalar z526 = z449 * z503 - z465;
+    const Scalar z510 = n1 / z509;
+    const Scalar z517 = z461 - z467 * z502 + z508 * z516;
     const Scalar z527 = z449 * z502 - z462 + z508 * z526;
-    const Scalar z528 = z510 * z527;
-    const Scalar z529 = z507 * z526 - z508 * z528;
-    const Scalar z530 = z449 * z501 + z502 * z528 - z503 * z529;
+    const Scalar z471 = z371 * z421 + z423 * z430 + z374 * z424;
+    const Scalar z473 = z362 * z421 + z423 * z431 + z376 * z424;
+    const Scalar z496 = z371 * z425 + z427 * z430 + z374 * z428;
+    const Scalar z497 = z362 * z425 + z427 * z431 + z376 * z428;
+    const Scalar z480 = l_X_F / c_psi;
+    const Scalar z486 = z468 + z480;
+    const Scalar z489 = z471 - z483;
+    const Scalar z491 = z473 - z485;
     const Scalar z531 = z489 - z491 * z503;
+    const Scalar z513 = z510 * z512;
+    const Scalar z522 = z486 - z490 * z502 + z508 * z521;
+    const Scalar z518 = z510 * z517;
     const Scalar z532 = z487 - z491 * z502 + z508 * z531;
+    const Scalar z523 = z510 * z522;
+    const Scalar z528 = z510 * z527;
+    const Scalar z514 = z507 * z511 - z508 * z513;
     const Scalar z533 = z510 * z532;
+    const Scalar z519 = z507 * z516 - z508 * z518;
+    const Scalar z524 = z507 * z521 - z508 * z523;
+    const Scalar z529 = z507 * z526 - z508 * z528;
     const Scalar z534 = z507 * z531 - z508 * z533;
+    const Scalar z499 = z493 - z496;
+    const Scalar z500 = z494 - z497;
+    const Scalar z515 = z466 * z501 - z502 * z513 + z503 * z514;
+    const Scalar z520 = z467 * z501 - z502 * z518 + z503 * z519;
+    const Scalar z525 = z490 * z501 - z502 * z523 + z503 * z524;
+    const Scalar z530 = z449 * z501 + z502 * z528 - z503 * z529;
     const Scalar z535 = z491 * z501 - z502 * z533 + z503 * z534;
     result.M[0] = n1;
     result.M[1] = n0;

@@ -34,7 +34,7 @@
 #include <cmath>
 
 #ifndef TORSOR_KERNEL_SUPPORT
-#define TORSOR_KERNEL_SUPPORT 2
+#define TORSOR_KERNEL_SUPPORT 3
 // Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
 #ifndef TORSOR_DEVICE
 #define TORSOR_DEVICE
@@ -48,7 +48,7 @@
 //  * two polynomials of least greatest error give the sine and the cosine of r, |r| <= pi/4;
 //  * angles beyond `bound` are rare: they are reduced exactly, in integers, by a function that is not inlined, and so
 //    are all angles under another rounding, which would give the nearest integers wrong.
-// The core has no branch, so that compilers turn a loop over several angles into vector instructions.
+// The core has no branch, so that several angles go through it at once.
 #ifndef TORSOR_STD_SINCOS
 #if defined(__FAST_MATH__) || defined(_M_FP_FAST) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0)
 #define TORSOR_STD_SINCOS  // sums would be reassociated or hold more digits than their type
@@ -96,21 +96,19 @@ struct SineCosine {
       S = S01 + z2 * number(0.0, -0x1.9953f2p-13f);
       C = C01 + z2 * number(0.0, 0x1.99e0eep-16f);
     } else {
-      const Scalar z4 = z2 * z2;
       const Scalar S01 = number(-0x1.5555555555548p-3, 0.0f) + z * number(0x1.111111110f73p-7, 0.0f);
       const Scalar S23 = number(-0x1.a01a019be9217p-13, 0.0f) + z * number(0x1.71de35552b518p-19, 0.0f);
       const Scalar S45 = number(-0x1.ae5e4b83e1601p-26, 0.0f) + z * number(0x1.5d8b55934597bp-33, 0.0f);
       const Scalar C01 = number(0x1.555555555554cp-5, 0.0f) + z * number(-0x1.6c16c16c1521bp-10, 0.0f);
       const Scalar C23 = number(0x1.a01a019cbeb68p-16, 0.0f) + z * number(-0x1.27e4f8121198fp-22, 0.0f);
       const Scalar C45 = number(0x1.1ee9f0cbf70d6p-29, 0.0f) + z * number(-0x1.8fb0e15d5f2ap-37, 0.0f);
-      S = (S01 + z2 * S23) + z4 * S45;
-      C = (C01 + z2 * C23) + z4 * C45;
+      S = S01 + z2 * (S23 + z2 * S45);
+      C = C01 + z2 * (C23 + z2 * C45);
     }
-    const Scalar half_z = half * z, w = one - half_z;
-    // Far below an ulp, it makes the correction of -0 a -0, and so the sine.
-    const Scalar tiny = number(0x1p-100, 0x1p-60f);
-    sine = high + (high * (tiny + z * S) - rest * w);
-    cosine = w + (((one - w) - half_z) + (z2 * C + high * rest));
+    const Scalar half_z = half * z, w = one - half_z, high_z = high * z;
+    // What waits for S and C comes last. The correction of -0 is a 0, which subtracted leaves it -0.
+    sine = high - (rest * w - high_z * S);
+    cosine = w + ((((one - w) - half_z) + high * rest) + z2 * C);
   }
 
   /// Of n pi/2 more.
@@ -125,21 +123,31 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// For |x| <= bound; what is no number gives no number. Exact are n times the first three parts of pi/2, the first
-  /// difference, and each rounded difference together with its rounding error.
-  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
-    const Scalar n = rounded(x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f));
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n plus a number so large that its last bit counts 1; what is no
+  /// number gives no number.
+  ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
+  ///    others do, and may be formed twice;
+  ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
+  ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
+  TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
+                                                        Scalar& cosine) noexcept {
+    const Scalar shift = number(0x1.8p52, 0x1.8p23f);
+    const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
+    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift;
+    const Scalar n = shifted - shift;
     const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
-    const Scalar second = n * number(0x1.0b4611a6p-34, 0x1.ed5p-14f);
-    const Scalar third = n * number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    const Scalar fourth = n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
-    const Scalar r = first - second;
-    const Scalar taken = first - r;
-    const Scalar error = (first - (r + taken)) - (second - taken);
-    const Scalar high = r - third;
-    const Scalar rest = ((third - (r - high)) - error) + fourth;
+    const Scalar r = first - n * P;
+    const Scalar error = (first - r) - n * P;
+    const Scalar high = r - n * Q;
+    const Scalar rest = ((n * Q - (r - high)) - error) + n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
     of_reduced(high, rest, sine, cosine);
-    turn(n, sine, cosine);
+  }
+
+  /// For |x| <= bound.
+  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
+    Scalar shifted;
+    of_remainder(x, shifted, sine, cosine);
+    turn(shifted - number(0x1.8p52, 0x1.8p23f), sine, cosine);
   }
 };
 
@@ -258,61 +266,151 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
 #endif
 }
 
-/// Of some angles up to the bound, a multiple of what a vector holds. Local arrays, which nothing else can point to.
-template <int size, class Scalar>
-TORSOR_DEVICE TORSOR_INLINED void sincos_of_block(const Scalar* angles, Scalar* sines, Scalar* cosines) noexcept {
-  Scalar x[size], s[size], c[size];
-  for (int i = 0; i < size; ++i) x[i] = angles[i];
-  // Compilers make vector instructions of a loop, but not always of a row of statements.
-#if defined(__clang__)
-#pragma clang loop unroll(disable)
-#elif defined(__GNUC__) && !defined(__CUDACC__)
-#pragma GCC unroll 1
+}  // namespace torsor
+// Sines and cosines of several angles at once: by vector registers where GNU C++ has types for them, which compilers
+// without AVX make of narrower ones; loops over numbers are not left to compilers to find.
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define TORSOR_VECTOR_TYPES
 #endif
-  for (int i = 0; i < size; ++i) SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::core(x[i], s[i], c[i]);
-  for (int i = 0; i < size; ++i) sines[i] = s[i];
-  for (int i = 0; i < size; ++i) cosines[i] = c[i];
+
+namespace torsor {
+
+#if defined(TORSOR_VECTOR_TYPES)
+/// 0, 1, ... as arguments of a template.
+template <int... place>
+struct Places {};
+template <int count, int... place>
+struct FirstPlaces : FirstPlaces<count - 1, count - 1, place...> {};
+template <int... place>
+struct FirstPlaces<0, place...> {
+  using type = Places<place...>;
+};
+
+/// Some registers of equally many numbers, which take the same operations by turns: while the one waits for its last
+/// result, the other is at work. A scalar for SineCosine, of which it needs constants, sums and products only.
+template <class Number, int lanes, int count>
+struct Registers {
+  typedef Number Numbers __attribute__((vector_size(lanes * sizeof(Number))));
+  using Bits = decltype(Numbers{} < Numbers{});
+  Numbers part[count];
+
+  TORSOR_INLINED friend Registers operator+(const Registers& a, const Registers& b) noexcept {
+    Registers sum;
+    for (int i = 0; i < count; ++i) sum.part[i] = a.part[i] + b.part[i];
+    return sum;
+  }
+  TORSOR_INLINED friend Registers operator-(const Registers& a, const Registers& b) noexcept {
+    Registers difference;
+    for (int i = 0; i < count; ++i) difference.part[i] = a.part[i] - b.part[i];
+    return difference;
+  }
+  TORSOR_INLINED friend Registers operator*(const Registers& a, const Registers& b) noexcept {
+    Registers product;
+    for (int i = 0; i < count; ++i) product.part[i] = a.part[i] * b.part[i];
+    return product;
+  }
+};
+
+template <class Number, int lanes, int count>
+struct scalar_traits<Registers<Number, lanes, count>> {
+  using Scalar = Registers<Number, lanes, count>;
+  TORSOR_INLINED static Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    constexpr bool is_float = sizeof(Number) == sizeof(float);
+    const Number number = is_float ? static_cast<Number>(in_float) : static_cast<Number>(in_double);
+    Scalar result;
+    for (int i = 0; i < count; ++i) {
+      for (int lane = 0; lane < lanes; ++lane) result.part[i][lane] = number;
+    }
+    return result;
+  }
+};
+
+/// Of angles up to the bound, bit by bit what SineCosine::core gives where nothing is fused. The quarter of the turn is
+/// in the last two bits of `shifted`: it is chosen by bits, not by products.
+template <class Number, int lanes, int count>
+TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& angles,
+                                        Registers<Number, lanes, count>& sines,
+                                        Registers<Number, lanes, count>& cosines) noexcept {
+  using Scalar = Registers<Number, lanes, count>;
+  using Numbers = typename Scalar::Numbers;
+  using Bits = typename Scalar::Bits;
+  constexpr int sign_bit = 8 * static_cast<int>(sizeof(Number)) - 1;
+  Scalar shifted, sine, cosine;
+  SineCosine<Scalar, sizeof(Number) == sizeof(float)>::of_remainder(angles, shifted, sine, cosine);
+  const Bits sign = (Bits)scalar_traits<Scalar>::constant(-0.0, -0.0f, nullptr).part[0];
+  for (int i = 0; i < count; ++i) {
+    const Bits bits = (Bits)shifted.part[i], s = (Bits)sine.part[i], c = (Bits)cosine.part[i];
+    const Bits odd = Bits{} - (bits & 1);  // all bits or none
+    const Bits upper = bits << (sign_bit - 1);
+    // The sine is negated for n = 2 and 3, the cosine for 1 and 2.
+    sines.part[i] = (Numbers)(((odd & c) | (~odd & s)) ^ (upper & sign));
+    cosines.part[i] = (Numbers)(((odd & s) | (~odd & c)) ^ ((upper ^ odd) & sign));
+  }
 }
 
-/// Of several angles at once, in float or double: as many as a vector holds go through the core together.
-template <class Scalar, int N>
-TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
-                                            Scalar (&cosines)[N]) noexcept {
-  constexpr int narrow = 16 / sizeof(Scalar);
+/// Of the angles first to first + size - 1, up to the bound, in one register or two; idle lanes get 0. Returns the sum
+/// of their squares. Places are constants before anything is optimised: lanes then come from registers and go there,
+/// where a way through memory would be stored in parts and loaded whole.
+template <int size, class Number, int N, int... lane, int... place>
+TORSOR_INLINED Number sincos_of_some(int first, const Number (&angles)[N], Number (&sines)[N], Number (&cosines)[N],
+                                     Places<lane...>, Places<place...>) noexcept {
+  constexpr int lanes = sizeof...(lane), count = size > lanes ? 2 : 1;
+  using Some = Registers<Number, lanes, count>;
+  const auto angle = [&](int i) noexcept { return i < size ? angles[first + i] : Number(0); };
+  Some x, s, c;
+  x.part[0] = typename Some::Numbers{angle(lane)...};
+  if constexpr (count == 2) x.part[1] = typename Some::Numbers{angle(lane + lanes)...};
+  sincos_of_registers(x, s, c);
+  ((sines[first + place] = s.part[place / lanes][place % lanes]), ...);
+  ((cosines[first + place] = c.part[place / lanes][place % lanes]), ...);
+  typename Some::Numbers squares = x.part[0] * x.part[0];
+  if constexpr (count == 2) squares += x.part[1] * x.part[1];
+  return (squares[lane] + ...);
+}
+
+/// Of several angles up to the bound, by two registers at a time. Returns the sum of their squares.
+template <class Number, int N>
+TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&sines)[N],
+                                          Number (&cosines)[N]) noexcept {
+  constexpr int narrow = 16 / static_cast<int>(sizeof(Number));
 #if defined(__AVX__)
-  constexpr int wide = 32 / sizeof(Scalar);
+  // Registers of AVX-512 gain nothing for so few numbers.
+  constexpr int lanes = N <= narrow ? narrow : 2 * narrow;
 #else
-  constexpr int wide = narrow;
+  constexpr int lanes = narrow;
 #endif
-#if defined(__CUDA_ARCH__) || defined(TORSOR_STD_SINCOS)
-  constexpr bool by_vectors = false;
-#elif defined(__clang__)
-  constexpr bool by_vectors = N >= 4;  // it leaves a loop over two as it is
-#else
-  constexpr bool by_vectors = N >= narrow;
-#endif
-  if constexpr (by_vectors) {
-    constexpr int vector = N >= wide ? wide : narrow, rest = N % vector;
-    // Of a rest some angles are done again: a whole vector costs less than two or three alone.
+  constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
+  using AllLanes = typename FirstPlaces<lanes>::type;
+  Number squares = 0;
+  // One copy of the code: its constants stay where they are.
 #if defined(__clang__)
-    sincos_of_block<N - rest>(angles, sines, cosines);  // best as one loop
-    if constexpr (rest > 1) {
-      sincos_of_block<vector>(angles + (N - vector), sines + (N - vector), cosines + (N - vector));
-    }
+#pragma clang loop unroll(disable)
 #else
-    for (int next = 0; next < N - (rest == 1); next += vector) {
-      const int first = next + vector <= N ? next : N - vector;
-      sincos_of_block<vector>(angles + first, sines + first, cosines + first);
-    }
+#pragma GCC unroll 1
 #endif
-    if constexpr (rest == 1) sincos_of_one(angles[N - 1], sines[N - 1], cosines[N - 1]);
+  for (int i = 0; i < whole; i += both)
+    squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+  if constexpr (rest > 0)
+    squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
+  return squares;
+}
+#endif
+
+/// Of several angles at once, in float or double.
+template <class Scalar, int N>
+TORSOR_DEVICE TORSOR_INLINED void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
+#if defined(TORSOR_VECTOR_TYPES) && !defined(TORSOR_STD_SINCOS)
+  constexpr bool at_once = N > 1;
+#else
+  constexpr bool at_once = false;
+#endif
+  if constexpr (at_once) {
+    const Scalar squares = sincos_in_registers(angles, sines, cosines);
     constexpr Scalar bound = static_cast<Scalar>(SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::bound);
-    Scalar sum = 0;
-    for (int i = 0; i < N; ++i) sum += std::abs(angles[i]);
-    const bool to_one_side = rounds_to_one_side(sum);
-    if (sum <= bound && !to_one_side) return;
+    if (squares <= bound * bound && !rounds_to_one_side(squares)) return;
     for (int i = 0; i < N; ++i) {
-      if (std::abs(angles[i]) > bound || to_one_side) sincos_far(angles[i], sines[i], cosines[i]);
+      if (std::abs(angles[i]) > bound || rounds_to_one_side(angles[i])) sincos_far(angles[i], sines[i], cosines[i]);
     }
   } else {
     for (int i = 0; i < N; ++i) sincos_of_one(angles[i], sines[i], cosines[i]);
@@ -321,17 +419,19 @@ TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&
 
 /// Of several angles of any scalar: at once where its traits have a `sincos` of arrays, else one by one.
 template <class Scalar, int N>
-TORSOR_DEVICE auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N], int) noexcept
+TORSOR_DEVICE TORSOR_INLINED auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], int) noexcept
     -> decltype(scalar_traits<Scalar>::sincos(angles, sines, cosines)) {
   scalar_traits<Scalar>::sincos(angles, sines, cosines);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N],
-                                    long) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], long) noexcept {
   for (int i = 0; i < N; ++i) scalar_traits<Scalar>::sincos(angles[i], sines[i], cosines[i]);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
   sincos_by_traits(angles, sines, cosines, 0);
 }
 
@@ -368,7 +468,8 @@ struct scalar_traits {
   }
   /// Of several angles at once; a specialisation without it gets them one by one.
   template <int N>
-  TORSOR_DEVICE static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+  TORSOR_DEVICE TORSOR_INLINED static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                  Scalar (&cosines)[N]) noexcept {
     sincos_of_several(angles, sines, cosines);
   }
   TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
@@ -381,7 +482,7 @@ struct scalar_traits {
 };
 
 }  // namespace torsor
-#elif TORSOR_KERNEL_SUPPORT != 2
+#elif TORSOR_KERNEL_SUPPORT != 3
 #error "headers of incompatible versions of torsor meet here: write them again with one version"
 #endif
 
@@ -395,7 +496,7 @@ struct Mechanism {
 
   static constexpr const char* name = "satellite_arms";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xbc4bf567aa4f087aULL;
+  static constexpr unsigned long long fingerprint = 0xe11257bc4bad80eeULL;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 2;
@@ -624,50 +725,50 @@ struct Mechanism {
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta_2 = sines_[1], c_theta_2 = cosines_[1];
     const Scalar s_theta_3 = sines_[2], c_theta_3 = cosines_[2];
-    const Scalar z15 = c_psi * c_theta_2;
-    const Scalar z16 = c_psi * s_theta_2;
-    const Scalar z17 = s_psi * c_theta_2;
-    const Scalar z18 = s_psi * s_theta_2;
-    const Scalar z19 = n0_3 * c_psi;
-    const Scalar z20 = n0_3 * s_psi;
     const Scalar z21 = n0_3 * v_psi;
-    const Scalar z22 = v_psi * s_theta_2;
-    const Scalar z24 = s_psi * v_theta_2;  // angular velocity of S2, x
-    const Scalar z25 = c_psi * v_theta_2;  // angular velocity of S2, y
-    const Scalar z26 = s_psi * z21;  // velocity of S2, x
-    const Scalar z27 = c_psi * z21;  // velocity of S2, y
-    const Scalar z28 = c_psi * c_theta_3;
-    const Scalar z29 = c_psi * s_theta_3;
-    const Scalar z30 = s_psi * c_theta_3;
-    const Scalar z31 = s_psi * s_theta_3;
-    const Scalar z32 = n0_35 * c_psi;
-    const Scalar z33 = n0_35 * s_psi;
     const Scalar z34 = n0_35 * v_psi;
     const Scalar z35 = v_psi * s_theta_3;
-    const Scalar z37 = s_psi * v_theta_3;  // angular velocity of S3, x
-    const Scalar z38 = c_psi * v_theta_3;  // angular velocity of S3, y
+    const Scalar z15 = c_psi * c_theta_2;
+    const Scalar z17 = s_psi * c_theta_2;
+    const Scalar z30 = s_psi * c_theta_3;
+    const Scalar z26 = s_psi * z21;  // velocity of S2, x
+    const Scalar z27 = c_psi * z21;  // velocity of S2, y
     const Scalar z39 = s_psi * z34;  // velocity of S3, x
     const Scalar z40 = c_psi * z34;  // velocity of S3, y
+    const Scalar z46 = n0_5 * v_theta_2;
+    const Scalar z56 = n0_45 * v_theta_3;
+    const Scalar z22 = v_psi * s_theta_2;
+    const Scalar z16 = c_psi * s_theta_2;
+    const Scalar z18 = s_psi * s_theta_2;
+    const Scalar z29 = c_psi * s_theta_3;
+    const Scalar z31 = s_psi * s_theta_3;
+    const Scalar z28 = c_psi * c_theta_3;
+    const Scalar z19 = n0_3 * c_psi;
+    const Scalar z20 = n0_3 * s_psi;
+    const Scalar z32 = n0_35 * c_psi;
+    const Scalar z33 = n0_35 * s_psi;
+    const Scalar z24 = s_psi * v_theta_2;  // angular velocity of S2, x
+    const Scalar z25 = c_psi * v_theta_2;  // angular velocity of S2, y
+    const Scalar z37 = s_psi * v_theta_3;  // angular velocity of S3, x
+    const Scalar z38 = c_psi * v_theta_3;  // angular velocity of S3, y
+    const Scalar z43 = n0_5 * c_theta_2;
+    const Scalar z50 = s_theta_2 * z46;
+    const Scalar z53 = n0_45 * c_theta_3;
+    const Scalar z60 = s_theta_3 * z56;
     const Scalar z41 = n0_5 * z16;
     const Scalar z42 = n0_5 * z18;
-    const Scalar z43 = n0_5 * c_theta_2;
-    const Scalar z44 = z19 + z41;
-    const Scalar z45 = z20 + z42;
-    const Scalar z46 = n0_5 * v_theta_2;
     const Scalar z47 = n0_5 * z22;
-    const Scalar z48 = s_psi * z47 - z15 * z46 + z26;
-    const Scalar z49 = c_psi * z47 + z17 * z46 + z27;
-    const Scalar z50 = s_theta_2 * z46;
     const Scalar z51 = n0_45 * z29;
     const Scalar z52 = n0_45 * z31;
-    const Scalar z53 = n0_45 * c_theta_3;
+    const Scalar z57 = n0_45 * z35;
+    const Scalar z44 = z19 + z41;
+    const Scalar z45 = z20 + z42;
+    const Scalar z48 = z26 - z15 * z46 + s_psi * z47;
+    const Scalar z49 = z17 * z46 + z27 + c_psi * z47;
     const Scalar z54 = z32 - z51;
     const Scalar z55 = z33 - z52;
-    const Scalar z56 = n0_45 * v_theta_3;
-    const Scalar z57 = n0_45 * z35;
-    const Scalar z58 = s_psi * z57 - z28 * z56 - z39;
-    const Scalar z59 = c_psi * z57 + z30 * z56 - z40;
-    const Scalar z60 = s_theta_3 * z56;
+    const Scalar z58 = s_psi * z57 - z39 - z28 * z56;
+    const Scalar z59 = z30 * z56 - z40 + c_psi * z57;
     result.S1_position[0] = n0;
     result.S1_position[1] = n0;
     result.S1_position[2] = n0_1;
@@ -771,13 +872,13 @@ struct Mechanism {
 
   /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
   TORSOR_DEVICE static void mass_matrix(const Precomputed&, const State& state, std::array<Scalar, 9>& mass) noexcept {
-    const Scalar n0_3375 = traits::constant(0.3375, 0.3375f, "27/80");
     const Scalar n109_over_160 = traits::constant(0.68125, 0.68125f, "109/160");
-    const Scalar n7_over_3 = traits::constant(2.3333333333333335, 2.3333333f, "7/3");
-    const Scalar n2_7425 = traits::constant(2.7425, 2.7425f, "1097/400");
-    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n0_3375 = traits::constant(0.3375, 0.3375f, "27/80");
     const Scalar n0_666 = traits::constant(0.666, 0.666f, "333/500");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n7_over_3 = traits::constant(2.3333333333333335, 2.3333333f, "7/3");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n2_7425 = traits::constant(2.7425, 2.7425f, "1097/400");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar n0_668 = traits::constant(0.668, 0.668f, "167/250");
     const Scalar k9 = traits::constant(0.68225, 0.68225f, "2729/4000");
@@ -788,15 +889,15 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_2 = sines_[0], c_theta_2 = cosines_[0];
     const Scalar s_theta_3 = sines_[1], c_theta_3 = cosines_[1];
-    const Scalar z62 = n0_3375 * s_theta_3;
     const Scalar z65 = n109_over_160 * c_theta_3;
-    const Scalar z66 = c_theta_3 * z65;
-    const Scalar z71 = n7_over_3 * z62 + z66;
-    const Scalar z74 = n2_7425 - z71;
-    const Scalar z76 = n0_3 * s_theta_2;
+    const Scalar z62 = n0_3375 * s_theta_3;
     const Scalar z79 = n0_666 * c_theta_2;
+    const Scalar z76 = n0_3 * s_theta_2;
+    const Scalar z66 = c_theta_3 * z65;
     const Scalar z80 = c_theta_2 * z79;
+    const Scalar z71 = n7_over_3 * z62 + z66;
     const Scalar z85 = n2 * z76 - z80;
+    const Scalar z74 = n2_7425 - z71;
     const Scalar z91 = z74 + z85;
     mass[0] = z91;
     mass[1] = n0;
@@ -813,20 +914,20 @@ struct Mechanism {
   /// actions included. M a + h = E u + A' lambda.
   TORSOR_DEVICE static void bias(const Precomputed&, const State& state, GeneralizedForces& forces) noexcept {
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n7_over_6 = traits::constant(1.1666666666666667, 1.1666666f, "7/6");
+    const Scalar n32_7 = traits::constant(32.7, 32.7f, "327/10");
     const Scalar n30 = traits::constant(30.0, 30.0f, "30/1");
     const Scalar n35 = traits::constant(35.0, 35.0f, "35/1");
     const Scalar n5 = traits::constant(5.0, 5.0f, "5/1");
     const Scalar n6 = traits::constant(6.0, 6.0f, "6/1");
-    const Scalar n32_7 = traits::constant(32.7, 32.7f, "327/10");
-    const Scalar n7_over_6 = traits::constant(1.1666666666666667, 1.1666666f, "7/6");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
-    const Scalar n0_3375 = traits::constant(0.3375, 0.3375f, "27/80");
-    const Scalar k9 = traits::constant(0.68175, 0.68175f, "2727/4000");
     const Scalar n109_over_160 = traits::constant(0.68125, 0.68125f, "109/160");
-    const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
-    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
-    const Scalar n0_667 = traits::constant(0.667, 0.667f, "667/1000");
+    const Scalar n0_3375 = traits::constant(0.3375, 0.3375f, "27/80");
     const Scalar n0_666 = traits::constant(0.666, 0.666f, "333/500");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar k12 = traits::constant(0.68175, 0.68175f, "2727/4000");
+    const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
+    const Scalar n0_667 = traits::constant(0.667, 0.667f, "667/1000");
     const Scalar n0_001 = traits::constant(0.001, 0.001f, "1/1000");
     const Scalar v_psi = state.v.psi;
     const Scalar q_theta_2 = state.q.theta_2;
@@ -838,44 +939,44 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_2 = sines_[0], c_theta_2 = cosines_[0];
     const Scalar s_theta_3 = sines_[1], c_theta_3 = cosines_[1];
-    const Scalar z22 = v_psi * s_theta_2;
+    const Scalar pi = traits::pi();
+    const Scalar z36 = v_psi * c_theta_3;
     const Scalar z23 = v_psi * c_theta_2;
     const Scalar z35 = v_psi * s_theta_3;
-    const Scalar z36 = v_psi * c_theta_3;
-    const Scalar pi = traits::pi();
+    const Scalar z22 = v_psi * s_theta_2;
+    const Scalar z101 = v_psi * v_psi;
     const Scalar z93 = q_theta_2 - n0_5 * pi;
-    const Scalar z94 = n30 * z93;
+    const Scalar z106 = n7_over_6 * z101;
     const Scalar z95 = q_theta_3 + n0_5 * pi;
+    const Scalar z102 = n32_7 * s_theta_2 + c_theta_2 * z101;
+    const Scalar z107 = n32_7 * s_theta_3 - c_theta_3 * z106;
+    const Scalar z94 = n30 * z93;
     const Scalar z96 = n35 * z95;
     const Scalar z97 = n5 * v_theta_2;
     const Scalar z98 = n6 * v_theta_3;
-    const Scalar z101 = v_psi * v_psi;
-    const Scalar z102 = n32_7 * s_theta_2 + c_theta_2 * z101;
     const Scalar z104 = v_theta_2 * z23;  // angular acceleration of S2, x
     const Scalar z105 = v_theta_2 * z22;  // angular acceleration of S2, z
-    const Scalar z106 = n7_over_6 * z101;
-    const Scalar z107 = n32_7 * s_theta_3 - c_theta_3 * z106;
     const Scalar z109 = v_theta_3 * z36;  // angular acceleration of S3, x
     const Scalar z110 = v_theta_3 * z35;  // angular acceleration of S3, z
     const Scalar z111 = z35 * z36;
+    const Scalar z127 = z22 * z23;
     const Scalar z112 = n2 * z109;
     const Scalar z116 = n2 * z110;
-    const Scalar z118 = n0_3375 * z112;  // force on S3, times 0.3 m, y
-    const Scalar z120 = k9 * z112;  // moment on S3, x
-    const Scalar z121 = n0_3375 * z107 + n109_over_160 * z111;  // moment on S3, y
-    const Scalar z122 = n0_0005 * z116;  // moment on S3, z
-    const Scalar z126 = s_theta_3 * z120 - c_theta_3 * z122;
-    const Scalar z127 = z22 * z23;
     const Scalar z128 = n2 * z104;
     const Scalar z132 = n2 * z105;
+    const Scalar z121 = n109_over_160 * z111 + n0_3375 * z107;  // moment on S3, y
+    const Scalar z137 = n0_666 * z127 + n0_3 * z102;  // moment on S2, y
+    const Scalar z118 = n0_3375 * z112;  // force on S3, times 0.3 m, y
+    const Scalar z120 = k12 * z112;  // moment on S3, x
+    const Scalar z122 = n0_0005 * z116;  // moment on S3, z
     const Scalar z134 = n0_3 * z128;  // force on S2, times 0.3 m, y
     const Scalar z136 = n0_667 * z128;  // moment on S2, x
-    const Scalar z137 = n0_3 * z102 + n0_666 * z127;  // moment on S2, y
     const Scalar z138 = n0_001 * z132;  // moment on S2, z
+    const Scalar z126 = s_theta_3 * z120 - c_theta_3 * z122;
     const Scalar z142 = s_theta_2 * z136 - c_theta_2 * z138;
-    const Scalar z148 = n7_over_6 * z118 - z126 - z134 - z142;  // moment on S1, z
     const Scalar z149 = z94 + z97 - z137;
     const Scalar z150 = z96 + z98 - z121;
+    const Scalar z148 = n7_over_6 * z118 - z134 - z126 - z142;  // moment on S1, z
     forces.psi = -z148;
     forces.theta_2 = z149;
     forces.theta_3 = z150;
@@ -884,24 +985,24 @@ struct Mechanism {
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
   TORSOR_DEVICE static void inverse_dynamics(const Precomputed&, const State& state, const Accelerations& accelerations,
       const Multipliers&, GeneralizedForces& forces) noexcept {
-    const Scalar n0_3375 = traits::constant(0.3375, 0.3375f, "27/80");
     const Scalar n109_over_160 = traits::constant(0.68125, 0.68125f, "109/160");
-    const Scalar n7_over_3 = traits::constant(2.3333333333333335, 2.3333333f, "7/3");
-    const Scalar n2_7425 = traits::constant(2.7425, 2.7425f, "1097/400");
-    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n7_over_6 = traits::constant(1.1666666666666667, 1.1666666f, "7/6");
+    const Scalar n0_3375 = traits::constant(0.3375, 0.3375f, "27/80");
     const Scalar n0_666 = traits::constant(0.666, 0.666f, "333/500");
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n32_7 = traits::constant(32.7, 32.7f, "327/10");
     const Scalar n30 = traits::constant(30.0, 30.0f, "30/1");
     const Scalar n35 = traits::constant(35.0, 35.0f, "35/1");
     const Scalar n5 = traits::constant(5.0, 5.0f, "5/1");
     const Scalar n6 = traits::constant(6.0, 6.0f, "6/1");
-    const Scalar n32_7 = traits::constant(32.7, 32.7f, "327/10");
-    const Scalar n7_over_6 = traits::constant(1.1666666666666667, 1.1666666f, "7/6");
-    const Scalar k14 = traits::constant(0.68175, 0.68175f, "2727/4000");
+    const Scalar n7_over_3 = traits::constant(2.3333333333333335, 2.3333333f, "7/3");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar k13 = traits::constant(0.68175, 0.68175f, "2727/4000");
     const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
     const Scalar n0_667 = traits::constant(0.667, 0.667f, "667/1000");
     const Scalar n0_001 = traits::constant(0.001, 0.001f, "1/1000");
+    const Scalar n2_7425 = traits::constant(2.7425, 2.7425f, "1097/400");
     const Scalar n0_668 = traits::constant(0.668, 0.668f, "167/250");
     const Scalar k19 = traits::constant(0.68225, 0.68225f, "2729/4000");
     const Scalar v_psi = state.v.psi;
@@ -917,57 +1018,57 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_2 = sines_[0], c_theta_2 = cosines_[0];
     const Scalar s_theta_3 = sines_[1], c_theta_3 = cosines_[1];
-    const Scalar z22 = v_psi * s_theta_2;
+    const Scalar pi = traits::pi();
+    const Scalar z36 = v_psi * c_theta_3;
     const Scalar z23 = v_psi * c_theta_2;
     const Scalar z35 = v_psi * s_theta_3;
-    const Scalar z36 = v_psi * c_theta_3;
-    const Scalar z62 = n0_3375 * s_theta_3;
+    const Scalar z22 = v_psi * s_theta_2;
+    const Scalar z101 = v_psi * v_psi;
     const Scalar z65 = n109_over_160 * c_theta_3;
-    const Scalar z66 = c_theta_3 * z65;
-    const Scalar z71 = n7_over_3 * z62 + z66;
-    const Scalar z74 = n2_7425 - z71;
-    const Scalar z76 = n0_3 * s_theta_2;
+    const Scalar z106 = n7_over_6 * z101;
+    const Scalar z62 = n0_3375 * s_theta_3;
     const Scalar z79 = n0_666 * c_theta_2;
-    const Scalar z80 = c_theta_2 * z79;
-    const Scalar z85 = n2 * z76 - z80;
-    const Scalar z91 = z74 + z85;
-    const Scalar pi = traits::pi();
     const Scalar z93 = q_theta_2 - n0_5 * pi;
-    const Scalar z94 = n30 * z93;
     const Scalar z95 = q_theta_3 + n0_5 * pi;
+    const Scalar z76 = n0_3 * s_theta_2;
+    const Scalar z102 = n32_7 * s_theta_2 + c_theta_2 * z101;
+    const Scalar z107 = n32_7 * s_theta_3 - c_theta_3 * z106;
+    const Scalar z94 = n30 * z93;
     const Scalar z96 = n35 * z95;
     const Scalar z97 = n5 * v_theta_2;
     const Scalar z98 = n6 * v_theta_3;
-    const Scalar z101 = v_psi * v_psi;
-    const Scalar z102 = n32_7 * s_theta_2 + c_theta_2 * z101;
+    const Scalar z66 = c_theta_3 * z65;
+    const Scalar z80 = c_theta_2 * z79;
     const Scalar z104 = v_theta_2 * z23;  // angular acceleration of S2, x
     const Scalar z105 = v_theta_2 * z22;  // angular acceleration of S2, z
-    const Scalar z106 = n7_over_6 * z101;
-    const Scalar z107 = n32_7 * s_theta_3 - c_theta_3 * z106;
     const Scalar z109 = v_theta_3 * z36;  // angular acceleration of S3, x
     const Scalar z110 = v_theta_3 * z35;  // angular acceleration of S3, z
     const Scalar z111 = z35 * z36;
+    const Scalar z127 = z22 * z23;
+    const Scalar z71 = n7_over_3 * z62 + z66;
+    const Scalar z85 = n2 * z76 - z80;
     const Scalar z112 = n2 * z109;
     const Scalar z116 = n2 * z110;
-    const Scalar z118 = n0_3375 * z112;  // force on S3, times 0.3 m, y
-    const Scalar z120 = k14 * z112;  // moment on S3, x
-    const Scalar z121 = n0_3375 * z107 + n109_over_160 * z111;  // moment on S3, y
-    const Scalar z122 = n0_0005 * z116;  // moment on S3, z
-    const Scalar z126 = s_theta_3 * z120 - c_theta_3 * z122;
-    const Scalar z127 = z22 * z23;
     const Scalar z128 = n2 * z104;
     const Scalar z132 = n2 * z105;
+    const Scalar z121 = n109_over_160 * z111 + n0_3375 * z107;  // moment on S3, y
+    const Scalar z137 = n0_666 * z127 + n0_3 * z102;  // moment on S2, y
+    const Scalar z118 = n0_3375 * z112;  // force on S3, times 0.3 m, y
+    const Scalar z120 = k13 * z112;  // moment on S3, x
+    const Scalar z122 = n0_0005 * z116;  // moment on S3, z
     const Scalar z134 = n0_3 * z128;  // force on S2, times 0.3 m, y
     const Scalar z136 = n0_667 * z128;  // moment on S2, x
-    const Scalar z137 = n0_3 * z102 + n0_666 * z127;  // moment on S2, y
     const Scalar z138 = n0_001 * z132;  // moment on S2, z
+    const Scalar z74 = n2_7425 - z71;
+    const Scalar z126 = s_theta_3 * z120 - c_theta_3 * z122;
     const Scalar z142 = s_theta_2 * z136 - c_theta_2 * z138;
-    const Scalar z148 = n7_over_6 * z118 - z126 - z134 - z142;  // moment on S1, z
+    const Scalar z91 = z74 + z85;
     const Scalar z149 = z94 + z97 - z137;
     const Scalar z150 = z96 + z98 - z121;
-    const Scalar z192 = a_psi * z91 - z148;
     const Scalar z193 = n0_668 * a_theta_2 + z149;
     const Scalar z194 = k19 * a_theta_3 + z150;
+    const Scalar z148 = n7_over_6 * z118 - z134 - z126 - z142;  // moment on S1, z
+    const Scalar z192 = a_psi * z91 - z148;
     forces.psi = z192;
     forces.theta_2 = z193;
     forces.theta_3 = z194;
@@ -978,24 +1079,24 @@ struct Mechanism {
   /// positive relative to its diagonal entry.
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs& inputs,
       Accelerations& accelerations, Multipliers&) noexcept {
-    const Scalar n0_3375 = traits::constant(0.3375, 0.3375f, "27/80");
     const Scalar n109_over_160 = traits::constant(0.68125, 0.68125f, "109/160");
-    const Scalar n7_over_3 = traits::constant(2.3333333333333335, 2.3333333f, "7/3");
-    const Scalar n2_7425 = traits::constant(2.7425, 2.7425f, "1097/400");
-    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n0_3375 = traits::constant(0.3375, 0.3375f, "27/80");
     const Scalar n0_666 = traits::constant(0.666, 0.666f, "333/500");
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n7_over_6 = traits::constant(1.1666666666666667, 1.1666666f, "7/6");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n32_7 = traits::constant(32.7, 32.7f, "327/10");
     const Scalar n30 = traits::constant(30.0, 30.0f, "30/1");
     const Scalar n35 = traits::constant(35.0, 35.0f, "35/1");
     const Scalar n5 = traits::constant(5.0, 5.0f, "5/1");
     const Scalar n6 = traits::constant(6.0, 6.0f, "6/1");
-    const Scalar n32_7 = traits::constant(32.7, 32.7f, "327/10");
-    const Scalar n7_over_6 = traits::constant(1.1666666666666667, 1.1666666f, "7/6");
-    const Scalar k14 = traits::constant(0.68175, 0.68175f, "2727/4000");
+    const Scalar n7_over_3 = traits::constant(2.3333333333333335, 2.3333333f, "7/3");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar k13 = traits::constant(0.68175, 0.68175f, "2727/4000");
     const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
     const Scalar n0_667 = traits::constant(0.667, 0.667f, "667/1000");
     const Scalar n0_001 = traits::constant(0.001, 0.001f, "1/1000");
+    const Scalar n2_7425 = traits::constant(2.7425, 2.7425f, "1097/400");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n250_over_167 = traits::constant(1.4970059880239521, 1.4970059f, "250/167");
     const Scalar k20 = traits::constant(1.4657383657017222, 1.4657384f, "4000/2729");
@@ -1012,60 +1113,60 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_2 = sines_[0], c_theta_2 = cosines_[0];
     const Scalar s_theta_3 = sines_[1], c_theta_3 = cosines_[1];
-    const Scalar z22 = v_psi * s_theta_2;
+    const Scalar pi = traits::pi();
+    const Scalar z65 = n109_over_160 * c_theta_3;
+    const Scalar z62 = n0_3375 * s_theta_3;
+    const Scalar z79 = n0_666 * c_theta_2;
+    const Scalar z36 = v_psi * c_theta_3;
+    const Scalar z76 = n0_3 * s_theta_2;
     const Scalar z23 = v_psi * c_theta_2;
     const Scalar z35 = v_psi * s_theta_3;
-    const Scalar z36 = v_psi * c_theta_3;
-    const Scalar z62 = n0_3375 * s_theta_3;
-    const Scalar z65 = n109_over_160 * c_theta_3;
-    const Scalar z66 = c_theta_3 * z65;
-    const Scalar z71 = n7_over_3 * z62 + z66;
-    const Scalar z74 = n2_7425 - z71;
-    const Scalar z76 = n0_3 * s_theta_2;
-    const Scalar z79 = n0_666 * c_theta_2;
-    const Scalar z80 = c_theta_2 * z79;
-    const Scalar z85 = n2 * z76 - z80;
-    const Scalar z91 = z74 + z85;
-    const Scalar pi = traits::pi();
+    const Scalar z101 = v_psi * v_psi;
+    const Scalar z22 = v_psi * s_theta_2;
+    const Scalar z106 = n7_over_6 * z101;
     const Scalar z93 = q_theta_2 - n0_5 * pi;
-    const Scalar z94 = n30 * z93;
     const Scalar z95 = q_theta_3 + n0_5 * pi;
+    const Scalar z102 = n32_7 * s_theta_2 + c_theta_2 * z101;
+    const Scalar z107 = n32_7 * s_theta_3 - c_theta_3 * z106;
+    const Scalar z94 = n30 * z93;
     const Scalar z96 = n35 * z95;
     const Scalar z97 = n5 * v_theta_2;
     const Scalar z98 = n6 * v_theta_3;
-    const Scalar z101 = v_psi * v_psi;
-    const Scalar z102 = n32_7 * s_theta_2 + c_theta_2 * z101;
+    const Scalar z66 = c_theta_3 * z65;
+    const Scalar z80 = c_theta_2 * z79;
     const Scalar z104 = v_theta_2 * z23;  // angular acceleration of S2, x
     const Scalar z105 = v_theta_2 * z22;  // angular acceleration of S2, z
-    const Scalar z106 = n7_over_6 * z101;
-    const Scalar z107 = n32_7 * s_theta_3 - c_theta_3 * z106;
     const Scalar z109 = v_theta_3 * z36;  // angular acceleration of S3, x
     const Scalar z110 = v_theta_3 * z35;  // angular acceleration of S3, z
     const Scalar z111 = z35 * z36;
+    const Scalar z127 = z22 * z23;
+    const Scalar z71 = n7_over_3 * z62 + z66;
+    const Scalar z85 = n2 * z76 - z80;
     const Scalar z112 = n2 * z109;
     const Scalar z116 = n2 * z110;
-    const Scalar z118 = n0_3375 * z112;  // force on S3, times 0.3 m, y
-    const Scalar z120 = k14 * z112;  // moment on S3, x
-    const Scalar z121 = n0_3375 * z107 + n109_over_160 * z111;  // moment on S3, y
-    const Scalar z122 = n0_0005 * z116;  // moment on S3, z
-    const Scalar z126 = s_theta_3 * z120 - c_theta_3 * z122;
-    const Scalar z127 = z22 * z23;
     const Scalar z128 = n2 * z104;
     const Scalar z132 = n2 * z105;
+    const Scalar z121 = n109_over_160 * z111 + n0_3375 * z107;  // moment on S3, y
+    const Scalar z137 = n0_666 * z127 + n0_3 * z102;  // moment on S2, y
+    const Scalar z118 = n0_3375 * z112;  // force on S3, times 0.3 m, y
+    const Scalar z120 = k13 * z112;  // moment on S3, x
+    const Scalar z122 = n0_0005 * z116;  // moment on S3, z
     const Scalar z134 = n0_3 * z128;  // force on S2, times 0.3 m, y
     const Scalar z136 = n0_667 * z128;  // moment on S2, x
-    const Scalar z137 = n0_3 * z102 + n0_666 * z127;  // moment on S2, y
     const Scalar z138 = n0_001 * z132;  // moment on S2, z
+    const Scalar z74 = n2_7425 - z71;
+    const Scalar z126 = s_theta_3 * z120 - c_theta_3 * z122;
     const Scalar z142 = s_theta_2 * z136 - c_theta_2 * z138;
-    const Scalar z148 = n7_over_6 * z118 - z126 - z134 - z142;  // moment on S1, z
+    const Scalar z91 = z74 + z85;
     const Scalar z149 = z94 + z97 - z137;
     const Scalar z150 = z96 + z98 - z121;
     const Scalar z217 = n1 / z91;
-    const Scalar z233 = z148 * z217;
     const Scalar z241 = u_Cm2 - z149;
     const Scalar z242 = u_Cm3 - z150;
+    const Scalar z148 = n7_over_6 * z118 - z134 - z126 - z142;  // moment on S1, z
     const Scalar z243 = n250_over_167 * z241;
     const Scalar z244 = k20 * z242;
+    const Scalar z233 = z148 * z217;
     accelerations.psi = z233;
     accelerations.theta_2 = z243;
     accelerations.theta_3 = z244;
@@ -1079,25 +1180,25 @@ struct Mechanism {
   /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
   TORSOR_DEVICE static void energy(const Precomputed&, const State& state, const Inputs& inputs,
       Energy& result) noexcept {
-    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
     const Scalar n0_35 = traits::constant(0.35, 0.35f, "7/20");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n5 = traits::constant(5.0, 5.0f, "5/1");
     const Scalar n6 = traits::constant(6.0, 6.0f, "6/1");
+    const Scalar n1_125 = traits::constant(1.125, 1.125f, "9/8");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n0_67 = traits::constant(0.67, 0.67f, "67/100");
     const Scalar n2_5 = traits::constant(2.5, 2.5f, "5/2");
-    const Scalar n1_125 = traits::constant(1.125, 1.125f, "9/8");
     const Scalar n549_over_800 = traits::constant(0.68625, 0.68625f, "549/800");
     const Scalar n0_45 = traits::constant(0.45, 0.45f, "9/20");
     const Scalar n0_334 = traits::constant(0.334, 0.334f, "167/500");
     const Scalar k12 = traits::constant(0.341125, 0.341125f, "2729/8000");
     const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
     const Scalar n0_0025 = traits::constant(0.0025, 0.0025f, "1/400");
-    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n19_62 = traits::constant(19.62, 19.62f, "981/50");
     const Scalar n15 = traits::constant(15.0, 15.0f, "15/1");
     const Scalar n17_5 = traits::constant(17.5, 17.5f, "35/2");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar v_psi = state.v.psi;
     const Scalar q_theta_2 = state.q.theta_2;
     const Scalar v_theta_2 = state.v.theta_2;
@@ -1110,37 +1211,37 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_2 = sines_[0], c_theta_2 = cosines_[0];
     const Scalar s_theta_3 = sines_[1], c_theta_3 = cosines_[1];
+    const Scalar pi = traits::pi();
+    const Scalar z34 = n0_35 * v_psi;
     const Scalar z21 = n0_3 * v_psi;
     const Scalar z22 = v_psi * s_theta_2;
-    const Scalar z23 = v_psi * c_theta_2;
-    const Scalar z34 = n0_35 * v_psi;
     const Scalar z35 = v_psi * s_theta_3;
+    const Scalar z23 = v_psi * c_theta_2;
     const Scalar z36 = v_psi * c_theta_3;
-    const Scalar pi = traits::pi();
     const Scalar z93 = q_theta_2 - n0_5 * pi;
     const Scalar z95 = q_theta_3 + n0_5 * pi;
     const Scalar z97 = n5 * v_theta_2;
     const Scalar z98 = n6 * v_theta_3;
+    const Scalar z250 = n1_125 * c_theta_3;
     const Scalar z245 = n2 * z21 + z22;
     const Scalar z246 = z21 + n0_67 * z22;
     const Scalar z247 = n2_5 * z34 - n1_125 * z35;
     const Scalar z248 = n1_125 * z34 - n549_over_800 * z35;
-    const Scalar z250 = n1_125 * c_theta_3;
-    result.kinetic = n0_5 * (z21 * z245 + z22 * z246 + z34 * z247 - z35 * z248) + n0_45 * v_psi * v_psi + n0_334
-        * v_theta_2 * v_theta_2 + k12 * v_theta_3 * v_theta_3 + n0_002 * z23 * z23 + n0_0025 * z36 * z36;
-    result.force_function = -n9_81 * (c_theta_2 + z250) - n19_62 - n15 * z93 * z93 - n17_5 * z95 * z95;
+    result.kinetic = n0_45 * v_psi * v_psi + n0_334 * v_theta_2 * v_theta_2 + k12 * v_theta_3 * v_theta_3 + n0_002 * z23
+        * z23 + n0_0025 * z36 * z36 + n0_5 * (z21 * z245 + z22 * z246 + z34 * z247 - z35 * z248);
+    result.force_function = -n19_62 - n15 * z93 * z93 - n17_5 * z95 * z95 - n9_81 * (c_theta_2 + z250);
     result.power = -v_theta_2 * (z97 - u_Cm2) - v_theta_3 * (z98 - u_Cm3);
   }
 
   /// First integrals: constant along every motion.
   TORSOR_DEVICE static void first_integrals(const Precomputed&, const State& state, FirstIntegrals& result) noexcept {
-    const Scalar n0_3375 = traits::constant(0.3375, 0.3375f, "27/80");
     const Scalar n109_over_160 = traits::constant(0.68125, 0.68125f, "109/160");
-    const Scalar n7_over_3 = traits::constant(2.3333333333333335, 2.3333333f, "7/3");
-    const Scalar n2_7425 = traits::constant(2.7425, 2.7425f, "1097/400");
-    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n0_3375 = traits::constant(0.3375, 0.3375f, "27/80");
     const Scalar n0_666 = traits::constant(0.666, 0.666f, "333/500");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n7_over_3 = traits::constant(2.3333333333333335, 2.3333333f, "7/3");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n2_7425 = traits::constant(2.7425, 2.7425f, "1097/400");
     const Scalar v_psi = state.v.psi;
     const Scalar q_theta_2 = state.q.theta_2;
     const Scalar q_theta_3 = state.q.theta_3;
@@ -1149,15 +1250,15 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_2 = sines_[0], c_theta_2 = cosines_[0];
     const Scalar s_theta_3 = sines_[1], c_theta_3 = cosines_[1];
-    const Scalar z62 = n0_3375 * s_theta_3;
     const Scalar z65 = n109_over_160 * c_theta_3;
-    const Scalar z66 = c_theta_3 * z65;
-    const Scalar z71 = n7_over_3 * z62 + z66;
-    const Scalar z74 = n2_7425 - z71;
-    const Scalar z76 = n0_3 * s_theta_2;
+    const Scalar z62 = n0_3375 * s_theta_3;
     const Scalar z79 = n0_666 * c_theta_2;
+    const Scalar z76 = n0_3 * s_theta_2;
+    const Scalar z66 = c_theta_3 * z65;
     const Scalar z80 = c_theta_2 * z79;
+    const Scalar z71 = n7_over_3 * z62 + z66;
     const Scalar z85 = n2 * z76 - z80;
+    const Scalar z74 = n2_7425 - z71;
     const Scalar z91 = z74 + z85;
     result.momentum_psi = v_psi * z91;
   }
@@ -1166,27 +1267,27 @@ struct Mechanism {
   /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
   TORSOR_DEVICE static torsor::Status linearisation(const Precomputed&, const State& state,
       const Accelerations& accelerations, const Multipliers&, const Inputs& inputs, Linearisation& result) noexcept {
-    const Scalar n0_3375 = traits::constant(0.3375, 0.3375f, "27/80");
     const Scalar n109_over_160 = traits::constant(0.68125, 0.68125f, "109/160");
-    const Scalar n7_over_3 = traits::constant(2.3333333333333335, 2.3333333f, "7/3");
-    const Scalar n2_7425 = traits::constant(2.7425, 2.7425f, "1097/400");
-    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n0_3375 = traits::constant(0.3375, 0.3375f, "27/80");
     const Scalar n0_666 = traits::constant(0.666, 0.666f, "333/500");
+    const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar n7_over_6 = traits::constant(1.1666666666666667, 1.1666666f, "7/6");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n32_7 = traits::constant(32.7, 32.7f, "327/10");
     const Scalar n30 = traits::constant(30.0, 30.0f, "30/1");
     const Scalar n35 = traits::constant(35.0, 35.0f, "35/1");
     const Scalar n5 = traits::constant(5.0, 5.0f, "5/1");
     const Scalar n6 = traits::constant(6.0, 6.0f, "6/1");
-    const Scalar n32_7 = traits::constant(32.7, 32.7f, "327/10");
-    const Scalar n7_over_6 = traits::constant(1.1666666666666667, 1.1666666f, "7/6");
-    const Scalar k14 = traits::constant(0.68175, 0.68175f, "2727/4000");
+    const Scalar n7_over_3 = traits::constant(2.3333333333333335, 2.3333333f, "7/3");
+    const Scalar k13 = traits::constant(0.68175, 0.68175f, "2727/4000");
     const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
     const Scalar n0_667 = traits::constant(0.667, 0.667f, "667/1000");
     const Scalar n0_001 = traits::constant(0.001, 0.001f, "1/1000");
-    const Scalar n0_668 = traits::constant(0.668, 0.668f, "167/250");
-    const Scalar k19 = traits::constant(0.68225, 0.68225f, "2729/4000");
+    const Scalar n2_7425 = traits::constant(2.7425, 2.7425f, "1097/400");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0_668 = traits::constant(0.668, 0.668f, "167/250");
+    const Scalar k20 = traits::constant(0.68225, 0.68225f, "2729/4000");
     const Scalar n250_over_167 = traits::constant(1.4970059880239521, 1.4970059f, "250/167");
     const Scalar k22 = traits::constant(1.4657383657017222, 1.4657384f, "4000/2729");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
@@ -1207,125 +1308,125 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_2 = sines_[0], c_theta_2 = cosines_[0];
     const Scalar s_theta_3 = sines_[1], c_theta_3 = cosines_[1];
-    const Scalar z22 = v_psi * s_theta_2;
-    const Scalar z23 = v_psi * c_theta_2;
-    const Scalar z35 = v_psi * s_theta_3;
-    const Scalar z36 = v_psi * c_theta_3;
-    const Scalar z61 = n0_3375 * c_theta_3;
-    const Scalar z62 = n0_3375 * s_theta_3;
-    const Scalar z64 = n109_over_160 * s_theta_3;
-    const Scalar z65 = n109_over_160 * c_theta_3;
-    const Scalar z66 = c_theta_3 * z65;
-    const Scalar z71 = n7_over_3 * z62 + z66;
-    const Scalar z74 = n2_7425 - z71;
-    const Scalar z75 = n0_3 * c_theta_2;
-    const Scalar z76 = n0_3 * s_theta_2;
-    const Scalar z78 = n0_666 * s_theta_2;
-    const Scalar z79 = n0_666 * c_theta_2;
-    const Scalar z80 = c_theta_2 * z79;
-    const Scalar z85 = n2 * z76 - z80;
-    const Scalar z91 = z74 + z85;
     const Scalar pi = traits::pi();
+    const Scalar z35 = v_psi * s_theta_3;
+    const Scalar z22 = v_psi * s_theta_2;
+    const Scalar z65 = n109_over_160 * c_theta_3;
+    const Scalar z36 = v_psi * c_theta_3;
+    const Scalar z23 = v_psi * c_theta_2;
+    const Scalar z62 = n0_3375 * s_theta_3;
+    const Scalar z79 = n0_666 * c_theta_2;
+    const Scalar z76 = n0_3 * s_theta_2;
+    const Scalar z101 = v_psi * v_psi;
+    const Scalar z271 = v_theta_3 * c_theta_3;
+    const Scalar z106 = n7_over_6 * z101;
+    const Scalar z275 = v_theta_3 * s_theta_3;
+    const Scalar z279 = v_theta_2 * c_theta_2;
+    const Scalar z283 = v_theta_2 * s_theta_2;
+    const Scalar z288 = n2 * v_psi;
+    const Scalar z64 = n109_over_160 * s_theta_3;
+    const Scalar z78 = n0_666 * s_theta_2;
     const Scalar z93 = q_theta_2 - n0_5 * pi;
-    const Scalar z94 = n30 * z93;
     const Scalar z95 = q_theta_3 + n0_5 * pi;
+    const Scalar z103 = s_theta_2 * z101 - n32_7 * c_theta_2;
+    const Scalar z108 = s_theta_3 * z106 + n32_7 * c_theta_3;
+    const Scalar z292 = n7_over_6 * z288;
+    const Scalar z61 = n0_3375 * c_theta_3;
+    const Scalar z75 = n0_3 * c_theta_2;
+    const Scalar z102 = n32_7 * s_theta_2 + c_theta_2 * z101;
+    const Scalar z107 = n32_7 * s_theta_3 - c_theta_3 * z106;
+    const Scalar z94 = n30 * z93;
     const Scalar z96 = n35 * z95;
     const Scalar z97 = n5 * v_theta_2;
     const Scalar z98 = n6 * v_theta_3;
-    const Scalar z101 = v_psi * v_psi;
-    const Scalar z102 = n32_7 * s_theta_2 + c_theta_2 * z101;
-    const Scalar z103 = s_theta_2 * z101 - n32_7 * c_theta_2;
+    const Scalar z289 = c_theta_2 * z288;
+    const Scalar z293 = c_theta_3 * z292;
+    const Scalar z66 = c_theta_3 * z65;
+    const Scalar z80 = c_theta_2 * z79;
     const Scalar z104 = v_theta_2 * z23;  // angular acceleration of S2, x
     const Scalar z105 = v_theta_2 * z22;  // angular acceleration of S2, z
-    const Scalar z106 = n7_over_6 * z101;
-    const Scalar z107 = n32_7 * s_theta_3 - c_theta_3 * z106;
-    const Scalar z108 = s_theta_3 * z106 + n32_7 * c_theta_3;
     const Scalar z109 = v_theta_3 * z36;  // angular acceleration of S3, x
     const Scalar z110 = v_theta_3 * z35;  // angular acceleration of S3, z
     const Scalar z111 = z35 * z36;
+    const Scalar z127 = z22 * z23;
+    const Scalar z272 = n2 * z271;
+    const Scalar z276 = n2 * z275;
+    const Scalar z280 = n2 * z279;
+    const Scalar z284 = n2 * z283;
+    const Scalar z290 = s_theta_2 * z23 + c_theta_2 * z22;
+    const Scalar z294 = s_theta_3 * z36 + c_theta_3 * z35;
+    const Scalar z296 = n2 * z23;
+    const Scalar z299 = n2 * z22;
+    const Scalar z303 = s_theta_2 * z79 + c_theta_2 * z78;
+    const Scalar z311 = z22 * z22 - z23 * z23;
+    const Scalar z314 = n2 * z36;
+    const Scalar z317 = n2 * z35;
+    const Scalar z321 = s_theta_3 * z65 + c_theta_3 * z64;
+    const Scalar z71 = n7_over_3 * z62 + z66;
+    const Scalar z85 = n2 * z76 - z80;
     const Scalar z112 = n2 * z109;
     const Scalar z116 = n2 * z110;
-    const Scalar z118 = n0_3375 * z112;  // force on S3, times 0.3 m, y
-    const Scalar z120 = k14 * z112;  // moment on S3, x
-    const Scalar z121 = n0_3375 * z107 + n109_over_160 * z111;  // moment on S3, y
-    const Scalar z122 = n0_0005 * z116;  // moment on S3, z
-    const Scalar z126 = s_theta_3 * z120 - c_theta_3 * z122;
-    const Scalar z127 = z22 * z23;
     const Scalar z128 = n2 * z104;
     const Scalar z132 = n2 * z105;
-    const Scalar z134 = n0_3 * z128;  // force on S2, times 0.3 m, y
-    const Scalar z136 = n0_667 * z128;  // moment on S2, x
-    const Scalar z137 = n0_3 * z102 + n0_666 * z127;  // moment on S2, y
-    const Scalar z138 = n0_001 * z132;  // moment on S2, z
-    const Scalar z142 = s_theta_2 * z136 - c_theta_2 * z138;
-    const Scalar z148 = n7_over_6 * z118 - z126 - z134 - z142;  // moment on S1, z
-    const Scalar z149 = z94 + z97 - z137;
-    const Scalar z150 = z96 + z98 - z121;
-    const Scalar z192 = a_psi * z91 - z148;
-    const Scalar z193 = n0_668 * a_theta_2 + z149;
-    const Scalar z194 = k19 * a_theta_3 + z150;
-    const Scalar z217 = n1 / z91;
-    const Scalar z271 = v_theta_3 * c_theta_3;
-    const Scalar z272 = n2 * z271;
     const Scalar z273 = n0_3375 * z272;
-    const Scalar z274 = k14 * z272;
-    const Scalar z275 = v_theta_3 * s_theta_3;
-    const Scalar z276 = n2 * z275;
+    const Scalar z274 = k13 * z272;
     const Scalar z277 = n0_0005 * z276;
-    const Scalar z278 = s_theta_3 * z274 - c_theta_3 * z277;
-    const Scalar z279 = v_theta_2 * c_theta_2;
-    const Scalar z280 = n2 * z279;
     const Scalar z281 = n0_3 * z280;
     const Scalar z282 = n0_667 * z280;
-    const Scalar z283 = v_theta_2 * s_theta_2;
-    const Scalar z284 = n2 * z283;
     const Scalar z285 = n0_001 * z284;
-    const Scalar z286 = s_theta_2 * z282 - c_theta_2 * z285;
-    const Scalar z287 = n7_over_6 * z273 - z278 - z281 - z286;
-    const Scalar z288 = n2 * v_psi;
-    const Scalar z289 = c_theta_2 * z288;
-    const Scalar z290 = s_theta_2 * z23 + c_theta_2 * z22;
-    const Scalar z291 = n0_3 * z289 + n0_666 * z290;
-    const Scalar z292 = n7_over_6 * z288;
-    const Scalar z293 = c_theta_3 * z292;
-    const Scalar z294 = s_theta_3 * z36 + c_theta_3 * z35;
-    const Scalar z295 = n0_3375 * z293 - n109_over_160 * z294;
-    const Scalar z296 = n2 * z23;
     const Scalar z297 = n0_3 * z296;
     const Scalar z298 = n0_667 * z296;
-    const Scalar z299 = n2 * z22;
     const Scalar z300 = n0_001 * z299;
-    const Scalar z301 = s_theta_2 * z298 - c_theta_2 * z300;
-    const Scalar z302 = z297 + z301;
-    const Scalar z303 = s_theta_2 * z79 + c_theta_2 * z78;
-    const Scalar z304 = n2 * z75 + z303;
-    const Scalar z305 = n0_3 * z132;
-    const Scalar z306 = n0_667 * z132;
-    const Scalar z307 = n0_001 * z128;
-    const Scalar z308 = s_theta_2 * (z138 - z306) + c_theta_2 * (z136 - z307);
-    const Scalar z309 = z305 - z308;
-    const Scalar z310 = a_psi * z304 - z309;
-    const Scalar z311 = z22 * z22 - z23 * z23;
-    const Scalar z312 = n0_3 * z103 + n0_666 * z311;
-    const Scalar z313 = n30 + z312;
-    const Scalar z314 = n2 * z36;
     const Scalar z315 = n0_3375 * z314;
-    const Scalar z316 = k14 * z314;
-    const Scalar z317 = n2 * z35;
+    const Scalar z316 = k13 * z314;
     const Scalar z318 = n0_0005 * z317;
+    const Scalar z121 = n109_over_160 * z111 + n0_3375 * z107;  // moment on S3, y
+    const Scalar z137 = n0_666 * z127 + n0_3 * z102;  // moment on S2, y
+    const Scalar z118 = n0_3375 * z112;  // force on S3, times 0.3 m, y
+    const Scalar z120 = k13 * z112;  // moment on S3, x
+    const Scalar z122 = n0_0005 * z116;  // moment on S3, z
+    const Scalar z134 = n0_3 * z128;  // force on S2, times 0.3 m, y
+    const Scalar z136 = n0_667 * z128;  // moment on S2, x
+    const Scalar z138 = n0_001 * z132;  // moment on S2, z
+    const Scalar z278 = s_theta_3 * z274 - c_theta_3 * z277;
     const Scalar z319 = s_theta_3 * z316 - c_theta_3 * z318;
-    const Scalar z320 = n7_over_6 * z315 - z319;
-    const Scalar z321 = s_theta_3 * z65 + c_theta_3 * z64;
+    const Scalar z304 = n2 * z75 + z303;
     const Scalar z322 = n7_over_3 * z61 - z321;
-    const Scalar z323 = n0_3375 * z116;
-    const Scalar z324 = k14 * z116;
+    const Scalar z286 = s_theta_2 * z282 - c_theta_2 * z285;
+    const Scalar z301 = s_theta_2 * z298 - c_theta_2 * z300;
+    const Scalar z149 = z94 + z97 - z137;
+    const Scalar z287 = n7_over_6 * z273 - z281 - z278 - z286;
+    const Scalar z150 = z96 + z98 - z121;
+    const Scalar z306 = n0_667 * z132;
+    const Scalar z74 = n2_7425 - z71;
+    const Scalar z324 = k13 * z116;
+    const Scalar z91 = z74 + z85;
     const Scalar z325 = n0_0005 * z112;
+    const Scalar z307 = n0_001 * z128;
+    const Scalar z323 = n0_3375 * z116;
     const Scalar z326 = s_theta_3 * (z122 - z324) + c_theta_3 * (z120 - z325);
-    const Scalar z327 = n7_over_6 * z323 + z326;
-    const Scalar z328 = a_psi * z322 - z327;
+    const Scalar z126 = s_theta_3 * z120 - c_theta_3 * z122;
+    const Scalar z305 = n0_3 * z132;
+    const Scalar z308 = s_theta_2 * (z138 - z306) + c_theta_2 * (z136 - z307);
     const Scalar z329 = z35 * z35 - z36 * z36;
+    const Scalar z142 = s_theta_2 * z136 - c_theta_2 * z138;
+    const Scalar z309 = z305 - z308;
+    const Scalar z327 = n7_over_6 * z323 + z326;
+    const Scalar z312 = n0_3 * z103 + n0_666 * z311;
     const Scalar z330 = n0_3375 * z108 - n109_over_160 * z329;
+    const Scalar z148 = n7_over_6 * z118 - z134 - z126 - z142;  // moment on S1, z
+    const Scalar z217 = n1 / z91;
+    const Scalar z291 = n0_3 * z289 + n0_666 * z290;
+    const Scalar z295 = n0_3375 * z293 - n109_over_160 * z294;
+    const Scalar z302 = z297 + z301;
+    const Scalar z310 = a_psi * z304 - z309;
+    const Scalar z313 = n30 + z312;
+    const Scalar z320 = n7_over_6 * z315 - z319;
+    const Scalar z328 = a_psi * z322 - z327;
     const Scalar z331 = n35 - z330;
+    const Scalar z192 = a_psi * z91 - z148;
+    const Scalar z193 = n0_668 * a_theta_2 + z149;
+    const Scalar z194 = k20 * a_theta_3 + z150;
     const Scalar z443 = z217 * z287;
     const Scalar z444 = n250_over_167 * z291;
     const Scalar z445 = k22 * z295;
@@ -1343,7 +1444,7 @@ struct Mechanism {
     result.M[5] = n0;
     result.M[6] = n0;
     result.M[7] = n0;
-    result.M[8] = k19;
+    result.M[8] = k20;
     result.C[0] = -z287;
     result.C[1] = -z291;
     result.C[2] = z295;

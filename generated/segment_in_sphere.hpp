@@ -35,7 +35,7 @@
 #include <cmath>
 
 #ifndef TORSOR_KERNEL_SUPPORT
-#define TORSOR_KERNEL_SUPPORT 2
+#define TORSOR_KERNEL_SUPPORT 3
 // Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
 #ifndef TORSOR_DEVICE
 #define TORSOR_DEVICE
@@ -49,7 +49,7 @@
 //  * two polynomials of least greatest error give the sine and the cosine of r, |r| <= pi/4;
 //  * angles beyond `bound` are rare: they are reduced exactly, in integers, by a function that is not inlined, and so
 //    are all angles under another rounding, which would give the nearest integers wrong.
-// The core has no branch, so that compilers turn a loop over several angles into vector instructions.
+// The core has no branch, so that several angles go through it at once.
 #ifndef TORSOR_STD_SINCOS
 #if defined(__FAST_MATH__) || defined(_M_FP_FAST) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0)
 #define TORSOR_STD_SINCOS  // sums would be reassociated or hold more digits than their type
@@ -97,21 +97,19 @@ struct SineCosine {
       S = S01 + z2 * number(0.0, -0x1.9953f2p-13f);
       C = C01 + z2 * number(0.0, 0x1.99e0eep-16f);
     } else {
-      const Scalar z4 = z2 * z2;
       const Scalar S01 = number(-0x1.5555555555548p-3, 0.0f) + z * number(0x1.111111110f73p-7, 0.0f);
       const Scalar S23 = number(-0x1.a01a019be9217p-13, 0.0f) + z * number(0x1.71de35552b518p-19, 0.0f);
       const Scalar S45 = number(-0x1.ae5e4b83e1601p-26, 0.0f) + z * number(0x1.5d8b55934597bp-33, 0.0f);
       const Scalar C01 = number(0x1.555555555554cp-5, 0.0f) + z * number(-0x1.6c16c16c1521bp-10, 0.0f);
       const Scalar C23 = number(0x1.a01a019cbeb68p-16, 0.0f) + z * number(-0x1.27e4f8121198fp-22, 0.0f);
       const Scalar C45 = number(0x1.1ee9f0cbf70d6p-29, 0.0f) + z * number(-0x1.8fb0e15d5f2ap-37, 0.0f);
-      S = (S01 + z2 * S23) + z4 * S45;
-      C = (C01 + z2 * C23) + z4 * C45;
+      S = S01 + z2 * (S23 + z2 * S45);
+      C = C01 + z2 * (C23 + z2 * C45);
     }
-    const Scalar half_z = half * z, w = one - half_z;
-    // Far below an ulp, it makes the correction of -0 a -0, and so the sine.
-    const Scalar tiny = number(0x1p-100, 0x1p-60f);
-    sine = high + (high * (tiny + z * S) - rest * w);
-    cosine = w + (((one - w) - half_z) + (z2 * C + high * rest));
+    const Scalar half_z = half * z, w = one - half_z, high_z = high * z;
+    // What waits for S and C comes last. The correction of -0 is a 0, which subtracted leaves it -0.
+    sine = high - (rest * w - high_z * S);
+    cosine = w + ((((one - w) - half_z) + high * rest) + z2 * C);
   }
 
   /// Of n pi/2 more.
@@ -126,21 +124,31 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// For |x| <= bound; what is no number gives no number. Exact are n times the first three parts of pi/2, the first
-  /// difference, and each rounded difference together with its rounding error.
-  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
-    const Scalar n = rounded(x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f));
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n plus a number so large that its last bit counts 1; what is no
+  /// number gives no number.
+  ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
+  ///    others do, and may be formed twice;
+  ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
+  ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
+  TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
+                                                        Scalar& cosine) noexcept {
+    const Scalar shift = number(0x1.8p52, 0x1.8p23f);
+    const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
+    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift;
+    const Scalar n = shifted - shift;
     const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
-    const Scalar second = n * number(0x1.0b4611a6p-34, 0x1.ed5p-14f);
-    const Scalar third = n * number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    const Scalar fourth = n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
-    const Scalar r = first - second;
-    const Scalar taken = first - r;
-    const Scalar error = (first - (r + taken)) - (second - taken);
-    const Scalar high = r - third;
-    const Scalar rest = ((third - (r - high)) - error) + fourth;
+    const Scalar r = first - n * P;
+    const Scalar error = (first - r) - n * P;
+    const Scalar high = r - n * Q;
+    const Scalar rest = ((n * Q - (r - high)) - error) + n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
     of_reduced(high, rest, sine, cosine);
-    turn(n, sine, cosine);
+  }
+
+  /// For |x| <= bound.
+  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
+    Scalar shifted;
+    of_remainder(x, shifted, sine, cosine);
+    turn(shifted - number(0x1.8p52, 0x1.8p23f), sine, cosine);
   }
 };
 
@@ -259,61 +267,151 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
 #endif
 }
 
-/// Of some angles up to the bound, a multiple of what a vector holds. Local arrays, which nothing else can point to.
-template <int size, class Scalar>
-TORSOR_DEVICE TORSOR_INLINED void sincos_of_block(const Scalar* angles, Scalar* sines, Scalar* cosines) noexcept {
-  Scalar x[size], s[size], c[size];
-  for (int i = 0; i < size; ++i) x[i] = angles[i];
-  // Compilers make vector instructions of a loop, but not always of a row of statements.
-#if defined(__clang__)
-#pragma clang loop unroll(disable)
-#elif defined(__GNUC__) && !defined(__CUDACC__)
-#pragma GCC unroll 1
+}  // namespace torsor
+// Sines and cosines of several angles at once: by vector registers where GNU C++ has types for them, which compilers
+// without AVX make of narrower ones; loops over numbers are not left to compilers to find.
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define TORSOR_VECTOR_TYPES
 #endif
-  for (int i = 0; i < size; ++i) SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::core(x[i], s[i], c[i]);
-  for (int i = 0; i < size; ++i) sines[i] = s[i];
-  for (int i = 0; i < size; ++i) cosines[i] = c[i];
+
+namespace torsor {
+
+#if defined(TORSOR_VECTOR_TYPES)
+/// 0, 1, ... as arguments of a template.
+template <int... place>
+struct Places {};
+template <int count, int... place>
+struct FirstPlaces : FirstPlaces<count - 1, count - 1, place...> {};
+template <int... place>
+struct FirstPlaces<0, place...> {
+  using type = Places<place...>;
+};
+
+/// Some registers of equally many numbers, which take the same operations by turns: while the one waits for its last
+/// result, the other is at work. A scalar for SineCosine, of which it needs constants, sums and products only.
+template <class Number, int lanes, int count>
+struct Registers {
+  typedef Number Numbers __attribute__((vector_size(lanes * sizeof(Number))));
+  using Bits = decltype(Numbers{} < Numbers{});
+  Numbers part[count];
+
+  TORSOR_INLINED friend Registers operator+(const Registers& a, const Registers& b) noexcept {
+    Registers sum;
+    for (int i = 0; i < count; ++i) sum.part[i] = a.part[i] + b.part[i];
+    return sum;
+  }
+  TORSOR_INLINED friend Registers operator-(const Registers& a, const Registers& b) noexcept {
+    Registers difference;
+    for (int i = 0; i < count; ++i) difference.part[i] = a.part[i] - b.part[i];
+    return difference;
+  }
+  TORSOR_INLINED friend Registers operator*(const Registers& a, const Registers& b) noexcept {
+    Registers product;
+    for (int i = 0; i < count; ++i) product.part[i] = a.part[i] * b.part[i];
+    return product;
+  }
+};
+
+template <class Number, int lanes, int count>
+struct scalar_traits<Registers<Number, lanes, count>> {
+  using Scalar = Registers<Number, lanes, count>;
+  TORSOR_INLINED static Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    constexpr bool is_float = sizeof(Number) == sizeof(float);
+    const Number number = is_float ? static_cast<Number>(in_float) : static_cast<Number>(in_double);
+    Scalar result;
+    for (int i = 0; i < count; ++i) {
+      for (int lane = 0; lane < lanes; ++lane) result.part[i][lane] = number;
+    }
+    return result;
+  }
+};
+
+/// Of angles up to the bound, bit by bit what SineCosine::core gives where nothing is fused. The quarter of the turn is
+/// in the last two bits of `shifted`: it is chosen by bits, not by products.
+template <class Number, int lanes, int count>
+TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& angles,
+                                        Registers<Number, lanes, count>& sines,
+                                        Registers<Number, lanes, count>& cosines) noexcept {
+  using Scalar = Registers<Number, lanes, count>;
+  using Numbers = typename Scalar::Numbers;
+  using Bits = typename Scalar::Bits;
+  constexpr int sign_bit = 8 * static_cast<int>(sizeof(Number)) - 1;
+  Scalar shifted, sine, cosine;
+  SineCosine<Scalar, sizeof(Number) == sizeof(float)>::of_remainder(angles, shifted, sine, cosine);
+  const Bits sign = (Bits)scalar_traits<Scalar>::constant(-0.0, -0.0f, nullptr).part[0];
+  for (int i = 0; i < count; ++i) {
+    const Bits bits = (Bits)shifted.part[i], s = (Bits)sine.part[i], c = (Bits)cosine.part[i];
+    const Bits odd = Bits{} - (bits & 1);  // all bits or none
+    const Bits upper = bits << (sign_bit - 1);
+    // The sine is negated for n = 2 and 3, the cosine for 1 and 2.
+    sines.part[i] = (Numbers)(((odd & c) | (~odd & s)) ^ (upper & sign));
+    cosines.part[i] = (Numbers)(((odd & s) | (~odd & c)) ^ ((upper ^ odd) & sign));
+  }
 }
 
-/// Of several angles at once, in float or double: as many as a vector holds go through the core together.
-template <class Scalar, int N>
-TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
-                                            Scalar (&cosines)[N]) noexcept {
-  constexpr int narrow = 16 / sizeof(Scalar);
+/// Of the angles first to first + size - 1, up to the bound, in one register or two; idle lanes get 0. Returns the sum
+/// of their squares. Places are constants before anything is optimised: lanes then come from registers and go there,
+/// where a way through memory would be stored in parts and loaded whole.
+template <int size, class Number, int N, int... lane, int... place>
+TORSOR_INLINED Number sincos_of_some(int first, const Number (&angles)[N], Number (&sines)[N], Number (&cosines)[N],
+                                     Places<lane...>, Places<place...>) noexcept {
+  constexpr int lanes = sizeof...(lane), count = size > lanes ? 2 : 1;
+  using Some = Registers<Number, lanes, count>;
+  const auto angle = [&](int i) noexcept { return i < size ? angles[first + i] : Number(0); };
+  Some x, s, c;
+  x.part[0] = typename Some::Numbers{angle(lane)...};
+  if constexpr (count == 2) x.part[1] = typename Some::Numbers{angle(lane + lanes)...};
+  sincos_of_registers(x, s, c);
+  ((sines[first + place] = s.part[place / lanes][place % lanes]), ...);
+  ((cosines[first + place] = c.part[place / lanes][place % lanes]), ...);
+  typename Some::Numbers squares = x.part[0] * x.part[0];
+  if constexpr (count == 2) squares += x.part[1] * x.part[1];
+  return (squares[lane] + ...);
+}
+
+/// Of several angles up to the bound, by two registers at a time. Returns the sum of their squares.
+template <class Number, int N>
+TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&sines)[N],
+                                          Number (&cosines)[N]) noexcept {
+  constexpr int narrow = 16 / static_cast<int>(sizeof(Number));
 #if defined(__AVX__)
-  constexpr int wide = 32 / sizeof(Scalar);
+  // Registers of AVX-512 gain nothing for so few numbers.
+  constexpr int lanes = N <= narrow ? narrow : 2 * narrow;
 #else
-  constexpr int wide = narrow;
+  constexpr int lanes = narrow;
 #endif
-#if defined(__CUDA_ARCH__) || defined(TORSOR_STD_SINCOS)
-  constexpr bool by_vectors = false;
-#elif defined(__clang__)
-  constexpr bool by_vectors = N >= 4;  // it leaves a loop over two as it is
-#else
-  constexpr bool by_vectors = N >= narrow;
-#endif
-  if constexpr (by_vectors) {
-    constexpr int vector = N >= wide ? wide : narrow, rest = N % vector;
-    // Of a rest some angles are done again: a whole vector costs less than two or three alone.
+  constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
+  using AllLanes = typename FirstPlaces<lanes>::type;
+  Number squares = 0;
+  // One copy of the code: its constants stay where they are.
 #if defined(__clang__)
-    sincos_of_block<N - rest>(angles, sines, cosines);  // best as one loop
-    if constexpr (rest > 1) {
-      sincos_of_block<vector>(angles + (N - vector), sines + (N - vector), cosines + (N - vector));
-    }
+#pragma clang loop unroll(disable)
 #else
-    for (int next = 0; next < N - (rest == 1); next += vector) {
-      const int first = next + vector <= N ? next : N - vector;
-      sincos_of_block<vector>(angles + first, sines + first, cosines + first);
-    }
+#pragma GCC unroll 1
 #endif
-    if constexpr (rest == 1) sincos_of_one(angles[N - 1], sines[N - 1], cosines[N - 1]);
+  for (int i = 0; i < whole; i += both)
+    squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+  if constexpr (rest > 0)
+    squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
+  return squares;
+}
+#endif
+
+/// Of several angles at once, in float or double.
+template <class Scalar, int N>
+TORSOR_DEVICE TORSOR_INLINED void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
+#if defined(TORSOR_VECTOR_TYPES) && !defined(TORSOR_STD_SINCOS)
+  constexpr bool at_once = N > 1;
+#else
+  constexpr bool at_once = false;
+#endif
+  if constexpr (at_once) {
+    const Scalar squares = sincos_in_registers(angles, sines, cosines);
     constexpr Scalar bound = static_cast<Scalar>(SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::bound);
-    Scalar sum = 0;
-    for (int i = 0; i < N; ++i) sum += std::abs(angles[i]);
-    const bool to_one_side = rounds_to_one_side(sum);
-    if (sum <= bound && !to_one_side) return;
+    if (squares <= bound * bound && !rounds_to_one_side(squares)) return;
     for (int i = 0; i < N; ++i) {
-      if (std::abs(angles[i]) > bound || to_one_side) sincos_far(angles[i], sines[i], cosines[i]);
+      if (std::abs(angles[i]) > bound || rounds_to_one_side(angles[i])) sincos_far(angles[i], sines[i], cosines[i]);
     }
   } else {
     for (int i = 0; i < N; ++i) sincos_of_one(angles[i], sines[i], cosines[i]);
@@ -322,17 +420,19 @@ TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&
 
 /// Of several angles of any scalar: at once where its traits have a `sincos` of arrays, else one by one.
 template <class Scalar, int N>
-TORSOR_DEVICE auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N], int) noexcept
+TORSOR_DEVICE TORSOR_INLINED auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], int) noexcept
     -> decltype(scalar_traits<Scalar>::sincos(angles, sines, cosines)) {
   scalar_traits<Scalar>::sincos(angles, sines, cosines);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N],
-                                    long) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], long) noexcept {
   for (int i = 0; i < N; ++i) scalar_traits<Scalar>::sincos(angles[i], sines[i], cosines[i]);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
   sincos_by_traits(angles, sines, cosines, 0);
 }
 
@@ -369,7 +469,8 @@ struct scalar_traits {
   }
   /// Of several angles at once; a specialisation without it gets them one by one.
   template <int N>
-  TORSOR_DEVICE static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+  TORSOR_DEVICE TORSOR_INLINED static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                  Scalar (&cosines)[N]) noexcept {
     sincos_of_several(angles, sines, cosines);
   }
   TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
@@ -382,7 +483,7 @@ struct scalar_traits {
 };
 
 }  // namespace torsor
-#elif TORSOR_KERNEL_SUPPORT != 2
+#elif TORSOR_KERNEL_SUPPORT != 3
 #error "headers of incompatible versions of torsor meet here: write them again with one version"
 #endif
 
@@ -396,7 +497,7 @@ struct Mechanism {
 
   static constexpr const char* name = "segment_in_sphere";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xece49e342341d94eULL;
+  static constexpr unsigned long long fingerprint = 0x2e760b50363b53c5ULL;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -600,60 +701,60 @@ struct Mechanism {
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
     const Scalar s_phi = sines_[2], c_phi = cosines_[2];
-    const Scalar z15 = s_psi * c_theta;
-    const Scalar z16 = s_psi * s_theta;
-    const Scalar z17 = c_psi * c_theta;
-    const Scalar z18 = c_psi * s_theta;
     const Scalar z19 = v_psi * s_theta;
+    const Scalar z15 = s_psi * c_theta;
+    const Scalar z17 = c_psi * c_theta;
+    const Scalar z16 = s_psi * s_theta;
+    const Scalar z18 = c_psi * s_theta;
     const Scalar z20 = v_psi * c_theta;
+    const Scalar z27 = s_theta * s_phi;
     const Scalar z21 = c_psi * v_theta;  // angular velocity of second, x
     const Scalar z22 = s_psi * v_theta;  // angular velocity of second, y
+    const Scalar z28 = s_theta * c_phi;
+    const Scalar z34 = v_psi + c_theta * v_phi;  // angular velocity of rod, z
+    const Scalar z37 = n0_8 * c_theta;
     const Scalar z23 = c_psi * c_phi - s_phi * z15;
     const Scalar z24 = c_psi * s_phi + c_phi * z15;
     const Scalar z25 = s_psi * c_phi + s_phi * z17;
     const Scalar z26 = s_psi * s_phi - c_phi * z17;
-    const Scalar z27 = s_theta * s_phi;
-    const Scalar z28 = s_theta * c_phi;
     const Scalar z29 = v_theta * c_phi + s_phi * z19;
     const Scalar z30 = v_theta * s_phi - c_phi * z19;
     const Scalar z31 = v_phi + z20;
     const Scalar z32 = v_phi * z16 + z21;  // angular velocity of rod, x
     const Scalar z33 = v_phi * z18 - z22;  // angular velocity of rod, y
-    const Scalar z34 = v_psi + c_theta * v_phi;  // angular velocity of rod, z
     const Scalar z35 = n0_8 * z16;
     const Scalar z36 = n0_8 * z18;
-    const Scalar z37 = n0_8 * c_theta;
+    const Scalar z45 = n0_8 * c_theta - n0_6 * z27;
+    const Scalar z59 = n0_8 * c_theta + n0_6 * z27;
     const Scalar z38 = n0_8 * z30;
     const Scalar z39 = n0_8 * z29;
+    const Scalar z43 = n0_8 * z16 - n0_6 * z23;
+    const Scalar z44 = n0_8 * z18 + n0_6 * z25;
+    const Scalar z46 = n0_6 * z31 + n0_8 * z29;
+    const Scalar z47 = n0_6 * z30;
+    const Scalar z54 = s_psi * z45;
+    const Scalar z55 = c_psi * z45;
+    const Scalar z57 = n0_8 * z16 + n0_6 * z23;
+    const Scalar z58 = n0_8 * z18 - n0_6 * z25;
+    const Scalar z60 = n0_8 * z29 - n0_6 * z31;
+    const Scalar z67 = s_psi * z59;
+    const Scalar z68 = c_psi * z59;
     const Scalar z40 = z23 * z38 - z24 * z39;
     const Scalar z41 = z25 * z38 - z26 * z39;
     const Scalar z42 = z27 * z38 + z28 * z39;
-    const Scalar z43 = n0_8 * z16 - n0_6 * z23;
-    const Scalar z44 = n0_8 * z18 + n0_6 * z25;
-    const Scalar z45 = n0_8 * c_theta - n0_6 * z27;
-    const Scalar z46 = n0_8 * z29 + n0_6 * z31;
-    const Scalar z47 = n0_6 * z30;
-    const Scalar z48 = z16 * z47 + z23 * z38 - z24 * z46;
-    const Scalar z49 = z18 * z47 - z25 * z38 + z26 * z46;
-    const Scalar z50 = c_theta * z47 + z27 * z38 + z28 * z46;
     const Scalar z51 = c_theta * z44 - z18 * z45;
     const Scalar z52 = c_theta * z43 - z16 * z45;
     const Scalar z53 = z16 * z44 - z18 * z43;
-    const Scalar z54 = s_psi * z45;
-    const Scalar z55 = c_psi * z45;
     const Scalar z56 = s_psi * z43 + c_psi * z44;
-    const Scalar z57 = n0_8 * z16 + n0_6 * z23;
-    const Scalar z58 = n0_8 * z18 - n0_6 * z25;
-    const Scalar z59 = n0_8 * c_theta + n0_6 * z27;
-    const Scalar z60 = n0_8 * z29 - n0_6 * z31;
+    const Scalar z64 = c_theta * z58 - z18 * z59;
+    const Scalar z48 = z16 * z47 + z23 * z38 - z24 * z46;
+    const Scalar z49 = z18 * z47 - z25 * z38 + z26 * z46;
+    const Scalar z50 = c_theta * z47 + z27 * z38 + z28 * z46;
     const Scalar z61 = z16 * z47 - z23 * z38 + z24 * z60;
     const Scalar z62 = z18 * z47 + z25 * z38 - z26 * z60;
     const Scalar z63 = c_theta * z47 - z27 * z38 - z28 * z60;
-    const Scalar z64 = c_theta * z58 - z18 * z59;
     const Scalar z65 = c_theta * z57 - z16 * z59;
     const Scalar z66 = z16 * z58 - z18 * z57;
-    const Scalar z67 = s_psi * z59;
-    const Scalar z68 = c_psi * z59;
     const Scalar z69 = s_psi * z57 + c_psi * z58;
     result.rod_position[0] = z35;
     result.rod_position[1] = -z36;
@@ -717,9 +818,9 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta = sines_[0], c_theta = cosines_[0];
     const Scalar s_phi = sines_[1], c_phi = cosines_[1];
-    const Scalar z71 = n0_12 * c_theta;
     const Scalar z72 = n0_12 * s_phi;
     const Scalar z73 = n0_12 * c_phi;
+    const Scalar z71 = n0_12 * c_theta;
     const Scalar z74 = c_phi * z73;
     const Scalar z75 = s_phi * z72;
     const Scalar z76 = s_phi * z73;
@@ -745,8 +846,8 @@ struct Mechanism {
   /// actions included. M a + h = E u + A' lambda.
   TORSOR_DEVICE static void bias(const Precomputed&, const State& state, GeneralizedForces& forces) noexcept {
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
-    const Scalar n0_12 = traits::constant(0.12, 0.12f, "3/25");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n0_12 = traits::constant(0.12, 0.12f, "3/25");
     const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
     const Scalar n0_64 = traits::constant(0.64, 0.64f, "16/25");
     const Scalar v_psi = state.v.psi;
@@ -759,28 +860,28 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta = sines_[0], c_theta = cosines_[0];
     const Scalar s_phi = sines_[1], c_phi = cosines_[1];
-    const Scalar z19 = v_psi * s_theta;
     const Scalar z20 = v_psi * c_theta;
+    const Scalar z19 = v_psi * s_theta;
+    const Scalar z88 = n9_81 * s_theta;
     const Scalar z29 = v_theta * c_phi + s_phi * z19;
     const Scalar z30 = v_theta * s_phi - c_phi * z19;
     const Scalar z31 = v_phi + z20;
-    const Scalar z88 = n9_81 * s_theta;
     const Scalar z90 = v_theta * z20;  // angular acceleration of second, y
     const Scalar z91 = v_theta * z19;  // angular acceleration of second, z
+    const Scalar z106 = z19 * z20;
     const Scalar z93 = c_phi * z90;
-    const Scalar z97 = v_phi * z29 - z93;  // angular acceleration of rod, y
+    const Scalar z105 = n2 * z90;
     const Scalar z98 = z29 * z31;
-    const Scalar z99 = z97 + z98;
     const Scalar z100 = z29 * z30;
-    const Scalar z101 = n0_12 * z99;  // moment on rod, y
+    const Scalar z97 = v_phi * z29 - z93;  // angular acceleration of rod, y
     const Scalar z102 = n0_12 * (z91 + z100);  // moment on rod, z
+    const Scalar z99 = z97 + z98;
+    const Scalar z101 = n0_12 * z99;  // moment on rod, y
     const Scalar z103 = s_phi * z101;
     const Scalar z104 = c_phi * z101;
-    const Scalar z105 = n2 * z90;
-    const Scalar z106 = z19 * z20;
     const Scalar z113 = n0_8 * z88 - z103 + n0_64 * z106;  // moment on second, x
     const Scalar z114 = z104 - n0_64 * z105;  // moment on second, y
-    const Scalar z118 = s_theta * z114 + c_theta * z102;
+    const Scalar z118 = c_theta * z102 + s_theta * z114;
     forces.psi = -z118;
     forces.theta = -z113;
     forces.phi = -z102;
@@ -806,32 +907,32 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta = sines_[0], c_theta = cosines_[0];
     const Scalar s_phi = sines_[1], c_phi = cosines_[1];
-    const Scalar z19 = v_psi * s_theta;
     const Scalar z20 = v_psi * c_theta;
+    const Scalar z119 = a_psi * s_theta;
+    const Scalar z19 = v_psi * s_theta;
+    const Scalar z120 = a_psi * c_theta;
+    const Scalar z88 = n9_81 * s_theta;
     const Scalar z29 = v_theta * c_phi + s_phi * z19;
     const Scalar z30 = v_theta * s_phi - c_phi * z19;
     const Scalar z31 = v_phi + z20;
-    const Scalar z88 = n9_81 * s_theta;
     const Scalar z90 = v_theta * z20;  // angular acceleration of second, y
-    const Scalar z98 = z29 * z31;
-    const Scalar z100 = z29 * z30;
     const Scalar z106 = z19 * z20;
-    const Scalar z119 = a_psi * s_theta;
-    const Scalar z120 = a_psi * c_theta;
     const Scalar z121 = v_theta * z20 + z119;  // angular acceleration of second, y
     const Scalar z122 = v_theta * z19 - z120;  // angular acceleration of second, z
+    const Scalar z98 = z29 * z31;
+    const Scalar z100 = z29 * z30;
     const Scalar z124 = a_theta * s_phi - c_phi * z121;
-    const Scalar z126 = v_phi * z29 + z124;  // angular acceleration of rod, y
     const Scalar z127 = a_phi - z122;  // angular acceleration of rod, z
+    const Scalar z133 = z90 + z121;
+    const Scalar z130 = n0_12 * (z100 - z127);  // moment on rod, z
+    const Scalar z126 = v_phi * z29 + z124;  // angular acceleration of rod, y
     const Scalar z128 = z98 + z126;
     const Scalar z129 = n0_12 * z128;  // moment on rod, y
-    const Scalar z130 = n0_12 * (z100 - z127);  // moment on rod, z
     const Scalar z131 = s_phi * z129;
     const Scalar z132 = c_phi * z129;
-    const Scalar z133 = z90 + z121;
-    const Scalar z137 = n0_64 * (a_theta - z106) - n0_8 * z88 + z131;  // moment on second, x
+    const Scalar z137 = z131 + n0_64 * (a_theta - z106) - n0_8 * z88;  // moment on second, x
     const Scalar z138 = z132 - n0_64 * z133;  // moment on second, y
-    const Scalar z142 = s_theta * z138 + c_theta * z130;
+    const Scalar z142 = c_theta * z130 + s_theta * z138;
     forces.psi = -z142;
     forces.theta = z137;
     forces.phi = -z130;
@@ -843,13 +944,13 @@ struct Mechanism {
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs&,
       Accelerations& accelerations, Multipliers&) noexcept {
     const Scalar n0_12 = traits::constant(0.12, 0.12f, "3/25");
-    const Scalar n0_76 = traits::constant(0.76, 0.76f, "19/25");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0_76 = traits::constant(0.76, 0.76f, "19/25");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
-    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
-    const Scalar n0_64 = traits::constant(0.64, 0.64f, "16/25");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n25_over_3 = traits::constant(8.333333333333334, 8.333333f, "25/3");
+    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
+    const Scalar n0_64 = traits::constant(0.64, 0.64f, "16/25");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar v_psi = state.v.psi;
     const Scalar q_theta = state.q.theta;
@@ -861,44 +962,44 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta = sines_[0], c_theta = cosines_[0];
     const Scalar s_phi = sines_[1], c_phi = cosines_[1];
-    const Scalar z19 = v_psi * s_theta;
+    const Scalar z73 = n0_12 * c_phi;
     const Scalar z20 = v_psi * c_theta;
+    const Scalar z19 = v_psi * s_theta;
+    const Scalar z72 = n0_12 * s_phi;
+    const Scalar z88 = n9_81 * s_theta;
     const Scalar z29 = v_theta * c_phi + s_phi * z19;
     const Scalar z30 = v_theta * s_phi - c_phi * z19;
     const Scalar z31 = v_phi + z20;
-    const Scalar z72 = n0_12 * s_phi;
-    const Scalar z73 = n0_12 * c_phi;
     const Scalar z74 = c_phi * z73;
     const Scalar z75 = s_phi * z72;
     const Scalar z76 = s_phi * z73;
-    const Scalar z77 = n0_76 - z74;
-    const Scalar z78 = n0_76 - z75;
-    const Scalar z88 = n9_81 * s_theta;
     const Scalar z90 = v_theta * z20;  // angular acceleration of second, y
     const Scalar z91 = v_theta * z19;  // angular acceleration of second, z
+    const Scalar z106 = z19 * z20;
+    const Scalar z77 = n0_76 - z74;
+    const Scalar z78 = n0_76 - z75;
     const Scalar z93 = c_phi * z90;
-    const Scalar z97 = v_phi * z29 - z93;  // angular acceleration of rod, y
+    const Scalar z105 = n2 * z90;
     const Scalar z98 = z29 * z31;
-    const Scalar z99 = z97 + z98;
     const Scalar z100 = z29 * z30;
+    const Scalar z97 = v_phi * z29 - z93;  // angular acceleration of rod, y
+    const Scalar z146 = n1 / z77;
+    const Scalar z169 = n0_12 * z100;
+    const Scalar z99 = z97 + z98;
+    const Scalar z170 = n25_over_3 * z169;
     const Scalar z101 = n0_12 * z99;  // moment on rod, y
     const Scalar z103 = s_phi * z101;
     const Scalar z104 = c_phi * z101;
-    const Scalar z105 = n2 * z90;
-    const Scalar z106 = z19 * z20;
     const Scalar z113 = n0_8 * z88 - z103 + n0_64 * z106;  // moment on second, x
     const Scalar z114 = z104 - n0_64 * z105;  // moment on second, y
-    const Scalar z146 = n1 / z77;
     const Scalar z147 = z76 * z146;
     const Scalar z150 = z76 * z147 - z78;
     const Scalar z152 = s_theta * z150;
-    const Scalar z153 = s_theta * z152;
-    const Scalar z164 = n1 / z153;
-    const Scalar z169 = n0_12 * z100;
-    const Scalar z170 = n25_over_3 * z169;
     const Scalar z171 = z113 * z146;
     const Scalar z172 = z113 * z147 + z114;
+    const Scalar z153 = s_theta * z152;
     const Scalar z177 = s_theta * z172;
+    const Scalar z164 = n1 / z153;
     const Scalar z178 = z164 * z177;
     const Scalar z183 = s_theta * z178;
     const Scalar z184 = c_theta * z178;
@@ -918,9 +1019,9 @@ struct Mechanism {
   /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
   TORSOR_DEVICE static void energy(const Precomputed&, const State& state, const Inputs&, Energy& result) noexcept {
     const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
+    const Scalar n0_06 = traits::constant(0.06, 0.06f, "3/50");
     const Scalar n0_32 = traits::constant(0.32, 0.32f, "8/25");
     const Scalar n0_38 = traits::constant(0.38, 0.38f, "19/50");
-    const Scalar n0_06 = traits::constant(0.06, 0.06f, "3/50");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar v_psi = state.v.psi;
@@ -935,24 +1036,24 @@ struct Mechanism {
     const Scalar s_phi = sines_[1], c_phi = cosines_[1];
     const Scalar z19 = v_psi * s_theta;
     const Scalar z20 = v_psi * c_theta;
+    const Scalar z37 = n0_8 * c_theta;
     const Scalar z29 = v_theta * c_phi + s_phi * z19;
     const Scalar z30 = v_theta * s_phi - c_phi * z19;
     const Scalar z31 = v_phi + z20;
-    const Scalar z37 = n0_8 * c_theta;
-    result.kinetic = n0_32 * z29 * z29 + n0_38 * z30 * z30 + n0_06 * z31 * z31;
+    result.kinetic = n0_06 * z31 * z31 + n0_32 * z29 * z29 + n0_38 * z30 * z30;
     result.force_function = -n9_81 * z37;
     result.power = n0;
   }
 
   /// First integrals: constant along every motion.
   TORSOR_DEVICE static void first_integrals(const Precomputed&, const State& state, FirstIntegrals& result) noexcept {
-    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
     const Scalar n0_12 = traits::constant(0.12, 0.12f, "3/25");
+    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
     const Scalar n0_76 = traits::constant(0.76, 0.76f, "19/25");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0_06 = traits::constant(0.06, 0.06f, "3/50");
     const Scalar n0_32 = traits::constant(0.32, 0.32f, "8/25");
     const Scalar n0_38 = traits::constant(0.38, 0.38f, "19/50");
-    const Scalar n0_06 = traits::constant(0.06, 0.06f, "3/50");
-    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar v_psi = state.v.psi;
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
@@ -963,15 +1064,15 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta = sines_[0], c_theta = cosines_[0];
     const Scalar s_phi = sines_[1], c_phi = cosines_[1];
+    const Scalar z72 = n0_12 * s_phi;
+    const Scalar z73 = n0_12 * c_phi;
     const Scalar z19 = v_psi * s_theta;
     const Scalar z20 = v_psi * c_theta;
+    const Scalar z37 = n0_8 * c_theta;
+    const Scalar z71 = n0_12 * c_theta;
     const Scalar z29 = v_theta * c_phi + s_phi * z19;
     const Scalar z30 = v_theta * s_phi - c_phi * z19;
     const Scalar z31 = v_phi + z20;
-    const Scalar z37 = n0_8 * c_theta;
-    const Scalar z71 = n0_12 * c_theta;
-    const Scalar z72 = n0_12 * s_phi;
-    const Scalar z73 = n0_12 * c_phi;
     const Scalar z75 = s_phi * z72;
     const Scalar z76 = s_phi * z73;
     const Scalar z78 = n0_76 - z75;
@@ -980,8 +1081,8 @@ struct Mechanism {
     const Scalar z83 = s_theta * z82;
     const Scalar z84 = s_theta * z83;
     const Scalar z86 = n0_12 - z84;
-    result.energy = n0_32 * z29 * z29 + n0_38 * z30 * z30 + n0_06 * z31 * z31 + n9_81 * z37;
-    result.momentum_psi = v_psi * z86 - v_theta * z81 + v_phi * z71;
+    result.energy = n9_81 * z37 + n0_06 * z31 * z31 + n0_32 * z29 * z29 + n0_38 * z30 * z30;
+    result.momentum_psi = v_phi * z71 - v_theta * z81 + v_psi * z86;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -989,13 +1090,13 @@ struct Mechanism {
   TORSOR_DEVICE static torsor::Status linearisation(const Precomputed&, const State& state,
       const Accelerations& accelerations, const Multipliers&, const Inputs&, Linearisation& result) noexcept {
     const Scalar n0_12 = traits::constant(0.12, 0.12f, "3/25");
-    const Scalar n0_76 = traits::constant(0.76, 0.76f, "19/25");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
-    const Scalar n0_64 = traits::constant(0.64, 0.64f, "16/25");
-    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
-    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n25_over_3 = traits::constant(8.333333333333334, 8.333333f, "25/3");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n0_76 = traits::constant(0.76, 0.76f, "19/25");
+    const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n0_64 = traits::constant(0.64, 0.64f, "16/25");
+    const Scalar n0_8 = traits::constant(0.8, 0.8f, "4/5");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar v_psi = state.v.psi;
     const Scalar a_psi = accelerations.psi;
@@ -1011,130 +1112,130 @@ struct Mechanism {
     const Scalar s_theta = sines_[0], c_theta = cosines_[0];
     const Scalar s_phi = sines_[1], c_phi = cosines_[1];
     const Scalar z19 = v_psi * s_theta;
+    const Scalar z120 = a_psi * c_theta;
     const Scalar z20 = v_psi * c_theta;
+    const Scalar z119 = a_psi * s_theta;
+    const Scalar z73 = n0_12 * c_phi;
     const Scalar z27 = s_theta * s_phi;
+    const Scalar z221 = v_theta * c_theta;
+    const Scalar z72 = n0_12 * s_phi;
     const Scalar z28 = s_theta * c_phi;
+    const Scalar z230 = v_theta * s_theta;
+    const Scalar z89 = n9_81 * c_theta;
+    const Scalar z71 = n0_12 * c_theta;
+    const Scalar z88 = n9_81 * s_theta;
     const Scalar z29 = v_theta * c_phi + s_phi * z19;
     const Scalar z30 = v_theta * s_phi - c_phi * z19;
     const Scalar z31 = v_phi + z20;
-    const Scalar z71 = n0_12 * c_theta;
-    const Scalar z72 = n0_12 * s_phi;
-    const Scalar z73 = n0_12 * c_phi;
     const Scalar z74 = c_phi * z73;
     const Scalar z75 = s_phi * z72;
     const Scalar z76 = s_phi * z73;
+    const Scalar z90 = v_theta * z20;  // angular acceleration of second, y
+    const Scalar z91 = v_theta * z19;  // angular acceleration of second, z
+    const Scalar z106 = z19 * z20;
+    const Scalar z121 = v_theta * z20 + z119;  // angular acceleration of second, y
+    const Scalar z122 = v_theta * z19 - z120;  // angular acceleration of second, z
+    const Scalar z190 = n25_over_3 * z71;
+    const Scalar z222 = c_phi * z221;
+    const Scalar z227 = n2 * z221;
+    const Scalar z233 = s_theta * z20 + c_theta * z19;
+    const Scalar z237 = c_phi * z20;
+    const Scalar z242 = n2 * z20;
+    const Scalar z247 = s_phi * z20;
+    const Scalar z260 = z19 * z19 - z20 * z20;
     const Scalar z77 = n0_76 - z74;
     const Scalar z78 = n0_76 - z75;
     const Scalar z81 = s_theta * z76;
-    const Scalar z82 = n0_12 - z78;
-    const Scalar z83 = s_theta * z82;
-    const Scalar z84 = s_theta * z83;
-    const Scalar z86 = n0_12 - z84;
-    const Scalar z88 = n9_81 * s_theta;
-    const Scalar z89 = n9_81 * c_theta;
-    const Scalar z90 = v_theta * z20;  // angular acceleration of second, y
-    const Scalar z91 = v_theta * z19;  // angular acceleration of second, z
+    const Scalar z223 = v_phi * z27 - z222;
+    const Scalar z236 = c_phi * z31;
+    const Scalar z238 = v_phi * c_phi - z237;
     const Scalar z98 = z29 * z31;
     const Scalar z100 = z29 * z30;
-    const Scalar z106 = z19 * z20;
-    const Scalar z119 = a_psi * s_theta;
-    const Scalar z120 = a_psi * c_theta;
-    const Scalar z121 = v_theta * z20 + z119;  // angular acceleration of second, y
-    const Scalar z122 = v_theta * z19 - z120;  // angular acceleration of second, z
     const Scalar z123 = a_theta * c_phi + s_phi * z121;
     const Scalar z124 = a_theta * s_phi - c_phi * z121;
-    const Scalar z125 = v_phi * z30 - z123;  // angular acceleration of rod, x
-    const Scalar z126 = v_phi * z29 + z124;  // angular acceleration of rod, y
     const Scalar z127 = a_phi - z122;  // angular acceleration of rod, z
-    const Scalar z128 = z98 + z126;
-    const Scalar z129 = n0_12 * z128;  // moment on rod, y
-    const Scalar z130 = n0_12 * (z100 - z127);  // moment on rod, z
-    const Scalar z131 = s_phi * z129;
-    const Scalar z132 = c_phi * z129;
     const Scalar z133 = z90 + z121;
-    const Scalar z137 = n0_64 * (a_theta - z106) - n0_8 * z88 + z131;  // moment on second, x
-    const Scalar z138 = z132 - n0_64 * z133;  // moment on second, y
-    const Scalar z142 = s_theta * z138 + c_theta * z130;
-    const Scalar z146 = n1 / z77;
-    const Scalar z190 = n25_over_3 * z71;
-    const Scalar z191 = s_theta * s_theta * z78;
-    const Scalar z192 = z81 * z146;
-    const Scalar z193 = z81 * z192 - z191;
-    const Scalar z194 = n1 / z193;
-    const Scalar z220 = c_theta * z29 + z27 * z31;
-    const Scalar z221 = v_theta * c_theta;
-    const Scalar z222 = c_phi * z221;
-    const Scalar z223 = v_phi * z27 - z222;
-    const Scalar z224 = z220 + z223;
-    const Scalar z225 = n0_12 * z224;
-    const Scalar z226 = c_phi * z225;
-    const Scalar z227 = n2 * z221;
-    const Scalar z228 = z226 - n0_64 * z227;
+    const Scalar z220 = z27 * z31 + c_theta * z29;
     const Scalar z229 = z27 * z30 - z28 * z29;
-    const Scalar z230 = v_theta * s_theta;
-    const Scalar z231 = n0_12 * (z229 + z230);
-    const Scalar z232 = s_theta * z228 + c_theta * z231;
-    const Scalar z233 = s_theta * z20 + c_theta * z19;
-    const Scalar z234 = s_phi * z225;
-    const Scalar z235 = n0_64 * z233 - z234;
-    const Scalar z236 = c_phi * z31;
-    const Scalar z237 = c_phi * z20;
-    const Scalar z238 = v_phi * c_phi - z237;
-    const Scalar z239 = z236 + z238;
-    const Scalar z240 = n0_12 * z239;
-    const Scalar z241 = c_phi * z240;
-    const Scalar z242 = n2 * z20;
-    const Scalar z243 = z241 - n0_64 * z242;
     const Scalar z244 = s_phi * z29 + c_phi * z30;
-    const Scalar z245 = n0_12 * (z19 + z244);
-    const Scalar z246 = s_theta * z243 + c_theta * z245;
-    const Scalar z247 = s_phi * z20;
     const Scalar z248 = z19 * z29 - z31 * z247;
     const Scalar z249 = c_phi * z122;
-    const Scalar z250 = v_phi * z247 + z249;
-    const Scalar z251 = z248 - z250;
-    const Scalar z252 = n0_12 * z251;
-    const Scalar z253 = c_phi * z252;
     const Scalar z254 = z91 + z122;
-    const Scalar z255 = z253 - n0_64 * z254;
     const Scalar z256 = z29 * z237 - z30 * z247;
-    const Scalar z257 = n0_12 * (z121 - z256);
-    const Scalar z258 = s_theta * (z130 + z255) - c_theta * (z138 + z257);
-    const Scalar z259 = s_phi * z240;
-    const Scalar z260 = z19 * z19 - z20 * z20;
-    const Scalar z261 = s_phi * z252;
-    const Scalar z262 = n0_8 * z89 - n0_64 * z260 + z261;
     const Scalar z263 = n2 * z29;
-    const Scalar z264 = n0_12 * z263;
-    const Scalar z265 = c_phi * z264;
-    const Scalar z266 = s_theta * z265;
     const Scalar z267 = z30 * z31;
-    const Scalar z268 = z125 + z267;
-    const Scalar z269 = n0_12 * z268;
-    const Scalar z270 = s_phi * z129 + c_phi * z269;
     const Scalar z271 = z29 * z29 - z30 * z30;
+    const Scalar z82 = n0_12 - z78;
+    const Scalar z146 = n1 / z77;
+    const Scalar z191 = s_theta * s_theta * z78;
+    const Scalar z130 = n0_12 * (z100 - z127);  // moment on rod, z
+    const Scalar z250 = v_phi * z247 + z249;
+    const Scalar z126 = v_phi * z29 + z124;  // angular acceleration of rod, y
+    const Scalar z125 = v_phi * z30 - z123;  // angular acceleration of rod, x
+    const Scalar z224 = z220 + z223;
+    const Scalar z251 = z248 - z250;
+    const Scalar z239 = z236 + z238;
+    const Scalar z128 = z98 + z126;
+    const Scalar z268 = z125 + z267;
+    const Scalar z225 = n0_12 * z224;
+    const Scalar z240 = n0_12 * z239;
+    const Scalar z252 = n0_12 * z251;
+    const Scalar z231 = n0_12 * (z229 + z230);
+    const Scalar z129 = n0_12 * z128;  // moment on rod, y
+    const Scalar z269 = n0_12 * z268;
+    const Scalar z226 = c_phi * z225;
+    const Scalar z253 = c_phi * z252;
+    const Scalar z241 = c_phi * z240;
+    const Scalar z132 = c_phi * z129;
+    const Scalar z245 = n0_12 * (z19 + z244);
+    const Scalar z192 = z81 * z146;
+    const Scalar z255 = z253 - n0_64 * z254;
+    const Scalar z138 = z132 - n0_64 * z133;  // moment on second, y
+    const Scalar z257 = n0_12 * (z121 - z256);
+    const Scalar z270 = s_phi * z129 + c_phi * z269;
+    const Scalar z193 = z81 * z192 - z191;
+    const Scalar z228 = z226 - n0_64 * z227;
+    const Scalar z243 = z241 - n0_64 * z242;
+    const Scalar z261 = s_phi * z252;
     const Scalar z272 = n0_12 * z271;
+    const Scalar z232 = c_theta * z231 + s_theta * z228;
+    const Scalar z234 = s_phi * z225;
+    const Scalar z246 = c_theta * z245 + s_theta * z243;
+    const Scalar z258 = s_theta * (z130 + z255) - c_theta * (z138 + z257);
     const Scalar z273 = s_theta * z270 - c_theta * z272;
-    const Scalar z274 = s_phi * z264;
+    const Scalar z264 = n0_12 * z263;
+    const Scalar z235 = n0_64 * z233 - z234;
+    const Scalar z259 = s_phi * z240;
+    const Scalar z262 = z261 + n0_8 * z89 - n0_64 * z260;
+    const Scalar z265 = c_phi * z264;
     const Scalar z275 = s_phi * z269 - c_phi * z129;
-    const Scalar z357 = z190 * z231 - z192 * z235 - z232;
+    const Scalar z266 = s_theta * z265;
+    const Scalar z274 = s_phi * z264;
+    const Scalar z194 = n1 / z193;
+    const Scalar z357 = z190 * z231 - z232 - z192 * z235;
+    const Scalar z361 = z258 + z190 * z257 - z192 * z262;
+    const Scalar z365 = z190 * z245 - z246 + z192 * z259;
+    const Scalar z131 = s_phi * z129;
     const Scalar z358 = z194 * z357;
-    const Scalar z359 = z146 * z235 + z192 * z358;
-    const Scalar z360 = z190 * z358 - n25_over_3 * z231;
-    const Scalar z361 = z190 * z257 - z192 * z262 + z258;
     const Scalar z362 = z194 * z361;
-    const Scalar z363 = z146 * z262 + z192 * z362;
-    const Scalar z364 = z190 * z362 - n25_over_3 * z257;
-    const Scalar z365 = z190 * z245 + z192 * z259 - z246;
     const Scalar z366 = z194 * z365;
-    const Scalar z367 = z146 * z259 - z192 * z366;
-    const Scalar z368 = z190 * z366 - n25_over_3 * z245;
-    const Scalar z369 = z190 * z272 - z192 * z275 + z273;
+    const Scalar z83 = s_theta * z82;
+    const Scalar z84 = s_theta * z83;
+    const Scalar z137 = z131 + n0_64 * (a_theta - z106) - n0_8 * z88;  // moment on second, x
+    const Scalar z86 = n0_12 - z84;
+    const Scalar z369 = z273 + z190 * z272 - z192 * z275;
     const Scalar z370 = z194 * z369;
-    const Scalar z371 = z146 * z275 + z192 * z370;
-    const Scalar z372 = z190 * z370 - n25_over_3 * z272;
     const Scalar z373 = z192 * z274 - z266;
     const Scalar z374 = z194 * z373;
+    const Scalar z142 = c_theta * z130 + s_theta * z138;
+    const Scalar z359 = z146 * z235 + z192 * z358;
+    const Scalar z360 = z190 * z358 - n25_over_3 * z231;
+    const Scalar z363 = z146 * z262 + z192 * z362;
+    const Scalar z364 = z190 * z362 - n25_over_3 * z257;
+    const Scalar z367 = z146 * z259 - z192 * z366;
+    const Scalar z368 = z190 * z366 - n25_over_3 * z245;
+    const Scalar z371 = z146 * z275 + z192 * z370;
+    const Scalar z372 = z190 * z370 - n25_over_3 * z272;
     const Scalar z375 = z146 * z274 - z192 * z374;
     const Scalar z376 = z190 * z374;
     result.M[0] = z86;

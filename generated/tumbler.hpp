@@ -34,7 +34,7 @@
 #include <cmath>
 
 #ifndef TORSOR_KERNEL_SUPPORT
-#define TORSOR_KERNEL_SUPPORT 2
+#define TORSOR_KERNEL_SUPPORT 3
 // Define it before the first generated header to annotate every function, e.g. as __host__ __device__.
 #ifndef TORSOR_DEVICE
 #define TORSOR_DEVICE
@@ -48,7 +48,7 @@
 //  * two polynomials of least greatest error give the sine and the cosine of r, |r| <= pi/4;
 //  * angles beyond `bound` are rare: they are reduced exactly, in integers, by a function that is not inlined, and so
 //    are all angles under another rounding, which would give the nearest integers wrong.
-// The core has no branch, so that compilers turn a loop over several angles into vector instructions.
+// The core has no branch, so that several angles go through it at once.
 #ifndef TORSOR_STD_SINCOS
 #if defined(__FAST_MATH__) || defined(_M_FP_FAST) || (defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0)
 #define TORSOR_STD_SINCOS  // sums would be reassociated or hold more digits than their type
@@ -96,21 +96,19 @@ struct SineCosine {
       S = S01 + z2 * number(0.0, -0x1.9953f2p-13f);
       C = C01 + z2 * number(0.0, 0x1.99e0eep-16f);
     } else {
-      const Scalar z4 = z2 * z2;
       const Scalar S01 = number(-0x1.5555555555548p-3, 0.0f) + z * number(0x1.111111110f73p-7, 0.0f);
       const Scalar S23 = number(-0x1.a01a019be9217p-13, 0.0f) + z * number(0x1.71de35552b518p-19, 0.0f);
       const Scalar S45 = number(-0x1.ae5e4b83e1601p-26, 0.0f) + z * number(0x1.5d8b55934597bp-33, 0.0f);
       const Scalar C01 = number(0x1.555555555554cp-5, 0.0f) + z * number(-0x1.6c16c16c1521bp-10, 0.0f);
       const Scalar C23 = number(0x1.a01a019cbeb68p-16, 0.0f) + z * number(-0x1.27e4f8121198fp-22, 0.0f);
       const Scalar C45 = number(0x1.1ee9f0cbf70d6p-29, 0.0f) + z * number(-0x1.8fb0e15d5f2ap-37, 0.0f);
-      S = (S01 + z2 * S23) + z4 * S45;
-      C = (C01 + z2 * C23) + z4 * C45;
+      S = S01 + z2 * (S23 + z2 * S45);
+      C = C01 + z2 * (C23 + z2 * C45);
     }
-    const Scalar half_z = half * z, w = one - half_z;
-    // Far below an ulp, it makes the correction of -0 a -0, and so the sine.
-    const Scalar tiny = number(0x1p-100, 0x1p-60f);
-    sine = high + (high * (tiny + z * S) - rest * w);
-    cosine = w + (((one - w) - half_z) + (z2 * C + high * rest));
+    const Scalar half_z = half * z, w = one - half_z, high_z = high * z;
+    // What waits for S and C comes last. The correction of -0 is a 0, which subtracted leaves it -0.
+    sine = high - (rest * w - high_z * S);
+    cosine = w + ((((one - w) - half_z) + high * rest) + z2 * C);
   }
 
   /// Of n pi/2 more.
@@ -125,21 +123,31 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// For |x| <= bound; what is no number gives no number. Exact are n times the first three parts of pi/2, the first
-  /// difference, and each rounded difference together with its rounding error.
-  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
-    const Scalar n = rounded(x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f));
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n plus a number so large that its last bit counts 1; what is no
+  /// number gives no number.
+  ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
+  ///    others do, and may be formed twice;
+  ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
+  ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
+  TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
+                                                        Scalar& cosine) noexcept {
+    const Scalar shift = number(0x1.8p52, 0x1.8p23f);
+    const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
+    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift;
+    const Scalar n = shifted - shift;
     const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
-    const Scalar second = n * number(0x1.0b4611a6p-34, 0x1.ed5p-14f);
-    const Scalar third = n * number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    const Scalar fourth = n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
-    const Scalar r = first - second;
-    const Scalar taken = first - r;
-    const Scalar error = (first - (r + taken)) - (second - taken);
-    const Scalar high = r - third;
-    const Scalar rest = ((third - (r - high)) - error) + fourth;
+    const Scalar r = first - n * P;
+    const Scalar error = (first - r) - n * P;
+    const Scalar high = r - n * Q;
+    const Scalar rest = ((n * Q - (r - high)) - error) + n * number(0x1.b839a252049c1p-104, 0x1.184698p-44f);
     of_reduced(high, rest, sine, cosine);
-    turn(n, sine, cosine);
+  }
+
+  /// For |x| <= bound.
+  TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
+    Scalar shifted;
+    of_remainder(x, shifted, sine, cosine);
+    turn(shifted - number(0x1.8p52, 0x1.8p23f), sine, cosine);
   }
 };
 
@@ -258,61 +266,151 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
 #endif
 }
 
-/// Of some angles up to the bound, a multiple of what a vector holds. Local arrays, which nothing else can point to.
-template <int size, class Scalar>
-TORSOR_DEVICE TORSOR_INLINED void sincos_of_block(const Scalar* angles, Scalar* sines, Scalar* cosines) noexcept {
-  Scalar x[size], s[size], c[size];
-  for (int i = 0; i < size; ++i) x[i] = angles[i];
-  // Compilers make vector instructions of a loop, but not always of a row of statements.
-#if defined(__clang__)
-#pragma clang loop unroll(disable)
-#elif defined(__GNUC__) && !defined(__CUDACC__)
-#pragma GCC unroll 1
+}  // namespace torsor
+// Sines and cosines of several angles at once: by vector registers where GNU C++ has types for them, which compilers
+// without AVX make of narrower ones; loops over numbers are not left to compilers to find.
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define TORSOR_VECTOR_TYPES
 #endif
-  for (int i = 0; i < size; ++i) SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::core(x[i], s[i], c[i]);
-  for (int i = 0; i < size; ++i) sines[i] = s[i];
-  for (int i = 0; i < size; ++i) cosines[i] = c[i];
+
+namespace torsor {
+
+#if defined(TORSOR_VECTOR_TYPES)
+/// 0, 1, ... as arguments of a template.
+template <int... place>
+struct Places {};
+template <int count, int... place>
+struct FirstPlaces : FirstPlaces<count - 1, count - 1, place...> {};
+template <int... place>
+struct FirstPlaces<0, place...> {
+  using type = Places<place...>;
+};
+
+/// Some registers of equally many numbers, which take the same operations by turns: while the one waits for its last
+/// result, the other is at work. A scalar for SineCosine, of which it needs constants, sums and products only.
+template <class Number, int lanes, int count>
+struct Registers {
+  typedef Number Numbers __attribute__((vector_size(lanes * sizeof(Number))));
+  using Bits = decltype(Numbers{} < Numbers{});
+  Numbers part[count];
+
+  TORSOR_INLINED friend Registers operator+(const Registers& a, const Registers& b) noexcept {
+    Registers sum;
+    for (int i = 0; i < count; ++i) sum.part[i] = a.part[i] + b.part[i];
+    return sum;
+  }
+  TORSOR_INLINED friend Registers operator-(const Registers& a, const Registers& b) noexcept {
+    Registers difference;
+    for (int i = 0; i < count; ++i) difference.part[i] = a.part[i] - b.part[i];
+    return difference;
+  }
+  TORSOR_INLINED friend Registers operator*(const Registers& a, const Registers& b) noexcept {
+    Registers product;
+    for (int i = 0; i < count; ++i) product.part[i] = a.part[i] * b.part[i];
+    return product;
+  }
+};
+
+template <class Number, int lanes, int count>
+struct scalar_traits<Registers<Number, lanes, count>> {
+  using Scalar = Registers<Number, lanes, count>;
+  TORSOR_INLINED static Scalar constant(double in_double, float in_float, const char* /*exact*/) noexcept {
+    constexpr bool is_float = sizeof(Number) == sizeof(float);
+    const Number number = is_float ? static_cast<Number>(in_float) : static_cast<Number>(in_double);
+    Scalar result;
+    for (int i = 0; i < count; ++i) {
+      for (int lane = 0; lane < lanes; ++lane) result.part[i][lane] = number;
+    }
+    return result;
+  }
+};
+
+/// Of angles up to the bound, bit by bit what SineCosine::core gives where nothing is fused. The quarter of the turn is
+/// in the last two bits of `shifted`: it is chosen by bits, not by products.
+template <class Number, int lanes, int count>
+TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& angles,
+                                        Registers<Number, lanes, count>& sines,
+                                        Registers<Number, lanes, count>& cosines) noexcept {
+  using Scalar = Registers<Number, lanes, count>;
+  using Numbers = typename Scalar::Numbers;
+  using Bits = typename Scalar::Bits;
+  constexpr int sign_bit = 8 * static_cast<int>(sizeof(Number)) - 1;
+  Scalar shifted, sine, cosine;
+  SineCosine<Scalar, sizeof(Number) == sizeof(float)>::of_remainder(angles, shifted, sine, cosine);
+  const Bits sign = (Bits)scalar_traits<Scalar>::constant(-0.0, -0.0f, nullptr).part[0];
+  for (int i = 0; i < count; ++i) {
+    const Bits bits = (Bits)shifted.part[i], s = (Bits)sine.part[i], c = (Bits)cosine.part[i];
+    const Bits odd = Bits{} - (bits & 1);  // all bits or none
+    const Bits upper = bits << (sign_bit - 1);
+    // The sine is negated for n = 2 and 3, the cosine for 1 and 2.
+    sines.part[i] = (Numbers)(((odd & c) | (~odd & s)) ^ (upper & sign));
+    cosines.part[i] = (Numbers)(((odd & s) | (~odd & c)) ^ ((upper ^ odd) & sign));
+  }
 }
 
-/// Of several angles at once, in float or double: as many as a vector holds go through the core together.
-template <class Scalar, int N>
-TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
-                                            Scalar (&cosines)[N]) noexcept {
-  constexpr int narrow = 16 / sizeof(Scalar);
+/// Of the angles first to first + size - 1, up to the bound, in one register or two; idle lanes get 0. Returns the sum
+/// of their squares. Places are constants before anything is optimised: lanes then come from registers and go there,
+/// where a way through memory would be stored in parts and loaded whole.
+template <int size, class Number, int N, int... lane, int... place>
+TORSOR_INLINED Number sincos_of_some(int first, const Number (&angles)[N], Number (&sines)[N], Number (&cosines)[N],
+                                     Places<lane...>, Places<place...>) noexcept {
+  constexpr int lanes = sizeof...(lane), count = size > lanes ? 2 : 1;
+  using Some = Registers<Number, lanes, count>;
+  const auto angle = [&](int i) noexcept { return i < size ? angles[first + i] : Number(0); };
+  Some x, s, c;
+  x.part[0] = typename Some::Numbers{angle(lane)...};
+  if constexpr (count == 2) x.part[1] = typename Some::Numbers{angle(lane + lanes)...};
+  sincos_of_registers(x, s, c);
+  ((sines[first + place] = s.part[place / lanes][place % lanes]), ...);
+  ((cosines[first + place] = c.part[place / lanes][place % lanes]), ...);
+  typename Some::Numbers squares = x.part[0] * x.part[0];
+  if constexpr (count == 2) squares += x.part[1] * x.part[1];
+  return (squares[lane] + ...);
+}
+
+/// Of several angles up to the bound, by two registers at a time. Returns the sum of their squares.
+template <class Number, int N>
+TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&sines)[N],
+                                          Number (&cosines)[N]) noexcept {
+  constexpr int narrow = 16 / static_cast<int>(sizeof(Number));
 #if defined(__AVX__)
-  constexpr int wide = 32 / sizeof(Scalar);
+  // Registers of AVX-512 gain nothing for so few numbers.
+  constexpr int lanes = N <= narrow ? narrow : 2 * narrow;
 #else
-  constexpr int wide = narrow;
+  constexpr int lanes = narrow;
 #endif
-#if defined(__CUDA_ARCH__) || defined(TORSOR_STD_SINCOS)
-  constexpr bool by_vectors = false;
-#elif defined(__clang__)
-  constexpr bool by_vectors = N >= 4;  // it leaves a loop over two as it is
-#else
-  constexpr bool by_vectors = N >= narrow;
-#endif
-  if constexpr (by_vectors) {
-    constexpr int vector = N >= wide ? wide : narrow, rest = N % vector;
-    // Of a rest some angles are done again: a whole vector costs less than two or three alone.
+  constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
+  using AllLanes = typename FirstPlaces<lanes>::type;
+  Number squares = 0;
+  // One copy of the code: its constants stay where they are.
 #if defined(__clang__)
-    sincos_of_block<N - rest>(angles, sines, cosines);  // best as one loop
-    if constexpr (rest > 1) {
-      sincos_of_block<vector>(angles + (N - vector), sines + (N - vector), cosines + (N - vector));
-    }
+#pragma clang loop unroll(disable)
 #else
-    for (int next = 0; next < N - (rest == 1); next += vector) {
-      const int first = next + vector <= N ? next : N - vector;
-      sincos_of_block<vector>(angles + first, sines + first, cosines + first);
-    }
+#pragma GCC unroll 1
 #endif
-    if constexpr (rest == 1) sincos_of_one(angles[N - 1], sines[N - 1], cosines[N - 1]);
+  for (int i = 0; i < whole; i += both)
+    squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+  if constexpr (rest > 0)
+    squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
+  return squares;
+}
+#endif
+
+/// Of several angles at once, in float or double.
+template <class Scalar, int N>
+TORSOR_DEVICE TORSOR_INLINED void sincos_of_several(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
+#if defined(TORSOR_VECTOR_TYPES) && !defined(TORSOR_STD_SINCOS)
+  constexpr bool at_once = N > 1;
+#else
+  constexpr bool at_once = false;
+#endif
+  if constexpr (at_once) {
+    const Scalar squares = sincos_in_registers(angles, sines, cosines);
     constexpr Scalar bound = static_cast<Scalar>(SineCosine<Scalar, sizeof(Scalar) == sizeof(float)>::bound);
-    Scalar sum = 0;
-    for (int i = 0; i < N; ++i) sum += std::abs(angles[i]);
-    const bool to_one_side = rounds_to_one_side(sum);
-    if (sum <= bound && !to_one_side) return;
+    if (squares <= bound * bound && !rounds_to_one_side(squares)) return;
     for (int i = 0; i < N; ++i) {
-      if (std::abs(angles[i]) > bound || to_one_side) sincos_far(angles[i], sines[i], cosines[i]);
+      if (std::abs(angles[i]) > bound || rounds_to_one_side(angles[i])) sincos_far(angles[i], sines[i], cosines[i]);
     }
   } else {
     for (int i = 0; i < N; ++i) sincos_of_one(angles[i], sines[i], cosines[i]);
@@ -321,17 +419,19 @@ TORSOR_DEVICE inline void sincos_of_several(const Scalar (&angles)[N], Scalar (&
 
 /// Of several angles of any scalar: at once where its traits have a `sincos` of arrays, else one by one.
 template <class Scalar, int N>
-TORSOR_DEVICE auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N], int) noexcept
+TORSOR_DEVICE TORSOR_INLINED auto sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], int) noexcept
     -> decltype(scalar_traits<Scalar>::sincos(angles, sines, cosines)) {
   scalar_traits<Scalar>::sincos(angles, sines, cosines);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N],
-                                    long) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sincos_by_traits(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                   Scalar (&cosines)[N], long) noexcept {
   for (int i = 0; i < N; ++i) scalar_traits<Scalar>::sincos(angles[i], sines[i], cosines[i]);
 }
 template <class Scalar, int N>
-TORSOR_DEVICE void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+TORSOR_DEVICE TORSOR_INLINED void sines_and_cosines(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                    Scalar (&cosines)[N]) noexcept {
   sincos_by_traits(angles, sines, cosines, 0);
 }
 
@@ -368,7 +468,8 @@ struct scalar_traits {
   }
   /// Of several angles at once; a specialisation without it gets them one by one.
   template <int N>
-  TORSOR_DEVICE static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N], Scalar (&cosines)[N]) noexcept {
+  TORSOR_DEVICE TORSOR_INLINED static void sincos(const Scalar (&angles)[N], Scalar (&sines)[N],
+                                                  Scalar (&cosines)[N]) noexcept {
     sincos_of_several(angles, sines, cosines);
   }
   TORSOR_DEVICE static Scalar sqrt(const Scalar& x) noexcept { return std::sqrt(x); }
@@ -381,7 +482,7 @@ struct scalar_traits {
 };
 
 }  // namespace torsor
-#elif TORSOR_KERNEL_SUPPORT != 2
+#elif TORSOR_KERNEL_SUPPORT != 3
 #error "headers of incompatible versions of torsor meet here: write them again with one version"
 #endif
 
@@ -395,7 +496,7 @@ struct Mechanism {
 
   static constexpr const char* name = "tumbler";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x2566469ad8b2aa7fULL;
+  static constexpr unsigned long long fingerprint = 0x34c40e26b02bace6ULL;
   static constexpr int coordinate_count = 6;
   static constexpr int velocity_count = 6;
   static constexpr int input_count = 0;
@@ -655,64 +756,64 @@ struct Mechanism {
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
     const Scalar s_phi = sines_[2], c_phi = cosines_[2];
-    const Scalar z27 = s_psi * c_theta;
-    const Scalar z28 = s_psi * s_theta;
-    const Scalar z29 = c_psi * c_theta;
-    const Scalar z30 = c_psi * s_theta;
-    const Scalar z31 = v_psi * s_theta;
     const Scalar z32 = v_psi * c_theta;
+    const Scalar z40 = s_theta * c_phi;
+    const Scalar z31 = v_psi * s_theta;
+    const Scalar z74 = v_phi * c_phi;
+    const Scalar z27 = s_psi * c_theta;
+    const Scalar z29 = c_psi * c_theta;
+    const Scalar z60 = n0_05 * c_theta;
+    const Scalar z28 = s_psi * s_theta;
+    const Scalar z30 = c_psi * s_theta;
+    const Scalar z39 = s_theta * s_phi;
+    const Scalar z73 = v_theta * c_theta;
+    const Scalar z77 = v_phi * s_phi;
+    const Scalar z80 = v_theta * s_theta;
     const Scalar z33 = c_psi * v_theta;  // angular velocity of tumbler.2, x
     const Scalar z34 = s_psi * v_theta;  // angular velocity of tumbler.2, y
+    const Scalar z49 = c_theta * p_a;
+    const Scalar z46 = v_psi + c_theta * v_phi;  // angular velocity of tumbler, z
     const Scalar z35 = c_psi * c_phi - s_phi * z27;
     const Scalar z36 = c_psi * s_phi + c_phi * z27;
     const Scalar z37 = s_psi * c_phi + s_phi * z29;
     const Scalar z38 = s_psi * s_phi - c_phi * z29;
-    const Scalar z39 = s_theta * s_phi;
-    const Scalar z40 = s_theta * c_phi;
     const Scalar z41 = v_theta * c_phi + s_phi * z31;
     const Scalar z42 = v_theta * s_phi - c_phi * z31;
     const Scalar z43 = v_phi + z32;
     const Scalar z44 = v_phi * z28 + z33;  // angular velocity of tumbler, x
     const Scalar z45 = v_phi * z30 - z34;  // angular velocity of tumbler, y
-    const Scalar z46 = v_psi + c_theta * v_phi;  // angular velocity of tumbler, z
     const Scalar z47 = p_a * z28;
     const Scalar z48 = p_a * z30;
-    const Scalar z49 = c_theta * p_a;
+    const Scalar z52 = q_z - z49;
+    const Scalar z58 = n0_05 * z39;
+    const Scalar z59 = n0_05 * z40;
+    const Scalar z75 = s_theta * z74 + s_phi * z73;
+    const Scalar z78 = s_theta * z77 - c_phi * z73;
+    const Scalar z81 = n0_05 * z80;
     const Scalar z50 = q_x - z47;
     const Scalar z51 = q_y + z48;
-    const Scalar z52 = q_z - z49;
+    const Scalar z63 = c_theta * z60 + z39 * z58 + z40 * z59;
     const Scalar z53 = p_a * z42;
     const Scalar z54 = p_a * z41;
+    const Scalar z61 = z28 * z60 + z35 * z58 - z36 * z59;
+    const Scalar z62 = z30 * z60 - z37 * z58 + z38 * z59;
+    const Scalar z64 = z43 * z59 + z42 * z60;
+    const Scalar z65 = z41 * z60 - z43 * z58;
+    const Scalar z66 = z41 * z59 + z42 * z58;
     const Scalar z55 = v_x + z35 * z53 - z36 * z54;
     const Scalar z56 = v_y + z37 * z53 - z38 * z54;
     const Scalar z57 = v_z + z39 * z53 + z40 * z54;
-    const Scalar z58 = n0_05 * z39;
-    const Scalar z59 = n0_05 * z40;
-    const Scalar z60 = n0_05 * c_theta;
-    const Scalar z61 = z28 * z60 + z35 * z58 - z36 * z59;
-    const Scalar z62 = z30 * z60 - z37 * z58 + z38 * z59;
-    const Scalar z63 = c_theta * z60 + z39 * z58 + z40 * z59;
-    const Scalar z64 = z42 * z60 + z43 * z59;
-    const Scalar z65 = z41 * z60 - z43 * z58;
-    const Scalar z66 = z41 * z59 + z42 * z58;
-    const Scalar z67 = v_x - z28 * z66 + z35 * z64 - z36 * z65;
-    const Scalar z68 = v_y + z30 * z66 + z37 * z64 - z38 * z65;
-    const Scalar z69 = v_z - c_theta * z66 + z39 * z64 + z40 * z65;
+    const Scalar z76 = n0_05 * z75;
+    const Scalar z79 = n0_05 * z78;
+    const Scalar z82 = z28 * z81 - z35 * z76 - z36 * z79;
+    const Scalar z67 = v_x + z35 * z64 - z28 * z66 - z36 * z65;
+    const Scalar z68 = v_y + z37 * z64 + z30 * z66 - z38 * z65;
+    const Scalar z69 = v_z + z39 * z64 - c_theta * z66 + z40 * z65;
+    const Scalar z83 = z30 * z81 + z37 * z76 + z38 * z79;
+    const Scalar z84 = c_theta * z81 - z39 * z76 + z40 * z79;
     const Scalar z70 = q_x - z61;
     const Scalar z71 = q_y + z62;
     const Scalar z72 = q_z - z63;
-    const Scalar z73 = v_theta * c_theta;
-    const Scalar z74 = v_phi * c_phi;
-    const Scalar z75 = s_theta * z74 + s_phi * z73;
-    const Scalar z76 = n0_05 * z75;
-    const Scalar z77 = v_phi * s_phi;
-    const Scalar z78 = s_theta * z77 - c_phi * z73;
-    const Scalar z79 = n0_05 * z78;
-    const Scalar z80 = v_theta * s_theta;
-    const Scalar z81 = n0_05 * z80;
-    const Scalar z82 = z28 * z81 - z35 * z76 - z36 * z79;
-    const Scalar z83 = z30 * z81 + z37 * z76 + z38 * z79;
-    const Scalar z84 = c_theta * z81 - z39 * z76 + z40 * z79;
     const Scalar z85 = z67 + z82;
     const Scalar z86 = z68 - z83;
     const Scalar z87 = z69 + z84;
@@ -783,12 +884,12 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
-    const Scalar z95 = k0 * c_theta;
+    const Scalar z109 = s_theta * z108;
     const Scalar z98 = c_theta * z26;
     const Scalar z99 = s_theta * z26;
+    const Scalar z95 = k0 * c_theta;
     const Scalar z100 = s_psi * z98;
     const Scalar z101 = c_psi * z98;
-    const Scalar z109 = s_theta * z108;
     const Scalar z112 = k0 - s_theta * z109;
     const Scalar z114 = c_psi * z99;
     const Scalar z115 = s_psi * z99;
@@ -852,26 +953,26 @@ struct Mechanism {
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
     const Scalar z31 = v_psi * s_theta;
     const Scalar z32 = v_psi * c_theta;
-    const Scalar z43 = v_phi + z32;
+    const Scalar z148 = v_theta * v_theta;
     const Scalar z135 = n9_81 * s_theta;
+    const Scalar z43 = v_phi + z32;
     const Scalar z137 = v_theta * z32;  // angular acceleration of tumbler.2, y
     const Scalar z138 = v_theta * z31;  // angular acceleration of tumbler.2, z
+    const Scalar z147 = z31 * z32;
+    const Scalar z149 = z31 * z31;
     const Scalar z141 = z31 * z43;
     const Scalar z142 = v_theta * z43;
-    const Scalar z143 = k1 * z141;  // moment on tumbler, x
-    const Scalar z144 = k1 * z142;  // moment on tumbler, y
     const Scalar z145 = k1 * z138;  // moment on tumbler, z
     const Scalar z146 = n2 * z137;
-    const Scalar z147 = z31 * z32;
-    const Scalar z148 = v_theta * v_theta;
-    const Scalar z149 = z31 * z31;
     const Scalar z150 = z148 + z149;
-    const Scalar z151 = z26 * z146;  // force on tumbler.2, x
     const Scalar z152 = z26 * z147;  // force on tumbler.2, y
+    const Scalar z143 = k1 * z141;  // moment on tumbler, x
+    const Scalar z144 = k1 * z142;  // moment on tumbler, y
+    const Scalar z151 = z26 * z146;  // force on tumbler.2, x
     const Scalar z153 = z26 * z150;  // force on tumbler.2, z
-    const Scalar z154 = z25 * z147 - z26 * z135 - z143;  // moment on tumbler.2, x
+    const Scalar z154 = z25 * z147 - z143 - z26 * z135;  // moment on tumbler.2, x
     const Scalar z155 = z25 * z146 - z144;  // moment on tumbler.2, y
-    const Scalar z156 = s_theta * z153 + c_theta * z152;
+    const Scalar z156 = c_theta * z152 + s_theta * z153;
     const Scalar z157 = s_theta * z152 - c_theta * z153;
     const Scalar z159 = s_theta * z155 - c_theta * z145;
     const Scalar z160 = s_psi * z156 - c_psi * z151;
@@ -888,10 +989,10 @@ struct Mechanism {
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
   TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Multipliers& multipliers, GeneralizedForces& forces) noexcept {
-    const Scalar k0 = traits::constant(0.00015, 0.00015f, "3/20000");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
-    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
     const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
+    const Scalar k2 = traits::constant(0.00015, 0.00015f, "3/20000");
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
     const Scalar a_x = accelerations.x;
     const Scalar a_y = accelerations.y;
     const Scalar q_z = state.q.z;
@@ -914,51 +1015,51 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
-    const Scalar z28 = s_psi * s_theta;
-    const Scalar z30 = c_psi * s_theta;
     const Scalar z31 = v_psi * s_theta;
     const Scalar z32 = v_psi * c_theta;
-    const Scalar z43 = v_phi + z32;
-    const Scalar z137 = v_theta * z32;  // angular acceleration of tumbler.2, y
-    const Scalar z141 = z31 * z43;
-    const Scalar z142 = v_theta * z43;
-    const Scalar z143 = k0 * z141;  // moment on tumbler, x
-    const Scalar z144 = k0 * z142;  // moment on tumbler, y
-    const Scalar z147 = z31 * z32;
     const Scalar z148 = v_theta * v_theta;
-    const Scalar z149 = z31 * z31;
-    const Scalar z150 = z148 + z149;
-    const Scalar z153 = z26 * z150;  // force on tumbler.2, z
+    const Scalar z172 = a_psi * s_theta;
+    const Scalar z173 = a_psi * c_theta;
     const Scalar z169 = n9_81 + a_z;
     const Scalar z170 = a_x * c_psi + a_y * s_psi;
     const Scalar z171 = a_x * s_psi - a_y * c_psi;
-    const Scalar z172 = a_psi * s_theta;
-    const Scalar z173 = a_psi * c_theta;
-    const Scalar z174 = s_theta * z169 - c_theta * z171;
-    const Scalar z176 = v_theta * z32 + z172;  // angular acceleration of tumbler.2, y
-    const Scalar z177 = v_theta * z31 - z173;  // angular acceleration of tumbler.2, z
-    const Scalar z180 = a_phi - z177;  // angular acceleration of tumbler, z
-    const Scalar z181 = k0 * z180;  // moment on tumbler, z
-    const Scalar z182 = z137 + z176;
-    const Scalar z183 = a_theta - z147;
-    const Scalar z184 = z26 * z182;  // force on tumbler.2, x
-    const Scalar z185 = z26 * z183;  // force on tumbler.2, y
-    const Scalar z186 = z25 * (a_theta - z147) + z26 * z174 + z143;  // moment on tumbler.2, x
-    const Scalar z187 = z25 * z182 - z26 * z170 - z144;  // moment on tumbler.2, y
-    const Scalar z188 = s_theta * z153 - c_theta * z185;
-    const Scalar z189 = s_theta * z185 + c_theta * z153;
-    const Scalar z191 = s_theta * z187 + c_theta * z181;
-    const Scalar z192 = s_psi * z188 - c_psi * z184;
-    const Scalar z193 = s_psi * z184 + c_psi * z188;
-    const Scalar z196 = n0_2 * a_x + z192;  // force on tumbler.z, x
-    const Scalar z197 = n0_2 * a_y - z193;  // force on tumbler.z, y
-    const Scalar z198 = n0_2 * z169 + z189;  // force on tumbler.z, z
     const Scalar z209 = n0_05 - q_z;
+    const Scalar z28 = s_psi * s_theta;
+    const Scalar z30 = c_psi * s_theta;
     const Scalar z210 = q_z + z209;
     const Scalar z211 = s_psi * z210;
     const Scalar z212 = c_psi * z210;
+    const Scalar z43 = v_phi + z32;
+    const Scalar z137 = v_theta * z32;  // angular acceleration of tumbler.2, y
+    const Scalar z147 = z31 * z32;
+    const Scalar z149 = z31 * z31;
+    const Scalar z176 = v_theta * z32 + z172;  // angular acceleration of tumbler.2, y
+    const Scalar z177 = v_theta * z31 - z173;  // angular acceleration of tumbler.2, z
     const Scalar z213 = z30 * z210;
     const Scalar z214 = z28 * z210;
+    const Scalar z141 = z31 * z43;
+    const Scalar z142 = v_theta * z43;
+    const Scalar z150 = z148 + z149;
+    const Scalar z183 = a_theta - z147;
+    const Scalar z174 = s_theta * z169 - c_theta * z171;
+    const Scalar z180 = a_phi - z177;  // angular acceleration of tumbler, z
+    const Scalar z182 = z137 + z176;
+    const Scalar z143 = k2 * z141;  // moment on tumbler, x
+    const Scalar z144 = k2 * z142;  // moment on tumbler, y
+    const Scalar z153 = z26 * z150;  // force on tumbler.2, z
+    const Scalar z185 = z26 * z183;  // force on tumbler.2, y
+    const Scalar z181 = k2 * z180;  // moment on tumbler, z
+    const Scalar z184 = z26 * z182;  // force on tumbler.2, x
+    const Scalar z186 = z143 + z25 * (a_theta - z147) + z26 * z174;  // moment on tumbler.2, x
+    const Scalar z187 = z25 * z182 - z144 - z26 * z170;  // moment on tumbler.2, y
+    const Scalar z188 = s_theta * z153 - c_theta * z185;
+    const Scalar z189 = s_theta * z185 + c_theta * z153;
+    const Scalar z192 = s_psi * z188 - c_psi * z184;
+    const Scalar z193 = s_psi * z184 + c_psi * z188;
+    const Scalar z198 = n0_2 * z169 + z189;  // force on tumbler.z, z
+    const Scalar z191 = c_theta * z181 + s_theta * z187;
+    const Scalar z197 = n0_2 * a_y - z193;  // force on tumbler.z, y
+    const Scalar z196 = n0_2 * a_x + z192;  // force on tumbler.z, x
     forces.x = z196 - l_X;
     forces.y = z197 - l_Y;
     forces.z = z198 - l_N;
@@ -972,14 +1073,14 @@ struct Mechanism {
   /// positive relative to its diagonal entry.
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
       const Inputs&, Accelerations& accelerations, Multipliers& multipliers) noexcept {
-    const Scalar k0 = traits::constant(0.00015, 0.00015f, "3/20000");
-    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
-    const Scalar n1_962 = traits::constant(1.962, 1.962f, "981/500");
     const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
-    const Scalar k5 = traits::constant(6666.666666666667, 6666.6665f, "20000/3");
+    const Scalar k1 = traits::constant(0.00015, 0.00015f, "3/20000");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar k3 = traits::constant(6666.666666666667, 6666.6665f, "20000/3");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n1_962 = traits::constant(1.962, 1.962f, "981/500");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_z = state.q.z;
     const Scalar q_psi = state.q.psi;
@@ -996,151 +1097,151 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
+    const Scalar z99 = s_theta * z26;
+    const Scalar z231 = s_theta * s_theta * z25;
+    const Scalar z98 = c_theta * z26;
+    const Scalar z209 = n0_05 - q_z;
     const Scalar z28 = s_psi * s_theta;
+    const Scalar z210 = q_z + z209;
+    const Scalar z95 = k1 * c_theta;
     const Scalar z30 = c_psi * s_theta;
     const Scalar z31 = v_psi * s_theta;
     const Scalar z32 = v_psi * c_theta;
-    const Scalar z43 = v_phi + z32;
+    const Scalar z148 = v_theta * v_theta;
+    const Scalar z212 = c_psi * z210;
+    const Scalar z211 = s_psi * z210;
+    const Scalar z135 = n9_81 * s_theta;
     const Scalar z73 = v_theta * c_theta;
-    const Scalar z95 = k0 * c_theta;
-    const Scalar z98 = c_theta * z26;
-    const Scalar z99 = s_theta * z26;
+    const Scalar z216 = v_psi * c_psi;
+    const Scalar z218 = v_psi * s_psi;
+    const Scalar z109 = s_theta * z108;
+    const Scalar z43 = v_phi + z32;
     const Scalar z100 = s_psi * z98;
     const Scalar z101 = c_psi * z98;
-    const Scalar z109 = s_theta * z108;
-    const Scalar z112 = k0 - s_theta * z109;
+    const Scalar z112 = k1 - s_theta * z109;
     const Scalar z114 = c_psi * z99;
     const Scalar z115 = s_psi * z99;
-    const Scalar z135 = n9_81 * s_theta;
     const Scalar z137 = v_theta * z32;  // angular acceleration of tumbler.2, y
     const Scalar z138 = v_theta * z31;  // angular acceleration of tumbler.2, z
-    const Scalar z141 = z31 * z43;
-    const Scalar z142 = v_theta * z43;
-    const Scalar z143 = k0 * z141;  // moment on tumbler, x
-    const Scalar z144 = k0 * z142;  // moment on tumbler, y
-    const Scalar z145 = k0 * z138;  // moment on tumbler, z
-    const Scalar z146 = n2 * z137;
     const Scalar z147 = z31 * z32;
-    const Scalar z148 = v_theta * v_theta;
     const Scalar z149 = z31 * z31;
-    const Scalar z150 = z148 + z149;
-    const Scalar z151 = z26 * z146;  // force on tumbler.2, x
-    const Scalar z152 = z26 * z147;  // force on tumbler.2, y
-    const Scalar z153 = z26 * z150;  // force on tumbler.2, z
-    const Scalar z154 = z25 * z147 - z26 * z135 - z143;  // moment on tumbler.2, x
-    const Scalar z155 = z25 * z146 - z144;  // moment on tumbler.2, y
-    const Scalar z156 = s_theta * z153 + c_theta * z152;
-    const Scalar z157 = s_theta * z152 - c_theta * z153;
-    const Scalar z160 = s_psi * z156 - c_psi * z151;
-    const Scalar z161 = s_psi * z151 + c_psi * z156;
-    const Scalar z164 = n1_962 - z157;  // force on tumbler.z, z
-    const Scalar z209 = n0_05 - q_z;
-    const Scalar z210 = q_z + z209;
-    const Scalar z211 = s_psi * z210;
-    const Scalar z212 = c_psi * z210;
     const Scalar z213 = z30 * z210;
     const Scalar z214 = z28 * z210;
-    const Scalar z216 = v_psi * c_psi;
     const Scalar z217 = z210 * z216;
-    const Scalar z218 = v_psi * s_psi;
     const Scalar z219 = c_psi * z73 - s_theta * z218;
-    const Scalar z220 = z210 * z219;
-    const Scalar z221 = v_theta * z217 - v_phi * z220;
     const Scalar z223 = z210 * z218;
     const Scalar z224 = s_psi * z73 + s_theta * z216;
-    const Scalar z225 = z210 * z224;
-    const Scalar z226 = v_theta * z223 - v_phi * z225;
-    const Scalar z230 = k5 * z95;
-    const Scalar z231 = s_theta * s_theta * z25;
+    const Scalar z230 = k3 * z95;
+    const Scalar z235 = z99 * z232;
+    const Scalar z141 = z31 * z43;
+    const Scalar z142 = v_theta * z43;
+    const Scalar z145 = k1 * z138;  // moment on tumbler, z
+    const Scalar z146 = n2 * z137;
+    const Scalar z150 = z148 + z149;
+    const Scalar z152 = z26 * z147;  // force on tumbler.2, y
     const Scalar z233 = z100 * z232;
     const Scalar z234 = z101 * z232;
-    const Scalar z235 = z99 * z232;
-    const Scalar z236 = n0_2 - z100 * z233;
-    const Scalar z237 = z100 * z234;
-    const Scalar z238 = n0_2 - z101 * z234;
     const Scalar z239 = z100 * z235;
     const Scalar z240 = z101 * z235;
     const Scalar z241 = n0_2 - z99 * z235;
     const Scalar z242 = n1 / z231;
+    const Scalar z265 = z213 * z230;
+    const Scalar z266 = z211 * z235;
+    const Scalar z275 = z214 * z230;
+    const Scalar z276 = z212 * z235;
+    const Scalar z143 = k1 * z141;  // moment on tumbler, x
+    const Scalar z144 = k1 * z142;  // moment on tumbler, y
+    const Scalar z151 = z26 * z146;  // force on tumbler.2, x
+    const Scalar z153 = z26 * z150;  // force on tumbler.2, z
+    const Scalar z236 = n0_2 - z100 * z233;
+    const Scalar z237 = z100 * z234;
+    const Scalar z238 = n0_2 - z101 * z234;
+    const Scalar z220 = z210 * z219;
+    const Scalar z225 = z210 * z224;
+    const Scalar z248 = n1 / z241;
+    const Scalar z154 = z25 * z147 - z143 - z26 * z135;  // moment on tumbler.2, x
+    const Scalar z155 = z25 * z146 - z144;  // moment on tumbler.2, y
+    const Scalar z156 = c_theta * z152 + s_theta * z153;
+    const Scalar z157 = s_theta * z152 - c_theta * z153;
+    const Scalar z221 = v_theta * z217 - v_phi * z220;
+    const Scalar z226 = v_theta * z223 - v_phi * z225;
+    const Scalar z160 = s_psi * z156 - c_psi * z151;
+    const Scalar z161 = s_psi * z151 + c_psi * z156;
+    const Scalar z164 = n1_962 - z157;  // force on tumbler.z, z
+    const Scalar z300 = s_theta * z155;
     const Scalar z243 = z114 * z242;
     const Scalar z244 = z115 * z242;
+    const Scalar z301 = z154 * z235 + z164;
     const Scalar z245 = z114 * z243 - z236;
     const Scalar z246 = z114 * z244 - z237;
     const Scalar z247 = z115 * z244 - z238;
-    const Scalar z248 = n1 / z241;
     const Scalar z249 = z239 * z248;
     const Scalar z250 = z240 * z248;
     const Scalar z251 = z239 * z249 + z245;
     const Scalar z252 = z239 * z250 - z246;
     const Scalar z253 = z240 * z250 + z247;
+    const Scalar z267 = z211 * z234 - z244 * z265 + z250 * z266;
+    const Scalar z277 = n1 - z212 * z234 - z244 * z275 - z250 * z276;
+    const Scalar z302 = z154 * z234 - z161 + z244 * z300 + z250 * z301;
     const Scalar z254 = n1 / z253;
     const Scalar z255 = z252 * z254;
     const Scalar z256 = z251 - z252 * z255;
-    const Scalar z257 = n1 / z256;
     const Scalar z258 = z249 - z250 * z255;
+    const Scalar z268 = n1 - z211 * z233 - z243 * z265 - z249 * z266 + z255 * z267;
+    const Scalar z278 = z212 * z233 - z243 * z275 + z249 * z276 + z255 * z277;
+    const Scalar z303 = z154 * z233 - z160 - z243 * z300 + z249 * z301 - z255 * z302;
+    const Scalar z257 = n1 / z256;
     const Scalar z259 = z257 * z258;
+    const Scalar z269 = z257 * z268;
+    const Scalar z279 = z257 * z278;
+    const Scalar z304 = z257 * z303;
     const Scalar z260 = z250 * z254 - z255 * z259;
+    const Scalar z270 = z254 * z267 + z255 * z269;
+    const Scalar z280 = z254 * z277 + z255 * z279;
+    const Scalar z305 = z254 * z302 - z255 * z304;
     const Scalar z261 = z248 - z249 * z259 - z250 * z260;
     const Scalar z262 = z243 * z259 - z244 * z260;
-    const Scalar z263 = z233 * z259 + z234 * z260 - z235 * z261;
-    const Scalar z264 = z230 * z262;
-    const Scalar z265 = z213 * z230;
-    const Scalar z266 = z211 * z235;
-    const Scalar z267 = z211 * z234 - z244 * z265 + z250 * z266;
-    const Scalar z268 = n1 - z211 * z233 - z243 * z265 - z249 * z266 + z255 * z267;
-    const Scalar z269 = z257 * z268;
-    const Scalar z270 = z254 * z267 + z255 * z269;
     const Scalar z271 = z248 * z266 + z249 * z269 - z250 * z270;
     const Scalar z272 = z242 * z265 + z243 * z269 + z244 * z270;
-    const Scalar z273 = z211 * z232 + z233 * z269 - z234 * z270 + z235 * z271;
-    const Scalar z274 = k5 * z213 + z230 * z272;
-    const Scalar z275 = z214 * z230;
-    const Scalar z276 = z212 * z235;
-    const Scalar z277 = n1 - z212 * z234 - z244 * z275 - z250 * z276;
-    const Scalar z278 = z212 * z233 - z243 * z275 + z249 * z276 + z255 * z277;
-    const Scalar z279 = z257 * z278;
-    const Scalar z280 = z254 * z277 + z255 * z279;
     const Scalar z281 = z248 * z276 - z249 * z279 + z250 * z280;
     const Scalar z282 = z242 * z275 + z243 * z279 + z244 * z280;
-    const Scalar z283 = z212 * z232 - z233 * z279 + z234 * z280 + z235 * z281;
-    const Scalar z284 = k5 * z214 + z230 * z282;
-    const Scalar z285 = z211 * z263 + z213 * z264 - z259;
-    const Scalar z286 = z211 * z273 + z213 * z274 - z269;
-    const Scalar z287 = z212 * z263 - z214 * z264 - z260;
-    const Scalar z288 = z212 * z273 - z214 * z274 + z270;
-    const Scalar z289 = z212 * z283 + z214 * z284 - z280;
-    const Scalar z290 = n1 / z289;
-    const Scalar z291 = z287 * z290;
-    const Scalar z292 = z288 * z290;
-    const Scalar z293 = z261 - z287 * z291;
-    const Scalar z294 = z285 - z287 * z292;
-    const Scalar z295 = z286 - z288 * z292;
-    const Scalar z296 = n1 / z295;
-    const Scalar z297 = z294 * z296;
-    const Scalar z298 = z293 - z294 * z297;
-    const Scalar z299 = n1 / z298;
-    const Scalar z300 = s_theta * z155;
-    const Scalar z301 = z154 * z235 + z164;
-    const Scalar z302 = z154 * z234 - z161 + z244 * z300 + z250 * z301;
-    const Scalar z303 = z154 * z233 - z160 - z243 * z300 + z249 * z301 - z255 * z302;
-    const Scalar z304 = z257 * z303;
-    const Scalar z305 = z254 * z302 - z255 * z304;
     const Scalar z306 = z248 * z301 - z249 * z304 - z250 * z305;
     const Scalar z307 = z242 * z300 + z243 * z304 - z244 * z305;
+    const Scalar z263 = z233 * z259 + z234 * z260 - z235 * z261;
+    const Scalar z264 = z230 * z262;
+    const Scalar z283 = z212 * z232 - z233 * z279 + z234 * z280 + z235 * z281;
+    const Scalar z284 = k3 * z214 + z230 * z282;
+    const Scalar z289 = z212 * z283 - z280 + z214 * z284;
+    const Scalar z273 = z211 * z232 + z233 * z269 - z234 * z270 + z235 * z271;
     const Scalar z308 = z154 * z232 - z233 * z304 - z234 * z305 + z235 * z306;
-    const Scalar z309 = k5 * z145 + z230 * z307;
-    const Scalar z310 = z211 * z308 - z213 * z309 + z221 + z304;
-    const Scalar z311 = z212 * z308 + z214 * z309 - z226 + z305;
+    const Scalar z274 = k3 * z213 + z230 * z272;
+    const Scalar z288 = z270 + z212 * z273 - z214 * z274;
+    const Scalar z290 = n1 / z289;
+    const Scalar z286 = z211 * z273 - z269 + z213 * z274;
+    const Scalar z309 = k3 * z145 + z230 * z307;
+    const Scalar z285 = z213 * z264 - z259 + z211 * z263;
+    const Scalar z310 = z221 + z304 + z211 * z308 - z213 * z309;
+    const Scalar z292 = z288 * z290;
+    const Scalar z287 = z212 * z263 - z260 - z214 * z264;
+    const Scalar z311 = z305 - z226 + z212 * z308 + z214 * z309;
+    const Scalar z295 = z286 - z288 * z292;
+    const Scalar z291 = z287 * z290;
+    const Scalar z294 = z285 - z287 * z292;
+    const Scalar z296 = n1 / z295;
+    const Scalar z293 = z261 - z287 * z291;
     const Scalar z312 = z292 * z311 - z310;
-    const Scalar z313 = z291 * z311 - z297 * z312 + z306;
+    const Scalar z297 = z294 * z296;
+    const Scalar z298 = z293 - z294 * z297;
+    const Scalar z313 = z306 + z291 * z311 - z297 * z312;
+    const Scalar z299 = n1 / z298;
     const Scalar z314 = z299 * z313;
     const Scalar z315 = z296 * z312 - z297 * z314;
     const Scalar z316 = z290 * z311 + z291 * z314 + z292 * z315;
-    const Scalar z317 = z259 * z314 + z269 * z315 + z279 * z316 - z304;
-    const Scalar z318 = z260 * z314 - z270 * z315 - z280 * z316 - z305;
-    const Scalar z320 = z262 * z314 + z272 * z315 + z282 * z316 - z307;
-    const Scalar z321 = z263 * z314 + z273 * z315 - z283 * z316 + z308;
-    const Scalar z322 = z264 * z314 + z274 * z315 + z284 * z316 - z309;
+    const Scalar z317 = z259 * z314 - z304 + z269 * z315 + z279 * z316;
+    const Scalar z318 = z260 * z314 - z305 - z270 * z315 - z280 * z316;
+    const Scalar z320 = z262 * z314 - z307 + z272 * z315 + z282 * z316;
+    const Scalar z321 = z308 + z263 * z314 + z273 * z315 - z283 * z316;
+    const Scalar z322 = z264 * z314 - z309 + z274 * z315 + z284 * z316;
     accelerations.x = z317;
     accelerations.y = -z318;
     accelerations.z = n0;
@@ -1164,9 +1265,9 @@ struct Mechanism {
   TORSOR_DEVICE static void energy(const Precomputed& precomputed, const State& state, const Inputs&,
       Energy& result) noexcept {
     const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
-    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
-    const Scalar k2 = traits::constant(7.5e-05, 7.5e-05f, "3/40000");
+    const Scalar k1 = traits::constant(7.5e-05, 7.5e-05f, "3/40000");
     const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n1_962 = traits::constant(1.962, 1.962f, "981/500");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
@@ -1188,23 +1289,23 @@ struct Mechanism {
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
     const Scalar s_phi = sines_[2], c_phi = cosines_[2];
+    const Scalar z324 = v_x * s_psi - v_y * c_psi;
     const Scalar z31 = v_psi * s_theta;
+    const Scalar z323 = v_x * c_psi + v_y * s_psi;
     const Scalar z32 = v_psi * c_theta;
+    const Scalar z98 = c_theta * z26;
     const Scalar z41 = v_theta * c_phi + s_phi * z31;
     const Scalar z42 = v_theta * s_phi - c_phi * z31;
     const Scalar z43 = v_phi + z32;
-    const Scalar z98 = c_theta * z26;
-    const Scalar z323 = v_x * c_psi + v_y * s_psi;
-    const Scalar z324 = v_x * s_psi - v_y * c_psi;
     const Scalar z325 = v_z * s_theta - c_theta * z324;
     const Scalar z326 = v_z * c_theta + s_theta * z324;
-    const Scalar z327 = s_phi * z325 + c_phi * z323;
+    const Scalar z327 = c_phi * z323 + s_phi * z325;
     const Scalar z328 = s_phi * z323 - c_phi * z325;
     const Scalar z329 = z26 * z42 + n0_2 * z327;
     const Scalar z330 = z26 * z41 - n0_2 * z328;
     const Scalar z331 = z25 * z41 - z26 * z328;
     const Scalar z332 = z25 * z42 + z26 * z327;
-    result.kinetic = n0_5 * (z41 * z331 + z42 * z332 + z327 * z329 - z328 * z330) + k2 * z43 * z43 + n0_1 * z326 * z326;
+    result.kinetic = k1 * z43 * z43 + n0_1 * z326 * z326 + n0_5 * (z41 * z331 + z42 * z332 + z327 * z329 - z328 * z330);
     result.force_function = -n1_962 * q_z + n9_81 * z98;
     result.power = n0;
   }
@@ -1228,26 +1329,26 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
-    const Scalar z28 = s_psi * s_theta;
-    const Scalar z30 = c_psi * s_theta;
     const Scalar z73 = v_theta * c_theta;
     const Scalar z209 = n0_05 - q_z;
+    const Scalar z216 = v_psi * c_psi;
+    const Scalar z218 = v_psi * s_psi;
+    const Scalar z28 = s_psi * s_theta;
+    const Scalar z30 = c_psi * s_theta;
     const Scalar z210 = q_z + z209;
     const Scalar z211 = s_psi * z210;
     const Scalar z212 = c_psi * z210;
     const Scalar z213 = z30 * z210;
     const Scalar z214 = z28 * z210;
-    const Scalar z215 = v_x - v_theta * z211 + v_phi * z213;
-    const Scalar z216 = v_psi * c_psi;
     const Scalar z217 = z210 * z216;
-    const Scalar z218 = v_psi * s_psi;
     const Scalar z219 = c_psi * z73 - s_theta * z218;
-    const Scalar z220 = z210 * z219;
-    const Scalar z221 = v_theta * z217 - v_phi * z220;
-    const Scalar z222 = v_y + v_theta * z212 + v_phi * z214;
     const Scalar z223 = z210 * z218;
     const Scalar z224 = s_psi * z73 + s_theta * z216;
+    const Scalar z215 = v_x - v_theta * z211 + v_phi * z213;
+    const Scalar z222 = v_y + v_theta * z212 + v_phi * z214;
+    const Scalar z220 = z210 * z219;
     const Scalar z225 = z210 * z224;
+    const Scalar z221 = v_theta * z217 - v_phi * z220;
     const Scalar z226 = v_theta * z223 - v_phi * z225;
     result.value[0] = -z209;
     result.rate[0] = v_z;

@@ -9,6 +9,7 @@
 
 #include "generator/emission/cpp_names.hpp"
 #include "generator/emission/generation_constant.hpp"
+#include "generator/emission/issue_order.hpp"
 #include "generator/emission/series_emitter.hpp"
 #include "generator/emission/text_template.hpp"
 #include "generator/expression/error.hpp"
@@ -120,7 +121,11 @@ void FunctionEmitter::compute(const Block& block) {
   }
   done_.assign(program_->size(), false);
   define_sines_and_cosines(block);
-  for (const Atom atom : block.definitions) define(atom);
+  std::vector<Atom> left;
+  for (const Atom atom : block.definitions) {
+    if (!done_[static_cast<std::size_t>(atom)]) left.push_back(atom);
+  }
+  for (const Atom atom : issue_order(*program_, left)) define(atom);
 }
 
 void FunctionEmitter::define(Atom atom) {

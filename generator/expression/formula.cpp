@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "generator/expression/arrival.hpp"
+
 namespace torsor {
 namespace {
 
@@ -160,7 +162,8 @@ Formula expanded(const Polynomial& polynomial) {
 }
 
 Formula formula(const Program& program, const Polynomial& sum) {
-  return program.passes().factoring ? factored(sum) : expanded(sum);
+  Formula formula = program.passes().factoring ? factored(sum) : expanded(sum);
+  return program.passes().scheduling ? in_order_of_arrival(program, std::move(formula)) : formula;
 }
 
 Formula formula(const Program& program, const Definition& definition) {

@@ -13,7 +13,7 @@ const std::vector<PassName>& pass_names() {
   static const std::vector<PassName> names{
       {"sharing", &Passes::sharing},       {"identities", &Passes::identities}, {"factoring", &Passes::factoring},
       {"hoisting", &Passes::hoisting},     {"regrouping", &Passes::regrouping}, {"off_axis", &Passes::off_axis},
-      {"length_unit", &Passes::length_unit}};
+      {"length_unit", &Passes::length_unit}, {"scheduling", &Passes::scheduling}};
   return names;
 }
 

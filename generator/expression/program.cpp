@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "generator/expression/arrival.hpp"
 #include "generator/expression/derivative.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/expression/expression_node.hpp"
@@ -31,6 +32,7 @@ Stage stage_of_symbol(SymbolKind kind) {
 Program::Program(Resolver resolver, const Passes& passes) : resolver_(std::move(resolver)), passes_(passes) {}
 
 Atom Program::append(Definition definition) {
+  arrivals_.push_back(torsor::arrival(*this, definition));
   definitions_.push_back(std::move(definition));
   functions_.emplace_back();
   return static_cast<Atom>(definitions_.size()) - 1;

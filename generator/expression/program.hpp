@@ -98,6 +98,8 @@ class Program {
   const Passes& passes() const { return passes_; }
   std::size_t size() const { return definitions_.size(); }
   const Definition& operator[](Atom atom) const { return definitions_[static_cast<std::size_t>(atom)]; }
+  /// When an atom is known, in cycles after all symbols are (arrival.hpp).
+  int arrival(Atom atom) const { return arrivals_[static_cast<std::size_t>(atom)]; }
   std::optional<Atom> find(const SymbolPointer& symbol) const;
 
   /// Every atom the values depend on, directly or not, in creation order: the live part of the program.
@@ -117,6 +119,7 @@ class Program {
   Resolver resolver_;
   Passes passes_;
   std::vector<Definition> definitions_;
+  std::vector<int> arrivals_;  ///< of each definition
   std::unordered_map<const Symbol*, Atom> symbols_;
   std::unordered_map<std::size_t, std::vector<Atom>> sums_;  ///< by hash of the polynomial
   std::vector<std::vector<std::pair<Function, Atom>>> functions_;  ///< by argument

@@ -48,7 +48,7 @@ struct scalar_traits<runtime::Simd<Number, lanes, instructions>> {
 #else
     using Core = SineCosine<Scalar, is_float>;
     if constexpr (Scalar::in_register) {
-      runtime::sincos_in_registers<is_float>(angles, sines, cosines);
+      runtime::sincos_in_packs(angles, sines, cosines);
     } else {
       for (int i = 0; i < N; ++i) Core::core(angles[i], sines[i], cosines[i]);
     }

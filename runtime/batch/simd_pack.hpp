@@ -55,7 +55,7 @@ struct LaneStorage {
     constexpr const bool& operator[](int i) const noexcept { return lane[i]; }
   };
 };
-#if defined(__GNUC__)
+#if defined(__GNUC__) && !defined(__CUDACC__)
 template <class Number, int lanes>
 struct LaneStorage<Number, lanes, true> {
   typedef Number Numbers __attribute__((vector_size(lanes * sizeof(Number))));
@@ -64,7 +64,7 @@ struct LaneStorage<Number, lanes, true> {
 #endif
 
 constexpr bool fits_register([[maybe_unused]] int bytes) noexcept {
-#if defined(__GNUC__)
+#if defined(__GNUC__) && !defined(__CUDACC__)
   return bytes >= 8 && bytes <= vector_bytes && (bytes & (bytes - 1)) == 0;
 #else
   return false;
@@ -85,11 +85,13 @@ class Simd {
   static constexpr int lanes = lane_count;
   static constexpr bool in_register = detail::fits_register(lane_count * static_cast<int>(sizeof(Number)));
 
+
  private:
   using Storage = detail::LaneStorage<Number, lane_count, in_register>;
-  using Numbers = typename Storage::Numbers;
 
  public:
+  using Numbers = typename Storage::Numbers;  ///< the vector type of a register, or an array
+
   /// What a comparison says, lane by lane. It is true when it holds in all lanes.
   class Mask {
    public:
@@ -260,39 +262,10 @@ class Simd {
   }
   [[nodiscard]] friend TORSOR_SIMD_INLINED Simd sqrt(const Simd& a) noexcept { return Simd::sqrt(a); }
 
-  /// Sine and cosine of r + n pi/2 from those of r and from `turned`, n plus a number so large (1.5 2^52 or 1.5 2^23)
-  /// that the last bit counts 1: the last two bits are n modulo 4. Only of packs that fill a register.
-  TORSOR_SIMD_INLINED static void turn(const Simd& turned, const Simd& sine_of_r, const Simd& cosine_of_r, Simd& sine,
-                                       Simd& cosine) noexcept {
-    static_assert(in_register, "the bits of packs in arrays are out of reach");
-    using Flags = typename Storage::Flags;
-    constexpr int sign_bit = 8 * static_cast<int>(sizeof(Number)) - 1;
-    const Flags bits = (Flags)turned.values_, sign = (Flags)Simd(Number(-0.0)).values_;
-    const Flags odd = bits << sign_bit, upper = bits << (sign_bit - 1);
-    const Numbers s = by_sign(odd, cosine_of_r.values_, sine_of_r.values_);
-    const Numbers c = by_sign(odd, sine_of_r.values_, cosine_of_r.values_);
-    // The sine is negated for n = 2 and 3, the cosine for 1 and 2.
-    sine.values_ = (Numbers)((Flags)s ^ (upper & sign));
-    cosine.values_ = (Numbers)((Flags)c ^ ((upper ^ odd) & sign));
-  }
+  [[nodiscard]] TORSOR_SIMD_INLINED const Numbers& numbers() const noexcept { return values_; }
+  TORSOR_SIMD_INLINED void set(const Numbers& numbers) noexcept { values_ = numbers; }
 
  private:
-  /// Of each lane the one where the bit of the sign is set.
-  template <class Flags>
-  TORSOR_SIMD_INLINED static Numbers by_sign(const Flags& flags, const Numbers& set, const Numbers& clear) noexcept {
-#if defined(__AVX__)
-    if constexpr (sizeof(Numbers) == 32) {
-      if constexpr (sizeof(Number) == 8) {
-        return (Numbers)_mm256_blendv_pd((__m256d)clear, (__m256d)set, (__m256d)flags);
-      } else {
-        return (Numbers)_mm256_blendv_ps((__m256)clear, (__m256)set, (__m256)flags);
-      }
-    }
-#endif
-    const Flags where = flags < Flags{};
-    return (Numbers)((where & (Flags)set) | (~where & (Flags)clear));
-  }
-
   TORSOR_SIMD_INLINED static Mask less(const Simd& a, const Simd& b) noexcept {
     Mask mask;
     if constexpr (in_register) {

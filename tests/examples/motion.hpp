@@ -13,9 +13,8 @@
 namespace examples {
 
 /// Where a motion has come at t1; a failure of the integration fails the test.
-template <class Motion, class Method>
-[[nodiscard]] auto state_at(const Motion& motion, typename Motion::Vector y, double t0, double t1,
-                            const Method& method) {
+template <class Motion, class Vector, class Method>
+[[nodiscard]] Vector state_at(const Motion& motion, Vector y, double t0, double t1, const Method& method) {
   const auto result = torsor::runtime::integrate(motion, y, t0, t1, method);
   EXPECT_TRUE(result) << torsor::runtime::describe(result);
   return y;

@@ -24,7 +24,7 @@ for options in "-O2" "-O3" "-O2 -mavx2 -mfma" "-O3 -mavx2 -mfma"; do
         END { print packed + 0, single + 0 }')"
       read -r packed single <<< "$products"
       echo "$compiler $options, $count angles in $scalar: $packed packed products, $single single ones"
-      [ "$packed" -ge 20 ] && [ "$single" -eq 0 ] || exit 1
+      [ "$packed" -ge 15 ] && [ "$single" -eq 0 ] || exit 1
     done
   done
 done

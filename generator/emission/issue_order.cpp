@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/emission/issue_order.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <queue>
+#include <set>
+#include <unordered_map>
+
+#include "generator/expression/arrival.hpp"
+
+namespace torsor {
+namespace {
+
+/// Values that registers hold, of 16 (AVX2) or 32 (AVX-512, ARM) with what the stack takes at little cost.
+constexpr int held_values = 32;
+/// Only so many definitions after the first that waits are looked at: what is near in the program shares its operands.
+constexpr std::size_t horizon = 100;
+/// Operations begun in a cycle, and the cycles that a processor looks ahead of one that waits.
+constexpr double operations_in_a_cycle = 2.0, window = 30.0;
+
+using NodeNumber = std::size_t;  // among the definitions
+
+struct IssueNode {
+  std::vector<NodeNumber> operands, users;
+  double from_start = 0;   ///< cycles, after its operands
+  double to_the_end = 0;   ///< from its result to the last result of all
+  double operations = 0;
+  std::size_t missing = 0;  ///< operands not yet issued
+  std::size_t uses = 0;     ///< users not yet issued
+  double known = 0;         ///< the cycle of its result, once issued
+};
+
+std::vector<IssueNode> nodes_of(const Program& program, const std::vector<Atom>& definitions) {
+  std::unordered_map<Atom, NodeNumber> places;
+  for (NodeNumber k = 0; k < definitions.size(); ++k) places.emplace(definitions[k], k);
+  std::vector<IssueNode> nodes(definitions.size());
+  // Users come after operands in the program: backwards, each one's way to the end is known when it is looked at.
+  for (NodeNumber k = definitions.size(); k-- > 0;) {
+    IssueNode& node = nodes[k];
+    const Formula right_side = formula(program, program[definitions[k]]);
+    node.operations = std::max(1, count(right_side).total());
+    int before = 0;
+    for_each_delay(program, right_side, [&](Atom atom, int cycles) {
+      const auto place = places.find(atom);
+      if (place == places.end()) return;
+      IssueNode& operand = nodes[place->second];
+      operand.to_the_end = std::max(operand.to_the_end, node.to_the_end + cycles);
+      before = std::max(before, program.arrival(atom));
+      if (!operand.users.empty() && operand.users.back() == k) return;
+      operand.users.push_back(k);
+      ++operand.uses;
+      node.operands.push_back(place->second);
+    });
+    node.missing = node.operands.size();
+    node.from_start = std::max(0, arrival(program, right_side) - before);
+  }
+  return nodes;
+}
+
+class Scheduler {
+ public:
+  explicit Scheduler(std::vector<IssueNode> nodes) : nodes_(std::move(nodes)), issued_(nodes_.size(), false) {}
+
+  std::vector<NodeNumber> run() {
+    for (NodeNumber k = 0; k < nodes_.size(); ++k) {
+      if (nodes_[k].missing == 0) waiting_.emplace(start(k), k);
+    }
+    while (order_.size() < nodes_.size()) {
+      while (issued_[first_]) ++first_;
+      while (!waiting_.empty() && waiting_.top().first <= cycle_) make_available();
+      std::optional<NodeNumber> next = choice();
+      while (!next) {
+        make_available();
+        next = choice();
+      }
+      issue(*next);
+    }
+    return order_;
+  }
+
+ private:
+  using Urgency = std::pair<double, NodeNumber>;  ///< the smaller, the more urgent; ties in the program's order
+  Urgency urgency(NodeNumber k) const { return {-nodes_[k].to_the_end, k}; }
+
+  /// When its operands are there.
+  double start(NodeNumber k) const {
+    double time = 0;
+    for (const NodeNumber operand : nodes_[k].operands) time = std::max(time, nodes_[operand].known);
+    return time;
+  }
+
+  /// Values that are live because of it, less those it is the last to use. A result goes to memory.
+  int growth(NodeNumber k) const {
+    int change = nodes_[k].uses > 0 ? 1 : 0;
+    for (const NodeNumber operand : nodes_[k].operands) change -= nodes_[operand].uses == 1 ? 1 : 0;
+    return change;
+  }
+
+  void make_available() {
+    available_.insert(urgency(waiting_.top().second));
+    waiting_.pop();
+  }
+
+  /// The most urgent of those that are available and near; where too many values are live the one that frees most.
+  std::optional<NodeNumber> choice() const {
+    std::optional<NodeNumber> best;
+    int least = 0;
+    for (const Urgency& each : available_) {
+      const NodeNumber k = each.second;
+      if (k >= first_ + horizon) continue;
+      if (live_ < held_values) return k;
+      const int change = growth(k);
+      if (!best || change < least) best = k, least = change;
+    }
+    return best;
+  }
+
+  void issue(NodeNumber k) {
+    IssueNode& node = nodes_[k];
+    available_.erase(urgency(k));
+    order_.push_back(k);
+    issued_[k] = true;
+    live_ += growth(k);
+    const double from = start(k);
+    cycle_ = std::max(cycle_, from - window) + node.operations / operations_in_a_cycle;
+    node.known = std::max(cycle_, from + node.from_start);
+    for (const NodeNumber operand : node.operands) --nodes_[operand].uses;
+    for (const NodeNumber user : node.users) {
+      if (--nodes_[user].missing == 0) waiting_.emplace(start(user), user);
+    }
+  }
+
+  std::vector<IssueNode> nodes_;
+  std::vector<NodeNumber> order_;
+  std::vector<bool> issued_;
+  NodeNumber first_ = 0;  ///< the first in the program's order that is not issued
+  std::set<Urgency> available_;  ///< their operands are there
+  using Arrival = std::pair<double, NodeNumber>;
+  std::priority_queue<Arrival, std::vector<Arrival>, std::greater<>> waiting_;  ///< until their operands are
+  double cycle_ = 0;
+  int live_ = 0;
+};
+
+}  // namespace
+
+std::vector<Atom> issue_order(const Program& program, const std::vector<Atom>& definitions) {
+  if (!program.passes().scheduling) return definitions;
+  // Constants of the generation stage are literals; what is computed once for all states needs no haste.
+  const auto is_urgent = [&](Atom atom) { return program[atom].stage > Stage::parameters; };
+  std::vector<Atom> order, urgent;
+  for (const Atom atom : definitions) (is_urgent(atom) ? urgent : order).push_back(atom);
+  Scheduler scheduler(nodes_of(program, urgent));
+  for (const NodeNumber k : scheduler.run()) order.push_back(urgent[k]);
+  return order;
+}
+
+}  // namespace torsor

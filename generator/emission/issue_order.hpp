@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "generator/expression/program.hpp"
+
+namespace torsor {
+
+/// The definitions of a function in the order in which it computes them: list scheduling (Gibbons & Muchnick 1986) for
+/// a processor that looks some way ahead. What the results wait for longest goes first, unless more values are live
+/// than registers hold: then what frees most. Same definitions, same bits; without the pass `scheduling` in the
+/// program's order.
+std::vector<Atom> issue_order(const Program& program, const std::vector<Atom>& definitions);
+
+}  // namespace torsor

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+#include "generator/expression/formula.hpp"
+#include "generator/expression/program.hpp"
+
+namespace torsor {
+
+/// Cycles from operands to result, about those of today's processors (Zen 2 to 4, Skylake to Golden Cove: Fog,
+/// Instruction tables); a product that is added at once is fused with the sum.
+struct Latency {
+  static constexpr int addition = 3;
+  static constexpr int multiplication = 3;
+  static constexpr int fused = 4;
+  static constexpr int division = 13;
+  static constexpr int square_root = 18;
+  static constexpr int sine_cosine = 45;
+  static constexpr int other = 60;
+};
+
+/// When a result is there, in cycles after all symbols are, with as many units as it takes.
+int arrival(const Program& program, const Formula& formula);
+/// Of an atom that is about to be appended: from its sum as it stands, nothing taken out.
+int arrival(const Program& program, const Definition& definition);
+
+/// Calls for each atom that a formula reads, with the cycles from there to the formula's result; an atom that stands in
+/// it several times is told several times.
+void for_each_delay(const Program& program, const Formula& formula, const std::function<void(Atom, int)>& call);
+
+/// The terms of all sums in the order in which they are known where that makes a sum known earlier, as they stand
+/// elsewhere. A term that is no product comes before two products, with which both are fused, unless the sum waits for
+/// it: one instruction less for eight cycles. The first term is not subtracted.
+Formula in_order_of_arrival(const Program& program, Formula formula);
+
+}  // namespace torsor
