@@ -343,12 +343,22 @@ TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& a
   SineCosine<Scalar, sizeof(Number) == sizeof(float)>::of_remainder(angles, shifted, sine, cosine);
   const Bits sign = (Bits)scalar_traits<Scalar>::constant(-0.0, -0.0f, nullptr).part[0];
   for (int i = 0; i < count; ++i) {
-    const Bits bits = (Bits)shifted.part[i], s = (Bits)sine.part[i], c = (Bits)cosine.part[i];
-    const Bits odd = Bits{} - (bits & 1);  // all bits or none
-    const Bits upper = bits << (sign_bit - 1);
+    const Numbers s = sine.part[i], c = cosine.part[i];
+    const Bits bits = (Bits)shifted.part[i];
+    const Bits odd = bits << sign_bit, upper = bits << (sign_bit - 1);
+    Numbers sine_of_rest, cosine_of_rest;
+    if constexpr (sizeof(Numbers) == 32) {  // AVX has an instruction that looks at the bit of the sign
+      const Bits exchanged = odd < Bits{};
+      sine_of_rest = exchanged ? c : s;
+      cosine_of_rest = exchanged ? s : c;
+    } else {
+      const Bits exchanged = Bits{} - (bits & 1);
+      sine_of_rest = (Numbers)((exchanged & (Bits)c) | (~exchanged & (Bits)s));
+      cosine_of_rest = (Numbers)((exchanged & (Bits)s) | (~exchanged & (Bits)c));
+    }
     // The sine is negated for n = 2 and 3, the cosine for 1 and 2.
-    sines.part[i] = (Numbers)(((odd & c) | (~odd & s)) ^ (upper & sign));
-    cosines.part[i] = (Numbers)(((odd & s) | (~odd & c)) ^ ((upper ^ odd) & sign));
+    sines.part[i] = (Numbers)((Bits)sine_of_rest ^ (upper & sign));
+    cosines.part[i] = (Numbers)((Bits)cosine_of_rest ^ ((upper ^ odd) & sign));
   }
 }
 
@@ -500,7 +510,7 @@ struct Mechanism {
 
   static constexpr const char* name = "falling_plate";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x9be5ab5e98a4177dULL;
+  static constexpr unsigned long long fingerprint = 0x9a573c5e2980908cULL;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 4;
   static constexpr int input_count = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One generated header as a controller would compile it: once for any processor and once for this one, in a namespace
-// each, so that neither takes the other's functions. The build defines MODEL, the header's namespace, MODEL_NAME,
+// One generated header as a controller would compile it: for any processor, for this one, and by another compiler, in a
+// namespace each, so that none takes another's functions. The build defines MODEL, the header's namespace, MODEL_NAME,
 // MODEL_WITHOUT, MODEL_HEADER, MODEL_BUILD and MODEL_OPTIONS.
 #include "benchmarks/kernels/measured.hpp"
 

@@ -19,7 +19,8 @@ struct Measured {
   std::vector<Way> (*ways)(Quantity, const Batch&);
 };
 
-/// All headers of the build: for this processor with all passes first, then for any, then with passes left out.
+/// All headers of the build: for this processor with all passes first, then by the other compiler, then for any
+/// processor, then with passes left out.
 std::vector<Measured> generated_headers();
 
 }  // namespace kernels

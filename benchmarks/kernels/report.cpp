@@ -75,12 +75,12 @@ std::string operations_in(const std::filesystem::path& header, Quantity quantity
 }
 
 void print_heading() {
-  fmt::print("{:<8}{:<18}{:<22}{:<18}{:<7}{:>30}{:>26}{:>9}{:>12}\n", "model", "quantity", "", "build", "scalar",
+  fmt::print("{:<8}{:<18}{:<22}{:<26}{:<7}{:>30}{:>26}{:>9}{:>12}\n", "model", "quantity", "", "build", "scalar",
              "ns for one state (quartiles)", "ratio to the first", "differs", "operations");
 }
 
 void print(const Row& row) {
-  fmt::print("{:<8}{:<18}{:<22}{:<18}{:<7}{:>30}{:>26}{:>9.0e}{:>12}\n", row.model, name_of(row.quantity),
+  fmt::print("{:<8}{:<18}{:<22}{:<26}{:<7}{:>30}{:>26}{:>9.0e}{:>12}\n", row.model, name_of(row.quantity),
              row.way.without.empty() ? row.way.competitor : "without " + row.way.without, row.way.build, row.way.scalar,
              text_of(row.timing.nanoseconds, 1), text_of(row.timing.ratio, 2), row.difference, row.operations);
 }
