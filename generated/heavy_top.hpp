@@ -622,7 +622,7 @@ struct Mechanism {
 
   static constexpr const char* name = "heavy_top";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x0256b97cf8dc3d99ULL;
+  static constexpr unsigned long long fingerprint = 0x01f0ead82af1d619ULL;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -1183,13 +1183,13 @@ struct Mechanism {
     const Scalar z178 = s_beta * z27 - c_beta * z40;
     const Scalar z183 = n15 * z182;
     const Scalar z192 = z27 * z27 + z28 * z40;
-    const Scalar z283 = n64_over_975 * z184;
     const Scalar z88 = a_gamma - z86;  // angular acceleration of top, y
     const Scalar z92 = z60 + z85;
     const Scalar z188 = n15_over_32 * z85;
     const Scalar z189 = z61 + z86;
     const Scalar z66 = n15_over_32 * z64;  // moment on top, x
     const Scalar z68 = n15_over_32 * z65;  // moment on top, z
+    const Scalar z283 = n64_over_975 * z184;
     const Scalar z186 = z157 + n975_over_64 * z185;
     const Scalar z269 = n64_over_975 * z183;
     const Scalar z90 = n15_over_32 * z88;  // moment on top, y

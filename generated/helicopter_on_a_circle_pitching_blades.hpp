@@ -504,7 +504,7 @@ struct Mechanism {
 
   static constexpr const char* name = "helicopter_on_a_circle_pitching_blades";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xbf4b31ac8ac06ba3ULL;
+  static constexpr unsigned long long fingerprint = 0x479506cc5cc8b895ULL;
   static constexpr int coordinate_count = 5;
   static constexpr int velocity_count = 5;
   static constexpr int input_count = 1;
@@ -790,8 +790,8 @@ struct Mechanism {
   /// matrices column by column.
   TORSOR_DEVICE static void kinematics(const Precomputed& precomputed, const State& state,
       Kinematics& result) noexcept {
-    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
     const Scalar n100 = traits::constant(100.0, 100.0f, "100/1");
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
@@ -832,9 +832,9 @@ struct Mechanism {
     const Scalar z48 = s_theta * c_phi;
     const Scalar z49 = s_theta * s_phi;
     const Scalar z55 = p_omega + c_theta * v_phi;  // angular velocity of rotor, z
-    const Scalar z109 = n3 * z52;
     const Scalar z33 = n100 * z4;
     const Scalar z34 = n100 * z3;
+    const Scalar z109 = n3 * z52;
     const Scalar z60 = c_theta * s_alpha_1 - c_alpha_1 * z49;
     const Scalar z61 = c_theta * c_alpha_1 + s_alpha_1 * z49;
     const Scalar z67 = v_alpha_1 * z48 + z55;  // angular velocity of blade_1, z
@@ -849,12 +849,12 @@ struct Mechanism {
     const Scalar z103 = v_alpha_4 * z49 + z55;  // angular velocity of blade_4, z
     const Scalar z106 = n3 * z48;
     const Scalar z110 = n3 * z51;
-    const Scalar z116 = n3 * z49;
-    const Scalar z119 = n3 * z50;
     const Scalar z44 = z3 * s_phi - c_phi * z38;
+    const Scalar z116 = n3 * z49;
     const Scalar z45 = z3 * c_phi + s_phi * z38;
     const Scalar z46 = z4 * s_phi + c_phi * z40;
     const Scalar z47 = z4 * c_phi - s_phi * z40;
+    const Scalar z119 = n3 * z50;
     const Scalar z53 = v_phi * z39;  // angular velocity of rotor, x
     const Scalar z54 = v_phi * z41;  // angular velocity of rotor, y
     const Scalar z113 = c_theta * z110 - z49 * z109;

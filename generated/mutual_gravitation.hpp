@@ -509,7 +509,7 @@ struct Mechanism {
 
   static constexpr const char* name = "mutual_gravitation";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xee53a685dff33df7ULL;
+  static constexpr unsigned long long fingerprint = 0xceac2697b9833169ULL;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 4;
   static constexpr int input_count = 0;
@@ -1114,18 +1114,18 @@ struct Mechanism {
     const Scalar z151 = z26 * z150;
     const Scalar z152 = z18 * z150;
     const Scalar z155 = n0_5 * v_r;
+    const Scalar z147 = z145 + z146;
     const Scalar z157 = n1_5 * v_r;
     const Scalar z142 = n3 * z141;
-    const Scalar z147 = z145 + z146;
+    const Scalar z144 = z26 * z143 + z18 * z142;
     const Scalar z148 = n0_75 * z68 + n0_25 * z71;
+    const Scalar z74 = z26 * z68 + z18 * z71;  // moment on line, z
     const Scalar z153 = n3 * z152;
     const Scalar z156 = n3 * z155;
-    const Scalar z74 = z26 * z68 + z18 * z71;  // moment on line, z
     const Scalar z99 = n1 / z42;
-    const Scalar z144 = z26 * z143 + z18 * z142;
+    const Scalar z158 = z26 * z157 + z18 * z156;
     const Scalar z149 = a_phi * z147 + z148;
     const Scalar z154 = n0_75 * z151 + n0_25 * z153;
-    const Scalar z158 = z26 * z157 + z18 * z156;
     const Scalar z95 = n4 * a_X;
     const Scalar z96 = n4 * a_Y;
     const Scalar z131 = n0_5 * z130 / z59;

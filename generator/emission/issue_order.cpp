@@ -13,10 +13,10 @@
 namespace torsor {
 namespace {
 
-/// Values that registers hold, of 16 (AVX2) or 32 (AVX-512, ARM) with what the stack takes at little cost.
-constexpr int held_values = 32;
+/// Values that registers hold, of 16 (AVX2) or 32 (AVX-512, ARM).
+constexpr int held_values = 20;
 /// Only so many definitions after the first that waits are looked at: what is near in the program shares its operands.
-constexpr std::size_t horizon = 100;
+constexpr std::size_t horizon = 60;
 /// Operations begun in a cycle, and the cycles that a processor looks ahead of one that waits.
 constexpr double operations_in_a_cycle = 2.0, window = 30.0;
 
