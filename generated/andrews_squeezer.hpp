@@ -81,11 +81,10 @@ struct SineCosine {
   TORSOR_DEVICE TORSOR_INLINED static Scalar number(double for_double, float for_float) noexcept {
     return scalar_traits<Scalar>::constant(for_double, for_float, nullptr);
   }
+  /// So large that the last bit of what is some less or more counts 1.
+  TORSOR_DEVICE TORSOR_INLINED static Scalar shift() noexcept { return number(0x1.8p52, 0x1.8p23f); }
   /// To the nearest integer, of two the even one.
-  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept {
-    const Scalar unit_ulp = number(0x1.8p52, 0x1.8p23f);
-    return (x + unit_ulp) - unit_ulp;
-  }
+  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept { return (x + shift()) - shift(); }
 
   /// Of high - rest, |high| <= pi/4, rest being about an ulp of high at most.
   TORSOR_DEVICE TORSOR_INLINED static void of_reduced(const Scalar& high, const Scalar& rest, Scalar& sine,
@@ -127,7 +126,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n plus a number so large that its last bit counts 1; what is no
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
   /// number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
@@ -135,10 +134,9 @@ struct SineCosine {
   ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
   TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
                                                         Scalar& cosine) noexcept {
-    const Scalar shift = number(0x1.8p52, 0x1.8p23f);
     const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift;
-    const Scalar n = shifted - shift;
+    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift();
+    const Scalar n = shifted - shift();
     const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
     const Scalar r = first - n * P;
     const Scalar error = (first - r) - n * P;
@@ -151,7 +149,7 @@ struct SineCosine {
   TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
     Scalar shifted;
     of_remainder(x, shifted, sine, cosine);
-    turn(shifted - number(0x1.8p52, 0x1.8p23f), sine, cosine);
+    turn(shifted - shift(), sine, cosine);
   }
 };
 
@@ -271,8 +269,8 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
 }
 
 }  // namespace torsor
-// Sines and cosines of several angles at once: by vector registers where GNU C++ has types for them, which compilers
-// without AVX make of narrower ones; loops over numbers are not left to compilers to find.
+// Sines and cosines of several angles at once, in vector registers where GNU C++ has types for them: of 32 bytes with
+// AVX, else of 16.
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define TORSOR_VECTOR_TYPES
 #endif
@@ -396,14 +394,16 @@ TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&si
   constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
   using AllLanes = typename FirstPlaces<lanes>::type;
   Number squares = 0;
-  // One copy of the code: its constants stay where they are.
+  if constexpr (whole > 0) {
+    // One copy of the code: its constants stay where they are.
 #if defined(__clang__)
 #pragma clang loop unroll(disable)
 #else
 #pragma GCC unroll 1
 #endif
-  for (int i = 0; i < whole; i += both)
-    squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+    for (int i = 0; i < whole; i += both)
+      squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+  }
   if constexpr (rest > 0)
     squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
   return squares;
@@ -510,7 +510,7 @@ struct Mechanism {
 
   static constexpr const char* name = "andrews_squeezer";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x0071352d58a91f1cULL;
+  static constexpr unsigned long long fingerprint = 0xe42e5ef7300a03eeULL;
   static constexpr int coordinate_count = 7;
   static constexpr int velocity_count = 7;
   static constexpr int input_count = 0;
@@ -1380,11 +1380,11 @@ struct Mechanism {
     const Scalar k4 = traits::constant(1.679e-06, 1.679e-06f, "1679/1000000000");
     const Scalar n0_175 = traits::constant(0.175, 0.175f, "7/40");
     const Scalar k6 = traits::constant(1.635096e-06, 1.635096e-06f, "204387/125000000000");
-    const Scalar k7 = traits::constant(0.03635, 0.03635f, "727/20000");
-    const Scalar k8 = traits::constant(0.03273, 0.03273f, "3273/100000");
+    const Scalar n0_033 = traits::constant(0.033, 0.033f, "33/1000");
+    const Scalar k8 = traits::constant(0.03635, 0.03635f, "727/20000");
+    const Scalar k9 = traits::constant(0.03273, 0.03273f, "3273/100000");
     const Scalar n0_014 = traits::constant(0.014, 0.014f, "7/500");
     const Scalar n0_072 = traits::constant(0.072, 0.072f, "9/125");
-    const Scalar n0_033 = traits::constant(0.033, 0.033f, "33/1000");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n4530 = traits::constant(4530.0, 4530.0f, "4530/1");
     const Scalar n352_6605 = traits::constant(352.6605, 352.6605f, "705321/2000");
@@ -1428,19 +1428,19 @@ struct Mechanism {
     const Scalar z245 = k6 * z244;  // force on K4, times 0.04 m, y
     const Scalar z239 = c_Omega * z237;
     const Scalar z248 = c_Phi * z245;
-    const Scalar z122 = k7 - z116;
-    const Scalar z123 = k8 + z117;
+    const Scalar z238 = k6 * z235;  // moment on K6, z
+    const Scalar z246 = k6 * z231;  // moment on K4, z
+    const Scalar z257 = k4 * z229;  // moment on K2, z
+    const Scalar z243 = z238 - z239;  // moment on K7, z
+    const Scalar z251 = z246 - z248;  // moment on K5, z
+    const Scalar z261 = n0_033 - n0_175 * z259 + z257;  // moment on K1, z
+    const Scalar z122 = k8 - z116;
+    const Scalar z123 = k9 + z117;
     const Scalar z216 = n0_02 - z214;
     const Scalar z217 = n0_018 - z215;
-    const Scalar z257 = k4 * z229;  // moment on K2, z
     const Scalar z212 = n0_014 + z122;
     const Scalar z213 = n0_072 - z123;
-    const Scalar z246 = k6 * z231;  // moment on K4, z
-    const Scalar z261 = n0_033 - n0_175 * z259 + z257;  // moment on K1, z
-    const Scalar z238 = k6 * z235;  // moment on K6, z
     const Scalar z218 = z212 * z212 + z213 * z213;
-    const Scalar z251 = z246 - z248;  // moment on K5, z
-    const Scalar z243 = z238 - z239;  // moment on K7, z
     const Scalar z219 = traits::sqrt(z218);
     const Scalar z220 = n1 / z219;
     const Scalar z221 = n4530 - n352_6605 * z220;
@@ -1472,14 +1472,14 @@ struct Mechanism {
     const Scalar n0_04 = traits::constant(0.04, 0.04f, "1/25");
     const Scalar k11 = traits::constant(0.03635, 0.03635f, "727/20000");
     const Scalar k12 = traits::constant(0.03273, 0.03273f, "3273/100000");
+    const Scalar k13 = traits::constant(8.03380146e-07, 8.0338015e-07f, "401690073/500000000000000");
+    const Scalar k14 = traits::constant(9.237125e-07, 9.237125e-07f, "73897/80000000000");
     const Scalar n0_014 = traits::constant(0.014, 0.014f, "7/500");
     const Scalar n0_072 = traits::constant(0.072, 0.072f, "9/125");
-    const Scalar k15 = traits::constant(9.237125e-07, 9.237125e-07f, "73897/80000000000");
-    const Scalar k16 = traits::constant(8.03380146e-07, 8.0338015e-07f, "401690073/500000000000000");
+    const Scalar k17 = traits::constant(6.6455736e-05, 6.645574e-05f, "8306967/125000000000");
+    const Scalar k18 = traits::constant(3.981529833e-05, 3.98153e-05f, "3981529833/100000000000000");
     const Scalar n0_033 = traits::constant(0.033, 0.033f, "33/1000");
-    const Scalar k18 = traits::constant(2.4094568e-06, 2.4094568e-06f, "3011821/1250000000000");
-    const Scalar k19 = traits::constant(3.981529833e-05, 3.98153e-05f, "3981529833/100000000000000");
-    const Scalar k20 = traits::constant(6.6455736e-05, 6.645574e-05f, "8306967/125000000000");
+    const Scalar k20 = traits::constant(2.4094568e-06, 2.4094568e-06f, "3011821/1250000000000");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n4530 = traits::constant(4530.0, 4530.0f, "4530/1");
     const Scalar n352_6605 = traits::constant(352.6605, 352.6605f, "705321/2000");
@@ -1573,20 +1573,20 @@ struct Mechanism {
     const Scalar z380 = n0_04 - z379;
     const Scalar z216 = n0_02 - z214;
     const Scalar z217 = n0_018 - z215;
+    const Scalar z273 = k6 * z270 - k13 * z271;  // moment on K6, z
+    const Scalar z280 = k13 * z268 + k6 * z266;  // moment on K4, z
+    const Scalar z290 = k5 * z264 - k14 * z265;  // moment on K2, z
     const Scalar z212 = n0_014 + z122;
     const Scalar z381 = c_epsilon * z378 + s_epsilon * z380;
     const Scalar z213 = n0_072 - z123;
     const Scalar z382 = s_epsilon * z378 - c_epsilon * z380;
     const Scalar z395 = s_epsilon * z378 + c_epsilon * z379;
     const Scalar z410 = s_epsilon * z379 - c_epsilon * z378;
+    const Scalar z285 = k17 * a_delta + z282 + z280;  // moment on K5, z
     const Scalar z218 = z212 * z212 + z213 * z213;
-    const Scalar z290 = k5 * z264 - k15 * z265;  // moment on K2, z
-    const Scalar z273 = k6 * z270 - k16 * z271;  // moment on K6, z
-    const Scalar z280 = k16 * z268 + k6 * z266;  // moment on K4, z
+    const Scalar z278 = k18 * a_epsilon - z274 - z273;  // moment on K7, z
+    const Scalar z295 = n0_033 - k20 * a_beta - n0_175 * z292 + z290;  // moment on K1, z
     const Scalar z219 = traits::sqrt(z218);
-    const Scalar z295 = n0_033 - k18 * a_beta - n0_175 * z292 + z290;  // moment on K1, z
-    const Scalar z278 = k19 * a_epsilon - z274 - z273;  // moment on K7, z
-    const Scalar z285 = k20 * a_delta + z282 + z280;  // moment on K5, z
     const Scalar z220 = n1 / z219;
     const Scalar z221 = n4530 - n352_6605 * z220;
     const Scalar z223 = z216 * z221;
@@ -1623,14 +1623,14 @@ struct Mechanism {
     const Scalar k11 = traits::constant(9.237125e-07, 9.237125e-07f, "73897/80000000000");
     const Scalar n0_35 = traits::constant(0.35, 0.35f, "7/20");
     const Scalar n0_007 = traits::constant(0.007, 0.007f, "7/1000");
-    const Scalar k14 = traits::constant(0.03635, 0.03635f, "727/20000");
-    const Scalar k15 = traits::constant(0.03273, 0.03273f, "3273/100000");
-    const Scalar k16 = traits::constant(3.981529833e-05, 3.98153e-05f, "3981529833/100000000000000");
-    const Scalar k17 = traits::constant(6.6455736e-05, 6.645574e-05f, "8306967/125000000000");
-    const Scalar k18 = traits::constant(2.4094568e-06, 2.4094568e-06f, "3011821/1250000000000");
+    const Scalar n0_033 = traits::constant(0.033, 0.033f, "33/1000");
+    const Scalar k15 = traits::constant(0.03635, 0.03635f, "727/20000");
+    const Scalar k16 = traits::constant(0.03273, 0.03273f, "3273/100000");
+    const Scalar k17 = traits::constant(3.981529833e-05, 3.98153e-05f, "3981529833/100000000000000");
+    const Scalar k18 = traits::constant(6.6455736e-05, 6.645574e-05f, "8306967/125000000000");
+    const Scalar k19 = traits::constant(2.4094568e-06, 2.4094568e-06f, "3011821/1250000000000");
     const Scalar n0_014 = traits::constant(0.014, 0.014f, "7/500");
     const Scalar n0_072 = traits::constant(0.072, 0.072f, "9/125");
-    const Scalar n0_033 = traits::constant(0.033, 0.033f, "33/1000");
     const Scalar n0_04 = traits::constant(0.04, 0.04f, "1/25");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n4530 = traits::constant(4530.0, 4530.0f, "4530/1");
@@ -1701,43 +1701,43 @@ struct Mechanism {
     const Scalar z186 = k9 + n2 * z177;
     const Scalar z194 = k11 - n0_175 * z193;
     const Scalar z202 = k11 - n0_35 * z193;
+    const Scalar z238 = k0 * z235;  // moment on K6, z
+    const Scalar z246 = k0 * z231;  // moment on K4, z
+    const Scalar z257 = k1 * z229;  // moment on K2, z
     const Scalar z304 = n0_007 - z302;
     const Scalar z313 = n0_028 * z312;
+    const Scalar z243 = z238 - z239;  // moment on K7, z
+    const Scalar z251 = z246 - z248;  // moment on K5, z
+    const Scalar z261 = n0_033 - n0_175 * z259 + z257;  // moment on K1, z
     const Scalar z305 = s_beta * z303 + c_beta * z304;
     const Scalar z306 = s_beta * z304 - c_beta * z303;
-    const Scalar z122 = k14 - z116;
+    const Scalar z122 = k15 - z116;
     const Scalar z314 = v_beta * s_beta;
-    const Scalar z123 = k15 + z117;
+    const Scalar z123 = k16 + z117;
     const Scalar z319 = s_beta * z302 + c_beta * z303;
     const Scalar z315 = v_Theta * s_Theta;
     const Scalar z324 = v_gamma * s_gamma;
     const Scalar z316 = n0_028 * z315;
     const Scalar z325 = v_gamma * z324;
     const Scalar z326 = n0_035 * z325;
-    const Scalar z175 = k16 + z170;
+    const Scalar z175 = k17 + z170;
     const Scalar z327 = v_Theta * z315;
     const Scalar z329 = v_Theta * z312;
     const Scalar z328 = n0_028 * z327;
     const Scalar z330 = n0_028 * z329;
-    const Scalar z191 = k17 + z186;
+    const Scalar z191 = k18 + z186;
     const Scalar z331 = v_beta * z314;
     const Scalar z332 = v_beta * z311;
-    const Scalar z205 = k18 + z202;
+    const Scalar z205 = k19 + z202;
     const Scalar z338 = s_beta * z303 - c_beta * z302;
     const Scalar z216 = n0_02 - z214;
     const Scalar z217 = n0_018 - z215;
-    const Scalar z257 = k1 * z229;  // moment on K2, z
     const Scalar z333 = z303 * z331 + z304 * z332 + s_beta * z328 - c_beta * z330 - n2 * (z311 * z313 - z314 * z316);
     const Scalar z212 = n0_014 + z122;
     const Scalar z339 = v_gamma * z309;
     const Scalar z213 = n0_072 - z123;
     const Scalar z341 = z303 * z332 - z304 * z331 + s_beta * z330 + c_beta * z328 + n2 * (z311 * z316 + z313 * z314);
-    const Scalar z261 = n0_033 - n0_175 * z259 + z257;  // moment on K1, z
-    const Scalar z238 = k0 * z235;  // moment on K6, z
     const Scalar z218 = z212 * z212 + z213 * z213;
-    const Scalar z246 = k0 * z231;  // moment on K4, z
-    const Scalar z251 = z246 - z248;  // moment on K5, z
-    const Scalar z243 = z238 - z239;  // moment on K7, z
     const Scalar z340 = n0_035 * z339;
     const Scalar z343 = n0_02 * s_Phi;
     const Scalar z344 = n0_02 * c_Phi;
@@ -2373,25 +2373,25 @@ struct Mechanism {
     const Scalar z205 = k18 + z202;
     const Scalar z314 = v_beta * s_beta;
     const Scalar z216 = n0_02 - z214;
-    const Scalar z217 = n0_018 - z215;
     const Scalar z290 = k4 * z264 - k10 * z265;  // moment on K2, z
-    const Scalar z212 = n0_014 + z122;
-    const Scalar z315 = v_Theta * s_Theta;
-    const Scalar z213 = n0_072 - z123;
-    const Scalar z319 = s_beta * z302 + c_beta * z303;
-    const Scalar z316 = n0_028 * z315;
-    const Scalar z324 = v_gamma * s_gamma;
-    const Scalar z218 = z212 * z212 + z213 * z213;
     const Scalar z280 = k8 * z268 + k5 * z266;  // moment on K4, z
-    const Scalar z317 = z303 * z311 + s_beta * z313 + c_beta * z316 - z304 * z314;
     const Scalar z273 = k5 * z270 - k8 * z271;  // moment on K6, z
-    const Scalar z219 = traits::sqrt(z218);
+    const Scalar z212 = n0_014 + z122;
+    const Scalar z213 = n0_072 - z123;
     const Scalar z285 = k17 * a_delta + z282 + z280;  // moment on K5, z
+    const Scalar z295 = n0_033 - k18 * a_beta - n0_175 * z292 + z290;  // moment on K1, z
+    const Scalar z278 = k15 * a_epsilon - z274 - z273;  // moment on K7, z
+    const Scalar z319 = s_beta * z302 + c_beta * z303;
+    const Scalar z315 = v_Theta * s_Theta;
+    const Scalar z316 = n0_028 * z315;
+    const Scalar z218 = z212 * z212 + z213 * z213;
+    const Scalar z219 = traits::sqrt(z218);
+    const Scalar z324 = v_gamma * s_gamma;
+    const Scalar z317 = z303 * z311 + s_beta * z313 + c_beta * z316 - z304 * z314;
+    const Scalar z217 = n0_018 - z215;
     const Scalar z327 = v_Theta * z315;
     const Scalar z325 = v_gamma * z324;
     const Scalar z326 = n0_035 * z325;
-    const Scalar z278 = k15 * a_epsilon - z274 - z273;  // moment on K7, z
-    const Scalar z295 = n0_033 - k18 * a_beta - n0_175 * z292 + z290;  // moment on K1, z
     const Scalar z220 = n1 / z219;
     const Scalar z328 = n0_028 * z327;
     const Scalar z221 = n4530 - n352_6605 * z220;
@@ -2475,24 +2475,28 @@ struct Mechanism {
         + l_lambda_E4_x + l_lambda_E6_x);
     const Scalar z624 = k5 * z623;
     const Scalar z626 = z281 - z621;
-    const Scalar z615 = z614 / (z219 * z219);
     const Scalar z622 = z360 * l_lambda_E4_y - z621 + z375 * l_lambda_E4_x;
     const Scalar z625 = c_Phi * z624;
     const Scalar z627 = z626 + z360 * l_lambda_E4_y + z375 * l_lambda_E4_x;
+    const Scalar z615 = z614 / (z219 * z219);
     const Scalar z598 = n2 * v_beta;
     const Scalar z599 = n0_175 * z598;
     const Scalar z606 = z305 * (l_lambda_E3_x + l_lambda_E4_x + l_lambda_E6_x) + z306 * (l_lambda_E3_y + l_lambda_E4_y
         + l_lambda_E6_y);
     const Scalar z600 = s_Theta * z599;
+    const Scalar z608 = n0_175 * z604;
     const Scalar z607 = z319 * (l_lambda_E3_y + l_lambda_E4_y + l_lambda_E6_y) - z338 * (l_lambda_E3_x + l_lambda_E4_x
         + l_lambda_E6_x);
+    const Scalar z601 = k4 * z600;
+    const Scalar z605 = z601 - n0_175 * z604;
     const Scalar z616 = n352_6605 * z615;
     const Scalar z372 = z333 - z371;
     const Scalar z628 = n2 * v_delta;
     const Scalar z629 = c_Phi * z628;
+    const Scalar z631 = z360 * l_lambda_E4_y + z375 * l_lambda_E4_x;
     const Scalar z617 = z215 * z221 - z216 * z616;
     const Scalar z618 = z214 * z221 + z217 * z616;
-    const Scalar z631 = z360 * l_lambda_E4_y + z375 * l_lambda_E4_x;
+    const Scalar z630 = k5 * z629;
     const Scalar z619 = n0_018 * z617 + n0_02 * z618;
     const Scalar z377 = z341 + z376;
     const Scalar z649 = a_beta * z306 - a_Theta * z319 + a_gamma * z132 - z334;
@@ -2507,15 +2511,13 @@ struct Mechanism {
     const Scalar z638 = c_Omega * z637;
     const Scalar z640 = z395 * l_lambda_E6_y - z639 - z410 * l_lambda_E6_x;
     const Scalar z620 = z131 * l_lambda_E3_x - z619 - z132 * l_lambda_E3_y;
-    const Scalar z608 = n0_175 * z604;
     const Scalar z641 = n2 * v_epsilon;
     const Scalar z642 = c_Omega * z641;
     const Scalar z644 = z395 * l_lambda_E6_y - z410 * l_lambda_E6_x;
     const Scalar z407 = z333 + z406;
     const Scalar z647 = a_beta * z306 - a_Theta * z319 - a_epsilon * z382 - a_Omega * z395 + z407;
-    const Scalar z601 = k4 * z600;
+    const Scalar z643 = k5 * z642;
     const Scalar z653 = v_beta * s_beta + z314;
-    const Scalar z605 = z601 - n0_175 * z604;
     const Scalar z654 = v_beta * c_beta + z311;
     const Scalar z656 = z341 + a_beta * z305 + a_Theta * z338;
     const Scalar z412 = z341 + z411;
@@ -2534,7 +2536,6 @@ struct Mechanism {
     const Scalar z676 = a_gamma * z132 - z326;
     const Scalar z679 = n0_02 * z678;
     const Scalar z681 = n0_02 * z680;
-    const Scalar z630 = k5 * z629;
     const Scalar z651 = a_beta * z305 + a_Theta * z338 - a_epsilon * z381 + a_Omega * z410 + z412;
     const Scalar z659 = z303 * z314 - z302 * z311 + s_beta * z316 - c_beta * z313;
     const Scalar z667 = z302 * z314 + z303 * z311 + s_beta * z313 + c_beta * z316;
@@ -2544,7 +2545,6 @@ struct Mechanism {
     const Scalar z669 = z303 * z331 - z302 * z332 + s_beta * z328 - c_beta * z330 - n2 * (z311 * z313 - z314 * z316);
     const Scalar z666 = z338 * (a_beta + a_Theta) + z665;
     const Scalar z670 = z319 * (a_beta + a_Theta) - z669;
-    const Scalar z643 = k5 * z642;
     const Scalar z689 = v_delta * s_delta + z355;
     const Scalar z664 = s_beta * z661 - n2 * (z302 * z311 - z303 * z314) - c_beta * z663;
     const Scalar z668 = n2 * (z302 * z314 + z303 * z311) + s_beta * z663 + c_beta * z661;
@@ -2639,9 +2639,9 @@ struct Mechanism {
     const Scalar z769 = z727 * z766;
     const Scalar z777 = z655 + z664 * z752 + z672 * z754;
     const Scalar z772 = z721 * z771;
-    const Scalar z774 = z717 * z773;
     const Scalar z775 = z319 * z770 - z763 + z382 * z769;
     const Scalar z795 = z664 * z770 - z672 * z772;
+    const Scalar z774 = z717 * z773;
     const Scalar z776 = z713 * z775;
     const Scalar z778 = z657 + z668 * z752 + z675 * z754;
     const Scalar z783 = z722 * z777 + z778;
@@ -2753,10 +2753,10 @@ struct Mechanism {
     const Scalar z844 = z752 * z838 + z837 + z754 * z839 + z750 * z841 + z751 * z843 + z756 * z840 + z758 * z842;
     const Scalar z845 = z790 * z839 - z788 * z838 + z786 * z841 - z787 * z843 + z792 * z840 + z794 * z842;
     const Scalar z853 = z820 * z839 - z818 * z838 + z816 * z841 - z817 * z843 + z822 * z840 + z824 * z842;
-    const Scalar z852 = z845 + z851;
-    const Scalar z872 = z853 + z871;
     const Scalar z880 = z832 * z839 - z830 * z838 + z828 * z841 - z829 * z843 + z834 * z840 + z836 * z842;
     const Scalar z882 = n1 / z844;
+    const Scalar z852 = z845 + z851;
+    const Scalar z872 = z853 + z871;
     const Scalar z881 = z879 + z880;
     const Scalar z883 = z872 * z882;
     const Scalar z884 = z852 * z882;
@@ -2955,15 +2955,15 @@ struct Mechanism {
     const Scalar n0_007 = traits::constant(0.007, 0.007f, "7/1000");
     const Scalar k10 = traits::constant(0.03635, 0.03635f, "727/20000");
     const Scalar k11 = traits::constant(0.03273, 0.03273f, "3273/100000");
+    const Scalar k12 = traits::constant(8.03380146e-07, 8.0338015e-07f, "401690073/500000000000000");
+    const Scalar k13 = traits::constant(9.237125e-07, 9.237125e-07f, "73897/80000000000");
     const Scalar n0_014 = traits::constant(0.014, 0.014f, "7/500");
     const Scalar n0_072 = traits::constant(0.072, 0.072f, "9/125");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
-    const Scalar k15 = traits::constant(9.237125e-07, 9.237125e-07f, "73897/80000000000");
-    const Scalar k16 = traits::constant(8.03380146e-07, 8.0338015e-07f, "401690073/500000000000000");
-    const Scalar k17 = traits::constant(3.981529833e-05, 3.98153e-05f, "3981529833/100000000000000");
+    const Scalar k17 = traits::constant(6.6455736e-05, 6.645574e-05f, "8306967/125000000000");
+    const Scalar k18 = traits::constant(3.981529833e-05, 3.98153e-05f, "3981529833/100000000000000");
     const Scalar n0_033 = traits::constant(0.033, 0.033f, "33/1000");
-    const Scalar k19 = traits::constant(2.4094568e-06, 2.4094568e-06f, "3011821/1250000000000");
-    const Scalar k20 = traits::constant(6.6455736e-05, 6.645574e-05f, "8306967/125000000000");
+    const Scalar k20 = traits::constant(2.4094568e-06, 2.4094568e-06f, "3011821/1250000000000");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n4530 = traits::constant(4530.0, 4530.0f, "4530/1");
     const Scalar n352_6605 = traits::constant(352.6605, 352.6605f, "705321/2000");
@@ -3059,6 +3059,9 @@ struct Mechanism {
     const Scalar z326 = n0_035 * z325;
     const Scalar z216 = n0_02 - z214;
     const Scalar z217 = n0_018 - z215;
+    const Scalar z273 = k7 * z270 - k12 * z271;  // moment on K6, z
+    const Scalar z280 = k12 * z268 + k7 * z266;  // moment on K4, z
+    const Scalar z290 = k6 * z264 - k13 * z265;  // moment on K2, z
     const Scalar z212 = n0_014 + z122;
     const Scalar z328 = n0_028 * z327;
     const Scalar z213 = n0_072 - z123;
@@ -3067,16 +3070,13 @@ struct Mechanism {
     const Scalar z332 = v_beta * z311;
     const Scalar z330 = n0_028 * z329;
     const Scalar z333 = z303 * z331 + z304 * z332 + s_beta * z328 - c_beta * z330 - n2 * (z311 * z313 - z314 * z316);
+    const Scalar z285 = k17 * a_delta + z282 + z280;  // moment on K5, z
     const Scalar z218 = z212 * z212 + z213 * z213;
-    const Scalar z290 = k6 * z264 - k15 * z265;  // moment on K2, z
-    const Scalar z273 = k7 * z270 - k16 * z271;  // moment on K6, z
+    const Scalar z278 = k18 * a_epsilon - z274 - z273;  // moment on K7, z
+    const Scalar z295 = n0_033 - k20 * a_beta - n0_175 * z292 + z290;  // moment on K1, z
     const Scalar z219 = traits::sqrt(z218);
     const Scalar z338 = s_beta * z303 - c_beta * z302;
-    const Scalar z278 = k17 * a_epsilon - z274 - z273;  // moment on K7, z
-    const Scalar z295 = n0_033 - k19 * a_beta - n0_175 * z292 + z290;  // moment on K1, z
     const Scalar z334 = z326 - z333;
-    const Scalar z280 = k16 * z268 + k7 * z266;  // moment on K4, z
-    const Scalar z285 = k20 * a_delta + z282 + z280;  // moment on K5, z
     const Scalar z220 = n1 / z219;
     const Scalar z339 = v_gamma * z309;
     const Scalar z221 = n4530 - n352_6605 * z220;
@@ -3336,6 +3336,7 @@ struct Mechanism {
     const Scalar z607 = z319 * (l_lambda_E3_y + l_lambda_E4_y + l_lambda_E6_y) - z338 * (l_lambda_E3_x + l_lambda_E4_x
         + l_lambda_E6_x);
     const Scalar z615 = z614 / (z219 * z219);
+    const Scalar z608 = n0_175 * z604;
     const Scalar z391 = v_Omega * s_Omega;
     const Scalar z390 = v_epsilon * s_epsilon;
     const Scalar z400 = v_Omega * z391;
@@ -3357,25 +3358,28 @@ struct Mechanism {
     const Scalar z368 = n0_02 * z367;
     const Scalar z402 = v_Omega * z388;
     const Scalar z403 = n0_02 * z402;
+    const Scalar z616 = n352_6605 * z615;
     const Scalar z357 = n0_02 * z356;
     const Scalar z626 = z281 - z621;
-    const Scalar z616 = n352_6605 * z615;
     const Scalar z389 = n0_02 * z388;
     const Scalar z392 = n0_02 * z391;
     const Scalar z598 = n2 * v_beta;
-    const Scalar z599 = n0_175 * z598;
-    const Scalar z360 = s_delta * z343 - c_delta * z344;
     const Scalar z617 = z215 * z221 - z216 * z616;
     const Scalar z618 = z214 * z221 + z217 * z616;
-    const Scalar z619 = n0_018 * z617 + n0_02 * z618;
+    const Scalar z599 = n0_175 * z598;
     const Scalar z600 = s_Theta * z599;
+    const Scalar z619 = n0_018 * z617 + n0_02 * z618;
+    const Scalar z360 = s_delta * z343 - c_delta * z344;
+    const Scalar z601 = k6 * z600;
     const Scalar z633 = z346 * l_lambda_E4_x + z347 * l_lambda_E4_y;
     const Scalar z628 = n2 * v_delta;
+    const Scalar z605 = z601 - n0_175 * z604;
     const Scalar z629 = c_Phi * z628;
-    const Scalar z371 = z344 * z369 + z345 * z370 + s_delta * z366 + c_delta * z368 + n2 * (z352 * z354 + z355 * z357);
     const Scalar z620 = z131 * l_lambda_E3_x - z619 - z132 * l_lambda_E3_y;
+    const Scalar z630 = k7 * z629;
+    const Scalar z371 = z344 * z369 + z345 * z370 + s_delta * z366 + c_delta * z368 + n2 * (z352 * z354 + z355 * z357);
+    const Scalar z632 = z625 - z630;
     const Scalar z634 = k7 * z269;
-    const Scalar z608 = n0_175 * z604;
     const Scalar z376 = z345 * z369 - z344 * z370 + s_delta * z368 - c_delta * z366 - n2 * (z352 * z357 - z354 * z355);
     const Scalar z381 = c_epsilon * z378 + s_epsilon * z380;
     const Scalar z382 = s_epsilon * z378 - c_epsilon * z380;
@@ -3395,13 +3399,9 @@ struct Mechanism {
     const Scalar z636 = n2 * z63;
     const Scalar z639 = z275 - z634;
     const Scalar z637 = k7 * z636;
-    const Scalar z601 = k6 * z600;
-    const Scalar z605 = z601 - n0_175 * z604;
-    const Scalar z630 = k7 * z629;
-    const Scalar z638 = c_Omega * z637;
-    const Scalar z632 = z625 - z630;
     const Scalar z631 = z360 * l_lambda_E4_y + z375 * l_lambda_E4_x;
     const Scalar z646 = z381 * l_lambda_E6_x + z382 * l_lambda_E6_y;
+    const Scalar z638 = c_Omega * z637;
     const Scalar z653 = v_beta * s_beta + z314;
     const Scalar z654 = v_beta * c_beta + z311;
     const Scalar z655 = z303 * z653 + z304 * z654 + n2 * (s_beta * z316 - c_beta * z313);
@@ -3426,6 +3426,8 @@ struct Mechanism {
     const Scalar z679 = n0_02 * z678;
     const Scalar z681 = n0_02 * z680;
     const Scalar z699 = n0_02 * z698;
+    const Scalar z643 = k7 * z642;
+    const Scalar z645 = z638 - z643;
     const Scalar z671 = v_gamma * s_gamma + z324;
     const Scalar z672 = n0_035 * z671;
     const Scalar z674 = v_gamma * c_gamma + z309;
@@ -3437,8 +3439,6 @@ struct Mechanism {
     const Scalar z686 = n2 * (z343 * z355 - z344 * z352) + s_delta * z681 - c_delta * z679;
     const Scalar z700 = s_epsilon * z697 - n2 * (z378 * z387 - z379 * z390) - c_epsilon * z699;
     const Scalar z704 = n2 * (z378 * z390 + z379 * z387) + s_epsilon * z699 + c_epsilon * z697;
-    const Scalar z643 = k7 * z642;
-    const Scalar z645 = z638 - z643;
     const Scalar z689 = v_delta * s_delta + z355;
     const Scalar z708 = v_epsilon * s_epsilon + z390;
     const Scalar z690 = v_delta * c_delta + z352;

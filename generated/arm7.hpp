@@ -77,11 +77,10 @@ struct SineCosine {
   TORSOR_DEVICE TORSOR_INLINED static Scalar number(double for_double, float for_float) noexcept {
     return scalar_traits<Scalar>::constant(for_double, for_float, nullptr);
   }
+  /// So large that the last bit of what is some less or more counts 1.
+  TORSOR_DEVICE TORSOR_INLINED static Scalar shift() noexcept { return number(0x1.8p52, 0x1.8p23f); }
   /// To the nearest integer, of two the even one.
-  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept {
-    const Scalar unit_ulp = number(0x1.8p52, 0x1.8p23f);
-    return (x + unit_ulp) - unit_ulp;
-  }
+  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept { return (x + shift()) - shift(); }
 
   /// Of high - rest, |high| <= pi/4, rest being about an ulp of high at most.
   TORSOR_DEVICE TORSOR_INLINED static void of_reduced(const Scalar& high, const Scalar& rest, Scalar& sine,
@@ -123,7 +122,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n plus a number so large that its last bit counts 1; what is no
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
   /// number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
@@ -131,10 +130,9 @@ struct SineCosine {
   ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
   TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
                                                         Scalar& cosine) noexcept {
-    const Scalar shift = number(0x1.8p52, 0x1.8p23f);
     const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift;
-    const Scalar n = shifted - shift;
+    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift();
+    const Scalar n = shifted - shift();
     const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
     const Scalar r = first - n * P;
     const Scalar error = (first - r) - n * P;
@@ -147,7 +145,7 @@ struct SineCosine {
   TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
     Scalar shifted;
     of_remainder(x, shifted, sine, cosine);
-    turn(shifted - number(0x1.8p52, 0x1.8p23f), sine, cosine);
+    turn(shifted - shift(), sine, cosine);
   }
 };
 
@@ -267,8 +265,8 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
 }
 
 }  // namespace torsor
-// Sines and cosines of several angles at once: by vector registers where GNU C++ has types for them, which compilers
-// without AVX make of narrower ones; loops over numbers are not left to compilers to find.
+// Sines and cosines of several angles at once, in vector registers where GNU C++ has types for them: of 32 bytes with
+// AVX, else of 16.
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define TORSOR_VECTOR_TYPES
 #endif
@@ -392,14 +390,16 @@ TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&si
   constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
   using AllLanes = typename FirstPlaces<lanes>::type;
   Number squares = 0;
-  // One copy of the code: its constants stay where they are.
+  if constexpr (whole > 0) {
+    // One copy of the code: its constants stay where they are.
 #if defined(__clang__)
 #pragma clang loop unroll(disable)
 #else
 #pragma GCC unroll 1
 #endif
-  for (int i = 0; i < whole; i += both)
-    squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+    for (int i = 0; i < whole; i += both)
+      squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+  }
   if constexpr (rest > 0)
     squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
   return squares;
@@ -506,7 +506,7 @@ struct Mechanism {
 
   static constexpr const char* name = "arm7";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x9ec12c2fee8c681cULL;
+  static constexpr unsigned long long fingerprint = 0x28742b11f1e024e5ULL;
   static constexpr int coordinate_count = 7;
   static constexpr int velocity_count = 7;
   static constexpr int input_count = 7;
@@ -1212,11 +1212,11 @@ struct Mechanism {
     const Scalar n632_over_165 = traits::constant(3.83030303030303, 3.830303f, "632/165");
     const Scalar k27 = traits::constant(0.13876407268546084, 0.13876407f, "2775281453709217/20000000000000000");
     const Scalar k28 = traits::constant(0.00164448757736927, 0.0016444876f, "164448757736927/100000000000000000");
+    const Scalar k29 = traits::constant(0.1419563931722475, 0.14195639f, "56782557268899/400000000000000");
+    const Scalar k30 = traits::constant(0.040431622658625, 0.040431622f, "323452981269/8000000000000");
     const Scalar n512_over_55 = traits::constant(9.309090909090909, 9.309091f, "512/55");
-    const Scalar k30 = traits::constant(0.0039053550262761, 0.003905355f, "39053550262761/10000000000000000");
-    const Scalar k31 = traits::constant(0.1419563931722475, 0.14195639f, "56782557268899/400000000000000");
-    const Scalar k32 = traits::constant(0.040431622658625, 0.040431622f, "323452981269/8000000000000");
-    const Scalar k33 = traits::constant(0.540829284939183, 0.5408293f, "540829284939182983/1000000000000000000");
+    const Scalar k32 = traits::constant(0.540829284939183, 0.5408293f, "540829284939182983/1000000000000000000");
+    const Scalar k33 = traits::constant(0.0039053550262761, 0.003905355f, "39053550262761/10000000000000000");
     const Scalar k34 = traits::constant(0.632524057252814, 0.6325241f, "632524057252813983/1000000000000000000");
     const Scalar k35 = traits::constant(0.000121912420950744, 0.000121912424f, "15239052618843/125000000000000000");
     const Scalar k36 = traits::constant(0.002328735327435, 0.0023287353f, "465747065487/200000000000000");
@@ -1333,28 +1333,28 @@ struct Mechanism {
     const Scalar z375 = c_q5 * z374 + s_q5 * z373;
     const Scalar z381 = z309 + n256_over_55 * z351 - z352;
     const Scalar z383 = z349 + n2 * z351;
-    const Scalar z376 = s_q5 * z375;
-    const Scalar z379 = c_q5 * z375 - z346;
     const Scalar z388 = k27 + z381;
     const Scalar z390 = k28 + z356;
     const Scalar z325 = z314 - z323;
     const Scalar z326 = s_q3 * z314 - c_q3 * z320;
+    const Scalar z376 = s_q5 * z375;
+    const Scalar z379 = c_q5 * z375 - z346;
+    const Scalar z386 = k29 + z309;
+    const Scalar z385 = k30 + z351;
     const Scalar z377 = z345 + z376;
-    const Scalar z382 = z350 + z379;
     const Scalar z378 = z308 - z376;
-    const Scalar z380 = n512_over_55 * z309 + z377;
-    const Scalar z389 = k30 + z382;
-    const Scalar z386 = k31 + z309;
-    const Scalar z385 = k32 + z351;
-    const Scalar z384 = z378 + n512_over_55 * z309 + n2 * z351;
-    const Scalar z387 = k33 + z380;
+    const Scalar z382 = z350 + z379;
     const Scalar z393 = s_q4 * z386 + c_q4 * z385;
     const Scalar z392 = s_q4 * z385 - c_q4 * z386;
-    const Scalar z391 = k34 + z384;
+    const Scalar z380 = n512_over_55 * z309 + z377;
+    const Scalar z384 = z378 + n512_over_55 * z309 + n2 * z351;
+    const Scalar z387 = k32 + z380;
+    const Scalar z389 = k33 + z382;
     const Scalar z358 = s_q4 * z350;
     const Scalar z361 = z356 - z358;
     const Scalar z359 = s_q4 * z355 - c_q4 * z354;
     const Scalar z360 = c_q4 * z355 + s_q4 * z354;
+    const Scalar z391 = k34 + z384;
     const Scalar z364 = s_q3 * z357 - c_q3 * z351;
     const Scalar z362 = z351 - z360;
     const Scalar z363 = s_q3 * z351 + c_q3 * z357;
@@ -1381,32 +1381,32 @@ struct Mechanism {
     const Scalar z418 = k38 - z393;
     const Scalar z436 = n2 * z421;
     const Scalar z368 = n632_over_165 * z363 - z366;
-    const Scalar z426 = s_q3 * z419 - c_q3 * z418;
     const Scalar z410 = s_q4 * z409;
-    const Scalar z372 = s_q2 * z367 - c_q2 * z362;
-    const Scalar z411 = z387 + z410;
     const Scalar z413 = c_q4 * z409 + z388;
-    const Scalar z415 = z392 - z413;
+    const Scalar z426 = s_q3 * z419 - c_q3 * z418;
+    const Scalar z411 = z387 + z410;
     const Scalar z412 = z383 - z410;
+    const Scalar z415 = z392 - z413;
     const Scalar z425 = c_q3 * z419 + s_q3 * z418;
     const Scalar z420 = k39 + z411;
-    const Scalar z422 = k40 - z415;
     const Scalar z417 = n2 * z393 - z412;
-    const Scalar z435 = z416 - z420;
+    const Scalar z422 = k40 - z415;
     const Scalar z398 = s_q3 * z392;
-    const Scalar z424 = k41 - z417;
+    const Scalar z399 = c_q3 * z394 + s_q3 * z396;
+    const Scalar z435 = z416 - z420;
     const Scalar z427 = s_q3 * z423 - c_q3 * z422;
+    const Scalar z372 = s_q2 * z367 - c_q2 * z362;
     const Scalar z437 = c_q3 * z436 + s_q3 * z435;
-    const Scalar z428 = c_q3 * z423 + s_q3 * z422;
     const Scalar z429 = n632_over_165 * z426 + z427;
     const Scalar z438 = s_q3 * z437;
-    const Scalar z430 = n632_over_165 * z425 + z428;
-    const Scalar z399 = c_q3 * z394 + s_q3 * z396;
-    const Scalar z439 = z420 + z438;
+    const Scalar z424 = k41 - z417;
+    const Scalar z428 = c_q3 * z423 + s_q3 * z422;
     const Scalar z447 = k42 + z429;
+    const Scalar z439 = z420 + z438;
+    const Scalar z430 = n632_over_165 * z425 + z428;
     const Scalar z440 = z416 - z438;
-    const Scalar z441 = c_q3 * z437 - z421;
     const Scalar z456 = n2 * z447;
+    const Scalar z441 = c_q3 * z437 - z421;
     const Scalar z442 = k43 * z392 - z439;
     const Scalar z449 = k44 + z430;
     const Scalar z400 = s_q3 * z394 - c_q3 * z396;
@@ -1696,17 +1696,17 @@ struct Mechanism {
     const Scalar z549 = s_q7 * z548 - c_q7 * z546;
     // moment on link7, z
     const Scalar z575 = k14 * z556 + k10 * z569 + k15 * z536 + k7 * z567 + k8 * z568 + k4 * z550 + k5 * z549;
+    // moment on link6, y
+    const Scalar z594 = k16 * z586 + k17 * z580 + k12 * z528 - k18 * z584 + k19 * z543 - n16_over_15 * z577 + z575;
     const Scalar z610 = z103 * z104;
     const Scalar z629 = z508 - z520;
+    const Scalar z592 = k12 * z543 - z577 - k13 * z584;  // force on link6, times 0.0825 m, z
     const Scalar z630 = z509 - z518;
     const Scalar z613 = z601 - z606;
     const Scalar z616 = z600 - z606;
     const Scalar z607 = z601 + z606;
     const Scalar z612 = z600 - z601;
-    // moment on link6, y
-    const Scalar z594 = k16 * z586 + k17 * z580 + k12 * z528 - k18 * z584 + k19 * z543 - n16_over_15 * z577 + z575;
     const Scalar z602 = z600 + z601;
-    const Scalar z592 = k12 * z543 - z577 - k13 * z584;  // force on link6, times 0.0825 m, z
     const Scalar z614 = z529 - z610;
     const Scalar z611 = z529 + z610;
     const Scalar z605 = z509 - z603;
@@ -1776,9 +1776,9 @@ struct Mechanism {
     const Scalar z666 = z481 - z482;
     const Scalar z667 = z482 - z662;
     const Scalar z661 = s_q3 * z655 - c_q3 * z656;
-    const Scalar z658 = s_q3 * z653 - c_q3 * z652;
     // moment on link2, x
     const Scalar z671 = k50 * z480 - k51 * z484 - k52 * z664 - k53 * z665 + z660 + n632_over_165 * z659;
+    const Scalar z658 = s_q3 * z653 - c_q3 * z652;
     const Scalar z672 = k53 * z480 - k52 * z484 - k54 * z664 - k50 * z666 - z657;  // moment on link2, y
     // moment on link2, z
     const Scalar z673 = k55 * z476 - k56 * z477 + k57 * z480 + k52 * z667 - z661 - n632_over_165 * z658;
@@ -1996,15 +1996,15 @@ struct Mechanism {
     const Scalar z723 = a_q5 - z708;  // angular acceleration of link5, z
     const Scalar z711 = z513 - z709;
     const Scalar z715 = s_q5 * z707 - c_q5 * z709;
-    const Scalar z721 = v_q5 * z103 + z714;  // angular acceleration of link5, x
+    const Scalar z722 = v_q5 * z102 + z715;  // angular acceleration of link5, y
     const Scalar z712 = z518 + z708;
     const Scalar z716 = z512 - n256_over_55 * z710 + z705;
-    const Scalar z722 = v_q5 * z102 + z715;  // angular acceleration of link5, y
+    const Scalar z721 = v_q5 * z103 + z714;  // angular acceleration of link5, x
     const Scalar z718 = z703 + n256_over_55 * z713 + z712;
-    const Scalar z725 = c_q6 * z723 + s_q6 * z721;
     const Scalar z717 = n256_over_55 * z517 - z711 - z706;
-    const Scalar z729 = v_q6 * z117 - z725;  // angular acceleration of link6, y
+    const Scalar z725 = c_q6 * z723 + s_q6 * z721;
     const Scalar z724 = s_q6 * z723 - c_q6 * z721;
+    const Scalar z729 = v_q6 * z117 - z725;  // angular acceleration of link6, y
     const Scalar z728 = v_q6 * z118 + z724;  // angular acceleration of link6, x
     const Scalar z730 = a_q6 - z722;  // angular acceleration of link6, z
     const Scalar z719 = c_q5 * z716 + s_q5 * z718;
@@ -2169,8 +2169,8 @@ struct Mechanism {
     const Scalar k29 = traits::constant(0.1419563931722475, 0.14195639f, "56782557268899/400000000000000");
     const Scalar k30 = traits::constant(0.040431622658625, 0.040431622f, "323452981269/8000000000000");
     const Scalar n512_over_55 = traits::constant(9.309090909090909, 9.309091f, "512/55");
-    const Scalar k32 = traits::constant(0.0039053550262761, 0.003905355f, "39053550262761/10000000000000000");
-    const Scalar k33 = traits::constant(0.540829284939183, 0.5408293f, "540829284939182983/1000000000000000000");
+    const Scalar k32 = traits::constant(0.540829284939183, 0.5408293f, "540829284939182983/1000000000000000000");
+    const Scalar k33 = traits::constant(0.0039053550262761, 0.003905355f, "39053550262761/10000000000000000");
     const Scalar k34 = traits::constant(0.632524057252814, 0.6325241f, "632524057252813983/1000000000000000000");
     const Scalar k35 = traits::constant(0.000121912420950744, 0.000121912424f, "15239052618843/125000000000000000");
     const Scalar k36 = traits::constant(0.002328735327435, 0.0023287353f, "465747065487/200000000000000");
@@ -2180,10 +2180,10 @@ struct Mechanism {
     const Scalar k40 = traits::constant(0.005487648106562256, 0.0054876483f, "342978006660141/62500000000000000");
     const Scalar k41 = traits::constant(0.12445520614822143, 0.124455206f, "15556900768527679/125000000000000000");
     const Scalar k42 = traits::constant(118.9090909090909, 118.90909f, "1308/11");
-    const Scalar k43 = traits::constant(0.01026110182100817, 0.010261102f, "1026110182100817/100000000000000000");
-    const Scalar k44 = traits::constant(7.66060606060606, 7.660606f, "1264/165");
-    const Scalar k45 = traits::constant(0.9896232897634767, 0.9896233f, "494811644881738353/500000000000000000");
-    const Scalar k46 = traits::constant(1.0357790547533403, 1.035779f, "517889527376670159/500000000000000000");
+    const Scalar k43 = traits::constant(7.66060606060606, 7.660606f, "1264/165");
+    const Scalar k44 = traits::constant(0.9896232897634767, 0.9896233f, "494811644881738353/500000000000000000");
+    const Scalar k45 = traits::constant(1.0357790547533403, 1.035779f, "517889527376670159/500000000000000000");
+    const Scalar k46 = traits::constant(0.01026110182100817, 0.010261102f, "1026110182100817/100000000000000000");
     const Scalar k47 = traits::constant(0.00398335888393552, 0.003983359f, "24895993024597/6250000000000000");
     const Scalar k48 = traits::constant(0.0007689361029464, 0.0007689361f, "961170128683/1250000000000000");
     const Scalar k49 = traits::constant(0.03733744848940618, 0.03733745f, "1866872424470309/50000000000000000");
@@ -2345,25 +2345,25 @@ struct Mechanism {
     const Scalar z390 = k28 + z356;
     const Scalar z386 = k29 + z309;
     const Scalar z385 = k30 + z351;
-    const Scalar z379 = c_q5 * z375 - z346;
-    const Scalar z376 = s_q5 * z375;
     const Scalar z360 = c_q4 * z355 + s_q4 * z354;
     const Scalar z359 = s_q4 * z355 - c_q4 * z354;
+    const Scalar z379 = c_q5 * z375 - z346;
+    const Scalar z376 = s_q5 * z375;
+    const Scalar z362 = z351 - z360;
+    const Scalar z358 = s_q4 * z350;
     const Scalar z377 = z345 + z376;
     const Scalar z378 = z308 - z376;
     const Scalar z382 = z350 + z379;
-    const Scalar z380 = n512_over_55 * z309 + z377;
-    const Scalar z384 = z378 + n512_over_55 * z309 + n2 * z351;
-    const Scalar z389 = k32 + z382;
-    const Scalar z362 = z351 - z360;
-    const Scalar z387 = k33 + z380;
-    const Scalar z358 = s_q4 * z350;
     const Scalar z361 = z356 - z358;
     const Scalar z326 = s_q3 * z314 - c_q3 * z320;
     const Scalar z327 = c_q3 * z314 + s_q3 * z320;
-    const Scalar z391 = k34 + z384;
+    const Scalar z380 = n512_over_55 * z309 + z377;
+    const Scalar z384 = z378 + n512_over_55 * z309 + n2 * z351;
+    const Scalar z387 = k32 + z380;
+    const Scalar z389 = k33 + z382;
     const Scalar z393 = s_q4 * z386 + c_q4 * z385;
     const Scalar z392 = s_q4 * z385 - c_q4 * z386;
+    const Scalar z391 = k34 + z384;
     const Scalar z329 = c_q3 * z324 + s_q3 * z322;
     const Scalar z331 = n632_over_165 * z326 + z329;
     const Scalar z328 = s_q3 * z324 - c_q3 * z322;
@@ -2393,53 +2393,53 @@ struct Mechanism {
     const Scalar z364 = s_q3 * z357 - c_q3 * z351;
     const Scalar z420 = k39 + z411;
     const Scalar z422 = k40 - z415;
+    const Scalar z427 = s_q3 * z423 - c_q3 * z422;
+    const Scalar z428 = c_q3 * z423 + s_q3 * z422;
+    const Scalar z424 = k41 - z417;
     const Scalar z366 = s_q3 * z359 - c_q3 * z361;
+    const Scalar z429 = n632_over_165 * z426 + z427;
     const Scalar z368 = n632_over_165 * z363 - z366;
+    const Scalar z430 = n632_over_165 * z425 + z428;
     const Scalar z365 = c_q3 * z359 + s_q3 * z361;
     const Scalar z367 = n632_over_165 * z364 + z365;
-    const Scalar z424 = k41 - z417;
     const Scalar z436 = n2 * z421;
     const Scalar z435 = z416 - z420;
     const Scalar z437 = c_q3 * z436 + s_q3 * z435;
+    const Scalar z397 = c_q3 * z392;
     const Scalar z372 = s_q2 * z367 - c_q2 * z362;
     const Scalar z478 = v_q2 * z40;  // angular acceleration of link2, x
     const Scalar z481 = v_q2 * v_q2;
-    const Scalar z441 = c_q3 * z437 - z421;
-    const Scalar z438 = s_q3 * z437;
     const Scalar z482 = z39 * z39;
     const Scalar z476 = k42 * s_q2;
     const Scalar z480 = z39 * z40;
-    const Scalar z439 = z420 + z438;
-    const Scalar z440 = z416 - z438;
     const Scalar z479 = v_q2 * z39;  // angular acceleration of link2, y
-    const Scalar z448 = k43 - z441;
+    const Scalar z441 = c_q3 * z437 - z421;
+    const Scalar z438 = s_q3 * z437;
     const Scalar z477 = k42 * c_q2;
-    const Scalar z427 = s_q3 * z423 - c_q3 * z422;
-    const Scalar z428 = c_q3 * z423 + s_q3 * z422;
-    const Scalar z429 = n632_over_165 * z426 + z427;
-    const Scalar z430 = n632_over_165 * z425 + z428;
-    const Scalar z442 = k44 * z392 - z439;
-    const Scalar z443 = k44 * z392 - z440;
-    const Scalar z446 = k45 - z442;
-    const Scalar z450 = k46 - z443;
-    const Scalar z397 = c_q3 * z392;
-    const Scalar z398 = s_q3 * z392;
-    const Scalar z455 = z424 - z446;
-    const Scalar z484 = n2 * z478;
     const Scalar z483 = z481 + z482;
     const Scalar z400 = s_q3 * z394 - c_q3 * z396;
     const Scalar z402 = n632_over_165 * z397 + z400;
     const Scalar z399 = c_q3 * z394 + s_q3 * z396;
+    const Scalar z439 = z420 + z438;
+    const Scalar z440 = z416 - z438;
+    const Scalar z442 = k43 * z392 - z439;
+    const Scalar z443 = k43 * z392 - z440;
+    const Scalar z398 = s_q3 * z392;
     const Scalar z401 = n632_over_165 * z398 - z399;
     const Scalar z488 = z477 - n632_over_165 * z483;
+    const Scalar z446 = k44 - z442;
+    const Scalar z450 = k45 - z443;
+    const Scalar z448 = k46 - z441;
     const Scalar z485 = c_q3 * z478;
-    const Scalar z486 = s_q3 * z478;
-    const Scalar z487 = z476 + n632_over_165 * z480;
+    const Scalar z455 = z424 - z446;
     const Scalar z406 = c_q2 * z395 + s_q2 * z401;
     const Scalar z492 = v_q3 * z56 - z485;  // angular acceleration of link3, x
+    const Scalar z484 = n2 * z478;
+    const Scalar z486 = s_q3 * z478;
     const Scalar z493 = v_q3 * z55 - z486;  // angular acceleration of link3, y
     const Scalar z489 = n632_over_165 * z484;
     const Scalar z499 = z55 * z57;
+    const Scalar z487 = z476 + n632_over_165 * z480;
     const Scalar z494 = z56 * z56;
     const Scalar z495 = z57 * z57;
     const Scalar z500 = z493 + z499;
@@ -2472,18 +2472,23 @@ struct Mechanism {
     const Scalar z555 = z553 + z554;
     const Scalar z560 = z554 + z559;
     const Scalar z540 = z117 * z118;
-    const Scalar z458 = s_q2 * z457;
     const Scalar z561 = z137 * z139;
     const Scalar z563 = z138 * z139;
     const Scalar z542 = z117 * z119;
     const Scalar z566 = z554 - z559;
     const Scalar z565 = z553 - z554;
-    const Scalar z460 = z424 - z458;
     const Scalar z539 = z537 + z538;
+    const Scalar z458 = s_q2 * z457;
     const Scalar z449 = k48 + z430;
     const Scalar z569 = z553 - z559;
     const Scalar z454 = c_q2 * z449 + s_q2 * z448;
     const Scalar z583 = z118 * z119;
+    const Scalar z460 = z424 - z458;
+    const Scalar z581 = z117 * z117;
+    const Scalar z586 = z538 - z581;
+    const Scalar z589 = z537 - z581;
+    const Scalar z585 = z537 - z538;
+    const Scalar z582 = z538 + z581;
     const Scalar z468 = k49 + z460;
     const Scalar z645 = z56 * z57;
     const Scalar z643 = z55 * z55;
@@ -2501,35 +2506,30 @@ struct Mechanism {
     const Scalar z1182 = n256_over_55 * z517 - z513 + z507;
     const Scalar z1186 = v_q5 * z103 + z1179;  // angular acceleration of link5, x
     const Scalar z1183 = z1174 + z1177 + n256_over_55 * z1178;
-    const Scalar z581 = z117 * z117;
-    const Scalar z586 = z538 - z581;
+    const Scalar z601 = z104 * z104;
+    const Scalar z603 = z102 * z103;
     const Scalar z1188 = c_q6 * z1186;
     const Scalar z1189 = s_q6 * z1186;
-    const Scalar z589 = z537 - z581;
-    const Scalar z585 = z537 - z538;
-    const Scalar z582 = z538 + z581;
-    const Scalar z601 = z104 * z104;
+    const Scalar z606 = z102 * z102;
+    const Scalar z600 = z103 * z103;
+    const Scalar z610 = z103 * z104;
+    const Scalar z608 = z102 * z104;
     const Scalar z1192 = v_q6 * z118 - z1188;  // angular acceleration of link6, x
     const Scalar z1193 = v_q6 * z117 - z1189;  // angular acceleration of link6, y
     const Scalar z1184 = c_q5 * z1181 + s_q5 * z1183;
     const Scalar z1185 = s_q5 * z1181 - c_q5 * z1183;
     const Scalar z1196 = s_q7 * z1192;
     const Scalar z1195 = c_q7 * z1192;
-    const Scalar z1194 = z542 + z1193;
-    const Scalar z603 = z102 * z103;
+    const Scalar z1191 = c_q6 * z1182 + s_q6 * z1184;
     const Scalar z1203 = v_q7 * z137 + z1196;  // angular acceleration of link7, y
     const Scalar z1202 = v_q7 * z138 - z1195;  // angular acceleration of link7, x
-    const Scalar z1191 = c_q6 * z1182 + s_q6 * z1184;
+    const Scalar z1194 = z542 + z1193;
     const Scalar z1190 = s_q6 * z1182 - c_q6 * z1184;
-    const Scalar z1198 = n16_over_15 * z540 - z1191;
-    const Scalar z1199 = z1185 + n16_over_15 * z1194;
-    const Scalar z606 = z102 * z102;
-    const Scalar z1197 = n16_over_15 * z539 + z1190;
-    const Scalar z600 = z103 * z103;
-    const Scalar z610 = z103 * z104;
-    const Scalar z608 = z102 * z104;
     const Scalar z1204 = z561 + z1203;
     const Scalar z1205 = z563 + z1202;
+    const Scalar z1198 = n16_over_15 * z540 - z1191;
+    const Scalar z1199 = z1185 + n16_over_15 * z1194;
+    const Scalar z1197 = n16_over_15 * z539 + z1190;
     const Scalar z613 = z601 - z606;
     const Scalar z616 = z600 - z606;
     const Scalar z607 = z601 + z606;
@@ -2677,13 +2677,13 @@ struct Mechanism {
     const Scalar z1450 = z1436 - z1441 * z1447;
     const Scalar z1431 = z1425 * z1430;
     // moment on link4, z
-    const Scalar z1506 = k29 * z506 - k30 * z507 - k60 * z513 + k27 * z631 - k32 * z1265 + k28 * z1266 + z1493
+    const Scalar z1506 = k29 * z506 - k30 * z507 - k60 * z513 + k27 * z631 - k33 * z1265 + k28 * z1266 + z1493
         + n256_over_55 * z1497 - z1500;
     // moment on link4, x
-    const Scalar z1504 = k32 * z513 + k28 * z627 + k29 * z1174 + k27 * z1177 + k61 * z1178 - z1499 + n256_over_55
+    const Scalar z1504 = k33 * z513 + k28 * z627 + k29 * z1174 + k27 * z1177 + k61 * z1178 - z1499 + n256_over_55
         * z1498;
     // moment on link4, y
-    const Scalar z1505 = k28 * z513 - k32 * z628 + k30 * z1174 + k62 * z1177 + k27 * z1178 + z1496 + z1498;
+    const Scalar z1505 = k28 * z513 - k33 * z628 + k30 * z1174 + k62 * z1177 + k27 * z1178 + z1496 + z1498;
     const Scalar z1435 = z1415 - z1425 * z1431;
     const Scalar z1512 = z1503 + k38 * z497 - k36 * z644;  // force on link3, times 0.0825 m, y
     const Scalar z1507 = s_q4 * z1502 - c_q4 * z1501;
@@ -2704,8 +2704,8 @@ struct Mechanism {
     const Scalar z1459 = z1450 - z1452 * z1457;
     const Scalar z1446 = z1441 * z1445;
     // moment on link2, x
-    const Scalar z1524 = k43 * z480 - k66 * z484 - k47 * z664 - k48 * z665 + z1519 + n632_over_165 * z1518;
-    const Scalar z1525 = k48 * z480 - k47 * z484 - k67 * z664 - k43 * z666 - z1516;  // moment on link2, y
+    const Scalar z1524 = k46 * z480 - k66 * z484 - k47 * z664 - k48 * z665 + z1519 + n632_over_165 * z1518;
+    const Scalar z1525 = k48 * z480 - k47 * z484 - k67 * z664 - k46 * z666 - z1516;  // moment on link2, y
     const Scalar z1449 = z1435 - z1441 * z1446;
     const Scalar z1530 = s_q2 * z1524 - c_q2 * z1525;
     const Scalar z1520 = s_q3 * z1514 - c_q3 * z1515;
@@ -2900,8 +2900,8 @@ struct Mechanism {
     const Scalar z117 = s_q6 * z104 - c_q6 * z102;
     const Scalar z1566 = n0_384 * z78 - z1561 - n0_0825 * z79;
     const Scalar z118 = s_q6 * z102 + c_q6 * z104;
-    const Scalar z1565 = n0_0825 * z80 + z1563;
     const Scalar z137 = s_q7 * z119 + c_q7 * z117;
+    const Scalar z1565 = n0_0825 * z80 + z1563;
     const Scalar z1567 = c_q5 * z1564 + s_q5 * z1566;
     const Scalar z1568 = s_q5 * z1564 - c_q5 * z1566;
     const Scalar z138 = s_q7 * z117 - c_q7 * z119;
@@ -3068,8 +3068,8 @@ struct Mechanism {
     const Scalar k63 = traits::constant(0.015636815370587556, 0.015636815f, "3127363074117511/200000000000000000");
     const Scalar k64 = traits::constant(0.0256820031989088, 0.025682002f, "8025625999659/312500000000000");
     const Scalar k65 = traits::constant(0.001451156065026714, 0.0014511561f, "725578032513357/500000000000000000");
-    const Scalar k66 = traits::constant(0.0458473861568155, 0.045847386f, "91694772313631/2000000000000000");
-    const Scalar k67 = traits::constant(0.5866766710959985, 0.58667666f, "586676671095998483/1000000000000000000");
+    const Scalar k66 = traits::constant(0.5866766710959985, 0.58667666f, "586676671095998483/1000000000000000000");
+    const Scalar k67 = traits::constant(0.0458473861568155, 0.045847386f, "91694772313631/2000000000000000");
     const Scalar k68 = traits::constant(0.06802553512169374, 0.06802554f, "8503191890211717/125000000000000000");
     const Scalar k69 = traits::constant(0.0564296710265277, 0.05642967f, "3526854439157981/62500000000000000");
     const Scalar k70 = traits::constant(0.0001790829744405, 0.00017908297f, "358165948881/2000000000000000");
@@ -3183,12 +3183,12 @@ struct Mechanism {
     const Scalar z285 = z274 - z283;
     const Scalar z339 = s_q6 * z338;
     const Scalar z342 = c_q6 * z338 + z305;
-    const Scalar z323 = s_q4 * z317 - c_q4 * z318;
-    const Scalar z347 = k22 + z342;
     const Scalar z340 = z304 - z339;
     const Scalar z341 = z301 - z339;
-    const Scalar z284 = z279 + z281;
+    const Scalar z347 = k22 + z342;
+    const Scalar z323 = s_q4 * z317 - c_q4 * z318;
     const Scalar z345 = k23 - z340;
+    const Scalar z284 = z279 + z281;
     const Scalar z321 = s_q4 * z313 - c_q4 * z310;
     const Scalar z282 = s_q4 * z278 - c_q4 * z277;
     const Scalar z349 = k24 + z341;
@@ -3225,31 +3225,31 @@ struct Mechanism {
     const Scalar z390 = k28 + z356;
     const Scalar z386 = k29 + z309;
     const Scalar z385 = k30 + z351;
+    const Scalar z393 = s_q4 * z386 + c_q4 * z385;
+    const Scalar z360 = c_q4 * z355 + s_q4 * z354;
+    const Scalar z362 = z351 - z360;
     const Scalar z376 = s_q5 * z375;
     const Scalar z379 = c_q5 * z375 - z346;
-    const Scalar z393 = s_q4 * z386 + c_q4 * z385;
+    const Scalar z392 = s_q4 * z385 - c_q4 * z386;
+    const Scalar z382 = z350 + z379;
     const Scalar z377 = z345 + z376;
     const Scalar z378 = z308 - z376;
-    const Scalar z382 = z350 + z379;
-    const Scalar z360 = c_q4 * z355 + s_q4 * z354;
+    const Scalar z358 = s_q4 * z350;
     const Scalar z380 = n512_over_55 * z309 + z377;
     const Scalar z384 = z378 + n512_over_55 * z309 + n2 * z351;
     const Scalar z389 = k32 + z382;
-    const Scalar z362 = z351 - z360;
+    const Scalar z359 = s_q4 * z355 - c_q4 * z354;
     const Scalar z387 = k33 + z380;
     const Scalar z394 = s_q4 * z390 + c_q4 * z389;
-    const Scalar z392 = s_q4 * z385 - c_q4 * z386;
     const Scalar z395 = s_q4 * z389 - c_q4 * z390;
     const Scalar z391 = k34 + z384;
-    const Scalar z358 = s_q4 * z350;
-    const Scalar z359 = s_q4 * z355 - c_q4 * z354;
     const Scalar z361 = z356 - z358;
     const Scalar z364 = s_q3 * z357 - c_q3 * z351;
     const Scalar z365 = c_q3 * z359 + s_q3 * z361;
     const Scalar z396 = z391 - z393;
     const Scalar z363 = s_q3 * z351 + c_q3 * z357;
-    const Scalar z366 = s_q3 * z359 - c_q3 * z361;
     const Scalar z367 = n632_over_165 * z364 + z365;
+    const Scalar z366 = s_q3 * z359 - c_q3 * z361;
     const Scalar z368 = n632_over_165 * z363 - z366;
     const Scalar z397 = c_q3 * z392;
     const Scalar z335 = c_q2 * z325 + s_q2 * z330;
@@ -3271,18 +3271,18 @@ struct Mechanism {
     const Scalar z415 = z392 - z413;
     const Scalar z411 = z387 + z410;
     const Scalar z412 = z383 - z410;
-    const Scalar z425 = c_q3 * z419 + s_q3 * z418;
     const Scalar z420 = k39 + z411;
     const Scalar z417 = n2 * z393 - z412;
     const Scalar z422 = k40 - z415;
+    const Scalar z425 = c_q3 * z419 + s_q3 * z418;
     const Scalar z435 = z416 - z420;
-    const Scalar z398 = s_q3 * z392;
     const Scalar z424 = k41 - z417;
     const Scalar z427 = s_q3 * z423 - c_q3 * z422;
     const Scalar z437 = c_q3 * z436 + s_q3 * z435;
     const Scalar z428 = c_q3 * z423 + s_q3 * z422;
     const Scalar z429 = n632_over_165 * z426 + z427;
     const Scalar z430 = n632_over_165 * z425 + z428;
+    const Scalar z398 = s_q3 * z392;
     const Scalar z399 = c_q3 * z394 + s_q3 * z396;
     const Scalar z401 = n632_over_165 * z398 - z399;
     const Scalar z372 = s_q2 * z367 - c_q2 * z362;
@@ -3406,9 +3406,9 @@ struct Mechanism {
     const Scalar z607 = z601 + z606;
     const Scalar z725 = c_q6 * z723 + s_q6 * z721;
     const Scalar z724 = s_q6 * z723 - c_q6 * z721;
+    const Scalar z727 = c_q6 * z717 + s_q6 * z719;
     const Scalar z729 = v_q6 * z117 - z725;  // angular acceleration of link6, y
     const Scalar z728 = v_q6 * z118 + z724;  // angular acceleration of link6, x
-    const Scalar z727 = c_q6 * z717 + s_q6 * z719;
     const Scalar z726 = s_q6 * z717 - c_q6 * z719;
     const Scalar z627 = z510 - z511;
     const Scalar z628 = z511 - z516;
@@ -3467,9 +3467,9 @@ struct Mechanism {
     const Scalar z765 = k10 * z732 - z756 - k13 * z760;  // force on link6, times 0.0825 m, z
     const Scalar z1409 = n1 / z1408;
     const Scalar z774 = z603 + z723;
+    const Scalar z780 = k20 * z607 + z765 + k21 * z774;  // force on link5, times 0.0825 m, y
     const Scalar z789 = z520 - z707;
     const Scalar z769 = c_q6 * z763 + s_q6 * z764;
-    const Scalar z780 = k20 * z607 + z765 + k21 * z774;  // force on link5, times 0.0825 m, y
     const Scalar z779 = k21 * z602 - z769 + k20 * z773;  // force on link5, times 0.0825 m, x
     const Scalar z776 = z610 + z721;
     const Scalar z1402 = z272 * z1386 - z349;
@@ -3667,9 +3667,9 @@ struct Mechanism {
     const Scalar z1871 = s_q7 * z1870;
     const Scalar z1861 = n16_over_15 * z1839;
     const Scalar z1866 = s_q7 * z1856 - c_q7 * z1853;
-    const Scalar z1888 = k62 * z1840 - z1866 + k12 * z1839;
     const Scalar z1875 = c_q7 * z1870 - z1852;
     const Scalar z1874 = c_q7 * z1870 - z1854;
+    const Scalar z1888 = k62 * z1840 - z1866 + k12 * z1839;
     const Scalar z1889 = z1874 + k63 * z1839 - k12 * z1840;
     const Scalar z1877 = z1868 + z265 * z1860 + n16_over_15 * z1850;
     const Scalar z1890 = k16 * z1838 - z1877 - k63 * z1840;
@@ -3685,22 +3685,22 @@ struct Mechanism {
     const Scalar z1881 = k12 * z1838;
     const Scalar z1882 = k16 * z1839;
     const Scalar z1895 = z1881 + z1882 + z1880;
+    const Scalar z1893 = z1879 + k11 * z1838 + k63 * z1839;
     const Scalar z1883 = k11 * z1840;
     const Scalar z1887 = z1876 - z1882 - z1883;
     const Scalar z1891 = z1881 - z1883 + z1859;
     const Scalar z1867 = c_q7 * z1856 + s_q7 * z1853;
     const Scalar z1894 = k62 * z1838 - z1867 + k11 * z1839;
-    const Scalar z1893 = z1879 + k11 * z1838 + k63 * z1839;
     const Scalar z1899 = z1888 + z1890;
     const Scalar z1898 = z1887 + z1891;
     const Scalar z1892 = z1878 + k16 * z1840 + k63 * z1838;
-    const Scalar z1904 = c_q6 * z1899 + s_q6 * z1898;
     const Scalar z1910 = k25 * z1834;
+    const Scalar z1904 = c_q6 * z1899 + s_q6 * z1898;
     const Scalar z1911 = k22 * z1835;
-    const Scalar z1905 = s_q6 * z1904;
     const Scalar z1912 = k19 * z1836;
     const Scalar z1885 = k10 * z1840 + z1850;
     const Scalar z1884 = k13 * z1840 - z1862;
+    const Scalar z1905 = s_q6 * z1904;
     const Scalar z1900 = s_q6 * z1892 + c_q6 * z1889;
     const Scalar z1917 = z1900 + k25 * z1835 - k64 * z1836;
     const Scalar z1902 = s_q6 * z1894 + c_q6 * z1893;
@@ -3737,17 +3737,17 @@ struct Mechanism {
     const Scalar z1942 = z309 * z1925 - z1931 - n256_over_55 * z1927;
     const Scalar z1940 = c_q5 * z1935 + z1917;
     const Scalar z1947 = z351 * z1926 + z1928 - z1940;
+    const Scalar z1957 = z1942 + k66 * z1832 + k28 * z1831;
+    const Scalar z1962 = z1947 + k27 * z1830 - k67 * z1831;
     const Scalar z1955 = z1928 + k29 * z1830 - k30 * z1831;
-    const Scalar z1962 = z1947 + k27 * z1830 - k66 * z1831;
-    const Scalar z1957 = z1942 + k67 * z1832 + k28 * z1831;
-    const Scalar z1963 = z1948 + k67 * z1830 - k27 * z1831;
+    const Scalar z1963 = z1948 + k66 * z1830 - k27 * z1831;
     const Scalar z1936 = s_q5 * z1935;
     const Scalar z1939 = c_q5 * z1935 + z1919;
     const Scalar z1943 = z350 * z1925 - z1939;
     const Scalar z1933 = s_q5 * z1923 - c_q5 * z1922;
     const Scalar z1934 = c_q5 * z1923 + s_q5 * z1922;
     const Scalar z1946 = z350 * z1832 - z1934;
-    const Scalar z1958 = k66 * z1831 - z1943 - k28 * z1832;
+    const Scalar z1958 = k67 * z1831 - z1943 - k28 * z1832;
     const Scalar z1937 = z1916 - z1936;
     const Scalar z1941 = z351 * z1925 - z1927 - z1937;
     const Scalar z1938 = z1920 + z1936;
@@ -3759,10 +3759,10 @@ struct Mechanism {
     const Scalar z1956 = z1952 + z1951 + z1941;
     const Scalar z1964 = z1950 - z1951 + z1949;
     const Scalar z1944 = z351 * z1832 + z1915 + z1933;
-    const Scalar z1959 = z1944 + k66 * z1832 + k32 * z1830;
+    const Scalar z1959 = z1944 + k67 * z1832 + k32 * z1830;
     const Scalar z1945 = z309 * z1832 - z1924 + n256_over_55 * z1915;
     const Scalar z1960 = z1952 + z1950 + z1945;
-    const Scalar z1961 = k66 * z1830 - z1946 - k32 * z1832;
+    const Scalar z1961 = k67 * z1830 - z1946 - k32 * z1832;
     const Scalar z1967 = z1956 + z1960;
     const Scalar z1954 = k30 * z1832 + z1915;
     const Scalar z1968 = z1957 - z1959;
@@ -3803,8 +3803,8 @@ struct Mechanism {
     const Scalar z2006 = z1993 - z1995;
     const Scalar z1990 = k38 * z1828 - z1955;
     const Scalar z2005 = z1992 + z1996;
-    const Scalar z2011 = c_q3 * z2006 + s_q3 * z2005;
     const Scalar z2001 = n632_over_165 * z1824;
+    const Scalar z2011 = c_q3 * z2006 + s_q3 * z2005;
     const Scalar z2007 = s_q3 * z1997 + c_q3 * z1994;
     const Scalar z2002 = n632_over_165 * z1822;
     const Scalar z2008 = s_q3 * z1994 - c_q3 * z1997;
@@ -3814,14 +3814,14 @@ struct Mechanism {
     const Scalar z2009 = s_q3 * z1999 - c_q3 * z1998;
     const Scalar z2004 = s_q3 * z1989 - c_q3 * z1990;
     const Scalar z2022 = z2008 + z392 * z2002 + n632_over_165 * z2004;
-    const Scalar z2099 = z56 * z1991 - z392 * z804 + z418 * z1825 + z805;
     const Scalar z2031 = z2018 + k46 * z1823 - k71 * z1824;
+    const Scalar z2037 = k71 * z1822 - z2022 - k44 * z1823;
+    const Scalar z2099 = z56 * z1991 - z392 * z804 + z418 * z1825 + z805;
     const Scalar z2098 = z55 * z1991 + z392 * z803 - z419 * z1825 - z806;
     const Scalar z2091 = z55 * z1999 - z419 * z694 - z418 * z693 - z423 * z803 - z422 * z804 - z424 * z1825 - z56
         * z1998;
     const Scalar z2010 = c_q3 * z1999 + s_q3 * z1998;
     const Scalar z2020 = n632_over_165 * z1991 + z2000;
-    const Scalar z2037 = k71 * z1822 - z2022 - k44 * z1823;
     const Scalar z2013 = z1992 - z2012;
     const Scalar z2014 = z1996 - z2012;
     const Scalar z2017 = z426 * z2001 - z2013;
@@ -3881,17 +3881,17 @@ struct Mechanism {
     const Scalar z2047 = s_q2 * z2041 - c_q2 * z2042;
     const Scalar z2067 = z2030 - z2034;
     const Scalar z2069 = z2067 + z448 * z1823 - z449 * z1822;
-    const Scalar z2048 = s_q2 * z2047;
-    const Scalar z2140 = z1982 + z397 * z2002 - z398 * z2001;
     const Scalar z2138 = c_q3 * z2134 + s_q3 * z2133;
     const Scalar z2137 = s_q3 * z2134 - c_q3 * z2133;
-    const Scalar z2049 = z2030 - z2048;
-    const Scalar z2056 = z2049 + z2053;
-    const Scalar z2141 = z393 * z2001 - z2138;
     const Scalar z2139 = z393 * z2002 - z2137;
-    const Scalar z2143 = z395 * z1822 - z2141 - z401 * z1823;
+    const Scalar z2048 = s_q2 * z2047;
+    const Scalar z2140 = z1982 + z397 * z2002 - z398 * z2001;
+    const Scalar z2049 = z2030 - z2048;
     const Scalar z2142 = z393 * z476 - z397 * z477 + z395 * z817 + z401 * z818 - z402 * z1821 + z39 * z2140 + z40
         * z2139;
+    const Scalar z2141 = z393 * z2001 - z2138;
+    const Scalar z2056 = z2049 + z2053;
+    const Scalar z2143 = z395 * z1822 - z2141 - z401 * z1823;
     const Scalar z2145 = s_q2 * z2139 - c_q2 * z2140;
     const Scalar z2064 = z2056 - z2060;
     const Scalar z2150 = z1802 + z383 * z789 - z350 * z706 - z388 * z790 - z390 * z1829 - z79 * z1959 + z78 * z2129;
@@ -4187,19 +4187,19 @@ struct Mechanism {
     const Scalar z2440 = s_q7 * z2439 - c_q7 * z2438;
     const Scalar z2441 = c_q7 * z2439 + s_q7 * z2438;
     const Scalar z2443 = n16_over_15 * z2437 - z2441;
+    const Scalar z2480 = z1385 * z2398 - z1413 * z2478 - z1434 * z2479 + z2145;
     const Scalar z2442 = n16_over_15 * z1862 - z2367;
     const Scalar z2444 = s_q6 * z2437 - c_q6 * z1863;
     const Scalar z2445 = c_q6 * z2437 + s_q6 * z1863;
-    const Scalar z2480 = z1385 * z2398 - z1413 * z2478 - z1434 * z2479 + z2145;
     const Scalar z2481 = z1384 * z2398 - z1412 * z2478 - z1433 * z2479 - z1448 * z2480 + z2097;
+    const Scalar z2446 = c_q6 * z2440 + s_q6 * z2442;
+    const Scalar z2447 = s_q6 * z2440 - c_q6 * z2442;
     const Scalar z2482 = z1383 * z2398 - z1411 * z2478 - z1432 * z2479 - z1447 * z2480 - z1457 * z2481 - z2046;
     const Scalar z2483 = z1382 * z2398 - z1410 * z2478 - z1431 * z2479 - z1446 * z2480 - z1456 * z2481 - z1462 * z2482
         - z2064;
-    const Scalar z2484 = z1464 * z2483;
-    const Scalar z2446 = c_q6 * z2440 + s_q6 * z2442;
-    const Scalar z2447 = s_q6 * z2440 - c_q6 * z2442;
     const Scalar z2449 = c_q5 * z1862 + s_q5 * z2444;
     const Scalar z2448 = s_q5 * z1862 - c_q5 * z2444;
+    const Scalar z2484 = z1464 * z2483;
     const Scalar z2450 = s_q5 * z2443 + c_q5 * z2446;
     const Scalar z2452 = n256_over_55 * z2449 + z2450;
     const Scalar z2451 = s_q5 * z2446 - c_q5 * z2443;
@@ -4241,29 +4241,25 @@ struct Mechanism {
     const Scalar z2517 = z1387 * z2388 - z2288;
     const Scalar z2505 = z1386 * z2396 - z2210 - z1414 * z2504;
     const Scalar z2518 = z1386 * z2388 - z2202 - z1414 * z2517;
-    const Scalar z2496 = z1382 * z2395 - z2078 - z1410 * z2491 - z1431 * z2492 - z1446 * z2493 - z1456 * z2494 - z1462
-        * z2495;
     const Scalar z2506 = z2143 + z1385 * z2396 - z1413 * z2504 - z1434 * z2505;
     const Scalar z2519 = z1385 * z2388 - z2135 - z1413 * z2517 - z1434 * z2518;
-    const Scalar z2497 = z1464 * z2496;
-    const Scalar z2498 = z1461 * z2495 - z1462 * z2497;
-    const Scalar z2462 = c_q3 * z2449 + s_q3 * z2455;
-    const Scalar z2461 = s_q3 * z2449 - c_q3 * z2455;
     const Scalar z2507 = z1384 * z2396 - z1412 * z2504 - z1433 * z2505 - z2095 - z1448 * z2506;
     const Scalar z2520 = z1384 * z2388 - z1412 * z2517 - z1433 * z2518 - z1448 * z2519 + z2091;
     const Scalar z2508 = z1383 * z2396 - z1411 * z2504 - z1432 * z2505 - z1447 * z2506 - z1457 * z2507 + z2069;
     const Scalar z2521 = z1383 * z2388 - z1411 * z2517 - z1432 * z2518 - z1447 * z2519 - z2108 - z1457 * z2520;
+    const Scalar z2496 = z1382 * z2395 - z2078 - z1410 * z2491 - z1431 * z2492 - z1446 * z2493 - z1456 * z2494 - z1462
+        * z2495;
     const Scalar z2509 = z1382 * z2396 - z1410 * z2504 - z1431 * z2505 - z1446 * z2506 - z1456 * z2507 - z1462 * z2508
         - z2087;
     const Scalar z2522 = z1382 * z2388 - z1410 * z2517 - z1431 * z2518 - z1446 * z2519 - z1456 * z2520 - z1462 * z2521
         + z2112;
+    const Scalar z2497 = z1464 * z2496;
     const Scalar z2510 = z1464 * z2509;
     const Scalar z2523 = z1464 * z2522;
+    const Scalar z2498 = z1461 * z2495 - z1462 * z2497;
     const Scalar z2511 = z1461 * z2508 - z1462 * z2510;
     const Scalar z2499 = z1455 * z2494 - z1456 * z2497 - z1457 * z2498;
-    const Scalar z2524 = z1461 * z2521 - z1462 * z2523;
     const Scalar z2512 = z1455 * z2507 - z1456 * z2510 - z1457 * z2511;
-    const Scalar z2525 = z1455 * z2520 - z1456 * z2523 - z1457 * z2524;
     const Scalar z2500 = z1445 * z2493 - z1446 * z2497 - z1447 * z2498 - z1448 * z2499;
     const Scalar z2513 = z1445 * z2506 - z1446 * z2510 - z1447 * z2511 - z1448 * z2512;
     const Scalar z2501 = z1430 * z2492 - z1431 * z2497 - z1432 * z2498 - z1433 * z2499 - z1434 * z2500;
@@ -4274,6 +4270,10 @@ struct Mechanism {
     const Scalar z2515 = z1409 * z2504 - z1410 * z2510 - z1411 * z2511 - z1412 * z2512 - z1413 * z2513 - z1414 * z2514;
     const Scalar z2516 = z1382 * z2510 - k52 * z2396 + z1383 * z2511 + z1384 * z2512 + z1385 * z2513 + z1386 * z2514
         + z1387 * z2515;
+    const Scalar z2462 = c_q3 * z2449 + s_q3 * z2455;
+    const Scalar z2461 = s_q3 * z2449 - c_q3 * z2455;
+    const Scalar z2524 = z1461 * z2521 - z1462 * z2523;
+    const Scalar z2525 = z1455 * z2520 - z1456 * z2523 - z1457 * z2524;
     const Scalar z2463 = c_q3 * z2457 + s_q3 * z2459;
     const Scalar z2464 = s_q3 * z2457 - c_q3 * z2459;
     const Scalar z2465 = n632_over_165 * z2462 - z2463;
@@ -4343,28 +4343,28 @@ struct Mechanism {
     const Scalar z2596 = z1386 * z2370 - z2307 - z1414 * z2595;
     const Scalar z2588 = z1464 * z2587;
     const Scalar z2589 = z1461 * z2586 - z1462 * z2588;
+    const Scalar z2597 = z1385 * z2370 - z2314 - z1413 * z2595 - z1434 * z2596;
+    const Scalar z2590 = z1455 * z2585 - z1456 * z2588 - z1457 * z2589;
+    const Scalar z2598 = z1384 * z2370 - z1412 * z2595 - z1433 * z2596 + z2320 - z1448 * z2597;
+    const Scalar z2591 = z1445 * z2584 - z1446 * z2588 - z1447 * z2589 - z1448 * z2590;
+    const Scalar z2599 = z2326 + z1383 * z2370 - z1411 * z2595 - z1432 * z2596 - z1447 * z2597 - z1457 * z2598;
+    const Scalar z2600 = z1382 * z2370 - z2330 - z1410 * z2595 - z1431 * z2596 - z1446 * z2597 - z1456 * z2598 - z1462
+        * z2599;
+    const Scalar z2592 = z1430 * z2583 - z1431 * z2588 - z1432 * z2589 - z1433 * z2590 - z1434 * z2591;
     const Scalar z2541 = z1409 * z2530 - z1410 * z2536 - z1411 * z2537 - z1412 * z2538 - z1413 * z2539 - z1414 * z2540;
     const Scalar z2542 = z1382 * z2536 - k52 * z2389 + z1383 * z2537 + z1384 * z2538 + z1385 * z2539 + z1386 * z2540
         + z1387 * z2541;
     const Scalar z2608 = z1387 * z2371 - z2273;
     const Scalar z2609 = z1386 * z2371 + z2339 - z1414 * z2608;
-    const Scalar z2597 = z1385 * z2370 - z2314 - z1413 * z2595 - z1434 * z2596;
-    const Scalar z2610 = z1385 * z2371 - z2346 - z1413 * z2608 - z1434 * z2609;
-    const Scalar z2598 = z1384 * z2370 - z1412 * z2595 - z1433 * z2596 + z2320 - z1448 * z2597;
-    const Scalar z2599 = z2326 + z1383 * z2370 - z1411 * z2595 - z1432 * z2596 - z1447 * z2597 - z1457 * z2598;
-    const Scalar z2611 = z1384 * z2371 - z1412 * z2608 - z1433 * z2609 + z2352 - z1448 * z2610;
-    const Scalar z2612 = z2358 + z1383 * z2371 - z1411 * z2608 - z1432 * z2609 - z1447 * z2610 - z1457 * z2611;
-    const Scalar z2600 = z1382 * z2370 - z2330 - z1410 * z2595 - z1431 * z2596 - z1446 * z2597 - z1456 * z2598 - z1462
-        * z2599;
-    const Scalar z2613 = z1382 * z2371 - z2362 - z1410 * z2608 - z1431 * z2609 - z1446 * z2610 - z1456 * z2611 - z1462
-        * z2612;
     const Scalar z2601 = z1464 * z2600;
     const Scalar z2602 = z1461 * z2599 - z1462 * z2601;
-    const Scalar z2590 = z1455 * z2585 - z1456 * z2588 - z1457 * z2589;
+    const Scalar z2610 = z1385 * z2371 - z2346 - z1413 * z2608 - z1434 * z2609;
     const Scalar z2603 = z1455 * z2598 - z1456 * z2601 - z1457 * z2602;
-    const Scalar z2591 = z1445 * z2584 - z1446 * z2588 - z1447 * z2589 - z1448 * z2590;
+    const Scalar z2611 = z1384 * z2371 - z1412 * z2608 - z1433 * z2609 + z2352 - z1448 * z2610;
     const Scalar z2604 = z1445 * z2597 - z1446 * z2601 - z1447 * z2602 - z1448 * z2603;
-    const Scalar z2592 = z1430 * z2583 - z1431 * z2588 - z1432 * z2589 - z1433 * z2590 - z1434 * z2591;
+    const Scalar z2612 = z2358 + z1383 * z2371 - z1411 * z2608 - z1432 * z2609 - z1447 * z2610 - z1457 * z2611;
+    const Scalar z2613 = z1382 * z2371 - z2362 - z1410 * z2608 - z1431 * z2609 - z1446 * z2610 - z1456 * z2611 - z1462
+        * z2612;
     const Scalar z2605 = z1430 * z2596 - z1431 * z2601 - z1432 * z2602 - z1433 * z2603 - z1434 * z2604;
     const Scalar z2554 = z1409 * z2543 - z1410 * z2549 - z1411 * z2550 - z1412 * z2551 - z1413 * z2552 - z1414 * z2553;
     const Scalar z2555 = z1382 * z2549 - k52 * z2381 + z1383 * z2550 + z1384 * z2551 + z1385 * z2552 + z1386 * z2553
@@ -4373,27 +4373,27 @@ struct Mechanism {
     const Scalar z2622 = z1386 * z2366 + z2413 - z1414 * z2621;
     const Scalar z2614 = z1464 * z2613;
     const Scalar z2615 = z1461 * z2612 - z1462 * z2614;
+    const Scalar z2623 = z2420 + z1385 * z2366 - z1413 * z2621 - z1434 * z2622;
+    const Scalar z2616 = z1455 * z2611 - z1456 * z2614 - z1457 * z2615;
+    const Scalar z2624 = z1384 * z2366 - z1412 * z2621 - z1433 * z2622 + z2426 - z1448 * z2623;
+    const Scalar z2617 = z1445 * z2610 - z1446 * z2614 - z1447 * z2615 - z1448 * z2616;
+    const Scalar z2625 = z2432 + z1383 * z2366 - z1411 * z2621 - z1432 * z2622 - z1447 * z2623 - z1457 * z2624;
+    const Scalar z2626 = z2436 + z1382 * z2366 - z1410 * z2621 - z1431 * z2622 - z1446 * z2623 - z1456 * z2624 - z1462
+        * z2625;
+    const Scalar z2618 = z1430 * z2609 - z1431 * z2614 - z1432 * z2615 - z1433 * z2616 - z1434 * z2617;
     const Scalar z2567 = z1409 * z2556 - z1410 * z2562 - z1411 * z2563 - z1412 * z2564 - z1413 * z2565 - z1414 * z2566;
     const Scalar z2568 = z1382 * z2562 - k52 * z2382 + z1383 * z2563 + z1384 * z2564 + z1385 * z2565 + z1386 * z2566
         + z1387 * z2567;
     const Scalar z2634 = z1387 * z2367 - z2443;
     const Scalar z2635 = z1386 * z2367 + z2447 - z1414 * z2634;
-    const Scalar z2623 = z2420 + z1385 * z2366 - z1413 * z2621 - z1434 * z2622;
-    const Scalar z2624 = z1384 * z2366 - z1412 * z2621 - z1433 * z2622 + z2426 - z1448 * z2623;
-    const Scalar z2636 = z1385 * z2367 - z2454 - z1413 * z2634 - z1434 * z2635;
-    const Scalar z2625 = z2432 + z1383 * z2366 - z1411 * z2621 - z1432 * z2622 - z1447 * z2623 - z1457 * z2624;
-    const Scalar z2616 = z1455 * z2611 - z1456 * z2614 - z1457 * z2615;
-    const Scalar z2637 = z2460 + z1384 * z2367 - z1412 * z2634 - z1433 * z2635 - z1448 * z2636;
-    const Scalar z2638 = z2466 + z1383 * z2367 - z1411 * z2634 - z1432 * z2635 - z1447 * z2636 - z1457 * z2637;
-    const Scalar z2626 = z2436 + z1382 * z2366 - z1410 * z2621 - z1431 * z2622 - z1446 * z2623 - z1456 * z2624 - z1462
-        * z2625;
-    const Scalar z2639 = z1382 * z2367 - z2470 - z1410 * z2634 - z1431 * z2635 - z1446 * z2636 - z1456 * z2637 - z1462
-        * z2638;
     const Scalar z2627 = z1464 * z2626;
     const Scalar z2628 = z1461 * z2625 - z1462 * z2627;
-    const Scalar z2617 = z1445 * z2610 - z1446 * z2614 - z1447 * z2615 - z1448 * z2616;
+    const Scalar z2636 = z1385 * z2367 - z2454 - z1413 * z2634 - z1434 * z2635;
     const Scalar z2629 = z1455 * z2624 - z1456 * z2627 - z1457 * z2628;
-    const Scalar z2618 = z1430 * z2609 - z1431 * z2614 - z1432 * z2615 - z1433 * z2616 - z1434 * z2617;
+    const Scalar z2637 = z2460 + z1384 * z2367 - z1412 * z2634 - z1433 * z2635 - z1448 * z2636;
+    const Scalar z2638 = z2466 + z1383 * z2367 - z1411 * z2634 - z1432 * z2635 - z1447 * z2636 - z1457 * z2637;
+    const Scalar z2639 = z1382 * z2367 - z2470 - z1410 * z2634 - z1431 * z2635 - z1446 * z2636 - z1456 * z2637 - z1462
+        * z2638;
     const Scalar z2630 = z1445 * z2623 - z1446 * z2627 - z1447 * z2628 - z1448 * z2629;
     const Scalar z2631 = z1430 * z2622 - z1431 * z2627 - z1432 * z2628 - z1433 * z2629 - z1434 * z2630;
     const Scalar z2580 = z1409 * z2569 - z1410 * z2575 - z1411 * z2576 - z1412 * z2577 - z1413 * z2578 - z1414 * z2579;

@@ -89,11 +89,10 @@ struct SineCosine {
   TORSOR_DEVICE TORSOR_INLINED static Scalar number(double for_double, float for_float) noexcept {
     return scalar_traits<Scalar>::constant(for_double, for_float, nullptr);
   }
+  /// So large that the last bit of what is some less or more counts 1.
+  TORSOR_DEVICE TORSOR_INLINED static Scalar shift() noexcept { return number(0x1.8p52, 0x1.8p23f); }
   /// To the nearest integer, of two the even one.
-  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept {
-    const Scalar unit_ulp = number(0x1.8p52, 0x1.8p23f);
-    return (x + unit_ulp) - unit_ulp;
-  }
+  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept { return (x + shift()) - shift(); }
 
   /// Of high - rest, |high| <= pi/4, rest being about an ulp of high at most.
   TORSOR_DEVICE TORSOR_INLINED static void of_reduced(const Scalar& high, const Scalar& rest, Scalar& sine,
@@ -135,7 +134,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n plus a number so large that its last bit counts 1; what is no
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
   /// number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
@@ -143,10 +142,9 @@ struct SineCosine {
   ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
   TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
                                                         Scalar& cosine) noexcept {
-    const Scalar shift = number(0x1.8p52, 0x1.8p23f);
     const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift;
-    const Scalar n = shifted - shift;
+    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift();
+    const Scalar n = shifted - shift();
     const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
     const Scalar r = first - n * P;
     const Scalar error = (first - r) - n * P;
@@ -159,7 +157,7 @@ struct SineCosine {
   TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
     Scalar shifted;
     of_remainder(x, shifted, sine, cosine);
-    turn(shifted - number(0x1.8p52, 0x1.8p23f), sine, cosine);
+    turn(shifted - shift(), sine, cosine);
   }
 };
 
@@ -279,8 +277,8 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
 }
 
 }  // namespace torsor
-// Sines and cosines of several angles at once: by vector registers where GNU C++ has types for them, which compilers
-// without AVX make of narrower ones; loops over numbers are not left to compilers to find.
+// Sines and cosines of several angles at once, in vector registers where GNU C++ has types for them: of 32 bytes with
+// AVX, else of 16.
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define TORSOR_VECTOR_TYPES
 #endif
@@ -404,14 +402,16 @@ TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&si
   constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
   using AllLanes = typename FirstPlaces<lanes>::type;
   Number squares = 0;
-  // One copy of the code: its constants stay where they are.
+  if constexpr (whole > 0) {
+    // One copy of the code: its constants stay where they are.
 #if defined(__clang__)
 #pragma clang loop unroll(disable)
 #else
 #pragma GCC unroll 1
 #endif
-  for (int i = 0; i < whole; i += both)
-    squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+    for (int i = 0; i < whole; i += both)
+      squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+  }
   if constexpr (rest > 0)
     squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
   return squares;
@@ -632,7 +632,7 @@ struct Mechanism {
 
   static constexpr const char* name = "double_pendulum";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xfff067a3f5dce5b2ULL;
+  static constexpr unsigned long long fingerprint = 0x21e0779735b4d687ULL;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -1112,8 +1112,8 @@ struct Mechanism {
     const Scalar z42 = z9 * z32 - z10 * z41;
     const Scalar z43 = z9 * z41 + z10 * z32;
     const Scalar z69 = z9 * (z29 - z41) + z10 * (z30 - z32);
-    const Scalar z54 = n1 / z53;
     const Scalar z79 = z10 * z68;
+    const Scalar z54 = n1 / z53;
     const Scalar z44 = a_theta_2 - z42;  // moment on lower, z
     const Scalar z74 = z43 + z46;
     const Scalar z49 = n2 * (a_theta_1 + z29) + z45 + z44;  // moment on upper, z
@@ -1246,8 +1246,8 @@ struct Mechanism {
     const Scalar z32 = z30 + z31;
     const Scalar z33 = z9 * z32 - z10 * z29;
     const Scalar z40 = n2 * z29 + z36;
-    const Scalar z54 = n1 / z53;
     const Scalar z79 = z10 * z68;
+    const Scalar z54 = n1 / z53;
     const Scalar z55 = z10 * z33 + z40;
     const Scalar z56 = z54 * z55;
     const Scalar z80 = z54 * z79;
@@ -1263,14 +1263,14 @@ struct Mechanism {
     const Scalar z89 = z9 * z57 - z10 * z35;
     const Scalar z90 = n2 * z30 + z88 - z89;
     const Scalar z97 = z89 + z96;
-    const Scalar z91 = z88 - z90;
     const Scalar z98 = z96 - z97;
-    const Scalar z92 = z10 * z88 + z91;
+    const Scalar z91 = z88 - z90;
     const Scalar z99 = z10 * z96 + z98;
-    const Scalar z93 = z54 * z92;
+    const Scalar z92 = z10 * z88 + z91;
     const Scalar z100 = z54 * z99;
-    const Scalar z94 = z10 * z93 + z88;
+    const Scalar z93 = z54 * z92;
     const Scalar z101 = z10 * z100 + z96;
+    const Scalar z94 = z10 * z93 + z88;
     result.by_position[0] = z93;
     result.by_position[1] = -z94;
     result.by_position[2] = z100;
@@ -1544,8 +1544,8 @@ struct Mechanism {
     const Scalar z32 = z30 + z31;
     const Scalar z33 = z9 * z32 - z10 * z29;
     const Scalar z40 = n2 * z29 + z36;
-    const Scalar z54 = n1 / z53;
     const Scalar z79 = z10 * z68;
+    const Scalar z54 = n1 / z53;
     const Scalar z55 = z10 * z33 + z40;
     const Scalar z56 = z54 * z55;
     const Scalar z80 = z54 * z79;
@@ -1580,30 +1580,30 @@ struct Mechanism {
     const Scalar z141 = z54 * z140;
     const Scalar z146 = z54 * z145;
     const Scalar z117 = z114 - z116;
-    const Scalar z91 = z88 - z90;
     const Scalar z98 = z96 - z97;
     const Scalar z142 = z10 * z141 + z139;
     const Scalar z147 = z10 * z146 + z144;
+    const Scalar z91 = z88 - z90;
+    const Scalar z99 = z10 * z96 + z98;
     const Scalar z132 = z114 - z131;
     const Scalar z92 = z10 * z88 + z91;
-    const Scalar z99 = z10 * z96 + z98;
-    const Scalar z93 = z54 * z92;
     const Scalar z100 = z54 * z99;
-    const Scalar z94 = z10 * z93 + z88;
+    const Scalar z93 = z54 * z92;
     const Scalar z101 = z10 * z100 + z96;
-    const Scalar z119 = z9 * (z93 - z100) + z114;
     const Scalar z127 = n2 * z9 * z100 + z123;
+    const Scalar z94 = z10 * z93 + z88;
+    const Scalar z119 = z9 * (z93 - z100) + z114;
     const Scalar z134 = n2 * z9 * z93 + z114;
-    const Scalar z118 = z9 * (z94 - z101) + z117;
     const Scalar z126 = n2 * z9 * z101 + z125;
+    const Scalar z118 = z9 * (z94 - z101) + z117;
     const Scalar z133 = n2 * z9 * z94 + z132;
     const Scalar z128 = z10 * z127 + z126;
     const Scalar z135 = z10 * z134 + z133;
-    const Scalar z120 = z10 * z119 + z118;
     const Scalar z129 = z54 * z128;
+    const Scalar z120 = z10 * z119 + z118;
+    const Scalar z130 = z10 * z129 + z127;
     const Scalar z136 = z54 * z135;
     const Scalar z121 = z54 * z120;
-    const Scalar z130 = z10 * z129 + z127;
     const Scalar z137 = z10 * z136 + z134;
     const Scalar z122 = z10 * z121 + z119;
     result.by_position_position[0] = -z136;

@@ -77,11 +77,10 @@ struct SineCosine {
   TORSOR_DEVICE TORSOR_INLINED static Scalar number(double for_double, float for_float) noexcept {
     return scalar_traits<Scalar>::constant(for_double, for_float, nullptr);
   }
+  /// So large that the last bit of what is some less or more counts 1.
+  TORSOR_DEVICE TORSOR_INLINED static Scalar shift() noexcept { return number(0x1.8p52, 0x1.8p23f); }
   /// To the nearest integer, of two the even one.
-  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept {
-    const Scalar unit_ulp = number(0x1.8p52, 0x1.8p23f);
-    return (x + unit_ulp) - unit_ulp;
-  }
+  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept { return (x + shift()) - shift(); }
 
   /// Of high - rest, |high| <= pi/4, rest being about an ulp of high at most.
   TORSOR_DEVICE TORSOR_INLINED static void of_reduced(const Scalar& high, const Scalar& rest, Scalar& sine,
@@ -123,7 +122,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n plus a number so large that its last bit counts 1; what is no
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
   /// number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
@@ -131,10 +130,9 @@ struct SineCosine {
   ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
   TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
                                                         Scalar& cosine) noexcept {
-    const Scalar shift = number(0x1.8p52, 0x1.8p23f);
     const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift;
-    const Scalar n = shifted - shift;
+    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift();
+    const Scalar n = shifted - shift();
     const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
     const Scalar r = first - n * P;
     const Scalar error = (first - r) - n * P;
@@ -147,7 +145,7 @@ struct SineCosine {
   TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
     Scalar shifted;
     of_remainder(x, shifted, sine, cosine);
-    turn(shifted - number(0x1.8p52, 0x1.8p23f), sine, cosine);
+    turn(shifted - shift(), sine, cosine);
   }
 };
 
@@ -267,8 +265,8 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
 }
 
 }  // namespace torsor
-// Sines and cosines of several angles at once: by vector registers where GNU C++ has types for them, which compilers
-// without AVX make of narrower ones; loops over numbers are not left to compilers to find.
+// Sines and cosines of several angles at once, in vector registers where GNU C++ has types for them: of 32 bytes with
+// AVX, else of 16.
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define TORSOR_VECTOR_TYPES
 #endif
@@ -392,14 +390,16 @@ TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&si
   constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
   using AllLanes = typename FirstPlaces<lanes>::type;
   Number squares = 0;
-  // One copy of the code: its constants stay where they are.
+  if constexpr (whole > 0) {
+    // One copy of the code: its constants stay where they are.
 #if defined(__clang__)
 #pragma clang loop unroll(disable)
 #else
 #pragma GCC unroll 1
 #endif
-  for (int i = 0; i < whole; i += both)
-    squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+    for (int i = 0; i < whole; i += both)
+      squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+  }
   if constexpr (rest > 0)
     squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
   return squares;
@@ -506,7 +506,7 @@ struct Mechanism {
 
   static constexpr const char* name = "elastic_wing";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x85464ac02e7fde94ULL;
+  static constexpr unsigned long long fingerprint = 0xe18da647cdccbb8fULL;
   static constexpr int coordinate_count = 6;
   static constexpr int velocity_count = 6;
   static constexpr int input_count = 0;
@@ -1983,11 +1983,11 @@ struct Mechanism {
     const Scalar z497 = z128 * z494 - z202;
     const Scalar z496 = z130 * z494 - z207;
     const Scalar z321 = s_beta_4 * z319 - c_beta_4 * z271;
+    const Scalar z324 = z238 - n1900 * z306 + z322;  // force on panel_3, z
+    const Scalar z323 = z237 + n1900 * z259 - z321;  // force on panel_3, y
     const Scalar z499 = k23 * z150;
     const Scalar z504 = z150 * z499 + z497;
-    const Scalar z323 = z237 + n1900 * z259 - z321;  // force on panel_3, y
     const Scalar z503 = z152 * z499 + z496;
-    const Scalar z324 = z238 - n1900 * z306 + z322;  // force on panel_3, z
     const Scalar z305 = s_beta_3 * z302 + c_beta_3 * z303;
     const Scalar z304 = s_beta_3 * z303 - c_beta_3 * z302;
     const Scalar z307 = n4 * z259 - z304;
@@ -2021,9 +2021,11 @@ struct Mechanism {
     const Scalar z498 = k23 * z152;
     const Scalar z502 = z152 * z498 - z495;
     const Scalar z331 = s_beta_2 * z329 - c_beta_2 * z328;
+    const Scalar z333 = z216 + n16600 * z251 + z317 - z331;  // force on panel_1, y
+    const Scalar z334 = n16600 * a_beta_1 - z217 + z318 - z332;  // force on panel_1, z
     const Scalar z513 = z508 * z512;
-    const Scalar z313 = s_gamma * z297 + c_gamma * z298;
     const Scalar z516 = z502 - z508 * z513;
+    const Scalar z313 = s_gamma * z297 + c_gamma * z298;
     const Scalar z312 = s_gamma * z298 - c_gamma * z297;
     const Scalar z316 = n3580 * z314 + n2400 * z312;  // moment on engine, x
     const Scalar z652 = n500 * z88;
@@ -2031,116 +2033,115 @@ struct Mechanism {
     const Scalar z649 = n2 * z63;
     const Scalar z650 = n2400 * z649;
     const Scalar z653 = c_beta_4 * z652;
-    const Scalar z343 = z245 + z246 + z316;
     // moment on panel_1, x
     const Scalar z335 = k19 * a_beta_1 - z247 + n16600 * z296 + z316 + n4 * (z318 - z332) - z330;
-    const Scalar z333 = z216 + n16600 * z251 + z317 - z331;  // force on panel_1, y
-    const Scalar z339 = z231 + z232 + z335;
+    const Scalar z343 = z245 + z246 + z316;
     const Scalar z655 = s_beta_4 * z652;
-    const Scalar z334 = n16600 * a_beta_1 - z217 + z318 - z332;  // force on panel_1, z
+    const Scalar z654 = n1900 * z81 + z653;
+    const Scalar z657 = s_beta_3 * z655 - c_beta_3 * z654;
+    const Scalar z656 = c_beta_3 * z655 + s_beta_3 * z654;
+    const Scalar z339 = z231 + z232 + z335;
     const Scalar z524 = z520 * z522;
     const Scalar z527 = z518 - z520 * z524;
     const Scalar z526 = z517 - z519 * z524;
+    const Scalar z658 = n4400 * z74 - z657;
     const Scalar z651 = s_gamma * z650;
     const Scalar z661 = c_gamma * z650;
+    const Scalar z528 = n1 / z527;
     const Scalar z523 = z519 * z522;
     const Scalar z525 = z516 - z519 * z523;
-    const Scalar z528 = n1 / z527;
+    const Scalar z662 = c_beta_2 * z656 + s_beta_2 * z658;
+    const Scalar z659 = s_beta_2 * z656 - c_beta_2 * z658;
     const Scalar z337 = s_beta_1 * z333 - c_beta_1 * z334;
     const Scalar z338 = n20500 * a_z - z337;  // force on fuselage, z
     const Scalar z678 = n4 * z67;
+    const Scalar z660 = n16600 * z67 + z651 - z659;
     const Scalar z682 = c_beta_2 * z678;
     const Scalar z681 = s_beta_2 * z678;
     const Scalar z679 = c_gamma * z678;
+    const Scalar z683 = n4 * z74 + z682;
+    const Scalar z680 = n2400 * z679;
     const Scalar z665 = s_beta_4 * z241 + c_beta_4 * z242;
     const Scalar z666 = z238 + z665;
     const Scalar z667 = s_beta_4 * z242 - c_beta_4 * z241;
+    const Scalar z685 = s_beta_3 * z681 - c_beta_3 * z683;
+    const Scalar z684 = c_beta_3 * z681 + s_beta_3 * z683;
+    const Scalar z686 = n4 * z81 - z685;
     const Scalar z668 = z237 - z667;
     const Scalar z698 = n2 * z237;
     const Scalar z697 = s_beta_2 * z296 + c_beta_2 * z295;
+    const Scalar z669 = s_beta_3 * z666 - c_beta_3 * z668;
+    const Scalar z687 = c_beta_4 * z684 + s_beta_4 * z686;
     const Scalar z699 = s_beta_2 * z295 - c_beta_2 * z296;
+    const Scalar z688 = n500 * z687;
     const Scalar z694 = s_gamma * z295 - c_gamma * z296;
     const Scalar z695 = n2400 * z694;
-    const Scalar z669 = s_beta_3 * z666 - c_beta_3 * z668;
-    const Scalar z654 = n1900 * z81 + z653;
+    const Scalar z670 = z233 - z669;
+    const Scalar z689 = n4 * z655 - z688 - n1900 * z684;
+    const Scalar z696 = n2 * z233;
     const Scalar z671 = s_beta_3 * z668 + c_beta_3 * z666;
     const Scalar z672 = z234 + z671;
-    const Scalar z657 = s_beta_3 * z655 - c_beta_3 * z654;
-    const Scalar z656 = c_beta_3 * z655 + s_beta_3 * z654;
-    const Scalar z670 = z233 - z669;
-    const Scalar z696 = n2 * z233;
     const Scalar z702 = s_beta_3 * z697 + c_beta_3 * z699;
     const Scalar z700 = s_beta_3 * z699 - c_beta_3 * z697;
     const Scalar z703 = s_beta_4 * z702 + c_beta_4 * z700;
-    const Scalar z658 = n4400 * z74 - z657;
+    const Scalar z690 = z689 + n4 * z656 - n4400 * z681;
     const Scalar z701 = n2 * z241;
-    const Scalar z662 = c_beta_2 * z656 + s_beta_2 * z658;
-    const Scalar z659 = s_beta_2 * z656 - c_beta_2 * z658;
     const Scalar z673 = s_beta_2 * z670 + c_beta_2 * z672;
     const Scalar z674 = z217 + z673;
-    const Scalar z660 = n16600 * z67 + z651 - z659;
     const Scalar z704 = z701 + n500 * z703;
     const Scalar z675 = s_beta_2 * z672 - c_beta_2 * z670;
-    const Scalar z705 = n4 * z667 - z698 - n1900 * z700 - z704;
     const Scalar z693 = n2 * z216;
     const Scalar z676 = z216 - z675;
+    const Scalar z705 = n4 * z667 - z698 - n1900 * z700 - z704;
     const Scalar z677 = s_beta_1 * (z334 + z674) + c_beta_1 * (z333 - z676);
     const Scalar z663 = z661 - z662;
     const Scalar z664 = s_beta_1 * z660 - c_beta_1 * z663;
-    const Scalar z683 = n4 * z74 + z682;
-    const Scalar z680 = n2400 * z679;
+    const Scalar z691 = n4 * (z661 - z662) - z680 - z690;
+    const Scalar z692 = n60000 + z691;
     const Scalar z529 = z526 * z528;
     const Scalar z530 = z525 - z526 * z529;
     const Scalar z706 = n4400 * z697 - z696 + n4 * z669 + z705;
     const Scalar z707 = n16600 * z295 - z693 + z695 + z706 + n4 * z675;
     const Scalar z531 = n1 / z530;
     const Scalar z713 = n4 * z74;
+    const Scalar z745 = s_beta_4 * z305 + c_beta_4 * z304;
+    const Scalar z767 = n500 * z309 - z701;
+    const Scalar z746 = z701 - n500 * z745;
     const Scalar z709 = s_beta_1 * z659 - c_beta_1 * z662;
     const Scalar z708 = k3 - z707;
-    const Scalar z685 = s_beta_3 * z681 - c_beta_3 * z683;
-    const Scalar z684 = c_beta_3 * z681 + s_beta_3 * z683;
-    const Scalar z686 = n4 * z81 - z685;
-    const Scalar z745 = s_beta_4 * z305 + c_beta_4 * z304;
-    const Scalar z687 = c_beta_4 * z684 + s_beta_4 * z686;
-    const Scalar z746 = z701 - n500 * z745;
+    const Scalar z747 = n4 * z667 - z698 + n1900 * z304 - z746;
     const Scalar z715 = c_beta_3 * z713;
     const Scalar z714 = s_beta_3 * z713;
-    const Scalar z723 = s_beta_3 * z299 - c_beta_3 * z300;
-    const Scalar z688 = n500 * z687;
-    const Scalar z722 = s_beta_3 * z300 + c_beta_3 * z299;
-    const Scalar z689 = n4 * z655 - z688 - n1900 * z684;
-    const Scalar z724 = s_beta_4 * z723 - c_beta_4 * z722;
-    const Scalar z747 = n4 * z667 - z698 + n1900 * z304 - z746;
+    const Scalar z716 = n4 * z81 + z715;
     const Scalar z739 = n4 * z81;
     const Scalar z740 = s_beta_4 * z739;
+    const Scalar z723 = s_beta_3 * z299 - c_beta_3 * z300;
+    const Scalar z717 = c_beta_4 * z714 + s_beta_4 * z716;
+    const Scalar z722 = s_beta_3 * z300 + c_beta_3 * z299;
+    const Scalar z724 = s_beta_4 * z723 - c_beta_4 * z722;
+    const Scalar z718 = n500 * z717;
+    const Scalar z741 = n500 * z740;
+    const Scalar z757 = s_beta_4 * (z241 - z271) + c_beta_4 * (z242 - z319);
+    const Scalar z758 = s_beta_4 * (z242 - z319) - c_beta_4 * (z241 - z271);
     const Scalar z725 = z701 + n500 * z724;
-    const Scalar z690 = z689 + n4 * z656 - n4400 * z681;
+    const Scalar z726 = n4 * z667 - z698 + n1900 * z722 - z725;
+    const Scalar z719 = n4 * z655 - z718 - n1900 * z714;
+    const Scalar z727 = n4400 * z299 - z696 + n4 * z669 + z726;
     const Scalar z734 = s_beta_3 * (z324 - z666) - c_beta_3 * (z323 - z668);
     const Scalar z735 = s_beta_3 * (z323 - z668) + c_beta_3 * (z324 - z666);
-    const Scalar z726 = n4 * z667 - z698 + n1900 * z722 - z725;
-    const Scalar z727 = n4400 * z299 - z696 + n4 * z669 + z726;
+    const Scalar z759 = s_beta_3 * z757 + c_beta_3 * z758;
+    const Scalar z760 = s_beta_3 * z758 - c_beta_3 * z757;
+    const Scalar z768 = n4 * z758 + z767;
+    const Scalar z752 = s_beta_3 * z653 + c_beta_3 * z655;
+    const Scalar z753 = s_beta_3 * z655 - c_beta_3 * z653;
+    const Scalar z742 = n4 * z655 - z741;
+    const Scalar z764 = n4 * z655;
     const Scalar z711 = s_beta_2 * (z329 - z672) - c_beta_2 * (z328 - z670);
     const Scalar z710 = s_beta_2 * (z328 - z670) + c_beta_2 * (z329 - z672);
-    const Scalar z716 = n4 * z81 + z715;
     const Scalar z712 = c_beta_1 * z711 + s_beta_1 * z710;
     const Scalar z728 = n4 * z711 - z727;
-    const Scalar z717 = c_beta_4 * z714 + s_beta_4 * z716;
     const Scalar z730 = k5 - z727;
-    const Scalar z731 = s_beta_2 * z656 + c_beta_2 * z657;
-    const Scalar z732 = s_beta_2 * z657 - c_beta_2 * z656;
-    const Scalar z718 = n500 * z717;
-    const Scalar z733 = s_beta_1 * z731 + c_beta_1 * z732;
-    const Scalar z719 = n4 * z655 - z718 - n1900 * z714;
-    const Scalar z736 = s_beta_2 * z734 - c_beta_2 * z735;
-    const Scalar z737 = c_beta_2 * z734 + s_beta_2 * z735;
-    const Scalar z748 = n4 * z734 - z747;
-    const Scalar z738 = s_beta_1 * z736 - c_beta_1 * z737;
-    const Scalar z741 = n500 * z740;
-    const Scalar z749 = n4 * z737 + z748;
-    const Scalar z691 = n4 * (z661 - z662) - z680 - z690;
-    const Scalar z692 = n60000 + z691;
-    const Scalar z767 = n500 * z309 - z701;
-    const Scalar z751 = k7 - z747;
+    const Scalar z771 = k9 - z767;
     const Scalar z778 = z501 * z704 + z705;
     const Scalar z775 = n2400 * z313;
     const Scalar z772 = s_beta_1 * z651 - c_beta_1 * z661;
@@ -2149,27 +2150,26 @@ struct Mechanism {
     const Scalar z776 = n4 * z317 - z775;
     const Scalar z777 = n600000 + z775;
     const Scalar z779 = z706 + z500 * z704 - z515 * z778;
-    const Scalar z757 = s_beta_4 * (z241 - z271) + c_beta_4 * (z242 - z319);
-    const Scalar z758 = s_beta_4 * (z242 - z319) - c_beta_4 * (z241 - z271);
-    const Scalar z759 = s_beta_3 * z757 + c_beta_3 * z758;
-    const Scalar z760 = s_beta_3 * z758 - c_beta_3 * z757;
-    const Scalar z768 = n4 * z758 + z767;
-    const Scalar z771 = k9 - z767;
-    const Scalar z752 = s_beta_3 * z653 + c_beta_3 * z655;
-    const Scalar z753 = s_beta_3 * z655 - c_beta_3 * z653;
-    const Scalar z742 = n4 * z655 - z741;
-    const Scalar z764 = n4 * z655;
+    const Scalar z731 = s_beta_2 * z656 + c_beta_2 * z657;
+    const Scalar z732 = s_beta_2 * z657 - c_beta_2 * z656;
+    const Scalar z733 = s_beta_1 * z731 + c_beta_1 * z732;
+    const Scalar z736 = s_beta_2 * z734 - c_beta_2 * z735;
+    const Scalar z737 = c_beta_2 * z734 + s_beta_2 * z735;
+    const Scalar z748 = n4 * z734 - z747;
+    const Scalar z738 = s_beta_1 * z736 - c_beta_1 * z737;
+    const Scalar z749 = n4 * z737 + z748;
+    const Scalar z751 = k7 - z747;
     const Scalar z761 = s_beta_2 * z759 + c_beta_2 * z760;
     const Scalar z762 = s_beta_2 * z760 - c_beta_2 * z759;
     const Scalar z769 = n4 * z759 + z768;
+    const Scalar z763 = s_beta_1 * z761 + c_beta_1 * z762;
+    const Scalar z770 = n4 * z762 - z769;
     const Scalar z720 = n4 * z656 + z719;
     const Scalar z743 = n4 * z656 + z742;
     const Scalar z721 = n4 * z662 + z720;
     const Scalar z729 = n28000 - z720;
     const Scalar z744 = n4 * z732 - z743;
     const Scalar z750 = n12000 - z742;
-    const Scalar z763 = s_beta_1 * z761 + c_beta_1 * z762;
-    const Scalar z770 = n4 * z762 - z769;
     const Scalar z798 = z501 * z725 + z726;
     const Scalar z808 = z501 * z718 + z719;
     const Scalar z788 = z501 * z688 + z689;

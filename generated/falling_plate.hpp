@@ -81,11 +81,10 @@ struct SineCosine {
   TORSOR_DEVICE TORSOR_INLINED static Scalar number(double for_double, float for_float) noexcept {
     return scalar_traits<Scalar>::constant(for_double, for_float, nullptr);
   }
+  /// So large that the last bit of what is some less or more counts 1.
+  TORSOR_DEVICE TORSOR_INLINED static Scalar shift() noexcept { return number(0x1.8p52, 0x1.8p23f); }
   /// To the nearest integer, of two the even one.
-  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept {
-    const Scalar unit_ulp = number(0x1.8p52, 0x1.8p23f);
-    return (x + unit_ulp) - unit_ulp;
-  }
+  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept { return (x + shift()) - shift(); }
 
   /// Of high - rest, |high| <= pi/4, rest being about an ulp of high at most.
   TORSOR_DEVICE TORSOR_INLINED static void of_reduced(const Scalar& high, const Scalar& rest, Scalar& sine,
@@ -127,7 +126,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n plus a number so large that its last bit counts 1; what is no
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
   /// number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
@@ -135,10 +134,9 @@ struct SineCosine {
   ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
   TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
                                                         Scalar& cosine) noexcept {
-    const Scalar shift = number(0x1.8p52, 0x1.8p23f);
     const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift;
-    const Scalar n = shifted - shift;
+    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift();
+    const Scalar n = shifted - shift();
     const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
     const Scalar r = first - n * P;
     const Scalar error = (first - r) - n * P;
@@ -151,7 +149,7 @@ struct SineCosine {
   TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
     Scalar shifted;
     of_remainder(x, shifted, sine, cosine);
-    turn(shifted - number(0x1.8p52, 0x1.8p23f), sine, cosine);
+    turn(shifted - shift(), sine, cosine);
   }
 };
 
@@ -271,8 +269,8 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
 }
 
 }  // namespace torsor
-// Sines and cosines of several angles at once: by vector registers where GNU C++ has types for them, which compilers
-// without AVX make of narrower ones; loops over numbers are not left to compilers to find.
+// Sines and cosines of several angles at once, in vector registers where GNU C++ has types for them: of 32 bytes with
+// AVX, else of 16.
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define TORSOR_VECTOR_TYPES
 #endif
@@ -396,14 +394,16 @@ TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&si
   constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
   using AllLanes = typename FirstPlaces<lanes>::type;
   Number squares = 0;
-  // One copy of the code: its constants stay where they are.
+  if constexpr (whole > 0) {
+    // One copy of the code: its constants stay where they are.
 #if defined(__clang__)
 #pragma clang loop unroll(disable)
 #else
 #pragma GCC unroll 1
 #endif
-  for (int i = 0; i < whole; i += both)
-    squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+    for (int i = 0; i < whole; i += both)
+      squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+  }
   if constexpr (rest > 0)
     squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
   return squares;
@@ -510,7 +510,7 @@ struct Mechanism {
 
   static constexpr const char* name = "falling_plate";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x52603a3887bc7bc8ULL;
+  static constexpr unsigned long long fingerprint = 0x695cc9b4a2ad6d23ULL;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 4;
   static constexpr int input_count = 0;
@@ -1321,6 +1321,7 @@ struct Mechanism {
     const Scalar z260 = n2 * z43 * z44;
     const Scalar z262 = z43 * z43 - z44 * z44;
     const Scalar z263 = z29 * z105 + p_F * z262;
+    const Scalar z271 = z268 - z270;
     const Scalar z261 = p_b * z257 - p_F * z260 - z30 * z111;
     const Scalar z258 = p_b * z111;
     const Scalar z259 = z257 - z258;
@@ -1328,38 +1329,37 @@ struct Mechanism {
     const Scalar z264 = c_beta * (z118 + z261) - s_beta * (z119 + z263);
     const Scalar z123 = s_beta * z118 + c_beta * z119;
     const Scalar z125 = z100 - z120;  // force on foot, y
+    const Scalar z272 = s_beta * z268;
+    const Scalar z273 = p_b * z272;
     const Scalar z128 = z35 * z124 - z123;  // moment on turned, z
     const Scalar z135 = z20 * z125 + z117;
     const Scalar z277 = v_beta * z16;
-    const Scalar z174 = n1 / z96;
-    const Scalar z175 = z57 * z174;
+    const Scalar z274 = z20 * z271 - z273;
     const Scalar z172 = z128 + a_alpha * z80 - a_beta * z57;
     const Scalar z265 = z264 + z20 * z124 - z35 * z259;
-    const Scalar z173 = z135 + a_alpha * z57 + a_beta * z96;
     const Scalar z278 = z20 * z98 + p_b * z277;
-    const Scalar z176 = z57 * z175 + z80;
+    const Scalar z173 = z135 + a_alpha * z57 + a_beta * z96;
     const Scalar z279 = p_b * z260;
+    const Scalar z174 = n1 / z96;
+    const Scalar z280 = p_b * z262;
+    const Scalar z266 = z265 + a_beta * z56 + a_alpha * z256;
+    const Scalar z175 = z57 * z174;
+    const Scalar z281 = c_beta * (z116 - z279) - s_beta * (z115 + z280);
+    const Scalar z275 = n2 * z20 * z35;
+    const Scalar z176 = z57 * z175 + z80;
+    const Scalar z276 = n2 * (z20 * z35 - z275);
     const Scalar z177 = n1 / z176;
     const Scalar z283 = c_beta * z100 + s_beta * (n9_81 - z278);
-    const Scalar z266 = z265 + a_beta * z56 + a_alpha * z256;
-    const Scalar z280 = p_b * z262;
-    const Scalar z281 = c_beta * (z116 - z279) - s_beta * (z115 + z280);
     const Scalar z284 = p_b * z283 - z110 * z262;
-    const Scalar z275 = n2 * z20 * z35;
-    const Scalar z272 = s_beta * z268;
-    const Scalar z271 = z268 - z270;
-    const Scalar z273 = p_b * z272;
-    const Scalar z276 = n2 * (z20 * z35 - z275);
-    const Scalar z287 = z175 * z244 + z234;
     const Scalar z282 = z278 + z281;
-    const Scalar z274 = z20 * z271 - z273;
-    const Scalar z288 = z177 * z287;
-    const Scalar z285 = z284 - z35 * z125 + z20 * z282;
+    const Scalar z287 = z175 * z244 + z234;
     const Scalar z293 = z175 * z274 + z254;
-    const Scalar z289 = z174 * z244 - z175 * z288;
+    const Scalar z285 = z284 - z35 * z125 + z20 * z282;
+    const Scalar z288 = z177 * z287;
     const Scalar z294 = z177 * z293;
-    const Scalar z286 = a_alpha * z56 - z285 + a_beta * z276;
+    const Scalar z289 = z174 * z244 - z175 * z288;
     const Scalar z295 = z174 * z274 - z175 * z294;
+    const Scalar z286 = a_alpha * z56 - z285 + a_beta * z276;
     const Scalar z290 = z175 * z286 - z266;
     const Scalar z291 = z177 * z290;
     const Scalar z292 = z174 * z286 - z175 * z291;

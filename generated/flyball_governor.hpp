@@ -79,11 +79,10 @@ struct SineCosine {
   TORSOR_DEVICE TORSOR_INLINED static Scalar number(double for_double, float for_float) noexcept {
     return scalar_traits<Scalar>::constant(for_double, for_float, nullptr);
   }
+  /// So large that the last bit of what is some less or more counts 1.
+  TORSOR_DEVICE TORSOR_INLINED static Scalar shift() noexcept { return number(0x1.8p52, 0x1.8p23f); }
   /// To the nearest integer, of two the even one.
-  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept {
-    const Scalar unit_ulp = number(0x1.8p52, 0x1.8p23f);
-    return (x + unit_ulp) - unit_ulp;
-  }
+  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept { return (x + shift()) - shift(); }
 
   /// Of high - rest, |high| <= pi/4, rest being about an ulp of high at most.
   TORSOR_DEVICE TORSOR_INLINED static void of_reduced(const Scalar& high, const Scalar& rest, Scalar& sine,
@@ -125,7 +124,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n plus a number so large that its last bit counts 1; what is no
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
   /// number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
@@ -133,10 +132,9 @@ struct SineCosine {
   ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
   TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
                                                         Scalar& cosine) noexcept {
-    const Scalar shift = number(0x1.8p52, 0x1.8p23f);
     const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift;
-    const Scalar n = shifted - shift;
+    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift();
+    const Scalar n = shifted - shift();
     const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
     const Scalar r = first - n * P;
     const Scalar error = (first - r) - n * P;
@@ -149,7 +147,7 @@ struct SineCosine {
   TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
     Scalar shifted;
     of_remainder(x, shifted, sine, cosine);
-    turn(shifted - number(0x1.8p52, 0x1.8p23f), sine, cosine);
+    turn(shifted - shift(), sine, cosine);
   }
 };
 
@@ -269,8 +267,8 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
 }
 
 }  // namespace torsor
-// Sines and cosines of several angles at once: by vector registers where GNU C++ has types for them, which compilers
-// without AVX make of narrower ones; loops over numbers are not left to compilers to find.
+// Sines and cosines of several angles at once, in vector registers where GNU C++ has types for them: of 32 bytes with
+// AVX, else of 16.
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define TORSOR_VECTOR_TYPES
 #endif
@@ -394,14 +392,16 @@ TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&si
   constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
   using AllLanes = typename FirstPlaces<lanes>::type;
   Number squares = 0;
-  // One copy of the code: its constants stay where they are.
+  if constexpr (whole > 0) {
+    // One copy of the code: its constants stay where they are.
 #if defined(__clang__)
 #pragma clang loop unroll(disable)
 #else
 #pragma GCC unroll 1
 #endif
-  for (int i = 0; i < whole; i += both)
-    squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+    for (int i = 0; i < whole; i += both)
+      squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+  }
   if constexpr (rest > 0)
     squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
   return squares;
@@ -508,7 +508,7 @@ struct Mechanism {
 
   static constexpr const char* name = "flyball_governor";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x81bffd8efebd44daULL;
+  static constexpr unsigned long long fingerprint = 0x5da53b8d737d96adULL;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 4;
   static constexpr int input_count = 0;
@@ -1675,69 +1675,69 @@ struct Mechanism {
     const Scalar z361 = s_beta_1 * z360;
     const Scalar z364 = s_beta_2 * z360;
     const Scalar z362 = s_beta_1 * z26 + c_beta_1 * z25;
+    const Scalar z363 = n5_15 * z361 + k1 * z362;
     const Scalar z369 = n40000 * z368 / z124;
     const Scalar z365 = s_beta_2 * z36 + c_beta_2 * z35;
+    const Scalar z366 = n5_15 * z364 + k1 * z365;
     const Scalar z170 = z132 - z142 + z158 - z168;
     const Scalar z174 = n0_5 * (z130 - z140);
-    const Scalar z371 = n2 * (s_beta_2 * z145 - c_beta_2 * z144);
     const Scalar z177 = n0_5 * (z156 - z166);
     const Scalar z380 = n2 * (z118 * z133 + z55 * z119 + s_beta_1 * z135 + c_beta_1 * z134);
-    const Scalar z381 = n0_5 * z380;
     const Scalar z198 = z177 - n5_15 * z185 - k1 * z192;  // moment on rod_2, y
     const Scalar z388 = n2 * (z144 * z159 + z72 * z145 + s_beta_2 * z161 + c_beta_2 * z160);
     const Scalar z214 = z174 - n5_15 * z181 - k1 * z208;  // moment on rod_1, y
     const Scalar z270 = k14 * a_beta_1 - z214;
     const Scalar z271 = k14 * a_beta_2 - z198;
+    const Scalar z381 = n0_5 * z380;
     const Scalar z389 = n0_5 * z388;
     const Scalar z382 = n40000 * (z137 * z367 / (z124 * z124) + z381 / z124);
     const Scalar z376 = n0_5 * z367 / z125;
     const Scalar z377 = z376 / (z125 * z125);
-    const Scalar z390 = n40000 * (z163 * z371 / (z150 * z150) + z389 / z150);
     const Scalar z220 = n29_43 + z170;  // force on slider, z
     const Scalar z269 = n3 * a_s + z220;
     const Scalar z410 = s_beta_1 * z97 + c_beta_1 * z96;
     const Scalar z411 = n0_1 * z93 + z410;
-    const Scalar z413 = k9 * z207;
-    const Scalar z418 = z118 * n2 * (z117 + z119);
-    const Scalar z363 = n5_15 * z361 + k1 * z362;
-    const Scalar z366 = n5_15 * z364 + k1 * z365;
     const Scalar z426 = z134 * n2 * (z117 + z119);
+    const Scalar z418 = z118 * n2 * (z117 + z119);
     const Scalar z427 = n0_5 * z426;
+    const Scalar z413 = k9 * z207;
+    const Scalar z371 = n2 * (s_beta_2 * z145 - c_beta_2 * z144);
+    const Scalar z428 = n40000 * (z137 * z418 / (z124 * z124) - z427 / z124);
+    const Scalar z390 = n40000 * (z163 * z371 / (z150 * z150) + z389 / z150);
     const Scalar z378 = n400000 * z377;
     const Scalar z422 = n0_5 * z418 / z125;
-    const Scalar z384 = n0_5 * z371 / z151;
-    const Scalar z428 = n40000 * (z137 * z418 / (z124 * z124) - z427 / z124);
-    const Scalar z372 = n0_5 * z371;
     const Scalar z419 = n0_5 * z418;
     const Scalar z420 = n40000 * z419 / z124;
-    const Scalar z385 = z384 / (z151 * z151);
-    const Scalar z423 = z422 / (z125 * z125);
+    const Scalar z384 = n0_5 * z371 / z151;
+    const Scalar z372 = n0_5 * z371;
     const Scalar z373 = n40000 * z372 / z150;
     const Scalar z414 = n5_1 * z209;
     const Scalar z415 = s_beta_1 * (z215 - z413) + c_beta_1 * (z213 - z414);
+    const Scalar z423 = z422 / (z125 * z125);
     const Scalar z412 = n5_15 * z209;
+    const Scalar z385 = z384 / (z151 * z151);
     const Scalar z405 = n2 * z26;
     const Scalar z406 = k9 * z405;
     const Scalar z403 = n2 * z25;
-    const Scalar z386 = n400000 * z385;
     const Scalar z383 = z122 * z382 - z138;
+    const Scalar z416 = n0_05 * z412 - z415;
     const Scalar z396 = c_beta_1 * z138 + z118 * z382;
     const Scalar z391 = z148 * z390 - z164;
+    const Scalar z417 = a_psi * z411 + z416;
     const Scalar z401 = c_beta_2 * z164 + z144 * z390;
-    const Scalar z416 = n0_05 * z412 - z415;
-    const Scalar z424 = n400000 * z423;
     const Scalar z407 = n5_1 * z403;
     const Scalar z408 = s_beta_1 * z406 - c_beta_1 * z407;
+    const Scalar z424 = n400000 * z423;
     const Scalar z404 = n5_15 * z403;
-    const Scalar z417 = a_psi * z411 + z416;
     const Scalar z379 = z122 * z378 + z127;
+    const Scalar z386 = n400000 * z385;
+    const Scalar z409 = n0_05 * z404 - z408;
     const Scalar z395 = c_beta_1 * z127 - z118 * z378;
     const Scalar z397 = n0_5 * (z395 - z396);
     const Scalar z400 = c_beta_2 * z153 - z144 * z386;
-    const Scalar z402 = n0_5 * (z400 - z401);
-    const Scalar z409 = n0_05 * z404 - z408;
     const Scalar z387 = z148 * z386 + z153;
     const Scalar z392 = z383 + z391 + z379 + z387;
+    const Scalar z402 = n0_5 * (z400 - z401);
     const Scalar z370 = z122 * z369;
     const Scalar z393 = z118 * z369;
     const Scalar z394 = n0_5 * z393;
@@ -1789,22 +1789,22 @@ struct Mechanism {
     const Scalar z442 = n5_1 * z438;
     const Scalar z471 = z35 * z35 - z36 * z36;
     const Scalar z447 = n5_15 * z193;
-    const Scalar z458 = z457 / (z151 * z151);
     const Scalar z439 = n5_15 * z438;
     const Scalar z443 = s_beta_2 * z441 - c_beta_2 * z442;
     const Scalar z451 = n0_05 * z447 - z450;
-    const Scalar z444 = n0_05 * z439 - z443;
+    const Scalar z458 = z457 / (z151 * z151);
     const Scalar z452 = a_psi * z446 + z451;
+    const Scalar z444 = n0_05 * z439 - z443;
     const Scalar z456 = z148 * z455;
     const Scalar z466 = z144 * z455;
+    const Scalar z488 = z299 * z452;
     const Scalar z464 = z146 * z164 + z148 * z463;
     const Scalar z469 = z143 * z164 - z144 * z463;
-    const Scalar z467 = n0_5 * z466;
     const Scalar z491 = z299 * z444;
+    const Scalar z467 = n0_5 * z466;
     const Scalar z492 = n1_over_3 * z456;
-    const Scalar z488 = z299 * z452;
-    const Scalar z459 = n400000 * z458;
     const Scalar z493 = k17 * z467;
+    const Scalar z459 = n400000 * z458;
     const Scalar z460 = z146 * z153 - z148 * z459;
     const Scalar z468 = z143 * z153 + z144 * z459;
     const Scalar z465 = z460 - z464;
@@ -2188,6 +2188,8 @@ struct Mechanism {
     const Scalar z365 = s_beta_2 * z36 + c_beta_2 * z35;
     const Scalar z361 = s_beta_1 * z360;
     const Scalar z364 = s_beta_2 * z360;
+    const Scalar z363 = n5_15 * z361 + k2 * z362;
+    const Scalar z366 = n5_15 * z364 + k2 * z365;
     const Scalar z358 = n0_05 * (z347 + z353) - z351 - z357;
     const Scalar z137 = n0_5 * z136;
     const Scalar z163 = n0_5 * z162;
@@ -2210,47 +2212,45 @@ struct Mechanism {
     const Scalar z388 = n2 * (z144 * z159 + z72 * z145 + s_beta_2 * z161 + c_beta_2 * z160);
     const Scalar z410 = s_beta_1 * z97 + c_beta_1 * z96;
     const Scalar z411 = n0_1 * z93 + z410;
+    const Scalar z426 = z134 * n2 * (z117 + z119);
+    const Scalar z418 = z118 * n2 * (z117 + z119);
+    const Scalar z427 = n0_5 * z426;
     const Scalar z389 = n0_5 * z388;
     const Scalar z413 = k8 * z207;
+    const Scalar z428 = n40000 * (z137 * z418 / (z124 * z124) - z427 / z124);
     const Scalar z377 = z376 / (z125 * z125);
     const Scalar z390 = n40000 * (z163 * z371 / (z150 * z150) + z389 / z150);
     const Scalar z384 = n0_5 * z371 / z151;
     const Scalar z385 = z384 / (z151 * z151);
-    const Scalar z418 = z118 * n2 * (z117 + z119);
+    const Scalar z378 = n400000 * z377;
     const Scalar z422 = n0_5 * z418 / z125;
     const Scalar z419 = n0_5 * z418;
+    const Scalar z420 = n40000 * z419 / z124;
     const Scalar z414 = n5_1 * z209;
     const Scalar z415 = s_beta_1 * (z215 - z413) + c_beta_1 * (z213 - z414);
-    const Scalar z363 = n5_15 * z361 + k2 * z362;
-    const Scalar z366 = n5_15 * z364 + k2 * z365;
-    const Scalar z426 = z134 * n2 * (z117 + z119);
-    const Scalar z427 = n0_5 * z426;
-    const Scalar z378 = n400000 * z377;
-    const Scalar z412 = n5_15 * z209;
-    const Scalar z386 = n400000 * z385;
-    const Scalar z420 = n40000 * z419 / z124;
-    const Scalar z428 = n40000 * (z137 * z418 / (z124 * z124) - z427 / z124);
     const Scalar z423 = z422 / (z125 * z125);
-    const Scalar z416 = n0_05 * z412 - z415;
-    const Scalar z417 = a_psi * z411 + z416;
+    const Scalar z412 = n5_15 * z209;
     const Scalar z405 = n2 * z26;
     const Scalar z406 = k8 * z405;
-    const Scalar z421 = z122 * z420;
     const Scalar z403 = n2 * z25;
     const Scalar z383 = z122 * z382 - z138;
     const Scalar z396 = c_beta_1 * z138 + z118 * z382;
+    const Scalar z416 = n0_05 * z412 - z415;
+    const Scalar z386 = n400000 * z385;
     const Scalar z391 = z148 * z390 - z164;
     const Scalar z401 = c_beta_2 * z164 + z144 * z390;
+    const Scalar z417 = a_psi * z411 + z416;
     const Scalar z407 = n5_1 * z403;
     const Scalar z408 = s_beta_1 * z406 - c_beta_1 * z407;
     const Scalar z424 = n400000 * z423;
     const Scalar z404 = n5_15 * z403;
+    const Scalar z421 = z122 * z420;
     const Scalar z379 = z122 * z378 + z127;
+    const Scalar z409 = n0_05 * z404 - z408;
     const Scalar z395 = c_beta_1 * z127 - z118 * z378;
     const Scalar z397 = n0_5 * (z395 - z396);
     const Scalar z400 = c_beta_2 * z153 - z144 * z386;
     const Scalar z402 = n0_5 * (z400 - z401);
-    const Scalar z409 = n0_05 * z404 - z408;
     const Scalar z387 = z148 * z386 + z153;
     const Scalar z392 = z383 + z391 + z379 + z387;
     const Scalar z370 = z122 * z369;
@@ -2287,19 +2287,19 @@ struct Mechanism {
     const Scalar z441 = k8 * z440;
     const Scalar z442 = n5_1 * z438;
     const Scalar z447 = n5_15 * z193;
-    const Scalar z458 = z457 / (z151 * z151);
     const Scalar z439 = n5_15 * z438;
-    const Scalar z443 = s_beta_2 * z441 - c_beta_2 * z442;
     const Scalar z471 = z35 * z35 - z36 * z36;
+    const Scalar z443 = s_beta_2 * z441 - c_beta_2 * z442;
+    const Scalar z458 = z457 / (z151 * z151);
     const Scalar z451 = n0_05 * z447 - z450;
-    const Scalar z456 = z148 * z455;
-    const Scalar z466 = z144 * z455;
     const Scalar z444 = n0_05 * z439 - z443;
+    const Scalar z466 = z144 * z455;
     const Scalar z452 = a_psi * z446 + z451;
+    const Scalar z456 = z148 * z455;
     const Scalar z467 = n0_5 * z466;
-    const Scalar z459 = n400000 * z458;
     const Scalar z464 = z146 * z164 + z148 * z463;
     const Scalar z469 = z143 * z164 - z144 * z463;
+    const Scalar z459 = n400000 * z458;
     const Scalar z460 = z146 * z153 - z148 * z459;
     const Scalar z468 = z143 * z153 + z144 * z459;
     const Scalar z465 = z460 - z464;

@@ -77,11 +77,10 @@ struct SineCosine {
   TORSOR_DEVICE TORSOR_INLINED static Scalar number(double for_double, float for_float) noexcept {
     return scalar_traits<Scalar>::constant(for_double, for_float, nullptr);
   }
+  /// So large that the last bit of what is some less or more counts 1.
+  TORSOR_DEVICE TORSOR_INLINED static Scalar shift() noexcept { return number(0x1.8p52, 0x1.8p23f); }
   /// To the nearest integer, of two the even one.
-  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept {
-    const Scalar unit_ulp = number(0x1.8p52, 0x1.8p23f);
-    return (x + unit_ulp) - unit_ulp;
-  }
+  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept { return (x + shift()) - shift(); }
 
   /// Of high - rest, |high| <= pi/4, rest being about an ulp of high at most.
   TORSOR_DEVICE TORSOR_INLINED static void of_reduced(const Scalar& high, const Scalar& rest, Scalar& sine,
@@ -123,7 +122,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n plus a number so large that its last bit counts 1; what is no
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
   /// number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
@@ -131,10 +130,9 @@ struct SineCosine {
   ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
   TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
                                                         Scalar& cosine) noexcept {
-    const Scalar shift = number(0x1.8p52, 0x1.8p23f);
     const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift;
-    const Scalar n = shifted - shift;
+    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift();
+    const Scalar n = shifted - shift();
     const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
     const Scalar r = first - n * P;
     const Scalar error = (first - r) - n * P;
@@ -147,7 +145,7 @@ struct SineCosine {
   TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
     Scalar shifted;
     of_remainder(x, shifted, sine, cosine);
-    turn(shifted - number(0x1.8p52, 0x1.8p23f), sine, cosine);
+    turn(shifted - shift(), sine, cosine);
   }
 };
 
@@ -267,8 +265,8 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
 }
 
 }  // namespace torsor
-// Sines and cosines of several angles at once: by vector registers where GNU C++ has types for them, which compilers
-// without AVX make of narrower ones; loops over numbers are not left to compilers to find.
+// Sines and cosines of several angles at once, in vector registers where GNU C++ has types for them: of 32 bytes with
+// AVX, else of 16.
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define TORSOR_VECTOR_TYPES
 #endif
@@ -392,14 +390,16 @@ TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&si
   constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
   using AllLanes = typename FirstPlaces<lanes>::type;
   Number squares = 0;
-  // One copy of the code: its constants stay where they are.
+  if constexpr (whole > 0) {
+    // One copy of the code: its constants stay where they are.
 #if defined(__clang__)
 #pragma clang loop unroll(disable)
 #else
 #pragma GCC unroll 1
 #endif
-  for (int i = 0; i < whole; i += both)
-    squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+    for (int i = 0; i < whole; i += both)
+      squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+  }
   if constexpr (rest > 0)
     squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
   return squares;
@@ -506,7 +506,7 @@ struct Mechanism {
 
   static constexpr const char* name = "four_wheel_vehicle_all_wheels";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x6caf2883e5258521ULL;
+  static constexpr unsigned long long fingerprint = 0xc04f86c8fc14e982ULL;
   static constexpr int coordinate_count = 11;
   static constexpr int velocity_count = 11;
   static constexpr int input_count = 0;
@@ -1354,8 +1354,8 @@ struct Mechanism {
     const Scalar z232 = z195 + z224;
     const Scalar z261 = k3 + n2 * z246 - k5 * z247 + z245;
     const Scalar z282 = n0_5 + z280;
-    const Scalar z298 = k3 + n2 * z283 + k5 * z284 + z282;
     const Scalar z269 = z232 + z261;
+    const Scalar z298 = k3 + n2 * z283 + k5 * z284 + z282;
     const Scalar z171 = s_psi * z169 - c_psi * z168;
     const Scalar z172 = s_psi * z168 + c_psi * z169;
     const Scalar z203 = s_psi * z201 - c_psi * z200;
@@ -1704,11 +1704,11 @@ struct Mechanism {
     const Scalar z443 = z415 + z423 + z431 + z439;  // force on S, x
     const Scalar z444 = z416 + z424 + z432 + z440;  // force on S, y
     const Scalar z438 = n0_5 * a_psi + q_s_1 * z437;  // moment on steered_1, z
+    const Scalar z448 = s_psi * z444 - c_psi * z443;
+    const Scalar z449 = s_psi * z443 + c_psi * z444;
     // moment on S, z
     const Scalar z447 = n900 * a_psi + z414 - z415 + z422 - z423 + z430 + z431 + z438 + z439 - k1 * (z416 - z424 - z432
         + z440);
-    const Scalar z448 = s_psi * z444 - c_psi * z443;
-    const Scalar z449 = s_psi * z443 + c_psi * z444;
     const Scalar z452 = n800 * a_x + z448;  // force on S.y, x
     const Scalar z453 = n800 * a_y - z449;  // force on S.y, y
     forces.x = z56 * l_lambda_wheel_1_y - z57 * l_lambda_wheel_1_x + z81 * l_lambda_wheel_2_y - z82 * l_lambda_wheel_2_x
@@ -1842,10 +1842,10 @@ struct Mechanism {
     const Scalar z225 = k6 - z210;
     const Scalar z228 = z194 + z226;
     const Scalar z263 = n20 + z246;
+    const Scalar z306 = z269 + z298;
     const Scalar z227 = z193 - z225;
     const Scalar z262 = k6 - z247;
     const Scalar z265 = z228 - z263;
-    const Scalar z306 = z269 + z298;
     const Scalar z300 = n20 + z283;
     const Scalar z264 = z227 - z262;
     const Scalar z299 = k6 + z284;

@@ -80,11 +80,10 @@ struct SineCosine {
   TORSOR_DEVICE TORSOR_INLINED static Scalar number(double for_double, float for_float) noexcept {
     return scalar_traits<Scalar>::constant(for_double, for_float, nullptr);
   }
+  /// So large that the last bit of what is some less or more counts 1.
+  TORSOR_DEVICE TORSOR_INLINED static Scalar shift() noexcept { return number(0x1.8p52, 0x1.8p23f); }
   /// To the nearest integer, of two the even one.
-  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept {
-    const Scalar unit_ulp = number(0x1.8p52, 0x1.8p23f);
-    return (x + unit_ulp) - unit_ulp;
-  }
+  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept { return (x + shift()) - shift(); }
 
   /// Of high - rest, |high| <= pi/4, rest being about an ulp of high at most.
   TORSOR_DEVICE TORSOR_INLINED static void of_reduced(const Scalar& high, const Scalar& rest, Scalar& sine,
@@ -126,7 +125,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n plus a number so large that its last bit counts 1; what is no
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
   /// number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
@@ -134,10 +133,9 @@ struct SineCosine {
   ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
   TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
                                                         Scalar& cosine) noexcept {
-    const Scalar shift = number(0x1.8p52, 0x1.8p23f);
     const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift;
-    const Scalar n = shifted - shift;
+    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift();
+    const Scalar n = shifted - shift();
     const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
     const Scalar r = first - n * P;
     const Scalar error = (first - r) - n * P;
@@ -150,7 +148,7 @@ struct SineCosine {
   TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
     Scalar shifted;
     of_remainder(x, shifted, sine, cosine);
-    turn(shifted - number(0x1.8p52, 0x1.8p23f), sine, cosine);
+    turn(shifted - shift(), sine, cosine);
   }
 };
 
@@ -270,8 +268,8 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
 }
 
 }  // namespace torsor
-// Sines and cosines of several angles at once: by vector registers where GNU C++ has types for them, which compilers
-// without AVX make of narrower ones; loops over numbers are not left to compilers to find.
+// Sines and cosines of several angles at once, in vector registers where GNU C++ has types for them: of 32 bytes with
+// AVX, else of 16.
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define TORSOR_VECTOR_TYPES
 #endif
@@ -395,14 +393,16 @@ TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&si
   constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
   using AllLanes = typename FirstPlaces<lanes>::type;
   Number squares = 0;
-  // One copy of the code: its constants stay where they are.
+  if constexpr (whole > 0) {
+    // One copy of the code: its constants stay where they are.
 #if defined(__clang__)
 #pragma clang loop unroll(disable)
 #else
 #pragma GCC unroll 1
 #endif
-  for (int i = 0; i < whole; i += both)
-    squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+    for (int i = 0; i < whole; i += both)
+      squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+  }
   if constexpr (rest > 0)
     squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
   return squares;
@@ -509,7 +509,7 @@ struct Mechanism {
 
   static constexpr const char* name = "model_making_press";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x5160d11e948b7ea7ULL;
+  static constexpr unsigned long long fingerprint = 0x2054a1b55dec1418ULL;
   static constexpr int coordinate_count = 11;
   static constexpr int velocity_count = 9;
   static constexpr int input_count = 1;
@@ -909,22 +909,22 @@ struct Mechanism {
     const Scalar z109 = v_upper_omega_x * z101;  // angular velocity of upper_omega_x, y
     const Scalar z77 = n0_1 * c_a;
     const Scalar z80 = n0_1 * v_a;
+    const Scalar z91 = v_lower_omega_y * z72 + z85;  // angular velocity of lower_omega_y, x
+    const Scalar z92 = v_lower_omega_y * z75 + z86;  // angular velocity of lower_omega_y, y
+    const Scalar z112 = v_upper_omega_y * z99 + z108;  // angular velocity of upper_omega_y, x
+    const Scalar z113 = v_upper_omega_y * z102 + z109;  // angular velocity of upper_omega_y, y
     const Scalar z78 = n0_1 * s_a;
     const Scalar z79 = n0_1 - z77;  // place of lower_omega_x, x
     const Scalar z88 = s_a * z80;  // velocity of lower_omega_x, x
-    const Scalar z91 = v_lower_omega_y * z72 + z85;  // angular velocity of lower_omega_y, x
-    const Scalar z92 = v_lower_omega_y * z75 + z86;  // angular velocity of lower_omega_y, y
     const Scalar z89 = c_a * z80;  // velocity of lower_omega_x, y
-    const Scalar z112 = v_upper_omega_y * z99 + z108;  // angular velocity of upper_omega_y, x
-    const Scalar z113 = v_upper_omega_y * z102 + z109;  // angular velocity of upper_omega_y, y
+    const Scalar z95 = v_lower_omega_z * z73 + z91;  // angular velocity of lower_cup, x
+    const Scalar z96 = v_lower_omega_z * z76 + z92;  // angular velocity of lower_cup, y
     const Scalar z97 = z27 * v_lower_omega_z + z93;  // angular velocity of lower_cup, z
+    const Scalar z116 = v_upper_omega_z * z100 + z112;  // angular velocity of upper_cup, x
+    const Scalar z117 = v_upper_omega_z * z103 + z113;  // angular velocity of upper_cup, y
     const Scalar z118 = z55 * v_upper_omega_z + z114;  // angular velocity of upper_cup, z
     const Scalar z119 = n0_002 * q_omega_z / pi;
     const Scalar z120 = n0_002 * v_omega_z / pi;  // velocity of screw.1, z
-    const Scalar z95 = v_lower_omega_z * z73 + z91;  // angular velocity of lower_cup, x
-    const Scalar z96 = v_lower_omega_z * z76 + z92;  // angular velocity of lower_cup, y
-    const Scalar z116 = v_upper_omega_z * z100 + z112;  // angular velocity of upper_cup, x
-    const Scalar z117 = v_upper_omega_z * z103 + z113;  // angular velocity of upper_cup, y
     result.traverse_position[0] = -z79;
     result.traverse_position[1] = z78;
     result.traverse_position[2] = q_a_z;
@@ -1389,12 +1389,13 @@ struct Mechanism {
     const Scalar z225 = z52 * z218 - z55 * z219 + z56 * z217;
     const Scalar z83 = v_a * z27;
     const Scalar z105 = v_a * z52;
+    const Scalar z243 = z225 + z237;  // force on ring_A, z
     const Scalar z106 = v_a * z55;
     const Scalar z151 = k6 * z27;
     const Scalar z81 = v_a * z28;
+    const Scalar z251 = n7_848 - z243;  // force on ring_A.1, z
     const Scalar z104 = v_a * z56;
     const Scalar z202 = v_lower_omega_x * z83;  // angular acceleration of lower_omega_x, y
-    const Scalar z243 = z225 + z237;  // force on ring_A, z
     const Scalar z204 = v_lower_omega_y * z83;  // angular acceleration of lower_omega_y, x
     const Scalar z206 = v_lower_omega_z * z82 - z204;  // angular acceleration of lower_cup, x
     const Scalar z203 = v_lower_omega_x * z82;  // angular acceleration of lower_omega_x, z
@@ -1402,7 +1403,6 @@ struct Mechanism {
     const Scalar z207 = v_lower_omega_z * z81 - z202;  // angular acceleration of lower_cup, y
     const Scalar z233 = k6 * z207;  // moment on lower_cup, y
     const Scalar z232 = k6 * z206;  // moment on lower_cup, x
-    const Scalar z251 = n7_848 - z243;  // force on ring_A.1, z
     const Scalar z211 = v_upper_omega_x * z106;  // angular acceleration of upper_omega_x, y
     const Scalar z213 = v_upper_omega_y * z106;  // angular acceleration of upper_omega_y, x
     const Scalar z215 = v_upper_omega_z * z105 - z213;  // angular acceleration of upper_cup, x
@@ -1502,9 +1502,9 @@ struct Mechanism {
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar k5 = traits::constant(1e-05, 1e-05f, "1/100000");
-    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
     const Scalar n0_0002 = traits::constant(2e-04, 2e-04f, "1/5000");
     const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
+    const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
     const Scalar n20000 = traits::constant(20000.0, 20000.0f, "20000/1");
@@ -1582,19 +1582,19 @@ struct Mechanism {
     const Scalar z29 = z25 + z26;
     const Scalar z144 = z52 * z128 + z55 * z123 + z56 * z133;
     const Scalar z57 = z53 + z54;
+    const Scalar z146 = n0_0002 + z144;
     const Scalar z172 = z24 * z156 + z27 * z151 + z28 * z161;
+    const Scalar z148 = n0_01 + z146;
+    const Scalar z174 = n0_0002 + z172;
     const Scalar z78 = n0_1 * s_a;
     const Scalar z77 = n0_1 * c_a;
     const Scalar z13 = n2 * q_lower_y * q_lower_x;
-    const Scalar z146 = n0_0002 + z144;
+    const Scalar z180 = z148 + z174;
     const Scalar z15 = n2 * q_lower_z * q_lower_w;
     const Scalar z17 = z13 - z15;
-    const Scalar z174 = n0_0002 + z172;
-    const Scalar z148 = n0_01 + z146;
     const Scalar z41 = n2 * q_upper_y * q_upper_x;
     const Scalar z43 = n2 * q_upper_z * q_upper_w;
     const Scalar z45 = z41 - z43;
-    const Scalar z180 = z148 + z174;
     const Scalar z197 = v_a * v_a;
     const Scalar z198 = n0_1 * z197;
     const Scalar z11 = n2 * q_lower_z * q_lower_z;
@@ -1604,39 +1604,39 @@ struct Mechanism {
     const Scalar z200 = z17 * z198 - n9_81 * z24;
     const Scalar z209 = z45 * z198 - n9_81 * z52;
     const Scalar z210 = n9_81 * z55 - z57 * z198;
+    const Scalar z219 = n0_02 * z210;  // force on upper_cup, z
     const Scalar z199 = z16 * z198 - n9_81 * z28;
     const Scalar z218 = n0_02 * z209;  // force on upper_cup, y
     const Scalar z230 = n0_02 * z200;  // force on lower_cup, y
-    const Scalar z219 = n0_02 * z210;  // force on upper_cup, z
     const Scalar z208 = z44 * z198 - n9_81 * z56;
     const Scalar z201 = n9_81 * z27 - z29 * z198;
     const Scalar z231 = n0_02 * z201;  // force on lower_cup, z
-    const Scalar z229 = n0_02 * z199;  // force on lower_cup, x
-    const Scalar z79 = n0_1 - z77;  // place of lower_omega_x, x
     const Scalar z217 = n0_02 * z208;  // force on upper_cup, x
-    const Scalar z83 = v_a * z27;
-    const Scalar z82 = v_a * z24;
-    const Scalar z237 = z24 * z230 - z27 * z231 + z28 * z229;
+    const Scalar z229 = n0_02 * z199;  // force on lower_cup, x
     const Scalar z225 = z52 * z218 - z55 * z219 + z56 * z217;
+    const Scalar z237 = z24 * z230 - z27 * z231 + z28 * z229;
     const Scalar z105 = v_a * z52;
     const Scalar z106 = v_a * z55;
     const Scalar z104 = v_a * z56;
+    const Scalar z79 = n0_1 - z77;  // place of lower_omega_x, x
+    const Scalar z83 = v_a * z27;
+    const Scalar z82 = v_a * z24;
     const Scalar z204 = v_lower_omega_y * z83;  // angular acceleration of lower_omega_y, x
     const Scalar z202 = v_lower_omega_x * z83;  // angular acceleration of lower_omega_x, y
-    const Scalar z206 = v_lower_omega_z * z82 - z204;  // angular acceleration of lower_cup, x
-    const Scalar z203 = v_lower_omega_x * z82;  // angular acceleration of lower_omega_x, z
     const Scalar z194 = n20000 * q_a_z;
     const Scalar z243 = z225 + z237;  // force on ring_A, z
     const Scalar z81 = v_a * z28;
     const Scalar z347 = q_a_z - z119;
-    const Scalar z232 = k5 * z206;  // moment on lower_cup, x
+    const Scalar z206 = v_lower_omega_z * z82 - z204;  // angular acceleration of lower_cup, x
+    const Scalar z203 = v_lower_omega_x * z82;  // angular acceleration of lower_omega_x, z
+    const Scalar z251 = n7_848 - z243;  // force on ring_A.1, z
     const Scalar z207 = v_lower_omega_z * z81 - z202;  // angular acceleration of lower_cup, y
     const Scalar z205 = v_lower_omega_y * z81 - z203;  // angular acceleration of lower_omega_y, z
-    const Scalar z251 = n7_848 - z243;  // force on ring_A.1, z
-    const Scalar z335 = n0_2 * c_a;
+    const Scalar z232 = k5 * z206;  // moment on lower_cup, x
+    const Scalar z252 = z194 + z251;
     const Scalar z233 = k5 * z207;  // moment on lower_cup, y
     const Scalar z234 = k5 * z205;  // moment on lower_cup, z
-    const Scalar z252 = z194 + z251;
+    const Scalar z335 = n0_2 * c_a;
     const Scalar z120 = n0_002 * v_omega_z / pi;  // velocity of screw.1, z
     const Scalar z362 = v_a_z - z120;
     const Scalar z351 = n0_5 * (q_lower_z * v_lower_omega_x - q_lower_x * v_lower_omega_z + q_lower_w
@@ -1866,15 +1866,15 @@ struct Mechanism {
     const Scalar z591 = z571 + z575 * z583;
     const Scalar z590 = z570 + z574 * z583;
     const Scalar z594 = n1 / z593;
+    const Scalar z627 = z563 * z626 - z625;
+    const Scalar z628 = z624 + z562 * z626 + z583 * z627;
     const Scalar z582 = z576 * z579;
     const Scalar z589 = z569 - z576 * z582;
     const Scalar z588 = z568 - z575 * z582;
     const Scalar z587 = z567 + z574 * z582;
-    const Scalar z627 = z563 * z626 - z625;
     const Scalar z581 = z575 * z579;
     const Scalar z586 = z566 - z575 * z581;
     const Scalar z585 = z565 + z574 * z581;
-    const Scalar z628 = z624 + z562 * z626 + z583 * z627;
     const Scalar z580 = z574 * z579;
     const Scalar z584 = z564 + z574 * z580;
     const Scalar z595 = z590 * z594;

@@ -78,11 +78,10 @@ struct SineCosine {
   TORSOR_DEVICE TORSOR_INLINED static Scalar number(double for_double, float for_float) noexcept {
     return scalar_traits<Scalar>::constant(for_double, for_float, nullptr);
   }
+  /// So large that the last bit of what is some less or more counts 1.
+  TORSOR_DEVICE TORSOR_INLINED static Scalar shift() noexcept { return number(0x1.8p52, 0x1.8p23f); }
   /// To the nearest integer, of two the even one.
-  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept {
-    const Scalar unit_ulp = number(0x1.8p52, 0x1.8p23f);
-    return (x + unit_ulp) - unit_ulp;
-  }
+  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept { return (x + shift()) - shift(); }
 
   /// Of high - rest, |high| <= pi/4, rest being about an ulp of high at most.
   TORSOR_DEVICE TORSOR_INLINED static void of_reduced(const Scalar& high, const Scalar& rest, Scalar& sine,
@@ -124,7 +123,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n plus a number so large that its last bit counts 1; what is no
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
   /// number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
@@ -132,10 +131,9 @@ struct SineCosine {
   ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
   TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
                                                         Scalar& cosine) noexcept {
-    const Scalar shift = number(0x1.8p52, 0x1.8p23f);
     const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift;
-    const Scalar n = shifted - shift;
+    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift();
+    const Scalar n = shifted - shift();
     const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
     const Scalar r = first - n * P;
     const Scalar error = (first - r) - n * P;
@@ -148,7 +146,7 @@ struct SineCosine {
   TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
     Scalar shifted;
     of_remainder(x, shifted, sine, cosine);
-    turn(shifted - number(0x1.8p52, 0x1.8p23f), sine, cosine);
+    turn(shifted - shift(), sine, cosine);
   }
 };
 
@@ -268,8 +266,8 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
 }
 
 }  // namespace torsor
-// Sines and cosines of several angles at once: by vector registers where GNU C++ has types for them, which compilers
-// without AVX make of narrower ones; loops over numbers are not left to compilers to find.
+// Sines and cosines of several angles at once, in vector registers where GNU C++ has types for them: of 32 bytes with
+// AVX, else of 16.
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define TORSOR_VECTOR_TYPES
 #endif
@@ -393,14 +391,16 @@ TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&si
   constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
   using AllLanes = typename FirstPlaces<lanes>::type;
   Number squares = 0;
-  // One copy of the code: its constants stay where they are.
+  if constexpr (whole > 0) {
+    // One copy of the code: its constants stay where they are.
 #if defined(__clang__)
 #pragma clang loop unroll(disable)
 #else
 #pragma GCC unroll 1
 #endif
-  for (int i = 0; i < whole; i += both)
-    squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+    for (int i = 0; i < whole; i += both)
+      squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+  }
   if constexpr (rest > 0)
     squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
   return squares;
@@ -507,7 +507,7 @@ struct Mechanism {
 
   static constexpr const char* name = "nose_radar";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x2068fecdc5775547ULL;
+  static constexpr unsigned long long fingerprint = 0x0f48235b878a398aULL;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 3;
@@ -1233,18 +1233,19 @@ struct Mechanism {
     const Scalar z215 = n3 * z214;
     const Scalar z206 = s_beta * z204 - c_beta * z205;
     const Scalar z210 = n0_4 * z195 + z209;
+    const Scalar z219 = s_alpha * z215 - c_alpha * z218;
     const Scalar z116 = n3 * z83 + n12 * z110;  // force on antenna, x
+    const Scalar z118 = n3 * z115 + n12 * z111;  // force on antenna, z
+    const Scalar z189 = n12 * z187 + n3 * z188;
+    const Scalar z212 = n0_35 * z188 + z211;
+    const Scalar z193 = c_beta * z192 + s_beta * z189;
+    const Scalar z144 = n1 / z61;
     const Scalar z117 = n12 * z109 - n3 * z114;  // force on antenna, y
     const Scalar z223 = n2 * z21 * z22;
-    const Scalar z118 = n3 * z115 + n12 * z111;  // force on antenna, z
-    const Scalar z144 = n1 / z61;
     const Scalar z224 = n3 * z223 + n12 * z111;
-    const Scalar z189 = n12 * z187 + n3 * z188;
-    const Scalar z193 = c_beta * z192 + s_beta * z189;
-    const Scalar z212 = n0_35 * z188 + z211;
     const Scalar z124 = n0_8 * z114 - z120;  // moment on hinge, z
-    const Scalar z207 = n0_4 * z184 - z206;
     const Scalar z194 = s_alpha * z184 - c_alpha * z193;
+    const Scalar z207 = n0_4 * z184 - z206;
     const Scalar z119 = n3 * z111;  // moment on antenna, y
     const Scalar z123 = z119 + n1_25 * a_beta + n0_35 * z85;  // moment on hinge, y
     const Scalar z227 = n2 * z22;
@@ -1264,28 +1265,27 @@ struct Mechanism {
     const Scalar z226 = s_alpha * z220 + c_alpha * z225;
     const Scalar z128 = s_beta * z122 - c_beta * z124;
     const Scalar z130 = z128 + n0_75 * a_alpha + n0_4 * z117;  // moment on unit_1, z
+    const Scalar z231 = n0_4 * z215 - z230;
     const Scalar z233 = n0_8 * z121;
     const Scalar z232 = n0_45 * z114;
     const Scalar z234 = c_beta * (z122 - z233) + s_beta * (z124 - z232);
     const Scalar z236 = n3 * z110;
     const Scalar z237 = n0_35 * z221 - z236;
-    const Scalar z219 = s_alpha * z215 - c_alpha * z218;
-    const Scalar z231 = n0_4 * z215 - z230;
     const Scalar z147 = n1 / z146;
     const Scalar z238 = z142 * z213 + z201 - z145 * z210;
-    const Scalar z235 = n0_4 * z220 - z234;
     const Scalar z242 = z142 * z212 + z194 - z145 * z207;
     const Scalar z239 = z147 * z238;
     const Scalar z243 = z147 * z242;
-    const Scalar z246 = z142 * z237 - z226 + z145 * z235;
+    const Scalar z235 = n0_4 * z220 - z234;
     const Scalar z250 = z145 * z231 - z219;
     const Scalar z251 = z147 * z250;
     const Scalar z254 = z145 * z147;
     const Scalar z255 = z142 * z147;
     const Scalar z240 = z144 * z210 + z145 * z239;
+    const Scalar z246 = z142 * z237 - z226 + z145 * z235;
     const Scalar z241 = z142 * z239 - n0_8 * z213;
-    const Scalar z244 = z144 * z207 + z145 * z243;
     const Scalar z247 = z147 * z246;
+    const Scalar z244 = z144 * z207 + z145 * z243;
     const Scalar z245 = z142 * z243 - n0_8 * z212;
     const Scalar z248 = z144 * z235 - z145 * z247;
     const Scalar z249 = z142 * z247 - n0_8 * z237;

@@ -76,11 +76,10 @@ struct SineCosine {
   TORSOR_DEVICE TORSOR_INLINED static Scalar number(double for_double, float for_float) noexcept {
     return scalar_traits<Scalar>::constant(for_double, for_float, nullptr);
   }
+  /// So large that the last bit of what is some less or more counts 1.
+  TORSOR_DEVICE TORSOR_INLINED static Scalar shift() noexcept { return number(0x1.8p52, 0x1.8p23f); }
   /// To the nearest integer, of two the even one.
-  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept {
-    const Scalar unit_ulp = number(0x1.8p52, 0x1.8p23f);
-    return (x + unit_ulp) - unit_ulp;
-  }
+  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept { return (x + shift()) - shift(); }
 
   /// Of high - rest, |high| <= pi/4, rest being about an ulp of high at most.
   TORSOR_DEVICE TORSOR_INLINED static void of_reduced(const Scalar& high, const Scalar& rest, Scalar& sine,
@@ -122,7 +121,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n plus a number so large that its last bit counts 1; what is no
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
   /// number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
@@ -130,10 +129,9 @@ struct SineCosine {
   ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
   TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
                                                         Scalar& cosine) noexcept {
-    const Scalar shift = number(0x1.8p52, 0x1.8p23f);
     const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift;
-    const Scalar n = shifted - shift;
+    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift();
+    const Scalar n = shifted - shift();
     const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
     const Scalar r = first - n * P;
     const Scalar error = (first - r) - n * P;
@@ -146,7 +144,7 @@ struct SineCosine {
   TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
     Scalar shifted;
     of_remainder(x, shifted, sine, cosine);
-    turn(shifted - number(0x1.8p52, 0x1.8p23f), sine, cosine);
+    turn(shifted - shift(), sine, cosine);
   }
 };
 
@@ -266,8 +264,8 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
 }
 
 }  // namespace torsor
-// Sines and cosines of several angles at once: by vector registers where GNU C++ has types for them, which compilers
-// without AVX make of narrower ones; loops over numbers are not left to compilers to find.
+// Sines and cosines of several angles at once, in vector registers where GNU C++ has types for them: of 32 bytes with
+// AVX, else of 16.
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define TORSOR_VECTOR_TYPES
 #endif
@@ -391,14 +389,16 @@ TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&si
   constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
   using AllLanes = typename FirstPlaces<lanes>::type;
   Number squares = 0;
-  // One copy of the code: its constants stay where they are.
+  if constexpr (whole > 0) {
+    // One copy of the code: its constants stay where they are.
 #if defined(__clang__)
 #pragma clang loop unroll(disable)
 #else
 #pragma GCC unroll 1
 #endif
-  for (int i = 0; i < whole; i += both)
-    squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+    for (int i = 0; i < whole; i += both)
+      squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+  }
   if constexpr (rest > 0)
     squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
   return squares;
@@ -505,7 +505,7 @@ struct Mechanism {
 
   static constexpr const char* name = "quadruped";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x306a403047fbae64ULL;
+  static constexpr unsigned long long fingerprint = 0x645da292da2e720dULL;
   static constexpr int coordinate_count = 19;
   static constexpr int velocity_count = 18;
   static constexpr int input_count = 12;
@@ -1082,11 +1082,10 @@ struct Mechanism {
     const Scalar z115 = q_trunk_x + z112;  // place of front_left_hip_link, x
     const Scalar z146 = v_front_left_thigh + z121;
     const Scalar z142 = n0_08 * z122;
-    const Scalar z144 = c_front_left_thigh * z123 + s_front_left_thigh * z122;
-    const Scalar z179 = z18 * c_front_right_hip + z30 * s_front_right_hip;
-    const Scalar z135 = z29 * s_front_left_thigh - c_front_left_thigh * z111;
     const Scalar z131 = z17 * s_front_left_thigh - c_front_left_thigh * z107;
     const Scalar z133 = z19 * s_front_left_thigh - c_front_left_thigh * z109;
+    const Scalar z135 = z29 * s_front_left_thigh - c_front_left_thigh * z111;
+    const Scalar z144 = c_front_left_thigh * z123 + s_front_left_thigh * z122;
     const Scalar z157 = z17 * z154 - z107 * z155;
     const Scalar z159 = z19 * z154 - z109 * z155;
     const Scalar z161 = z29 * z154 - z111 * z155;
@@ -1097,6 +1096,7 @@ struct Mechanism {
     const Scalar z163 = n0_2 * z133;
     const Scalar z164 = n0_2 * z135;
     const Scalar z169 = n0_2 * z144;
+    const Scalar z179 = z18 * c_front_right_hip + z30 * s_front_right_hip;
     const Scalar z145 = s_front_left_thigh * z123 - c_front_left_thigh * z122;
     const Scalar z170 = s_front_left_knee * z145 - c_front_left_knee * z144;
     const Scalar z136 = n0_08 * z106;
@@ -2335,32 +2335,32 @@ struct Mechanism {
     const Scalar z837 = z811 - z836;
     const Scalar z838 = z806 - z836;
     const Scalar z851 = z25 * z842 + z28 * z843;
-    const Scalar z844 = c_rear_left_hip * z814 + s_rear_left_hip * z839;
     const Scalar z840 = k14 + z838;
+    const Scalar z859 = z837 - z841;
+    const Scalar z844 = c_rear_left_hip * z814 + s_rear_left_hip * z839;
     const Scalar z845 = s_rear_left_hip * z814 - c_rear_left_hip * z839;
     const Scalar z848 = n0_2 * z842 + z845;
     const Scalar z846 = z840 - n0_05 * z843;
     const Scalar z847 = n0_2 * z843 - z844;
-    const Scalar z859 = z837 - z841;
     const Scalar z779 = k4 + n0_2 * z777;
     const Scalar z860 = n2 * z815;
     const Scalar z780 = s_rear_left_thigh * z778 - c_rear_left_thigh * z777;
     const Scalar z861 = s_rear_left_hip * z859 - c_rear_left_hip * z860;
     const Scalar z781 = s_rear_left_thigh * z777 + c_rear_left_thigh * z778;
+    const Scalar z862 = s_rear_left_hip * z861;
     const Scalar z783 = n0_08 * z780;
     const Scalar z784 = s_rear_left_hip * z781;
     const Scalar z816 = s_rear_left_hip * z813;
     const Scalar z785 = c_rear_left_hip * z781;
     const Scalar z782 = n0_08 * z781;
-    const Scalar z866 = z840 - n0_1 * z843;
     const Scalar z788 = z782 + n0_05 * z785;
-    const Scalar z791 = z17 * z780 - z18 * z784 + z30 * z785;
-    const Scalar z792 = z19 * z780 - z23 * z784 + z24 * z785;
-    const Scalar z793 = z25 * z784 - z28 * z785 - z29 * z780;
-    const Scalar z862 = s_rear_left_hip * z861;
     const Scalar z864 = z837 - z862;
     const Scalar z863 = z841 + z862;
     const Scalar z865 = c_rear_left_hip * z861 + z815;
+    const Scalar z866 = z840 - n0_1 * z843;
+    const Scalar z791 = z17 * z780 - z18 * z784 + z30 * z785;
+    const Scalar z792 = z19 * z780 - z23 * z784 + z24 * z785;
+    const Scalar z793 = z25 * z784 - z28 * z785 - z29 * z780;
     const Scalar z787 = s_rear_left_hip * z779 - c_rear_left_hip * z783;
     const Scalar z790 = n0_05 * z780 - z787 - n0_2 * z784;
     const Scalar z786 = c_rear_left_hip * z779 + s_rear_left_hip * z783;
@@ -2414,18 +2414,18 @@ struct Mechanism {
     const Scalar z917 = n0_08 * z916;
     const Scalar z945 = n0_1048 * s_front_right_hip - c_front_right_hip * z915;
     const Scalar z946 = n0_1048 * c_front_right_hip + s_front_right_hip * z915;
-    const Scalar z952 = z18 * z945 - z30 * z946;
     const Scalar z942 = c_front_right_thigh * z938 - z910;
     const Scalar z939 = s_front_right_thigh * z938;
-    const Scalar z953 = z23 * z945 - z24 * z946;
+    const Scalar z952 = z18 * z945 - z30 * z946;
     const Scalar z940 = z914 - z939;
     const Scalar z941 = z909 - z939;
+    const Scalar z953 = z23 * z945 - z24 * z946;
     const Scalar z954 = z25 * z945 - z28 * z946;
     const Scalar z943 = k14 + z941;
     const Scalar z962 = z940 - z944;
     const Scalar z947 = s_front_right_hip * z942 - c_front_right_hip * z917;
-    const Scalar z948 = s_front_right_hip * z917 + c_front_right_hip * z942;
     const Scalar z964 = c_front_right_hip * z963 + s_front_right_hip * z962;
+    const Scalar z948 = s_front_right_hip * z917 + c_front_right_hip * z942;
     const Scalar z951 = n0_2 * z945 - z948;
     const Scalar z949 = z943 + n0_05 * z946;
     const Scalar z950 = n0_2 * z946 + z947;
@@ -2498,33 +2498,33 @@ struct Mechanism {
     const Scalar z990 = s_front_left_hip * z987;
     const Scalar z1022 = s_front_left_hip * z1019;
     const Scalar z1048 = n0_1048 * s_front_left_hip + c_front_left_hip * z1018;
-    const Scalar z1049 = s_front_left_hip * z1018 - n0_1048 * c_front_left_hip;
     const Scalar z1045 = c_front_left_thigh * z1041 - z1013;
     const Scalar z1042 = s_front_left_thigh * z1041;
-    const Scalar z1055 = z18 * z1048 + z30 * z1049;
+    const Scalar z1049 = s_front_left_hip * z1018 - n0_1048 * c_front_left_hip;
     const Scalar z1043 = z1017 - z1042;
     const Scalar z1044 = z1012 - z1042;
+    const Scalar z1055 = z18 * z1048 + z30 * z1049;
     const Scalar z1056 = z23 * z1048 + z24 * z1049;
     const Scalar z1046 = k14 + z1044;
     const Scalar z1057 = z25 * z1048 + z28 * z1049;
+    const Scalar z1052 = z1046 - n0_05 * z1049;
     const Scalar z1065 = z1043 - z1047;
-    const Scalar z1050 = c_front_left_hip * z1020 + s_front_left_hip * z1045;
     const Scalar z1067 = s_front_left_hip * z1065 - c_front_left_hip * z1066;
+    const Scalar z1050 = c_front_left_hip * z1020 + s_front_left_hip * z1045;
     const Scalar z1051 = s_front_left_hip * z1020 - c_front_left_hip * z1045;
     const Scalar z1054 = n0_2 * z1048 - z1051;
-    const Scalar z1052 = z1046 - n0_05 * z1049;
     const Scalar z1053 = n0_2 * z1049 + z1050;
-    const Scalar z1068 = s_front_left_hip * z1067;
     const Scalar z991 = c_front_left_hip * z987;
     const Scalar z988 = n0_08 * z987;
     const Scalar z994 = z988 + n0_05 * z991;
-    const Scalar z1071 = c_front_left_hip * z1067 + z1021;
-    const Scalar z1070 = z1043 - z1068;
-    const Scalar z1069 = z1047 + z1068;
     const Scalar z1072 = z1046 - n0_1 * z1049;
     const Scalar z997 = z17 * z986 - z18 * z990 + z30 * z991;
     const Scalar z998 = z19 * z986 - z23 * z990 + z24 * z991;
     const Scalar z999 = z25 * z990 - z28 * z991 - z29 * z986;
+    const Scalar z1068 = s_front_left_hip * z1067;
+    const Scalar z1070 = z1043 - z1068;
+    const Scalar z1069 = z1047 + z1068;
+    const Scalar z1071 = c_front_left_hip * z1067 + z1021;
     const Scalar z993 = s_front_left_hip * z985 - c_front_left_hip * z989;
     const Scalar z996 = n0_05 * z986 - z993 + n0_2 * z990;
     const Scalar z992 = c_front_left_hip * z985 + s_front_left_hip * z989;
@@ -2895,11 +2895,11 @@ struct Mechanism {
     const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
     const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
     const Scalar n0_08 = traits::constant(0.08, 0.08f, "2/25");
+    const Scalar k6 = traits::constant(0.0051096, 0.0051096f, "6387/1250000");
+    const Scalar k7 = traits::constant(0.00507, 0.00507f, "507/100000");
     const Scalar n0_032 = traits::constant(0.032, 0.032f, "4/125");
-    const Scalar k7 = traits::constant(1.98e-05, 1.98e-05f, "99/5000000");
-    const Scalar k8 = traits::constant(0.0050898, 0.0050898f, "25449/5000000");
-    const Scalar k9 = traits::constant(0.0051096, 0.0051096f, "6387/1250000");
-    const Scalar k10 = traits::constant(0.00507, 0.00507f, "507/100000");
+    const Scalar k9 = traits::constant(1.98e-05, 1.98e-05f, "99/5000000");
+    const Scalar k10 = traits::constant(0.0050898, 0.0050898f, "25449/5000000");
     const Scalar n0_124 = traits::constant(0.124, 0.124f, "31/250");
     const Scalar k12 = traits::constant(0.01968, 0.01968f, "123/6250");
     const Scalar k13 = traits::constant(0.01928, 0.01928f, "241/12500");
@@ -3006,11 +3006,11 @@ struct Mechanism {
     const Scalar z1173 = z1162 - n0_2 * z1167 + n0_05 * z1168;
     const Scalar z1139 = n0_05 * v_front_left_hip;
     const Scalar z1141 = n0_05 * v_front_left_thigh;
+    const Scalar z1176 = s_front_left_hip * z1175 + c_front_left_hip * z1174;
     const Scalar z1143 = n0_05 * v_front_left_knee;
     const Scalar z1145 = n0_05 * v_front_right_hip;
     const Scalar z1147 = n0_05 * v_front_right_thigh;
     const Scalar z1149 = n0_05 * v_front_right_knee;
-    const Scalar z1176 = s_front_left_hip * z1175 + c_front_left_hip * z1174;
     const Scalar z1151 = n0_05 * v_rear_left_hip;
     const Scalar z1153 = n0_05 * v_rear_left_thigh;
     const Scalar z1155 = n0_05 * v_rear_left_knee;
@@ -3067,6 +3067,7 @@ struct Mechanism {
     const Scalar z1216 = v_front_right_hip * z193;  // angular acceleration of front_right_hip_link, y
     const Scalar z1215 = s_front_right_hip * z1212 - c_front_right_hip * z1213;
     const Scalar z1214 = s_front_right_hip * z1213 + c_front_right_hip * z1212;
+    const Scalar z1227 = z1214 + n0_08 * z1222;
     const Scalar z1182 = z122 * z122;
     const Scalar z1183 = z123 * z123;
     const Scalar z1184 = z1182 + z1183;
@@ -3081,14 +3082,13 @@ struct Mechanism {
     const Scalar z1240 = s_front_right_knee * z1232 + c_front_right_knee * z1231;
     const Scalar z1248 = v_front_right_knee * z241 + z1241;  // angular acceleration of front_right_shank_link, z
     const Scalar z1247 = v_front_right_knee * z242 + z1240;  // angular acceleration of front_right_shank_link, x
+    const Scalar z1228 = z1215 - n0_08 * z1223;
     const Scalar z1197 = z145 * z146;
     const Scalar z1198 = z1193 + z1197;
     const Scalar z1195 = z144 * z145;
     const Scalar z1237 = z215 * z215;
     const Scalar z1238 = z217 * z217;
     const Scalar z1239 = z1237 + z1238;
-    const Scalar z1227 = z1214 + n0_08 * z1222;
-    const Scalar z1228 = z1215 - n0_08 * z1223;
     const Scalar z1203 = s_front_left_knee * z1193 - c_front_left_knee * z1194;
     const Scalar z1202 = s_front_left_knee * z1194 + c_front_left_knee * z1193;
     const Scalar z1210 = v_front_left_knee * z170 + z1203;  // angular acceleration of front_left_shank_link, z
@@ -3146,6 +3146,7 @@ struct Mechanism {
     const Scalar z1298 = z1296 + z1297;
     const Scalar z1291 = s_rear_right_hip * z1288 - c_rear_right_hip * z1289;
     const Scalar z1290 = s_rear_right_hip * z1289 + c_rear_right_hip * z1288;
+    const Scalar z1303 = z1290 + n0_08 * z1298;
     const Scalar z1302 = z1287 - n0_08 * z1295;
     const Scalar z1292 = v_rear_right_hip * z327;  // angular acceleration of rear_right_hip_link, y
     const Scalar z1311 = z350 * z351;
@@ -3157,10 +3158,15 @@ struct Mechanism {
     const Scalar z1324 = v_rear_right_knee * z375 + z1317;  // angular acceleration of rear_right_shank_link, z
     const Scalar z1323 = v_rear_right_knee * z376 + z1316;  // angular acceleration of rear_right_shank_link, x
     const Scalar z1327 = z376 * z377;
+    const Scalar z1304 = z1291 - n0_08 * z1299;
     const Scalar z1313 = z349 * z349;
     const Scalar z1314 = z351 * z351;
     const Scalar z1315 = z1313 + z1314;
     const Scalar z1326 = z1292 + z1325;
+    const Scalar z1306 = s_rear_right_thigh * z1302 - c_rear_right_thigh * z1304;
+    const Scalar z1305 = s_rear_right_thigh * z1304 + c_rear_right_thigh * z1302;
+    const Scalar z1320 = z1306 + n0_2 * z1315;
+    const Scalar z1319 = z1303 - n0_2 * z1312;
     const Scalar z1273 = z283 * z284;
     const Scalar z1274 = z1269 + z1273;
     const Scalar z1271 = z282 * z283;
@@ -3174,8 +3180,8 @@ struct Mechanism {
     const Scalar z1275 = z282 * z282;
     const Scalar z1276 = z284 * z284;
     const Scalar z1277 = z1275 + z1276;
-    const Scalar z1303 = z1290 + n0_08 * z1298;
-    const Scalar z1304 = z1291 - n0_08 * z1299;
+    const Scalar z1318 = z1305 + n0_2 * z1310;
+    const Scalar z1321 = s_rear_right_knee * z1320 - c_rear_right_knee * z1318;
     const Scalar z1268 = s_rear_left_thigh * z1264 - c_rear_left_thigh * z1266;
     const Scalar z1267 = s_rear_left_thigh * z1266 + c_rear_left_thigh * z1264;
     const Scalar z1282 = z1268 + n0_2 * z1277;
@@ -3184,22 +3190,16 @@ struct Mechanism {
     const Scalar z1333 = z1324 + z1332;
     const Scalar z1330 = z377 * z377;
     const Scalar z1331 = z1329 + z1330;
-    const Scalar z1306 = s_rear_right_thigh * z1302 - c_rear_right_thigh * z1304;
-    const Scalar z1305 = s_rear_right_thigh * z1304 + c_rear_right_thigh * z1302;
-    const Scalar z1320 = z1306 + n0_2 * z1315;
-    const Scalar z1319 = z1303 - n0_2 * z1312;
-    const Scalar z1318 = z1305 + n0_2 * z1310;
     const Scalar z1281 = z1265 - n0_2 * z1274;
-    const Scalar z1321 = s_rear_right_knee * z1320 - c_rear_right_knee * z1318;
     const Scalar z1272 = z1254 - z1271;
+    const Scalar z1338 = k6 * z1292 + k7 * z1325 - n0_032 * z1321;  // moment on rear_right_shank_link, y
     const Scalar z1334 = n0_032 * z1326;  // force on rear_right_shank_link, x
     const Scalar z1336 = n0_032 * z1331;  // force on rear_right_shank_link, z
-    const Scalar z1339 = k7 * z1333;  // moment on rear_right_shank_link, z
-    const Scalar z1337 = n0_032 * z1319 - k8 * z1328;  // moment on rear_right_shank_link, x
+    const Scalar z1339 = k9 * z1333;  // moment on rear_right_shank_link, z
+    const Scalar z1337 = n0_032 * z1319 - k10 * z1328;  // moment on rear_right_shank_link, x
     const Scalar z1335 = n0_032 * z1328;  // force on rear_right_shank_link, y
     const Scalar z1341 = s_rear_right_knee * z1334 - c_rear_right_knee * z1336;
     const Scalar z1340 = s_rear_right_knee * z1336 + c_rear_right_knee * z1334;
-    const Scalar z1338 = k9 * z1292 + k10 * z1325 - n0_032 * z1321;  // moment on rear_right_shank_link, y
     const Scalar z1280 = z1267 + n0_2 * z1272;
     const Scalar z1344 = z349 * z351;
     const Scalar z1283 = s_rear_left_knee * z1282 - c_rear_left_knee * z1280;
@@ -3218,10 +3218,10 @@ struct Mechanism {
     const Scalar z1368 = z308 * z309;
     const Scalar z1370 = z309 * z310;
     const Scalar z1371 = z1285 + z1370;
-    const Scalar z1381 = k9 * z1254 + k10 * z1368 - n0_032 * z1283;  // moment on rear_left_shank_link, y
+    const Scalar z1381 = k6 * z1254 + k7 * z1368 - n0_032 * z1283;  // moment on rear_left_shank_link, y
     const Scalar z1369 = z1254 + z1368;
     const Scalar z1377 = n0_032 * z1369;  // force on rear_left_shank_link, x
-    const Scalar z1380 = n0_032 * z1281 - k8 * z1371;  // moment on rear_left_shank_link, x
+    const Scalar z1380 = n0_032 * z1281 - k10 * z1371;  // moment on rear_left_shank_link, x
     const Scalar z1378 = n0_032 * z1371;  // force on rear_left_shank_link, y
     const Scalar z1372 = z308 * z308;
     const Scalar z1375 = z308 * z310;
@@ -3235,19 +3235,19 @@ struct Mechanism {
     const Scalar z1351 = z1343 - n0_0002 * z1345;  // moment on rear_right_thigh_link, z
     const Scalar z1359 = n0_1048 * z1298 - z1347;  // force on rear_right_hip_link, y
     const Scalar z1379 = n0_032 * z1374;  // force on rear_left_shank_link, z
-    const Scalar z1382 = k7 * z1376;  // moment on rear_left_shank_link, z
+    const Scalar z1382 = k9 * z1376;  // moment on rear_left_shank_link, z
     const Scalar z1411 = z241 * z242;
     const Scalar z1384 = s_rear_left_knee * z1377 - c_rear_left_knee * z1379;
     const Scalar z1383 = s_rear_left_knee * z1379 + c_rear_left_knee * z1377;
+    const Scalar z1391 = n0_124 * z1277 - z1384;  // force on rear_left_thigh_link, z
     const Scalar z1352 = s_rear_right_thigh * z1348 + c_rear_right_thigh * z1346;
     const Scalar z1353 = s_rear_right_thigh * z1346 - c_rear_right_thigh * z1348;
     // moment on rear_left_thigh_link, y
     const Scalar z1393 = k12 * z1254 - k13 * z1271 + n0_124 * z1267 + n0_2 * z1383 + z1381;
-    const Scalar z1391 = n0_124 * z1277 - z1384;  // force on rear_left_thigh_link, z
     const Scalar z1389 = n0_124 * z1272 + z1383;  // force on rear_left_thigh_link, x
     const Scalar z1413 = z242 * z243;
-    const Scalar z1405 = z1393 + n0_0002 * z1400;  // moment on rear_left_hip_link, y
     const Scalar z1412 = z1216 + z1411;
+    const Scalar z1405 = z1393 + n0_0002 * z1400;  // moment on rear_left_hip_link, y
     const Scalar z1385 = s_rear_left_knee * z1382 - c_rear_left_knee * z1380;
     const Scalar z1386 = c_rear_left_knee * z1382 + s_rear_left_knee * z1380;
     const Scalar z1392 = n0_124 * z1265 - k15 * z1274 - n0_2 * z1378 - z1385;  // moment on rear_left_thigh_link, x
@@ -3264,7 +3264,7 @@ struct Mechanism {
     const Scalar z1361 = n0_1048 * z1291 - k18 * z1299 + n0_08 * z1353 - z1354;  // moment on rear_right_hip_link, x
     const Scalar z1360 = n0_1048 * z1299 - z1353;  // force on rear_right_hip_link, z
     const Scalar z1420 = n0_032 * z1412;  // force on front_right_shank_link, x
-    const Scalar z1423 = n0_032 * z1243 - k8 * z1414;  // moment on front_right_shank_link, x
+    const Scalar z1423 = n0_032 * z1243 - k10 * z1414;  // moment on front_right_shank_link, x
     const Scalar z1421 = n0_032 * z1414;  // force on front_right_shank_link, y
     const Scalar z1415 = z241 * z241;
     const Scalar z1418 = z241 * z243;
@@ -3274,9 +3274,9 @@ struct Mechanism {
     const Scalar z1401 = n0_1048 * z1257 + z1395;  // force on rear_left_hip_link, x
     const Scalar z1365 = s_rear_right_hip * z1359 + c_rear_right_hip * z1360;
     const Scalar z1364 = s_rear_right_hip * z1360 - c_rear_right_hip * z1359;
-    const Scalar z1424 = k9 * z1216 + k10 * z1411 - n0_032 * z1245;  // moment on front_right_shank_link, y
+    const Scalar z1424 = k6 * z1216 + k7 * z1411 - n0_032 * z1245;  // moment on front_right_shank_link, y
     const Scalar z1422 = n0_032 * z1417;  // force on front_right_shank_link, z
-    const Scalar z1425 = k7 * z1419;  // moment on front_right_shank_link, z
+    const Scalar z1425 = k9 * z1419;  // moment on front_right_shank_link, z
     const Scalar z1367 = s_rear_right_hip * z1362 - c_rear_right_hip * z1363;
     const Scalar z1366 = c_rear_right_hip * z1362 + s_rear_right_hip * z1363;
     const Scalar z1430 = z215 * z217;
@@ -3292,13 +3292,13 @@ struct Mechanism {
     const Scalar z1436 = k12 * z1216 - k13 * z1233 + n0_124 * z1229 + n0_2 * z1426 + z1424;
     const Scalar z1434 = n0_124 * z1239 - z1427;  // force on front_right_thigh_link, z
     const Scalar z1432 = n0_124 * z1234 + z1426;  // force on front_right_thigh_link, x
-    const Scalar z1448 = z1436 + n0_0002 * z1443;  // moment on front_right_hip_link, y
     const Scalar z1428 = s_front_right_knee * z1425 - c_front_right_knee * z1423;
     const Scalar z1429 = c_front_right_knee * z1425 + s_front_right_knee * z1423;
     const Scalar z1435 = n0_124 * z1227 - k15 * z1236 - n0_2 * z1421 - z1428;  // moment on front_right_thigh_link, x
     const Scalar z1433 = n0_124 * z1236 + z1421;  // force on front_right_thigh_link, y
     const Scalar z1437 = z1429 - n0_0002 * z1431;  // moment on front_right_thigh_link, z
     const Scalar z1445 = n0_1048 * z1222 - z1433;  // force on front_right_hip_link, y
+    const Scalar z1448 = z1436 + n0_0002 * z1443;  // moment on front_right_hip_link, y
     const Scalar z1438 = s_front_right_thigh * z1434 + c_front_right_thigh * z1432;
     const Scalar z1439 = s_front_right_thigh * z1432 - c_front_right_thigh * z1434;
     const Scalar z1444 = n0_1048 * z1219 - z1438;  // force on front_right_hip_link, x
@@ -3309,7 +3309,7 @@ struct Mechanism {
     const Scalar z1404 = n0_1048 * z1253 + k18 * z1261 + n0_08 * z1396 + z1397;  // moment on rear_left_hip_link, x
     const Scalar z1457 = z1209 + z1456;
     const Scalar z1463 = n0_032 * z1455;  // force on front_left_shank_link, x
-    const Scalar z1466 = n0_032 * z1205 - k8 * z1457;  // moment on front_left_shank_link, x
+    const Scalar z1466 = n0_032 * z1205 - k10 * z1457;  // moment on front_left_shank_link, x
     const Scalar z1464 = n0_032 * z1457;  // force on front_left_shank_link, y
     const Scalar z1458 = z170 * z170;
     const Scalar z1461 = z170 * z172;
@@ -3324,8 +3324,8 @@ struct Mechanism {
     const Scalar z1465 = n0_032 * z1460;  // force on front_left_shank_link, z
     const Scalar z1408 = s_rear_left_hip * z1402 + c_rear_left_hip * z1403;
     const Scalar z1407 = s_rear_left_hip * z1403 - c_rear_left_hip * z1402;
-    const Scalar z1467 = k9 * z1178 + k10 * z1454 - n0_032 * z1207;  // moment on front_left_shank_link, y
-    const Scalar z1468 = k7 * z1462;  // moment on front_left_shank_link, z
+    const Scalar z1467 = k6 * z1178 + k7 * z1454 - n0_032 * z1207;  // moment on front_left_shank_link, y
+    const Scalar z1468 = k9 * z1462;  // moment on front_left_shank_link, z
     const Scalar z1451 = s_front_right_hip * z1445 + c_front_right_hip * z1446;
     const Scalar z1450 = s_front_right_hip * z1446 - c_front_right_hip * z1445;
     const Scalar z1410 = s_rear_left_hip * z1405 + c_rear_left_hip * z1406;
@@ -3344,14 +3344,14 @@ struct Mechanism {
     const Scalar z1479 = k12 * z1178 - k13 * z1195 + n0_124 * z1191 + n0_2 * z1469 + z1467;
     const Scalar z1477 = n0_124 * z1201 - z1470;  // force on front_left_thigh_link, z
     const Scalar z1475 = n0_124 * z1196 + z1469;  // force on front_left_thigh_link, x
-    const Scalar z1514 = z1141 - z1479;
-    const Scalar z1491 = z1479 + n0_0002 * z1486;  // moment on front_left_hip_link, y
     const Scalar z1471 = s_front_left_knee * z1468 - c_front_left_knee * z1466;
     const Scalar z1472 = c_front_left_knee * z1468 + s_front_left_knee * z1466;
     const Scalar z1478 = n0_124 * z1189 - k15 * z1198 - n0_2 * z1464 - z1471;  // moment on front_left_thigh_link, x
     const Scalar z1476 = n0_124 * z1198 + z1464;  // force on front_left_thigh_link, y
     const Scalar z1480 = z1472 - n0_0002 * z1474;  // moment on front_left_thigh_link, z
     const Scalar z1488 = n0_1048 * z1184 + z1476;  // force on front_left_hip_link, y
+    const Scalar z1514 = z1141 - z1479;
+    const Scalar z1491 = z1479 + n0_0002 * z1486;  // moment on front_left_hip_link, y
     const Scalar z1481 = s_front_left_thigh * z1477 + c_front_left_thigh * z1475;
     const Scalar z1482 = s_front_left_thigh * z1475 - c_front_left_thigh * z1477;
     const Scalar z1487 = n0_1048 * z1181 + z1481;  // force on front_left_hip_link, x
@@ -3376,6 +3376,9 @@ struct Mechanism {
     const Scalar z1493 = s_front_left_hip * z1489 - c_front_left_hip * z1488;
     const Scalar z1499 = n12_24 * z1164 + z1365 - z1408 + z1451 - z1494;  // force on trunk, z
     const Scalar z1498 = n12_24 * z1163 - z1364 + z1407 - z1450 + z1493;  // force on trunk, y
+    const Scalar z1503 = z17 * z1497 + z30 * z1499 + z18 * z1498;
+    const Scalar z1504 = z19 * z1497 + z24 * z1499 + z23 * z1498;
+    const Scalar z1505 = z29 * z1497 + z28 * z1499 + z25 * z1498;
     const Scalar z1495 = s_front_left_hip * z1492 - c_front_left_hip * z1491;
     // moment on trunk, y
     const Scalar z1501 = n0_3254 * z1171 + z1366 + z1452 - z1409 - z1495 - n0_2 * (z1365 - z1408 - z1451 + z1494);
@@ -3383,9 +3386,6 @@ struct Mechanism {
     // moment on trunk, z
     const Scalar z1502 = n0_2948 * z1168 - z1367 - n0_05 * (z1358 + z1401 + z1444 + z1487) - z1410 - z1453 - z1496
         + n0_2 * (z1364 - z1407 - z1450 + z1493);
-    const Scalar z1503 = z17 * z1497 + z30 * z1499 + z18 * z1498;
-    const Scalar z1504 = z19 * z1497 + z24 * z1499 + z23 * z1498;
-    const Scalar z1505 = z29 * z1497 + z28 * z1499 + z25 * z1498;
     forces.trunk_x = z1503;
     forces.trunk_y = z1504;
     forces.trunk_z = z1505;
@@ -3684,13 +3684,15 @@ struct Mechanism {
     const Scalar z1539 = s_front_left_hip * z1536 + c_front_left_hip * z1537;
     const Scalar z1538 = s_front_left_hip * z1537 - c_front_left_hip * z1536;
     const Scalar z1544 = z1185 - z1540;
+    const Scalar z1548 = n0_08 * z1184 - z1538;
     const Scalar z1458 = z170 * z170;
     const Scalar z1459 = z172 * z172;
     const Scalar z1460 = z1458 + z1459;
     const Scalar z1535 = n0_2 * z1167 - z1526 + n0_05 * z1529;
+    const Scalar z1549 = z1539 - n0_08 * z1544;
+    const Scalar z1465 = n0_032 * z1460;  // force on front_left_shank_link, z
     const Scalar z1558 = s_front_left_knee * z1552 - c_front_left_knee * z1554;
     const Scalar z1557 = s_front_left_knee * z1554 + c_front_left_knee * z1552;
-    const Scalar z1465 = n0_032 * z1460;  // force on front_left_shank_link, z
     const Scalar z1566 = v_front_left_knee * z170 + z1558;  // angular acceleration of front_left_shank_link, z
     const Scalar z1461 = z170 * z172;
     const Scalar z1456 = z171 * z172;
@@ -3701,7 +3703,6 @@ struct Mechanism {
     const Scalar z1604 = n0_05 * z1170 - z1527 + n0_2 * z1530;
     const Scalar z1601 = a_trunk_attitude_omega_y * c_rear_left_hip + a_trunk_attitude_omega_z * s_rear_left_hip;
     const Scalar z1605 = z1528 + n0_2 * z1531 + n0_05 * z1532;
-    const Scalar z1548 = n0_08 * z1184 - z1538;
     const Scalar z1607 = s_rear_left_hip * z1604 + c_rear_left_hip * z1605;
     const Scalar z1606 = s_rear_left_hip * z1605 - c_rear_left_hip * z1604;
     const Scalar z1579 = c_front_right_thigh * z1574 + s_front_right_thigh * z1576;
@@ -3716,14 +3717,13 @@ struct Mechanism {
     const Scalar z1583 = z1573 - n0_08 * z1578;
     const Scalar z1592 = s_front_right_knee * z1586 - c_front_right_knee * z1588;
     const Scalar z1591 = s_front_right_knee * z1588 + c_front_right_knee * z1586;
-    const Scalar z1581 = z1569 + n0_08 * z1577;
-    const Scalar z1549 = z1539 - n0_08 * z1544;
     const Scalar z1600 = v_front_right_knee * z241 + z1592;  // angular acceleration of front_right_shank_link, z
+    const Scalar z1581 = z1569 + n0_08 * z1577;
     const Scalar z1598 = v_front_right_knee * z242 + z1591;  // angular acceleration of front_right_shank_link, x
     const Scalar z1585 = c_front_right_thigh * z1583 + s_front_right_thigh * z1581;
     const Scalar z1584 = s_front_right_thigh * z1583 - c_front_right_thigh * z1581;
-    const Scalar z1595 = n0_2 * z1239 - z1585;
     const Scalar z1594 = z1582 - n0_2 * z1590;
+    const Scalar z1595 = n0_2 * z1239 - z1585;
     const Scalar z1547 = z1535 - n0_08 * z1543;
     const Scalar z1610 = v_rear_left_hip * z259 + z1602;  // angular acceleration of rear_left_hip_link, z
     const Scalar z1609 = v_rear_left_hip * z260 - z1601;  // angular acceleration of rear_left_hip_link, y
@@ -3762,10 +3762,11 @@ struct Mechanism {
     const Scalar z1647 = c_rear_right_thigh * z1642 + s_rear_right_thigh * z1644;
     const Scalar z1648 = s_rear_right_thigh * z1642 - c_rear_right_thigh * z1644;
     const Scalar z1655 = a_rear_right_thigh - z1643;  // angular acceleration of rear_right_thigh_link, y
+    const Scalar z1641 = s_rear_right_hip * z1638 - c_rear_right_hip * z1639;
     const Scalar z1654 = v_rear_right_thigh * z350 - z1647;  // angular acceleration of rear_right_thigh_link, x
     const Scalar z1656 = v_rear_right_thigh * z349 + z1648;  // angular acceleration of rear_right_thigh_link, z
-    const Scalar z1641 = s_rear_right_hip * z1638 - c_rear_right_hip * z1639;
     const Scalar z1640 = s_rear_right_hip * z1639 + c_rear_right_hip * z1638;
+    const Scalar z1650 = n0_08 * z1298 + z1640;
     const Scalar z1658 = z1311 + z1654;
     const Scalar z1681 = z1344 + z1656;
     const Scalar z1646 = z1299 - z1642;
@@ -3776,18 +3777,17 @@ struct Mechanism {
     const Scalar z1659 = s_rear_right_knee * z1656 + c_rear_right_knee * z1654;
     const Scalar z1668 = v_rear_right_knee * z375 + z1660;  // angular acceleration of rear_right_shank_link, z
     const Scalar z1666 = v_rear_right_knee * z376 + z1659;  // angular acceleration of rear_right_shank_link, x
-    const Scalar z1650 = n0_08 * z1298 + z1640;
     const Scalar z1651 = z1641 - n0_08 * z1646;
     const Scalar z1671 = z1332 + z1668;
-    const Scalar z1670 = z1327 + z1666;
     const Scalar z1669 = z1325 - z1667;
+    const Scalar z1670 = z1327 + z1666;
     const Scalar z1672 = n0_032 * z1669;  // force on rear_right_shank_link, x
     const Scalar z1633 = a_rear_left_knee + z1621;  // angular acceleration of rear_left_shank_link, y
-    const Scalar z1676 = k7 * z1671;  // moment on rear_right_shank_link, z
     const Scalar z1626 = s_rear_left_knee * z1620 - c_rear_left_knee * z1622;
     const Scalar z1634 = v_rear_left_knee * z308 + z1626;  // angular acceleration of rear_left_shank_link, z
     const Scalar z1625 = s_rear_left_knee * z1622 + c_rear_left_knee * z1620;
     const Scalar z1632 = v_rear_left_knee * z309 + z1625;  // angular acceleration of rear_left_shank_link, x
+    const Scalar z1676 = k7 * z1671;  // moment on rear_right_shank_link, z
     const Scalar z1653 = s_rear_right_thigh * z1649 - c_rear_right_thigh * z1651;
     const Scalar z1652 = s_rear_right_thigh * z1651 + c_rear_right_thigh * z1649;
     const Scalar z1663 = n0_2 * z1315 + z1653;
@@ -3802,14 +3802,14 @@ struct Mechanism {
     const Scalar z1677 = s_rear_right_knee * z1336 + c_rear_right_knee * z1672;
     const Scalar z1664 = s_rear_right_knee * z1663 - c_rear_right_knee * z1661;
     const Scalar z1684 = n0_124 * z1315 - z1678;  // force on rear_right_thigh_link, z
+    const Scalar z1675 = k10 * z1325 - k11 * z1667 - n0_032 * z1664;  // moment on rear_right_shank_link, y
     const Scalar z1682 = n0_124 * z1657 - z1677;  // force on rear_right_thigh_link, x
     const Scalar z1627 = z1618 + n0_2 * z1623;
-    const Scalar z1630 = s_rear_left_knee * z1629 + c_rear_left_knee * z1627;
-    const Scalar z1675 = k10 * z1325 - k11 * z1667 - n0_032 * z1664;  // moment on rear_right_shank_link, y
-    const Scalar z1705 = z1375 + z1634;
-    const Scalar z1704 = z1370 + z1632;
     // moment on rear_right_thigh_link, y
     const Scalar z1686 = k12 * z1309 + k13 * z1655 - n0_124 * z1652 - n0_2 * z1677 - z1675;
+    const Scalar z1630 = s_rear_left_knee * z1629 + c_rear_left_knee * z1627;
+    const Scalar z1705 = z1375 + z1634;
+    const Scalar z1704 = z1370 + z1632;
     const Scalar z1738 = z1413 + z1598;
     const Scalar z1692 = z1356 + z1643;
     const Scalar z1715 = z1387 + z1622;
@@ -3840,13 +3840,13 @@ struct Mechanism {
     const Scalar z1720 = k12 * z1271 + k13 * z1621 + n0_124 * z1618 - n0_2 * z1711 - z1709;
     const Scalar z1718 = n0_124 * z1277 - z1712;  // force on rear_left_thigh_link, z
     const Scalar z1716 = n0_124 * z1623 - z1711;  // force on rear_left_thigh_link, x
-    const Scalar z1731 = z1720 - n0_0002 * z1726;  // moment on rear_left_hip_link, y
     const Scalar z1713 = s_rear_left_knee * z1710 + c_rear_left_knee * z1708;
     const Scalar z1714 = s_rear_left_knee * z1708 - c_rear_left_knee * z1710;
     const Scalar z1719 = n0_124 * z1616 + k15 * z1624 + n0_2 * z1707 + z1713;  // moment on rear_left_thigh_link, x
     const Scalar z1721 = z1714 + n0_0002 * z1715;  // moment on rear_left_thigh_link, z
     const Scalar z1717 = n0_124 * z1624 + z1707;  // force on rear_left_thigh_link, y
     const Scalar z1728 = n0_1048 * z1260 + z1717;  // force on rear_left_hip_link, y
+    const Scalar z1731 = z1720 - n0_0002 * z1726;  // moment on rear_left_hip_link, y
     const Scalar z1746 = s_front_right_knee * z1740 - c_front_right_knee * z1422;
     const Scalar z1745 = s_front_right_knee * z1422 + c_front_right_knee * z1740;
     const Scalar z1688 = s_rear_right_thigh * z1684 - c_rear_right_thigh * z1682;
@@ -3953,17 +3953,17 @@ struct Mechanism {
     const Scalar z1801 = s_front_left_hip * z1797 - c_front_left_hip * z1796;
     const Scalar z1807 = n12_24 * z1528 + z1700 - z1734 + z1768 - z1802;  // force on trunk, z
     const Scalar z1806 = n12_24 * z1527 - z1699 + z1733 - z1767 + z1801;  // force on trunk, y
+    const Scalar z1811 = z17 * z1805 + z30 * z1807 + z18 * z1806;
+    const Scalar z1812 = z19 * z1805 + z24 * z1807 + z23 * z1806;
+    const Scalar z1813 = z29 * z1805 + z28 * z1807 + z25 * z1806;
     const Scalar z1804 = s_front_left_hip * z1799 + c_front_left_hip * z1800;
     // moment on trunk, z
     const Scalar z1810 = z1702 + n0_366 * a_trunk_attitude_omega_z + n0_2948 * z1168 - n0_05 * (z1693 + z1727 + z1761
         + z1795) + z1736 + z1770 + z1804 + n0_2 * (z1699 - z1733 - z1767 + z1801);
-    const Scalar z1811 = z17 * z1805 + z30 * z1807 + z18 * z1806;
     const Scalar z1803 = s_front_left_hip * z1800 - c_front_left_hip * z1799;
     // moment on trunk, y
     const Scalar z1809 = z1735 + n0_3354 * a_trunk_attitude_omega_y - n0_3254 * z1171 + z1769 + n0_2 * (z1700 - z1734
         - z1768 + z1802) - z1701 - z1803;
-    const Scalar z1812 = z19 * z1805 + z24 * z1807 + z23 * z1806;
-    const Scalar z1813 = z29 * z1805 + z28 * z1807 + z25 * z1806;
     forces.trunk_x = z1811;
     forces.trunk_y = z1812;
     forces.trunk_z = z1813;
@@ -4013,8 +4013,8 @@ struct Mechanism {
     const Scalar k21 = traits::constant(0.4970944, 0.4970944f, "77671/156250");
     const Scalar k22 = traits::constant(0.4664944, 0.4664944f, "291559/625000");
     const Scalar n0_0406 = traits::constant(0.0406, 0.0406f, "203/5000");
-    const Scalar k24 = traits::constant(6.262721152340692, 6.262721f, "40000/6387");
-    const Scalar k25 = traits::constant(195.71003601064663, 195.71004f, "1250000/6387");
+    const Scalar k24 = traits::constant(195.71003601064663, 195.71004f, "1250000/6387");
+    const Scalar k25 = traits::constant(6.262721152340692, 6.262721f, "40000/6387");
     const Scalar k26 = traits::constant(0.0080038, 0.0080038f, "40019/5000000");
     const Scalar k27 = traits::constant(0.0082038, 0.0082038f, "41019/5000000");
     const Scalar n0_2948 = traits::constant(0.2948, 0.2948f, "737/2500");
@@ -4197,20 +4197,20 @@ struct Mechanism {
     const Scalar z1039 = z1012 + z1017;
     const Scalar z937 = n2 * z910;
     const Scalar z938 = s_front_right_thigh * z936 + c_front_right_thigh * z937;
-    const Scalar z1040 = n2 * z1013;
-    const Scalar z915 = s_front_right_thigh * z881 - c_front_right_thigh * z912;
-    const Scalar z1041 = s_front_left_thigh * z1039 + c_front_left_thigh * z1040;
-    const Scalar z916 = c_front_right_thigh * z881 + s_front_right_thigh * z912;
     const Scalar z839 = c_rear_left_thigh * z835 - z807;
     const Scalar z836 = s_rear_left_thigh * z835;
+    const Scalar z1040 = n2 * z1013;
+    const Scalar z1041 = s_front_left_thigh * z1039 + c_front_left_thigh * z1040;
     const Scalar z838 = z806 - z836;
     const Scalar z837 = z811 - z836;
     const Scalar z942 = c_front_right_thigh * z938 - z910;
     const Scalar z939 = s_front_right_thigh * z938;
-    const Scalar z941 = z909 - z939;
-    const Scalar z940 = z914 - z939;
     const Scalar z1045 = c_front_left_thigh * z1041 - z1013;
     const Scalar z1042 = s_front_left_thigh * z1041;
+    const Scalar z941 = z909 - z939;
+    const Scalar z940 = z914 - z939;
+    const Scalar z915 = s_front_right_thigh * z881 - c_front_right_thigh * z912;
+    const Scalar z916 = c_front_right_thigh * z881 + s_front_right_thigh * z912;
     const Scalar z1044 = z1012 - z1042;
     const Scalar z1043 = z1017 - z1042;
     const Scalar z1018 = s_front_left_thigh * z984 - c_front_left_thigh * z1015;
@@ -4239,6 +4239,7 @@ struct Mechanism {
     const Scalar z1177 = s_front_left_hip * z1174 - c_front_left_hip * z1175;
     const Scalar z1176 = s_front_left_hip * z1175 + c_front_left_hip * z1174;
     const Scalar z1188 = z1173 + n0_08 * z1181;
+    const Scalar z1190 = z1177 + n0_08 * z1185;
     const Scalar z1186 = s_front_left_thigh * z1179;
     const Scalar z1187 = c_front_left_thigh * z1179;
     const Scalar z1193 = v_front_left_thigh * z145 - z1186;  // angular acceleration of front_left_thigh_link, x
@@ -4246,6 +4247,9 @@ struct Mechanism {
     const Scalar z1199 = z144 * z144;
     const Scalar z1200 = z146 * z146;
     const Scalar z1201 = z1199 + z1200;
+    const Scalar z1192 = s_front_left_thigh * z1188 - c_front_left_thigh * z1190;
+    const Scalar z1191 = s_front_left_thigh * z1190 + c_front_left_thigh * z1188;
+    const Scalar z1206 = z1192 + n0_2 * z1201;
     const Scalar z1161 = n0_05 * v_rear_right_knee;
     const Scalar z1182 = z122 * z122;
     const Scalar z1183 = z123 * z123;
@@ -4255,11 +4259,13 @@ struct Mechanism {
     const Scalar z1198 = z1193 + z1197;
     const Scalar z1155 = n0_05 * v_rear_left_knee;
     const Scalar z1203 = s_front_left_knee * z1193 - c_front_left_knee * z1194;
+    const Scalar z1189 = z1176 - n0_08 * z1184;
     const Scalar z1202 = s_front_left_knee * z1194 + c_front_left_knee * z1193;
-    const Scalar z1149 = n0_05 * v_front_right_knee;
     const Scalar z1210 = v_front_left_knee * z170 + z1203;  // angular acceleration of front_left_shank_link, z
     const Scalar z1209 = v_front_left_knee * z171 + z1202;  // angular acceleration of front_left_shank_link, x
+    const Scalar z1149 = n0_05 * v_front_right_knee;
     const Scalar z1143 = n0_05 * v_front_left_knee;
+    const Scalar z1205 = z1189 - n0_2 * z1198;
     const Scalar z1159 = n0_05 * v_rear_right_thigh;
     const Scalar z1153 = n0_05 * v_rear_left_thigh;
     const Scalar z1147 = n0_05 * v_front_right_thigh;
@@ -4274,7 +4280,6 @@ struct Mechanism {
     const Scalar z1223 = z192 * z193;
     const Scalar z1215 = s_front_right_hip * z1212 - c_front_right_hip * z1213;
     const Scalar z1214 = s_front_right_hip * z1213 + c_front_right_hip * z1212;
-    const Scalar z1189 = z1176 - n0_08 * z1184;
     const Scalar z1226 = z1211 - n0_08 * z1219;
     const Scalar z1228 = z1215 - n0_08 * z1223;
     const Scalar z1224 = s_front_right_thigh * z1217;
@@ -4284,23 +4289,17 @@ struct Mechanism {
     const Scalar z1237 = z215 * z215;
     const Scalar z1238 = z217 * z217;
     const Scalar z1239 = z1237 + z1238;
-    const Scalar z1190 = z1177 + n0_08 * z1185;
     const Scalar z1230 = s_front_right_thigh * z1226 - c_front_right_thigh * z1228;
     const Scalar z1229 = s_front_right_thigh * z1228 + c_front_right_thigh * z1226;
-    const Scalar z1192 = s_front_left_thigh * z1188 - c_front_left_thigh * z1190;
-    const Scalar z1191 = s_front_left_thigh * z1190 + c_front_left_thigh * z1188;
     const Scalar z1220 = z193 * z193;
     const Scalar z1221 = z194 * z194;
     const Scalar z1222 = z1220 + z1221;
-    const Scalar z1206 = z1192 + n0_2 * z1201;
     const Scalar z1233 = z215 * z216;
     const Scalar z1235 = z216 * z217;
     const Scalar z1236 = z1231 + z1235;
-    const Scalar z1227 = z1214 + n0_08 * z1222;
     const Scalar z1241 = s_front_right_knee * z1231 - c_front_right_knee * z1232;
+    const Scalar z1227 = z1214 + n0_08 * z1222;
     const Scalar z1240 = s_front_right_knee * z1232 + c_front_right_knee * z1231;
-    const Scalar z1243 = z1227 - n0_2 * z1236;
-    const Scalar z1205 = z1189 - n0_2 * z1198;
     const Scalar z1216 = v_front_right_hip * z193;  // angular acceleration of front_right_hip_link, y
     const Scalar z1178 = v_front_left_hip * z122;  // angular acceleration of front_left_hip_link, y
     const Scalar z1244 = z1230 + n0_2 * z1239;
@@ -4325,14 +4324,15 @@ struct Mechanism {
     const Scalar z1302 = z1287 - n0_08 * z1295;
     const Scalar z1253 = s_rear_left_hip * z1250 - c_rear_left_hip * z1251;
     const Scalar z1252 = s_rear_left_hip * z1251 + c_rear_left_hip * z1250;
+    const Scalar z1304 = z1291 - n0_08 * z1299;
     const Scalar z1264 = z1249 + n0_08 * z1257;
     const Scalar z1300 = s_rear_right_thigh * z1293;
     const Scalar z1301 = c_rear_right_thigh * z1293;
     const Scalar z1307 = v_rear_right_thigh * z350 - z1300;  // angular acceleration of rear_right_thigh_link, x
     const Scalar z1308 = v_rear_right_thigh * z349 - z1301;  // angular acceleration of rear_right_thigh_link, z
-    const Scalar z1313 = z349 * z349;
-    const Scalar z1314 = z351 * z351;
-    const Scalar z1315 = z1313 + z1314;
+    const Scalar z1266 = z1253 + n0_08 * z1261;
+    const Scalar z1306 = s_rear_right_thigh * z1302 - c_rear_right_thigh * z1304;
+    const Scalar z1305 = s_rear_right_thigh * z1304 + c_rear_right_thigh * z1302;
     const Scalar z1262 = s_rear_left_thigh * z1255;
     const Scalar z1263 = c_rear_left_thigh * z1255;
     const Scalar z1269 = v_rear_left_thigh * z283 - z1262;  // angular acceleration of rear_left_thigh_link, x
@@ -4343,32 +4343,32 @@ struct Mechanism {
     const Scalar z1296 = z327 * z327;
     const Scalar z1297 = z328 * z328;
     const Scalar z1298 = z1296 + z1297;
-    const Scalar z1309 = z349 * z350;
-    const Scalar z1311 = z350 * z351;
-    const Scalar z1312 = z1307 + z1311;
+    const Scalar z1268 = s_rear_left_thigh * z1264 - c_rear_left_thigh * z1266;
+    const Scalar z1267 = s_rear_left_thigh * z1266 + c_rear_left_thigh * z1264;
+    const Scalar z1282 = z1268 + n0_2 * z1277;
+    const Scalar z1303 = z1290 + n0_08 * z1298;
     const Scalar z1258 = z260 * z260;
     const Scalar z1259 = z261 * z261;
     const Scalar z1260 = z1258 + z1259;
-    const Scalar z1303 = z1290 + n0_08 * z1298;
-    const Scalar z1304 = z1291 - n0_08 * z1299;
     const Scalar z1271 = z282 * z283;
     const Scalar z1273 = z283 * z284;
     const Scalar z1274 = z1269 + z1273;
-    const Scalar z1306 = s_rear_right_thigh * z1302 - c_rear_right_thigh * z1304;
-    const Scalar z1305 = s_rear_right_thigh * z1304 + c_rear_right_thigh * z1302;
-    const Scalar z1317 = s_rear_right_knee * z1307 - c_rear_right_knee * z1308;
-    const Scalar z1316 = s_rear_right_knee * z1308 + c_rear_right_knee * z1307;
-    const Scalar z1265 = z1252 - n0_08 * z1260;
-    const Scalar z1266 = z1253 + n0_08 * z1261;
-    const Scalar z1268 = s_rear_left_thigh * z1264 - c_rear_left_thigh * z1266;
-    const Scalar z1267 = s_rear_left_thigh * z1266 + c_rear_left_thigh * z1264;
     const Scalar z1279 = s_rear_left_knee * z1269 - c_rear_left_knee * z1270;
+    const Scalar z1265 = z1252 - n0_08 * z1260;
     const Scalar z1278 = s_rear_left_knee * z1270 + c_rear_left_knee * z1269;
     const Scalar z1286 = v_rear_left_knee * z308 + z1279;  // angular acceleration of rear_left_shank_link, z
-    const Scalar z1282 = z1268 + n0_2 * z1277;
     const Scalar z1285 = v_rear_left_knee * z309 + z1278;  // angular acceleration of rear_left_shank_link, x
-    const Scalar z1319 = z1303 - n0_2 * z1312;
     const Scalar z1281 = z1265 - n0_2 * z1274;
+    const Scalar z1243 = z1227 - n0_2 * z1236;
+    const Scalar z1313 = z349 * z349;
+    const Scalar z1314 = z351 * z351;
+    const Scalar z1315 = z1313 + z1314;
+    const Scalar z1309 = z349 * z350;
+    const Scalar z1311 = z350 * z351;
+    const Scalar z1312 = z1307 + z1311;
+    const Scalar z1317 = s_rear_right_knee * z1307 - c_rear_right_knee * z1308;
+    const Scalar z1316 = s_rear_right_knee * z1308 + c_rear_right_knee * z1307;
+    const Scalar z1319 = z1303 - n0_2 * z1312;
     const Scalar z1292 = v_rear_right_hip * z327;  // angular acceleration of rear_right_hip_link, y
     const Scalar z1254 = v_rear_left_hip * z260;  // angular acceleration of rear_left_hip_link, y
     const Scalar z1344 = z349 * z351;
@@ -4664,11 +4664,11 @@ struct Mechanism {
     const Scalar z1985 = k19 - z1984;
     const Scalar z2045 = n0_2 * z2042;
     const Scalar z2047 = n0_2 * z2045;
-    const Scalar z2022 = z1929 + z2021;
     const Scalar z2049 = n0_124 - z2045;
     const Scalar z2046 = n0_2 * z2044;
-    const Scalar z2024 = z1931 - z2023;
+    const Scalar z2022 = z1929 + z2021;
     const Scalar z2009 = z1993 - n0_2 * z2002;
+    const Scalar z2024 = z1931 - z2023;
     const Scalar z2048 = k17 - z2047;
     const Scalar z2017 = z1985 - n0_2 * (z1993 + z2009);
     const Scalar z2030 = z1919 - z2009;
@@ -4678,8 +4678,8 @@ struct Mechanism {
     const Scalar z2027 = z1916 - z2006;
     const Scalar z2013 = n0_05 * z2006;
     const Scalar z2004 = n0_05 * z1998;
-    const Scalar z2014 = z1924 - z2013;
     const Scalar z2018 = z1927 - z2017;
+    const Scalar z2014 = z1924 - z2013;
     const Scalar z2016 = z1925 + z2015;
     const Scalar z2012 = z1992 + n0_05 * z1998 - n0_2 * z2003;
     const Scalar z2033 = z1922 - z2012;
@@ -4878,11 +4878,11 @@ struct Mechanism {
     const Scalar z2237 = z2132 - z2216;
     const Scalar z2227 = n0_2 * (z2203 + z2219) + z2195;
     const Scalar z2233 = z2196 + n0_05 * (z2199 + z2220) - n0_2 * (z2204 + z2221);
-    const Scalar z2242 = z2137 - z2221;
     const Scalar z2224 = z2119 - z2223;
-    const Scalar z2240 = z2135 - z2219;
+    const Scalar z2242 = z2137 - z2221;
     const Scalar z2226 = z2121 + z2225;
     const Scalar z2230 = z2125 + z2229;
+    const Scalar z2240 = z2135 - z2219;
     const Scalar z2243 = z2138 - z2222;
     const Scalar z2232 = z2127 + z2231;
     const Scalar z2228 = z2123 - z2227;
@@ -4912,56 +4912,56 @@ struct Mechanism {
     const Scalar z2351 = s_rear_left_knee * z1282 - c_rear_left_knee * z2350;
     const Scalar z2269 = z2242 * z2255 - z2248;
     const Scalar z2268 = z2241 * z2255 - z2246;
+    const Scalar z2271 = n1 / z2265;
     const Scalar z2267 = z2240 - z2243 * z2252;
     const Scalar z2270 = z2243 * z2255 - z2249;
-    const Scalar z2271 = n1 / z2265;
     const Scalar z2353 = z1305 - n0_2 * z1309;
     const Scalar z2354 = s_rear_right_knee * z1320 - c_rear_right_knee * z2353;
     const Scalar z2356 = n0_032 * z1325;
     const Scalar z2357 = k0 * z1325 - n0_032 * z2354;
+    const Scalar z2358 = z1844 + z2357;
     const Scalar z2272 = z2262 * z2271;
     const Scalar z2273 = z2261 * z2271;
     const Scalar z2274 = z2264 * z2271;
     const Scalar z2275 = z2267 * z2271;
-    const Scalar z2358 = z1844 + z2357;
+    const Scalar z2359 = k24 * z2358;
+    const Scalar z2360 = z2356 - k25 * z2358;
     const Scalar z2276 = z2256 - z2261 * z2272;
     const Scalar z2277 = z2257 - z2262 * z2272;
     const Scalar z2278 = z2258 + z2261 * z2273;
     const Scalar z2279 = z2259 - z2264 * z2272;
     const Scalar z2280 = z2260 + z2267 * z2272;
-    const Scalar z2281 = z2261 * z2274 + z2263;
+    const Scalar z2285 = z2267 * z2275 + z2270;
     const Scalar z2282 = z2264 * z2274 + z2266;
     const Scalar z2284 = z2264 * z2275 + z2269;
-    const Scalar z2285 = z2267 * z2275 + z2270;
+    const Scalar z2281 = z2261 * z2274 + z2263;
     const Scalar z2283 = z2261 * z2275 + z2268;
-    const Scalar z2360 = z2356 - k24 * z2358;
     const Scalar z2286 = n1 / z2277;
-    const Scalar z2359 = k25 * z2358;
     const Scalar z2361 = s_rear_right_knee * z1336 + c_rear_right_knee * z2360;
+    const Scalar z2365 = n0_124 * z1305 - z1844 - k7 * z1309 + n0_2 * z2361;
     const Scalar z2362 = s_rear_right_knee * z2360 - c_rear_right_knee * z1336;
     const Scalar z2363 = n0_124 * z1309 - z2361;
-    const Scalar z2365 = n0_124 * z1305 - z1844 - k7 * z1309 + n0_2 * z2361;
     const Scalar z2364 = n0_124 * z1315 - z2362;
     const Scalar z2366 = z1843 + z2365;
-    const Scalar z2367 = z1855 * z2366;
     const Scalar z2368 = z1856 * z2366 + z2363;
+    const Scalar z2367 = z1855 * z2366;
     const Scalar z2369 = z1857 * z2366 - z2364;
     const Scalar z2287 = z2276 * z2286;
     const Scalar z2288 = z2279 * z2286;
     const Scalar z2375 = n0_0002 * z1357 - z1843;
     const Scalar z2289 = z2280 * z2286;
-    const Scalar z2290 = z2276 * z2287 + z2278;
-    const Scalar z2291 = z2276 * z2288 + z2281;
+    const Scalar z2370 = s_rear_right_thigh * z2369 + c_rear_right_thigh * z2368;
     const Scalar z2295 = z2280 * z2289 + z2285;
-    const Scalar z2293 = z2276 * z2289 - z2283;
+    const Scalar z2371 = s_rear_right_thigh * z2368 - c_rear_right_thigh * z2369;
     const Scalar z2292 = z2279 * z2288 + z2282;
     const Scalar z2294 = z2279 * z2289 - z2284;
-    const Scalar z2371 = s_rear_right_thigh * z2368 - c_rear_right_thigh * z2369;
-    const Scalar z2370 = s_rear_right_thigh * z2369 + c_rear_right_thigh * z2368;
     const Scalar z2374 = n0_1048 * z1291 - z1354 - k26 * z1299 - n0_08 * z2371;
     const Scalar z2376 = n0_1048 * z1287 - z1355 - k27 * z1295 - n0_08 * z2370;
     const Scalar z2373 = n0_1048 * z1299 + z2371;
     const Scalar z2372 = n0_1048 * z1295 + z2370;
+    const Scalar z2291 = z2276 * z2288 + z2281;
+    const Scalar z2293 = z2276 * z2289 - z2283;
+    const Scalar z2290 = z2276 * z2287 + z2278;
     const Scalar z2377 = z1842 - z2374;
     const Scalar z2379 = z1878 * z2377 - z2376;
     const Scalar z2381 = z1359 - z1880 * z2377;
@@ -4974,9 +4974,9 @@ struct Mechanism {
     const Scalar z2313 = z25 * z2303 + z28 * z2304 + z29 * z2302;
     const Scalar z2300 = z19 * z2291 + z23 * z2292 + z24 * z2294;
     const Scalar z2297 = z17 * z2291 + z18 * z2292 + z30 * z2294;
+    const Scalar z2314 = n1 / z2313;
     const Scalar z2299 = z19 * z2290 + z23 * z2291 + z24 * z2293;
     const Scalar z2296 = z17 * z2290 + z18 * z2291 + z30 * z2293;
-    const Scalar z2314 = n1 / z2313;
     const Scalar z2301 = z19 * z2293 + z23 * z2294 + z24 * z2295;
     const Scalar z2298 = z17 * z2293 + z18 * z2294 + z30 * z2295;
     const Scalar z2388 = k0 * z1368 - n0_032 * z2351;
@@ -4984,8 +4984,8 @@ struct Mechanism {
     const Scalar z2389 = z1841 + z2388;
     const Scalar z2386 = s_rear_right_hip * z2375 + c_rear_right_hip * z2379;
     const Scalar z2385 = s_rear_right_hip * z2379 - c_rear_right_hip * z2375;
-    const Scalar z2391 = z2387 - k24 * z2389;
-    const Scalar z2390 = k25 * z2389;
+    const Scalar z2391 = z2387 - k25 * z2389;
+    const Scalar z2390 = k24 * z2389;
     const Scalar z2383 = s_rear_right_hip * z2382 + c_rear_right_hip * z2381;
     const Scalar z2384 = s_rear_right_hip * z2381 - c_rear_right_hip * z2382;
     const Scalar z2310 = z25 * z2300 + z28 * z2301 + z29 * z2299;
@@ -5015,27 +5015,27 @@ struct Mechanism {
     const Scalar z2401 = s_rear_left_thigh * z2400 + c_rear_left_thigh * z2399;
     const Scalar z2340 = n1 / z2332;
     const Scalar z2419 = k0 * z1411 - n0_032 * z2348;
-    const Scalar z2418 = n0_032 * z1411;
-    const Scalar z2420 = z1838 + z2419;
     const Scalar z2405 = z1397 + n0_1048 * z1253 + k26 * z1261 - n0_08 * z2402;
     const Scalar z2407 = z1398 + n0_1048 * z1249 + k27 * z1257 - n0_08 * z2401;
     const Scalar z2404 = n0_1048 * z1261 - z2402;
     const Scalar z2403 = n0_1048 * z1257 - z2401;
+    const Scalar z2418 = n0_032 * z1411;
+    const Scalar z2420 = z1838 + z2419;
     const Scalar z2450 = k0 * z1454 - n0_032 * z2345;
     const Scalar z2449 = n0_032 * z1454;
     const Scalar z2451 = z1835 + z2450;
-    const Scalar z2422 = z2418 - k24 * z2420;
+    const Scalar z2422 = z2418 - k25 * z2420;
     const Scalar z2408 = z1839 + z2405;
     const Scalar z2410 = z1968 * z2408 + z2407;
-    const Scalar z2453 = z2449 - k24 * z2451;
+    const Scalar z2453 = z2449 - k25 * z2451;
     const Scalar z2437 = n0_0002 * z1443 - z1837;
     const Scalar z2412 = z1402 + z1970 * z2408;
     const Scalar z2413 = z1971 * z2408 - z2404;
     const Scalar z2468 = n0_0002 * z1486 - z1834;
     const Scalar z2411 = z1969 * z2408 + z2403;
     const Scalar z2409 = z1967 * z2408;
-    const Scalar z2421 = k25 * z2420;
-    const Scalar z2452 = k25 * z2451;
+    const Scalar z2421 = k24 * z2420;
+    const Scalar z2452 = k24 * z2451;
     const Scalar z2423 = s_front_right_knee * z1422 + c_front_right_knee * z2422;
     const Scalar z2427 = n0_124 * z1229 - z1838 - k7 * z1233 + n0_2 * z2423;
     const Scalar z2424 = s_front_right_knee * z2422 - c_front_right_knee * z1422;
@@ -5097,21 +5097,21 @@ struct Mechanism {
     const Scalar z2483 = n0_0306 * z1172 + z1833 + z1836 + z1839 + z1842 - n0_05 * (z2384 + z2415 + z2446 + z2477);
     const Scalar z2484 = n0_3254 * z1171 - z2385 - z2416 - z2447 - z2478 - n0_2 * (z2384 - z2415 - z2446 + z2477);
     const Scalar z2482 = n12_24 * z1164 + z2384 - z2415 + z2446 - z2477;
-    const Scalar z2489 = z2253 * z2485 + z2480;
     const Scalar z2487 = z2251 * z2485 + z2483;
+    const Scalar z2488 = z2252 * z2485 - z2484;
+    const Scalar z2489 = z2253 * z2485 + z2480;
     const Scalar z2490 = z2254 * z2485 + z2481;
     const Scalar z2491 = z2255 * z2485 - z2482;
     const Scalar z2486 = z2250 * z2485;
-    const Scalar z2488 = z2252 * z2485 - z2484;
-    const Scalar z2492 = z2271 * z2488;
     const Scalar z2493 = z2272 * z2488 - z2487;
     const Scalar z2494 = z2273 * z2488 - z2489;
     const Scalar z2495 = z2274 * z2488 - z2490;
     const Scalar z2496 = z2275 * z2488 - z2491;
-    const Scalar z2497 = z2286 * z2493;
+    const Scalar z2492 = z2271 * z2488;
     const Scalar z2498 = z2287 * z2493 - z2494;
     const Scalar z2499 = z2288 * z2493 - z2495;
     const Scalar z2500 = z2289 * z2493 + z2496;
+    const Scalar z2497 = z2286 * z2493;
     const Scalar z2501 = z17 * z2498 + z18 * z2499 + z30 * z2500;
     const Scalar z2502 = z19 * z2498 + z23 * z2499 + z24 * z2500;
     const Scalar z2503 = z25 * z2499 + z28 * z2500 + z29 * z2498;
@@ -5143,28 +5143,28 @@ struct Mechanism {
     const Scalar z2577 = z2521 + n0_2 * z2525;
     const Scalar z2579 = s_rear_left_hip * z2525 - c_rear_left_hip * z2524;
     const Scalar z2580 = s_rear_left_hip * z2524 + c_rear_left_hip * z2525;
-    const Scalar z2603 = s_rear_right_hip * z2525 - c_rear_right_hip * z2524;
     const Scalar z2604 = s_rear_right_hip * z2524 + c_rear_right_hip * z2525;
+    const Scalar z2603 = s_rear_right_hip * z2525 - c_rear_right_hip * z2524;
     const Scalar z2531 = s_front_left_hip * z2528 + c_front_left_hip * z2527;
     const Scalar z2532 = s_front_left_hip * z2527 - c_front_left_hip * z2528;
     const Scalar z2556 = s_front_right_hip * z2553 + c_front_right_hip * z2527;
     const Scalar z2557 = s_front_right_hip * z2527 - c_front_right_hip * z2553;
-    const Scalar z2581 = s_rear_left_hip * z2578 + c_rear_left_hip * z2577;
-    const Scalar z2582 = s_rear_left_hip * z2577 - c_rear_left_hip * z2578;
-    const Scalar z2605 = s_rear_right_hip * z2602 + c_rear_right_hip * z2577;
     const Scalar z2533 = z2471 + z2178 * z2530 + z2179 * z2526 - z2180 * z2531 - z2181 * z2532;
     const Scalar z2558 = z2440 + z2073 * z2555 - z2074 * z2552 - z2075 * z2556 + z2076 * z2557;
-    const Scalar z2583 = z2409 + z1968 * z2580 + z1969 * z2526 - z1970 * z2581 - z1971 * z2582;
-    const Scalar z2606 = s_rear_right_hip * z2577 - c_rear_right_hip * z2602;
-    const Scalar z2607 = z2378 + z1878 * z2604 - z1879 * z2552 - z1880 * z2605 + z1881 * z2606;
     const Scalar z2535 = z2526 + n0_08 * z2530;
-    const Scalar z2585 = z2526 + n0_08 * z2580;
     const Scalar z2560 = z2552 - n0_08 * z2555;
-    const Scalar z2609 = z2552 - n0_08 * z2604;
     const Scalar z2536 = z2532 + n0_08 * z2533;
     const Scalar z2534 = z2523 - z2533;
     const Scalar z2561 = z2557 - n0_08 * z2558;
     const Scalar z2559 = z2523 - z2558;
+    const Scalar z2581 = s_rear_left_hip * z2578 + c_rear_left_hip * z2577;
+    const Scalar z2582 = s_rear_left_hip * z2577 - c_rear_left_hip * z2578;
+    const Scalar z2583 = z2409 + z1968 * z2580 + z1969 * z2526 - z1970 * z2581 - z1971 * z2582;
+    const Scalar z2585 = z2526 + n0_08 * z2580;
+    const Scalar z2605 = s_rear_right_hip * z2602 + c_rear_right_hip * z2577;
+    const Scalar z2606 = s_rear_right_hip * z2577 - c_rear_right_hip * z2602;
+    const Scalar z2607 = z2378 + z1878 * z2604 - z1879 * z2552 - z1880 * z2605 + z1881 * z2606;
+    const Scalar z2609 = z2552 - n0_08 * z2604;
     const Scalar z2586 = z2582 + n0_08 * z2583;
     const Scalar z2584 = z2523 - z2583;
     const Scalar z2608 = z2523 - z2607;
@@ -5175,35 +5175,35 @@ struct Mechanism {
     const Scalar z2564 = c_front_right_thigh * z2560 + s_front_right_thigh * z2561;
     const Scalar z2565 = s_front_right_thigh * z2560 - c_front_right_thigh * z2561;
     const Scalar z2566 = z2051 * z2564 - z2429 + z2052 * z2565;
+    const Scalar z2544 = z2539 - n0_2 * z2541;
+    const Scalar z2542 = z2529 + z2541;
     const Scalar z2589 = c_rear_left_thigh * z2585 + s_rear_left_thigh * z2586;
+    const Scalar z2543 = z1178 - z2542;  // acceleration of joint front_left_thigh_link
     const Scalar z2590 = s_rear_left_thigh * z2585 - c_rear_left_thigh * z2586;
     const Scalar z2591 = z1946 * z2589 - z2398 + z1947 * z2590;
-    const Scalar z2544 = z2539 - n0_2 * z2541;
     const Scalar z2548 = s_front_left_knee * z2540 - c_front_left_knee * z2544;
+    const Scalar z2550 = z2452 + k25 * z2548;
     const Scalar z2569 = z2564 - n0_2 * z2566;
-    const Scalar z2542 = z2529 + z2541;
-    const Scalar z2543 = z1178 - z2542;  // acceleration of joint front_left_thigh_link
-    const Scalar z2567 = z2554 + z2566;
-    const Scalar z2568 = z1216 - z2567;  // acceleration of joint front_right_thigh_link
     const Scalar z2573 = s_front_right_knee * z2565 - c_front_right_knee * z2569;
-    const Scalar z2550 = z2452 + k24 * z2548;
-    const Scalar z2613 = c_rear_right_thigh * z2609 + s_rear_right_thigh * z2610;
+    const Scalar z2594 = z2589 - n0_2 * z2591;
     const Scalar z2551 = z2541 + z2550;
+    const Scalar z2613 = c_rear_right_thigh * z2609 + s_rear_right_thigh * z2610;
     const Scalar z2614 = s_rear_right_thigh * z2609 - c_rear_right_thigh * z2610;
     const Scalar z2615 = z1856 * z2613 - z2367 + z1857 * z2614;
-    const Scalar z2594 = z2589 - n0_2 * z2591;
     const Scalar z2598 = s_rear_left_knee * z2590 - c_rear_left_knee * z2594;
-    const Scalar z2575 = z2421 + k24 * z2573;
+    const Scalar z2567 = z2554 + z2566;
+    const Scalar z2575 = z2421 + k25 * z2573;
     const Scalar z2592 = z2579 + z2591;
-    const Scalar z2576 = z2566 + z2575;
-    const Scalar z2593 = z1254 - z2592;  // acceleration of joint rear_left_thigh_link
-    const Scalar z2600 = z2390 + k24 * z2598;
+    const Scalar z2600 = z2390 + k25 * z2598;
     const Scalar z2618 = z2613 - n0_2 * z2615;
     const Scalar z2616 = z2603 + z2615;
+    const Scalar z2568 = z1216 - z2567;  // acceleration of joint front_right_thigh_link
+    const Scalar z2576 = z2566 + z2575;
+    const Scalar z2593 = z1254 - z2592;  // acceleration of joint rear_left_thigh_link
     const Scalar z2601 = z2591 + z2600;
     const Scalar z2617 = z1292 - z2616;  // acceleration of joint rear_right_thigh_link
     const Scalar z2622 = s_rear_right_knee * z2614 - c_rear_right_knee * z2618;
-    const Scalar z2624 = z2359 + k24 * z2622;
+    const Scalar z2624 = z2359 + k25 * z2622;
     const Scalar z2625 = z2615 + z2624;
     accelerations.trunk_x = -z2514;
     accelerations.trunk_y = -z2518;
@@ -5245,8 +5245,8 @@ struct Mechanism {
       Energy& result) noexcept {
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
-    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
     const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
+    const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
     const Scalar n0_08 = traits::constant(0.08, 0.08f, "2/25");
     const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
@@ -5360,14 +5360,14 @@ struct Mechanism {
     const Scalar z19 = z14 + z16;
     const Scalar z29 = z26 - z27;
     const Scalar z17 = n1 - z10 - z12;
-    const Scalar z3282 = v_trunk_y * z19 + v_trunk_z * z29 + v_trunk_x * z17;
     const Scalar z3284 = v_trunk_x * z30 + v_trunk_y * z24 + v_trunk_z * z28;
     const Scalar z3283 = v_trunk_x * z18 + v_trunk_y * z23 + v_trunk_z * z25;
+    const Scalar z3287 = z3284 + n0_05 * v_trunk_attitude_omega_x - n0_2 * v_trunk_attitude_omega_y;
+    const Scalar z3286 = n0_2 * v_trunk_attitude_omega_z + z3283;
+    const Scalar z3282 = v_trunk_y * z19 + v_trunk_z * z29 + v_trunk_x * z17;
     const Scalar z123 = v_trunk_attitude_omega_x + v_front_left_hip;
     const Scalar z194 = v_trunk_attitude_omega_x + v_front_right_hip;
     const Scalar z261 = v_trunk_attitude_omega_x + v_rear_left_hip;
-    const Scalar z3286 = n0_2 * v_trunk_attitude_omega_z + z3283;
-    const Scalar z3287 = z3284 + n0_05 * v_trunk_attitude_omega_x - n0_2 * v_trunk_attitude_omega_y;
     const Scalar z328 = v_trunk_attitude_omega_x + v_rear_right_hip;
     const Scalar z122 = v_trunk_attitude_omega_y * s_front_left_hip - v_trunk_attitude_omega_z * c_front_left_hip;
     const Scalar z193 = v_trunk_attitude_omega_y * s_front_right_hip - v_trunk_attitude_omega_z * c_front_right_hip;
@@ -5399,9 +5399,9 @@ struct Mechanism {
     const Scalar z217 = v_front_right_thigh + z192;
     const Scalar z284 = v_rear_left_thigh + z259;
     const Scalar z351 = v_rear_right_thigh + z326;
+    const Scalar z3291 = n0_08 * z123 - z3289;
     const Scalar z3290 = n0_08 * z122 - z3285;
     const Scalar z145 = s_front_left_thigh * z123 - c_front_left_thigh * z122;
-    const Scalar z3291 = n0_08 * z123 - z3289;
     const Scalar z216 = s_front_right_thigh * z194 - c_front_right_thigh * z193;
     const Scalar z283 = s_rear_left_thigh * z261 - c_rear_left_thigh * z260;
     const Scalar z350 = s_rear_right_thigh * z328 - c_rear_right_thigh * z327;
@@ -5453,28 +5453,28 @@ struct Mechanism {
     const Scalar z3322 = n0_05 * v_trunk_attitude_omega_x - z3284 - n0_2 * v_trunk_attitude_omega_y;
     const Scalar z3301 = s_front_right_hip * z3286 + c_front_right_hip * z3299;
     const Scalar z3300 = s_front_right_hip * z3299 - c_front_right_hip * z3286;
+    const Scalar z3346 = n0_02 * z194 + n0_5 * z3301;
+    const Scalar z3347 = n0_0014 * z194 + n0_02 * z3301;
+    const Scalar z3303 = n0_08 * z194 + z3301;
+    const Scalar z3350 = n0_072 * z215 - n0_8 * z3300;
+    const Scalar z3351 = k10 * z215 - n0_072 * z3300;
+    const Scalar z3307 = n0_2 * z215 - z3300;
+    const Scalar z3354 = n0_032 * z241 - n0_26 * z3307;
+    const Scalar z3355 = k13 * z241 - n0_032 * z3307;
     const Scalar z3360 = n0_0014 * z260 - n0_02 * z3285;
     const Scalar z3314 = n0_08 * z260 - z3285;
     const Scalar z3313 = s_rear_left_hip * z3310 + c_rear_left_hip * z3311;
     const Scalar z3312 = s_rear_left_hip * z3311 - c_rear_left_hip * z3310;
-    const Scalar z3324 = s_rear_right_hip * z3310 - c_rear_right_hip * z3322;
-    const Scalar z3323 = s_rear_right_hip * z3322 + c_rear_right_hip * z3310;
-    const Scalar z3325 = n0_08 * z327 - z3298;
-    const Scalar z3303 = n0_08 * z194 + z3301;
-    const Scalar z3307 = n0_2 * z215 - z3300;
-    const Scalar z3346 = n0_02 * z194 + n0_5 * z3301;
-    const Scalar z3347 = n0_0014 * z194 + n0_02 * z3301;
-    const Scalar z3350 = n0_072 * z215 - n0_8 * z3300;
-    const Scalar z3351 = k10 * z215 - n0_072 * z3300;
-    const Scalar z3315 = n0_08 * z261 + z3313;
-    const Scalar z3319 = n0_2 * z282 + z3312;
     const Scalar z3358 = n0_02 * z261 + n0_5 * z3313;
     const Scalar z3359 = n0_0014 * z261 + n0_02 * z3313;
-    const Scalar z3354 = n0_032 * z241 - n0_26 * z3307;
-    const Scalar z3355 = k13 * z241 - n0_032 * z3307;
+    const Scalar z3315 = n0_08 * z261 + z3313;
     const Scalar z3362 = n0_8 * z3312 + n0_072 * z282;
     const Scalar z3363 = n0_072 * z3312 + k10 * z282;
+    const Scalar z3319 = n0_2 * z282 + z3312;
+    const Scalar z3324 = s_rear_right_hip * z3310 - c_rear_right_hip * z3322;
+    const Scalar z3323 = s_rear_right_hip * z3322 + c_rear_right_hip * z3310;
     const Scalar z3326 = n0_08 * z328 - z3324;
+    const Scalar z3325 = n0_08 * z327 - z3298;
     const Scalar z3304 = s_front_right_thigh * z3303 - c_front_right_thigh * z3302;
     const Scalar z3305 = s_front_right_thigh * z3302 + c_front_right_thigh * z3303;
     const Scalar z3349 = n0_072 * z217 - n0_8 * z3304;

@@ -92,11 +92,10 @@ struct SineCosine {
   TORSOR_DEVICE TORSOR_INLINED static Scalar number(double for_double, float for_float) noexcept {
     return scalar_traits<Scalar>::constant(for_double, for_float, nullptr);
   }
+  /// So large that the last bit of what is some less or more counts 1.
+  TORSOR_DEVICE TORSOR_INLINED static Scalar shift() noexcept { return number(0x1.8p52, 0x1.8p23f); }
   /// To the nearest integer, of two the even one.
-  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept {
-    const Scalar unit_ulp = number(0x1.8p52, 0x1.8p23f);
-    return (x + unit_ulp) - unit_ulp;
-  }
+  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept { return (x + shift()) - shift(); }
 
   /// Of high - rest, |high| <= pi/4, rest being about an ulp of high at most.
   TORSOR_DEVICE TORSOR_INLINED static void of_reduced(const Scalar& high, const Scalar& rest, Scalar& sine,
@@ -138,7 +137,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n plus a number so large that its last bit counts 1; what is no
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
   /// number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
@@ -146,10 +145,9 @@ struct SineCosine {
   ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
   TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
                                                         Scalar& cosine) noexcept {
-    const Scalar shift = number(0x1.8p52, 0x1.8p23f);
     const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift;
-    const Scalar n = shifted - shift;
+    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift();
+    const Scalar n = shifted - shift();
     const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
     const Scalar r = first - n * P;
     const Scalar error = (first - r) - n * P;
@@ -162,7 +160,7 @@ struct SineCosine {
   TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
     Scalar shifted;
     of_remainder(x, shifted, sine, cosine);
-    turn(shifted - number(0x1.8p52, 0x1.8p23f), sine, cosine);
+    turn(shifted - shift(), sine, cosine);
   }
 };
 
@@ -282,8 +280,8 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
 }
 
 }  // namespace torsor
-// Sines and cosines of several angles at once: by vector registers where GNU C++ has types for them, which compilers
-// without AVX make of narrower ones; loops over numbers are not left to compilers to find.
+// Sines and cosines of several angles at once, in vector registers where GNU C++ has types for them: of 32 bytes with
+// AVX, else of 16.
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define TORSOR_VECTOR_TYPES
 #endif
@@ -407,14 +405,16 @@ TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&si
   constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
   using AllLanes = typename FirstPlaces<lanes>::type;
   Number squares = 0;
-  // One copy of the code: its constants stay where they are.
+  if constexpr (whole > 0) {
+    // One copy of the code: its constants stay where they are.
 #if defined(__clang__)
 #pragma clang loop unroll(disable)
 #else
 #pragma GCC unroll 1
 #endif
-  for (int i = 0; i < whole; i += both)
-    squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+    for (int i = 0; i < whole; i += both)
+      squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+  }
   if constexpr (rest > 0)
     squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
   return squares;
@@ -635,7 +635,7 @@ struct Mechanism {
 
   static constexpr const char* name = "rolling_hoop";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x20a8d9fb683219c0ULL;
+  static constexpr unsigned long long fingerprint = 0xa226d9fc9adb2281ULL;
   static constexpr int coordinate_count = 5;
   static constexpr int velocity_count = 5;
   static constexpr int input_count = 0;
@@ -1644,16 +1644,16 @@ struct Mechanism {
     const Scalar z358 = s_theta * l_lambda_along_y1 - z126;
     const Scalar z360 = c_theta * l_lambda_along_x1 - z119 + z240 * z357 - z242 * z358;
     const Scalar z361 = z114 - l_lambda_along_x1 - z232 * z357 + z243 * z358;
-    const Scalar z366 = z360 - z363;
-    const Scalar z367 = z361 + z364;
     const Scalar z380 = z377 * z379;
     const Scalar z385 = z377 * z384;
     const Scalar z390 = z377 * z389;
+    const Scalar z366 = z360 - z363;
+    const Scalar z367 = z361 + z364;
     const Scalar z395 = z377 * z394;
     const Scalar z400 = z377 * z399;
     const Scalar z381 = z374 * z378 - z375 * z380;
-    const Scalar z386 = z374 * z383 - z375 * z385;
     const Scalar z382 = z327 * z368 - z369 * z380 + z370 * z381;
+    const Scalar z386 = z374 * z383 - z375 * z385;
     const Scalar z391 = z374 * z388 - z375 * z390;
     const Scalar z396 = z374 * z393 - z375 * z395;
     const Scalar z401 = z374 * z398 - z375 * z400;
@@ -2131,25 +2131,24 @@ struct Mechanism {
     const Scalar z467 = c_theta * z466 - z215 + s_theta * z465;
     const Scalar z427 = c_psi * z157 - z225 + s_psi * z156;
     const Scalar z468 = c_theta * z155 + z467;
-    const Scalar z429 = c_psi * z157 - z427 + s_psi * z156;
     const Scalar z463 = s_theta * z154 - z462;
+    const Scalar z429 = c_psi * z157 - z427 + s_psi * z156;
     const Scalar z471 = z141 * z468;
     const Scalar z480 = z141 * z210;
+    const Scalar z469 = z139 * z461 + z463;
     const Scalar z478 = s_theta * z201;
     const Scalar z479 = z142 * z478;
+    const Scalar z473 = s_theta * z471 + z450;
+    const Scalar z431 = z147 * z429;
+    const Scalar z470 = z142 * z469;
     const Scalar z417 = c_psi * z415 + s_psi * z416;
     const Scalar z418 = s_psi * z415 - c_psi * z416;
+    const Scalar z472 = z138 * z461 + z139 * z470;
     const Scalar z482 = s_theta * z480 + z227;
     const Scalar z419 = z143 * z416;
-    const Scalar z481 = z138 * z202 + z139 * z479;
-    const Scalar z431 = z147 * z429;
     const Scalar z433 = s_psi * z432 - z157 + c_psi * z431;
     const Scalar z434 = s_psi * z431 - z156 - c_psi * z432;
-    const Scalar z435 = z143 * z432;
-    const Scalar z469 = z139 * z461 + z463;
-    const Scalar z473 = s_theta * z471 + z450;
     const Scalar z487 = s_theta / z78;
-    const Scalar z470 = z142 * z469;
     const Scalar z474 = z146 * z473;
     const Scalar z483 = z146 * z482;
     const Scalar z423 = s_psi * z422 - c_psi * z421;
@@ -2158,15 +2157,16 @@ struct Mechanism {
     const Scalar z493 = z141 * z202;
     const Scalar z495 = s_theta * z493;
     const Scalar z492 = z142 * z219;
+    const Scalar z435 = z143 * z432;
     const Scalar z436 = z138 * z431;
     const Scalar z500 = z138 + z139 * z448;
-    const Scalar z444 = c_psi * z442 + s_psi * z443;
     const Scalar z496 = z146 * z495;
+    const Scalar z444 = c_psi * z442 + s_psi * z443;
     const Scalar z445 = s_psi * z442 - c_psi * z443;
-    const Scalar z472 = z138 * z461 + z139 * z470;
     const Scalar z475 = s_psi * z474;
     const Scalar z476 = c_psi * z474;
     const Scalar z477 = z143 * z474 - z471;
+    const Scalar z481 = z138 * z202 + z139 * z479;
     const Scalar z484 = s_psi * z483;
     const Scalar z485 = c_psi * z483;
     const Scalar z489 = s_psi * z488;

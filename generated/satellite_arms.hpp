@@ -77,11 +77,10 @@ struct SineCosine {
   TORSOR_DEVICE TORSOR_INLINED static Scalar number(double for_double, float for_float) noexcept {
     return scalar_traits<Scalar>::constant(for_double, for_float, nullptr);
   }
+  /// So large that the last bit of what is some less or more counts 1.
+  TORSOR_DEVICE TORSOR_INLINED static Scalar shift() noexcept { return number(0x1.8p52, 0x1.8p23f); }
   /// To the nearest integer, of two the even one.
-  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept {
-    const Scalar unit_ulp = number(0x1.8p52, 0x1.8p23f);
-    return (x + unit_ulp) - unit_ulp;
-  }
+  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept { return (x + shift()) - shift(); }
 
   /// Of high - rest, |high| <= pi/4, rest being about an ulp of high at most.
   TORSOR_DEVICE TORSOR_INLINED static void of_reduced(const Scalar& high, const Scalar& rest, Scalar& sine,
@@ -123,7 +122,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n plus a number so large that its last bit counts 1; what is no
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
   /// number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
@@ -131,10 +130,9 @@ struct SineCosine {
   ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
   TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
                                                         Scalar& cosine) noexcept {
-    const Scalar shift = number(0x1.8p52, 0x1.8p23f);
     const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift;
-    const Scalar n = shifted - shift;
+    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift();
+    const Scalar n = shifted - shift();
     const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
     const Scalar r = first - n * P;
     const Scalar error = (first - r) - n * P;
@@ -147,7 +145,7 @@ struct SineCosine {
   TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
     Scalar shifted;
     of_remainder(x, shifted, sine, cosine);
-    turn(shifted - number(0x1.8p52, 0x1.8p23f), sine, cosine);
+    turn(shifted - shift(), sine, cosine);
   }
 };
 
@@ -267,8 +265,8 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
 }
 
 }  // namespace torsor
-// Sines and cosines of several angles at once: by vector registers where GNU C++ has types for them, which compilers
-// without AVX make of narrower ones; loops over numbers are not left to compilers to find.
+// Sines and cosines of several angles at once, in vector registers where GNU C++ has types for them: of 32 bytes with
+// AVX, else of 16.
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define TORSOR_VECTOR_TYPES
 #endif
@@ -392,14 +390,16 @@ TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&si
   constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
   using AllLanes = typename FirstPlaces<lanes>::type;
   Number squares = 0;
-  // One copy of the code: its constants stay where they are.
+  if constexpr (whole > 0) {
+    // One copy of the code: its constants stay where they are.
 #if defined(__clang__)
 #pragma clang loop unroll(disable)
 #else
 #pragma GCC unroll 1
 #endif
-  for (int i = 0; i < whole; i += both)
-    squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+    for (int i = 0; i < whole; i += both)
+      squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+  }
   if constexpr (rest > 0)
     squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
   return squares;
@@ -506,7 +506,7 @@ struct Mechanism {
 
   static constexpr const char* name = "satellite_arms";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x55b7908e80f85963ULL;
+  static constexpr unsigned long long fingerprint = 0x5bf02f23745e8f86ULL;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 2;
@@ -1390,34 +1390,34 @@ struct Mechanism {
     const Scalar z91 = z74 + z85;
     const Scalar z303 = s_theta_2 * z79 + c_theta_2 * z78;
     const Scalar z321 = s_theta_3 * z65 + c_theta_3 * z64;
+    const Scalar z291 = n0_3 * z289 + n0_666 * z290;
     const Scalar z307 = n0_001 * z128;
     const Scalar z292 = n7_over_6 * z288;
     const Scalar z293 = c_theta_3 * z292;
     const Scalar z306 = n0_667 * z132;
     const Scalar z305 = n0_3 * z132;
     const Scalar z314 = n2 * z36;
-    const Scalar z296 = n2 * z23;
-    const Scalar z311 = z22 * z22 - z23 * z23;
     const Scalar z304 = n2 * z75 + z303;
     const Scalar z322 = n7_over_3 * z61 - z321;
     const Scalar z308 = s_theta_2 * (z138 - z306) + c_theta_2 * (z136 - z307);
     const Scalar z149 = z94 + z97 - z137;
-    const Scalar z287 = n7_over_6 * z273 - z281 - z278 - z286;
     const Scalar z150 = z96 + z98 - z121;
-    const Scalar z148 = n7_over_6 * z118 - z134 - z126 - z142;  // moment on S1, z
-    const Scalar z312 = n0_3 * z103 + n0_666 * z311;
-    const Scalar z309 = z305 - z308;
+    const Scalar z287 = n7_over_6 * z273 - z281 - z278 - z286;
     const Scalar z193 = n0_668 * a_theta_2 + z149;
+    const Scalar z148 = n7_over_6 * z118 - z134 - z126 - z142;  // moment on S1, z
     const Scalar z194 = k19 * a_theta_3 + z150;
-    const Scalar z310 = a_psi * z304 - z309;
+    const Scalar z309 = z305 - z308;
     const Scalar z324 = k13 * z116;
-    const Scalar z192 = a_psi * z91 - z148;
     const Scalar z325 = n0_0005 * z112;
-    const Scalar z316 = k13 * z314;
     const Scalar z326 = s_theta_3 * (z122 - z324) + c_theta_3 * (z120 - z325);
+    const Scalar z296 = n2 * z23;
+    const Scalar z316 = k13 * z314;
     const Scalar z317 = n2 * z35;
+    const Scalar z310 = a_psi * z304 - z309;
     const Scalar z298 = n0_667 * z296;
+    const Scalar z192 = a_psi * z91 - z148;
     const Scalar z299 = n2 * z22;
+    const Scalar z311 = z22 * z22 - z23 * z23;
     const Scalar z318 = n0_0005 * z317;
     const Scalar z323 = n0_3375 * z116;
     const Scalar z300 = n0_001 * z299;
@@ -1428,20 +1428,20 @@ struct Mechanism {
     const Scalar z327 = n7_over_6 * z323 + z326;
     const Scalar z297 = n0_3 * z296;
     const Scalar z301 = s_theta_2 * z298 - c_theta_2 * z300;
+    const Scalar z312 = n0_3 * z103 + n0_666 * z311;
     const Scalar z217 = n1 / z91;
     const Scalar z330 = n0_3375 * z108 - n109_over_160 * z329;
-    const Scalar z291 = n0_3 * z289 + n0_666 * z290;
+    const Scalar z295 = n0_3375 * z293 - n109_over_160 * z294;
     const Scalar z302 = z297 + z301;
     const Scalar z313 = n30 + z312;
     const Scalar z320 = n7_over_6 * z315 - z319;
     const Scalar z328 = a_psi * z322 - z327;
-    const Scalar z295 = n0_3375 * z293 - n109_over_160 * z294;
     const Scalar z331 = n35 - z330;
     const Scalar z443 = z217 * z287;
     const Scalar z444 = n250_over_167 * z291;
+    const Scalar z445 = k22 * z295;
     const Scalar z446 = z217 * z310;
     const Scalar z447 = n250_over_167 * z313;
-    const Scalar z445 = k22 * z295;
     const Scalar z448 = z217 * z302;
     const Scalar z449 = z217 * z328;
     const Scalar z450 = k22 * z331;

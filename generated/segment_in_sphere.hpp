@@ -78,11 +78,10 @@ struct SineCosine {
   TORSOR_DEVICE TORSOR_INLINED static Scalar number(double for_double, float for_float) noexcept {
     return scalar_traits<Scalar>::constant(for_double, for_float, nullptr);
   }
+  /// So large that the last bit of what is some less or more counts 1.
+  TORSOR_DEVICE TORSOR_INLINED static Scalar shift() noexcept { return number(0x1.8p52, 0x1.8p23f); }
   /// To the nearest integer, of two the even one.
-  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept {
-    const Scalar unit_ulp = number(0x1.8p52, 0x1.8p23f);
-    return (x + unit_ulp) - unit_ulp;
-  }
+  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept { return (x + shift()) - shift(); }
 
   /// Of high - rest, |high| <= pi/4, rest being about an ulp of high at most.
   TORSOR_DEVICE TORSOR_INLINED static void of_reduced(const Scalar& high, const Scalar& rest, Scalar& sine,
@@ -124,7 +123,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n plus a number so large that its last bit counts 1; what is no
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
   /// number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
@@ -132,10 +131,9 @@ struct SineCosine {
   ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
   TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
                                                         Scalar& cosine) noexcept {
-    const Scalar shift = number(0x1.8p52, 0x1.8p23f);
     const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift;
-    const Scalar n = shifted - shift;
+    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift();
+    const Scalar n = shifted - shift();
     const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
     const Scalar r = first - n * P;
     const Scalar error = (first - r) - n * P;
@@ -148,7 +146,7 @@ struct SineCosine {
   TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
     Scalar shifted;
     of_remainder(x, shifted, sine, cosine);
-    turn(shifted - number(0x1.8p52, 0x1.8p23f), sine, cosine);
+    turn(shifted - shift(), sine, cosine);
   }
 };
 
@@ -268,8 +266,8 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
 }
 
 }  // namespace torsor
-// Sines and cosines of several angles at once: by vector registers where GNU C++ has types for them, which compilers
-// without AVX make of narrower ones; loops over numbers are not left to compilers to find.
+// Sines and cosines of several angles at once, in vector registers where GNU C++ has types for them: of 32 bytes with
+// AVX, else of 16.
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define TORSOR_VECTOR_TYPES
 #endif
@@ -393,14 +391,16 @@ TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&si
   constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
   using AllLanes = typename FirstPlaces<lanes>::type;
   Number squares = 0;
-  // One copy of the code: its constants stay where they are.
+  if constexpr (whole > 0) {
+    // One copy of the code: its constants stay where they are.
 #if defined(__clang__)
 #pragma clang loop unroll(disable)
 #else
 #pragma GCC unroll 1
 #endif
-  for (int i = 0; i < whole; i += both)
-    squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+    for (int i = 0; i < whole; i += both)
+      squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+  }
   if constexpr (rest > 0)
     squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
   return squares;
@@ -507,7 +507,7 @@ struct Mechanism {
 
   static constexpr const char* name = "segment_in_sphere";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x538780fcded10b4eULL;
+  static constexpr unsigned long long fingerprint = 0xfb4051bc1b399ce5ULL;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -1188,60 +1188,60 @@ struct Mechanism {
     const Scalar z249 = c_phi * z122;
     const Scalar z250 = v_phi * z247 + z249;
     const Scalar z256 = z29 * z237 - z30 * z247;
+    const Scalar z257 = n0_12 * (z121 - z256);
     const Scalar z248 = z19 * z29 - z31 * z247;
     const Scalar z251 = z248 - z250;
-    const Scalar z257 = n0_12 * (z121 - z256);
     const Scalar z260 = z19 * z19 - z20 * z20;
     const Scalar z243 = z241 - n0_64 * z242;
     const Scalar z252 = n0_12 * z251;
     const Scalar z129 = n0_12 * z128;  // moment on rod, y
     const Scalar z267 = z30 * z31;
     const Scalar z259 = s_phi * z240;
-    const Scalar z253 = c_phi * z252;
-    const Scalar z261 = s_phi * z252;
-    const Scalar z246 = c_theta * z245 + s_theta * z243;
     const Scalar z132 = c_phi * z129;
-    const Scalar z262 = z261 + n0_8 * z89 - n0_64 * z260;
-    const Scalar z255 = z253 - n0_64 * z254;
+    const Scalar z192 = z81 * z146;
+    const Scalar z246 = c_theta * z245 + s_theta * z243;
     const Scalar z138 = z132 - n0_64 * z133;  // moment on second, y
+    const Scalar z193 = z81 * z192 - z191;
+    const Scalar z253 = c_phi * z252;
+    const Scalar z255 = z253 - n0_64 * z254;
+    const Scalar z261 = s_phi * z252;
+    const Scalar z262 = z261 + n0_8 * z89 - n0_64 * z260;
+    const Scalar z194 = n1 / z193;
     const Scalar z258 = s_theta * (z130 + z255) - c_theta * (z138 + z257);
     const Scalar z142 = c_theta * z130 + s_theta * z138;
-    const Scalar z192 = z81 * z146;
-    const Scalar z193 = z81 * z192 - z191;
     const Scalar z226 = c_phi * z225;
     const Scalar z228 = z226 - n0_64 * z227;
     const Scalar z234 = s_phi * z225;
     const Scalar z235 = n0_64 * z233 - z234;
-    const Scalar z194 = n1 / z193;
     const Scalar z263 = n2 * z29;
     const Scalar z264 = n0_12 * z263;
-    const Scalar z232 = c_theta * z231 + s_theta * z228;
     const Scalar z131 = s_phi * z129;
     const Scalar z137 = z131 + n0_64 * (a_theta - z106) - n0_8 * z88;  // moment on second, x
     const Scalar z268 = z125 + z267;
     const Scalar z269 = n0_12 * z268;
     const Scalar z271 = z29 * z29 - z30 * z30;
     const Scalar z272 = n0_12 * z271;
-    const Scalar z265 = c_phi * z264;
+    const Scalar z232 = c_theta * z231 + s_theta * z228;
     const Scalar z270 = s_phi * z129 + c_phi * z269;
+    const Scalar z265 = c_phi * z264;
     const Scalar z275 = s_phi * z269 - c_phi * z129;
+    const Scalar z273 = s_theta * z270 - c_theta * z272;
     const Scalar z266 = s_theta * z265;
     const Scalar z274 = s_phi * z264;
     const Scalar z357 = z190 * z231 - z232 - z192 * z235;
     const Scalar z361 = z258 + z190 * z257 - z192 * z262;
-    const Scalar z273 = s_theta * z270 - c_theta * z272;
     const Scalar z365 = z190 * z245 - z246 + z192 * z259;
+    const Scalar z369 = z273 + z190 * z272 - z192 * z275;
     const Scalar z358 = z194 * z357;
     const Scalar z362 = z194 * z361;
     const Scalar z366 = z194 * z365;
     const Scalar z373 = z192 * z274 - z266;
-    const Scalar z369 = z273 + z190 * z272 - z192 * z275;
     const Scalar z374 = z194 * z373;
     const Scalar z359 = z146 * z235 + z192 * z358;
+    const Scalar z370 = z194 * z369;
     const Scalar z360 = z190 * z358 - n25_over_3 * z231;
     const Scalar z363 = z146 * z262 + z192 * z362;
     const Scalar z364 = z190 * z362 - n25_over_3 * z257;
-    const Scalar z370 = z194 * z369;
     const Scalar z367 = z146 * z259 - z192 * z366;
     const Scalar z368 = z190 * z366 - n25_over_3 * z245;
     const Scalar z371 = z146 * z275 + z192 * z370;

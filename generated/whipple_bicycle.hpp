@@ -72,11 +72,10 @@ struct SineCosine {
   TORSOR_DEVICE TORSOR_INLINED static Scalar number(double for_double, float for_float) noexcept {
     return scalar_traits<Scalar>::constant(for_double, for_float, nullptr);
   }
+  /// So large that the last bit of what is some less or more counts 1.
+  TORSOR_DEVICE TORSOR_INLINED static Scalar shift() noexcept { return number(0x1.8p52, 0x1.8p23f); }
   /// To the nearest integer, of two the even one.
-  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept {
-    const Scalar unit_ulp = number(0x1.8p52, 0x1.8p23f);
-    return (x + unit_ulp) - unit_ulp;
-  }
+  TORSOR_DEVICE TORSOR_INLINED static Scalar rounded(const Scalar& x) noexcept { return (x + shift()) - shift(); }
 
   /// Of high - rest, |high| <= pi/4, rest being about an ulp of high at most.
   TORSOR_DEVICE TORSOR_INLINED static void of_reduced(const Scalar& high, const Scalar& rest, Scalar& sine,
@@ -118,7 +117,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n plus a number so large that its last bit counts 1; what is no
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
   /// number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
@@ -126,10 +125,9 @@ struct SineCosine {
   ///    elsewhere, where r is exact: both are multiples of P's last bit, and r is less than 2^53 (2^24) of them.
   TORSOR_DEVICE TORSOR_INLINED static void of_remainder(const Scalar& x, Scalar& shifted, Scalar& sine,
                                                         Scalar& cosine) noexcept {
-    const Scalar shift = number(0x1.8p52, 0x1.8p23f);
     const Scalar P = number(0x1.0b4611a6p-34, 0x1.ed5p-14f), Q = number(0x1.3198a2ep-69, 0x1.10bp-30f);
-    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift;
-    const Scalar n = shifted - shift;
+    shifted = x * number(0x1.45f306dc9c883p-1, 0x1.45f306p-1f) + shift();
+    const Scalar n = shifted - shift();
     const Scalar first = x - n * number(0x1.921fb544p+0, 0x1.9218p+0f);
     const Scalar r = first - n * P;
     const Scalar error = (first - r) - n * P;
@@ -142,7 +140,7 @@ struct SineCosine {
   TORSOR_DEVICE TORSOR_INLINED static void core(const Scalar& x, Scalar& sine, Scalar& cosine) noexcept {
     Scalar shifted;
     of_remainder(x, shifted, sine, cosine);
-    turn(shifted - number(0x1.8p52, 0x1.8p23f), sine, cosine);
+    turn(shifted - shift(), sine, cosine);
   }
 };
 
@@ -262,8 +260,8 @@ TORSOR_DEVICE inline void sincos_of_one(const Scalar& angle, Scalar& sine, Scala
 }
 
 }  // namespace torsor
-// Sines and cosines of several angles at once: by vector registers where GNU C++ has types for them, which compilers
-// without AVX make of narrower ones; loops over numbers are not left to compilers to find.
+// Sines and cosines of several angles at once, in vector registers where GNU C++ has types for them: of 32 bytes with
+// AVX, else of 16.
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define TORSOR_VECTOR_TYPES
 #endif
@@ -387,14 +385,16 @@ TORSOR_INLINED Number sincos_in_registers(const Number (&angles)[N], Number (&si
   constexpr int both = 2 * lanes, rest = N % both, whole = N - rest;
   using AllLanes = typename FirstPlaces<lanes>::type;
   Number squares = 0;
-  // One copy of the code: its constants stay where they are.
+  if constexpr (whole > 0) {
+    // One copy of the code: its constants stay where they are.
 #if defined(__clang__)
 #pragma clang loop unroll(disable)
 #else
 #pragma GCC unroll 1
 #endif
-  for (int i = 0; i < whole; i += both)
-    squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+    for (int i = 0; i < whole; i += both)
+      squares += sincos_of_some<both>(i, angles, sines, cosines, AllLanes(), typename FirstPlaces<both>::type());
+  }
   if constexpr (rest > 0)
     squares += sincos_of_some<rest>(whole, angles, sines, cosines, AllLanes(), typename FirstPlaces<rest>::type());
   return squares;
@@ -501,7 +501,7 @@ struct Mechanism {
 
   static constexpr const char* name = "whipple_bicycle";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x2d3d7fa4822b9cd0ULL;
+  static constexpr unsigned long long fingerprint = 0xe066f36c4b7b9329ULL;
   static constexpr int coordinate_count = 9;
   static constexpr int velocity_count = 9;
   static constexpr int input_count = 0;
@@ -892,10 +892,10 @@ struct Mechanism {
     const Scalar z109 = s_roll * c_steer + c_roll * z107;
     const Scalar z95 = n1_1 - z92;
     const Scalar z96 = n0_3 - z94;
-    const Scalar z97 = s_pitch * z96 + c_pitch * z95;
-    const Scalar z98 = s_pitch * z95 - c_pitch * z96;
     const Scalar z114 = n1 - z109 * z109;
     const Scalar z54 = traits::sqrt(z53);
+    const Scalar z97 = s_pitch * z96 + c_pitch * z95;
+    const Scalar z98 = s_pitch * z95 - c_pitch * z96;
     const Scalar z69 = n2 * (z52 * z68 + z50 * z64 + z51 * z67);
     const Scalar z84 = z48 * z83 + n2 * z60 * z63 + s_roll * z82;
     const Scalar z87 = z49 * z83 + n2 * z60 * z66 + s_roll * z86;
@@ -910,9 +910,9 @@ struct Mechanism {
     const Scalar z101 = s_yaw * z99 - c_yaw * z97;
     const Scalar z100 = s_roll * z93 + c_roll * z98;
     const Scalar z103 = q_z - z100;
+    const Scalar z116 = traits::sqrt(z115);
     const Scalar z102 = s_yaw * z97 + c_yaw * z99;
     const Scalar z105 = q_x - z101;
-    const Scalar z116 = traits::sqrt(z115);
     const Scalar z104 = q_y + z102;
     const Scalar z79 = n0_3 * z78;
     const Scalar z55 = n0_3 / z54;
@@ -931,17 +931,17 @@ struct Mechanism {
     const Scalar z125 = n0_08 * z123 - n0_35 * z124;
     const Scalar z70 = n0_5 * z69 / z54;
     const Scalar z90 = n0_5 * (z69 * z70 / (z54 * z54) + z89 / z54);
+    const Scalar z117 = n0_35 / z116;
     const Scalar z151 = c_yaw * z109;
     const Scalar z152 = z109 * z151 + z108 * z111;
-    const Scalar z117 = n0_35 / z116;
     const Scalar z149 = s_yaw * z109;
     const Scalar z150 = z108 * z110 - z109 * z149;
     const Scalar z137 = z39 * z126 - z41 * z131 + s_pitch * z123 + c_pitch * z124;
     const Scalar z140 = z39 * z131 + z41 * z126 + s_pitch * z124 - c_pitch * z123;
-    const Scalar z139 = c_roll * z127 + c_steer * z62 + z60 * z107 + s_roll * z137;
     const Scalar z118 = z105 - z112 * z117;
     const Scalar z120 = z103 + z114 * z117;
     const Scalar z119 = z104 - z113 * z117;
+    const Scalar z139 = c_roll * z127 + c_steer * z62 + z60 * z107 + s_roll * z137;
     const Scalar z143 = z61 * z106 + z65 * z108 + s_yaw * z140 - c_yaw * z139;
     const Scalar z91 = n0_3 * z90;
     const Scalar z168 = z32 * c_steer;
@@ -958,33 +958,33 @@ struct Mechanism {
     const Scalar z161 = z109 * z160 + z110 * z158;
     const Scalar z163 = z109 * z162 - z111 * z158;
     const Scalar z164 = n2 * z109 * z158;
+    const Scalar z165 = n2 * (z112 * z161 - z113 * z163 - z114 * z164);
     const Scalar z182 = c_yaw * z181 + s_yaw * z180;
     const Scalar z184 = s_yaw * z181 - c_yaw * z180;
-    const Scalar z165 = n2 * (z112 * z161 - z113 * z163 - z114 * z164);
     const Scalar z183 = z109 * z182 - z110 * z179;
     const Scalar z185 = z109 * z184 - z111 * z179;
     const Scalar z186 = n2 * z109 * z179;
-    const Scalar z187 = n2 * (z114 * z186 + z112 * z183 + z113 * z185);
     const Scalar z153 = n2 * z108 * z109;
     const Scalar z154 = n2 * (z113 * z152 - z114 * z153 + z112 * z150);
+    const Scalar z187 = n2 * (z114 * z186 + z112 * z183 + z113 * z185);
     const Scalar z166 = n0_5 * z165 / z116;
     const Scalar z172 = z31 * z32 * s_steer;
     const Scalar z171 = -s_steer * (n1 - z31 * z31);
     const Scalar z173 = n0_35 * z172 + n0_08 * z171;
-    const Scalar z188 = n0_5 * z187 / z116;
+    const Scalar z155 = n0_5 * z154 / z116;
     const Scalar z174 = -s_steer * (n1 - z32 * z32);
     const Scalar z175 = n0_08 * z172 + n0_35 * z174;
-    const Scalar z155 = n0_5 * z154 / z116;
+    const Scalar z188 = n0_5 * z187 / z116;
     const Scalar z138 = s_roll * z127 - c_steer * z60 + z62 * z107 - c_roll * z137;
     const Scalar z176 = s_pitch * z173 - c_pitch * z175;
     const Scalar z141 = z61 * z108 - z65 * z106 + c_yaw * z140 + s_yaw * z139;
-    const Scalar z145 = n2 * z109 * z138;
-    const Scalar z144 = z109 * z143 - z111 * z138;
     const Scalar z177 = s_roll * z170 - c_roll * z176;
+    const Scalar z145 = n2 * z109 * z138;
     const Scalar z156 = z99 - n0_35 * z155;
+    const Scalar z144 = z109 * z143 - z111 * z138;
+    const Scalar z189 = z177 - n0_35 * z188;
     const Scalar z132 = -z127 * (n1 - z32 * z32);
     const Scalar z133 = n0_08 * z129 + n0_35 * z132;
-    const Scalar z189 = z177 - n0_35 * z188;
     const Scalar z194 = v_steer * z122;
     const Scalar z157 = c_roll * z97;
     const Scalar z167 = z157 + n0_35 * z166;
@@ -998,7 +998,6 @@ struct Mechanism {
     const Scalar z195 = -z194 * (n1 - z31 * z31);
     const Scalar z193 = n0_08 * z191 - n0_35 * z192;
     const Scalar z135 = z60 * z93 + s_roll * z125 - z62 * z98 - c_roll * z134;
-    const Scalar z196 = z31 * z32 * z194;
     const Scalar z136 = v_z - z135;
     const Scalar z226 = n0_3 * z70 / (z54 * z54);
     const Scalar z229 = v_z - z55 * z68 + z52 * z226;
@@ -1007,7 +1006,6 @@ struct Mechanism {
     const Scalar z218 = q_z - z58;
     const Scalar z216 = q_x - z56;
     const Scalar z217 = q_y - z57;
-    const Scalar z197 = n0_35 * z196 + n0_08 * z195;
     const Scalar z230 = v_z - z229;
     const Scalar z228 = v_y - z227;
     const Scalar z236 = v_x - z235;
@@ -1024,11 +1022,9 @@ struct Mechanism {
     const Scalar z252 = c_roll * z250;
     const Scalar z242 = q_z - z120;
     const Scalar z253 = s_yaw * z251 - c_yaw * z249;
-    const Scalar z263 = q_x - z259;
     const Scalar z244 = c_yaw * z242;
     const Scalar z247 = s_roll * z240 + z48 * z242;
     const Scalar z260 = s_yaw * z255 + c_yaw * z257;
-    const Scalar z262 = q_y + z260;
     const Scalar z241 = q_y - z119;
     const Scalar z254 = s_yaw * z249 + c_yaw * z251;
     const Scalar z243 = s_yaw * z242;
@@ -1041,14 +1037,18 @@ struct Mechanism {
     const Scalar z206 = z41 * z200 - z39 * z201 + s_pitch * z192 - c_pitch * z191 - n2 * (z123 * z131 + z124 * z126);
     const Scalar z223 = s_roll * z216 + z48 * z218;
     const Scalar z222 = s_roll * z217 - z49 * z218;
+    const Scalar z196 = z31 * z32 * z194;
+    const Scalar z262 = q_y + z260;
+    const Scalar z197 = n0_35 * z196 + n0_08 * z195;
+    const Scalar z263 = q_x - z259;
+    const Scalar z205 = z83 * z107 - c_roll * z194 - c_steer * z80 - n2 * (z60 * z137 - z62 * z127) + s_roll * z204;
+    const Scalar z208 = s_roll * z194 + c_steer * z83 + z80 * z107 + n2 * (z60 * z127 + z62 * z137) + c_roll * z204;
     const Scalar z198 = -z194 * (n1 - z32 * z32);
     const Scalar z199 = n0_08 * z196 + n0_35 * z198;
     const Scalar z264 = z118 - z263;
     const Scalar z266 = z120 - z261;
     const Scalar z265 = z119 - z262;
     const Scalar z267 = z252 * z265 + z254 * z266;
-    const Scalar z205 = z83 * z107 - c_roll * z194 - c_steer * z80 - n2 * (z60 * z137 - z62 * z127) + s_roll * z204;
-    const Scalar z208 = s_roll * z194 + c_steer * z83 + z80 * z107 + n2 * (z60 * z127 + z62 * z137) + c_roll * z204;
     const Scalar z202 = z95 * z200 - z96 * z201 + s_pitch * z197 - c_pitch * z199 + n2 * (z126 * z130 + z131 * z133);
     const Scalar z268 = z252 * z264 - z253 * z266;
     const Scalar z203 = z83 * z93 + s_roll * z193 + z80 * z98 - n2 * (z60 * z125 + z62 * z134) + c_roll * z202;
@@ -1071,9 +1071,9 @@ struct Mechanism {
     const Scalar z231 = z61 * z218 + s_yaw * z230;
     const Scalar z282 = z280 - z117 * z144 + z113 * z281;
     const Scalar z237 = c_yaw * z230 - z65 * z218;
+    const Scalar z214 = n0_5 * (z146 * z147 / (z116 * z116) + z213 / z116);
     const Scalar z232 = z60 * z217 + z66 * z218 + s_roll * z228 - z49 * z230;
     const Scalar z233 = v_yaw * z228 - v_roll * z231 + z232 * (v_pitch + v_rear);
-    const Scalar z214 = n0_5 * (z146 * z147 / (z116 * z116) + z213 / z116);
     const Scalar z238 = z60 * z216 - z63 * z218 + s_roll * z236 + z48 * z230;
     const Scalar z239 = v_yaw * z236 - v_roll * z237 + z238 * (v_pitch + v_rear);
     const Scalar z283 = v_y - z282;
@@ -1085,14 +1085,14 @@ struct Mechanism {
     const Scalar z310 = z309 - z117 * z142 + z112 * z281;
     const Scalar z304 = z136 + z284;
     const Scalar z305 = z109 * z303 - z138 * z271 - z143 * z272 - z111 * z304;
-    const Scalar z319 = z309 - z310;
     const Scalar z322 = v_yaw * s_roll;
-    const Scalar z320 = z109 * z319 - z138 * z270 - z141 * z272 - z110 * z304;
     const Scalar z323 = v_yaw * c_roll;
     const Scalar z327 = v_roll * z322;  // angular acceleration of frame.2, z
     const Scalar z329 = v_roll * s_pitch + c_pitch * z323;
+    const Scalar z319 = z309 - z310;
     const Scalar z334 = v_pitch + z322;  // angular velocity of frame, y
     const Scalar z328 = v_roll * c_pitch - s_pitch * z323;
+    const Scalar z320 = z109 * z319 - z138 * z270 - z141 * z272 - z110 * z304;
     const Scalar z331 = c_pitch * z327;
     const Scalar z336 = v_pitch * z328 - z331;  // angular acceleration of frame, z
     const Scalar z325 = n9_81 * c_roll;
@@ -1122,24 +1122,24 @@ struct Mechanism {
     const Scalar z314 = z65 * z255 - c_yaw * z290 + z61 * z257 + s_yaw * z292;
     const Scalar z293 = z61 * z255 + s_yaw * z290 - z65 * z257 + c_yaw * z292;
     const Scalar z315 = v_x - z314;
+    const Scalar z316 = z310 - z315;
+    const Scalar z311 = v_x - z310;
     const Scalar z294 = v_y + z293;
     const Scalar z300 = v_z - z299;
     const Scalar z301 = z284 + z300;
-    const Scalar z285 = v_z + z284;
-    const Scalar z287 = z60 * z241 + z66 * z242 + s_roll * z283 - z49 * z285;
     const Scalar z295 = z282 - z294;
-    const Scalar z348 = z335 + z347;
-    const Scalar z316 = z310 - z315;
-    const Scalar z311 = v_x - z310;
+    const Scalar z285 = v_z + z284;
     const Scalar z313 = z60 * z240 - z63 * z242 + s_roll * z311 + z48 * z285;
+    const Scalar z287 = z60 * z241 + z66 * z242 + s_roll * z283 - z49 * z285;
+    const Scalar z348 = z335 + z347;
     const Scalar z317 = z65 * z249 + c_yaw * z296 + z61 * z251 + s_yaw * z297;
     const Scalar z298 = s_yaw * z296 - z61 * z249 + z65 * z251 - c_yaw * z297;
     const Scalar z318 = z264 * z289 - z266 * z317 + z252 * z316 + z253 * z301;
     const Scalar z302 = z265 * z289 - z266 * z298 + z252 * z295 - z254 * z301;
     const Scalar z286 = z61 * z242 + s_yaw * z285;
-    const Scalar z306 = v_yaw * z283 - v_roll * z286 + v_pitch * z287 + v_steer * z302 + v_front * z305;
     const Scalar z312 = c_yaw * z285 - z65 * z242;
     const Scalar z321 = v_yaw * z311 + v_pitch * z313 + v_steer * z318 - v_roll * z312 + v_front * z320;
+    const Scalar z306 = v_yaw * z283 - v_roll * z286 + v_pitch * z287 + v_steer * z302 + v_front * z305;
     const Scalar z349 = z326 - z343;
     const Scalar z350 = z328 * z328;
     const Scalar z351 = z340 + z350;
@@ -1285,48 +1285,48 @@ struct Mechanism {
     const Scalar z600 = n0_28 * c_steer * c_steer - z511;
     const Scalar z518 = n0_12 + z511;
     const Scalar z607 = z459 * z601;
-    const Scalar z541 = c_pitch * z537 + z512;
-    const Scalar z538 = s_pitch * z537;
     const Scalar z543 = n39_8603 - z518;
     const Scalar z522 = s_pitch * z501 - c_pitch * z505;
     const Scalar z521 = s_pitch * z505 + c_pitch * z501;
+    const Scalar z541 = c_pitch * z537 + z512;
+    const Scalar z538 = s_pitch * z537;
+    const Scalar z526 = s_roll * z518 - c_roll * z522;
     const Scalar z539 = z513 - z538;
     const Scalar z540 = z498 - z538;
+    const Scalar z557 = n2 * z522;
+    const Scalar z547 = s_roll * z521 - c_roll * z541;
     const Scalar z556 = z539 - z543;
     const Scalar z542 = n39_8603 + z540;
-    const Scalar z526 = s_roll * z518 - c_roll * z522;
-    const Scalar z557 = n2 * z522;
-    const Scalar z558 = s_roll * z556 - c_roll * z557;
-    const Scalar z547 = s_roll * z521 - c_roll * z541;
     const Scalar z595 = z443 * z590 - z521;
+    const Scalar z558 = s_roll * z556 - c_roll * z557;
     const Scalar z594 = z446 * z590 - z526;
     const Scalar z599 = z515 + z594;
     const Scalar z589 = n25_over_7 * z443;
     const Scalar z593 = z443 * z589 - z542;
-    const Scalar z559 = s_roll * z558;
     const Scalar z592 = z446 * z589 - z547;
     const Scalar z606 = z463 * z601;
     const Scalar z588 = n25_over_7 * z446;
     const Scalar z597 = n25_over_3 * z515;
-    const Scalar z561 = z539 - z559;
+    const Scalar z559 = s_roll * z558;
     const Scalar z605 = z468 * z601;
     const Scalar z519 = s_pitch * z509 + c_pitch * z510;
     const Scalar z520 = s_pitch * z510 - c_pitch * z509;
+    const Scalar z561 = z539 - z559;
     const Scalar z622 = z463 * z606 + z593;
-    const Scalar z564 = n39_8603 - z561;
     const Scalar z621 = z468 * z606 - z592;
-    const Scalar z591 = z446 * z588 - z564;
+    const Scalar z564 = n39_8603 - z561;
     const Scalar z524 = c_roll * z520;
     const Scalar z545 = s_roll * z519 - c_roll * z478;
+    const Scalar z591 = z446 * z588 - z564;
     const Scalar z544 = s_roll * z478 + c_roll * z519;
-    const Scalar z598 = z515 * z597 + z591;
     const Scalar z604 = z466 * z601;
     const Scalar z616 = z466 * z605;
     const Scalar z620 = z466 * z606 - z545;
-    const Scalar z617 = z468 * z605 + z598;
+    const Scalar z598 = z515 * z597 + z591;
     const Scalar z613 = n94 - z466 * z604;
     const Scalar z523 = s_roll * z520;
     const Scalar z625 = z466 * z607 + z524;
+    const Scalar z617 = z468 * z605 + z598;
     const Scalar z528 = s_yaw * z519 + c_yaw * z523;
     const Scalar z527 = s_yaw * z523 - c_yaw * z519;
     const Scalar z628 = z459 * z607 + z600;
@@ -1490,18 +1490,18 @@ struct Mechanism {
     const Scalar z766 = z268 * z601 + z602 * z760 + z603 * z761 + z604 * z762 - z605 * z763 - z606 * z764 - z607 * z765;
     const Scalar z768 = n25_over_7 * z274 + z588 * z763 - z589 * z764 + z590 * z765;
     const Scalar z789 = z240 * z763 - z761 + z244 * z764 + z247 * z765 - z268 * z766 - z274 * z768;
-    const Scalar z782 = z730 + z241 * z733 - z243 * z734 + z246 * z735 - z267 * z736 - z273 * z738;
     const Scalar z790 = n1 / z789;
+    const Scalar z782 = z730 + z241 * z733 - z243 * z734 + z246 * z735 - z267 * z736 - z273 * z738;
     const Scalar z787 = z731 + z240 * z733 - z244 * z734 + z247 * z735 - z268 * z736 - z274 * z738;
     const Scalar z778 = z731 + z216 * z733 - z220 * z734 + z223 * (z735 + z737);
-    const Scalar z777 = z216 * z720 - z718 - z220 * z721 + z223 * (z722 + z724);
     const Scalar z795 = z788 * z790;
     const Scalar z794 = z787 * z790;
-    const Scalar z781 = z717 + z241 * z720 - z243 * z721 + z246 * z722 - z267 * z723 - z273 * z725;
+    const Scalar z777 = z216 * z720 - z718 - z220 * z721 + z223 * (z722 + z724);
     const Scalar z810 = z783 - z788 * z795;
     const Scalar z809 = z782 - z787 * z795;
     const Scalar z805 = z778 + z787 * z794;
     const Scalar z811 = n1 / z810;
+    const Scalar z781 = z717 + z241 * z720 - z243 * z721 + z246 * z722 - z267 * z723 - z273 * z725;
     const Scalar z786 = z240 * z720 - z718 - z244 * z721 + z247 * z722 - z268 * z723 - z274 * z725;
     const Scalar z804 = z777 + z786 * z794;
     const Scalar z808 = z781 - z786 * z795;
@@ -1549,25 +1549,30 @@ struct Mechanism {
     const Scalar z767 = z597 * z763 + z765;
     const Scalar z846 = z409 + z391 * z590 + z439 * z607 - z416;
     const Scalar z847 = z391 * z589 - z439 * z606 + z634 * z846 + z424;
-    const Scalar z848 = z409 * z597 + z391 * z588 + z439 * z605 - z633 * z846 + z654 * z847 - z429;
     const Scalar z829 = z824 * z826;
+    const Scalar z828 = z823 * z826;
+    const Scalar z827 = z822 * z826;
     const Scalar z835 = z821 - z824 * z829;
+    const Scalar z834 = z820 - z823 * z829;
+    const Scalar z832 = z818 + z823 * z828;
+    const Scalar z848 = z409 * z597 + z391 * z588 + z439 * z605 - z633 * z846 + z654 * z847 - z429;
+    const Scalar z836 = n1 / z835;
+    const Scalar z831 = z817 - z822 * z828;
     const Scalar z849 = z434 - z439 * z604 + z632 * z846 - z653 * z847 + z668 * z848;
     const Scalar z850 = z431 - z439 * z603 + z631 * z846 - z652 * z847 + z667 * z848 + z677 * z849;
     const Scalar z851 = z430 + z439 * z602 - z630 * z846 + z651 * z847 - z666 * z848 - z676 * z849 - z682 * z850;
     const Scalar z852 = z684 * z851;
-    const Scalar z834 = z820 - z823 * z829;
-    const Scalar z836 = n1 / z835;
     const Scalar z833 = z819 - z822 * z829;
-    const Scalar z853 = z681 * z850 - z682 * z852;
-    const Scalar z828 = z823 * z826;
-    const Scalar z832 = z818 + z823 * z828;
-    const Scalar z831 = z817 - z822 * z828;
-    const Scalar z854 = z675 * z849 - z676 * z852 + z677 * z853;
+    const Scalar z830 = z816 + z822 * z827;
     const Scalar z838 = z834 * z836;
+    const Scalar z853 = z681 * z850 - z682 * z852;
     const Scalar z841 = z832 + z834 * z838;
-    const Scalar z855 = z665 * z848 + z666 * z852 - z667 * z853 - z668 * z854;
     const Scalar z840 = z831 - z833 * z838;
+    const Scalar z837 = z833 * z836;
+    const Scalar z854 = z675 * z849 - z676 * z852 + z677 * z853;
+    const Scalar z839 = z830 + z833 * z837;
+    const Scalar z842 = n1 / z841;
+    const Scalar z855 = z665 * z848 + z666 * z852 - z667 * z853 - z668 * z854;
     const Scalar z856 = z650 * z847 - z651 * z852 + z652 * z853 + z653 * z854 + z654 * z855;
     const Scalar z857 = z629 * z846 + z630 * z852 - z631 * z853 - z632 * z854 - z633 * z855 + z634 * z856;
     const Scalar z858 = z439 * z601 + z602 * z852 - z603 * z853 - z604 * z854 - z605 * z855 + z606 * z856 - z607 * z857;
@@ -1579,19 +1584,14 @@ struct Mechanism {
     const Scalar z863 = z852 - z233 + z217 * z855 - z219 * z856 + z222 * (z857 + z859);
     const Scalar z864 = z853 - z239 + z216 * z855 - z220 * z856 + z223 * (z857 + z859);
     const Scalar z861 = z854 - z91 + z79 * z856;
-    const Scalar z842 = n1 / z841;
     const Scalar z867 = z795 * z866 - z865;
     const Scalar z868 = z864 + z794 * z866 - z815 * z867;
-    const Scalar z827 = z822 * z826;
-    const Scalar z830 = z816 + z822 * z827;
-    const Scalar z837 = z833 * z836;
-    const Scalar z869 = z863 + z793 * z866 - z814 * z867 - z829 * z868;
-    const Scalar z839 = z830 + z833 * z837;
-    const Scalar z870 = z862 + z792 * z866 - z813 * z867 - z828 * z868 - z838 * z869;
     const Scalar z843 = z840 * z842;
     const Scalar z844 = z839 - z840 * z843;
-    const Scalar z871 = z791 * z866 - z861 - z812 * z867 - z827 * z868 - z837 * z869 + z843 * z870;
+    const Scalar z869 = z863 + z793 * z866 - z814 * z867 - z829 * z868;
     const Scalar z845 = n1 / z844;
+    const Scalar z870 = z862 + z792 * z866 - z813 * z867 - z828 * z868 - z838 * z869;
+    const Scalar z871 = z791 * z866 - z861 - z812 * z867 - z827 * z868 - z837 * z869 + z843 * z870;
     const Scalar z872 = z845 * z871;
     const Scalar z873 = z842 * z870 + z843 * z872;
     const Scalar z874 = z836 * z869 + z837 * z872 + z838 * z873;
@@ -1739,27 +1739,27 @@ struct Mechanism {
     const Scalar z931 = n2_8 * z40 + n0_8 * z38;
     const Scalar z933 = n0_8 * z40 + n2_8 * z42;
     const Scalar z261 = q_z - z258;
-    const Scalar z95 = n1_1 - z92;
-    const Scalar z96 = n0_3 - z94;
     const Scalar z891 = s_pitch * z890 - c_pitch * z887;
     const Scalar z892 = s_pitch * z887 + c_pitch * z890;
     const Scalar z898 = n0_3 * z328 - z889 - n1_1 * z329;
     const Scalar z911 = n51 * z328 + n25_5 * z329 + n85 * z889;
     const Scalar z913 = n39_8 * z328 + n17_7 * z329 + n51 * z889;
     const Scalar z915 = n17_7 * z328 + n10_45 * z329 + n25_5 * z889;
-    const Scalar z98 = s_pitch * z95 - c_pitch * z96;
+    const Scalar z95 = n1_1 - z92;
+    const Scalar z96 = n0_3 - z94;
+    const Scalar z935 = s_pitch * z931 - c_pitch * z933;
     const Scalar z899 = n1_1 * z334 - z892;
     const Scalar z365 = z31 * v_steer + z352;  // angular velocity of fork, x
     const Scalar z897 = n0_3 * z334 - z891;
     const Scalar z366 = z32 * v_steer + z354;  // angular velocity of fork, z
-    const Scalar z935 = s_pitch * z931 - c_pitch * z933;
-    const Scalar z100 = s_roll * z93 + c_roll * z98;
+    const Scalar z98 = s_pitch * z95 - c_pitch * z96;
+    const Scalar z385 = v_front + z353;  // angular velocity of front_wheel, y
     const Scalar z900 = z38 * z897 - z39 * z898 - z40 * z899;
     const Scalar z902 = z41 * z898 - z42 * z899 + z40 * z897;
     const Scalar z901 = c_steer * z898 + z39 * z897 + z41 * z899;
+    const Scalar z100 = s_roll * z93 + c_roll * z98;
     const Scalar z905 = n0_08 * z353 + z902;
     const Scalar z103 = q_z - z100;
-    const Scalar z385 = v_front + z353;  // angular velocity of front_wheel, y
     const Scalar z895 = s_rear * z892 + c_rear * z891;
     const Scalar z903 = n0_35 * z353 - z900;
     const Scalar z896 = s_rear * z891 - c_rear * z892;
@@ -1888,27 +1888,27 @@ struct Mechanism {
     const Scalar z931 = n2_8 * z40 + n0_8 * z38;
     const Scalar z933 = n0_8 * z40 + n2_8 * z42;
     const Scalar z261 = q_z - z258;
-    const Scalar z95 = n1_1 - z92;
-    const Scalar z96 = n0_3 - z94;
     const Scalar z891 = s_pitch * z890 - c_pitch * z887;
     const Scalar z892 = s_pitch * z887 + c_pitch * z890;
     const Scalar z898 = n0_3 * z328 - z889 - n1_1 * z329;
     const Scalar z911 = n51 * z328 + n25_5 * z329 + n85 * z889;
     const Scalar z913 = n39_8 * z328 + n17_7 * z329 + n51 * z889;
     const Scalar z915 = n17_7 * z328 + n10_45 * z329 + n25_5 * z889;
-    const Scalar z98 = s_pitch * z95 - c_pitch * z96;
+    const Scalar z95 = n1_1 - z92;
+    const Scalar z96 = n0_3 - z94;
+    const Scalar z935 = s_pitch * z931 - c_pitch * z933;
     const Scalar z899 = n1_1 * z334 - z892;
     const Scalar z365 = z31 * v_steer + z352;  // angular velocity of fork, x
     const Scalar z897 = n0_3 * z334 - z891;
     const Scalar z366 = z32 * v_steer + z354;  // angular velocity of fork, z
-    const Scalar z935 = s_pitch * z931 - c_pitch * z933;
-    const Scalar z100 = s_roll * z93 + c_roll * z98;
+    const Scalar z98 = s_pitch * z95 - c_pitch * z96;
+    const Scalar z385 = v_front + z353;  // angular velocity of front_wheel, y
     const Scalar z900 = z38 * z897 - z39 * z898 - z40 * z899;
     const Scalar z902 = z41 * z898 - z42 * z899 + z40 * z897;
     const Scalar z901 = c_steer * z898 + z39 * z897 + z41 * z899;
+    const Scalar z100 = s_roll * z93 + c_roll * z98;
     const Scalar z905 = n0_08 * z353 + z902;
     const Scalar z103 = q_z - z100;
-    const Scalar z385 = v_front + z353;  // angular velocity of front_wheel, y
     const Scalar z895 = s_rear * z892 + c_rear * z891;
     const Scalar z903 = n0_35 * z353 - z900;
     const Scalar z896 = s_rear * z891 - c_rear * z892;
@@ -2024,10 +2024,10 @@ struct Mechanism {
     const Scalar z109 = s_roll * c_steer + c_roll * z107;
     const Scalar z95 = n1_1 - z92;
     const Scalar z96 = n0_3 - z94;
-    const Scalar z97 = s_pitch * z96 + c_pitch * z95;
-    const Scalar z98 = s_pitch * z95 - c_pitch * z96;
     const Scalar z54 = traits::sqrt(z53);
     const Scalar z114 = n1 - z109 * z109;
+    const Scalar z97 = s_pitch * z96 + c_pitch * z95;
+    const Scalar z98 = s_pitch * z95 - c_pitch * z96;
     const Scalar z69 = n2 * (z52 * z68 + z50 * z64 + z51 * z67);
     const Scalar z84 = z48 * z83 + n2 * z60 * z63 + s_roll * z82;
     const Scalar z87 = z49 * z83 + n2 * z60 * z66 + s_roll * z86;
@@ -2048,10 +2048,10 @@ struct Mechanism {
     const Scalar z55 = n0_3 / z54;
     const Scalar z105 = q_x - z101;
     const Scalar z115 = z114 * z114 + z112 * z112 + z113 * z113;
+    const Scalar z90 = n0_5 * (z69 * z70 / (z54 * z54) + z89 / z54);
     const Scalar z79 = n0_3 * z78;
     const Scalar z71 = v_z - n0_3 * z70;
     const Scalar z56 = q_x + z50 * z55;
-    const Scalar z90 = n0_5 * (z69 * z70 / (z54 * z54) + z89 / z54);
     const Scalar z116 = traits::sqrt(z115);
     const Scalar z57 = q_y - z51 * z55;
     const Scalar z58 = q_z + z52 * z55;
@@ -2067,25 +2067,25 @@ struct Mechanism {
     const Scalar z137 = z39 * z126 - z41 * z131 + s_pitch * z123 + c_pitch * z124;
     const Scalar z121 = z103 + n0_35 * z116;
     const Scalar z140 = z39 * z131 + z41 * z126 + s_pitch * z124 - c_pitch * z123;
-    const Scalar z132 = -z127 * (n1 - z32 * z32);
-    const Scalar z133 = n0_08 * z129 + n0_35 * z132;
     const Scalar z91 = n0_3 * z90;
     const Scalar z139 = c_roll * z127 + c_steer * z62 + z60 * z107 + s_roll * z137;
-    const Scalar z143 = z61 * z106 + z65 * z108 + s_yaw * z140 - c_yaw * z139;
     const Scalar z138 = s_roll * z127 - c_steer * z60 + z62 * z107 - c_roll * z137;
+    const Scalar z143 = z61 * z106 + z65 * z108 + s_yaw * z140 - c_yaw * z139;
     const Scalar z141 = z61 * z108 - z65 * z106 + c_yaw * z140 + s_yaw * z139;
     const Scalar z145 = n2 * z109 * z138;
     const Scalar z144 = z109 * z143 - z111 * z138;
+    const Scalar z132 = -z127 * (n1 - z32 * z32);
+    const Scalar z133 = n0_08 * z129 + n0_35 * z132;
     const Scalar z142 = z109 * z141 - z110 * z138;
     const Scalar z125 = n0_08 * z123 - n0_35 * z124;
-    const Scalar z134 = s_pitch * z130 - c_pitch * z133 - z95 * z126 - z96 * z131;
     const Scalar z146 = n2 * (z114 * z145 + z113 * z144 + z112 * z142);
+    const Scalar z134 = s_pitch * z130 - c_pitch * z133 - z95 * z126 - z96 * z131;
     const Scalar z168 = z32 * c_steer;
     const Scalar z169 = z31 * c_steer;
     const Scalar z159 = s_roll * z106;
+    const Scalar z147 = n0_5 * z146 / z116;
     const Scalar z151 = c_yaw * z109;
     const Scalar z152 = z109 * z151 + z108 * z111;
-    const Scalar z147 = n0_5 * z146 / z116;
     const Scalar z160 = s_yaw * z159 - c_yaw * z107;
     const Scalar z162 = s_yaw * z107 + c_yaw * z159;
     const Scalar z117 = n0_35 / z116;
@@ -2095,58 +2095,60 @@ struct Mechanism {
     const Scalar z164 = n2 * z109 * z158;
     const Scalar z118 = z105 - z112 * z117;
     const Scalar z178 = s_pitch * z168 + c_pitch * z169;
-    const Scalar z165 = n2 * (z112 * z161 - z113 * z163 - z114 * z164);
     const Scalar z135 = z60 * z93 + s_roll * z125 - z62 * z98 - c_roll * z134;
+    const Scalar z165 = n2 * (z112 * z161 - z113 * z163 - z114 * z164);
     const Scalar z136 = v_z - z135;
+    const Scalar z148 = z136 + n0_35 * z147;
     const Scalar z120 = z103 + z114 * z117;
     const Scalar z149 = s_yaw * z109;
     const Scalar z150 = z108 * z110 - z109 * z149;
-    const Scalar z148 = z136 + n0_35 * z147;
     const Scalar z153 = n2 * z108 * z109;
     const Scalar z119 = z104 - z113 * z117;
     const Scalar z194 = v_steer * z122;
+    const Scalar z154 = n2 * (z113 * z152 - z114 * z153 + z112 * z150);
     const Scalar z166 = n0_5 * z165 / z116;
     const Scalar z200 = v_pitch * z131;
     const Scalar z201 = v_pitch * z126;
-    const Scalar z154 = n2 * (z113 * z152 - z114 * z153 + z112 * z150);
     const Scalar z190 = v_steer * z127;
     const Scalar z191 = z32 * z190;
     const Scalar z192 = z31 * z190;
     const Scalar z181 = s_pitch * z169 - c_pitch * z168;
     const Scalar z170 = n0_08 * z168 - n0_35 * z169;
+    const Scalar z155 = n0_5 * z154 / z116;
     const Scalar z204 = z39 * z200 + z41 * z201 + s_pitch * z191 + c_pitch * z192 - n2 * (z123 * z126 - z124 * z131);
     const Scalar z206 = z41 * z200 - z39 * z201 + s_pitch * z192 - c_pitch * z191 - n2 * (z123 * z131 + z124 * z126);
     const Scalar z193 = n0_08 * z191 - n0_35 * z192;
-    const Scalar z155 = n0_5 * z154 / z116;
-    const Scalar z180 = c_roll * s_steer + s_roll * z178;
-    const Scalar z179 = s_roll * s_steer - c_roll * z178;
-    const Scalar z156 = z99 - n0_35 * z155;
-    const Scalar z216 = q_x - z56;
     const Scalar z205 = z83 * z107 - c_roll * z194 - c_steer * z80 - n2 * (z60 * z137 - z62 * z127) + s_roll * z204;
     const Scalar z208 = s_roll * z194 + c_steer * z83 + z80 * z107 + n2 * (z60 * z127 + z62 * z137) + c_roll * z204;
+    const Scalar z156 = z99 - n0_35 * z155;
+    const Scalar z216 = q_x - z56;
     const Scalar z210 = z81 * z106 - z85 * z108 - n2 * (z61 * z140 + z65 * z139) + s_yaw * z206 - c_yaw * z205;
     const Scalar z207 = z85 * z106 + z81 * z108 - n2 * (z61 * z139 - z65 * z140) + c_yaw * z206 + s_yaw * z205;
     const Scalar z211 = n2 * z138 * z143 + z111 * z208 + z109 * z210;
     const Scalar z209 = n2 * z138 * z141 + z110 * z208 + z109 * z207;
     const Scalar z212 = n2 * (z109 * z208 - z138 * z138);
     const Scalar z213 = n2 * (z113 * z211 - z145 * z145 - z144 * z144 - z142 * z142 - z114 * z212 + z112 * z209);
+    const Scalar z180 = c_roll * s_steer + s_roll * z178;
+    const Scalar z179 = s_roll * s_steer - c_roll * z178;
     const Scalar z182 = c_yaw * z181 + s_yaw * z180;
     const Scalar z184 = s_yaw * z181 - c_yaw * z180;
     const Scalar z183 = z109 * z182 - z110 * z179;
     const Scalar z185 = z109 * z184 - z111 * z179;
     const Scalar z186 = n2 * z109 * z179;
-    const Scalar z187 = n2 * (z114 * z186 + z112 * z183 + z113 * z185);
     const Scalar z196 = z31 * z32 * z194;
     const Scalar z195 = -z194 * (n1 - z31 * z31);
     const Scalar z197 = n0_35 * z196 + n0_08 * z195;
+    const Scalar z187 = n2 * (z114 * z186 + z112 * z183 + z113 * z185);
+    const Scalar z214 = n0_5 * (z146 * z147 / (z116 * z116) + z213 / z116);
     const Scalar z198 = -z194 * (n1 - z32 * z32);
     const Scalar z199 = n0_08 * z196 + n0_35 * z198;
     const Scalar z172 = z31 * z32 * s_steer;
-    const Scalar z214 = n0_5 * (z146 * z147 / (z116 * z116) + z213 / z116);
     const Scalar z188 = n0_5 * z187 / z116;
-    const Scalar z202 = z95 * z200 - z96 * z201 + s_pitch * z197 - c_pitch * z199 + n2 * (z126 * z130 + z131 * z133);
     const Scalar z171 = -s_steer * (n1 - z31 * z31);
+    const Scalar z202 = z95 * z200 - z96 * z201 + s_pitch * z197 - c_pitch * z199 + n2 * (z126 * z130 + z131 * z133);
     const Scalar z173 = n0_35 * z172 + n0_08 * z171;
+    const Scalar z203 = z83 * z93 + s_roll * z193 + z80 * z98 - n2 * (z60 * z125 + z62 * z134) + c_roll * z202;
+    const Scalar z215 = z203 - n0_35 * z214;
     const Scalar z174 = -s_steer * (n1 - z32 * z32);
     const Scalar z175 = n0_08 * z172 + n0_35 * z174;
     const Scalar z157 = c_roll * z97;
@@ -2155,8 +2157,6 @@ struct Mechanism {
     const Scalar z229 = v_z - z55 * z68 + z52 * z226;
     const Scalar z227 = v_y + z55 * z67 - z51 * z226;
     const Scalar z235 = v_x - z55 * z64 + z50 * z226;
-    const Scalar z203 = z83 * z93 + s_roll * z193 + z80 * z98 - n2 * (z60 * z125 + z62 * z134) + c_roll * z202;
-    const Scalar z215 = z203 - n0_35 * z214;
     const Scalar z176 = s_pitch * z173 - c_pitch * z175;
     const Scalar z177 = s_roll * z170 - c_roll * z176;
     const Scalar z217 = q_y - z57;
@@ -2241,20 +2241,20 @@ struct Mechanism {
     const Scalar z314 = z65 * z255 - c_yaw * z290 + z61 * z257 + s_yaw * z292;
     const Scalar z293 = z61 * z255 + s_yaw * z290 - z65 * z257 + c_yaw * z292;
     const Scalar z315 = v_x - z314;
-    const Scalar z294 = v_y + z293;
-    const Scalar z300 = v_z - z299;
-    const Scalar z301 = z284 + z300;
     const Scalar z316 = z310 - z315;
     const Scalar z311 = v_x - z310;
     const Scalar z313 = z60 * z240 - z63 * z242 + s_roll * z311 + z48 * z285;
-    const Scalar z295 = z282 - z294;
     const Scalar z312 = c_yaw * z285 - z65 * z242;
+    const Scalar z294 = v_y + z293;
+    const Scalar z295 = z282 - z294;
+    const Scalar z300 = v_z - z299;
+    const Scalar z301 = z284 + z300;
     const Scalar z317 = z65 * z249 + c_yaw * z296 + z61 * z251 + s_yaw * z297;
     const Scalar z298 = s_yaw * z296 - z61 * z249 + z65 * z251 - c_yaw * z297;
     const Scalar z318 = z264 * z289 - z266 * z317 + z252 * z316 + z253 * z301;
     const Scalar z302 = z265 * z289 - z266 * z298 + z252 * z295 - z254 * z301;
-    const Scalar z306 = v_yaw * z283 - v_roll * z286 + v_pitch * z287 + v_steer * z302 + v_front * z305;
     const Scalar z321 = v_yaw * z311 + v_pitch * z313 + v_steer * z318 - v_roll * z312 + v_front * z320;
+    const Scalar z306 = v_yaw * z283 - v_roll * z286 + v_pitch * z287 + v_steer * z302 + v_front * z305;
     result.value[0] = -z59;
     result.rate[0] = -z71;
     result.gamma[0] = z91;
@@ -2502,33 +2502,34 @@ struct Mechanism {
     const Scalar z109 = s_roll * c_steer + c_roll * z107;
     const Scalar z95 = n1_1 - z92;
     const Scalar z96 = n0_3 - z94;
-    const Scalar z97 = s_pitch * z96 + c_pitch * z95;
-    const Scalar z98 = s_pitch * z95 - c_pitch * z96;
     const Scalar z114 = n1 - z109 * z109;
     const Scalar z54 = traits::sqrt(z53);
+    const Scalar z97 = s_pitch * z96 + c_pitch * z95;
+    const Scalar z98 = s_pitch * z95 - c_pitch * z96;
     const Scalar z69 = n2 * (z52 * z68 + z50 * z64 + z51 * z67);
     const Scalar z110 = c_yaw * z106 + s_yaw * z108;
     const Scalar z111 = s_yaw * z106 - c_yaw * z108;
     const Scalar z112 = z109 * z110;
     const Scalar z113 = z109 * z111;
+    const Scalar z84 = z48 * z83 + n2 * z60 * z63 + s_roll * z82;
+    const Scalar z115 = z114 * z114 + z112 * z112 + z113 * z113;
     const Scalar z99 = s_roll * z98 - c_roll * z93;
     const Scalar z100 = s_roll * z93 + c_roll * z98;
-    const Scalar z115 = z114 * z114 + z112 * z112 + z113 * z113;
     const Scalar z102 = s_yaw * z97 + c_yaw * z99;
+    const Scalar z116 = traits::sqrt(z115);
     const Scalar z103 = q_z - z100;
     const Scalar z101 = s_yaw * z99 - c_yaw * z97;
-    const Scalar z84 = z48 * z83 + n2 * z60 * z63 + s_roll * z82;
-    const Scalar z116 = traits::sqrt(z115);
     const Scalar z104 = q_y + z102;
-    const Scalar z105 = q_x - z101;
     const Scalar z78 = n0_5 * z77 / z54;
     const Scalar z55 = n0_3 / z54;
+    const Scalar z105 = q_x - z101;
     const Scalar z87 = z49 * z83 + n2 * z60 * z66 + s_roll * z86;
     const Scalar z70 = n0_5 * z69 / z54;
     const Scalar z89 = n2 * (z50 * z84 + z51 * z87 - z52 * z88 - z64 * z64 - z67 * z67 - z68 * z68);
     const Scalar z56 = q_x + z50 * z55;
     const Scalar z58 = q_z + z52 * z55;
     const Scalar z79 = n0_3 * z78;
+    const Scalar z117 = n0_35 / z116;
     const Scalar z57 = q_y - z51 * z55;
     const Scalar z127 = v_steer * s_steer;
     const Scalar z131 = v_pitch * s_pitch;
@@ -2541,7 +2542,6 @@ struct Mechanism {
     const Scalar z150 = z108 * z110 - z109 * z149;
     const Scalar z137 = z39 * z126 - z41 * z131 + s_pitch * z123 + c_pitch * z124;
     const Scalar z140 = z39 * z131 + z41 * z126 + s_pitch * z124 - c_pitch * z123;
-    const Scalar z117 = n0_35 / z116;
     const Scalar z119 = z104 - z113 * z117;
     const Scalar z120 = z103 + z114 * z117;
     const Scalar z129 = z31 * z32 * z127;
@@ -2551,13 +2551,15 @@ struct Mechanism {
     const Scalar z139 = c_roll * z127 + c_steer * z62 + z60 * z107 + s_roll * z137;
     const Scalar z141 = z61 * z108 - z65 * z106 + c_yaw * z140 + s_yaw * z139;
     const Scalar z143 = z61 * z106 + z65 * z108 + s_yaw * z140 - c_yaw * z139;
+    const Scalar z142 = z109 * z141 - z110 * z138;
     const Scalar z145 = n2 * z109 * z138;
     const Scalar z144 = z109 * z143 - z111 * z138;
     const Scalar z128 = -z127 * (n1 - z31 * z31);
     const Scalar z130 = n0_35 * z129 + n0_08 * z128;
-    const Scalar z142 = z109 * z141 - z110 * z138;
     const Scalar z118 = z105 - z112 * z117;
+    const Scalar z146 = n2 * (z114 * z145 + z113 * z144 + z112 * z142);
     const Scalar z125 = n0_08 * z123 - n0_35 * z124;
+    const Scalar z134 = s_pitch * z130 - c_pitch * z133 - z95 * z126 - z96 * z131;
     const Scalar z90 = n0_5 * (z69 * z70 / (z54 * z54) + z89 / z54);
     const Scalar z91 = n0_3 * z90;
     const Scalar z169 = z31 * c_steer;
@@ -2595,17 +2597,15 @@ struct Mechanism {
     const Scalar z170 = n0_08 * z168 - n0_35 * z169;
     const Scalar z155 = n0_5 * z154 / z116;
     const Scalar z188 = n0_5 * z187 / z116;
-    const Scalar z146 = n2 * (z114 * z145 + z113 * z144 + z112 * z142);
     const Scalar z176 = s_pitch * z173 - c_pitch * z175;
     const Scalar z166 = n0_5 * z165 / z116;
     const Scalar z157 = c_roll * z97;
-    const Scalar z134 = s_pitch * z130 - c_pitch * z133 - z95 * z126 - z96 * z131;
-    const Scalar z177 = s_roll * z170 - c_roll * z176;
-    const Scalar z167 = z157 + n0_35 * z166;
     const Scalar z147 = n0_5 * z146 / z116;
     const Scalar z156 = z99 - n0_35 * z155;
-    const Scalar z189 = z177 - n0_35 * z188;
+    const Scalar z177 = s_roll * z170 - c_roll * z176;
+    const Scalar z167 = z157 + n0_35 * z166;
     const Scalar z135 = z60 * z93 + s_roll * z125 - z62 * z98 - c_roll * z134;
+    const Scalar z189 = z177 - n0_35 * z188;
     const Scalar z136 = v_z - z135;
     const Scalar z216 = q_x - z56;
     const Scalar z218 = q_z - z58;
@@ -2617,15 +2617,15 @@ struct Mechanism {
     const Scalar z193 = n0_08 * z191 - n0_35 * z192;
     const Scalar z256 = n1_1 * s_pitch - n0_3 * c_pitch;
     const Scalar z255 = n0_3 * s_pitch + n1_1 * c_pitch;
+    const Scalar z257 = s_roll * z256;
+    const Scalar z240 = q_x - z118;
+    const Scalar z241 = q_y - z119;
+    const Scalar z249 = s_pitch * z32 + c_pitch * z31;
     const Scalar z205 = z83 * z107 - c_roll * z194 - c_steer * z80 - n2 * (z60 * z137 - z62 * z127) + s_roll * z204;
     const Scalar z208 = s_roll * z194 + c_steer * z83 + z80 * z107 + n2 * (z60 * z127 + z62 * z137) + c_roll * z204;
     const Scalar z210 = z81 * z106 - z85 * z108 - n2 * (z61 * z140 + z65 * z139) + s_yaw * z206 - c_yaw * z205;
-    const Scalar z257 = s_roll * z256;
     const Scalar z211 = n2 * z138 * z143 + z111 * z208 + z109 * z210;
-    const Scalar z240 = q_x - z118;
-    const Scalar z241 = q_y - z119;
     const Scalar z212 = n2 * (z109 * z208 - z138 * z138);
-    const Scalar z249 = s_pitch * z32 + c_pitch * z31;
     const Scalar z250 = s_pitch * z31 - c_pitch * z32;
     const Scalar z258 = c_roll * z256;
     const Scalar z260 = s_yaw * z255 + c_yaw * z257;
@@ -2691,11 +2691,11 @@ struct Mechanism {
     const Scalar z289 = c_roll * z288 - z62 * z250;
     const Scalar z293 = z61 * z255 + s_yaw * z290 - z65 * z257 + c_yaw * z292;
     const Scalar z282 = z280 - z117 * z144 + z113 * z281;
-    const Scalar z297 = z60 * z250 + s_roll * z288;
     const Scalar z294 = v_y + z293;
+    const Scalar z297 = z60 * z250 + s_roll * z288;
+    const Scalar z295 = z282 - z294;
     const Scalar z283 = v_y - z282;
     const Scalar z284 = z114 * z281 - z136 - z117 * z145;
-    const Scalar z295 = z282 - z294;
     const Scalar z285 = v_z + z284;
     const Scalar z232 = z60 * z217 + z66 * z218 + s_roll * z228 - z49 * z230;
     const Scalar z298 = s_yaw * z296 - z61 * z249 + z65 * z251 - c_yaw * z297;
@@ -2717,12 +2717,12 @@ struct Mechanism {
     const Scalar z350 = z328 * z328;
     const Scalar z353 = c_steer * z334 - z39 * z328 + z41 * z329;
     const Scalar z341 = z329 * z329;
-    const Scalar z365 = z31 * v_steer + z352;  // angular velocity of fork, x
-    const Scalar z364 = z31 * z354 - z32 * z352;
-    const Scalar z366 = z32 * v_steer + z354;  // angular velocity of fork, z
     const Scalar z347 = z329 * z334;
+    const Scalar z365 = z31 * v_steer + z352;  // angular velocity of fork, x
     const Scalar z351 = z340 + z350;
     const Scalar z342 = z340 + z341;
+    const Scalar z364 = z31 * z354 - z32 * z352;
+    const Scalar z366 = z32 * v_steer + z354;  // angular velocity of fork, z
     const Scalar z385 = v_front + z353;  // angular velocity of front_wheel, y
     const Scalar z343 = z328 * z329;
     const Scalar z371 = z366 * z366;
@@ -2739,11 +2739,11 @@ struct Mechanism {
     const Scalar z377 = z353 * z366;
     const Scalar z314 = z65 * z255 - c_yaw * z290 + z61 * z257 + s_yaw * z292;
     const Scalar z310 = z309 - z117 * z142 + z112 * z281;
-    const Scalar z319 = z309 - z310;
     const Scalar z315 = v_x - z314;
-    const Scalar z316 = z310 - z315;
-    const Scalar z311 = v_x - z310;
     const Scalar z299 = c_roll * z291 - z62 * z256;
+    const Scalar z316 = z310 - z315;
+    const Scalar z319 = z309 - z310;
+    const Scalar z311 = v_x - z310;
     const Scalar z300 = v_z - z299;
     const Scalar z317 = z65 * z249 + c_yaw * z296 + z61 * z251 + s_yaw * z297;
     const Scalar z301 = z284 + z300;
@@ -2796,9 +2796,9 @@ struct Mechanism {
     const Scalar z484 = n2_8467 * c_steer;
     const Scalar z497 = z41 * z487 + z40 * z486 - z42 * z488;
     const Scalar z506 = n8_47 - n2_2 * z477 + z497;
-    const Scalar z483 = k3 * z39 + k4 * z41;
     const Scalar z498 = n0_63 - n0_6 * z479 + z489;
     const Scalar z513 = n29_35 - z506;
+    const Scalar z483 = k3 * z39 + k4 * z41;
     const Scalar z495 = z38 * z486 - z39 * z487 - z40 * z488;
     const Scalar z496 = c_steer * z487 + z39 * z486 + z41 * z488;
     const Scalar z504 = n2_31 - n0_3 * z477 - n1_1 * z479 - z495;
@@ -2807,18 +2807,18 @@ struct Mechanism {
     const Scalar z535 = z498 + z513;
     const Scalar z493 = c_steer * z484 + z39 * z483 + z41 * z485;
     const Scalar z492 = z38 * z483 - z39 * z484 - z40 * z485;
+    const Scalar z502 = n9_1 - n2_2 * z477 - n0_6 * z479 + z493;
+    const Scalar z511 = n49_25 + z502;
     const Scalar z536 = n2 * z512;
     const Scalar z537 = s_pitch * z535 - c_pitch * z536;
     const Scalar z478 = n1_04 * z39 - n3_85 * z41;
-    const Scalar z502 = n9_1 - n2_2 * z477 - n0_6 * z479 + z493;
     const Scalar z501 = n1_1 * z478 + z492;
+    const Scalar z518 = n0_12 + z511;
     const Scalar z505 = n0_3 * z478 + z496;
-    const Scalar z511 = n49_25 + z502;
     const Scalar z507 = n7_7 - z477;
     const Scalar z509 = n25_5 + z507;
     const Scalar z508 = n2_1 - z479;
     const Scalar z510 = n51 - z508;
-    const Scalar z518 = n0_12 + z511;
     const Scalar z538 = s_pitch * z537;
     const Scalar z541 = c_pitch * z537 + z512;
     const Scalar z539 = z513 - z538;
@@ -3018,11 +3018,11 @@ struct Mechanism {
     const Scalar z1204 = z40 * z1182 - z42 * z1177 - z41 * z1184;
     const Scalar z1201 = c_steer * z1184 - z39 * z1182 - z41 * z1177;
     const Scalar z1207 = z40 * z1196 - z41 * z1197 + z42 * z1198;
-    const Scalar z1211 = z39 * z1203 + z38 * z1202 + z40 * z1204;
     const Scalar z1216 = z479 * z1187 - z1207 - n0_3 * z1193;
+    const Scalar z1211 = z39 * z1203 + z38 * z1202 + z40 * z1204;
+    const Scalar z1220 = z1211 + z477 * z1189 - n1_1 * z1195;
     const Scalar z1205 = z39 * z1197 + z38 * z1196 + z40 * z1198;
     const Scalar z1206 = c_steer * z1197 - z39 * z1196 + z41 * z1198;
-    const Scalar z1220 = z1211 + z477 * z1189 - n1_1 * z1195;
     const Scalar z1214 = z477 * z1187 - z1205 - n1_1 * z1193;
     const Scalar z1235 = n51 * z1136 - z1193;
     const Scalar z1229 = z1216 - z1224;
@@ -3066,14 +3066,14 @@ struct Mechanism {
     const Scalar z1254 = s_pitch * z1248 + c_pitch * z1249;
     const Scalar z1247 = s_pitch * z1235 - c_pitch * z1237;
     const Scalar z1360 = z520 * z1131 + z1236;
-    const Scalar z1255 = s_pitch * z1254;
     const Scalar z1359 = z520 * z1130 - z1247;
     const Scalar z1251 = s_pitch * z1239 + c_pitch * z1244;
     const Scalar z1263 = n39_8603 * z1129 - z1251;
-    const Scalar z1256 = z1245 - z1255;
-    const Scalar z1257 = z1238 - z1255;
+    const Scalar z1255 = s_pitch * z1254;
     const Scalar z1250 = s_pitch * z1244 - c_pitch * z1239;
     const Scalar z1260 = n39_8603 * z1131 + z1250;
+    const Scalar z1256 = z1245 - z1255;
+    const Scalar z1257 = z1238 - z1255;
     const Scalar z1377 = z1218 - z1238;
     const Scalar z1376 = z1238 - z1245;
     const Scalar z1375 = z1218 + z1245;
@@ -3118,9 +3118,9 @@ struct Mechanism {
     const Scalar z1413 = z509 * z1135 - z510 * z1137;
     const Scalar z1274 = z1218 - z1273;
     const Scalar z1414 = z478 * z1137 + z1235;
+    const Scalar z1314 = z1257 - z1274;
     const Scalar z1400 = c_roll * z1392 + s_roll * z1397;
     const Scalar z1401 = s_roll * z1392 - c_roll * z1397;
-    const Scalar z1314 = z1257 - z1274;
     const Scalar z1367 = s_yaw * z1363 - c_yaw * z1358;
     const Scalar z1368 = s_yaw * z1358 + c_yaw * z1363;
     const Scalar z1279 = s_yaw * z1264 - c_yaw * z1246;
@@ -3141,8 +3141,8 @@ struct Mechanism {
     const Scalar z1344 = z521 * z1126 - z1106 - z520 * z1020 + z522 * z1128 + z543 * z1127 + z322 * z1253 - z323
         * z1330;
     const Scalar z1329 = z1218 + z1256;
-    const Scalar z1333 = z1329 + z521 * z1131 + z541 * z1130;
     const Scalar z1349 = c_roll * z1345 + s_roll * z1344;
+    const Scalar z1333 = z1329 + z521 * z1131 + z541 * z1130;
     const Scalar z1315 = z520 * z1016 + z545 * z1017;
     const Scalar z1418 = s_pitch * z1412 - c_pitch * z1414;
     const Scalar z1321 = s_yaw * z1318 - c_yaw * z1317;
@@ -3298,6 +3298,7 @@ struct Mechanism {
         - l_lambda_front_rolls_y * z1598;
     const Scalar z1634 = n2 * (z114 * z1633 - z153 * z153 - z152 * z152 - z150 * z150 + z112 * z1630 - z113 * z1632);
     const Scalar z1600 = z1384 + z1599;
+    const Scalar z1635 = n0_5 * (z154 * z155 / (z116 * z116) + z1634 / z116);
     const Scalar z1605 = l_lambda_front_rolls_x * z1602 + l_lambda_front_rolls_y * z1604;
     const Scalar z1606 = z1472 + z1605;
     const Scalar z1607 = l_lambda_rear_rolls_x * z1595 + l_lambda_rear_rolls_y * z1596;
@@ -3309,8 +3310,11 @@ struct Mechanism {
         - l_lambda_front_rolls_y * z1589;
     const Scalar z1651 = n2 * (z153 * z164 - z114 * z1650 - z152 * z163 + z150 * z161 - z113 * z1649 + z112 * z1647);
     const Scalar z1592 = z1315 + z1591;
-    const Scalar z1635 = n0_5 * (z154 * z155 / (z116 * z116) + z1634 / z116);
+    const Scalar z1636 = z100 - n0_35 * z1635;
     const Scalar z1652 = n0_5 * (z155 * z165 / (z116 * z116) - z1651 / z116);
+    const Scalar z1643 = l_lambda_rear_touches * z1628 + l_lambda_rear_rolls_x * z1638 + l_lambda_rear_rolls_y * z1639
+        + l_lambda_front_rolls_x * z1641 + l_lambda_front_rolls_y * z1642 - l_lambda_front_touches * z1636;
+    const Scalar z1644 = z1332 - z1643;
     const Scalar z1593 = z219 * l_lambda_rear_rolls_y - z220 * l_lambda_rear_rolls_x + z243 * l_lambda_front_rolls_y
         - z244 * l_lambda_front_rolls_x;
     const Scalar z1594 = z1334 + z1593;
@@ -3318,13 +3322,20 @@ struct Mechanism {
     const Scalar z1683 = z99 - z1640;
     const Scalar z1685 = z1616 - z1618;
     const Scalar z1682 = z1619 + z1620;
-    const Scalar z1660 = c_roll * z170 + s_roll * z176;
-    const Scalar z1661 = s_yaw * z179;
-    const Scalar z1662 = z109 * z1661 + z149 * z179 + z108 * z182 + z110 * z180;
-    const Scalar z1636 = z100 - n0_35 * z1635;
     const Scalar z1696 = n0_5 * (z154 * z166 / (z116 * z116) - z1651 / z116);
     const Scalar z1697 = z1645 - n0_35 * z1696;
     const Scalar z1653 = z1645 - n0_35 * z1652;
+    const Scalar z1704 = s_roll * z107;
+    const Scalar z1705 = c_yaw * z106 + s_yaw * z1704;
+    const Scalar z1708 = s_yaw * z106 - c_yaw * z1704;
+    const Scalar z1660 = c_roll * z170 + s_roll * z176;
+    const Scalar z1706 = c_roll * z107;
+    const Scalar z1707 = z109 * z1705 - n2 * z158 * z160 + z110 * z1706;
+    const Scalar z1709 = z109 * z1708 + n2 * z158 * z162 + z111 * z1706;
+    const Scalar z1710 = n2 * (z109 * z1706 - z158 * z158);
+    const Scalar z1661 = s_yaw * z179;
+    const Scalar z1662 = z109 * z1661 + z149 * z179 + z108 * z182 + z110 * z180;
+    const Scalar z1711 = n2 * (z112 * z1707 + z113 * z1709 - z114 * z1710 - z161 * z161 - z163 * z163 - z164 * z164);
     const Scalar z1692 = s_yaw * z98 - c_yaw * z1645;
     const Scalar z1689 = c_yaw * z98 + s_yaw * z1645;
     const Scalar z1663 = c_yaw * z179;
@@ -3336,6 +3347,7 @@ struct Mechanism {
     const Scalar z1693 = z1692 + z117 * z163 + z113 * z1690;
     const Scalar z1698 = z117 * z164 - z157 + z114 * z1690;
     const Scalar z1666 = n2 * (z152 * z185 - z153 * z186 + z114 * z1665 + z150 * z183 + z112 * z1662 + z113 * z1664);
+    const Scalar z1712 = n0_5 * (z165 * z166 / (z116 * z116) + z1711 / z116);
     const Scalar z1674 = s_yaw * z258;
     const Scalar z1675 = z1618 - z1674;
     const Scalar z1691 = z1689 - z117 * z161 + z112 * z1690;
@@ -3351,6 +3363,10 @@ struct Mechanism {
     const Scalar z1684 = z108 * z271 - z151 * z272 + z111 * z1683 - z109 * z1682;
     const Scalar z1686 = z108 * z270 + z149 * z272 + z109 * z1685 + z110 * z1683;
     const Scalar z1654 = c_roll * z217 + z74 * z218 + s_roll * z1615 + z49 * z1637;
+    const Scalar z1714 = s_roll * z1693 + z49 * z1698;
+    const Scalar z1715 = s_roll * z1691 - z48 * z1698;
+    const Scalar z1703 = c_roll * z98;
+    const Scalar z1713 = z1703 - n0_35 * z1712;
     const Scalar z1667 = n0_5 * (z155 * z187 / (z116 * z116) - z1666 / z116);
     const Scalar z1668 = z1660 - n0_35 * z1667;
     const Scalar z1687 = l_lambda_front_rolls_x * z1684 + l_lambda_front_rolls_y * z1686;
@@ -3361,28 +3377,13 @@ struct Mechanism {
         * z1668;
     const Scalar z1658 = l_lambda_rear_rolls_x * z1654 - l_lambda_rear_rolls_y * z1655 - l_lambda_front_touches * z1653
         + l_lambda_front_rolls_x * z1656 + l_lambda_front_rolls_y * z1657;
-    const Scalar z1659 = z1380 + z1658;
-    const Scalar z1694 = l_lambda_front_rolls_x * z1693 + l_lambda_front_rolls_y * z1691;
-    const Scalar z1695 = z1403 - z1694;
-    const Scalar z1643 = l_lambda_rear_touches * z1628 + l_lambda_rear_rolls_x * z1638 + l_lambda_rear_rolls_y * z1639
-        + l_lambda_front_rolls_x * z1641 + l_lambda_front_rolls_y * z1642 - l_lambda_front_touches * z1636;
     const Scalar z1679 = z1468 + z1678;
-    const Scalar z1644 = z1332 - z1643;
+    const Scalar z1659 = z1380 + z1658;
     const Scalar z1745 = z1692 - z1693;
     const Scalar z1748 = z1689 - z1691;
     const Scalar z1746 = z157 + z1698;
-    const Scalar z1759 = n0_5 * (z154 * z188 / (z116 * z116) - z1666 / z116);
-    const Scalar z1760 = z1660 - n0_35 * z1759;
-    const Scalar z1704 = s_roll * z107;
-    const Scalar z1705 = c_yaw * z106 + s_yaw * z1704;
-    const Scalar z1708 = s_yaw * z106 - c_yaw * z1704;
-    const Scalar z1706 = c_roll * z107;
     const Scalar z1718 = s_pitch * z175 + c_pitch * z173;
-    const Scalar z1707 = z109 * z1705 - n2 * z158 * z160 + z110 * z1706;
-    const Scalar z1709 = z109 * z1708 + n2 * z158 * z162 + z111 * z1706;
-    const Scalar z1710 = n2 * (z109 * z1706 - z158 * z158);
     const Scalar z1720 = s_roll * z181;
-    const Scalar z1711 = n2 * (z112 * z1707 + z113 * z1709 - z114 * z1710 - z161 * z161 - z163 * z163 - z164 * z164);
     const Scalar z1722 = c_roll * z181;
     const Scalar z1752 = s_yaw * z1660 - c_yaw * z1718;
     const Scalar z1724 = s_yaw * z178 + c_yaw * z1720;
@@ -3392,44 +3393,41 @@ struct Mechanism {
     const Scalar z1726 = n2 * (z109 * z1722 - z158 * z179);
     const Scalar z1734 = s_roll * z249;
     const Scalar z1753 = n0_35 * z188 / (z116 * z116);
-    const Scalar z1755 = s_yaw * z1718 + c_yaw * z1660;
-    const Scalar z1727 = n2 * (z161 * z183 - z164 * z186 - z114 * z1726 - z163 * z185 - z113 * z1725 + z112 * z1723);
-    const Scalar z1712 = n0_5 * (z165 * z166 / (z116 * z116) + z1711 / z116);
     const Scalar z1731 = s_roll * z255;
     const Scalar z1735 = s_yaw * z250 - c_yaw * z1734;
     const Scalar z1741 = c_yaw * z250 + s_yaw * z1734;
-    const Scalar z1754 = z1752 - z117 * z183 + z112 * z1753;
+    const Scalar z1727 = n2 * (z161 * z183 - z164 * z186 - z114 * z1726 - z163 * z185 - z113 * z1725 + z112 * z1723);
     const Scalar z1730 = c_roll * z249;
     const Scalar z1732 = s_yaw * z256 - c_yaw * z1731;
     const Scalar z1733 = z1693 - z1732;
     const Scalar z1739 = c_yaw * z256 + s_yaw * z1731;
     const Scalar z1740 = z1691 - z1739;
-    const Scalar z1756 = z113 * z1753 - z1755 - z117 * z185;
     const Scalar z1736 = c_roll * z255;
     const Scalar z1737 = z1698 + z1736;
-    const Scalar z1714 = s_roll * z1693 + z49 * z1698;
-    const Scalar z1715 = s_roll * z1691 - z48 * z1698;
+    const Scalar z1747 = z158 * z271 + z162 * z272 + z109 * z1745 - z111 * z1746;
     const Scalar z1738 = z266 * z1735 - z265 * z1730 + z252 * z1733 - z254 * z1737;
     const Scalar z1742 = z266 * z1741 - z264 * z1730 + z252 * z1740 + z253 * z1737;
-    const Scalar z1747 = z158 * z271 + z162 * z272 + z109 * z1745 - z111 * z1746;
     const Scalar z1749 = z158 * z270 - z160 * z272 + z109 * z1748 - z110 * z1746;
-    const Scalar z1703 = c_roll * z98;
-    const Scalar z1713 = z1703 - n0_35 * z1712;
     const Scalar z1719 = c_roll * z1718;
     const Scalar z1728 = n0_5 * (z166 * z187 / (z116 * z116) - z1727 / z116);
-    const Scalar z1729 = z1719 + n0_35 * z1728;
     const Scalar z1750 = l_lambda_front_rolls_x * z1747 + l_lambda_front_rolls_y * z1749;
     const Scalar z1751 = z1547 - z1750;
     const Scalar z1716 = l_lambda_front_rolls_x * z1714 + l_lambda_front_rolls_y * z1715 - l_lambda_front_touches
         * z1713;
+    const Scalar z1717 = z1378 - z1716;
+    const Scalar z1729 = z1719 + n0_35 * z1728;
+    const Scalar z1694 = l_lambda_front_rolls_x * z1693 + l_lambda_front_rolls_y * z1691;
+    const Scalar z1695 = z1403 - z1694;
+    const Scalar z1759 = n0_5 * (z154 * z188 / (z116 * z116) - z1666 / z116);
+    const Scalar z1760 = z1660 - n0_35 * z1759;
+    const Scalar z1755 = s_yaw * z1718 + c_yaw * z1660;
+    const Scalar z1754 = z1752 - z117 * z183 + z112 * z1753;
+    const Scalar z1756 = z113 * z1753 - z1755 - z117 * z185;
     const Scalar z1743 = l_lambda_front_touches * z1729 + l_lambda_front_rolls_x * z1738 + l_lambda_front_rolls_y
         * z1742;
-    const Scalar z1757 = l_lambda_front_rolls_y * z1754 + l_lambda_front_rolls_x * z1756;
-    const Scalar z1758 = z1501 + z1757;
+    const Scalar z1744 = z1464 - z1743;
     const Scalar z1701 = l_lambda_front_rolls_x * z1699 + l_lambda_front_rolls_y * z1700 - l_lambda_front_touches
         * z1697;
-    const Scalar z1744 = z1464 - z1743;
-    const Scalar z1717 = z1378 - z1716;
     const Scalar z1702 = z1398 - z1701;
     const Scalar z1800 = k33 * z377 + z390 - k3 * z1051 + k4 * z1055 + n3_85 * z1049;  // moment on fork, x
     const Scalar z1801 = k34 * z375 + z392 - k5 * z1053 + n1_04 * z1049 + k4 * z1056;  // moment on fork, z
@@ -3470,34 +3468,36 @@ struct Mechanism {
     const Scalar z1791 = z179 * z271 + z184 * z272 - z111 * z1790 + z109 * z1789;
     const Scalar z1793 = z109 * z1792 + z110 * z1790 - z179 * z270 - z182 * z272;
     const Scalar z1773 = z31 * z32 * c_steer;
-    const Scalar z1878 = v_yaw * z1590 - v_roll * z244 + v_pitch * z1597 + v_steer * z1602 - v_front * z1609;
+    const Scalar z1783 = n0_5 * (z187 * z188 / (z116 * z116) + z1782 / z116);
     const Scalar z1772 = -c_steer * (n1 - z31 * z31);
     const Scalar z1774 = n0_35 * z1773 + n0_08 * z1772;
-    const Scalar z1783 = n0_5 * (z187 * z188 / (z116 * z116) + z1782 / z116);
     const Scalar z1775 = -c_steer * (n1 - z32 * z32);
     const Scalar z1776 = n0_08 * z1773 + n0_35 * z1775;
-    const Scalar z1880 = z308 - z117 * z142 + z112 * z281;
-    const Scalar z1882 = z314 + z1880;
-    const Scalar z1884 = z308 - z1880;
-    const Scalar z1881 = z63 * z242 - z60 * z1590 + s_roll * z1880 - z48 * z285;
-    const Scalar z1777 = s_pitch * z1774 - c_pitch * z1776;
-    const Scalar z1883 = z289 * z1601 - z266 * z317 + z252 * z1882 + z253 * z301;
-    const Scalar z1778 = s_roll * z93 + c_roll * z1777;
-    const Scalar z1879 = v_yaw * z1590 - v_roll * z244 + v_pitch * z1597 + v_steer * z1602 - v_front * z1609 + z283;
-    const Scalar z1784 = z1778 - n0_35 * z1783;
     const Scalar z1794 = l_lambda_front_rolls_x * z1791 - l_lambda_front_rolls_y * z1793;
     const Scalar z1795 = z1542 - z1794;
-    const Scalar z1787 = l_lambda_front_rolls_y * z1786 - l_lambda_front_touches * z1784 + l_lambda_front_rolls_x
-        * z1785;
     const Scalar z1808 = s_pitch * z1807 - c_pitch * z1805;
+    const Scalar z1777 = s_pitch * z1774 - c_pitch * z1776;
     const Scalar z1811 = n0_5603 * (a_roll + z422) + z1808;  // moment on frame.2, x
-    const Scalar z1788 = z1456 + z1787;
     const Scalar z1809 = s_pitch * z1805 + c_pitch * z1807;
     const Scalar z1812 = z1809 - n0_5603 * z1810;  // moment on frame.2, z
+    const Scalar z1778 = s_roll * z93 + c_roll * z1777;
+    const Scalar z1784 = z1778 - n0_35 * z1783;
     const Scalar z1770 = l_lambda_front_touches * z1767 + l_lambda_front_rolls_y * z1769 + l_lambda_front_rolls_x
         * z1768;
     const Scalar z1771 = z1492 + z1770;
     const Scalar z1814 = s_roll * z1806 + c_roll * z1812;
+    const Scalar z1787 = l_lambda_front_rolls_y * z1786 - l_lambda_front_touches * z1784 + l_lambda_front_rolls_x
+        * z1785;
+    const Scalar z1757 = l_lambda_front_rolls_y * z1754 + l_lambda_front_rolls_x * z1756;
+    const Scalar z1758 = z1501 + z1757;
+    const Scalar z1878 = v_yaw * z1590 - v_roll * z244 + v_pitch * z1597 + v_steer * z1602 - v_front * z1609;
+    const Scalar z1788 = z1456 + z1787;
+    const Scalar z1880 = z308 - z117 * z142 + z112 * z281;
+    const Scalar z1882 = z314 + z1880;
+    const Scalar z1884 = z308 - z1880;
+    const Scalar z1881 = z63 * z242 - z60 * z1590 + s_roll * z1880 - z48 * z285;
+    const Scalar z1883 = z289 * z1601 - z266 * z317 + z252 * z1882 + z253 * z301;
+    const Scalar z1879 = v_yaw * z1590 - v_roll * z244 + v_pitch * z1597 + v_steer * z1602 - v_front * z1609 + z283;
     const Scalar z1764 = l_lambda_front_rolls_x * z1762 + l_lambda_front_rolls_y * z1763 - l_lambda_front_touches
         * z1760;
     const Scalar z1885 = z138 * z1608 - z141 * z272 + z109 * z1884 - z110 * z304;
@@ -3505,9 +3505,9 @@ struct Mechanism {
     const Scalar z1886 = v_yaw * z1880 + v_pitch * z1881 - v_steer * z1883 - v_front * z1885 + v_roll * z312;
     const Scalar z1910 = s_yaw * z60 + s_roll * z61;
     const Scalar z1912 = c_yaw * z60 - s_roll * z65;
+    const Scalar z1887 = a_yaw * z1590 - a_roll * z244 + a_pitch * z1597 + a_steer * z1602 - a_front * z1609 - z1886;
     const Scalar z1941 = n2 * (z108 * z138 - z109 * z139);
     const Scalar z1911 = z48 * z62 + z60 * z72 + s_roll * z1910 + c_roll * z63;
-    const Scalar z1887 = a_yaw * z1590 - a_roll * z244 + a_pitch * z1597 + a_steer * z1602 - a_front * z1609 - z1886;
     const Scalar z1937 = s_yaw * z138 - z61 * z109;
     const Scalar z1913 = z49 * z62 + z60 * z74 + s_roll * z1912 + c_roll * z66;
     const Scalar z1939 = z65 * z109 + c_yaw * z138;
@@ -3532,29 +3532,29 @@ struct Mechanism {
     const Scalar z1931 = z74 * z83 - z49 * z80 - n2 * (z60 * z1912 - z62 * z66) + s_roll * z1930 - c_roll * z86;
     const Scalar z1917 = n0_3 * z1916;
     const Scalar z1922 = c_yaw * z1918 - n2 * s_roll * z65;
-    const Scalar z1923 = z49 * z1920 + n2 * (z60 * z74 + c_roll * z66) + s_roll * z1922;
     const Scalar z1933 = n4 * (z64 * z1911 + z67 * z1913 - z68 * z1914) + n2 * (z52 * z1932 - z76 * z88 + z73 * z84
         + z75 * z87 + z50 * z1929 + z51 * z1931);
-    const Scalar z1924 = n2 * s_roll * z1920 - n4 * c_roll * z60;
-    const Scalar z1925 = n2 * (z50 * z1921 + z51 * z1923 - z52 * z1924) - n4 * (z68 * z76 + z64 * z73 + z67 * z75);
     const Scalar z1934 = n0_5 * (z70 * z1915 / (z54 * z54) + z78 * z89 / (z54 * z54) - z1933 / z54 + z69 * z1916 / (z54
         * z54)) + z69 * z70 * z78 / (z54 * z54 * z54);
-    const Scalar z1888 = v_yaw * z1587 - v_roll * z219 + z1596 * (v_pitch + v_rear);
-    const Scalar z1926 = n0_5 * (z69 * z78 / (z54 * z54) + z70 * z77 / (z54 * z54) + z1925 / z54);
-    const Scalar z1948 = c_steer * z1920 + z107 * z1918 + n2 * (c_roll * z127 + s_roll * z137);
-    const Scalar z1945 = n2 * (c_roll * z125 + s_roll * z134) - z93 * z1920 - z98 * z1918;
+    const Scalar z1923 = z49 * z1920 + n2 * (z60 * z74 + c_roll * z66) + s_roll * z1922;
+    const Scalar z1924 = n2 * s_roll * z1920 - n4 * c_roll * z60;
+    const Scalar z1925 = n2 * (z50 * z1921 + z51 * z1923 - z52 * z1924) - n4 * (z68 * z76 + z64 * z73 + z67 * z75);
     const Scalar z1935 = n0_3 * z1934;
+    const Scalar z1888 = v_yaw * z1587 - v_roll * z219 + z1596 * (v_pitch + v_rear);
     const Scalar z1936 = a_roll * z1628 + z1935;
+    const Scalar z1948 = c_steer * z1920 + z107 * z1918 + n2 * (c_roll * z127 + s_roll * z137);
+    const Scalar z1926 = n0_5 * (z69 * z78 / (z54 * z54) + z70 * z77 / (z54 * z54) + z1925 / z54);
+    const Scalar z1945 = n2 * (c_roll * z125 + s_roll * z134) - z93 * z1920 - z98 * z1918;
     const Scalar z1894 = v_yaw * z1589 + v_roll * z243 + v_pitch * z1598 + v_steer * z1604 - v_front * z1611;
     const Scalar z1904 = v_yaw * z1588 + v_roll * z220 + z1595 * (v_pitch + v_rear);
+    const Scalar z1927 = n0_3 * z1926;
     const Scalar z1896 = z113 * z281 - z279 - z117 * z144;
     const Scalar z1898 = z293 - z1896;
     const Scalar z1900 = z279 + z1896;
-    const Scalar z1927 = n0_3 * z1926;
     const Scalar z1890 = z51 * z226 - z55 * z67;
+    const Scalar z1897 = z60 * z1589 - z66 * z242 + s_roll * z1896 + z49 * z285;
     const Scalar z1899 = z266 * z298 + z289 * z1603 + z252 * z1898 + z254 * z301;
     const Scalar z1901 = z138 * z1610 + z143 * z272 + z109 * z1900 + z111 * z304;
-    const Scalar z1897 = z60 * z1589 - z66 * z242 + s_roll * z1896 + z49 * z285;
     const Scalar z1902 = v_yaw * z1896 + v_roll * z286 + v_pitch * z1897 + v_steer * z1899 + v_front * z1901;
     const Scalar z1889 = z1596 * (v_pitch + v_rear) + v_yaw * z1587 - v_roll * z219 - z236;
     const Scalar z1950 = n2 * z65 * z109 + c_yaw * z1946;
@@ -3572,23 +3572,23 @@ struct Mechanism {
         * z150);
     const Scalar z1961 = n4 * z138 * z139 + n2 * (z108 * z208 + z109 * z205);
     const Scalar z1957 = z81 * z109 + n2 * z61 * z138 + s_yaw * z208;
-    const Scalar z1954 = n0_5 * (z146 * z155 / (z116 * z116) + z147 * z154 / (z116 * z116) - z1953 / z116);
     const Scalar z1958 = z110 * z205 - z149 * z208 + n2 * (z138 * z1937 - z139 * z141) + z108 * z207 - z109 * z1957;
+    const Scalar z1954 = n0_5 * (z146 * z155 / (z116 * z116) + z147 * z154 / (z116 * z116) - z1953 / z116);
     const Scalar z1959 = z85 * z109 - n2 * z65 * z138 + c_yaw * z208;
     const Scalar z1960 = z111 * z205 - n2 * (z138 * z1939 + z139 * z143) + z151 * z208 + z108 * z210 + z109 * z1959;
-    const Scalar z1907 = z60 * z1588 + z63 * z218 + s_roll * z1906 - z48 * z230;
-    const Scalar z1908 = v_yaw * z1906 + v_roll * z237 + z1907 * (v_pitch + v_rear);
-    const Scalar z1955 = z1945 - n0_35 * z1954;
-    const Scalar z1905 = z1595 * (v_pitch + v_rear) + v_yaw * z1588 + v_roll * z220 - z228;
     const Scalar z1962 = n2 * (z153 * z212 - z114 * z1961 + z152 * z211 + z150 * z209 + z112 * z1958 + z113 * z1960)
         - n4 * (z145 * z1941 + z144 * z1940 + z142 * z1938);
+    const Scalar z1955 = z1945 - n0_35 * z1954;
+    const Scalar z1907 = z60 * z1588 + z63 * z218 + s_roll * z1906 - z48 * z230;
+    const Scalar z1963 = n0_5 * (z155 * z213 / (z116 * z116) - z147 * z1942 / (z116 * z116) - z1962 / z116 + z146
+        * z1943 / (z116 * z116)) + z146 * z147 * z155 / (z116 * z116 * z116);
+    const Scalar z1908 = v_yaw * z1906 + v_roll * z237 + z1907 * (v_pitch + v_rear);
     const Scalar z1909 = z1595 * (a_pitch + a_rear) + a_yaw * z1588 + a_roll * z220 + z1908;
+    const Scalar z1905 = z1595 * (v_pitch + v_rear) + v_yaw * z1588 + v_roll * z220 - z228;
     const Scalar z1986 = n0_6 * z70 * z78 / (z54 * z54 * z54) + n0_3 * z1916 / (z54 * z54);
     const Scalar z1988 = z55 * z1914 - z68 * z1613 - z76 * z226 + z52 * z1986;
     const Scalar z1987 = z50 * z1986 - z55 * z1911 - z64 * z1613 - z73 * z226;
     const Scalar z2009 = z51 * z1986 - z55 * z1913 - z67 * z1613 - z75 * z226;
-    const Scalar z1963 = n0_5 * (z155 * z213 / (z116 * z116) - z147 * z1942 / (z116 * z116) - z1962 / z116 + z146
-        * z1943 / (z116 * z116)) + z146 * z147 * z155 / (z116 * z116 * z116);
     const Scalar z1968 = n0_7 * z147 * z155 / (z116 * z116 * z116) + n0_35 * z1943 / (z116 * z116);
     const Scalar z1971 = z278 + z117 * z1941 - z145 * z1617 + z153 * z281 + z114 * z1968;
     const Scalar z1964 = z1956 + n0_35 * z1963;
@@ -3611,31 +3611,31 @@ struct Mechanism {
     const Scalar z2018 = z110 * z2017 - z138 * z160 + z109 * z2016 + z141 * z158;
     const Scalar z2020 = z109 * z2019 - z111 * z2017 - z138 * z162 - z143 * z158;
     const Scalar z2025 = v_pitch * s_pitch + z131;
-    const Scalar z2022 = n2 * (z142 * z161 - z145 * z164 - z114 * z2021 - z144 * z163 + z112 * z2018 - z113 * z2020);
     const Scalar z2014 = z62 * z97 + c_roll * z277;
     const Scalar z1984 = v_yaw * z1614 - v_roll * z1639 + z1655 * (v_pitch + v_rear);
+    const Scalar z2022 = n2 * (z142 * z161 - z145 * z164 - z114 * z2021 - z144 * z163 + z112 * z2018 - z113 * z2020);
     const Scalar z1966 = v_roll * z1641 + v_yaw * z1620 + v_pitch * z1656 - v_steer * z1673 - v_front * z1684;
     const Scalar z2026 = v_pitch * c_pitch + z126;
+    const Scalar z2023 = n0_5 * (z146 * z166 / (z116 * z116) - z2022 / z116);
     const Scalar z1969 = c_yaw * z135 - z65 * z100;
     const Scalar z1995 = z61 * z100 + s_yaw * z135;
     const Scalar z1970 = z1969 + z117 * z1940 - z144 * z1617 - z152 * z281 + z113 * z1968;
     const Scalar z1996 = z117 * z1938 - z1995 - z142 * z1617 - z150 * z281 + z112 * z1968;
+    const Scalar z2029 = z39 * z2025 + z41 * z2026 + n2 * (s_pitch * z124 - c_pitch * z123);
+    const Scalar z2031 = z39 * z2026 - z41 * z2025 + n2 * (s_pitch * z123 + c_pitch * z124);
     const Scalar z1973 = z62 * z241 - z242 * z1912 + z66 * z1640 - c_roll * z283 - z60 * z1620 - z74 * z285 + s_roll
         * z1970 + z49 * z1971;
     const Scalar z1998 = z62 * z240 + z242 * z1910 - z60 * z1618 - z63 * z1640 - c_roll * z311 + z72 * z285 + s_roll
         * z1996 - z48 * z1971;
+    const Scalar z2027 = z95 * z2025 - z96 * z2026 + n2 * (s_pitch * z133 + c_pitch * z130);
     const Scalar z1979 = z1969 - z1970;
     const Scalar z1981 = z139 * z271 + z272 * z1939 + z108 * z303 + z143 * z1683 + z138 * z1682 - z151 * z304 - z109
         * z1979 - z111 * z1980;
     const Scalar z2003 = z1995 + z1996;
     const Scalar z2004 = z139 * z270 - z272 * z1937 + z108 * z319 - z138 * z1685 + z141 * z1683 + z149 * z304 + z109
         * z2003 - z110 * z1980;
-    const Scalar z2029 = z39 * z2025 + z41 * z2026 + n2 * (s_pitch * z124 - c_pitch * z123);
-    const Scalar z2031 = z39 * z2026 - z41 * z2025 + n2 * (s_pitch * z123 + c_pitch * z124);
-    const Scalar z2027 = z95 * z2025 - z96 * z2026 + n2 * (s_pitch * z133 + c_pitch * z130);
     const Scalar z2028 = n2 * z62 * z97 + c_roll * z2027;
     const Scalar z2030 = n2 * z60 * z106 + s_roll * z2029;
-    const Scalar z2023 = n0_5 * (z146 * z166 / (z116 * z116) - z2022 / z116);
     const Scalar z2024 = z2014 + n0_35 * z2023;
     const Scalar z1977 = c_yaw * z289 - z65 * z252;
     const Scalar z1993 = v_yaw * z1618 + v_roll * z1642 + v_pitch * z1657 - v_steer * z1677 - v_front * z1686;
@@ -3657,10 +3657,10 @@ struct Mechanism {
     const Scalar z2005 = v_yaw * z1996 + v_roll * z1997 + v_pitch * z1998 + v_steer * z2002 + v_front * z2004;
     const Scalar z2033 = c_roll * z2029 - n2 * z62 * z106;
     const Scalar z2042 = z80 * z97 - n2 * z62 * z277 + c_roll * z2041;
-    const Scalar z2006 = a_yaw * z1618 + a_roll * z1642 + a_pitch * z1657 - a_steer * z1677 - a_front * z1686 - z2005;
     const Scalar z2045 = z80 * z106 + n2 * z62 * z140 + c_roll * z206;
     const Scalar z2043 = z83 * z106 - n2 * z60 * z140 + s_roll * z206;
     const Scalar z2047 = z81 * z107 + z85 * z159 - n2 * (z61 * z137 - z65 * z2015) + s_yaw * z204 + c_yaw * z2043;
+    const Scalar z2006 = a_yaw * z1618 + a_roll * z1642 + a_pitch * z1657 - a_steer * z1677 - a_front * z1686 - z2005;
     const Scalar z2044 = z81 * z159 - z85 * z107 - n2 * (z65 * z137 + z61 * z2015) - c_yaw * z204 + s_yaw * z2043;
     const Scalar z2048 = n2 * (z138 * z2019 + z143 * z2017) - z111 * z2045 + z162 * z208 + z109 * z2047 - z158 * z210;
     const Scalar z2046 = z110 * z2045 + z160 * z208 + n2 * (z138 * z2016 - z141 * z2017) + z109 * z2044 + z158 * z207;
@@ -3679,60 +3679,60 @@ struct Mechanism {
     const Scalar z2010 = z61 * z1637 + s_yaw * z1988;
     const Scalar z2012 = v_roll * z2010 + v_yaw * z2009 + z2011 * (v_pitch + v_rear);
     const Scalar z2049 = n4 * z138 * z2017 + n2 * (z109 * z2045 + z158 * z208);
-    const Scalar z2013 = z1654 * (a_pitch + a_rear) + a_yaw * z1615 + a_roll * z1638 + z2012;
     const Scalar z2050 = n2 * (z164 * z212 - z114 * z2049 - z163 * z211 + z161 * z209 - z113 * z2048 + z112 * z2046)
         - n4 * (z142 * z2018 - z144 * z2020 - z145 * z2021);
+    const Scalar z2013 = z1654 * (a_pitch + a_rear) + a_yaw * z1615 + a_roll * z1638 + z2012;
     const Scalar z2040 = z2028 + n0_35 * z2039;
     const Scalar z2055 = v_yaw * z1693 + v_roll * z1699 + v_pitch * z1714 - v_steer * z1738 - v_front * z1747 + z287;
+    const Scalar z2078 = v_yaw * z1691 + v_roll * z1700 + v_pitch * z1715 - v_steer * z1742 - v_front * z1749 + z313;
+    const Scalar z2092 = z31 * z127;
+    const Scalar z2091 = z32 * z127;
+    const Scalar z2101 = z131 * z169 - z126 * z168 + s_pitch * z2091 + c_pitch * z2092;
     const Scalar z2051 = n0_5 * (z166 * z213 / (z116 * z116) - z147 * z2022 / (z116 * z116) - z2050 / z116 + z146
         * z2023 / (z116 * z116)) + z146 * z147 * z166 / (z116 * z116 * z116);
     const Scalar z2056 = n0_7 * z147 * z166 / (z116 * z116 * z116) + n0_35 * z2023 / (z116 * z116);
     const Scalar z2060 = z164 * z281 - z2014 - z117 * z2021 - z145 * z1690 + z114 * z2056;
     const Scalar z2073 = z2014 + z2060;
-    const Scalar z2078 = v_yaw * z1691 + v_roll * z1700 + v_pitch * z1715 - v_steer * z1742 - v_front * z1749 + z313;
-    const Scalar z2052 = z2042 - n0_35 * z2051;
-    const Scalar z2053 = a_roll * z1697 + a_pitch * z1713 + a_steer * z1729 + z2052;
-    const Scalar z2092 = z31 * z127;
-    const Scalar z2091 = z32 * z127;
-    const Scalar z2113 = v_steer * s_steer + z127;
-    const Scalar z2101 = z131 * z169 - z126 * z168 + s_pitch * z2091 + c_pitch * z2092;
     const Scalar z2103 = s_pitch * z2092 - c_pitch * z2091 - z126 * z169 - z131 * z168;
-    const Scalar z2095 = z31 * z32 * z122;
-    const Scalar z2094 = -z122 * (n1 - z31 * z31);
-    const Scalar z2096 = n0_35 * z2095 + n0_08 * z2094;
+    const Scalar z2052 = z2042 - n0_35 * z2051;
     const Scalar z2105 = s_roll * z122 + s_steer * z60 + z62 * z178 + c_roll * z2101;
+    const Scalar z2053 = a_roll * z1697 + a_pitch * z1713 + a_steer * z1729 + z2052;
+    const Scalar z2113 = v_steer * s_steer + z127;
     const Scalar z2102 = s_steer * z62 - c_roll * z122 - z60 * z178 + s_roll * z2101;
     const Scalar z2104 = z65 * z181 - z61 * z180 + c_yaw * z2103 + s_yaw * z2102;
     const Scalar z2107 = s_yaw * z2103 - c_yaw * z2102 - z61 * z181 - z65 * z180;
     const Scalar z2106 = z110 * z2105 + z138 * z182 + z109 * z2104 + z141 * z179;
     const Scalar z2109 = n2 * (z109 * z2105 - z138 * z179);
-    const Scalar z2093 = n0_08 * z2091 - n0_35 * z2092;
     const Scalar z2108 = z111 * z2105 + z138 * z184 + z143 * z179 + z109 * z2107;
+    const Scalar z2110 = n2 * (z112 * z2106 + z113 * z2108 - z114 * z2109 - z142 * z183 - z144 * z185 - z145 * z186);
+    const Scalar z2095 = z31 * z32 * z122;
+    const Scalar z2094 = -z122 * (n1 - z31 * z31);
+    const Scalar z2096 = n0_35 * z2095 + n0_08 * z2094;
+    const Scalar z2093 = n0_08 * z2091 - n0_35 * z2092;
     const Scalar z2097 = -z122 * (n1 - z32 * z32);
     const Scalar z2098 = n0_08 * z2095 + n0_35 * z2097;
-    const Scalar z2110 = n2 * (z112 * z2106 + z113 * z2108 - z114 * z2109 - z142 * z183 - z144 * z185 - z145 * z186);
-    const Scalar z2099 = z126 * z173 + z131 * z175 + s_pitch * z2096 - c_pitch * z2098;
     const Scalar z2069 = s_roll * z296 - z60 * z249;
     const Scalar z2068 = z62 * z249 + c_roll * z296;
+    const Scalar z2099 = z126 * z173 + z131 * z175 + s_pitch * z2096 - c_pitch * z2098;
     const Scalar z2085 = z65 * z250 - c_yaw * z288 - z61 * z1734 + s_yaw * z2069;
     const Scalar z2070 = z61 * z250 + s_yaw * z288 + z65 * z1734 + c_yaw * z2069;
-    const Scalar z2100 = s_roll * z2093 - z60 * z170 - z62 * z176 + c_roll * z2099;
     const Scalar z2111 = n0_5 * (z146 * z188 / (z116 * z116) + z2110 / z116);
+    const Scalar z2100 = s_roll * z2093 - z60 * z170 - z62 * z176 + c_roll * z2099;
     const Scalar z2079 = z65 * z98 - z61 * z1645 + c_yaw * z134 + s_yaw * z2057;
     const Scalar z2058 = s_yaw * z134 - z61 * z98 - z65 * z1645 - c_yaw * z2057;
     const Scalar z2080 = z2079 + z117 * z2018 - z142 * z1690 - z161 * z281 + z112 * z2056;
     const Scalar z2059 = z2058 - z117 * z2020 - z144 * z1690 + z163 * z281 + z113 * z2056;
+    const Scalar z2112 = z2100 - n0_35 * z2111;
+    const Scalar z2054 = v_yaw * z1693 + v_roll * z1699 + v_pitch * z1714 - v_steer * z1738 - v_front * z1747;
     const Scalar z2087 = z2079 - z2080;
+    const Scalar z2114 = z32 * z2113;
+    const Scalar z2115 = z31 * z2113;
+    const Scalar z2117 = v_steer * c_steer + z122;
     const Scalar z2088 = z272 * z2016 - z270 * z2017 + z138 * z1748 + z141 * z1746 - z158 * z319 + z160 * z304 + z109
         * z2087 - z110 * z2073;
     const Scalar z2072 = z2058 - z2059;
     const Scalar z2074 = z138 * z1745 - z271 * z2017 - z272 * z2019 + z143 * z1746 - z158 * z303 - z162 * z304 + z109
         * z2072 - z111 * z2073;
-    const Scalar z2112 = z2100 - n0_35 * z2111;
-    const Scalar z2054 = v_yaw * z1693 + v_roll * z1699 + v_pitch * z1714 - v_steer * z1738 - v_front * z1747;
-    const Scalar z2114 = z32 * z2113;
-    const Scalar z2115 = z31 * z2113;
-    const Scalar z2117 = v_steer * c_steer + z122;
     const Scalar z2077 = v_yaw * z1691 + v_roll * z1700 + v_pitch * z1715 - v_steer * z1742 - v_front * z1749;
     const Scalar z2063 = z60 * z255 + s_roll * z290;
     const Scalar z2066 = c_roll * z290 - z62 * z255;
@@ -3740,14 +3740,14 @@ struct Mechanism {
     const Scalar z2119 = z31 * z32 * z2117;
     const Scalar z2083 = c_yaw * z291 - z65 * z256 + z61 * z1731 + s_yaw * z2063;
     const Scalar z2064 = z61 * z256 + s_yaw * z291 + z65 * z1731 - c_yaw * z2063;
-    const Scalar z2065 = z2059 + z2064;
-    const Scalar z2118 = -z2117 * (n1 - z31 * z31);
     const Scalar z2084 = z2080 + z2083;
-    const Scalar z2120 = n0_35 * z2119 + n0_08 * z2118;
     const Scalar z2086 = z266 * z2085 - z264 * z2068 - z289 * z1740 + z316 * z1730 - z317 * z1737 + z301 * z1741 + z252
         * z2084 + z253 * z2067;
+    const Scalar z2065 = z2059 + z2064;
     const Scalar z2071 = z295 * z1730 - z265 * z2068 - z266 * z2070 - z289 * z1733 - z298 * z1737 + z301 * z1735 + z252
         * z2065 - z254 * z2067;
+    const Scalar z2118 = -z2117 * (n1 - z31 * z31);
+    const Scalar z2120 = n0_35 * z2119 + n0_08 * z2118;
     const Scalar z2061 = s_yaw * z2060 - z61 * z1698;
     const Scalar z2121 = -z2117 * (n1 - z32 * z32);
     const Scalar z2116 = n0_08 * z2114 - n0_35 * z2115;
@@ -3756,11 +3756,11 @@ struct Mechanism {
     const Scalar z2075 = v_yaw * z2059 + v_roll * z2061 + v_pitch * z2062 - v_steer * z2071 - v_front * z2074;
     const Scalar z2122 = n0_08 * z2119 + n0_35 * z2121;
     const Scalar z2123 = n2 * (z126 * z173 + z131 * z175) + s_pitch * z2120 - c_pitch * z2122;
-    const Scalar z2082 = s_roll * z2080 - z48 * z2060 - z60 * z1691 - z63 * z1698;
+    const Scalar z2124 = s_roll * z2116 - n2 * (z60 * z170 + z62 * z176) + c_roll * z2123;
     const Scalar z2076 = a_yaw * z1693 + a_roll * z1699 + a_pitch * z1714 - a_steer * z1738 - a_front * z1747 - z2075;
+    const Scalar z2082 = s_roll * z2080 - z48 * z2060 - z60 * z1691 - z63 * z1698;
     const Scalar z2089 = v_yaw * z2080 + v_roll * z2081 - v_steer * z2086 - v_front * z2088 + v_pitch * z2082;
     const Scalar z2090 = a_yaw * z1691 + a_roll * z1700 + a_pitch * z1715 - a_steer * z1742 - a_front * z1749 - z2089;
-    const Scalar z2124 = s_roll * z2116 - n2 * (z60 * z170 + z62 * z176) + c_roll * z2123;
     const Scalar z2161 = v_roll * z1762 - z302 + v_yaw * z1756 + v_pitch * z1768 - v_steer * z1785 + v_front * z1791;
     const Scalar z2177 = v_yaw * z1754 + v_roll * z1763 + v_pitch * z1769 - v_steer * z1786 - z318 - v_front * z1793;
     const Scalar z2137 = z32 * z194;
@@ -3770,10 +3770,10 @@ struct Mechanism {
     const Scalar z2149 = z169 * z200 - z168 * z201 + s_pitch * z2138 - c_pitch * z2137 + n2 * (z126 * z2092 + z131
         * z2091);
     const Scalar z2139 = n0_08 * z2137 - n0_35 * z2138;
-    const Scalar z2125 = s_pitch * z2114 - n2 * (z126 * z168 - z131 * z169) + c_pitch * z2115;
-    const Scalar z2127 = s_pitch * z2115 - n2 * (z126 * z169 + z131 * z168) - c_pitch * z2114;
     const Scalar z2151 = s_roll * z190 + s_steer * z83 - z80 * z178 - n2 * (z60 * z122 - z62 * z2101) - c_roll * z2147;
     const Scalar z2148 = c_roll * z190 + s_steer * z80 + z83 * z178 + n2 * (z62 * z122 + z60 * z2101) + s_roll * z2147;
+    const Scalar z2125 = s_pitch * z2114 - n2 * (z126 * z168 - z131 * z169) + c_pitch * z2115;
+    const Scalar z2127 = s_pitch * z2115 - n2 * (z126 * z169 + z131 * z168) - c_pitch * z2114;
     const Scalar z2126 = n2 * (s_steer * z62 - z60 * z178) - c_roll * z2117 + s_roll * z2125;
     const Scalar z2129 = n2 * (s_steer * z60 + z62 * z178) + s_roll * z2117 + c_roll * z2125;
     const Scalar z2155 = n4 * z138 * z2105 + n2 * (z109 * z2151 + z179 * z208);
@@ -3781,40 +3781,41 @@ struct Mechanism {
     const Scalar z2150 = z85 * z181 + z81 * z180 + n2 * (z61 * z2102 - z65 * z2103) + c_yaw * z2149 + s_yaw * z2148;
     const Scalar z2154 = z184 * z208 - z111 * z2151 + z109 * z2153 - z179 * z210 - n2 * (z138 * z2107 - z143 * z2105);
     const Scalar z2152 = z182 * z208 - z110 * z2151 - n2 * (z138 * z2104 - z141 * z2105) + z109 * z2150 - z179 * z207;
-    const Scalar z2128 = s_yaw * z2126 - n2 * (z61 * z180 - z65 * z181) + c_yaw * z2127;
     const Scalar z2156 = n4 * (z142 * z2106 + z144 * z2108 - z145 * z2109) + n2 * (z114 * z2155 - z186 * z212 + z185
         * z211 + z183 * z209 + z113 * z2154 + z112 * z2152);
-    const Scalar z2131 = s_yaw * z2127 - n2 * (z61 * z181 + z65 * z180) - c_yaw * z2126;
     const Scalar z2157 = n0_5 * (z147 * z2110 / (z116 * z116) + z188 * z213 / (z116 * z116) - z2156 / z116 + z146
         * z2111 / (z116 * z116)) + z146 * z147 * z188 / (z116 * z116 * z116);
+    const Scalar z2162 = n0_7 * z147 * z188 / (z116 * z116 * z116) + n0_35 * z2111 / (z116 * z116);
+    const Scalar z2167 = z2100 + z117 * z2109 - z145 * z1753 - z186 * z281 + z114 * z2162;
+    const Scalar z2172 = z2100 - z2167;
+    const Scalar z2128 = s_yaw * z2126 - n2 * (z61 * z180 - z65 * z181) + c_yaw * z2127;
+    const Scalar z2131 = s_yaw * z2127 - n2 * (z61 * z181 + z65 * z180) - c_yaw * z2126;
     const Scalar z2130 = z110 * z2129 + z109 * z2128 + n2 * (z138 * z182 + z141 * z179);
     const Scalar z2132 = z111 * z2129 + n2 * (z138 * z184 + z143 * z179) + z109 * z2131;
     const Scalar z2133 = n2 * z109 * z2129 - n4 * z138 * z179;
     const Scalar z2134 = n2 * (z112 * z2130 + z113 * z2132 - z114 * z2133) - n4 * (z145 * z186 + z144 * z185 + z142
         * z183);
-    const Scalar z2162 = n0_7 * z147 * z188 / (z116 * z116 * z116) + n0_35 * z2111 / (z116 * z116);
-    const Scalar z2167 = z2100 + z117 * z2109 - z145 * z1753 - z186 * z281 + z114 * z2162;
-    const Scalar z2135 = n0_5 * (z146 * z188 / (z116 * z116) + z147 * z187 / (z116 * z116) + z2134 / z116);
-    const Scalar z2172 = z2100 - z2167;
     const Scalar z2192 = n1 / z273;
     const Scalar z2193 = z274 * z2192;
     const Scalar z2187 = n1 / z167;
     const Scalar z2163 = z126 * z175 - z131 * z173 + s_pitch * z2098 + c_pitch * z2096;
     const Scalar z2194 = z240 - z241 * z2193;
-    const Scalar z2164 = z60 * z176 - z62 * z170 - c_roll * z2093 + s_roll * z2099;
+    const Scalar z2135 = n0_5 * (z146 * z188 / (z116 * z116) + z147 * z187 / (z116 * z116) + z2134 / z116);
     const Scalar z2195 = z216 - z2194;
+    const Scalar z2164 = z60 * z176 - z62 * z170 - c_roll * z2093 + s_roll * z2099;
     const Scalar z2189 = z223 * z2187;
     const Scalar z2165 = z61 * z1718 - z65 * z1660 + s_yaw * z2163 + c_yaw * z2164;
     const Scalar z2178 = z65 * z1718 + z61 * z1660 - c_yaw * z2163 + s_yaw * z2164;
     const Scalar z2166 = z2165 - z117 * z2108 - z144 * z1753 - z185 * z281 + z113 * z2162;
     const Scalar z2179 = z112 * z2162 - z2178 - z117 * z2106 - z142 * z1753 - z183 * z281;
-    const Scalar z2169 = z66 * z1761 - z60 * z1756 + s_roll * z2166 + z49 * z2167;
-    const Scalar z2170 = z252 * z2166 - z254 * z2167 - z289 * z1756 - z298 * z1761;
     const Scalar z2136 = z2124 - n0_35 * z2135;
-    const Scalar z2182 = z253 * z2167 - z289 * z1754 - z317 * z1761 + z252 * z2179;
-    const Scalar z2181 = s_roll * z2179 - z48 * z2167 - z60 * z1754 - z63 * z1761;
     const Scalar z2180 = z65 * z1761 + c_yaw * z2167;
     const Scalar z2168 = s_yaw * z2167 - z61 * z1761;
+    const Scalar z2196 = n1 / z2195;
+    const Scalar z2169 = z66 * z1761 - z60 * z1756 + s_roll * z2166 + z49 * z2167;
+    const Scalar z2182 = z253 * z2167 - z289 * z1754 - z317 * z1761 + z252 * z2179;
+    const Scalar z2170 = z252 * z2166 - z254 * z2167 - z289 * z1756 - z298 * z1761;
+    const Scalar z2181 = s_roll * z2179 - z48 * z2167 - z60 * z1754 - z63 * z1761;
     const Scalar z2171 = z2165 - z2166;
     const Scalar z2173 = z271 * z2105 - z272 * z2107 - z143 * z1790 + z179 * z303 - z138 * z1789 + z184 * z304 + z109
         * z2171 + z111 * z2172;
@@ -3827,8 +3828,8 @@ struct Mechanism {
     const Scalar z2160 = v_roll * z1762 + v_yaw * z1756 + v_pitch * z1768 - v_steer * z1785 + v_front * z1791;
     const Scalar z2186 = a_yaw * z1754 + a_roll * z1763 + a_pitch * z1769 - a_steer * z1786 - a_front * z1793 - z2185;
     const Scalar z2176 = v_yaw * z1754 + v_roll * z1763 + v_pitch * z1769 - v_steer * z1786 - v_front * z1793;
-    const Scalar z2196 = n1 / z2195;
     const Scalar z2197 = z217 * z2196;
+    const Scalar z2198 = n1 - z2193 * z2197;
     const Scalar z2190 = z247 * z2187;
     const Scalar z2141 = z31 * z32 * z190;
     const Scalar z2188 = z246 * z2187;
@@ -3838,18 +3839,14 @@ struct Mechanism {
     const Scalar z2144 = n0_08 * z2141 + n0_35 * z2143;
     const Scalar z2200 = z167 * z167;
     const Scalar z2203 = z273 * z273;
-    const Scalar z2198 = n1 - z2193 * z2197;
     const Scalar z2191 = z222 * z2187;
     const Scalar z2199 = n1 / z2198;
     const Scalar z2201 = n1_over_94 + z156 * z156 / z542 + z167 * z167 / z518 + z189 * z189 / z587;
     const Scalar z2145 = z173 * z200 - z175 * z201 + s_pitch * z2142 - c_pitch * z2144 - n2 * (z126 * z2096 + z131
         * z2098);
-    const Scalar z2202 = z518 * z2201;
-    const Scalar z2204 = n1_over_94 + n25_over_7 * z273 * z273 + z241 * z241 / z564 + z243 * z243 / z542 + z246 * z246
-        / z518 + z267 * z267 / z587;
     const Scalar z2146 = z83 * z170 + s_roll * z2139 - z80 * z176 + n2 * (z60 * z2093 - z62 * z2099) - c_roll * z2145;
     const Scalar z2158 = z2146 + n0_35 * z2157;
-    const Scalar z2205 = n0_28 * z2204;
+    const Scalar z2202 = z518 * z2201;
     const Scalar z2206 = z2195 * z2195;
     const Scalar z2209 = z2198 * z2198;
     const Scalar z2212 = z79 + z156;
@@ -3869,28 +3866,25 @@ struct Mechanism {
     const Scalar z2259 = z2190 * z2256 + z2258 + z2246 - z2193 * z2257;
     const Scalar z2249 = z1904 + z2197 * z2248;
     const Scalar z2226 = z189 * z2189;
-    const Scalar z2260 = z2007 + z2191 * z2256 + z2197 * z2259;
     const Scalar z2250 = z2199 * z2249;
     const Scalar z2225 = z189 * z2188 - z267;
-    const Scalar z2251 = z2193 * z2250 + z2248;
-    const Scalar z2261 = z2199 * z2260;
     const Scalar z2235 = z222 - z223 * z2197;
     const Scalar z2236 = z2199 * z2235;
+    const Scalar z2251 = z2193 * z2250 + z2248;
     const Scalar z2227 = z189 * z2190 - z268 - z2226 - z2193 * z2225;
-    const Scalar z2262 = z2193 * z2261 + z2259;
+    const Scalar z2216 = z220 - z2189 * z2212;
+    const Scalar z2260 = z2007 + z2191 * z2256 + z2197 * z2259;
     const Scalar z2252 = z2196 * z2251;
     const Scalar z2254 = z241 * z2252 - z1878 - z2250;
     const Scalar z2253 = z216 * z2252 + z1888;
-    const Scalar z2263 = z2196 * z2262;
-    const Scalar z2216 = z220 - z2189 * z2212;
-    const Scalar z2265 = z2257 - z2261 + z241 * z2263;
-    const Scalar z2264 = z216 * z2263 - z2258;
+    const Scalar z2261 = z2199 * z2260;
     const Scalar z2237 = z223 - z2193 * z2236;
     const Scalar z2238 = z2196 * z2237;
-    const Scalar z2266 = z2192 * z2265;
-    const Scalar z2255 = z2192 * z2254;
+    const Scalar z2262 = z2193 * z2261 + z2259;
     const Scalar z2228 = z189 * z2191 + z2197 * z2227;
     const Scalar z2229 = z2199 * z2228;
+    const Scalar z2255 = z2192 * z2254;
+    const Scalar z2263 = z2196 * z2262;
     const Scalar z2215 = z243 - z2188 * z2212;
     const Scalar z2217 = z244 - z2190 * z2212 - z2216 - z2193 * z2215;
     const Scalar z2230 = z2193 * z2229 + z2227;
@@ -3904,21 +3898,27 @@ struct Mechanism {
     const Scalar z2233 = z2225 - z2229 + z241 * z2231;
     const Scalar z2220 = z2193 * z2219 + z2217;
     const Scalar z2234 = z2192 * z2233;
+    const Scalar z2204 = n1_over_94 + n25_over_7 * z273 * z273 + z241 * z241 / z564 + z243 * z243 / z542 + z246 * z246
+        / z518 + z267 * z267 / z587;
+    const Scalar z2205 = n0_28 * z2204;
+    const Scalar z2265 = z2257 - z2261 + z241 * z2263;
+    const Scalar z2264 = z216 * z2263 - z2258;
+    const Scalar z2266 = z2192 * z2265;
+    const Scalar z2221 = z2196 * z2220;
+    const Scalar z2222 = z216 * z2221 + z2216;
+    const Scalar z2223 = z2215 - z2219 + z241 * z2221;
     const Scalar z2207 = n1_over_94 + n25_over_7 * z274 * z274 + z240 * z240 / z564 + z244 * z244 / z542 + z247 * z247
         / z518 + z268 * z268 / z587;
     const Scalar z2208 = z564 * z2207;
     const Scalar z2268 = z2188 * z2243 + z2245;
     const Scalar z2267 = z2187 * z2256;
-    const Scalar z2221 = z2196 * z2220;
-    const Scalar z2222 = z216 * z2221 + z2216;
-    const Scalar z2223 = z2215 - z2219 + z241 * z2221;
+    const Scalar z2224 = z2192 * z2223;
     const Scalar z2269 = z2189 * z2243;
     const Scalar z2210 = n1_over_94 + z222 * z222 * (n25_over_3 + n1 / z518) + z219 * z219 / z542 + z217 * z217 / z564;
     const Scalar z2211 = n94 * z2210;
     const Scalar z2270 = z2190 * z2243 - z2269 + z2247 - z2193 * z2268;
     const Scalar z2279 = z1955 - z2040 * z2213;
     const Scalar z2280 = z2040 * z2214 - z2136;
-    const Scalar z2224 = z2192 * z2223;
     const Scalar z2284 = z238 * z2213 - z1985 + z1889 * z2221;
     const Scalar z2293 = z1927 - z2279;
     const Scalar z2295 = z2189 * z2293 + z2284;
@@ -3996,32 +3996,32 @@ struct Mechanism {
     const Scalar z2317 = z2197 * z2316 - z2283;
     const Scalar z2367 = z2190 * z2364 - z2366 - z2354 - z2193 * z2365;
     const Scalar z2357 = z2197 * z2356 + z2346;
-    const Scalar z2368 = z2191 * z2364 + z2347 + z2197 * z2367;
     const Scalar z2318 = z2199 * z2317;
     const Scalar z2358 = z2199 * z2357;
     const Scalar z2309 = z2199 * z2308;
     const Scalar z2319 = z2193 * z2318 + z2316;
-    const Scalar z2369 = z2199 * z2368;
-    const Scalar z2359 = z2193 * z2358 + z2356;
     const Scalar z2310 = z2193 * z2309 + z2307;
-    const Scalar z2370 = z2193 * z2369 + z2367;
+    const Scalar z2359 = z2193 * z2358 + z2356;
     const Scalar z2320 = z2196 * z2319;
-    const Scalar z2360 = z2196 * z2359;
     const Scalar z2311 = z2196 * z2310;
+    const Scalar z2360 = z2196 * z2359;
+    const Scalar z2368 = z2191 * z2364 + z2347 + z2197 * z2367;
     const Scalar z2321 = z216 * z2320 - z2286;
     const Scalar z2312 = z216 * z2311 + z2306;
-    const Scalar z2371 = z2196 * z2370;
     const Scalar z2361 = z216 * z2360 + z2348;
+    const Scalar z2369 = z2199 * z2368;
     const Scalar z2313 = z2305 - z2309 + z241 * z2311;
-    const Scalar z2372 = z216 * z2371 + z2366;
     const Scalar z2322 = z241 * z2320 - z2289 - z2318;
+    const Scalar z2370 = z2193 * z2369 + z2367;
     const Scalar z2362 = z241 * z2360 - z2350 - z2358;
-    const Scalar z2373 = z2365 - z2369 + z241 * z2371;
     const Scalar z2314 = z2192 * z2313;
     const Scalar z2377 = z2189 * z2345 + z2331;
     const Scalar z2376 = z2188 * z2345 - z2352;
     const Scalar z2378 = z2190 * z2345 - z2377 - z2355 - z2193 * z2376;
     const Scalar z2375 = z2187 * z2364;
+    const Scalar z2371 = z2196 * z2370;
+    const Scalar z2372 = z216 * z2371 + z2366;
+    const Scalar z2373 = z2365 - z2369 + z241 * z2371;
     const Scalar z2323 = z2192 * z2322;
     const Scalar z2405 = z463 + z79 * z466 - z459 * z2213 + z469 * z2219 + z468 * z2221 - z470 * z2222;
     const Scalar z2387 = z1856 - z1857;
@@ -4031,15 +4031,15 @@ struct Mechanism {
     const Scalar z2379 = z2191 * z2345 + z2328 + z2197 * z2378;
     const Scalar z2390 = z2190 * z2387 - z2389 + z1860 + z2193 * z2388;
     const Scalar z2380 = z2199 * z2379;
-    const Scalar z2391 = z1861 - z2191 * z2387 - z2197 * z2390;
     const Scalar z2386 = z2187 * z2345;
-    const Scalar z2398 = z2187 * z2387;
     const Scalar z2381 = z2193 * z2380 + z2378;
-    const Scalar z2392 = z2199 * z2391;
     const Scalar z2403 = z542 + z79 * z545 + z521 * z2213 - z548 * z2219 - z547 * z2221 - z549 * z2222 + z443 * z2224;
-    const Scalar z2393 = z2193 * z2392 - z2390;
+    const Scalar z2391 = z1861 - z2191 * z2387 - z2197 * z2390;
+    const Scalar z2398 = z2187 * z2387;
     const Scalar z2401 = z545 + n94 * z79 + z524 * z2213;
     const Scalar z2404 = z521 + z79 * z524 + z518 * z2213 + z527 * z2219 - z526 * z2221 + z528 * z2222 + z441 * z2224;
+    const Scalar z2392 = z2199 * z2391;
+    const Scalar z2393 = z2193 * z2392 - z2390;
     const Scalar z2413 = z527 * z2229 - z459 - z518 * z2214 - z526 * z2231 + z528 * z2232 + z441 * z2234;
     const Scalar z2414 = z587 + z459 * z2214 + z469 * z2229 + z468 * z2231 - z470 * z2232;
     const Scalar z2409 = z470 + z528 * z2214 + z566 * z2231 - n94 * z2232;
@@ -4245,13 +4245,13 @@ struct Mechanism {
         * l_lambda_front_rolls_y - z2214 * z2585 - z2229 * z2581 - z2231 * z2584 + z2232 * z2582 + z2234 * z2586;
     const Scalar z2589 = z222 * l_lambda_rear_rolls_x - z1090 + z223 * l_lambda_rear_rolls_y + z2236 * z2581 - z2238
         * z2584 + z2239 * z2582 + z2241 * z2586;
-    const Scalar z2593 = z2587 + z2590;
     const Scalar z2594 = z2588 + z2591;
     const Scalar z2595 = z2589 - z2592;
     const Scalar z2598 = z2430 * z2596;
     const Scalar z2601 = z2429 + z2430 * z2598;
     const Scalar z2600 = z2426 + z2427 * z2598;
     const Scalar z2606 = z2481 + z2484 * z2598;
+    const Scalar z2593 = z2587 + z2590;
     const Scalar z2611 = z2482 - z2485 * z2598;
     const Scalar z2602 = n1 / z2601;
     const Scalar z2616 = z2575 - z2578 * z2598;

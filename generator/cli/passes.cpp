@@ -10,7 +10,7 @@ namespace torsor {
 namespace {
 
 nlohmann::ordered_json to_json(const PassEffect& effect) {
-  return {{"operations", effect.operations}, {"difference", effect.difference}, {"error", effect.error}};
+  return {{"operations", effect.operations}, {"cycles", effect.cycles}, {"difference", effect.difference}, {"error", effect.error}};
 }
 
 }  // namespace
@@ -22,6 +22,12 @@ std::string passes_table(const PassReport& report) {
   for (const KernelPasses& kernel : report.kernels) {
     text += fmt::format("{:<37}{:>12}", kernel.kernel, kernel.all.operations);
     for (const PassEffect& effect : kernel.without) text += fmt::format("{:>+13}", effect.operations - kernel.all.operations);
+    text += "\n";
+  }
+  text += fmt::format("cycles from the state to the last result, waiting for nothing else, and how many more without each\n{}\n", head);
+  for (const KernelPasses& kernel : report.kernels) {
+    text += fmt::format("{:<37}{:>12}", kernel.kernel, kernel.all.cycles);
+    for (const PassEffect& effect : kernel.without) text += fmt::format("{:>+13}", effect.cycles - kernel.all.cycles);
     text += "\n";
   }
   text += fmt::format("worst errors in double with all passes, and without each, in ulp scaled by max(1, condition)\n{}\n", head);

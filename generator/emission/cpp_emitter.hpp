@@ -20,8 +20,8 @@ struct FunctionText {
 /// Writes the body of one function: declares the numbers, gives what it reads local names, then computes the
 /// definitions of a block and assigns results. It optimises nothing: each definition is one statement, each operator of
 /// the formula trees one operator of the text. Sines and cosines come first, with what their angles need: those of all
-/// angles that need no sine or cosine in one call, then those of angles that need these. Results that are equal up to
-/// sign are computed once.
+/// angles that need no sine or cosine in one call, then those of angles that need these. What follows stands in the
+/// order of issue_order.hpp. Results that are equal up to sign are computed once.
 class FunctionEmitter {
  public:
   /// `parameters` is where parameters are read from: "precomputed.parameters." or "parameters.".

@@ -173,7 +173,8 @@ std::string emit_header(const Equations& equations, const std::vector<Kernel>& k
   std::map<std::string, std::string> values = {
       {"provenance", provenance_comment(provenance)},
       {"scene_name", scene.name()},
-      {"sincos", without_licence(embedded_template("sincos.hpp")) + without_licence(embedded_template("sincos_registers.hpp"))},
+      {"sincos", without_licence(embedded_template("sincos.hpp")) +
+                     without_licence(embedded_template("sincos_registers.hpp"))},
       {"jet_support", jets ? without_licence(embedded_template("jets.hpp")) + "\n" : ""},
       {"coordinate_count", size(equations.model().positions().size())},
       {"velocity_count", degrees},

@@ -7,6 +7,7 @@
 #include <queue>
 #include <set>
 #include <unordered_map>
+#include <utility>
 
 #include "generator/expression/arrival.hpp"
 
@@ -23,10 +24,11 @@ constexpr double operations_in_a_cycle = 2.0, window = 30.0;
 using NodeNumber = std::size_t;  // among the definitions
 
 struct IssueNode {
-  std::vector<NodeNumber> operands, users;
-  double from_start = 0;   ///< cycles, after its operands
-  double to_the_end = 0;   ///< from its result to the last result of all
-  double operations = 0;
+  std::vector<std::pair<NodeNumber, int>> operands;  ///< and the cycles from there to its result
+  std::vector<NodeNumber> users;
+  int from_outside = 0;     ///< the cycle from which on other operands let its result be known
+  int to_the_end = 0;       ///< cycles from its result to the last result of all
+  int operations = 0;
   std::size_t missing = 0;  ///< operands not yet issued
   std::size_t uses = 0;     ///< users not yet issued
   double known = 0;         ///< the cycle of its result, once issued
@@ -41,27 +43,32 @@ std::vector<IssueNode> nodes_of(const Program& program, const std::vector<Atom>&
     IssueNode& node = nodes[k];
     const Formula right_side = formula(program, program[definitions[k]]);
     node.operations = std::max(1, count(right_side).total());
-    int before = 0;
     for_each_delay(program, right_side, [&](Atom atom, int cycles) {
       const auto place = places.find(atom);
-      if (place == places.end()) return;
+      if (place == places.end()) {
+        node.from_outside = std::max(node.from_outside, program.arrival(atom) + cycles);
+        return;
+      }
       IssueNode& operand = nodes[place->second];
       operand.to_the_end = std::max(operand.to_the_end, node.to_the_end + cycles);
-      before = std::max(before, program.arrival(atom));
-      if (!operand.users.empty() && operand.users.back() == k) return;
+      if (!operand.users.empty() && operand.users.back() == k) {
+        const auto known = std::find_if(node.operands.begin(), node.operands.end(),
+                                        [&](const auto& each) { return each.first == place->second; });
+        known->second = std::max(known->second, cycles);
+        return;
+      }
       operand.users.push_back(k);
       ++operand.uses;
-      node.operands.push_back(place->second);
+      node.operands.emplace_back(place->second, cycles);
     });
     node.missing = node.operands.size();
-    node.from_start = std::max(0, arrival(program, right_side) - before);
   }
   return nodes;
 }
 
-class Scheduler {
+class ListScheduling {
  public:
-  explicit Scheduler(std::vector<IssueNode> nodes) : nodes_(std::move(nodes)), issued_(nodes_.size(), false) {}
+  explicit ListScheduling(std::vector<IssueNode> nodes) : nodes_(std::move(nodes)), issued_(nodes_.size(), false) {}
 
   std::vector<NodeNumber> run() {
     for (NodeNumber k = 0; k < nodes_.size(); ++k) {
@@ -69,6 +76,10 @@ class Scheduler {
     }
     while (order_.size() < nodes_.size()) {
       while (issued_[first_]) ++first_;
+      while (!far_.empty() && far_.top() < first_ + horizon) {
+        available_.insert(urgency(far_.top()));
+        far_.pop();
+      }
       while (!waiting_.empty() && waiting_.top().first <= cycle_) make_available();
       std::optional<NodeNumber> next = choice();
       while (!next) {
@@ -81,35 +92,37 @@ class Scheduler {
   }
 
  private:
-  using Urgency = std::pair<double, NodeNumber>;  ///< the smaller, the more urgent; ties in the program's order
+  using Urgency = std::pair<int, NodeNumber>;  ///< the smaller, the more urgent; ties in the program's order
   Urgency urgency(NodeNumber k) const { return {-nodes_[k].to_the_end, k}; }
 
   /// When its operands are there.
   double start(NodeNumber k) const {
     double time = 0;
-    for (const NodeNumber operand : nodes_[k].operands) time = std::max(time, nodes_[operand].known);
+    for (const auto& [operand, cycles] : nodes_[k].operands) time = std::max(time, nodes_[operand].known);
     return time;
   }
 
   /// Values that are live because of it, less those it is the last to use. A result goes to memory.
   int growth(NodeNumber k) const {
     int change = nodes_[k].uses > 0 ? 1 : 0;
-    for (const NodeNumber operand : nodes_[k].operands) change -= nodes_[operand].uses == 1 ? 1 : 0;
+    for (const auto& [operand, cycles] : nodes_[k].operands) change -= nodes_[operand].uses == 1 ? 1 : 0;
     return change;
   }
 
   void make_available() {
-    available_.insert(urgency(waiting_.top().second));
+    const NodeNumber k = waiting_.top().second;
     waiting_.pop();
+    if (k < first_ + horizon)
+      available_.insert(urgency(k));
+    else
+      far_.push(k);
   }
 
-  /// The most urgent of those that are available and near; where too many values are live the one that frees most.
+  /// The most urgent of those that are available; where too many values are live the one that frees most.
   std::optional<NodeNumber> choice() const {
     std::optional<NodeNumber> best;
     int least = 0;
-    for (const Urgency& each : available_) {
-      const NodeNumber k = each.second;
-      if (k >= first_ + horizon) continue;
+    for (const auto& [urgency, k] : available_) {
       if (live_ < held_values) return k;
       const int change = growth(k);
       if (!best || change < least) best = k, least = change;
@@ -125,8 +138,11 @@ class Scheduler {
     live_ += growth(k);
     const double from = start(k);
     cycle_ = std::max(cycle_, from - window) + node.operations / operations_in_a_cycle;
-    node.known = std::max(cycle_, from + node.from_start);
-    for (const NodeNumber operand : node.operands) --nodes_[operand].uses;
+    node.known = std::max(cycle_, static_cast<double>(node.from_outside));
+    for (const auto& [operand, cycles] : node.operands) {
+      node.known = std::max(node.known, nodes_[operand].known + cycles);
+      --nodes_[operand].uses;
+    }
     for (const NodeNumber user : node.users) {
       if (--nodes_[user].missing == 0) waiting_.emplace(start(user), user);
     }
@@ -136,7 +152,8 @@ class Scheduler {
   std::vector<NodeNumber> order_;
   std::vector<bool> issued_;
   NodeNumber first_ = 0;  ///< the first in the program's order that is not issued
-  std::set<Urgency> available_;  ///< their operands are there
+  std::set<Urgency> available_;  ///< near, and their operands are there
+  std::priority_queue<NodeNumber, std::vector<NodeNumber>, std::greater<>> far_;  ///< the others whose operands are
   using Arrival = std::pair<double, NodeNumber>;
   std::priority_queue<Arrival, std::vector<Arrival>, std::greater<>> waiting_;  ///< until their operands are
   double cycle_ = 0;
@@ -151,8 +168,7 @@ std::vector<Atom> issue_order(const Program& program, const std::vector<Atom>& d
   const auto is_urgent = [&](Atom atom) { return program[atom].stage > Stage::parameters; };
   std::vector<Atom> order, urgent;
   for (const Atom atom : definitions) (is_urgent(atom) ? urgent : order).push_back(atom);
-  Scheduler scheduler(nodes_of(program, urgent));
-  for (const NodeNumber k : scheduler.run()) order.push_back(urgent[k]);
+  for (const NodeNumber k : ListScheduling(nodes_of(program, urgent)).run()) order.push_back(urgent[k]);
   return order;
 }
 

@@ -2,6 +2,8 @@
 #include "generator/expression/arrival.hpp"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace torsor {
 namespace {
@@ -49,7 +51,7 @@ Part part_of(const Program& program, const Formula& sum, std::size_t place) {
 /// Whether the first of two terms is a product that is fused with the second.
 bool fuses_first(const std::vector<Part>& parts) { return parts.size() > 1 && parts[0].product && !parts[1].product; }
 
-int arrival(const std::vector<Part>& parts) {
+int arrival_of(const std::vector<Part>& parts) {
   const bool first_fused = fuses_first(parts);
   int time = first_fused ? parts[0].operands : parts[0].whole;
   for (std::size_t i = 1; i < parts.size(); ++i) {
@@ -62,7 +64,7 @@ int arrival(const std::vector<Part>& parts) {
 /// Arrival, and what more instructions than one for each addition are worth.
 int cost(const std::vector<Part>& parts) {
   const bool single_product = parts[0].product && !fuses_first(parts);
-  return arrival(parts) + (single_product ? instruction : 0);
+  return arrival_of(parts) + (single_product ? instruction : 0);
 }
 
 /// The order of a sum's parts, which begins with one that is not subtracted: as they stand where no other is better.
@@ -107,7 +109,7 @@ int arrival(const Program& program, const Formula& formula) {
     case Formula::Kind::quotient:
       return std::max(arrival(program, formula.children[0]), arrival(program, formula.children[1])) +
              Latency::division;
-    case Formula::Kind::sum: return arrival(parts_of(program, formula));
+    case Formula::Kind::sum: return arrival_of(parts_of(program, formula));
   }
   return 0;
 }
@@ -115,7 +117,9 @@ int arrival(const Program& program, const Formula& formula) {
 int arrival(const Program& program, const Definition& definition) {
   if (definition.symbol || definition.stage == Stage::generation || definition.stage == Stage::parameters) return 0;
   if (definition.function) return program.arrival(definition.argument) + latency_of(*definition.function);
-  return arrival(program, in_order_of_arrival(program, expanded(definition.polynomial)));
+  Formula sum = expanded(definition.polynomial);
+  if (program.passes().scheduling) sum = in_order_of_arrival(program, std::move(sum));
+  return arrival(program, sum);
 }
 
 void for_each_delay(const Program& program, const Formula& formula, const std::function<void(Atom, int)>& call) {

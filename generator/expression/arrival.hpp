@@ -31,7 +31,7 @@ void for_each_delay(const Program& program, const Formula& formula, const std::f
 
 /// The terms of all sums in the order in which they are known where that makes a sum known earlier, as they stand
 /// elsewhere. A term that is no product comes before two products, with which both are fused, unless the sum waits for
-/// it: one instruction less for eight cycles. The first term is not subtracted.
+/// it: one instruction less for eight cycles. The first term is not subtracted where another is not.
 Formula in_order_of_arrival(const Program& program, Formula formula);
 
 }  // namespace torsor

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/verification/pass_report.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "generator/emission/kernel.hpp"
+#include "generator/expression/arrival.hpp"
 #include "generator/verification/random_state.hpp"
 #include "generator/verification/verify.hpp"
 #include "generator/verification/worst.hpp"
@@ -23,6 +25,14 @@ struct Variant {
   }
 
   int operations(std::size_t k) const { return count(equations.program(), kernels[k].values()).total(); }
+  int cycles(std::size_t k) const {
+    const Program& program = equations.program();
+    int last = 0;
+    for (const Value& value : kernels[k].values()) {
+      last = std::max(last, arrival(program, formula(program, value.polynomial())));
+    }
+    return last;
+  }
 
   Equations equations;
   std::vector<Kernel> kernels;
@@ -110,7 +120,7 @@ PassReport report_passes(const Scene& scene, const std::vector<std::string>& nam
   for (const Kernel& kernel : whole.kernels) present.push_back(kernel.name);
   const auto errors = worst_errors(scene, options, present, asked);
   for (std::size_t k = 0; k < present.size(); ++k) {
-    report.kernels.push_back({present[k], {whole.operations(k), 0, error_of(errors, present[k])}, {}});
+    report.kernels.push_back({present[k], {whole.operations(k), whole.cycles(k), 0, error_of(errors, present[k])}, {}});
   }
   const std::vector<Results> exact = results_of(scene, whole, asked);
   for (const PassName& pass : pass_names()) {
@@ -127,7 +137,8 @@ PassReport report_passes(const Scene& scene, const std::vector<std::string>& nam
         const double here = difference(whole.kernels[k], exact[n][k], other[n][k]);
         if (is_worse(here, apart)) apart = here;
       }
-      report.kernels[k].without.push_back({variant.operations(k), apart, error_of(errors_without, present[k])});
+      report.kernels[k].without.push_back(
+          {variant.operations(k), variant.cycles(k), apart, error_of(errors_without, present[k])});
     }
   }
   return report;

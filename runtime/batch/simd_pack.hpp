@@ -85,7 +85,6 @@ class Simd {
   static constexpr int lanes = lane_count;
   static constexpr bool in_register = detail::fits_register(lane_count * static_cast<int>(sizeof(Number)));
 
-
  private:
   using Storage = detail::LaneStorage<Number, lane_count, in_register>;
 

@@ -4,7 +4,8 @@
 
 namespace torsor {
 
-// Both are defined by every generated header, which may be included before this one or after it.
+// Both are defined by every generated header where the compiler has types for registers; it may be included before this
+// one or after it.
 template <class Number, int lanes, int count>
 struct Registers;
 template <class Number, int lanes, int count>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/expression/arrival.hpp"
 #include "generator/expression/formula.hpp"
 
 #include <gtest/gtest.h>
@@ -53,6 +54,11 @@ Number value_of(const Polynomial& polynomial) {
 
 TEST(Formula, OnlyRegroupsItsPolynomial) {
   std::mt19937 random(5);
+  Program program;  // of five atoms that are known at different times
+  const Value x = program.lower(TestCoordinate("x").q), y = program.lower(TestCoordinate("y").q);
+  program.sin(x);
+  program.sqrt(y);
+  ASSERT_EQ(program.size(), 5U);
   for (int trial = 0; trial < 300; ++trial) {
     Polynomial polynomial;
     const int terms = 1 + static_cast<int>(random() % 9U);
@@ -65,6 +71,7 @@ TEST(Formula, OnlyRegroupsItsPolynomial) {
       polynomial.add({monomial, Number::rational(static_cast<long>(random() % 9U) - 4, 3)});
     }
     ASSERT_EQ(value_of(factored(polynomial)), value_of(polynomial)) << trial;
+    ASSERT_EQ(value_of(in_order_of_arrival(program, factored(polynomial))), value_of(polynomial)) << trial;
   }
 }
 

@@ -57,7 +57,7 @@ double decided(double computed, Quad exact, double angle, bool is_sine) {
   return std::abs(error - 1) < 1e-9 ? ulps_by_cln(computed, angle, is_sine) : error;
 }
 
-/// Angles one by one and eight together, by every variant.
+/// Angles one by one, eight together, and five and three, by every variant.
 void expect_one_ulp(const std::string& what, std::size_t count, const std::function<double(std::size_t)>& angle) {
   const std::vector<const Variant*> all = variants();
   std::vector<Worst> one(all.size()), eight(all.size());
@@ -69,9 +69,13 @@ void expect_one_ulp(const std::string& what, std::size_t count, const std::funct
       quad_sincos(x[i], exact_s[i], exact_c[i]);
     }
     for (std::size_t v = 0; v < all.size(); ++v) {
-      all[v]->eight_doubles(x, s, c);
+      for (const auto together : {all[v]->eight_doubles, all[v]->five_and_three_doubles}) {
+        together(x, s, c);
+        for (std::size_t i = 0; i < 8; ++i) {
+          eight[v].add(x[i], decided(s[i], exact_s[i], x[i], true), decided(c[i], exact_c[i], x[i], false));
+        }
+      }
       for (std::size_t i = 0; i < 8; ++i) {
-        eight[v].add(x[i], decided(s[i], exact_s[i], x[i], true), decided(c[i], exact_c[i], x[i], false));
         double sine, cosine;
         all[v]->one_double(x[i], sine, cosine);
         one[v].add(x[i], decided(sine, exact_s[i], x[i], true), decided(cosine, exact_c[i], x[i], false));
@@ -183,10 +187,14 @@ TEST(Sincos, IsWithinAnUlpInFloat) {
       cosine[i] = std::cos(static_cast<double>(x[i]));
     }
     for (std::size_t v = 0; v < all.size(); ++v) {
-      all[v]->eight_floats(x, s, c);
+      for (const auto together : {all[v]->eight_floats, all[v]->five_and_three_floats}) {
+        together(x, s, c);
+        for (int i = 0; i < 8; ++i) {
+          eight[v].add(static_cast<double>(x[i]), float_ulps(s[i], sine[i]), float_ulps(c[i], cosine[i]));
+        }
+      }
       for (int i = 0; i < 8; ++i) {
         const double at = static_cast<double>(x[i]);
-        eight[v].add(at, float_ulps(s[i], sine[i]), float_ulps(c[i], cosine[i]));
         float alone_s, alone_c;
         all[v]->one_float(x[i], alone_s, alone_c);
         one[v].add(at, float_ulps(alone_s, sine[i]), float_ulps(alone_c, cosine[i]));

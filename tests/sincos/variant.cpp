@@ -13,14 +13,26 @@ void one(Scalar angle, Scalar& sine, Scalar& cosine) {
   VARIANT_NAMESPACE::scalar_traits<Scalar>::sincos(angle, sine, cosine);
 }
 
+template <int N, class Scalar>
+void several(const Scalar* angles, Scalar* sines, Scalar* cosines) {
+  Scalar x[N], s[N], c[N];
+  for (int i = 0; i < N; ++i) x[i] = angles[i];
+  VARIANT_NAMESPACE::sines_and_cosines(x, s, c);
+  for (int i = 0; i < N; ++i) sines[i] = s[i], cosines[i] = c[i];
+}
+
+/// By registers that are full, and by some with idle lanes.
 template <class Scalar>
 void eight(const Scalar* angles, Scalar* sines, Scalar* cosines) {
-  Scalar x[8], s[8], c[8];
-  for (int i = 0; i < 8; ++i) x[i] = angles[i];
-  VARIANT_NAMESPACE::sines_and_cosines(x, s, c);
-  for (int i = 0; i < 8; ++i) sines[i] = s[i], cosines[i] = c[i];
+  several<8>(angles, sines, cosines);
+}
+template <class Scalar>
+void five_and_three(const Scalar* angles, Scalar* sines, Scalar* cosines) {
+  several<5>(angles, sines, cosines);
+  several<3>(angles + 5, sines + 5, cosines + 5);
 }
 
 }  // namespace
 
-const Variant VARIANT{VARIANT_NAME, one<double>, one<float>, eight<double>, eight<float>};
+const Variant VARIANT{VARIANT_NAME,  one<double>,           one<float>, eight<double>,
+                      eight<float>, five_and_three<double>, five_and_three<float>};

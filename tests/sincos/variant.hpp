@@ -6,9 +6,11 @@ struct Variant {
   const char* name;
   void (*one_double)(double angle, double& sine, double& cosine);
   void (*one_float)(float angle, float& sine, float& cosine);
-  /// Eight angles, eight results.
+  /// Eight angles, eight results: all at once, and five and three.
   void (*eight_doubles)(const double* angles, double* sines, double* cosines);
   void (*eight_floats)(const float* angles, float* sines, float* cosines);
+  void (*five_and_three_doubles)(const double* angles, double* sines, double* cosines);
+  void (*five_and_three_floats)(const float* angles, float* sines, float* cosines);
 };
 
 extern const Variant portable_variant;  ///< no fused multiply-add

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # vectorised.sh COMPILER HEADER FOLDER: several sines and cosines are vector instructions at -O2 and -O3. Counts the
-# products in the object code: packed ones must be there, single ones must not.
+# products in the object code: packed ones must be there, single ones must not, but for the square of an angle that has a
+# register for itself.
 # Ends with 77 (skipped) when the compiler is not installed or this is no x86-64.
 set -euo pipefail
 compiler="$1" header="$2" folder="$3"
@@ -12,7 +13,7 @@ source="$folder/$compiler.cpp" object="$folder/$compiler.o"
 
 for options in "-O2" "-O3" "-O2 -mavx2 -mfma" "-O3 -mavx2 -mfma"; do
   for scalar in double float; do
-    for count in 4 6 8 16; do
+    for count in 2 3 5 7 8 16; do
       printf '#include "%s"\nusing S = %s;\nvoid sines(const S (&a)[%d], S (&s)[%d], S (&c)[%d]) { torsor::sincos_of_several(a, s, c); }\n' \
         "$header" "$scalar" "$count" "$count" "$count" > "$source"
       # shellcheck disable=SC2086
@@ -24,7 +25,7 @@ for options in "-O2" "-O3" "-O2 -mavx2 -mfma" "-O3 -mavx2 -mfma"; do
         END { print packed + 0, single + 0 }')"
       read -r packed single <<< "$products"
       echo "$compiler $options, $count angles in $scalar: $packed packed products, $single single ones"
-      [ "$packed" -ge 15 ] && [ "$single" -eq 0 ] || exit 1
+      [ "$packed" -ge 15 ] && [ "$single" -le 2 ] || exit 1
     done
   done
 done

@@ -73,7 +73,7 @@ TEST(PassReport, FindsThatNoPassChangesAResultOfRandomMechanisms) {
 }
 
 TEST(PassReport, TellsResultsThatDiffer) {
-  PassReport report{"scene", {"sharing"}, {{"energy", {}, {{1, 1e-40, 0}}}}, 50};
+  PassReport report{"scene", {"sharing"}, {{"energy", {}, {{1, 1, 1e-40, 0}}}}, 50};
   EXPECT_TRUE(report.equal());
   report.kernels[0].without[0].difference = 1e-30;
   EXPECT_FALSE(report.equal());
