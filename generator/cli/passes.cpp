@@ -10,7 +10,10 @@ namespace torsor {
 namespace {
 
 nlohmann::ordered_json to_json(const PassEffect& effect) {
-  return {{"operations", effect.operations}, {"cycles", effect.cycles}, {"difference", effect.difference}, {"error", effect.error}};
+  return {{"operations", effect.operations},
+          {"cycles", effect.cycles},
+          {"difference", effect.difference},
+          {"error", effect.error}};
 }
 
 }  // namespace
@@ -18,30 +21,27 @@ nlohmann::ordered_json to_json(const PassEffect& effect) {
 std::string passes_table(const PassReport& report) {
   std::string head = fmt::format("{:<37}{:>12}", "", "all passes");
   for (const std::string& pass : report.passes) head += fmt::format("{:>13}", pass);
-  std::string text = fmt::format("{}: operations with all passes, and how many more without each\n{}\n", report.scene, head);
-  for (const KernelPasses& kernel : report.kernels) {
-    text += fmt::format("{:<37}{:>12}", kernel.kernel, kernel.all.operations);
-    for (const PassEffect& effect : kernel.without) text += fmt::format("{:>+13}", effect.operations - kernel.all.operations);
-    text += "\n";
-  }
-  text += fmt::format("cycles from the state to the last result, waiting for nothing else, and how many more without each\n{}\n", head);
-  for (const KernelPasses& kernel : report.kernels) {
-    text += fmt::format("{:<37}{:>12}", kernel.kernel, kernel.all.cycles);
-    for (const PassEffect& effect : kernel.without) text += fmt::format("{:>+13}", effect.cycles - kernel.all.cycles);
-    text += "\n";
-  }
-  text += fmt::format("worst errors in double with all passes, and without each, in ulp scaled by max(1, condition)\n{}\n", head);
-  for (const KernelPasses& kernel : report.kernels) {
-    text += fmt::format("{:<37}{:>12.2f}", kernel.kernel, kernel.all.error);
-    for (const PassEffect& effect : kernel.without) text += fmt::format("{:>13.2f}", effect.error);
-    text += "\n";
-  }
-  text += fmt::format("relative difference of the results, in CLN at {} digits\n{}\n", report.digits, head);
-  for (const KernelPasses& kernel : report.kernels) {
-    text += fmt::format("{:<37}{:>12}", kernel.kernel, "");
-    for (const PassEffect& effect : kernel.without) text += fmt::format("{:>13.0e}", effect.difference);
-    text += "\n";
-  }
+  std::string text;
+  const auto add = [&](const std::string& title, const auto& with_all, const auto& without) {
+    text += fmt::format("{}\n{}\n", title, head);
+    for (const KernelPasses& kernel : report.kernels) {
+      text += fmt::format("{:<37}{:>12}", kernel.kernel, with_all(kernel.all));
+      for (const PassEffect& effect : kernel.without) text += fmt::format("{:>13}", without(effect, kernel.all));
+      text += "\n";
+    }
+  };
+  add(report.scene + ": operations with all passes, and how many more without each",
+      [](const PassEffect& all) { return fmt::format("{}", all.operations); },
+      [](const PassEffect& effect, const PassEffect& all) { return fmt::format("{:+}", effect.operations - all.operations); });
+  add("cycles from the state to the last result, waiting for nothing else, and how many more without each",
+      [](const PassEffect& all) { return fmt::format("{}", all.cycles); },
+      [](const PassEffect& effect, const PassEffect& all) { return fmt::format("{:+}", effect.cycles - all.cycles); });
+  add("worst errors in double with all passes, and without each, in ulp scaled by max(1, condition)",
+      [](const PassEffect& all) { return fmt::format("{:.2f}", all.error); },
+      [](const PassEffect& effect, const PassEffect&) { return fmt::format("{:.2f}", effect.error); });
+  add(fmt::format("relative difference of the results, in CLN at {} digits", report.digits),
+      [](const PassEffect&) { return std::string(); },
+      [](const PassEffect& effect, const PassEffect&) { return fmt::format("{:.0e}", effect.difference); });
   return text + (report.equal() ? "no pass changes a result\n" : "FAIL: a pass changes a result\n");
 }
 

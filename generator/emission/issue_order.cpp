@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <optional>
 #include <queue>
 #include <set>
@@ -24,7 +25,7 @@ constexpr double operations_in_a_cycle = 2.0, window = 30.0;
 using NodeNumber = std::size_t;  // among the definitions
 
 struct IssueNode {
-  std::vector<std::pair<NodeNumber, int>> operands;  ///< and the cycles from there to its result
+  std::map<NodeNumber, int> operands;  ///< and the most cycles from there to its result
   std::vector<NodeNumber> users;
   int from_outside = 0;     ///< the cycle from which on other operands let its result be known
   int to_the_end = 0;       ///< cycles from its result to the last result of all
@@ -49,19 +50,16 @@ std::vector<IssueNode> nodes_of(const Program& program, const std::vector<Atom>&
         node.from_outside = std::max(node.from_outside, program.arrival(atom) + cycles);
         return;
       }
-      IssueNode& operand = nodes[place->second];
-      operand.to_the_end = std::max(operand.to_the_end, node.to_the_end + cycles);
-      if (!operand.users.empty() && operand.users.back() == k) {
-        const auto known = std::find_if(node.operands.begin(), node.operands.end(),
-                                        [&](const auto& each) { return each.first == place->second; });
-        known->second = std::max(known->second, cycles);
-        return;
-      }
-      operand.users.push_back(k);
-      ++operand.uses;
-      node.operands.emplace_back(place->second, cycles);
+      int& longest = node.operands[place->second];
+      longest = std::max(longest, cycles);
     });
     node.missing = node.operands.size();
+    for (const auto& [number, cycles] : node.operands) {
+      IssueNode& operand = nodes[number];
+      operand.to_the_end = std::max(operand.to_the_end, node.to_the_end + cycles);
+      operand.users.push_back(k);
+      ++operand.uses;
+    }
   }
   return nodes;
 }

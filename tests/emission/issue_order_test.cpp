@@ -94,7 +94,7 @@ TEST_F(IssueOrder, HoldsNoMoreValuesThanRegistersDo) {
   }
   definitions.insert(definitions.end(), users.begin(), users.end());
   EXPECT_EQ(most_live(program, definitions), 60);
-  EXPECT_LE(most_live(program, issue_order(program, definitions)), 32);
+  EXPECT_LE(most_live(program, issue_order(program, definitions)), 20);
 }
 
 TEST_F(IssueOrder, ComputesEveryDefinitionOnceBehindItsOperandsAndNearItsPlace) {
@@ -120,7 +120,7 @@ TEST_F(IssueOrder, ComputesEveryDefinitionOnceBehindItsOperandsAndNearItsPlace) 
   for (const Atom atom : order) {
     for (const Atom operand : operands(program, atom)) ASSERT_TRUE(known[static_cast<std::size_t>(operand)]) << atom;
     while (known[static_cast<std::size_t>(definitions[first])]) ++first;
-    EXPECT_LT(place(definitions, atom), first + 100);
+    EXPECT_LT(place(definitions, atom), first + 60);
     known[static_cast<std::size_t>(atom)] = true;
   }
 }
