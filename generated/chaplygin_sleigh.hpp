@@ -18,7 +18,7 @@
 //   energy                    6               11          0             0                  1       0     19      21
 //   first_integrals           6               11          0             0                  1       0     19      21
 //   constraints               2                6          0             0                  1       0     10      10
-//   linearisation            27               60          5             0                  1       0     94      97
+//   linearisation            27               58          5             0                  1       0     92      97
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 33 results 17 vanish identically, 2 repeat another up to sign
@@ -125,8 +125,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
-  /// number gives no number.
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
   ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
@@ -344,7 +343,7 @@ TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& a
     const Bits bits = (Bits)shifted.part[i];
     const Bits odd = bits << sign_bit, upper = bits << (sign_bit - 1);
     Numbers sine_of_rest, cosine_of_rest;
-    if constexpr (sizeof(Numbers) == 32) {  // AVX has an instruction that looks at the bit of the sign
+    if constexpr (sizeof(Numbers) >= 32) {  // AVX has instructions that choose by the bit of the sign
       const Bits exchanged = odd < Bits{};
       sine_of_rest = exchanged ? c : s;
       cosine_of_rest = exchanged ? s : c;
@@ -509,7 +508,7 @@ struct Mechanism {
 
   static constexpr const char* name = "chaplygin_sleigh";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xf43e0ce5f52ad648ULL;
+  static constexpr unsigned long long fingerprint = 0x2a97b86dc1c42443ULL;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -981,73 +980,75 @@ struct Mechanism {
     const Scalar l_N = multipliers.N;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z27 = v_phi * v_phi;
-    const Scalar z46 = v_phi * s_phi;
-    const Scalar z34 = n0_5 * a_phi;  // force on sleigh, y
-    const Scalar z45 = v_phi * c_phi;
-    const Scalar z73 = v_x * c_phi + v_y * s_phi;
-    const Scalar z28 = n0_5 * z27;  // force on sleigh, x
-    const Scalar z112 = n1 / c_phi;
-    const Scalar z122 = n1 / (c_phi * c_phi);
-    const Scalar z11 = n0_5 * c_phi;
-    const Scalar z37 = s_phi * z28 - c_phi * z34;
-    const Scalar z36 = s_phi * z34 + c_phi * z28;
-    const Scalar z32 = a_x * c_phi + a_y * s_phi;
-    const Scalar z116 = v_phi / c_phi;
-    const Scalar z33 = a_x * s_phi - a_y * c_phi;
-    const Scalar z84 = n2 * v_phi;
-    const Scalar z85 = n0_5 * z84;
-    const Scalar z12 = n0_5 * s_phi;
-    const Scalar z113 = c_phi * c_phi;
-    const Scalar z86 = c_phi * z85;
-    const Scalar z88 = s_phi * z85;
-    const Scalar z47 = v_x * z45 + v_y * z46;
-    const Scalar z110 = v_x * z46 - v_y * z45;
-    const Scalar z35 = n0_75 * a_phi - n0_5 * z33;  // moment on sleigh, z
-    const Scalar z38 = a_x - z36;  // force on along_y, x
-    const Scalar z39 = a_y - z37;  // force on along_y, y
-    const Scalar z87 = c_phi * l_N + z37;
-    const Scalar z89 = s_phi * l_N - z36;
-    const Scalar z90 = n0_5 * z32;
-    const Scalar z109 = z47 + a_x * s_phi - a_y * c_phi;
-    const Scalar z111 = a_x * c_phi - z110 + a_y * s_phi;
-    const Scalar z134 = a_x - z36 + s_phi * z39 / c_phi;
-    const Scalar z114 = s_phi * z112;
-    const Scalar z115 = z73 * z112;
-    const Scalar z117 = z112 * z116;
-    const Scalar z118 = z46 * z115;
-    const Scalar z123 = z114 * z117;
-    const Scalar z124 = z114 * z115;
-    const Scalar z125 = z11 * z117;
-    const Scalar z126 = z11 * z115;
-    const Scalar z130 = z87 + z89 * z114;
-    const Scalar z139 = n1 / z122;
-    const Scalar z121 = z109 * z112;
-    const Scalar z119 = z111 + z118;
-    const Scalar z127 = z116 - z124;
-    const Scalar z141 = n4_over_3 * z125;
-    const Scalar z143 = n4_over_3 * z126;
-    const Scalar z135 = z114 * z121;
-    const Scalar z136 = z11 * z121;
-    const Scalar z120 = z112 * z119;
-    const Scalar z138 = z35 + z136;
-    const Scalar z128 = z114 * z120;
-    const Scalar z129 = z11 * z120;
-    const Scalar z131 = z128 + z130;
-    const Scalar z132 = z90 - z129;
-    const Scalar z137 = z134 + z135;
-    const Scalar z140 = z123 * z139;
-    const Scalar z142 = z127 * z139;
-    const Scalar z144 = z131 * z139;
-    const Scalar z145 = n4_over_3 * z132;
+    const Scalar z152 = v_phi * v_phi;
+    const Scalar z158 = n0_5 * a_phi;  // force on sleigh, y
+    const Scalar z165 = v_phi * s_phi;
+    const Scalar z154 = a_x * c_phi;
+    const Scalar z164 = v_phi * c_phi;
+    const Scalar z167 = v_x * c_phi + v_y * s_phi;
+    const Scalar z153 = n0_5 * z152;  // force on sleigh, x
+    const Scalar z178 = n1 / c_phi;
+    const Scalar z156 = a_x * s_phi;
+    const Scalar z188 = n1 / (c_phi * c_phi);
+    const Scalar z161 = s_phi * z153 - c_phi * z158;
+    const Scalar z160 = s_phi * z158 + c_phi * z153;
+    const Scalar z150 = n0_5 * c_phi;
+    const Scalar z182 = v_phi / c_phi;
+    const Scalar z168 = n2 * v_phi;
+    const Scalar z169 = n0_5 * z168;
+    const Scalar z151 = n0_5 * s_phi;
+    const Scalar z179 = c_phi * c_phi;
+    const Scalar z170 = c_phi * z169;
+    const Scalar z172 = s_phi * z169;
+    const Scalar z155 = a_y * s_phi + z154;
+    const Scalar z157 = a_y * c_phi - z156;
+    const Scalar z166 = v_x * z164 + v_y * z165;
+    const Scalar z176 = v_x * z165 - v_y * z164;
+    const Scalar z159 = n0_75 * a_phi + n0_5 * z157;  // moment on sleigh, z
+    const Scalar z162 = a_x - z160;  // force on along_y, x
+    const Scalar z163 = a_y - z161;  // force on along_y, y
+    const Scalar z171 = c_phi * l_N + z161;
+    const Scalar z173 = s_phi * l_N - z160;
+    const Scalar z174 = n0_5 * z155;
+    const Scalar z175 = a_y * c_phi - z156 - z166;
+    const Scalar z177 = a_y * s_phi + z154 - z176;
+    const Scalar z199 = a_x - z160 + s_phi * z163 / c_phi;
+    const Scalar z180 = s_phi * z178;
+    const Scalar z181 = z167 * z178;
+    const Scalar z183 = z178 * z182;
+    const Scalar z187 = z175 * z178;
+    const Scalar z184 = z165 * z181;
+    const Scalar z189 = z180 * z183;
+    const Scalar z190 = z180 * z181;
+    const Scalar z191 = z150 * z183;
+    const Scalar z192 = z150 * z181;
+    const Scalar z196 = z171 + z173 * z180;
+    const Scalar z200 = z180 * z187;
+    const Scalar z201 = z150 * z187;
+    const Scalar z204 = n1 / z188;
+    const Scalar z185 = z177 + z184;
+    const Scalar z193 = z182 - z190;
+    const Scalar z203 = z159 - z201;
+    const Scalar z206 = n4_over_3 * z191;
+    const Scalar z208 = n4_over_3 * z192;
+    const Scalar z186 = z178 * z185;
+    const Scalar z194 = z180 * z186;
+    const Scalar z195 = z150 * z186;
+    const Scalar z197 = z194 + z196;
+    const Scalar z198 = z174 - z195;
+    const Scalar z202 = z199 - z200;
+    const Scalar z205 = z189 * z204;
+    const Scalar z207 = z193 * z204;
+    const Scalar z209 = z197 * z204;
+    const Scalar z210 = n4_over_3 * z198;
     result.M[0] = n1;
     result.M[1] = n0;
-    result.M[2] = -z12;
+    result.M[2] = -z151;
     result.M[3] = n0;
     result.M[4] = n1;
-    result.M[5] = z11;
-    result.M[6] = -z12;
-    result.M[7] = z11;
+    result.M[5] = z150;
+    result.M[6] = -z151;
+    result.M[7] = z150;
     result.M[8] = n0_75;
     result.C[0] = n0;
     result.C[1] = n0;
@@ -1055,8 +1056,8 @@ struct Mechanism {
     result.C[3] = n0;
     result.C[4] = n0;
     result.C[5] = n0;
-    result.C[6] = -z86;
-    result.C[7] = -z88;
+    result.C[6] = -z170;
+    result.C[7] = -z172;
     result.C[8] = n0;
     result.K[0] = n0;
     result.K[1] = n0;
@@ -1064,28 +1065,28 @@ struct Mechanism {
     result.K[3] = n0;
     result.K[4] = n0;
     result.K[5] = n0;
-    result.K[6] = z87;
-    result.K[7] = z89;
-    result.K[8] = -z90;
-    result.F[0] = -s_phi * l_N - z38;
-    result.F[1] = c_phi * l_N - z39;
-    result.F[2] = -z35;
-    result.M_r[0] = z122;
+    result.K[6] = z171;
+    result.K[7] = z173;
+    result.K[8] = -z174;
+    result.F[0] = -s_phi * l_N - z162;
+    result.F[1] = c_phi * l_N - z163;
+    result.F[2] = -z159;
+    result.M_r[0] = z188;
     result.M_r[1] = n0;
     result.M_r[2] = n0;
     result.M_r[3] = n0_75;
-    result.C_r[0] = z123;
-    result.C_r[1] = z125;
-    result.C_r[2] = -z127;
-    result.C_r[3] = z126;
+    result.C_r[0] = z189;
+    result.C_r[1] = z191;
+    result.C_r[2] = -z193;
+    result.C_r[3] = z192;
     result.K_r[0] = n0;
     result.K_r[1] = n0;
     result.K_r[2] = n0;
     result.K_r[3] = n0;
-    result.K_r[4] = z131;
-    result.K_r[5] = -z132;
-    result.F_r[0] = -z137;
-    result.F_r[1] = -z138;
+    result.K_r[4] = z197;
+    result.K_r[5] = -z198;
+    result.F_r[0] = -z202;
+    result.F_r[1] = -z203;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
@@ -1097,21 +1098,21 @@ struct Mechanism {
     result.A[8] = n0;
     result.A[9] = n0;
     result.A[10] = n0;
-    result.A[11] = z115;
+    result.A[11] = z181;
     result.A[12] = n0;
-    result.A[13] = -z144;
-    result.A[14] = z145;
+    result.A[13] = -z209;
+    result.A[14] = z210;
     result.A[15] = n1;
-    result.A[16] = z114;
+    result.A[16] = z180;
     result.A[17] = n0;
-    result.A[18] = -z140;
-    result.A[19] = -z141;
+    result.A[18] = -z205;
+    result.A[19] = -z206;
     result.A[20] = n0;
     result.A[21] = n0;
     result.A[22] = n1;
-    result.A[23] = z142;
-    result.A[24] = -z143;
-    if (!(traits::regular(z113, n1) && traits::regular(z122, z122))) return torsor::Status::singular;
+    result.A[23] = z207;
+    result.A[24] = -z208;
+    if (!(traits::regular(z179, n1) && traits::regular(z188, z188))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = (n0 * result.M[2] * result.M[5] * result.M[6] * result.M[7] * result.C[6] * result.C[7]
         * result.K[6] * result.K[7] * result.K[8] * result.F[0] * result.F[1] * result.F[2] * result.M_r[0]

@@ -23,7 +23,7 @@
 //   regressor                                    7               12          0             0                  2       0     23      23
 //   jets                                        32               42          1             0                  2       0     79       -
 //   inverse_dynamics_second_derivatives         15               16          0             0                  2       0     35      59
-//   forward_dynamics_second_derivatives         56               78          1             0                  2       0    139     180
+//   forward_dynamics_second_derivatives         56               72          1             0                  2       0    133     180
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 36 results 16 vanish identically, 6 repeat another up to sign
@@ -134,8 +134,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
-  /// number gives no number.
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
   ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
@@ -353,7 +352,7 @@ TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& a
     const Bits bits = (Bits)shifted.part[i];
     const Bits odd = bits << sign_bit, upper = bits << (sign_bit - 1);
     Numbers sine_of_rest, cosine_of_rest;
-    if constexpr (sizeof(Numbers) == 32) {  // AVX has an instruction that looks at the bit of the sign
+    if constexpr (sizeof(Numbers) >= 32) {  // AVX has instructions that choose by the bit of the sign
       const Bits exchanged = odd < Bits{};
       sine_of_rest = exchanged ? c : s;
       cosine_of_rest = exchanged ? s : c;
@@ -632,7 +631,7 @@ struct Mechanism {
 
   static constexpr const char* name = "double_pendulum";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x21e0779735b4d687ULL;
+  static constexpr unsigned long long fingerprint = 0x3519d638ec55ce85ULL;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -1522,115 +1521,116 @@ struct Mechanism {
     const Scalar v_theta_1 = state.v.theta_1;
     const Scalar q_theta_2 = state.q.theta_2;
     const Scalar v_theta_2 = state.v.theta_2;
-    const Scalar z8 = q_theta_1 - q_theta_2;
-    const Scalar angles_[] = {q_theta_1, z8};
+    const Scalar z155 = q_theta_1 - q_theta_2;
+    const Scalar angles_[] = {q_theta_1, z155};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
-    const Scalar z9 = sines_[1], z10 = cosines_[1];
-    const Scalar z30 = n9_81 * c_theta_1;
-    const Scalar z31 = v_theta_1 * v_theta_1;
-    const Scalar z53 = n2 - z10 * z10;
-    const Scalar z35 = v_theta_2 * v_theta_2;
-    const Scalar z29 = n9_81 * s_theta_1;
-    const Scalar z36 = z9 * z35;
-    const Scalar z67 = n2 * v_theta_1;
-    const Scalar z68 = z9 * z67;
-    const Scalar z72 = n2 * v_theta_2;
-    const Scalar z73 = z9 * z72;
-    const Scalar z107 = z10 * z67;
-    const Scalar z108 = z10 * z72;
-    const Scalar z113 = n2 * z9;
-    const Scalar z32 = z30 + z31;
-    const Scalar z33 = z9 * z32 - z10 * z29;
-    const Scalar z40 = n2 * z29 + z36;
-    const Scalar z79 = z10 * z68;
-    const Scalar z54 = n1 / z53;
-    const Scalar z55 = z10 * z33 + z40;
-    const Scalar z56 = z54 * z55;
-    const Scalar z80 = z54 * z79;
-    const Scalar z85 = z54 * z73;
-    const Scalar z57 = z10 * z56 + z33;
-    const Scalar z150 = z10 * z113;
-    const Scalar z148 = z54 * z113;
-    const Scalar z151 = z54 * z150;
-    const Scalar z81 = z10 * z80 + z68;
-    const Scalar z86 = z10 * z85;
-    const Scalar z87 = z29 - z56;
-    const Scalar z139 = z9 * z80 - z107;
-    const Scalar z144 = z9 * z85;
-    const Scalar z149 = z10 * z148;
-    const Scalar z152 = z10 * z151 + z113;
-    const Scalar z88 = z10 * (z30 - z32) + z9 * (z29 - z87);
-    const Scalar z96 = z10 * z32 + z9 * z87;
-    const Scalar z114 = z9 * (z30 - z32) - z10 * (z29 - z87);
-    const Scalar z123 = z9 * z32 - z10 * z87;
-    const Scalar z143 = z9 * z86 - z108;
-    const Scalar z89 = z9 * z57 - z10 * z35;
-    const Scalar z115 = z9 * z35 + z10 * z57;
-    const Scalar z138 = z9 * z81;
-    const Scalar z140 = z10 * z139 + z138;
-    const Scalar z145 = z10 * z144 + z143;
-    const Scalar z124 = z115 - z123;
-    const Scalar z116 = z114 + z115;
-    const Scalar z131 = n2 * z29 + z114 + z115;
-    const Scalar z90 = n2 * z30 + z88 - z89;
-    const Scalar z97 = z89 + z96;
-    const Scalar z125 = z123 + z124;
-    const Scalar z141 = z54 * z140;
-    const Scalar z146 = z54 * z145;
-    const Scalar z117 = z114 - z116;
-    const Scalar z98 = z96 - z97;
-    const Scalar z142 = z10 * z141 + z139;
-    const Scalar z147 = z10 * z146 + z144;
-    const Scalar z91 = z88 - z90;
-    const Scalar z99 = z10 * z96 + z98;
-    const Scalar z132 = z114 - z131;
-    const Scalar z92 = z10 * z88 + z91;
-    const Scalar z100 = z54 * z99;
-    const Scalar z93 = z54 * z92;
-    const Scalar z101 = z10 * z100 + z96;
-    const Scalar z127 = n2 * z9 * z100 + z123;
-    const Scalar z94 = z10 * z93 + z88;
-    const Scalar z119 = z9 * (z93 - z100) + z114;
-    const Scalar z134 = n2 * z9 * z93 + z114;
-    const Scalar z126 = n2 * z9 * z101 + z125;
-    const Scalar z118 = z9 * (z94 - z101) + z117;
-    const Scalar z133 = n2 * z9 * z94 + z132;
-    const Scalar z128 = z10 * z127 + z126;
-    const Scalar z135 = z10 * z134 + z133;
-    const Scalar z129 = z54 * z128;
-    const Scalar z120 = z10 * z119 + z118;
-    const Scalar z130 = z10 * z129 + z127;
-    const Scalar z136 = z54 * z135;
-    const Scalar z121 = z54 * z120;
-    const Scalar z137 = z10 * z136 + z134;
-    const Scalar z122 = z10 * z121 + z119;
-    result.by_position_position[0] = -z136;
-    result.by_position_position[1] = z137;
-    result.by_position_position[2] = z121;
-    result.by_position_position[3] = -z122;
-    result.by_position_position[4] = z121;
-    result.by_position_position[5] = -z122;
-    result.by_position_position[6] = z129;
-    result.by_position_position[7] = -z130;
-    result.by_position_velocity[0] = z141;
-    result.by_position_velocity[1] = -z142;
-    result.by_position_velocity[2] = -z141;
-    result.by_position_velocity[3] = z142;
-    result.by_position_velocity[4] = z146;
-    result.by_position_velocity[5] = -z147;
-    result.by_position_velocity[6] = -z146;
-    result.by_position_velocity[7] = z147;
-    result.by_velocity_velocity[0] = -z151;
-    result.by_velocity_velocity[1] = z152;
+    const Scalar z156 = sines_[1], z157 = cosines_[1];
+    const Scalar z159 = n9_81 * c_theta_1;
+    const Scalar z160 = v_theta_1 * v_theta_1;
+    const Scalar z167 = n2 - z157 * z157;
+    const Scalar z164 = v_theta_2 * v_theta_2;
+    const Scalar z158 = n9_81 * s_theta_1;
+    const Scalar z165 = z156 * z164;
+    const Scalar z172 = n2 * v_theta_1;
+    const Scalar z173 = z156 * z172;
+    const Scalar z174 = n2 * v_theta_2;
+    const Scalar z175 = z156 * z174;
+    const Scalar z195 = z157 * z172;
+    const Scalar z196 = z157 * z174;
+    const Scalar z197 = n2 * z156;
+    const Scalar z161 = z159 + z160;
+    const Scalar z162 = z156 * z161;
+    const Scalar z166 = n2 * z158 + z165;
+    const Scalar z176 = z157 * z173;
+    const Scalar z168 = n1 / z167;
+    const Scalar z163 = z157 * z158 - z162;
+    const Scalar z169 = z157 * z163 - z166;
+    const Scalar z170 = z168 * z169;
+    const Scalar z177 = z168 * z176;
+    const Scalar z179 = z168 * z175;
+    const Scalar z171 = z157 * z170 + z163;
+    const Scalar z234 = z157 * z197;
+    const Scalar z232 = z168 * z197;
+    const Scalar z235 = z168 * z234;
+    const Scalar z178 = z157 * z177 + z173;
+    const Scalar z180 = z157 * z179;
+    const Scalar z181 = z158 + z170;
+    const Scalar z223 = z156 * z177 - z195;
+    const Scalar z228 = z156 * z179;
+    const Scalar z233 = z157 * z232;
+    const Scalar z236 = z157 * z235 + z197;
+    const Scalar z182 = z157 * (z159 - z161) + z156 * (z158 - z181);
+    const Scalar z189 = z157 * z161 + z156 * z181;
+    const Scalar z198 = z156 * (z159 - z161) - z157 * (z158 - z181);
+    const Scalar z207 = z157 * z181 - z162;
+    const Scalar z227 = z156 * z180 - z196;
+    const Scalar z183 = z157 * z164 + z156 * z171;
+    const Scalar z199 = z157 * z171 - z165;
+    const Scalar z222 = z156 * z178;
+    const Scalar z224 = z157 * z223 + z222;
+    const Scalar z229 = z157 * z228 + z227;
+    const Scalar z190 = z183 - z189;
+    const Scalar z208 = z199 - z207;
+    const Scalar z184 = n2 * z159 + z182 + z183;
+    const Scalar z200 = z198 - z199;
+    const Scalar z215 = n2 * z158 + z198 - z199;
+    const Scalar z191 = z189 + z190;
+    const Scalar z209 = z207 + z208;
+    const Scalar z225 = z168 * z224;
+    const Scalar z230 = z168 * z229;
+    const Scalar z201 = z198 - z200;
+    const Scalar z192 = z157 * z189 + z191;
+    const Scalar z226 = z157 * z225 + z223;
+    const Scalar z231 = z157 * z230 + z228;
+    const Scalar z185 = z182 - z184;
+    const Scalar z216 = z198 - z215;
+    const Scalar z193 = z168 * z192;
+    const Scalar z186 = z157 * z182 + z185;
+    const Scalar z194 = z157 * z193 + z189;
+    const Scalar z211 = z193 * z197 - z207;
+    const Scalar z187 = z168 * z186;
+    const Scalar z210 = z194 * z197 - z209;
+    const Scalar z188 = z157 * z187 + z182;
+    const Scalar z203 = z156 * (z187 - z193) + z198;
+    const Scalar z218 = z187 * z197 + z198;
+    const Scalar z212 = z157 * z211 + z210;
+    const Scalar z202 = z156 * (z188 - z194) + z201;
+    const Scalar z217 = z188 * z197 + z216;
+    const Scalar z213 = z168 * z212;
+    const Scalar z219 = z157 * z218 + z217;
+    const Scalar z214 = z157 * z213 + z211;
+    const Scalar z204 = z157 * z203 + z202;
+    const Scalar z220 = z168 * z219;
+    const Scalar z205 = z168 * z204;
+    const Scalar z221 = z157 * z220 + z218;
+    const Scalar z206 = z157 * z205 + z203;
+    result.by_position_position[0] = -z220;
+    result.by_position_position[1] = z221;
+    result.by_position_position[2] = z205;
+    result.by_position_position[3] = -z206;
+    result.by_position_position[4] = z205;
+    result.by_position_position[5] = -z206;
+    result.by_position_position[6] = z213;
+    result.by_position_position[7] = -z214;
+    result.by_position_velocity[0] = z225;
+    result.by_position_velocity[1] = -z226;
+    result.by_position_velocity[2] = -z225;
+    result.by_position_velocity[3] = z226;
+    result.by_position_velocity[4] = z230;
+    result.by_position_velocity[5] = -z231;
+    result.by_position_velocity[6] = -z230;
+    result.by_position_velocity[7] = z231;
+    result.by_velocity_velocity[0] = -z235;
+    result.by_velocity_velocity[1] = z236;
     result.by_velocity_velocity[2] = n0;
     result.by_velocity_velocity[3] = n0;
     result.by_velocity_velocity[4] = n0;
     result.by_velocity_velocity[5] = n0;
-    result.by_velocity_velocity[6] = -z148;
-    result.by_velocity_velocity[7] = z149;
-    if (!(traits::regular(z53, n2))) return torsor::Status::singular;
+    result.by_velocity_velocity[6] = -z232;
+    result.by_velocity_velocity[7] = z233;
+    if (!(traits::regular(z167, n2))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = (n0 * result.by_position_position[0] * result.by_position_position[1]
         * result.by_position_position[2] * result.by_position_position[3] * result.by_position_position[4]

@@ -10,16 +10,16 @@
 // costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
 // joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   precompute                9                3          0             0                  0       0     12       -
-//   kinematics               12               30          0             0                  2       0     46      46
-//   mass_matrix               4                9          0             0                  1       0     15      21
+//   precompute                9                4          0             0                  0       0     13       -
+//   kinematics               12               28          0             0                  2       0     44      46
+//   mass_matrix               3                7          0             0                  1       0     12      21
 //   bias                     14               39          0             0                  1       0     55      70
-//   inverse_dynamics         22               50          0             0                  1       0     74      89
-//   forward_dynamics         21               52          2             0                  1       0     77      92
+//   inverse_dynamics         21               48          0             0                  1       0     71      89
+//   forward_dynamics         20               50          2             0                  1       0     74      92
 //   energy                   15               30          0             0                  2       0     49      59
 //   first_integrals          19               36          0             0                  2       0     59      70
-//   reactions                16               31          0             0                  2       0     51      79
-//   linearisation            75              158          2             0                  1       0    237     280
+//   reactions                16               30          0             0                  2       0     50      79
+//   linearisation            73              148          2             0                  1       0    225     280
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 18 results 1 vanish identically
@@ -126,8 +126,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
-  /// number gives no number.
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
   ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
@@ -345,7 +344,7 @@ TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& a
     const Bits bits = (Bits)shifted.part[i];
     const Bits odd = bits << sign_bit, upper = bits << (sign_bit - 1);
     Numbers sine_of_rest, cosine_of_rest;
-    if constexpr (sizeof(Numbers) == 32) {  // AVX has an instruction that looks at the bit of the sign
+    if constexpr (sizeof(Numbers) >= 32) {  // AVX has instructions that choose by the bit of the sign
       const Bits exchanged = odd < Bits{};
       sine_of_rest = exchanged ? c : s;
       cosine_of_rest = exchanged ? s : c;
@@ -510,7 +509,7 @@ struct Mechanism {
 
   static constexpr const char* name = "falling_plate";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x695cc9b4a2ad6d23ULL;
+  static constexpr unsigned long long fingerprint = 0xccc354e9e0a5a93dULL;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 4;
   static constexpr int input_count = 0;
@@ -631,7 +630,8 @@ struct Mechanism {
     Scalar z26;
     Scalar z29;
     Scalar z30;
-    Scalar z110;
+    Scalar z148;
+    Scalar z174;
   };
 
   /// Values of the scene.
@@ -653,6 +653,7 @@ struct Mechanism {
     Precomputed precomputed{};
     precomputed.parameters = parameters;
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar p_b = parameters.b;
     const Scalar p_A = parameters.A;
     const Scalar p_B = parameters.B;
@@ -663,13 +664,15 @@ struct Mechanism {
     const Scalar z28 = n0_5 * z27;
     const Scalar z29 = p_B - z28;
     const Scalar z30 = z25 - z28;
-    const Scalar z110 = z29 - z30;
+    const Scalar z148 = z29 - z30;
+    const Scalar z174 = n2 * p_b;
     precomputed.z24 = z24;
     precomputed.z25 = z25;
     precomputed.z26 = z26;
     precomputed.z29 = z29;
     precomputed.z30 = z30;
-    precomputed.z110 = z110;
+    precomputed.z148 = z148;
+    precomputed.z174 = z174;
     return precomputed;
   }
 
@@ -777,56 +780,55 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
-    const Scalar z16 = s_beta * v_beta;
-    const Scalar z35 = p_b * c_beta;
-    const Scalar z44 = v_alpha * c_beta;
-    const Scalar z31 = s_alpha * p_b * c_beta;
-    const Scalar z32 = c_alpha * p_b * c_beta;
-    const Scalar z39 = s_alpha * c_beta;
-    const Scalar z41 = c_alpha * c_beta;
-    const Scalar z40 = s_alpha * s_beta;
-    const Scalar z42 = c_alpha * s_beta;
-    const Scalar z52 = p_b * v_beta;
-    const Scalar z20 = p_b * s_beta;
-    const Scalar z45 = c_alpha * v_beta;  // angular velocity of plate, x
-    const Scalar z46 = s_alpha * v_beta;  // angular velocity of plate, y
-    const Scalar z55 = c_beta * z52;
-    const Scalar z36 = v_alpha * z35;
-    const Scalar z47 = p_b * z39;
-    const Scalar z48 = p_b * z41;
-    const Scalar z51 = p_b * z44;
-    const Scalar z33 = q_x + z31;  // place of foot, x
-    const Scalar z34 = q_y - z32;  // place of foot, y
-    const Scalar z37 = v_x - s_alpha * p_b * z16 + c_alpha * z36;  // velocity of foot, x
-    const Scalar z38 = v_y + c_alpha * p_b * z16 + s_alpha * z36;  // velocity of foot, y
-    const Scalar z49 = z33 - z47;
-    const Scalar z50 = z34 + z48;
-    const Scalar z53 = c_alpha * z51 - z37 - z40 * z52;
-    const Scalar z54 = s_alpha * z51 - z38 + z42 * z52;
-    result.plate_position[0] = z49;
-    result.plate_position[1] = z50;
-    result.plate_position[2] = z20;
+    const Scalar z59 = s_beta * v_beta;
+    const Scalar z61 = p_b * c_beta;
+    const Scalar z73 = v_alpha * c_beta;
+    const Scalar z69 = s_alpha * c_beta;
+    const Scalar z71 = c_alpha * c_beta;
+    const Scalar z70 = s_alpha * s_beta;
+    const Scalar z72 = c_alpha * s_beta;
+    const Scalar z81 = p_b * v_beta;
+    const Scalar z60 = p_b * s_beta;
+    const Scalar z74 = c_alpha * v_beta;  // angular velocity of plate, x
+    const Scalar z75 = s_alpha * v_beta;  // angular velocity of plate, y
+    const Scalar z84 = c_beta * z81;
+    const Scalar z62 = s_alpha * z61;
+    const Scalar z63 = c_alpha * z61;
+    const Scalar z66 = v_alpha * z61;
+    const Scalar z76 = p_b * z69;
+    const Scalar z77 = p_b * z71;
+    const Scalar z80 = p_b * z73;
+    const Scalar z64 = q_x + z62;  // place of foot, x
+    const Scalar z65 = q_y - z63;  // place of foot, y
+    const Scalar z67 = v_x - s_alpha * p_b * z59 + c_alpha * z66;  // velocity of foot, x
+    const Scalar z68 = v_y + c_alpha * p_b * z59 + s_alpha * z66;  // velocity of foot, y
+    const Scalar z78 = z64 - z76;
+    const Scalar z79 = z65 + z77;
+    const Scalar z82 = c_alpha * z80 - z67 - z70 * z81;
+    const Scalar z83 = s_alpha * z80 - z68 + z72 * z81;
+    result.plate_position[0] = z78;
+    result.plate_position[1] = z79;
+    result.plate_position[2] = z60;
     result.plate_rotation[0] = c_alpha;
     result.plate_rotation[1] = s_alpha;
     result.plate_rotation[2] = n0;
-    result.plate_rotation[3] = -z39;
-    result.plate_rotation[4] = z41;
+    result.plate_rotation[3] = -z69;
+    result.plate_rotation[4] = z71;
     result.plate_rotation[5] = s_beta;
-    result.plate_rotation[6] = z40;
-    result.plate_rotation[7] = -z42;
+    result.plate_rotation[6] = z70;
+    result.plate_rotation[7] = -z72;
     result.plate_rotation[8] = c_beta;
-    result.plate_velocity[0] = -z53;
-    result.plate_velocity[1] = -z54;
-    result.plate_velocity[2] = z55;
-    result.plate_angular_velocity[0] = z45;
-    result.plate_angular_velocity[1] = z46;
+    result.plate_velocity[0] = -z82;
+    result.plate_velocity[1] = -z83;
+    result.plate_velocity[2] = z84;
+    result.plate_angular_velocity[0] = z74;
+    result.plate_angular_velocity[1] = z75;
     result.plate_angular_velocity[2] = v_alpha;
   }
 
   /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
   TORSOR_DEVICE static void mass_matrix(const Precomputed& precomputed, const State& state,
       std::array<Scalar, 16>& mass) noexcept {
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar p_b = precomputed.parameters.b;
@@ -837,15 +839,15 @@ struct Mechanism {
     const Scalar z26 = precomputed.z26;
     Scalar s_beta, c_beta;
     traits::sincos(q_beta, s_beta, c_beta);
-    const Scalar z65 = s_beta * z26;
-    const Scalar z20 = p_b * s_beta;
-    const Scalar z35 = p_b * c_beta;
-    const Scalar z57 = s_beta * p_F;
-    const Scalar z68 = s_beta * z65;
-    const Scalar z93 = z20 * z20;
-    const Scalar z71 = z25 + z68;
-    const Scalar z96 = z20 * z20 + z24 - n2 * z93;
-    const Scalar z80 = z35 * z35 - z71;
+    const Scalar z129 = s_beta * z26;
+    const Scalar z126 = p_b * s_beta;
+    const Scalar z127 = p_b * c_beta;
+    const Scalar z128 = s_beta * p_F;
+    const Scalar z130 = s_beta * z129;
+    const Scalar z133 = z126 * z126;
+    const Scalar z131 = z25 + z130;
+    const Scalar z134 = z24 - z133;
+    const Scalar z132 = z127 * z127 - z131;
     mass[0] = n1;
     mass[1] = n0;
     mass[2] = n0;
@@ -856,12 +858,12 @@ struct Mechanism {
     mass[7] = n0;
     mass[8] = n0;
     mass[9] = n0;
-    mass[10] = -z80;
-    mass[11] = z57;
+    mass[10] = -z132;
+    mass[11] = z128;
     mass[12] = n0;
     mass[13] = n0;
-    mass[14] = z57;
-    mass[15] = z96;
+    mass[14] = z128;
+    mass[15] = z134;
   }
 
   /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
@@ -878,46 +880,46 @@ struct Mechanism {
     const Scalar p_F = precomputed.parameters.F;
     const Scalar z29 = precomputed.z29;
     const Scalar z30 = precomputed.z30;
-    const Scalar z110 = precomputed.z110;
+    const Scalar z148 = precomputed.z148;
     Scalar s_beta, c_beta;
     traits::sincos(q_beta, s_beta, c_beta);
     const Scalar z16 = s_beta * v_beta;
     const Scalar z17 = c_beta * v_beta;
     const Scalar z35 = p_b * c_beta;
     const Scalar z43 = v_alpha * s_beta;
-    const Scalar z98 = v_alpha * v_alpha;
+    const Scalar z136 = v_alpha * v_alpha;
     const Scalar z44 = v_alpha * c_beta;
-    const Scalar z107 = v_beta * v_beta;
+    const Scalar z145 = v_beta * v_beta;
     const Scalar z20 = p_b * s_beta;
-    const Scalar z97 = v_beta * z17;
-    const Scalar z99 = n2 * v_alpha * p_b * z16;
-    const Scalar z103 = v_beta * z44;  // angular acceleration of plate, y
-    const Scalar z104 = v_beta * z43;  // angular acceleration of plate, z
-    const Scalar z106 = z44 * z44;
-    const Scalar z109 = z43 * z44;
-    const Scalar z112 = z43 * z43;
-    const Scalar z100 = z35 * z98 + p_b * z97;
-    const Scalar z105 = n2 * z104;
-    const Scalar z108 = z106 + z107;
-    const Scalar z111 = n2 * z103;
-    const Scalar z113 = z107 - z112;
-    const Scalar z116 = p_b * z109;  // force on plate, z
-    const Scalar z114 = p_b * z105;  // force on plate, x
-    const Scalar z115 = p_b * z108;  // force on plate, y
-    const Scalar z118 = p_F * z109 + z29 * z111;  // moment on plate, y
-    const Scalar z119 = p_b * z99 + p_F * z113 - z30 * z105;  // moment on plate, z
-    const Scalar z102 = n9_81 * c_beta - s_beta * z100;
-    const Scalar z120 = s_beta * z116 + c_beta * z115;
-    const Scalar z124 = z99 - z114;  // force on foot, x
-    const Scalar z117 = p_b * z102 - z109 * z110;  // moment on plate, x
-    const Scalar z125 = z100 - z120;  // force on foot, y
-    const Scalar z123 = s_beta * z118 + c_beta * z119;
-    const Scalar z128 = z35 * z124 - z123;  // moment on turned, z
-    const Scalar z135 = z20 * z125 + z117;
+    const Scalar z135 = v_beta * z17;
+    const Scalar z137 = n2 * v_alpha * p_b * z16;
+    const Scalar z141 = v_beta * z44;  // angular acceleration of plate, y
+    const Scalar z142 = v_beta * z43;  // angular acceleration of plate, z
+    const Scalar z144 = z44 * z44;
+    const Scalar z147 = z43 * z44;
+    const Scalar z150 = z43 * z43;
+    const Scalar z138 = z35 * z136 + p_b * z135;
+    const Scalar z143 = n2 * z142;
+    const Scalar z146 = z144 + z145;
+    const Scalar z149 = n2 * z141;
+    const Scalar z151 = z145 - z150;
+    const Scalar z154 = p_b * z147;  // force on plate, z
+    const Scalar z152 = p_b * z143;  // force on plate, x
+    const Scalar z153 = p_b * z146;  // force on plate, y
+    const Scalar z156 = p_F * z147 + z29 * z149;  // moment on plate, y
+    const Scalar z157 = p_b * z137 + p_F * z151 - z30 * z143;  // moment on plate, z
+    const Scalar z140 = n9_81 * c_beta - s_beta * z138;
+    const Scalar z158 = s_beta * z154 + c_beta * z153;
+    const Scalar z162 = z137 - z152;  // force on foot, x
+    const Scalar z155 = p_b * z140 - z147 * z148;  // moment on plate, x
+    const Scalar z163 = z138 - z158;  // force on foot, y
+    const Scalar z161 = s_beta * z156 + c_beta * z157;
+    const Scalar z166 = z35 * z162 - z161;  // moment on turned, z
+    const Scalar z173 = z20 * z163 + z155;
     forces.x = n0;
     forces.y = n0;
-    forces.alpha = -z128;
-    forces.beta = z135;
+    forces.alpha = -z166;
+    forces.beta = z173;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -939,55 +941,55 @@ struct Mechanism {
     const Scalar z26 = precomputed.z26;
     const Scalar z29 = precomputed.z29;
     const Scalar z30 = precomputed.z30;
-    const Scalar z110 = precomputed.z110;
+    const Scalar z148 = precomputed.z148;
     Scalar s_beta, c_beta;
     traits::sincos(q_beta, s_beta, c_beta);
-    const Scalar z16 = s_beta * v_beta;
-    const Scalar z17 = c_beta * v_beta;
-    const Scalar z35 = p_b * c_beta;
-    const Scalar z43 = v_alpha * s_beta;
-    const Scalar z98 = v_alpha * v_alpha;
-    const Scalar z44 = v_alpha * c_beta;
-    const Scalar z107 = v_beta * v_beta;
-    const Scalar z65 = s_beta * z26;
-    const Scalar z20 = p_b * s_beta;
-    const Scalar z57 = s_beta * p_F;
-    const Scalar z68 = s_beta * z65;
-    const Scalar z93 = z20 * z20;
-    const Scalar z97 = v_beta * z17;
-    const Scalar z99 = n2 * v_alpha * p_b * z16;
-    const Scalar z103 = v_beta * z44;  // angular acceleration of plate, y
-    const Scalar z104 = v_beta * z43;  // angular acceleration of plate, z
-    const Scalar z106 = z44 * z44;
-    const Scalar z109 = z43 * z44;
-    const Scalar z112 = z43 * z43;
-    const Scalar z71 = z25 + z68;
-    const Scalar z96 = z20 * z20 + z24 - n2 * z93;
-    const Scalar z100 = z35 * z98 + p_b * z97;
-    const Scalar z105 = n2 * z104;
-    const Scalar z108 = z106 + z107;
-    const Scalar z111 = n2 * z103;
-    const Scalar z113 = z107 - z112;
-    const Scalar z116 = p_b * z109;  // force on plate, z
-    const Scalar z80 = z35 * z35 - z71;
-    const Scalar z114 = p_b * z105;  // force on plate, x
-    const Scalar z115 = p_b * z108;  // force on plate, y
-    const Scalar z118 = p_F * z109 + z29 * z111;  // moment on plate, y
-    const Scalar z119 = p_b * z99 + p_F * z113 - z30 * z105;  // moment on plate, z
-    const Scalar z102 = n9_81 * c_beta - s_beta * z100;
-    const Scalar z120 = s_beta * z116 + c_beta * z115;
-    const Scalar z124 = z99 - z114;  // force on foot, x
-    const Scalar z117 = p_b * z102 - z109 * z110;  // moment on plate, x
-    const Scalar z125 = z100 - z120;  // force on foot, y
-    const Scalar z123 = s_beta * z118 + c_beta * z119;
-    const Scalar z128 = z35 * z124 - z123;  // moment on turned, z
-    const Scalar z135 = z20 * z125 + z117;
-    const Scalar z172 = z128 + a_alpha * z80 - a_beta * z57;
-    const Scalar z173 = z135 + a_alpha * z57 + a_beta * z96;
+    const Scalar z213 = s_beta * v_beta;
+    const Scalar z214 = c_beta * v_beta;
+    const Scalar z216 = p_b * c_beta;
+    const Scalar z217 = v_alpha * s_beta;
+    const Scalar z227 = v_alpha * v_alpha;
+    const Scalar z218 = v_alpha * c_beta;
+    const Scalar z235 = v_beta * v_beta;
+    const Scalar z220 = s_beta * z26;
+    const Scalar z215 = p_b * s_beta;
+    const Scalar z219 = s_beta * p_F;
+    const Scalar z221 = s_beta * z220;
+    const Scalar z224 = z215 * z215;
+    const Scalar z226 = v_beta * z214;
+    const Scalar z228 = n2 * v_alpha * p_b * z213;
+    const Scalar z231 = v_beta * z218;  // angular acceleration of plate, y
+    const Scalar z232 = v_beta * z217;  // angular acceleration of plate, z
+    const Scalar z234 = z218 * z218;
+    const Scalar z237 = z217 * z218;
+    const Scalar z239 = z217 * z217;
+    const Scalar z222 = z25 + z221;
+    const Scalar z225 = z24 - z224;
+    const Scalar z229 = z216 * z227 + p_b * z226;
+    const Scalar z233 = n2 * z232;
+    const Scalar z236 = z234 + z235;
+    const Scalar z238 = n2 * z231;
+    const Scalar z240 = z235 - z239;
+    const Scalar z243 = p_b * z237;  // force on plate, z
+    const Scalar z223 = z216 * z216 - z222;
+    const Scalar z241 = p_b * z233;  // force on plate, x
+    const Scalar z242 = p_b * z236;  // force on plate, y
+    const Scalar z245 = p_F * z237 + z29 * z238;  // moment on plate, y
+    const Scalar z246 = p_b * z228 + p_F * z240 - z30 * z233;  // moment on plate, z
+    const Scalar z230 = n9_81 * c_beta - s_beta * z229;
+    const Scalar z247 = s_beta * z243 + c_beta * z242;
+    const Scalar z249 = z228 - z241;  // force on foot, x
+    const Scalar z244 = p_b * z230 - z148 * z237;  // moment on plate, x
+    const Scalar z250 = z229 - z247;  // force on foot, y
+    const Scalar z248 = s_beta * z245 + c_beta * z246;
+    const Scalar z251 = z216 * z249 - z248;  // moment on turned, z
+    const Scalar z252 = z215 * z250 + z244;
+    const Scalar z253 = z251 + a_alpha * z223 - a_beta * z219;
+    const Scalar z254 = z252 + a_alpha * z219 + a_beta * z225;
     forces.x = a_x;
     forces.y = a_y;
-    forces.alpha = -z172;
-    forces.beta = z173;
+    forces.alpha = -z253;
+    forces.beta = z254;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -996,8 +998,8 @@ struct Mechanism {
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
       const Inputs&, Accelerations& accelerations, Multipliers&) noexcept {
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
-    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar v_alpha = state.v.alpha;
     const Scalar p_b = precomputed.parameters.b;
@@ -1009,61 +1011,61 @@ struct Mechanism {
     const Scalar z26 = precomputed.z26;
     const Scalar z29 = precomputed.z29;
     const Scalar z30 = precomputed.z30;
-    const Scalar z110 = precomputed.z110;
+    const Scalar z148 = precomputed.z148;
     Scalar s_beta, c_beta;
     traits::sincos(q_beta, s_beta, c_beta);
-    const Scalar z20 = p_b * s_beta;
-    const Scalar z65 = s_beta * z26;
-    const Scalar z16 = s_beta * v_beta;
-    const Scalar z17 = c_beta * v_beta;
-    const Scalar z35 = p_b * c_beta;
-    const Scalar z43 = v_alpha * s_beta;
-    const Scalar z98 = v_alpha * v_alpha;
-    const Scalar z44 = v_alpha * c_beta;
-    const Scalar z107 = v_beta * v_beta;
-    const Scalar z57 = s_beta * p_F;
-    const Scalar z68 = s_beta * z65;
-    const Scalar z93 = z20 * z20;
-    const Scalar z97 = v_beta * z17;
-    const Scalar z99 = n2 * v_alpha * p_b * z16;
-    const Scalar z103 = v_beta * z44;  // angular acceleration of plate, y
-    const Scalar z104 = v_beta * z43;  // angular acceleration of plate, z
-    const Scalar z106 = z44 * z44;
-    const Scalar z109 = z43 * z44;
-    const Scalar z112 = z43 * z43;
-    const Scalar z71 = z25 + z68;
-    const Scalar z96 = z20 * z20 + z24 - n2 * z93;
-    const Scalar z100 = z35 * z98 + p_b * z97;
-    const Scalar z105 = n2 * z104;
-    const Scalar z108 = z106 + z107;
-    const Scalar z111 = n2 * z103;
-    const Scalar z113 = z107 - z112;
-    const Scalar z116 = p_b * z109;  // force on plate, z
-    const Scalar z80 = z35 * z35 - z71;
-    const Scalar z114 = p_b * z105;  // force on plate, x
-    const Scalar z115 = p_b * z108;  // force on plate, y
-    const Scalar z118 = p_F * z109 + z29 * z111;  // moment on plate, y
-    const Scalar z119 = p_b * z99 + p_F * z113 - z30 * z105;  // moment on plate, z
-    const Scalar z102 = n9_81 * c_beta - s_beta * z100;
-    const Scalar z174 = n1 / z96;
-    const Scalar z120 = s_beta * z116 + c_beta * z115;
-    const Scalar z124 = z99 - z114;  // force on foot, x
-    const Scalar z117 = p_b * z102 - z109 * z110;  // moment on plate, x
-    const Scalar z125 = z100 - z120;  // force on foot, y
-    const Scalar z123 = s_beta * z118 + c_beta * z119;
-    const Scalar z128 = z35 * z124 - z123;  // moment on turned, z
-    const Scalar z135 = z20 * z125 + z117;
-    const Scalar z175 = z57 * z174;
-    const Scalar z176 = z57 * z175 + z80;
-    const Scalar z178 = z128 + z135 * z175;
-    const Scalar z177 = n1 / z176;
-    const Scalar z179 = z177 * z178;
-    const Scalar z180 = z135 * z174 - z175 * z179;
+    const Scalar z264 = p_b * s_beta;
+    const Scalar z269 = s_beta * z26;
+    const Scalar z262 = s_beta * v_beta;
+    const Scalar z263 = c_beta * v_beta;
+    const Scalar z265 = p_b * c_beta;
+    const Scalar z266 = v_alpha * s_beta;
+    const Scalar z276 = v_alpha * v_alpha;
+    const Scalar z267 = v_alpha * c_beta;
+    const Scalar z284 = v_beta * v_beta;
+    const Scalar z268 = s_beta * p_F;
+    const Scalar z270 = s_beta * z269;
+    const Scalar z273 = z264 * z264;
+    const Scalar z275 = v_beta * z263;
+    const Scalar z277 = n2 * v_alpha * p_b * z262;
+    const Scalar z280 = v_beta * z267;  // angular acceleration of plate, y
+    const Scalar z281 = v_beta * z266;  // angular acceleration of plate, z
+    const Scalar z283 = z267 * z267;
+    const Scalar z286 = z266 * z267;
+    const Scalar z288 = z266 * z266;
+    const Scalar z271 = z25 + z270;
+    const Scalar z274 = z24 - z273;
+    const Scalar z278 = z265 * z276 + p_b * z275;
+    const Scalar z282 = n2 * z281;
+    const Scalar z285 = z283 + z284;
+    const Scalar z287 = n2 * z280;
+    const Scalar z289 = z284 - z288;
+    const Scalar z292 = p_b * z286;  // force on plate, z
+    const Scalar z272 = z265 * z265 - z271;
+    const Scalar z290 = p_b * z282;  // force on plate, x
+    const Scalar z291 = p_b * z285;  // force on plate, y
+    const Scalar z294 = p_F * z286 + z29 * z287;  // moment on plate, y
+    const Scalar z295 = p_b * z277 + p_F * z289 - z30 * z282;  // moment on plate, z
+    const Scalar z302 = n1 / z274;
+    const Scalar z279 = n9_81 * c_beta - s_beta * z278;
+    const Scalar z296 = s_beta * z292 + c_beta * z291;
+    const Scalar z298 = z277 - z290;  // force on foot, x
+    const Scalar z293 = p_b * z279 - z148 * z286;  // moment on plate, x
+    const Scalar z299 = z278 - z296;  // force on foot, y
+    const Scalar z297 = s_beta * z294 + c_beta * z295;
+    const Scalar z300 = z265 * z298 - z297;  // moment on turned, z
+    const Scalar z301 = z264 * z299 + z293;
+    const Scalar z303 = z268 * z302;
+    const Scalar z304 = z268 * z303 + z272;
+    const Scalar z306 = z300 + z301 * z303;
+    const Scalar z305 = n1 / z304;
+    const Scalar z307 = z305 * z306;
+    const Scalar z308 = z301 * z302 - z303 * z307;
     accelerations.x = n0;
     accelerations.y = n0;
-    accelerations.alpha = -z179;
-    accelerations.beta = -z180;
-    if (!(traits::regular(-z176, -z80) && traits::regular(z96, z96))) return torsor::Status::singular;
+    accelerations.alpha = -z307;
+    accelerations.beta = -z308;
+    if (!(traits::regular(-z304, -z272) && traits::regular(z274, z274))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.alpha * accelerations.beta;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -1093,22 +1095,22 @@ struct Mechanism {
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
     const Scalar z16 = s_beta * v_beta;
-    const Scalar z182 = v_x * s_alpha - v_y * c_alpha;
+    const Scalar z310 = v_x * s_alpha - v_y * c_alpha;
     const Scalar z35 = p_b * c_beta;
-    const Scalar z181 = v_x * c_alpha + v_y * s_alpha;
+    const Scalar z309 = v_x * c_alpha + v_y * s_alpha;
     const Scalar z43 = v_alpha * s_beta;
     const Scalar z44 = v_alpha * c_beta;
     const Scalar z20 = p_b * s_beta;
-    const Scalar z190 = v_beta * p_F + p_B * z43;
-    const Scalar z183 = v_alpha * z35 + z181;
-    const Scalar z184 = p_b * z16 - z182;  // velocity of foot, y
-    const Scalar z185 = c_beta * z184;
-    const Scalar z186 = s_beta * z184;
-    const Scalar z187 = p_b * z44 - z183;
-    const Scalar z191 = p_b * z183 - z25 * z44;
-    const Scalar z188 = p_b * v_beta - z186;
-    const Scalar z189 = p_b * z186 - v_beta * z24 - p_F * z43;
-    result.kinetic = -n0_5 * (z183 * z187 - z43 * z190 - z185 * z185 + z44 * z191 + z186 * z188 + v_beta * z189);
+    const Scalar z318 = v_beta * p_F + p_B * z43;
+    const Scalar z311 = v_alpha * z35 + z309;
+    const Scalar z312 = p_b * z16 - z310;  // velocity of foot, y
+    const Scalar z313 = c_beta * z312;
+    const Scalar z314 = s_beta * z312;
+    const Scalar z315 = p_b * z44 - z311;
+    const Scalar z319 = p_b * z311 - z25 * z44;
+    const Scalar z316 = p_b * v_beta - z314;
+    const Scalar z317 = p_b * z314 - v_beta * z24 - p_F * z43;
+    result.kinetic = -n0_5 * (z311 * z315 - z43 * z318 - z313 * z313 + z44 * z319 + z314 * z316 + v_beta * z317);
     result.force_function = -n9_81 * z20;
     result.power = n0;
   }
@@ -1136,38 +1138,37 @@ struct Mechanism {
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
     const Scalar z16 = s_beta * v_beta;
-    const Scalar z182 = v_x * s_alpha - v_y * c_alpha;
+    const Scalar z310 = v_x * s_alpha - v_y * c_alpha;
     const Scalar z35 = p_b * c_beta;
-    const Scalar z181 = v_x * c_alpha + v_y * s_alpha;
-    const Scalar z65 = s_beta * z26;
+    const Scalar z309 = v_x * c_alpha + v_y * s_alpha;
+    const Scalar z94 = s_beta * z26;
     const Scalar z43 = v_alpha * s_beta;
     const Scalar z44 = v_alpha * c_beta;
     const Scalar z20 = p_b * s_beta;
-    const Scalar z57 = s_beta * p_F;
-    const Scalar z68 = s_beta * z65;
-    const Scalar z190 = v_beta * p_F + p_B * z43;
-    const Scalar z71 = z25 + z68;
-    const Scalar z183 = v_alpha * z35 + z181;
-    const Scalar z184 = p_b * z16 - z182;  // velocity of foot, y
-    const Scalar z80 = z35 * z35 - z71;
-    const Scalar z185 = c_beta * z184;
-    const Scalar z186 = s_beta * z184;
-    const Scalar z187 = p_b * z44 - z183;
-    const Scalar z191 = p_b * z183 - z25 * z44;
-    const Scalar z188 = p_b * v_beta - z186;
-    const Scalar z189 = p_b * z186 - v_beta * z24 - p_F * z43;
-    result.energy = -n0_5 * (z183 * z187 - z43 * z190 - z185 * z185 + z44 * z191 + z186 * z188 + v_beta * z189) + n9_81
+    const Scalar z86 = s_beta * p_F;
+    const Scalar z97 = s_beta * z94;
+    const Scalar z318 = v_beta * p_F + p_B * z43;
+    const Scalar z100 = z25 + z97;
+    const Scalar z311 = v_alpha * z35 + z309;
+    const Scalar z312 = p_b * z16 - z310;  // velocity of foot, y
+    const Scalar z109 = z35 * z35 - z100;
+    const Scalar z313 = c_beta * z312;
+    const Scalar z314 = s_beta * z312;
+    const Scalar z315 = p_b * z44 - z311;
+    const Scalar z319 = p_b * z311 - z25 * z44;
+    const Scalar z316 = p_b * v_beta - z314;
+    const Scalar z317 = p_b * z314 - v_beta * z24 - p_F * z43;
+    result.energy = -n0_5 * (z311 * z315 - z43 * z318 - z313 * z313 + z44 * z319 + z314 * z316 + v_beta * z317) + n9_81
         * z20;
     result.momentum_x = v_x;
     result.momentum_y = v_y;
-    result.momentum_alpha = -v_alpha * z80 + v_beta * z57;
+    result.momentum_alpha = -v_alpha * z109 + v_beta * z86;
   }
 
   /// Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released
   /// direction, at accelerations, multipliers and inputs that belong to the motion.
   TORSOR_DEVICE static void reactions(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Multipliers&, const Inputs&, Reactions& result) noexcept {
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar a_x = accelerations.x;
     const Scalar a_y = accelerations.y;
@@ -1181,41 +1182,42 @@ struct Mechanism {
     const Scalar p_F = precomputed.parameters.F;
     const Scalar z29 = precomputed.z29;
     const Scalar z30 = precomputed.z30;
+    const Scalar z174 = precomputed.z174;
     const Scalar angles_[] = {q_alpha, q_beta};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
-    const Scalar z43 = v_alpha * s_beta;
-    const Scalar z44 = v_alpha * c_beta;
-    const Scalar z141 = a_alpha * c_beta;
-    const Scalar z107 = v_beta * v_beta;
-    const Scalar z140 = a_alpha * s_beta;
-    const Scalar z16 = s_beta * v_beta;
-    const Scalar z136 = a_x * c_alpha + a_y * s_alpha;
-    const Scalar z35 = p_b * c_beta;
-    const Scalar z103 = v_beta * z44;  // angular acceleration of plate, y
-    const Scalar z104 = v_beta * z43;  // angular acceleration of plate, z
-    const Scalar z106 = z44 * z44;
-    const Scalar z109 = z43 * z44;
-    const Scalar z112 = z43 * z43;
-    const Scalar z144 = v_beta * z44 + z140;  // angular acceleration of plate, y
-    const Scalar z145 = v_beta * z43 - z141;  // angular acceleration of plate, z
-    const Scalar z108 = z106 + z107;
-    const Scalar z113 = z107 - z112;
-    const Scalar z147 = a_beta + z109;
-    const Scalar z138 = n2 * v_alpha * p_b * z16 - z136 - a_alpha * z35;
-    const Scalar z146 = z104 + z145;
-    const Scalar z149 = z103 + z144;
-    const Scalar z115 = p_b * z108;  // force on plate, y
-    const Scalar z151 = p_b * z147;  // force on plate, z
-    const Scalar z153 = p_F * z147 + z29 * z149;  // moment on plate, y
-    const Scalar z156 = c_beta * z151 - s_beta * z115;
-    const Scalar z154 = p_F * z113 - z30 * z146 + p_b * z138;  // moment on plate, z
-    const Scalar z162 = n9_81 + z156;  // force on foot, z
-    const Scalar z157 = c_beta * z153 - s_beta * z154;
-    result.N = z162;
-    result.moment = z157;
+    const Scalar z354 = v_alpha * s_beta;
+    const Scalar z355 = v_alpha * c_beta;
+    const Scalar z368 = a_alpha * c_beta;
+    const Scalar z359 = v_beta * v_beta;
+    const Scalar z367 = a_alpha * s_beta;
+    const Scalar z352 = s_beta * v_beta;
+    const Scalar z365 = a_x * c_alpha + a_y * s_alpha;
+    const Scalar z353 = p_b * c_beta;
+    const Scalar z356 = v_beta * z355;  // angular acceleration of plate, y
+    const Scalar z357 = v_beta * z354;  // angular acceleration of plate, z
+    const Scalar z358 = z355 * z355;
+    const Scalar z361 = z354 * z355;
+    const Scalar z362 = z354 * z354;
+    const Scalar z369 = v_beta * z355 + z367;  // angular acceleration of plate, y
+    const Scalar z370 = v_beta * z354 - z368;  // angular acceleration of plate, z
+    const Scalar z360 = z358 + z359;
+    const Scalar z363 = z359 - z362;
+    const Scalar z372 = a_beta + z361;
+    const Scalar z366 = v_alpha * z174 * z352 - z365 - a_alpha * z353;
+    const Scalar z371 = z357 + z370;
+    const Scalar z373 = z356 + z369;
+    const Scalar z364 = p_b * z360;  // force on plate, y
+    const Scalar z374 = p_b * z372;  // force on plate, z
+    const Scalar z375 = p_F * z372 + z29 * z373;  // moment on plate, y
+    const Scalar z377 = c_beta * z374 - s_beta * z364;
+    const Scalar z376 = p_F * z363 - z30 * z371 + p_b * z366;  // moment on plate, z
+    const Scalar z379 = n9_81 + z377;  // force on foot, z
+    const Scalar z378 = c_beta * z375 - s_beta * z376;
+    result.N = z379;
+    result.moment = z378;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -1223,8 +1225,8 @@ struct Mechanism {
   TORSOR_DEVICE static torsor::Status linearisation(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Multipliers&, const Inputs&, Linearisation& result) noexcept {
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
-    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar a_x = accelerations.x;
     const Scalar a_y = accelerations.y;
@@ -1240,129 +1242,130 @@ struct Mechanism {
     const Scalar z26 = precomputed.z26;
     const Scalar z29 = precomputed.z29;
     const Scalar z30 = precomputed.z30;
-    const Scalar z110 = precomputed.z110;
+    const Scalar z148 = precomputed.z148;
+    const Scalar z174 = precomputed.z174;
     Scalar s_beta, c_beta;
     traits::sincos(q_beta, s_beta, c_beta);
-    const Scalar z17 = c_beta * v_beta;
-    const Scalar z43 = v_alpha * s_beta;
-    const Scalar z16 = s_beta * v_beta;
-    const Scalar z20 = p_b * s_beta;
-    const Scalar z35 = p_b * c_beta;
-    const Scalar z44 = v_alpha * c_beta;
-    const Scalar z98 = v_alpha * v_alpha;
-    const Scalar z107 = v_beta * v_beta;
-    const Scalar z65 = s_beta * z26;
-    const Scalar z235 = n2 * v_alpha;
-    const Scalar z57 = s_beta * p_F;
-    const Scalar z66 = c_beta * z26;
-    const Scalar z56 = c_beta * p_F;
-    const Scalar z245 = n2 * v_alpha * p_b * s_beta;
-    const Scalar z68 = s_beta * z65;
-    const Scalar z93 = z20 * z20;
-    const Scalar z97 = v_beta * z17;
-    const Scalar z99 = n2 * v_alpha * p_b * z16;
-    const Scalar z103 = v_beta * z44;  // angular acceleration of plate, y
-    const Scalar z104 = v_beta * z43;  // angular acceleration of plate, z
-    const Scalar z106 = z44 * z44;
-    const Scalar z109 = z43 * z44;
-    const Scalar z112 = z43 * z43;
-    const Scalar z224 = n2 * p_b * z16;
-    const Scalar z225 = n2 * z16;
-    const Scalar z228 = n2 * s_beta * z43;
-    const Scalar z230 = c_beta * z43 + s_beta * z44;
-    const Scalar z231 = n2 * z17;
-    const Scalar z236 = z35 * z235;
-    const Scalar z237 = n2 * c_beta * z44;
-    const Scalar z246 = n2 * z43;
-    const Scalar z71 = z25 + z68;
-    const Scalar z96 = z20 * z20 + z24 - n2 * z93;
-    const Scalar z100 = z35 * z98 + p_b * z97;
-    const Scalar z105 = n2 * z104;
-    const Scalar z108 = z106 + z107;
-    const Scalar z111 = n2 * z103;
-    const Scalar z113 = z107 - z112;
-    const Scalar z116 = p_b * z109;  // force on plate, z
-    const Scalar z226 = p_b * z225;
-    const Scalar z229 = p_b * z224 - p_F * z228 - z30 * z225;
-    const Scalar z238 = p_b * z237;
-    const Scalar z242 = s_beta * z236;
-    const Scalar z247 = p_b * z246;
-    const Scalar z80 = z35 * z35 - z71;
-    const Scalar z249 = n2 * v_beta;
-    const Scalar z251 = n2 * z44;
-    const Scalar z250 = p_F * z249 + p_b * z245 - z30 * z246;
-    const Scalar z252 = z29 * z251;
-    const Scalar z114 = p_b * z105;  // force on plate, x
-    const Scalar z115 = p_b * z108;  // force on plate, y
-    const Scalar z118 = p_F * z109 + z29 * z111;  // moment on plate, y
-    const Scalar z119 = p_b * z99 + p_F * z113 - z30 * z105;  // moment on plate, z
-    const Scalar z227 = z224 - z226;
-    const Scalar z248 = z245 - z247;
-    const Scalar z102 = n9_81 * c_beta - s_beta * z100;
-    const Scalar z255 = c_beta * z65 + s_beta * z66;
-    const Scalar z232 = z29 * z231 + p_F * z230;
-    const Scalar z253 = s_beta * z252 + c_beta * z250;
-    const Scalar z124 = z99 - z114;  // force on foot, x
-    const Scalar z243 = p_b * z242 + z110 * z230;
-    const Scalar z117 = p_b * z102 - z109 * z110;  // moment on plate, x
-    const Scalar z254 = z35 * z248 - z253;
-    const Scalar z233 = s_beta * z232 + c_beta * z229;
-    const Scalar z239 = p_b * z230;
-    const Scalar z240 = c_beta * z238 + s_beta * z239;
-    const Scalar z234 = z35 * z227 - z233;
-    const Scalar z269 = p_b * z249;
-    const Scalar z270 = c_beta * z269;
-    const Scalar z256 = n2 * z20 * z35 + z255;
-    const Scalar z241 = z236 - z240;
-    const Scalar z257 = n2 * v_alpha * p_b * z17;
-    const Scalar z244 = z20 * z241 - z243;
-    const Scalar z267 = c_beta * v_beta + z17;
-    const Scalar z268 = p_b * z267;
-    const Scalar z260 = n2 * z43 * z44;
-    const Scalar z262 = z43 * z43 - z44 * z44;
-    const Scalar z263 = z29 * z105 + p_F * z262;
-    const Scalar z271 = z268 - z270;
-    const Scalar z261 = p_b * z257 - p_F * z260 - z30 * z111;
-    const Scalar z258 = p_b * z111;
-    const Scalar z259 = z257 - z258;
-    const Scalar z120 = s_beta * z116 + c_beta * z115;
-    const Scalar z264 = c_beta * (z118 + z261) - s_beta * (z119 + z263);
-    const Scalar z123 = s_beta * z118 + c_beta * z119;
-    const Scalar z125 = z100 - z120;  // force on foot, y
-    const Scalar z272 = s_beta * z268;
-    const Scalar z273 = p_b * z272;
-    const Scalar z128 = z35 * z124 - z123;  // moment on turned, z
-    const Scalar z135 = z20 * z125 + z117;
-    const Scalar z277 = v_beta * z16;
-    const Scalar z274 = z20 * z271 - z273;
-    const Scalar z172 = z128 + a_alpha * z80 - a_beta * z57;
-    const Scalar z265 = z264 + z20 * z124 - z35 * z259;
-    const Scalar z278 = z20 * z98 + p_b * z277;
-    const Scalar z173 = z135 + a_alpha * z57 + a_beta * z96;
-    const Scalar z279 = p_b * z260;
-    const Scalar z174 = n1 / z96;
-    const Scalar z280 = p_b * z262;
-    const Scalar z266 = z265 + a_beta * z56 + a_alpha * z256;
-    const Scalar z175 = z57 * z174;
-    const Scalar z281 = c_beta * (z116 - z279) - s_beta * (z115 + z280);
-    const Scalar z275 = n2 * z20 * z35;
-    const Scalar z176 = z57 * z175 + z80;
-    const Scalar z276 = n2 * (z20 * z35 - z275);
-    const Scalar z177 = n1 / z176;
-    const Scalar z283 = c_beta * z100 + s_beta * (n9_81 - z278);
-    const Scalar z284 = p_b * z283 - z110 * z262;
-    const Scalar z282 = z278 + z281;
-    const Scalar z287 = z175 * z244 + z234;
-    const Scalar z293 = z175 * z274 + z254;
-    const Scalar z285 = z284 - z35 * z125 + z20 * z282;
-    const Scalar z288 = z177 * z287;
-    const Scalar z294 = z177 * z293;
-    const Scalar z289 = z174 * z244 - z175 * z288;
-    const Scalar z295 = z174 * z274 - z175 * z294;
-    const Scalar z286 = a_alpha * z56 - z285 + a_beta * z276;
-    const Scalar z290 = z175 * z286 - z266;
-    const Scalar z291 = z177 * z290;
-    const Scalar z292 = z174 * z286 - z175 * z291;
+    const Scalar z459 = c_beta * v_beta;
+    const Scalar z462 = v_alpha * s_beta;
+    const Scalar z458 = s_beta * v_beta;
+    const Scalar z463 = v_alpha * c_beta;
+    const Scalar z460 = p_b * s_beta;
+    const Scalar z461 = p_b * c_beta;
+    const Scalar z474 = v_alpha * v_alpha;
+    const Scalar z482 = v_beta * v_beta;
+    const Scalar z466 = s_beta * z26;
+    const Scalar z517 = n2 * v_alpha;
+    const Scalar z465 = s_beta * p_F;
+    const Scalar z467 = c_beta * z26;
+    const Scalar z464 = c_beta * p_F;
+    const Scalar z527 = n2 * v_alpha * p_b * s_beta;
+    const Scalar z468 = s_beta * z466;
+    const Scalar z471 = z460 * z460;
+    const Scalar z473 = v_beta * z459;
+    const Scalar z475 = n2 * v_alpha * p_b * z458;
+    const Scalar z478 = v_beta * z463;  // angular acceleration of plate, y
+    const Scalar z479 = v_beta * z462;  // angular acceleration of plate, z
+    const Scalar z481 = z463 * z463;
+    const Scalar z484 = z462 * z463;
+    const Scalar z486 = z462 * z462;
+    const Scalar z506 = z174 * z458;
+    const Scalar z507 = n2 * z458;
+    const Scalar z510 = n2 * s_beta * z462;
+    const Scalar z512 = c_beta * z462 + s_beta * z463;
+    const Scalar z513 = n2 * z459;
+    const Scalar z518 = z461 * z517;
+    const Scalar z519 = n2 * c_beta * z463;
+    const Scalar z528 = n2 * z462;
+    const Scalar z469 = z25 + z468;
+    const Scalar z472 = z24 - z471;
+    const Scalar z476 = z461 * z474 + p_b * z473;
+    const Scalar z480 = n2 * z479;
+    const Scalar z483 = z481 + z482;
+    const Scalar z485 = n2 * z478;
+    const Scalar z487 = z482 - z486;
+    const Scalar z490 = p_b * z484;  // force on plate, z
+    const Scalar z508 = p_b * z507;
+    const Scalar z511 = p_b * z506 - p_F * z510 - z30 * z507;
+    const Scalar z520 = p_b * z519;
+    const Scalar z524 = s_beta * z518;
+    const Scalar z529 = p_b * z528;
+    const Scalar z470 = z461 * z461 - z469;
+    const Scalar z531 = n2 * v_beta;
+    const Scalar z533 = n2 * z463;
+    const Scalar z532 = p_F * z531 + p_b * z527 - z30 * z528;
+    const Scalar z534 = z29 * z533;
+    const Scalar z488 = p_b * z480;  // force on plate, x
+    const Scalar z489 = p_b * z483;  // force on plate, y
+    const Scalar z492 = p_F * z484 + z29 * z485;  // moment on plate, y
+    const Scalar z493 = p_b * z475 + p_F * z487 - z30 * z480;  // moment on plate, z
+    const Scalar z502 = n1 / z472;
+    const Scalar z509 = z506 - z508;
+    const Scalar z530 = z527 - z529;
+    const Scalar z477 = n9_81 * c_beta - s_beta * z476;
+    const Scalar z544 = z463 * z528;
+    const Scalar z546 = z481 - z486;
+    const Scalar z537 = c_beta * z466 + s_beta * z467;
+    const Scalar z541 = n2 * v_alpha * p_b * z459;
+    const Scalar z535 = s_beta * z534 + c_beta * z532;
+    const Scalar z496 = z475 - z488;  // force on foot, x
+    const Scalar z547 = p_F * z546 - z29 * z480;
+    const Scalar z491 = p_b * z477 - z148 * z484;  // moment on plate, x
+    const Scalar z536 = z461 * z530 - z535;
+    const Scalar z552 = p_b * z531;
+    const Scalar z553 = c_beta * z552;
+    const Scalar z525 = p_b * z524 + z148 * z512;
+    const Scalar z545 = p_b * z541 - p_F * z544 - z30 * z485;
+    const Scalar z548 = c_beta * (z492 + z545) - s_beta * (z493 - z547);
+    const Scalar z495 = s_beta * z492 + c_beta * z493;
+    const Scalar z542 = p_b * z485;
+    const Scalar z543 = z541 - z542;
+    const Scalar z498 = z461 * z496 - z495;  // moment on turned, z
+    const Scalar z494 = s_beta * z490 + c_beta * z489;
+    const Scalar z497 = z476 - z494;  // force on foot, y
+    const Scalar z500 = z498 + a_alpha * z470 - a_beta * z465;
+    const Scalar z549 = z548 + z460 * z496 - z461 * z543;
+    const Scalar z499 = z460 * z497 + z491;
+    const Scalar z559 = v_beta * z458;
+    const Scalar z560 = z460 * z474 + p_b * z559;
+    const Scalar z501 = z499 + a_alpha * z465 + a_beta * z472;
+    const Scalar z561 = p_b * z544;
+    const Scalar z562 = p_b * z546;
+    const Scalar z503 = z465 * z502;
+    const Scalar z563 = c_beta * (z490 - z561) - s_beta * (z489 - z562);
+    const Scalar z504 = z465 * z503 + z470;
+    const Scalar z538 = z460 * z461;
+    const Scalar z505 = n1 / z504;
+    const Scalar z565 = c_beta * z476 + s_beta * (n9_81 - z560);
+    const Scalar z566 = z148 * z546 + p_b * z565;
+    const Scalar z514 = z29 * z513 + p_F * z512;
+    const Scalar z564 = z560 + z563;
+    const Scalar z515 = s_beta * z514 + c_beta * z511;
+    const Scalar z521 = p_b * z512;
+    const Scalar z567 = z566 - z461 * z497 + z460 * z564;
+    const Scalar z539 = n2 * z538;
+    const Scalar z522 = c_beta * z520 + s_beta * z521;
+    const Scalar z551 = p_b * z513;
+    const Scalar z555 = s_beta * z551;
+    const Scalar z516 = z461 * z509 - z515;
+    const Scalar z523 = z518 - z522;
+    const Scalar z540 = z537 + z539;
+    const Scalar z554 = z551 - z553;
+    const Scalar z556 = p_b * z555;
+    const Scalar z558 = n2 * (z538 - z539);
+    const Scalar z526 = z460 * z523 - z525;
+    const Scalar z550 = z549 + a_beta * z464 + a_alpha * z540;
+    const Scalar z557 = z460 * z554 - z556;
+    const Scalar z568 = a_alpha * z464 - z567 + a_beta * z558;
+    const Scalar z569 = z503 * z526 + z516;
+    const Scalar z572 = z503 * z568 - z550;
+    const Scalar z575 = z503 * z557 + z536;
+    const Scalar z570 = z505 * z569;
+    const Scalar z576 = z505 * z575;
+    const Scalar z573 = z505 * z572;
+    const Scalar z571 = z502 * z526 - z503 * z570;
+    const Scalar z577 = z502 * z557 - z503 * z576;
+    const Scalar z574 = z502 * z568 - z503 * z573;
     result.M[0] = n1;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -1373,12 +1376,12 @@ struct Mechanism {
     result.M[7] = n0;
     result.M[8] = n0;
     result.M[9] = n0;
-    result.M[10] = -z80;
-    result.M[11] = z57;
+    result.M[10] = -z470;
+    result.M[11] = z465;
     result.M[12] = n0;
     result.M[13] = n0;
-    result.M[14] = z57;
-    result.M[15] = z96;
+    result.M[14] = z465;
+    result.M[15] = z472;
     result.C[0] = n0;
     result.C[1] = n0;
     result.C[2] = n0;
@@ -1389,12 +1392,12 @@ struct Mechanism {
     result.C[7] = n0;
     result.C[8] = n0;
     result.C[9] = n0;
-    result.C[10] = -z234;
-    result.C[11] = z244;
+    result.C[10] = -z516;
+    result.C[11] = z526;
     result.C[12] = n0;
     result.C[13] = n0;
-    result.C[14] = -z254;
-    result.C[15] = z274;
+    result.C[14] = -z536;
+    result.C[15] = z557;
     result.K[0] = n0;
     result.K[1] = n0;
     result.K[2] = n0;
@@ -1409,12 +1412,12 @@ struct Mechanism {
     result.K[11] = n0;
     result.K[12] = n0;
     result.K[13] = n0;
-    result.K[14] = z266;
-    result.K[15] = z286;
+    result.K[14] = z550;
+    result.K[15] = z568;
     result.F[0] = -a_x;
     result.F[1] = -a_y;
-    result.F[2] = z172;
-    result.F[3] = -z173;
+    result.F[2] = z500;
+    result.F[3] = -z501;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
@@ -1445,8 +1448,8 @@ struct Mechanism {
     result.A[27] = n0;
     result.A[28] = n0;
     result.A[29] = n0;
-    result.A[30] = -z291;
-    result.A[31] = -z292;
+    result.A[30] = -z573;
+    result.A[31] = -z574;
     result.A[32] = n1;
     result.A[33] = n0;
     result.A[34] = n0;
@@ -1469,17 +1472,17 @@ struct Mechanism {
     result.A[51] = n0;
     result.A[52] = n0;
     result.A[53] = n0;
-    result.A[54] = -z288;
-    result.A[55] = -z289;
+    result.A[54] = -z570;
+    result.A[55] = -z571;
     result.A[56] = n0;
     result.A[57] = n0;
     result.A[58] = n0;
     result.A[59] = n1;
     result.A[60] = n0;
     result.A[61] = n0;
-    result.A[62] = -z294;
-    result.A[63] = -z295;
-    if (!(traits::regular(-z176, -z80) && traits::regular(z96, z96))) return torsor::Status::singular;
+    result.A[62] = -z576;
+    result.A[63] = -z577;
+    if (!(traits::regular(-z504, -z470) && traits::regular(z472, z472))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = (n0 * result.M[10] * result.M[11] * result.M[14] * result.M[15] * result.C[10] * result.C[11]
         * result.C[14] * result.C[15] * result.K[14] * result.K[15]) * (n0 * result.F[0] * result.F[1] * result.F[2]

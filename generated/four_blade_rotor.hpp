@@ -11,14 +11,14 @@
 // joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   precompute               11                4          2             0                  1       0     19       -
-//   kinematics               62              129          0             0                  0       0    191     193
+//   kinematics               62              101          0             0                  0       0    163     193
 //   mass_matrix               0                0          0             0                  0       0      0      16
-//   bias                     16               40          0             0                  0       0     56      68
-//   inverse_dynamics         18               43          0             0                  0       0     61      87
-//   forward_dynamics         16               42          0             0                  0       0     58      86
-//   energy                   17               29          0             0                  0       0     46      55
-//   first_integrals          17               30          0             0                  0       0     47      62
-//   linearisation            40               91          0             0                  0       0    131     171
+//   bias                     16               34          0             0                  0       0     50      68
+//   inverse_dynamics         18               37          0             0                  0       0     55      87
+//   forward_dynamics         16               36          0             0                  0       0     52      86
+//   energy                   17               23          0             0                  0       0     40      55
+//   first_integrals          17               24          0             0                  0       0     41      62
+//   linearisation            40               81          0             0                  0       0    121     171
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 72 results 21 repeat another up to sign
@@ -126,8 +126,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
-  /// number gives no number.
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
   ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
@@ -345,7 +344,7 @@ TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& a
     const Bits bits = (Bits)shifted.part[i];
     const Bits odd = bits << sign_bit, upper = bits << (sign_bit - 1);
     Numbers sine_of_rest, cosine_of_rest;
-    if constexpr (sizeof(Numbers) == 32) {  // AVX has an instruction that looks at the bit of the sign
+    if constexpr (sizeof(Numbers) >= 32) {  // AVX has instructions that choose by the bit of the sign
       const Bits exchanged = odd < Bits{};
       sine_of_rest = exchanged ? c : s;
       cosine_of_rest = exchanged ? s : c;
@@ -510,7 +509,7 @@ struct Mechanism {
 
   static constexpr const char* name = "four_blade_rotor";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x407399aa6c8674c7ULL;
+  static constexpr unsigned long long fingerprint = 0x0d78d46ac417f43cULL;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -625,11 +624,11 @@ struct Mechanism {
     Parameters parameters;
     Scalar s_alpha;
     Scalar c_alpha;
-    Scalar z111;
-    Scalar z112;
-    Scalar z113;
-    Scalar z178;
-    Scalar z179;
+    Scalar z237;
+    Scalar z238;
+    Scalar z239;
+    Scalar z375;
+    Scalar z376;
   };
 
   /// Values of the scene.
@@ -652,30 +651,30 @@ struct Mechanism {
     const Scalar p_alpha = parameters.alpha;
     Scalar s_alpha, c_alpha;
     traits::sincos(p_alpha, s_alpha, c_alpha);
-    const Scalar z98 = n0_4 * s_alpha;
-    const Scalar z99 = n0_4 * c_alpha;
-    const Scalar z100 = c_alpha * z99;
-    const Scalar z101 = s_alpha * z98;
-    const Scalar z103 = n665_8 - z100;
-    const Scalar z104 = n1331_6 - z101;
-    const Scalar z105 = n0_4 + z103;
-    const Scalar z106 = n666_2 - z100;
-    const Scalar z107 = z101 - z104;
-    const Scalar z108 = z100 - z105;
-    const Scalar z109 = n0_4 + z106;
-    const Scalar z110 = z101 + z107;
-    const Scalar z111 = n0_4 - z108;
-    const Scalar z112 = z100 - z109;
-    const Scalar z113 = z101 + z110;
-    const Scalar z178 = n1 / z112;
-    const Scalar z179 = n1 / z111;
+    const Scalar z224 = n0_4 * s_alpha;
+    const Scalar z225 = n0_4 * c_alpha;
+    const Scalar z226 = c_alpha * z225;
+    const Scalar z227 = s_alpha * z224;
+    const Scalar z229 = n665_8 - z226;
+    const Scalar z230 = n1331_6 - z227;
+    const Scalar z231 = n0_4 + z229;
+    const Scalar z232 = n666_2 - z226;
+    const Scalar z233 = z227 - z230;
+    const Scalar z234 = z226 - z231;
+    const Scalar z235 = n0_4 + z232;
+    const Scalar z236 = z227 + z233;
+    const Scalar z237 = n0_4 - z234;
+    const Scalar z238 = z226 - z235;
+    const Scalar z239 = z227 + z236;
+    const Scalar z375 = n1 / z238;
+    const Scalar z376 = n1 / z237;
     precomputed.s_alpha = s_alpha;
     precomputed.c_alpha = c_alpha;
-    precomputed.z111 = z111;
-    precomputed.z112 = z112;
-    precomputed.z113 = z113;
-    precomputed.z178 = z178;
-    precomputed.z179 = z179;
+    precomputed.z237 = z237;
+    precomputed.z238 = z238;
+    precomputed.z239 = z239;
+    precomputed.z375 = z375;
+    precomputed.z376 = z376;
     return precomputed;
   }
 
@@ -772,14 +771,14 @@ struct Mechanism {
     const Scalar v_e_omega_x = state.v.e_omega_x;
     const Scalar v_e_omega_y = state.v.e_omega_y;
     const Scalar v_e_omega_z = state.v.e_omega_z;
-    const Scalar z354 = n0_5 * (q_e_y * v_e_omega_y + q_e_z * v_e_omega_z + q_e_x * v_e_omega_x);
-    const Scalar z355 = n0_5 * (q_e_y * v_e_omega_z - q_e_z * v_e_omega_y + q_e_w * v_e_omega_x);
-    const Scalar z356 = n0_5 * (q_e_z * v_e_omega_x - q_e_x * v_e_omega_z + q_e_w * v_e_omega_y);
-    const Scalar z357 = n0_5 * (q_e_y * v_e_omega_x - q_e_x * v_e_omega_y - q_e_w * v_e_omega_z);
-    rates[0] = -z354;
-    rates[1] = z355;
-    rates[2] = z356;
-    rates[3] = -z357;
+    const Scalar z679 = n0_5 * (q_e_y * v_e_omega_y + q_e_z * v_e_omega_z + q_e_x * v_e_omega_x);
+    const Scalar z680 = n0_5 * (q_e_y * v_e_omega_z - q_e_z * v_e_omega_y + q_e_w * v_e_omega_x);
+    const Scalar z681 = n0_5 * (q_e_z * v_e_omega_x - q_e_x * v_e_omega_z + q_e_w * v_e_omega_y);
+    const Scalar z682 = n0_5 * (q_e_y * v_e_omega_x - q_e_x * v_e_omega_y - q_e_w * v_e_omega_z);
+    rates[0] = -z679;
+    rates[1] = z680;
+    rates[2] = z681;
+    rates[3] = -z682;
   }
 
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
@@ -798,181 +797,194 @@ struct Mechanism {
     const Scalar v_e_omega_z = state.v.e_omega_z;
     const Scalar s_alpha = precomputed.s_alpha;
     const Scalar c_alpha = precomputed.c_alpha;
-    const Scalar z1 = n2 * q_e_y * q_e_y;
-    const Scalar z3 = n2 * q_e_z * q_e_z;
-    const Scalar z5 = n2 * q_e_y * q_e_x;
-    const Scalar z7 = n2 * q_e_z * q_e_w;
-    const Scalar z11 = n2 * q_e_x * q_e_x;
-    const Scalar z12 = n2 * q_e_y * q_e_z;
-    const Scalar z13 = n2 * q_e_x * q_e_w;
-    const Scalar z17 = n2 * q_e_z * q_e_x;
-    const Scalar z18 = n2 * q_e_y * q_e_w;
-    const Scalar z8 = n1 - z1 - z3;
-    const Scalar z9 = z5 - z7;
-    const Scalar z10 = z5 + z7;
-    const Scalar z14 = n1 - z3 - z11;
-    const Scalar z15 = z12 - z13;
-    const Scalar z16 = z12 + z13;
-    const Scalar z20 = z17 - z18;
-    const Scalar z21 = z17 + z18;
-    const Scalar z19 = n1 - z1 - z11;
-    const Scalar z47 = v_e_omega_y * s_alpha - v_e_omega_z * c_alpha;
-    const Scalar z54 = v_e_omega_x * c_alpha - v_e_omega_z * s_alpha;
-    const Scalar z55 = v_e_omega_x * s_alpha + v_e_omega_z * c_alpha;
-    const Scalar z63 = v_e_omega_y * s_alpha + v_e_omega_z * c_alpha;
-    const Scalar z71 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
-    const Scalar z31 = z8 * v_e_omega_x;  // angular velocity of e_omega_x, x
-    const Scalar z32 = z10 * v_e_omega_x;  // angular velocity of e_omega_x, y
-    const Scalar z33 = z20 * v_e_omega_x;  // angular velocity of e_omega_x, z
-    const Scalar z40 = z9 * c_alpha + z21 * s_alpha;
-    const Scalar z42 = z15 * s_alpha + z14 * c_alpha;
-    const Scalar z44 = z16 * c_alpha + z19 * s_alpha;
-    const Scalar z75 = n3 * z47;
-    const Scalar z83 = n3 * z55;
-    const Scalar z84 = n3 * z54;
-    const Scalar z88 = n3 * z63;
-    const Scalar z93 = n3 * z71;
-    const Scalar z34 = z9 * v_e_omega_y + z31;  // angular velocity of e_omega_y, x
-    const Scalar z37 = z21 * v_e_omega_z + z34;  // angular velocity of rotor, x
-    const Scalar z46 = v_e_omega_y * c_alpha + v_e_omega_z * s_alpha;
-    const Scalar z35 = z14 * v_e_omega_y + z32;  // angular velocity of e_omega_y, y
-    const Scalar z38 = z15 * v_e_omega_z + z35;  // angular velocity of rotor, y
-    const Scalar z48 = z8 * c_alpha - z21 * s_alpha;
-    const Scalar z36 = z16 * v_e_omega_y + z33;  // angular velocity of e_omega_y, z
-    const Scalar z39 = z19 * v_e_omega_z + z36;  // angular velocity of rotor, z
-    const Scalar z50 = z10 * c_alpha - z15 * s_alpha;
-    const Scalar z76 = n3 * z46;
-    const Scalar z72 = n3 * z8;
-    const Scalar z73 = n3 * z10;
-    const Scalar z74 = n3 * z20;
-    const Scalar z80 = n3 * z9;
-    const Scalar z81 = n3 * z14;
-    const Scalar z82 = n3 * z16;
-    const Scalar z53 = z20 * s_alpha + z19 * c_alpha;
-    const Scalar z56 = z9 * c_alpha - z21 * s_alpha;
-    const Scalar z58 = z14 * c_alpha - z15 * s_alpha;
-    const Scalar z60 = z16 * c_alpha - z19 * s_alpha;
-    const Scalar z62 = v_e_omega_y * c_alpha - v_e_omega_z * s_alpha;
-    const Scalar z89 = n3 * z62;
-    const Scalar z64 = z21 * s_alpha + z8 * c_alpha;
-    const Scalar z66 = z10 * c_alpha + z15 * s_alpha;
-    const Scalar z68 = z20 * c_alpha + z19 * s_alpha;
-    const Scalar z70 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
-    const Scalar z94 = n3 * z70;
-    const Scalar z41 = z9 * s_alpha - z21 * c_alpha;
-    const Scalar z77 = z40 * z75 - z41 * z76;
-    const Scalar z57 = z9 * s_alpha + z21 * c_alpha;
-    const Scalar z90 = z56 * z88 - z57 * z89;
-    const Scalar z43 = z14 * s_alpha - z15 * c_alpha;
-    const Scalar z78 = z42 * z75 - z43 * z76;
-    const Scalar z59 = z15 * c_alpha + z14 * s_alpha;
-    const Scalar z91 = z58 * z88 - z59 * z89;
-    const Scalar z45 = z16 * s_alpha - z19 * c_alpha;
-    const Scalar z79 = z44 * z75 - z45 * z76;
-    const Scalar z61 = z16 * s_alpha + z19 * c_alpha;
-    const Scalar z92 = z60 * z88 - z61 * z89;
-    const Scalar z49 = z21 * c_alpha + z8 * s_alpha;
-    const Scalar z51 = z10 * s_alpha + z15 * c_alpha;
-    const Scalar z52 = z19 * s_alpha - z20 * c_alpha;
-    const Scalar z65 = z8 * s_alpha - z21 * c_alpha;
-    const Scalar z67 = z10 * s_alpha - z15 * c_alpha;
-    const Scalar z69 = z19 * c_alpha - z20 * s_alpha;
-    const Scalar z85 = z48 * z83 - z49 * z84;
-    const Scalar z86 = z50 * z83 - z51 * z84;
-    const Scalar z87 = z53 * z84 + z52 * z83;
-    const Scalar z95 = z64 * z93 - z65 * z94;
-    const Scalar z96 = z66 * z93 - z67 * z94;
-    const Scalar z97 = z68 * z93 + z69 * z94;
-    result.blade_1_position[0] = z72;
-    result.blade_1_position[1] = z73;
-    result.blade_1_position[2] = z74;
-    result.blade_1_rotation[0] = z8;
-    result.blade_1_rotation[1] = z10;
-    result.blade_1_rotation[2] = z20;
-    result.blade_1_rotation[3] = z40;
-    result.blade_1_rotation[4] = z42;
-    result.blade_1_rotation[5] = z44;
-    result.blade_1_rotation[6] = -z41;
-    result.blade_1_rotation[7] = -z43;
-    result.blade_1_rotation[8] = -z45;
-    result.blade_1_velocity[0] = -z77;
-    result.blade_1_velocity[1] = -z78;
-    result.blade_1_velocity[2] = -z79;
-    result.blade_1_angular_velocity[0] = z37;
-    result.blade_1_angular_velocity[1] = z38;
-    result.blade_1_angular_velocity[2] = z39;
-    result.blade_2_position[0] = z80;
-    result.blade_2_position[1] = z81;
-    result.blade_2_position[2] = z82;
-    result.blade_2_rotation[0] = z9;
-    result.blade_2_rotation[1] = z14;
-    result.blade_2_rotation[2] = z16;
-    result.blade_2_rotation[3] = -z48;
-    result.blade_2_rotation[4] = -z50;
-    result.blade_2_rotation[5] = z52;
-    result.blade_2_rotation[6] = z49;
-    result.blade_2_rotation[7] = z51;
-    result.blade_2_rotation[8] = z53;
-    result.blade_2_velocity[0] = -z85;
-    result.blade_2_velocity[1] = -z86;
-    result.blade_2_velocity[2] = z87;
-    result.blade_2_angular_velocity[0] = z37;
-    result.blade_2_angular_velocity[1] = z38;
-    result.blade_2_angular_velocity[2] = z39;
-    result.blade_3_position[0] = -z72;
-    result.blade_3_position[1] = -z73;
-    result.blade_3_position[2] = -z74;
-    result.blade_3_rotation[0] = -z8;
-    result.blade_3_rotation[1] = -z10;
-    result.blade_3_rotation[2] = -z20;
-    result.blade_3_rotation[3] = -z56;
-    result.blade_3_rotation[4] = -z58;
-    result.blade_3_rotation[5] = -z60;
-    result.blade_3_rotation[6] = z57;
-    result.blade_3_rotation[7] = z59;
-    result.blade_3_rotation[8] = z61;
-    result.blade_3_velocity[0] = -z90;
-    result.blade_3_velocity[1] = -z91;
-    result.blade_3_velocity[2] = -z92;
-    result.blade_3_angular_velocity[0] = z37;
-    result.blade_3_angular_velocity[1] = z38;
-    result.blade_3_angular_velocity[2] = z39;
-    result.blade_4_position[0] = -z80;
-    result.blade_4_position[1] = -z81;
-    result.blade_4_position[2] = -z82;
-    result.blade_4_rotation[0] = -z9;
-    result.blade_4_rotation[1] = -z14;
-    result.blade_4_rotation[2] = -z16;
-    result.blade_4_rotation[3] = z64;
-    result.blade_4_rotation[4] = z66;
-    result.blade_4_rotation[5] = z68;
-    result.blade_4_rotation[6] = -z65;
-    result.blade_4_rotation[7] = -z67;
-    result.blade_4_rotation[8] = z69;
-    result.blade_4_velocity[0] = -z95;
-    result.blade_4_velocity[1] = -z96;
-    result.blade_4_velocity[2] = -z97;
-    result.blade_4_angular_velocity[0] = z37;
-    result.blade_4_angular_velocity[1] = z38;
-    result.blade_4_angular_velocity[2] = z39;
+    const Scalar z126 = n2 * q_e_y;
+    const Scalar z128 = n2 * q_e_z;
+    const Scalar z135 = n2 * q_e_x;
+    const Scalar z170 = v_e_omega_z * c_alpha;
+    const Scalar z168 = v_e_omega_z * s_alpha;
+    const Scalar z127 = q_e_y * z126;
+    const Scalar z129 = q_e_z * z128;
+    const Scalar z137 = q_e_z * z126;
+    const Scalar z138 = q_e_w * z135;
+    const Scalar z142 = q_e_x * z128;
+    const Scalar z143 = q_e_w * z126;
+    const Scalar z130 = q_e_x * z126;
+    const Scalar z131 = q_e_w * z128;
+    const Scalar z136 = q_e_x * z135;
+    const Scalar z140 = z137 - z138;
+    const Scalar z141 = z137 + z138;
+    const Scalar z145 = z142 - z143;
+    const Scalar z146 = z142 + z143;
+    const Scalar z132 = n1 - z127 - z129;
+    const Scalar z133 = z130 - z131;
+    const Scalar z134 = z130 + z131;
+    const Scalar z139 = n1 - z129 - z136;
+    const Scalar z144 = n1 - z127 - z136;
+    const Scalar z156 = s_alpha * z146;
+    const Scalar z160 = s_alpha * z140;
+    const Scalar z164 = c_alpha * z141;
+    const Scalar z176 = c_alpha * z145;
+    const Scalar z171 = v_e_omega_y * s_alpha - z170;
+    const Scalar z181 = v_e_omega_x * s_alpha + z170;
+    const Scalar z189 = v_e_omega_y * s_alpha + z170;
+    const Scalar z197 = v_e_omega_x * s_alpha - z170;
+    const Scalar z147 = v_e_omega_x * z132;  // angular velocity of e_omega_x, x
+    const Scalar z148 = v_e_omega_x * z134;  // angular velocity of e_omega_x, y
+    const Scalar z201 = n3 * z171;
+    const Scalar z150 = v_e_omega_y * z133 + z147;  // angular velocity of e_omega_y, x
+    const Scalar z151 = v_e_omega_y * z139 + z148;  // angular velocity of e_omega_y, y
+    const Scalar z198 = n3 * z132;
+    const Scalar z199 = n3 * z134;
+    const Scalar z153 = v_e_omega_z * z146 + z150;  // angular velocity of rotor, x
+    const Scalar z149 = v_e_omega_x * z145;  // angular velocity of e_omega_x, z
+    const Scalar z154 = v_e_omega_z * z140 + z151;  // angular velocity of rotor, y
+    const Scalar z158 = c_alpha * z146;
+    const Scalar z162 = c_alpha * z140;
+    const Scalar z166 = s_alpha * z141;
+    const Scalar z209 = n3 * z181;
+    const Scalar z152 = v_e_omega_y * z141 + z149;  // angular velocity of e_omega_y, z
+    const Scalar z155 = v_e_omega_z * z144 + z152;  // angular velocity of rotor, z
+    const Scalar z178 = s_alpha * z145;
+    const Scalar z200 = n3 * z145;
+    const Scalar z157 = c_alpha * z133 + z156;
+    const Scalar z208 = n3 * z141;
+    const Scalar z161 = c_alpha * z139 + z160;
+    const Scalar z214 = n3 * z189;
+    const Scalar z206 = n3 * z133;
+    const Scalar z207 = n3 * z139;
+    const Scalar z165 = s_alpha * z144 + z164;
+    const Scalar z186 = s_alpha * z144 - z164;
+    const Scalar z169 = v_e_omega_y * c_alpha + z168;
+    const Scalar z202 = n3 * z169;
+    const Scalar z172 = c_alpha * z132 - z156;
+    const Scalar z174 = c_alpha * z134 - z160;
+    const Scalar z177 = s_alpha * z144 - z176;
+    const Scalar z194 = s_alpha * z144 + z176;
+    const Scalar z180 = v_e_omega_x * c_alpha - z168;
+    const Scalar z210 = n3 * z180;
+    const Scalar z182 = c_alpha * z133 - z156;
+    const Scalar z190 = c_alpha * z132 + z156;
+    const Scalar z184 = c_alpha * z139 - z160;
+    const Scalar z192 = c_alpha * z134 + z160;
+    const Scalar z188 = v_e_omega_y * c_alpha - z168;
+    const Scalar z196 = v_e_omega_x * c_alpha + z168;
+    const Scalar z215 = n3 * z188;
+    const Scalar z159 = s_alpha * z133 - z158;
+    const Scalar z203 = z157 * z201 - z159 * z202;
+    const Scalar z219 = n3 * z197;
+    const Scalar z183 = s_alpha * z133 + z158;
+    const Scalar z216 = z182 * z214 - z183 * z215;
+    const Scalar z220 = n3 * z196;
+    const Scalar z163 = s_alpha * z139 - z162;
+    const Scalar z204 = z161 * z201 - z163 * z202;
+    const Scalar z185 = s_alpha * z139 + z162;
+    const Scalar z217 = z184 * z214 - z185 * z215;
+    const Scalar z167 = c_alpha * z144 - z166;
+    const Scalar z205 = z165 * z201 + z167 * z202;
+    const Scalar z187 = c_alpha * z144 + z166;
+    const Scalar z218 = z186 * z214 + z187 * z215;
+    const Scalar z173 = s_alpha * z132 + z158;
+    const Scalar z175 = s_alpha * z134 + z162;
+    const Scalar z179 = c_alpha * z144 + z178;
+    const Scalar z191 = s_alpha * z132 - z158;
+    const Scalar z193 = s_alpha * z134 - z162;
+    const Scalar z195 = c_alpha * z144 - z178;
+    const Scalar z211 = z172 * z209 - z173 * z210;
+    const Scalar z212 = z174 * z209 - z175 * z210;
+    const Scalar z213 = z177 * z209 + z179 * z210;
+    const Scalar z221 = z190 * z219 - z191 * z220;
+    const Scalar z222 = z192 * z219 - z193 * z220;
+    const Scalar z223 = z194 * z219 + z195 * z220;
+    result.blade_1_position[0] = z198;
+    result.blade_1_position[1] = z199;
+    result.blade_1_position[2] = z200;
+    result.blade_1_rotation[0] = z132;
+    result.blade_1_rotation[1] = z134;
+    result.blade_1_rotation[2] = z145;
+    result.blade_1_rotation[3] = z157;
+    result.blade_1_rotation[4] = z161;
+    result.blade_1_rotation[5] = z165;
+    result.blade_1_rotation[6] = -z159;
+    result.blade_1_rotation[7] = -z163;
+    result.blade_1_rotation[8] = z167;
+    result.blade_1_velocity[0] = -z203;
+    result.blade_1_velocity[1] = -z204;
+    result.blade_1_velocity[2] = -z205;
+    result.blade_1_angular_velocity[0] = z153;
+    result.blade_1_angular_velocity[1] = z154;
+    result.blade_1_angular_velocity[2] = z155;
+    result.blade_2_position[0] = z206;
+    result.blade_2_position[1] = z207;
+    result.blade_2_position[2] = z208;
+    result.blade_2_rotation[0] = z133;
+    result.blade_2_rotation[1] = z139;
+    result.blade_2_rotation[2] = z141;
+    result.blade_2_rotation[3] = -z172;
+    result.blade_2_rotation[4] = -z174;
+    result.blade_2_rotation[5] = z177;
+    result.blade_2_rotation[6] = z173;
+    result.blade_2_rotation[7] = z175;
+    result.blade_2_rotation[8] = z179;
+    result.blade_2_velocity[0] = -z211;
+    result.blade_2_velocity[1] = -z212;
+    result.blade_2_velocity[2] = z213;
+    result.blade_2_angular_velocity[0] = z153;
+    result.blade_2_angular_velocity[1] = z154;
+    result.blade_2_angular_velocity[2] = z155;
+    result.blade_3_position[0] = -z198;
+    result.blade_3_position[1] = -z199;
+    result.blade_3_position[2] = -z200;
+    result.blade_3_rotation[0] = -z132;
+    result.blade_3_rotation[1] = -z134;
+    result.blade_3_rotation[2] = -z145;
+    result.blade_3_rotation[3] = -z182;
+    result.blade_3_rotation[4] = -z184;
+    result.blade_3_rotation[5] = z186;
+    result.blade_3_rotation[6] = z183;
+    result.blade_3_rotation[7] = z185;
+    result.blade_3_rotation[8] = z187;
+    result.blade_3_velocity[0] = -z216;
+    result.blade_3_velocity[1] = -z217;
+    result.blade_3_velocity[2] = z218;
+    result.blade_3_angular_velocity[0] = z153;
+    result.blade_3_angular_velocity[1] = z154;
+    result.blade_3_angular_velocity[2] = z155;
+    result.blade_4_position[0] = -z206;
+    result.blade_4_position[1] = -z207;
+    result.blade_4_position[2] = -z208;
+    result.blade_4_rotation[0] = -z133;
+    result.blade_4_rotation[1] = -z139;
+    result.blade_4_rotation[2] = -z141;
+    result.blade_4_rotation[3] = z190;
+    result.blade_4_rotation[4] = z192;
+    result.blade_4_rotation[5] = z194;
+    result.blade_4_rotation[6] = -z191;
+    result.blade_4_rotation[7] = -z193;
+    result.blade_4_rotation[8] = z195;
+    result.blade_4_velocity[0] = -z221;
+    result.blade_4_velocity[1] = -z222;
+    result.blade_4_velocity[2] = -z223;
+    result.blade_4_angular_velocity[0] = z153;
+    result.blade_4_angular_velocity[1] = z154;
+    result.blade_4_angular_velocity[2] = z155;
   }
 
   /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
   TORSOR_DEVICE static void mass_matrix(const Precomputed& precomputed, const State&,
       std::array<Scalar, 9>& mass) noexcept {
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
-    const Scalar z111 = precomputed.z111;
-    const Scalar z112 = precomputed.z112;
-    const Scalar z113 = precomputed.z113;
-    mass[0] = z111;
+    const Scalar z237 = precomputed.z237;
+    const Scalar z238 = precomputed.z238;
+    const Scalar z239 = precomputed.z239;
+    mass[0] = z237;
     mass[1] = n0;
     mass[2] = n0;
     mass[3] = n0;
-    mass[4] = -z112;
+    mass[4] = -z238;
     mass[5] = n0;
     mass[6] = n0;
     mass[7] = n0;
-    mass[8] = -z113;
+    mass[8] = -z239;
   }
 
   /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
@@ -987,40 +999,42 @@ struct Mechanism {
     const Scalar v_e_omega_z = state.v.e_omega_z;
     const Scalar s_alpha = precomputed.s_alpha;
     const Scalar c_alpha = precomputed.c_alpha;
-    const Scalar z46 = v_e_omega_y * c_alpha + v_e_omega_z * s_alpha;
-    const Scalar z47 = v_e_omega_y * s_alpha - v_e_omega_z * c_alpha;
-    const Scalar z70 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
-    const Scalar z71 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
-    const Scalar z54 = v_e_omega_x * c_alpha - v_e_omega_z * s_alpha;
-    const Scalar z114 = z70 * z71;
-    const Scalar z132 = z46 * z47;
-    const Scalar z55 = v_e_omega_x * s_alpha + v_e_omega_z * c_alpha;
-    const Scalar z62 = v_e_omega_y * c_alpha - v_e_omega_z * s_alpha;
-    const Scalar z63 = v_e_omega_y * s_alpha + v_e_omega_z * c_alpha;
-    const Scalar z116 = n0_4 * z114;  // moment on blade_4, x
-    const Scalar z134 = n0_4 * z132;  // moment on blade_1, x
-    const Scalar z138 = v_e_omega_y * v_e_omega_z;
-    const Scalar z139 = v_e_omega_x * v_e_omega_z;
-    const Scalar z115 = v_e_omega_y * z70;
-    const Scalar z120 = z62 * z63;
-    const Scalar z121 = v_e_omega_x * z62;
-    const Scalar z126 = z54 * z55;
-    const Scalar z117 = n0_4 * z115;  // moment on blade_4, z
-    const Scalar z122 = n0_4 * z120;  // moment on blade_3, x
-    const Scalar z123 = n0_4 * z121;  // moment on blade_3, z
-    const Scalar z127 = v_e_omega_y * z54;
-    const Scalar z128 = n0_4 * z126;  // moment on blade_2, x
-    const Scalar z133 = v_e_omega_x * z46;
-    const Scalar z118 = s_alpha * z117;
-    const Scalar z124 = s_alpha * z123;
-    const Scalar z129 = n0_4 * z127;  // moment on blade_2, z
-    const Scalar z135 = n0_4 * z133;  // moment on blade_1, z
-    const Scalar z130 = s_alpha * z129;
-    const Scalar z136 = s_alpha * z135;
-    const Scalar z140 = z134 - n665 * z138 - z122 + z118 - z130;  // moment on rotor, x
-    const Scalar z141 = z116 - n665 * z139 - z128 - z124 + z136;  // moment on rotor, y
-    forces.e_omega_x = -z140;
-    forces.e_omega_y = z141;
+    const Scalar z269 = v_e_omega_z * s_alpha;
+    const Scalar z271 = v_e_omega_z * c_alpha;
+    const Scalar z299 = v_e_omega_y * v_e_omega_z;
+    const Scalar z300 = v_e_omega_x * v_e_omega_z;
+    const Scalar z270 = v_e_omega_y * c_alpha + z269;
+    const Scalar z272 = v_e_omega_y * s_alpha - z271;
+    const Scalar z277 = v_e_omega_x * c_alpha + z269;
+    const Scalar z278 = v_e_omega_x * s_alpha - z271;
+    const Scalar z273 = v_e_omega_x * c_alpha - z269;
+    const Scalar z279 = z277 * z278;
+    const Scalar z294 = z270 * z272;
+    const Scalar z274 = v_e_omega_x * s_alpha + z271;
+    const Scalar z275 = v_e_omega_y * c_alpha - z269;
+    const Scalar z276 = v_e_omega_y * s_alpha + z271;
+    const Scalar z281 = n0_4 * z279;  // moment on blade_4, x
+    const Scalar z296 = n0_4 * z294;  // moment on blade_1, x
+    const Scalar z280 = v_e_omega_y * z277;
+    const Scalar z284 = z275 * z276;
+    const Scalar z285 = v_e_omega_x * z275;
+    const Scalar z289 = z273 * z274;
+    const Scalar z282 = n0_4 * z280;  // moment on blade_4, z
+    const Scalar z286 = n0_4 * z284;  // moment on blade_3, x
+    const Scalar z287 = n0_4 * z285;  // moment on blade_3, z
+    const Scalar z290 = v_e_omega_y * z273;
+    const Scalar z291 = n0_4 * z289;  // moment on blade_2, x
+    const Scalar z295 = v_e_omega_x * z270;
+    const Scalar z283 = s_alpha * z282;
+    const Scalar z288 = s_alpha * z287;
+    const Scalar z292 = n0_4 * z290;  // moment on blade_2, z
+    const Scalar z297 = n0_4 * z295;  // moment on blade_1, z
+    const Scalar z293 = s_alpha * z292;
+    const Scalar z298 = s_alpha * z297;
+    const Scalar z301 = z296 - n665 * z299 - z286 + z283 - z293;  // moment on rotor, x
+    const Scalar z302 = z281 - n665 * z300 - z291 - z288 + z298;  // moment on rotor, y
+    forces.e_omega_x = -z301;
+    forces.e_omega_y = z302;
     forces.e_omega_z = n0;
   }
 
@@ -1037,47 +1051,49 @@ struct Mechanism {
     const Scalar a_e_omega_z = accelerations.e_omega_z;
     const Scalar s_alpha = precomputed.s_alpha;
     const Scalar c_alpha = precomputed.c_alpha;
-    const Scalar z111 = precomputed.z111;
-    const Scalar z112 = precomputed.z112;
-    const Scalar z113 = precomputed.z113;
-    const Scalar z46 = v_e_omega_y * c_alpha + v_e_omega_z * s_alpha;
-    const Scalar z47 = v_e_omega_y * s_alpha - v_e_omega_z * c_alpha;
-    const Scalar z70 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
-    const Scalar z71 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
-    const Scalar z54 = v_e_omega_x * c_alpha - v_e_omega_z * s_alpha;
-    const Scalar z114 = z70 * z71;
-    const Scalar z132 = z46 * z47;
-    const Scalar z55 = v_e_omega_x * s_alpha + v_e_omega_z * c_alpha;
-    const Scalar z62 = v_e_omega_y * c_alpha - v_e_omega_z * s_alpha;
-    const Scalar z63 = v_e_omega_y * s_alpha + v_e_omega_z * c_alpha;
-    const Scalar z116 = n0_4 * z114;  // moment on blade_4, x
-    const Scalar z134 = n0_4 * z132;  // moment on blade_1, x
-    const Scalar z138 = v_e_omega_y * v_e_omega_z;
-    const Scalar z139 = v_e_omega_x * v_e_omega_z;
-    const Scalar z115 = v_e_omega_y * z70;
-    const Scalar z120 = z62 * z63;
-    const Scalar z121 = v_e_omega_x * z62;
-    const Scalar z126 = z54 * z55;
-    const Scalar z117 = n0_4 * z115;  // moment on blade_4, z
-    const Scalar z122 = n0_4 * z120;  // moment on blade_3, x
-    const Scalar z123 = n0_4 * z121;  // moment on blade_3, z
-    const Scalar z127 = v_e_omega_y * z54;
-    const Scalar z128 = n0_4 * z126;  // moment on blade_2, x
-    const Scalar z133 = v_e_omega_x * z46;
-    const Scalar z118 = s_alpha * z117;
-    const Scalar z124 = s_alpha * z123;
-    const Scalar z129 = n0_4 * z127;  // moment on blade_2, z
-    const Scalar z135 = n0_4 * z133;  // moment on blade_1, z
-    const Scalar z130 = s_alpha * z129;
-    const Scalar z176 = a_e_omega_z * z113;
-    const Scalar z136 = s_alpha * z135;
-    const Scalar z140 = z134 - n665 * z138 - z122 + z118 - z130;  // moment on rotor, x
-    const Scalar z141 = z116 - n665 * z139 - z128 - z124 + z136;  // moment on rotor, y
-    const Scalar z174 = a_e_omega_x * z111 - z140;
-    const Scalar z175 = a_e_omega_y * z112 - z141;
-    forces.e_omega_x = z174;
-    forces.e_omega_y = -z175;
-    forces.e_omega_z = -z176;
+    const Scalar z237 = precomputed.z237;
+    const Scalar z238 = precomputed.z238;
+    const Scalar z239 = precomputed.z239;
+    const Scalar z337 = v_e_omega_z * s_alpha;
+    const Scalar z339 = v_e_omega_z * c_alpha;
+    const Scalar z367 = v_e_omega_y * v_e_omega_z;
+    const Scalar z368 = v_e_omega_x * v_e_omega_z;
+    const Scalar z373 = a_e_omega_z * z239;
+    const Scalar z338 = v_e_omega_y * c_alpha + z337;
+    const Scalar z340 = v_e_omega_y * s_alpha - z339;
+    const Scalar z345 = v_e_omega_x * c_alpha + z337;
+    const Scalar z346 = v_e_omega_x * s_alpha - z339;
+    const Scalar z341 = v_e_omega_x * c_alpha - z337;
+    const Scalar z347 = z345 * z346;
+    const Scalar z362 = z338 * z340;
+    const Scalar z342 = v_e_omega_x * s_alpha + z339;
+    const Scalar z343 = v_e_omega_y * c_alpha - z337;
+    const Scalar z344 = v_e_omega_y * s_alpha + z339;
+    const Scalar z349 = n0_4 * z347;  // moment on blade_4, x
+    const Scalar z364 = n0_4 * z362;  // moment on blade_1, x
+    const Scalar z348 = v_e_omega_y * z345;
+    const Scalar z352 = z343 * z344;
+    const Scalar z353 = v_e_omega_x * z343;
+    const Scalar z357 = z341 * z342;
+    const Scalar z350 = n0_4 * z348;  // moment on blade_4, z
+    const Scalar z354 = n0_4 * z352;  // moment on blade_3, x
+    const Scalar z355 = n0_4 * z353;  // moment on blade_3, z
+    const Scalar z358 = v_e_omega_y * z341;
+    const Scalar z359 = n0_4 * z357;  // moment on blade_2, x
+    const Scalar z363 = v_e_omega_x * z338;
+    const Scalar z351 = s_alpha * z350;
+    const Scalar z356 = s_alpha * z355;
+    const Scalar z360 = n0_4 * z358;  // moment on blade_2, z
+    const Scalar z365 = n0_4 * z363;  // moment on blade_1, z
+    const Scalar z361 = s_alpha * z360;
+    const Scalar z366 = s_alpha * z365;
+    const Scalar z369 = z364 - n665 * z367 - z354 + z351 - z361;  // moment on rotor, x
+    const Scalar z370 = z349 - n665 * z368 - z359 - z356 + z366;  // moment on rotor, y
+    const Scalar z371 = a_e_omega_x * z237 - z369;
+    const Scalar z372 = a_e_omega_y * z238 - z370;
+    forces.e_omega_x = z371;
+    forces.e_omega_y = -z372;
+    forces.e_omega_z = -z373;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -1094,50 +1110,52 @@ struct Mechanism {
     const Scalar v_e_omega_z = state.v.e_omega_z;
     const Scalar s_alpha = precomputed.s_alpha;
     const Scalar c_alpha = precomputed.c_alpha;
-    const Scalar z111 = precomputed.z111;
-    const Scalar z112 = precomputed.z112;
-    const Scalar z113 = precomputed.z113;
-    const Scalar z178 = precomputed.z178;
-    const Scalar z179 = precomputed.z179;
-    const Scalar z46 = v_e_omega_y * c_alpha + v_e_omega_z * s_alpha;
-    const Scalar z47 = v_e_omega_y * s_alpha - v_e_omega_z * c_alpha;
-    const Scalar z70 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
-    const Scalar z71 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
-    const Scalar z54 = v_e_omega_x * c_alpha - v_e_omega_z * s_alpha;
-    const Scalar z114 = z70 * z71;
-    const Scalar z132 = z46 * z47;
-    const Scalar z55 = v_e_omega_x * s_alpha + v_e_omega_z * c_alpha;
-    const Scalar z62 = v_e_omega_y * c_alpha - v_e_omega_z * s_alpha;
-    const Scalar z63 = v_e_omega_y * s_alpha + v_e_omega_z * c_alpha;
-    const Scalar z116 = n0_4 * z114;  // moment on blade_4, x
-    const Scalar z134 = n0_4 * z132;  // moment on blade_1, x
-    const Scalar z138 = v_e_omega_y * v_e_omega_z;
-    const Scalar z139 = v_e_omega_x * v_e_omega_z;
-    const Scalar z115 = v_e_omega_y * z70;
-    const Scalar z120 = z62 * z63;
-    const Scalar z121 = v_e_omega_x * z62;
-    const Scalar z126 = z54 * z55;
-    const Scalar z117 = n0_4 * z115;  // moment on blade_4, z
-    const Scalar z122 = n0_4 * z120;  // moment on blade_3, x
-    const Scalar z123 = n0_4 * z121;  // moment on blade_3, z
-    const Scalar z127 = v_e_omega_y * z54;
-    const Scalar z128 = n0_4 * z126;  // moment on blade_2, x
-    const Scalar z133 = v_e_omega_x * z46;
-    const Scalar z118 = s_alpha * z117;
-    const Scalar z124 = s_alpha * z123;
-    const Scalar z129 = n0_4 * z127;  // moment on blade_2, z
-    const Scalar z135 = n0_4 * z133;  // moment on blade_1, z
-    const Scalar z130 = s_alpha * z129;
-    const Scalar z136 = s_alpha * z135;
-    const Scalar z140 = z134 - n665 * z138 - z122 + z118 - z130;  // moment on rotor, x
-    const Scalar z141 = z116 - n665 * z139 - z128 - z124 + z136;  // moment on rotor, y
-    const Scalar z182 = z140 * z179;
-    const Scalar z181 = z141 * z178;
-    accelerations.e_omega_x = z182;
-    accelerations.e_omega_y = z181;
+    const Scalar z237 = precomputed.z237;
+    const Scalar z238 = precomputed.z238;
+    const Scalar z239 = precomputed.z239;
+    const Scalar z375 = precomputed.z375;
+    const Scalar z376 = precomputed.z376;
+    const Scalar z388 = v_e_omega_z * s_alpha;
+    const Scalar z390 = v_e_omega_z * c_alpha;
+    const Scalar z418 = v_e_omega_y * v_e_omega_z;
+    const Scalar z419 = v_e_omega_x * v_e_omega_z;
+    const Scalar z389 = v_e_omega_y * c_alpha + z388;
+    const Scalar z391 = v_e_omega_y * s_alpha - z390;
+    const Scalar z396 = v_e_omega_x * c_alpha + z388;
+    const Scalar z397 = v_e_omega_x * s_alpha - z390;
+    const Scalar z392 = v_e_omega_x * c_alpha - z388;
+    const Scalar z398 = z396 * z397;
+    const Scalar z413 = z389 * z391;
+    const Scalar z393 = v_e_omega_x * s_alpha + z390;
+    const Scalar z394 = v_e_omega_y * c_alpha - z388;
+    const Scalar z395 = v_e_omega_y * s_alpha + z390;
+    const Scalar z400 = n0_4 * z398;  // moment on blade_4, x
+    const Scalar z415 = n0_4 * z413;  // moment on blade_1, x
+    const Scalar z399 = v_e_omega_y * z396;
+    const Scalar z403 = z394 * z395;
+    const Scalar z404 = v_e_omega_x * z394;
+    const Scalar z408 = z392 * z393;
+    const Scalar z401 = n0_4 * z399;  // moment on blade_4, z
+    const Scalar z405 = n0_4 * z403;  // moment on blade_3, x
+    const Scalar z406 = n0_4 * z404;  // moment on blade_3, z
+    const Scalar z409 = v_e_omega_y * z392;
+    const Scalar z410 = n0_4 * z408;  // moment on blade_2, x
+    const Scalar z414 = v_e_omega_x * z389;
+    const Scalar z402 = s_alpha * z401;
+    const Scalar z407 = s_alpha * z406;
+    const Scalar z411 = n0_4 * z409;  // moment on blade_2, z
+    const Scalar z416 = n0_4 * z414;  // moment on blade_1, z
+    const Scalar z412 = s_alpha * z411;
+    const Scalar z417 = s_alpha * z416;
+    const Scalar z420 = z415 - n665 * z418 - z405 + z402 - z412;  // moment on rotor, x
+    const Scalar z421 = z400 - n665 * z419 - z410 - z407 + z417;  // moment on rotor, y
+    const Scalar z422 = z375 * z421;
+    const Scalar z423 = z376 * z420;
+    accelerations.e_omega_x = z423;
+    accelerations.e_omega_y = z422;
     accelerations.e_omega_z = n0;
-    if (!(traits::regular(z111, z111) && traits::regular(-z112, -z112) && traits::regular(-z113,
-        -z113))) return torsor::Status::singular;
+    if (!(traits::regular(z237, z237) && traits::regular(-z238, -z238) && traits::regular(-z239,
+        -z239))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.e_omega_x * accelerations.e_omega_y;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -1156,16 +1174,18 @@ struct Mechanism {
     const Scalar v_e_omega_z = state.v.e_omega_z;
     const Scalar s_alpha = precomputed.s_alpha;
     const Scalar c_alpha = precomputed.c_alpha;
-    const Scalar z46 = v_e_omega_y * c_alpha + v_e_omega_z * s_alpha;
-    const Scalar z47 = v_e_omega_y * s_alpha - v_e_omega_z * c_alpha;
-    const Scalar z54 = v_e_omega_x * c_alpha - v_e_omega_z * s_alpha;
-    const Scalar z55 = v_e_omega_x * s_alpha + v_e_omega_z * c_alpha;
-    const Scalar z62 = v_e_omega_y * c_alpha - v_e_omega_z * s_alpha;
-    const Scalar z63 = v_e_omega_y * s_alpha + v_e_omega_z * c_alpha;
-    const Scalar z70 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
-    const Scalar z71 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
-    result.kinetic = n0_4 * (v_e_omega_x * v_e_omega_x + v_e_omega_y * v_e_omega_y) + n166_25 * (z46 * z46 + z54 * z54
-        + z62 * z62 + z70 * z70) + n166_45 * (z47 * z47 + z55 * z55 + z63 * z63 + z71 * z71);
+    const Scalar z430 = v_e_omega_z * s_alpha;
+    const Scalar z432 = v_e_omega_z * c_alpha;
+    const Scalar z431 = v_e_omega_y * c_alpha + z430;
+    const Scalar z433 = v_e_omega_y * s_alpha - z432;
+    const Scalar z434 = v_e_omega_x * c_alpha - z430;
+    const Scalar z435 = v_e_omega_x * s_alpha + z432;
+    const Scalar z436 = v_e_omega_y * c_alpha - z430;
+    const Scalar z437 = v_e_omega_y * s_alpha + z432;
+    const Scalar z438 = v_e_omega_x * c_alpha + z430;
+    const Scalar z439 = v_e_omega_x * s_alpha - z432;
+    result.kinetic = n0_4 * (v_e_omega_x * v_e_omega_x + v_e_omega_y * v_e_omega_y) + n166_25 * (z431 * z431 + z434
+        * z434 + z436 * z436 + z438 * z438) + n166_45 * (z433 * z433 + z435 * z435 + z437 * z437 + z439 * z439);
     result.force_function = n0;
     result.power = n0;
   }
@@ -1181,18 +1201,20 @@ struct Mechanism {
     const Scalar v_e_omega_z = state.v.e_omega_z;
     const Scalar s_alpha = precomputed.s_alpha;
     const Scalar c_alpha = precomputed.c_alpha;
-    const Scalar z113 = precomputed.z113;
-    const Scalar z46 = v_e_omega_y * c_alpha + v_e_omega_z * s_alpha;
-    const Scalar z47 = v_e_omega_y * s_alpha - v_e_omega_z * c_alpha;
-    const Scalar z54 = v_e_omega_x * c_alpha - v_e_omega_z * s_alpha;
-    const Scalar z55 = v_e_omega_x * s_alpha + v_e_omega_z * c_alpha;
-    const Scalar z62 = v_e_omega_y * c_alpha - v_e_omega_z * s_alpha;
-    const Scalar z63 = v_e_omega_y * s_alpha + v_e_omega_z * c_alpha;
-    const Scalar z70 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
-    const Scalar z71 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
-    result.energy = n0_4 * (v_e_omega_x * v_e_omega_x + v_e_omega_y * v_e_omega_y) + n166_25 * (z46 * z46 + z54 * z54
-        + z62 * z62 + z70 * z70) + n166_45 * (z47 * z47 + z55 * z55 + z63 * z63 + z71 * z71);
-    result.momentum_e_omega_z = -v_e_omega_z * z113;
+    const Scalar z239 = precomputed.z239;
+    const Scalar z454 = v_e_omega_z * s_alpha;
+    const Scalar z456 = v_e_omega_z * c_alpha;
+    const Scalar z455 = v_e_omega_y * c_alpha + z454;
+    const Scalar z457 = v_e_omega_y * s_alpha - z456;
+    const Scalar z458 = v_e_omega_x * c_alpha - z454;
+    const Scalar z459 = v_e_omega_x * s_alpha + z456;
+    const Scalar z460 = v_e_omega_y * c_alpha - z454;
+    const Scalar z461 = v_e_omega_y * s_alpha + z456;
+    const Scalar z462 = v_e_omega_x * c_alpha + z454;
+    const Scalar z463 = v_e_omega_x * s_alpha - z456;
+    result.energy = n0_4 * (v_e_omega_x * v_e_omega_x + v_e_omega_y * v_e_omega_y) + n166_25 * (z455 * z455 + z458
+        * z458 + z460 * z460 + z462 * z462) + n166_45 * (z457 * z457 + z459 * z459 + z461 * z461 + z463 * z463);
+    result.momentum_e_omega_z = -v_e_omega_z * z239;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -1214,101 +1236,103 @@ struct Mechanism {
     const Scalar a_e_omega_z = accelerations.e_omega_z;
     const Scalar s_alpha = precomputed.s_alpha;
     const Scalar c_alpha = precomputed.c_alpha;
-    const Scalar z111 = precomputed.z111;
-    const Scalar z112 = precomputed.z112;
-    const Scalar z113 = precomputed.z113;
-    const Scalar z178 = precomputed.z178;
-    const Scalar z179 = precomputed.z179;
-    const Scalar z63 = v_e_omega_y * s_alpha + v_e_omega_z * c_alpha;
-    const Scalar z71 = v_e_omega_x * s_alpha - v_e_omega_z * c_alpha;
-    const Scalar z46 = v_e_omega_y * c_alpha + v_e_omega_z * s_alpha;
-    const Scalar z47 = v_e_omega_y * s_alpha - v_e_omega_z * c_alpha;
-    const Scalar z70 = v_e_omega_x * c_alpha + v_e_omega_z * s_alpha;
-    const Scalar z62 = v_e_omega_y * c_alpha - v_e_omega_z * s_alpha;
-    const Scalar z114 = z70 * z71;
-    const Scalar z132 = z46 * z47;
-    const Scalar z54 = v_e_omega_x * c_alpha - v_e_omega_z * s_alpha;
-    const Scalar z55 = v_e_omega_x * s_alpha + v_e_omega_z * c_alpha;
-    const Scalar z216 = n0_4 * z62;
-    const Scalar z223 = n0_4 * z70;
-    const Scalar z116 = n0_4 * z114;  // moment on blade_4, x
-    const Scalar z134 = n0_4 * z132;  // moment on blade_1, x
-    const Scalar z138 = v_e_omega_y * v_e_omega_z;
-    const Scalar z139 = v_e_omega_x * v_e_omega_z;
-    const Scalar z238 = s_alpha * z63 - c_alpha * z62;
-    const Scalar z243 = s_alpha * z71 - c_alpha * z70;
-    const Scalar z115 = v_e_omega_y * z70;
-    const Scalar z120 = z62 * z63;
-    const Scalar z121 = v_e_omega_x * z62;
-    const Scalar z126 = z54 * z55;
-    const Scalar z225 = s_alpha * z62 + c_alpha * z63;
-    const Scalar z217 = s_alpha * z216;
-    const Scalar z224 = s_alpha * z223;
-    const Scalar z235 = v_e_omega_y * s_alpha;
-    const Scalar z214 = s_alpha * z70 + c_alpha * z71;
-    const Scalar z245 = v_e_omega_x * s_alpha;
-    const Scalar z239 = n0_4 * z238;
-    const Scalar z244 = n0_4 * z243;
-    const Scalar z117 = n0_4 * z115;  // moment on blade_4, z
-    const Scalar z122 = n0_4 * z120;  // moment on blade_3, x
-    const Scalar z123 = n0_4 * z121;  // moment on blade_3, z
-    const Scalar z128 = n0_4 * z126;  // moment on blade_2, x
-    const Scalar z236 = n0_4 * z235;
-    const Scalar z246 = n0_4 * z245;
-    const Scalar z226 = n0_4 * z225;
-    const Scalar z118 = s_alpha * z117;
-    const Scalar z124 = s_alpha * z123;
-    const Scalar z237 = s_alpha * z236;
-    const Scalar z247 = s_alpha * z246;
-    const Scalar z215 = n0_4 * z214;
-    const Scalar z176 = a_e_omega_z * z113;
-    const Scalar z220 = n0_4 * z46;
-    const Scalar z221 = s_alpha * z220;
-    const Scalar z127 = v_e_omega_y * z54;
-    const Scalar z129 = n0_4 * z127;  // moment on blade_2, z
-    const Scalar z133 = v_e_omega_x * z46;
-    const Scalar z135 = n0_4 * z133;  // moment on blade_1, z
-    const Scalar z227 = n0_4 * z54;
-    const Scalar z228 = s_alpha * z227;
-    const Scalar z218 = s_alpha * z54 + c_alpha * z55;
-    const Scalar z248 = s_alpha * z55 - c_alpha * z54;
-    const Scalar z130 = s_alpha * z129;
-    const Scalar z140 = z134 - n665 * z138 - z122 + z118 - z130;  // moment on rotor, x
-    const Scalar z136 = s_alpha * z135;
-    const Scalar z141 = z116 - n665 * z139 - z128 - z124 + z136;  // moment on rotor, y
-    const Scalar z229 = s_alpha * z46 + c_alpha * z47;
-    const Scalar z240 = s_alpha * z47 - c_alpha * z46;
-    const Scalar z219 = n0_4 * z218;
-    const Scalar z230 = n0_4 * z229;
-    const Scalar z241 = n0_4 * z240;
-    const Scalar z249 = n0_4 * z248;
-    const Scalar z222 = n665 * v_e_omega_z + z217 - z221 - z215 + z219;
-    const Scalar z231 = n665 * v_e_omega_z - z224 + z226 + z228 - z230;
-    const Scalar z242 = n665 * v_e_omega_y - z239 - n2 * z237 - z241;
-    const Scalar z250 = n665 * v_e_omega_x - z244 - n2 * z247 - z249;
-    const Scalar z174 = a_e_omega_x * z111 - z140;
-    const Scalar z175 = a_e_omega_y * z112 - z141;
-    const Scalar z350 = z178 * z222;
-    const Scalar z351 = z179 * z231;
-    const Scalar z352 = z179 * z242;
-    const Scalar z353 = z178 * z250;
-    result.M[0] = z111;
+    const Scalar z237 = precomputed.z237;
+    const Scalar z238 = precomputed.z238;
+    const Scalar z239 = precomputed.z239;
+    const Scalar z375 = precomputed.z375;
+    const Scalar z376 = precomputed.z376;
+    const Scalar z604 = v_e_omega_z * s_alpha;
+    const Scalar z606 = v_e_omega_z * c_alpha;
+    const Scalar z607 = v_e_omega_y * s_alpha;
+    const Scalar z610 = v_e_omega_x * s_alpha;
+    const Scalar z637 = v_e_omega_x * v_e_omega_z;
+    const Scalar z636 = v_e_omega_y * v_e_omega_z;
+    const Scalar z614 = v_e_omega_x * c_alpha + z604;
+    const Scalar z613 = z606 + z607;
+    const Scalar z615 = z606 - z610;
+    const Scalar z609 = v_e_omega_x * c_alpha - z604;
+    const Scalar z612 = v_e_omega_y * c_alpha - z604;
+    const Scalar z617 = v_e_omega_y * z614;
+    const Scalar z616 = z614 * z615;
+    const Scalar z621 = z612 * z613;
+    const Scalar z627 = v_e_omega_y * z609;
+    const Scalar z611 = z606 + z610;
+    const Scalar z645 = n0_4 * z612;
+    const Scalar z619 = n0_4 * z617;  // moment on blade_4, z
+    const Scalar z652 = n0_4 * z614;
+    const Scalar z605 = v_e_omega_y * c_alpha + z604;
+    const Scalar z608 = z606 - z607;
+    const Scalar z618 = n0_4 * z616;  // moment on blade_4, x
+    const Scalar z620 = s_alpha * z619;
+    const Scalar z623 = n0_4 * z621;  // moment on blade_3, x
+    const Scalar z629 = n0_4 * z627;  // moment on blade_2, z
+    const Scalar z663 = s_alpha * z613 - c_alpha * z612;
+    const Scalar z668 = s_alpha * z615 + c_alpha * z614;
+    const Scalar z643 = s_alpha * z614 - c_alpha * z615;
+    const Scalar z622 = v_e_omega_x * z612;
+    const Scalar z654 = c_alpha * z613 + s_alpha * z612;
+    const Scalar z626 = z609 * z611;
+    const Scalar z646 = s_alpha * z645;
+    const Scalar z653 = s_alpha * z652;
+    const Scalar z630 = s_alpha * z629;
+    const Scalar z664 = n0_4 * z663;
+    const Scalar z669 = n0_4 * z668;
+    const Scalar z624 = n0_4 * z622;  // moment on blade_3, z
+    const Scalar z628 = n0_4 * z626;  // moment on blade_2, x
+    const Scalar z661 = n0_4 * z607;
+    const Scalar z670 = n0_4 * z610;
+    const Scalar z655 = n0_4 * z654;
+    const Scalar z625 = s_alpha * z624;
+    const Scalar z662 = s_alpha * z661;
+    const Scalar z671 = s_alpha * z670;
+    const Scalar z644 = n0_4 * z643;
+    const Scalar z642 = a_e_omega_z * z239;
+    const Scalar z649 = n0_4 * z605;
+    const Scalar z650 = s_alpha * z649;
+    const Scalar z631 = z605 * z608;
+    const Scalar z633 = n0_4 * z631;  // moment on blade_1, x
+    const Scalar z632 = v_e_omega_x * z605;
+    const Scalar z634 = n0_4 * z632;  // moment on blade_1, z
+    const Scalar z647 = c_alpha * z611 + s_alpha * z609;
+    const Scalar z638 = z620 - z623 - z630 - z633 - n665 * z636;  // moment on rotor, x
+    const Scalar z648 = n0_4 * z647;
+    const Scalar z651 = n665 * v_e_omega_z + z646 - z650 + z648 - z644;
+    const Scalar z656 = n0_4 * z609;
+    const Scalar z657 = s_alpha * z656;
+    const Scalar z658 = s_alpha * z605 - c_alpha * z608;
+    const Scalar z665 = s_alpha * z608 + c_alpha * z605;
+    const Scalar z672 = s_alpha * z611 - c_alpha * z609;
+    const Scalar z635 = s_alpha * z634;
+    const Scalar z659 = n0_4 * z658;
+    const Scalar z666 = n0_4 * z665;
+    const Scalar z673 = n0_4 * z672;
+    const Scalar z639 = n665 * z637 + z618 + z628 + z625 - z635;  // moment on rotor, y
+    const Scalar z660 = n665 * v_e_omega_z - z653 + z655 + z657 - z659;
+    const Scalar z667 = n665 * v_e_omega_y - z664 - n2 * z662 + z666;
+    const Scalar z674 = n665 * v_e_omega_x + z669 - n2 * z671 - z673;
+    const Scalar z640 = a_e_omega_x * z237 - z638;
+    const Scalar z641 = a_e_omega_y * z238 + z639;
+    const Scalar z675 = z375 * z651;
+    const Scalar z676 = z376 * z660;
+    const Scalar z677 = z376 * z667;
+    const Scalar z678 = z375 * z674;
+    result.M[0] = z237;
     result.M[1] = n0;
     result.M[2] = n0;
     result.M[3] = n0;
-    result.M[4] = -z112;
+    result.M[4] = -z238;
     result.M[5] = n0;
     result.M[6] = n0;
     result.M[7] = n0;
-    result.M[8] = -z113;
+    result.M[8] = -z239;
     result.C[0] = n0;
-    result.C[1] = -z222;
+    result.C[1] = -z651;
     result.C[2] = n0;
-    result.C[3] = z231;
+    result.C[3] = z660;
     result.C[4] = n0;
     result.C[5] = n0;
-    result.C[6] = z242;
-    result.C[7] = -z250;
+    result.C[6] = z667;
+    result.C[7] = -z674;
     result.C[8] = n0;
     result.K[0] = n0;
     result.K[1] = n0;
@@ -1319,9 +1343,9 @@ struct Mechanism {
     result.K[6] = n0;
     result.K[7] = n0;
     result.K[8] = n0;
-    result.F[0] = -z174;
-    result.F[1] = z175;
-    result.F[2] = z176;
+    result.F[0] = -z640;
+    result.F[1] = z641;
+    result.F[2] = z642;
     result.A[0] = n0;
     result.A[1] = -v_e_omega_z;
     result.A[2] = v_e_omega_y;
@@ -1344,22 +1368,22 @@ struct Mechanism {
     result.A[19] = n0;
     result.A[20] = n0;
     result.A[21] = n0;
-    result.A[22] = -z350;
+    result.A[22] = -z675;
     result.A[23] = n0;
     result.A[24] = n0;
     result.A[25] = n1;
     result.A[26] = n0;
-    result.A[27] = -z351;
+    result.A[27] = -z676;
     result.A[28] = n0;
     result.A[29] = n0;
     result.A[30] = n0;
     result.A[31] = n0;
     result.A[32] = n1;
-    result.A[33] = -z352;
-    result.A[34] = -z353;
+    result.A[33] = -z677;
+    result.A[34] = -z678;
     result.A[35] = n0;
-    if (!(traits::regular(z111, z111) && traits::regular(-z112, -z112) && traits::regular(-z113,
-        -z113))) return torsor::Status::singular;
+    if (!(traits::regular(z237, z237) && traits::regular(-z238, -z238) && traits::regular(-z239,
+        -z239))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = (n0 * result.M[0] * result.M[4] * result.M[8] * result.C[1] * result.C[3] * result.C[6]
         * result.C[7] * result.F[0] * result.F[1] * result.F[2]) * (n0 * result.A[1] * result.A[2] * result.A[6]

@@ -16,7 +16,7 @@
 //   inverse_dynamics         36               38          0             0                  1       0     76      83
 //   forward_dynamics         68               97          0             0                  1       0    167     174
 //   energy                   40               68          0             0                  5       0    118     142
-//   constraints              32               50          0             0                  1       0     84      88
+//   constraints              32               49          0             0                  1       0     83      88
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 198 results 91 vanish identically, 30 repeat another up to sign
@@ -126,8 +126,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
-  /// number gives no number.
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
   ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
@@ -345,7 +344,7 @@ TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& a
     const Bits bits = (Bits)shifted.part[i];
     const Bits odd = bits << sign_bit, upper = bits << (sign_bit - 1);
     Numbers sine_of_rest, cosine_of_rest;
-    if constexpr (sizeof(Numbers) == 32) {  // AVX has an instruction that looks at the bit of the sign
+    if constexpr (sizeof(Numbers) >= 32) {  // AVX has instructions that choose by the bit of the sign
       const Bits exchanged = odd < Bits{};
       sine_of_rest = exchanged ? c : s;
       cosine_of_rest = exchanged ? s : c;
@@ -510,7 +509,7 @@ struct Mechanism {
 
   static constexpr const char* name = "four_wheel_vehicle";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x396186cab41faba3ULL;
+  static constexpr unsigned long long fingerprint = 0x9147530d090ec225ULL;
   static constexpr int coordinate_count = 7;
   static constexpr int velocity_count = 7;
   static constexpr int input_count = 2;
@@ -1109,17 +1108,17 @@ struct Mechanism {
     const Scalar v_phi_2 = state.v.phi_2;
     const Scalar v_phi_3 = state.v.phi_3;
     const Scalar v_phi_4 = state.v.phi_4;
-    const Scalar z105 = n3 * v_phi_1;
-    const Scalar z106 = n3 * v_phi_2;
-    const Scalar z107 = n3 * v_phi_3;
-    const Scalar z108 = n3 * v_phi_4;
+    const Scalar z111 = n3 * v_phi_1;
+    const Scalar z112 = n3 * v_phi_2;
+    const Scalar z113 = n3 * v_phi_3;
+    const Scalar z114 = n3 * v_phi_4;
     forces.x = n0;
     forces.y = n0;
     forces.psi = n0;
-    forces.phi_1 = z105;
-    forces.phi_2 = z106;
-    forces.phi_3 = z107;
-    forces.phi_4 = z108;
+    forces.phi_1 = z111;
+    forces.phi_2 = z112;
+    forces.phi_3 = z113;
+    forces.phi_4 = z114;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -1159,33 +1158,33 @@ struct Mechanism {
     const Scalar l_lambda_wheel_4_y = multipliers.lambda_wheel_4_y;
     Scalar s_psi, c_psi;
     traits::sincos(q_psi, s_psi, c_psi);
-    const Scalar z105 = n3 * v_phi_1;
-    const Scalar z106 = n3 * v_phi_2;
-    const Scalar z107 = n3 * v_phi_3;
-    const Scalar z108 = n3 * v_phi_4;
+    const Scalar z111 = n3 * v_phi_1;
+    const Scalar z112 = n3 * v_phi_2;
+    const Scalar z113 = n3 * v_phi_3;
+    const Scalar z114 = n3 * v_phi_4;
     const Scalar z32 = k1 * (s_psi + c_psi);
     const Scalar z33 = k1 * (s_psi - c_psi);
     const Scalar z49 = n0_5 * s_psi + k3 * c_psi;
     const Scalar z50 = k3 * s_psi - n0_5 * c_psi;
-    const Scalar z158 = n880 * a_x;  // force on S.y, x
-    const Scalar z159 = n880 * a_y;  // force on S.y, y
-    const Scalar z165 = k5 * a_psi;
-    const Scalar z166 = n0_9 * a_phi_1 + z105;
-    const Scalar z167 = n0_9 * a_phi_2 + z106;
-    const Scalar z168 = n0_9 * a_phi_3 + z107;
-    const Scalar z169 = n0_9 * a_phi_4 + z108;
-    forces.x = z158 + s_psi * (l_lambda_wheel_3_y + l_lambda_wheel_4_y) - c_psi * (l_lambda_wheel_3_x
+    const Scalar z164 = n880 * a_x;  // force on S.y, x
+    const Scalar z165 = n880 * a_y;  // force on S.y, y
+    const Scalar z171 = k5 * a_psi;
+    const Scalar z172 = n0_9 * a_phi_1 + z111;
+    const Scalar z173 = n0_9 * a_phi_2 + z112;
+    const Scalar z174 = n0_9 * a_phi_3 + z113;
+    const Scalar z175 = n0_9 * a_phi_4 + z114;
+    forces.x = z164 + s_psi * (l_lambda_wheel_3_y + l_lambda_wheel_4_y) - c_psi * (l_lambda_wheel_3_x
         + l_lambda_wheel_4_x) - z32 * l_lambda_wheel_1_x + z33 * l_lambda_wheel_1_y - z49 * l_lambda_wheel_2_x + z50
         * l_lambda_wheel_2_y;
-    forces.y = -s_psi * (l_lambda_wheel_3_x + l_lambda_wheel_4_x) + z159 - c_psi * (l_lambda_wheel_3_y
+    forces.y = -s_psi * (l_lambda_wheel_3_x + l_lambda_wheel_4_x) + z165 - c_psi * (l_lambda_wheel_3_y
         + l_lambda_wheel_4_y) - z32 * l_lambda_wheel_1_y - z33 * l_lambda_wheel_1_x - z49 * l_lambda_wheel_2_y - z50
         * l_lambda_wheel_2_x;
     forces.psi = k7 * l_lambda_wheel_1_x - l_lambda_wheel_3_x + k8 * l_lambda_wheel_1_y + n0_5 * l_lambda_wheel_2_x + k9
-        * l_lambda_wheel_2_y - l_lambda_wheel_4_x + k10 * (l_lambda_wheel_3_y - l_lambda_wheel_4_y) + z165;
-    forces.phi_1 = z166 - n0_3 * l_lambda_wheel_1_y;
-    forces.phi_2 = z167 - n0_3 * l_lambda_wheel_2_y;
-    forces.phi_3 = z168 - n0_3 * l_lambda_wheel_3_y;
-    forces.phi_4 = z169 - n0_3 * l_lambda_wheel_4_y;
+        * l_lambda_wheel_2_y - l_lambda_wheel_4_x + k10 * (l_lambda_wheel_3_y - l_lambda_wheel_4_y) + z171;
+    forces.phi_1 = z172 - n0_3 * l_lambda_wheel_1_y;
+    forces.phi_2 = z173 - n0_3 * l_lambda_wheel_2_y;
+    forces.phi_3 = z174 - n0_3 * l_lambda_wheel_3_y;
+    forces.phi_4 = z175 - n0_3 * l_lambda_wheel_4_y;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -1256,74 +1255,74 @@ struct Mechanism {
     const Scalar u_C4 = inputs.C4;
     Scalar s_psi, c_psi;
     traits::sincos(q_psi, s_psi, c_psi);
-    const Scalar z171 = v_psi * c_psi;
-    const Scalar z172 = v_psi * s_psi;
-    const Scalar z107 = n3 * v_phi_3;
-    const Scalar z108 = n3 * v_phi_4;
-    const Scalar z105 = n3 * v_phi_1;
-    const Scalar z106 = n3 * v_phi_2;
-    const Scalar z197 = u_C3 - z107;
-    const Scalar z198 = u_C4 - z108;
-    const Scalar z205 = n10_over_9 * z105;
-    const Scalar z206 = n10_over_9 * z106;
+    const Scalar z89 = v_psi * s_psi;
+    const Scalar z90 = v_psi * c_psi;
+    const Scalar z113 = n3 * v_phi_3;
+    const Scalar z114 = n3 * v_phi_4;
+    const Scalar z111 = n3 * v_phi_1;
+    const Scalar z112 = n3 * v_phi_2;
+    const Scalar z201 = u_C3 - z113;
+    const Scalar z202 = u_C4 - z114;
+    const Scalar z209 = n10_over_9 * z111;
+    const Scalar z210 = n10_over_9 * z112;
     const Scalar z32 = k2 * (s_psi + c_psi);
-    const Scalar z207 = n10_over_9 * z197;
-    const Scalar z208 = n10_over_9 * z198;
+    const Scalar z211 = n10_over_9 * z201;
+    const Scalar z212 = n10_over_9 * z202;
     const Scalar z33 = k2 * (s_psi - c_psi);
     const Scalar z49 = n0_5 * s_psi + k4 * c_psi;
     const Scalar z50 = k4 * s_psi - n0_5 * c_psi;
-    const Scalar z203 = n1_over_880 * s_psi;
-    const Scalar z204 = n1_over_880 * c_psi;
-    const Scalar z173 = k2 * (z171 - z172);
-    const Scalar z174 = k2 * (z171 + z172);
-    const Scalar z179 = n0_5 * z171 - k4 * z172;
-    const Scalar z180 = k4 * z171 + n0_5 * z172;
-    const Scalar z187 = v_x * z171 + v_y * z172;
-    const Scalar z199 = n1_over_880 * z32;
-    const Scalar z200 = n1_over_880 * z33;
-    const Scalar z201 = n1_over_880 * z49;
-    const Scalar z202 = n1_over_880 * z50;
-    const Scalar z175 = v_x * z173 + v_y * z174;
-    const Scalar z177 = v_x * z174 - v_y * z173;
-    const Scalar z181 = v_x * z179 + v_y * z180;
-    const Scalar z183 = v_x * z180 - v_y * z179;
-    const Scalar z211 = z187 - n0_3 * z207;
-    const Scalar z212 = z187 - n0_3 * z208;
-    const Scalar z213 = z211 - k7 * z212;
-    const Scalar z209 = z177 + n0_3 * z205;
-    const Scalar z210 = z183 + n0_3 * z206;
-    const Scalar z214 = z210 - k8 * z212 - k9 * z213;
-    const Scalar z215 = z181 - k10 * z212 - k11 * z213 + k12 * z214;
-    const Scalar z216 = z209 - k13 * z212 - k14 * z213 - k15 * z214 + k16 * z215;
-    const Scalar z217 = z175 - k17 * z212 + k18 * z213 + k19 * z214 - k20 * z215 - k21 * z216;
-    const Scalar z218 = k22 * z217;
-    const Scalar z219 = k23 * z216 - k21 * z218;
-    const Scalar z220 = k24 * z215 - k20 * z218 + k16 * z219;
-    const Scalar z227 = z205 - n1_over_3 * z219;
-    const Scalar z221 = k26 * z214 + k19 * z218 - k15 * z219 + k12 * z220;
-    const Scalar z222 = k27 * z213 + k18 * z218 - k14 * z219 - k11 * z220 - k9 * z221;
-    const Scalar z228 = z206 - n1_over_3 * z221;
-    const Scalar z223 = k28 * z212 - k17 * z218 - k13 * z219 - k10 * z220 - k8 * z221 - k7 * z222;
-    const Scalar z229 = z207 + n1_over_3 * z222;
-    const Scalar z224 = z199 * z218 + z200 * z219 + z201 * z220 + z202 * z221 + z203 * (z222 + z223);
-    const Scalar z225 = z199 * z219 - z200 * z218 - z202 * z220 + z201 * z221 + z204 * (z222 + z223);
-    const Scalar z226 = k29 * z218 - k30 * z219 + k31 * z220 - k32 * z221 - k33 * (z222 - z223);
-    const Scalar z230 = z208 + n1_over_3 * z223;
-    accelerations.x = -z224;
-    accelerations.y = z225;
-    accelerations.psi = z226;
-    accelerations.phi_1 = -z227;
-    accelerations.phi_2 = -z228;
-    accelerations.phi_3 = z229;
-    accelerations.phi_4 = z230;
-    multipliers.lambda_wheel_1_x = -z218;
-    multipliers.lambda_wheel_1_y = z219;
-    multipliers.lambda_wheel_2_x = -z220;
-    multipliers.lambda_wheel_2_y = z221;
+    const Scalar z207 = n1_over_880 * s_psi;
+    const Scalar z208 = n1_over_880 * c_psi;
+    const Scalar z177 = k2 * (z89 - z90);
+    const Scalar z178 = k2 * (z89 + z90);
+    const Scalar z183 = k4 * z89 - n0_5 * z90;
+    const Scalar z184 = n0_5 * z89 + k4 * z90;
+    const Scalar z191 = v_x * z90 + v_y * z89;
+    const Scalar z203 = n1_over_880 * z32;
+    const Scalar z204 = n1_over_880 * z33;
+    const Scalar z205 = n1_over_880 * z49;
+    const Scalar z206 = n1_over_880 * z50;
+    const Scalar z179 = v_x * z177 - v_y * z178;
+    const Scalar z181 = v_x * z178 + v_y * z177;
+    const Scalar z185 = v_x * z183 - v_y * z184;
+    const Scalar z187 = v_x * z184 + v_y * z183;
+    const Scalar z215 = z191 - n0_3 * z211;
+    const Scalar z216 = z191 - n0_3 * z212;
+    const Scalar z217 = z215 - k7 * z216;
+    const Scalar z213 = z181 + n0_3 * z209;
+    const Scalar z214 = z187 + n0_3 * z210;
+    const Scalar z218 = z214 - k8 * z216 - k9 * z217;
+    const Scalar z219 = z185 + k10 * z216 + k11 * z217 - k12 * z218;
+    const Scalar z220 = z213 - k13 * z216 - k14 * z217 - k15 * z218 - k16 * z219;
+    const Scalar z221 = z179 + k17 * z216 - k18 * z217 - k19 * z218 - k20 * z219 + k21 * z220;
+    const Scalar z222 = k22 * z221;
+    const Scalar z223 = k23 * z220 + k21 * z222;
+    const Scalar z224 = k24 * z219 - k20 * z222 - k16 * z223;
+    const Scalar z231 = z209 - n1_over_3 * z223;
+    const Scalar z225 = k26 * z218 - k19 * z222 - k15 * z223 - k12 * z224;
+    const Scalar z226 = k27 * z217 - k18 * z222 - k14 * z223 + k11 * z224 - k9 * z225;
+    const Scalar z232 = z210 - n1_over_3 * z225;
+    const Scalar z227 = k28 * z216 + k17 * z222 - k13 * z223 + k10 * z224 - k8 * z225 - k7 * z226;
+    const Scalar z233 = z211 + n1_over_3 * z226;
+    const Scalar z228 = z203 * z222 - z204 * z223 + z205 * z224 - z206 * z225 - z207 * (z226 + z227);
+    const Scalar z229 = z204 * z222 + z203 * z223 + z206 * z224 + z205 * z225 + z208 * (z226 + z227);
+    const Scalar z230 = k29 * z222 + k30 * z223 + k31 * z224 + k32 * z225 + k33 * (z226 - z227);
+    const Scalar z234 = z212 + n1_over_3 * z227;
+    accelerations.x = z228;
+    accelerations.y = z229;
+    accelerations.psi = -z230;
+    accelerations.phi_1 = -z231;
+    accelerations.phi_2 = -z232;
+    accelerations.phi_3 = z233;
+    accelerations.phi_4 = z234;
+    multipliers.lambda_wheel_1_x = z222;
+    multipliers.lambda_wheel_1_y = z223;
+    multipliers.lambda_wheel_2_x = z224;
+    multipliers.lambda_wheel_2_y = z225;
     multipliers.lambda_wheel_3_x = n0;
-    multipliers.lambda_wheel_3_y = z222;
+    multipliers.lambda_wheel_3_y = z226;
     multipliers.lambda_wheel_4_x = n0;
-    multipliers.lambda_wheel_4_y = z223;
+    multipliers.lambda_wheel_4_y = z227;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.x * accelerations.y * accelerations.psi * accelerations.phi_1
         * accelerations.phi_2 * accelerations.phi_3 * accelerations.phi_4 * multipliers.lambda_wheel_1_x
@@ -1370,8 +1369,8 @@ struct Mechanism {
     const Scalar s_phi_2 = sines_[2], c_phi_2 = cosines_[2];
     const Scalar s_phi_3 = sines_[3], c_phi_3 = cosines_[3];
     const Scalar s_phi_4 = sines_[4], c_phi_4 = cosines_[4];
-    const Scalar z231 = v_x * c_psi + v_y * s_psi;
-    const Scalar z232 = v_x * s_psi - v_y * c_psi;
+    const Scalar z235 = v_x * c_psi + v_y * s_psi;
+    const Scalar z236 = v_x * s_psi - v_y * c_psi;
     const Scalar z45 = v_psi * s_phi_1;
     const Scalar z46 = v_psi * c_phi_1;
     const Scalar z61 = v_psi * s_phi_2;
@@ -1380,32 +1379,32 @@ struct Mechanism {
     const Scalar z74 = v_psi * c_phi_3;
     const Scalar z85 = v_psi * s_phi_4;
     const Scalar z86 = v_psi * c_phi_4;
-    const Scalar z105 = n3 * v_phi_1;
-    const Scalar z106 = n3 * v_phi_2;
-    const Scalar z107 = n3 * v_phi_3;
-    const Scalar z108 = n3 * v_phi_4;
-    const Scalar z233 = v_psi - z231;
-    const Scalar z234 = k1 * v_psi - z232;
-    const Scalar z239 = k1 * v_psi + z232;
-    const Scalar z244 = v_psi + z231;
-    const Scalar z235 = k2 * (z233 + z234);
-    const Scalar z236 = k2 * (z233 - z234);
-    const Scalar z240 = k3 * z233 - n0_5 * z239;
-    const Scalar z241 = n0_5 * z233 + k3 * z239;
-    const Scalar z245 = c_phi_3 * z239;
-    const Scalar z246 = s_phi_3 * z239;
-    const Scalar z247 = c_phi_4 * z234;
-    const Scalar z248 = s_phi_4 * z234;
-    const Scalar z237 = c_phi_1 * z236;
-    const Scalar z238 = s_phi_1 * z236;
-    const Scalar z242 = c_phi_2 * z241;
-    const Scalar z243 = s_phi_2 * z241;
+    const Scalar z111 = n3 * v_phi_1;
+    const Scalar z112 = n3 * v_phi_2;
+    const Scalar z113 = n3 * v_phi_3;
+    const Scalar z114 = n3 * v_phi_4;
+    const Scalar z237 = v_psi - z235;
+    const Scalar z238 = k1 * v_psi - z236;
+    const Scalar z243 = k1 * v_psi + z236;
+    const Scalar z248 = v_psi + z235;
+    const Scalar z239 = k2 * (z237 + z238);
+    const Scalar z240 = k2 * (z237 - z238);
+    const Scalar z244 = k3 * z237 - n0_5 * z243;
+    const Scalar z245 = n0_5 * z237 + k3 * z243;
+    const Scalar z249 = c_phi_3 * z243;
+    const Scalar z250 = s_phi_3 * z243;
+    const Scalar z251 = c_phi_4 * z238;
+    const Scalar z252 = s_phi_4 * z238;
+    const Scalar z241 = c_phi_1 * z240;
+    const Scalar z242 = s_phi_1 * z240;
+    const Scalar z246 = c_phi_2 * z245;
+    const Scalar z247 = s_phi_2 * z245;
     result.kinetic = n450 * v_psi * v_psi + n0_45 * (v_phi_1 * v_phi_1 + v_phi_2 * v_phi_2 + v_phi_3 * v_phi_3 + v_phi_4
-        * v_phi_4) + n20 * z244 * z244 + n400 * (z231 * z231 + z232 * z232) + n0_25 * (z45 * z45 + z46 * z46 + z61 * z61
-        + z62 * z62 + z73 * z73 + z74 * z74 + z85 * z85 + z86 * z86) + n10 * (z245 * z245 + z246 * z246 + z247 * z247
-        + z248 * z248 + z235 * z235 + z240 * z240 + z237 * z237 + z238 * z238 + z242 * z242 + z243 * z243);
+        * v_phi_4) + n20 * z248 * z248 + n400 * (z235 * z235 + z236 * z236) + n0_25 * (z45 * z45 + z46 * z46 + z61 * z61
+        + z62 * z62 + z73 * z73 + z74 * z74 + z85 * z85 + z86 * z86) + n10 * (z249 * z249 + z250 * z250 + z251 * z251
+        + z252 * z252 + z239 * z239 + z244 * z244 + z241 * z241 + z242 * z242 + z246 * z246 + z247 * z247);
     result.force_function = n0;
-    result.power = -v_phi_1 * z105 + v_phi_3 * (u_C3 - z107) + v_phi_4 * (u_C4 - z108) - v_phi_2 * z106;
+    result.power = -v_phi_1 * z111 + v_phi_3 * (u_C3 - z113) + v_phi_4 * (u_C4 - z114) - v_phi_2 * z112;
   }
 
   /// Constraints A(q, t) v - b(q, t) = 0, in the order of the multipliers.
@@ -1413,8 +1412,8 @@ struct Mechanism {
     const Scalar k0 = traits::constant(0.7071067811865476, 0.70710677f, "0;1/2;0;0");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar k2 = traits::constant(0.8660254037844386, 0.8660254f, "0;0;1/2;0");
-    const Scalar k3 = traits::constant(0.7320508075688773, 0.73205084f, "-1;0;1;0");
     const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
+    const Scalar k4 = traits::constant(0.7320508075688773, 0.73205084f, "-1;0;1;0");
     const Scalar k5 = traits::constant(1.224744871391589, 1.2247449f, "0;0;0;1/2");
     const Scalar k6 = traits::constant(0.189468690981506, 0.1894687f, "0;1;0;-1/2");
     const Scalar k7 = traits::constant(1.1339745962155614, 1.1339746f, "2;0;-1/2;0");
@@ -1430,65 +1429,66 @@ struct Mechanism {
     const Scalar v_phi_4 = state.v.phi_4;
     Scalar s_psi, c_psi;
     traits::sincos(q_psi, s_psi, c_psi);
-    const Scalar z171 = v_psi * c_psi;
-    const Scalar z172 = v_psi * s_psi;
-    const Scalar z32 = k0 * (s_psi + c_psi);
-    const Scalar z49 = n0_5 * s_psi + k2 * c_psi;
-    const Scalar z33 = k0 * (s_psi - c_psi);
-    const Scalar z50 = k2 * s_psi - n0_5 * c_psi;
-    const Scalar z184 = v_psi + v_x * c_psi + v_y * s_psi;
-    const Scalar z186 = k3 * v_psi - n0_3 * v_phi_3 + v_x * s_psi - v_y * c_psi;
-    const Scalar z188 = v_x * s_psi - v_y * c_psi - k3 * v_psi - n0_3 * v_phi_4;
-    const Scalar z173 = k0 * (z171 - z172);
-    const Scalar z174 = k0 * (z171 + z172);
-    const Scalar z179 = n0_5 * z171 - k2 * z172;
-    const Scalar z180 = k2 * z171 + n0_5 * z172;
-    const Scalar z185 = v_x * z172 - v_y * z171;
-    const Scalar z187 = v_x * z171 + v_y * z172;
-    const Scalar z170 = v_x * z32 + v_y * z33 - k5 * v_psi;
-    const Scalar z176 = k6 * v_psi - n0_3 * v_phi_1 + v_x * z33 - v_y * z32;
-    const Scalar z178 = v_x * z49 + v_y * z50 - n0_5 * v_psi;
-    const Scalar z182 = k7 * v_psi - n0_3 * v_phi_2 + v_x * z50 - v_y * z49;
-    const Scalar z175 = v_x * z173 + v_y * z174;
-    const Scalar z177 = v_x * z174 - v_y * z173;
-    const Scalar z181 = v_x * z179 + v_y * z180;
-    const Scalar z183 = v_x * z180 - v_y * z179;
+    const Scalar z259 = v_psi * s_psi;
+    const Scalar z260 = v_psi * c_psi;
+    const Scalar z255 = k0 * (s_psi + c_psi);
+    const Scalar z257 = n0_5 * s_psi + k2 * c_psi;
+    const Scalar z256 = k0 * (s_psi - c_psi);
+    const Scalar z258 = k2 * s_psi - n0_5 * c_psi;
+    const Scalar z275 = v_x * s_psi;
+    const Scalar z273 = v_psi + v_x * c_psi + v_y * s_psi;
+    const Scalar z262 = k0 * (z259 - z260);
+    const Scalar z263 = k0 * (z259 + z260);
+    const Scalar z268 = k2 * z259 - n0_5 * z260;
+    const Scalar z269 = n0_5 * z259 + k2 * z260;
+    const Scalar z274 = v_x * z259 - v_y * z260;
+    const Scalar z276 = n0_3 * v_phi_3 - k4 * v_psi + v_y * c_psi - z275;
+    const Scalar z277 = v_x * z260 + v_y * z259;
+    const Scalar z278 = k4 * v_psi + n0_3 * v_phi_4 + v_y * c_psi - z275;
+    const Scalar z261 = v_x * z255 + v_y * z256 - k5 * v_psi;
+    const Scalar z265 = k6 * v_psi - n0_3 * v_phi_1 + v_x * z256 - v_y * z255;
+    const Scalar z267 = v_x * z257 + v_y * z258 - n0_5 * v_psi;
+    const Scalar z271 = k7 * v_psi - n0_3 * v_phi_2 + v_x * z258 - v_y * z257;
+    const Scalar z264 = v_x * z262 - v_y * z263;
+    const Scalar z266 = v_x * z263 + v_y * z262;
+    const Scalar z270 = v_x * z268 - v_y * z269;
+    const Scalar z272 = v_x * z269 + v_y * z268;
     result.value[0] = n0;
-    result.rate[0] = z170;
-    result.gamma[0] = z175;
+    result.rate[0] = z261;
+    result.gamma[0] = -z264;
     result.value[1] = n0;
-    result.rate[1] = -z176;
-    result.gamma[1] = -z177;
+    result.rate[1] = -z265;
+    result.gamma[1] = -z266;
     result.value[2] = n0;
-    result.rate[2] = z178;
-    result.gamma[2] = z181;
+    result.rate[2] = z267;
+    result.gamma[2] = -z270;
     result.value[3] = n0;
-    result.rate[3] = -z182;
-    result.gamma[3] = -z183;
+    result.rate[3] = -z271;
+    result.gamma[3] = -z272;
     result.value[4] = n0;
-    result.rate[4] = z184;
-    result.gamma[4] = -z185;
+    result.rate[4] = z273;
+    result.gamma[4] = -z274;
     result.value[5] = n0;
-    result.rate[5] = -z186;
-    result.gamma[5] = -z187;
+    result.rate[5] = z276;
+    result.gamma[5] = -z277;
     result.value[6] = n0;
-    result.rate[6] = z184;
-    result.gamma[6] = -z185;
+    result.rate[6] = z273;
+    result.gamma[6] = -z274;
     result.value[7] = n0;
-    result.rate[7] = -z188;
-    result.gamma[7] = -z187;
-    result.jacobian[0] = z32;
-    result.jacobian[1] = -z33;
-    result.jacobian[2] = z49;
-    result.jacobian[3] = -z50;
+    result.rate[7] = z278;
+    result.gamma[7] = -z277;
+    result.jacobian[0] = z255;
+    result.jacobian[1] = -z256;
+    result.jacobian[2] = z257;
+    result.jacobian[3] = -z258;
     result.jacobian[4] = c_psi;
     result.jacobian[5] = -s_psi;
     result.jacobian[6] = c_psi;
     result.jacobian[7] = -s_psi;
-    result.jacobian[8] = z33;
-    result.jacobian[9] = z32;
-    result.jacobian[10] = z50;
-    result.jacobian[11] = z49;
+    result.jacobian[8] = z256;
+    result.jacobian[9] = z255;
+    result.jacobian[10] = z258;
+    result.jacobian[11] = z257;
     result.jacobian[12] = s_psi;
     result.jacobian[13] = c_psi;
     result.jacobian[14] = s_psi;
@@ -1498,9 +1498,9 @@ struct Mechanism {
     result.jacobian[18] = -n0_5;
     result.jacobian[19] = -k7;
     result.jacobian[20] = n1;
-    result.jacobian[21] = -k3;
+    result.jacobian[21] = -k4;
     result.jacobian[22] = n1;
-    result.jacobian[23] = k3;
+    result.jacobian[23] = k4;
     result.jacobian[24] = n0;
     result.jacobian[25] = n0_3;
     result.jacobian[26] = n0;

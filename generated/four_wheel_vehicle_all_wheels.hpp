@@ -10,12 +10,12 @@
 // costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
 // joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   precompute               12               24          0             0                  4       0     44       -
+//   precompute               12               28          0             0                  4       0     48       -
 //   kinematics               64               73          0             0                  9       0    155     155
-//   mass_matrix              44               48          0             0                  1       0     94     118
-//   bias                     43               63          0             0                  1       0    108     191
-//   inverse_dynamics        116              117          0             0                  5       0    243     374
-//   forward_dynamics        592              739         11             0                  5       0   1352    1471
+//   mass_matrix              44               44          0             0                  1       0     90     118
+//   bias                     43               60          0             0                  1       0    105     191
+//   inverse_dynamics        116              111          0             0                  5       0    237     374
+//   forward_dynamics        592              728         11             0                  5       0   1341    1471
 //   energy                   48               74          0             0                  5       0    132     162
 //   constraints              44               56          0             0                  4       0    108     132
 //
@@ -122,8 +122,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
-  /// number gives no number.
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
   ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
@@ -341,7 +340,7 @@ TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& a
     const Bits bits = (Bits)shifted.part[i];
     const Bits odd = bits << sign_bit, upper = bits << (sign_bit - 1);
     Numbers sine_of_rest, cosine_of_rest;
-    if constexpr (sizeof(Numbers) == 32) {  // AVX has an instruction that looks at the bit of the sign
+    if constexpr (sizeof(Numbers) >= 32) {  // AVX has instructions that choose by the bit of the sign
       const Bits exchanged = odd < Bits{};
       sine_of_rest = exchanged ? c : s;
       cosine_of_rest = exchanged ? s : c;
@@ -506,7 +505,7 @@ struct Mechanism {
 
   static constexpr const char* name = "four_wheel_vehicle_all_wheels";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xc04f86c8fc14e982ULL;
+  static constexpr unsigned long long fingerprint = 0x1d08900f9a2c7722ULL;
   static constexpr int coordinate_count = 11;
   static constexpr int velocity_count = 11;
   static constexpr int input_count = 0;
@@ -682,30 +681,34 @@ struct Mechanism {
     Scalar c_alpha_3;
     Scalar s_alpha_4;
     Scalar c_alpha_4;
-    Scalar z168;
-    Scalar z169;
-    Scalar z170;
-    Scalar z200;
-    Scalar z201;
-    Scalar z202;
-    Scalar z237;
-    Scalar z238;
-    Scalar z239;
-    Scalar z274;
-    Scalar z275;
-    Scalar z276;
-    Scalar z462;
-    Scalar z463;
-    Scalar z471;
-    Scalar z472;
-    Scalar z480;
-    Scalar z481;
-    Scalar z489;
-    Scalar z490;
-    Scalar z508;
-    Scalar z517;
-    Scalar z526;
-    Scalar z535;
+    Scalar z174;
+    Scalar z175;
+    Scalar z176;
+    Scalar z206;
+    Scalar z207;
+    Scalar z208;
+    Scalar z243;
+    Scalar z244;
+    Scalar z245;
+    Scalar z280;
+    Scalar z281;
+    Scalar z282;
+    Scalar z565;
+    Scalar z566;
+    Scalar z574;
+    Scalar z575;
+    Scalar z583;
+    Scalar z584;
+    Scalar z592;
+    Scalar z593;
+    Scalar z689;
+    Scalar z698;
+    Scalar z707;
+    Scalar z716;
+    Scalar z1009;
+    Scalar z1010;
+    Scalar z1011;
+    Scalar z1012;
   };
 
   /// Values of the scene.
@@ -740,30 +743,34 @@ struct Mechanism {
     const Scalar s_alpha_2 = sines_[1], c_alpha_2 = cosines_[1];
     const Scalar s_alpha_3 = sines_[2], c_alpha_3 = cosines_[2];
     const Scalar s_alpha_4 = sines_[3], c_alpha_4 = cosines_[3];
-    const Scalar z168 = n20 * c_alpha_4;
-    const Scalar z169 = n20 * s_alpha_4;
-    const Scalar z170 = z168 + k1 * z169;
-    const Scalar z200 = n20 * c_alpha_3;
-    const Scalar z201 = n20 * s_alpha_3;
-    const Scalar z202 = z200 - k1 * z201;
-    const Scalar z237 = n20 * c_alpha_2;
-    const Scalar z238 = n20 * s_alpha_2;
-    const Scalar z239 = z237 + k1 * z238;
-    const Scalar z274 = n20 * c_alpha_1;
-    const Scalar z275 = n20 * s_alpha_1;
-    const Scalar z276 = z274 - k1 * z275;
-    const Scalar z462 = s_alpha_1 + k1 * c_alpha_1;
-    const Scalar z463 = k1 * s_alpha_1 - c_alpha_1;
-    const Scalar z471 = s_alpha_2 - k1 * c_alpha_2;
-    const Scalar z472 = k1 * s_alpha_2 + c_alpha_2;
-    const Scalar z480 = s_alpha_3 + k1 * c_alpha_3;
-    const Scalar z481 = k1 * s_alpha_3 - c_alpha_3;
-    const Scalar z489 = s_alpha_4 - k1 * c_alpha_4;
-    const Scalar z490 = k1 * s_alpha_4 + c_alpha_4;
-    const Scalar z508 = n0_05 * z170;
-    const Scalar z517 = n0_05 * z202;
-    const Scalar z526 = n0_05 * z239;
-    const Scalar z535 = n0_05 * z276;
+    const Scalar z174 = n20 * c_alpha_4;
+    const Scalar z175 = n20 * s_alpha_4;
+    const Scalar z176 = z174 + k1 * z175;
+    const Scalar z206 = n20 * c_alpha_3;
+    const Scalar z207 = n20 * s_alpha_3;
+    const Scalar z208 = z206 - k1 * z207;
+    const Scalar z243 = n20 * c_alpha_2;
+    const Scalar z244 = n20 * s_alpha_2;
+    const Scalar z245 = z243 + k1 * z244;
+    const Scalar z280 = n20 * c_alpha_1;
+    const Scalar z281 = n20 * s_alpha_1;
+    const Scalar z282 = z280 - k1 * z281;
+    const Scalar z565 = s_alpha_1 + k1 * c_alpha_1;
+    const Scalar z566 = k1 * s_alpha_1 - c_alpha_1;
+    const Scalar z574 = s_alpha_2 - k1 * c_alpha_2;
+    const Scalar z575 = k1 * s_alpha_2 + c_alpha_2;
+    const Scalar z583 = s_alpha_3 + k1 * c_alpha_3;
+    const Scalar z584 = k1 * s_alpha_3 - c_alpha_3;
+    const Scalar z592 = s_alpha_4 - k1 * c_alpha_4;
+    const Scalar z593 = k1 * s_alpha_4 + c_alpha_4;
+    const Scalar z689 = n0_05 * z176;
+    const Scalar z698 = n0_05 * z208;
+    const Scalar z707 = n0_05 * z245;
+    const Scalar z716 = n0_05 * z282;
+    const Scalar z1009 = z176 * z689;
+    const Scalar z1010 = z208 * z698;
+    const Scalar z1011 = z245 * z707;
+    const Scalar z1012 = z282 * z716;
     precomputed.s_alpha_1 = s_alpha_1;
     precomputed.c_alpha_1 = c_alpha_1;
     precomputed.s_alpha_2 = s_alpha_2;
@@ -772,30 +779,34 @@ struct Mechanism {
     precomputed.c_alpha_3 = c_alpha_3;
     precomputed.s_alpha_4 = s_alpha_4;
     precomputed.c_alpha_4 = c_alpha_4;
-    precomputed.z168 = z168;
-    precomputed.z169 = z169;
-    precomputed.z170 = z170;
-    precomputed.z200 = z200;
-    precomputed.z201 = z201;
-    precomputed.z202 = z202;
-    precomputed.z237 = z237;
-    precomputed.z238 = z238;
-    precomputed.z239 = z239;
-    precomputed.z274 = z274;
-    precomputed.z275 = z275;
-    precomputed.z276 = z276;
-    precomputed.z462 = z462;
-    precomputed.z463 = z463;
-    precomputed.z471 = z471;
-    precomputed.z472 = z472;
-    precomputed.z480 = z480;
-    precomputed.z481 = z481;
-    precomputed.z489 = z489;
-    precomputed.z490 = z490;
-    precomputed.z508 = z508;
-    precomputed.z517 = z517;
-    precomputed.z526 = z526;
-    precomputed.z535 = z535;
+    precomputed.z174 = z174;
+    precomputed.z175 = z175;
+    precomputed.z176 = z176;
+    precomputed.z206 = z206;
+    precomputed.z207 = z207;
+    precomputed.z208 = z208;
+    precomputed.z243 = z243;
+    precomputed.z244 = z244;
+    precomputed.z245 = z245;
+    precomputed.z280 = z280;
+    precomputed.z281 = z281;
+    precomputed.z282 = z282;
+    precomputed.z565 = z565;
+    precomputed.z566 = z566;
+    precomputed.z574 = z574;
+    precomputed.z575 = z575;
+    precomputed.z583 = z583;
+    precomputed.z584 = z584;
+    precomputed.z592 = z592;
+    precomputed.z593 = z593;
+    precomputed.z689 = z689;
+    precomputed.z698 = z698;
+    precomputed.z707 = z707;
+    precomputed.z716 = z716;
+    precomputed.z1009 = z1009;
+    precomputed.z1010 = z1010;
+    precomputed.z1011 = z1011;
+    precomputed.z1012 = z1012;
     return precomputed;
   }
 
@@ -1301,105 +1312,105 @@ struct Mechanism {
     const Scalar c_alpha_3 = precomputed.c_alpha_3;
     const Scalar s_alpha_4 = precomputed.s_alpha_4;
     const Scalar c_alpha_4 = precomputed.c_alpha_4;
-    const Scalar z168 = precomputed.z168;
-    const Scalar z169 = precomputed.z169;
-    const Scalar z170 = precomputed.z170;
-    const Scalar z200 = precomputed.z200;
-    const Scalar z201 = precomputed.z201;
-    const Scalar z202 = precomputed.z202;
-    const Scalar z237 = precomputed.z237;
-    const Scalar z238 = precomputed.z238;
-    const Scalar z239 = precomputed.z239;
-    const Scalar z274 = precomputed.z274;
-    const Scalar z275 = precomputed.z275;
-    const Scalar z276 = precomputed.z276;
+    const Scalar z174 = precomputed.z174;
+    const Scalar z175 = precomputed.z175;
+    const Scalar z176 = precomputed.z176;
+    const Scalar z206 = precomputed.z206;
+    const Scalar z207 = precomputed.z207;
+    const Scalar z208 = precomputed.z208;
+    const Scalar z243 = precomputed.z243;
+    const Scalar z244 = precomputed.z244;
+    const Scalar z245 = precomputed.z245;
+    const Scalar z280 = precomputed.z280;
+    const Scalar z281 = precomputed.z281;
+    const Scalar z282 = precomputed.z282;
     Scalar s_psi, c_psi;
     traits::sincos(q_psi, s_psi, c_psi);
-    const Scalar z175 = n20 * q_s_4;
-    const Scalar z207 = n20 * q_s_3;
-    const Scalar z244 = n20 * q_s_2;
-    const Scalar z174 = n20 * q_s_4 * q_s_4;
-    const Scalar z281 = n20 * q_s_1;
-    const Scalar z177 = s_alpha_4 * z175;
-    const Scalar z209 = s_alpha_3 * z207;
-    const Scalar z178 = c_alpha_4 * z175;
-    const Scalar z210 = c_alpha_3 * z207;
-    const Scalar z246 = s_alpha_2 * z244;
-    const Scalar z247 = c_alpha_2 * z244;
-    const Scalar z193 = k1 + z178;
-    const Scalar z194 = n20 - z177;
-    const Scalar z225 = k1 - z210;
-    const Scalar z226 = n20 - z209;
-    const Scalar z176 = n0_5 + z174;
-    const Scalar z206 = n20 * q_s_3 * q_s_3;
-    const Scalar z283 = s_alpha_1 * z281;
-    const Scalar z227 = z193 - z225;
-    const Scalar z228 = z194 + z226;
-    const Scalar z262 = k1 - z247;
-    const Scalar z263 = n20 + z246;
-    const Scalar z284 = c_alpha_1 * z281;
-    const Scalar z192 = k3 - n2 * z177 + k5 * z178 + z176;
-    const Scalar z208 = n0_5 + z206;
-    const Scalar z243 = n20 * q_s_2 * q_s_2;
-    const Scalar z264 = z227 - z262;
-    const Scalar z265 = z228 - z263;
-    const Scalar z299 = k1 + z284;
-    const Scalar z300 = n20 + z283;
-    const Scalar z195 = n900 + z192;
-    const Scalar z224 = k3 - n2 * z209 - k5 * z210 + z208;
-    const Scalar z245 = n0_5 + z243;
-    const Scalar z280 = n20 * q_s_1 * q_s_1;
-    const Scalar z301 = z264 + z299;
-    const Scalar z302 = z265 - z300;
-    const Scalar z232 = z195 + z224;
-    const Scalar z261 = k3 + n2 * z246 - k5 * z247 + z245;
-    const Scalar z282 = n0_5 + z280;
-    const Scalar z269 = z232 + z261;
-    const Scalar z298 = k3 + n2 * z283 + k5 * z284 + z282;
-    const Scalar z171 = s_psi * z169 - c_psi * z168;
-    const Scalar z172 = s_psi * z168 + c_psi * z169;
-    const Scalar z203 = s_psi * z201 - c_psi * z200;
-    const Scalar z204 = s_psi * z200 + c_psi * z201;
-    const Scalar z240 = s_psi * z238 - c_psi * z237;
-    const Scalar z241 = s_psi * z237 + c_psi * z238;
-    const Scalar z277 = s_psi * z275 - c_psi * z274;
-    const Scalar z278 = s_psi * z274 + c_psi * z275;
-    const Scalar z306 = z269 + z298;
-    const Scalar z307 = s_psi * z301 - c_psi * z302;
-    const Scalar z308 = s_psi * z302 + c_psi * z301;
+    const Scalar z329 = n20 * q_s_4;
+    const Scalar z340 = n20 * q_s_3;
+    const Scalar z353 = n20 * q_s_2;
+    const Scalar z366 = n20 * q_s_1;
+    const Scalar z327 = s_psi * z175 - c_psi * z174;
+    const Scalar z332 = s_alpha_4 * z329;
+    const Scalar z343 = s_alpha_3 * z340;
+    const Scalar z333 = c_alpha_4 * z329;
+    const Scalar z344 = c_alpha_3 * z340;
+    const Scalar z330 = q_s_4 * z329;
+    const Scalar z356 = s_alpha_2 * z353;
+    const Scalar z335 = k1 + z333;
+    const Scalar z336 = n20 - z332;
+    const Scalar z346 = k1 - z344;
+    const Scalar z347 = n20 - z343;
+    const Scalar z357 = c_alpha_2 * z353;
+    const Scalar z331 = n0_5 + z330;
+    const Scalar z341 = q_s_3 * z340;
+    const Scalar z369 = s_alpha_1 * z366;
+    const Scalar z348 = z335 - z346;
+    const Scalar z349 = z336 + z347;
+    const Scalar z359 = k1 - z357;
+    const Scalar z360 = n20 + z356;
+    const Scalar z370 = c_alpha_1 * z366;
+    const Scalar z334 = k3 - n2 * z332 + k5 * z333 + z331;
+    const Scalar z342 = n0_5 + z341;
+    const Scalar z354 = q_s_2 * z353;
+    const Scalar z361 = z348 - z359;
+    const Scalar z362 = z349 - z360;
+    const Scalar z372 = k1 + z370;
+    const Scalar z373 = n20 + z369;
+    const Scalar z337 = n900 + z334;
+    const Scalar z345 = k3 - n2 * z343 - k5 * z344 + z342;
+    const Scalar z355 = n0_5 + z354;
+    const Scalar z367 = q_s_1 * z366;
+    const Scalar z374 = z361 + z372;
+    const Scalar z375 = z362 - z373;
+    const Scalar z350 = z337 + z345;
+    const Scalar z358 = k3 + n2 * z356 - k5 * z357 + z355;
+    const Scalar z368 = n0_5 + z367;
+    const Scalar z363 = z350 + z358;
+    const Scalar z371 = k3 + n2 * z369 + k5 * z370 + z368;
+    const Scalar z328 = s_psi * z174 + c_psi * z175;
+    const Scalar z338 = s_psi * z207 - c_psi * z206;
+    const Scalar z339 = s_psi * z206 + c_psi * z207;
+    const Scalar z351 = s_psi * z244 - c_psi * z243;
+    const Scalar z352 = s_psi * z243 + c_psi * z244;
+    const Scalar z364 = s_psi * z281 - c_psi * z280;
+    const Scalar z365 = s_psi * z280 + c_psi * z281;
+    const Scalar z376 = z363 + z371;
+    const Scalar z377 = s_psi * z374 - c_psi * z375;
+    const Scalar z378 = s_psi * z375 + c_psi * z374;
     mass[0] = n880;
     mass[1] = n0;
-    mass[2] = -z307;
+    mass[2] = -z377;
     mass[3] = n0;
     mass[4] = n0;
     mass[5] = n0;
     mass[6] = n0;
-    mass[7] = -z277;
-    mass[8] = -z240;
-    mass[9] = -z203;
-    mass[10] = -z171;
+    mass[7] = -z364;
+    mass[8] = -z351;
+    mass[9] = -z338;
+    mass[10] = -z327;
     mass[11] = n0;
     mass[12] = n880;
-    mass[13] = z308;
+    mass[13] = z378;
     mass[14] = n0;
     mass[15] = n0;
     mass[16] = n0;
     mass[17] = n0;
-    mass[18] = z278;
-    mass[19] = z241;
-    mass[20] = z204;
-    mass[21] = z172;
-    mass[22] = -z307;
-    mass[23] = z308;
-    mass[24] = z306;
+    mass[18] = z365;
+    mass[19] = z352;
+    mass[20] = z339;
+    mass[21] = z328;
+    mass[22] = -z377;
+    mass[23] = z378;
+    mass[24] = z376;
     mass[25] = n0;
     mass[26] = n0;
     mass[27] = n0;
     mass[28] = n0;
-    mass[29] = -z276;
-    mass[30] = -z239;
-    mass[31] = z202;
-    mass[32] = z170;
+    mass[29] = -z282;
+    mass[30] = -z245;
+    mass[31] = z208;
+    mass[32] = z176;
     mass[33] = n0;
     mass[34] = n0;
     mass[35] = n0;
@@ -1444,9 +1455,9 @@ struct Mechanism {
     mass[74] = n0;
     mass[75] = n0;
     mass[76] = n0;
-    mass[77] = -z277;
-    mass[78] = z278;
-    mass[79] = -z276;
+    mass[77] = -z364;
+    mass[78] = z365;
+    mass[79] = -z282;
     mass[80] = n0;
     mass[81] = n0;
     mass[82] = n0;
@@ -1455,9 +1466,9 @@ struct Mechanism {
     mass[85] = n0;
     mass[86] = n0;
     mass[87] = n0;
-    mass[88] = -z240;
-    mass[89] = z241;
-    mass[90] = -z239;
+    mass[88] = -z351;
+    mass[89] = z352;
+    mass[90] = -z245;
     mass[91] = n0;
     mass[92] = n0;
     mass[93] = n0;
@@ -1466,9 +1477,9 @@ struct Mechanism {
     mass[96] = n20;
     mass[97] = n0;
     mass[98] = n0;
-    mass[99] = -z203;
-    mass[100] = z204;
-    mass[101] = z202;
+    mass[99] = -z338;
+    mass[100] = z339;
+    mass[101] = z208;
     mass[102] = n0;
     mass[103] = n0;
     mass[104] = n0;
@@ -1477,9 +1488,9 @@ struct Mechanism {
     mass[107] = n0;
     mass[108] = n20;
     mass[109] = n0;
-    mass[110] = -z171;
-    mass[111] = z172;
-    mass[112] = z170;
+    mass[110] = -z327;
+    mass[111] = z328;
+    mass[112] = z176;
     mass[113] = n0;
     mass[114] = n0;
     mass[115] = n0;
@@ -1494,8 +1505,8 @@ struct Mechanism {
   /// actions included. M a + h = E u + A' lambda.
   TORSOR_DEVICE static void bias(const Precomputed& precomputed, const State& state,
       GeneralizedForces& forces) noexcept {
-    const Scalar k0 = traits::constant(0.7320508075688773, 0.73205084f, "-1;0;1;0");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar k1 = traits::constant(0.7320508075688773, 0.73205084f, "-1;0;1;0");
     const Scalar n20 = traits::constant(20.0, 20.0f, "20/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_psi = state.q.psi;
@@ -1518,71 +1529,72 @@ struct Mechanism {
     const Scalar c_alpha_4 = precomputed.c_alpha_4;
     Scalar s_psi, c_psi;
     traits::sincos(q_psi, s_psi, c_psi);
-    const Scalar z321 = v_psi * v_psi;
-    const Scalar z322 = k0 * z321;
-    const Scalar z323 = s_alpha_1 * z321 + c_alpha_1 * z322;
-    const Scalar z324 = s_alpha_1 * z322 - c_alpha_1 * z321;
-    const Scalar z328 = s_alpha_2 * z321 - c_alpha_2 * z322;
-    const Scalar z329 = c_alpha_2 * z321 + s_alpha_2 * z322;
-    const Scalar z339 = c_alpha_4 * z321 + s_alpha_4 * z322;
-    const Scalar z334 = s_alpha_3 * z322 - c_alpha_3 * z321;
-    const Scalar z331 = n2 * v_psi * v_s_2 - z329;
-    const Scalar z341 = n2 * v_psi * v_s_4 + z339;
-    const Scalar z333 = s_alpha_3 * z321 + c_alpha_3 * z322;
-    const Scalar z338 = s_alpha_4 * z321 - c_alpha_4 * z322;
-    const Scalar z336 = n2 * v_psi * v_s_3 - z334;
-    const Scalar z345 = n20 * z341;  // force on axle_4, y
-    const Scalar z361 = n20 * z331;  // force on axle_2, y
-    const Scalar z335 = q_s_3 * z321 - z333;
-    const Scalar z340 = q_s_4 * z321 - z338;
-    const Scalar z326 = n2 * v_psi * v_s_1 + z324;
-    const Scalar z346 = q_s_4 * z345;  // moment on steered_4, z
-    const Scalar z353 = n20 * z336;  // force on axle_3, y
-    const Scalar z362 = q_s_2 * z361;  // moment on steered_2, z
-    const Scalar z330 = q_s_2 * z321 + z328;
-    const Scalar z344 = n20 * z340;  // force on axle_4, x
-    const Scalar z352 = n20 * z335;  // force on axle_3, x
-    const Scalar z354 = q_s_3 * z353;  // moment on steered_3, z
-    const Scalar z369 = n20 * z326;  // force on axle_1, y
-    const Scalar z325 = q_s_1 * z321 + z323;
-    const Scalar z360 = n20 * z330;  // force on axle_2, x
-    const Scalar z370 = q_s_1 * z369;  // moment on steered_1, z
-    const Scalar z368 = n20 * z325;  // force on axle_1, x
-    const Scalar z347 = s_alpha_4 * z345 + c_alpha_4 * z344;
-    const Scalar z348 = s_alpha_4 * z344 - c_alpha_4 * z345;
-    const Scalar z355 = c_alpha_3 * z352 + s_alpha_3 * z353;
-    const Scalar z356 = s_alpha_3 * z352 - c_alpha_3 * z353;
-    const Scalar z363 = s_alpha_2 * z361 + c_alpha_2 * z360;
-    const Scalar z364 = s_alpha_2 * z360 - c_alpha_2 * z361;
-    const Scalar z371 = c_alpha_1 * z368 + s_alpha_1 * z369;
-    const Scalar z372 = s_alpha_1 * z368 - c_alpha_1 * z369;
-    const Scalar z375 = z347 + z355 + z363 + z371;  // force on S, x
-    const Scalar z376 = z348 + z356 + z364 + z372;  // force on S, y
+    const Scalar z444 = v_psi * v_psi;
+    const Scalar z449 = n2 * v_psi;
+    const Scalar z445 = k1 * z444;
+    const Scalar z446 = s_alpha_1 * z444 + c_alpha_1 * z445;
+    const Scalar z447 = s_alpha_1 * z445 - c_alpha_1 * z444;
+    const Scalar z451 = s_alpha_2 * z444 - c_alpha_2 * z445;
+    const Scalar z452 = c_alpha_2 * z444 + s_alpha_2 * z445;
+    const Scalar z460 = c_alpha_4 * z444 + s_alpha_4 * z445;
+    const Scalar z456 = s_alpha_3 * z445 - c_alpha_3 * z444;
+    const Scalar z454 = v_s_2 * z449 - z452;
+    const Scalar z462 = v_s_4 * z449 + z460;
+    const Scalar z455 = s_alpha_3 * z444 + c_alpha_3 * z445;
+    const Scalar z459 = s_alpha_4 * z444 - c_alpha_4 * z445;
+    const Scalar z458 = v_s_3 * z449 - z456;
+    const Scalar z464 = n20 * z462;  // force on axle_4, y
+    const Scalar z474 = n20 * z454;  // force on axle_2, y
+    const Scalar z457 = q_s_3 * z444 - z455;
+    const Scalar z461 = q_s_4 * z444 - z459;
+    const Scalar z450 = v_s_1 * z449 + z447;
+    const Scalar z465 = q_s_4 * z464;  // moment on steered_4, z
+    const Scalar z469 = n20 * z458;  // force on axle_3, y
+    const Scalar z475 = q_s_2 * z474;  // moment on steered_2, z
+    const Scalar z453 = q_s_2 * z444 + z451;
+    const Scalar z463 = n20 * z461;  // force on axle_4, x
+    const Scalar z468 = n20 * z457;  // force on axle_3, x
+    const Scalar z470 = q_s_3 * z469;  // moment on steered_3, z
+    const Scalar z479 = n20 * z450;  // force on axle_1, y
+    const Scalar z448 = q_s_1 * z444 + z446;
+    const Scalar z473 = n20 * z453;  // force on axle_2, x
+    const Scalar z480 = q_s_1 * z479;  // moment on steered_1, z
+    const Scalar z478 = n20 * z448;  // force on axle_1, x
+    const Scalar z466 = s_alpha_4 * z464 + c_alpha_4 * z463;
+    const Scalar z467 = s_alpha_4 * z463 - c_alpha_4 * z464;
+    const Scalar z471 = c_alpha_3 * z468 + s_alpha_3 * z469;
+    const Scalar z472 = s_alpha_3 * z468 - c_alpha_3 * z469;
+    const Scalar z476 = s_alpha_2 * z474 + c_alpha_2 * z473;
+    const Scalar z477 = s_alpha_2 * z473 - c_alpha_2 * z474;
+    const Scalar z481 = c_alpha_1 * z478 + s_alpha_1 * z479;
+    const Scalar z482 = s_alpha_1 * z478 - c_alpha_1 * z479;
+    const Scalar z483 = z466 + z471 + z476 + z481;  // force on S, x
+    const Scalar z484 = z467 + z472 + z477 + z482;  // force on S, y
     // moment on S, z
-    const Scalar z379 = z346 + z362 + z354 + z370 - z347 - z355 + z363 + z371 - k0 * (z348 - z356 - z364 + z372);
-    const Scalar z380 = s_psi * z376 - c_psi * z375;
-    const Scalar z381 = s_psi * z375 + c_psi * z376;
-    forces.x = z380;
-    forces.y = -z381;
-    forces.psi = z379;
+    const Scalar z485 = z465 + z475 + z470 + z480 - z466 - z471 + z476 + z481 - k1 * (z467 - z472 - z477 + z482);
+    const Scalar z486 = s_psi * z484 - c_psi * z483;
+    const Scalar z487 = s_psi * z483 + c_psi * z484;
+    forces.x = z486;
+    forces.y = -z487;
+    forces.psi = z485;
     forces.phi_1 = n0;
     forces.phi_2 = n0;
     forces.phi_3 = n0;
     forces.phi_4 = n0;
-    forces.s_1 = -z368;
-    forces.s_2 = -z360;
-    forces.s_3 = -z352;
-    forces.s_4 = -z344;
+    forces.s_1 = -z478;
+    forces.s_2 = -z473;
+    forces.s_3 = -z468;
+    forces.s_4 = -z463;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
   TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Multipliers& multipliers, GeneralizedForces& forces) noexcept {
-    const Scalar n0_9 = traits::constant(0.9, 0.9f, "9/10");
-    const Scalar k1 = traits::constant(0.7320508075688773, 0.73205084f, "-1;0;1;0");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
-    const Scalar n20 = traits::constant(20.0, 20.0f, "20/1");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n0_9 = traits::constant(0.9, 0.9f, "9/10");
+    const Scalar k3 = traits::constant(0.7320508075688773, 0.73205084f, "-1;0;1;0");
+    const Scalar n20 = traits::constant(20.0, 20.0f, "20/1");
     const Scalar n900 = traits::constant(900.0, 900.0f, "900/1");
     const Scalar n800 = traits::constant(800.0, 800.0f, "800/1");
     const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
@@ -1627,107 +1639,109 @@ struct Mechanism {
     const Scalar c_alpha_3 = precomputed.c_alpha_3;
     const Scalar s_alpha_4 = precomputed.s_alpha_4;
     const Scalar c_alpha_4 = precomputed.c_alpha_4;
-    const Scalar z462 = precomputed.z462;
-    const Scalar z463 = precomputed.z463;
-    const Scalar z471 = precomputed.z471;
-    const Scalar z472 = precomputed.z472;
-    const Scalar z480 = precomputed.z480;
-    const Scalar z481 = precomputed.z481;
-    const Scalar z489 = precomputed.z489;
-    const Scalar z490 = precomputed.z490;
-    const Scalar z55 = q_psi + p_alpha_1;
-    const Scalar z80 = q_psi + p_alpha_2;
-    const Scalar z104 = q_psi + p_alpha_3;
-    const Scalar z126 = q_psi + p_alpha_4;
-    const Scalar angles_[] = {q_psi, z55, z80, z104, z126};
+    const Scalar z565 = precomputed.z565;
+    const Scalar z566 = precomputed.z566;
+    const Scalar z574 = precomputed.z574;
+    const Scalar z575 = precomputed.z575;
+    const Scalar z583 = precomputed.z583;
+    const Scalar z584 = precomputed.z584;
+    const Scalar z592 = precomputed.z592;
+    const Scalar z593 = precomputed.z593;
+    const Scalar z611 = q_psi + p_alpha_1;
+    const Scalar z614 = q_psi + p_alpha_2;
+    const Scalar z617 = q_psi + p_alpha_3;
+    const Scalar z620 = q_psi + p_alpha_4;
+    const Scalar angles_[] = {q_psi, z611, z614, z617, z620};
     Scalar sines_[5], cosines_[5];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
-    const Scalar z56 = sines_[1], z57 = cosines_[1];
-    const Scalar z81 = sines_[2], z82 = cosines_[2];
-    const Scalar z105 = sines_[3], z106 = cosines_[3];
-    const Scalar z127 = sines_[4], z128 = cosines_[4];
-    const Scalar z321 = v_psi * v_psi;
-    const Scalar z385 = a_x * c_psi + a_y * s_psi;
-    const Scalar z386 = a_x * s_psi - a_y * c_psi;
-    const Scalar z411 = n0_9 * a_phi_4;  // moment on wheel_4, x
-    const Scalar z419 = n0_9 * a_phi_3;  // moment on wheel_3, x
-    const Scalar z427 = n0_9 * a_phi_2;  // moment on wheel_2, x
-    const Scalar z435 = n0_9 * a_phi_1;  // moment on wheel_1, x
-    const Scalar z464 = q_s_1 + z462;
-    const Scalar z473 = q_s_2 + z471;
-    const Scalar z482 = q_s_3 - z480;
-    const Scalar z491 = q_s_4 - z489;
-    const Scalar z387 = a_psi + k1 * z321 - z385;
-    const Scalar z388 = k1 * a_psi - z321 - z386;
-    const Scalar z393 = a_psi - k1 * z321 - z385;
-    const Scalar z394 = k1 * a_psi + z321 + z386;
-    const Scalar z399 = a_psi + k1 * z321 + z385;
-    const Scalar z400 = k1 * a_psi - z321 + z386;
-    const Scalar z405 = a_psi - k1 * z321 + z385;
-    const Scalar z406 = k1 * a_psi + z321 - z386;
-    const Scalar z389 = s_alpha_1 * z388 - c_alpha_1 * z387;
-    const Scalar z390 = s_alpha_1 * z387 + c_alpha_1 * z388;
-    const Scalar z395 = s_alpha_2 * z394 + c_alpha_2 * z393;
-    const Scalar z396 = s_alpha_2 * z393 - c_alpha_2 * z394;
-    const Scalar z401 = s_alpha_3 * z400 - c_alpha_3 * z399;
-    const Scalar z402 = s_alpha_3 * z399 + c_alpha_3 * z400;
-    const Scalar z407 = s_alpha_4 * z406 + c_alpha_4 * z405;
-    const Scalar z408 = s_alpha_4 * z405 - c_alpha_4 * z406;
-    const Scalar z391 = q_s_1 * z321 - a_s_1 - z389;
-    const Scalar z392 = z390 + a_psi * q_s_1 + n2 * v_psi * v_s_1;
-    const Scalar z397 = q_s_2 * z321 - a_s_2 + z395;
-    const Scalar z398 = z396 + a_psi * q_s_2 + n2 * v_psi * v_s_2;
-    const Scalar z403 = q_s_3 * z321 - a_s_3 + z401;
-    const Scalar z404 = a_psi * q_s_3 - z402 + n2 * v_psi * v_s_3;
-    const Scalar z409 = q_s_4 * z321 - a_s_4 - z407;
-    const Scalar z410 = a_psi * q_s_4 - z408 + n2 * v_psi * v_s_4;
-    const Scalar z412 = n20 * z409;  // force on axle_4, x
-    const Scalar z420 = n20 * z403;  // force on axle_3, x
-    const Scalar z428 = n20 * z397;  // force on axle_2, x
-    const Scalar z436 = n20 * z391;  // force on axle_1, x
-    const Scalar z413 = n20 * z410;  // force on axle_4, y
-    const Scalar z421 = n20 * z404;  // force on axle_3, y
-    const Scalar z429 = n20 * z398;  // force on axle_2, y
-    const Scalar z437 = n20 * z392;  // force on axle_1, y
-    const Scalar z414 = n0_5 * a_psi + q_s_4 * z413;  // moment on steered_4, z
-    const Scalar z415 = c_alpha_4 * z412 + s_alpha_4 * z413;
-    const Scalar z416 = s_alpha_4 * z412 - c_alpha_4 * z413;
-    const Scalar z422 = n0_5 * a_psi + q_s_3 * z421;  // moment on steered_3, z
-    const Scalar z423 = c_alpha_3 * z420 + s_alpha_3 * z421;
-    const Scalar z424 = s_alpha_3 * z420 - c_alpha_3 * z421;
-    const Scalar z431 = c_alpha_2 * z428 + s_alpha_2 * z429;
-    const Scalar z432 = s_alpha_2 * z428 - c_alpha_2 * z429;
-    const Scalar z430 = n0_5 * a_psi + q_s_2 * z429;  // moment on steered_2, z
-    const Scalar z439 = c_alpha_1 * z436 + s_alpha_1 * z437;
-    const Scalar z440 = s_alpha_1 * z436 - c_alpha_1 * z437;
-    const Scalar z443 = z415 + z423 + z431 + z439;  // force on S, x
-    const Scalar z444 = z416 + z424 + z432 + z440;  // force on S, y
-    const Scalar z438 = n0_5 * a_psi + q_s_1 * z437;  // moment on steered_1, z
-    const Scalar z448 = s_psi * z444 - c_psi * z443;
-    const Scalar z449 = s_psi * z443 + c_psi * z444;
+    const Scalar z612 = sines_[1], z613 = cosines_[1];
+    const Scalar z615 = sines_[2], z616 = cosines_[2];
+    const Scalar z618 = sines_[3], z619 = cosines_[3];
+    const Scalar z621 = sines_[4], z622 = cosines_[4];
+    const Scalar z623 = v_psi * v_psi;
+    const Scalar z624 = a_x * c_psi + a_y * s_psi;
+    const Scalar z625 = a_x * s_psi - a_y * c_psi;
+    const Scalar z631 = n2 * v_psi;
+    const Scalar z654 = n0_5 * a_psi;
+    const Scalar z651 = n0_9 * a_phi_4;  // moment on wheel_4, x
+    const Scalar z658 = n0_9 * a_phi_3;  // moment on wheel_3, x
+    const Scalar z664 = n0_9 * a_phi_2;  // moment on wheel_2, x
+    const Scalar z670 = n0_9 * a_phi_1;  // moment on wheel_1, x
+    const Scalar z683 = q_s_1 + z565;
+    const Scalar z684 = q_s_2 + z574;
+    const Scalar z685 = q_s_3 - z583;
+    const Scalar z626 = a_psi + k3 * z623 - z624;
+    const Scalar z686 = q_s_4 - z592;
+    const Scalar z627 = k3 * a_psi - z623 - z625;
+    const Scalar z633 = a_psi - k3 * z623 - z624;
+    const Scalar z634 = k3 * a_psi + z623 + z625;
+    const Scalar z639 = a_psi + k3 * z623 + z624;
+    const Scalar z640 = k3 * a_psi - z623 + z625;
+    const Scalar z645 = a_psi - k3 * z623 + z624;
+    const Scalar z646 = k3 * a_psi + z623 - z625;
+    const Scalar z628 = s_alpha_1 * z627 - c_alpha_1 * z626;
+    const Scalar z629 = s_alpha_1 * z626 + c_alpha_1 * z627;
+    const Scalar z635 = s_alpha_2 * z634 + c_alpha_2 * z633;
+    const Scalar z636 = s_alpha_2 * z633 - c_alpha_2 * z634;
+    const Scalar z641 = s_alpha_3 * z640 - c_alpha_3 * z639;
+    const Scalar z642 = s_alpha_3 * z639 + c_alpha_3 * z640;
+    const Scalar z647 = s_alpha_4 * z646 + c_alpha_4 * z645;
+    const Scalar z648 = s_alpha_4 * z645 - c_alpha_4 * z646;
+    const Scalar z630 = q_s_1 * z623 - a_s_1 - z628;
+    const Scalar z632 = z629 + a_psi * q_s_1 + v_s_1 * z631;
+    const Scalar z637 = q_s_2 * z623 - a_s_2 + z635;
+    const Scalar z638 = z636 + a_psi * q_s_2 + v_s_2 * z631;
+    const Scalar z643 = q_s_3 * z623 - a_s_3 + z641;
+    const Scalar z644 = a_psi * q_s_3 - z642 + v_s_3 * z631;
+    const Scalar z649 = q_s_4 * z623 - a_s_4 - z647;
+    const Scalar z650 = a_psi * q_s_4 - z648 + v_s_4 * z631;
+    const Scalar z652 = n20 * z649;  // force on axle_4, x
+    const Scalar z659 = n20 * z643;  // force on axle_3, x
+    const Scalar z665 = n20 * z637;  // force on axle_2, x
+    const Scalar z671 = n20 * z630;  // force on axle_1, x
+    const Scalar z653 = n20 * z650;  // force on axle_4, y
+    const Scalar z660 = n20 * z644;  // force on axle_3, y
+    const Scalar z666 = n20 * z638;  // force on axle_2, y
+    const Scalar z672 = n20 * z632;  // force on axle_1, y
+    const Scalar z655 = q_s_4 * z653 + z654;  // moment on steered_4, z
+    const Scalar z656 = c_alpha_4 * z652 + s_alpha_4 * z653;
+    const Scalar z657 = s_alpha_4 * z652 - c_alpha_4 * z653;
+    const Scalar z661 = q_s_3 * z660 + z654;  // moment on steered_3, z
+    const Scalar z662 = c_alpha_3 * z659 + s_alpha_3 * z660;
+    const Scalar z663 = s_alpha_3 * z659 - c_alpha_3 * z660;
+    const Scalar z667 = q_s_2 * z666 + z654;  // moment on steered_2, z
+    const Scalar z668 = c_alpha_2 * z665 + s_alpha_2 * z666;
+    const Scalar z669 = s_alpha_2 * z665 - c_alpha_2 * z666;
+    const Scalar z674 = c_alpha_1 * z671 + s_alpha_1 * z672;
+    const Scalar z675 = s_alpha_1 * z671 - c_alpha_1 * z672;
+    const Scalar z676 = z656 + z662 + z668 + z674;  // force on S, x
+    const Scalar z677 = z657 + z663 + z669 + z675;  // force on S, y
+    const Scalar z673 = q_s_1 * z672 + z654;  // moment on steered_1, z
     // moment on S, z
-    const Scalar z447 = n900 * a_psi + z414 - z415 + z422 - z423 + z430 + z431 + z438 + z439 - k1 * (z416 - z424 - z432
-        + z440);
-    const Scalar z452 = n800 * a_x + z448;  // force on S.y, x
-    const Scalar z453 = n800 * a_y - z449;  // force on S.y, y
-    forces.x = z56 * l_lambda_wheel_1_y - z57 * l_lambda_wheel_1_x + z81 * l_lambda_wheel_2_y - z82 * l_lambda_wheel_2_x
-        + z105 * l_lambda_wheel_3_y - z106 * l_lambda_wheel_3_x + z127 * l_lambda_wheel_4_y - z128 * l_lambda_wheel_4_x
-        + z452;
-    forces.y = -z56 * l_lambda_wheel_1_x - z57 * l_lambda_wheel_1_y - z81 * l_lambda_wheel_2_x - z82
-        * l_lambda_wheel_2_y - z105 * l_lambda_wheel_3_x - z106 * l_lambda_wheel_3_y - z127 * l_lambda_wheel_4_x - z128
-        * l_lambda_wheel_4_y + z453;
-    forces.psi = z472 * l_lambda_wheel_2_x - z463 * l_lambda_wheel_1_x + z481 * l_lambda_wheel_3_x - z490
-        * l_lambda_wheel_4_x - z464 * l_lambda_wheel_1_y - z473 * l_lambda_wheel_2_y - z482 * l_lambda_wheel_3_y - z491
-        * l_lambda_wheel_4_y + z447;
-    forces.phi_1 = z435 - n0_3 * l_lambda_wheel_1_y;
-    forces.phi_2 = z427 - n0_3 * l_lambda_wheel_2_y;
-    forces.phi_3 = z419 - n0_3 * l_lambda_wheel_3_y;
-    forces.phi_4 = z411 - n0_3 * l_lambda_wheel_4_y;
-    forces.s_1 = -z436 - l_lambda_wheel_1_x;
-    forces.s_2 = -z428 - l_lambda_wheel_2_x;
-    forces.s_3 = -z420 - l_lambda_wheel_3_x;
-    forces.s_4 = -z412 - l_lambda_wheel_4_x;
+    const Scalar z678 = n900 * a_psi + z655 - z656 + z661 - z662 + z667 + z668 + z673 + z674 - k3 * (z657 - z663 - z669
+        + z675);
+    const Scalar z679 = s_psi * z677 - c_psi * z676;
+    const Scalar z680 = s_psi * z676 + c_psi * z677;
+    const Scalar z681 = n800 * a_x + z679;  // force on S.y, x
+    const Scalar z682 = n800 * a_y - z680;  // force on S.y, y
+    forces.x = -l_lambda_wheel_1_x * z613 + l_lambda_wheel_1_y * z612 - l_lambda_wheel_2_x * z616 + l_lambda_wheel_2_y
+        * z615 - l_lambda_wheel_3_x * z619 + l_lambda_wheel_3_y * z618 - l_lambda_wheel_4_x * z622 + l_lambda_wheel_4_y
+        * z621 + z681;
+    forces.y = -l_lambda_wheel_1_x * z612 - l_lambda_wheel_1_y * z613 - l_lambda_wheel_2_x * z615 - l_lambda_wheel_2_y
+        * z616 - l_lambda_wheel_3_x * z618 - l_lambda_wheel_3_y * z619 - l_lambda_wheel_4_x * z621 - l_lambda_wheel_4_y
+        * z622 + z682;
+    forces.psi = -z566 * l_lambda_wheel_1_x + z575 * l_lambda_wheel_2_x + z584 * l_lambda_wheel_3_x - z593
+        * l_lambda_wheel_4_x - l_lambda_wheel_1_y * z683 - l_lambda_wheel_2_y * z684 - l_lambda_wheel_3_y * z685
+        - l_lambda_wheel_4_y * z686 + z678;
+    forces.phi_1 = -n0_3 * l_lambda_wheel_1_y + z670;
+    forces.phi_2 = -n0_3 * l_lambda_wheel_2_y + z664;
+    forces.phi_3 = -n0_3 * l_lambda_wheel_3_y + z658;
+    forces.phi_4 = -n0_3 * l_lambda_wheel_4_y + z651;
+    forces.s_1 = -l_lambda_wheel_1_x - z671;
+    forces.s_2 = -l_lambda_wheel_2_x - z665;
+    forces.s_3 = -l_lambda_wheel_3_x - z659;
+    forces.s_4 = -l_lambda_wheel_4_x - z652;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -1773,504 +1787,509 @@ struct Mechanism {
     const Scalar c_alpha_3 = precomputed.c_alpha_3;
     const Scalar s_alpha_4 = precomputed.s_alpha_4;
     const Scalar c_alpha_4 = precomputed.c_alpha_4;
-    const Scalar z168 = precomputed.z168;
-    const Scalar z169 = precomputed.z169;
-    const Scalar z170 = precomputed.z170;
-    const Scalar z200 = precomputed.z200;
-    const Scalar z201 = precomputed.z201;
-    const Scalar z202 = precomputed.z202;
-    const Scalar z237 = precomputed.z237;
-    const Scalar z238 = precomputed.z238;
-    const Scalar z239 = precomputed.z239;
-    const Scalar z274 = precomputed.z274;
-    const Scalar z275 = precomputed.z275;
-    const Scalar z276 = precomputed.z276;
-    const Scalar z462 = precomputed.z462;
-    const Scalar z463 = precomputed.z463;
-    const Scalar z471 = precomputed.z471;
-    const Scalar z472 = precomputed.z472;
-    const Scalar z480 = precomputed.z480;
-    const Scalar z481 = precomputed.z481;
-    const Scalar z489 = precomputed.z489;
-    const Scalar z490 = precomputed.z490;
-    const Scalar z508 = precomputed.z508;
-    const Scalar z517 = precomputed.z517;
-    const Scalar z526 = precomputed.z526;
-    const Scalar z535 = precomputed.z535;
-    const Scalar z55 = q_psi + p_alpha_1;
-    const Scalar z80 = q_psi + p_alpha_2;
-    const Scalar z104 = q_psi + p_alpha_3;
-    const Scalar z126 = q_psi + p_alpha_4;
-    const Scalar angles_[] = {q_psi, z55, z80, z104, z126};
+    const Scalar z174 = precomputed.z174;
+    const Scalar z175 = precomputed.z175;
+    const Scalar z206 = precomputed.z206;
+    const Scalar z207 = precomputed.z207;
+    const Scalar z243 = precomputed.z243;
+    const Scalar z244 = precomputed.z244;
+    const Scalar z280 = precomputed.z280;
+    const Scalar z281 = precomputed.z281;
+    const Scalar z565 = precomputed.z565;
+    const Scalar z566 = precomputed.z566;
+    const Scalar z574 = precomputed.z574;
+    const Scalar z575 = precomputed.z575;
+    const Scalar z583 = precomputed.z583;
+    const Scalar z584 = precomputed.z584;
+    const Scalar z592 = precomputed.z592;
+    const Scalar z593 = precomputed.z593;
+    const Scalar z689 = precomputed.z689;
+    const Scalar z698 = precomputed.z698;
+    const Scalar z707 = precomputed.z707;
+    const Scalar z716 = precomputed.z716;
+    const Scalar z1009 = precomputed.z1009;
+    const Scalar z1010 = precomputed.z1010;
+    const Scalar z1011 = precomputed.z1011;
+    const Scalar z1012 = precomputed.z1012;
+    const Scalar z1013 = q_psi + p_alpha_1;
+    const Scalar z1016 = q_psi + p_alpha_2;
+    const Scalar z1019 = q_psi + p_alpha_3;
+    const Scalar z1022 = q_psi + p_alpha_4;
+    const Scalar angles_[] = {q_psi, z1013, z1016, z1019, z1022};
     Scalar sines_[5], cosines_[5];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
-    const Scalar z56 = sines_[1], z57 = cosines_[1];
-    const Scalar z81 = sines_[2], z82 = cosines_[2];
-    const Scalar z105 = sines_[3], z106 = cosines_[3];
-    const Scalar z127 = sines_[4], z128 = cosines_[4];
-    const Scalar z175 = n20 * q_s_4;
-    const Scalar z207 = n20 * q_s_3;
-    const Scalar z244 = n20 * q_s_2;
-    const Scalar z174 = n20 * q_s_4 * q_s_4;
-    const Scalar z281 = n20 * q_s_1;
-    const Scalar z177 = s_alpha_4 * z175;
-    const Scalar z209 = s_alpha_3 * z207;
-    const Scalar z178 = c_alpha_4 * z175;
-    const Scalar z246 = s_alpha_2 * z244;
-    const Scalar z210 = c_alpha_3 * z207;
-    const Scalar z206 = n20 * q_s_3 * q_s_3;
-    const Scalar z176 = n0_5 + z174;
-    const Scalar z283 = s_alpha_1 * z281;
-    const Scalar z247 = c_alpha_2 * z244;
-    const Scalar z208 = n0_5 + z206;
-    const Scalar z243 = n20 * q_s_2 * q_s_2;
-    const Scalar z192 = k2 - n2 * z177 + k4 * z178 + z176;
-    const Scalar z284 = c_alpha_1 * z281;
-    const Scalar z224 = k2 - n2 * z209 - k4 * z210 + z208;
-    const Scalar z245 = n0_5 + z243;
-    const Scalar z280 = n20 * q_s_1 * q_s_1;
-    const Scalar z261 = k2 + n2 * z246 - k4 * z247 + z245;
-    const Scalar z195 = n900 + z192;
-    const Scalar z282 = n0_5 + z280;
-    const Scalar z232 = z195 + z224;
-    const Scalar z194 = n20 - z177;
-    const Scalar z226 = n20 - z209;
-    const Scalar z298 = k2 + n2 * z283 + k4 * z284 + z282;
-    const Scalar z269 = z232 + z261;
-    const Scalar z193 = k6 + z178;
-    const Scalar z225 = k6 - z210;
-    const Scalar z228 = z194 + z226;
-    const Scalar z263 = n20 + z246;
-    const Scalar z306 = z269 + z298;
-    const Scalar z227 = z193 - z225;
-    const Scalar z262 = k6 - z247;
-    const Scalar z265 = z228 - z263;
-    const Scalar z300 = n20 + z283;
-    const Scalar z264 = z227 - z262;
-    const Scalar z299 = k6 + z284;
-    const Scalar z302 = z265 - z300;
-    const Scalar z172 = s_psi * z168 + c_psi * z169;
-    const Scalar z301 = z264 + z299;
-    const Scalar z204 = s_psi * z200 + c_psi * z201;
-    const Scalar z241 = s_psi * z237 + c_psi * z238;
-    const Scalar z308 = s_psi * z302 + c_psi * z301;
-    const Scalar z278 = s_psi * z274 + c_psi * z275;
-    const Scalar z171 = s_psi * z169 - c_psi * z168;
-    const Scalar z307 = s_psi * z301 - c_psi * z302;
-    const Scalar z203 = s_psi * z201 - c_psi * z200;
-    const Scalar z240 = s_psi * z238 - c_psi * z237;
-    const Scalar z277 = s_psi * z275 - c_psi * z274;
-    const Scalar z491 = q_s_4 - z489;
-    const Scalar z482 = q_s_3 - z480;
-    const Scalar z473 = q_s_2 + z471;
-    const Scalar z321 = v_psi * v_psi;
-    const Scalar z322 = k7 * z321;
-    const Scalar z464 = q_s_1 + z462;
-    const Scalar z467 = v_psi * z57;
-    const Scalar z476 = v_psi * z82;
-    const Scalar z485 = v_psi * z106;
-    const Scalar z494 = v_psi * z128;
-    const Scalar z333 = s_alpha_3 * z321 + c_alpha_3 * z322;
-    const Scalar z338 = s_alpha_4 * z321 - c_alpha_4 * z322;
-    const Scalar z339 = c_alpha_4 * z321 + s_alpha_4 * z322;
-    const Scalar z335 = q_s_3 * z321 - z333;
-    const Scalar z340 = q_s_4 * z321 - z338;
-    const Scalar z341 = n2 * v_psi * v_s_4 + z339;
-    const Scalar z344 = n20 * z340;  // force on axle_4, x
-    const Scalar z345 = n20 * z341;  // force on axle_4, y
-    const Scalar z352 = n20 * z335;  // force on axle_3, x
-    const Scalar z328 = s_alpha_2 * z321 - c_alpha_2 * z322;
-    const Scalar z330 = q_s_2 * z321 + z328;
-    const Scalar z329 = c_alpha_2 * z321 + s_alpha_2 * z322;
-    const Scalar z331 = n2 * v_psi * v_s_2 - z329;
-    const Scalar z360 = n20 * z330;  // force on axle_2, x
-    const Scalar z334 = s_alpha_3 * z322 - c_alpha_3 * z321;
-    const Scalar z336 = n2 * v_psi * v_s_3 - z334;
-    const Scalar z361 = n20 * z331;  // force on axle_2, y
-    const Scalar z323 = s_alpha_1 * z321 + c_alpha_1 * z322;
-    const Scalar z324 = s_alpha_1 * z322 - c_alpha_1 * z321;
-    const Scalar z325 = q_s_1 * z321 + z323;
-    const Scalar z353 = n20 * z336;  // force on axle_3, y
-    const Scalar z326 = n2 * v_psi * v_s_1 + z324;
-    const Scalar z514 = z170 * z508 - z306;
-    const Scalar z523 = z202 * z517 + z514;
-    const Scalar z513 = z172 * z508 - z308;
-    const Scalar z522 = z204 * z517 + z513;
-    const Scalar z512 = z171 * z508 - z307;
-    const Scalar z521 = z203 * z517 + z512;
-    const Scalar z368 = n20 * z325;  // force on axle_1, x
-    const Scalar z369 = n20 * z326;  // force on axle_1, y
-    const Scalar z507 = n0_05 * z172;
-    const Scalar z511 = n880 - z172 * z507;
-    const Scalar z516 = n0_05 * z204;
-    const Scalar z506 = n0_05 * z171;
-    const Scalar z510 = z171 * z507;
-    const Scalar z509 = n880 - z171 * z506;
-    const Scalar z519 = z203 * z516 + z510;
-    const Scalar z520 = z204 * z516 - z511;
-    const Scalar z515 = n0_05 * z203;
-    const Scalar z518 = z203 * z515 - z509;
-    const Scalar z524 = n0_05 * z240;
-    const Scalar z347 = s_alpha_4 * z345 + c_alpha_4 * z344;
-    const Scalar z348 = s_alpha_4 * z344 - c_alpha_4 * z345;
-    const Scalar z346 = q_s_4 * z345;  // moment on steered_4, z
-    const Scalar z530 = z240 * z526 - z521;
-    const Scalar z527 = z240 * z524 + z518;
-    const Scalar z525 = n0_05 * z241;
-    const Scalar z528 = z240 * z525 + z519;
-    const Scalar z529 = z241 * z525 + z520;
-    const Scalar z355 = c_alpha_3 * z352 + s_alpha_3 * z353;
-    const Scalar z356 = s_alpha_3 * z352 - c_alpha_3 * z353;
-    const Scalar z354 = q_s_3 * z353;  // moment on steered_3, z
-    const Scalar z531 = z241 * z526 - z522;
-    const Scalar z532 = z239 * z526 + z523;
-    const Scalar z534 = n0_05 * z278;
-    const Scalar z533 = n0_05 * z277;
-    const Scalar z536 = z277 * z533 + z527;
-    const Scalar z363 = s_alpha_2 * z361 + c_alpha_2 * z360;
-    const Scalar z364 = s_alpha_2 * z360 - c_alpha_2 * z361;
-    const Scalar z362 = q_s_2 * z361;  // moment on steered_2, z
-    const Scalar z541 = z276 * z535 + z532;
-    const Scalar z540 = z278 * z535 + z531;
-    const Scalar z538 = z278 * z534 + z529;
-    const Scalar z537 = z277 * z534 + z528;
-    const Scalar z539 = z277 * z535 + z530;
-    const Scalar z371 = c_alpha_1 * z368 + s_alpha_1 * z369;
-    const Scalar z372 = s_alpha_1 * z368 - c_alpha_1 * z369;
-    const Scalar z370 = q_s_1 * z369;  // moment on steered_1, z
+    const Scalar z1014 = sines_[1], z1015 = cosines_[1];
+    const Scalar z1017 = sines_[2], z1018 = cosines_[2];
+    const Scalar z1020 = sines_[3], z1021 = cosines_[3];
+    const Scalar z1023 = sines_[4], z1024 = cosines_[4];
+    const Scalar z1027 = n20 * q_s_4;
+    const Scalar z1038 = n20 * q_s_3;
+    const Scalar z1051 = n20 * q_s_2;
+    const Scalar z1064 = n20 * q_s_1;
+    const Scalar z1026 = s_psi * z174 + c_psi * z175;
+    const Scalar z1030 = s_alpha_4 * z1027;
+    const Scalar z1041 = s_alpha_3 * z1038;
+    const Scalar z1031 = c_alpha_4 * z1027;
+    const Scalar z1028 = q_s_4 * z1027;
+    const Scalar z1054 = s_alpha_2 * z1051;
+    const Scalar z1042 = c_alpha_3 * z1038;
+    const Scalar z1029 = n0_5 + z1028;
+    const Scalar z1039 = q_s_3 * z1038;
+    const Scalar z1067 = s_alpha_1 * z1064;
+    const Scalar z1055 = c_alpha_2 * z1051;
+    const Scalar z1040 = n0_5 + z1039;
+    const Scalar z1032 = k2 - n2 * z1030 + k4 * z1031 + z1029;
+    const Scalar z1052 = q_s_2 * z1051;
+    const Scalar z1068 = c_alpha_1 * z1064;
+    const Scalar z1043 = k2 - n2 * z1041 - k4 * z1042 + z1040;
+    const Scalar z1053 = n0_5 + z1052;
+    const Scalar z1065 = q_s_1 * z1064;
+    const Scalar z1034 = n20 - z1030;
+    const Scalar z1045 = n20 - z1041;
+    const Scalar z1035 = n900 + z1032;
+    const Scalar z1056 = k2 + n2 * z1054 - k4 * z1055 + z1053;
+    const Scalar z1048 = z1035 + z1043;
+    const Scalar z1066 = n0_5 + z1065;
+    const Scalar z1033 = k6 + z1031;
+    const Scalar z1044 = k6 - z1042;
+    const Scalar z1047 = z1034 + z1045;
+    const Scalar z1058 = n20 + z1054;
+    const Scalar z1061 = z1048 + z1056;
+    const Scalar z1069 = k2 + n2 * z1067 + k4 * z1068 + z1066;
+    const Scalar z1046 = z1033 - z1044;
+    const Scalar z1057 = k6 - z1055;
+    const Scalar z1060 = z1047 - z1058;
+    const Scalar z1071 = n20 + z1067;
+    const Scalar z1074 = z1061 + z1069;
+    const Scalar z1059 = z1046 - z1057;
+    const Scalar z1070 = k6 + z1068;
+    const Scalar z1073 = z1060 - z1071;
+    const Scalar z1072 = z1059 + z1070;
+    const Scalar z1037 = s_psi * z206 + c_psi * z207;
+    const Scalar z1050 = s_psi * z243 + c_psi * z244;
+    const Scalar z1076 = s_psi * z1073 + c_psi * z1072;
+    const Scalar z1063 = s_psi * z280 + c_psi * z281;
+    const Scalar z1025 = s_psi * z175 - c_psi * z174;
+    const Scalar z1075 = s_psi * z1072 - c_psi * z1073;
+    const Scalar z1036 = s_psi * z207 - c_psi * z206;
+    const Scalar z1049 = s_psi * z244 - c_psi * z243;
+    const Scalar z1062 = s_psi * z281 - c_psi * z280;
+    const Scalar z1136 = q_s_4 - z592;
+    const Scalar z1131 = q_s_3 - z583;
+    const Scalar z1126 = q_s_2 + z574;
+    const Scalar z1077 = v_psi * v_psi;
+    const Scalar z1078 = k7 * z1077;
+    const Scalar z1082 = n2 * v_psi;
+    const Scalar z1121 = q_s_1 + z565;
+    const Scalar z1123 = v_psi * z1015;
+    const Scalar z1128 = v_psi * z1018;
+    const Scalar z1133 = v_psi * z1021;
+    const Scalar z1088 = s_alpha_3 * z1077 + c_alpha_3 * z1078;
+    const Scalar z1092 = s_alpha_4 * z1077 - c_alpha_4 * z1078;
+    const Scalar z1093 = c_alpha_4 * z1077 + s_alpha_4 * z1078;
+    const Scalar z1090 = q_s_3 * z1077 - z1088;
+    const Scalar z1094 = q_s_4 * z1077 - z1092;
+    const Scalar z1095 = v_s_4 * z1082 + z1093;
+    const Scalar z1084 = s_alpha_2 * z1077 - c_alpha_2 * z1078;
+    const Scalar z1086 = q_s_2 * z1077 + z1084;
+    const Scalar z1096 = n20 * z1094;  // force on axle_4, x
+    const Scalar z1097 = n20 * z1095;  // force on axle_4, y
+    const Scalar z1101 = n20 * z1090;  // force on axle_3, x
+    const Scalar z1085 = c_alpha_2 * z1077 + s_alpha_2 * z1078;
+    const Scalar z1087 = v_s_2 * z1082 - z1085;
+    const Scalar z1106 = n20 * z1086;  // force on axle_2, x
+    const Scalar z1089 = s_alpha_3 * z1078 - c_alpha_3 * z1077;
+    const Scalar z1091 = v_s_3 * z1082 - z1089;
+    const Scalar z1107 = n20 * z1087;  // force on axle_2, y
+    const Scalar z1079 = s_alpha_1 * z1077 + c_alpha_1 * z1078;
+    const Scalar z1080 = s_alpha_1 * z1078 - c_alpha_1 * z1077;
+    const Scalar z1081 = q_s_1 * z1077 + z1079;
+    const Scalar z1083 = v_s_1 * z1082 + z1080;
+    const Scalar z1148 = z1009 - z1074;
+    const Scalar z1156 = z1010 + z1148;
+    const Scalar z1147 = z689 * z1026 - z1076;
+    const Scalar z1155 = z698 * z1037 + z1147;
+    const Scalar z1146 = z689 * z1025 - z1075;
+    const Scalar z1154 = z698 * z1036 + z1146;
+    const Scalar z1102 = n20 * z1091;  // force on axle_3, y
+    const Scalar z1111 = n20 * z1081;  // force on axle_1, x
+    const Scalar z1112 = n20 * z1083;  // force on axle_1, y
+    const Scalar z1142 = n0_05 * z1026;
+    const Scalar z1145 = n880 - z1026 * z1142;
+    const Scalar z1150 = n0_05 * z1037;
+    const Scalar z1141 = n0_05 * z1025;
+    const Scalar z1144 = z1025 * z1142;
+    const Scalar z1143 = n880 - z1025 * z1141;
+    const Scalar z1152 = z1036 * z1150 + z1144;
+    const Scalar z1153 = z1037 * z1150 - z1145;
+    const Scalar z1149 = n0_05 * z1036;
+    const Scalar z1151 = z1036 * z1149 - z1143;
+    const Scalar z1157 = n0_05 * z1049;
+    const Scalar z1099 = s_alpha_4 * z1097 + c_alpha_4 * z1096;
+    const Scalar z1100 = s_alpha_4 * z1096 - c_alpha_4 * z1097;
+    const Scalar z1098 = q_s_4 * z1097;  // moment on steered_4, z
+    const Scalar z1162 = z707 * z1049 - z1154;
+    const Scalar z1159 = z1049 * z1157 + z1151;
+    const Scalar z1158 = n0_05 * z1050;
+    const Scalar z1160 = z1049 * z1158 + z1152;
+    const Scalar z1161 = z1050 * z1158 + z1153;
+    const Scalar z1104 = c_alpha_3 * z1101 + s_alpha_3 * z1102;
+    const Scalar z1105 = s_alpha_3 * z1101 - c_alpha_3 * z1102;
+    const Scalar z1103 = q_s_3 * z1102;  // moment on steered_3, z
+    const Scalar z1163 = z707 * z1050 - z1155;
+    const Scalar z1164 = z1011 + z1156;
+    const Scalar z1166 = n0_05 * z1063;
+    const Scalar z1165 = n0_05 * z1062;
+    const Scalar z1167 = z1062 * z1165 + z1159;
+    const Scalar z1109 = s_alpha_2 * z1107 + c_alpha_2 * z1106;
+    const Scalar z1110 = s_alpha_2 * z1106 - c_alpha_2 * z1107;
+    const Scalar z1108 = q_s_2 * z1107;  // moment on steered_2, z
+    const Scalar z1172 = z1012 + z1164;
+    const Scalar z1171 = z716 * z1063 + z1163;
+    const Scalar z1169 = z1063 * z1166 + z1161;
+    const Scalar z1168 = z1062 * z1166 + z1160;
+    const Scalar z1170 = z716 * z1062 + z1162;
+    const Scalar z1114 = c_alpha_1 * z1111 + s_alpha_1 * z1112;
+    const Scalar z1115 = s_alpha_1 * z1111 - c_alpha_1 * z1112;
+    const Scalar z1113 = q_s_1 * z1112;  // moment on steered_1, z
     // moment on S, z
-    const Scalar z379 = z346 + z362 + z354 + z370 - z347 - z355 + z363 + z371 - k7 * (z348 - z356 - z364 + z372);
-    const Scalar z375 = z347 + z355 + z363 + z371;  // force on S, x
-    const Scalar z376 = z348 + z356 + z364 + z372;  // force on S, y
-    const Scalar z542 = n1 / z541;
-    const Scalar z544 = z540 * z542;
-    const Scalar z543 = z539 * z542;
-    const Scalar z380 = s_psi * z376 - c_psi * z375;
-    const Scalar z381 = s_psi * z375 + c_psi * z376;
-    const Scalar z547 = z538 - z540 * z544;
-    const Scalar z546 = z537 - z539 * z544;
-    const Scalar z545 = z536 - z539 * z543;
-    const Scalar z548 = n1 / z547;
-    const Scalar z466 = v_psi * z56;
-    const Scalar z552 = z56 - z534;
-    const Scalar z475 = v_psi * z81;
-    const Scalar z484 = v_psi * z105;
-    const Scalar z493 = v_psi * z127;
-    const Scalar z468 = v_x * z466 - v_y * z467;
-    const Scalar z470 = v_x * z467 + v_y * z466 - v_psi * v_s_1;
-    const Scalar z477 = v_x * z475 - v_y * z476;
-    const Scalar z479 = v_x * z476 + v_y * z475 - v_psi * v_s_2;
-    const Scalar z561 = z57 + z464 * z544;
-    const Scalar z486 = v_x * z484 - v_y * z485;
-    const Scalar z488 = v_x * z485 + v_y * z484 - v_psi * v_s_3;
-    const Scalar z549 = z546 * z548;
-    const Scalar z550 = z545 - z546 * z549;
-    const Scalar z562 = z56 + z464 * z543 - z549 * z561;
-    const Scalar z553 = z57 + z533 + z549 * z552;
-    const Scalar z551 = n1 / z550;
-    const Scalar z495 = v_x * z493 - v_y * z494;
-    const Scalar z497 = v_x * z494 + v_y * z493 - v_psi * v_s_4;
-    const Scalar z606 = z127 - z507;
-    const Scalar z597 = z106 + z482 * z544;
-    const Scalar z607 = z128 + z506 + z549 * z606;
-    const Scalar z598 = z105 + z482 * z543 - z549 * z597;
-    const Scalar z588 = z105 - z516;
-    const Scalar z589 = z106 + z515 + z549 * z588;
-    const Scalar z579 = z82 + z473 * z544;
-    const Scalar z608 = z551 * z607;
-    const Scalar z599 = z551 * z598;
-    const Scalar z563 = z551 * z562;
-    const Scalar z590 = z551 * z589;
-    const Scalar z554 = z551 * z553;
-    const Scalar z580 = z81 + z473 * z543 - z549 * z579;
-    const Scalar z609 = z548 * z606 + z549 * z608;
-    const Scalar z600 = z548 * z597 - z549 * z599;
-    const Scalar z591 = z548 * z588 + z549 * z590;
-    const Scalar z581 = z551 * z580;
-    const Scalar z582 = z548 * z579 - z549 * z581;
-    const Scalar z564 = z548 * z561 - z549 * z563;
-    const Scalar z555 = z548 * z552 + z549 * z554;
-    const Scalar z615 = z128 + z491 * z544;
-    const Scalar z610 = z543 * z608 - z544 * z609;
-    const Scalar z601 = z482 * z542 + z543 * z599 + z544 * z600;
-    const Scalar z614 = n0_05 - z506 * z608 + z507 * z609 - z508 * z610;
-    const Scalar z605 = z506 * z599 + z507 * z600 + z508 * z601;
-    const Scalar z592 = z543 * z590 - z544 * z591;
-    const Scalar z596 = z506 * z590 - z507 * z591 + z508 * z592;
-    const Scalar z583 = z473 * z542 + z543 * z581 + z544 * z582;
-    const Scalar z595 = n0_05 - z515 * z590 + z516 * z591 - z517 * z592;
-    const Scalar z586 = z515 * z581 + z516 * z582 + z517 * z583;
-    const Scalar z587 = z506 * z581 + z507 * z582 + z508 * z583;
-    const Scalar z570 = z81 - z525;
-    const Scalar z571 = z82 + z524 + z549 * z570;
-    const Scalar z565 = z464 * z542 + z543 * z563 + z544 * z564;
-    const Scalar z572 = z551 * z571;
-    const Scalar z567 = z524 * z563 + z525 * z564 - z526 * z565;
-    const Scalar z573 = z548 * z570 + z549 * z572;
-    const Scalar z568 = z515 * z563 + z516 * z564 + z517 * z565;
-    const Scalar z574 = z543 * z572 - z544 * z573;
-    const Scalar z569 = z506 * z563 + z507 * z564 + z508 * z565;
-    const Scalar z577 = z515 * z572 - z516 * z573 + z517 * z574;
-    const Scalar z578 = z506 * z572 - z507 * z573 + z508 * z574;
-    const Scalar z576 = n0_05 - z524 * z572 + z525 * z573 + z526 * z574;
-    const Scalar z556 = z543 * z554 - z544 * z555;
-    const Scalar z616 = z127 + z491 * z543 - z549 * z615;
-    const Scalar z558 = z524 * z554 - z525 * z555 - z526 * z556;
-    const Scalar z559 = z515 * z554 - z516 * z555 + z517 * z556;
-    const Scalar z560 = z506 * z554 - z507 * z555 + z508 * z556;
-    const Scalar z557 = n0_05 - z533 * z554 + z534 * z555 + z535 * z556;
-    const Scalar z617 = z551 * z616;
-    const Scalar z618 = z548 * z615 - z549 * z617;
-    const Scalar z625 = z56 * z554 - z57 * z555 + z464 * z556;
-    const Scalar z619 = z491 * z542 + z543 * z617 + z544 * z618;
-    const Scalar z624 = z57 * z554 + z56 * z555 - z463 * z556 - z557;
-    const Scalar z566 = z533 * z563 + z534 * z564 - z535 * z565;
-    const Scalar z633 = n0_1 - z81 * z581 - z82 * z582 - z473 * z583;
-    const Scalar z632 = z81 * z572 - z82 * z573 + z473 * z574;
-    const Scalar z629 = z82 * z572 + z81 * z573 + z472 * z574 - z576;
-    const Scalar z628 = z81 * z564 - z567 - z82 * z563 - z472 * z565;
-    const Scalar z631 = z81 * z563 + z82 * z564 + z473 * z565;
-    const Scalar z626 = n0_1 - z56 * z563 - z57 * z564 - z464 * z565;
-    const Scalar z627 = z82 * z554 + z81 * z555 + z472 * z556 + z558;
-    const Scalar z630 = z81 * z554 - z82 * z555 + z473 * z556;
-    const Scalar z634 = z106 * z554 + z105 * z555 + z481 * z556 + z559;
-    const Scalar z575 = z533 * z572 - z534 * z573 - z535 * z574;
-    const Scalar z643 = z105 * z590 - z106 * z591 + z482 * z592;
-    const Scalar z638 = z106 * z590 + z105 * z591 + z481 * z592 - z595;
-    const Scalar z637 = z105 * z582 - z586 - z106 * z581 - z481 * z583;
-    const Scalar z642 = z105 * z581 + z106 * z582 + z482 * z583;
-    const Scalar z636 = z106 * z572 + z105 * z573 + z481 * z574 + z577;
-    const Scalar z641 = z105 * z572 - z106 * z573 + z482 * z574;
-    const Scalar z635 = z105 * z564 - z568 - z106 * z563 - z481 * z565;
-    const Scalar z640 = z105 * z563 + z106 * z564 + z482 * z565;
-    const Scalar z639 = z105 * z554 - z106 * z555 + z482 * z556;
-    const Scalar z584 = z533 * z581 + z534 * z582 - z535 * z583;
-    const Scalar z644 = n0_1 - z105 * z599 - z106 * z600 - z482 * z601;
-    const Scalar z585 = z524 * z581 + z525 * z582 - z526 * z583;
-    const Scalar z651 = z128 * z608 + z127 * z609 - z490 * z610 - z614;
-    const Scalar z650 = z127 * z600 - z605 - z128 * z599 + z490 * z601;
-    const Scalar z649 = z128 * z590 + z127 * z591 - z490 * z592 + z596;
-    const Scalar z648 = z127 * z582 - z587 - z128 * z581 + z490 * z583;
-    const Scalar z647 = z128 * z572 + z127 * z573 - z490 * z574 + z578;
-    const Scalar z646 = z127 * z564 - z569 - z128 * z563 + z490 * z565;
-    const Scalar z645 = z128 * z554 + z127 * z555 - z490 * z556 + z560;
-    const Scalar z652 = z127 * z554 - z128 * z555 + z491 * z556;
-    const Scalar z593 = z533 * z590 - z534 * z591 - z535 * z592;
-    const Scalar z653 = z127 * z563 + z128 * z564 + z491 * z565;
-    const Scalar z594 = z524 * z590 - z525 * z591 - z526 * z592;
-    const Scalar z659 = n0_1 - z127 * z617 - z128 * z618 - z491 * z619;
-    const Scalar z660 = n1 / z659;
-    const Scalar z658 = z127 * z608 - z128 * z609 + z491 * z610;
-    const Scalar z657 = z127 * z599 + z128 * z600 + z491 * z601;
-    const Scalar z656 = z127 * z590 - z128 * z591 + z491 * z592;
-    const Scalar z655 = z127 * z581 + z128 * z582 + z491 * z583;
-    const Scalar z654 = z127 * z572 - z128 * z573 + z491 * z574;
-    const Scalar z661 = z652 * z660;
-    const Scalar z602 = z533 * z599 + z534 * z600 - z535 * z601;
-    const Scalar z662 = z653 * z660;
-    const Scalar z603 = z524 * z599 + z525 * z600 - z526 * z601;
-    const Scalar z663 = z654 * z660;
-    const Scalar z604 = z515 * z599 + z516 * z600 + z517 * z601;
-    const Scalar z670 = z626 - z653 * z662;
-    const Scalar z669 = z625 + z652 * z662;
-    const Scalar z668 = z624 + z652 * z661;
-    const Scalar z667 = z658 * z660;
-    const Scalar z666 = z657 * z660;
-    const Scalar z665 = z656 * z660;
-    const Scalar z664 = z655 * z660;
-    const Scalar z611 = z533 * z608 - z534 * z609 - z535 * z610;
-    const Scalar z671 = z627 + z652 * z663;
-    const Scalar z612 = z524 * z608 - z525 * z609 - z526 * z610;
-    const Scalar z672 = z628 - z653 * z663;
-    const Scalar z613 = z515 * z608 - z516 * z609 + z517 * z610;
-    const Scalar z677 = z633 - z655 * z664;
-    const Scalar z676 = z632 + z654 * z664;
-    const Scalar z673 = z629 + z654 * z663;
-    const Scalar z675 = z631 + z653 * z664;
-    const Scalar z679 = z635 - z653 * z665;
-    const Scalar z674 = z630 + z652 * z664;
-    const Scalar z678 = z634 + z652 * z665;
-    const Scalar z620 = z533 * z617 + z534 * z618 - z535 * z619;
-    const Scalar z680 = z636 + z654 * z665;
-    const Scalar z621 = z524 * z617 + z525 * z618 - z526 * z619;
-    const Scalar z681 = z637 - z655 * z665;
-    const Scalar z622 = z515 * z617 + z516 * z618 + z517 * z619;
-    const Scalar z682 = z638 + z656 * z665;
-    const Scalar z623 = z506 * z617 + z507 * z618 + z508 * z619;
-    const Scalar z695 = z651 + z658 * z667;
-    const Scalar z694 = z650 - z657 * z667;
-    const Scalar z688 = z644 - z657 * z666;
-    const Scalar z696 = n1 / z695;
-    const Scalar z687 = z643 + z656 * z666;
-    const Scalar z693 = z649 + z656 * z667;
-    const Scalar z686 = z642 + z655 * z666;
-    const Scalar z692 = z648 - z655 * z667;
-    const Scalar z685 = z641 + z654 * z666;
-    const Scalar z691 = z647 + z654 * z667;
-    const Scalar z684 = z640 + z653 * z666;
-    const Scalar z690 = z646 - z653 * z667;
-    const Scalar z683 = z639 + z652 * z666;
-    const Scalar z689 = z645 + z652 * z667;
-    const Scalar z697 = z689 * z696;
-    const Scalar z702 = z694 * z696;
-    const Scalar z701 = z693 * z696;
-    const Scalar z700 = z692 * z696;
-    const Scalar z699 = z691 * z696;
-    const Scalar z698 = z690 * z696;
-    const Scalar z703 = z668 - z689 * z697;
-    const Scalar z723 = z688 + z694 * z702;
-    const Scalar z722 = z687 + z693 * z702;
-    const Scalar z717 = z682 - z693 * z701;
-    const Scalar z716 = z681 - z692 * z701;
-    const Scalar z724 = n1 / z723;
-    const Scalar z721 = z686 - z692 * z702;
-    const Scalar z712 = z677 + z692 * z700;
-    const Scalar z711 = z676 + z691 * z700;
-    const Scalar z715 = z680 - z691 * z701;
-    const Scalar z720 = z685 + z691 * z702;
-    const Scalar z708 = z673 - z691 * z699;
-    const Scalar z707 = z672 - z690 * z699;
-    const Scalar z710 = z675 - z690 * z700;
-    const Scalar z714 = z679 - z690 * z701;
-    const Scalar z719 = z684 - z690 * z702;
-    const Scalar z705 = z670 + z690 * z698;
-    const Scalar z704 = z669 + z689 * z698;
-    const Scalar z706 = z671 - z689 * z699;
-    const Scalar z709 = z674 + z689 * z700;
-    const Scalar z713 = z678 - z689 * z701;
-    const Scalar z718 = z683 + z689 * z702;
-    const Scalar z780 = z344 * z508 + z352 * z517 - z360 * z526 - z368 * z535 + z379;
-    const Scalar z781 = z344 * z507 - z381 + z352 * z516 + z360 * z525 + z368 * z534 + z544 * z780;
-    const Scalar z782 = z344 * z506 - z380 + z352 * z515 + z360 * z524 + z368 * z533 + z543 * z780 - z549 * z781;
-    const Scalar z783 = z551 * z782;
-    const Scalar z729 = z722 * z724;
-    const Scalar z744 = z717 + z722 * z729;
-    const Scalar z743 = z716 - z721 * z729;
-    const Scalar z784 = z548 * z781 - z549 * z783;
-    const Scalar z742 = z715 + z720 * z729;
-    const Scalar z745 = n1 / z744;
-    const Scalar z741 = z714 - z719 * z729;
-    const Scalar z740 = z713 + z718 * z729;
-    const Scalar z728 = z721 * z724;
-    const Scalar z739 = z712 - z721 * z728;
-    const Scalar z738 = z711 + z720 * z728;
-    const Scalar z737 = z710 + z719 * z728;
-    const Scalar z736 = z709 + z718 * z728;
-    const Scalar z727 = z720 * z724;
-    const Scalar z735 = z708 + z720 * z727;
-    const Scalar z734 = z707 - z719 * z727;
-    const Scalar z733 = z706 + z718 * z727;
-    const Scalar z726 = z719 * z724;
-    const Scalar z732 = z705 - z719 * z726;
-    const Scalar z731 = z704 + z718 * z726;
-    const Scalar z749 = z743 * z745;
-    const Scalar z748 = z742 * z745;
-    const Scalar z747 = z741 * z745;
-    const Scalar z725 = z718 * z724;
-    const Scalar z785 = z542 * z780 + z543 * z783 + z544 * z784;
-    const Scalar z786 = n0_05 * z368 - z533 * z783 - z534 * z784 + z535 * z785;
-    const Scalar z787 = n0_05 * z360 - z524 * z783 - z525 * z784 + z526 * z785;
-    const Scalar z788 = n0_05 * z352 - z515 * z783 - z516 * z784 - z517 * z785;
-    const Scalar z789 = n0_05 * z344 - z506 * z783 - z507 * z784 - z508 * z785;
-    const Scalar z759 = z739 + z743 * z749;
-    const Scalar z730 = z703 + z718 * z725;
-    const Scalar z791 = z56 * z783 - z470 + z57 * z784 + z464 * z785;
-    const Scalar z793 = z81 * z783 - z479 + z82 * z784 + z473 * z785;
-    const Scalar z795 = z105 * z783 - z488 + z106 * z784 + z482 * z785;
-    const Scalar z797 = z127 * z783 - z497 + z128 * z784 + z491 * z785;
-    const Scalar z758 = z738 + z742 * z749;
-    const Scalar z755 = z735 - z742 * z748;
-    const Scalar z760 = n1 / z759;
-    const Scalar z754 = z734 - z741 * z748;
-    const Scalar z757 = z737 - z741 * z749;
-    const Scalar z752 = z732 + z741 * z747;
-    const Scalar z751 = z731 + z740 * z747;
-    const Scalar z753 = z733 - z740 * z748;
-    const Scalar z756 = z736 + z740 * z749;
-    const Scalar z790 = z56 * z784 - z468 - z57 * z783 + z463 * z785 + z786;
-    const Scalar z792 = z81 * z784 - z477 - z82 * z783 - z472 * z785 + z787;
-    const Scalar z794 = z105 * z784 - z486 - z106 * z783 - z481 * z785 + z788;
-    const Scalar z796 = z127 * z784 - z495 - z128 * z783 + z490 * z785 + z789;
-    const Scalar z798 = z667 * z797 - z796;
-    const Scalar z763 = z758 * z760;
-    const Scalar z769 = z755 + z758 * z763;
-    const Scalar z768 = z754 - z757 * z763;
-    const Scalar z767 = z753 + z756 * z763;
-    const Scalar z799 = z795 + z666 * z797 + z702 * z798;
-    const Scalar z770 = n1 / z769;
-    const Scalar z762 = z757 * z760;
-    const Scalar z766 = z752 - z757 * z762;
-    const Scalar z765 = z751 + z756 * z762;
-    const Scalar z800 = z665 * z797 - z794 - z701 * z798 + z729 * z799;
-    const Scalar z801 = z793 + z664 * z797 + z700 * z798 + z728 * z799 + z749 * z800;
-    const Scalar z802 = z663 * z797 - z792 - z699 * z798 + z727 * z799 - z748 * z800 + z763 * z801;
-    const Scalar z772 = z768 * z770;
-    const Scalar z775 = z766 + z768 * z772;
-    const Scalar z774 = z765 + z767 * z772;
-    const Scalar z803 = z791 + z662 * z797 + z698 * z798 + z726 * z799 + z747 * z800 + z762 * z801 + z772 * z802;
-    const Scalar z776 = n1 / z775;
-    const Scalar z746 = z740 * z745;
-    const Scalar z750 = z730 - z740 * z746;
-    const Scalar z761 = z756 * z760;
-    const Scalar z771 = z767 * z770;
-    const Scalar z764 = z750 + z756 * z761;
-    const Scalar z773 = z764 - z767 * z771;
-    const Scalar z777 = z774 * z776;
-    const Scalar z804 = z661 * z797 - z790 - z697 * z798 + z725 * z799 - z746 * z800 + z761 * z801 - z771 * z802 + z777
-        * z803;
-    const Scalar z778 = z773 + z774 * z777;
-    const Scalar z779 = n1 / z778;
-    const Scalar z805 = z779 * z804;
-    const Scalar z806 = z776 * z803 - z777 * z805;
-    const Scalar z807 = z770 * z802 - z771 * z805 - z772 * z806;
-    const Scalar z816 = n1_over_3 * z806;
-    const Scalar z808 = z760 * z801 - z761 * z805 + z762 * z806 - z763 * z807;
-    const Scalar z809 = z745 * z800 - z746 * z805 - z747 * z806 - z748 * z807 - z749 * z808;
-    const Scalar z817 = n1_over_3 * z808;
-    const Scalar z810 = z724 * z799 - z725 * z805 + z726 * z806 - z727 * z807 + z728 * z808 - z729 * z809;
-    const Scalar z811 = z696 * z798 - z697 * z805 - z698 * z806 - z699 * z807 - z700 * z808 - z701 * z809 - z702 * z810;
-    const Scalar z818 = n1_over_3 * z810;
-    const Scalar z812 = z660 * z797 - z661 * z805 + z662 * z806 - z663 * z807 + z664 * z808 - z665 * z809 + z666 * z810
-        - z667 * z811;
-    const Scalar z813 = z554 * z805 - z783 - z563 * z806 + z572 * z807 - z581 * z808 + z590 * z809 - z599 * z810 + z608
-        * z811 - z617 * z812;
-    const Scalar z814 = z784 + z555 * z805 + z564 * z806 + z573 * z807 + z582 * z808 + z591 * z809 + z600 * z810 + z609
-        * z811 + z618 * z812;
-    const Scalar z815 = z556 * z805 - z785 - z565 * z806 + z574 * z807 - z583 * z808 + z592 * z809 - z601 * z810 + z610
-        * z811 - z619 * z812;
-    const Scalar z820 = z557 * z805 - z786 + z566 * z806 - z575 * z807 + z584 * z808 - z593 * z809 + z602 * z810 - z611
-        * z811 + z620 * z812;
-    const Scalar z821 = z787 + z558 * z805 - z567 * z806 - z576 * z807 - z585 * z808 + z594 * z809 - z603 * z810 + z612
-        * z811 - z621 * z812;
-    const Scalar z822 = z788 + z559 * z805 - z568 * z806 + z577 * z807 - z586 * z808 - z595 * z809 - z604 * z810 + z613
-        * z811 - z622 * z812;
-    const Scalar z819 = n1_over_3 * z812;
-    const Scalar z823 = z789 + z560 * z805 - z569 * z806 + z578 * z807 - z587 * z808 + z596 * z809 - z605 * z810 - z614
-        * z811 - z623 * z812;
-    accelerations.x = z813;
-    accelerations.y = z814;
-    accelerations.psi = -z815;
-    accelerations.phi_1 = -z816;
-    accelerations.phi_2 = -z817;
-    accelerations.phi_3 = -z818;
-    accelerations.phi_4 = -z819;
-    accelerations.s_1 = -z820;
-    accelerations.s_2 = z821;
-    accelerations.s_3 = z822;
-    accelerations.s_4 = z823;
-    multipliers.lambda_wheel_1_x = -z805;
-    multipliers.lambda_wheel_1_y = -z806;
-    multipliers.lambda_wheel_2_x = -z807;
-    multipliers.lambda_wheel_2_y = -z808;
-    multipliers.lambda_wheel_3_x = -z809;
-    multipliers.lambda_wheel_3_y = -z810;
-    multipliers.lambda_wheel_4_x = -z811;
-    multipliers.lambda_wheel_4_y = -z812;
-    if (!(traits::regular(-z550, n880) && traits::regular(-z547, n880) && traits::regular(-z541, z306)
-        && traits::regular(-z778, -z624) && traits::regular(z775, z626) && traits::regular(-z769, -z629)
-        && traits::regular(z759, z633) && traits::regular(-z744, -z638) && traits::regular(z723, z644)
-        && traits::regular(-z695, -z651) && traits::regular(z659, z659))) return torsor::Status::singular;
+    const Scalar z1118 = z1098 + z1108 + z1103 + z1113 - z1099 - z1104 + z1109 + z1114 - k7 * (z1100 - z1105 - z1110
+        + z1115);
+    const Scalar z1116 = z1099 + z1104 + z1109 + z1114;  // force on S, x
+    const Scalar z1117 = z1100 + z1105 + z1110 + z1115;  // force on S, y
+    const Scalar z1173 = n1 / z1172;
+    const Scalar z1175 = z1171 * z1173;
+    const Scalar z1174 = z1170 * z1173;
+    const Scalar z1119 = s_psi * z1117 - c_psi * z1116;
+    const Scalar z1120 = s_psi * z1116 + c_psi * z1117;
+    const Scalar z1178 = z1169 - z1171 * z1175;
+    const Scalar z1177 = z1168 - z1170 * z1175;
+    const Scalar z1176 = z1167 - z1170 * z1174;
+    const Scalar z1179 = n1 / z1178;
+    const Scalar z1138 = v_psi * z1024;
+    const Scalar z1122 = v_psi * z1014;
+    const Scalar z1183 = z1014 - z1166;
+    const Scalar z1127 = v_psi * z1017;
+    const Scalar z1132 = v_psi * z1020;
+    const Scalar z1137 = v_psi * z1023;
+    const Scalar z1124 = v_x * z1122 - v_y * z1123;
+    const Scalar z1125 = v_x * z1123 + v_y * z1122 - v_psi * v_s_1;
+    const Scalar z1129 = v_x * z1127 - v_y * z1128;
+    const Scalar z1130 = v_x * z1128 + v_y * z1127 - v_psi * v_s_2;
+    const Scalar z1192 = z1015 + z1121 * z1175;
+    const Scalar z1134 = v_x * z1132 - v_y * z1133;
+    const Scalar z1135 = v_x * z1133 + v_y * z1132 - v_psi * v_s_3;
+    const Scalar z1180 = z1177 * z1179;
+    const Scalar z1181 = z1176 - z1177 * z1180;
+    const Scalar z1193 = z1014 + z1121 * z1174 - z1180 * z1192;
+    const Scalar z1184 = z1015 + z1165 + z1180 * z1183;
+    const Scalar z1182 = n1 / z1181;
+    const Scalar z1139 = v_x * z1137 - v_y * z1138;
+    const Scalar z1140 = v_x * z1138 + v_y * z1137 - v_psi * v_s_4;
+    const Scalar z1237 = z1023 - z1142;
+    const Scalar z1238 = z1024 + z1141 + z1180 * z1237;
+    const Scalar z1228 = z1021 + z1131 * z1175;
+    const Scalar z1229 = z1020 + z1131 * z1174 - z1180 * z1228;
+    const Scalar z1219 = z1020 - z1150;
+    const Scalar z1220 = z1021 + z1149 + z1180 * z1219;
+    const Scalar z1210 = z1018 + z1126 * z1175;
+    const Scalar z1239 = z1182 * z1238;
+    const Scalar z1230 = z1182 * z1229;
+    const Scalar z1194 = z1182 * z1193;
+    const Scalar z1221 = z1182 * z1220;
+    const Scalar z1185 = z1182 * z1184;
+    const Scalar z1211 = z1017 + z1126 * z1174 - z1180 * z1210;
+    const Scalar z1240 = z1179 * z1237 + z1180 * z1239;
+    const Scalar z1231 = z1179 * z1228 - z1180 * z1230;
+    const Scalar z1222 = z1179 * z1219 + z1180 * z1221;
+    const Scalar z1212 = z1182 * z1211;
+    const Scalar z1213 = z1179 * z1210 - z1180 * z1212;
+    const Scalar z1195 = z1179 * z1192 - z1180 * z1194;
+    const Scalar z1186 = z1179 * z1183 + z1180 * z1185;
+    const Scalar z1246 = z1024 + z1136 * z1175;
+    const Scalar z1241 = z1174 * z1239 - z1175 * z1240;
+    const Scalar z1245 = n0_05 - z1141 * z1239 + z1142 * z1240 - z689 * z1241;
+    const Scalar z1232 = z1131 * z1173 + z1174 * z1230 + z1175 * z1231;
+    const Scalar z1236 = z1141 * z1230 + z1142 * z1231 + z689 * z1232;
+    const Scalar z1223 = z1174 * z1221 - z1175 * z1222;
+    const Scalar z1227 = z1141 * z1221 - z1142 * z1222 + z689 * z1223;
+    const Scalar z1214 = z1126 * z1173 + z1174 * z1212 + z1175 * z1213;
+    const Scalar z1226 = n0_05 - z1149 * z1221 + z1150 * z1222 - z698 * z1223;
+    const Scalar z1201 = z1017 - z1158;
+    const Scalar z1218 = z1141 * z1212 + z1142 * z1213 + z689 * z1214;
+    const Scalar z1202 = z1018 + z1157 + z1180 * z1201;
+    const Scalar z1203 = z1182 * z1202;
+    const Scalar z1217 = z1149 * z1212 + z1150 * z1213 + z698 * z1214;
+    const Scalar z1204 = z1179 * z1201 + z1180 * z1203;
+    const Scalar z1196 = z1121 * z1173 + z1174 * z1194 + z1175 * z1195;
+    const Scalar z1205 = z1174 * z1203 - z1175 * z1204;
+    const Scalar z1200 = z1141 * z1194 + z1142 * z1195 + z689 * z1196;
+    const Scalar z1209 = z1141 * z1203 - z1142 * z1204 + z689 * z1205;
+    const Scalar z1208 = z1149 * z1203 - z1150 * z1204 + z698 * z1205;
+    const Scalar z1207 = n0_05 - z1157 * z1203 + z1158 * z1204 + z707 * z1205;
+    const Scalar z1198 = z707 * z1196 - z1157 * z1194 - z1158 * z1195;
+    const Scalar z1199 = z1149 * z1194 + z1150 * z1195 + z698 * z1196;
+    const Scalar z1187 = z1174 * z1185 - z1175 * z1186;
+    const Scalar z1247 = z1023 + z1136 * z1174 - z1180 * z1246;
+    const Scalar z1191 = z1141 * z1185 - z1142 * z1186 + z689 * z1187;
+    const Scalar z1188 = n0_05 - z1165 * z1185 + z1166 * z1186 + z716 * z1187;
+    const Scalar z1248 = z1182 * z1247;
+    const Scalar z1189 = z1158 * z1186 - z1157 * z1185 + z707 * z1187;
+    const Scalar z1249 = z1179 * z1246 - z1180 * z1248;
+    const Scalar z1190 = z1149 * z1185 - z1150 * z1186 + z698 * z1187;
+    const Scalar z1250 = z1136 * z1173 + z1174 * z1248 + z1175 * z1249;
+    const Scalar z1256 = z1014 * z1185 - z1015 * z1186 + z1121 * z1187;
+    const Scalar z1255 = z1188 + z566 * z1187 - z1015 * z1185 - z1014 * z1186;
+    const Scalar z1197 = z716 * z1196 - z1165 * z1194 - z1166 * z1195;
+    const Scalar z1264 = n0_1 - z1017 * z1212 - z1018 * z1213 - z1126 * z1214;
+    const Scalar z1263 = z1017 * z1203 - z1018 * z1204 + z1126 * z1205;
+    const Scalar z1260 = z1018 * z1203 + z1017 * z1204 + z575 * z1205 - z1207;
+    const Scalar z1259 = z575 * z1196 - z1017 * z1195 + z1018 * z1194 - z1198;
+    const Scalar z1262 = z1017 * z1194 + z1018 * z1195 + z1126 * z1196;
+    const Scalar z1257 = n0_1 - z1014 * z1194 - z1015 * z1195 - z1121 * z1196;
+    const Scalar z1258 = z1018 * z1185 + z1017 * z1186 + z575 * z1187 - z1189;
+    const Scalar z1261 = z1017 * z1185 - z1018 * z1186 + z1126 * z1187;
+    const Scalar z1265 = z1021 * z1185 + z1020 * z1186 + z584 * z1187 + z1190;
+    const Scalar z1206 = z1166 * z1204 - z1165 * z1203 + z716 * z1205;
+    const Scalar z1274 = z1020 * z1221 - z1021 * z1222 + z1131 * z1223;
+    const Scalar z1269 = z1021 * z1221 + z1020 * z1222 + z584 * z1223 - z1226;
+    const Scalar z1268 = z1021 * z1212 - z1020 * z1213 + z584 * z1214 + z1217;
+    const Scalar z1273 = z1020 * z1212 + z1021 * z1213 + z1131 * z1214;
+    const Scalar z1267 = z1021 * z1203 + z1020 * z1204 + z584 * z1205 + z1208;
+    const Scalar z1272 = z1020 * z1203 - z1021 * z1204 + z1131 * z1205;
+    const Scalar z1266 = z1021 * z1194 - z1020 * z1195 + z584 * z1196 + z1199;
+    const Scalar z1271 = z1020 * z1194 + z1021 * z1195 + z1131 * z1196;
+    const Scalar z1270 = z1020 * z1185 - z1021 * z1186 + z1131 * z1187;
+    const Scalar z1215 = z716 * z1214 - z1165 * z1212 - z1166 * z1213;
+    const Scalar z1275 = n0_1 - z1020 * z1230 - z1021 * z1231 - z1131 * z1232;
+    const Scalar z1216 = z707 * z1214 - z1157 * z1212 - z1158 * z1213;
+    const Scalar z1282 = z1245 + z593 * z1241 - z1024 * z1239 - z1023 * z1240;
+    const Scalar z1281 = z1023 * z1231 - z1236 - z1024 * z1230 + z593 * z1232;
+    const Scalar z1280 = z593 * z1223 - z1227 - z1024 * z1221 - z1023 * z1222;
+    const Scalar z1279 = z1023 * z1213 - z1218 - z1024 * z1212 + z593 * z1214;
+    const Scalar z1278 = z593 * z1205 - z1209 - z1024 * z1203 - z1023 * z1204;
+    const Scalar z1277 = z1023 * z1195 - z1200 - z1024 * z1194 + z593 * z1196;
+    const Scalar z1276 = z593 * z1187 - z1191 - z1024 * z1185 - z1023 * z1186;
+    const Scalar z1283 = z1023 * z1185 - z1024 * z1186 + z1136 * z1187;
+    const Scalar z1224 = z1166 * z1222 - z1165 * z1221 + z716 * z1223;
+    const Scalar z1284 = z1023 * z1194 + z1024 * z1195 + z1136 * z1196;
+    const Scalar z1225 = z1158 * z1222 - z1157 * z1221 + z707 * z1223;
+    const Scalar z1290 = n0_1 - z1023 * z1248 - z1024 * z1249 - z1136 * z1250;
+    const Scalar z1291 = n1 / z1290;
+    const Scalar z1289 = z1023 * z1239 - z1024 * z1240 + z1136 * z1241;
+    const Scalar z1288 = z1023 * z1230 + z1024 * z1231 + z1136 * z1232;
+    const Scalar z1287 = z1023 * z1221 - z1024 * z1222 + z1136 * z1223;
+    const Scalar z1286 = z1023 * z1212 + z1024 * z1213 + z1136 * z1214;
+    const Scalar z1285 = z1023 * z1203 - z1024 * z1204 + z1136 * z1205;
+    const Scalar z1292 = z1283 * z1291;
+    const Scalar z1233 = z716 * z1232 - z1165 * z1230 - z1166 * z1231;
+    const Scalar z1293 = z1284 * z1291;
+    const Scalar z1234 = z707 * z1232 - z1157 * z1230 - z1158 * z1231;
+    const Scalar z1294 = z1285 * z1291;
+    const Scalar z1235 = z1149 * z1230 + z1150 * z1231 + z698 * z1232;
+    const Scalar z1301 = z1257 - z1284 * z1293;
+    const Scalar z1300 = z1256 + z1283 * z1293;
+    const Scalar z1299 = z1255 - z1283 * z1292;
+    const Scalar z1298 = z1289 * z1291;
+    const Scalar z1297 = z1288 * z1291;
+    const Scalar z1296 = z1287 * z1291;
+    const Scalar z1295 = z1286 * z1291;
+    const Scalar z1242 = z1166 * z1240 - z1165 * z1239 + z716 * z1241;
+    const Scalar z1302 = z1258 + z1283 * z1294;
+    const Scalar z1243 = z1158 * z1240 - z1157 * z1239 + z707 * z1241;
+    const Scalar z1303 = z1259 + z1284 * z1294;
+    const Scalar z1244 = z1149 * z1239 - z1150 * z1240 + z698 * z1241;
+    const Scalar z1308 = z1264 - z1286 * z1295;
+    const Scalar z1307 = z1263 + z1285 * z1295;
+    const Scalar z1304 = z1260 + z1285 * z1294;
+    const Scalar z1306 = z1262 + z1284 * z1295;
+    const Scalar z1310 = z1266 + z1284 * z1296;
+    const Scalar z1305 = z1261 + z1283 * z1295;
+    const Scalar z1309 = z1265 + z1283 * z1296;
+    const Scalar z1251 = z716 * z1250 - z1165 * z1248 - z1166 * z1249;
+    const Scalar z1311 = z1267 + z1285 * z1296;
+    const Scalar z1252 = z707 * z1250 - z1157 * z1248 - z1158 * z1249;
+    const Scalar z1312 = z1268 + z1286 * z1296;
+    const Scalar z1253 = z1149 * z1248 + z1150 * z1249 + z698 * z1250;
+    const Scalar z1313 = z1269 + z1287 * z1296;
+    const Scalar z1254 = z1141 * z1248 + z1142 * z1249 + z689 * z1250;
+    const Scalar z1326 = z1282 - z1289 * z1298;
+    const Scalar z1325 = z1281 - z1288 * z1298;
+    const Scalar z1319 = z1275 - z1288 * z1297;
+    const Scalar z1327 = n1 / z1326;
+    const Scalar z1318 = z1274 + z1287 * z1297;
+    const Scalar z1324 = z1280 - z1287 * z1298;
+    const Scalar z1317 = z1273 + z1286 * z1297;
+    const Scalar z1323 = z1279 - z1286 * z1298;
+    const Scalar z1316 = z1272 + z1285 * z1297;
+    const Scalar z1322 = z1278 - z1285 * z1298;
+    const Scalar z1315 = z1271 + z1284 * z1297;
+    const Scalar z1321 = z1277 - z1284 * z1298;
+    const Scalar z1314 = z1270 + z1283 * z1297;
+    const Scalar z1320 = z1276 - z1283 * z1298;
+    const Scalar z1328 = z1320 * z1327;
+    const Scalar z1333 = z1325 * z1327;
+    const Scalar z1332 = z1324 * z1327;
+    const Scalar z1331 = z1323 * z1327;
+    const Scalar z1330 = z1322 * z1327;
+    const Scalar z1329 = z1321 * z1327;
+    const Scalar z1334 = z1299 - z1320 * z1328;
+    const Scalar z1354 = z1319 - z1325 * z1333;
+    const Scalar z1353 = z1318 + z1324 * z1333;
+    const Scalar z1348 = z1313 + z1324 * z1332;
+    const Scalar z1347 = z1312 + z1323 * z1332;
+    const Scalar z1355 = n1 / z1354;
+    const Scalar z1352 = z1317 + z1323 * z1333;
+    const Scalar z1343 = z1308 - z1323 * z1331;
+    const Scalar z1342 = z1307 + z1322 * z1331;
+    const Scalar z1346 = z1311 + z1322 * z1332;
+    const Scalar z1351 = z1316 + z1322 * z1333;
+    const Scalar z1339 = z1304 + z1322 * z1330;
+    const Scalar z1338 = z1303 + z1321 * z1330;
+    const Scalar z1341 = z1306 + z1321 * z1331;
+    const Scalar z1345 = z1310 + z1321 * z1332;
+    const Scalar z1350 = z1315 + z1321 * z1333;
+    const Scalar z1336 = z1301 - z1321 * z1329;
+    const Scalar z1335 = z1300 + z1320 * z1329;
+    const Scalar z1337 = z1302 + z1320 * z1330;
+    const Scalar z1340 = z1305 + z1320 * z1331;
+    const Scalar z1344 = z1309 + z1320 * z1332;
+    const Scalar z1349 = z1314 + z1320 * z1333;
+    const Scalar z1411 = z689 * z1096 + z698 * z1101 - z707 * z1106 - z716 * z1111 + z1118;
+    const Scalar z1412 = z1096 * z1142 - z1120 + z1101 * z1150 + z1106 * z1158 + z1111 * z1166 + z1175 * z1411;
+    const Scalar z1413 = z1096 * z1141 - z1119 + z1101 * z1149 + z1106 * z1157 + z1111 * z1165 + z1174 * z1411 - z1180
+        * z1412;
+    const Scalar z1414 = z1182 * z1413;
+    const Scalar z1360 = z1353 * z1355;
+    const Scalar z1375 = z1348 + z1353 * z1360;
+    const Scalar z1374 = z1347 + z1352 * z1360;
+    const Scalar z1415 = z1179 * z1412 - z1180 * z1414;
+    const Scalar z1373 = z1346 + z1351 * z1360;
+    const Scalar z1376 = n1 / z1375;
+    const Scalar z1372 = z1345 + z1350 * z1360;
+    const Scalar z1371 = z1344 + z1349 * z1360;
+    const Scalar z1359 = z1352 * z1355;
+    const Scalar z1370 = z1343 - z1352 * z1359;
+    const Scalar z1369 = z1342 + z1351 * z1359;
+    const Scalar z1368 = z1341 + z1350 * z1359;
+    const Scalar z1367 = z1340 + z1349 * z1359;
+    const Scalar z1358 = z1351 * z1355;
+    const Scalar z1366 = z1339 + z1351 * z1358;
+    const Scalar z1365 = z1338 + z1350 * z1358;
+    const Scalar z1364 = z1337 + z1349 * z1358;
+    const Scalar z1357 = z1350 * z1355;
+    const Scalar z1363 = z1336 - z1350 * z1357;
+    const Scalar z1362 = z1335 + z1349 * z1357;
+    const Scalar z1380 = z1374 * z1376;
+    const Scalar z1379 = z1373 * z1376;
+    const Scalar z1378 = z1372 * z1376;
+    const Scalar z1356 = z1349 * z1355;
+    const Scalar z1416 = z1173 * z1411 + z1174 * z1414 + z1175 * z1415;
+    const Scalar z1417 = n0_05 * z1111 - z1165 * z1414 - z1166 * z1415 + z716 * z1416;
+    const Scalar z1418 = n0_05 * z1106 - z1157 * z1414 - z1158 * z1415 + z707 * z1416;
+    const Scalar z1419 = z1149 * z1414 - n0_05 * z1101 + z1150 * z1415 + z698 * z1416;
+    const Scalar z1420 = z1141 * z1414 - n0_05 * z1096 + z1142 * z1415 + z689 * z1416;
+    const Scalar z1390 = z1370 + z1374 * z1380;
+    const Scalar z1361 = z1334 - z1349 * z1356;
+    const Scalar z1422 = z1014 * z1414 - z1125 + z1015 * z1415 + z1121 * z1416;
+    const Scalar z1424 = z1017 * z1414 - z1130 + z1018 * z1415 + z1126 * z1416;
+    const Scalar z1426 = z1020 * z1414 - z1135 + z1021 * z1415 + z1131 * z1416;
+    const Scalar z1428 = z1023 * z1414 - z1140 + z1024 * z1415 + z1136 * z1416;
+    const Scalar z1389 = z1369 - z1373 * z1380;
+    const Scalar z1386 = z1366 - z1373 * z1379;
+    const Scalar z1391 = n1 / z1390;
+    const Scalar z1385 = z1365 - z1372 * z1379;
+    const Scalar z1388 = z1368 - z1372 * z1380;
+    const Scalar z1383 = z1363 + z1372 * z1378;
+    const Scalar z1382 = z1362 - z1371 * z1378;
+    const Scalar z1384 = z1364 - z1371 * z1379;
+    const Scalar z1387 = z1367 - z1371 * z1380;
+    const Scalar z1421 = z1014 * z1415 - z1124 - z1015 * z1414 + z566 * z1416 + z1417;
+    const Scalar z1423 = z1129 + z1018 * z1414 - z1017 * z1415 + z575 * z1416 - z1418;
+    const Scalar z1425 = z1134 + z1021 * z1414 - z1020 * z1415 + z584 * z1416 + z1419;
+    const Scalar z1427 = z1023 * z1415 - z1139 - z1024 * z1414 + z593 * z1416 - z1420;
+    const Scalar z1429 = z1298 * z1428 - z1427;
+    const Scalar z1394 = z1389 * z1391;
+    const Scalar z1400 = z1386 + z1389 * z1394;
+    const Scalar z1399 = z1385 + z1388 * z1394;
+    const Scalar z1398 = z1384 + z1387 * z1394;
+    const Scalar z1430 = z1426 + z1297 * z1428 - z1333 * z1429;
+    const Scalar z1401 = n1 / z1400;
+    const Scalar z1393 = z1388 * z1391;
+    const Scalar z1397 = z1383 - z1388 * z1393;
+    const Scalar z1396 = z1382 + z1387 * z1393;
+    const Scalar z1431 = z1425 + z1296 * z1428 - z1332 * z1429 + z1360 * z1430;
+    const Scalar z1432 = z1424 + z1295 * z1428 - z1331 * z1429 + z1359 * z1430 - z1380 * z1431;
+    const Scalar z1433 = z1423 + z1294 * z1428 - z1330 * z1429 + z1358 * z1430 - z1379 * z1431 + z1394 * z1432;
+    const Scalar z1403 = z1399 * z1401;
+    const Scalar z1406 = z1397 + z1399 * z1403;
+    const Scalar z1405 = z1396 - z1398 * z1403;
+    const Scalar z1434 = z1422 + z1293 * z1428 - z1329 * z1429 + z1357 * z1430 - z1378 * z1431 + z1393 * z1432 - z1403
+        * z1433;
+    const Scalar z1407 = n1 / z1406;
+    const Scalar z1377 = z1371 * z1376;
+    const Scalar z1381 = z1361 + z1371 * z1377;
+    const Scalar z1392 = z1387 * z1391;
+    const Scalar z1402 = z1398 * z1401;
+    const Scalar z1395 = z1381 - z1387 * z1392;
+    const Scalar z1404 = z1395 + z1398 * z1402;
+    const Scalar z1408 = z1405 * z1407;
+    const Scalar z1435 = z1292 * z1428 - z1421 - z1328 * z1429 + z1356 * z1430 - z1377 * z1431 + z1392 * z1432 - z1402
+        * z1433 + z1408 * z1434;
+    const Scalar z1409 = z1404 - z1405 * z1408;
+    const Scalar z1410 = n1 / z1409;
+    const Scalar z1436 = z1410 * z1435;
+    const Scalar z1437 = z1407 * z1434 + z1408 * z1436;
+    const Scalar z1438 = z1401 * z1433 + z1402 * z1436 + z1403 * z1437;
+    const Scalar z1447 = n1_over_3 * z1437;
+    const Scalar z1439 = z1391 * z1432 + z1392 * z1436 + z1393 * z1437 - z1394 * z1438;
+    const Scalar z1440 = z1376 * z1431 + z1377 * z1436 + z1378 * z1437 - z1379 * z1438 + z1380 * z1439;
+    const Scalar z1448 = n1_over_3 * z1439;
+    const Scalar z1441 = z1355 * z1430 + z1356 * z1436 + z1357 * z1437 - z1358 * z1438 + z1359 * z1439 - z1360 * z1440;
+    const Scalar z1442 = z1327 * z1429 - z1328 * z1436 - z1329 * z1437 + z1330 * z1438 - z1331 * z1439 + z1332 * z1440
+        - z1333 * z1441;
+    const Scalar z1449 = n1_over_3 * z1441;
+    const Scalar z1443 = z1291 * z1428 + z1292 * z1436 + z1293 * z1437 - z1294 * z1438 + z1295 * z1439 - z1296 * z1440
+        + z1297 * z1441 + z1298 * z1442;
+    const Scalar z1444 = z1414 + z1185 * z1436 + z1194 * z1437 - z1203 * z1438 + z1212 * z1439 - z1221 * z1440 + z1230
+        * z1441 + z1239 * z1442 + z1248 * z1443;
+    const Scalar z1445 = z1186 * z1436 - z1415 - z1195 * z1437 - z1204 * z1438 - z1213 * z1439 - z1222 * z1440 - z1231
+        * z1441 + z1240 * z1442 - z1249 * z1443;
+    const Scalar z1446 = z1416 + z1187 * z1436 + z1196 * z1437 - z1205 * z1438 + z1214 * z1439 - z1223 * z1440 + z1232
+        * z1441 + z1241 * z1442 + z1250 * z1443;
+    const Scalar z1451 = z1417 + z1188 * z1436 + z1197 * z1437 - z1206 * z1438 + z1215 * z1439 - z1224 * z1440 + z1233
+        * z1441 + z1242 * z1442 + z1251 * z1443;
+    const Scalar z1452 = z1418 + z1189 * z1436 + z1198 * z1437 - z1207 * z1438 + z1216 * z1439 - z1225 * z1440 + z1234
+        * z1441 + z1243 * z1442 + z1252 * z1443;
+    const Scalar z1453 = z1419 + z1190 * z1436 + z1199 * z1437 - z1208 * z1438 + z1217 * z1439 + z1226 * z1440 + z1235
+        * z1441 + z1244 * z1442 + z1253 * z1443;
+    const Scalar z1450 = n1_over_3 * z1443;
+    const Scalar z1454 = z1420 + z1191 * z1436 + z1200 * z1437 - z1209 * z1438 + z1218 * z1439 - z1227 * z1440 + z1236
+        * z1441 - z1245 * z1442 + z1254 * z1443;
+    accelerations.x = -z1444;
+    accelerations.y = -z1445;
+    accelerations.psi = z1446;
+    accelerations.phi_1 = -z1447;
+    accelerations.phi_2 = -z1448;
+    accelerations.phi_3 = -z1449;
+    accelerations.phi_4 = -z1450;
+    accelerations.s_1 = z1451;
+    accelerations.s_2 = z1452;
+    accelerations.s_3 = -z1453;
+    accelerations.s_4 = -z1454;
+    multipliers.lambda_wheel_1_x = z1436;
+    multipliers.lambda_wheel_1_y = -z1437;
+    multipliers.lambda_wheel_2_x = -z1438;
+    multipliers.lambda_wheel_2_y = -z1439;
+    multipliers.lambda_wheel_3_x = -z1440;
+    multipliers.lambda_wheel_3_y = -z1441;
+    multipliers.lambda_wheel_4_x = z1442;
+    multipliers.lambda_wheel_4_y = -z1443;
+    if (!(traits::regular(-z1181, n880) && traits::regular(-z1178, n880) && traits::regular(-z1172, z1074)
+        && traits::regular(z1409, z1255) && traits::regular(z1406, z1257) && traits::regular(-z1400, -z1260)
+        && traits::regular(z1390, z1264) && traits::regular(-z1375, -z1269) && traits::regular(z1354, z1275)
+        && traits::regular(z1326, z1282) && traits::regular(z1290, z1290))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = (n0 * accelerations.x * accelerations.y * accelerations.psi * accelerations.phi_1
         * accelerations.phi_2 * accelerations.phi_3 * accelerations.phi_4 * accelerations.s_1 * accelerations.s_2) * (n0
@@ -2327,8 +2346,8 @@ struct Mechanism {
     const Scalar s_phi_2 = sines_[2], c_phi_2 = cosines_[2];
     const Scalar s_phi_3 = sines_[3], c_phi_3 = cosines_[3];
     const Scalar s_phi_4 = sines_[4], c_phi_4 = cosines_[4];
-    const Scalar z824 = v_x * c_psi + v_y * s_psi;
-    const Scalar z825 = v_x * s_psi - v_y * c_psi;
+    const Scalar z1455 = v_x * c_psi + v_y * s_psi;
+    const Scalar z1456 = v_x * s_psi - v_y * c_psi;
     const Scalar z76 = v_psi * s_phi_1;
     const Scalar z77 = v_psi * c_phi_1;
     const Scalar z100 = v_psi * s_phi_2;
@@ -2337,39 +2356,39 @@ struct Mechanism {
     const Scalar z123 = v_psi * c_phi_3;
     const Scalar z144 = v_psi * s_phi_4;
     const Scalar z145 = v_psi * c_phi_4;
-    const Scalar z826 = v_psi - z824;
-    const Scalar z827 = k0 * v_psi - z825;
-    const Scalar z834 = k0 * v_psi + z825;
-    const Scalar z841 = v_psi + z824;
-    const Scalar z828 = s_alpha_1 * z827 - c_alpha_1 * z826;
-    const Scalar z829 = s_alpha_1 * z826 + c_alpha_1 * z827;
-    const Scalar z835 = c_alpha_2 * z826 + s_alpha_2 * z834;
-    const Scalar z836 = s_alpha_2 * z826 - c_alpha_2 * z834;
-    const Scalar z842 = s_alpha_3 * z834 - c_alpha_3 * z841;
-    const Scalar z843 = s_alpha_3 * z841 + c_alpha_3 * z834;
-    const Scalar z848 = c_alpha_4 * z841 + s_alpha_4 * z827;
-    const Scalar z849 = s_alpha_4 * z841 - c_alpha_4 * z827;
-    const Scalar z830 = v_psi * q_s_1 + z829;
-    const Scalar z837 = v_psi * q_s_2 + z836;
-    const Scalar z838 = v_s_2 - z835;  // velocity of axle_2, x
-    const Scalar z844 = v_psi * q_s_3 - z843;
-    const Scalar z850 = v_psi * q_s_4 - z849;
-    const Scalar z851 = v_s_4 + z848;  // velocity of axle_4, x
-    const Scalar z831 = v_s_1 + z828;  // velocity of axle_1, x
-    const Scalar z845 = v_s_3 - z842;  // velocity of axle_3, x
-    const Scalar z832 = c_phi_1 * z830;
-    const Scalar z833 = s_phi_1 * z830;
-    const Scalar z839 = c_phi_2 * z837;
-    const Scalar z840 = s_phi_2 * z837;
-    const Scalar z846 = c_phi_3 * z844;
-    const Scalar z847 = s_phi_3 * z844;
-    const Scalar z852 = c_phi_4 * z850;
-    const Scalar z853 = s_phi_4 * z850;
+    const Scalar z1457 = v_psi - z1455;
+    const Scalar z1458 = k0 * v_psi - z1456;
+    const Scalar z1465 = k0 * v_psi + z1456;
+    const Scalar z1472 = v_psi + z1455;
+    const Scalar z1459 = s_alpha_1 * z1458 - c_alpha_1 * z1457;
+    const Scalar z1460 = s_alpha_1 * z1457 + c_alpha_1 * z1458;
+    const Scalar z1466 = c_alpha_2 * z1457 + s_alpha_2 * z1465;
+    const Scalar z1467 = s_alpha_2 * z1457 - c_alpha_2 * z1465;
+    const Scalar z1473 = s_alpha_3 * z1465 - c_alpha_3 * z1472;
+    const Scalar z1474 = s_alpha_3 * z1472 + c_alpha_3 * z1465;
+    const Scalar z1479 = c_alpha_4 * z1472 + s_alpha_4 * z1458;
+    const Scalar z1480 = s_alpha_4 * z1472 - c_alpha_4 * z1458;
+    const Scalar z1461 = v_psi * q_s_1 + z1460;
+    const Scalar z1468 = v_psi * q_s_2 + z1467;
+    const Scalar z1469 = v_s_2 - z1466;  // velocity of axle_2, x
+    const Scalar z1475 = v_psi * q_s_3 - z1474;
+    const Scalar z1481 = v_psi * q_s_4 - z1480;
+    const Scalar z1482 = v_s_4 + z1479;  // velocity of axle_4, x
+    const Scalar z1462 = v_s_1 + z1459;  // velocity of axle_1, x
+    const Scalar z1476 = v_s_3 - z1473;  // velocity of axle_3, x
+    const Scalar z1463 = c_phi_1 * z1461;
+    const Scalar z1464 = s_phi_1 * z1461;
+    const Scalar z1470 = c_phi_2 * z1468;
+    const Scalar z1471 = s_phi_2 * z1468;
+    const Scalar z1477 = c_phi_3 * z1475;
+    const Scalar z1478 = s_phi_3 * z1475;
+    const Scalar z1483 = c_phi_4 * z1481;
+    const Scalar z1484 = s_phi_4 * z1481;
     result.kinetic = n450 * v_psi * v_psi + n0_45 * (v_phi_1 * v_phi_1 + v_phi_2 * v_phi_2 + v_phi_3 * v_phi_3 + v_phi_4
-        * v_phi_4) + n400 * (z824 * z824 + z825 * z825) + n0_25 * (z76 * z76 + z77 * z77 + z100 * z100 + z101 * z101
-        + z122 * z122 + z123 * z123 + z144 * z144 + z145 * z145) + n10 * (z838 * z838 + z851 * z851 + z831 * z831 + z845
-        * z845 + z832 * z832 + z833 * z833 + z839 * z839 + z840 * z840 + z846 * z846 + z847 * z847 + z852 * z852 + z853
-        * z853);
+        * v_phi_4) + n400 * (z1455 * z1455 + z1456 * z1456) + n0_25 * (z76 * z76 + z77 * z77 + z100 * z100 + z101 * z101
+        + z122 * z122 + z123 * z123 + z144 * z144 + z145 * z145) + n10 * (z1469 * z1469 + z1482 * z1482 + z1462 * z1462
+        + z1476 * z1476 + z1463 * z1463 + z1464 * z1464 + z1470 * z1470 + z1471 * z1471 + z1477 * z1477 + z1478 * z1478
+        + z1483 * z1483 + z1484 * z1484);
     result.force_function = n0;
     result.power = n0;
   }
@@ -2400,14 +2419,14 @@ struct Mechanism {
     const Scalar q_s_4 = state.q.s_4;
     const Scalar v_s_4 = state.v.s_4;
     const Scalar v_phi_4 = state.v.phi_4;
-    const Scalar z462 = precomputed.z462;
-    const Scalar z463 = precomputed.z463;
-    const Scalar z471 = precomputed.z471;
-    const Scalar z472 = precomputed.z472;
-    const Scalar z480 = precomputed.z480;
-    const Scalar z481 = precomputed.z481;
-    const Scalar z489 = precomputed.z489;
-    const Scalar z490 = precomputed.z490;
+    const Scalar z565 = precomputed.z565;
+    const Scalar z566 = precomputed.z566;
+    const Scalar z574 = precomputed.z574;
+    const Scalar z575 = precomputed.z575;
+    const Scalar z583 = precomputed.z583;
+    const Scalar z584 = precomputed.z584;
+    const Scalar z592 = precomputed.z592;
+    const Scalar z593 = precomputed.z593;
     const Scalar z55 = q_psi + p_alpha_1;
     const Scalar z80 = q_psi + p_alpha_2;
     const Scalar z104 = q_psi + p_alpha_3;
@@ -2419,58 +2438,58 @@ struct Mechanism {
     const Scalar z81 = sines_[1], z82 = cosines_[1];
     const Scalar z105 = sines_[2], z106 = cosines_[2];
     const Scalar z127 = sines_[3], z128 = cosines_[3];
-    const Scalar z467 = v_psi * z57;
-    const Scalar z476 = v_psi * z82;
-    const Scalar z485 = v_psi * z106;
-    const Scalar z494 = v_psi * z128;
-    const Scalar z464 = q_s_1 + z462;
-    const Scalar z466 = v_psi * z56;
-    const Scalar z473 = q_s_2 + z471;
-    const Scalar z475 = v_psi * z81;
-    const Scalar z482 = q_s_3 - z480;
-    const Scalar z484 = v_psi * z105;
-    const Scalar z491 = q_s_4 - z489;
-    const Scalar z493 = v_psi * z127;
-    const Scalar z465 = v_psi * z463 + v_s_1 + v_x * z57 + v_y * z56;
-    const Scalar z469 = v_x * z56 - v_y * z57 - v_psi * z464 - n0_3 * v_phi_1;
-    const Scalar z474 = v_s_2 - v_psi * z472 + v_x * z82 + v_y * z81;
-    const Scalar z478 = v_x * z81 - v_y * z82 - v_psi * z473 - n0_3 * v_phi_2;
-    const Scalar z483 = v_s_3 - v_psi * z481 + v_x * z106 + v_y * z105;
-    const Scalar z487 = v_x * z105 - v_y * z106 - v_psi * z482 - n0_3 * v_phi_3;
-    const Scalar z492 = v_psi * z490 + v_s_4 + v_x * z128 + v_y * z127;
-    const Scalar z496 = v_x * z127 - v_y * z128 - v_psi * z491 - n0_3 * v_phi_4;
-    const Scalar z468 = v_x * z466 - v_y * z467;
-    const Scalar z470 = v_x * z467 + v_y * z466 - v_psi * v_s_1;
-    const Scalar z477 = v_x * z475 - v_y * z476;
-    const Scalar z479 = v_x * z476 + v_y * z475 - v_psi * v_s_2;
-    const Scalar z486 = v_x * z484 - v_y * z485;
-    const Scalar z488 = v_x * z485 + v_y * z484 - v_psi * v_s_3;
-    const Scalar z495 = v_x * z493 - v_y * z494;
-    const Scalar z497 = v_x * z494 + v_y * z493 - v_psi * v_s_4;
+    const Scalar z570 = v_psi * z57;
+    const Scalar z579 = v_psi * z82;
+    const Scalar z588 = v_psi * z106;
+    const Scalar z597 = v_psi * z128;
+    const Scalar z567 = q_s_1 + z565;
+    const Scalar z569 = v_psi * z56;
+    const Scalar z576 = q_s_2 + z574;
+    const Scalar z578 = v_psi * z81;
+    const Scalar z585 = q_s_3 - z583;
+    const Scalar z587 = v_psi * z105;
+    const Scalar z594 = q_s_4 - z592;
+    const Scalar z596 = v_psi * z127;
+    const Scalar z568 = v_psi * z566 + v_s_1 + v_x * z57 + v_y * z56;
+    const Scalar z572 = v_x * z56 - v_y * z57 - v_psi * z567 - n0_3 * v_phi_1;
+    const Scalar z577 = v_s_2 - v_psi * z575 + v_x * z82 + v_y * z81;
+    const Scalar z581 = v_x * z81 - v_y * z82 - v_psi * z576 - n0_3 * v_phi_2;
+    const Scalar z586 = v_s_3 - v_psi * z584 + v_x * z106 + v_y * z105;
+    const Scalar z590 = v_x * z105 - v_y * z106 - v_psi * z585 - n0_3 * v_phi_3;
+    const Scalar z595 = v_psi * z593 + v_s_4 + v_x * z128 + v_y * z127;
+    const Scalar z599 = v_x * z127 - v_y * z128 - v_psi * z594 - n0_3 * v_phi_4;
+    const Scalar z571 = v_x * z569 - v_y * z570;
+    const Scalar z573 = v_x * z570 + v_y * z569 - v_psi * v_s_1;
+    const Scalar z580 = v_x * z578 - v_y * z579;
+    const Scalar z582 = v_x * z579 + v_y * z578 - v_psi * v_s_2;
+    const Scalar z589 = v_x * z587 - v_y * z588;
+    const Scalar z591 = v_x * z588 + v_y * z587 - v_psi * v_s_3;
+    const Scalar z598 = v_x * z596 - v_y * z597;
+    const Scalar z600 = v_x * z597 + v_y * z596 - v_psi * v_s_4;
     result.value[0] = n0;
-    result.rate[0] = z465;
-    result.gamma[0] = -z468;
+    result.rate[0] = z568;
+    result.gamma[0] = -z571;
     result.value[1] = n0;
-    result.rate[1] = -z469;
-    result.gamma[1] = -z470;
+    result.rate[1] = -z572;
+    result.gamma[1] = -z573;
     result.value[2] = n0;
-    result.rate[2] = z474;
-    result.gamma[2] = -z477;
+    result.rate[2] = z577;
+    result.gamma[2] = -z580;
     result.value[3] = n0;
-    result.rate[3] = -z478;
-    result.gamma[3] = -z479;
+    result.rate[3] = -z581;
+    result.gamma[3] = -z582;
     result.value[4] = n0;
-    result.rate[4] = z483;
-    result.gamma[4] = -z486;
+    result.rate[4] = z586;
+    result.gamma[4] = -z589;
     result.value[5] = n0;
-    result.rate[5] = -z487;
-    result.gamma[5] = -z488;
+    result.rate[5] = -z590;
+    result.gamma[5] = -z591;
     result.value[6] = n0;
-    result.rate[6] = z492;
-    result.gamma[6] = -z495;
+    result.rate[6] = z595;
+    result.gamma[6] = -z598;
     result.value[7] = n0;
-    result.rate[7] = -z496;
-    result.gamma[7] = -z497;
+    result.rate[7] = -z599;
+    result.gamma[7] = -z600;
     result.jacobian[0] = z57;
     result.jacobian[1] = -z56;
     result.jacobian[2] = z82;
@@ -2487,14 +2506,14 @@ struct Mechanism {
     result.jacobian[13] = z106;
     result.jacobian[14] = z127;
     result.jacobian[15] = z128;
-    result.jacobian[16] = z463;
-    result.jacobian[17] = z464;
-    result.jacobian[18] = -z472;
-    result.jacobian[19] = z473;
-    result.jacobian[20] = -z481;
-    result.jacobian[21] = z482;
-    result.jacobian[22] = z490;
-    result.jacobian[23] = z491;
+    result.jacobian[16] = z566;
+    result.jacobian[17] = z567;
+    result.jacobian[18] = -z575;
+    result.jacobian[19] = z576;
+    result.jacobian[20] = -z584;
+    result.jacobian[21] = z585;
+    result.jacobian[22] = z593;
+    result.jacobian[23] = z594;
     result.jacobian[24] = n0;
     result.jacobian[25] = n0_3;
     result.jacobian[26] = n0;

@@ -129,8 +129,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
-  /// number gives no number.
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
   ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
@@ -348,7 +347,7 @@ TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& a
     const Bits bits = (Bits)shifted.part[i];
     const Bits odd = bits << sign_bit, upper = bits << (sign_bit - 1);
     Numbers sine_of_rest, cosine_of_rest;
-    if constexpr (sizeof(Numbers) == 32) {  // AVX has an instruction that looks at the bit of the sign
+    if constexpr (sizeof(Numbers) >= 32) {  // AVX has instructions that choose by the bit of the sign
       const Bits exchanged = odd < Bits{};
       sine_of_rest = exchanged ? c : s;
       cosine_of_rest = exchanged ? s : c;
@@ -513,7 +512,7 @@ struct Mechanism {
 
   static constexpr const char* name = "graham_variator";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xfca9cd7646fcd96aULL;
+  static constexpr unsigned long long fingerprint = 0x2a0d0abb4dd01254ULL;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 2;
@@ -650,23 +649,23 @@ struct Mechanism {
     Scalar z50;
     Scalar z104;
     Scalar z106;
-    Scalar z115;
     Scalar z116;
     Scalar z117;
-    Scalar z119;
+    Scalar z118;
     Scalar z120;
     Scalar z121;
-    Scalar z230;
+    Scalar z122;
     Scalar z231;
     Scalar z232;
-    Scalar z234;
-    Scalar z236;
+    Scalar z233;
+    Scalar z235;
     Scalar z237;
-    Scalar z242;
+    Scalar z238;
     Scalar z243;
     Scalar z244;
-    Scalar z250;
-    Scalar z252;
+    Scalar z245;
+    Scalar z251;
+    Scalar z253;
   };
 
   /// Values of the scene.
@@ -713,49 +712,49 @@ struct Mechanism {
     const Scalar z104 = n0_1 - z103;
     const Scalar z105 = n0_1 - z104;
     const Scalar z106 = k2 * z50 - k1 * z105;
-    const Scalar z114 = z104 - k1 * z106;
-    const Scalar z115 = k4 * z114;
-    const Scalar z116 = k5 * z106 - k1 * z115;
-    const Scalar z117 = z104 * z115 + z106 * z116;
-    const Scalar z118 = k6 + k7 * p_d;
-    const Scalar z119 = k8 * z118;
-    const Scalar z120 = z117 - z118 * z119;
-    const Scalar z121 = n1 / z120;
-    const Scalar z230 = n1 / z106;
-    const Scalar z231 = n0_02 * z230;
-    const Scalar z232 = z106 * z106;
-    const Scalar z233 = k11 * z104 * z104 + k5 * z106 * z106;
-    const Scalar z234 = n0_0003 * z233;
-    const Scalar z235 = k13 - z104 * z231;
-    const Scalar z236 = k14 * z235;
-    const Scalar z237 = z104 * z230;
-    const Scalar z241 = k15 - k16 / z106;
-    const Scalar z242 = k17 - k18 / z106;
-    const Scalar z243 = n0_02 * z236;
-    const Scalar z244 = z241 + z236 * z243 - z237 * z242;
-    const Scalar z250 = n1 / z244;
-    const Scalar z252 = z236 * z250;
+    const Scalar z115 = z104 - k1 * z106;
+    const Scalar z116 = k4 * z115;
+    const Scalar z117 = k5 * z106 - k1 * z116;
+    const Scalar z118 = z104 * z116 + z106 * z117;
+    const Scalar z119 = k6 + k7 * p_d;
+    const Scalar z120 = k8 * z119;
+    const Scalar z121 = z118 - z119 * z120;
+    const Scalar z122 = n1 / z121;
+    const Scalar z231 = n1 / z106;
+    const Scalar z232 = n0_02 * z231;
+    const Scalar z233 = z106 * z106;
+    const Scalar z234 = k11 * z104 * z104 + k5 * z106 * z106;
+    const Scalar z235 = n0_0003 * z234;
+    const Scalar z236 = k13 - z104 * z232;
+    const Scalar z237 = k14 * z236;
+    const Scalar z238 = z104 * z231;
+    const Scalar z242 = k15 - k16 / z106;
+    const Scalar z243 = k17 - k18 / z106;
+    const Scalar z244 = n0_02 * z237;
+    const Scalar z245 = z242 + z237 * z244 - z238 * z243;
+    const Scalar z251 = n1 / z245;
+    const Scalar z253 = z237 * z251;
     precomputed.z49 = z49;
     precomputed.z50 = z50;
     precomputed.z104 = z104;
     precomputed.z106 = z106;
-    precomputed.z115 = z115;
     precomputed.z116 = z116;
     precomputed.z117 = z117;
-    precomputed.z119 = z119;
+    precomputed.z118 = z118;
     precomputed.z120 = z120;
     precomputed.z121 = z121;
-    precomputed.z230 = z230;
+    precomputed.z122 = z122;
     precomputed.z231 = z231;
     precomputed.z232 = z232;
-    precomputed.z234 = z234;
-    precomputed.z236 = z236;
+    precomputed.z233 = z233;
+    precomputed.z235 = z235;
     precomputed.z237 = z237;
-    precomputed.z242 = z242;
+    precomputed.z238 = z238;
     precomputed.z243 = z243;
     precomputed.z244 = z244;
-    precomputed.z250 = z250;
-    precomputed.z252 = z252;
+    precomputed.z245 = z245;
+    precomputed.z251 = z251;
+    precomputed.z253 = z253;
     return precomputed;
   }
 
@@ -1105,38 +1104,38 @@ struct Mechanism {
     const Scalar u_C3 = inputs.C3;
     const Scalar z104 = precomputed.z104;
     const Scalar z106 = precomputed.z106;
-    const Scalar z115 = precomputed.z115;
     const Scalar z116 = precomputed.z116;
     const Scalar z117 = precomputed.z117;
-    const Scalar z119 = precomputed.z119;
+    const Scalar z118 = precomputed.z118;
     const Scalar z120 = precomputed.z120;
     const Scalar z121 = precomputed.z121;
+    const Scalar z122 = precomputed.z122;
     Scalar s_alpha, c_alpha;
     traits::sincos(q_alpha, s_alpha, c_alpha);
     const Scalar z68 = n98_1 * s_alpha;
-    const Scalar z124 = n50 * u_C3;
+    const Scalar z125 = n50 * u_C3;
     const Scalar z80 = n0_006 * z68;  // moment on inclined, y
     const Scalar z84 = k3 * z80;
     const Scalar z87 = n0_01 * z68 - z84;  // moment on S1, x
-    const Scalar z113 = u_C1 + z87;
-    const Scalar z126 = k5 * (u_C1 + z87) - k6 * u_C3;
-    const Scalar z122 = k7 * z113;
-    const Scalar z123 = k8 * z122;
-    const Scalar z125 = z104 * z122 - z106 * z123;
-    const Scalar z127 = z119 * z126 - z125;
-    const Scalar z128 = z121 * z127;
-    const Scalar z129 = k9 * z126 + z119 * z128;
-    const Scalar z130 = z115 * z128 + z122 - k5 * z129;
-    const Scalar z131 = z116 * z128 - z123 - k10 * z129;
-    const Scalar z132 = z124 + k6 * z129;
-    accelerations.alpha = z130;
-    accelerations.beta = z131;
-    accelerations.gamma = z132;
+    const Scalar z114 = u_C1 + z87;
+    const Scalar z127 = k5 * (u_C1 + z87) - k6 * u_C3;
+    const Scalar z123 = k7 * z114;
+    const Scalar z124 = k8 * z123;
+    const Scalar z126 = z104 * z123 - z106 * z124;
+    const Scalar z128 = z120 * z127 - z126;
+    const Scalar z129 = z122 * z128;
+    const Scalar z130 = k9 * z127 + z120 * z129;
+    const Scalar z131 = z116 * z129 + z123 - k5 * z130;
+    const Scalar z132 = z117 * z129 - z124 - k10 * z130;
+    const Scalar z133 = z125 + k6 * z130;
+    accelerations.alpha = z131;
+    accelerations.beta = z132;
+    accelerations.gamma = z133;
     multipliers.lambda_rolling_A_x = n0;
-    multipliers.T_A = z128;
+    multipliers.T_A = z129;
     multipliers.lambda_rolling_E_x = n0;
-    multipliers.T_E = -z129;
-    if (!(traits::regular(z120, z117))) return torsor::Status::singular;
+    multipliers.T_E = -z130;
+    if (!(traits::regular(z121, z118))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.alpha * accelerations.beta * accelerations.gamma * multipliers.T_A
         * multipliers.T_E;
@@ -1174,19 +1173,19 @@ struct Mechanism {
     const Scalar z22 = n0_1 * v_alpha;
     const Scalar z23 = k2 * v_alpha;
     const Scalar z20 = n0_1 * c_alpha;
-    const Scalar z139 = k3 * c_alpha;
+    const Scalar z140 = k3 * c_alpha;
     const Scalar z33 = c_beta * z24;
     const Scalar z34 = s_beta * z24;
-    const Scalar z133 = s_beta * z22;
-    const Scalar z134 = c_beta * z22;
+    const Scalar z134 = s_beta * z22;
+    const Scalar z135 = c_beta * z22;
     const Scalar z35 = v_beta + z23;
-    const Scalar z135 = n0_06 * z34 - z133;
-    const Scalar z136 = n0_06 * z33 - z134;
-    const Scalar z137 = n0_0044 * z33 - n0_06 * z134;
-    const Scalar z138 = n0_0044 * z34 - n0_06 * z133;
-    result.kinetic = n0_005 * v_alpha * v_alpha + n0_01 * v_gamma * v_gamma + k8 * z35 * z35 + n0_5 * (z33 * z137 + z34
-        * z138 - z133 * z135 - z134 * z136);
-    result.force_function = -n9_81 * (z20 - z139);
+    const Scalar z136 = n0_06 * z34 - z134;
+    const Scalar z137 = n0_06 * z33 - z135;
+    const Scalar z138 = n0_0044 * z33 - n0_06 * z135;
+    const Scalar z139 = n0_0044 * z34 - n0_06 * z134;
+    result.kinetic = n0_005 * v_alpha * v_alpha + n0_01 * v_gamma * v_gamma + k8 * z35 * z35 + n0_5 * (z33 * z138 + z34
+        * z139 - z134 * z136 - z135 * z137);
+    result.force_function = -n9_81 * (z20 - z140);
     result.power = v_alpha * u_C1 + v_gamma * u_C3;
   }
 
@@ -1261,41 +1260,41 @@ struct Mechanism {
     const Scalar l_T_E = multipliers.T_E;
     const Scalar z104 = precomputed.z104;
     const Scalar z106 = precomputed.z106;
-    const Scalar z230 = precomputed.z230;
     const Scalar z231 = precomputed.z231;
     const Scalar z232 = precomputed.z232;
-    const Scalar z234 = precomputed.z234;
-    const Scalar z236 = precomputed.z236;
+    const Scalar z233 = precomputed.z233;
+    const Scalar z235 = precomputed.z235;
     const Scalar z237 = precomputed.z237;
-    const Scalar z242 = precomputed.z242;
+    const Scalar z238 = precomputed.z238;
     const Scalar z243 = precomputed.z243;
     const Scalar z244 = precomputed.z244;
-    const Scalar z250 = precomputed.z250;
-    const Scalar z252 = precomputed.z252;
+    const Scalar z245 = precomputed.z245;
+    const Scalar z251 = precomputed.z251;
+    const Scalar z253 = precomputed.z253;
     Scalar s_alpha, c_alpha;
     traits::sincos(q_alpha, s_alpha, c_alpha);
     const Scalar z68 = n98_1 * s_alpha;
     const Scalar z102 = k1 * a_alpha + n0_0003 * a_beta;
     const Scalar z93 = n0_02 * a_gamma;  // moment on S3, x
-    const Scalar z228 = a_alpha * z104 + a_beta * z106;
-    const Scalar z229 = n0_02 * a_beta + k4 * (a_alpha - a_gamma);
-    const Scalar z246 = u_C3 - k4 * l_T_E - z93;
+    const Scalar z229 = a_alpha * z104 + a_beta * z106;
+    const Scalar z230 = n0_02 * a_beta + k4 * (a_alpha - a_gamma);
+    const Scalar z247 = u_C3 - k4 * l_T_E - z93;
     const Scalar z67 = n98_1 * c_alpha;
-    const Scalar z238 = z228 * z231 - z229;
-    const Scalar z240 = z228 * z230;
-    const Scalar z245 = z102 - z106 * l_T_A - n0_02 * l_T_E;
-    const Scalar z239 = k5 * z238;
-    const Scalar z248 = z240 * z242 + z239 * z243;
+    const Scalar z239 = z229 * z232 - z230;
+    const Scalar z241 = z229 * z231;
+    const Scalar z246 = z102 - z106 * l_T_A - n0_02 * l_T_E;
+    const Scalar z240 = k5 * z239;
+    const Scalar z249 = z241 * z243 + z240 * z244;
     const Scalar z80 = n0_006 * z68;  // moment on inclined, y
-    const Scalar z157 = n0_006 * z67;
+    const Scalar z158 = n0_006 * z67;
     const Scalar z84 = k7 * z80;
-    const Scalar z158 = k7 * z157;
+    const Scalar z159 = k7 * z158;
     const Scalar z87 = n0_01 * z68 - z84;  // moment on S1, x
-    const Scalar z159 = n0_01 * z67 - z158;
+    const Scalar z160 = n0_01 * z67 - z159;
     const Scalar z101 = k9 * a_alpha - z87 + k1 * a_beta;
-    const Scalar z251 = z159 * z250;
-    const Scalar z247 = u_C1 + z104 * l_T_A + k4 * l_T_E + z236 * z246 + z237 * z245 - z101;
-    const Scalar z249 = z247 + z248;
+    const Scalar z252 = z160 * z251;
+    const Scalar z248 = u_C1 + z104 * l_T_A + k4 * l_T_E + z237 * z247 + z238 * z246 - z101;
+    const Scalar z250 = z248 + z249;
     result.M[0] = k9;
     result.M[1] = k1;
     result.M[2] = n0;
@@ -1314,7 +1313,7 @@ struct Mechanism {
     result.C[6] = n0;
     result.C[7] = n0;
     result.C[8] = n0;
-    result.K[0] = -z159;
+    result.K[0] = -z160;
     result.K[1] = n0;
     result.K[2] = n0;
     result.K[3] = n0;
@@ -1332,18 +1331,18 @@ struct Mechanism {
     result.E[3] = n0;
     result.E[4] = n0;
     result.E[5] = n1;
-    result.M_r[0] = z244;
+    result.M_r[0] = z245;
     result.C_r[0] = n0;
-    result.K_r[0] = -z159;
+    result.K_r[0] = -z160;
     result.K_r[1] = n0;
     result.K_r[2] = n0;
-    result.F_r[0] = z249;
+    result.F_r[0] = z250;
     result.E_r[0] = n1;
-    result.E_r[1] = z236;
+    result.E_r[1] = z237;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
-    result.A[3] = z251;
+    result.A[3] = z252;
     result.A[4] = n0;
     result.A[5] = n0;
     result.A[6] = n0;
@@ -1353,18 +1352,18 @@ struct Mechanism {
     result.A[10] = n0;
     result.A[11] = n0;
     result.A[12] = n1;
-    result.A[13] = -z237;
-    result.A[14] = z236;
+    result.A[13] = -z238;
+    result.A[14] = z237;
     result.A[15] = n0;
     result.B[0] = n0;
     result.B[1] = n0;
     result.B[2] = n0;
-    result.B[3] = z250;
+    result.B[3] = z251;
     result.B[4] = n0;
     result.B[5] = n0;
     result.B[6] = n0;
-    result.B[7] = z252;
-    if (!(traits::regular(z232, z234) && traits::regular(z244, z244))) return torsor::Status::singular;
+    result.B[7] = z253;
+    if (!(traits::regular(z233, z235) && traits::regular(z245, z245))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * result.K[0] * result.F[0] * result.F[1] * result.F[2] * result.M_r[0] * result.K_r[0]
         * result.F_r[0] * result.E_r[1] * result.A[3] * result.A[13] * result.A[14] * result.B[3] * result.B[7];

@@ -17,7 +17,7 @@
 //   forward_dynamics          8               28          1             0                  2       0     41      60
 //   energy                    6               16          0             0                  3       0     28      29
 //   first_integrals           8               19          0             0                  3       0     33      34
-//   linearisation            34               90          1             0                  2       0    129     182
+//   linearisation            34               88          1             0                  2       0    127     182
 //   jets                     33               51          2             0                  2       0     90       -
 //
 // Not computed because this mechanism does not need it:
@@ -124,8 +124,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
-  /// number gives no number.
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
   ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
@@ -343,7 +342,7 @@ TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& a
     const Bits bits = (Bits)shifted.part[i];
     const Bits odd = bits << sign_bit, upper = bits << (sign_bit - 1);
     Numbers sine_of_rest, cosine_of_rest;
-    if constexpr (sizeof(Numbers) == 32) {  // AVX has an instruction that looks at the bit of the sign
+    if constexpr (sizeof(Numbers) >= 32) {  // AVX has instructions that choose by the bit of the sign
       const Bits exchanged = odd < Bits{};
       sine_of_rest = exchanged ? c : s;
       cosine_of_rest = exchanged ? s : c;
@@ -622,7 +621,7 @@ struct Mechanism {
 
   static constexpr const char* name = "heavy_top";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x9e4bacbae65db850ULL;
+  static constexpr unsigned long long fingerprint = 0xe0e7b5b6e8904ea1ULL;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -1141,126 +1140,128 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_alpha = sines_[0], c_alpha = cosines_[0];
     const Scalar s_beta = sines_[1], c_beta = cosines_[1];
-    const Scalar z28 = v_alpha * s_beta;
-    const Scalar z27 = v_alpha * c_beta;
-    const Scalar z84 = a_alpha * s_beta;
-    const Scalar z83 = a_alpha * c_beta;
-    const Scalar z57 = k0 * c_alpha;
-    const Scalar z146 = n975_over_64 * c_beta * c_beta;
-    const Scalar z171 = v_beta * s_beta;
-    const Scalar z56 = k0 * s_alpha;
-    const Scalar z47 = n15_over_32 * s_beta;
-    const Scalar z169 = v_beta * c_beta;
-    const Scalar z196 = n15_over_32 * v_beta;
-    const Scalar z197 = c_beta * z196;
-    const Scalar z52 = n945_over_64 * c_beta;
-    const Scalar z40 = v_gamma - z28;
-    const Scalar z53 = n15_over_32 + c_beta * z52;
-    const Scalar z58 = s_beta * z56 - n4_905 * c_beta;
-    const Scalar z59 = n4_905 * s_beta + c_beta * z56;
-    const Scalar z60 = v_beta * z28;  // angular acceleration of second, x
-    const Scalar z61 = v_beta * z27;  // angular acceleration of second, y
-    const Scalar z69 = z27 * z28;
-    const Scalar z85 = v_beta * z28 - z83;  // angular acceleration of second, x
-    const Scalar z86 = v_beta * z27 + z84;  // angular acceleration of second, y
-    const Scalar z145 = n32_over_15 * z47;
-    const Scalar z170 = n15_over_32 * z169;
-    const Scalar z172 = n15_over_32 * z171;
-    const Scalar z173 = n2 * z171;
-    const Scalar z176 = n15 * z56;
-    const Scalar z180 = s_beta * z27 + c_beta * z28;
-    const Scalar z182 = s_beta * z57;
-    const Scalar z184 = n15_over_32 * z27;
-    const Scalar z185 = n2 * z28;
-    const Scalar z194 = z27 * z27 - z28 * z28;
-    const Scalar z64 = v_beta * z40;
-    const Scalar z65 = z27 * z40;
-    const Scalar z67 = n15_over_32 * z61;  // moment on top, y
-    const Scalar z147 = n1 / z146;
-    const Scalar z157 = n15_over_32 * z40;
-    const Scalar z174 = z172 - n975_over_64 * z173;
-    const Scalar z177 = c_beta * z176;
-    const Scalar z178 = s_beta * z27 - c_beta * z40;
-    const Scalar z183 = n15 * z182;
-    const Scalar z192 = z27 * z27 + z28 * z40;
-    const Scalar z88 = a_gamma - z86;  // angular acceleration of top, y
-    const Scalar z92 = z60 + z85;
-    const Scalar z188 = n15_over_32 * z85;
-    const Scalar z189 = z61 + z86;
-    const Scalar z66 = n15_over_32 * z64;  // moment on top, x
-    const Scalar z68 = n15_over_32 * z65;  // moment on top, z
-    const Scalar z283 = n64_over_975 * z184;
-    const Scalar z186 = z157 + n975_over_64 * z185;
-    const Scalar z269 = n64_over_975 * z183;
-    const Scalar z90 = n15_over_32 * z88;  // moment on top, y
-    const Scalar z175 = s_beta * z170 + c_beta * z174;
-    const Scalar z179 = n15_over_32 * z178;
-    const Scalar z190 = z67 - n975_over_64 * z189;
-    const Scalar z193 = n15_over_32 * z192;
-    const Scalar z271 = c_beta * z174;
-    const Scalar z95 = n15 * z57 - z66 - n975_over_64 * z92;  // moment on second, x
-    const Scalar z96 = z68 + n975_over_64 * (a_beta + z69) - n15 * z58;  // moment on second, z
-    const Scalar z181 = z179 - n975_over_64 * z180;
-    const Scalar z187 = s_beta * z184 - c_beta * z186;
-    const Scalar z195 = n15 * z59 + z193 - n975_over_64 * z194;
-    const Scalar z279 = c_beta * z186;
-    const Scalar z273 = n64_over_975 * z181;
-    const Scalar z268 = z147 * z177;
-    const Scalar z272 = z147 * z271;
-    const Scalar z280 = z147 * z279;
-    const Scalar z282 = z147 * z197;
-    const Scalar z99 = s_beta * z90 - c_beta * z95;
-    const Scalar z191 = c_beta * (z90 - z190) + s_beta * (z95 + z188);
-    const Scalar z277 = n64_over_975 * z195;
-    const Scalar z270 = z145 * z268;
-    const Scalar z274 = z145 * z272 - n32_over_15 * z170;
-    const Scalar z281 = n32_over_15 * z184 + z145 * z280;
-    const Scalar z284 = z145 * z282;
-    const Scalar z275 = z145 * z188 - z191;
-    const Scalar z276 = z147 * z275;
-    const Scalar z278 = n32_over_15 * z188 + z145 * z276;
-    result.M[0] = z53;
+    const Scalar z287 = v_alpha * s_beta;
+    const Scalar z286 = v_alpha * c_beta;
+    const Scalar z305 = a_alpha * s_beta;
+    const Scalar z304 = a_alpha * c_beta;
+    const Scalar z293 = k0 * c_alpha;
+    const Scalar z315 = n975_over_64 * c_beta * c_beta;
+    const Scalar z320 = v_beta * s_beta;
+    const Scalar z292 = k0 * s_alpha;
+    const Scalar z289 = n15_over_32 * s_beta;
+    const Scalar z318 = v_beta * c_beta;
+    const Scalar z347 = n15_over_32 * v_beta;
+    const Scalar z290 = n945_over_64 * c_beta;
+    const Scalar z288 = v_gamma - z287;
+    const Scalar z348 = c_beta * z347;
+    const Scalar z291 = n15_over_32 + c_beta * z290;
+    const Scalar z294 = s_beta * z292 - n4_905 * c_beta;
+    const Scalar z295 = n4_905 * s_beta + c_beta * z292;
+    const Scalar z296 = v_beta * z287;  // angular acceleration of second, x
+    const Scalar z297 = v_beta * z286;  // angular acceleration of second, y
+    const Scalar z303 = z286 * z287;
+    const Scalar z306 = v_beta * z287 - z304;  // angular acceleration of second, x
+    const Scalar z307 = v_beta * z286 + z305;  // angular acceleration of second, y
+    const Scalar z314 = n32_over_15 * z289;
+    const Scalar z319 = n15_over_32 * z318;
+    const Scalar z321 = n15_over_32 * z320;
+    const Scalar z322 = n2 * z320;
+    const Scalar z325 = n15 * z292;
+    const Scalar z327 = s_beta * z286;
+    const Scalar z332 = s_beta * z293;
+    const Scalar z334 = n15_over_32 * z286;
+    const Scalar z335 = n2 * z287;
+    const Scalar z342 = z286 * z286;
+    const Scalar z298 = v_beta * z288;
+    const Scalar z299 = z286 * z288;
+    const Scalar z301 = n15_over_32 * z297;  // moment on top, y
+    const Scalar z316 = n1 / z315;
+    const Scalar z317 = n15_over_32 * z288;
+    const Scalar z323 = z321 - n975_over_64 * z322;
+    const Scalar z326 = c_beta * z325;
+    const Scalar z328 = c_beta * z288 - z327;
+    const Scalar z330 = c_beta * z287 + z327;
+    const Scalar z333 = n15 * z332;
+    const Scalar z343 = z287 * z288 + z342;
+    const Scalar z345 = z287 * z287 - z342;
+    const Scalar z308 = a_gamma - z307;  // angular acceleration of top, y
+    const Scalar z310 = z296 + z306;
+    const Scalar z338 = n15_over_32 * z306;
+    const Scalar z339 = z297 + z307;
+    const Scalar z300 = n15_over_32 * z298;  // moment on top, x
+    const Scalar z302 = n15_over_32 * z299;  // moment on top, z
+    const Scalar z364 = n64_over_975 * z334;
+    const Scalar z336 = z317 + n975_over_64 * z335;
+    const Scalar z350 = n64_over_975 * z333;
+    const Scalar z309 = n15_over_32 * z308;  // moment on top, y
+    const Scalar z324 = s_beta * z319 + c_beta * z323;
+    const Scalar z329 = n15_over_32 * z328;
+    const Scalar z340 = z301 - n975_over_64 * z339;
+    const Scalar z344 = n15_over_32 * z343;
+    const Scalar z352 = c_beta * z323;
+    const Scalar z311 = n15 * z293 - z300 - n975_over_64 * z310;  // moment on second, x
+    const Scalar z312 = z302 + n975_over_64 * (a_beta + z303) - n15 * z294;  // moment on second, z
+    const Scalar z331 = z329 + n975_over_64 * z330;
+    const Scalar z337 = s_beta * z334 - c_beta * z336;
+    const Scalar z346 = n15 * z295 + z344 + n975_over_64 * z345;
+    const Scalar z360 = c_beta * z336;
+    const Scalar z354 = n64_over_975 * z331;
+    const Scalar z349 = z316 * z326;
+    const Scalar z353 = z316 * z352;
+    const Scalar z361 = z316 * z360;
+    const Scalar z363 = z316 * z348;
+    const Scalar z313 = s_beta * z309 - c_beta * z311;
+    const Scalar z341 = c_beta * (z309 - z340) + s_beta * (z311 + z338);
+    const Scalar z358 = n64_over_975 * z346;
+    const Scalar z351 = z314 * z349;
+    const Scalar z355 = z314 * z353 - n32_over_15 * z319;
+    const Scalar z362 = n32_over_15 * z334 + z314 * z361;
+    const Scalar z365 = z314 * z363;
+    const Scalar z356 = z314 * z338 - z341;
+    const Scalar z357 = z316 * z356;
+    const Scalar z359 = n32_over_15 * z338 + z314 * z357;
+    result.M[0] = z291;
     result.M[1] = n0;
-    result.M[2] = -z47;
+    result.M[2] = -z289;
     result.M[3] = n0;
     result.M[4] = n975_over_64;
     result.M[5] = n0;
-    result.M[6] = -z47;
+    result.M[6] = -z289;
     result.M[7] = n0;
     result.M[8] = n15_over_32;
-    result.C[0] = z175;
-    result.C[1] = -z181;
-    result.C[2] = -z170;
-    result.C[3] = z187;
+    result.C[0] = z324;
+    result.C[1] = z331;
+    result.C[2] = -z319;
+    result.C[3] = z337;
     result.C[4] = n0;
-    result.C[5] = -z184;
-    result.C[6] = -z197;
-    result.C[7] = z184;
+    result.C[5] = -z334;
+    result.C[6] = -z348;
+    result.C[7] = z334;
     result.C[8] = n0;
-    result.K[0] = -z177;
-    result.K[1] = -z183;
+    result.K[0] = -z326;
+    result.K[1] = -z333;
     result.K[2] = n0;
-    result.K[3] = -z191;
-    result.K[4] = -z195;
-    result.K[5] = z188;
+    result.K[3] = -z341;
+    result.K[4] = -z346;
+    result.K[5] = z338;
     result.K[6] = n0;
     result.K[7] = n0;
     result.K[8] = n0;
-    result.F[0] = z99;
-    result.F[1] = -z96;
-    result.F[2] = -z90;
+    result.F[0] = z313;
+    result.F[1] = -z312;
+    result.F[2] = -z309;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
-    result.A[3] = z268;
-    result.A[4] = z269;
-    result.A[5] = z270;
+    result.A[3] = z349;
+    result.A[4] = z350;
+    result.A[5] = z351;
     result.A[6] = n0;
     result.A[7] = n0;
     result.A[8] = n0;
-    result.A[9] = -z276;
-    result.A[10] = z277;
-    result.A[11] = -z278;
+    result.A[9] = -z357;
+    result.A[10] = z358;
+    result.A[11] = -z359;
     result.A[12] = n0;
     result.A[13] = n0;
     result.A[14] = n0;
@@ -1270,22 +1271,22 @@ struct Mechanism {
     result.A[18] = n1;
     result.A[19] = n0;
     result.A[20] = n0;
-    result.A[21] = -z272;
-    result.A[22] = z273;
-    result.A[23] = -z274;
+    result.A[21] = -z353;
+    result.A[22] = -z354;
+    result.A[23] = -z355;
     result.A[24] = n0;
     result.A[25] = n1;
     result.A[26] = n0;
-    result.A[27] = z280;
+    result.A[27] = z361;
     result.A[28] = n0;
-    result.A[29] = z281;
+    result.A[29] = z362;
     result.A[30] = n0;
     result.A[31] = n0;
     result.A[32] = n1;
-    result.A[33] = z282;
-    result.A[34] = -z283;
-    result.A[35] = z284;
-    if (!(traits::regular(z146, z53))) return torsor::Status::singular;
+    result.A[33] = z363;
+    result.A[34] = -z364;
+    result.A[35] = z365;
+    if (!(traits::regular(z315, z291))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = (n0 * result.M[0] * result.M[2] * result.M[6] * result.C[0] * result.C[1] * result.C[2]
         * result.C[3] * result.C[5] * result.C[6] * result.C[7] * result.K[0] * result.K[1] * result.K[3] * result.K[4]

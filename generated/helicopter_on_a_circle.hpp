@@ -10,14 +10,14 @@
 // costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
 // joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   precompute                4                9          1             0                  2       0     18       -
-//   kinematics               56              101          0             0                  2       0    161     168
+//   precompute                4               12          1             0                  2       0     21       -
+//   kinematics               56               81          0             0                  2       0    141     168
 //   mass_matrix               0                0          0             0                  0       0      0       8
 //   bias                      0                0          0             0                  0       0      0       0
 //   inverse_dynamics          0                1          0             0                  0       0      1       9
 //   forward_dynamics          0                1          0             0                  0       0      1      10
-//   energy                   13               26          0             0                  1       0     41      53
-//   reactions                35               60          0             0                  1       0     97     128
+//   energy                   13               23          0             0                  1       0     38      53
+//   reactions                35               50          0             0                  1       0     87     128
 //   linearisation             1                1          0             0                  0       0      2      11
 //
 // Not computed because this mechanism does not need it:
@@ -125,8 +125,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
-  /// number gives no number.
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
   ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
@@ -344,7 +343,7 @@ TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& a
     const Bits bits = (Bits)shifted.part[i];
     const Bits odd = bits << sign_bit, upper = bits << (sign_bit - 1);
     Numbers sine_of_rest, cosine_of_rest;
-    if constexpr (sizeof(Numbers) == 32) {  // AVX has an instruction that looks at the bit of the sign
+    if constexpr (sizeof(Numbers) >= 32) {  // AVX has instructions that choose by the bit of the sign
       const Bits exchanged = odd < Bits{};
       sine_of_rest = exchanged ? c : s;
       cosine_of_rest = exchanged ? s : c;
@@ -509,7 +508,7 @@ struct Mechanism {
 
   static constexpr const char* name = "helicopter_on_a_circle";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x8151edcb8ea7a133ULL;
+  static constexpr unsigned long long fingerprint = 0x28ddcf6b60b5bd00ULL;
   static constexpr int coordinate_count = 1;
   static constexpr int velocity_count = 1;
   static constexpr int input_count = 1;
@@ -624,10 +623,12 @@ struct Mechanism {
     Scalar z18;
     Scalar z25;
     Scalar z26;
-    Scalar z117;
-    Scalar z205;
-    Scalar z209;  ///< force on upwards, x
-    Scalar z243;
+    Scalar z98;
+    Scalar z99;
+    Scalar z221;
+    Scalar z313;  ///< force on upwards, x
+    Scalar z347;
+    Scalar z393;
   };
 
   /// Values of the scene.
@@ -650,6 +651,7 @@ struct Mechanism {
     const Scalar n1331_6 = traits::constant(1331.6, 1331.6f, "6658/5");
     const Scalar n120 = traits::constant(120.0, 120.0f, "120/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n665 = traits::constant(665.0, 665.0f, "665/1");
     const Scalar p_omega = parameters.omega;
     const Scalar p_theta = parameters.theta;
     const Scalar p_alpha = parameters.alpha;
@@ -661,17 +663,20 @@ struct Mechanism {
     const Scalar z18 = n100 * p_omega;
     const Scalar z25 = p_omega * s_theta;
     const Scalar z26 = p_omega * c_theta;
-    const Scalar z102 = n0_4 * s_alpha;
-    const Scalar z105 = s_alpha * z102;
-    const Scalar z107 = n1331_6 - z105;
-    const Scalar z111 = z105 - z107;
-    const Scalar z114 = z105 + z111;
-    const Scalar z117 = z105 + z114;
-    const Scalar z150 = p_omega * p_omega;
-    const Scalar z151 = n100 * z150;
-    const Scalar z205 = z25 * z26;
-    const Scalar z209 = n120 * z151;  // force on upwards, x
-    const Scalar z243 = n1 / z117;
+    const Scalar z98 = c_theta * s_alpha;
+    const Scalar z99 = c_theta * c_alpha;
+    const Scalar z206 = n0_4 * s_alpha;
+    const Scalar z209 = s_alpha * z206;
+    const Scalar z211 = n1331_6 - z209;
+    const Scalar z215 = z209 - z211;
+    const Scalar z218 = z209 + z215;
+    const Scalar z221 = z209 + z218;
+    const Scalar z254 = p_omega * p_omega;
+    const Scalar z255 = n100 * z254;
+    const Scalar z309 = z25 * z26;
+    const Scalar z313 = n120 * z255;  // force on upwards, x
+    const Scalar z347 = n1 / z221;
+    const Scalar z393 = n665 * z309;
     precomputed.s_theta = s_theta;
     precomputed.c_theta = c_theta;
     precomputed.s_alpha = s_alpha;
@@ -679,10 +684,12 @@ struct Mechanism {
     precomputed.z18 = z18;
     precomputed.z25 = z25;
     precomputed.z26 = z26;
-    precomputed.z117 = z117;
-    precomputed.z205 = z205;
-    precomputed.z209 = z209;
-    precomputed.z243 = z243;
+    precomputed.z98 = z98;
+    precomputed.z99 = z99;
+    precomputed.z221 = z221;
+    precomputed.z313 = z313;
+    precomputed.z347 = z347;
+    precomputed.z393 = z393;
     return precomputed;
   }
 
@@ -802,232 +809,238 @@ struct Mechanism {
     const Scalar z18 = precomputed.z18;
     const Scalar z25 = precomputed.z25;
     const Scalar z26 = precomputed.z26;
-    const Scalar z2 = p_omega * t;
-    const Scalar angles_[] = {z2, q_phi};
+    const Scalar z98 = precomputed.z98;
+    const Scalar z99 = precomputed.z99;
+    const Scalar z124 = p_omega * t;
+    const Scalar angles_[] = {q_phi, z124};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
-    const Scalar z3 = sines_[0], z4 = cosines_[0];
-    const Scalar s_phi = sines_[1], c_phi = cosines_[1];
-    const Scalar z21 = z4 * c_theta;
-    const Scalar z23 = z3 * c_theta;
-    const Scalar z33 = c_phi * z25;
-    const Scalar z34 = s_phi * z25;
-    const Scalar z19 = z3 * z18;  // velocity of outwards, x
-    const Scalar z20 = z4 * z18;  // velocity of outwards, y
-    const Scalar z22 = z4 * s_theta;
-    const Scalar z24 = z3 * s_theta;
-    const Scalar z35 = v_phi + z26;
-    const Scalar z31 = s_theta * c_phi;
-    const Scalar z32 = s_theta * s_phi;
-    const Scalar z76 = n3 * z35;
-    const Scalar z16 = n100 * z4;
-    const Scalar z17 = n100 * z3;
-    const Scalar z38 = p_omega + c_theta * v_phi;  // angular velocity of rotor, z
-    const Scalar z43 = c_theta * s_alpha - c_alpha * z32;
-    const Scalar z44 = c_theta * c_alpha + s_alpha * z32;
-    const Scalar z51 = c_theta * s_alpha - c_alpha * z31;
-    const Scalar z52 = c_theta * c_alpha + s_alpha * z31;
-    const Scalar z59 = c_theta * s_alpha + c_alpha * z32;
-    const Scalar z60 = c_theta * c_alpha - s_alpha * z32;
-    const Scalar z67 = c_theta * s_alpha + c_alpha * z31;
-    const Scalar z68 = c_theta * c_alpha - s_alpha * z31;
-    const Scalar z73 = n3 * z31;
-    const Scalar z77 = n3 * z34;
-    const Scalar z83 = n3 * z32;
-    const Scalar z86 = n3 * z33;
-    const Scalar z27 = z3 * s_phi - c_phi * z21;
-    const Scalar z28 = z3 * c_phi + s_phi * z21;
-    const Scalar z29 = z4 * s_phi + c_phi * z23;
-    const Scalar z30 = z4 * c_phi - s_phi * z23;
-    const Scalar z36 = v_phi * z22;  // angular velocity of rotor, x
-    const Scalar z37 = v_phi * z24;  // angular velocity of rotor, y
-    const Scalar z80 = c_theta * z77 - z32 * z76;
-    const Scalar z89 = c_theta * z86 - z31 * z76;
-    const Scalar z39 = s_alpha * z22 + c_alpha * z28;
-    const Scalar z40 = s_alpha * z28 - c_alpha * z22;
-    const Scalar z41 = s_alpha * z24 - c_alpha * z30;
-    const Scalar z42 = c_alpha * z24 + s_alpha * z30;
-    const Scalar z47 = s_alpha * z22 - c_alpha * z27;
-    const Scalar z48 = c_alpha * z22 + s_alpha * z27;
-    const Scalar z49 = s_alpha * z24 + c_alpha * z29;
-    const Scalar z50 = s_alpha * z29 - c_alpha * z24;
-    const Scalar z55 = s_alpha * z22 - c_alpha * z28;
-    const Scalar z71 = n3 * z27;
-    const Scalar z72 = n3 * z29;
-    const Scalar z81 = n3 * z28;
-    const Scalar z82 = n3 * z30;
-    const Scalar z56 = c_alpha * z22 + s_alpha * z28;
-    const Scalar z57 = s_alpha * z24 + c_alpha * z30;
-    const Scalar z58 = s_alpha * z30 - c_alpha * z24;
-    const Scalar z63 = s_alpha * z22 + c_alpha * z27;
-    const Scalar z64 = s_alpha * z27 - c_alpha * z22;
-    const Scalar z65 = s_alpha * z24 - c_alpha * z29;
-    const Scalar z66 = c_alpha * z24 + s_alpha * z29;
-    const Scalar z74 = z16 - z71;
-    const Scalar z75 = z17 + z72;
-    const Scalar z78 = z19 + z22 * z77 + z28 * z76;
-    const Scalar z79 = z20 - z24 * z77 + z30 * z76;
-    const Scalar z84 = z16 - z81;
-    const Scalar z85 = z17 + z82;
-    const Scalar z87 = z19 + z22 * z86 - z27 * z76;
-    const Scalar z88 = z20 - z24 * z86 - z29 * z76;
-    const Scalar z90 = z16 + z71;
-    const Scalar z91 = z17 - z72;
-    const Scalar z92 = z19 - z22 * z77 - z28 * z76;
-    const Scalar z93 = z20 + z24 * z77 - z30 * z76;
-    const Scalar z94 = z16 + z81;
-    const Scalar z95 = z17 - z82;
-    const Scalar z96 = z19 - z22 * z86 + z27 * z76;
-    const Scalar z97 = z20 + z24 * z86 + z29 * z76;
-    result.span_1_position[0] = z74;
-    result.span_1_position[1] = z75;
-    result.span_1_position[2] = z73;
-    result.span_1_rotation[0] = -z27;
-    result.span_1_rotation[1] = z29;
-    result.span_1_rotation[2] = z31;
-    result.span_1_rotation[3] = -z28;
-    result.span_1_rotation[4] = z30;
-    result.span_1_rotation[5] = -z32;
-    result.span_1_rotation[6] = -z22;
-    result.span_1_rotation[7] = -z24;
+    const Scalar s_phi = sines_[0], c_phi = cosines_[0];
+    const Scalar z125 = sines_[1], z126 = cosines_[1];
+    const Scalar z133 = c_theta * z125;
+    const Scalar z141 = c_phi * z25;
+    const Scalar z142 = s_phi * z25;
+    const Scalar z131 = c_theta * z126;
+    const Scalar z129 = z18 * z125;  // velocity of outwards, x
+    const Scalar z130 = z18 * z126;  // velocity of outwards, y
+    const Scalar z132 = s_theta * z126;
+    const Scalar z134 = s_theta * z125;
+    const Scalar z143 = v_phi + z26;
+    const Scalar z139 = s_theta * c_phi;
+    const Scalar z140 = s_theta * s_phi;
+    const Scalar z180 = n3 * z143;
+    const Scalar z127 = n100 * z126;
+    const Scalar z128 = n100 * z125;
+    const Scalar z146 = p_omega + c_theta * v_phi;  // angular velocity of rotor, z
+    const Scalar z155 = c_alpha * z140 - z98;
+    const Scalar z156 = s_alpha * z140 + z99;
+    const Scalar z161 = c_alpha * z139 - z98;
+    const Scalar z162 = s_alpha * z139 + z99;
+    const Scalar z167 = c_alpha * z140 + z98;
+    const Scalar z168 = s_alpha * z140 - z99;
+    const Scalar z173 = c_alpha * z139 + z98;
+    const Scalar z174 = s_alpha * z139 - z99;
+    const Scalar z177 = n3 * z139;
+    const Scalar z181 = n3 * z142;
+    const Scalar z187 = n3 * z140;
+    const Scalar z190 = n3 * z141;
+    const Scalar z135 = s_phi * z125 - c_phi * z131;
+    const Scalar z136 = c_phi * z125 + s_phi * z131;
+    const Scalar z137 = s_phi * z126 + c_phi * z133;
+    const Scalar z138 = s_phi * z133 - c_phi * z126;
+    const Scalar z144 = v_phi * z132;  // angular velocity of rotor, x
+    const Scalar z145 = v_phi * z134;  // angular velocity of rotor, y
+    const Scalar z147 = s_alpha * z132;
+    const Scalar z149 = c_alpha * z132;
+    const Scalar z151 = s_alpha * z134;
+    const Scalar z153 = c_alpha * z134;
+    const Scalar z184 = c_theta * z181 - z140 * z180;
+    const Scalar z193 = c_theta * z190 - z139 * z180;
+    const Scalar z148 = c_alpha * z136 + z147;
+    const Scalar z150 = s_alpha * z136 - z149;
+    const Scalar z157 = c_alpha * z135 - z147;
+    const Scalar z158 = s_alpha * z135 + z149;
+    const Scalar z159 = c_alpha * z137 + z151;
+    const Scalar z160 = s_alpha * z137 - z153;
+    const Scalar z163 = c_alpha * z136 - z147;
+    const Scalar z164 = s_alpha * z136 + z149;
+    const Scalar z169 = c_alpha * z135 + z147;
+    const Scalar z170 = s_alpha * z135 - z149;
+    const Scalar z171 = c_alpha * z137 - z151;
+    const Scalar z172 = s_alpha * z137 + z153;
+    const Scalar z175 = n3 * z135;
+    const Scalar z176 = n3 * z137;
+    const Scalar z182 = z129 + z132 * z181 + z136 * z180;
+    const Scalar z185 = n3 * z136;
+    const Scalar z191 = z129 + z132 * z190 - z135 * z180;
+    const Scalar z192 = z130 - z134 * z190 - z137 * z180;
+    const Scalar z186 = n3 * z138;
+    const Scalar z152 = c_alpha * z138 + z151;
+    const Scalar z154 = s_alpha * z138 - z153;
+    const Scalar z165 = c_alpha * z138 - z151;
+    const Scalar z166 = s_alpha * z138 + z153;
+    const Scalar z178 = z127 - z175;
+    const Scalar z179 = z128 + z176;
+    const Scalar z183 = z130 - z134 * z181 - z138 * z180;
+    const Scalar z188 = z127 - z185;
+    const Scalar z189 = z128 - z186;
+    const Scalar z194 = z127 + z175;
+    const Scalar z195 = z128 - z176;
+    const Scalar z196 = z129 - z132 * z181 - z136 * z180;
+    const Scalar z197 = z130 + z134 * z181 + z138 * z180;
+    const Scalar z198 = z127 + z185;
+    const Scalar z199 = z128 + z186;
+    const Scalar z200 = z129 - z132 * z190 + z135 * z180;
+    const Scalar z201 = z130 + z134 * z190 + z137 * z180;
+    result.span_1_position[0] = z178;
+    result.span_1_position[1] = z179;
+    result.span_1_position[2] = z177;
+    result.span_1_rotation[0] = -z135;
+    result.span_1_rotation[1] = z137;
+    result.span_1_rotation[2] = z139;
+    result.span_1_rotation[3] = -z136;
+    result.span_1_rotation[4] = -z138;
+    result.span_1_rotation[5] = -z140;
+    result.span_1_rotation[6] = -z132;
+    result.span_1_rotation[7] = -z134;
     result.span_1_rotation[8] = c_theta;
-    result.span_1_velocity[0] = -z78;
-    result.span_1_velocity[1] = z79;
-    result.span_1_velocity[2] = z80;
-    result.span_1_angular_velocity[0] = -z36;
-    result.span_1_angular_velocity[1] = -z37;
-    result.span_1_angular_velocity[2] = z38;
-    result.blade_1_position[0] = z16;
-    result.blade_1_position[1] = z17;
+    result.span_1_velocity[0] = -z182;
+    result.span_1_velocity[1] = z183;
+    result.span_1_velocity[2] = z184;
+    result.span_1_angular_velocity[0] = -z144;
+    result.span_1_angular_velocity[1] = -z145;
+    result.span_1_angular_velocity[2] = z146;
+    result.blade_1_position[0] = z127;
+    result.blade_1_position[1] = z128;
     result.blade_1_position[2] = n0;
-    result.blade_1_rotation[0] = -z27;
-    result.blade_1_rotation[1] = z29;
-    result.blade_1_rotation[2] = z31;
-    result.blade_1_rotation[3] = -z39;
-    result.blade_1_rotation[4] = -z41;
-    result.blade_1_rotation[5] = z43;
-    result.blade_1_rotation[6] = z40;
-    result.blade_1_rotation[7] = -z42;
-    result.blade_1_rotation[8] = z44;
-    result.blade_1_velocity[0] = -z19;
-    result.blade_1_velocity[1] = z20;
+    result.blade_1_rotation[0] = -z135;
+    result.blade_1_rotation[1] = z137;
+    result.blade_1_rotation[2] = z139;
+    result.blade_1_rotation[3] = -z148;
+    result.blade_1_rotation[4] = -z152;
+    result.blade_1_rotation[5] = -z155;
+    result.blade_1_rotation[6] = z150;
+    result.blade_1_rotation[7] = z154;
+    result.blade_1_rotation[8] = z156;
+    result.blade_1_velocity[0] = -z129;
+    result.blade_1_velocity[1] = z130;
     result.blade_1_velocity[2] = n0;
-    result.blade_1_angular_velocity[0] = -z36;
-    result.blade_1_angular_velocity[1] = -z37;
-    result.blade_1_angular_velocity[2] = z38;
-    result.span_2_position[0] = z84;
-    result.span_2_position[1] = z85;
-    result.span_2_position[2] = -z83;
-    result.span_2_rotation[0] = -z28;
-    result.span_2_rotation[1] = z30;
-    result.span_2_rotation[2] = -z32;
-    result.span_2_rotation[3] = z27;
-    result.span_2_rotation[4] = -z29;
-    result.span_2_rotation[5] = -z31;
-    result.span_2_rotation[6] = -z22;
-    result.span_2_rotation[7] = -z24;
+    result.blade_1_angular_velocity[0] = -z144;
+    result.blade_1_angular_velocity[1] = -z145;
+    result.blade_1_angular_velocity[2] = z146;
+    result.span_2_position[0] = z188;
+    result.span_2_position[1] = z189;
+    result.span_2_position[2] = -z187;
+    result.span_2_rotation[0] = -z136;
+    result.span_2_rotation[1] = -z138;
+    result.span_2_rotation[2] = -z140;
+    result.span_2_rotation[3] = z135;
+    result.span_2_rotation[4] = -z137;
+    result.span_2_rotation[5] = -z139;
+    result.span_2_rotation[6] = -z132;
+    result.span_2_rotation[7] = -z134;
     result.span_2_rotation[8] = c_theta;
-    result.span_2_velocity[0] = -z87;
-    result.span_2_velocity[1] = z88;
-    result.span_2_velocity[2] = z89;
-    result.span_2_angular_velocity[0] = -z36;
-    result.span_2_angular_velocity[1] = -z37;
-    result.span_2_angular_velocity[2] = z38;
-    result.blade_2_position[0] = z16;
-    result.blade_2_position[1] = z17;
+    result.span_2_velocity[0] = -z191;
+    result.span_2_velocity[1] = z192;
+    result.span_2_velocity[2] = z193;
+    result.span_2_angular_velocity[0] = -z144;
+    result.span_2_angular_velocity[1] = -z145;
+    result.span_2_angular_velocity[2] = z146;
+    result.blade_2_position[0] = z127;
+    result.blade_2_position[1] = z128;
     result.blade_2_position[2] = n0;
-    result.blade_2_rotation[0] = -z28;
-    result.blade_2_rotation[1] = z30;
-    result.blade_2_rotation[2] = -z32;
-    result.blade_2_rotation[3] = -z47;
-    result.blade_2_rotation[4] = -z49;
-    result.blade_2_rotation[5] = z51;
-    result.blade_2_rotation[6] = -z48;
-    result.blade_2_rotation[7] = z50;
-    result.blade_2_rotation[8] = z52;
-    result.blade_2_velocity[0] = -z19;
-    result.blade_2_velocity[1] = z20;
+    result.blade_2_rotation[0] = -z136;
+    result.blade_2_rotation[1] = -z138;
+    result.blade_2_rotation[2] = -z140;
+    result.blade_2_rotation[3] = z157;
+    result.blade_2_rotation[4] = -z159;
+    result.blade_2_rotation[5] = -z161;
+    result.blade_2_rotation[6] = -z158;
+    result.blade_2_rotation[7] = z160;
+    result.blade_2_rotation[8] = z162;
+    result.blade_2_velocity[0] = -z129;
+    result.blade_2_velocity[1] = z130;
     result.blade_2_velocity[2] = n0;
-    result.blade_2_angular_velocity[0] = -z36;
-    result.blade_2_angular_velocity[1] = -z37;
-    result.blade_2_angular_velocity[2] = z38;
-    result.span_3_position[0] = z90;
-    result.span_3_position[1] = z91;
-    result.span_3_position[2] = -z73;
-    result.span_3_rotation[0] = z27;
-    result.span_3_rotation[1] = -z29;
-    result.span_3_rotation[2] = -z31;
-    result.span_3_rotation[3] = z28;
-    result.span_3_rotation[4] = -z30;
-    result.span_3_rotation[5] = z32;
-    result.span_3_rotation[6] = -z22;
-    result.span_3_rotation[7] = -z24;
+    result.blade_2_angular_velocity[0] = -z144;
+    result.blade_2_angular_velocity[1] = -z145;
+    result.blade_2_angular_velocity[2] = z146;
+    result.span_3_position[0] = z194;
+    result.span_3_position[1] = z195;
+    result.span_3_position[2] = -z177;
+    result.span_3_rotation[0] = z135;
+    result.span_3_rotation[1] = -z137;
+    result.span_3_rotation[2] = -z139;
+    result.span_3_rotation[3] = z136;
+    result.span_3_rotation[4] = z138;
+    result.span_3_rotation[5] = z140;
+    result.span_3_rotation[6] = -z132;
+    result.span_3_rotation[7] = -z134;
     result.span_3_rotation[8] = c_theta;
-    result.span_3_velocity[0] = -z92;
-    result.span_3_velocity[1] = z93;
-    result.span_3_velocity[2] = -z80;
-    result.span_3_angular_velocity[0] = -z36;
-    result.span_3_angular_velocity[1] = -z37;
-    result.span_3_angular_velocity[2] = z38;
-    result.blade_3_position[0] = z16;
-    result.blade_3_position[1] = z17;
+    result.span_3_velocity[0] = -z196;
+    result.span_3_velocity[1] = z197;
+    result.span_3_velocity[2] = -z184;
+    result.span_3_angular_velocity[0] = -z144;
+    result.span_3_angular_velocity[1] = -z145;
+    result.span_3_angular_velocity[2] = z146;
+    result.blade_3_position[0] = z127;
+    result.blade_3_position[1] = z128;
     result.blade_3_position[2] = n0;
-    result.blade_3_rotation[0] = z27;
-    result.blade_3_rotation[1] = -z29;
-    result.blade_3_rotation[2] = -z31;
-    result.blade_3_rotation[3] = -z55;
-    result.blade_3_rotation[4] = -z57;
-    result.blade_3_rotation[5] = z59;
-    result.blade_3_rotation[6] = -z56;
-    result.blade_3_rotation[7] = z58;
-    result.blade_3_rotation[8] = z60;
-    result.blade_3_velocity[0] = -z19;
-    result.blade_3_velocity[1] = z20;
+    result.blade_3_rotation[0] = z135;
+    result.blade_3_rotation[1] = -z137;
+    result.blade_3_rotation[2] = -z139;
+    result.blade_3_rotation[3] = z163;
+    result.blade_3_rotation[4] = z165;
+    result.blade_3_rotation[5] = z167;
+    result.blade_3_rotation[6] = -z164;
+    result.blade_3_rotation[7] = -z166;
+    result.blade_3_rotation[8] = -z168;
+    result.blade_3_velocity[0] = -z129;
+    result.blade_3_velocity[1] = z130;
     result.blade_3_velocity[2] = n0;
-    result.blade_3_angular_velocity[0] = -z36;
-    result.blade_3_angular_velocity[1] = -z37;
-    result.blade_3_angular_velocity[2] = z38;
-    result.span_4_position[0] = z94;
-    result.span_4_position[1] = z95;
-    result.span_4_position[2] = z83;
-    result.span_4_rotation[0] = z28;
-    result.span_4_rotation[1] = -z30;
-    result.span_4_rotation[2] = z32;
-    result.span_4_rotation[3] = -z27;
-    result.span_4_rotation[4] = z29;
-    result.span_4_rotation[5] = z31;
-    result.span_4_rotation[6] = -z22;
-    result.span_4_rotation[7] = -z24;
+    result.blade_3_angular_velocity[0] = -z144;
+    result.blade_3_angular_velocity[1] = -z145;
+    result.blade_3_angular_velocity[2] = z146;
+    result.span_4_position[0] = z198;
+    result.span_4_position[1] = z199;
+    result.span_4_position[2] = z187;
+    result.span_4_rotation[0] = z136;
+    result.span_4_rotation[1] = z138;
+    result.span_4_rotation[2] = z140;
+    result.span_4_rotation[3] = -z135;
+    result.span_4_rotation[4] = z137;
+    result.span_4_rotation[5] = z139;
+    result.span_4_rotation[6] = -z132;
+    result.span_4_rotation[7] = -z134;
     result.span_4_rotation[8] = c_theta;
-    result.span_4_velocity[0] = -z96;
-    result.span_4_velocity[1] = z97;
-    result.span_4_velocity[2] = -z89;
-    result.span_4_angular_velocity[0] = -z36;
-    result.span_4_angular_velocity[1] = -z37;
-    result.span_4_angular_velocity[2] = z38;
-    result.blade_4_position[0] = z16;
-    result.blade_4_position[1] = z17;
+    result.span_4_velocity[0] = -z200;
+    result.span_4_velocity[1] = z201;
+    result.span_4_velocity[2] = -z193;
+    result.span_4_angular_velocity[0] = -z144;
+    result.span_4_angular_velocity[1] = -z145;
+    result.span_4_angular_velocity[2] = z146;
+    result.blade_4_position[0] = z127;
+    result.blade_4_position[1] = z128;
     result.blade_4_position[2] = n0;
-    result.blade_4_rotation[0] = z28;
-    result.blade_4_rotation[1] = -z30;
-    result.blade_4_rotation[2] = z32;
-    result.blade_4_rotation[3] = -z63;
-    result.blade_4_rotation[4] = -z65;
-    result.blade_4_rotation[5] = z67;
-    result.blade_4_rotation[6] = z64;
-    result.blade_4_rotation[7] = -z66;
-    result.blade_4_rotation[8] = z68;
-    result.blade_4_velocity[0] = -z19;
-    result.blade_4_velocity[1] = z20;
+    result.blade_4_rotation[0] = z136;
+    result.blade_4_rotation[1] = z138;
+    result.blade_4_rotation[2] = z140;
+    result.blade_4_rotation[3] = -z169;
+    result.blade_4_rotation[4] = z171;
+    result.blade_4_rotation[5] = z173;
+    result.blade_4_rotation[6] = z170;
+    result.blade_4_rotation[7] = -z172;
+    result.blade_4_rotation[8] = -z174;
+    result.blade_4_velocity[0] = -z129;
+    result.blade_4_velocity[1] = z130;
     result.blade_4_velocity[2] = n0;
-    result.blade_4_angular_velocity[0] = -z36;
-    result.blade_4_angular_velocity[1] = -z37;
-    result.blade_4_angular_velocity[2] = z38;
-    result.A_position[0] = z16;
-    result.A_position[1] = z17;
+    result.blade_4_angular_velocity[0] = -z144;
+    result.blade_4_angular_velocity[1] = -z145;
+    result.blade_4_angular_velocity[2] = z146;
+    result.A_position[0] = z127;
+    result.A_position[1] = z128;
     result.A_position[2] = n0;
-    result.A_velocity[0] = -z19;
-    result.A_velocity[1] = z20;
+    result.A_velocity[0] = -z129;
+    result.A_velocity[1] = z130;
     result.A_velocity[2] = n0;
     result.A_jacobian[0] = n0;
     result.A_jacobian[1] = n0;
@@ -1037,8 +1050,8 @@ struct Mechanism {
   /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
   TORSOR_DEVICE static void mass_matrix(const Precomputed& precomputed, const State&,
       std::array<Scalar, 1>& mass) noexcept {
-    const Scalar z117 = precomputed.z117;
-    mass[0] = -z117;
+    const Scalar z221 = precomputed.z221;
+    mass[0] = -z221;
   }
 
   /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
@@ -1052,9 +1065,9 @@ struct Mechanism {
   TORSOR_DEVICE static void inverse_dynamics(const Precomputed& precomputed, const State&,
       const Accelerations& accelerations, const Multipliers&, GeneralizedForces& forces) noexcept {
     const Scalar a_phi = accelerations.phi;
-    const Scalar z117 = precomputed.z117;
-    const Scalar z242 = a_phi * z117;
-    forces.phi = -z242;
+    const Scalar z221 = precomputed.z221;
+    const Scalar z346 = a_phi * z221;
+    forces.phi = -z346;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -1065,11 +1078,11 @@ struct Mechanism {
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar u_C = inputs.C;
-    const Scalar z117 = precomputed.z117;
-    const Scalar z243 = precomputed.z243;
-    const Scalar z244 = u_C * z243;
-    accelerations.phi = -z244;
-    if (!(traits::regular(-z117, -z117))) return torsor::Status::singular;
+    const Scalar z221 = precomputed.z221;
+    const Scalar z347 = precomputed.z347;
+    const Scalar z348 = u_C * z347;
+    accelerations.phi = -z348;
+    if (!(traits::regular(-z221, -z221))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.phi;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -1094,17 +1107,18 @@ struct Mechanism {
     const Scalar z26 = precomputed.z26;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z33 = c_phi * z25;
-    const Scalar z34 = s_phi * z25;
-    const Scalar z35 = v_phi + z26;
-    const Scalar z245 = s_phi * z18;
-    const Scalar z246 = c_phi * z18;
-    const Scalar z46 = c_alpha * z35 + s_alpha * z34;
-    const Scalar z54 = c_alpha * z35 + s_alpha * z33;
-    const Scalar z62 = s_alpha * z34 - c_alpha * z35;
-    const Scalar z70 = s_alpha * z33 - c_alpha * z35;
-    result.kinetic = n665 * z35 * z35 + n332_9 * (z33 * z33 + z34 * z34) + n60 * (z245 * z245 + z246 * z246) + n0_2
-        * (z46 * z46 + z54 * z54 + z62 * z62 + z70 * z70);
+    const Scalar z360 = v_phi + z26;
+    const Scalar z358 = c_phi * z25;
+    const Scalar z359 = s_phi * z25;
+    const Scalar z366 = s_phi * z18;
+    const Scalar z367 = c_phi * z18;
+    const Scalar z361 = c_alpha * z360;
+    const Scalar z362 = s_alpha * z359 + z361;
+    const Scalar z363 = s_alpha * z358 + z361;
+    const Scalar z364 = s_alpha * z359 - z361;
+    const Scalar z365 = s_alpha * z358 - z361;
+    result.kinetic = n665 * z360 * z360 + n332_9 * (z358 * z358 + z359 * z359) + n60 * (z366 * z366 + z367 * z367)
+        + n0_2 * (z362 * z362 + z363 * z363 + z364 * z364 + z365 * z365);
     result.force_function = n0;
     result.power = v_phi * u_C;
   }
@@ -1115,7 +1129,6 @@ struct Mechanism {
       const Accelerations& accelerations, const Multipliers&, const Inputs&, Reactions& result) noexcept {
     const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
     const Scalar n1330 = traits::constant(1330.0, 1330.0f, "1330/1");
-    const Scalar n665 = traits::constant(665.0, 665.0f, "665/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_phi = state.q.phi;
     const Scalar v_phi = state.v.phi;
@@ -1124,68 +1137,71 @@ struct Mechanism {
     const Scalar c_alpha = precomputed.c_alpha;
     const Scalar z25 = precomputed.z25;
     const Scalar z26 = precomputed.z26;
-    const Scalar z205 = precomputed.z205;
-    const Scalar z209 = precomputed.z209;
+    const Scalar z313 = precomputed.z313;
+    const Scalar z393 = precomputed.z393;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z35 = v_phi + z26;
-    const Scalar z34 = s_phi * z25;
-    const Scalar z33 = c_phi * z25;
-    const Scalar z45 = s_alpha * z35 - c_alpha * z34;
-    const Scalar z46 = c_alpha * z35 + s_alpha * z34;
-    const Scalar z53 = s_alpha * z35 - c_alpha * z33;
-    const Scalar z54 = c_alpha * z35 + s_alpha * z33;
-    const Scalar z61 = s_alpha * z35 + c_alpha * z34;
-    const Scalar z62 = s_alpha * z34 - c_alpha * z35;
-    const Scalar z69 = s_alpha * z35 + c_alpha * z33;
-    const Scalar z70 = s_alpha * z33 - c_alpha * z35;
-    const Scalar z156 = v_phi * z34;  // angular acceleration of rotor, x
-    const Scalar z157 = v_phi * z33;  // angular acceleration of rotor, y
-    const Scalar z198 = z34 * z35;
-    const Scalar z199 = z33 * z35;
-    const Scalar z211 = a_phi * c_alpha + s_alpha * z157;
-    const Scalar z213 = a_phi * c_alpha - s_alpha * z156;
-    const Scalar z215 = a_phi * c_alpha - s_alpha * z157;
-    const Scalar z217 = a_phi * c_alpha + s_alpha * z156;
-    const Scalar z171 = z34 * z69;
-    const Scalar z178 = z33 * z61;
-    const Scalar z184 = z53 * z54;
-    const Scalar z185 = z34 * z53;
-    const Scalar z191 = z45 * z46;
-    const Scalar z192 = z33 * z45;
-    const Scalar z170 = z69 * z70;
-    const Scalar z177 = z61 * z62;
-    const Scalar z187 = n0_4 * (z157 - z184);  // moment on blade_2, x
-    const Scalar z194 = n0_4 * (z156 - z191);  // moment on blade_1, x
-    const Scalar z218 = z171 - z217;
-    const Scalar z222 = z178 + z215;
-    const Scalar z226 = z185 + z213;
-    const Scalar z230 = z192 - z211;
-    const Scalar z173 = n0_4 * (z157 - z170);  // moment on blade_4, x
-    const Scalar z180 = n0_4 * (z156 - z177);  // moment on blade_3, x
-    const Scalar z219 = n0_4 * z218;  // moment on blade_4, z
-    const Scalar z223 = n0_4 * z222;  // moment on blade_3, z
-    const Scalar z227 = n0_4 * z226;  // moment on blade_2, z
-    const Scalar z231 = n0_4 * z230;  // moment on blade_1, z
-    const Scalar z220 = s_alpha * z219;
-    const Scalar z221 = c_alpha * z219;
-    const Scalar z224 = s_alpha * z223;
-    const Scalar z225 = c_alpha * z223;
-    const Scalar z228 = s_alpha * z227;
-    const Scalar z229 = c_alpha * z227;
-    const Scalar z232 = s_alpha * z231;
-    const Scalar z233 = c_alpha * z231;
-    const Scalar z234 = n1330 * z198 + z194 + z180 - z220 - z228;  // moment on rotor, x
-    const Scalar z235 = n1330 * z199 + z187 + z173 - z224 - z232;  // moment on rotor, y
-    const Scalar z236 = n1330 * a_phi - z221 + z225 + z229 - z233;  // moment on rotor, z
-    const Scalar z238 = s_phi * z234 + c_phi * z235;
-    const Scalar z239 = n665 * z205 - z238;  // moment on pitch, y
-    result.X = -z209;
+    const Scalar z396 = v_phi + z26;
+    const Scalar z395 = s_phi * z25;
+    const Scalar z394 = c_phi * z25;
+    const Scalar z423 = a_phi * c_alpha;
+    const Scalar z397 = s_alpha * z396;
+    const Scalar z399 = c_alpha * z396;
+    const Scalar z398 = c_alpha * z395 - z397;
+    const Scalar z400 = s_alpha * z395 + z399;
+    const Scalar z401 = c_alpha * z394 - z397;
+    const Scalar z402 = s_alpha * z394 + z399;
+    const Scalar z403 = c_alpha * z395 + z397;
+    const Scalar z404 = s_alpha * z395 - z399;
+    const Scalar z405 = c_alpha * z394 + z397;
+    const Scalar z406 = s_alpha * z394 - z399;
+    const Scalar z407 = v_phi * z395;  // angular acceleration of rotor, x
+    const Scalar z408 = v_phi * z394;  // angular acceleration of rotor, y
+    const Scalar z421 = z395 * z396;
+    const Scalar z422 = z394 * z396;
+    const Scalar z424 = s_alpha * z408 + z423;
+    const Scalar z425 = s_alpha * z407 - z423;
+    const Scalar z426 = s_alpha * z408 - z423;
+    const Scalar z427 = s_alpha * z407 + z423;
+    const Scalar z409 = z405 * z406;
+    const Scalar z410 = z395 * z405;
+    const Scalar z412 = z403 * z404;
+    const Scalar z413 = z394 * z403;
+    const Scalar z415 = z401 * z402;
+    const Scalar z416 = z395 * z401;
+    const Scalar z418 = z398 * z400;
+    const Scalar z419 = z394 * z398;
+    const Scalar z411 = n0_4 * (z408 - z409);  // moment on blade_4, x
+    const Scalar z414 = n0_4 * (z407 - z412);  // moment on blade_3, x
+    const Scalar z417 = n0_4 * (z408 + z415);  // moment on blade_2, x
+    const Scalar z420 = n0_4 * (z407 + z418);  // moment on blade_1, x
+    const Scalar z428 = z410 - z427;
+    const Scalar z432 = z413 - z426;
+    const Scalar z436 = z416 + z425;
+    const Scalar z440 = z419 + z424;
+    const Scalar z429 = n0_4 * z428;  // moment on blade_4, z
+    const Scalar z433 = n0_4 * z432;  // moment on blade_3, z
+    const Scalar z437 = n0_4 * z436;  // moment on blade_2, z
+    const Scalar z441 = n0_4 * z440;  // moment on blade_1, z
+    const Scalar z430 = s_alpha * z429;
+    const Scalar z431 = c_alpha * z429;
+    const Scalar z434 = s_alpha * z433;
+    const Scalar z435 = c_alpha * z433;
+    const Scalar z438 = s_alpha * z437;
+    const Scalar z439 = c_alpha * z437;
+    const Scalar z442 = s_alpha * z441;
+    const Scalar z443 = c_alpha * z441;
+    const Scalar z444 = z414 + z420 + n1330 * z421 - z430 + z438;  // moment on rotor, x
+    const Scalar z445 = z411 + z417 + n1330 * z422 - z434 + z442;  // moment on rotor, y
+    const Scalar z446 = n1330 * a_phi - z431 + z435 - z439 + z443;  // moment on rotor, z
+    const Scalar z447 = s_phi * z444 + c_phi * z445;
+    const Scalar z448 = z393 - z447;  // moment on pitch, y
+    result.X = -z313;
     result.Y = n0;
     result.Z = n0;
     result.M_x = n0;
-    result.M_y = z239;
-    result.M_z = z236;
+    result.M_y = z448;
+    result.M_z = z446;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -1196,21 +1212,21 @@ struct Mechanism {
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar a_phi = accelerations.phi;
     const Scalar u_C = inputs.C;
-    const Scalar z117 = precomputed.z117;
-    const Scalar z243 = precomputed.z243;
-    const Scalar z242 = a_phi * z117;
-    result.M[0] = -z117;
+    const Scalar z221 = precomputed.z221;
+    const Scalar z347 = precomputed.z347;
+    const Scalar z346 = a_phi * z221;
+    result.M[0] = -z221;
     result.C[0] = n0;
     result.K[0] = n0;
-    result.F[0] = u_C + z242;
+    result.F[0] = u_C + z346;
     result.E[0] = n1;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n1;
     result.A[3] = n0;
     result.B[0] = n0;
-    result.B[1] = -z243;
-    if (!(traits::regular(-z117, -z117))) return torsor::Status::singular;
+    result.B[1] = -z347;
+    if (!(traits::regular(-z221, -z221))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * result.M[0] * result.F[0] * result.B[1];
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;

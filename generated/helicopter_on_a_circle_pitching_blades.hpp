@@ -10,14 +10,14 @@
 // costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
 // joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   precompute                0                7          0             0                  1       0      9       -
+//   precompute                0                9          0             0                  1       0     11       -
 //   kinematics               68              113          0             0                  6       0    193     198
 //   mass_matrix               4                8          0             0                  4       0     20      20
 //   bias                     56               69          0             0                  5       0    135     160
 //   inverse_dynamics         65               74          0             0                  5       0    149     174
 //   forward_dynamics         61               82          1             0                  5       0    154     179
-//   energy                   40               54          0             0                  5       0    104     124
-//   reactions                48               66          0             0                  5       0    124     153
+//   energy                   40               53          0             0                  5       0    103     124
+//   reactions                48               65          0             0                  5       0    123     153
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 165 results 25 vanish identically, 68 repeat another up to sign
@@ -120,8 +120,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
-  /// number gives no number.
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
   ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
@@ -339,7 +338,7 @@ TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& a
     const Bits bits = (Bits)shifted.part[i];
     const Bits odd = bits << sign_bit, upper = bits << (sign_bit - 1);
     Numbers sine_of_rest, cosine_of_rest;
-    if constexpr (sizeof(Numbers) == 32) {  // AVX has an instruction that looks at the bit of the sign
+    if constexpr (sizeof(Numbers) >= 32) {  // AVX has instructions that choose by the bit of the sign
       const Bits exchanged = odd < Bits{};
       sine_of_rest = exchanged ? c : s;
       cosine_of_rest = exchanged ? s : c;
@@ -504,7 +503,7 @@ struct Mechanism {
 
   static constexpr const char* name = "helicopter_on_a_circle_pitching_blades";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x3fb4f5dfe971c2b0ULL;
+  static constexpr unsigned long long fingerprint = 0x1d5c83c203aeb76eULL;
   static constexpr int coordinate_count = 5;
   static constexpr int velocity_count = 5;
   static constexpr int input_count = 1;
@@ -641,8 +640,9 @@ struct Mechanism {
     Scalar z35;
     Scalar z42;
     Scalar z43;
-    Scalar z300;
-    Scalar z304;  ///< force on upwards, x
+    Scalar z312;  ///< force on upwards, x
+    Scalar z397;
+    Scalar z425;
   };
 
   /// Values of the scene.
@@ -668,24 +668,30 @@ struct Mechanism {
     precomputed.parameters = parameters;
     const Scalar n100 = traits::constant(100.0, 100.0f, "100/1");
     const Scalar n120 = traits::constant(120.0, 120.0f, "120/1");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n665 = traits::constant(665.0, 665.0f, "665/1");
     const Scalar p_omega = parameters.omega;
     const Scalar p_theta = parameters.theta;
+    const Scalar p_k = parameters.k;
     Scalar s_theta, c_theta;
     traits::sincos(p_theta, s_theta, c_theta);
     const Scalar z35 = n100 * p_omega;
     const Scalar z42 = p_omega * s_theta;
     const Scalar z43 = p_omega * c_theta;
-    const Scalar z233 = p_omega * p_omega;
-    const Scalar z234 = n100 * z233;
-    const Scalar z300 = z42 * z43;
-    const Scalar z304 = n120 * z234;  // force on upwards, x
+    const Scalar z241 = p_omega * p_omega;
+    const Scalar z242 = n100 * z241;
+    const Scalar z308 = z42 * z43;
+    const Scalar z312 = n120 * z242;  // force on upwards, x
+    const Scalar z397 = n0_5 * p_k;
+    const Scalar z425 = n665 * z308;
     precomputed.s_theta = s_theta;
     precomputed.c_theta = c_theta;
     precomputed.z35 = z35;
     precomputed.z42 = z42;
     precomputed.z43 = z43;
-    precomputed.z300 = z300;
-    precomputed.z304 = z304;
+    precomputed.z312 = z312;
+    precomputed.z397 = z397;
+    precomputed.z425 = z425;
     return precomputed;
   }
 
@@ -1086,19 +1092,19 @@ struct Mechanism {
     const Scalar s_alpha_2 = sines_[1];
     const Scalar s_alpha_3 = sines_[2];
     const Scalar s_alpha_4 = sines_[3];
-    const Scalar z135 = n0_4 * s_alpha_4;
-    const Scalar z143 = n0_4 * s_alpha_3;
-    const Scalar z151 = n0_4 * s_alpha_2;
-    const Scalar z160 = n0_4 * s_alpha_1;
-    const Scalar z138 = s_alpha_4 * z135;
-    const Scalar z146 = s_alpha_3 * z143;
-    const Scalar z154 = s_alpha_2 * z151;
-    const Scalar z163 = s_alpha_1 * z160;
-    const Scalar z140 = n1331_6 - z138;
-    const Scalar z150 = z140 - z146;
-    const Scalar z159 = z150 - z154;
-    const Scalar z168 = z159 - z163;
-    mass[0] = z168;
+    const Scalar z143 = n0_4 * s_alpha_4;
+    const Scalar z151 = n0_4 * s_alpha_3;
+    const Scalar z159 = n0_4 * s_alpha_2;
+    const Scalar z168 = n0_4 * s_alpha_1;
+    const Scalar z146 = s_alpha_4 * z143;
+    const Scalar z154 = s_alpha_3 * z151;
+    const Scalar z162 = s_alpha_2 * z159;
+    const Scalar z171 = s_alpha_1 * z168;
+    const Scalar z148 = n1331_6 - z146;
+    const Scalar z158 = z148 - z154;
+    const Scalar z167 = z158 - z162;
+    const Scalar z176 = z167 - z171;
+    mass[0] = z176;
     mass[1] = n0;
     mass[2] = n0;
     mass[3] = n0;
@@ -1157,12 +1163,12 @@ struct Mechanism {
     const Scalar z52 = v_phi + z43;
     const Scalar z50 = c_phi * z42;
     const Scalar z51 = s_phi * z42;
-    const Scalar z216 = v_phi * s_phi;
-    const Scalar z214 = p_alpha - q_alpha_1 + c_phi * p_alpha_c;
-    const Scalar z225 = q_alpha_3 - p_alpha + c_phi * p_alpha_c;
-    const Scalar z222 = v_phi * c_phi;
-    const Scalar z220 = q_alpha_2 - p_alpha + s_phi * p_alpha_c;
-    const Scalar z229 = p_alpha - q_alpha_4 + s_phi * p_alpha_c;
+    const Scalar z224 = v_phi * s_phi;
+    const Scalar z222 = p_alpha - q_alpha_1 + c_phi * p_alpha_c;
+    const Scalar z233 = q_alpha_3 - p_alpha + c_phi * p_alpha_c;
+    const Scalar z230 = v_phi * c_phi;
+    const Scalar z228 = q_alpha_2 - p_alpha + s_phi * p_alpha_c;
+    const Scalar z237 = p_alpha - q_alpha_4 + s_phi * p_alpha_c;
     const Scalar z62 = s_alpha_1 * z52 - c_alpha_1 * z51;
     const Scalar z63 = c_alpha_1 * z52 + s_alpha_1 * z51;
     const Scalar z64 = v_alpha_1 + z50;
@@ -1175,63 +1181,63 @@ struct Mechanism {
     const Scalar z98 = s_alpha_4 * z52 + c_alpha_4 * z50;
     const Scalar z99 = s_alpha_4 * z50 - c_alpha_4 * z52;
     const Scalar z100 = v_alpha_4 + z51;
-    const Scalar z217 = v_alpha_1 + p_alpha_c * z216;
-    const Scalar z223 = v_alpha_2 + p_alpha_c * z222;
-    const Scalar z227 = v_alpha_3 - p_alpha_c * z216;
-    const Scalar z231 = v_alpha_4 - p_alpha_c * z222;
-    const Scalar z239 = v_phi * z51;  // angular acceleration of rotor, x
-    const Scalar z240 = v_phi * z50;  // angular acceleration of rotor, y
-    const Scalar z215 = p_k * z214;
-    const Scalar z221 = p_k * z220;
-    const Scalar z226 = p_k * z225;
-    const Scalar z230 = p_k * z229;
-    const Scalar z242 = s_alpha_1 * z240;
-    const Scalar z248 = s_alpha_2 * z239;
-    const Scalar z254 = s_alpha_3 * z240;
-    const Scalar z260 = s_alpha_4 * z239;
-    const Scalar z219 = z217 * p_c;
-    const Scalar z224 = p_c * z223;
-    const Scalar z228 = p_c * z227;
+    const Scalar z225 = v_alpha_1 + p_alpha_c * z224;
+    const Scalar z231 = v_alpha_2 + p_alpha_c * z230;
+    const Scalar z235 = v_alpha_3 - p_alpha_c * z224;
+    const Scalar z239 = v_alpha_4 - p_alpha_c * z230;
+    const Scalar z247 = v_phi * z51;  // angular acceleration of rotor, x
+    const Scalar z248 = v_phi * z50;  // angular acceleration of rotor, y
+    const Scalar z223 = p_k * z222;
+    const Scalar z229 = p_k * z228;
+    const Scalar z234 = p_k * z233;
+    const Scalar z238 = p_k * z237;
+    const Scalar z250 = s_alpha_1 * z248;
+    const Scalar z256 = s_alpha_2 * z247;
+    const Scalar z262 = s_alpha_3 * z248;
+    const Scalar z268 = s_alpha_4 * z247;
+    const Scalar z227 = z225 * p_c;
     const Scalar z232 = p_c * z231;
-    const Scalar z266 = z98 * z100;
-    const Scalar z273 = z86 * z88;
-    const Scalar z279 = z74 * z75;
-    const Scalar z280 = z74 * z76;
-    const Scalar z286 = z62 * z63;
-    const Scalar z287 = z62 * z64;
-    const Scalar z246 = v_alpha_1 * z62 - z242;  // angular acceleration of blade_1, z
-    const Scalar z252 = v_alpha_2 * z74 + z248;  // angular acceleration of blade_2, z
-    const Scalar z258 = v_alpha_3 * z86 + z254;  // angular acceleration of blade_3, z
-    const Scalar z264 = v_alpha_4 * z98 - z260;  // angular acceleration of blade_4, z
-    const Scalar z265 = z98 * z99;
-    const Scalar z272 = z86 * z87;
-    const Scalar z282 = n0_4 * (z240 - z279);  // moment on blade_2, x
-    const Scalar z289 = n0_4 * (z239 - z286);  // moment on blade_1, x
-    const Scalar z267 = z264 + z266;
-    const Scalar z268 = n0_4 * (z240 - z265);  // moment on blade_4, x
-    const Scalar z274 = z258 + z273;
-    const Scalar z275 = n0_4 * (z239 - z272);  // moment on blade_3, x
-    const Scalar z281 = z252 + z280;
-    const Scalar z288 = z246 + z287;
-    const Scalar z269 = n0_4 * z267;  // moment on blade_4, z
-    const Scalar z276 = n0_4 * z274;  // moment on blade_3, z
-    const Scalar z283 = n0_4 * z281;  // moment on blade_2, z
-    const Scalar z290 = n0_4 * z288;  // moment on blade_1, z
-    const Scalar z306 = z215 - z219 + z289;
-    const Scalar z307 = z221 + z224 - z282;
-    const Scalar z271 = c_alpha_4 * z269;
-    const Scalar z278 = c_alpha_3 * z276;
-    const Scalar z285 = c_alpha_2 * z283;
-    const Scalar z292 = c_alpha_1 * z290;
-    const Scalar z308 = z226 + z228 + z275;
-    const Scalar z309 = z230 - z232 - z268;
-    const Scalar z297 = z271 + z278 + z285 + z292;  // moment on rotor, z
-    const Scalar z305 = p_alpha_c * (s_phi * (z215 + z226 - z219 + z228) - c_phi * (z221 + z230 + z224 - z232)) + z297;
-    forces.phi = -z305;
-    forces.alpha_1 = -z306;
-    forces.alpha_2 = z307;
-    forces.alpha_3 = z308;
-    forces.alpha_4 = -z309;
+    const Scalar z236 = p_c * z235;
+    const Scalar z240 = p_c * z239;
+    const Scalar z274 = z98 * z100;
+    const Scalar z281 = z86 * z88;
+    const Scalar z287 = z74 * z75;
+    const Scalar z288 = z74 * z76;
+    const Scalar z294 = z62 * z63;
+    const Scalar z295 = z62 * z64;
+    const Scalar z254 = v_alpha_1 * z62 - z250;  // angular acceleration of blade_1, z
+    const Scalar z260 = v_alpha_2 * z74 + z256;  // angular acceleration of blade_2, z
+    const Scalar z266 = v_alpha_3 * z86 + z262;  // angular acceleration of blade_3, z
+    const Scalar z272 = v_alpha_4 * z98 - z268;  // angular acceleration of blade_4, z
+    const Scalar z273 = z98 * z99;
+    const Scalar z280 = z86 * z87;
+    const Scalar z290 = n0_4 * (z248 - z287);  // moment on blade_2, x
+    const Scalar z297 = n0_4 * (z247 - z294);  // moment on blade_1, x
+    const Scalar z275 = z272 + z274;
+    const Scalar z276 = n0_4 * (z248 - z273);  // moment on blade_4, x
+    const Scalar z282 = z266 + z281;
+    const Scalar z283 = n0_4 * (z247 - z280);  // moment on blade_3, x
+    const Scalar z289 = z260 + z288;
+    const Scalar z296 = z254 + z295;
+    const Scalar z277 = n0_4 * z275;  // moment on blade_4, z
+    const Scalar z284 = n0_4 * z282;  // moment on blade_3, z
+    const Scalar z291 = n0_4 * z289;  // moment on blade_2, z
+    const Scalar z298 = n0_4 * z296;  // moment on blade_1, z
+    const Scalar z314 = z223 - z227 + z297;
+    const Scalar z315 = z229 + z232 - z290;
+    const Scalar z279 = c_alpha_4 * z277;
+    const Scalar z286 = c_alpha_3 * z284;
+    const Scalar z293 = c_alpha_2 * z291;
+    const Scalar z300 = c_alpha_1 * z298;
+    const Scalar z316 = z234 + z236 + z283;
+    const Scalar z317 = z238 - z240 - z276;
+    const Scalar z305 = z279 + z286 + z293 + z300;  // moment on rotor, z
+    const Scalar z313 = p_alpha_c * (s_phi * (z223 + z234 - z227 + z236) - c_phi * (z229 + z238 + z232 - z240)) + z305;
+    forces.phi = -z313;
+    forces.alpha_1 = -z314;
+    forces.alpha_2 = z315;
+    forces.alpha_3 = z316;
+    forces.alpha_4 = -z317;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -1271,12 +1277,12 @@ struct Mechanism {
     const Scalar z51 = s_phi * z42;
     const Scalar z52 = v_phi + z43;
     const Scalar z50 = c_phi * z42;
-    const Scalar z216 = v_phi * s_phi;
-    const Scalar z214 = p_alpha - q_alpha_1 + c_phi * p_alpha_c;
-    const Scalar z225 = q_alpha_3 - p_alpha + c_phi * p_alpha_c;
-    const Scalar z222 = v_phi * c_phi;
-    const Scalar z220 = q_alpha_2 - p_alpha + s_phi * p_alpha_c;
-    const Scalar z229 = p_alpha - q_alpha_4 + s_phi * p_alpha_c;
+    const Scalar z224 = v_phi * s_phi;
+    const Scalar z222 = p_alpha - q_alpha_1 + c_phi * p_alpha_c;
+    const Scalar z233 = q_alpha_3 - p_alpha + c_phi * p_alpha_c;
+    const Scalar z230 = v_phi * c_phi;
+    const Scalar z228 = q_alpha_2 - p_alpha + s_phi * p_alpha_c;
+    const Scalar z237 = p_alpha - q_alpha_4 + s_phi * p_alpha_c;
     const Scalar z62 = s_alpha_1 * z52 - c_alpha_1 * z51;
     const Scalar z63 = c_alpha_1 * z52 + s_alpha_1 * z51;
     const Scalar z64 = v_alpha_1 + z50;
@@ -1289,67 +1295,67 @@ struct Mechanism {
     const Scalar z98 = s_alpha_4 * z52 + c_alpha_4 * z50;
     const Scalar z99 = s_alpha_4 * z50 - c_alpha_4 * z52;
     const Scalar z100 = v_alpha_4 + z51;
-    const Scalar z217 = v_alpha_1 + p_alpha_c * z216;
-    const Scalar z223 = v_alpha_2 + p_alpha_c * z222;
-    const Scalar z227 = v_alpha_3 - p_alpha_c * z216;
-    const Scalar z231 = v_alpha_4 - p_alpha_c * z222;
-    const Scalar z239 = v_phi * z51;  // angular acceleration of rotor, x
-    const Scalar z240 = v_phi * z50;  // angular acceleration of rotor, y
-    const Scalar z215 = p_k * z214;
-    const Scalar z221 = p_k * z220;
-    const Scalar z226 = p_k * z225;
-    const Scalar z230 = p_k * z229;
-    const Scalar z311 = a_phi * c_alpha_1 + s_alpha_1 * z240;
-    const Scalar z312 = a_alpha_1 - z239;  // angular acceleration of blade_1, x
-    const Scalar z316 = a_phi * c_alpha_2 - s_alpha_2 * z239;
-    const Scalar z317 = a_alpha_2 - z240;  // angular acceleration of blade_2, x
-    const Scalar z321 = a_phi * c_alpha_3 - s_alpha_3 * z240;
-    const Scalar z322 = a_alpha_3 + z239;  // angular acceleration of blade_3, x
-    const Scalar z326 = a_phi * c_alpha_4 + s_alpha_4 * z239;
-    const Scalar z327 = a_alpha_4 + z240;  // angular acceleration of blade_4, x
-    const Scalar z219 = z217 * p_c;
-    const Scalar z224 = p_c * z223;
-    const Scalar z228 = p_c * z227;
+    const Scalar z225 = v_alpha_1 + p_alpha_c * z224;
+    const Scalar z231 = v_alpha_2 + p_alpha_c * z230;
+    const Scalar z235 = v_alpha_3 - p_alpha_c * z224;
+    const Scalar z239 = v_alpha_4 - p_alpha_c * z230;
+    const Scalar z247 = v_phi * z51;  // angular acceleration of rotor, x
+    const Scalar z248 = v_phi * z50;  // angular acceleration of rotor, y
+    const Scalar z223 = p_k * z222;
+    const Scalar z229 = p_k * z228;
+    const Scalar z234 = p_k * z233;
+    const Scalar z238 = p_k * z237;
+    const Scalar z323 = a_phi * c_alpha_1 + s_alpha_1 * z248;
+    const Scalar z324 = a_alpha_1 - z247;  // angular acceleration of blade_1, x
+    const Scalar z328 = a_phi * c_alpha_2 - s_alpha_2 * z247;
+    const Scalar z329 = a_alpha_2 - z248;  // angular acceleration of blade_2, x
+    const Scalar z333 = a_phi * c_alpha_3 - s_alpha_3 * z248;
+    const Scalar z334 = a_alpha_3 + z247;  // angular acceleration of blade_3, x
+    const Scalar z338 = a_phi * c_alpha_4 + s_alpha_4 * z247;
+    const Scalar z339 = a_alpha_4 + z248;  // angular acceleration of blade_4, x
+    const Scalar z227 = z225 * p_c;
     const Scalar z232 = p_c * z231;
-    const Scalar z266 = z98 * z100;
-    const Scalar z273 = z86 * z88;
-    const Scalar z279 = z74 * z75;
-    const Scalar z280 = z74 * z76;
-    const Scalar z286 = z62 * z63;
-    const Scalar z287 = z62 * z64;
-    const Scalar z265 = z98 * z99;
-    const Scalar z272 = z86 * z87;
-    const Scalar z314 = v_alpha_1 * z62 - z311;  // angular acceleration of blade_1, z
-    const Scalar z319 = v_alpha_2 * z74 - z316;  // angular acceleration of blade_2, z
-    const Scalar z329 = v_alpha_4 * z98 - z326;  // angular acceleration of blade_4, z
-    const Scalar z324 = v_alpha_3 * z86 - z321;  // angular acceleration of blade_3, z
-    const Scalar z341 = n0_4 * (z279 + z317);  // moment on blade_2, x
-    const Scalar z331 = n0_4 * (z265 - z327);  // moment on blade_4, x
-    const Scalar z330 = z266 + z329;
-    const Scalar z335 = z273 + z324;
-    const Scalar z340 = z280 + z319;
-    const Scalar z345 = z287 + z314;
-    const Scalar z336 = n0_4 * (z272 - z322);  // moment on blade_3, x
-    const Scalar z332 = n0_4 * z330;  // moment on blade_4, z
-    const Scalar z337 = n0_4 * z335;  // moment on blade_3, z
-    const Scalar z342 = n0_4 * z340;  // moment on blade_2, z
-    const Scalar z347 = n0_4 * z345;  // moment on blade_1, z
-    const Scalar z346 = n0_4 * (z286 + z312);  // moment on blade_1, x
-    const Scalar z334 = c_alpha_4 * z332;
-    const Scalar z339 = c_alpha_3 * z337;
-    const Scalar z344 = c_alpha_2 * z342;
-    const Scalar z349 = c_alpha_1 * z347;
-    const Scalar z359 = z215 - z219 - z346;
-    const Scalar z352 = n1330 * a_phi - z334 - z339 - z344 - z349;  // moment on rotor, z
-    const Scalar z360 = z221 + z224 + z341;
-    const Scalar z361 = z226 + z228 - z336;
-    const Scalar z362 = z230 - z232 + z331;
-    const Scalar z358 = p_alpha_c * (s_phi * (z215 + z226 - z219 + z228) - c_phi * (z221 + z230 + z224 - z232)) - z352;
-    forces.phi = -z358;
-    forces.alpha_1 = -z359;
-    forces.alpha_2 = z360;
-    forces.alpha_3 = z361;
-    forces.alpha_4 = -z362;
+    const Scalar z236 = p_c * z235;
+    const Scalar z240 = p_c * z239;
+    const Scalar z274 = z98 * z100;
+    const Scalar z281 = z86 * z88;
+    const Scalar z287 = z74 * z75;
+    const Scalar z288 = z74 * z76;
+    const Scalar z294 = z62 * z63;
+    const Scalar z295 = z62 * z64;
+    const Scalar z273 = z98 * z99;
+    const Scalar z280 = z86 * z87;
+    const Scalar z326 = v_alpha_1 * z62 - z323;  // angular acceleration of blade_1, z
+    const Scalar z331 = v_alpha_2 * z74 - z328;  // angular acceleration of blade_2, z
+    const Scalar z341 = v_alpha_4 * z98 - z338;  // angular acceleration of blade_4, z
+    const Scalar z336 = v_alpha_3 * z86 - z333;  // angular acceleration of blade_3, z
+    const Scalar z353 = n0_4 * (z287 + z329);  // moment on blade_2, x
+    const Scalar z343 = n0_4 * (z273 - z339);  // moment on blade_4, x
+    const Scalar z342 = z274 + z341;
+    const Scalar z347 = z281 + z336;
+    const Scalar z352 = z288 + z331;
+    const Scalar z357 = z295 + z326;
+    const Scalar z348 = n0_4 * (z280 - z334);  // moment on blade_3, x
+    const Scalar z344 = n0_4 * z342;  // moment on blade_4, z
+    const Scalar z349 = n0_4 * z347;  // moment on blade_3, z
+    const Scalar z354 = n0_4 * z352;  // moment on blade_2, z
+    const Scalar z359 = n0_4 * z357;  // moment on blade_1, z
+    const Scalar z358 = n0_4 * (z294 + z324);  // moment on blade_1, x
+    const Scalar z346 = c_alpha_4 * z344;
+    const Scalar z351 = c_alpha_3 * z349;
+    const Scalar z356 = c_alpha_2 * z354;
+    const Scalar z361 = c_alpha_1 * z359;
+    const Scalar z371 = z223 - z227 - z358;
+    const Scalar z364 = n1330 * a_phi - z346 - z351 - z356 - z361;  // moment on rotor, z
+    const Scalar z372 = z229 + z232 + z353;
+    const Scalar z373 = z234 + z236 - z348;
+    const Scalar z374 = z238 - z240 + z343;
+    const Scalar z370 = p_alpha_c * (s_phi * (z223 + z234 - z227 + z236) - c_phi * (z229 + z238 + z232 - z240)) - z364;
+    forces.phi = -z370;
+    forces.alpha_1 = -z371;
+    forces.alpha_2 = z372;
+    forces.alpha_3 = z373;
+    forces.alpha_4 = -z374;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -1390,16 +1396,16 @@ struct Mechanism {
     const Scalar z52 = v_phi + z43;
     const Scalar z50 = c_phi * z42;
     const Scalar z51 = s_phi * z42;
-    const Scalar z135 = n0_4 * s_alpha_4;
-    const Scalar z216 = v_phi * s_phi;
-    const Scalar z214 = p_alpha - q_alpha_1 + c_phi * p_alpha_c;
-    const Scalar z225 = q_alpha_3 - p_alpha + c_phi * p_alpha_c;
-    const Scalar z143 = n0_4 * s_alpha_3;
-    const Scalar z222 = v_phi * c_phi;
-    const Scalar z220 = q_alpha_2 - p_alpha + s_phi * p_alpha_c;
-    const Scalar z229 = p_alpha - q_alpha_4 + s_phi * p_alpha_c;
-    const Scalar z151 = n0_4 * s_alpha_2;
-    const Scalar z160 = n0_4 * s_alpha_1;
+    const Scalar z143 = n0_4 * s_alpha_4;
+    const Scalar z224 = v_phi * s_phi;
+    const Scalar z222 = p_alpha - q_alpha_1 + c_phi * p_alpha_c;
+    const Scalar z233 = q_alpha_3 - p_alpha + c_phi * p_alpha_c;
+    const Scalar z151 = n0_4 * s_alpha_3;
+    const Scalar z230 = v_phi * c_phi;
+    const Scalar z228 = q_alpha_2 - p_alpha + s_phi * p_alpha_c;
+    const Scalar z237 = p_alpha - q_alpha_4 + s_phi * p_alpha_c;
+    const Scalar z159 = n0_4 * s_alpha_2;
+    const Scalar z168 = n0_4 * s_alpha_1;
     const Scalar z62 = s_alpha_1 * z52 - c_alpha_1 * z51;
     const Scalar z63 = c_alpha_1 * z52 + s_alpha_1 * z51;
     const Scalar z64 = v_alpha_1 + z50;
@@ -1412,79 +1418,79 @@ struct Mechanism {
     const Scalar z98 = s_alpha_4 * z52 + c_alpha_4 * z50;
     const Scalar z99 = s_alpha_4 * z50 - c_alpha_4 * z52;
     const Scalar z100 = v_alpha_4 + z51;
-    const Scalar z138 = s_alpha_4 * z135;
-    const Scalar z146 = s_alpha_3 * z143;
-    const Scalar z154 = s_alpha_2 * z151;
-    const Scalar z163 = s_alpha_1 * z160;
-    const Scalar z217 = v_alpha_1 + p_alpha_c * z216;
-    const Scalar z223 = v_alpha_2 + p_alpha_c * z222;
-    const Scalar z227 = v_alpha_3 - p_alpha_c * z216;
-    const Scalar z231 = v_alpha_4 - p_alpha_c * z222;
-    const Scalar z239 = v_phi * z51;  // angular acceleration of rotor, x
-    const Scalar z240 = v_phi * z50;  // angular acceleration of rotor, y
-    const Scalar z215 = p_k * z214;
-    const Scalar z221 = p_k * z220;
-    const Scalar z226 = p_k * z225;
-    const Scalar z230 = p_k * z229;
-    const Scalar z140 = n1331_6 - z138;
-    const Scalar z242 = s_alpha_1 * z240;
-    const Scalar z248 = s_alpha_2 * z239;
-    const Scalar z254 = s_alpha_3 * z240;
-    const Scalar z260 = s_alpha_4 * z239;
-    const Scalar z219 = z217 * p_c;
-    const Scalar z224 = p_c * z223;
-    const Scalar z228 = p_c * z227;
+    const Scalar z146 = s_alpha_4 * z143;
+    const Scalar z154 = s_alpha_3 * z151;
+    const Scalar z162 = s_alpha_2 * z159;
+    const Scalar z171 = s_alpha_1 * z168;
+    const Scalar z225 = v_alpha_1 + p_alpha_c * z224;
+    const Scalar z231 = v_alpha_2 + p_alpha_c * z230;
+    const Scalar z235 = v_alpha_3 - p_alpha_c * z224;
+    const Scalar z239 = v_alpha_4 - p_alpha_c * z230;
+    const Scalar z247 = v_phi * z51;  // angular acceleration of rotor, x
+    const Scalar z248 = v_phi * z50;  // angular acceleration of rotor, y
+    const Scalar z223 = p_k * z222;
+    const Scalar z229 = p_k * z228;
+    const Scalar z234 = p_k * z233;
+    const Scalar z238 = p_k * z237;
+    const Scalar z148 = n1331_6 - z146;
+    const Scalar z250 = s_alpha_1 * z248;
+    const Scalar z256 = s_alpha_2 * z247;
+    const Scalar z262 = s_alpha_3 * z248;
+    const Scalar z268 = s_alpha_4 * z247;
+    const Scalar z227 = z225 * p_c;
     const Scalar z232 = p_c * z231;
-    const Scalar z266 = z98 * z100;
-    const Scalar z273 = z86 * z88;
-    const Scalar z279 = z74 * z75;
-    const Scalar z280 = z74 * z76;
-    const Scalar z286 = z62 * z63;
-    const Scalar z287 = z62 * z64;
-    const Scalar z150 = z140 - z146;
-    const Scalar z246 = v_alpha_1 * z62 - z242;  // angular acceleration of blade_1, z
-    const Scalar z252 = v_alpha_2 * z74 + z248;  // angular acceleration of blade_2, z
-    const Scalar z258 = v_alpha_3 * z86 + z254;  // angular acceleration of blade_3, z
-    const Scalar z264 = v_alpha_4 * z98 - z260;  // angular acceleration of blade_4, z
-    const Scalar z265 = z98 * z99;
-    const Scalar z272 = z86 * z87;
-    const Scalar z282 = n0_4 * (z240 - z279);  // moment on blade_2, x
-    const Scalar z289 = n0_4 * (z239 - z286);  // moment on blade_1, x
-    const Scalar z159 = z150 - z154;
-    const Scalar z267 = z264 + z266;
-    const Scalar z268 = n0_4 * (z240 - z265);  // moment on blade_4, x
-    const Scalar z274 = z258 + z273;
-    const Scalar z281 = z252 + z280;
-    const Scalar z288 = z246 + z287;
-    const Scalar z275 = n0_4 * (z239 - z272);  // moment on blade_3, x
-    const Scalar z168 = z159 - z163;
-    const Scalar z269 = n0_4 * z267;  // moment on blade_4, z
-    const Scalar z276 = n0_4 * z274;  // moment on blade_3, z
-    const Scalar z283 = n0_4 * z281;  // moment on blade_2, z
-    const Scalar z290 = n0_4 * z288;  // moment on blade_1, z
-    const Scalar z306 = z215 - z219 + z289;
-    const Scalar z271 = c_alpha_4 * z269;
-    const Scalar z278 = c_alpha_3 * z276;
-    const Scalar z285 = c_alpha_2 * z283;
-    const Scalar z292 = c_alpha_1 * z290;
-    const Scalar z307 = z221 + z224 - z282;
-    const Scalar z297 = z271 + z278 + z285 + z292;  // moment on rotor, z
-    const Scalar z308 = z226 + z228 + z275;
-    const Scalar z309 = z230 - z232 - z268;
-    const Scalar z369 = n1 / z168;
-    const Scalar z371 = n2_5 * z306;
-    const Scalar z372 = n2_5 * z307;
-    const Scalar z373 = n2_5 * z308;
-    const Scalar z374 = n2_5 * z309;
-    const Scalar z305 = p_alpha_c * (s_phi * (z215 + z226 - z219 + z228) - c_phi * (z221 + z230 + z224 - z232)) + z297;
-    const Scalar z368 = u_C + z305;
-    const Scalar z370 = z368 * z369;
-    accelerations.phi = z370;
-    accelerations.alpha_1 = z371;
-    accelerations.alpha_2 = -z372;
-    accelerations.alpha_3 = -z373;
-    accelerations.alpha_4 = z374;
-    if (!(traits::regular(z168, z168))) return torsor::Status::singular;
+    const Scalar z236 = p_c * z235;
+    const Scalar z240 = p_c * z239;
+    const Scalar z274 = z98 * z100;
+    const Scalar z281 = z86 * z88;
+    const Scalar z287 = z74 * z75;
+    const Scalar z288 = z74 * z76;
+    const Scalar z294 = z62 * z63;
+    const Scalar z295 = z62 * z64;
+    const Scalar z158 = z148 - z154;
+    const Scalar z254 = v_alpha_1 * z62 - z250;  // angular acceleration of blade_1, z
+    const Scalar z260 = v_alpha_2 * z74 + z256;  // angular acceleration of blade_2, z
+    const Scalar z266 = v_alpha_3 * z86 + z262;  // angular acceleration of blade_3, z
+    const Scalar z272 = v_alpha_4 * z98 - z268;  // angular acceleration of blade_4, z
+    const Scalar z273 = z98 * z99;
+    const Scalar z280 = z86 * z87;
+    const Scalar z290 = n0_4 * (z248 - z287);  // moment on blade_2, x
+    const Scalar z297 = n0_4 * (z247 - z294);  // moment on blade_1, x
+    const Scalar z167 = z158 - z162;
+    const Scalar z275 = z272 + z274;
+    const Scalar z276 = n0_4 * (z248 - z273);  // moment on blade_4, x
+    const Scalar z282 = z266 + z281;
+    const Scalar z289 = z260 + z288;
+    const Scalar z296 = z254 + z295;
+    const Scalar z283 = n0_4 * (z247 - z280);  // moment on blade_3, x
+    const Scalar z176 = z167 - z171;
+    const Scalar z277 = n0_4 * z275;  // moment on blade_4, z
+    const Scalar z284 = n0_4 * z282;  // moment on blade_3, z
+    const Scalar z291 = n0_4 * z289;  // moment on blade_2, z
+    const Scalar z298 = n0_4 * z296;  // moment on blade_1, z
+    const Scalar z314 = z223 - z227 + z297;
+    const Scalar z279 = c_alpha_4 * z277;
+    const Scalar z286 = c_alpha_3 * z284;
+    const Scalar z293 = c_alpha_2 * z291;
+    const Scalar z300 = c_alpha_1 * z298;
+    const Scalar z315 = z229 + z232 - z290;
+    const Scalar z305 = z279 + z286 + z293 + z300;  // moment on rotor, z
+    const Scalar z316 = z234 + z236 + z283;
+    const Scalar z317 = z238 - z240 - z276;
+    const Scalar z381 = n1 / z176;
+    const Scalar z383 = n2_5 * z314;
+    const Scalar z384 = n2_5 * z315;
+    const Scalar z385 = n2_5 * z316;
+    const Scalar z386 = n2_5 * z317;
+    const Scalar z313 = p_alpha_c * (s_phi * (z223 + z234 - z227 + z236) - c_phi * (z229 + z238 + z232 - z240)) + z305;
+    const Scalar z380 = u_C + z313;
+    const Scalar z382 = z380 * z381;
+    accelerations.phi = z382;
+    accelerations.alpha_1 = z383;
+    accelerations.alpha_2 = -z384;
+    accelerations.alpha_3 = -z385;
+    accelerations.alpha_4 = z386;
+    if (!(traits::regular(z176, z176))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.phi * accelerations.alpha_1 * accelerations.alpha_2 * accelerations.alpha_3
         * accelerations.alpha_4;
@@ -1499,7 +1505,6 @@ struct Mechanism {
     const Scalar n332_5 = traits::constant(332.5, 332.5f, "665/2");
     const Scalar n60 = traits::constant(60.0, 60.0f, "60/1");
     const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
-    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar q_phi = state.q.phi;
     const Scalar v_phi = state.v.phi;
     const Scalar q_alpha_1 = state.q.alpha_1;
@@ -1511,13 +1516,13 @@ struct Mechanism {
     const Scalar q_alpha_4 = state.q.alpha_4;
     const Scalar v_alpha_4 = state.v.alpha_4;
     const Scalar u_C = inputs.C;
-    const Scalar p_k = precomputed.parameters.k;
     const Scalar p_alpha_c = precomputed.parameters.alpha_c;
     const Scalar p_alpha = precomputed.parameters.alpha;
     const Scalar p_c = precomputed.parameters.c;
     const Scalar z35 = precomputed.z35;
     const Scalar z42 = precomputed.z42;
     const Scalar z43 = precomputed.z43;
+    const Scalar z397 = precomputed.z397;
     const Scalar angles_[] = {q_phi, q_alpha_1, q_alpha_2, q_alpha_3, q_alpha_4};
     Scalar sines_[5], cosines_[5];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
@@ -1526,37 +1531,38 @@ struct Mechanism {
     const Scalar s_alpha_2 = sines_[2], c_alpha_2 = cosines_[2];
     const Scalar s_alpha_3 = sines_[3], c_alpha_3 = cosines_[3];
     const Scalar s_alpha_4 = sines_[4], c_alpha_4 = cosines_[4];
-    const Scalar z50 = c_phi * z42;
-    const Scalar z51 = s_phi * z42;
-    const Scalar z52 = v_phi + z43;
-    const Scalar z216 = v_phi * s_phi;
-    const Scalar z222 = v_phi * c_phi;
-    const Scalar z214 = p_alpha - q_alpha_1 + c_phi * p_alpha_c;
-    const Scalar z220 = q_alpha_2 - p_alpha + s_phi * p_alpha_c;
-    const Scalar z225 = q_alpha_3 - p_alpha + c_phi * p_alpha_c;
-    const Scalar z229 = p_alpha - q_alpha_4 + s_phi * p_alpha_c;
-    const Scalar z375 = s_phi * z35;
-    const Scalar z376 = c_phi * z35;
-    const Scalar z63 = c_alpha_1 * z52 + s_alpha_1 * z51;
-    const Scalar z64 = v_alpha_1 + z50;
-    const Scalar z75 = c_alpha_2 * z52 + s_alpha_2 * z50;
-    const Scalar z76 = v_alpha_2 - z51;
-    const Scalar z87 = s_alpha_3 * z51 - c_alpha_3 * z52;
-    const Scalar z88 = v_alpha_3 - z50;
-    const Scalar z99 = s_alpha_4 * z50 - c_alpha_4 * z52;
-    const Scalar z100 = v_alpha_4 + z51;
-    const Scalar z217 = v_alpha_1 + p_alpha_c * z216;
-    const Scalar z223 = v_alpha_2 + p_alpha_c * z222;
-    const Scalar z227 = v_alpha_3 - p_alpha_c * z216;
-    const Scalar z231 = v_alpha_4 - p_alpha_c * z222;
-    const Scalar z219 = z217 * p_c;
-    const Scalar z224 = p_c * z223;
-    const Scalar z228 = p_c * z227;
-    const Scalar z232 = p_c * z231;
-    result.kinetic = n665 * z52 * z52 + n332_5 * (z50 * z50 + z51 * z51) + n60 * (z375 * z375 + z376 * z376) + n0_2
-        * (z64 * z64 + z76 * z76 + z88 * z88 + z100 * z100 + z63 * z63 + z75 * z75 + z87 * z87 + z99 * z99);
-    result.force_function = -p_k * n0_5 * (z214 * z214 + z220 * z220 + z225 * z225 + z229 * z229);
-    result.power = v_phi * u_C - z217 * z219 - z223 * z224 - z227 * z228 - z231 * z232;
+    const Scalar z398 = c_phi * z42;
+    const Scalar z399 = s_phi * z42;
+    const Scalar z400 = v_phi + z43;
+    const Scalar z410 = v_phi * s_phi;
+    const Scalar z414 = v_phi * c_phi;
+    const Scalar z409 = p_alpha - q_alpha_1 + c_phi * p_alpha_c;
+    const Scalar z413 = q_alpha_2 - p_alpha + s_phi * p_alpha_c;
+    const Scalar z417 = q_alpha_3 - p_alpha + c_phi * p_alpha_c;
+    const Scalar z420 = p_alpha - q_alpha_4 + s_phi * p_alpha_c;
+    const Scalar z423 = s_phi * z35;
+    const Scalar z424 = c_phi * z35;
+    const Scalar z401 = c_alpha_1 * z400 + s_alpha_1 * z399;
+    const Scalar z402 = v_alpha_1 + z398;
+    const Scalar z403 = c_alpha_2 * z400 + s_alpha_2 * z398;
+    const Scalar z404 = v_alpha_2 - z399;
+    const Scalar z405 = s_alpha_3 * z399 - c_alpha_3 * z400;
+    const Scalar z406 = v_alpha_3 - z398;
+    const Scalar z407 = s_alpha_4 * z398 - c_alpha_4 * z400;
+    const Scalar z408 = v_alpha_4 + z399;
+    const Scalar z411 = v_alpha_1 + p_alpha_c * z410;
+    const Scalar z415 = v_alpha_2 + p_alpha_c * z414;
+    const Scalar z418 = v_alpha_3 - p_alpha_c * z410;
+    const Scalar z421 = v_alpha_4 - p_alpha_c * z414;
+    const Scalar z412 = p_c * z411;
+    const Scalar z416 = p_c * z415;
+    const Scalar z419 = p_c * z418;
+    const Scalar z422 = p_c * z421;
+    result.kinetic = n665 * z400 * z400 + n332_5 * (z398 * z398 + z399 * z399) + n60 * (z423 * z423 + z424 * z424)
+        + n0_2 * (z402 * z402 + z404 * z404 + z406 * z406 + z408 * z408 + z401 * z401 + z403 * z403 + z405 * z405 + z407
+        * z407);
+    result.force_function = -z397 * (z409 * z409 + z413 * z413 + z417 * z417 + z420 * z420);
+    result.power = v_phi * u_C - z411 * z412 - z415 * z416 - z418 * z419 - z421 * z422;
   }
 
   /// Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released
@@ -1565,7 +1571,6 @@ struct Mechanism {
       const Accelerations& accelerations, const Multipliers&, const Inputs&, Reactions& result) noexcept {
     const Scalar n0_4 = traits::constant(0.4, 0.4f, "2/5");
     const Scalar n1330 = traits::constant(1330.0, 1330.0f, "1330/1");
-    const Scalar n665 = traits::constant(665.0, 665.0f, "665/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_phi = state.q.phi;
     const Scalar v_phi = state.v.phi;
@@ -1584,8 +1589,8 @@ struct Mechanism {
     const Scalar a_alpha_4 = accelerations.alpha_4;
     const Scalar z42 = precomputed.z42;
     const Scalar z43 = precomputed.z43;
-    const Scalar z300 = precomputed.z300;
-    const Scalar z304 = precomputed.z304;
+    const Scalar z312 = precomputed.z312;
+    const Scalar z425 = precomputed.z425;
     const Scalar angles_[] = {q_phi, q_alpha_1, q_alpha_2, q_alpha_3, q_alpha_4};
     Scalar sines_[5], cosines_[5];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
@@ -1594,77 +1599,77 @@ struct Mechanism {
     const Scalar s_alpha_2 = sines_[2], c_alpha_2 = cosines_[2];
     const Scalar s_alpha_3 = sines_[3], c_alpha_3 = cosines_[3];
     const Scalar s_alpha_4 = sines_[4], c_alpha_4 = cosines_[4];
-    const Scalar z52 = v_phi + z43;
-    const Scalar z51 = s_phi * z42;
-    const Scalar z50 = c_phi * z42;
-    const Scalar z62 = s_alpha_1 * z52 - c_alpha_1 * z51;
-    const Scalar z63 = c_alpha_1 * z52 + s_alpha_1 * z51;
-    const Scalar z64 = v_alpha_1 + z50;
-    const Scalar z74 = s_alpha_2 * z52 - c_alpha_2 * z50;
-    const Scalar z75 = c_alpha_2 * z52 + s_alpha_2 * z50;
-    const Scalar z76 = v_alpha_2 - z51;
-    const Scalar z86 = s_alpha_3 * z52 + c_alpha_3 * z51;
-    const Scalar z87 = s_alpha_3 * z51 - c_alpha_3 * z52;
-    const Scalar z88 = v_alpha_3 - z50;
-    const Scalar z98 = s_alpha_4 * z52 + c_alpha_4 * z50;
-    const Scalar z99 = s_alpha_4 * z50 - c_alpha_4 * z52;
-    const Scalar z100 = v_alpha_4 + z51;
-    const Scalar z239 = v_phi * z51;  // angular acceleration of rotor, x
-    const Scalar z240 = v_phi * z50;  // angular acceleration of rotor, y
-    const Scalar z293 = z51 * z52;
-    const Scalar z294 = z50 * z52;
-    const Scalar z311 = a_phi * c_alpha_1 + s_alpha_1 * z240;
-    const Scalar z312 = a_alpha_1 - z239;  // angular acceleration of blade_1, x
-    const Scalar z316 = a_phi * c_alpha_2 - s_alpha_2 * z239;
-    const Scalar z317 = a_alpha_2 - z240;  // angular acceleration of blade_2, x
-    const Scalar z321 = a_phi * c_alpha_3 - s_alpha_3 * z240;
-    const Scalar z322 = a_alpha_3 + z239;  // angular acceleration of blade_3, x
-    const Scalar z326 = a_phi * c_alpha_4 + s_alpha_4 * z239;
-    const Scalar z327 = a_alpha_4 + z240;  // angular acceleration of blade_4, x
-    const Scalar z266 = z98 * z100;
-    const Scalar z273 = z86 * z88;
-    const Scalar z279 = z74 * z75;
-    const Scalar z280 = z74 * z76;
-    const Scalar z286 = z62 * z63;
-    const Scalar z287 = z62 * z64;
-    const Scalar z265 = z98 * z99;
-    const Scalar z272 = z86 * z87;
-    const Scalar z314 = v_alpha_1 * z62 - z311;  // angular acceleration of blade_1, z
-    const Scalar z319 = v_alpha_2 * z74 - z316;  // angular acceleration of blade_2, z
-    const Scalar z324 = v_alpha_3 * z86 - z321;  // angular acceleration of blade_3, z
-    const Scalar z329 = v_alpha_4 * z98 - z326;  // angular acceleration of blade_4, z
-    const Scalar z341 = n0_4 * (z279 + z317);  // moment on blade_2, x
-    const Scalar z346 = n0_4 * (z286 + z312);  // moment on blade_1, x
-    const Scalar z331 = n0_4 * (z265 - z327);  // moment on blade_4, x
-    const Scalar z336 = n0_4 * (z272 - z322);  // moment on blade_3, x
-    const Scalar z330 = z266 + z329;
-    const Scalar z335 = z273 + z324;
-    const Scalar z340 = z280 + z319;
-    const Scalar z345 = z287 + z314;
-    const Scalar z332 = n0_4 * z330;  // moment on blade_4, z
-    const Scalar z337 = n0_4 * z335;  // moment on blade_3, z
-    const Scalar z342 = n0_4 * z340;  // moment on blade_2, z
-    const Scalar z347 = n0_4 * z345;  // moment on blade_1, z
-    const Scalar z333 = s_alpha_4 * z332;
-    const Scalar z334 = c_alpha_4 * z332;
-    const Scalar z338 = s_alpha_3 * z337;
-    const Scalar z339 = c_alpha_3 * z337;
-    const Scalar z343 = s_alpha_2 * z342;
-    const Scalar z344 = c_alpha_2 * z342;
-    const Scalar z348 = s_alpha_1 * z347;
-    const Scalar z349 = c_alpha_1 * z347;
-    const Scalar z350 = n1330 * z293 - z346 - z336 - z333 + z343;  // moment on rotor, x
-    const Scalar z351 = n1330 * z294 - z341 - z331 + z338 - z348;  // moment on rotor, y
-    const Scalar z352 = n1330 * a_phi - z334 - z339 - z344 - z349;  // moment on rotor, z
-    const Scalar z353 = s_phi * z351 - c_phi * z350;
-    const Scalar z354 = s_phi * z350 + c_phi * z351;
-    const Scalar z355 = n665 * z300 - z354;  // moment on pitch, y
-    result.X = -z304;
+    const Scalar z428 = v_phi + z43;
+    const Scalar z427 = s_phi * z42;
+    const Scalar z426 = c_phi * z42;
+    const Scalar z429 = s_alpha_1 * z428 - c_alpha_1 * z427;
+    const Scalar z430 = c_alpha_1 * z428 + s_alpha_1 * z427;
+    const Scalar z431 = v_alpha_1 + z426;
+    const Scalar z432 = s_alpha_2 * z428 - c_alpha_2 * z426;
+    const Scalar z433 = c_alpha_2 * z428 + s_alpha_2 * z426;
+    const Scalar z434 = v_alpha_2 - z427;
+    const Scalar z435 = s_alpha_3 * z428 + c_alpha_3 * z427;
+    const Scalar z436 = s_alpha_3 * z427 - c_alpha_3 * z428;
+    const Scalar z437 = v_alpha_3 - z426;
+    const Scalar z438 = s_alpha_4 * z428 + c_alpha_4 * z426;
+    const Scalar z439 = s_alpha_4 * z426 - c_alpha_4 * z428;
+    const Scalar z440 = v_alpha_4 + z427;
+    const Scalar z441 = v_phi * z427;  // angular acceleration of rotor, x
+    const Scalar z442 = v_phi * z426;  // angular acceleration of rotor, y
+    const Scalar z451 = z427 * z428;
+    const Scalar z452 = z426 * z428;
+    const Scalar z453 = a_phi * c_alpha_1 + s_alpha_1 * z442;
+    const Scalar z454 = a_alpha_1 - z441;  // angular acceleration of blade_1, x
+    const Scalar z456 = a_phi * c_alpha_2 - s_alpha_2 * z441;
+    const Scalar z457 = a_alpha_2 - z442;  // angular acceleration of blade_2, x
+    const Scalar z459 = a_phi * c_alpha_3 - s_alpha_3 * z442;
+    const Scalar z460 = a_alpha_3 + z441;  // angular acceleration of blade_3, x
+    const Scalar z462 = a_phi * c_alpha_4 + s_alpha_4 * z441;
+    const Scalar z463 = a_alpha_4 + z442;  // angular acceleration of blade_4, x
+    const Scalar z444 = z438 * z440;
+    const Scalar z446 = z435 * z437;
+    const Scalar z447 = z432 * z433;
+    const Scalar z448 = z432 * z434;
+    const Scalar z449 = z429 * z430;
+    const Scalar z450 = z429 * z431;
+    const Scalar z443 = z438 * z439;
+    const Scalar z445 = z435 * z436;
+    const Scalar z455 = v_alpha_1 * z429 - z453;  // angular acceleration of blade_1, z
+    const Scalar z458 = v_alpha_2 * z432 - z456;  // angular acceleration of blade_2, z
+    const Scalar z461 = v_alpha_3 * z435 - z459;  // angular acceleration of blade_3, z
+    const Scalar z464 = v_alpha_4 * z438 - z462;  // angular acceleration of blade_4, z
+    const Scalar z476 = n0_4 * (z447 + z457);  // moment on blade_2, x
+    const Scalar z481 = n0_4 * (z449 + z454);  // moment on blade_1, x
+    const Scalar z466 = n0_4 * (z443 - z463);  // moment on blade_4, x
+    const Scalar z471 = n0_4 * (z445 - z460);  // moment on blade_3, x
+    const Scalar z465 = z444 + z464;
+    const Scalar z470 = z446 + z461;
+    const Scalar z475 = z448 + z458;
+    const Scalar z480 = z450 + z455;
+    const Scalar z467 = n0_4 * z465;  // moment on blade_4, z
+    const Scalar z472 = n0_4 * z470;  // moment on blade_3, z
+    const Scalar z477 = n0_4 * z475;  // moment on blade_2, z
+    const Scalar z482 = n0_4 * z480;  // moment on blade_1, z
+    const Scalar z468 = s_alpha_4 * z467;
+    const Scalar z469 = c_alpha_4 * z467;
+    const Scalar z473 = s_alpha_3 * z472;
+    const Scalar z474 = c_alpha_3 * z472;
+    const Scalar z478 = s_alpha_2 * z477;
+    const Scalar z479 = c_alpha_2 * z477;
+    const Scalar z483 = s_alpha_1 * z482;
+    const Scalar z484 = c_alpha_1 * z482;
+    const Scalar z485 = n1330 * z451 - z481 - z471 - z468 + z478;  // moment on rotor, x
+    const Scalar z486 = n1330 * z452 - z476 - z466 + z473 - z483;  // moment on rotor, y
+    const Scalar z487 = n1330 * a_phi - z469 - z474 - z479 - z484;  // moment on rotor, z
+    const Scalar z488 = s_phi * z486 - c_phi * z485;
+    const Scalar z489 = s_phi * z485 + c_phi * z486;
+    const Scalar z490 = z425 - z489;  // moment on pitch, y
+    result.X = -z312;
     result.Y = n0;
     result.Z = n0;
-    result.M_x = z353;
-    result.M_y = z355;
-    result.M_z = z352;
+    result.M_x = z488;
+    result.M_y = z490;
+    result.M_z = z487;
   }
 };
 

@@ -12,12 +12,12 @@
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   kinematics                0                2          2             0                  1       0      6       6
 //   mass_matrix               0                0          0             0                  0       0      0       0
-//   bias                      2                3          0             0                  0       0      5       5
-//   inverse_dynamics          6                6          0             0                  0       0     12      12
-//   forward_dynamics          6                9          0             0                  0       0     15      15
+//   bias                      2                2          0             0                  0       0      4       5
+//   inverse_dynamics          6                5          0             0                  0       0     11      12
+//   forward_dynamics          6                8          0             0                  0       0     14      15
 //   energy                    5               13          2             0                  0       0     20      22
 //   constraints               2                2          2             0                  0       0      6       6
-//   linearisation            13                9          0             0                  0       0     22      23
+//   linearisation            13                8          0             0                  0       0     21      23
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 36 results 23 vanish identically, 2 repeat another up to sign
@@ -123,8 +123,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
-  /// number gives no number.
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
   ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
@@ -342,7 +341,7 @@ TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& a
     const Bits bits = (Bits)shifted.part[i];
     const Bits odd = bits << sign_bit, upper = bits << (sign_bit - 1);
     Numbers sine_of_rest, cosine_of_rest;
-    if constexpr (sizeof(Numbers) == 32) {  // AVX has an instruction that looks at the bit of the sign
+    if constexpr (sizeof(Numbers) >= 32) {  // AVX has instructions that choose by the bit of the sign
       const Bits exchanged = odd < Bits{};
       sine_of_rest = exchanged ? c : s;
       cosine_of_rest = exchanged ? s : c;
@@ -507,7 +506,7 @@ struct Mechanism {
 
   static constexpr const char* name = "model_making_press_reduced";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x6204c01819d5c490ULL;
+  static constexpr unsigned long long fingerprint = 0x12802eceaede7190ULL;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 1;
@@ -783,22 +782,25 @@ struct Mechanism {
   /// actions included. M a + h = E u + A' lambda.
   TORSOR_DEVICE static void bias(const Precomputed&, const State& state, GeneralizedForces& forces) noexcept {
     const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
-    const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
-    const Scalar n20000 = traits::constant(20000.0, 20000.0f, "20000/1");
-    const Scalar n8_2404 = traits::constant(8.2404, 8.2404f, "20601/2500");
     const Scalar n2_943 = traits::constant(2.943, 2.943f, "2943/1000");
+    const Scalar n20000 = traits::constant(20000.0, 20000.0f, "20000/1");
+    const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
+    const Scalar n8_2404 = traits::constant(8.2404, 8.2404f, "20601/2500");
     const Scalar q_a_z = state.q.a_z;
     const Scalar v_omega_z = state.v.omega_z;
     const Scalar pi = traits::pi();
     const Scalar z7 = traits::formula(0.0006366197723675813, 0.00063661975f, [&]() -> Scalar {
       return n0_002 / pi;
     });
-    const Scalar z15 = n0_0005 * v_omega_z;
-    const Scalar z14 = n20000 * q_a_z;
-    const Scalar z17 = n8_2404 + z14;
-    const Scalar z18 = n2_943 * z7 + z15;
-    forces.a_z = z17;
-    forces.omega_z = z18;
+    const Scalar z19 = traits::formula(0.001873571990077792, 0.001873572f, [&]() -> Scalar {
+      return n2_943 * z7;
+    });
+    const Scalar z20 = n20000 * q_a_z;
+    const Scalar z21 = n0_0005 * v_omega_z;
+    const Scalar z22 = n8_2404 + z20;
+    const Scalar z23 = z19 + z21;
+    forces.a_z = z22;
+    forces.omega_z = z23;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -807,10 +809,10 @@ struct Mechanism {
     const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
     const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
     const Scalar n0_0001 = traits::constant(1e-04, 1e-04f, "1/10000");
-    const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
-    const Scalar n20000 = traits::constant(20000.0, 20000.0f, "20000/1");
-    const Scalar n8_2404 = traits::constant(8.2404, 8.2404f, "20601/2500");
     const Scalar n2_943 = traits::constant(2.943, 2.943f, "2943/1000");
+    const Scalar n20000 = traits::constant(20000.0, 20000.0f, "20000/1");
+    const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
+    const Scalar n8_2404 = traits::constant(8.2404, 8.2404f, "20601/2500");
     const Scalar n0_84 = traits::constant(0.84, 0.84f, "21/25");
     const Scalar q_a_z = state.q.a_z;
     const Scalar a_a_z = accelerations.a_z;
@@ -827,14 +829,17 @@ struct Mechanism {
     const Scalar z13 = traits::formula(0.0001001215854203708, 0.000100121586f, [&]() -> Scalar {
       return n0_0001 + z7 * z12;
     });
-    const Scalar z15 = n0_0005 * v_omega_z;
-    const Scalar z14 = n20000 * q_a_z;
-    const Scalar z17 = n8_2404 + z14;
-    const Scalar z18 = n2_943 * z7 + z15;
-    const Scalar z26 = n0_84 * a_a_z + z17;
-    const Scalar z27 = a_omega_z * z13 + z18;
-    forces.a_z = z26 + l_lambda_LB_z;
-    forces.omega_z = -z7 * l_lambda_LB_z + z27;
+    const Scalar z19 = traits::formula(0.001873571990077792, 0.001873572f, [&]() -> Scalar {
+      return n2_943 * z7;
+    });
+    const Scalar z36 = n20000 * q_a_z;
+    const Scalar z37 = n0_0005 * v_omega_z;
+    const Scalar z38 = n8_2404 + z36;
+    const Scalar z39 = z19 + z37;
+    const Scalar z40 = n0_84 * a_a_z + z38;
+    const Scalar z41 = a_omega_z * z13 + z39;
+    forces.a_z = l_lambda_LB_z + z40;
+    forces.omega_z = -z7 * l_lambda_LB_z + z41;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -845,12 +850,12 @@ struct Mechanism {
     const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
     const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
     const Scalar n0_0001 = traits::constant(1e-04, 1e-04f, "1/10000");
+    const Scalar n2_943 = traits::constant(2.943, 2.943f, "2943/1000");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n25_over_21 = traits::constant(1.1904761904761905, 1.1904762f, "25/21");
     const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
     const Scalar n20000 = traits::constant(20000.0, 20000.0f, "20000/1");
     const Scalar n8_2404 = traits::constant(8.2404, 8.2404f, "20601/2500");
-    const Scalar n2_943 = traits::constant(2.943, 2.943f, "2943/1000");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_a_z = state.q.a_z;
     const Scalar v_omega_z = state.v.omega_z;
@@ -865,33 +870,36 @@ struct Mechanism {
     const Scalar z13 = traits::formula(0.0001001215854203708, 0.000100121586f, [&]() -> Scalar {
       return n0_0001 + z7 * z12;
     });
-    const Scalar z32 = traits::formula(9987.856223025203, 9987.856f, [&]() -> Scalar {
+    const Scalar z19 = traits::formula(0.001873571990077792, 0.001873572f, [&]() -> Scalar {
+      return n2_943 * z7;
+    });
+    const Scalar z43 = traits::formula(9987.856223025203, 9987.856f, [&]() -> Scalar {
       return n1 / z13;
     });
-    const Scalar z33 = traits::formula(6.358466755142436, 6.3584666f, [&]() -> Scalar {
-      return z7 * z32;
+    const Scalar z44 = traits::formula(6.358466755142436, 6.3584666f, [&]() -> Scalar {
+      return z7 * z43;
     });
-    const Scalar z34 = traits::formula(1.1945241161344562, 1.1945242f, [&]() -> Scalar {
-      return n25_over_21 + z7 * z33;
+    const Scalar z45 = traits::formula(1.1945241161344562, 1.1945242f, [&]() -> Scalar {
+      return n25_over_21 + z7 * z44;
     });
-    const Scalar z35 = traits::formula(0.8371534626157683, 0.83715343f, [&]() -> Scalar {
-      return n1 / z34;
+    const Scalar z46 = traits::formula(0.8371534626157683, 0.83715343f, [&]() -> Scalar {
+      return n1 / z45;
     });
-    const Scalar z15 = n0_0005 * v_omega_z;
-    const Scalar z14 = n20000 * q_a_z;
-    const Scalar z17 = n8_2404 + z14;
-    const Scalar z18 = n2_943 * z7 + z15;
-    const Scalar z36 = n25_over_21 * z17;
-    const Scalar z31 = u_C - z18;
-    const Scalar z37 = z31 * z32;
-    const Scalar z38 = z7 * z37 + z36;
-    const Scalar z39 = z35 * z38;
-    const Scalar z40 = z36 - n25_over_21 * z39;
-    const Scalar z41 = z33 * z39 - z37;
-    accelerations.a_z = -z40;
-    accelerations.omega_z = -z41;
-    multipliers.lambda_LB_z = -z39;
-    if (!(traits::regular(z13, z13) && traits::regular(z34, z34))) return torsor::Status::singular;
+    const Scalar z54 = n0_0005 * v_omega_z;
+    const Scalar z53 = n20000 * q_a_z;
+    const Scalar z55 = n8_2404 + z53;
+    const Scalar z56 = z19 + z54;
+    const Scalar z57 = u_C - z56;
+    const Scalar z58 = n25_over_21 * z55;
+    const Scalar z59 = z43 * z57;
+    const Scalar z60 = z7 * z59 + z58;
+    const Scalar z61 = z46 * z60;
+    const Scalar z62 = z58 - n25_over_21 * z61;
+    const Scalar z63 = z44 * z61 - z59;
+    accelerations.a_z = -z62;
+    accelerations.omega_z = -z63;
+    multipliers.lambda_LB_z = -z61;
+    if (!(traits::regular(z13, z13) && traits::regular(z45, z45))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.a_z * accelerations.omega_z * multipliers.lambda_LB_z;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -938,10 +946,10 @@ struct Mechanism {
     });
     const Scalar z10 = n0_002 * q_omega_z / pi;
     const Scalar z11 = n0_002 * v_omega_z / pi;  // velocity of screw.1, z
-    const Scalar z28 = q_a_z - z10;
-    const Scalar z29 = v_a_z - z11;
-    result.value[0] = -z28;
-    result.rate[0] = -z29;
+    const Scalar z33 = q_a_z - z10;
+    const Scalar z34 = v_a_z - z11;
+    result.value[0] = -z33;
+    result.rate[0] = -z34;
     result.gamma[0] = n0;
     result.jacobian[0] = -n1;
     result.jacobian[1] = z7;
@@ -959,13 +967,13 @@ struct Mechanism {
     const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
     const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
     const Scalar n0_0001 = traits::constant(1e-04, 1e-04f, "1/10000");
-    const Scalar k3 = traits::constant(0.00168, 0.00168f, "21/12500");
+    const Scalar n2_943 = traits::constant(2.943, 2.943f, "2943/1000");
+    const Scalar k4 = traits::constant(0.00168, 0.00168f, "21/12500");
     const Scalar n40 = traits::constant(40.0, 40.0f, "40/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
     const Scalar n20000 = traits::constant(20000.0, 20000.0f, "20000/1");
     const Scalar n8_2404 = traits::constant(8.2404, 8.2404f, "20601/2500");
-    const Scalar n2_943 = traits::constant(2.943, 2.943f, "2943/1000");
     const Scalar n0_84 = traits::constant(0.84, 0.84f, "21/25");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_a_z = state.q.a_z;
@@ -984,38 +992,41 @@ struct Mechanism {
     const Scalar z13 = traits::formula(0.0001001215854203708, 0.000100121586f, [&]() -> Scalar {
       return n0_0001 + z7 * z12;
     });
-    const Scalar z47 = traits::formula(0.0005347606087887683, 0.0005347606f, [&]() -> Scalar {
-      return k3 / pi;
+    const Scalar z19 = traits::formula(0.001873571990077792, 0.001873572f, [&]() -> Scalar {
+      return n2_943 * z7;
     });
-    const Scalar z48 = traits::formula(0.00010046202459740906, 0.00010046203f, [&]() -> Scalar {
-      return z7 * z47 + z13;
+    const Scalar z69 = traits::formula(0.0005347606087887683, 0.0005347606f, [&]() -> Scalar {
+      return k4 / pi;
     });
-    const Scalar z49 = traits::formula(12.732395447351626, 12.732395f, [&]() -> Scalar {
+    const Scalar z70 = traits::formula(0.00010046202459740906, 0.00010046203f, [&]() -> Scalar {
+      return z7 * z69 + z13;
+    });
+    const Scalar z71 = traits::formula(12.732395447351626, 12.732395f, [&]() -> Scalar {
       return n40 / pi;
     });
-    const Scalar z50 = traits::formula(0.008105694691387022, 0.008105694f, [&]() -> Scalar {
-      return z7 * z49;
+    const Scalar z72 = traits::formula(0.008105694691387022, 0.008105694f, [&]() -> Scalar {
+      return z7 * z71;
     });
-    const Scalar z55 = traits::formula(9954.01002525476, 9954.01f, [&]() -> Scalar {
-      return n1 / z48;
+    const Scalar z77 = traits::formula(9954.01002525476, 9954.01f, [&]() -> Scalar {
+      return n1 / z70;
     });
-    const Scalar z56 = traits::formula(80.6841662197207, 80.684166f, [&]() -> Scalar {
-      return z50 * z55;
+    const Scalar z78 = traits::formula(80.6841662197207, 80.684166f, [&]() -> Scalar {
+      return z72 * z77;
     });
-    const Scalar z57 = traits::formula(4.977005012627379, 4.977005f, [&]() -> Scalar {
-      return n0_0005 * z55;
+    const Scalar z79 = traits::formula(4.977005012627379, 4.977005f, [&]() -> Scalar {
+      return n0_0005 * z77;
     });
-    const Scalar z14 = n20000 * q_a_z;
-    const Scalar z15 = n0_0005 * v_omega_z;
-    const Scalar z46 = a_a_z - a_omega_z * z7;
-    const Scalar z17 = n8_2404 + z14;
-    const Scalar z18 = n2_943 * z7 + z15;
-    const Scalar z53 = z46 * z47;
-    const Scalar z26 = n0_84 * a_a_z + z17;
-    const Scalar z27 = a_omega_z * z13 + z18;
-    const Scalar z51 = z26 + l_lambda_LB_z;
-    const Scalar z52 = u_C - z27 + z7 * (l_lambda_LB_z - z51);
-    const Scalar z54 = z52 + z53;
+    const Scalar z80 = n20000 * q_a_z;
+    const Scalar z81 = n0_0005 * v_omega_z;
+    const Scalar z86 = a_a_z - a_omega_z * z7;
+    const Scalar z82 = n8_2404 + z80;
+    const Scalar z83 = z19 + z81;
+    const Scalar z89 = z69 * z86;
+    const Scalar z84 = n0_84 * a_a_z + z82;
+    const Scalar z85 = a_omega_z * z13 + z83;
+    const Scalar z87 = l_lambda_LB_z + z84;
+    const Scalar z88 = u_C - z85 + z7 * (l_lambda_LB_z - z87);
+    const Scalar z90 = z88 + z89;
     result.M[0] = n0_84;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -1028,22 +1039,22 @@ struct Mechanism {
     result.K[1] = n0;
     result.K[2] = n0;
     result.K[3] = n0;
-    result.F[0] = -z26 - l_lambda_LB_z;
-    result.F[1] = z7 * l_lambda_LB_z + u_C - z27;
+    result.F[0] = -l_lambda_LB_z - z84;
+    result.F[1] = z7 * l_lambda_LB_z + u_C - z85;
     result.E[0] = n0;
     result.E[1] = n1;
-    result.M_r[0] = z48;
+    result.M_r[0] = z70;
     result.C_r[0] = n0_0005;
-    result.K_r[0] = z50;
-    result.F_r[0] = z54;
+    result.K_r[0] = z72;
+    result.F_r[0] = z90;
     result.E_r[0] = n1;
     result.A[0] = n0;
-    result.A[1] = -z56;
+    result.A[1] = -z78;
     result.A[2] = n1;
-    result.A[3] = -z57;
+    result.A[3] = -z79;
     result.B[0] = n0;
-    result.B[1] = z55;
-    if (!(traits::regular(z48, z48))) return torsor::Status::singular;
+    result.B[1] = z77;
+    if (!(traits::regular(z70, z70))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * result.M[3] * result.F[0] * result.F[1] * result.M_r[0] * result.K_r[0] * result.F_r[0]
         * result.A[1] * result.A[3] * result.B[1];

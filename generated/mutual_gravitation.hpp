@@ -10,14 +10,14 @@
 // costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
 // joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   kinematics               12               28          0             0                  1       0     42      42
+//   kinematics               12               20          0             0                  1       0     34      42
 //   mass_matrix               1                5          0             0                  0       0      6       6
-//   bias                      6               23          1             1                  0       0     31      31
-//   inverse_dynamics          9               30          1             1                  0       0     41      41
-//   forward_dynamics          7               28          2             1                  0       0     38      38
-//   energy                   10               19          1             1                  1       0     33      35
-//   first_integrals          12               25          1             1                  1       0     41      43
-//   linearisation            20               69          4             1                  0       0     94      94
+//   bias                      6               20          1             1                  0       0     28      31
+//   inverse_dynamics          9               27          1             1                  0       0     38      41
+//   forward_dynamics          7               25          2             1                  0       0     35      38
+//   energy                   10               18          1             1                  1       0     32      35
+//   first_integrals          12               24          1             1                  1       0     40      43
+//   linearisation            20               65          4             1                  0       0     90      94
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 72 results 32 vanish identically, 15 repeat another up to sign
@@ -125,8 +125,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
-  /// number gives no number.
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
   ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
@@ -344,7 +343,7 @@ TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& a
     const Bits bits = (Bits)shifted.part[i];
     const Bits odd = bits << sign_bit, upper = bits << (sign_bit - 1);
     Numbers sine_of_rest, cosine_of_rest;
-    if constexpr (sizeof(Numbers) == 32) {  // AVX has an instruction that looks at the bit of the sign
+    if constexpr (sizeof(Numbers) >= 32) {  // AVX has instructions that choose by the bit of the sign
       const Bits exchanged = odd < Bits{};
       sine_of_rest = exchanged ? c : s;
       cosine_of_rest = exchanged ? s : c;
@@ -509,7 +508,7 @@ struct Mechanism {
 
   static constexpr const char* name = "mutual_gravitation";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x7e4c2d193b3448a2ULL;
+  static constexpr unsigned long long fingerprint = 0x93bf7079df99d886ULL;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 4;
   static constexpr int input_count = 0;
@@ -727,28 +726,28 @@ struct Mechanism {
     const Scalar v_r = state.v.r;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z18 = n0_25 * q_r;
-    const Scalar z26 = n0_75 * q_r;
-    const Scalar z14 = n0_25 * c_phi * q_r;
-    const Scalar z15 = n0_25 * s_phi * q_r;
-    const Scalar z19 = v_phi * z18;
-    const Scalar z27 = v_phi * z26;
-    const Scalar z22 = n0_75 * c_phi * q_r;
-    const Scalar z23 = n0_75 * s_phi * q_r;
-    const Scalar z20 = v_X + s_phi * z19 - n0_25 * c_phi * v_r;  // velocity of first, x
-    const Scalar z21 = v_Y - c_phi * z19 - n0_25 * s_phi * v_r;  // velocity of first, y
-    const Scalar z28 = v_X - s_phi * z27 + n0_75 * c_phi * v_r;  // velocity of second, x
-    const Scalar z29 = v_Y + c_phi * z27 + n0_75 * s_phi * v_r;  // velocity of second, y
-    const Scalar z30 = n0_25 * c_phi;
-    const Scalar z31 = n0_25 * s_phi;
-    const Scalar z32 = n0_75 * c_phi;
-    const Scalar z33 = n0_75 * s_phi;
-    const Scalar z16 = q_X - z14;  // place of first, x
-    const Scalar z17 = q_Y - z15;  // place of first, y
-    const Scalar z24 = q_X + z22;  // place of second, x
-    const Scalar z25 = q_Y + z23;  // place of second, y
-    result.first_position[0] = z16;
-    result.first_position[1] = z17;
+    const Scalar z46 = n0_25 * q_r;
+    const Scalar z56 = n0_75 * q_r;
+    const Scalar z40 = n0_25 * c_phi;
+    const Scalar z42 = n0_25 * s_phi;
+    const Scalar z50 = n0_75 * c_phi;
+    const Scalar z52 = n0_75 * s_phi;
+    const Scalar z47 = v_phi * z46;
+    const Scalar z57 = v_phi * z56;
+    const Scalar z41 = q_r * z40;
+    const Scalar z43 = q_r * z42;
+    const Scalar z48 = v_X + s_phi * z47 - v_r * z40;  // velocity of first, x
+    const Scalar z49 = v_Y - c_phi * z47 - v_r * z42;  // velocity of first, y
+    const Scalar z51 = q_r * z50;
+    const Scalar z53 = q_r * z52;
+    const Scalar z58 = v_X - s_phi * z57 + v_r * z50;  // velocity of second, x
+    const Scalar z59 = v_Y + c_phi * z57 + v_r * z52;  // velocity of second, y
+    const Scalar z44 = q_X - z41;  // place of first, x
+    const Scalar z45 = q_Y - z43;  // place of first, y
+    const Scalar z54 = q_X + z51;  // place of second, x
+    const Scalar z55 = q_Y + z53;  // place of second, y
+    result.first_position[0] = z44;
+    result.first_position[1] = z45;
     result.first_position[2] = n0;
     result.first_rotation[0] = c_phi;
     result.first_rotation[1] = s_phi;
@@ -759,14 +758,14 @@ struct Mechanism {
     result.first_rotation[6] = n0;
     result.first_rotation[7] = n0;
     result.first_rotation[8] = n1;
-    result.first_velocity[0] = z20;
-    result.first_velocity[1] = z21;
+    result.first_velocity[0] = z48;
+    result.first_velocity[1] = z49;
     result.first_velocity[2] = n0;
     result.first_angular_velocity[0] = n0;
     result.first_angular_velocity[1] = n0;
     result.first_angular_velocity[2] = v_phi;
-    result.second_position[0] = z24;
-    result.second_position[1] = z25;
+    result.second_position[0] = z54;
+    result.second_position[1] = z55;
     result.second_position[2] = n0;
     result.second_rotation[0] = c_phi;
     result.second_rotation[1] = s_phi;
@@ -777,44 +776,44 @@ struct Mechanism {
     result.second_rotation[6] = n0;
     result.second_rotation[7] = n0;
     result.second_rotation[8] = n1;
-    result.second_velocity[0] = z28;
-    result.second_velocity[1] = z29;
+    result.second_velocity[0] = z58;
+    result.second_velocity[1] = z59;
     result.second_velocity[2] = n0;
     result.second_angular_velocity[0] = n0;
     result.second_angular_velocity[1] = n0;
     result.second_angular_velocity[2] = v_phi;
-    result.P1_position[0] = z16;
-    result.P1_position[1] = z17;
+    result.P1_position[0] = z44;
+    result.P1_position[1] = z45;
     result.P1_position[2] = n0;
-    result.P1_velocity[0] = z20;
-    result.P1_velocity[1] = z21;
+    result.P1_velocity[0] = z48;
+    result.P1_velocity[1] = z49;
     result.P1_velocity[2] = n0;
     result.P1_jacobian[0] = n1;
     result.P1_jacobian[3] = n0;
-    result.P1_jacobian[6] = -z30;
-    result.P1_jacobian[9] = z15;
+    result.P1_jacobian[6] = -z40;
+    result.P1_jacobian[9] = z43;
     result.P1_jacobian[1] = n0;
     result.P1_jacobian[4] = n1;
-    result.P1_jacobian[7] = -z31;
-    result.P1_jacobian[10] = -z14;
+    result.P1_jacobian[7] = -z42;
+    result.P1_jacobian[10] = -z41;
     result.P1_jacobian[2] = n0;
     result.P1_jacobian[5] = n0;
     result.P1_jacobian[8] = n0;
     result.P1_jacobian[11] = n0;
-    result.P2_position[0] = z24;
-    result.P2_position[1] = z25;
+    result.P2_position[0] = z54;
+    result.P2_position[1] = z55;
     result.P2_position[2] = n0;
-    result.P2_velocity[0] = z28;
-    result.P2_velocity[1] = z29;
+    result.P2_velocity[0] = z58;
+    result.P2_velocity[1] = z59;
     result.P2_velocity[2] = n0;
     result.P2_jacobian[0] = n1;
     result.P2_jacobian[3] = n0;
-    result.P2_jacobian[6] = z32;
-    result.P2_jacobian[9] = -z23;
+    result.P2_jacobian[6] = z50;
+    result.P2_jacobian[9] = -z53;
     result.P2_jacobian[1] = n0;
     result.P2_jacobian[4] = n1;
-    result.P2_jacobian[7] = z33;
-    result.P2_jacobian[10] = z22;
+    result.P2_jacobian[7] = z52;
+    result.P2_jacobian[10] = z51;
     result.P2_jacobian[2] = n0;
     result.P2_jacobian[5] = n0;
     result.P2_jacobian[8] = n0;
@@ -831,9 +830,9 @@ struct Mechanism {
     const Scalar q_r = state.q.r;
     const Scalar z18 = n0_25 * q_r;
     const Scalar z26 = n0_75 * q_r;
-    const Scalar z35 = z26 * z26;
-    const Scalar z39 = n3 * z18 * z18;
-    const Scalar z42 = z35 + z39;
+    const Scalar z61 = z26 * z26;
+    const Scalar z65 = n3 * z18 * z18;
+    const Scalar z68 = z61 + z65;
     mass[0] = n4;
     mass[1] = n0;
     mass[2] = n0;
@@ -849,14 +848,14 @@ struct Mechanism {
     mass[12] = n0;
     mass[13] = n0;
     mass[14] = n0;
-    mass[15] = z42;
+    mass[15] = z68;
   }
 
   /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
   /// actions included. M a + h = E u + A' lambda.
   TORSOR_DEVICE static void bias(const Precomputed&, const State& state, GeneralizedForces& forces) noexcept {
-    const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
     const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
+    const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n1_5 = traits::constant(1.5, 1.5f, "3/2");
     const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
@@ -865,41 +864,42 @@ struct Mechanism {
     const Scalar v_phi = state.v.phi;
     const Scalar q_r = state.q.r;
     const Scalar v_r = state.v.r;
-    const Scalar z26 = n0_75 * q_r;
-    const Scalar z18 = n0_25 * q_r;
-    const Scalar z64 = v_phi * v_phi;
-    const Scalar z66 = n0_5 * v_phi * v_r;
-    const Scalar z68 = n1_5 * v_phi * v_r;
-    const Scalar z56 = n0_25 * q_r + z26;
-    const Scalar z57 = n0_75 * q_r + z18;
-    const Scalar z67 = z26 * z64;
-    const Scalar z65 = z18 * z64;
-    const Scalar z71 = n3 * z66;  // force on first, y
-    const Scalar z58 = z56 * z56;
-    const Scalar z74 = z26 * z68 + z18 * z71;  // moment on line, z
-    const Scalar z59 = traits::sqrt(z58);
-    const Scalar z60 = n1 / z59;
-    const Scalar z61 = n3 * z60 * z60 * z60;
-    const Scalar z62 = z56 * z61;
-    const Scalar z63 = z57 * z61;
-    const Scalar z69 = z63 - z67;  // force on second, x
-    const Scalar z70 = z62 - n3 * z65;  // force on first, x
-    const Scalar z78 = n0_75 * z69 + n0_25 * z70;
+    const Scalar z106 = n0_25 * q_r;
+    const Scalar z107 = n0_75 * q_r;
+    const Scalar z116 = v_phi * v_phi;
+    const Scalar z118 = v_phi * v_r;
+    const Scalar z108 = z106 + z107;
+    const Scalar z109 = z106 + z107;
+    const Scalar z120 = z107 * z116;
+    const Scalar z117 = z106 * z116;
+    const Scalar z119 = n0_5 * z118;
+    const Scalar z121 = n1_5 * z118;
+    const Scalar z110 = z108 * z108;
+    const Scalar z124 = n3 * z119;  // force on first, y
+    const Scalar z111 = traits::sqrt(z110);
+    const Scalar z125 = z107 * z121 + z106 * z124;  // moment on line, z
+    const Scalar z112 = n1 / z111;
+    const Scalar z113 = n3 * z112 * z112 * z112;
+    const Scalar z114 = z108 * z113;
+    const Scalar z115 = z109 * z113;
+    const Scalar z122 = z115 - z120;  // force on second, x
+    const Scalar z123 = z114 - n3 * z117;  // force on first, x
+    const Scalar z126 = n0_75 * z122 + n0_25 * z123;
     forces.X = n0;
     forces.Y = n0;
-    forces.r = z78;
-    forces.phi = z74;
+    forces.r = z126;
+    forces.phi = z125;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
   TORSOR_DEVICE static void inverse_dynamics(const Precomputed&, const State& state, const Accelerations& accelerations,
       const Multipliers&, GeneralizedForces& forces) noexcept {
-    const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
     const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
+    const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
+    const Scalar n4 = traits::constant(4.0, 4.0f, "4/1");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n1_5 = traits::constant(1.5, 1.5f, "3/2");
     const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
-    const Scalar n4 = traits::constant(4.0, 4.0f, "4/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar a_X = accelerations.X;
     const Scalar a_Y = accelerations.Y;
@@ -908,37 +908,38 @@ struct Mechanism {
     const Scalar q_r = state.q.r;
     const Scalar v_r = state.v.r;
     const Scalar a_r = accelerations.r;
-    const Scalar z26 = n0_75 * q_r;
-    const Scalar z18 = n0_25 * q_r;
-    const Scalar z64 = v_phi * v_phi;
-    const Scalar z66 = n0_5 * v_phi * v_r;
-    const Scalar z68 = n1_5 * v_phi * v_r;
-    const Scalar z56 = n0_25 * q_r + z26;
-    const Scalar z57 = n0_75 * q_r + z18;
-    const Scalar z67 = z26 * z64;
-    const Scalar z65 = z18 * z64;
-    const Scalar z71 = n3 * z66;  // force on first, y
-    const Scalar z58 = z56 * z56;
-    const Scalar z35 = z26 * z26;
-    const Scalar z39 = n3 * z18 * z18;
-    const Scalar z42 = z35 + z39;
-    const Scalar z74 = z26 * z68 + z18 * z71;  // moment on line, z
-    const Scalar z59 = traits::sqrt(z58);
-    const Scalar z95 = n4 * a_X;
-    const Scalar z96 = n4 * a_Y;
-    const Scalar z98 = a_phi * z42 + z74;
-    const Scalar z60 = n1 / z59;
-    const Scalar z61 = n3 * z60 * z60 * z60;
-    const Scalar z62 = z56 * z61;
-    const Scalar z63 = z57 * z61;
-    const Scalar z69 = z63 - z67;  // force on second, x
-    const Scalar z70 = z62 - n3 * z65;  // force on first, x
-    const Scalar z78 = n0_75 * z69 + n0_25 * z70;
-    const Scalar z97 = n0_75 * a_r + z78;
-    forces.X = z95;
-    forces.Y = z96;
-    forces.r = z97;
-    forces.phi = z98;
+    const Scalar z147 = n0_25 * q_r;
+    const Scalar z148 = n0_75 * q_r;
+    const Scalar z160 = v_phi * v_phi;
+    const Scalar z162 = v_phi * v_r;
+    const Scalar z171 = n4 * a_X;
+    const Scalar z172 = n4 * a_Y;
+    const Scalar z152 = z147 + z148;
+    const Scalar z153 = z147 + z148;
+    const Scalar z164 = z148 * z160;
+    const Scalar z161 = z147 * z160;
+    const Scalar z163 = n0_5 * z162;
+    const Scalar z165 = n1_5 * z162;
+    const Scalar z154 = z152 * z152;
+    const Scalar z168 = n3 * z163;  // force on first, y
+    const Scalar z149 = z148 * z148;
+    const Scalar z150 = n3 * z147 * z147;
+    const Scalar z151 = z149 + z150;
+    const Scalar z155 = traits::sqrt(z154);
+    const Scalar z169 = z148 * z165 + z147 * z168;  // moment on line, z
+    const Scalar z174 = a_phi * z151 + z169;
+    const Scalar z156 = n1 / z155;
+    const Scalar z157 = n3 * z156 * z156 * z156;
+    const Scalar z158 = z152 * z157;
+    const Scalar z159 = z153 * z157;
+    const Scalar z166 = z159 - z164;  // force on second, x
+    const Scalar z167 = z158 - n3 * z161;  // force on first, x
+    const Scalar z170 = n0_75 * z166 + n0_25 * z167;
+    const Scalar z173 = n0_75 * a_r + z170;
+    forces.X = z171;
+    forces.Y = z172;
+    forces.r = z173;
+    forces.phi = z174;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -946,48 +947,49 @@ struct Mechanism {
   /// positive relative to its diagonal entry.
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs&,
       Accelerations& accelerations, Multipliers&) noexcept {
-    const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
     const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
+    const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n1_5 = traits::constant(1.5, 1.5f, "3/2");
-    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n4_over_3 = traits::constant(1.3333333333333333, 1.3333334f, "4/3");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar v_phi = state.v.phi;
     const Scalar q_r = state.q.r;
     const Scalar v_r = state.v.r;
-    const Scalar z26 = n0_75 * q_r;
-    const Scalar z18 = n0_25 * q_r;
-    const Scalar z64 = v_phi * v_phi;
-    const Scalar z66 = n0_5 * v_phi * v_r;
-    const Scalar z68 = n1_5 * v_phi * v_r;
-    const Scalar z56 = n0_25 * q_r + z26;
-    const Scalar z35 = z26 * z26;
-    const Scalar z39 = n3 * z18 * z18;
-    const Scalar z57 = n0_75 * q_r + z18;
-    const Scalar z58 = z56 * z56;
-    const Scalar z67 = z26 * z64;
-    const Scalar z65 = z18 * z64;
-    const Scalar z71 = n3 * z66;  // force on first, y
-    const Scalar z42 = z35 + z39;
-    const Scalar z74 = z26 * z68 + z18 * z71;  // moment on line, z
-    const Scalar z59 = traits::sqrt(z58);
-    const Scalar z99 = n1 / z42;
-    const Scalar z101 = z74 * z99;
-    const Scalar z60 = n1 / z59;
-    const Scalar z61 = n3 * z60 * z60 * z60;
-    const Scalar z62 = z56 * z61;
-    const Scalar z63 = z57 * z61;
-    const Scalar z69 = z63 - z67;  // force on second, x
-    const Scalar z70 = z62 - n3 * z65;  // force on first, x
-    const Scalar z78 = n0_75 * z69 + n0_25 * z70;
-    const Scalar z100 = n4_over_3 * z78;
+    const Scalar z178 = n0_25 * q_r;
+    const Scalar z179 = n0_75 * q_r;
+    const Scalar z191 = v_phi * v_phi;
+    const Scalar z193 = v_phi * v_r;
+    const Scalar z180 = z179 * z179;
+    const Scalar z181 = n3 * z178 * z178;
+    const Scalar z183 = z178 + z179;
+    const Scalar z184 = z178 + z179;
+    const Scalar z195 = z179 * z191;
+    const Scalar z192 = z178 * z191;
+    const Scalar z194 = n0_5 * z193;
+    const Scalar z185 = z183 * z183;
+    const Scalar z196 = n1_5 * z193;
+    const Scalar z199 = n3 * z194;  // force on first, y
+    const Scalar z182 = z180 + z181;
+    const Scalar z186 = traits::sqrt(z185);
+    const Scalar z200 = z179 * z196 + z178 * z199;  // moment on line, z
+    const Scalar z202 = n1 / z182;
+    const Scalar z204 = z200 * z202;
+    const Scalar z187 = n1 / z186;
+    const Scalar z188 = n3 * z187 * z187 * z187;
+    const Scalar z189 = z183 * z188;
+    const Scalar z190 = z184 * z188;
+    const Scalar z197 = z190 - z195;  // force on second, x
+    const Scalar z198 = z189 - n3 * z192;  // force on first, x
+    const Scalar z201 = n0_75 * z197 + n0_25 * z198;
+    const Scalar z203 = n4_over_3 * z201;
     accelerations.X = n0;
     accelerations.Y = n0;
-    accelerations.r = -z100;
-    accelerations.phi = -z101;
-    if (!(traits::regular(z42, z42))) return torsor::Status::singular;
+    accelerations.r = -z203;
+    accelerations.phi = -z204;
+    if (!(traits::regular(z182, z182))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.r * accelerations.phi;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -996,8 +998,8 @@ struct Mechanism {
 
   /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
   TORSOR_DEVICE static void energy(const Precomputed&, const State& state, const Inputs&, Energy& result) noexcept {
-    const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
     const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
+    const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n1_5 = traits::constant(1.5, 1.5f, "3/2");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
@@ -1011,27 +1013,27 @@ struct Mechanism {
     const Scalar v_r = state.v.r;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z26 = n0_75 * q_r;
-    const Scalar z18 = n0_25 * q_r;
-    const Scalar z102 = v_X * c_phi + v_Y * s_phi;
-    const Scalar z103 = v_X * s_phi - v_Y * c_phi;
-    const Scalar z56 = n0_25 * q_r + z26;
-    const Scalar z58 = z56 * z56;
-    const Scalar z59 = traits::sqrt(z58);
-    const Scalar z60 = n1 / z59;
-    const Scalar z104 = v_phi * z18 + z103;
-    const Scalar z105 = n0_25 * v_r - z102;  // velocity of first, x
-    const Scalar z106 = v_phi * z26 - z103;
-    const Scalar z107 = n0_75 * v_r + z102;  // velocity of second, x
-    result.kinetic = n1_5 * (z104 * z104 + z105 * z105) + n0_5 * (z106 * z106 + z107 * z107);
-    result.force_function = n3 * z60;
+    const Scalar z219 = n0_25 * q_r;
+    const Scalar z220 = n0_75 * q_r;
+    const Scalar z225 = v_X * c_phi + v_Y * s_phi;
+    const Scalar z226 = v_X * s_phi - v_Y * c_phi;
+    const Scalar z221 = z219 + z220;
+    const Scalar z222 = z221 * z221;
+    const Scalar z223 = traits::sqrt(z222);
+    const Scalar z224 = n1 / z223;
+    const Scalar z227 = v_phi * z219 + z226;
+    const Scalar z228 = n0_25 * v_r - z225;  // velocity of first, x
+    const Scalar z229 = v_phi * z220 - z226;
+    const Scalar z230 = n0_75 * v_r + z225;  // velocity of second, x
+    result.kinetic = n1_5 * (z227 * z227 + z228 * z228) + n0_5 * (z229 * z229 + z230 * z230);
+    result.force_function = n3 * z224;
     result.power = n0;
   }
 
   /// First integrals: constant along every motion.
   TORSOR_DEVICE static void first_integrals(const Precomputed&, const State& state, FirstIntegrals& result) noexcept {
-    const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
     const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
+    const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
     const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n1_5 = traits::constant(1.5, 1.5f, "3/2");
@@ -1045,37 +1047,37 @@ struct Mechanism {
     const Scalar v_r = state.v.r;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z26 = n0_75 * q_r;
-    const Scalar z18 = n0_25 * q_r;
-    const Scalar z102 = v_X * c_phi + v_Y * s_phi;
-    const Scalar z103 = v_X * s_phi - v_Y * c_phi;
-    const Scalar z56 = n0_25 * q_r + z26;
-    const Scalar z35 = z26 * z26;
-    const Scalar z39 = n3 * z18 * z18;
-    const Scalar z58 = z56 * z56;
-    const Scalar z42 = z35 + z39;
-    const Scalar z59 = traits::sqrt(z58);
-    const Scalar z60 = n1 / z59;
-    const Scalar z104 = v_phi * z18 + z103;
-    const Scalar z105 = n0_25 * v_r - z102;  // velocity of first, x
-    const Scalar z106 = v_phi * z26 - z103;
-    const Scalar z107 = n0_75 * v_r + z102;  // velocity of second, x
-    result.energy = -n3 * z60 + n1_5 * (z104 * z104 + z105 * z105) + n0_5 * (z106 * z106 + z107 * z107);
+    const Scalar z245 = n0_25 * q_r;
+    const Scalar z246 = n0_75 * q_r;
+    const Scalar z254 = v_X * c_phi + v_Y * s_phi;
+    const Scalar z255 = v_X * s_phi - v_Y * c_phi;
+    const Scalar z250 = z245 + z246;
+    const Scalar z247 = z246 * z246;
+    const Scalar z248 = n3 * z245 * z245;
+    const Scalar z251 = z250 * z250;
+    const Scalar z249 = z247 + z248;
+    const Scalar z252 = traits::sqrt(z251);
+    const Scalar z253 = n1 / z252;
+    const Scalar z256 = v_phi * z245 + z255;
+    const Scalar z257 = n0_25 * v_r - z254;  // velocity of first, x
+    const Scalar z258 = v_phi * z246 - z255;
+    const Scalar z259 = n0_75 * v_r + z254;  // velocity of second, x
+    result.energy = -n3 * z253 + n1_5 * (z256 * z256 + z257 * z257) + n0_5 * (z258 * z258 + z259 * z259);
     result.momentum_X = n4 * v_X;
     result.momentum_Y = n4 * v_Y;
-    result.momentum_phi = v_phi * z42;
+    result.momentum_phi = v_phi * z249;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
   /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
   TORSOR_DEVICE static torsor::Status linearisation(const Precomputed&, const State& state,
       const Accelerations& accelerations, const Multipliers&, const Inputs&, Linearisation& result) noexcept {
-    const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
     const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
+    const Scalar n0_75 = traits::constant(0.75, 0.75f, "3/4");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n1_5 = traits::constant(1.5, 1.5f, "3/2");
-    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n4 = traits::constant(4.0, 4.0f, "4/1");
     const Scalar n4_over_3 = traits::constant(1.3333333333333333, 1.3333334f, "4/3");
@@ -1088,68 +1090,68 @@ struct Mechanism {
     const Scalar q_r = state.q.r;
     const Scalar v_r = state.v.r;
     const Scalar a_r = accelerations.r;
-    const Scalar z26 = n0_75 * q_r;
-    const Scalar z18 = n0_25 * q_r;
-    const Scalar z64 = v_phi * v_phi;
-    const Scalar z66 = n0_5 * v_phi * v_r;
-    const Scalar z68 = n1_5 * v_phi * v_r;
-    const Scalar z56 = n0_25 * q_r + z26;
-    const Scalar z35 = z26 * z26;
-    const Scalar z39 = n3 * z18 * z18;
-    const Scalar z57 = n0_75 * q_r + z18;
-    const Scalar z58 = z56 * z56;
-    const Scalar z130 = n2 * z56;
-    const Scalar z67 = z26 * z64;
-    const Scalar z135 = n0_75 * z64;
-    const Scalar z42 = z35 + z39;
-    const Scalar z150 = n2 * v_phi;
-    const Scalar z59 = traits::sqrt(z58);
-    const Scalar z65 = z18 * z64;
-    const Scalar z71 = n3 * z66;  // force on first, y
-    const Scalar z138 = n0_25 * z64;
-    const Scalar z141 = n0_5 * v_phi;
-    const Scalar z143 = n1_5 * v_phi;
-    const Scalar z145 = n1_5 * z26;
-    const Scalar z146 = n1_5 * z18;
-    const Scalar z151 = z26 * z150;
-    const Scalar z152 = z18 * z150;
-    const Scalar z155 = n0_5 * v_r;
-    const Scalar z147 = z145 + z146;
-    const Scalar z157 = n1_5 * v_r;
-    const Scalar z142 = n3 * z141;
-    const Scalar z144 = z26 * z143 + z18 * z142;
-    const Scalar z148 = n0_75 * z68 + n0_25 * z71;
-    const Scalar z74 = z26 * z68 + z18 * z71;  // moment on line, z
-    const Scalar z153 = n3 * z152;
-    const Scalar z156 = n3 * z155;
-    const Scalar z99 = n1 / z42;
-    const Scalar z158 = z26 * z157 + z18 * z156;
-    const Scalar z149 = a_phi * z147 + z148;
-    const Scalar z154 = n0_75 * z151 + n0_25 * z153;
-    const Scalar z95 = n4 * a_X;
-    const Scalar z96 = n4 * a_Y;
-    const Scalar z131 = n0_5 * z130 / z59;
-    const Scalar z60 = n1 / z59;
-    const Scalar z98 = a_phi * z42 + z74;
-    const Scalar z160 = z99 * z149;
-    const Scalar z161 = z99 * z144;
-    const Scalar z162 = n4_over_3 * z154;
-    const Scalar z163 = z99 * z158;
-    const Scalar z61 = n3 * z60 * z60 * z60;
-    const Scalar z132 = z131 / (z59 * z59);
-    const Scalar z62 = z56 * z61;
-    const Scalar z63 = z57 * z61;
-    const Scalar z69 = z63 - z67;  // force on second, x
-    const Scalar z70 = z62 - n3 * z65;  // force on first, x
-    const Scalar z133 = n9 * z60 * z60 * z132;
-    const Scalar z78 = n0_75 * z69 + n0_25 * z70;
-    const Scalar z134 = z57 * z133 - z61;
-    const Scalar z137 = z56 * z133 - z61;
-    const Scalar z136 = z134 + z135;
-    const Scalar z139 = z137 + n3 * z138;
-    const Scalar z97 = n0_75 * a_r + z78;
-    const Scalar z140 = n0_75 * z136 + n0_25 * z139;
-    const Scalar z159 = n4_over_3 * z140;
+    const Scalar z295 = n0_25 * q_r;
+    const Scalar z296 = n0_75 * q_r;
+    const Scalar z308 = v_phi * v_phi;
+    const Scalar z310 = n0_5 * v_phi;
+    const Scalar z313 = n1_5 * v_phi;
+    const Scalar z343 = n2 * v_phi;
+    const Scalar z300 = z295 + z296;
+    const Scalar z297 = z296 * z296;
+    const Scalar z298 = n3 * z295 * z295;
+    const Scalar z301 = z295 + z296;
+    const Scalar z311 = v_r * z310;
+    const Scalar z302 = z300 * z300;
+    const Scalar z325 = n2 * z300;
+    const Scalar z312 = z296 * z308;
+    const Scalar z314 = v_r * z313;
+    const Scalar z330 = n0_75 * z308;
+    const Scalar z309 = z295 * z308;
+    const Scalar z303 = traits::sqrt(z302);
+    const Scalar z299 = z297 + z298;
+    const Scalar z317 = n3 * z311;  // force on first, y
+    const Scalar z333 = n0_25 * z308;
+    const Scalar z338 = n1_5 * z296;
+    const Scalar z339 = n1_5 * z295;
+    const Scalar z344 = z296 * z343;
+    const Scalar z345 = z295 * z343;
+    const Scalar z348 = n0_5 * v_r;
+    const Scalar z340 = z338 + z339;
+    const Scalar z350 = n1_5 * v_r;
+    const Scalar z336 = n3 * z310;
+    const Scalar z337 = z296 * z313 + z295 * z336;
+    const Scalar z341 = n0_75 * z314 + n0_25 * z317;
+    const Scalar z318 = z296 * z314 + z295 * z317;  // moment on line, z
+    const Scalar z346 = n3 * z345;
+    const Scalar z349 = n3 * z348;
+    const Scalar z324 = n1 / z299;
+    const Scalar z351 = z296 * z350 + z295 * z349;
+    const Scalar z342 = a_phi * z340 + z341;
+    const Scalar z347 = n0_75 * z344 + n0_25 * z346;
+    const Scalar z320 = n4 * a_X;
+    const Scalar z321 = n4 * a_Y;
+    const Scalar z323 = a_phi * z299 + z318;
+    const Scalar z326 = n0_5 * z325 / z303;
+    const Scalar z304 = n1 / z303;
+    const Scalar z353 = z324 * z342;
+    const Scalar z354 = z324 * z337;
+    const Scalar z355 = n4_over_3 * z347;
+    const Scalar z356 = z324 * z351;
+    const Scalar z305 = n3 * z304 * z304 * z304;
+    const Scalar z327 = z326 / (z303 * z303);
+    const Scalar z306 = z300 * z305;
+    const Scalar z307 = z301 * z305;
+    const Scalar z315 = z307 - z312;  // force on second, x
+    const Scalar z316 = z306 - n3 * z309;  // force on first, x
+    const Scalar z328 = n9 * z304 * z304 * z327;
+    const Scalar z319 = n0_75 * z315 + n0_25 * z316;
+    const Scalar z329 = z301 * z328 - z305;
+    const Scalar z332 = z300 * z328 - z305;
+    const Scalar z331 = z329 + z330;
+    const Scalar z334 = z332 + n3 * z333;
+    const Scalar z322 = n0_75 * a_r + z319;
+    const Scalar z335 = n0_75 * z331 + n0_25 * z334;
+    const Scalar z352 = n4_over_3 * z335;
     result.M[0] = n4;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -1165,7 +1167,7 @@ struct Mechanism {
     result.M[12] = n0;
     result.M[13] = n0;
     result.M[14] = n0;
-    result.M[15] = z42;
+    result.M[15] = z299;
     result.C[0] = n0;
     result.C[1] = n0;
     result.C[2] = n0;
@@ -1177,11 +1179,11 @@ struct Mechanism {
     result.C[8] = n0;
     result.C[9] = n0;
     result.C[10] = n0;
-    result.C[11] = z144;
+    result.C[11] = z337;
     result.C[12] = n0;
     result.C[13] = n0;
-    result.C[14] = -z154;
-    result.C[15] = z158;
+    result.C[14] = -z347;
+    result.C[15] = z351;
     result.K[0] = n0;
     result.K[1] = n0;
     result.K[2] = n0;
@@ -1192,16 +1194,16 @@ struct Mechanism {
     result.K[7] = n0;
     result.K[8] = n0;
     result.K[9] = n0;
-    result.K[10] = -z140;
-    result.K[11] = z149;
+    result.K[10] = -z335;
+    result.K[11] = z342;
     result.K[12] = n0;
     result.K[13] = n0;
     result.K[14] = n0;
     result.K[15] = n0;
-    result.F[0] = -z95;
-    result.F[1] = -z96;
-    result.F[2] = -z97;
-    result.F[3] = -z98;
+    result.F[0] = -z320;
+    result.F[1] = -z321;
+    result.F[2] = -z322;
+    result.F[3] = -z323;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
@@ -1224,8 +1226,8 @@ struct Mechanism {
     result.A[19] = n0;
     result.A[20] = n0;
     result.A[21] = n0;
-    result.A[22] = z159;
-    result.A[23] = -z160;
+    result.A[22] = z352;
+    result.A[23] = -z353;
     result.A[24] = n0;
     result.A[25] = n0;
     result.A[26] = n0;
@@ -1257,16 +1259,16 @@ struct Mechanism {
     result.A[52] = n0;
     result.A[53] = n0;
     result.A[54] = n0;
-    result.A[55] = -z161;
+    result.A[55] = -z354;
     result.A[56] = n0;
     result.A[57] = n0;
     result.A[58] = n0;
     result.A[59] = n1;
     result.A[60] = n0;
     result.A[61] = n0;
-    result.A[62] = z162;
-    result.A[63] = -z163;
-    if (!(traits::regular(z42, z42))) return torsor::Status::singular;
+    result.A[62] = z355;
+    result.A[63] = -z356;
+    if (!(traits::regular(z299, z299))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * result.M[15] * result.C[11] * result.C[14] * result.C[15] * result.K[10] * result.K[11]
         * result.F[0] * result.F[1] * result.F[2] * result.F[3] * result.A[22] * result.A[23] * result.A[55]

@@ -16,7 +16,7 @@
 //   inverse_dynamics         14               21          0             0                  2       0     39      46
 //   forward_dynamics         15               25          1             0                  2       0     45      53
 //   energy                   21               37          0             0                  3       0     64      68
-//   linearisation            35               60          1             0                  2       0    100     118
+//   linearisation            35               59          1             0                  2       0     99     118
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 60 results 31 vanish identically, 4 repeat another up to sign
@@ -122,8 +122,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
-  /// number gives no number.
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
   ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
@@ -341,7 +340,7 @@ TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& a
     const Bits bits = (Bits)shifted.part[i];
     const Bits odd = bits << sign_bit, upper = bits << (sign_bit - 1);
     Numbers sine_of_rest, cosine_of_rest;
-    if constexpr (sizeof(Numbers) == 32) {  // AVX has an instruction that looks at the bit of the sign
+    if constexpr (sizeof(Numbers) >= 32) {  // AVX has instructions that choose by the bit of the sign
       const Bits exchanged = odd < Bits{};
       sine_of_rest = exchanged ? c : s;
       cosine_of_rest = exchanged ? s : c;
@@ -506,7 +505,7 @@ struct Mechanism {
 
   static constexpr const char* name = "passenger_in_vehicle";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x096c6350e4e1782dULL;
+  static constexpr unsigned long long fingerprint = 0x40f6a8f5dc70a51cULL;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -1044,95 +1043,95 @@ struct Mechanism {
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta_1 = sines_[0], c_theta_1 = cosines_[0];
     const Scalar s_theta_2 = sines_[1], c_theta_2 = cosines_[1];
-    const Scalar z41 = n0_75 * c_theta_2;
-    const Scalar z78 = n9_81 * s_theta_1;
-    const Scalar z22 = v_theta_1 + v_theta_2;
-    const Scalar z211 = n2 * v_theta_1;
-    const Scalar z79 = n9_81 * c_theta_1;
-    const Scalar z80 = v_theta_1 * v_theta_1;
-    const Scalar z100 = a_theta_1 + a_theta_2;  // angular acceleration of S2, z
-    const Scalar z212 = n0_6 * z211;
-    const Scalar z215 = n2 * z22;
-    const Scalar z84 = z22 * z22;
-    const Scalar z101 = n0_75 * z100;  // force on S2, x
-    const Scalar z74 = n600 * q_theta_1;
-    const Scalar z213 = s_theta_2 * z212;
-    const Scalar z216 = n0_75 * z215;
-    const Scalar z85 = n0_75 * z84;  // force on S2, y
-    const Scalar z75 = n25 * v_theta_1;
-    const Scalar z76 = n40 * q_theta_2;
-    const Scalar z77 = n0_6 * v_theta_2;
-    const Scalar z217 = s_theta_2 * z216;
-    const Scalar z104 = s_theta_2 * z101 + c_theta_2 * z85;
-    const Scalar z103 = s_theta_2 * z85 - c_theta_2 * z101;
-    const Scalar z43 = n0_1425 + n0_6 * z41;
-    const Scalar z54 = n0_1425 + n1_2 * z41;
-    const Scalar z81 = z79 - n0_6 * z80;
-    const Scalar z97 = n0_6 * a_theta_1 - z78;
-    const Scalar z214 = n0_75 * z213;
-    const Scalar z220 = s_theta_2 * z78 - c_theta_2 * z79;
-    const Scalar z224 = n0_6 * z217;
-    const Scalar z218 = z214 - n0_6 * z217;
-    const Scalar z57 = n8_2 + z54;
-    const Scalar z98 = s_theta_2 * z81 - c_theta_2 * z97;
-    const Scalar z99 = s_theta_2 * z97 + c_theta_2 * z81;
-    const Scalar z168 = n400_over_57 * z43;
-    const Scalar z169 = z43 * z168 - z57;
-    const Scalar z219 = n25 + z218;
-    const Scalar z221 = n0_75 * z220;
-    const Scalar z279 = n0_6 * z168 + z224;
-    const Scalar z222 = n17 * z79 - z221;
-    const Scalar z273 = z168 * z214 - z219;
-    const Scalar z102 = n0_75 * z98 - n0_1425 * z100;  // moment on S2, z
-    const Scalar z170 = n1 / z169;
-    const Scalar z225 = n0_75 * z99;
-    const Scalar z223 = n600 - z222;
-    const Scalar z226 = n0_6 * z104 + z225;
-    const Scalar z227 = n40 - z225;
-    const Scalar z270 = z168 * z221 - z223;
-    const Scalar z107 = n8_2 * a_theta_1 - n17 * z78 - n0_6 * z103 - z102;  // moment on S1, z
-    const Scalar z113 = z76 + z77 - z102;
-    const Scalar z276 = z168 * z227 + z226;
-    const Scalar z112 = z74 + z75 + z107;
-    const Scalar z271 = z170 * z270;
-    const Scalar z274 = z170 * z273;
-    const Scalar z277 = z170 * z276;
-    const Scalar z280 = z170 * z279;
-    const Scalar z272 = z168 * z271 - n400_over_57 * z221;
-    const Scalar z275 = z168 * z274 - n400_over_57 * z214;
-    const Scalar z278 = z168 * z277 - n400_over_57 * z227;
-    const Scalar z281 = n80_over_19 - z168 * z280;
-    result.M[0] = z57;
-    result.M[1] = z43;
-    result.M[2] = z43;
+    const Scalar z283 = n0_75 * c_theta_2;
+    const Scalar z282 = v_theta_1 + v_theta_2;
+    const Scalar z291 = n9_81 * s_theta_1;
+    const Scalar z292 = n9_81 * c_theta_1;
+    const Scalar z293 = v_theta_1 * v_theta_1;
+    const Scalar z311 = n2 * v_theta_1;
+    const Scalar z315 = n2 * z282;
+    const Scalar z300 = a_theta_1 + a_theta_2;  // angular acceleration of S2, z
+    const Scalar z312 = n0_6 * z311;
+    const Scalar z295 = z282 * z282;
+    const Scalar z301 = n0_75 * z300;  // force on S2, x
+    const Scalar z287 = n600 * q_theta_1;
+    const Scalar z316 = n0_75 * z315;
+    const Scalar z313 = s_theta_2 * z312;
+    const Scalar z296 = n0_75 * z295;  // force on S2, y
+    const Scalar z288 = n25 * v_theta_1;
+    const Scalar z289 = n40 * q_theta_2;
+    const Scalar z290 = n0_6 * v_theta_2;
+    const Scalar z317 = s_theta_2 * z316;
+    const Scalar z304 = s_theta_2 * z301 + c_theta_2 * z296;
+    const Scalar z303 = s_theta_2 * z296 - c_theta_2 * z301;
+    const Scalar z284 = n0_1425 + n0_6 * z283;
+    const Scalar z285 = n0_1425 + n1_2 * z283;
+    const Scalar z294 = z292 - n0_6 * z293;
+    const Scalar z297 = n0_6 * a_theta_1 - z291;
+    const Scalar z314 = n0_75 * z313;
+    const Scalar z318 = n0_6 * z317;
+    const Scalar z321 = s_theta_2 * z291 - c_theta_2 * z292;
+    const Scalar z319 = z314 - z318;
+    const Scalar z286 = n8_2 + z285;
+    const Scalar z298 = s_theta_2 * z294 - c_theta_2 * z297;
+    const Scalar z299 = s_theta_2 * z297 + c_theta_2 * z294;
+    const Scalar z308 = n400_over_57 * z284;
+    const Scalar z320 = n25 + z319;
+    const Scalar z309 = z284 * z308 - z286;
+    const Scalar z322 = n0_75 * z321;
+    const Scalar z337 = n0_6 * z308 + z318;
+    const Scalar z331 = z308 * z314 - z320;
+    const Scalar z323 = n17 * z292 - z322;
+    const Scalar z302 = n0_75 * z298 - n0_1425 * z300;  // moment on S2, z
+    const Scalar z310 = n1 / z309;
+    const Scalar z325 = n0_75 * z299;
+    const Scalar z324 = n600 - z323;
+    const Scalar z326 = n0_6 * z304 + z325;
+    const Scalar z327 = n40 - z325;
+    const Scalar z328 = z308 * z322 - z324;
+    const Scalar z305 = n8_2 * a_theta_1 - n17 * z291 - n0_6 * z303 - z302;  // moment on S1, z
+    const Scalar z307 = z289 + z290 - z302;
+    const Scalar z334 = z308 * z327 + z326;
+    const Scalar z306 = z287 + z288 + z305;
+    const Scalar z329 = z310 * z328;
+    const Scalar z332 = z310 * z331;
+    const Scalar z335 = z310 * z334;
+    const Scalar z338 = z310 * z337;
+    const Scalar z330 = z308 * z329 - n400_over_57 * z322;
+    const Scalar z333 = z308 * z332 - n400_over_57 * z314;
+    const Scalar z336 = z308 * z335 - n400_over_57 * z327;
+    const Scalar z339 = n80_over_19 - z308 * z338;
+    result.M[0] = z286;
+    result.M[1] = z284;
+    result.M[2] = z284;
     result.M[3] = n0_1425;
-    result.C[0] = z219;
-    result.C[1] = z214;
-    result.C[2] = -z224;
+    result.C[0] = z320;
+    result.C[1] = z314;
+    result.C[2] = -z318;
     result.C[3] = n0_6;
-    result.K[0] = z223;
-    result.K[1] = z221;
-    result.K[2] = -z226;
-    result.K[3] = z227;
-    result.F[0] = -z112;
-    result.F[1] = -z113;
+    result.K[0] = z324;
+    result.K[1] = z322;
+    result.K[2] = -z326;
+    result.K[3] = z327;
+    result.F[0] = -z306;
+    result.F[1] = -z307;
     result.A[0] = n0;
     result.A[1] = n0;
-    result.A[2] = -z271;
-    result.A[3] = z272;
+    result.A[2] = -z329;
+    result.A[3] = z330;
     result.A[4] = n0;
     result.A[5] = n0;
-    result.A[6] = -z277;
-    result.A[7] = z278;
+    result.A[6] = -z335;
+    result.A[7] = z336;
     result.A[8] = n1;
     result.A[9] = n0;
-    result.A[10] = -z274;
-    result.A[11] = z275;
+    result.A[10] = -z332;
+    result.A[11] = z333;
     result.A[12] = n0;
     result.A[13] = n1;
-    result.A[14] = -z280;
-    result.A[15] = -z281;
-    if (!(traits::regular(-z169, z57))) return torsor::Status::singular;
+    result.A[14] = -z338;
+    result.A[15] = -z339;
+    if (!(traits::regular(-z309, z286))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = (n0 * result.M[0] * result.M[1] * result.M[2] * result.C[0] * result.C[1] * result.C[2]
         * result.K[0] * result.K[1] * result.K[2] * result.K[3]) * (n0 * result.F[0] * result.F[1] * result.A[2]

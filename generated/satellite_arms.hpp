@@ -12,12 +12,12 @@
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   kinematics               12               44          0             0                  3       0     62      62
 //   mass_matrix               4                8          0             0                  2       0     16      19
-//   bias                     15               41          0             0                  2       0     60      58
-//   inverse_dynamics         22               52          0             0                  2       0     78      79
-//   forward_dynamics         21               52          1             0                  2       0     78      79
-//   energy                   21               39          0             0                  2       0     64      70
+//   bias                     15               39          0             0                  2       0     58      58
+//   inverse_dynamics         22               50          0             0                  2       0     76      79
+//   forward_dynamics         21               50          1             0                  2       0     76      79
+//   energy                   21               37          0             0                  2       0     62      70
 //   first_integrals           4                9          0             0                  2       0     17      20
-//   linearisation            59              142          1             0                  2       0    206     207
+//   linearisation            59              140          1             0                  2       0    204     207
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 99 results 46 vanish identically, 12 repeat another up to sign
@@ -122,8 +122,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
-  /// number gives no number.
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
   ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
@@ -341,7 +340,7 @@ TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& a
     const Bits bits = (Bits)shifted.part[i];
     const Bits odd = bits << sign_bit, upper = bits << (sign_bit - 1);
     Numbers sine_of_rest, cosine_of_rest;
-    if constexpr (sizeof(Numbers) == 32) {  // AVX has an instruction that looks at the bit of the sign
+    if constexpr (sizeof(Numbers) >= 32) {  // AVX has instructions that choose by the bit of the sign
       const Bits exchanged = odd < Bits{};
       sine_of_rest = exchanged ? c : s;
       cosine_of_rest = exchanged ? s : c;
@@ -506,7 +505,7 @@ struct Mechanism {
 
   static constexpr const char* name = "satellite_arms";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x5bf02f23745e8f86ULL;
+  static constexpr unsigned long long fingerprint = 0x63e1557b295de59eULL;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 2;
@@ -950,56 +949,59 @@ struct Mechanism {
     const Scalar s_theta_2 = sines_[0], c_theta_2 = cosines_[0];
     const Scalar s_theta_3 = sines_[1], c_theta_3 = cosines_[1];
     const Scalar pi = traits::pi();
-    const Scalar z36 = v_psi * c_theta_3;
-    const Scalar z23 = v_psi * c_theta_2;
-    const Scalar z35 = v_psi * s_theta_3;
-    const Scalar z22 = v_psi * s_theta_2;
-    const Scalar z101 = v_psi * v_psi;
-    const Scalar z93 = q_theta_2 - n0_5 * pi;
-    const Scalar z106 = n7_over_6 * z101;
-    const Scalar z95 = q_theta_3 + n0_5 * pi;
-    const Scalar z102 = n32_7 * s_theta_2 + c_theta_2 * z101;
-    const Scalar z107 = n32_7 * s_theta_3 - c_theta_3 * z106;
-    const Scalar z94 = n30 * z93;
-    const Scalar z96 = n35 * z95;
-    const Scalar z97 = n5 * v_theta_2;
-    const Scalar z98 = n6 * v_theta_3;
-    const Scalar z104 = v_theta_2 * z23;  // angular acceleration of S2, x
-    const Scalar z105 = v_theta_2 * z22;  // angular acceleration of S2, z
-    const Scalar z109 = v_theta_3 * z36;  // angular acceleration of S3, x
-    const Scalar z110 = v_theta_3 * z35;  // angular acceleration of S3, z
-    const Scalar z111 = z35 * z36;
-    const Scalar z127 = z22 * z23;
-    const Scalar z112 = n2 * z109;
-    const Scalar z116 = n2 * z110;
-    const Scalar z128 = n2 * z104;
-    const Scalar z132 = n2 * z105;
-    const Scalar z121 = n109_over_160 * z111 + n0_3375 * z107;  // moment on S3, y
-    const Scalar z137 = n0_666 * z127 + n0_3 * z102;  // moment on S2, y
-    const Scalar z118 = n0_3375 * z112;  // force on S3, times 0.3 m, y
-    const Scalar z120 = k12 * z112;  // moment on S3, x
-    const Scalar z122 = n0_0005 * z116;  // moment on S3, z
-    const Scalar z134 = n0_3 * z128;  // force on S2, times 0.3 m, y
-    const Scalar z136 = n0_667 * z128;  // moment on S2, x
-    const Scalar z138 = n0_001 * z132;  // moment on S2, z
-    const Scalar z126 = s_theta_3 * z120 - c_theta_3 * z122;
-    const Scalar z142 = s_theta_2 * z136 - c_theta_2 * z138;
-    const Scalar z149 = z94 + z97 - z137;
-    const Scalar z150 = z96 + z98 - z121;
-    const Scalar z148 = n7_over_6 * z118 - z134 - z126 - z142;  // moment on S1, z
-    forces.psi = -z148;
-    forces.theta_2 = z149;
-    forces.theta_3 = z150;
+    const Scalar z151 = traits::formula(1.5707963267948966, 1.5707964f, [&]() -> Scalar {
+      return n0_5 * pi;
+    });
+    const Scalar z155 = v_psi * c_theta_3;
+    const Scalar z153 = v_psi * c_theta_2;
+    const Scalar z154 = v_psi * s_theta_3;
+    const Scalar z152 = v_psi * s_theta_2;
+    const Scalar z162 = v_psi * v_psi;
+    const Scalar z156 = q_theta_2 - z151;
+    const Scalar z166 = n7_over_6 * z162;
+    const Scalar z158 = q_theta_3 + z151;
+    const Scalar z163 = n32_7 * s_theta_2 + c_theta_2 * z162;
+    const Scalar z157 = n30 * z156;
+    const Scalar z167 = n32_7 * s_theta_3 - c_theta_3 * z166;
+    const Scalar z159 = n35 * z158;
+    const Scalar z160 = n5 * v_theta_2;
+    const Scalar z161 = n6 * v_theta_3;
+    const Scalar z164 = v_theta_2 * z153;  // angular acceleration of S2, x
+    const Scalar z165 = v_theta_2 * z152;  // angular acceleration of S2, z
+    const Scalar z168 = v_theta_3 * z155;  // angular acceleration of S3, x
+    const Scalar z169 = v_theta_3 * z154;  // angular acceleration of S3, z
+    const Scalar z170 = z154 * z155;
+    const Scalar z178 = z152 * z153;
+    const Scalar z171 = n2 * z168;
+    const Scalar z172 = n2 * z169;
+    const Scalar z179 = n2 * z164;
+    const Scalar z180 = n2 * z165;
+    const Scalar z175 = n109_over_160 * z170 + n0_3375 * z167;  // moment on S3, y
+    const Scalar z183 = n0_666 * z178 + n0_3 * z163;  // moment on S2, y
+    const Scalar z173 = n0_3375 * z171;  // force on S3, times 0.3 m, y
+    const Scalar z174 = k12 * z171;  // moment on S3, x
+    const Scalar z176 = n0_0005 * z172;  // moment on S3, z
+    const Scalar z181 = n0_3 * z179;  // force on S2, times 0.3 m, y
+    const Scalar z182 = n0_667 * z179;  // moment on S2, x
+    const Scalar z184 = n0_001 * z180;  // moment on S2, z
+    const Scalar z177 = s_theta_3 * z174 - c_theta_3 * z176;
+    const Scalar z185 = s_theta_2 * z182 - c_theta_2 * z184;
+    const Scalar z187 = z157 + z160 - z183;
+    const Scalar z188 = z159 + z161 - z175;
+    const Scalar z186 = n7_over_6 * z173 - z181 - z177 - z185;  // moment on S1, z
+    forces.psi = -z186;
+    forces.theta_2 = z187;
+    forces.theta_3 = z188;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
   TORSOR_DEVICE static void inverse_dynamics(const Precomputed&, const State& state, const Accelerations& accelerations,
       const Multipliers&, GeneralizedForces& forces) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n109_over_160 = traits::constant(0.68125, 0.68125f, "109/160");
     const Scalar n7_over_6 = traits::constant(1.1666666666666667, 1.1666666f, "7/6");
     const Scalar n0_3375 = traits::constant(0.3375, 0.3375f, "27/80");
     const Scalar n0_666 = traits::constant(0.666, 0.666f, "333/500");
-    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
     const Scalar n32_7 = traits::constant(32.7, 32.7f, "327/10");
     const Scalar n30 = traits::constant(30.0, 30.0f, "30/1");
@@ -1029,59 +1031,62 @@ struct Mechanism {
     const Scalar s_theta_2 = sines_[0], c_theta_2 = cosines_[0];
     const Scalar s_theta_3 = sines_[1], c_theta_3 = cosines_[1];
     const Scalar pi = traits::pi();
-    const Scalar z36 = v_psi * c_theta_3;
-    const Scalar z23 = v_psi * c_theta_2;
-    const Scalar z35 = v_psi * s_theta_3;
-    const Scalar z22 = v_psi * s_theta_2;
-    const Scalar z101 = v_psi * v_psi;
-    const Scalar z65 = n109_over_160 * c_theta_3;
-    const Scalar z106 = n7_over_6 * z101;
-    const Scalar z62 = n0_3375 * s_theta_3;
-    const Scalar z79 = n0_666 * c_theta_2;
-    const Scalar z93 = q_theta_2 - n0_5 * pi;
-    const Scalar z95 = q_theta_3 + n0_5 * pi;
-    const Scalar z76 = n0_3 * s_theta_2;
-    const Scalar z102 = n32_7 * s_theta_2 + c_theta_2 * z101;
-    const Scalar z107 = n32_7 * s_theta_3 - c_theta_3 * z106;
-    const Scalar z94 = n30 * z93;
-    const Scalar z96 = n35 * z95;
-    const Scalar z97 = n5 * v_theta_2;
-    const Scalar z98 = n6 * v_theta_3;
-    const Scalar z66 = c_theta_3 * z65;
-    const Scalar z80 = c_theta_2 * z79;
-    const Scalar z104 = v_theta_2 * z23;  // angular acceleration of S2, x
-    const Scalar z105 = v_theta_2 * z22;  // angular acceleration of S2, z
-    const Scalar z109 = v_theta_3 * z36;  // angular acceleration of S3, x
-    const Scalar z110 = v_theta_3 * z35;  // angular acceleration of S3, z
-    const Scalar z111 = z35 * z36;
-    const Scalar z127 = z22 * z23;
-    const Scalar z71 = n7_over_3 * z62 + z66;
-    const Scalar z85 = n2 * z76 - z80;
-    const Scalar z112 = n2 * z109;
-    const Scalar z116 = n2 * z110;
-    const Scalar z128 = n2 * z104;
-    const Scalar z132 = n2 * z105;
-    const Scalar z121 = n109_over_160 * z111 + n0_3375 * z107;  // moment on S3, y
-    const Scalar z137 = n0_666 * z127 + n0_3 * z102;  // moment on S2, y
-    const Scalar z118 = n0_3375 * z112;  // force on S3, times 0.3 m, y
-    const Scalar z120 = k13 * z112;  // moment on S3, x
-    const Scalar z122 = n0_0005 * z116;  // moment on S3, z
-    const Scalar z134 = n0_3 * z128;  // force on S2, times 0.3 m, y
-    const Scalar z136 = n0_667 * z128;  // moment on S2, x
-    const Scalar z138 = n0_001 * z132;  // moment on S2, z
-    const Scalar z74 = n2_7425 - z71;
-    const Scalar z126 = s_theta_3 * z120 - c_theta_3 * z122;
-    const Scalar z142 = s_theta_2 * z136 - c_theta_2 * z138;
-    const Scalar z91 = z74 + z85;
-    const Scalar z149 = z94 + z97 - z137;
-    const Scalar z150 = z96 + z98 - z121;
-    const Scalar z193 = n0_668 * a_theta_2 + z149;
-    const Scalar z194 = k19 * a_theta_3 + z150;
-    const Scalar z148 = n7_over_6 * z118 - z134 - z126 - z142;  // moment on S1, z
-    const Scalar z192 = a_psi * z91 - z148;
-    forces.psi = z192;
-    forces.theta_2 = z193;
-    forces.theta_3 = z194;
+    const Scalar z151 = traits::formula(1.5707963267948966, 1.5707964f, [&]() -> Scalar {
+      return n0_5 * pi;
+    });
+    const Scalar z236 = v_psi * c_theta_3;
+    const Scalar z234 = v_psi * c_theta_2;
+    const Scalar z235 = v_psi * s_theta_3;
+    const Scalar z233 = v_psi * s_theta_2;
+    const Scalar z253 = v_psi * v_psi;
+    const Scalar z238 = n109_over_160 * c_theta_3;
+    const Scalar z257 = n7_over_6 * z253;
+    const Scalar z237 = n0_3375 * s_theta_3;
+    const Scalar z243 = n0_666 * c_theta_2;
+    const Scalar z247 = q_theta_2 - z151;
+    const Scalar z249 = q_theta_3 + z151;
+    const Scalar z242 = n0_3 * s_theta_2;
+    const Scalar z254 = n32_7 * s_theta_2 + c_theta_2 * z253;
+    const Scalar z258 = n32_7 * s_theta_3 - c_theta_3 * z257;
+    const Scalar z248 = n30 * z247;
+    const Scalar z250 = n35 * z249;
+    const Scalar z251 = n5 * v_theta_2;
+    const Scalar z252 = n6 * v_theta_3;
+    const Scalar z239 = c_theta_3 * z238;
+    const Scalar z244 = c_theta_2 * z243;
+    const Scalar z255 = v_theta_2 * z234;  // angular acceleration of S2, x
+    const Scalar z256 = v_theta_2 * z233;  // angular acceleration of S2, z
+    const Scalar z259 = v_theta_3 * z236;  // angular acceleration of S3, x
+    const Scalar z260 = v_theta_3 * z235;  // angular acceleration of S3, z
+    const Scalar z261 = z235 * z236;
+    const Scalar z269 = z233 * z234;
+    const Scalar z240 = n7_over_3 * z237 + z239;
+    const Scalar z245 = n2 * z242 - z244;
+    const Scalar z262 = n2 * z259;
+    const Scalar z263 = n2 * z260;
+    const Scalar z270 = n2 * z255;
+    const Scalar z271 = n2 * z256;
+    const Scalar z266 = n109_over_160 * z261 + n0_3375 * z258;  // moment on S3, y
+    const Scalar z274 = n0_666 * z269 + n0_3 * z254;  // moment on S2, y
+    const Scalar z264 = n0_3375 * z262;  // force on S3, times 0.3 m, y
+    const Scalar z265 = k13 * z262;  // moment on S3, x
+    const Scalar z267 = n0_0005 * z263;  // moment on S3, z
+    const Scalar z272 = n0_3 * z270;  // force on S2, times 0.3 m, y
+    const Scalar z273 = n0_667 * z270;  // moment on S2, x
+    const Scalar z275 = n0_001 * z271;  // moment on S2, z
+    const Scalar z241 = n2_7425 - z240;
+    const Scalar z268 = s_theta_3 * z265 - c_theta_3 * z267;
+    const Scalar z276 = s_theta_2 * z273 - c_theta_2 * z275;
+    const Scalar z246 = z241 + z245;
+    const Scalar z278 = z248 + z251 - z274;
+    const Scalar z279 = z250 + z252 - z266;
+    const Scalar z281 = n0_668 * a_theta_2 + z278;
+    const Scalar z282 = k19 * a_theta_3 + z279;
+    const Scalar z277 = n7_over_6 * z264 - z272 - z268 - z276;  // moment on S1, z
+    const Scalar z280 = a_psi * z246 - z277;
+    forces.psi = z280;
+    forces.theta_2 = z281;
+    forces.theta_3 = z282;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -1089,12 +1094,12 @@ struct Mechanism {
   /// positive relative to its diagonal entry.
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs& inputs,
       Accelerations& accelerations, Multipliers&) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n109_over_160 = traits::constant(0.68125, 0.68125f, "109/160");
     const Scalar n0_3375 = traits::constant(0.3375, 0.3375f, "27/80");
     const Scalar n0_666 = traits::constant(0.666, 0.666f, "333/500");
     const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
     const Scalar n7_over_6 = traits::constant(1.1666666666666667, 1.1666666f, "7/6");
-    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n32_7 = traits::constant(32.7, 32.7f, "327/10");
     const Scalar n30 = traits::constant(30.0, 30.0f, "30/1");
     const Scalar n35 = traits::constant(35.0, 35.0f, "35/1");
@@ -1124,63 +1129,66 @@ struct Mechanism {
     const Scalar s_theta_2 = sines_[0], c_theta_2 = cosines_[0];
     const Scalar s_theta_3 = sines_[1], c_theta_3 = cosines_[1];
     const Scalar pi = traits::pi();
-    const Scalar z65 = n109_over_160 * c_theta_3;
-    const Scalar z62 = n0_3375 * s_theta_3;
-    const Scalar z79 = n0_666 * c_theta_2;
-    const Scalar z36 = v_psi * c_theta_3;
-    const Scalar z76 = n0_3 * s_theta_2;
-    const Scalar z23 = v_psi * c_theta_2;
-    const Scalar z35 = v_psi * s_theta_3;
-    const Scalar z101 = v_psi * v_psi;
-    const Scalar z22 = v_psi * s_theta_2;
-    const Scalar z106 = n7_over_6 * z101;
-    const Scalar z93 = q_theta_2 - n0_5 * pi;
-    const Scalar z95 = q_theta_3 + n0_5 * pi;
-    const Scalar z102 = n32_7 * s_theta_2 + c_theta_2 * z101;
-    const Scalar z107 = n32_7 * s_theta_3 - c_theta_3 * z106;
-    const Scalar z94 = n30 * z93;
-    const Scalar z96 = n35 * z95;
-    const Scalar z97 = n5 * v_theta_2;
-    const Scalar z98 = n6 * v_theta_3;
-    const Scalar z66 = c_theta_3 * z65;
-    const Scalar z80 = c_theta_2 * z79;
-    const Scalar z104 = v_theta_2 * z23;  // angular acceleration of S2, x
-    const Scalar z105 = v_theta_2 * z22;  // angular acceleration of S2, z
-    const Scalar z109 = v_theta_3 * z36;  // angular acceleration of S3, x
-    const Scalar z110 = v_theta_3 * z35;  // angular acceleration of S3, z
-    const Scalar z111 = z35 * z36;
-    const Scalar z127 = z22 * z23;
-    const Scalar z71 = n7_over_3 * z62 + z66;
-    const Scalar z85 = n2 * z76 - z80;
-    const Scalar z112 = n2 * z109;
-    const Scalar z116 = n2 * z110;
-    const Scalar z128 = n2 * z104;
-    const Scalar z132 = n2 * z105;
-    const Scalar z121 = n109_over_160 * z111 + n0_3375 * z107;  // moment on S3, y
-    const Scalar z137 = n0_666 * z127 + n0_3 * z102;  // moment on S2, y
-    const Scalar z118 = n0_3375 * z112;  // force on S3, times 0.3 m, y
-    const Scalar z120 = k13 * z112;  // moment on S3, x
-    const Scalar z122 = n0_0005 * z116;  // moment on S3, z
-    const Scalar z134 = n0_3 * z128;  // force on S2, times 0.3 m, y
-    const Scalar z136 = n0_667 * z128;  // moment on S2, x
-    const Scalar z138 = n0_001 * z132;  // moment on S2, z
-    const Scalar z74 = n2_7425 - z71;
-    const Scalar z126 = s_theta_3 * z120 - c_theta_3 * z122;
-    const Scalar z142 = s_theta_2 * z136 - c_theta_2 * z138;
-    const Scalar z91 = z74 + z85;
-    const Scalar z149 = z94 + z97 - z137;
-    const Scalar z150 = z96 + z98 - z121;
-    const Scalar z217 = n1 / z91;
-    const Scalar z241 = u_Cm2 - z149;
-    const Scalar z242 = u_Cm3 - z150;
-    const Scalar z148 = n7_over_6 * z118 - z134 - z126 - z142;  // moment on S1, z
-    const Scalar z243 = n250_over_167 * z241;
-    const Scalar z244 = k20 * z242;
-    const Scalar z233 = z148 * z217;
-    accelerations.psi = z233;
-    accelerations.theta_2 = z243;
-    accelerations.theta_3 = z244;
-    if (!(traits::regular(z91, z91))) return torsor::Status::singular;
+    const Scalar z151 = traits::formula(1.5707963267948966, 1.5707964f, [&]() -> Scalar {
+      return n0_5 * pi;
+    });
+    const Scalar z338 = n109_over_160 * c_theta_3;
+    const Scalar z337 = n0_3375 * s_theta_3;
+    const Scalar z343 = n0_666 * c_theta_2;
+    const Scalar z336 = v_psi * c_theta_3;
+    const Scalar z342 = n0_3 * s_theta_2;
+    const Scalar z334 = v_psi * c_theta_2;
+    const Scalar z335 = v_psi * s_theta_3;
+    const Scalar z353 = v_psi * v_psi;
+    const Scalar z333 = v_psi * s_theta_2;
+    const Scalar z357 = n7_over_6 * z353;
+    const Scalar z347 = q_theta_2 - z151;
+    const Scalar z349 = q_theta_3 + z151;
+    const Scalar z354 = n32_7 * s_theta_2 + c_theta_2 * z353;
+    const Scalar z358 = n32_7 * s_theta_3 - c_theta_3 * z357;
+    const Scalar z348 = n30 * z347;
+    const Scalar z350 = n35 * z349;
+    const Scalar z351 = n5 * v_theta_2;
+    const Scalar z352 = n6 * v_theta_3;
+    const Scalar z339 = c_theta_3 * z338;
+    const Scalar z344 = c_theta_2 * z343;
+    const Scalar z355 = v_theta_2 * z334;  // angular acceleration of S2, x
+    const Scalar z356 = v_theta_2 * z333;  // angular acceleration of S2, z
+    const Scalar z359 = v_theta_3 * z336;  // angular acceleration of S3, x
+    const Scalar z360 = v_theta_3 * z335;  // angular acceleration of S3, z
+    const Scalar z361 = z335 * z336;
+    const Scalar z369 = z333 * z334;
+    const Scalar z340 = n7_over_3 * z337 + z339;
+    const Scalar z345 = n2 * z342 - z344;
+    const Scalar z362 = n2 * z359;
+    const Scalar z363 = n2 * z360;
+    const Scalar z370 = n2 * z355;
+    const Scalar z371 = n2 * z356;
+    const Scalar z366 = n109_over_160 * z361 + n0_3375 * z358;  // moment on S3, y
+    const Scalar z374 = n0_666 * z369 + n0_3 * z354;  // moment on S2, y
+    const Scalar z364 = n0_3375 * z362;  // force on S3, times 0.3 m, y
+    const Scalar z365 = k13 * z362;  // moment on S3, x
+    const Scalar z367 = n0_0005 * z363;  // moment on S3, z
+    const Scalar z372 = n0_3 * z370;  // force on S2, times 0.3 m, y
+    const Scalar z373 = n0_667 * z370;  // moment on S2, x
+    const Scalar z375 = n0_001 * z371;  // moment on S2, z
+    const Scalar z341 = n2_7425 - z340;
+    const Scalar z368 = s_theta_3 * z365 - c_theta_3 * z367;
+    const Scalar z376 = s_theta_2 * z373 - c_theta_2 * z375;
+    const Scalar z346 = z341 + z345;
+    const Scalar z378 = z348 + z351 - z374;
+    const Scalar z379 = z350 + z352 - z366;
+    const Scalar z380 = n1 / z346;
+    const Scalar z382 = u_Cm2 - z378;
+    const Scalar z383 = u_Cm3 - z379;
+    const Scalar z377 = n7_over_6 * z364 - z372 - z368 - z376;  // moment on S1, z
+    const Scalar z384 = n250_over_167 * z382;
+    const Scalar z385 = k20 * z383;
+    const Scalar z381 = z377 * z380;
+    accelerations.psi = z381;
+    accelerations.theta_2 = z384;
+    accelerations.theta_3 = z385;
+    if (!(traits::regular(z346, z346))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.psi * accelerations.theta_2 * accelerations.theta_3;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -1190,9 +1198,9 @@ struct Mechanism {
   /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
   TORSOR_DEVICE static void energy(const Precomputed&, const State& state, const Inputs& inputs,
       Energy& result) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n0_35 = traits::constant(0.35, 0.35f, "7/20");
     const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
-    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n5 = traits::constant(5.0, 5.0f, "5/1");
     const Scalar n6 = traits::constant(6.0, 6.0f, "6/1");
     const Scalar n1_125 = traits::constant(1.125, 1.125f, "9/8");
@@ -1222,25 +1230,28 @@ struct Mechanism {
     const Scalar s_theta_2 = sines_[0], c_theta_2 = cosines_[0];
     const Scalar s_theta_3 = sines_[1], c_theta_3 = cosines_[1];
     const Scalar pi = traits::pi();
-    const Scalar z34 = n0_35 * v_psi;
-    const Scalar z21 = n0_3 * v_psi;
-    const Scalar z22 = v_psi * s_theta_2;
-    const Scalar z35 = v_psi * s_theta_3;
-    const Scalar z23 = v_psi * c_theta_2;
-    const Scalar z36 = v_psi * c_theta_3;
-    const Scalar z93 = q_theta_2 - n0_5 * pi;
-    const Scalar z95 = q_theta_3 + n0_5 * pi;
-    const Scalar z97 = n5 * v_theta_2;
-    const Scalar z98 = n6 * v_theta_3;
-    const Scalar z250 = n1_125 * c_theta_3;
-    const Scalar z245 = n2 * z21 + z22;
-    const Scalar z246 = z21 + n0_67 * z22;
-    const Scalar z247 = n2_5 * z34 - n1_125 * z35;
-    const Scalar z248 = n1_125 * z34 - n549_over_800 * z35;
-    result.kinetic = n0_45 * v_psi * v_psi + n0_334 * v_theta_2 * v_theta_2 + k12 * v_theta_3 * v_theta_3 + n0_002 * z23
-        * z23 + n0_0025 * z36 * z36 + n0_5 * (z21 * z245 + z22 * z246 + z34 * z247 - z35 * z248);
-    result.force_function = -n19_62 - n15 * z93 * z93 - n17_5 * z95 * z95 - n9_81 * (c_theta_2 + z250);
-    result.power = -v_theta_2 * (z97 - u_Cm2) - v_theta_3 * (z98 - u_Cm3);
+    const Scalar z151 = traits::formula(1.5707963267948966, 1.5707964f, [&]() -> Scalar {
+      return n0_5 * pi;
+    });
+    const Scalar z397 = n0_35 * v_psi;
+    const Scalar z394 = n0_3 * v_psi;
+    const Scalar z395 = v_psi * s_theta_2;
+    const Scalar z398 = v_psi * s_theta_3;
+    const Scalar z396 = v_psi * c_theta_2;
+    const Scalar z399 = v_psi * c_theta_3;
+    const Scalar z400 = q_theta_2 - z151;
+    const Scalar z401 = q_theta_3 + z151;
+    const Scalar z402 = n5 * v_theta_2;
+    const Scalar z403 = n6 * v_theta_3;
+    const Scalar z408 = n1_125 * c_theta_3;
+    const Scalar z404 = n2 * z394 + z395;
+    const Scalar z405 = z394 + n0_67 * z395;
+    const Scalar z406 = n2_5 * z397 - n1_125 * z398;
+    const Scalar z407 = n1_125 * z397 - n549_over_800 * z398;
+    result.kinetic = n0_45 * v_psi * v_psi + n0_334 * v_theta_2 * v_theta_2 + k12 * v_theta_3 * v_theta_3 + n0_002
+        * z396 * z396 + n0_0025 * z399 * z399 + n0_5 * (z394 * z404 + z395 * z405 + z397 * z406 - z398 * z407);
+    result.force_function = -n19_62 - n15 * z400 * z400 - n17_5 * z401 * z401 - n9_81 * (c_theta_2 + z408);
+    result.power = v_theta_2 * (u_Cm2 - z402) + v_theta_3 * (u_Cm3 - z403);
   }
 
   /// First integrals: constant along every motion.
@@ -1277,12 +1288,12 @@ struct Mechanism {
   /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
   TORSOR_DEVICE static torsor::Status linearisation(const Precomputed&, const State& state,
       const Accelerations& accelerations, const Multipliers&, const Inputs& inputs, Linearisation& result) noexcept {
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n109_over_160 = traits::constant(0.68125, 0.68125f, "109/160");
     const Scalar n0_3375 = traits::constant(0.3375, 0.3375f, "27/80");
     const Scalar n0_666 = traits::constant(0.666, 0.666f, "333/500");
     const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
     const Scalar n7_over_6 = traits::constant(1.1666666666666667, 1.1666666f, "7/6");
-    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n32_7 = traits::constant(32.7, 32.7f, "327/10");
     const Scalar n30 = traits::constant(30.0, 30.0f, "30/1");
     const Scalar n35 = traits::constant(35.0, 35.0f, "35/1");
@@ -1319,134 +1330,137 @@ struct Mechanism {
     const Scalar s_theta_2 = sines_[0], c_theta_2 = cosines_[0];
     const Scalar s_theta_3 = sines_[1], c_theta_3 = cosines_[1];
     const Scalar pi = traits::pi();
-    const Scalar z35 = v_psi * s_theta_3;
-    const Scalar z22 = v_psi * s_theta_2;
-    const Scalar z65 = n109_over_160 * c_theta_3;
-    const Scalar z36 = v_psi * c_theta_3;
-    const Scalar z23 = v_psi * c_theta_2;
-    const Scalar z62 = n0_3375 * s_theta_3;
-    const Scalar z79 = n0_666 * c_theta_2;
-    const Scalar z76 = n0_3 * s_theta_2;
-    const Scalar z101 = v_psi * v_psi;
-    const Scalar z271 = v_theta_3 * c_theta_3;
-    const Scalar z106 = n7_over_6 * z101;
-    const Scalar z275 = v_theta_3 * s_theta_3;
-    const Scalar z64 = n109_over_160 * s_theta_3;
-    const Scalar z78 = n0_666 * s_theta_2;
-    const Scalar z93 = q_theta_2 - n0_5 * pi;
-    const Scalar z95 = q_theta_3 + n0_5 * pi;
-    const Scalar z103 = s_theta_2 * z101 - n32_7 * c_theta_2;
-    const Scalar z108 = s_theta_3 * z106 + n32_7 * c_theta_3;
-    const Scalar z61 = n0_3375 * c_theta_3;
-    const Scalar z279 = v_theta_2 * c_theta_2;
-    const Scalar z102 = n32_7 * s_theta_2 + c_theta_2 * z101;
-    const Scalar z107 = n32_7 * s_theta_3 - c_theta_3 * z106;
-    const Scalar z94 = n30 * z93;
-    const Scalar z96 = n35 * z95;
-    const Scalar z75 = n0_3 * c_theta_2;
-    const Scalar z97 = n5 * v_theta_2;
-    const Scalar z98 = n6 * v_theta_3;
-    const Scalar z66 = c_theta_3 * z65;
-    const Scalar z80 = c_theta_2 * z79;
-    const Scalar z104 = v_theta_2 * z23;  // angular acceleration of S2, x
-    const Scalar z105 = v_theta_2 * z22;  // angular acceleration of S2, z
-    const Scalar z109 = v_theta_3 * z36;  // angular acceleration of S3, x
-    const Scalar z110 = v_theta_3 * z35;  // angular acceleration of S3, z
-    const Scalar z111 = z35 * z36;
-    const Scalar z127 = z22 * z23;
-    const Scalar z272 = n2 * z271;
-    const Scalar z276 = n2 * z275;
-    const Scalar z280 = n2 * z279;
-    const Scalar z71 = n7_over_3 * z62 + z66;
-    const Scalar z283 = v_theta_2 * s_theta_2;
-    const Scalar z85 = n2 * z76 - z80;
-    const Scalar z112 = n2 * z109;
-    const Scalar z116 = n2 * z110;
-    const Scalar z128 = n2 * z104;
-    const Scalar z132 = n2 * z105;
-    const Scalar z273 = n0_3375 * z272;
-    const Scalar z274 = k13 * z272;
-    const Scalar z277 = n0_0005 * z276;
-    const Scalar z281 = n0_3 * z280;
-    const Scalar z282 = n0_667 * z280;
-    const Scalar z121 = n109_over_160 * z111 + n0_3375 * z107;  // moment on S3, y
-    const Scalar z137 = n0_666 * z127 + n0_3 * z102;  // moment on S2, y
-    const Scalar z118 = n0_3375 * z112;  // force on S3, times 0.3 m, y
-    const Scalar z120 = k13 * z112;  // moment on S3, x
-    const Scalar z122 = n0_0005 * z116;  // moment on S3, z
-    const Scalar z134 = n0_3 * z128;  // force on S2, times 0.3 m, y
-    const Scalar z136 = n0_667 * z128;  // moment on S2, x
-    const Scalar z138 = n0_001 * z132;  // moment on S2, z
-    const Scalar z278 = s_theta_3 * z274 - c_theta_3 * z277;
-    const Scalar z74 = n2_7425 - z71;
-    const Scalar z284 = n2 * z283;
-    const Scalar z288 = n2 * v_psi;
-    const Scalar z289 = c_theta_2 * z288;
-    const Scalar z290 = s_theta_2 * z23 + c_theta_2 * z22;
-    const Scalar z285 = n0_001 * z284;
-    const Scalar z286 = s_theta_2 * z282 - c_theta_2 * z285;
-    const Scalar z126 = s_theta_3 * z120 - c_theta_3 * z122;
-    const Scalar z142 = s_theta_2 * z136 - c_theta_2 * z138;
-    const Scalar z91 = z74 + z85;
-    const Scalar z303 = s_theta_2 * z79 + c_theta_2 * z78;
-    const Scalar z321 = s_theta_3 * z65 + c_theta_3 * z64;
-    const Scalar z291 = n0_3 * z289 + n0_666 * z290;
-    const Scalar z307 = n0_001 * z128;
-    const Scalar z292 = n7_over_6 * z288;
-    const Scalar z293 = c_theta_3 * z292;
-    const Scalar z306 = n0_667 * z132;
-    const Scalar z305 = n0_3 * z132;
-    const Scalar z314 = n2 * z36;
-    const Scalar z304 = n2 * z75 + z303;
-    const Scalar z322 = n7_over_3 * z61 - z321;
-    const Scalar z308 = s_theta_2 * (z138 - z306) + c_theta_2 * (z136 - z307);
-    const Scalar z149 = z94 + z97 - z137;
-    const Scalar z150 = z96 + z98 - z121;
-    const Scalar z287 = n7_over_6 * z273 - z281 - z278 - z286;
-    const Scalar z193 = n0_668 * a_theta_2 + z149;
-    const Scalar z148 = n7_over_6 * z118 - z134 - z126 - z142;  // moment on S1, z
-    const Scalar z194 = k19 * a_theta_3 + z150;
-    const Scalar z309 = z305 - z308;
-    const Scalar z324 = k13 * z116;
-    const Scalar z325 = n0_0005 * z112;
-    const Scalar z326 = s_theta_3 * (z122 - z324) + c_theta_3 * (z120 - z325);
-    const Scalar z296 = n2 * z23;
-    const Scalar z316 = k13 * z314;
-    const Scalar z317 = n2 * z35;
-    const Scalar z310 = a_psi * z304 - z309;
-    const Scalar z298 = n0_667 * z296;
-    const Scalar z192 = a_psi * z91 - z148;
-    const Scalar z299 = n2 * z22;
-    const Scalar z311 = z22 * z22 - z23 * z23;
-    const Scalar z318 = n0_0005 * z317;
-    const Scalar z323 = n0_3375 * z116;
-    const Scalar z300 = n0_001 * z299;
-    const Scalar z329 = z35 * z35 - z36 * z36;
-    const Scalar z294 = s_theta_3 * z36 + c_theta_3 * z35;
-    const Scalar z315 = n0_3375 * z314;
-    const Scalar z319 = s_theta_3 * z316 - c_theta_3 * z318;
-    const Scalar z327 = n7_over_6 * z323 + z326;
-    const Scalar z297 = n0_3 * z296;
-    const Scalar z301 = s_theta_2 * z298 - c_theta_2 * z300;
-    const Scalar z312 = n0_3 * z103 + n0_666 * z311;
-    const Scalar z217 = n1 / z91;
-    const Scalar z330 = n0_3375 * z108 - n109_over_160 * z329;
-    const Scalar z295 = n0_3375 * z293 - n109_over_160 * z294;
-    const Scalar z302 = z297 + z301;
-    const Scalar z313 = n30 + z312;
-    const Scalar z320 = n7_over_6 * z315 - z319;
-    const Scalar z328 = a_psi * z322 - z327;
-    const Scalar z331 = n35 - z330;
-    const Scalar z443 = z217 * z287;
-    const Scalar z444 = n250_over_167 * z291;
-    const Scalar z445 = k22 * z295;
-    const Scalar z446 = z217 * z310;
-    const Scalar z447 = n250_over_167 * z313;
-    const Scalar z448 = z217 * z302;
-    const Scalar z449 = z217 * z328;
-    const Scalar z450 = k22 * z331;
-    const Scalar z451 = z217 * z320;
-    result.M[0] = z91;
+    const Scalar z151 = traits::formula(1.5707963267948966, 1.5707964f, [&]() -> Scalar {
+      return n0_5 * pi;
+    });
+    const Scalar z610 = v_psi * s_theta_3;
+    const Scalar z608 = v_psi * s_theta_2;
+    const Scalar z615 = n109_over_160 * c_theta_3;
+    const Scalar z611 = v_psi * c_theta_3;
+    const Scalar z609 = v_psi * c_theta_2;
+    const Scalar z613 = n0_3375 * s_theta_3;
+    const Scalar z622 = n0_666 * c_theta_2;
+    const Scalar z620 = n0_3 * s_theta_2;
+    const Scalar z632 = v_psi * v_psi;
+    const Scalar z665 = v_theta_3 * c_theta_3;
+    const Scalar z637 = n7_over_6 * z632;
+    const Scalar z669 = v_theta_3 * s_theta_3;
+    const Scalar z614 = n109_over_160 * s_theta_3;
+    const Scalar z621 = n0_666 * s_theta_2;
+    const Scalar z626 = q_theta_2 - z151;
+    const Scalar z628 = q_theta_3 + z151;
+    const Scalar z634 = s_theta_2 * z632 - n32_7 * c_theta_2;
+    const Scalar z639 = s_theta_3 * z637 + n32_7 * c_theta_3;
+    const Scalar z612 = n0_3375 * c_theta_3;
+    const Scalar z673 = v_theta_2 * c_theta_2;
+    const Scalar z633 = n32_7 * s_theta_2 + c_theta_2 * z632;
+    const Scalar z638 = n32_7 * s_theta_3 - c_theta_3 * z637;
+    const Scalar z627 = n30 * z626;
+    const Scalar z629 = n35 * z628;
+    const Scalar z619 = n0_3 * c_theta_2;
+    const Scalar z630 = n5 * v_theta_2;
+    const Scalar z631 = n6 * v_theta_3;
+    const Scalar z616 = c_theta_3 * z615;
+    const Scalar z623 = c_theta_2 * z622;
+    const Scalar z635 = v_theta_2 * z609;  // angular acceleration of S2, x
+    const Scalar z636 = v_theta_2 * z608;  // angular acceleration of S2, z
+    const Scalar z640 = v_theta_3 * z611;  // angular acceleration of S3, x
+    const Scalar z641 = v_theta_3 * z610;  // angular acceleration of S3, z
+    const Scalar z642 = z610 * z611;
+    const Scalar z650 = z608 * z609;
+    const Scalar z666 = n2 * z665;
+    const Scalar z670 = n2 * z669;
+    const Scalar z674 = n2 * z673;
+    const Scalar z617 = n7_over_3 * z613 + z616;
+    const Scalar z677 = v_theta_2 * s_theta_2;
+    const Scalar z624 = n2 * z620 - z623;
+    const Scalar z643 = n2 * z640;
+    const Scalar z644 = n2 * z641;
+    const Scalar z651 = n2 * z635;
+    const Scalar z652 = n2 * z636;
+    const Scalar z667 = n0_3375 * z666;
+    const Scalar z668 = k13 * z666;
+    const Scalar z671 = n0_0005 * z670;
+    const Scalar z675 = n0_3 * z674;
+    const Scalar z676 = n0_667 * z674;
+    const Scalar z647 = n109_over_160 * z642 + n0_3375 * z638;  // moment on S3, y
+    const Scalar z655 = n0_666 * z650 + n0_3 * z633;  // moment on S2, y
+    const Scalar z645 = n0_3375 * z643;  // force on S3, times 0.3 m, y
+    const Scalar z646 = k13 * z643;  // moment on S3, x
+    const Scalar z648 = n0_0005 * z644;  // moment on S3, z
+    const Scalar z653 = n0_3 * z651;  // force on S2, times 0.3 m, y
+    const Scalar z654 = n0_667 * z651;  // moment on S2, x
+    const Scalar z656 = n0_001 * z652;  // moment on S2, z
+    const Scalar z672 = s_theta_3 * z668 - c_theta_3 * z671;
+    const Scalar z618 = n2_7425 - z617;
+    const Scalar z678 = n2 * z677;
+    const Scalar z682 = n2 * v_psi;
+    const Scalar z683 = c_theta_2 * z682;
+    const Scalar z684 = s_theta_2 * z609 + c_theta_2 * z608;
+    const Scalar z679 = n0_001 * z678;
+    const Scalar z680 = s_theta_2 * z676 - c_theta_2 * z679;
+    const Scalar z649 = s_theta_3 * z646 - c_theta_3 * z648;
+    const Scalar z657 = s_theta_2 * z654 - c_theta_2 * z656;
+    const Scalar z625 = z618 + z624;
+    const Scalar z697 = s_theta_2 * z622 + c_theta_2 * z621;
+    const Scalar z715 = s_theta_3 * z615 + c_theta_3 * z614;
+    const Scalar z685 = n0_3 * z683 + n0_666 * z684;
+    const Scalar z701 = n0_001 * z651;
+    const Scalar z686 = n7_over_6 * z682;
+    const Scalar z687 = c_theta_3 * z686;
+    const Scalar z700 = n0_667 * z652;
+    const Scalar z699 = n0_3 * z652;
+    const Scalar z708 = n2 * z611;
+    const Scalar z690 = n2 * z609;
+    const Scalar z698 = n2 * z619 + z697;
+    const Scalar z716 = n7_over_3 * z612 - z715;
+    const Scalar z702 = s_theta_2 * (z656 - z700) + c_theta_2 * (z654 - z701);
+    const Scalar z659 = z627 + z630 - z655;
+    const Scalar z660 = z629 + z631 - z647;
+    const Scalar z681 = n7_over_6 * z667 - z675 - z672 - z680;
+    const Scalar z662 = n0_668 * a_theta_2 + z659;
+    const Scalar z658 = n7_over_6 * z645 - z653 - z649 - z657;  // moment on S1, z
+    const Scalar z663 = k19 * a_theta_3 + z660;
+    const Scalar z703 = z699 - z702;
+    const Scalar z719 = n0_0005 * z643;
+    const Scalar z705 = z608 * z608 - z609 * z609;
+    const Scalar z706 = n0_3 * z634 + n0_666 * z705;
+    const Scalar z718 = k13 * z644;
+    const Scalar z720 = s_theta_3 * (z648 - z718) + c_theta_3 * (z646 - z719);
+    const Scalar z710 = k13 * z708;
+    const Scalar z711 = n2 * z610;
+    const Scalar z692 = n0_667 * z690;
+    const Scalar z704 = a_psi * z698 - z703;
+    const Scalar z693 = n2 * z608;
+    const Scalar z712 = n0_0005 * z711;
+    const Scalar z717 = n0_3375 * z644;
+    const Scalar z694 = n0_001 * z693;
+    const Scalar z688 = s_theta_3 * z611 + c_theta_3 * z610;
+    const Scalar z713 = s_theta_3 * z710 - c_theta_3 * z712;
+    const Scalar z709 = n0_3375 * z708;
+    const Scalar z691 = n0_3 * z690;
+    const Scalar z695 = s_theta_2 * z692 - c_theta_2 * z694;
+    const Scalar z664 = n1 / z625;
+    const Scalar z689 = n0_3375 * z687 - n109_over_160 * z688;
+    const Scalar z696 = z691 + z695;
+    const Scalar z707 = n30 + z706;
+    const Scalar z714 = n7_over_6 * z709 - z713;
+    const Scalar z661 = a_psi * z625 - z658;
+    const Scalar z723 = z610 * z610 - z611 * z611;
+    const Scalar z721 = n7_over_6 * z717 + z720;
+    const Scalar z724 = n0_3375 * z639 - n109_over_160 * z723;
+    const Scalar z722 = a_psi * z716 - z721;
+    const Scalar z726 = z664 * z681;
+    const Scalar z725 = n35 - z724;
+    const Scalar z727 = n250_over_167 * z685;
+    const Scalar z728 = k22 * z689;
+    const Scalar z729 = z664 * z704;
+    const Scalar z730 = n250_over_167 * z707;
+    const Scalar z731 = z664 * z696;
+    const Scalar z732 = z664 * z722;
+    const Scalar z733 = k22 * z725;
+    const Scalar z734 = z664 * z714;
+    result.M[0] = z625;
     result.M[1] = n0;
     result.M[2] = n0;
     result.M[3] = n0;
@@ -1455,27 +1469,27 @@ struct Mechanism {
     result.M[6] = n0;
     result.M[7] = n0;
     result.M[8] = k19;
-    result.C[0] = -z287;
-    result.C[1] = -z291;
-    result.C[2] = z295;
-    result.C[3] = z302;
+    result.C[0] = -z681;
+    result.C[1] = -z685;
+    result.C[2] = z689;
+    result.C[3] = z696;
     result.C[4] = n5;
     result.C[5] = n0;
-    result.C[6] = -z320;
+    result.C[6] = -z714;
     result.C[7] = n0;
     result.C[8] = n6;
     result.K[0] = n0;
     result.K[1] = n0;
     result.K[2] = n0;
-    result.K[3] = z310;
-    result.K[4] = z313;
+    result.K[3] = z704;
+    result.K[4] = z707;
     result.K[5] = n0;
-    result.K[6] = -z328;
+    result.K[6] = -z722;
     result.K[7] = n0;
-    result.K[8] = z331;
-    result.F[0] = -z192;
-    result.F[1] = u_Cm2 - z193;
-    result.F[2] = u_Cm3 - z194;
+    result.K[8] = z725;
+    result.F[0] = -z661;
+    result.F[1] = u_Cm2 - z662;
+    result.F[2] = u_Cm3 - z663;
     result.E[0] = n0;
     result.E[1] = n1;
     result.E[2] = n0;
@@ -1491,31 +1505,31 @@ struct Mechanism {
     result.A[6] = n0;
     result.A[7] = n0;
     result.A[8] = n0;
-    result.A[9] = -z446;
-    result.A[10] = -z447;
+    result.A[9] = -z729;
+    result.A[10] = -z730;
     result.A[11] = n0;
     result.A[12] = n0;
     result.A[13] = n0;
     result.A[14] = n0;
-    result.A[15] = z449;
+    result.A[15] = z732;
     result.A[16] = n0;
-    result.A[17] = -z450;
+    result.A[17] = -z733;
     result.A[18] = n1;
     result.A[19] = n0;
     result.A[20] = n0;
-    result.A[21] = z443;
-    result.A[22] = z444;
-    result.A[23] = -z445;
+    result.A[21] = z726;
+    result.A[22] = z727;
+    result.A[23] = -z728;
     result.A[24] = n0;
     result.A[25] = n1;
     result.A[26] = n0;
-    result.A[27] = -z448;
+    result.A[27] = -z731;
     result.A[28] = -k24;
     result.A[29] = n0;
     result.A[30] = n0;
     result.A[31] = n0;
     result.A[32] = n1;
-    result.A[33] = z451;
+    result.A[33] = z734;
     result.A[34] = n0;
     result.A[35] = -k25;
     result.B[0] = n0;
@@ -1530,7 +1544,7 @@ struct Mechanism {
     result.B[9] = n0;
     result.B[10] = n0;
     result.B[11] = k22;
-    if (!(traits::regular(z91, z91))) return torsor::Status::singular;
+    if (!(traits::regular(z625, z625))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = (n0 * result.M[0] * result.C[0] * result.C[1] * result.C[2] * result.C[3] * result.C[6]
         * result.K[3] * result.K[4] * result.K[6] * result.K[8] * result.F[0]) * (n0 * result.F[1] * result.F[2]

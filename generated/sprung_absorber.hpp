@@ -10,13 +10,13 @@
 // costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
 // joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   precompute                1                2          0             0                  0       0      3       -
+//   precompute                1                3          0             0                  0       0      4       -
 //   kinematics                0                0          0             0                  0       0      0       0
 //   mass_matrix               0                0          0             0                  0       0      0       0
 //   bias                      6                5          0             0                  1       0     13      13
 //   inverse_dynamics          8                6          0             0                  1       0     16      16
 //   forward_dynamics          6                6          0             0                  1       0     14      14
-//   energy                    5               14          0             0                  1       0     21      21
+//   energy                    5               13          0             0                  1       0     20      21
 //   linearisation             8                6          0             0                  1       0     16      19
 //
 // Not computed because this mechanism does not need it:
@@ -123,8 +123,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
-  /// number gives no number.
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
   ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
@@ -342,7 +341,7 @@ TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& a
     const Bits bits = (Bits)shifted.part[i];
     const Bits odd = bits << sign_bit, upper = bits << (sign_bit - 1);
     Numbers sine_of_rest, cosine_of_rest;
-    if constexpr (sizeof(Numbers) == 32) {  // AVX has an instruction that looks at the bit of the sign
+    if constexpr (sizeof(Numbers) >= 32) {  // AVX has instructions that choose by the bit of the sign
       const Bits exchanged = odd < Bits{};
       sine_of_rest = exchanged ? c : s;
       cosine_of_rest = exchanged ? s : c;
@@ -507,7 +506,7 @@ struct Mechanism {
 
   static constexpr const char* name = "sprung_absorber";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x524c8b5b4f85985eULL;
+  static constexpr unsigned long long fingerprint = 0xa993f4a5e6d7770aULL;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -611,9 +610,10 @@ struct Mechanism {
   /// Parameters and what depends on them only: built once for each set of parameters.
   struct Precomputed {
     Parameters parameters;
-    Scalar z32;
-    Scalar z33;
-    Scalar z34;
+    Scalar z31;
+    Scalar z40;
+    Scalar z41;
+    Scalar z42;
   };
 
   /// Values of the scene.
@@ -633,16 +633,19 @@ struct Mechanism {
   TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
     Precomputed precomputed{};
     precomputed.parameters = parameters;
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n100 = traits::constant(100.0, 100.0f, "100/1");
     const Scalar n10 = traits::constant(10.0, 10.0f, "10/1");
     const Scalar p_k2 = parameters.k2;
     const Scalar p_c2 = parameters.c2;
-    const Scalar z32 = n100 + p_k2;
-    const Scalar z33 = n10 * p_k2;
-    const Scalar z34 = n10 * p_c2;
-    precomputed.z32 = z32;
-    precomputed.z33 = z33;
-    precomputed.z34 = z34;
+    const Scalar z31 = n0_5 * p_k2;
+    const Scalar z40 = n100 + p_k2;
+    const Scalar z41 = n10 * p_k2;
+    const Scalar z42 = n10 * p_c2;
+    precomputed.z31 = z31;
+    precomputed.z40 = z40;
+    precomputed.z41 = z41;
+    precomputed.z42 = z42;
     return precomputed;
   }
 
@@ -881,21 +884,21 @@ struct Mechanism {
     const Scalar v_x1 = state.v.x1;
     const Scalar q_x2 = state.q.x2;
     const Scalar v_x2 = state.v.x2;
-    const Scalar p_k2 = precomputed.parameters.k2;
     const Scalar p_c2 = precomputed.parameters.c2;
     const Scalar p_f = precomputed.parameters.f;
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
-    const Scalar z16 = p_omega * t;
-    Scalar z18, z17;
-    traits::sincos(z16, z18, z17);
-    const Scalar z10 = v_x1 - v_x2;
-    const Scalar z8 = q_x1 - q_x2;
-    const Scalar z19 = p_f * z17;
-    const Scalar z12 = z10 * p_c2;
+    const Scalar z31 = precomputed.z31;
+    const Scalar z35 = p_omega * t;
+    Scalar z37, z36;
+    traits::sincos(z35, z37, z36);
+    const Scalar z33 = v_x1 - v_x2;
+    const Scalar z32 = q_x1 - q_x2;
+    const Scalar z38 = p_f * z36;
+    const Scalar z34 = p_c2 * z33;
     result.kinetic = n0_5 * v_x1 * v_x1 + n0_05 * v_x2 * v_x2;
-    result.force_function = -n50 * q_x1 * q_x1 - n0_5 * p_k2 * z8 * z8;
-    result.power = v_x1 * z19 - z10 * z12;
+    result.force_function = -n50 * q_x1 * q_x1 - z31 * z32 * z32;
+    result.power = v_x1 * z38 - z33 * z34;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -917,9 +920,9 @@ struct Mechanism {
     const Scalar p_f = precomputed.parameters.f;
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar t = state.time;
-    const Scalar z32 = precomputed.z32;
-    const Scalar z33 = precomputed.z33;
-    const Scalar z34 = precomputed.z34;
+    const Scalar z40 = precomputed.z40;
+    const Scalar z41 = precomputed.z41;
+    const Scalar z42 = precomputed.z42;
     const Scalar z16 = p_omega * t;
     Scalar z18, z17;
     traits::sincos(z16, z18, z17);
@@ -941,7 +944,7 @@ struct Mechanism {
     result.C[1] = -p_c2;
     result.C[2] = -p_c2;
     result.C[3] = p_c2;
-    result.K[0] = z32;
+    result.K[0] = z40;
     result.K[1] = -p_k2;
     result.K[2] = -p_k2;
     result.K[3] = p_k2;
@@ -949,20 +952,20 @@ struct Mechanism {
     result.F[1] = z25;
     result.A[0] = n0;
     result.A[1] = n0;
-    result.A[2] = -z32;
-    result.A[3] = z33;
+    result.A[2] = -z40;
+    result.A[3] = z41;
     result.A[4] = n0;
     result.A[5] = n0;
     result.A[6] = p_k2;
-    result.A[7] = -z33;
+    result.A[7] = -z41;
     result.A[8] = n1;
     result.A[9] = n0;
     result.A[10] = -p_c2;
-    result.A[11] = z34;
+    result.A[11] = z42;
     result.A[12] = n0;
     result.A[13] = n1;
     result.A[14] = p_c2;
-    result.A[15] = -z34;
+    result.A[15] = -z42;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = (n0 * result.C[0] * result.C[1] * result.C[2] * result.C[3] * result.K[0] * result.K[1]
         * result.K[2] * result.K[3] * result.F[0]) * (n0 * result.F[1] * result.A[2] * result.A[3] * result.A[6]

@@ -11,7 +11,7 @@
 // joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   precompute                3                3          3             0                  0       0      9       -
-//   kinematics               18               27          0             0                  0       0     45      45
+//   kinematics               18               21          0             0                  0       0     39      45
 //   mass_matrix               0                0          0             0                  0       0      0       0
 //   bias                      0                6          0             0                  0       0      6       9
 //   inverse_dynamics          3                9          0             0                  0       0     12      15
@@ -125,8 +125,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
-  /// number gives no number.
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
   ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
@@ -344,7 +343,7 @@ TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& a
     const Bits bits = (Bits)shifted.part[i];
     const Bits odd = bits << sign_bit, upper = bits << (sign_bit - 1);
     Numbers sine_of_rest, cosine_of_rest;
-    if constexpr (sizeof(Numbers) == 32) {  // AVX has an instruction that looks at the bit of the sign
+    if constexpr (sizeof(Numbers) >= 32) {  // AVX has instructions that choose by the bit of the sign
       const Bits exchanged = odd < Bits{};
       sine_of_rest = exchanged ? c : s;
       cosine_of_rest = exchanged ? s : c;
@@ -623,7 +622,7 @@ struct Mechanism {
 
   static constexpr const char* name = "torque_free_body";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xb2d38d33e79bdf38ULL;
+  static constexpr unsigned long long fingerprint = 0x15d154fa27bec478ULL;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -738,12 +737,12 @@ struct Mechanism {
   /// Parameters and what depends on them only: built once for each set of parameters.
   struct Precomputed {
     Parameters parameters;
-    Scalar z40;
-    Scalar z42;
-    Scalar z44;
-    Scalar z55;
-    Scalar z56;
-    Scalar z57;
+    Scalar z74;
+    Scalar z76;
+    Scalar z78;
+    Scalar z89;
+    Scalar z90;
+    Scalar z91;
     Scalar y0;
     Scalar y1;
     Scalar y2;
@@ -769,21 +768,21 @@ struct Mechanism {
     const Scalar p_I1 = parameters.I1;
     const Scalar p_I2 = parameters.I2;
     const Scalar p_I3 = parameters.I3;
-    const Scalar z40 = p_I2 - p_I3;
-    const Scalar z42 = p_I1 - p_I3;
-    const Scalar z44 = p_I1 - p_I2;
-    const Scalar z55 = n1 / p_I3;
-    const Scalar z56 = n1 / p_I2;
-    const Scalar z57 = n1 / p_I1;
-    precomputed.z40 = z40;
-    precomputed.z42 = z42;
-    precomputed.z44 = z44;
-    precomputed.z55 = z55;
-    precomputed.z56 = z56;
-    precomputed.z57 = z57;
-    precomputed.y0 = z40 * z57;
-    precomputed.y1 = z42 * z56;
-    precomputed.y2 = z44 * z55;
+    const Scalar z74 = p_I2 - p_I3;
+    const Scalar z76 = p_I1 - p_I3;
+    const Scalar z78 = p_I1 - p_I2;
+    const Scalar z89 = n1 / p_I3;
+    const Scalar z90 = n1 / p_I2;
+    const Scalar z91 = n1 / p_I1;
+    precomputed.z74 = z74;
+    precomputed.z76 = z76;
+    precomputed.z78 = z78;
+    precomputed.z89 = z89;
+    precomputed.z90 = z90;
+    precomputed.z91 = z91;
+    precomputed.y0 = z74 * z91;
+    precomputed.y1 = z76 * z90;
+    precomputed.y2 = z78 * z89;
     return precomputed;
   }
 
@@ -864,14 +863,14 @@ struct Mechanism {
     const Scalar v_e_omega_x = state.v.e_omega_x;
     const Scalar v_e_omega_y = state.v.e_omega_y;
     const Scalar v_e_omega_z = state.v.e_omega_z;
-    const Scalar z97 = n0_5 * (q_e_y * v_e_omega_y + q_e_z * v_e_omega_z + q_e_x * v_e_omega_x);
-    const Scalar z98 = n0_5 * (q_e_y * v_e_omega_z - q_e_z * v_e_omega_y + q_e_w * v_e_omega_x);
-    const Scalar z99 = n0_5 * (q_e_z * v_e_omega_x - q_e_x * v_e_omega_z + q_e_w * v_e_omega_y);
-    const Scalar z100 = n0_5 * (q_e_y * v_e_omega_x - q_e_x * v_e_omega_y - q_e_w * v_e_omega_z);
-    rates[0] = -z97;
-    rates[1] = z98;
-    rates[2] = z99;
-    rates[3] = -z100;
+    const Scalar z131 = n0_5 * (q_e_y * v_e_omega_y + q_e_z * v_e_omega_z + q_e_x * v_e_omega_x);
+    const Scalar z132 = n0_5 * (q_e_y * v_e_omega_z - q_e_z * v_e_omega_y + q_e_w * v_e_omega_x);
+    const Scalar z133 = n0_5 * (q_e_z * v_e_omega_x - q_e_x * v_e_omega_z + q_e_w * v_e_omega_y);
+    const Scalar z134 = n0_5 * (q_e_y * v_e_omega_x - q_e_x * v_e_omega_y - q_e_w * v_e_omega_z);
+    rates[0] = -z131;
+    rates[1] = z132;
+    rates[2] = z133;
+    rates[3] = -z134;
   }
 
   /// Poses and twists of all bodies, positions, velocities and Jacobians of named points, in ground axes;
@@ -887,51 +886,54 @@ struct Mechanism {
     const Scalar v_e_omega_x = state.v.e_omega_x;
     const Scalar v_e_omega_y = state.v.e_omega_y;
     const Scalar v_e_omega_z = state.v.e_omega_z;
-    const Scalar z1 = n2 * q_e_y * q_e_y;
-    const Scalar z3 = n2 * q_e_z * q_e_z;
-    const Scalar z5 = n2 * q_e_y * q_e_x;
-    const Scalar z7 = n2 * q_e_z * q_e_w;
-    const Scalar z17 = n2 * q_e_z * q_e_x;
-    const Scalar z18 = n2 * q_e_y * q_e_w;
-    const Scalar z8 = n1 - z1 - z3;
-    const Scalar z10 = z5 + z7;
-    const Scalar z11 = n2 * q_e_x * q_e_x;
-    const Scalar z12 = n2 * q_e_y * q_e_z;
-    const Scalar z13 = n2 * q_e_x * q_e_w;
-    const Scalar z20 = z17 - z18;
-    const Scalar z9 = z5 - z7;
-    const Scalar z14 = n1 - z3 - z11;
-    const Scalar z16 = z12 + z13;
-    const Scalar z31 = z8 * v_e_omega_x;  // angular velocity of e_omega_x, x
-    const Scalar z32 = z10 * v_e_omega_x;  // angular velocity of e_omega_x, y
-    const Scalar z33 = z20 * v_e_omega_x;  // angular velocity of e_omega_x, z
-    const Scalar z15 = z12 - z13;
-    const Scalar z19 = n1 - z1 - z11;
-    const Scalar z21 = z17 + z18;
-    const Scalar z34 = z9 * v_e_omega_y + z31;  // angular velocity of e_omega_y, x
-    const Scalar z35 = z14 * v_e_omega_y + z32;  // angular velocity of e_omega_y, y
-    const Scalar z36 = z16 * v_e_omega_y + z33;  // angular velocity of e_omega_y, z
-    const Scalar z37 = z21 * v_e_omega_z + z34;  // angular velocity of body, x
-    const Scalar z38 = z15 * v_e_omega_z + z35;  // angular velocity of body, y
-    const Scalar z39 = z19 * v_e_omega_z + z36;  // angular velocity of body, z
+    const Scalar z44 = n2 * q_e_y;
+    const Scalar z46 = n2 * q_e_z;
+    const Scalar z53 = n2 * q_e_x;
+    const Scalar z45 = q_e_y * z44;
+    const Scalar z47 = q_e_z * z46;
+    const Scalar z48 = q_e_x * z44;
+    const Scalar z49 = q_e_w * z46;
+    const Scalar z60 = q_e_x * z46;
+    const Scalar z61 = q_e_w * z44;
+    const Scalar z54 = q_e_x * z53;
+    const Scalar z55 = q_e_z * z44;
+    const Scalar z56 = q_e_w * z53;
+    const Scalar z50 = n1 - z45 - z47;
+    const Scalar z52 = z48 + z49;
+    const Scalar z63 = z60 - z61;
+    const Scalar z51 = z48 - z49;
+    const Scalar z57 = n1 - z47 - z54;
+    const Scalar z59 = z55 + z56;
+    const Scalar z66 = v_e_omega_x * z52;  // angular velocity of e_omega_x, y
+    const Scalar z67 = v_e_omega_x * z63;  // angular velocity of e_omega_x, z
+    const Scalar z58 = z55 - z56;
+    const Scalar z62 = n1 - z45 - z54;
+    const Scalar z65 = v_e_omega_x * z50;  // angular velocity of e_omega_x, x
+    const Scalar z64 = z60 + z61;
+    const Scalar z69 = v_e_omega_y * z57 + z66;  // angular velocity of e_omega_y, y
+    const Scalar z70 = v_e_omega_y * z59 + z67;  // angular velocity of e_omega_y, z
+    const Scalar z68 = v_e_omega_y * z51 + z65;  // angular velocity of e_omega_y, x
+    const Scalar z72 = v_e_omega_z * z58 + z69;  // angular velocity of body, y
+    const Scalar z73 = v_e_omega_z * z62 + z70;  // angular velocity of body, z
+    const Scalar z71 = v_e_omega_z * z64 + z68;  // angular velocity of body, x
     result.body_position[0] = n0;
     result.body_position[1] = n0;
     result.body_position[2] = n0;
-    result.body_rotation[0] = z8;
-    result.body_rotation[1] = z10;
-    result.body_rotation[2] = z20;
-    result.body_rotation[3] = z9;
-    result.body_rotation[4] = z14;
-    result.body_rotation[5] = z16;
-    result.body_rotation[6] = z21;
-    result.body_rotation[7] = z15;
-    result.body_rotation[8] = z19;
+    result.body_rotation[0] = z50;
+    result.body_rotation[1] = z52;
+    result.body_rotation[2] = z63;
+    result.body_rotation[3] = z51;
+    result.body_rotation[4] = z57;
+    result.body_rotation[5] = z59;
+    result.body_rotation[6] = z64;
+    result.body_rotation[7] = z58;
+    result.body_rotation[8] = z62;
     result.body_velocity[0] = n0;
     result.body_velocity[1] = n0;
     result.body_velocity[2] = n0;
-    result.body_angular_velocity[0] = z37;
-    result.body_angular_velocity[1] = z38;
-    result.body_angular_velocity[2] = z39;
+    result.body_angular_velocity[0] = z71;
+    result.body_angular_velocity[1] = z72;
+    result.body_angular_velocity[2] = z73;
   }
 
   /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
@@ -959,18 +961,18 @@ struct Mechanism {
     const Scalar v_e_omega_x = state.v.e_omega_x;
     const Scalar v_e_omega_y = state.v.e_omega_y;
     const Scalar v_e_omega_z = state.v.e_omega_z;
-    const Scalar z40 = precomputed.z40;
-    const Scalar z42 = precomputed.z42;
-    const Scalar z44 = precomputed.z44;
-    const Scalar z41 = v_e_omega_y * v_e_omega_z;
-    const Scalar z43 = v_e_omega_x * v_e_omega_z;
-    const Scalar z45 = v_e_omega_x * v_e_omega_y;
-    const Scalar z46 = z40 * z41;  // moment on body, x
-    const Scalar z47 = z42 * z43;  // moment on body, y
-    const Scalar z48 = z44 * z45;  // moment on body, z
-    forces.e_omega_x = -z46;
-    forces.e_omega_y = z47;
-    forces.e_omega_z = -z48;
+    const Scalar z74 = precomputed.z74;
+    const Scalar z76 = precomputed.z76;
+    const Scalar z78 = precomputed.z78;
+    const Scalar z75 = v_e_omega_y * v_e_omega_z;
+    const Scalar z77 = v_e_omega_x * v_e_omega_z;
+    const Scalar z79 = v_e_omega_x * v_e_omega_y;
+    const Scalar z80 = z74 * z75;  // moment on body, x
+    const Scalar z81 = z76 * z77;  // moment on body, y
+    const Scalar z82 = z78 * z79;  // moment on body, z
+    forces.e_omega_x = -z80;
+    forces.e_omega_y = z81;
+    forces.e_omega_z = -z82;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -985,18 +987,18 @@ struct Mechanism {
     const Scalar p_I1 = precomputed.parameters.I1;
     const Scalar p_I2 = precomputed.parameters.I2;
     const Scalar p_I3 = precomputed.parameters.I3;
-    const Scalar z40 = precomputed.z40;
-    const Scalar z42 = precomputed.z42;
-    const Scalar z44 = precomputed.z44;
-    const Scalar z41 = v_e_omega_y * v_e_omega_z;
-    const Scalar z43 = v_e_omega_x * v_e_omega_z;
-    const Scalar z45 = v_e_omega_x * v_e_omega_y;
-    const Scalar z49 = a_e_omega_x * p_I1 - z40 * z41;  // moment on body, x
-    const Scalar z50 = a_e_omega_y * p_I2 + z42 * z43;  // moment on body, y
-    const Scalar z51 = a_e_omega_z * p_I3 - z44 * z45;  // moment on body, z
-    forces.e_omega_x = z49;
-    forces.e_omega_y = z50;
-    forces.e_omega_z = z51;
+    const Scalar z74 = precomputed.z74;
+    const Scalar z76 = precomputed.z76;
+    const Scalar z78 = precomputed.z78;
+    const Scalar z75 = v_e_omega_y * v_e_omega_z;
+    const Scalar z77 = v_e_omega_x * v_e_omega_z;
+    const Scalar z79 = v_e_omega_x * v_e_omega_y;
+    const Scalar z83 = a_e_omega_x * p_I1 - z74 * z75;  // moment on body, x
+    const Scalar z84 = a_e_omega_y * p_I2 + z76 * z77;  // moment on body, y
+    const Scalar z85 = a_e_omega_z * p_I3 - z78 * z79;  // moment on body, z
+    forces.e_omega_x = z83;
+    forces.e_omega_y = z84;
+    forces.e_omega_z = z85;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -1012,24 +1014,24 @@ struct Mechanism {
     const Scalar p_I1 = precomputed.parameters.I1;
     const Scalar p_I2 = precomputed.parameters.I2;
     const Scalar p_I3 = precomputed.parameters.I3;
-    const Scalar z40 = precomputed.z40;
-    const Scalar z42 = precomputed.z42;
-    const Scalar z44 = precomputed.z44;
-    const Scalar z55 = precomputed.z55;
-    const Scalar z56 = precomputed.z56;
-    const Scalar z57 = precomputed.z57;
-    const Scalar z41 = v_e_omega_y * v_e_omega_z;
-    const Scalar z43 = v_e_omega_x * v_e_omega_z;
-    const Scalar z45 = v_e_omega_x * v_e_omega_y;
-    const Scalar z46 = z40 * z41;  // moment on body, x
-    const Scalar z47 = z42 * z43;  // moment on body, y
-    const Scalar z48 = z44 * z45;  // moment on body, z
-    const Scalar z58 = z48 * z55;
-    const Scalar z59 = z47 * z56;
-    const Scalar z60 = z46 * z57;
-    accelerations.e_omega_x = z60;
-    accelerations.e_omega_y = -z59;
-    accelerations.e_omega_z = z58;
+    const Scalar z74 = precomputed.z74;
+    const Scalar z76 = precomputed.z76;
+    const Scalar z78 = precomputed.z78;
+    const Scalar z89 = precomputed.z89;
+    const Scalar z90 = precomputed.z90;
+    const Scalar z91 = precomputed.z91;
+    const Scalar z75 = v_e_omega_y * v_e_omega_z;
+    const Scalar z77 = v_e_omega_x * v_e_omega_z;
+    const Scalar z79 = v_e_omega_x * v_e_omega_y;
+    const Scalar z80 = z74 * z75;  // moment on body, x
+    const Scalar z81 = z76 * z77;  // moment on body, y
+    const Scalar z82 = z78 * z79;  // moment on body, z
+    const Scalar z92 = z82 * z89;
+    const Scalar z93 = z81 * z90;
+    const Scalar z94 = z80 * z91;
+    accelerations.e_omega_x = z94;
+    accelerations.e_omega_y = -z93;
+    accelerations.e_omega_z = z92;
     if (!(traits::regular(p_I1, p_I1) && traits::regular(p_I2, p_I2) && traits::regular(p_I3,
         p_I3))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
@@ -1086,30 +1088,30 @@ struct Mechanism {
     const Scalar p_I1 = precomputed.parameters.I1;
     const Scalar p_I2 = precomputed.parameters.I2;
     const Scalar p_I3 = precomputed.parameters.I3;
-    const Scalar z40 = precomputed.z40;
-    const Scalar z42 = precomputed.z42;
-    const Scalar z44 = precomputed.z44;
-    const Scalar z55 = precomputed.z55;
-    const Scalar z56 = precomputed.z56;
-    const Scalar z57 = precomputed.z57;
-    const Scalar z41 = v_e_omega_y * v_e_omega_z;
-    const Scalar z43 = v_e_omega_x * v_e_omega_z;
-    const Scalar z45 = v_e_omega_x * v_e_omega_y;
-    const Scalar z67 = v_e_omega_z * z42;
-    const Scalar z68 = v_e_omega_y * z44;
-    const Scalar z69 = v_e_omega_z * z40;
-    const Scalar z70 = v_e_omega_x * z44;
-    const Scalar z71 = v_e_omega_y * z40;
-    const Scalar z72 = v_e_omega_x * z42;
-    const Scalar z49 = a_e_omega_x * p_I1 - z40 * z41;  // moment on body, x
-    const Scalar z50 = a_e_omega_y * p_I2 + z42 * z43;  // moment on body, y
-    const Scalar z51 = a_e_omega_z * p_I3 - z44 * z45;  // moment on body, z
-    const Scalar z91 = z56 * z67;
-    const Scalar z92 = z55 * z68;
-    const Scalar z93 = z57 * z69;
-    const Scalar z94 = z55 * z70;
-    const Scalar z95 = z57 * z71;
-    const Scalar z96 = z56 * z72;
+    const Scalar z74 = precomputed.z74;
+    const Scalar z76 = precomputed.z76;
+    const Scalar z78 = precomputed.z78;
+    const Scalar z89 = precomputed.z89;
+    const Scalar z90 = precomputed.z90;
+    const Scalar z91 = precomputed.z91;
+    const Scalar z75 = v_e_omega_y * v_e_omega_z;
+    const Scalar z77 = v_e_omega_x * v_e_omega_z;
+    const Scalar z79 = v_e_omega_x * v_e_omega_y;
+    const Scalar z101 = v_e_omega_z * z76;
+    const Scalar z102 = v_e_omega_y * z78;
+    const Scalar z103 = v_e_omega_z * z74;
+    const Scalar z104 = v_e_omega_x * z78;
+    const Scalar z105 = v_e_omega_y * z74;
+    const Scalar z106 = v_e_omega_x * z76;
+    const Scalar z83 = a_e_omega_x * p_I1 - z74 * z75;  // moment on body, x
+    const Scalar z84 = a_e_omega_y * p_I2 + z76 * z77;  // moment on body, y
+    const Scalar z85 = a_e_omega_z * p_I3 - z78 * z79;  // moment on body, z
+    const Scalar z125 = z90 * z101;
+    const Scalar z126 = z89 * z102;
+    const Scalar z127 = z91 * z103;
+    const Scalar z128 = z89 * z104;
+    const Scalar z129 = z91 * z105;
+    const Scalar z130 = z90 * z106;
     result.M[0] = p_I1;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -1120,13 +1122,13 @@ struct Mechanism {
     result.M[7] = n0;
     result.M[8] = p_I3;
     result.C[0] = n0;
-    result.C[1] = z67;
-    result.C[2] = -z68;
-    result.C[3] = -z69;
+    result.C[1] = z101;
+    result.C[2] = -z102;
+    result.C[3] = -z103;
     result.C[4] = n0;
-    result.C[5] = -z70;
-    result.C[6] = -z71;
-    result.C[7] = z72;
+    result.C[5] = -z104;
+    result.C[6] = -z105;
+    result.C[7] = z106;
     result.C[8] = n0;
     result.K[0] = n0;
     result.K[1] = n0;
@@ -1137,9 +1139,9 @@ struct Mechanism {
     result.K[6] = n0;
     result.K[7] = n0;
     result.K[8] = n0;
-    result.F[0] = -z49;
-    result.F[1] = -z50;
-    result.F[2] = -z51;
+    result.F[0] = -z83;
+    result.F[1] = -z84;
+    result.F[2] = -z85;
     result.A[0] = n0;
     result.A[1] = -v_e_omega_z;
     result.A[2] = v_e_omega_y;
@@ -1162,19 +1164,19 @@ struct Mechanism {
     result.A[19] = n0;
     result.A[20] = n0;
     result.A[21] = n0;
-    result.A[22] = -z91;
-    result.A[23] = z92;
+    result.A[22] = -z125;
+    result.A[23] = z126;
     result.A[24] = n0;
     result.A[25] = n1;
     result.A[26] = n0;
-    result.A[27] = z93;
+    result.A[27] = z127;
     result.A[28] = n0;
-    result.A[29] = z94;
+    result.A[29] = z128;
     result.A[30] = n0;
     result.A[31] = n0;
     result.A[32] = n1;
-    result.A[33] = z95;
-    result.A[34] = -z96;
+    result.A[33] = z129;
+    result.A[34] = -z130;
     result.A[35] = n0;
     if (!(traits::regular(p_I1, p_I1) && traits::regular(p_I2, p_I2) && traits::regular(p_I3,
         p_I3))) return torsor::Status::singular;

@@ -10,13 +10,13 @@
 // costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
 // joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   precompute                0                4          1             0                  0       0      5       -
+//   precompute                0                6          1             0                  0       0      7       -
 //   kinematics                4               10          0             0                  2       0     18      19
 //   mass_matrix               0                1          0             0                  1       0      3       4
 //   bias                      3                8          0             0                  2       0     15      28
 //   inverse_dynamics          7               13          0             0                  2       0     24      38
 //   forward_dynamics          6               15          1             0                  2       0     26      41
-//   energy                   13               27          0             0                  2       0     44      50
+//   energy                   13               25          0             0                  2       0     42      50
 //   linearisation            12               32          1             0                  2       0     49      65
 //
 // Not computed because this mechanism does not need it:
@@ -124,8 +124,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
-  /// number gives no number.
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
   ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
@@ -343,7 +342,7 @@ TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& a
     const Bits bits = (Bits)shifted.part[i];
     const Bits odd = bits << sign_bit, upper = bits << (sign_bit - 1);
     Numbers sine_of_rest, cosine_of_rest;
-    if constexpr (sizeof(Numbers) == 32) {  // AVX has an instruction that looks at the bit of the sign
+    if constexpr (sizeof(Numbers) >= 32) {  // AVX has instructions that choose by the bit of the sign
       const Bits exchanged = odd < Bits{};
       sine_of_rest = exchanged ? c : s;
       cosine_of_rest = exchanged ? s : c;
@@ -508,7 +507,7 @@ struct Mechanism {
 
   static constexpr const char* name = "vibration_absorber";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x2b3505d20e8353b8ULL;
+  static constexpr unsigned long long fingerprint = 0x5e4b4ff1ef76d8f3ULL;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -614,6 +613,8 @@ struct Mechanism {
     Scalar z25;
     Scalar z52;  ///< force on rotor, z
     Scalar z80;
+    Scalar z122;
+    Scalar z123;
   };
 
   /// Values of the scene.
@@ -633,6 +634,7 @@ struct Mechanism {
     const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
     const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar k3 = traits::constant(4e-05, 4e-05f, "1/25000");
     const Scalar p_omega = parameters.omega;
     const Scalar p_d = parameters.d;
     const Scalar z14 = p_d * p_d;
@@ -640,10 +642,14 @@ struct Mechanism {
     const Scalar z51 = p_omega * p_omega;
     const Scalar z52 = n0_002 * z51;  // force on rotor, z
     const Scalar z80 = n1 / z14;
+    const Scalar z122 = k3 * p_omega;
+    const Scalar z123 = n0_002 * p_omega;
     precomputed.z14 = z14;
     precomputed.z25 = z25;
     precomputed.z52 = z52;
     precomputed.z80 = z80;
+    precomputed.z122 = z122;
+    precomputed.z123 = z123;
     return precomputed;
   }
 
@@ -951,7 +957,6 @@ struct Mechanism {
       Energy& result) noexcept {
     const Scalar n0_002 = traits::constant(0.002, 0.002f, "1/500");
     const Scalar n0_1 = traits::constant(0.1, 0.1f, "1/10");
-    const Scalar k2 = traits::constant(4e-05, 4e-05f, "1/25000");
     const Scalar n5 = traits::constant(5.0, 5.0f, "5/1");
     const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
@@ -966,26 +971,28 @@ struct Mechanism {
     const Scalar t = state.time;
     const Scalar p_d = precomputed.parameters.d;
     const Scalar z14 = precomputed.z14;
-    const Scalar z10 = p_omega * t;
-    const Scalar angles_[] = {q_theta, z10};
+    const Scalar z122 = precomputed.z122;
+    const Scalar z123 = precomputed.z123;
+    const Scalar z124 = p_omega * t;
+    const Scalar angles_[] = {q_theta, z124};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_theta = sines_[0], c_theta = cosines_[0];
-    const Scalar z11 = sines_[1], z12 = cosines_[1];
-    const Scalar z114 = v_X * c_theta;
-    const Scalar z116 = v_X * z12;
-    const Scalar z17 = c_theta * p_d;
-    const Scalar z28 = n0_002 * z12;
-    const Scalar z45 = n0_1 - q_X;
-    const Scalar z115 = v_X * s_theta;
-    const Scalar z117 = v_X * z11;
-    const Scalar z118 = v_theta * p_d + z114;
-    const Scalar z119 = v_theta * z14 + p_d * z114;
-    const Scalar z120 = n0_002 * p_omega + n0_1 * z116;
-    const Scalar z121 = k2 * p_omega + n0_002 * z116;
-    result.kinetic = n5 * v_X * v_X + n0_05 * z117 * z117 + n0_5 * (z115 * z115 + v_theta * z119 + z114 * z118 + p_omega
-        * z121 + z116 * z120);
-    result.force_function = n9_81 * (z17 + z28) - n500 * z45 * z45;
+    const Scalar z125 = sines_[1], z126 = cosines_[1];
+    const Scalar z130 = v_X * c_theta;
+    const Scalar z132 = v_X * z126;
+    const Scalar z127 = c_theta * p_d;
+    const Scalar z128 = n0_002 * z126;
+    const Scalar z129 = n0_1 - q_X;
+    const Scalar z131 = v_X * s_theta;
+    const Scalar z133 = v_X * z125;
+    const Scalar z134 = v_theta * p_d + z130;
+    const Scalar z135 = v_theta * z14 + p_d * z130;
+    const Scalar z136 = z123 + n0_1 * z132;
+    const Scalar z137 = z122 + n0_002 * z132;
+    result.kinetic = n5 * v_X * v_X + n0_05 * z133 * z133 + n0_5 * (z131 * z131 + v_theta * z135 + z130 * z134 + p_omega
+        * z137 + z132 * z136);
+    result.force_function = n9_81 * (z127 + z128) - n500 * z129 * z129;
     result.power = n0;
   }
 
@@ -1022,59 +1029,59 @@ struct Mechanism {
     const Scalar z70 = a_theta * p_d;  // force on pendulum, x
     const Scalar z66 = a_X * s_theta - n9_81 * c_theta;
     const Scalar z57 = p_d * z56;  // force on pendulum, z
-    const Scalar z148 = n2 * v_theta;
+    const Scalar z164 = n2 * v_theta;
     const Scalar z54 = z11 * z52;
-    const Scalar z149 = p_d * z148;
+    const Scalar z165 = p_d * z164;
     const Scalar z45 = n0_1 - q_X;
     const Scalar z65 = a_X * c_theta + n9_81 * s_theta;
     const Scalar z73 = s_theta * z70 + c_theta * z57;
     const Scalar z72 = s_theta * z57 - c_theta * z70;
-    const Scalar z150 = s_theta * z149;
+    const Scalar z166 = s_theta * z165;
     const Scalar z46 = n1000 * z45;
     const Scalar z108 = z17 * z80;
     const Scalar z109 = n11_1 - z17 * z108;
     const Scalar z71 = a_theta * z14 + p_d * z65;  // moment on pendulum, y
     const Scalar z74 = n11_1 * a_X - z54 - z72;  // force on support, x
-    const Scalar z151 = p_d * z66;
+    const Scalar z167 = p_d * z66;
     const Scalar z110 = n1 / z109;
-    const Scalar z175 = z73 - z108 * z151;
+    const Scalar z191 = z73 - z108 * z167;
     const Scalar z77 = z46 - z74;
-    const Scalar z173 = n1000 * z110;
-    const Scalar z176 = z110 * z175;
-    const Scalar z178 = z110 * z150;
-    const Scalar z174 = z108 * z173;
-    const Scalar z177 = z80 * z151 - z108 * z176;
-    const Scalar z179 = z108 * z178;
+    const Scalar z189 = n1000 * z110;
+    const Scalar z192 = z110 * z191;
+    const Scalar z194 = z110 * z166;
+    const Scalar z190 = z108 * z189;
+    const Scalar z193 = z80 * z167 - z108 * z192;
+    const Scalar z195 = z108 * z194;
     result.M[0] = n11_1;
     result.M[1] = z17;
     result.M[2] = z17;
     result.M[3] = z14;
     result.C[0] = n0;
     result.C[1] = n0;
-    result.C[2] = -z150;
+    result.C[2] = -z166;
     result.C[3] = n0;
     result.K[0] = n1000;
     result.K[1] = n0;
     result.K[2] = -z73;
-    result.K[3] = -z151;
+    result.K[3] = -z167;
     result.F[0] = z77;
     result.F[1] = -z71;
     result.A[0] = n0;
     result.A[1] = n0;
-    result.A[2] = -z173;
-    result.A[3] = z174;
+    result.A[2] = -z189;
+    result.A[3] = z190;
     result.A[4] = n0;
     result.A[5] = n0;
-    result.A[6] = z176;
-    result.A[7] = z177;
+    result.A[6] = z192;
+    result.A[7] = z193;
     result.A[8] = n1;
     result.A[9] = n0;
     result.A[10] = n0;
     result.A[11] = n0;
     result.A[12] = n0;
     result.A[13] = n1;
-    result.A[14] = z178;
-    result.A[15] = -z179;
+    result.A[14] = z194;
+    result.A[15] = -z195;
     if (!(traits::regular(z109, n11_1) && traits::regular(z14, z14))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * result.M[1] * result.M[2] * result.M[3] * result.C[2] * result.K[2] * result.K[3]

@@ -10,16 +10,16 @@
 // costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
 // joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   precompute                0                3          0             0                  0       0      3       -
-//   kinematics                2               23          0             0                  2       0     29      29
-//   mass_matrix               1                5          0             0                  1       0      8      10
-//   bias                      3               15          0             0                  1       0     20      23
-//   inverse_dynamics          5               16          0             0                  1       0     23      27
-//   forward_dynamics          4               19          1             0                  1       0     26      29
-//   energy                    3               16          0             0                  1       0     21      25
-//   first_integrals           6               22          0             0                  1       0     30      35
+//   precompute                0                7          0             0                  0       0      7       -
+//   kinematics                2               21          0             0                  2       0     27      29
+//   mass_matrix               1                3          0             0                  1       0      6      10
+//   bias                      3               13          0             0                  1       0     18      23
+//   inverse_dynamics          5               14          0             0                  1       0     21      27
+//   forward_dynamics          4               16          1             0                  1       0     23      29
+//   energy                    3               12          0             0                  1       0     17      25
+//   first_integrals           6               18          0             0                  1       0     26      35
 //   reactions                 0                6          0             0                  1       0      8      10
-//   linearisation            12               42          1             0                  1       0     57      61
+//   linearisation            11               36          1             0                  1       0     50      61
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 54 results 12 vanish identically, 22 repeat another up to sign
@@ -123,8 +123,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
-  /// number gives no number.
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
   ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
@@ -342,7 +341,7 @@ TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& a
     const Bits bits = (Bits)shifted.part[i];
     const Bits odd = bits << sign_bit, upper = bits << (sign_bit - 1);
     Numbers sine_of_rest, cosine_of_rest;
-    if constexpr (sizeof(Numbers) == 32) {  // AVX has an instruction that looks at the bit of the sign
+    if constexpr (sizeof(Numbers) >= 32) {  // AVX has instructions that choose by the bit of the sign
       const Bits exchanged = odd < Bits{};
       sine_of_rest = exchanged ? c : s;
       cosine_of_rest = exchanged ? s : c;
@@ -507,7 +506,7 @@ struct Mechanism {
 
   static constexpr const char* name = "watt_governor";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x515fc8fc1d82ae73ULL;
+  static constexpr unsigned long long fingerprint = 0x7ecb9fa56fb50e52ULL;
   static constexpr int coordinate_count = 1;
   static constexpr int velocity_count = 1;
   static constexpr int input_count = 0;
@@ -609,6 +608,10 @@ struct Mechanism {
     Parameters parameters;
     Scalar z16;
     Scalar z17;
+    Scalar z19;
+    Scalar z39;
+    Scalar z169;
+    Scalar z170;
   };
 
   /// Values of the scene.
@@ -629,12 +632,24 @@ struct Mechanism {
   TORSOR_DEVICE static Precomputed precompute(const Parameters& parameters) noexcept {
     Precomputed precomputed{};
     precomputed.parameters = parameters;
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar p_L = parameters.L;
     const Scalar p_m = parameters.m;
+    const Scalar p_M = parameters.M;
     const Scalar z16 = p_L * p_L * p_m;
     const Scalar z17 = p_L * p_m;
+    const Scalar z19 = n2 * z16;
+    const Scalar z39 = n2 * p_L;
+    const Scalar z169 = n0_5 * p_M;
+    const Scalar z170 = n9_81 * p_M;
     precomputed.z16 = z16;
     precomputed.z17 = z17;
+    precomputed.z19 = z19;
+    precomputed.z39 = z39;
+    precomputed.z169 = z169;
+    precomputed.z170 = z170;
     return precomputed;
   }
 
@@ -732,81 +747,82 @@ struct Mechanism {
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
     const Scalar p_L = precomputed.parameters.L;
-    const Scalar z2 = p_omega * t;
-    const Scalar angles_[] = {z2, q_theta};
+    const Scalar z39 = precomputed.z39;
+    const Scalar z40 = p_omega * t;
+    const Scalar angles_[] = {q_theta, z40};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
-    const Scalar z3 = sines_[0], z4 = cosines_[0];
-    const Scalar s_theta = sines_[1], c_theta = cosines_[1];
-    const Scalar z25 = p_omega * s_theta;
-    const Scalar z21 = z4 * c_theta;
-    const Scalar z23 = z3 * c_theta;
-    const Scalar z34 = v_theta * p_L;
-    const Scalar z11 = v_theta * s_theta;
-    const Scalar z22 = z4 * s_theta;
-    const Scalar z24 = z3 * s_theta;
-    const Scalar z27 = z3 * v_theta;  // angular velocity of arm_1, x
-    const Scalar z28 = z4 * v_theta;  // angular velocity of arm_1, y
-    const Scalar z29 = n2 * c_theta * p_L;
-    const Scalar z33 = c_theta * p_L;
-    const Scalar z38 = s_theta * z34;
-    const Scalar z30 = n2 * p_L * z11;  // velocity of sleeve, z
-    const Scalar z35 = p_L * z25;
-    const Scalar z31 = p_L * z22;
-    const Scalar z32 = p_L * z24;
-    const Scalar z36 = z3 * z35 - z21 * z34;
-    const Scalar z37 = z4 * z35 + z23 * z34;
-    result.ball_1_position[0] = -z31;
-    result.ball_1_position[1] = -z32;
-    result.ball_1_position[2] = -z33;
-    result.ball_1_rotation[0] = z21;
-    result.ball_1_rotation[1] = z23;
+    const Scalar s_theta = sines_[0], c_theta = cosines_[0];
+    const Scalar z41 = sines_[1], z42 = cosines_[1];
+    const Scalar z48 = p_omega * s_theta;
+    const Scalar z44 = c_theta * z42;
+    const Scalar z46 = c_theta * z41;
+    const Scalar z56 = v_theta * p_L;
+    const Scalar z43 = v_theta * s_theta;
+    const Scalar z45 = s_theta * z42;
+    const Scalar z47 = s_theta * z41;
+    const Scalar z51 = c_theta * p_L;
+    const Scalar z49 = v_theta * z41;  // angular velocity of arm_1, x
+    const Scalar z50 = v_theta * z42;  // angular velocity of arm_1, y
+    const Scalar z60 = s_theta * z56;
+    const Scalar z52 = n2 * z51;
+    const Scalar z53 = z39 * z43;  // velocity of sleeve, z
+    const Scalar z57 = p_L * z48;
+    const Scalar z54 = p_L * z45;
+    const Scalar z55 = p_L * z47;
+    const Scalar z58 = z41 * z57 - z44 * z56;
+    const Scalar z59 = z42 * z57 + z46 * z56;
+    result.ball_1_position[0] = -z54;
+    result.ball_1_position[1] = -z55;
+    result.ball_1_position[2] = -z51;
+    result.ball_1_rotation[0] = z44;
+    result.ball_1_rotation[1] = z46;
     result.ball_1_rotation[2] = -s_theta;
-    result.ball_1_rotation[3] = -z3;
-    result.ball_1_rotation[4] = z4;
+    result.ball_1_rotation[3] = -z41;
+    result.ball_1_rotation[4] = z42;
     result.ball_1_rotation[5] = n0;
-    result.ball_1_rotation[6] = z22;
-    result.ball_1_rotation[7] = z24;
+    result.ball_1_rotation[6] = z45;
+    result.ball_1_rotation[7] = z47;
     result.ball_1_rotation[8] = c_theta;
-    result.ball_1_velocity[0] = z36;
-    result.ball_1_velocity[1] = -z37;
-    result.ball_1_velocity[2] = z38;
-    result.ball_1_angular_velocity[0] = -z27;
-    result.ball_1_angular_velocity[1] = z28;
+    result.ball_1_velocity[0] = z58;
+    result.ball_1_velocity[1] = -z59;
+    result.ball_1_velocity[2] = z60;
+    result.ball_1_angular_velocity[0] = -z49;
+    result.ball_1_angular_velocity[1] = z50;
     result.ball_1_angular_velocity[2] = p_omega;
-    result.ball_2_position[0] = z31;
-    result.ball_2_position[1] = z32;
-    result.ball_2_position[2] = -z33;
-    result.ball_2_rotation[0] = z21;
-    result.ball_2_rotation[1] = z23;
+    result.ball_2_position[0] = z54;
+    result.ball_2_position[1] = z55;
+    result.ball_2_position[2] = -z51;
+    result.ball_2_rotation[0] = z44;
+    result.ball_2_rotation[1] = z46;
     result.ball_2_rotation[2] = s_theta;
-    result.ball_2_rotation[3] = -z3;
-    result.ball_2_rotation[4] = z4;
+    result.ball_2_rotation[3] = -z41;
+    result.ball_2_rotation[4] = z42;
     result.ball_2_rotation[5] = n0;
-    result.ball_2_rotation[6] = -z22;
-    result.ball_2_rotation[7] = -z24;
+    result.ball_2_rotation[6] = -z45;
+    result.ball_2_rotation[7] = -z47;
     result.ball_2_rotation[8] = c_theta;
-    result.ball_2_velocity[0] = -z36;
-    result.ball_2_velocity[1] = z37;
-    result.ball_2_velocity[2] = z38;
-    result.ball_2_angular_velocity[0] = z27;
-    result.ball_2_angular_velocity[1] = -z28;
+    result.ball_2_velocity[0] = -z58;
+    result.ball_2_velocity[1] = z59;
+    result.ball_2_velocity[2] = z60;
+    result.ball_2_angular_velocity[0] = z49;
+    result.ball_2_angular_velocity[1] = -z50;
     result.ball_2_angular_velocity[2] = p_omega;
     result.sleeve_position[0] = n0;
     result.sleeve_position[1] = n0;
-    result.sleeve_position[2] = -z29;
-    result.sleeve_rotation[0] = z4;
-    result.sleeve_rotation[1] = z3;
+    result.sleeve_position[2] = -z52;
+    result.sleeve_rotation[0] = z42;
+    result.sleeve_rotation[1] = z41;
     result.sleeve_rotation[2] = n0;
-    result.sleeve_rotation[3] = -z3;
-    result.sleeve_rotation[4] = z4;
+    result.sleeve_rotation[3] = -z41;
+    result.sleeve_rotation[4] = z42;
     result.sleeve_rotation[5] = n0;
     result.sleeve_rotation[6] = n0;
     result.sleeve_rotation[7] = n0;
     result.sleeve_rotation[8] = n1;
     result.sleeve_velocity[0] = n0;
     result.sleeve_velocity[1] = n0;
-    result.sleeve_velocity[2] = z30;
+    result.sleeve_velocity[2] = z53;
     result.sleeve_angular_velocity[0] = n0;
     result.sleeve_angular_velocity[1] = n0;
     result.sleeve_angular_velocity[2] = p_omega;
@@ -815,17 +831,16 @@ struct Mechanism {
   /// Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.
   TORSOR_DEVICE static void mass_matrix(const Precomputed& precomputed, const State& state,
       std::array<Scalar, 1>& mass) noexcept {
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar q_theta = state.q.theta;
-    const Scalar p_L = precomputed.parameters.L;
     const Scalar p_M = precomputed.parameters.M;
-    const Scalar z16 = precomputed.z16;
+    const Scalar z19 = precomputed.z19;
+    const Scalar z39 = precomputed.z39;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z14 = n2 * s_theta * p_L;
-    const Scalar z67 = z14 * p_M;
-    const Scalar z68 = n2 * z16 + z14 * z67;
-    mass[0] = z68;
+    const Scalar z91 = s_theta * z39;
+    const Scalar z92 = p_M * z91;
+    const Scalar z93 = z19 + z91 * z92;
+    mass[0] = z93;
   }
 
   /// Bias h(q, v, t): inverse dynamics at zero acceleration without inputs and multipliers; gravity and passive
@@ -837,24 +852,24 @@ struct Mechanism {
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
-    const Scalar p_L = precomputed.parameters.L;
     const Scalar p_M = precomputed.parameters.M;
     const Scalar z16 = precomputed.z16;
     const Scalar z17 = precomputed.z17;
+    const Scalar z39 = precomputed.z39;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z12 = v_theta * c_theta;
-    const Scalar z25 = p_omega * s_theta;
-    const Scalar z26 = p_omega * c_theta;
-    const Scalar z69 = n9_81 * s_theta;
-    const Scalar z14 = n2 * s_theta * p_L;
-    const Scalar z73 = v_theta * z12;
-    const Scalar z76 = z25 * z26;
-    const Scalar z74 = n9_81 + n2 * p_L * z73;
-    const Scalar z85 = z16 * z76 - z17 * z69;  // moment on arm_2, y
-    const Scalar z75 = p_M * z74;  // force on sleeve, z
-    const Scalar z92 = z14 * z75 - n2 * z85;
-    forces.theta = z92;
+    const Scalar z118 = v_theta * c_theta;
+    const Scalar z120 = p_omega * s_theta;
+    const Scalar z121 = p_omega * c_theta;
+    const Scalar z122 = n9_81 * s_theta;
+    const Scalar z119 = s_theta * z39;
+    const Scalar z123 = v_theta * z118;
+    const Scalar z126 = z120 * z121;
+    const Scalar z124 = n9_81 + z39 * z123;
+    const Scalar z127 = z16 * z126 - z17 * z122;  // moment on arm_2, y
+    const Scalar z125 = p_M * z124;  // force on sleeve, z
+    const Scalar z128 = z119 * z125 - n2 * z127;
+    forces.theta = z128;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -866,24 +881,24 @@ struct Mechanism {
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
     const Scalar a_theta = accelerations.theta;
-    const Scalar p_L = precomputed.parameters.L;
     const Scalar p_M = precomputed.parameters.M;
     const Scalar z16 = precomputed.z16;
     const Scalar z17 = precomputed.z17;
+    const Scalar z39 = precomputed.z39;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z25 = p_omega * s_theta;
-    const Scalar z26 = p_omega * c_theta;
-    const Scalar z12 = v_theta * c_theta;
-    const Scalar z69 = n9_81 * s_theta;
-    const Scalar z14 = n2 * s_theta * p_L;
-    const Scalar z13 = a_theta * s_theta + v_theta * z12;
-    const Scalar z76 = z25 * z26;
-    const Scalar z97 = z17 * z69 + z16 * (a_theta - z76);  // moment on arm_2, y
-    const Scalar z93 = n9_81 + n2 * p_L * z13;
-    const Scalar z94 = p_M * z93;  // force on sleeve, z
-    const Scalar z101 = n2 * z97 + z14 * z94;
-    forces.theta = z101;
+    const Scalar z142 = p_omega * s_theta;
+    const Scalar z143 = p_omega * c_theta;
+    const Scalar z139 = v_theta * c_theta;
+    const Scalar z144 = n9_81 * s_theta;
+    const Scalar z141 = s_theta * z39;
+    const Scalar z140 = a_theta * s_theta + v_theta * z139;
+    const Scalar z145 = z142 * z143;
+    const Scalar z148 = z17 * z144 + z16 * (a_theta - z145);  // moment on arm_2, y
+    const Scalar z146 = n9_81 + z39 * z140;
+    const Scalar z147 = p_M * z146;  // force on sleeve, z
+    const Scalar z149 = n2 * z148 + z141 * z147;
+    forces.theta = z149;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -891,36 +906,37 @@ struct Mechanism {
   /// positive relative to its diagonal entry.
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
       const Inputs&, Accelerations& accelerations, Multipliers&) noexcept {
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
-    const Scalar p_L = precomputed.parameters.L;
     const Scalar p_M = precomputed.parameters.M;
     const Scalar z16 = precomputed.z16;
     const Scalar z17 = precomputed.z17;
+    const Scalar z19 = precomputed.z19;
+    const Scalar z39 = precomputed.z39;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z14 = n2 * s_theta * p_L;
-    const Scalar z12 = v_theta * c_theta;
-    const Scalar z25 = p_omega * s_theta;
-    const Scalar z26 = p_omega * c_theta;
-    const Scalar z69 = n9_81 * s_theta;
-    const Scalar z73 = v_theta * z12;
-    const Scalar z76 = z25 * z26;
-    const Scalar z67 = z14 * p_M;
-    const Scalar z74 = n9_81 + n2 * p_L * z73;
-    const Scalar z85 = z16 * z76 - z17 * z69;  // moment on arm_2, y
-    const Scalar z68 = n2 * z16 + z14 * z67;
-    const Scalar z75 = p_M * z74;  // force on sleeve, z
-    const Scalar z92 = z14 * z75 - n2 * z85;
-    const Scalar z103 = n1 / z68;
-    const Scalar z104 = z92 * z103;
-    accelerations.theta = -z104;
-    if (!(traits::regular(z68, z68))) return torsor::Status::singular;
+    const Scalar z153 = s_theta * z39;
+    const Scalar z152 = v_theta * c_theta;
+    const Scalar z154 = p_omega * s_theta;
+    const Scalar z155 = p_omega * c_theta;
+    const Scalar z158 = n9_81 * s_theta;
+    const Scalar z156 = p_M * z153;
+    const Scalar z159 = v_theta * z152;
+    const Scalar z162 = z154 * z155;
+    const Scalar z157 = z19 + z153 * z156;
+    const Scalar z160 = n9_81 + z39 * z159;
+    const Scalar z163 = z16 * z162 - z17 * z158;  // moment on arm_2, y
+    const Scalar z161 = p_M * z160;  // force on sleeve, z
+    const Scalar z165 = n1 / z157;
+    const Scalar z164 = z153 * z161 - n2 * z163;
+    const Scalar z166 = z164 * z165;
+    accelerations.theta = -z166;
+    if (!(traits::regular(z157, z157))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.theta;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -930,27 +946,25 @@ struct Mechanism {
   /// Kinetic energy, force function (potential energy = -U) and power of what has no force function.
   TORSOR_DEVICE static void energy(const Precomputed& precomputed, const State& state, const Inputs&,
       Energy& result) noexcept {
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
-    const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n19_62 = traits::constant(19.62, 19.62f, "981/50");
-    const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
-    const Scalar p_L = precomputed.parameters.L;
-    const Scalar p_M = precomputed.parameters.M;
     const Scalar z16 = precomputed.z16;
     const Scalar z17 = precomputed.z17;
+    const Scalar z39 = precomputed.z39;
+    const Scalar z169 = precomputed.z169;
+    const Scalar z170 = precomputed.z170;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z11 = v_theta * s_theta;
-    const Scalar z25 = p_omega * s_theta;
-    const Scalar z29 = n2 * c_theta * p_L;
-    const Scalar z42 = c_theta * z17;
-    const Scalar z30 = n2 * p_L * z11;  // velocity of sleeve, z
-    result.kinetic = z16 * (v_theta * v_theta + z25 * z25) + n0_5 * p_M * z30 * z30;
-    result.force_function = n19_62 * z42 + n9_81 * p_M * z29;
+    const Scalar z171 = v_theta * s_theta;
+    const Scalar z172 = p_omega * s_theta;
+    const Scalar z173 = c_theta * z39;
+    const Scalar z175 = c_theta * z17;
+    const Scalar z174 = z39 * z171;  // velocity of sleeve, z
+    result.kinetic = z16 * (v_theta * v_theta + z172 * z172) + z169 * z174 * z174;
+    result.force_function = z170 * z173 + n19_62 * z175;
     result.power = n0;
   }
 
@@ -958,28 +972,29 @@ struct Mechanism {
   TORSOR_DEVICE static void first_integrals(const Precomputed& precomputed, const State& state,
       FirstIntegrals& result) noexcept {
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
+    const Scalar n19_62 = traits::constant(19.62, 19.62f, "981/50");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
-    const Scalar n19_62 = traits::constant(19.62, 19.62f, "981/50");
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
-    const Scalar p_L = precomputed.parameters.L;
     const Scalar p_M = precomputed.parameters.M;
     const Scalar z16 = precomputed.z16;
     const Scalar z17 = precomputed.z17;
+    const Scalar z39 = precomputed.z39;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z11 = v_theta * s_theta;
-    const Scalar z25 = p_omega * s_theta;
-    const Scalar z29 = n2 * c_theta * p_L;
-    const Scalar z42 = c_theta * z17;
-    const Scalar z30 = n2 * p_L * z11;  // velocity of sleeve, z
-    const Scalar z107 = p_M * z30;
-    const Scalar z112 = n2 * p_L * z107;
-    const Scalar z115 = n2 * v_theta * z16 + s_theta * z112;
-    result.painleve = -v_theta * (v_theta * z16 - z115) - p_M * (n9_81 * z29 + n0_5 * z30 * z30) - z16 * z25 * z25
-        - n19_62 * z42;
+    const Scalar z188 = v_theta * s_theta;
+    const Scalar z195 = v_theta * z16;
+    const Scalar z189 = p_omega * s_theta;
+    const Scalar z190 = c_theta * z39;
+    const Scalar z192 = c_theta * z17;
+    const Scalar z191 = z39 * z188;  // velocity of sleeve, z
+    const Scalar z193 = p_M * z191;
+    const Scalar z194 = z39 * z193;
+    const Scalar z196 = n2 * z195 + s_theta * z194;
+    result.painleve = -n19_62 * z192 - z16 * z189 * z189 - p_M * (n9_81 * z190 + n0_5 * z191 * z191) - v_theta * (z195
+        - z196);
   }
 
   /// Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released
@@ -994,70 +1009,71 @@ struct Mechanism {
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
     const Scalar z26 = p_omega * c_theta;
-    const Scalar z71 = v_theta * z26;  // angular acceleration of arm_1, x
-    const Scalar z77 = n2 * z71;
-    const Scalar z84 = z16 * z77;  // moment on arm_2, x
-    const Scalar z89 = s_theta * z84;
-    const Scalar z91 = n2 * z89;  // moment on shaft, z
-    result.motor = z91;
+    const Scalar z96 = v_theta * z26;  // angular acceleration of arm_1, x
+    const Scalar z102 = n2 * z96;
+    const Scalar z109 = z16 * z102;  // moment on arm_2, x
+    const Scalar z114 = s_theta * z109;
+    const Scalar z116 = n2 * z114;  // moment on shaft, z
+    result.motor = z116;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
   /// inputs. Zero accelerations give the expansion about a rest, with F what is left of the equations there.
   TORSOR_DEVICE static torsor::Status linearisation(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Multipliers&, const Inputs&, Linearisation& result) noexcept {
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
     const Scalar a_theta = accelerations.theta;
-    const Scalar p_L = precomputed.parameters.L;
     const Scalar p_M = precomputed.parameters.M;
     const Scalar z16 = precomputed.z16;
     const Scalar z17 = precomputed.z17;
+    const Scalar z19 = precomputed.z19;
+    const Scalar z39 = precomputed.z39;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z11 = v_theta * s_theta;
-    const Scalar z14 = n2 * s_theta * p_L;
-    const Scalar z12 = v_theta * c_theta;
-    const Scalar z25 = p_omega * s_theta;
-    const Scalar z26 = p_omega * c_theta;
-    const Scalar z69 = n9_81 * s_theta;
-    const Scalar z70 = n9_81 * c_theta;
-    const Scalar z29 = n2 * c_theta * p_L;
-    const Scalar z13 = a_theta * s_theta + v_theta * z12;
-    const Scalar z76 = z25 * z26;
-    const Scalar z118 = v_theta * c_theta + z12;
-    const Scalar z122 = v_theta * z11 - a_theta * c_theta;
-    const Scalar z125 = z25 * z25 - z26 * z26;
-    const Scalar z67 = z14 * p_M;
-    const Scalar z97 = z17 * z69 + z16 * (a_theta - z76);  // moment on arm_2, y
-    const Scalar z93 = n9_81 + n2 * p_L * z13;
-    const Scalar z119 = n2 * p_L * z118;
-    const Scalar z68 = n2 * z16 + z14 * z67;
-    const Scalar z120 = p_M * z119;
-    const Scalar z123 = n2 * p_L * z122;
-    const Scalar z126 = z17 * z70 + z16 * z125;
-    const Scalar z94 = p_M * z93;  // force on sleeve, z
-    const Scalar z103 = n1 / z68;
-    const Scalar z121 = z14 * z120;
-    const Scalar z124 = p_M * z123;
-    const Scalar z101 = n2 * z97 + z14 * z94;
-    const Scalar z127 = z14 * z124 - z29 * z94 - n2 * z126;
-    const Scalar z129 = z103 * z121;
-    const Scalar z128 = z103 * z127;
-    result.M[0] = z68;
-    result.C[0] = z121;
-    result.K[0] = -z127;
-    result.F[0] = -z101;
+    const Scalar z209 = v_theta * s_theta;
+    const Scalar z212 = s_theta * z39;
+    const Scalar z210 = v_theta * c_theta;
+    const Scalar z213 = p_omega * s_theta;
+    const Scalar z214 = p_omega * c_theta;
+    const Scalar z218 = n9_81 * s_theta;
+    const Scalar z219 = n9_81 * c_theta;
+    const Scalar z215 = c_theta * z39;
+    const Scalar z211 = a_theta * s_theta + v_theta * z210;
+    const Scalar z216 = p_M * z212;
+    const Scalar z220 = z213 * z214;
+    const Scalar z226 = n2 * z210;
+    const Scalar z230 = v_theta * z209 - a_theta * c_theta;
+    const Scalar z233 = z213 * z213 - z214 * z214;
+    const Scalar z217 = z19 + z212 * z216;
+    const Scalar z223 = z17 * z218 + z16 * (a_theta - z220);  // moment on arm_2, y
+    const Scalar z227 = z39 * z226;
+    const Scalar z221 = n9_81 + z39 * z211;
+    const Scalar z228 = p_M * z227;
+    const Scalar z225 = n1 / z217;
+    const Scalar z231 = z39 * z230;
+    const Scalar z234 = z17 * z219 + z16 * z233;
+    const Scalar z222 = p_M * z221;  // force on sleeve, z
+    const Scalar z229 = z212 * z228;
+    const Scalar z232 = p_M * z231;
+    const Scalar z224 = n2 * z223 + z212 * z222;
+    const Scalar z235 = z212 * z232 - z215 * z222 - n2 * z234;
+    const Scalar z237 = z225 * z229;
+    const Scalar z236 = z225 * z235;
+    result.M[0] = z217;
+    result.C[0] = z229;
+    result.K[0] = -z235;
+    result.F[0] = -z224;
     result.A[0] = n0;
-    result.A[1] = z128;
+    result.A[1] = z236;
     result.A[2] = n1;
-    result.A[3] = -z129;
-    if (!(traits::regular(z68, z68))) return torsor::Status::singular;
+    result.A[3] = -z237;
+    if (!(traits::regular(z217, z217))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * result.M[0] * result.C[0] * result.K[0] * result.F[0] * result.A[1] * result.A[3];
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;

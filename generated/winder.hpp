@@ -10,15 +10,15 @@
 // costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
 // joints, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   precompute                1               16          0             0                  1       0     19       -
+//   precompute                1               19          0             0                  1       0     22       -
 //   kinematics               11               31          0             0                  2       0     46      50
 //   mass_matrix               0                0          0             0                  0       0      0       0
 //   bias                      3                3          0             0                  0       0      6      12
 //   inverse_dynamics          4                4          0             0                  0       0      8      14
 //   forward_dynamics          3                4          0             0                  0       0      7      13
-//   energy                   16               28          0             0                  1       0     46      58
-//   first_integrals          20               33          0             0                  1       0     55      68
-//   reactions                18               33          0             0                  1       0     53      77
+//   energy                   16               26          0             0                  1       0     44      58
+//   first_integrals          20               31          0             0                  1       0     53      68
+//   reactions                18               32          0             0                  1       0     52      77
 //   linearisation             4                4          0             0                  0       0      8      17
 //
 // Not computed because this mechanism does not need it:
@@ -126,8 +126,7 @@ struct SineCosine {
     cosine = c * i + s * j;
   }
 
-  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no
-  /// number gives no number.
+  /// Of r = x - n pi/2 for |x| <= bound, and `shifted`, n + shift(); what is no number gives no number.
   ///  * n P and n Q are exact, as is x - n pi/2 to the first part: products that are fused with their sums round as
   ///    others do, and may be formed twice;
   ///  * r = first - n P loses (first - r) - n P. Two operations tell it where |first| >= |n P|, as in Fast2Sum, and
@@ -345,7 +344,7 @@ TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& a
     const Bits bits = (Bits)shifted.part[i];
     const Bits odd = bits << sign_bit, upper = bits << (sign_bit - 1);
     Numbers sine_of_rest, cosine_of_rest;
-    if constexpr (sizeof(Numbers) == 32) {  // AVX has an instruction that looks at the bit of the sign
+    if constexpr (sizeof(Numbers) >= 32) {  // AVX has instructions that choose by the bit of the sign
       const Bits exchanged = odd < Bits{};
       sine_of_rest = exchanged ? c : s;
       cosine_of_rest = exchanged ? s : c;
@@ -510,7 +509,7 @@ struct Mechanism {
 
   static constexpr const char* name = "winder";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x767d376674853ca4ULL;
+  static constexpr unsigned long long fingerprint = 0xeb633f795da1f6fbULL;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
@@ -626,9 +625,11 @@ struct Mechanism {
     Scalar z110;
     Scalar z162;
     Scalar z163;
-    Scalar z187;
-    Scalar z188;
-    Scalar z189;
+    Scalar z170;
+    Scalar z201;
+    Scalar z216;
+    Scalar z244;
+    Scalar z245;
   };
 
   /// Values of the scene.
@@ -649,10 +650,11 @@ struct Mechanism {
     const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
     const Scalar n0_3 = traits::constant(0.3, 0.3f, "3/10");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
+    const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
     const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
+    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n200 = traits::constant(200.0, 200.0f, "200/1");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar p_omega = parameters.omega;
     const Scalar p_slope = parameters.slope;
     Scalar s_slope, c_slope;
@@ -670,9 +672,12 @@ struct Mechanism {
     const Scalar z110 = z23 * z23;
     const Scalar z162 = c_slope * z22;
     const Scalar z163 = s_slope * z22;
-    const Scalar z187 = n0_0005 * z24;
-    const Scalar z188 = n200 - n0_5 * z110;
-    const Scalar z189 = n2 * z188;
+    const Scalar z169 = n0_01 * p_omega;
+    const Scalar z170 = p_omega * z169;
+    const Scalar z201 = n0_0005 * z24;
+    const Scalar z216 = n2 * z23;
+    const Scalar z244 = n200 - n0_5 * z110;
+    const Scalar z245 = n2 * z244;
     precomputed.s_slope = s_slope;
     precomputed.c_slope = c_slope;
     precomputed.z22 = z22;
@@ -687,9 +692,11 @@ struct Mechanism {
     precomputed.z110 = z110;
     precomputed.z162 = z162;
     precomputed.z163 = z163;
-    precomputed.z187 = z187;
-    precomputed.z188 = z188;
-    precomputed.z189 = z189;
+    precomputed.z170 = z170;
+    precomputed.z201 = z201;
+    precomputed.z216 = z216;
+    precomputed.z244 = z244;
+    precomputed.z245 = z245;
     return precomputed;
   }
 
@@ -975,14 +982,12 @@ struct Mechanism {
   TORSOR_DEVICE static void energy(const Precomputed& precomputed, const State& state, const Inputs&,
       Energy& result) noexcept {
     const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
-    const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
-    const Scalar k2 = traits::constant(0.00025, 0.00025f, "1/4000");
+    const Scalar k1 = traits::constant(0.00025, 0.00025f, "1/4000");
     const Scalar n0_0004 = traits::constant(4e-04, 4e-04f, "1/2500");
     const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
     const Scalar n4_905 = traits::constant(4.905, 4.905f, "981/200");
     const Scalar n100 = traits::constant(100.0, 100.0f, "100/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
-    const Scalar p_omega = precomputed.parameters.omega;
     const Scalar q_lambda = state.q.lambda;
     const Scalar v_lambda = state.v.lambda;
     const Scalar q_phi = state.q.phi;
@@ -994,23 +999,24 @@ struct Mechanism {
     const Scalar z92 = precomputed.z92;
     const Scalar z162 = precomputed.z162;
     const Scalar z163 = precomputed.z163;
+    const Scalar z170 = precomputed.z170;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z93 = q_lambda - z92;
-    const Scalar z94 = s_phi * z91 - n0_2 * c_phi;
-    const Scalar z32 = q_lambda * z23;
-    const Scalar z95 = n0_2 * s_phi + c_phi * z91;
-    const Scalar z29 = c_slope * q_lambda;
-    const Scalar z42 = s_phi * z23;
-    const Scalar z43 = c_phi * z23;
-    const Scalar z44 = v_phi + z24;
-    const Scalar z164 = v_lambda - z163;  // velocity of S.1, z
-    const Scalar z165 = s_phi * z162 + c_phi * z32;
-    const Scalar z166 = s_phi * z32 - c_phi * z162;
-    const Scalar z98 = z93 * z93 + z94 * z94 + z95 * z95;
-    result.kinetic = n0_01 * p_omega * p_omega + k2 * z44 * z44 + n0_0004 * (z42 * z42 + z43 * z43) + n0_25 * (z164
-        * z164 + z165 * z165 + z166 * z166);
-    result.force_function = -n4_905 * z29 - n100 * z98;
+    const Scalar z176 = q_lambda - z92;
+    const Scalar z177 = s_phi * z91 - n0_2 * c_phi;
+    const Scalar z172 = q_lambda * z23;
+    const Scalar z178 = n0_2 * s_phi + c_phi * z91;
+    const Scalar z171 = c_slope * q_lambda;
+    const Scalar z173 = s_phi * z23;
+    const Scalar z174 = c_phi * z23;
+    const Scalar z175 = v_phi + z24;
+    const Scalar z180 = v_lambda - z163;  // velocity of S.1, z
+    const Scalar z181 = s_phi * z162 + c_phi * z172;
+    const Scalar z182 = s_phi * z172 - c_phi * z162;
+    const Scalar z179 = z176 * z176 + z177 * z177 + z178 * z178;
+    result.kinetic = z170 + k1 * z175 * z175 + n0_0004 * (z173 * z173 + z174 * z174) + n0_25 * (z180 * z180 + z181
+        * z181 + z182 * z182);
+    result.force_function = -n4_905 * z171 - n100 * z179;
     result.power = n0;
   }
 
@@ -1020,13 +1026,11 @@ struct Mechanism {
     const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
     const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
-    const Scalar n0_01 = traits::constant(0.01, 0.01f, "1/100");
     const Scalar n4_905 = traits::constant(4.905, 4.905f, "981/200");
-    const Scalar k5 = traits::constant(0.00025, 0.00025f, "1/4000");
+    const Scalar k4 = traits::constant(0.00025, 0.00025f, "1/4000");
     const Scalar n0_0004 = traits::constant(4e-04, 4e-04f, "1/2500");
     const Scalar n0_25 = traits::constant(0.25, 0.25f, "1/4");
     const Scalar n100 = traits::constant(100.0, 100.0f, "100/1");
-    const Scalar p_omega = precomputed.parameters.omega;
     const Scalar q_lambda = state.q.lambda;
     const Scalar v_lambda = state.v.lambda;
     const Scalar q_phi = state.q.phi;
@@ -1038,26 +1042,27 @@ struct Mechanism {
     const Scalar z92 = precomputed.z92;
     const Scalar z162 = precomputed.z162;
     const Scalar z163 = precomputed.z163;
-    const Scalar z187 = precomputed.z187;
+    const Scalar z170 = precomputed.z170;
+    const Scalar z201 = precomputed.z201;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z93 = q_lambda - z92;
-    const Scalar z94 = s_phi * z91 - n0_2 * c_phi;
-    const Scalar z32 = q_lambda * z23;
-    const Scalar z95 = n0_2 * s_phi + c_phi * z91;
-    const Scalar z44 = v_phi + z24;
-    const Scalar z164 = v_lambda - z163;  // velocity of S.1, z
-    const Scalar z29 = c_slope * q_lambda;
-    const Scalar z42 = s_phi * z23;
-    const Scalar z43 = c_phi * z23;
-    const Scalar z165 = s_phi * z162 + c_phi * z32;
-    const Scalar z166 = s_phi * z32 - c_phi * z162;
-    const Scalar z171 = n0_5 * z164;
-    const Scalar z173 = n0_0005 * z44;
-    const Scalar z98 = z93 * z93 + z94 * z94 + z95 * z95;
-    result.painleve = -n0_01 * p_omega * p_omega + n4_905 * z29 + v_lambda * z171 + v_phi * z173 - k5 * z44 * z44
-        - n0_0004 * (z42 * z42 + z43 * z43) - n0_25 * (z164 * z164 + z165 * z165 + z166 * z166) + n100 * z98;
-    result.momentum_phi = n0_0005 * v_phi + z187;
+    const Scalar z207 = q_lambda - z92;
+    const Scalar z208 = s_phi * z91 - n0_2 * c_phi;
+    const Scalar z203 = q_lambda * z23;
+    const Scalar z209 = n0_2 * s_phi + c_phi * z91;
+    const Scalar z206 = v_phi + z24;
+    const Scalar z211 = v_lambda - z163;  // velocity of S.1, z
+    const Scalar z202 = c_slope * q_lambda;
+    const Scalar z204 = s_phi * z23;
+    const Scalar z205 = c_phi * z23;
+    const Scalar z212 = s_phi * z162 + c_phi * z203;
+    const Scalar z213 = s_phi * z203 - c_phi * z162;
+    const Scalar z214 = n0_5 * z211;
+    const Scalar z215 = n0_0005 * z206;
+    const Scalar z210 = z207 * z207 + z208 * z208 + z209 * z209;
+    result.painleve = n4_905 * z202 - z170 + v_lambda * z214 + v_phi * z215 - k4 * z206 * z206 - n0_0004 * (z204 * z204
+        + z205 * z205) - n0_25 * (z211 * z211 + z212 * z212 + z213 * z213) + n100 * z210;
+    result.momentum_phi = n0_0005 * v_phi + z201;
   }
 
   /// Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released
@@ -1065,7 +1070,6 @@ struct Mechanism {
   TORSOR_DEVICE static void reactions(const Precomputed& precomputed, const State& state,
       const Accelerations& accelerations, const Multipliers&, const Inputs&, Reactions& result) noexcept {
     const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n200 = traits::constant(200.0, 200.0f, "200/1");
     const Scalar n0_0005 = traits::constant(5e-04, 5e-04f, "1/2000");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
@@ -1086,36 +1090,37 @@ struct Mechanism {
     const Scalar z108 = precomputed.z108;
     const Scalar z109 = precomputed.z109;
     const Scalar z110 = precomputed.z110;
+    const Scalar z216 = precomputed.z216;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z95 = n0_2 * s_phi + c_phi * z91;
-    const Scalar z43 = c_phi * z23;
-    const Scalar z44 = v_phi + z24;
-    const Scalar z94 = s_phi * z91 - n0_2 * c_phi;
-    const Scalar z42 = s_phi * z23;
-    const Scalar z93 = q_lambda - z92;
-    const Scalar z111 = n2 * v_lambda * z23 - z106;
-    const Scalar z101 = n200 * z93;
-    const Scalar z145 = q_lambda * z110 - a_lambda - z108;
-    const Scalar z112 = q_lambda * z109 + z107;
-    const Scalar z146 = n0_0005 * a_phi;  // moment on S, z
-    const Scalar z147 = z101 - n0_5 * z145;  // force on S.1, z
-    const Scalar z118 = z43 * z44;
-    const Scalar z119 = z42 * z44;
-    const Scalar z120 = n0_0005 * z118;  // moment on S, x
-    const Scalar z121 = n0_0005 * z119;  // moment on S, y
-    const Scalar z99 = n200 * z94;
-    const Scalar z100 = n200 * z95;
-    const Scalar z125 = s_phi * z120 - c_phi * z121;
-    const Scalar z122 = s_phi * z100 - c_phi * z99;
-    const Scalar z123 = s_phi * z99 + c_phi * z100;
-    const Scalar z126 = n0_5 * z111 + z122;  // force on S.1, x
-    const Scalar z127 = n0_5 * z112 - z123;  // force on S.1, y
-    const Scalar z130 = q_lambda * z126 + z125;  // moment on holder, y
-    const Scalar z148 = s_slope * z147 - c_slope * z127;
-    const Scalar z151 = c_slope * z146 + s_slope * z130;
-    const Scalar z155 = n0_2 * z148 - z151;  // moment on Sigma, z
-    result.motor = -z155;
+    const Scalar z222 = n0_2 * s_phi + c_phi * z91;
+    const Scalar z218 = c_phi * z23;
+    const Scalar z219 = v_phi + z24;
+    const Scalar z221 = s_phi * z91 - n0_2 * c_phi;
+    const Scalar z217 = s_phi * z23;
+    const Scalar z220 = q_lambda - z92;
+    const Scalar z226 = v_lambda * z216 - z106;
+    const Scalar z225 = n200 * z220;
+    const Scalar z238 = q_lambda * z110 - a_lambda - z108;
+    const Scalar z227 = q_lambda * z109 + z107;
+    const Scalar z239 = n0_0005 * a_phi;  // moment on S, z
+    const Scalar z240 = z225 - n0_5 * z238;  // force on S.1, z
+    const Scalar z228 = z218 * z219;
+    const Scalar z229 = z217 * z219;
+    const Scalar z230 = n0_0005 * z228;  // moment on S, x
+    const Scalar z231 = n0_0005 * z229;  // moment on S, y
+    const Scalar z223 = n200 * z221;
+    const Scalar z224 = n200 * z222;
+    const Scalar z234 = s_phi * z230 - c_phi * z231;
+    const Scalar z232 = s_phi * z224 - c_phi * z223;
+    const Scalar z233 = s_phi * z223 + c_phi * z224;
+    const Scalar z235 = n0_5 * z226 + z232;  // force on S.1, x
+    const Scalar z236 = n0_5 * z227 - z233;  // force on S.1, y
+    const Scalar z237 = q_lambda * z235 + z234;  // moment on holder, y
+    const Scalar z241 = s_slope * z240 - c_slope * z236;
+    const Scalar z242 = c_slope * z239 + s_slope * z237;
+    const Scalar z243 = n0_2 * z241 - z242;  // moment on Sigma, z
+    result.motor = -z243;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -1133,8 +1138,8 @@ struct Mechanism {
     const Scalar z92 = precomputed.z92;
     const Scalar z108 = precomputed.z108;
     const Scalar z110 = precomputed.z110;
-    const Scalar z188 = precomputed.z188;
-    const Scalar z189 = precomputed.z189;
+    const Scalar z244 = precomputed.z244;
+    const Scalar z245 = precomputed.z245;
     const Scalar z93 = q_lambda - z92;
     const Scalar z145 = q_lambda * z110 - a_lambda - z108;
     const Scalar z146 = n0_0005 * a_phi;  // moment on S, z
@@ -1148,7 +1153,7 @@ struct Mechanism {
     result.C[1] = n0;
     result.C[2] = n0;
     result.C[3] = n0;
-    result.K[0] = z188;
+    result.K[0] = z244;
     result.K[1] = n0;
     result.K[2] = n0;
     result.K[3] = n0;
@@ -1156,7 +1161,7 @@ struct Mechanism {
     result.F[1] = -z146;
     result.A[0] = n0;
     result.A[1] = n0;
-    result.A[2] = -z189;
+    result.A[2] = -z245;
     result.A[3] = n0;
     result.A[4] = n0;
     result.A[5] = n0;

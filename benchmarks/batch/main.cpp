@@ -64,7 +64,7 @@ void measure(const Options& options, const Chain& chain, Quantity quantity, std:
   for (std::size_t i = 0; i < ways.size(); ++i) {
     const auto& [ns, ratio] = timings[i];
     const double than_peer = with_peer ? timings.back().ratio.median / ratio.median : 0;
-    fmt::print("{:<18}{:<32}{:<8}{:>28}{:>10.2f}{:>10}{:>9.0e}\n", name_of(quantity), ways[i].competitor,
+    fmt::print("{:<18}{:<40}{:<8}{:>28}{:>10.2f}{:>10}{:>9.0e}\n", name_of(quantity), ways[i].competitor,
                ways[i].scalar, text_of(ns), 1 / ratio.median, with_peer ? fmt::format("{:.1f}", than_peer) : "-",
                difference[i]);
     std::string name = ways[i].competitor;  // a cell holds no comma
@@ -80,7 +80,7 @@ void measure(const Options& options, const Chain& chain, Quantity quantity, std:
 void measure_ensemble(int turns, std::string& csv) {
   for (const auto& [quantity, name, scalar, timing, difference] : ensemble_times(turns)) {
     const auto& [ns, ratio] = timing;
-    fmt::print("{:<18}{:<32}{:<8}{:>28}{:>10.2f}{:>10}{:>9.0e}\n", "ensemble's " + quantity, name, scalar, text_of(ns),
+    fmt::print("{:<18}{:<40}{:<8}{:>28}{:>10.2f}{:>10}{:>9.0e}\n", "ensemble's " + quantity, name, scalar, text_of(ns),
                1 / ratio.median, "-", difference);
     std::string cell = name;
     cell.erase(std::remove(cell.begin(), cell.end(), ','), cell.end());
@@ -91,11 +91,11 @@ void measure_ensemble(int turns, std::string& csv) {
 
 /// A batch that leaves the caches. A call takes milliseconds, and so fewer turns are enough.
 void measure_threads(const Options& options, std::string& csv) {
-  fmt::print("\n{:<18}{:<32}{:<8}{:>28}{:>14}\n", "forward_dynamics", fmt::format("{} states", options.large), "scalar",
+  fmt::print("\n{:<18}{:<40}{:<8}{:>28}{:>14}\n", "forward_dynamics", fmt::format("{} states", options.large), "scalar",
              "ns for one state (quartiles)", "x one thread");
   for (const auto& [threads, scalar, lanes, timing] : thread_times(options.large, 1 + options.turns / 20)) {
     const auto& [ns, ratio] = timing;
-    fmt::print("{:<18}{:<32}{:<8}{:>28}{:>14.2f}\n", "",
+    fmt::print("{:<18}{:<40}{:<8}{:>28}{:>14.2f}\n", "",
                fmt::format("packs of {}, {} thread{}", lanes, threads, threads == 1 ? "" : "s"), scalar, text_of(ns),
                1 / ratio.median);
     csv += fmt::format("forward_dynamics_large,torsor packs of {},{},{},{:.3f},{:.3f},{:.3f},,,\n", lanes, scalar,
@@ -107,7 +107,7 @@ void run(const Options& options) {
   const std::vector<Chain> chains = read_chains(options.references + "/models.json");
   const auto chain = std::find_if(chains.begin(), chains.end(), [](const Chain& each) { return each.name == "panda"; });
   if (chain == chains.end()) throw std::runtime_error("models.json has no chain panda");
-  fmt::print("{:<18}{:<32}{:<8}{:>28}{:>10}{:>10}{:>9}\n", "quantity", "", "scalar", "ns for one state (quartiles)",
+  fmt::print("{:<18}{:<40}{:<8}{:>28}{:>10}{:>10}{:>9}\n", "quantity", "", "scalar", "ns for one state (quartiles)",
              "x single", "x MuJoCo", "differs");
   std::string csv =
       "quantity,competitor,scalar,threads,ns,ns_lower_quartile,ns_upper_quartile,times_single,times_mujoco,difference\n";

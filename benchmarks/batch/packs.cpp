@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Compiled for this processor, once for each kind of registers. The build defines MODEL_HEADER and MODEL_OPTIONS, and of
-// each kind PACKED_WAYS, the function, PACKED_REGISTERS, its name for people, and PACKED_BYTES, how many a pack has. The
-// namespaces are renamed for each, so that no linker takes one kind's functions for another's.
+// Compiled for this processor, once for each kind of registers by each compiler. The build defines MODEL_HEADER and
+// MODEL_OPTIONS, and of each PACKED_WAYS, the function, PACKED_REGISTERS, its name for people, and PACKED_BYTES, how many
+// a pack has. The namespaces are renamed for each, so that no linker takes one's functions for another's.
 #include <algorithm>
 #include <array>
 #include <memory>

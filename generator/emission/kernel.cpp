@@ -20,6 +20,7 @@
 #include "generator/emission/kernel_sensitivities.hpp"
 #include "generator/emission/kernel_sparse_jacobian.hpp"
 #include "generator/expression/error.hpp"
+#include "generator/expression/shared_products.hpp"
 #include "generator/expression/vanishing.hpp"
 
 namespace torsor {
@@ -200,6 +201,18 @@ void clear_vanishing(Kernel& kernel) {
   for (std::size_t i = 0; i < values.size(); ++i) kernel.assignments[i].value = std::move(values[i]);
 }
 
+/// Products that several sums have in common: see shared_products.hpp.
+void share_products(Program& program, Kernel& kernel) {
+  if (kernel.series) return;
+  std::vector<Value> values = with_shared_products(program, kernel.values());
+  auto value = values.begin();
+  for (Assignment& assignment : kernel.assignments) assignment.value = std::move(*value++);
+  for (auto& [pivot, diagonal] : kernel.pivots) {
+    pivot = std::move(*value++);
+    diagonal = std::move(*value++);
+  }
+}
+
 std::string no_unknowns(const Equations& equations) {
   return unknowns(equations) == 0 ? "the scene has no unknown coordinates" : "";
 }
@@ -309,6 +322,7 @@ Kernel make_kernel(const std::string& name, const Equations& equations) {
     if (kernel.skipped.empty()) kernel = entry.make(equations);
     kernel.name = name;
     clear_vanishing(kernel);
+    share_products(equations.program(), kernel);
     return kernel;
   }
   throw UsageError(fmt::format("unknown kernel '{}': known are {}", name, known_names()));

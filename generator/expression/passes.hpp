@@ -10,6 +10,7 @@ namespace torsor {
 struct Passes {
   bool sharing = true;      ///< a sum or product that is there already, up to sign, is not computed again
   bool identities = true;   ///< sin² + cos² = 1
+  bool products = true;     ///< a product that stands in several sums of a kernel is computed once
   bool factoring = true;    ///< what terms of a sum share is multiplied once
   bool hoisting = true;     ///< what depends on parameters alone is computed once for a set of them
   bool regrouping = true;   ///< inertia moves across joints to where it has the same effect and costs less

@@ -91,7 +91,7 @@ Value Program::lower(const Expression& formula) {
   return time_derivative(lower(std::get<Node::Rate>(node.content).formula));
 }
 
-Value Program::bind(const Value& value, const std::string& name) {
+Value Program::bind(const Value& value, const std::string& name, bool shared) {
   const Polynomial& polynomial = value.polynomial();
   if (polynomial.is_constant()) return value;
   if (polynomial.terms().size() == 1) {
@@ -104,7 +104,7 @@ Value Program::bind(const Value& value, const std::string& name) {
   if (negative) positive *= Number(-1);
   std::vector<Atom>& bucket = sums_[positive.hash()];
   const auto known = std::find_if(bucket.begin(), bucket.end(), [&](Atom atom) {
-    return passes_.sharing && (*this)[atom].polynomial == positive;
+    return shared && (*this)[atom].polynomial == positive;
   });
   Atom atom = -1;
   if (known != bucket.end()) {

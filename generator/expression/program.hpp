@@ -87,7 +87,9 @@ class Program {
 
   /// Gives a sum or product a definition of its own, so that users of the value see one symbol. Numbers and single
   /// symbols are returned as they are. The name tells a reader what it is.
-  Value bind(const Value& value, const std::string& name = {});
+  Value bind(const Value& value, const std::string& name = {}) { return bind(value, name, passes_.sharing); }
+  /// The same with a new definition, after all there are, where the sum has one already.
+  Value bind_again(const Value& value, const std::string& name = {}) { return bind(value, name, false); }
   Value atom_value(Atom atom);  ///< the atom as a value
 
   Value apply(Function function, const Value& argument);
@@ -111,6 +113,7 @@ class Program {
 
  private:
   Atom append(Definition definition);
+  Value bind(const Value& value, const std::string& name, bool shared);
   Atom function_atom(Function function, Atom argument);
   Value apply_to_number(Function function, const Value& argument);
   Value shifted_angle(Function function, const Value& angle);

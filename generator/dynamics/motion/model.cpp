@@ -45,7 +45,7 @@ std::vector<SymbolPointer> run_time_parameters(const Scene& scene, const ModelOp
 }
 
 ModelOptions as_given(ModelOptions options) {
-  options.passes.regrouping = options.passes.off_axis = options.passes.length_unit = false;
+  options.passes.regrouping = options.passes.off_axis = options.passes.length_unit = options.passes.products = false;
   return options;
 }
 

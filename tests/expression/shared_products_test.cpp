@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/expression/shared_products.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "generator/expression/arrival.hpp"
+#include "tests/expression/test_symbols.hpp"
+
+namespace torsor::shared_products_test {
+namespace {
+
+using namespace testing_symbols;
+
+int operations(const Program& program, const std::vector<Value>& values, Occasion occasion = Occasion::state) {
+  return count(program, values, occasion).total();
+}
+
+int known_in(const Program& program, const Value& value) {
+  return arrival(program, formula(program, value.polynomial()));
+}
+
+class SharedProducts : public ::testing::Test {
+ protected:
+  Value coordinate(const std::string& name) { return program.symbol(TestCoordinate(name).q); }
+  Value parameter(const std::string& name) { return program.symbol(make_symbol(name)); }
+  std::vector<Value> shared(const std::vector<Value>& values) { return with_shared_products(program, values); }
+
+  Program program;
+  Value a = coordinate("a"), b = coordinate("b"), c = coordinate("c"), d = coordinate("d"), e = coordinate("e");
+};
+
+TEST_F(SharedProducts, AreComputedOnce) {
+  const std::vector<Value> plain = {a * b * c + d, a * b * d - e};
+  EXPECT_EQ(operations(program, plain), 6);
+  EXPECT_EQ(operations(program, shared(plain)), 5);
+}
+
+TEST_F(SharedProducts, AreTakenWhereADefinitionHasThem) {
+  const Value product = program.bind(a * b);
+  const std::vector<Value> plain = {product, a * b * c + d};
+  EXPECT_EQ(operations(program, plain), 4);
+  EXPECT_EQ(operations(program, shared(plain)), 3);
+}
+
+TEST_F(SharedProducts, AreLeftWhereEachIsFusedWithASum) {
+  const std::vector<Value> plain = {a * b + c, a * b + d};
+  EXPECT_EQ(shared(plain)[0].polynomial(), plain[0].polynomial());
+  EXPECT_EQ(shared(plain)[1].polynomial(), plain[1].polynomial());
+}
+
+TEST_F(SharedProducts, OfANumberAreComputedOnce) {
+  const std::vector<Value> plain = {Number(3) * a * b + d, Number(3) * a * c - Number(2) * d};
+  EXPECT_EQ(operations(program, plain), 7);
+  EXPECT_EQ(operations(program, shared(plain)), 6);
+}
+
+TEST_F(SharedProducts, AreSquaresOfHigherPowers) {
+  EXPECT_EQ(operations(program, {pow(a, 4)}), 3);
+  EXPECT_EQ(operations(program, shared({pow(a, 4)})), 2);
+  EXPECT_EQ(operations(program, shared({pow(a, 8) + b})), 4);
+}
+
+TEST_F(SharedProducts, OfParametersAreComputedBefore) {
+  const Value m = parameter("m"), l = parameter("l");
+  const std::vector<Value> plain = {m * l * a + b}, after = shared(plain);
+  EXPECT_EQ(operations(program, plain), 3);
+  EXPECT_EQ(operations(program, after), 2);
+  EXPECT_EQ(operations(program, after, Occasion::parameters), 1);
+}
+
+TEST_F(SharedProducts, KeepResultsThatAreEqualUpToSignEqual) {
+  const Value sum = a * b * c + d;
+  const std::vector<Value> after = shared({sum, -sum, a * b * d - e});
+  EXPECT_EQ(after[0].polynomial(), (-after[1]).polynomial());
+  EXPECT_EQ(operations(program, after), 5);
+}
+
+TEST_F(SharedProducts, MakeNoResultLater) {
+  // The sine is multiplied last: a product with it comes too late for the others.
+  const Value late = program.sin(a);
+  const std::vector<Value> plain = {late * b * c + d, late * b * e - d}, after = shared(plain);
+  for (std::size_t i = 0; i < plain.size(); ++i) EXPECT_LE(known_in(program, after[i]), known_in(program, plain[i]));
+}
+
+TEST_F(SharedProducts, LeaveDefinitionsInTheirOrder) {
+  const Value first = program.bind(c + d, "first"), second = program.bind(a * b * first - e, "second");
+  const Value third = program.bind(first + second, "third"), fourth = program.bind(a * b * third + first, "fourth");
+  std::vector<std::string> names;
+  for (const Atom atom : program.live(shared({fourth * second}))) {
+    if (!program[atom].name.empty()) names.push_back(program[atom].name);
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"first", "second", "third", "fourth"}));
+}
+
+// What two definitions turn out to be alike may leave nothing of a third.
+TEST_F(SharedProducts, MayShowThatASumVanishes) {
+  const Value product = program.bind(a * b), first = program.bind(Number(3) * product);
+  const Value second = program.bind(Number(3) * a * b), nothing = program.bind(first - second);
+  const std::vector<Value> plain = {nothing * c + d, first * c + e, second * d - e, program.cos(nothing)};
+  const std::vector<Value> after = shared(plain);
+  EXPECT_EQ(after[0].polynomial(), d.polynomial());
+  EXPECT_TRUE(after[3].is_number(1));
+}
+
+// Numbers with units make a length a pure number without an operation.
+TEST_F(SharedProducts, KeepFunctionsOfWhatWasMadeAPureNumber) {
+  const Value x = program.symbol(TestCoordinate("x", Unit::parse("m")).q);
+  const Value sine = program.sin(program.number(Number(1), Unit::parse("m^-1")) * x);
+  const std::vector<Value> after = shared({sine + pow(a, 4)});
+  EXPECT_EQ(operations(program, after), 2 + 1 + 2);
+}
+
+TEST_F(SharedProducts, StayWithoutTheirPass) {
+  Passes passes;
+  passes.products = false;
+  Program plain({}, passes);
+  const Value q = plain.symbol(TestCoordinate("q").q);
+  EXPECT_EQ(with_shared_products(plain, {pow(q, 4)})[0].polynomial(), pow(q, 4).polynomial());
+}
+
+/// Sums of products of symbols and of at most one definition before them, bound; of some a sine.
+std::vector<Value> random_values(Program& program, const std::vector<Value>& symbols, std::mt19937& random) {
+  const auto below = [&random](std::size_t n) { return static_cast<std::size_t>(random() % n); };
+  std::vector<Value> definitions = symbols, values;
+  for (int k = 0; k < 12; ++k) {
+    Value sum;
+    for (std::size_t terms = 1 + below(4); terms > 0; --terms) {
+      Value product = Number::rational(static_cast<long>(below(7)) - 3, 2) * definitions[below(definitions.size())];
+      for (std::size_t factors = below(4); factors > 0; --factors) product = product * symbols[below(symbols.size())];
+      sum += product;
+    }
+    if (sum.is_zero()) continue;
+    definitions.push_back(below(5) == 0 ? program.sin(sum) : program.bind(sum));
+    if (below(3) == 0) values.push_back(below(2) == 0 ? -sum : definitions.back());
+  }
+  values.push_back(definitions.back());
+  return values;
+}
+
+// Whatever was taken out: the same values to the last of 50 digits, and no operation more.
+TEST(SharedProductsOfRandomPrograms, ChangeNoValueAndCostNoMore) {
+  const WorkingDigits digits(60);
+  std::mt19937 random(20);
+  int saved = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    Program program;
+    std::vector<Value> symbols;
+    Point point;
+    for (const char* name : {"a", "b", "c", "d"}) {
+      symbols.push_back(program.symbol(TestCoordinate(name).q));
+      point.emplace(name, rational(1 + static_cast<long>(random() % 17U), 10));
+    }
+    for (const char* name : {"m", "l"}) {
+      symbols.push_back(program.symbol(make_symbol(name)));
+      point.emplace(name, rational(1 + static_cast<long>(random() % 17U), 10));
+    }
+    const std::vector<Value> plain = random_values(program, symbols, random);
+    const std::vector<Value> after = with_shared_products(program, plain);
+    ASSERT_EQ(after.size(), plain.size());
+    Evaluator<Real> evaluate(program, at(point));
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+      ASSERT_LE(relative_difference(evaluate(after[i]), evaluate(plain[i])), 1e-50) << trial;
+      ASSERT_EQ(after[i].unit(), plain[i].unit());
+    }
+    const int before = operations(program, plain), now = operations(program, after);
+    ASSERT_LE(now, before) << trial;
+    saved += before - now;
+  }
+  EXPECT_GT(saved, 400);
+}
+
+}  // namespace
+}  // namespace torsor::shared_products_test
