@@ -38,6 +38,10 @@ std::string text_of(const Spread& spread) {
   return fmt::format("{:.1f} ({:.1f} to {:.1f})", spread.median, spread.lower, spread.upper);
 }
 
+// MuJoCo's cheapest calls for a quantity, and what its users call.
+constexpr const char* cheapest = "MuJoCo";
+constexpr const char* whole = "MuJoCo whole";
+
 /// The single kernel in double first.
 std::vector<Way> all_ways(const Options& options, const Chain& chain, Quantity quantity, const Batch& batch) {
   std::vector<Way> ways = native_build::measured_panda().ways(quantity, batch);
@@ -50,7 +54,7 @@ std::vector<Way> all_ways(const Options& options, const Chain& chain, Quantity q
     for (Way& way : packed_ways(quantity, batch)) ways.push_back(std::move(way));
   }
   for (Way& way : peer_ways(options.references, chain, quantity, batch)) {
-    if (way.competitor == "MuJoCo") ways.push_back(std::move(way));
+    if (way.competitor == cheapest || way.competitor == whole) ways.push_back(std::move(way));
   }
   return ways;
 }
@@ -60,18 +64,23 @@ void measure(const Options& options, const Chain& chain, Quantity quantity, std:
   const std::vector<Way> ways = all_ways(options, chain, quantity, batch);
   const std::vector<double> difference = differences(ways, quantity, batch.states);
   const std::vector<Timing> timings = time_in_turns(ways, batch.states, options.turns);
-  const bool with_peer = ways.back().competitor == "MuJoCo";
+  /// How many times faster than the competitor of that name; empty where there is none.
+  const auto times = [&](double ratio, const char* competitor, const char* format) -> std::string {
+    const auto place =
+        std::find_if(ways.begin(), ways.end(), [&](const Way& way) { return way.competitor == competitor; });
+    if (place == ways.end()) return "";
+    return fmt::format(fmt::runtime(format), timings[static_cast<std::size_t>(place - ways.begin())].ratio.median / ratio);
+  };
   for (std::size_t i = 0; i < ways.size(); ++i) {
     const auto& [ns, ratio] = timings[i];
-    const double than_peer = with_peer ? timings.back().ratio.median / ratio.median : 0;
-    fmt::print("{:<18}{:<40}{:<8}{:>28}{:>10.2f}{:>10}{:>9.0e}\n", name_of(quantity), ways[i].competitor,
-               ways[i].scalar, text_of(ns), 1 / ratio.median, with_peer ? fmt::format("{:.1f}", than_peer) : "-",
-               difference[i]);
+    fmt::print("{:<18}{:<40}{:<8}{:>28}{:>10.2f}{:>10}{:>10}{:>9.0e}\n", name_of(quantity), ways[i].competitor,
+               ways[i].scalar, text_of(ns), 1 / ratio.median, times(ratio.median, cheapest, "{:.1f}"),
+               times(ratio.median, whole, "{:.1f}"), difference[i]);
     std::string name = ways[i].competitor;  // a cell holds no comma
     name.erase(std::remove(name.begin(), name.end(), ','), name.end());
-    csv += fmt::format("{},{},{},1,{:.3f},{:.3f},{:.3f},{:.4f},{},{:.1e}\n", name_of(quantity), name, ways[i].scalar,
-                       ns.median, ns.lower, ns.upper, 1 / ratio.median,
-                       with_peer ? fmt::format("{:.3f}", than_peer) : "", difference[i]);
+    csv += fmt::format("{},{},{},1,{:.3f},{:.3f},{:.3f},{:.4f},{},{},{:.1e}\n", name_of(quantity), name, ways[i].scalar,
+                       ns.median, ns.lower, ns.upper, 1 / ratio.median, times(ratio.median, cheapest, "{:.3f}"),
+                       times(ratio.median, whole, "{:.3f}"), difference[i]);
   }
   std::fflush(stdout);
 }
@@ -80,11 +89,11 @@ void measure(const Options& options, const Chain& chain, Quantity quantity, std:
 void measure_ensemble(int turns, std::string& csv) {
   for (const auto& [quantity, name, scalar, timing, difference] : ensemble_times(turns)) {
     const auto& [ns, ratio] = timing;
-    fmt::print("{:<18}{:<40}{:<8}{:>28}{:>10.2f}{:>10}{:>9.0e}\n", "ensemble's " + quantity, name, scalar, text_of(ns),
+    fmt::print("{:<18}{:<40}{:<8}{:>28}{:>10.2f}{:>20}{:>9.0e}\n", "ensemble's " + quantity, name, scalar, text_of(ns),
                1 / ratio.median, "-", difference);
     std::string cell = name;
     cell.erase(std::remove(cell.begin(), cell.end(), ','), cell.end());
-    csv += fmt::format("ensemble_{},{},{},1,{:.3f},{:.3f},{:.3f},{:.4f},,{:.1e}\n", quantity, cell, scalar, ns.median,
+    csv += fmt::format("ensemble_{},{},{},1,{:.3f},{:.3f},{:.3f},{:.4f},,,{:.1e}\n", quantity, cell, scalar, ns.median,
                        ns.lower, ns.upper, 1 / ratio.median, difference);
   }
 }
@@ -98,7 +107,7 @@ void measure_threads(const Options& options, std::string& csv) {
     fmt::print("{:<18}{:<40}{:<8}{:>28}{:>14.2f}\n", "",
                fmt::format("packs of {}, {} thread{}", lanes, threads, threads == 1 ? "" : "s"), scalar, text_of(ns),
                1 / ratio.median);
-    csv += fmt::format("forward_dynamics_large,torsor packs of {},{},{},{:.3f},{:.3f},{:.3f},,,\n", lanes, scalar,
+    csv += fmt::format("forward_dynamics_large,torsor packs of {},{},{},{:.3f},{:.3f},{:.3f},,,,\n", lanes, scalar,
                        threads, ns.median, ns.lower, ns.upper);
   }
 }
@@ -107,10 +116,10 @@ void run(const Options& options) {
   const std::vector<Chain> chains = read_chains(options.references + "/models.json");
   const auto chain = std::find_if(chains.begin(), chains.end(), [](const Chain& each) { return each.name == "panda"; });
   if (chain == chains.end()) throw std::runtime_error("models.json has no chain panda");
-  fmt::print("{:<18}{:<40}{:<8}{:>28}{:>10}{:>10}{:>9}\n", "quantity", "", "scalar", "ns for one state (quartiles)",
-             "x single", "x MuJoCo", "differs");
+  fmt::print("{:<18}{:<40}{:<8}{:>28}{:>10}{:>10}{:>10}{:>9}\n", "quantity", "", "scalar", "ns for one state (quartiles)",
+             "x single", "x MuJoCo", "x whole", "differs");
   std::string csv =
-      "quantity,competitor,scalar,threads,ns,ns_lower_quartile,ns_upper_quartile,times_single,times_mujoco,difference\n";
+      "quantity,competitor,scalar,threads,ns,ns_lower_quartile,ns_upper_quartile,times_single,times_mujoco,times_mujoco_whole,difference\n";
   for (const Quantity quantity : quantities) measure(options, *chain, quantity, csv);
   measure_ensemble(options.turns, csv);
   measure_threads(options, csv);

@@ -2,6 +2,7 @@
 #include "generator/expression/shared_products.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -14,13 +15,22 @@
 namespace torsor {
 namespace {
 
+/// Two factors: an atom, and another (perhaps the same) or a number other than one.
+struct FactorPair {
+  Atom first = -1, second = -1;  ///< in this order; second < 0: the number
+  Number number{1};
+  friend auto operator<=>(const FactorPair& a, const FactorPair& b) {
+    return std::tie(a.first, a.second, a.number) <=> std::tie(b.first, b.second, b.number);
+  }
+};
+
 /// A sum that is computed at every state, and what it costs.
 struct StateSum {
   Polynomial sum;
   int operations = 0;
   int instructions = 0;  ///< where a product and the sum it is added to are one
   int arrival = 0;       ///< the cycle in which it is known
-  int inner = 0;         ///< additions before a multiplication
+  std::vector<FactorPair> pairs{};  ///< that its formula multiplies, once for each time
 };
 
 /// Products that are added at once.
@@ -34,46 +44,21 @@ int fusions(const Formula& formula) {
   return result + static_cast<int>(std::min<std::ptrdiff_t>(products, std::ssize(formula.children) - 1));
 }
 
-int inner_additions(const Formula& formula, bool multiplied = false) {
-  const bool is_sum = formula.kind == Formula::Kind::sum;
-  int result = is_sum && multiplied ? static_cast<int>(formula.children.size()) - 1 : 0;
-  for (const Formula& child : formula.children) result += inner_additions(child, multiplied || !is_sum);
-  return result;
-}
-
-/// Two factors: an atom, and another (perhaps the same) or a number other than one.
-struct FactorPair {
-  Atom first = -1, second = -1;  ///< in this order; second < 0: the number
-  Number number{1};
-  friend auto operator<=>(const FactorPair& a, const FactorPair& b) {
-    return std::tie(a.first, a.second, a.number) <=> std::tie(b.first, b.second, b.number);
-  }
-};
-
-/// Of each pair the sums whose formulas multiply it, once for each time.
-using PairUses = std::map<FactorPair, std::vector<std::size_t>>;
-
-void add_pairs(const Formula& formula, std::size_t place, PairUses& uses) {
-  for (const Formula& child : formula.children) add_pairs(child, place, uses);
+void add_pairs(const Formula& formula, std::vector<FactorPair>& pairs) {
+  for (const Formula& child : formula.children) add_pairs(child, pairs);
   if (formula.kind != Formula::Kind::product) return;
-  std::map<FactorPair, int> here;
-  std::map<Atom, int> squares;
-  for (std::size_t i = 0; i < formula.children.size(); ++i) {
-    const Formula& one = formula.children[i];
-    if (one.kind != Formula::Kind::atom) continue;
-    for (std::size_t j = 0; j < formula.children.size(); ++j) {
-      const Formula& other = formula.children[j];
-      if (other.kind == Formula::Kind::constant) here[{one.atom, -1, other.number}] = 1;
-      if (j <= i || other.kind != Formula::Kind::atom) continue;
-      FactorPair pair{std::min(one.atom, other.atom), std::max(one.atom, other.atom), Number(1)};
-      if (pair.first != pair.second) here[std::move(pair)] = 1;
-    }
-    ++squares[one.atom];
+  std::map<Atom, int> powers;
+  const Number* number = nullptr;
+  for (const Formula& child : formula.children) {
+    if (child.kind == Formula::Kind::atom) ++powers[child.atom];
+    if (child.kind == Formula::Kind::constant) number = &child.number;
   }
-  for (const auto& [atom, power] : squares) {
-    if (power > 1) here[{atom, atom, Number(1)}] = power / 2;
+  for (auto one = powers.begin(); one != powers.end(); ++one) {
+    const auto& [atom, power] = *one;
+    if (number != nullptr) pairs.push_back({atom, -1, *number});
+    for (int squares = power / 2; squares > 0; --squares) pairs.push_back({atom, atom, Number(1)});
+    for (auto other = std::next(one); other != powers.end(); ++other) pairs.push_back({atom, other->first, Number(1)});
   }
-  for (const auto& [pair, times] : here) uses[pair].insert(uses[pair].end(), static_cast<std::size_t>(times), place);
 }
 
 int exponent_of(const Monomial& monomial, Atom atom) {
@@ -155,7 +140,9 @@ class ProductSharing {
   StateSum counted(Polynomial sum) const {
     const Formula tree = formula(*program_, sum);
     const int operations = count(tree).total();
-    return {std::move(sum), operations, operations - fusions(tree), arrival(*program_, tree), inner_additions(tree)};
+    StateSum counted{std::move(sum), operations, operations - fusions(tree), arrival(*program_, tree)};
+    add_pairs(tree, counted.pairs);
+    return counted;
   }
   std::size_t add(Polynomial sum) {
     sums_.push_back(counted(std::move(sum)));
@@ -173,10 +160,11 @@ class ProductSharing {
 
   /// One round through all pairs that there are now; whether any was taken out.
   bool share() {
-    PairUses uses;
-    for (std::size_t place = 0; place < sums_.size(); ++place)
-      add_pairs(formula(*program_, sums_[place].sum), place, uses);
-    std::vector<const PairUses::value_type*> most_frequent;
+    std::map<FactorPair, std::vector<std::size_t>> uses;  // the sums that multiply it, once for each time
+    for (std::size_t place = 0; place < sums_.size(); ++place) {
+      for (const FactorPair& pair : sums_[place].pairs) uses[pair].push_back(place);
+    }
+    std::vector<const decltype(uses)::value_type*> most_frequent;
     for (const auto& each : uses) {
       if (each.second.size() > 1 || is_early(each.first)) most_frequent.push_back(&each);
     }
@@ -198,7 +186,7 @@ class ProductSharing {
       if ((i > 0 && uses[i - 1] == place) || (known != places_.end() && known->second == place)) continue;
       const StateSum& before = sums_[place];
       StateSum after = counted(replaced(before.sum, pair, product));
-      if (after.operations >= before.operations || after.arrival > before.arrival || after.inner < before.inner) continue;
+      if (after.operations >= before.operations || after.arrival > before.arrival) continue;
       operations += before.operations - after.operations;
       instructions += before.instructions - after.instructions;
       cheaper.emplace_back(place, std::move(after));
