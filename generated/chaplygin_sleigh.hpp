@@ -8,7 +8,7 @@
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
 // costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
-// joints, factoring, and what is done once for a set of parameters:
+// joints, products that sums share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   kinematics                4                5          0             0                  1       0     11      11
 //   mass_matrix               0                2          0             0                  1       0      4       4
@@ -343,7 +343,7 @@ TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& a
     const Bits bits = (Bits)shifted.part[i];
     const Bits odd = bits << sign_bit, upper = bits << (sign_bit - 1);
     Numbers sine_of_rest, cosine_of_rest;
-    if constexpr (sizeof(Numbers) >= 32) {  // AVX has instructions that choose by the bit of the sign
+    if constexpr (sizeof(Numbers) >= 32) {  // AVX chooses by the bit of the sign, AVX-512 by a mask
       const Bits exchanged = odd < Bits{};
       sine_of_rest = exchanged ? c : s;
       cosine_of_rest = exchanged ? s : c;
@@ -508,7 +508,7 @@ struct Mechanism {
 
   static constexpr const char* name = "chaplygin_sleigh";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x2a97b86dc1c42443ULL;
+  static constexpr unsigned long long fingerprint = 0xa3ed95bc5d42930bULL;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -980,75 +980,75 @@ struct Mechanism {
     const Scalar l_N = multipliers.N;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z152 = v_phi * v_phi;
-    const Scalar z158 = n0_5 * a_phi;  // force on sleigh, y
-    const Scalar z165 = v_phi * s_phi;
-    const Scalar z154 = a_x * c_phi;
-    const Scalar z164 = v_phi * c_phi;
-    const Scalar z167 = v_x * c_phi + v_y * s_phi;
-    const Scalar z153 = n0_5 * z152;  // force on sleigh, x
-    const Scalar z178 = n1 / c_phi;
-    const Scalar z156 = a_x * s_phi;
-    const Scalar z188 = n1 / (c_phi * c_phi);
-    const Scalar z161 = s_phi * z153 - c_phi * z158;
-    const Scalar z160 = s_phi * z158 + c_phi * z153;
-    const Scalar z150 = n0_5 * c_phi;
-    const Scalar z182 = v_phi / c_phi;
-    const Scalar z168 = n2 * v_phi;
-    const Scalar z169 = n0_5 * z168;
-    const Scalar z151 = n0_5 * s_phi;
-    const Scalar z179 = c_phi * c_phi;
-    const Scalar z170 = c_phi * z169;
-    const Scalar z172 = s_phi * z169;
-    const Scalar z155 = a_y * s_phi + z154;
-    const Scalar z157 = a_y * c_phi - z156;
-    const Scalar z166 = v_x * z164 + v_y * z165;
-    const Scalar z176 = v_x * z165 - v_y * z164;
-    const Scalar z159 = n0_75 * a_phi + n0_5 * z157;  // moment on sleigh, z
-    const Scalar z162 = a_x - z160;  // force on along_y, x
-    const Scalar z163 = a_y - z161;  // force on along_y, y
-    const Scalar z171 = c_phi * l_N + z161;
-    const Scalar z173 = s_phi * l_N - z160;
-    const Scalar z174 = n0_5 * z155;
-    const Scalar z175 = a_y * c_phi - z156 - z166;
-    const Scalar z177 = a_y * s_phi + z154 - z176;
-    const Scalar z199 = a_x - z160 + s_phi * z163 / c_phi;
-    const Scalar z180 = s_phi * z178;
-    const Scalar z181 = z167 * z178;
-    const Scalar z183 = z178 * z182;
-    const Scalar z187 = z175 * z178;
-    const Scalar z184 = z165 * z181;
-    const Scalar z189 = z180 * z183;
-    const Scalar z190 = z180 * z181;
-    const Scalar z191 = z150 * z183;
-    const Scalar z192 = z150 * z181;
-    const Scalar z196 = z171 + z173 * z180;
-    const Scalar z200 = z180 * z187;
-    const Scalar z201 = z150 * z187;
-    const Scalar z204 = n1 / z188;
-    const Scalar z185 = z177 + z184;
-    const Scalar z193 = z182 - z190;
-    const Scalar z203 = z159 - z201;
-    const Scalar z206 = n4_over_3 * z191;
-    const Scalar z208 = n4_over_3 * z192;
-    const Scalar z186 = z178 * z185;
-    const Scalar z194 = z180 * z186;
-    const Scalar z195 = z150 * z186;
-    const Scalar z197 = z194 + z196;
-    const Scalar z198 = z174 - z195;
-    const Scalar z202 = z199 - z200;
-    const Scalar z205 = z189 * z204;
-    const Scalar z207 = z193 * z204;
-    const Scalar z209 = z197 * z204;
-    const Scalar z210 = n4_over_3 * z198;
+    const Scalar z154 = v_phi * v_phi;
+    const Scalar z160 = n0_5 * a_phi;  // force on sleigh, y
+    const Scalar z167 = v_phi * s_phi;
+    const Scalar z156 = a_x * c_phi;
+    const Scalar z166 = v_phi * c_phi;
+    const Scalar z169 = v_x * c_phi + v_y * s_phi;
+    const Scalar z155 = n0_5 * z154;  // force on sleigh, x
+    const Scalar z180 = n1 / c_phi;
+    const Scalar z158 = a_x * s_phi;
+    const Scalar z190 = n1 / (c_phi * c_phi);
+    const Scalar z163 = s_phi * z155 - c_phi * z160;
+    const Scalar z162 = s_phi * z160 + c_phi * z155;
+    const Scalar z152 = n0_5 * c_phi;
+    const Scalar z184 = v_phi / c_phi;
+    const Scalar z170 = n2 * v_phi;
+    const Scalar z171 = n0_5 * z170;
+    const Scalar z153 = n0_5 * s_phi;
+    const Scalar z181 = c_phi * c_phi;
+    const Scalar z172 = c_phi * z171;
+    const Scalar z174 = s_phi * z171;
+    const Scalar z157 = a_y * s_phi + z156;
+    const Scalar z159 = a_y * c_phi - z158;
+    const Scalar z168 = v_x * z166 + v_y * z167;
+    const Scalar z178 = v_x * z167 - v_y * z166;
+    const Scalar z161 = n0_75 * a_phi + n0_5 * z159;  // moment on sleigh, z
+    const Scalar z164 = a_x - z162;  // force on along_y, x
+    const Scalar z165 = a_y - z163;  // force on along_y, y
+    const Scalar z173 = c_phi * l_N + z163;
+    const Scalar z175 = s_phi * l_N - z162;
+    const Scalar z176 = n0_5 * z157;
+    const Scalar z177 = a_y * c_phi - z158 - z168;
+    const Scalar z179 = a_y * s_phi + z156 - z178;
+    const Scalar z201 = a_x - z162 + s_phi * z165 / c_phi;
+    const Scalar z182 = s_phi * z180;
+    const Scalar z183 = z169 * z180;
+    const Scalar z185 = z180 * z184;
+    const Scalar z189 = z177 * z180;
+    const Scalar z186 = z167 * z183;
+    const Scalar z191 = z182 * z185;
+    const Scalar z192 = z182 * z183;
+    const Scalar z193 = z152 * z185;
+    const Scalar z194 = z152 * z183;
+    const Scalar z198 = z173 + z175 * z182;
+    const Scalar z202 = z182 * z189;
+    const Scalar z203 = z152 * z189;
+    const Scalar z206 = n1 / z190;
+    const Scalar z187 = z179 + z186;
+    const Scalar z195 = z184 - z192;
+    const Scalar z205 = z161 - z203;
+    const Scalar z208 = n4_over_3 * z193;
+    const Scalar z210 = n4_over_3 * z194;
+    const Scalar z188 = z180 * z187;
+    const Scalar z196 = z182 * z188;
+    const Scalar z197 = z152 * z188;
+    const Scalar z199 = z196 + z198;
+    const Scalar z200 = z176 - z197;
+    const Scalar z204 = z201 - z202;
+    const Scalar z207 = z191 * z206;
+    const Scalar z209 = z195 * z206;
+    const Scalar z211 = z199 * z206;
+    const Scalar z212 = n4_over_3 * z200;
     result.M[0] = n1;
     result.M[1] = n0;
-    result.M[2] = -z151;
+    result.M[2] = -z153;
     result.M[3] = n0;
     result.M[4] = n1;
-    result.M[5] = z150;
-    result.M[6] = -z151;
-    result.M[7] = z150;
+    result.M[5] = z152;
+    result.M[6] = -z153;
+    result.M[7] = z152;
     result.M[8] = n0_75;
     result.C[0] = n0;
     result.C[1] = n0;
@@ -1056,8 +1056,8 @@ struct Mechanism {
     result.C[3] = n0;
     result.C[4] = n0;
     result.C[5] = n0;
-    result.C[6] = -z170;
-    result.C[7] = -z172;
+    result.C[6] = -z172;
+    result.C[7] = -z174;
     result.C[8] = n0;
     result.K[0] = n0;
     result.K[1] = n0;
@@ -1065,28 +1065,28 @@ struct Mechanism {
     result.K[3] = n0;
     result.K[4] = n0;
     result.K[5] = n0;
-    result.K[6] = z171;
-    result.K[7] = z173;
-    result.K[8] = -z174;
-    result.F[0] = -s_phi * l_N - z162;
-    result.F[1] = c_phi * l_N - z163;
-    result.F[2] = -z159;
-    result.M_r[0] = z188;
+    result.K[6] = z173;
+    result.K[7] = z175;
+    result.K[8] = -z176;
+    result.F[0] = -s_phi * l_N - z164;
+    result.F[1] = c_phi * l_N - z165;
+    result.F[2] = -z161;
+    result.M_r[0] = z190;
     result.M_r[1] = n0;
     result.M_r[2] = n0;
     result.M_r[3] = n0_75;
-    result.C_r[0] = z189;
-    result.C_r[1] = z191;
-    result.C_r[2] = -z193;
-    result.C_r[3] = z192;
+    result.C_r[0] = z191;
+    result.C_r[1] = z193;
+    result.C_r[2] = -z195;
+    result.C_r[3] = z194;
     result.K_r[0] = n0;
     result.K_r[1] = n0;
     result.K_r[2] = n0;
     result.K_r[3] = n0;
-    result.K_r[4] = z197;
-    result.K_r[5] = -z198;
-    result.F_r[0] = -z202;
-    result.F_r[1] = -z203;
+    result.K_r[4] = z199;
+    result.K_r[5] = -z200;
+    result.F_r[0] = -z204;
+    result.F_r[1] = -z205;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
@@ -1098,21 +1098,21 @@ struct Mechanism {
     result.A[8] = n0;
     result.A[9] = n0;
     result.A[10] = n0;
-    result.A[11] = z181;
+    result.A[11] = z183;
     result.A[12] = n0;
-    result.A[13] = -z209;
-    result.A[14] = z210;
+    result.A[13] = -z211;
+    result.A[14] = z212;
     result.A[15] = n1;
-    result.A[16] = z180;
+    result.A[16] = z182;
     result.A[17] = n0;
-    result.A[18] = -z205;
-    result.A[19] = -z206;
+    result.A[18] = -z207;
+    result.A[19] = -z208;
     result.A[20] = n0;
     result.A[21] = n0;
     result.A[22] = n1;
-    result.A[23] = z207;
-    result.A[24] = -z208;
-    if (!(traits::regular(z179, n1) && traits::regular(z188, z188))) return torsor::Status::singular;
+    result.A[23] = z209;
+    result.A[24] = -z210;
+    if (!(traits::regular(z181, n1) && traits::regular(z190, z190))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = (n0 * result.M[2] * result.M[5] * result.M[6] * result.M[7] * result.C[6] * result.C[7]
         * result.K[6] * result.K[7] * result.K[8] * result.F[0] * result.F[1] * result.F[2] * result.M_r[0]

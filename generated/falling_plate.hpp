@@ -8,7 +8,7 @@
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
 // costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
-// joints, factoring, and what is done once for a set of parameters:
+// joints, products that sums share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   precompute                9                4          0             0                  0       0     13       -
 //   kinematics               12               28          0             0                  2       0     44      46
@@ -19,7 +19,7 @@
 //   energy                   15               30          0             0                  2       0     49      59
 //   first_integrals          19               36          0             0                  2       0     59      70
 //   reactions                16               30          0             0                  2       0     50      79
-//   linearisation            73              148          2             0                  1       0    225     280
+//   linearisation            73              149          2             0                  1       0    226     280
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 18 results 1 vanish identically
@@ -344,7 +344,7 @@ TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& a
     const Bits bits = (Bits)shifted.part[i];
     const Bits odd = bits << sign_bit, upper = bits << (sign_bit - 1);
     Numbers sine_of_rest, cosine_of_rest;
-    if constexpr (sizeof(Numbers) >= 32) {  // AVX has instructions that choose by the bit of the sign
+    if constexpr (sizeof(Numbers) >= 32) {  // AVX chooses by the bit of the sign, AVX-512 by a mask
       const Bits exchanged = odd < Bits{};
       sine_of_rest = exchanged ? c : s;
       cosine_of_rest = exchanged ? s : c;
@@ -509,7 +509,7 @@ struct Mechanism {
 
   static constexpr const char* name = "falling_plate";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xccc354e9e0a5a93dULL;
+  static constexpr unsigned long long fingerprint = 0x127e1aef00121d72ULL;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 4;
   static constexpr int input_count = 0;
@@ -1246,126 +1246,126 @@ struct Mechanism {
     const Scalar z174 = precomputed.z174;
     Scalar s_beta, c_beta;
     traits::sincos(q_beta, s_beta, c_beta);
-    const Scalar z459 = c_beta * v_beta;
-    const Scalar z462 = v_alpha * s_beta;
-    const Scalar z458 = s_beta * v_beta;
-    const Scalar z463 = v_alpha * c_beta;
-    const Scalar z460 = p_b * s_beta;
-    const Scalar z461 = p_b * c_beta;
-    const Scalar z474 = v_alpha * v_alpha;
-    const Scalar z482 = v_beta * v_beta;
-    const Scalar z466 = s_beta * z26;
-    const Scalar z517 = n2 * v_alpha;
-    const Scalar z465 = s_beta * p_F;
-    const Scalar z467 = c_beta * z26;
-    const Scalar z464 = c_beta * p_F;
-    const Scalar z527 = n2 * v_alpha * p_b * s_beta;
-    const Scalar z468 = s_beta * z466;
-    const Scalar z471 = z460 * z460;
-    const Scalar z473 = v_beta * z459;
-    const Scalar z475 = n2 * v_alpha * p_b * z458;
-    const Scalar z478 = v_beta * z463;  // angular acceleration of plate, y
-    const Scalar z479 = v_beta * z462;  // angular acceleration of plate, z
-    const Scalar z481 = z463 * z463;
-    const Scalar z484 = z462 * z463;
-    const Scalar z486 = z462 * z462;
-    const Scalar z506 = z174 * z458;
-    const Scalar z507 = n2 * z458;
-    const Scalar z510 = n2 * s_beta * z462;
-    const Scalar z512 = c_beta * z462 + s_beta * z463;
-    const Scalar z513 = n2 * z459;
-    const Scalar z518 = z461 * z517;
-    const Scalar z519 = n2 * c_beta * z463;
-    const Scalar z528 = n2 * z462;
-    const Scalar z469 = z25 + z468;
-    const Scalar z472 = z24 - z471;
-    const Scalar z476 = z461 * z474 + p_b * z473;
-    const Scalar z480 = n2 * z479;
-    const Scalar z483 = z481 + z482;
-    const Scalar z485 = n2 * z478;
-    const Scalar z487 = z482 - z486;
-    const Scalar z490 = p_b * z484;  // force on plate, z
-    const Scalar z508 = p_b * z507;
-    const Scalar z511 = p_b * z506 - p_F * z510 - z30 * z507;
-    const Scalar z520 = p_b * z519;
-    const Scalar z524 = s_beta * z518;
-    const Scalar z529 = p_b * z528;
-    const Scalar z470 = z461 * z461 - z469;
-    const Scalar z531 = n2 * v_beta;
-    const Scalar z533 = n2 * z463;
-    const Scalar z532 = p_F * z531 + p_b * z527 - z30 * z528;
-    const Scalar z534 = z29 * z533;
-    const Scalar z488 = p_b * z480;  // force on plate, x
-    const Scalar z489 = p_b * z483;  // force on plate, y
-    const Scalar z492 = p_F * z484 + z29 * z485;  // moment on plate, y
-    const Scalar z493 = p_b * z475 + p_F * z487 - z30 * z480;  // moment on plate, z
-    const Scalar z502 = n1 / z472;
-    const Scalar z509 = z506 - z508;
-    const Scalar z530 = z527 - z529;
-    const Scalar z477 = n9_81 * c_beta - s_beta * z476;
-    const Scalar z544 = z463 * z528;
-    const Scalar z546 = z481 - z486;
-    const Scalar z537 = c_beta * z466 + s_beta * z467;
-    const Scalar z541 = n2 * v_alpha * p_b * z459;
-    const Scalar z535 = s_beta * z534 + c_beta * z532;
-    const Scalar z496 = z475 - z488;  // force on foot, x
-    const Scalar z547 = p_F * z546 - z29 * z480;
-    const Scalar z491 = p_b * z477 - z148 * z484;  // moment on plate, x
-    const Scalar z536 = z461 * z530 - z535;
-    const Scalar z552 = p_b * z531;
-    const Scalar z553 = c_beta * z552;
-    const Scalar z525 = p_b * z524 + z148 * z512;
-    const Scalar z545 = p_b * z541 - p_F * z544 - z30 * z485;
-    const Scalar z548 = c_beta * (z492 + z545) - s_beta * (z493 - z547);
-    const Scalar z495 = s_beta * z492 + c_beta * z493;
-    const Scalar z542 = p_b * z485;
-    const Scalar z543 = z541 - z542;
-    const Scalar z498 = z461 * z496 - z495;  // moment on turned, z
-    const Scalar z494 = s_beta * z490 + c_beta * z489;
-    const Scalar z497 = z476 - z494;  // force on foot, y
-    const Scalar z500 = z498 + a_alpha * z470 - a_beta * z465;
-    const Scalar z549 = z548 + z460 * z496 - z461 * z543;
-    const Scalar z499 = z460 * z497 + z491;
-    const Scalar z559 = v_beta * z458;
-    const Scalar z560 = z460 * z474 + p_b * z559;
-    const Scalar z501 = z499 + a_alpha * z465 + a_beta * z472;
-    const Scalar z561 = p_b * z544;
-    const Scalar z562 = p_b * z546;
-    const Scalar z503 = z465 * z502;
-    const Scalar z563 = c_beta * (z490 - z561) - s_beta * (z489 - z562);
-    const Scalar z504 = z465 * z503 + z470;
-    const Scalar z538 = z460 * z461;
-    const Scalar z505 = n1 / z504;
-    const Scalar z565 = c_beta * z476 + s_beta * (n9_81 - z560);
-    const Scalar z566 = z148 * z546 + p_b * z565;
-    const Scalar z514 = z29 * z513 + p_F * z512;
-    const Scalar z564 = z560 + z563;
-    const Scalar z515 = s_beta * z514 + c_beta * z511;
-    const Scalar z521 = p_b * z512;
-    const Scalar z567 = z566 - z461 * z497 + z460 * z564;
-    const Scalar z539 = n2 * z538;
-    const Scalar z522 = c_beta * z520 + s_beta * z521;
-    const Scalar z551 = p_b * z513;
-    const Scalar z555 = s_beta * z551;
-    const Scalar z516 = z461 * z509 - z515;
-    const Scalar z523 = z518 - z522;
-    const Scalar z540 = z537 + z539;
-    const Scalar z554 = z551 - z553;
-    const Scalar z556 = p_b * z555;
-    const Scalar z558 = n2 * (z538 - z539);
-    const Scalar z526 = z460 * z523 - z525;
-    const Scalar z550 = z549 + a_beta * z464 + a_alpha * z540;
-    const Scalar z557 = z460 * z554 - z556;
-    const Scalar z568 = a_alpha * z464 - z567 + a_beta * z558;
-    const Scalar z569 = z503 * z526 + z516;
-    const Scalar z572 = z503 * z568 - z550;
-    const Scalar z575 = z503 * z557 + z536;
-    const Scalar z570 = z505 * z569;
-    const Scalar z576 = z505 * z575;
-    const Scalar z573 = z505 * z572;
-    const Scalar z571 = z502 * z526 - z503 * z570;
-    const Scalar z577 = z502 * z557 - z503 * z576;
-    const Scalar z574 = z502 * z568 - z503 * z573;
+    const Scalar z460 = c_beta * v_beta;
+    const Scalar z463 = v_alpha * s_beta;
+    const Scalar z459 = s_beta * v_beta;
+    const Scalar z464 = v_alpha * c_beta;
+    const Scalar z461 = p_b * s_beta;
+    const Scalar z462 = p_b * c_beta;
+    const Scalar z475 = v_alpha * v_alpha;
+    const Scalar z483 = v_beta * v_beta;
+    const Scalar z467 = s_beta * z26;
+    const Scalar z518 = n2 * v_alpha;
+    const Scalar z466 = s_beta * p_F;
+    const Scalar z468 = c_beta * z26;
+    const Scalar z465 = c_beta * p_F;
+    const Scalar z528 = n2 * v_alpha * p_b * s_beta;
+    const Scalar z469 = s_beta * z467;
+    const Scalar z472 = z461 * z461;
+    const Scalar z474 = v_beta * z460;
+    const Scalar z476 = n2 * v_alpha * p_b * z459;
+    const Scalar z479 = v_beta * z464;  // angular acceleration of plate, y
+    const Scalar z480 = v_beta * z463;  // angular acceleration of plate, z
+    const Scalar z482 = z464 * z464;
+    const Scalar z485 = z463 * z464;
+    const Scalar z487 = z463 * z463;
+    const Scalar z507 = z174 * z459;
+    const Scalar z508 = n2 * z459;
+    const Scalar z511 = n2 * s_beta * z463;
+    const Scalar z513 = c_beta * z463 + s_beta * z464;
+    const Scalar z514 = n2 * z460;
+    const Scalar z519 = z462 * z518;
+    const Scalar z520 = n2 * c_beta * z464;
+    const Scalar z529 = n2 * z463;
+    const Scalar z470 = z25 + z469;
+    const Scalar z473 = z24 - z472;
+    const Scalar z477 = z462 * z475 + p_b * z474;
+    const Scalar z481 = n2 * z480;
+    const Scalar z484 = z482 + z483;
+    const Scalar z486 = n2 * z479;
+    const Scalar z488 = z483 - z487;
+    const Scalar z491 = p_b * z485;  // force on plate, z
+    const Scalar z509 = p_b * z508;
+    const Scalar z512 = p_b * z507 - p_F * z511 - z30 * z508;
+    const Scalar z521 = p_b * z520;
+    const Scalar z525 = s_beta * z519;
+    const Scalar z530 = p_b * z529;
+    const Scalar z471 = z462 * z462 - z470;
+    const Scalar z532 = n2 * v_beta;
+    const Scalar z534 = n2 * z464;
+    const Scalar z533 = p_F * z532 + p_b * z528 - z30 * z529;
+    const Scalar z535 = z29 * z534;
+    const Scalar z489 = p_b * z481;  // force on plate, x
+    const Scalar z490 = p_b * z484;  // force on plate, y
+    const Scalar z493 = p_F * z485 + z29 * z486;  // moment on plate, y
+    const Scalar z494 = p_b * z476 + p_F * z488 - z30 * z481;  // moment on plate, z
+    const Scalar z503 = n1 / z473;
+    const Scalar z510 = z507 - z509;
+    const Scalar z531 = z528 - z530;
+    const Scalar z478 = n9_81 * c_beta - s_beta * z477;
+    const Scalar z545 = z464 * z529;
+    const Scalar z547 = z482 - z487;
+    const Scalar z538 = c_beta * z467 + s_beta * z468;
+    const Scalar z542 = n2 * v_alpha * p_b * z460;
+    const Scalar z536 = s_beta * z535 + c_beta * z533;
+    const Scalar z497 = z476 - z489;  // force on foot, x
+    const Scalar z548 = p_F * z547 - z29 * z481;
+    const Scalar z492 = p_b * z478 - z148 * z485;  // moment on plate, x
+    const Scalar z537 = z462 * z531 - z536;
+    const Scalar z553 = p_b * z532;
+    const Scalar z554 = c_beta * z553;
+    const Scalar z526 = p_b * z525 + z148 * z513;
+    const Scalar z546 = p_b * z542 - p_F * z545 - z30 * z486;
+    const Scalar z549 = c_beta * (z493 + z546) - s_beta * (z494 - z548);
+    const Scalar z496 = s_beta * z493 + c_beta * z494;
+    const Scalar z543 = p_b * z486;
+    const Scalar z544 = z542 - z543;
+    const Scalar z499 = z462 * z497 - z496;  // moment on turned, z
+    const Scalar z495 = s_beta * z491 + c_beta * z490;
+    const Scalar z498 = z477 - z495;  // force on foot, y
+    const Scalar z501 = z499 + a_alpha * z471 - a_beta * z466;
+    const Scalar z550 = z549 + z461 * z497 - z462 * z544;
+    const Scalar z500 = z461 * z498 + z492;
+    const Scalar z560 = v_beta * z459;
+    const Scalar z561 = z461 * z475 + p_b * z560;
+    const Scalar z502 = z500 + a_alpha * z466 + a_beta * z473;
+    const Scalar z562 = p_b * z545;
+    const Scalar z563 = p_b * z547;
+    const Scalar z539 = z461 * z462;
+    const Scalar z540 = n2 * z539;
+    const Scalar z504 = z466 * z503;
+    const Scalar z564 = c_beta * (z491 - z562) - s_beta * (z490 - z563);
+    const Scalar z505 = z466 * z504 + z471;
+    const Scalar z541 = z538 + z540;
+    const Scalar z559 = n2 * (z461 * z462 - z540);
+    const Scalar z551 = z550 + a_beta * z465 + a_alpha * z541;
+    const Scalar z506 = n1 / z505;
+    const Scalar z566 = c_beta * z477 + s_beta * (n9_81 - z561);
+    const Scalar z567 = z148 * z547 + p_b * z566;
+    const Scalar z565 = z561 + z564;
+    const Scalar z515 = z29 * z514 + p_F * z513;
+    const Scalar z516 = s_beta * z515 + c_beta * z512;
+    const Scalar z568 = z567 - z462 * z498 + z461 * z565;
+    const Scalar z522 = p_b * z513;
+    const Scalar z552 = p_b * z514;
+    const Scalar z523 = c_beta * z521 + s_beta * z522;
+    const Scalar z556 = s_beta * z552;
+    const Scalar z555 = z552 - z554;
+    const Scalar z517 = z462 * z510 - z516;
+    const Scalar z524 = z519 - z523;
+    const Scalar z557 = p_b * z556;
+    const Scalar z569 = a_alpha * z465 - z568 + a_beta * z559;
+    const Scalar z527 = z461 * z524 - z526;
+    const Scalar z558 = z461 * z555 - z557;
+    const Scalar z576 = z504 * z558 + z537;
+    const Scalar z570 = z504 * z527 + z517;
+    const Scalar z573 = z504 * z569 - z551;
+    const Scalar z577 = z506 * z576;
+    const Scalar z571 = z506 * z570;
+    const Scalar z574 = z506 * z573;
+    const Scalar z578 = z503 * z558 - z504 * z577;
+    const Scalar z572 = z503 * z527 - z504 * z571;
+    const Scalar z575 = z503 * z569 - z504 * z574;
     result.M[0] = n1;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -1376,12 +1376,12 @@ struct Mechanism {
     result.M[7] = n0;
     result.M[8] = n0;
     result.M[9] = n0;
-    result.M[10] = -z470;
-    result.M[11] = z465;
+    result.M[10] = -z471;
+    result.M[11] = z466;
     result.M[12] = n0;
     result.M[13] = n0;
-    result.M[14] = z465;
-    result.M[15] = z472;
+    result.M[14] = z466;
+    result.M[15] = z473;
     result.C[0] = n0;
     result.C[1] = n0;
     result.C[2] = n0;
@@ -1392,12 +1392,12 @@ struct Mechanism {
     result.C[7] = n0;
     result.C[8] = n0;
     result.C[9] = n0;
-    result.C[10] = -z516;
-    result.C[11] = z526;
+    result.C[10] = -z517;
+    result.C[11] = z527;
     result.C[12] = n0;
     result.C[13] = n0;
-    result.C[14] = -z536;
-    result.C[15] = z557;
+    result.C[14] = -z537;
+    result.C[15] = z558;
     result.K[0] = n0;
     result.K[1] = n0;
     result.K[2] = n0;
@@ -1412,12 +1412,12 @@ struct Mechanism {
     result.K[11] = n0;
     result.K[12] = n0;
     result.K[13] = n0;
-    result.K[14] = z550;
-    result.K[15] = z568;
+    result.K[14] = z551;
+    result.K[15] = z569;
     result.F[0] = -a_x;
     result.F[1] = -a_y;
-    result.F[2] = z500;
-    result.F[3] = -z501;
+    result.F[2] = z501;
+    result.F[3] = -z502;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
@@ -1448,8 +1448,8 @@ struct Mechanism {
     result.A[27] = n0;
     result.A[28] = n0;
     result.A[29] = n0;
-    result.A[30] = -z573;
-    result.A[31] = -z574;
+    result.A[30] = -z574;
+    result.A[31] = -z575;
     result.A[32] = n1;
     result.A[33] = n0;
     result.A[34] = n0;
@@ -1472,17 +1472,17 @@ struct Mechanism {
     result.A[51] = n0;
     result.A[52] = n0;
     result.A[53] = n0;
-    result.A[54] = -z570;
-    result.A[55] = -z571;
+    result.A[54] = -z571;
+    result.A[55] = -z572;
     result.A[56] = n0;
     result.A[57] = n0;
     result.A[58] = n0;
     result.A[59] = n1;
     result.A[60] = n0;
     result.A[61] = n0;
-    result.A[62] = -z576;
-    result.A[63] = -z577;
-    if (!(traits::regular(-z504, -z470) && traits::regular(z472, z472))) return torsor::Status::singular;
+    result.A[62] = -z577;
+    result.A[63] = -z578;
+    if (!(traits::regular(-z505, -z471) && traits::regular(z473, z473))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = (n0 * result.M[10] * result.M[11] * result.M[14] * result.M[15] * result.C[10] * result.C[11]
         * result.C[14] * result.C[15] * result.K[14] * result.K[15]) * (n0 * result.F[0] * result.F[1] * result.F[2]

@@ -8,7 +8,7 @@
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
 // costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
-// joints, factoring, and what is done once for a set of parameters:
+// joints, products that sums share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   precompute               12               28          0             0                  4       0     48       -
 //   kinematics               64               73          0             0                  9       0    155     155
@@ -340,7 +340,7 @@ TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& a
     const Bits bits = (Bits)shifted.part[i];
     const Bits odd = bits << sign_bit, upper = bits << (sign_bit - 1);
     Numbers sine_of_rest, cosine_of_rest;
-    if constexpr (sizeof(Numbers) >= 32) {  // AVX has instructions that choose by the bit of the sign
+    if constexpr (sizeof(Numbers) >= 32) {  // AVX chooses by the bit of the sign, AVX-512 by a mask
       const Bits exchanged = odd < Bits{};
       sine_of_rest = exchanged ? c : s;
       cosine_of_rest = exchanged ? s : c;
@@ -505,7 +505,7 @@ struct Mechanism {
 
   static constexpr const char* name = "four_wheel_vehicle_all_wheels";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x1d08900f9a2c7722ULL;
+  static constexpr unsigned long long fingerprint = 0xdfda0312a1ee437cULL;
   static constexpr int coordinate_count = 11;
   static constexpr int velocity_count = 11;
   static constexpr int input_count = 0;
@@ -701,14 +701,14 @@ struct Mechanism {
     Scalar z584;
     Scalar z592;
     Scalar z593;
-    Scalar z689;
-    Scalar z698;
-    Scalar z707;
-    Scalar z716;
-    Scalar z1009;
-    Scalar z1010;
-    Scalar z1011;
+    Scalar z691;
+    Scalar z700;
+    Scalar z709;
+    Scalar z718;
     Scalar z1012;
+    Scalar z1013;
+    Scalar z1014;
+    Scalar z1015;
   };
 
   /// Values of the scene.
@@ -763,14 +763,14 @@ struct Mechanism {
     const Scalar z584 = k1 * s_alpha_3 - c_alpha_3;
     const Scalar z592 = s_alpha_4 - k1 * c_alpha_4;
     const Scalar z593 = k1 * s_alpha_4 + c_alpha_4;
-    const Scalar z689 = n0_05 * z176;
-    const Scalar z698 = n0_05 * z208;
-    const Scalar z707 = n0_05 * z245;
-    const Scalar z716 = n0_05 * z282;
-    const Scalar z1009 = z176 * z689;
-    const Scalar z1010 = z208 * z698;
-    const Scalar z1011 = z245 * z707;
-    const Scalar z1012 = z282 * z716;
+    const Scalar z691 = n0_05 * z176;
+    const Scalar z700 = n0_05 * z208;
+    const Scalar z709 = n0_05 * z245;
+    const Scalar z718 = n0_05 * z282;
+    const Scalar z1012 = z176 * z691;
+    const Scalar z1013 = z208 * z700;
+    const Scalar z1014 = z245 * z709;
+    const Scalar z1015 = z282 * z718;
     precomputed.s_alpha_1 = s_alpha_1;
     precomputed.c_alpha_1 = c_alpha_1;
     precomputed.s_alpha_2 = s_alpha_2;
@@ -799,14 +799,14 @@ struct Mechanism {
     precomputed.z584 = z584;
     precomputed.z592 = z592;
     precomputed.z593 = z593;
-    precomputed.z689 = z689;
-    precomputed.z698 = z698;
-    precomputed.z707 = z707;
-    precomputed.z716 = z716;
-    precomputed.z1009 = z1009;
-    precomputed.z1010 = z1010;
-    precomputed.z1011 = z1011;
+    precomputed.z691 = z691;
+    precomputed.z700 = z700;
+    precomputed.z709 = z709;
+    precomputed.z718 = z718;
     precomputed.z1012 = z1012;
+    precomputed.z1013 = z1013;
+    precomputed.z1014 = z1014;
+    precomputed.z1015 = z1015;
     return precomputed;
   }
 
@@ -1647,101 +1647,101 @@ struct Mechanism {
     const Scalar z584 = precomputed.z584;
     const Scalar z592 = precomputed.z592;
     const Scalar z593 = precomputed.z593;
-    const Scalar z611 = q_psi + p_alpha_1;
-    const Scalar z614 = q_psi + p_alpha_2;
-    const Scalar z617 = q_psi + p_alpha_3;
-    const Scalar z620 = q_psi + p_alpha_4;
-    const Scalar angles_[] = {q_psi, z611, z614, z617, z620};
+    const Scalar z613 = q_psi + p_alpha_1;
+    const Scalar z616 = q_psi + p_alpha_2;
+    const Scalar z619 = q_psi + p_alpha_3;
+    const Scalar z622 = q_psi + p_alpha_4;
+    const Scalar angles_[] = {q_psi, z613, z616, z619, z622};
     Scalar sines_[5], cosines_[5];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
-    const Scalar z612 = sines_[1], z613 = cosines_[1];
-    const Scalar z615 = sines_[2], z616 = cosines_[2];
-    const Scalar z618 = sines_[3], z619 = cosines_[3];
-    const Scalar z621 = sines_[4], z622 = cosines_[4];
-    const Scalar z623 = v_psi * v_psi;
-    const Scalar z624 = a_x * c_psi + a_y * s_psi;
-    const Scalar z625 = a_x * s_psi - a_y * c_psi;
-    const Scalar z631 = n2 * v_psi;
-    const Scalar z654 = n0_5 * a_psi;
-    const Scalar z651 = n0_9 * a_phi_4;  // moment on wheel_4, x
-    const Scalar z658 = n0_9 * a_phi_3;  // moment on wheel_3, x
-    const Scalar z664 = n0_9 * a_phi_2;  // moment on wheel_2, x
-    const Scalar z670 = n0_9 * a_phi_1;  // moment on wheel_1, x
-    const Scalar z683 = q_s_1 + z565;
-    const Scalar z684 = q_s_2 + z574;
-    const Scalar z685 = q_s_3 - z583;
-    const Scalar z626 = a_psi + k3 * z623 - z624;
-    const Scalar z686 = q_s_4 - z592;
-    const Scalar z627 = k3 * a_psi - z623 - z625;
-    const Scalar z633 = a_psi - k3 * z623 - z624;
-    const Scalar z634 = k3 * a_psi + z623 + z625;
-    const Scalar z639 = a_psi + k3 * z623 + z624;
-    const Scalar z640 = k3 * a_psi - z623 + z625;
-    const Scalar z645 = a_psi - k3 * z623 + z624;
-    const Scalar z646 = k3 * a_psi + z623 - z625;
-    const Scalar z628 = s_alpha_1 * z627 - c_alpha_1 * z626;
-    const Scalar z629 = s_alpha_1 * z626 + c_alpha_1 * z627;
-    const Scalar z635 = s_alpha_2 * z634 + c_alpha_2 * z633;
-    const Scalar z636 = s_alpha_2 * z633 - c_alpha_2 * z634;
-    const Scalar z641 = s_alpha_3 * z640 - c_alpha_3 * z639;
-    const Scalar z642 = s_alpha_3 * z639 + c_alpha_3 * z640;
-    const Scalar z647 = s_alpha_4 * z646 + c_alpha_4 * z645;
-    const Scalar z648 = s_alpha_4 * z645 - c_alpha_4 * z646;
-    const Scalar z630 = q_s_1 * z623 - a_s_1 - z628;
-    const Scalar z632 = z629 + a_psi * q_s_1 + v_s_1 * z631;
-    const Scalar z637 = q_s_2 * z623 - a_s_2 + z635;
-    const Scalar z638 = z636 + a_psi * q_s_2 + v_s_2 * z631;
-    const Scalar z643 = q_s_3 * z623 - a_s_3 + z641;
-    const Scalar z644 = a_psi * q_s_3 - z642 + v_s_3 * z631;
-    const Scalar z649 = q_s_4 * z623 - a_s_4 - z647;
-    const Scalar z650 = a_psi * q_s_4 - z648 + v_s_4 * z631;
-    const Scalar z652 = n20 * z649;  // force on axle_4, x
-    const Scalar z659 = n20 * z643;  // force on axle_3, x
-    const Scalar z665 = n20 * z637;  // force on axle_2, x
-    const Scalar z671 = n20 * z630;  // force on axle_1, x
-    const Scalar z653 = n20 * z650;  // force on axle_4, y
-    const Scalar z660 = n20 * z644;  // force on axle_3, y
-    const Scalar z666 = n20 * z638;  // force on axle_2, y
-    const Scalar z672 = n20 * z632;  // force on axle_1, y
-    const Scalar z655 = q_s_4 * z653 + z654;  // moment on steered_4, z
-    const Scalar z656 = c_alpha_4 * z652 + s_alpha_4 * z653;
-    const Scalar z657 = s_alpha_4 * z652 - c_alpha_4 * z653;
-    const Scalar z661 = q_s_3 * z660 + z654;  // moment on steered_3, z
-    const Scalar z662 = c_alpha_3 * z659 + s_alpha_3 * z660;
-    const Scalar z663 = s_alpha_3 * z659 - c_alpha_3 * z660;
-    const Scalar z667 = q_s_2 * z666 + z654;  // moment on steered_2, z
-    const Scalar z668 = c_alpha_2 * z665 + s_alpha_2 * z666;
-    const Scalar z669 = s_alpha_2 * z665 - c_alpha_2 * z666;
-    const Scalar z674 = c_alpha_1 * z671 + s_alpha_1 * z672;
-    const Scalar z675 = s_alpha_1 * z671 - c_alpha_1 * z672;
-    const Scalar z676 = z656 + z662 + z668 + z674;  // force on S, x
-    const Scalar z677 = z657 + z663 + z669 + z675;  // force on S, y
-    const Scalar z673 = q_s_1 * z672 + z654;  // moment on steered_1, z
+    const Scalar z614 = sines_[1], z615 = cosines_[1];
+    const Scalar z617 = sines_[2], z618 = cosines_[2];
+    const Scalar z620 = sines_[3], z621 = cosines_[3];
+    const Scalar z623 = sines_[4], z624 = cosines_[4];
+    const Scalar z625 = v_psi * v_psi;
+    const Scalar z626 = a_x * c_psi + a_y * s_psi;
+    const Scalar z627 = a_x * s_psi - a_y * c_psi;
+    const Scalar z633 = n2 * v_psi;
+    const Scalar z656 = n0_5 * a_psi;
+    const Scalar z653 = n0_9 * a_phi_4;  // moment on wheel_4, x
+    const Scalar z660 = n0_9 * a_phi_3;  // moment on wheel_3, x
+    const Scalar z666 = n0_9 * a_phi_2;  // moment on wheel_2, x
+    const Scalar z672 = n0_9 * a_phi_1;  // moment on wheel_1, x
+    const Scalar z685 = q_s_1 + z565;
+    const Scalar z686 = q_s_2 + z574;
+    const Scalar z687 = q_s_3 - z583;
+    const Scalar z628 = a_psi + k3 * z625 - z626;
+    const Scalar z688 = q_s_4 - z592;
+    const Scalar z629 = k3 * a_psi - z625 - z627;
+    const Scalar z635 = a_psi - k3 * z625 - z626;
+    const Scalar z636 = k3 * a_psi + z625 + z627;
+    const Scalar z641 = a_psi + k3 * z625 + z626;
+    const Scalar z642 = k3 * a_psi - z625 + z627;
+    const Scalar z647 = a_psi - k3 * z625 + z626;
+    const Scalar z648 = k3 * a_psi + z625 - z627;
+    const Scalar z630 = s_alpha_1 * z629 - c_alpha_1 * z628;
+    const Scalar z631 = s_alpha_1 * z628 + c_alpha_1 * z629;
+    const Scalar z637 = s_alpha_2 * z636 + c_alpha_2 * z635;
+    const Scalar z638 = s_alpha_2 * z635 - c_alpha_2 * z636;
+    const Scalar z643 = s_alpha_3 * z642 - c_alpha_3 * z641;
+    const Scalar z644 = s_alpha_3 * z641 + c_alpha_3 * z642;
+    const Scalar z649 = s_alpha_4 * z648 + c_alpha_4 * z647;
+    const Scalar z650 = s_alpha_4 * z647 - c_alpha_4 * z648;
+    const Scalar z632 = q_s_1 * z625 - a_s_1 - z630;
+    const Scalar z634 = z631 + a_psi * q_s_1 + v_s_1 * z633;
+    const Scalar z639 = q_s_2 * z625 - a_s_2 + z637;
+    const Scalar z640 = z638 + a_psi * q_s_2 + v_s_2 * z633;
+    const Scalar z645 = q_s_3 * z625 - a_s_3 + z643;
+    const Scalar z646 = a_psi * q_s_3 - z644 + v_s_3 * z633;
+    const Scalar z651 = q_s_4 * z625 - a_s_4 - z649;
+    const Scalar z652 = a_psi * q_s_4 - z650 + v_s_4 * z633;
+    const Scalar z654 = n20 * z651;  // force on axle_4, x
+    const Scalar z661 = n20 * z645;  // force on axle_3, x
+    const Scalar z667 = n20 * z639;  // force on axle_2, x
+    const Scalar z673 = n20 * z632;  // force on axle_1, x
+    const Scalar z655 = n20 * z652;  // force on axle_4, y
+    const Scalar z662 = n20 * z646;  // force on axle_3, y
+    const Scalar z668 = n20 * z640;  // force on axle_2, y
+    const Scalar z674 = n20 * z634;  // force on axle_1, y
+    const Scalar z657 = q_s_4 * z655 + z656;  // moment on steered_4, z
+    const Scalar z658 = c_alpha_4 * z654 + s_alpha_4 * z655;
+    const Scalar z659 = s_alpha_4 * z654 - c_alpha_4 * z655;
+    const Scalar z663 = q_s_3 * z662 + z656;  // moment on steered_3, z
+    const Scalar z664 = c_alpha_3 * z661 + s_alpha_3 * z662;
+    const Scalar z665 = s_alpha_3 * z661 - c_alpha_3 * z662;
+    const Scalar z669 = q_s_2 * z668 + z656;  // moment on steered_2, z
+    const Scalar z670 = c_alpha_2 * z667 + s_alpha_2 * z668;
+    const Scalar z671 = s_alpha_2 * z667 - c_alpha_2 * z668;
+    const Scalar z676 = c_alpha_1 * z673 + s_alpha_1 * z674;
+    const Scalar z677 = s_alpha_1 * z673 - c_alpha_1 * z674;
+    const Scalar z678 = z658 + z664 + z670 + z676;  // force on S, x
+    const Scalar z679 = z659 + z665 + z671 + z677;  // force on S, y
+    const Scalar z675 = q_s_1 * z674 + z656;  // moment on steered_1, z
     // moment on S, z
-    const Scalar z678 = n900 * a_psi + z655 - z656 + z661 - z662 + z667 + z668 + z673 + z674 - k3 * (z657 - z663 - z669
-        + z675);
-    const Scalar z679 = s_psi * z677 - c_psi * z676;
-    const Scalar z680 = s_psi * z676 + c_psi * z677;
-    const Scalar z681 = n800 * a_x + z679;  // force on S.y, x
-    const Scalar z682 = n800 * a_y - z680;  // force on S.y, y
-    forces.x = -l_lambda_wheel_1_x * z613 + l_lambda_wheel_1_y * z612 - l_lambda_wheel_2_x * z616 + l_lambda_wheel_2_y
-        * z615 - l_lambda_wheel_3_x * z619 + l_lambda_wheel_3_y * z618 - l_lambda_wheel_4_x * z622 + l_lambda_wheel_4_y
-        * z621 + z681;
-    forces.y = -l_lambda_wheel_1_x * z612 - l_lambda_wheel_1_y * z613 - l_lambda_wheel_2_x * z615 - l_lambda_wheel_2_y
-        * z616 - l_lambda_wheel_3_x * z618 - l_lambda_wheel_3_y * z619 - l_lambda_wheel_4_x * z621 - l_lambda_wheel_4_y
-        * z622 + z682;
+    const Scalar z680 = n900 * a_psi + z657 - z658 + z663 - z664 + z669 + z670 + z675 + z676 - k3 * (z659 - z665 - z671
+        + z677);
+    const Scalar z681 = s_psi * z679 - c_psi * z678;
+    const Scalar z682 = s_psi * z678 + c_psi * z679;
+    const Scalar z683 = n800 * a_x + z681;  // force on S.y, x
+    const Scalar z684 = n800 * a_y - z682;  // force on S.y, y
+    forces.x = -l_lambda_wheel_1_x * z615 + l_lambda_wheel_1_y * z614 - l_lambda_wheel_2_x * z618 + l_lambda_wheel_2_y
+        * z617 - l_lambda_wheel_3_x * z621 + l_lambda_wheel_3_y * z620 - l_lambda_wheel_4_x * z624 + l_lambda_wheel_4_y
+        * z623 + z683;
+    forces.y = -l_lambda_wheel_1_x * z614 - l_lambda_wheel_1_y * z615 - l_lambda_wheel_2_x * z617 - l_lambda_wheel_2_y
+        * z618 - l_lambda_wheel_3_x * z620 - l_lambda_wheel_3_y * z621 - l_lambda_wheel_4_x * z623 - l_lambda_wheel_4_y
+        * z624 + z684;
     forces.psi = -z566 * l_lambda_wheel_1_x + z575 * l_lambda_wheel_2_x + z584 * l_lambda_wheel_3_x - z593
-        * l_lambda_wheel_4_x - l_lambda_wheel_1_y * z683 - l_lambda_wheel_2_y * z684 - l_lambda_wheel_3_y * z685
-        - l_lambda_wheel_4_y * z686 + z678;
-    forces.phi_1 = -n0_3 * l_lambda_wheel_1_y + z670;
-    forces.phi_2 = -n0_3 * l_lambda_wheel_2_y + z664;
-    forces.phi_3 = -n0_3 * l_lambda_wheel_3_y + z658;
-    forces.phi_4 = -n0_3 * l_lambda_wheel_4_y + z651;
-    forces.s_1 = -l_lambda_wheel_1_x - z671;
-    forces.s_2 = -l_lambda_wheel_2_x - z665;
-    forces.s_3 = -l_lambda_wheel_3_x - z659;
-    forces.s_4 = -l_lambda_wheel_4_x - z652;
+        * l_lambda_wheel_4_x - l_lambda_wheel_1_y * z685 - l_lambda_wheel_2_y * z686 - l_lambda_wheel_3_y * z687
+        - l_lambda_wheel_4_y * z688 + z680;
+    forces.phi_1 = -n0_3 * l_lambda_wheel_1_y + z672;
+    forces.phi_2 = -n0_3 * l_lambda_wheel_2_y + z666;
+    forces.phi_3 = -n0_3 * l_lambda_wheel_3_y + z660;
+    forces.phi_4 = -n0_3 * l_lambda_wheel_4_y + z653;
+    forces.s_1 = -l_lambda_wheel_1_x - z673;
+    forces.s_2 = -l_lambda_wheel_2_x - z667;
+    forces.s_3 = -l_lambda_wheel_3_x - z661;
+    forces.s_4 = -l_lambda_wheel_4_x - z654;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -1803,493 +1803,493 @@ struct Mechanism {
     const Scalar z584 = precomputed.z584;
     const Scalar z592 = precomputed.z592;
     const Scalar z593 = precomputed.z593;
-    const Scalar z689 = precomputed.z689;
-    const Scalar z698 = precomputed.z698;
-    const Scalar z707 = precomputed.z707;
-    const Scalar z716 = precomputed.z716;
-    const Scalar z1009 = precomputed.z1009;
-    const Scalar z1010 = precomputed.z1010;
-    const Scalar z1011 = precomputed.z1011;
+    const Scalar z691 = precomputed.z691;
+    const Scalar z700 = precomputed.z700;
+    const Scalar z709 = precomputed.z709;
+    const Scalar z718 = precomputed.z718;
     const Scalar z1012 = precomputed.z1012;
-    const Scalar z1013 = q_psi + p_alpha_1;
-    const Scalar z1016 = q_psi + p_alpha_2;
-    const Scalar z1019 = q_psi + p_alpha_3;
-    const Scalar z1022 = q_psi + p_alpha_4;
-    const Scalar angles_[] = {q_psi, z1013, z1016, z1019, z1022};
+    const Scalar z1013 = precomputed.z1013;
+    const Scalar z1014 = precomputed.z1014;
+    const Scalar z1015 = precomputed.z1015;
+    const Scalar z1016 = q_psi + p_alpha_1;
+    const Scalar z1019 = q_psi + p_alpha_2;
+    const Scalar z1022 = q_psi + p_alpha_3;
+    const Scalar z1025 = q_psi + p_alpha_4;
+    const Scalar angles_[] = {q_psi, z1016, z1019, z1022, z1025};
     Scalar sines_[5], cosines_[5];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
-    const Scalar z1014 = sines_[1], z1015 = cosines_[1];
-    const Scalar z1017 = sines_[2], z1018 = cosines_[2];
-    const Scalar z1020 = sines_[3], z1021 = cosines_[3];
-    const Scalar z1023 = sines_[4], z1024 = cosines_[4];
-    const Scalar z1027 = n20 * q_s_4;
-    const Scalar z1038 = n20 * q_s_3;
-    const Scalar z1051 = n20 * q_s_2;
-    const Scalar z1064 = n20 * q_s_1;
-    const Scalar z1026 = s_psi * z174 + c_psi * z175;
-    const Scalar z1030 = s_alpha_4 * z1027;
-    const Scalar z1041 = s_alpha_3 * z1038;
-    const Scalar z1031 = c_alpha_4 * z1027;
-    const Scalar z1028 = q_s_4 * z1027;
-    const Scalar z1054 = s_alpha_2 * z1051;
-    const Scalar z1042 = c_alpha_3 * z1038;
-    const Scalar z1029 = n0_5 + z1028;
-    const Scalar z1039 = q_s_3 * z1038;
-    const Scalar z1067 = s_alpha_1 * z1064;
-    const Scalar z1055 = c_alpha_2 * z1051;
-    const Scalar z1040 = n0_5 + z1039;
-    const Scalar z1032 = k2 - n2 * z1030 + k4 * z1031 + z1029;
-    const Scalar z1052 = q_s_2 * z1051;
-    const Scalar z1068 = c_alpha_1 * z1064;
-    const Scalar z1043 = k2 - n2 * z1041 - k4 * z1042 + z1040;
-    const Scalar z1053 = n0_5 + z1052;
-    const Scalar z1065 = q_s_1 * z1064;
-    const Scalar z1034 = n20 - z1030;
-    const Scalar z1045 = n20 - z1041;
-    const Scalar z1035 = n900 + z1032;
-    const Scalar z1056 = k2 + n2 * z1054 - k4 * z1055 + z1053;
-    const Scalar z1048 = z1035 + z1043;
-    const Scalar z1066 = n0_5 + z1065;
-    const Scalar z1033 = k6 + z1031;
-    const Scalar z1044 = k6 - z1042;
-    const Scalar z1047 = z1034 + z1045;
-    const Scalar z1058 = n20 + z1054;
-    const Scalar z1061 = z1048 + z1056;
-    const Scalar z1069 = k2 + n2 * z1067 + k4 * z1068 + z1066;
-    const Scalar z1046 = z1033 - z1044;
-    const Scalar z1057 = k6 - z1055;
-    const Scalar z1060 = z1047 - z1058;
-    const Scalar z1071 = n20 + z1067;
-    const Scalar z1074 = z1061 + z1069;
-    const Scalar z1059 = z1046 - z1057;
-    const Scalar z1070 = k6 + z1068;
-    const Scalar z1073 = z1060 - z1071;
-    const Scalar z1072 = z1059 + z1070;
-    const Scalar z1037 = s_psi * z206 + c_psi * z207;
-    const Scalar z1050 = s_psi * z243 + c_psi * z244;
-    const Scalar z1076 = s_psi * z1073 + c_psi * z1072;
-    const Scalar z1063 = s_psi * z280 + c_psi * z281;
-    const Scalar z1025 = s_psi * z175 - c_psi * z174;
-    const Scalar z1075 = s_psi * z1072 - c_psi * z1073;
-    const Scalar z1036 = s_psi * z207 - c_psi * z206;
-    const Scalar z1049 = s_psi * z244 - c_psi * z243;
-    const Scalar z1062 = s_psi * z281 - c_psi * z280;
-    const Scalar z1136 = q_s_4 - z592;
-    const Scalar z1131 = q_s_3 - z583;
-    const Scalar z1126 = q_s_2 + z574;
-    const Scalar z1077 = v_psi * v_psi;
-    const Scalar z1078 = k7 * z1077;
-    const Scalar z1082 = n2 * v_psi;
-    const Scalar z1121 = q_s_1 + z565;
-    const Scalar z1123 = v_psi * z1015;
-    const Scalar z1128 = v_psi * z1018;
-    const Scalar z1133 = v_psi * z1021;
-    const Scalar z1088 = s_alpha_3 * z1077 + c_alpha_3 * z1078;
-    const Scalar z1092 = s_alpha_4 * z1077 - c_alpha_4 * z1078;
-    const Scalar z1093 = c_alpha_4 * z1077 + s_alpha_4 * z1078;
-    const Scalar z1090 = q_s_3 * z1077 - z1088;
-    const Scalar z1094 = q_s_4 * z1077 - z1092;
-    const Scalar z1095 = v_s_4 * z1082 + z1093;
-    const Scalar z1084 = s_alpha_2 * z1077 - c_alpha_2 * z1078;
-    const Scalar z1086 = q_s_2 * z1077 + z1084;
-    const Scalar z1096 = n20 * z1094;  // force on axle_4, x
-    const Scalar z1097 = n20 * z1095;  // force on axle_4, y
-    const Scalar z1101 = n20 * z1090;  // force on axle_3, x
-    const Scalar z1085 = c_alpha_2 * z1077 + s_alpha_2 * z1078;
-    const Scalar z1087 = v_s_2 * z1082 - z1085;
-    const Scalar z1106 = n20 * z1086;  // force on axle_2, x
-    const Scalar z1089 = s_alpha_3 * z1078 - c_alpha_3 * z1077;
-    const Scalar z1091 = v_s_3 * z1082 - z1089;
-    const Scalar z1107 = n20 * z1087;  // force on axle_2, y
-    const Scalar z1079 = s_alpha_1 * z1077 + c_alpha_1 * z1078;
-    const Scalar z1080 = s_alpha_1 * z1078 - c_alpha_1 * z1077;
-    const Scalar z1081 = q_s_1 * z1077 + z1079;
-    const Scalar z1083 = v_s_1 * z1082 + z1080;
-    const Scalar z1148 = z1009 - z1074;
-    const Scalar z1156 = z1010 + z1148;
-    const Scalar z1147 = z689 * z1026 - z1076;
-    const Scalar z1155 = z698 * z1037 + z1147;
-    const Scalar z1146 = z689 * z1025 - z1075;
-    const Scalar z1154 = z698 * z1036 + z1146;
-    const Scalar z1102 = n20 * z1091;  // force on axle_3, y
-    const Scalar z1111 = n20 * z1081;  // force on axle_1, x
-    const Scalar z1112 = n20 * z1083;  // force on axle_1, y
-    const Scalar z1142 = n0_05 * z1026;
-    const Scalar z1145 = n880 - z1026 * z1142;
-    const Scalar z1150 = n0_05 * z1037;
-    const Scalar z1141 = n0_05 * z1025;
-    const Scalar z1144 = z1025 * z1142;
-    const Scalar z1143 = n880 - z1025 * z1141;
-    const Scalar z1152 = z1036 * z1150 + z1144;
-    const Scalar z1153 = z1037 * z1150 - z1145;
-    const Scalar z1149 = n0_05 * z1036;
-    const Scalar z1151 = z1036 * z1149 - z1143;
-    const Scalar z1157 = n0_05 * z1049;
-    const Scalar z1099 = s_alpha_4 * z1097 + c_alpha_4 * z1096;
-    const Scalar z1100 = s_alpha_4 * z1096 - c_alpha_4 * z1097;
-    const Scalar z1098 = q_s_4 * z1097;  // moment on steered_4, z
-    const Scalar z1162 = z707 * z1049 - z1154;
-    const Scalar z1159 = z1049 * z1157 + z1151;
-    const Scalar z1158 = n0_05 * z1050;
-    const Scalar z1160 = z1049 * z1158 + z1152;
-    const Scalar z1161 = z1050 * z1158 + z1153;
-    const Scalar z1104 = c_alpha_3 * z1101 + s_alpha_3 * z1102;
-    const Scalar z1105 = s_alpha_3 * z1101 - c_alpha_3 * z1102;
-    const Scalar z1103 = q_s_3 * z1102;  // moment on steered_3, z
-    const Scalar z1163 = z707 * z1050 - z1155;
-    const Scalar z1164 = z1011 + z1156;
-    const Scalar z1166 = n0_05 * z1063;
-    const Scalar z1165 = n0_05 * z1062;
-    const Scalar z1167 = z1062 * z1165 + z1159;
-    const Scalar z1109 = s_alpha_2 * z1107 + c_alpha_2 * z1106;
-    const Scalar z1110 = s_alpha_2 * z1106 - c_alpha_2 * z1107;
-    const Scalar z1108 = q_s_2 * z1107;  // moment on steered_2, z
-    const Scalar z1172 = z1012 + z1164;
-    const Scalar z1171 = z716 * z1063 + z1163;
-    const Scalar z1169 = z1063 * z1166 + z1161;
-    const Scalar z1168 = z1062 * z1166 + z1160;
-    const Scalar z1170 = z716 * z1062 + z1162;
-    const Scalar z1114 = c_alpha_1 * z1111 + s_alpha_1 * z1112;
-    const Scalar z1115 = s_alpha_1 * z1111 - c_alpha_1 * z1112;
-    const Scalar z1113 = q_s_1 * z1112;  // moment on steered_1, z
+    const Scalar z1017 = sines_[1], z1018 = cosines_[1];
+    const Scalar z1020 = sines_[2], z1021 = cosines_[2];
+    const Scalar z1023 = sines_[3], z1024 = cosines_[3];
+    const Scalar z1026 = sines_[4], z1027 = cosines_[4];
+    const Scalar z1030 = n20 * q_s_4;
+    const Scalar z1041 = n20 * q_s_3;
+    const Scalar z1054 = n20 * q_s_2;
+    const Scalar z1067 = n20 * q_s_1;
+    const Scalar z1029 = s_psi * z174 + c_psi * z175;
+    const Scalar z1033 = s_alpha_4 * z1030;
+    const Scalar z1044 = s_alpha_3 * z1041;
+    const Scalar z1034 = c_alpha_4 * z1030;
+    const Scalar z1031 = q_s_4 * z1030;
+    const Scalar z1057 = s_alpha_2 * z1054;
+    const Scalar z1045 = c_alpha_3 * z1041;
+    const Scalar z1032 = n0_5 + z1031;
+    const Scalar z1042 = q_s_3 * z1041;
+    const Scalar z1070 = s_alpha_1 * z1067;
+    const Scalar z1058 = c_alpha_2 * z1054;
+    const Scalar z1043 = n0_5 + z1042;
+    const Scalar z1035 = k2 - n2 * z1033 + k4 * z1034 + z1032;
+    const Scalar z1055 = q_s_2 * z1054;
+    const Scalar z1071 = c_alpha_1 * z1067;
+    const Scalar z1046 = k2 - n2 * z1044 - k4 * z1045 + z1043;
+    const Scalar z1056 = n0_5 + z1055;
+    const Scalar z1068 = q_s_1 * z1067;
+    const Scalar z1037 = n20 - z1033;
+    const Scalar z1048 = n20 - z1044;
+    const Scalar z1038 = n900 + z1035;
+    const Scalar z1059 = k2 + n2 * z1057 - k4 * z1058 + z1056;
+    const Scalar z1051 = z1038 + z1046;
+    const Scalar z1069 = n0_5 + z1068;
+    const Scalar z1036 = k6 + z1034;
+    const Scalar z1047 = k6 - z1045;
+    const Scalar z1050 = z1037 + z1048;
+    const Scalar z1061 = n20 + z1057;
+    const Scalar z1064 = z1051 + z1059;
+    const Scalar z1072 = k2 + n2 * z1070 + k4 * z1071 + z1069;
+    const Scalar z1049 = z1036 - z1047;
+    const Scalar z1060 = k6 - z1058;
+    const Scalar z1063 = z1050 - z1061;
+    const Scalar z1074 = n20 + z1070;
+    const Scalar z1077 = z1064 + z1072;
+    const Scalar z1062 = z1049 - z1060;
+    const Scalar z1073 = k6 + z1071;
+    const Scalar z1076 = z1063 - z1074;
+    const Scalar z1075 = z1062 + z1073;
+    const Scalar z1040 = s_psi * z206 + c_psi * z207;
+    const Scalar z1053 = s_psi * z243 + c_psi * z244;
+    const Scalar z1079 = s_psi * z1076 + c_psi * z1075;
+    const Scalar z1066 = s_psi * z280 + c_psi * z281;
+    const Scalar z1028 = s_psi * z175 - c_psi * z174;
+    const Scalar z1078 = s_psi * z1075 - c_psi * z1076;
+    const Scalar z1039 = s_psi * z207 - c_psi * z206;
+    const Scalar z1052 = s_psi * z244 - c_psi * z243;
+    const Scalar z1065 = s_psi * z281 - c_psi * z280;
+    const Scalar z1139 = q_s_4 - z592;
+    const Scalar z1134 = q_s_3 - z583;
+    const Scalar z1129 = q_s_2 + z574;
+    const Scalar z1080 = v_psi * v_psi;
+    const Scalar z1081 = k7 * z1080;
+    const Scalar z1085 = n2 * v_psi;
+    const Scalar z1124 = q_s_1 + z565;
+    const Scalar z1126 = v_psi * z1018;
+    const Scalar z1131 = v_psi * z1021;
+    const Scalar z1136 = v_psi * z1024;
+    const Scalar z1091 = s_alpha_3 * z1080 + c_alpha_3 * z1081;
+    const Scalar z1095 = s_alpha_4 * z1080 - c_alpha_4 * z1081;
+    const Scalar z1096 = c_alpha_4 * z1080 + s_alpha_4 * z1081;
+    const Scalar z1093 = q_s_3 * z1080 - z1091;
+    const Scalar z1097 = q_s_4 * z1080 - z1095;
+    const Scalar z1098 = v_s_4 * z1085 + z1096;
+    const Scalar z1087 = s_alpha_2 * z1080 - c_alpha_2 * z1081;
+    const Scalar z1089 = q_s_2 * z1080 + z1087;
+    const Scalar z1099 = n20 * z1097;  // force on axle_4, x
+    const Scalar z1100 = n20 * z1098;  // force on axle_4, y
+    const Scalar z1104 = n20 * z1093;  // force on axle_3, x
+    const Scalar z1088 = c_alpha_2 * z1080 + s_alpha_2 * z1081;
+    const Scalar z1090 = v_s_2 * z1085 - z1088;
+    const Scalar z1109 = n20 * z1089;  // force on axle_2, x
+    const Scalar z1092 = s_alpha_3 * z1081 - c_alpha_3 * z1080;
+    const Scalar z1094 = v_s_3 * z1085 - z1092;
+    const Scalar z1110 = n20 * z1090;  // force on axle_2, y
+    const Scalar z1082 = s_alpha_1 * z1080 + c_alpha_1 * z1081;
+    const Scalar z1083 = s_alpha_1 * z1081 - c_alpha_1 * z1080;
+    const Scalar z1084 = q_s_1 * z1080 + z1082;
+    const Scalar z1086 = v_s_1 * z1085 + z1083;
+    const Scalar z1151 = z1012 - z1077;
+    const Scalar z1159 = z1013 + z1151;
+    const Scalar z1150 = z691 * z1029 - z1079;
+    const Scalar z1158 = z700 * z1040 + z1150;
+    const Scalar z1149 = z691 * z1028 - z1078;
+    const Scalar z1157 = z700 * z1039 + z1149;
+    const Scalar z1105 = n20 * z1094;  // force on axle_3, y
+    const Scalar z1114 = n20 * z1084;  // force on axle_1, x
+    const Scalar z1115 = n20 * z1086;  // force on axle_1, y
+    const Scalar z1145 = n0_05 * z1029;
+    const Scalar z1148 = n880 - z1029 * z1145;
+    const Scalar z1153 = n0_05 * z1040;
+    const Scalar z1144 = n0_05 * z1028;
+    const Scalar z1147 = z1028 * z1145;
+    const Scalar z1146 = n880 - z1028 * z1144;
+    const Scalar z1155 = z1039 * z1153 + z1147;
+    const Scalar z1156 = z1040 * z1153 - z1148;
+    const Scalar z1152 = n0_05 * z1039;
+    const Scalar z1154 = z1039 * z1152 - z1146;
+    const Scalar z1160 = n0_05 * z1052;
+    const Scalar z1102 = s_alpha_4 * z1100 + c_alpha_4 * z1099;
+    const Scalar z1103 = s_alpha_4 * z1099 - c_alpha_4 * z1100;
+    const Scalar z1101 = q_s_4 * z1100;  // moment on steered_4, z
+    const Scalar z1165 = z709 * z1052 - z1157;
+    const Scalar z1162 = z1052 * z1160 + z1154;
+    const Scalar z1161 = n0_05 * z1053;
+    const Scalar z1163 = z1052 * z1161 + z1155;
+    const Scalar z1164 = z1053 * z1161 + z1156;
+    const Scalar z1107 = c_alpha_3 * z1104 + s_alpha_3 * z1105;
+    const Scalar z1108 = s_alpha_3 * z1104 - c_alpha_3 * z1105;
+    const Scalar z1106 = q_s_3 * z1105;  // moment on steered_3, z
+    const Scalar z1166 = z709 * z1053 - z1158;
+    const Scalar z1167 = z1014 + z1159;
+    const Scalar z1169 = n0_05 * z1066;
+    const Scalar z1168 = n0_05 * z1065;
+    const Scalar z1170 = z1065 * z1168 + z1162;
+    const Scalar z1112 = s_alpha_2 * z1110 + c_alpha_2 * z1109;
+    const Scalar z1113 = s_alpha_2 * z1109 - c_alpha_2 * z1110;
+    const Scalar z1111 = q_s_2 * z1110;  // moment on steered_2, z
+    const Scalar z1175 = z1015 + z1167;
+    const Scalar z1174 = z718 * z1066 + z1166;
+    const Scalar z1172 = z1066 * z1169 + z1164;
+    const Scalar z1171 = z1065 * z1169 + z1163;
+    const Scalar z1173 = z718 * z1065 + z1165;
+    const Scalar z1117 = c_alpha_1 * z1114 + s_alpha_1 * z1115;
+    const Scalar z1118 = s_alpha_1 * z1114 - c_alpha_1 * z1115;
+    const Scalar z1116 = q_s_1 * z1115;  // moment on steered_1, z
     // moment on S, z
-    const Scalar z1118 = z1098 + z1108 + z1103 + z1113 - z1099 - z1104 + z1109 + z1114 - k7 * (z1100 - z1105 - z1110
-        + z1115);
-    const Scalar z1116 = z1099 + z1104 + z1109 + z1114;  // force on S, x
-    const Scalar z1117 = z1100 + z1105 + z1110 + z1115;  // force on S, y
-    const Scalar z1173 = n1 / z1172;
-    const Scalar z1175 = z1171 * z1173;
-    const Scalar z1174 = z1170 * z1173;
-    const Scalar z1119 = s_psi * z1117 - c_psi * z1116;
-    const Scalar z1120 = s_psi * z1116 + c_psi * z1117;
-    const Scalar z1178 = z1169 - z1171 * z1175;
-    const Scalar z1177 = z1168 - z1170 * z1175;
-    const Scalar z1176 = z1167 - z1170 * z1174;
-    const Scalar z1179 = n1 / z1178;
-    const Scalar z1138 = v_psi * z1024;
-    const Scalar z1122 = v_psi * z1014;
-    const Scalar z1183 = z1014 - z1166;
-    const Scalar z1127 = v_psi * z1017;
-    const Scalar z1132 = v_psi * z1020;
-    const Scalar z1137 = v_psi * z1023;
-    const Scalar z1124 = v_x * z1122 - v_y * z1123;
-    const Scalar z1125 = v_x * z1123 + v_y * z1122 - v_psi * v_s_1;
-    const Scalar z1129 = v_x * z1127 - v_y * z1128;
-    const Scalar z1130 = v_x * z1128 + v_y * z1127 - v_psi * v_s_2;
-    const Scalar z1192 = z1015 + z1121 * z1175;
-    const Scalar z1134 = v_x * z1132 - v_y * z1133;
-    const Scalar z1135 = v_x * z1133 + v_y * z1132 - v_psi * v_s_3;
-    const Scalar z1180 = z1177 * z1179;
-    const Scalar z1181 = z1176 - z1177 * z1180;
-    const Scalar z1193 = z1014 + z1121 * z1174 - z1180 * z1192;
-    const Scalar z1184 = z1015 + z1165 + z1180 * z1183;
+    const Scalar z1121 = z1101 + z1111 + z1106 + z1116 - z1102 - z1107 + z1112 + z1117 - k7 * (z1103 - z1108 - z1113
+        + z1118);
+    const Scalar z1119 = z1102 + z1107 + z1112 + z1117;  // force on S, x
+    const Scalar z1120 = z1103 + z1108 + z1113 + z1118;  // force on S, y
+    const Scalar z1176 = n1 / z1175;
+    const Scalar z1178 = z1174 * z1176;
+    const Scalar z1177 = z1173 * z1176;
+    const Scalar z1122 = s_psi * z1120 - c_psi * z1119;
+    const Scalar z1123 = s_psi * z1119 + c_psi * z1120;
+    const Scalar z1181 = z1172 - z1174 * z1178;
+    const Scalar z1180 = z1171 - z1173 * z1178;
+    const Scalar z1179 = z1170 - z1173 * z1177;
     const Scalar z1182 = n1 / z1181;
-    const Scalar z1139 = v_x * z1137 - v_y * z1138;
-    const Scalar z1140 = v_x * z1138 + v_y * z1137 - v_psi * v_s_4;
-    const Scalar z1237 = z1023 - z1142;
-    const Scalar z1238 = z1024 + z1141 + z1180 * z1237;
-    const Scalar z1228 = z1021 + z1131 * z1175;
-    const Scalar z1229 = z1020 + z1131 * z1174 - z1180 * z1228;
-    const Scalar z1219 = z1020 - z1150;
-    const Scalar z1220 = z1021 + z1149 + z1180 * z1219;
-    const Scalar z1210 = z1018 + z1126 * z1175;
-    const Scalar z1239 = z1182 * z1238;
-    const Scalar z1230 = z1182 * z1229;
-    const Scalar z1194 = z1182 * z1193;
-    const Scalar z1221 = z1182 * z1220;
-    const Scalar z1185 = z1182 * z1184;
-    const Scalar z1211 = z1017 + z1126 * z1174 - z1180 * z1210;
-    const Scalar z1240 = z1179 * z1237 + z1180 * z1239;
-    const Scalar z1231 = z1179 * z1228 - z1180 * z1230;
-    const Scalar z1222 = z1179 * z1219 + z1180 * z1221;
-    const Scalar z1212 = z1182 * z1211;
-    const Scalar z1213 = z1179 * z1210 - z1180 * z1212;
-    const Scalar z1195 = z1179 * z1192 - z1180 * z1194;
-    const Scalar z1186 = z1179 * z1183 + z1180 * z1185;
-    const Scalar z1246 = z1024 + z1136 * z1175;
-    const Scalar z1241 = z1174 * z1239 - z1175 * z1240;
-    const Scalar z1245 = n0_05 - z1141 * z1239 + z1142 * z1240 - z689 * z1241;
-    const Scalar z1232 = z1131 * z1173 + z1174 * z1230 + z1175 * z1231;
-    const Scalar z1236 = z1141 * z1230 + z1142 * z1231 + z689 * z1232;
-    const Scalar z1223 = z1174 * z1221 - z1175 * z1222;
-    const Scalar z1227 = z1141 * z1221 - z1142 * z1222 + z689 * z1223;
-    const Scalar z1214 = z1126 * z1173 + z1174 * z1212 + z1175 * z1213;
-    const Scalar z1226 = n0_05 - z1149 * z1221 + z1150 * z1222 - z698 * z1223;
-    const Scalar z1201 = z1017 - z1158;
-    const Scalar z1218 = z1141 * z1212 + z1142 * z1213 + z689 * z1214;
-    const Scalar z1202 = z1018 + z1157 + z1180 * z1201;
-    const Scalar z1203 = z1182 * z1202;
-    const Scalar z1217 = z1149 * z1212 + z1150 * z1213 + z698 * z1214;
-    const Scalar z1204 = z1179 * z1201 + z1180 * z1203;
-    const Scalar z1196 = z1121 * z1173 + z1174 * z1194 + z1175 * z1195;
-    const Scalar z1205 = z1174 * z1203 - z1175 * z1204;
-    const Scalar z1200 = z1141 * z1194 + z1142 * z1195 + z689 * z1196;
-    const Scalar z1209 = z1141 * z1203 - z1142 * z1204 + z689 * z1205;
-    const Scalar z1208 = z1149 * z1203 - z1150 * z1204 + z698 * z1205;
-    const Scalar z1207 = n0_05 - z1157 * z1203 + z1158 * z1204 + z707 * z1205;
-    const Scalar z1198 = z707 * z1196 - z1157 * z1194 - z1158 * z1195;
-    const Scalar z1199 = z1149 * z1194 + z1150 * z1195 + z698 * z1196;
-    const Scalar z1187 = z1174 * z1185 - z1175 * z1186;
-    const Scalar z1247 = z1023 + z1136 * z1174 - z1180 * z1246;
-    const Scalar z1191 = z1141 * z1185 - z1142 * z1186 + z689 * z1187;
-    const Scalar z1188 = n0_05 - z1165 * z1185 + z1166 * z1186 + z716 * z1187;
-    const Scalar z1248 = z1182 * z1247;
-    const Scalar z1189 = z1158 * z1186 - z1157 * z1185 + z707 * z1187;
-    const Scalar z1249 = z1179 * z1246 - z1180 * z1248;
-    const Scalar z1190 = z1149 * z1185 - z1150 * z1186 + z698 * z1187;
-    const Scalar z1250 = z1136 * z1173 + z1174 * z1248 + z1175 * z1249;
-    const Scalar z1256 = z1014 * z1185 - z1015 * z1186 + z1121 * z1187;
-    const Scalar z1255 = z1188 + z566 * z1187 - z1015 * z1185 - z1014 * z1186;
-    const Scalar z1197 = z716 * z1196 - z1165 * z1194 - z1166 * z1195;
-    const Scalar z1264 = n0_1 - z1017 * z1212 - z1018 * z1213 - z1126 * z1214;
-    const Scalar z1263 = z1017 * z1203 - z1018 * z1204 + z1126 * z1205;
-    const Scalar z1260 = z1018 * z1203 + z1017 * z1204 + z575 * z1205 - z1207;
-    const Scalar z1259 = z575 * z1196 - z1017 * z1195 + z1018 * z1194 - z1198;
-    const Scalar z1262 = z1017 * z1194 + z1018 * z1195 + z1126 * z1196;
-    const Scalar z1257 = n0_1 - z1014 * z1194 - z1015 * z1195 - z1121 * z1196;
-    const Scalar z1258 = z1018 * z1185 + z1017 * z1186 + z575 * z1187 - z1189;
-    const Scalar z1261 = z1017 * z1185 - z1018 * z1186 + z1126 * z1187;
-    const Scalar z1265 = z1021 * z1185 + z1020 * z1186 + z584 * z1187 + z1190;
-    const Scalar z1206 = z1166 * z1204 - z1165 * z1203 + z716 * z1205;
-    const Scalar z1274 = z1020 * z1221 - z1021 * z1222 + z1131 * z1223;
-    const Scalar z1269 = z1021 * z1221 + z1020 * z1222 + z584 * z1223 - z1226;
-    const Scalar z1268 = z1021 * z1212 - z1020 * z1213 + z584 * z1214 + z1217;
-    const Scalar z1273 = z1020 * z1212 + z1021 * z1213 + z1131 * z1214;
-    const Scalar z1267 = z1021 * z1203 + z1020 * z1204 + z584 * z1205 + z1208;
-    const Scalar z1272 = z1020 * z1203 - z1021 * z1204 + z1131 * z1205;
-    const Scalar z1266 = z1021 * z1194 - z1020 * z1195 + z584 * z1196 + z1199;
-    const Scalar z1271 = z1020 * z1194 + z1021 * z1195 + z1131 * z1196;
-    const Scalar z1270 = z1020 * z1185 - z1021 * z1186 + z1131 * z1187;
-    const Scalar z1215 = z716 * z1214 - z1165 * z1212 - z1166 * z1213;
-    const Scalar z1275 = n0_1 - z1020 * z1230 - z1021 * z1231 - z1131 * z1232;
-    const Scalar z1216 = z707 * z1214 - z1157 * z1212 - z1158 * z1213;
-    const Scalar z1282 = z1245 + z593 * z1241 - z1024 * z1239 - z1023 * z1240;
-    const Scalar z1281 = z1023 * z1231 - z1236 - z1024 * z1230 + z593 * z1232;
-    const Scalar z1280 = z593 * z1223 - z1227 - z1024 * z1221 - z1023 * z1222;
-    const Scalar z1279 = z1023 * z1213 - z1218 - z1024 * z1212 + z593 * z1214;
-    const Scalar z1278 = z593 * z1205 - z1209 - z1024 * z1203 - z1023 * z1204;
-    const Scalar z1277 = z1023 * z1195 - z1200 - z1024 * z1194 + z593 * z1196;
-    const Scalar z1276 = z593 * z1187 - z1191 - z1024 * z1185 - z1023 * z1186;
-    const Scalar z1283 = z1023 * z1185 - z1024 * z1186 + z1136 * z1187;
-    const Scalar z1224 = z1166 * z1222 - z1165 * z1221 + z716 * z1223;
-    const Scalar z1284 = z1023 * z1194 + z1024 * z1195 + z1136 * z1196;
-    const Scalar z1225 = z1158 * z1222 - z1157 * z1221 + z707 * z1223;
-    const Scalar z1290 = n0_1 - z1023 * z1248 - z1024 * z1249 - z1136 * z1250;
-    const Scalar z1291 = n1 / z1290;
-    const Scalar z1289 = z1023 * z1239 - z1024 * z1240 + z1136 * z1241;
-    const Scalar z1288 = z1023 * z1230 + z1024 * z1231 + z1136 * z1232;
-    const Scalar z1287 = z1023 * z1221 - z1024 * z1222 + z1136 * z1223;
-    const Scalar z1286 = z1023 * z1212 + z1024 * z1213 + z1136 * z1214;
-    const Scalar z1285 = z1023 * z1203 - z1024 * z1204 + z1136 * z1205;
-    const Scalar z1292 = z1283 * z1291;
-    const Scalar z1233 = z716 * z1232 - z1165 * z1230 - z1166 * z1231;
-    const Scalar z1293 = z1284 * z1291;
-    const Scalar z1234 = z707 * z1232 - z1157 * z1230 - z1158 * z1231;
-    const Scalar z1294 = z1285 * z1291;
-    const Scalar z1235 = z1149 * z1230 + z1150 * z1231 + z698 * z1232;
-    const Scalar z1301 = z1257 - z1284 * z1293;
-    const Scalar z1300 = z1256 + z1283 * z1293;
-    const Scalar z1299 = z1255 - z1283 * z1292;
-    const Scalar z1298 = z1289 * z1291;
-    const Scalar z1297 = z1288 * z1291;
-    const Scalar z1296 = z1287 * z1291;
-    const Scalar z1295 = z1286 * z1291;
-    const Scalar z1242 = z1166 * z1240 - z1165 * z1239 + z716 * z1241;
-    const Scalar z1302 = z1258 + z1283 * z1294;
-    const Scalar z1243 = z1158 * z1240 - z1157 * z1239 + z707 * z1241;
-    const Scalar z1303 = z1259 + z1284 * z1294;
-    const Scalar z1244 = z1149 * z1239 - z1150 * z1240 + z698 * z1241;
-    const Scalar z1308 = z1264 - z1286 * z1295;
-    const Scalar z1307 = z1263 + z1285 * z1295;
-    const Scalar z1304 = z1260 + z1285 * z1294;
-    const Scalar z1306 = z1262 + z1284 * z1295;
-    const Scalar z1310 = z1266 + z1284 * z1296;
-    const Scalar z1305 = z1261 + z1283 * z1295;
-    const Scalar z1309 = z1265 + z1283 * z1296;
-    const Scalar z1251 = z716 * z1250 - z1165 * z1248 - z1166 * z1249;
-    const Scalar z1311 = z1267 + z1285 * z1296;
-    const Scalar z1252 = z707 * z1250 - z1157 * z1248 - z1158 * z1249;
-    const Scalar z1312 = z1268 + z1286 * z1296;
-    const Scalar z1253 = z1149 * z1248 + z1150 * z1249 + z698 * z1250;
-    const Scalar z1313 = z1269 + z1287 * z1296;
-    const Scalar z1254 = z1141 * z1248 + z1142 * z1249 + z689 * z1250;
-    const Scalar z1326 = z1282 - z1289 * z1298;
-    const Scalar z1325 = z1281 - z1288 * z1298;
-    const Scalar z1319 = z1275 - z1288 * z1297;
-    const Scalar z1327 = n1 / z1326;
-    const Scalar z1318 = z1274 + z1287 * z1297;
-    const Scalar z1324 = z1280 - z1287 * z1298;
-    const Scalar z1317 = z1273 + z1286 * z1297;
-    const Scalar z1323 = z1279 - z1286 * z1298;
-    const Scalar z1316 = z1272 + z1285 * z1297;
-    const Scalar z1322 = z1278 - z1285 * z1298;
-    const Scalar z1315 = z1271 + z1284 * z1297;
-    const Scalar z1321 = z1277 - z1284 * z1298;
-    const Scalar z1314 = z1270 + z1283 * z1297;
-    const Scalar z1320 = z1276 - z1283 * z1298;
-    const Scalar z1328 = z1320 * z1327;
-    const Scalar z1333 = z1325 * z1327;
-    const Scalar z1332 = z1324 * z1327;
-    const Scalar z1331 = z1323 * z1327;
-    const Scalar z1330 = z1322 * z1327;
-    const Scalar z1329 = z1321 * z1327;
-    const Scalar z1334 = z1299 - z1320 * z1328;
-    const Scalar z1354 = z1319 - z1325 * z1333;
-    const Scalar z1353 = z1318 + z1324 * z1333;
-    const Scalar z1348 = z1313 + z1324 * z1332;
-    const Scalar z1347 = z1312 + z1323 * z1332;
-    const Scalar z1355 = n1 / z1354;
-    const Scalar z1352 = z1317 + z1323 * z1333;
-    const Scalar z1343 = z1308 - z1323 * z1331;
-    const Scalar z1342 = z1307 + z1322 * z1331;
-    const Scalar z1346 = z1311 + z1322 * z1332;
-    const Scalar z1351 = z1316 + z1322 * z1333;
-    const Scalar z1339 = z1304 + z1322 * z1330;
-    const Scalar z1338 = z1303 + z1321 * z1330;
-    const Scalar z1341 = z1306 + z1321 * z1331;
-    const Scalar z1345 = z1310 + z1321 * z1332;
-    const Scalar z1350 = z1315 + z1321 * z1333;
-    const Scalar z1336 = z1301 - z1321 * z1329;
-    const Scalar z1335 = z1300 + z1320 * z1329;
-    const Scalar z1337 = z1302 + z1320 * z1330;
-    const Scalar z1340 = z1305 + z1320 * z1331;
-    const Scalar z1344 = z1309 + z1320 * z1332;
-    const Scalar z1349 = z1314 + z1320 * z1333;
-    const Scalar z1411 = z689 * z1096 + z698 * z1101 - z707 * z1106 - z716 * z1111 + z1118;
-    const Scalar z1412 = z1096 * z1142 - z1120 + z1101 * z1150 + z1106 * z1158 + z1111 * z1166 + z1175 * z1411;
-    const Scalar z1413 = z1096 * z1141 - z1119 + z1101 * z1149 + z1106 * z1157 + z1111 * z1165 + z1174 * z1411 - z1180
-        * z1412;
-    const Scalar z1414 = z1182 * z1413;
-    const Scalar z1360 = z1353 * z1355;
-    const Scalar z1375 = z1348 + z1353 * z1360;
-    const Scalar z1374 = z1347 + z1352 * z1360;
-    const Scalar z1415 = z1179 * z1412 - z1180 * z1414;
-    const Scalar z1373 = z1346 + z1351 * z1360;
-    const Scalar z1376 = n1 / z1375;
-    const Scalar z1372 = z1345 + z1350 * z1360;
-    const Scalar z1371 = z1344 + z1349 * z1360;
-    const Scalar z1359 = z1352 * z1355;
-    const Scalar z1370 = z1343 - z1352 * z1359;
-    const Scalar z1369 = z1342 + z1351 * z1359;
-    const Scalar z1368 = z1341 + z1350 * z1359;
-    const Scalar z1367 = z1340 + z1349 * z1359;
-    const Scalar z1358 = z1351 * z1355;
-    const Scalar z1366 = z1339 + z1351 * z1358;
-    const Scalar z1365 = z1338 + z1350 * z1358;
-    const Scalar z1364 = z1337 + z1349 * z1358;
-    const Scalar z1357 = z1350 * z1355;
-    const Scalar z1363 = z1336 - z1350 * z1357;
-    const Scalar z1362 = z1335 + z1349 * z1357;
-    const Scalar z1380 = z1374 * z1376;
-    const Scalar z1379 = z1373 * z1376;
-    const Scalar z1378 = z1372 * z1376;
-    const Scalar z1356 = z1349 * z1355;
-    const Scalar z1416 = z1173 * z1411 + z1174 * z1414 + z1175 * z1415;
-    const Scalar z1417 = n0_05 * z1111 - z1165 * z1414 - z1166 * z1415 + z716 * z1416;
-    const Scalar z1418 = n0_05 * z1106 - z1157 * z1414 - z1158 * z1415 + z707 * z1416;
-    const Scalar z1419 = z1149 * z1414 - n0_05 * z1101 + z1150 * z1415 + z698 * z1416;
-    const Scalar z1420 = z1141 * z1414 - n0_05 * z1096 + z1142 * z1415 + z689 * z1416;
-    const Scalar z1390 = z1370 + z1374 * z1380;
-    const Scalar z1361 = z1334 - z1349 * z1356;
-    const Scalar z1422 = z1014 * z1414 - z1125 + z1015 * z1415 + z1121 * z1416;
-    const Scalar z1424 = z1017 * z1414 - z1130 + z1018 * z1415 + z1126 * z1416;
-    const Scalar z1426 = z1020 * z1414 - z1135 + z1021 * z1415 + z1131 * z1416;
-    const Scalar z1428 = z1023 * z1414 - z1140 + z1024 * z1415 + z1136 * z1416;
-    const Scalar z1389 = z1369 - z1373 * z1380;
-    const Scalar z1386 = z1366 - z1373 * z1379;
-    const Scalar z1391 = n1 / z1390;
-    const Scalar z1385 = z1365 - z1372 * z1379;
-    const Scalar z1388 = z1368 - z1372 * z1380;
-    const Scalar z1383 = z1363 + z1372 * z1378;
-    const Scalar z1382 = z1362 - z1371 * z1378;
-    const Scalar z1384 = z1364 - z1371 * z1379;
-    const Scalar z1387 = z1367 - z1371 * z1380;
-    const Scalar z1421 = z1014 * z1415 - z1124 - z1015 * z1414 + z566 * z1416 + z1417;
-    const Scalar z1423 = z1129 + z1018 * z1414 - z1017 * z1415 + z575 * z1416 - z1418;
-    const Scalar z1425 = z1134 + z1021 * z1414 - z1020 * z1415 + z584 * z1416 + z1419;
-    const Scalar z1427 = z1023 * z1415 - z1139 - z1024 * z1414 + z593 * z1416 - z1420;
-    const Scalar z1429 = z1298 * z1428 - z1427;
-    const Scalar z1394 = z1389 * z1391;
-    const Scalar z1400 = z1386 + z1389 * z1394;
-    const Scalar z1399 = z1385 + z1388 * z1394;
-    const Scalar z1398 = z1384 + z1387 * z1394;
-    const Scalar z1430 = z1426 + z1297 * z1428 - z1333 * z1429;
-    const Scalar z1401 = n1 / z1400;
-    const Scalar z1393 = z1388 * z1391;
-    const Scalar z1397 = z1383 - z1388 * z1393;
-    const Scalar z1396 = z1382 + z1387 * z1393;
-    const Scalar z1431 = z1425 + z1296 * z1428 - z1332 * z1429 + z1360 * z1430;
-    const Scalar z1432 = z1424 + z1295 * z1428 - z1331 * z1429 + z1359 * z1430 - z1380 * z1431;
-    const Scalar z1433 = z1423 + z1294 * z1428 - z1330 * z1429 + z1358 * z1430 - z1379 * z1431 + z1394 * z1432;
-    const Scalar z1403 = z1399 * z1401;
-    const Scalar z1406 = z1397 + z1399 * z1403;
-    const Scalar z1405 = z1396 - z1398 * z1403;
-    const Scalar z1434 = z1422 + z1293 * z1428 - z1329 * z1429 + z1357 * z1430 - z1378 * z1431 + z1393 * z1432 - z1403
-        * z1433;
-    const Scalar z1407 = n1 / z1406;
-    const Scalar z1377 = z1371 * z1376;
-    const Scalar z1381 = z1361 + z1371 * z1377;
-    const Scalar z1392 = z1387 * z1391;
-    const Scalar z1402 = z1398 * z1401;
-    const Scalar z1395 = z1381 - z1387 * z1392;
-    const Scalar z1404 = z1395 + z1398 * z1402;
-    const Scalar z1408 = z1405 * z1407;
-    const Scalar z1435 = z1292 * z1428 - z1421 - z1328 * z1429 + z1356 * z1430 - z1377 * z1431 + z1392 * z1432 - z1402
-        * z1433 + z1408 * z1434;
-    const Scalar z1409 = z1404 - z1405 * z1408;
+    const Scalar z1141 = v_psi * z1027;
+    const Scalar z1125 = v_psi * z1017;
+    const Scalar z1186 = z1017 - z1169;
+    const Scalar z1130 = v_psi * z1020;
+    const Scalar z1135 = v_psi * z1023;
+    const Scalar z1140 = v_psi * z1026;
+    const Scalar z1127 = v_x * z1125 - v_y * z1126;
+    const Scalar z1128 = v_x * z1126 + v_y * z1125 - v_psi * v_s_1;
+    const Scalar z1132 = v_x * z1130 - v_y * z1131;
+    const Scalar z1133 = v_x * z1131 + v_y * z1130 - v_psi * v_s_2;
+    const Scalar z1195 = z1018 + z1124 * z1178;
+    const Scalar z1137 = v_x * z1135 - v_y * z1136;
+    const Scalar z1138 = v_x * z1136 + v_y * z1135 - v_psi * v_s_3;
+    const Scalar z1183 = z1180 * z1182;
+    const Scalar z1184 = z1179 - z1180 * z1183;
+    const Scalar z1196 = z1017 + z1124 * z1177 - z1183 * z1195;
+    const Scalar z1187 = z1018 + z1168 + z1183 * z1186;
+    const Scalar z1185 = n1 / z1184;
+    const Scalar z1142 = v_x * z1140 - v_y * z1141;
+    const Scalar z1143 = v_x * z1141 + v_y * z1140 - v_psi * v_s_4;
+    const Scalar z1240 = z1026 - z1145;
+    const Scalar z1241 = z1027 + z1144 + z1183 * z1240;
+    const Scalar z1231 = z1024 + z1134 * z1178;
+    const Scalar z1232 = z1023 + z1134 * z1177 - z1183 * z1231;
+    const Scalar z1222 = z1023 - z1153;
+    const Scalar z1223 = z1024 + z1152 + z1183 * z1222;
+    const Scalar z1213 = z1021 + z1129 * z1178;
+    const Scalar z1242 = z1185 * z1241;
+    const Scalar z1233 = z1185 * z1232;
+    const Scalar z1197 = z1185 * z1196;
+    const Scalar z1224 = z1185 * z1223;
+    const Scalar z1188 = z1185 * z1187;
+    const Scalar z1214 = z1020 + z1129 * z1177 - z1183 * z1213;
+    const Scalar z1243 = z1182 * z1240 + z1183 * z1242;
+    const Scalar z1234 = z1182 * z1231 - z1183 * z1233;
+    const Scalar z1225 = z1182 * z1222 + z1183 * z1224;
+    const Scalar z1215 = z1185 * z1214;
+    const Scalar z1216 = z1182 * z1213 - z1183 * z1215;
+    const Scalar z1198 = z1182 * z1195 - z1183 * z1197;
+    const Scalar z1189 = z1182 * z1186 + z1183 * z1188;
+    const Scalar z1249 = z1027 + z1139 * z1178;
+    const Scalar z1244 = z1177 * z1242 - z1178 * z1243;
+    const Scalar z1248 = n0_05 - z1144 * z1242 + z1145 * z1243 - z691 * z1244;
+    const Scalar z1235 = z1134 * z1176 + z1177 * z1233 + z1178 * z1234;
+    const Scalar z1239 = z1144 * z1233 + z1145 * z1234 + z691 * z1235;
+    const Scalar z1226 = z1177 * z1224 - z1178 * z1225;
+    const Scalar z1230 = z1144 * z1224 - z1145 * z1225 + z691 * z1226;
+    const Scalar z1217 = z1129 * z1176 + z1177 * z1215 + z1178 * z1216;
+    const Scalar z1229 = n0_05 - z1152 * z1224 + z1153 * z1225 - z700 * z1226;
+    const Scalar z1204 = z1020 - z1161;
+    const Scalar z1221 = z1144 * z1215 + z1145 * z1216 + z691 * z1217;
+    const Scalar z1205 = z1021 + z1160 + z1183 * z1204;
+    const Scalar z1206 = z1185 * z1205;
+    const Scalar z1220 = z1152 * z1215 + z1153 * z1216 + z700 * z1217;
+    const Scalar z1207 = z1182 * z1204 + z1183 * z1206;
+    const Scalar z1199 = z1124 * z1176 + z1177 * z1197 + z1178 * z1198;
+    const Scalar z1208 = z1177 * z1206 - z1178 * z1207;
+    const Scalar z1203 = z1144 * z1197 + z1145 * z1198 + z691 * z1199;
+    const Scalar z1212 = z1144 * z1206 - z1145 * z1207 + z691 * z1208;
+    const Scalar z1211 = z1152 * z1206 - z1153 * z1207 + z700 * z1208;
+    const Scalar z1210 = n0_05 - z1160 * z1206 + z1161 * z1207 + z709 * z1208;
+    const Scalar z1201 = z709 * z1199 - z1160 * z1197 - z1161 * z1198;
+    const Scalar z1202 = z1152 * z1197 + z1153 * z1198 + z700 * z1199;
+    const Scalar z1190 = z1177 * z1188 - z1178 * z1189;
+    const Scalar z1250 = z1026 + z1139 * z1177 - z1183 * z1249;
+    const Scalar z1194 = z1144 * z1188 - z1145 * z1189 + z691 * z1190;
+    const Scalar z1191 = n0_05 - z1168 * z1188 + z1169 * z1189 + z718 * z1190;
+    const Scalar z1251 = z1185 * z1250;
+    const Scalar z1192 = z1161 * z1189 - z1160 * z1188 + z709 * z1190;
+    const Scalar z1252 = z1182 * z1249 - z1183 * z1251;
+    const Scalar z1193 = z1152 * z1188 - z1153 * z1189 + z700 * z1190;
+    const Scalar z1253 = z1139 * z1176 + z1177 * z1251 + z1178 * z1252;
+    const Scalar z1259 = z1017 * z1188 - z1018 * z1189 + z1124 * z1190;
+    const Scalar z1258 = z1191 + z566 * z1190 - z1018 * z1188 - z1017 * z1189;
+    const Scalar z1200 = z718 * z1199 - z1168 * z1197 - z1169 * z1198;
+    const Scalar z1267 = n0_1 - z1020 * z1215 - z1021 * z1216 - z1129 * z1217;
+    const Scalar z1266 = z1020 * z1206 - z1021 * z1207 + z1129 * z1208;
+    const Scalar z1263 = z1021 * z1206 + z1020 * z1207 + z575 * z1208 - z1210;
+    const Scalar z1262 = z575 * z1199 - z1020 * z1198 + z1021 * z1197 - z1201;
+    const Scalar z1265 = z1020 * z1197 + z1021 * z1198 + z1129 * z1199;
+    const Scalar z1260 = n0_1 - z1017 * z1197 - z1018 * z1198 - z1124 * z1199;
+    const Scalar z1261 = z1021 * z1188 + z1020 * z1189 + z575 * z1190 - z1192;
+    const Scalar z1264 = z1020 * z1188 - z1021 * z1189 + z1129 * z1190;
+    const Scalar z1268 = z1024 * z1188 + z1023 * z1189 + z584 * z1190 + z1193;
+    const Scalar z1209 = z1169 * z1207 - z1168 * z1206 + z718 * z1208;
+    const Scalar z1277 = z1023 * z1224 - z1024 * z1225 + z1134 * z1226;
+    const Scalar z1272 = z1024 * z1224 + z1023 * z1225 + z584 * z1226 - z1229;
+    const Scalar z1271 = z1024 * z1215 - z1023 * z1216 + z584 * z1217 + z1220;
+    const Scalar z1276 = z1023 * z1215 + z1024 * z1216 + z1134 * z1217;
+    const Scalar z1270 = z1024 * z1206 + z1023 * z1207 + z584 * z1208 + z1211;
+    const Scalar z1275 = z1023 * z1206 - z1024 * z1207 + z1134 * z1208;
+    const Scalar z1269 = z1024 * z1197 - z1023 * z1198 + z584 * z1199 + z1202;
+    const Scalar z1274 = z1023 * z1197 + z1024 * z1198 + z1134 * z1199;
+    const Scalar z1273 = z1023 * z1188 - z1024 * z1189 + z1134 * z1190;
+    const Scalar z1218 = z718 * z1217 - z1168 * z1215 - z1169 * z1216;
+    const Scalar z1278 = n0_1 - z1023 * z1233 - z1024 * z1234 - z1134 * z1235;
+    const Scalar z1219 = z709 * z1217 - z1160 * z1215 - z1161 * z1216;
+    const Scalar z1285 = z1248 + z593 * z1244 - z1027 * z1242 - z1026 * z1243;
+    const Scalar z1284 = z1026 * z1234 - z1239 - z1027 * z1233 + z593 * z1235;
+    const Scalar z1283 = z593 * z1226 - z1230 - z1027 * z1224 - z1026 * z1225;
+    const Scalar z1282 = z1026 * z1216 - z1221 - z1027 * z1215 + z593 * z1217;
+    const Scalar z1281 = z593 * z1208 - z1212 - z1027 * z1206 - z1026 * z1207;
+    const Scalar z1280 = z1026 * z1198 - z1203 - z1027 * z1197 + z593 * z1199;
+    const Scalar z1279 = z593 * z1190 - z1194 - z1027 * z1188 - z1026 * z1189;
+    const Scalar z1286 = z1026 * z1188 - z1027 * z1189 + z1139 * z1190;
+    const Scalar z1227 = z1169 * z1225 - z1168 * z1224 + z718 * z1226;
+    const Scalar z1287 = z1026 * z1197 + z1027 * z1198 + z1139 * z1199;
+    const Scalar z1228 = z1161 * z1225 - z1160 * z1224 + z709 * z1226;
+    const Scalar z1293 = n0_1 - z1026 * z1251 - z1027 * z1252 - z1139 * z1253;
+    const Scalar z1294 = n1 / z1293;
+    const Scalar z1292 = z1026 * z1242 - z1027 * z1243 + z1139 * z1244;
+    const Scalar z1291 = z1026 * z1233 + z1027 * z1234 + z1139 * z1235;
+    const Scalar z1290 = z1026 * z1224 - z1027 * z1225 + z1139 * z1226;
+    const Scalar z1289 = z1026 * z1215 + z1027 * z1216 + z1139 * z1217;
+    const Scalar z1288 = z1026 * z1206 - z1027 * z1207 + z1139 * z1208;
+    const Scalar z1295 = z1286 * z1294;
+    const Scalar z1236 = z718 * z1235 - z1168 * z1233 - z1169 * z1234;
+    const Scalar z1296 = z1287 * z1294;
+    const Scalar z1237 = z709 * z1235 - z1160 * z1233 - z1161 * z1234;
+    const Scalar z1297 = z1288 * z1294;
+    const Scalar z1238 = z1152 * z1233 + z1153 * z1234 + z700 * z1235;
+    const Scalar z1304 = z1260 - z1287 * z1296;
+    const Scalar z1303 = z1259 + z1286 * z1296;
+    const Scalar z1302 = z1258 - z1286 * z1295;
+    const Scalar z1301 = z1292 * z1294;
+    const Scalar z1300 = z1291 * z1294;
+    const Scalar z1299 = z1290 * z1294;
+    const Scalar z1298 = z1289 * z1294;
+    const Scalar z1245 = z1169 * z1243 - z1168 * z1242 + z718 * z1244;
+    const Scalar z1305 = z1261 + z1286 * z1297;
+    const Scalar z1246 = z1161 * z1243 - z1160 * z1242 + z709 * z1244;
+    const Scalar z1306 = z1262 + z1287 * z1297;
+    const Scalar z1247 = z1152 * z1242 - z1153 * z1243 + z700 * z1244;
+    const Scalar z1311 = z1267 - z1289 * z1298;
+    const Scalar z1310 = z1266 + z1288 * z1298;
+    const Scalar z1307 = z1263 + z1288 * z1297;
+    const Scalar z1309 = z1265 + z1287 * z1298;
+    const Scalar z1313 = z1269 + z1287 * z1299;
+    const Scalar z1308 = z1264 + z1286 * z1298;
+    const Scalar z1312 = z1268 + z1286 * z1299;
+    const Scalar z1254 = z718 * z1253 - z1168 * z1251 - z1169 * z1252;
+    const Scalar z1314 = z1270 + z1288 * z1299;
+    const Scalar z1255 = z709 * z1253 - z1160 * z1251 - z1161 * z1252;
+    const Scalar z1315 = z1271 + z1289 * z1299;
+    const Scalar z1256 = z1152 * z1251 + z1153 * z1252 + z700 * z1253;
+    const Scalar z1316 = z1272 + z1290 * z1299;
+    const Scalar z1257 = z1144 * z1251 + z1145 * z1252 + z691 * z1253;
+    const Scalar z1329 = z1285 - z1292 * z1301;
+    const Scalar z1328 = z1284 - z1291 * z1301;
+    const Scalar z1322 = z1278 - z1291 * z1300;
+    const Scalar z1330 = n1 / z1329;
+    const Scalar z1321 = z1277 + z1290 * z1300;
+    const Scalar z1327 = z1283 - z1290 * z1301;
+    const Scalar z1320 = z1276 + z1289 * z1300;
+    const Scalar z1326 = z1282 - z1289 * z1301;
+    const Scalar z1319 = z1275 + z1288 * z1300;
+    const Scalar z1325 = z1281 - z1288 * z1301;
+    const Scalar z1318 = z1274 + z1287 * z1300;
+    const Scalar z1324 = z1280 - z1287 * z1301;
+    const Scalar z1317 = z1273 + z1286 * z1300;
+    const Scalar z1323 = z1279 - z1286 * z1301;
+    const Scalar z1331 = z1323 * z1330;
+    const Scalar z1336 = z1328 * z1330;
+    const Scalar z1335 = z1327 * z1330;
+    const Scalar z1334 = z1326 * z1330;
+    const Scalar z1333 = z1325 * z1330;
+    const Scalar z1332 = z1324 * z1330;
+    const Scalar z1337 = z1302 - z1323 * z1331;
+    const Scalar z1357 = z1322 - z1328 * z1336;
+    const Scalar z1356 = z1321 + z1327 * z1336;
+    const Scalar z1351 = z1316 + z1327 * z1335;
+    const Scalar z1350 = z1315 + z1326 * z1335;
+    const Scalar z1358 = n1 / z1357;
+    const Scalar z1355 = z1320 + z1326 * z1336;
+    const Scalar z1346 = z1311 - z1326 * z1334;
+    const Scalar z1345 = z1310 + z1325 * z1334;
+    const Scalar z1349 = z1314 + z1325 * z1335;
+    const Scalar z1354 = z1319 + z1325 * z1336;
+    const Scalar z1342 = z1307 + z1325 * z1333;
+    const Scalar z1341 = z1306 + z1324 * z1333;
+    const Scalar z1344 = z1309 + z1324 * z1334;
+    const Scalar z1348 = z1313 + z1324 * z1335;
+    const Scalar z1353 = z1318 + z1324 * z1336;
+    const Scalar z1339 = z1304 - z1324 * z1332;
+    const Scalar z1338 = z1303 + z1323 * z1332;
+    const Scalar z1340 = z1305 + z1323 * z1333;
+    const Scalar z1343 = z1308 + z1323 * z1334;
+    const Scalar z1347 = z1312 + z1323 * z1335;
+    const Scalar z1352 = z1317 + z1323 * z1336;
+    const Scalar z1414 = z691 * z1099 + z700 * z1104 - z709 * z1109 - z718 * z1114 + z1121;
+    const Scalar z1415 = z1099 * z1145 - z1123 + z1104 * z1153 + z1109 * z1161 + z1114 * z1169 + z1178 * z1414;
+    const Scalar z1416 = z1099 * z1144 - z1122 + z1104 * z1152 + z1109 * z1160 + z1114 * z1168 + z1177 * z1414 - z1183
+        * z1415;
+    const Scalar z1417 = z1185 * z1416;
+    const Scalar z1363 = z1356 * z1358;
+    const Scalar z1378 = z1351 + z1356 * z1363;
+    const Scalar z1377 = z1350 + z1355 * z1363;
+    const Scalar z1418 = z1182 * z1415 - z1183 * z1417;
+    const Scalar z1376 = z1349 + z1354 * z1363;
+    const Scalar z1379 = n1 / z1378;
+    const Scalar z1375 = z1348 + z1353 * z1363;
+    const Scalar z1374 = z1347 + z1352 * z1363;
+    const Scalar z1362 = z1355 * z1358;
+    const Scalar z1373 = z1346 - z1355 * z1362;
+    const Scalar z1372 = z1345 + z1354 * z1362;
+    const Scalar z1371 = z1344 + z1353 * z1362;
+    const Scalar z1370 = z1343 + z1352 * z1362;
+    const Scalar z1361 = z1354 * z1358;
+    const Scalar z1369 = z1342 + z1354 * z1361;
+    const Scalar z1368 = z1341 + z1353 * z1361;
+    const Scalar z1367 = z1340 + z1352 * z1361;
+    const Scalar z1360 = z1353 * z1358;
+    const Scalar z1366 = z1339 - z1353 * z1360;
+    const Scalar z1365 = z1338 + z1352 * z1360;
+    const Scalar z1383 = z1377 * z1379;
+    const Scalar z1382 = z1376 * z1379;
+    const Scalar z1381 = z1375 * z1379;
+    const Scalar z1359 = z1352 * z1358;
+    const Scalar z1419 = z1176 * z1414 + z1177 * z1417 + z1178 * z1418;
+    const Scalar z1420 = n0_05 * z1114 - z1168 * z1417 - z1169 * z1418 + z718 * z1419;
+    const Scalar z1421 = n0_05 * z1109 - z1160 * z1417 - z1161 * z1418 + z709 * z1419;
+    const Scalar z1422 = z1152 * z1417 - n0_05 * z1104 + z1153 * z1418 + z700 * z1419;
+    const Scalar z1423 = z1144 * z1417 - n0_05 * z1099 + z1145 * z1418 + z691 * z1419;
+    const Scalar z1393 = z1373 + z1377 * z1383;
+    const Scalar z1364 = z1337 - z1352 * z1359;
+    const Scalar z1425 = z1017 * z1417 - z1128 + z1018 * z1418 + z1124 * z1419;
+    const Scalar z1427 = z1020 * z1417 - z1133 + z1021 * z1418 + z1129 * z1419;
+    const Scalar z1429 = z1023 * z1417 - z1138 + z1024 * z1418 + z1134 * z1419;
+    const Scalar z1431 = z1026 * z1417 - z1143 + z1027 * z1418 + z1139 * z1419;
+    const Scalar z1392 = z1372 - z1376 * z1383;
+    const Scalar z1389 = z1369 - z1376 * z1382;
+    const Scalar z1394 = n1 / z1393;
+    const Scalar z1388 = z1368 - z1375 * z1382;
+    const Scalar z1391 = z1371 - z1375 * z1383;
+    const Scalar z1386 = z1366 + z1375 * z1381;
+    const Scalar z1385 = z1365 - z1374 * z1381;
+    const Scalar z1387 = z1367 - z1374 * z1382;
+    const Scalar z1390 = z1370 - z1374 * z1383;
+    const Scalar z1424 = z1017 * z1418 - z1127 - z1018 * z1417 + z566 * z1419 + z1420;
+    const Scalar z1426 = z1132 + z1021 * z1417 - z1020 * z1418 + z575 * z1419 - z1421;
+    const Scalar z1428 = z1137 + z1024 * z1417 - z1023 * z1418 + z584 * z1419 + z1422;
+    const Scalar z1430 = z1026 * z1418 - z1142 - z1027 * z1417 + z593 * z1419 - z1423;
+    const Scalar z1432 = z1301 * z1431 - z1430;
+    const Scalar z1397 = z1392 * z1394;
+    const Scalar z1403 = z1389 + z1392 * z1397;
+    const Scalar z1402 = z1388 + z1391 * z1397;
+    const Scalar z1401 = z1387 + z1390 * z1397;
+    const Scalar z1433 = z1429 + z1300 * z1431 - z1336 * z1432;
+    const Scalar z1404 = n1 / z1403;
+    const Scalar z1396 = z1391 * z1394;
+    const Scalar z1400 = z1386 - z1391 * z1396;
+    const Scalar z1399 = z1385 + z1390 * z1396;
+    const Scalar z1434 = z1428 + z1299 * z1431 - z1335 * z1432 + z1363 * z1433;
+    const Scalar z1435 = z1427 + z1298 * z1431 - z1334 * z1432 + z1362 * z1433 - z1383 * z1434;
+    const Scalar z1436 = z1426 + z1297 * z1431 - z1333 * z1432 + z1361 * z1433 - z1382 * z1434 + z1397 * z1435;
+    const Scalar z1406 = z1402 * z1404;
+    const Scalar z1409 = z1400 + z1402 * z1406;
+    const Scalar z1408 = z1399 - z1401 * z1406;
+    const Scalar z1437 = z1425 + z1296 * z1431 - z1332 * z1432 + z1360 * z1433 - z1381 * z1434 + z1396 * z1435 - z1406
+        * z1436;
     const Scalar z1410 = n1 / z1409;
-    const Scalar z1436 = z1410 * z1435;
-    const Scalar z1437 = z1407 * z1434 + z1408 * z1436;
-    const Scalar z1438 = z1401 * z1433 + z1402 * z1436 + z1403 * z1437;
-    const Scalar z1447 = n1_over_3 * z1437;
-    const Scalar z1439 = z1391 * z1432 + z1392 * z1436 + z1393 * z1437 - z1394 * z1438;
-    const Scalar z1440 = z1376 * z1431 + z1377 * z1436 + z1378 * z1437 - z1379 * z1438 + z1380 * z1439;
-    const Scalar z1448 = n1_over_3 * z1439;
-    const Scalar z1441 = z1355 * z1430 + z1356 * z1436 + z1357 * z1437 - z1358 * z1438 + z1359 * z1439 - z1360 * z1440;
-    const Scalar z1442 = z1327 * z1429 - z1328 * z1436 - z1329 * z1437 + z1330 * z1438 - z1331 * z1439 + z1332 * z1440
-        - z1333 * z1441;
-    const Scalar z1449 = n1_over_3 * z1441;
-    const Scalar z1443 = z1291 * z1428 + z1292 * z1436 + z1293 * z1437 - z1294 * z1438 + z1295 * z1439 - z1296 * z1440
-        + z1297 * z1441 + z1298 * z1442;
-    const Scalar z1444 = z1414 + z1185 * z1436 + z1194 * z1437 - z1203 * z1438 + z1212 * z1439 - z1221 * z1440 + z1230
-        * z1441 + z1239 * z1442 + z1248 * z1443;
-    const Scalar z1445 = z1186 * z1436 - z1415 - z1195 * z1437 - z1204 * z1438 - z1213 * z1439 - z1222 * z1440 - z1231
-        * z1441 + z1240 * z1442 - z1249 * z1443;
-    const Scalar z1446 = z1416 + z1187 * z1436 + z1196 * z1437 - z1205 * z1438 + z1214 * z1439 - z1223 * z1440 + z1232
-        * z1441 + z1241 * z1442 + z1250 * z1443;
-    const Scalar z1451 = z1417 + z1188 * z1436 + z1197 * z1437 - z1206 * z1438 + z1215 * z1439 - z1224 * z1440 + z1233
-        * z1441 + z1242 * z1442 + z1251 * z1443;
-    const Scalar z1452 = z1418 + z1189 * z1436 + z1198 * z1437 - z1207 * z1438 + z1216 * z1439 - z1225 * z1440 + z1234
-        * z1441 + z1243 * z1442 + z1252 * z1443;
-    const Scalar z1453 = z1419 + z1190 * z1436 + z1199 * z1437 - z1208 * z1438 + z1217 * z1439 + z1226 * z1440 + z1235
-        * z1441 + z1244 * z1442 + z1253 * z1443;
-    const Scalar z1450 = n1_over_3 * z1443;
-    const Scalar z1454 = z1420 + z1191 * z1436 + z1200 * z1437 - z1209 * z1438 + z1218 * z1439 - z1227 * z1440 + z1236
-        * z1441 - z1245 * z1442 + z1254 * z1443;
-    accelerations.x = -z1444;
-    accelerations.y = -z1445;
-    accelerations.psi = z1446;
-    accelerations.phi_1 = -z1447;
-    accelerations.phi_2 = -z1448;
-    accelerations.phi_3 = -z1449;
-    accelerations.phi_4 = -z1450;
-    accelerations.s_1 = z1451;
-    accelerations.s_2 = z1452;
-    accelerations.s_3 = -z1453;
-    accelerations.s_4 = -z1454;
-    multipliers.lambda_wheel_1_x = z1436;
-    multipliers.lambda_wheel_1_y = -z1437;
-    multipliers.lambda_wheel_2_x = -z1438;
-    multipliers.lambda_wheel_2_y = -z1439;
-    multipliers.lambda_wheel_3_x = -z1440;
-    multipliers.lambda_wheel_3_y = -z1441;
-    multipliers.lambda_wheel_4_x = z1442;
-    multipliers.lambda_wheel_4_y = -z1443;
-    if (!(traits::regular(-z1181, n880) && traits::regular(-z1178, n880) && traits::regular(-z1172, z1074)
-        && traits::regular(z1409, z1255) && traits::regular(z1406, z1257) && traits::regular(-z1400, -z1260)
-        && traits::regular(z1390, z1264) && traits::regular(-z1375, -z1269) && traits::regular(z1354, z1275)
-        && traits::regular(z1326, z1282) && traits::regular(z1290, z1290))) return torsor::Status::singular;
+    const Scalar z1380 = z1374 * z1379;
+    const Scalar z1384 = z1364 + z1374 * z1380;
+    const Scalar z1395 = z1390 * z1394;
+    const Scalar z1405 = z1401 * z1404;
+    const Scalar z1398 = z1384 - z1390 * z1395;
+    const Scalar z1407 = z1398 + z1401 * z1405;
+    const Scalar z1411 = z1408 * z1410;
+    const Scalar z1438 = z1295 * z1431 - z1424 - z1331 * z1432 + z1359 * z1433 - z1380 * z1434 + z1395 * z1435 - z1405
+        * z1436 + z1411 * z1437;
+    const Scalar z1412 = z1407 - z1408 * z1411;
+    const Scalar z1413 = n1 / z1412;
+    const Scalar z1439 = z1413 * z1438;
+    const Scalar z1440 = z1410 * z1437 + z1411 * z1439;
+    const Scalar z1441 = z1404 * z1436 + z1405 * z1439 + z1406 * z1440;
+    const Scalar z1450 = n1_over_3 * z1440;
+    const Scalar z1442 = z1394 * z1435 + z1395 * z1439 + z1396 * z1440 - z1397 * z1441;
+    const Scalar z1443 = z1379 * z1434 + z1380 * z1439 + z1381 * z1440 - z1382 * z1441 + z1383 * z1442;
+    const Scalar z1451 = n1_over_3 * z1442;
+    const Scalar z1444 = z1358 * z1433 + z1359 * z1439 + z1360 * z1440 - z1361 * z1441 + z1362 * z1442 - z1363 * z1443;
+    const Scalar z1445 = z1330 * z1432 - z1331 * z1439 - z1332 * z1440 + z1333 * z1441 - z1334 * z1442 + z1335 * z1443
+        - z1336 * z1444;
+    const Scalar z1452 = n1_over_3 * z1444;
+    const Scalar z1446 = z1294 * z1431 + z1295 * z1439 + z1296 * z1440 - z1297 * z1441 + z1298 * z1442 - z1299 * z1443
+        + z1300 * z1444 + z1301 * z1445;
+    const Scalar z1447 = z1417 + z1188 * z1439 + z1197 * z1440 - z1206 * z1441 + z1215 * z1442 - z1224 * z1443 + z1233
+        * z1444 + z1242 * z1445 + z1251 * z1446;
+    const Scalar z1448 = z1189 * z1439 - z1418 - z1198 * z1440 - z1207 * z1441 - z1216 * z1442 - z1225 * z1443 - z1234
+        * z1444 + z1243 * z1445 - z1252 * z1446;
+    const Scalar z1449 = z1419 + z1190 * z1439 + z1199 * z1440 - z1208 * z1441 + z1217 * z1442 - z1226 * z1443 + z1235
+        * z1444 + z1244 * z1445 + z1253 * z1446;
+    const Scalar z1454 = z1420 + z1191 * z1439 + z1200 * z1440 - z1209 * z1441 + z1218 * z1442 - z1227 * z1443 + z1236
+        * z1444 + z1245 * z1445 + z1254 * z1446;
+    const Scalar z1455 = z1421 + z1192 * z1439 + z1201 * z1440 - z1210 * z1441 + z1219 * z1442 - z1228 * z1443 + z1237
+        * z1444 + z1246 * z1445 + z1255 * z1446;
+    const Scalar z1456 = z1422 + z1193 * z1439 + z1202 * z1440 - z1211 * z1441 + z1220 * z1442 + z1229 * z1443 + z1238
+        * z1444 + z1247 * z1445 + z1256 * z1446;
+    const Scalar z1453 = n1_over_3 * z1446;
+    const Scalar z1457 = z1423 + z1194 * z1439 + z1203 * z1440 - z1212 * z1441 + z1221 * z1442 - z1230 * z1443 + z1239
+        * z1444 - z1248 * z1445 + z1257 * z1446;
+    accelerations.x = -z1447;
+    accelerations.y = -z1448;
+    accelerations.psi = z1449;
+    accelerations.phi_1 = -z1450;
+    accelerations.phi_2 = -z1451;
+    accelerations.phi_3 = -z1452;
+    accelerations.phi_4 = -z1453;
+    accelerations.s_1 = z1454;
+    accelerations.s_2 = z1455;
+    accelerations.s_3 = -z1456;
+    accelerations.s_4 = -z1457;
+    multipliers.lambda_wheel_1_x = z1439;
+    multipliers.lambda_wheel_1_y = -z1440;
+    multipliers.lambda_wheel_2_x = -z1441;
+    multipliers.lambda_wheel_2_y = -z1442;
+    multipliers.lambda_wheel_3_x = -z1443;
+    multipliers.lambda_wheel_3_y = -z1444;
+    multipliers.lambda_wheel_4_x = z1445;
+    multipliers.lambda_wheel_4_y = -z1446;
+    if (!(traits::regular(-z1184, n880) && traits::regular(-z1181, n880) && traits::regular(-z1175, z1077)
+        && traits::regular(z1412, z1258) && traits::regular(z1409, z1260) && traits::regular(-z1403, -z1263)
+        && traits::regular(z1393, z1267) && traits::regular(-z1378, -z1272) && traits::regular(z1357, z1278)
+        && traits::regular(z1329, z1285) && traits::regular(z1293, z1293))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = (n0 * accelerations.x * accelerations.y * accelerations.psi * accelerations.phi_1
         * accelerations.phi_2 * accelerations.phi_3 * accelerations.phi_4 * accelerations.s_1 * accelerations.s_2) * (n0
@@ -2346,8 +2346,8 @@ struct Mechanism {
     const Scalar s_phi_2 = sines_[2], c_phi_2 = cosines_[2];
     const Scalar s_phi_3 = sines_[3], c_phi_3 = cosines_[3];
     const Scalar s_phi_4 = sines_[4], c_phi_4 = cosines_[4];
-    const Scalar z1455 = v_x * c_psi + v_y * s_psi;
-    const Scalar z1456 = v_x * s_psi - v_y * c_psi;
+    const Scalar z1458 = v_x * c_psi + v_y * s_psi;
+    const Scalar z1459 = v_x * s_psi - v_y * c_psi;
     const Scalar z76 = v_psi * s_phi_1;
     const Scalar z77 = v_psi * c_phi_1;
     const Scalar z100 = v_psi * s_phi_2;
@@ -2356,39 +2356,39 @@ struct Mechanism {
     const Scalar z123 = v_psi * c_phi_3;
     const Scalar z144 = v_psi * s_phi_4;
     const Scalar z145 = v_psi * c_phi_4;
-    const Scalar z1457 = v_psi - z1455;
-    const Scalar z1458 = k0 * v_psi - z1456;
-    const Scalar z1465 = k0 * v_psi + z1456;
-    const Scalar z1472 = v_psi + z1455;
-    const Scalar z1459 = s_alpha_1 * z1458 - c_alpha_1 * z1457;
-    const Scalar z1460 = s_alpha_1 * z1457 + c_alpha_1 * z1458;
-    const Scalar z1466 = c_alpha_2 * z1457 + s_alpha_2 * z1465;
-    const Scalar z1467 = s_alpha_2 * z1457 - c_alpha_2 * z1465;
-    const Scalar z1473 = s_alpha_3 * z1465 - c_alpha_3 * z1472;
-    const Scalar z1474 = s_alpha_3 * z1472 + c_alpha_3 * z1465;
-    const Scalar z1479 = c_alpha_4 * z1472 + s_alpha_4 * z1458;
-    const Scalar z1480 = s_alpha_4 * z1472 - c_alpha_4 * z1458;
-    const Scalar z1461 = v_psi * q_s_1 + z1460;
-    const Scalar z1468 = v_psi * q_s_2 + z1467;
-    const Scalar z1469 = v_s_2 - z1466;  // velocity of axle_2, x
-    const Scalar z1475 = v_psi * q_s_3 - z1474;
-    const Scalar z1481 = v_psi * q_s_4 - z1480;
-    const Scalar z1482 = v_s_4 + z1479;  // velocity of axle_4, x
-    const Scalar z1462 = v_s_1 + z1459;  // velocity of axle_1, x
-    const Scalar z1476 = v_s_3 - z1473;  // velocity of axle_3, x
-    const Scalar z1463 = c_phi_1 * z1461;
-    const Scalar z1464 = s_phi_1 * z1461;
-    const Scalar z1470 = c_phi_2 * z1468;
-    const Scalar z1471 = s_phi_2 * z1468;
-    const Scalar z1477 = c_phi_3 * z1475;
-    const Scalar z1478 = s_phi_3 * z1475;
-    const Scalar z1483 = c_phi_4 * z1481;
-    const Scalar z1484 = s_phi_4 * z1481;
+    const Scalar z1460 = v_psi - z1458;
+    const Scalar z1461 = k0 * v_psi - z1459;
+    const Scalar z1468 = k0 * v_psi + z1459;
+    const Scalar z1475 = v_psi + z1458;
+    const Scalar z1462 = s_alpha_1 * z1461 - c_alpha_1 * z1460;
+    const Scalar z1463 = s_alpha_1 * z1460 + c_alpha_1 * z1461;
+    const Scalar z1469 = c_alpha_2 * z1460 + s_alpha_2 * z1468;
+    const Scalar z1470 = s_alpha_2 * z1460 - c_alpha_2 * z1468;
+    const Scalar z1476 = s_alpha_3 * z1468 - c_alpha_3 * z1475;
+    const Scalar z1477 = s_alpha_3 * z1475 + c_alpha_3 * z1468;
+    const Scalar z1482 = c_alpha_4 * z1475 + s_alpha_4 * z1461;
+    const Scalar z1483 = s_alpha_4 * z1475 - c_alpha_4 * z1461;
+    const Scalar z1464 = v_psi * q_s_1 + z1463;
+    const Scalar z1471 = v_psi * q_s_2 + z1470;
+    const Scalar z1472 = v_s_2 - z1469;  // velocity of axle_2, x
+    const Scalar z1478 = v_psi * q_s_3 - z1477;
+    const Scalar z1484 = v_psi * q_s_4 - z1483;
+    const Scalar z1485 = v_s_4 + z1482;  // velocity of axle_4, x
+    const Scalar z1465 = v_s_1 + z1462;  // velocity of axle_1, x
+    const Scalar z1479 = v_s_3 - z1476;  // velocity of axle_3, x
+    const Scalar z1466 = c_phi_1 * z1464;
+    const Scalar z1467 = s_phi_1 * z1464;
+    const Scalar z1473 = c_phi_2 * z1471;
+    const Scalar z1474 = s_phi_2 * z1471;
+    const Scalar z1480 = c_phi_3 * z1478;
+    const Scalar z1481 = s_phi_3 * z1478;
+    const Scalar z1486 = c_phi_4 * z1484;
+    const Scalar z1487 = s_phi_4 * z1484;
     result.kinetic = n450 * v_psi * v_psi + n0_45 * (v_phi_1 * v_phi_1 + v_phi_2 * v_phi_2 + v_phi_3 * v_phi_3 + v_phi_4
-        * v_phi_4) + n400 * (z1455 * z1455 + z1456 * z1456) + n0_25 * (z76 * z76 + z77 * z77 + z100 * z100 + z101 * z101
-        + z122 * z122 + z123 * z123 + z144 * z144 + z145 * z145) + n10 * (z1469 * z1469 + z1482 * z1482 + z1462 * z1462
-        + z1476 * z1476 + z1463 * z1463 + z1464 * z1464 + z1470 * z1470 + z1471 * z1471 + z1477 * z1477 + z1478 * z1478
-        + z1483 * z1483 + z1484 * z1484);
+        * v_phi_4) + n400 * (z1458 * z1458 + z1459 * z1459) + n0_25 * (z76 * z76 + z77 * z77 + z100 * z100 + z101 * z101
+        + z122 * z122 + z123 * z123 + z144 * z144 + z145 * z145) + n10 * (z1472 * z1472 + z1485 * z1485 + z1465 * z1465
+        + z1479 * z1479 + z1466 * z1466 + z1467 * z1467 + z1473 * z1473 + z1474 * z1474 + z1480 * z1480 + z1481 * z1481
+        + z1486 * z1486 + z1487 * z1487);
     result.force_function = n0;
     result.power = n0;
   }

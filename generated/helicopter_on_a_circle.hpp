@@ -8,7 +8,7 @@
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
 // costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
-// joints, factoring, and what is done once for a set of parameters:
+// joints, products that sums share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   precompute                4               12          1             0                  2       0     21       -
 //   kinematics               56               81          0             0                  2       0    141     168
@@ -343,7 +343,7 @@ TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& a
     const Bits bits = (Bits)shifted.part[i];
     const Bits odd = bits << sign_bit, upper = bits << (sign_bit - 1);
     Numbers sine_of_rest, cosine_of_rest;
-    if constexpr (sizeof(Numbers) >= 32) {  // AVX has instructions that choose by the bit of the sign
+    if constexpr (sizeof(Numbers) >= 32) {  // AVX chooses by the bit of the sign, AVX-512 by a mask
       const Bits exchanged = odd < Bits{};
       sine_of_rest = exchanged ? c : s;
       cosine_of_rest = exchanged ? s : c;
@@ -508,7 +508,7 @@ struct Mechanism {
 
   static constexpr const char* name = "helicopter_on_a_circle";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x28ddcf6b60b5bd00ULL;
+  static constexpr unsigned long long fingerprint = 0x530952310297715fULL;
   static constexpr int coordinate_count = 1;
   static constexpr int velocity_count = 1;
   static constexpr int input_count = 1;
@@ -628,7 +628,7 @@ struct Mechanism {
     Scalar z221;
     Scalar z313;  ///< force on upwards, x
     Scalar z347;
-    Scalar z393;
+    Scalar z398;
   };
 
   /// Values of the scene.
@@ -676,7 +676,7 @@ struct Mechanism {
     const Scalar z309 = z25 * z26;
     const Scalar z313 = n120 * z255;  // force on upwards, x
     const Scalar z347 = n1 / z221;
-    const Scalar z393 = n665 * z309;
+    const Scalar z398 = n665 * z309;
     precomputed.s_theta = s_theta;
     precomputed.c_theta = c_theta;
     precomputed.s_alpha = s_alpha;
@@ -689,7 +689,7 @@ struct Mechanism {
     precomputed.z221 = z221;
     precomputed.z313 = z313;
     precomputed.z347 = z347;
-    precomputed.z393 = z393;
+    precomputed.z398 = z398;
     return precomputed;
   }
 
@@ -1138,70 +1138,70 @@ struct Mechanism {
     const Scalar z25 = precomputed.z25;
     const Scalar z26 = precomputed.z26;
     const Scalar z313 = precomputed.z313;
-    const Scalar z393 = precomputed.z393;
+    const Scalar z398 = precomputed.z398;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z396 = v_phi + z26;
-    const Scalar z395 = s_phi * z25;
-    const Scalar z394 = c_phi * z25;
-    const Scalar z423 = a_phi * c_alpha;
-    const Scalar z397 = s_alpha * z396;
-    const Scalar z399 = c_alpha * z396;
-    const Scalar z398 = c_alpha * z395 - z397;
-    const Scalar z400 = s_alpha * z395 + z399;
-    const Scalar z401 = c_alpha * z394 - z397;
-    const Scalar z402 = s_alpha * z394 + z399;
-    const Scalar z403 = c_alpha * z395 + z397;
-    const Scalar z404 = s_alpha * z395 - z399;
-    const Scalar z405 = c_alpha * z394 + z397;
-    const Scalar z406 = s_alpha * z394 - z399;
-    const Scalar z407 = v_phi * z395;  // angular acceleration of rotor, x
-    const Scalar z408 = v_phi * z394;  // angular acceleration of rotor, y
-    const Scalar z421 = z395 * z396;
-    const Scalar z422 = z394 * z396;
-    const Scalar z424 = s_alpha * z408 + z423;
-    const Scalar z425 = s_alpha * z407 - z423;
-    const Scalar z426 = s_alpha * z408 - z423;
-    const Scalar z427 = s_alpha * z407 + z423;
-    const Scalar z409 = z405 * z406;
-    const Scalar z410 = z395 * z405;
-    const Scalar z412 = z403 * z404;
-    const Scalar z413 = z394 * z403;
-    const Scalar z415 = z401 * z402;
-    const Scalar z416 = z395 * z401;
-    const Scalar z418 = z398 * z400;
-    const Scalar z419 = z394 * z398;
-    const Scalar z411 = n0_4 * (z408 - z409);  // moment on blade_4, x
-    const Scalar z414 = n0_4 * (z407 - z412);  // moment on blade_3, x
-    const Scalar z417 = n0_4 * (z408 + z415);  // moment on blade_2, x
-    const Scalar z420 = n0_4 * (z407 + z418);  // moment on blade_1, x
-    const Scalar z428 = z410 - z427;
-    const Scalar z432 = z413 - z426;
-    const Scalar z436 = z416 + z425;
-    const Scalar z440 = z419 + z424;
-    const Scalar z429 = n0_4 * z428;  // moment on blade_4, z
-    const Scalar z433 = n0_4 * z432;  // moment on blade_3, z
-    const Scalar z437 = n0_4 * z436;  // moment on blade_2, z
-    const Scalar z441 = n0_4 * z440;  // moment on blade_1, z
-    const Scalar z430 = s_alpha * z429;
-    const Scalar z431 = c_alpha * z429;
-    const Scalar z434 = s_alpha * z433;
-    const Scalar z435 = c_alpha * z433;
-    const Scalar z438 = s_alpha * z437;
-    const Scalar z439 = c_alpha * z437;
-    const Scalar z442 = s_alpha * z441;
-    const Scalar z443 = c_alpha * z441;
-    const Scalar z444 = z414 + z420 + n1330 * z421 - z430 + z438;  // moment on rotor, x
-    const Scalar z445 = z411 + z417 + n1330 * z422 - z434 + z442;  // moment on rotor, y
-    const Scalar z446 = n1330 * a_phi - z431 + z435 - z439 + z443;  // moment on rotor, z
-    const Scalar z447 = s_phi * z444 + c_phi * z445;
-    const Scalar z448 = z393 - z447;  // moment on pitch, y
+    const Scalar z401 = v_phi + z26;
+    const Scalar z400 = s_phi * z25;
+    const Scalar z399 = c_phi * z25;
+    const Scalar z428 = a_phi * c_alpha;
+    const Scalar z402 = s_alpha * z401;
+    const Scalar z404 = c_alpha * z401;
+    const Scalar z403 = c_alpha * z400 - z402;
+    const Scalar z405 = s_alpha * z400 + z404;
+    const Scalar z406 = c_alpha * z399 - z402;
+    const Scalar z407 = s_alpha * z399 + z404;
+    const Scalar z408 = c_alpha * z400 + z402;
+    const Scalar z409 = s_alpha * z400 - z404;
+    const Scalar z410 = c_alpha * z399 + z402;
+    const Scalar z411 = s_alpha * z399 - z404;
+    const Scalar z412 = v_phi * z400;  // angular acceleration of rotor, x
+    const Scalar z413 = v_phi * z399;  // angular acceleration of rotor, y
+    const Scalar z426 = z400 * z401;
+    const Scalar z427 = z399 * z401;
+    const Scalar z429 = s_alpha * z413 + z428;
+    const Scalar z430 = s_alpha * z412 - z428;
+    const Scalar z431 = s_alpha * z413 - z428;
+    const Scalar z432 = s_alpha * z412 + z428;
+    const Scalar z414 = z410 * z411;
+    const Scalar z415 = z400 * z410;
+    const Scalar z417 = z408 * z409;
+    const Scalar z418 = z399 * z408;
+    const Scalar z420 = z406 * z407;
+    const Scalar z421 = z400 * z406;
+    const Scalar z423 = z403 * z405;
+    const Scalar z424 = z399 * z403;
+    const Scalar z416 = n0_4 * (z413 - z414);  // moment on blade_4, x
+    const Scalar z419 = n0_4 * (z412 - z417);  // moment on blade_3, x
+    const Scalar z422 = n0_4 * (z413 + z420);  // moment on blade_2, x
+    const Scalar z425 = n0_4 * (z412 + z423);  // moment on blade_1, x
+    const Scalar z433 = z415 - z432;
+    const Scalar z437 = z418 - z431;
+    const Scalar z441 = z421 + z430;
+    const Scalar z445 = z424 + z429;
+    const Scalar z434 = n0_4 * z433;  // moment on blade_4, z
+    const Scalar z438 = n0_4 * z437;  // moment on blade_3, z
+    const Scalar z442 = n0_4 * z441;  // moment on blade_2, z
+    const Scalar z446 = n0_4 * z445;  // moment on blade_1, z
+    const Scalar z435 = s_alpha * z434;
+    const Scalar z436 = c_alpha * z434;
+    const Scalar z439 = s_alpha * z438;
+    const Scalar z440 = c_alpha * z438;
+    const Scalar z443 = s_alpha * z442;
+    const Scalar z444 = c_alpha * z442;
+    const Scalar z447 = s_alpha * z446;
+    const Scalar z448 = c_alpha * z446;
+    const Scalar z449 = z419 + z425 + n1330 * z426 - z435 + z443;  // moment on rotor, x
+    const Scalar z450 = z416 + z422 + n1330 * z427 - z439 + z447;  // moment on rotor, y
+    const Scalar z451 = n1330 * a_phi - z436 + z440 - z444 + z448;  // moment on rotor, z
+    const Scalar z452 = s_phi * z449 + c_phi * z450;
+    const Scalar z453 = z398 - z452;  // moment on pitch, y
     result.X = -z313;
     result.Y = n0;
     result.Z = n0;
     result.M_x = n0;
-    result.M_y = z448;
-    result.M_z = z446;
+    result.M_y = z453;
+    result.M_z = z451;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the

@@ -8,7 +8,7 @@
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
 // costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
-// joints, factoring, and what is done once for a set of parameters:
+// joints, products that sums share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   precompute                0                9          0             0                  1       0     11       -
 //   kinematics               68              113          0             0                  6       0    193     198
@@ -338,7 +338,7 @@ TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& a
     const Bits bits = (Bits)shifted.part[i];
     const Bits odd = bits << sign_bit, upper = bits << (sign_bit - 1);
     Numbers sine_of_rest, cosine_of_rest;
-    if constexpr (sizeof(Numbers) >= 32) {  // AVX has instructions that choose by the bit of the sign
+    if constexpr (sizeof(Numbers) >= 32) {  // AVX chooses by the bit of the sign, AVX-512 by a mask
       const Bits exchanged = odd < Bits{};
       sine_of_rest = exchanged ? c : s;
       cosine_of_rest = exchanged ? s : c;
@@ -503,7 +503,7 @@ struct Mechanism {
 
   static constexpr const char* name = "helicopter_on_a_circle_pitching_blades";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x1d5c83c203aeb76eULL;
+  static constexpr unsigned long long fingerprint = 0x7e1358ac32e7ea2cULL;
   static constexpr int coordinate_count = 5;
   static constexpr int velocity_count = 5;
   static constexpr int input_count = 1;
@@ -641,8 +641,8 @@ struct Mechanism {
     Scalar z42;
     Scalar z43;
     Scalar z312;  ///< force on upwards, x
-    Scalar z397;
-    Scalar z425;
+    Scalar z409;
+    Scalar z437;
   };
 
   /// Values of the scene.
@@ -682,16 +682,16 @@ struct Mechanism {
     const Scalar z242 = n100 * z241;
     const Scalar z308 = z42 * z43;
     const Scalar z312 = n120 * z242;  // force on upwards, x
-    const Scalar z397 = n0_5 * p_k;
-    const Scalar z425 = n665 * z308;
+    const Scalar z409 = n0_5 * p_k;
+    const Scalar z437 = n665 * z308;
     precomputed.s_theta = s_theta;
     precomputed.c_theta = c_theta;
     precomputed.z35 = z35;
     precomputed.z42 = z42;
     precomputed.z43 = z43;
     precomputed.z312 = z312;
-    precomputed.z397 = z397;
-    precomputed.z425 = z425;
+    precomputed.z409 = z409;
+    precomputed.z437 = z437;
     return precomputed;
   }
 
@@ -1477,19 +1477,19 @@ struct Mechanism {
     const Scalar z305 = z279 + z286 + z293 + z300;  // moment on rotor, z
     const Scalar z316 = z234 + z236 + z283;
     const Scalar z317 = z238 - z240 - z276;
-    const Scalar z381 = n1 / z176;
-    const Scalar z383 = n2_5 * z314;
-    const Scalar z384 = n2_5 * z315;
-    const Scalar z385 = n2_5 * z316;
-    const Scalar z386 = n2_5 * z317;
+    const Scalar z385 = n1 / z176;
+    const Scalar z387 = n2_5 * z314;
+    const Scalar z388 = n2_5 * z315;
+    const Scalar z389 = n2_5 * z316;
+    const Scalar z390 = n2_5 * z317;
     const Scalar z313 = p_alpha_c * (s_phi * (z223 + z234 - z227 + z236) - c_phi * (z229 + z238 + z232 - z240)) + z305;
-    const Scalar z380 = u_C + z313;
-    const Scalar z382 = z380 * z381;
-    accelerations.phi = z382;
-    accelerations.alpha_1 = z383;
-    accelerations.alpha_2 = -z384;
-    accelerations.alpha_3 = -z385;
-    accelerations.alpha_4 = z386;
+    const Scalar z384 = u_C + z313;
+    const Scalar z386 = z384 * z385;
+    accelerations.phi = z386;
+    accelerations.alpha_1 = z387;
+    accelerations.alpha_2 = -z388;
+    accelerations.alpha_3 = -z389;
+    accelerations.alpha_4 = z390;
     if (!(traits::regular(z176, z176))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.phi * accelerations.alpha_1 * accelerations.alpha_2 * accelerations.alpha_3
@@ -1522,7 +1522,7 @@ struct Mechanism {
     const Scalar z35 = precomputed.z35;
     const Scalar z42 = precomputed.z42;
     const Scalar z43 = precomputed.z43;
-    const Scalar z397 = precomputed.z397;
+    const Scalar z409 = precomputed.z409;
     const Scalar angles_[] = {q_phi, q_alpha_1, q_alpha_2, q_alpha_3, q_alpha_4};
     Scalar sines_[5], cosines_[5];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
@@ -1531,38 +1531,38 @@ struct Mechanism {
     const Scalar s_alpha_2 = sines_[2], c_alpha_2 = cosines_[2];
     const Scalar s_alpha_3 = sines_[3], c_alpha_3 = cosines_[3];
     const Scalar s_alpha_4 = sines_[4], c_alpha_4 = cosines_[4];
-    const Scalar z398 = c_phi * z42;
-    const Scalar z399 = s_phi * z42;
-    const Scalar z400 = v_phi + z43;
-    const Scalar z410 = v_phi * s_phi;
-    const Scalar z414 = v_phi * c_phi;
-    const Scalar z409 = p_alpha - q_alpha_1 + c_phi * p_alpha_c;
-    const Scalar z413 = q_alpha_2 - p_alpha + s_phi * p_alpha_c;
-    const Scalar z417 = q_alpha_3 - p_alpha + c_phi * p_alpha_c;
-    const Scalar z420 = p_alpha - q_alpha_4 + s_phi * p_alpha_c;
-    const Scalar z423 = s_phi * z35;
-    const Scalar z424 = c_phi * z35;
-    const Scalar z401 = c_alpha_1 * z400 + s_alpha_1 * z399;
-    const Scalar z402 = v_alpha_1 + z398;
-    const Scalar z403 = c_alpha_2 * z400 + s_alpha_2 * z398;
-    const Scalar z404 = v_alpha_2 - z399;
-    const Scalar z405 = s_alpha_3 * z399 - c_alpha_3 * z400;
-    const Scalar z406 = v_alpha_3 - z398;
-    const Scalar z407 = s_alpha_4 * z398 - c_alpha_4 * z400;
-    const Scalar z408 = v_alpha_4 + z399;
-    const Scalar z411 = v_alpha_1 + p_alpha_c * z410;
-    const Scalar z415 = v_alpha_2 + p_alpha_c * z414;
-    const Scalar z418 = v_alpha_3 - p_alpha_c * z410;
-    const Scalar z421 = v_alpha_4 - p_alpha_c * z414;
-    const Scalar z412 = p_c * z411;
-    const Scalar z416 = p_c * z415;
-    const Scalar z419 = p_c * z418;
-    const Scalar z422 = p_c * z421;
-    result.kinetic = n665 * z400 * z400 + n332_5 * (z398 * z398 + z399 * z399) + n60 * (z423 * z423 + z424 * z424)
-        + n0_2 * (z402 * z402 + z404 * z404 + z406 * z406 + z408 * z408 + z401 * z401 + z403 * z403 + z405 * z405 + z407
-        * z407);
-    result.force_function = -z397 * (z409 * z409 + z413 * z413 + z417 * z417 + z420 * z420);
-    result.power = v_phi * u_C - z411 * z412 - z415 * z416 - z418 * z419 - z421 * z422;
+    const Scalar z410 = c_phi * z42;
+    const Scalar z411 = s_phi * z42;
+    const Scalar z412 = v_phi + z43;
+    const Scalar z422 = v_phi * s_phi;
+    const Scalar z426 = v_phi * c_phi;
+    const Scalar z421 = p_alpha - q_alpha_1 + c_phi * p_alpha_c;
+    const Scalar z425 = q_alpha_2 - p_alpha + s_phi * p_alpha_c;
+    const Scalar z429 = q_alpha_3 - p_alpha + c_phi * p_alpha_c;
+    const Scalar z432 = p_alpha - q_alpha_4 + s_phi * p_alpha_c;
+    const Scalar z435 = s_phi * z35;
+    const Scalar z436 = c_phi * z35;
+    const Scalar z413 = c_alpha_1 * z412 + s_alpha_1 * z411;
+    const Scalar z414 = v_alpha_1 + z410;
+    const Scalar z415 = c_alpha_2 * z412 + s_alpha_2 * z410;
+    const Scalar z416 = v_alpha_2 - z411;
+    const Scalar z417 = s_alpha_3 * z411 - c_alpha_3 * z412;
+    const Scalar z418 = v_alpha_3 - z410;
+    const Scalar z419 = s_alpha_4 * z410 - c_alpha_4 * z412;
+    const Scalar z420 = v_alpha_4 + z411;
+    const Scalar z423 = v_alpha_1 + p_alpha_c * z422;
+    const Scalar z427 = v_alpha_2 + p_alpha_c * z426;
+    const Scalar z430 = v_alpha_3 - p_alpha_c * z422;
+    const Scalar z433 = v_alpha_4 - p_alpha_c * z426;
+    const Scalar z424 = p_c * z423;
+    const Scalar z428 = p_c * z427;
+    const Scalar z431 = p_c * z430;
+    const Scalar z434 = p_c * z433;
+    result.kinetic = n665 * z412 * z412 + n332_5 * (z410 * z410 + z411 * z411) + n60 * (z435 * z435 + z436 * z436)
+        + n0_2 * (z414 * z414 + z416 * z416 + z418 * z418 + z420 * z420 + z413 * z413 + z415 * z415 + z417 * z417 + z419
+        * z419);
+    result.force_function = -z409 * (z421 * z421 + z425 * z425 + z429 * z429 + z432 * z432);
+    result.power = v_phi * u_C - z423 * z424 - z427 * z428 - z430 * z431 - z433 * z434;
   }
 
   /// Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released
@@ -1590,7 +1590,7 @@ struct Mechanism {
     const Scalar z42 = precomputed.z42;
     const Scalar z43 = precomputed.z43;
     const Scalar z312 = precomputed.z312;
-    const Scalar z425 = precomputed.z425;
+    const Scalar z437 = precomputed.z437;
     const Scalar angles_[] = {q_phi, q_alpha_1, q_alpha_2, q_alpha_3, q_alpha_4};
     Scalar sines_[5], cosines_[5];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
@@ -1599,77 +1599,77 @@ struct Mechanism {
     const Scalar s_alpha_2 = sines_[2], c_alpha_2 = cosines_[2];
     const Scalar s_alpha_3 = sines_[3], c_alpha_3 = cosines_[3];
     const Scalar s_alpha_4 = sines_[4], c_alpha_4 = cosines_[4];
-    const Scalar z428 = v_phi + z43;
-    const Scalar z427 = s_phi * z42;
-    const Scalar z426 = c_phi * z42;
-    const Scalar z429 = s_alpha_1 * z428 - c_alpha_1 * z427;
-    const Scalar z430 = c_alpha_1 * z428 + s_alpha_1 * z427;
-    const Scalar z431 = v_alpha_1 + z426;
-    const Scalar z432 = s_alpha_2 * z428 - c_alpha_2 * z426;
-    const Scalar z433 = c_alpha_2 * z428 + s_alpha_2 * z426;
-    const Scalar z434 = v_alpha_2 - z427;
-    const Scalar z435 = s_alpha_3 * z428 + c_alpha_3 * z427;
-    const Scalar z436 = s_alpha_3 * z427 - c_alpha_3 * z428;
-    const Scalar z437 = v_alpha_3 - z426;
-    const Scalar z438 = s_alpha_4 * z428 + c_alpha_4 * z426;
-    const Scalar z439 = s_alpha_4 * z426 - c_alpha_4 * z428;
-    const Scalar z440 = v_alpha_4 + z427;
-    const Scalar z441 = v_phi * z427;  // angular acceleration of rotor, x
-    const Scalar z442 = v_phi * z426;  // angular acceleration of rotor, y
-    const Scalar z451 = z427 * z428;
-    const Scalar z452 = z426 * z428;
-    const Scalar z453 = a_phi * c_alpha_1 + s_alpha_1 * z442;
-    const Scalar z454 = a_alpha_1 - z441;  // angular acceleration of blade_1, x
-    const Scalar z456 = a_phi * c_alpha_2 - s_alpha_2 * z441;
-    const Scalar z457 = a_alpha_2 - z442;  // angular acceleration of blade_2, x
-    const Scalar z459 = a_phi * c_alpha_3 - s_alpha_3 * z442;
-    const Scalar z460 = a_alpha_3 + z441;  // angular acceleration of blade_3, x
-    const Scalar z462 = a_phi * c_alpha_4 + s_alpha_4 * z441;
-    const Scalar z463 = a_alpha_4 + z442;  // angular acceleration of blade_4, x
-    const Scalar z444 = z438 * z440;
-    const Scalar z446 = z435 * z437;
-    const Scalar z447 = z432 * z433;
-    const Scalar z448 = z432 * z434;
-    const Scalar z449 = z429 * z430;
-    const Scalar z450 = z429 * z431;
-    const Scalar z443 = z438 * z439;
-    const Scalar z445 = z435 * z436;
-    const Scalar z455 = v_alpha_1 * z429 - z453;  // angular acceleration of blade_1, z
-    const Scalar z458 = v_alpha_2 * z432 - z456;  // angular acceleration of blade_2, z
-    const Scalar z461 = v_alpha_3 * z435 - z459;  // angular acceleration of blade_3, z
-    const Scalar z464 = v_alpha_4 * z438 - z462;  // angular acceleration of blade_4, z
-    const Scalar z476 = n0_4 * (z447 + z457);  // moment on blade_2, x
-    const Scalar z481 = n0_4 * (z449 + z454);  // moment on blade_1, x
-    const Scalar z466 = n0_4 * (z443 - z463);  // moment on blade_4, x
-    const Scalar z471 = n0_4 * (z445 - z460);  // moment on blade_3, x
-    const Scalar z465 = z444 + z464;
-    const Scalar z470 = z446 + z461;
-    const Scalar z475 = z448 + z458;
-    const Scalar z480 = z450 + z455;
-    const Scalar z467 = n0_4 * z465;  // moment on blade_4, z
-    const Scalar z472 = n0_4 * z470;  // moment on blade_3, z
-    const Scalar z477 = n0_4 * z475;  // moment on blade_2, z
-    const Scalar z482 = n0_4 * z480;  // moment on blade_1, z
-    const Scalar z468 = s_alpha_4 * z467;
-    const Scalar z469 = c_alpha_4 * z467;
-    const Scalar z473 = s_alpha_3 * z472;
-    const Scalar z474 = c_alpha_3 * z472;
-    const Scalar z478 = s_alpha_2 * z477;
-    const Scalar z479 = c_alpha_2 * z477;
-    const Scalar z483 = s_alpha_1 * z482;
-    const Scalar z484 = c_alpha_1 * z482;
-    const Scalar z485 = n1330 * z451 - z481 - z471 - z468 + z478;  // moment on rotor, x
-    const Scalar z486 = n1330 * z452 - z476 - z466 + z473 - z483;  // moment on rotor, y
-    const Scalar z487 = n1330 * a_phi - z469 - z474 - z479 - z484;  // moment on rotor, z
-    const Scalar z488 = s_phi * z486 - c_phi * z485;
-    const Scalar z489 = s_phi * z485 + c_phi * z486;
-    const Scalar z490 = z425 - z489;  // moment on pitch, y
+    const Scalar z440 = v_phi + z43;
+    const Scalar z439 = s_phi * z42;
+    const Scalar z438 = c_phi * z42;
+    const Scalar z441 = s_alpha_1 * z440 - c_alpha_1 * z439;
+    const Scalar z442 = c_alpha_1 * z440 + s_alpha_1 * z439;
+    const Scalar z443 = v_alpha_1 + z438;
+    const Scalar z444 = s_alpha_2 * z440 - c_alpha_2 * z438;
+    const Scalar z445 = c_alpha_2 * z440 + s_alpha_2 * z438;
+    const Scalar z446 = v_alpha_2 - z439;
+    const Scalar z447 = s_alpha_3 * z440 + c_alpha_3 * z439;
+    const Scalar z448 = s_alpha_3 * z439 - c_alpha_3 * z440;
+    const Scalar z449 = v_alpha_3 - z438;
+    const Scalar z450 = s_alpha_4 * z440 + c_alpha_4 * z438;
+    const Scalar z451 = s_alpha_4 * z438 - c_alpha_4 * z440;
+    const Scalar z452 = v_alpha_4 + z439;
+    const Scalar z453 = v_phi * z439;  // angular acceleration of rotor, x
+    const Scalar z454 = v_phi * z438;  // angular acceleration of rotor, y
+    const Scalar z463 = z439 * z440;
+    const Scalar z464 = z438 * z440;
+    const Scalar z465 = a_phi * c_alpha_1 + s_alpha_1 * z454;
+    const Scalar z466 = a_alpha_1 - z453;  // angular acceleration of blade_1, x
+    const Scalar z468 = a_phi * c_alpha_2 - s_alpha_2 * z453;
+    const Scalar z469 = a_alpha_2 - z454;  // angular acceleration of blade_2, x
+    const Scalar z471 = a_phi * c_alpha_3 - s_alpha_3 * z454;
+    const Scalar z472 = a_alpha_3 + z453;  // angular acceleration of blade_3, x
+    const Scalar z474 = a_phi * c_alpha_4 + s_alpha_4 * z453;
+    const Scalar z475 = a_alpha_4 + z454;  // angular acceleration of blade_4, x
+    const Scalar z456 = z450 * z452;
+    const Scalar z458 = z447 * z449;
+    const Scalar z459 = z444 * z445;
+    const Scalar z460 = z444 * z446;
+    const Scalar z461 = z441 * z442;
+    const Scalar z462 = z441 * z443;
+    const Scalar z455 = z450 * z451;
+    const Scalar z457 = z447 * z448;
+    const Scalar z467 = v_alpha_1 * z441 - z465;  // angular acceleration of blade_1, z
+    const Scalar z470 = v_alpha_2 * z444 - z468;  // angular acceleration of blade_2, z
+    const Scalar z473 = v_alpha_3 * z447 - z471;  // angular acceleration of blade_3, z
+    const Scalar z476 = v_alpha_4 * z450 - z474;  // angular acceleration of blade_4, z
+    const Scalar z488 = n0_4 * (z459 + z469);  // moment on blade_2, x
+    const Scalar z493 = n0_4 * (z461 + z466);  // moment on blade_1, x
+    const Scalar z478 = n0_4 * (z455 - z475);  // moment on blade_4, x
+    const Scalar z483 = n0_4 * (z457 - z472);  // moment on blade_3, x
+    const Scalar z477 = z456 + z476;
+    const Scalar z482 = z458 + z473;
+    const Scalar z487 = z460 + z470;
+    const Scalar z492 = z462 + z467;
+    const Scalar z479 = n0_4 * z477;  // moment on blade_4, z
+    const Scalar z484 = n0_4 * z482;  // moment on blade_3, z
+    const Scalar z489 = n0_4 * z487;  // moment on blade_2, z
+    const Scalar z494 = n0_4 * z492;  // moment on blade_1, z
+    const Scalar z480 = s_alpha_4 * z479;
+    const Scalar z481 = c_alpha_4 * z479;
+    const Scalar z485 = s_alpha_3 * z484;
+    const Scalar z486 = c_alpha_3 * z484;
+    const Scalar z490 = s_alpha_2 * z489;
+    const Scalar z491 = c_alpha_2 * z489;
+    const Scalar z495 = s_alpha_1 * z494;
+    const Scalar z496 = c_alpha_1 * z494;
+    const Scalar z497 = n1330 * z463 - z493 - z483 - z480 + z490;  // moment on rotor, x
+    const Scalar z498 = n1330 * z464 - z488 - z478 + z485 - z495;  // moment on rotor, y
+    const Scalar z499 = n1330 * a_phi - z481 - z486 - z491 - z496;  // moment on rotor, z
+    const Scalar z500 = s_phi * z498 - c_phi * z497;
+    const Scalar z501 = s_phi * z497 + c_phi * z498;
+    const Scalar z502 = z437 - z501;  // moment on pitch, y
     result.X = -z312;
     result.Y = n0;
     result.Z = n0;
-    result.M_x = z488;
-    result.M_y = z490;
-    result.M_z = z487;
+    result.M_x = z500;
+    result.M_y = z502;
+    result.M_z = z499;
   }
 };
 

@@ -8,16 +8,16 @@
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
 // costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
-// joints, factoring, and what is done once for a set of parameters:
+// joints, products that sums share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   kinematics               12               20          0             0                  1       0     34      42
 //   mass_matrix               1                5          0             0                  0       0      6       6
-//   bias                      6               20          1             1                  0       0     28      31
-//   inverse_dynamics          9               27          1             1                  0       0     38      41
-//   forward_dynamics          7               25          2             1                  0       0     35      38
+//   bias                      5               19          1             1                  0       0     26      31
+//   inverse_dynamics          8               26          1             1                  0       0     36      41
+//   forward_dynamics          6               24          2             1                  0       0     33      38
 //   energy                   10               18          1             1                  1       0     32      35
 //   first_integrals          12               24          1             1                  1       0     40      43
-//   linearisation            20               65          4             1                  0       0     90      94
+//   linearisation            18               63          4             1                  0       0     86      94
 //
 // Not computed because this mechanism does not need it:
 //   kinematics: of 72 results 32 vanish identically, 15 repeat another up to sign
@@ -343,7 +343,7 @@ TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& a
     const Bits bits = (Bits)shifted.part[i];
     const Bits odd = bits << sign_bit, upper = bits << (sign_bit - 1);
     Numbers sine_of_rest, cosine_of_rest;
-    if constexpr (sizeof(Numbers) >= 32) {  // AVX has instructions that choose by the bit of the sign
+    if constexpr (sizeof(Numbers) >= 32) {  // AVX chooses by the bit of the sign, AVX-512 by a mask
       const Bits exchanged = odd < Bits{};
       sine_of_rest = exchanged ? c : s;
       cosine_of_rest = exchanged ? s : c;
@@ -508,7 +508,7 @@ struct Mechanism {
 
   static constexpr const char* name = "mutual_gravitation";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x93bf7079df99d886ULL;
+  static constexpr unsigned long long fingerprint = 0xb65280903771a303ULL;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 4;
   static constexpr int input_count = 0;
@@ -866,29 +866,27 @@ struct Mechanism {
     const Scalar v_r = state.v.r;
     const Scalar z106 = n0_25 * q_r;
     const Scalar z107 = n0_75 * q_r;
-    const Scalar z116 = v_phi * v_phi;
-    const Scalar z118 = v_phi * v_r;
+    const Scalar z114 = v_phi * v_phi;
+    const Scalar z116 = v_phi * v_r;
     const Scalar z108 = z106 + z107;
-    const Scalar z109 = z106 + z107;
-    const Scalar z120 = z107 * z116;
-    const Scalar z117 = z106 * z116;
-    const Scalar z119 = n0_5 * z118;
-    const Scalar z121 = n1_5 * z118;
-    const Scalar z110 = z108 * z108;
-    const Scalar z124 = n3 * z119;  // force on first, y
-    const Scalar z111 = traits::sqrt(z110);
-    const Scalar z125 = z107 * z121 + z106 * z124;  // moment on line, z
-    const Scalar z112 = n1 / z111;
-    const Scalar z113 = n3 * z112 * z112 * z112;
-    const Scalar z114 = z108 * z113;
-    const Scalar z115 = z109 * z113;
-    const Scalar z122 = z115 - z120;  // force on second, x
-    const Scalar z123 = z114 - n3 * z117;  // force on first, x
-    const Scalar z126 = n0_75 * z122 + n0_25 * z123;
+    const Scalar z115 = z106 * z114;
+    const Scalar z118 = z107 * z114;
+    const Scalar z117 = n0_5 * z116;
+    const Scalar z119 = n1_5 * z116;
+    const Scalar z109 = z108 * z108;
+    const Scalar z122 = n3 * z117;  // force on first, y
+    const Scalar z110 = traits::sqrt(z109);
+    const Scalar z123 = z107 * z119 + z106 * z122;  // moment on line, z
+    const Scalar z111 = n1 / z110;
+    const Scalar z112 = n3 * z111 * z111 * z111;
+    const Scalar z113 = z108 * z112;
+    const Scalar z120 = z113 - z118;  // force on second, x
+    const Scalar z121 = z113 - n3 * z115;  // force on first, x
+    const Scalar z124 = n0_75 * z120 + n0_25 * z121;
     forces.X = n0;
     forces.Y = n0;
-    forces.r = z126;
-    forces.phi = z125;
+    forces.r = z124;
+    forces.phi = z123;
   }
 
   /// Inverse dynamics: the generalised forces M a + h - A' lambda that motors must supply for the accelerations a.
@@ -908,38 +906,36 @@ struct Mechanism {
     const Scalar q_r = state.q.r;
     const Scalar v_r = state.v.r;
     const Scalar a_r = accelerations.r;
-    const Scalar z147 = n0_25 * q_r;
-    const Scalar z148 = n0_75 * q_r;
-    const Scalar z160 = v_phi * v_phi;
-    const Scalar z162 = v_phi * v_r;
-    const Scalar z171 = n4 * a_X;
-    const Scalar z172 = n4 * a_Y;
-    const Scalar z152 = z147 + z148;
-    const Scalar z153 = z147 + z148;
-    const Scalar z164 = z148 * z160;
-    const Scalar z161 = z147 * z160;
-    const Scalar z163 = n0_5 * z162;
-    const Scalar z165 = n1_5 * z162;
-    const Scalar z154 = z152 * z152;
-    const Scalar z168 = n3 * z163;  // force on first, y
-    const Scalar z149 = z148 * z148;
-    const Scalar z150 = n3 * z147 * z147;
-    const Scalar z151 = z149 + z150;
-    const Scalar z155 = traits::sqrt(z154);
-    const Scalar z169 = z148 * z165 + z147 * z168;  // moment on line, z
-    const Scalar z174 = a_phi * z151 + z169;
-    const Scalar z156 = n1 / z155;
-    const Scalar z157 = n3 * z156 * z156 * z156;
-    const Scalar z158 = z152 * z157;
-    const Scalar z159 = z153 * z157;
-    const Scalar z166 = z159 - z164;  // force on second, x
-    const Scalar z167 = z158 - n3 * z161;  // force on first, x
-    const Scalar z170 = n0_75 * z166 + n0_25 * z167;
-    const Scalar z173 = n0_75 * a_r + z170;
-    forces.X = z171;
-    forces.Y = z172;
-    forces.r = z173;
-    forces.phi = z174;
+    const Scalar z146 = n0_25 * q_r;
+    const Scalar z147 = n0_75 * q_r;
+    const Scalar z157 = v_phi * v_phi;
+    const Scalar z159 = v_phi * v_r;
+    const Scalar z168 = n4 * a_X;
+    const Scalar z169 = n4 * a_Y;
+    const Scalar z151 = z146 + z147;
+    const Scalar z161 = z147 * z157;
+    const Scalar z158 = z146 * z157;
+    const Scalar z160 = n0_5 * z159;
+    const Scalar z162 = n1_5 * z159;
+    const Scalar z148 = z147 * z147;
+    const Scalar z152 = z151 * z151;
+    const Scalar z165 = n3 * z160;  // force on first, y
+    const Scalar z149 = n3 * z146 * z146;
+    const Scalar z150 = z148 + z149;
+    const Scalar z153 = traits::sqrt(z152);
+    const Scalar z166 = z147 * z162 + z146 * z165;  // moment on line, z
+    const Scalar z171 = a_phi * z150 + z166;
+    const Scalar z154 = n1 / z153;
+    const Scalar z155 = n3 * z154 * z154 * z154;
+    const Scalar z156 = z151 * z155;
+    const Scalar z163 = z156 - z161;  // force on second, x
+    const Scalar z164 = z156 - n3 * z158;  // force on first, x
+    const Scalar z167 = n0_75 * z163 + n0_25 * z164;
+    const Scalar z170 = n0_75 * a_r + z167;
+    forces.X = z168;
+    forces.Y = z169;
+    forces.r = z170;
+    forces.phi = z171;
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
@@ -958,38 +954,36 @@ struct Mechanism {
     const Scalar v_phi = state.v.phi;
     const Scalar q_r = state.q.r;
     const Scalar v_r = state.v.r;
-    const Scalar z178 = n0_25 * q_r;
-    const Scalar z179 = n0_75 * q_r;
-    const Scalar z191 = v_phi * v_phi;
-    const Scalar z193 = v_phi * v_r;
-    const Scalar z180 = z179 * z179;
-    const Scalar z181 = n3 * z178 * z178;
-    const Scalar z183 = z178 + z179;
-    const Scalar z184 = z178 + z179;
-    const Scalar z195 = z179 * z191;
-    const Scalar z192 = z178 * z191;
-    const Scalar z194 = n0_5 * z193;
-    const Scalar z185 = z183 * z183;
-    const Scalar z196 = n1_5 * z193;
-    const Scalar z199 = n3 * z194;  // force on first, y
-    const Scalar z182 = z180 + z181;
-    const Scalar z186 = traits::sqrt(z185);
-    const Scalar z200 = z179 * z196 + z178 * z199;  // moment on line, z
-    const Scalar z202 = n1 / z182;
-    const Scalar z204 = z200 * z202;
-    const Scalar z187 = n1 / z186;
-    const Scalar z188 = n3 * z187 * z187 * z187;
-    const Scalar z189 = z183 * z188;
-    const Scalar z190 = z184 * z188;
-    const Scalar z197 = z190 - z195;  // force on second, x
-    const Scalar z198 = z189 - n3 * z192;  // force on first, x
-    const Scalar z201 = n0_75 * z197 + n0_25 * z198;
-    const Scalar z203 = n4_over_3 * z201;
+    const Scalar z176 = n0_25 * q_r;
+    const Scalar z177 = n0_75 * q_r;
+    const Scalar z187 = v_phi * v_phi;
+    const Scalar z189 = v_phi * v_r;
+    const Scalar z178 = z177 * z177;
+    const Scalar z179 = n3 * z176 * z176;
+    const Scalar z181 = z176 + z177;
+    const Scalar z191 = z177 * z187;
+    const Scalar z188 = z176 * z187;
+    const Scalar z190 = n0_5 * z189;
+    const Scalar z192 = n1_5 * z189;
+    const Scalar z182 = z181 * z181;
+    const Scalar z195 = n3 * z190;  // force on first, y
+    const Scalar z180 = z178 + z179;
+    const Scalar z183 = traits::sqrt(z182);
+    const Scalar z196 = z177 * z192 + z176 * z195;  // moment on line, z
+    const Scalar z198 = n1 / z180;
+    const Scalar z200 = z196 * z198;
+    const Scalar z184 = n1 / z183;
+    const Scalar z185 = n3 * z184 * z184 * z184;
+    const Scalar z186 = z181 * z185;
+    const Scalar z193 = z186 - z191;  // force on second, x
+    const Scalar z194 = z186 - n3 * z188;  // force on first, x
+    const Scalar z197 = n0_75 * z193 + n0_25 * z194;
+    const Scalar z199 = n4_over_3 * z197;
     accelerations.X = n0;
     accelerations.Y = n0;
-    accelerations.r = -z203;
-    accelerations.phi = -z204;
-    if (!(traits::regular(z182, z182))) return torsor::Status::singular;
+    accelerations.r = -z199;
+    accelerations.phi = -z200;
+    if (!(traits::regular(z180, z180))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.r * accelerations.phi;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;
@@ -1013,20 +1007,20 @@ struct Mechanism {
     const Scalar v_r = state.v.r;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z219 = n0_25 * q_r;
-    const Scalar z220 = n0_75 * q_r;
-    const Scalar z225 = v_X * c_phi + v_Y * s_phi;
-    const Scalar z226 = v_X * s_phi - v_Y * c_phi;
-    const Scalar z221 = z219 + z220;
-    const Scalar z222 = z221 * z221;
-    const Scalar z223 = traits::sqrt(z222);
-    const Scalar z224 = n1 / z223;
-    const Scalar z227 = v_phi * z219 + z226;
-    const Scalar z228 = n0_25 * v_r - z225;  // velocity of first, x
-    const Scalar z229 = v_phi * z220 - z226;
-    const Scalar z230 = n0_75 * v_r + z225;  // velocity of second, x
-    result.kinetic = n1_5 * (z227 * z227 + z228 * z228) + n0_5 * (z229 * z229 + z230 * z230);
-    result.force_function = n3 * z224;
+    const Scalar z215 = n0_25 * q_r;
+    const Scalar z216 = n0_75 * q_r;
+    const Scalar z221 = v_X * c_phi + v_Y * s_phi;
+    const Scalar z222 = v_X * s_phi - v_Y * c_phi;
+    const Scalar z217 = z215 + z216;
+    const Scalar z218 = z217 * z217;
+    const Scalar z219 = traits::sqrt(z218);
+    const Scalar z220 = n1 / z219;
+    const Scalar z223 = v_phi * z215 + z222;
+    const Scalar z224 = n0_25 * v_r - z221;  // velocity of first, x
+    const Scalar z225 = v_phi * z216 - z222;
+    const Scalar z226 = n0_75 * v_r + z221;  // velocity of second, x
+    result.kinetic = n1_5 * (z223 * z223 + z224 * z224) + n0_5 * (z225 * z225 + z226 * z226);
+    result.force_function = n3 * z220;
     result.power = n0;
   }
 
@@ -1047,25 +1041,25 @@ struct Mechanism {
     const Scalar v_r = state.v.r;
     Scalar s_phi, c_phi;
     traits::sincos(q_phi, s_phi, c_phi);
-    const Scalar z245 = n0_25 * q_r;
-    const Scalar z246 = n0_75 * q_r;
-    const Scalar z254 = v_X * c_phi + v_Y * s_phi;
-    const Scalar z255 = v_X * s_phi - v_Y * c_phi;
-    const Scalar z250 = z245 + z246;
+    const Scalar z241 = n0_25 * q_r;
+    const Scalar z242 = n0_75 * q_r;
+    const Scalar z250 = v_X * c_phi + v_Y * s_phi;
+    const Scalar z251 = v_X * s_phi - v_Y * c_phi;
+    const Scalar z246 = z241 + z242;
+    const Scalar z243 = z242 * z242;
+    const Scalar z244 = n3 * z241 * z241;
     const Scalar z247 = z246 * z246;
-    const Scalar z248 = n3 * z245 * z245;
-    const Scalar z251 = z250 * z250;
-    const Scalar z249 = z247 + z248;
-    const Scalar z252 = traits::sqrt(z251);
-    const Scalar z253 = n1 / z252;
-    const Scalar z256 = v_phi * z245 + z255;
-    const Scalar z257 = n0_25 * v_r - z254;  // velocity of first, x
-    const Scalar z258 = v_phi * z246 - z255;
-    const Scalar z259 = n0_75 * v_r + z254;  // velocity of second, x
-    result.energy = -n3 * z253 + n1_5 * (z256 * z256 + z257 * z257) + n0_5 * (z258 * z258 + z259 * z259);
+    const Scalar z245 = z243 + z244;
+    const Scalar z248 = traits::sqrt(z247);
+    const Scalar z249 = n1 / z248;
+    const Scalar z252 = v_phi * z241 + z251;
+    const Scalar z253 = n0_25 * v_r - z250;  // velocity of first, x
+    const Scalar z254 = v_phi * z242 - z251;
+    const Scalar z255 = n0_75 * v_r + z250;  // velocity of second, x
+    result.energy = -n3 * z249 + n1_5 * (z252 * z252 + z253 * z253) + n0_5 * (z254 * z254 + z255 * z255);
     result.momentum_X = n4 * v_X;
     result.momentum_Y = n4 * v_Y;
-    result.momentum_phi = v_phi * z249;
+    result.momentum_phi = v_phi * z245;
   }
 
   /// Linearisation about the state: M e'' + C e' + K e = F + E du, with e and du deviations from the state and the
@@ -1090,68 +1084,65 @@ struct Mechanism {
     const Scalar q_r = state.q.r;
     const Scalar v_r = state.v.r;
     const Scalar a_r = accelerations.r;
-    const Scalar z295 = n0_25 * q_r;
-    const Scalar z296 = n0_75 * q_r;
-    const Scalar z308 = v_phi * v_phi;
-    const Scalar z310 = n0_5 * v_phi;
-    const Scalar z313 = n1_5 * v_phi;
-    const Scalar z343 = n2 * v_phi;
-    const Scalar z300 = z295 + z296;
-    const Scalar z297 = z296 * z296;
-    const Scalar z298 = n3 * z295 * z295;
-    const Scalar z301 = z295 + z296;
-    const Scalar z311 = v_r * z310;
-    const Scalar z302 = z300 * z300;
-    const Scalar z325 = n2 * z300;
-    const Scalar z312 = z296 * z308;
-    const Scalar z314 = v_r * z313;
-    const Scalar z330 = n0_75 * z308;
-    const Scalar z309 = z295 * z308;
-    const Scalar z303 = traits::sqrt(z302);
-    const Scalar z299 = z297 + z298;
-    const Scalar z317 = n3 * z311;  // force on first, y
-    const Scalar z333 = n0_25 * z308;
-    const Scalar z338 = n1_5 * z296;
-    const Scalar z339 = n1_5 * z295;
-    const Scalar z344 = z296 * z343;
-    const Scalar z345 = z295 * z343;
-    const Scalar z348 = n0_5 * v_r;
-    const Scalar z340 = z338 + z339;
-    const Scalar z350 = n1_5 * v_r;
-    const Scalar z336 = n3 * z310;
-    const Scalar z337 = z296 * z313 + z295 * z336;
-    const Scalar z341 = n0_75 * z314 + n0_25 * z317;
-    const Scalar z318 = z296 * z314 + z295 * z317;  // moment on line, z
-    const Scalar z346 = n3 * z345;
-    const Scalar z349 = n3 * z348;
-    const Scalar z324 = n1 / z299;
-    const Scalar z351 = z296 * z350 + z295 * z349;
-    const Scalar z342 = a_phi * z340 + z341;
-    const Scalar z347 = n0_75 * z344 + n0_25 * z346;
-    const Scalar z320 = n4 * a_X;
-    const Scalar z321 = n4 * a_Y;
-    const Scalar z323 = a_phi * z299 + z318;
-    const Scalar z326 = n0_5 * z325 / z303;
-    const Scalar z304 = n1 / z303;
-    const Scalar z353 = z324 * z342;
-    const Scalar z354 = z324 * z337;
-    const Scalar z355 = n4_over_3 * z347;
-    const Scalar z356 = z324 * z351;
-    const Scalar z305 = n3 * z304 * z304 * z304;
-    const Scalar z327 = z326 / (z303 * z303);
-    const Scalar z306 = z300 * z305;
-    const Scalar z307 = z301 * z305;
-    const Scalar z315 = z307 - z312;  // force on second, x
-    const Scalar z316 = z306 - n3 * z309;  // force on first, x
-    const Scalar z328 = n9 * z304 * z304 * z327;
-    const Scalar z319 = n0_75 * z315 + n0_25 * z316;
-    const Scalar z329 = z301 * z328 - z305;
-    const Scalar z332 = z300 * z328 - z305;
-    const Scalar z331 = z329 + z330;
-    const Scalar z334 = z332 + n3 * z333;
-    const Scalar z322 = n0_75 * a_r + z319;
-    const Scalar z335 = n0_75 * z331 + n0_25 * z334;
-    const Scalar z352 = n4_over_3 * z335;
+    const Scalar z292 = n0_25 * q_r;
+    const Scalar z293 = n0_75 * q_r;
+    const Scalar z303 = v_phi * v_phi;
+    const Scalar z305 = n0_5 * v_phi;
+    const Scalar z308 = n1_5 * v_phi;
+    const Scalar z337 = n2 * v_phi;
+    const Scalar z297 = z292 + z293;
+    const Scalar z294 = z293 * z293;
+    const Scalar z295 = n3 * z292 * z292;
+    const Scalar z306 = v_r * z305;
+    const Scalar z307 = z293 * z303;
+    const Scalar z298 = z297 * z297;
+    const Scalar z320 = n2 * z297;
+    const Scalar z309 = v_r * z308;
+    const Scalar z325 = n0_75 * z303;
+    const Scalar z304 = z292 * z303;
+    const Scalar z312 = n3 * z306;  // force on first, y
+    const Scalar z299 = traits::sqrt(z298);
+    const Scalar z296 = z294 + z295;
+    const Scalar z327 = n0_25 * z303;
+    const Scalar z332 = n1_5 * z293;
+    const Scalar z333 = n1_5 * z292;
+    const Scalar z338 = z293 * z337;
+    const Scalar z339 = z292 * z337;
+    const Scalar z342 = n0_5 * v_r;
+    const Scalar z344 = n1_5 * v_r;
+    const Scalar z334 = z332 + z333;
+    const Scalar z330 = n3 * z305;
+    const Scalar z335 = n0_75 * z309 + n0_25 * z312;
+    const Scalar z313 = z293 * z309 + z292 * z312;  // moment on line, z
+    const Scalar z340 = n3 * z339;
+    const Scalar z343 = n3 * z342;
+    const Scalar z319 = n1 / z296;
+    const Scalar z318 = a_phi * z296 + z313;
+    const Scalar z331 = z293 * z308 + z292 * z330;
+    const Scalar z336 = a_phi * z334 + z335;
+    const Scalar z341 = n0_75 * z338 + n0_25 * z340;
+    const Scalar z345 = z293 * z344 + z292 * z343;
+    const Scalar z315 = n4 * a_X;
+    const Scalar z316 = n4 * a_Y;
+    const Scalar z347 = z319 * z336;
+    const Scalar z321 = n0_5 * z320 / z299;
+    const Scalar z300 = n1 / z299;
+    const Scalar z348 = z319 * z331;
+    const Scalar z349 = n4_over_3 * z341;
+    const Scalar z350 = z319 * z345;
+    const Scalar z301 = n3 * z300 * z300 * z300;
+    const Scalar z322 = z321 / (z299 * z299);
+    const Scalar z302 = z297 * z301;
+    const Scalar z310 = z302 - z307;  // force on second, x
+    const Scalar z311 = z302 - n3 * z304;  // force on first, x
+    const Scalar z323 = n9 * z300 * z300 * z322;
+    const Scalar z314 = n0_75 * z310 + n0_25 * z311;
+    const Scalar z324 = z297 * z323 - z301;
+    const Scalar z326 = z324 + z325;
+    const Scalar z328 = z324 + n3 * z327;
+    const Scalar z317 = n0_75 * a_r + z314;
+    const Scalar z329 = n0_75 * z326 + n0_25 * z328;
+    const Scalar z346 = n4_over_3 * z329;
     result.M[0] = n4;
     result.M[1] = n0;
     result.M[2] = n0;
@@ -1167,7 +1158,7 @@ struct Mechanism {
     result.M[12] = n0;
     result.M[13] = n0;
     result.M[14] = n0;
-    result.M[15] = z299;
+    result.M[15] = z296;
     result.C[0] = n0;
     result.C[1] = n0;
     result.C[2] = n0;
@@ -1179,11 +1170,11 @@ struct Mechanism {
     result.C[8] = n0;
     result.C[9] = n0;
     result.C[10] = n0;
-    result.C[11] = z337;
+    result.C[11] = z331;
     result.C[12] = n0;
     result.C[13] = n0;
-    result.C[14] = -z347;
-    result.C[15] = z351;
+    result.C[14] = -z341;
+    result.C[15] = z345;
     result.K[0] = n0;
     result.K[1] = n0;
     result.K[2] = n0;
@@ -1194,16 +1185,16 @@ struct Mechanism {
     result.K[7] = n0;
     result.K[8] = n0;
     result.K[9] = n0;
-    result.K[10] = -z335;
-    result.K[11] = z342;
+    result.K[10] = -z329;
+    result.K[11] = z336;
     result.K[12] = n0;
     result.K[13] = n0;
     result.K[14] = n0;
     result.K[15] = n0;
-    result.F[0] = -z320;
-    result.F[1] = -z321;
-    result.F[2] = -z322;
-    result.F[3] = -z323;
+    result.F[0] = -z315;
+    result.F[1] = -z316;
+    result.F[2] = -z317;
+    result.F[3] = -z318;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
@@ -1226,8 +1217,8 @@ struct Mechanism {
     result.A[19] = n0;
     result.A[20] = n0;
     result.A[21] = n0;
-    result.A[22] = z352;
-    result.A[23] = -z353;
+    result.A[22] = z346;
+    result.A[23] = -z347;
     result.A[24] = n0;
     result.A[25] = n0;
     result.A[26] = n0;
@@ -1259,16 +1250,16 @@ struct Mechanism {
     result.A[52] = n0;
     result.A[53] = n0;
     result.A[54] = n0;
-    result.A[55] = -z354;
+    result.A[55] = -z348;
     result.A[56] = n0;
     result.A[57] = n0;
     result.A[58] = n0;
     result.A[59] = n1;
     result.A[60] = n0;
     result.A[61] = n0;
-    result.A[62] = z355;
-    result.A[63] = -z356;
-    if (!(traits::regular(z299, z299))) return torsor::Status::singular;
+    result.A[62] = z349;
+    result.A[63] = -z350;
+    if (!(traits::regular(z296, z296))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * result.M[15] * result.C[11] * result.C[14] * result.C[15] * result.K[10] * result.K[11]
         * result.F[0] * result.F[1] * result.F[2] * result.F[3] * result.A[22] * result.A[23] * result.A[55]

@@ -8,7 +8,7 @@
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
 // costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
-// joints, factoring, and what is done once for a set of parameters:
+// joints, products that sums share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   precompute                1                3          0             0                  0       0      4       -
 //   kinematics                0                0          0             0                  0       0      0       0
@@ -341,7 +341,7 @@ TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& a
     const Bits bits = (Bits)shifted.part[i];
     const Bits odd = bits << sign_bit, upper = bits << (sign_bit - 1);
     Numbers sine_of_rest, cosine_of_rest;
-    if constexpr (sizeof(Numbers) >= 32) {  // AVX has instructions that choose by the bit of the sign
+    if constexpr (sizeof(Numbers) >= 32) {  // AVX chooses by the bit of the sign, AVX-512 by a mask
       const Bits exchanged = odd < Bits{};
       sine_of_rest = exchanged ? c : s;
       cosine_of_rest = exchanged ? s : c;
@@ -506,7 +506,7 @@ struct Mechanism {
 
   static constexpr const char* name = "sprung_absorber";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xa993f4a5e6d7770aULL;
+  static constexpr unsigned long long fingerprint = 0x0fb2e57ae52cd007ULL;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;

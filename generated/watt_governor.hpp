@@ -8,7 +8,7 @@
 //
 // Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status
 // costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
-// joints, factoring, and what is done once for a set of parameters:
+// joints, products that sums share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
 //   precompute                0                7          0             0                  0       0      7       -
 //   kinematics                2               21          0             0                  2       0     27      29
@@ -341,7 +341,7 @@ TORSOR_INLINED void sincos_of_registers(const Registers<Number, lanes, count>& a
     const Bits bits = (Bits)shifted.part[i];
     const Bits odd = bits << sign_bit, upper = bits << (sign_bit - 1);
     Numbers sine_of_rest, cosine_of_rest;
-    if constexpr (sizeof(Numbers) >= 32) {  // AVX has instructions that choose by the bit of the sign
+    if constexpr (sizeof(Numbers) >= 32) {  // AVX chooses by the bit of the sign, AVX-512 by a mask
       const Bits exchanged = odd < Bits{};
       sine_of_rest = exchanged ? c : s;
       cosine_of_rest = exchanged ? s : c;
@@ -506,7 +506,7 @@ struct Mechanism {
 
   static constexpr const char* name = "watt_governor";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x7ecb9fa56fb50e52ULL;
+  static constexpr unsigned long long fingerprint = 0x3e945852d63212b5ULL;
   static constexpr int coordinate_count = 1;
   static constexpr int velocity_count = 1;
   static constexpr int input_count = 0;
@@ -971,30 +971,29 @@ struct Mechanism {
   /// First integrals: constant along every motion.
   TORSOR_DEVICE static void first_integrals(const Precomputed& precomputed, const State& state,
       FirstIntegrals& result) noexcept {
-    const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
-    const Scalar n19_62 = traits::constant(19.62, 19.62f, "981/50");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");
+    const Scalar n19_62 = traits::constant(19.62, 19.62f, "981/50");
     const Scalar p_omega = precomputed.parameters.omega;
     const Scalar q_theta = state.q.theta;
     const Scalar v_theta = state.v.theta;
     const Scalar p_M = precomputed.parameters.M;
     const Scalar z16 = precomputed.z16;
     const Scalar z17 = precomputed.z17;
+    const Scalar z19 = precomputed.z19;
     const Scalar z39 = precomputed.z39;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
     const Scalar z188 = v_theta * s_theta;
-    const Scalar z195 = v_theta * z16;
     const Scalar z189 = p_omega * s_theta;
     const Scalar z190 = c_theta * z39;
     const Scalar z192 = c_theta * z17;
     const Scalar z191 = z39 * z188;  // velocity of sleeve, z
     const Scalar z193 = p_M * z191;
     const Scalar z194 = z39 * z193;
-    const Scalar z196 = n2 * z195 + s_theta * z194;
-    result.painleve = -n19_62 * z192 - z16 * z189 * z189 - p_M * (n9_81 * z190 + n0_5 * z191 * z191) - v_theta * (z195
-        - z196);
+    const Scalar z195 = v_theta * z19 + s_theta * z194;
+    result.painleve = -v_theta * (v_theta * z16 - z195) - p_M * (n9_81 * z190 + n0_5 * z191 * z191) - z16 * z189 * z189
+        - n19_62 * z192;
   }
 
   /// Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released
@@ -1036,44 +1035,44 @@ struct Mechanism {
     const Scalar z39 = precomputed.z39;
     Scalar s_theta, c_theta;
     traits::sincos(q_theta, s_theta, c_theta);
-    const Scalar z209 = v_theta * s_theta;
-    const Scalar z212 = s_theta * z39;
-    const Scalar z210 = v_theta * c_theta;
-    const Scalar z213 = p_omega * s_theta;
-    const Scalar z214 = p_omega * c_theta;
-    const Scalar z218 = n9_81 * s_theta;
-    const Scalar z219 = n9_81 * c_theta;
-    const Scalar z215 = c_theta * z39;
-    const Scalar z211 = a_theta * s_theta + v_theta * z210;
-    const Scalar z216 = p_M * z212;
-    const Scalar z220 = z213 * z214;
-    const Scalar z226 = n2 * z210;
-    const Scalar z230 = v_theta * z209 - a_theta * c_theta;
-    const Scalar z233 = z213 * z213 - z214 * z214;
-    const Scalar z217 = z19 + z212 * z216;
-    const Scalar z223 = z17 * z218 + z16 * (a_theta - z220);  // moment on arm_2, y
-    const Scalar z227 = z39 * z226;
-    const Scalar z221 = n9_81 + z39 * z211;
-    const Scalar z228 = p_M * z227;
-    const Scalar z225 = n1 / z217;
-    const Scalar z231 = z39 * z230;
-    const Scalar z234 = z17 * z219 + z16 * z233;
-    const Scalar z222 = p_M * z221;  // force on sleeve, z
-    const Scalar z229 = z212 * z228;
-    const Scalar z232 = p_M * z231;
-    const Scalar z224 = n2 * z223 + z212 * z222;
-    const Scalar z235 = z212 * z232 - z215 * z222 - n2 * z234;
-    const Scalar z237 = z225 * z229;
-    const Scalar z236 = z225 * z235;
-    result.M[0] = z217;
-    result.C[0] = z229;
-    result.K[0] = -z235;
-    result.F[0] = -z224;
+    const Scalar z208 = v_theta * s_theta;
+    const Scalar z211 = s_theta * z39;
+    const Scalar z209 = v_theta * c_theta;
+    const Scalar z212 = p_omega * s_theta;
+    const Scalar z213 = p_omega * c_theta;
+    const Scalar z217 = n9_81 * s_theta;
+    const Scalar z218 = n9_81 * c_theta;
+    const Scalar z214 = c_theta * z39;
+    const Scalar z210 = a_theta * s_theta + v_theta * z209;
+    const Scalar z215 = p_M * z211;
+    const Scalar z219 = z212 * z213;
+    const Scalar z225 = n2 * z209;
+    const Scalar z229 = v_theta * z208 - a_theta * c_theta;
+    const Scalar z232 = z212 * z212 - z213 * z213;
+    const Scalar z216 = z19 + z211 * z215;
+    const Scalar z222 = z17 * z217 + z16 * (a_theta - z219);  // moment on arm_2, y
+    const Scalar z226 = z39 * z225;
+    const Scalar z220 = n9_81 + z39 * z210;
+    const Scalar z227 = p_M * z226;
+    const Scalar z224 = n1 / z216;
+    const Scalar z230 = z39 * z229;
+    const Scalar z233 = z17 * z218 + z16 * z232;
+    const Scalar z221 = p_M * z220;  // force on sleeve, z
+    const Scalar z228 = z211 * z227;
+    const Scalar z231 = p_M * z230;
+    const Scalar z223 = n2 * z222 + z211 * z221;
+    const Scalar z234 = z211 * z231 - z214 * z221 - n2 * z233;
+    const Scalar z236 = z224 * z228;
+    const Scalar z235 = z224 * z234;
+    result.M[0] = z216;
+    result.C[0] = z228;
+    result.K[0] = -z234;
+    result.F[0] = -z223;
     result.A[0] = n0;
-    result.A[1] = z236;
+    result.A[1] = z235;
     result.A[2] = n1;
-    result.A[3] = -z237;
-    if (!(traits::regular(z217, z217))) return torsor::Status::singular;
+    result.A[3] = -z236;
+    if (!(traits::regular(z216, z216))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * result.M[0] * result.C[0] * result.K[0] * result.F[0] * result.A[1] * result.A[3];
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;

@@ -64,8 +64,8 @@ void measure(const Options& options, const Chain& chain, Quantity quantity, std:
   const std::vector<Way> ways = all_ways(options, chain, quantity, batch);
   const std::vector<double> difference = differences(ways, quantity, batch.states);
   const std::vector<Timing> timings = time_in_turns(ways, batch.states, options.turns);
-  /// How many times faster than the competitor of that name; empty where there is none.
-  const auto times = [&](double ratio, const char* competitor, const char* format) -> std::string {
+  // Than the competitor of that name; empty where there is none.
+  const auto times_faster = [&](double ratio, const char* competitor, const char* format) -> std::string {
     const auto place =
         std::find_if(ways.begin(), ways.end(), [&](const Way& way) { return way.competitor == competitor; });
     if (place == ways.end()) return "";
@@ -74,13 +74,13 @@ void measure(const Options& options, const Chain& chain, Quantity quantity, std:
   for (std::size_t i = 0; i < ways.size(); ++i) {
     const auto& [ns, ratio] = timings[i];
     fmt::print("{:<18}{:<40}{:<8}{:>28}{:>10.2f}{:>10}{:>10}{:>9.0e}\n", name_of(quantity), ways[i].competitor,
-               ways[i].scalar, text_of(ns), 1 / ratio.median, times(ratio.median, cheapest, "{:.1f}"),
-               times(ratio.median, whole, "{:.1f}"), difference[i]);
+               ways[i].scalar, text_of(ns), 1 / ratio.median, times_faster(ratio.median, cheapest, "{:.1f}"),
+               times_faster(ratio.median, whole, "{:.1f}"), difference[i]);
     std::string name = ways[i].competitor;  // a cell holds no comma
     name.erase(std::remove(name.begin(), name.end(), ','), name.end());
     csv += fmt::format("{},{},{},1,{:.3f},{:.3f},{:.3f},{:.4f},{},{},{:.1e}\n", name_of(quantity), name, ways[i].scalar,
-                       ns.median, ns.lower, ns.upper, 1 / ratio.median, times(ratio.median, cheapest, "{:.3f}"),
-                       times(ratio.median, whole, "{:.3f}"), difference[i]);
+                       ns.median, ns.lower, ns.upper, 1 / ratio.median, times_faster(ratio.median, cheapest, "{:.3f}"),
+                       times_faster(ratio.median, whole, "{:.3f}"), difference[i]);
   }
   std::fflush(stdout);
 }
@@ -119,7 +119,8 @@ void run(const Options& options) {
   fmt::print("{:<18}{:<40}{:<8}{:>28}{:>10}{:>10}{:>10}{:>9}\n", "quantity", "", "scalar", "ns for one state (quartiles)",
              "x single", "x MuJoCo", "x whole", "differs");
   std::string csv =
-      "quantity,competitor,scalar,threads,ns,ns_lower_quartile,ns_upper_quartile,times_single,times_mujoco,times_mujoco_whole,difference\n";
+      "quantity,competitor,scalar,threads,ns,ns_lower_quartile,ns_upper_quartile,times_single,times_mujoco,"
+      "times_mujoco_whole,difference\n";
   for (const Quantity quantity : quantities) measure(options, *chain, quantity, csv);
   measure_ensemble(options.turns, csv);
   measure_threads(options, csv);

@@ -148,7 +148,7 @@ std::string emit_header(const Equations& equations, const std::vector<Kernel>& k
   if (precompute.operations.total() > 0) {
     provenance.operations.push_back({"precompute", precompute.operations, std::nullopt});
   }
-  // Before: no inertia moved across joints, no factoring, nothing done once for a set of parameters.
+  // Before: no inertia moved across joints, no products shared, no factoring, nothing done once for a set of parameters.
   const Equations unoptimised(scene, as_given(options.model));
   std::vector<std::string> functions;
   for (std::size_t k = 0; k < present.size(); ++k) {

@@ -264,6 +264,19 @@ std::string known_names() {
   return known;
 }
 
+Kernel derived_kernel(const std::string& name, const Equations& equations) {
+  for (const Entry& entry : entries()) {
+    if (entry.name != name) continue;
+    Kernel kernel;
+    if (entry.absence) kernel.skipped = entry.absence(equations);
+    if (kernel.skipped.empty()) kernel = entry.make(equations);
+    kernel.name = name;
+    clear_vanishing(kernel);
+    return kernel;
+  }
+  throw UsageError(fmt::format("unknown kernel '{}': known are {}", name, known_names()));
+}
+
 }  // namespace
 
 std::vector<Value> SeriesSolve::at_start(const SeriesProgram& program) const {
@@ -315,24 +328,16 @@ const std::vector<std::string>& usual_kernel_names() {
 }
 
 Kernel make_kernel(const std::string& name, const Equations& equations) {
-  for (const Entry& entry : entries()) {
-    if (entry.name != name) continue;
-    Kernel kernel;
-    if (entry.absence) kernel.skipped = entry.absence(equations);
-    if (kernel.skipped.empty()) kernel = entry.make(equations);
-    kernel.name = name;
-    clear_vanishing(kernel);
-    share_products(equations.program(), kernel);
-    return kernel;
-  }
-  throw UsageError(fmt::format("unknown kernel '{}': known are {}", name, known_names()));
+  Kernel kernel = derived_kernel(name, equations);
+  share_products(equations.program(), kernel);
+  return kernel;
 }
 
 std::string why_absent(const std::string& name, const Equations& equations) {
   for (const Entry& entry : entries()) {
     if (entry.name == name && entry.absence) return entry.absence(equations);
   }
-  return make_kernel(name, equations).skipped;
+  return derived_kernel(name, equations).skipped;
 }
 
 std::vector<std::string> parse_kernel_list(const std::string& list) {

@@ -97,7 +97,7 @@ std::string provenance_comment(const Provenance& provenance) {
           joined(provenance.parameters, ", ", [](const SymbolPointer& symbol) { return symbol->name; }) + "\n\n";
   text += "Operations in the text of each function (a sine-cosine pair counts 2 in the total; not in it is what a Status\n";
   text += "costs, one multiplication for each result and for each pivot tested); before: without inertia moved across\n";
-  text += "joints, factoring, and what is done once for a set of parameters:\n";
+  text += "joints, products that sums share, factoring, and what is done once for a set of parameters:\n";
   text += operations_table(provenance) + "\n";
   text += "Not computed because this mechanism does not need it:\n" + skipped(provenance) + "\n";
   for (const std::string& note : scene.origin.notes) text += note + "\n";

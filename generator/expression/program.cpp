@@ -116,7 +116,7 @@ Value Program::bind(const Value& value, const std::string& name, bool shared) {
     definition.unit = value.unit();
     definition.name = name;
     atom = append(std::move(definition));
-    bucket.push_back(atom);
+    if (shared) bucket.push_back(atom);
   }
   Value bound(*this, Polynomial(atom), value.unit());
   return negative ? -bound : bound;

@@ -67,7 +67,7 @@ struct Definition {
 };
 
 /// The straight-line program under everything: an ordered list of definitions z_k = flat sum or function of earlier
-/// atoms, hash-consed up to sign. Everything that is derived appends to it; nothing walks an expanded tree.
+/// atoms, hash-consed up to sign but for what is bound apart. Everything that is derived appends to it; nothing walks an expanded tree.
 ///
 /// Determinism: atoms are numbered in order of creation and every order used anywhere is that order. Hash tables are
 /// looked up, never iterated.
@@ -88,8 +88,8 @@ class Program {
   /// Gives a sum or product a definition of its own, so that users of the value see one symbol. Numbers and single
   /// symbols are returned as they are. The name tells a reader what it is.
   Value bind(const Value& value, const std::string& name = {}) { return bind(value, name, passes_.sharing); }
-  /// The same with a new definition, after all there are, where the sum has one already.
-  Value bind_again(const Value& value, const std::string& name = {}) { return bind(value, name, false); }
+  /// The same, but with a definition after all there are even where the sum has one, and that nobody finds again.
+  Value bind_apart(const Value& value, const std::string& name = {}) { return bind(value, name, false); }
   Value atom_value(Atom atom);  ///< the atom as a value
 
   Value apply(Function function, const Value& argument);

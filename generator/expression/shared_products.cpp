@@ -5,32 +5,28 @@
 #include <iterator>
 #include <map>
 #include <optional>
-#include <tuple>
 #include <unordered_map>
 #include <utility>
 
 #include "generator/expression/arrival.hpp"
+#include "generator/expression/error.hpp"
+#include "generator/expression/factor_pair.hpp"
 #include "generator/expression/formula.hpp"
 
 namespace torsor {
 namespace {
 
-/// Two factors: an atom, and another (perhaps the same) or a number other than one.
-struct FactorPair {
-  Atom first = -1, second = -1;  ///< in this order; second < 0: the number
-  Number number{1};
-  friend auto operator<=>(const FactorPair& a, const FactorPair& b) {
-    return std::tie(a.first, a.second, a.number) <=> std::tie(b.first, b.second, b.number);
-  }
-};
+/// Sums of more terms are left as they are: each pair that is tried costs the square of their number.
+constexpr std::size_t most_terms = 200;
 
 /// A sum that is computed at every state, and what it costs.
 struct StateSum {
   Polynomial sum;
   int operations = 0;
-  int instructions = 0;  ///< where a product and the sum it is added to are one
-  int arrival = 0;       ///< the cycle in which it is known
+  int instructions = 0;             ///< where a product and the sum it is added to are one
+  int arrival = 0;                  ///< the cycle in which it is known, by those of the atoms that it had at first
   std::vector<FactorPair> pairs{};  ///< that its formula multiplies, once for each time
+  bool changed = true;              ///< since all pairs were tried
 };
 
 /// Products that are added at once.
@@ -44,60 +40,15 @@ int fusions(const Formula& formula) {
   return result + static_cast<int>(std::min<std::ptrdiff_t>(products, std::ssize(formula.children) - 1));
 }
 
-void add_pairs(const Formula& formula, std::vector<FactorPair>& pairs) {
-  for (const Formula& child : formula.children) add_pairs(child, pairs);
-  if (formula.kind != Formula::Kind::product) return;
-  std::map<Atom, int> powers;
-  const Number* number = nullptr;
-  for (const Formula& child : formula.children) {
-    if (child.kind == Formula::Kind::atom) ++powers[child.atom];
-    if (child.kind == Formula::Kind::constant) number = &child.number;
-  }
-  for (auto one = powers.begin(); one != powers.end(); ++one) {
-    const auto& [atom, power] = *one;
-    if (number != nullptr) pairs.push_back({atom, -1, *number});
-    for (int squares = power / 2; squares > 0; --squares) pairs.push_back({atom, atom, Number(1)});
-    for (auto other = std::next(one); other != powers.end(); ++other) pairs.push_back({atom, other->first, Number(1)});
-  }
-}
-
-int exponent_of(const Monomial& monomial, Atom atom) {
-  const auto place =
-      std::find_if(monomial.begin(), monomial.end(), [atom](const Factor& factor) { return factor.atom == atom; });
-  return place == monomial.end() ? 0 : place->exponent;
-}
-
-/// The sum with `product` for the pair, wherever a term has both.
-Polynomial replaced(const Polynomial& sum, const FactorPair& pair, Atom product) {
-  Polynomial result;
-  for (const Term& term : sum.terms()) {
-    Monomial monomial = term.monomial;
-    Number coefficient = term.coefficient;
-    const int power = exponent_of(monomial, pair.first);
-    int times = power;
-    if (pair.second == pair.first) times = power / 2;
-    if (pair.second >= 0 && pair.second != pair.first) times = std::min(power, exponent_of(monomial, pair.second));
-    if (pair.second < 0) times = power > 0 && coefficient.abs() == pair.number ? 1 : 0;
-    if (times > 0) {
-      monomial = monomial * Monomial{{pair.first, -times}} * Monomial{{product, times}};
-      if (pair.second >= 0)
-        monomial = monomial * Monomial{{pair.second, -times}};
-      else
-        coefficient = Number(coefficient.sign());
-    }
-    result.add({std::move(monomial), std::move(coefficient)});
-  }
-  return result;
-}
-
 class ProductSharing {
  public:
   ProductSharing(Program& program, const std::vector<Value>& values)
       : program_(&program), values_(values), live_(program.live(values)) {
     for (const Atom atom : live_) {
       const Definition& definition = program[atom];
-      if (!definition.symbol && !definition.function && definition.stage > Stage::parameters)
-        places_.emplace(atom, add(definition.polynomial));
+      if (definition.symbol || definition.function || definition.stage <= Stage::parameters) continue;
+      if (const auto pair = as_pair(definition.polynomial)) products_.emplace(*pair, atom);
+      places_.emplace(atom, add(definition.polynomial));
     }
     std::unordered_map<std::size_t, std::vector<std::size_t>> known;  // by hash: what is equal is computed once
     for (const Value& value : values_) {
@@ -136,81 +87,104 @@ class ProductSharing {
     std::size_t place = 0;
     bool negative = false;
   };
+  using Uses = std::vector<std::size_t>;  ///< the sums that multiply a pair, once for each time
 
-  StateSum counted(Polynomial sum) const {
-    const Formula tree = formula(*program_, sum);
+  StateSum counted(Polynomial sum, const Formula& tree) const {
     const int operations = count(tree).total();
-    StateSum counted{std::move(sum), operations, operations - fusions(tree), arrival(*program_, tree)};
-    add_pairs(tree, counted.pairs);
-    return counted;
+    StateSum result{std::move(sum), operations, operations - fusions(tree), arrival(*program_, tree)};
+    if (result.sum.terms().size() <= most_terms) add_pairs(tree, result.pairs);
+    return result;
   }
   std::size_t add(Polynomial sum) {
-    sums_.push_back(counted(std::move(sum)));
+    const Formula tree = formula(*program_, sum);
+    sums_.push_back(counted(std::move(sum), tree));
     return sums_.size() - 1;
   }
 
-  Value product_of(const FactorPair& pair) const {
-    const Value first = program_->atom_value(pair.first);
-    return pair.second < 0 ? pair.number * first : first * program_->atom_value(pair.second);
-  }
   bool is_early(const FactorPair& pair) const {
     return (*program_)[pair.first].stage <= Stage::parameters &&
            (pair.second < 0 || (*program_)[pair.second].stage <= Stage::parameters);
   }
+  Atom product_of(const FactorPair& pair) {
+    if (const auto known = products_.find(pair); known != products_.end()) return known->second;
+    const Value product(*program_, pair.product(), Unit());  // read by sums only, that have their own
+    // What is computed before any state all kernels share.
+    const Atom atom = *(is_early(pair) ? program_->bind(product) : program_->bind_apart(product)).atom();
+    products_.emplace(pair, atom);
+    return atom;
+  }
 
-  /// One round through all pairs that there are now; whether any was taken out.
+  /// One round through all pairs of sums that changed since the last one; whether any was taken out.
   bool share() {
-    std::map<FactorPair, std::vector<std::size_t>> uses;  // the sums that multiply it, once for each time
+    std::map<FactorPair, Uses> uses;
     for (std::size_t place = 0; place < sums_.size(); ++place) {
       for (const FactorPair& pair : sums_[place].pairs) uses[pair].push_back(place);
     }
-    std::vector<const decltype(uses)::value_type*> most_frequent;
+    std::vector<const std::pair<const FactorPair, Uses>*> most_frequent;
     for (const auto& each : uses) {
-      if (each.second.size() > 1 || is_early(each.first)) most_frequent.push_back(&each);
+      const bool changed = std::any_of(each.second.begin(), each.second.end(), [&](auto k) { return sums_[k].changed; });
+      if (changed && (each.second.size() > 1 || is_early(each.first))) most_frequent.push_back(&each);
     }
     std::stable_sort(most_frequent.begin(), most_frequent.end(),
                      [](const auto* a, const auto* b) { return a->second.size() > b->second.size(); });
+    for (StateSum& sum : sums_) sum.changed = false;
     bool shared = false;
     for (const auto* each : most_frequent) shared = share(each->first, each->second) || shared;
     return shared;
   }
 
-  bool share(const FactorPair& pair, const std::vector<std::size_t>& uses) {
-    const Atom product = *program_->bind(product_of(pair)).atom();
-    const auto known = places_.find(product);
-    const int own = is_early(pair) || known != places_.end() ? 0 : 1;
-    int operations = -own, instructions = -own;  // saved
+  bool share(const FactorPair& pair, const Uses& uses) {
+    const Atom product = product_of(pair);
+    const auto own = places_.find(product);
+    const int cost = is_early(pair) || own != places_.end() ? 0 : 1;
+    int operations = -cost, instructions = -cost;  // saved
     std::vector<std::pair<std::size_t, StateSum>> cheaper;
     for (std::size_t i = 0; i < uses.size(); ++i) {
       const std::size_t place = uses[i];
-      if ((i > 0 && uses[i - 1] == place) || (known != places_.end() && known->second == place)) continue;
+      if ((i > 0 && uses[i - 1] == place) || (own != places_.end() && own->second == place)) continue;
       const StateSum& before = sums_[place];
-      StateSum after = counted(replaced(before.sum, pair, product));
-      if (after.operations >= before.operations || after.arrival > before.arrival) continue;
+      Polynomial sum = pair.replaced(before.sum, product);
+      const Formula tree = formula(*program_, sum);
+      if (!same_factoring(formula(*program_, before.sum), tree, pair, product)) continue;
+      StateSum after = counted(std::move(sum), tree);
+      if (after.operations >= before.operations || after.instructions > before.instructions) continue;
+      if (after.arrival > before.arrival) continue;
       operations += before.operations - after.operations;
       instructions += before.instructions - after.instructions;
       cheaper.emplace_back(place, std::move(after));
     }
     if (operations <= 0 || instructions < 0) return false;
     for (auto& [place, sum] : cheaper) sums_[place] = std::move(sum);
-    if (known == places_.end() && !is_early(pair)) places_.emplace(product, add((*program_)[product].polynomial));
+    if (cost > 0) places_.emplace(product, add((*program_)[product].polynomial));
     return true;
   }
 
   /// What stands for an atom now: itself, plus or minus another, or a number.
   const Value& define(Atom atom) {
     if (const auto known = defined_.find(atom); known != defined_.end()) return known->second;
-    const Definition definition = (*program_)[atom];  // a copy: more are appended
     Value value = program_->atom_value(atom);
-    if (definition.function && definition.stage > Stage::parameters) {
+    const auto function = (*program_)[atom].function;
+    if (function && (*program_)[atom].stage > Stage::parameters) {
       // Numbers with units may have made the argument a pure number: its atom's own unit does not tell.
-      const Unit unit = *definition.function == Function::sqrt ? definition.unit.pow(2) : Unit();
-      value = program_->apply(*definition.function, {*program_, define(definition.argument).polynomial(), unit});
+      const Unit unit = *function == Function::sqrt ? (*program_)[atom].unit.pow(2) : Unit();
+      value = program_->apply(*function, {*program_, define((*program_)[atom].argument).polynomial(), unit});
     } else if (const auto place = places_.find(atom); place != places_.end()) {
-      const Value sum = rewritten(sums_[place->second].sum, definition.unit);
-      value = program_->bind_again(sum, definition.name);  // in the order that there was
+      const Unit unit = (*program_)[atom].unit;
+      const std::string name = (*program_)[atom].name;
+      value = bound(rewritten(sums_[place->second].sum, unit), name);
     }
     return defined_.emplace(atom, std::move(value)).first->second;
+  }
+  /// Definitions stand in the order that they had; those that became equal are one.
+  Value bound(const Value& value, const std::string& name) {
+    const bool negative = value.polynomial().sign() < 0;
+    const Value positive = negative ? -value : value;
+    auto& bucket = bound_[positive.polynomial().hash()];
+    auto same = std::find_if(bucket.begin(), bucket.end(),
+                             [&](const auto& each) { return each.first == positive.polynomial(); });
+    if (same == bucket.end())
+      same = bucket.insert(same, {positive.polynomial(), program_->bind_apart(positive, name)});
+    return negative ? -same->second : same->second;
   }
   Value rewritten(const Polynomial& sum, const Unit& unit) {
     Polynomial result;
@@ -219,6 +193,7 @@ class ProductSharing {
       for (const Factor& factor : term.monomial) {
         const Polynomial& now = define(factor.atom).polynomial();
         // What turned out to be equal may have cancelled: nothing is left, or a number.
+        if (now.is_zero() && factor.exponent < 0) throw Error("division by zero: a denominator vanishes identically");
         const Term only = now.is_zero() ? Term{{}, Number()} : now.terms()[0];
         product.monomial = product.monomial * pow(only.monomial, factor.exponent);
         product.coefficient = product.coefficient * only.coefficient.pow(factor.exponent);
@@ -233,8 +208,10 @@ class ProductSharing {
   std::vector<Atom> live_;
   std::vector<StateSum> sums_;
   std::unordered_map<Atom, std::size_t> places_;  ///< of definitions among the sums
+  std::map<FactorPair, Atom> products_;           ///< definitions that are one, live or tried
   std::vector<std::optional<Result>> results_;    ///< of values: nothing for those known before
   std::unordered_map<Atom, Value> defined_;       ///< what stands for old atoms
+  std::unordered_map<std::size_t, std::vector<std::pair<Polynomial, Value>>> bound_;  ///< new definitions, by hash
 };
 
 }  // namespace

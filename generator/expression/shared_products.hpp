@@ -11,11 +11,12 @@ namespace torsor {
 /// squares in higher powers and products of parameters, which are then computed once for a set of them.
 ///
 /// The most frequent pair of factors goes first (after Breuer, Generation of optimal code for expressions via
-/// factorization, 1969). It is taken out of those sums that have fewer operations without it and are not known later,
-/// and only where, all of them together, no instruction more is left of a processor that fuses products with sums: a
-/// product that is fused in each of two sums costs nothing in the second. Sums of several terms are not taken out: terms
-/// that do not belong together would be rounded together. Exact; nothing changes without the passes
-/// `sharing` and `products`.
+/// factorization, 1969). It is taken out of those sums that cost less without it, in operations and not more in
+/// instructions, are known no later by the arrivals that their operands had, and have the same factors taken out as
+/// before; and only where that saves operations in all, and no processor that fuses products with sums has an
+/// instruction more: a product that two sums fuse costs nothing in the second. Sums of several terms are not taken out:
+/// terms that do not belong together would be rounded together. Exact; nothing changes without the passes `sharing` and
+/// `products`.
 std::vector<Value> with_shared_products(Program& program, const std::vector<Value>& values);
 
 }  // namespace torsor

@@ -33,7 +33,7 @@ struct ModelOptions {
 /// options. They are what the header's `Parameters` lists.
 std::vector<SymbolPointer> run_time_parameters(const Scene& scene, const ModelOptions& options);
 
-/// The same options with inertia and lengths left as the scene has them.
+/// The same options with inertia and lengths left as the scene has them, and products where they stand.
 ModelOptions as_given(ModelOptions options);
 
 /// Inertia of what is attached to one link: mass [kg], first moment h = m OG [kg m] and operator about the link's

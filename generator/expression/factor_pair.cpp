@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/expression/factor_pair.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
+
+namespace torsor {
+namespace {
+
+int exponent_of(const Monomial& monomial, Atom atom) {
+  const auto place =
+      std::find_if(monomial.begin(), monomial.end(), [atom](const Factor& factor) { return factor.atom == atom; });
+  return place == monomial.end() ? 0 : place->exponent;
+}
+
+bool has_inner_sum(const Formula& formula, bool multiplied = false) {
+  const bool is_sum = formula.kind == Formula::Kind::sum;
+  if (is_sum && multiplied) return true;
+  return std::any_of(formula.children.begin(), formula.children.end(),
+                     [&](const Formula& child) { return has_inner_sum(child, multiplied || !is_sum); });
+}
+
+/// Texts that are equal where formulas are, but for the order of terms and factors, with the pair for its product.
+class Shape {
+ public:
+  Shape(const FactorPair& pair, Atom product) : product_(product) {
+    pair_ = {text(pair.first), pair.second < 0 ? pair.number.to_string() : text(pair.second)};
+  }
+
+  std::string operator()(const Formula& formula) const {
+    switch (formula.kind) {
+      case Formula::Kind::atom: return formula.atom == product_ ? joined("*", pair_) : text(formula.atom);
+      case Formula::Kind::constant: return formula.number.to_string();
+      case Formula::Kind::function: return text(formula.atom);
+      case Formula::Kind::sum: {
+        std::vector<std::string> terms;
+        for (std::size_t i = 0; i < formula.children.size(); ++i)
+          terms.push_back((formula.negative[i] ? "-" : "+") + (*this)(formula.children[i]));
+        return joined("sum", std::move(terms));
+      }
+      case Formula::Kind::product: {
+        std::vector<std::string> factors;
+        for (const Formula& child : formula.children) {
+          if (child.kind == Formula::Kind::atom && child.atom == product_)
+            factors.insert(factors.end(), pair_.begin(), pair_.end());
+          else
+            factors.push_back((*this)(child));
+        }
+        return joined("*", std::move(factors));
+      }
+      case Formula::Kind::quotient: return (*this)(formula.children[0]) + "/" + (*this)(formula.children[1]);
+    }
+    return {};
+  }
+
+ private:
+  static std::string text(Atom atom) { return "z" + std::to_string(atom); }
+  static std::string joined(const char* name, std::vector<std::string> parts) {
+    std::sort(parts.begin(), parts.end());
+    std::string result = std::string(name) + "(";
+    for (const std::string& part : parts) result += part + ",";
+    return result + ")";
+  }
+
+  Atom product_;
+  std::vector<std::string> pair_;
+};
+
+}  // namespace
+
+std::strong_ordering operator<=>(const FactorPair& a, const FactorPair& b) {
+  return std::tie(a.first, a.second, a.number) <=> std::tie(b.first, b.second, b.number);
+}
+
+Polynomial FactorPair::product() const {
+  Monomial monomial{{first, 1}};
+  if (second >= 0) monomial = monomial * Monomial{{second, 1}};
+  return Polynomial(Term{std::move(monomial), number});
+}
+
+Polynomial FactorPair::replaced(const Polynomial& sum, Atom product) const {
+  Polynomial result;
+  for (const Term& term : sum.terms()) {
+    Monomial monomial = term.monomial;
+    Number coefficient = term.coefficient;
+    const int power = exponent_of(monomial, first);
+    int times = power;
+    if (second == first) times = power / 2;
+    if (second >= 0 && second != first) times = std::min(power, exponent_of(monomial, second));
+    if (second < 0) times = power > 0 && coefficient.abs() == number ? 1 : 0;
+    if (times > 0) {
+      monomial = monomial * Monomial{{first, -times}} * Monomial{{product, times}};
+      if (second >= 0)
+        monomial = monomial * Monomial{{second, -times}};
+      else
+        coefficient = Number(coefficient.sign());
+    }
+    result.add({std::move(monomial), std::move(coefficient)});
+  }
+  return result;
+}
+
+std::optional<FactorPair> as_pair(const Polynomial& sum) {
+  if (sum.terms().size() != 1) return std::nullopt;
+  const auto& [monomial, coefficient] = sum.terms()[0];
+  const bool plain = coefficient.is_one();
+  if (monomial.size() == 1) {
+    const auto& [atom, exponent] = monomial[0];
+    if (plain && exponent == 2) return FactorPair{atom, atom, Number(1)};
+    if (!plain && exponent == 1 && coefficient.sign() > 0) return FactorPair{atom, -1, coefficient};
+  }
+  if (!plain || monomial.size() != 2 || monomial[0].exponent != 1 || monomial[1].exponent != 1) return std::nullopt;
+  return FactorPair{monomial[0].atom, monomial[1].atom, Number(1)};
+}
+
+void add_pairs(const Formula& formula, std::vector<FactorPair>& pairs) {
+  for (const Formula& child : formula.children) add_pairs(child, pairs);
+  if (formula.kind != Formula::Kind::product) return;
+  std::map<Atom, int> powers;
+  const Number* number = nullptr;
+  for (const Formula& child : formula.children) {
+    if (child.kind == Formula::Kind::atom) ++powers[child.atom];
+    if (child.kind == Formula::Kind::constant) number = &child.number;
+  }
+  for (auto one = powers.begin(); one != powers.end(); ++one) {
+    const auto& [atom, power] = *one;
+    if (number != nullptr) pairs.push_back({atom, -1, *number});
+    for (int squares = power / 2; squares > 0; --squares) pairs.push_back({atom, atom, Number(1)});
+    for (auto other = std::next(one); other != powers.end(); ++other) pairs.push_back({atom, other->first, Number(1)});
+  }
+}
+
+bool same_factoring(const Formula& before, const Formula& after, const FactorPair& pair, Atom product) {
+  if (!has_inner_sum(before) && !has_inner_sum(after)) return true;
+  const Shape shape(pair, product);
+  return shape(before) == shape(after);
+}
+
+}  // namespace torsor

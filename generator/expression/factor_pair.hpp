@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <compare>
+#include <optional>
+#include <vector>
+
+#include "generator/expression/formula.hpp"
+#include "generator/expression/number.hpp"
+#include "generator/expression/polynomial.hpp"
+
+namespace torsor {
+
+/// Two factors of a product: an atom, and another (perhaps the same) or a positive number other than one.
+struct FactorPair {
+  Atom first = -1, second = -1;  ///< in this order; second < 0: the number
+  Number number{1};
+
+  friend std::strong_ordering operator<=>(const FactorPair& a, const FactorPair& b);
+  friend bool operator==(const FactorPair& a, const FactorPair& b) { return (a <=> b) == 0; }
+
+  Polynomial product() const;
+  /// The sum with the atom `product` for the pair, wherever a term has both.
+  Polynomial replaced(const Polynomial& sum, Atom product) const;
+};
+
+/// The pair of which a sum is the product.
+std::optional<FactorPair> as_pair(const Polynomial& sum);
+
+/// Appends the pairs that a formula multiplies, once for each time.
+void add_pairs(const Formula& formula, std::vector<FactorPair>& pairs);
+
+/// Whether two formulas differ in nothing but `product` for the pair, and the order of terms and factors: the same sums
+/// are formed before they are multiplied, and with the same roundings but for those of the products.
+bool same_factoring(const Formula& before, const Formula& after, const FactorPair& pair, Atom product);
+
+}  // namespace torsor
