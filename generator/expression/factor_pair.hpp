@@ -20,7 +20,7 @@ struct FactorPair {
   friend bool operator==(const FactorPair& a, const FactorPair& b) { return (a <=> b) == 0; }
 
   Polynomial product() const;
-  /// The sum with the atom `product` for the pair, wherever a term has both.
+  /// The sum with the atom `product` for the pair, wherever a term multiplies both.
   Polynomial replaced(const Polynomial& sum, Atom product) const;
 };
 
@@ -31,7 +31,7 @@ std::optional<FactorPair> as_pair(const Polynomial& sum);
 void add_pairs(const Formula& formula, std::vector<FactorPair>& pairs);
 
 /// Whether two formulas differ in nothing but `product` for the pair, and the order of terms and factors: the same sums
-/// are formed before they are multiplied, and with the same roundings but for those of the products.
+/// are formed, with the same signs, before they are multiplied: the same roundings but for those of the products.
 bool same_factoring(const Formula& before, const Formula& after, const FactorPair& pair, Atom product);
 
 }  // namespace torsor

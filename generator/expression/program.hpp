@@ -67,7 +67,8 @@ struct Definition {
 };
 
 /// The straight-line program under everything: an ordered list of definitions z_k = flat sum or function of earlier
-/// atoms, hash-consed up to sign but for what is bound apart. Everything that is derived appends to it; nothing walks an expanded tree.
+/// atoms, hash-consed up to sign but for what is bound apart. Everything that is derived appends to it; nothing walks an
+/// expanded tree.
 ///
 /// Determinism: atoms are numbered in order of creation and every order used anywhere is that order. Hash tables are
 /// looked up, never iterated.

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <string>
 #include <unordered_map>
 #include <utility>
 
@@ -24,7 +25,7 @@ struct StateSum {
   Polynomial sum;
   int operations = 0;
   int instructions = 0;             ///< where a product and the sum it is added to are one
-  int arrival = 0;                  ///< the cycle in which it is known, by those of the atoms that it had at first
+  int arrival = 0;                  ///< the cycle in which it is known, if its operands are when they were before the pass
   std::vector<FactorPair> pairs{};  ///< that its formula multiplies, once for each time
   bool changed = true;              ///< since all pairs were tried
 };
@@ -108,7 +109,7 @@ class ProductSharing {
   Atom product_of(const FactorPair& pair) {
     if (const auto known = products_.find(pair); known != products_.end()) return known->second;
     const Value product(*program_, pair.product(), Unit());  // read by sums only, that have their own
-    // What is computed before any state all kernels share.
+    // What is computed before any state all kernels share; only such a product is found by others.
     const Atom atom = *(is_early(pair) ? program_->bind(product) : program_->bind_apart(product)).atom();
     products_.emplace(pair, atom);
     return atom;
@@ -122,7 +123,8 @@ class ProductSharing {
     }
     std::vector<const std::pair<const FactorPair, Uses>*> most_frequent;
     for (const auto& each : uses) {
-      const bool changed = std::any_of(each.second.begin(), each.second.end(), [&](auto k) { return sums_[k].changed; });
+      const bool changed = std::any_of(each.second.begin(), each.second.end(),
+                                       [this](std::size_t place) { return sums_[place].changed; });
       if (changed && (each.second.size() > 1 || is_early(each.first))) most_frequent.push_back(&each);
     }
     std::stable_sort(most_frequent.begin(), most_frequent.end(),

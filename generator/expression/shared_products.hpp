@@ -15,8 +15,8 @@ namespace torsor {
 /// instructions, are known no later by the arrivals that their operands had, and have the same factors taken out as
 /// before; and only where that saves operations in all, and no processor that fuses products with sums has an
 /// instruction more: a product that two sums fuse costs nothing in the second. Sums of several terms are not taken out:
-/// terms that do not belong together would be rounded together. Exact; nothing changes without the passes `sharing` and
-/// `products`.
+/// terms that do not belong together would be rounded together. Exact; nothing changes unless the passes `sharing` and
+/// `products` are both on.
 std::vector<Value> with_shared_products(Program& program, const std::vector<Value>& values);
 
 }  // namespace torsor

@@ -116,7 +116,7 @@ TEST_F(SharedProducts, LeaveWhatIsFactoredOut) {
   EXPECT_EQ(after[0].polynomial(), turned.polynomial());
 }
 
-// What was tried and left is found by nobody, who then gives it its name.
+// What was tried or taken is found by nobody, who then gives it its name; products of parameters are, by all.
 TEST_F(SharedProducts, AreNotFoundByOthers) {
   shared({a * b + c, a * b + d});
   shared({c * d * a + b, c * d * b + a});
@@ -127,11 +127,14 @@ TEST_F(SharedProducts, AreNotFoundByOthers) {
 // Two thousand terms, each with a product of parameters, are left as they are.
 TEST_F(SharedProducts, LeaveVeryLongSums) {
   Value sum;
-  for (int k = 0; k < 2000; ++k) sum += parameter("m" + std::to_string(k)) * parameter("l") * (k % 2 == 0 ? a : b);
+  for (int k = 0; k < 2000; ++k) {
+    const Value m = parameter("m" + std::to_string(k)), l = parameter("l" + std::to_string(k));
+    sum += m * l * (k % 2 == 0 ? a : b);
+  }
   EXPECT_EQ(shared({sum})[0].polynomial(), sum.polynomial());
 }
 
-// What two definitions turn out to be alike may leave nothing of a third.
+// Where two definitions turn out to be equal, nothing may be left of a third.
 TEST_F(SharedProducts, MayShowThatASumVanishes) {
   const Value product = program.bind(a * b), first = program.bind(Number(3) * product);
   const Value second = program.bind(Number(3) * a * b), nothing = program.bind(first - second);
@@ -165,7 +168,8 @@ std::vector<Value> random_values(Program& program, const std::vector<Value>& sym
   for (int k = 0; k < 14; ++k) {
     Value sum;
     for (std::size_t terms = 1 + below(4); terms > 0; --terms) {
-      Value product = Number::rational(static_cast<long>(below(7)) - 3, 2) * definitions[below(definitions.size())];
+      const Number coefficient = Number::rational(static_cast<long>(below(7)) - 3, 2);  // drawn first, by any compiler
+      Value product = coefficient * definitions[below(definitions.size())];
       for (std::size_t factors = below(4); factors > 0; --factors) product = product * symbols[below(symbols.size())];
       if (below(4) == 0) product = product / symbols[below(symbols.size())];
       // Of any unit: a number takes it away.
