@@ -90,15 +90,16 @@ class ProductSharing {
   };
   using Uses = std::vector<std::size_t>;  ///< the sums that multiply a pair, once for each time
 
+  /// Its pairs are not yet told.
   StateSum counted(Polynomial sum, const Formula& tree) const {
     const int operations = count(tree).total();
-    StateSum result{std::move(sum), operations, operations - fusions(tree), arrival(*program_, tree)};
-    if (result.sum.terms().size() <= most_terms) add_pairs(tree, result.pairs);
-    return result;
+    return {std::move(sum), operations, operations - fusions(tree), arrival(*program_, tree)};
   }
   std::size_t add(Polynomial sum) {
     const Formula tree = formula(*program_, sum);
-    sums_.push_back(counted(std::move(sum), tree));
+    StateSum all = counted(std::move(sum), tree);
+    if (all.sum.terms().size() <= most_terms) add_pairs(tree, all.pairs);
+    sums_.push_back(std::move(all));
     return sums_.size() - 1;
   }
 
@@ -147,10 +148,11 @@ class ProductSharing {
       const StateSum& before = sums_[place];
       Polynomial sum = pair.replaced(before.sum, product);
       const Formula tree = formula(*program_, sum);
-      if (!same_factoring(formula(*program_, before.sum), tree, pair, product)) continue;
       StateSum after = counted(std::move(sum), tree);
       if (after.operations >= before.operations || after.instructions > before.instructions) continue;
       if (after.arrival > before.arrival) continue;
+      if (!same_factoring(formula(*program_, before.sum), tree, pair, product)) continue;
+      add_pairs(tree, after.pairs);
       operations += before.operations - after.operations;
       instructions += before.instructions - after.instructions;
       cheaper.emplace_back(place, std::move(after));
