@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "generator/expression/arrival.hpp"
+#include "generator/expression/sum_table.hpp"
 
 namespace torsor {
 namespace {
@@ -231,14 +232,11 @@ OperationCount count_live(const Program& program, const std::vector<Value>& outp
     }
     total += count(definition.function ? formula(program, definition) : shape(definition.polynomial));
   }
-  std::vector<Polynomial> seen;
+  SumTable seen;
   for (const Value& output : outputs) {
     if (output.is_zero() || !belongs(program.stage(output))) continue;
-    Polynomial positive = output.polynomial();
-    if (positive.sign() < 0) positive *= Number(-1);
-    if (std::find(seen.begin(), seen.end(), positive) != seen.end()) continue;
-    total += count(shape(positive));
-    seen.push_back(std::move(positive));
+    const Polynomial positive = without_sign(output.polynomial()).first;
+    if (seen.add(positive).second) total += count(shape(positive));
   }
   return total;
 }

@@ -13,6 +13,7 @@
 #include "generator/expression/error.hpp"
 #include "generator/expression/factor_pair.hpp"
 #include "generator/expression/formula.hpp"
+#include "generator/expression/sum_table.hpp"
 
 namespace torsor {
 namespace {
@@ -51,17 +52,15 @@ class ProductSharing {
       if (const auto pair = as_pair(definition.polynomial)) products_.emplace(*pair, atom);
       places_.emplace(atom, add(definition.polynomial));
     }
-    std::unordered_map<std::size_t, std::vector<std::size_t>> known;  // by hash: what is equal is computed once
+    SumTable different;  // what is equal up to sign is computed once
+    const std::size_t first = sums_.size();
     for (const Value& value : values_) {
       results_.emplace_back();
       if (program.stage(value) <= Stage::parameters) continue;
-      Polynomial sum = value.polynomial();
-      const bool negative = sum.sign() < 0;
-      if (negative) sum *= Number(-1);
-      std::vector<std::size_t>& bucket = known[sum.hash()];
-      auto same = std::find_if(bucket.begin(), bucket.end(), [&](std::size_t k) { return sums_[k].sum == sum; });
-      if (same == bucket.end()) same = bucket.insert(same, add(std::move(sum)));
-      results_.back() = Result{*same, negative};
+      const auto [sum, negative] = without_sign(value.polynomial());
+      const auto [number, added] = different.add(sum);
+      if (added) add(sum);
+      results_.back() = Result{first + number, negative};
     }
   }
 
@@ -181,14 +180,10 @@ class ProductSharing {
   }
   /// Definitions stand in the order that they had; those that became equal are one.
   Value bound(const Value& value, const std::string& name) {
-    const bool negative = value.polynomial().sign() < 0;
-    const Value positive = negative ? -value : value;
-    auto& bucket = bound_[positive.polynomial().hash()];
-    auto same = std::find_if(bucket.begin(), bucket.end(),
-                             [&](const auto& each) { return each.first == positive.polynomial(); });
-    if (same == bucket.end())
-      same = bucket.insert(same, {positive.polynomial(), program_->bind_apart(positive, name)});
-    return negative ? -same->second : same->second;
+    const auto [sum, negative] = without_sign(value.polynomial());
+    const auto [number, added] = different_.add(sum);
+    if (added) bound_.push_back(program_->bind_apart({*program_, sum, value.unit()}, name));
+    return negative ? -bound_[number] : bound_[number];
   }
   Value rewritten(const Polynomial& sum, const Unit& unit) {
     Polynomial result;
@@ -215,7 +210,8 @@ class ProductSharing {
   std::map<FactorPair, Atom> products_;           ///< definitions that are one, live or tried
   std::vector<std::optional<Result>> results_;    ///< of values: nothing for those known before
   std::unordered_map<Atom, Value> defined_;       ///< what stands for old atoms
-  std::unordered_map<std::size_t, std::vector<std::pair<Polynomial, Value>>> bound_;  ///< new definitions, by hash
+  SumTable different_;        ///< of new definitions, with
+  std::vector<Value> bound_;  ///< what each is bound to
 };
 
 }  // namespace
