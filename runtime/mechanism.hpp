@@ -127,6 +127,24 @@ template <MechanismModel M>
   return state;
 }
 
+/// The state the scene starts from with these parameters: its values may be formulas of them.
+template <MechanismModel M>
+[[nodiscard]] typename M::State initial_state_with(const typename M::Parameters& parameters) noexcept {
+  if constexpr (requires { M::initial_state(parameters); }) {
+    return M::initial_state(parameters);
+  } else {
+    return M::initial_state();
+  }
+}
+template <MechanismModel M>
+[[nodiscard]] typename M::State initial_state_of(const typename M::Precomputed& precomputed) noexcept {
+  if constexpr (requires { precomputed.parameters; }) {
+    return initial_state_with<M>(precomputed.parameters);
+  } else {
+    return M::initial_state();
+  }
+}
+
 /// dq/dt at a state, the first part of dy/dt: v itself unless the mechanism has a map of its own.
 template <MechanismModel M>
 void write_coordinate_rates(const typename M::Precomputed& precomputed, const typename M::State& state,
@@ -313,8 +331,8 @@ class EquationsOfMotion {
   }
 
   /// The state the scene starts from, as y, and its time.
-  [[nodiscard]] Vector initial() const noexcept { return pack<M>(M::initial_state()); }
-  [[nodiscard]] Scalar initial_time() const noexcept { return M::initial_state().time; }
+  [[nodiscard]] Vector initial() const noexcept { return pack<M>(initial_state_of<M>(precomputed_)); }
+  [[nodiscard]] Scalar initial_time() const noexcept { return initial_state_of<M>(precomputed_).time; }
 
   [[nodiscard]] const typename M::Precomputed& precomputed() const noexcept { return precomputed_; }
   [[nodiscard]] const InputLaw& input_law() const noexcept { return law_; }

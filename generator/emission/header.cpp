@@ -131,11 +131,10 @@ std::string emit_header(const Equations& equations, const std::vector<Kernel>& k
   std::vector<std::string> common_text;
   for (const Structure& structure : structures) common_text.push_back(structure_text(structure));
   std::vector<std::string> structure_texts;
+  std::size_t first_integrals = 0;
   for (const Structure& structure : kernel_structures(present)) {
     std::string text = structure_text(structure);
-    if (structure.name == "FirstIntegrals") {
-      text += fmt::format("static constexpr int first_integral_count = {};\n", structure.members.size());
-    }
+    if (structure.name == "FirstIntegrals") first_integrals = structure.members.size();
     text += structure.tables;
     structure_texts.push_back(std::move(text));
     structures.push_back(structure);
@@ -181,6 +180,7 @@ std::string emit_header(const Equations& equations, const std::vector<Kernel>& k
       {"input_count", size(equations.model().inputs().size())},
       {"parameter_count", size(parameters.size())},
       {"multiplier_count", size(content.constraints.size())},
+      {"first_integral_count", size(first_integrals)},
       {"quaternions",
        quaternion_table(equations.model()) + redundancy_table(equations) + limits_table(equations.model())},
       {"structures", blocks_text(common_text)},

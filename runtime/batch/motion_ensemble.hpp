@@ -53,7 +53,7 @@ inline void add_to_digest(Digest& digest, const Taylor& method) noexcept {
 template <MechanismModel M>
 struct Member {
   typename M::Parameters parameters = M::default_parameters();
-  typename M::State state = M::initial_state();
+  typename M::State state = initial_state_with<M>(parameters);
 };
 
 /// How a member's motion ended, and its states [q; v] at the times it reached.

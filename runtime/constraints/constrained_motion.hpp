@@ -94,8 +94,8 @@ class ConstrainedMotion {
   /// Gives the unit quaternions among the coordinates their norm back.
   void project(Vector& y) const noexcept requires HasQuaternions<M> { normalise_quaternions<M>(y); }
 
-  [[nodiscard]] Vector initial() const noexcept { return pack<M>(M::initial_state()); }
-  [[nodiscard]] Scalar initial_time() const noexcept { return M::initial_state().time; }
+  [[nodiscard]] Vector initial() const noexcept { return pack<M>(initial_state_of<M>(precomputed_)); }
+  [[nodiscard]] Scalar initial_time() const noexcept { return initial_state_of<M>(precomputed_).time; }
   [[nodiscard]] const typename M::Precomputed& precomputed() const noexcept { return precomputed_; }
 
  private:

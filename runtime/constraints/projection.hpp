@@ -76,6 +76,13 @@ requires HasConstraintMetric<typename Motion::Mechanism>
   return Projected<Motion>(std::move(motion), rank_tolerance);
 }
 
+/// A mechanism without constraints has nothing to be projected on: its motion as it is, for code of any mechanism.
+template <class Motion>
+requires(Motion::Mechanism::multiplier_count == 0) [[nodiscard]] Motion projected(
+    Motion motion, ScalarOf<typename Motion::Mechanism> /*rank_tolerance*/ = {}) noexcept {
+  return motion;
+}
+
 namespace detail {
 
 /// q := q + displacement, a velocity for one unit of time; quaternions keep their norm.
@@ -242,6 +249,11 @@ Projection<ScalarOf<M>> project_on_constraints(const typename M::Precomputed& pr
   // Of a velocity, constraints that are left out may keep a share of the order of the rank tolerance, not all of it.
   const Scalar left_over = Scalar(1e6) * here.rounding_of_velocity + Scalar(1e3) * rank_tolerance * here.speed;
   if (!(here.velocity <= left_over)) return fail(Evaluation::singular);
+  // A state that needed no change was not factored for one.
+  if (result.iterations == 0 && !factored && here.factorise(precomputed, factor, rank_tolerance) == Evaluation::ok) {
+    result.rank = factor.rank();
+    result.least_share = factor.least_share();
+  }
   result.position = here.position;
   result.velocity = here.velocity;
   y = next;

@@ -156,6 +156,16 @@ TEST(Header, HasOnlyTheKernelsAskedFor) {
             std::string::npos);
 }
 
+TEST(Header, CountsFirstIntegralsWhereThereAreNoneToo) {
+  const auto has = [](const Scene& scene, const std::string& kernels, const std::string& text) {
+    const Equations equations(scene);
+    return emit_header(equations, kernels_of(equations, kernels)).find(text) != std::string::npos;
+  };
+  // The pendulum has friction and keeps nothing; the arm keeps nothing it was asked for.
+  EXPECT_TRUE(has(testing_scenes::golden_pendulum(), "first_integrals", "int first_integral_count = 0;"));
+  EXPECT_TRUE(has(spatial_arm(), "mass_matrix", "int first_integral_count = 0;"));
+}
+
 TEST(Header, KeepsTheParametersItIsAskedToKeep) {
   ModelOptions options;
   options.run_time = {"mass"};

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "runtime/batch/motion_ensemble.hpp"
 #include "runtime/integration/dormand_prince_54.hpp"
 #include "runtime/numerics/linear_solve.hpp"
 #include "tests/runtime/mechanisms.hpp"
@@ -49,6 +50,20 @@ TEST(EquationsOfMotion, LeaveAMechanismToItselfByDefault) {
   std::array<double, 2> dydt{};
   EXPECT_EQ(motion(0.0, {0.5, 0.25}, dydt), Evaluation::ok);
   EXPECT_EQ(dydt, (std::array{0.25, -0.5}));
+}
+
+/// Starts where its spring of stiffness k carries its weight m g, as generated headers start by formulas.
+struct StartsAtEquilibrium : Oscillator {
+  static State initial_state(const Parameters& p) noexcept { return {2.0, {{-p.mass * 9.81 / p.stiffness}}, {}}; }
+  static State initial_state() noexcept { return initial_state(default_parameters()); }
+};
+TEST(EquationsOfMotion, StartWhereTheirParametersSay) {
+  const Oscillator::Parameters parameters{2.0, 8.0};
+  const auto motion = equations_of_motion<StartsAtEquilibrium>(parameters);
+  EXPECT_EQ(motion.initial(), (std::array{-2.0 * 9.81 / 8.0, 0.0}));
+  EXPECT_EQ(motion.initial_time(), 2.0);
+  EXPECT_EQ((Member<StartsAtEquilibrium>{.parameters = parameters}.state.q[0]), -2.0 * 9.81 / 8.0);
+  EXPECT_EQ(Member<StartsAtEquilibrium>{}.state.q[0], -9.81);
 }
 
 TEST(EquationsOfMotion, PassOnTheStatusOfTheKernel) {

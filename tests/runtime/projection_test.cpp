@@ -53,6 +53,25 @@ TEST(Projection, MovesAPointOfACircleAlongItsRadiusAndKeepsItsTangentialVelocity
   for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(y[i], expected[i], 4e-16 * 3);
 }
 
+TEST(Projection, TellsTheRankOfAStateThatNeedsNoChange) {
+  StateVector<Pendulum> y{0.6, -0.8, 0.0, 0.0};
+  const auto before = y;
+  const auto result = project_on_constraints<Pendulum>(Pendulum::precompute({}), 0.0, y);
+  EXPECT_EQ(result.evaluation, Evaluation::ok);
+  EXPECT_EQ(result.iterations, 0);
+  EXPECT_EQ(y, before);
+  EXPECT_EQ(result.rank, 1);
+  EXPECT_EQ(result.least_share, 1.0);  // of one constraint, of itself
+}
+
+TEST(Projection, LeavesAMechanismWithoutConstraintsAsItIs) {
+  using Oscillator = mechanisms::Oscillator<double>;
+  const auto motion = projected(equations_of_motion<Oscillator>());
+  auto y = motion.initial();
+  ASSERT_TRUE(integrate(motion, y, 0, 1, DormandPrince853{}));
+  EXPECT_NEAR(y[0], std::cos(1.0), 1e-9 * 10);  // some ten steps at the usual tolerance
+}
+
 TEST(Projection, IsTheLeastChangeInTheMetricOfTheMasses) {
   // δ = M⁻¹ Aᵀ μ for some μ: M δv is normal to every velocity that the constraints admit, here one.
   const auto precomputed = Squeezer::precompute(Squeezer::default_parameters());
