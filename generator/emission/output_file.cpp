@@ -70,6 +70,10 @@ class Descriptor {
       bytes.remove_prefix(static_cast<std::size_t>(written));
     }
   }
+  /// A name must not appear before the bytes that it stands for: the loss of power would leave an empty file.
+  void synchronise() const {
+    if (::fsync(descriptor_) != 0) fail(path_, errno);
+  }
   /// Some file systems tell only now that the disk is full.
   void close() {
     const int descriptor = descriptor_;
@@ -127,6 +131,7 @@ void replace_file(const std::string& path, const std::string& target, std::strin
   TemporaryName guard(temporary);
   if (present != nullptr && ::fchmod(file.number(), present->st_mode & 07777U) != 0) fail(path, errno);
   file.write(bytes);
+  file.synchronise();
   file.close();
   if (::rename(temporary.c_str(), target.c_str()) != 0) fail(path, errno);
   guard.release();

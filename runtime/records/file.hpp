@@ -11,6 +11,10 @@
 #include <string_view>
 #include <system_error>
 
+#if __has_include(<unistd.h>)
+#include <unistd.h>
+#endif
+
 namespace torsor::runtime {
 
 /// A file that cannot be read, written or understood; the text names the file, what is wrong and the remedy.
@@ -26,10 +30,23 @@ namespace detail {
                   "; choose a folder that exists, is writable and has room");
 }
 
-inline int write_all(std::FILE* file, std::string_view text) noexcept {
+/// Hands what was written to the disk itself, where the system can be asked to. 0, or the system's reason.
+inline int synchronise(std::FILE* file) noexcept {
+  errno = 0;
+  if (std::fflush(file) != 0) return errno != 0 ? errno : EIO;
+#if __has_include(<unistd.h>)
+  if (::fsync(::fileno(file)) != 0) return errno;
+#endif
+  return 0;
+}
+
+/// Writes the text and closes the file. `for_rename`: a name must not appear before the bytes that it stands for, which
+/// the loss of power would otherwise leave as an empty file. 0, or the system's reason.
+inline int write_all(std::FILE* file, std::string_view text, bool for_rename) noexcept {
   errno = 0;
   const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
   int reason = written ? 0 : (errno != 0 ? errno : EIO);
+  if (for_rename && reason == 0) reason = synchronise(file);
   errno = 0;
   if (std::fclose(file) != 0 && reason == 0) reason = errno != 0 ? errno : EIO;
   return reason;
@@ -62,7 +79,7 @@ inline void write_file(const std::filesystem::path& path, std::string_view text)
   if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)) {
     std::FILE* file = std::fopen(path.string().c_str(), "wb");
     if (file == nullptr) detail::fail_to_write(path, errno);
-    if (const int reason = detail::write_all(file, text); reason != 0) detail::fail_to_write(path, reason);
+    if (const int reason = detail::write_all(file, text, false); reason != 0) detail::fail_to_write(path, reason);
     return;
   }
   std::error_code not_canonical;
@@ -70,7 +87,7 @@ inline void write_file(const std::filesystem::path& path, std::string_view text)
   if (not_canonical) target = path;
   std::FILE* file = nullptr;
   const fs::path temporary = detail::temporary_beside(target, file);
-  int reason = detail::write_all(file, text);
+  int reason = detail::write_all(file, text, true);
   if (reason == 0) {
     std::error_code renaming;
     fs::rename(temporary, target, renaming);

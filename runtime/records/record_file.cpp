@@ -44,6 +44,14 @@ std::uint64_t checksum(std::uint64_t index, std::span<const std::uint64_t> numbe
   throw FileError("'" + path.string() + "' " + why);
 }
 
+/// A pipe or a device holds no records to go on from, and opening a pipe waits for whoever is at its other end.
+void refuse_pipes(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+  if (std::filesystem::exists(status) && !is_regular_file(status) && !is_directory(status))
+    refuse(path, "is no regular file, so that it holds no records to go on from; choose a file on a disk");
+}
+
 /// What is in the file of a whole head; false when it ends before. `expected`, where there is one, must begin like it.
 bool read_head(const std::filesystem::path& path, std::istream& stream, const Head* expected, RecordHead& head) {
   Head words{};
@@ -111,6 +119,7 @@ RecordFile::~RecordFile() = default;
 
 /// For appending, and before a byte is read: what another process has in hand may grow until it is locked.
 void RecordFile::open_alone() {
+  refuse_pipes(path_);
   errno = 0;
   file_.reset(std::fopen(path_.string().c_str(), "ab"));
   if (!file_) detail::fail_to_write(path_, errno);
@@ -142,6 +151,7 @@ void RecordFile::flush() {
 }
 
 Records read_records(const std::filesystem::path& path) {
+  refuse_pipes(path);
   std::ifstream stream = open_file(path);
   Records records;
   if (!read_head(path, stream, nullptr, records.head)) return records;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/emission/output_file.hpp"
 
-#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -11,11 +10,11 @@
 #include <thread>
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "generator/expression/error.hpp"
+#include "tests/faults/full_disk.hpp"
 
 namespace torsor::output_file_test {
 namespace {
@@ -109,17 +108,13 @@ TEST_F(OutputFile, ReportsAFullDevice) {
 
 TEST_F(OutputFile, LeavesNothingHalfWrittenWhenTheDiskIsFull) {
   write_file_if_changed(path("kept"), "old");
-  // The largest size a file of this process may have stands for a full disk: the write fails half-way.
-  rlimit unlimited{};
-  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &unlimited), 0);
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-  const rlimit small{4096, unlimited.rlim_max};
-  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
   const std::string big(10000, 'x');
-  const std::string over_old = message_of(path("kept"), big);
-  const std::string anew = message_of(path("anew"), big);
-  setrlimit(RLIMIT_FSIZE, &unlimited);
-  std::signal(SIGXFSZ, handler);
+  std::string over_old, anew;
+  {
+    const testing_files::FullDisk disk(4096);
+    over_old = message_of(path("kept"), big);
+    anew = message_of(path("anew"), big);
+  }
   EXPECT_EQ(over_old, "cannot write '" + path("kept") + "': File too large; make room, or choose another disk");
   EXPECT_EQ(anew, "cannot write '" + path("anew") + "': File too large; make room, or choose another disk");
   EXPECT_EQ(text("kept"), "old");

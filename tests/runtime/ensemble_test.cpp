@@ -10,6 +10,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <mutex>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
@@ -17,6 +19,11 @@
 
 #if __has_include(<sys/file.h>)
 #include <sys/file.h>
+#endif
+#if __has_include(<sys/stat.h>)
+#include <sys/stat.h>
+
+#include "tests/faults/full_disk.hpp"
 #endif
 
 #include "runtime/records/record_file.hpp"
@@ -125,6 +132,61 @@ TEST_F(Ensemble, RefusesWhatIsNoFileOfRecords) {
   }
   EXPECT_NE(error_of<FileError>([&] { run_ensemble(folder, seven, squares); }), "");
   EXPECT_NE(error_of<FileError>([&] { run_ensemble(folder / "none" / "results", seven, squares); }), "");
+}
+
+#if __has_include(<sys/stat.h>)
+// Opening a pipe would wait for whoever is at its other end: for ever, where nobody is.
+TEST_F(Ensemble, RefusesAPipeAndADevice) {
+  ASSERT_EQ(::mkfifo(file("pipe").c_str(), 0600), 0);
+  for (const std::filesystem::path& path : {file("pipe"), std::filesystem::path("/dev/null")}) {
+    const std::string name = path.filename().string();
+    EXPECT_TRUE(mentions(error_of<FileError>([&] { run_ensemble(path, seven, squares); }), {name.c_str(), "no regular file"}));
+    EXPECT_TRUE(mentions(error_of<FileError>([&] { (void)read_records(path); }), {name.c_str(), "no regular file"}));
+  }
+}
+
+TEST_F(Ensemble, GoesOnFromWhatAFullDiskHeld) {
+  const std::string expected = whole();
+  for (const rlim_t room : {rlim_t{0}, rlim_t{40}, rlim_t{56}, rlim_t{130}, rlim_t{expected.size() - 1}}) {
+    for (const unsigned threads : {1U, 2U}) {
+      const auto path = file(std::to_string(room) + "_" + std::to_string(threads));
+      std::string error;
+      {
+        const torsor::testing_files::FullDisk disk(room);
+        error = error_of<FileError>([&] { run_ensemble(path, seven, squares, {.threads = threads}); });
+      }
+      EXPECT_TRUE(mentions(error, {"File too large", "has room"}));
+      EXPECT_LE(contents(path).size(), room);
+      run_ensemble(path, seven, squares, {.threads = threads});
+      EXPECT_EQ(contents(path), expected) << room;
+    }
+  }
+}
+#endif
+
+// A group is computed whole, from its first member on, wherever the file ends in it.
+TEST_F(Ensemble, ResumesInsideAGroup) {
+  const std::string expected = whole();
+  for (const unsigned threads : {1U, 2U}) {
+    for (std::uint64_t kept = 0; kept < 7; ++kept) {
+      put("results", expected.substr(0, 56 + 40 * kept));
+      std::mutex mutex;
+      std::set<std::uint64_t> begun;
+      const auto group = [&](std::uint64_t first, std::uint64_t count, std::span<double> records) {
+        {
+          const std::lock_guard lock(mutex);
+          begun.insert(first);
+        }
+        EXPECT_EQ(count, std::min<std::uint64_t>(3, 7 - first));
+        for (std::uint64_t i = 0; i < count; ++i) squares(first + i, records.subspan(3 * i, 3));
+      };
+      run_ensemble(file(), seven, EnsembleGroups{3, group}, {.threads = threads});
+      EXPECT_EQ(contents(file()), expected) << kept;
+      std::set<std::uint64_t> groups;
+      for (std::uint64_t first = kept - kept % 3; first < 7; first += 3) groups.insert(first);
+      EXPECT_EQ(begun, groups) << kept;
+    }
+  }
 }
 
 TEST_F(Ensemble, RefusesGroupsWithoutMembers) {
