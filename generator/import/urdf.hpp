@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "generator/expression/number.hpp"
+#include "generator/import/xml_element.hpp"
 #include "generator/mechanics/scene.hpp"
 
 namespace torsor {
@@ -32,6 +33,8 @@ struct UrdfOptions {
   /// negative ones, and negative masses, are refused all the same.
   bool accept_inertia = false;
   std::string name;  ///< of the scene; the robot's when empty
+  /// What else the command line says of the file, as it is written there: " --arg prefix:=left_".
+  std::string file_arguments;
   /// Links whose origins become points of the scene, <link>_origin: the kernel kinematics has their Jacobians.
   std::vector<std::string> points;
   /// State at t = 0 where it is not zero, by set_initial: {"elbow", "0.3"}, {"elbow'", "1"}, {"base_attitude_w",
@@ -82,7 +85,9 @@ struct ImportedRobot {
 /// inertia that no matter has; UsageError for options that contradict the file.
 ImportedRobot read_urdf(const std::string& path, const UrdfOptions& options = {});
 
-/// The same of a text; `file` is the name used in messages and in the scene's origin.
-ImportedRobot read_urdf_text(std::string_view text, const std::string& file, const UrdfOptions& options = {});
+/// The same of a text; `file` is the name used in messages and in the scene's origin. `lines` says where each line of the
+/// text comes from, where it was made of other files (xacro): messages then name those.
+ImportedRobot read_urdf_text(std::string_view text, const std::string& file, const UrdfOptions& options = {},
+                             const std::vector<XmlLine>& lines = {});
 
 }  // namespace torsor

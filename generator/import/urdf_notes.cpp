@@ -28,7 +28,7 @@ std::string quoted(const std::string& word) {
 /// What makes the same scene again: the file and the options that are not at their defaults.
 std::string arguments(const UrdfRobot& robot, const UrdfOptions& options) {
   const UrdfOptions defaults;
-  std::string text = quoted(base_name(robot.file));
+  std::string text = quoted(base_name(robot.file)) + options.file_arguments;
   if (options.base == UrdfBase::floating) text += " --base floating";
   if (options.gravity != defaults.gravity) {
     text += fmt::format(" --gravity {},{},{}", decimal(options.gravity[0]), decimal(options.gravity[1]),

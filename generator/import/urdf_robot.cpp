@@ -259,8 +259,9 @@ std::vector<std::string> UrdfChanges::lines() const {
   return lines;
 }
 
-UrdfRobot read_robot(std::string_view text, const std::string& file, const Number& angle_tolerance) {
-  const XmlFile xml(text, file);
+UrdfRobot read_robot(std::string_view text, const std::string& file, const Number& angle_tolerance,
+                     const std::vector<XmlLine>& lines) {
+  const XmlFile xml(text, file, lines);
   const XmlElement root = xml.root();
   if (root.name() != "robot") {
     root.fail("the root element of a URDF file is <robot>; convert other formats (SDF, MJCF, xacro) to URDF first");

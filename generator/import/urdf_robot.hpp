@@ -90,8 +90,10 @@ struct UrdfRobot {
   std::vector<std::string> almost;  ///< angles that look like a multiple of π/12 and are beyond the tolerance
 };
 
-/// Reads the elements. Throws FileError as read_urdf does.
-UrdfRobot read_robot(std::string_view text, const std::string& file, const Number& angle_tolerance);
+/// Reads the elements; `lines` says where each line of the text comes from, where it was made of other files. Throws
+/// FileError as read_urdf does.
+UrdfRobot read_robot(std::string_view text, const std::string& file, const Number& angle_tolerance,
+                     const std::vector<XmlLine>& lines = {});
 
 /// Looks at the graph of links and joints, which must be a tree, and at the mimics; returns the name of the root link.
 /// Throws FileError naming the links and joints that are wrong.

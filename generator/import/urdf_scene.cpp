@@ -302,10 +302,11 @@ void check_options(const UrdfOptions& options) {
 
 }  // namespace
 
-ImportedRobot read_urdf_text(std::string_view text, const std::string& file, const UrdfOptions& options) {
+ImportedRobot read_urdf_text(std::string_view text, const std::string& file, const UrdfOptions& options,
+                             const std::vector<XmlLine>& lines) {
   check_options(options);
   const WorkingDigits precision(50);
-  const UrdfRobot robot = read_robot(text, file, options.angle_tolerance);
+  const UrdfRobot robot = read_robot(text, file, options.angle_tolerance, lines);
   const std::string root = check_tree(robot);
   return SceneBuilder(robot, options, root).build();
 }

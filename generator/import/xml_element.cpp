@@ -44,8 +44,8 @@ void XmlPlace::fail(const std::string& message) const {
   throw FileError(fmt::format("{}:{}: {}: {}", file, line, element, message));
 }
 
-XmlElement::XmlElement(std::string file, const tinyxml2::XMLElement& element)
-    : file_(std::move(file)), element_(&element) {}
+XmlElement::XmlElement(std::string file, const tinyxml2::XMLElement& element, const std::vector<XmlLine>* lines)
+    : file_(std::move(file)), element_(&element), lines_(lines) {}
 
 std::string XmlElement::name() const { return element_->Name(); }
 
@@ -58,7 +58,10 @@ XmlPlace XmlElement::place() const {
     if (parent->Attribute("name") != nullptr) break;
     parent = parent->Parent() == nullptr ? nullptr : parent->Parent()->ToElement();
   }
-  return {file_, element_->GetLineNum(), label};
+  const int line = element_->GetLineNum();
+  if (lines_ == nullptr || line < 1 || line > static_cast<int>(lines_->size())) return {file_, line, label};
+  const XmlLine& origin = (*lines_)[static_cast<std::size_t>(line - 1)];
+  return {origin.file, origin.line, origin.within.empty() ? label : fmt::format("{} ({})", label, origin.within)};
 }
 
 bool XmlElement::has(const char* attribute) const { return element_->Attribute(attribute) != nullptr; }
@@ -134,7 +137,7 @@ std::vector<XmlElement> XmlElement::children(const char* name) const {
   std::vector<XmlElement> all;
   for (const auto* child = element_->FirstChildElement(name); child != nullptr;
        child = child->NextSiblingElement(name)) {
-    all.emplace_back(file_, *child);
+    all.emplace_back(file_, *child, lines_);
   }
   return all;
 }
@@ -152,8 +155,8 @@ XmlElement XmlElement::required_child(const char* name, const std::string& remed
   return *found;
 }
 
-XmlFile::XmlFile(std::string_view text, std::string file)
-    : file_(std::move(file)), document_(std::make_unique<tinyxml2::XMLDocument>()) {
+XmlFile::XmlFile(std::string_view text, std::string file, std::vector<XmlLine> lines)
+    : file_(std::move(file)), lines_(std::move(lines)), document_(std::make_unique<tinyxml2::XMLDocument>()) {
   if (text.find('\0') != std::string_view::npos) throw FileError(file_ + ":1: the file is binary and no XML");
   document_->Parse(text.data(), text.size());
   if (document_->Error()) {
@@ -164,12 +167,14 @@ XmlFile::XmlFile(std::string_view text, std::string file)
     throw FileError(fmt::format("{}:1: the file holds no element; it must hold a <robot> element", file_));
   }
   if (const auto* second = document_->RootElement()->NextSiblingElement(); second != nullptr) {
-    XmlElement(file_, *second).fail("stands beside the root element; an XML file has one root, which holds all others");
+    XmlElement(file_, *second, this->lines()).fail("stands beside the root element; an XML file has one root, which holds all others");
   }
 }
 
 XmlFile::~XmlFile() = default;
 
-XmlElement XmlFile::root() const { return {file_, *document_->RootElement()}; }
+XmlElement XmlFile::root() const { return {file_, *document_->RootElement(), lines()}; }
+
+const tinyxml2::XMLElement& XmlFile::element() const { return *document_->RootElement(); }
 
 }  // namespace torsor

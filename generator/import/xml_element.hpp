@@ -27,6 +27,13 @@ struct XmlPlace {
   [[noreturn]] void fail(const std::string& message) const;
 };
 
+/// Where a line of a text comes from that was made of other files.
+struct XmlLine {
+  std::string file;
+  int line = 0;
+  std::string within;  ///< "in the macro 'arm', called at robot.xacro:7"; may be empty
+};
+
 /// Numbers separated by spaces, with the text they were read from.
 struct XmlNumber {
   Number value;
@@ -36,7 +43,8 @@ struct XmlNumber {
 /// An element of an XML file that is read strictly: whatever is wrong is a FileError with file, line and element.
 class XmlElement {
  public:
-  XmlElement(std::string file, const tinyxml2::XMLElement& element);
+  /// `lines` says where each line of the text comes from; null for a text that is the file's own. It must outlive this.
+  XmlElement(std::string file, const tinyxml2::XMLElement& element, const std::vector<XmlLine>* lines = nullptr);
 
   std::string name() const;
   XmlPlace place() const;
@@ -65,19 +73,25 @@ class XmlElement {
 
   std::string file_;
   const tinyxml2::XMLElement* element_;
+  const std::vector<XmlLine>* lines_;
 };
 
 /// A parsed file.
 class XmlFile {
  public:
   /// Throws FileError with file, line and remedy when the text is no well-formed XML with one root element.
-  XmlFile(std::string_view text, std::string file);
+  /// `lines` says where each line of the text comes from, where it was made of other files.
+  XmlFile(std::string_view text, std::string file, std::vector<XmlLine> lines = {});
   ~XmlFile();
 
   XmlElement root() const;
+  const tinyxml2::XMLElement& element() const;
 
  private:
+  const std::vector<XmlLine>* lines() const { return lines_.empty() ? nullptr : &lines_; }
+
   std::string file_;
+  std::vector<XmlLine> lines_;
   std::unique_ptr<tinyxml2::XMLDocument> document_;
 };
 
