@@ -185,6 +185,54 @@ TEST(FailingConditions, SayWhichConditionFails) {
   EXPECT_EQ(failing(pushed), std::vector<std::string>{"constraint 'imposed' imposes a velocity (b is not zero)"});
 }
 
+/// A point in the plane x, y that a force B v turned by a right angle bends: v stays what it is.
+Scene bent_path() {
+  Scene scene("bent_path");
+  const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m");
+  const Expression B = scene.run_time_parameter("B", "kg/s", 1);
+  const FrameHandle point = scene.prismatic("point", scene.prismatic("slide", scene.ground(), axis::x, x), axis::y, y);
+  scene.body("point", point, Inertia::point(kilograms("1")));
+  scene.point("P", point, {0, 0, 0});
+  scene.force("turns", point, "P", {B * rate(y), -B * rate(x), 0}, scene.ground());
+  return scene;
+}
+
+TEST(FirstIntegrals, IncludeTheEnergyWhereActionsWithoutAForceFunctionDoNoWork) {
+  const WorkingDigits precision(65);
+  EXPECT_TRUE(failing(bent_path()).empty());
+  EXPECT_EQ(names(report_of(bent_path())), std::vector<std::string>{"energy"});
+
+  // Two forces that are opposite at every state work, and their sum does not.
+  Scene opposed = bent_path();
+  const Expression x(opposed.content().coordinates[0].q), y(opposed.content().coordinates[1].q);
+  const Expression b = Expression::quantity("3", "kg/s");
+  opposed.damper("brake", x, b);
+  EXPECT_EQ(failing(opposed), std::vector<std::string>{"'brake' has no force function"});
+  opposed.effort("drive", x, b * rate(x));
+  EXPECT_TRUE(failing(opposed).empty());
+  // What works is named alone.
+  opposed.damper("oil", y, b);
+  EXPECT_EQ(failing(opposed), std::vector<std::string>{"'brake', 'drive', 'oil' have no force function"});
+
+  // A motor on what a law of time moves gives no unknown anything.
+  Scene driven = bead(true);
+  driven.motor("drive", Expression(driven.content().coordinates[1].q));
+  EXPECT_EQ(names(report_of(driven)), std::vector<std::string>{"painleve"});
+
+  // Contact friction along what never slips.
+  Scene across("across");
+  const Expression along = across.coordinate("along", "m"), height = across.coordinate("height", "m");
+  const FrameHandle block =
+      across.prismatic("block", across.prismatic("way", across.ground(), axis::x, along), axis::z, height);
+  across.body("block", block, Inertia::point(kilograms("2")));
+  across.point("I", block, {0, 0, 0});
+  const ConstraintHandle floor = across.holonomic("floor", height);
+  across.sliding_friction("aside", floor, 0.5_r, block, "I", axis::y, across.ground());
+  EXPECT_TRUE(failing(across).empty());
+  across.sliding_friction("rub", floor, 0.5_r, block, "I", axis::x, across.ground());
+  EXPECT_EQ(failing(across), (std::vector<std::string>{"'aside', 'rub' have no force function"}));
+}
+
 TEST(CyclicCoordinate, IsNoneWhenSomethingWorksOnIt) {
   const auto with = [](const auto& add) {
     Scene scene = spherical_pendulum();

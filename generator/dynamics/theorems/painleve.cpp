@@ -20,6 +20,60 @@ std::string joined(const std::vector<std::string>& names) {
   return text;
 }
 
+/// Σ Q_i q̇_i of generalised forces over the unknowns.
+Value power_along(const Model& model, const std::vector<Value>& forces) {
+  Value sum;
+  for (int i = 0; i < model.unknown_count(); ++i) {
+    const Value& force = forces[static_cast<std::size_t>(i)];
+    if (!force.is_zero()) sum += force * model.v(i);
+  }
+  return sum;
+}
+
+/// Names of the actions without a force function whose power Σ Q_i q̇_i does not vanish identically, friction included;
+/// none where that of all together vanishes: a force across the velocity, or two opposite ones. In a program of its own:
+/// kernels want none of these definitions.
+std::vector<std::string> working_actions(const Equations& asked) {
+  if (asked.actions().without_force_function.empty()) return {};
+  const Equations equations(asked.scene(), asked.model().options());
+  const Model& model = equations.model();
+  std::vector<std::pair<std::string, Value>> powers;
+  std::size_t motor = 0;
+  for (const ActionContent& action : model.scene().actions) {
+    if (has_force_function(action)) continue;
+    if (const Motor* driving = std::get_if<Motor>(&action)) {
+      const Value arm = power_along(model, equations.actions().inputs[motor++]);
+      powers.emplace_back(driving->name, arm.is_zero() ? arm : model.program().symbol(driving->input) * arm);
+      continue;
+    }
+    const AppliedActions one = applied_actions(model, [&](const ActionContent& other) { return &other == &action; });
+    powers.emplace_back(name_of(action), power_along(model, applied_forces(model, one)));
+  }
+  for (const ConstraintRow& row : equations.constraints()) {
+    if (!row.friction) continue;
+    std::vector<Value> forces = row.column;
+    for (std::size_t i = 0; i < forces.size(); ++i) forces[i] -= row.ideal[i];
+    const Value power = model.program().symbol(row.multiplier) * power_along(model, forces);
+    for (const ContactFriction& friction : model.scene().frictions) {
+      const auto& normal = model.scene().constraints[static_cast<std::size_t>(friction.constraint)];
+      if (normal.multiplier == row.multiplier) powers.emplace_back(friction.name, power);
+    }
+  }
+  Value sum;
+  std::vector<Value> each;
+  for (const auto& [name, power] : powers) {
+    sum += power;
+    each.push_back(power);
+  }
+  each.push_back(sum);
+  const std::vector<bool> silent = vanish(each);
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < powers.size() && !silent.back(); ++k) {
+    if (!silent[k]) names.push_back(powers[k].first);
+  }
+  return names;
+}
+
 /// Momenta of cyclic coordinates, as rows of M v: there what a body's own axes mix has fallen out already, so that
 /// rounding is that of the terms which matter. `at_rest` are the momenta where every v is zero (driven mechanisms).
 void add_momenta(const Equations& equations, const std::vector<Value>& momenta, const std::vector<Value>& along_q,
@@ -88,10 +142,10 @@ PainleveReport painleve(const Equations& equations) {
 
   Value u = gravity_force_function(model);
   u += equations.actions().spring_force_function;
-  if (!equations.actions().without_force_function.empty()) {
+  const std::vector<std::string> working = working_actions(equations);
+  if (!working.empty()) {
     report.failing_conditions.push_back(
-        fmt::format("{} {} no force function", joined(equations.actions().without_force_function),
-                    equations.actions().without_force_function.size() == 1 ? "has" : "have"));
+        fmt::format("{} {} no force function", joined(working), working.size() == 1 ? "has" : "have"));
   }
   if (!vanishes(report.explicit_rate)) report.failing_conditions.emplace_back("T depends on time explicitly");
   if (!u.is_zero() && !vanishes(by_time(u))) {

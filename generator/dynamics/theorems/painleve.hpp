@@ -23,9 +23,10 @@ struct PainleveReport {
   std::vector<std::string> failing_conditions;  ///< empty when T2 − T0 − U is conserved
 };
 
-/// T2 − T0 − U is conserved when every action has a force function, T and U do not depend on time explicitly and every
-/// constraint is homogeneous in the velocities (b_j = 0). It is the energy T − U when nothing is driven. A coordinate
-/// that appears neither in T nor in a constraint and has Q_i = 0 gives the momentum ∂T/∂q̇_i.
+/// T2 − T0 − U is conserved when the power Σ Q_i q̇_i of the actions without a force function vanishes identically, T and
+/// U do not depend on time explicitly and every constraint is homogeneous in the velocities (b_j = 0). It is the energy
+/// T − U when nothing is driven. A coordinate that appears neither in T nor in a constraint and has Q_i = 0 gives the
+/// momentum ∂T/∂q̇_i.
 PainleveReport painleve(const Equations& equations);
 
 /// A coordinate without a momentum integral, and what stands against it.
