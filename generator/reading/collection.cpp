@@ -148,7 +148,7 @@ WrittenTerm group_term(const Sum& coefficient, const Product& motion) {
 Written unwrapped(Written written) {
   if (written.size() != 1 || !written[0].coefficient.is_one() || written[0].factors.size() != 1) return written;
   const WrittenFactor& factor = written[0].factors[0];
-  return factor.base || factor.halves != 2 ? written : factor.inside;
+  return factor.base || factor.halves != 2 || factor.size ? written : factor.inside;
 }
 
 }  // namespace

@@ -12,6 +12,14 @@ Written plain(const Sum& sum);
 WrittenFactor written(const Power& power) {
   WrittenFactor factor;
   factor.halves = power.halves;
+  if (power.base->kind == Base::Kind::group && power.halves % 2 != 0) {
+    if (const std::optional<Sum> root = square_root(power.base->inside)) {  // sqrt((x - y)^2) = |x - y|
+      factor.inside = plain(*root);
+      factor.halves = 2 * power.halves;
+      factor.size = true;
+      return factor;
+    }
+  }
   if (power.base->kind != Base::Kind::group) factor.base = power.base;
   if (power.base->kind == Base::Kind::function || power.base->kind == Base::Kind::group) {
     factor.inside = plain(power.base->inside);
@@ -130,7 +138,7 @@ Number shared_number(const Sum& sum) {
 }
 
 std::optional<Sum> square_root(const Sum& sum) {
-  if (sum.size() < 3) return std::nullopt;
+  if (sum.is_zero() || sum.size() == 2) return std::nullopt;
   Sum root;
   for (const auto& [product, coefficient] : sum.terms()) {
     const bool square = std::all_of(product.begin(), product.end(), [](const Power& p) { return p.halves % 4 == 0; });

@@ -22,7 +22,7 @@ Product inverse(Product product);
 /// The greatest rational that all coefficients share, if it is short; positive.
 Number shared_number(const Sum& sum);
 
-/// The sum whose square this is, with a plus in front; nothing when there is none.
+/// The sum or the term whose square this is, with a plus in front; nothing when there is none.
 std::optional<Sum> square_root(const Sum& sum);
 
 /// One term: number · common factor · (sum of the rest). Sums of parameters come out as (M1 + M2) l^2.

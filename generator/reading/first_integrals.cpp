@@ -9,7 +9,7 @@ namespace torsor::reading {
 
 void write_first_integrals(const Equations& equations, const InlineLimits& limits, Page& page) {
   const PainleveReport report = painleve(equations);
-  InlineView view(equations.program(), limits);
+  InlineView view(equations.program(), limits, positive_parameters(equations.scene().content()));
   page.section("Painleve's equation and first integrals");
   const bool multipliers = !equations.constraints().empty();
   page.formula(fmt::format("d(T2 - T0)/dt + dT/dt = sum_i Q_i q_i'{}, dT/dt at constant q and q'.",

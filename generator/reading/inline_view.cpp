@@ -7,6 +7,7 @@
 
 #include "generator/expression/error.hpp"
 #include "generator/reading/trigonometry.hpp"
+#include "generator/reading/unit_quaternions.hpp"
 
 namespace torsor::reading {
 namespace {
@@ -130,7 +131,8 @@ Sum InlineView::canonical_power(const GiNaC::ex& expression) {
   if (!GiNaC::is_a<GiNaC::numeric>(exponent)) throw Error("a printed equation has an exponent that is not a number");
   const GiNaC::numeric halves = GiNaC::ex_to<GiNaC::numeric>(exponent) * GiNaC::numeric(2);
   if (!halves.is_integer()) throw Error("a printed equation has a power that is neither whole nor a root");
-  return power(canonical(expression.op(0)), halves.to_int());
+  if (halves.to_int() % 2 != 0) return root(shortened(expression.op(0)), halves.to_int(), positive_);
+  return power(halves.is_negative() ? shortened(expression.op(0)) : canonical(expression.op(0)), halves.to_int());
 }
 
 Sum InlineView::canonical(const GiNaC::ex& e) {
@@ -155,7 +157,7 @@ Sum InlineView::canonical(const GiNaC::ex& e) {
     return product;
   }
   if (GiNaC::is_a<GiNaC::power>(e)) return canonical_power(e);
-  const auto call = [&](Function function) { return Sum::function(function, simplified(canonical(e.op(0)))); };
+  const auto call = [&](Function function) { return Sum::function(function, shortened(e.op(0))); };
   if (GiNaC::is_the_function<GiNaC::sin_SERIAL>(e)) return call(Function::sin);
   if (GiNaC::is_the_function<GiNaC::cos_SERIAL>(e)) return call(Function::cos);
   if (GiNaC::is_the_function<GiNaC::exp_SERIAL>(e)) return call(Function::exp);
@@ -163,7 +165,11 @@ Sum InlineView::canonical(const GiNaC::ex& e) {
   throw Error("a printed equation has a function that cannot be printed");
 }
 
-Sum InlineView::sum(const GiNaC::ex& expression) { return simplified(canonical(expression.expand())); }
+Sum InlineView::shortened(const GiNaC::ex& expression) {
+  return with_squares_in_roots(simplified(with_squares_beside_roots(with_unit_quaternions(canonical(expression)))));
+}
+
+Sum InlineView::sum(const GiNaC::ex& expression) { return shortened(expression.expand()); }
 
 std::optional<Sum> InlineView::bounded_sum(const GiNaC::ex& expression) {
   Sum result = sum(expression);

@@ -3,12 +3,14 @@
 
 #include <optional>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include <ginac/ginac.h>
 
 #include "generator/expression/program.hpp"
 #include "generator/reading/canonical_sum.hpp"
+#include "generator/reading/roots.hpp"
 
 namespace torsor::reading {
 
@@ -22,7 +24,9 @@ struct InlineLimits {
 /// One view serves one program; it keeps what it has converted.
 class InlineView {
  public:
-  InlineView(const Program& program, const InlineLimits& limits) : program_(&program), limits_(limits) {}
+  /// `positive`: the symbols whose squares leave square roots.
+  InlineView(const Program& program, const InlineLimits& limits, PositiveSymbols positive = {})
+      : program_(&program), limits_(limits), positive_(std::move(positive)) {}
 
   const InlineLimits& limits() const { return limits_; }
 
@@ -48,9 +52,12 @@ class InlineView {
   GiNaC::ex of_atom(Atom atom);
   Sum canonical(const GiNaC::ex& expression);
   Sum canonical_power(const GiNaC::ex& expression);
+  /// Put in order and made short: unit quaternions, squares beside roots, sines and cosines.
+  Sum shortened(const GiNaC::ex& expression);
 
   const Program* program_;
   InlineLimits limits_;
+  PositiveSymbols positive_;
   std::vector<std::optional<double>> bounds_;
   std::vector<std::optional<GiNaC::ex>> atoms_;
   std::vector<SymbolPointer> symbols_;  ///< by the number that is the name of the GiNaC symbol

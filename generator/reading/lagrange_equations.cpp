@@ -22,7 +22,7 @@ GiNaC::ex partial(const GiNaC::ex& expression, const GiNaC::ex& symbol) {
 }  // namespace
 
 LagrangeEquations::LagrangeEquations(const Scene& scene, const InlineLimits& limits)
-    : open_(scene, symbolic(false)), definitions_(scene, symbolic(true)), view_(open_.program(), limits) {
+    : open_(scene, symbolic(false)), definitions_(scene, symbolic(true)), view_(open_.program(), limits, positive_parameters(scene.content())) {
   derive();
 }
 

@@ -70,7 +70,11 @@ std::string factor_latex(const WrittenFactor& factor, int halves) {
   std::string base;
   if (!factor.base) {
     base = latex(factor.inside);
-    if (halves != 1) base = fmt::format("\\left({}\\right)", base);
+    if (factor.size) {
+      base = fmt::format("\\left|{}\\right|", base);
+    } else if (halves != 1) {
+      base = fmt::format("\\left({}\\right)", base);
+    }
   } else {
     base = factor.base->kind == Base::Kind::definition ? fmt::format("z_{{{}}}", factor.base->definition)
                                                        : latex_name(factor.base->symbol->name);

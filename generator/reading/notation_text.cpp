@@ -14,7 +14,7 @@ std::string factor_text(const WrittenFactor& factor, int halves) {
   if (!factor.base) {
     base = text(factor.inside);
     if (halves == 1) return fmt::format("sqrt({})", base);
-    base = fmt::format("({})", base);
+    base = factor.size ? fmt::format("|{}|", base) : fmt::format("({})", base);
   } else {
     switch (factor.base->kind) {
       case Base::Kind::symbol:

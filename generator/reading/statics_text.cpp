@@ -32,7 +32,7 @@ class StaticsWriter {
       : scene_(scene),
         equations_(scene, symbolic()),
         statics_(equilibrium_equations(equations_)),
-        page_(equations_.program()),
+        page_(equations_.program(), scene.content()),
         about_(about) {}
 
   std::string write() {

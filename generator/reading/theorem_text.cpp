@@ -89,7 +89,7 @@ std::string theorem_text(const Scene& given, const TheoremRequest& request) {
   const BodyNames bodies = request.bodies.empty() ? all_bodies(equations.model()) : request.bodies;
   const std::string whom = fmt::format("{}", fmt::join(bodies, ", "));
   const std::string seen = request.observer == "ground" ? "" : ", seen from " + request.observer;
-  reading::ReadablePage page(equations.program());
+  reading::ReadablePage page(equations.program(), scene.content());
   if (energy) {
     const EnergyEquation theorem = energy_equation(equations, bodies, request.observer);
     page.section(fmt::format("Energy theorem for {}{}", whom, seen));

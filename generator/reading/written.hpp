@@ -18,6 +18,7 @@ struct WrittenFactor {
   BasePointer base;  ///< a symbol, a definition or a function; null for a sum in parentheses
   Written inside;    ///< argument of a function, or the sum in parentheses
   int halves = 2;    ///< the factor stands to the power halves/2
+  bool size = false;  ///< of a sum in parentheses: |sum| stands to that power
 };
 
 /// coefficient · factors, in the order of writing.

@@ -6,7 +6,10 @@ namespace torsor::reading {
 namespace {
 
 Real of_factor(const WrittenFactor& factor, const std::function<Real(const SymbolPointer&)>& value_of, int digits) {
-  if (!factor.base) return evaluate(factor.inside, value_of, digits);
+  if (!factor.base) {
+    const Real sum = evaluate(factor.inside, value_of, digits);
+    return factor.size ? abs(sum) : sum;
+  }
   switch (factor.base->kind) {
     case Base::Kind::function:
       return apply(factor.base->function, evaluate(factor.inside, value_of, digits));
