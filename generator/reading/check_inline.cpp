@@ -23,16 +23,36 @@ class RandomState {
     if (symbol->kind == SymbolKind::pi) return Real::pi(digits_);
     const auto known = values_.find(symbol->name);
     if (known != values_.end()) return known->second;
-    constexpr long scale = 1L << 30;
-    const long draw = static_cast<long>(engine_() >> 34U);  // below 2^30
-    // Parameters between 1/2 and 3/2, everything else between -1 and 1.
-    const bool positive = symbol->kind == SymbolKind::parameter;
-    const Number value =
-        positive ? Number::rational(draw + scale / 2, scale) : Number::rational(2 * draw - scale, scale);
-    return values_.emplace(symbol->name, Real(value, digits_)).first->second;
+    if (const auto attitude = symbol->attitude.lock()) {
+      draw_unit_quaternion(*attitude);
+      return values_.at(symbol->name);
+    }
+    return values_.emplace(symbol->name, draw(symbol->kind == SymbolKind::parameter)).first->second;
   }
 
+  /// The value of a name that stands for a formula.
+  void set(const std::string& name, const Real& value) { values_.emplace(name, value); }
+
  private:
+  /// Parameters between 1/2 and 3/2, everything else between -1 and 1.
+  Real draw(bool positive) {
+    constexpr long scale = 1L << 30;
+    const long drawn = static_cast<long>(engine_() >> 34U);  // below 2^30
+    const Number value =
+        positive ? Number::rational(drawn + scale / 2, scale) : Number::rational(2 * drawn - scale, scale);
+    return Real(value, digits_);
+  }
+
+  void draw_unit_quaternion(const AttitudeSymbols& attitude) {
+    std::vector<Real> e;
+    Real square(Number(0), digits_);
+    for (int k = 0; k < 4; ++k) {
+      e.push_back(draw(true));  // never all zero
+      square += e.back() * e.back();
+    }
+    for (std::size_t k = 0; k < 4; ++k) values_.emplace(attitude.e[k]->name, e[k] / sqrt(square));
+  }
+
   std::mt19937_64 engine_;
   int digits_;
   std::map<std::string, Real> values_;
@@ -73,7 +93,7 @@ std::vector<Comparison> comparisons(const reading::LagrangeEquations& printed) {
 InlineCheck check_inline(const Scene& scene, int digits, int states, std::uint64_t seed) {
   validate(scene);
   const WorkingDigits precision(digits);
-  const reading::LagrangeEquations printed(scene, {});
+  reading::LagrangeEquations printed(scene, {});
   InlineCheck result;
   result.worst = Real(Number(0), digits);
   result.written_out = printed.written_out() && printed.kinetic_energy().sum && printed.force_function().sum;
@@ -83,6 +103,9 @@ InlineCheck check_inline(const Scene& scene, int digits, int states, std::uint64
   for (; result.states < states; ++result.states) {
     RandomState state(seed + static_cast<std::uint64_t>(result.states), digits);
     const auto value_of = [&state](const SymbolPointer& symbol) { return state(symbol); };
+    for (const auto& [product, sum] : printed.named_products()) {
+      state.set(product.symbol->name, evaluate(collected(sum), value_of, digits));
+    }
     Evaluator<Real> program(printed.definitions().program(), value_of);
     for (const Comparison& comparison : all) {
       const Real left = evaluate(comparison.left, value_of, digits);

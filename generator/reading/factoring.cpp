@@ -24,6 +24,11 @@ WrittenFactor written(const Power& power) {
   if (power.base->kind == Base::Kind::function || power.base->kind == Base::Kind::group) {
     factor.inside = plain(power.base->inside);
   }
+  if (power.base->kind == Base::Kind::group) {  // 1 - x rather than -x + 1
+    const auto positive = [](const WrittenTerm& term) { return term.coefficient.sign() > 0; };
+    const auto first = std::find_if(factor.inside.begin(), factor.inside.end(), positive);
+    if (first != factor.inside.end()) std::rotate(factor.inside.begin(), first, first + 1);
+  }
   return factor;
 }
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/reading/inline_view.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <string>
 
 #include "generator/expression/error.hpp"
+#include "generator/expression/vanishing.hpp"
 #include "generator/reading/trigonometry.hpp"
 #include "generator/reading/unit_quaternions.hpp"
 
@@ -113,7 +115,11 @@ GiNaC::ex InlineView::of_atom(Atom atom) {
   if (definition.symbol) {
     result = symbol(definition.symbol);
   } else if (definition.function) {
-    result = apply(*definition.function, of_atom(definition.argument));
+    const auto product =
+        *definition.function == Function::sqrt ? product_under_root(definition.argument) : std::nullopt;
+    const GiNaC::ex argument =
+        product ? 1 - GiNaC::power(named_product(*product), 2) : of_atom(definition.argument);
+    result = apply(*definition.function, argument);
   } else {
     result = of_polynomial(definition.polynomial);
   }
@@ -121,9 +127,40 @@ GiNaC::ex InlineView::of_atom(Atom atom) {
   return result;
 }
 
-std::optional<GiNaC::ex> InlineView::expression(const Value& value) {
+std::optional<std::size_t> InlineView::product_under_root(Atom radicand) const {
+  if (!(*program_)[radicand].unit.is_dimensionless()) return std::nullopt;
+  for (std::size_t k = 0; k < products_.size(); ++k) {
+    Program& program = *products_[k].value.program();
+    Value difference = Value(program, Polynomial(radicand), Unit()) + pow(products_[k].value, 2);
+    difference -= program.number(Number(1));
+    if (vanishes(difference)) return k;
+  }
+  return std::nullopt;
+}
+
+GiNaC::ex InlineView::named_product(std::size_t k) {
+  const GiNaC::ex value = of_polynomial(products_[k].value.polynomial());
+  if (sum(value).size() <= 1) return value;
+  const GiNaC::ex name = symbol(products_[k].symbol);
+  if (std::find(in_use_.begin(), in_use_.end(), k) == in_use_.end()) in_use_.push_back(k);
+  product_values_[name] = value;
+  return name;
+}
+
+std::vector<NamedProduct> InlineView::products_in_use() const {
+  std::vector<NamedProduct> products;
+  for (const std::size_t k : in_use_) products.push_back(products_[k]);
+  return products;
+}
+
+std::optional<GiNaC::ex> InlineView::expression_to_read(const Value& value) {
   if (!(term_bound(value) <= limits_.expansion)) return std::nullopt;
   return of_polynomial(value.polynomial());
+}
+
+std::optional<GiNaC::ex> InlineView::expression(const Value& value) {
+  const std::optional<GiNaC::ex> named = expression_to_read(value);
+  return named && !product_values_.empty() ? GiNaC::ex(named->subs(product_values_)) : named;
 }
 
 Sum InlineView::canonical_power(const GiNaC::ex& expression) {
@@ -178,7 +215,7 @@ std::optional<Sum> InlineView::bounded_sum(const GiNaC::ex& expression) {
 }
 
 std::optional<Sum> InlineView::sum(const Value& value) {
-  const std::optional<GiNaC::ex> written = expression(value);
+  const std::optional<GiNaC::ex> written = expression_to_read(value);
   if (!written) return std::nullopt;
   return bounded_sum(*written);
 }
@@ -206,7 +243,8 @@ GiNaC::ex InlineView::expression(const Sum& sum) {
     }
     terms.push_back(GiNaC::mul(factors));
   }
-  return GiNaC::add(terms);
+  const GiNaC::ex total = GiNaC::add(terms);
+  return product_values_.empty() ? total : GiNaC::ex(total.subs(product_values_));
 }
 
 }  // namespace torsor::reading

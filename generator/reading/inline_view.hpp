@@ -10,6 +10,7 @@
 
 #include "generator/expression/program.hpp"
 #include "generator/reading/canonical_sum.hpp"
+#include "generator/reading/disc_products.hpp"
 #include "generator/reading/roots.hpp"
 
 namespace torsor::reading {
@@ -33,8 +34,15 @@ class InlineView {
   /// Upper bound of the number of terms after multiplying out, before anything cancels; infinite when it overflows.
   double term_bound(const Value& value);
 
+  /// From now on √(1 − k²) of one of these is written with the name of k, unless k is but one term.
+  void name_products(std::vector<NamedProduct> products) { products_ = std::move(products); }
+  /// Those that have been named so, to be told.
+  std::vector<NamedProduct> products_in_use() const;
+
   /// The value as one GiNaC expression, not multiplied out; nothing when its term bound is past limits().expansion.
   std::optional<GiNaC::ex> expression(const Value& value);
+  /// The same with the names of products in it: to be read, not to be differentiated.
+  std::optional<GiNaC::ex> expression_to_read(const Value& value);
 
   /// Multiplied out by GiNaC, put in canonical order and simplified; nothing when it is past a limit.
   std::optional<Sum> sum(const Value& value);
@@ -50,6 +58,9 @@ class InlineView {
   double term_bound(Atom atom);
   GiNaC::ex of_polynomial(const Polynomial& polynomial);
   GiNaC::ex of_atom(Atom atom);
+  /// The product k whose 1 − k² a definition is on every state; none for any other definition.
+  std::optional<std::size_t> product_under_root(Atom radicand) const;
+  GiNaC::ex named_product(std::size_t k);
   Sum canonical(const GiNaC::ex& expression);
   Sum canonical_power(const GiNaC::ex& expression);
   /// Put in order and made short: unit quaternions, squares beside roots, sines and cosines.
@@ -58,6 +69,9 @@ class InlineView {
   const Program* program_;
   InlineLimits limits_;
   PositiveSymbols positive_;
+  std::vector<NamedProduct> products_;
+  std::vector<std::size_t> in_use_;
+  GiNaC::exmap product_values_;  ///< applied, never iterated
   std::vector<std::optional<double>> bounds_;
   std::vector<std::optional<GiNaC::ex>> atoms_;
   std::vector<SymbolPointer> symbols_;  ///< by the number that is the name of the GiNaC symbol

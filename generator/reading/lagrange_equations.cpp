@@ -23,6 +23,7 @@ GiNaC::ex partial(const GiNaC::ex& expression, const GiNaC::ex& symbol) {
 
 LagrangeEquations::LagrangeEquations(const Scene& scene, const InlineLimits& limits)
     : open_(scene, symbolic(false)), definitions_(scene, symbolic(true)), view_(open_.program(), limits, positive_parameters(scene.content())) {
+  view_.name_products(disc_products(open_.model()));
   derive();
 }
 
@@ -34,11 +35,21 @@ GiNaC::ex LagrangeEquations::at_rest(const GiNaC::ex& expression) const {
   return released_.empty() ? expression : expression.subs(released_);
 }
 
+std::vector<std::pair<NamedProduct, Sum>> LagrangeEquations::named_products() {
+  std::vector<std::pair<NamedProduct, Sum>> products;
+  for (const NamedProduct& product : view_.products_in_use()) {
+    if (const auto written = view_.expression(product.value)) {
+      products.emplace_back(product, view_.sum(at_rest(*written)));
+    }
+  }
+  return products;
+}
+
 Quantity LagrangeEquations::quantity(const Value& open, const Value& closed) {
   Quantity result;
   result.value = closed;
   result.terms = view_.term_bound(open);
-  if (const auto written = view_.expression(open)) result.sum = view_.bounded_sum(at_rest(*written));
+  if (const auto written = view_.expression_to_read(open)) result.sum = view_.bounded_sum(at_rest(*written));
   return result;
 }
 
@@ -112,7 +123,7 @@ void LagrangeEquations::derive_equation(std::size_t i, const std::optional<GiNaC
     equation.inertia.sum = view_.bounded_sum(at_rest(rate - along_q + turning_term(*kinetic, c)));
     const Value rest = other_forces(i);
     equation.force.terms = view_.term_bound(rest);
-    if (const auto others = view_.expression(rest)) {
+    if (const auto others = view_.expression_to_read(rest)) {
       equation.force.sum = view_.bounded_sum(at_rest(along(*work, c) + *others));
     }
   }

@@ -50,6 +50,8 @@ class LagrangeEquations {
   /// Where the values of quantities that are too long live, parameters as symbols.
   const Equations& definitions() const { return definitions_; }
   InlineView& view() { return view_; }
+  /// The products that are named in what is written out, with what they are.
+  std::vector<std::pair<NamedProduct, Sum>> named_products();
   /// The program of the view, for formulas that are to be written out with it.
   Program& program() const { return open_.program(); }
 

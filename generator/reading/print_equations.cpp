@@ -12,6 +12,7 @@
 #include "generator/reading/first_integrals.hpp"
 #include "generator/reading/lagrange_equations.hpp"
 #include "generator/reading/linearised_equations.hpp"
+#include "generator/reading/named_roots.hpp"
 #include "generator/reading/page.hpp"
 
 namespace torsor {
@@ -236,8 +237,13 @@ class Printer {
   }
 
   void definitions() {
-    if (!definitions_) return;
+    const auto products = equations_.named_products();
+    if (!definitions_ && products.empty()) return;
     page_.section("Definitions");
+    for (const auto& [product, sum] : products) {
+      page_.equation("", named(product.symbol->name), collected(sum), product.meaning);
+    }
+    if (!definitions_) return;
     for (const DefinitionsView::Line& line : definitions_->lines()) {
       page_.equation("", collected(Sum::definition(line.number)), line.right, line.meaning);
     }
@@ -255,8 +261,8 @@ class Printer {
 
 std::string print_equations(const Scene& scene, Format format, const PrintOptions& options) {
   validate(scene);
-  const std::unique_ptr<reading::Page> page =
-      format == Format::text ? reading::text_page() : reading::latex_page(options.document);
+  const std::unique_ptr<reading::Page> page = reading::with_named_roots(
+      format == Format::text ? reading::text_page() : reading::latex_page(options.document));
   reading::Printer(scene, options, *page).print();
   return page->finish();
 }

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "generator/reading/named_roots.hpp"
+
 namespace torsor::reading {
 
 void ReadablePage::section(const std::string& heading) {
@@ -44,7 +46,7 @@ void ReadablePage::matrix(const std::string& name, const ValueMatrix& matrix) {
 }
 
 std::string ReadablePage::finish(const SceneContent& scene) {
-  const std::unique_ptr<Page> page = text_page();
+  const std::unique_ptr<Page> page = with_named_roots(text_page());
   page->title(scene);
   if (!long_results_.empty()) {
     definitions_.emplace(*program_, long_results_);
