@@ -5,14 +5,14 @@ include_guard(GLOBAL)
 # torsor_add_mechanism(<name> URDF <file.urdf> KERNELS <kernel>... [OUTPUT_NAME <name>] [RUN_TIME <parameter>...|all]
 #                      [OPTIONS <option>...])
 #
-# Builds the program <name>_scene from the scene, or takes the tool torsor for a URDF file, and runs it to write
+# Builds the program <name>_scene from the scene, or takes the tool torsor for a URDF, xacro or MJCF file, and runs it to write
 # <output name>.hpp (<name>.hpp by default) and make the interface target <name>: what links to it can write #include
 # "<name>.hpp". The target <name>_header stands for the writing alone, and the target property TORSOR_HEADER of <name>
 # holds the path of the header. The namespace of the header is the name of the scene; for a URDF file it is <name>.
 # OPTIONS are further ones of `torsor generate`, e.g. --base floating.
 #
-# The program runs again only when it, and so its scene or torsor, was built again, or the URDF file changed; it leaves
-# a header alone whose bytes would not change, so that nothing is compiled again then. The stamp is what the build tool
+# The program runs again only when it, and so its scene or torsor, was built again, or the URDF file or one that it
+# includes changed; it leaves a header alone whose bytes would not change, so that nothing is compiled again then. The stamp is what the build tool
 # looks at: with the header itself as output, make would find an unchanged header old for ever.
 function(torsor_add_mechanism name)
   cmake_parse_arguments(PARSE_ARGV 1 mechanism "" "SCENE;URDF;OUTPUT_NAME" "KERNELS;RUN_TIME;OPTIONS")
@@ -59,10 +59,16 @@ function(torsor_add_mechanism name)
   file(MAKE_DIRECTORY "${folder}")
   # make does not notice that a command changed; this file changes with it.
   file(CONFIGURE OUTPUT "${folder}.arguments" CONTENT "${arguments}\n" @ONLY)
+  set(found_inputs "")
+  if(mechanism_URDF)
+    # What the file includes is known when it has been read.
+    list(APPEND arguments --depfile "${stamp}.d")
+    set(found_inputs DEPFILE "${stamp}.d")
+  endif()
   add_custom_command(OUTPUT "${stamp}" BYPRODUCTS "${header}"
     COMMAND ${program} generate ${arguments}
     COMMAND "${CMAKE_COMMAND}" -E touch "${stamp}"
-    DEPENDS ${program} ${inputs} "${folder}.arguments"
+    DEPENDS ${program} ${inputs} "${folder}.arguments" ${found_inputs}
     COMMENT "Generating ${mechanism_OUTPUT_NAME}.hpp" VERBATIM)
   add_custom_target(${name}_header DEPENDS "${stamp}")
 

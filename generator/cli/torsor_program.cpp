@@ -2,6 +2,7 @@
 #include "generator/cli/torsor_program.hpp"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -9,8 +10,9 @@
 
 #include "generator/cli/command_line.hpp"
 #include "generator/expression/decimal.hpp"
+#include "generator/emission/output_file.hpp"
 #include "generator/expression/error.hpp"
-#include "generator/import/urdf.hpp"
+#include "generator/import/mechanism_file.hpp"
 
 namespace torsor {
 namespace {
@@ -22,14 +24,15 @@ struct FileRequest {
   std::string gravity = "0,0,-9.81";
   std::string angle_tolerance = "1e-9";
   std::string name;
-  std::vector<std::string> points, initial;
+  std::vector<std::string> points, initial, arguments, package_folders;
+  std::string dependency_file;
   bool no_dampers = false;
   bool no_motors = false;
   bool accept_inertia = false;
 };
 
 void add_options(CLI::App& command, FileRequest& request) {
-  command.add_option("FILE", request.file, "robot to read, a URDF file")->required();
+  command.add_option("FILE", request.file, "robot to read, a URDF or xacro file")->required();
   command.add_option("--base", request.base, "root link: fixed (welded to the ground) or floating")
       ->capture_default_str();
   command.add_option("--gravity", request.gravity, "X,Y,Z in m/s^2, along the ground's axes")->capture_default_str();
@@ -41,6 +44,14 @@ void add_options(CLI::App& command, FileRequest& request) {
       ->delimiter(',');
   command.add_option("--initial", request.initial, "state at t = 0, NAME=VALUE, rates NAME'=VALUE; comma-separated")
       ->delimiter(',');
+  command.add_option("--arg", request.arguments, "value of an argument of a xacro file, NAME:=VALUE; may be given again")
+      ->allow_extra_args(false);
+  command
+      .add_option("--package-path", request.package_folders,
+                  "folders of packages that $(find ...) names, colon-separated; looked at before ROS_PACKAGE_PATH")
+      ->delimiter(':');
+  command.add_option("--depfile", request.dependency_file,
+                     "write the files that were read as a rule of make, for the target that this name is without its .d");
   command.add_flag("--no-dampers", request.no_dampers, "take <dynamics damping> as data: it does not act");
   command.add_flag("--no-motors", request.no_motors, "no input torque or force in any joint");
   command.add_flag("--accept-inertia", request.accept_inertia,
@@ -94,14 +105,41 @@ UrdfOptions urdf_options(const FileRequest& request) {
   return options;
 }
 
+XacroOptions xacro_options(const FileRequest& request) {
+  XacroOptions options;
+  options.package_folders = request.package_folders;
+  for (const std::string& assignment : request.arguments) {
+    const std::size_t mark = assignment.find(":=");
+    if (mark == std::string::npos || mark == 0) {
+      throw UsageError(fmt::format("--arg takes NAME:=VALUE, e.g. prefix:=left_, and got '{}'", assignment));
+    }
+    options.arguments.emplace_back(assignment.substr(0, mark), assignment.substr(mark + 2));
+  }
+  return options;
+}
+
+Scene read_scene(const FileRequest& request) {
+  MechanismFile read = read_mechanism_file(request.file, urdf_options(request), xacro_options(request));
+  if (!request.dependency_file.empty()) {
+    std::string target = request.dependency_file;
+    if (!target.ends_with(".d") || target.size() == 2) {
+      throw UsageError(fmt::format("--depfile takes the target's name with .d behind it, and got '{}'", target));
+    }
+    target.resize(target.size() - 2);
+    read.files.insert(read.files.begin(), request.file);
+    write_file_if_changed(request.dependency_file, dependency_rule(target, read.files));
+  }
+  return std::move(read.robot.scene);
+}
+
 }  // namespace
 
 int run_torsor(int argc, const char* const* argv) {
   FileRequest request;
   return run_commands(argc, argv,
-                      {"Equations of motion and specialised kernels of the robot of a URDF file.",
+                      {"Equations of motion and specialised kernels of the robot of a URDF or xacro file.",
                        [&request](CLI::App& command) { add_options(command, request); },
-                       [&request] { return read_urdf(request.file, urdf_options(request)).scene; }});
+                       [&request] { return read_scene(request); }});
 }
 
 }  // namespace torsor
