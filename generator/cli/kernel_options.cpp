@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "generator/emission/kernel.hpp"
+#include "generator/expression/did_you_mean.hpp"
 #include "generator/expression/error.hpp"
 
 namespace torsor {
@@ -16,16 +17,18 @@ ForwardMethod forward_method(const std::string& name) {
   if (name == "cheapest") return ForwardMethod::cheapest;
   if (name == "factorisation") return ForwardMethod::factorisation;
   if (name == "articulated_body") return ForwardMethod::articulated_body;
-  throw UsageError(fmt::format("unknown method '{}' in --forward: use cheapest, factorisation or articulated_body", name));
+  throw UsageError(fmt::format("unknown method '{}' in --forward: {}use cheapest, factorisation or articulated_body", name,
+                               did_you_mean(name, {"cheapest", "factorisation", "articulated_body"})));
 }
 
 void check_parameter(const Scene& scene, const std::string& name) {
   const auto& parameters = scene.content().parameters;
   if (std::any_of(parameters.begin(), parameters.end(), [&](const auto& p) { return p.symbol->name == name; })) return;
-  std::string known;
-  for (const auto& p : parameters) known += (known.empty() ? "" : ", ") + p.symbol->name;
-  throw UsageError(fmt::format("unknown parameter '{}' in --run-time: the scene '{}' has {}", name, scene.name(),
-                               known.empty() ? "none" : known));
+  std::vector<std::string> known;
+  for (const auto& p : parameters) known.push_back(p.symbol->name);
+  throw UsageError(fmt::format("unknown parameter '{}' in --run-time: {}the scene '{}' has {}", name,
+                               did_you_mean(name, known), scene.name(),
+                               known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "))));
 }
 
 }  // namespace

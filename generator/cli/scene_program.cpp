@@ -14,6 +14,7 @@
 #include "generator/cli/command_set.hpp"
 #include "generator/dynamics/equations/validation.hpp"
 #include "generator/emission/output_file.hpp"
+#include "generator/expression/did_you_mean.hpp"
 #include "generator/expression/error.hpp"
 
 namespace torsor {
@@ -41,10 +42,26 @@ void check_command_name(const CLI::App& app, int argc, const char* const* argv) 
     names.push_back(command->get_name());
   }
   if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return;
+  const std::string likely = did_you_mean(argv[1], names);
   const std::string last = names.back();
   names.pop_back();
   throw UsageError(
-      fmt::format("unknown command '{}': use {} or {}; see --help", argv[1], fmt::join(names, ", "), last));
+      fmt::format("unknown command '{}': {}use {} or {}; see --help", argv[1], likely, fmt::join(names, ", "), last));
+}
+
+/// "; did you mean '--output'?" for the first option on the command line that the chosen command does not know.
+std::string likely_options(const CLI::App& app, int argc, const char* const* argv) {
+  std::vector<std::string> known;
+  for (const CLI::Option* option : app.get_subcommand(argv[1])->get_options()) {
+    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  }
+  for (int i = 2; i < argc; ++i) {
+    const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
+    if (word.rfind("--", 0) != 0 || std::find(known.begin(), known.end(), word) != known.end()) continue;
+    const std::string likely = did_you_mean(word, known);
+    return likely.empty() ? likely : "; " + likely.substr(0, likely.size() - 1);
+  }
+  return {};
 }
 
 /// Reads the command line. True: the chosen command is to be run; false: help was asked for and is written.
@@ -57,6 +74,8 @@ bool read_command_line(CLI::App& app, int argc, const char* const* argv) {
     app.exit(help, text, text);
     write("-", text.str());
     return false;
+  } catch (const CLI::ExtrasError& error) {
+    throw UsageError(fmt::format("{}{}; see --help", error.what(), likely_options(app, argc, argv)));
   } catch (const CLI::ParseError& error) {
     throw UsageError(fmt::format("{}; see --help", error.what()));
   }

@@ -6,6 +6,7 @@
 #include "generator/dynamics/structure/mobility.hpp"
 #include "generator/dynamics/structure/reduced_graph.hpp"
 #include "generator/emission/graph_printer.hpp"
+#include "generator/expression/did_you_mean.hpp"
 #include "generator/expression/error.hpp"
 
 namespace torsor {
@@ -201,7 +202,8 @@ std::string graph_text(const Scene& scene, const std::string& format, const std:
   } else if (kind == "reduced") {
     drawing = draw_reduced(scene, reduced_graph(analyse_mobility(scene, {inputs_outputs})));
   } else {
-    throw UsageError(fmt::format("unknown graph '{}': use structure, analysis or reduced", kind));
+    throw UsageError(fmt::format("unknown graph '{}': {}use structure, analysis or reduced", kind,
+                                 did_you_mean(kind, {"structure", "analysis", "reduced"})));
   }
   return format == "dot" ? graph_dot(drawing) : graph_svg(drawing);
 }

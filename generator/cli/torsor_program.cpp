@@ -11,6 +11,7 @@
 #include "generator/cli/command_line.hpp"
 #include "generator/expression/decimal.hpp"
 #include "generator/emission/output_file.hpp"
+#include "generator/expression/did_you_mean.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/import/mechanism_file.hpp"
 
@@ -82,7 +83,8 @@ UrdfOptions urdf_options(const FileRequest& request) {
   if (request.base == "floating") {
     options.base = UrdfBase::floating;
   } else if (request.base != "fixed") {
-    throw UsageError(fmt::format("unknown base '{}' in --base: use fixed or floating", request.base));
+    throw UsageError(fmt::format("unknown base '{}' in --base: {}use fixed or floating", request.base,
+                                 did_you_mean(request.base, {"fixed", "floating"})));
   }
   const std::vector<std::string> gravity = split(request.gravity, ',');
   if (gravity.size() != 3) {

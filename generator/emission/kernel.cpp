@@ -19,6 +19,7 @@
 #include "generator/emission/kernel_second_derivatives.hpp"
 #include "generator/emission/kernel_sensitivities.hpp"
 #include "generator/emission/kernel_sparse_jacobian.hpp"
+#include "generator/expression/did_you_mean.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/expression/shared_products.hpp"
 #include "generator/expression/vanishing.hpp"
@@ -274,7 +275,7 @@ Kernel derived_kernel(const std::string& name, const Equations& equations) {
     clear_vanishing(kernel);
     return kernel;
   }
-  throw UsageError(fmt::format("unknown kernel '{}': known are {}", name, known_names()));
+  throw UsageError(fmt::format("unknown kernel '{}': {}known are {}", name, did_you_mean(name, kernel_names()), known_names()));
 }
 
 }  // namespace
@@ -352,7 +353,8 @@ std::vector<std::string> parse_kernel_list(const std::string& list) {
     }
     const auto& known = kernel_names();
     if (std::find(known.begin(), known.end(), name) == known.end()) {
-      throw UsageError(fmt::format("unknown kernel '{}': known are {}, or all", name, known_names()));
+      throw UsageError(fmt::format("unknown kernel '{}': {}known are {}, or all", name, did_you_mean(name, known),
+                                   known_names()));
     }
     names.push_back(name);
   }

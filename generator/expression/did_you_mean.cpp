@@ -49,18 +49,28 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
-bool looks_like(std::string_view word, std::string_view known) {
-  if (std::max(word.size(), known.size()) > longest_word) return false;
-  const std::size_t allowed = edits_allowed(word, known);
-  const std::size_t apart = std::max(word.size(), known.size()) - std::min(word.size(), known.size());
-  return apart <= allowed && edit_distance(word, known) <= allowed;
+namespace {
+
+bool differ_by(std::string_view a, std::string_view b, std::size_t edits) {
+  if (std::max(a.size(), b.size()) > longest_word) return false;
+  const std::size_t apart = std::max(a.size(), b.size()) - std::min(a.size(), b.size());
+  return apart <= edits && edit_distance(a, b) <= edits;
 }
 
-std::vector<std::string> nearest_words(std::string_view word, const std::vector<std::string>& known) {
+}  // namespace
+
+bool looks_like(std::string_view word, std::string_view known) {
+  return differ_by(word, known, edits_allowed(word, known));
+}
+
+namespace {
+
+/// Those at the least distance that are within the edits that words may differ by, and `more`.
+std::vector<std::string> nearest_within(std::string_view word, const std::vector<std::string>& known, std::size_t more) {
   std::vector<std::string> nearest;
   std::size_t least = longest_word;
   for (const std::string& each : known) {
-    if (!looks_like(word, each)) continue;
+    if (!differ_by(word, each, edits_allowed(word, each) + more)) continue;
     const std::size_t distance = edit_distance(word, each);
     if (distance > least) continue;
     if (distance < least) nearest.clear();
@@ -70,8 +80,15 @@ std::vector<std::string> nearest_words(std::string_view word, const std::vector<
   return nearest;
 }
 
+}  // namespace
+
+std::vector<std::string> nearest_words(std::string_view word, const std::vector<std::string>& known) {
+  return nearest_within(word, known, 0);
+}
+
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
   std::vector<std::string> suggestions = nearest_words(word, known);
+  if (suggestions.empty() && word.size() >= 5) suggestions = nearest_within(word, known, 1);
   if (suggestions.size() > most_suggestions) suggestions.resize(most_suggestions);
   if (suggestions.empty() && word.size() >= 3 && word.size() <= longest_word) {
     for (const std::string& each : known) {

@@ -21,8 +21,9 @@ bool looks_like(std::string_view word, std::string_view known);
 /// Those of the known words that `word` looks like at the least distance, in their order, each once.
 std::vector<std::string> nearest_words(std::string_view word, const std::vector<std::string>& known);
 
-/// "did you mean 'elbow'? ", with the nearest words, three at most; where none is near, with those that begin with `word`
-/// (three letters or more), if they are three at most. Empty otherwise. To stand before the list of the known:
+/// "did you mean 'elbow'? ", with the nearest words, three at most. Where none is near, words of five letters and more may
+/// be one edit further away; where none is there either, those that begin with `word` (three letters or more) are named,
+/// if they are three at most. Empty otherwise. To stand before the list of the known:
 /// `fmt::format("unknown frame '{}': {}the scene has {}", name, did_you_mean(name, known), fmt::join(known, ", "))`.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known);
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "generator/expression/did_you_mean.hpp"
 #include "generator/expression/error.hpp"
 
 namespace torsor {
@@ -28,9 +29,10 @@ Passes passes_without(const std::string& list) {
     const auto& names = pass_names();
     const auto place = std::find_if(names.begin(), names.end(), [&](const PassName& pass) { return pass.name == name; });
     if (place == names.end()) {
-      std::string known;
-      for (const PassName& pass : names) known += (known.empty() ? "" : ", ") + std::string(pass.name);
-      throw UsageError(fmt::format("unknown pass '{}' in --without: known are {}", name, known));
+      std::vector<std::string> known;
+      for (const PassName& pass : names) known.emplace_back(pass.name);
+      throw UsageError(fmt::format("unknown pass '{}' in --without: {}known are {}", name, did_you_mean(name, known),
+                                   fmt::join(known, ", ")));
     }
     passes.*(place->on) = false;
   }

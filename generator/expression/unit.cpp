@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "generator/expression/did_you_mean.hpp"
 #include "generator/expression/error.hpp"
 
 namespace torsor {
@@ -183,8 +184,12 @@ class UnitReader {
              std::string(scaled->conversion) + ")");
     }
     std::string names;
-    for (const NamedUnit& candidate : named_units) names += " " + std::string(candidate.name);
-    refuse("\"" + std::string(name) + "\" is unknown; the known units are" + names);
+    std::vector<std::string> words;
+    for (const NamedUnit& candidate : named_units) {
+      words.emplace_back(candidate.name);
+      names += " " + words.back();
+    }
+    refuse("\"" + std::string(name) + "\" is unknown; " + did_you_mean(name, words) + "the known units are" + names);
   }
 
   std::string_view text_;

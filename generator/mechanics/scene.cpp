@@ -5,6 +5,7 @@
 
 #include "generator/expression/error.hpp"
 #include "generator/mechanics/identifier.hpp"
+#include "generator/mechanics/require_unit.hpp"
 
 namespace torsor {
 namespace {
@@ -202,14 +203,18 @@ PointHandle Scene::add_point(PointContent point) {
   return {static_cast<int>(content_.points.size()) - 1};
 }
 PointHandle Scene::point(const std::string& name, const FrameReference& frame, const Triple& components) {
+  require_unit(components, units::metre, fmt::format("a component of the point '{}'", name));
   return add_point({name, frame, components});
 }
 PointHandle Scene::disc_contact(const std::string& name, const FrameReference& frame, const Triple& axis,
                                 const Expression& radius, const FrameReference& plane) {
+  require_unit(axis, Unit(), fmt::format("a component of the axis of the disc at '{}'", name));
+  require_unit(radius, units::metre, fmt::format("the radius of the disc at '{}'", name));
   return add_point({name, frame, {}, LowestPoint{axis, radius, plane}});
 }
 PointHandle Scene::sphere_contact(const std::string& name, const FrameReference& frame, const Expression& radius,
                                   const FrameReference& plane) {
+  require_unit(radius, units::metre, fmt::format("the radius of the sphere at '{}'", name));
   return add_point({name, frame, {}, LowestPoint{std::nullopt, radius, plane}});
 }
 

@@ -3,24 +3,23 @@
 
 #include "generator/expression/error.hpp"
 #include "generator/mechanics/identifier.hpp"
+#include "generator/mechanics/require_unit.hpp"
 #include "generator/mechanics/scene.hpp"
 
 namespace torsor {
 namespace {
 
-/// `whose` names the action and the quantity; zero fits any unit.
-void require_unit(const Expression& given, const Unit& unit, const std::string& whose) {
-  if (given.is_zero() || given.unit() == unit) return;
-  throw UnitError(fmt::format("{} is {} [{}] and must be in {}", whose, given.to_string(), given.unit().to_string(),
-                              unit.is_dimensionless() ? "plain numbers" : unit.to_string()));
-}
-void require_unit(const Triple& given, const Unit& unit, const std::string& whose) {
-  for (const Expression& component : given) require_unit(component, unit, whose);
+/// "the direction of the friction 'rub'".
+std::string of(const char* quantity, const char* kind, const std::string& name) {
+  return fmt::format("the {} of the {} '{}'", quantity, kind, name);
 }
 
 }  // namespace
 
-void Scene::gravity(const Triple& acceleration) { content_.gravity = acceleration; }
+void Scene::gravity(const Triple& acceleration) {
+  require_unit(acceleration, units::metre / units::second.pow(2), "a component of the gravity");
+  content_.gravity = acceleration;
+}
 
 void Scene::spring(const std::string& name, const Expression& elongation, const Expression& stiffness,
                    const Expression& rest) {
@@ -123,18 +122,21 @@ void Scene::sliding_friction(const std::string& name, const ConstraintHandle& no
                              const FrameReference& body, const PointReference& point, const Triple& direction,
                              const FrameReference& axes, const FrameReference& other) {
   require_unit(f, Unit(), fmt::format("the coefficient of the friction '{}'", name));
+  require_one_unit(direction, of("direction", "friction", name));
   add_friction({name, normal.index, f, body, point, direction, axes, other});
 }
 void Scene::rolling_resistance(const std::string& name, const ConstraintHandle& normal, const Expression& h,
                                const FrameReference& body, const Triple& direction, const FrameReference& axes,
                                const FrameReference& other) {
   require_unit(h, units::metre, fmt::format("the length of the rolling resistance '{}'", name));
+  require_one_unit(direction, of("direction", "rolling resistance", name));
   add_friction({name, normal.index, h, body, std::nullopt, direction, axes, other});
 }
 void Scene::spinning_resistance(const std::string& name, const ConstraintHandle& normal, const Expression& k,
                                 const FrameReference& body, const Triple& direction, const FrameReference& axes,
                                 const FrameReference& other) {
   require_unit(k, units::metre, fmt::format("the length of the spinning resistance '{}'", name));
+  require_one_unit(direction, of("direction", "spinning resistance", name));
   add_friction({name, normal.index, k, body, std::nullopt, direction, axes, other});
 }
 

@@ -5,6 +5,7 @@
 
 #include "generator/expression/error.hpp"
 #include "generator/mechanics/identifier.hpp"
+#include "generator/mechanics/require_unit.hpp"
 #include "generator/mechanics/scene.hpp"
 
 namespace torsor {
@@ -78,6 +79,7 @@ ConstraintHandle Scene::no_slip(const std::string& name, const FrameReference& b
 }
 ConstraintHandle Scene::no_slip(const std::string& name, const FrameReference& body, const PointReference& contact,
                                 const Triple& direction, const FrameReference& axes, const FrameReference& on) {
+  require_unit(direction, Unit(), fmt::format("a component of the direction of the constraint '{}'", name));
   return add_constraint(name, NoSlip{body, contact, direction, axes, on}, units::newton);
 }
 std::vector<ConstraintHandle> Scene::rolling(const std::string& name, const FrameReference& body,
@@ -92,6 +94,7 @@ ConstraintHandle Scene::contact(const std::string& name, const PointReference& p
 }
 ConstraintHandle Scene::closure(const std::string& name, const PointReference& a, const PointReference& b,
                                 const Triple& direction) {
+  require_unit(direction, Unit(), fmt::format("a component of the direction of the constraint '{}'", name));
   return add_constraint(name, Closure{a, b, direction}, units::newton);
 }
 
@@ -134,6 +137,7 @@ void Scene::reaction(const ConstraintHandle& handle, const std::string& name, co
                      const PointReference& contact, const Triple& direction, const FrameReference& axes,
                      const FrameReference& other) {
   require_identifier(name, "reaction");
+  require_unit(direction, Unit(), fmt::format("a component of the direction of the reaction '{}'", name));
   claim(name, "reaction");
   ConstraintContent& constraint = content_.constraints.at(static_cast<std::size_t>(handle.index));
   if (constraint.reaction) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "generator/expression/did_you_mean.hpp"
 #include "generator/expression/error.hpp"
 
 namespace torsor {
@@ -16,13 +17,13 @@ int find_index(const std::vector<Content>& all, const std::variant<int, std::str
     throw SceneError(fmt::format("{} uses {} number {}, which belongs to another scene", user, kind, *index));
   }
   const std::string& name = std::get<std::string>(target);
-  std::string known;
+  std::vector<std::string> known;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i].name == name) return static_cast<int>(i);
-    known += (known.empty() ? "" : ", ") + all[i].name;
   }
-  throw SceneError(fmt::format("unknown {} '{}' in {}: the scene has {}", kind, name, user,
-                               known.empty() ? "none" : known));
+  for (const Content& each : all) known.push_back(each.name);
+  throw SceneError(fmt::format("unknown {} '{}' in {}: {}the scene has {}", kind, name, user, did_you_mean(name, known),
+                               known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "))));
 }
 
 }  // namespace

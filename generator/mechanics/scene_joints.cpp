@@ -5,6 +5,7 @@
 
 #include "generator/expression/as_index.hpp"
 #include "generator/expression/error.hpp"
+#include "generator/mechanics/require_unit.hpp"
 #include "generator/mechanics/scene.hpp"
 
 namespace torsor {
@@ -14,8 +15,8 @@ constexpr std::array<const Triple*, 3> unit_axes{&axis::x, &axis::y, &axis::z};
 
 const Triple& unit_axis(int i) { return *unit_axes.at(static_cast<std::size_t>(i)); }
 
-void require_unit(const std::string& joint, const std::string& what, const Expression& given, const Unit& unit,
-                  const std::string& unit_name) {
+void require_displacement(const std::string& joint, const std::string& what, const Expression& given, const Unit& unit,
+                          const std::string& unit_name) {
   if (given.is_zero() || given.unit() == unit) return;
   throw UnitError(fmt::format("the {} {} of the joint '{}' has the unit {} and must be in {}", what, given.to_string(),
                               joint, given.unit().to_string(), unit_name));
@@ -33,9 +34,11 @@ FrameHandle Scene::add_frame(FrameContent frame) {
 
 FrameHandle Scene::add_joint(const std::string& name, JointType type, const FrameReference& parent,
                              const Placement& placement, const std::vector<Step>& steps) {
+  require_unit(placement.origin, units::metre, fmt::format("a component of the origin of the joint '{}'", name));
   for (const Step& step : steps) {
-    if (step.kind == JointKind::revolute) require_unit(name, "angle", step.displacement, Unit(), "rad");
-    if (step.kind == JointKind::prismatic) require_unit(name, "displacement", step.displacement, units::metre, "m");
+    if (step.attitude < 0) require_unit(step.axis, Unit(), fmt::format("a component of the axis of the joint '{}'", name));
+    if (step.kind == JointKind::revolute) require_displacement(name, "angle", step.displacement, Unit(), "rad");
+    if (step.kind == JointKind::prismatic) require_displacement(name, "displacement", step.displacement, units::metre, "m");
     if (step.attitude < 0) continue;
     AttitudeContent& attitude = content_.attitudes.at(static_cast<std::size_t>(step.attitude));
     if (!attitude.frame.empty()) {
@@ -58,6 +61,7 @@ FrameHandle Scene::add_joint(const std::string& name, JointType type, const Fram
 }
 
 FrameHandle Scene::weld(const std::string& name, const FrameReference& parent, const Placement& placement) {
+  require_unit(placement.origin, units::metre, fmt::format("a component of the origin of the frame '{}'", name));
   return add_frame({name, parent, placement, JointKind::weld, {}, 0});
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "generator/expression/decimal.hpp"
+#include "generator/expression/did_you_mean.hpp"
 #include "generator/expression/error.hpp"
 
 namespace torsor {
@@ -124,22 +125,26 @@ class Parser {
     if (function == "exp") return exp(argument);
     if (function == "log") return log(argument);
     at_ = start;
-    fail("the functions are sin, cos, tan, sqrt, exp and log");
+    fail(did_you_mean(function, {"sin", "cos", "tan", "sqrt", "exp", "log"}) +
+         "the functions are sin, cos, tan, sqrt, exp and log");
   }
   Expression symbol(const std::string& word, std::size_t start) {
     const SceneContent& scene = scene_.content();
+    std::vector<std::string> known;
     for (const ParameterContent& parameter : scene.parameters) {
       if (parameter.symbol->name == word) return parameter.symbol;
+      known.push_back(parameter.symbol->name);
     }
     for (const CoordinateContent& c : scene.coordinates) {
       for (const SymbolPointer& s : {c.q, c.v, c.a}) {
         if (s->name == word) return s;
+        known.push_back(s->name);
       }
     }
     if (word == "t") return scene.time;
     if (word == "pi") return pi();
     at_ = start;
-    fail(fmt::format("the scene '{}' has no parameter or coordinate of that name", scene.name));
+    fail(fmt::format("{}the scene '{}' has no parameter or coordinate of that name", did_you_mean(word, known), scene.name));
   }
 
   const std::string& text_;

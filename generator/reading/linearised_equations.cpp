@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "generator/expression/did_you_mean.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/reading/formula_text.hpp"
 
@@ -11,19 +12,18 @@ namespace {
 
 /// The symbol of a state that a name means: q, q' or q''.
 SymbolPointer state_symbol(const Scene& scene, const std::string& name) {
-  std::string known;
+  std::vector<std::string> known;
   for (const CoordinateContent& c : scene.content().coordinates) {
     if (!c.unknown()) continue;
     for (const SymbolPointer& symbol : {c.q, c.v, c.a}) {
       if (symbol->name == name) return symbol;
     }
-    if (!known.empty()) known += ", ";
-    known += c.q->name;
+    known.push_back(c.q->name);
   }
   throw UsageError(
-      fmt::format("'{}' is no coordinate or velocity to linearise about: the unknowns are {} (a velocity "
+      fmt::format("'{}' is no coordinate or velocity to linearise about: {}the unknowns are {} (a velocity "
                   "is written with a prime)",
-                  name, known));
+                  name, did_you_mean(name, known), fmt::join(known, ", ")));
 }
 
 /// What replaces the symbols of the state; accelerations vanish unless they are given.

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "generator/dynamics/equations/validation.hpp"
+#include "generator/expression/did_you_mean.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/reading/definitions_view.hpp"
 #include "generator/reading/first_integrals.hpp"
@@ -270,7 +271,7 @@ std::string print_equations(const Scene& scene, Format format, const PrintOption
 Format parse_format(const std::string& name) {
   if (name == "text") return Format::text;
   if (name == "latex") return Format::latex;
-  throw UsageError(fmt::format("unknown format '{}': use text or latex", name));
+  throw UsageError(fmt::format("unknown format '{}': {}use text or latex", name, did_you_mean(name, {"text", "latex"})));
 }
 
 }  // namespace torsor

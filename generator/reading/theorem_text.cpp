@@ -8,6 +8,7 @@
 
 #include "generator/dynamics/equations/validation.hpp"
 #include "generator/dynamics/theorems/theorem_equations.hpp"
+#include "generator/expression/did_you_mean.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/reading/formula_text.hpp"
 #include "generator/reading/readable_page.hpp"
@@ -74,7 +75,8 @@ std::string theorem_text(const Scene& given, const TheoremRequest& request) {
   validate(given);
   const bool energy = request.kind == "energy", moment = request.kind == "moment";
   if (!energy && !moment && request.kind != "resultant") {
-    throw UsageError(fmt::format("unknown kind '{}' of theorem: use resultant, moment or energy", request.kind));
+    throw UsageError(fmt::format("unknown kind '{}' of theorem: {}use resultant, moment or energy", request.kind,
+                                 did_you_mean(request.kind, {"resultant", "moment", "energy"})));
   }
   if (moment && request.point.empty()) {
     throw UsageError(

@@ -76,7 +76,7 @@ TEST(SceneProgram, KeepsParametersThatAreAskedToStaySymbols) {
   };
   EXPECT_EQ(multiplications({"--run-time", "mass"}), multiplications({"--run-time", "all"}));
   expect_failure(run(pendulum, {"counts", "--run-time", "mas"}), 2,
-                 "unknown parameter 'mas' in --run-time: the scene 'pendulum' has mass, length");
+                 "unknown parameter 'mas' in --run-time: did you mean 'mass'? the scene 'pendulum' has mass, length");
 }
 
 TEST(SceneProgram, ChecksTheSceneAndReportsEachComparison) {

@@ -28,7 +28,7 @@ TEST(ForceFunctionCommand, SaysWhichOfTheThreeCasesItIsAndWhy) {
 
 TEST(ForceFunctionCommand, RefusesUnknownNames) {
   expect_failure(run(pendulum, {"force-function", "--bodies", "bib"}), 3,
-                 "unknown body 'bib' in a selection of actions: the scene has bob");
+                 "unknown body 'bib' in a selection of actions: did you mean 'bob'? the scene has bob");
 }
 
 }  // namespace

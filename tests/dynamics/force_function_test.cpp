@@ -207,7 +207,7 @@ TEST(ForceFunction, RefusesUnknownNamesAndActionsWithoutEnds) {
   EXPECT_EQ(error_of([&] {
               classify_force_function(equations, {{"sprong"}, {}});
             }),
-            "unknown action 'sprong' in a selection of actions: the scene has gravity, spring");
+            "unknown action 'sprong' in a selection of actions: did you mean 'spring'? the scene has gravity, spring");
   EXPECT_EQ(error_of([&] {
               classify_force_function(equations, {{}, {"Q"}});
             }),

@@ -42,6 +42,8 @@ TEST(DidYouMean, NamesTheNearestWordsInTheirOrder) {
   EXPECT_EQ(did_you_mean("uper_arm", known), "did you mean 'upper_arm'? ");
   EXPECT_EQ(did_you_mean("Forearm", known), "did you mean 'forearm'? ");
   EXPECT_EQ(did_you_mean("wheel", known), "");
+  EXPECT_EQ(did_you_mean("tetha", {"phi", "theta"}), "did you mean 'theta'? ");  // two edits of five letters
+  EXPECT_TRUE(nearest_words("tetha", {"phi", "theta"}).empty());
   EXPECT_EQ(did_you_mean("wheel", {}), "");
   EXPECT_EQ(did_you_mean("", known), "");
   EXPECT_EQ(did_you_mean("arm3", {"arm2", "arm1", "arm2"}), "did you mean 'arm2' or 'arm1'? ");

@@ -8,6 +8,7 @@
 #include "generator/dynamics/motion/relative_motion.hpp"
 #include "generator/expression/derivative.hpp"
 #include "generator/expression/error.hpp"
+#include "generator/mechanics/action_units.hpp"
 
 namespace torsor {
 namespace {
@@ -302,7 +303,9 @@ bool has_force_function(const ActionContent& action) {
 AppliedActions applied_actions(const Model& model, const std::function<bool(const ActionContent&)>& wanted) {
   Collector collector(model);
   for (const ActionContent& action : model.scene().actions) {
-    if (wanted(action)) std::visit(collector, action);
+    if (!wanted(action)) continue;
+    require_action_units(action);
+    std::visit(collector, action);
   }
   return collector.take();
 }

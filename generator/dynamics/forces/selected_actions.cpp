@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "generator/expression/derivative.hpp"
+#include "generator/expression/did_you_mean.hpp"
 #include "generator/expression/error.hpp"
 
 namespace torsor {
@@ -69,7 +70,8 @@ class Gatherer {
                              const std::string& kind) {
     for (const std::string& name : names) {
       if (contains(known, name)) continue;
-      throw SceneError(fmt::format("unknown {} '{}' in a selection of actions: the scene has {}", kind, name,
+      throw SceneError(fmt::format("unknown {} '{}' in a selection of actions: {}the scene has {}", kind, name,
+                                   did_you_mean(name, known),
                                    known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "))));
     }
   }

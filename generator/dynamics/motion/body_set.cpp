@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "generator/expression/did_you_mean.hpp"
 #include "generator/expression/error.hpp"
 
 namespace torsor {
@@ -26,7 +27,8 @@ std::vector<int> body_indices(const Model& model, const BodyNames& names, const 
   for (const std::string& name : names) {
     const auto place = std::find(known.begin(), known.end(), name);
     if (place == known.end()) {
-      throw SceneError(fmt::format("unknown body '{}' in {}: the scene has {}", name, user, fmt::join(known, ", ")));
+      throw SceneError(fmt::format("unknown body '{}' in {}: {}the scene has {}", name, user,
+                                   did_you_mean(name, known), fmt::join(known, ", ")));
     }
     indices.push_back(static_cast<int>(place - known.begin()));
   }

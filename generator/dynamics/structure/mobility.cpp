@@ -9,6 +9,7 @@
 #include "generator/dynamics/forces/constraints.hpp"
 #include "generator/dynamics/structure/internal_motions.hpp"
 #include "generator/expression/as_index.hpp"
+#include "generator/expression/did_you_mean.hpp"
 #include "generator/expression/error.hpp"
 
 namespace torsor {
@@ -36,14 +37,15 @@ std::vector<bool> outside_joints(const StructureGraph& graph, const std::vector<
     outside[j] = fixed[as_index(graph.joints[j].a)] || fixed[as_index(graph.joints[j].b)];
   }
   for (const std::string& name : names) {
-    std::string known;
+    std::vector<std::string> known;
     bool found = false;
     for (std::size_t j = 0; j < outside.size(); ++j) {
-      known += (known.empty() ? "" : ", ") + graph.joints[j].name;
+      known.push_back(graph.joints[j].name);
       if (graph.joints[j].name == name) outside[j] = found = true;
     }
-    if (!found)
-      throw UsageError(fmt::format("unknown joint '{}': the scene has {}", name, known.empty() ? "none" : known));
+    if (found) continue;
+    throw UsageError(fmt::format("unknown joint '{}': {}the scene has {}", name, did_you_mean(name, known),
+                                 known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "))));
   }
   return outside;
 }

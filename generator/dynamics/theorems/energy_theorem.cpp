@@ -8,6 +8,7 @@
 #include "generator/dynamics/forces/constraint_wrench.hpp"
 #include "generator/dynamics/motion/inertia_wrench.hpp"
 #include "generator/expression/derivative.hpp"
+#include "generator/expression/did_you_mean.hpp"
 #include "generator/expression/error.hpp"
 
 namespace torsor {
@@ -155,9 +156,10 @@ Value action_power(const Equations& equations, const std::string& name, const Fr
   const auto action =
       std::find_if(actions.begin(), actions.end(), [&](const ActionContent& any) { return name_of(any) == name; });
   if (action == actions.end()) {
-    std::string known;
-    for (const ActionContent& any : actions) known += (known.empty() ? "" : ", ") + name_of(any);
-    throw SceneError(fmt::format("unknown action '{}': the scene has {}", name, known.empty() ? "none" : known));
+    std::vector<std::string> known;
+    for (const ActionContent& any : actions) known.push_back(name_of(any));
+    throw SceneError(fmt::format("unknown action '{}': {}the scene has {}", name, did_you_mean(name, known),
+                                 known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "))));
   }
   const int reference = model.place(observer, user).link;
   const AppliedActions one = applied_actions(model, [&](const ActionContent& other) { return &other == &*action; });
