@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "generator/expression/evaluation.hpp"
+#include "generator/expression/generic_state.hpp"
 #include "generator/expression/high_precision.hpp"
 
 namespace torsor {
@@ -51,22 +52,16 @@ class RandomNumbers {
   explicit RandomNumbers(Trial trial, std::mt19937_64& random) : trial_(trial), random_(&random) {}
 
   Sized operator()(const SymbolPointer& symbol) {
-    if (symbol->kind == SymbolKind::pi) return Sized(Real::pi(digits));
-    if (const auto known = state_.find(symbol.get()); known != state_.end()) return Sized(known->second);
-    if (const auto attitude = symbol->attitude.lock()) {
-      Real square(0);
-      for (const SymbolPointer& e : attitude->e) {
-        state_[e.get()] = draw(true);
-        square += state_[e.get()] * state_[e.get()];
-      }
-      for (const SymbolPointer& e : attitude->e) state_[e.get()] /= sqrt(square);
-      return Sized(state_[symbol.get()]);
-    }
-    const bool moves = symbol->kind != SymbolKind::parameter && symbol->kind != SymbolKind::time;
-    return Sized(state_[symbol.get()] = draw(moves));
+    return Sized(at_unit_quaternions(symbol, [this](const SymbolPointer& each) { return number_of(each); }));
   }
 
  private:
+  Real number_of(const SymbolPointer& symbol) {
+    if (const auto known = drawn_.find(symbol.get()); known != drawn_.end()) return known->second;
+    const bool moves = symbol->kind != SymbolKind::parameter && symbol->kind != SymbolKind::time;
+    return drawn_[symbol.get()] = draw(moves);
+  }
+
   Real draw(bool moves) {
     const long size = static_cast<long>((*random_)() % 9000U) + 1000;
     const bool negative = moves && (trial_.signs == Signs::negative || (trial_.signs == Signs::either && size % 2 == 0));
@@ -77,7 +72,7 @@ class RandomNumbers {
 
   Trial trial_;
   std::mt19937_64* random_;
-  std::unordered_map<const Symbol*, Real> state_;  // looked up only
+  std::unordered_map<const Symbol*, Real> drawn_;  // looked up only
 };
 
 /// Functions that may be next to nothing, or cancel, in one region only.

@@ -5,6 +5,7 @@
 
 #include "generator/expression/error.hpp"
 #include "generator/expression/evaluation.hpp"
+#include "generator/expression/generic_state.hpp"
 
 namespace torsor {
 
@@ -35,12 +36,6 @@ Real initial_value(const SceneContent& scene, const SymbolPointer& symbol, bool 
     if (c.v == symbol && c.initial_rate) return parameter_value(scene, *c.initial_rate, invent);
   }
   return Real(0);
-}
-
-Real generic_value(const SymbolPointer& symbol, int trial) {
-  if (symbol->kind == SymbolKind::pi) return Real::pi();
-  const long scrambled = (symbol->index + 1) * 7919L * (trial + 3) % 4007;
-  return Real(Number::rational(1000 + scrambled, 3001), Real::working_digits());
 }
 
 }  // namespace torsor

@@ -16,7 +16,4 @@ Real parameter_value(const SceneContent& scene, const Expression& formula, bool 
 /// given no initial value, get generic ones.
 Real initial_value(const SceneContent& scene, const SymbolPointer& symbol, bool invent = false);
 
-/// A pseudo-random but fixed value for every symbol, between 1/3 and 5/3 (π is π): a generic state.
-Real generic_value(const SymbolPointer& symbol, int trial);
-
 }  // namespace torsor

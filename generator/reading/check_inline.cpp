@@ -6,6 +6,7 @@
 
 #include "generator/dynamics/equations/validation.hpp"
 #include "generator/expression/evaluation.hpp"
+#include "generator/expression/generic_state.hpp"
 #include "generator/reading/lagrange_equations.hpp"
 #include "generator/reading/written.hpp"
 
@@ -20,20 +21,19 @@ class RandomState {
   RandomState(std::uint64_t seed, int digits) : engine_(seed), digits_(digits) {}
 
   Real operator()(const SymbolPointer& symbol) {
-    if (symbol->kind == SymbolKind::pi) return Real::pi(digits_);
-    const auto known = values_.find(symbol->name);
-    if (known != values_.end()) return known->second;
-    if (const auto attitude = symbol->attitude.lock()) {
-      draw_unit_quaternion(*attitude);
-      return values_.at(symbol->name);
-    }
-    return values_.emplace(symbol->name, draw(symbol->kind == SymbolKind::parameter)).first->second;
+    return at_unit_quaternions(symbol, [this](const SymbolPointer& each) { return number_of(each); });
   }
 
   /// The value of a name that stands for a formula.
   void set(const std::string& name, const Real& value) { values_.emplace(name, value); }
 
  private:
+  Real number_of(const SymbolPointer& symbol) {
+    const auto known = values_.find(symbol->name);
+    if (known != values_.end()) return known->second;
+    return values_.emplace(symbol->name, draw(symbol->kind == SymbolKind::parameter)).first->second;
+  }
+
   /// Parameters between 1/2 and 3/2, everything else between -1 and 1.
   Real draw(bool positive) {
     constexpr long scale = 1L << 30;
@@ -41,16 +41,6 @@ class RandomState {
     const Number value =
         positive ? Number::rational(drawn + scale / 2, scale) : Number::rational(2 * drawn - scale, scale);
     return Real(value, digits_);
-  }
-
-  void draw_unit_quaternion(const AttitudeSymbols& attitude) {
-    std::vector<Real> e;
-    Real square(Number(0), digits_);
-    for (int k = 0; k < 4; ++k) {
-      e.push_back(draw(true));  // never all zero
-      square += e.back() * e.back();
-    }
-    for (std::size_t k = 0; k < 4; ++k) values_.emplace(attitude.e[k]->name, e[k] / sqrt(square));
   }
 
   std::mt19937_64 engine_;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "generator/expression/error.hpp"
+#include "generator/expression/generic_state.hpp"
 
 namespace torsor {
 
@@ -60,13 +61,7 @@ Evaluator<double>::SymbolValue RandomState::in_double() const {
 
 Evaluator<Real>::SymbolValue RandomState::in_real() const {
   return [this](const SymbolPointer& symbol) {
-    if (symbol->kind == SymbolKind::pi) return Real::pi();
-    const Real here = Real::from_double(value(symbol));
-    const auto attitude = symbol->attitude.lock();
-    if (!attitude) return here;
-    Real square = Real(0);
-    for (const SymbolPointer& e : attitude->e) square += Real::from_double(value(e)) * Real::from_double(value(e));
-    return here / sqrt(square);
+    return at_unit_quaternions(symbol, [this](const SymbolPointer& each) { return Real::from_double(value(each)); });
   };
 }
 

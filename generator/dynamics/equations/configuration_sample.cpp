@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "generator/expression/generic_state.hpp"
 #include "generator/mechanics/parameter_value.hpp"
 
 namespace torsor {
@@ -68,7 +69,7 @@ void ConfigurationSample::vary(const std::vector<SymbolPointer>& parameters, con
 
 void ConfigurationSample::scatter() {
   for (std::size_t i = 0; i < positions_.size(); ++i) values_[i] = generic_value(positions_[i], 1);
-  displace(std::vector<Real>(static_cast<std::size_t>(model_->unknown_count()), Real(0)));  // norms of quaternions
+  refresh();
 }
 
 void ConfigurationSample::displace(const std::vector<Real>& along_freedoms) {

@@ -10,6 +10,7 @@
 #include "generator/dynamics/equations/scene_checks.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/expression/evaluation.hpp"
+#include "generator/expression/generic_state.hpp"
 #include "generator/expression/vanishing.hpp"
 #include "generator/mechanics/inertia_validity.hpp"
 #include "generator/mechanics/parameter_value.hpp"
@@ -18,11 +19,6 @@ namespace torsor {
 namespace {
 
 constexpr int generic_digits = 50;
-
-/// A generic state.
-Evaluator<Real>::SymbolValue generic_state(int trial) {
-  return [trial](const SymbolPointer& symbol) { return generic_value(symbol, trial); };
-}
 
 void check_coordinates(const Scene& scene) {
   const SceneContent& content = scene.content();
@@ -86,6 +82,50 @@ std::string moved_by(const Model& model, int coordinate) {
   return bodies.empty() ? "frames without any body" : bodies;
 }
 
+/// A state at which the mass matrix is looked at: the start, then its neighbourhood, then any. The last ones have other
+/// values of the parameters too: one that can change may be zero in the scene.
+Evaluator<Real>::SymbolValue tried_state(const SceneContent& scene, int trial) {
+  return [&scene, trial](const SymbolPointer& symbol) {
+    return at_unit_quaternions(symbol, [&scene, trial](const SymbolPointer& each) {
+      const Real generic = generic_value(each, trial);
+      const bool parameter = each->kind == SymbolKind::parameter;
+      if (trial > 2 || (trial == 2 && !parameter)) return generic;
+      const Real start = initial_value(scene, each, true);
+      if (trial == 0 || parameter) return start;
+      const Real step = generic / Real(64);
+      return start.is_zero() ? step : start + start * step;
+    });
+  };
+}
+
+/// How many coordinates, from the first, have a pivot of M that is not zero at one of a few states. A pivot is what the
+/// inertia along a coordinate leaves when those before it give way, no more than the diagonal entry and zero wherever
+/// the matrix is singular at all states.
+std::size_t regular_pivots(const Equations& equations) {
+  constexpr int digits = 80;
+  const WorkingDigits precision(digits);
+  const ValueMatrix& mass = equations.mass();
+  const std::size_t n = mass.size();
+  std::size_t regular = 0;
+  for (int trial = 0; trial < 5 && regular < n; ++trial) {
+    Evaluator<Real> evaluate(equations.program(), tried_state(equations.scene().content(), trial));
+    std::vector<std::vector<Real>> m;
+    for (const auto& row : mass) m.push_back(evaluate(row));
+    for (std::size_t k = 0; k < n; ++k) {
+      // A pivot that vanishes is some rounding errors of 10^-80 of the entry; bodies differ by less than 10^50.
+      const Real rounding = abs(evaluate(mass[k][k])) * Real(Number(10).pow(-50), digits);
+      // Invented moments of inertia may be those of no matter, and the matrix indefinite.
+      if (!(abs(m[k][k]) > rounding)) break;
+      regular = std::max(regular, k + 1);
+      for (std::size_t i = k + 1; i < n; ++i) {
+        const Real factor = m[i][k] / m[k][k];
+        for (std::size_t j = k; j < n; ++j) m[i][j] -= factor * m[k][j];
+      }
+    }
+  }
+  return regular;
+}
+
 void check_masses(const Equations& equations) {
   const Model& model = equations.model();
   const ValueMatrix& mass = equations.mass();
@@ -96,25 +136,8 @@ void check_masses(const Equations& equations) {
                                  "a mass, or drive the coordinate by a law of time",
                                  model.coordinates()[i].q->name, moved_by(model, static_cast<int>(i))));
   }
-  // A positive pivot for every coordinate at one of a few generic states, or the matrix is singular everywhere.
-  std::vector<bool> regular(n, false);
-  for (int trial = 0; trial < 3; ++trial) {
-    Evaluator<Real> evaluate(equations.program(), generic_state(trial));
-    std::vector<std::vector<Real>> m;
-    for (const auto& row : mass) m.push_back(evaluate(row));
-    for (std::size_t k = 0; k < n; ++k) {
-      const Real floor = abs(evaluate(mass[k][k])) * Real(Number(10).pow(-30), generic_digits);
-      if (!(m[k][k] > floor)) break;
-      regular[k] = true;
-      for (std::size_t i = k + 1; i < n; ++i) {
-        const Real factor = m[i][k] / m[k][k];
-        for (std::size_t j = k; j < n; ++j) m[i][j] -= factor * m[k][j];
-      }
-    }
-  }
-  const auto bad = std::find(regular.begin(), regular.end(), false);
-  if (bad == regular.end()) return;
-  const auto k = static_cast<std::size_t>(bad - regular.begin());
+  const std::size_t k = regular_pivots(equations);
+  if (k == n) return;
   throw SceneError(fmt::format("the mass matrix is singular at every state: coordinate '{}' can accelerate without moving "
                                "any mass; it moves {}: give masses or inertias, or remove a redundant coordinate",
                                model.coordinates()[k].q->name, moved_by(model, static_cast<int>(k))));

@@ -9,6 +9,7 @@
 
 #include "generator/expression/error.hpp"
 #include "generator/expression/evaluation.hpp"
+#include "generator/expression/generic_state.hpp"
 #include "generator/mechanics/parameter_value.hpp"
 
 namespace torsor {
@@ -60,12 +61,7 @@ class RegressorSamples {
   void move(Parameters parameters, bool near) {
     values_.clear();
     evaluate_.move_to([this, parameters, near](const SymbolPointer& symbol) {
-      if (symbol->kind == SymbolKind::pi) return Real::pi();
-      const auto attitude = symbol->attitude.lock();
-      if (!attitude) return value(symbol, parameters, near);
-      Real square(0);
-      for (const SymbolPointer& e : attitude->e) square += value(e, parameters, near) * value(e, parameters, near);
-      return value(symbol, parameters, near) / sqrt(square);
+      return at_unit_quaternions(symbol, [&](const SymbolPointer& each) { return value(each, parameters, near); });
     });
   }
 

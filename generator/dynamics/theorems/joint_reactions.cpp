@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "generator/expression/generic_state.hpp"
+
 namespace torsor {
 namespace {
 
@@ -179,19 +181,7 @@ class Finder {
 }  // namespace
 
 Evaluator<Real> at_generic_state(const Equations& equations) {
-  return {equations.program(), [](const SymbolPointer& symbol) {
-            if (symbol->kind == SymbolKind::pi) return Real::pi(digits);
-            if (const auto attitude = symbol->attitude.lock()) {
-              constexpr std::array<int, 4> fifths{1, 2, 4, 2};  // 1 + 4 + 16 + 4 = 25
-              const auto place = std::find(attitude->e.begin(), attitude->e.end(), symbol);
-              if (place != attitude->e.end()) {
-                const auto k = static_cast<std::size_t>(place - attitude->e.begin() + attitude->omega[0]->index);
-                return Real(Number::rational(fifths[k % 4], 5), digits);
-              }
-            }
-            const long scrambled = (symbol->index + 1) * 7919L % 4007;
-            return Real(Number::rational(1000 + scrambled, 3001), digits);
-          }};
+  return {equations.program(), [](const SymbolPointer& symbol) { return generic_value(symbol, 0); }};
 }
 
 bool is_negligible(const Real& x) { return abs(x) < Real(Number(10).pow(-30), digits); }
