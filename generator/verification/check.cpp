@@ -8,8 +8,10 @@
 
 #include "generator/dynamics/theorems/painleve.hpp"
 #include "generator/expression/derivative.hpp"
+#include "generator/verification/check_constraints.hpp"
 #include "generator/verification/check_jets.hpp"
 #include "generator/verification/check_kernels.hpp"
+#include "generator/verification/dense_linear.hpp"
 #include "generator/verification/lagrange_road.hpp"
 #include "generator/verification/random_state.hpp"
 #include "generator/verification/worst.hpp"
@@ -139,7 +141,7 @@ class SceneCheck {
       // 3. Forward dynamics put back into the equations: M a + h − E u − Aᵀλ = 0 and A a + γ = 0.
       const std::vector<Real> a = here(forward.accelerations);
       const std::vector<Real> lambda = here(forward.multipliers);
-      check_forward(here, a, lambda);
+      check_forward(here, a, lambda, m);
 
       // 4. Energy theorem in Painlevé's form: d(T2 − T0)/dt + ∂T/∂t = Σ (Q_i + Σ λ_j a_ji) q̇_i.
       if (power.program() != nullptr) {
@@ -159,17 +161,20 @@ class SceneCheck {
   }
 
  private:
-  void check_forward(Evaluator<Real>& here, const std::vector<Real>& a, const std::vector<Real>& lambda) {
+  void check_forward(Evaluator<Real>& here, const std::vector<Real>& a, const std::vector<Real>& lambda,
+                     const std::vector<std::vector<Real>>& mass) {
     const auto& inputs = kernels_.model().inputs();
     std::vector<Real> lefts, sizes;
+    std::vector<std::vector<Real>> forces(1 + inputs.size() + lambda.size(), std::vector<Real>(a.size()));
     for (std::size_t i = 0; i < a.size(); ++i) {
       std::vector<Real> terms{here(kernels_.bias()[i])};
-      for (std::size_t j = 0; j < a.size(); ++j) terms.push_back(here(kernels_.mass()[i][j]) * a[j]);
       for (std::size_t k = 0; k < inputs.size(); ++k) {
         terms.push_back(-(here(kernels_.actions().inputs[k][i]) * here(kernels_.program().symbol(inputs[k]))));
       }
       for (std::size_t j = 0; j < lambda.size(); ++j)
         terms.push_back(-(here(kernels_.constraints()[j].column[i]) * lambda[j]));
+      for (std::size_t f = 0; f < forces.size(); ++f) forces[f][i] = terms[f];
+      for (std::size_t j = 0; j < a.size(); ++j) terms.push_back(here(kernels_.mass()[i][j]) * a[j]);
       Real sum = Real(0);
       for (const Real& term : terms) sum += term;
       lefts.push_back(sum);
@@ -181,9 +186,11 @@ class SceneCheck {
     for (std::size_t i = 0; i < lefts.size(); ++i) {
       if (sizes[i] > nothing) forward_.compare(lefts[i], Real(0), sizes[i]);
     }
+    if (kernels_.constraints().empty()) return;
     lefts.clear();
     sizes.clear();
     std::vector<Unit> units;
+    const std::vector<Real> made_of = accelerations_without_signs(mass, forces);
     for (const std::size_t j : kernels_.redundancy().kept) {  // a random state violates constraints that repeat others
       const ConstraintRow& row = kernels_.constraints()[j];
       std::vector<Real> terms{here(row.gamma)};
@@ -197,11 +204,30 @@ class SceneCheck {
       Real sum = Real(0);
       for (const Real& term : terms) sum += term;
       lefts.push_back(sum);
+      for (std::size_t i = 0; i < a.size(); ++i) terms.push_back(gradient[i] * made_of[i]);
       sizes.push_back(sum_of_sizes(terms));
       units.push_back(row.multiplier->unit);
     }
     sizes = largest_of_unit(sizes, units);
     for (std::size_t j = 0; j < lefts.size(); ++j) constraints_.compare(lefts[j], Real(0), sizes[j]);
+  }
+
+  /// Σ_f |M⁻¹ f|: what each acceleration is made of. A contact that holds a body up leaves of it nothing but rounding.
+  static std::vector<Real> accelerations_without_signs(const std::vector<std::vector<Real>>& mass,
+                                                       const std::vector<std::vector<Real>>& forces) {
+    const std::size_t n = mass.size();
+    std::vector<Real> sums(n, Real(0)), columns;
+    for (std::size_t j = 0; j < n; ++j) {
+      for (std::size_t i = 0; i < n; ++i) columns.push_back(mass[i][j]);
+    }
+    const bool undefined = std::any_of(columns.begin(), columns.end(), [](const Real& m) { return m.is_nan(); });
+    if (undefined) return sums;  // the comparison fails by itself
+    const LuFactorisation factors(std::move(columns), static_cast<int>(n));
+    for (const std::vector<Real>& force : forces) {
+      const std::vector<Real> part = factors.solve(force);
+      for (std::size_t i = 0; i < n; ++i) sums[i] += abs(part[i]);
+    }
+    return sums;
   }
 
   void check_energy(Evaluator<Real>& here, Evaluator<Real>& moving, const Value& power, const Value& explicit_rate,
@@ -253,7 +279,9 @@ class SceneCheck {
 }  // namespace
 
 std::vector<CheckResult> check_derivations(const Scene& scene, const CheckOptions& options) {
-  return SceneCheck(scene, options).run();
+  std::vector<CheckResult> results = SceneCheck(scene, options).run();
+  for (CheckResult& result : check_constraints(scene, options)) results.push_back(std::move(result));
+  return results;
 }
 
 std::vector<CheckResult> check_scene(const Scene& scene, const CheckOptions& options) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/dynamics/forces/constraint_wrench.hpp"
 
+#include "generator/dynamics/forces/closure_wrench.hpp"
+
 namespace torsor {
 namespace {
 
@@ -39,28 +41,9 @@ class WrenchOfLaw {
   }
 
   bool operator()(const JointClosure& law) {
-    const FramePlace& at_a = model_.place(law.a, user_);
-    const FramePlace& at_b = model_.place(law.b, user_);
-    const int axes = at_a.link;
-    const Vector a_i = axis_of(at_a, law.i, axes);
-    const Vector b = bound(program_, model_.locate(at_b.origin, at_b.link, axes));
-    Wrench unit;
-    switch (law.kind) {
-      case JointClosure::Kind::offset:
-        unit.resultant = a_i;
-        break;
-      case JointClosure::Kind::alignment: {  // d(a_i · b_j) = Ω(b/a) · (b_j ∧ a_i)
-        const Vector b_j = axis_of(at_b, law.j, axes);
-        const Vector couple = cross(b_j, a_i);
-        unit.moment = law.sign > 0 ? couple : -couple;
-        break;
-      }
-      case JointClosure::Kind::screw:  // where the loop is closed
-        unit.resultant = a_i;
-        unit.moment = -(program_.lower(law.pitch) * a_i);
-        break;
-    }
-    add_pair(model_, wrenches_, at_b.link, at_a.link, unit, b, axes);
+    const int a = model_.place(law.a, user_).link, b = model_.place(law.b, user_).link;
+    const ClosureWrench wrench = closure_wrench(model_, law, user_);
+    add_pair(model_, wrenches_, b, a, wrench.at_point, wrench.point, a);
     return true;
   }
 
@@ -83,12 +66,6 @@ class WrenchOfLaw {
   }
 
  private:
-  Vector axis_of(const FramePlace& at, int i, int axes) const {
-    Vector unit;
-    for (int k = 0; k < 3; ++k) unit[k] = program_.number(at.rotation(k, i));
-    return bound(program_, model_.express(unit, at.link, axes));
-  }
-
   int link_of(const PointReference& point) const {
     const SceneContent& scene = model_.scene();
     return model_.place(scene.points[static_cast<std::size_t>(scene.point_index(point, user_))].frame, user_).link;
@@ -119,15 +96,7 @@ void add_friction_of(const Model& model, int index, WrenchOnLinks& wrenches) {
   }
 }
 
-}  // namespace
-
-void add_pair(const Model& model, WrenchOnLinks& wrenches, int on, int other, const Wrench& at_point,
-              const Vector& point, int axes) {
-  WrenchOfLaw::add_one(model, wrenches, on, at_point, point, axes);
-  WrenchOfLaw::add_one(model, wrenches, other, {-at_point.resultant, -at_point.moment}, point, axes);
-}
-
-std::optional<WrenchOnLinks> constraint_wrench(const Model& model, int index) {
+std::optional<WrenchOnLinks> unbound_wrench(const Model& model, int index) {
   Program& program = model.program();
   const ConstraintContent& constraint = model.scene().constraints[static_cast<std::size_t>(index)];
   WrenchOnLinks wrenches;
@@ -141,11 +110,35 @@ std::optional<WrenchOnLinks> constraint_wrench(const Model& model, int index) {
   } else if (!std::visit(WrenchOfLaw(model, "constraint '" + constraint.name + "'", wrenches), constraint.law)) {
     return std::nullopt;
   }
-  add_friction_of(model, index, wrenches);
+  return wrenches;
+}
+
+void bind_all(Program& program, WrenchOnLinks& wrenches) {
   for (auto& [link, wrench] : wrenches) {
     wrench.resultant = bound(program, wrench.resultant);
     wrench.moment = bound(program, wrench.moment);
   }
+}
+
+}  // namespace
+
+void add_pair(const Model& model, WrenchOnLinks& wrenches, int on, int other, const Wrench& at_point,
+              const Vector& point, int axes) {
+  WrenchOfLaw::add_one(model, wrenches, on, at_point, point, axes);
+  WrenchOfLaw::add_one(model, wrenches, other, {-at_point.resultant, -at_point.moment}, point, axes);
+}
+
+std::optional<WrenchOnLinks> ideal_wrench(const Model& model, int index) {
+  std::optional<WrenchOnLinks> wrenches = unbound_wrench(model, index);
+  if (wrenches) bind_all(model.program(), *wrenches);
+  return wrenches;
+}
+
+std::optional<WrenchOnLinks> constraint_wrench(const Model& model, int index) {
+  std::optional<WrenchOnLinks> wrenches = unbound_wrench(model, index);
+  if (!wrenches) return std::nullopt;
+  add_friction_of(model, index, *wrenches);
+  bind_all(model.program(), *wrenches);
   return wrenches;
 }
 

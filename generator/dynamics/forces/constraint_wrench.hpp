@@ -18,6 +18,8 @@ using WrenchOnLinks = std::map<int, Wrench>;
 /// the bodies is not said then, and it counts as acting in the joints whose displacements it ties. Points of closures
 /// are taken to be fixed in their frames, or lowest points of contact.
 std::optional<WrenchOnLinks> constraint_wrench(const Model& model, int index);
+/// The same without friction: its power is Σ ideal_i q̇_i.
+std::optional<WrenchOnLinks> ideal_wrench(const Model& model, int index);
 
 /// Adds a wrench given at a point in the axes of link `axes` to link `on`, and its opposite to link `other`.
 void add_pair(const Model& model, WrenchOnLinks& wrenches, int on, int other, const Wrench& at_point,

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "generator/dynamics/forces/closure_wrench.hpp"
 #include "generator/dynamics/forces/friction.hpp"
 #include "generator/expression/derivative.hpp"
 #include "generator/expression/error.hpp"
@@ -82,42 +83,37 @@ class RowBuilder {
     const FramePlace& at_a = model_.place(law.a, user_);
     const FramePlace& at_b = model_.place(law.b, user_);
     const int axes = at_a.link;
-    const auto axis_of = [&](const FramePlace& at, int i) {
-      Vector unit;
-      for (int k = 0; k < 3; ++k) unit[k] = program_.number(at.rotation(k, i));
-      return bound(program_, model_.express(unit, at.link, axes));
-    };
     const Vector b = bound(program_, model_.locate(at_b.origin, at_b.link, axes));
     const Vector ab = bound(program_, b - at_a.origin);
-    const Vector a_i = axis_of(at_a, law.i);
+    const Vector a_i = frame_axis(model_, at_a, law.i, axes);
     switch (law.kind) {
       case JointClosure::Kind::offset:
         holonomic(dot(ab, a_i));
-        release(at_b.link, at_a.link, b, a_i, axes);
-        return;
+        break;
       case JointClosure::Kind::alignment: {
-        const Vector b_j = axis_of(at_b, law.j);
+        const Vector b_j = frame_axis(model_, at_b, law.j, axes);
         holonomic(Number(law.sign) * dot(a_i, b_j));
-        const Vector moment = cross(b_j, a_i);
-        release_turn(at_b.link, at_a.link, bound(program_, law.sign > 0 ? moment : -moment), axes);
-        return;
+        break;
       }
       case JointClosure::Kind::screw: {
         const Value pitch = program_.lower(law.pitch);
         const Value angle = program_.bind(dot(ab, a_i) / pitch);
         const Value sine = program_.sin(angle);
         const Value cosine = program_.cos(angle);
-        const Vector b_y = axis_of(at_b, 1);
-        const Value along_y = program_.bind(dot(axis_of(at_a, 1), b_y));
-        const Value along_z = program_.bind(dot(axis_of(at_a, 2), b_y));
+        const Vector b_y = frame_axis(model_, at_b, 1, axes);
+        const Vector a_y = frame_axis(model_, at_a, 1, axes);
+        const Value along_y = program_.bind(dot(a_y, b_y));
+        const Vector a_z = frame_axis(model_, at_a, 2, axes);
+        const Value along_z = program_.bind(dot(a_z, b_y));
         const Value difference = program_.bind(sine * along_y - cosine * along_z);
         holonomic(pitch * difference);
-        // At the closure: dAB · a_x − p dθ.
-        release(at_b.link, at_a.link, b, a_i, axes);
-        release_turn(at_b.link, at_a.link, bound(program_, -(pitch * a_i)), axes);
-        return;
+        break;
       }
     }
+    if (model_.released_count() == 0) return;
+    const ClosureWrench wrench = closure_wrench(model_, law, user_);
+    release(at_b.link, at_a.link, wrench.point, wrench.at_point.resultant, axes);
+    release_turn(at_b.link, at_a.link, wrench.at_point.moment, axes);
   }
 
   /// Velocity along a direction of the point of a link that is there, all joints at their rates.
