@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "runtime/constraints/constraint_kinds.hpp"
+#include "runtime/mechanism.hpp"
+
+namespace torsor::runtime {
+
+/// The constraints of a mechanism at a state, and how large their residuals may be by rounding alone. Residuals count
+/// over the size Σ_j |A_ij| of their row: a displacement of the coordinates, and a rate of them.
+///
+/// f_i is known to some roundings of the terms that it is a sum of. Of coordinates these are |A_ij q_j|, of angles no
+/// more than a quarter of a turn of them, where their sines are largest; of constant lengths they are the radii on
+/// which angles carry points, |∂²f_i/∂q_j²|, see `lengths`. A constant that is no radius is balanced by these terms
+/// where f_i = 0. Of A v - b they are |A_ij v_j| and |b_i|.
+template <HasConstraints M>
+class ConstraintReading {
+ public:
+  using Scalar = ScalarOf<M>;
+  using Kinds = ConstraintKinds<M>;
+  static constexpr std::size_t nv = velocities_of<M>, m = static_cast<std::size_t>(M::multiplier_count);
+  using Residual = Eigen::Matrix<Scalar, static_cast<int>(m), 1>;
+  using Rows = std::array<Scalar, m>;
+
+  /// False where something is not finite.
+  [[nodiscard]] bool read(const typename M::Precomputed& precomputed, const Kinds& kinds, Scalar t,
+                          const StateVector<M>& y) noexcept {
+    state = unpack<M>(t, y);
+    M::constraints(precomputed, state, constraints);
+    position = velocity = open = speed = Scalar(0);
+    for (std::size_t j = 0; j < nv; ++j) speed = std::max(speed, std::abs(state.v[static_cast<int>(j)]));
+    Scalar all = Scalar(0);  // not finite where one is not, which a maximum would drop
+    Scalar largest = Scalar(0);
+    for (const Scalar& component : y) all += component - component;
+    for (std::size_t k = 0; k < Kinds::nq; ++k) largest = std::max(largest, std::abs(y[k]));
+    for (std::size_t i = 0; i < m; ++i) {
+      Scalar size = Scalar(0), moving = Scalar(0), sum = Scalar(0);
+      near_[i] = far_[i] = reach_[i] = Scalar(0);
+      for (std::size_t j = 0; j < nv; ++j) {
+        const Scalar entry = std::abs(constraints.jacobian[j * m + i]);
+        const bool attitude = kinds.coordinate[j] == Kinds::nq;
+        const Scalar far = attitude ? Scalar(1) : std::abs(y[attitude ? 0 : kinds.coordinate[j]]);
+        const Scalar near = kinds.turns[j] ? std::min(far, Kinds::whole_turn / Scalar(4)) : far;
+        size += entry;
+        near_[i] += entry * near;
+        far_[i] += entry * std::max(far, kinds.turns[j] ? Scalar(1) : largest);
+        reach_[i] += entry * std::max(near, Scalar(1));
+        const Scalar product = constraints.jacobian[j * m + i] * state.v[static_cast<int>(j)];
+        moving += std::abs(product);
+        sum += product;
+      }
+      size_[i] = size > Scalar(0) ? size : Scalar(1);
+      moving_[i] = moving + std::abs(sum - constraints.rate[i]);
+      all += size + constraints.value[i] + constraints.rate[i];
+      if (kinds.holonomic[i]) {
+        position = std::max(position, std::abs(constraints.value[i]) / size_[i]);
+        open += std::abs(constraints.value[i]) / size_[i];
+      }
+      velocity = std::max(velocity, std::abs(constraints.rate[i]) / size_[i]);
+    }
+    return std::isfinite(all) && std::isfinite(open) && std::isfinite(velocity);
+  }
+
+  /// Whether f_i is within `roundings` of its terms, lengths included.
+  [[nodiscard]] bool position_is_rounding(std::size_t i, const Rows& lengths, Scalar roundings = usual) const noexcept {
+    return std::abs(constraints.value[i]) <= roundings * epsilon * (near_[i] + lengths[i]);
+  }
+  /// The same where angles wound up count in full, as they are known no better, and where terms that vanish count as
+  /// large as an angle of 1 rad or the largest coordinate would make them: what is left near a root at zero.
+  [[nodiscard]] bool position_is_closed(std::size_t i, const Rows& lengths, Scalar roundings) const noexcept {
+    return std::abs(constraints.value[i]) <= roundings * epsilon * (far_[i] + lengths[i]);
+  }
+  [[nodiscard]] bool velocity_is_rounding(std::size_t i) const noexcept {
+    return std::abs(constraints.rate[i]) <= usual * epsilon * moving_[i];
+  }
+  [[nodiscard]] bool position_is_rounding(const Rows& lengths) const noexcept {
+    bool within = true;
+    for (std::size_t i = 0; i < m; ++i) within = within && position_is_rounding(i, lengths);
+    return within;
+  }
+  [[nodiscard]] bool velocity_is_rounding() const noexcept {
+    bool within = true;
+    for (std::size_t i = 0; i < m; ++i) within = within && velocity_is_rounding(i);
+    return within;
+  }
+  /// Whether lengths could make rounding of all f_i, so that they are worth their evaluations.
+  [[nodiscard]] bool position_may_be_rounding() const noexcept {
+    bool within = true;
+    for (std::size_t i = 0; i < m; ++i) {
+      within = within && std::abs(constraints.value[i]) <= Scalar(1e4) * epsilon * reach_[i];
+    }
+    return within;
+  }
+
+  /// What is to be taken away: f, and A v - b, without what is rounding, which says nothing of the coordinates.
+  [[nodiscard]] Residual value(const Rows& lengths) const noexcept {
+    Residual f;
+    for (std::size_t i = 0; i < m; ++i) {
+      f(static_cast<int>(i)) = position_is_rounding(i, lengths) ? Scalar(0) : constraints.value[i];
+    }
+    return f;
+  }
+  [[nodiscard]] Residual rate() const noexcept {
+    Residual r;
+    for (std::size_t i = 0; i < m; ++i) {
+      r(static_cast<int>(i)) = velocity_is_rounding(i) ? Scalar(0) : constraints.rate[i];
+    }
+    return r;
+  }
+
+  /// Σ_j |∂²f_i/∂q_j²| over all velocities that turn something, by γ: γ is quadratic in them, but for what time brings.
+  [[nodiscard]] static Rows lengths(const typename M::Precomputed& precomputed, const Kinds& kinds, Scalar t,
+                                    const StateVector<M>& y) noexcept {
+    typename M::State state = unpack<M>(t, y);
+    const auto moving_alone = [&](std::size_t moving, Scalar velocity) {
+      for (std::size_t j = 0; j < nv; ++j) state.v[static_cast<int>(j)] = j == moving ? velocity : Scalar(0);
+      typename M::Constraints at{};
+      M::constraints(precomputed, state, at);
+      return at;
+    };
+    const auto at_rest = moving_alone(0, Scalar(0));
+    bool still = true;
+    for (std::size_t i = 0; i < m; ++i) {
+      still = still && at_rest.gamma[i] == Scalar(0) && at_rest.rate[i] == Scalar(0);
+    }
+    Rows sum{};
+    for (std::size_t j = 0; j < nv; ++j) {
+      if (!kinds.turns[j]) continue;
+      const Rows forth = moving_alone(j, Scalar(1)).gamma;
+      const Rows back = still ? forth : moving_alone(j, Scalar(-1)).gamma;
+      for (std::size_t i = 0; i < m; ++i) {
+        const Scalar radius = std::abs((forth[i] + back[i]) / Scalar(2) - at_rest.gamma[i]);
+        if (kinds.holonomic[i] && std::isfinite(radius)) sum[i] += radius;
+      }
+    }
+    return sum;
+  }
+
+  /// How far a change of the coordinates moves the parts that holonomic constraints tie, as residuals count.
+  template <class Change>
+  [[nodiscard]] Scalar motion_by(const Kinds& kinds, const Change& change) const noexcept {
+    Scalar largest = Scalar(0);
+    for (std::size_t i = 0; i < m; ++i) {
+      for (std::size_t j = 0; j < nv && kinds.holonomic[i]; ++j) {
+        const Scalar moved = constraints.jacobian[j * m + i] * change(static_cast<int>(j)) / size_[i];
+        largest = std::max(largest, std::abs(moved));
+      }
+    }
+    return largest;
+  }
+
+  typename M::State state{};
+  typename M::Constraints constraints{};
+  Scalar position = Scalar(0), velocity = Scalar(0);  // the largest residuals
+  Scalar open = Scalar(0);                            // the sum of what `position` is the largest of
+  Scalar speed = Scalar(0);                           // the largest velocity
+
+ private:
+  static constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
+  static constexpr Scalar usual = Scalar(2);
+  Rows near_{}, far_{}, reach_{}, size_{}, moving_{};
+};
+
+}  // namespace torsor::runtime
