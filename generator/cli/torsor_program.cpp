@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/cli/torsor_program.hpp"
 
+#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,7 +23,7 @@ namespace {
 struct FileRequest {
   std::string file;
   std::string base = "fixed";
-  std::string gravity = "0,0,-9.81";
+  std::string gravity;
   std::string angle_tolerance = "1e-9";
   std::string name;
   std::vector<std::string> points, initial, arguments, package_folders;
@@ -33,10 +34,11 @@ struct FileRequest {
 };
 
 void add_options(CLI::App& command, FileRequest& request) {
-  command.add_option("FILE", request.file, "robot to read, a URDF or xacro file")->required();
+  command.add_option("FILE", request.file, "robot to read, a URDF, xacro or MJCF file")->required();
   command.add_option("--base", request.base, "root link: fixed (welded to the ground) or floating")
       ->capture_default_str();
-  command.add_option("--gravity", request.gravity, "X,Y,Z in m/s^2, along the ground's axes")->capture_default_str();
+  command.add_option("--gravity", request.gravity,
+                     "X,Y,Z in m/s^2, along the ground's axes; 0,0,-9.81 when absent, or what an MJCF file says");
   command
       .add_option("--angle-tolerance", request.angle_tolerance, "angles this near to a multiple of pi/12 are it [rad]")
       ->capture_default_str();
@@ -86,11 +88,13 @@ UrdfOptions urdf_options(const FileRequest& request) {
     throw UsageError(fmt::format("unknown base '{}' in --base: {}use fixed or floating", request.base,
                                  did_you_mean(request.base, {"fixed", "floating"})));
   }
-  const std::vector<std::string> gravity = split(request.gravity, ',');
-  if (gravity.size() != 3) {
-    throw UsageError(fmt::format("--gravity takes three numbers, X,Y,Z, and got '{}'", request.gravity));
+  if (!request.gravity.empty()) {
+    const std::vector<std::string> gravity = split(request.gravity, ',');
+    if (gravity.size() != 3) {
+      throw UsageError(fmt::format("--gravity takes three numbers, X,Y,Z, and got '{}'", request.gravity));
+    }
+    for (std::size_t i = 0; i < 3; ++i) options.gravity[i] = option_number("--gravity", gravity[i]);
   }
-  for (std::size_t i = 0; i < 3; ++i) options.gravity[i] = option_number("--gravity", gravity[i]);
   options.angle_tolerance = option_number("--angle-tolerance", request.angle_tolerance);
   options.dampers = !request.no_dampers;
   options.motors = !request.no_motors;
@@ -120,8 +124,9 @@ XacroOptions xacro_options(const FileRequest& request) {
   return options;
 }
 
-Scene read_scene(const FileRequest& request) {
-  MechanismFile read = read_mechanism_file(request.file, urdf_options(request), xacro_options(request));
+Scene read_scene(const FileRequest& request, MjcfReader mjcf_reader) {
+  MechanismFile read = read_mechanism_file(
+      request.file, {urdf_options(request), xacro_options(request), !request.gravity.empty(), mjcf_reader});
   if (!request.dependency_file.empty()) {
     std::string target = request.dependency_file;
     if (!target.ends_with(".d") || target.size() == 2) {
@@ -131,17 +136,18 @@ Scene read_scene(const FileRequest& request) {
     read.files.insert(read.files.begin(), request.file);
     write_file_if_changed(request.dependency_file, dependency_rule(target, read.files));
   }
+  for (const std::string& note : read.notes) std::fprintf(stderr, "note: %s\n", note.c_str());
   return std::move(read.robot.scene);
 }
 
 }  // namespace
 
-int run_torsor(int argc, const char* const* argv) {
+int run_torsor(int argc, const char* const* argv, MjcfReader mjcf_reader) {
   FileRequest request;
   return run_commands(argc, argv,
-                      {"Equations of motion and specialised kernels of the robot of a URDF or xacro file.",
+                      {"Equations of motion and specialised kernels of the robot of a URDF, xacro or MJCF file.",
                        [&request](CLI::App& command) { add_options(command, request); },
-                       [&request] { return read_scene(request); }});
+                       [&] { return read_scene(request, mjcf_reader); }});
 }
 
 }  // namespace torsor

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "generator/expression/error.hpp"
+#include "generator/import/mjcf_files.hpp"
 #include "generator/import/xacro_node.hpp"
 
 namespace torsor {
@@ -16,6 +17,35 @@ std::string one_word(const std::string& text) {
   std::string quoted = "'";
   for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return quoted + "'";
+}
+
+void refuse_arguments(const std::string& path, const MechanismFileOptions& options) {
+  if (options.xacro.arguments.empty()) return;
+  throw UsageError(fmt::format("--arg is for xacro files; '{}' has no xacro element", path));
+}
+
+MechanismFile read_mjcf_file(const std::string& path, const MechanismFileOptions& options) {
+  refuse_arguments(path, options);
+  const UrdfOptions& given = options.urdf;
+  if (given.base == UrdfBase::floating) {
+    throw UsageError(fmt::format("--base floating is for URDF; write <freejoint/> in the first body of '{}'", path));
+  }
+  if (options.mjcf_reader == nullptr) {
+    throw FileError(
+        fmt::format("{}: is MJCF, which this program was built without; install libmujoco-dev and build torsor "
+                    "again",
+                    path));
+  }
+  MjcfOptions mjcf;
+  if (options.gravity_given) mjcf.gravity = given.gravity;
+  mjcf.angle_tolerance = given.angle_tolerance;
+  mjcf.dampers = given.dampers;
+  mjcf.motors = given.motors;
+  mjcf.name = given.name;
+  mjcf.points = given.points;
+  mjcf.initial = given.initial;
+  ImportedMjcf read = mjcf_scene(options.mjcf_reader(path), mjcf);
+  return {{std::move(read.scene), {}}, mjcf_files(path), std::move(read.notes)};
 }
 
 }  // namespace
@@ -35,19 +65,19 @@ std::string root_element(std::string_view text) {
   return "";
 }
 
-MechanismFile read_mechanism_file(const std::string& path, const UrdfOptions& options, const XacroOptions& xacro) {
+MechanismFile read_mechanism_file(const std::string& path, const MechanismFileOptions& options) {
   const std::string text = xacro::text_of_file(path);
+  if (root_element(text) == "mujoco") return read_mjcf_file(path, options);
   if (!is_xacro(path, text)) {
-    if (!xacro.arguments.empty())
-      throw UsageError(fmt::format("--arg is for xacro files; '{}' has no xacro element", path));
-    return {read_urdf_text(text, path, options), {}};
+    refuse_arguments(path, options);
+    return {read_urdf_text(text, path, options.urdf), {}, {}};
   }
-  const ExpandedXacro expanded = expand_xacro(text, path, xacro);
-  UrdfOptions with_arguments = options;
-  for (const auto& [name, value] : xacro.arguments) {
+  const ExpandedXacro expanded = expand_xacro(text, path, options.xacro);
+  UrdfOptions with_arguments = options.urdf;
+  for (const auto& [name, value] : options.xacro.arguments) {
     with_arguments.file_arguments += " --arg " + one_word(name + ":=" + value);
   }
-  return {read_urdf_text(expanded.text, path, with_arguments, expanded.lines), expanded.files};
+  return {read_urdf_text(expanded.text, path, with_arguments, expanded.lines), expanded.files, {}};
 }
 
 std::string dependency_rule(const std::string& target, const std::vector<std::string>& files) {

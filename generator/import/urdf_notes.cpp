@@ -17,7 +17,7 @@ std::string decimal(const Number& value) { return shortest(value.to_double()); }
 std::string base_name(const std::string& path) { return path.substr(path.find_last_of("/\\") + 1); }
 
 /// In quotes where a shell would take it apart.
-std::string quoted(const std::string& word) {
+std::string shell_word(const std::string& word) {
   const bool plain = std::all_of(word.begin(), word.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
            std::string_view("-_./=,+").find(c) != std::string_view::npos;
@@ -28,7 +28,7 @@ std::string quoted(const std::string& word) {
 /// What makes the same scene again: the file and the options that are not at their defaults.
 std::string arguments(const UrdfRobot& robot, const UrdfOptions& options) {
   const UrdfOptions defaults;
-  std::string text = quoted(base_name(robot.file)) + options.file_arguments;
+  std::string text = shell_word(base_name(robot.file)) + options.file_arguments;
   if (options.base == UrdfBase::floating) text += " --base floating";
   if (options.gravity != defaults.gravity) {
     text += fmt::format(" --gravity {},{},{}", decimal(options.gravity[0]), decimal(options.gravity[1]),
@@ -41,10 +41,10 @@ std::string arguments(const UrdfRobot& robot, const UrdfOptions& options) {
   if (!options.motors) text += " --no-motors";
   if (options.accept_inertia) text += " --accept-inertia";
   if (!options.name.empty()) text += " --name " + options.name;
-  if (!options.points.empty()) text += " --points " + quoted(fmt::format("{}", fmt::join(options.points, ",")));
+  if (!options.points.empty()) text += " --points " + shell_word(fmt::format("{}", fmt::join(options.points, ",")));
   std::string initial;
   for (const auto& [name, value] : options.initial) initial += (initial.empty() ? "" : ",") + name + "=" + value;
-  if (!initial.empty()) text += " --initial " + quoted(initial);
+  if (!initial.empty()) text += " --initial " + shell_word(initial);
   return text;
 }
 

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/expression/decimal.hpp"
+#include "generator/import/exact_direction.hpp"
+#include "generator/import/exact_rotation.hpp"
+#include "generator/import/identifiers.hpp"
+#include "generator/import/mjcf.hpp"
+#include "generator/import/urdf_robot.hpp"
+
+namespace torsor {
+
+/// Makes the scene, part by part; mjcf_scene says what of what. mjcf_scene.cpp holds the tree of bodies,
+/// mjcf_actions.cpp what acts, mjcf_equalities.cpp the constraints.
+class MjcfBuilder {
+ public:
+  MjcfBuilder(const MjcfModel& model, const MjcfOptions& options);
+  ImportedMjcf build();
+
+ private:
+  /// What the scene has of a joint.
+  struct JointParts {
+    std::string name;
+    Expression position = 0;  ///< q of a hinge or a slide, a formula where it follows another
+    bool known = false;
+    Triple place{Expression(0), Expression(0), Expression(0)};  ///< of a free joint
+    AttitudeHandle attitude;
+    std::string frame, parent_frame;  ///< of a ball joint: what it turns, and in what
+  };
+
+  std::string scene_name();
+  void note_name(const std::string& kind, const std::string& name, const std::string& identifier);
+  std::string take(Identifiers& names, const std::string& name, const std::string& kind,
+                   const std::vector<std::string>& suffixes = {""});
+
+  // Exact numbers of doubles.
+  std::optional<Number> as_twelfths(double angle) const;
+  Expression position_value(const MjcfJoint& joint, double value, const std::string& what);
+  Rotation rotation(const std::array<double, 4>& quaternion, const std::string& where);
+  std::array<Number, 3> direction(const std::array<double, 3>& axis, const std::string& where);
+  static Triple quantities(const std::array<Number, 3>& numbers, const Unit& unit);
+  static Triple lengths(const std::array<double, 3>& numbers);
+  Expression parameter(const std::string& name, const char* unit, const Number& value);
+
+  // The tree.
+  void name_frames();
+  void declare(std::size_t joint);
+  const Expression& position(std::size_t joint);
+  Expression polynomial(const MjcfEquality& law, std::size_t first);
+  void place(std::size_t body);
+  std::string add_joint(std::size_t joint, const std::string& frame, const std::string& parent,
+                        const Placement& placement);
+  void add_inertia(std::size_t body);
+  void add_points();
+  void set_start();
+  void note_geometry();
+
+  // Actions.
+  void add_joint_actions(std::size_t joint);
+  void add_scalar_actions(std::size_t joint);
+  void add_free_actions(std::size_t joint);
+  void add_rotor(const std::string& name, const Expression& displacement, bool turns, const Expression& armature);
+  void add_tendons();
+  void add_motors();
+  void add_motor(const MjcfActuator& actuator);
+  std::optional<Expression> tendon_length(const MjcfTendon& tendon);
+  bool moves(int body) const;
+
+  // Constraints.
+  void choose_followers();
+  void add_equalities();
+  void add_points_together(const MjcfEquality& equality, const std::string& name);
+  std::string frame_at(int body, const std::string& name, const std::array<double, 3>& point, const Rotation& turned);
+
+  const MjcfModel& model_;
+  const MjcfOptions& options_;
+  std::vector<std::string> renamed_;
+  UrdfChanges changes_;
+  Scene scene_;
+  std::vector<std::string> notes_;
+  std::vector<std::string> data_;  ///< what is stated of joints and actuators, for the head
+  Identifiers symbols_{{"t"}};
+  Identifiers frame_names_{{"ground"}};
+  std::vector<std::string> frames_;  ///< by body
+  std::map<std::size_t, JointParts> joints_;
+  std::map<std::size_t, std::size_t> followed_;  ///< joints without a coordinate, and the equality that says why
+};
+
+}  // namespace torsor
