@@ -9,6 +9,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "runtime/constraints/constraint_kinds.hpp"
+#include "runtime/constraints/constraint_reading.hpp"
 #include "runtime/constraints/independent_constraints.hpp"
 #include "runtime/mechanism.hpp"
 #include "runtime/status.hpp"
@@ -16,25 +18,29 @@
 
 namespace torsor::runtime {
 
-/// Which coordinates of a mechanism with `freedoms` ways to move are taken as independent: those that elimination with
+/// Which of nv coordinates (or velocities) are taken as independent under constraints A: those that elimination with
 /// exchange of rows and columns leaves without a pivot, so that the others are determined well.
 /// Source: Wehage & Haug, Journal of Mechanical Design 104 (1982) 247-255.
-template <class Scalar, std::size_t nv, std::size_t freedoms>
+template <class Scalar, std::size_t nv>
 struct Partition {
-  static constexpr std::size_t dependents = nv - freedoms;
-  std::array<std::size_t, freedoms> independent{};
-  std::array<std::size_t, dependents> dependent{};
+  static constexpr std::size_t any = nv + 1;
+
+  std::array<std::size_t, nv> independent{}, dependent{};  ///< the first `freedoms`, and nv - freedoms
+  std::size_t freedoms = nv;
   bool complete = false;  ///< there are as many independent constraints as dependent coordinates
 
-  /// A is m x nv, column by column.
+  /// A is m x nv, column by column; `freedoms` of them, or as many as the rank of A leaves.
   template <std::size_t m>
-  static Partition of(const std::array<Scalar, m * nv>& jacobian) noexcept {
+  static Partition of(const std::array<Scalar, m * nv>& jacobian, std::size_t freedoms = any) noexcept {
     auto A = jacobian;
     const auto entry = [&](std::size_t i, std::size_t j) -> Scalar& { return A[j * m + i]; };
+    const Scalar repeated = std::cbrt(std::numeric_limits<Scalar>::epsilon());
+    const std::size_t wanted = freedoms == any ? std::min(m, nv) : nv - freedoms;
     Partition result;
     std::array<bool, nv> taken{};
     Scalar first = Scalar(0), pivot = Scalar(0);
-    for (std::size_t step = 0; step <= dependents && step < m; ++step) {
+    std::size_t step = 0;
+    for (; step <= wanted && step < m; ++step) {
       std::size_t row = step, column = nv;
       pivot = Scalar(0);
       for (std::size_t j = 0; j < nv; ++j) {
@@ -46,8 +52,8 @@ struct Partition {
           }
         }
       }
-      if (step == dependents) break;  // what is left must be constraints that repeat others
       first = std::max(first, pivot);
+      if (step == wanted || (freedoms == any && !(pivot > repeated * first))) break;  // what is left repeats others
       if (column == nv || !(pivot > usual_rank_tolerance<Scalar>() * first)) return result;
       taken[column] = true;
       result.dependent[step] = column;
@@ -57,141 +63,185 @@ struct Partition {
         for (std::size_t j = 0; j < nv; ++j) entry(i, j) -= factor * entry(step, j);
       }
     }
+    result.freedoms = nv - step;
     std::size_t count = 0;
-    for (std::size_t j = 0; j < nv && count < freedoms; ++j) {
+    for (std::size_t j = 0; j < nv; ++j) {
       if (!taken[j]) result.independent[count++] = j;
     }
-    const bool repeated = m == dependents || pivot <= std::cbrt(std::numeric_limits<Scalar>::epsilon()) * first;
-    result.complete = m >= dependents && count == freedoms && repeated;
+    result.complete = (freedoms == any || step == wanted) && (step == m || pivot <= repeated * first);
     return result;
   }
 };
 
-/// The motion of a mechanism in independent coordinates: z = [q_I; v_I], z' = [v_I; a_I]. The others follow from the
-/// constraints at every evaluation, f(q_I, q_D) = 0 by Newton's method and A_D v_D = b - A_I v_I, so that these hold to
-/// rounding at all times. Only where q' = v. The partition is that of the state it was made at; see
-/// `integrate_partitioned`, which changes it where it becomes ill-conditioned.
-template <class Motion, std::size_t freedoms>
+/// The motion of a mechanism in independent coordinates: z = [q_P; v_I], z' = [v_P; a_I]. The other coordinates follow
+/// from the holonomic constraints at every evaluation, f(q_P, q_D) = 0 by Newton's method, the other velocities from all
+/// constraints, A_D v_D = b - A_I v_I, so that these hold to rounding at all times. Rolling ties velocities only: of
+/// such mechanisms more coordinates than velocities are independent, each of which is integrated. `places` is for them,
+/// as many as velocities or all; places beyond those in use stay 0. Only where q' = v. The partitions are those of the
+/// state they were made at; see `integrate_partitioned`, which changes them where they become ill-conditioned.
+template <class Motion, std::size_t freedoms, std::size_t places = velocities_of<typename Motion::Mechanism>>
 class PartitionedMotion {
  public:
   using M = typename Motion::Mechanism;
   using Scalar = ScalarOf<M>;
   static constexpr std::size_t nv = velocities_of<M>, m = static_cast<std::size_t>(M::multiplier_count);
   using Full = StateVector<M>;
-  using Vector = std::array<Scalar, 2 * freedoms>;
-  using Choice = Partition<Scalar, nv, freedoms>;
-  static constexpr std::size_t nd = nv - freedoms;
-  using Factor = IndependentConstraints<Scalar, nd, m>;
+  using Vector = std::array<Scalar, places + freedoms>;
+  using Choice = Partition<Scalar, nv>;
+  using Kinds = ConstraintKinds<M>;
+  using Factor = IndependentConstraints<Scalar, nv, m>;
   static_assert(!HasCoordinateRates<M> && coordinates_of<M> == nv, "partitioned coordinates need q' = v");
-  static_assert(freedoms > 0 && freedoms < nv);
+  static_assert(freedoms > 0 && freedoms < nv && places <= nv);
 
-  explicit PartitionedMotion(const Motion& motion) noexcept : motion_(motion) {}
+  PartitionedMotion(const Motion& motion, const Kinds& kinds) noexcept : motion_(motion), kinds_(kinds) {}
 
   /// Chooses the independent coordinates anew at a state; `singular` when it has not as many freedoms.
   [[nodiscard]] Evaluation choose(Scalar t, const Full& y) noexcept {
-    typename M::Constraints constraints{};
-    M::constraints(motion_.precomputed(), unpack<M>(t, y), constraints);
-    if (!all_finite(constraints.value) || !all_finite(constraints.jacobian)) return Evaluation::not_finite;
-    choice_ = Choice::template of<m>(constraints.jacobian);
+    Reading here;
+    if (!here.read(motion_.precomputed(), kinds_, t, y)) return Evaluation::not_finite;
+    velocities_ = Choice::template of<m>(here.constraints.jacobian, freedoms);
+    const std::size_t known = kinds_.all_holonomic() ? freedoms : chosen_ ? positions_.freedoms : Choice::any;
+    positions_ = Choice::template of<m>(holonomic(here), known);
+    lengths_ = Reading::lengths(motion_.precomputed(), kinds_, t, y);
     near_ = y;
-    return choice_.complete ? Evaluation::ok : Evaluation::singular;
+    chosen_ = positions_.complete && velocities_.complete && positions_.freedoms <= places;
+    return chosen_ ? Evaluation::ok : Evaluation::singular;
   }
-  [[nodiscard]] const Choice& partition() const noexcept { return choice_; }
+  [[nodiscard]] const Choice& positions() const noexcept { return positions_; }
+  [[nodiscard]] const Choice& velocities() const noexcept { return velocities_; }
 
   [[nodiscard]] Vector reduce(const Full& y) const noexcept {
-    Vector z;
-    for (std::size_t k = 0; k < freedoms; ++k) {
-      z[k] = y[choice_.independent[k]];
-      z[freedoms + k] = y[nv + choice_.independent[k]];
-    }
+    Vector z{};
+    for (std::size_t k = 0; k < positions_.freedoms; ++k) z[k] = y[positions_.independent[k]];
+    for (std::size_t k = 0; k < freedoms; ++k) z[places + k] = y[nv + velocities_.independent[k]];
     return z;
   }
 
   /// All coordinates and velocities for the independent ones, near those of the last step kept.
   [[nodiscard]] Evaluation complete(Scalar t, const Vector& z, Full& y) const noexcept {
-    Factor factor;
-    return complete(t, z, y, factor);
+    Contents contents;
+    return complete(t, z, y, contents);
   }
 
   [[nodiscard]] Evaluation operator()(const Scalar& t, const Vector& z, Vector& dzdt) const noexcept {
     Full y, dydt;
     if (const Evaluation e = complete(t, z, y); e != Evaluation::ok) return e;
     const Evaluation evaluation = motion_(t, y, dydt);
-    for (std::size_t k = 0; k < freedoms; ++k) {
-      dzdt[k] = z[freedoms + k];
-      dzdt[freedoms + k] = dydt[nv + choice_.independent[k]];
-    }
+    dzdt = {};
+    for (std::size_t k = 0; k < positions_.freedoms; ++k) dzdt[k] = dydt[positions_.independent[k]];
+    for (std::size_t k = 0; k < freedoms; ++k) dzdt[places + k] = dydt[nv + velocities_.independent[k]];
     return evaluation;
   }
 
   /// A step was kept: its state is where the next ones look from. `loss` is how many times better, by the content of
-  /// A_D, the dependent coordinates would be determined if they were chosen here.
+  /// A_D, the dependent coordinates or velocities would be determined if they were chosen here.
   [[nodiscard]] Evaluation keep(Scalar t, const Vector& z, Scalar& loss) noexcept {
     Full y;
-    Factor factor;
-    if (const Evaluation e = complete(t, z, y, factor); e != Evaluation::ok) return e;
+    Contents now;
+    if (const Evaluation e = complete(t, z, y, now); e != Evaluation::ok) return e;
     near_ = y;
-    typename M::Constraints constraints{};
-    M::constraints(motion_.precomputed(), unpack<M>(t, y), constraints);
-    const Choice best = Choice::template of<m>(constraints.jacobian);
+    Reading here;
+    if (!here.read(motion_.precomputed(), kinds_, t, y)) return Evaluation::not_finite;
     loss = Scalar(1);
-    if (!best.complete) return Evaluation::ok;
-    const Scalar content = factor.content();
-    // Others that cannot be determined here are no better.
-    if (factorise(constraints, best, factor) == Evaluation::ok) loss = factor.content() / content;
+    const auto compare = [&](const auto& jacobian, std::size_t count, Scalar content) {
+      const Choice best = Choice::template of<m>(jacobian, count);
+      Factor factor;
+      // Others that cannot be determined here are no better.
+      if (!best.complete || factorise(jacobian, best, factor) != Evaluation::ok) return;
+      loss = std::max(loss, factor.content() / content);
+    };
+    compare(here.constraints.jacobian, freedoms, now.velocities);
+    if (!kinds_.all_holonomic()) compare(holonomic(here), positions_.freedoms, now.positions);
     return Evaluation::ok;
   }
   [[nodiscard]] const Full& state() const noexcept { return near_; }
 
  private:
-  Evaluation complete(Scalar t, const Vector& z, Full& y, Factor& factor) const noexcept {
+  using Reading = ConstraintReading<M>;
+  using Jacobian = std::array<Scalar, m * nv>;
+  struct Contents {
+    Scalar positions = Scalar(1), velocities = Scalar(1);
+  };
+
+  Evaluation complete(Scalar t, const Vector& z, Full& y, Contents& contents) const noexcept {
     y = near_;
-    for (std::size_t k = 0; k < freedoms; ++k) {
-      const std::size_t i = choice_.independent[k];
-      y[i] = z[k];
-      y[nv + i] = z[freedoms + k];
+    for (std::size_t k = 0; k < positions_.freedoms; ++k) y[positions_.independent[k]] = z[k];
+    for (std::size_t j = 0; j < nv; ++j) y[nv + j] = Scalar(0);
+    for (std::size_t k = 0; k < freedoms; ++k) y[nv + velocities_.independent[k]] = z[places + k];
+    Reading here;
+    if (!here.read(motion_.precomputed(), kinds_, t, y)) return Evaluation::not_finite;
+    Factor factor;
+    if (const Evaluation e = close(t, y, here, factor); e != Evaluation::ok) return e;
+    contents.positions = factor.content();
+    if (!kinds_.all_holonomic()) {
+      if (const Evaluation e = factorise(here.constraints.jacobian, velocities_, factor); e != Evaluation::ok) return e;
     }
-    for (std::size_t i = 0; i < nd; ++i) y[nv + choice_.dependent[i]] = Scalar(0);
-    typename M::Constraints constraints{};
-    Scalar last = std::numeric_limits<Scalar>::infinity();
-    for (int iteration = 0; iteration < 30; ++iteration) {
-      M::constraints(motion_.precomputed(), unpack<M>(t, y), constraints);
-      if (const Evaluation e = factorise(constraints, choice_, factor); e != Evaluation::ok) return e;
-      const auto change = factor.least_change(-read(constraints.value));
-      Scalar size = Scalar(0), largest = Scalar(0);
-      for (std::size_t i = 0; i < nv; ++i) largest = std::max(largest, std::abs(y[i]));
-      for (std::size_t i = 0; i < nd; ++i) size = std::max(size, std::abs(change(static_cast<int>(i))));
-      if (!std::isfinite(size)) return Evaluation::not_finite;
-      const Scalar rounding = Scalar(4) * std::numeric_limits<Scalar>::epsilon() * largest;
-      // Down to rounding, or no nearer than before for it.
-      if (size > rounding && size > last / Scalar(2) && size > Scalar(1e6) * rounding) return Evaluation::singular;
-      if (size > last / Scalar(2)) break;
-      for (std::size_t i = 0; i < nd; ++i) y[choice_.dependent[i]] += change(static_cast<int>(i));
-      last = size;
-      if (size <= rounding) break;
-    }
-    const auto velocities = factor.least_change(-read(constraints.rate));
-    for (std::size_t i = 0; i < nd; ++i) y[nv + choice_.dependent[i]] = velocities(static_cast<int>(i));
-    return velocities.allFinite() ? Evaluation::ok : Evaluation::not_finite;
+    contents.velocities = factor.content();
+    const auto change = factor.least_change(-read(here.constraints.rate));
+    for (std::size_t j = 0; j < nv; ++j) y[nv + j] += change(static_cast<int>(j));
+    return change.allFinite() ? Evaluation::ok : Evaluation::not_finite;
   }
 
-  static Evaluation factorise(const typename M::Constraints& constraints, const Choice& choice,
-                              Factor& factor) noexcept {
-    std::array<Scalar, nd * nd> unit{};
-    std::array<Scalar, m * nd> columns;
-    for (std::size_t i = 0; i < nd; ++i) {
-      unit[i * (nd + 1)] = Scalar(1);
-      for (std::size_t j = 0; j < m; ++j) columns[i * m + j] = constraints.jacobian[choice.dependent[i] * m + j];
+  // Newton's method along the dependent coordinates: one step more than to rounding of the terms of f, or until it is no
+  // nearer for it.
+  Evaluation close(Scalar t, Full& y, Reading& here, Factor& factor) const noexcept {
+    if (positions_.freedoms == nv) return Evaluation::ok;
+    for (int iteration = 0; iteration < 30; ++iteration) {
+      const Jacobian jacobian = holonomic(here);
+      if (const Evaluation e = factorise(jacobian, positions_, factor); e != Evaluation::ok) return e;
+      const auto change = factor.least_change(-read(here.constraints.value));
+      Full trial = y;
+      for (std::size_t j = 0; j < nv; ++j) trial[j] += change(static_cast<int>(j));
+      if (here.position_is_rounding(lengths_)) {
+        y = trial;
+        return change.allFinite() ? Evaluation::ok : Evaluation::not_finite;
+      }
+      Reading there;
+      if (!there.read(motion_.precomputed(), kinds_, t, trial)) return Evaluation::not_finite;
+      const bool halves = there.open < here.open / Scalar(2);
+      if (there.open < here.open) {
+        y = trial;
+        here = there;
+      }
+      if (!halves) break;
     }
-    const Evaluation evaluation = factor.factorise(unit, columns);
-    return evaluation == Evaluation::ok && factor.rank() < static_cast<int>(nd) ? Evaluation::singular : evaluation;
+    for (std::size_t i = 0; i < m; ++i) {
+      if (!here.position_is_closed(i, lengths_, Scalar(1e6))) return Evaluation::singular;
+    }
+    return Evaluation::ok;
   }
+
   static typename Factor::Residual read(const std::array<Scalar, m>& values) noexcept {
     return Eigen::Map<const typename Factor::Residual>(values.data());
   }
 
+  // A without the rows of constraints on velocities alone.
+  Jacobian holonomic(const Reading& here) const noexcept {
+    Jacobian jacobian = here.constraints.jacobian;
+    for (std::size_t i = 0; i < m; ++i) {
+      for (std::size_t j = 0; j < nv && !kinds_.holonomic[i]; ++j) jacobian[j * m + i] = Scalar(0);
+    }
+    return jacobian;
+  }
+
+  // Of the columns of the dependent ones; the others keep their place, as zeros.
+  static Evaluation factorise(const Jacobian& jacobian, const Choice& choice, Factor& factor) noexcept {
+    std::array<Scalar, nv * nv> unit{};
+    Jacobian columns = jacobian;
+    for (std::size_t j = 0; j < nv; ++j) unit[j * (nv + 1)] = Scalar(1);
+    for (std::size_t k = 0; k < choice.freedoms; ++k) {
+      for (std::size_t i = 0; i < m; ++i) columns[choice.independent[k] * m + i] = Scalar(0);
+    }
+    const Evaluation evaluation = factor.factorise(unit, columns);
+    const bool determined = factor.rank() == static_cast<int>(nv - choice.freedoms);
+    return evaluation == Evaluation::ok && !determined ? Evaluation::singular : evaluation;
+  }
+
   const Motion& motion_;
-  Choice choice_;
+  Kinds kinds_;
+  Choice positions_, velocities_;
+  typename Reading::Rows lengths_{};
+  bool chosen_ = false;
   Full near_{};
 };
 
@@ -203,30 +253,17 @@ struct PartitionedResult {
   [[nodiscard]] explicit constexpr operator bool() const noexcept { return static_cast<bool>(integration); }
 };
 
-/// Integrates a mechanism with constraints in `freedoms` of its own coordinates, from y at t0 to t1, by any method.
-/// Where the dependent ones are determined `worst` times less well than others would be, the independent ones are
-/// chosen anew, and so starts the method. `observer(t, y)` sees all coordinates at the start and after each step. y
-/// must satisfy the constraints. `unsuitable_model`: the constraints leave another number of freedoms.
-template <std::size_t freedoms, class Motion, class Method, class Observer = IgnoreSteps>
-[[nodiscard]] PartitionedResult<ScalarOf<typename Motion::Mechanism>> integrate_partitioned(
-    const Motion& motion, StateVector<typename Motion::Mechanism>& y,
-    std::type_identity_t<ScalarOf<typename Motion::Mechanism>> t0,
-    std::type_identity_t<ScalarOf<typename Motion::Mechanism>> t1, const Method& method,
-    Observer&& observer = Observer{}, double worst = 4.0) {
-  using System = PartitionedMotion<Motion, freedoms>;
+namespace detail {
+
+template <class System, class Motion, class Kinds, class Method, class Observer>
+[[nodiscard]] PartitionedResult<typename System::Scalar> integrate_partitioned(
+    const Motion& motion, const Kinds& kinds, typename System::Full& y, typename System::Scalar t0,
+    typename System::Scalar t1, const Method& method, Observer& observer, double worst) {
   using Scalar = typename System::Scalar;
-  System system(motion);
+  System system(motion, kinds);
   PartitionedResult<Scalar> result;
   result.integration.time = t0;
   Statistics total;
-  if (!all_finite(y) || !std::isfinite(t0)) {
-    result.integration.status = IntegrationStatus::invalid_options;
-    return result;
-  }
-  if (!notify(observer, t0, y)) {
-    result.integration.status = IntegrationStatus::stopped_by_observer;
-    return result;
-  }
   for (;;) {
     if (const Evaluation e = system.choose(result.integration.time, y); e != Evaluation::ok) {
       result.integration.status =
@@ -271,6 +308,40 @@ template <std::size_t freedoms, class Motion, class Method, class Observer = Ign
   }
   result.integration.statistics = total;
   return result;
+}
+
+}  // namespace detail
+
+/// Integrates a mechanism with constraints in `freedoms` of its own velocities, and in all coordinates that no holonomic
+/// constraint determines, from y at t0 to t1, by any method (see PartitionedMotion). Where the dependent ones are
+/// determined `worst` times less well than others would be, the independent ones are chosen anew, and so starts the
+/// method. `observer(t, y)` sees all coordinates at the start and after each step. y must satisfy the constraints.
+/// `unsuitable_model`: the constraints leave another number of freedoms.
+template <std::size_t freedoms, class Motion, class Method, class Observer = IgnoreSteps>
+[[nodiscard]] PartitionedResult<ScalarOf<typename Motion::Mechanism>> integrate_partitioned(
+    const Motion& motion, StateVector<typename Motion::Mechanism>& y,
+    std::type_identity_t<ScalarOf<typename Motion::Mechanism>> t0,
+    std::type_identity_t<ScalarOf<typename Motion::Mechanism>> t1, const Method& method,
+    Observer&& observer = Observer{}, double worst = 4.0) {
+  using M = typename Motion::Mechanism;
+  PartitionedResult<ScalarOf<M>> result;
+  result.integration.time = t0;
+  if (!all_finite(y) || !std::isfinite(t0)) {
+    result.integration.status = IntegrationStatus::invalid_options;
+    return result;
+  }
+  if (!notify(observer, t0, y)) {
+    result.integration.status = IntegrationStatus::stopped_by_observer;
+    return result;
+  }
+  const auto kinds = ConstraintKinds<M>::at(motion.precomputed(), t0, y);
+  // Without rolling as few places as velocities serve.
+  if (kinds.all_holonomic()) {
+    using System = PartitionedMotion<Motion, freedoms, freedoms>;
+    return detail::integrate_partitioned<System>(motion, kinds, y, t0, t1, method, observer, worst);
+  }
+  using System = PartitionedMotion<Motion, freedoms>;
+  return detail::integrate_partitioned<System>(motion, kinds, y, t0, t1, method, observer, worst);
 }
 
 }  // namespace torsor::runtime
