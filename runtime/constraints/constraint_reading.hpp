@@ -74,10 +74,19 @@ class ConstraintReading {
   /// The same where angles wound up count in full, as they are known no better, and where terms that vanish count as
   /// large as an angle of 1 rad or the largest coordinate would make them: what is left near a root at zero.
   [[nodiscard]] bool position_is_closed(std::size_t i, const Rows& lengths, Scalar roundings) const noexcept {
-    return std::abs(constraints.value[i]) <= roundings * epsilon * (far_[i] + lengths[i]);
+    return position_in_roundings(i, lengths) <= roundings;
   }
   [[nodiscard]] bool velocity_is_rounding(std::size_t i) const noexcept {
     return std::abs(constraints.rate[i]) <= usual * epsilon * moving_[i];
+  }
+  /// How many roundings a residual is: of terms in which those that vanish count as above, and of the largest velocity.
+  [[nodiscard]] Scalar position_in_roundings(std::size_t i, const Rows& lengths) const noexcept {
+    const Scalar off = std::abs(constraints.value[i]);
+    return off == Scalar(0) ? off : off / (epsilon * (far_[i] + lengths[i]));
+  }
+  [[nodiscard]] Scalar velocity_in_roundings(std::size_t i) const noexcept {
+    const Scalar off = std::abs(constraints.rate[i]);
+    return off == Scalar(0) ? off : off / (epsilon * std::max(moving_[i], size_[i] * speed));
   }
   [[nodiscard]] bool position_is_rounding(const Rows& lengths) const noexcept {
     bool within = true;

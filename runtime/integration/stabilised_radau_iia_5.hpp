@@ -8,6 +8,9 @@
 #include <limits>
 #include <type_traits>
 
+#include "runtime/constraints/constraint_kinds.hpp"
+#include "runtime/constraints/constraint_reading.hpp"
+#include "runtime/constraints/independent_constraints.hpp"
 #include "runtime/integration/radau_iia_5.hpp"
 #include "runtime/mechanism.hpp"
 
@@ -84,13 +87,14 @@ class StabilisedEquations {
   void solve(Pairs& r) const noexcept { pair_.solve(*this, r); }
 
   /// Takes away what Newton's method left of the constraints at the end of a step, along the same directions;
-  /// quaternions get their norm back. Where the residual is rounding already and the directions magnify it (a mechanism
-  /// near a position where its constraints lose their rank), the state stays as it is. False, with
-  /// Evaluation::singular, where the corrections do not end; Evaluation::not_finite where something overflows.
+  /// quaternions get their norm back. What is rounding already stays as it is (see ConstraintReading), and so does what
+  /// is nearly rounding where the directions magnify it (a mechanism near a position where its constraints lose their
+  /// rank). False, with Evaluation::singular, where the corrections do not end; Evaluation::not_finite where something
+  /// overflows.
   template <class F>
   [[nodiscard]] bool finish(F& f, Scalar t, const Vector& y, Vector& change) const {
-    constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
-    Scalar moved = Scalar(0);
+    Reading here;
+    Scalar last = std::numeric_limits<Scalar>::infinity();
     for (int round = 0; round < 20; ++round) {
       Vector x;
       for (std::size_t i = 0; i < size; ++i) x[i] = y[i] + change[i];
@@ -100,38 +104,42 @@ class StabilisedEquations {
         for (std::size_t i = 0; i < size; ++i) change[i] += of_norm[i] - x[i];
         x = of_norm;
       }
-      Residual c = residual(f, t, x);
-      const Scalar terms = in_terms(c, x);
+      bool finite = here.read(f.system().precomputed(), kinds_, t, x);
+      Residual c = off(here);
+      Scalar open = Scalar(0);
+      for (std::size_t j = 0; j < extra; ++j) open += std::abs(c[j]);
+      if (finite && open == Scalar(0)) return true;
       projection_.solve(c);
       Vector correction{};
       for (std::size_t j = 0; j < extra; ++j) {
         for (std::size_t i = 0; i < size; ++i) correction[i] += B_[j * size + i] * c[j];
       }
-      if (std::isnan(terms) || !all_finite(correction)) {
+      finite = finite && all_finite(correction);
+      if (!finite) {
         f.evaluation = Evaluation::not_finite;
         return false;
       }
-      const Scalar last = moved;
-      moved = Scalar(0);
+      Scalar moved = Scalar(0);
       for (std::size_t i = 0; i < size; ++i) {
         if (correction[i] == Scalar(0)) continue;
         moved = std::max(moved, std::abs(correction[i]) / (std::abs(x[i]) + std::abs(change[i] - correction[i])));
       }
-      // What is left is rounding: of the residual, which would be magnified, or of the corrections, which go to and
-      // fro.
-      if (terms <= few_roundings && moved > magnified * terms) return true;
-      if (terms <= Scalar(4) * epsilon && round > 0 && moved > last / Scalar(2)) return true;
+      // What is left is rounding of the residual, which would be magnified, or goes to and fro.
+      const Scalar roundings = nearly_rounding(here);
+      if (roundings <= few && moved > magnified * roundings * std::numeric_limits<Scalar>::epsilon()) return true;
+      if (!(open < last / Scalar(2))) break;
+      last = open;
       for (std::size_t i = 0; i < size; ++i) change[i] -= correction[i];
-      if (moved <= epsilon) return true;
     }
-    if (moved <= few_roundings) return true;  // else B no longer serves
+    if (nearly_rounding(here) <= few) return true;  // else B no longer serves
     f.evaluation = Evaluation::singular;
     return false;
   }
 
  private:
   using Residual = std::array<Scalar, extra>;
-  static constexpr Scalar few_roundings = Scalar(1e3) * std::numeric_limits<Scalar>::epsilon();
+  using Reading = ConstraintReading<M>;
+  static constexpr Scalar few = Scalar(1e3);
   static constexpr Scalar magnified = Scalar(1e5);
 
   static constexpr Scalar unit(std::size_t i, std::size_t j) noexcept { return i == j ? Scalar(1) : Scalar(0); }
@@ -205,36 +213,45 @@ class StabilisedEquations {
     return c;
   }
 
-  // The largest residual relative to the terms it is a sum of: a rounding, whatever coordinate passes through zero.
-  // Infinite where all terms vanish, not a number where one is not.
-  Scalar in_terms(const Residual& c, const Vector& x) const noexcept {
-    Scalar largest = Scalar(0);
-    for (std::size_t j = 0; j < extra; ++j) {
-      Scalar terms = Scalar(0);
-      for (std::size_t i = 0; i < size; ++i) terms += std::abs(C_[i * extra + j] * x[i]);
-      if (c[j] == Scalar(0)) continue;
-      const Scalar relative = std::abs(c[j]) / terms;
-      if (std::isnan(relative)) return relative;  // a maximum would drop it
-      largest = std::max(largest, relative);
+  // What is off by more than rounding, of the rows that count.
+  Residual off(const Reading& here) const noexcept {
+    Residual c{};
+    for (std::size_t j = 0; j < m; ++j) {
+      if (counts_[j] && !here.position_is_rounding(j, lengths_)) c[j] = here.constraints.value[j];
+      if (counts_[m + j] && !here.velocity_is_rounding(j)) c[m + j] = here.constraints.rate[j];
     }
-    return largest;
+    return c;
   }
 
-  // C = ∂(g, A v - b)/∂(q, v): differences by q, A by v. A constraint whose value no coordinate moves is one on
-  // velocities.
+  // How many roundings of its terms each residual is at most.
+  Scalar nearly_rounding(const Reading& here) const noexcept {
+    Scalar roundings = Scalar(0);
+    for (std::size_t j = 0; j < m; ++j) {
+      if (counts_[j]) roundings = std::max(roundings, here.position_in_roundings(j, lengths_));
+      if (counts_[m + j]) roundings = std::max(roundings, here.velocity_in_roundings(j));
+    }
+    return roundings;
+  }
+
+  // C = ∂(g, A v - b)/∂(q, v): A where q' = v, else differences by q.
   template <class F>
   void derive_constraints(const F& f, Scalar t, const Vector& y) {
     const auto here = constraints_at(f, t, y);
-    for (std::size_t j = 0; j < m; ++j) counts_[j] = false;
+    if (!kinds_known_) kinds_ = ConstraintKinds<M>::at(f.system().precomputed(), t, y);
+    kinds_known_ = true;
+    lengths_ = Reading::lengths(f.system().precomputed(), kinds_, t, y);
     for (std::size_t k = 0; k < nq; ++k) {
       Vector moved = y;
-      moved[k] += std::sqrt(std::numeric_limits<Scalar>::epsilon()) * std::max(Scalar(1e-3), std::abs(y[k]));
+      moved[k] += std::sqrt(std::numeric_limits<Scalar>::epsilon()) * largeness(y, k);
       const Scalar delta = moved[k] - y[k];
       const auto there = constraints_at(f, t, moved);
       for (std::size_t j = 0; j < m; ++j) {
-        C_[k * extra + j] = (there.value[j] - here.value[j]) / delta;
+        if constexpr (HasCoordinateRates<M>) {
+          C_[k * extra + j] = (there.value[j] - here.value[j]) / delta;
+        } else {
+          C_[k * extra + j] = kinds_.holonomic[j] ? here.jacobian[k * m + j] : Scalar(0);
+        }
         C_[k * extra + m + j] = (there.rate[j] - here.rate[j]) / delta;
-        counts_[j] = counts_[j] || there.value[j] != here.value[j];
       }
     }
     for (std::size_t k = 0; k < n; ++k) {
@@ -243,12 +260,36 @@ class StabilisedEquations {
         C_[(nq + k) * extra + m + j] = here.jacobian[k * m + j];
       }
     }
-    for (std::size_t j = 0; j < m; ++j) counts_[m + j] = true;
-    if constexpr (HasRedundantConstraints<M>) {
-      for (const int j : M::redundant_multipliers) {
-        counts_[static_cast<std::size_t>(j)] = counts_[m + static_cast<std::size_t>(j)] = false;
+  }
+
+  // What a difference by a coordinate is to be small against: near 0 a radian of an angle or of an attitude, 1e-3 of
+  // a length.
+  Scalar largeness(const Vector& y, std::size_t k) const noexcept {
+    bool length = false;
+    for (std::size_t j = 0; j < n; ++j) length = length || (kinds_.coordinate[j] == k && !kinds_.turns[j]);
+    return std::max(length ? Scalar(1e-3) : Scalar(1), std::abs(y[k]));
+  }
+
+  // The rows that count: of positions the holonomic constraints, of velocities all; of those that repeat others as many
+  // as are independent, without those whose multipliers the mechanism takes as zero.
+  Evaluation find_independent(const std::array<Scalar, n * n>& mass) noexcept {
+    for (const bool positions : {true, false}) {
+      std::array<Scalar, m * n> jacobian{};
+      for (std::size_t j = 0; j < m; ++j) {
+        bool counts = kinds_.holonomic[j] || !positions;
+        if constexpr (HasRedundantConstraints<M>) {
+          for (const int zero : M::redundant_multipliers) counts = counts && static_cast<std::size_t>(zero) != j;
+        }
+        for (std::size_t k = 0; k < n && counts; ++k) jacobian[k * m + j] = C_[(nq + k) * extra + m + j];
+        counts_[(positions ? 0 : m) + j] = false;
+      }
+      IndependentConstraints<Scalar, n, m> factor;
+      if (const Evaluation e = factor.factorise(mass, jacobian); e != Evaluation::ok) return e;
+      for (int k = 0; k < factor.rank(); ++k) {
+        counts_[(positions ? 0 : m) + static_cast<std::size_t>(factor.constraint(k))] = true;
       }
     }
+    return Evaluation::ok;
   }
 
   // N u: the rates of the coordinates that velocities u bring, less those without any.
@@ -277,6 +318,7 @@ class StabilisedEquations {
     const typename M::State state = unpack<M>(t, y);
     Lu<Scalar, n> mass;
     M::mass_matrix(f.system().precomputed(), state, mass.matrix());
+    if (const Evaluation e = find_independent(mass.matrix()); e != Evaluation::ok) return e;
     const Evaluation evaluation = mass.factorise();
     if (evaluation != Evaluation::ok) return evaluation;
     B_.fill(Scalar(0));
@@ -298,6 +340,9 @@ class StabilisedEquations {
   JacobianMatrix<Scalar, size> J_{};
   std::array<Scalar, size * extra> B_{}, C_{};  // column by column
   std::array<bool, extra> counts_{};
+  ConstraintKinds<M> kinds_{};
+  bool kinds_known_ = false;
+  typename Reading::Rows lengths_{};
   Lu<Scalar, extra> projection_;
   Bordered<Scalar> real_;
   Bordered<Complex<Scalar>> pair_;
