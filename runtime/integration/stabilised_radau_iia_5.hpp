@@ -119,11 +119,7 @@ class StabilisedEquations {
         f.evaluation = Evaluation::not_finite;
         return false;
       }
-      Scalar moved = Scalar(0);
-      for (std::size_t i = 0; i < size; ++i) {
-        if (correction[i] == Scalar(0)) continue;
-        moved = std::max(moved, std::abs(correction[i]) / (std::abs(x[i]) + std::abs(change[i] - correction[i])));
-      }
+      const Scalar moved = std::max(moved_by(correction, x, 0, nq), moved_by(correction, x, nq, size));
       // What is left is rounding of the residual, which would be magnified, or goes to and fro.
       const Scalar roundings = nearly_rounding(here);
       if (roundings <= few && moved > magnified * roundings * std::numeric_limits<Scalar>::epsilon()) return true;
@@ -221,6 +217,16 @@ class StabilisedEquations {
       if (counts_[m + j] && !here.velocity_is_rounding(j)) c[m + j] = here.constraints.rate[j];
     }
     return c;
+  }
+
+  // How far a correction moves a coordinate, or a velocity, of its own size or a thousandth of the largest.
+  static Scalar moved_by(const Vector& correction, const Vector& x, std::size_t from, std::size_t to) noexcept {
+    Scalar largest = std::numeric_limits<Scalar>::min(), moved = Scalar(0);
+    for (std::size_t i = from; i < to; ++i) largest = std::max(largest, std::abs(x[i]));
+    for (std::size_t i = from; i < to; ++i) {
+      moved = std::max(moved, std::abs(correction[i]) / std::max(std::abs(x[i]), Scalar(1e-3) * largest));
+    }
+    return moved;
   }
 
   // How many roundings of its terms each residual is at most.
