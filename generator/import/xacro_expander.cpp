@@ -14,7 +14,7 @@ namespace torsor::xacro {
 namespace {
 
 /// A file expands to no more than this: who calls a macro twice in itself would fill the memory.
-constexpr std::size_t most_elements = 200000;
+constexpr std::size_t most_elements = 100000;
 /// Python's own limit stops xacro at some 200 macros in one another.
 constexpr int deepest_calls = 400;
 

@@ -15,11 +15,13 @@ namespace {
 /// Beyond this many nested brackets nothing was written by a person.
 constexpr int deepest_brackets = 200;
 constexpr std::size_t most_words = 4000;
+constexpr std::size_t most_steps = 100000;
 
 /// What a part of an expression is worth, computed when it is needed: `a if c else b` looks at one side only.
 struct Names {
   const Surroundings* outside = nullptr;
   std::map<std::string, Value> local;  ///< of [... for x in ...]
+  std::size_t* steps = nullptr;        ///< of all lists that are gone through
 };
 using Part = std::function<Value(const Names&)>;
 
@@ -404,6 +406,7 @@ class Parser {
       if (!all.is_list())
         throw ExpressionError(fmt::format("{} is {} and no list to go through", all.quoted(), all.kind()));
       for (const Value& value : all.items()) {
+        if (++*names.steps > most_steps) throw ExpressionError("lists of lists are gone through too long");
         if (variables.size() == 1) inner.local[variables[0]] = value;
         for (std::size_t i = 0; variables.size() > 1 && i < variables.size(); ++i) {
           inner.local[variables[i]] = item(value, static_cast<std::int64_t>(i));
@@ -487,8 +490,8 @@ class Parser {
 }  // namespace
 
 Value evaluate(std::string_view expression, const Surroundings& surroundings) {
-  Names names;
-  names.outside = &surroundings;
+  std::size_t steps = 0;
+  const Names names{&surroundings, {}, &steps};
   return Parser(expression).whole()(names);
 }
 

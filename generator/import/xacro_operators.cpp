@@ -28,7 +28,7 @@ bool both_numbers(const Value& a, const Value& b) { return a.is_number() && b.is
 Value repeated(const Value& what, const Value& times, const char* symbol) {
   const std::int64_t count = std::max<std::int64_t>(0, times.integer(symbol));
   const std::size_t size = what.is_string() ? what.text().size() : what.items().size();
-  if (count > 100000 || size * static_cast<std::size_t>(count) > 1000000) {
+  if (count > 100000 || size * static_cast<std::size_t>(count) > longest_text) {
     throw ExpressionError(fmt::format("{} repetitions are too many", count));
   }
   if (what.is_string()) {
@@ -70,8 +70,12 @@ Value add(const Value& a, const Value& b) {
     return sum;
   }
   if (both_numbers(a, b)) return a.number("+") + b.number("+");
-  if (a.is_string() && b.is_string()) return a.text() + b.text();
+  if (a.is_string() && b.is_string()) {
+    if (a.text().size() + b.text().size() > longest_text) throw ExpressionError("a text grows without end");
+    return a.text() + b.text();
+  }
   if (a.is_list() && b.is_list() && a.is_tuple() == b.is_tuple()) {
+    if (a.items().size() + b.items().size() > longest_text) throw ExpressionError("a list grows without end");
     Value::List items = a.items();
     items.insert(items.end(), b.items().begin(), b.items().end());
     return Value::list(std::move(items), a.is_tuple());

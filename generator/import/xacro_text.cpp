@@ -73,7 +73,10 @@ Value text_value(const std::string& text, const std::function<Value(const std::s
   };
   if (parts.size() == 1) return value(parts[0]);
   std::string whole;
-  for (const TextPart& part : parts) whole += value(part).to_string();
+  for (const TextPart& part : parts) {
+    whole += value(part).to_string();
+    if (whole.size() > longest_text) throw ExpressionError("a text grows without end");
+  }
   return whole;
 }
 

@@ -20,6 +20,9 @@ class ExpressionError : public Error {
   using Error::Error;
 };
 
+/// No text and no list of a robot is longer; who doubles one in every property would fill the memory.
+inline constexpr std::size_t longest_text = 1000000;
+
 /// A value of a xacro expression, which are those of Python: numbers are doubles or integers, and print as Python does.
 class Value {
  public:

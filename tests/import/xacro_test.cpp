@@ -250,6 +250,20 @@ TEST(Xacro, EndsWhereMacrosDoNot) {
   EXPECT_THROW(expanded(doubling + "<xacro:macro name=\"m30\"><x/></xacro:macro><xacro:m0/>"), FileError);
 }
 
+TEST(Xacro, RefusesTextsAndListsThatGrowWithoutEnd) {
+  for (const char* twice : {"${%s + %s}", "${%s}${%s}"}) {
+    std::string file = "<xacro:property name=\"p0\" value=\"abcdefgh\"/>";
+    for (int i = 0; i < 60; ++i) {
+      std::string value = twice;
+      for (int n = 0; n < 2; ++n) value.replace(value.find("%s"), 2, "p" + std::to_string(i));
+      file += "<xacro:property name=\"p" + std::to_string(i + 1) + "\" value=\"" + value + "\"/>";
+    }
+    EXPECT_THROW(expanded(file + "<x v=\"${p60}\"/>"), FileError) << twice;
+  }
+  EXPECT_THROW(value_of("[[x for y in range(100000)] for x in range(100000)]"), FileError);
+  EXPECT_THROW(value_of("'a' * 100000 * 100000"), FileError);
+}
+
 TEST(Xacro, WhatHoldsNoMechanicsMayNameMissingPackages) {
   EXPECT_EQ(expanded("<link name=\"a\"><visual><mesh filename=\"package://$(find nowhere)/a.stl\"/></visual></link>"),
             "<link name=\"a\"><visual><mesh filename=\"package://$(find nowhere)/a.stl\"/></visual></link>");
