@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 include_guard(GLOBAL)
 
-# torsor_add_mechanism(<name> SCENE <file.cpp> KERNELS <kernel>... [OUTPUT_NAME <name>] [RUN_TIME <parameter>...|all])
+# torsor_add_mechanism(<name> SCENE <file.cpp> KERNELS <kernel>... [OUTPUT_NAME <name>] [RUN_TIME <parameter>...|all]
+#                      [OPTIONS <option>...])
 # torsor_add_mechanism(<name> URDF <file.urdf> KERNELS <kernel>... [OUTPUT_NAME <name>] [RUN_TIME <parameter>...|all]
 #                      [OPTIONS <option>...])
 #
@@ -9,7 +10,8 @@ include_guard(GLOBAL)
 # <output name>.hpp (<name>.hpp by default) and make the interface target <name>: what links to it can write #include
 # "<name>.hpp". The target <name>_header stands for the writing alone, and the target property TORSOR_HEADER of <name>
 # holds the path of the header. The namespace of the header is the name of the scene; for a URDF file it is <name>.
-# OPTIONS are further ones of `torsor generate`, e.g. --base floating.
+# OPTIONS are further ones of `generate`: --forward factorisation, or for a URDF file --base floating. A file that does
+# not exist, and that nothing in this project generates, is an error here and not only when it is built.
 #
 # The program runs again only when it, and so its scene or torsor, was built again, or the URDF file or one that it
 # includes changed; it leaves a header alone whose bytes would not change, so that nothing is compiled again then. The stamp is what the build tool
@@ -23,9 +25,22 @@ function(torsor_add_mechanism name)
   if((NOT mechanism_SCENE AND NOT mechanism_URDF) OR NOT mechanism_KERNELS)
     message(FATAL_ERROR "torsor_add_mechanism(${name}): give SCENE <file.cpp> or URDF <file.urdf>, and KERNELS <kernel>...")
   endif()
-  if(mechanism_SCENE AND (mechanism_URDF OR mechanism_OPTIONS))
-    message(FATAL_ERROR "torsor_add_mechanism(${name}): SCENE goes with neither URDF nor OPTIONS; a scene states all itself")
+  if(mechanism_SCENE AND mechanism_URDF)
+    message(FATAL_ERROR "torsor_add_mechanism(${name}): give SCENE or URDF, not both")
   endif()
+  foreach(kind SCENE URDF)
+    if(NOT mechanism_${kind})
+      continue()
+    endif()
+    cmake_path(ABSOLUTE_PATH mechanism_${kind} BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" NORMALIZE)
+    get_source_file_property(generated "${mechanism_${kind}}" GENERATED)
+    if(NOT EXISTS "${mechanism_${kind}}" AND NOT generated)
+      message(FATAL_ERROR "torsor_add_mechanism(${name}): there is no file '${mechanism_${kind}}'; "
+                          "${kind} takes a path, from ${CMAKE_CURRENT_SOURCE_DIR} when it is relative")
+    elseif(IS_DIRECTORY "${mechanism_${kind}}")
+      message(FATAL_ERROR "torsor_add_mechanism(${name}): '${mechanism_${kind}}' is a folder; ${kind} takes a file")
+    endif()
+  endforeach()
   if(NOT TARGET torsor::generator)
     message(FATAL_ERROR "torsor_add_mechanism(${name}): there is no target torsor::generator; "
                         "call find_package(torsor) with the component generator, or add_subdirectory, first")
@@ -35,10 +50,9 @@ function(torsor_add_mechanism name)
   endif()
 
   if(mechanism_URDF)
-    cmake_path(ABSOLUTE_PATH mechanism_URDF BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" NORMALIZE)
     set(program torsor::torsor)
     set(inputs "${mechanism_URDF}")
-    set(arguments "${mechanism_URDF}" --name "${name}" ${mechanism_OPTIONS})
+    set(arguments "${mechanism_URDF}" --name "${name}")
   else()
     add_executable(${name}_scene "${mechanism_SCENE}")
     target_link_libraries(${name}_scene PRIVATE torsor::generator)
@@ -56,6 +70,7 @@ function(torsor_add_mechanism name)
     list(JOIN mechanism_RUN_TIME "," run_time)
     list(APPEND arguments --run-time "${run_time}")
   endif()
+  list(APPEND arguments ${mechanism_OPTIONS})
   file(MAKE_DIRECTORY "${folder}")
   # make does not notice that a command changed; this file changes with it.
   file(CONFIGURE OUTPUT "${folder}.arguments" CONTENT "${arguments}\n" @ONLY)
