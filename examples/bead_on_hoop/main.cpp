@@ -54,7 +54,7 @@ std::string frequency(const Bead::Precomputed& hoop, double theta) {
   return square > 0.0 ? scientific(std::sqrt(square), 10) : "unstable";
 }
 
-void show(const Reference<double>& reference) {
+void show(const Reference<double>& reference, const PlotFolder& plots) {
   std::cout << "Bead on a hoop that turns at 5 rad/s\n\n"
             << work_precision(equations_of_motion<Bead>(), reference, Midpoint{.step = 1e-3}, RungeKutta4{.step = 1e-3},
                               DormandPrince54{.relative_tolerance = 1e-6, .absolute_tolerance = 1e-6},
@@ -69,6 +69,7 @@ void show(const Reference<double>& reference) {
   }
   std::cout << "\nWhere the bead rests on the hoop, and the frequency of small oscillations\n\n" << table;
 
+  if (!plots) return;
   Table branches({"speed", "stable", "other side"});
   Table unstable({"speed", "bottom"});
   for (int i = 0; i <= 400; ++i) {
@@ -79,20 +80,23 @@ void show(const Reference<double>& reference) {
     branches.add({scientific(omega, 6), scientific(theta, 6), scientific(-theta, 6)});
     if (!aside.empty()) unstable.add({scientific(omega, 6), "0"});
   }
-  branches.write_csv("bead_on_hoop_stable.csv");
-  unstable.write_csv("bead_on_hoop_unstable.csv");
+  const std::filesystem::path stable_csv = plots.file("bead_on_hoop_stable.csv");
+  const std::filesystem::path unstable_csv = plots.file("bead_on_hoop_unstable.csv");
+  const std::filesystem::path picture = plots.file("bead_on_hoop.svg");
+  branches.write_csv(stable_csv);
+  unstable.write_csv(unstable_csv);
   write_plot({.title = "Relative equilibria of a bead on a turning hoop",
               .x_title = "rate of the hoop [rad/s]",
               .y_title = "angle from the lowest point [rad]",
-              .curves = {{"bead_on_hoop_stable.csv", "speed", "stable", "stable"},
-                         {"bead_on_hoop_stable.csv", "speed", "other side", "stable, other side"},
-                         {"bead_on_hoop_unstable.csv", "speed", "bottom", "unstable", "points"}}},
-             "bead_on_hoop.svg");
-  std::cout << "\nplot: " << std::filesystem::absolute("bead_on_hoop.svg").string() << '\n';
+              .curves = {{stable_csv, "speed", "stable", "stable"},
+                         {stable_csv, "speed", "other side", "stable, other side"},
+                         {unstable_csv, "speed", "bottom", "unstable", "points"}}},
+             picture);
+  std::cout << "\nplot: " << std::filesystem::absolute(picture).string() << '\n';
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "bead_on_hoop", "relative equilibria and their bifurcation", show);
+  return demonstrate_with_plots(argc, argv, "bead_on_hoop", "relative equilibria and their bifurcation", show);
 }

@@ -49,7 +49,7 @@ double show_modes() {
 }
 
 /// Height of the wing's tip above the fuselage, and moment at its root, after a gust has set in.
-void show_gust(double settled) {
+void show_gust(double settled, const PlotFolder& plots) {
   const auto motion = equations_of_motion<Wing>();
   auto y = motion.initial();
   std::vector<double> times;
@@ -72,26 +72,28 @@ void show_gust(double settled) {
   std::cout << "\nA gust adds 10 kN to each panel. Highest rise of the tip: " << scientific(tip, 4)
             << " m; largest additional moment at the root: " << scientific(1e-3 * moment, 4)
             << " kN m, settled: " << scientific(1e-3 * root_stiffness * settled, 4) << " kN m\n";
-  record.write_csv("elastic_wing.csv");
+  if (!plots) return;
+  const std::filesystem::path csv = plots.file("elastic_wing.csv"), picture = plots.file("elastic_wing.svg");
+  record.write_csv(csv);
   write_plot({.title = "A gust strikes an elastic wing",
               .x_title = "time [s]",
               .y_title = "rise of the tip above the fuselage [m]",
-              .curves = {{"elastic_wing.csv", "time", "tip", "tip"}}},
-             "elastic_wing.svg");
-  std::cout << "\nplot: " << std::filesystem::absolute("elastic_wing.svg").string() << '\n';
+              .curves = {{csv, "time", "tip", "tip"}}},
+             picture);
+  std::cout << "\nplot: " << std::filesystem::absolute(picture).string() << '\n';
 }
 
-void show(const Reference<double>& reference) {
+void show(const Reference<double>& reference, const PlotFolder& plots) {
   std::cout << "Elastic wing, struck by a gust\n\n"
             << work_precision(equations_of_motion<Wing>(), reference, Midpoint{.step = 1e-4}, RungeKutta4{.step = 1e-3},
                               DormandPrince54{.relative_tolerance = 1e-6, .absolute_tolerance = 1e-6},
                               DormandPrince54{.relative_tolerance = 1e-9, .absolute_tolerance = 1e-9},
                               DormandPrince54{.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12});
-  show_gust(show_modes());
+  show_gust(show_modes(), plots);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "elastic_wing", "modes of a wing with an engine, and its answer to a gust", show);
+  return demonstrate_with_plots(argc, argv, "elastic_wing", "modes of a wing with an engine, and its answer to a gust", show);
 }

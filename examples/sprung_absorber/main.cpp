@@ -26,7 +26,7 @@ double amplitude(const Absorber::Parameters& p) {
   return std::abs((z[3] * linear.F[0] - z[2] * linear.F[1]) / (z[0] * z[3] - z[1] * z[2]));
 }
 
-void show(const Reference<double>& reference) {
+void show(const Reference<double>& reference, const PlotFolder& plots) {
   std::cout << "Sprung absorber, shaken at 10 rad/s, at its own frequency\n\n"
             << work_precision(equations_of_motion<Absorber>(), reference, Midpoint{.step = 1e-3},
                               RungeKutta4{.step = 1e-3},
@@ -56,7 +56,8 @@ void show(const Reference<double>& reference) {
   std::cout << "\nAt 10 rad/s without damping: " << scientific(100.0 * amplitude(Absorber::default_parameters()))
             << "\nFrom 5 to 15 rad/s\n\n"
             << table;
-  const std::filesystem::path csv = "sprung_absorber.csv";
+  if (!plots) return;
+  const std::filesystem::path csv = plots.file("sprung_absorber.csv"), picture = plots.file("sprung_absorber.svg");
   sweep.write_csv(csv);
   Plot plot{.title = "A machine and its absorber",
             .x_title = "rate of the shaking [rad/s]",
@@ -66,12 +67,12 @@ void show(const Reference<double>& reference) {
                        {csv, "speed", "best", "0.168"},
                        {csv, "speed", "much", "0.5"}}};
   plot.log_y = true;
-  write_plot(plot, "sprung_absorber.svg");
-  std::cout << "\nplot: " << std::filesystem::absolute("sprung_absorber.svg").string() << '\n';
+  write_plot(plot, picture);
+  std::cout << "\nplot: " << std::filesystem::absolute(picture).string() << '\n';
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "sprung_absorber", "a mass on a spring keeps a machine still; how to damp it", show);
+  return demonstrate_with_plots(argc, argv, "sprung_absorber", "a mass on a spring keeps a machine still; how to damp it", show);
 }

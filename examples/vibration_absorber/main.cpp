@@ -75,7 +75,7 @@ Table rests() {
 }
 
 /// The support's amplitude against the speed of the rotor, for both pendulums.
-std::filesystem::path plot_amplitudes() {
+void plot_amplitudes(const PlotFolder& plots) {
   Table sweep({"speed", "tuned", "detuned"});
   for (int i = 0; i < 1500; ++i) {
     const double speed = 5.005 + 0.01 * i;  // 10 rad/s itself, where the logarithm of 0 has no place, is stepped over
@@ -84,7 +84,8 @@ std::filesystem::path plot_amplitudes() {
     };
     sweep.add({scientific(speed, 9), millimetres(tuned_length), millimetres(detuned_length)});
   }
-  const std::filesystem::path csv = "vibration_absorber_amplitude.csv", picture = "vibration_absorber_amplitude.svg";
+  const std::filesystem::path csv = plots.file("vibration_absorber_amplitude.csv");
+  const std::filesystem::path picture = plots.file("vibration_absorber_amplitude.svg");
   sweep.write_csv(csv);
   Plot plot{.title = "Amplitude of the support against the speed of the rotor",
             .x_title = "speed of the rotor, omega [rad/s]",
@@ -93,7 +94,7 @@ std::filesystem::path plot_amplitudes() {
                        {csv, "speed", "detuned", "pendulum half as long again"}}};
   plot.log_y = true;
   write_plot(plot, picture);
-  return picture;
+  std::cout << "\nplot: " << std::filesystem::absolute(picture).string() << '\n';
 }
 
 /// The motion with one pendulum, by the full equations, started on the steady motion of the linearised ones; one sample
@@ -115,18 +116,29 @@ double record_motion(double length, std::vector<double>& positions) {
   return largest;
 }
 
-std::filesystem::path plot_motions(Table& table) {
+/// Displacements of the support [mm], every 5 ms.
+struct Motions {
   std::vector<double> tuned, detuned;
+};
+
+Motions record_motions(Table& table) {
+  Motions motions;
   for (const double length : {tuned_length, detuned_length}) {
-    const double largest = record_motion(length, length == tuned_length ? tuned : detuned);
+    const double largest = record_motion(length, length == tuned_length ? motions.tuned : motions.detuned);
     table.add({length == tuned_length ? "tuned" : "detuned", std::to_string(length) + " m",
                scientific(1e3 * std::abs(steady_amplitude(length, design_speed)[0])) + " mm",
                scientific(1e3 * largest) + " mm"});
   }
+  return motions;
+}
+
+void plot_motions(const Motions& motions, const PlotFolder& plots) {
+  const auto& [tuned, detuned] = motions;
   std::vector<Sample<double, 2>> storage(tuned.size());
   Trajectory<double, 2> motion(storage, {"tuned", "detuned"});
   for (std::size_t i = 0; i < tuned.size(); ++i) motion(0.005 * static_cast<double>(i), {tuned[i], detuned[i]});
-  const std::filesystem::path csv = "vibration_absorber_motion.csv", picture = "vibration_absorber_motion.svg";
+  const std::filesystem::path csv = plots.file("vibration_absorber_motion.csv");
+  const std::filesystem::path picture = plots.file("vibration_absorber_motion.svg");
   motion.write_csv(csv);
   write_plot({.title = "Motion of the support, rotor at 10 rad/s",
               .x_title = "time [s]",
@@ -134,10 +146,10 @@ std::filesystem::path plot_motions(Table& table) {
               .curves = {{csv, "time", "detuned", "pendulum half as long again"},
                          {csv, "time", "tuned", "pendulum tuned: g / d = omega^2"}}},
              picture);
-  return picture;
+  std::cout << "plot: " << std::filesystem::absolute(picture).string() << '\n';
 }
 
-void show(const Reference<double>& reference) {
+void show(const Reference<double>& reference, const PlotFolder& plots) {
   std::cout << "Vibration absorber, pendulum released from 0.3 rad\n\n"
             << work_precision(equations_of_motion<Absorber>(), reference, Midpoint{.step = 1e-3},
                               Midpoint{.step = 1e-4}, RungeKutta4{.step = 1e-2}, RungeKutta4{.step = 1e-3},
@@ -149,17 +161,17 @@ void show(const Reference<double>& reference) {
   for (const double still : antiresonances(tuned, tuned.F, 0)) {
     std::cout << "\nThe support stands still at " << still << " rad/s.\n";
   }
-  const std::filesystem::path amplitudes = plot_amplitudes();
   Table table({"pendulum", "length d", "amplitude, linearised", "largest |X - X0| in 10 s"});
-  const std::filesystem::path motions = plot_motions(table);
+  const Motions motions = record_motions(table);
   std::cout << "\nThe support with the rotor at 10 rad/s\n\n" << table;
-  std::cout << "\nplot: " << std::filesystem::absolute(amplitudes).string()
-            << "\nplot: " << std::filesystem::absolute(motions).string() << '\n';
+  if (!plots) return;
+  plot_amplitudes(plots);
+  plot_motions(motions, plots);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return demonstrate(argc, argv, "vibration_absorber",
+  return demonstrate_with_plots(argc, argv, "vibration_absorber",
                      "a pendulum keeps an unbalanced machine still: reference, amplitudes, plots", show);
 }

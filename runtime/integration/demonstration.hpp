@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "runtime/records/file.hpp"
 #include "runtime/records/reference.hpp"
@@ -44,20 +45,43 @@ inline std::filesystem::path find_upwards(std::filesystem::path folder, const st
                   "source tree or name the file by --reference");
 }
 
-/// The main of a program that shows a generated mechanism at work: reads the command line `[--reference FILE]`, then
-/// calls `show(reference)`. Answers --help. Returns the exit code: 0, 2 for bad usage, 3 when a file or a plot cannot
-/// be read or made, with one line on stderr.
-inline int demonstrate(int argc, char** argv, const std::string& name, std::string_view about,
-                       const std::function<void(const Reference<double>&)>& show) {
+/// Where a demonstration leaves its plots and their data: in a folder that was asked for, or nowhere.
+class PlotFolder {
+ public:
+  PlotFolder() = default;
+  explicit PlotFolder(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  /// False: no plot is wanted, and none is to be written.
+  explicit operator bool() const { return !folder_.empty(); }
+  /// A file in the folder, which is made when it is not there.
+  std::filesystem::path file(const std::string& name) const {
+    std::filesystem::create_directories(folder_);
+    return folder_ / name;
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+namespace detail {
+
+inline int demonstrate(int argc, char** argv, const std::string& name, std::string_view about, bool has_plots,
+                       const std::function<void(const Reference<double>&, const PlotFolder&)>& show) {
   std::filesystem::path path;
-  const std::string usage = "usage: " + name + " [--reference FILE] [--help]";
+  PlotFolder plots;
+  const std::string usage = "usage: " + name + " [--reference FILE]" + (has_plots ? " [--plots FOLDER]" : "") + " [--help]";
   for (int i = 1; i < argc; ++i) {
     const std::string_view argument = argv[i];
     if (argument == "--help" || argument == "-h") {
       std::cout << name << ": " << about << '\n'
                 << usage << "\n  --reference FILE  the reference to compare with, generated/" << name
                 << ".reference.csv if not given\n";
+      if (has_plots) std::cout << "  --plots FOLDER    writes plots and their data there; none if not given\n";
       return 0;
+    }
+    if (has_plots && argument == "--plots" && i + 1 < argc && *argv[i + 1] != '\0') {
+      plots = PlotFolder(argv[++i]);
+      continue;
     }
     if (argument != "--reference" || i + 1 == argc) {
       std::cerr << name << ": cannot understand '" << argument << "'; " << usage << '\n';
@@ -67,12 +91,30 @@ inline int demonstrate(int argc, char** argv, const std::string& name, std::stri
   }
   try {
     if (path.empty()) path = find_reference(argv[0], name);
-    show(read_reference<double>(path));
+    show(read_reference<double>(path), plots);
     return 0;
   } catch (const std::exception& error) {
     std::cerr << name << ": " << error.what() << '\n';
     return 3;
   }
+}
+
+}  // namespace detail
+
+/// The main of a program that shows a generated mechanism at work: reads the command line `[--reference FILE]`, then
+/// calls `show(reference)`. Answers --help. It writes nothing but what it prints. Returns the exit code: 0, 2 for bad
+/// usage, 3 when a file or a plot cannot be read or made, with one line on stderr.
+inline int demonstrate(int argc, char** argv, const std::string& name, std::string_view about,
+                       const std::function<void(const Reference<double>&)>& show) {
+  return detail::demonstrate(argc, argv, name, about, false,
+                             [&show](const Reference<double>& reference, const PlotFolder&) { show(reference); });
+}
+
+/// The same of a program that has plots too: `--plots FOLDER` asks for them, and `show(reference, plots)` writes them
+/// only where it was given.
+inline int demonstrate_with_plots(int argc, char** argv, const std::string& name, std::string_view about,
+                                  const std::function<void(const Reference<double>&, const PlotFolder&)>& show) {
+  return detail::demonstrate(argc, argv, name, about, true, show);
 }
 
 }  // namespace torsor::runtime

@@ -77,6 +77,28 @@ class Demonstration : public testing::Test {
   std::string out, err;
 };
 
+TEST_F(Demonstration, WritesPlotsOnlyWhereItIsAskedForThem) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "torsor_plots" / "of_a_test";
+  std::filesystem::remove_all(folder.parent_path());
+  const auto with_plots = [&](std::vector<std::string> words, const auto& show) {
+    words.insert(words.begin(), {"some/where/double_pendulum", "--reference", file});
+    std::vector<char*> argv;
+    for (std::string& word : words) argv.push_back(word.data());
+    return demonstrate_with_plots(static_cast<int>(argv.size()), argv.data(), "double_pendulum", "a test", show);
+  };
+  bool wanted = true;
+  EXPECT_EQ(with_plots({}, [&](const Reference<double>&, const PlotFolder& plots) { wanted = bool(plots); }), 0);
+  EXPECT_FALSE(wanted);
+  std::filesystem::path file_name;
+  const auto ask = [&](const Reference<double>&, const PlotFolder& plots) { file_name = plots.file("a.svg"); };
+  EXPECT_EQ(with_plots({"--plots", folder.string()}, ask), 0);
+  EXPECT_EQ(file_name, folder / "a.svg");
+  EXPECT_TRUE(std::filesystem::is_directory(folder));
+  std::filesystem::remove_all(folder.parent_path());
+  // A program without plots knows no such option.
+  EXPECT_EQ(run({"--plots", folder.string()}, [](const Reference<double>&) {}), 2);
+}
+
 TEST_F(Demonstration, ReadsTheReferenceItIsGiven) {
   std::size_t rows = 0;
   EXPECT_EQ(run({"--reference", file}, [&](const Reference<double>& reference) { rows = reference.rows(); }), 0);
