@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "generator/dynamics/forces/selected_actions.hpp"
 #include "generator/dynamics/theorems/energy_theorem.hpp"
 #include "generator/dynamics/theorems/painleve.hpp"
 #include "generator/expression/error.hpp"
@@ -112,7 +113,7 @@ TEST(MovingEnds, HaveThePowerOfTheirActions) {
 /// Two beads on one rod, tied to each other: both ends move on one rigid body.
 TEST(MovingEnds, MayBothBelongToOneBody) {
   const WorkingDigits precision(60);
-  const auto scene = [](bool of_beads) {
+  const auto make = [](bool of_beads) {
     RodAndBead it(of_beads);
     const Expression x = it.scene.coordinate("x", "m");
     const FrameHandle second = it.scene.prismatic("second", it.rod, axis::x, x, {{0, metres("0.3"), 0}});
@@ -126,13 +127,13 @@ TEST(MovingEnds, MayBothBelongToOneBody) {
     it.scene.damper("oil", "P", "Q", damping());
     return it.scene;
   };
-  expect_same(scene(true), scene(false));
+  expect_same(make(true), make(false));
 }
 
 /// An end that a law of time moves: U = −½ k (s − 0.3 cos 2t)² along the slide, and a damper that feels the law's rate.
 TEST(MovingEnds, MayFollowALawOfTime) {
   const WorkingDigits precision(60);
-  const auto scene = [](bool by_points) {
+  const auto make = [](bool by_points) {
     Scene scene("shaken");
     const Expression x = scene.coordinate("x", "m");
     const FrameHandle slide = scene.prismatic("slide", scene.ground(), axis::x, x);
@@ -149,14 +150,14 @@ TEST(MovingEnds, MayFollowALawOfTime) {
     }
     return scene;
   };
-  expect_same(scene(true), scene(false));
+  expect_same(make(true), make(false));
 }
 
 /// A disc in the plane x, z, on a slide, a lift and a hinge about y. Its lowest point is (x, 0, z − r) however it spins:
 /// U = −½ k ((x − 1)² + (z + 1/2 − r)²).
 TEST(MovingEnds, OfADiscFollowItsLowestPoint) {
   const WorkingDigits precision(60);
-  const auto scene = [](bool by_points) {
+  const auto make = [](bool by_points) {
     Scene scene("disc");
     const Expression x = scene.coordinate("x", "m"), z = scene.coordinate("y", "m"), spin = scene.coordinate("spin", "rad");
     const FrameHandle lift = scene.prismatic("lift", scene.prismatic("slide", scene.ground(), axis::x, x), axis::z, z);
@@ -171,8 +172,8 @@ TEST(MovingEnds, OfADiscFollowItsLowestPoint) {
     }
     return scene;
   };
-  expect_same(scene(true), scene(false));
-  expect_all_checks(scene(true));
+  expect_same(make(true), make(false));
+  expect_all_checks(make(true));
 }
 
 TEST(MovingEnds, AreRefusedWhereTheirMotionIsNotKnown) {

@@ -13,6 +13,14 @@
 namespace torsor {
 namespace {
 
+/// Whether a place in the axes of its link is not constant.
+bool moves_in_frame(const Program& program, const Vector& place) {
+  for (int i = 0; i < 3; ++i) {
+    if (!place[i].is_zero() && program.stage(place[i]) > Stage::parameters) return true;
+  }
+  return false;
+}
+
 /// Collects what each action of a scene does.
 class Collector {
  public:
@@ -178,10 +186,12 @@ class Collector {
   }
 
  private:
-  /// One end of a spring or damper: its link, its place and the vector to the other end, in the link's axes.
+  /// One end of a spring or damper: its link, its place and the vector to the other end, in the link's axes. An end that
+  /// moves in its frame is pulled along on the link where it is, and its force works with its own motion too.
   struct End {
     int link = 0;
     Vector place, to_other;
+    bool moves = false;
   };
 
   End end_of(const PointReference& own, const PointReference& other, const std::string& user) {
@@ -189,21 +199,36 @@ class Collector {
     End end;
     end.link = model_.place(point.frame, user).link;
     end.place = bound(program_, model_.locate(own, end.link, user));
-    for (int i = 0; i < 3; ++i) {
-      if (end.place[i].is_zero() || program_.stage(end.place[i]) <= Stage::parameters) continue;
-      throw SceneError(
-          fmt::format("{} is attached to point '{}', which moves in its frame: attach it to a point with "
-                      "constant components",
-                      user, point.name));
-    }
+    for (const Expression& component : point.components) refuse_released(component, user, true);
+    end.moves = moves_in_frame(program_, end.place);
+    if (end.moves) check_moving_end(point, end.place, user);
     end.to_other = bound(program_, model_.locate(other, end.link, user) - end.place);
     return end;
+  }
+
+  /// Its place must be that of a configuration; that of a point of contact is not known against released coordinates.
+  void check_moving_end(const PointContent& point, const Vector& place, const std::string& user) const {
+    for (int i = 0; i < 3; ++i) {
+      if (place[i].is_zero() || program_.stage(place[i]) <= Stage::configuration) continue;
+      throw SceneError(
+          fmt::format("{} is attached to point '{}', whose place depends on more than coordinates, time and parameters: "
+                      "give its components as formulas of those",
+                      user, point.name));
+    }
+    if (!point.lowest) return;
+    for (const CoordinateContent& c : model_.coordinates()) {
+      if (!c.released) continue;
+      throw SceneError(
+          fmt::format("{} is attached to the point of contact '{}', whose motion against the released coordinate '{}' is "
+                      "not known: attach it to a point of a body, or release nothing",
+                      user, point.name, c.q->name));
+    }
   }
 
   std::pair<End, End> pair_of_places(const PointReference& a, const PointReference& b, const std::string& user) {
     End at_a = end_of(a, b, user);
     End at_b = end_of(b, a, user);
-    if (at_a.link == at_b.link) {
+    if (at_a.link == at_b.link && !at_a.moves && !at_b.moves) {
       throw SceneError(fmt::format("{} ties two points of one rigid body: its length never changes", user));
     }
     return {std::move(at_a), std::move(at_b)};
@@ -225,9 +250,9 @@ class Collector {
   }
 
   /// What a released coordinate would contribute to a formula's derivatives is lost: it is zero there.
-  void refuse_released(const Expression& formula, const std::string& user) const {
+  void refuse_released(const Expression& formula, const std::string& user, bool itself = false) const {
     for (const CoordinateContent& c : model_.coordinates()) {
-      if (!c.released || formula.as_symbol() == c.q || !(formula.depends_on(c.q) || formula.depends_on(c.v))) continue;
+      if (!c.released || (!itself && formula.as_symbol() == c.q) || !(formula.depends_on(c.q) || formula.depends_on(c.v))) continue;
       throw SceneError(
           fmt::format("{} names the released coordinate '{}', which its joint holds at zero: write it "
                       "without, or between points",
@@ -257,9 +282,16 @@ class Collector {
   }
 
   void pull(const End& end, const Value& tension_by_length) {
-    if (end.link == 0) return;
+    if (end.link == 0 && !end.moves) return;
     const Vector f = bound(program_, tension_by_length * end.to_other);
-    add(end.link, {f, cross(end.place, f)});
+    if (end.link != 0) add(end.link, {f, cross(end.place, f)});
+    for (std::size_t i = 0; i < result_.passive.size() && end.moves; ++i) {
+      Derivation along = model_.along(static_cast<int>(i));
+      for (int k = 0; k < 3; ++k) {
+        const Value slope = along(end.place[k]);
+        if (!slope.is_zero()) result_.passive[i] += f[k] * slope;
+      }
+    }
   }
 
   void add(int link, const Wrench& wrench) {
@@ -298,6 +330,19 @@ class Collector {
 bool has_force_function(const ActionContent& action) {
   return std::holds_alternative<ElongationSpring>(action) || std::holds_alternative<PointSpring>(action) ||
          std::holds_alternative<GivenForceFunction>(action) || std::holds_alternative<Gravitation>(action);
+}
+
+bool has_moving_end(const Model& model, const ActionContent& action) {
+  const auto moves = [&](const PointReference& reference) {
+    const std::string user = "action '" + name_of(action) + "'";
+    const PointContent& point = model.scene().points[static_cast<std::size_t>(model.scene().point_index(reference, user))];
+    return moves_in_frame(model.program(), model.locate(reference, model.place(point.frame, user).link, user));
+  };
+  const auto either = [&](const auto& mutual) { return moves(mutual.a) || moves(mutual.b); };
+  if (const auto* spring = std::get_if<PointSpring>(&action)) return either(*spring);
+  if (const auto* damper = std::get_if<PointDamper>(&action)) return either(*damper);
+  if (const auto* attraction = std::get_if<Gravitation>(&action)) return either(*attraction);
+  return false;
 }
 
 AppliedActions applied_actions(const Model& model, const std::function<bool(const ActionContent&)>& wanted) {
