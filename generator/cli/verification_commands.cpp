@@ -98,7 +98,9 @@ void check_times(const std::vector<std::string>& times) {
 
 CommandResult reference(const Scene& scene, const ReferenceRequest& request) {
   check_times(request.times);
-  return {request.cache.empty() ? reference_csv(scene, request) : cached_reference_csv(scene, request, request.cache)};
+  ReferenceResult motion =
+      request.cache.empty() ? integrate_reference(scene, request) : integrate_cached_reference(scene, request, request.cache);
+  return {std::move(motion.text), motion.shortfalls.empty(), std::move(motion.shortfalls)};
 }
 
 void add_check(CommandSet& commands) {

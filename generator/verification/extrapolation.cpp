@@ -194,6 +194,37 @@ int agreement(const Vector& a, const Vector& b, int limit) {
   return digits;
 }
 
+/// The first digits that two numbers have in common: largest n, up to the limit, with |a − b| <= 10^-n |a|.
+int shared_digits(const Real& a, const Real& b, int limit) {
+  const Real difference = abs(a - b);
+  if (difference.is_zero()) return limit;
+  int digits = 0;
+  while (digits < limit && difference * pow(Real(10), digits + 1) <= abs(a)) ++digits;
+  return digits;
+}
+
+/// The states at the times that are reached; what ends the integration before the last one is told in `stopped`.
+std::vector<Vector> integrate_as_far_as_it_goes(const DifferentialEquation& f, const Vector& y0, const Real& t0,
+                                                const std::vector<Real>& times, const ExtrapolationOptions& options,
+                                                std::string& stopped) {
+  check(t0, times, options);
+  const WorkingDigits digits(options.work_digits);
+  std::vector<Vector> states;
+  try {
+    Extrapolation extrapolation(f, y0, t0, options);
+    for (const Real& time : times) {
+      extrapolation.advance_to(time.with_digits(options.work_digits));
+      states.push_back(extrapolation.state());
+    }
+  } catch (const UsageError&) {
+    throw;
+  } catch (const Error& error) {
+    if (!options.as_far_as_it_goes || states.empty()) throw;
+    if (stopped.empty()) stopped = error.what();
+  }
+  return states;
+}
+
 }  // namespace
 
 std::vector<std::vector<Real>> integrate(const DifferentialEquation& f, const std::vector<Real>& y0, const Real& t0,
@@ -214,11 +245,19 @@ ConvergedSolution integrate_converged(const DifferentialEquation& f, const std::
   ExtrapolationOptions coarser = options;
   coarser.columns = options.columns > 6 ? options.columns - 3 : options.columns + 3;
   coarser.tolerance_digits = std::max(1, options.tolerance_digits - 3);
-  ConvergedSolution solution{integrate(f, y0, t0, times, options), {}, options.work_digits};
-  const std::vector<std::vector<Real>> other = integrate(f, y0, t0, times, coarser);
+  ConvergedSolution solution;
+  solution.worst_agreed_digits = options.work_digits;
+  solution.values = integrate_as_far_as_it_goes(f, y0, t0, times, options, solution.stopped);
+  const std::vector<std::vector<Real>> other = integrate_as_far_as_it_goes(f, y0, t0, times, coarser, solution.stopped);
+  solution.values.resize(std::min(solution.values.size(), other.size()));
   const WorkingDigits digits(options.work_digits);
-  for (std::size_t index = 0; index < other.size(); ++index) {
-    solution.agreed_digits.push_back(agreement(solution.values[index], other[index], options.work_digits));
+  for (std::size_t index = 0; index < solution.values.size(); ++index) {
+    const Vector& values = solution.values[index];
+    solution.agreed_digits.push_back(agreement(values, other[index], options.work_digits));
+    solution.shared_digits.emplace_back();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      solution.shared_digits.back().push_back(shared_digits(values[i], other[index][i], options.work_digits));
+    }
     solution.worst_agreed_digits = std::min(solution.worst_agreed_digits, solution.agreed_digits.back());
   }
   return solution;

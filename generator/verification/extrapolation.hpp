@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "generator/expression/high_precision.hpp"
@@ -17,6 +18,7 @@ struct ExtrapolationOptions {
   int tolerance_digits = 40;  ///< local error below 10^-tolerance_digits · max(1, |y_i|)
   int work_digits = 60;       ///< precision of the arithmetic; the tableau itself costs some 5 digits
   long maximum_step_count = 100000;
+  bool as_far_as_it_goes = false;  ///< integrate_converged: where a run fails, what both reached is the solution
 };
 
 /// A solution with the digits that two integrations of different order and tolerance have in common.
@@ -24,6 +26,8 @@ struct ConvergedSolution {
   std::vector<std::vector<Real>> values;  ///< one state per asked time
   std::vector<int> agreed_digits;         ///< per time: both agree to 10^-agreed_digits · max(1, |y_i|) everywhere
   int worst_agreed_digits = 0;
+  std::vector<std::vector<int>> shared_digits{};  ///< per time and component: the first digits that both have in common
+  std::string stopped{};                          ///< why there are fewer states than times; empty when there are not
 };
 
 /// y at each of `times` (monotonic, in either direction from t0; the integration lands on each of them exactly).
@@ -35,7 +39,8 @@ struct ConvergedSolution {
 std::vector<std::vector<Real>> integrate(const DifferentialEquation& f, const std::vector<Real>& y0, const Real& t0,
                                          const std::vector<Real>& times, const ExtrapolationOptions& options);
 
-/// The same, and once more with three columns and three digits of tolerance less; the values are those of the first.
+/// The same, and once more with three columns and three digits of tolerance less; the values are those of the first. Where
+/// a run fails after the first time, `as_far_as_it_goes` keeps the times that both reached.
 ConvergedSolution integrate_converged(const DifferentialEquation& f, const std::vector<Real>& y0, const Real& t0,
                                       const std::vector<Real>& times, const ExtrapolationOptions& options);
 

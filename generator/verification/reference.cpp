@@ -77,7 +77,35 @@ class Motion {
 
 }  // namespace
 
+namespace {
+
+/// What did not converge as it was asked for, by time.
+std::vector<std::string> shortfalls_of(const ConvergedSolution& solution, const ReferenceOptions& options) {
+  std::vector<std::string> sentences;
+  for (std::size_t row = 0; row < solution.values.size(); ++row) {
+    const int digits = solution.agreed_digits[row];
+    if (digits >= options.digits) continue;
+    sentences.push_back(digits == 0 ? fmt::format("at t = {} no digit converged: no row", options.times[row])
+                                    : fmt::format("at t = {} {} digit{} converged, not {}", options.times[row], digits,
+                                                  digits == 1 ? "" : "s", options.digits));
+  }
+  if (!solution.stopped.empty()) {
+    sentences.push_back(fmt::format("from t = {} on there is no row: {}", options.times[solution.values.size()],
+                                    solution.stopped));
+  }
+  return sentences;
+}
+
+}  // namespace
+
 std::string reference_csv(const Scene& scene, const ReferenceOptions& options) {
+  const ReferenceResult motion = integrate_reference(scene, options);
+  if (motion.shortfalls.empty()) return motion.text;
+  throw Error(fmt::format("the reference of '{}': {}: ask for fewer digits or a shorter time", scene.name(),
+                          motion.shortfalls[0]));
+}
+
+ReferenceResult integrate_reference(const Scene& scene, const ReferenceOptions& options) {
   constexpr int spare_digits = 15;
   const int work_digits = options.digits + spare_digits;
   const WorkingDigits precision(work_digits);
@@ -92,32 +120,38 @@ std::string reference_csv(const Scene& scene, const ReferenceOptions& options) {
   ExtrapolationOptions integrator;
   integrator.tolerance_digits = options.digits + 5;
   integrator.work_digits = work_digits;
+  integrator.as_far_as_it_goes = true;
   const ConvergedSolution solution = integrate_converged(
       [&motion](const Real& t, const std::vector<Real>& y) { return motion(t, y); }, start, Real(0), times, integrator);
-  const auto worst = std::min_element(solution.agreed_digits.begin(), solution.agreed_digits.end());
-  if (*worst < options.digits) {
-    throw Error(fmt::format("the reference of '{}' converged to {} digits at t = {}, fewer than the {} asked for: ask "
-                            "for fewer digits or a shorter time",
-                            scene.name(), *worst, options.times[static_cast<std::size_t>(worst - solution.agreed_digits.begin())],
-                            options.digits));
-  }
-  std::string text = fmt::format(
+  ReferenceResult result;
+  result.shortfalls = shortfalls_of(solution, options);
+  const std::string agreement = result.shortfalls.empty()
+                                    ? fmt::format("agree to {} digits", options.digits)
+                                    : fmt::format("agree to the digits that are written, fewer than {}", options.digits);
+  std::string& text = result.text;
+  text = fmt::format(
       "# Reference motion of the scene {}: Lagrange's operator on T in {}-digit arithmetic, extrapolation at two orders\n"
-      "# that agree to {} digits; inputs zero, run-time parameters at their defaults.\n"
-      "# regenerate: {} --digits {} --times {} --output {}.reference.csv\n",
-      scene.name(), work_digits, options.digits, scene.command_line("reference"), options.digits, fmt::join(options.times, ","), scene.name());
+      "# that {}; inputs zero, run-time parameters at their defaults.\n",
+      scene.name(), work_digits, agreement);
+  for (const std::string& sentence : result.shortfalls) text += fmt::format("# {}\n", sentence);
+  text += fmt::format("# regenerate: {} --digits {} --times {} --output {}.reference.csv\n",
+                      scene.command_line("reference"), options.digits, fmt::join(options.times, ","), scene.name());
   text += "time";
   for (const SymbolPointer& q : motion.positions()) text += "," + q->name;
   for (const CoordinateContent& c : scene.content().coordinates) {
     if (c.unknown()) text += "," + c.v->name;
   }
   text += "\n";
-  for (std::size_t row = 0; row < times.size(); ++row) {
+  for (std::size_t row = 0; row < solution.values.size(); ++row) {
+    if (solution.agreed_digits[row] == 0) continue;
     text += options.times[row];
-    for (const Real& value : solution.values[row]) text += "," + value.to_string(options.digits);
+    for (std::size_t i = 0; i < solution.values[row].size(); ++i) {
+      const int digits = std::min(options.digits, solution.shared_digits[row][i]);
+      text += "," + (digits == 0 ? std::string("0") : solution.values[row][i].to_string(digits));
+    }
     text += "\n";
   }
-  return text;
+  return result;
 }
 
 }  // namespace torsor

@@ -20,7 +20,7 @@ namespace torsor {
 namespace {
 
 /// To be raised whenever references are integrated in another way.
-constexpr std::uint64_t method = 1;
+constexpr std::uint64_t method = 2;
 
 class Question {
  public:
@@ -99,13 +99,19 @@ std::uint64_t reference_digest(const Scene& scene, const ReferenceOptions& optio
 }
 
 std::string cached_reference_csv(const Scene& scene, const ReferenceOptions& options, const std::string& folder) {
+  const ReferenceResult motion = integrate_cached_reference(scene, options, folder);
+  return motion.shortfalls.empty() ? motion.text : reference_csv(scene, options);
+}
+
+ReferenceResult integrate_cached_reference(const Scene& scene, const ReferenceOptions& options, const std::string& folder) {
   const std::string path = fmt::format("{}/{}-{:016x}.csv", folder, scene.name(), reference_digest(scene, options));
-  if (const auto known = kept(path)) return *known;
-  const std::string text = reference_csv(scene, options);
+  if (const auto known = kept(path)) return {*known, {}};
+  ReferenceResult motion = integrate_reference(scene, options);
+  if (!motion.shortfalls.empty()) return motion;  // what is kept is whole
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  write_file_if_changed(path, text + fmt::format("# digest {:016x}\n", Question().add(text).value()));
-  return text;
+  write_file_if_changed(path, motion.text + fmt::format("# digest {:016x}\n", Question().add(motion.text).value()));
+  return motion;
 }
 
 }  // namespace torsor
