@@ -12,6 +12,7 @@
 
 #include "generator/cli/command_line.hpp"
 #include "generator/cli/command_set.hpp"
+#include "generator/dynamics/equations/singular_start.hpp"
 #include "generator/dynamics/equations/validation.hpp"
 #include "generator/emission/output_file.hpp"
 #include "generator/expression/did_you_mean.hpp"
@@ -82,6 +83,18 @@ bool read_command_line(CLI::App& app, int argc, const char* const* argv) {
   return true;
 }
 
+/// What is remarkable about the scene may be why a command fails: the error says it too.
+CommandResult run_with_remarks(const CommandSet& commands, const Scene& scene, const std::vector<std::string>& remarks) {
+  if (remarks.empty()) return commands.run(scene);
+  try {
+    return commands.run(scene);
+  } catch (const UsageError&) {
+    throw;
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}; {}", error.what(), fmt::join(remarks, "; ")));
+  }
+}
+
 int run(int argc, const char* const* argv, const SceneSource& source) {
   CLI::App app{source.description};
   app.require_subcommand(1);
@@ -94,7 +107,9 @@ int run(int argc, const char* const* argv, const SceneSource& source) {
   if (!read_command_line(app, argc, argv)) return 0;
   const Scene scene = source.make();
   validate(scene);
-  const CommandResult result = commands.run(scene);
+  const std::vector<std::string> remarks = singular_start(scene);
+  CommandResult result = run_with_remarks(commands, scene, remarks);
+  result.notes.insert(result.notes.end(), remarks.begin(), remarks.end());
   write(commands.output(), result.text);
   for (const std::string& note : result.notes) std::fprintf(stderr, "note: %s\n", note.c_str());
   return result.passed ? 0 : check_failed;
