@@ -17,8 +17,10 @@ ForwardMethod forward_method(const std::string& name) {
   if (name == "cheapest") return ForwardMethod::cheapest;
   if (name == "factorisation") return ForwardMethod::factorisation;
   if (name == "articulated_body") return ForwardMethod::articulated_body;
-  throw UsageError(fmt::format("unknown method '{}' in --forward: {}use cheapest, factorisation or articulated_body", name,
-                               did_you_mean(name, {"cheapest", "factorisation", "articulated_body"})));
+  if (name == "sums_of_squares") return ForwardMethod::sums_of_squares;
+  throw UsageError(fmt::format(
+      "unknown method '{}' in --forward: {}use cheapest, factorisation, articulated_body or sums_of_squares", name,
+      did_you_mean(name, {"cheapest", "factorisation", "articulated_body", "sums_of_squares"})));
 }
 
 void check_parameter(const Scene& scene, const std::string& name) {
@@ -67,7 +69,8 @@ void add_kernel_options(CLI::App& command, KernelOptions& options) {
   command.add_option("--run-time", options.run_time, "parameters that stay symbols, comma-separated, or all");
   command
       .add_option("--forward", options.forward,
-                  "method of forward_dynamics: cheapest, factorisation or articulated_body")
+                  "method of forward_dynamics: cheapest (of those that keep its digits), factorisation, articulated_body or "
+                  "sums_of_squares")
       ->capture_default_str();
   std::string passes;
   for (const PassName& pass : pass_names()) passes += fmt::format("{}{}", passes.empty() ? "" : ", ", pass.name);

@@ -11,6 +11,53 @@ namespace {
 
 Polynomial of_factor(Atom atom, int exponent) { return Polynomial(Term{{{atom, exponent}}, Number(1)}); }
 
+/// Of a parameter, and what is made of parameters without a difference: those that enter masses are positive.
+bool is_positive(const Program& program, const Term& term);
+
+bool is_positive(const Program& program, Atom atom) {
+  const Definition& definition = program[atom];
+  if (definition.symbol) return definition.symbol->kind == SymbolKind::parameter;
+  if (definition.function || definition.stage != Stage::parameters) return false;
+  const std::vector<Term>& terms = definition.polynomial.terms();
+  return std::all_of(terms.begin(), terms.end(), [&](const Term& term) { return is_positive(program, term); });
+}
+
+/// Of squares and positive parameters, with a positive coefficient.
+bool is_positive(const Program& program, const Term& term) {
+  return term.coefficient.sign() > 0 && std::all_of(term.monomial.begin(), term.monomial.end(), [&](const Factor& factor) {
+           return factor.exponent % 2 == 0 || is_positive(program, factor.atom);
+         });
+}
+
+bool is_sum_of_positives(const Program& program, const Polynomial& sum) {
+  const std::vector<Term>& terms = sum.terms();
+  return std::all_of(terms.begin(), terms.end(), [&](const Term& term) { return is_positive(program, term); });
+}
+
+/// Whether what a difference leaves is small beside what it starts from, or may be: of numbers it is known, of
+/// parameters it is not. m1 + m2 − m2 cos² is worth a term more as m1 + m2 sin²: nothing of a small m1 is lost.
+bool is_much_less(const Number& left, const Number& whole) {
+  return whole.is_zero() || (Number(4) * left.abs() - whole.abs()).sign() < 0;
+}
+
+/// What is made of parameters alone in each term, as a definition of its own, done once for a set of them.
+Polynomial hoisted(Program& program, const Polynomial& sum) {
+  Polynomial result;
+  for (const Term& term : sum.terms()) {
+    Monomial of_parameters, rest;
+    Unit unit;
+    for (const Factor& factor : term.monomial) {
+      const Definition& definition = program[factor.atom];
+      const bool parameter = definition.stage == Stage::parameters;
+      (parameter ? of_parameters : rest).push_back(factor);
+      if (parameter) unit = unit * definition.unit.pow(factor.exponent);
+    }
+    const Value bound = program.bind(Value(program, Polynomial(Term{std::move(of_parameters), term.coefficient}), unit));
+    for (const Term& each : bound.polynomial().terms()) result.add({each.monomial * rest, each.coefficient});
+  }
+  return result;
+}
+
 }  // namespace
 
 std::optional<Polynomial> Flattening::product(const Polynomial& a, const Polynomial& b) const {
@@ -168,12 +215,18 @@ Value Flattening::difference(const Value& a, const Value& b, const Value& c) {
     if (!moved) continue;
     *moved *= Number(-1);
     *moved += *left;
-    const Value flat(*program_, shortest(std::move(*moved)), plain.unit());
+    const bool cancels = !is_sum_of_positives(*program_, *moved);
+    const Number whole = moved->constant();
+    Polynomial sum = shortest(std::move(*moved));
+    const bool keeps_digits =
+        cancels && is_sum_of_positives(*program_, sum) && is_much_less(sum.constant(), whole);
+    if (keeps_digits) sum = hoisted(*program_, sum);
+    const Value flat(*program_, std::move(sum), plain.unit());
     const std::size_t terms = flat.polynomial().terms().size(), before = left->terms().size();
     if (terms == 0) return flat;
     // A sum of so many terms has as many additions less one, however it is factored.
-    if (terms > before || static_cast<int>(terms) > least) continue;
-    const int cost = operations(flat) + (terms < before || terms == 1 ? 0 : 1);
+    if (terms > before + (keeps_digits ? 1 : 0) || static_cast<int>(terms) > least) continue;
+    const int cost = operations(flat) + (terms < before || terms == 1 || keeps_digits ? 0 : 1);
     if (cost >= least) continue;
     best = flat;
     least = cost;

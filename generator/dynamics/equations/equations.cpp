@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "generator/dynamics/equations/forward_choice.hpp"
 #include "generator/dynamics/recursions/articulated_body.hpp"
+#include "generator/dynamics/recursions/factored_bodies.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/expression/formula.hpp"
 #include "generator/expression/vanishing.hpp"
@@ -15,16 +17,6 @@ namespace {
 /// asking all of its entries whether they vanish takes longer than deriving them.
 constexpr int most_for_parts = 12;
 
-/// Everything that the kernel computes, what it tests included.
-int cost_of(const Program& program, const ForwardSolution& solution) {
-  std::vector<Value> values = solution.accelerations;
-  for (const auto& [pivot, diagonal] : solution.pivots) {
-    values.push_back(pivot);
-    values.push_back(diagonal);
-  }
-  return count(program, values).total();
-}
-
 /// The recursion subtracts from the inertia of one articulated body after the other, L D Lᵀ from entries of M, which hold
 /// the whole arm's: of Panda's accelerations the recursion keeps four bits more. On long chains that is worth some
 /// operations. Of shorter ones L D Lᵀ is the quicker by far where both have as many: its pivots wait for each other, but
@@ -33,6 +25,15 @@ constexpr double worth_accuracy = 1.05;
 constexpr int long_chain = 8;
 
 }  // namespace
+
+int cost_of(const Program& program, const ForwardSolution& solution) {
+  std::vector<Value> values = solution.accelerations;
+  for (const auto& [pivot, diagonal] : solution.pivots) {
+    values.push_back(pivot);
+    values.push_back(diagonal);
+  }
+  return count(program, values).total();
+}
 
 Equations::Equations(const Scene& scene, const ModelOptions& options)
     : scene_(scene),
@@ -132,30 +133,57 @@ std::vector<Value> Equations::of_inputs() const {
   return forces;
 }
 
+std::vector<Value> Equations::efforts() const {
+  std::vector<Value> all = of_inputs();
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = program_->bind(all[i] + actions().passive[i]);
+  return all;
+}
+
+bool Equations::recursion_possible() const { return constraints().empty() && has_simple_joints(model_); }
+
+ForwardSolution Equations::forward_by_recursion() const {
+  return articulated_forward(model_, efforts(), actions().wrenches);
+}
+
+ForwardSolution Equations::cheapest_forward() const {
+  if (!recursion_possible()) return forward_by_factorisation();
+  ForwardSolution recursive = forward_by_recursion();
+  const ForwardSolution& factored = forward_by_factorisation();
+  const int cost = cost_of(*program_, recursive), other = cost_of(*program_, factored);
+  const bool accurate = model_.unknown_count() >= long_chain && cost <= worth_accuracy * other;
+  return cost < other || accurate ? recursive : factored;
+}
+
 const ForwardSolution& Equations::forward() const {
   if (forward_) return *forward_;
-  const ForwardMethod method = model_.options().forward;
-  const bool recursion_possible = constraints().empty() && has_simple_joints(model_);
-  if (method == ForwardMethod::articulated_body && !recursion_possible) {
-    throw UsageError(
-        fmt::format("the articulated-body recursion does not fit the scene '{}': it needs a tree without "
-                    "constraints in which each coordinate is the displacement of one joint",
-                    scene_.name()));
+  ForwardMethod method = model_.options().forward;
+  const auto joints = constraints().empty() ? joint_coordinates(model_) : std::nullopt;
+  if (method == ForwardMethod::cheapest && joints && light_may_carry_heavy(model_)) {
+    method = forward_method_that_keeps_digits(scene_, model_.options());
   }
-  std::optional<ForwardSolution> recursive;
-  if (recursion_possible && method != ForwardMethod::factorisation) {
-    std::vector<Value> efforts = of_inputs();
-    for (std::size_t i = 0; i < efforts.size(); ++i) efforts[i] = program_->bind(efforts[i] + actions().passive[i]);
-    recursive = articulated_forward(model_, efforts, actions().wrenches);
+  switch (method) {
+    case ForwardMethod::cheapest: forward_ = cheapest_forward(); break;
+    case ForwardMethod::factorisation: forward_ = forward_by_factorisation(); break;
+    case ForwardMethod::articulated_body:
+      if (!recursion_possible()) {
+        throw UsageError(
+            fmt::format("the articulated-body recursion does not fit the scene '{}': it needs a tree without "
+                        "constraints in which each coordinate is the displacement of one joint",
+                        scene_.name()));
+      }
+      forward_ = forward_by_recursion();
+      break;
+    case ForwardMethod::sums_of_squares:
+      if (!joints) {
+        throw UsageError(
+            fmt::format("articulated bodies as sums of squares do not fit the scene '{}': they need a tree without "
+                        "constraints, with as many joints as coordinates, their displacements linear in these",
+                        scene_.name()));
+      }
+      forward_ = factored_forward(model_, *joints, efforts(), actions().wrenches);
+      break;
   }
-  if (method == ForwardMethod::articulated_body) return *(forward_ = std::move(recursive));
-  const ForwardSolution& factored = forward_by_factorisation();
-  if (recursive) {
-    const int cost = cost_of(*program_, *recursive), other = cost_of(*program_, factored);
-    const bool accurate = model_.unknown_count() >= long_chain && cost <= worth_accuracy * other;
-    if (cost < other || accurate) return *(forward_ = std::move(recursive));
-  }
-  return *(forward_ = factored);
+  return *forward_;
 }
 
 Value Equations::power() const {

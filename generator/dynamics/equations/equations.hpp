@@ -33,9 +33,12 @@ class Equations {
   /// M q̈ + h − Σ λ_j column_j, every coordinate: by one recursion, or from M and h where that has fewer operations, as
   /// in coordinates that M does not couple.
   const std::vector<Value>& inverse_dynamics() const;
-  /// Unknowns only: L D Lᵀ of the mass matrix or the articulated-body recursion, whichever has fewer operations or the
-  /// options ask for; of eight and more unknowns within 5 % the recursion, which is more accurate.
+  /// Unknowns only: by the method that the options ask for, or the cheapest, unless that loses digits where a light link
+  /// carries a heavy one (forward_choice.hpp).
   const ForwardSolution& forward() const;
+  /// L D Lᵀ of the mass matrix or the articulated-body recursion, whichever has fewer operations; of eight and more
+  /// unknowns within 5 % the recursion, which is more accurate.
+  ForwardSolution cheapest_forward() const;
   /// The same by L D Lᵀ, whatever it costs: for those who solve with it further.
   const ForwardSolution& forward_by_factorisation() const;
   std::vector<Value> of_inputs() const;                  ///< (E u)_i, unknowns only
@@ -52,6 +55,9 @@ class Equations {
   /// M q̈ + h from its parts, of the unknowns; released coordinates as `recursive` has them.
   std::vector<Value> expanded_inverse_dynamics(const std::vector<Value>& recursive) const;
   const MotionSolver& solver() const;
+  std::vector<Value> efforts() const;  ///< of inputs and passive actions, unknowns only
+  bool recursion_possible() const;
+  ForwardSolution forward_by_recursion() const;
   /// q̈ = q̈_r + M⁻¹ (E u + Q − P(q̈_r)), q̈_r of reference_motion: less to compute than the bias.
   ForwardSolution forward_about_reference() const;
 
@@ -66,5 +72,8 @@ class Equations {
   mutable std::optional<MotionSolver> solver_;
   mutable std::optional<ForwardSolution> forward_, factored_;
 };
+
+/// Operations of everything that the kernel computes, what it tests included.
+int cost_of(const Program& program, const ForwardSolution& solution);
 
 }  // namespace torsor

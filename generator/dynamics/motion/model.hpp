@@ -16,7 +16,12 @@
 namespace torsor {
 
 /// How forward dynamics is solved.
-enum class ForwardMethod { cheapest, factorisation, articulated_body };
+enum class ForwardMethod {
+  cheapest,          ///< the cheapest of those below that keeps the digits
+  factorisation,     ///< L D Lᵀ of the mass matrix
+  articulated_body,  ///< articulated bodies by the differences of their inertias
+  sums_of_squares,   ///< articulated bodies as sums of squares (dynamics/recursions/factored_bodies.hpp)
+};
 
 /// How a scene's symbols enter a program.
 struct ModelOptions {

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "generator/dynamics/motion/model.hpp"
+
+namespace torsor {
+
+/// A rigid body by its centre of mass, in the axes of its link and in the model's units (Model::length_unit): mass,
+/// place, operator there. Unlike m, h and J about the link's origin, none of them holds the difference of others.
+struct CentralBody {
+  std::size_t link = 0;
+  Value mass;
+  Vector center;
+  Matrix inertia;
+};
+
+/// All bodies on moving links, link by link. Bodies of one link become one where that is exact: where all are numbers.
+std::vector<CentralBody> central_bodies(const Model& model);
+
+}  // namespace torsor

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Articulated bodies as sums of squares against the factorised mass matrix: two roads to the same accelerations.
+#include "generator/dynamics/recursions/factored_bodies.hpp"
+
+#include <gtest/gtest.h>
+
+#include "generator/dynamics/equations/equations.hpp"
+#include "generator/dynamics/equations/forward_choice.hpp"
+#include "generator/expression/error.hpp"
+#include "generator/expression/evaluation.hpp"
+#include "generator/verification/random_state.hpp"
+#include "tests/dynamics/random_mechanism.hpp"
+
+namespace torsor::factored_bodies_test {
+namespace {
+
+using namespace testing_mechanisms;
+
+Expression quantity(const char* value, const char* unit) { return Expression::quantity(value, unit); }
+
+ModelOptions by(ForwardMethod method) {
+  ModelOptions options;
+  options.forward = method;
+  return options;
+}
+
+/// The largest difference of the accelerations by the two methods, relative to one and them.
+double difference(const Scene& scene, std::uint64_t seed) {
+  const WorkingDigits precision(60);
+  const Equations squares(scene, by(ForwardMethod::sums_of_squares)), factored(scene, by(ForwardMethod::factorisation));
+  const RandomState state(scene, seed);
+  Evaluator<Real> first(squares.program(), state.in_real()), second(factored.program(), state.in_real());
+  const std::vector<Real> x = first(squares.forward().accelerations), y = second(factored.forward().accelerations);
+  EXPECT_EQ(x.size(), y.size());
+  double worst = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double off = abs(x[i] - y[i]).to_double() / (1 + abs(y[i]).to_double());
+    if (!(off <= worst)) worst = off;
+  }
+  return worst;
+}
+
+/// 60 digits less what a condition of M below 1e5 and a few hundred operations cost.
+constexpr double rounding = 1e-48;
+
+Inertia block(const char* mass) {
+  const auto j = [](const char* value) { return quantity(value, "kg m^2"); };
+  return Inertia::general(quantity(mass, "kg"), j("0.3"), j("0.5"), j("0.4"), j("0.1"), j("-0.02"), j("0.03"))
+      .at({quantity("-0.1", "m"), quantity("0.2", "m"), quantity("0.05", "m")});
+}
+
+TEST(FactoredBodies, GiveTheAccelerationsOfTheFactorisedMassMatrix) {
+  int trees = 0;
+  for (unsigned seed = 300; seed < 340; ++seed) {
+    const Scene scene = random_mechanism(seed, {.constraints = false});
+    if (!joint_coordinates(Equations(scene).model())) continue;  // a displacement that is a formula
+    ++trees;
+    EXPECT_LT(difference(scene, 4), rounding) << seed;
+  }
+  EXPECT_GT(trees, 10);
+}
+
+// Several bodies on a link, masses at run time, a link without matter, absolute angles, a slider, wrenches, a branch.
+TEST(FactoredBodies, KnowAbsoluteAnglesSeveralBodiesAndLinksWithoutMatter) {
+  Scene s("tree");
+  const Expression a = s.coordinate("a", "rad"), b = s.coordinate("b", "rad"), c = s.coordinate("c", "rad");
+  const Expression x = s.coordinate("x", "m"), d = s.coordinate("d", "rad");
+  const Expression m = s.run_time_parameter("m", "kg", quantity("0.7", "kg"));
+  const FrameHandle first = s.revolute("first", s.ground(), axis::z, a, {.origin = {quantity("0.1", "m"), 0, 0}});
+  const FrameHandle second = s.revolute("second", first, axis::z, b - a, {.origin = {0, quantity("-0.5", "m"), 0}});
+  const FrameHandle third =
+      s.revolute("third", second, axis::z, c - b + 2 * a, {.origin = {0, quantity("-0.4", "m"), 0}});
+  const FrameHandle slide = s.prismatic("slide", first, {0, 1, 1}, x, {.rotation = Rotation::about(0, 2)});
+  const FrameHandle tip = s.revolute("tip", slide, {1, 2, 2}, d, {.origin = {0, 0, quantity("0.3", "m")}});
+  s.body("one", first, Inertia::point(m).at({0, quantity("-0.5", "m"), 0}));
+  s.body("other", first, block("1.5"));
+  s.body("end", third, Inertia::rod(m, quantity("0.6", "m"), 1).at({0, quantity("-0.3", "m"), 0}));
+  s.body("block", tip, block("2"));
+  s.body("weight", tip, block("0.5"));
+  s.gravity({0, quantity("-9.81", "m/s^2"), 0});
+  const PointHandle p = s.point("P", tip, {quantity("0.3", "m"), 0, 0});
+  s.force("force", tip, p, {0, quantity("3", "N"), 0}, s.ground());
+  s.spring("spring", p, s.point("Q", s.ground(), {0, quantity("1", "m"), 0}), quantity("40", "N/m"), quantity("0.2", "m"));
+  s.motor("u", c);
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) EXPECT_LT(difference(s, seed), rounding) << seed;
+}
+
+TEST(FactoredBodies, CarryAFreeBodyWithAnArm) {
+  Scene s("satellite");
+  std::vector<Expression> place;
+  for (const char* name : {"x", "y", "z"}) place.push_back(s.coordinate(name, "m"));
+  FrameHandle frame = s.ground();
+  int i = 0;
+  for (const Triple& axis : {axis::x, axis::y, axis::z}) {
+    frame = s.prismatic("slide" + std::to_string(i), frame, axis, place[static_cast<std::size_t>(i)]);
+    ++i;
+  }
+  frame = s.spherical("hull", frame, s.attitude("e"));
+  s.body("hull", frame, block("3"));
+  const FrameHandle arm = s.revolute("arm", frame, axis::x, s.coordinate("q", "rad"), {.origin = {quantity("0.4", "m"), 0, 0}});
+  s.body("arm", arm, block("0.8"));
+  s.gravity({0, 0, quantity("-9.81", "m/s^2")});
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) EXPECT_LT(difference(s, seed), rounding) << seed;
+}
+
+TEST(FactoredBodies, AreRefusedWhereTheyDoNotFit) {
+  Scene s("coupled");
+  const Expression a = s.coordinate("a", "rad");
+  const FrameHandle first = s.revolute("first", s.ground(), axis::z, a);
+  const FrameHandle second = s.revolute("second", first, axis::z, 2 * a);
+  s.body("one", first, block("1"));
+  s.body("other", second, block("1"));
+  try {
+    Equations(s, by(ForwardMethod::sums_of_squares)).forward();
+    FAIL() << "taken";
+  } catch (const UsageError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "articulated bodies as sums of squares do not fit the scene 'coupled': they need a tree without "
+              "constraints, with as many joints as coordinates, their displacements linear in these");
+  }
+}
+
+}  // namespace
+}  // namespace torsor::factored_bodies_test
