@@ -413,9 +413,13 @@ class FactoredRecursion {
           if (!is_along(link, j)) along -= joint.gain[j] * component(turning, moving, j);
         }
         along = program_.bind(along);
-        joints[k] = program_.bind(along + fixed);
+        joints[k] = along + fixed;  // a sum: what the carrier turns by, which it takes away, is added again below
         Vector& moved = link.joint == JointKind::revolute ? angular[k] : linear[k];
-        moved = bound(program_, moved + joints[k] * link.axis);
+        for (int i = 0; i < 3; ++i) {
+          const Value& axis = link.axis[i];
+          moved[i] += axis.is_constant() ? axis.polynomial().constant() * joints[k] : axis * joints[k];
+        }
+        moved = bound(program_, moved);
       }
       if (joint.tip.link == 0) continue;
       Vector there = linear[k] + cross(angular[k], joint.tip.arm);
@@ -433,7 +437,7 @@ class FactoredRecursion {
         const std::size_t k = joints_.joints[place];
         sum += rate * (joints[k] + reference_.joints[k]);
       }
-      solution_.accelerations.push_back(program_.bind(sum));
+      solution_.accelerations.push_back(program_.bind(cancelled(program_, sum)));
     }
   }
 
