@@ -52,7 +52,7 @@ struct Statistics {
 template <class Scalar>
 struct Result {
   IntegrationStatus status = IntegrationStatus::reached_end;
-  Evaluation evaluation = Evaluation::ok;  ///< what the model said, for `model_failure`
+  Evaluation evaluation = Evaluation::ok;  ///< what the model said, for `model_failure`, or near a step too small
   Scalar time = Scalar(0);                 ///< the time of the state that was left in y
   Statistics statistics;
 
@@ -64,7 +64,9 @@ struct Result {
     case Evaluation::ok:
       return "the model was evaluated";
     case Evaluation::singular:
-      return "the model is singular (mass matrix or constraints lose rank)";
+      return "the model is singular: the mass matrix or the constraints lose rank (a change point, where branches of a "
+             "closed loop meet; angles at the singular position of their chart; a freedom without mass; see "
+             "docs/constraints.md)";
     case Evaluation::not_finite:
       return "the model gives a value that is not finite";
   }
@@ -83,7 +85,8 @@ struct Result {
              "negative, not both zero, "
              "and a relative tolerance at least four roundings of the scalar";
     case IntegrationStatus::step_too_small:
-      return "the step fell below the resolution of time: loosen the tolerances or look for a discontinuity";
+      return "the step fell below the resolution of time: loosen the tolerances, look for a discontinuity, or take an "
+             "implicit method where a mode is fast";
     case IntegrationStatus::too_many_steps:
       return "the step limit was met: raise it or loosen the tolerances";
     case IntegrationStatus::model_failure:
@@ -101,6 +104,10 @@ template <class Scalar>
 [[nodiscard]] std::string describe(const Result<Scalar>& result) {
   std::string text(describe(result.status));
   if (result.status == IntegrationStatus::model_failure) text.append(": ").append(describe(result.evaluation));
+  // Its last trials met a model that fails, although the shortest did not.
+  if (result.status == IntegrationStatus::step_too_small && result.evaluation != Evaluation::ok) {
+    text.append("; nearby ").append(describe(result.evaluation));
+  }
   text.append(", at time ").append(std::to_string(result.time));
   text.append(" after ").append(std::to_string(result.statistics.accepted)).append(" steps");
   return text;

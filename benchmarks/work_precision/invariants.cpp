@@ -140,8 +140,8 @@ void measure_invariants(const std::filesystem::path& folder) {
   print("momentum, a tenth, all", changes);
 
   std::vector<Change> rolling;
-  const auto hoop = equations_of_motion<Hoop>();
-  const auto held = projected(equations_of_motion<Hoop>());
+  const auto hoop = unprojected_motion<Hoop>();
+  const auto held = equations_of_motion<Hoop>();
   const double hoop_step = 1e-2, hoop_end = hoop_step * static_cast<double>(million);
   const auto add = [&](std::string name, const auto& motion, double until, const auto& method) {
     rolling.push_back(change_of("hoop", std::move(name), motion, until, method));
@@ -157,8 +157,8 @@ void measure_invariants(const std::filesystem::path& folder) {
   print("slip, a tenth, all", rolling);
 
   std::vector<Change> closed;
-  const auto squeezer = equations_of_motion<Squeezer>();
-  const auto closing = projected(equations_of_motion<Squeezer>());
+  const auto squeezer = unprojected_motion<Squeezer>();
+  const auto closing = equations_of_motion<Squeezer>();
   const double short_step = 5e-8, squeezer_end = short_step * static_cast<double>(million);
   const auto add_closed = [&](std::string name, const auto& motion, const auto& method) {
     closed.push_back(change_of("squeezer", std::move(name), motion, squeezer_end, method));

@@ -111,7 +111,7 @@ class MotionEnsemble {
     for (double& number : record) number = std::numeric_limits<double>::quiet_NaN();
     StateVector<M> y = pack<M>(member.state);
     std::size_t next = lead;
-    const EquationsOfMotion<M, InputLaw> motion(member.parameters, law_);
+    const MotionOf<M, InputLaw> motion(member.parameters, law_);
     const auto keep = [&](Scalar, const StateVector<M>& reached) {
       for (const Scalar value : reached) record[next++] = static_cast<double>(value);
     };

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "runtime/mechanism.hpp"
+#include "runtime/mechanism_model.hpp"
 
 namespace torsor::runtime {
 

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "runtime/constraints/constraint_kinds.hpp"
-#include "runtime/mechanism.hpp"
+#include "runtime/mechanism_model.hpp"
 
 namespace torsor::runtime {
 

@@ -10,7 +10,7 @@
 #include "runtime/constraints/constraint_kinds.hpp"
 #include "runtime/constraints/constraint_reading.hpp"
 #include "runtime/constraints/independent_constraints.hpp"
-#include "runtime/mechanism.hpp"
+#include "runtime/mechanism_model.hpp"
 #include "runtime/status.hpp"
 
 namespace torsor::runtime {
@@ -229,15 +229,20 @@ class Projected : public Motion {
   using Scalar = ScalarOf<Mechanism>;
   using Vector = StateVector<Mechanism>;
 
-  /// Constraints of which the others leave less than `rank_tolerance` are not enforced; see IndependentConstraints.
-  explicit Projected(Motion motion, Scalar rank_tolerance = usual_rank_tolerance<Scalar>()) noexcept
+  /// Constraints of which the others leave less than `rank_tolerance` are not enforced; see IndependentConstraints. 0:
+  /// as the motion itself does it, else by the usual one.
+  explicit Projected(Motion motion, Scalar rank_tolerance = Scalar(0)) noexcept
       : Motion(std::move(motion)),
         rank_tolerance_(rank_tolerance),
         kinds_(ConstraintKinds<Mechanism>::at(this->precomputed(), this->initial_time(), this->initial())) {}
 
   [[nodiscard]] Evaluation project(Scalar t, Vector& y) const noexcept {
+    if constexpr (requires { Motion::settle(t, y); }) {  // knows its change points
+      if (!(rank_tolerance_ > Scalar(0))) return Motion::settle(t, y);
+    }
+    const Scalar tolerance = rank_tolerance_ > Scalar(0) ? rank_tolerance_ : usual_rank_tolerance<Scalar>();
     const bool with_rank = false;
-    return detail::ProjectionOnConstraints<Mechanism>(this->precomputed(), kinds_, t, rank_tolerance_)(y, with_rank)
+    return detail::ProjectionOnConstraints<Mechanism>(this->precomputed(), kinds_, t, tolerance)(y, with_rank)
         .evaluation;
   }
 
@@ -249,8 +254,7 @@ class Projected : public Motion {
 template <class Motion>
 requires HasConstraintMetric<typename Motion::Mechanism>
 [[nodiscard]] Projected<Motion> projected(Motion motion,
-                                          ScalarOf<typename Motion::Mechanism> rank_tolerance =
-                                              usual_rank_tolerance<ScalarOf<typename Motion::Mechanism>>()) noexcept {
+                                          ScalarOf<typename Motion::Mechanism> rank_tolerance = {}) noexcept {
   return Projected<Motion>(std::move(motion), rank_tolerance);
 }
 
@@ -261,4 +265,12 @@ requires(Motion::Mechanism::multiplier_count == 0) [[nodiscard]] Motion projecte
   return motion;
 }
 
+template <HasConstraintMetric M>
+class RankDistance;
+template <HasConstraintMetric M>
+class ChangePoints;
+
 }  // namespace torsor::runtime
+
+// equations_of_motion makes motions that are projected by default: it builds on what is above.
+#include "runtime/mechanism.hpp"

@@ -356,7 +356,7 @@ class StabilisedEquations {
 
 /// Radau IIA of order 5 on the stabilised index-2 form (see StabilisedEquations): every step ends on the constraints,
 /// in position and in velocity, to rounding, and with quaternions of norm 1; otherwise as RadauIia5. For motions of
-/// mechanisms with multipliers and the kernels `constraints` and `mass_matrix`; the start must satisfy its constraints.
+/// mechanisms with multipliers and the kernels `constraints`, `mass_matrix` and `bias`; the start must satisfy its constraints.
 struct StabilisedRadauIia5 {
   double relative_tolerance = 1e-9;      ///< 0, or at least four roundings of the scalar
   double absolute_tolerance = 1e-12;     ///< in the units of the state, the same for every component
@@ -371,8 +371,9 @@ struct StabilisedRadauIia5 {
   template <class S, class Scalar, std::size_t size>
   [[nodiscard]] auto start(S& system, std::array<Scalar, size>& y, Scalar t) const noexcept {
     static_assert(HasStabilisedForm<std::remove_cv_t<S>>,
-                  "the stabilised form needs equations_of_motion of a mechanism with multipliers that has the kernels "
-                  "constraints and mass_matrix");
+                  "StabilisedRadauIia5 wants equations_of_motion or constrained_motion of a mechanism with multipliers "
+                  "whose header has the kernels constraints, mass_matrix and bias: generate it with "
+                  "--kernels constraints,mass_matrix,bias,forward_dynamics, or with all");
     using Formula = RadauFormula<StabilisedEquations<S, Scalar, size>, Scalar, size>;
     return AdaptiveRun<Formula, StabilisedRadauIia5, S, Scalar, size>(system, y, t, *this);
   }

@@ -43,6 +43,7 @@ class StepClock {
   void refuse(Evaluation evaluation, Scalar shorter) noexcept {
     ++result.statistics.rejected;
     refusal = evaluation;
+    if (evaluation != Evaluation::ok) last_word_ = {evaluation, tried()};
     length = shorter;
     after_rejection_ = true;
   }
@@ -59,6 +60,8 @@ class StepClock {
   void give_up() noexcept {
     result.evaluation = refusal;
     result.status = refusal == Evaluation::ok ? IntegrationStatus::step_too_small : IntegrationStatus::model_failure;
+    // A step shrinks to the resolution of time in some fifty trials.
+    if (refusal == Evaluation::ok && tried() - last_word_.at < 100) result.evaluation = last_word_.evaluation;
   }
 
   [[nodiscard]] bool after_rejection() const noexcept { return after_rejection_; }
@@ -75,6 +78,14 @@ class StepClock {
                     std::numeric_limits<Scalar>::min());
   }
 
+  [[nodiscard]] std::int64_t tried() const noexcept {
+    return result.statistics.accepted + result.statistics.rejected;
+  }
+
+  struct {
+    Evaluation evaluation = Evaluation::ok;
+    std::int64_t at = 0;
+  } last_word_;  // of the model that is not ok
   bool after_rejection_ = false;
 };
 

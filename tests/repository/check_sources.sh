@@ -66,7 +66,7 @@ awk '
         other = room_of(path)
         if (!(room in room_height)) violation(file ": " room " is no folder of " parent_of(file))
         else if (!(other in room_height)) violation(file ":" number ": " other " is no folder of " parent_of(file))
-        else if (room_height[other] > room_height[room])
+        else if (room_height[other] > room_height[room] && file != "runtime/mechanism.hpp")  # it makes motions: on all of them
           violation(file ":" number ": " room " includes " other ", which stands higher (" path ")")
       }
       if (folder == "generator" && piece[1] == "runtime") violation(file ":" number ": generator includes runtime (" path ")")

@@ -98,7 +98,7 @@ TEST(Projection, IsTheLeastChangeInTheMetricOfTheMasses) {
 
 TEST(Projection, RemovesTheDriftOfTheCartesianPendulum) {
   // Without it, Runge-Kutta at h = 0.01 leaves the circle by 3.6e-5 at t = 10 and is lost before t = 1000.
-  const auto drifting = equations_of_motion<Pendulum>();
+  const auto drifting = unprojected_motion<Pendulum>();
   auto y = drifting.initial();
   ASSERT_TRUE(integrate(drifting, y, 0, 10, RungeKutta4{.step = 0.01}));
   EXPECT_NEAR((y[0] * y[0] + y[1] * y[1] - 1) / 2, -3.588e-5, 1e-8);

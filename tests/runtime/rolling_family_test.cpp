@@ -49,11 +49,13 @@ class Family {
     const RadauIia5 radau{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
     const StabilisedRadauIia5 stabilised{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
     const GaussCollocation<4> gauss{.step = end_ / 200};
-    const auto raw = equations_of_motion<M>();
+    const auto raw = unprojected_motion<M>();
+    const auto held = equations_of_motion<M>();
     const auto by_factor = constrained_motion<M>();
     const auto with = [&](const char* name, const auto& method) {
       const std::string method_name = name;
       expect(method_name + ", raw", [&](State& y) { return integrate(raw, y, 0, end_, method); });
+      expect(method_name + ", held by default", [&](State& y) { return integrate(held, y, 0, end_, method); }, true);
       expect(method_name + ", projected", [&](State& y) { return integrate(projected(raw), y, 0, end_, method); }, true);
       expect(method_name + ", partitioned", [&](State& y) {
         return integrate_partitioned<freedoms>(raw, y, 0, end_, method).integration;

@@ -31,7 +31,7 @@ struct Outcome {
 };
 template <class M, class Method>
 Outcome outcome(const Method& method, double end, const StateVector<M>& truth) {
-  const auto motion = equations_of_motion<M>();
+  const auto motion = unprojected_motion<M>();  // what holds the constraints is the method
   auto y = motion.initial();
   Outcome outcome;
   const auto watch = [&](double t, const StateVector<M>& at) {
