@@ -69,8 +69,11 @@ Kernel make_forward_dynamics(const Equations& equations) {
   kernel.documentation = fmt::format(
       "Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + {}, A a + gamma = 0, by\n"
       "{}. Returns singular when a pivot is not\n"
-      "positive relative to its diagonal entry.",
-      multiplied(equations), solution.method);
+      "positive relative to its diagonal entry{}.",
+      multiplied(equations), solution.method,
+      solution.multipliers.empty() || has_friction(equations)
+          ? ""
+          : ", or one of the Schur complement is below\n2^-40 of those of its unit (a change point)");
   kernel.arguments = {Argument::inputs};
   kernel.results = {{"Accelerations", "accelerations"}, {"Multipliers", "multipliers"}};
   assign_vector(kernel, "accelerations", solution.accelerations, solution.accelerations.size());
