@@ -197,7 +197,8 @@ class PackedMotionEnsemble {
     };
     std::array<Number, 1> idle{};
     FixedStepRun<Steps, decltype(idle_system), Number, 1> run(idle_system, idle, start, method_.step,
-                                                              Steps(motion, y, Sum(method_.compensated)));
+                                                              Steps(motion, y, Sum(method_.compensated)),
+                                                              method_.step_limit);
     const std::size_t numbers = records.size() / count;
     std::size_t next = Alone::lead;
     const IgnoreSteps ignore;

@@ -241,9 +241,10 @@ class EventWatch {
       if (memory.visiting && left) {
         memory.visiting = false;
         ++result_.grazed[i];
-        if (!tell(Event<Scalar, size>{i, memory.nearest_time, memory.side < Scalar(0), true, memory.nearest_state})) {
-          end_at(memory.nearest_time, i, memory.nearest_state);
+        if (tell(Event<Scalar, size>{i, memory.nearest_time, memory.side < Scalar(0), true, memory.nearest_state})) {
+          if (++events_ >= set_.options.event_limit) result_.status = EventStatus::too_many_events;
         }
+        if (result_.status != EventStatus::reached_end) end_at(memory.nearest_time, i, memory.nearest_state);
       }
     }
   }
@@ -295,14 +296,18 @@ class EventWatch {
     if (!restarts_) before_reset_ = y;
     if (!tell(Event<Scalar, size>{i, time, rising, false, y})) return;
     const Response response = set_.response(i);
-    if (response == Response::note) return;
+    if (response == Response::note) {
+      count_event(i, time);
+      return;
+    }
     const Vector before = y;
     const bool go_on = set_.reset(i, time, y);
     const Vector as_reset = y;
     CheckedSystem<S, Scalar, size> f(system_);
-    if (!f.settle(time, y)) {
+    const bool settled = f.settle(time, y);
+    if (!settled || !all_finite(y)) {
       y = before;
-      fail(f.evaluation, time, y);
+      fail(settled ? Evaluation::not_finite : f.evaluation, time, y);
       return;
     }
     y = f.unwound(y, as_reset);
@@ -311,6 +316,11 @@ class EventWatch {
       return;
     }
     restarts_ = true;
+    count_event(i, time);
+  }
+
+  // Whatever is done at events, they must end.
+  void count_event(std::size_t i, Scalar time) {
     if (accumulations_[i](time, static_cast<Scalar>(set_.options.accumulation))) {
       result_.status = EventStatus::accumulation;
       result_.accumulation_time = accumulations_[i].limit();

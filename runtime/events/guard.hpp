@@ -67,7 +67,7 @@ struct EventOptions {
   /// interpolant: for interpolants that are less accurate than the method, at the cost of some ten steps an event.
   /// Always so with Radau IIA and Gauss collocation, which are far righter at the ends of steps than inside.
   bool by_stepping = false;
-  long long event_limit = 1'000'000;
+  long long event_limit = 1'000'000;  ///< crossings of all guards that are told of, and grazings
 };
 
 /// Several guards, each of its own type. Crossings at the same time (within four roundings of it) are dealt with in

@@ -46,6 +46,9 @@ struct StepOfFormula<Formula> {
   using Step = typename Formula::Step;
 };
 
+/// The steps that a method of fixed step takes at most unless told otherwise: a step mistaken by orders shows at once.
+inline constexpr std::int64_t usual_fixed_step_limit = 1'000'000'000;
+
 /// One integration with a fixed step: the part that all methods of fixed step share. `Formula` has
 /// `step(f, t, h, y, next)`, which returns false when the model failed, or an IntegrationStatus. A formula that keeps
 /// something from step to step (a compensation, a starting guess) is a value of its own in each integration; it may
@@ -55,14 +58,16 @@ struct StepOfFormula<Formula> {
 /// at settled states) and `interpolant(t, t_next, y, next)`, asked for by observers that take steps only.
 ///
 /// An interval is cut into the fewest steps of equal length that do not exceed the step asked for, so that its end is
-/// hit exactly without a short last step. Times are start + k h, hence free of accumulated rounding.
+/// hit exactly without a short last step. Times are start + k h, hence free of accumulated rounding. An interval that
+/// would take more steps than are left of `step_limit` is refused before the first of them, `too_many_steps`.
 template <class Formula, class S, class Scalar, std::size_t size>
 class FixedStepRun : public StepOfFormula<Formula> {
  public:
   using Vector = std::array<Scalar, size>;
 
-  FixedStepRun(S& system, Vector& y, Scalar t, double step, const Formula& formula = Formula{}) noexcept
-      : f_(system), y_(y), step_(step), formula_(formula) {
+  FixedStepRun(S& system, Vector& y, Scalar t, double step, const Formula& formula = Formula{},
+               std::int64_t step_limit = usual_fixed_step_limit) noexcept
+      : f_(system), y_(y), step_(step), step_limit_(step_limit), formula_(formula) {
     result_.time = t;
   }
 
@@ -71,6 +76,10 @@ class FixedStepRun : public StepOfFormula<Formula> {
     if (result_.status != IntegrationStatus::reached_end || !accept_interval(end)) return;
     const Scalar start = result_.time;
     const std::int64_t count = count_of(start, end);
+    if (count > step_limit_ - result_.statistics.accepted) {
+      result_.status = IntegrationStatus::too_many_steps;
+      return;
+    }
     if (count == 0 || !prepare()) return;
     const Wide wide_h = (static_cast<Wide>(end) - static_cast<Wide>(start)) / static_cast<Wide>(count);
     const Scalar h = static_cast<Scalar>(wide_h);
@@ -107,7 +116,7 @@ class FixedStepRun : public StepOfFormula<Formula> {
   }
 
   bool accept_interval(Scalar end) noexcept {
-    if (!(step_ > 0.0) || !std::isfinite(step_) || !std::isfinite(end) || !std::isfinite(result_.time) ||
+    if (!(step_ > 0.0) || !std::isfinite(step_) || step_limit_ < 1 || !std::isfinite(end) || !std::isfinite(result_.time) ||
         !all_finite(y_)) {
       result_.status = IntegrationStatus::invalid_options;
     } else if (!(std::abs(static_cast<double>(end) - static_cast<double>(result_.time)) / step_ < most_steps)) {
@@ -172,6 +181,7 @@ class FixedStepRun : public StepOfFormula<Formula> {
   CheckedSystem<S, Scalar, size> f_;
   Vector& y_;
   double step_;
+  std::int64_t step_limit_;
   Formula formula_;
   bool prepared_ = false;
   Result<Scalar> result_;

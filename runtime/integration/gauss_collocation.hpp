@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <type_traits>
 
@@ -46,6 +47,7 @@ struct GaussCollocation {
 
   double step = 0.0;  ///< in units of time, positive in both directions of time
   int iteration_limit = 50;
+  std::int64_t step_limit = usual_fixed_step_limit;
 
   template <class S, class Scalar, std::size_t size>
   class Formula;
@@ -53,7 +55,7 @@ struct GaussCollocation {
   template <class S, class Scalar, std::size_t size>
   [[nodiscard]] auto start(S& system, std::array<Scalar, size>& y, Scalar t) const noexcept {
     using Stages = Formula<S, Scalar, size>;
-    return FixedStepRun<Stages, S, Scalar, size>(system, y, t, step, Stages(iteration_limit));
+    return FixedStepRun<Stages, S, Scalar, size>(system, y, t, step, Stages(iteration_limit), step_limit);
   }
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "runtime/integration/fixed_step.hpp"
 #include "runtime/integration/integrate.hpp"
@@ -14,11 +15,12 @@ namespace torsor::runtime {
 struct Midpoint {
   double step = 0.0;         ///< in units of time, positive in both directions of time
   bool compensated = false;  ///< carry what rounding loses of each sum of state and step
+  std::int64_t step_limit = usual_fixed_step_limit;
 
   template <class S, class Scalar, std::size_t size>
   [[nodiscard]] auto start(S& system, std::array<Scalar, size>& y, Scalar t) const noexcept {
     using Sum = SummedFormula<Formula, Scalar, size>;
-    return FixedStepRun<Sum, S, Scalar, size>(system, y, t, step, Sum(compensated));
+    return FixedStepRun<Sum, S, Scalar, size>(system, y, t, step, Sum(compensated), step_limit);
   }
 
   struct Formula {

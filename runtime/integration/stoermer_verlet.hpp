@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 #include "runtime/integration/fixed_step.hpp"
@@ -28,6 +29,7 @@ struct StoermerVerlet {
   static constexpr int order = 2;
 
   double step = 0.0;  ///< in units of time, positive in both directions of time
+  std::int64_t step_limit = usual_fixed_step_limit;
 
   template <class S, class Scalar, std::size_t size>
   class Formula;
@@ -36,7 +38,8 @@ struct StoermerVerlet {
   [[nodiscard]] auto start(S& system, std::array<Scalar, size>& y, Scalar t) const noexcept {
     static_assert(is_second_order<S> && size % 2 == 0,
                   "Stoermer-Verlet needs y = [q; v] with q' = v: the system must say second_order = true");
-    return FixedStepRun<Formula<S, Scalar, size>, S, Scalar, size>(system, y, t, step);
+    return FixedStepRun<Formula<S, Scalar, size>, S, Scalar, size>(system, y, t, step, Formula<S, Scalar, size>{},
+                                                                    step_limit);
   }
 };
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <type_traits>
 
@@ -41,6 +42,7 @@ struct VariationalIntegrator {
 
   double step = 0.0;  ///< in units of time, positive in both directions of time
   int iteration_limit = 50;
+  std::int64_t step_limit = usual_fixed_step_limit;
 
   template <class S, class Scalar, std::size_t size>
   class Formula;
@@ -51,7 +53,7 @@ struct VariationalIntegrator {
                   "the variational integrator needs equations_of_motion of a mechanism with q' = v, without inputs and "
                   "multipliers, that has the kernels mass_matrix and bias");
     using Stages = Formula<S, Scalar, size>;
-    return FixedStepRun<Stages, S, Scalar, size>(system, y, t, step, Stages(iteration_limit));
+    return FixedStepRun<Stages, S, Scalar, size>(system, y, t, step, Stages(iteration_limit), step_limit);
   }
 };
 
