@@ -127,8 +127,8 @@ class ConstraintReading {
   [[nodiscard]] static Rows lengths(const typename M::Precomputed& precomputed, const Kinds& kinds, Scalar t,
                                     const StateVector<M>& y) noexcept {
     typename M::State state = unpack<M>(t, y);
-    const auto moving_alone = [&](std::size_t moving, Scalar at_rate) {
-      for (std::size_t j = 0; j < nv; ++j) state.v[static_cast<int>(j)] = j == moving ? at_rate : Scalar(0);
+    const auto moving_alone = [&](std::size_t moving, Scalar turning) {
+      for (std::size_t j = 0; j < nv; ++j) state.v[static_cast<int>(j)] = j == moving ? turning : Scalar(0);
       typename M::Constraints at{};
       M::constraints(precomputed, state, at);
       return at;

@@ -220,10 +220,10 @@ TEST(ChangePoints, LeaveAStateOnItsBranch) {
 /// whole gradient vanishes where all is flat.
 struct BarByItsLength : mechanisms::Contract<2, 1> {
   struct Parameters {
-    static constexpr int size = 2;
+    [[maybe_unused]] static constexpr int size = 2;
     double angle, rate;
   };
-  static constexpr int parameter_count = 2;
+  [[maybe_unused]] static constexpr int parameter_count = 2;
   struct Precomputed {
     Parameters parameters;
   };
@@ -262,7 +262,7 @@ TEST(ChangePoints, AreNoticedWhereAConstraintVanishesAsAWhole) {
 /// Two skates under one point of a slope, which turn at rates of their own: the point stays, but for the moment when
 /// they are parallel, where one of the two conditions is lost. Not holonomic.
 struct TwoSkates : mechanisms::Contract<4, 2> {
-  static constexpr int parameter_count = 0;
+  [[maybe_unused]] static constexpr int parameter_count = 0;
   using Parameters = mechanisms::Nothing;
   struct Precomputed {
     Parameters parameters;
