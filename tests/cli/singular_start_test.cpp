@@ -69,5 +69,25 @@ TEST(SingularStart, IsSaidByEveryCommandAndByTheErrorOfOneThatNeedsAccelerations
   EXPECT_NE(reference.err.find(remark), std::string::npos) << reference.err;
 }
 
+/// A disc that lies flat on the ground at the start.
+TEST(SingularStart, OfADiscThatLiesFlatIsNamed) {
+  const Outcome outcome = run(
+      [] {
+        Scene scene("flat");
+        const Expression z = scene.coordinate("z", "m"), psi = scene.coordinate("psi", "rad");
+        const Expression theta = scene.coordinate("theta", "rad"), phi = scene.coordinate("phi", "rad");
+        const Expression r = Expression::quantity("1", "m");
+        const FrameHandle disc = scene.spherical("disc", scene.prismatic("lift", scene.ground(), axis::z, z),
+                                                 AngleSequence::euler, {psi, theta, phi});
+        scene.body("disc", disc, Inertia::disk(Expression::quantity("1", "kg"), r, 2));
+        scene.contact("touch", scene.disc_contact("C", disc, axis::z, r, scene.ground()), scene.ground());
+        return scene;
+      },
+      {"list"});
+  expect_failure(outcome, 3,
+                 "constraint 'touch' has no rate at t = 0: the disc of the point of contact 'C' lies flat there, and no point "
+                 "of its rim is the lowest; correct initial(...), or give the orientation by attitude(...)");
+}
+
 }  // namespace
 }  // namespace torsor::singular_start_test

@@ -75,11 +75,8 @@ TEST(Validation, NamesUnitsThatDoNotMatch) {
 
   Scene tied = pendulum();
   tied.spring("spring", Expression(tied.content().coordinates[0].q), Expression::quantity("3", "N/m"));
-  const std::string text = refusal(tied);  // a torque is wanted, N/m times an angle is none
-  EXPECT_TRUE(text.starts_with("cannot add ")) << text;
-  EXPECT_NE(text.find("[kg m^2 s^-2]"), std::string::npos) << text;
-  EXPECT_NE(text.find("[kg s^-2]"), std::string::npos) << text;
-  EXPECT_TRUE(text.ends_with("both terms of a sum need the same unit")) << text;
+  // A torque is wanted, and N/m times an angle is none.
+  EXPECT_EQ(refusal(tied), "the stiffness of the spring 'spring' on theta [1] is 3 [kg s^-2] and must be in kg m^2 s^-2");
 }
 
 TEST(Validation, NamesADrivenCoordinateThatIsAskedAsUnknownToo) {

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
 #include "generator/dynamics/equations/equations.hpp"
 #include "generator/dynamics/equations/scene_checks.hpp"
+#include "generator/expression/as_index.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/expression/evaluation.hpp"
 #include "generator/expression/generic_state.hpp"
@@ -166,6 +168,22 @@ bool lacks_values(const Scene& scene) {
   return std::any_of(parameters.begin(), parameters.end(), [](const auto& p) { return !p.value; });
 }
 
+/// A disc that lies flat has no lowest point; for any other constraint nothing is known.
+std::string why_undefined(const SceneContent& scene, const ConstraintRow& row) {
+  for (const ConstraintContent& constraint : scene.constraints) {
+    if (constraint.name != row.name) continue;
+    const PointReference* point = nullptr;
+    if (const auto* in_plane = std::get_if<PointInPlane>(&constraint.law)) point = &in_plane->point;
+    if (const auto* no_slip = std::get_if<NoSlip>(&constraint.law)) point = &no_slip->contact;
+    if (point == nullptr) continue;
+    const PointContent& contact = scene.points[as_index(scene.point_index(*point, row.name))];
+    if (!contact.lowest || !contact.lowest->axis) continue;
+    return fmt::format(": the disc of the point of contact '{}' lies flat there, and no point of its rim is the lowest",
+                       contact.name);
+  }
+  return ": what it is made of is not defined there";
+}
+
 void check_initial_state(const Equations& equations) {
   if (equations.constraints().empty() || lacks_values(equations.scene())) return;
   Evaluator<Real> evaluate(equations.program(), [&equations](const SymbolPointer& symbol) {
@@ -178,6 +196,11 @@ void check_initial_state(const Equations& equations) {
     for (const auto& [residual, what] : residuals) {
       const double size = evaluate(*residual).to_double();
       if (std::abs(size) <= tolerance) continue;
+      if (std::isnan(size)) {
+        throw SceneError(fmt::format("constraint '{}' has no {} at t = 0{}; correct initial(...), or give the orientation "
+                                     "by attitude(...)",
+                                     row.name, what, why_undefined(equations.scene().content(), row)));
+      }
       const Unit& unit = residual->unit();
       throw SceneError(fmt::format("inconsistent initial state: constraint '{}' has the {} {:.6g}{} at t = 0 and must "
                                    "have 0; correct initial(...) of the coordinates it ties",
