@@ -329,22 +329,22 @@ class FactoredRecursion {
   std::vector<std::size_t> pivots_of(std::vector<Answer> answers) {
     std::vector<std::size_t> pivots;
     for (const std::size_t p : order) {
-      Value weight;
-      for (const Answer& answer : answers) weight += program_.bind(answer.weight * answer.of[p]) * answer.of[p];
-      if (weight.is_zero() || vanishes(weight)) {
+      Value total;
+      for (const Answer& answer : answers) total += program_.bind(answer.weight * answer.of[p]) * answer.of[p];
+      if (total.is_zero() || vanishes(total)) {
         for (Answer& answer : answers) answer.of[p] = Value();
         continue;
       }
       pivots.push_back(p);
-      take(answers, p, program_.bind(weight));
+      take(answers, p, program_.bind(total));
     }
     return pivots;
   }
 
   /// Leaves of all answers what is orthogonal to component p, and of the forces what that does not yield to.
-  Square take(std::vector<Answer>& answers, std::size_t p, const Value& weight) {
-    Square square{weight, {}, {}, {}};
-    const Value inverse = inverse_of(weight);
+  Square take(std::vector<Answer>& answers, std::size_t p, const Value& total) {
+    Square square{total, {}, {}, {}};
+    const Value inverse = inverse_of(total);
     std::vector<Value> pulls;
     for (const Answer& answer : answers) {
       pulls.push_back(program_.bind(answer.weight * answer.of[p]));
@@ -370,9 +370,9 @@ class FactoredRecursion {
   std::vector<Square> gathered(std::vector<Answer>& answers, const std::vector<std::size_t>& pivots) {
     std::vector<Square> squares;
     for (const std::size_t p : pivots) {
-      Value weight;
-      for (const Answer& answer : answers) weight += program_.bind(answer.weight * answer.of[p]) * answer.of[p];
-      squares.push_back(take(answers, p, program_.bind(weight)));
+      Value total;
+      for (const Answer& answer : answers) total += program_.bind(answer.weight * answer.of[p]) * answer.of[p];
+      squares.push_back(take(answers, p, program_.bind(total)));
     }
     std::vector<Value> left;
     for (const Answer& answer : answers) left.insert(left.end(), answer.of.begin(), answer.of.end());
