@@ -11,13 +11,13 @@
 namespace torsor {
 namespace {
 
-using Vector = std::vector<Real>;
+using RealNumbers = std::vector<Real>;
 
 constexpr int shown_digits = 8;  // of a time, in an error
 
 class Extrapolation {
  public:
-  Extrapolation(const DifferentialEquation& f, const Vector& y0, const Real& t0, const ExtrapolationOptions& options)
+  Extrapolation(const DifferentialEquation& f, const RealNumbers& y0, const Real& t0, const ExtrapolationOptions& options)
       : f_(f),
         options_(options),
         time_(t0.with_digits(options.work_digits)),
@@ -36,7 +36,7 @@ class Extrapolation {
     if (has_nan(slope_)) fail("the right-hand side is not a number");
   }
 
-  const Vector& state() const { return state_; }
+  const RealNumbers& state() const { return state_; }
 
   void advance_to(const Real& target) {
     if (target == time_) return;
@@ -75,12 +75,12 @@ class Extrapolation {
     throw Error("the extrapolation integration stops at t = " + time_.to_string(shown_digits) + ": " + reason);
   }
 
-  static bool has_nan(const Vector& values) {
+  static bool has_nan(const RealNumbers& values) {
     return std::any_of(values.begin(), values.end(), [](const Real& value) { return value.is_nan(); });
   }
 
-  Vector evaluate(const Real& t, const Vector& y) const {
-    Vector slope = f_(t, y);
+  RealNumbers evaluate(const Real& t, const RealNumbers& y) const {
+    RealNumbers slope = f_(t, y);
     if (slope.size() != y.size()) {
       throw UsageError("the right-hand side returned " + std::to_string(slope.size()) + " derivatives for a state of " +
                        std::to_string(y.size()) + ": return one for each");
@@ -102,14 +102,14 @@ class Extrapolation {
   static Real weight(const Real& component) { return std::max(Real(1), abs(component)); }
 
   /// Explicit midpoint rule over an even number of sub-steps, (9.13b) without the final smoothing.
-  Vector midpoint(const Real& step, int substep_count) const {
+  RealNumbers midpoint(const Real& step, int substep_count) const {
     const Real h = step / Real(substep_count);
     const Real twice = h + h;
-    Vector before = state_;
-    Vector now = state_;
+    RealNumbers before = state_;
+    RealNumbers now = state_;
     for (std::size_t i = 0; i < now.size(); ++i) now[i] += h * slope_[i];
     for (int k = 1; k < substep_count; ++k) {
-      const Vector slope = evaluate(time_ + h * Real(k), now);
+      const RealNumbers slope = evaluate(time_ + h * Real(k), now);
       for (std::size_t i = 0; i < now.size(); ++i) before[i] += twice * slope[i];
       std::swap(before, now);
     }
@@ -117,20 +117,20 @@ class Extrapolation {
   }
 
   /// The corner T_KK of the tableau and its distance to T_K,K-1, relative to the tolerance.
-  std::pair<Vector, double> extrapolate(const Real& step) const {
-    std::vector<Vector> row{midpoint(step, 2)};  // T_j1, T_j2, ..., T_jj
+  std::pair<RealNumbers, double> extrapolate(const Real& step) const {
+    std::vector<RealNumbers> row{midpoint(step, 2)};  // T_j1, T_j2, ..., T_jj
     for (int j = 1; j < options_.columns; ++j) {
       const std::vector<Real>& weights = weights_[static_cast<std::size_t>(j - 1)];
-      std::vector<Vector> next{midpoint(step, 2 * (j + 1))};
+      std::vector<RealNumbers> next{midpoint(step, 2 * (j + 1))};
       for (std::size_t k = 0; k < row.size(); ++k) {
-        Vector refined = next[k];
+        RealNumbers refined = next[k];
         for (std::size_t i = 0; i < refined.size(); ++i) refined[i] += weights[k] * (next[k][i] - row[k][i]);
         next.push_back(std::move(refined));
       }
       row = std::move(next);
     }
-    const Vector& best = row[row.size() - 1];
-    const Vector& second = row[row.size() - 2];
+    const RealNumbers& best = row[row.size() - 1];
+    const RealNumbers& second = row[row.size() - 2];
     Real error;
     for (std::size_t i = 0; i < best.size(); ++i) {
       if (best[i].is_nan() || second[i].is_nan()) return {best, std::nan("")};
@@ -152,8 +152,8 @@ class Extrapolation {
   ExtrapolationOptions options_;
   Real time_;
   Real tolerance_;
-  Vector state_;
-  Vector slope_;
+  RealNumbers state_;
+  RealNumbers slope_;
   Real step_;
   std::vector<std::vector<Real>> weights_;  // weights_[j-2][k-1] makes T_j,k+1 from T_jk and T_j-1,k
   long step_count_ = 0;
@@ -184,7 +184,7 @@ void check(const Real& t0, const std::vector<Real>& times, const ExtrapolationOp
 }
 
 /// Largest n, up to the limit, with |a_i − b_i| <= 10^-n · max(1, |a_i|) for all i.
-int agreement(const Vector& a, const Vector& b, int limit) {
+int agreement(const RealNumbers& a, const RealNumbers& b, int limit) {
   Real difference;
   for (std::size_t i = 0; i < a.size(); ++i) {
     difference = std::max(difference, abs(a[i] - b[i]) / std::max(Real(1), abs(a[i])));
