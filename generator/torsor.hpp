@@ -4,4 +4,5 @@
 // All that the author of a scene needs: describe the mechanism in a function, give it a main with TORSOR_SCENE.
 
 #include "generator/cli/scene_program.hpp"
+#include "generator/expression/piecewise.hpp"
 #include "generator/mechanics/scene.hpp"

@@ -44,7 +44,7 @@ void for_each_operand(const Definition& definition, const Call& call) {
   for (const Term& term : definition.polynomial.terms()) {
     for (const Factor& factor : term.monomial) call(factor.atom);
   }
-  if (definition.function) call(definition.argument);
+  for (const Atom argument : definition.arguments) call(argument);
 }
 
 struct ArgumentText {
@@ -156,7 +156,7 @@ void FunctionEmitter::define_sines_and_cosines(const Block& block) {
   }
   for (std::size_t i = 0; i < passes.size(); ++i) {
     std::vector<bool> needed(program_->size(), false);
-    for (const Atom atom : passes[i]) needed[static_cast<std::size_t>((*program_)[atom].argument)] = true;
+    for (const Atom atom : passes[i]) needed[static_cast<std::size_t>((*program_)[atom].arguments[0])] = true;
     for (auto each = block.definitions.rbegin(); each != block.definitions.rend(); ++each) {
       if (!needed[static_cast<std::size_t>(*each)]) continue;
       for_each_operand((*program_)[*each], [&](Atom operand) { needed[static_cast<std::size_t>(operand)] = true; });
@@ -176,7 +176,7 @@ void FunctionEmitter::define_pass(const std::vector<Atom>& pass, std::size_t num
   std::string angles;
   for (const Atom atom : pass) {
     const Definition& definition = (*program_)[atom];
-    angles += (angles.empty() ? "" : ", ") + local_name(*program_, definition.argument);
+    angles += (angles.empty() ? "" : ", ") + local_name(*program_, definition.arguments[0]);
     operations_.sincos_pairs += 1;
     done_[static_cast<std::size_t>(atom)] = true;
     done_[static_cast<std::size_t>(definition.partner)] = true;
@@ -215,7 +215,7 @@ void FunctionEmitter::define_constant(Atom atom) {
                    literal(rounded.in_float)));
   if (is_trigonometric(definition)) {
     line("  Scalar sine, cosine;");
-    line(fmt::format("  traits::sincos({}, sine, cosine);", local_name(*program_, definition.argument)));
+    line(fmt::format("  traits::sincos({}, sine, cosine);", local_name(*program_, definition.arguments[0])));
     line(fmt::format("  return {};", definition.function == Function::sin ? "sine" : "cosine"));
   } else {
     line(fmt::format("  return {};", printer_.print(formula(*program_, definition))));

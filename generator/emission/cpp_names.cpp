@@ -36,7 +36,7 @@ std::string local_name(const Program& program, Atom atom) {
     }
   }
   if (definition.function == Function::sin || definition.function == Function::cos) {
-    const SymbolPointer& angle = program[definition.argument].symbol;  // coordinates and parameters share no name
+    const SymbolPointer& angle = program[definition.arguments[0]].symbol;  // coordinates and parameters share no name
     if (angle && (angle->kind == SymbolKind::coordinate || angle->kind == SymbolKind::parameter)) {
       return (definition.function == Function::sin ? "s_" : "c_") + angle->name;
     }

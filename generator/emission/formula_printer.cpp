@@ -108,8 +108,11 @@ std::string FormulaPrinter::print(const Formula& formula) {
       const std::string numerator = top.kind == Formula::Kind::product ? print(top) : print_factor(top);
       return numerator + " / " + print_factor(formula.children[1]);
     }
-    case Formula::Kind::function:
-      return fmt::format("traits::{}({})", to_string(formula.function), local_name(*program_, formula.atom));
+    case Formula::Kind::function: {
+      std::string text;
+      for (const Formula& child : formula.children) text += (text.empty() ? "" : ", ") + print(child);
+      return fmt::format("{}({})", traits_of(formula.function).emitted, text);
+    }
   }
   return {};
 }

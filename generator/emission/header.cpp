@@ -169,12 +169,16 @@ std::string emit_header(const Equations& equations, const std::vector<Kernel>& k
   const std::string degrees = std::to_string(equations.model().unknown_count());
   const auto without_licence = [](std::string_view text) { return std::string(text.substr(text.find('\n') + 1)); };
   const bool jets = std::any_of(present.begin(), present.end(), [](const Kernel& kernel) { return kernel.series.has_value(); });
+  const auto selects = [](const std::string& body) { return body.find("torsor::Selections<") != std::string::npos; };
+  const bool selections = selects(precompute.body) || selects(start.body) || std::any_of(functions.begin(), functions.end(), selects);
+  const std::string selection_support =
+      selections ? without_licence(embedded_template("selections.hpp")) + "\n" : "";
   std::map<std::string, std::string> values = {
       {"provenance", provenance_comment(provenance)},
       {"scene_name", scene.name()},
       {"sincos", without_licence(embedded_template("sincos.hpp")) +
                      without_licence(embedded_template("sincos_registers.hpp"))},
-      {"jet_support", jets ? without_licence(embedded_template("jets.hpp")) + "\n" : ""},
+      {"jet_support", selection_support + (jets ? without_licence(embedded_template("jets.hpp")) + "\n" : "")},
       {"coordinate_count", size(equations.model().positions().size())},
       {"velocity_count", degrees},
       {"input_count", size(equations.model().inputs().size())},

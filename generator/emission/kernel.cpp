@@ -288,7 +288,7 @@ std::vector<Value> SeriesSolve::at_start(const SeriesProgram& program) const {
   for (const std::vector<Value>& row : lower) all.insert(all.end(), row.begin(), row.end());
   all.insert(all.end(), inverse_pivots.begin(), inverse_pivots.end());
   for (const SeriesNode& node : program.nodes()) {
-    if (node.kind >= SeriesNode::Kind::square_root) all.push_back(program.value(Polynomial(node.atom)));
+    for (const Atom atom : program.known_at_start(node)) all.push_back(program.value(Polynomial(atom)));
   }
   return all;
 }

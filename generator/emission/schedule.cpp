@@ -20,7 +20,7 @@ Block collect(const Program& program, const std::vector<Polynomial>& roots, cons
     const auto atom = static_cast<Atom>(k);
     if (!needed[k] || is_given(atom)) continue;
     mark(program[atom].polynomial);
-    if (program[atom].function) needed[static_cast<std::size_t>(program[atom].argument)] = true;
+    for (const Atom argument : program[atom].arguments) needed[static_cast<std::size_t>(argument)] = true;
   }
   Block block;
   for (std::size_t k = 0; k < program.size(); ++k) {

@@ -228,6 +228,9 @@ class SeriesText {
           emitter_.add_operations({.divisions = 1});
         }
         break;
+      case Kind::weighted:
+        text = emitter_.name(Number(0));
+        break;
       default:
         break;
     }
@@ -288,6 +291,18 @@ class SeriesText {
       case Kind::sum:
         text = text_of(each.form, false);
         break;
+      case Kind::weighted:
+        text = "number_ * " + x(each.left);
+        operations = {.multiplications = 1};
+        break;
+      case Kind::integrated:
+        text = "inverse_ * " + x(each.left);
+        operations = {.multiplications = 1};
+        break;
+      case Kind::selection:
+        text = selection_text(each);
+        operations = {.others = 1};
+        break;
       case Kind::product:
         if (each.left == each.right) {
           text = fmt::format("{0} + ({1} + {1}) * {2}", sum_of(id), begin(each.left), x(each.left));
@@ -342,6 +357,18 @@ class SeriesText {
         fmt::format("const Scalar {} = {};{}", x(id), text, meaning.empty() ? "" : "  // " + comment_text(meaning)));
     if (each.kind == Kind::sine || each.kind == Kind::exponential) weighted(each.left, steps);
     if (each.kind == Kind::logarithm) weighted(id, steps);
+  }
+
+  /// The coefficient of the form that a selection takes at the start.
+  std::string selection_text(const SeriesNode& each) {
+    const Definition& call = program_[each.atom];
+    const auto argument = [&](std::size_t i) { return local_name(program_, call.arguments[i]); };
+    const std::string zero = emitter_.name(Number(0));
+    const auto form = [&](int operand) { return operand < 0 ? zero : x(operand); };
+    const std::string taken = call.function == Function::maximum ? argument(0) + " >= " + argument(1)
+                                                                 : argument(0) + " >= " + zero;
+    const std::string second = call.function == Function::abs ? "-" + x(each.left) : form(each.right);
+    return fmt::format("traits::select({}, {}, {})", taken, form(each.left), second);
   }
 
   /// What depends on the accelerations of order k: first without them, which gives the equations' left sides, then, the

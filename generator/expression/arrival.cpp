@@ -16,6 +16,10 @@ int latency_of(Function function) {
     case Function::sin:
     case Function::cos: return Latency::sine_cosine;
     case Function::sqrt: return Latency::square_root;
+    case Function::abs:
+    case Function::sign:
+    case Function::maximum:
+    case Function::select: return Latency::addition;
     default: return Latency::other;
   }
 }
@@ -104,7 +108,11 @@ int arrival(const Program& program, const Formula& formula) {
   switch (formula.kind) {
     case Formula::Kind::atom: return program.arrival(formula.atom);
     case Formula::Kind::constant: return 0;
-    case Formula::Kind::function: return program.arrival(formula.atom) + latency_of(formula.function);
+    case Formula::Kind::function: {
+      int last = 0;
+      for (const Formula& child : formula.children) last = std::max(last, program.arrival(child.atom));
+      return last + latency_of(formula.function);
+    }
     case Formula::Kind::product: return last_factor(program, formula) + Latency::multiplication;
     case Formula::Kind::quotient:
       return std::max(arrival(program, formula.children[0]), arrival(program, formula.children[1])) +
@@ -116,7 +124,7 @@ int arrival(const Program& program, const Formula& formula) {
 
 int arrival(const Program& program, const Definition& definition) {
   if (definition.symbol || definition.stage == Stage::generation || definition.stage == Stage::parameters) return 0;
-  if (definition.function) return program.arrival(definition.argument) + latency_of(*definition.function);
+  if (definition.function) return arrival(program, formula(program, definition));
   Formula sum = expanded(definition.polynomial);
   if (program.passes().scheduling) sum = in_order_of_arrival(program, std::move(sum));
   return arrival(program, sum);
@@ -137,7 +145,9 @@ void for_each_delay(const Program& program, const Formula& formula, const std::f
   switch (formula.kind) {
     case Formula::Kind::constant: return;
     case Formula::Kind::atom: return call(formula.atom, 0);
-    case Formula::Kind::function: return call(formula.atom, latency_of(formula.function));
+    case Formula::Kind::function:
+      for (const Formula& child : formula.children) call(child.atom, latency_of(formula.function));
+      return;
     case Formula::Kind::product: return factors(formula, Latency::multiplication);
     case Formula::Kind::quotient:
       for (const Formula& child : formula.children) within(child, Latency::division);

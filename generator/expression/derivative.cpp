@@ -2,6 +2,7 @@
 #include "generator/expression/derivative.hpp"
 
 #include <map>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -15,18 +16,48 @@ Term partial_of_term(const Term& term, const Factor& factor) {
   return {term.monomial * Monomial{{factor.atom, -1}}, term.coefficient * Number(factor.exponent)};
 }
 
-/// ∂f(x)/∂x for the atom f(x).
-Value slope(Program& program, Atom atom) {
-  const Definition definition = program[atom];
+/// The same number, dimensionless: arguments of one call may be definitions met first under different units.
+Value without_unit(const Value& value) {
+  return value.program() == nullptr ? value : Value(*value.program(), value.polynomial(), Unit());
+}
+
+/// ∂f/∂x_i for the atom f(x_0, x_1, ...) of an analytic function, or of one that has a slope all the same.
+Value slope(Program& program, Atom atom, std::size_t i) {
+  const Definition definition = program[atom];  // a copy: the program grows below
   const Value self = program.atom_value(atom);
   switch (*definition.function) {
     case Function::sin: return program.atom_value(definition.partner);
     case Function::cos: return -program.atom_value(definition.partner);
     case Function::exp: return self;
-    case Function::log: return pow(program.atom_value(definition.argument), -1);
+    case Function::log: return pow(program.atom_value(definition.arguments[0]), -1);
     case Function::sqrt: return Number::rational(1, 2) * pow(self, -1);
+    case Function::abs: return program.apply(Function::sign, program.atom_value(definition.arguments[0]));
+    case Function::sign: return {};
+    case Function::atan2: {  // (x dy - y dx)/(x² + y²)
+      const Value y = without_unit(program.argument(definition, 0)), x = without_unit(program.argument(definition, 1));
+      const Value square = program.bind(x * x + y * y);
+      return i == 0 ? x / square : -(y / square);
+    }
+    case Function::maximum:
+    case Function::select: break;  // see of_choice
   }
   return {};
+}
+
+/// Condition and forms of a function that selects one of two: c, a where c >= 0, b elsewhere.
+struct Choice {
+  Value condition, first, second;
+};
+
+std::optional<Choice> choice_of(Program& program, const Definition& definition) {
+  if (definition.function == Function::select) {
+    const Value condition = program.argument(definition, 0), first = program.argument(definition, 1);
+    return Choice{condition, first, program.argument(definition, 2)};
+  }
+  if (definition.function != Function::maximum) return std::nullopt;
+  const Value first = without_unit(program.argument(definition, 0));
+  const Value second = without_unit(program.argument(definition, 1));
+  return Choice{first - second, first, second};
 }
 
 /// The memo of an atom; the table grows with the program.
@@ -63,17 +94,30 @@ Value Derivation::of_atom(Atom atom) {
   if (definition.symbol) {
     derivative = seed_(definition.symbol);
   } else if (definition.function) {
-    const Value inner = of_atom(definition.argument);
-    if (!inner.is_zero()) {
-      const Value product = program_->bind(slope(*program_, atom) * inner);
-      // The argument may be a definition met first under another unit (a folded factor of 1 m hides one).
-      derivative = {*program_, product.polynomial(), definition.unit / variable_};
-    }
+    const Value product = of_call(atom, definition);
+    // The argument may be a definition met first under another unit (a folded factor of 1 m hides one).
+    if (!product.is_zero()) derivative = {*program_, product.polynomial(), definition.unit / variable_};
   } else {
     derivative = program_->bind(of_polynomial(definition.polynomial, definition.unit));
   }
   slot(known_, atom) = derivative;
   return derivative;
+}
+
+Value Derivation::of_call(Atom atom, const Definition& definition) {
+  if (const std::optional<Choice> choice = choice_of(*program_, definition)) {
+    const Value first = without_unit((*this)(choice->first)), second = without_unit((*this)(choice->second));
+    if (first.is_zero() && second.is_zero()) return {};
+    return program_->bind(program_->select(choice->condition, first, second));
+  }
+  Value sum;
+  for (std::size_t i = 0; i < definition.arguments.size(); ++i) {
+    const Value inner = of_atom(definition.arguments[i]);
+    if (inner.is_zero()) continue;
+    const Value outer = slope(*program_, atom, i);
+    sum += definition.arguments.size() == 1 ? outer * inner : without_unit(outer * inner);
+  }
+  return sum.program() == nullptr ? sum : program_->bind(sum);
 }
 
 Derivation partial_derivation(Program& program, const SymbolPointer& symbol) {
@@ -158,7 +202,8 @@ Value time_derivative(const Value& value) {
 
 namespace {
 
-/// Adjoints of all symbols that the value depends on, in order of creation.
+/// Adjoints of all symbols that the value depends on, in order of creation. Of a selection they are selected as a whole:
+/// in the form that does not count a slope may be no number, which times an adjoint of zero would be none either.
 std::map<Atom, Value> adjoints_of_symbols(const Value& value) {
   Program& program = *value.program();
   std::map<Atom, Value> adjoints;  // ordered by atom: the sweep goes from the last definition to the first
@@ -181,10 +226,28 @@ std::map<Atom, Value> adjoints_of_symbols(const Value& value) {
     if (adjoint.is_zero() || definition.stage == Stage::generation) continue;
     if (definition.symbol) {
       found[atom] = adjoint;
+    } else if (const std::optional<Choice> choice = choice_of(program, definition)) {
+      const std::map<Atom, Value> first = adjoints_of_symbols(choice->first);
+      const std::map<Atom, Value> second = adjoints_of_symbols(choice->second);
+      std::set<Atom> symbols;
+      for (const auto& [symbol, unused] : first) symbols.insert(symbol);
+      for (const auto& [symbol, unused] : second) symbols.insert(symbol);
+      const auto of = [](const std::map<Atom, Value>& all, Atom symbol) {
+        const auto place = all.find(symbol);
+        return place == all.end() ? Value() : without_unit(place->second);
+      };
+      for (const Atom symbol : symbols) {
+        const Value partial = program.select(choice->condition, of(first, symbol), of(second, symbol));
+        const Value product = partial * adjoint;
+        adjoints[symbol] += Value(program, product.polynomial(), value.unit() / program[symbol].unit);
+      }
     } else if (definition.function) {
-      const Value product = slope(program, atom) * adjoint;
-      adjoints[definition.argument] +=
-          Value(program, product.polynomial(), value.unit() / program[definition.argument].unit);
+      for (std::size_t i = 0; i < definition.arguments.size(); ++i) {
+        const Atom argument = definition.arguments[i];
+        const Value product = slope(program, atom, i) * adjoint;
+        if (product.is_zero()) continue;
+        adjoints[argument] += Value(program, product.polynomial(), value.unit() / program[argument].unit);
+      }
     } else {
       spread(definition.polynomial, definition.unit, adjoint);
     }
@@ -245,9 +308,13 @@ Value Substitution::of_atom(Atom atom) {
   if (definition.symbol) {
     result = replacement_(definition.symbol).value_or(program_->atom_value(atom));
   } else if (definition.function) {
-    const Unit unit = *definition.function == Function::sqrt ? definition.unit.pow(2) : Unit();
-    const Value argument = of_atom(definition.argument);
-    result = program_->apply(*definition.function, Value(*program_, argument.polynomial(), unit));
+    const std::vector<Unit> units = argument_units(*definition.function, definition.unit);
+    std::vector<Value> arguments;
+    for (std::size_t i = 0; i < units.size(); ++i) {
+      const Value argument = of_atom(definition.arguments[i]);
+      arguments.emplace_back(*program_, argument.polynomial(), units[i]);
+    }
+    result = program_->apply(*definition.function, arguments);
   } else {
     result = program_->bind((*this)(Value(*program_, definition.polynomial, definition.unit)), definition.name);
   }

@@ -25,6 +25,7 @@ class Derivation {
 
  private:
   Value of_atom(Atom atom);
+  Value of_call(Atom atom, const Definition& definition);
   Value of_polynomial(const Polynomial& polynomial, const Unit& unit);
 
   Program* program_;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cmath>
 #include <functional>
 #include <optional>
 #include <unordered_map>
 #include <vector>
 
 #include "generator/expression/formula.hpp"
+#include "generator/expression/function_values.hpp"
 #include "generator/expression/high_precision.hpp"
 #include "generator/expression/program.hpp"
 
@@ -70,18 +70,6 @@ class Evaluator {
     }
   }
 
-  static Scalar apply(Function function, const Scalar& x) {
-    using std::cos, std::exp, std::log, std::sin, std::sqrt;
-    switch (function) {
-      case Function::sin: return sin(x);
-      case Function::cos: return cos(x);
-      case Function::sqrt: return sqrt(x);
-      case Function::exp: return exp(x);
-      case Function::log: return log(x);
-    }
-    return x;
-  }
-
   void grow() {
     known_.resize(program_->size());
     formulas_.resize(program_->size());
@@ -91,7 +79,12 @@ class Evaluator {
     switch (formula.kind) {
       case Formula::Kind::constant: return constant(formula.number);
       case Formula::Kind::atom: return of_atom(formula.atom);
-      case Formula::Kind::function: return apply(formula.function, of_atom(formula.atom));
+      case Formula::Kind::function: {
+        std::vector<Scalar> arguments;
+        arguments.reserve(formula.children.size());
+        for (const Formula& child : formula.children) arguments.push_back(of_atom(child.atom));
+        return value_of_call(formula.function, arguments);
+      }
       case Formula::Kind::quotient: {
         const Scalar numerator = of_formula(formula.children[0]);
         return numerator / of_formula(formula.children[1]);

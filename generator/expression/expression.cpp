@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/expression/expression.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "generator/expression/decimal.hpp"
@@ -23,11 +25,10 @@ void require_same_unit(const Expression& a, const Expression& b) {
                               a.unit().to_string(), b.to_string(), b.unit().to_string()));
 }
 
-void require_dimensionless(std::string_view function, const Expression& x) {
-  if (x.is_zero() || x.unit() == Unit()) return;
-  throw UnitError(fmt::format("the argument of {}({}) has the unit {} and must be dimensionless: divide it by a "
-                              "quantity of that unit",
-                              function, x.to_string(), x.unit().to_string()));
+std::string call_text(Function function, const std::vector<Expression>& arguments) {
+  std::string inside;
+  for (const Expression& argument : arguments) inside += (inside.empty() ? "" : ", ") + argument.to_string();
+  return fmt::format("{}({})", to_string(function), inside);
 }
 
 bool is_number(const Expression& x, const Number& value) {
@@ -36,17 +37,6 @@ bool is_number(const Expression& x, const Number& value) {
 }
 
 }  // namespace
-
-std::string_view to_string(Function function) {
-  switch (function) {
-    case Function::sin: return "sin";
-    case Function::cos: return "cos";
-    case Function::sqrt: return "sqrt";
-    case Function::exp: return "exp";
-    case Function::log: return "log";
-  }
-  return "?";
-}
 
 Expression::Expression(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
 Expression::Expression() : Expression(Number()) {}
@@ -70,17 +60,34 @@ SymbolPointer Expression::as_symbol() const {
   return symbol == nullptr ? nullptr : *symbol;
 }
 
+void Expression::collect(std::vector<SymbolPointer>& symbols) const {
+  std::visit(Overloaded{
+                 [](const Number&) {},
+                 [&](const SymbolPointer& own) {
+                   if (std::find(symbols.begin(), symbols.end(), own) == symbols.end()) symbols.push_back(own);
+                 },
+                 [&](const Node::Sum& s) { s.left.collect(symbols), s.right.collect(symbols); },
+                 [&](const Node::Product& p) { p.left.collect(symbols), p.right.collect(symbols); },
+                 [&](const Node::Power& p) { p.base.collect(symbols); },
+                 [&](const Node::Apply& call) {
+                   for (const Expression& argument : call.arguments) argument.collect(symbols);
+                 },
+                 [&](const Node::Rate& rate) { rate.formula.collect(symbols); },
+             },
+             node_->content);
+}
+
+std::vector<SymbolPointer> Expression::symbols() const {
+  std::vector<SymbolPointer> all;
+  collect(all);
+  return all;
+}
+
 bool Expression::depends_on(const SymbolPointer& symbol) const {
-  return std::visit(Overloaded{
-                        [](const Number&) { return false; },
-                        [&](const SymbolPointer& own) { return own == symbol; },
-                        [&](const Node::Sum& s) { return s.left.depends_on(symbol) || s.right.depends_on(symbol); },
-                        [&](const Node::Product& p) { return p.left.depends_on(symbol) || p.right.depends_on(symbol); },
-                        [&](const Node::Power& p) { return p.base.depends_on(symbol); },
-                        [&](const Node::Apply& call) { return call.argument.depends_on(symbol); },
-                        [&](const Node::Rate& rate) { return rate.formula.depends_on(symbol); },
-                    },
-                    node_->content);
+  const std::vector<SymbolPointer> all = symbols();
+  return std::any_of(all.begin(), all.end(), [&](const SymbolPointer& own) {
+    return own == symbol || std::find(own->made_of.begin(), own->made_of.end(), symbol) != own->made_of.end();
+  });
 }
 
 Expression operator+(const Expression& a, const Expression& b) {
@@ -107,11 +114,21 @@ Expression pow(const Expression& base, int exponent) {
   return Expression(std::make_shared<Expression::Node>(
       Expression::Node{Expression::Node::Power{base, exponent}, base.unit().pow(exponent)}));
 }
-Expression apply(Function function, const Expression& x) {
-  if (function != Function::sqrt) require_dimensionless(to_string(function), x);
-  const Unit unit = function == Function::sqrt ? x.unit().root() : Unit();
+Expression apply(Function function, const Expression& x) { return call(function, {x}); }
+Expression call(Function function, const std::vector<Expression>& arguments) {
+  if (arguments.size() != traits_of(function).arity) {
+    throw Error(fmt::format("{} takes {} arguments", call_text(function, arguments), traits_of(function).arity));
+  }
+  std::vector<Unit> units;
+  std::vector<bool> zeros;
+  for (const Expression& argument : arguments) {
+    units.push_back(argument.unit());
+    zeros.push_back(argument.is_zero());
+  }
+  const Unit unit = unit_of_call(
+      function, units, zeros, [&] { return call_text(function, arguments); }, ": divide it by a quantity of that unit");
   return Expression(
-      std::make_shared<Expression::Node>(Expression::Node{Expression::Node::Apply{function, x}, unit}));
+      std::make_shared<Expression::Node>(Expression::Node{Expression::Node::Apply{function, arguments}, unit}));
 }
 Expression rate(const Expression& formula) {
   return Expression(std::make_shared<Expression::Node>(
@@ -124,6 +141,11 @@ Expression tan(const Expression& angle) { return sin(angle) / cos(angle); }
 Expression exp(const Expression& x) { return apply(Function::exp, x); }
 Expression log(const Expression& x) { return apply(Function::log, x); }
 Expression sqrt(const Expression& x) { return apply(Function::sqrt, x); }
+Expression abs(const Expression& x) { return apply(Function::abs, x); }
+Expression sign(const Expression& x) { return apply(Function::sign, x); }
+Expression max(const Expression& a, const Expression& b) { return call(Function::maximum, {a, b}); }
+Expression min(const Expression& a, const Expression& b) { return -max(-a, -b); }
+Expression atan2(const Expression& y, const Expression& x) { return call(Function::atan2, {y, x}); }
 
 Expression pi() {
   static const auto symbol = std::make_shared<const Symbol>(Symbol{"pi", Unit(), SymbolKind::pi, -1, nullptr});
@@ -144,9 +166,7 @@ std::string Expression::to_string() const {
                         [](const Node::Power& power) {
                           return fmt::format("{}^({})", power.base.to_string(), power.exponent);
                         },
-                        [](const Node::Apply& call) {
-                          return fmt::format("{}({})", torsor::to_string(call.function), call.argument.to_string());
-                        },
+                        [](const Node::Apply& call) { return call_text(call.function, call.arguments); },
                         [](const Node::Rate& rate) { return fmt::format("d/dt({})", rate.formula.to_string()); },
                     },
                     node_->content);

@@ -6,17 +6,13 @@
 #include <string_view>
 #include <vector>
 
+#include "generator/expression/function.hpp"
 #include "generator/expression/symbol.hpp"
 #include "generator/expression/unit.hpp"
 
 namespace torsor {
 
 class Number;
-
-/// Functions a user may write; all take and return dimensionless quantities, except the square root.
-enum class Function { sin, cos, sqrt, exp, log };
-
-std::string_view to_string(Function function);
 
 /// A formula as its author wrote it: an immutable tree over symbols and exact numbers, cheap to copy.
 ///
@@ -42,7 +38,10 @@ class Expression {
   bool is_zero() const;              ///< the literal 0 (a formula that only evaluates to 0 is not recognised here)
   SymbolPointer as_symbol() const;   ///< the symbol when the formula is just one, else null
   std::string to_string() const;     ///< plain text for messages
+  /// Whether the symbol stands in the formula, or in what a measured quantity of it is a function of.
   bool depends_on(const SymbolPointer& symbol) const;
+  /// Every symbol that stands in the formula, each once, in order of appearance.
+  std::vector<SymbolPointer> symbols() const;
   const Node& node() const { return *node_; }
 
   friend Expression operator+(const Expression& a, const Expression& b);
@@ -51,11 +50,12 @@ class Expression {
   friend Expression operator/(const Expression& a, const Expression& b);
   friend Expression operator-(const Expression& a);
   friend Expression pow(const Expression& base, int exponent);
-  friend Expression apply(Function function, const Expression& argument);
+  friend Expression call(Function function, const std::vector<Expression>& arguments);
   friend Expression rate(const Expression& formula);
 
  private:
   explicit Expression(std::shared_ptr<const Node> node);
+  void collect(std::vector<SymbolPointer>& symbols) const;
   std::shared_ptr<const Node> node_;
 };
 
@@ -65,6 +65,18 @@ Expression tan(const Expression& angle);
 Expression exp(const Expression& x);
 Expression log(const Expression& x);
 Expression sqrt(const Expression& x);
+/// |x|, of any unit; its derivative at 0 is taken as 0.
+Expression abs(const Expression& x);
+/// −1, 0 or 1, of an x of any unit; its derivative is 0.
+Expression sign(const Expression& x);
+/// The larger and the smaller of two quantities of one unit; where they are equal the derivative is a's.
+Expression max(const Expression& a, const Expression& b);
+Expression min(const Expression& a, const Expression& b);
+/// The angle in (−π, π] from the x axis to (x, y), two quantities of one unit; 0 for (0, 0), where it has no derivative.
+Expression atan2(const Expression& y, const Expression& x);
+
+Expression apply(Function function, const Expression& argument);
+Expression call(Function function, const std::vector<Expression>& arguments);
 
 /// π as an exact constant: sine and cosine of multiples of π/12 stay exact.
 Expression pi();

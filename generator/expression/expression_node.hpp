@@ -14,7 +14,7 @@ struct Expression::Node {
   struct Sum { Expression left, right; };
   struct Product { Expression left, right; };
   struct Power { Expression base; int exponent; };
-  struct Apply { Function function; Expression argument; };
+  struct Apply { Function function; std::vector<Expression> arguments; };
   struct Rate { Expression formula; };
 
   std::variant<Number, SymbolPointer, Sum, Product, Power, Apply, Rate> content;

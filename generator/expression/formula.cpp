@@ -172,7 +172,7 @@ Formula formula(const Program& program, const Definition& definition) {
   Formula call;
   call.kind = Formula::Kind::function;
   call.function = *definition.function;
-  call.atom = definition.argument;
+  for (const Atom argument : definition.arguments) call.children.push_back(Formula::of_atom(argument));
   return call;
 }
 
@@ -203,7 +203,10 @@ OperationCount count(const Formula& formula) {
     case Formula::Kind::function:
       if (formula.function == Function::sqrt) total.square_roots += 1;
       // Sines and cosines are counted by pair, where the program is known.
-      if (formula.function == Function::exp || formula.function == Function::log) total.others += 1;
+      if (formula.function != Function::sqrt && formula.function != Function::sin &&
+          formula.function != Function::cos) {
+        total.others += 1;
+      }
       break;
     case Formula::Kind::atom:
     case Formula::Kind::constant:
@@ -224,8 +227,8 @@ OperationCount count_live(const Program& program, const std::vector<Value>& outp
     if (definition.symbol || !belongs(definition.stage)) continue;
     const bool trigonometric = definition.function == Function::sin || definition.function == Function::cos;
     if (trigonometric) {
-      if (std::find(angles.begin(), angles.end(), definition.argument) == angles.end()) {
-        angles.push_back(definition.argument);
+      if (std::find(angles.begin(), angles.end(), definition.arguments[0]) == angles.end()) {
+        angles.push_back(definition.arguments[0]);
         total.sincos_pairs += 1;
       }
       continue;

@@ -13,10 +13,10 @@ struct Formula {
   enum class Kind { atom, constant, sum, product, quotient, function };
 
   Kind kind = Kind::constant;
-  Atom atom = -1;                  ///< of an atom; of a function: its argument
+  Atom atom = -1;                  ///< of an atom
   Number number;                   ///< of a constant
   Function function{};             ///< of a function
-  std::vector<Formula> children;   ///< of sums, products and quotients (numerator, denominator)
+  std::vector<Formula> children;   ///< of sums, products, quotients (numerator, denominator); of a function: its atoms
   std::vector<bool> negative;      ///< of a sum: which children are subtracted
 
   static Formula of_atom(Atom atom);

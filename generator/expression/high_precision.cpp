@@ -225,6 +225,24 @@ Real log(const Real& x) {
   return Real(cln::ln(with_own_precision(x.raw())));
 }
 
+Real atan2(const Real& y, const Real& x) {
+  if (y.is_nan() || x.is_nan()) return Real::not_a_number();
+  if (y.is_zero() && x.is_zero()) return y;
+  // The precision of the quotient, in which the smaller component is over the larger: |atan| <= pi/4.
+  const int digits = std::max({y.digits(), x.digits(), least_digits});
+  const Real pi = Real::pi(digits), half(Number::rational(1, 2), digits);
+  const auto of_quotient = [](const Real& quotient) {
+    return quotient.is_zero() ? quotient : Real(cln::the<cln::cl_F>(cln::atan(with_own_precision(quotient.raw()))));
+  };
+  if (abs(y) > abs(x)) {
+    const Real rest = of_quotient(x / y);
+    return (y > Real(0) ? half * pi : -(half * pi)) - rest;
+  }
+  const Real angle = of_quotient(y / x);
+  if (x > Real(0)) return angle;
+  return y < Real(0) ? angle - pi : angle + pi;
+}
+
 Real Real::pi(int digits) { return Real(cln::pi(format_for(digits))); }
 
 Real pow(const Real& x, int exponent) {

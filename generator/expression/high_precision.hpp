@@ -89,6 +89,8 @@ Real exp(const Real& x);
 Real log(const Real& x);  ///< not a number unless x > 0
 Real sin(const Real& angle);
 Real cos(const Real& angle);
+/// The angle of (x, y) in (−π, π]; 0 of (0, 0).
+Real atan2(const Real& y, const Real& x);
 /// Both at once, for the cost of little more than one.
 void sincos(const Real& angle, Real& sine, Real& cosine);
 /// x to an integer power by repeated squaring.

@@ -44,6 +44,11 @@ Value Program::atom_value(Atom atom) { return {*this, Polynomial(atom), (*this)[
 Value Program::symbol(const SymbolPointer& symbol) {
   if (const auto known = symbols_.find(symbol.get()); known != symbols_.end()) return atom_value(known->second);
   if (const auto known = resolved_.find(symbol.get()); known != resolved_.end()) return known->second;
+  if (symbol->measure && measurer_) {
+    const Value value = measurer_(*symbol);
+    resolved_.emplace(symbol.get(), value);
+    return value;
+  }
   if (resolver_) {
     if (const std::optional<Expression> replacement = resolver_(symbol)) {
       const Value value = lower(*replacement);
@@ -87,7 +92,11 @@ Value Program::lower(const Expression& formula) {
     if (power->exponent == 0) return number(Number(1));
     return pow(base, power->exponent);
   }
-  if (const auto* call = std::get_if<Node::Apply>(&node.content)) return apply(call->function, lower(call->argument));
+  if (const auto* call = std::get_if<Node::Apply>(&node.content)) {
+    std::vector<Value> arguments;
+    for (const Expression& argument : call->arguments) arguments.push_back(lower(argument));
+    return apply(call->function, arguments);
+  }
   return time_derivative(lower(std::get<Node::Rate>(node.content).formula));
 }
 
@@ -122,28 +131,69 @@ Value Program::bind(const Value& value, const std::string& name, bool shared) {
   return negative ? -bound : bound;
 }
 
-Atom Program::function_atom(Function function, Atom argument) {
-  auto& known = functions_[static_cast<std::size_t>(argument)];
-  for (const auto& [f, atom] : known) {
-    if (f == function) return atom;
+Atom Program::function_atom(Function function, const std::vector<Atom>& arguments, const Unit& unit) {
+  const auto first = static_cast<std::size_t>(arguments[0]);
+  for (const auto& [f, atom] : functions_[first]) {
+    if (f == function && (*this)[atom].arguments == arguments) return atom;
   }
   Definition definition;
   definition.function = function;
-  definition.argument = argument;
-  definition.stage = (*this)[argument].stage;
-  if (function == Function::sqrt) definition.unit = (*this)[argument].unit.root();
+  definition.arguments = arguments;
+  for (const Atom argument : arguments) definition.stage = std::max(definition.stage, (*this)[argument].stage);
+  definition.unit = function == Function::sqrt ? (*this)[arguments[0]].unit.root() : unit;
   const Atom atom = append(std::move(definition));
-  functions_[static_cast<std::size_t>(argument)].emplace_back(function, atom);
+  functions_[first].emplace_back(function, atom);
   if (function == Function::sin || function == Function::cos) {  // they come as a pair and are computed together
-    const Atom other = function_atom(function == Function::sin ? Function::cos : Function::sin, argument);
+    const Atom other = function_atom(function == Function::sin ? Function::cos : Function::sin, arguments, unit);
     definitions_[static_cast<std::size_t>(atom)].partner = other;
     definitions_[static_cast<std::size_t>(other)].partner = atom;
   }
   return atom;
 }
 
+/// The definition of a number, which functions of it need.
+Atom Program::constant_atom(const Value& number) {
+  std::vector<Atom>& bucket = sums_[number.polynomial().hash()];
+  for (const Atom atom : bucket) {
+    if ((*this)[atom].polynomial == number.polynomial() && !(*this)[atom].symbol && !(*this)[atom].function) return atom;
+  }
+  Definition constant;
+  constant.polynomial = number.polynomial();
+  constant.unit = number.unit();
+  const Atom atom = append(std::move(constant));
+  sums_[(*this)[atom].polynomial.hash()].push_back(atom);
+  return atom;
+}
+
+Atom Program::argument_atom(const Value& argument) {
+  if (argument.is_constant()) return constant_atom(argument);
+  const Value bound = bind(argument);
+  if (bound.atom()) return *bound.atom();
+  // Minus one definition, under a name of its own that is found again.
+  std::vector<Atom>& bucket = sums_[bound.polynomial().hash()];
+  for (const Atom atom : bucket) {
+    if ((*this)[atom].polynomial == bound.polynomial()) return atom;
+  }
+  Definition negated;
+  negated.polynomial = bound.polynomial();
+  negated.unit = bound.unit();
+  negated.stage = stage_of(bound.polynomial());
+  const Atom atom = append(std::move(negated));
+  sums_[bound.polynomial().hash()].push_back(atom);
+  return atom;
+}
+
+Value Program::argument(const Definition& call, std::size_t i) {
+  const Atom atom = call.arguments[i];
+  const Definition& definition = (*this)[atom];
+  const bool number = !definition.symbol && !definition.function && definition.polynomial.is_constant();
+  return number ? Value(*this, definition.polynomial, definition.unit) : atom_value(atom);
+}
+
 Value Program::apply_to_number(Function function, const Value& argument) {
   const Number value = argument.polynomial().constant();
+  if (function == Function::abs) return number(value.abs(), argument.unit());
+  if (function == Function::sign) return number(Number(value.sign()));
   if (value.is_zero()) {
     if (function == Function::sin || function == Function::sqrt) return number(Number(), argument.unit());
     if (function == Function::cos || function == Function::exp) return number(Number(1));
@@ -158,16 +208,36 @@ Value Program::apply_to_number(Function function, const Value& argument) {
   if (value.sign() < 0 && function == Function::sin) return -apply(function, -argument);
   if (value.sign() < 0 && function == Function::cos) return apply(function, -argument);
   const Unit unit = function == Function::sqrt ? argument.unit().root() : Unit();
-  Definition constant;  // a named definition of the generation stage: its function has no exact value
-  constant.polynomial = argument.polynomial();
-  constant.unit = argument.unit();
-  std::vector<Atom>& bucket = sums_[constant.polynomial.hash()];
-  for (const Atom atom : bucket) {
-    if ((*this)[atom].polynomial == constant.polynomial) return {*this, Polynomial(function_atom(function, atom)), unit};
+  // A named definition of the generation stage: its function has no exact value.
+  return {*this, Polynomial(function_atom(function, {constant_atom(argument)}, unit)), unit};
+}
+
+/// What a selection gives where its condition is known, or where it makes no difference.
+std::optional<Value> Program::known_choice(Function function, const std::vector<Value>& arguments) {
+  if (function == Function::maximum) {
+    const Value difference = arguments[0] - arguments[1];
+    if (!difference.is_constant()) return std::nullopt;
+    return arguments[difference.is_zero() || difference.polynomial().constant().sign() > 0 ? 0 : 1];
   }
-  const Atom atom = append(std::move(constant));
-  sums_[(*this)[atom].polynomial.hash()].push_back(atom);
-  return {*this, Polynomial(function_atom(function, atom)), unit};
+  if (function != Function::select) return std::nullopt;
+  if (arguments[1].polynomial() == arguments[2].polynomial()) return arguments[1].is_zero() ? arguments[2] : arguments[1];
+  if (!arguments[0].is_constant()) return std::nullopt;
+  return arguments[arguments[0].is_zero() || arguments[0].polynomial().constant().sign() > 0 ? 1 : 2];
+}
+
+/// atan2 of numbers whose angle is a multiple of π/12.
+std::optional<Value> Program::exact_angle(const Value& y, const Value& x) {
+  if (!y.is_constant() || !x.is_constant()) return std::nullopt;
+  const auto of = [](const Value& v) { return v.is_zero() ? Number() : v.polynomial().constant(); };
+  const Number up = of(y), along = of(x);
+  if (up.is_zero() && along.is_zero()) return number(Number());
+  for (int twelfths = -11; twelfths <= 12; ++twelfths) {
+    const auto [sine, cosine] = *sin_cos_of_pi_twelfths(Number(twelfths));
+    const bool along_it = (up * cosine - along * sine).is_zero();
+    if (!along_it || (up * sine + along * cosine).sign() < 0) continue;
+    return Number::rational(twelfths, 12) * symbol(pi().as_symbol());
+  }
+  return std::nullopt;
 }
 
 Value Program::shifted_angle(Function function, const Value& angle) {
@@ -192,30 +262,48 @@ Value Program::shifted_angle(Function function, const Value& angle) {
   return {};
 }
 
-Value Program::apply(Function function, const Value& argument) {
-  if (function != Function::sqrt && !argument.is_zero() && !(argument.unit() == Unit())) {
-    throw UnitError(fmt::format("the argument of {}({}) has the unit {} and must be dimensionless",
-                                torsor::to_string(function), to_string(argument), argument.unit().to_string()));
+Value Program::apply(Function function, const std::vector<Value>& given) {
+  std::vector<Unit> units;
+  std::vector<bool> zeros;
+  for (const Value& argument : given) {
+    units.push_back(argument.unit());
+    zeros.push_back(argument.is_zero());
   }
-  if (argument.is_constant()) return apply_to_number(function, argument);
-  const bool odd_or_even = function == Function::sin || function == Function::cos;
-  if (odd_or_even) {
-    if (const Value shifted = shifted_angle(function, argument); shifted.program() != nullptr) return shifted;
-    if (argument.polynomial().sign() < 0) {
-      const Value mirrored = apply(function, -argument);
-      return function == Function::sin ? -mirrored : mirrored;
+  const Unit unit = unit_of_call(function, units, zeros, [&] {
+    std::string text;
+    for (const Value& argument : given) text += (text.empty() ? "" : ", ") + to_string(argument);
+    return fmt::format("{}({})", torsor::to_string(function), text);
+  });
+  const FunctionTraits& traits = traits_of(function);
+  if (const std::optional<Value> known = known_choice(function, given)) {
+    return {*this, known->polynomial(), unit};
+  }
+  if (function == Function::atan2) {
+    if (std::optional<Value> exact = exact_angle(given[0], given[1])) return *exact;
+  } else if (traits.arity == 1 && given[0].is_constant()) {
+    return apply_to_number(function, given[0]);
+  }
+  if (function == Function::sin || function == Function::cos) {
+    if (const Value shifted = shifted_angle(function, given[0]); shifted.program() != nullptr) return shifted;
+  }
+  if (traits.parity != Parity::none && given[0].polynomial().sign() < 0) {
+    std::vector<Value> mirrored = given;
+    mirrored[0] = -mirrored[0];
+    const Value value = apply(function, mirrored);
+    return traits.parity == Parity::odd ? -value : value;
+  }
+  if ((function == Function::abs || function == Function::sign) && given[0].polynomial().terms().size() == 1) {
+    const Term& term = given[0].polynomial().terms()[0];
+    if (!term.coefficient.is_one()) {  // |2 x| = 2 |x|
+      const Value rest(*this, Polynomial(Term{term.monomial, Number(1)}), given[0].unit());
+      const Value value = apply(function, rest);
+      return function == Function::abs ? term.coefficient * value : value;
     }
   }
-  Value bound = bind(argument);
-  if (!bound.atom()) {  // minus one definition: only sqrt, exp and log come here
-    Definition negated;
-    negated.polynomial = bound.polynomial();
-    negated.unit = bound.unit();
-    negated.stage = stage_of(bound.polynomial());
-    bound = atom_value(append(std::move(negated)));
-  }
-  const Atom atom = function_atom(function, *bound.atom());
-  return {*this, Polynomial(atom), function == Function::sqrt ? argument.unit().root() : Unit()};
+  std::vector<Atom> arguments;
+  for (const Value& argument : given) arguments.push_back(argument_atom(argument));
+  if (function == Function::maximum && arguments[1] < arguments[0]) std::swap(arguments[0], arguments[1]);
+  return {*this, Polynomial(function_atom(function, arguments, unit)), unit};
 }
 
 Stage Program::stage_of(const Polynomial& polynomial) const {
@@ -238,7 +326,7 @@ std::vector<Atom> Program::live(const std::vector<Value>& outputs) const {
   for (std::size_t k = definitions_.size(); k-- > 0;) {
     if (!needed[k]) continue;
     mark(definitions_[k].polynomial);
-    if (definitions_[k].function) needed[static_cast<std::size_t>(definitions_[k].argument)] = true;
+    for (const Atom argument : definitions_[k].arguments) needed[static_cast<std::size_t>(argument)] = true;
   }
   std::vector<Atom> atoms;
   for (std::size_t k = 0; k < needed.size(); ++k) {

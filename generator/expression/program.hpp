@@ -54,12 +54,12 @@ class Value {
   Unit unit_;
 };
 
-/// One entry of a program: a symbol of the scene, a flat sum, or a function of one earlier atom.
+/// One entry of a program: a symbol of the scene, a flat sum, or a function of earlier atoms.
 struct Definition {
   SymbolPointer symbol;              ///< set for symbols
   Polynomial polynomial;             ///< set for sums
   std::optional<Function> function;  ///< set for functions, with
-  Atom argument = -1;                ///< the atom it is applied to
+  std::vector<Atom> arguments;       ///< the atoms it is applied to
   Atom partner = -1;                 ///< cosine of the same argument for a sine, and the other way round
   Unit unit;
   Stage stage = Stage::generation;
@@ -78,9 +78,15 @@ class Program {
   /// Returns nothing for a symbol that stays.
   using Resolver = std::function<std::optional<Expression>(const SymbolPointer&)>;
 
+  /// The value of what is measured on the motion of frames (Symbol::measure).
+  using Measurer = std::function<Value(const Symbol&)>;
+
   explicit Program(Resolver resolver = {}, const Passes& passes = {});
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
+
+  /// Who tells the values of measured quantities; without one they are symbols like any other.
+  void set_measurer(Measurer measurer) { measurer_ = std::move(measurer); }
 
   Value lower(const Expression& formula);
   Value symbol(const SymbolPointer& symbol);
@@ -93,10 +99,15 @@ class Program {
   Value bind_apart(const Value& value, const std::string& name = {}) { return bind(value, name, false); }
   Value atom_value(Atom atom);  ///< the atom as a value
 
-  Value apply(Function function, const Value& argument);
+  Value apply(Function function, const Value& argument) { return apply(function, std::vector<Value>{argument}); }
+  Value apply(Function function, const std::vector<Value>& arguments);
+  /// The value that a function is applied to there: a number where the atom only names one.
+  Value argument(const Definition& call, std::size_t i);
   Value sin(const Value& angle) { return apply(Function::sin, angle); }
   Value cos(const Value& angle) { return apply(Function::cos, angle); }
   Value sqrt(const Value& x) { return apply(Function::sqrt, x); }
+  /// a where c is not negative, else b; not a number where c is none.
+  Value select(const Value& c, const Value& a, const Value& b) { return apply(Function::select, {c, a, b}); }
 
   const Passes& passes() const { return passes_; }
   std::size_t size() const { return definitions_.size(); }
@@ -115,18 +126,23 @@ class Program {
  private:
   Atom append(Definition definition);
   Value bind(const Value& value, const std::string& name, bool shared);
-  Atom function_atom(Function function, Atom argument);
+  Atom function_atom(Function function, const std::vector<Atom>& arguments, const Unit& unit);
+  Atom constant_atom(const Value& number);
+  Atom argument_atom(const Value& argument);
   Value apply_to_number(Function function, const Value& argument);
+  std::optional<Value> known_choice(Function function, const std::vector<Value>& arguments);
+  std::optional<Value> exact_angle(const Value& y, const Value& x);
   Value shifted_angle(Function function, const Value& angle);
   Stage stage_of(const Polynomial& polynomial) const;
 
   Resolver resolver_;
+  Measurer measurer_;
   Passes passes_;
   std::vector<Definition> definitions_;
   std::vector<int> arrivals_;  ///< of each definition
   std::unordered_map<const Symbol*, Atom> symbols_;
   std::unordered_map<std::size_t, std::vector<Atom>> sums_;  ///< by hash of the polynomial
-  std::vector<std::vector<std::pair<Function, Atom>>> functions_;  ///< by argument
+  std::vector<std::vector<std::pair<Function, Atom>>> functions_;  ///< by first argument
   std::unordered_map<const Symbol*, Value> resolved_;
 };
 

@@ -110,11 +110,25 @@ class SeriesEvaluation {
     }
     if (node.kind == Kind::sum) return value(node.form, k);
     if (k == 0) {
+      if (node.kind == Kind::weighted) return Scalar(0);
       if (node.kind == Kind::product) return at(node.left, 0) * at(node.right, 0);
       if (node.kind == Kind::quotient) return (node.left < 0 ? Scalar(1) : at(node.left, 0)) / at(node.right, 0);
       return here_(program_.value(Polynomial(node.atom)));
     }
     switch (node.kind) {
+      case Kind::weighted:
+        return Scalar(k) * at(node.left, k);
+      case Kind::integrated:
+        return at(node.left, k) / Scalar(k);
+      case Kind::selection: {
+        const Definition& call = program_.call_of(node);
+        const auto argument = [&](std::size_t i) { return here_(program_.value(Polynomial(call.arguments[i]))); };
+        const auto form = [&](int operand) { return operand < 0 ? Scalar(0) : at(operand, k); };
+        const Scalar first = form(node.left);
+        if (call.function == Function::abs) return select(argument(0), first, -first);
+        if (call.function == Function::select) return select(argument(0), first, form(node.right));
+        return select(argument(0) - argument(1), first, form(node.right));
+      }
       case Kind::product:
         return at(node.left, 0) * at(node.right, k) + at(node.left, k) * at(node.right, 0) +
                inner(node.left, node.right, k, false);

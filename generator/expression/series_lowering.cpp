@@ -79,8 +79,15 @@ void SeriesLowering::define(Atom atom) {
     return;
   }
   if (definition.function) {
-    if (!constant_[at(definition.argument)]) form_of(definition.argument);
-    constant_[at(atom)] = constant_[at(definition.argument)];
+    const std::vector<Atom>& arguments = definition.arguments;
+    for (const Atom argument : arguments) {
+      if (!constant_[at(argument)]) form_of(argument);
+    }
+    // A condition chooses once and for all: it counts at the start only.
+    const bool condition = definition.function == Function::select;
+    constant_[at(atom)] = definition.function == Function::sign ||
+                          std::all_of(arguments.begin() + (condition ? 1 : 0), arguments.end(),
+                                      [&](Atom argument) { return constant_[at(argument)]; });
     if (!constant_[at(atom)] && !direct_[at(atom)]) define_function(atom);
     return;
   }
@@ -92,14 +99,38 @@ void SeriesLowering::define(Atom atom) {
 
 void SeriesLowering::define_function(Atom atom) {
   const Definition& definition = program_[atom];
-  const int argument = exact(form_of(definition.argument));
-  const auto make = [&](Atom of, SeriesNode::Kind kind) {
-    const int node = append({kind, of, argument, -1, {}});
+  const auto keep = [&](Atom of, int node) {
     expanded_[at(of)] = form_of_node(node);
     direct_[at(of)] = expanded_[at(of)];
     return node;
   };
+  // The series of an argument; -1 where it does not change, not even by its form (terms that cancel).
+  const auto series = [&](std::size_t i) {
+    const Atom argument = definition.arguments[i];
+    if (constant_[at(argument)] || form_of(argument).terms.empty()) return -1;
+    return exact(form_of(argument));
+  };
+  if (definition.function == Function::select || definition.function == Function::maximum) {
+    const std::size_t first = definition.function == Function::select ? 1 : 0;
+    const int left = series(first);
+    const int right = series(first + 1);
+    keep(atom, append({SeriesNode::Kind::selection, atom, left, right, {}}));
+    return;
+  }
+  if (definition.function == Function::atan2) {
+    const int y = series(0);
+    return define_arctangent(atom, y, series(1));
+  }
+  const int argument = exact(form_of(definition.arguments[0]));
+  const auto make = [&](Atom of, SeriesNode::Kind kind) { return keep(of, append({kind, of, argument, -1, {}})); };
   switch (*definition.function) {
+    case Function::abs:
+      make(atom, SeriesNode::Kind::selection);
+      return;
+    case Function::sign:
+    case Function::maximum:
+    case Function::atan2:
+    case Function::select: return;
     case Function::sqrt:
       make(atom, SeriesNode::Kind::square_root);
       return;
@@ -118,6 +149,50 @@ void SeriesLowering::define_function(Atom atom) {
   const int cosine = make(is_sine ? definition.partner : atom, SeriesNode::Kind::cosine);
   nodes_[at(sine)].right = cosine;
   nodes_[at(cosine)].right = sine;
+}
+
+/// θ = atan2(y, x) from (x² + y²) θ' = x y' − y x', every derivative times t: of a series x_k that is k x_k.
+void SeriesLowering::define_arctangent(Atom atom, int y, int x) {
+  const auto value = [&](std::size_t i, int node) {
+    Product product{unity(), {}};
+    const Definition& constant = program_[program_[atom].arguments[i]];
+    const bool number = !constant.symbol && !constant.function && constant.polynomial.is_constant();
+    if (node >= 0) {
+      product.multiply(node, 1);
+    } else {
+      product.coefficient = number ? constant.polynomial : Polynomial(program_[atom].arguments[i]);
+    }
+    return product;
+  };
+  const auto times = [](Product a, const Product& b) {
+    a.coefficient = product_of(a.coefficient, b.coefficient);
+    for (const Power& power : b.powers) a.multiply(power.node, power.exponent);
+    return a;
+  };
+  const Product along = value(1, x), up = value(0, y);
+  std::vector<Product> rise, square;
+  const auto add_change = [&](const Product& factor, int node, int sign) {
+    if (node < 0) return;
+    Product change{Polynomial(Number(sign)), {}};
+    change.multiply(append({SeriesNode::Kind::weighted, -1, node, -1, {}}), 1);
+    add(rise, times(change, factor));
+  };
+  add_change(along, y, 1);
+  add_change(up, x, -1);
+  add(square, times(along, along));
+  add(square, times(up, up));
+  std::erase_if(square, [](const Product& each) { return each.coefficient.is_zero(); });
+  std::erase_if(rise, [](const Product& each) { return each.coefficient.is_zero(); });
+  const SeriesForm numerator = lowered(std::move(rise));
+  if (numerator.terms.empty()) {
+    constant_[at(atom)] = true;
+    return;
+  }
+  const SeriesForm denominator = lowered(std::move(square));
+  const int changing = exact(numerator);
+  const int rate = quotient(changing, exact(denominator));
+  direct_[at(atom)] = form_of_node(append({SeriesNode::Kind::integrated, atom, rate, -1, {}}));
+  expanded_[at(atom)] = *direct_[at(atom)];
 }
 
 /// The sum that gives an atom; from then on it stands behind a name if it is long.

@@ -45,6 +45,7 @@ class SeriesLowering {
 
   void define(Atom atom);
   void define_function(Atom atom);
+  void define_arctangent(Atom atom, int y, int x);
   bool is_constant(const Polynomial& polynomial) const;
   std::vector<Piece> pieces_of(const Polynomial& polynomial);
   std::vector<Product> multiplied(const Term& term, const Number& coefficient);

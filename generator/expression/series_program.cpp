@@ -15,7 +15,11 @@ namespace {
 constexpr std::size_t most_searched = 80, most_searched_by_threes = 60;
 constexpr int most_rounds = 3;
 
-bool is_function(SeriesNode::Kind kind) { return kind >= SeriesNode::Kind::square_root; }
+/// What the program computes at the start.
+bool is_function(SeriesNode::Kind kind) {
+  return kind >= SeriesNode::Kind::square_root || kind == SeriesNode::Kind::integrated ||
+         kind == SeriesNode::Kind::selection;
+}
 
 using Lowered = std::pair<std::vector<SeriesNode>, std::vector<SeriesForm>>;
 
@@ -136,7 +140,7 @@ class Search {
     };
     for (const Atom atom : live_) {
       count(program_[atom].polynomial);
-      if (program_[atom].function) ++uses[static_cast<std::size_t>(program_[atom].argument)];
+      for (const Atom argument : program_[atom].arguments) ++uses[static_cast<std::size_t>(argument)];
     }
     for (const Value& output : outputs_) count(output.polynomial());
     std::vector<Atom> once;
@@ -157,7 +161,7 @@ class Search {
 }  // namespace
 
 bool is_nonlinear(const SeriesNode& node) {
-  return node.kind != SeriesNode::Kind::symbol && node.kind != SeriesNode::Kind::sum;
+  return node.kind >= SeriesNode::Kind::product;
 }
 
 Polynomial product_of(const Polynomial& a, const Polynomial& b) {
@@ -190,6 +194,18 @@ SeriesProgram::SeriesProgram(Program& program, const std::vector<Value>& outputs
   std::tie(nodes_, outputs_) = Search(program, outputs).run();
 }
 
+std::vector<Atom> SeriesProgram::known_at_start(const SeriesNode& node) const {
+  if (!is_function(node.kind)) return {};
+  std::vector<Atom> atoms = {node.atom};
+  if (node.kind == SeriesNode::Kind::selection) {
+    const std::vector<Atom>& arguments = call_of(node).arguments;
+    // The forms of a piecewise function are series of their own.
+    const bool condition_alone = call_of(node).function == Function::select;
+    atoms.insert(atoms.end(), arguments.begin(), condition_alone ? arguments.begin() + 1 : arguments.end());
+  }
+  return atoms;
+}
+
 std::vector<Polynomial> SeriesProgram::roots() const {
   std::vector<Polynomial> all;
   const auto read = [&all](const SeriesForm& form) {
@@ -197,7 +213,7 @@ std::vector<Polynomial> SeriesProgram::roots() const {
     for (const SeriesForm::Term& term : form.terms) all.push_back(term.coefficient);
   };
   for (const SeriesNode& node : nodes_) {
-    if (is_function(node.kind)) all.emplace_back(node.atom);
+    for (const Atom atom : known_at_start(node)) all.emplace_back(atom);
     read(node.form);
   }
   for (const SeriesForm& output : outputs_) read(output);
@@ -229,7 +245,7 @@ bool SeriesProgram::linear_in(const std::vector<bool>& marked) const {
     if (!marked[id]) continue;
     const SeriesNode& node = nodes_[id];
     const bool right = node.right >= 0 && marked[static_cast<std::size_t>(node.right)];
-    if (is_function(node.kind) || (node.kind == SeriesNode::Kind::quotient && right)) return false;
+    if (is_function(node.kind) || node.kind == SeriesNode::Kind::weighted || (node.kind == SeriesNode::Kind::quotient && right)) return false;
     if (node.kind == SeriesNode::Kind::product && right && marked[static_cast<std::size_t>(node.left)]) return false;
   }
   return true;

@@ -27,11 +27,16 @@ Polynomial product_of(const Polynomial& a, const Polynomial& b);
 
 /// A quantity that changes with time, with the recurrence its Taylor coefficients follow.
 struct SeriesNode {
-  enum class Kind { symbol, sum, product, quotient, square_root, sine, cosine, exponential, logarithm };
+  /// `weighted` is k x_k, the series of t dx/dt; `integrated` its inverse, x_k / k from the value of its atom on;
+  /// `selection` has the coefficients of one of two series, left or right (-1: of what does not change).
+  enum class Kind {
+    symbol, sum, weighted, integrated, selection,
+    product, quotient, square_root, sine, cosine, exponential, logarithm
+  };
   Kind kind = Kind::symbol;
   Atom atom = -1;   ///< the atom of the program with just this value, if one is known; always for symbols and functions
   int left = -1;    ///< factor, dividend (-1: one), or argument of a function
-  int right = -1;   ///< factor, divisor, or the cosine of a sine and the sine of a cosine
+  int right = -1;   ///< factor, divisor, second form, or the cosine of a sine and the sine of a cosine
   SeriesForm form;  ///< of a sum
 };
 
@@ -45,6 +50,9 @@ bool is_nonlinear(const SeriesNode& node);
 /// numbers are constant; time, coordinates and velocities are series. Definitions are multiplied into what uses them
 /// where that saves operations: in programs that are not large each is tried alone and with each other, in small ones by threes too.
 ///
+/// What selects one of several forms by its argument (abs, sign, max, piecewise) keeps the form that it has at the start:
+/// such a series holds until the next kink or jump.
+///
 /// Deterministic: nodes are numbered in the order of the program.
 class SeriesProgram {
  public:
@@ -56,6 +64,10 @@ class SeriesProgram {
   std::vector<Polynomial> roots() const;
   Value value(const Polynomial& root) const { return Value(*program_, root, Unit()); }
   Value symbol(const SymbolPointer& symbol) const { return program_->symbol(symbol); }
+  /// Atoms that the recurrence of a node starts from: a function, and what a selection chooses by.
+  std::vector<Atom> known_at_start(const SeriesNode& node) const;
+  /// The call that a selection stands for.
+  const Definition& call_of(const SeriesNode& node) const { return (*program_)[node.atom]; }
   const SymbolPointer& symbol_of(const SeriesNode& node) const { return (*program_)[node.atom].symbol; }
   int nonlinear_count() const;
   /// By node: whether it changes with these symbols.

@@ -169,8 +169,13 @@ class ProductSharing {
     const auto function = (*program_)[atom].function;
     if (function && (*program_)[atom].stage > Stage::parameters) {
       // Numbers with units may have made the argument a pure number: its atom's own unit does not tell.
-      const Unit unit = *function == Function::sqrt ? (*program_)[atom].unit.pow(2) : Unit();
-      value = program_->apply(*function, {*program_, define((*program_)[atom].argument).polynomial(), unit});
+      const Definition call = (*program_)[atom];
+      const std::vector<Unit> units = argument_units(*function, call.unit);
+      std::vector<Value> arguments;
+      for (std::size_t i = 0; i < units.size(); ++i) {
+        arguments.emplace_back(*program_, define(call.arguments[i]).polynomial(), units[i]);
+      }
+      value = program_->apply(*function, arguments);
     } else if (const auto place = places_.find(atom); place != places_.end()) {
       const Unit unit = (*program_)[atom].unit;
       const std::string name = (*program_)[atom].name;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "generator/expression/unit.hpp"
 
@@ -23,6 +24,7 @@ enum class SymbolKind {
 };
 
 struct AttitudeSymbols;
+struct Measure;  ///< of a scene (generator/mechanics/measure.hpp)
 
 /// A named quantity of a scene. Symbols are compared by identity: two scenes never share one.
 struct Symbol {
@@ -32,6 +34,8 @@ struct Symbol {
   int index = 0;                                ///< order of creation in its scene: the canonical order of everything
   std::shared_ptr<const Symbol> rate;           ///< dq/dt of a coordinate, d²q/dt² of a velocity, else null
   std::weak_ptr<const AttitudeSymbols> attitude{};  ///< of a component of a unit quaternion: where its rate comes from
+  std::shared_ptr<const Measure> measure{};         ///< of what follows from the motion of frames: no variable, but
+  std::vector<std::shared_ptr<const Symbol>> made_of{};  ///< a function of these
 };
 
 using SymbolPointer = std::shared_ptr<const Symbol>;

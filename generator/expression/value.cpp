@@ -88,7 +88,9 @@ std::string label(const Program& program, Atom atom) {
   const Definition& definition = program[atom];
   if (definition.symbol) return definition.symbol->name;
   if (definition.function) {
-    return fmt::format("{}({})", to_string(*definition.function), label(program, definition.argument));
+    std::string inside;
+    for (const Atom argument : definition.arguments) inside += (inside.empty() ? "" : ", ") + label(program, argument);
+    return fmt::format("{}({})", to_string(*definition.function), inside);
   }
   return definition.name.empty() ? fmt::format("z{}", atom) : definition.name;
 }

@@ -14,6 +14,8 @@ namespace torsor {
 namespace {
 
 constexpr int digits = 60;
+/// Each form of a selection of two is left out in all of them with a probability of 2^-16.
+constexpr int trials_of_forms = 16;
 
 /// A number with what its terms come to without their signs: what cancels is told from what is small.
 struct Sized {
@@ -38,6 +40,18 @@ struct Sized {
   friend Sized sqrt(const Sized& x) { return {sqrt(x.value), sqrt(x.size)}; }
   friend Sized exp(const Sized& x) { return Sized(exp(x.value)); }
   friend Sized log(const Sized& x) { return {log(x.value), Real(1) + abs(log(x.value))}; }
+  friend Sized atan2(const Sized& y, const Sized& x) { return Sized(atan2(y.value, x.value)); }
+  friend Sized abs(const Sized& x) { return {abs(x.value), x.size}; }
+  friend Sized sign(const Sized& x) { return Sized(sign(x.value)); }
+  friend Sized maximum(const Sized& a, const Sized& b) { return a.value >= b.value ? a : b; }
+  friend Sized select(const Sized& c, const Sized& a, const Sized& b) { return c.value >= Real(0) ? a : b; }
+
+  /// Whether this is a number that cancels; what is none says nothing.
+  bool vanishes() const {
+    static const Real smallest(Number(10).pow(-40), digits);
+    return abs(value) <= smallest * (size < Real(1) ? size : Real(1));  // terms of long eliminations are huge
+  }
+  bool is_number() const { return !value.is_nan() && !size.is_nan(); }
 };
 
 /// Signs and sizes of the numbers of one trial. Parameters and times are always positive and of the size of one.
@@ -76,12 +90,44 @@ class RandomNumbers {
 };
 
 /// Functions that may be next to nothing, or cancel, in one region only.
-bool has_regions(const Program& program, const std::vector<Value>& values) {
-  const std::vector<Atom> live = program.live(values);
+bool has_regions(const Program& program, const std::vector<Atom>& live) {
   return std::any_of(live.begin(), live.end(), [&](Atom atom) {
     const auto& function = program[atom].function;
     return function && *function != Function::sin && *function != Function::cos;
   });
+}
+
+std::vector<Atom> selections(const Program& program, const std::vector<Atom>& live) {
+  std::vector<Atom> found;
+  for (const Atom atom : live) {
+    const auto& function = program[atom].function;
+    if (function && traits_of(*function).selects) found.push_back(atom);
+  }
+  return found;
+}
+
+/// Gives each selection one of its forms at random, in the order of the program, so that forms are known before.
+void take_forms_at_random(Program& program, const std::vector<Atom>& selections, Evaluator<Sized>& evaluate,
+                          std::mt19937_64& random) {
+  std::unordered_map<Atom, bool> negative;  // by argument, for abs and sign; looked up only
+  for (const Atom atom : selections) {
+    const Definition definition = program[atom];
+    const bool second = random() % 2 == 0;
+    const auto argument = [&](std::size_t i) { return evaluate(program.argument(definition, i)); };
+    if (definition.function == Function::maximum) {
+      evaluate.fix(atom, argument(second ? 1 : 0));
+    } else if (definition.function == Function::select) {
+      const Sized a = argument(1), b = argument(2);
+      const bool zero = (!a.is_number() || a.vanishes()) && (!b.is_number() || b.vanishes());
+      const Real unknown(Number::rational(static_cast<long>(random() % 9000U) + 1000, 7919), digits);
+      evaluate.fix(atom, zero ? Sized(Real(0)) : Sized(second ? -unknown : unknown));
+    } else {
+      const bool minus = negative.emplace(definition.arguments[0], second).first->second;
+      const Sized x = argument(0);
+      const Sized form = definition.function == Function::sign ? Sized(Real(1)) : x;
+      evaluate.fix(atom, minus ? -form : form);
+    }
+  }
 }
 
 }  // namespace
@@ -92,25 +138,29 @@ std::vector<bool> vanish(const std::vector<Value>& values) {
   const auto with_program =
       std::find_if(values.begin(), values.end(), [](const Value& v) { return v.program() != nullptr && !v.is_zero(); });
   if (with_program == values.end()) return result;
-  const Program& program = *with_program->program();
+  Program& program = *with_program->program();
   const WorkingDigits precision(digits);
-  const Real smallest(Number(10).pow(-40), digits);
   // What moves is positive, then negative, then either: sqrt(x^2) is not x.
   std::vector<Trial> trials = {{Signs::positive, false}, {Signs::negative, false}, {Signs::either, false}};
-  if (has_regions(program, values)) {
+  const std::vector<Atom> live = program.live(values);
+  if (has_regions(program, live)) {
     trials.insert(trials.end(), {{Signs::positive, true}, {Signs::negative, true}, {Signs::either, true}});
   }
+  const std::vector<Atom> selecting = selections(program, live);
+  const std::size_t as_they_are = trials.size();
+  for (int more = 0; more < trials_of_forms && !selecting.empty(); ++more) trials.push_back({Signs::either, false});
   std::mt19937_64 random(20240229);  // any fixed seed: the answer must not change from run to run
-  for (const Trial& trial : trials) {
+  for (std::size_t number_of_trial = 0; number_of_trial < trials.size(); ++number_of_trial) {
+    const Trial& trial = trials[number_of_trial];
     RandomNumbers numbers(trial, random);
     Evaluator<Sized> evaluate(program, [&](const SymbolPointer& symbol) { return numbers(symbol); });
+    const bool of_forms = number_of_trial >= as_they_are;
+    if (of_forms) take_forms_at_random(program, selecting, evaluate, random);
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (!result[i] || values[i].is_zero()) continue;
       const Sized number = evaluate(values[i]);
-      // Far from one a function may have no value, which says nothing.
-      const bool undefined = number.value.is_nan() || number.size.is_nan();
-      const Real size = number.size < Real(1) ? number.size : Real(1);  // terms of long eliminations are huge
-      result[i] = undefined ? trial.spread : abs(number.value) <= smallest * size;
+      // Far from one, and in a form that does not count, a function may have no value, which says nothing.
+      result[i] = number.is_number() ? number.vanishes() : trial.spread || of_forms;
     }
   }
   return result;

@@ -117,7 +117,11 @@ std::strong_ordering compare(const Base& a, const Base& b) {
     case Base::Kind::group:
       break;
   }
-  return compare(a.inside, b.inside);
+  if (const auto inside = compare(a.inside, b.inside); inside != 0) return inside;
+  for (std::size_t i = 0; i < a.others.size() && i < b.others.size(); ++i) {
+    if (const auto others = compare(a.others[i], b.others[i]); others != 0) return others;
+  }
+  return a.others.size() <=> b.others.size();
 }
 
 std::strong_ordering compare(const Product& a, const Product& b) {
@@ -148,6 +152,7 @@ std::size_t written_terms(const Sum& sum) {
   for (const auto& [product, coefficient] : sum.terms()) {
     for (const Power& power : product) {
       if (power.base->inside.size() > 1) count += written_terms(power.base->inside);
+      for (const Sum& other : power.base->others) count += other.size() > 1 ? written_terms(other) : 0;
     }
   }
   return count;
@@ -190,21 +195,27 @@ Sum Sum::definition(int k) {
   return of_base(std::move(base));
 }
 
-Sum Sum::function(Function function, const Sum& argument) {
+Sum Sum::function(Function function, const std::vector<Sum>& arguments) {
+  const Sum& argument = arguments[0];
   if (function == Function::sqrt) return power(argument, 1);
-  const bool odd = function == Function::sin;
-  const bool even = function == Function::cos;
-  if (argument.is_zero() && odd) return {};
-  if (argument.is_zero() && (even || function == Function::exp)) return Sum(Number(1));
-  if ((odd || even) && argument.terms().begin()->second.sign() < 0) {
-    const Sum mirrored = Sum::function(function, Number(-1) * argument);
-    return odd ? Number(-1) * mirrored : mirrored;
+  const Parity parity = traits_of(function).parity;
+  if (argument.is_zero() && arguments.size() == 1) {
+    if (function == Function::cos || function == Function::exp) return Sum(Number(1));
+    if (parity == Parity::odd || function == Function::abs) return {};
+  }
+  if (parity != Parity::none && !argument.is_zero() && argument.terms().begin()->second.sign() < 0) {
+    std::vector<Sum> mirrored = arguments;
+    mirrored[0] = Number(-1) * argument;
+    const Sum value = Sum::function(function, mirrored);
+    return parity == Parity::odd ? Number(-1) * value : value;
   }
   Base base;
   base.kind = Base::Kind::function;
   base.level = reading::level(argument);
   base.function = function;
   base.inside = argument;
+  base.others.assign(arguments.begin() + 1, arguments.end());
+  for (const Sum& other : base.others) base.level = std::max(base.level, reading::level(other));
   return of_base(std::move(base));
 }
 

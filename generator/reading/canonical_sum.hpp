@@ -51,8 +51,9 @@ class Sum {
   static Sum symbol(const SymbolPointer& symbol);
   /// The k-th named definition of a long result.
   static Sum definition(int k);
-  /// f(argument); signs leave sines and cosines, so that the first term of their argument is positive.
-  static Sum function(Function function, const Sum& argument);
+  /// f(arguments); signs leave odd and even functions, so that the first term of their (first) argument is positive.
+  static Sum function(Function function, const Sum& argument) { return Sum::function(function, std::vector{argument}); }
+  static Sum function(Function function, const std::vector<Sum>& arguments);
 
   const Terms& terms() const { return terms_; }
   std::size_t size() const { return terms_.size(); }
@@ -82,7 +83,8 @@ struct Base {
   SymbolPointer symbol;  ///< of a symbol
   int definition = 0;    ///< number of a definition
   Function function{};   ///< of a function
-  Sum inside;            ///< argument of a function, the sum of a group
+  Sum inside;            ///< (first) argument of a function, the sum of a group
+  std::vector<Sum> others{};  ///< further arguments of a function
 };
 
 /// Terms that a reader meets: those of the sum, and those of every longer sum that stands inside a function, a root or a

@@ -10,7 +10,13 @@ DefinitionsView::DefinitionsView(const Program& program, const std::vector<Value
       atoms_.emplace(atom, Sum::symbol(definition.symbol));
     } else if (definition.function) {
       // A function is written where it is used: cos(theta) says more than a number.
-      atoms_.emplace(atom, Sum::function(*definition.function, atoms_.at(definition.argument)));
+      std::vector<Sum> arguments;
+      for (const Atom argument : definition.arguments) {
+        const Definition& inner = program[argument];
+        const bool number = !inner.symbol && !inner.function && inner.polynomial.is_constant();
+        arguments.push_back(number ? of_polynomial(inner.polynomial) : atoms_.at(argument));
+      }
+      atoms_.emplace(atom, Sum::function(*definition.function, arguments));
     } else {
       const int number = static_cast<int>(lines_.size()) + 1;
       lines_.push_back({number, collected(of_polynomial(definition.polynomial)), definition.name});

@@ -23,6 +23,7 @@ WrittenFactor written(const Power& power) {
   if (power.base->kind != Base::Kind::group) factor.base = power.base;
   if (power.base->kind == Base::Kind::function || power.base->kind == Base::Kind::group) {
     factor.inside = plain(power.base->inside);
+    for (const Sum& other : power.base->others) factor.others.push_back(plain(other));
   }
   if (power.base->kind == Base::Kind::group) {  // 1 - x rather than -x + 1
     const auto positive = [](const WrittenTerm& term) { return term.coefficient.sign() > 0; };

@@ -116,17 +116,21 @@ class Parser {
   }
   Expression call(const std::string& function, std::size_t start) {
     take('(');
-    const Expression argument = sum();
+    std::vector<Expression> arguments{sum()};
+    while (take(',')) arguments.push_back(sum());
     if (!take(')')) fail("a closing parenthesis is missing");
-    if (function == "sin") return sin(argument);
-    if (function == "cos") return cos(argument);
-    if (function == "tan") return tan(argument);
-    if (function == "sqrt") return sqrt(argument);
-    if (function == "exp") return exp(argument);
-    if (function == "log") return log(argument);
+    if (function == "tan" && arguments.size() == 1) return tan(arguments[0]);
+    if (function == "min" && arguments.size() == 2) return min(arguments[0], arguments[1]);
+    std::string known = "tan, min";
+    for (const FunctionTraits& traits : functions()) {
+      if (function == traits.name && arguments.size() == traits.arity) return torsor::call(traits.function, arguments);
+      known += fmt::format(", {}", traits.name);
+    }
     at_ = start;
-    fail(did_you_mean(function, {"sin", "cos", "tan", "sqrt", "exp", "log"}) +
-         "the functions are sin, cos, tan, sqrt, exp and log");
+    std::vector<std::string> names{"tan", "min"};
+    for (const FunctionTraits& traits : functions()) names.emplace_back(traits.name);
+    fail(fmt::format("{}the functions are {}; atan2, max and min take two arguments, select three",
+                     did_you_mean(function, names), known));
   }
   Expression symbol(const std::string& word, std::size_t start) {
     const SceneContent& scene = scene_.content();

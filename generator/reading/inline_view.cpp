@@ -21,6 +21,33 @@ std::optional<T>& slot(std::vector<std::optional<T>>& table, Atom atom) {
   return table[index];
 }
 
+// Functions that GiNaC lacks, or has with simplifications of its own: it only differentiates these.
+DECLARE_FUNCTION_1P(absolute)
+DECLARE_FUNCTION_1P(sign_of)
+DECLARE_FUNCTION_2P(larger_of)
+DECLARE_FUNCTION_2P(angle_of)
+DECLARE_FUNCTION_3P(one_of)
+
+GiNaC::ex slope_of_absolute(const GiNaC::ex& x, unsigned) { return sign_of(x); }
+GiNaC::ex slope_of_sign(const GiNaC::ex&, unsigned) { return 0; }
+GiNaC::ex slope_of_larger(const GiNaC::ex& a, const GiNaC::ex& b, unsigned by) {
+  return one_of(a - b, by == 0 ? 1 : 0, by == 0 ? 0 : 1);
+}
+GiNaC::ex slope_of_angle(const GiNaC::ex& y, const GiNaC::ex& x, unsigned by) {
+  const GiNaC::ex square = x * x + y * y;
+  return by == 0 ? x / square : -y / square;
+}
+GiNaC::ex slope_of_choice(const GiNaC::ex& condition, const GiNaC::ex&, const GiNaC::ex&, unsigned by) {
+  if (by == 0) return 0;
+  return one_of(condition, by == 1 ? 1 : 0, by == 1 ? 0 : 1);
+}
+
+REGISTER_FUNCTION(absolute, derivative_func(slope_of_absolute))
+REGISTER_FUNCTION(sign_of, derivative_func(slope_of_sign))
+REGISTER_FUNCTION(larger_of, derivative_func(slope_of_larger))
+REGISTER_FUNCTION(angle_of, derivative_func(slope_of_angle))
+REGISTER_FUNCTION(one_of, derivative_func(slope_of_choice))
+
 cln::cl_RA rational(const GiNaC::numeric& number) { return cln::the<cln::cl_RA>(number.to_cl_N()); }
 
 }  // namespace
@@ -34,7 +61,8 @@ GiNaC::ex to_ginac(const Number& number) {
   return part(0) + part(1) * root_2 + part(2) * root_3 + part(3) * root_2 * root_3;
 }
 
-GiNaC::ex apply(Function function, const GiNaC::ex& argument) {
+GiNaC::ex called(Function function, const std::vector<GiNaC::ex>& arguments) {
+  const GiNaC::ex& argument = arguments[0];
   switch (function) {
     case Function::sin:
       return GiNaC::sin(argument);
@@ -46,6 +74,16 @@ GiNaC::ex apply(Function function, const GiNaC::ex& argument) {
       return GiNaC::exp(argument);
     case Function::log:
       return GiNaC::log(argument);
+    case Function::abs:
+      return absolute(argument);
+    case Function::sign:
+      return sign_of(argument);
+    case Function::maximum:
+      return larger_of(argument, arguments[1]);
+    case Function::atan2:
+      return angle_of(argument, arguments[1]);
+    case Function::select:
+      return one_of(argument, arguments[1], arguments[2]);
   }
   return argument;
 }
@@ -71,7 +109,7 @@ double InlineView::term_bound(Atom atom) {
   double bound = 1;
   if (definition.function) {
     // What stands in the argument is written as often as the function.
-    bound = std::max(1.0, term_bound(definition.argument));
+    for (const Atom argument : definition.arguments) bound = std::max(bound, term_bound(argument));
   } else if (!definition.symbol) {
     bound = std::max(1.0, term_bound(definition.polynomial));
   }
@@ -116,10 +154,14 @@ GiNaC::ex InlineView::of_atom(Atom atom) {
     result = symbol(definition.symbol);
   } else if (definition.function) {
     const auto product =
-        *definition.function == Function::sqrt ? product_under_root(definition.argument) : std::nullopt;
-    const GiNaC::ex argument =
-        product ? 1 - GiNaC::power(named_product(*product), 2) : of_atom(definition.argument);
-    result = apply(*definition.function, argument);
+        *definition.function == Function::sqrt ? product_under_root(definition.arguments[0]) : std::nullopt;
+    std::vector<GiNaC::ex> arguments;
+    if (product) {
+      arguments.push_back(1 - GiNaC::power(named_product(*product), 2));
+    } else {
+      for (const Atom argument : definition.arguments) arguments.push_back(of_atom(argument));
+    }
+    result = called(*definition.function, arguments);
   } else {
     result = of_polynomial(definition.polynomial);
   }
@@ -194,11 +236,20 @@ Sum InlineView::canonical(const GiNaC::ex& e) {
     return product;
   }
   if (GiNaC::is_a<GiNaC::power>(e)) return canonical_power(e);
-  const auto call = [&](Function function) { return Sum::function(function, shortened(e.op(0))); };
+  const auto call = [&](Function function) {
+    std::vector<Sum> arguments;
+    for (std::size_t i = 0; i < e.nops(); ++i) arguments.push_back(shortened(e.op(i)));
+    return Sum::function(function, arguments);
+  };
   if (GiNaC::is_the_function<GiNaC::sin_SERIAL>(e)) return call(Function::sin);
   if (GiNaC::is_the_function<GiNaC::cos_SERIAL>(e)) return call(Function::cos);
   if (GiNaC::is_the_function<GiNaC::exp_SERIAL>(e)) return call(Function::exp);
   if (GiNaC::is_the_function<GiNaC::log_SERIAL>(e)) return call(Function::log);
+  if (GiNaC::is_the_function<absolute_SERIAL>(e)) return call(Function::abs);
+  if (GiNaC::is_the_function<sign_of_SERIAL>(e)) return call(Function::sign);
+  if (GiNaC::is_the_function<larger_of_SERIAL>(e)) return call(Function::maximum);
+  if (GiNaC::is_the_function<angle_of_SERIAL>(e)) return call(Function::atan2);
+  if (GiNaC::is_the_function<one_of_SERIAL>(e)) return call(Function::select);
   throw Error("a printed equation has a function that cannot be printed");
 }
 
@@ -220,6 +271,12 @@ std::optional<Sum> InlineView::sum(const Value& value) {
   return bounded_sum(*written);
 }
 
+GiNaC::ex InlineView::of_call(const Base& call) {
+  std::vector<GiNaC::ex> arguments{expression(call.inside)};
+  for (const Sum& other : call.others) arguments.push_back(expression(other));
+  return called(call.function, arguments);
+}
+
 GiNaC::ex InlineView::expression(const Sum& sum) {
   GiNaC::exvector terms;
   for (const auto& [product, coefficient] : sum.terms()) {
@@ -231,7 +288,7 @@ GiNaC::ex InlineView::expression(const Sum& sum) {
           base = symbol(power.base->symbol);
           break;
         case Base::Kind::function:
-          base = apply(power.base->function, expression(power.base->inside));
+          base = of_call(*power.base);
           break;
         case Base::Kind::group:
           base = expression(power.base->inside);

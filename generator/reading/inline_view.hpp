@@ -58,6 +58,7 @@ class InlineView {
   double term_bound(Atom atom);
   GiNaC::ex of_polynomial(const Polynomial& polynomial);
   GiNaC::ex of_atom(Atom atom);
+  GiNaC::ex of_call(const Base& call);
   /// The product k whose 1 − k² a definition is on every state; none for any other definition.
   std::optional<std::size_t> product_under_root(Atom radicand) const;
   GiNaC::ex named_product(std::size_t k);
@@ -80,6 +81,6 @@ class InlineView {
 };
 
 GiNaC::ex to_ginac(const Number& number);
-GiNaC::ex apply(Function function, const GiNaC::ex& argument);
+GiNaC::ex called(Function function, const std::vector<GiNaC::ex>& arguments);
 
 }  // namespace torsor::reading

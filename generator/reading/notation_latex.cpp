@@ -57,11 +57,43 @@ std::string number_latex(const Number& size, bool with_factors) {
   return parts > 1 && with_factors ? fmt::format("\\left({}\\right)", result) : result;
 }
 
+/// Calls whose power does not stand after their name.
+std::string call_latex(const WrittenFactor& factor) {
+  const std::string first = latex(factor.inside);
+  switch (factor.base->function) {
+    case Function::abs: return fmt::format("\\left|{}\\right|", first);
+    case Function::select: {
+      std::string rows;
+      for (const Case& each : cases_of(factor)) {
+        rows += latex(*each.value) + " & ";
+        rows += each.condition == nullptr
+                    ? "\\text{else}"
+                    : fmt::format("{} {} 0 \\\\ ", latex(*each.condition), each.holds ? "\\ge" : "<");
+      }
+      return fmt::format("\\begin{{cases}} {} \\end{{cases}}", rows);
+    }
+    default: break;
+  }
+  std::string inside = first;
+  for (const Written& other : factor.others) inside += ", " + latex(other);
+  const std::string name(to_string(factor.base->function));
+  return name == "max" ? fmt::format("\\max\\left({}\\right)", inside)
+                       : fmt::format("\\operatorname{{{}}}\\left({}\\right)", name, inside);
+}
+
 std::string factor_latex(const WrittenFactor& factor, int halves) {
   const bool call = factor.base && factor.base->kind == Base::Kind::function;
   const std::string exponent = halves == 2 || halves == 1 ? ""
                                : halves % 2 == 0          ? fmt::format("^{{{}}}", halves / 2)
                                                           : fmt::format("^{{{}/2}}", halves);
+  const bool named = call && factor.others.empty() && factor.base->function != Function::abs &&
+                     factor.base->function != Function::sign;
+  if (call && !named) {
+    const std::string body = call_latex(factor);
+    if (halves == 1) return fmt::format("\\sqrt{{{}}}", body);
+    const bool cases = factor.base->function == Function::select;
+    return exponent.empty() || !cases ? body + exponent : fmt::format("\\left({}\\right){}", body, exponent);
+  }
   if (call) {
     const std::string call_of =
         fmt::format("\\{}{}\\left({}\\right)", to_string(factor.base->function), exponent, latex(factor.inside));

@@ -9,6 +9,21 @@
 namespace torsor::reading {
 namespace {
 
+/// A call; a selection by cases, "[a if c >= 0, else b]", the forms of a nested one in one row.
+std::string call_text(const WrittenFactor& factor) {
+  if (factor.base->function == Function::select) {
+    std::string rows;
+    for (const Case& each : cases_of(factor)) {
+      rows += text(*each.value);
+      if (each.condition != nullptr) rows += fmt::format(" if {} {} 0, else ", text(*each.condition), each.holds ? ">=" : "<");
+    }
+    return fmt::format("[{}]", rows);
+  }
+  std::string inside = text(factor.inside);
+  for (const Written& other : factor.others) inside += ", " + text(other);
+  return fmt::format("{}({})", to_string(factor.base->function), inside);
+}
+
 std::string factor_text(const WrittenFactor& factor, int halves) {
   std::string base;
   if (!factor.base) {
@@ -24,7 +39,7 @@ std::string factor_text(const WrittenFactor& factor, int halves) {
         base = fmt::format("z{}", factor.base->definition);
         break;
       default:
-        base = fmt::format("{}({})", to_string(factor.base->function), text(factor.inside));
+        base = call_text(factor);
         break;
     }
     if (halves == 1) return fmt::format("sqrt({})", base);

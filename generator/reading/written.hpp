@@ -16,9 +16,10 @@ using Written = std::vector<WrittenTerm>;
 
 struct WrittenFactor {
   BasePointer base;  ///< a symbol, a definition or a function; null for a sum in parentheses
-  Written inside;    ///< argument of a function, or the sum in parentheses
+  Written inside;    ///< (first) argument of a function, or the sum in parentheses
   int halves = 2;    ///< the factor stands to the power halves/2
   bool size = false;  ///< of a sum in parentheses: |sum| stands to that power
+  std::vector<Written> others{};  ///< further arguments of a function
 };
 
 /// coefficient · factors, in the order of writing.
@@ -36,8 +37,14 @@ struct Layout {
 /// depends on the configuration; parameters gather in the coefficients. A sum in parentheses starts with a plus.
 Written collected(const Sum& sum, const Layout& layout = {});
 
-/// f(argument) at the argument's precision.
-Real apply(Function function, const Real& argument);
+/// One row of a selection by cases: its value where the condition holds (>= 0) or does not (< 0), the last one elsewhere.
+struct Case {
+  const Written* value = nullptr;
+  const Written* condition = nullptr;  ///< null in the last row
+  bool holds = true;
+};
+/// The rows of a select; of one that is the other form of another, one after the other.
+std::vector<Case> cases_of(const WrittenFactor& select);
 
 /// Value of what is written, for values of the symbols. Definitions throw Error.
 Real evaluate(const Written& written, const std::function<Real(const SymbolPointer&)>& value_of, int digits);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/expression/error.hpp"
+#include "generator/expression/function_values.hpp"
 #include "generator/reading/written.hpp"
 
 namespace torsor::reading {
@@ -12,7 +13,11 @@ Real of_factor(const WrittenFactor& factor, const std::function<Real(const Symbo
   }
   switch (factor.base->kind) {
     case Base::Kind::function:
-      return apply(factor.base->function, evaluate(factor.inside, value_of, digits));
+    {
+      std::vector<Real> arguments{evaluate(factor.inside, value_of, digits)};
+      for (const Written& other : factor.others) arguments.push_back(evaluate(other, value_of, digits));
+      return value_of_call(factor.base->function, arguments);
+    }
     case Base::Kind::symbol:
       if (factor.base->symbol->kind == SymbolKind::pi) return Real::pi(digits);
       return value_of(factor.base->symbol);
@@ -23,20 +28,27 @@ Real of_factor(const WrittenFactor& factor, const std::function<Real(const Symbo
 
 }  // namespace
 
-Real apply(Function function, const Real& argument) {
-  switch (function) {
-    case Function::sin:
-      return sin(argument);
-    case Function::cos:
-      return cos(argument);
-    case Function::sqrt:
-      return sqrt(argument);
-    case Function::exp:
-      return exp(argument);
-    case Function::log:
-      return log(argument);
+std::vector<Case> cases_of(const WrittenFactor& select) {
+  const auto inner = [](const Written& form) -> const WrittenFactor* {
+    if (form.size() != 1 || form[0].factors.size() != 1 || !form[0].coefficient.is_one()) return nullptr;
+    const WrittenFactor& only = form[0].factors[0];
+    const bool call = only.base && only.base->kind == Base::Kind::function && only.halves == 2;
+    return call && only.base->function == Function::select ? &only : nullptr;
+  };
+  std::vector<Case> rows;
+  for (const WrittenFactor* at = &select;;) {
+    const Written &first = at->others[0], &second = at->others[1];
+    const WrittenFactor *in_first = inner(first), *in_second = inner(second);
+    // The form that goes on stands last.
+    const bool first_goes_on = in_first != nullptr && in_second == nullptr;
+    rows.push_back({first_goes_on ? &second : &first, &at->inside, !first_goes_on});
+    const WrittenFactor* next = first_goes_on ? in_first : in_second;
+    if (next == nullptr) {
+      rows.push_back({&second, nullptr, true});
+      return rows;
+    }
+    at = next;
   }
-  return Real::not_a_number();
 }
 
 Real evaluate(const Written& written, const std::function<Real(const SymbolPointer&)>& value_of, int digits) {

@@ -104,6 +104,23 @@ Ball log(const Ball& x) {
   return Ball::result([&](arb_t z) { arb_log(z, x.storage_->value, bits()); });
 }
 
+Ball atan2(const Ball& y, const Ball& x) {
+  return Ball::result([&](arb_t z) { arb_atan2(z, y.storage_->value, x.storage_->value, bits()); });
+}
+Ball abs(const Ball& x) {
+  return Ball::result([&](arb_t z) { arb_abs(z, x.storage_->value); });
+}
+Ball sign(const Ball& x) {
+  if (arb_is_zero(x.storage_->value)) return Ball(0);
+  return select(x, Ball(1), Ball(-1));
+}
+Ball maximum(const Ball& a, const Ball& b) { return select(a - b, a, b); }
+Ball select(const Ball& condition, const Ball& a, const Ball& b) {
+  if (arb_is_nonnegative(condition.storage_->value)) return a;
+  if (arb_is_negative(condition.storage_->value)) return b;
+  return Ball::result([&](arb_t z) { arb_union(z, a.storage_->value, b.storage_->value, bits()); });
+}
+
 double Ball::largest() const {
   mag_t size;
   mag_init(size);
@@ -145,6 +162,11 @@ Ball cos(const Ball&) { absent(); }
 Ball sqrt(const Ball&) { absent(); }
 Ball exp(const Ball&) { absent(); }
 Ball log(const Ball&) { absent(); }
+Ball atan2(const Ball&, const Ball&) { absent(); }
+Ball abs(const Ball&) { absent(); }
+Ball sign(const Ball&) { absent(); }
+Ball maximum(const Ball&, const Ball&) { absent(); }
+Ball select(const Ball&, const Ball&, const Ball&) { absent(); }
 double Ball::largest() const { absent(); }
 double Ball::radius() const { absent(); }
 

@@ -29,6 +29,12 @@ class Ball {
   friend Ball sqrt(const Ball& x);
   friend Ball exp(const Ball& x);
   friend Ball log(const Ball& x);
+  friend Ball atan2(const Ball& y, const Ball& x);
+  friend Ball abs(const Ball& x);
+  /// Where the argument's sign is open, a ball around all that they may be.
+  friend Ball sign(const Ball& x);
+  friend Ball maximum(const Ball& a, const Ball& b);
+  friend Ball select(const Ball& condition, const Ball& a, const Ball& b);
 
   /// The largest |x| of the ball, rounded up; infinite or not a number where nothing is known.
   double largest() const;

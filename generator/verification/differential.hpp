@@ -4,6 +4,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "generator/expression/function_values.hpp"
 #include "generator/expression/high_precision.hpp"
 
 namespace torsor {
@@ -52,6 +53,16 @@ class Differential {
   friend Differential sqrt(const Differential& x) {
     const Scalar root = std::sqrt(x.value_);
     return x.chain(root, Scalar(0.5) / root);
+  }
+  friend Differential abs(const Differential& x) { return x.value_ < 0 ? -x : x; }
+  friend Differential sign(const Differential& x) { return Differential(torsor::sign(x.value_)); }
+  friend Differential maximum(const Differential& a, const Differential& b) { return select(a - b, a, b); }
+  friend Differential select(const Differential& condition, const Differential& a, const Differential& b) {
+    return condition.value_ >= 0 ? a : condition.value_ < 0 ? b : condition;
+  }
+  friend Differential atan2(const Differential& y, const Differential& x) {
+    const Scalar square = x.value_ * x.value_ + y.value_ * y.value_;
+    return combine(std::atan2(y.value_, x.value_), y, x.value_ / square, x, -y.value_ / square);
   }
 
  private:

@@ -27,6 +27,7 @@ struct scalar_traits<Real> {
   static Real sqrt(const Real& x) noexcept { return torsor::sqrt(x); }
   static Real exp(const Real& x) noexcept { return torsor::exp(x); }
   static Real log(const Real& x) noexcept { return torsor::log(x); }
+  static Real atan2(const Real& y, const Real& x) noexcept { return torsor::atan2(y, x); }
   static bool regular(const Real& pivot, const Real& diagonal) noexcept {
     return pivot > pivot.epsilon() * torsor::abs(diagonal);
   }

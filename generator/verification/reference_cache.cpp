@@ -45,7 +45,8 @@ class Question {
 void add_definition(Question& digest, const Scene& scene, const Definition& definition, Atom atom) {
   digest.add(static_cast<std::uint64_t>(atom));
   if (definition.function) {
-    digest.add(to_string(*definition.function)).add(static_cast<std::uint64_t>(definition.argument));
+    digest.add(to_string(*definition.function));
+    for (const Atom argument : definition.arguments) digest.add(static_cast<std::uint64_t>(argument));
   }
   digest.add(definition.polynomial);
   if (!definition.symbol) return;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "generator/expression/function_values.hpp"
 #include "generator/expression/high_precision.hpp"
 #include "generator/verification/emitted_sincos.hpp"
 
@@ -74,6 +75,32 @@ class Running {
     const double least = size(x.value_) - x.bound_;
     if (!(least > 0)) return Running(z, std::numeric_limits<double>::infinity());
     return Running(z, up(x.bound_ / (least * (1 - 0x1p-52)) + 4 * unit * size(z) + tiny));
+  }
+  friend Running abs(const Running& x) { return Running(std::abs(x.value_), x.bound_); }
+  // |max(a, b) - max(a', b')| <= max(|a - a'|, |b - b'|)
+  friend Running maximum(const Running& a, const Running& b) {
+    return Running(torsor::maximum(a.value_, b.value_), std::max(a.bound_, b.bound_));
+  }
+  // Where the errors leave it open which form is the exact one, the other is as far away as both are apart.
+  friend Running sign(const Running& x) {
+    return Running(torsor::sign(x.value_), x.bound_ == 0 || size(x.value_) > x.bound_ ? 0 : 2);
+  }
+  friend Running select(const Running& condition, const Running& a, const Running& b) {
+    const Running& taken = condition.value_ < 0 ? b : a;
+    if (condition.bound_ == 0 || size(condition.value_) > condition.bound_) return taken;
+    const double apart = std::abs(static_cast<double>(a.value_) - static_cast<double>(b.value_));
+    return Running(taken.value_, up(apart + std::max(a.bound_, b.bound_)));
+  }
+  // A vector of length r that moves by d < r turns by asin(d/r) <= (pi/2) d/r, and by a whole turn more across the cut;
+  // the header's own error is 2 ulp.
+  friend Running atan2(const Running& y, const Running& x) {
+    const Float z = emitted_arctangent(y.value_, x.value_);
+    const double own = up(4 * unit * size(z) + tiny);
+    const double moved = up(std::hypot(x.bound_, y.bound_));
+    const double length = std::hypot(size(x.value_), size(y.value_)) * (1 - 0x1p-50);
+    const bool cut = moved > 0 && size(y.value_) <= y.bound_ && static_cast<double>(x.value_) - x.bound_ < 0;
+    if (cut || (moved > 0 && !(moved < length))) return Running(z, 6.2832 + own);
+    return Running(z, up(moved == 0 ? own : 1.5708 * moved / length + own));
   }
 
  private:

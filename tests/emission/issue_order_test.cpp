@@ -17,7 +17,7 @@ using namespace testing_symbols;
 
 std::vector<Atom> operands(const Program& program, Atom atom) {
   const Definition& definition = program[atom];
-  if (definition.function) return {definition.argument};
+  if (definition.function) return definition.arguments;
   std::vector<Atom> all;
   for (const Term& term : definition.polynomial.terms()) {
     for (const Factor& factor : term.monomial) all.push_back(factor.atom);

@@ -61,7 +61,7 @@ TEST_F(ProgramSharing, KeepsDefinitionsFlat) {
     for (const Term& term : program[static_cast<Atom>(k)].polynomial.terms()) {
       for (const Factor& factor : term.monomial) ASSERT_LT(factor.atom, static_cast<Atom>(k));
     }
-    ASSERT_LT(program[static_cast<Atom>(k)].argument, static_cast<Atom>(k));
+    for (const Atom argument : program[static_cast<Atom>(k)].arguments) ASSERT_LT(argument, static_cast<Atom>(k));
   }
 }
 
@@ -218,7 +218,7 @@ TEST_F(ProgramLife, DropsDefinitionsThatNoOutputNeeds) {
   const Value unwanted = program.bind(lower(cos(z) * (x + z)));
   std::vector<std::string> labels;
   for (const Atom atom : program.live({wanted})) labels.push_back(label(program, atom));
-  const std::string sum = label(program, program[*wanted.atom()].argument);
+  const std::string sum = label(program, program[*wanted.atom()].arguments[0]);
   EXPECT_EQ(labels, (std::vector<std::string>{"x", "y", sum, "sin(" + sum + ")"}));
   const std::vector<Atom> both = program.live({wanted, unwanted});
   EXPECT_TRUE(std::is_sorted(both.begin(), both.end()));

@@ -102,7 +102,9 @@ std::string name_of(const Program& program, Atom atom) {
   const Definition& definition = program[atom];
   if (definition.symbol) return definition.symbol->name;
   if (definition.function) {
-    return fmt::format("{}({})", to_string(*definition.function), name_of(program, definition.argument));
+    std::string inside;
+    for (const Atom each : definition.arguments) inside += (inside.empty() ? "" : ", ") + name_of(program, each);
+    return fmt::format("{}({})", to_string(*definition.function), inside);
   }
   const Polynomial& sum = definition.polynomial;
   const std::string text = text_of(program, sum);

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Selections and angles as a person reads them.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "generator/expression/piecewise.hpp"
+#include "generator/reading/check_inline.hpp"
+#include "generator/reading/formula_text.hpp"
+#include "generator/reading/print_equations.hpp"
+#include "tests/emission/selections_scene.hpp"
+
+namespace torsor::selections_text_test {
+namespace {
+
+Scene stops() {
+  Scene scene("stops");
+  const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m");
+  const FrameHandle along = scene.prismatic("along", scene.ground(), axis::x, x);
+  scene.body("mass", scene.prismatic("mass", along, axis::y, y), Inertia::point(scene.parameter("m", "kg", 2)));
+  const Expression k = scene.parameter("k", "N/m", 40), d = scene.parameter("d", "m", 1), F = scene.parameter("F", "N", 3);
+  const Expression J = scene.parameter("J", "J", 3);
+  scene.effort("stop", x, -k * sign(x) * max(abs(x) - d, 0));
+  scene.effort("steps", y, piecewise({{x < -d, F}, {x <= d, 2 * F * y / d}}, -F));
+  scene.force_function("angle", J * atan2(y - 2 * d, x));
+  return scene;
+}
+
+void expect_part(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << part << "\nis not in\n" << text;
+}
+
+TEST(SelectionsText, IsWrittenByCases) {
+  const std::string text = print_equations(stops(), Format::text, {});
+  expect_part(text, "U = J atan2(y - 2 d, x)");
+  expect_part(text, "- k max(abs(x) - d, 0) sign(x)");
+  expect_part(text, "[F if x + d < 0, else 2 F y/d if -x + d >= 0, else -F]");
+  // GiNaC differentiates: the slope of the stop is k beyond it.
+  expect_part(text, "k [1 if abs(x) - d >= 0, else 0] sign(x)^2");
+}
+
+TEST(SelectionsText, IsSetByCasesInLatex) {
+  const std::string text = print_equations(stops(), Format::latex, {});
+  expect_part(text, "\\max\\left(\\left|x\\right| - d, 0\\right) \\operatorname{sign}\\left(x\\right)");
+  expect_part(text, "\\begin{cases} F & x + d < 0 \\\\ 2 \\frac{F y}{d} & -x + d \\ge 0 \\\\ -F & \\text{else} \\end{cases}");
+  expect_part(text, "\\operatorname{atan2}\\left(y - 2 d, x\\right)");
+}
+
+/// What is printed, at random states of 40 digits, against the program.
+TEST(SelectionsText, SaysWhatTheProgramComputes) {
+  for (const Scene& scene : {stops(), testing_scenes::golden_selections()}) {
+    const InlineCheck check = check_inline(scene, 40, 8, 3);
+    EXPECT_TRUE(check.written_out);
+    EXPECT_LT(check.worst.to_double(), 1e-35) << check.worst_of;
+  }
+}
+
+TEST(SelectionsText, IsReadBack) {
+  const Scene scene = stops();
+  EXPECT_EQ(parse_formula("max(abs(x), min(y, 2*y))", scene).to_string(),
+            "max(abs(x), -max(-y, -2*y))");
+  EXPECT_EQ(parse_formula("atan2(x, y) + sign(x)", scene).to_string(), "(atan2(x, y) + sign(x))");
+}
+
+}  // namespace
+}  // namespace torsor::selections_text_test
