@@ -64,6 +64,7 @@ Expression Scene::parameter(const std::string& name, std::string_view unit) {
 
 Expression Scene::parameter(const std::string& name, std::string_view unit, const Expression& value) {
   const Expression symbol = parameter(name, unit);
+  refuse_measured(value, fmt::format("parameter '{}'", name));
   if (!value.unit().is_dimensionless() && !(value.unit() == symbol.unit())) {
     throw UnitError(fmt::format("parameter '{}' [{}] is given the value {} [{}]: the units differ; give a plain number or "
                                 "one in {}",
@@ -141,6 +142,8 @@ void Scene::initial(const Expression& formula, const Expression& value, const Ex
                                  "initial('{0}'), or declare it by coordinate(...)",
                                  coordinate.q->name));
   }
+  refuse_measured(value, fmt::format("the initial value of '{}'", coordinate.q->name));
+  refuse_measured(rate, fmt::format("the initial rate of '{}'", coordinate.q->name));
   require_initial_unit(value, coordinate.q->unit, "value", coordinate.q->name);
   require_initial_unit(rate, coordinate.v->unit, "rate", coordinate.q->name);
   coordinate.initial_value = value;
@@ -185,6 +188,8 @@ AttitudeHandle Scene::attitude(const std::string& name) {
 
 void Scene::initial(AttitudeHandle handle, const std::array<Expression, 4>& quaternion, const Triple& rates) {
   AttitudeContent& attitude = content_.attitudes.at(static_cast<std::size_t>(handle.index));
+  for (const Expression& e : quaternion) refuse_measured(e, fmt::format("the initial attitude '{}'", attitude.name));
+  for (const Expression& rate : rates) refuse_measured(rate, fmt::format("the initial rate of '{}'", attitude.name));
   for (const Expression& e : quaternion) require_initial_unit(e, Unit(), "quaternion", attitude.name);
   for (const Expression& rate : rates) {
     require_initial_unit(rate, units::radian_per_second, "angular velocity", attitude.name);
@@ -211,6 +216,37 @@ PointHandle Scene::disc_contact(const std::string& name, const FrameReference& f
   require_unit(axis, Unit(), fmt::format("a component of the axis of the disc at '{}'", name));
   require_unit(radius, units::metre, fmt::format("the radius of the disc at '{}'", name));
   return add_point({name, frame, {}, LowestPoint{axis, radius, plane}});
+}
+PointHandle Scene::torus_contact(const std::string& name, const FrameReference& frame, const Triple& axis,
+                                 const Expression& circle_radius, const Expression& tube_radius,
+                                 const FrameReference& plane) {
+  require_unit(circle_radius, units::metre, fmt::format("the circle's radius of '{}'", name));
+  require_unit(tube_radius, units::metre, fmt::format("the tube's radius of '{}'", name));
+  return add_point({name, frame, {}, LowestPoint{axis, circle_radius, plane, tube_radius}});
+}
+PointHandle Scene::ellipsoid_contact(const std::string& name, const FrameReference& frame, const Triple& semi_axes,
+                                     const FrameReference& plane) {
+  for (const Expression& each : semi_axes) {
+    if (each.is_zero()) {
+      throw SceneError(fmt::format("the ellipsoid of '{}' has a semi-axis 0: give its three lengths, or a disc_contact", name));
+    }
+    require_unit(each, units::metre, fmt::format("a semi-axis of '{}'", name));
+  }
+  const auto h = [&](const Triple& u) {
+    return sqrt(pow(semi_axes[0] * u[0], 2) + pow(semi_axes[1] * u[1], 2) + pow(semi_axes[2] * u[2], 2));
+  };
+  return support_contact(name, frame, h, plane);
+}
+PointHandle Scene::support_contact(const std::string& name, const FrameReference& frame,
+                                   const std::function<Expression(const Triple& u)>& h, const FrameReference& plane) {
+  SupportFunction support;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::string component = fmt::format("{}.u_{}", name, "xyz"[i]);
+    support.direction[i] = add_symbol(component, Unit(), SymbolKind::parameter);
+  }
+  support.h = h({Expression(support.direction[0]), Expression(support.direction[1]), Expression(support.direction[2])});
+  require_unit(support.h, units::metre, fmt::format("the support function of '{}'", name));
+  return add_point({name, frame, {}, LowestPoint{std::nullopt, {}, plane, {}, std::move(support)}});
 }
 PointHandle Scene::sphere_contact(const std::string& name, const FrameReference& frame, const Expression& radius,
                                   const FrameReference& plane) {

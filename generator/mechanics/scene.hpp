@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,6 +15,8 @@
 #include "generator/mechanics/scene_content.hpp"
 
 namespace torsor {
+
+struct MeasuredVector;
 
 /// A mechanism as its author describes it: parameters, coordinates, frames joined in a tree, bodies attached to frames,
 /// actions, constraints, initial state. Nothing is derived here.
@@ -121,8 +124,39 @@ class Scene {
   /// The same of a sphere: P = C − r n.
   PointHandle sphere_contact(const std::string& name, const FrameReference& frame, const Expression& radius,
                              const FrameReference& plane);
+  /// The same of a torus: a tube of the given radius [m] around a circle about `axis`; as a point, of its convex hull.
+  PointHandle torus_contact(const std::string& name, const FrameReference& frame, const Triple& axis,
+                            const Expression& circle_radius, const Expression& tube_radius,
+                            const FrameReference& plane);
+  /// The same of a solid ellipsoid with its semi-axes [m] along those of the frame:
+  /// P = C − S n/√(n · S n), S = diag(a², b², c²).
+  PointHandle ellipsoid_contact(const std::string& name, const FrameReference& frame, const Triple& semi_axes,
+                                const FrameReference& plane);
+  /// The same of any smooth convex body, by its support function h(u) = max u · CP [m], C the origin of the frame: a
+  /// formula of the components of u along its axes, h(k u) = k h(u) for k > 0. P = C + ∇h(−n) (Schneider, Convex Bodies:
+  /// The Brunn-Minkowski Theory, §1.7). A function that is not homogeneous or not convex is refused.
+  PointHandle support_contact(const std::string& name, const FrameReference& frame,
+                              const std::function<Expression(const Triple& u)>& h, const FrameReference& plane);
   void body(const std::string& name, const FrameReference& frame, const Inertia& inertia,
             Moments moments = Moments::of_matter);
+
+  // --- what formulas may ask of the motion --------------------------------------------------------------------------
+  // Vectors that follow from the motion of frames, as components along the axes of `axes`, to be used in any formula of
+  // an action, a constraint, a law of friction, a point, a joint or the law of a driven coordinate. Frames and points
+  // must have been declared, and those that frames hang on. Neither values of parameters nor initial states can depend
+  // on them. Where places are wanted (a joint's displacement, a point, a holonomic relation) velocities are refused.
+  /// The components (w, x, y, z) of a unit quaternion: v_parent = R(e) v; `rate` of them is known.
+  std::array<Expression, 4> attitude_components(AttitudeHandle attitude) const;
+  /// A direction given in a frame, e.g. axis::z, seen in another: `direction("wheel", axis::z, "ground")`.
+  Triple direction(const FrameReference& frame, const Triple& along, const FrameReference& axes);
+  /// OP [m] from the origin O of a frame, along its axes. Its rate is V(P/frame), of the geometric point.
+  Triple position(const PointReference& point, const FrameReference& frame);
+  /// Ω(frame/relative_to) [rad/s].
+  Triple angular_velocity(const FrameReference& frame, const FrameReference& axes,
+                          const FrameReference& relative_to = "ground");
+  /// V(P ∈ body/relative_to) [m/s], of the point of the body that is at P.
+  Triple velocity(const PointReference& point, const FrameReference& body, const FrameReference& axes,
+                  const FrameReference& relative_to = "ground");
 
   // --- actions ------------------------------------------------------------------------------------------------------
   /// Uniform gravity, components in the ground frame [m/s²].
@@ -183,6 +217,14 @@ class Scene {
   void sliding_friction(const std::string& name, const ConstraintHandle& normal, const Expression& f,
                         const FrameReference& body, const PointReference& point, const Triple& direction,
                         const FrameReference& axes, const FrameReference& other = "ground");
+  /// Any law of friction: T = −N φ(s) G/s at `point` of `body`, and the opposite on `other`; G is the velocity of slip, the
+  /// part along x and y of the axes of `plane` (z the normal) of V(P ∈ body/other), s = √(G² + ε²). With ε > 0 [m/s] the
+  /// force is smooth through rest, where it vanishes; beyond some ε it is −N φ(|G|) G/|G| to a relative (ε/G)²/2. `law`
+  /// gives φ, a plain number, as a formula of s.
+  void friction_law(const std::string& name, const ConstraintHandle& normal,
+                    const std::function<Expression(const Expression& speed)>& law, const FrameReference& body,
+                    const PointReference& point, const FrameReference& plane, const FrameReference& other = "ground",
+                    const Expression& smoothing = Expression::quantity("0.000001", "m/s"));
   /// Resistance to rolling: the moment −h N R12/|R12| on `body`, h [m], R12 the rolling part of Ω(body/other).
   void rolling_resistance(const std::string& name, const ConstraintHandle& normal, const Expression& h,
                           const FrameReference& body, const Triple& direction, const FrameReference& axes,
@@ -253,6 +295,9 @@ class Scene {
   ConstraintHandle add_constraint(ConstraintContent constraint);
   void add_friction(ContactFriction friction);
   ConstraintHandle add_constraint(const std::string& name, ConstraintLaw law, const Unit& multiplier);
+  Triple measured(MeasuredVector vector, const std::string& name, const Unit& unit, std::vector<SymbolPointer> made_of);
+  std::string name_of(int frame) const;
+  void refuse_measured(const Expression& formula, const std::string& what) const;
   CoordinateContent& coordinate_of(const Expression& coordinate, const std::string& purpose);
 
   SceneContent content_;

@@ -123,21 +123,37 @@ void Scene::sliding_friction(const std::string& name, const ConstraintHandle& no
                              const FrameReference& axes, const FrameReference& other) {
   require_unit(f, Unit(), fmt::format("the coefficient of the friction '{}'", name));
   require_one_unit(direction, of("direction", "friction", name));
-  add_friction({name, normal.index, f, body, point, direction, axes, other});
+  add_friction({name, normal.index, f, body, point, direction, axes, other, {}});
+}
+void Scene::friction_law(const std::string& name, const ConstraintHandle& normal,
+                         const std::function<Expression(const Expression& speed)>& law, const FrameReference& body,
+                         const PointReference& point, const FrameReference& plane, const FrameReference& other,
+                         const Expression& smoothing) {
+  if (smoothing.is_zero()) {
+    throw SceneError(fmt::format("the law of friction '{}' has the smoothing speed 0, with which its force is no number at "
+                                 "rest: give one that is small beside the speeds that matter, e.g. 1e-6 m/s",
+                                 name));
+  }
+  require_unit(smoothing, units::metre_per_second, fmt::format("the smoothing speed of the friction '{}'", name));
+  const Triple slip = velocity(point, body, plane, other);
+  const Expression speed = sqrt(pow(slip[0], 2) + pow(slip[1], 2) + pow(smoothing, 2));
+  const Expression coefficient = law(speed);
+  require_unit(coefficient, Unit(), fmt::format("the value of the law of friction '{}'", name));
+  add_friction({name, normal.index, coefficient, body, point, {slip[0], slip[1], 0}, plane, other, speed});
 }
 void Scene::rolling_resistance(const std::string& name, const ConstraintHandle& normal, const Expression& h,
                                const FrameReference& body, const Triple& direction, const FrameReference& axes,
                                const FrameReference& other) {
   require_unit(h, units::metre, fmt::format("the length of the rolling resistance '{}'", name));
   require_one_unit(direction, of("direction", "rolling resistance", name));
-  add_friction({name, normal.index, h, body, std::nullopt, direction, axes, other});
+  add_friction({name, normal.index, h, body, std::nullopt, direction, axes, other, {}});
 }
 void Scene::spinning_resistance(const std::string& name, const ConstraintHandle& normal, const Expression& k,
                                 const FrameReference& body, const Triple& direction, const FrameReference& axes,
                                 const FrameReference& other) {
   require_unit(k, units::metre, fmt::format("the length of the spinning resistance '{}'", name));
   require_one_unit(direction, of("direction", "spinning resistance", name));
-  add_friction({name, normal.index, k, body, std::nullopt, direction, axes, other});
+  add_friction({name, normal.index, k, body, std::nullopt, direction, axes, other, {}});
 }
 
 }  // namespace torsor

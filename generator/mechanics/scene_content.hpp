@@ -81,8 +81,19 @@ struct JointContent {
   Expression pitch;           ///< of a helical joint [m/rad]
 };
 
-/// The point of a disc's rim, or of a sphere (no axis), that lies lowest along the normal z of a plane.
-struct LowestPoint { std::optional<Triple> axis; Expression radius; FrameReference plane; };
+/// h(u) = max u · CP over the points P of a convex body, C the origin of a frame, as a formula of the components of u
+/// along that frame's axes; CP = ∇h(u) is the point where u is normal to the body.
+struct SupportFunction { std::array<SymbolPointer, 3> direction; Expression h; };
+
+/// The point of a disc's rim, of a sphere (no axis), of a torus (a rim with a tube around it) or of a convex body that
+/// lies lowest along the normal z of a plane.
+struct LowestPoint {
+  std::optional<Triple> axis;
+  Expression radius;
+  FrameReference plane;
+  Expression tube{};  ///< radius of the tube
+  std::optional<SupportFunction> support = std::nullopt;
+};
 
 /// A point by its components in a frame, or (`lowest`) a point of contact around the frame's origin.
 struct PointContent { std::string name; FrameReference frame; Triple components; std::optional<LowestPoint> lowest = std::nullopt; };
@@ -157,6 +168,7 @@ struct ContactFriction {
   std::optional<PointReference> point;
   Triple direction;
   FrameReference axes, other;
+  Expression length{};  ///< in place of |direction|, where it is not zero
 };
 
 const std::string& name_of(const ActionContent& action);
@@ -216,6 +228,7 @@ struct SceneContent {
   SceneOrigin origin;
   std::map<std::string, std::string> names;  ///< every name taken, and by what; looked up, and sorted by name
   int symbol_count = 0;
+  int measured_count = 0;  ///< vectors that formulas measure on the motion
   SymbolPointer time;
   std::vector<ParameterContent> parameters;
   std::vector<CoordinateContent> coordinates;

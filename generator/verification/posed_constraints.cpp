@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/verification/posed_constraints.hpp"
 
+#include <algorithm>
+#include <map>
 #include <utility>
 
 namespace torsor {
@@ -41,13 +43,21 @@ class PosedLaw {
     const FramePlace& plane = model_.place(law.plane, user_);
     const Place origin = frame_origin(plane), normal = frame_axis(plane, 2);
     if (!point.lowest) {
-      const Place place = *fixed_point(law.point);
+      const auto fixed = fixed_point(law.point);
+      if (!fixed) return std::nullopt;
+      const Place place = *fixed;
       return PosedConstraint{[=](const Poses& p) { return dot(place(p) - origin(p), normal(p)); },
                              [=](const Poses& p) { return norm(place(p) - origin(p)); }};
     }
     if (scene.frame_index(point.lowest->plane, user_) != scene.frame_index(law.plane, user_)) return std::nullopt;
     const FramePlace& body = model_.place(point.frame, user_);
     const Place center = frame_origin(body);
+    if (point.lowest->support) {
+      const Function below = supported(*point.lowest->support, body, normal);
+      return PosedConstraint{[=](const Poses& p) { return dot(center(p) - origin(p), normal(p)) - below(p); },
+                             [=](const Poses& p) { return norm(center(p) - origin(p)) + abs(below(p)); }};
+    }
+    const Real tube = here_(model_.program().lower(point.lowest->tube));
     const Real radius = here_(model_.program().lower(point.lowest->radius));
     Function below = [radius](const Poses&) { return radius; };
     if (point.lowest->axis) {  // the disc's support function: r |n ∧ k|
@@ -57,8 +67,8 @@ class PosedLaw {
         return radius * norm(cross(normal(p), of(p, link).rotation * k));
       };
     }
-    return PosedConstraint{[=](const Poses& p) { return dot(center(p) - origin(p), normal(p)) - below(p); },
-                           [=](const Poses& p) { return norm(center(p) - origin(p)) + abs(radius); }};
+    return PosedConstraint{[=](const Poses& p) { return dot(center(p) - origin(p), normal(p)) - below(p) - tube; },
+                           [=](const Poses& p) { return norm(center(p) - origin(p)) + abs(radius) + abs(tube); }};
   }
 
   std::optional<PosedConstraint> operator()(const JointClosure& law) const {
@@ -104,10 +114,36 @@ class PosedLaw {
     return [=](const Poses& p) { return of(p, link).origin + of(p, link).rotation * own; };
   }
 
+  /// h(−n), the normal along the axes of the body's frame: the formula itself, at numbers.
+  Function supported(const SupportFunction& support, const FramePlace& body, const Place& normal) const {
+    Program& program = model_.program();
+    const Value h = program.bind(program.lower(support.h));
+    std::map<const Symbol*, Real> parameters;
+    for (const Atom atom : program.live({h})) {
+      const SymbolPointer& symbol = program[atom].symbol;
+      const bool formal = std::find(support.direction.begin(), support.direction.end(), symbol) != support.direction.end();
+      if (symbol && !formal) parameters.emplace(symbol.get(), here_(program.symbol(symbol)));
+    }
+    const auto own = numbers(body.rotation);
+    return [=, &program, direction = support.direction, link = body.link](const Poses& p) {
+      const RealVector n = normal(p);
+      std::map<const Symbol*, Real> values = parameters;
+      for (int i = 0; i < 3; ++i) {
+        const RealVector axis = of(p, link).rotation * column(own, i);
+        values[direction[static_cast<std::size_t>(i)].get()] = -dot(axis, n);
+      }
+      return Evaluator<Real>(program, [&values](const SymbolPointer& symbol) { return values.at(symbol.get()); })(h);
+    };
+  }
+
   std::optional<Place> fixed_point(const PointReference& reference) const {
     const SceneContent& scene = model_.scene();
     const PointContent& point = scene.points[static_cast<std::size_t>(scene.point_index(reference, user_))];
     if (point.lowest) return std::nullopt;
+    const Vector components = lower(model_.program(), point.components);
+    for (int i = 0; i < 3; ++i) {
+      if (!components[i].is_constant() && model_.program().stage(components[i]) > Stage::parameters) return std::nullopt;
+    }
     const FramePlace& at = model_.place(point.frame, user_);
     return carried(at.link, numbers(at.origin + at.rotation * lower(model_.program(), point.components), here_));
   }

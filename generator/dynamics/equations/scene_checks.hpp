@@ -15,6 +15,10 @@ void check_universal_joints(const SceneContent& scene);
 /// have values.
 void check_friction_coefficients(const SceneContent& scene);
 
+/// Support functions of contacts are those of convex bodies: homogeneous of degree 1, and, where all parameters have
+/// values, with radii of curvature that are nowhere negative (48 directions are looked at).
+void check_support_functions(const Model& model);
+
 /// What is not to slip on a body is not part of it.
 void check_slipping_bodies(const Model& model);
 

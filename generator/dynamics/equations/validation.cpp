@@ -220,6 +220,7 @@ void validate(const Scene& scene) {
   const Equations equations(scene);
   check_joints(equations.model());
   check_slipping_bodies(equations.model());
+  check_support_functions(equations.model());
   equations.actions();
   equations.constraints();
   check_masses(equations);

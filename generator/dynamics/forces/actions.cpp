@@ -30,7 +30,7 @@ class Collector {
 
   void operator()(const ElongationSpring& spring) {
     const Value k = program_.lower(spring.stiffness);
-    const Value elongation = program_.lower(spring.elongation);
+    const Value elongation = model_.of_configuration(spring.elongation, "the elongation of spring '" + spring.name + "'");
     const Value stretch = program_.bind(elongation - program_.lower(spring.rest));
     const Value force = program_.bind(-(k * stretch));
     work_with(spring.elongation, force, result_.passive);
@@ -38,7 +38,8 @@ class Collector {
   }
 
   void operator()(const ElongationDamper& damper) {
-    const Value speed = program_.bind(time_derivative(program_.lower(damper.elongation)));
+    const Value elongation = model_.of_configuration(damper.elongation, "the elongation of damper '" + damper.name + "'");
+    const Value speed = program_.bind(time_derivative(elongation));
     const Value force = program_.bind(-(program_.lower(damper.damping) * speed));
     work_with(damper.elongation, force, result_.passive);
     dissipative(damper.name, force * speed);
@@ -47,7 +48,9 @@ class Collector {
   void operator()(const Motor& motor) {
     const std::vector<Value> partials = model_.partials(motor.displacement);
     result_.inputs.push_back(partials);
-    const Value speed = program_.bind(time_derivative(program_.lower(motor.displacement)));
+    const Value displacement =
+        model_.of_configuration(motor.displacement, "the displacement of motor '" + motor.name + "'");
+    const Value speed = program_.bind(time_derivative(displacement));
     dissipative(motor.name, program_.symbol(motor.input) * speed);
   }
 
@@ -122,7 +125,8 @@ class Collector {
     refuse_released(effort.displacement, user);
     const Value force = program_.bind(of_state(effort.force, user));
     work_with(effort.displacement, force, result_.passive);
-    const Value speed = program_.bind(time_derivative(program_.lower(effort.displacement)));
+    const Value displacement = model_.of_configuration(effort.displacement, "the displacement of " + user);
+    const Value speed = program_.bind(time_derivative(displacement));
     dissipative(effort.name, force * speed);
   }
 

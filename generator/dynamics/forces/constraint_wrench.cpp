@@ -84,7 +84,8 @@ void add_friction_of(const Model& model, int index, WrenchOnLinks& wrenches) {
     const std::string user = "friction '" + friction.name + "'";
     const int axes = model.place(friction.axes, user).link;
     const Vector given = lower(program, friction.direction);
-    const Value length = program.sqrt(program.bind(dot(given, given)));
+    const Value length = friction.length.is_zero() ? program.sqrt(program.bind(dot(given, given)))
+                                                   : program.bind(program.lower(friction.length));
     const Value intensity = program.bind(-(program.lower(friction.coefficient) / length));
     const Vector direction = bound(program, model.express(friction.direction, friction.axes, axes, user));
     const Vector effort = bound(program, intensity * direction);

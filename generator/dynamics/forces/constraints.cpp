@@ -21,7 +21,7 @@ class RowBuilder {
 
   void operator()(const HolonomicFormula& law) {
     refuse_released(law.f);
-    holonomic(program_.lower(law.f));
+    holonomic(model_.of_configuration(law.f, user_));
   }
 
   void operator()(const Closure& law) {

@@ -11,7 +11,7 @@
 namespace torsor {
 namespace {
 
-/// direction/|direction| in the axes of a link.
+/// direction/|direction|, or over the length that is given for it, in the axes of a link.
 Vector unit_direction(const Model& model, const ContactFriction& friction, int axes, const std::string& user) {
   Program& program = model.program();
   // In the axes in which it is given its length shows best: a turn adds sines and cosines that cancel.
@@ -28,6 +28,10 @@ Vector unit_direction(const Model& model, const ContactFriction& friction, int a
                     user));
   }
   const Vector turned = model.express(friction.direction, friction.axes, axes, user);
+  if (!friction.length.is_zero()) {
+    const Value inverse = program.bind(pow(program.lower(friction.length), -1));
+    return bound(program, inverse * turned);
+  }
   if (square.is_number(1)) return turned;
   const Value length = program.sqrt(square);
   const Value inverse = program.bind(pow(length, -1));

@@ -51,6 +51,7 @@ ModelOptions as_given(ModelOptions options) {
 
 Model::Model(const Scene& scene, Program& program, const ModelOptions& options)
     : scene_(&scene.content()), program_(&program), options_(options) {
+  program.set_measurer([this](const Symbol& symbol) { return measured(symbol); });
   add_coordinates();
   add_links();
   add_bodies();
@@ -86,7 +87,7 @@ void Model::set_motion(Link& link, const FrameContent& frame) {
     negative = n[i].is_number(-1) ? -1 : 1;
   }
   link.joint = frame.joint;
-  link.displacement = program.lower(frame.displacement);
+  link.displacement = of_configuration(frame.displacement, "the displacement of joint '" + frame.name + "'");
   link.rate = time_derivative(link.displacement.program() ? link.displacement : program.number(Number()));
   link.acceleration = time_derivative(link.rate);
   if (frame.joint == JointKind::revolute) {
@@ -178,6 +179,14 @@ std::vector<SymbolPointer> Model::positions() const {
   return symbols;
 }
 
+Value Model::of_configuration(const Expression& formula, const std::string& user) const {
+  const Value value = program_->lower(formula);
+  if (value.is_constant() || program_->stage(value) <= Stage::configuration) return value;
+  throw SceneError(fmt::format("{} depends on velocities, accelerations or forces through {}: it must be a formula of "
+                               "coordinates, time and parameters",
+                               user, formula.to_string()));
+}
+
 std::vector<Value> Model::partials(const Expression& e) const {
   const Value value = program_->lower(e);
   std::vector<Value> result;
@@ -203,7 +212,7 @@ void Model::add_links() {
     for (std::size_t f = 1; f < frames.size(); ++f) {
       const FrameContent& frame = frames[f];
       const auto parent = static_cast<std::size_t>(scene_->frame_index(*frame.parent, "joint '" + frame.name + "'"));
-      if (done[f] || !done[parent]) continue;
+      if (done[f] || !done[parent] || !is_placed(frame.displacement, done)) continue;
       done[f] = true;
       --remaining;
       const FramePlace base = places_[parent];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -93,6 +94,9 @@ struct FramePlace {
 class Model {
  public:
   Model(const Scene& scene, Program& program, const ModelOptions& options = {});
+  ~Model() { program_->set_measurer({}); }
+  Model(const Model&) = delete;  // its program asks it for what formulas measure
+  Model& operator=(const Model&) = delete;
 
   /// The resolver a program for this scene must be made with.
   static Program::Resolver resolver(const Scene& scene, const ModelOptions& options);
@@ -120,6 +124,9 @@ class Model {
     return derivation_along(*program_, coordinates_[static_cast<std::size_t>(i)].v);
   }
 
+  /// A formula of coordinates, time and parameters: what places are functions of. Throws SceneError naming `user` where
+  /// it depends on velocities or more.
+  Value of_configuration(const Expression& formula, const std::string& user) const;
   /// ∂e/∂q_i for every coordinate; a released one counts when e is that coordinate itself.
   std::vector<Value> partials(const Expression& e) const;
 
@@ -130,7 +137,8 @@ class Model {
   /// A point of the scene in the axes of a link.
   Vector locate(const PointReference& point, int link, const std::string& user) const;
   /// Height of a point of contact (PointContent::lowest) over the plane it was found for: that of the centre C less
-  /// r √(1 − (n·k)²), or r for a sphere; the point itself, whose own formula cancels where a disc lies flat, is not used.
+  /// r √(1 − (n·k)²), or r for a sphere, or h(−n); the point itself, whose own formula cancels where a disc lies flat, is
+  /// not used.
   Value lowest_height(const PointContent& point, int link, const std::string& user) const;
   /// A direction given in a frame of the scene, in the axes of a link.
   Vector express(const Triple& direction, const FrameReference& axes, int link, const std::string& user) const;
@@ -170,6 +178,12 @@ class Model {
   void add_links();
   void set_motion(Link& link, const FrameContent& frame);
   void add_attitude(const FrameContent& frame, const FramePlace& at);
+  Value measured(const Symbol& symbol);
+  Vector measured(const MeasuredVector& wanted);
+  bool is_placed(const Expression& formula, const std::vector<bool>& done) const;
+  /// h(u) and ∇h(u) of a support function along the frame's axes, u the direction down in them.
+  std::pair<Value, Vector> supported(const PointContent& point, const Vector& down) const;
+  Vector down_in(const PointContent& point, const FramePlace& at, const std::string& user) const;
   Vector lowest(const PointContent& point, int link, const std::string& user) const;
   void add_bodies();
   void choose_length_unit();
@@ -181,6 +195,7 @@ class Model {
   int unknown_count_ = 0;
   std::vector<Link> links_;
   std::vector<FramePlace> places_;  ///< by frame of the scene
+  std::map<int, Vector> measured_;  ///< by index of the measured vector
   std::optional<Number> length_unit_;  ///< [m]
 };
 

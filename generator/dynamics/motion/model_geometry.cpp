@@ -197,9 +197,35 @@ Vector Model::locate(const PointReference& reference, int link, const std::strin
   return locate(at.origin + at.rotation * lower(*program_, point.components), at.link, link);
 }
 
+Vector Model::down_in(const PointContent& point, const FramePlace& at, const std::string& user) const {
+  const Vector normal = bound(*program_, express(axis::z, point.lowest->plane, at.link, user));
+  return bound(*program_, -(at.rotation.transpose() * normal));
+}
+
+std::pair<Value, Vector> Model::supported(const PointContent& point, const Vector& down) const {
+  const SupportFunction& support = *point.lowest->support;
+  Substitution in_direction(*program_, [&](const SymbolPointer& symbol) -> std::optional<Value> {
+    for (int i = 0; i < 3; ++i) {
+      if (support.direction[static_cast<std::size_t>(i)] == symbol) return down[i];
+    }
+    return std::nullopt;
+  });
+  const Value h = program_->bind(program_->lower(support.h));
+  Vector place;
+  for (int i = 0; i < 3; ++i) {
+    const SymbolPointer& u = support.direction[static_cast<std::size_t>(i)];
+    place[i] = program_->bind(in_direction(partial_derivation(*program_, u)(h)));
+  }
+  return {program_->bind(in_direction(h)), place};
+}
+
 Vector Model::lowest(const PointContent& point, int link, const std::string& user) const {
   Program& program = *program_;
   const FramePlace& at = place(point.frame, "point '" + point.name + "'");
+  if (point.lowest->support) {
+    const Vector place = supported(point, down_in(point, at, user)).second;
+    return locate(at.origin + at.rotation * place, at.link, link);
+  }
   const Vector center = locate(at.origin, at.link, link);
   Vector down = bound(program, -express(axis::z, point.lowest->plane, link, user));
   const Value radius = program.lower(point.lowest->radius);
@@ -209,7 +235,10 @@ Vector Model::lowest(const PointContent& point, int link, const std::string& use
     down = bound(program, down - along * k);
     const Value square = dot(down, down);
     const Value scale = program.bind(radius / program.sqrt(square));
-    return center + scale * down;
+    if (point.lowest->tube.is_zero()) return center + scale * down;
+    const Value tube = program.lower(point.lowest->tube);
+    const Vector normal = bound(program, express(axis::z, point.lowest->plane, link, user));
+    return center + scale * down - tube * normal;
   }
   return center + radius * down;
 }
@@ -222,12 +251,14 @@ Value Model::lowest_height(const PointContent& point, int link, const std::strin
   const Vector center = locate(at.origin, at.link, link);
   const Vector origin = locate(plane.origin, plane.link, link);
   const Value height = program.bind(dot(bound(program, center - origin), normal));
+  if (point.lowest->support) return height - supported(point, down_in(point, at, user)).first;
   const Value radius = program.lower(point.lowest->radius);
   if (!point.lowest->axis) return height - radius;
   const Vector k = bound(program, express(*point.lowest->axis, point.frame, link, user));
   const Value along = program.bind(dot(normal, k));
   const Vector rest = bound(program, normal - along * k);
-  return height - radius * program.sqrt(dot(rest, rest));
+  const Value over_rim = height - radius * program.sqrt(dot(rest, rest));
+  return point.lowest->tube.is_zero() ? over_rim : over_rim - program.lower(point.lowest->tube);
 }
 
 Vector Model::express(const Triple& direction, const FrameReference& axes, int link, const std::string& user) const {
