@@ -204,12 +204,12 @@ int shared_digits(const Real& a, const Real& b, int limit) {
 }
 
 /// The states at the times that are reached; what ends the integration before the last one is told in `stopped`.
-std::vector<Vector> integrate_as_far_as_it_goes(const DifferentialEquation& f, const Vector& y0, const Real& t0,
+std::vector<RealNumbers> integrate_as_far_as_it_goes(const DifferentialEquation& f, const RealNumbers& y0, const Real& t0,
                                                 const std::vector<Real>& times, const ExtrapolationOptions& options,
                                                 std::string& stopped) {
   check(t0, times, options);
   const WorkingDigits digits(options.work_digits);
-  std::vector<Vector> states;
+  std::vector<RealNumbers> states;
   try {
     Extrapolation extrapolation(f, y0, t0, options);
     for (const Real& time : times) {
@@ -252,7 +252,7 @@ ConvergedSolution integrate_converged(const DifferentialEquation& f, const std::
   solution.values.resize(std::min(solution.values.size(), other.size()));
   const WorkingDigits digits(options.work_digits);
   for (std::size_t index = 0; index < solution.values.size(); ++index) {
-    const Vector& values = solution.values[index];
+    const RealNumbers& values = solution.values[index];
     solution.agreed_digits.push_back(agreement(values, other[index], options.work_digits));
     solution.shared_digits.emplace_back();
     for (std::size_t i = 0; i < values.size(); ++i) {

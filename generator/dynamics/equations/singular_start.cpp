@@ -13,7 +13,7 @@
 namespace torsor {
 namespace {
 
-constexpr int digits = 50;
+constexpr int digits_at_start = 50;
 
 using Reals = std::vector<Real>;
 
@@ -21,7 +21,7 @@ using Reals = std::vector<Real>;
 /// it depends on. Nothing where M is regular.
 std::optional<std::vector<std::size_t>> idle_rates(std::vector<Reals> m) {
   const std::size_t n = m.size();
-  const Real small(Number(10).pow(-30), digits);
+  const Real small(Number(10).pow(-30), digits_at_start);
   Reals diagonal;
   for (std::size_t k = 0; k < n; ++k) diagonal.push_back(abs(m[k][k]));
   for (std::size_t k = 0; k < n; ++k) {
@@ -52,7 +52,7 @@ std::vector<std::string> singular_start(const Scene& scene) {
   const SceneContent& content = scene.content();
   const auto valued = [](const ParameterContent& parameter) { return parameter.value.has_value(); };
   if (!std::all_of(content.parameters.begin(), content.parameters.end(), valued)) return {};
-  const WorkingDigits precision(digits);
+  const WorkingDigits precision(digits_at_start);
   const Equations equations(scene);
   Evaluator<Real> evaluate(equations.program(),
                            [&content](const SymbolPointer& symbol) { return initial_value(content, symbol); });
