@@ -20,6 +20,7 @@ struct MjcfOptions {
   Number angle_tolerance = Number::rational(1, 1000000000);
   bool dampers = true;  ///< damping of joints and tendons acts
   bool motors = true;   ///< actuators are inputs; where the file has none, every hinge and slide has a motor
+  bool strict = false;  ///< refuses what cannot act instead of noting it
   std::string name;     ///< of the scene; the model's when empty
   std::vector<std::string> points;  ///< bodies and sites whose origins become points <name>_origin
   std::vector<std::pair<std::string, std::string>> initial;  ///< as of a URDF file

@@ -97,6 +97,7 @@ struct MjcfModel {
   std::vector<MjcfActuator> actuators;
   std::vector<MjcfEquality> equalities;  ///< those that are active
   std::vector<std::string> notes;        ///< what the file says and no scene does
+  std::vector<std::string> remarks;      ///< what the file says not to act
 };
 
 }  // namespace torsor

@@ -22,7 +22,7 @@ ImportedMjcf mjcf_scene(const MjcfModel& model, const MjcfOptions& options) {
 }
 
 MjcfBuilder::MjcfBuilder(const MjcfModel& model, const MjcfOptions& options)
-    : model_(model), options_(options), scene_(scene_name()), notes_(model.notes) {}
+    : model_(model), options_(options), scene_(scene_name()), notes_(model.notes), data_(model.remarks) {}
 
 std::string MjcfBuilder::scene_name() {
   if (!options_.name.empty()) return options_.name;
@@ -52,6 +52,9 @@ ImportedMjcf MjcfBuilder::build() {
   add_points();
   set_start();
   note_geometry();
+  if (options_.strict && !notes_.empty()) {
+    throw FileError(fmt::format("{}: {}; correct the file, or leave out --strict", model_.file, notes_.front()));
+  }
   scene_.came_from(mjcf_origin(model_, options_, {renamed_, changes_.lines(), data_, notes_}));
   return {std::move(scene_), std::move(notes_), model_.geoms};
 }
@@ -202,7 +205,7 @@ void MjcfBuilder::place(std::size_t i) {
   const std::string& frame = frames_[i];
   std::string at = frames_[static_cast<std::size_t>(body.parent)];
   Placement placement{lengths(body.position), rotation(body.quaternion, "body " + body.name)};
-  if (body.mocap) notes_.push_back(fmt::format("mocap body {} stands still at its place", body.name));
+  if (body.mocap) data_.push_back(fmt::format("mocap body {} stands still at its place", body.name));
   std::vector<std::size_t> joints;
   for (std::size_t k = 0; k < model_.joints.size(); ++k) {
     if (model_.joints[k].body == static_cast<int>(i)) joints.push_back(k);

@@ -123,6 +123,7 @@ class Compiled {
  private:
   bool disabled(int flag) const { return (m_.opt.disableflags & flag) != 0; }
   void note(std::string text) { model_.notes.push_back(std::move(text)); }
+  void remark(std::string text) { model_.remarks.push_back(std::move(text)); }
 
   void read_bodies() {
     for (int i = 0; i < m_.nbody; ++i) {
@@ -167,7 +168,7 @@ class Compiled {
       joint.range = numbers<2>(m_.jnt_range + 2 * i);
       model_.joints.push_back(std::move(joint));
     }
-    if (!passive) note("the flag passive is disabled: springs and dampers do not act");
+    if (!passive) remark("the flag passive is disabled: springs and dampers do not act");
   }
 
   void read_geometry() {
@@ -236,7 +237,7 @@ class Compiled {
 
   void read_actuators() {
     if (disabled(mjDSBL_ACTUATION)) {
-      if (m_.nu > 0) note("the flag actuation is disabled: actuators do not act");
+      if (m_.nu > 0) remark("the flag actuation is disabled: actuators do not act");
       return;
     }
     for (int i = 0; i < m_.nu; ++i) {
@@ -272,7 +273,7 @@ class Compiled {
 
   void read_equalities() {
     const bool off = disabled(mjDSBL_EQUALITY) || disabled(mjDSBL_CONSTRAINT);
-    if (off && m_.neq > 0) note("the flag equality or constraint is disabled: equality constraints do not act");
+    if (off && m_.neq > 0) remark("the flag equality or constraint is disabled: equality constraints do not act");
     for (int i = 0; i < m_.neq && !off; ++i) {
       MjcfEquality equality;
       equality.name = or_else(name_of_object(m_, m_.name_eqadr[i]), fmt::format("equality_{}", i));
@@ -282,7 +283,7 @@ class Compiled {
       const bool active = m_.eq_active[i] != 0;
 #endif
       if (!active) {
-        note(fmt::format("equality constraint {} is not active", equality.name));
+        remark(fmt::format("equality constraint {} is not active", equality.name));
         continue;
       }
       equality.first = m_.eq_obj1id[i];

@@ -224,6 +224,31 @@ TEST(MjcfEquality, JointsFollowOthers) {
   }
 }
 
+// Contacts cannot act: that is noted, and refused strictly; where there are none, nothing is.
+TEST(Mjcf, NotesWhatCannotActAndRefusesItStrictly) {
+  MjcfModel model = read_with_mujoco(data_file("walker"));
+  MjcfOptions strict;
+  strict.strict = true;
+  const std::vector<std::string> notes{"contacts do not act: the geometry of 1 geom is kept and has no effect"};
+  EXPECT_EQ(mjcf_scene(model).notes, notes);
+  EXPECT_EQ(mjcf_scene(model).contact_geometry.size(), 1U);
+  try {
+    mjcf_scene(model, strict);
+    FAIL();
+  } catch (const FileError& error) {
+    EXPECT_EQ(error.what(), data_file("walker") + ": " + notes[0] + "; correct the file, or leave out --strict");
+  }
+  model.geoms.clear();
+  EXPECT_EQ(mjcf_scene(model, strict).notes, std::vector<std::string>());
+  model.joints[2].friction_loss = 0.5;  // the hinge of the ear
+  EXPECT_EQ(mjcf_scene(model).notes, std::vector<std::string>{"joint wiggle: frictionloss 0.5 does not act"});
+  model.tendons[0].spatial = true;
+  EXPECT_EQ(mjcf_scene(model).notes,
+            (std::vector<std::string>{"joint wiggle: frictionloss 0.5 does not act",
+                                      "tendon sinew: stiffness and damping of a spatial tendon do not act",
+                                      "actuator winch does not act: its tendon is spatial"}));
+}
+
 /// What is left of a row when its part in the span of the others is taken away, over its length.
 double outside_of(const std::vector<Numbers>& span, Numbers row) {
   const auto dot = [](const Numbers& a, const Numbers& b) {
