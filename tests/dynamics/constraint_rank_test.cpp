@@ -5,6 +5,7 @@
 
 #include "generator/dynamics/equations/validation.hpp"
 #include "tests/dynamics/constrained_motion.hpp"
+#include "tests/dynamics/loop_mechanisms.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
 namespace torsor::constraint_rank_test {
@@ -252,6 +253,52 @@ TEST(ConstraintRank, ReportsAStartWhereTheLoopBranches) {
   EXPECT_EQ(rank.rank_at_start, 1U);
   EXPECT_EQ(rank.kept, (Indices{0, 1}));
   EXPECT_TRUE(rank.singular_start());
+}
+
+/// Cranks of 0.3 m in a row, each tied to the next by a bar of 1 m, all laid flat: a change point of every window.
+Scene folded_parallelograms(int windows, bool pins) {
+  Scene scene("windows");
+  const auto name = [](const char* what, int i) { return what + std::to_string(i); };
+  std::vector<FrameHandle> cranks;
+  for (int i = 0; i <= windows; ++i) {
+    const Expression place = Expression(i) * metres("1");
+    const Expression q = scene.coordinate(name("q", i), "rad");
+    cranks.push_back(scene.revolute(name("crank", i), scene.ground(), axis::z, q, {.origin = {place, 0, 0}}));
+    scene.body(name("crank", i), cranks.back(), Inertia::rod(kilograms("1"), metres("0.3"), 0));
+  }
+  for (int i = 0; i < windows; ++i) {
+    const FrameHandle& crank = cranks[static_cast<std::size_t>(i)];
+    const Expression turn = scene.coordinate(name("turn", i), "rad");
+    const FrameHandle bar = scene.revolute(name("bar", i), crank, axis::z, turn, {{metres("0.3"), 0, 0}});
+    scene.body(name("bar", i), bar, Inertia::rod(kilograms("1"), metres("1"), 0));
+    const FrameHandle& next = cranks[static_cast<std::size_t>(i) + 1];
+    if (pins) {
+      const FrameHandle end = scene.weld(name("end", i), bar, x_along_z({metres("1"), 0, 0}));
+      const FrameHandle tip = scene.weld(name("tip", i), next, x_along_z({metres("0.3"), 0, 0}));
+      scene.close(name("pin", i), JointType::revolute, end, tip);
+    } else {
+      const PointHandle end = scene.point(name("end", i), bar, {metres("1"), 0, 0});
+      const PointHandle tip = scene.point(name("tip", i), next, {metres("0.3"), 0, 0});
+      scene.closure(name("x", i), end, tip, axis::x);
+      scene.closure(name("y", i), end, tip, axis::y);
+    }
+  }
+  return scene;
+}
+
+TEST(ConstraintRank, FindsAWayOnWhereManyLoopsBranchAtOnce) {
+  for (const bool pins : {false, true}) {
+    for (const int windows : {1, 2, 3, 5, 8, 12}) {
+      const Scene scene = folded_parallelograms(windows, pins);
+      ASSERT_EQ(error_of([&] { validate(scene); }), "no error") << windows;
+      const ConstraintRank rank = constraint_rank(scene);
+      const auto count = static_cast<std::size_t>(windows);
+      EXPECT_TRUE(rank.closed && rank.singular_start());
+      EXPECT_EQ(rank.kept.size(), 2 * count);  // one freedom is left of 2 windows + 1
+      EXPECT_EQ(rank.rank_at_start, count);    // across the bars only
+      EXPECT_EQ(rank.dropped.size(), pins ? 3 * count : 0U);
+    }
+  }
 }
 
 Scene two_laws(const Expression& second, bool as_rate) {

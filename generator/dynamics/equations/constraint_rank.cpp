@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "generator/dynamics/equations/configuration_sample.hpp"
+#include "generator/dynamics/equations/row_basis.hpp"
 #include "generator/dynamics/forces/constraints.hpp"
 #include "generator/dynamics/forces/virtual_power.hpp"
 #include "generator/expression/error.hpp"
@@ -15,91 +16,10 @@ namespace torsor {
 namespace {
 
 constexpr int constraint_digits = 50;
-using Row = std::vector<Real>;
-
-Real product(const Row& a, const Row& b) {
-  Real sum(0);
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
-
-Real length(const Row& a) { return sqrt(product(a, a)); }
+using Row = RealRow;
 
 Real decimal(const char* text) { return Real::parse(text); }
 Real tolerance() { return Real::from_double(ConstraintRank::tolerance); }
-
-/// Rows met in turn: each either extends an orthonormal basis or depends on those before it.
-class Basis {
- public:
-  Basis(std::size_t size, Real null_length) : size_(size), null_length_(std::move(null_length)) {}
-
-  /// Whether the row is independent of the ones accepted before; if so it is accepted under that index.
-  bool add(std::size_t index, const Row& row) {
-    const Real whole = length(row);
-    Row rest = row;
-    std::vector<Real> along(directions_.size(), Real(0));
-    for (int pass = 0; pass < 2; ++pass) {  // twice is enough (Golub & Van Loan, 5.2.8)
-      for (std::size_t k = 0; k < directions_.size(); ++k) {
-        const Real part = product(rest, directions_[k]);
-        along[k] += part;
-        for (std::size_t i = 0; i < size_; ++i) rest[i] -= part * directions_[k][i];
-      }
-    }
-    const Real left = length(rest);
-    if (!(whole > null_length_) || !(left > whole * tolerance())) {
-      dependent_.push_back({index, whole > null_length_ ? along : std::vector<Real>(along.size(), Real(0))});
-      return false;
-    }
-    for (Real& r : rest) r /= left;
-    directions_.push_back(rest);
-    along.push_back(left);
-    independent_.push_back({index, along});
-    return true;
-  }
-
-  /// Coefficients c with row = Σ_k c_k row of the k-th accepted one, for every dependent row: (index, c).
-  std::vector<std::pair<std::size_t, std::vector<Real>>> combinations() const {
-    std::vector<std::pair<std::size_t, std::vector<Real>>> all;
-    for (const auto& [index, along] : dependent_) {
-      std::vector<Real> rest = along;
-      rest.resize(independent_.size(), Real(0));
-      std::vector<Real> c(independent_.size(), Real(0));
-      for (std::size_t k = independent_.size(); k-- > 0;) {  // rows are lower triangular in the directions
-        c[k] = rest[k] / independent_[k].second[k];
-        for (std::size_t i = 0; i <= k; ++i) rest[i] -= c[k] * independent_[k].second[i];
-      }
-      all.emplace_back(index, std::move(c));
-    }
-    return all;
-  }
-
-  std::vector<std::size_t> independent() const {
-    std::vector<std::size_t> indices;
-    for (const auto& [index, along] : independent_) indices.push_back(index);
-    return indices;
-  }
-  std::size_t rank() const { return directions_.size(); }
-  const std::vector<Row>& directions() const { return directions_; }
-
-  /// δ of least length with row_k · δ = wanted_k for the accepted rows.
-  Row least(const std::vector<Real>& wanted) const {
-    Row delta(size_, Real(0));
-    std::vector<Real> y;
-    for (std::size_t k = 0; k < directions_.size(); ++k) {
-      Real rest = wanted[k];
-      for (std::size_t i = 0; i < k; ++i) rest -= independent_[k].second[i] * y[i];
-      y.push_back(rest / independent_[k].second[k]);
-      for (std::size_t i = 0; i < size_; ++i) delta[i] += y[k] * directions_[k][i];
-    }
-    return delta;
-  }
-
- private:
-  std::size_t size_;
-  Real null_length_;
-  std::vector<Row> directions_;
-  std::vector<std::pair<std::size_t, std::vector<Real>>> independent_, dependent_;
-};
 
 class RankFinder {
  public:
@@ -132,7 +52,7 @@ class RankFinder {
       away = displaced(held);
     else
       away.scatter();
-    const Basis generic = basis(away, order_.size());
+    const RowBasis generic = basis(away, order_.size());
     result.kept = generic.independent();
     std::sort(result.kept.begin(), result.kept.end());
     result.determinate.assign(rows_.size(), true);
@@ -182,14 +102,14 @@ class RankFinder {
   }
 
   /// The first rows of the order (holonomic ones come first).
-  Basis basis(ConfigurationSample& at, std::size_t count) const {
+  RowBasis basis(ConfigurationSample& at, std::size_t count) const {
     Real largest = *std::max_element(metric_.begin(), metric_.end());
     std::vector<Row> rows;
     for (std::size_t k = 0; k < count; ++k) {
       rows.push_back(row(at, order_[k]));
       largest = std::max(largest, length(rows.back()));
     }
-    Basis result(n_, largest * decimal("1e-25"));  // a row of rounding errors is null
+    RowBasis result(n_, largest * decimal("1e-25"), tolerance());  // a row of rounding errors is null
     for (std::size_t k = 0; k < count; ++k) result.add(order_[k], rows[k]);
     return result;
   }
@@ -204,7 +124,7 @@ class RankFinder {
   bool restore(ConfigurationSample& at, const std::vector<std::size_t>& held) const {
     if (held.empty()) return true;
     for (int iteration = 0; iteration < 15; ++iteration) {
-      Basis rows(n_, Real(0));
+      RowBasis rows(n_, Real(0), tolerance());
       std::vector<Real> wanted;
       Real worst(0);
       for (const std::size_t j : held) {
@@ -240,17 +160,9 @@ class RankFinder {
   /// A neighbour of the initial configuration that no accident distinguishes, and a later time.
   ConfigurationSample displaced(const std::vector<std::size_t>& held) const {
     ConfigurationSample start = here_;
-    const Basis normal = basis(start, holonomic_count_);
-    Row direction;
+    const RowBasis normal = basis(start, holonomic_count_);
     unsigned long long random = 20061;
-    for (std::size_t i = 0; i < n_; ++i) {
-      random = (random * 1103515245ULL + 12345ULL) % 2147483648ULL;
-      direction.push_back(Real(Number::rational(static_cast<int>(random % 2001ULL) - 1000, 1000), constraint_digits));
-    }
-    for (const Row& n : normal.directions()) {
-      const Real part = product(direction, n);
-      for (std::size_t i = 0; i < n_; ++i) direction[i] -= part * n[i];
-    }
+    const Row direction = random_direction(normal, random);
     // A twentieth of a radian, or of the extent of the mechanism when nothing turns.
     Real turned(0), moved(0);
     for (std::size_t i = 0; i < n_; ++i) {
@@ -265,27 +177,100 @@ class RankFinder {
       reach = decimal("1/20") / turned;
     else if (moved > decimal("1e-20"))
       reach = extent * decimal("1/20") / moved;
-    // The rows that count at the start first; where it is singular, those that count beside it.
-    for (const bool beside : {false, true}) {
-      Real factor = reach;
-      Real time = decimal("1/32");
-      for (int attempt = 0; attempt < 12; ++attempt, factor /= Real(2), time /= Real(2)) {
-        ConfigurationSample away = here_;
-        away.set_time(time);
-        move(away, direction, factor);
-        const std::vector<std::size_t> rows = beside ? basis(away, holonomic_count_).independent() : held;
-        if (!restore(away, rows)) continue;
-        if (closed(away, factor * length(direction))) return away;
-        break;  // these rows can be satisfied and others not: a smaller step would only hide it
-      }
+    // The rows that count at the start first.
+    if (const auto away = beside(direction, reach, [&](ConfigurationSample&) { return held; })) return *away;
+    // Where the start is singular: all rows together, from several sides. Where many loops branch at once, no set of rows
+    // counts along all branches.
+    Real size = reach, time = decimal("1/32");
+    for (int attempt = 0; attempt < 12; ++attempt) {
+      if (attempt % 4 == 3) size /= Real(8), time /= Real(8);
+      const Row other = random_direction(normal, random);
+      ConfigurationSample away = here_;
+      away.set_time(time);
+      move(away, other, size);
+      const Real displacement = size * length(other);
+      if (!settle(away, displacement) || !closed(away, displacement)) continue;
+      if (basis(away, holonomic_count_).rank() > normal.rank()) return away;
     }
+    const auto counting = [&](ConfigurationSample& at) { return basis(at, holonomic_count_).independent(); };
+    if (const auto away = beside(direction, reach, counting)) return *away;
     refuse_rigid(start);
     return start;
   }
 
+  /// The first of smaller and smaller steps along a direction, and later times, from where those rows can be satisfied;
+  /// nothing when others are not satisfied there.
+  template <class Rows>
+  std::optional<ConfigurationSample> beside(const Row& direction, Real factor, const Rows& rows_at) const {
+    Real time = decimal("1/32");
+    for (int attempt = 0; attempt < 12; ++attempt, factor /= Real(2), time /= Real(2)) {
+      ConfigurationSample away = here_;
+      away.set_time(time);
+      move(away, direction, factor);
+      if (!restore(away, rows_at(away))) continue;
+      if (closed(away, factor * length(direction))) return away;
+      break;  // these rows can be satisfied and others not: a smaller step would only hide it
+    }
+    return std::nullopt;
+  }
+
+  /// A pseudo-random direction in the metric along which none of those rows changes.
+  Row random_direction(const RowBasis& normal, unsigned long long& random) const {
+    Row direction;
+    for (std::size_t i = 0; i < n_; ++i) {
+      random = (random * 1103515245ULL + 12345ULL) % 2147483648ULL;
+      direction.push_back(Real(Number::rational(static_cast<int>(random % 2001ULL) - 1000, 1000), constraint_digits));
+    }
+    for (const Row& n : normal.directions()) {
+      const Real part = product(direction, n);
+      for (std::size_t i = 0; i < n_; ++i) direction[i] -= part * n[i];
+    }
+    return direction;
+  }
+
+  /// Onto f = 0 for all holonomic rows at once, those that repeat others included: δ = −Jᵀ (J Jᵀ + μ 1)⁻¹ f with
+  /// μ = |f|² over the square of the displacement, rows scaled to length 1 where it starts. Quadratic wherever the rank of
+  /// J is constant, be it less than its rows (Yamashita & Fukushima, On the rate of convergence of the
+  /// Levenberg-Marquardt method, 2001).
+  bool settle(ConfigurationSample& at, const Real& displacement) const {
+    std::vector<std::size_t> acting;
+    std::vector<Real> scale;
+    for (std::size_t k = 0; k < holonomic_count_; ++k) {
+      const Real size = length(row(at, order_[k]));
+      if (!(size > displacement * decimal("1e-20"))) continue;  // closed() looks whether it holds by itself
+      acting.push_back(order_[k]);
+      scale.push_back(Real(1) / size);
+    }
+    const std::size_t m = acting.size();
+    for (int iteration = 0; iteration < 40 && m > 0; ++iteration) {
+      RealRows jacobian;
+      Row f;
+      for (std::size_t k = 0; k < m; ++k) {
+        jacobian.push_back(row(at, acting[k]));
+        for (Real& entry : jacobian.back()) entry *= scale[k];
+        f.push_back(at(rows_[acting[k]].value) * scale[k]);
+      }
+      const Real off = length(f) / displacement;
+      if (off.is_nan() || off > Real(1000)) return false;
+      if (off < decimal("1e-20")) return true;  // its square is left of what the last step leaves
+      RealRows normal_equations(m, Row(m));
+      for (std::size_t k = 0; k < m; ++k) {
+        for (std::size_t l = 0; l <= k; ++l) normal_equations[k][l] = product(jacobian[k], jacobian[l]);
+        normal_equations[k][k] += off * off;
+      }
+      const Row multipliers = solve_positive(std::move(normal_equations), std::move(f));
+      Row delta(n_, Real(0));
+      for (std::size_t k = 0; k < m; ++k) {
+        for (std::size_t i = 0; i < n_; ++i) delta[i] -= jacobian[k][i] * multipliers[k];
+      }
+      move(at, delta, Real(1));
+    }
+    return false;
+  }
+
   /// Beside the initial configuration no other satisfies all holonomic constraints: right if they leave no freedom.
   void refuse_rigid(ConfigurationSample& start) const {
-    const Basis holonomic = basis(start, holonomic_count_);
+    const RowBasis holonomic = basis(start, holonomic_count_);
     if (holonomic.combinations().empty()) return;
     const std::string& name = rows_[holonomic.combinations().front().first].name;
     throw SceneError(fmt::format(
