@@ -7,6 +7,7 @@
 
 #include "generator/cli/command_texts.hpp"
 #include "generator/emission/kernel.hpp"
+#include "generator/mechanics/freedom_positions.hpp"
 
 namespace torsor {
 namespace {
@@ -27,12 +28,12 @@ Json content_json(const Scene& scene) {
                           {"run_time", p.run_time}});
   }
   Json& coordinates = list("coordinates");
-  for (const AttitudeContent& attitude : content.attitudes) {
-    for (const SymbolPointer& e : attitude.symbols->e) {
-      coordinates.push_back({{"name", e->name}, {"unit", e->unit.to_string()}, {"role", "quaternion"}});
-    }
-  }
   for (const CoordinateContent& c : content.coordinates) {
+    if (c.attitude >= 0) {
+      for (const SymbolPointer& e : positions_with(content, c)) {
+        coordinates.push_back({{"name", e->name}, {"unit", e->unit.to_string()}, {"role", "quaternion"}});
+      }
+    }
     Json coordinate{{"name", c.q->name}, {"unit", c.q->unit.to_string()}, {"role", role(c)}};
     if (c.limits) {
       const auto limit = [&](const char* name, const std::optional<Number>& value) {

@@ -9,6 +9,7 @@
 #include "generator/dynamics/equations/validation.hpp"
 #include "generator/expression/did_you_mean.hpp"
 #include "generator/expression/error.hpp"
+#include "generator/mechanics/freedom_positions.hpp"
 #include "generator/reading/definitions_view.hpp"
 #include "generator/reading/first_integrals.hpp"
 #include "generator/reading/lagrange_equations.hpp"
@@ -87,15 +88,14 @@ class Printer {
   void coordinates() {
     const SceneContent& scene = scene_.content();
     page_.section("Coordinates");
-    for (const AttitudeContent& attitude : scene.attitudes) {
-      for (const SymbolPointer& e : attitude.symbols->e) page_.symbol(*e, "component of a unit quaternion");
-    }
     for (const CoordinateContent& c : scene.coordinates) {
-      if (c.attitude >= 0) page_.symbol(*c.v, "angular velocity in moving axes");
-    }
-    for (const CoordinateContent& c : scene.coordinates) {
-      if (c.law || c.attitude >= 0) continue;
-      page_.symbol(*c.q, c.released ? "released: held at zero by the joint, its reaction is asked for" : "");
+      if (c.law) continue;
+      if (c.attitude < 0) {
+        page_.symbol(*c.q, c.released ? "released: held at zero by the joint, its reaction is asked for" : "");
+        continue;
+      }
+      for (const SymbolPointer& e : positions_with(scene, c)) page_.symbol(*e, "component of a unit quaternion");
+      page_.symbol(*c.v, "angular velocity in moving axes");
     }
     for (const CoordinateContent& c : scene.coordinates) {
       if (!c.law) continue;

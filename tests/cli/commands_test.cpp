@@ -33,6 +33,46 @@ TEST(SceneProgram, ListsWhatTheSceneContains) {
   }
 }
 
+Scene sliding_top() {
+  Scene scene("top");
+  const Expression x = scene.coordinate("x", "m");
+  const AttitudeHandle turn = scene.attitude("e");
+  const Expression z = scene.coordinate("z", "m"), y = scene.coordinate("y", "m");
+  const Expression one = Expression::quantity("1", "kg m^2");
+  const FrameHandle top = scene.free("top", scene.ground(), {x, y, z}, turn);
+  scene.body("top", top, Inertia::general(Expression::quantity("1", "kg"), one, one, one));
+  return scene;
+}
+
+// Who fills q[i] by the order of a list must fill the right ones: lists, pages and headers have one order.
+TEST(SceneProgram, ListsPositionsInTheOrderOfTheHeader) {
+  const std::vector<std::string> expected{"x", "e_w", "e_x", "e_y", "e_z", "z", "y"};
+  const Outcome header = run(sliding_top, {"generate", "--kernels", "energy", "--output", "-"});
+  ASSERT_EQ(header.code, 0) << header.err;
+  const std::size_t begin = header.out.find("struct Coordinates {"), end = header.out.find("};", begin);
+  const std::string members = header.out.substr(begin, end - begin);
+  const auto ordered = [&](const std::string& text, const std::string& before, const std::string& after) {
+    std::size_t last = 0;
+    for (const std::string& name : expected) {
+      const std::size_t place = text.find(before + name + after);
+      EXPECT_NE(place, std::string::npos) << name << text;
+      EXPECT_GE(place, last) << name << " comes too early in\n" << text;
+      last = place;
+    }
+  };
+  ordered(members, "Scalar ", ";");
+  const std::string list = run(sliding_top, {"list"}).out;
+  ordered(list.substr(list.find("coordinates")), " ", " [");
+  const std::string page = run(sliding_top, {"equations"}).out;
+  ordered(page.substr(page.find("Coordinates\n")), "\n  ", " [");
+  std::vector<std::string> names;
+  const json data = json::parse(run(sliding_top, {"list", "--json"}).out);
+  for (const json& each : data.at("coordinates")) {
+    if (each.at("role") == "unknown" || each.at("role") == "quaternion") names.push_back(each.at("name"));
+  }
+  EXPECT_EQ(names, expected);
+}
+
 TEST(SceneProgram, CountsUnknownsAndIsolatesBodies) {
   const Outcome report = run(pendulum, {"unknowns"});
   EXPECT_EQ(report.code, 0);

@@ -7,6 +7,8 @@
 
 #include "generator/expression/derivative.hpp"
 #include "generator/expression/error.hpp"
+#include "generator/expression/expression_derivative.hpp"
+#include "generator/mechanics/freedom_positions.hpp"
 
 namespace torsor {
 
@@ -167,14 +169,9 @@ void Model::add_attitude(const FrameContent& frame, const FramePlace& at) {
 
 std::vector<SymbolPointer> Model::positions() const {
   std::vector<SymbolPointer> symbols;
-  int last = -1;
   for (int i = 0; i < unknown_count_; ++i) {
-    const CoordinateContent& c = coordinates_[static_cast<std::size_t>(i)];
-    if (c.attitude < 0) symbols.push_back(c.q);
-    if (c.attitude < 0 || c.attitude == last) continue;
-    last = c.attitude;
-    const auto& e = scene_->attitudes[static_cast<std::size_t>(last)].symbols->e;
-    symbols.insert(symbols.end(), e.begin(), e.end());
+    const auto own = positions_with(*scene_, coordinates_[static_cast<std::size_t>(i)]);
+    symbols.insert(symbols.end(), own.begin(), own.end());
   }
   return symbols;
 }
@@ -191,8 +188,11 @@ std::vector<Value> Model::partials(const Expression& e) const {
   const Value value = program_->lower(e);
   std::vector<Value> result;
   for (const CoordinateContent& c : coordinates_) {
-    if (c.released && options_.hold_released) {
-      result.push_back(e.as_symbol() == c.q ? program_->number(Number(1)) : Value());
+    if (c.released && options_.hold_released) {  // a zero in the program: the formula itself is differentiated
+      const Expression partial = partial_derivative(e, c.q);
+      const bool none = partial.is_zero();
+      const bool whole = e.as_symbol() == c.q;
+      result.push_back(none ? Value() : whole ? program_->number(Number(1)) : program_->lower(partial));
     } else {
       result.push_back(derivation_along(*program_, c.v)(value));
     }
