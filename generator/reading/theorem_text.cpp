@@ -44,17 +44,10 @@ PointReference point_at(Scene& scene, const std::string& name) {
   return scene.point(free, FrameHandle{static_cast<int>(frame - frames.begin())}, {0, 0, 0});
 }
 
-void tell_unknowns(reading::ReadablePage& page, const TheoremEquation& equation, const Program& program) {
+void tell_unknowns(reading::ReadablePage& page, const TheoremEquation& equation) {
   std::vector<std::string> names;
   for (const SymbolPointer& unknown : equation.unknowns) names.push_back(unknown->name);
-  bool multipliers = false;
-  for (const Atom atom : program.live({equation.right})) {
-    const SymbolPointer& symbol = program[atom].symbol;
-    if (!symbol || symbol->kind != SymbolKind::multiplier) continue;
-    if (std::find(equation.unknowns.begin(), equation.unknowns.end(), symbol) != equation.unknowns.end()) continue;
-    multipliers = true;
-    names.push_back(symbol->name);
-  }
+  for (const SymbolPointer& multiplier : equation.multipliers) names.push_back(multiplier->name);
   if (names.empty()) {
     page.note("No unknown of a joint enters: an equation of motion.");
     return;
@@ -65,7 +58,7 @@ void tell_unknowns(reading::ReadablePage& page, const TheoremEquation& equation,
         "[joint X], Y, Z, L, M, N: force and moment on the body that the joint carries, at the origin of that "
         "body's frame, along the axes of the joint's first frame that moves.");
   }
-  if (multipliers) page.note("Multipliers are those of the scene's constraints.");
+  if (!equation.multipliers.empty()) page.note("Multipliers are those of the scene's constraints.");
   for (const std::string& remark : equation.remarks) page.note(remark + ".");
 }
 
@@ -99,7 +92,7 @@ std::string theorem_text(const Scene& given, const TheoremRequest& request) {
     page.equation("", "P_ext", theorem.external_power, "power of the actions from outside, in W");
     page.equation("", "P_int", theorem.internal_power, "power of the actions between the bodies, in W");
     page.equation("dT/dt = P_ext + P_int", theorem.equation.left, theorem.equation.right);
-    tell_unknowns(page, theorem.equation, equations.program());
+    tell_unknowns(page, theorem.equation);
     return page.finish(given.content());
   }
   const TheoremEquation theorem = theorem_equation(equations, bodies, {point, request.axes, request.observer},
@@ -107,7 +100,7 @@ std::string theorem_text(const Scene& given, const TheoremRequest& request) {
   page.section(fmt::format("Newton-Euler for {}: {}{} along {} of {}{}", whom, request.kind,
                            moment ? " at " + request.point : "", request.direction, request.axes, seen));
   page.equation("", theorem.left, theorem.right);
-  tell_unknowns(page, theorem, equations.program());
+  tell_unknowns(page, theorem);
   return page.finish(given.content());
 }
 

@@ -201,5 +201,28 @@ TEST(StaticsCommand, SaysWhyLejeuneDirichletDoesNotApply) {
       "let the runtime project the second derivatives on the tangent space.\n");
 }
 
+Scene nut_on_a_thread() {
+  Scene scene("nut");
+  const Expression x = scene.coordinate("x", "m"), q = scene.coordinate("q", "rad");
+  const FrameHandle slide = scene.prismatic("slide", scene.ground(), axis::x, x);
+  const FrameHandle nut = scene.revolute("nut", slide, axis::x, q);
+  const Expression radius = Expression::quantity("0.3", "m");
+  scene.body("nut", nut, Inertia::disk(Expression::quantity("2", "kg"), radius, 0));
+  scene.close("thread", JointType::helical, scene.ground(), nut, Expression::quantity("0.1", "m"));
+  return scene;
+}
+
+// The thread's force along z, cos q sin q − sin q cos q times what it is, does not enter along y.
+TEST(TheoremCommand, NamesTheMultipliersThatEnterAndNoOthers) {
+  EXPECT_EQ(theorem(nut_on_a_thread, {"--bodies", "nut", "--direction", "y"}),
+            "Newton-Euler for nut: resultant along y of ground\n"
+            "  0 = lambda_thread_y + [nut Y]\n"
+            "  Unknown: [nut Y], lambda_thread_y.\n");
+  EXPECT_EQ(theorem(nut_on_a_thread, {"--bodies", "nut", "--kind", "moment", "--at", "nut", "--direction", "z"}),
+            "Newton-Euler for nut: moment at nut along z of ground\n"
+            "  0 = lambda_thread_rz + [nut N]\n"
+            "  Unknown: [nut N], lambda_thread_rz.\n");
+}
+
 }  // namespace
 }  // namespace torsor::theorem_command_test

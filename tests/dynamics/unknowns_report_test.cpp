@@ -151,7 +151,7 @@ TEST(UnknownsReport, CountsUnknownsAgainstEquations) {
       "  driven by a law of time: none\n"
       "  released, held at zero: 1 (held)\n"
       "  constraints: 1 (guide)\n"
-      "  degrees of freedom, the constraints being independent: 1\n"
+      "  degrees of freedom: 1\n"
       "  joint shoulder on ground: X, Y, Z, L, M\n"
       "  joint elbow on shoulder: X, Y, Z, L, M\n"
       "  joint pin on elbow: X, Y, Z, L, M, N\n"
@@ -166,6 +166,29 @@ TEST(UnknownsReport, CountsUnknownsAgainstEquations) {
       "unknown\n"
       "  each component in a joint comes from Newton-Euler for isolated bodies, or from one more released coordinate "
       "and its equation\n");
+}
+
+// A nut on its thread, guided by slide and hinge already: four of the thread's five conditions repeat them.
+TEST(UnknownsReport, CountsConstraintsThatRepeatOthersOnce) {
+  Scene scene("nut");
+  const Expression x = scene.coordinate("x", "m"), q = scene.coordinate("q", "rad");
+  const FrameHandle slide = scene.prismatic("slide", scene.ground(), axis::x, x);
+  const FrameHandle nut = scene.revolute("nut", slide, axis::x, q);
+  scene.body("nut", nut, box());
+  scene.close("thread", JointType::helical, scene.ground(), nut, metres("0.1"));
+  const std::string text = unknowns_report(Equations(scene));
+  for (const char* line : {
+           "  constraints: 5 (thread_x; thread_y; thread_z; thread_ry; thread_rz)\n",
+           "  of these, constraints that repeat others: 4 (thread_y, thread_z, thread_ry, thread_rz)\n",
+           "  degrees of freedom: 1\n",
+           "  7 equations: 6 for each of 1 body and 1 of constraint\n",
+           "  11 unknowns: 4 components in joints, 5 multipliers, 2 accelerations\n",
+           "  4 unknowns indeterminate: constraints that repeat others share their forces in a way that no motion tells\n",
+           "  3 equations: 2 of motion and 1 of constraint, for 2 accelerations and 1 multiplier\n",
+           "  with 1 independent instead of 2 coordinates ",
+       }) {
+    EXPECT_NE(text.find(line), std::string::npos) << line << text;
+  }
 }
 
 TEST(UnknownsReport, SaysWhenJointsShareACoordinate) {

@@ -1,26 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/dynamics/theorems/theorem_equations.hpp"
 
-#include <algorithm>
-
 #include "generator/dynamics/theorems/joint_actions.hpp"
 #include "generator/expression/as_index.hpp"
+#include "generator/expression/derivative.hpp"
+#include "generator/expression/vanishing.hpp"
 
 namespace torsor {
 namespace {
 
-/// Keeps the names that a result is written with, in the order of the joints.
-void name_joints(TheoremEquation& equation, const Program& program, const std::vector<const JointAction*>& joints) {
-  std::vector<const Symbol*> live;
-  for (const Atom atom : program.live({equation.right})) live.push_back(program[atom].symbol.get());
+/// Keeps the names that a result is written with, in the order of the joints and of the constraints: those whose factor
+/// does not vanish identically, for what cancels stands in the program all the same.
+void name_unknowns(TheoremEquation& equation, const Equations& equations, const std::vector<const JointAction*>& joints) {
+  Program& program = equations.program();
+  std::vector<SymbolPointer> all;
+  for (const JointAction* joint : joints) all.insert(all.end(), joint->unknowns.begin(), joint->unknowns.end());
+  for (const ConstraintRow& row : equations.constraints()) all.push_back(row.multiplier);
+  std::vector<Value> factors;
+  for (const SymbolPointer& unknown : all) {
+    factors.push_back(program.bind(partial_derivation(program, unknown)(equation.right)));
+  }
+  const std::vector<bool> absent = vanish(factors);
+  std::size_t next = 0;
   for (const JointAction* joint : joints) {
     bool used = false;
     for (const SymbolPointer& unknown : joint->unknowns) {
-      if (std::find(live.begin(), live.end(), unknown.get()) == live.end()) continue;
+      if (absent[next++]) continue;
       equation.unknowns.push_back(unknown);
       used = true;
     }
     if (used) equation.remarks.insert(equation.remarks.end(), joint->remarks.begin(), joint->remarks.end());
+  }
+  for (; next < all.size(); ++next) {
+    if (!absent[next]) equation.multipliers.push_back(all[next]);
   }
 }
 
@@ -50,7 +62,7 @@ TheoremEquation theorem_equation(const Equations& equations, const BodyNames& bo
       equation.right -= along;
     }
   }
-  name_joints(equation, program, across);
+  name_unknowns(equation, equations, across);
   return equation;
 }
 
@@ -88,7 +100,7 @@ EnergyEquation energy_equation(const Equations& equations, const BodyNames& bodi
             : reciprocal_product(wrench, Twist{of_joint.angular - of_body.angular, of_joint.linear - of_body.linear});
   }
   result.equation.right = result.external_power + result.internal_power;
-  name_joints(result.equation, program, concerned);
+  name_unknowns(result.equation, equations, concerned);
   return result;
 }
 

@@ -16,8 +16,9 @@ namespace torsor {
 /// the right.
 struct TheoremEquation {
   Value left, right;
-  std::vector<SymbolPointer> unknowns;  ///< components of joints that stand on the right
-  std::vector<std::string> remarks;     ///< on the joints concerned
+  std::vector<SymbolPointer> unknowns;     ///< components of joints that stand on the right
+  std::vector<SymbolPointer> multipliers;  ///< of constraints, that stand there
+  std::vector<std::string> remarks;        ///< on the joints concerned
 };
 
 /// Newton-Euler's theorem for bodies along `direction`, components along the query's axes. Throws as `newton_euler`.

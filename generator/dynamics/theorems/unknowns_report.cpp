@@ -35,8 +35,16 @@ std::string unknowns_report(const Equations& equations) {
   text += fmt::format("  driven by a law of time: {}\n", listed(driven));
   text += fmt::format("  released, held at zero: {}\n", listed(released));
   text += fmt::format("  constraints: {}\n", m == 0 ? "none" : fmt::format("{} ({})", m, fmt::join(constraints, "; ")));
-  text += fmt::format("  degrees of freedom, the constraints being independent: {}\n",
-                      static_cast<long>(n) - static_cast<long>(m));
+  // Constraints that repeat others take no freedom away, and no motion tells what they transmit.
+  const ConstraintRank& rank = equations.redundancy();
+  const std::size_t repeating = rank.dropped.size(), counting = m - repeating;
+  const std::size_t freedoms = n - counting;
+  if (repeating > 0) {
+    std::vector<std::string> names;
+    for (const std::size_t j : rank.dropped) names.push_back(equations.constraints()[j].name);
+    text += fmt::format("  of these, constraints that repeat others: {}\n", listed(names));
+  }
+  text += fmt::format("  degrees of freedom: {}\n", freedoms);
 
   const std::vector<Connection> joints = connections(equations);
   std::size_t components = 0;
@@ -49,19 +57,26 @@ std::string unknowns_report(const Equations& equations) {
                         names.empty() ? "nothing unknown" : fmt::format("{}", fmt::join(names, ", ")));
   }
   const std::size_t theorems = 6 * joints.size();
-  const auto freedoms = static_cast<long>(n) - static_cast<long>(m);
   text += "Newton-Euler\n";
-  text += fmt::format("  {}: 6 for each of {} and {} of constraint\n", counted(theorems + m, "equation"),
-                      joints.size() == 1 ? "1 body" : fmt::format("{} bodies", joints.size()), m);
+  text += fmt::format("  {}: 6 for each of {} and {} of constraint\n", counted(theorems + counting, "equation"),
+                      joints.size() == 1 ? "1 body" : fmt::format("{} bodies", joints.size()), counting);
   text += fmt::format("  {}: {} in joints, {}, {}\n", counted(components + m + n, "unknown"),
                       counted(components, "component"), counted(m, "multiplier"), counted(n, "acceleration"));
   if (components + n > theorems) {
     text += fmt::format("  {} more: joints tied by formulas of shared coordinates transmit power without loss\n",
                         counted(components + n - theorems, "equation"));
   }
+  if (repeating > 0) {
+    text += fmt::format("  {} indeterminate: constraints that repeat others share their forces in a way that no motion "
+                        "tells\n",
+                        counted(repeating, "unknown"));
+  }
   text += "Lagrange\n";
-  text += fmt::format("  {}: {} of motion and {} of constraint, for {} and {}\n", counted(n + m, "equation"), n, m,
-                      counted(n, "acceleration"), counted(m, "multiplier"));
+  text += fmt::format("  {}: {} of motion and {} of constraint, for {} and {}\n", counted(n + counting, "equation"), n, counting,
+                      counted(n, "acceleration"), counted(counting, "multiplier"));
+  if (repeating > 0) {
+    text += fmt::format("  {} of constraints that repeat others, taken as zero\n", counted(repeating, "multiplier"));
+  }
   if (!released.empty()) {
     text += fmt::format("  {} more, of the released coordinates, for the reactions against them\n",
                         counted(released.size(), "equation"));
