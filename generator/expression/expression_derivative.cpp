@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/expression/expression_derivative.hpp"
 
+#include <fmt/format.h>
+
+#include "generator/expression/error.hpp"
 #include "generator/expression/expression_node.hpp"
 
 namespace torsor {
@@ -29,20 +32,15 @@ struct NodeDerivative {
     return times(Expression(power.exponent) * pow(power.base, power.exponent - 1), of(power.base));
   }
   Expression operator()(const Node::Apply& apply) const {
-    const Expression& x = apply.argument;
-    switch (apply.function) {
-      case Function::sin:
-        return times(cos(x), of(x));
-      case Function::cos:
-        return times(-sin(x), of(x));
-      case Function::sqrt:
-        return times(of(x), pow(2 * whole, -1));
-      case Function::exp:
-        return times(whole, of(x));
-      case Function::log:
-        return times(of(x), pow(x, -1));
-    }
-    return 0;
+    const Expression& x = apply.arguments.front();
+    if (apply.function == Function::sin) return times(cos(x), of(x));
+    if (apply.function == Function::cos) return times(-sin(x), of(x));
+    if (apply.function == Function::sqrt) return times(of(x), pow(2 * whole, -1));
+    if (apply.function == Function::exp) return times(whole, of(x));
+    if (apply.function == Function::log) return times(of(x), pow(x, -1));
+    throw SceneError(fmt::format("'{}' stands in {}, whose derivative by it is not known: write the displacement as a sum "
+                                 "of it and what does not depend on it",
+                                 symbol->name, whole.to_string()));
   }
   Expression operator()(const Node::Rate&) const { return 0; }
 };

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "generator/dynamics/equations/dependence_checks.hpp"
 #include "generator/dynamics/equations/equations.hpp"
 #include "generator/dynamics/equations/scene_checks.hpp"
 #include "generator/expression/as_index.hpp"
@@ -64,7 +65,7 @@ void check_joints(const Model& model) {
     };
     if (std::any_of(model.links().begin(), model.links().end(), moves)) continue;
     throw SceneError(fmt::format("coordinate '{}' moves nothing: no joint uses it{}", coordinates[i].q->name,
-                                 coordinates[i].released ? " as its whole displacement" : ""));
+                                 coordinates[i].released ? " in its displacement" : ""));
   }
 }
 
@@ -217,6 +218,7 @@ void validate(const Scene& scene) {
   for (const BodyContent& body : scene.content().bodies) check_inertia(scene.content(), body);
   check_universal_joints(scene.content());
   check_friction_coefficients(scene.content());
+  check_dependences(scene);
   const Equations equations(scene);
   check_joints(equations.model());
   check_slipping_bodies(equations.model());

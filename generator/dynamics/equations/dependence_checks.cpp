@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/dynamics/equations/dependence_checks.hpp"
+
+#include <fmt/format.h>
+
+#include "generator/expression/error.hpp"
+
+namespace torsor {
+namespace {
+
+/// What a formula may depend on; each allows what those before it do.
+enum class Allowed { parameters, time, configuration, velocities };
+
+const char* allowed_text(Allowed allowed) {
+  switch (allowed) {
+    case Allowed::parameters:
+      return "parameters";
+    case Allowed::time:
+      return "time and parameters";
+    case Allowed::configuration:
+      return "coordinates, time and parameters";
+    case Allowed::velocities:
+      return "coordinates, their rates, time and parameters";
+  }
+  return "";
+}
+
+bool is_allowed(SymbolKind kind, Allowed allowed) {
+  switch (kind) {
+    case SymbolKind::pi:
+    case SymbolKind::parameter:
+      return true;
+    case SymbolKind::time:
+      return allowed >= Allowed::time;
+    case SymbolKind::coordinate:
+      return allowed >= Allowed::configuration;
+    case SymbolKind::velocity:
+      return allowed >= Allowed::velocities;
+    case SymbolKind::acceleration:
+    case SymbolKind::input:
+    case SymbolKind::multiplier:
+      return false;
+  }
+  return false;
+}
+
+const char* kind_text(SymbolKind kind) {
+  switch (kind) {
+    case SymbolKind::time:
+      return "the time";
+    case SymbolKind::coordinate:
+      return "the coordinate";
+    case SymbolKind::velocity:
+      return "the velocity";
+    case SymbolKind::acceleration:
+      return "the acceleration";
+    case SymbolKind::input:
+      return "the input";
+    case SymbolKind::multiplier:
+      return "the multiplier";
+    default:
+      return "the symbol";
+  }
+}
+
+class DependenceCheck {
+ public:
+  explicit DependenceCheck(const Scene& scene) : program_(Model::resolver(scene, {})), scene_(scene.content()) {}
+
+  void run() {
+    const Triple& g = scene_.gravity;
+    for (const Expression& component : g) require("gravity", component, Allowed::time);
+    for (const CoordinateContent& c : scene_.coordinates) {
+      if (c.law) require("the law of coordinate '" + c.q->name + "'", *c.law, Allowed::configuration);
+    }
+    for (const FrameContent& frame : scene_.frames) {
+      const std::string joint = "joint '" + frame.name + "'";
+      all("the placement of " + joint, frame.placement.origin, Allowed::parameters);
+      if (frame.joint == JointKind::weld || frame.joint == JointKind::attitude) continue;
+      all("the axis of " + joint, frame.axis, Allowed::parameters);
+      require("the displacement of " + joint, frame.displacement, Allowed::configuration);
+    }
+    for (const PointContent& point : scene_.points) {
+      const std::string name = "point '" + point.name + "'";
+      all("the place of " + name, point.components, Allowed::configuration);
+      if (!point.lowest) continue;
+      require("the radius of " + name, point.lowest->radius, Allowed::parameters);
+      if (point.lowest->axis) all("the axis of " + name, *point.lowest->axis, Allowed::parameters);
+    }
+    for (const ActionContent& action : scene_.actions) std::visit(*this, action);
+    for (const ConstraintContent& constraint : scene_.constraints) {
+      user_ = "constraint '" + constraint.name + "'";
+      std::visit(*this, constraint.law);
+    }
+  }
+
+  // --- actions: what is differentiated of them ---
+  void operator()(const ElongationSpring& spring) {
+    require("the elongation of spring '" + spring.name + "'", spring.elongation, Allowed::configuration);
+    require("the rest of spring '" + spring.name + "'", spring.rest, Allowed::configuration);
+    require("the stiffness of spring '" + spring.name + "'", spring.stiffness, Allowed::configuration);
+  }
+  void operator()(const ElongationDamper& damper) {
+    require("the elongation of damper '" + damper.name + "'", damper.elongation, Allowed::configuration);
+    require("the damping of damper '" + damper.name + "'", damper.damping, Allowed::velocities);
+  }
+  void operator()(const PointSpring& spring) {
+    require("the rest of spring '" + spring.name + "'", spring.rest, Allowed::configuration);
+    require("the stiffness of spring '" + spring.name + "'", spring.stiffness, Allowed::configuration);
+  }
+  void operator()(const PointDamper& damper) {
+    require("the damping of damper '" + damper.name + "'", damper.damping, Allowed::velocities);
+  }
+  void operator()(const Motor& motor) {
+    require("the displacement of motor '" + motor.name + "'", motor.displacement, Allowed::configuration);
+  }
+  void operator()(const Effort& effort) {
+    require("the displacement of effort '" + effort.name + "'", effort.displacement, Allowed::configuration);
+  }
+  void operator()(const Gravitation& attraction) {
+    require("the strength of gravitation '" + attraction.name + "'", attraction.strength, Allowed::configuration);
+  }
+
+  // --- constraints ---
+  void operator()(const HolonomicFormula& law) { require("the holonomic " + user_, law.f, Allowed::configuration); }
+  void operator()(const NonholonomicFormula& law) { require("the " + user_, law.left_side, Allowed::velocities); }
+  void operator()(const NoSlip& law) { all("the direction of " + user_, law.direction, Allowed::configuration); }
+  void operator()(const Closure& law) { all("the direction of " + user_, law.direction, Allowed::configuration); }
+  void operator()(const JointClosure& law) { require("the pitch of " + user_, law.pitch, Allowed::parameters); }
+
+  /// Others look at their formulas themselves, or have none.
+  template <class Other>
+  void operator()(const Other&) {}
+
+ private:
+  void all(const std::string& what, const Triple& formulas, Allowed allowed) {
+    for (const Expression& formula : formulas) require(what, formula, allowed);
+  }
+
+  /// Of the formula as it is lowered: a coordinate that follows a law of time is a formula of time.
+  void require(const std::string& what, const Expression& formula, Allowed allowed) {
+    const Value value = program_.lower(formula);
+    if (value.is_zero() || value.is_constant()) return;
+    for (const Atom atom : program_.live({value})) {
+      const SymbolPointer& symbol = program_[atom].symbol;
+      if (!symbol || is_allowed(symbol->kind, allowed)) continue;
+      const bool condition = what.starts_with("the holonomic");
+      throw SceneError(fmt::format("{} depends on {} '{}' through {}: give a formula of {}{}", what,
+                                   kind_text(symbol->kind), symbol->name, formula.to_string(), allowed_text(allowed),
+                                   condition ? ", or write it as nonholonomic(...)" : ""));
+    }
+  }
+
+  Program program_;
+  const SceneContent& scene_;
+  std::string user_;
+};
+
+}  // namespace
+
+void check_dependences(const Scene& scene) { DependenceCheck(scene).run(); }
+
+}  // namespace torsor
