@@ -7,8 +7,10 @@
 #include "generator/cli/command_set.hpp"
 #include "generator/cli/command_texts.hpp"
 #include "generator/cli/kernel_options.hpp"
+#include "generator/dynamics/equations/massless.hpp"
 #include "generator/emission/header.hpp"
 #include "generator/emission/kernel.hpp"
+#include "generator/expression/error.hpp"
 
 namespace torsor {
 namespace {
@@ -23,11 +25,21 @@ CommandResult generate(const Scene& scene, const KernelOptions& request) {
   const Equations equations(scene, options);
   CommandResult result;
   std::vector<Kernel> kernels;
+  std::vector<std::string> unsolved;
   for (const std::string& name : request.names()) {
     kernels.push_back(make_kernel(name, equations));
     const std::string& why = kernels.back().skipped;
-    if (why.empty() || request.kernels == "all") continue;  // all that there are: what is absent was not asked for
+    if (why.empty()) continue;
+    if (solves_with_mass_matrix(name) && !equations.massless().empty()) {
+      if (request.kernels != "all") throw SceneError(fmt::format("there is no kernel {}: {}", name, why));
+      unsolved.push_back(name);
+      continue;
+    }
+    if (request.kernels == "all") continue;  // all that there are: what is absent was not asked for
     result.notes.push_back(fmt::format("the kernel {} is absent: {}", name, why));
+  }
+  if (!unsolved.empty()) {
+    result.notes.push_back(fmt::format("the kernels {} are absent: {}", fmt::join(unsolved, ", "), lack_of_mass(equations)));
   }
   result.text = emit_header(equations, kernels, {options});
   return result;

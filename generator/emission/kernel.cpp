@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "generator/dynamics/derivatives/parameter_sensitivities.hpp"
+#include "generator/dynamics/equations/massless.hpp"
 #include "generator/dynamics/forces/energy.hpp"
 #include "generator/dynamics/theorems/painleve.hpp"
 #include "generator/emission/kernel_derivatives.hpp"
@@ -231,6 +232,7 @@ struct Entry {
   std::function<Kernel(const Equations&)> make;
   /// Of kernels made when named: why there is nothing to compute, found without deriving anything.
   std::function<std::string(const Equations&)> absence{};
+  bool solves = false;  ///< with the mass matrix
 };
 
 const std::vector<Entry>& entries() {
@@ -238,27 +240,27 @@ const std::vector<Entry>& entries() {
                                       {"mass_matrix", make_mass_matrix},
                                       {"bias", make_bias},
                                       {"inverse_dynamics", make_inverse_dynamics},
-                                      {"forward_dynamics", make_forward_dynamics},
+                                      {"forward_dynamics", make_forward_dynamics, {}, true},
                                       {"energy", make_energy},
                                       {"first_integrals", make_first_integrals},
                                       {"constraints", make_constraints},
                                       {"reactions", make_reactions},
-                                      {"linearisation", make_linearisation},
+                                      {"linearisation", make_linearisation, {}, true},
                                       {"inverse_dynamics_derivatives", make_inverse_dynamics_derivatives},
-                                      {"forward_dynamics_derivatives", make_forward_dynamics_derivatives},
+                                      {"forward_dynamics_derivatives", make_forward_dynamics_derivatives, {}, true},
                                       {"regressor", make_regressor},
-                                      {"jets", make_jets},
+                                      {"jets", make_jets, {}, true},
                                       {"sparse_constraint_jacobian", make_sparse_constraint_jacobian},
                                       {"residual", make_residual, no_unknowns},
                                       {"residual_jacobian", make_residual_jacobian, no_unknowns},
                                       {"inverse_dynamics_second_derivatives", make_inverse_dynamics_second_derivatives,
                                        no_unknowns},
                                       {"forward_dynamics_second_derivatives", make_forward_dynamics_second_derivatives,
-                                       no_unknowns},
+                                       no_unknowns, true},
                                       {"inverse_dynamics_sensitivities", make_inverse_dynamics_sensitivities,
                                        no_sensitivities},
                                       {"forward_dynamics_sensitivities", make_forward_dynamics_sensitivities,
-                                       no_sensitivities}};
+                                       no_sensitivities, true}};
   return all;
 }
 
@@ -273,6 +275,7 @@ Kernel derived_kernel(const std::string& name, const Equations& equations) {
     if (entry.name != name) continue;
     Kernel kernel;
     if (entry.absence) kernel.skipped = entry.absence(equations);
+    if (kernel.skipped.empty() && entry.solves) kernel.skipped = lack_of_mass(equations);
     if (kernel.skipped.empty()) kernel = entry.make(equations);
     kernel.name = name;
     clear_vanishing(kernel);
@@ -318,6 +321,11 @@ const std::vector<std::string>& kernel_names() {
     return all;
   }();
   return names;
+}
+
+bool solves_with_mass_matrix(const std::string& name) {
+  return std::any_of(entries().begin(), entries().end(),
+                     [&name](const Entry& entry) { return entry.solves && entry.name == name; });
 }
 
 const std::vector<std::string>& usual_kernel_names() {

@@ -85,6 +85,9 @@ const std::vector<std::string>& kernel_names();
 /// Those that `all` stands for: second derivatives and sensitivities are made only when they are named.
 const std::vector<std::string>& usual_kernel_names();
 
+/// Whether the kernel solves with the mass matrix, and so is absent where joints move no mass.
+bool solves_with_mass_matrix(const std::string& name);
+
 /// Builds a kernel on the equations' program. Throws UsageError naming an unknown kernel and listing the known ones.
 Kernel make_kernel(const std::string& name, const Equations& equations);
 

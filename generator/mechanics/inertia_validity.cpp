@@ -87,6 +87,7 @@ void check_inertia(const SceneContent& scene, const BodyContent& body) {
                     "body it is cut from, as in Inertia::box(...) - Inertia::cylinder(...)",
                     body.name, value(inertia.mass)));
   }
+  if (body.moments == Moments::as_read) return;
   const auto all = entries(inertia);
   if (!std::all_of(all.begin() + 4, all.end(), known)) return;
   const double xy = value(inertia.xy);

@@ -270,6 +270,10 @@ class Scene {
   /// first: those the constraints allow stay, the generator chooses the rest. An attitude's freedoms cannot be named.
   void independent(const std::vector<Expression>& coordinates);
 
+  /// Keeps coordinates that move no mass, which are refused otherwise: kinematics and inverse dynamics have them, kernels
+  /// that solve with the mass matrix are then absent.
+  void keep_massless() { content_.keeps_massless = true; }
+
   /// Tells that the scene was read from a file; generated headers say so.
   void came_from(SceneOrigin origin) { content_.origin = std::move(origin); }
 

@@ -102,6 +102,7 @@ struct PointContent { std::string name; FrameReference frame; Triple components;
 enum class Moments {
   of_matter,  ///< none is larger than the sum of the others
   as_given,   ///< also what was identified or guessed; never negative
+  as_read,    ///< whatever a file states, negative ones included: only sums along the axes of joints may matter
 };
 struct BodyContent { std::string name; FrameReference frame; Inertia inertia; Moments moments = Moments::of_matter; };
 
@@ -242,6 +243,9 @@ struct SceneContent {
   std::vector<ConstraintContent> constraints;
   std::vector<SymbolPointer> independent;  ///< coordinates wanted independent, the most wanted first
   Triple gravity{Expression(0), Expression(0), Expression(0)};
+  /// Coordinates that move no mass are kept: kernels that solve with the mass matrix are then absent. Otherwise they are
+  /// refused.
+  bool keeps_massless = false;
 
   /// Index of a frame or point; throws SceneError that names the unknown one and lists the known ones.
   int frame_index(const FrameReference& reference, const std::string& user) const;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "generator/dynamics/equations/forward_choice.hpp"
+#include "generator/dynamics/equations/massless.hpp"
 #include "generator/dynamics/recursions/articulated_body.hpp"
 #include "generator/dynamics/recursions/factored_bodies.hpp"
 #include "generator/expression/error.hpp"
@@ -65,6 +66,11 @@ const ValueMatrix& Equations::mass() const {
     if (few_unknowns()) clear_vanishing(*mass_);
   }
   return *mass_;
+}
+
+const std::vector<int>& Equations::massless() const {
+  if (!massless_) massless_ = scene_.content().keeps_massless ? massless_coordinates(*this) : std::vector<int>();
+  return *massless_;
 }
 
 bool Equations::few_unknowns() const { return model_.unknown_count() <= most_for_parts; }
@@ -156,6 +162,7 @@ ForwardSolution Equations::cheapest_forward() const {
 
 const ForwardSolution& Equations::forward() const {
   if (forward_) return *forward_;
+  require_mass(*this);
   ForwardMethod method = model_.options().forward;
   const auto joints = constraints().empty() ? joint_coordinates(model_) : std::nullopt;
   if (method == ForwardMethod::cheapest && joints && light_may_carry_heavy(model_)) {
@@ -197,6 +204,7 @@ Value Equations::power() const {
 
 const MotionSolver& Equations::solver() const {
   if (!solver_) {
+    require_mass(*this);
     const auto unknowns = [this](const std::vector<Value>& all) {
       return std::vector<Value>(all.begin(), all.begin() + model_.unknown_count());
     };

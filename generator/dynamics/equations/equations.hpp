@@ -29,12 +29,15 @@ class Equations {
   const ConstraintRank& redundancy() const;
   /// M, unknowns only. Of up to twelve unknowns what vanishes identically is zero, here and in the bias.
   const ValueMatrix& mass() const;
+  /// Unknowns that move no mass, of a scene that keeps such; see massless_coordinates. Otherwise none: validate refuses
+  /// them.
+  const std::vector<int>& massless() const;
   const std::vector<Value>& bias() const;                ///< h_i, every coordinate (released ones last)
   /// M q̈ + h − Σ λ_j column_j, every coordinate: by one recursion, or from M and h where that has fewer operations, as
   /// in coordinates that M does not couple.
   const std::vector<Value>& inverse_dynamics() const;
   /// Unknowns only: by the method that the options ask for, or the cheapest, unless that loses digits where a light link
-  /// carries a heavy one (forward_choice.hpp).
+  /// carries a heavy one (forward_choice.hpp). Throws SceneError that names the massless coordinates when there are any.
   const ForwardSolution& forward() const;
   /// L D Lᵀ of the mass matrix or the articulated-body recursion, whichever has fewer operations; of eight and more
   /// unknowns within 5 % the recursion, which is more accurate.
@@ -68,6 +71,7 @@ class Equations {
   mutable std::optional<std::vector<ConstraintRow>> constraints_;
   mutable std::optional<ConstraintRank> redundancy_;
   mutable std::optional<ValueMatrix> mass_;
+  mutable std::optional<std::vector<int>> massless_;
   mutable std::optional<std::vector<Value>> bias_, inverse_;
   mutable std::optional<MotionSolver> solver_;
   mutable std::optional<ForwardSolution> forward_, factored_;
