@@ -17,6 +17,7 @@ struct SceneSource {
   std::string description;                     ///< the first line of --help
   std::function<void(CLI::App&)> add_options;  ///< adds what the source needs to one command; may be empty
   std::function<Scene()> make;                 ///< called when the command line has been read
+  std::function<bool()> quiet = {};            ///< whether notes are left out; may be empty
 };
 
 /// The command line of every program (scene_program.hpp) on that source.

@@ -17,6 +17,7 @@
 #include "generator/emission/output_file.hpp"
 #include "generator/expression/did_you_mean.hpp"
 #include "generator/expression/error.hpp"
+#include "generator/expression/printable.hpp"
 
 namespace torsor {
 namespace {
@@ -111,7 +112,9 @@ int run(int argc, const char* const* argv, const SceneSource& source) {
   CommandResult result = run_with_remarks(commands, scene, remarks);
   result.notes.insert(result.notes.end(), remarks.begin(), remarks.end());
   write(commands.output(), result.text);
-  for (const std::string& note : result.notes) std::fprintf(stderr, "note: %s\n", note.c_str());
+  if (!source.quiet || !source.quiet()) {
+    for (const std::string& note : result.notes) std::fprintf(stderr, "note: %s\n", printable(note).c_str());
+  }
   return result.passed ? 0 : check_failed;
 }
 
@@ -119,7 +122,7 @@ int run(int argc, const char* const* argv, const SceneSource& source) {
 
 int run_commands(int argc, const char* const* argv, const SceneSource& source) {
   const auto fail = [argv](const std::string& message, int code) {
-    std::fprintf(stderr, "%s: %s\n", argv[0], message.c_str());
+    std::fprintf(stderr, "%s: %s\n", argv[0], printable(message).c_str());
     return code;
   };
   try {
@@ -134,7 +137,7 @@ int run_commands(int argc, const char* const* argv, const SceneSource& source) {
 }
 
 int run_scene_program(int argc, const char* const* argv, Scene (*make_scene)()) {
-  return run_commands(argc, argv, {"Equations of motion and specialised kernels of one mechanism.", {}, make_scene});
+  return run_commands(argc, argv, {"Equations of motion and specialised kernels of one mechanism.", {}, make_scene, {}});
 }
 
 }  // namespace torsor

@@ -2,10 +2,12 @@
 #include "generator/emission/cpp_names.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 #include <fmt/format.h>
 
 #include "generator/expression/error.hpp"
+#include "generator/expression/printable.hpp"
 #include "generator/mechanics/identifier.hpp"
 
 namespace torsor {
@@ -102,10 +104,20 @@ void require_cpp_name(const std::string& name, const std::string& what) {
 }
 
 std::string comment_text(const std::string& text) {
-  std::string safe = text;
-  std::replace_if(
-      safe.begin(), safe.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
-  std::replace(safe.begin(), safe.end(), '\\', '/');
+  const std::string visible = printable(text);
+  std::string safe;
+  for (std::size_t i = 0; i < visible.size(); ++i) {
+    safe += visible[i];
+    constexpr std::string_view ends_of_trigraphs = "=/'()!<>-";
+    const bool trigraph = visible[i] == '?' && i + 2 < visible.size() && visible[i + 1] == '?' &&
+                          ends_of_trigraphs.find(visible[i + 2]) != std::string_view::npos;
+    if (trigraph) safe += ' ';
+  }
+  // A backslash at the end, blanks behind it or not, would make the next line part of the comment.
+  for (std::size_t last = safe.find_last_not_of(' '); last != std::string::npos && safe[last] == '\\'; --last) {
+    safe[last] = '/';
+    if (last == 0) break;
+  }
   return safe;
 }
 

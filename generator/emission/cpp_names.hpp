@@ -29,7 +29,8 @@ std::string constant_name(const Number& number, std::size_t index);
 /// macros of <cmath>, names of the header's own types, and for scenes the functions of the C library.
 void require_cpp_name(const std::string& name, const std::string& what);
 
-/// Text that is safe behind `//`: one line, no backslash.
+/// Text that is safe behind `//`: one line that shows what it holds (see printable), without trigraphs, and no backslash at
+/// its end.
 std::string comment_text(const std::string& text);
 
 }  // namespace torsor

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "generator/expression/printable.hpp"
+
 namespace torsor {
 namespace {
 
@@ -16,7 +18,7 @@ std::string what(const GraphJoint& joint) {
 
 std::string quoted(const std::string& text) {
   std::string result = "\"";
-  for (const char c : text) {
+  for (const char c : printable(text)) {
     if (c == '"' || c == '\\') result += '\\';
     result += c;
   }

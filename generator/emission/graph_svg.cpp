@@ -9,6 +9,7 @@
 
 #include "generator/emission/graph_printer.hpp"
 #include "generator/expression/as_index.hpp"
+#include "generator/expression/printable.hpp"
 
 namespace torsor {
 namespace {
@@ -81,7 +82,7 @@ const char* dashes(Line line) {
 
 std::string escaped(const std::string& text) {
   std::string result;
-  for (const char c : text) result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
+  for (const char c : printable(text)) result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
   return result;
 }
 

@@ -41,8 +41,13 @@ std::string Identifiers::take(const std::string& name, const std::string& kind,
   const std::string word = as_identifier(name, kind);
   std::string candidate = word;
   const auto is_taken = [&](const std::string& suffix) { return taken_.contains(candidate + suffix); };
-  for (int number = 2; std::any_of(suffixes.begin(), suffixes.end(), is_taken); ++number) {
+  const auto is_reserved = [&](const std::string& suffix) {
+    return !suffix.empty() && reserved_in_headers(candidate + suffix, false) != nullptr;
+  };
+  const auto is_free = [&](const std::string& suffix) { return !is_taken(suffix) && !is_reserved(suffix); };
+  for (int number = 2; !std::all_of(suffixes.begin(), suffixes.end(), is_free); ++number) {
     candidate = word + "_" + std::to_string(number);
+    if (!acceptable(candidate, kind)) candidate = kind + "_" + candidate;
   }
   for (const std::string& suffix : suffixes) taken_.insert(candidate + suffix);
   return candidate;
