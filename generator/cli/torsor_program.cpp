@@ -14,6 +14,7 @@
 #include "generator/emission/output_file.hpp"
 #include "generator/expression/did_you_mean.hpp"
 #include "generator/expression/error.hpp"
+#include "generator/expression/printable.hpp"
 #include "generator/import/mechanism_file.hpp"
 
 namespace torsor {
@@ -26,11 +27,13 @@ struct FileRequest {
   std::string gravity;
   std::string angle_tolerance = "1e-9";
   std::string name;
-  std::vector<std::string> points, initial, arguments, package_folders;
+  std::vector<std::string> points, initial, fix, arguments, package_folders;
   std::string dependency_file;
   bool no_dampers = false;
   bool no_motors = false;
-  bool accept_inertia = false;
+  bool accept_inertia = false;  ///< void
+  bool strict = false;
+  bool quiet = false;
 };
 
 void add_options(CLI::App& command, FileRequest& request) {
@@ -57,8 +60,12 @@ void add_options(CLI::App& command, FileRequest& request) {
                      "write the files that were read as a rule of make, for the target that this name is without its .d");
   command.add_flag("--no-dampers", request.no_dampers, "take <dynamics damping> as data: it does not act");
   command.add_flag("--no-motors", request.no_motors, "no input torque or force in any joint");
+  command.add_option("--fix", request.fix, "joints that become fixed, comma-separated, or massless: those that move no mass")
+      ->delimiter(',');
+  command.add_flag("--strict", request.strict, "refuse what is noted otherwise: what cannot act, inertia that no matter has");
+  command.add_flag("--quiet", request.quiet, "no notes on the standard error; headers quote them all the same");
   command.add_flag("--accept-inertia", request.accept_inertia,
-                   "take moments of inertia of which one is larger than the sum of the others, as no matter has");
+                   "void: moments of inertia that no matter has are taken as given, with a note");
 }
 
 Number option_number(const std::string& option, const std::string& text) {
@@ -98,7 +105,8 @@ UrdfOptions urdf_options(const FileRequest& request) {
   options.angle_tolerance = option_number("--angle-tolerance", request.angle_tolerance);
   options.dampers = !request.no_dampers;
   options.motors = !request.no_motors;
-  options.accept_inertia = request.accept_inertia;
+  options.strict = request.strict;
+  options.fix = request.fix;
   options.name = request.name;
   options.points = request.points;
   for (const std::string& assignment : request.initial) {
@@ -136,8 +144,16 @@ Scene read_scene(const FileRequest& request, MjcfReader mjcf_reader) {
     read.files.insert(read.files.begin(), request.file);
     write_file_if_changed(request.dependency_file, dependency_rule(target, read.files));
   }
-  for (const std::string& note : read.notes) std::fprintf(stderr, "note: %s\n", note.c_str());
-  return std::move(read.robot.scene);
+  if (!request.quiet) {
+    for (const std::string& note : read.notes) std::fprintf(stderr, "note: %s\n", printable(note).c_str());
+  }
+  Scene& scene = read.robot.scene;
+  if (scene.content().coordinates.empty()) {
+    throw FileError(fmt::format("{}: no joint of the robot '{}' moves, so there is nothing to derive; --base floating frees "
+                                "its root link",
+                                request.file, scene.name()));
+  }
+  return std::move(scene);
 }
 
 }  // namespace
@@ -147,7 +163,7 @@ int run_torsor(int argc, const char* const* argv, MjcfReader mjcf_reader) {
   return run_commands(argc, argv,
                       {"Equations of motion and specialised kernels of the robot of a URDF, xacro or MJCF file.",
                        [&request](CLI::App& command) { add_options(command, request); },
-                       [&] { return read_scene(request, mjcf_reader); }});
+                       [&] { return read_scene(request, mjcf_reader); }, [&request] { return request.quiet; }});
 }
 
 }  // namespace torsor

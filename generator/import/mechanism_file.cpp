@@ -6,18 +6,12 @@
 #include <fmt/format.h>
 
 #include "generator/expression/error.hpp"
+#include "generator/expression/shell_word.hpp"
 #include "generator/import/mjcf_files.hpp"
-#include "generator/import/xacro_node.hpp"
+#include "generator/import/text_of_file.hpp"
 
 namespace torsor {
 namespace {
-
-/// What a shell would take apart, in single quotes.
-std::string one_word(const std::string& text) {
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
 
 void refuse_arguments(const std::string& path, const MechanismFileOptions& options) {
   if (options.xacro.arguments.empty()) return;
@@ -45,7 +39,7 @@ MechanismFile read_mjcf_file(const std::string& path, const MechanismFileOptions
   mjcf.points = given.points;
   mjcf.initial = given.initial;
   ImportedMjcf read = mjcf_scene(options.mjcf_reader(path), mjcf);
-  return {{std::move(read.scene), {}}, mjcf_files(path), std::move(read.notes)};
+  return {{std::move(read.scene), {}, {}}, mjcf_files(path), std::move(read.notes)};
 }
 
 }  // namespace
@@ -66,18 +60,22 @@ std::string root_element(std::string_view text) {
 }
 
 MechanismFile read_mechanism_file(const std::string& path, const MechanismFileOptions& options) {
-  const std::string text = xacro::text_of_file(path);
+  const std::string text = text_of_file(path);
   if (root_element(text) == "mujoco") return read_mjcf_file(path, options);
   if (!is_xacro(path, text)) {
     refuse_arguments(path, options);
-    return {read_urdf_text(text, path, options.urdf), {}, {}};
+    ImportedRobot robot = read_urdf_text(text, path, options.urdf);
+    std::vector<std::string> notes = std::move(robot.notes);
+    return {std::move(robot), {}, std::move(notes)};
   }
   const ExpandedXacro expanded = expand_xacro(text, path, options.xacro);
   UrdfOptions with_arguments = options.urdf;
   for (const auto& [name, value] : options.xacro.arguments) {
-    with_arguments.file_arguments += " --arg " + one_word(name + ":=" + value);
+    with_arguments.file_arguments += " --arg " + shell_word(name + ":=" + value);
   }
-  return {read_urdf_text(expanded.text, path, with_arguments, expanded.lines), expanded.files, {}};
+  ImportedRobot robot = read_urdf_text(expanded.text, path, with_arguments, expanded.lines);
+  std::vector<std::string> notes = std::move(robot.notes);
+  return {std::move(robot), expanded.files, std::move(notes)};
 }
 
 std::string dependency_rule(const std::string& target, const std::vector<std::string>& files) {

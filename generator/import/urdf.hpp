@@ -29,9 +29,10 @@ struct UrdfOptions {
   Number angle_tolerance = Number::rational(1, 1000000000);
   bool dampers = true;  ///< <dynamics damping="c"> acts: the effort −c q̇; otherwise it is data only
   bool motors = true;   ///< a motor on every joint that turns or slides and follows no other
-  /// Takes moments of inertia that no matter has (one larger than the sum of the others), and tells so in the notes;
-  /// negative ones, and negative masses, are refused all the same.
-  bool accept_inertia = false;
+  /// Refuses what is noted otherwise: what cannot act, and inertia that no matter has.
+  bool strict = false;
+  /// Joints that become fixed ones, at zero, by their names in the file; "massless" stands for all that move no mass.
+  std::vector<std::string> fix;
   std::string name;  ///< of the scene; the robot's when empty
   /// What else the command line says of the file, as it is written there: " --arg prefix:=left_".
   std::string file_arguments;
@@ -55,7 +56,8 @@ struct UrdfJointData {
 
 struct ImportedRobot {
   Scene scene;
-  std::vector<UrdfJointData> joints;  ///< those that move, in the order of the file
+  std::vector<UrdfJointData> joints{};  ///< those that move, in the order of the file
+  std::vector<std::string> notes{};     ///< what a user should know of the file, a line each; the scene's origin has them too
 };
 
 /// Reads a robot (Unified Robot Description Format: a tree of links and joints) into a scene.
@@ -67,6 +69,7 @@ struct ImportedRobot {
 ///    motor on it, <joint>_torque or <joint>_force. <mimic>: the displacement multiplier · (other's) + offset, no
 ///    coordinate.
 ///  * fixed: a weld.
+///  * spherical (or ball): the attitude <joint>_attitude, as of a floating joint.
 ///  * floating: position <joint>_x, _y, _z along the axes of the joint's origin and the attitude <joint>_attitude, a
 ///    unit quaternion with the components of the angular velocity in the child's axes.
 ///  * planar: <joint>_x, _y along two directions of the plane whose normal is the axis (the two axes that follow it
@@ -77,12 +80,17 @@ struct ImportedRobot {
 /// Numbers are exact: a decimal is that rational. An angle within the tolerance of a multiple of π/12 is that multiple;
 /// another one turns by rational sines and cosines, good to 10⁻¹⁸ of the angle, that form a rotation exactly. Axes are
 /// normalised in the same way. What was changed is told in the notes of the scene's origin, which generated headers
-/// quote, and so what has no effect: soft limits, accelerations, ends of a continuous joint. Visual, collision and
-/// unknown elements are ignored.
+/// quote, and so what has no effect: soft limits, accelerations, ends of a continuous joint.
+///
+/// What URDF does not know cannot act and is noted, one line for each kind; pictures, shapes of contact and materials are
+/// passed over. What looks like a misspelling of something that acts is refused. Moments of inertia are taken as given:
+/// notes name the links whose moments no matter has, since only sums along the axes of joints may matter. A mimic of a
+/// joint that is not there is void, one of a fixed joint holds its joint; an undeclared parent "world" is the ground.
+/// Joints that move no mass are kept; kernels that solve with the mass matrix are then absent.
 ///
 /// Throws FileError, "file:line: <element>: what is wrong; what to do", for XML that cannot be read, an unknown type of
-/// joint, missing or wrong elements, unknown attributes, wrong numbers, a graph that is no tree, a mimic of nothing or of itself,
-/// inertia that no matter has; UsageError for options that contradict the file.
+/// joint, missing, misspelt or misplaced elements and attributes, wrong numbers, a graph that is no tree, mimics in a
+/// circle, a negative mass; UsageError for options that contradict the file.
 ImportedRobot read_urdf(const std::string& path, const UrdfOptions& options = {});
 
 /// The same of a text; `file` is the name used in messages and in the scene's origin. `lines` says where each line of the

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/import/urdf_notes.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "generator/expression/decimal.hpp"
+#include "generator/expression/shell_word.hpp"
 
 namespace torsor {
 namespace {
@@ -14,21 +13,15 @@ namespace {
 std::string decimal(const Number& value) { return shortest(value.to_double()); }
 
 /// The name without folders: headers hold no path.
-std::string base_name(const std::string& path) { return path.substr(path.find_last_of("/\\") + 1); }
+std::string base_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
-/// In quotes where a shell would take it apart.
-std::string shell_word(const std::string& word) {
-  const bool plain = std::all_of(word.begin(), word.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-           std::string_view("-_./=,+").find(c) != std::string_view::npos;
-  });
-  return plain && !word.empty() ? word : "\"" + word + "\"";
-}
+/// As a word of a command line; one that begins with a dash would be an option.
+std::string file_word(const std::string& name) { return shell_word(name.starts_with('-') ? "./" + name : name); }
 
 /// What makes the same scene again: the file and the options that are not at their defaults.
 std::string arguments(const UrdfRobot& robot, const UrdfOptions& options) {
   const UrdfOptions defaults;
-  std::string text = shell_word(base_name(robot.file)) + options.file_arguments;
+  std::string text = file_word(base_name(robot.file)) + options.file_arguments;
   if (options.base == UrdfBase::floating) text += " --base floating";
   if (options.gravity != defaults.gravity) {
     text += fmt::format(" --gravity {},{},{}", decimal(options.gravity[0]), decimal(options.gravity[1]),
@@ -39,8 +32,8 @@ std::string arguments(const UrdfRobot& robot, const UrdfOptions& options) {
   }
   if (!options.dampers) text += " --no-dampers";
   if (!options.motors) text += " --no-motors";
-  if (options.accept_inertia) text += " --accept-inertia";
-  if (!options.name.empty()) text += " --name " + options.name;
+  if (!options.fix.empty()) text += " --fix " + shell_word(fmt::format("{}", fmt::join(options.fix, ",")));
+  if (!options.name.empty()) text += " --name " + shell_word(options.name);
   if (!options.points.empty()) text += " --points " + shell_word(fmt::format("{}", fmt::join(options.points, ",")));
   std::string initial;
   for (const auto& [name, value] : options.initial) initial += (initial.empty() ? "" : ",") + name + "=" + value;
@@ -73,8 +66,10 @@ void append(std::vector<std::string>& notes, const std::string& title, const std
 }  // namespace
 
 SceneOrigin urdf_origin(const UrdfRobot& robot, const UrdfOptions& options, const std::vector<UrdfJointData>& joints,
-                        const std::vector<std::string>& renamed, const std::vector<std::string>& odd_inertia) {
+                        const std::vector<std::string>& renamed) {
   SceneOrigin origin{base_name(robot.file), arguments(robot, options), {}};
+  append(origin.notes, "Noted while reading (--strict refuses it):", robot.notes.lines());
+  append(origin.notes, "Understood while reading:", robot.remarks);
   append(origin.notes, "Names that became identifiers:", renamed);
   append(origin.notes, "Angles and axes that were made exact:", robot.changes.lines());
   append(origin.notes, "Angles that look exact and are not:", robot.almost);
@@ -84,8 +79,6 @@ SceneOrigin urdf_origin(const UrdfRobot& robot, const UrdfOptions& options, cons
   }
   append(origin.notes, "Stated of joints, in SI, and not in the kernels:", data);
   append(origin.notes, "Stated of joints and without effect:", robot.without_effect);
-  append(origin.notes, "Links whose moments of inertia no matter has, taken as they are (--accept-inertia):",
-         odd_inertia);
   return origin;
 }
 

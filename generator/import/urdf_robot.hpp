@@ -11,6 +11,7 @@
 #include "generator/expression/number.hpp"
 #include "generator/geometry/rotation.hpp"
 #include "generator/import/exact_direction.hpp"
+#include "generator/import/reading_notes.hpp"
 #include "generator/import/xml_element.hpp"
 
 namespace torsor {
@@ -38,7 +39,7 @@ struct UrdfLink {
   std::optional<UrdfInertial> inertial;
 };
 
-enum class UrdfJointType { revolute, continuous, prismatic, fixed, floating, planar };
+enum class UrdfJointType { revolute, continuous, prismatic, fixed, floating, planar, spherical };
 
 struct UrdfMimic {
   XmlPlace place;
@@ -65,6 +66,7 @@ struct UrdfJoint {
 
   bool turns() const { return type == UrdfJointType::revolute || type == UrdfJointType::continuous; }
   bool slides() const { return type == UrdfJointType::prismatic; }
+  bool has_displacement() const { return turns() || slides(); }
   /// Not fixed, and not free either: an axis, limits and damping belong to it.
   bool moves_by_numbers() const { return turns() || slides() || type == UrdfJointType::planar; }
 };
@@ -85,7 +87,9 @@ struct UrdfRobot {
   std::string name;
   std::vector<UrdfLink> links;
   std::vector<UrdfJoint> joints;
+  ReadingNotes notes;  ///< what cannot act, what was taken otherwise than stated
   UrdfChanges changes;
+  std::vector<std::string> remarks;  ///< what was understood beyond the letter, a line each
   std::vector<std::string> without_effect;  ///< what is read of joints and used nowhere, a line each
   std::vector<std::string> almost;  ///< angles that look like a multiple of π/12 and are beyond the tolerance
 };
@@ -96,7 +100,12 @@ UrdfRobot read_robot(std::string_view text, const std::string& file, const Numbe
                      const std::vector<XmlLine>& lines = {});
 
 /// Looks at the graph of links and joints, which must be a tree, and at the mimics; returns the name of the root link.
-/// Throws FileError naming the links and joints that are wrong.
-std::string check_tree(const UrdfRobot& robot);
+/// Joints of that graph may have an undeclared link "world" as their parent, which is then added; a mimic of a fixed joint
+/// or of a joint that is not there is dissolved; all with a note. Throws FileError naming the links and joints that are
+/// wrong.
+std::string settle_tree(UrdfRobot& robot);
+
+/// Makes those joints fixed ones, at zero. Names are those of the file. Throws UsageError for an unknown one.
+void fix_joints(UrdfRobot& robot, const std::vector<std::string>& joints);
 
 }  // namespace torsor

@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "generator/expression/did_you_mean.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/expression/high_precision.hpp"
+#include "generator/dynamics/equations/massless.hpp"
 #include "generator/import/identifiers.hpp"
 #include "generator/import/urdf.hpp"
+#include "generator/import/urdf_base.hpp"
+#include "generator/import/urdf_displacement.hpp"
 #include "generator/import/urdf_initial.hpp"
 #include "generator/import/urdf_notes.hpp"
 #include "generator/import/urdf_robot.hpp"
+#include "generator/import/urdf_scene.hpp"
 #include "generator/mechanics/inertia_validity.hpp"
 
 namespace torsor {
@@ -39,8 +45,12 @@ struct FreeJoint {
 
 class SceneBuilder {
  public:
-  SceneBuilder(const UrdfRobot& robot, const UrdfOptions& options, std::string root)
-      : robot_(robot), options_(options), root_(std::move(root)), scene_(scene_name()) {}
+  SceneBuilder(const UrdfRobot& robot, const UrdfOptions& options, SettledBase base)
+      : robot_(robot),
+        options_(options),
+        root_(std::move(base)),
+        displacements_of_joints_(displacements(robot)),
+        scene_(scene_name()) {}
 
   ImportedRobot build() {
     // With the members that the kernel kinematics makes of them.
@@ -50,8 +60,13 @@ class SceneBuilder {
                                  "_origin_position", "_origin_velocity", "_origin_jacobian"});
     }
     std::string base_name;
-    if (options_.base == UrdfBase::floating) base_ = free_joint(root_, "link", base_name);
-    for (const UrdfJoint& joint : robot_.joints) declare(joint);
+    if (root_.base == UrdfBase::floating) base_ = free_joint(root_.root, "link", base_name);
+    for (const UrdfJoint& joint : robot_.joints) {
+      const std::size_t before = scene_.content().coordinates.size();
+      declare(joint);
+      const std::vector<CoordinateContent>& all = scene_.content().coordinates;
+      for (std::size_t i = before; i < all.size(); ++i) coordinates_[joint.name].insert(all[i].q->name);
+    }
     weld_or_free_root();
     for (const UrdfJoint& joint : robot_.joints) place(joint);
     for (const UrdfLink& link : robot_.links) add_body(link);
@@ -59,9 +74,28 @@ class SceneBuilder {
     scene_.gravity(quantities(options_.gravity, units::metre_per_second_squared));
     add_points();
     set_initial(scene_, options_.initial);
-    ImportedRobot imported{std::move(scene_), std::move(data_)};
-    imported.scene.came_from(urdf_origin(robot_, options_, imported.joints, renamed_, odd_inertia_));
+    scene_.keep_massless();
+    ImportedRobot imported{std::move(scene_), std::move(data_), robot_.notes.lines()};
+    imported.scene.came_from(urdf_origin(robot_, options_, imported.joints, renamed_));
     return imported;
+  }
+
+  /// The joints of which no coordinate moves any mass.
+  std::vector<std::string> massless_joints(const Scene& scene) const {
+    const Equations equations(scene);
+    std::set<std::string> massless;
+    for (const int i : equations.massless()) {
+      massless.insert(equations.model().coordinates()[static_cast<std::size_t>(i)].q->name);
+    }
+    std::vector<std::string> joints;
+    for (const UrdfJoint& joint : robot_.joints) {
+      const auto own = coordinates_.find(joint.name);
+      if (own == coordinates_.end() || own->second.empty()) continue;
+      if (std::includes(massless.begin(), massless.end(), own->second.begin(), own->second.end())) {
+        joints.push_back(joint.name);
+      }
+    }
+    return joints;
   }
 
  private:
@@ -95,9 +129,14 @@ class SceneBuilder {
     return joint;
   }
 
+  /// Whether the joint turns or slides with a coordinate, its own or that of the joint that it follows.
+  bool follows(const UrdfJoint& joint) const {
+    return joint.has_displacement() && displacements_of_joints_.at(joint.name).leader != nullptr;
+  }
+
   /// Whether the joint's damping is a damper of the scene.
   bool acts(const UrdfJoint& joint) const {
-    return options_.dampers && (joint.turns() || joint.slides()) && joint.damping && !joint.damping->is_zero();
+    return options_.dampers && follows(joint) && joint.damping && !joint.damping->is_zero();
   }
 
   void declare(const UrdfJoint& joint) {
@@ -111,6 +150,13 @@ class SceneBuilder {
       names_[joint.name] = word;
       planar_[joint.name] = {scene_.coordinate(word + "_x", "m"), scene_.coordinate(word + "_y", "m"),
                              scene_.coordinate(word + "_angle", "rad")};  // braces: from left to right
+    } else if (joint.type == UrdfJointType::spherical) {
+      const std::string word =
+          take(symbols_, joint.name, "joint",
+               {"_attitude_w", "_attitude_x", "_attitude_y", "_attitude_z", "_attitude_omega_x", "_attitude_omega_y",
+                "_attitude_omega_z"});
+      names_[joint.name] = word;
+      free_[joint.name].attitude = scene_.attitude(word + "_attitude");
     } else if (!joint.mimic) {
       const std::string effort = joint.turns() ? "_torque" : "_force";
       data.coordinate = take(symbols_, joint.name, "joint", {"", effort, "_damping"});
@@ -126,35 +172,29 @@ class SceneBuilder {
     data_.push_back(std::move(data));
   }
 
-  /// The joint's displacement as a formula of coordinates; that of a mimic is multiplier · (leader's) + offset.
-  Expression displacement(const UrdfJoint& joint) {
-    if (const auto found = displacements_.find(joint.name); found != displacements_.end()) return found->second;
-    const UrdfMimic& mimic = *joint.mimic;
-    const auto is_leader = [&mimic](const UrdfJoint& each) { return each.name == mimic.joint; };
-    const UrdfJoint& leader = *std::find_if(robot_.joints.begin(), robot_.joints.end(), is_leader);
+  /// The joint's displacement as a formula of coordinates.
+  Expression displacement(const UrdfJoint& joint) const {
+    const UrdfDisplacement& given = displacements_of_joints_.at(joint.name);
     const Unit unit = joint.turns() ? units::radian : units::metre;
-    const Unit leader_unit = leader.turns() ? units::radian : units::metre;
-    const Expression followed = displacement(leader);
     Expression result;
-    if (!mimic.multiplier.is_zero()) {
-      result = mimic.multiplier.is_one() && unit == leader_unit
+    if (given.leader != nullptr) {
+      const Unit leader_unit = given.leader->turns() ? units::radian : units::metre;
+      const Expression& followed = displacements_.at(given.leader->name);
+      result = given.multiplier.is_one() && unit == leader_unit
                    ? followed
-                   : Expression::quantity(mimic.multiplier, unit / leader_unit) * followed;
+                   : Expression::quantity(given.multiplier, unit / leader_unit) * followed;
     }
-    if (mimic.offset_twelfths) {
-      if (!mimic.offset_twelfths->is_zero()) {
-        result = result + Expression(*mimic.offset_twelfths / Number(12)) * pi();
-      }
-    } else if (!mimic.offset.is_zero()) {
-      result = result + Expression::quantity(mimic.offset, unit);
+    if (!given.offset_twelfths.is_zero()) {
+      const Number part = given.offset_twelfths / Number(12);
+      result = result + (joint.turns() ? Expression(part) : Expression::quantity(part, unit)) * pi();
     }
-    displacements_[joint.name] = result;
+    if (!given.offset.is_zero()) result = result + Expression::quantity(given.offset, unit);
     return result;
   }
 
   void weld_or_free_root() {
-    const std::string& frame = frames_.at(root_);
-    if (options_.base == UrdfBase::fixed) {
+    const std::string& frame = frames_.at(root_.root);
+    if (root_.base == UrdfBase::fixed) {
       scene_.weld(frame, scene_.ground(), {});
     } else {
       scene_.free(frame, scene_.ground(), base_->position, base_->attitude);
@@ -189,6 +229,8 @@ class SceneBuilder {
         }
         return scene_.free(child, from, free.position, free.attitude);
       }
+      case UrdfJointType::spherical:
+        return scene_.spherical(child, parent, free_.at(joint.name).attitude, at);
       case UrdfJointType::planar: {
         const auto& [x, y, angle] = planar_.at(joint.name);
         const Rotation tilt = rotation_to(joint.axis);
@@ -230,26 +272,12 @@ class SceneBuilder {
     const Expression xz = moment(0, 2);
     const Expression yz = moment(1, 2);
     const Inertia inertia = Inertia::general(mass, xx, yy, zz, xy, xz, yz).at(center);
-    scene_.body(frame, frame, inertia, moments_of(link, inertia));
-  }
-
-  /// Whether the link's moments must be taken as they are. Refuses those that may not.
-  Moments moments_of(const UrdfLink& link, const Inertia& inertia) {
-    const auto refusal = [&](Moments moments) -> std::string {
-      try {
-        check_inertia(scene_.content(), {frames_.at(link.name), frames_.at(link.name), inertia, moments});
-      } catch (const SceneError& error) {
-        return error.what();
-      }
-      return "";
-    };
-    const std::string reason = refusal(Moments::of_matter);
-    if (reason.empty()) return Moments::of_matter;
-    const std::string anyway = refusal(Moments::as_given);
-    if (!anyway.empty()) link.inertial->place.fail(anyway);
-    if (!options_.accept_inertia) link.inertial->place.fail(reason + "; --accept-inertia takes them as they are");
-    odd_inertia_.push_back(link.name);
-    return Moments::as_given;
+    try {
+      check_inertia(scene_.content(), {frame, frame, inertia, Moments::as_read});
+    } catch (const SceneError& error) {
+      inertial.place.fail(error.what());
+    }
+    scene_.body(frame, frame, inertia, Moments::as_read);
   }
 
   void add_actions(const UrdfJoint& joint) {
@@ -269,9 +297,10 @@ class SceneBuilder {
     for (const std::string& link : options_.points) {
       const auto found = frames_.find(link);
       if (found == frames_.end()) {
-        std::string known;
-        for (const UrdfLink& each : robot_.links) known += (known.empty() ? "" : ", ") + each.name;
-        throw UsageError(fmt::format("unknown link '{}' in --points: the robot has {}", link, known));
+        std::vector<std::string> known;
+        for (const UrdfLink& each : robot_.links) known.push_back(each.name);
+        throw UsageError(fmt::format("unknown link '{}' in --points: {}the robot has {}", link,
+                                     did_you_mean(link, known), fmt::join(known, ", ")));
       }
       scene_.point(found->second + "_origin", found->second, {0, 0, 0});
     }
@@ -279,16 +308,17 @@ class SceneBuilder {
 
   const UrdfRobot& robot_;
   const UrdfOptions& options_;
-  std::string root_;
+  SettledBase root_;
+  std::map<std::string, UrdfDisplacement> displacements_of_joints_;
   std::vector<std::string> renamed_;
-  std::vector<std::string> odd_inertia_;  ///< links
+  std::map<std::string, std::set<std::string>> coordinates_;  ///< their names, by joint
   Scene scene_;
   Identifiers symbols_{{"t"}};
   Identifiers frame_names_{{"ground"}};
   std::vector<UrdfJointData> data_;
   std::map<std::string, std::string> frames_;        ///< by link
   std::map<std::string, std::string> names_;         ///< by joint that moves
-  std::map<std::string, Expression> displacements_;  ///< by joint
+  std::map<std::string, Expression> displacements_;  ///< coordinates, by joint
   std::map<std::string, FreeJoint> free_;
   std::map<std::string, std::array<Expression, 3>> planar_;
   std::optional<FreeJoint> base_;
@@ -302,13 +332,31 @@ void check_options(const UrdfOptions& options) {
 
 }  // namespace
 
+ImportedRobot make_scene(UrdfRobot robot, const UrdfOptions& options) {
+  check_options(options);
+  const WorkingDigits precision(50);
+  const std::string root = settle_tree(robot);
+  const SettledBase base = settle_base(robot, root, options.base);
+  if (options.strict) robot.notes.refuse();
+  std::vector<std::string> fixed = options.fix;
+  const bool fix_massless = std::erase(fixed, "massless") > 0;
+  fix_joints(robot, fixed);
+  if (!fixed.empty()) robot.remarks.push_back(fmt::format("fixed by --fix: {}", fmt::join(fixed, ", ")));
+  while (true) {
+    SceneBuilder builder(robot, options, base);
+    ImportedRobot imported = builder.build();
+    if (!fix_massless || imported.scene.content().coordinates.empty()) return imported;
+    const std::vector<std::string> massless = builder.massless_joints(imported.scene);
+    if (massless.empty()) return imported;
+    fix_joints(robot, massless);
+    robot.remarks.push_back(fmt::format("fixed because they move no mass: {}", fmt::join(massless, ", ")));
+  }
+}
+
 ImportedRobot read_urdf_text(std::string_view text, const std::string& file, const UrdfOptions& options,
                              const std::vector<XmlLine>& lines) {
   check_options(options);
-  const WorkingDigits precision(50);
-  const UrdfRobot robot = read_robot(text, file, options.angle_tolerance, lines);
-  const std::string root = check_tree(robot);
-  return SceneBuilder(robot, options, root).build();
+  return make_scene(read_robot(text, file, options.angle_tolerance, lines), options);
 }
 
 }  // namespace torsor

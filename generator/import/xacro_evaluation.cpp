@@ -2,13 +2,12 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include <fmt/format.h>
 
 #include "generator/expression/did_you_mean.hpp"
 #include "generator/expression/error.hpp"
+#include "generator/import/text_of_file.hpp"
 #include "generator/import/xacro_expander.hpp"
 #include "generator/import/xacro_expression.hpp"
 #include "generator/import/xacro_text.hpp"
@@ -44,19 +43,6 @@ std::optional<std::string> environment(const std::string& name) {
 }
 
 }  // namespace
-
-std::string text_of_file(const std::string& path) {
-  std::error_code none;
-  const fs::file_type type = fs::status(path, none).type();
-  if (type == fs::file_type::not_found) throw FileError(fmt::format("cannot read '{}': does the file exist?", path));
-  // A pipe holds a text too: <(...) of a shell is one.
-  if (type != fs::file_type::regular && type != fs::file_type::fifo) {
-    throw FileError(fmt::format("cannot read '{}': it is no regular file", path));
-  }
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw FileError(fmt::format("cannot read '{}': it may not be read", path));
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
 
 Value Expander::value(const Node& node, const std::string& text, Scope& scope) {
   try {

@@ -31,9 +31,6 @@ struct Node {
 /// The elements of a file. Throws FileError when it cannot be read or is no XML.
 Node read_nodes(const std::string& text, const std::string& file);
 
-/// The whole text of a file. Throws FileError when it is neither a regular file nor a pipe, or cannot be read.
-std::string text_of_file(const std::string& path);
-
 /// One element on each line, and where each line comes from.
 std::pair<std::string, std::vector<XmlLine>> write_nodes(const Node& root);
 

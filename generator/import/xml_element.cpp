@@ -9,6 +9,7 @@
 
 #include "generator/expression/decimal.hpp"
 #include "generator/expression/error.hpp"
+#include "generator/import/unclosed_element.hpp"
 
 namespace torsor {
 namespace {
@@ -18,6 +19,24 @@ constexpr std::string_view blanks = " \t\r\n";
 std::string tag(const tinyxml2::XMLElement& element) {
   const char* name = element.Attribute("name");
   return name == nullptr ? fmt::format("<{}>", element.Name()) : fmt::format("<{} name=\"{}\">", element.Name(), name);
+}
+
+/// Whether two elements say the same: attributes in any order, elements in the same order, each on its own, no text.
+bool same(const tinyxml2::XMLElement& a, const tinyxml2::XMLElement& b) {
+  const auto covers = [](const tinyxml2::XMLElement& all, const tinyxml2::XMLElement& some) {
+    for (const auto* attribute = some.FirstAttribute(); attribute != nullptr; attribute = attribute->Next()) {
+      const char* value = all.Attribute(attribute->Name());
+      if (value == nullptr || std::string_view(value) != attribute->Value()) return false;
+    }
+    return true;
+  };
+  if (std::string_view(a.Name()) != b.Name() || !covers(a, b) || !covers(b, a)) return false;
+  const auto* of_a = a.FirstChildElement();
+  const auto* of_b = b.FirstChildElement();
+  for (; of_a != nullptr && of_b != nullptr; of_a = of_a->NextSiblingElement(), of_b = of_b->NextSiblingElement()) {
+    if (!same(*of_a, *of_b)) return false;
+  }
+  return of_a == of_b;
 }
 
 /// What a parser's complaint means for who wrote the file.
@@ -66,6 +85,8 @@ XmlPlace XmlElement::place() const {
 
 bool XmlElement::has(const char* attribute) const { return element_->Attribute(attribute) != nullptr; }
 
+std::string XmlElement::value(const char* attribute) const { return element_->Attribute(attribute); }
+
 std::string XmlElement::text(const char* attribute) const {
   const char* value = element_->Attribute(attribute);
   if (value == nullptr) fail(fmt::format("has no attribute {}; add {}=\"...\"", attribute, attribute));
@@ -107,7 +128,25 @@ std::optional<Number> XmlElement::optional_number(const char* attribute) const {
   return number(attribute);
 }
 
-std::array<XmlNumber, 3> XmlElement::three_numbers(const char* attribute) const {
+std::optional<Number> XmlElement::optional_bound(const char* attribute) const {
+  if (!has(attribute)) return std::nullopt;
+  std::string word = text(attribute);
+  word.erase(0, word.find_first_not_of(blanks));
+  word.erase(word.find_last_not_of(blanks) + 1);
+  std::string letters = word;
+  std::transform(letters.begin(), letters.end(), letters.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  if (letters.starts_with('-') || letters.starts_with('+')) letters.erase(0, 1);
+  if (letters == "inf" || letters == "infinity" || letters == ".inf") return std::nullopt;
+  try {
+    if (letters.find('/') == std::string::npos && parse_decimal(word).abs() > Number(10).pow(300)) return std::nullopt;
+  } catch (const Error&) {
+    return number(attribute);  // says what is wrong
+  }
+  return number(attribute);
+}
+
+std::vector<XmlNumber> XmlElement::numbers(const char* attribute, std::size_t count) const {
   const std::string whole = text(attribute);
   std::vector<XmlNumber> numbers;
   for (std::size_t begin = whole.find_first_not_of(blanks); begin != std::string::npos;) {
@@ -115,22 +154,40 @@ std::array<XmlNumber, 3> XmlElement::three_numbers(const char* attribute) const 
     numbers.push_back(parse(attribute, std::string_view(whole).substr(begin, end - begin)));
     begin = whole.find_first_not_of(blanks, end);
   }
-  if (numbers.size() != 3) {
-    fail(fmt::format("{}=\"{}\" holds {} number{} and must hold 3, separated by spaces", attribute, whole,
-                     numbers.size(), numbers.size() == 1 ? "" : "s"));
+  if (numbers.size() != count) {
+    fail(fmt::format("{}=\"{}\" holds {} number{} and must hold {}, separated by spaces", attribute, whole,
+                     numbers.size(), numbers.size() == 1 ? "" : "s", count));
   }
-  return {numbers[0], numbers[1], numbers[2]};
+  return numbers;
 }
 
-void XmlElement::require_only(const std::vector<std::string_view>& attributes) const {
+std::vector<std::string> XmlElement::attributes() const {
+  std::vector<std::string> names;
   for (const auto* attribute = element_->FirstAttribute(); attribute != nullptr; attribute = attribute->Next()) {
-    const std::string_view name = attribute->Name();
-    if (name.find(':') != std::string_view::npos) continue;
-    if (std::find(attributes.begin(), attributes.end(), name) != attributes.end()) continue;
-    fail(fmt::format("has an attribute {}, which would be ignored; {}", name,
-                     attributes.empty() ? std::string("the element has none")
-                                        : fmt::format("the attributes are {}", fmt::join(attributes, ", "))));
+    names.emplace_back(attribute->Name());
   }
+  return names;
+}
+
+bool XmlElement::holds_text() const {
+  for (const auto* node = element_->FirstChild(); node != nullptr; node = node->NextSibling()) {
+    const auto* text = node->ToText();
+    if (text != nullptr && std::string_view(text->Value()).find_first_not_of(blanks) != std::string_view::npos) return true;
+  }
+  return false;
+}
+
+std::string XmlElement::parent_name() const {
+  const auto* parent = element_->Parent() == nullptr ? nullptr : element_->Parent()->ToElement();
+  return parent == nullptr ? "" : parent->Name();
+}
+
+std::vector<XmlElement> XmlElement::elements() const {
+  std::vector<XmlElement> all;
+  for (const auto* child = element_->FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
+    all.emplace_back(file_, *child, lines_);
+  }
+  return all;
 }
 
 std::vector<XmlElement> XmlElement::children(const char* name) const {
@@ -145,7 +202,10 @@ std::vector<XmlElement> XmlElement::children(const char* name) const {
 std::optional<XmlElement> XmlElement::child(const char* name) const {
   const std::vector<XmlElement> all = children(name);
   if (all.empty()) return std::nullopt;
-  if (all.size() > 1) all[1].fail(fmt::format("there is another <{}> at line {}; keep one", name, all[0].place().line));
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    if (same(*all[0].element_, *all[i].element_)) continue;
+    all[i].fail(fmt::format("there is another <{}> at line {}; keep one", name, all[0].place().line));
+  }
   return all.front();
 }
 
@@ -160,6 +220,11 @@ XmlFile::XmlFile(std::string_view text, std::string file, std::vector<XmlLine> l
   if (text.find('\0') != std::string_view::npos) throw FileError(file_ + ":1: the file is binary and no XML");
   document_->Parse(text.data(), text.size());
   if (document_->Error()) {
+    if (const std::optional<UnclosedElement> open = unclosed_element(text)) {
+      const XmlLine at = open->line <= static_cast<int>(lines_.size()) ? lines_[static_cast<std::size_t>(open->line - 1)]
+                                                                       : XmlLine{file_, open->line, {}};
+      throw FileError(fmt::format("{}:{}: malformed XML: {}", at.file, at.line, open->message));
+    }
     throw FileError(
         fmt::format("{}:{}: malformed XML: {}", file_, std::max(1, document_->ErrorLineNum()), explain(*document_)));
   }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -51,25 +53,41 @@ class XmlElement {
   [[noreturn]] void fail(const std::string& message) const { place().fail(message); }
 
   bool has(const char* attribute) const;
+  /// The value of an attribute that is there, whatever it holds.
+  std::string value(const char* attribute) const;
   /// The value of an attribute that must be there and hold something.
   std::string text(const char* attribute) const;
   /// A decimal; the attribute must be there.
   Number number(const char* attribute) const;
   std::optional<Number> optional_number(const char* attribute) const;
-  /// Three decimals; the attribute must be there.
-  std::array<XmlNumber, 3> three_numbers(const char* attribute) const;
-  /// Refuses any other attribute: a misspelt one must not go unnoticed. Those with a prefix (drake:acceleration) belong
-  /// to others.
-  void require_only(const std::vector<std::string_view>& attributes) const;
+  /// A decimal that bounds something: none where it is missing, infinite, or beyond 10³⁰⁰.
+  std::optional<Number> optional_bound(const char* attribute) const;
+  /// That many decimals; the attribute must be there.
+  template <std::size_t count>
+  std::array<XmlNumber, count> numbers(const char* attribute) const {
+    std::array<XmlNumber, count> result;
+    std::vector<XmlNumber> read = numbers(attribute, count);
+    std::move(read.begin(), read.end(), result.begin());
+    return result;
+  }
+  /// Names of all attributes, in the order of the file.
+  std::vector<std::string> attributes() const;
+  /// Whether text that is no blank stands directly inside.
+  bool holds_text() const;
+  /// Name of the element around it; empty for the root.
+  std::string parent_name() const;
 
-  /// The child of that name, none when there is none; two are refused.
+  /// The child of that name, none when there is none; two are refused unless they say the same.
   std::optional<XmlElement> child(const char* name) const;
   /// The child of that name; `remedy` is what to write when it is missing.
   XmlElement required_child(const char* name, const std::string& remedy) const;
   std::vector<XmlElement> children(const char* name) const;
+  /// All children, in the order of the file.
+  std::vector<XmlElement> elements() const;
 
  private:
   XmlNumber parse(const char* attribute, std::string_view word) const;
+  std::vector<XmlNumber> numbers(const char* attribute, std::size_t count) const;
 
   std::string file_;
   const tinyxml2::XMLElement* element_;

@@ -61,7 +61,8 @@ TEST(TorsorTool, WritesTheSameHeaderAgainByTheCommandInTheHeader) {
                                          "--angle-tolerance",
                                          "1e-5",
                                          "--no-dampers",
-                                         "--accept-inertia",
+                                         "--fix",
+                                         "massless",
                                          "--initial",
                                          "turn=0.25,turn'=-1",
                                          "--name",
@@ -79,17 +80,55 @@ TEST(TorsorTool, WritesTheSameHeaderAgainByTheCommandInTheHeader) {
   EXPECT_EQ(first.out.find("tests/import"), std::string::npos);
   EXPECT_NE(
       first.out.find("//   torsor generate arm.urdf --base floating --gravity 0,0.5,-9.81 --angle-tolerance 1e-05 "
-                     "--no-dampers --accept-inertia --name walker --initial \"turn=0.25,turn'=-1\" --kernels "
+                     "--no-dampers --fix massless --name walker --initial 'turn=0.25,turn'\\''=-1' --kernels "
                      "mass_matrix,energy --output walker.hpp\n"),
       std::string::npos)
       << first.out.substr(0, 4000);
   EXPECT_NE(first.out.find("//   1.5708 is pi/2: joint turn (rpy)\n"), std::string::npos);
   EXPECT_EQ(torsor_tool(arguments).out, first.out);
   const Outcome again = torsor_tool({"generate", arm, "--base", "floating", "--gravity", "0,0.5,-9.81",
-                                     "--angle-tolerance", "1e-05", "--no-dampers", "--accept-inertia", "--name", "walker",
+                                     "--angle-tolerance", "1e-05", "--no-dampers", "--fix", "massless", "--name", "walker",
                                      "--initial", "turn=0.25,turn'=-1", "--kernels", "mass_matrix,energy", "--output",
                                      "-"});
   EXPECT_EQ(again.out, first.out);
+}
+
+TEST(TorsorTool, StatesTheMethodOfForwardDynamicsInTheCommandInTheHeader) {
+  for (const std::string method : {"factorisation", "articulated_body"}) {
+    const Outcome outcome =
+        torsor_tool({"generate", arm, "--kernels", "forward_dynamics", "--forward", method, "--output", "-"});
+    EXPECT_NE(outcome.out.find("//   torsor generate arm.urdf --kernels forward_dynamics --forward " + method + " --output"),
+              std::string::npos);
+  }
+}
+
+// What a joint without mass lacks is told; what is there is generated all the same.
+TEST(TorsorTool, KeepsJointsThatMoveNoMass) {
+  const std::string path = testing::TempDir() + "massless hand.urdf";
+  std::ofstream(path) << R"(<robot name="hand"><link name="base"/><link name="palm"><inertial><mass value="1"/>
+    <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link><link name="finger"/>
+    <joint name="wrist" type="revolute"><parent link="base"/><child link="palm"/></joint>
+    <joint name="grip" type="revolute"><parent link="palm"/><child link="finger"/></joint><gazebo/></robot>)";
+  const std::string why =
+      "the mass matrix is singular at every state, because the coordinate 'grip' moves no mass; give the links mass, or fix "
+      "the joints: --fix grip, or --fix massless\n";
+  const Outcome all = torsor_tool({"generate", path, "--output", "-"});
+  EXPECT_EQ(all.code, 0);
+  EXPECT_EQ(all.err, "note: <gazebo> in <robot> is not read\nnote: the kernels forward_dynamics, linearisation, "
+                     "forward_dynamics_derivatives, jets are absent: " + why);
+  EXPECT_NE(all.out.find("static void inverse_dynamics("), std::string::npos);
+  EXPECT_NE(all.out.find("//   <gazebo> in <robot> is not read\n"), std::string::npos);
+  EXPECT_NE(all.out.find("//   torsor generate 'massless hand.urdf' --kernels"), std::string::npos);
+  EXPECT_EQ(torsor_tool({"generate", path, "--quiet", "--output", "-"}).err, "");
+  const Outcome named = torsor_tool({"generate", path, "--quiet", "--kernels", "forward_dynamics", "--output", "-"});
+  EXPECT_EQ(named.code, 3);
+  EXPECT_EQ(named.err, "torsor: there is no kernel forward_dynamics: " + why);
+  const Outcome fixed = torsor_tool({"generate", path, "--quiet", "--fix", "massless", "--kernels", "forward_dynamics",
+                                     "--output", "-"});
+  EXPECT_EQ(fixed.code, 0) << fixed.err;
+  EXPECT_EQ(torsor_tool({"list", path, "--strict"}).code, 3);
+  EXPECT_EQ(torsor_tool({"check", path, "--quiet", "--digits", "30", "--states", "1"}).code, 3);
+  EXPECT_EQ(torsor_tool({"list", path, "--accept-inertia"}).code, 0);
 }
 
 TEST(TorsorTool, TellsWhatIsWrongOnOneLine) {
@@ -99,6 +138,7 @@ TEST(TorsorTool, TellsWhatIsWrongOnOneLine) {
     EXPECT_EQ(outcome.err, "torsor: " + message + "\n");
   };
   expect(torsor_tool({"list", "nowhere.urdf"}), 3, "cannot read 'nowhere.urdf': does the file exist?");
+  expect(torsor_tool({"list", "/tmp"}), 3, "cannot read '/tmp': it is a folder; name a file in it");
   expect(torsor_tool({"list"}), 2, "FILE is required; see --help");
   expect(torsor_tool({"list", ur5, "--base", "bolted"}), 2, "unknown base 'bolted' in --base: use fixed or floating");
   expect(torsor_tool({"list", ur5, "--gravity", "9.81"}), 2, "--gravity takes three numbers, X,Y,Z, and got '9.81'");

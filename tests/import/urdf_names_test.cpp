@@ -14,6 +14,9 @@ TEST(UrdfNames, BecomeIdentifiers) {
   EXPECT_EQ(as_identifier("7dof", "joint"), "joint_7dof");
   EXPECT_EQ(as_identifier("switch", "joint"), "joint_switch");
   EXPECT_EQ(as_identifier("State", "joint"), "joint_State");
+  EXPECT_EQ(as_identifier("RAND_MAX", "joint"), "joint_RAND_MAX");
+  EXPECT_EQ(as_identifier("M_PI_2f32x", "link"), "link_M_PI_2f32x");
+  EXPECT_EQ(as_identifier("LF_HAA", "joint"), "LF_HAA");
   EXPECT_EQ(as_identifier("index", "robot"), "robot_index");
   EXPECT_EQ(as_identifier("index", "joint"), "index");
   EXPECT_EQ(as_identifier("\xe8\x85\x95", "joint"), "joint");
@@ -28,6 +31,7 @@ TEST(UrdfNames, StayDistinct) {
   EXPECT_EQ(names.take("p", "joint", {"_x", "_y"}), "p");
   EXPECT_EQ(names.take("p_y", "joint"), "p_y_2");
   EXPECT_EQ(names.take("p", "joint", {"_y", "_z"}), "p_2");
+  EXPECT_EQ(names.take("M", "joint", {"", "_PI"}), "M_3");  // M_PI and M_2_PI are macros
 }
 
 TEST(UrdfNames, ThatWouldCollideStillMakeAValidScene) {
@@ -100,30 +104,15 @@ TEST(UrdfData, WithoutEffectIsTold) {
                                 "<safety_controller soft_upper_limit=\"1.5\" k_velocity=\"10\"/>") +
                           joint("axle", "continuous", "arm", "wheel", "<limit lower=\"-1\" upper=\"1\" effort=\"3\"/>")),
       "machine.urdf");
-  const std::vector<std::string> expected{"Stated of joints and without effect:",
+  const std::vector<std::string> expected{"Noted while reading (--strict refuses it):",
+                                          "  attribute drake:acceleration of <limit> is not read: joint hinge",
+                                          "Stated of joints and without effect:",
                                           "  hinge: acceleration 4, jerk 30 of <limit>",
                                           "  hinge: soft_upper_limit 1.5, k_velocity 10 of <safety_controller>",
                                           "  axle: lower -1, upper 1 of <limit>, because the joint is continuous"};
   EXPECT_EQ(robot.scene.content().origin.notes, expected);
   EXPECT_EQ(robot.joints[1].lower, std::nullopt);
   EXPECT_EQ(robot.joints[1].effort, Number(3));
-}
-
-TEST(UrdfOptions, AcceptInertiaThatNoMatterHasAndTellTheLinks) {
-  const std::string text = testing_urdf::robot(
-      "<link name=\"base\"/>" + link("arm") +
-      "<link name=\"tool\"><inertial><mass value=\"1\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" "
-      "izz=\"3\"/></inertial></link>" +
-      joint("hinge", "revolute", "base", "arm", "") + joint("wrist", "revolute", "arm", "tool", ""));
-  EXPECT_THROW(read_urdf_text(text, "machine.urdf"), FileError);
-  UrdfOptions options;
-  options.accept_inertia = true;
-  const Scene scene = read_urdf_text(text, "machine.urdf", options).scene;
-  validate(scene);
-  const std::vector<std::string> expected{
-      "Links whose moments of inertia no matter has, taken as they are (--accept-inertia):", "  tool"};
-  EXPECT_EQ(scene.content().origin.notes, expected);
-  EXPECT_EQ(scene.content().origin.arguments, "machine.urdf --accept-inertia");
 }
 
 TEST(UrdfData, OfFixedJointsMayHoldANullAxis) {
