@@ -12,7 +12,7 @@ namespace {
 
 bool stands_bare(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-         std::string_view("-_./=,+:@%").find(c) != std::string_view::npos;
+         std::string_view("-_./=,+@%").find(c) != std::string_view::npos;
 }
 
 bool all_visible(std::string_view word) {
