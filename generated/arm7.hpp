@@ -505,12 +505,13 @@ struct Mechanism {
 
   static constexpr const char* name = "arm7";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x19fc40c5d6df01e0ULL;
+  static constexpr unsigned long long fingerprint = 0x76f9345f689d87f0ULL;
   static constexpr int coordinate_count = 7;
   static constexpr int velocity_count = 7;
   static constexpr int input_count = 7;
   static constexpr int parameter_count = 0;
   static constexpr int multiplier_count = 0;
+  static constexpr int first_integral_count = 0;
 
   /// Parameters that are set at run time.
   struct Parameters {

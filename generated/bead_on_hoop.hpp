@@ -505,12 +505,13 @@ struct Mechanism {
 
   static constexpr const char* name = "bead_on_hoop";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x0b93b232df853472ULL;
+  static constexpr unsigned long long fingerprint = 0x90389a383a0f03f0ULL;
   static constexpr int coordinate_count = 1;
   static constexpr int velocity_count = 1;
   static constexpr int input_count = 0;
   static constexpr int parameter_count = 1;
   static constexpr int multiplier_count = 0;
+  static constexpr int first_integral_count = 1;
 
   /// Parameters that are set at run time.
   struct Parameters {
@@ -668,7 +669,6 @@ struct Mechanism {
       return members_[i_];
     }
   };
-  static constexpr int first_integral_count = 1;
 
   /// Reactions of joints along released directions.
   struct Reactions {

@@ -508,12 +508,13 @@ struct Mechanism {
 
   static constexpr const char* name = "chaplygin_sleigh";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xa3ed95bc5d42930bULL;
+  static constexpr unsigned long long fingerprint = 0xc8592a28315969e7ULL;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
   static constexpr int parameter_count = 0;
   static constexpr int multiplier_count = 1;
+  static constexpr int first_integral_count = 1;
 
   /// Parameters that are set at run time.
   struct Parameters {
@@ -685,7 +686,6 @@ struct Mechanism {
       return members_[i_];
     }
   };
-  static constexpr int first_integral_count = 1;
 
   /// Constraints and their derivatives, one entry per multiplier.
   struct Constraints {
@@ -839,7 +839,8 @@ struct Mechanism {
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
   /// an unrolled L D L' of M and of the Schur complement A M^-1 A'. Returns singular when a pivot is not
-  /// positive relative to its diagonal entry.
+  /// positive relative to its diagonal entry, or one of the Schur complement is below
+  /// 2^-40 of those of its unit (a change point).
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed&, const State& state, const Inputs&,
       Accelerations& accelerations, Multipliers& multipliers) noexcept {
     const Scalar n0_5 = traits::constant(0.5, 0.5f, "1/2");

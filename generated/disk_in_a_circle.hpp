@@ -15,7 +15,7 @@
 //   mass_matrix               1                3          0             0                  1       0      6      11
 //   bias                      4               15          0             0                  1       0     21      54
 //   inverse_dynamics         20               29          0             0                  2       0     53      93
-//   forward_dynamics         24               62          3             0                  2       0     93     129
+//   forward_dynamics         25               64          3             0                  2       0     96     132
 //   energy                   14               28          0             0                  3       0     48      58
 //   constraints              16               30          0             0                  2       0     50      50
 //
@@ -505,12 +505,13 @@ struct Mechanism {
 
   static constexpr const char* name = "disk_in_a_circle";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x15e884931ca667b3ULL;
+  static constexpr unsigned long long fingerprint = 0x4c3b82372e365effULL;
   static constexpr int coordinate_count = 6;
   static constexpr int velocity_count = 6;
   static constexpr int input_count = 0;
   static constexpr int parameter_count = 1;
   static constexpr int multiplier_count = 3;
+  static constexpr int first_integral_count = 0;
 
   /// Parameters that are set at run time.
   struct Parameters {
@@ -989,12 +990,15 @@ struct Mechanism {
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
   /// an unrolled L D L' of M and of the Schur complement A M^-1 A'. Returns singular when a pivot is not
-  /// positive relative to its diagonal entry.
+  /// positive relative to its diagonal entry, or one of the Schur complement is below
+  /// 2^-40 of those of its unit (a change point).
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
       const Inputs&, Accelerations& accelerations, Multipliers& multipliers) noexcept {
     const Scalar n2 = traits::constant(2.0, 2.0f, "2/1");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n1_over_3 = traits::constant(0.3333333333333333, 0.33333334f, "1/3");
+    const Scalar n3 = traits::constant(3.0, 3.0f, "3/1");
+    const Scalar n4096 = traits::constant(4096.0, 4096.0f, "4096/1");
     const Scalar n9_81 = traits::constant(9.81, 9.81f, "981/100");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar v_x = state.v.x;
@@ -1019,13 +1023,14 @@ struct Mechanism {
     const Scalar z133 = c_theta * p_rho;
     const Scalar z32 = v_psi * c_theta;
     const Scalar z31 = v_psi * s_theta;
-    const Scalar z69 = c_theta * z67;
-    const Scalar z62 = c_theta * z26;
     const Scalar z147 = v_psi * c_psi;
     const Scalar z141 = v_theta * s_theta;
     const Scalar z146 = v_psi * s_psi;
     const Scalar z138 = v_theta * c_theta;
+    const Scalar z158 = s_theta * s_theta * z25;
+    const Scalar z62 = c_theta * z26;
     const Scalar z176 = v_psi * (v_x * s_psi - v_y * c_psi);
+    const Scalar z69 = c_theta * z67;
     const Scalar z43 = v_phi + z32;
     const Scalar z70 = c_theta * z69 - z25;
     const Scalar z88 = v_theta * z32;  // angular acceleration of disk.2, y
@@ -1043,46 +1048,47 @@ struct Mechanism {
     const Scalar z98 = n2 * z88;
     const Scalar z143 = p_rho * z142;
     const Scalar z152 = v_x * z147 + v_y * z146 - v_theta * z139;
+    const Scalar z160 = n1 / z158;
     const Scalar z164 = n1 + z133 * z161;
     const Scalar z165 = z49 * z161;
     const Scalar z166 = n1 + z49 * z163;
-    const Scalar z158 = z62 * z157 + z70;
     const Scalar z94 = z26 * z92;  // moment on disk, x
     const Scalar z95 = z26 * z93;  // moment on disk, y
     const Scalar z162 = z144 * z156;
     const Scalar z167 = n1 / z166;
     const Scalar z180 = n1_over_3 * z176;
-    const Scalar z160 = n1 / z158;
+    const Scalar z182 = n3 + z164 + z166;
     const Scalar z99 = z25 * z97 - z94;  // moment on disk.2, x
     const Scalar z100 = z25 * z98 - z95;  // moment on disk.2, y
     const Scalar z171 = s_theta * z100;
     const Scalar z173 = z99 * z159;
+    const Scalar z183 = n4096 * z182;
+    const Scalar z172 = z160 * z171;
     const Scalar z175 = n9_81 - z143 + z133 * z173;
     const Scalar z177 = z49 * z173 - z152;
+    const Scalar z174 = z96 * z156 + z157 * z172;
     const Scalar z168 = z165 * z167;
-    const Scalar z172 = z160 * z171;
     const Scalar z169 = z164 - z165 * z168;
     const Scalar z178 = z168 * z177 - z175;
-    const Scalar z174 = z96 * z156 - z157 * z172;
+    const Scalar z188 = z162 * z180 + z174;
     const Scalar z170 = n1 / z169;
-    const Scalar z186 = z162 * z180 + z174;
     const Scalar z179 = z170 * z178;
     const Scalar z181 = z167 * z177 + z168 * z179;
-    const Scalar z184 = n9_81 + z179;
-    const Scalar z182 = c_psi * z180 + s_psi * z181;
-    const Scalar z183 = s_psi * z180 - c_psi * z181;
-    const Scalar z185 = z173 + z161 * z179 - z163 * z181;
-    accelerations.x = z182;
-    accelerations.y = z183;
-    accelerations.z = -z184;
-    accelerations.psi = z172;
-    accelerations.theta = z185;
-    accelerations.phi = z186;
+    const Scalar z186 = n9_81 + z179;
+    const Scalar z184 = c_psi * z180 + s_psi * z181;
+    const Scalar z185 = s_psi * z180 - c_psi * z181;
+    const Scalar z187 = z173 + z161 * z179 - z163 * z181;
+    accelerations.x = z184;
+    accelerations.y = z185;
+    accelerations.z = -z186;
+    accelerations.psi = -z172;
+    accelerations.theta = z187;
+    accelerations.phi = z188;
     multipliers.N = -z179;
     multipliers.X = z180;
     multipliers.Y = -z181;
-    if (!(traits::regular(-z158, -z70) && traits::regular(z25, z25) && traits::regular(z26, z26)
-        && traits::regular(z169, z164) && traits::regular(z166, z166))) return torsor::Status::singular;
+    if (!(traits::regular(z158, -z70) && traits::regular(z25, z25) && traits::regular(z26, z26) && traits::regular(z169,
+        z183) && traits::regular(z166, z183))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.x * accelerations.y * accelerations.z * accelerations.psi
         * accelerations.theta * accelerations.phi * multipliers.N * multipliers.X * multipliers.Y;
@@ -1114,18 +1120,18 @@ struct Mechanism {
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
     const Scalar s_phi = sines_[2], c_phi = cosines_[2];
-    const Scalar z188 = v_x * s_psi - v_y * c_psi;
-    const Scalar z187 = v_x * c_psi + v_y * s_psi;
+    const Scalar z190 = v_x * s_psi - v_y * c_psi;
+    const Scalar z189 = v_x * c_psi + v_y * s_psi;
     const Scalar z31 = v_psi * s_theta;
     const Scalar z32 = v_psi * c_theta;
     const Scalar z41 = v_theta * c_phi + s_phi * z31;
     const Scalar z42 = v_theta * s_phi - c_phi * z31;
     const Scalar z43 = v_phi + z32;
-    const Scalar z189 = v_z * s_theta - c_theta * z188;
-    const Scalar z190 = v_z * c_theta + s_theta * z188;
-    const Scalar z191 = c_phi * z187 + s_phi * z189;
-    const Scalar z192 = s_phi * z187 - c_phi * z189;
-    result.kinetic = n0_5 * (z26 * z43 * z43 + z190 * z190 + z25 * (z41 * z41 + z42 * z42) + z191 * z191 + z192 * z192);
+    const Scalar z191 = v_z * s_theta - c_theta * z190;
+    const Scalar z192 = v_z * c_theta + s_theta * z190;
+    const Scalar z193 = c_phi * z189 + s_phi * z191;
+    const Scalar z194 = s_phi * z189 - c_phi * z191;
+    result.kinetic = n0_5 * (z26 * z43 * z43 + z192 * z192 + z25 * (z41 * z41 + z42 * z42) + z193 * z193 + z194 * z194);
     result.force_function = -n9_81 * q_z;
     result.power = n0;
   }

@@ -631,12 +631,13 @@ struct Mechanism {
 
   static constexpr const char* name = "double_pendulum";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x55b37c07568e4decULL;
+  static constexpr unsigned long long fingerprint = 0xcfe4736e045b32f4ULL;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
   static constexpr int parameter_count = 0;
   static constexpr int multiplier_count = 0;
+  static constexpr int first_integral_count = 1;
 
   /// Parameters that are set at run time.
   struct Parameters {
@@ -794,7 +795,6 @@ struct Mechanism {
       return members_[i_];
     }
   };
-  static constexpr int first_integral_count = 1;
 
   /// Matrices of the linearised equations, stored column by column.
   struct Linearisation {

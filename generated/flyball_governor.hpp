@@ -507,12 +507,13 @@ struct Mechanism {
 
   static constexpr const char* name = "flyball_governor";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x269e15185ab54df3ULL;
+  static constexpr unsigned long long fingerprint = 0xec72f646c207d023ULL;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 4;
   static constexpr int input_count = 0;
   static constexpr int parameter_count = 0;
   static constexpr int multiplier_count = 0;
+  static constexpr int first_integral_count = 1;
 
   /// Parameters that are set at run time.
   struct Parameters {
@@ -716,7 +717,6 @@ struct Mechanism {
       return members_[i_];
     }
   };
-  static constexpr int first_integral_count = 1;
 
   /// Matrices of the linearised equations, stored column by column.
   struct Linearisation {

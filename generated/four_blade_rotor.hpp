@@ -509,12 +509,13 @@ struct Mechanism {
 
   static constexpr const char* name = "four_blade_rotor";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x251b632b989b24f8ULL;
+  static constexpr unsigned long long fingerprint = 0x7d2c12a163ba1a17ULL;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
   static constexpr int parameter_count = 1;
   static constexpr int multiplier_count = 0;
+  static constexpr int first_integral_count = 2;
   /// Indices in q of the first components (w) of the unit quaternions (w, x, y, z).
   static constexpr int quaternion_count = 1;
   static constexpr int quaternions[] = {0};
@@ -748,7 +749,6 @@ struct Mechanism {
       return members_[i_];
     }
   };
-  static constexpr int first_integral_count = 2;
 
   /// Matrices of the linearised equations, stored column by column.
   struct Linearisation {
@@ -1097,7 +1097,7 @@ struct Mechanism {
   }
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
-  /// an unrolled L D L' of M. Returns singular when a pivot is not
+  /// the articulated-body recursion. Returns singular when a pivot is not
   /// positive relative to its diagonal entry.
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
       const Inputs&, Accelerations& accelerations, Multipliers&) noexcept {
@@ -1154,8 +1154,8 @@ struct Mechanism {
     accelerations.e_omega_x = z441;
     accelerations.e_omega_y = z440;
     accelerations.e_omega_z = n0;
-    if (!(traits::regular(z237, z237) && traits::regular(-z238, -z238) && traits::regular(-z239,
-        -z239))) return torsor::Status::singular;
+    if (!(traits::regular(-z239, -z239) && traits::regular(-z238, -z238) && traits::regular(z237,
+        z237))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.e_omega_x * accelerations.e_omega_y;
     if (!traits::regular(n1, zero)) return torsor::Status::not_finite;

@@ -10,12 +10,12 @@
 // costs, one multiplication for each result and for each pivot tested); before: without inertia moved across
 // joints, products that sums share, factoring, and what is done once for a set of parameters:
 //   function          additions  multiplications  divisions  square roots  sine-cosine pairs  others  total  before
-//   precompute               16               30          5             0                  0       0     51       -
+//   precompute               17               31          5             0                  0       0     53       -
 //   kinematics               25               50          0             0                  3       0     81      85
 //   mass_matrix               0                0          0             0                  0       0      0       0
 //   bias                      1                4          0             0                  1       0      7      50
 //   inverse_dynamics          9               14          0             0                  1       0     25      80
-//   forward_dynamics         12               20          0             0                  1       0     34     105
+//   forward_dynamics         12               20          0             0                  1       0     34     107
 //   energy                   13               29          0             0                  2       0     46      50
 //   constraints               3                4          0             0                  0       0      7      20
 //   linearisation            27               35          0             0                  1       0     64     157
@@ -512,12 +512,13 @@ struct Mechanism {
 
   static constexpr const char* name = "graham_variator";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x3b8aba8b48c6f8d7ULL;
+  static constexpr unsigned long long fingerprint = 0xd91386ba7cd41834ULL;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 2;
   static constexpr int parameter_count = 1;
   static constexpr int multiplier_count = 4;
+  static constexpr int first_integral_count = 0;
   /// Multipliers that are taken as zero: their constraints repeat others.
   static constexpr int redundant_count = 2;
   static constexpr int redundant_multipliers[] = {0, 2};
@@ -651,21 +652,21 @@ struct Mechanism {
     Scalar z106;
     Scalar z116;
     Scalar z117;
-    Scalar z118;
     Scalar z120;
     Scalar z121;
     Scalar z122;
-    Scalar z231;
-    Scalar z232;
+    Scalar z132;
     Scalar z233;
+    Scalar z234;
     Scalar z235;
     Scalar z237;
-    Scalar z238;
-    Scalar z243;
-    Scalar z244;
+    Scalar z239;
+    Scalar z240;
     Scalar z245;
-    Scalar z251;
+    Scalar z246;
+    Scalar z247;
     Scalar z253;
+    Scalar z255;
   };
 
   /// Values of the scene.
@@ -694,17 +695,20 @@ struct Mechanism {
     const Scalar k8 = traits::constant(0.4080831129300902, 0.4080831f,
         "81606996074311354948800/187435544049510497429929;-4833141400108286640000/187435544049510497429929;-670503431205999804000/187435544049510497429929;1175234291156953584000/187435544049510497429929");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
+    const Scalar k10 = traits::constant(2.4504812091337693, 2.4504812f,
+        "554831044729/239573578800;217036829/1597157192;1090130053/95829431520;-252043749/7985785960");
+    const Scalar n4096 = traits::constant(4096.0, 4096.0f, "4096/1");
     const Scalar n0_02 = traits::constant(0.02, 0.02f, "1/50");
-    const Scalar k11 = traits::constant(57.244853140274905, 57.244854f,
+    const Scalar k13 = traits::constant(57.244853140274905, 57.244854f,
         "2729353520000/52676627161;-342376000000/52676627161;-189457160000/158029881483;359131200000/52676627161");
     const Scalar n0_0003 = traits::constant(3e-04, 3e-04f, "3/10000");
-    const Scalar k13 = traits::constant(0.11155394517270574, 0.111553945f, "1/10;1/80;0;-1/400");
-    const Scalar k14 = traits::constant(8.96427283187357, 8.9642725f,
+    const Scalar k15 = traits::constant(0.11155394517270574, 0.111553945f, "1/10;1/80;0;-1/400");
+    const Scalar k16 = traits::constant(8.96427283187357, 8.9642725f,
         "1544000/148921;-194500/148921;-20000/148921;41100/148921");
-    const Scalar k15 = traits::constant(0.017468819381011653, 0.01746882f, "447/20000;3/1000;-41/40000;-3/1000");
-    const Scalar k16 = traits::constant(2.897777478867205e-05, 2.8977774e-05f, "0;3/400000;0;3/400000");
-    const Scalar k17 = traits::constant(0.0002897777478867205, 0.00028977776f, "0;3/40000;0;3/40000");
-    const Scalar k18 = traits::constant(3e-05, 3e-05f, "3/100000");
+    const Scalar k17 = traits::constant(0.017468819381011653, 0.01746882f, "447/20000;3/1000;-41/40000;-3/1000");
+    const Scalar k18 = traits::constant(2.897777478867205e-05, 2.8977774e-05f, "0;3/400000;0;3/400000");
+    const Scalar k19 = traits::constant(0.0002897777478867205, 0.00028977776f, "0;3/40000;0;3/40000");
+    const Scalar k20 = traits::constant(3e-05, 3e-05f, "3/100000");
     const Scalar p_d = parameters.d;
     const Scalar z49 = k0 * p_d;
     const Scalar z50 = k1 * p_d + k2 * z49;
@@ -720,41 +724,43 @@ struct Mechanism {
     const Scalar z120 = k8 * z119;
     const Scalar z121 = z118 - z119 * z120;
     const Scalar z122 = n1 / z121;
-    const Scalar z231 = n1 / z106;
-    const Scalar z232 = n0_02 * z231;
-    const Scalar z233 = z106 * z106;
-    const Scalar z234 = k11 * z104 * z104 + k5 * z106 * z106;
-    const Scalar z235 = n0_0003 * z234;
-    const Scalar z236 = k13 - z104 * z232;
-    const Scalar z237 = k14 * z236;
-    const Scalar z238 = z104 * z231;
-    const Scalar z242 = k15 - k16 / z106;
-    const Scalar z243 = k17 - k18 / z106;
-    const Scalar z244 = n0_02 * z237;
-    const Scalar z245 = z242 + z237 * z244 - z238 * z243;
-    const Scalar z251 = n1 / z245;
-    const Scalar z253 = z237 * z251;
+    const Scalar z131 = k10 + z118;
+    const Scalar z132 = n4096 * z131;
+    const Scalar z233 = n1 / z106;
+    const Scalar z234 = n0_02 * z233;
+    const Scalar z235 = z106 * z106;
+    const Scalar z236 = k13 * z104 * z104 + k5 * z106 * z106;
+    const Scalar z237 = n0_0003 * z236;
+    const Scalar z238 = k15 - z104 * z234;
+    const Scalar z239 = k16 * z238;
+    const Scalar z240 = z104 * z233;
+    const Scalar z244 = k17 - k18 / z106;
+    const Scalar z245 = k19 - k20 / z106;
+    const Scalar z246 = n0_02 * z239;
+    const Scalar z247 = z244 + z239 * z246 - z240 * z245;
+    const Scalar z253 = n1 / z247;
+    const Scalar z255 = z239 * z253;
     precomputed.z49 = z49;
     precomputed.z50 = z50;
     precomputed.z104 = z104;
     precomputed.z106 = z106;
     precomputed.z116 = z116;
     precomputed.z117 = z117;
-    precomputed.z118 = z118;
     precomputed.z120 = z120;
     precomputed.z121 = z121;
     precomputed.z122 = z122;
-    precomputed.z231 = z231;
-    precomputed.z232 = z232;
+    precomputed.z132 = z132;
     precomputed.z233 = z233;
+    precomputed.z234 = z234;
     precomputed.z235 = z235;
     precomputed.z237 = z237;
-    precomputed.z238 = z238;
-    precomputed.z243 = z243;
-    precomputed.z244 = z244;
+    precomputed.z239 = z239;
+    precomputed.z240 = z240;
     precomputed.z245 = z245;
-    precomputed.z251 = z251;
+    precomputed.z246 = z246;
+    precomputed.z247 = z247;
     precomputed.z253 = z253;
+    precomputed.z255 = z255;
     return precomputed;
   }
 
@@ -1079,7 +1085,8 @@ struct Mechanism {
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
   /// an unrolled L D L' of M and of the Schur complement A M^-1 A'. Returns singular when a pivot is not
-  /// positive relative to its diagonal entry.
+  /// positive relative to its diagonal entry, or one of the Schur complement is below
+  /// 2^-40 of those of its unit (a change point).
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
       const Inputs& inputs, Accelerations& accelerations, Multipliers& multipliers) noexcept {
     const Scalar n98_1 = traits::constant(98.1, 98.1f, "981/10");
@@ -1106,10 +1113,10 @@ struct Mechanism {
     const Scalar z106 = precomputed.z106;
     const Scalar z116 = precomputed.z116;
     const Scalar z117 = precomputed.z117;
-    const Scalar z118 = precomputed.z118;
     const Scalar z120 = precomputed.z120;
     const Scalar z121 = precomputed.z121;
     const Scalar z122 = precomputed.z122;
+    const Scalar z132 = precomputed.z132;
     Scalar s_alpha, c_alpha;
     traits::sincos(q_alpha, s_alpha, c_alpha);
     const Scalar z68 = n98_1 * s_alpha;
@@ -1125,17 +1132,17 @@ struct Mechanism {
     const Scalar z128 = z120 * z127 - z126;
     const Scalar z129 = z122 * z128;
     const Scalar z130 = k9 * z127 + z120 * z129;
-    const Scalar z131 = z116 * z129 + z123 - k5 * z130;
-    const Scalar z132 = z117 * z129 - z124 - k10 * z130;
-    const Scalar z133 = z125 + k6 * z130;
-    accelerations.alpha = z131;
-    accelerations.beta = z132;
-    accelerations.gamma = z133;
+    const Scalar z133 = z116 * z129 + z123 - k5 * z130;
+    const Scalar z134 = z117 * z129 - z124 - k10 * z130;
+    const Scalar z135 = z125 + k6 * z130;
+    accelerations.alpha = z133;
+    accelerations.beta = z134;
+    accelerations.gamma = z135;
     multipliers.lambda_rolling_A_x = n0;
     multipliers.T_A = z129;
     multipliers.lambda_rolling_E_x = n0;
     multipliers.T_E = -z130;
-    if (!(traits::regular(z121, z118))) return torsor::Status::singular;
+    if (!(traits::regular(z121, z132))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.alpha * accelerations.beta * accelerations.gamma * multipliers.T_A
         * multipliers.T_E;
@@ -1173,19 +1180,19 @@ struct Mechanism {
     const Scalar z22 = n0_1 * v_alpha;
     const Scalar z23 = k2 * v_alpha;
     const Scalar z20 = n0_1 * c_alpha;
-    const Scalar z140 = k3 * c_alpha;
+    const Scalar z142 = k3 * c_alpha;
     const Scalar z33 = c_beta * z24;
     const Scalar z34 = s_beta * z24;
-    const Scalar z134 = s_beta * z22;
-    const Scalar z135 = c_beta * z22;
+    const Scalar z136 = s_beta * z22;
+    const Scalar z137 = c_beta * z22;
     const Scalar z35 = v_beta + z23;
-    const Scalar z136 = n0_06 * z34 - z134;
-    const Scalar z137 = n0_06 * z33 - z135;
-    const Scalar z138 = n0_0044 * z33 - n0_06 * z135;
-    const Scalar z139 = n0_0044 * z34 - n0_06 * z134;
-    result.kinetic = n0_005 * v_alpha * v_alpha + n0_01 * v_gamma * v_gamma + k8 * z35 * z35 + n0_5 * (z33 * z138 + z34
-        * z139 - z134 * z136 - z135 * z137);
-    result.force_function = -n9_81 * (z20 - z140);
+    const Scalar z138 = n0_06 * z34 - z136;
+    const Scalar z139 = n0_06 * z33 - z137;
+    const Scalar z140 = n0_0044 * z33 - n0_06 * z137;
+    const Scalar z141 = n0_0044 * z34 - n0_06 * z136;
+    result.kinetic = n0_005 * v_alpha * v_alpha + n0_01 * v_gamma * v_gamma + k8 * z35 * z35 + n0_5 * (z33 * z140 + z34
+        * z141 - z136 * z138 - z137 * z139);
+    result.force_function = -n9_81 * (z20 - z142);
     result.power = v_alpha * u_C1 + v_gamma * u_C3;
   }
 
@@ -1260,41 +1267,41 @@ struct Mechanism {
     const Scalar l_T_E = multipliers.T_E;
     const Scalar z104 = precomputed.z104;
     const Scalar z106 = precomputed.z106;
-    const Scalar z231 = precomputed.z231;
-    const Scalar z232 = precomputed.z232;
     const Scalar z233 = precomputed.z233;
+    const Scalar z234 = precomputed.z234;
     const Scalar z235 = precomputed.z235;
     const Scalar z237 = precomputed.z237;
-    const Scalar z238 = precomputed.z238;
-    const Scalar z243 = precomputed.z243;
-    const Scalar z244 = precomputed.z244;
+    const Scalar z239 = precomputed.z239;
+    const Scalar z240 = precomputed.z240;
     const Scalar z245 = precomputed.z245;
-    const Scalar z251 = precomputed.z251;
+    const Scalar z246 = precomputed.z246;
+    const Scalar z247 = precomputed.z247;
     const Scalar z253 = precomputed.z253;
+    const Scalar z255 = precomputed.z255;
     Scalar s_alpha, c_alpha;
     traits::sincos(q_alpha, s_alpha, c_alpha);
     const Scalar z68 = n98_1 * s_alpha;
     const Scalar z102 = k1 * a_alpha + n0_0003 * a_beta;
     const Scalar z93 = n0_02 * a_gamma;  // moment on S3, x
-    const Scalar z229 = a_alpha * z104 + a_beta * z106;
-    const Scalar z230 = n0_02 * a_beta + k4 * (a_alpha - a_gamma);
-    const Scalar z247 = u_C3 - k4 * l_T_E - z93;
+    const Scalar z231 = a_alpha * z104 + a_beta * z106;
+    const Scalar z232 = n0_02 * a_beta + k4 * (a_alpha - a_gamma);
+    const Scalar z249 = u_C3 - k4 * l_T_E - z93;
     const Scalar z67 = n98_1 * c_alpha;
-    const Scalar z239 = z229 * z232 - z230;
-    const Scalar z241 = z229 * z231;
-    const Scalar z246 = z102 - z106 * l_T_A - n0_02 * l_T_E;
-    const Scalar z240 = k5 * z239;
-    const Scalar z249 = z241 * z243 + z240 * z244;
+    const Scalar z241 = z231 * z234 - z232;
+    const Scalar z243 = z231 * z233;
+    const Scalar z248 = z102 - z106 * l_T_A - n0_02 * l_T_E;
+    const Scalar z242 = k5 * z241;
+    const Scalar z251 = z243 * z245 + z242 * z246;
     const Scalar z80 = n0_006 * z68;  // moment on inclined, y
-    const Scalar z158 = n0_006 * z67;
+    const Scalar z160 = n0_006 * z67;
     const Scalar z84 = k7 * z80;
-    const Scalar z159 = k7 * z158;
+    const Scalar z161 = k7 * z160;
     const Scalar z87 = n0_01 * z68 - z84;  // moment on S1, x
-    const Scalar z160 = n0_01 * z67 - z159;
+    const Scalar z162 = n0_01 * z67 - z161;
     const Scalar z101 = k9 * a_alpha - z87 + k1 * a_beta;
-    const Scalar z252 = z160 * z251;
-    const Scalar z248 = u_C1 + z104 * l_T_A + k4 * l_T_E + z237 * z247 + z238 * z246 - z101;
-    const Scalar z250 = z248 + z249;
+    const Scalar z254 = z162 * z253;
+    const Scalar z250 = u_C1 + z104 * l_T_A + k4 * l_T_E + z239 * z249 + z240 * z248 - z101;
+    const Scalar z252 = z250 + z251;
     result.M[0] = k9;
     result.M[1] = k1;
     result.M[2] = n0;
@@ -1313,7 +1320,7 @@ struct Mechanism {
     result.C[6] = n0;
     result.C[7] = n0;
     result.C[8] = n0;
-    result.K[0] = -z160;
+    result.K[0] = -z162;
     result.K[1] = n0;
     result.K[2] = n0;
     result.K[3] = n0;
@@ -1331,18 +1338,18 @@ struct Mechanism {
     result.E[3] = n0;
     result.E[4] = n0;
     result.E[5] = n1;
-    result.M_r[0] = z245;
+    result.M_r[0] = z247;
     result.C_r[0] = n0;
-    result.K_r[0] = -z160;
+    result.K_r[0] = -z162;
     result.K_r[1] = n0;
     result.K_r[2] = n0;
-    result.F_r[0] = z250;
+    result.F_r[0] = z252;
     result.E_r[0] = n1;
-    result.E_r[1] = z237;
+    result.E_r[1] = z239;
     result.A[0] = n0;
     result.A[1] = n0;
     result.A[2] = n0;
-    result.A[3] = z252;
+    result.A[3] = z254;
     result.A[4] = n0;
     result.A[5] = n0;
     result.A[6] = n0;
@@ -1352,18 +1359,18 @@ struct Mechanism {
     result.A[10] = n0;
     result.A[11] = n0;
     result.A[12] = n1;
-    result.A[13] = -z238;
-    result.A[14] = z237;
+    result.A[13] = -z240;
+    result.A[14] = z239;
     result.A[15] = n0;
     result.B[0] = n0;
     result.B[1] = n0;
     result.B[2] = n0;
-    result.B[3] = z251;
+    result.B[3] = z253;
     result.B[4] = n0;
     result.B[5] = n0;
     result.B[6] = n0;
-    result.B[7] = z253;
-    if (!(traits::regular(z233, z235) && traits::regular(z245, z245))) return torsor::Status::singular;
+    result.B[7] = z255;
+    if (!(traits::regular(z235, z237) && traits::regular(z247, z247))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * result.K[0] * result.F[0] * result.F[1] * result.F[2] * result.M_r[0] * result.K_r[0]
         * result.F_r[0] * result.E_r[1] * result.A[3] * result.A[13] * result.A[14] * result.B[3] * result.B[7];

@@ -508,12 +508,13 @@ struct Mechanism {
 
   static constexpr const char* name = "helicopter_on_a_circle";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x530952310297715fULL;
+  static constexpr unsigned long long fingerprint = 0x9a9b626eb3473d8dULL;
   static constexpr int coordinate_count = 1;
   static constexpr int velocity_count = 1;
   static constexpr int input_count = 1;
   static constexpr int parameter_count = 3;
   static constexpr int multiplier_count = 0;
+  static constexpr int first_integral_count = 0;
 
   /// Parameters that are set at run time.
   struct Parameters {

@@ -503,12 +503,13 @@ struct Mechanism {
 
   static constexpr const char* name = "helicopter_on_a_circle_pitching_blades";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x7e1358ac32e7ea2cULL;
+  static constexpr unsigned long long fingerprint = 0xeaec143920cfa1f4ULL;
   static constexpr int coordinate_count = 5;
   static constexpr int velocity_count = 5;
   static constexpr int input_count = 1;
   static constexpr int parameter_count = 6;
   static constexpr int multiplier_count = 0;
+  static constexpr int first_integral_count = 0;
 
   /// Parameters that are set at run time.
   struct Parameters {

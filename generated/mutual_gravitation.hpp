@@ -508,12 +508,13 @@ struct Mechanism {
 
   static constexpr const char* name = "mutual_gravitation";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xb65280903771a303ULL;
+  static constexpr unsigned long long fingerprint = 0xb05e6def0f05809dULL;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 4;
   static constexpr int input_count = 0;
   static constexpr int parameter_count = 0;
   static constexpr int multiplier_count = 0;
+  static constexpr int first_integral_count = 4;
 
   /// Parameters that are set at run time.
   struct Parameters {
@@ -698,7 +699,6 @@ struct Mechanism {
       return members_[i_];
     }
   };
-  static constexpr int first_integral_count = 4;
 
   /// Matrices of the linearised equations, stored column by column.
   struct Linearisation {

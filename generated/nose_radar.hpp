@@ -506,12 +506,13 @@ struct Mechanism {
 
   static constexpr const char* name = "nose_radar";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x5ee0363580035cadULL;
+  static constexpr unsigned long long fingerprint = 0x3c0f8bf015e9c5adULL;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 3;
   static constexpr int parameter_count = 0;
   static constexpr int multiplier_count = 0;
+  static constexpr int first_integral_count = 0;
 
   /// Parameters that are set at run time.
   struct Parameters {

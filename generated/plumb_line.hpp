@@ -507,12 +507,13 @@ struct Mechanism {
 
   static constexpr const char* name = "plumb_line";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x74f822352dff4e5bULL;
+  static constexpr unsigned long long fingerprint = 0xa293723d5d273497ULL;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
   static constexpr int parameter_count = 2;
   static constexpr int multiplier_count = 0;
+  static constexpr int first_integral_count = 1;
 
   /// Parameters that are set at run time.
   struct Parameters {
@@ -723,7 +724,6 @@ struct Mechanism {
       return members_[i_];
     }
   };
-  static constexpr int first_integral_count = 1;
 
   /// Reactions of joints along released directions.
   struct Reactions {

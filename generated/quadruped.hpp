@@ -26,7 +26,7 @@
 //   1.5707963267948966 is pi/2: link front_left_thigh_link (rpy), link front_right_thigh_link (rpy), link rear_left_thigh_link (rpy), link rear_right_thigh_link (rpy)
 //
 // To write this file again:
-//   torsor generate quadruped.urdf --base floating --points front_left_foot,front_right_foot,rear_left_foot,rear_right_foot --initial "trunk_z=0.8,trunk_x'=0.5,trunk_attitude_omega_x=0.3,trunk_attitude_omega_y=-0.5,front_left_thigh=0.7,front_left_knee=-1.4,front_right_thigh=0.7,front_right_knee=-1.4,rear_left_thigh=0.7,rear_left_knee=-1.4,rear_right_thigh=0.7,rear_right_knee=-1.4" --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,constraints --output quadruped.hpp
+//   torsor generate quadruped.urdf --base floating --points front_left_foot,front_right_foot,rear_left_foot,rear_right_foot --initial 'trunk_z=0.8,trunk_x'\''=0.5,trunk_attitude_omega_x=0.3,trunk_attitude_omega_y=-0.5,front_left_thigh=0.7,front_left_knee=-1.4,front_right_thigh=0.7,front_right_knee=-1.4,rear_left_thigh=0.7,rear_left_knee=-1.4,rear_right_thigh=0.7,rear_right_knee=-1.4' --kernels kinematics,mass_matrix,bias,inverse_dynamics,forward_dynamics,energy,constraints --output quadruped.hpp
 #pragma once
 
 #include <array>
@@ -504,12 +504,13 @@ struct Mechanism {
 
   static constexpr const char* name = "quadruped";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x5a310934c1e5827cULL;
+  static constexpr unsigned long long fingerprint = 0xa45fc8803421c5b2ULL;
   static constexpr int coordinate_count = 19;
   static constexpr int velocity_count = 18;
   static constexpr int input_count = 12;
   static constexpr int parameter_count = 0;
   static constexpr int multiplier_count = 0;
+  static constexpr int first_integral_count = 0;
   /// Indices in q of the first components (w) of the unit quaternions (w, x, y, z).
   static constexpr int quaternion_count = 1;
   static constexpr int quaternions[] = {3};

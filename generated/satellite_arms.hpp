@@ -505,12 +505,13 @@ struct Mechanism {
 
   static constexpr const char* name = "satellite_arms";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xb5ea4100d3f5fb71ULL;
+  static constexpr unsigned long long fingerprint = 0x637e3295cbae8e77ULL;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 2;
   static constexpr int parameter_count = 0;
   static constexpr int multiplier_count = 0;
+  static constexpr int first_integral_count = 1;
 
   /// Parameters that are set at run time.
   struct Parameters {
@@ -699,7 +700,6 @@ struct Mechanism {
       return members_[i_];
     }
   };
-  static constexpr int first_integral_count = 1;
 
   /// Matrices of the linearised equations, stored column by column.
   struct Linearisation {

@@ -506,12 +506,13 @@ struct Mechanism {
 
   static constexpr const char* name = "segment_in_sphere";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xe368442b8a30cb32ULL;
+  static constexpr unsigned long long fingerprint = 0x87b4ff2e8c9c4d0eULL;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
   static constexpr int parameter_count = 0;
   static constexpr int multiplier_count = 0;
+  static constexpr int first_integral_count = 2;
 
   /// Parameters that are set at run time.
   struct Parameters {
@@ -681,7 +682,6 @@ struct Mechanism {
       return members_[i_];
     }
   };
-  static constexpr int first_integral_count = 2;
 
   /// Matrices of the linearised equations, stored column by column.
   struct Linearisation {

@@ -504,12 +504,13 @@ struct Mechanism {
 
   static constexpr const char* name = "shaker_damped";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x0f747b0c6bb13995ULL;
+  static constexpr unsigned long long fingerprint = 0xf8771337f54ba647ULL;
   static constexpr int coordinate_count = 1;
   static constexpr int velocity_count = 1;
   static constexpr int input_count = 0;
   static constexpr int parameter_count = 2;
   static constexpr int multiplier_count = 0;
+  static constexpr int first_integral_count = 0;
 
   /// Parameters that are set at run time.
   struct Parameters {

@@ -506,12 +506,13 @@ struct Mechanism {
 
   static constexpr const char* name = "sprung_absorber";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x0fb2e57ae52cd007ULL;
+  static constexpr unsigned long long fingerprint = 0xf874f9fed0249699ULL;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
   static constexpr int parameter_count = 4;
   static constexpr int multiplier_count = 0;
+  static constexpr int first_integral_count = 0;
 
   /// Parameters that are set at run time.
   struct Parameters {

@@ -622,12 +622,13 @@ struct Mechanism {
 
   static constexpr const char* name = "torque_free_body";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xab776a116f45d1f1ULL;
+  static constexpr unsigned long long fingerprint = 0xb6ac23e620aac041ULL;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
   static constexpr int parameter_count = 3;
   static constexpr int multiplier_count = 0;
+  static constexpr int first_integral_count = 1;
   /// Indices in q of the first components (w) of the unit quaternions (w, x, y, z).
   static constexpr int quaternion_count = 1;
   static constexpr int quaternions[] = {0};
@@ -840,7 +841,6 @@ struct Mechanism {
       return members_[i_];
     }
   };
-  static constexpr int first_integral_count = 1;
 
   /// Matrices of the linearised equations, stored column by column.
   struct Linearisation {

@@ -15,7 +15,7 @@
 //   mass_matrix               1                9          0             0                  2       0     14      19
 //   bias                     11               30          0             0                  2       0     45      86
 //   inverse_dynamics         33               51          0             0                  2       0     88     129
-//   forward_dynamics        122              211          7             0                  2       0    344     386
+//   forward_dynamics        124              212          7             0                  2       0    347     389
 //   energy                   19               38          0             0                  3       0     63      70
 //   constraints              10               25          0             0                  2       0     39      39
 //
@@ -505,12 +505,13 @@ struct Mechanism {
 
   static constexpr const char* name = "tumbler";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x06b18146da9a011aULL;
+  static constexpr unsigned long long fingerprint = 0x37d636adecff3faaULL;
   static constexpr int coordinate_count = 6;
   static constexpr int velocity_count = 6;
   static constexpr int input_count = 0;
   static constexpr int parameter_count = 1;
   static constexpr int multiplier_count = 3;
+  static constexpr int first_integral_count = 0;
 
   /// Parameters that are set at run time.
   struct Parameters {
@@ -640,7 +641,7 @@ struct Mechanism {
     Scalar z25;
     Scalar z26;
     Scalar z108;
-    Scalar z232;
+    Scalar z233;
   };
 
   /// Values of the scene.
@@ -663,11 +664,11 @@ struct Mechanism {
     const Scalar z25 = n0_0002 + n0_2 * p_a * p_a;
     const Scalar z26 = n0_2 * p_a;
     const Scalar z108 = k2 - z25;
-    const Scalar z232 = n1 / z25;
+    const Scalar z233 = n1 / z25;
     precomputed.z25 = z25;
     precomputed.z26 = z26;
     precomputed.z108 = z108;
-    precomputed.z232 = z232;
+    precomputed.z233 = z233;
     return precomputed;
   }
 
@@ -1079,7 +1080,8 @@ struct Mechanism {
 
   /// Forward dynamics: accelerations a and multipliers lambda from M a + h = E u + A' lambda, A a + gamma = 0, by
   /// an unrolled L D L' of M and of the Schur complement A M^-1 A'. Returns singular when a pivot is not
-  /// positive relative to its diagonal entry.
+  /// positive relative to its diagonal entry, or one of the Schur complement is below
+  /// 2^-40 of those of its unit (a change point).
   TORSOR_DEVICE static torsor::Status forward_dynamics(const Precomputed& precomputed, const State& state,
       const Inputs&, Accelerations& accelerations, Multipliers& multipliers) noexcept {
     const Scalar n0_05 = traits::constant(0.05, 0.05f, "1/20");
@@ -1090,6 +1092,7 @@ struct Mechanism {
     const Scalar n0_2 = traits::constant(0.2, 0.2f, "1/5");
     const Scalar n1 = traits::constant(1.0, 1.0f, "1/1");
     const Scalar n1_962 = traits::constant(1.962, 1.962f, "981/500");
+    const Scalar n4096 = traits::constant(4096.0, 4096.0f, "4096/1");
     const Scalar n0 = traits::constant(0.0, 0.0f, "0/1");
     const Scalar q_z = state.q.z;
     const Scalar q_psi = state.q.psi;
@@ -1100,14 +1103,14 @@ struct Mechanism {
     const Scalar z25 = precomputed.z25;
     const Scalar z26 = precomputed.z26;
     const Scalar z108 = precomputed.z108;
-    const Scalar z232 = precomputed.z232;
+    const Scalar z233 = precomputed.z233;
     const Scalar angles_[] = {q_psi, q_theta};
     Scalar sines_[2], cosines_[2];
     torsor::sines_and_cosines(angles_, sines_, cosines_);
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
     const Scalar z99 = s_theta * z26;
-    const Scalar z231 = s_theta * s_theta * z25;
+    const Scalar z232 = s_theta * s_theta * z25;
     const Scalar z98 = c_theta * z26;
     const Scalar z209 = n0_05 - q_z;
     const Scalar z28 = s_psi * s_theta;
@@ -1141,31 +1144,31 @@ struct Mechanism {
     const Scalar z223 = z210 * z218;
     const Scalar z224 = s_psi * z73 + s_theta * z216;
     const Scalar z230 = k3 * z95;
-    const Scalar z235 = z99 * z232;
+    const Scalar z236 = z99 * z233;
     const Scalar z141 = z31 * z43;
     const Scalar z142 = v_theta * z43;
     const Scalar z145 = k1 * z138;  // moment on tumbler, z
     const Scalar z146 = n2 * z137;
     const Scalar z150 = z148 + z149;
     const Scalar z152 = z26 * z147;  // force on tumbler.2, y
-    const Scalar z233 = z100 * z232;
-    const Scalar z234 = z101 * z232;
-    const Scalar z239 = z100 * z235;
-    const Scalar z240 = z101 * z235;
-    const Scalar z241 = n0_2 - z99 * z235;
-    const Scalar z242 = n1 / z231;
+    const Scalar z234 = z100 * z233;
+    const Scalar z235 = z101 * z233;
+    const Scalar z240 = z100 * z236;
+    const Scalar z241 = z101 * z236;
+    const Scalar z242 = n0_2 - z99 * z236;
+    const Scalar z243 = n1 / z232;
     const Scalar z143 = k1 * z141;  // moment on tumbler, x
     const Scalar z144 = k1 * z142;  // moment on tumbler, y
     const Scalar z151 = z26 * z146;  // force on tumbler.2, x
-    const Scalar z265 = z213 * z230;
-    const Scalar z266 = z211 * z235;
+    const Scalar z266 = z213 * z230;
+    const Scalar z267 = z211 * z236;
     const Scalar z153 = z26 * z150;  // force on tumbler.2, z
-    const Scalar z236 = n0_2 - z100 * z233;
-    const Scalar z237 = z100 * z234;
-    const Scalar z238 = n0_2 - z101 * z234;
+    const Scalar z237 = n0_2 - z100 * z234;
+    const Scalar z238 = z100 * z235;
+    const Scalar z239 = n0_2 - z101 * z235;
     const Scalar z220 = z210 * z219;
     const Scalar z225 = z210 * z224;
-    const Scalar z248 = n1 / z241;
+    const Scalar z249 = n1 / z242;
     const Scalar z154 = z25 * z147 - z143 - z26 * z135;  // moment on tumbler.2, x
     const Scalar z155 = z25 * z146 - z144;  // moment on tumbler.2, y
     const Scalar z156 = c_theta * z152 + s_theta * z153;
@@ -1175,94 +1178,96 @@ struct Mechanism {
     const Scalar z160 = s_psi * z156 - c_psi * z151;
     const Scalar z161 = s_psi * z151 + c_psi * z156;
     const Scalar z164 = n1_962 - z157;  // force on tumbler.z, z
-    const Scalar z275 = z214 * z230;
-    const Scalar z276 = z212 * z235;
-    const Scalar z300 = s_theta * z155;
-    const Scalar z243 = z114 * z242;
-    const Scalar z244 = z115 * z242;
-    const Scalar z301 = z154 * z235 + z164;
-    const Scalar z245 = z114 * z243 - z236;
+    const Scalar z276 = z214 * z230;
+    const Scalar z277 = z212 * z236;
+    const Scalar z301 = s_theta * z155;
+    const Scalar z244 = z114 * z243;
+    const Scalar z245 = z115 * z243;
+    const Scalar z302 = z154 * z236 + z164;
     const Scalar z246 = z114 * z244 - z237;
-    const Scalar z247 = z115 * z244 - z238;
-    const Scalar z249 = z239 * z248;
-    const Scalar z250 = z240 * z248;
-    const Scalar z251 = z239 * z249 + z245;
-    const Scalar z252 = z239 * z250 - z246;
-    const Scalar z253 = z240 * z250 + z247;
-    const Scalar z267 = z211 * z234 - z244 * z265 + z250 * z266;
-    const Scalar z277 = n1 - z212 * z234 - z244 * z275 - z250 * z276;
-    const Scalar z302 = z154 * z234 - z161 + z244 * z300 + z250 * z301;
-    const Scalar z254 = n1 / z253;
-    const Scalar z255 = z252 * z254;
-    const Scalar z256 = z251 - z252 * z255;
-    const Scalar z258 = z249 - z250 * z255;
-    const Scalar z268 = n1 - z211 * z233 - z243 * z265 - z249 * z266 + z255 * z267;
-    const Scalar z278 = z212 * z233 - z243 * z275 + z249 * z276 + z255 * z277;
-    const Scalar z303 = z154 * z233 - z160 - z243 * z300 + z249 * z301 - z255 * z302;
-    const Scalar z257 = n1 / z256;
-    const Scalar z259 = z257 * z258;
-    const Scalar z269 = z257 * z268;
-    const Scalar z279 = z257 * z278;
-    const Scalar z304 = z257 * z303;
-    const Scalar z260 = z250 * z254 - z255 * z259;
-    const Scalar z270 = z254 * z267 + z255 * z269;
-    const Scalar z280 = z254 * z277 + z255 * z279;
-    const Scalar z305 = z254 * z302 - z255 * z304;
-    const Scalar z261 = z248 - z249 * z259 - z250 * z260;
-    const Scalar z262 = z243 * z259 - z244 * z260;
-    const Scalar z271 = z248 * z266 + z249 * z269 - z250 * z270;
-    const Scalar z272 = z242 * z265 + z243 * z269 + z244 * z270;
-    const Scalar z281 = z248 * z276 - z249 * z279 + z250 * z280;
-    const Scalar z282 = z242 * z275 + z243 * z279 + z244 * z280;
-    const Scalar z306 = z248 * z301 - z249 * z304 - z250 * z305;
-    const Scalar z307 = z242 * z300 + z243 * z304 - z244 * z305;
-    const Scalar z263 = z233 * z259 + z234 * z260 - z235 * z261;
-    const Scalar z264 = z230 * z262;
-    const Scalar z283 = z212 * z232 - z233 * z279 + z234 * z280 + z235 * z281;
-    const Scalar z273 = z211 * z232 + z233 * z269 - z234 * z270 + z235 * z271;
-    const Scalar z308 = z154 * z232 - z233 * z304 - z234 * z305 + z235 * z306;
-    const Scalar z309 = k3 * z145 + z230 * z307;
-    const Scalar z310 = z221 + z304 + z211 * z308 - z213 * z309;
-    const Scalar z311 = z305 - z226 + z212 * z308 + z214 * z309;
-    const Scalar z284 = k3 * z214 + z230 * z282;
-    const Scalar z274 = k3 * z213 + z230 * z272;
-    const Scalar z289 = z212 * z283 - z280 + z214 * z284;
-    const Scalar z288 = z270 + z212 * z273 - z214 * z274;
-    const Scalar z287 = z212 * z263 - z260 - z214 * z264;
-    const Scalar z290 = n1 / z289;
-    const Scalar z286 = z211 * z273 - z269 + z213 * z274;
-    const Scalar z285 = z213 * z264 - z259 + z211 * z263;
-    const Scalar z291 = z287 * z290;
-    const Scalar z292 = z288 * z290;
-    const Scalar z293 = z261 - z287 * z291;
-    const Scalar z294 = z285 - z287 * z292;
-    const Scalar z295 = z286 - z288 * z292;
-    const Scalar z312 = z292 * z311 - z310;
-    const Scalar z296 = n1 / z295;
-    const Scalar z297 = z294 * z296;
-    const Scalar z298 = z293 - z294 * z297;
-    const Scalar z313 = z306 + z291 * z311 - z297 * z312;
-    const Scalar z299 = n1 / z298;
-    const Scalar z314 = z299 * z313;
-    const Scalar z315 = z296 * z312 - z297 * z314;
-    const Scalar z316 = z290 * z311 + z291 * z314 + z292 * z315;
-    const Scalar z317 = z259 * z314 - z304 + z269 * z315 + z279 * z316;
-    const Scalar z318 = z260 * z314 - z305 - z270 * z315 - z280 * z316;
-    const Scalar z320 = z262 * z314 - z307 + z272 * z315 + z282 * z316;
-    const Scalar z321 = z308 + z263 * z314 + z273 * z315 - z283 * z316;
-    const Scalar z322 = z264 * z314 - z309 + z274 * z315 + z284 * z316;
-    accelerations.x = z317;
-    accelerations.y = -z318;
+    const Scalar z247 = z114 * z245 - z238;
+    const Scalar z248 = z115 * z245 - z239;
+    const Scalar z250 = z240 * z249;
+    const Scalar z251 = z241 * z249;
+    const Scalar z252 = z240 * z250 + z246;
+    const Scalar z253 = z240 * z251 - z247;
+    const Scalar z254 = z241 * z251 + z248;
+    const Scalar z268 = z211 * z235 - z245 * z266 + z251 * z267;
+    const Scalar z278 = n1 - z212 * z235 - z245 * z276 - z251 * z277;
+    const Scalar z303 = z154 * z235 - z161 + z245 * z301 + z251 * z302;
+    const Scalar z255 = n1 / z254;
+    const Scalar z256 = z253 * z255;
+    const Scalar z257 = z252 - z253 * z256;
+    const Scalar z259 = z250 - z251 * z256;
+    const Scalar z269 = n1 - z211 * z234 - z244 * z266 - z250 * z267 + z256 * z268;
+    const Scalar z279 = z212 * z234 - z244 * z276 + z250 * z277 + z256 * z278;
+    const Scalar z304 = z154 * z234 - z160 - z244 * z301 + z250 * z302 - z256 * z303;
+    const Scalar z258 = n1 / z257;
+    const Scalar z260 = z258 * z259;
+    const Scalar z270 = z258 * z269;
+    const Scalar z280 = z258 * z279;
+    const Scalar z305 = z258 * z304;
+    const Scalar z261 = z251 * z255 - z256 * z260;
+    const Scalar z271 = z255 * z268 + z256 * z270;
+    const Scalar z281 = z255 * z278 + z256 * z280;
+    const Scalar z306 = z255 * z303 - z256 * z305;
+    const Scalar z262 = z249 - z250 * z260 - z251 * z261;
+    const Scalar z263 = z244 * z260 - z245 * z261;
+    const Scalar z272 = z249 * z267 + z250 * z270 - z251 * z271;
+    const Scalar z273 = z243 * z266 + z244 * z270 + z245 * z271;
+    const Scalar z282 = z249 * z277 - z250 * z280 + z251 * z281;
+    const Scalar z283 = z243 * z276 + z244 * z280 + z245 * z281;
+    const Scalar z307 = z249 * z302 - z250 * z305 - z251 * z306;
+    const Scalar z308 = z243 * z301 + z244 * z305 - z245 * z306;
+    const Scalar z264 = z234 * z260 + z235 * z261 - z236 * z262;
+    const Scalar z265 = z230 * z263;
+    const Scalar z284 = z212 * z233 - z234 * z280 + z235 * z281 + z236 * z282;
+    const Scalar z274 = z211 * z233 + z234 * z270 - z235 * z271 + z236 * z272;
+    const Scalar z309 = z154 * z233 - z234 * z305 - z235 * z306 + z236 * z307;
+    const Scalar z310 = k3 * z145 + z230 * z308;
+    const Scalar z311 = z221 + z305 + z211 * z309 - z213 * z310;
+    const Scalar z312 = z306 - z226 + z212 * z309 + z214 * z310;
+    const Scalar z285 = k3 * z214 + z230 * z283;
+    const Scalar z275 = k3 * z213 + z230 * z273;
+    const Scalar z290 = z212 * z284 - z281 + z214 * z285;
+    const Scalar z289 = z271 + z212 * z274 - z214 * z275;
+    const Scalar z288 = z212 * z264 - z261 - z214 * z265;
+    const Scalar z291 = n1 / z290;
+    const Scalar z287 = z211 * z274 - z270 + z213 * z275;
+    const Scalar z286 = z213 * z265 - z260 + z211 * z264;
+    const Scalar z318 = z262 + z287 + z290;
+    const Scalar z319 = n4096 * z318;
+    const Scalar z292 = z288 * z291;
+    const Scalar z293 = z289 * z291;
+    const Scalar z294 = z262 - z288 * z292;
+    const Scalar z295 = z286 - z288 * z293;
+    const Scalar z296 = z287 - z289 * z293;
+    const Scalar z313 = z293 * z312 - z311;
+    const Scalar z297 = n1 / z296;
+    const Scalar z298 = z295 * z297;
+    const Scalar z299 = z294 - z295 * z298;
+    const Scalar z314 = z307 + z292 * z312 - z298 * z313;
+    const Scalar z300 = n1 / z299;
+    const Scalar z315 = z300 * z314;
+    const Scalar z316 = z297 * z313 - z298 * z315;
+    const Scalar z317 = z291 * z312 + z292 * z315 + z293 * z316;
+    const Scalar z320 = z260 * z315 - z305 + z270 * z316 + z280 * z317;
+    const Scalar z321 = z261 * z315 - z306 - z271 * z316 - z281 * z317;
+    const Scalar z323 = z263 * z315 - z308 + z273 * z316 + z283 * z317;
+    const Scalar z324 = z309 + z264 * z315 + z274 * z316 - z284 * z317;
+    const Scalar z325 = z265 * z315 - z310 + z275 * z316 + z285 * z317;
+    accelerations.x = z320;
+    accelerations.y = -z321;
     accelerations.z = n0;
-    accelerations.psi = z320;
-    accelerations.theta = z321;
-    accelerations.phi = -z322;
-    multipliers.N = z314;
-    multipliers.X = -z315;
-    multipliers.Y = -z316;
-    if (!(traits::regular(-z256, n0_2) && traits::regular(-z253, n0_2) && traits::regular(z241, n0_2)
-        && traits::regular(z231, z112) && traits::regular(z25, z25) && traits::regular(z298, z261)
-        && traits::regular(z295, z286) && traits::regular(z289, z289))) return torsor::Status::singular;
+    accelerations.psi = z323;
+    accelerations.theta = z324;
+    accelerations.phi = -z325;
+    multipliers.N = z315;
+    multipliers.X = -z316;
+    multipliers.Y = -z317;
+    if (!(traits::regular(-z257, n0_2) && traits::regular(-z254, n0_2) && traits::regular(z242, n0_2)
+        && traits::regular(z232, z112) && traits::regular(z25, z25) && traits::regular(z299, z319)
+        && traits::regular(z296, z319) && traits::regular(z290, z319))) return torsor::Status::singular;
     // 0 x is 0 for every finite x and not a number for any other.
     const Scalar zero = n0 * accelerations.x * accelerations.y * accelerations.psi * accelerations.theta
         * accelerations.phi * multipliers.N * multipliers.X * multipliers.Y;
@@ -1298,23 +1303,23 @@ struct Mechanism {
     const Scalar s_psi = sines_[0], c_psi = cosines_[0];
     const Scalar s_theta = sines_[1], c_theta = cosines_[1];
     const Scalar s_phi = sines_[2], c_phi = cosines_[2];
-    const Scalar z324 = v_x * s_psi - v_y * c_psi;
+    const Scalar z327 = v_x * s_psi - v_y * c_psi;
     const Scalar z31 = v_psi * s_theta;
-    const Scalar z323 = v_x * c_psi + v_y * s_psi;
+    const Scalar z326 = v_x * c_psi + v_y * s_psi;
     const Scalar z32 = v_psi * c_theta;
     const Scalar z98 = c_theta * z26;
     const Scalar z41 = v_theta * c_phi + s_phi * z31;
     const Scalar z42 = v_theta * s_phi - c_phi * z31;
     const Scalar z43 = v_phi + z32;
-    const Scalar z325 = v_z * s_theta - c_theta * z324;
-    const Scalar z326 = v_z * c_theta + s_theta * z324;
-    const Scalar z327 = c_phi * z323 + s_phi * z325;
-    const Scalar z328 = s_phi * z323 - c_phi * z325;
-    const Scalar z329 = z26 * z42 + n0_2 * z327;
-    const Scalar z330 = z26 * z41 - n0_2 * z328;
-    const Scalar z331 = z25 * z41 - z26 * z328;
-    const Scalar z332 = z25 * z42 + z26 * z327;
-    result.kinetic = k1 * z43 * z43 + n0_1 * z326 * z326 + n0_5 * (z41 * z331 + z42 * z332 + z327 * z329 - z328 * z330);
+    const Scalar z328 = v_z * s_theta - c_theta * z327;
+    const Scalar z329 = v_z * c_theta + s_theta * z327;
+    const Scalar z330 = c_phi * z326 + s_phi * z328;
+    const Scalar z331 = s_phi * z326 - c_phi * z328;
+    const Scalar z332 = z26 * z42 + n0_2 * z330;
+    const Scalar z333 = z26 * z41 - n0_2 * z331;
+    const Scalar z334 = z25 * z41 - z26 * z331;
+    const Scalar z335 = z25 * z42 + z26 * z330;
+    result.kinetic = k1 * z43 * z43 + n0_1 * z329 * z329 + n0_5 * (z41 * z334 + z42 * z335 + z330 * z332 - z331 * z333);
     result.force_function = -n1_962 * q_z + n9_81 * z98;
     result.power = n0;
   }

@@ -507,12 +507,13 @@ struct Mechanism {
 
   static constexpr const char* name = "vibration_absorber";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xe179fa332148ae9cULL;
+  static constexpr unsigned long long fingerprint = 0xec1a241b844372c2ULL;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
   static constexpr int parameter_count = 2;
   static constexpr int multiplier_count = 0;
+  static constexpr int first_integral_count = 0;
 
   /// Parameters that are set at run time.
   struct Parameters {

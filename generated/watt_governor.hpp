@@ -506,12 +506,13 @@ struct Mechanism {
 
   static constexpr const char* name = "watt_governor";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x3e945852d63212b5ULL;
+  static constexpr unsigned long long fingerprint = 0xd66b6a25fd226f01ULL;
   static constexpr int coordinate_count = 1;
   static constexpr int velocity_count = 1;
   static constexpr int input_count = 0;
   static constexpr int parameter_count = 4;
   static constexpr int multiplier_count = 0;
+  static constexpr int first_integral_count = 1;
 
   /// Parameters that are set at run time.
   struct Parameters {
@@ -710,7 +711,6 @@ struct Mechanism {
       return members_[i_];
     }
   };
-  static constexpr int first_integral_count = 1;
 
   /// Reactions of joints along released directions.
   struct Reactions {

@@ -505,12 +505,13 @@ struct Mechanism {
 
   static constexpr const char* name = "weather_vane";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xdc97f8736cb76f42ULL;
+  static constexpr unsigned long long fingerprint = 0x736fc55555efce88ULL;
   static constexpr int coordinate_count = 1;
   static constexpr int velocity_count = 1;
   static constexpr int input_count = 0;
   static constexpr int parameter_count = 0;
   static constexpr int multiplier_count = 0;
+  static constexpr int first_integral_count = 0;
 
   /// Parameters that are set at run time.
   struct Parameters {

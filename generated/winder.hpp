@@ -509,12 +509,13 @@ struct Mechanism {
 
   static constexpr const char* name = "winder";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x1cc000be4673f9ceULL;
+  static constexpr unsigned long long fingerprint = 0xf2d71519625c201eULL;
   static constexpr int coordinate_count = 2;
   static constexpr int velocity_count = 2;
   static constexpr int input_count = 0;
   static constexpr int parameter_count = 2;
   static constexpr int multiplier_count = 0;
+  static constexpr int first_integral_count = 2;
 
   /// Parameters that are set at run time.
   struct Parameters {
@@ -763,7 +764,6 @@ struct Mechanism {
       return members_[i_];
     }
   };
-  static constexpr int first_integral_count = 2;
 
   /// Reactions of joints along released directions.
   struct Reactions {

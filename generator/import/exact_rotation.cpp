@@ -39,14 +39,14 @@ Rotation of_quaternion(const std::array<Number, 4>& q) {
 }
 
 /// A turn that was found: its angle as a multiple of π/12 where it is one.
-struct Turn {
+struct PlaneTurn {
   int axis = 0;
   ExactAngle angle;
 };
 
 /// The turn whose cosine and sine are these up to a positive factor; none at all when both are within the tolerance of
 /// 0.
-Turn turn(int axis, const Number& cosine, const Number& sine, const Number& tolerance) {
+PlaneTurn turn(int axis, const Number& cosine, const Number& sine, const Number& tolerance) {
   if (cosine.abs() <= tolerance && sine.abs() <= tolerance) return {axis, {Number(0), Number(1), Number(0)}};
   const ExactDirection direction = exact_direction({cosine, sine, Number()}, tolerance);
   const Number& c = direction.components[0];
@@ -62,20 +62,20 @@ Turn turn(int axis, const Number& cosine, const Number& sine, const Number& tole
 int handedness(int i, int j) { return (i + 1) % 3 == j ? 1 : -1; }
 
 /// R = R_i(α) R_j(β) R_k(γ), turn by turn from the left; each is exact before the next is looked for.
-std::array<Turn, 3> turns(const Rotation& r, const Sequence& axes, const Number& tolerance) {
+std::array<PlaneTurn, 3> turns(const Rotation& r, const Sequence& axes, const Number& tolerance) {
   const auto [i, j, k] = axes;
   const int other = 3 - i - j;
   const Number sign(handedness(i, j));
   // R_j(β) e_k leaves e_k towards e_i (three axes) or e_i towards the third (i = k); R_i(α) turns the rest of it.
-  const Turn first =
+  const PlaneTurn first =
       i != k ? turn(i, r(k, k), -sign * r(j, k), tolerance) : turn(i, -sign * r(other, i), r(j, i), tolerance);
   const Rotation without_first = rotation_about(i, first.angle).transpose() * r;
   const int a = (j + 1) % 3, b = (j + 2) % 3;
-  const Turn second = k == a ? turn(j, without_first(a, k), without_first(b, k), tolerance)
+  const PlaneTurn second = k == a ? turn(j, without_first(a, k), without_first(b, k), tolerance)
                              : turn(j, without_first(b, k), -without_first(a, k), tolerance);
   const Rotation last = rotation_about(j, second.angle).transpose() * without_first;
   const int c = (k + 1) % 3, d = (k + 2) % 3;
-  const Turn third = turn(k, last(c, c), last(d, c), tolerance);
+  const PlaneTurn third = turn(k, last(c, c), last(d, c), tolerance);
   return {first, second, third};
 }
 
@@ -119,9 +119,9 @@ std::string angle_text(const ExactAngle& angle) {
          (slash == std::string::npos ? "" : exact.substr(slash));
 }
 
-std::string text_of(const std::array<Turn, 3>& all) {
+std::string text_of(const std::array<PlaneTurn, 3>& all) {
   std::string text;
-  for (const Turn& each : all) {
+  for (const PlaneTurn& each : all) {
     if (each.angle.twelfths && each.angle.twelfths->is_zero()) continue;
     text += fmt::format("{}R{}({})", text.empty() ? "" : " ", "xyz"[each.axis], angle_text(each.angle));
   }
@@ -143,9 +143,9 @@ ExactRotation exact_rotation(const std::array<Number, 4>& quaternion, const Numb
   const double slack = 10 * tolerance.to_double() + 1e-12;
   for (const Sequence& axes : sequences) {
     if (!worth_a_look(rounded, axes, slack)) continue;
-    const std::array<Turn, 3> found = turns(as_given, axes, tolerance);
+    const std::array<PlaneTurn, 3> found = turns(as_given, axes, tolerance);
     const auto exact =
-        std::count_if(found.begin(), found.end(), [](const Turn& t) { return t.angle.twelfths.has_value(); });
+        std::count_if(found.begin(), found.end(), [](const PlaneTurn& t) { return t.angle.twelfths.has_value(); });
     if (exact <= most) continue;
     const Rotation product = rotation_about(axes[0], found[0].angle) * rotation_about(axes[1], found[1].angle) *
                              rotation_about(axes[2], found[2].angle);

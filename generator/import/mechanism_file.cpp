@@ -24,6 +24,9 @@ MechanismFile read_mjcf_file(const std::string& path, const MechanismFileOptions
   if (given.base == UrdfBase::floating) {
     throw UsageError(fmt::format("--base floating is for URDF; write <freejoint/> in the first body of '{}'", path));
   }
+  if (!given.fix.empty()) {
+    throw UsageError(fmt::format("--fix is for URDF; take the <joint> of '{}' out of its body in '{}'", given.fix.front(), path));
+  }
   if (options.mjcf_reader == nullptr) {
     throw FileError(
         fmt::format("{}: is MJCF, which this program was built without; install libmujoco-dev and build torsor "
@@ -33,6 +36,7 @@ MechanismFile read_mjcf_file(const std::string& path, const MechanismFileOptions
   MjcfOptions mjcf;
   if (options.gravity_given) mjcf.gravity = given.gravity;
   mjcf.angle_tolerance = given.angle_tolerance;
+  mjcf.strict = given.strict;
   mjcf.dampers = given.dampers;
   mjcf.motors = given.motors;
   mjcf.name = given.name;

@@ -8,7 +8,7 @@
 namespace torsor {
 namespace {
 
-using ByName = std::map<std::string, const UrdfJoint*>;
+using JointByName = std::map<std::string, const UrdfJoint*>;
 
 /// What a joint makes of its leader's displacement.
 UrdfDisplacement following(const UrdfMimic& mimic, const UrdfDisplacement& leader) {
@@ -34,7 +34,7 @@ UrdfDisplacement following(const UrdfMimic& mimic, const UrdfDisplacement& leade
 }  // namespace
 
 std::map<std::string, UrdfDisplacement> displacements(const UrdfRobot& robot) {
-  ByName joints;
+  JointByName joints;
   for (const UrdfJoint& joint : robot.joints) joints[joint.name] = &joint;
   std::map<std::string, UrdfDisplacement> known;
   for (const UrdfJoint& joint : robot.joints) {
