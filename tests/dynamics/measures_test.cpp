@@ -209,7 +209,7 @@ TEST(MeasuredVectors, AreRefusedWhereTheyAreNotKnown) {
             std::string::npos);
   Scene scene = it.scene;
   scene.holonomic("late", height + Expression::quantity("1", "s") * speed);
-  EXPECT_NE(error_of<SceneError>([&] { validate(scene); }).find("depends on velocities"), std::string::npos);
+  EXPECT_NE(error_of<SceneError>([&] { validate(scene); }).find("depends on the velocity"), std::string::npos);
 }
 
 TEST(MeasuredVectors, DoNotHideReleasedCoordinates) {

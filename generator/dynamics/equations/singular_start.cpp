@@ -54,6 +54,7 @@ std::vector<std::string> singular_start(const Scene& scene) {
   if (!std::all_of(content.parameters.begin(), content.parameters.end(), valued)) return {};
   const WorkingDigits precision(digits_at_start);
   const Equations equations(scene);
+  if (!equations.massless().empty()) return {};  // singular everywhere, and named by the kernels that this concerns
   Evaluator<Real> evaluate(equations.program(),
                            [&content](const SymbolPointer& symbol) { return initial_value(content, symbol); });
   std::vector<Reals> mass;
