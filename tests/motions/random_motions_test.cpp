@@ -72,7 +72,7 @@ class Motions {
   bool run() {
     Vector start;
     if (!begin(start)) return false;
-    const auto raw = equations_of_motion<M>();
+    const auto raw = unprojected_motion<M>();
     const auto motion = projected(raw);
     Vector end = start;
     const auto reference = integrate(motion, end, 0.0, duration, adaptive<DormandPrince853>(sharp));
@@ -113,6 +113,7 @@ class Motions {
     conserves(start, end, own);
     closes(end);
     by("8(5,3)", motion, adaptive<DormandPrince853>(tolerance));
+    by("8(5,3) default", equations_of_motion<M>(), adaptive<DormandPrince853>(tolerance));
     by("8(5,3) raw", raw, adaptive<DormandPrince853>(tolerance));
     by("5(4)", motion, adaptive<DormandPrince54>(tolerance));
     by("Radau", motion, adaptive<RadauIia5>(tolerance));
