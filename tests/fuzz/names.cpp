@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Names and texts of a scene, and all that is written of it.
+#include <array>
+#include <string>
+
+#include "generator/cli/command_texts.hpp"
+#include "generator/emission/header.hpp"
+#include "generator/expression/error.hpp"
+#include "generator/mechanics/scene.hpp"
+#include "generator/reading/print_equations.hpp"
+#include "tests/fuzz/target.hpp"
+#include "tests/fuzz/text_rules.hpp"
+
+namespace torsor::fuzzing {
+namespace {
+
+/// A pendulum on a spring whose names are the lines of the input, one after the other.
+Scene named_by(std::string_view input) {
+  std::array<std::string, 8> names{"scene", "a pendulum", "m", "l", "angle", "arm", "bob", "torque"};
+  for (std::string& name : names) {
+    const std::size_t end = input.find('\n');
+    if (!input.empty()) name = std::string(input.substr(0, end));
+    input = end == std::string_view::npos ? std::string_view() : input.substr(end + 1);
+  }
+  Scene scene(names[0], names[1]);
+  const Expression mass = scene.parameter(names[2], "kg", 2);
+  const Expression length = scene.run_time_parameter(names[3], "m", 1);
+  const Expression angle = scene.coordinate(names[4], "rad");
+  const FrameHandle arm = scene.revolute(names[5], scene.ground(), axis::z, angle);
+  scene.body(names[6], arm, Inertia::point(mass).at({0, -length, 0}));
+  scene.motor(names[7], angle);
+  return scene;
+}
+
+}  // namespace
+
+void name_everything(std::string_view input) {
+  try {
+    const Scene scene = named_by(input);
+    const Equations equations(scene);
+    expect_source_text(emit_header(equations, {make_kernel("mass_matrix", equations)}));
+    expect_clean_text(print_equations(scene, Format::text));
+    expect_clean_text(print_equations(scene, Format::latex));
+    expect_clean_text(list_text(scene));
+    expect_clean_text(list_json(scene));
+    for (const char* format : {"dot", "svg"}) expect_clean_text(graph_text(scene, format, "structure", {}));
+  } catch (const Error& refusal) {
+    expect_message(refusal.what());
+  }
+}
+
+}  // namespace torsor::fuzzing

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The readers of the generator: robots, numbers, units.
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+#include "generator/dynamics/equations/equations.hpp"
+#include "generator/emission/header.hpp"
+#include "generator/expression/decimal.hpp"
+#include "generator/expression/error.hpp"
+#include "generator/expression/unit.hpp"
+#include "generator/import/urdf.hpp"
+#include "tests/fuzz/target.hpp"
+#include "tests/fuzz/text_rules.hpp"
+
+namespace torsor::fuzzing {
+
+void read_robot(std::string_view input) {
+  UrdfOptions options;
+  options.base = input.size() % 2 == 0 ? UrdfBase::fixed : UrdfBase::floating;
+  try {
+    const Scene scene = read_urdf_text(input, "robot.urdf", options).scene;
+    // What is read is derived now and then only: it takes a hundred times as long.
+    if (input.size() > 20000 || input.size() % 16 != 0) return;
+    const Equations equations(scene);
+    expect_source_text(emit_header(equations, {make_kernel("inverse_dynamics", equations)}));
+  } catch (const Error& refusal) {
+    expect_message(refusal.what());
+  }
+}
+
+void read_decimal(std::string_view input) {
+  try {
+    const Number number = parse_decimal(input);
+    if (!(parse_decimal(number.to_string()) == number))
+      throw std::logic_error("a number is not read back as it is written: " + number.to_string());
+  } catch (const Error& refusal) {
+    expect_message(refusal.what());
+  }
+}
+
+void read_unit(std::string_view input) {
+  try {
+    const Unit unit = Unit::parse(input);
+    if (!(Unit::parse(unit.to_string()) == unit))
+      throw std::logic_error("a unit is not read back as it is written: " + unit.to_string());
+  } catch (const Error& refusal) {
+    expect_message(refusal.what());
+  }
+}
+
+}  // namespace torsor::fuzzing
