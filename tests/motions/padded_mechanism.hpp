@@ -20,7 +20,7 @@ struct Nothing {
 /// Any scene as a mechanism of one size, by the contract of generated headers, so that each method is compiled once:
 /// coordinates and constraints that the scene lacks stand still and hold nothing. The last velocity is the work of all that
 /// has no force function (its acceleration is the power), with a mass of its own.
-/// `constant`: the rest holds as many of the idle coordinates that a motion always has this many freedoms.
+/// `holding` idle coordinates can be constrained to zero, so that every motion has as many freedoms.
 template <int quaternion_slots, int other_slots, int velocity_slots, int constraint_slots>
 struct PaddedMechanism {
   static constexpr int quaternion_count = quaternion_slots, nv = velocity_slots, m = constraint_slots;
@@ -52,7 +52,7 @@ struct PaddedMechanism {
 
   /// The scene that all functions move from now on.
   static inline EvaluatedScene* current = nullptr;
-  /// Constraints of the scene are followed by this many on idle coordinates, the first of which hold nothing.
+  /// The last constraints are on this many idle coordinates; those between them and the scene's hold nothing.
   static inline int holding = 0;
 
   [[nodiscard]] static bool holds(const EvaluatedScene::Sizes& sizes) {
