@@ -2,11 +2,17 @@
 #include "generator/dynamics/equations/forward_choice.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <deque>
+#include <iterator>
 #include <list>
 #include <map>
+#include <optional>
 #include <random>
+#include <vector>
 
 #include "generator/dynamics/equations/equations.hpp"
 #include "generator/dynamics/motion/nominal_number.hpp"
@@ -20,7 +26,7 @@ namespace {
 constexpr int most_unknowns = 8;   ///< of longer chains the trial takes seconds
 constexpr int any_masses = 4;      ///< unknowns up to which masses at run time are taken at any ratio
 constexpr double much_lighter = 10;
-constexpr int trials = 32;
+constexpr std::size_t trials = 32;
 constexpr int few_digits = 20, many_digits = 60;
 /// How much more than the most accurate method one may lose: the figure is the largest of all trials, and roundings fall
 /// by chance. A light link that carries a heavy one loses thousands.
@@ -110,18 +116,26 @@ class Trial {
 
 /// One method in a program of its own.
 struct Candidate {
-  Candidate(ForwardMethod of, const Scene& scene, const ModelOptions& options) : method(of), equations(scene, options) {
+  Candidate(ForwardMethod of, const Scene& scene, const ModelOptions& options)
+      : method(of), equations(scene, options), evaluate(equations.program(), {}) {
     const bool cheapest = of == ForwardMethod::cheapest;
     const ForwardSolution solution = cheapest ? equations.cheapest_forward() : equations.forward();
     accelerations = solution.accelerations;
     cost = cost_of(equations.program(), solution);
   }
 
+  std::vector<Real> at(const Trial& trial, int digits) {
+    const WorkingDigits precision(digits);
+    evaluate.move_to([&trial](const SymbolPointer& symbol) { return trial(symbol); });
+    return evaluate(accelerations);
+  }
+
   ForwardMethod method;
   Equations equations;
+  Evaluator<Real> evaluate;  // keeps its formulas from trial to trial
   std::vector<Value> accelerations;
   int cost = 0;
-  double worst = 0;
+  std::array<std::optional<double>, trials> errors;
 };
 
 double size(const std::vector<Real>& all) {
@@ -146,11 +160,85 @@ double relative_error(const std::vector<Value>& values, const std::vector<Real>&
   return worst;
 }
 
-std::vector<Real> accelerations_at(const Candidate& candidate, const Trial& trial, int digits) {
-  const WorkingDigits precision(digits);
-  Evaluator<Real> evaluate(candidate.equations.program(), [&](const SymbolPointer& symbol) { return trial(symbol); });
-  return evaluate(candidate.accelerations);
-}
+/// What methods lose at the same states, each looked at only when the choice depends on it.
+class Contest {
+ public:
+  Contest(const Scene& scene, const ModelOptions& options) {
+    add(ForwardMethod::cheapest, scene, options);
+    add(ForwardMethod::sums_of_squares, scene, options);
+    add(ForwardMethod::factorisation, scene, options);
+    const Model& model = candidates_.front().equations.model();
+    if (has_simple_joints(model)) add(ForwardMethod::articulated_body, scene, options);
+    const bool any = model.unknown_count() <= any_masses;
+    for (std::uint64_t seed = 0; seed < trials; ++seed) trials_.emplace_back(scene, options, any, seed);
+  }
+
+  /// The cheapest of those that keep their digits; the one that loses least where none does.
+  ForwardMethod choice() {
+    std::vector<Candidate*> by_cost;
+    for (Candidate& each : candidates_) by_cost.push_back(&each);
+    std::stable_sort(by_cost.begin(), by_cost.end(),
+                     [](const Candidate* a, const Candidate* b) { return a->cost < b->cost; });
+    for (Candidate* each : by_cost) {
+      if (keeps_digits(*each)) return each->method;
+    }
+    std::vector<double> worst;
+    for (Candidate& each : candidates_) worst.push_back(worst_of(each));
+    const auto least = std::min_element(worst.begin(), worst.end());
+    return std::next(candidates_.begin(), least - worst.begin())->method;
+  }
+
+ private:
+  void add(ForwardMethod method, const Scene& scene, ModelOptions options) {
+    options.forward = method;
+    candidates_.emplace_back(method, scene, options);
+  }
+
+  double error_of(Candidate& candidate, std::size_t trial) {
+    std::optional<double>& error = candidate.errors[trial];
+    if (!error) {
+      std::vector<Real> exact = exact_[trial];
+      if (exact.empty()) exact = exact_[trial] = candidates_.front().at(trials_[trial], many_digits);
+      const bool result = std::all_of(exact.begin(), exact.end(), [](const Real& each) { return !each.is_nan(); });
+      if (!result) exact = candidate.at(trials_[trial], many_digits);
+      error = relative_error(candidate.accelerations, candidate.at(trials_[trial], few_digits), exact);
+    }
+    return *error;
+  }
+
+  /// The error over the least of all methods there, but for roundings; 0 where no method has a result.
+  double worse_than_best(Candidate& candidate, std::size_t trial) {
+    double best = HUGE_VAL;
+    for (Candidate& each : candidates_) {
+      const double error = error_of(each, trial);
+      best = error < best ? error : best;
+    }
+    if (best == HUGE_VAL) return 0;
+    const double worse = error_of(candidate, trial) / std::max(best, roundings_);
+    return std::isnan(worse) ? HUGE_VAL : worse;
+  }
+
+  bool keeps_digits(Candidate& candidate) {
+    for (std::size_t trial = 0; trial < trials_.size(); ++trial) {
+      if (error_of(candidate, trial) <= much_worse * roundings_) continue;  // whatever the others lose
+      if (worse_than_best(candidate, trial) > much_worse) return false;
+    }
+    return true;
+  }
+
+  double worst_of(Candidate& candidate) {
+    double worst = 0;
+    for (std::size_t trial = 0; trial < trials_.size(); ++trial) {
+      worst = std::max(worst, worse_than_best(candidate, trial));
+    }
+    return worst;
+  }
+
+  std::list<Candidate> candidates_;  // equations stay where they are made
+  std::deque<Trial> trials_;
+  std::array<std::vector<Real>, trials> exact_;
+  double roundings_ = 8 * Real(Number(1), few_digits).epsilon().to_double();
+};
 
 }  // namespace
 
@@ -171,48 +259,7 @@ bool light_may_carry_heavy(const Model& model) {
 }
 
 ForwardMethod forward_method_that_keeps_digits(const Scene& scene, const ModelOptions& options) {
-  std::list<Candidate> candidates;  // equations stay where they are made
-  const auto add = [&](ForwardMethod method) {
-    ModelOptions named = options;
-    named.forward = method;
-    candidates.emplace_back(method, scene, named);
-  };
-  add(ForwardMethod::cheapest);
-  add(ForwardMethod::sums_of_squares);
-  add(ForwardMethod::factorisation);
-  const Model& model = candidates.front().equations.model();
-  if (has_simple_joints(model)) add(ForwardMethod::articulated_body);
-  const bool any = model.unknown_count() <= any_masses;
-  const double least = Real(Number(1), few_digits).epsilon().to_double();
-  for (std::uint64_t seed = 0; seed < trials; ++seed) {
-    const Trial trial(scene, options, any, seed);
-    std::vector<double> errors;
-    for (const Candidate& candidate : candidates) {
-      const std::vector<Real> exact = accelerations_at(candidate, trial, many_digits);
-      const std::vector<Real> rounded = accelerations_at(candidate, trial, few_digits);
-      errors.push_back(relative_error(candidate.accelerations, rounded, exact));
-    }
-    double best = HUGE_VAL;
-    for (const double error : errors) best = error < best ? error : best;
-    if (best == HUGE_VAL) continue;  // no method has a result there
-    auto error = errors.begin();
-    for (Candidate& candidate : candidates) {
-      const double worse = *error++ / std::max(best, 8 * least);
-      if (!(worse <= candidate.worst)) candidate.worst = std::isnan(worse) ? HUGE_VAL : worse;
-    }
-  }
-  const auto good = [](const Candidate& candidate) { return candidate.worst <= much_worse; };
-  const Candidate* chosen = nullptr;
-  for (const Candidate& each : candidates) {
-    if (chosen == nullptr) {
-      chosen = &each;
-    } else if (good(each) != good(*chosen)) {
-      if (good(each)) chosen = &each;
-    } else if (good(each) ? each.cost < chosen->cost : each.worst < chosen->worst) {
-      chosen = &each;
-    }
-  }
-  return chosen->method;
+  return Contest(scene, options).choice();
 }
 
 }  // namespace torsor
