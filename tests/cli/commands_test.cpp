@@ -101,6 +101,12 @@ TEST(SceneProgram, CountsTheKernelsAskedForInTheOrderOfTheHeader) {
   }
   EXPECT_EQ(kernels.at("energy").at("sincos_pairs"), 1);
   EXPECT_EQ(kernels.at("mass_matrix").at("sincos_pairs"), 0);
+  // What several kernels need is computed once: no fewer operations than in the largest, no more than in all of them.
+  const json several = json::parse(run(pendulum, {"counts", "--json", "--kernels", "energy,forward_dynamics"}).out);
+  const int joint = several.at("joint").at("total"), energy = several.at("kernels").at("energy").at("total"),
+            forward = several.at("kernels").at("forward_dynamics").at("total");
+  EXPECT_GT(joint, std::max(energy, forward));
+  EXPECT_LT(joint, energy + forward);
   const Outcome table = run(pendulum, {"counts", "--kernels", "energy,mass_matrix"});
   EXPECT_EQ(table.code, 0);
   EXPECT_LT(table.out.find("mass_matrix"), table.out.find("energy"));
@@ -115,6 +121,13 @@ TEST(SceneProgram, KeepsParametersThatAreAskedToStaySymbols) {
     return json::parse(outcome.out).at("kernels").at("energy").dump();
   };
   EXPECT_EQ(multiplications({"--run-time", "mass"}), multiplications({"--run-time", "all"}));
+  const auto header = [](const std::string& list) {
+    return run(pendulum, {"generate", "--kernels", "mass_matrix", "--run-time", list, "--output", "-"}).out;
+  };
+  for (const char* list : {"mass", "mass,length", "all"}) {
+    EXPECT_NE(header(list).find("// Parameters set at run time: mass, length\n"), std::string::npos) << list;
+  }
+  EXPECT_NE(header("length").find("// Parameters set at run time: length\n"), std::string::npos);
   expect_failure(run(pendulum, {"counts", "--run-time", "mas"}), 2,
                  "unknown parameter 'mas' in --run-time: did you mean 'mass'? the scene 'pendulum' has mass, length");
 }
@@ -176,6 +189,11 @@ TEST(SceneProgram, IntegratesAReference) {
   EXPECT_NE(outcome.out.find("\ntime,theta,theta'\n0.1,0.4"), std::string::npos) << outcome.out;
   EXPECT_EQ(run(pendulum, {"reference"}).code, 2);
   EXPECT_NE(run(pendulum, {"reference", "--times", "soon"}).code, 0);
+  for (const char* times : {"0", "-1", "0.1,0.1", "0.2,0.1"}) {
+    const Outcome refused = run(pendulum, {"reference", "--digits", "20", "--times", times});
+    EXPECT_EQ(refused.code, 2) << times;
+    EXPECT_NE(refused.err.find("times are positive and increase"), std::string::npos) << refused.err;
+  }
 }
 
 TEST(SceneProgram, HelpsEverywhere) {

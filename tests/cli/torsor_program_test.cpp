@@ -102,6 +102,51 @@ TEST(TorsorTool, StatesTheMethodOfForwardDynamicsInTheCommandInTheHeader) {
   }
 }
 
+// Each option that changes what is written stands in the command of the header.
+TEST(TorsorTool, RepeatsEveryOptionInTheCommandInTheHeader) {
+  for (const std::vector<std::string>& options : std::vector<std::vector<std::string>>{{"--base", "floating"},
+                                                                                       {"--gravity", "0,0,-1.62"},
+                                                                                       {"--angle-tolerance", "1e-05"},
+                                                                                       {"--no-dampers"},
+                                                                                       {"--no-motors"},
+                                                                                       {"--fix", "turn"},
+                                                                                       {"--name", "crane"},
+                                                                                       {"--points", "rod,base"},
+                                                                                       {"--initial", "turn=0.5"}}) {
+    std::vector<std::string> arguments{"generate", arm, "--quiet", "--kernels", "mass_matrix", "--output", "-"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const std::string text = options.size() == 1 ? options[0] : options[0] + " " + options[1];
+    EXPECT_NE(
+        torsor_tool(arguments).out.find("//   torsor generate arm.urdf " + text + " --kernels mass_matrix --output"),
+        std::string::npos)
+        << text;
+  }
+  for (const std::vector<std::string>& options : std::vector<std::vector<std::string>>{{"--run-time", "all"},
+                                                                                       {"--run-time", "rod_mass"},
+                                                                                       {"--forward", "sums_of_squares"},
+                                                                                       {"--without", "factoring"}}) {
+    std::vector<std::string> arguments{"generate", arm, "--quiet", "--kernels", "forward_dynamics", "--output", "-"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const std::string text = options[0] + " " + options[1];
+    EXPECT_NE(torsor_tool(arguments).out.find(" --kernels forward_dynamics " + text + " --output"), std::string::npos)
+        << text;
+  }
+}
+
+TEST(TorsorTool, LeavesOutMotorsAndDampersWhereItIsAsked) {
+  const auto page = [](const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{"list", arm, "--quiet"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return torsor_tool(arguments).out;
+  };
+  EXPECT_NE(page({}).find("turn_torque"), std::string::npos);
+  EXPECT_NE(page({}).find("turn_damping"), std::string::npos);
+  EXPECT_EQ(page({"--no-motors"}).find("turn_torque"), std::string::npos);
+  EXPECT_NE(page({"--no-motors"}).find("turn_damping"), std::string::npos);
+  EXPECT_EQ(page({"--no-dampers"}).find("turn_damping"), std::string::npos);
+  EXPECT_NE(page({"--no-dampers"}).find("turn_torque"), std::string::npos);
+}
+
 // What a joint without mass lacks is told; what is there is generated all the same.
 TEST(TorsorTool, KeepsJointsThatMoveNoMass) {
   const std::string path = testing::TempDir() + "massless hand.urdf";

@@ -17,16 +17,18 @@ TEST(VerifyCommand, PrintsAGroupForEachResultAndPasses) {
   for (const char* part : {"double", "float", "bias", "forces [", "result.kinetic [", "result.power ["}) {
     EXPECT_NE(text.out.find(part), std::string::npos) << part << "\n" << text.out;
   }
-  const Outcome data =
-      run(pendulum, {"verify", "--kernels", "energy", "--states", "8", "--climbs", "0", "--scalar", "double", "--json"});
-  EXPECT_EQ(data.code, 0);
-  const nlohmann::json verified = nlohmann::json::parse(data.out);
-  EXPECT_EQ(verified.at("passed"), true);
-  for (const nlohmann::json& group : verified.at("groups")) {
-    EXPECT_EQ(group.at("scalar"), "double");
-    EXPECT_EQ(group.at("searched"), false);
-    EXPECT_LE(group.at("error").get<double>(), group.at("bound").get<double>());
-    EXPECT_NE(group.at("state").get<std::string>().find("theta"), std::string::npos);
+  for (const char* scalar : {"double", "float"}) {
+    const Outcome data = run(
+        pendulum, {"verify", "--kernels", "energy", "--states", "8", "--climbs", "0", "--scalar", scalar, "--json"});
+    EXPECT_EQ(data.code, 0);
+    const nlohmann::json verified = nlohmann::json::parse(data.out);
+    EXPECT_EQ(verified.at("passed"), true);
+    for (const nlohmann::json& group : verified.at("groups")) {
+      EXPECT_EQ(group.at("scalar"), scalar);
+      EXPECT_EQ(group.at("searched"), false);
+      EXPECT_LE(group.at("error").get<double>(), group.at("bound").get<double>());
+      EXPECT_NE(group.at("state").get<std::string>().find("theta"), std::string::npos);
+    }
   }
 }
 

@@ -75,6 +75,8 @@ TEST(FactoredBodies, KnowAbsoluteAnglesSeveralBodiesAndLinksWithoutMatter) {
   s.body("one", first, Inertia::point(m).at({0, quantity("-0.5", "m"), 0}));
   s.body("other", first, block("1.5"));
   s.body("end", third, Inertia::rod(m, quantity("0.6", "m"), 1).at({0, quantity("-0.3", "m"), 0}));
+  s.body("flange", s.weld("flange", third, {.origin = {0, 0, quantity("0.1", "m")}, .rotation = Rotation::about(1, 5)}),
+         block("0.6"));
   s.body("block", tip, block("2"));
   s.body("weight", tip, block("0.5"));
   s.gravity({0, quantity("-9.81", "m/s^2"), 0});
@@ -103,6 +105,18 @@ TEST(FactoredBodies, CarryAFreeBodyWithAnArm) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) EXPECT_LT(difference(s, seed), rounding) << seed;
 }
 
+void expect_refused(const Scene& scene) {
+  try {
+    Equations(scene, by(ForwardMethod::sums_of_squares)).forward();
+    FAIL() << scene.name() << " is taken";
+  } catch (const UsageError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "articulated bodies as sums of squares do not fit the scene '" + scene.name() +
+                  "': they need a tree without constraints, with as many joints as coordinates, their displacements "
+                  "linear in these");
+  }
+}
+
 TEST(FactoredBodies, AreRefusedWhereTheyDoNotFit) {
   Scene s("coupled");
   const Expression a = s.coordinate("a", "rad");
@@ -110,14 +124,13 @@ TEST(FactoredBodies, AreRefusedWhereTheyDoNotFit) {
   const FrameHandle second = s.revolute("second", first, axis::z, 2 * a);
   s.body("one", first, block("1"));
   s.body("other", second, block("1"));
-  try {
-    Equations(s, by(ForwardMethod::sums_of_squares)).forward();
-    FAIL() << "taken";
-  } catch (const UsageError& error) {
-    EXPECT_EQ(std::string(error.what()),
-              "articulated bodies as sums of squares do not fit the scene 'coupled': they need a tree without "
-              "constraints, with as many joints as coordinates, their displacements linear in these");
-  }
+  expect_refused(s);
+  // The acceleration of the joint has a part of time alone.
+  Scene shaken("shaken");
+  const Expression b = shaken.coordinate("b", "rad");
+  const Expression law = Expression(Number::rational(1, 5)) * sin(quantity("3", "rad/s") * shaken.time());
+  shaken.body("one", shaken.revolute("first", shaken.ground(), axis::z, b + law), block("1"));
+  expect_refused(shaken);
 }
 
 }  // namespace

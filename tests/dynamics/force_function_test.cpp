@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "tests/dynamics/simple_scenes.hpp"
 
 namespace torsor::force_function_test {
@@ -107,6 +109,29 @@ TEST(Weight, OfAMassOnADrivenSupportHasAPotentialEnergyInTheAbsoluteFrame) {
       exact);
 }
 
+// Of two masses one above the other, U = -m g y for the one that is asked for.
+TEST(Weight, OfSomeBodiesIsTheirsAlone) {
+  Scene scene("pair");
+  const Expression y = scene.coordinate("y", "m"), z = scene.coordinate("z", "m");
+  const FrameHandle lower = scene.prismatic("lower", scene.ground(), axis::y, y);
+  scene.body("A", lower, Inertia::point(kilograms("2")));
+  scene.body("B", scene.prismatic("upper", lower, axis::y, z), Inertia::point(kilograms("7")));
+  scene.gravity({0, Expression::quantity("-10", "m/s^2"), 0});
+  const Equations equations(scene);
+  NamedState here(equations, {{"y", Real(3)}, {"z", Real(5)}, {"y'", rational(1, 2)}, {"z'", rational(1, 4)}});
+  const auto expect = [&](const std::vector<std::string>& bodies, const std::array<int, 4>& y_z_u_power) {
+    const ForceFunctionReport report = classify_force_function(equations, {{"gravity"}, bodies});
+    EXPECT_LT(relative_difference(here(report.forces[0]), Real(y_z_u_power[0])), exact);
+    EXPECT_LT(relative_difference(here(report.forces[1]), Real(y_z_u_power[1])), exact);
+    EXPECT_LT(relative_difference(here(*report.force_function), Real(y_z_u_power[2])), exact);
+    EXPECT_LT(relative_difference(Real(2) * here(report.power), Real(y_z_u_power[3])), exact);
+  };
+  expect({"A"}, {-20, 0, -60, -20});
+  expect({"B"}, {-70, -70, -560, -105});
+  expect({"A", "B"}, {-90, -70, -620, -125});
+  expect({}, {-90, -70, -620, -125});
+}
+
 /// A point free in a plane.
 struct FreePoint {
   Scene scene{"free_point"};
@@ -196,8 +221,13 @@ TEST(ForceFunction, GivenByFormulaWithTimeIsNoPotentialEnergy) {
   it.scene.force_function(
       "field",
       -stiffness() / 2 * pow(it.x - metres("0.1") * sin(Expression::quantity("3", "rad/s") * it.scene.time()), 2));
-  const ForceFunctionReport report = classify_force_function(Equations(it.scene));
+  const Equations equations(it.scene);
+  const ForceFunctionReport report = classify_force_function(equations);
   EXPECT_EQ(report.kind, ForceFunctionCase::force_function);
+  // It works on the coordinates alone: Q_x x', without dU/dt at fixed ones.
+  NamedState here(equations, {{"t", rational(1, 4)}, {"x", rational(4, 5)}, {"x'", rational(2, 3)}});
+  const Real stretch = rational(4, 5) - rational(1, 10) * sin(rational(3, 4));
+  EXPECT_LT(relative_difference(here(report.power), Real(-5) * stretch * rational(2, 3)), exact);
 }
 
 TEST(ForceFunction, RefusesUnknownNamesAndActionsWithoutEnds) {

@@ -51,6 +51,22 @@ TEST(Mobility, OfThePlaneFourBarIsOneWithThreeRedundantEquations) {
   EXPECT_EQ(mobility.redundant, (Names{"loop 1: Omega_x", "loop 1: Omega_y", "loop 1: V_z"}));
 }
 
+// Three carts on one rail, each welded to each other: they move as one. In each loop one cart is passed with the rail
+// and one against it, and no sense can be left out: with all of them forward nothing would move.
+TEST(Mobility, OfCartsWeldedToEachOtherIsThatOfOneCart) {
+  Scene scene("train");
+  std::vector<FrameHandle> carts;
+  for (const char* name : {"a", "b", "c"}) {
+    carts.push_back(scene.prismatic(name, scene.ground(), axis::x, scene.coordinate("x_" + std::string(name), "m")));
+    scene.body(name, carts.back(), Inertia::point(Expression::quantity("1", "kg")));
+  }
+  scene.close("ab", JointType::weld, carts[0], carts[1]);
+  scene.close("ac", JointType::weld, carts[0], carts[2]);
+  scene.close("bc", JointType::weld, carts[1], carts[2]);
+  const Mobility mobility = analyse_mobility(scene);
+  expect(mobility.given, {4, 6, 3, 3, 2, 1, 16});
+}
+
 // All links on one line: a parallelogram may leave that position as one, or crossed.
 TEST(Mobility, OfAFlatParallelogramIsSingular) {
   const Mobility mobility = analyse_mobility(four_bar(1, 2, 1, 2, {0, 0, 0}));

@@ -74,6 +74,7 @@ Scene bar_at_a_wall() {
   scene.spring("spring", x, stiffness, rest);
   scene.damper("damper", theta, damping);
   scene.motor("push", x);
+  scene.motor("pull", length * theta);  // a rope about a drum: the force's arm is a parameter
   scene.holonomic("wall", x - length * sin(theta) - speed * scene.time());
   return scene;
 }

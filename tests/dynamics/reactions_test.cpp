@@ -134,6 +134,26 @@ TEST(Multiplier, IsTheIntensityOfItsNamedReaction) {
   for (std::size_t i = 0; i < 2; ++i) EXPECT_TRUE(vanishes(row.column[i] - row.jacobian[i]));
 }
 
+// A locomotive of 2 kg is pushed and pulls a car of 3 kg by a bar without mass: F = 5 a, and the bar pulls the car by 3 a
+// and the locomotive by -3 a.
+TEST(Multiplier, ActsOnBothBodiesOfItsNamedReaction) {
+  Scene scene("train");
+  const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m");
+  const FrameHandle locomotive = scene.prismatic("locomotive", scene.ground(), axis::x, x);
+  const FrameHandle car = scene.prismatic("car", scene.ground(), axis::x, y);
+  scene.body("locomotive", locomotive, Inertia::point(kilograms("2")));
+  scene.body("car", car, Inertia::point(kilograms("3")));
+  scene.motor("push", x);
+  const ConstraintHandle bar = scene.holonomic("bar", y - x + metres("4"));
+  scene.reaction(bar, "R", car, scene.point("hook", car, {0, 0, 0}), axis::x, scene.ground(), locomotive);
+  const Equations equations(scene);
+  NamedState state(equations, {{"push", Real(10)}});
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_LT(relative_difference(state(equations.forward().accelerations[i]), Real(2)), 1e-45);
+  }
+  EXPECT_LT(relative_difference(state(equations.forward().multipliers[0]), Real(6)), 1e-45);
+}
+
 TEST(Constraint, HasTheRateAndTheDriftOfItsValueAlongAMotion) {
   Scene scene("closed_loop");
   const Expression a = scene.coordinate("a", "rad");

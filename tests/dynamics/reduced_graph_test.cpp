@@ -52,6 +52,30 @@ TEST_F(TwistSpace, OfEveryJointIsRecognisedWhereverItIs) {
   }
 }
 
+// The direction is that of the table, and the point is the centre, or lies on the axis or on the line of contact.
+TEST_F(TwistSpace, LiesWhereItsJointWasPlaced) {
+  for (const JointType type : {JointType::revolute, JointType::prismatic, JointType::helical, JointType::cylindrical,
+                               JointType::universal, JointType::spherical, JointType::planar, JointType::line_contact,
+                               JointType::sphere_in_cylinder, JointType::point_contact}) {
+    SCOPED_TRACE(std::string(to_string(type)));
+    const TwistClass found = recognise_twists(at(type));
+    const bool across = type == JointType::universal || type == JointType::planar || type == JointType::line_contact ||
+                        type == JointType::point_contact;
+    ASSERT_EQ(found.direction.has_value(), type != JointType::spherical);
+    if (found.direction) {
+      EXPECT_TRUE(is_small(norm(cross(*found.direction, column(turned, across ? 2 : 0)))));
+    }
+    const bool nowhere = type == JointType::prismatic || type == JointType::planar || type == JointType::line_contact;
+    ASSERT_EQ(found.point.has_value(), !nowhere);
+    if (nowhere) continue;
+    using torsor::operator-;
+    const RealVector off = *found.point - point;
+    const bool centre =
+        type == JointType::universal || type == JointType::spherical || type == JointType::sphere_in_cylinder;
+    EXPECT_TRUE(is_small(centre ? norm(off) : norm(cross(off, *found.direction))));
+  }
+}
+
 TEST_F(TwistSpace, IsReciprocalToItsIdealWrenches) {
   for (int k = 0; k < 12; ++k) {
     const RealRows twists = at(static_cast<JointType>(k));

@@ -46,7 +46,8 @@ TEST(ShellWord, IsReadBackByAShellAndRunsNothing) {
   const std::vector<std::string> words{"arm.urdf",      "my arm.urdf",  "it's.urdf",      "$(touch /tmp/x).urdf", "`id`.urdf",
                                        "a\nb.urdf",     "a\\b.urdf",    "a\\",            "\"quoted\"",           "?\?/",
                                        "??\?=?",         "a\x1B[0m\x62", "\xE2\x80\xAE.x", "\xFF\x31",             "~/a",
-                                       "a;b&c|d>e<f*g", "!x",           "",               "a\n'?\?'\\$x",          "\xC3\xA9"};
+                                       "a;b&c|d>e<f*g", "!x",           "",               "a\n'?\?'\\$x",          "\xC3\xA9",
+                                       "a\n\\n\\101"};  // what a shell would take for escapes, were it not escaped
   for (const std::string& word : words) {
     const std::string safe = shell_word(word);
     EXPECT_EQ(printable(safe), safe);

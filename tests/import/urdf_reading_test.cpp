@@ -130,8 +130,15 @@ TEST(UrdfReading, TakesQuaternionsForRollPitchAndYaw) {
   const auto scene = [](const std::string& origin) {
     return read(base + link("arm") + joint("hinge", "revolute", "base", "arm", origin + "<axis xyz=\"1 2 3\"/>"));
   };
-  expect_same(accelerations(scene("<origin quat_xyzw=\"2 2 2 2\"/>"), at, moving),
-              accelerations(scene("<origin rpy=\"1.5707963267948966 0 1.5707963267948966\"/>"), at, moving), fifty_digits);
+  const std::vector<std::pair<const char*, const char*>> same{{"2 2 2 2", "1.5707963267948966 0 1.5707963267948966"},
+                                                              {"3 0 0 3", "1.5707963267948966 0 0"},
+                                                              {"0 -1 0 1", "0 -1.5707963267948966 0"},
+                                                              {"0 0 1 1", "0 0 1.5707963267948966"}};
+  for (const auto& [quaternion, angles] : same) {
+    SCOPED_TRACE(quaternion);
+    expect_same(accelerations(scene("<origin quat_xyzw=\"" + std::string(quaternion) + "\"/>"), at, moving),
+                accelerations(scene("<origin rpy=\"" + std::string(angles) + "\"/>"), at, moving), fifty_digits);
+  }
 }
 
 TEST(UrdfReading, TakesTypesInCapitalsAndWithBlanks) {
@@ -277,6 +284,19 @@ TEST(UrdfMimics, OfFixedJointsHoldTheJointAtTheOffset) {
   expect_same(accelerations(held.scene, at, moving), accelerations(placed, at, moving), rational_angles);
 }
 
+// A joint that is fixed by its name follows nothing any more, and what follows it stays at its offset.
+TEST(UrdfMimics, OfJointsThatAreFixedByNameHoldTheJointAtTheOffset) {
+  const std::string links = arm + link("tool") + link("tip") +
+                            joint("wrist", "revolute", "arm", "tool", "<axis xyz=\"0 0 1\"/>" + mimic("hinge", "multiplier=\"2\""));
+  UrdfOptions options;
+  options.fix = {"wrist"};
+  const std::string finger = "<axis xyz=\"0 0 1\"/>" + mimic("wrist", "multiplier=\"3\" offset=\"0.25\"");
+  const Scene held = read(links + joint("finger", "revolute", "tool", "tip", finger), options);
+  EXPECT_EQ(coordinates(held), Lines{"hinge"});
+  const Scene placed = read(links + joint("finger", "fixed", "tool", "tip", "<origin rpy=\"0 0 0.25\"/>"), options);
+  expect_same(accelerations(held, at, moving), accelerations(placed, at, moving), rational_angles);
+}
+
 TEST(UrdfMimics, OnFixedJointsAreVoid) {
   const ImportedRobot robot = imported(arm + link("tool") + joint("mount", "fixed", "arm", "tool", mimic("hinge")));
   EXPECT_EQ(robot.notes, Lines{"<mimic> of a fixed joint is void: joint mount"});
@@ -284,18 +304,31 @@ TEST(UrdfMimics, OnFixedJointsAreVoid) {
               accelerations(read(arm + link("tool") + joint("mount", "fixed", "arm", "tool", "")), at, moving), fifty_digits);
 }
 
-// Displacements −2 q + π/12 and 3 (−2 q + π/12) − π/4: what they are at q = 0.7, written into two fixed joints.
+// Displacements −2 q + π/12, then 3 (−2 q + π/12) + 0.3, then half of that less π/4: an offset is multiplied with what
+// it is added to, whether it is a multiple of π/12 or not.
 TEST(UrdfMimics, OffsetsThatAreTwelfthsOfPiStayExact) {
-  const std::string links = base + link("arm") + link("tool") + joint("hinge", "revolute", "base", "arm", "<axis xyz=\"0 1 0\"/>");
-  const Scene scene = read(links + joint("wrist", "revolute", "arm", "tool",
-                                         "<axis xyz=\"0 0 1\"/>" + mimic("hinge", "multiplier=\"-2\" offset=\"0.2617993877991494\"")));
+  const auto follower = [](const char* name, const char* parent, const char* child, const char* leader, const char* law) {
+    return link(child) + joint(name, "revolute", parent, child, "<axis xyz=\"0 0 1\"/>" + mimic(leader, law));
+  };
+  const Scene scene =
+      read(arm + follower("wrist", "arm", "tool", "hinge", "multiplier=\"-2\" offset=\"0.2617993877991494\"") +
+           follower("finger", "tool", "tip", "wrist", "multiplier=\"3\" offset=\"0.3\"") +
+           follower("nail", "tip", "edge", "finger", "multiplier=\"0.5\" offset=\"-0.7853981633974483\""));
   Scene made("made");
   const Expression q = made.coordinate("hinge", "rad");
   const FrameHandle upper = made.revolute("arm", made.ground(), axis::y, q);
   const FrameHandle tool =
       made.revolute("tool", upper, axis::z, Expression(-2) * q + Expression(Number::rational(1, 12)) * pi());
+  const FrameHandle tip = made.revolute("tip", tool, axis::z,
+                                        Expression(-6) * q + Expression(Number::rational(1, 4)) * pi() +
+                                            Expression(Number::rational(3, 10)));
+  const FrameHandle edge = made.revolute("edge", tip, axis::z,
+                                         Expression(-3) * q - Expression(Number::rational(1, 8)) * pi() +
+                                             Expression(Number::rational(3, 20)));
   made.body("arm", upper, lump());
   made.body("tool", tool, lump());
+  made.body("tip", tip, lump());
+  made.body("edge", edge, lump());
   made = with_weight(made);
   expect_same(accelerations(scene, at, moving), accelerations(made, at, moving), fifty_digits);
 }

@@ -74,6 +74,26 @@ TEST(CheckConstraints, DifferentiatesRollingAndFindsThePowerOfItsForces) {
   expect_passed(scene, {"constraint_motion", "constraint_wrenches"});
 }
 
+// A ball rolls on a table that turns by a law of time on a carriage that is free to move: what rolls there slips by its
+// velocity less that of the table's own matter, and the force on it has an opposite.
+TEST(CheckConstraints, DifferentiatesRollingOnABodyThatMoves) {
+  Scene scene("ball_on_table");
+  const Expression slide = scene.coordinate("slide", "m"), turn = scene.coordinate("turn", "rad");
+  const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m"), z = scene.coordinate("z", "m");
+  scene.drive(turn, quantity("2", "rad/s^2") * pow(scene.time(), 2) / 2);
+  const FrameHandle carriage = scene.prismatic("carriage", scene.ground(), axis::x, slide);
+  const FrameHandle table = scene.revolute("table", carriage, axis::z, turn);
+  scene.body("table", table, Inertia::disk(kilograms("3"), metres("2"), 2));
+  const FrameHandle ball = scene.free("ball", scene.ground(), {x, y, z}, scene.attitude("e"));
+  scene.initial(z, metres("0.5"));
+  const PointHandle low = scene.sphere_contact("low", ball, metres("0.5"), table);
+  scene.body("ball", ball, Inertia::solid_sphere(kilograms("2"), metres("0.5")));
+  scene.gravity({0, 0, quantity("-9.81", "m/s^2")});
+  scene.contact("floor", low, table);
+  scene.rolling("rolling", ball, table, low, table);
+  expect_passed(scene, {"constraint_motion", "constraint_wrenches"});
+}
+
 Scene with_closing_joint(JointType type) {
   Scene scene("closed");
   const Expression pitch = type == JointType::helical ? metres("0.2") : Expression(0);

@@ -135,6 +135,7 @@ TEST(MassRatios, DecideWhichMethodIsTaken) {
   const auto method_of = [](const Chain& chain) { return Equations(scene_of(chain)).forward().method; };
   EXPECT_EQ(method_of({{-6, 0}}), "articulated bodies as sums of squares");
   EXPECT_EQ(method_of({{-6, 0}, Angles::absolute, Masses::at_run_time}), "articulated bodies as sums of squares");
+  EXPECT_EQ(method_of({{0, 0}, Angles::relative, Masses::at_run_time}), "articulated bodies as sums of squares");
   EXPECT_NE(method_of({{0, 0}}), "articulated bodies as sums of squares");
   EXPECT_NE(method_of({{6, 0}}), "articulated bodies as sums of squares");
 }
