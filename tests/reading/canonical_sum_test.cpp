@@ -65,6 +65,7 @@ TEST_F(CanonicalSum, MergesSquaresOfSineAndCosine) {
   const Sum squares = plus(a * sine(x) * sine(x), a * cosine(x) * cosine(x));
   EXPECT_EQ(written(simplified(squares)), "a");
   EXPECT_EQ(written(simplified(minus(a, a * sine(x) * sine(x)))), "a cos(x)^2");
+  EXPECT_EQ(written(simplified(minus(a * cosine(x) * cosine(x), a * sine(x) * sine(x)))), "a cos(2 x)");
   // Different coefficients are left alone.
   EXPECT_EQ(simplified(plus(a * sine(x) * sine(x), b * cosine(x) * cosine(x))).size(), 2U);
 }
@@ -92,6 +93,12 @@ TEST_F(CanonicalSum, FactorsWhatAPersonWouldFactor) {
   EXPECT_EQ(written(a * minus(x, b) * minus(x, b)), "a (x - b)^2");
   EXPECT_EQ(written(plus(a * a * m, b * a * a)), "a^2 (b + m)");
   EXPECT_EQ(written(minus(Sum(), plus(a * sine(x), b * sine(x)))), "-(a + b) sin(x)");
+}
+
+TEST_F(CanonicalSum, WritesOneDivisorBareAndSeveralInParentheses) {
+  EXPECT_EQ(written(x * power(a, -2)), "x/a");
+  EXPECT_EQ(written(x * power(a, -2) * power(b, -2)), "x/(a b)");
+  EXPECT_EQ(written(power(a, -2) * power(b, -4)), "1/(a b^2)");
 }
 
 TEST_F(CanonicalSum, ReadsTheSameWhateverGiNaCsOrder) {

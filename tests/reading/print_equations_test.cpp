@@ -98,6 +98,18 @@ TEST(PrintEquations, LinearisesAboutAStateGivenByName) {
   EXPECT_THROW(print(test::absorber(), {.about = {{"X", "g"}}}), UnitError);
 }
 
+// A motor that pulls where x grows and pushes where y does: E u stands on the right.
+TEST(PrintEquations, LinearisesMotorsOnTheRight) {
+  Scene scene("cart");
+  const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m");
+  const FrameHandle cart = scene.prismatic("cart", scene.ground(), axis::x, x);
+  const Expression mass = scene.parameter("m", "kg");
+  scene.body("cart", scene.prismatic("lift", cart, axis::z, y), Inertia::point(mass));
+  scene.motor("pull", 2 * y - 3 * x);
+  const std::string text = section(print(scene, {.about = {{"x", "0"}}}), "Linearised equations");
+  EXPECT_NE(text.find("  F = [ 0 ]\n      [ 0 ]\n  E = [ -3 ]\n      [ 2  ]\n"), std::string::npos) << text;
+}
+
 TEST(PrintEquations, UsesTheDifferenceOfAbsoluteAngles) {
   const std::string text = print(test::double_pendulum(true), {.linearisation = false});
   EXPECT_EQ(section(text, "Kinetic energy [J]"),

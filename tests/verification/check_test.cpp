@@ -119,6 +119,13 @@ TEST(Check, CountsTheStatesWhereTheMassMatrixIsNotPositive) {
   const std::vector<CheckResult> results = check_scene(scene, {.digits = 30, .states = 3});
   EXPECT_EQ(named(results, "positiveness").worst, 3);
   EXPECT_FALSE(named(results, "positiveness").passed());
+  // Every pivot counts, not the first alone.
+  Scene pair("pair");
+  const FrameHandle first = pair.prismatic("first", pair.ground(), axis::x, pair.coordinate("x", "m"));
+  const FrameHandle second = pair.prismatic("second", pair.ground(), axis::x, pair.coordinate("y", "m"));
+  pair.body("heavy", first, Inertia::point(kilograms("2")));
+  pair.body("levitating", second, Inertia::point(kilograms("-1")));
+  EXPECT_EQ(named(check_scene(pair, {.digits = 30, .states = 2}), "positiveness").worst, 2);
 }
 
 }  // namespace

@@ -118,6 +118,22 @@ TEST(Extrapolation, CountsAgreeingDigitsPerTime) {
   EXPECT_EQ(solution.worst_agreed_digits, solution.agreed_digits[1]);
 }
 
+/// y' = c with another c in each run: (1, 2) and (1 + 3e-10, 2 + 3e-10) at t = 1. They share what 3e-10 leaves of each:
+/// nine digits of 1 and of 2, and as far as both agree, nine.
+TEST(Extrapolation, CountsTheDigitsThatTwoRunsShare) {
+  int runs = 0;
+  const DifferentialEquation different = [&runs](const Real& t, const Vector& y) {
+    if (t.is_zero()) ++runs;  // a run evaluates its start once
+    const Real slope = runs == 1 ? Real(1) : decimal("1.0000000003");
+    return Vector(y.size(), slope);
+  };
+  const ConvergedSolution solution = integrate_converged(different, {Real(0), Real(1)}, Real(0), {Real(1)}, {});
+  ASSERT_EQ(runs, 2);
+  EXPECT_EQ(solution.shared_digits[0], (std::vector<int>{9, 9}));
+  EXPECT_EQ(solution.agreed_digits[0], 9);
+  EXPECT_EQ(solution.worst_agreed_digits, 9);
+}
+
 TEST(Extrapolation, StopsAtASingularityAndNamesTheTime) {
   // y' = y² from 1 is 1/(1 − t): no solution at t = 1.
   const auto f = [](const Real&, const Vector& y) { return Vector{y[0] * y[0]}; };

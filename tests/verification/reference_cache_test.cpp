@@ -41,6 +41,21 @@ TEST(ReferenceDigest, ChangesWithEveryPartOfTheQuestionOnly) {
   EXPECT_NE(digest, reference_digest(block("4", "1.5"), {20, {"12"}}));
 }
 
+// A parameter that is set at run time stays a symbol in the equations: its value is part of the question all the same.
+TEST(ReferenceDigest, ChangesWithTheValueOfARunTimeParameter) {
+  const auto block_of = [](const char* mass) {
+    Scene scene("block");
+    const Expression x = scene.coordinate("x", "m");
+    const Expression m = scene.run_time_parameter("m", "kg", kilograms(mass));
+    scene.body("block", scene.prismatic("slide", scene.ground(), axis::x, x), Inertia::point(m));
+    scene.spring("spring", x, Expression::quantity("4", "N/m"), metres("1"));
+    return scene;
+  };
+  const ReferenceOptions options{20, {"1"}};
+  EXPECT_EQ(reference_digest(block_of("2"), options), reference_digest(block_of("2.0"), options));
+  EXPECT_NE(reference_digest(block_of("2"), options), reference_digest(block_of("2.000001"), options));
+}
+
 TEST(ReferenceCache, KeepsWhatWasIntegratedAndDistrustsWhatWasChanged) {
   const auto folder = std::filesystem::path(testing::TempDir()) / "torsor_reference_cache";
   std::filesystem::remove_all(folder);

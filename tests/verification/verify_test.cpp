@@ -88,6 +88,11 @@ TEST(Verify, FlagsAKnownCancellation) {
   EXPECT_TRUE(flagged(rows)->passed());
   EXPECT_EQ(flagged(rows)->reason, "it cancels");
   EXPECT_TRUE(needless_exceptions(scene.name(), rows, options.exceptions).empty());
+
+  options.exceptions = parse_accuracy_exceptions("another_scene | bias | * | double | 1e300 | it cancels\n");
+  rows = verify_scene(scene, options);
+  EXPECT_FALSE(flagged(rows)->passed());
+  EXPECT_EQ(flagged(rows)->reason, "");
 }
 
 /// One of a result that needs none, one of a kernel that is not there; that of another scene is not looked at.
