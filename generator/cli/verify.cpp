@@ -7,6 +7,7 @@
 
 #include "generator/cli/command_texts.hpp"
 #include "generator/verification/ball.hpp"
+#include "generator/verification/worst.hpp"
 
 namespace torsor {
 namespace {
@@ -31,7 +32,7 @@ std::vector<VerifyRow> worst_of_kernels(const std::vector<VerifyRow>& rows) {
     const auto place = std::find_if(worst.begin(), worst.end(), same);
     if (place == worst.end()) {
       worst.push_back(row);
-    } else if (row.passed() != place->passed() ? place->passed() : row.worst.scaled > place->worst.scaled) {
+    } else if (row.passed() != place->passed() ? place->passed() : is_worse(row.worst.scaled, place->worst.scaled)) {
       *place = row;
     }
   }
@@ -79,7 +80,7 @@ std::string verify_markdown(const std::string& scene, const std::vector<VerifyRo
   for (const char* scalar : {"double", "float"}) {
     const VerifyRow* worst = nullptr;
     for (const VerifyRow& row : rows) {
-      if (row.scalar == scalar && (worst == nullptr || row.worst.scaled > worst->worst.scaled)) worst = &row;
+      if (row.scalar == scalar && (worst == nullptr || is_worse(row.worst.scaled, worst->worst.scaled))) worst = &row;
     }
     if (worst == nullptr) {
       text += " | | |";

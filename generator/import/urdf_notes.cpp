@@ -5,18 +5,13 @@
 
 #include "generator/expression/decimal.hpp"
 #include "generator/expression/shell_word.hpp"
+#include "generator/import/command_words.hpp"
 
 namespace torsor {
 namespace {
 
-/// A decimal for people and for the command line, which reads it back.
+/// A decimal for people.
 std::string decimal(const Number& value) { return shortest(value.to_double()); }
-
-/// The name without folders: headers hold no path.
-std::string base_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
-
-/// As a word of a command line; one that begins with a dash would be an option.
-std::string file_word(const std::string& name) { return shell_word(name.starts_with('-') ? "./" + name : name); }
 
 /// What makes the same scene again: the file and the options that are not at their defaults.
 std::string arguments(const UrdfRobot& robot, const UrdfOptions& options) {
@@ -24,11 +19,11 @@ std::string arguments(const UrdfRobot& robot, const UrdfOptions& options) {
   std::string text = file_word(base_name(robot.file)) + options.file_arguments;
   if (options.base == UrdfBase::floating) text += " --base floating";
   if (options.gravity != defaults.gravity) {
-    text += fmt::format(" --gravity {},{},{}", decimal(options.gravity[0]), decimal(options.gravity[1]),
-                        decimal(options.gravity[2]));
+    text += fmt::format(" --gravity {},{},{}", number_word(options.gravity[0]), number_word(options.gravity[1]),
+                        number_word(options.gravity[2]));
   }
   if (!(options.angle_tolerance == defaults.angle_tolerance)) {
-    text += " --angle-tolerance " + decimal(options.angle_tolerance);
+    text += " --angle-tolerance " + number_word(options.angle_tolerance);
   }
   if (!options.dampers) text += " --no-dampers";
   if (!options.motors) text += " --no-motors";

@@ -55,6 +55,29 @@ TEST(TorsorToolWithMjcf, GeneratesAHeaderThatTellsWhatDoesNotAct) {
       outcome.out);
 }
 
+// The command in the header is one that a shell runs, and that gives the header again, whatever the file is called.
+TEST(TorsorToolWithMjcf, RepeatsEveryOptionInTheCommandInTheHeader) {
+  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "-it's a\ncrane.xml";
+  std::filesystem::copy_file(crane, file, std::filesystem::copy_options::overwrite_existing);
+  const auto command = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{"generate", file.string(), "--quiet", "--kernels", "mass_matrix", "-o", "-"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const std::string header = tool(arguments, read_with_mujoco).out;
+    const std::size_t begin = header.find("//   torsor generate ");
+    const std::size_t end = header.find(" --kernels ", begin);
+    return begin == std::string::npos ? "no command" : header.substr(begin + 5, end - begin - 5);
+  };
+  const std::string start = R"(torsor generate $'./-it\'s a\012crane.xml')";
+  EXPECT_EQ(command({}), start);
+  for (const std::vector<std::string>& options :
+       std::vector<std::vector<std::string>>{{"--gravity", "0.1,1/3,-9.81"}, {"--angle-tolerance", "1e-05"},
+                                             {"--no-motors"}, {"--no-dampers"}, {"--name", "lift"}}) {
+    const std::string text = options.size() == 1 ? options[0] : options[0] + " " + options[1];
+    EXPECT_EQ(command(options), start + " " + text);
+  }
+  std::filesystem::remove(file);
+}
+
 TEST(TorsorToolWithMjcf, TellsWhatIsWrong) {
   EXPECT_EQ(tool({"list", crane, "--base", "floating"}, read_with_mujoco).err,
             "torsor: --base floating is for URDF; write <freejoint/> in the first body of '" + crane + "'\n");

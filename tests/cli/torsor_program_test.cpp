@@ -106,6 +106,7 @@ TEST(TorsorTool, StatesTheMethodOfForwardDynamicsInTheCommandInTheHeader) {
 TEST(TorsorTool, RepeatsEveryOptionInTheCommandInTheHeader) {
   for (const std::vector<std::string>& options : std::vector<std::vector<std::string>>{{"--base", "floating"},
                                                                                        {"--gravity", "0,0,-1.62"},
+                                                                                       {"--gravity", "0.1,1/3,-9.81"},
                                                                                        {"--angle-tolerance", "1e-05"},
                                                                                        {"--no-dampers"},
                                                                                        {"--no-motors"},

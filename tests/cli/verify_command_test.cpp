@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
 #include <nlohmann/json.hpp>
 
+#include "generator/cli/command_texts.hpp"
 #include "tests/cli/scene_runner.hpp"
 
 namespace torsor::verify_command_test {
@@ -30,6 +32,23 @@ TEST(VerifyCommand, PrintsAGroupForEachResultAndPasses) {
       EXPECT_NE(group.at("state").get<std::string>().find("theta"), std::string::npos);
     }
   }
+}
+
+// A group without a number is the worst, wherever it stands among the others.
+TEST(VerifyCommand, NamesAGroupThatIsNoNumberAsTheWorst) {
+  std::vector<VerifyRow> rows;
+  for (const double scaled : {1.0, std::nan(""), 7.0}) {
+    rows.emplace_back();
+    rows.back().kernel = "energy";
+    rows.back().group = "group_" + std::to_string(rows.size());
+    rows.back().scalar = "double";
+    rows.back().worst.counted = true;
+    rows.back().worst.scaled = scaled;
+    rows.back().limit = 0.5;  // none passes
+  }
+  EXPECT_NE(verify_markdown("scene", rows).find("| energy group_2 |"), std::string::npos);
+  EXPECT_NE(verify_table("scene", rows, {}).find("group_2"), std::string::npos);
+  EXPECT_EQ(verify_table("scene", rows, {}).find("group_3"), std::string::npos);
 }
 
 TEST(VerifyCommand, RefusesWhatItCannotDo) {

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/import/command_words.hpp"
+
+#include "generator/expression/decimal.hpp"
+#include "generator/expression/shell_word.hpp"
+
+namespace torsor {
+
+std::string number_word(const Number& value) {
+  std::string text = shortest(value.to_double());
+  return parse_decimal(text) == value ? text : value.to_exact();
+}
+
+std::string base_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
+
+std::string file_word(const std::string& name) { return shell_word(name.starts_with('-') ? "./" + name : name); }
+
+}  // namespace torsor
