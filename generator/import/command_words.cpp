@@ -11,7 +11,7 @@ std::string number_word(const Number& value) {
   return parse_decimal(text) == value ? text : value.to_exact();
 }
 
-std::string base_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
+std::string name_of_file(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
 std::string file_word(const std::string& name) { return shell_word(name.starts_with('-') ? "./" + name : name); }
 

@@ -12,7 +12,7 @@ namespace torsor {
 std::string number_word(const Number& value);
 
 /// The name without folders: headers hold no path.
-std::string base_name(const std::string& path);
+std::string name_of_file(const std::string& path);
 
 /// The name of a file as one word of a shell; one that begins with a dash would be an option.
 std::string file_word(const std::string& name);

@@ -38,7 +38,7 @@ void append_lines(std::vector<std::string>& notes, const std::string& title, con
 }  // namespace
 
 SceneOrigin mjcf_origin(const MjcfModel& model, const MjcfOptions& options, const MjcfHead& head) {
-  const std::string file = base_name(model.file);
+  const std::string file = name_of_file(model.file);
   SceneOrigin origin{file, file_word(file) + options_text(options), {}};
   append_lines(origin.notes, "Names that became identifiers:", head.renamed);
   append_lines(origin.notes, "Angles and axes that were made exact:", head.changed);

@@ -16,7 +16,7 @@ std::string decimal(const Number& value) { return shortest(value.to_double()); }
 /// What makes the same scene again: the file and the options that are not at their defaults.
 std::string arguments(const UrdfRobot& robot, const UrdfOptions& options) {
   const UrdfOptions defaults;
-  std::string text = file_word(base_name(robot.file)) + options.file_arguments;
+  std::string text = file_word(name_of_file(robot.file)) + options.file_arguments;
   if (options.base == UrdfBase::floating) text += " --base floating";
   if (options.gravity != defaults.gravity) {
     text += fmt::format(" --gravity {},{},{}", number_word(options.gravity[0]), number_word(options.gravity[1]),
@@ -62,7 +62,7 @@ void append(std::vector<std::string>& notes, const std::string& title, const std
 
 SceneOrigin urdf_origin(const UrdfRobot& robot, const UrdfOptions& options, const std::vector<UrdfJointData>& joints,
                         const std::vector<std::string>& renamed) {
-  SceneOrigin origin{base_name(robot.file), arguments(robot, options), {}};
+  SceneOrigin origin{name_of_file(robot.file), arguments(robot, options), {}};
   append(origin.notes, "Noted while reading (--strict refuses it):", robot.notes.lines());
   append(origin.notes, "Understood while reading:", robot.remarks);
   append(origin.notes, "Names that became identifiers:", renamed);

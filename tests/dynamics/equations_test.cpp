@@ -94,6 +94,77 @@ TEST_P(RandomEquations, AreLinearInAccelerationsWithTheMassMatrixAndTheBias) {
   EXPECT_LT(distance(chosen, whole), 1e-45);
 }
 
+/// A body welded to a frame that is welded to a turned one stands where the product of both placements puts it.
+TEST(Equations, PlaceWeldsInsideWelds) {
+  const auto arm_with = [](bool in_two_steps) {
+    Scene scene("arm");
+    const FrameHandle arm = scene.revolute("arm", scene.ground(), {1, 2, 2}, scene.coordinate("q", "rad"));
+    const auto metres = [](const char* value) { return Expression::quantity(value, "m"); };
+    const Rotation quarter = Rotation::about(2, 6), tilt = Rotation::about(0, 4);  // x to y; y towards z
+    FrameHandle flange = arm;
+    if (in_two_steps) {
+      const FrameHandle plate = scene.weld("plate", arm, {.origin = {metres("1"), 0, 0}, .rotation = quarter});
+      flange = scene.weld("flange", plate, {.origin = {metres("2"), 0, metres("3")}, .rotation = tilt});
+    } else {
+      flange =
+          scene.weld("flange", arm, {.origin = {metres("1"), metres("2"), metres("3")}, .rotation = quarter * tilt});
+    }
+    scene.body("tool", flange,
+               Inertia::box(Expression::quantity("2", "kg"), metres("1"), metres("0.5"), metres("0.2"))
+                   .at({metres("0.1"), metres("0.4"), 0}));
+    scene.gravity({0, 0, Expression::quantity("-10", "m/s^2")});
+    return scene;
+  };
+  const WorkingDigits precision(50);
+  const Equations one(arm_with(true)), other(arm_with(false));
+  const auto at = [](const SymbolPointer& symbol) { return symbol->name == "q" ? rational(2, 7) : rational(3, 5); };
+  Evaluator<Real> first(one.program(), at), second(other.program(), at);
+  EXPECT_LT(relative_difference(first(one.mass()[0][0]), second(other.mass()[0][0])), 1e-45);
+  EXPECT_LT(relative_difference(first(one.bias()[0]), second(other.bias()[0])), 1e-45);
+}
+
+/// s = t³ m/s³ moves the hand; a force of 2 kg s'' + 3 N s/m s' on a mass of 2 kg.
+TEST(Equations, KnowTheRatesOfADrivenCoordinate) {
+  Scene scene("hand");
+  const Expression x = scene.coordinate("x", "m"), s = scene.coordinate("s", "m");
+  scene.drive(s, Expression::quantity("1", "m/s^3") * pow(scene.time(), 3));
+  const FrameHandle block = scene.prismatic("block", scene.ground(), axis::x, x);
+  scene.body("block", block, Inertia::point(Expression::quantity("2", "kg")));
+  scene.effort("pull", x,
+               Expression::quantity("2", "kg") * rate(rate(s)) + Expression::quantity("3", "N s/m") * rate(s));
+  const Equations equations(scene);
+  const WorkingDigits precision(50);
+  const Real t = rational(3, 4);
+  Evaluator<Real> here(equations.program(),
+                       [&](const SymbolPointer& symbol) { return symbol->kind == SymbolKind::time ? t : Real(0); });
+  EXPECT_LT(relative_difference(here(equations.forward().accelerations[0]), Real(6) * t + rational(9, 2) * t * t),
+            1e-45);
+}
+
+/// A ball of mass m that rolls without slip is pushed as if it had the mass 7 m/5, along x as along y.
+TEST(Equations, OfARollingBallHoldItsSpinInBothDirections) {
+  Scene scene("ball");
+  const auto metres = [](const char* value) { return Expression::quantity(value, "m"); };
+  const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m"), z = scene.coordinate("z", "m");
+  const FrameHandle ball = scene.free("ball", scene.ground(), {x, y, z}, scene.attitude("e"));
+  scene.initial(z, metres("0.5"));
+  scene.body("ball", ball, Inertia::solid_sphere(Expression::quantity("2", "kg"), metres("0.5")));
+  const PointHandle low = scene.sphere_contact("low", ball, metres("0.5"), scene.ground());
+  scene.contact("floor", low, scene.ground());
+  scene.rolling("rolling", ball, scene.ground(), low, scene.ground());
+  scene.motor("along", x);
+  scene.motor("across", y);
+  const Equations equations(scene);
+  const WorkingDigits precision(50);
+  Evaluator<Real> here(equations.program(), [](const SymbolPointer& symbol) {
+    if (symbol->name == "along") return Real(14);
+    if (symbol->name == "across") return Real(28);
+    return Real(symbol->name == "e_w" ? 1 : 0);
+  });
+  EXPECT_LT(relative_difference(here(equations.forward().accelerations[0]), Real(5)), 1e-45);
+  EXPECT_LT(relative_difference(here(equations.forward().accelerations[1]), Real(10)), 1e-45);
+}
+
 // About the pivot the moments across the axis are equal, and the centre of mass is off the axis all the same: such a
 // tip does not look the same turned. (1 + m d²) θ'' = −m g d sin θ with m = 2 kg, d = ½ m, g = 10 m/s².
 TEST(Equations, OfAPendulumWithEqualMomentsAcrossItsAxisHaveItsWeight) {

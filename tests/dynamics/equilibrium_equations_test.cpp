@@ -154,6 +154,30 @@ TEST(LejeuneDirichletCriterion, FollowsTheBeadThroughItsBifurcation) {
   EXPECT_NE(critical.reason.find("zero within rounding"), std::string::npos) << critical.reason;
 }
 
+// -U = (a x² + 2 b x y + c y²)/2: a minimum where a > 0 and c - b²/a > 0, the pivots, whatever a and c are by
+// themselves.
+TEST(LejeuneDirichletCriterion, LooksAtTheCouplingOfTwoCoordinates) {
+  const WorkingDigits precision(50);
+  const auto judged = [](int a, int b, int c) {
+    Scene scene("saddle");
+    const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m");
+    const FrameHandle slide = scene.prismatic("slide", scene.ground(), axis::x, x);
+    scene.body("point", scene.prismatic("point", slide, axis::y, y), Inertia::point(Expression::quantity("1", "kg")));
+    const Expression stiffness = Expression::quantity("1", "N/m");
+    scene.force_function("field", -stiffness * (a * x * x + 2 * b * x * y + c * y * y) / 2);
+    const Equations equations(scene);
+    return lejeune_dirichlet(equations, equilibrium_equations(equations), [](const SymbolPointer&) { return Real(0); });
+  };
+  const LejeuneDirichlet minimum = judged(2, 1, 3);
+  EXPECT_TRUE(minimum.stable);
+  ASSERT_EQ(minimum.pivots.size(), 2U);
+  EXPECT_LT(relative_difference(minimum.pivots[1], rational(5, 2)), 1e-45);
+  EXPECT_FALSE(judged(1, 2, 1).stable);
+  const LejeuneDirichlet valley = judged(1, -1, 1);
+  EXPECT_FALSE(valley.stable);
+  EXPECT_NE(valley.reason.find("pivot 2 of the Hessian of -(U + T0) is 0"), std::string::npos) << valley.reason;
+}
+
 TEST(SylvesterConditions, AreTheConditionsOfTheBottomOfTheHoop) {
   const Scene scene = turning_hoop();
   const Equations equations(scene, symbolic_parameters());

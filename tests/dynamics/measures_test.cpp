@@ -105,6 +105,47 @@ TEST(MeasuredPosition, ChangesAtTheVelocityOfAPointOfTheBody) {
   }
 }
 
+// Seen from a frame that is welded to a body, turned and at another place: R' (p - o) with the weld's R and o.
+TEST(MeasuredPosition, IsSeenFromTheOriginAndAlongTheAxesOfItsFrame) {
+  Carried it;
+  const Rotation turned = Rotation::about(0, 5) * Rotation::about(2, 4);
+  const std::array<Expression, 3> origin{metres("0.4"), metres("-0.3"), metres("0.6")};
+  it.scene.weld("shelf", it.body, {.origin = {origin[0], origin[1], origin[2]}, .rotation = turned});
+  const Triple from_body = it.scene.position(it.tip, it.body), from_shelf = it.scene.position(it.tip, "shelf");
+  const Triple moving = it.scene.velocity(it.tip, it.arm, it.body, "table"),
+               along_shelf = it.scene.velocity(it.tip, it.arm, "shelf", "table");
+  const Equations equations(it.scene);
+  const RandomState state(it.scene, 11);
+  Evaluator<Real> here(equations.program(), state.in_real());
+  const auto number = [&](const Expression& formula) { return here(equations.program().lower(formula)); };
+  for (int i = 0; i < 3; ++i) {
+    Real place(0), velocity(0);
+    for (int k = 0; k < 3; ++k) {
+      const auto j = static_cast<std::size_t>(k);
+      const Real entry(turned(k, i), 50);
+      place += entry * (number(from_body[j]) - number(origin[j]));
+      velocity += entry * number(moving[j]);
+    }
+    EXPECT_LT(relative_difference(number(from_shelf[static_cast<std::size_t>(i)]), place), exact) << i;
+    EXPECT_LT(relative_difference(number(along_shelf[static_cast<std::size_t>(i)]), velocity), exact) << i;
+  }
+}
+
+// What a formula is made of tells where it may stand.
+TEST(MeasuredVectors, AreMadeOfPositionsAndVelocitiesOfRates) {
+  Carried it;
+  const SymbolPointer& x = it.x.as_symbol();
+  const Triple place = it.scene.position(it.tip, "table"),
+               velocity = it.scene.velocity(it.tip, it.arm, "table", "table"),
+               turning = it.scene.angular_velocity(it.arm, "body", "body");
+  EXPECT_TRUE(place[0].depends_on(x));
+  EXPECT_FALSE(place[0].depends_on(x->rate));
+  EXPECT_FALSE(place[0].depends_on(it.table_angle.as_symbol()));  // both ends are on the table
+  EXPECT_TRUE(velocity[0].depends_on(x->rate));
+  EXPECT_TRUE(turning[0].depends_on(it.phi.as_symbol()->rate));
+  EXPECT_FALSE(turning[0].depends_on(x->rate));
+}
+
 TEST(MeasuredAngularVelocity, TurnsTheAxesThatItIsOf) {
   // d(n)/dt in the reference = Ω ∧ n for each axis n of the frame.
   Carried it;

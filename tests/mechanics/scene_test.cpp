@@ -84,6 +84,15 @@ TEST_F(SceneCoordinates, StartInTheirOwnUnit) {
             "initial rate of 'x' is given in m and must be in m s^-1");
 }
 
+TEST_F(SceneCoordinates, OfAnAttitudeStartWithTheirOwnRates) {
+  const AttitudeHandle first = scene.attitude("first"), second = scene.attitude("second");
+  scene.initial(second, {1, 0, 0, 0}, {1, 2, 3});
+  scene.initial(first, {1, 0, 0, 0}, {4, 5, 6});
+  std::vector<std::string> rates;
+  for (const CoordinateContent& c : scene.content().coordinates) rates.push_back(c.initial_rate->to_string());
+  EXPECT_EQ(rates, (std::vector<std::string>{"4", "5", "6", "1", "2", "3"}));
+}
+
 using SceneUnits = SceneTest;
 
 TEST_F(SceneUnits, OfJointsAreAnglesAndLengths) {

@@ -60,6 +60,9 @@ TEST(Verify, FindsNoErrorInExactResultsAndHalfAnUlpInOneRounding) {
     EXPECT_LE(row.worst.scaled, exact ? 0.0 : 0.5001 * std::sqrt(2.0)) << row.kernel << " " << row.group;
     if (exact) {
       EXPECT_EQ(row.worst.error, 0.0) << row.group;
+    } else {
+      // Of many roundings, each anywhere up to half an ulp, the worst is above a quarter.
+      EXPECT_GT(row.worst.error, 0.26) << row.kernel << " " << row.group;
     }
   }
 }
