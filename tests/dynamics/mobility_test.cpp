@@ -67,6 +67,33 @@ TEST(Mobility, OfCartsWeldedToEachOtherIsThatOfOneCart) {
   expect(mobility.given, {4, 6, 3, 3, 2, 1, 16});
 }
 
+// A door on two balls, off the ground's origin: what equilibrium leaves open is the force from ball to ball, and no moment
+// at either of them.
+TEST(Mobility, OfADoorOnTwoBallsLeavesOneForceOpen) {
+  Scene scene("door");
+  const FrameHandle door = scene.spherical("low", scene.ground(), scene.attitude("e"), {{metres("1"), 0, 0}, {}});
+  const FrameHandle top = scene.weld("top", door, {{0, metres("2"), 0}, {}});
+  const FrameHandle frame = scene.weld("frame", scene.ground(), {{metres("1"), metres("2"), 0}, {}});
+  scene.close("high", JointType::spherical, frame, top);
+  const Mobility mobility = analyse_mobility(scene);
+  expect(mobility.given, {2, 2, 1, 6, 5, 1, 1});
+  for (const char* joint : {"low", "high"}) EXPECT_EQ(components(mobility, joint), (Names{"F_y"})) << joint;
+}
+
+// A rod that its attitude turns from x to y ends where a second ball holds it: nothing is moved to close the loop.
+TEST(Mobility, TakesAnAttitudeAsTheSceneStarts) {
+  Scene scene("rod");
+  const AttitudeHandle e = scene.attitude("e");
+  scene.initial(e, {1, 0, 0, 1});  // a quarter turn about z
+  const FrameHandle rod = scene.spherical("rod", scene.ground(), e);
+  const FrameHandle end = scene.weld("end", rod, {{metres("1"), 0, 0}, {}});
+  const FrameHandle wall = scene.weld("wall", scene.ground(), {{0, metres("1"), 0}, {}});
+  scene.close("ball", JointType::spherical, wall, end);
+  const Mobility mobility = analyse_mobility(scene);
+  EXPECT_FALSE(mobility.moved_to_close);
+  expect(mobility.given, {2, 2, 1, 6, 5, 1, 1});
+}
+
 // All links on one line: a parallelogram may leave that position as one, or crossed.
 TEST(Mobility, OfAFlatParallelogramIsSingular) {
   const Mobility mobility = analyse_mobility(four_bar(1, 2, 1, 2, {0, 0, 0}));

@@ -127,6 +127,27 @@ TEST_F(TwistSpace, OfJointsInSeriesIsTheirSum) {
   EXPECT_EQ(two.text(), "2 freedoms, no joint of the table");
 }
 
+// Two hinges about one axis in series turn as one, and the body between them turns alone; beside a ball on that axis
+// the two of them leave a hinge, and three equations say what others say: 3 + 1 freedoms span 3 of 6 dimensions.
+TEST_F(TwistSpace, OfMergedJointsSaysWhatDisappears) {
+  const auto edge = [this](const char* name, int a, int b, JointType type) {
+    const RealRows twists = at(type);
+    return TwistEdge{name, a, b, false, {twists, std::vector<std::string>(twists.size())}};
+  };
+  const ReducedGraph reduced =
+      reduce({"ground", "sleeve", "shaft"}, {edge("first", 0, 1, JointType::revolute), edge("second", 1, 2, JointType::revolute),
+                                             edge("ball", 2, 0, JointType::spherical)});
+  ASSERT_EQ(reduced.steps.size(), 2U);
+  EXPECT_EQ(reduced.steps[0].internal, 1);
+  EXPECT_EQ(reduced.steps[0].redundant, 0);
+  EXPECT_EQ(reduced.steps[1].internal, 0);
+  EXPECT_EQ(reduced.steps[1].redundant, 3);
+  ASSERT_EQ(reduced.joints.size(), 1U);
+  EXPECT_EQ(reduced.joints[0].allows.type, JointType::revolute);
+  EXPECT_EQ(reduced.count.mobility, 1);
+  EXPECT_EQ(reduced.count.redundancy, 0);
+}
+
 // The coupler has two joints in series; crank and rocker keep theirs with the ground.
 TEST(ReducedGraph, KeepsTheJointsWithTheOutside) {
   const Mobility mobility = analyse_mobility(four_bar(1, 3, 2, 3, {0.5, 0.4, 1.9}));
