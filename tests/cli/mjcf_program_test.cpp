@@ -5,8 +5,7 @@
 
 #include <unistd.h>
 
-#include "generator/cli/torsor_program.hpp"
-#include "tests/cli/scene_runner.hpp"
+#include "tests/cli/tool_runner.hpp"
 #ifdef TORSOR_WITH_MUJOCO
 #include "generator/import/mujoco_reader.hpp"
 #endif
@@ -15,23 +14,12 @@ namespace torsor::mjcf_program_test {
 namespace {
 
 using testing_programs::Outcome;
+using testing_programs::torsor_tool;
 
 const std::string crane = TORSOR_SOURCE_DIR "/tests/import/data/mjcf/crane.xml";
 
-Outcome tool(const std::vector<std::string>& arguments, MjcfReader reader) {
-  std::vector<const char*> argv{"torsor"};
-  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-  testing::internal::CaptureStdout();
-  testing::internal::CaptureStderr();
-  Outcome outcome;
-  outcome.code = run_torsor(static_cast<int>(argv.size()), argv.data(), reader);
-  outcome.out = testing::internal::GetCapturedStdout();
-  outcome.err = testing::internal::GetCapturedStderr();
-  return outcome;
-}
-
 TEST(TorsorToolWithMjcf, SaysWhatToInstallWhereMujocoIsNot) {
-  const Outcome outcome = tool({"list", crane}, nullptr);
+  const Outcome outcome = torsor_tool({"list", crane}, nullptr);
   EXPECT_EQ(outcome.code, 3);
   EXPECT_EQ(outcome.err, "torsor: " + crane +
                              ": is MJCF, which this program was built without; install libmujoco-dev and "
@@ -42,7 +30,8 @@ TEST(TorsorToolWithMjcf, SaysWhatToInstallWhereMujocoIsNot) {
 
 TEST(TorsorToolWithMjcf, GeneratesAHeaderThatTellsWhatDoesNotAct) {
   const Outcome outcome =
-      tool({"generate", crane, "--kernels", "inverse_dynamics", "--gravity", "0,0,-1.62", "-o", "-"}, read_with_mujoco);
+      torsor_tool({"generate", crane, "--kernels", "inverse_dynamics", "--gravity", "0,0,-1.62", "-o", "-"},
+                  read_with_mujoco);
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "note: contacts do not act: the geometry of 5 geoms is kept and has no effect\n");
   EXPECT_NE(outcome.out.find("torsor generate crane.xml --gravity 0,0,-1.62 --kernels inverse_dynamics"),
@@ -50,7 +39,8 @@ TEST(TorsorToolWithMjcf, GeneratesAHeaderThatTellsWhatDoesNotAct) {
   EXPECT_NE(outcome.out.find("is Ry(pi/6): body boom"), std::string::npos);
   EXPECT_NE(outcome.out.find("//   contacts do not act"), std::string::npos);
   EXPECT_EQ(
-      tool({"generate", crane, "--kernels", "inverse_dynamics", "--gravity", "0,0,-1.62", "-o", "-"}, read_with_mujoco)
+      torsor_tool({"generate", crane, "--kernels", "inverse_dynamics", "--gravity", "0,0,-1.62", "-o", "-"},
+                  read_with_mujoco)
           .out,
       outcome.out);
 }
@@ -79,13 +69,13 @@ TEST(TorsorToolWithMjcf, RepeatsEveryOptionInTheCommandInTheHeader) {
 }
 
 TEST(TorsorToolWithMjcf, TellsWhatIsWrong) {
-  EXPECT_EQ(tool({"list", crane, "--base", "floating"}, read_with_mujoco).err,
+  EXPECT_EQ(torsor_tool({"list", crane, "--base", "floating"}, read_with_mujoco).err,
             "torsor: --base floating is for URDF; write <freejoint/> in the first body of '" + crane + "'\n");
-  EXPECT_EQ(tool({"list", crane, "--points", "bom"}, read_with_mujoco).code, 2);
+  EXPECT_EQ(torsor_tool({"list", crane, "--points", "bom"}, read_with_mujoco).code, 2);
   const std::filesystem::path file =
       std::filesystem::path(testing::TempDir()) / ("bad_" + std::to_string(getpid()) + ".xml");
   std::ofstream(file) << "<mujoco>\n<worldbody>\n<body><jiont/></body></worldbody></mujoco>";
-  EXPECT_EQ(tool({"list", file.string()}, read_with_mujoco).err,
+  EXPECT_EQ(torsor_tool({"list", file.string()}, read_with_mujoco).err,
             "torsor: " + file.string() +
                 ":3: MuJoCo: XML Error: Schema violation: unrecognized element Element 'jiont', line 3\n");
   std::filesystem::remove(file);
@@ -99,7 +89,7 @@ TEST(TorsorToolWithMjcf, NamesFilesThatItDependsOn) {
       << "<mujocoinclude><worldbody><body name=\"rod\"><joint name=\"turn\"/>"
          "<geom size=\"0.1\" contype=\"0\" conaffinity=\"0\"/></body></worldbody></mujocoinclude>";
   const std::string a = (folder / "a.xml").string(), rule = (folder / "a.stamp.d").string();
-  const Outcome outcome = tool({"list", a, "--depfile", rule}, read_with_mujoco);
+  const Outcome outcome = torsor_tool({"list", a, "--depfile", rule}, read_with_mujoco);
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   EXPECT_NE(outcome.out.find("turn"), std::string::npos);

@@ -17,17 +17,24 @@ struct Outcome {
   std::string out, err;
 };
 
-/// Runs a scene program in this process, as `scene <arguments>`.
-inline Outcome run(Scene (*make_scene)(), const std::vector<std::string>& arguments) {
-  std::vector<const char*> argv{"scene"};
+/// Runs the main function of a program in this process, `main(argc, argv)`, as `name <arguments>`.
+template <class Main>
+Outcome run_main(const char* name, const std::vector<std::string>& arguments, const Main& main) {
+  std::vector<const char*> argv{name};
   for (const std::string& argument : arguments) argv.push_back(argument.c_str());
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   Outcome outcome;
-  outcome.code = run_scene_program(static_cast<int>(argv.size()), argv.data(), make_scene);
+  outcome.code = main(static_cast<int>(argv.size()), argv.data());
   outcome.out = testing::internal::GetCapturedStdout();
   outcome.err = testing::internal::GetCapturedStderr();
   return outcome;
+}
+
+/// Runs a scene program in this process, as `scene <arguments>`.
+inline Outcome run(Scene (*make_scene)(), const std::vector<std::string>& arguments) {
+  return run_main("scene", arguments,
+                  [&](int argc, const char* const* argv) { return run_scene_program(argc, argv, make_scene); });
 }
 
 /// One clear line on stderr, nothing on stdout, that exit code.

@@ -1,34 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/cli/torsor_program.hpp"
-
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include <nlohmann/json.hpp>
 
-#include "tests/cli/scene_runner.hpp"
+#include "tests/cli/tool_runner.hpp"
 
 namespace torsor::torsor_program_test {
 namespace {
 
 using testing_programs::Outcome;
+using testing_programs::torsor_tool;
 
 const std::string ur5 = TORSOR_SOURCE_DIR "/tests/reference/urdf/ur5.urdf";
 const std::string arm = TORSOR_SOURCE_DIR "/tests/import/data/arm.urdf";
-
-/// Runs the tool in this process.
-Outcome torsor_tool(const std::vector<std::string>& arguments) {
-  std::vector<const char*> argv{"torsor"};
-  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-  testing::internal::CaptureStdout();
-  testing::internal::CaptureStderr();
-  Outcome outcome;
-  outcome.code = run_torsor(static_cast<int>(argv.size()), argv.data());
-  outcome.out = testing::internal::GetCapturedStdout();
-  outcome.err = testing::internal::GetCapturedStderr();
-  return outcome;
-}
 
 TEST(TorsorTool, HasEveryCommandOfASceneProgram) {
   for (const std::vector<std::string>& command :

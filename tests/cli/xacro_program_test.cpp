@@ -5,13 +5,13 @@
 
 #include <unistd.h>
 
-#include "generator/cli/torsor_program.hpp"
-#include "tests/cli/scene_runner.hpp"
+#include "tests/cli/tool_runner.hpp"
 
 namespace torsor::xacro_program_test {
 namespace {
 
 using testing_programs::Outcome;
+using testing_programs::torsor_tool;
 
 /// Runs the tool in this process on files of a folder of its own.
 class TorsorToolWithXacro : public testing::Test {
@@ -59,17 +59,6 @@ class TorsorToolWithXacro : public testing::Test {
     std::ifstream file(folder_ / name);
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   }
-  Outcome tool(const std::vector<std::string>& arguments) const {
-    std::vector<const char*> argv{"torsor"};
-    for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-    testing::internal::CaptureStdout();
-    testing::internal::CaptureStderr();
-    Outcome outcome;
-    outcome.code = run_torsor(static_cast<int>(argv.size()), argv.data());
-    outcome.out = testing::internal::GetCapturedStdout();
-    outcome.err = testing::internal::GetCapturedStderr();
-    return outcome;
-  }
   std::filesystem::path folder_;
 };
 
@@ -77,9 +66,10 @@ class TorsorToolWithXacro : public testing::Test {
 std::string body(const std::string& header) { return header.substr(std::min(header.find("#include"), header.size())); }
 
 TEST_F(TorsorToolWithXacro, GivesTheHeaderOfTheExpandedFile) {
-  const Outcome from_xacro = tool({"generate", path("robot.urdf.xacro"), "--kernels", "inverse_dynamics", "-o", "-"});
+  const Outcome from_xacro =
+      torsor_tool({"generate", path("robot.urdf.xacro"), "--kernels", "inverse_dynamics", "-o", "-"});
   ASSERT_EQ(from_xacro.code, 0) << from_xacro.err;
-  const Outcome from_urdf = tool({"generate", path("robot.urdf"), "--kernels", "inverse_dynamics", "-o", "-"});
+  const Outcome from_urdf = torsor_tool({"generate", path("robot.urdf"), "--kernels", "inverse_dynamics", "-o", "-"});
   ASSERT_EQ(from_urdf.code, 0) << from_urdf.err;
   EXPECT_GT(body(from_urdf.out).size(), 1000U);
   EXPECT_EQ(body(from_xacro.out), body(from_urdf.out));
@@ -87,17 +77,17 @@ TEST_F(TorsorToolWithXacro, GivesTheHeaderOfTheExpandedFile) {
 
 TEST_F(TorsorToolWithXacro, TakesArgumentsAndTellsThemInTheHeader) {
   const Outcome three =
-      tool({"generate", path("robot.urdf.xacro"), "--arg", "links:=3", "--kernels", "energy", "-o", "-"});
+      torsor_tool({"generate", path("robot.urdf.xacro"), "--arg", "links:=3", "--kernels", "energy", "-o", "-"});
   ASSERT_EQ(three.code, 0) << three.err;
   EXPECT_NE(three.out.find("j2"), std::string::npos);
   EXPECT_NE(three.out.find("//   torsor generate robot.urdf.xacro --arg 'links:=3' --kernels energy"),
             std::string::npos)
       << three.out.substr(0, 2000);
-  EXPECT_EQ(tool({"list", path("robot.urdf.xacro"), "--arg", "links=3"}).err,
+  EXPECT_EQ(torsor_tool({"list", path("robot.urdf.xacro"), "--arg", "links=3"}).err,
             "torsor: --arg takes NAME:=VALUE, e.g. prefix:=left_, and got 'links=3'\n");
-  EXPECT_EQ(tool({"list", path("robot.urdf.xacro"), "--arg", "link:=3"}).err,
+  EXPECT_EQ(torsor_tool({"list", path("robot.urdf.xacro"), "--arg", "link:=3"}).err,
             "torsor: --arg link: did you mean 'links'? the file declares links\n");
-  EXPECT_EQ(tool({"list", path("robot.urdf"), "--arg", "links:=3"}).code, 2);
+  EXPECT_EQ(torsor_tool({"list", path("robot.urdf"), "--arg", "links:=3"}).code, 2);
 }
 
 TEST_F(TorsorToolWithXacro, NamesTheFileTheLineAndTheMacroOfWhatURDFRefuses) {
@@ -107,7 +97,7 @@ TEST_F(TorsorToolWithXacro, NamesTheFileTheLineAndTheMacroOfWhatURDFRefuses) {
       <inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
   </xacro:macro>
 </robot>)xml");
-  const Outcome outcome = tool({"list", path("robot.urdf.xacro")});
+  const Outcome outcome = torsor_tool({"list", path("robot.urdf.xacro")});
   EXPECT_EQ(outcome.code, 3);
   EXPECT_EQ(outcome.err, "torsor: " + path("inc/link.xacro") +
                              ":3: <mass> of <inertial> of <link name=\"l\"> (in the macro "
@@ -118,10 +108,10 @@ TEST_F(TorsorToolWithXacro, NamesTheFileTheLineAndTheMacroOfWhatURDFRefuses) {
 }
 
 TEST_F(TorsorToolWithXacro, WritesWhatItReadAsARuleOfMake) {
-  ASSERT_EQ(tool({"list", path("robot.urdf.xacro"), "--depfile", path("arm.stamp.d")}).code, 0);
+  ASSERT_EQ(torsor_tool({"list", path("robot.urdf.xacro"), "--depfile", path("arm.stamp.d")}).code, 0);
   EXPECT_EQ(text("arm.stamp.d"),
             path("arm.stamp") + ": \\\n  " + path("robot.urdf.xacro") + " \\\n  " + path("inc/link.xacro") + "\n");
-  EXPECT_EQ(tool({"list", path("robot.urdf"), "--depfile", path("arm")}).code, 2);
+  EXPECT_EQ(torsor_tool({"list", path("robot.urdf"), "--depfile", path("arm")}).code, 2);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "generator/expression/vanishing.hpp"
 #include "generator/verification/check.hpp"
 #include "generator/verification/dense_linear.hpp"
+#include "tests/dynamics/all_checks.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
 namespace torsor::friction_test {
@@ -21,14 +22,6 @@ constexpr double exact = 1e-45;
 
 Expression gravity() { return Expression::quantity("9.81", "m/s^2"); }
 const Real g = Real(Number::rational(981, 100), 50);
-
-void expect_all_checks(const Scene& scene) {
-  EXPECT_EQ(error_of([&] { validate(scene); }), "no error");
-  for (const CheckResult& result : check_scene(scene, {.digits = 40, .states = 2})) {
-    const double bound = result.name.starts_with("double.") ? 1e-11 : result.bound;
-    EXPECT_LE(result.worst, bound) << scene.name() << ": " << result.name;
-  }
-}
 
 /// A block of 2 kg on a smooth or rough plane z = 0, gravity along -z and along x as on a slope of 3 in 5.
 struct Block {

@@ -6,6 +6,7 @@
 #include "generator/dynamics/motion/model.hpp"
 #include "generator/verification/check.hpp"
 #include "generator/verification/random_state.hpp"
+#include "tests/dynamics/all_checks.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
 
 namespace torsor::measures_test {
@@ -17,14 +18,6 @@ using namespace literals;
 
 // Values of fifty digits: an identity holds to 1e-45.
 constexpr double exact = 1e-45;
-
-void expect_all_checks(const Scene& scene) {
-  EXPECT_EQ(error_of([&] { validate(scene); }), "no error");
-  for (const CheckResult& result : check_scene(scene, {.digits = 40, .states = 2})) {
-    const double bound = result.name.starts_with("double.") ? 1e-11 : result.bound;
-    EXPECT_LE(result.worst, bound) << scene.name() << ": " << result.name;
-  }
-}
 
 /// A free body on a table that turns and slides by a law of time, with an arm on the body.
 struct Carried {
