@@ -86,6 +86,28 @@ TEST(DormandPrince54, HasOrderFive) {
   EXPECT_NEAR(observed_order<DormandPrince54>(dormand_prince_of_step, 1.0 / 128), 5.0, 0.2);
 }
 
+// y' = y cos t, y = e^(sin t), from 0 to 1. Every stage has a time of its own, which an autonomous system does not show:
+// a wrong one leaves order 1. Steps and the tolerance of 0.2 as above.
+template <class Method>
+double observed_order_in_time(Method (*method)(double), double step) {
+  const auto growth = [](double t, const State<double>& y, State<double>& rate) noexcept {
+    rate = {y[0] * std::cos(t), 0.0};
+    return Evaluation::ok;
+  };
+  const auto error = [&](double h) {
+    State<double> y{1.0, 0.0};
+    EXPECT_TRUE(integrate(growth, y, 0.0, 1.0, method(h)));
+    return std::abs(y[0] - std::exp(std::sin(1.0)));
+  };
+  return std::log2(error(step) / error(step / 2));
+}
+
+TEST(Integrators, KeepTheirOrderWhereTimeActs) {
+  EXPECT_NEAR(observed_order_in_time<Midpoint>([](double h) { return Midpoint{.step = h}; }, 1.0 / 64), 2.0, 0.2);
+  EXPECT_NEAR(observed_order_in_time<RungeKutta4>([](double h) { return RungeKutta4{.step = h}; }, 1.0 / 32), 4.0, 0.2);
+  EXPECT_NEAR(observed_order_in_time<DormandPrince54>(dormand_prince_of_step, 1.0 / 16), 5.0, 0.2);
+}
+
 TEST(DormandPrince54, InterpolatesWithLocalErrorOfOrderFive) {
   // y' = y cos t, y = e^(sin t). One step from an exact value: h^6 at its end, h^5 inside (an interpolant of order 4).
   const auto system = [](double t, const std::array<double, 1>& y, std::array<double, 1>& dydt) noexcept {

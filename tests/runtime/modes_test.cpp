@@ -92,6 +92,11 @@ TEST(NaturalModes, RefuseWhatHasNone) {
   system = chain(2, 1.0, 1.0);
   system.M(1, 1) = 0.0;
   EXPECT_THROW((void)natural_modes(system), std::invalid_argument);
+  for (const bool above : {true, false}) {  // a decomposition looks at one half only
+    system = chain(2, 1.0, 1.0);
+    (above ? system.M(0, 1) : system.M(1, 0)) += 0.25;
+    EXPECT_THROW((void)natural_modes(system), std::invalid_argument);
+  }
   system = chain(2, 1.0, 1.0);
   system.C.resize(1, 1);
   EXPECT_THROW((void)natural_modes(system), std::invalid_argument);

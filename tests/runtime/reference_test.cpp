@@ -65,6 +65,11 @@ TEST_F(ReferenceFile, CountsAnUnknownTimeOrAMissingNumberAsInfinitelyWrong) {
   ReferenceErrors<double, 2> unknown_time(reference);
   unknown_time(0.5, Two{1.0, 0.0});
   EXPECT_TRUE(std::isinf(unknown_time.largest()));
+  // Between two rows too, be the state that of the next one.
+  const auto rows = read_reference<double>(put("rows.csv", "time,x,x'\n0,1,0\n1,2,0\n"));
+  ReferenceErrors<double, 2> between(rows);
+  between(0.5, Two{2.0, 0.0});
+  EXPECT_TRUE(std::isinf(between.largest()));
   ReferenceErrors<double, 2> not_a_number(reference);
   not_a_number(0.0, Two{1.0, std::numeric_limits<double>::quiet_NaN()});
   EXPECT_TRUE(std::isinf(not_a_number.column(1)));

@@ -69,6 +69,19 @@ TEST(RootSearch, CallsAMultipleRootNotIsolated) {
   EXPECT_FALSE(search.roots[1].isolated);
 }
 
+// (1 + cos x) sin x is (x - π)³/2 beside π, a root known to 1e-4, on both sides of where a turn begins and ends.
+TEST(RootSearch, MergesRootsThatAreATurnApart) {
+  const RootSearch search =
+      roots_of([](double x) { return (1.0 + std::cos(x)) * std::sin(x); }, -pi, pi, std::vector<Eigen::Index>{0});
+  ASSERT_EQ(search.roots.size(), 2U);
+  int at_zero = 0;
+  for (const FoundRoot& root : search.roots) {
+    at_zero += std::abs(root.x(0)) < 1e-9 ? 1 : 0;
+    EXPECT_EQ(root.isolated, std::abs(root.x(0)) < 1e-9);
+  }
+  EXPECT_EQ(at_zero, 1);
+}
+
 TEST(RootSearch, ReportsValuesThatAreNotFinite) {
   const RootSearch search = roots_of([](double x) { return std::sqrt(x) - 2.0; }, -1.0, 9.0);
   ASSERT_EQ(search.roots.size(), 1U);

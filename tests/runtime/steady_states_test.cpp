@@ -17,6 +17,7 @@ namespace {
 
 using namespace torsor::runtime;
 using namespace mechanisms;
+using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
@@ -253,9 +254,49 @@ TEST(CyclicReduction, RefusesWhatIsNotCyclic) {
   EXPECT_THROW((void)reduced_at_constant_momentum(whole, {0}), std::invalid_argument);
   EXPECT_THROW((void)reduced_at_constant_rate(whole, {2}), std::invalid_argument);
   EXPECT_THROW((void)reduced_at_constant_rate(whole, {0, 1}), std::invalid_argument);
-  LinearSystem braked = whole;
-  braked.C(1, 1) = 0.1;
-  EXPECT_THROW((void)reduced_at_constant_momentum(braked, {1}), std::invalid_argument);
+  // A force along the cyclic coordinate 1, or by it, of each kind.
+  const auto expect_refused = [&](Eigen::MatrixXd LinearSystem::*matrix, int i, int j) {
+    LinearSystem changed = whole;
+    (changed.*matrix)(i, j) = 0.1;
+    EXPECT_THROW((void)reduced_at_constant_momentum(changed, {1}), std::invalid_argument) << i << ", " << j;
+  };
+  expect_refused(&LinearSystem::C, 1, 1);
+  expect_refused(&LinearSystem::K, 1, 1);
+  expect_refused(&LinearSystem::K, 0, 1);
+  expect_refused(&LinearSystem::K, 1, 0);
+}
+
+// Three equal masses between walls, the first two tied: 2 u'' + 2 u - w = 0, w'' + 2 w - u = 0, so that the squared
+// frequencies are (3 ± √3)/2, whether the tie is told once or more often.
+TEST(MotionOnConstraints, CountsConstraintsThatRepeatOthersOnce) {
+  const LinearSystem whole{MatrixXd::Identity(3, 3), MatrixXd::Zero(3, 3),
+                           (MatrixXd(3, 3) << 2, -1, 0, -1, 2, -1, 0, -1, 2).finished(), VectorXd::Zero(3)};
+  const MatrixXd more = (MatrixXd(3, 3) << 1, -1, 0, -3, 3, 0, 0, 0, 0).finished();
+  for (const int rows : {1, 2, 3}) {
+    const LinearSystem tied = on_constraints(whole, more.topRows(rows));
+    ASSERT_EQ(tied.size(), 2) << rows;
+    const NaturalModes modes = natural_modes(tied);
+    EXPECT_NEAR(modes.squared_frequencies(0), (3 - std::sqrt(3.0)) / 2, 1e-14);
+    EXPECT_NEAR(modes.squared_frequencies(1), (3 + std::sqrt(3.0)) / 2, 1e-14);
+  }
+  EXPECT_THROW((void)on_constraints(whole, MatrixXd::Identity(3, 3)), std::invalid_argument);
+}
+
+// Motions e^{st} a: with P(s) = M s² + C s + K the cyclic coordinate is -P_cn a/P_cc, so that what is left is the Schur
+// complement P_nn - P_nc P_cn/P_cc, at any s but 0. Entries of the size of 10, of some ten operations.
+TEST(CyclicReduction, LeavesWhatEliminationLeaves) {
+  LinearSystem whole;
+  whole.M = (MatrixXd(3, 3) << 2.0, 0.3, 0.5, 0.3, 1.5, -0.4, 0.5, -0.4, 1.2).finished();
+  whole.C = (MatrixXd(3, 3) << 0.2, 0.7, 0.9, -0.6, 0.1, -0.8, -1.1, 0.35, 0.0).finished();
+  whole.K = (MatrixXd(3, 3) << 4.0, 0.6, 0.0, 0.5, 3.0, 0.0, 0.0, 0.0, 0.0).finished();
+  whole.F = VectorXd::Zero(3);
+  const LinearSystem left = reduced_at_constant_momentum(whole, {2});
+  for (const double s : {0.7, -1.3, 2.1}) {
+    const MatrixXd P = whole.M * s * s + whole.C * s + whole.K, Q = left.M * s * s + left.C * s + left.K;
+    for (int i = 0; i < 2; ++i) {
+      for (int j = 0; j < 2; ++j) EXPECT_NEAR(Q(i, j), P(i, j) - P(i, 2) * P(2, j) / P(2, 2), 1e-14 * 10) << s;
+    }
+  }
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 // tableau in complex numbers.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -12,7 +13,9 @@
 
 #include "runtime/integration/dormand_prince_54.hpp"
 #include "runtime/integration/dormand_prince_853.hpp"
+#include "runtime/steps/accumulated_state.hpp"
 #include "runtime/steps/compensated_state.hpp"
+#include "runtime/steps/step_control.hpp"
 
 namespace step_lengths_test {
 namespace {
@@ -105,6 +108,79 @@ TEST(StepLengths, FollowTheSizeOfTheStateWithARelativeTolerance) {
     return result.statistics.accepted;
   };
   EXPECT_EQ(steps_of(1.0), steps_of(0x1p20));
+}
+
+// The same rotation about (1024, 1024): each component is within a thousandth of 1024, so that a relative tolerance ε is
+// an absolute one of 1024 ε, to as much. Steps grow with its eighth root.
+TEST(StepLengths, CountComponentsByTheirSize) {
+  constexpr double centre = 1024.0, relative = 1e-9, end = 3000.0;
+  const auto about = [](double, const std::array<double, 2>& z, std::array<double, 2>& rate) noexcept {
+    rate = {centre - z[1], z[0] - centre};
+    return Evaluation::ok;
+  };
+  std::array<double, 2> z{centre + 1.0, centre};
+  const auto result =
+      integrate(about, z, 0.0, end, DormandPrince853{.relative_tolerance = relative, .absolute_tolerance = 0.0});
+  ASSERT_TRUE(result) << describe(result);
+  const double steps = end / length_of(error_853, centre * relative, std::pow(0.8, 8));
+  EXPECT_NEAR(static_cast<double>(result.statistics.accepted), steps, 10 + 0.002 * steps);
+}
+
+// Along z' = i ω z from 1 with an absolute tolerance ε, norms are d0 = 1/(ε √2), d1 = ω d0, d2 = ω² d0, exactly since f
+// is linear, and h = (0.01/max(d1, d2))^(1/order) below 100 · 0.01/ω (Hairer-Nørsett-Wanner I, II.4 (4.14)).
+TEST(StartingStep, TakesTheSteeperOfSlopeAndBend) {
+  struct {
+    double omega;
+    bool operator()(double, const std::array<double, 2>& z, std::array<double, 2>& rate) const noexcept {
+      rate = {-omega * z[1], omega * z[0]};
+      return true;
+    }
+  } turning{0.0};
+  for (const double omega : {10.0, 0.1}) {
+    for (const int order : {4, 5, 8}) {
+      turning.omega = omega;
+      const double tolerance = 1e-6;
+      const double h = starting_step(turning, StepRange<double>{0.0, -1e3, 1e3}, std::array<double, 2>{1.0, 0.0},
+                                     std::array<double, 2>{0.0, omega}, Tolerances<double>{0.0, tolerance}, order);
+      const double steepest = std::max(omega, omega * omega) / (tolerance * std::sqrt(2.0));
+      // Some ten roundings of the norms, under a root.
+      EXPECT_NEAR(h, std::pow(0.01 / steepest, 1.0 / order), 1e-14 * h);
+    }
+  }
+}
+
+// A state that settles by one part of 2^`bits` in its only component.
+struct Settling {
+  int bits;
+  bool settle(float, std::array<float, 1>& y) const noexcept {
+    y[0] += std::ldexp(y[0], -bits);
+    return true;
+  }
+};
+
+// 1024 increments of a quarter of a rounding, each tried twice: 1 + 2^-15, which float holds.
+TEST(AccumulatedState, ForgetsWhatARefusedStepLost) {
+  std::array<float, 1> y{1.0F};
+  AccumulatedState<float, 1> state(y, true);
+  for (int k = 0; k < 1024; ++k) {
+    state.propose({0x3p-25F});  // which loses a rounding too
+    state.propose({0x1p-25F});
+    state.accept();
+  }
+  EXPECT_EQ(y[0], 1.0F + 0x1p-15F);
+}
+
+TEST(AccumulatedState, IsMovedByMoreThanRoundingsWhereSumsAreCompensated) {
+  for (const bool compensated : {false, true}) {
+    for (const int bits : {23, 10}) {
+      std::array<float, 1> y{1.0F};
+      AccumulatedState<float, 1> state(y, compensated);
+      state.propose({0x1p-25F});
+      const Settling settling{bits};
+      EXPECT_TRUE(state.settle(settling, 0.0F));
+      EXPECT_EQ(state.next()[0], compensated && bits == 23 ? 1.0F : 1.0F + std::ldexp(1.0F, -bits));
+    }
+  }
 }
 
 // Knuth's exact sum in both halves: state + increment = sum + rest, seen exactly because double holds any such sum of

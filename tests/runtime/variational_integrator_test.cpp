@@ -10,6 +10,8 @@
 #include <cstdlib>
 
 #include "generated/double_pendulum.hpp"
+#include "generated/kapitza_pendulum.hpp"
+#include "runtime/integration/dormand_prince_853.hpp"
 #include "runtime/mechanism.hpp"
 #include "tests/runtime/mechanisms.hpp"
 
@@ -131,6 +133,19 @@ TEST(VariationalIntegrator, HasTwiceTheOrderOfItsStagesOnAStraightLineInPolarCoo
     expect_order<2>(drag, 1.0 / 32);
     expect_order<3>(drag, 1.0 / 16);
   }
+}
+
+// A pendulum whose support is shaken at 100 rad/s: forces that depend on time, each stage having a time of its own.
+TEST(VariationalIntegrator, HasTwiceTheOrderOfItsStagesWhereForcesDependOnTime) {
+  const auto motion = equations_of_motion<kapitza_pendulum::Mechanism<double>>();
+  auto truth = motion.initial();
+  ASSERT_TRUE(integrate(motion, truth, 0, 0.5, DormandPrince853{.relative_tolerance = 1e-14, .absolute_tolerance = 1e-14}));
+  const auto error = [&](double step) {
+    auto y = motion.initial();
+    EXPECT_TRUE(integrate(motion, y, 0, 0.5, VariationalIntegrator<2>{.step = step}));
+    return std::abs(y[0] - truth[0]);
+  };
+  EXPECT_NEAR(std::log2(error(1.0 / 1600) / error(1.0 / 3200)), 4.0, 0.25);
 }
 
 TEST(VariationalIntegrator, MeetsTheReferenceOfTheDoublePendulum) {

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The parts that steps are made of, each by itself: interpolants, the polynomial through a guard, the clock, and what
+// runs do at the times of their steps.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "runtime/integration/dormand_prince_54.hpp"
+#include "runtime/integration/dormand_prince_853.hpp"
+#include "runtime/integration/gauss_collocation.hpp"
+#include "runtime/integration/midpoint.hpp"
+#include "runtime/integration/runge_kutta_4.hpp"
+#include "runtime/integration/stoermer_verlet.hpp"
+#include "runtime/steps/gauss_step.hpp"
+#include "runtime/steps/step_clock.hpp"
+#include "runtime/steps/step_polynomial.hpp"
+#include "runtime/steps/taylor_rule.hpp"
+#include "runtime/steps/whole_step.hpp"
+
+namespace steps_test {
+namespace {
+
+using namespace torsor::runtime;
+using One = std::array<double, 1>;
+
+constexpr double cubic(double t) { return 2.0 - 3.0 * t + 0.5 * t * t + 1.5 * t * t * t; }
+constexpr double slope_of_cubic(double t) { return -3.0 + t + 4.5 * t * t; }
+
+// The one cubic through two states and two slopes is the cubic itself, forwards and backwards. Values up to 40 from
+// terms up to as much: some ten roundings of 40.
+TEST(HermiteStep, IsTheCubicOfBothEnds) {
+  for (const double from : {-1.0, 3.0}) {
+    const double to = 2.0 - from;
+    const One y{cubic(from)}, next{cubic(to)}, slope{slope_of_cubic(from)}, last{slope_of_cubic(to)};
+    const HermiteStep<double, 1> step{from, to, y, next, slope, last};
+    const GaussStep<double, 1, 1> gauss(from, to, y, next, slope, {}, last);
+    for (const double t : {-1.0, -0.3, 0.0, 1.1, 2.7, 3.0}) {
+      EXPECT_NEAR(step(t)[0], cubic(t), 1e-13) << t;
+      EXPECT_NEAR(gauss(t)[0], cubic(t), 1e-13) << t;
+    }
+  }
+}
+
+using Polynomial = StepPolynomial<double>;
+template <class Function>
+Polynomial through(const Function& function) {
+  Polynomial::Values values;
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = function(Polynomial::places[i]);
+  return Polynomial(values);
+}
+
+// With the roots 0.1, 0.3, 0.5, 0.7, 0.9 and others outside, and its derivative by the product rule. The coefficients
+// of Bernstein's form grow to some hundred times the values (see step_polynomial.hpp): 1e-13 of these.
+template <std::size_t degree>
+void expect_exact(const std::array<double, degree>& roots) {
+  const auto value = [&](double x) {
+    double product = 1.0;
+    for (const double root : roots) product *= x - root;
+    return product;
+  };
+  const auto slope = [&](double x) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < degree; ++k) {
+      double product = 1.0;
+      for (std::size_t j = 0; j < degree; ++j) product *= j == k ? 1.0 : x - roots[j];
+      sum += product;
+    }
+    return sum;
+  };
+  const Polynomial polynomial = through(value);
+  // The last two Chebyshev coefficients, which tell that nothing is missing, are those of degrees 7 and 8.
+  EXPECT_EQ(polynomial.resolved(), degree <= 6);
+  const double rounding = 1e-13 * polynomial.largest();
+  for (double x = 0.0; x <= 1.0; x += 0.01) {
+    EXPECT_NEAR(polynomial.value(x), value(x), rounding);
+    EXPECT_NEAR(polynomial.slope(x), slope(x), 16 * rounding);  // differences of coefficients, times eight
+    EXPECT_GE(value(x), polynomial.least() - rounding);
+  }
+  // Descartes: as many sign changes as roots inside, or some even number more.
+  const int changes = polynomial.sign_changes(1.0, 0.0);
+  EXPECT_GE(changes, 5);
+  EXPECT_EQ(changes % 2, 1);
+  EXPECT_EQ(polynomial.sign_changes(-1.0, 0.0), changes);
+}
+
+TEST(StepPolynomial, IsAPolynomialOfDegreeEightItself) {
+  expect_exact<6>({0.1, 0.3, 0.5, 0.7, 0.9, -1.0});
+  expect_exact<8>({0.1, 0.3, 0.5, 0.7, 0.9, -1.0, 2.0, 3.0});
+}
+
+// What it says of itself where it is not the function: no difference is larger.
+TEST(StepPolynomial, KnowsHowFarItIsFromAFunction) {
+  const auto expect = [](const auto& function) {
+    const Polynomial polynomial = through(function);
+    double largest = 0.0;
+    for (double x = 0.0; x <= 1.0; x += 0.001) largest = std::max(largest, std::abs(polynomial.value(x) - function(x)));
+    EXPECT_GT(largest, 1e-12);
+    EXPECT_GE(polynomial.error(), largest);
+    EXPECT_FALSE(polynomial.resolved());
+    // Above zero only where it is by more than that.
+    EXPECT_FALSE(polynomial.stays_above(1.0, polynomial.error() / 2 - polynomial.least()));
+    EXPECT_TRUE(polynomial.stays_above(1.0, polynomial.error() * 2 - polynomial.least()));
+  };
+  for (const int degree : {9, 10, 11}) {
+    expect([degree](double x) { return std::cos(degree * std::acos(std::clamp(2 * x - 1, -1.0, 1.0))); });
+  }
+  expect([](double x) { return std::exp(5 * x); });
+  expect([](double x) { return std::abs(x - 0.3); });
+}
+
+// y = 1 + h c_1 + ... with c_k = k: the polynomial and its slope at h, summed from the other end.
+TEST(TaylorPolynomial, IsSummedWithItsSlope) {
+  std::array<One, 7> c;
+  for (std::size_t k = 0; k < c.size(); ++k) c[k][0] = static_cast<double>(k);
+  for (const double h : {0.5, -1.5}) {
+    One increment, slope;
+    evaluate_taylor(c, 6, h, increment, slope);
+    double sum = 0.0, of_slope = 0.0, power = 1.0;
+    for (int k = 1; k <= 6; ++k) {
+      of_slope += k * k * power;
+      power *= h;
+      sum += k * power;
+    }
+    EXPECT_DOUBLE_EQ(increment[0], sum);
+    EXPECT_DOUBLE_EQ(slope[0], of_slope);
+  }
+}
+
+TEST(StepClock, GoesExactlyAsFarAsItSays) {
+  StepClock<double> clock(0.25);
+  clock.result.time = 1e6;
+  clock.length = 0.1;
+  ASSERT_TRUE(clock.plan(1e6 + 1, 10));
+  EXPECT_EQ(clock.h, clock.t_next - 1e6);
+  EXPECT_NE(clock.h, 0.1);  // which is no difference of two numbers of this size
+  clock.keep(0.7);
+  EXPECT_EQ(clock.length, 0.25);  // the longest allowed
+  EXPECT_EQ(clock.result.time, clock.t_next);
+  clock.length = 0.895;
+  ASSERT_TRUE(clock.plan(1e6 + 1, 10));  // 0.9 is left: one step, to the end itself
+  EXPECT_EQ(clock.t_next, 1e6 + 1);
+  EXPECT_FALSE(clock.plan(1e6 + 1, 1));  // one was kept
+  EXPECT_EQ(clock.result.status, IntegrationStatus::too_many_steps);
+}
+
+// q'' = cos t from v = 1: v(t_n) = 1 + h (1/2 + Σ cos t_k + cos(t_n)/2) = 1 + h/2 sin(t_n)/tan(h/2), a sum of
+// Lagrange's. Compensated, the end is right to half a last place of v, 1.1e-16, and to what cos rounds, 2.2e-16 × 0.84
+// at most; a plain sum of 2^16 steps walks 256 × 6e-17 away.
+struct PulledInTime {
+  static constexpr bool second_order = true;
+  Evaluation operator()(double t, const std::array<double, 2>& y, std::array<double, 2>& rate) const noexcept {
+    rate = {y[1], std::cos(t)};
+    return Evaluation::ok;
+  }
+};
+TEST(CompensatedSums, KeepRoundingOfStoermerVerletFromAddingUp) {
+  std::array<double, 2> y{0.0, 1.0};
+  const double h = 0x1p-16;
+  ASSERT_TRUE(integrate(PulledInTime{}, y, 0.0, 1.0, StoermerVerlet{.step = h}));
+  const long double half = static_cast<long double>(h) / 2;
+  const long double change = half * std::sin(1.0L) / std::tan(half);
+  EXPECT_LE(std::abs(static_cast<double>(static_cast<long double>(y[1]) - 1.0L - change)), 4e-16);
+}
+
+// A driven coordinate: project writes its value for the time that it is told.
+struct Driven {
+  static constexpr bool second_order = true;
+  Evaluation operator()(double, const std::array<double, 2>& y, std::array<double, 2>& rate) const noexcept {
+    rate = {y[1], -y[0]};
+    return Evaluation::ok;
+  }
+  Evaluation project(double t, std::array<double, 2>& y) const noexcept {
+    y[1] = t;
+    return Evaluation::ok;
+  }
+};
+TEST(Settling, HappensAtTheTimeOfTheState) {
+  const auto expect = [](const auto& method) {
+    std::array<double, 2> y{1.0, 0.0};
+    EXPECT_TRUE(integrate(Driven{}, y, 0.0, 1.0, method,
+                          [](double t, const std::array<double, 2>& at) { EXPECT_EQ(at[1], t); }));
+  };
+  // With steps of powers of two the time of a state is its start and its length.
+  expect(DormandPrince54{.relative_tolerance = 1e3, .first_step = 0.125, .largest_step = 0.125});
+  expect(DormandPrince853{.relative_tolerance = 1e3, .first_step = 0.125, .largest_step = 0.125});
+  expect(Midpoint{.step = 0.125});
+  expect(RungeKutta4{.step = 0.125});
+  expect(GaussCollocation<2>{.step = 0.125});
+  expect(StoermerVerlet{.step = 0.125});
+}
+
+constexpr auto growing = [](double t, const One&, One& rate) noexcept {
+  rate[0] = t;
+  return t < 0.55 ? Evaluation::ok : Evaluation::singular;
+};
+
+TEST(FixedStep, TakesTimesThatRoundingDoesNotAddUpIn) {
+  std::vector<double> times;
+  const auto always = [](double, const One&, One& rate) noexcept {
+    rate[0] = 1.0;
+    return Evaluation::ok;
+  };
+  One y{0.0};
+  EXPECT_TRUE(
+      integrate(always, y, 0.0, 100.0, RungeKutta4{.step = 0.1}, [&](double t, const One&) { times.push_back(t); }));
+  ASSERT_EQ(times.size(), 1001U);
+  for (std::size_t k = 0; k < times.size(); ++k) EXPECT_EQ(times[k], static_cast<double>(k) * 0.1);
+}
+
+TEST(FixedStep, CountsTheStepsOfAllIntervalsAgainstItsLimit) {
+  const std::vector<double> times{0.1, 0.2, 0.3, 0.4, 0.5};
+  One y{0.0};
+  const auto result =
+      integrate_through(growing, y, 0.0, times, RungeKutta4{.step = 0.05, .step_limit = 7}, [](double, const One&) {});
+  EXPECT_EQ(result.status, IntegrationStatus::too_many_steps);
+  EXPECT_EQ(result.statistics.accepted, 6);  // of two more only one would be left
+  EXPECT_EQ(result.time, 0.3);
+}
+
+TEST(IntegrateThrough, ShowsNoTimeThatWasNotReached) {
+  const std::vector<double> times{0.2, 0.4, 0.6, 0.8};
+  std::vector<double> seen;
+  One y{0.0};
+  const auto result = integrate_through(growing, y, 0.0, times, RungeKutta4{.step = 0.1},
+                                        [&](double t, const One&) { seen.push_back(t); });
+  EXPECT_EQ(result.status, IntegrationStatus::model_failure);
+  EXPECT_EQ(seen, (std::vector<double>{0.2, 0.4}));
+}
+
+}  // namespace
+}  // namespace steps_test
