@@ -71,7 +71,8 @@ std::vector<double> antiresonances(const LinearSystem& system, const Eigen::Vect
     const std::complex<double> value = alpha / beta;
     if (std::abs(value.imag()) > 1e-9 * std::abs(value) || value.real() < 0.0) continue;
     const Eigen::FullPivLU<Eigen::MatrixXd> whole(K_whole - value.real() * M_whole);
-    if (whole.rcond() < 1e-12) continue;
+    // The estimate of a condition leaves out what a pivot of zero should show.
+    if (!whole.isInvertible() || whole.rcond() < 1e-12) continue;
     result.push_back(normal.sigma * std::sqrt(value.real()));
   }
   std::sort(result.begin(), result.end());

@@ -182,5 +182,30 @@ TEST(PeriodicResponse, DoesNotExistWhenAHarmonicMeetsAnUndampedMode) {
   EXPECT_NEAR((*periodic_response(system, series))(0.0)(0), 1.0 / 8.0, 10 * rounding);
 }
 
+// x'' + 2 ζ x' + x = f: the largest amplitude is at sqrt(1 - 2 ζ²), left or right of the highest of the samples. A
+// maximum is flat: it is known to the root of rounding.
+TEST(ResonancePeaks, AreFoundOnEitherSideOfTheHighestSample) {
+  const double damping = 0.1;
+  const LinearSystem system{Eigen::MatrixXd::Identity(1, 1), Eigen::MatrixXd::Constant(1, 1, 2 * damping),
+                            Eigen::MatrixXd::Identity(1, 1), Eigen::VectorXd::Zero(1)};
+  for (const double shift : {-0.05, -0.02, 0.0, 0.02, 0.05}) {
+    const auto peaks = resonance_peaks(system, Eigen::VectorXcd::Ones(1), 0, 0.5 + shift, 1.5 + shift, 11);
+    ASSERT_EQ(peaks.size(), 1U);
+    EXPECT_NEAR(peaks[0].angular_frequency, std::sqrt(1 - 2 * damping * damping), 1e-7) << shift;
+  }
+}
+
+// Two oscillators that know nothing of each other: at the second one's own frequency the first stands still no more
+// than elsewhere. Tied by a weak spring it does.
+TEST(Antiresonances, AreNotFrequenciesOfWhatIsNotTied) {
+  LinearSystem system{Eigen::MatrixXd::Identity(2, 2), Eigen::MatrixXd::Zero(2, 2),
+                      Eigen::Vector2d(1.0, 4.0).asDiagonal(), Eigen::VectorXd::Zero(2)};
+  EXPECT_TRUE(antiresonances(system, Eigen::Vector2d(1.0, 0.0), 0).empty());
+  system.K(0, 1) = system.K(1, 0) = -0.1;
+  const auto tied = antiresonances(system, Eigen::Vector2d(1.0, 0.0), 0);
+  ASSERT_EQ(tied.size(), 1U);
+  EXPECT_NEAR(tied[0], 2.0, 1e-13);
+}
+
 }  // namespace
 }  // namespace forced_response_test
