@@ -29,20 +29,18 @@ TEST(TorsorToolWithMjcf, SaysWhatToInstallWhereMujocoIsNot) {
 #ifdef TORSOR_WITH_MUJOCO
 
 TEST(TorsorToolWithMjcf, GeneratesAHeaderThatTellsWhatDoesNotAct) {
-  const Outcome outcome =
-      torsor_tool({"generate", crane, "--kernels", "inverse_dynamics", "--gravity", "0,0,-1.62", "-o", "-"},
-                  read_with_mujoco);
+  const Outcome outcome = torsor_tool(
+      {"generate", crane, "--kernels", "inverse_dynamics", "--gravity", "0,0,-1.62", "-o", "-"}, read_with_mujoco);
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "note: contacts do not act: the geometry of 5 geoms is kept and has no effect\n");
   EXPECT_NE(outcome.out.find("torsor generate crane.xml --gravity 0,0,-1.62 --kernels inverse_dynamics"),
             std::string::npos);
   EXPECT_NE(outcome.out.find("is Ry(pi/6): body boom"), std::string::npos);
   EXPECT_NE(outcome.out.find("//   contacts do not act"), std::string::npos);
-  EXPECT_EQ(
-      torsor_tool({"generate", crane, "--kernels", "inverse_dynamics", "--gravity", "0,0,-1.62", "-o", "-"},
-                  read_with_mujoco)
-          .out,
-      outcome.out);
+  EXPECT_EQ(torsor_tool({"generate", crane, "--kernels", "inverse_dynamics", "--gravity", "0,0,-1.62", "-o", "-"},
+                        read_with_mujoco)
+                .out,
+            outcome.out);
 }
 
 // The command in the header is one that a shell runs, and that gives the header again, whatever the file is called.

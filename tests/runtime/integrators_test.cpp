@@ -86,8 +86,8 @@ TEST(DormandPrince54, HasOrderFive) {
   EXPECT_NEAR(observed_order<DormandPrince54>(dormand_prince_of_step, 1.0 / 128), 5.0, 0.2);
 }
 
-// y' = y cos t, y = e^(sin t), from 0 to 1. Every stage has a time of its own, which an autonomous system does not show:
-// a wrong one leaves order 1. Steps and the tolerance of 0.2 as above.
+// y' = y cos t, y = e^(sin t), from 0 to 1. Every stage has a time of its own, which an autonomous system does not
+// show: a wrong one leaves order 1. Steps and the tolerance of 0.2 as above.
 template <class Method>
 double observed_order_in_time(Method (*method)(double), double step) {
   const auto growth = [](double t, const State<double>& y, State<double>& rate) noexcept {

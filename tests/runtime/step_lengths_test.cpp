@@ -110,8 +110,8 @@ TEST(StepLengths, FollowTheSizeOfTheStateWithARelativeTolerance) {
   EXPECT_EQ(steps_of(1.0), steps_of(0x1p20));
 }
 
-// The same rotation about (1024, 1024): each component is within a thousandth of 1024, so that a relative tolerance ε is
-// an absolute one of 1024 ε, to as much. Steps grow with its eighth root.
+// The same rotation about (1024, 1024): each component is within a thousandth of 1024, so that a relative tolerance ε
+// is an absolute one of 1024 ε, to as much. Steps grow with its eighth root.
 TEST(StepLengths, CountComponentsByTheirSize) {
   constexpr double centre = 1024.0, relative = 1e-9, end = 3000.0;
   const auto about = [](double, const std::array<double, 2>& z, std::array<double, 2>& rate) noexcept {

@@ -139,7 +139,8 @@ TEST(VariationalIntegrator, HasTwiceTheOrderOfItsStagesOnAStraightLineInPolarCoo
 TEST(VariationalIntegrator, HasTwiceTheOrderOfItsStagesWhereForcesDependOnTime) {
   const auto motion = equations_of_motion<kapitza_pendulum::Mechanism<double>>();
   auto truth = motion.initial();
-  ASSERT_TRUE(integrate(motion, truth, 0, 0.5, DormandPrince853{.relative_tolerance = 1e-14, .absolute_tolerance = 1e-14}));
+  ASSERT_TRUE(
+      integrate(motion, truth, 0, 0.5, DormandPrince853{.relative_tolerance = 1e-14, .absolute_tolerance = 1e-14}));
   const auto error = [&](double step) {
     auto y = motion.initial();
     EXPECT_TRUE(integrate(motion, y, 0, 0.5, VariationalIntegrator<2>{.step = step}));
