@@ -50,7 +50,7 @@ TEST(TorsorToolWithMjcf, RepeatsEveryOptionInTheCommandInTheHeader) {
   const auto command = [&](const std::vector<std::string>& options) {
     std::vector<std::string> arguments{"generate", file.string(), "--quiet", "--kernels", "mass_matrix", "-o", "-"};
     arguments.insert(arguments.end(), options.begin(), options.end());
-    const std::string header = tool(arguments, read_with_mujoco).out;
+    const std::string header = torsor_tool(arguments, read_with_mujoco).out;
     const std::size_t begin = header.find("//   torsor generate ");
     const std::size_t end = header.find(" --kernels ", begin);
     return begin == std::string::npos ? "no command" : header.substr(begin + 5, end - begin - 5);
