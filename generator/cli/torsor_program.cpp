@@ -43,7 +43,7 @@ void add_options(CLI::App& command, FileRequest& request) {
   command.add_option("--gravity", request.gravity,
                      "X,Y,Z in m/s^2, along the ground's axes; 0,0,-9.81 when absent, or what an MJCF file says");
   command
-      .add_option("--angle-tolerance", request.angle_tolerance, "angles this near to a multiple of pi/12 are it [rad]")
+      .add_option("--angle-tolerance", request.angle_tolerance, "angles near multiples of pi/12 are these as long as it adds up to no more from the root to any link [rad]")
       ->capture_default_str();
   command.add_option("--name", request.name, "name of the scene; that of the robot when absent");
   command.add_option("--points", request.points, "links whose origins are points, with Jacobians; comma-separated")

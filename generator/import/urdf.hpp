@@ -24,8 +24,8 @@ enum class UrdfBase {
 struct UrdfOptions {
   UrdfBase base = UrdfBase::fixed;
   std::array<Number, 3> gravity{Number(), Number(), Number::rational(-981, 100)};  ///< in the root link's axes [m/s²]
-  /// Angles this near to a multiple of π/12 are that multiple [rad]; the same of an axis' deviation from a direction
-  /// whose components are sines and cosines of such angles.
+  /// Angles near a multiple of π/12 are that multiple, axes near a direction whose components are sines and cosines of
+  /// such angles are that direction, as long as this adds up to no more than the tolerance [rad] from the root to any link.
   Number angle_tolerance = Number::rational(1, 1000000000);
   bool dampers = true;  ///< <dynamics damping="c"> acts: the effort −c q̇; otherwise it is data only
   bool motors = true;   ///< a motor on every joint that turns or slides and follows no other
@@ -77,7 +77,7 @@ struct ImportedRobot {
 /// A floating base does the same as a floating joint, named after the root link. Coordinates are in the order of the
 /// file's joints, those of a floating base first. Names become identifiers, distinct ones of distinct names.
 ///
-/// Numbers are exact: a decimal is that rational. An angle within the tolerance of a multiple of π/12 is that multiple;
+/// Numbers are exact: a decimal is that rational. An angle near a multiple of π/12 is that multiple as the tolerance has it;
 /// another one turns by rational sines and cosines, good to 10⁻¹⁸ of the angle, that form a rotation exactly. Axes are
 /// normalised in the same way. What was changed is told in the notes of the scene's origin, which generated headers
 /// quote, and so what has no effect: soft limits, accelerations, ends of a continuous joint.

@@ -66,7 +66,9 @@ SceneOrigin urdf_origin(const UrdfRobot& robot, const UrdfOptions& options, cons
   append(origin.notes, "Noted while reading (--strict refuses it):", robot.notes.lines());
   append(origin.notes, "Understood while reading:", robot.remarks);
   append(origin.notes, "Names that became identifiers:", renamed);
-  append(origin.notes, "Angles and axes that were made exact:", robot.changes.lines());
+  std::vector<std::string> exact = robot.changes.lines();
+  if (!robot.exact_together.empty()) exact.push_back(robot.exact_together);
+  append(origin.notes, "Angles and axes that were made exact:", exact);
   append(origin.notes, "Angles that look exact and are not:", robot.almost);
   std::vector<std::string> data;
   for (const UrdfJointData& joint : joints) {

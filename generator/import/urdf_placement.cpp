@@ -2,8 +2,11 @@
 #include "generator/import/urdf_placement.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
+
+#include "generator/expression/high_precision.hpp"
 
 namespace torsor {
 namespace {
@@ -25,6 +28,24 @@ std::string twelfths_text(const Number& k) {
          (slash == std::string::npos ? "" : exact.substr(slash));
 }
 
+/// |angle − k π/12|, of a small difference.
+double distance_from_twelfths(const Number& angle, const Number& k) {
+  constexpr int digits = 80;
+  return std::abs((Real(angle, digits) - Real(k / Number(12), digits) * Real::pi(digits)).to_double());
+}
+
+/// The sine of the angle, of nearly equal directions.
+double angle_between(const std::array<Number, 3>& given, const std::array<Number, 3>& exact) {
+  double sine = 0, size = 0, unit = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    sine = std::hypot(sine, (given[j] * exact[k] - given[k] * exact[j]).to_double());
+    size = std::hypot(size, given[i].to_double());
+    unit = std::hypot(unit, exact[i].to_double());
+  }
+  return sine / (size * unit);
+}
+
 void require_angle(const XmlElement& element, const Number& angle) {
   if (angle.abs() > Number(1000000)) element.fail("an angle is beyond 10^6; give angles in radians");
 }
@@ -42,11 +63,19 @@ void UrdfPlacements::tell(const XmlNumber& angle, const std::optional<Number>& t
   }
 }
 
+void UrdfPlacements::record(const std::string& where, double size, double moves) const {
+  if (size > 0) robot_.exact_angles.push_back({where, size, moves});
+}
+
 std::optional<Number> UrdfPlacements::twelfths(const XmlElement& element, const XmlNumber& angle,
                                                const std::string& where) const {
   require_angle(element, angle.value);
   const std::optional<Number> k = twelfths_of_pi(angle.value, tolerance_);
   tell(angle, k, where);
+  if (k) {
+    const double size = distance_from_twelfths(angle.value, *k);
+    record(where, size, size);
+  }
   return k;
 }
 
@@ -67,6 +96,10 @@ UrdfPlacement UrdfPlacements::placement(const XmlElement& origin, const std::str
     require_angle(origin, rpy[i].value);
     const ExactAngle angle = exact_angle(rpy[i].value, tolerance_);
     tell(rpy[i], angle.twelfths, where + " (rpy)");
+    if (angle.twelfths) {
+      const double size = distance_from_twelfths(rpy[i].value, *angle.twelfths);
+      record(where, size, size);
+    }
     place.rotation = rotation_about(static_cast<int>(i), angle) * place.rotation;
   }
   return place;
@@ -96,6 +129,8 @@ std::array<Number, 3> UrdfPlacements::direction(const XmlElement& axis, const st
     robot_.changes.add(fmt::format("{} {} {} is ({}, {}, {})", xyz[0].text, xyz[1].text, xyz[2].text, n[0].to_string(),
                                    n[1].to_string(), n[2].to_string()),
                        where + " (axis)");
+    const double size = angle_between(given, n);
+    record(where, size, 2 * size);
   }
   return exact.components;
 }

@@ -7,7 +7,8 @@
 
 namespace torsor {
 
-/// Reads places and directions, made exact within a tolerance; tells in the robot's changes what was changed.
+/// Reads places and directions, made exact within a tolerance; tells in the robot's changes what was changed, and in its
+/// exact_angles by how much.
 class UrdfPlacements {
  public:
   UrdfPlacements(UrdfRobot& robot, const Number& tolerance) : robot_(robot), tolerance_(tolerance) {}
@@ -22,6 +23,7 @@ class UrdfPlacements {
 
  private:
   void tell(const XmlNumber& angle, const std::optional<Number>& twelfths, const std::string& where) const;
+  void record(const std::string& where, double size, double moves) const;
   static Rotation by_quaternion(const XmlElement& origin);
 
   UrdfRobot& robot_;

@@ -2,12 +2,15 @@
 #include "generator/import/urdf_robot.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "generator/expression/did_you_mean.hpp"
 #include "generator/expression/error.hpp"
+#include "generator/import/urdf_deviation.hpp"
 #include "generator/import/urdf_inertial.hpp"
 #include "generator/import/urdf_placement.hpp"
 #include "generator/import/urdf_vocabulary.hpp"
@@ -127,7 +130,7 @@ class Reader {
       mimic.offset = element.number("offset");
       if (joint.turns()) {
         mimic.offset_twelfths =
-            placements_.twelfths(element, {mimic.offset, element.text("offset")}, where + " (offset)");
+            placements_.twelfths(element, {mimic.offset, element.text("offset")}, offset_of(joint.name));
       }
     }
     joint.mimic = std::move(mimic);
@@ -209,10 +212,10 @@ std::vector<std::string> UrdfChanges::lines() const {
   return lines;
 }
 
-UrdfRobot read_robot(std::string_view text, const std::string& file, const Number& angle_tolerance,
-                     const std::vector<XmlLine>& lines) {
-  const XmlFile xml(text, file, lines);
-  const XmlElement root = xml.root();
+namespace {
+
+/// Angles within the tolerance are made exact, each by itself.
+UrdfRobot robot_of(const XmlElement& root, const std::string& file, const Number& angle_tolerance) {
   if (root.name() != "robot") {
     if (looks_like(root.name(), "robot")) root.fail("the root element of a URDF file is <robot>; did you mean that?");
     root.fail("the root element of a URDF file is <robot>; convert other formats (SDF, MJCF, xacro) to URDF first");
@@ -227,6 +230,43 @@ UrdfRobot read_robot(std::string_view text, const std::string& file, const Numbe
   if (robot.links.empty()) root.fail("has no <link>; a robot has at least one");
   refuse_duplicates(robot.links, "link");
   refuse_duplicates(robot.joints, "joint");
+  return robot;
+}
+
+/// Two digits, and not less than the number.
+std::string rounded_up(double size) {
+  const double unit = std::pow(10, std::floor(std::log10(size)) - 1);
+  return fmt::format("{:.1e}", std::ceil(size / unit) * unit);
+}
+
+}  // namespace
+
+UrdfRobot read_robot(std::string_view text, const std::string& file, const Number& angle_tolerance,
+                     const std::vector<XmlLine>& lines) {
+  const XmlFile xml(text, file, lines);
+  const XmlElement root = xml.root();
+  const double allowed = angle_tolerance.to_double();
+  const double all = std::numeric_limits<double>::infinity();
+  UrdfRobot robot = robot_of(root, file, angle_tolerance);
+  const UrdfDeviation together = largest_deviation(robot, all);
+  UrdfDeviation kept = together;
+  Number each = angle_tolerance;
+  for (int attempt = 0; kept.sum > allowed; ++attempt) {
+    constexpr int attempts = 8;  // directions may need a second one
+    each = attempt < attempts ? smaller_tolerance(robot, each, allowed) : Number();
+    robot = robot_of(root, file, each);
+    kept = largest_deviation(robot, all);
+  }
+  constexpr double of_doubles = 1e-15;  // a few angles with all digits of a double
+  if (kept.sum > of_doubles) {
+    robot.exact_together =
+        fmt::format("from the root to link {} they add up to {} rad, to no other link to more", kept.link, rounded_up(kept.sum));
+  }
+  if (together.sum > allowed) {
+    robot.almost.push_back(fmt::format("all within --angle-tolerance would add up to {} rad from the root to link {}, beyond it; "
+                                       "--angle-tolerance {} takes them all",
+                                       rounded_up(together.sum), together.link, rounded_up(together.sum)));
+  }
   return robot;
 }
 

@@ -82,6 +82,16 @@ class UrdfChanges {
   std::vector<std::pair<std::string, std::vector<std::string>>> changes_;
 };
 
+/// An angle or a direction that was made exact.
+struct UrdfExactAngle {
+  std::string where;  ///< "joint elbow", "link hand", or what offset_of makes of a joint
+  double size = 0;    ///< by which it changed [rad]
+  double moves = 0;   ///< by which it turns the link at most [rad]
+};
+
+/// Where the offset of a joint's mimic stands.
+inline std::string offset_of(const std::string& joint) { return "joint " + joint + " (offset)"; }
+
 struct UrdfRobot {
   std::string file;
   std::string name;
@@ -89,12 +99,15 @@ struct UrdfRobot {
   std::vector<UrdfJoint> joints;
   ReadingNotes notes;  ///< what cannot act, what was taken otherwise than stated
   UrdfChanges changes;
+  std::vector<UrdfExactAngle> exact_angles;  ///< those that changed by more than nothing
+  std::string exact_together;                ///< what they add up to, a line for the notes; empty where it is rounding of doubles
   std::vector<std::string> remarks;  ///< what was understood beyond the letter, a line each
   std::vector<std::string> without_effect;  ///< what is read of joints and used nowhere, a line each
   std::vector<std::string> almost;  ///< angles that look like a multiple of π/12 and are beyond the tolerance
 };
 
-/// Reads the elements; `lines` says where each line of the text comes from, where it was made of other files. Throws
+/// Reads the elements; angles are made exact as long as they add up to the tolerance at most between the root and any link
+/// (urdf_deviation.hpp), those that are nearest to multiples of π/12 first. `lines` says where each line of the text comes from, where it was made of other files. Throws
 /// FileError as read_urdf does.
 UrdfRobot read_robot(std::string_view text, const std::string& file, const Number& angle_tolerance,
                      const std::vector<XmlLine>& lines = {});
