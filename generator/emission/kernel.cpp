@@ -114,13 +114,7 @@ Kernel make_energy(const Equations& equations) {
 Kernel make_first_integrals(const Equations& equations) {
   Kernel kernel;
   const PainleveReport report = painleve(equations);
-  kernel.documentation = report.first_integrals.empty() ? "" : "First integrals: constant along every motion.";
-  std::string reasons;
-  for (const std::string& reason : report.failing_conditions) reasons += (reasons.empty() ? "" : "; ") + reason;
-  if (report.first_integrals.empty()) {
-    kernel.skipped = reasons;
-    return kernel;
-  }
+  kernel.documentation = "First integrals: constant along every motion.";
   Structure structure{"FirstIntegrals", "Quantities that every motion conserves.", {}};
   for (const FirstIntegral& integral : report.first_integrals) {
     structure.members.push_back({integral.name, 1, 1, integral.documentation, true});
@@ -134,10 +128,6 @@ Kernel make_first_integrals(const Equations& equations) {
 Kernel make_constraints(const Equations& equations) {
   Kernel kernel;
   const std::vector<ConstraintRow>& rows = equations.constraints();
-  if (rows.empty()) {
-    kernel.skipped = "the scene has no constraints";
-    return kernel;
-  }
   const std::size_t m = rows.size();
   const std::size_t n = unknowns(equations);
   kernel.documentation = "Constraints A(q, t) v - b(q, t) = 0, in the order of the multipliers.";
@@ -171,10 +161,6 @@ Kernel make_constraints(const Equations& equations) {
 Kernel make_reactions(const Equations& equations) {
   Kernel kernel;
   const Model& model = equations.model();
-  if (model.released_count() == 0) {
-    kernel.skipped = "the scene releases no joint direction (released_coordinate)";
-    return kernel;
-  }
   kernel.documentation =
       "Reactions against the released coordinates, each P_q - Q_q at q = 0: what the joint exerts along the released\n"
       "direction, at accelerations, multipliers and inputs that belong to the motion.";
@@ -218,6 +204,9 @@ void share_products(Program& program, Kernel& kernel) {
   }
 }
 
+// Why there is nothing to compute, found without deriving the kernel.
+std::string never(const Equations&) { return ""; }
+
 std::string no_unknowns(const Equations& equations) {
   return unknowns(equations) == 0 ? "the scene has no unknown coordinates" : "";
 }
@@ -227,40 +216,50 @@ std::string no_sensitivities(const Equations& equations) {
   return "no parameter is set at run time (run_time_parameter, or --run-time)";
 }
 
+std::string no_first_integrals(const Equations& equations) {
+  const PainleveReport report = painleve(equations);
+  return report.first_integrals.empty() ? fmt::format("{}", fmt::join(report.failing_conditions, "; ")) : "";
+}
+
+std::string no_constraints(const Equations& equations) {
+  return equations.constraints().empty() ? "the scene has no constraints" : "";
+}
+
+std::string no_reactions(const Equations& equations) {
+  return equations.model().released_count() == 0 ? "the scene releases no joint direction (released_coordinate)" : "";
+}
+
 struct Entry {
   std::string name;
   std::function<Kernel(const Equations&)> make;
-  /// Of kernels made when named: why there is nothing to compute, found without deriving anything.
-  std::function<std::string(const Equations&)> absence{};
+  std::function<std::string(const Equations&)> absence;
   bool solves = false;  ///< with the mass matrix
+  bool named = false;   ///< made when it is named only
 };
 
 const std::vector<Entry>& entries() {
-  static const std::vector<Entry> all{{"kinematics", make_kinematics},
-                                      {"mass_matrix", make_mass_matrix},
-                                      {"bias", make_bias},
-                                      {"inverse_dynamics", make_inverse_dynamics},
-                                      {"forward_dynamics", make_forward_dynamics, {}, true},
-                                      {"energy", make_energy},
-                                      {"first_integrals", make_first_integrals},
-                                      {"constraints", make_constraints},
-                                      {"reactions", make_reactions},
-                                      {"linearisation", make_linearisation, {}, true},
-                                      {"inverse_dynamics_derivatives", make_inverse_dynamics_derivatives},
-                                      {"forward_dynamics_derivatives", make_forward_dynamics_derivatives, {}, true},
-                                      {"regressor", make_regressor},
-                                      {"jets", make_jets, {}, true},
-                                      {"sparse_constraint_jacobian", make_sparse_constraint_jacobian},
-                                      {"residual", make_residual, no_unknowns},
-                                      {"residual_jacobian", make_residual_jacobian, no_unknowns},
-                                      {"inverse_dynamics_second_derivatives", make_inverse_dynamics_second_derivatives,
-                                       no_unknowns},
-                                      {"forward_dynamics_second_derivatives", make_forward_dynamics_second_derivatives,
-                                       no_unknowns, true},
-                                      {"inverse_dynamics_sensitivities", make_inverse_dynamics_sensitivities,
-                                       no_sensitivities},
-                                      {"forward_dynamics_sensitivities", make_forward_dynamics_sensitivities,
-                                       no_sensitivities, true}};
+  static const std::vector<Entry> all{
+      {"kinematics", make_kinematics, never},
+      {"mass_matrix", make_mass_matrix, never},
+      {"bias", make_bias, never},
+      {"inverse_dynamics", make_inverse_dynamics, never},
+      {"forward_dynamics", make_forward_dynamics, never, true},
+      {"energy", make_energy, never},
+      {"first_integrals", make_first_integrals, no_first_integrals},
+      {"constraints", make_constraints, no_constraints},
+      {"reactions", make_reactions, no_reactions},
+      {"linearisation", make_linearisation, no_linearisation, true},
+      {"inverse_dynamics_derivatives", make_inverse_dynamics_derivatives, never},
+      {"forward_dynamics_derivatives", make_forward_dynamics_derivatives, never, true},
+      {"regressor", make_regressor, no_regressor},
+      {"jets", make_jets, no_jets, true},
+      {"sparse_constraint_jacobian", make_sparse_constraint_jacobian, no_sparse_constraint_jacobian},
+      {"residual", make_residual, no_unknowns, false, true},
+      {"residual_jacobian", make_residual_jacobian, no_unknowns, false, true},
+      {"inverse_dynamics_second_derivatives", make_inverse_dynamics_second_derivatives, no_unknowns, false, true},
+      {"forward_dynamics_second_derivatives", make_forward_dynamics_second_derivatives, no_unknowns, true, true},
+      {"inverse_dynamics_sensitivities", make_inverse_dynamics_sensitivities, no_sensitivities, false, true},
+      {"forward_dynamics_sensitivities", make_forward_dynamics_sensitivities, no_sensitivities, true, true}};
   return all;
 }
 
@@ -270,16 +269,14 @@ std::string known_names() {
   return known;
 }
 
-Kernel derived_kernel(const std::string& name, const Equations& equations) {
+std::string absence(const Entry& entry, const Equations& equations) {
+  const std::string reason = entry.solves ? lack_of_mass(equations) : "";
+  return reason.empty() ? entry.absence(equations) : reason;
+}
+
+const Entry& entry_of(const std::string& name) {
   for (const Entry& entry : entries()) {
-    if (entry.name != name) continue;
-    Kernel kernel;
-    if (entry.absence) kernel.skipped = entry.absence(equations);
-    if (kernel.skipped.empty() && entry.solves) kernel.skipped = lack_of_mass(equations);
-    if (kernel.skipped.empty()) kernel = entry.make(equations);
-    kernel.name = name;
-    clear_vanishing(kernel);
-    return kernel;
+    if (entry.name == name) return entry;
   }
   throw UsageError(fmt::format("unknown kernel '{}': {}known are {}", name, did_you_mean(name, kernel_names()), known_names()));
 }
@@ -332,7 +329,7 @@ const std::vector<std::string>& usual_kernel_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
     for (const Entry& entry : entries()) {
-      if (!entry.absence) all.push_back(entry.name);
+      if (!entry.named) all.push_back(entry.name);
     }
     return all;
   }();
@@ -340,16 +337,18 @@ const std::vector<std::string>& usual_kernel_names() {
 }
 
 Kernel make_kernel(const std::string& name, const Equations& equations) {
-  Kernel kernel = derived_kernel(name, equations);
+  const Entry& entry = entry_of(name);
+  Kernel kernel;
+  kernel.skipped = absence(entry, equations);
+  if (kernel.skipped.empty()) kernel = entry.make(equations);
+  kernel.name = name;
+  clear_vanishing(kernel);
   share_products(equations.program(), kernel);
   return kernel;
 }
 
 std::string why_absent(const std::string& name, const Equations& equations) {
-  for (const Entry& entry : entries()) {
-    if (entry.name == name && entry.absence) return entry.absence(equations);
-  }
-  return derived_kernel(name, equations).skipped;
+  return absence(entry_of(name), equations);
 }
 
 std::vector<std::string> parse_kernel_list(const std::string& list) {

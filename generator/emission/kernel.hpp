@@ -91,7 +91,7 @@ bool solves_with_mass_matrix(const std::string& name);
 /// Builds a kernel on the equations' program. Throws UsageError naming an unknown kernel and listing the known ones.
 Kernel make_kernel(const std::string& name, const Equations& equations);
 
-/// Why a kernel would be skipped, empty where it would not be; those that are made when named are not derived for it.
+/// Why a kernel is absent, empty where it is not; no kernel is derived for it.
 std::string why_absent(const std::string& name, const Equations& equations);
 
 /// Splits a comma-separated list, "all" meaning usual_kernel_names; checks the names and removes repetitions.

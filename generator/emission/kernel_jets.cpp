@@ -51,6 +51,10 @@ std::optional<SeriesResult> by_inverse_dynamics(const Equations& equations, cons
 
 }  // namespace
 
+std::string no_jets(const Equations& equations) {
+  return equations.model().positions().empty() && equations.model().unknown_count() == 0 ? "nothing moves" : "";
+}
+
 Kernel make_jets(const Equations& equations) {
   Kernel kernel;
   const Model& model = equations.model();
@@ -61,10 +65,6 @@ Kernel make_jets(const Equations& equations) {
   for (std::size_t i = 0; i < solution.accelerations.size(); ++i) {
     state.push_back(model.coordinates()[i].v);
     rates.push_back(solution.accelerations[i]);
-  }
-  if (state.empty()) {
-    kernel.skipped = "nothing moves";
-    return kernel;
   }
   clear_vanishing(rates);
   kernel.arguments = {Argument::inputs};

@@ -10,5 +10,7 @@ namespace torsor {
 /// recurrence for its coefficients (Moore 1966; Jorba & Zou 2005). Without constraints the accelerations may instead be
 /// unknowns of the inverse dynamics, M q̈ + h - E u = 0, solved order by order; see SeriesSolve.
 Kernel make_jets(const Equations& equations);
+/// Why there are none; empty where there are.
+std::string no_jets(const Equations& equations);
 
 }  // namespace torsor

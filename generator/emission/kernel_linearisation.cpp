@@ -129,10 +129,6 @@ Kernel reduced(const Equations& equations) {
   Program& program = equations.program();
   const ReducedLinearisation linear = reduced_linearisation(equations);
   const IndependentFreedoms& freedoms = linear.freedoms;
-  if (freedoms.velocities.empty()) {
-    kernel.skipped = "the constraints leave no freedom";
-    return kernel;
-  }
   kernel.documentation = fmt::format(
       "Linearisation about a state that satisfies the constraints. M d'' + C d' + K d = F + E du in all freedoms d, "
       "at\n"
@@ -170,6 +166,11 @@ Kernel reduced(const Equations& equations) {
 }
 
 }  // namespace
+
+std::string no_linearisation(const Equations& equations) {
+  if (equations.constraints().empty() || !independent_freedoms(equations).velocities.empty()) return "";
+  return "the constraints leave no freedom";
+}
 
 Kernel make_linearisation(const Equations& equations) {
   Kernel kernel = equations.constraints().empty() ? unconstrained(equations) : reduced(equations);

@@ -74,18 +74,27 @@ std::string table_of_regrouping(const BaseParameters& base) {
 
 }  // namespace
 
+std::string no_regressor(const Equations& equations) {
+  const Model& model = equations.model();
+  const std::vector<std::size_t> links = links_with_bodies(model);
+  if (links.empty()) return "no body moves";
+  if (unknowns(equations) == 0) return "the scene has no unknown coordinates";
+  for (const std::size_t link : links) {
+    for (const int k : model.chain(static_cast<int>(link))) {
+      for (const auto& [i, partial] : model.links()[static_cast<std::size_t>(k)].partials) {
+        if (i < model.unknown_count()) return "";
+      }
+    }
+  }
+  return "the inertia of no body has an effect";
+}
+
 Kernel make_regressor(const Equations& equations) {
   Kernel kernel;
   const Model& model = equations.model();
   const std::vector<std::size_t> links = links_with_bodies(model);
   const ValueMatrix y = regressor(model);
   const BaseParameters base = base_parameters(model, y);
-  if (base.independent.empty()) {
-    kernel.skipped = links.empty()              ? "no body moves"
-                     : unknowns(equations) == 0 ? "the scene has no unknown coordinates"
-                                                : "the inertia of no body has an effect";
-    return kernel;
-  }
   kernel.documentation =
       "Regressor: Y pi_base are the generalised forces of inertia and gravity at (q, v, a), inverse_dynamics without\n"
       "other actions and multipliers. Y has the columns of base_parameters only: those of the other inertial\n"

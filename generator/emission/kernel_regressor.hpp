@@ -9,5 +9,7 @@ namespace torsor {
 /// to and how the others are added to those (base_parameters). Dependent columns are left out: a least-squares problem
 /// with them is singular, and Y_b K gives them where somebody wants them.
 Kernel make_regressor(const Equations& equations);
+/// Why there is none; empty where there is one.
+std::string no_regressor(const Equations& equations);
 
 }  // namespace torsor

@@ -6,21 +6,26 @@
 
 namespace torsor {
 
-Kernel make_sparse_constraint_jacobian(const Equations& equations) {
-  Kernel kernel;
-  if (equations.constraints().empty()) {
-    kernel.skipped = "the scene has no constraints";
-    return kernel;
-  }
+namespace {
+
+CompressedRows rows_of_jacobian(const Equations& equations) {
   ValueMatrix jacobian;
   for (const ConstraintRow& row : equations.constraints()) {
     jacobian.emplace_back(row.jacobian.begin(), row.jacobian.begin() + equations.model().unknown_count());
   }
-  const CompressedRows rows(jacobian);
-  if (rows.values.empty()) {
-    kernel.skipped = "the constraint Jacobian vanishes identically";
-    return kernel;
-  }
+  return CompressedRows(jacobian);
+}
+
+}  // namespace
+
+std::string no_sparse_constraint_jacobian(const Equations& equations) {
+  if (equations.constraints().empty()) return "the scene has no constraints";
+  return rows_of_jacobian(equations).values.empty() ? "the constraint Jacobian vanishes identically" : "";
+}
+
+Kernel make_sparse_constraint_jacobian(const Equations& equations) {
+  Kernel kernel;
+  const CompressedRows rows = rows_of_jacobian(equations);
   rows.assign(kernel, "result");
   kernel.documentation =
       "Jacobian A(q, t) of the constraints without the entries that vanish identically: `values` of compressed rows.";

@@ -12,6 +12,7 @@
 #include "generator/dynamics/recursions/base_parameters.hpp"
 #include "generator/emission/kernel.hpp"
 #include "generator/expression/real_elimination.hpp"
+#include "generator/import/exact_direction.hpp"
 #include "generator/verification/random_state.hpp"
 #include "tests/dynamics/random_mechanism.hpp"
 #include "tests/dynamics/simple_scenes.hpp"
@@ -276,6 +277,27 @@ TEST(RegressorKernel, IsLeftOutWhereNoBodyMoves) {
   Scene scene("massless");
   scene.revolute("arm", scene.ground(), axis::z, scene.coordinate("a", "rad"));
   EXPECT_EQ(make_kernel("regressor", Equations(scene)).skipped, "no body moves");
+}
+
+/// Four crooked bodies one behind the other, joints about y and z in turn, each turned by 7/10 about x and offset.
+Scene bent_chain(const char* x, const char* y) {
+  Scene scene("bent_chain");
+  const ExactAngle angle = exact_angle(Number::rational(7, 10), Number());
+  FrameHandle frame = scene.ground();
+  for (int i = 0; i < 4; ++i) {
+    const std::string name = "link_" + std::to_string(i);
+    frame = scene.revolute(name, frame, i % 2 == 0 ? axis::y : axis::z, scene.coordinate("q_" + std::to_string(i), "rad"),
+                           {{metres(x), metres(y), 0}, rotation_about(0, angle)});
+    scene.body(name, frame, crooked_body());
+  }
+  scene.gravity({0, 0, Expression::quantity("-9.81", "m/s^2")});
+  return scene;
+}
+
+// Lengths that files hold as rounding: products of 5.55e-17 with 2.28e-12 are beyond 50 digits' 1e-20, and independent all the
+// same, as those of ordinary lengths are.
+TEST(BaseParameters, AreThoseOfTheMechanismWhereLengthsAreTiny) {
+  EXPECT_EQ(Found(bent_chain("5.55e-17", "2.28e-12")).base.independent, Found(bent_chain("0.3", "0.2")).base.independent);
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ TEST(SparseConstraintJacobian, IsTheJacobianWithoutItsZeros) {
 
 TEST(SparseConstraintJacobian, IsAbsentWithoutConstraints) {
   const Equations equations(testing_mechanisms::pendulum());
-  EXPECT_EQ(make_sparse_constraint_jacobian(equations).skipped, "the scene has no constraints");
+  EXPECT_EQ(make_kernel("sparse_constraint_jacobian", equations).skipped, "the scene has no constraints");
 }
 
 }  // namespace

@@ -2,8 +2,11 @@
 #include "generator/dynamics/recursions/base_parameters.hpp"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <random>
 #include <unordered_map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -15,18 +18,25 @@
 namespace torsor {
 namespace {
 
-constexpr int base_digits = 50;
 using Column = std::vector<Real>;
 
-Real negligible() { return Real::from_double(BaseParameters::tolerance); }
+/// Digits to work in, and the part of a column's size that is nothing in them.
+struct Arithmetic {
+  int digits;
+  double negligible;
+};
+
+/// Lengths and angles that are small, and products of them, make columns nearly dependent: what 50 digits do not tell from
+/// rounding, the further ones do.
+constexpr std::array<Arithmetic, 2> arithmetics{{{50, BaseParameters::tolerance}, {200, 1e-90}}};
 
 enum class Parameters { as_given, varied };
 
 /// Y at one pseudo-random state after another.
 class RegressorSamples {
  public:
-  RegressorSamples(const Model& model, const ValueMatrix& y)
-      : model_(model), y_(y), random_(1991), evaluate_(model.program(), {}) {}
+  RegressorSamples(const Model& model, const ValueMatrix& y, int digits)
+      : model_(model), y_(y), digits_(digits), random_(1991), evaluate_(model.program(), {}) {}
 
   /// Appends the rows of Y at a further state to its columns.
   void append(std::vector<Column>& columns, Parameters parameters) {
@@ -55,7 +65,7 @@ class RegressorSamples {
 
  private:
   /// Between −2 and 2, few digits.
-  Real draw() { return Real(Number::rational(static_cast<long>(random_() % 16001U) - 8000, 4001), base_digits); }
+  Real draw() { return Real(Number::rational(static_cast<long>(random_() % 16001U) - 8000, 4001), digits_); }
 
   /// Any state, or one near the initial one: formulas like √(l² − x²) are not defined everywhere.
   void move(Parameters parameters, bool near) {
@@ -86,6 +96,7 @@ class RegressorSamples {
 
   const Model& model_;
   const ValueMatrix& y_;
+  int digits_;
   std::mt19937_64 random_;
   std::unordered_map<const Symbol*, Real> values_;
   Evaluator<Real> evaluate_;
@@ -95,7 +106,7 @@ class RegressorSamples {
 /// Gaussian elimination by columns, each against those kept before it, pivots the largest entries left.
 class ColumnElimination {
  public:
-  explicit ColumnElimination(std::size_t rows) : taken_(rows, false) {}
+  ColumnElimination(std::size_t rows, Real negligible) : negligible_(std::move(negligible)), taken_(rows, false) {}
 
   /// Keeps an independent column; of a dependent one, returns false and leaves its coefficients on the kept ones.
   bool add(Column column) {
@@ -115,7 +126,7 @@ class ColumnElimination {
     for (std::size_t r = 0; r < column.size(); ++r) {
       if (!taken_[r] && (pivot == column.size() || abs(column[r]) > abs(column[pivot]))) pivot = r;
     }
-    if (pivot == column.size() || !(abs(column[pivot]) > negligible())) {
+    if (pivot == column.size() || !(abs(column[pivot]) > negligible_)) {
       solve(upper, size);
       return false;
     }
@@ -141,20 +152,21 @@ class ColumnElimination {
   void solve(Column& upper, const Real& size) {
     for (std::size_t k = kept_.size(); k-- > 0;) {
       const Real factor = upper[k] / kept_[k].diagonal;
-      if (!(abs(factor) > negligible())) continue;
+      if (!(abs(factor) > negligible_)) continue;
       for (std::size_t i = 0; i < k; ++i) upper[i] -= factor * kept_[k].upper[i];
       coefficients_[k] = factor * size / kept_[k].size;
     }
   }
 
+  Real negligible_;
   std::vector<bool> taken_;
   std::vector<Kept> kept_;
   std::vector<Real> coefficients_;
 };
 
-BaseParameters eliminate(const std::vector<Column>& columns) {
+BaseParameters eliminate(const std::vector<Column>& columns, const Real& negligible) {
   BaseParameters result;
-  ColumnElimination elimination(columns.front().size());
+  ColumnElimination elimination(columns.front().size(), negligible);
   std::vector<std::vector<Real>> found;
   for (std::size_t c = 0; c < columns.size(); ++c) {
     if (elimination.add(columns[c])) {
@@ -172,7 +184,7 @@ BaseParameters eliminate(const std::vector<Column>& columns) {
 }
 
 /// Whether Y_d = Y_b K there.
-bool holds(const BaseParameters& base, const std::vector<Column>& columns) {
+bool holds(const BaseParameters& base, const std::vector<Column>& columns, const Real& negligible) {
   for (std::size_t d = 0; d < base.dependent.size(); ++d) {
     for (std::size_t r = 0; r < columns.front().size(); ++r) {
       Real rest = columns[base.dependent[d]][r];
@@ -183,19 +195,18 @@ bool holds(const BaseParameters& base, const std::vector<Column>& columns) {
         rest -= part;
         size += abs(part);
       }
-      if (abs(rest) > size * negligible()) return false;
+      if (abs(rest) > size * negligible) return false;
     }
   }
   return true;
 }
 
-}  // namespace
-
-BaseParameters base_parameters(const Model& model, const ValueMatrix& y) {
-  if (y.empty() || y.front().empty()) return {};
-  const WorkingDigits precision(base_digits);
+/// What holds in that arithmetic, nothing where none holds.
+std::optional<BaseParameters> base_parameters_in(const Arithmetic& arithmetic, const Model& model, const ValueMatrix& y) {
+  const WorkingDigits precision(arithmetic.digits);
+  const Real negligible = Real::from_double(arithmetic.negligible);
   const std::size_t count = y.front().size();
-  RegressorSamples samples(model, y);
+  RegressorSamples samples(model, y, arithmetic.digits);
   std::vector<Column> columns(count);
   const auto further = [&](Parameters parameters) {
     std::vector<Column> others(count);
@@ -205,17 +216,32 @@ BaseParameters base_parameters(const Model& model, const ValueMatrix& y) {
   // A few states more than it takes where rows and columns are spread evenly; a trunk that carries many branches
   // needs more. A relation that is none fails at a further state with probability one.
   std::size_t wanted = count / y.size() + 3;
+  std::vector<std::size_t> before;
   for (int attempt = 0; attempt < 8; ++attempt, wanted *= 2) {
     while (columns.front().size() < wanted * y.size()) samples.append(columns, Parameters::as_given);
-    BaseParameters base = eliminate(columns);
-    if (!holds(base, further(Parameters::as_given))) continue;
-    if (samples.has_parameters()) base.at_any_parameters = holds(base, further(Parameters::varied));
+    BaseParameters base = eliminate(columns, negligible);
+    if (!holds(base, further(Parameters::as_given), negligible)) {
+      if (base.independent == before) return std::nullopt;  // more states do not change the choice: digits are missing
+      before = std::move(base.independent);
+      continue;
+    }
+    if (samples.has_parameters()) base.at_any_parameters = holds(base, further(Parameters::varied), negligible);
     return base;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+BaseParameters base_parameters(const Model& model, const ValueMatrix& y) {
+  if (y.empty() || y.front().empty()) return {};
+  for (const Arithmetic& arithmetic : arithmetics) {
+    if (std::optional<BaseParameters> base = base_parameters_in(arithmetic, model, y)) return *std::move(base);
   }
   throw Error(
       fmt::format("no relations between the {} inertial parameters hold at further states to {}: lengths of the "
                   "mechanism differ too much in size; leave the kernel 'regressor' out",
-                  count, BaseParameters::tolerance));
+                  y.front().size(), arithmetics.back().negligible));
 }
 
 }  // namespace torsor

@@ -20,7 +20,7 @@ namespace torsor {
 /// Constraints are not used: on a closed loop v and a are taken as free, although a motion that respects it could tell
 /// fewer parameters apart.
 struct BaseParameters {
-  static constexpr double tolerance = 1e-20;  ///< of a column's size, in 50 digits: less than that is nothing
+  static constexpr double tolerance = 1e-20;  ///< of a column's size, in 50 digits: less is nothing where relations hold so
 
   std::vector<std::size_t> independent, dependent;  ///< columns, ascending
   std::vector<std::vector<Real>> combination;       ///< K, row by row: [independent][dependent]
@@ -28,8 +28,8 @@ struct BaseParameters {
 };
 
 /// Columns of Y at pseudo-random states, the same on every run, as many as it takes: the relations found are tested at
-/// further states. Throws SceneError when the regressor is undefined wherever it is looked at, Error when 50 digits are
-/// too few to tell.
+/// further states, in 200 digits where 50 do not tell. Throws SceneError when the regressor is undefined wherever it is
+/// looked at, Error when those are too few to tell.
 BaseParameters base_parameters(const Model& model, const ValueMatrix& y);
 
 }  // namespace torsor
