@@ -10,6 +10,8 @@
 #include "generator/cli/command_set.hpp"
 #include "generator/cli/command_texts.hpp"
 #include "generator/cli/kernel_options.hpp"
+#include "generator/dynamics/equations/massless.hpp"
+#include "generator/emission/kernel.hpp"
 #include "generator/expression/decimal.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/verification/reference_cache.hpp"
@@ -25,8 +27,15 @@ struct CheckRequest : KernelOptions {
 
 CommandResult check(const Scene& scene, const CheckRequest& request) {
   const std::vector<CheckResult> results = check_scene(scene, {request.digits, request.states, request.names()});
-  return {request.json ? check_json(scene.name(), results) : check_table(scene.name(), results),
-          std::all_of(results.begin(), results.end(), [](const CheckResult& r) { return r.passed(); })};
+  CommandResult result{request.json ? check_json(scene.name(), results) : check_table(scene.name(), results),
+                       std::all_of(results.begin(), results.end(), [](const CheckResult& r) { return r.passed(); })};
+  if (!scene.content().keeps_massless) return result;
+  if (const std::string reason = lack_of_mass(Equations(scene)); !reason.empty()) {
+    std::vector<std::string> absent = request.names();
+    std::erase_if(absent, [](const std::string& name) { return !solves_with_mass_matrix(name); });
+    result.notes.push_back(fmt::format("not checked, for there are none: {}: {}", fmt::join(absent, ", "), reason));
+  }
+  return result;
 }
 
 struct VerifyRequest : KernelOptions {

@@ -51,6 +51,7 @@ ImportedMjcf MjcfBuilder::build() {
   scene_.gravity(quantities(options_.gravity.value_or(gravity), units::metre_per_second_squared));
   add_points();
   set_start();
+  scene_.keep_massless();
   note_geometry();
   if (options_.strict && !notes_.empty()) {
     throw FileError(fmt::format("{}: {}; correct the file, or leave out --strict", model_.file, notes_.front()));

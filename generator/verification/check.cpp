@@ -53,6 +53,15 @@ std::vector<Real> largest_of_unit(const std::vector<Real>& sizes, const std::vec
   return result;
 }
 
+/// The matrix without the rows and columns of those indices, which ascend.
+std::vector<std::vector<Real>> without(std::vector<std::vector<Real>> m, const std::vector<int>& indices) {
+  for (auto index = indices.rbegin(); index != indices.rend(); ++index) {
+    m.erase(m.begin() + *index);
+    for (std::vector<Real>& row : m) row.erase(row.begin() + *index);
+  }
+  return m;
+}
+
 /// Smallest pivot of a symmetric matrix relative to its diagonal entry; positive when it is positive definite.
 double smallest_relative_pivot(std::vector<std::vector<Real>> m) {
   double smallest = 1;
@@ -80,7 +89,8 @@ class SceneCheck {
     const Model& model = kernels_.model();
     const auto n = static_cast<std::size_t>(model.unknown_count());
     const std::size_t all = model.coordinates().size();
-    const ForwardSolution& forward = kernels_.forward();
+    const std::vector<int>& massless = kernels_.massless();
+    const ForwardSolution* forward = massless.empty() ? &kernels_.forward() : nullptr;
     const std::vector<Value>& inverse = kernels_.inverse_dynamics();
     const PainleveReport report = painleve(kernels_);
     const Value power = time_derivative(report.t2_minus_t0);
@@ -136,14 +146,24 @@ class SceneCheck {
           symmetry_.compare(m[i][j], m[j][i], scale);
         }
       }
-      if (!(smallest_relative_pivot(m) > 0)) ++not_positive_;
+      if (!(smallest_relative_pivot(without(m, massless)) > 0)) ++not_positive_;
 
-      // 3. Forward dynamics put back into the equations: M a + h − E u − Aᵀλ = 0 and A a + γ = 0.
-      const std::vector<Real> a = here(forward.accelerations);
-      const std::vector<Real> lambda = here(forward.multipliers);
-      check_forward(here, a, lambda, m);
+      // 3. Forward dynamics put back into the equations: M a + h − E u − Aᵀλ = 0 and A a + γ = 0. Where M is singular any
+      // accelerations and multipliers are those of a motion, under the forces of inverse dynamics in place of E u.
+      std::vector<Real> a, lambda, driving;
+      if (forward != nullptr) {
+        a = here(forward->accelerations);
+        lambda = here(forward->multipliers);
+        check_forward(here, a, lambda, m);
+        driving = forces_of_inputs(here);
+      } else {
+        for (std::size_t i = 0; i < n; ++i) a.push_back(here(model.a(static_cast<int>(i))));
+        for (const ConstraintRow& row : kernels_.constraints()) lambda.push_back(here(kernels_.program().symbol(row.multiplier)));
+        driving = here(std::vector<Value>(inverse.begin(), inverse.begin() + static_cast<std::ptrdiff_t>(n)));
+      }
+      check_columns(here);
 
-      // 4. Energy theorem in Painlevé's form: d(T2 − T0)/dt + ∂T/∂t = Σ (Q_i + Σ λ_j a_ji) q̇_i.
+      // 4. Energy theorem in Painlevé's form: d(T2 − T0)/dt + ∂T/∂t = Σ (Q_i + E u_i + Σ λ_j a_ji) q̇_i.
       if (power.program() != nullptr) {
         Evaluator<Real> moving(program, [&](const SymbolPointer& symbol) {
           for (std::size_t i = 0; i < n; ++i) {
@@ -154,13 +174,39 @@ class SceneCheck {
         // A body left to itself has no power, but its parts do: the size of what cancels is that of Σ |∂T2/∂q̇_i q̈_i|.
         Real exchanged = Real(0);
         for (std::size_t i = 0; i < n; ++i) exchanged += abs(here(momenta[i]) * a[i]);
-        check_energy(here, moving, power, report.explicit_rate, lambda, there, exchanged);
+        check_energy(here, moving, power, report.explicit_rate, driving, lambda, there, exchanged);
       }
     }
     return collect();
   }
 
  private:
+  /// E u.
+  std::vector<Real> forces_of_inputs(Evaluator<Real>& here) const {
+    const Model& model = kernels_.model();
+    const std::vector<SymbolPointer> inputs = model.inputs();
+    std::vector<Real> forces(static_cast<std::size_t>(model.unknown_count()), Real(0));
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+      for (std::size_t k = 0; k < inputs.size(); ++k) {
+        forces[i] += here(kernels_.actions().inputs[k][i]) * here(kernels_.program().symbol(inputs[k]));
+      }
+    }
+    return forces;
+  }
+
+  /// Generalised forces of reactions against the gradients of the constraints.
+  void check_columns(Evaluator<Real>& here) {
+    if (kernels_.constraints().empty()) return;
+    const auto n = static_cast<std::size_t>(kernels_.model().unknown_count());
+    for (const std::size_t j : kernels_.redundancy().kept) {
+      const ConstraintRow& row = kernels_.constraints()[j];
+      std::vector<Real> gradient;
+      for (std::size_t i = 0; i < n; ++i) gradient.push_back(here(row.jacobian[i]));
+      const Real size = sum_of_sizes(gradient);
+      for (std::size_t i = 0; i < n; ++i) columns_.compare(here(row.ideal[i]), gradient[i], size);
+    }
+  }
+
   void check_forward(Evaluator<Real>& here, const std::vector<Real>& a, const std::vector<Real>& lambda,
                      const std::vector<std::vector<Real>>& mass) {
     const auto& inputs = kernels_.model().inputs();
@@ -199,8 +245,6 @@ class SceneCheck {
         gradient.push_back(here(row.jacobian[i]));
         terms.push_back(gradient[i] * a[i]);
       }
-      const Real size = sum_of_sizes(gradient);
-      for (std::size_t i = 0; i < a.size(); ++i) columns_.compare(here(row.ideal[i]), gradient[i], size);
       Real sum = Real(0);
       for (const Real& term : terms) sum += term;
       lefts.push_back(sum);
@@ -231,16 +275,14 @@ class SceneCheck {
   }
 
   void check_energy(Evaluator<Real>& here, Evaluator<Real>& moving, const Value& power, const Value& explicit_rate,
-                    const std::vector<Real>& lambda, Evaluator<Real>& there, const Real& exchanged) {
+                    const std::vector<Real>& driving, const std::vector<Real>& lambda, Evaluator<Real>& there,
+                    const Real& exchanged) {
     const Model& model = kernels_.model();
-    const auto& inputs = model.inputs();
     std::vector<Real> terms{moving(power), moving(explicit_rate)};
     for (std::size_t i = 0; i < static_cast<std::size_t>(model.unknown_count()); ++i) {
       const Real v = here(model.v(static_cast<int>(i)));
       terms.push_back(-(there(road_.forces()[i]) * v));
-      for (std::size_t k = 0; k < inputs.size(); ++k) {
-        terms.push_back(-(here(kernels_.actions().inputs[k][i]) * here(kernels_.program().symbol(inputs[k])) * v));
-      }
+      terms.push_back(-(driving[i] * v));
       for (std::size_t j = 0; j < lambda.size(); ++j) {
         terms.push_back(-(here(kernels_.constraints()[j].column[i]) * lambda[j] * v));
       }
@@ -259,8 +301,12 @@ class SceneCheck {
         {"positiveness", "states where the mass matrix is not positive definite", not_positive_, 0},
         {"forward_dynamics", "accelerations and multipliers put back into the equations", forward_.value(), bound},
         {"energy_theorem", "d(T2 - T0)/dt + dT/dt|explicit against the power of all forces", energy_.value(), bound}};
-    if (!kernels_.constraints().empty()) {
+    const bool solved = kernels_.massless().empty();
+    if (!solved) std::erase_if(results, [](const CheckResult& result) { return result.name == "forward_dynamics"; });
+    if (!kernels_.constraints().empty() && solved) {
       results.push_back({"constraints", "acceleration form of the constraints", constraints_.value(), bound});
+    }
+    if (!kernels_.constraints().empty()) {
       results.push_back(
           {"reactions", "generalised forces of reactions against constraint gradients", columns_.value(), bound});
     }

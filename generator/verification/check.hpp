@@ -26,6 +26,8 @@ struct CheckOptions {
 /// Checks a scene against itself at pseudo-random states (fixed seeds, so that a failure repeats):
 /// the two derivations of Lagrange's equations, symmetry and positiveness of M, both mass matrices, the energy theorem,
 /// constraints and their reactions, forward against inverse dynamics, and the double kernels against CLN.
+/// Where joints move no mass, what needs the accelerations of the motion is left out, and the energy theorem holds under the
+/// forces of inverse dynamics.
 /// A relative difference is ‖x − y‖ over the size of what was added to make x, never below ‖x‖.
 std::vector<CheckResult> check_scene(const Scene& scene, const CheckOptions& options);
 /// The same without the double kernels.

@@ -61,7 +61,7 @@ std::vector<std::vector<Scalar>> coefficients_of(const SeriesResult& series, Eva
 class JetCheck {
  public:
   explicit JetCheck(const Scene& scene)
-      : scene_(scene), precision_(digits), equations_(scene), kernel_(make_jets(equations_)) {}
+      : scene_(scene), precision_(digits), equations_(scene), kernel_(make_kernel("jets", equations_)) {}
 
   std::vector<CheckResult> run(int states) {
     if (!kernel_.series) return {};

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "generator/dynamics/equations/massless.hpp"
 #include "generator/dynamics/equations/validation.hpp"
 #include "generator/expression/decimal.hpp"
 #include "generator/expression/error.hpp"
@@ -114,6 +115,7 @@ ReferenceResult integrate_reference(const Scene& scene, const ReferenceOptions& 
     throw SceneError(fmt::format("the scene '{}' has parameters without a value: a reference needs all of them",
                                  scene.name()));
   }
+  if (scene.content().keeps_massless) require_mass(Equations(scene));  // any acceleration of theirs would do
   std::vector<Real> times;
   for (const std::string& time : options.times) times.emplace_back(parse_decimal(time), work_digits);
   Motion motion(scene);
