@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <unordered_map>
 #include <utility>
 
 #include "generator/expression/arrival.hpp"
@@ -53,16 +54,18 @@ std::optional<Atom> most_shared_atom(const Polynomial& polynomial, int& uses) {
 }
 
 std::optional<Number> most_shared_size(const Polynomial& polynomial, int& uses) {
+  std::unordered_map<Number, int> counts;  // asked, and never gone through
+  std::optional<Number> best;
   std::vector<Number> sizes;  // but for one
   for (const Term& term : polynomial.terms()) {
     Number size = term.coefficient.abs();
-    if (!size.is_one()) sizes.push_back(std::move(size));
+    if (size.is_one()) continue;
+    ++counts[size];
+    sizes.push_back(std::move(size));
   }
-  std::optional<Number> best;
   uses = 1;
   for (const Number& size : sizes) {
-    const auto same = std::count(sizes.begin(), sizes.end(), size);
-    if (same > uses) best = size, uses = static_cast<int>(same);
+    if (const int same = counts.at(size); same > uses) best = size, uses = same;
   }
   return best;
 }
