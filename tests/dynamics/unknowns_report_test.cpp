@@ -138,6 +138,32 @@ TEST(IsolationReport, CountsTheMultipliersAcrossTheBoundary) {
   EXPECT_NE(report.text.find("constraint gear: a formula; its force is counted with the joints"), std::string::npos);
 }
 
+TEST(IsolationReport, LeavesOutWhatActsBetweenIsolatedBodies) {
+  Scene scene = two_bars();
+  scene.point("mark", "shoulder", {metres("0.2"), 0, 0});
+  scene.closure("belt", "mark", "tip", axis::y);
+  const Equations equations(scene);
+  EXPECT_EQ(isolation_report(equations, {"arm", "forearm"}, {"O", "ground"}).unknowns.size(), 5U);
+  EXPECT_EQ(isolation_report(equations, {"forearm"}, {"O", "ground"}).unknowns.size(), 6U);
+}
+
+// The force across the plane acts at the puck's centre, which both slides have moved: there it has no moment.
+TEST(IsolationReport, CarriesForcesFromTheBodyWhereverItsJointStarts) {
+  Scene scene("puck");
+  const Expression x = scene.coordinate("x", "m"), y = scene.coordinate("y", "m"), q = scene.coordinate("q", "rad");
+  const FrameHandle puck = scene.planar("puck", scene.ground(), x, y, q);
+  scene.body("puck", puck, box());
+  scene.point("centre", puck, {0, 0, 0});
+  scene.point("O", scene.ground(), {0, 0, 0});
+  const Equations equations(scene);
+  const IsolationReport at_centre = isolation_report(equations, {"puck"}, {"centre", "ground"});
+  ASSERT_EQ(at_centre.unknowns.size(), 3U);
+  EXPECT_EQ(at_centre.unknowns[0].name, "puck Z");
+  EXPECT_EQ(at_centre.unknowns[0].enters, (std::array<bool, 6>{false, false, true, false, false, false}));
+  const IsolationReport at_origin = isolation_report(equations, {"puck"}, {"O", "ground"});
+  EXPECT_EQ(at_origin.unknowns[0].enters, (std::array<bool, 6>{false, false, true, true, true, false}));
+}
+
 TEST(UnknownsReport, CountsUnknownsAgainstEquations) {
   Scene scene = two_bars();
   scene.closure("guide", "O", "tip", axis::y);

@@ -141,10 +141,13 @@ TEST(Validation, NamesAReactionThatDoesNotEnforceItsConstraint) {
   const FrameHandle block = scene.prismatic("block", slide, axis::y, y);
   scene.body("block", block, Inertia::point(kilograms("1")));
   scene.point("P", block, {0, 0, 0});
+  Scene sloped = scene;
   scene.reaction(scene.holonomic("floor", y), "N", block, "P", axis::x, scene.ground());
   const std::string text = refusal(scene);
   EXPECT_TRUE(text.starts_with("reaction 'N' does not enforce constraint 'floor': along coordinate 'x'")) << text;
   EXPECT_NE(text.find("check the point and the direction"), std::string::npos) << text;
+  sloped.reaction(sloped.holonomic("slope", x + y), "N", block, "P", axis::x, sloped.ground());
+  EXPECT_TRUE(refusal(sloped).starts_with("reaction 'N' does not enforce constraint 'slope': along coordinate 'y'"));
 }
 
 class ConstrainedPair : public ::testing::Test {
@@ -213,6 +216,14 @@ TEST(Validation, RefusesVelocitiesWhereAConfigurationIsMeant) {
       refused([&](S& s, F b, E, E q) { s.body("more", b, Inertia::point(kilograms("1") * (2 + sin(q)))); }),
       refused([&](S& s, F b, E x, E) { s.body("more", b, Inertia::point(kilograms("1")).at({x, 0, 0})); }),
       refused([&](S& s, F, E x, E) { s.spring("k", x + rate(x) * second, Expression::quantity("1", "N/m")); }),
+      refused([&](S& s, F, E x, E) {
+        s.spring("k", x, Expression::quantity("1", "N/m") * (2 + sin(rate(x) * second / metres("1"))));
+      }),
+      refused([&](S& s, F b, E x, E) {
+        s.spring("k", s.point("P", b, {0, 0, 0}), s.point("O", s.ground(), {0, 0, 0}),
+                 Expression::quantity("1", "N/m") * (2 + sin(rate(x) * second / metres("1"))));
+      }),
+      refused([&](S& s, F b, E, E) { s.weld("far", b, {.origin = {s.time() / second * metres("1"), 0, 0}}); }),
       refused([&](S& s, F, E x, E) { s.motor("m", rate(x) * second); }),
       refused([&](S& s, F, E x, E) { s.holonomic("h", x + rate(x) * second); }),
       refused([&](S& s, F b, E, E q) {
@@ -230,6 +241,9 @@ TEST(Validation, RefusesVelocitiesWhereAConfigurationIsMeant) {
       "the inertia of body 'more' depends on 'q', which changes in time",
       "the inertia of body 'more' depends on 'x', which changes in time",
       "the elongation of spring 'k' depends on the velocity 'x''",
+      "the stiffness of spring 'k' depends on the velocity 'x''",
+      "the stiffness of spring 'k' depends on the velocity 'x''",
+      "the placement of joint 'far' depends on the time 't'",
       "the displacement of motor 'm' depends on the velocity 'x''",
       "the holonomic constraint 'h' depends on the velocity 'x''",
       "the direction of constraint 'n' depends on the velocity 'q''",

@@ -73,6 +73,12 @@ TEST(ExactRotation, OfAnyQuaternionIsItsOwn) {
   }
 }
 
+// Files give quaternions of any length.
+TEST(ExactRotation, OfALongerQuaternionIsTheSame) {
+  EXPECT_TRUE(equal(exact({2, 0, 2, 0}).rotation, Rotation::about(1, 6)));
+  EXPECT_NEAR(exact({3, 1, 2, 5}).rotation(0, 1).to_double(), 2 * (1 * 2 - 3 * 5) / 39.0, 1e-15);
+}
+
 TEST(ExactRotation, SaysWhatItTook) {
   EXPECT_EQ(exact({0.7071067811865476, 0.7071067811865476, 0, 0}).taken_for, "");  // exact already
   EXPECT_EQ(exact({0.7071067811865476, 0.7071067811865475, 0, 0}).taken_for, "Rx(pi/2)");

@@ -40,5 +40,27 @@ TEST(Ball, TakesDoublesExactlyAndKnowsNothingOfAQuotientByZero) {
   EXPECT_FALSE(std::isfinite((Ball(1) / zero).largest()));
 }
 
+// √3 √6 = 3 √2 and √2 √3 = √6, from the parts of numbers.
+TEST(Ball, TakesEachPartOfANumberUnderItsRoot) {
+  if (!Ball::available()) GTEST_SKIP() << "built without Arb";
+  const Ball two = Ball::of_number(Number::sqrt2()), three = Ball::of_number(Number::sqrt3());
+  const Ball six = Ball::of_number(Number::sqrt2() * Number::sqrt3());
+  for (const Ball& zero : {two * two - Ball(2), three * three - Ball(3), two * three - six}) {
+    EXPECT_LE(zero.largest(), 1e-14);
+  }
+}
+
+/// A condition of which the sign is not known leaves both branches open: 1, 5 and all between.
+TEST(Ball, HoldsBothBranchesOfAChoiceThatIsNotDecided) {
+  if (!Ball::available()) GTEST_SKIP() << "built without Arb";
+  const Ball about_zero = sin(Ball::pi());
+  for (const Ball& open : {select(about_zero, Ball(1), Ball(5)), select(about_zero, Ball(5), Ball(1))}) {
+    EXPECT_GE(open.largest(), 5);
+    EXPECT_NEAR(open.radius(), 2, 1e-6);
+  }
+  EXPECT_NEAR(select(Ball(-1), Ball(1), Ball(5)).largest(), 5, 1e-6);
+  EXPECT_NEAR(select(Ball(0), Ball(1), Ball(5)).largest(), 1, 1e-6);
+}
+
 }  // namespace
 }  // namespace torsor::ball_test
