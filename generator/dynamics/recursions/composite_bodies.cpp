@@ -40,7 +40,7 @@ Wrench in_parent(const Model& model, const Link& link, const Wrench& wrench) {
   return seen;
 }
 
-CompositeBodies composite_bodies(const Model& model) {
+CompositeBodies composite_bodies(const Model& model, UnitWrenches carried) {
   Program& program = model.program();
   const auto& links = model.links();
   CompositeBodies result;
@@ -59,7 +59,7 @@ CompositeBodies composite_bodies(const Model& model) {
       unit.moment = bound(program, cross(body.first_moment, link.axis));
     }
     result.unit_wrenches[k].push_back({k, unit});
-    for (std::size_t at = k; links[at].parent != 0;) {
+    for (std::size_t at = k; links[at].parent != 0 && carried == UnitWrenches::to_the_first_link;) {
       unit = in_parent(model, links[at], unit);
       at = static_cast<std::size_t>(links[at].parent);
       result.unit_wrenches[k].push_back({at, unit});

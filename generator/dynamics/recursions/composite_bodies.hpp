@@ -24,7 +24,10 @@ struct CompositeBodies {
   std::vector<std::vector<WrenchAt>> unit_wrenches;
 };
 
-CompositeBodies composite_bodies(const Model& model);
+/// How far unit wrenches are carried.
+enum class UnitWrenches { to_the_first_link, not_at_all };
+
+CompositeBodies composite_bodies(const Model& model, UnitWrenches carried = UnitWrenches::to_the_first_link);
 
 /// A wrench at the origin of a link, seen from the origin of the link that carries it, in that one's axes.
 Wrench in_parent(const Model& model, const Link& link, const Wrench& wrench);
