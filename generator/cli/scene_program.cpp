@@ -122,7 +122,7 @@ int run(int argc, const char* const* argv, const SceneSource& source) {
 
 int run_commands(int argc, const char* const* argv, const SceneSource& source) {
   const auto fail = [argv](const std::string& message, int code) {
-    std::fprintf(stderr, "%s: %s\n", argv[0], printable(message).c_str());
+    std::fprintf(stderr, "%s\n", printable(fmt::format("{}: {}", argv[0], message)).c_str());
     return code;
   };
   try {

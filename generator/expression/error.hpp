@@ -2,13 +2,15 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
 
 namespace torsor {
 
-/// Base of every error the generator throws: one clear line that names the object, the value and the remedy.
+/// Base of every error the generator throws: one clear line that names the object, the value and the remedy. What it
+/// quotes may come from anywhere: the message is made printable (generator/expression/printable.hpp).
 class Error : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit Error(const std::string& message);
 };
 
 /// A description of a mechanism that cannot stand: duplicate name, unknown frame, inconsistent initial state.

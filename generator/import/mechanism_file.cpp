@@ -84,9 +84,12 @@ MechanismFile read_mechanism_file(const std::string& path, const MechanismFileOp
 
 std::string dependency_rule(const std::string& target, const std::vector<std::string>& files) {
   const auto escaped = [](const std::string& path) {
+    if (path.find_first_of("\n\r") != std::string::npos) {
+      throw FileError(fmt::format("--depfile: no rule of make can name '{}', which holds the end of a line: rename it", path));
+    }
     std::string text;
     for (const char c : path) {
-      if (c == ' ' || c == '#') text += '\\';
+      if (c == ' ' || c == '#' || c == ':') text += '\\';
       if (c == '$') text += '$';
       text += c;
     }

@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include "generator/expression/printable.hpp"
 #include "generator/expression/shell_word.hpp"
 #include "generator/import/command_words.hpp"
+#include "generator/import/origin_notes.hpp"
 
 namespace torsor {
 namespace {
@@ -29,21 +31,15 @@ std::string options_text(const MjcfOptions& options) {
   return text;
 }
 
-void append_lines(std::vector<std::string>& notes, const std::string& title, const std::vector<std::string>& lines) {
-  if (lines.empty()) return;
-  notes.push_back(title);
-  for (const std::string& line : lines) notes.push_back("  " + line);
-}
-
 }  // namespace
 
 SceneOrigin mjcf_origin(const MjcfModel& model, const MjcfOptions& options, const MjcfHead& head) {
   const std::string file = name_of_file(model.file);
-  SceneOrigin origin{file, file_word(file) + options_text(options), {}};
-  append_lines(origin.notes, "Names that became identifiers:", head.renamed);
-  append_lines(origin.notes, "Angles and axes that were made exact:", head.changed);
-  append_lines(origin.notes, "Stated, in SI, and not in the kernels:", head.data);
-  append_lines(origin.notes, "In the file and without effect:", head.notes);
+  SceneOrigin origin{printable(file), file_word(file) + options_text(options), {}};
+  append_notes(origin.notes, "Names that became identifiers:", head.renamed);
+  append_notes(origin.notes, "Angles and axes that were made exact:", head.changed);
+  append_notes(origin.notes, "Stated, in SI, and not in the kernels:", head.data);
+  append_notes(origin.notes, "In the file and without effect:", head.notes);
   return origin;
 }
 

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include "generator/expression/decimal.hpp"
+#include "generator/expression/printable.hpp"
 #include "generator/expression/shell_word.hpp"
 #include "generator/import/command_words.hpp"
+#include "generator/import/origin_notes.hpp"
 
 namespace torsor {
 namespace {
@@ -52,30 +54,24 @@ std::string data_line(const UrdfJointData& data) {
   return parts.empty() ? "" : fmt::format("{}: {}", data.joint, fmt::join(parts, ", "));
 }
 
-void append(std::vector<std::string>& notes, const std::string& title, const std::vector<std::string>& lines) {
-  if (lines.empty()) return;
-  notes.push_back(title);
-  for (const std::string& line : lines) notes.push_back("  " + line);
-}
-
 }  // namespace
 
 SceneOrigin urdf_origin(const UrdfRobot& robot, const UrdfOptions& options, const std::vector<UrdfJointData>& joints,
                         const std::vector<std::string>& renamed) {
-  SceneOrigin origin{name_of_file(robot.file), arguments(robot, options), {}};
-  append(origin.notes, "Noted while reading (--strict refuses it):", robot.notes.lines());
-  append(origin.notes, "Understood while reading:", robot.remarks);
-  append(origin.notes, "Names that became identifiers:", renamed);
+  SceneOrigin origin{printable(name_of_file(robot.file)), arguments(robot, options), {}};
+  append_notes(origin.notes, "Noted while reading (--strict refuses it):", robot.notes.lines());
+  append_notes(origin.notes, "Understood while reading:", robot.remarks);
+  append_notes(origin.notes, "Names that became identifiers:", renamed);
   std::vector<std::string> exact = robot.changes.lines();
   if (!robot.exact_together.empty()) exact.push_back(robot.exact_together);
-  append(origin.notes, "Angles and axes that were made exact:", exact);
-  append(origin.notes, "Angles that look exact and are not:", robot.almost);
+  append_notes(origin.notes, "Angles and axes that were made exact:", exact);
+  append_notes(origin.notes, "Angles that look exact and are not:", robot.almost);
   std::vector<std::string> data;
   for (const UrdfJointData& joint : joints) {
     if (std::string line = data_line(joint); !line.empty()) data.push_back(std::move(line));
   }
-  append(origin.notes, "Stated of joints, in SI, and not in the kernels:", data);
-  append(origin.notes, "Stated of joints and without effect:", robot.without_effect);
+  append_notes(origin.notes, "Stated of joints, in SI, and not in the kernels:", data);
+  append_notes(origin.notes, "Stated of joints and without effect:", robot.without_effect);
   return origin;
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "generator/expression/error.hpp"
+#include "generator/expression/printable.hpp"
 #include "generator/mechanics/identifier.hpp"
 #include "generator/mechanics/require_unit.hpp"
 
@@ -33,12 +34,17 @@ void require_initial_unit(const Expression& given, const Unit& unit, const std::
 Scene::Scene(std::string name, std::string title) {
   require_identifier(name, "scene");
   content_.name = std::move(name);
-  content_.title = std::move(title);
+  content_.title = printable(title);
   content_.time = add_symbol("t", units::second, SymbolKind::time);
   add_frame({"ground", std::nullopt, {}, JointKind::weld, {}, 0});
 }
 
 void Scene::claim(const std::string& name, const std::string& what) {
+  if (printable(name) != name) {
+    throw SceneError(fmt::format("the name '{}' of a {} holds bytes that are no UTF-8, or characters that are not seen or "
+                                 "turn the direction of text: choose one that shows what it is",
+                                 name, what));
+  }
   // Frames and bodies are often namesakes; all that becomes a symbol shares one space.
   const bool own_space = what == "frame" || what == "body" || what == "point" || what == "constraint" ||
                          what == "action" || what == "joint";

@@ -122,5 +122,48 @@ TEST(GraphPrinter, OrdersBodiesForFewestCrossings) {
   EXPECT_EQ(paths, 5);
 }
 
+/// The text without what stands in quotes of dot, or empty where a quote is not closed.
+std::string outside_quotes(const std::string& dot) {
+  std::string rest;
+  bool quoted = false;
+  for (std::size_t i = 0; i < dot.size(); ++i) {
+    if (quoted && dot[i] == '\\') {
+      ++i;
+    } else if (dot[i] == '"') {
+      quoted = !quoted;
+    } else if (!quoted) {
+      rest += dot[i];
+    }
+  }
+  return quoted ? "" : rest;
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+// Names that close a quote, an element, a comment or a section of whatever language they are printed in.
+TEST(GraphPrinter, QuotesNamesThatAreMarkup) {
+  const std::string joint = "a\"]; x [label=\"\\", action = "</text><script>]]>--&amp;\\";
+  Scene scene("cart");
+  const Expression x = scene.coordinate("x", "m");
+  const FrameHandle slide = scene.prismatic("slide", scene.ground(), axis::x, x);
+  scene.body("block", slide, Inertia::point(kilograms("1")));
+  scene.name_joint(slide, joint);
+  scene.spring(action, x, Expression::quantity("1", "N/m"));
+  const StructureGraph graph = structure_graph(scene);
+  const GraphDrawing drawing = draw_analysis(scene, graph, analysis_links(scene, graph));
+  const std::string svg = graph_svg(drawing), outside = outside_quotes(graph_dot(drawing));
+  EXPECT_EQ(count_of(svg, "</text>&lt;"), 0U);
+  EXPECT_EQ(count_of(svg, "&lt;/text&gt;&lt;script&gt;]]&gt;--&amp;amp;\\</text>"), 1U) << svg;
+  EXPECT_EQ(count_of(svg, "<text "), count_of(svg, "</text>"));
+  EXPECT_EQ(count_of(svg, "<script"), 0U);
+  EXPECT_NE(outside, "");
+  EXPECT_EQ(outside.find("x [label"), std::string::npos) << outside;
+  EXPECT_EQ(outside.find("script"), std::string::npos) << outside;
+}
+
 }  // namespace
 }  // namespace torsor::graph_printer_test

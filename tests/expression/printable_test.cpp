@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "generator/emission/cpp_names.hpp"
+#include "generator/expression/error.hpp"
 #include "generator/expression/shell_word.hpp"
 
 namespace torsor::printable_test {
@@ -30,6 +31,17 @@ TEST(Printable, ReplacesControlsDirectionsAndWhatIsNoUtf8) {
   EXPECT_EQ(printable("\xFF\xC3"), lost + lost);
   EXPECT_EQ(printable("\xC0\xAF"), lost + lost);              // not the shortest form
   EXPECT_EQ(printable("\xED\xA0\x80"), lost + lost + lost);  // a surrogate
+}
+
+// Whatever quotes a file, a name or a command line.
+TEST(Printable, ErrorsAreOneLineThatShowsWhatItHolds) {
+  const std::string hostile = "a\nb\x1B[2J\xE2\x80\xAE\xFF";
+  const std::string shown = "a b" + lost + "[2J" + lost + lost;
+  EXPECT_EQ(Error(hostile).what(), shown);
+  EXPECT_EQ(SceneError(hostile).what(), shown);
+  EXPECT_EQ(UnitError(hostile).what(), shown);
+  EXPECT_EQ(UsageError(hostile).what(), shown);
+  EXPECT_EQ(FileError(hostile).what(), shown);
 }
 
 TEST(Printable, CommentsEndWhereTheirLineEnds) {
