@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "generator/expression/error.hpp"
+#include "generator/mechanics/library_names.hpp"
 
 namespace torsor {
 namespace {
@@ -22,7 +23,7 @@ constexpr std::string_view keywords =
     "namespace new noexcept not not_eq nullptr operator or or_eq private protected public register reinterpret_cast "
     "requires return short signed sizeof static static_assert static_cast struct switch template this thread_local "
     "throw "
-    "true try typedef typeid typename union unsigned using virtual void volatile wchar_t while xor xor_eq ";
+    "true try typedef typeid typename typeof union unsigned using virtual void volatile wchar_t while xor xor_eq ";
 
 /// Macros that <cmath> and <array> bring along with some library (glibc, musl, libc++, mingw), or that the header defines
 /// or looks at itself; see could_be_macro for families of them.
@@ -39,16 +40,8 @@ constexpr std::string_view types =
     "Multipliers "
     "State size ";
 
-// A namespace cannot share its name with a function that <cmath> or <cstdlib> may declare globally.
-constexpr std::string_view library =
-    " std torsor main abs acos acosh asin asinh atan atan2 atanh atof atoi atol cbrt ceil copysign cos cosh div drem "
-    "erf "
-    "erfc exp exp2 exp10 expm1 fabs fdim finite floor fma fmax fmin fmod frexp gamma hypot ilogb index isinf isnan j0 "
-    "j1 "
-    "jn labs ldexp lgamma log log10 log1p log2 logb lrint lround modf nan nearbyint nextafter pow rand random "
-    "remainder "
-    "remquo rint round scalb select signal signgam significand sin sincos sinh sqrt srand system tan tanh tgamma time "
-    "trunc y0 y1 yn ";
+/// Namespaces of others, which the scene's would open again.
+constexpr std::string_view namespaces = " std torsor Eigen main ";
 
 bool contains(std::string_view list, const std::string& name) {
   return list.find(" " + name + " ") != std::string_view::npos;
@@ -95,7 +88,7 @@ bool could_be_macro(const std::string& name) {
   static constexpr std::array<std::string_view, 14> limits{"_MAX", "_MIN", "_WIDTH", "_BIT", "_DIG", "_EPSILON", "_RADIX",
                                                            "_MANT_DIG", "_MAX_EXP", "_MIN_EXP", "_MAX_10_EXP",
                                                            "_MIN_10_EXP", "_C", "_TRUE_MIN"};
-  if (contains(macros, name) || is_mathematical_constant(name)) return true;
+  if (contains(macros, name) || is_library_macro(name) || is_mathematical_constant(name)) return true;
   if (begins_with_one_of(name, families) || begins_with_one_of(name, byte_orders) || ends_with_one_of(name, ends)) return true;
   return begins_with_one_of(name, kinds_of_numbers) && ends_with_one_of(name, limits);
 }
@@ -115,7 +108,8 @@ void require_identifier(const std::string& name, const std::string& what) {
 }
 
 const char* reserved_in_headers(const std::string& name, bool names_scene) {
-  if (names_scene && contains(library, name)) return "belongs to the C library";
+  if (names_scene && contains(namespaces, name)) return "is a namespace of a library";
+  if (names_scene && is_global_library_name(name)) return "belongs to the C library";
   if (contains(types, name)) return "is used by the header itself";
   if (could_be_macro(name)) return "is or may be a macro of the standard library";
   if (contains(keywords, name)) return "is a C++ keyword";
