@@ -155,6 +155,8 @@ Records read_records(const std::filesystem::path& path) {
   std::ifstream stream = open_file(path);
   Records records;
   if (!read_head(path, stream, nullptr, records.head)) return records;
+  // A head may promise more than there is, or than memory holds: no record that is longer than the file is whole.
+  if (records.head.numbers > std::filesystem::file_size(path) / sizeof(std::uint64_t)) return records;
   std::vector<std::uint64_t> buffer(records.head.numbers + 2);
   for (std::uint64_t i = 0; i < records.head.count && read_record(stream, i, buffer); ++i) {
     for (std::size_t k = 1; k + 1 < buffer.size(); ++k) records.values.push_back(std::bit_cast<double>(buffer[k]));

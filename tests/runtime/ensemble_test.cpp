@@ -7,7 +7,9 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -26,6 +28,7 @@
 #include "tests/faults/full_disk.hpp"
 #endif
 
+#include "runtime/records/digest.hpp"
 #include "runtime/records/record_file.hpp"
 #include "tests/runtime/mechanisms.hpp"
 #include "tests/runtime/temporary_folder.hpp"
@@ -90,6 +93,24 @@ TEST_F(Ensemble, ReadsWhatIsThereOfAFileThatEndsAnywhere) {
   for (std::size_t bytes = 0; bytes <= expected.size(); ++bytes) {
     const Records records = read_records(put("results", expected.substr(0, bytes)));
     EXPECT_EQ(records.size(), bytes < 56 ? 0 : (bytes - 56) / 40) << bytes;
+  }
+}
+
+// The head of a file is believed as far as there are bytes: neither memory nor time go into what it promises.
+TEST_F(Ensemble, ReadsNothingOfRecordsThatAreLongerThanTheFile) {
+  std::array<std::uint64_t, 7> head{};
+  const std::string expected = whole();
+  for (const std::uint64_t numbers : {std::uint64_t{1} << 40, std::uint64_t{1} << 61, ~std::uint64_t{0}, ~std::uint64_t{1}}) {
+    std::memcpy(head.data(), expected.data(), sizeof head);
+    head[4] = ~std::uint64_t{0};
+    head[5] = numbers;
+    head[6] = Digest{}.add(head[2]).add(head[3]).add(head[4]).add(head[5]).value();
+    std::string text = expected;
+    std::memcpy(text.data(), head.data(), sizeof head);
+    const Records records = read_records(put("results", text));
+    EXPECT_EQ(records.head.numbers, numbers);
+    EXPECT_EQ(records.size(), 0U);
+    EXPECT_FALSE(records.complete());
   }
 }
 
