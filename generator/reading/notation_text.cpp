@@ -87,7 +87,9 @@ std::string text(const Written& written) {
   return result.empty() ? "0" : result;
 }
 
-std::string text_lines(const Written& written, std::size_t first_column, const std::string& indent, std::size_t width) {
+std::string text_lines(const Written& written, std::size_t first_column, const std::string& indent, std::size_t wanted_width) {
+  // A name may be as long as a line: what stands beside it needs room all the same.
+  const std::size_t width = std::max(wanted_width, indent.size() + 40);
   std::string result;
   std::size_t column = first_column;
   const auto put = [&](const std::string& piece) {

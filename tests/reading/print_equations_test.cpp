@@ -28,6 +28,20 @@ std::string section(const std::string& text, const std::string& heading) {
   return text.substr(body, end == std::string::npos ? std::string::npos : end + 1 - body);
 }
 
+// Beside a label that is longer than a line there is no room for a term that has to be broken.
+TEST(PrintEquations, BreaksTermsBesideNamesAsLongAsALine) {
+  for (const std::size_t length : {60U, 120U, 150U, 160U, 200U, 1000U}) {
+    const std::string name(length, 'q');
+    Scene scene("long_name");
+    const Expression q = scene.coordinate(name, "rad"), mass = scene.parameter("m", "kg", 2);
+    const FrameHandle arm = scene.revolute("arm", scene.ground(), axis::z, q);
+    scene.body("bob", arm, Inertia::point(mass).at({0, Expression::quantity("1", "m"), 0}));
+    scene.damper("d", q, Expression::quantity("1", "N m s"));
+    const std::string text = print(scene);
+    EXPECT_NE(text.find(name + "''"), std::string::npos) << length;
+  }
+}
+
 // To update: print the scene, read the difference, and paste it only if the new text is right and reads better.
 TEST(PrintEquations, WritesTheAbsorberAsAPersonWould) {
   EXPECT_EQ(print(test::absorber()), R"(vibration_absorber
