@@ -19,6 +19,7 @@
 #include <sys/time.h>
 #include <unistd.h>
 
+#include "generator/expression/printable.hpp"
 #include "tests/fuzz/mutation.hpp"
 #include "tests/fuzz/target.hpp"
 
@@ -26,12 +27,23 @@ namespace {
 
 using namespace torsor::fuzzing;
 
-constexpr std::array<Target, 6> targets{{{"urdf", read_robot},
-                                         {"decimal", read_decimal},
-                                         {"unit", read_unit},
-                                         {"name", name_everything},
-                                         {"records", read_record_file},
-                                         {"reference", read_reference_file}}};
+constexpr std::array targets{Target{"urdf", read_robot},
+                             Target{"xacro", read_xacro},
+                             Target{"expression", read_expression},
+                             Target{"yaml", read_yaml},
+                             Target{"exceptions", read_exceptions},
+                             Target{"decimal", read_decimal},
+                             Target{"unit", read_unit},
+                             Target{"name", name_everything},
+                             Target{"records", read_record_file},
+                             Target{"reference", read_reference_file},
+                             Target{"table", read_table_head},
+                             Target{"command", run_scene_command},
+                             Target{"robot_command", run_robot_command},
+#ifdef TORSOR_WITH_MUJOCO
+                             Target{"mjcf", read_mjcf},
+#endif
+};
 // For one input, sanitizers included: of the processor, and of a clock, since an input may wait for what never comes.
 constexpr time_t processor_seconds = 20;
 constexpr unsigned clock_seconds = 300;
@@ -46,12 +58,15 @@ struct Run {
 
 std::uint64_t current = 0, current_seed = 0;
 
+/// A descriptor that no target closes or writes to.
+const int error_stream = ::dup(STDERR_FILENO);
+
 /// Says which input it was, whatever state the process is in.
 void tell(const char* what) {
-  std::array<char, 128> line;
-  const int length = std::snprintf(line.data(), line.size(), "\nfuzz: %s: --seed %llu --only %llu\n", what,
-                                   static_cast<unsigned long long>(current_seed), static_cast<unsigned long long>(current));
-  if (length > 0 && ::write(STDERR_FILENO, line.data(), static_cast<std::size_t>(length)) < 0) std::_Exit(3);
+  std::array<char, 512> line;
+  const int length = std::snprintf(line.data(), line.size(), "\nfuzz: --seed %llu --only %llu: %.400s\n",
+                                   static_cast<unsigned long long>(current_seed), static_cast<unsigned long long>(current), what);
+  if (length > 0 && ::write(error_stream, line.data(), static_cast<std::size_t>(length)) < 0) std::_Exit(3);
 }
 void on_signal(int signal) {
   tell(signal == SIGALRM || signal == SIGPROF ? "an input takes too long" : "an input crashes");
@@ -114,7 +129,7 @@ bool passes(const Target& target, const std::string& input) {
     target.run(input);
     return true;
   } catch (const std::exception& error) {
-    tell(error.what());
+    tell(torsor::printable(error.what()).c_str());
   } catch (...) {
     tell("something that is no exception is thrown");
   }

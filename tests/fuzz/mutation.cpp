@@ -46,7 +46,7 @@ class Damage {
         end = std::min(text_.size(), at + below(16));
         break;
       case 1: {
-        const auto in_word = [&](std::size_t i) { return text_.find_first_of(" \"'<>=/,;\n", i) != i; };
+        const auto in_word = [&](std::size_t i) { return std::string_view(" \"'<>=/,;\n").find(text_[i]) == std::string_view::npos; };
         while (begin > 0 && in_word(begin - 1)) --begin;
         while (end < text_.size() && in_word(end)) ++end;
         break;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Names and texts of a scene, and all that is written of it.
 #include <array>
+#include <stdexcept>
 #include <string>
+
+#include <nlohmann/json.hpp>
 
 #include "generator/cli/command_texts.hpp"
 #include "generator/emission/header.hpp"
@@ -29,6 +32,8 @@ Scene named_by(std::string_view input) {
   const FrameHandle arm = scene.revolute(names[5], scene.ground(), axis::z, angle);
   scene.body(names[6], arm, Inertia::point(mass).at({0, -length, 0}));
   scene.motor(names[7], angle);
+  scene.damper(names[5] + names[7], angle, Expression::quantity("1", "N m s"));
+  scene.name_joint(arm, names[6] + names[5]);
   return scene;
 }
 
@@ -42,8 +47,13 @@ void name_everything(std::string_view input) {
     expect_clean_text(print_equations(scene, Format::text));
     expect_clean_text(print_equations(scene, Format::latex));
     expect_clean_text(list_text(scene));
-    expect_clean_text(list_json(scene));
-    for (const char* format : {"dot", "svg"}) expect_clean_text(graph_text(scene, format, "structure", {}));
+    const std::string json = list_json(scene);
+    expect_clean_text(json);
+    if (nlohmann::json::parse(json)["title"] != scene.content().title) throw std::logic_error("JSON that is not read back");
+    for (const char* kind : {"structure", "analysis", "reduced"}) {
+      expect_dot(graph_text(scene, "dot", kind, {}));
+      expect_xml(graph_text(scene, "svg", kind, {}));
+    }
   } catch (const Error& refusal) {
     expect_message(refusal.what());
   }

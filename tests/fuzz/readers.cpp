@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The readers of the generator: robots, numbers, units.
-#include <functional>
+// The readers of the generator: robots, expressions, numbers, units.
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -10,6 +10,10 @@
 #include "generator/expression/error.hpp"
 #include "generator/expression/unit.hpp"
 #include "generator/import/urdf.hpp"
+#include "generator/import/xacro.hpp"
+#include "generator/import/xacro_expression.hpp"
+#include "generator/import/yaml_subset.hpp"
+#include "generator/verification/verify.hpp"
 #include "tests/fuzz/target.hpp"
 #include "tests/fuzz/text_rules.hpp"
 
@@ -24,6 +28,43 @@ void read_robot(std::string_view input) {
     if (input.size() > 20000 || input.size() % 16 != 0) return;
     const Equations equations(scene);
     expect_source_text(emit_header(equations, {make_kernel("inverse_dynamics", equations)}));
+  } catch (const Error& refusal) {
+    expect_message(refusal.what());
+  }
+}
+
+void read_xacro(std::string_view input) {
+  XacroOptions options;
+  options.package_folders = {"/nowhere"};
+  try {
+    const ExpandedXacro expanded = expand_xacro(input, "robot.xacro", options);
+    static_cast<void>(read_urdf_text(expanded.text, "robot.xacro", {}, expanded.lines));
+  } catch (const Error& refusal) {
+    expect_message(refusal.what());
+  }
+}
+
+void read_expression(std::string_view input) {
+  try {
+    const xacro::Surroundings nothing{[](const std::string& name) { return xacro::constant(name); },
+                                      [](const std::string&, const auto&) { return std::optional<xacro::Value>(); }};
+    static_cast<void>(xacro::evaluate(input, nothing));
+  } catch (const Error& refusal) {
+    expect_message(refusal.what());
+  }
+}
+
+void read_yaml(std::string_view input) {
+  try {
+    static_cast<void>(xacro::yaml_value(std::string(input), "parameters.yaml"));
+  } catch (const Error& refusal) {
+    expect_message(refusal.what());
+  }
+}
+
+void read_exceptions(std::string_view input) {
+  try {
+    static_cast<void>(parse_accuracy_exceptions(std::string(input)));
   } catch (const Error& refusal) {
     expect_message(refusal.what());
   }

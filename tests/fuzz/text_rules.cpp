@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include <tinyxml2.h>
+
 namespace torsor::fuzzing {
 namespace {
 
@@ -32,6 +34,12 @@ std::size_t character(std::string_view text, std::size_t at, std::uint32_t& code
 bool is_control(std::uint32_t code) {
   return (code < 0x20 && code != '\n') || (code >= 0x7F && code < 0xA0) || code == 0x2028 || code == 0x2029;
 }
+/// Characters that take no room: soft hyphen, joiners, word joiner and other invisible ones, byte order mark,
+/// annotations, tags.
+bool is_unseen(std::uint32_t code) {
+  return code == 0xAD || code == 0x180E || (code >= 0x200B && code <= 0x200D) || (code >= 0x2060 && code <= 0x2065) ||
+         code == 0xFEFF || (code >= 0xFFF9 && code <= 0xFFFB) || (code >= 0xE0000 && code <= 0xE0FFF);
+}
 /// Marks, embeddings, overrides and isolates of Unicode's bidirectional algorithm.
 bool turns_direction(std::uint32_t code) {
   return code == 0x061C || code == 0x200E || code == 0x200F || (code >= 0x202A && code <= 0x202E) ||
@@ -47,6 +55,7 @@ void expect_clean_text(std::string_view text) {
     if (length == 0) refuse("a byte that is no UTF-8", text, at);
     if (is_control(code)) refuse("control character " + std::to_string(code), text, at);
     if (turns_direction(code)) refuse("a character that turns the direction of writing", text, at);
+    if (is_unseen(code)) refuse("a character that is not seen", text, at);
     at += length;
   }
 }
@@ -64,6 +73,46 @@ void expect_source_text(std::string_view text) {
     if (last != std::string_view::npos && text[last] == '\\' && line.find("//") != std::string_view::npos)
       refuse("a comment that goes on in the next line", text, end);
   }
+}
+
+void expect_lines(std::string_view text) {
+  expect_clean_text(text);
+  if (!text.empty() && text.back() != '\n') refuse("a last line without its end", text, text.size());
+  if (text.find("unexpected failure") != std::string_view::npos) refuse("a failure that nobody foresaw", text, text.find("unexpected"));
+}
+
+void expect_xml(std::string_view text) {
+  expect_clean_text(text);
+  tinyxml2::XMLDocument document;
+  if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS || document.RootElement() == nullptr)
+    refuse("no XML", text, 0);
+  // What the parser forgives: a bare & or <, and ]]>, in a text.
+  for (std::size_t at = text.find('&'); at != std::string_view::npos; at = text.find('&', at + 1)) {
+    const std::string_view entity = text.substr(at, text.find(';', at) - at + 1);
+    if (entity != "&amp;" && entity != "&lt;" && entity != "&gt;" && entity != "&quot;") refuse("a bare &", text, at);
+  }
+  if (const std::size_t at = text.find("]]>"); at != std::string_view::npos) refuse("the end of a CDATA section", text, at);
+}
+
+void expect_dot(std::string_view text) {
+  expect_clean_text(text);
+  bool quoted = false;
+  int depth = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const char c = text[at];
+    if (quoted && c == '\\') {
+      ++at;
+    } else if (c == '"') {
+      quoted = !quoted;
+    } else if (quoted && c == '\n') {
+      refuse("a text of dot that is not closed in its line", text, at);
+    } else if (!quoted) {
+      depth += c == '{' ? 1 : c == '}' ? -1 : 0;
+      const bool plain = std::string_view("abcdefghijklmnopqrstuvwxyz0123456789 {}[]=-,;\n#").find(c) != std::string_view::npos;
+      if (!plain) refuse("a character of a name outside its quotes", text, at);
+    }
+  }
+  if (quoted || depth != 0) refuse("no graph of dot", text, text.size());
 }
 
 void expect_message(std::string_view message) {
