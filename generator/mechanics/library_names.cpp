@@ -148,7 +148,7 @@ constexpr std::string_view global_names =
     "wmemchr wmemcmp wmemcpy wmemmove wmempcpy wmemset wprintf write wscanf ";
 
 /// Those that identifier.cpp does not know by a family. SYS_... are the numbers of calls of the system.
-constexpr std::string_view macros =
+constexpr std::string_view library_macros =
     " ADJ_ESTERROR ADJ_FREQUENCY ADJ_MAXERROR ADJ_MICRO ADJ_NANO ADJ_OFFSET ADJ_OFFSET_SINGLESHOT ADJ_OFFSET_SS_READ "
     "ADJ_SETOFFSET ADJ_STATUS ADJ_TAI ADJ_TICK ADJ_TIMECONST AIO_PRIO_DELTA_MAX ATOMIC_BOOL_LOCK_FREE "
     "ATOMIC_CHAR16_T_LOCK_FREE ATOMIC_CHAR32_T_LOCK_FREE ATOMIC_CHAR8_T_LOCK_FREE ATOMIC_CHAR_LOCK_FREE "
@@ -232,16 +232,16 @@ constexpr std::string_view macros =
     "sigev_notify_attributes sigev_notify_function sigmask st_atime st_ctime st_mtime timeradd timerclear timercmp "
     "timerisset timersub va_arg va_copy va_end va_start ";
 
-bool contains(std::string_view list, std::string_view name) {
+bool lists(std::string_view list, std::string_view name) {
   const std::size_t at = list.find(" " + std::string(name) + " ");
   return at != std::string_view::npos;
 }
 
 bool is_mathematical_function(std::string_view name) {
   static constexpr std::array<std::string_view, 9> types{"f128x", "f64x", "f32x", "f128", "f64", "f32", "f16", "f", "l"};
-  if (contains(mathematical_functions, name)) return true;
+  if (lists(mathematical_functions, name)) return true;
   for (const std::string_view type : types) {
-    if (name.ends_with(type) && contains(mathematical_functions, name.substr(0, name.size() - type.size()))) return true;
+    if (name.ends_with(type) && lists(mathematical_functions, name.substr(0, name.size() - type.size()))) return true;
   }
   return false;
 }
@@ -263,10 +263,10 @@ bool is_narrowing_function(std::string_view name) {
 
 }  // namespace
 
-bool is_library_macro(const std::string& name) { return name.rfind("SYS_", 0) == 0 || contains(macros, name); }
+bool is_library_macro(const std::string& name) { return name.rfind("SYS_", 0) == 0 || lists(library_macros, name); }
 
 bool is_global_library_name(const std::string& name) {
-  return contains(global_names, name) || is_mathematical_function(name) || is_narrowing_function(name);
+  return lists(global_names, name) || is_mathematical_function(name) || is_narrowing_function(name);
 }
 
 }  // namespace torsor
