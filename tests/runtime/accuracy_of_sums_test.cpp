@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <type_traits>
 
 #include "generated/torque_free_body.hpp"
@@ -109,6 +110,32 @@ TEST(NarrowSystem, PassesOnAProjectionThatTakesTheTime) {
   const auto result = integrate(motion, y, 0, 1, RungeKutta4{.step = 0.5});
   EXPECT_EQ(result.status, IntegrationStatus::model_failure);
   EXPECT_EQ(result.evaluation, Evaluation::singular);
+}
+
+/// Grows as y' = y, with two Taylor coefficients; its projection leaves a state as it is.
+struct GrowsInFloat {
+  Evaluation operator()(float, const std::array<float, 1>& y, std::array<float, 1>& rate) const noexcept {
+    rate = y;
+    return Evaluation::ok;
+  }
+  Evaluation jets(float, const std::array<float, 1>& y, std::span<std::array<float, 1>> c) const noexcept {
+    for (auto& coefficient : c) coefficient = y;
+    return Evaluation::ok;
+  }
+  [[nodiscard]] Evaluation project(float, std::array<float, 1>&) const noexcept { return Evaluation::ok; }
+};
+
+// 1 + 2^-40 is no float.
+TEST(NarrowSystem, LeavesTheStateItsDigits) {
+  const auto motion = narrow_system<float>(GrowsInFloat{});
+  const std::array<double, 1> fine{1.0 + 0x1p-40};
+  std::array<double, 1> y = fine;
+  EXPECT_EQ(motion.project(0.0, y), Evaluation::ok);
+  EXPECT_EQ(y, fine);
+  std::array<std::array<double, 1>, 2> c;
+  EXPECT_EQ(motion.jets(0.0, fine, std::span<std::array<double, 1>>(c)), Evaluation::ok);
+  EXPECT_EQ(c[0], fine);
+  EXPECT_EQ(c[1][0], 1.0);
 }
 
 TEST(NarrowSystem, MeetsATolerancePossibleForIt) {

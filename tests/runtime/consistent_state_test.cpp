@@ -110,6 +110,18 @@ TEST(ConsistentState, IsTheNearestByTheWeights) {
   EXPECT_EQ(found.free_velocities, 1);
 }
 
+// At (0.6, -0.8) velocities along (0.6, -0.8) are taken away: from (1, 0) with weights 1 and 3, least Σ (w δv)², the
+// change is -0.6 (0.6, -0.8/9)/(0.36 + 0.64/9).
+TEST(ConsistentState, HasTheNearestVelocitiesByTheWeights) {
+  StateWishes<Pendulum> wishes;
+  wishes.velocity_weight = {1.0, 3.0};
+  StateVector<Pendulum> y{0.6, -0.8, 1.0, 0.0};
+  ASSERT_TRUE(find_consistent_state<Pendulum>(Pendulum::precompute({}), 0.0, y, wishes));
+  const double share = -0.6 / (0.36 + 0.64 / 9);
+  EXPECT_NEAR(y[2], 1.0 + share * 0.6, 16 * epsilon);
+  EXPECT_NEAR(y[3], -share * 0.8 / 9, 16 * epsilon);
+}
+
 TEST(ConsistentState, CountsRedundantConstraintsOnce) {
   StateWishes<ThreeCranks> wishes;
   wishes.position_fixed[1] = true;

@@ -38,6 +38,16 @@ TEST(SymmetricEigenpairs, OfAChainOfThreeAreTheTextbookOnes) {
   EXPECT_THROW((void)symmetric_eigenpairs(MatrixXd::Zero(2, 3)), std::invalid_argument);
 }
 
+// Of matrices so small that all of it is below one rounding of 1.
+TEST(SingularValues, CountTheRankOverTheLargest) {
+  MatrixXd A(2, 2);
+  A << 1, 1, 1, 1 + 1e-6;
+  for (const double size : {1e-30, 1.0, 1e30}) {
+    EXPECT_EQ(singular_values(size * A).rank(1e-10), 2);
+    EXPECT_EQ(singular_values(size * A).rank(1e-5), 1);
+  }
+}
+
 // (3, 4, 0) and twice that: one direction is seen, with sqrt(5) times 5, two are not.
 TEST(SingularValues, TellTheRankAndTheMotionsThatAreLeft) {
   MatrixXd A(2, 3);

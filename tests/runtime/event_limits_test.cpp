@@ -90,5 +90,95 @@ TEST(FixedStep, HasALimitOfSteps) {
   expect_limited(GaussCollocation<2>{});
 }
 
+// The bob of a clock: y' = 1, guards of y. Everything about them is known.
+constexpr auto clock_hand = [](double, const State&, State& dydt) noexcept {
+  dydt = {1.0, 0.0};
+  return Evaluation::ok;
+};
+
+// 1 - cos y touches zero at every turn.
+TEST(EventLimits, CountGrazingsAndTellTheirStates) {
+  constexpr double turn = 6.283185307179586;
+  auto events = Events(note([](double, const State& y) { return 1.0 - std::cos(y[0]); }));
+  events.options.event_limit = 3;
+  State y{1.0, 0.0};
+  int told = 0;
+  const auto on_event = [&](const Event<double, 2>& event) {
+    EXPECT_TRUE(event.grazing);
+    EXPECT_NEAR(event.time, ++told * turn - 1.0, 1e-7);  // a minimum is known to the root of rounding
+    EXPECT_NEAR(event.state[0], event.time + 1.0, 1e-14 * turn * told);
+  };
+  const auto result =
+      integrate_with_events(clock_hand, y, 0, 100, DormandPrince54{.largest_step = 1.0}, events, on_event);
+  EXPECT_EQ(result.status, EventStatus::too_many_events);
+  EXPECT_EQ(result.grazed[0], 3);
+  EXPECT_EQ(told, 3);
+}
+
+// Twenty guards at once are no series of events of one of them.
+TEST(EventLimits, KnowWhichGuardAnEventIsOf) {
+  const auto half = note([](double, const State& y) { return y[0] - 0.5; });
+  std::array<decltype(half), 20> guards{half, half, half, half, half, half, half, half, half, half,
+                                        half, half, half, half, half, half, half, half, half, half};
+  State y{0.0, 0.0};
+  const auto result = integrate_with_events(clock_hand, y, 0, 1, DormandPrince54{}, EventArray(guards));
+  EXPECT_EQ(result.status, EventStatus::reached_end);
+  for (const auto fired : result.fired) EXPECT_EQ(fired, 1);
+}
+
+// Times 1 - 2^-k, and the same backwards.
+TEST(AccumulationWatch, FindsTheEndInBothDirectionsOfTime) {
+  for (const double direction : {1.0, -1.0}) {
+    AccumulationWatch<double> watch;
+    int k = 1;
+    while (!watch(direction * (1.0 - std::ldexp(1.0, -k)), 1e-6) && k < 40) ++k;
+    EXPECT_EQ(k, 20);  // 2^-20 is the first below 1e-6
+    EXPECT_NEAR(watch.limit(), direction, 1e-15);
+  }
+}
+
+// In one long step, whichever way time runs.
+TEST(Guards, ComeInTheOrderOfTime) {
+  const auto events = Events(note([](double, const State& y) { return y[0] - 0.3; }),
+                             note([](double, const State& y) { return y[0] - 0.5; }));
+  for (const bool backwards : {false, true}) {
+    std::array<std::size_t, 2> order{9, 9};
+    std::size_t told = 0;
+    const auto on_event = [&](const Event<double, 2>& event) {
+      if (told < 2) order[told++] = event.guard;
+      EXPECT_NEAR(event.time, event.guard == 0 ? 0.3 : 0.5, 1e-15);
+    };
+    const double from = backwards ? 1.0 : 0.0;
+    State y{from, 0.0};
+    const DormandPrince54 method{.relative_tolerance = 1e3, .first_step = 1.0};
+    ASSERT_TRUE(integrate_with_events(clock_hand, y, from, 1.0 - from, method, events, on_event));
+    EXPECT_EQ(told, 2U);
+    EXPECT_EQ(order, (backwards ? std::array<std::size_t, 2>{1, 0} : std::array<std::size_t, 2>{0, 1}));
+  }
+}
+
+// What the result counts is what the system was asked, over all pieces and in the watch too.
+TEST(Events, CountEveryEvaluation) {
+  const auto floor = barrier([](double, const State& y) { return y[0]; }, [](double, State& y) { y[1] *= -0.8; });
+  const auto expect = [&](const auto& method, auto events) {
+    long asked = 0;
+    const auto fall = [&asked](double, const State& y, State& dydt) noexcept {
+      ++asked;
+      dydt = {y[1], -9.81};
+      return Evaluation::ok;
+    };
+    State y{1.0, 0.0};
+    const auto result = integrate_with_events(fall, y, 0, 2, method, events);
+    ASSERT_TRUE(result) << describe(result.status);
+    EXPECT_GE(result.fired[0], 3);
+    EXPECT_EQ(result.integration.statistics.calls, asked);
+  };
+  expect(DormandPrince54{}, Events(floor));
+  expect(RungeKutta4{.step = 0.01}, Events(floor));
+  auto by_stepping = Events(floor);
+  by_stepping.options.by_stepping = true;
+  expect(DormandPrince853{}, by_stepping);
+}
+
 }  // namespace
 }  // namespace event_limits_test

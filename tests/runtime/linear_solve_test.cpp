@@ -6,6 +6,8 @@
 #include <array>
 #include <limits>
 
+#include "runtime/numerics/lu.hpp"
+
 namespace linear_solve_test {
 namespace {
 
@@ -76,6 +78,30 @@ TEST(SolveDynamics, CallsAMassMatrixOfLowerRankSingularAndLeavesTheResultAlone) 
   EXPECT_EQ(solve_dynamics(Matrix3{1, 0, 0, 0, 0, 0, 0, 0, 1}, Vector3{1, 1, 1}, a), Evaluation::singular);
   EXPECT_EQ(solve_dynamics(Matrix3{1, 2, 0, 2, 1, 0, 0, 0, 1}, Vector3{1, 1, 1}, a), Evaluation::singular);
   EXPECT_EQ(a, (Vector3{7, 7, 7}));
+}
+
+// Scaled to a unit diagonal the second row has 2^-51 left, n roundings; of 2^-40 a solution keeps some digits.
+TEST(SolveDynamics, CallsAMassMatrixSingularWhereRoundingMadeItsRank) {
+  std::array<double, 2> a{};
+  const auto solved = [&](double less) {
+    return solve_dynamics(std::array<double, 4>{1, 1 - less, 1 - less, 1}, std::array<double, 2>{1, 1}, a);
+  };
+  EXPECT_EQ(solved(0x1p-53), Evaluation::singular);
+  EXPECT_EQ(solved(0x1p-41), Evaluation::ok);
+}
+
+// Rows exchanged: pivots 2 and -1e-9, then as they are.
+TEST(Lu, KnowsItsSmallestPivot) {
+  for (const bool exchanged : {false, true}) {
+    Lu<double, 2> lu;
+    lu.matrix() = exchanged ? std::array<double, 4>{1, 2, 0.5 - 1e-9, 1} : std::array<double, 4>{2, 1, 1, 0.5 - 1e-9};
+    ASSERT_EQ(lu.factorise(), Evaluation::ok);
+    EXPECT_NEAR(lu.smallest_pivot(), 1e-9, 1e-15);
+    std::array<double, 2> b = exchanged ? std::array<double, 2>{1, 2} : std::array<double, 2>{2, 1};  // A (1, 0)
+    lu.solve(b);
+    EXPECT_NEAR(b[0], 1, 1e-6);
+    EXPECT_NEAR(b[1], 0, 1e-6);
+  }
 }
 
 TEST(SolveDynamics, CallsDependentConstraintsSingular) {

@@ -131,6 +131,38 @@ TEST(TaylorPolynomial, IsSummedWithItsSlope) {
   }
 }
 
+// Coefficients a^k of a pole at 1/a, from 1 with an absolute tolerance ε: h = 0.95 ε^(1/(p+1))/a (see Taylor).
+TEST(TaylorRule, TakesTheStepAtWhichTheNextTermMeetsTheTolerance) {
+  for (const int order : {4, 10, 20}) {
+    for (const double a : {0.25, 3.0}) {
+      TaylorRule<double, 1> rule(order);
+      rule.start({1.0}, {0.0, 1e-8});
+      const auto coefficients = [a](std::size_t k) { return One{std::pow(a, static_cast<double>(k))}; };
+      const double h = rule.first(coefficients, StepRange<double>{0.0, 1e9, 1e9});
+      EXPECT_NEAR(h, 0.95 * std::pow(1e-8, 1.0 / (order + 1)) / a, 1e-13 * h);
+    }
+  }
+}
+
+// A defect of 1e-12 where sixteen roundings of the slope are 3.6e-15, of a state a thousand times as large or not.
+TEST(TaylorRule, HoldsADefectAgainstAStepWhateverTheStatesSize) {
+  TaylorRule<double, 1> rule(9);
+  rule.start({1.0}, {0.0, 1e-13});
+  const double defect = (1.0 + 1e-12) - 1.0, rounding = 16 * 0x1p-52 * (1.0 + 1e-12);
+  for (const double state : {1.0, 1e3}) {
+    const double error = rule.disagreement(1.0, {1.0 + 1e-12}, {1.0}, {state}, {state}, {0.0});
+    EXPECT_NEAR(error, (defect - rounding) / (10 * 1e-13), 1e-12);
+  }
+}
+
+// A step cut to a tenth by the end of an interval, with an error that would let it grow two times: the next is as long
+// as was planned.
+TEST(StepControl, RemembersWhatWasPlannedBeforeTheEnd) {
+  StepControl<double, DormandPrince54::Gains> control;
+  EXPECT_EQ(control.longer(0.1, 0.01, 1.0, false), 1.0);
+  EXPECT_LE(control.longer(0.1, 0.01, 0.1, true), 0.1);  // none grows after a refusal
+}
+
 TEST(StepClock, GoesExactlyAsFarAsItSays) {
   StepClock<double> clock(0.25);
   clock.result.time = 1e6;
