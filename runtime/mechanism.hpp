@@ -18,6 +18,11 @@ concept HasClosedMotion = HasForwardDynamics<M> && HasConstraintMetric<M> && std
 namespace detail {
 template <class M, class InputLaw>
 struct ClosedMotionOf;
+
+/// Whether nothing that the motion needs for its constraints is missing. Packs drift: nothing projects them.
+template <class M>
+constexpr bool holds_its_constraints =
+    M::multiplier_count == 0 || HasClosedMotion<M> || !std::floating_point<ScalarOf<M>>;
 }  // namespace detail
 
 /// The motion that `equations_of_motion` makes: held on the constraints where there are some.
@@ -27,16 +32,22 @@ using MotionOf = typename std::conditional_t<HasClosedMotion<M>, detail::ClosedM
 
 /// `auto motion = equations_of_motion<Mechanism<double>>();`, or with parameters, or with parameters and an input law.
 /// Of a mechanism with constraints it is a ClosedMotion: every step ends on the constraints, and change points are
-/// passed. `unprojected_motion` is the one that drifts.
+/// passed. Without the kernels that this takes it does not compile. `unprojected_motion` is the one that drifts.
 template <HasForwardDynamics M>
 [[nodiscard]] MotionOf<M> equations_of_motion(
     const typename M::Parameters& parameters = M::default_parameters()) noexcept {
+  static_assert(detail::holds_its_constraints<M>,
+                "this mechanism has constraints, and its motion is held on them by the kernels mass_matrix and "
+                "constraints: generate the header with both, or take unprojected_motion, which drifts");
   return MotionOf<M>(parameters);
 }
 
 template <HasForwardDynamics M, std::invocable<const typename M::State&> InputLaw>
 [[nodiscard]] MotionOf<M, InputLaw> equations_of_motion(const typename M::Parameters& parameters,
                                                         InputLaw law) noexcept {
+  static_assert(detail::holds_its_constraints<M>,
+                "this mechanism has constraints, and its motion is held on them by the kernels mass_matrix and "
+                "constraints: generate the header with both, or take unprojected_motion, which drifts");
   return MotionOf<M, InputLaw>(parameters, std::move(law));
 }
 

@@ -52,6 +52,7 @@ class RankDistance {
   struct Samples {
     std::vector<Jacobian> closed, open;  // the first of the closed is the start
     int walked = 0;
+    bool left = false;  // whether a closed one is away from the start
   };
 
   void learn(const Samples& seen) {
@@ -73,15 +74,22 @@ class RankDistance {
     }
     independent_ = 0;
     usual_ = Scalar(0);
-    for (const Jacobian& A : seen.closed) {
-      std::array<Scalar, m> pivots{};
-      find_pivots(A, kept, pivots);
-      std::size_t rank = 0;
-      while (rank < kept && pivots[rank] > rounding) ++rank;
-      if (rank < independent_ || rank == 0) continue;
-      usual_ = rank > independent_ ? pivots[rank - 1] : std::max(usual_, pivots[rank - 1]);
-      independent_ = rank;
-    }
+    const auto count_independent = [&](const std::vector<Jacobian>& all) {
+      for (const Jacobian& A : all) {
+        std::array<Scalar, m> pivots{};
+        find_pivots(A, kept, pivots);
+        std::size_t rank = 0;
+        while (rank < kept && pivots[rank] > rounding) ++rank;
+        if (rank < independent_ || rank == 0) continue;
+        usual_ = rank > independent_ ? pivots[rank - 1] : std::max(usual_, pivots[rank - 1]);
+        independent_ = rank;
+      }
+    };
+    count_independent(seen.closed);
+    // With velocities left and no way on that was found, the start is a change point of many loops: that constraints
+    // repeat others there says nothing of other places.
+    const bool stuck = !seen.closed.empty() && !seen.left;
+    if (stuck && independent_ < std::min(kept, nv)) count_independent(seen.open);
     repeats_ = independent_ < kept;
     if (independent_ == 0) return;
     // From a start near a change point, all that is closed may be near one. Those of a hundred lengths in a row, all
@@ -110,6 +118,12 @@ class RankDistance {
       M::constraints(precomputed, unpack<M>(t, y), constraints);
       if (all_finite(constraints.jacobian)) at.push_back(constraints.jacobian);
     };
+    const auto look_closed = [&] {
+      look(seen.closed);
+      for (std::size_t i = 0; i < coordinates_of<M>; ++i) {
+        seen.left = seen.left || std::abs(y[i] - start.q[static_cast<int>(i)]) > Scalar(1e-4);
+      }
+    };
     // An initial state that is not closed would show constraints that repeat others as independent.
     if (seen.walked == 0 && project_on_constraints<M>(precomputed, t, y).evaluation == Evaluation::ok) look(seen.closed);
     std::uint64_t random = 48271 + static_cast<std::uint64_t>(seen.walked);
@@ -129,7 +143,7 @@ class RankDistance {
         detail::displace<M>(precomputed, t, displacement, y);
         if (reach > Scalar(0.1)) look(seen.open);
         if (project_on_constraints<M>(precomputed, t, y).evaluation != Evaluation::ok) continue;
-        look(seen.closed);
+        look_closed();
         break;
       }
       y = directed;
@@ -137,7 +151,7 @@ class RankDistance {
       for (int step = 0; step < steps; ++step) {
         while (reach > Scalar(1e-3) && !move(precomputed, t, reach, y)) reach /= Scalar(4);
         if (!(reach > Scalar(1e-3))) break;
-        look(seen.closed);
+        look_closed();
       }
     }
   }

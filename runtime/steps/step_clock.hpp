@@ -28,7 +28,9 @@ class StepClock {
     const bool last = length * Scalar(1.01) >= std::abs(remaining);
     t_next = last ? end : t + std::copysign(length, remaining);
     h = t_next - t;  // what the clock really advances, so that rounding of time never accumulates
-    if (!last && !(std::abs(h) > smallest_step(t))) {
+    // Where the model fails at the end of every step, steps of a rounding's length creep towards that place.
+    const Scalar span = refusal == Evaluation::ok ? std::abs(t) : std::max(std::abs(t), std::abs(remaining));
+    if (!last && !(std::abs(h) > smallest_step(span))) {
       give_up();
       return false;
     }

@@ -195,6 +195,37 @@ TEST(ChangePoints, HaveNoAccelerationsOfTheirOwn) {
   check(constrained_motion<Windows<2>>());
 }
 
+/// All lies flat: the first cranks to the right, the others to the left, where the coupler between lies folded back.
+template <int windows>
+typename Windows<windows>::State flat_state(int right, double rate) {
+  auto state = Windows<windows>::initial_state({pi / 2, rate});
+  for (int k = right; k <= windows; ++k) state.q[k] = -pi / 2;
+  if (right > 0 && right <= windows) state.q[windows + right] = pi;
+  return state;
+}
+template <int windows>
+void expect_no_accelerations_where_all_is_flat() {
+  using M = Windows<windows>;
+  typename M::Accelerations a{};
+  typename M::Multipliers lambda{};
+  for (const double start : {pi / 2, -pi / 2, 2.0}) {
+    for (const double rate : {0.0, -3.0}) {
+      const auto closed = equations_of_motion<M>({start, rate});
+      const auto constrained = constrained_motion<M>({start, rate});
+      for (int right = 0; right <= windows + 1; ++right) {
+        const auto state = flat_state<windows>(right, rate);
+        EXPECT_EQ(closed.accelerations(state, a, lambda), Evaluation::singular) << windows << start << right;
+        EXPECT_EQ(constrained.accelerations(state, a, lambda), Evaluation::singular) << windows << ' ' << start;
+      }
+    }
+  }
+}
+TEST(ChangePoints, HaveNoAccelerationsWhicheverWayTheCranksLie) {
+  expect_no_accelerations_where_all_is_flat<1>();
+  expect_no_accelerations_where_all_is_flat<2>();
+  expect_no_accelerations_where_all_is_flat<5>();
+}
+
 TEST(ChangePoints, LeaveAStateOnItsBranch) {
   // Beside the flat position by 1e-7, where rounding of positions would turn a velocity by 1e-9.
   using M = Windows<2>;
@@ -317,12 +348,19 @@ TEST(RedundantLoops, TakeNoMoreStepsThanTheirMotionAsksFor) {
             1.2 * static_cast<double>(steps(projected(constrained_motion<Bricard>({}, {}, near), near))));
 }
 
+/// As a header without the kernel `mass_matrix`, which this hides.
+struct WithoutMassMatrix : Windows<1> {
+  [[maybe_unused]] static constexpr int mass_matrix = 0;
+};
 TEST(ClosedMotion, IsTheDefaultOfMechanismsWithConstraints) {
   using Pendulum = mechanisms::CartesianPendulum<double>;
   static_assert(std::is_same_v<decltype(equations_of_motion<Pendulum>()), ClosedMotion<Pendulum>>);
   static_assert(std::is_same_v<decltype(unprojected_motion<Pendulum>()), EquationsOfMotion<Pendulum>>);
   static_assert(std::is_same_v<decltype(equations_of_motion<mechanisms::Oscillator<double>>()),
                                EquationsOfMotion<mechanisms::Oscillator<double>>>);
+  // Without the kernel that it takes it does not compile, and names it.
+  static_assert(detail::holds_its_constraints<Pendulum> && !detail::holds_its_constraints<WithoutMassMatrix>);
+  static_assert(detail::holds_its_constraints<mechanisms::Oscillator<double>>);
   const auto drift = [](const auto& motion) {
     auto y = motion.initial();
     EXPECT_TRUE(integrate(motion, y, 0, 10, RungeKutta4{.step = 0.01}));
