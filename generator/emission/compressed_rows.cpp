@@ -25,9 +25,9 @@ CompressedRows::CompressedRows(const ValueMatrix& matrix) {
   }
 }
 
-void CompressedRows::assign(Kernel& kernel, const std::string& target) const {
+void CompressedRows::assign(Kernel& kernel, const std::string& result) const {
   for (std::size_t k = 0; k < values.size(); ++k) {
-    kernel.assignments.push_back({element(target + ".values", k), values[k]});
+    kernel.assignments.push_back({{result, "values", k}, values[k]});
   }
 }
 

@@ -17,8 +17,8 @@ struct CompressedRows {
 
   /// What vanishes is decided in sixty digits at random states (vanishing.hpp), so that the pattern is a constant.
   explicit CompressedRows(const ValueMatrix& matrix);
-  /// `target.values[k] = ...` of a kernel, in the order of the rows.
-  void assign(Kernel& kernel, const std::string& target) const;
+  /// `result.values[k] = ...` of a kernel, in the order of the rows.
+  void assign(Kernel& kernel, const std::string& result) const;
   /// Declarations `<name>_nonzeros`, `<name>_row_start[]` and `<name>_column[]` of a header.
   std::string tables(const std::string& name) const;
 };

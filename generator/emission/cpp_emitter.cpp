@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "generator/emission/cpp_names.hpp"
-#include "generator/emission/generation_constant.hpp"
-#include "generator/emission/issue_order.hpp"
+#include "generator/listing/generation_constant.hpp"
+#include "generator/listing/issue_order.hpp"
 #include "generator/emission/series_emitter.hpp"
 #include "generator/emission/text_template.hpp"
 #include "generator/expression/error.hpp"
@@ -45,48 +45,6 @@ void for_each_operand(const Definition& definition, const Call& call) {
     for (const Factor& factor : term.monomial) call(factor.atom);
   }
   for (const Atom argument : definition.arguments) call(argument);
-}
-
-struct ArgumentText {
-  Argument argument;
-  SymbolKind kind;
-  const char* type;
-  const char* name;
-};
-constexpr std::array<ArgumentText, 3> argument_texts{
-    {{Argument::accelerations, SymbolKind::acceleration, "Accelerations", "accelerations"},
-     {Argument::multipliers, SymbolKind::multiplier, "Multipliers", "multipliers"},
-     {Argument::inputs, SymbolKind::input, "Inputs", "inputs"}}};
-
-const ArgumentText& argument_text(Argument argument) {
-  return *std::find_if(argument_texts.begin(), argument_texts.end(),
-                       [&](const ArgumentText& each) { return each.argument == argument; });
-}
-
-/// A kernel can only read what it is given.
-void check_symbols(const Program& program, const Kernel& kernel, const Block& block,
-                   const std::vector<Structure>& structures) {
-  for (const Atom atom : block.symbols) {
-    const Symbol& symbol = *program[atom].symbol;
-    if (symbol.kind == SymbolKind::time) continue;
-    std::string type = "Parameters";
-    if (symbol.kind == SymbolKind::coordinate) type = "Coordinates";
-    if (symbol.kind == SymbolKind::velocity) type = "Velocities";
-    bool passed = true;
-    for (const ArgumentText& each : argument_texts) {
-      if (each.kind != symbol.kind) continue;
-      type = each.type;
-      passed = std::find(kernel.arguments.begin(), kernel.arguments.end(), each.argument) != kernel.arguments.end();
-    }
-    const auto structure =
-        std::find_if(structures.begin(), structures.end(), [&](const Structure& each) { return each.name == type; });
-    const bool known = structure != structures.end() &&
-                       std::any_of(structure->members.begin(), structure->members.end(),
-                                   [&](const Member& member) { return member.name == member_name(symbol); });
-    if (passed && known) continue;
-    throw Error(fmt::format("the kernel '{}' needs '{}', which is not among its arguments ({})", kernel.name,
-                            symbol.name, type));
-  }
 }
 
 }  // namespace
@@ -298,73 +256,6 @@ FunctionText FunctionEmitter::take() {
                  "\n";
   }
   return {constants + bindings_ + code_, operations_};
-}
-
-std::string named_target(const std::string& target, const Kernel& kernel, const std::vector<Structure>& structures) {
-  const std::size_t bracket = target.find('[');
-  if (bracket == std::string::npos) return target;
-  const std::string name = target.substr(0, bracket);
-  const auto result =
-      std::find_if(kernel.results.begin(), kernel.results.end(), [&](const Result& each) { return each.name == name; });
-  if (result == kernel.results.end()) return target;
-  const auto structure = std::find_if(structures.begin(), structures.end(),
-                                      [&](const Structure& each) { return each.name == result->type; });
-  if (structure == structures.end()) return target;
-  return name + "." + structure->members.at(static_cast<std::size_t>(std::stoi(target.substr(bracket + 1)))).name;
-}
-
-FunctionText kernel_function(Program& program, const Kernel& kernel, const Block& block, const SumTable& ready,
-                             const std::vector<Structure>& structures) {
-  check_symbols(program, kernel, block, structures);
-  FunctionEmitter emitter(program, "precomputed.parameters.");
-  emitter.provide(ready, "precomputed.y");
-  emitter.compute(block);
-  if (kernel.series) write_series(emitter, program, *kernel.series, block);
-  for (const Assignment& assignment : kernel.assignments) {
-    emitter.assign(named_target(assignment.target, kernel, structures), assignment.value);
-  }
-  if (kernel.series || !kernel.pivots.empty()) emitter.return_status(kernel.pivots);
-  const FunctionText function = emitter.take();
-
-  // An argument that this scene does not need has no name, so that nobody looks for it and no compiler warns.
-  const auto reads = [&](std::initializer_list<SymbolKind> kinds) {
-    return std::any_of(block.symbols.begin(), block.symbols.end(), [&](Atom atom) {
-      return std::find(kinds.begin(), kinds.end(), program[atom].symbol->kind) != kinds.end();
-    });
-  };
-  const auto parameter = [](const std::string& type, const std::string& name, bool used) {
-    return used ? type + " " + name : type;
-  };
-  std::string signature = fmt::format("TORSOR_DEVICE static {} {}(",
-                                      kernel.series || !kernel.pivots.empty() ? "torsor::Status" : "void", kernel.name);
-  signature += parameter("const Precomputed&", "precomputed",
-                         emitter.reads_ready() || !block.given.empty() || reads({SymbolKind::parameter}));
-  signature +=
-      ", " + parameter("const State&", "state",
-                       kernel.series || reads({SymbolKind::time, SymbolKind::coordinate, SymbolKind::velocity}));
-  for (const Argument argument : kernel.arguments) {
-    const ArgumentText& given = argument_text(argument);
-    signature += ", " + parameter(fmt::format("const {}&", given.type), given.name, reads({given.kind}));
-  }
-  for (const Result& result : kernel.results) {
-    const bool used = std::any_of(kernel.assignments.begin(), kernel.assignments.end(), [&](const Assignment& each) {
-      return each.target.starts_with(result.name + "[") || each.target.starts_with(result.name + ".");
-    });
-    signature += ", " + parameter(result.type + "&", result.name, used);
-  }
-  if (kernel.series) {
-    signature += fmt::format(", int order, std::array<Scalar, {}>* coefficients", kernel.series->state.size());
-  }
-  signature += ") noexcept {";
-
-  std::string text;
-  for (std::size_t begin = 0; begin < kernel.documentation.size();) {
-    const std::size_t end = std::min(kernel.documentation.find('\n', begin), kernel.documentation.size());
-    text += "/// " + comment_text(kernel.documentation.substr(begin, end - begin)) + "\n";
-    begin = end + 1;
-  }
-  text += wrapped(signature, 2) + "\n" + indented(function.body, "  ");
-  return {text + "}\n", function.operations};
 }
 
 }  // namespace torsor

@@ -4,18 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "generator/emission/cpp_function.hpp"
 #include "generator/emission/formula_printer.hpp"
-#include "generator/emission/kernel.hpp"
-#include "generator/emission/schedule.hpp"
 #include "generator/expression/formula.hpp"
 
 namespace torsor {
-
-/// A function of a header: the lines of its body without indentation, and the operations they state.
-struct FunctionText {
-  std::string body;
-  OperationCount operations;
-};
 
 /// Writes the body of one function: declares the numbers, gives what it reads local names, then computes the
 /// definitions of a block and assigns results. It optimises nothing: each definition is one statement, each operator of
@@ -71,12 +64,5 @@ class FunctionEmitter {
   bool reads_ready_ = false;
   OperationCount operations_;
 };
-
-/// A result of a named vector by name: accelerations.theta_1 for "accelerations[0]".
-std::string named_target(const std::string& target, const Kernel& kernel, const std::vector<Structure>& structures);
-
-/// The whole function of a kernel with its documentation. Throws Error when the kernel reads a symbol it is not given.
-FunctionText kernel_function(Program& program, const Kernel& kernel, const Block& block, const SumTable& ready,
-                             const std::vector<Structure>& structures);
 
 }  // namespace torsor

@@ -3,34 +3,17 @@
 
 #include <string>
 
-#include "generator/expression/number.hpp"
-#include "generator/expression/program.hpp"
+#include "generator/emission/comment_text.hpp"
+#include "generator/expression/symbol.hpp"
+#include "generator/listing/local_names.hpp"
 
 namespace torsor {
-
-// Names in generated C++. A user's name has a letter first, no underscore last and none doubled; as a member it stands
-// as it is, as a local variable it gets a prefix of its kind. What the emitter needs beside users' members ends in an
-// underscore. So no two names can meet, whatever the user chose.
-
-/// The local variable that holds an atom: q_theta, v_theta, a_theta, u_torque, l_normal, p_mass, t; s_theta and c_theta
-/// for sine and cosine of a coordinate or parameter; z<k> for everything else.
-std::string local_name(const Program& program, Atom atom);
 
 /// Where a kernel finds a symbol: "state.q.theta", "inputs.torque"; parameters under the given prefix.
 std::string symbol_access(const Symbol& symbol, const std::string& parameters);
 
-/// The coordinate's name for its velocity and acceleration too, else the symbol's own.
-std::string member_name(const Symbol& symbol);
-
-/// The local variable of a number: n2, n9_81, n1_over_3; k<index> when its text would be long.
-std::string constant_name(const Number& number, std::size_t index);
-
 /// Throws SceneError when a name cannot stand in a generated header as `what` ("parameter", "scene"): C++ keywords,
 /// macros of <cmath>, names of the header's own types, and for scenes the functions of the C library.
 void require_cpp_name(const std::string& name, const std::string& what);
-
-/// Text that is safe behind `//`: one line that shows what it holds (see printable), without trigraphs, and no backslash at
-/// its end.
-std::string comment_text(const std::string& text);
 
 }  // namespace torsor

@@ -13,7 +13,7 @@ namespace torsor {
 namespace {
 
 template <class Float>
-std::string shortest(Float value) {
+std::string with_point(Float value) {
   std::array<char, 64> buffer{};
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
   std::string text(buffer.data(), end);
@@ -32,12 +32,12 @@ bool stands_before_operator(std::string_view text, std::size_t blank) {
 
 std::string literal(double value) {
   if (std::isinf(value)) return value < 0 ? "-HUGE_VAL" : "HUGE_VAL";
-  return shortest(value);
+  return with_point(value);
 }
 
 std::string literal(float value) {
   if (std::isinf(value)) return value < 0 ? "-HUGE_VALF" : "HUGE_VALF";
-  return shortest(value) + "f";
+  return with_point(value) + "f";
 }
 
 std::string constant_call(const Number& number) {
@@ -67,6 +67,10 @@ std::string wrapped(const std::string& line, std::size_t indentation) {
   return result + rest;
 }
 
+FormulaPrinter::FormulaPrinter(const Program& program)
+    : FormulaPrinter([&program](Atom atom) { return local_name(program, atom); },
+                     [](Function function) { return traits_of(function).emitted; }) {}
+
 std::string FormulaPrinter::name(const Number& number) {
   const auto [place, added] = places_.emplace(number, constants_.size());
   if (added) constants_.push_back({number, constant_name(number, constants_.size())});
@@ -92,7 +96,7 @@ std::string FormulaPrinter::print_factor(const Formula& formula) {
 std::string FormulaPrinter::print(const Formula& formula) {
   switch (formula.kind) {
     case Formula::Kind::atom:
-      return local_name(*program_, formula.atom);
+      return name_of_(formula.atom);
     case Formula::Kind::constant:
       return formula.number.sign() < 0 ? "-" + name(-formula.number) : name(formula.number);
     case Formula::Kind::sum:
@@ -111,7 +115,7 @@ std::string FormulaPrinter::print(const Formula& formula) {
     case Formula::Kind::function: {
       std::string text;
       for (const Formula& child : formula.children) text += (text.empty() ? "" : ", ") + print(child);
-      return fmt::format("{}({})", traits_of(formula.function).emitted, text);
+      return fmt::format("{}({})", name_of_function_(formula.function), text);
     }
   }
   return {};

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "generator/expression/formula.hpp"
@@ -10,11 +12,17 @@
 
 namespace torsor {
 
-/// Prints formulas as C++: the very trees that are counted, so that each operator of the text is one operation.
-/// Numbers become names, gathered in order of first use; the caller declares them.
+/// Prints formulas as C, C++ and JavaScript write them: the very trees that are counted, so that each operator of the text
+/// is one operation. Numbers become names, gathered in order of first use; the caller declares them.
 class FormulaPrinter {
  public:
-  explicit FormulaPrinter(const Program& program) : program_(&program) {}
+  using NameOf = std::function<std::string(Atom)>;
+  using NameOfFunction = std::function<std::string(Function)>;
+
+  /// Of formulas of a program, as C++.
+  explicit FormulaPrinter(const Program& program);
+  FormulaPrinter(NameOf name_of, NameOfFunction name_of_function)
+      : name_of_(std::move(name_of)), name_of_function_(std::move(name_of_function)) {}
 
   std::string print(const Formula& formula);
   /// −formula, with the signs of a sum turned round instead of a minus before it.
@@ -32,7 +40,8 @@ class FormulaPrinter {
   std::string print_sum(const Formula& sum, bool negated);
   std::string print_factor(const Formula& formula);
 
-  const Program* program_;
+  NameOf name_of_;
+  NameOfFunction name_of_function_;
   std::vector<Constant> constants_;
   std::unordered_map<Number, std::size_t> places_;  ///< looked up only
 };

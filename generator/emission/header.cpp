@@ -8,43 +8,47 @@
 
 #include <fmt/format.h>
 
-#include "generator/emission/cpp_emitter.hpp"
+#include "generator/emission/cpp_function.hpp"
+#include "generator/emission/cpp_language.hpp"
 #include "generator/emission/cpp_names.hpp"
 #include "generator/emission/cpp_structures.hpp"
 #include "generator/emission/embedded_templates.hpp"
+#include "generator/emission/formula_printer.hpp"
 #include "generator/emission/kernel_kinematics.hpp"
+#include "generator/emission/listing_printer.hpp"
 #include "generator/emission/provenance.hpp"
 #include "generator/emission/start_values.hpp"
 #include "generator/emission/text_template.hpp"
-#include "generator/expression/decimal.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/expression/fnv.hpp"
 
 namespace torsor {
 namespace {
 
+/// Members of Precomputed behind the parameters.
 std::string precomputed_structure(const Program& program, const Schedule& schedule) {
   std::string text;
-  for (const Atom atom : schedule.members) {
-    const std::string& name = program[atom].name;
-    text +=
-        fmt::format("Scalar {};{}\n", local_name(program, atom), name.empty() ? "" : "  ///< " + comment_text(name));
+  for (std::size_t k = 0; k < precomputed_count(schedule); ++k) {
+    const std::string meaning = k < schedule.members.size() ? program[schedule.members[k]].name : "";
+    text += fmt::format("Scalar {};{}\n", precomputed_name(program, schedule, k),
+                        meaning.empty() ? "" : "  ///< " + comment_text(meaning));
   }
-  for (std::size_t k = 0; k < schedule.results.sums().size(); ++k) text += fmt::format("Scalar y{};\n", k);
   return text;
 }
 
-FunctionText precompute_body(Program& program, const Schedule& schedule) {
-  FunctionEmitter emitter(program, "parameters.");
-  emitter.compute(schedule.precompute);
-  for (const Atom atom : schedule.members) {
-    const std::string name = local_name(program, atom);
-    emitter.line(fmt::format("precomputed.{} = {};", name, name));
+Layout layout_of(const Equations& equations, const std::vector<SymbolPointer>& parameters) {
+  const Model& model = equations.model();
+  Layout layout;
+  layout.coordinates = model.positions();
+  for (int i = 0; i < model.unknown_count(); ++i) {
+    const CoordinateContent& coordinate = model.coordinates()[static_cast<std::size_t>(i)];
+    layout.velocities.push_back(coordinate.v);
+    layout.accelerations.push_back(coordinate.a);
   }
-  for (std::size_t k = 0; k < schedule.results.sums().size(); ++k) {
-    emitter.assign(fmt::format("precomputed.y{}", k), Value(program, schedule.results.sums()[k], Unit()));
-  }
-  return emitter.take();
+  layout.inputs = model.inputs();
+  for (const ConstraintContent& constraint : model.scene().constraints) layout.multipliers.push_back(constraint.multiplier);
+  layout.parameters = parameters;
+  return layout;
 }
 
 /// Structures of all kernels; two kernels may share one when it is the same.
@@ -94,7 +98,7 @@ std::string limits_table(const Model& model) {
   const auto end = freedoms + model.unknown_count();
   if (std::none_of(freedoms, end, [](const CoordinateContent& c) { return c.limits.has_value(); })) return "";
   const auto bound = [](const std::optional<Number>& value, const char* otherwise) {
-    return value ? shortest(value->to_double()) : std::string(otherwise);
+    return value ? literal(value->to_double()) : std::string(otherwise);
   };
   std::string text =
       "/// Range of each freedom, largest rate and largest effort, by its index in v; infinite where the scene states "
@@ -107,6 +111,16 @@ std::string limits_table(const Model& model) {
                         bound(limits.effort, "HUGE_VAL"), c->q->name);
   }
   return text + "};\n";
+}
+
+/// Vectors of the initial state whose entries have names.
+std::map<std::string, const Structure*> start_vectors(const std::vector<Structure>& structures) {
+  std::map<std::string, const Structure*> vectors;
+  for (const Structure& each : structures) {
+    if (each.name == "Coordinates") vectors.emplace("state.q", &each);
+    if (each.name == "Velocities") vectors.emplace("state.v", &each);
+  }
+  return vectors;
 }
 
 std::string blocks_text(const std::vector<std::string>& blocks) {
@@ -140,18 +154,25 @@ std::string emit_header(const Equations& equations, const std::vector<Kernel>& k
     structures.push_back(structure);
   }
 
-  const Schedule schedule = make_schedule(program, present);
-  const FunctionText precompute = precompute_body(program, schedule);
+  std::vector<std::vector<Value>> values_of_kernels;
+  for (const Kernel& kernel : present) values_of_kernels.push_back(kernel.values());
+  const Schedule schedule = make_schedule(program, values_of_kernels);
+  HeaderParts parts{&program, &schedule, layout_of(equations, parameters), structures};
+  for (std::size_t k = 0; k < precomputed_count(schedule); ++k) {
+    parts.members.push_back(precomputed_name(program, schedule, k));
+  }
+  const CppLanguage start_language(parts.layout, "parameters.", {}, start_vectors(structures));
+  const Listing precompute = lower_precompute(program, schedule, parts.layout);
   Provenance provenance{&scene, options.model, kernels, parameters, {}};
   provenance.notes = notes(equations.redundancy(), scene);
-  if (precompute.operations.total() > 0) {
-    provenance.operations.push_back({"precompute", precompute.operations, std::nullopt});
+  if (const OperationCount once = count(precompute); once.total() > 0) {
+    provenance.operations.push_back({"precompute", once, std::nullopt});
   }
   // Before: no inertia moved across joints, no products shared, no factoring, nothing done once for a set of parameters.
   const Equations unoptimised(scene, as_given(options.model));
   std::vector<std::string> functions;
   for (std::size_t k = 0; k < present.size(); ++k) {
-    FunctionText function = kernel_function(program, present[k], schedule.kernels[k], schedule.results, structures);
+    FunctionText function = cpp_function(parts, present[k], schedule.functions[k]);
     if (present[k].name != "coordinate_rates") {
       std::optional<int> before;  // recurrences have nothing to be compared with
       if (!present[k].series) {
@@ -163,14 +184,16 @@ std::string emit_header(const Equations& equations, const std::vector<Kernel>& k
     functions.push_back(std::move(function.body));
   }
 
-  const InitialState start = initial_state(equations, options.model);
+  const Listing start = initial_state(equations, options.model, parts.layout);
+  const std::string precompute_body = print(precompute, start_language);
+  const std::string start_body = print(start, start_language);
   const SceneContent& content = scene.content();
   const auto size = [](std::size_t count) { return std::to_string(count); };
   const std::string degrees = std::to_string(equations.model().unknown_count());
   const auto without_licence = [](std::string_view text) { return std::string(text.substr(text.find('\n') + 1)); };
   const bool jets = std::any_of(present.begin(), present.end(), [](const Kernel& kernel) { return kernel.series.has_value(); });
   const auto selects = [](const std::string& body) { return body.find("torsor::Selections<") != std::string::npos; };
-  const bool selections = selects(precompute.body) || selects(start.body) || std::any_of(functions.begin(), functions.end(), selects);
+  const bool selections = selects(precompute_body) || selects(start_body) || std::any_of(functions.begin(), functions.end(), selects);
   const std::string selection_support =
       selections ? without_licence(embedded_template("selections.hpp")) + "\n" : "";
   std::map<std::string, std::string> values = {
@@ -189,10 +212,10 @@ std::string emit_header(const Equations& equations, const std::vector<Kernel>& k
        quaternion_table(equations.model()) + redundancy_table(equations) + limits_table(equations.model())},
       {"structures", blocks_text(common_text)},
       {"precomputed_members", precomputed_structure(program, schedule)},
-      {"default_parameters", default_parameters_body(scene, parameters)},
-      {"precompute", precompute.body},
-      {"initial_parameters", start.reads_parameters ? " parameters" : ""},
-      {"initial_state", start.body},
+      {"default_parameters", print(default_parameters(scene, parameters), start_language)},
+      {"precompute", precompute_body},
+      {"initial_parameters", start.reads(Table::parameter) ? " parameters" : ""},
+      {"initial_state", start_body},
       {"kernel_structures", structure_texts.empty() ? "" : blocks_text(structure_texts) + "\n"},
       {"kernels", blocks_text(functions)}};
   const auto with_fingerprint = [&values](std::uint64_t bits) {

@@ -37,8 +37,8 @@ Kernel make_mass_matrix(const Equations& equations) {
   const std::size_t n = unknowns(equations);
   Kernel kernel;
   kernel.documentation = "Mass matrix M(q), symmetric, stored column by column: T2 = 1/2 v' M v.";
-  kernel.results = {{array_type(n * n), "mass"}};
-  assign_matrix(kernel, "mass", equations.mass(), n);
+  kernel.results = {{"", "mass", n * n}};
+  assign_matrix(kernel, {"mass"}, equations.mass(), n);
   return kernel;
 }
 
@@ -49,7 +49,7 @@ Kernel make_bias(const Equations& equations) {
       "actions included. M a + h = E u + " +
       multiplied(equations) + ".";
   kernel.results = {{"GeneralizedForces", "forces"}};
-  assign_vector(kernel, "forces", equations.bias(), unknowns(equations));
+  assign_vector(kernel, {"forces"}, equations.bias(), unknowns(equations));
   return kernel;
 }
 
@@ -60,7 +60,7 @@ Kernel make_inverse_dynamics(const Equations& equations) {
       " that motors must supply for the accelerations a.";
   kernel.arguments = {Argument::accelerations, Argument::multipliers};
   kernel.results = {{"GeneralizedForces", "forces"}};
-  assign_vector(kernel, "forces", equations.inverse_dynamics(), unknowns(equations));
+  assign_vector(kernel, {"forces"}, equations.inverse_dynamics(), unknowns(equations));
   return kernel;
 }
 
@@ -77,8 +77,8 @@ Kernel make_forward_dynamics(const Equations& equations) {
           : ", or one of the Schur complement is below\n2^-40 of those of its unit (a change point)");
   kernel.arguments = {Argument::inputs};
   kernel.results = {{"Accelerations", "accelerations"}, {"Multipliers", "multipliers"}};
-  assign_vector(kernel, "accelerations", solution.accelerations, solution.accelerations.size());
-  assign_vector(kernel, "multipliers", solution.multipliers, solution.multipliers.size());
+  assign_vector(kernel, {"accelerations"}, solution.accelerations, solution.accelerations.size());
+  assign_vector(kernel, {"multipliers"}, solution.multipliers, solution.multipliers.size());
   kernel.pivots = solution.pivots;
   return kernel;
 }
@@ -105,9 +105,9 @@ Kernel make_energy(const Equations& equations) {
   const Value kinetic = kinetic_energy(equations.model());
   Value force_function = gravity_force_function(equations.model());
   force_function += equations.actions().spring_force_function;
-  kernel.assignments = {{"result.kinetic", kinetic},
-                        {"result.force_function", force_function},
-                        {"result.power", equations.power()}};
+  kernel.assignments = {{{"result", "kinetic"}, kinetic},
+                        {{"result", "force_function"}, force_function},
+                        {{"result", "power"}, equations.power()}};
   return kernel;
 }
 
@@ -118,7 +118,7 @@ Kernel make_first_integrals(const Equations& equations) {
   Structure structure{"FirstIntegrals", "Quantities that every motion conserves.", {}};
   for (const FirstIntegral& integral : report.first_integrals) {
     structure.members.push_back({integral.name, 1, 1, integral.documentation, true});
-    kernel.assignments.push_back({"result." + integral.name, integral.value});
+    kernel.assignments.push_back({{"result", integral.name}, integral.value});
   }
   kernel.structures = {structure};
   kernel.results = {{"FirstIntegrals", "result"}};
@@ -140,12 +140,12 @@ Kernel make_constraints(const Equations& equations) {
   kernel.results = {{"Constraints", "result"}};
   ValueMatrix jacobian;
   for (std::size_t j = 0; j < m; ++j) {
-    kernel.assignments.push_back({element("result.value", j), rows[j].value});
-    kernel.assignments.push_back({element("result.rate", j), rows[j].rate});
-    kernel.assignments.push_back({element("result.gamma", j), rows[j].gamma});
+    kernel.assignments.push_back({{"result", "value", j}, rows[j].value});
+    kernel.assignments.push_back({{"result", "rate", j}, rows[j].rate});
+    kernel.assignments.push_back({{"result", "gamma", j}, rows[j].gamma});
     jacobian.push_back(rows[j].jacobian);
   }
-  assign_matrix(kernel, "result.jacobian", jacobian, n);
+  assign_matrix(kernel, {"result", "jacobian"}, jacobian, n);
   if (has_friction(equations)) {
     kernel.structures[0].members.push_back(
         matrix_member("columns", n, m, "B, generalised forces of unit multipliers with their friction, column by column"));
@@ -153,7 +153,7 @@ Kernel make_constraints(const Equations& equations) {
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t j = 0; j < m; ++j) columns[i][j] = rows[j].column[i];
     }
-    assign_matrix(kernel, "result.columns", columns, m);
+    assign_matrix(kernel, {"result", "columns"}, columns, m);
   }
   return kernel;
 }
@@ -176,7 +176,7 @@ Kernel make_reactions(const Equations& equations) {
     }
     const Unit unit = units::joule / q->unit;
     structure.members.push_back({q->name, 1, 1, fmt::format("reaction along '{}' [{}]", q->name, unit.to_string()), true});
-    kernel.assignments.push_back({"result." + q->name, reaction});
+    kernel.assignments.push_back({{"result", q->name}, reaction});
   }
   kernel.structures = {structure};
   kernel.results = {{"Reactions", "result"}};

@@ -8,6 +8,7 @@
 
 #include "generator/dynamics/equations/equations.hpp"
 #include "generator/expression/series_program.hpp"
+#include "generator/listing/target.hpp"
 
 namespace torsor {
 
@@ -31,15 +32,16 @@ struct Structure {
 /// What a kernel reads besides `precomputed` and `state`.
 enum class Argument { accelerations, multipliers, inputs };
 
-/// What a kernel writes: a reference parameter `type& name`.
+/// What a kernel writes: a structure, or an array.
 struct Result {
-  std::string type;  ///< "GeneralizedForces", "std::array<Scalar, 4>", or the name of a structure of the kernel
+  std::string structure;  ///< "GeneralizedForces", or the name of a structure of the kernel; empty for an array
   std::string name;
+  std::size_t size = 0;   ///< of an array
 };
 
-/// `target = value`, e.g. {"mass[2]", M_01}. The same value may go to several targets.
+/// `target = value`. The same value may go to several targets.
 struct Assignment {
-  std::string target;
+  Target target;
   Value value;
 };
 

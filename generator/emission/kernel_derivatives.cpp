@@ -17,7 +17,7 @@ void add_matrix(Kernel& kernel, const std::string& name, const ValueMatrix& matr
   const std::size_t columns = matrix.empty() ? 0 : matrix[0].size();
   if (columns == 0) return;
   kernel.structures[0].members.push_back(matrix_member(name, matrix.size(), columns, text));
-  assign_matrix(kernel, "result." + name, matrix, columns);
+  assign_matrix(kernel, {"result", name}, matrix, columns);
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ class KinematicsBuilder {
 
  private:
   void assign(const std::string& member, std::size_t index, const Value& value) {
-    assignments_.push_back({fmt::format("result.{}[{}]", member, index), value});
+    assignments_.push_back({{"result", member, index}, value});
   }
 
   void add_vector(const std::string& name, const std::string& text, const Vector& v) {
@@ -112,9 +112,9 @@ Kernel make_coordinate_rates(const Equations& equations) {
   kernel.documentation =
       "dq/dt from v: the velocity itself for a coordinate, 1/2 e (0, omega) for a unit quaternion e with the angular\n"
       "velocity omega in moving axes.";
-  kernel.results = {{array_type(positions.size()), "rates"}};
+  kernel.results = {{"", "rates", positions.size()}};
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    kernel.assignments.push_back({element("rates", i), rate_of(equations.program(), positions[i])});
+    kernel.assignments.push_back({Target{"rates"}[i], rate_of(equations.program(), positions[i])});
   }
   return kernel;
 }

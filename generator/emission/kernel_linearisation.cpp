@@ -24,10 +24,10 @@ void assign_state_matrices(Kernel& kernel, Structure& structure, const ValueMatr
   const std::size_t size = a.size();
   const std::size_t inputs = b.empty() ? 0 : b[0].size();
   structure.members.push_back(matrix_member("A", size, size, "state matrix of " + state));
-  assign_matrix(kernel, "result.A", a, size);
+  assign_matrix(kernel, {"result", "A"}, a, size);
   if (inputs == 0) return;
   structure.members.push_back(matrix_member("B", size, inputs, "input matrix"));
-  assign_matrix(kernel, "result.B", b, inputs);
+  assign_matrix(kernel, {"result", "B"}, b, inputs);
 }
 
 /// Members M, C, K, F and E, with a suffix to their names.
@@ -39,13 +39,13 @@ void assign_equations(Kernel& kernel, Structure& structure, const std::string& s
   const auto assign = [&](const std::string& name, const ValueMatrix& matrix, const std::string& meaning) {
     const std::size_t columns = rows == 0 ? 0 : matrix[0].size();
     structure.members.push_back(matrix_member(name + suffix, rows, columns, text + meaning));
-    assign_matrix(kernel, "result." + name + suffix, matrix, columns);
+    assign_matrix(kernel, {"result", name + suffix}, matrix, columns);
   };
   assign("M", mass, "mass matrix");
   assign("C", damping, "damping and gyroscopic terms");
   assign("K", stiffness, "stiffness");
   structure.members.push_back(matrix_member("F" + suffix, rows, 1, text + "right-hand side"));
-  assign_vector(kernel, "result.F" + suffix, force, rows);
+  assign_vector(kernel, {"result", "F" + suffix}, force, rows);
   if (inputs > 0) assign("E", effects, "effect of the inputs");
 }
 

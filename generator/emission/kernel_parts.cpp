@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/emission/kernel_parts.hpp"
 
-#include <fmt/format.h>
-
 namespace torsor {
 
-std::string element(const std::string& array, std::size_t index) { return fmt::format("{}[{}]", array, index); }
-
-std::string array_type(std::size_t size) { return fmt::format("std::array<Scalar, {}>", size); }
-
-void assign_matrix(Kernel& kernel, const std::string& target, const ValueMatrix& matrix, std::size_t columns) {
+void assign_matrix(Kernel& kernel, const Target& target, const ValueMatrix& matrix, std::size_t columns) {
   for (std::size_t j = 0; j < columns; ++j) {
     for (std::size_t i = 0; i < matrix.size(); ++i) {
-      kernel.assignments.push_back({element(target, j * matrix.size() + i), matrix[i][j]});
+      kernel.assignments.push_back({target[j * matrix.size() + i], matrix[i][j]});
     }
   }
 }
@@ -21,8 +15,8 @@ Member matrix_member(const std::string& name, std::size_t rows, std::size_t colu
   return {name, static_cast<int>(rows), static_cast<int>(columns), text, false};
 }
 
-void assign_vector(Kernel& kernel, const std::string& target, const std::vector<Value>& values, std::size_t n) {
-  for (std::size_t i = 0; i < n; ++i) kernel.assignments.push_back({element(target, i), values[i]});
+void assign_vector(Kernel& kernel, const Target& target, const std::vector<Value>& values, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i) kernel.assignments.push_back({target[i], values[i]});
 }
 
 std::size_t unknowns(const Equations& equations) {

@@ -11,14 +11,12 @@
 
 namespace torsor {
 
-std::string element(const std::string& array, std::size_t index);
-std::string array_type(std::size_t size);
 Member matrix_member(const std::string& name, std::size_t rows, std::size_t columns, const std::string& text);
 
 /// Appends a matrix, column by column.
-void assign_matrix(Kernel& kernel, const std::string& target, const ValueMatrix& matrix, std::size_t columns);
+void assign_matrix(Kernel& kernel, const Target& target, const ValueMatrix& matrix, std::size_t columns);
 /// Assigns the first n values to a vector of the header.
-void assign_vector(Kernel& kernel, const std::string& target, const std::vector<Value>& values, std::size_t n);
+void assign_vector(Kernel& kernel, const Target& target, const std::vector<Value>& values, std::size_t n);
 
 std::size_t unknowns(const Equations& equations);
 

@@ -119,7 +119,7 @@ Kernel make_regressor(const Equations& equations) {
     for (const std::size_t c : base.independent) columns.back().push_back(row[c]);
   }
   structure.members.push_back(matrix_member("Y", y.size(), base.independent.size(), "forces of unit base parameters"));
-  assign_matrix(kernel, "result.Y", columns, base.independent.size());
+  assign_matrix(kernel, {"result", "Y"}, columns, base.independent.size());
   kernel.structures = {structure};
   return kernel;
 }

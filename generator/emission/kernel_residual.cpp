@@ -36,7 +36,7 @@ Kernel make_residual(const Equations& equations) {
   Kernel kernel;
   kernel.documentation = "Residual of the equations of motion, zero along motions:\n" + rows_of(equations) + ".";
   kernel.arguments = {Argument::accelerations, Argument::multipliers, Argument::inputs};
-  kernel.results = {{array_type(n + m), "residual"}};
+  kernel.results = {{"", "residual", n + m}};
   std::vector<Value> rows(equations.inverse_dynamics().begin(),
                           equations.inverse_dynamics().begin() + equations.model().unknown_count());
   const std::vector<Value> of_motors = equations.of_inputs();
@@ -46,7 +46,7 @@ Kernel make_residual(const Equations& equations) {
     const bool repeated = repeats_others(equations, j);
     rows.push_back(repeated ? equations.program().symbol(equations.constraints()[j].multiplier) : rates[j]);
   }
-  assign_vector(kernel, "residual", rows, n + m);
+  assign_vector(kernel, {"residual"}, rows, n + m);
   return kernel;
 }
 

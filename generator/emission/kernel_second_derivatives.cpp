@@ -32,7 +32,7 @@ void add_pages(Kernel& kernel, const std::string& name, const ValuePages& pages,
   for (std::size_t k = 0; k < pages.size(); ++k) {
     for (std::size_t j = 0; j < columns; ++j) {
       for (std::size_t i = 0; i < rows; ++i) {
-        kernel.assignments.push_back({element("result." + name, i + rows * (j + columns * k)), pages[k][i][j]});
+        kernel.assignments.push_back({{"result", name, i + rows * (j + columns * k)}, pages[k][i][j]});
       }
     }
   }

@@ -11,7 +11,7 @@ void add_columns(Kernel& kernel, const std::string& name, const ValueMatrix& mat
   if (matrix.empty()) return;
   const std::size_t columns = matrix[0].size();
   kernel.structures[0].members.push_back(matrix_member(name, matrix.size(), columns, text));
-  assign_matrix(kernel, "result." + name, matrix, columns);
+  assign_matrix(kernel, {"result", name}, matrix, columns);
 }
 
 /// The structure and what both kernels say.

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "generator/emission/cpp_names.hpp"
-#include "generator/emission/schedule.hpp"
+#include "generator/listing/schedule.hpp"
 
 namespace torsor {
 namespace {

@@ -5,21 +5,15 @@
 
 #include <fmt/format.h>
 
-#include "generator/emission/cpp_emitter.hpp"
-#include "generator/emission/cpp_names.hpp"
 #include "generator/expression/error.hpp"
+#include "generator/listing/lowering.hpp"
 
 namespace torsor {
 namespace {
 
-struct StartValue {
-  std::string target;
-  Value value;
-};
-
-Block block_of(const Program& program, const std::vector<StartValue>& entries) {
+Block block_of(const Program& program, const std::vector<Wanted>& results) {
   std::vector<Polynomial> sums;
-  for (const StartValue& entry : entries) sums.push_back(without_sign(entry.value.polynomial()).first);
+  for (const Wanted& each : results) sums.push_back(without_sign(each.value.polynomial()).first);
   return whole_block(program, sums);
 }
 
@@ -31,7 +25,7 @@ Expression value_in_unit(const ParameterContent& parameter) {
 
 }  // namespace
 
-std::string default_parameters_body(const Scene& scene, const std::vector<SymbolPointer>& parameters) {
+Listing default_parameters(const Scene& scene, const std::vector<SymbolPointer>& parameters) {
   const std::vector<ParameterContent>& all = scene.content().parameters;
   Program program([&all](const SymbolPointer& symbol) -> std::optional<Expression> {
     const auto found =
@@ -39,59 +33,55 @@ std::string default_parameters_body(const Scene& scene, const std::vector<Symbol
     if (found == all.end() || !found->value) return std::nullopt;
     return value_in_unit(*found);
   });
-  std::vector<StartValue> given;
-  std::vector<std::string> missing;
+  std::vector<Wanted> given;
+  std::vector<Target> missing;
   for (const SymbolPointer& symbol : parameters) {
     const Value value = program.symbol(symbol);
-    const std::string target = "parameters." + symbol->name;
+    const Target target{"parameters", symbol->name};
     if (program.stage(value) == Stage::generation)
       given.push_back({target, value});
     else
       missing.push_back(target);
   }
-  FunctionEmitter emitter(program, "parameters.");
-  emitter.compute(block_of(program, given));
-  for (const StartValue& entry : given) emitter.assign(entry.target, entry.value);
-  const std::string zero = missing.empty() ? "" : emitter.name(Number());
-  for (const std::string& target : missing) {
-    emitter.line(fmt::format("{} = {} / {};  // has no default: not a number until it is set", target, zero, zero));
+  Listing listing = lower(program, block_of(program, given), {given}, {});
+  Formula not_a_number;
+  not_a_number.kind = Formula::Kind::quotient;
+  not_a_number.children.assign(2, Formula::of_number(Number()));
+  for (const Target& target : missing) {
+    listing.outputs.push_back({target, {not_a_number}, true, false, "has no default: not a number until it is set"});
   }
-  return emitter.take().body;
+  return listing;
 }
 
-InitialState initial_state(const Equations& equations, const ModelOptions& options) {
+Listing initial_state(const Equations& equations, const ModelOptions& options, const Layout& layout) {
   Program program(Model::resolver(equations.scene(), options));
-  std::vector<StartValue> entries;
+  std::vector<Wanted> results{{{"state", "time"}, program.number(Number())}};
   const Model& model = equations.model();
   const SceneContent& content = equations.scene().content();
-  const auto add = [&](const std::string& target, const std::optional<Expression>& given) {
-    entries.push_back({target, given ? program.lower(*given) : program.number(Number())});
+  const auto add = [&](const Target& target, const std::optional<Expression>& given) {
+    results.push_back({target, given ? program.lower(*given) : program.number(Number())});
   };
-  for (const SymbolPointer& position : model.positions()) {
-    const std::string target = "state.q." + position->name;
-    if (const auto component = content.quaternion_component(position)) {
+  const std::vector<SymbolPointer> positions = model.positions();
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const Target target{"state", "q", i};
+    if (const auto component = content.quaternion_component(positions[i])) {
       add(target, initial_component(content.attitudes[component->first], component->second));
     }
     for (const CoordinateContent& c : model.coordinates()) {
-      if (c.q == position) add(target, c.initial_value);
+      if (c.q == positions[i]) add(target, c.initial_value);
     }
   }
-  for (int i = 0; i < model.unknown_count(); ++i) {
-    const CoordinateContent& c = model.coordinates()[static_cast<std::size_t>(i)];
-    add("state.v." + c.q->name, c.initial_rate);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(model.unknown_count()); ++i) {
+    add({"state", "v", i}, model.coordinates()[i].initial_rate);
   }
-  const Block block = block_of(program, entries);
+  const Block block = block_of(program, results);
   for (const Atom atom : block.symbols) {
     if (program[atom].symbol->kind == SymbolKind::parameter) continue;
     throw SceneError(
         fmt::format("the initial state of the scene '{}' depends on '{}': give it by numbers and parameters",
                     equations.scene().name(), program[atom].symbol->name));
   }
-  FunctionEmitter emitter(program, "parameters.");
-  emitter.compute(block);
-  emitter.line(fmt::format("state.time = {};", emitter.name(Number())));
-  for (const StartValue& entry : entries) emitter.assign(entry.target, entry.value);
-  return {emitter.take().body, !block.symbols.empty()};
+  return lower(program, block, {results}, {&layout, nullptr});
 }
 
 }  // namespace torsor

@@ -1,23 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "generator/dynamics/equations/equations.hpp"
+#include "generator/listing/listing.hpp"
 
 namespace torsor {
 
-/// Body of `default_parameters`: the value each run-time parameter has in the scene, with the parameters it depends on
-/// at their own values. One without a value is not a number, so that nothing computes with it by mistake.
-std::string default_parameters_body(const Scene& scene, const std::vector<SymbolPointer>& parameters);
+/// The value each run-time parameter has in the scene, with the parameters it depends on at their own values: outputs
+/// "parameters.NAME". One without a value is not a number, so that nothing computes with it by mistake.
+Listing default_parameters(const Scene& scene, const std::vector<SymbolPointer>& parameters);
 
-/// Body of `initial_state`: the scene's state at t = 0, a formula of the run-time parameters where it depends on them.
-/// Throws SceneError when it depends on anything else.
-struct InitialState {
-  std::string body;
-  bool reads_parameters = false;
-};
-InitialState initial_state(const Equations& equations, const ModelOptions& options);
+/// The scene's state at t = 0, a formula of the run-time parameters where it depends on them: outputs "state.time",
+/// "state.q[i]" and "state.v[i]". Throws SceneError when it depends on anything else.
+Listing initial_state(const Equations& equations, const ModelOptions& options, const Layout& layout);
 
 }  // namespace torsor

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/emission/generation_constant.hpp"
+#include "generator/listing/generation_constant.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/expression/evaluation.hpp"
 #include "generator/expression/series_evaluation.hpp"
@@ -28,8 +28,8 @@ std::vector<Kernel> present_kernels(const Equations& equations, const std::vecto
   return kernels;
 }
 
-/// "mass[2]" -> "mass"
-std::string result_name(const std::string& target) { return target.substr(0, target.find('[')); }
+/// Of mass[2]: "mass"
+std::string result_name(const Target& target) { return Target{target.result, target.member}.to_string(); }
 
 /// Coefficients of the orders 1 to jet_orders, one order after the other.
 template <class Scalar>
@@ -110,7 +110,7 @@ class Conditions {
       const Elasticity constant = Elasticity::of_number(number);
       return number.abs().is_one() ? constant : elasticity_input(constant.value(), input_count_++);
     });
-    std::map<std::string, Value> values;
+    std::map<std::pair<std::string, Target>, Value> values;
     std::vector<Kernel> known = present_kernels(equations_, names);
     for (std::size_t k = 0; k < std::min(known.size(), emitted.size()); ++k) {
       // Patterns and base parameters are those of the scene's values: elsewhere results may stand at other places.
@@ -118,16 +118,16 @@ class Conditions {
       throw Error(fmt::format("the kernel '{}' with parameters as symbols has other results", emitted[k].name));
     }
     for (Kernel& kernel : known) {
-      for (const Assignment& a : kernel.assignments) values.emplace(kernel.name + "." + a.target, a.value);
+      for (const Assignment& a : kernel.assignments) values.emplace(std::pair(kernel.name, a.target), a.value);
       if (kernel.series) series_.emplace(kernel.name, std::move(*kernel.series));
     }
     for (const Kernel& kernel : emitted) {
       names_.push_back(kernel.name);
       values_.emplace_back();
       for (const Assignment& a : kernel.assignments) {
-        const auto place = values.find(kernel.name + "." + a.target);
+        const auto place = values.find({kernel.name, a.target});
         if (place == values.end()) {
-          throw Error(fmt::format("the kernel '{}' with parameters as symbols has no '{}'", kernel.name, a.target));
+          throw Error(fmt::format("the kernel '{}' with parameters as symbols has no '{}'", kernel.name, a.target.to_string()));
         }
         values_.back().push_back(equations_.program().bind(place->second));
       }

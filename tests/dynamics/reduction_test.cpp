@@ -23,7 +23,7 @@ using State = ConstrainedMotion::State;
 Value entry(const Kernel& kernel, const std::string& name, std::size_t rows, std::size_t i, std::size_t j) {
   const std::string target = "result." + name + "[" + std::to_string(j * rows + i) + "]";
   for (const Assignment& assignment : kernel.assignments) {
-    if (assignment.target == target) return assignment.value;
+    if (assignment.target.to_string() == target) return assignment.value;
   }
   ADD_FAILURE() << "no entry " << target;
   return {};

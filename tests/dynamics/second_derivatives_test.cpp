@@ -167,7 +167,7 @@ TEST(SecondDerivatives, AreLaidOutPageByPage) {
     for (std::size_t entry = 0; entry < 8; ++entry) {
       const std::string target = "result." + std::string(name) + "[" + std::to_string(entry) + "]";
       const auto place = std::find_if(kernel.assignments.begin(), kernel.assignments.end(),
-                                      [&](const Assignment& each) { return each.target == target; });
+                                      [&](const Assignment& each) { return each.target.to_string() == target; });
       ASSERT_NE(place, kernel.assignments.end()) << target;
       const Value& expected = (*pages)[entry / 4][entry % 2][entry / 2 % 2];
       EXPECT_LT(abs(at(place->value) - at(expected)).to_double(), 1e-50) << target;

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "generator/emission/cpp_names.hpp"
-#include "generator/emission/generation_constant.hpp"
+#include "generator/listing/generation_constant.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/mechanics/scene.hpp"
 

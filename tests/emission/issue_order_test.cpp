@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/emission/issue_order.hpp"
+#include "generator/listing/issue_order.hpp"
 
 #include <gtest/gtest.h>
 

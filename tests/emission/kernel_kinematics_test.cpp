@@ -35,7 +35,7 @@ class KinematicsOfPoints : public ::testing::Test {
   Value result(const std::string& member, int index) const {
     const std::string target = "result." + member + "[" + std::to_string(index) + "]";
     for (const Assignment& assignment : kernel.assignments) {
-      if (assignment.target == target) return assignment.value;
+      if (assignment.target.to_string() == target) return assignment.value;
     }
     ADD_FAILURE() << "no " << target;
     return {};

@@ -14,7 +14,7 @@ find . \( -path ./build -o -path './.*' \) -prune -o -type f \
      -o -name CMakeLists.txt -o -path './templates/*' -o -path './scripts/*' \) -printf '%P\n' | LC_ALL=C sort |
 awk '
   BEGIN {
-    floors = "expression 0 geometry 1 mechanics 2 dynamics 3 import 3 emission 4 reading 4 verification 5 cli 6 torsor.hpp 7 queries.hpp 7"  # the umbrella headers stand on all
+    floors = "expression 0 listing 1 geometry 2 mechanics 3 dynamics 4 import 4 emission 5 reading 5 verification 6 cli 7 torsor.hpp 8 queries.hpp 8"  # the umbrella headers stand on all
     count = split(floors, word, " ")
     for (i = 1; i < count; i += 2) height[word[i]] = word[i + 1]
     rooms("generator/dynamics", "motion forces recursions structure equations derivatives theorems")

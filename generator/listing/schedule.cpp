@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/emission/schedule.hpp"
+#include "generator/listing/schedule.hpp"
 
 #include "generator/expression/formula.hpp"
 
@@ -51,15 +51,15 @@ Block whole_block(const Program& program, const std::vector<Polynomial>& sums) {
   return collect(program, sums, [](Atom) { return false; });
 }
 
-Schedule make_schedule(const Program& program, const std::vector<Kernel>& kernels) {
+Schedule make_schedule(const Program& program, const std::vector<std::vector<Value>>& values) {
   Schedule schedule;
   std::vector<bool> read(program.size(), false);
   const auto is_precomputed = [&program](Atom atom) {
     return !program[atom].symbol && program[atom].stage == Stage::parameters;
   };
-  for (const Kernel& kernel : kernels) {
+  for (const std::vector<Value>& of_function : values) {
     std::vector<Polynomial> roots;
-    for (const Value& value : kernel.values()) {
+    for (const Value& value : of_function) {
       auto [sum, negative] = without_sign(value.polynomial());
       const bool once = stage_of(program, sum) == Stage::parameters && count(formula(program, sum)).total() > 0;
       if (once)
@@ -67,8 +67,8 @@ Schedule make_schedule(const Program& program, const std::vector<Kernel>& kernel
       else
         roots.push_back(std::move(sum));
     }
-    schedule.kernels.push_back(collect(program, roots, is_precomputed));
-    for (const Atom atom : schedule.kernels.back().given) read[static_cast<std::size_t>(atom)] = true;
+    schedule.functions.push_back(collect(program, roots, is_precomputed));
+    for (const Atom atom : schedule.functions.back().given) read[static_cast<std::size_t>(atom)] = true;
   }
   std::vector<Polynomial> roots = schedule.results.sums();
   for (std::size_t k = 0; k < program.size(); ++k) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generator/emission/generation_constant.hpp"
+#include "generator/listing/generation_constant.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "generator/emission/kernel.hpp"
+#include "generator/emission/language.hpp"
+
+namespace torsor {
+
+/// C++17 in the terms of templates/mechanism.hpp.in: `Scalar` and `traits`.
+class CppLanguage final : public Language {
+ public:
+  /// `parameters` is where parameters are read from: "precomputed.parameters." or "parameters."; `members` are the names
+  /// of the members of Precomputed; `vectors` tells the structures of results that have a name for each entry.
+  CppLanguage(const Layout& layout, std::string parameters, std::vector<std::string> members,
+              std::map<std::string, const Structure*> vectors = {});
+
+  std::string constant(const Number& number) const override;
+  std::string local(const std::string& name, const std::string& value) const override;
+  std::string pi() const override;
+  std::vector<std::string> literal(const std::string& name, const Literal& literal, const std::string& value) const override;
+  std::string access(const Quantity& quantity) const override;
+  std::string access(const Target& target) const override;
+  std::string function(Function function) const override;
+  std::vector<std::string> sine_and_cosine(const std::string& angle, const std::string& sine,
+                                           const std::string& cosine) const override;
+  std::vector<std::string> sines_and_cosines(const std::vector<std::string>& angles, const std::string& suffix) const override;
+  std::string regular(const std::string& pivot, const std::string& diagonal) const override;
+  std::string status(const std::string& name) const override;
+
+ private:
+  const Layout* layout_;
+  std::string parameters_;
+  std::vector<std::string> members_;
+  std::map<std::string, const Structure*> vectors_;
+};
+
+}  // namespace torsor

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "generator/expression/formula.hpp"
+#include "generator/expression/symbol.hpp"
+#include "generator/listing/generation_constant.hpp"
+#include "generator/listing/target.hpp"
+
+namespace torsor {
+
+/// Where a number that a function names stands.
+enum class Table {
+  time, coordinate, velocity, acceleration, multiplier, input, parameter,  ///< arguments, by their place in the layout
+  precomputed,  ///< members of Precomputed behind its parameters
+  output,       ///< of the function itself, written before
+  local
+};
+
+/// The numbers that a header's functions may be given, in the order of their structures.
+struct Layout {
+  std::vector<SymbolPointer> coordinates, velocities, accelerations, multipliers, inputs, parameters;
+
+  const std::vector<SymbolPointer>& of(Table table) const;
+};
+
+/// A number that a listing names.
+struct Quantity {
+  Table table = Table::local;
+  std::size_t index = 0;  ///< in its table
+  std::string name;       ///< of the local variable that holds it; empty for one that is read where it stands
+};
+
+/// Local quantities that a statement defines. Leaves of a listing's formulas are quantities by their number.
+struct Assigned {
+  Atom quantity = 0;
+  Formula right;
+  std::string meaning{};
+};
+
+/// A constant that depends on numbers only, rounded once, with the formula for scalars that no literal is exact enough
+/// for; of a sine or cosine the angle is its only child.
+struct Literal {
+  Atom quantity = 0;
+  Formula right;
+  RoundedConstant rounded;
+  std::string meaning{};
+};
+
+/// π, under a name.
+struct Pi {
+  Atom quantity = 0;
+};
+
+/// Sines and cosines of several angles at once; one of an angle that nothing reads is none.
+struct SineCosine {
+  Atom angle = 0;
+  std::optional<Atom> sine, cosine;
+  std::string meaning{};
+};
+struct SinesAndCosines {
+  std::vector<SineCosine> angles;
+};
+
+using Statement = std::variant<Assigned, Literal, Pi, SinesAndCosines>;
+
+/// A formula, or minus it.
+struct Signed {
+  Formula formula;
+  bool negative = false;
+};
+
+/// A result of the function. One that repeats another up to sign has the other as its formula.
+struct Output {
+  Target target;
+  Signed value;
+  bool varies = true;    ///< false for a number
+  bool repeats = false;  ///< whether it has been computed before
+  std::string meaning{};
+};
+
+/// A pivot, and what it is measured against.
+struct Pivot {
+  Signed pivot, diagonal;
+};
+
+/// One function of a generated text: what it reads, computes and writes, in order. It is data: nothing in it is text of
+/// some language, and nothing refers to the program that it came from.
+struct Listing {
+  std::vector<Quantity> quantities;
+  std::vector<Atom> given;            ///< read from arguments before anything is computed
+  std::vector<Statement> statements;
+  std::vector<Output> outputs;
+  std::vector<Statement> of_pivots;   ///< computed after the outputs, for pivots
+  std::vector<Pivot> pivots;          ///< but for those that are regular whatever the state
+  bool has_status = false;
+
+  bool reads(Table table) const;
+  const Quantity& quantity(Atom number) const { return quantities[static_cast<std::size_t>(number)]; }
+};
+
+/// Operations that it states; a status costs nothing.
+OperationCount count(const Listing& listing);
+
+}  // namespace torsor

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "generator/expression/program.hpp"
+#include "generator/listing/listing.hpp"
+#include "generator/listing/schedule.hpp"
+
+namespace torsor {
+
+/// A result that is wanted of a function.
+struct Wanted {
+  Target target;
+  Value value;
+};
+
+/// What a function computes.
+struct Request {
+  std::vector<Wanted> results;
+  std::vector<std::pair<Value, Value>> pivots{};  ///< each with what it is measured against
+  bool has_status = false;
+};
+
+/// What stands ready for a function: its arguments and the members of Precomputed. Null: none.
+struct Surroundings {
+  const Layout* layout = nullptr;
+  const Schedule* schedule = nullptr;
+};
+
+/// The function as it is computed. Sines and cosines come first, with what their angles need: those of all angles that
+/// need no sine or cosine in one group, then those of angles that need these. What follows stands in the order of
+/// issue_order.hpp. Results that are equal up to sign are computed once.
+/// Throws Error naming a symbol that is not in the layout.
+Listing lower(Program& program, const Block& block, const Request& request, const Surroundings& around);
+
+/// The function that computes the members of Precomputed.
+Listing lower_precompute(Program& program, const Schedule& schedule, const Layout& layout);
+
+/// Name of a member of Precomputed.
+std::string precomputed_name(const Program& program, const Schedule& schedule, std::size_t member);
+std::size_t precomputed_count(const Schedule& schedule);
+
+}  // namespace torsor
