@@ -621,7 +621,7 @@ struct Mechanism {
 
   static constexpr const char* name = "heavy_top";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x96ad3c2685cb875fULL;
+  static constexpr unsigned long long fingerprint = 0x93332c6ac271deb4ULL;
   static constexpr int coordinate_count = 3;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -1380,7 +1380,7 @@ struct Mechanism {
       coefficients[k_ + 1][0] = next_ * x1;
       coefficients[k_ + 1][1] = next_ * x5;
       coefficients[k_ + 1][2] = next_ * x8;
-      coefficients[k_ + 1][3] = next_ * -x14;
+      coefficients[k_ + 1][3] = next_ * (-x14);
       coefficients[k_ + 1][4] = next_ * (-k8 * x7 + k5 * x17 - x16);
       coefficients[k_ + 1][5] = next_ * (x18 - x19);
       const Scalar left_[] = {w0, w0, w4, w4, x1, x1, x5, x14, x9, x2, x5, x6};

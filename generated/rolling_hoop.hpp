@@ -634,7 +634,7 @@ struct Mechanism {
 
   static constexpr const char* name = "rolling_hoop";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0x60579d2946a5f3fbULL;
+  static constexpr unsigned long long fingerprint = 0xcd1a5a309f3a7d85ULL;
   static constexpr int coordinate_count = 5;
   static constexpr int velocity_count = 5;
   static constexpr int input_count = 0;
@@ -2461,7 +2461,7 @@ struct Mechanism {
       const Scalar x15 = sums_[8] + c_psi * x9 + b9 * x11;
       const Scalar x16 = sums_[9] + (c_theta + c_theta) * x4;
       const Scalar x17 = x16;
-      const Scalar x18 = (sums_[10] + z141 * x17) * -i18;
+      const Scalar x18 = -(sums_[10] + z141 * x17) * i18;
       const Scalar x19 = (x3 - sums_[11] - z143 * x17) * i19;
       const Scalar x20 = f0 * x18;
       const Scalar x21 = f1 * x12 - f2 * x13;

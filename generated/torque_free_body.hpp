@@ -622,7 +622,7 @@ struct Mechanism {
 
   static constexpr const char* name = "torque_free_body";
   /// 64 bits (FNV-1a) of this file from "#pragma once" on, with zeros in their own place: another mechanism, other bits.
-  static constexpr unsigned long long fingerprint = 0xb6ac23e620aac041ULL;
+  static constexpr unsigned long long fingerprint = 0x127d58d0cfcbc15cULL;
   static constexpr int coordinate_count = 4;
   static constexpr int velocity_count = 3;
   static constexpr int input_count = 0;
@@ -1272,7 +1272,7 @@ struct Mechanism {
       coefficients[k_ + 1][2] = next_ * (n0_5 * x13 - n0_5 * x14 + n0_5 * x15);
       coefficients[k_ + 1][3] = next_ * (-n0_5 * x16 + n0_5 * x17 + n0_5 * x18);
       coefficients[k_ + 1][4] = next_ * f0 * x19;
-      coefficients[k_ + 1][5] = next_ * -f1 * x20;
+      coefficients[k_ + 1][5] = next_ * (-f1 * x20);
       coefficients[k_ + 1][6] = next_ * f2 * x21;
       const Scalar left_[] = {x0, x1, x2, x0, x1, x3, x1, x2, x3, x0, x2, x3, x5, x4, x4};
       const Scalar right_[] = {x5, x6, x4, x6, x5, x4, x4, x6, x5, x4, x5, x6, x6, x6, x5};

@@ -9,6 +9,7 @@
 #include "generator/cli/kernel_options.hpp"
 #include "generator/dynamics/equations/massless.hpp"
 #include "generator/emission/header.hpp"
+#include "generator/emission/javascript_module.hpp"
 #include "generator/emission/kernel.hpp"
 #include "generator/expression/error.hpp"
 
@@ -18,9 +19,10 @@ namespace {
 struct KernelRequest : KernelOptions {
   StateOptions states;
   bool json = false;
+  std::string language = "c++";
 };
 
-CommandResult generate(const Scene& scene, const KernelOptions& request) {
+CommandResult generate(const Scene& scene, const KernelRequest& request) {
   const ModelOptions options = request.model(scene);
   const Equations equations(scene, options);
   CommandResult result;
@@ -41,7 +43,8 @@ CommandResult generate(const Scene& scene, const KernelOptions& request) {
   if (!unsolved.empty()) {
     result.notes.push_back(fmt::format("the kernels {} are absent: {}", fmt::join(unsolved, ", "), lack_of_mass(equations)));
   }
-  result.text = emit_header(equations, kernels, {options});
+  result.text = request.language == "javascript" ? emit_javascript(equations, kernels, options)
+                                                 : emit_header(equations, kernels, {options});
   return result;
 }
 
@@ -64,6 +67,9 @@ void add_kernel_commands(CommandSet& commands) {
   CLI::App& generating = commands.add("generate", "write the specialised C++17 header",
                                       [request](const Scene& scene) { return generate(scene, *request); });
   add_kernel_options(generating, *request);
+  generating.add_option("--language", request->language, "c++ (a header), c99 (a header) or javascript (an ES module)")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"c++", "c99", "javascript"}));
   generating.get_option("--output")->required()->description("file to write; - for the standard output");
 
   CLI::App& counting = commands.add("counts", "count the operations of the emitted kernels, tests of their Status left out",

@@ -2,10 +2,8 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "generator/emission/kernel.hpp"
-#include "generator/listing/lowering.hpp"
+#include "generator/emission/mechanism_listing.hpp"
 
 namespace torsor {
 
@@ -15,19 +13,7 @@ struct FunctionText {
   OperationCount operations;
 };
 
-/// What functions of one header have in common.
-struct HeaderParts {
-  Program* program = nullptr;
-  const Schedule* schedule = nullptr;
-  Layout layout;
-  std::vector<Structure> structures;
-  std::vector<std::string> members{};  ///< of Precomputed, behind the parameters
-};
-
-/// A kernel as a listing. Throws Error when it reads a symbol that it is not given.
-Listing lower_kernel(const HeaderParts& parts, const Kernel& kernel, const Block& block);
-
 /// The whole function of a kernel with its documentation.
-FunctionText cpp_function(const HeaderParts& parts, const Kernel& kernel, const Block& block);
+FunctionText cpp_function(const MechanismListing& mechanism, const KernelListing& kernel);
 
 }  // namespace torsor

@@ -27,6 +27,8 @@ class FormulaPrinter {
   std::string print(const Formula& formula);
   /// −formula, with the signs of a sum turned round instead of a minus before it.
   std::string print_negated(const Formula& formula);
+  /// In parentheses where it is more than a name.
+  std::string print_factor(const Formula& formula);
   /// Name of a number; from then on it is in the list.
   std::string name(const Number& number);
 
@@ -38,7 +40,6 @@ class FormulaPrinter {
 
  private:
   std::string print_sum(const Formula& sum, bool negated);
-  std::string print_factor(const Formula& formula);
 
   NameOf name_of_;
   NameOfFunction name_of_function_;

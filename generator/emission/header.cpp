@@ -14,10 +14,7 @@
 #include "generator/emission/cpp_structures.hpp"
 #include "generator/emission/embedded_templates.hpp"
 #include "generator/emission/formula_printer.hpp"
-#include "generator/emission/kernel_kinematics.hpp"
 #include "generator/emission/listing_printer.hpp"
-#include "generator/emission/provenance.hpp"
-#include "generator/emission/start_values.hpp"
 #include "generator/emission/text_template.hpp"
 #include "generator/expression/error.hpp"
 #include "generator/expression/fnv.hpp"
@@ -26,42 +23,12 @@ namespace torsor {
 namespace {
 
 /// Members of Precomputed behind the parameters.
-std::string precomputed_structure(const Program& program, const Schedule& schedule) {
+std::string precomputed_structure(const MechanismListing& mechanism) {
   std::string text;
-  for (std::size_t k = 0; k < precomputed_count(schedule); ++k) {
-    const std::string meaning = k < schedule.members.size() ? program[schedule.members[k]].name : "";
-    text += fmt::format("Scalar {};{}\n", precomputed_name(program, schedule, k),
-                        meaning.empty() ? "" : "  ///< " + comment_text(meaning));
+  for (const PrecomputedMember& each : mechanism.members) {
+    text += fmt::format("Scalar {};{}\n", each.name, each.meaning.empty() ? "" : "  ///< " + comment_text(each.meaning));
   }
   return text;
-}
-
-Layout layout_of(const Equations& equations, const std::vector<SymbolPointer>& parameters) {
-  const Model& model = equations.model();
-  Layout layout;
-  layout.coordinates = model.positions();
-  for (int i = 0; i < model.unknown_count(); ++i) {
-    const CoordinateContent& coordinate = model.coordinates()[static_cast<std::size_t>(i)];
-    layout.velocities.push_back(coordinate.v);
-    layout.accelerations.push_back(coordinate.a);
-  }
-  layout.inputs = model.inputs();
-  for (const ConstraintContent& constraint : model.scene().constraints) layout.multipliers.push_back(constraint.multiplier);
-  layout.parameters = parameters;
-  return layout;
-}
-
-/// Structures of all kernels; two kernels may share one when it is the same.
-std::vector<Structure> kernel_structures(const std::vector<Kernel>& kernels) {
-  std::vector<Structure> all;
-  for (const Kernel& kernel : kernels) {
-    for (const Structure& structure : kernel.structures) {
-      const bool known =
-          std::any_of(all.begin(), all.end(), [&](const Structure& each) { return each.name == structure.name; });
-      if (!known) all.push_back(structure);
-    }
-  }
-  return all;
 }
 
 /// Where the quaternions lie among the coordinates, for the runtime, which keeps their norm.
@@ -114,13 +81,8 @@ std::string limits_table(const Model& model) {
 }
 
 /// Vectors of the initial state whose entries have names.
-std::map<std::string, const Structure*> start_vectors(const std::vector<Structure>& structures) {
-  std::map<std::string, const Structure*> vectors;
-  for (const Structure& each : structures) {
-    if (each.name == "Coordinates") vectors.emplace("state.q", &each);
-    if (each.name == "Velocities") vectors.emplace("state.v", &each);
-  }
-  return vectors;
+std::map<std::string, const Structure*> start_vectors(const MechanismListing& mechanism) {
+  return {{"state.q", mechanism.structure("Coordinates")}, {"state.v", mechanism.structure("Velocities")}};
 }
 
 std::string blocks_text(const std::vector<std::string>& blocks) {
@@ -133,71 +95,35 @@ std::string blocks_text(const std::vector<std::string>& blocks) {
 
 std::string emit_header(const Equations& equations, const std::vector<Kernel>& kernels, const HeaderOptions& options) {
   const Scene& scene = equations.scene();
-  Program& program = equations.program();
   require_cpp_name(scene.name(), "scene");
-  const std::vector<SymbolPointer> parameters = run_time_parameters(scene, options.model);
-  std::vector<Kernel> present;
-  if (has_quaternions(equations.model())) present.push_back(make_coordinate_rates(equations));
-  std::copy_if(kernels.begin(), kernels.end(), std::back_inserter(present),
-               [](const Kernel& kernel) { return kernel.skipped.empty(); });
-
-  std::vector<Structure> structures = common_structures(equations, parameters);
-  std::vector<std::string> common_text;
-  for (const Structure& structure : structures) common_text.push_back(structure_text(structure));
-  std::vector<std::string> structure_texts;
-  std::size_t first_integrals = 0;
-  for (const Structure& structure : kernel_structures(present)) {
-    std::string text = structure_text(structure);
-    if (structure.name == "FirstIntegrals") first_integrals = structure.members.size();
-    text += structure.tables;
-    structure_texts.push_back(std::move(text));
-    structures.push_back(structure);
-  }
-
-  std::vector<std::vector<Value>> values_of_kernels;
-  for (const Kernel& kernel : present) values_of_kernels.push_back(kernel.values());
-  const Schedule schedule = make_schedule(program, values_of_kernels);
-  HeaderParts parts{&program, &schedule, layout_of(equations, parameters), structures};
-  for (std::size_t k = 0; k < precomputed_count(schedule); ++k) {
-    parts.members.push_back(precomputed_name(program, schedule, k));
-  }
-  const CppLanguage start_language(parts.layout, "parameters.", {}, start_vectors(structures));
-  const Listing precompute = lower_precompute(program, schedule, parts.layout);
-  Provenance provenance{&scene, options.model, kernels, parameters, {}};
-  provenance.notes = notes(equations.redundancy(), scene);
-  if (const OperationCount once = count(precompute); once.total() > 0) {
-    provenance.operations.push_back({"precompute", once, std::nullopt});
-  }
-  // Before: no inertia moved across joints, no products shared, no factoring, nothing done once for a set of parameters.
-  const Equations unoptimised(scene, as_given(options.model));
+  const MechanismListing mechanism = lower_mechanism(equations, kernels, options.model);
+  std::vector<std::string> common_text, structure_texts;
+  for (const Structure& structure : mechanism.common) common_text.push_back(structure_text(structure));
+  for (const Structure& structure : mechanism.own) structure_texts.push_back(structure_text(structure) + structure.tables);
+  const Structure* const integrals = mechanism.structure("FirstIntegrals");
+  const std::size_t first_integrals = integrals == nullptr ? 0 : integrals->members.size();
   std::vector<std::string> functions;
-  for (std::size_t k = 0; k < present.size(); ++k) {
-    FunctionText function = cpp_function(parts, present[k], schedule.functions[k]);
-    if (present[k].name != "coordinate_rates") {
-      std::optional<int> before;  // recurrences have nothing to be compared with
-      if (!present[k].series) {
-        const std::vector<Value> values = make_kernel(present[k].name, unoptimised).values();
-        before = count_unoptimised(unoptimised.program(), values).total();
-      }
-      provenance.operations.push_back({present[k].name, function.operations, before});
-    }
+  std::vector<OperationCount> operations;
+  bool jets = false;
+  for (const KernelListing& kernel : mechanism.kernels) {
+    FunctionText function = cpp_function(mechanism, kernel);
     functions.push_back(std::move(function.body));
+    operations.push_back(function.operations);
+    jets = jets || kernel.kernel.series;
   }
-
-  const Listing start = initial_state(equations, options.model, parts.layout);
-  const std::string precompute_body = print(precompute, start_language);
-  const std::string start_body = print(start, start_language);
+  const CppLanguage language(mechanism.layout, "parameters.", {}, start_vectors(mechanism));
+  const std::string precompute_body = print(mechanism.precompute, language);
+  const std::string start_body = print(mechanism.initial_state, language);
   const SceneContent& content = scene.content();
   const auto size = [](std::size_t count) { return std::to_string(count); };
   const std::string degrees = std::to_string(equations.model().unknown_count());
   const auto without_licence = [](std::string_view text) { return std::string(text.substr(text.find('\n') + 1)); };
-  const bool jets = std::any_of(present.begin(), present.end(), [](const Kernel& kernel) { return kernel.series.has_value(); });
   const auto selects = [](const std::string& body) { return body.find("torsor::Selections<") != std::string::npos; };
   const bool selections = selects(precompute_body) || selects(start_body) || std::any_of(functions.begin(), functions.end(), selects);
   const std::string selection_support =
       selections ? without_licence(embedded_template("selections.hpp")) + "\n" : "";
   std::map<std::string, std::string> values = {
-      {"provenance", provenance_comment(provenance)},
+      {"provenance", provenance_comment(provenance_of(mechanism, operations))},
       {"scene_name", scene.name()},
       {"sincos", without_licence(embedded_template("sincos.hpp")) +
                      without_licence(embedded_template("sincos_registers.hpp"))},
@@ -205,16 +131,16 @@ std::string emit_header(const Equations& equations, const std::vector<Kernel>& k
       {"coordinate_count", size(equations.model().positions().size())},
       {"velocity_count", degrees},
       {"input_count", size(equations.model().inputs().size())},
-      {"parameter_count", size(parameters.size())},
+      {"parameter_count", size(mechanism.layout.parameters.size())},
       {"multiplier_count", size(content.constraints.size())},
       {"first_integral_count", size(first_integrals)},
       {"quaternions",
        quaternion_table(equations.model()) + redundancy_table(equations) + limits_table(equations.model())},
       {"structures", blocks_text(common_text)},
-      {"precomputed_members", precomputed_structure(program, schedule)},
-      {"default_parameters", print(default_parameters(scene, parameters), start_language)},
+      {"precomputed_members", precomputed_structure(mechanism)},
+      {"default_parameters", print(mechanism.default_parameters, language)},
       {"precompute", precompute_body},
-      {"initial_parameters", start.reads(Table::parameter) ? " parameters" : ""},
+      {"initial_parameters", mechanism.initial_state.reads(Table::parameter) ? " parameters" : ""},
       {"initial_state", start_body},
       {"kernel_structures", structure_texts.empty() ? "" : blocks_text(structure_texts) + "\n"},
       {"kernels", blocks_text(functions)}};

@@ -283,16 +283,6 @@ const Entry& entry_of(const std::string& name) {
 
 }  // namespace
 
-std::vector<Value> SeriesSolve::at_start(const SeriesProgram& program) const {
-  std::vector<Value> all = start;
-  for (const std::vector<Value>& row : lower) all.insert(all.end(), row.begin(), row.end());
-  all.insert(all.end(), inverse_pivots.begin(), inverse_pivots.end());
-  for (const SeriesNode& node : program.nodes()) {
-    for (const Atom atom : program.known_at_start(node)) all.push_back(program.value(Polynomial(atom)));
-  }
-  return all;
-}
-
 std::vector<Value> Kernel::values() const {
   std::vector<Value> all;
   for (const Assignment& assignment : assignments) all.push_back(assignment.value);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "generator/dynamics/equations/equations.hpp"
-#include "generator/expression/series_program.hpp"
+#include "generator/listing/series_result.hpp"
 #include "generator/listing/target.hpp"
 
 namespace torsor {
@@ -43,27 +43,6 @@ struct Result {
 struct Assignment {
   Target target;
   Value value;
-};
-
-/// Accelerations that are found order by order from equations linear in them, M a + ... = 0: coefficient k of a is -M⁻¹
-/// times coefficient k of the left side without it, M at the start.
-struct SeriesSolve {
-  std::vector<SymbolPointer> unknowns;  ///< accelerations
-  std::vector<Value> start;             ///< their values
-  ValueMatrix lower;                    ///< M = Lᵀ D L at the start: L below its diagonal of ones
-  std::vector<Value> inverse_pivots;    ///< 1/d_k
-  std::vector<Polynomial> coefficients{};  ///< of the program: those that are read
-
-  /// What must be known at the start besides the coefficients.
-  std::vector<Value> at_start(const SeriesProgram& program) const;
-};
-
-/// A kernel that gives Taylor coefficients. The outputs of the program are the rates of the state, or, with a solve,
-/// the rates of the positions and the left sides of the equations.
-struct SeriesResult {
-  SeriesProgram program;
-  std::vector<SymbolPointer> state;  ///< positions, then velocities
-  std::optional<SeriesSolve> solve{};
 };
 
 /// A kernel as data: emitters print it, counters count it, checkers evaluate it.

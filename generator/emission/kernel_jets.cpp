@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "generator/emission/series_emitter.hpp"
+#include "generator/listing/lowering.hpp"
 #include "generator/expression/derivative.hpp"
 #include "generator/expression/vanishing.hpp"
 

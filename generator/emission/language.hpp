@@ -1,12 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "generator/listing/listing.hpp"
 
 namespace torsor {
+
+/// The variable of a recurrence.
+inline const char* name_of(OrderQuantity quantity) {
+  constexpr const char* names[] = {"number_", "inverse_", "next_", "first_"};
+  return names[static_cast<std::size_t>(quantity)];
+}
+
+/// An angle as a text names it, and what its sine and cosine are to be called; empty for one that nothing reads.
+struct AngleText {
+  std::string angle, sine, cosine;
+  std::string meaning;
+};
+
+/// A statement, and what it means.
+struct Line {
+  std::string code;
+  std::string meaning{};
+};
+
+/// What is done at each order of a recurrence.
+struct RecurrenceText {
+  std::size_t size = 0;                                            ///< of the state
+  std::vector<Line> steps;                                         ///< without indentation
+  std::vector<std::string> next;                                   ///< coefficients of the next order
+  std::vector<std::pair<std::string, std::string>> convolutions;   ///< of which pairs of series
+  bool is_first_read = false;
+  std::string zero, one;
+};
 
 /// How a language writes what stands in a listing. Operators, their order and the names of local variables are the same
 /// in all; see listing_printer.hpp.
@@ -20,18 +50,16 @@ class Language {
   virtual std::string local(const std::string& name, const std::string& value) const = 0;
   virtual std::string pi() const = 0;
   /// Declares a constant that is rounded from more than a number; `value` is the text of its formula.
-  virtual std::vector<std::string> literal(const std::string& name, const Literal& literal,
-                                           const std::string& value) const = 0;
+  virtual std::vector<Line> literal(const std::string& name, const Literal& literal, const std::string& value) const = 0;
   /// Where an argument, a member of Precomputed or an output stands.
   virtual std::string access(const Quantity& quantity) const = 0;
   virtual std::string access(const Target& target) const = 0;
   /// The name of a function of numbers.
   virtual std::string function(Function function) const = 0;
-  /// Sine and cosine of one angle, which are both declared here.
-  virtual std::vector<std::string> sine_and_cosine(const std::string& angle, const std::string& sine,
-                                                   const std::string& cosine) const = 0;
-  /// Of several angles, into arrays.
-  virtual std::vector<std::string> sines_and_cosines(const std::vector<std::string>& angles, const std::string& suffix) const = 0;
+  /// Declares sines and cosines of a group of angles, the first of a function or a later one; of a single angle both.
+  virtual std::vector<Line> sines_and_cosines(const std::vector<AngleText>& angles, int group) const = 0;
+  /// The loop over orders 1 to order - 1.
+  virtual std::vector<Line> recurrence(const RecurrenceText& text) const = 0;
   /// Whether a pivot is regular beside another number.
   virtual std::string regular(const std::string& pivot, const std::string& diagonal) const = 0;
   /// One of "ok", "singular", "not_finite".

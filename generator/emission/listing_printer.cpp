@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/emission/listing_printer.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "generator/emission/comment_text.hpp"
@@ -44,6 +46,7 @@ class ListingPrinter {
     for (const Output& output : listing_->outputs) {
       statement(fmt::format("{} = {};", language_->access(output.target), text(output.value)), output.meaning);
     }
+    if (listing_->recurrence) write(*listing_->recurrence);
     for (const Statement& each : listing_->of_pivots) write(each);
     if (listing_->has_status) write_status();
     std::string constants;
@@ -65,9 +68,8 @@ class ListingPrinter {
   }
 
   void line(const std::string& code) { code_ += wrapped(code, function_indentation) + "\n"; }
-  void lines(const std::vector<std::string>& all, const std::string& meaning = {}) {
-    for (std::size_t i = 0; i + 1 < all.size(); ++i) line(all[i]);
-    if (!all.empty()) statement(all.back(), meaning);
+  void lines(const std::vector<Line>& all) {
+    for (const Line& each : all) statement(each.code, each.meaning);
   }
   void statement(const std::string& code, const std::string& meaning) {
     const std::string wrapped_code = wrapped(code, function_indentation);
@@ -91,29 +93,40 @@ class ListingPrinter {
     const bool turns = each.right.kind == Formula::Kind::function &&
                        (each.right.function == Function::sin || each.right.function == Function::cos);
     const std::string value = turns ? name(each.right.children[0].atom) : formulas_.print(each.right);
-    lines(language_->literal(name(each.quantity), each, value), each.meaning);
+    lines(language_->literal(name(each.quantity), each, value));
   }
   void write(const SinesAndCosines& group) {
-    if (group.angles.size() == 1) {
-      const SineCosine& only = group.angles[0];
-      return lines(language_->sine_and_cosine(name(only.angle), name(*only.sine), name(*only.cosine)), only.meaning);
+    const auto optional_name = [this](const std::optional<Atom>& quantity) { return quantity ? name(*quantity) : ""; };
+    std::vector<AngleText> angles;
+    for (const SineCosine& each : group.angles) {
+      angles.push_back({name(each.angle), optional_name(each.sine), optional_name(each.cosine), each.meaning});
     }
-    const std::string suffix = ++groups_ == 1 ? "_" : fmt::format("{}_", groups_);
-    std::vector<std::string> angles;
-    for (const SineCosine& each : group.angles) angles.push_back(name(each.angle));
-    lines(language_->sines_and_cosines(angles, suffix));
-    for (std::size_t i = 0; i < group.angles.size(); ++i) {
-      const SineCosine& each = group.angles[i];
-      std::string locals;
-      const auto take = [&](const std::optional<Atom>& quantity, const char* array) {
-        if (!quantity) return;
-        const std::string value = fmt::format("{}{}[{}]", array, suffix, i);
-        locals = locals.empty() ? language_->local(name(*quantity), value)
-                                : fmt::format("{}, {} = {};", locals.substr(0, locals.size() - 1), name(*quantity), value);
-      };
-      take(each.sine, "sines");
-      take(each.cosine, "cosines");
-      statement(locals, each.meaning);
+    lines(language_->sines_and_cosines(angles, ++groups_));
+  }
+
+  void write(const Recurrence& recurrence) {
+    RecurrenceText text;
+    text.size = recurrence.rates.size();
+    text.one = formulas_.name(Number(1));
+    for (const Statement& each : recurrence.steps) {
+      const auto& step = std::get<Assigned>(each);
+      text.steps.push_back({language_->local(name(step.quantity), formulas_.print(step.right)), step.meaning});
+    }
+    const std::string next = language_->access(Quantity{Table::order, static_cast<std::size_t>(OrderQuantity::next), ""});
+    for (std::size_t i = 0; i < recurrence.rates.size(); ++i) {
+      const Formula& rate = recurrence.rates[i];
+      const bool product = rate.kind == Formula::Kind::product;
+      const std::string text_of_rate = product || recurrence.constant[i] ? formulas_.print(rate) : formulas_.print_factor(rate);
+      text.next.push_back(recurrence.constant[i] ? text_of_rate : next + " * " + text_of_rate);
+    }
+    for (const auto& [left, right] : recurrence.convolutions) text.convolutions.emplace_back(name(left), name(right));
+    text.is_first_read = std::any_of(listing_->quantities.begin(), listing_->quantities.end(), [](const Quantity& each) {
+      return each.table == Table::order && each.index == static_cast<std::size_t>(OrderQuantity::first);
+    });
+    if (text.is_first_read) text.zero = formulas_.name(Number());
+    lines(language_->recurrence(text));
+    for (std::size_t i = 0; i < recurrence.rates.size(); ++i) {
+      if (!recurrence.constant[i]) finite_.push_back(language_->access(Target{"coefficients", "last", i}));
     }
   }
 
@@ -128,12 +141,11 @@ class ListingPrinter {
       line(fmt::format("if (!({})) return {};", good, language_->status(status)));
     };
     if (!condition.empty()) unless(condition, "singular");
-    std::vector<std::string> finite;
     for (const Output& output : listing_->outputs) {
-      if (output.varies && !output.repeats) finite.push_back(language_->access(output.target));
+      if (output.checked) finite_.push_back(language_->access(output.target));
     }
-    if (!finite.empty()) {
-      const std::string product = zero_times(formulas_.name(Number()), finite, 0, finite.size());
+    if (!finite_.empty()) {
+      const std::string product = zero_times(formulas_.name(Number()), finite_, 0, finite_.size());
       line("// 0 x is 0 for every finite x and not a number for any other.");
       line(language_->local("zero", product));
       const std::string one = formulas_.name(Number(1));
@@ -146,6 +158,7 @@ class ListingPrinter {
   const Language* language_;
   FormulaPrinter formulas_;
   std::string code_;
+  std::vector<std::string> finite_;  ///< results that could be not finite
   int groups_ = 0;
 };
 

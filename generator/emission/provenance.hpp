@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "generator/emission/header.hpp"
+#include "generator/emission/kernel.hpp"
 #include "generator/expression/formula.hpp"
 
 namespace torsor {

@@ -48,7 +48,7 @@ Listing default_parameters(const Scene& scene, const std::vector<SymbolPointer>&
   not_a_number.kind = Formula::Kind::quotient;
   not_a_number.children.assign(2, Formula::of_number(Number()));
   for (const Target& target : missing) {
-    listing.outputs.push_back({target, {not_a_number}, true, false, "has no default: not a number until it is set"});
+    listing.outputs.push_back({target, {not_a_number}, false, "has no default: not a number until it is set"});
   }
   return listing;
 }

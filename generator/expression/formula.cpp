@@ -111,6 +111,18 @@ Formula Formula::of_number(const Number& number) {
   return formula;
 }
 
+Formula negated(Formula formula) {
+  if (formula.kind == Formula::Kind::sum) {
+    formula.negative.flip();
+    return formula;
+  }
+  Formula sum;
+  sum.kind = Formula::Kind::sum;
+  sum.children.push_back(std::move(formula));
+  sum.negative.push_back(true);
+  return sum;
+}
+
 Formula factored(const Polynomial& polynomial) {
   const std::vector<Term>& terms = polynomial.terms();
   if (terms.empty()) return Formula::of_number(Number());

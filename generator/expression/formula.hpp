@@ -23,6 +23,9 @@ struct Formula {
   static Formula of_number(const Number& number);
 };
 
+/// −formula, with the signs of a sum turned round.
+Formula negated(Formula formula);
+
 /// Factors a flat sum: again and again the factor that most terms share (an atom or the size of a coefficient) is taken
 /// out. Exact; it only regroups.
 Formula factored(const Polynomial& polynomial);

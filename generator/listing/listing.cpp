@@ -35,6 +35,10 @@ OperationCount count(const Listing& listing) {
     }
   }
   for (const Output& output : listing.outputs) total += count(output.value.formula);
+  if (listing.recurrence) {
+    for (const Statement& each : listing.recurrence->steps) total += count(std::get<Assigned>(each).right);
+    for (const Formula& rate : listing.recurrence->rates) total += count(rate);
+  }
   return total;
 }
 

@@ -20,8 +20,14 @@ enum class Table {
   time, coordinate, velocity, acceleration, multiplier, input, parameter,  ///< arguments, by their place in the layout
   precomputed,  ///< members of Precomputed behind its parameters
   output,       ///< of the function itself, written before
-  local
+  local,
+  coefficient,  ///< of the order that a recurrence is at: of the state
+  convolution,  ///< of that order, without the terms of order 0
+  order         ///< OrderQuantity
 };
+
+/// What a recurrence knows of the order k that it is at.
+enum class OrderQuantity : std::size_t { number, inverse, next, first };  // k, 1/k, 1/(k + 1), and 1 where k = 1, else 0
 
 /// The numbers that a header's functions may be given, in the order of their structures.
 struct Layout {
@@ -80,14 +86,22 @@ struct Signed {
 struct Output {
   Target target;
   Signed value;
-  bool varies = true;    ///< false for a number
-  bool repeats = false;  ///< whether it has been computed before
+  bool checked = false;  ///< whether a status looks at it: it is no number, and repeats no other
   std::string meaning{};
 };
 
 /// A pivot, and what it is measured against.
 struct Pivot {
   Signed pivot, diagonal;
+};
+
+/// Taylor coefficients of a motion, order after order: from those up to order k the rates of order k, which over k + 1
+/// are the coefficients of order k + 1.
+struct Recurrence {
+  std::vector<Statement> steps;
+  std::vector<std::pair<Atom, Atom>> convolutions;  ///< pairs of series, whose coefficients of order k are these
+  std::vector<Formula> rates;                       ///< of each entry of the state
+  std::vector<bool> constant;                       ///< which rates are constant
 };
 
 /// One function of a generated text: what it reads, computes and writes, in order. It is data: nothing in it is text of
@@ -97,6 +111,7 @@ struct Listing {
   std::vector<Atom> given;            ///< read from arguments before anything is computed
   std::vector<Statement> statements;
   std::vector<Output> outputs;
+  std::optional<Recurrence> recurrence;
   std::vector<Statement> of_pivots;   ///< computed after the outputs, for pivots
   std::vector<Pivot> pivots;          ///< but for those that are regular whatever the state
   bool has_status = false;

@@ -1,272 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/listing/lowering.hpp"
 
-#include <algorithm>
-#include <unordered_map>
-#include <unordered_set>
-
 #include <fmt/format.h>
 
-#include "generator/expression/error.hpp"
-#include "generator/listing/issue_order.hpp"
+#include "generator/listing/listing_builder.hpp"
 #include "generator/listing/local_names.hpp"
+#include "generator/listing/recurrence_lowering.hpp"
 
 namespace torsor {
-namespace {
-
-bool is_trigonometric(const Definition& definition) {
-  return definition.function == Function::sin || definition.function == Function::cos;
-}
-
-/// Calls for each earlier atom of the program that a definition reads.
-template <class Call>
-void for_each_operand(const Definition& definition, const Call& call) {
-  for (const Term& term : definition.polynomial.terms()) {
-    for (const Factor& factor : term.monomial) call(factor.atom);
-  }
-  for (const Atom argument : definition.arguments) call(argument);
-}
-
-Table table_of(SymbolKind kind) {
-  switch (kind) {
-    case SymbolKind::time: return Table::time;
-    case SymbolKind::coordinate: return Table::coordinate;
-    case SymbolKind::velocity: return Table::velocity;
-    case SymbolKind::acceleration: return Table::acceleration;
-    case SymbolKind::multiplier: return Table::multiplier;
-    case SymbolKind::input: return Table::input;
-    case SymbolKind::parameter: return Table::parameter;
-    case SymbolKind::pi: break;
-  }
-  return Table::local;
-}
-
-class Lowering {
- public:
-  Lowering(Program& program, const Surroundings& around) : program_(&program), around_(around) {}
-
-  void compute(const Block& block) {
-    live_.insert(block.definitions.begin(), block.definitions.end());
-    for (const Atom atom : block.symbols) read_symbol(atom);
-    for (const Atom atom : block.given) read_member(atom);
-    define_sines_and_cosines(block);
-    std::vector<Atom> left;
-    for (const Atom atom : block.definitions) {
-      if (!done_.contains(atom)) left.push_back(atom);
-    }
-    for (const Atom atom : issue_order(*program_, left)) define(atom);
-  }
-
-  void write(const Wanted& wanted) {
-    const bool varies = !wanted.value.is_constant();
-    auto [value, repeats] = value_of(wanted.value, listing_.outputs.size());
-    listing_.outputs.push_back({wanted.target, std::move(value), varies, repeats});
-  }
-
-  void write_member(const Target& target, Atom atom) {
-    listing_.outputs.push_back({target, {Formula::of_atom(places_.at(atom)), false}, true, false});
-  }
-
-  void measure(const std::pair<Value, Value>& pivot) {
-    const auto& [d, m] = pivot;
-    if (d.is_constant() && d.polynomial().constant().sign() > 0) return;  // regular once and for all
-    Signed left = operand(d);
-    listing_.pivots.push_back({std::move(left), operand(m)});
-  }
-
-  Listing take(bool has_status) {
-    listing_.has_status = has_status;
-    return std::move(listing_);
-  }
-
- private:
-  Atom add(Quantity quantity) {
-    listing_.quantities.push_back(std::move(quantity));
-    return static_cast<Atom>(listing_.quantities.size()) - 1;
-  }
-  Atom add_local(Atom atom) {
-    const Atom number = add({Table::local, locals_++, local_name(*program_, atom)});
-    places_.emplace(atom, number);
-    return number;
-  }
-
-  void read_symbol(Atom atom) {
-    const SymbolPointer& symbol = (*program_)[atom].symbol;
-    const Table table = table_of(symbol->kind);
-    std::size_t index = 0;
-    if (table != Table::time) {
-      const std::vector<SymbolPointer>& known = around_.layout->of(table);
-      const auto place = std::find(known.begin(), known.end(), symbol);
-      if (place == known.end()) throw Error(fmt::format("a function reads '{}', which is not among its arguments", symbol->name));
-      index = static_cast<std::size_t>(place - known.begin());
-    }
-    listing_.given.push_back(add({table, index, local_name(*program_, atom)}));
-    places_.emplace(atom, listing_.given.back());
-  }
-
-  void read_member(Atom atom) {
-    const std::vector<Atom>& members = around_.schedule->members;
-    const auto place = std::lower_bound(members.begin(), members.end(), atom);
-    listing_.given.push_back(add({Table::precomputed, static_cast<std::size_t>(place - members.begin()), local_name(*program_, atom)}));
-    places_.emplace(atom, listing_.given.back());
-  }
-
-  /// Its leaves as quantities.
-  Formula placed(Formula formula) const {
-    if (formula.kind == Formula::Kind::atom) formula.atom = places_.at(formula.atom);
-    for (Formula& child : formula.children) child = placed(std::move(child));
-    return formula;
-  }
-
-  void define(Atom atom) {
-    if (!done_.insert(atom).second) return;
-    const Definition& definition = (*program_)[atom];
-    if (definition.symbol) {
-      listing_.statements.emplace_back(Pi{add_local(atom)});
-      return;
-    }
-    Formula right = placed(formula(*program_, definition));
-    const bool number = !definition.function && definition.polynomial.is_constant();
-    const Atom quantity = add_local(atom);
-    if (definition.stage != Stage::generation || number) {
-      listing_.statements.emplace_back(Assigned{quantity, std::move(right), definition.name});
-    } else {
-      listing_.statements.emplace_back(Literal{quantity, std::move(right), rounded_constant(*program_, atom), definition.name});
-    }
-  }
-
-  void define_sines_and_cosines(const Block& block) {
-    // How many sines or cosines stand one behind the other before and in each definition.
-    std::unordered_map<Atom, std::size_t> depth;  // looked up only
-    std::vector<std::vector<Atom>> groups;
-    for (const Atom atom : block.definitions) {
-      const Definition& definition = (*program_)[atom];
-      std::size_t own = 0;
-      for_each_operand(definition, [&](Atom operand) {
-        const auto known = depth.find(operand);
-        if (known != depth.end()) own = std::max(own, known->second);
-      });
-      const bool counts = is_trigonometric(definition) && definition.stage != Stage::generation;
-      if (counts && ++own > groups.size()) groups.emplace_back();
-      if (own > 0) depth.emplace(atom, own);
-      if (!counts) continue;
-      std::vector<Atom>& group = groups[own - 1];
-      const bool with_partner = std::find(group.begin(), group.end(), definition.partner) != group.end();
-      if (!with_partner) group.push_back(atom);
-    }
-    for (const std::vector<Atom>& group : groups) {
-      std::vector<bool> needed(program_->size(), false);
-      for (const Atom atom : group) needed[static_cast<std::size_t>((*program_)[atom].arguments[0])] = true;
-      for (auto each = block.definitions.rbegin(); each != block.definitions.rend(); ++each) {
-        if (!needed[static_cast<std::size_t>(*each)]) continue;
-        for_each_operand((*program_)[*each], [&](Atom operand) { needed[static_cast<std::size_t>(operand)] = true; });
-      }
-      for (const Atom atom : block.definitions) {
-        if (needed[static_cast<std::size_t>(atom)]) define(atom);
-      }
-      define_group(group);
-    }
-  }
-
-  void define_group(const std::vector<Atom>& group) {
-    SinesAndCosines together;
-    for (const Atom atom : group) {
-      const Definition& definition = (*program_)[atom];
-      SineCosine pair{places_.at(definition.arguments[0]), {}, {}, definition.name};
-      const bool sine = definition.function == Function::sin;
-      for (const bool of_sine : {true, false}) {
-        const Atom each = sine == of_sine ? atom : definition.partner;
-        done_.insert(each);
-        // A group of one gives both.
-        if (group.size() > 1 && !live_.contains(each)) continue;
-        (of_sine ? pair.sine : pair.cosine) = add_local(each);
-      }
-      together.angles.push_back(std::move(pair));
-    }
-    listing_.statements.emplace_back(std::move(together));
-  }
-
-  /// What gives a value, and whether it has been computed before: a sum that costs something is remembered as what goes
-  /// to the next output.
-  std::pair<Signed, bool> value_of(const Value& value, std::size_t output) {
-    const auto [sum, negative] = without_sign(value.polynomial());
-    Formula tree = formula(*program_, sum);
-    if (count(tree).total() == 0) return {{placed(std::move(tree)), negative}, false};
-    if (const auto ready = around_.schedule != nullptr ? around_.schedule->results.find(sum) : std::nullopt) {
-      const std::size_t member = around_.schedule->members.size() + *ready;
-      return {{Formula::of_atom(read(Table::precomputed, member)), negative}, false};
-    }
-    const auto [place, added] = written_.add(sum);
-    if (added) {
-      outputs_.push_back(output);
-      negative_.push_back(negative);
-      return {{placed(std::move(tree)), negative}, false};
-    }
-    return {{Formula::of_atom(written(place)), negative != negative_[place]}, true};
-  }
-
-  /// A quantity that is read where it stands.
-  Atom read(Table table, std::size_t index) {
-    const auto& all = listing_.quantities;
-    const auto known = std::find_if(all.begin(), all.end(), [&](const Quantity& each) {
-      return each.table == table && each.index == index && each.name.empty();
-    });
-    return known != all.end() ? static_cast<Atom>(known - all.begin()) : add({table, index, ""});
-  }
-
-  Atom written(std::size_t place) {
-    const std::optional<std::size_t>& output = outputs_[place];
-    return output ? read(Table::output, *output) : locals_of_pivots_.at(place);
-  }
-
-  /// Of a pivot: what costs something under a name of its own.
-  Signed operand(const Value& value) {
-    const std::size_t before = outputs_.size();
-    Signed result = value_of(value, 0).first;
-    if (outputs_.size() == before) return result;
-    outputs_.back().reset();
-    const Atom local = add({Table::local, locals_++, fmt::format("y{}", before)});
-    locals_of_pivots_.emplace(before, local);
-    negative_.back() = false;
-    const bool negative = result.negative;
-    listing_.of_pivots.emplace_back(Assigned{local, std::move(result.formula), {}});
-    return {Formula::of_atom(local), negative};
-  }
-
-  Program* program_;
-  Surroundings around_;
-  Listing listing_;
-  std::unordered_map<Atom, Atom> places_;  ///< of the program's atoms among the quantities; looked up only, as the next two
-  std::unordered_set<Atom> done_, live_;
-  std::size_t locals_ = 0;
-  SumTable written_;                                  ///< results that cost something, with
-  std::vector<std::optional<std::size_t>> outputs_;   ///< the output of each, or
-  std::unordered_map<std::size_t, Atom> locals_of_pivots_;
-  std::vector<bool> negative_;                        ///< and whether it holds it with the other sign
-};
-
-}  // namespace
 
 Listing lower(Program& program, const Block& block, const Request& request, const Surroundings& around) {
-  Lowering lowering(program, around);
-  lowering.compute(block);
-  for (const Wanted& wanted : request.results) lowering.write(wanted);
-  for (const auto& pivot : request.pivots) lowering.measure(pivot);
-  return lowering.take(request.has_status);
+  ListingBuilder builder(program, around);
+  builder.compute(block);
+  if (request.series != nullptr) RecurrenceLowering(builder, program, *request.series, &block).run();
+  for (const Wanted& wanted : request.results) builder.write(wanted);
+  for (const auto& pivot : request.pivots) builder.measure(pivot);
+  return builder.take(request.has_status);
+}
+
+std::vector<Polynomial> coefficients_read(Program& program, const SeriesResult& series) {
+  ListingBuilder nothing(program, {});
+  nothing.compute_nothing();
+  RecurrenceLowering lowering(nothing, program, series, nullptr);
+  lowering.run();
+  return lowering.read();
 }
 
 Listing lower_precompute(Program& program, const Schedule& schedule, const Layout& layout) {
-  Lowering lowering(program, {&layout, nullptr});
-  lowering.compute(schedule.precompute);
+  ListingBuilder builder(program, {&layout, nullptr});
+  builder.compute(schedule.precompute);
   for (std::size_t k = 0; k < precomputed_count(schedule); ++k) {
     const Target target{"precomputed", precomputed_name(program, schedule, k)};
     if (k < schedule.members.size()) {
-      lowering.write_member(target, schedule.members[k]);
+      builder.write_member(target, schedule.members[k]);
     } else {
-      lowering.write({target, Value(program, schedule.results.sums()[k - schedule.members.size()], Unit())});
+      builder.write({target, Value(program, schedule.results.sums()[k - schedule.members.size()], Unit())});
     }
   }
-  return lowering.take(false);
+  return builder.take(false);
 }
 
 std::string precomputed_name(const Program& program, const Schedule& schedule, std::size_t member) {

@@ -8,6 +8,7 @@
 #include "generator/expression/program.hpp"
 #include "generator/listing/listing.hpp"
 #include "generator/listing/schedule.hpp"
+#include "generator/listing/series_result.hpp"
 
 namespace torsor {
 
@@ -22,6 +23,7 @@ struct Request {
   std::vector<Wanted> results;
   std::vector<std::pair<Value, Value>> pivots{};  ///< each with what it is measured against
   bool has_status = false;
+  const SeriesResult* series = nullptr;  ///< of a function that gives Taylor coefficients
 };
 
 /// What stands ready for a function: its arguments and the members of Precomputed. Null: none.
@@ -35,6 +37,10 @@ struct Surroundings {
 /// issue_order.hpp. Results that are equal up to sign are computed once.
 /// Throws Error naming a symbol that is not in the layout.
 Listing lower(Program& program, const Block& block, const Request& request, const Surroundings& around);
+
+/// Coefficients and constants that a function with a solve reads: not all that its program has, since the equations are
+/// solved without their terms in the accelerations themselves.
+std::vector<Polynomial> coefficients_read(Program& program, const SeriesResult& series);
 
 /// The function that computes the members of Precomputed.
 Listing lower_precompute(Program& program, const Schedule& schedule, const Layout& layout);

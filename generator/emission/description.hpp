@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "generator/emission/mechanism_listing.hpp"
+
+namespace torsor {
+
+// What a generated text says of itself, as JSON, which JavaScript reads as it stands.
+
+/// [{"name": "theta", "unit": "rad"}, ...] of the symbols in one table of the layout.
+std::string symbols_json(const MechanismListing& mechanism, Table table);
+
+/// Of each kernel its name, its arguments behind the state, whether it returns a status, and its results: of an array its
+/// size, of a structure its members with where each begins and its shape.
+std::string kernels_json(const MechanismListing& mechanism);
+
+/// Places in q of the first components of unit quaternions.
+std::string quaternions_json(const MechanismListing& mechanism);
+
+/// Unit of a symbol as a reader expects it: an angle's is rad.
+std::string unit_of(const Symbol& symbol);
+
+/// Text of several lines behind `///`.
+std::string documentation_comment(const std::string& documentation);
+
+}  // namespace torsor

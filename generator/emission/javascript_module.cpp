@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/emission/javascript_module.hpp"
+
+#include <map>
+
+#include <fmt/format.h>
+
+#include "generator/emission/description.hpp"
+#include "generator/emission/embedded_templates.hpp"
+#include "generator/emission/formula_printer.hpp"
+#include "generator/emission/javascript_language.hpp"
+#include "generator/emission/listing_printer.hpp"
+#include "generator/emission/text_template.hpp"
+
+namespace torsor {
+namespace {
+
+const char* name_of(Argument argument) {
+  switch (argument) {
+    case Argument::accelerations: return "accelerations";
+    case Argument::multipliers: return "multipliers";
+    case Argument::inputs: return "inputs";
+  }
+  return "";
+}
+
+std::string function_text(const MechanismListing& mechanism, const KernelListing& given) {
+  const auto& [kernel, listing] = given;
+  std::map<std::string, const Structure*> results;
+  std::string arguments = "precomputed, state";
+  for (const Argument argument : kernel.arguments) arguments += fmt::format(", {}", name_of(argument));
+  for (const Result& result : kernel.results) {
+    arguments += ", " + result.name;
+    results.emplace(result.name, mechanism.structure(result.structure));
+  }
+  if (kernel.series) arguments += ", order, coefficients";
+  const std::string body = print(listing, JavascriptLanguage(mechanism, "precomputed", results));
+  return documentation_comment(kernel.documentation) +
+         wrapped(fmt::format("export function {}({}) {{", kernel.name, arguments), 0) + "\n" + indented(body, "  ") + "}\n";
+}
+
+}  // namespace
+
+std::string emit_javascript(const Equations& equations, const std::vector<Kernel>& kernels, const ModelOptions& options) {
+  const MechanismListing mechanism = lower_mechanism(equations, kernels, options);
+  const JavascriptLanguage language(mechanism, "parameters");
+  std::string functions;
+  std::vector<OperationCount> operations;
+  for (const KernelListing& each : mechanism.kernels) {
+    functions += (functions.empty() ? "" : "\n") + function_text(mechanism, each);
+    operations.push_back(count(each.listing));
+  }
+  const Layout& layout = mechanism.layout;
+  const std::string_view support = embedded_template("support.js");
+  std::map<std::string, std::string> values = {
+      {"provenance", provenance_comment(provenance_of(mechanism, operations))},
+      {"scene_name", equations.scene().name()},
+      {"quaternions", quaternions_json(mechanism)},
+      {"state_size", std::to_string(1 + layout.coordinates.size() + layout.velocities.size())},
+      {"precomputed_size", std::to_string(layout.parameters.size() + mechanism.members.size())},
+      {"parameter_count", std::to_string(layout.parameters.size())},
+      {"kernel_table", kernels_json(mechanism)},
+      {"support", std::string(support.substr(support.find('\n') + 1))},
+      {"default_parameters", print(mechanism.default_parameters, language)},
+      {"precompute", print(mechanism.precompute, language)},
+      {"initial_state", print(mechanism.initial_state, language)},
+      {"kernels", functions}};
+  for (const auto& [name, table] : {std::pair("coordinates", Table::coordinate), std::pair("velocities", Table::velocity),
+                                    std::pair("inputs", Table::input), std::pair("multipliers", Table::multiplier),
+                                    std::pair("parameters", Table::parameter)}) {
+    values.emplace(name, symbols_json(mechanism, table));
+  }
+  return fill_template("mechanism.js.in", embedded_template("mechanism.js.in"), values);
+}
+
+}  // namespace torsor

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/emission/kernel.hpp"
+
+namespace torsor {
+
+/// A mechanism as an ES module without imports: the kernels of `emit_header` as functions of typed arrays, with names and
+/// units of all that they read and write. Without fused operations, results have the bits of the C++ header in double.
+std::string emit_javascript(const Equations& equations, const std::vector<Kernel>& kernels, const ModelOptions& options);
+
+}  // namespace torsor

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "generator/expression/program.hpp"
+#include "generator/expression/sum_table.hpp"
+#include "generator/listing/lowering.hpp"
+
+namespace torsor {
+
+/// Builds a listing from a program, statement by statement; see lowering.hpp.
+class ListingBuilder {
+ public:
+  ListingBuilder(Program& program, const Surroundings& around) : program_(&program), around_(around) {}
+
+  /// Without a block: leaves of formulas are not placed, since only what they are of matters.
+  void compute_nothing() { places_formulas_ = false; }
+  void compute(const Block& block);
+  void write(const Wanted& wanted);
+  void write(const Target& target, Formula value) { listing_.outputs.push_back({target, {std::move(value)}, false, {}}); }
+  void write_member(const Target& target, Atom atom);
+  void measure(const std::pair<Value, Value>& pivot);
+  Listing take(bool has_status);
+
+  // Of recurrences
+  Formula formula_of(const Polynomial& sum);  ///< in what has been computed
+  Atom place_of(Atom atom) const { return places_formulas_ ? places_.at(atom) : 0; }
+  Atom place_of(const SymbolPointer& symbol);  ///< an argument
+  Atom read(Table table, std::size_t index);   ///< where it stands
+  Atom add_local(const std::string& name) { return add({Table::local, locals_++, name}); }
+  void assign(Atom quantity, Formula right) { listing_.statements.emplace_back(Assigned{quantity, std::move(right), {}}); }
+  Listing& listing() { return listing_; }
+
+ private:
+  Atom add(Quantity quantity);
+  Atom add_local(Atom atom);
+  std::pair<Table, std::size_t> argument(const SymbolPointer& symbol) const;
+  void read_symbol(Atom atom);
+  void read_member(Atom atom);
+  Formula placed(Formula formula) const;  ///< its leaves as quantities
+  void define(Atom atom);
+  void define_sines_and_cosines(const Block& block);
+  void define_group(const std::vector<Atom>& group);
+  std::pair<Signed, bool> value_of(const Value& value, std::size_t output);
+  Atom written(std::size_t place);
+  Signed operand(const Value& value);
+
+  Program* program_;
+  Surroundings around_;
+  Listing listing_;
+  bool places_formulas_ = true;
+  std::unordered_map<Atom, Atom> places_;  ///< of the program's atoms among the quantities; looked up only, as the next two
+  std::unordered_set<Atom> done_, live_;
+  std::size_t locals_ = 0;
+  SumTable written_;                                  ///< results that cost something, with
+  std::vector<std::optional<std::size_t>> outputs_;   ///< the output of each, or
+  std::unordered_map<std::size_t, Atom> locals_of_pivots_;
+  std::vector<bool> negative_;                        ///< and whether it holds it with the other sign
+};
+
+}  // namespace torsor

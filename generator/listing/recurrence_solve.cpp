@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of recurrence_lowering.hpp that solves for accelerations.
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "generator/listing/formula_parts.hpp"
+#include "generator/listing/recurrence_lowering.hpp"
+
+namespace torsor {
+
+using formula_parts::number;
+using formula_parts::product;
+using formula_parts::sum;
+
+std::vector<Value> SeriesSolve::at_start(const SeriesProgram& program) const {
+  std::vector<Value> all = start;
+  for (const std::vector<Value>& row : lower) all.insert(all.end(), row.begin(), row.end());
+  all.insert(all.end(), inverse_pivots.begin(), inverse_pivots.end());
+  for (const SeriesNode& node : program.nodes()) {
+    for (const Atom atom : program.known_at_start(node)) all.push_back(program.value(Polynomial(atom)));
+  }
+  return all;
+}
+
+/// The marked factor of a product and the other one.
+std::pair<int, int> RecurrenceLowering::factors_of(const SeriesNode& product) const {
+  return marked(product.left) ? std::pair(product.left, product.right) : std::pair(product.right, product.left);
+}
+
+/// What an operation is without marked operands, and these added as they are given; nothing if all is zero.
+RecurrenceLowering::Optional RecurrenceLowering::with_marked(int id, const OperandOf& operand) {
+  const SeriesNode& each = node(id);
+  const Optional& alone = without_[place(id)];
+  if (each.kind == Kind::sum) {
+    return with_terms(alone, each.form, [&](int of) { return marked(of) ? operand(of) : std::nullopt; });
+  }
+  const bool is_product = each.kind == Kind::product;
+  const auto [with, other] = is_product ? factors_of(each) : std::pair(each.left, -1);
+  const Optional value = operand(with);
+  if (!value) return alone;
+  const Formula factor = is_product ? begin(other) : inverse(id);
+  return sum({*alone, product({factor, *value})});
+}
+
+/// What depends on the accelerations of order k: first without them, which gives the equations' left sides, then, the
+/// accelerations known, what convolutions of higher orders read.
+void RecurrenceLowering::write_solve() {
+  const auto nodes = static_cast<int>(nodes_.size());
+  for (int id = 0; id < nodes; ++id) {
+    if (marked(id) && !is_unknown(id)) write_partial(id);
+  }
+  write_accelerations();
+  std::vector<bool> wanted(nodes_.size(), false);
+  const auto want = [&](int id) {
+    if (marked(id)) wanted[place(id)] = true;
+  };
+  for (int id = nodes; id-- > 0;) {
+    const SeriesNode& each = node(id);
+    if (is_nonlinear(each)) {
+      want(each.left);
+      want(each.right);
+      if (each.kind == Kind::quotient) want(id);
+    }
+    if (!wanted[place(id)]) continue;
+    for (const SeriesForm::Term& term : each.form.terms) want(term.node);
+  }
+  for (int id = 0; id < nodes; ++id) {
+    if (is_unknown(id)) x_[place(id)] = rates_[unknown_of(id)];
+    if (!wanted[place(id)] || is_unknown(id)) continue;
+    const Optional all = with_marked(id, [this](int operand) { return Optional(x(operand)); });
+    x_[place(id)] = step(fmt::format("x{}", id), *all);
+  }
+}
+
+/// Coefficient k of an operation, where the accelerations are taken as zero: of its operands that do not depend on
+/// them alone, and with the others.
+void RecurrenceLowering::write_partial(int id) {
+  const SeriesNode& each = node(id);
+  Optional alone;
+  if (each.kind == Kind::sum) {
+    alone = with_terms({}, each.form, [this](int operand) { return marked(operand) ? std::nullopt : Optional(x(operand)); });
+  } else if (each.kind == Kind::product) {
+    const auto [with, other] = factors_of(each);
+    const Formula value = begin(with);
+    alone = sum({sum_of(id), product({value, x(other)})});
+  } else {
+    const Formula value = begin(id);
+    const Formula factor = inverse(id);
+    alone = negated(product({sum({sum_of(id), product({value, x(each.right)})}), factor}));
+  }
+  Optional& without = without_[place(id)];
+  if (alone) without = Formula::of_atom(step(fmt::format("o{}", id), std::move(*alone)));
+  bool more = false;
+  Optional all = with_marked(id, [&](int operand) {
+    const Optional& part = partial_[place(operand)];
+    more = more || part.has_value();
+    return part;
+  });
+  partial_[place(id)] = more ? Optional(Formula::of_atom(step(fmt::format("p{}", id), std::move(*all)))) : without;
+}
+
+/// Lᵀ D L a_k = -(left sides without a_k).
+void RecurrenceLowering::write_accelerations() {
+  const SeriesSolve& solve = *series_.solve;
+  const std::size_t n = solve.unknowns.size(), given = series_.state.size() - n;
+  std::vector<Optional> rest(n);
+  const auto subtract = [&](Optional& from, std::size_t row, std::size_t column, const Optional& value) {
+    const Polynomial& coefficient = solve.lower[row][column].polynomial();
+    if (coefficient.is_zero() || !value) return;
+    bool negative = false;
+    const Optional size = factor(coefficient, negative);
+    Formula part = size ? product({*size, *value}) : *value;
+    Formula all;
+    all.kind = Formula::Kind::sum;
+    if (from && from->kind == Formula::Kind::sum) {
+      all = std::move(*from);
+    } else if (from) {
+      all.children.push_back(std::move(*from));
+      all.negative.push_back(false);
+    }
+    all.children.push_back(std::move(part));
+    all.negative.push_back(!negative);
+    from = std::move(all);
+  };
+  for (std::size_t k = n; k-- > 0;) {
+    Optional left = with_terms({}, series_.program.outputs()[given + k], [this](int operand) {
+      return marked(operand) ? partial_[place(operand)] : Optional(x(operand));
+    });
+    Optional right;
+    if (left) {  // minus all of it, rounded as it is
+      Formula minus;
+      minus.kind = Formula::Kind::sum;
+      minus.children.push_back(std::move(*left));
+      minus.negative.push_back(true);
+      right = std::move(minus);
+    }
+    for (std::size_t i = n; i-- > k + 1;) subtract(right, i, k, rest[i]);
+    if (right) rest[k] = Formula::of_atom(step(fmt::format("r{}", k), std::move(*right)));
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    bool negative = false;
+    const Optional size = factor(solve.inverse_pivots[k].polynomial(), negative);
+    Optional right;
+    if (rest[k]) {
+      right = size ? product({*size, *rest[k]}) : *rest[k];
+      if (negative) right = negated(std::move(*right));
+    }
+    for (std::size_t i = 0; i < k; ++i) subtract(right, k, i, Formula::of_atom(rates_[i]));
+    rates_.push_back(step(fmt::format("a{}", k), right ? std::move(*right) : number(Number())));
+  }
+}
+
+}  // namespace torsor
