@@ -8,6 +8,7 @@
 #include "generator/cli/command_texts.hpp"
 #include "generator/cli/kernel_options.hpp"
 #include "generator/dynamics/equations/massless.hpp"
+#include "generator/emission/c_header.hpp"
 #include "generator/emission/header.hpp"
 #include "generator/emission/javascript_module.hpp"
 #include "generator/emission/kernel.hpp"
@@ -44,6 +45,7 @@ CommandResult generate(const Scene& scene, const KernelRequest& request) {
     result.notes.push_back(fmt::format("the kernels {} are absent: {}", fmt::join(unsolved, ", "), lack_of_mass(equations)));
   }
   result.text = request.language == "javascript" ? emit_javascript(equations, kernels, options)
+                : request.language == "c99"      ? emit_c(equations, kernels, options)
                                                  : emit_header(equations, kernels, {options});
   return result;
 }

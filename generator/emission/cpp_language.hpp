@@ -22,6 +22,7 @@ class CppLanguage final : public Language {
   std::string local(const std::string& name, const std::string& value) const override;
   std::string pi() const override;
   std::vector<Line> literal(const std::string& name, const Literal& literal, const std::string& value) const override;
+  bool computes_literals() const override { return true; }
   std::string access(const Quantity& quantity) const override;
   std::string access(const Target& target) const override;
   std::string function(Function function) const override;

@@ -51,6 +51,8 @@ class Language {
   virtual std::string pi() const = 0;
   /// Declares a constant that is rounded from more than a number; `value` is the text of its formula.
   virtual std::vector<Line> literal(const std::string& name, const Literal& literal, const std::string& value) const = 0;
+  /// Whether such a constant is computed by its formula where literals are not exact enough.
+  virtual bool computes_literals() const { return false; }
   /// Where an argument, a member of Precomputed or an output stands.
   virtual std::string access(const Quantity& quantity) const = 0;
   virtual std::string access(const Target& target) const = 0;

@@ -42,7 +42,10 @@ class ListingPrinter {
       const Quantity& each = listing_->quantity(quantity);
       bindings += language_->local(each.name, language_->access(each)) + "\n";
     }
-    for (const Statement& each : listing_->statements) write(each);
+    const std::vector<bool> kept = read_statements(*listing_, language_->computes_literals());
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+      if (kept[i]) write(listing_->statements[i]);
+    }
     for (const Output& output : listing_->outputs) {
       statement(fmt::format("{} = {};", language_->access(output.target), text(output.value)), output.meaning);
     }

@@ -120,6 +120,9 @@ struct Listing {
   const Quantity& quantity(Atom number) const { return quantities[static_cast<std::size_t>(number)]; }
 };
 
+/// By statement: whether its quantities are read, by formulas of literals too if these are computed.
+std::vector<bool> read_statements(const Listing& listing, bool literals_are_computed);
+
 /// Operations that it states; a status costs nothing.
 OperationCount count(const Listing& listing);
 

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/emission/c_header.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "generator/emission/c_language.hpp"
+#include "generator/emission/comment_text.hpp"
+#include "generator/emission/cpp_names.hpp"
+#include "generator/emission/description.hpp"
+#include "generator/emission/embedded_templates.hpp"
+#include "generator/emission/formula_printer.hpp"
+#include "generator/emission/listing_printer.hpp"
+#include "generator/emission/text_template.hpp"
+
+namespace torsor {
+namespace {
+
+/// Arrays have one entry at least.
+std::string array_size(std::size_t entries) { return std::to_string(std::max<std::size_t>(entries, 1)); }
+
+/// Structures whose members all are numbers of one vector are passed as arrays.
+bool is_vector(const MechanismListing& mechanism, const Structure& structure) {
+  return std::any_of(mechanism.common.begin(), mechanism.common.end(),
+                     [&](const Structure& each) { return each.name == structure.name; });
+}
+
+std::string structure_text(const std::string& scene, const Structure& structure) {
+  std::string text = "/// " + comment_text(structure.documentation) + "\ntypedef struct {\n";
+  if (structure.members.empty()) text += "  torsor_real nothing_;\n";
+  for (const Member& member : structure.members) {
+    const std::string shape = member.scalar || member.columns == 1 ? "" : fmt::format(" ({} x {})", member.rows, member.columns);
+    const std::string size =
+        member.scalar ? "" : fmt::format("[{}]", array_size(static_cast<std::size_t>(member.rows * member.columns)));
+    text += fmt::format("  torsor_real {}{};  ///< {}{}\n", member.name, size, comment_text(member.documentation), shape);
+  }
+  return text + fmt::format("}} {}_{};\n\n", scene, structure.name);
+}
+
+/// Places of symbols in their arrays: arm7_q_shoulder.
+std::string places_text(const std::string& scene, const Layout& layout) {
+  std::string text;
+  for (const auto& [table, prefix] : {std::pair(Table::coordinate, "q"), std::pair(Table::velocity, "v"),
+                                      std::pair(Table::input, "input"), std::pair(Table::multiplier, "multiplier"),
+                                      std::pair(Table::parameter, "parameter")}) {
+    std::string list;
+    for (const SymbolPointer& symbol : layout.of(table)) {
+      list += fmt::format("{}{}_{}_{}", list.empty() ? "" : ", ", scene, prefix, member_name(*symbol));
+    }
+    if (!list.empty()) text += wrapped(fmt::format("enum {{ {} }};", list), 0) + "\n";
+  }
+  return text;
+}
+
+std::string function_text(const MechanismListing& mechanism, const KernelListing& given) {
+  const auto& [kernel, listing] = given;
+  const std::string& scene = mechanism.equations->scene().name();
+  std::map<std::string, const Structure*> structures;
+  std::string arguments = fmt::format("const {0}_precomputed* precomputed, const {0}_state* state", scene);
+  std::string unused = "(void)precomputed, (void)state";
+  const auto add = [&](const std::string& type, const std::string& name) {
+    arguments += fmt::format(", {}* {}", type, name);
+    unused += ", (void)" + name;
+  };
+  for (const Argument argument : kernel.arguments) {
+    add("const torsor_real", argument == Argument::accelerations ? "accelerations"
+                             : argument == Argument::multipliers ? "multipliers"
+                                                                 : "inputs");
+  }
+  for (const Result& result : kernel.results) {
+    const Structure* const structure = mechanism.structure(result.structure);
+    const bool array = structure == nullptr || is_vector(mechanism, *structure);
+    add(array ? "torsor_real" : fmt::format("{}_{}", scene, structure->name), result.name);
+    if (!array) structures.emplace(result.name, structure);
+  }
+  if (kernel.series) arguments += ", int order, torsor_real* coefficients";
+  const std::string body = print(listing, CLanguage(mechanism, "precomputed->parameters", structures));
+  const std::string type = listing.has_status ? "torsor_status" : "void";
+  const std::string signature = fmt::format("TORSOR_UNUSED static inline {} {}_{}({}) {{", type, scene, kernel.name, arguments);
+  return documentation_comment(kernel.documentation) + wrapped(signature, 0) + "\n  " + unused + ";\n" + indented(body, "  ") +
+         "}\n";
+}
+
+std::string upper(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; });
+  return text;
+}
+
+}  // namespace
+
+std::string emit_c(const Equations& equations, const std::vector<Kernel>& kernels, const ModelOptions& options) {
+  const std::string& scene = equations.scene().name();
+  require_cpp_name(scene, "scene");
+  const MechanismListing mechanism = lower_mechanism(equations, kernels, options);
+  const Layout& layout = mechanism.layout;
+  std::string functions, structures, members;
+  std::vector<OperationCount> operations;
+  for (const Structure& each : mechanism.own) structures += structure_text(scene, each);
+  for (const KernelListing& each : mechanism.kernels) {
+    functions += (functions.empty() ? "" : "\n") + function_text(mechanism, each);
+    operations.push_back(count(each.listing));
+  }
+  for (const PrecomputedMember& each : mechanism.members) members += fmt::format("torsor_real {};\n", each.name);
+  std::string copies;
+  for (std::size_t i = 0; i < layout.parameters.size(); ++i) {
+    copies += fmt::format("precomputed->parameters[{0}] = parameters[{0}];\n", i);
+  }
+  const CLanguage language(mechanism, "parameters");
+  const std::string_view support = embedded_template("support.h");
+  const auto size = [](const auto& list) { return std::to_string(list.size()); };
+  return fill_template("mechanism.h.in", embedded_template("mechanism.h.in"),
+                       {{"provenance", provenance_comment(provenance_of(mechanism, operations))},
+                        {"guard", "TORSOR_" + upper(scene) + "_H"},
+                        {"support", std::string(support.substr(support.find('\n') + 1))},
+                        {"scene_name", scene},
+                        {"coordinate_count", size(layout.coordinates)},
+                        {"velocity_count", size(layout.velocities)},
+                        {"input_count", size(layout.inputs)},
+                        {"parameter_count", size(layout.parameters)},
+                        {"multiplier_count", size(layout.multipliers)},
+                        {"coordinate_size", array_size(layout.coordinates.size())},
+                        {"velocity_size", array_size(layout.velocities.size())},
+                        {"parameter_size", array_size(layout.parameters.size())},
+                        {"places", places_text(scene, layout)},
+                        {"precomputed_members", members},
+                        {"structures", structures},
+                        {"default_parameters", print(mechanism.default_parameters, language)},
+                        {"copy_parameters", copies},
+                        {"precompute", print(mechanism.precompute, language)},
+                        {"initial_state", print(mechanism.initial_state, language)},
+                        {"kernels", functions}});
+}
+
+}  // namespace torsor

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generator/emission/c_language.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "generator/emission/formula_printer.hpp"
+#include "generator/expression/error.hpp"
+
+namespace torsor {
+
+CLanguage::CLanguage(const MechanismListing& mechanism, std::string parameters,
+                     std::map<std::string, const Structure*> structures)
+    : mechanism_(&mechanism), parameters_(std::move(parameters)), structures_(std::move(structures)) {}
+
+std::string CLanguage::constant(const Number& number) const {
+  return fmt::format("TORSOR_NUMBER({}, {})", torsor::literal(number.to_double()), torsor::literal(number.to_float()));
+}
+
+std::string CLanguage::local(const std::string& name, const std::string& value) const {
+  return fmt::format("const torsor_real {} = {};", name, value);
+}
+
+std::string CLanguage::pi() const { return "TORSOR_NUMBER(3.141592653589793, 3.1415927f)"; }
+
+std::vector<Line> CLanguage::literal(const std::string& name, const Literal& literal, const std::string&) const {
+  const std::string value = fmt::format("TORSOR_NUMBER({}, {})", torsor::literal(literal.rounded.in_double),
+                                        torsor::literal(literal.rounded.in_float));
+  return {{local(name, value), literal.meaning}};
+}
+
+std::string CLanguage::access(const Quantity& quantity) const {
+  const auto entry = [&quantity](const char* array) { return fmt::format("{}[{}]", array, quantity.index); };
+  switch (quantity.table) {
+    case Table::time: return "state->time";
+    case Table::coordinate: return entry("state->q");
+    case Table::velocity: return entry("state->v");
+    case Table::acceleration: return entry("accelerations");
+    case Table::multiplier: return entry("multipliers");
+    case Table::input: return entry("inputs");
+    case Table::parameter: return entry(parameters_.c_str());
+    case Table::precomputed: return "precomputed->" + mechanism_->members.at(quantity.index).name;
+    case Table::coefficient: {
+      const Layout& layout = mechanism_->layout;
+      return fmt::format("coefficients[{} * k_ + {}]", layout.coordinates.size() + layout.velocities.size(), quantity.index);
+    }
+    case Table::convolution: return entry("sums_");
+    case Table::order: return name_of(static_cast<OrderQuantity>(quantity.index));
+    case Table::output:
+    case Table::local: break;
+  }
+  throw Error("a local variable is read where an argument stands");
+}
+
+std::string CLanguage::access(const Target& target) const {
+  const Layout& layout = mechanism_->layout;
+  if (target.result == "coefficients") {
+    const std::size_t size = layout.coordinates.size() + layout.velocities.size();
+    if (target.member == "last") return fmt::format("coefficients[{} * order + {}]", size, *target.entry);
+    return fmt::format("coefficients[{}]", (target.member == "0" ? 0 : size) + *target.entry);
+  }
+  if (target.result == "parameters") {
+    const auto& all = layout.parameters;
+    const auto place = std::find_if(all.begin(), all.end(), [&](const SymbolPointer& each) { return each->name == target.member; });
+    return fmt::format("parameters[{}]", place - all.begin());
+  }
+  const std::string entry = target.entry ? fmt::format("[{}]", *target.entry) : "";
+  return target.member.empty() ? target.result + entry : fmt::format("{}->{}{}", target.result, target.member, entry);
+}
+
+std::string CLanguage::function(Function function) const {
+  switch (function) {
+    case Function::sqrt: return "TORSOR_FUNCTION(sqrt)";
+    case Function::exp: return "TORSOR_FUNCTION(exp)";
+    case Function::log: return "TORSOR_FUNCTION(log)";
+    case Function::abs: return "torsor_absolute";
+    case Function::sign: return "torsor_sign";
+    case Function::maximum: return "torsor_maximum";
+    case Function::atan2: return "torsor_arctangent";
+    case Function::select: return "torsor_chosen";
+    case Function::sin:
+    case Function::cos: break;
+  }
+  throw Error("sines and cosines come in pairs");
+}
+
+std::vector<Line> CLanguage::sines_and_cosines(const std::vector<AngleText>& angles, int) const {
+  std::vector<Line> lines;
+  for (const AngleText& each : angles) {
+    // The one that nothing reads is written all the same.
+    const std::string sine = each.sine.empty() ? each.cosine + "_sine" : each.sine;
+    const std::string cosine = each.cosine.empty() ? each.sine + "_cosine" : each.cosine;
+    lines.push_back({fmt::format("torsor_real {}, {};", sine, cosine)});
+    lines.push_back({fmt::format("torsor_sincos({}, &{}, &{});", each.angle, sine, cosine), each.meaning});
+  }
+  return lines;
+}
+
+std::vector<Line> CLanguage::recurrence(const RecurrenceText& text) const {
+  const std::size_t lanes = text.convolutions.size();
+  std::vector<Line> lines;
+  if (lanes > 0) {
+    lines.push_back({fmt::format("torsor_real left_[{0} * torsor_order_max], right_[{0} * torsor_order_max], sums_[{0}];", lanes)});
+  }
+  lines.push_back({fmt::format("torsor_real number_ = {0}, inverse_ = {0};", text.one)});
+  lines.push_back({"for (int k_ = 1; k_ < order; ++k_) {"});
+  lines.push_back({fmt::format("  const torsor_real following_ = number_ + {0}, next_ = {0} / following_;", text.one)});
+  if (text.is_first_read) {
+    lines.push_back({fmt::format("  const torsor_real first_ = k_ == 1 ? {} : {};", text.one, text.zero)});
+  }
+  if (lanes > 0) lines.push_back({fmt::format("  torsor_convolutions({}, k_, left_, right_, sums_);", lanes)});
+  for (const Line& each : text.steps) lines.push_back({"  " + each.code, each.meaning});
+  for (std::size_t i = 0; i < text.next.size(); ++i) {
+    lines.push_back({fmt::format("  coefficients[{} * (k_ + 1) + {}] = {};", text.size, i, text.next[i])});
+  }
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const auto& [left, right] = text.convolutions[i];
+    lines.push_back({fmt::format("  left_[{0} * k_ + {1}] = {2}, right_[{0} * k_ + {1}] = {3};", lanes, i, left, right)});
+  }
+  for (const char* each : {"  number_ = following_;", "  inverse_ = next_;", "}", "(void)inverse_;"}) lines.push_back({each});
+  return lines;
+}
+
+std::string CLanguage::regular(const std::string& pivot, const std::string& diagonal) const {
+  return fmt::format("torsor_regular({}, {})", pivot, diagonal);
+}
+
+std::string CLanguage::status(const std::string& name) const { return "torsor_" + name; }
+
+}  // namespace torsor

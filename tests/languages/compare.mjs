@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// compare.mjs NAME STATES FOLDER C++-COMPILER C-COMPILER...: evaluates every kernel of FOLDER/NAME.mjs, .h and .hpp at
+// the same random states and expects the same bits from all of them: results, Taylor coefficients, statuses.
+import { execFileSync } from "node:child_process";
+import { readFileSync, writeFileSync } from "node:fs";
+import { join, resolve } from "node:path";
+
+const [name, count, folder, cppCompiler, ...cCompilers] = process.argv.slice(2);
+const states = Number(count), order = 6;
+const m = await import(resolve(folder, `${name}.mjs`));
+const sizes = {
+  parameters: m.parameters.length,
+  state: m.stateSize,
+  accelerations: m.velocities.length,
+  multipliers: m.multipliers.length,
+  inputs: m.inputs.length,
+};
+const width = Object.values(sizes).reduce((sum, size) => sum + size, 0);
+
+// States: ordinary ones, some at rest, some with angles of many turns, some that are not finite.
+let seed = 12345n;
+function uniform() {
+  seed = (seed * 6364136223846793005n + 1442695040888963407n) & 0xffffffffffffffffn;
+  return Number(seed >> 11n) / 2 ** 53;
+}
+const data = new Float64Array(width * states);
+for (let s = 0; s < states; ++s) {
+  const row = data.subarray(width * s, width * (s + 1));
+  const kind = s % 10;
+  for (let i = 0; i < row.length; ++i) row[i] = 4 * uniform() - 2;
+  const defaults = m.defaultParameters();
+  for (let i = 0; i < sizes.parameters; ++i) row[i] = Number.isNaN(defaults[i]) ? 0.5 + uniform() : defaults[i];
+  const state = row.subarray(sizes.parameters, sizes.parameters + sizes.state);
+  const q = state.subarray(1, 1 + m.coordinates.length);
+  if (kind === 7) state.fill(0);
+  if (kind === 8) for (let i = 0; i < q.length; ++i) q[i] *= 10 ** (12 * uniform());
+  if (kind === 9 && q.length > 0) q[Math.floor(uniform() * q.length)] = s % 20 === 9 ? NaN : Infinity;
+  for (const first of m.quaternions) {
+    const norm = Math.hypot(...q.subarray(first, first + 4));
+    if (norm > 0 && norm < Infinity) for (let i = 0; i < 4; ++i) q[first + i] /= norm;
+  }
+}
+writeFileSync(join(folder, `${name}.states`), data);
+
+// What each kernel writes, one number after the other; its status goes last.
+const taylor = sizes.state - 1;
+const outputs = m.kernels.map((kernel) => {
+  const size = kernel.results.reduce((sum, result) => sum + result.size, 0);
+  return size + (kernel.name === "jets" ? taylor * (order + 1) : 0) + 1;
+});
+
+function ofModule() {
+  const all = [];
+  for (let s = 0; s < states; ++s) {
+    let at = width * s;
+    const take = (size) => data.slice(at, (at += size));
+    const parameters = take(sizes.parameters), state = take(sizes.state);
+    const given = { accelerations: take(sizes.accelerations), multipliers: take(sizes.multipliers), inputs: take(sizes.inputs) };
+    const precomputed = m.precompute(parameters);
+    for (const kernel of m.kernels) {
+      const results = kernel.results.map((result) => new Float64Array(result.size));
+      const coefficients = new Float64Array(taylor * (order + 1));
+      const more = kernel.name === "jets" ? [order, coefficients] : [];
+      const status = m[kernel.name](precomputed, state, ...kernel.arguments.map((a) => given[a]), ...results, ...more);
+      for (const result of results) all.push(...result);
+      if (kernel.name === "jets") all.push(...coefficients);
+      all.push(status ?? 0);
+    }
+  }
+  return new Float64Array(all);
+}
+
+const readStates = `  FILE* in = fopen("${join(folder, name)}.states", "rb");
+  FILE* out = fopen(argv[1], "wb");
+  if (argc != 2 || in == 0 || out == 0) return 1;
+  double row[${width}];
+  while (fread(row, sizeof(double), ${width}, in) == ${width}) {
+    const double* at = row;
+`;
+
+function driverInC() {
+  let text = `#include "${name}.h"\n#include <stdio.h>\n#include <string.h>\nint main(int argc, char** argv) {\n${readStates}`;
+  text += `    ${name}_precomputed precomputed;\n    ${name}_precompute(at, &precomputed);\n    at += ${sizes.parameters};\n`;
+  text += `    ${name}_state state;\n    state.time = at[0];\n`;
+  text += `    memcpy(state.q, at + 1, ${8 * m.coordinates.length});\n    memcpy(state.v, at + ${1 + m.coordinates.length}, ${8 * m.velocities.length});\n    at += ${sizes.state};\n`;
+  text += `    const double *accelerations = at, *multipliers = at + ${sizes.accelerations}, *inputs = at + ${sizes.accelerations + sizes.multipliers};\n`;
+  text += `    (void)accelerations, (void)multipliers, (void)inputs;\n`;
+  for (const kernel of m.kernels) {
+    const vectors = ["Accelerations", "Multipliers", "GeneralizedForces"];
+    const isArray = (result) => !result.structure || vectors.includes(result.structure);
+    text += "    {\n      double status = 0;\n";
+    kernel.results.forEach((result, i) => {
+      text += isArray(result) ? `      double r${i}[${Math.max(1, result.size)}] = {0};\n` : `      ${name}_${result.structure} r${i};\n`;
+    });
+    const more = kernel.name === "jets" ? [String(order), "c"] : [];
+    if (more.length > 0) text += `      double c[${taylor * (order + 1)}];\n      memset(c, 0, sizeof c);\n`;
+    const list = ["&precomputed", "&state", ...kernel.arguments, ...kernel.results.map((r, i) => (isArray(r) ? `r${i}` : `&r${i}`)), ...more];
+    text += `      ${kernel.status ? "status = (double)" : ""}${name}_${kernel.name}(${list.join(", ")});\n`;
+    kernel.results.forEach((result, i) => {
+      text += `      fwrite(${isArray(result) ? "" : "&"}r${i}, sizeof(double), ${result.size}, out);\n`;
+    });
+    if (more.length > 0) text += `      fwrite(c, sizeof(double), ${taylor * (order + 1)}, out);\n`;
+    text += "      fwrite(&status, sizeof(double), 1, out);\n    }\n";
+  }
+  return text + "  }\n  return fclose(out) != 0;\n}\n";
+}
+
+function driverInCpp() {
+  let text = `#include "${name}.hpp"\n#include <cstdio>\n#include <cstring>\nusing M = ${name}::Mechanism<double>;\n`;
+  text += "template <class T>\nT filled(const double* from, int size) {\n  T t{};\n  if (size > 0) std::memcpy(static_cast<void*>(&t), from, sizeof(double) * static_cast<unsigned>(size));\n  return t;\n}\n";
+  text += `int main(int argc, char** argv) {\n${readStates}`;
+  text += `    const auto precomputed = M::precompute(filled<M::Parameters>(at, ${sizes.parameters}));\n    at += ${sizes.parameters};\n`;
+  text += `    const auto state = filled<M::State>(at, ${sizes.state});\n    at += ${sizes.state};\n`;
+  for (const [type, key] of [["Accelerations", "accelerations"], ["Multipliers", "multipliers"], ["Inputs", "inputs"]]) {
+    text += `    const auto ${key} = filled<M::${type}>(at, ${sizes[key]});\n    at += ${sizes[key]};\n    (void)${key};\n`;
+  }
+  for (const kernel of m.kernels) {
+    text += "    {\n      double status = 0;\n";
+    kernel.results.forEach((result, i) => {
+      text += `      ${result.structure ? `M::${result.structure}` : `std::array<double, ${result.size}>`} r${i}{};\n`;
+    });
+    const more = kernel.name === "jets" ? [String(order), "c"] : [];
+    if (more.length > 0) text += `      std::array<double, ${taylor}> c[${order + 1}] = {};\n`;
+    const list = ["precomputed", "state", ...kernel.arguments, ...kernel.results.map((r, i) => `r${i}`), ...more];
+    text += `      ${kernel.status ? "status = static_cast<double>(" : ""}M::${kernel.name}(${list.join(", ")})${kernel.status ? ")" : ""};\n`;
+    kernel.results.forEach((result, i) => {
+      text += `      std::fwrite(&r${i}, sizeof(double), ${result.size}, out);\n`;
+    });
+    if (more.length > 0) text += `      std::fwrite(c, sizeof(double), ${taylor * (order + 1)}, out);\n`;
+    text += "      std::fwrite(&status, sizeof(double), 1, out);\n    }\n";
+  }
+  return text + "  }\n  return std::fclose(out) != 0;\n}\n";
+}
+
+function run(driver, extension, compiler, flags) {
+  const base = join(folder, `${name}_${compiler.replace(/\W/g, "")}_${extension}`);
+  writeFileSync(`${base}.${extension}`, driver);
+  execFileSync(compiler, [...flags, "-O1", "-ffp-contract=off", `-I${folder}`, `${base}.${extension}`, "-o", base, "-lm"], { stdio: "inherit" });
+  execFileSync(base, [`${base}.out`], { stdio: "inherit" });
+  const bytes = readFileSync(`${base}.out`);
+  return new Float64Array(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length));
+}
+
+/// What is not a number has many bit patterns, of which languages promise none.
+function differences(expected, found, language) {
+  if (expected.length !== found.length) return [`${language}: ${found.length} numbers instead of ${expected.length}`];
+  const list = [];
+  let at = 0;
+  for (let s = 0; s < states; ++s) {
+    m.kernels.forEach((kernel, k) => {
+      for (let i = 0; i < outputs[k]; ++i, ++at) {
+        if (!Object.is(expected[at], found[at])) {
+          list.push(`${language}: ${kernel.name}, state ${s}, number ${i}: ${found[at]} instead of ${expected[at]}`);
+        }
+      }
+    });
+  }
+  return list;
+}
+
+const reference = run(driverInCpp(), "cpp", cppCompiler, ["-std=c++17"]);
+const found = differences(reference, ofModule(), "JavaScript");
+const strict = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Werror"];
+for (const compiler of cCompilers) found.push(...differences(reference, run(driverInC(), "c", compiler, strict), compiler));
+if (reference.length === 0) found.push("nothing was computed");
+console.log(`${name}: ${m.kernels.length} kernels, ${states} states, ${reference.length} numbers, ${found.length} differ`);
+for (const line of found.slice(0, 20)) console.log(line);
+process.exit(found.length === 0 ? 0 : 1);
