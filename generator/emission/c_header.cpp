@@ -111,7 +111,7 @@ std::string emit_c(const Equations& equations, const std::vector<Kernel>& kernel
   const std::string_view support = embedded_template("support.h");
   const auto size = [](const auto& list) { return std::to_string(list.size()); };
   return fill_template("mechanism.h.in", embedded_template("mechanism.h.in"),
-                       {{"provenance", provenance_comment(provenance_of(mechanism, operations))},
+                       {{"provenance", provenance_comment(provenance_of(mechanism, operations, "c99", "h"))},
                         {"guard", "TORSOR_" + upper(scene) + "_H"},
                         {"support", std::string(support.substr(support.find('\n') + 1))},
                         {"scene_name", scene},

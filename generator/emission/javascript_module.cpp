@@ -53,7 +53,7 @@ std::string emit_javascript(const Equations& equations, const std::vector<Kernel
   const Layout& layout = mechanism.layout;
   const std::string_view support = embedded_template("support.js");
   std::map<std::string, std::string> values = {
-      {"provenance", provenance_comment(provenance_of(mechanism, operations))},
+      {"provenance", provenance_comment(provenance_of(mechanism, operations, "javascript", "mjs"))},
       {"scene_name", equations.scene().name()},
       {"quaternions", quaternions_json(mechanism)},
       {"state_size", std::to_string(1 + layout.coordinates.size() + layout.velocities.size())},

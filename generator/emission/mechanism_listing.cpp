@@ -100,11 +100,14 @@ MechanismListing lower_mechanism(const Equations& equations, const std::vector<K
   return mechanism;
 }
 
-Provenance provenance_of(const MechanismListing& mechanism, const std::vector<OperationCount>& of_kernels) {
+Provenance provenance_of(const MechanismListing& mechanism, const std::vector<OperationCount>& of_kernels,
+                         const std::string& language, const std::string& extension) {
   const Equations& equations = *mechanism.equations;
   const Scene& scene = equations.scene();
   Provenance provenance{&scene, mechanism.options, mechanism.asked, mechanism.layout.parameters, {}};
   provenance.notes = notes(equations.redundancy(), scene);
+  provenance.language = language;
+  provenance.extension = extension;
   if (const OperationCount once = count(mechanism.precompute); once.total() > 0) {
     provenance.operations.push_back({"precompute", once, std::nullopt});
   }

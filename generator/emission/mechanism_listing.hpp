@@ -43,6 +43,7 @@ struct MechanismListing {
 MechanismListing lower_mechanism(const Equations& equations, const std::vector<Kernel>& kernels, const ModelOptions& options);
 
 /// What the head comment tells, with the operations of each kernel's text.
-Provenance provenance_of(const MechanismListing& mechanism, const std::vector<OperationCount>& of_kernels);
+Provenance provenance_of(const MechanismListing& mechanism, const std::vector<OperationCount>& of_kernels,
+                         const std::string& language = {}, const std::string& extension = "hpp");
 
 }  // namespace torsor

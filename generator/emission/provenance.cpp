@@ -78,7 +78,8 @@ std::string regeneration_command(const Provenance& provenance) {
     if (!(provenance.options.passes.*(pass.on))) without += (without.empty() ? " --without " : ",") + std::string(pass.name);
   }
   command += without;
-  return command + fmt::format(" --output {}.hpp", scene);
+  if (!provenance.language.empty()) command += " --language " + provenance.language;
+  return command + fmt::format(" --output {}.{}", scene, provenance.extension);
 }
 
 std::string provenance_comment(const Provenance& provenance) {

@@ -26,6 +26,8 @@ struct Provenance {
   std::vector<SymbolPointer> parameters;                           ///< set at run time
   std::vector<FunctionOperations> operations;                      ///< of each function of the text
   std::vector<std::string> notes{};                                ///< on the constraints, a sentence each
+  std::string language{};                                          ///< as --language has it; empty for C++
+  std::string extension = "hpp";                                   ///< of the file
 };
 
 /// The head comment: scene, version, licence, kernels, operations, what was skipped and why, how to regenerate. No
