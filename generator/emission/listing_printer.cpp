@@ -37,14 +37,15 @@ class ListingPrinter {
                   [this](Function function) { return language_->function(function); }) {}
 
   std::string print() {
+    const std::vector<bool> read = read_quantities(*listing_, language_->computes_literals());
     std::string bindings;
     for (const Atom quantity : listing_->given) {
+      if (!read[static_cast<std::size_t>(quantity)]) continue;
       const Quantity& each = listing_->quantity(quantity);
       bindings += language_->local(each.name, language_->access(each)) + "\n";
     }
-    const std::vector<bool> kept = read_statements(*listing_, language_->computes_literals());
-    for (std::size_t i = 0; i < kept.size(); ++i) {
-      if (kept[i]) write(listing_->statements[i]);
+    for (const Statement& each : listing_->statements) {
+      if (is_needed(each, read)) write(each);
     }
     for (const Output& output : listing_->outputs) {
       statement(fmt::format("{} = {};", language_->access(output.target), text(output.value)), output.meaning);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generator/listing/listing.hpp"
 
-#include <algorithm>
-
 #include "generator/expression/error.hpp"
 
 namespace torsor {
@@ -20,10 +18,6 @@ const std::vector<SymbolPointer>& Layout::of(Table table) const {
   throw Error("a listing asks for symbols where there are none");
 }
 
-bool Listing::reads(Table table) const {
-  return std::any_of(quantities.begin(), quantities.end(), [table](const Quantity& each) { return each.table == table; });
-}
-
 namespace {
 
 void mark(const Formula& formula, std::vector<bool>& read) {
@@ -33,9 +27,16 @@ void mark(const Formula& formula, std::vector<bool>& read) {
 
 }  // namespace
 
-std::vector<bool> read_statements(const Listing& listing, bool literals_are_computed) {
-  std::vector<bool> read(listing.quantities.size(), false);
+bool is_needed(const Statement& statement, const std::vector<bool>& read) {
   const auto is_read = [&read](Atom quantity) { return read[static_cast<std::size_t>(quantity)]; };
+  if (const auto* literal = std::get_if<Literal>(&statement)) return is_read(literal->quantity);
+  if (const auto* assigned = std::get_if<Assigned>(&statement)) return is_read(assigned->quantity);
+  if (const auto* pi = std::get_if<Pi>(&statement)) return is_read(pi->quantity);
+  return true;
+}
+
+std::vector<bool> read_quantities(const Listing& listing, bool literals_are_computed) {
+  std::vector<bool> read(listing.quantities.size(), false);
   for (const Output& output : listing.outputs) mark(output.value.formula, read);
   for (const auto& [pivot, diagonal] : listing.pivots) mark(pivot.formula, read), mark(diagonal.formula, read);
   for (const Statement& each : listing.of_pivots) mark(std::get<Assigned>(each).right, read);
@@ -43,22 +44,23 @@ std::vector<bool> read_statements(const Listing& listing, bool literals_are_comp
     for (const Statement& each : listing.recurrence->steps) mark(std::get<Assigned>(each).right, read);
     for (const Formula& rate : listing.recurrence->rates) mark(rate, read);
   }
-  std::vector<bool> kept(listing.statements.size(), true);
-  for (std::size_t i = listing.statements.size(); i-- > 0;) {
-    const Statement& each = listing.statements[i];
-    if (const auto* group = std::get_if<SinesAndCosines>(&each)) {
+  for (auto each = listing.statements.rbegin(); each != listing.statements.rend(); ++each) {
+    if (!is_needed(*each, read)) continue;
+    if (const auto* assigned = std::get_if<Assigned>(&*each)) mark(assigned->right, read);
+    if (const auto* literal = std::get_if<Literal>(&*each); literal != nullptr && literals_are_computed) mark(literal->right, read);
+    if (const auto* group = std::get_if<SinesAndCosines>(&*each)) {
       for (const SineCosine& pair : group->angles) read[static_cast<std::size_t>(pair.angle)] = true;
-    } else if (const auto* literal = std::get_if<Literal>(&each)) {
-      kept[i] = is_read(literal->quantity);
-      if (kept[i] && literals_are_computed) mark(literal->right, read);
-    } else if (const auto* assigned = std::get_if<Assigned>(&each)) {
-      kept[i] = is_read(assigned->quantity);
-      if (kept[i]) mark(assigned->right, read);
-    } else {
-      kept[i] = is_read(std::get<Pi>(each).quantity);
     }
   }
-  return kept;
+  return read;
+}
+
+bool Listing::reads(Table table) const {
+  const std::vector<bool> read = read_quantities(*this, true);
+  for (std::size_t k = 0; k < quantities.size(); ++k) {
+    if (read[k] && quantities[k].table == table) return true;
+  }
+  return false;
 }
 
 OperationCount count(const Listing& listing) {

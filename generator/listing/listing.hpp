@@ -116,12 +116,14 @@ struct Listing {
   std::vector<Pivot> pivots;          ///< but for those that are regular whatever the state
   bool has_status = false;
 
-  bool reads(Table table) const;
+  bool reads(Table table) const;  ///< any quantity of that table
   const Quantity& quantity(Atom number) const { return quantities[static_cast<std::size_t>(number)]; }
 };
 
-/// By statement: whether its quantities are read, by formulas of literals too if these are computed.
-std::vector<bool> read_statements(const Listing& listing, bool literals_are_computed);
+/// By quantity: whether anything reads it that is needed itself; formulas of literals do if these are computed.
+std::vector<bool> read_quantities(const Listing& listing, bool literals_are_computed);
+/// Whether a statement is needed, quantities being read or not.
+bool is_needed(const Statement& statement, const std::vector<bool>& read);
 
 /// Operations that it states; a status costs nothing.
 OperationCount count(const Listing& listing);
